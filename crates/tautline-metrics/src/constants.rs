@@ -1,0 +1,142 @@
+//! `Constants`: the numbers `c₁`, `c₂`, `L_H` and `M_H` by which the theorems know a metric.
+
+/// The constants of Theorem 1.1, for all `x, y, u, w`:
+///
+/// ```text
+/// c₁ |u|² ≤ uᵀ H(x) u ≤ c₂ |u|²,    ‖H(x) − H(y)‖ ≤ L_H |x − y|,    |uᵀ D²H(x)[w, w] u| ≤ M_H |w|² |u|²
+/// ```
+///
+/// with the Euclidean norm of vectors and the operator norm of matrices. The last is not
+/// asked for by the paper, and optional.
+///
+/// Invariant: `0 < c₁ ≤ c₂ < ∞`, `0 ≤ L_H < ∞`, `0 ≤ M_H < ∞`. [`Constants::new`] is the only
+/// way in, so a function which takes `Constants` need not check again.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Constants {
+    c1: f64,
+    c2: f64,
+    l_h: f64,
+    m_h: Option<f64>,
+}
+
+impl Constants {
+    /// Checks the clauses in the paper's order; `c₁`, `c₂` in `m²/ℓ²`, `L_H` in `m²/ℓ³`.
+    ///
+    /// # Errors
+    ///
+    /// The first clause that fails, with its numbers.
+    pub fn new(c1: f64, c2: f64, l_h: f64) -> Result<Constants, HypothesisError> {
+        if !(c1 > 0.0 && c1.is_finite()) {
+            return Err(HypothesisError::NotCoercive { c1 });
+        }
+        if !(c1 <= c2 && c2.is_finite()) {
+            return Err(HypothesisError::CrossedBounds { c1, c2 });
+        }
+        if !(l_h >= 0.0 && l_h.is_finite()) {
+            return Err(HypothesisError::NotLipschitz { l_h });
+        }
+        Ok(Constants { c1, c2, l_h, m_h: None })
+    }
+
+    /// Adds `M_H`, in `m²/ℓ⁴`; a Lipschitz constant of `DH` is enough.
+    ///
+    /// # Errors
+    ///
+    /// [`HypothesisError::NotTwiceBounded`] if it is negative, infinite or NaN.
+    pub fn with_m_h(self, m_h: f64) -> Result<Constants, HypothesisError> {
+        if !(m_h >= 0.0 && m_h.is_finite()) {
+            return Err(HypothesisError::NotTwiceBounded { m_h });
+        }
+        Ok(Constants { m_h: Some(m_h), ..self })
+    }
+
+    /// Returns `c₁`, in `m²/ℓ²`.
+    #[must_use]
+    pub fn c1(&self) -> f64 {
+        self.c1
+    }
+
+    /// Returns `c₂`, in `m²/ℓ²`.
+    #[must_use]
+    pub fn c2(&self) -> f64 {
+        self.c2
+    }
+
+    /// Returns the Lipschitz constant `L_H` of `H`, in `m²/ℓ³`.
+    #[must_use]
+    pub fn l_h(&self) -> f64 {
+        self.l_h
+    }
+
+    /// Returns the bound `M_H` of the second derivatives of `H`, in `m²/ℓ⁴`, if known.
+    #[must_use]
+    pub fn m_h(&self) -> Option<f64> {
+        self.m_h
+    }
+}
+
+/// A hypothesis of Theorem 1.1 which the given constants do not meet.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum HypothesisError {
+    /// `c₁ > 0`: without it the energy does not control the speed.
+    #[error("c1 = {c1} must be positive and finite (Theorem 1.1)")]
+    NotCoercive {
+        /// The constant that was given.
+        c1: f64,
+    },
+    /// `c₁ ≤ c₂ < ∞`.
+    #[error("c2 = {c2} must be finite and at least c1 = {c1} (Theorem 1.1)")]
+    CrossedBounds {
+        /// The lower constant that was given.
+        c1: f64,
+        /// The upper constant that was given.
+        c2: f64,
+    },
+    /// `H` has a finite Lipschitz constant.
+    #[error("L_H = {l_h} must be nonnegative and finite (Theorem 1.1)")]
+    NotLipschitz {
+        /// The constant that was given.
+        l_h: f64,
+    },
+    /// `D²H` has a finite bound.
+    #[error("M_H = {m_h} must be nonnegative and finite")]
+    NotTwiceBounded {
+        /// The constant that was given.
+        m_h: f64,
+    },
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Constants, HypothesisError};
+
+    #[test]
+    fn the_first_clause_that_fails_is_named() {
+        let nan = f64::NAN;
+        assert_eq!(Constants::new(0.0, -1.0, -1.0), Err(HypothesisError::NotCoercive { c1: 0.0 }));
+        assert_eq!(
+            Constants::new(2.0, 1.0, -1.0),
+            Err(HypothesisError::CrossedBounds { c1: 2.0, c2: 1.0 })
+        );
+        assert_eq!(
+            Constants::new(1.0, 1.0, -1.0),
+            Err(HypothesisError::NotLipschitz { l_h: -1.0 })
+        );
+        assert!(Constants::new(nan, 1.0, 0.0).is_err());
+        assert!(Constants::new(1.0, nan, 0.0).is_err());
+        assert!(Constants::new(1.0, f64::INFINITY, 0.0).is_err());
+        assert!(Constants::new(1.0, 1.0, nan).is_err());
+        let constants = Constants::new(1.0, 9.0, 5.0).expect("in order");
+        assert!(constants.with_m_h(nan).is_err());
+        assert!(constants.with_m_h(-1.0).is_err());
+        assert_eq!(constants.m_h(), None);
+        assert_eq!(constants.with_m_h(6.0).expect("nonnegative").m_h(), Some(6.0));
+    }
+
+    #[test]
+    fn the_message_names_the_number_and_the_clause() {
+        let error = Constants::new(-1.5, 1.0, 0.0).expect_err("c1 < 0");
+        assert_eq!(error.to_string(), "c1 = -1.5 must be positive and finite (Theorem 1.1)");
+    }
+}

@@ -1,0 +1,103 @@
+//! The valleys of Section 5: `H(x) = (2 − cos x₁)² I`.
+
+use std::f64::consts::SQRT_2;
+
+use nalgebra::{SMatrix, SVector};
+use tautline_scalar::Scalar;
+
+use crate::{Bounded, Constants, KnownDistance, Metric, quadrature::integrate};
+
+/// `H(x) = f² I` with `f = 2 − cos x₁`: cheap along `x₁ = 0, 2π, 4π`, three times as dear
+/// between. In dimension 1 it is the one-dimensional metric `f²`.
+///
+/// The counterexample of Section 5: from `(0, 0)` to `(4π, 0)` the distance is `8π`, but
+/// the discrete *lengths* have the minimum `4π` for every `N`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Valleys;
+
+/// `F` with `F′ = f`.
+fn primitive(x: f64) -> f64 {
+    2.0 * x - x.sin()
+}
+
+impl<const D: usize> Metric<D> for Valleys {
+    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
+        SMatrix::from_diagonal_element((-x[0].cos() + 2.0).sqr())
+    }
+}
+
+impl<const D: usize> Bounded<D> for Valleys {
+    /// `c₁ = 1`, `c₂ = 9`, `L_H = (3 + √3) 3^{1/4} / √2` (where `cos x₁ = (1 − √3)/2`),
+    /// `M_H = 6` (at `x₁ = π`); all attained.
+    fn constants(&self) -> Constants {
+        let root = 3_f64.sqrt();
+        Constants::new(1.0, 9.0, (3.0 + root) * root.sqrt() / SQRT_2)
+            .and_then(|constants| constants.with_m_h(6.0))
+            .expect("1 ≤ 9, and the others are positive")
+    }
+}
+
+impl<const D: usize> KnownDistance<D> for Valleys {
+    /// For `0 ≤ p < 1` the function `u = p s + ∫ √(f² − p²) dx₁`, with `s` the coordinate
+    /// along the difference of the other coordinates, satisfies `|∇u| = f` everywhere. So
+    /// `d ≥ u(y) − u(x)`, with equality along the curve of steepest ascent, which joins the
+    /// points if `∫ p / √(f² − p²) dx₁` is their difference in `s` (Clairaut's relation).
+    ///
+    /// `None` if no such `p` exists (up to `1 − 10⁻⁶`): the minimal geodesic then turns
+    /// round in `x₁`.
+    fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
+        let (a, b) = (x[0].min(y[0]), x[0].max(y[0]));
+        let across = (1..D).map(|i| (x[i] - y[i]).powi(2)).sum::<f64>().sqrt();
+        if across == 0.0 {
+            return Some(primitive(b) - primitive(a));
+        }
+        let f2 = |x: f64| (2.0 - x.cos()).powi(2);
+        let reach = |p: f64| integrate(|x| p / (f2(x) - p * p).sqrt(), a, b, 1e-14).value;
+        let (mut low, mut high) = (0.0, 1.0 - 1e-6);
+        if !(reach(high) >= across) {
+            return None;
+        }
+        // u(y) − u(x) is stationary in p, so that half of the digits of p would do.
+        for _ in 0..50 {
+            let middle = 0.5 * (low + high);
+            *(if reach(middle) < across { &mut low } else { &mut high }) = middle;
+        }
+        let climb = integrate(|x| (f2(x) - low * low).sqrt(), a, b, 1e-15).value;
+        Some(low * across + climb)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+    use nalgebra::vector;
+
+    use std::f64::consts::TAU;
+
+    use super::Valleys;
+    use crate::{Bounded, KnownDistance};
+
+    #[test]
+    fn the_distance_of_section_5_is_8_pi() {
+        let d = Valleys.distance(&vector![0.0, 0.0], &vector![2.0 * TAU, 0.0]);
+        assert_relative_eq!(d.expect("along x₁"), 4.0 * TAU, max_relative = 1e-15);
+    }
+
+    /// `(0, 0) → (2, 3/2)`: the value was computed with 40 digits, `p = 0.80358…`.
+    #[test]
+    fn an_oblique_pair_has_the_distance_of_clairaut() {
+        let d = Valleys.distance(&vector![2.0, 1.5], &vector![0.0, 0.0]);
+        assert_relative_eq!(d.expect("p < 1"), 3.781_762_054_661_521_4, max_relative = 1e-14);
+    }
+
+    #[test]
+    fn a_pair_on_a_ridge_is_not_known() {
+        assert_eq!(Valleys.distance(&vector![3.0, 0.0], &vector![3.0, 5.0]), None);
+    }
+
+    #[test]
+    fn the_lipschitz_constant_is_the_golden_one() {
+        let constants = Bounded::<2>::constants(&Valleys);
+        assert_relative_eq!(constants.l_h(), 4.403_669_475_041_611_7, max_relative = 1e-15);
+    }
+}

@@ -1,0 +1,49 @@
+//! Riemannian metrics on `R^D`, each given by its Gram matrix `H(x)`.
+//!
+//! A metric is a field of symmetric positive definite matrices, `g_x(u, v) = uᵀ H(x) v`.
+//! It is written once, as a formula over [`Scalar`]; values, derivatives and Christoffel
+//! symbols follow from that one function.
+//!
+//! ```
+//! use nalgebra::{SMatrix, SVector, vector};
+//! use tautline_metrics::{Metric, Scalar, christoffel};
+//!
+//! /// `H(x) = e^{x₁} I`, a metric of our own.
+//! struct Slope;
+//! impl Metric<2> for Slope {
+//!     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+//!         SMatrix::from_diagonal_element(x[0].exp())
+//!     }
+//! }
+//!
+//! let origin = vector![0.0, 0.0];
+//! assert_eq!(Slope.norm_squared(&origin, &vector![3.0, 4.0]), 25.0);
+//! // Γ¹₁₁ = ½ ∂₁ log φ = ½
+//! assert_eq!(christoffel(&Slope, &origin).unwrap()[0][(0, 0)], 0.5);
+//! ```
+//!
+//! # The rungs
+//!
+//! | trait | promises | asked for by |
+//! | --- | --- | --- |
+//! | [`Metric`] | `H(x)` and nothing else | minimising |
+//! | [`Bounded`] | the constants `c₁`, `c₂`, `L_H` on all of `R^D` | proven bounds |
+//! | [`KnownDistance`] | the exact distance of (some) pairs of points | measuring an error |
+//!
+//! # Units
+//!
+//! Coordinates are in `ℓ`, Riemannian length in `m`, and `t ∈ [0, 1]` is a pure number. Hence
+//! `H`, `c₁` and `c₂` are in `m²/ℓ²`, `L_H` in `m²/ℓ³`, `M_H` in `m²/ℓ⁴`, energies in `m²`.
+
+mod christoffel;
+mod constants;
+pub mod gallery;
+mod metric;
+mod positive_definite;
+pub mod quadrature;
+
+pub use christoffel::christoffel;
+pub use constants::{Constants, HypothesisError};
+pub use metric::{Bounded, KnownDistance, Metric};
+pub use positive_definite::{MetricError, check_gram, cholesky};
+pub use tautline_scalar::{Jet1, Jet2, Scalar};

@@ -1,0 +1,58 @@
+//! `Metric`: a Riemannian metric on `R^D`, and what more one may know about it.
+
+use nalgebra::{SMatrix, SVector};
+use tautline_scalar::Scalar;
+
+use crate::Constants;
+
+/// A Riemannian metric on `R^D`, given by the formula of its Gram matrix.
+///
+/// # Laws
+///
+/// `H(x)` is symmetric and positive definite at every `x` where the metric is defined, and
+/// not finite (NaN or infinite) where it is not. It is twice continuously differentiable.
+/// No method panics on finite input; none reads a clock, a file or a random number.
+pub trait Metric<const D: usize> {
+    /// Returns the Gram matrix `H(x)`, in `m²/ℓ²`, shape `D × D`.
+    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D>;
+
+    /// Returns `g_x(u, u) = uᵀ H(x) u`, in `m²`.
+    fn norm_squared(&self, x: &SVector<f64, D>, u: &SVector<f64, D>) -> f64 {
+        u.dot(&(self.gram(x) * u))
+    }
+}
+
+impl<const D: usize, M: Metric<D>> Metric<D> for &M {
+    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
+        (**self).gram(x)
+    }
+}
+
+/// A metric which knows the constants of Theorem 1.1.
+pub trait Bounded<const D: usize>: Metric<D> {
+    /// Returns constants valid on all of `R^D`, not merely where sampled.
+    fn constants(&self) -> Constants;
+}
+
+impl<const D: usize, M: Bounded<D>> Bounded<D> for &M {
+    fn constants(&self) -> Constants {
+        (**self).constants()
+    }
+}
+
+/// A metric whose distance is known in closed form, or by a quadrature to rounding, for
+/// some pairs of points.
+pub trait KnownDistance<const D: usize>: Metric<D> {
+    /// Returns `d^g(x, y)`, in `m`; `None` for a pair whose distance is not known exactly.
+    ///
+    /// # Laws
+    ///
+    /// Symmetric, zero for `x = y`; no curve from `x` to `y` is shorter.
+    fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64>;
+}
+
+impl<const D: usize, M: KnownDistance<D>> KnownDistance<D> for &M {
+    fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
+        (**self).distance(x, y)
+    }
+}

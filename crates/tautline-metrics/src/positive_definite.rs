@@ -1,0 +1,161 @@
+//! Symmetric positive definite matrices: the test that `H(x)` is one, and its Cholesky factor.
+
+use nalgebra::{DMatrix, SMatrix, SVector};
+
+use crate::Metric;
+
+/// Why the Gram matrix of a metric is refused at a point.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MetricError {
+    /// An entry of `H` is NaN or infinite.
+    #[error("H({point:?}) has the entry {entry} at ({row}, {column}): it must be finite")]
+    NotFinite {
+        /// Where `H` was evaluated.
+        point: Vec<f64>,
+        /// The row of the entry, from 0.
+        row: usize,
+        /// The column of the entry, from 0.
+        column: usize,
+        /// The entry.
+        entry: f64,
+    },
+    /// The two halves of `H` differ.
+    #[error(
+        "H({point:?}) is not symmetric: entry ({row}, {column}) is {above}, its mirror {below}"
+    )]
+    NotSymmetric {
+        /// Where `H` was evaluated.
+        point: Vec<f64>,
+        /// The row of the entry, from 0.
+        row: usize,
+        /// The column of the entry, from 0.
+        column: usize,
+        /// The entry above the diagonal.
+        above: f64,
+        /// The entry below the diagonal.
+        below: f64,
+    },
+    /// `H` has an eigenvalue that is not positive.
+    #[error("H({point:?}) is not positive definite: its least eigenvalue is {eigenvalue}")]
+    NotPositiveDefinite {
+        /// Where `H` was evaluated.
+        point: Vec<f64>,
+        /// The least eigenvalue of `H`, up to rounding.
+        eigenvalue: f64,
+    },
+}
+
+/// Returns `H(x)` if it is finite, symmetric and positive definite.
+///
+/// # Errors
+///
+/// [`MetricError`] with the point and the offending number.
+pub fn check_gram<const D: usize>(
+    metric: &impl Metric<D>,
+    x: &SVector<f64, D>,
+) -> Result<SMatrix<f64, D, D>, MetricError> {
+    let h: SMatrix<f64, D, D> = metric.gram(x);
+    let point = || x.iter().copied().collect();
+    for (row, column) in (0..D).flat_map(|i| (0..D).map(move |j| (i, j))) {
+        let entry = h[(row, column)];
+        if !entry.is_finite() {
+            return Err(MetricError::NotFinite { point: point(), row, column, entry });
+        }
+    }
+    for (row, column) in (0..D).flat_map(|i| (i + 1..D).map(move |j| (i, j))) {
+        let (above, below) = (h[(row, column)], h[(column, row)]);
+        // The halves of one formula, written in another order, differ by some roundings of
+        // its terms, which for a positive definite H are of the size √(Hᵢᵢ Hⱼⱼ) at most.
+        let scale = (h[(row, row)] * h[(column, column)]).abs().sqrt();
+        if (above - below).abs() > 1e-12 * scale.max(above.abs()) {
+            return Err(MetricError::NotSymmetric { point: point(), row, column, above, below });
+        }
+    }
+    if cholesky(&h).is_none() {
+        let eigenvalue =
+            DMatrix::from_fn(D, D, |i, j| h[(i.min(j), i.max(j))]).symmetric_eigenvalues().min();
+        return Err(MetricError::NotPositiveDefinite { point: point(), eigenvalue });
+    }
+    Ok(h)
+}
+
+/// Returns the lower triangular `L` with `L Lᵀ = A`, reading the entries `i ≤ j` of `A`;
+/// `None` if `A` is not positive definite (or not finite).
+///
+/// Written out, since the pivots decide: a pivot that is not positive is the answer, and
+/// for small `D` the loops unroll.
+#[must_use]
+pub fn cholesky<const D: usize>(a: &SMatrix<f64, D, D>) -> Option<SMatrix<f64, D, D>> {
+    let mut l = SMatrix::<f64, D, D>::zeros();
+    for j in 0..D {
+        let mut pivot = a[(j, j)];
+        for k in 0..j {
+            pivot -= l[(j, k)] * l[(j, k)];
+        }
+        // NaN and +∞ fail here too.
+        if !(pivot > 0.0 && pivot < f64::INFINITY) {
+            return None;
+        }
+        let pivot = pivot.sqrt();
+        l[(j, j)] = pivot;
+        let inverse = 1.0 / pivot;
+        for i in j + 1..D {
+            let mut entry = a[(j, i)];
+            for k in 0..j {
+                entry -= l[(i, k)] * l[(j, k)];
+            }
+            l[(i, j)] = entry * inverse;
+        }
+    }
+    Some(l)
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SMatrix, SVector, matrix, vector};
+    use tautline_scalar::Scalar;
+
+    use super::{MetricError, check_gram, cholesky};
+    use crate::Metric;
+
+    /// A matrix that does not depend on the point, right or wrong.
+    struct Matrix([[f64; 2]; 2]);
+
+    impl Metric<2> for Matrix {
+        fn gram<S: Scalar>(&self, _: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            SMatrix::from_fn(|i, j| S::constant(self.0[i][j]))
+        }
+    }
+
+    #[test]
+    fn each_defect_is_named_with_its_number() {
+        let x = vector![1.0, 2.0];
+        let error = |h| check_gram(&Matrix(h), &x).expect_err("a defect");
+        assert!(matches!(
+            error([[1.0, f64::NAN], [0.0, 1.0]]),
+            MetricError::NotFinite { row: 0, column: 1, .. }
+        ));
+        assert!(matches!(
+            error([[1.0, 0.5], [0.25, 1.0]]),
+            MetricError::NotSymmetric { above: 0.5, below: 0.25, .. }
+        ));
+        let MetricError::NotPositiveDefinite { point, eigenvalue } =
+            error([[1.0, 2.0], [2.0, 1.0]])
+        else {
+            panic!("eigenvalues 3 and -1");
+        };
+        assert_eq!(point, [1.0, 2.0]);
+        approx::assert_relative_eq!(eigenvalue, -1.0, max_relative = 1e-14);
+        assert!(check_gram(&Matrix([[2.0, 1.0], [1.0, 2.0]]), &x).is_ok());
+    }
+
+    #[test]
+    fn the_cholesky_factor_multiplies_back() {
+        let a = matrix![4.0, 2.0, -1.0; 2.0, 5.0, 0.5; -1.0, 0.5, 3.0];
+        let l = cholesky(&a).expect("diagonally dominant");
+        // Entries of size 5, three products each: some 1e-15.
+        assert!((l * l.transpose() - a).amax() < 1e-14);
+        assert!(cholesky(&matrix![1.0, 2.0; 2.0, 1.0]).is_none());
+    }
+}

@@ -1,0 +1,109 @@
+//! `Jet1`: a value and its gradient in `D` variables.
+
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use num_traits::{One, Zero};
+
+use crate::{Scalar, operators::jet_is_scalar};
+
+/// A first-order Taylor expansion `v + Σ gᵢ dxᵢ` in `D` variables.
+///
+/// Arithmetic on expansions is arithmetic on functions, cut after first order. The value
+/// follows the same operations, in the same order, as the formula in `T` itself.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(alias = "dual number")]
+pub struct Jet1<T, const D: usize> {
+    value: T,
+    first: [T; D],
+}
+
+impl<T: Scalar, const D: usize> Jet1<T, D> {
+    /// Returns the `D` coordinate functions at the point `x`.
+    #[must_use]
+    pub fn variables(x: &[T; D]) -> [Self; D] {
+        std::array::from_fn(|i| Self {
+            value: x[i],
+            first: std::array::from_fn(|j| if i == j { T::one() } else { T::zero() }),
+        })
+    }
+
+    /// Returns the value.
+    #[must_use]
+    pub fn value(&self) -> T {
+        self.value
+    }
+
+    /// Returns the derivative by variable `i < D`.
+    #[must_use]
+    pub fn first(&self, i: usize) -> T {
+        self.first[i]
+    }
+
+    /// Returns the gradient.
+    #[must_use]
+    pub fn gradient(&self) -> &[T; D] {
+        &self.first
+    }
+
+    fn constant_part(value: T) -> Self {
+        Self { value, first: [T::zero(); D] }
+    }
+
+    fn map(self, f: impl Fn(T) -> T) -> Self {
+        Self { value: f(self.value), first: self.first.map(f) }
+    }
+
+    fn shift(self, c: f64) -> Self {
+        Self { value: self.value + c, ..self }
+    }
+
+    /// `f ∘ self`, where `f` has the given value and derivative there.
+    fn chain(self, value: T, first: T, _second: T) -> Self {
+        Self { value, first: self.first.map(|g| g * first) }
+    }
+}
+
+impl<T: Scalar, const D: usize> Add for Jet1<T, D> {
+    type Output = Self;
+    fn add(mut self, other: Self) -> Self {
+        self.value += other.value;
+        for i in 0..D {
+            self.first[i] += other.first[i];
+        }
+        self
+    }
+}
+
+impl<T: Scalar, const D: usize> Sub for Jet1<T, D> {
+    type Output = Self;
+    fn sub(mut self, other: Self) -> Self {
+        self.value -= other.value;
+        for i in 0..D {
+            self.first[i] -= other.first[i];
+        }
+        self
+    }
+}
+
+impl<T: Scalar, const D: usize> Mul for Jet1<T, D> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        let (a, b) = (self, other);
+        Self {
+            value: a.value * b.value,
+            first: std::array::from_fn(|i| a.first[i] * b.value + b.first[i] * a.value),
+        }
+    }
+}
+
+impl<T: Scalar, const D: usize> Div for Jet1<T, D> {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        let (a, b) = (self, other);
+        // q b = a, differentiated: q' b + q b' = a'.
+        let q = a.value / b.value;
+        Self { value: q, first: std::array::from_fn(|i| (a.first[i] - q * b.first[i]) / b.value) }
+    }
+}
+
+jet_is_scalar!(Jet1);

@@ -1,0 +1,156 @@
+//! `Jet2`: a value with its gradient and second derivatives in `D` variables.
+
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use num_traits::{One, Zero};
+
+use crate::{Scalar, operators::jet_is_scalar};
+
+/// A second-order Taylor expansion `v + Σ gᵢ dxᵢ + ½ Σ hᵢⱼ dxᵢ dxⱼ` in `D` variables.
+///
+/// Arithmetic on expansions is arithmetic on functions, cut after second order. The value
+/// follows the same operations, in the same order, as the formula in `T` itself.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(alias = "hyper-dual number")]
+pub struct Jet2<T, const D: usize> {
+    value: T,
+    first: [T; D],
+    // Invariant: only the entries j ≥ i are computed; those below the diagonal stay zero.
+    second: [[T; D]; D],
+}
+
+impl<T: Scalar, const D: usize> Jet2<T, D> {
+    /// Returns the `D` coordinate functions at the point `x`.
+    #[must_use]
+    pub fn variables(x: &[T; D]) -> [Self; D] {
+        std::array::from_fn(|i| {
+            let mut jet = Self::constant_part(x[i]);
+            jet.first[i] = T::one();
+            jet
+        })
+    }
+
+    /// Returns the value.
+    #[must_use]
+    pub fn value(&self) -> T {
+        self.value
+    }
+
+    /// Returns the derivative by variable `i < D`.
+    #[must_use]
+    pub fn first(&self, i: usize) -> T {
+        self.first[i]
+    }
+
+    /// Returns the gradient.
+    #[must_use]
+    pub fn gradient(&self) -> &[T; D] {
+        &self.first
+    }
+
+    /// Returns the second derivative by variables `i, j < D`, in either order.
+    #[must_use]
+    pub fn second(&self, i: usize, j: usize) -> T {
+        self.second[i.min(j)][i.max(j)]
+    }
+
+    fn constant_part(value: T) -> Self {
+        Self { value, first: [T::zero(); D], second: [[T::zero(); D]; D] }
+    }
+
+    /// The second-order part with entry `f(i, j)` for `j ≥ i`.
+    fn upper(f: impl Fn(usize, usize) -> T) -> [[T; D]; D] {
+        let mut second = [[T::zero(); D]; D];
+        for i in 0..D {
+            for j in i..D {
+                second[i][j] = f(i, j);
+            }
+        }
+        second
+    }
+
+    fn map(self, f: impl Fn(T) -> T) -> Self {
+        Self {
+            value: f(self.value),
+            first: self.first.map(&f),
+            second: Self::upper(|i, j| f(self.second[i][j])),
+        }
+    }
+
+    fn shift(self, c: f64) -> Self {
+        Self { value: self.value + c, ..self }
+    }
+
+    /// `f ∘ self`, where `f` has the given value and derivatives there.
+    fn chain(self, value: T, first: T, second: T) -> Self {
+        let g = self.first;
+        Self {
+            value,
+            first: g.map(|gi| gi * first),
+            second: Self::upper(|i, j| self.second[i][j] * first + g[i] * g[j] * second),
+        }
+    }
+}
+
+impl<T: Scalar, const D: usize> Add for Jet2<T, D> {
+    type Output = Self;
+    fn add(mut self, other: Self) -> Self {
+        self.value += other.value;
+        for i in 0..D {
+            self.first[i] += other.first[i];
+            for j in i..D {
+                self.second[i][j] += other.second[i][j];
+            }
+        }
+        self
+    }
+}
+
+impl<T: Scalar, const D: usize> Sub for Jet2<T, D> {
+    type Output = Self;
+    fn sub(mut self, other: Self) -> Self {
+        self.value -= other.value;
+        for i in 0..D {
+            self.first[i] -= other.first[i];
+            for j in i..D {
+                self.second[i][j] -= other.second[i][j];
+            }
+        }
+        self
+    }
+}
+
+impl<T: Scalar, const D: usize> Mul for Jet2<T, D> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        let (a, b) = (self, other);
+        Self {
+            value: a.value * b.value,
+            first: std::array::from_fn(|i| a.first[i] * b.value + b.first[i] * a.value),
+            second: Self::upper(|i, j| {
+                a.second[i][j] * b.value
+                    + b.second[i][j] * a.value
+                    + a.first[i] * b.first[j]
+                    + a.first[j] * b.first[i]
+            }),
+        }
+    }
+}
+
+impl<T: Scalar, const D: usize> Div for Jet2<T, D> {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        let (a, b) = (self, other);
+        // q b = a, differentiated once and twice:
+        // q' b + q b' = a',   qᵢⱼ b + qᵢ bⱼ + qⱼ bᵢ + q bᵢⱼ = aᵢⱼ.
+        let q = a.value / b.value;
+        let first: [T; D] = std::array::from_fn(|i| (a.first[i] - q * b.first[i]) / b.value);
+        let second = Self::upper(|i, j| {
+            (a.second[i][j] - first[i] * b.first[j] - first[j] * b.first[i] - q * b.second[i][j])
+                / b.value
+        });
+        Self { value: q, first, second }
+    }
+}
+
+jet_is_scalar!(Jet2);

@@ -1,0 +1,113 @@
+//! `Scalar`: what a formula may ask of a number.
+
+use std::{
+    fmt::Debug,
+    ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign},
+};
+
+use num_traits::{One, Zero};
+
+/// A number in which a smooth formula can be evaluated.
+///
+/// # Laws
+///
+/// Every operation is the restriction of a smooth function to its domain; outside the
+/// domain (`ln` of a negative number, division by zero) the result is NaN or infinite, and
+/// stays so. No operation panics.
+pub trait Scalar:
+    Copy
+    + Debug
+    + PartialEq
+    + Send
+    + Sync
+    + 'static
+    + Zero
+    + One
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Add<f64, Output = Self>
+    + Sub<f64, Output = Self>
+    + Mul<f64, Output = Self>
+    + Div<f64, Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+    + DivAssign
+{
+    /// Returns the number `value`, exactly.
+    fn constant(value: f64) -> Self;
+
+    /// Returns `x²`.
+    ///
+    /// Not the same as `x * x` for a type that stands for a range: the square of a range
+    /// around zero has no negative part.
+    #[must_use]
+    fn sqr(self) -> Self;
+
+    /// Returns `xⁿ`; `1` for `n = 0`, and `1 / x⁻ⁿ` for `n < 0`.
+    #[must_use]
+    fn powi(self, n: i32) -> Self;
+
+    /// Returns `1 / x`.
+    #[must_use]
+    fn recip(self) -> Self;
+
+    /// Returns `√x`; NaN for `x < 0`. Not differentiable at `0`.
+    #[must_use]
+    fn sqrt(self) -> Self;
+
+    /// Returns `eˣ`.
+    #[must_use]
+    fn exp(self) -> Self;
+
+    /// Returns the natural logarithm of `x`; NaN for `x < 0`.
+    #[must_use]
+    fn ln(self) -> Self;
+
+    /// Returns `(sin x, cos x)`, `x` in radians; cheaper than both apart.
+    #[must_use]
+    fn sin_cos(self) -> (Self, Self);
+
+    /// Returns `tan x`, `x` in radians.
+    #[must_use]
+    fn tan(self) -> Self;
+
+    /// Returns the angle in `(−π/2, π/2)` whose tangent is `x`.
+    #[must_use]
+    fn atan(self) -> Self;
+
+    /// Returns `(sinh x, cosh x)`; cheaper than both apart.
+    #[must_use]
+    fn sinh_cosh(self) -> (Self, Self);
+
+    /// Returns `tanh x`.
+    #[must_use]
+    fn tanh(self) -> Self;
+
+    /// Returns `sin x`, `x` in radians.
+    #[must_use]
+    fn sin(self) -> Self {
+        self.sin_cos().0
+    }
+
+    /// Returns `cos x`, `x` in radians.
+    #[must_use]
+    fn cos(self) -> Self {
+        self.sin_cos().1
+    }
+
+    /// Returns `sinh x`.
+    #[must_use]
+    fn sinh(self) -> Self {
+        self.sinh_cosh().0
+    }
+
+    /// Returns `cosh x`.
+    #[must_use]
+    fn cosh(self) -> Self {
+        self.sinh_cosh().1
+    }
+}
