@@ -1,1 +1,51 @@
-//! stub
+//! Discrete energies and lengths of point sequences, and the curves they reconstruct.
+//!
+//! A [`PointSequence`] `x₀, …, x_N` stands for a curve at the times `tₙ = n/N`; its finite
+//! differences `βₙ = N (xₙ₊₁ − xₙ)` stand for the velocity. A [`Rule`] says where on each
+//! chord the metric is read:
+//!
+//! ```text
+//! E_N = (1/N) Σₙ Σᵢ wᵢ βₙᵀ H(xₙ + θᵢ (xₙ₊₁ − xₙ)) βₙ,     L_N the same with a square root
+//! ```
+//!
+//! | rule | nodes `θᵢ` | weights `wᵢ` |
+//! | --- | --- | --- |
+//! | [`Trapezoidal`], as the paper calls it; the midpoint rule elsewhere | `1/2` | `1` |
+//! | [`LeftEndpoint`] | `0` | `1` |
+//! | [`TrueTrapezoid`] | `0, 1` | `1/2, 1/2` |
+//!
+//! There is no factor `½` in any energy. Joining the points by straight lines gives the
+//! [`Interpolation`] `γᵖˡ`, whose continuous energy and length are computed by quadrature.
+//!
+//! ```
+//! use tautline_discretizations::{Interpolation, PointSequence, Rule, Trapezoidal};
+//! use tautline_metrics::gallery::Valleys;
+//!
+//! let line = PointSequence::straight([0.0, 0.0], [12.566370614359172, 0.0], 1)?;
+//! // One chord from valley to valley, read in a valley: 16 π², where the curve has 72 π².
+//! let discrete = Trapezoidal.energy(&Valleys, &line);
+//! assert!((discrete / 157.91367041742973 - 1.0).abs() < 1e-14);
+//! let continuous = Interpolation::new(&line).energy(&Valleys);
+//! assert!((continuous.value / 710.6115168784338 - 1.0).abs() < 1e-14);
+//! # Ok::<(), tautline_discretizations::SequenceError>(())
+//! ```
+
+mod block_tridiagonal;
+mod compensated_sum;
+mod interpolation;
+mod left_endpoint;
+mod point_sequence;
+mod quadratic_model;
+mod rule;
+mod trapezoidal;
+mod true_trapezoid;
+
+pub use block_tridiagonal::BlockTridiagonal;
+pub use interpolation::Interpolation;
+pub use left_endpoint::LeftEndpoint;
+pub use point_sequence::{PointSequence, SequenceError};
+pub use quadratic_model::{QuadraticModel, energy_gradient};
+pub use rule::{Node, Rule};
+pub use tautline_metrics::quadrature::Integral;
+pub use trapezoidal::Trapezoidal;
+pub use true_trapezoid::TrueTrapezoid;

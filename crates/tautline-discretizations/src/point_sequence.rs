@@ -1,0 +1,170 @@
+//! `PointSequence`: the `N + 1` points `γᵖ(t₀), …, γᵖ(t_N)`.
+
+use std::num::NonZeroUsize;
+
+use nalgebra::SVector;
+
+use crate::compensated_sum::CompensatedSum;
+
+/// A sequence of `N + 1` points of `R^D`, at the times `tₙ = n/N`.
+///
+/// Invariant: at least two points, all finite.
+#[derive(Clone, Debug, PartialEq)]
+#[doc(alias = "polyline")]
+pub struct PointSequence<const D: usize> {
+    points: Vec<SVector<f64, D>>,
+}
+
+/// Why points are no point sequence.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SequenceError {
+    /// `N = 0`: a sequence needs a first and a last point.
+    #[error("{points} points make no subinterval: N must be at least 1")]
+    NoSubinterval {
+        /// How many points were given.
+        points: usize,
+    },
+    /// A coordinate is NaN or infinite.
+    #[error("coordinate {coordinate} of point {index} is {value}: it must be finite")]
+    NotFinite {
+        /// Which point, from 0.
+        index: usize,
+        /// Which coordinate, from 0.
+        coordinate: usize,
+        /// The coordinate.
+        value: f64,
+    },
+}
+
+impl<const D: usize> PointSequence<D> {
+    /// Checks that there are at least two points and that all are finite.
+    ///
+    /// # Errors
+    ///
+    /// The first defect, with its index.
+    pub fn new(points: Vec<SVector<f64, D>>) -> Result<Self, SequenceError> {
+        if points.len() < 2 {
+            return Err(SequenceError::NoSubinterval { points: points.len() });
+        }
+        for (index, point) in points.iter().enumerate() {
+            if let Some(coordinate) = point.iter().position(|x| !x.is_finite()) {
+                let value = point[coordinate];
+                return Err(SequenceError::NotFinite { index, coordinate, value });
+            }
+        }
+        Ok(Self { points })
+    }
+
+    /// Returns `N + 1` equidistant points on the segment from `a` to `b`.
+    ///
+    /// # Errors
+    ///
+    /// As [`PointSequence::new`].
+    pub fn straight(
+        a: impl Into<SVector<f64, D>>,
+        b: impl Into<SVector<f64, D>>,
+        n: usize,
+    ) -> Result<Self, SequenceError> {
+        let (a, b) = (a.into(), b.into());
+        if n == 0 {
+            return Err(SequenceError::NoSubinterval { points: 1 });
+        }
+        let at = |k: usize| {
+            let t = k as f64 / n as f64;
+            // Exact at both ends, which a + t (b − a) is not.
+            a * (1.0 - t) + b * t
+        };
+        Self::new((0..=n).map(at).collect())
+    }
+
+    /// Returns `N`, the number of subintervals.
+    #[must_use]
+    pub fn n(&self) -> NonZeroUsize {
+        NonZeroUsize::new(self.points.len() - 1).expect("at least two points")
+    }
+
+    /// Returns the `N + 1` points, in `ℓ`.
+    #[must_use]
+    pub fn points(&self) -> &[SVector<f64, D>] {
+        &self.points
+    }
+
+    /// Returns the first point.
+    #[must_use]
+    pub fn first(&self) -> &SVector<f64, D> {
+        &self.points[0]
+    }
+
+    /// Returns the last point.
+    #[must_use]
+    pub fn last(&self) -> &SVector<f64, D> {
+        &self.points[self.points.len() - 1]
+    }
+
+    /// Returns the `N` chords, each as its first point and the vector to the next, in `ℓ`.
+    pub fn chords(&self) -> impl ExactSizeIterator<Item = (&SVector<f64, D>, SVector<f64, D>)> {
+        (0..self.points.len() - 1).map(|k| (&self.points[k], self.points[k + 1] - self.points[k]))
+    }
+
+    /// Returns the finite differences `βₙ = N (xₙ₊₁ − xₙ)`, in `ℓ`, for `n = 0, …, N − 1`.
+    #[doc(alias = "beta")]
+    pub fn differences(&self) -> impl ExactSizeIterator<Item = SVector<f64, D>> {
+        let n = self.n().get() as f64;
+        self.chords().map(move |(_, chord)| chord * n)
+    }
+
+    /// Returns `K₃ = ((1/N) Σ |βₙ|²)^{1/2}`, the root mean square of the differences, in `ℓ`.
+    #[must_use]
+    pub fn k3(&self) -> f64 {
+        let sum: CompensatedSum = self.differences().map(|beta| beta.norm_squared()).collect();
+        (sum.value() / self.n().get() as f64).sqrt()
+    }
+
+    /// Returns the points again.
+    #[must_use]
+    pub fn into_points(self) -> Vec<SVector<f64, D>> {
+        self.points
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::vector;
+
+    use super::{PointSequence, SequenceError};
+
+    #[test]
+    fn a_straight_sequence_is_equidistant_and_ends_exactly() {
+        let line = PointSequence::straight([0.1, 0.2], [0.7, -0.3], 7).expect("finite");
+        assert_eq!(line.n().get(), 7);
+        assert_eq!((line.first(), line.last()), (&vector![0.1, 0.2], &vector![0.7, -0.3]));
+        // Differences of coordinates below 1, times 7: rounding of some 7 ε.
+        assert!(line.differences().all(|beta| (beta - vector![0.6, -0.5]).amax() < 1e-14));
+        approx::assert_relative_eq!(line.k3(), 0.61_f64.sqrt(), max_relative = 1e-14);
+    }
+
+    /// One jump: `β = N (b − a)` once, so `K₃ = √N |b − a|`.
+    #[test]
+    fn k3_of_one_jump_is_sqrt_n() {
+        let mut points = vec![vector![0.0]; 4];
+        points.push(vector![3.0]);
+        let jump = PointSequence::new(points).expect("finite");
+        assert_eq!(jump.k3(), 6.0);
+    }
+
+    #[test]
+    fn bad_points_are_named() {
+        assert_eq!(
+            PointSequence::straight([0.0], [1.0], 0),
+            Err(SequenceError::NoSubinterval { points: 1 })
+        );
+        assert_eq!(
+            PointSequence::<2>::new(vec![]),
+            Err(SequenceError::NoSubinterval { points: 0 })
+        );
+        let error = PointSequence::new(vec![vector![0.0, 0.0], vector![0.0, f64::NAN]]);
+        assert!(matches!(error, Err(SequenceError::NotFinite { index: 1, coordinate: 1, .. })));
+        assert!(PointSequence::straight([0.0], [f64::INFINITY], 2).is_err());
+    }
+}

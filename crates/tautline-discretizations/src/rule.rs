@@ -1,0 +1,98 @@
+//! `Rule`: where on each chord the metric is read.
+
+use nalgebra::SVector;
+use tautline_metrics::Metric;
+
+use crate::{PointSequence, compensated_sum::CompensatedSum};
+
+/// A place on a chord and its weight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Node {
+    /// The fraction `θ ∈ [0, 1]` of the chord: `0` its first point, `1` its last.
+    pub fraction: f64,
+    /// The weight `w ≥ 0`; the weights of a rule add up to 1.
+    pub weight: f64,
+}
+
+/// A rule of numerical integration, by its nodes on a chord.
+///
+/// A rule is this one choice; everything else about a discrete energy is shared. A rule of
+/// your own:
+///
+/// ```
+/// use tautline_discretizations::{Node, Rule};
+///
+/// #[derive(Clone, Copy, Debug)]
+/// struct Simpson;
+/// impl Rule for Simpson {
+///     const NODES: &'static [Node] = &[
+///         Node { fraction: 0.0, weight: 1.0 / 6.0 },
+///         Node { fraction: 0.5, weight: 4.0 / 6.0 },
+///         Node { fraction: 1.0, weight: 1.0 / 6.0 },
+///     ];
+///     const ERROR_EXPONENT: i32 = 2;
+/// }
+/// ```
+pub trait Rule: Copy + std::fmt::Debug {
+    /// The nodes.
+    const NODES: &'static [Node];
+
+    /// The exponent `q` of `E_N,min − d² = c₁ N⁻ᑫ + c₂ N⁻²ᑫ + …` on smooth data: what an
+    /// extrapolation to `N = ∞` needs to know.
+    ///
+    /// 2 for a rule that looks the same from both ends of a chord, else 1.
+    const ERROR_EXPONENT: i32;
+
+    /// Returns the discrete energy `E_N = (1/N) Σₙ Σᵢ wᵢ βₙᵀ H βₙ`, in `m²`.
+    ///
+    /// NaN where the metric is.
+    fn energy<const D: usize>(&self, metric: &impl Metric<D>, sequence: &PointSequence<D>) -> f64 {
+        // βᵀHβ / N = N dᵀHd with the chord d.
+        sequence.n().get() as f64 * sum::<Self, D>(metric, sequence, |square| square)
+    }
+
+    /// Returns the discrete length `L_N = (1/N) Σₙ Σᵢ wᵢ (βₙᵀ H βₙ)^{1/2}`, in `m`.
+    ///
+    /// Its minimum does not converge to the distance (Section 5): minimise the energy.
+    fn length<const D: usize>(&self, metric: &impl Metric<D>, sequence: &PointSequence<D>) -> f64 {
+        sum::<Self, D>(metric, sequence, f64::sqrt)
+    }
+
+    /// Returns the discrete speeds `(Σᵢ wᵢ βₙᵀ H βₙ)^{1/2}`, in `m`, for `n = 0, …, N − 1`.
+    ///
+    /// Nearly equal for a minimiser of the energy, as a geodesic has constant speed
+    /// (Proposition 3.1); for a minimiser of the length they may be anything.
+    fn speeds<const D: usize>(
+        &self,
+        metric: &impl Metric<D>,
+        sequence: &PointSequence<D>,
+    ) -> Vec<f64> {
+        let n = sequence.n().get() as f64;
+        sequence
+            .chords()
+            .map(|(x, d)| n * chord_sum::<Self, D>(metric, x, &d, |square| square).sqrt())
+            .collect()
+    }
+}
+
+/// `Σᵢ wᵢ f(dᵀ H(x + θᵢ d) d)` for one chord.
+fn chord_sum<R: Rule, const D: usize>(
+    metric: &impl Metric<D>,
+    x: &SVector<f64, D>,
+    d: &SVector<f64, D>,
+    f: impl Fn(f64) -> f64,
+) -> f64 {
+    R::NODES
+        .iter()
+        .map(|node| node.weight * f(metric.norm_squared(&(x + d * node.fraction), d)))
+        .sum()
+}
+
+fn sum<R: Rule, const D: usize>(
+    metric: &impl Metric<D>,
+    sequence: &PointSequence<D>,
+    f: impl Fn(f64) -> f64 + Copy,
+) -> f64 {
+    let terms = sequence.chords().map(|(x, d)| chord_sum::<R, D>(metric, x, &d, f));
+    terms.collect::<CompensatedSum>().value()
+}

@@ -1,0 +1,17 @@
+//! The paper's trapezoidal rule, which is the midpoint rule elsewhere.
+
+use crate::{Node, Rule};
+
+/// The paper's trapezoidal rule `E_tra,N`: reads `H` at the midpoint of the chord.
+///
+/// Most books call this the midpoint rule, and the mean of `H` at both ends
+/// ([`TrueTrapezoid`](crate::TrueTrapezoid)) the trapezoidal one. We keep the paper's word,
+/// so that a reader with the paper open finds it.
+#[doc(alias = "midpoint")]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Trapezoidal;
+
+impl Rule for Trapezoidal {
+    const NODES: &'static [Node] = &[Node { fraction: 0.5, weight: 1.0 }];
+    const ERROR_EXPONENT: i32 = 2;
+}

@@ -1,0 +1,17 @@
+//! The trapezoidal rule of the textbooks.
+
+use crate::{Node, Rule};
+
+/// The mean of `H` at both ends of the chord: what is called the trapezoidal rule outside
+/// the paper.
+///
+/// Not the paper's [`Trapezoidal`](crate::Trapezoidal): none of the paper's statements is
+/// about it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TrueTrapezoid;
+
+impl Rule for TrueTrapezoid {
+    const NODES: &'static [Node] =
+        &[Node { fraction: 0.0, weight: 0.5 }, Node { fraction: 1.0, weight: 0.5 }];
+    const ERROR_EXPONENT: i32 = 2;
+}
