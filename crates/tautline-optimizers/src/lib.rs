@@ -1,1 +1,49 @@
-//! stub
+//! Minimisers of the discrete energies.
+//!
+//! [`minimise`] looks for the point sequence with the least discrete energy among those that
+//! begin in one closed set and end in another. The Hessian of a discrete energy is block
+//! tridiagonal, so that a Newton step costs `O(N D³)`; a few steps on a coarse grid and one
+//! or two on each finer grid are enough.
+//!
+//! ```
+//! use tautline_discretizations::Trapezoidal;
+//! use tautline_metrics::gallery::Valleys;
+//! use tautline_optimizers::{Options, extrapolate, minimise};
+//! use tautline_sets::{Ball, Ends, HalfSpace};
+//!
+//! // From the ball of radius ½ to the half-space x₁ ≥ 3: d = 5 − sin 3 + sin ½.
+//! let ends = Ends::new(Ball::new([0.0, 0.0], 0.5)?, HalfSpace::new([-1.0, 0.0], -3.0)?)?;
+//! let minimum = minimise(&Valleys, &ends, Trapezoidal, 512, &Options::default())?;
+//! assert!(minimum.is_local_minimum());
+//! let d2 = extrapolate(&minimum.levels, 2).expect("several grids");
+//! assert!((d2.value / 28.497505937440242 - 1.0).abs() < 1e-9);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # What a result says, and what not
+//!
+//! A [`Minimum`] is a local minimiser as far as its Hessian and its residual show, and the
+//! lowest one that the starts led to. It carries how the search [stopped](Stop), the
+//! [signature of the Hessian](Curvature) and the energies of all the local minimisers that
+//! were met. That it is the global minimiser is not claimed.
+//!
+//! A Newton step that would leave the region where the metric is finite and positive is
+//! shortened; a saddle is left along the direction of its most negative curvature.
+
+mod end_frame;
+mod extrapolation;
+mod factorization;
+mod inverse_factor;
+mod local_search;
+mod minimise;
+mod minimum;
+mod prolongation;
+mod reduced_system;
+mod solve_error;
+mod starts;
+
+pub use extrapolation::{Estimate, extrapolate};
+pub use minimise::{Options, minimise};
+pub use minimum::{Curvature, Level, Minimum, Stop};
+pub use solve_error::SolveError;
+pub use starts::Starts;

@@ -1,0 +1,147 @@
+//! Propositions 7.9, 8.1 and 8.2: how far the energies of one point sequence lie apart.
+
+use std::num::NonZeroUsize;
+
+use tautline_metrics::Constants;
+
+use crate::product::product;
+
+/// Bounds `|E(γᵖˡ) − E_tra,N(γᵖ)|`, in `m²` (Proposition 7.9).
+///
+/// ```text
+/// |E(γᵖˡ) − E_tra,N(γᵖ)|  ≤  L_H K₃³ / (4 √N),     K₃² = (1/N) Σ ‖β(tₙ)‖²
+/// ```
+///
+/// - `constants`: of `g`; only `L_H` (`m²/ℓ³`) enters.
+/// - `k3`: root mean square speed `K₃` of the point sequence, in `ℓ`, or an upper bound of it.
+/// - `n`: number of subintervals `N`; the sequence has `N + 1` points.
+///
+/// Needs: `H` Lipschitz on the segments of `γᵖˡ`. Needs neither `c₁` nor `c₂`, and `γᵖ` need not
+/// be a minimiser.
+///
+/// Slack: the proof passes from `Σ ‖β‖³` to `(Σ ‖β‖²)^{3/2}`, which gives away a factor `√N` when
+/// the speeds are equal. It is attained for every `N`, by a sequence that moves in one step only,
+/// if `H` has a ridge or a valley at the middle of that step.
+///
+/// Returns `+∞` on overflow, never NaN; `K₃ = ∞` stands for an overflow further up.
+///
+/// # Panics
+///
+/// If `k3` is negative or NaN.
+#[doc(alias = "prop:approx_numerical_integral_pts")]
+#[must_use]
+pub fn polyline_gap_trapezoidal(constants: Constants, k3: f64, n: NonZeroUsize) -> f64 {
+    l_h_k_cubed(constants, k3) / (4.0 * (n.get() as f64).sqrt())
+}
+
+/// Bounds `|E(γᵖˡ) − E_l,N(γᵖ)|`, in `m²` (Proposition 8.2).
+///
+/// ```text
+/// |E(γᵖˡ) − E_l,N(γᵖ)|  ≤  L_H K₃³ / (2 √N)
+/// ```
+///
+/// Arguments and needs are those of [`polyline_gap_trapezoidal`]; twice its value, since the
+/// left endpoint of a chord is on average twice as far as the midpoint.
+///
+/// Slack: as in [`polyline_gap_trapezoidal`]; attained if `H` is linear along the one step.
+///
+/// Returns `+∞` on overflow, never NaN; `K₃ = ∞` stands for an overflow further up.
+///
+/// # Panics
+///
+/// If `k3` is negative or NaN.
+#[doc(alias = "prop:approx_numerical_integral_pts_left")]
+#[must_use]
+pub fn polyline_gap_left(constants: Constants, k3: f64, n: NonZeroUsize) -> f64 {
+    l_h_k_cubed(constants, k3) / (2.0 * (n.get() as f64).sqrt())
+}
+
+/// Bounds `|E_l,N(γᵖ) − E_tra,N(γᵖ)|`, in `m²` (Proposition 8.1).
+///
+/// ```text
+/// |E_l,N(γᵖ) − E_tra,N(γᵖ)|  ≤  L_H K₃³ / (2 √N)
+/// ```
+///
+/// Arguments and needs are those of [`polyline_gap_trapezoidal`]. `H` need only be Lipschitz
+/// from the left endpoint of each chord to its midpoint.
+///
+/// Slack: as in [`polyline_gap_trapezoidal`]; attained if `H` is linear along the one step.
+///
+/// Returns `+∞` on overflow, never NaN; `K₃ = ∞` stands for an overflow further up.
+///
+/// # Panics
+///
+/// If `k3` is negative or NaN.
+#[doc(alias = "prop:left_trapezoidal_fomula")]
+#[must_use]
+pub fn rule_gap(constants: Constants, k3: f64, n: NonZeroUsize) -> f64 {
+    l_h_k_cubed(constants, k3) / (2.0 * (n.get() as f64).sqrt())
+}
+
+/// `L_H K³`, in `m²`.
+pub(crate) fn l_h_k_cubed(constants: Constants, k: f64) -> f64 {
+    assert!(k >= 0.0, "K3 is a norm, got {k}");
+    product([constants.l_h(), k, k, k])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{polyline_gap_left, polyline_gap_trapezoidal, rule_gap};
+    use std::num::NonZeroUsize;
+    use tautline_metrics::Constants;
+
+    /// One step from 0 to 1, then rest: `K₃² = N² / N`, so `K₃ = √N`. All `N` here are powers
+    /// of 4, and the numbers dyadic: the comparisons are exact.
+    fn one_step(check: impl Fn(Constants, f64, NonZeroUsize)) {
+        for power in 0..8 {
+            let n = NonZeroUsize::new(4_usize.pow(power)).expect("positive");
+            check(Constants::new(1.0, 6.0, 5.0).expect("in order"), 2_f64.powi(power as i32), n);
+        }
+    }
+
+    #[test]
+    fn prop_7_9_is_attained_by_one_step_over_a_ridge() {
+        one_step(|constants, k3, n| {
+            // H = 6 − 5 |x − ½|: N H(½) by the rule, N ∫₀¹ H = N (6 − 5/4) by the curve.
+            let gap = n.get() as f64 * (6.0 - (6.0 - 1.25));
+            assert_eq!(polyline_gap_trapezoidal(constants, k3, n), gap);
+        });
+    }
+
+    #[test]
+    fn prop_8_1_and_8_2_are_attained_by_one_step_up_a_slope() {
+        one_step(|constants, k3, n| {
+            // H = 1 + 5 x: N H(0) by the left rule; N H(½) by the trapezoidal rule and
+            // N ∫₀¹ H by the curve, which is the same number.
+            let gap = n.get() as f64 * (3.5 - 1.0);
+            assert_eq!(rule_gap(constants, k3, n), gap);
+            assert_eq!(polyline_gap_left(constants, k3, n), gap);
+        });
+    }
+
+    #[test]
+    fn an_overflow_further_up_is_not_a_nan() {
+        let flat = Constants::new(1.0, 6.0, 0.0).expect("in order");
+        let bent = Constants::new(1.0, 6.0, 5.0).expect("in order");
+        for gap in [polyline_gap_trapezoidal, polyline_gap_left, rule_gap] {
+            assert_eq!(gap(flat, f64::INFINITY, NonZeroUsize::MIN), 0.0);
+            assert_eq!(gap(bent, f64::INFINITY, NonZeroUsize::MAX), f64::INFINITY);
+            assert_eq!(gap(bent, 1e200, NonZeroUsize::MIN), f64::INFINITY);
+            assert_eq!(gap(bent, 0.0, NonZeroUsize::MIN), 0.0);
+        }
+    }
+
+    #[test]
+    #[should_panic(expected = "K3 is a norm, got -2")]
+    fn a_negative_k3_is_a_mistake() {
+        let bent = Constants::new(1.0, 6.0, 5.0).expect("in order");
+        let _ = polyline_gap_trapezoidal(bent, -2.0, NonZeroUsize::MIN);
+    }
+
+    #[test]
+    #[should_panic(expected = "K3 is a norm, got NaN")]
+    fn a_k3_that_is_no_number_is_a_mistake() {
+        let bent = Constants::new(1.0, 6.0, 5.0).expect("in order");
+        let _ = rule_gap(bent, f64::NAN, NonZeroUsize::MIN);
+    }
+}

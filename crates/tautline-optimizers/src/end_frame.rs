@@ -1,0 +1,141 @@
+//! `EndFrame`: an end point in its set, as a Newton step sees it.
+
+use nalgebra::{DMatrix, SMatrix, SVector};
+use tautline_sets::ClosedSet;
+
+/// Coordinates at an end point `x` of a closed set with the nearest-point map `P`.
+///
+/// The end point is stationary if `x = P(z)` with `z = x − τ g`, where `g` is the gradient of
+/// the energy by `x`: the force `−g` then points out of the set, along a normal. One
+/// (semismooth) Newton step for this equation is
+///
+/// ```text
+/// F + δ − J (δ − τ A δ) = 0,     F = x − P(z),   J = P′(z),   A δ: the change of g
+/// ```
+///
+/// In the eigenvectors of the symmetric `J`, with the eigenvalues `σ`, it falls apart:
+/// `σ = 0` (across the active face): `δ = −F`, the coordinate is *fixed*;
+/// `σ > 0` (along it): `A δ + (1−σ)/(σ τ) δ = −F/(σ τ)`, a Newton equation again, with a term
+/// for the curvature of the face (`σ = 1` on a flat one). So faces, edges, corners and
+/// curved boundaries are one case, and the system stays symmetric.
+#[derive(Clone, Debug)]
+pub(crate) struct EndFrame<const D: usize> {
+    /// The eigenvectors of `J`, as columns.
+    pub(crate) basis: SMatrix<f64, D, D>,
+    /// For each coordinate: `Err(step)` if it is fixed, else the curvature and the right side.
+    pub(crate) coordinates: [Coordinate; D],
+    /// `F / τ`, the projected gradient, in the coordinates of `R^D`.
+    pub(crate) projected_gradient: SVector<f64, D>,
+}
+
+/// One coordinate of an end point.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Coordinate {
+    /// Across the active face: moves by this much, to lie on it.
+    Fixed { step: f64 },
+    /// Along the active face: `A δ + curvature · δ = force`.
+    Free { curvature: f64, force: f64 },
+}
+
+/// Below this an eigenvalue of `J` counts as zero. A sphere of radius `r` at the distance
+/// `|z|` has `r/|z|`, so only a set of a size below `10⁻¹⁰` of a chord is mistaken for a point.
+const FLAT: f64 = 1e-10;
+
+impl<const D: usize> EndFrame<D> {
+    pub(crate) fn new(
+        set: &dyn ClosedSet<D>,
+        x: &SVector<f64, D>,
+        gradient: &SVector<f64, D>,
+        tau: f64,
+    ) -> Self {
+        let z = x - gradient * tau;
+        let residual = x - set.project(&z);
+        let derivative = set.projection_derivative(&z);
+        let projected_gradient = residual / tau;
+        let identity = SMatrix::<f64, D, D>::identity();
+        if derivative == identity * 0.0 || derivative == identity {
+            let free = derivative == identity;
+            let coordinates = std::array::from_fn(|i| {
+                if free {
+                    Coordinate::Free { curvature: 0.0, force: -residual[i] / tau }
+                } else {
+                    Coordinate::Fixed { step: -residual[i] }
+                }
+            });
+            return Self { basis: identity, coordinates, projected_gradient };
+        }
+        let eigen = DMatrix::from_fn(D, D, |i, j| 0.5 * (derivative[(i, j)] + derivative[(j, i)]))
+            .symmetric_eigen();
+        let basis = SMatrix::<f64, D, D>::from_fn(|i, j| eigen.eigenvectors[(i, j)]);
+        let rotated = basis.tr_mul(&residual);
+        let coordinates = std::array::from_fn(|i| {
+            let sigma = eigen.eigenvalues[i];
+            if sigma < FLAT {
+                Coordinate::Fixed { step: -rotated[i] }
+            } else {
+                Coordinate::Free {
+                    curvature: (1.0 - sigma) / (sigma * tau),
+                    force: -rotated[i] / (sigma * tau),
+                }
+            }
+        });
+        Self { basis, coordinates, projected_gradient }
+    }
+
+    /// The frame of an end that does not move.
+    #[cfg(test)]
+    pub(crate) fn is_fixed(&self) -> bool {
+        self.coordinates.iter().all(|c| matches!(c, Coordinate::Fixed { .. }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::vector;
+    use tautline_sets::{AxisBox, Ball, Point};
+
+    use super::{Coordinate, EndFrame};
+
+    fn free(frame: &EndFrame<2>) -> usize {
+        frame.coordinates.iter().filter(|c| matches!(c, Coordinate::Free { .. })).count()
+    }
+
+    #[test]
+    fn interior_face_and_corner_of_a_box_have_2_1_0_free_coordinates() {
+        let square = AxisBox::new([0.0, 0.0], [1.0, 1.0]).expect("half-widths 1");
+        let frame = |x: [f64; 2], g: [f64; 2]| EndFrame::new(&square, &x.into(), &g.into(), 0.1);
+        assert_eq!(free(&frame([0.0, 0.0], [1.0, 1.0])), 2);
+        assert_eq!(free(&frame([1.0, 0.0], [-1.0, 0.3])), 1);
+        assert_eq!(free(&frame([1.0, 1.0], [-1.0, -1.0])), 0);
+        // A force that points inwards leaves the face again.
+        assert_eq!(free(&frame([1.0, 0.0], [1.0, 0.0])), 2);
+    }
+
+    #[test]
+    fn a_point_is_fixed() {
+        let point = Point::new([0.5, 0.5]).expect("finite");
+        let frame = EndFrame::new(&point, &vector![0.5, 0.5], &vector![3.0, 4.0], 0.1);
+        assert!(frame.is_fixed());
+        assert_eq!(frame.projected_gradient.norm(), 0.0);
+    }
+
+    /// On the boundary of a disc of radius `r` with the force `λ` outwards, the Lagrangian has
+    /// the second derivative `λ/r` along the boundary.
+    #[test]
+    fn the_curvature_term_is_the_multiplier_over_the_radius() {
+        let ball = Ball::new([0.0, 0.0], 0.5).expect("positive radius");
+        let frame = EndFrame::new(&ball, &vector![0.5, 0.0], &vector![-3.0, 0.0], 0.01);
+        let curvatures: Vec<f64> = frame
+            .coordinates
+            .iter()
+            .filter_map(|c| match c {
+                Coordinate::Free { curvature, .. } => Some(*curvature),
+                Coordinate::Fixed { .. } => None,
+            })
+            .collect();
+        assert_eq!(curvatures.len(), 1);
+        approx::assert_relative_eq!(curvatures[0], 3.0 / 0.5, max_relative = 1e-12);
+        // On the set and normal: nothing is left of the gradient but rounding, 1e-16 / τ.
+        assert!(frame.projected_gradient.norm() < 1e-13);
+    }
+}

@@ -1,0 +1,80 @@
+//! Richardson extrapolation of the discrete energies to `N = ∞`.
+
+use crate::Level;
+
+/// A value that was extrapolated, and how far it may be trusted. Not a bound.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Estimate {
+    /// The extrapolated value.
+    pub value: f64,
+    /// The change by the last order of extrapolation, an estimate of the error.
+    pub error: f64,
+}
+
+/// Returns an estimate of `d²`, in `m²`, from the minima on several grids; `None` for fewer
+/// than two grids.
+///
+/// On smooth data `E_N = d² + c₁ N⁻ᑫ + c₂ N⁻²ᑫ + …` (see
+/// [`Rule::ERROR_EXPONENT`](tautline_discretizations::Rule::ERROR_EXPONENT)), a polynomial in
+/// `N⁻ᑫ`; Neville's scheme evaluates it at 0. All grids must follow the same minimiser.
+///
+/// Of the entries of the scheme the one that changed least is taken: the coarsest grids may
+/// lie outside of the asymptotic range, and the finest carry rounding.
+#[must_use]
+pub fn extrapolate(levels: &[Level], exponent: i32) -> Option<Estimate> {
+    let variable: Vec<f64> = levels.iter().map(|level| (level.n as f64).powi(-exponent)).collect();
+    let mut column: Vec<f64> = levels.iter().map(|level| level.energy).collect();
+    let mut best: Option<Estimate> = None;
+    for order in 1..levels.len() {
+        let next: Vec<f64> = (order..levels.len())
+            .map(|k| {
+                let (fine, coarse) = (column[k - order + 1], column[k - order]);
+                let (x, y) = (variable[k], variable[k - order]);
+                fine + (fine - coarse) * x / (y - x)
+            })
+            .collect();
+        let (value, before) = (*next.last()?, *column.last()?);
+        let estimate = Estimate { value, error: (value - before).abs() };
+        if best.is_none_or(|best| estimate.error <= best.error) {
+            best = Some(estimate);
+        }
+        column = next;
+    }
+    best
+}
+
+#[cfg(test)]
+mod tests {
+    use super::extrapolate;
+    use crate::Level;
+
+    fn levels(energy: impl Fn(f64) -> f64) -> Vec<Level> {
+        [10, 20, 50, 100].map(|n| Level { n, energy: energy(n as f64) }).to_vec()
+    }
+
+    #[test]
+    fn polynomials_in_the_step_are_extrapolated_exactly() {
+        let even = levels(|n| 7.0 - 3.0 * n.powi(-2) + 5.0 * n.powi(-4));
+        let all = levels(|n| 7.0 - 3.0 / n + 5.0 * n.powi(-2) - 2.0 * n.powi(-3));
+        for (levels, exponent) in [(even, 2), (all, 1)] {
+            let estimate = extrapolate(&levels, exponent).expect("four grids");
+            // Weights of some 10 on numbers of size 7.
+            assert!((estimate.value - 7.0).abs() < 1e-13, "{}", estimate.value);
+        }
+    }
+
+    /// A coarse grid outside of the asymptotic range is not allowed to spoil the others.
+    #[test]
+    fn a_bad_coarse_grid_is_left_out() {
+        let mut levels = levels(|n| 7.0 - 3.0 * n.powi(-2));
+        levels[0].energy = 1.0;
+        let estimate = extrapolate(&levels, 2).expect("four grids");
+        assert!((estimate.value - 7.0).abs() < 1e-12, "{}", estimate.value);
+        assert!(estimate.error >= (estimate.value - 7.0).abs());
+    }
+
+    #[test]
+    fn one_grid_is_not_enough() {
+        assert_eq!(extrapolate(&[Level { n: 4, energy: 1.0 }], 2), None);
+    }
+}

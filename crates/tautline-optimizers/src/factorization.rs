@@ -1,0 +1,242 @@
+//! The factorisation of a block-tridiagonal matrix, which also tells its inertia.
+
+use nalgebra::{DMatrix, SMatrix, SVector};
+use tautline_discretizations::BlockTridiagonal;
+
+use crate::inverse_factor::inverse_factor;
+
+/// A symmetric block-tridiagonal matrix `A + μ R`, where `R` is the regulariser
+/// `s (N Λ + I/N)` with the path Laplacian `Λ`: the discrete `∫ s (|δ̇|² + |δ|²) dt`.
+///
+/// Both parts of `R` scale with `N` as `A` does, so that a given `μ` damps the same on
+/// every grid, and for large `μ` the sum is positive definite whatever `A` is.
+///
+/// The blocks that touch an end point, the first and last of the diagonal and of the upper
+/// ones, may be replaced: they are what confines the ends to their sets.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Shifted<'a, const D: usize> {
+    matrix: &'a BlockTridiagonal<D>,
+    regulariser: Regulariser,
+    /// The first and last diagonal block, shift included.
+    pub(crate) end_diagonal: [SMatrix<f64, D, D>; 2],
+    /// The first and last upper block, shift included; for `N = 1` the first is both.
+    pub(crate) end_upper: [SMatrix<f64, D, D>; 2],
+}
+
+/// `μ R`, by `N` and the product `μ s`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Regulariser {
+    pub(crate) n: f64,
+    pub(crate) weight: f64,
+}
+
+impl Regulariser {
+    /// The diagonal entries at a point with this many neighbours.
+    pub(crate) fn diagonal(self, neighbours: f64) -> f64 {
+        self.weight * (neighbours * self.n + 1.0 / self.n)
+    }
+
+    /// The entries that couple a point with the next.
+    pub(crate) fn upper(self) -> f64 {
+        -self.weight * self.n
+    }
+}
+
+impl<'a, const D: usize> Shifted<'a, D> {
+    pub(crate) fn new(matrix: &'a BlockTridiagonal<D>, regulariser: Regulariser) -> Self {
+        let n = matrix.upper.len();
+        let diagonal = SMatrix::from_diagonal_element(regulariser.diagonal(1.0));
+        let upper = SMatrix::from_diagonal_element(regulariser.upper());
+        Self {
+            matrix,
+            regulariser,
+            end_diagonal: [matrix.diagonal[0] + diagonal, matrix.diagonal[n] + diagonal],
+            end_upper: [matrix.upper[0] + upper, matrix.upper[n - 1] + upper],
+        }
+    }
+
+    pub(crate) fn n(&self) -> usize {
+        self.matrix.upper.len()
+    }
+
+    fn diagonal(&self, k: usize) -> SMatrix<f64, D, D> {
+        if k == 0 {
+            self.end_diagonal[0]
+        } else if k == self.n() {
+            self.end_diagonal[1]
+        } else {
+            let shift = self.regulariser.diagonal(2.0);
+            self.matrix.diagonal[k] + SMatrix::from_diagonal_element(shift)
+        }
+    }
+
+    fn upper(&self, k: usize) -> SMatrix<f64, D, D> {
+        if k == 0 {
+            self.end_upper[0]
+        } else if k + 1 == self.n() {
+            self.end_upper[1]
+        } else {
+            self.matrix.upper[k] + SMatrix::from_diagonal_element(self.regulariser.upper())
+        }
+    }
+
+    /// Returns how many eigenvalues are negative, by Sylvester's law: the sum over the
+    /// pivots of block elimination. Slow; for matrices that are not positive definite.
+    pub(crate) fn negative_eigenvalues(&self) -> usize {
+        let mut negative = 0;
+        let mut schur = self.diagonal(0);
+        for k in 0..=self.n() {
+            let eigen =
+                DMatrix::from_fn(D, D, |i, j| schur[(i.min(j), i.max(j))]).symmetric_eigen();
+            negative += eigen.eigenvalues.iter().filter(|&&value| value < 0.0).count();
+            if k == self.n() {
+                break;
+            }
+            let upper = self.upper(k);
+            let upper = DMatrix::from_fn(D, D, |i, j| upper[(i, j)]);
+            let rotated = eigen.eigenvectors.transpose() * upper;
+            // A pivot that is exactly zero is moved by less than rounding moves it.
+            let smallest = f64::EPSILON * eigen.eigenvalues.amax().max(f64::MIN_POSITIVE);
+            let weight = eigen
+                .eigenvalues
+                .map(|value| 1.0 / if value.abs() < smallest { smallest } else { value });
+            let update = rotated.transpose() * DMatrix::from_diagonal(&weight) * rotated;
+            schur = self.diagonal(k + 1) - SMatrix::from_fn(|i, j| update[(i, j)]);
+        }
+        negative
+    }
+}
+
+/// The Cholesky factorisation by blocks of a positive definite block-tridiagonal matrix.
+///
+/// With the Schur complements `S₀ = A₀`, `Sₙ₊₁ = Aₙ₊₁ − Uₙᵀ Sₙ⁻¹ Uₙ`: `O(N D³)`.
+#[derive(Clone, Debug)]
+pub(crate) struct Factorization<const D: usize> {
+    /// `Mₙ` with `Mₙᵀ Mₙ = Sₙ⁻¹`.
+    inverse: Vec<SMatrix<f64, D, D>>,
+    /// `Wₙ = Mₙ Uₙ`.
+    coupling: Vec<SMatrix<f64, D, D>>,
+}
+
+impl<const D: usize> Factorization<D> {
+    /// Factorises; `None` if the matrix is not positive definite (or not finite).
+    pub(crate) fn new(system: &Shifted<'_, D>) -> Option<Self> {
+        let n = system.n();
+        let mut inverse = Vec::with_capacity(n + 1);
+        let mut coupling = Vec::with_capacity(n);
+        let mut schur = system.diagonal(0);
+        for k in 0..n {
+            let m = inverse_factor(&schur)?;
+            let w = m * system.upper(k);
+            schur = system.diagonal(k + 1) - w.tr_mul(&w);
+            inverse.push(m);
+            coupling.push(w);
+        }
+        inverse.push(inverse_factor(&schur)?);
+        Some(Self { inverse, coupling })
+    }
+
+    /// Overwrites `b` with the solution of `A x = b`.
+    pub(crate) fn solve(&self, b: &mut [SVector<f64, D>]) {
+        let n = self.coupling.len();
+        // Forward: yₙ = Mₙ (bₙ − Wₙ₋₁ᵀ yₙ₋₁), backward: xₙ = Mₙᵀ (yₙ − Wₙ xₙ₊₁).
+        b[0] = self.inverse[0] * b[0];
+        for k in 1..=n {
+            b[k] = self.inverse[k] * (b[k] - self.coupling[k - 1].tr_mul(&b[k - 1]));
+        }
+        b[n] = self.inverse[n].tr_mul(&b[n]);
+        for k in (0..n).rev() {
+            b[k] = self.inverse[k].tr_mul(&(b[k] - self.coupling[k] * b[k + 1]));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{DMatrix, DVector, SMatrix, SVector};
+    use proptest::{prelude::*, test_runner::RngSeed};
+    use tautline_discretizations::BlockTridiagonal;
+
+    use super::{Factorization, Regulariser, Shifted};
+
+    const N: usize = 4;
+
+    /// A random symmetric matrix with the structure, and itself as a full matrix.
+    fn matrix(entries: &[f64], diagonal: f64) -> (BlockTridiagonal<2>, DMatrix<f64>) {
+        let mut blocks = BlockTridiagonal::<2>::zeros(N);
+        let mut next = entries.iter().copied();
+        let mut draw = || SMatrix::<f64, 2, 2>::from_fn(|_, _| next.next().expect("enough"));
+        for k in 0..=N {
+            let a = draw();
+            blocks.diagonal[k] = a + a.transpose() + SMatrix::identity() * diagonal;
+        }
+        for k in 0..N {
+            blocks.upper[k] = draw();
+        }
+        let full = DMatrix::from_fn(2 * N + 2, 2 * N + 2, |i, j| match (i / 2, j / 2) {
+            (n, m) if n == m => blocks.diagonal[n][(i % 2, j % 2)],
+            (n, m) if n + 1 == m => blocks.upper[n][(i % 2, j % 2)],
+            (n, m) if m + 1 == n => blocks.upper[m][(j % 2, i % 2)],
+            _ => 0.0,
+        });
+        (blocks, full)
+    }
+
+    /// `μ R` as a full matrix, from its definition as a quadratic form.
+    fn regulariser(weight: f64) -> DMatrix<f64> {
+        let n = N as f64;
+        let mut r = DMatrix::identity(2 * N + 2, 2 * N + 2) / n;
+        for k in 0..N {
+            for i in 0..2 {
+                let (a, b) = (2 * k + i, 2 * k + 2 + i);
+                r[(a, a)] += n;
+                r[(b, b)] += n;
+                r[(a, b)] -= n;
+                r[(b, a)] -= n;
+            }
+        }
+        r * weight
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig {
+            rng_seed: RngSeed::Fixed(3), failure_persistence: None, ..ProptestConfig::default()
+        })]
+
+        #[test]
+        fn solving_agrees_with_dense_algebra(
+            entries in proptest::collection::vec(-1.0..1.0_f64, 36),
+            right in proptest::collection::vec(-1.0..1.0_f64, 10),
+            shift in 0.0..2.0_f64,
+        ) {
+            // Rows sum to at most 8 in absolute value, so that 10 on the diagonal is enough.
+            let (blocks, full) = matrix(&entries, 10.0);
+            let shifted = Regulariser { n: N as f64, weight: shift };
+            let system = Shifted::new(&blocks, shifted);
+            let dense = full + regulariser(shift);
+            let mut x: Vec<_> = (0..=N).map(|k| SVector::from([right[2 * k], right[2 * k + 1]])).collect();
+            let factorization = Factorization::new(&system).expect("diagonally dominant");
+            factorization.solve(&mut x);
+            let x = DVector::from_iterator(10, x.iter().flat_map(|v| [v[0], v[1]]));
+            // Condition at most 30, entries of size 30.
+            let residual = dense * x - DVector::from_vec(right);
+            prop_assert!(residual.amax() < 1e-13, "{}", residual.amax());
+        }
+
+        #[test]
+        fn inertia_agrees_with_the_eigenvalues(
+            entries in proptest::collection::vec(-1.0..1.0_f64, 36),
+            diagonal in -3.0..5.0_f64,
+        ) {
+            let (blocks, full) = matrix(&entries, diagonal);
+            let none = Regulariser { n: N as f64, weight: 0.0 };
+            let system = Shifted::new(&blocks, none);
+            let values = full.symmetric_eigenvalues();
+            // A value within 1e-9 of zero may fall on either side.
+            prop_assume!(values.iter().all(|value| value.abs() > 1e-9));
+            let negative = values.iter().filter(|&&value| value < 0.0).count();
+            prop_assert_eq!(system.negative_eigenvalues(), negative);
+            prop_assert_eq!(Factorization::new(&system).is_some(), negative == 0);
+        }
+    }
+}

@@ -1,0 +1,180 @@
+//! The search for a discrete minimiser: several starts on a coarse grid, then finer grids.
+
+use tautline_discretizations::{PointSequence, Rule};
+use tautline_metrics::{Metric, MetricError};
+use tautline_sets::{ClosedSet, Ends, common_point};
+
+use crate::{
+    Level, Minimum, SolveError, Starts, Stop,
+    local_search::{Found, LocalSearch},
+    prolongation::prolong,
+};
+
+/// How to search.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options<const D: usize> {
+    /// Where to start.
+    pub starts: Starts<D>,
+    /// The number of Newton steps that a local search may take on one grid.
+    pub iterations: usize,
+}
+
+impl<const D: usize> Default for Options<D> {
+    /// Automatic starts, and 200 steps: a search that works takes less than 30.
+    fn default() -> Self {
+        Self { starts: Starts::Automatic, iterations: 200 }
+    }
+}
+
+/// The coarsest grid has at most this many chords: enough to tell the ways round an obstacle
+/// apart, and few enough that a dozen starts cost less than one pass over a fine grid.
+const COARSEST: usize = 32;
+
+/// From one grid to the next, `N` grows at most by this factor.
+const REFINEMENT: usize = 4;
+
+/// How many different local minimisers of the coarsest grid are followed to the next ones,
+/// where their order may change, and the grid from which on only the lowest is.
+const FOLLOWED: usize = 3;
+const SETTLED: usize = 512;
+
+/// Minima are different if their energies differ by more than this, relatively.
+const DIFFERENT: f64 = 1e-9;
+
+/// Returns the lowest discrete minimiser of `rule` between the sets `ends` that was found.
+///
+/// Every pair of pieces of the sets is tried from every start on the coarsest grid; the best
+/// are carried to `n` chords over grids that refine by 4, one or two Newton steps each.
+///
+/// # Errors
+///
+/// [`SolveError::NoSubinterval`] if `n` is 0; [`SolveError::Metric`] if the metric is not
+/// finite, symmetric and positive definite along every start, or along the result.
+pub fn minimise<const D: usize, R: Rule>(
+    metric: &impl Metric<D>,
+    ends: &Ends<D>,
+    rule: R,
+    n: usize,
+    options: &Options<D>,
+) -> Result<Minimum<D>, SolveError> {
+    if n == 0 {
+        return Err(SolveError::NoSubinterval);
+    }
+    let grids = grids(n);
+    let mut steps = 0;
+    let mut candidates: Vec<Candidate<'_, D>> = Vec::new();
+    let mut refused: Option<MetricError> = None;
+    let pairs: Vec<_> = ends.pairs().collect();
+    for (first, second) in &pairs {
+        let pair = [&**first, &**second];
+        if let Some(x) = common_point(pair[0], pair[1]) {
+            return Ok(Minimum::at_common_point(x, n));
+        }
+        let search = LocalSearch { metric, rule, ends: pair, iterations: options.iterations };
+        for start in options.starts.between(pair[0], pair[1], grids[0]) {
+            match search.run(start) {
+                Ok(found) => {
+                    steps += found.iterations;
+                    candidates.push(Candidate::new(pair, found));
+                }
+                Err(error) => refused = refused.or(Some(error)),
+            }
+        }
+    }
+    lowest_first(&mut candidates);
+    let local_minima: Vec<f64> =
+        candidates.iter().map(|candidate| candidate.found.energy).collect();
+    for &grid in &grids[1..] {
+        candidates.truncate(if grid > SETTLED { 1 } else { FOLLOWED });
+        for candidate in std::mem::take(&mut candidates) {
+            let search =
+                LocalSearch { metric, rule, ends: candidate.ends, iterations: options.iterations };
+            let points = prolong(&candidate.found.sequence, grid);
+            let start = PointSequence::new(points).map_err(SolveError::Sequence)?;
+            match search.run(start) {
+                Ok(found) => {
+                    steps += found.iterations;
+                    candidates.push(candidate.refined(found));
+                }
+                Err(error) => refused = refused.or(Some(error)),
+            }
+        }
+        lowest_first(&mut candidates);
+    }
+    let Some(Candidate { found, levels, .. }) = candidates.into_iter().next() else {
+        return Err(refused.map_or(SolveError::NoStart, SolveError::Metric));
+    };
+    Ok(Minimum {
+        sequence: found.sequence,
+        energy: found.energy,
+        decrement: found.decrement,
+        residual: found.residual,
+        residual_floor: found.residual_floor,
+        stop: found.stop,
+        curvature: found.curvature,
+        iterations: steps,
+        levels,
+        local_minima,
+    })
+}
+
+/// A local minimiser, the pieces it runs between and its energies on coarser grids.
+struct Candidate<'a, const D: usize> {
+    ends: [&'a dyn ClosedSet<D>; 2],
+    found: Found<D>,
+    levels: Vec<Level>,
+}
+
+impl<'a, const D: usize> Candidate<'a, D> {
+    fn new(ends: [&'a dyn ClosedSet<D>; 2], found: Found<D>) -> Self {
+        Self { ends, levels: vec![level(&found)], found }
+    }
+
+    fn refined(mut self, found: Found<D>) -> Self {
+        self.levels.push(level(&found));
+        self.found = found;
+        self
+    }
+}
+
+fn level<const D: usize>(found: &Found<D>) -> Level {
+    Level { n: found.sequence.n().get(), energy: found.energy }
+}
+
+/// Sorts by energy, and keeps one of those that are the same. A search that did not converge
+/// counts behind all that did: its energy is that of no minimiser.
+fn lowest_first<const D: usize>(candidates: &mut Vec<Candidate<'_, D>>) {
+    let failed =
+        |c: &Candidate<'_, D>| matches!(c.found.stop, Stop::Stalled | Stop::IterationLimit);
+    candidates
+        .sort_by(|a, b| failed(a).cmp(&failed(b)).then(a.found.energy.total_cmp(&b.found.energy)));
+    candidates.dedup_by(|b, a| {
+        failed(a) == failed(b)
+            && (b.found.energy - a.found.energy).abs() <= DIFFERENT * a.found.energy.abs()
+    });
+}
+
+/// The grids on the way to `n`, coarsest first.
+fn grids(n: usize) -> Vec<usize> {
+    let mut grids = vec![n];
+    let mut grid = n;
+    while grid > COARSEST {
+        grid = grid.div_ceil(REFINEMENT);
+        grids.push(grid);
+    }
+    grids.reverse();
+    grids
+}
+
+#[cfg(test)]
+mod tests {
+    use super::grids;
+
+    #[test]
+    fn grids_end_at_n_and_begin_coarse() {
+        assert_eq!(grids(1), [1]);
+        assert_eq!(grids(32), [32]);
+        assert_eq!(grids(33), [9, 33]);
+        assert_eq!(grids(1000), [16, 63, 250, 1000]);
+    }
+}

@@ -1,0 +1,178 @@
+//! The Newton system of a discrete energy, with the end points confined to their sets.
+
+use nalgebra::SVector;
+use tautline_discretizations::QuadraticModel;
+use tautline_sets::ClosedSet;
+
+use crate::{
+    end_frame::{Coordinate, EndFrame},
+    factorization::{Factorization, Regulariser, Shifted},
+};
+
+/// The quadratic model of an energy in the coordinates of both [`EndFrame`]s.
+///
+/// A fixed coordinate keeps its place in the system, as an equation of its own that is
+/// already solved. So the blocks stay `D × D` whatever face is active, and the system is
+/// positive definite if and only if it is so in the free coordinates.
+pub(crate) struct ReducedSystem<'a, const D: usize> {
+    matrix: Shifted<'a, D>,
+    right: Vec<SVector<f64, D>>,
+    frames: [EndFrame<D>; 2],
+    tau: f64,
+}
+
+/// A Newton step and what it promises.
+pub(crate) struct Step<const D: usize> {
+    pub(crate) step: Vec<SVector<f64, D>>,
+    /// The energy that the quadratic model sheds, half the square of the Newton decrement.
+    pub(crate) decrement: f64,
+}
+
+impl<'a, const D: usize> ReducedSystem<'a, D> {
+    /// Sets up the system for the shift `mu` (see [`Shifted`]).
+    pub(crate) fn new(
+        model: &'a QuadraticModel<D>,
+        ends: [&dyn ClosedSet<D>; 2],
+        points: &[SVector<f64, D>],
+        mu: f64,
+    ) -> Self {
+        let n = points.len() - 1;
+        let regulariser = Regulariser { n: n as f64, weight: mu * model.mean_gram };
+        // The inverse of a typical diagonal block, so that z lies about a chord from x.
+        let tau = 1.0 / (2.0 * n as f64 * model.mean_gram * (1.0 + mu));
+        let frame = |set, k: usize| EndFrame::new(set, &points[k], &model.gradient[k], tau);
+        let mut right: Vec<_> = model.gradient.iter().map(|g| -g).collect();
+        // The frames have the forces at the ends.
+        right[0].fill(0.0);
+        right[n].fill(0.0);
+        let mut system = Self {
+            matrix: Shifted::new(&model.hessian, regulariser),
+            right,
+            frames: [frame(ends[0], 0), frame(ends[1], n)],
+            tau,
+        };
+        system.enter_frame(0);
+        system.enter_frame(1);
+        system
+    }
+
+    /// Goes over to the coordinates of one of the frames.
+    fn enter_frame(&mut self, end: usize) {
+        let n = self.matrix.n();
+        let (k, neighbour) = if end == 0 { (0, 1) } else { (n, n - 1) };
+        let frame = &self.frames[end];
+        let basis = frame.basis;
+        let mut block = basis.tr_mul(&(self.matrix.end_diagonal[end] * basis));
+        let upper = &mut self.matrix.end_upper[if n == 1 { 0 } else { end }];
+        // The coupling as seen from the end: row i belongs to its coordinate i.
+        let mut coupling = basis.tr_mul(&if end == 0 { *upper } else { upper.transpose() });
+        let mut right = basis.tr_mul(&self.right[k]);
+        for (i, coordinate) in frame.coordinates.iter().enumerate() {
+            match *coordinate {
+                Coordinate::Free { curvature, force } => {
+                    block[(i, i)] += curvature;
+                    right[i] += force;
+                }
+                Coordinate::Fixed { step } => {
+                    right -= block.column(i) * step;
+                    self.right[neighbour] -= coupling.row(i).transpose() * step;
+                    block.row_mut(i).fill(0.0);
+                    block.column_mut(i).fill(0.0);
+                    coupling.row_mut(i).fill(0.0);
+                }
+            }
+        }
+        for (i, coordinate) in frame.coordinates.iter().enumerate() {
+            if let Coordinate::Fixed { step } = *coordinate {
+                block[(i, i)] = 1.0 / self.tau;
+                right[i] = step / self.tau;
+            }
+        }
+        *upper = if end == 0 { coupling } else { coupling.transpose() };
+        self.matrix.end_diagonal[end] = block;
+        self.right[k] = right;
+    }
+
+    /// Factorises the system; `None` if it is not positive definite.
+    pub(crate) fn factorize(&self) -> Option<Factorization<D>> {
+        Factorization::new(&self.matrix)
+    }
+
+    /// Returns the number of negative eigenvalues in the free coordinates.
+    pub(crate) fn negative_eigenvalues(&self) -> usize {
+        self.matrix.negative_eigenvalues()
+    }
+
+    /// Solves for the Newton step.
+    pub(crate) fn newton_step(&self, factorization: &Factorization<D>) -> Step<D> {
+        let mut step = self.right.clone();
+        factorization.solve(&mut step);
+        let decrement = half_dot(&step, &self.right);
+        self.leave_frames(&mut step);
+        Step { step, decrement }
+    }
+
+    /// Returns half the square of the Newton decrement at other points close by, with the
+    /// factorisation from here.
+    pub(crate) fn decrement_at(
+        &self,
+        factorization: &Factorization<D>,
+        ends: [&dyn ClosedSet<D>; 2],
+        points: &[SVector<f64, D>],
+        gradient: &[SVector<f64, D>],
+    ) -> f64 {
+        let n = self.matrix.n();
+        let mut right: Vec<_> = gradient.iter().map(|g| -g).collect();
+        for (end, k) in [(0, 0), (1, n)] {
+            let frame = EndFrame::new(ends[end], &points[k], &gradient[k], self.tau);
+            // The projected gradient F/τ, in the coordinates of this system.
+            right[k] = -self.frames[end].basis.tr_mul(&frame.projected_gradient);
+        }
+        let mut step = right.clone();
+        factorization.solve(&mut step);
+        half_dot(&step, &right)
+    }
+
+    /// Returns the direction of the least eigenvalue, by inverse iteration: the most negative
+    /// curvature, if the shift is just large enough to make the system definite.
+    pub(crate) fn flattest_direction(
+        &self,
+        factorization: &Factorization<D>,
+    ) -> Vec<SVector<f64, D>> {
+        // A smooth start without the symmetries that a curve may have: no component of a low
+        // eigenvector vanishes by accident.
+        let n = self.matrix.n() as f64;
+        let mut v: Vec<_> = (0..=self.matrix.n())
+            .map(|k| {
+                SVector::<f64, D>::from_fn(|i, _| {
+                    let t = k as f64 / n;
+                    (0.7 + 1.3 * i as f64 + (2.0 + i as f64) * t).sin() + 0.3 * (5.1 * t).cos()
+                })
+            })
+            .collect();
+        for (k, frame) in [(0, &self.frames[0]), (self.matrix.n(), &self.frames[1])] {
+            for (i, coordinate) in frame.coordinates.iter().enumerate() {
+                if matches!(coordinate, Coordinate::Fixed { .. }) {
+                    v[k][i] = 0.0;
+                }
+            }
+        }
+        for _ in 0..20 {
+            let norm = v.iter().map(SVector::norm_squared).sum::<f64>().sqrt();
+            v.iter_mut().for_each(|v| *v /= norm);
+            factorization.solve(&mut v);
+        }
+        self.leave_frames(&mut v);
+        v
+    }
+
+    fn leave_frames(&self, v: &mut [SVector<f64, D>]) {
+        let n = self.matrix.n();
+        v[0] = self.frames[0].basis * v[0];
+        v[n] = self.frames[1].basis * v[n];
+    }
+}
+
+fn half_dot<const D: usize>(a: &[SVector<f64, D>], b: &[SVector<f64, D>]) -> f64 {
+    0.5 * a.iter().zip(b).map(|(a, b)| a.dot(b)).sum::<f64>()
+}

@@ -1,0 +1,22 @@
+//! `SolveError`: why no minimiser was searched, or none could be.
+
+use tautline_discretizations::SequenceError;
+use tautline_metrics::MetricError;
+
+/// Why there is no result.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SolveError {
+    /// `N = 0`.
+    #[error("N = 0: a point sequence has at least one subinterval")]
+    NoSubinterval,
+    /// The metric is not one along the curves that were tried.
+    #[error(transparent)]
+    Metric(#[from] MetricError),
+    /// A point sequence became infinite on the way to a finer grid.
+    #[error(transparent)]
+    Sequence(#[from] SequenceError),
+    /// There was no sequence to start from: none was given, or none has finite points.
+    #[error("no sequence of finite points to start from")]
+    NoStart,
+}

@@ -1,0 +1,160 @@
+//! Where the local searches start.
+
+use nalgebra::SVector;
+use tautline_discretizations::PointSequence;
+use tautline_sets::ClosedSet;
+
+use crate::prolongation::prolong;
+
+/// Where to start the local searches.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub enum Starts<const D: usize> {
+    /// The straight lines between nearest points of the sets (and between further points
+    /// of sets that are not convex), each also bent to every side; on grids of at most eight
+    /// chords also the sequences that jump at once.
+    #[default]
+    Automatic,
+    /// These sequences and no others, on any grid; their ends are moved to the nearest
+    /// points of the sets.
+    Only(Vec<PointSequence<D>>),
+    /// These sequences besides the automatic ones.
+    Also(Vec<PointSequence<D>>),
+}
+
+/// How far a line is bent, relative to its length. About the height of a half circle over
+/// its diameter, one half: enough to pass an obstacle in the middle on either side.
+const BEND: f64 = 0.4;
+
+/// On coarser grids than this a discrete minimiser may be one jump over several valleys.
+const JUMPING: usize = 8;
+
+/// Alternating projections to find nearest points; only a start, so it need not converge.
+const PROJECTIONS: usize = 50;
+
+impl<const D: usize> Starts<D> {
+    /// Returns the starts between two pieces, on the grid of `n` chords.
+    pub(crate) fn between(
+        &self,
+        first: &dyn ClosedSet<D>,
+        second: &dyn ClosedSet<D>,
+        n: usize,
+    ) -> Vec<PointSequence<D>> {
+        let mut starts = Vec::new();
+        if let Starts::Only(given) | Starts::Also(given) = self {
+            starts.extend(given.iter().map(|sequence| {
+                let mut points = prolong(sequence, n);
+                points[0] = first.project(&points[0]);
+                points[n] = second.project(&points[n]);
+                points
+            }));
+        }
+        if !matches!(self, Starts::Only(_)) {
+            for (a, b) in end_points(first, second) {
+                starts.extend(automatic(&a, &b, n));
+            }
+        }
+        starts.into_iter().filter_map(|points| PointSequence::new(points).ok()).collect()
+    }
+}
+
+/// Pairs of end points: nearest points, seen from every seed of either set.
+fn end_points<const D: usize>(
+    first: &dyn ClosedSet<D>,
+    second: &dyn ClosedSet<D>,
+) -> Vec<(SVector<f64, D>, SVector<f64, D>)> {
+    let nearest = |mut a: SVector<f64, D>| {
+        let mut b = second.project(&a);
+        for _ in 0..PROJECTIONS {
+            a = first.project(&b);
+            let next = second.project(&a);
+            if next == b {
+                break;
+            }
+            b = next;
+        }
+        (a, b)
+    };
+    let mut pairs = vec![nearest(first.project(&SVector::zeros()))];
+    // A seed stays where it is: projecting it again and again would lead all to one.
+    pairs.extend(first.seeds().into_iter().map(|a| (a, second.project(&a))));
+    pairs.extend(second.seeds().into_iter().map(|b| (first.project(&b), b)));
+    pairs
+}
+
+/// The straight line from `a` to `b`, its bends, and its jumps.
+fn automatic<const D: usize>(
+    a: &SVector<f64, D>,
+    b: &SVector<f64, D>,
+    n: usize,
+) -> Vec<Vec<SVector<f64, D>>> {
+    let chord = b - a;
+    let line = |bend: SVector<f64, D>| {
+        let at = |k: usize| {
+            let t = k as f64 / n as f64;
+            let along = a * (1.0 - t) + b * t;
+            // Exactly at the ends, where the sine would leave its rounding.
+            if k == 0 || k == n { along } else { along + bend * (std::f64::consts::PI * t).sin() }
+        };
+        (0..=n).map(at).collect()
+    };
+    let mut starts = vec![line(SVector::zeros())];
+    if n > 1 {
+        for axis in 0..D {
+            let mut bend = SVector::zeros();
+            bend[axis] = 1.0;
+            bend -= chord * (chord[axis] / chord.norm_squared());
+            // The axis that is nearest to the chord adds nothing that the others do not.
+            if !(bend.norm() > 0.5) {
+                continue;
+            }
+            let bend = bend.normalize() * (BEND * chord.norm());
+            starts.extend([line(bend), line(-bend)]);
+        }
+    }
+    if (2..=JUMPING).contains(&n) {
+        starts
+            .extend((0..n).map(|jump| (0..=n).map(|k| if k <= jump { *a } else { *b }).collect()));
+    }
+    starts
+}
+
+#[cfg(test)]
+mod tests {
+    use tautline_discretizations::PointSequence;
+    use tautline_sets::{Ball, HalfSpace, Point, Sphere};
+
+    use super::Starts;
+
+    #[test]
+    fn every_start_ends_in_its_sets() {
+        let ball = Ball::new([0.0, 2.0], 0.5).expect("positive radius");
+        let wall = HalfSpace::new([-1.0, 0.0], -3.0).expect("not zero");
+        let given = PointSequence::straight([0.0, 9.0], [9.0, 0.0], 3).expect("finite");
+        let starts = Starts::Also(vec![given]).between(&ball, &wall, 16);
+        assert_eq!(starts.len(), 1 + 3, "given; straight and bent to both sides");
+        for start in starts {
+            assert_eq!(start.n().get(), 16);
+            assert!(
+                (start.first()[0].powi(2) + (start.first()[1] - 2.0).powi(2)).sqrt() <= 0.5 + 1e-15
+            );
+            assert!(start.last()[0] >= 3.0);
+        }
+    }
+
+    #[test]
+    fn coarse_grids_also_start_from_jumps() {
+        let (a, b) = (Point::new([0.0]).expect("finite"), Point::new([1.0]).expect("finite"));
+        assert_eq!(Starts::Automatic.between(&a, &b, 5).len(), 1 + 5);
+        assert_eq!(Starts::Automatic.between(&a, &b, 1).len(), 1);
+        assert_eq!(Starts::Automatic.between(&a, &b, 9).len(), 1);
+    }
+
+    #[test]
+    fn a_sphere_is_tried_from_all_sides() {
+        let sphere = Sphere::new([0.0, 0.0], 1.0).expect("positive radius");
+        let point = Point::new([0.2, 0.1]).expect("finite");
+        let starts = Starts::Automatic.between(&sphere, &point, 16);
+        assert!(starts.len() >= 5 * 3, "the nearest point and four seeds, {}", starts.len());
+    }
+}

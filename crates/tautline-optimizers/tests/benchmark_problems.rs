@@ -1,0 +1,121 @@
+//! Problems with known answers, at the sizes a user would choose.
+//!
+//! The references are closed forms, or agree between a boundary value solver and Richardson
+//! extrapolation to the digits that are quoted.
+
+use std::f64::consts::PI;
+
+use tautline_discretizations::{PointSequence, Trapezoidal};
+use tautline_metrics::gallery::{Bump, CoupledCosines, SineProjections, Sphere, Valleys};
+use tautline_optimizers::{Curvature, Minimum, Options, Starts, Stop, extrapolate, minimise};
+use tautline_sets::{Ball, Ends, HalfSpace};
+
+fn extrapolated<const D: usize>(minimum: &Minimum<D>) -> f64 {
+    extrapolate(&minimum.levels, 2).expect("several grids").value
+}
+
+#[track_caller]
+fn assert_close(value: f64, reference: f64, relative: f64) {
+    assert!(
+        (value / reference - 1.0).abs() <= relative,
+        "{value:.15e} is not {reference:.15e}: {:e}",
+        value / reference - 1.0
+    );
+}
+
+#[track_caller]
+fn assert_minimum<const D: usize>(minimum: &Minimum<D>) {
+    assert_eq!((minimum.stop, minimum.curvature), (Stop::Converged, Curvature::PositiveDefinite));
+    assert!(minimum.decrement <= 1e-15, "decrement {:e}", minimum.decrement);
+    // residual² = (N/4) |g|² / (c E), and |g|² ≤ ‖A‖ gᵀA⁻¹g = ‖A‖ 2 E decrement with the norm
+    // ‖A‖ of some 4N c: at most 2 N² times the decrement. The floor is a typical size.
+    let n = minimum.sequence.n().get() as f64;
+    assert!(
+        minimum.residual <= 8.0 * minimum.residual_floor + 2.0 * n * minimum.decrement.sqrt(),
+        "residual {:e}, floor {:e}",
+        minimum.residual,
+        minimum.residual_floor
+    );
+}
+
+#[test]
+fn valleys_over_two_ridges() {
+    let ends = Ends::points([0.0, 0.0], [4.0 * PI, 0.0]).expect("finite");
+    let minimum = minimise(&Valleys, &ends, Trapezoidal, 1000, &Options::default()).expect("ok");
+    assert_minimum(&minimum);
+    // E_N − d² at N = 1000 is −3.2e-3.
+    let d2 = 64.0 * PI * PI;
+    assert!((minimum.energy - d2 + 3.2e-3).abs() < 1e-4, "{}", minimum.energy - d2);
+    assert_close(extrapolated(&minimum), d2, 1e-8);
+}
+
+/// From the straight line alone the search goes round the bump, and does not end in the
+/// geodesic over it with three times the energy, 64.07.
+#[test]
+fn the_straight_line_goes_round_the_bump() {
+    let bump = Bump::new(4.0, 0.5).expect("positive");
+    let ends = Ends::points([-1.5, 0.05], [1.5, -0.1]).expect("finite");
+    let straight = PointSequence::straight([-1.5, 0.05], [1.5, -0.1], 100).expect("finite");
+    for n in [100, 1000] {
+        let options =
+            Options { starts: Starts::Only(vec![straight.clone()]), ..Options::default() };
+        let minimum = minimise(&bump, &ends, Trapezoidal, n, &options).expect("ok");
+        assert_minimum(&minimum);
+        assert!((minimum.energy - 21.858_160_535).abs() < 24.0 / (n as f64).powi(2));
+    }
+    let minimum = minimise(&bump, &ends, Trapezoidal, 1000, &Options::default()).expect("ok");
+    assert_close(extrapolated(&minimum), 21.858_160_535, 1e-9);
+}
+
+#[test]
+fn three_coupled_dimensions() {
+    let ends = Ends::points([0.0; 3], [3.0, 2.0, -2.0]).expect("finite");
+    let minimum =
+        minimise(&CoupledCosines, &ends, Trapezoidal, 1000, &Options::default()).expect("ok");
+    assert_minimum(&minimum);
+    assert_close(extrapolated(&minimum), 32.361_817_823_502_6, 1e-11);
+}
+
+#[test]
+fn eight_dimensions() {
+    let ends = Ends::points([0.0; 8], [1.0; 8]).expect("finite");
+    let metric = SineProjections::benchmark();
+    let minimum = minimise(&metric, &ends, Trapezoidal, 1000, &Options::default()).expect("ok");
+    assert_minimum(&minimum);
+    assert_close(extrapolated(&minimum), 8.849_588_854_249, 1e-11);
+}
+
+/// The sphere has no `c₁ > 0`, and jumps far out would lower the energy without bound. The
+/// local minimiser is the great circle.
+#[test]
+fn a_great_circle() {
+    let ends = Ends::points([-0.8, 0.3], [1.1, 0.6]).expect("finite");
+    let minimum = minimise(&Sphere, &ends, Trapezoidal, 1000, &Options::default()).expect("ok");
+    assert_minimum(&minimum);
+    assert_close(extrapolated(&minimum), 5.278_323_900_279_761, 1e-11);
+}
+
+/// A ball and a half-space on either side of the bump. On the axis of symmetry the
+/// searches begin at a saddle, and must leave it; the ends lie in their sets to rounding.
+#[test]
+fn the_saddle_on_the_axis_is_left() {
+    let bump = Bump::new(4.0, 0.5).expect("positive");
+    let ball = Ball::new([-2.0, 0.0], 0.5).expect("positive radius");
+    let wall = HalfSpace::new([-1.0, 0.0], -2.0).expect("not zero");
+    let ends = Ends::new(ball, wall).expect("one bounded");
+    let axis = PointSequence::straight([-1.5, 0.0], [2.0, 0.0], 100).expect("finite");
+    let oblique = PointSequence::straight([-1.6, 0.3], [2.0, 0.3], 100).expect("finite");
+    for start in [axis, oblique] {
+        let options = Options { starts: Starts::Only(vec![start]), ..Options::default() };
+        let minimum = minimise(&bump, &ends, Trapezoidal, 1000, &options).expect("ok");
+        assert_minimum(&minimum);
+        // The value of the exactly parametrised problem at N = 1000.
+        assert_close(minimum.energy, 17.476_781_885_75, 1e-11);
+        let (first, last) = (minimum.sequence.first(), minimum.sequence.last());
+        let radius = ((first[0] + 2.0).powi(2) + first[1].powi(2)).sqrt();
+        // Coordinates of size 2: their rounding.
+        assert!((radius - 0.5).abs() <= 2.0 * f64::EPSILON, "{:e}", radius - 0.5);
+        assert!(last[0] >= 2.0 && last[0] <= 2.0 + 4.0 * f64::EPSILON, "{:e}", last[0] - 2.0);
+        assert_close(extrapolated(&minimum), 17.476_778_558, 1e-9);
+    }
+}
