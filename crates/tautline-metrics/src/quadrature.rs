@@ -42,9 +42,11 @@ const MAX_INTERVALS: usize = 4096;
 /// that is NaN somewhere with the value NaN: never an endless loop.
 pub fn integrate(f: impl Fn(f64) -> f64, a: f64, b: f64, tolerance: f64) -> Integral {
     let mut total = Integral::default();
-    let mut pending = vec![(a, b)];
+    // What is left to do, to the right of [a, b].
+    let mut pending = Vec::new();
+    let mut next = Some((a, b));
     let mut intervals = 0;
-    while let Some((a, b)) = pending.pop() {
+    while let Some((a, b)) = next {
         let (integral, magnitude) = kronrod(&f, a, b);
         intervals += 1;
         // Below 4 ε |f| the two rules differ by their rounding alone.
@@ -53,9 +55,10 @@ pub fn integrate(f: impl Fn(f64) -> f64, a: f64, b: f64, tolerance: f64) -> Inte
         let exhausted = intervals + pending.len() >= MAX_INTERVALS || middle == a || middle == b;
         if enough || exhausted || integral.value.is_nan() {
             total += integral;
+            next = pending.pop();
         } else {
             pending.push((middle, b));
-            pending.push((a, middle));
+            next = Some((a, middle));
         }
     }
     total
@@ -86,8 +89,10 @@ fn kronrod(f: impl Fn(f64) -> f64, a: f64, b: f64) -> (Integral, f64) {
     } else {
         difference
     };
-    let half = half.abs();
-    (Integral { value: kronrod * half.copysign(b - a), error: error * half }, magnitude * half)
+    // No sum of seven rounded terms is better than this.
+    let error = error.max(2.0 * f64::EPSILON * magnitude);
+    let integral = Integral { value: kronrod * half, error: error * half.abs() };
+    (integral, magnitude * half.abs())
 }
 
 #[cfg(test)]

@@ -1,1 +1,73 @@
-//! stub
+//! Shortest curves between two closed sets, under a metric that you write as one formula.
+//!
+//! A taut line between two bodies is a shortest curve. Given the metric `H(x)` and the closed
+//! sets `X⁽⁰⁾`, `X⁽¹⁾` of `R^D`, one of them bounded, Tautline minimises a discretisation of
+//! the energy `E(γ) = ∫ γ̇ᵀ H(γ) γ̇ dt`, whose minimum is the square of the distance, joins
+//! the points up, and says by proven bounds how wrong the result can be.
+//!
+//! ```
+//! use tautline::{Ball, Ends, HalfSpace, Metric, Problem, SMatrix, SVector, Scalar, Trapezoidal};
+//!
+//! struct Valleys; // f² I with f = 2 − cos x₁
+//! impl Metric<2> for Valleys {
+//!     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+//!         SMatrix::from_diagonal_element((-x[0].cos() + 2.0).sqr())
+//!     }
+//! }
+//!
+//! let ends = Ends::new(Ball::new([0.0, 0.0], 0.5)?, HalfSpace::new([-1.0, 0.0], -3.0)?)?;
+//! let line = Problem::new(Valleys, ends).solve(Trapezoidal, 256)?;
+//! assert!((line.length().value - 5.338305).abs() < 1e-6); // 5 − sin 3 + sin ½
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # By question
+//!
+//! | you want | example |
+//! | --- | --- |
+//! | the distance of two points | `examples/two_points.rs` |
+//! | the shortest way between two bodies | `examples/two_sets.rs` |
+//! | a metric of your own, with bounds | `examples/my_own_metric.rs` |
+//!
+//! # What is computed and what is proven
+//!
+//! | number | is |
+//! | --- | --- |
+//! | [`TautLine::energy`], [`TautLine::length`] | of an actual curve between the sets, hence upper bounds of `d²` and `d`, up to a stated quadrature error |
+//! | [`TautLine::discrete_energy`] | may lie on either side of `d²` |
+//! | [`TautLine::distance_squared_estimate`] | extrapolated: an estimate, not a bound |
+//! | [`bounds`] | proven, for global minimisers of the discrete energy |
+//!
+//! A solver finds local minimisers. [`TautLine::minimum`] tells how it was found and what the
+//! Hessian says; that no other curve is shorter is not claimed.
+//!
+//! # Conventions
+//!
+//! No factor `½` in any energy, `E ≥ L²`, `min E = d²`. Time runs over `[0, 1]`. The paper's
+//! *trapezoidal* rule reads the metric at the middle of each chord and is called the midpoint
+//! rule elsewhere.
+
+mod problem;
+mod taut_line;
+
+pub use problem::Problem;
+pub use taut_line::TautLine;
+
+pub use tautline_bounds as bounds;
+pub use tautline_discretizations::{
+    Integral, Interpolation, LeftEndpoint, Node, PointSequence, Rule, SequenceError, Trapezoidal,
+    TrueTrapezoid,
+};
+pub use tautline_metrics::{
+    Bounded, Constants, HypothesisError, KnownDistance, Metric, MetricError, christoffel, gallery,
+};
+pub use tautline_optimizers::{
+    Curvature, Estimate, Level, Minimum, Options, SolveError, Starts, Stop,
+};
+pub use tautline_scalar::{Jet1, Jet2, Scalar};
+pub use tautline_sets::{
+    AffineSubspace, AxisBox, Ball, ClosedSet, Ends, FiniteSet, HalfSpace, Point, Segment, SetError,
+    Sphere, Union,
+};
+
+pub use nalgebra::{SMatrix, SVector};

@@ -1,0 +1,60 @@
+//! `Problem`: a metric and the two sets to join.
+
+use std::sync::Arc;
+
+use tautline_discretizations::Rule;
+use tautline_metrics::Metric;
+use tautline_optimizers::{Options, SolveError, minimise};
+use tautline_sets::Ends;
+
+use crate::TautLine;
+
+/// The problem to join two closed sets by a shortest curve.
+#[derive(Clone, Debug)]
+pub struct Problem<M, const D: usize> {
+    metric: Arc<M>,
+    ends: Ends<D>,
+}
+
+impl<M: Metric<D>, const D: usize> Problem<M, D> {
+    /// Poses the problem. Nothing is computed yet.
+    pub fn new(metric: M, ends: Ends<D>) -> Self {
+        Self { metric: Arc::new(metric), ends }
+    }
+
+    /// Returns the metric.
+    pub fn metric(&self) -> &M {
+        &self.metric
+    }
+
+    /// Returns the sets.
+    pub fn ends(&self) -> &Ends<D> {
+        &self.ends
+    }
+
+    /// Minimises the discrete energy of `rule` over sequences of `n + 1` points.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError`] for `n = 0`, and where the metric is not finite, symmetric and positive
+    /// definite along all curves that were tried. A search that does not converge is no
+    /// error: the result says how it stopped.
+    pub fn solve<R: Rule>(&self, rule: R, n: usize) -> Result<TautLine<M, R, D>, SolveError> {
+        self.solve_with(rule, n, &Options::default())
+    }
+
+    /// As [`solve`](Problem::solve), with starts or limits of your own.
+    ///
+    /// # Errors
+    ///
+    /// As [`solve`](Problem::solve).
+    pub fn solve_with<R: Rule>(
+        &self,
+        rule: R,
+        n: usize,
+        options: &Options<D>,
+    ) -> Result<TautLine<M, R, D>, SolveError> {
+        let minimum = minimise(&*self.metric, &self.ends, rule, n, options)?;
+        Ok(TautLine::new(Arc::clone(&self.metric), rule, minimum))
+    }
+}

@@ -1,0 +1,76 @@
+//! `TautLine`: a computed shortest curve.
+
+use std::sync::Arc;
+
+use tautline_discretizations::{Integral, Interpolation, PointSequence, Rule};
+use tautline_metrics::Metric;
+use tautline_optimizers::{Estimate, Minimum, extrapolate};
+
+/// A computed discrete minimiser and the curve `γᵖˡ` that it reconstructs.
+#[derive(Clone, Debug)]
+pub struct TautLine<M, R, const D: usize> {
+    metric: Arc<M>,
+    rule: R,
+    minimum: Minimum<D>,
+}
+
+impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
+    pub(crate) fn new(metric: Arc<M>, rule: R, minimum: Minimum<D>) -> Self {
+        Self { metric, rule, minimum }
+    }
+
+    /// Returns how the sequence was found, and what is known about it.
+    #[must_use]
+    pub fn minimum(&self) -> &Minimum<D> {
+        &self.minimum
+    }
+
+    /// Returns the point sequence, in `ℓ`.
+    #[must_use]
+    pub fn sequence(&self) -> &PointSequence<D> {
+        &self.minimum.sequence
+    }
+
+    /// Returns the curve through the points.
+    #[must_use]
+    pub fn curve(&self) -> Interpolation<'_, D> {
+        Interpolation::new(self.sequence())
+    }
+
+    /// Returns the discrete energy of the rule, in `m²`.
+    #[must_use]
+    pub fn discrete_energy(&self) -> f64 {
+        self.minimum.energy
+    }
+
+    /// Returns the energy `E(γᵖˡ) ≥ d²` of the curve, in `m²`, by quadrature with an error estimate.
+    #[must_use]
+    pub fn energy(&self) -> Integral {
+        self.curve().energy(&*self.metric)
+    }
+
+    /// Returns the length `L(γᵖˡ) ≥ d` of the curve, in `m`, by quadrature with an error estimate.
+    #[must_use]
+    pub fn length(&self) -> Integral {
+        self.curve().length(&*self.metric)
+    }
+
+    /// Returns the speeds of the chords, in `m`: nearly equal for a minimiser.
+    #[must_use]
+    pub fn speeds(&self) -> Vec<f64> {
+        self.rule.speeds(&*self.metric, self.sequence())
+    }
+
+    /// Returns the relative residual of the discrete geodesic equation (see [`Minimum`]).
+    #[must_use]
+    pub fn residual(&self) -> f64 {
+        self.minimum.residual
+    }
+
+    /// Returns an estimate of `d²`, in `m²`, by Richardson extrapolation over the grids on the
+    /// way here; `None` for `N` so small that there was one grid only. Not a bound.
+    #[must_use]
+    pub fn distance_squared_estimate(&self) -> Option<Estimate> {
+        extrapolate(&self.minimum.levels, R::ERROR_EXPONENT)
+    }
+}
