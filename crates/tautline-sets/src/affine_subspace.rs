@@ -1,0 +1,208 @@
+//! An affine subspace: a point, a line, a plane and so on.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::ClosedSet;
+use crate::norm::{norm, polar};
+use crate::set_error::{SetError, finite_vector};
+
+/// The affine subspace `p + span(q₁, …, qₖ)`, `0 ≤ k ≤ D`, unbounded for `k ≥ 1`.
+///
+/// With orthonormal `qᵢ` and `Q = (q₁ … qₖ)`:
+///
+/// ```text
+/// P(x) = p + QQᵀ (x − p),    DP(x) = QQᵀ
+/// ```
+///
+/// Accuracy: `P(x)` lies in the subspace up to a few roundings of `|p|` and `|P(x) − p|`. Hence
+/// choose `p` not much further out than the points of interest. For `k = D` the subspace is
+/// `R^D`, and `P(x) = x` exactly.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AffineSubspace<const D: usize> {
+    base: SVector<f64, D>,
+    basis: Vec<SVector<f64, D>>,
+    /// `QQᵀ`.
+    projector: SMatrix<f64, D, D>,
+}
+
+impl<const D: usize> AffineSubspace<D> {
+    /// Makes the subspace through `base`, in `ℓ`, spanned by `directions` of any length.
+    ///
+    /// Without directions it is the point `base`. The type of the directions is to be named
+    /// then: `AffineSubspace::new(base, [[0.0; D]; 0])`.
+    ///
+    /// # Errors
+    ///
+    /// [`SetError::NonFiniteCoordinate`]; [`SetError::DependentDirection`] for one which lies,
+    /// up to a relative `4 D² ε`, in the span of those before it, a zero direction included.
+    pub fn new<V: Into<SVector<f64, D>>>(
+        base: impl Into<SVector<f64, D>>,
+        directions: impl IntoIterator<Item = V>,
+    ) -> Result<AffineSubspace<D>, SetError> {
+        let base = finite_vector("the base point", base)?;
+        let mut basis: Vec<SVector<f64, D>> = Vec::new();
+        for (index, direction) in directions.into_iter().enumerate() {
+            let direction = finite_vector("a direction", direction)?;
+            let Some((_, mut q)) = polar(&direction) else {
+                return Err(SetError::DependentDirection { index, remainder: 0.0 });
+            };
+            // Gram and Schmidt, twice: once leaves ε/remainder of the earlier directions.
+            let mut remainder = 1.0;
+            for _ in 0..2 {
+                for earlier in &basis {
+                    q -= earlier * earlier.dot(&q);
+                }
+                let (length, unit) = polar(&q).unwrap_or((0.0, q));
+                remainder *= length;
+                // A product q·e of unit vectors carries at most D + 1 roundings of ε/2, its
+                // subtraction two more; there are less than D of them: under 2 D² ε for
+                // D ≥ 2. As much again for directions dependent in decimals, rounded on input.
+                if !(remainder > 4.0 * (D * D) as f64 * f64::EPSILON) {
+                    return Err(SetError::DependentDirection { index, remainder });
+                }
+                q = unit;
+            }
+            basis.push(q);
+        }
+        let projector = if basis.len() == D {
+            SMatrix::identity()
+        } else {
+            basis.iter().fold(SMatrix::zeros(), |sum, q| sum + q * q.transpose())
+        };
+        Ok(AffineSubspace { base, basis, projector })
+    }
+
+    /// Returns the point `p`, in `ℓ`.
+    #[must_use]
+    pub fn base(&self) -> &SVector<f64, D> {
+        &self.base
+    }
+
+    /// Returns the orthonormal directions `q₁, …, qₖ`, pure numbers.
+    #[must_use]
+    pub fn basis(&self) -> &[SVector<f64, D>] {
+        &self.basis
+    }
+}
+
+impl<const D: usize> ClosedSet<D> for AffineSubspace<D> {
+    fn project(&self, x: &SVector<f64, D>) -> SVector<f64, D> {
+        if self.basis.len() == D {
+            return *x;
+        }
+        let offset = x - self.base;
+        self.basis.iter().fold(self.base, |sum, q| sum + q * q.dot(&offset))
+    }
+
+    fn projection_derivative(&self, _x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
+        self.projector
+    }
+
+    fn radius(&self) -> Option<f64> {
+        self.basis.is_empty().then(|| norm(&self.base))
+    }
+
+    fn is_convex(&self) -> bool {
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::AffineSubspace;
+    use crate::laws::{Case, check, scale, vector_in};
+    use crate::{ClosedSet, SetError};
+    use nalgebra::{DMatrix, Matrix3, SVector, vector};
+    use proptest::prelude::*;
+
+    /// The directions as columns.
+    fn matrix<const D: usize>(directions: &[SVector<f64, D>]) -> DMatrix<f64> {
+        DMatrix::from_fn(D, directions.len(), |i, j| directions[j][i])
+    }
+
+    /// The distance of `x` from `p + span` by Householder's reflections, without Gram and Schmidt.
+    fn distance<const D: usize>(
+        p: SVector<f64, D>,
+        directions: &[SVector<f64, D>],
+        x: &SVector<f64, D>,
+    ) -> f64 {
+        let offset = DMatrix::from_column_slice(D, 1, (x - p).as_slice());
+        if directions.is_empty() {
+            return offset.norm();
+        }
+        let q = matrix(directions).qr().q();
+        (&q * q.tr_mul(&offset) - offset).norm()
+    }
+
+    fn case<const D: usize>() -> impl Strategy<Value = Case<D>> {
+        let directions = proptest::collection::vec(vector_in::<D>(1.0), 0..=D);
+        // Two ways to the same span differ by the condition of the directions: with singular
+        // values of 0.2 to 2 a factor 10 at worst, which the laws' slack has to spare.
+        let steep = directions.prop_filter("the directions are independent", |directions| {
+            directions.is_empty() || matrix(directions).singular_values().min() >= 0.2
+        });
+        (vector_in::<D>(3.0), steep, scale()).prop_map(|(p, directions, scale)| {
+            let set = AffineSubspace::new(p * scale, directions.iter().copied());
+            let spanning = directions.clone();
+            Case {
+                farthest: directions.is_empty().then_some(p),
+                member: Box::new(move |w| {
+                    spanning.iter().enumerate().fold(p, |sum, (i, v)| sum + v * w[i])
+                }),
+                defect: Box::new(move |x| distance(p, &directions, x)),
+                kink: Box::new(|_| f64::INFINITY),
+                set: Box::new(set.expect("independent")),
+                scale,
+            }
+        })
+    }
+
+    #[test]
+    fn affine_subspace_obeys_the_laws() {
+        check(case::<1>());
+        check(case::<2>());
+        check(case::<4>());
+    }
+
+    #[test]
+    fn affine_subspace_of_nearly_parallel_directions_is_the_plane_they_span() {
+        // The second differs from the first by 1e-8 in x₃: the plane x₂ = x₁ all the same.
+        let plane = AffineSubspace::new([0.0; 3], [[1.0, 1.0, 0.0], [1.0, 1.0, 1e-8]])
+            .expect("independent");
+        let expected = Matrix3::new(0.5, 0.5, 0.0, 0.5, 0.5, 0.0, 0.0, 0.0, 1.0);
+        let derivative = plane.projection_derivative(&SVector::zeros());
+        // The second direction is known to ε/1e-8.
+        assert!((derivative - expected).amax() <= 4.0 * f64::EPSILON / 1e-8);
+        // Orthonormal to rounding all the same: that is the second round's work.
+        let cosine = plane.basis()[0].dot(&plane.basis()[1]);
+        assert!(cosine.abs() <= 8.0 * f64::EPSILON, "{cosine:e}");
+    }
+
+    #[test]
+    fn affine_subspace_may_be_a_point_or_everything() {
+        let point = AffineSubspace::new([3.0, 4.0], [[0.0; 2]; 0]).expect("no direction");
+        assert_eq!(point.project(&vector![7.0, 7.0]), vector![3.0, 4.0]);
+        assert_eq!(point.radius(), Some(5.0));
+        let all = AffineSubspace::new([3.0, 4.0], [[1.0, 2.0], [0.1, 0.3]]).expect("two");
+        assert_eq!(all.project(&vector![0.1, 0.7]), vector![0.1, 0.7]);
+        assert_eq!(all.radius(), None);
+    }
+
+    #[test]
+    fn affine_subspace_refuses_dependent_directions_with_the_number() {
+        let zero = AffineSubspace::new([0.0; 2], [[0.0; 2]]);
+        assert_eq!(zero, Err(SetError::DependentDirection { index: 0, remainder: 0.0 }));
+        // Dependent in decimals, not in f64.
+        let parallel = AffineSubspace::new([0.0; 3], [[0.1, 0.2, 0.3], [0.3, 0.6, 0.9]]);
+        assert!(matches!(
+            parallel,
+            Err(SetError::DependentDirection { index: 1, remainder }) if remainder < 1e-14
+        ));
+        let three = AffineSubspace::new([0.0; 2], [[1.0, 0.0], [1.0, 1.0], [1.0, 2.0]]);
+        assert!(matches!(three, Err(SetError::DependentDirection { index: 2, .. })));
+        assert!(matches!(
+            AffineSubspace::new([0.0; 2], [[f64::NAN, 0.0]]),
+            Err(SetError::NonFiniteCoordinate { what: "a direction", index: 0, .. })
+        ));
+    }
+}

@@ -1,0 +1,144 @@
+//! A closed ball.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::ClosedSet;
+use crate::norm::{norm, polar};
+use crate::set_error::{SetError, finite_vector, valid_radius};
+
+/// The ball `|x − c| ≤ r`. With `u = (x − c)/|x − c|`:
+///
+/// ```text
+/// P(x) = x   and DP(x) = I                           where |x − c| ≤ r,
+/// P(x) = c + r u   and   DP(x) = (r/|x − c|) (I − uuᵀ)   outside.
+/// ```
+///
+/// For `r = 0`, which is allowed, the ball is the point `c`, and `DP = 0` everywhere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ball<const D: usize> {
+    centre: SVector<f64, D>,
+    r: f64,
+}
+
+impl<const D: usize> Ball<D> {
+    /// Makes the ball of radius `r ≥ 0` about `centre`, both in `ℓ`.
+    ///
+    /// # Errors
+    ///
+    /// [`SetError::NonFiniteCoordinate`] of the centre, [`SetError::NonFinite`] or
+    /// [`SetError::NegativeRadius`] of the radius.
+    pub fn new(centre: impl Into<SVector<f64, D>>, r: f64) -> Result<Ball<D>, SetError> {
+        Ok(Ball { centre: finite_vector("the centre", centre)?, r: valid_radius(r)? })
+    }
+
+    /// Returns the centre `c`, in `ℓ`.
+    #[must_use]
+    pub fn centre(&self) -> &SVector<f64, D> {
+        &self.centre
+    }
+
+    /// Returns `r`, in `ℓ`, which is not the [`radius`](ClosedSet::radius) about the origin.
+    #[must_use]
+    pub fn r(&self) -> f64 {
+        self.r
+    }
+}
+
+impl<const D: usize> ClosedSet<D> for Ball<D> {
+    fn project(&self, x: &SVector<f64, D>) -> SVector<f64, D> {
+        match polar(&(x - self.centre)) {
+            Some((distance, u)) if !(distance <= self.r) => self.centre + u * self.r,
+            _ => *x,
+        }
+    }
+
+    fn projection_derivative(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
+        match polar(&(x - self.centre)) {
+            Some((distance, u)) if !(distance <= self.r) => {
+                (SMatrix::identity() - u * u.transpose()) * (self.r / distance)
+            }
+            // The point c: P is constant.
+            _ if self.r == 0.0 => SMatrix::zeros(),
+            _ => SMatrix::identity(),
+        }
+    }
+
+    fn radius(&self) -> Option<f64> {
+        Some(norm(&self.centre) + self.r)
+    }
+
+    fn is_convex(&self) -> bool {
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Ball;
+    use crate::laws::{Case, check, extent, scale, vector_in};
+    use crate::{ClosedSet, SetError};
+    use nalgebra::{Matrix2, vector};
+    use proptest::prelude::*;
+
+    fn case<const D: usize>() -> impl Strategy<Value = Case<D>> {
+        (vector_in::<D>(3.0), extent(), scale()).prop_map(|(c, r, scale)| Case {
+            // The cube shrunk onto the ball: |w| ≤ √D.
+            member: Box::new(move |w| c + w * (r / (D as f64).sqrt())),
+            defect: Box::new(move |x| ((x - c).norm() - r).max(0.0)),
+            kink: Box::new(
+                move |x| {
+                    if r == 0.0 { f64::INFINITY } else { ((x - c).norm() - r).abs() }
+                },
+            ),
+            farthest: Some(c * (1.0 + r / c.norm())),
+            set: Box::new(Ball::new(c * scale, r * scale).expect("finite")),
+            scale,
+        })
+    }
+
+    #[test]
+    fn ball_obeys_the_laws() {
+        check(case::<1>());
+        check(case::<2>());
+        check(case::<5>());
+    }
+
+    #[test]
+    fn ball_boundary_counts_as_inside() {
+        let ball = Ball::new([1.0, 0.0], 2.0).expect("finite");
+        assert_eq!(ball.projection_derivative(&vector![3.0, 0.0]), Matrix2::identity());
+        assert_eq!(ball.project(&vector![3.0, 0.0]), vector![3.0, 0.0]);
+        let outside = ball.projection_derivative(&vector![5.0, 0.0]);
+        assert_eq!(outside, Matrix2::new(0.0, 0.0, 0.0, 0.5));
+    }
+
+    #[test]
+    fn ball_of_radius_zero_is_a_point() {
+        let ball = Ball::new([1.0, 2.0], 0.0).expect("finite");
+        for x in [vector![1.0, 2.0], vector![-4.0, 7.0]] {
+            assert_eq!(ball.project(&x), vector![1.0, 2.0]);
+            assert_eq!(ball.projection_derivative(&x), Matrix2::zeros());
+        }
+    }
+
+    #[test]
+    fn ball_refuses_a_bad_radius_and_a_bad_centre() {
+        assert_eq!(Ball::new([0.0], -1.0), Err(SetError::NegativeRadius { radius: -1.0 }));
+        assert_eq!(
+            Ball::new([0.0], f64::INFINITY),
+            Err(SetError::NonFinite { what: "radius", value: f64::INFINITY })
+        );
+        assert!(matches!(
+            Ball::new([0.0], f64::NAN),
+            Err(SetError::NonFinite { what: "radius", value }) if value.is_nan()
+        ));
+        assert_eq!(
+            Ball::new([0.0, f64::NEG_INFINITY], 1.0),
+            Err(SetError::NonFiniteCoordinate {
+                what: "the centre",
+                index: 1,
+                value: f64::NEG_INFINITY
+            })
+        );
+    }
+}

@@ -1,0 +1,101 @@
+//! `ClosedSet`: a non-empty closed subset of `R^D`, given by its nearest-point map.
+
+use std::fmt::Debug;
+use std::sync::Arc;
+
+use nalgebra::{SMatrix, SVector};
+
+/// A non-empty closed subset `X` of `R^D`, given by its Euclidean nearest-point map `P`.
+///
+/// # Laws
+///
+/// For finite `x`, with rounding granted:
+///
+/// - `P(x)` lies in `X`, `P(P(x)) = P(x)`, and no member of `X` is nearer to `x` than `P(x)`;
+/// - if [`is_convex`](ClosedSet::is_convex), then `|P(x) − P(y)| ≤ |x − y|`, and the derivative
+///   has its eigenvalues in `[0, 1]`;
+/// - no member of `X` is longer than [`radius`](ClosedSet::radius).
+///
+/// No method panics on finite input; none reads a clock, a file or a random number. An empty
+/// set has no nearest point: an implementation which may be empty returns NaN, and
+/// [`Ends::new`](crate::Ends::new) refuses it.
+pub trait ClosedSet<const D: usize>: Debug + Send + Sync {
+    /// Returns a nearest point `P(x)` of the set to `x`, in `ℓ`.
+    ///
+    /// Where several are nearest (the set is not convex), returns any one of them, but the
+    /// same one each time.
+    fn project(&self, x: &SVector<f64, D>) -> SVector<f64, D>;
+
+    /// Returns an element of the generalised derivative of `P` at `x` in the sense of Clarke:
+    /// a limit of derivatives `DP(xₖ)`, `xₖ → x`. A pure number; symmetric.
+    ///
+    /// Where `P` is smooth, this is its derivative: `P` is the gradient of
+    /// `½|x|² − ½ dist(x, X)²`, hence the symmetry. At a kink the point counts as inside: a
+    /// point of the set where it has interior has derivative `I`, its boundary included. Where
+    /// `P` jumps (`x` is equally far from two places), the derivative is that of the branch
+    /// which [`project`](ClosedSet::project) has chosen.
+    fn projection_derivative(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D>;
+
+    /// Returns `sup |x|` over the set, in `ℓ`; `None` if the set is unbounded.
+    fn radius(&self) -> Option<f64>;
+
+    /// Returns whether the set is known to be convex. `false` claims nothing.
+    ///
+    /// Under a constant metric the distance to a convex set has no local minimum but the
+    /// global one, so a convex set has no [`seeds`](ClosedSet::seeds).
+    fn is_convex(&self) -> bool {
+        false
+    }
+
+    /// Returns the members of a union, each to be searched separately; empty if the set is
+    /// one piece.
+    fn pieces(&self) -> &[Arc<dyn ClosedSet<D>>] {
+        &[]
+    }
+
+    /// Returns further points of the set, in `ℓ`, from which a local search should start: a
+    /// set which is not convex, such as a sphere, has several local solutions.
+    fn seeds(&self) -> Vec<SVector<f64, D>> {
+        Vec::new()
+    }
+}
+
+/// A shared set is a set, so that one which is chosen at run time can be passed on.
+impl<const D: usize, S: ClosedSet<D> + ?Sized> ClosedSet<D> for Arc<S> {
+    fn project(&self, x: &SVector<f64, D>) -> SVector<f64, D> {
+        (**self).project(x)
+    }
+
+    fn projection_derivative(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
+        (**self).projection_derivative(x)
+    }
+
+    fn radius(&self) -> Option<f64> {
+        (**self).radius()
+    }
+
+    fn is_convex(&self) -> bool {
+        (**self).is_convex()
+    }
+
+    fn pieces(&self) -> &[Arc<dyn ClosedSet<D>>] {
+        (**self).pieces()
+    }
+
+    fn seeds(&self) -> Vec<SVector<f64, D>> {
+        (**self).seeds()
+    }
+}
+
+/// Appends the pieces of `set`, and theirs in turn, in order; `set` itself if it has none.
+pub(crate) fn append_pieces<const D: usize>(
+    set: &Arc<dyn ClosedSet<D>>,
+    pieces: &mut Vec<Arc<dyn ClosedSet<D>>>,
+) {
+    if set.pieces().is_empty() {
+        pieces.push(Arc::clone(set));
+    }
+    for piece in set.pieces() {
+        append_pieces(piece, pieces);
+    }
+}

@@ -1,0 +1,266 @@
+//! A common point of two closed sets, by projections.
+
+use nalgebra::SVector;
+
+use crate::ClosedSet;
+use crate::norm::norm;
+
+/// Sweeps of alternating projections per start, each with its step doubled as long as that
+/// helps. Sets that cross need some ten; sets that touch smoothly come to a gap of `ε^{2/3}`,
+/// where the step is lost in rounding, in some twenty.
+const SWEEPS: usize = 100;
+
+/// Doublings of a step. Where two sets touch smoothly the step is a fraction `t²` of the
+/// distance `t` to go, and lost in rounding by `t² = ε`: 2⁵² and some.
+const DOUBLINGS: usize = 60;
+
+/// Steps of Douglas and Rachford's iteration. Its error shrinks by `r/(r + t)`, where `r` is the
+/// radius of curvature and `t` the distance it keeps from the contact: by `1e-8`, which makes a
+/// gap of `1e-16`, in 200 steps while `t ≥ r/10`.
+const REFLECTIONS: usize = 200;
+
+/// Looks for a point that lies in both sets to rounding, in `ℓ`.
+///
+/// Alternating projections `x ← P_a(P_b(x))`, each step doubled as long as that brings the sets
+/// nearer, from the origin's projections and the sets' [`seeds`](ClosedSet::seeds). Where they
+/// come to rest just short of a contact, the iteration of Douglas and Rachford takes over: it
+/// keeps away from the contact by a multiple of the common normal, where normals are seen
+/// sharply. For unions, ask pair by pair ([`Ends::pairs`](crate::Ends::pairs)).
+///
+/// `Some(x)` is checked: both sets' nearest points to `x` agree with `x`, coordinate by
+/// coordinate, to `(D + 4) ε max |xᵢ|`.
+///
+/// `None` is no proof that the sets are disjoint. Besides disjoint sets it is returned at a
+/// local minimum of the distance to a set that is not convex; at sets which touch in one point
+/// near the origin but are placed by much larger numbers, whose rounding hides the contact; and
+/// at a contact so flat that the bounded number of steps is not enough.
+///
+/// ```
+/// # use tautline_sets::{Ball, HalfSpace, SetError, common_point};
+/// let ball = Ball::new([0.0, 0.0], 1.0)?;
+/// let touching = HalfSpace::at_least([1.0, 0.0], 1.0)?;
+/// assert_eq!(common_point(&ball, &touching), Some([1.0, 0.0].into()));
+/// assert_eq!(common_point(&ball, &HalfSpace::at_least([1.0, 0.0], 1.5)?), None);
+/// # Ok::<(), SetError>(())
+/// ```
+#[must_use]
+pub fn common_point<const D: usize>(
+    a: &dyn ClosedSet<D>,
+    b: &dyn ClosedSet<D>,
+) -> Option<SVector<f64, D>> {
+    let origin = SVector::zeros();
+    let starts = [origin, b.project(&origin)].into_iter().chain(a.seeds()).chain(b.seeds());
+    starts.into_iter().find_map(|start| search(a, b, &start))
+}
+
+/// A point of `a`, its projection to `b`, and their distance.
+struct Sweep<const D: usize> {
+    in_a: SVector<f64, D>,
+    in_b: SVector<f64, D>,
+    gap: f64,
+}
+
+impl<const D: usize> Sweep<D> {
+    fn from(a: &dyn ClosedSet<D>, b: &dyn ClosedSet<D>, x: &SVector<f64, D>) -> Sweep<D> {
+        let in_a = a.project(x);
+        let in_b = b.project(&in_a);
+        Sweep { in_a, in_b, gap: norm(&(in_b - in_a)) }
+    }
+}
+
+fn search<const D: usize>(
+    a: &dyn ClosedSet<D>,
+    b: &dyn ClosedSet<D>,
+    start: &SVector<f64, D>,
+) -> Option<SVector<f64, D>> {
+    let mut here = Sweep::from(a, b, start);
+    for _ in 0..SWEEPS {
+        if let Some(&x) = [&here.in_b, &here.in_a].into_iter().find(|x| lies_in_both(a, b, x)) {
+            return Some(x);
+        }
+        let mut best = Sweep::from(a, b, &here.in_b);
+        let step = best.in_a - here.in_a;
+        let mut factor = 2.0;
+        for _ in 0..DOUBLINGS {
+            let trial = Sweep::from(a, b, &(here.in_a + step * factor));
+            if !(trial.gap < best.gap) {
+                break;
+            }
+            best = trial;
+            factor *= 2.0;
+        }
+        // At rest, or NaN. For convex sets the gap of plain sweeps never grows.
+        if !(best.gap < here.gap) {
+            break;
+        }
+        here = best;
+    }
+    // A common point is no longer than the smaller radius; so are the numbers that matter.
+    let size = [a.radius(), b.radius()]
+        .into_iter()
+        .flatten()
+        .reduce(f64::min)
+        .unwrap_or_else(|| norm(&here.in_a));
+    // Rest at a contact means a gap of ε^{2/3} = 4e-11 of the size; one a thousand times as
+    // wide is a gap.
+    if !(here.gap <= 1e-7 * size) {
+        return None;
+    }
+    // Too large a distance is slow where both sets are strongly curved, and beyond the centre
+    // of a hollow sphere it goes astray.
+    let unit = (here.in_b - here.in_a) / here.gap;
+    [1.0, 0.125, 1.0 / 64.0]
+        .iter()
+        .find_map(|fraction| reflect(a, b, here.in_a + unit * (size * fraction)))
+}
+
+/// Douglas and Rachford: `z ← z + P_b(2 P_a(z) − z) − P_a(z)`.
+///
+/// At rest `p = P_a(z)` is common to both sets: with `w = z − p`, `p = P_a(p + w) = P_b(p − w)`.
+fn reflect<const D: usize>(
+    a: &dyn ClosedSet<D>,
+    b: &dyn ClosedSet<D>,
+    mut z: SVector<f64, D>,
+) -> Option<SVector<f64, D>> {
+    for _ in 0..REFLECTIONS {
+        let in_a = a.project(&z);
+        let in_b = b.project(&(in_a * 2.0 - z));
+        if let Some(x) = [in_b, in_a].into_iter().find(|x| lies_in_both(a, b, x)) {
+            return Some(x);
+        }
+        z += in_b - in_a;
+    }
+    None
+}
+
+fn lies_in_both<const D: usize>(
+    a: &dyn ClosedSet<D>,
+    b: &dyn ClosedSet<D>,
+    x: &SVector<f64, D>,
+) -> bool {
+    // A coordinate of a projection such as c + r u is the result of two roundings of numbers
+    // up to twice the largest coordinate M, hence 2 · 2M · ε/2, once for each of the two sets:
+    // 4 ε M. A product n·x inside adds D roundings of at most ε/2 · √D M · |nᵢ| ≤ ε M each.
+    let tolerance = (D + 4) as f64 * f64::EPSILON * x.amax();
+    // Written so that NaN does not lie anywhere; amax would pass over one.
+    let agrees = |p: SVector<f64, D>| (p - x).iter().all(|d| d.abs() <= tolerance);
+    agrees(a.project(x)) && agrees(b.project(x))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::common_point;
+    use crate::laws::{runner, unwrap, vector_in};
+    use crate::{AxisBox, Ball, ClosedSet, HalfSpace, Point, Segment, Sphere};
+    use nalgebra::{SMatrix, SVector, vector};
+    use proptest::prelude::*;
+
+    #[test]
+    fn common_point_of_two_balls_that_touch_off_the_straight_way_from_the_origin() {
+        // Centres 5 apart, radii 2 and 3; the contact is (4.2, 5.4), seen from the side.
+        let a = Ball::new([3.0, 7.0], 2.0).expect("finite");
+        let b = Ball::new([6.0, 3.0], 3.0).expect("finite");
+        let x = common_point(&a, &b).expect("they touch");
+        // A gap of a few ε of the coordinates, up to 7, spans √(7 ε) · few beside the contact.
+        assert!((x - vector![4.2, 5.4]).norm() <= 1e-6, "{x}");
+    }
+
+    /// Touching sets, in a direction which has nothing to do with the origin.
+    ///
+    /// Douglas and Rachford's part is needed here: alternating projections alone rest at a
+    /// gap of some 1e-11.
+    #[test]
+    fn common_point_is_found_where_a_ball_touches_a_plane_a_ball_or_a_hollow_sphere() {
+        let strategy = (vector_in::<3>(3.0), 0.1..2.0_f64, vector_in::<3>(1.0), 0.1..2.0_f64);
+        let result = runner().run(&strategy, |(c, r, n, s)| {
+            prop_assume!(n.norm() > 0.1);
+            let n = n.normalize();
+            let ball = Ball::new(c, r).expect("finite");
+            let plane = HalfSpace::at_least(n, n.dot(&c) + r).expect("a normal");
+            let outside = Ball::new(c + n * (r + s), s).expect("finite");
+            let around = Sphere::new(c - n * r, 2.0 * r).expect("finite");
+            let others: [&dyn ClosedSet<3>; 3] = [&plane, &outside, &around];
+            for other in others {
+                let Some(x) = common_point(&ball, other) else {
+                    return Err(TestCaseError::fail(format!("not found: {other:?}")));
+                };
+                // A gap of D + 4 = 7 ε of the coordinates, at most 9, spans √(2 · 63 ε ρ) along
+                // sets which part like t²/2ρ, here with ρ ≤ 2 r ≤ 4: below 4e-7.
+                let beside = (x - (c + n * r)).norm();
+                prop_assert!(beside <= 1e-6, "{beside:e} from the contact with {other:?}");
+                // By the formula of the ball, with the roundings of this line.
+                prop_assert!((x - c).norm() <= r + 100.0 * f64::EPSILON, "outside of the ball");
+            }
+            Ok(())
+        });
+        unwrap(result);
+    }
+
+    #[test]
+    fn common_point_is_none_across_a_gap() {
+        let ball = Ball::new([0.0, 0.0], 1.0).expect("finite");
+        // A gap of 1e-12, some 4500 ε: not rounding.
+        let wall = HalfSpace::at_least([0.6, 0.8], 1.0 + 1e-12).expect("a normal");
+        assert_eq!(common_point(&ball, &wall), None);
+        let points = [[0.0, 0.0], [0.0, 5e-324]].map(|p| Point::new(p).expect("finite"));
+        assert_eq!(common_point(&points[0], &points[1]), None);
+        assert_eq!(common_point(&points[1], &points[1]), Some(vector![0.0, 5e-324]));
+    }
+
+    #[test]
+    fn common_point_at_a_corner_and_of_a_flat_set() {
+        let a = AxisBox::from_corners([0.0, 0.0], [1.0, 1.0]).expect("ordered");
+        let b = AxisBox::from_corners([1.0, 1.0], [2.0, 2.0]).expect("ordered");
+        assert_eq!(common_point(&a, &b), Some(vector![1.0, 1.0]));
+        let across = Segment::new([-1.0, 2.0], [3.0, -1.0]).expect("finite");
+        assert!(common_point(&a, &across).is_some());
+    }
+
+    #[test]
+    fn common_point_of_spheres_needs_their_seeds() {
+        // The origin is the centre of the first and goes to (1, 0), far from the second.
+        let a = Sphere::new([0.0, 0.0], 1.0).expect("finite");
+        let b = Sphere::new([-1.5, 0.0], 1.0).expect("finite");
+        let x = common_point(&a, &b).expect("they cross");
+        // Crossing at x₁ = −0.75 by hand; the angle is not small, so a few ε on each.
+        assert!((x[0] + 0.75).abs() <= 100.0 * f64::EPSILON, "{x}");
+        let apart = Sphere::new([0.0, 0.0], 0.5).expect("finite");
+        assert_eq!(common_point(&a, &apart), None);
+    }
+
+    #[test]
+    fn common_point_survives_the_largest_and_smallest_numbers() {
+        for scale in [1e-300, 1e300] {
+            let a = Ball::new([3.0 * scale, 0.0], 2.0 * scale).expect("finite");
+            let b = Ball::new([0.0, 3.0 * scale], 3.0 * scale).expect("finite");
+            let x = common_point(&a, &b).expect("they cross") / scale;
+            assert!((x - vector![3.0, 0.0]).norm() <= 2.0 + 1e-12);
+            assert!((x - vector![0.0, 3.0]).norm() <= 3.0 + 1e-12);
+        }
+    }
+
+    /// A set without members.
+    #[derive(Debug)]
+    struct Nothing;
+
+    impl ClosedSet<2> for Nothing {
+        fn project(&self, _x: &SVector<f64, 2>) -> SVector<f64, 2> {
+            SVector::repeat(f64::NAN)
+        }
+
+        fn projection_derivative(&self, _x: &SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
+            SMatrix::zeros()
+        }
+
+        fn radius(&self) -> Option<f64> {
+            Some(0.0)
+        }
+    }
+
+    #[test]
+    fn common_point_is_never_nan() {
+        let ball = Ball::new([0.0, 0.0], 1.0).expect("finite");
+        assert_eq!(common_point(&ball, &Nothing), None);
+        assert_eq!(common_point(&Nothing, &ball), None);
+    }
+}

@@ -1,0 +1,187 @@
+//! A closed half-space.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::ClosedSet;
+use crate::set_error::{SetError, finite, finite_vector};
+
+/// The half-space `n·x ≤ b`, unbounded. With `|n| = 1`:
+///
+/// ```text
+/// P(x) = x   and DP(x) = I                        where n·x ≤ b,
+/// P(x) = x − (n·x − b) n   and   DP(x) = I − nnᵀ   outside.
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HalfSpace<const D: usize> {
+    /// `n`, of length 1.
+    normal: SVector<f64, D>,
+    offset: f64,
+}
+
+impl<const D: usize> HalfSpace<D> {
+    /// Makes the half-space `normal·x ≤ offset`. The normal points out of the set and need not
+    /// have length 1; the offset is in `ℓ` times the unit of the normal.
+    ///
+    /// ```
+    /// # use nalgebra::vector;
+    /// # use tautline_sets::{ClosedSet, HalfSpace, SetError};
+    /// // −x₁ ≤ −2, that is x₁ ≥ 2.
+    /// let wall = HalfSpace::new([-1.0, 0.0], -2.0)?;
+    /// assert_eq!(wall.project(&vector![0.0, 7.0]), vector![2.0, 7.0]);
+    /// # Ok::<(), SetError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`SetError::NonFiniteCoordinate`] or [`SetError::ZeroNormal`] of the normal,
+    /// [`SetError::NonFinite`] of the offset, also if `offset / |normal|` overflows.
+    pub fn new(normal: impl Into<SVector<f64, D>>, offset: f64) -> Result<HalfSpace<D>, SetError> {
+        let normal = finite_vector("the normal", normal)?;
+        let offset = finite("offset", offset)?;
+        // The largest coordinate first: |normal| itself may overflow.
+        let largest = normal.amax();
+        if largest == 0.0 {
+            return Err(SetError::ZeroNormal);
+        }
+        let scaled = normal / largest;
+        let length = scaled.norm();
+        let offset = finite("offset / |normal|", offset / largest / length)?;
+        Ok(HalfSpace { normal: scaled / length, offset })
+    }
+
+    /// Makes the half-space `normal·x ≥ offset`, whose normal points into the set.
+    ///
+    /// # Errors
+    ///
+    /// As [`HalfSpace::new`].
+    pub fn at_least(
+        normal: impl Into<SVector<f64, D>>,
+        offset: f64,
+    ) -> Result<HalfSpace<D>, SetError> {
+        HalfSpace::new(-normal.into(), -offset)
+    }
+
+    /// Returns the outward normal `n`, of length 1, a pure number.
+    #[must_use]
+    pub fn normal(&self) -> &SVector<f64, D> {
+        &self.normal
+    }
+
+    /// Returns `b` for the normal of length 1, in `ℓ`.
+    #[must_use]
+    pub fn offset(&self) -> f64 {
+        self.offset
+    }
+}
+
+impl<const D: usize> ClosedSet<D> for HalfSpace<D> {
+    fn project(&self, x: &SVector<f64, D>) -> SVector<f64, D> {
+        let n = &self.normal;
+        if n.dot(x) <= self.offset {
+            return *x;
+        }
+        // x − (n·x − b) n cancels where x is far out, and misses the plane by ε|x|. The part
+        // along n is taken away in full instead; a second time, since the first leaves ε|x|
+        // of it. What remains of it is ε² |x|, and b n is added with one rounding.
+        let once = x - n * n.dot(x);
+        let tangential = once - n * n.dot(&once);
+        tangential + n * self.offset
+    }
+
+    fn projection_derivative(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
+        let n = &self.normal;
+        if n.dot(x) <= self.offset {
+            SMatrix::identity()
+        } else {
+            SMatrix::identity() - n * n.transpose()
+        }
+    }
+
+    fn radius(&self) -> Option<f64> {
+        None
+    }
+
+    fn is_convex(&self) -> bool {
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::HalfSpace;
+    use crate::laws::{Case, check, scale, vector_in};
+    use crate::{ClosedSet, SetError};
+    use nalgebra::{Matrix2, vector};
+    use proptest::prelude::*;
+
+    fn case<const D: usize>() -> impl Strategy<Value = Case<D>> {
+        let normal = vector_in::<D>(3.0).prop_filter("the normal is not zero", |n| n.norm() > 0.01);
+        (normal, -3.0..3.0_f64, scale()).prop_map(|(n, b, scale)| {
+            let height = move |x: &nalgebra::SVector<f64, D>| (n.dot(x) - b) / n.norm();
+            Case {
+                // Mirrored at the plane if outside.
+                member: Box::new(move |w| {
+                    let y = w * 4.0;
+                    if height(&y) > 0.0 { y - n * (2.0 * height(&y) / n.norm()) } else { y }
+                }),
+                defect: Box::new(move |x| height(x).max(0.0)),
+                kink: Box::new(move |x| height(x).abs()),
+                farthest: None,
+                set: Box::new(HalfSpace::new(n, b * scale).expect("finite")),
+                scale,
+            }
+        })
+    }
+
+    #[test]
+    fn half_space_obeys_the_laws() {
+        check(case::<1>());
+        check(case::<2>());
+        check(case::<5>());
+    }
+
+    #[test]
+    fn half_space_boundary_counts_as_inside() {
+        let wall = HalfSpace::new([-1.0, 0.0], -2.0).expect("a normal");
+        assert_eq!(wall.projection_derivative(&vector![2.0, 5.0]), Matrix2::identity());
+        let outside = wall.projection_derivative(&vector![1.0, 5.0]);
+        assert_eq!(outside, Matrix2::new(0.0, 0.0, 0.0, 1.0));
+        assert_eq!(HalfSpace::at_least([1.0, 0.0], 2.0), Ok(wall));
+    }
+
+    #[test]
+    fn half_space_is_met_from_far_away() {
+        // The textbook formula would give x₁ = 0: 1e20 − 2 is 1e20 in f64.
+        let axis = HalfSpace::new([1.0, 0.0], 2.0).expect("a normal");
+        assert_eq!(axis.project(&vector![1e20, 3.0]), vector![2.0, 3.0]);
+        // Aslant, what is left is a few roundings of P(x), about 3 long, not of x.
+        let slant = HalfSpace::new([0.6, 0.8], 2.0).expect("a normal");
+        let p = slant.project(&vector![6.123e9, 8.164e9]);
+        assert!((slant.normal().dot(&p) - 2.0).abs() <= 4.0 * f64::EPSILON * p.norm());
+    }
+
+    #[test]
+    fn half_space_normal_may_be_of_any_length() {
+        let expected = HalfSpace::new([1.0, 1.0], 0.0).expect("a normal");
+        for length in [5e-324, 1e-200, 1.0, 1e200, f64::MAX] {
+            assert_eq!(HalfSpace::new([length, length], 0.0), Ok(expected));
+        }
+    }
+
+    #[test]
+    fn half_space_refuses_a_zero_normal_and_a_bad_offset() {
+        assert_eq!(HalfSpace::new([0.0, 0.0], 1.0), Err(SetError::ZeroNormal));
+        assert!(matches!(
+            HalfSpace::new([1.0, f64::NAN], 1.0),
+            Err(SetError::NonFiniteCoordinate { what: "the normal", index: 1, .. })
+        ));
+        assert_eq!(
+            HalfSpace::new([1.0, 0.0], f64::INFINITY),
+            Err(SetError::NonFinite { what: "offset", value: f64::INFINITY })
+        );
+        assert_eq!(
+            HalfSpace::new([1e-300, 0.0], 1e300),
+            Err(SetError::NonFinite { what: "offset / |normal|", value: f64::INFINITY })
+        );
+    }
+}

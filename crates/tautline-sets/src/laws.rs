@@ -1,0 +1,203 @@
+//! The laws of a closed set, as one property test which every set runs.
+
+use std::fmt;
+
+use nalgebra::{SMatrix, SVector};
+use proptest::prelude::*;
+use proptest::test_runner::{Config, RngSeed, TestError, TestRunner};
+
+use crate::ClosedSet;
+use crate::norm::on_axis;
+
+/// The seed of every property test here, printed when one fails.
+const SEED: u64 = 0x7A07_11E5;
+
+/// Bound of the coordinates that occur at scale 1, below: data up to 3 + 2, samples up to 8.
+const SIZE: f64 = 8.0;
+
+/// Accuracy of a coordinate or a distance at scale 1.
+///
+/// A projection, a membership formula and the comparison take some 4 D ≤ 20 roundings of numbers
+/// up to `SIZE` √D each, ε/2 apiece; doubled.
+const ROUNDING: f64 = 64.0 * SIZE * f64::EPSILON;
+
+/// Step of the central difference at scale 1; a power of two, so that `x ± h` is the step meant.
+const STEP: f64 = 1.0 / 131_072.0;
+
+/// How far a sample stays from the kinks of `P` when it is differentiated.
+const CLEARANCE: f64 = 1.0 / 16.0;
+
+/// Accuracy of a central difference of `P`.
+///
+/// Truncation: `h²/6 · |D³P|`. For ball and sphere `|D³P| ≤ 15 r/|x − c|³`, where `r ≤ 2` and
+/// `|x − c|` is at least 1/4 for the sphere and `r + 1/16` for the ball: at most 1920, hence
+/// `320 h² < 2e-8`. All other maps are affine pieces. Rounding: `8 ε SIZE / h < 2e-9`.
+const DIFFERENCE: f64 = 4e-8;
+
+/// A function of a point at scale 1.
+type Of<const D: usize, T> = Box<dyn Fn(&SVector<f64, D>) -> T>;
+
+/// A set with what is known of it from its formula alone, without its projection.
+///
+/// The set is made `scale` times as large as the formulas below, which are written at scale 1.
+pub(crate) struct Case<const D: usize> {
+    pub(crate) set: Box<dyn ClosedSet<D>>,
+    pub(crate) scale: f64,
+    /// A member for each `w` of the cube `[−1, 1]^D`.
+    pub(crate) member: Of<D, SVector<f64, D>>,
+    /// Zero for members, otherwise about the distance to the set.
+    pub(crate) defect: Of<D, f64>,
+    /// A lower bound of the distance to the nearest place where `P` is not smooth.
+    pub(crate) kink: Of<D, f64>,
+    /// A member farthest from the origin, if there is one.
+    pub(crate) farthest: Option<SVector<f64, D>>,
+}
+
+impl<const D: usize> Case<D> {
+    /// `P` at scale 1.
+    fn project(&self, x: &SVector<f64, D>) -> SVector<f64, D> {
+        self.set.project(&(x * self.scale)) / self.scale
+    }
+
+    /// `DP`, which has no scale.
+    fn derivative(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
+        self.set.projection_derivative(&(x * self.scale))
+    }
+}
+
+impl<const D: usize> fmt::Debug for Case<D> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:?} at scale {:e}", self.set, self.scale)
+    }
+}
+
+/// Coordinates in `[−bound, bound]`.
+pub(crate) fn vector_in<const D: usize>(bound: f64) -> impl Strategy<Value = SVector<f64, D>> {
+    proptest::array::uniform::<_, D>(-bound..bound).prop_map(SVector::from)
+}
+
+/// A radius or half-width: often 0, otherwise up to 2.
+pub(crate) fn extent() -> impl Strategy<Value = f64> {
+    prop_oneof![1 => Just(0.0), 4 => 0.1..2.0_f64]
+}
+
+/// Powers of two, so that scaling is exact; the squares of two of them are beyond `f64`.
+pub(crate) fn scale() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        3 => Just(1.0),
+        1 => Just(2.0_f64.powi(-700)),
+        1 => Just(2.0_f64.powi(700)),
+    ]
+}
+
+/// A runner with a fixed seed, which writes no files.
+pub(crate) fn runner() -> TestRunner {
+    TestRunner::new(Config {
+        cases: 512,
+        failure_persistence: None,
+        rng_seed: RngSeed::Fixed(SEED),
+        ..Config::default()
+    })
+}
+
+/// Panics with the shrunk sample and the seed, if a run failed.
+pub(crate) fn unwrap<T: fmt::Debug>(result: Result<(), TestError<T>>) {
+    if let Err(error) = result {
+        panic!("seed {SEED:#x}: {error}");
+    }
+}
+
+/// Checks every law of [`ClosedSet`] on random sets of one kind and random points.
+pub(crate) fn check<const D: usize>(cases: impl Strategy<Value = Case<D>>) {
+    let samples = (cases, vector_in::<D>(8.0), vector_in::<D>(8.0), vector_in::<D>(1.0));
+    unwrap(runner().run(&samples, |(case, x, y, w)| {
+        nearest(&case, &x, &w)?;
+        nearest(&case, &(case.member)(&w), &w)?;
+        bounded(&case, &w)?;
+        differentiable(&case, &x)?;
+        if case.set.is_convex() {
+            convex(&case, &x, &y, &w)?;
+        }
+        Ok(())
+    }));
+}
+
+/// `P(x)` is a member, stays where it is, and no member is nearer.
+fn nearest<const D: usize>(
+    case: &Case<D>,
+    x: &SVector<f64, D>,
+    w: &SVector<f64, D>,
+) -> Result<(), TestCaseError> {
+    let p = case.project(x);
+    let defect = (case.defect)(&p);
+    prop_assert!(defect <= ROUNDING, "P({x:?}) misses the set by {defect:e}");
+    let moved = (case.project(&p) - p).norm();
+    prop_assert!(moved <= ROUNDING, "P moves P({x:?}) by {moved:e}");
+    let member = (case.member)(w);
+    let (left, right) = ((x - p).norm(), (x - member).norm());
+    prop_assert!(left <= right + ROUNDING, "{left} to P(x), {right} to the member {member:?}");
+    // Where several members are nearest, the same one each time.
+    prop_assert_eq!(p, case.project(x));
+    Ok(())
+}
+
+/// The radius is met by the farthest member, and not exceeded; seeds are members.
+fn bounded<const D: usize>(case: &Case<D>, w: &SVector<f64, D>) -> Result<(), TestCaseError> {
+    let radius = case.set.radius().map(|radius| radius / case.scale);
+    prop_assert_eq!(radius.is_some(), case.farthest.is_some());
+    if let (Some(radius), Some(farthest)) = (radius, case.farthest) {
+        prop_assert!((case.defect)(&farthest) <= ROUNDING, "the test's farthest is no member");
+        prop_assert!((farthest.norm() - radius).abs() <= ROUNDING, "radius {radius} not met");
+        let member = (case.member)(w).norm();
+        prop_assert!(member <= radius + ROUNDING, "a member of length {member} > {radius}");
+    }
+    for seed in case.set.seeds() {
+        let defect = (case.defect)(&(seed / case.scale));
+        prop_assert!(defect <= ROUNDING, "the seed {seed:?} misses the set by {defect:e}");
+    }
+    Ok(())
+}
+
+/// The derivative is symmetric, and that of `P` where `P` is smooth.
+fn differentiable<const D: usize>(
+    case: &Case<D>,
+    x: &SVector<f64, D>,
+) -> Result<(), TestCaseError> {
+    let derivative = case.derivative(x);
+    prop_assert!(derivative.iter().all(|entry| entry.is_finite()), "{derivative}");
+    prop_assert_eq!(derivative, derivative.transpose());
+    if !((case.kink)(x) > CLEARANCE) {
+        return Ok(());
+    }
+    for j in 0..D {
+        let h = on_axis(j, STEP);
+        let difference = (case.project(&(x + h)) - case.project(&(x - h))) / (2.0 * STEP);
+        let error = (derivative.column(j) - difference).amax();
+        prop_assert!(error <= DIFFERENCE, "column {j} of {derivative} is off by {error:e}");
+    }
+    Ok(())
+}
+
+/// `P` does not expand, its derivative neither; `x − P(x)` and the set make obtuse angles.
+fn convex<const D: usize>(
+    case: &Case<D>,
+    x: &SVector<f64, D>,
+    y: &SVector<f64, D>,
+    w: &SVector<f64, D>,
+) -> Result<(), TestCaseError> {
+    let (p, q) = (case.project(x), case.project(y));
+    let (left, right) = ((p - q).norm(), (x - y).norm());
+    prop_assert!(left <= right + ROUNDING, "|P(x) - P(y)| = {left}, |x - y| = {right}");
+    let angle = (x - p).dot(&((case.member)(w) - p));
+    // Each factor is off by ROUNDING, the other one at most 4 SIZE √D < 16 SIZE.
+    prop_assert!(angle <= 16.0 * SIZE * ROUNDING, "(x - P(x))·(member - P(x)) = {angle:e}");
+    let derivative = case.derivative(x);
+    // vᵀ DP v for v = e₁, …, and in a random direction: no routine for eigenvalues is trusted.
+    for v in (0..D).map(|i| on_axis(i, 1.0)).chain(w.try_normalize(0.0)) {
+        let quotient = v.dot(&(derivative * v));
+        // Entries up to 1, some 2 D² ≤ 50 roundings.
+        let range = -64.0 * f64::EPSILON..=1.0 + 64.0 * f64::EPSILON;
+        prop_assert!(range.contains(&quotient), "vᵀ DP v = {quotient} for v = {v:?}");
+    }
+    Ok(())
+}

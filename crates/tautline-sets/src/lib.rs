@@ -1,0 +1,78 @@
+//! Closed sets of `R^D`, each given by its nearest-point map, and pairs of them.
+//!
+//! A minimal geodesic runs between two closed sets, at least one of them bounded
+//! (Proposition 7.1). One file holds one set.
+//!
+//! ```
+//! use nalgebra::vector;
+//! use tautline_sets::{Ball, ClosedSet, Ends, HalfSpace, SetError};
+//!
+//! // From the ball of radius ½ about the origin to the half-space x₁ ≥ 3.
+//! let ball = Ball::new([0.0, 0.0], 0.5)?;
+//! let wall = HalfSpace::new([-1.0, 0.0], -3.0)?;
+//! assert_eq!(ball.project(&vector![0.0, 2.0]), vector![0.0, 0.5]);
+//! assert_eq!(wall.project(&vector![0.0, 2.0]), vector![3.0, 2.0]);
+//!
+//! let ends = Ends::new(ball, wall.clone())?;
+//! assert_eq!(ends.first().radius(), Some(0.5));
+//!
+//! // Two half-spaces are refused: curves between them may run off to infinity.
+//! assert_eq!(Ends::new(wall.clone(), wall).unwrap_err(), SetError::BothUnbounded);
+//! # Ok::<(), SetError>(())
+//! ```
+//!
+//! # The sets
+//!
+//! `P` is the nearest-point map and `u = (x − c)/|x − c|`. The derivative is given where `x` is
+//! outside of the set; for a set with interior it is `I` inside and, by convention, on the
+//! boundary.
+//!
+//! | set | formula | `P(x)` outside | `DP(x)` outside | convex |
+//! | --- | --- | --- | --- | --- |
+//! | [`Point`] | `{p}` | `p` | `0` | yes |
+//! | [`FiniteSet`] | `{p₁, …, pₖ}` | the nearest `pᵢ` | `0` | only if `k = 1` |
+//! | [`Ball`] | <code>&#124;x − c&#124; ≤ r</code> | `c + r u` | <code>(r/&#124;x − c&#124;)(I − uuᵀ)</code> | yes |
+//! | [`Sphere`] | <code>&#124;x − c&#124; = r</code> | `c + r u` | <code>(r/&#124;x − c&#124;)(I − uuᵀ)</code> | only if `r = 0` |
+//! | [`AxisBox`] | `lᵢ ≤ xᵢ ≤ uᵢ` | each `xᵢ` clamped | diagonal of 0 and 1 | yes |
+//! | [`Segment`] | `a + s v`, `0 ≤ s ≤ L` | `s` clamped | `vvᵀ`, past the ends `0` | yes |
+//! | [`HalfSpace`] | `n·x ≤ b` | `x − (n·x − b) n` | `I − nnᵀ` | yes |
+//! | [`AffineSubspace`] | `p + span Q` | `p + QQᵀ(x − p)` | `QQᵀ` | yes |
+//! | [`Union`] | of members | that of the nearest member | that of the nearest member | only if of one convex member |
+//!
+//! # Units and accuracy
+//!
+//! Coordinates, radii and distances are in `ℓ`; derivatives of `P` are pure numbers.
+//! Projections lie in their sets to rounding, a few units in the last place of the largest
+//! coordinate met. Norms neither overflow nor underflow, but differences of coordinates are
+//! formed as they are, so coordinates should stay below `2^1021` in magnitude.
+
+mod affine_subspace;
+mod axis_box;
+mod ball;
+mod closed_set;
+mod common_point;
+mod ends;
+mod finite_set;
+mod half_space;
+#[cfg(test)]
+mod laws;
+mod norm;
+mod point;
+mod segment;
+mod set_error;
+mod sphere;
+mod union;
+
+pub use affine_subspace::AffineSubspace;
+pub use axis_box::AxisBox;
+pub use ball::Ball;
+pub use closed_set::ClosedSet;
+pub use common_point::common_point;
+pub use ends::Ends;
+pub use finite_set::FiniteSet;
+pub use half_space::HalfSpace;
+pub use point::Point;
+pub use segment::Segment;
+pub use set_error::SetError;
+pub use sphere::Sphere;
+pub use union::Union;

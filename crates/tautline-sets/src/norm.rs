@@ -1,0 +1,79 @@
+//! Lengths and directions: the Euclidean norm, without overflow or underflow of the squares.
+
+use nalgebra::SVector;
+
+/// Returns `|v|`, in the unit of `v`; infinite only if `|v|` itself is beyond `f64`.
+pub(crate) fn norm<const D: usize>(v: &SVector<f64, D>) -> f64 {
+    let largest = v.amax();
+    // Squares of coordinates in this range, and sums of up to 1e28 of them, are far from
+    // overflow (1e308). A coordinate whose square underflows is below 1e-14 of the largest,
+    // even here: (1e-154/1e-140)² = 1e-28 of the sum, beneath its rounding.
+    if (1e-140..=1e140).contains(&largest) {
+        v.norm()
+    } else if largest > 0.0 && largest.is_finite() {
+        // One rounding more per coordinate, hence not the way for ordinary numbers.
+        (v / largest).norm() * largest
+    } else {
+        // Zero, or not finite: the plain norm says so. (0, ±∞ or NaN.)
+        v.norm()
+    }
+}
+
+/// Returns `|v|` and the unit vector `v/|v|`; `None` for `v = 0`.
+pub(crate) fn polar<const D: usize>(v: &SVector<f64, D>) -> Option<(f64, SVector<f64, D>)> {
+    let largest = v.amax();
+    if largest == 0.0 {
+        return None;
+    }
+    if (1e-140..=1e140).contains(&largest) || !largest.is_finite() {
+        let length = v.norm();
+        return Some((length, v / length));
+    }
+    // Scaled first, so that the direction is right even where |v| is infinite in `f64`.
+    let scaled = v / largest;
+    let length = scaled.norm();
+    Some((length * largest, scaled / length))
+}
+
+/// Returns `length · eᵢ`. (`SVector::ith` does not exist for a `D` that is still generic.)
+pub(crate) fn on_axis<const D: usize>(i: usize, length: f64) -> SVector<f64, D> {
+    SVector::from_fn(|j, _| if j == i { length } else { 0.0 })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{norm, polar};
+    use nalgebra::{SVector, vector};
+
+    #[test]
+    fn norm_is_homogeneous_from_the_smallest_to_the_largest_number() {
+        for exponent in [-1074, -1000, -500, 0, 500, 1000, 1020] {
+            // In two steps, since 2^-1074 is not a normal number.
+            let scale = 2.0_f64.powi(exponent / 2) * 2.0_f64.powi(exponent - exponent / 2);
+            let v = vector![3.0, 4.0] * scale;
+            // Four roundings; exact by luck or not, and 5 ulp of a subnormal is at most 5e-324.
+            let error = (norm(&v) / scale - 5.0).abs();
+            assert!(error <= 5.0 * 4.0 * f64::EPSILON, "2^{exponent}: {error:e}");
+            let (length, unit) = polar(&v).expect("not zero");
+            assert_eq!(length, norm(&v));
+            assert!((unit - vector![0.6, 0.8]).amax() <= 4.0 * f64::EPSILON);
+        }
+    }
+
+    #[test]
+    fn direction_survives_a_length_beyond_f64() {
+        let (length, unit) = polar(&vector![f64::MAX, -f64::MAX]).expect("not zero");
+        let half = 0.5_f64.sqrt();
+        assert_eq!(length, f64::INFINITY);
+        assert!((unit - vector![half, -half]).amax() <= 4.0 * f64::EPSILON);
+    }
+
+    #[test]
+    fn zero_has_no_direction_and_nan_stays_nan() {
+        assert_eq!(norm(&SVector::<f64, 3>::zeros()), 0.0);
+        assert!(polar(&SVector::<f64, 3>::zeros()).is_none());
+        assert!(norm(&vector![f64::NAN, 1.0]).is_nan());
+        assert!(norm(&vector![1.0, f64::NAN]).is_nan());
+        assert_eq!(norm(&vector![1.0, f64::NEG_INFINITY]), f64::INFINITY);
+    }
+}

@@ -1,0 +1,84 @@
+//! A single point.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::ClosedSet;
+use crate::norm::norm;
+use crate::set_error::{SetError, finite_vector};
+
+/// The set `{p}`: `P(x) = p`, `DP = 0`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point<const D: usize> {
+    position: SVector<f64, D>,
+}
+
+impl<const D: usize> Point<D> {
+    /// Makes the set whose one member is `position`, in `ℓ`.
+    ///
+    /// # Errors
+    ///
+    /// [`SetError::NonFiniteCoordinate`].
+    pub fn new(position: impl Into<SVector<f64, D>>) -> Result<Point<D>, SetError> {
+        Ok(Point { position: finite_vector("the point", position)? })
+    }
+
+    /// Returns the one member, in `ℓ`.
+    #[must_use]
+    pub fn position(&self) -> &SVector<f64, D> {
+        &self.position
+    }
+}
+
+impl<const D: usize> ClosedSet<D> for Point<D> {
+    fn project(&self, _x: &SVector<f64, D>) -> SVector<f64, D> {
+        self.position
+    }
+
+    fn projection_derivative(&self, _x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
+        SMatrix::zeros()
+    }
+
+    fn radius(&self) -> Option<f64> {
+        Some(norm(&self.position))
+    }
+
+    fn is_convex(&self) -> bool {
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Point;
+    use crate::SetError;
+    use crate::laws::{Case, check, scale, vector_in};
+    use proptest::prelude::*;
+
+    fn case<const D: usize>() -> impl Strategy<Value = Case<D>> {
+        (vector_in::<D>(3.0), scale()).prop_map(|(p, scale)| Case {
+            member: Box::new(move |_| p),
+            defect: Box::new(move |x| (x - p).norm()),
+            // The map is constant.
+            kink: Box::new(|_| f64::INFINITY),
+            farthest: Some(p),
+            set: Box::new(Point::new(p * scale).expect("finite")),
+            scale,
+        })
+    }
+
+    #[test]
+    fn point_obeys_the_laws() {
+        check(case::<1>());
+        check(case::<3>());
+    }
+
+    #[test]
+    fn point_refuses_nan_by_name() {
+        let Err(SetError::NonFiniteCoordinate { what: "the point", index: 1, value }) =
+            Point::new([0.0, f64::NAN])
+        else {
+            panic!("a NaN was taken");
+        };
+        assert!(value.is_nan());
+    }
+}

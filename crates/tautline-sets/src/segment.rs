@@ -1,0 +1,161 @@
+//! A line segment.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::ClosedSet;
+use crate::norm::{norm, polar};
+use crate::set_error::{SetError, finite, finite_vector};
+
+/// The segment from `a` to `b`. With `L = |b − a|`, `v = (b − a)/L` and `s = v·(x − a)`:
+///
+/// ```text
+/// P(x) = a + min(max(s, 0), L) v,    DP(x) = vvᵀ if 0 ≤ s ≤ L, else 0
+/// ```
+///
+/// `a = b` is allowed; then `P = a` and `DP = 0`. Beyond its ends the projection is the end
+/// itself, exactly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Segment<const D: usize> {
+    start: SVector<f64, D>,
+    end: SVector<f64, D>,
+    /// `v`; zero if `a = b`.
+    direction: SVector<f64, D>,
+    length: f64,
+}
+
+impl<const D: usize> Segment<D> {
+    /// Makes the segment between two points, in `ℓ`.
+    ///
+    /// # Errors
+    ///
+    /// [`SetError::NonFiniteCoordinate`]; [`SetError::NonFinite`] if the length overflows.
+    pub fn new(
+        start: impl Into<SVector<f64, D>>,
+        end: impl Into<SVector<f64, D>>,
+    ) -> Result<Segment<D>, SetError> {
+        let start = finite_vector("the start of the segment", start)?;
+        let end = finite_vector("the end of the segment", end)?;
+        let (length, direction) = polar(&(end - start)).unwrap_or((0.0, SVector::zeros()));
+        let length = finite("length of the segment", length)?;
+        Ok(Segment { start, end, direction, length })
+    }
+
+    /// Returns `a`, in `ℓ`.
+    #[must_use]
+    pub fn start(&self) -> &SVector<f64, D> {
+        &self.start
+    }
+
+    /// Returns `b`, in `ℓ`.
+    #[must_use]
+    pub fn end(&self) -> &SVector<f64, D> {
+        &self.end
+    }
+}
+
+impl<const D: usize> ClosedSet<D> for Segment<D> {
+    fn project(&self, x: &SVector<f64, D>) -> SVector<f64, D> {
+        let s = self.direction.dot(&(x - self.start));
+        if s <= 0.0 {
+            self.start
+        } else if s >= self.length {
+            self.end
+        } else {
+            self.start + self.direction * s
+        }
+    }
+
+    fn projection_derivative(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
+        let s = self.direction.dot(&(x - self.start));
+        if 0.0 <= s && s <= self.length {
+            self.direction * self.direction.transpose()
+        } else {
+            SMatrix::zeros()
+        }
+    }
+
+    fn radius(&self) -> Option<f64> {
+        Some(norm(&self.start).max(norm(&self.end)))
+    }
+
+    fn is_convex(&self) -> bool {
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Segment;
+    use crate::laws::{Case, check, scale, vector_in};
+    use crate::{ClosedSet, SetError};
+    use nalgebra::{Matrix2, SVector, vector};
+    use proptest::prelude::*;
+
+    /// Membership without the projection formula: `|x − a| + |x − b| = L` on the segment alone.
+    ///
+    /// For `x` a distance `δ` beside a segment the sum exceeds `L` by `2δ²/L` only, so the
+    /// distance to the line, by its component orthogonal to `b − a`, is taken with it.
+    fn defect<const D: usize>(a: SVector<f64, D>, b: SVector<f64, D>, x: &SVector<f64, D>) -> f64 {
+        let (length, past) = ((b - a).norm(), (x - a).norm() + (x - b).norm());
+        if length == 0.0 {
+            return past;
+        }
+        let line = a.lerp(&b, (x - a).norm() / length);
+        (x - line).norm().max(past - length)
+    }
+
+    fn case<const D: usize>() -> impl Strategy<Value = Case<D>> {
+        let ends = prop_oneof![
+            4 => (vector_in::<D>(3.0), vector_in::<D>(3.0)),
+            1 => vector_in::<D>(3.0).prop_map(|a| (a, a)),
+        ];
+        (ends, scale()).prop_map(|((a, b), scale)| Case {
+            member: Box::new(move |w| a.lerp(&b, (w[0] + 1.0) / 2.0)),
+            defect: Box::new(move |x| defect(a, b, x)),
+            // The kinks are the planes through the ends, orthogonal to b − a.
+            kink: Box::new(move |x| match (b - a).try_normalize(0.0) {
+                Some(v) => v.dot(&(x - a)).abs().min(v.dot(&(x - b)).abs()),
+                None => f64::INFINITY,
+            }),
+            farthest: Some(if a.norm() > b.norm() { a } else { b }),
+            set: Box::new(Segment::new(a * scale, b * scale).expect("finite")),
+            scale,
+        })
+    }
+
+    #[test]
+    fn segment_obeys_the_laws() {
+        check(case::<1>());
+        check(case::<2>());
+        check(case::<4>());
+    }
+
+    #[test]
+    fn segment_ends_are_met_exactly_and_count_as_inside() {
+        let (a, b) = (vector![0.1, 0.2], vector![0.7, -0.4]);
+        let segment = Segment::new(a, b).expect("finite");
+        assert_eq!(segment.project(&vector![-5.0, 5.0]), a);
+        assert_eq!(segment.project(&vector![5.0, -5.0]), b);
+        assert_ne!(segment.projection_derivative(&a), Matrix2::zeros());
+        assert_eq!(segment.projection_derivative(&vector![5.0, -5.0]), Matrix2::zeros());
+    }
+
+    #[test]
+    fn segment_of_length_zero_is_a_point() {
+        let point = Segment::new([1.0, 2.0], [1.0, 2.0]).expect("closed");
+        assert_eq!(point.project(&vector![7.0, 7.0]), vector![1.0, 2.0]);
+        assert_eq!(point.projection_derivative(&vector![1.0, 2.0]), Matrix2::zeros());
+    }
+
+    #[test]
+    fn segment_refuses_a_bad_end_and_a_length_beyond_f64() {
+        assert!(matches!(
+            Segment::new([0.0, 0.0], [0.0, f64::NAN]),
+            Err(SetError::NonFiniteCoordinate { what: "the end of the segment", index: 1, .. })
+        ));
+        assert_eq!(
+            Segment::new([-f64::MAX], [f64::MAX]),
+            Err(SetError::NonFinite { what: "length of the segment", value: f64::INFINITY })
+        );
+    }
+}

@@ -1,0 +1,144 @@
+//! `SetError`: why a closed set, or a pair of them, is refused.
+
+use nalgebra::SVector;
+
+/// A clause which the data of a set, or of a pair of sets, do not meet.
+///
+/// Each variant carries the offending numbers, so that the message alone tells what to change.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SetError {
+    /// A point or a vector of `R^D` has finite coordinates.
+    #[error("{what} has the non-finite coordinate {value} at index {index}")]
+    NonFiniteCoordinate {
+        /// The point or vector, in words.
+        what: &'static str,
+        /// The index of the first such coordinate, from 0.
+        index: usize,
+        /// The coordinate.
+        value: f64,
+    },
+    /// A length or an offset is finite.
+    #[error("{what} {value} must be finite")]
+    NonFinite {
+        /// The number, in words.
+        what: &'static str,
+        /// The number.
+        value: f64,
+    },
+    /// A radius is at least zero; zero is allowed, since a point is closed.
+    #[error("radius {radius} must be ≥ 0")]
+    NegativeRadius {
+        /// The radius that was given.
+        radius: f64,
+    },
+    /// A half-width is at least zero; zero is allowed, since a flat box is closed.
+    #[error("half-width {half_width} at index {index} must be ≥ 0")]
+    NegativeHalfWidth {
+        /// The index of the first such half-width, from 0.
+        index: usize,
+        /// The half-width that was given.
+        half_width: f64,
+    },
+    /// The lower corner of a box is nowhere above the upper one: otherwise the box is empty.
+    #[error("lower corner {lower} must be ≤ upper corner {upper} at index {index}")]
+    CrossedCorners {
+        /// The index of the first such coordinate, from 0.
+        index: usize,
+        /// The coordinate of the lower corner.
+        lower: f64,
+        /// The coordinate of the upper corner.
+        upper: f64,
+    },
+    /// The normal of a half-space is not zero: otherwise it is everything or nothing.
+    #[error("the normal of a half-space must not be 0")]
+    ZeroNormal,
+    /// The directions of an affine subspace are linearly independent.
+    #[error(
+        "direction {index} depends on those before it: the part orthogonal to them is {remainder:e} of its length"
+    )]
+    DependentDirection {
+        /// The index of the first such direction, from 0.
+        index: usize,
+        /// The length of its part orthogonal to the earlier ones, relative to its own length.
+        remainder: f64,
+    },
+    /// A union or a finite set has members: a curve must end somewhere (Proposition 7.1).
+    #[error("the set is empty: it has no members (Proposition 7.1 wants non-empty sets)")]
+    Empty,
+    /// A non-empty set has a nearest point to each point (Proposition 7.1).
+    #[error(
+        "the {end} end set has no nearest point (coordinate {index} is {value}): is it empty? (Proposition 7.1 wants non-empty sets)"
+    )]
+    NoNearestPoint {
+        /// Which end: `first` or `second`.
+        end: &'static str,
+        /// The index of the first coordinate that is not finite, from 0.
+        index: usize,
+        /// The coordinate.
+        value: f64,
+    },
+    /// Proposition 7.1 wants one of the end sets bounded: otherwise the infimum may lie at
+    /// infinity.
+    #[error("both end sets are unbounded (Proposition 7.1 wants one bounded)")]
+    BothUnbounded,
+}
+
+/// Returns the first coordinate that is NaN or infinite, with its index.
+pub(crate) fn non_finite<const D: usize>(x: &SVector<f64, D>) -> Option<(usize, f64)> {
+    x.iter().copied().enumerate().find(|(_, value)| !value.is_finite())
+}
+
+/// Passes on `x` if all its coordinates are finite.
+pub(crate) fn finite_vector<const D: usize>(
+    what: &'static str,
+    x: impl Into<SVector<f64, D>>,
+) -> Result<SVector<f64, D>, SetError> {
+    let x = x.into();
+    match non_finite(&x) {
+        Some((index, value)) => Err(SetError::NonFiniteCoordinate { what, index, value }),
+        None => Ok(x),
+    }
+}
+
+/// Passes on `value` if it is finite.
+pub(crate) fn finite(what: &'static str, value: f64) -> Result<f64, SetError> {
+    if value.is_finite() { Ok(value) } else { Err(SetError::NonFinite { what, value }) }
+}
+
+/// Passes on a radius in `[0, ∞)`.
+pub(crate) fn valid_radius(radius: f64) -> Result<f64, SetError> {
+    let radius = finite("radius", radius)?;
+    if radius >= 0.0 { Ok(radius) } else { Err(SetError::NegativeRadius { radius }) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::SetError;
+
+    #[test]
+    fn the_message_names_the_clause_and_the_number() {
+        let table = [
+            (
+                SetError::NonFiniteCoordinate { what: "the centre", index: 1, value: f64::NAN },
+                "the centre has the non-finite coordinate NaN at index 1",
+            ),
+            (SetError::NegativeRadius { radius: -1.0 }, "radius -1 must be ≥ 0"),
+            (
+                SetError::CrossedCorners { index: 2, lower: 3.0, upper: 1.5 },
+                "lower corner 3 must be ≤ upper corner 1.5 at index 2",
+            ),
+            (
+                SetError::DependentDirection { index: 1, remainder: 0.0 },
+                "direction 1 depends on those before it: the part orthogonal to them is 0e0 of its length",
+            ),
+            (
+                SetError::BothUnbounded,
+                "both end sets are unbounded (Proposition 7.1 wants one bounded)",
+            ),
+        ];
+        for (error, message) in table {
+            assert_eq!(error.to_string(), message);
+        }
+    }
+}

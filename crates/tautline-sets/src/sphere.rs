@@ -1,0 +1,159 @@
+//! A sphere: the surface alone.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::ClosedSet;
+use crate::norm::{norm, on_axis, polar};
+use crate::set_error::{SetError, finite_vector, valid_radius};
+
+/// The sphere `|x − c| = r`, not convex unless `r = 0`. With `u = (x − c)/|x − c|`:
+///
+/// ```text
+/// P(x) = c + r u,    DP(x) = (r/|x − c|) (I − uuᵀ)
+/// ```
+///
+/// Inside, the eigenvalue `r/|x − c|` exceeds 1: the map expands.
+///
+/// All points of the sphere are nearest to the centre. There, by convention, `u = e₁`, hence
+/// `P(c) = c + r e₁`, and the derivative, which has no limit, is given as `I − e₁e₁ᵀ`, the
+/// projector onto the tangent space at that point.
+///
+/// In one dimension the sphere is the two points `c ± r`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sphere<const D: usize> {
+    centre: SVector<f64, D>,
+    r: f64,
+}
+
+impl<const D: usize> Sphere<D> {
+    /// Makes the sphere of radius `r ≥ 0` about `centre`, both in `ℓ`; for `r = 0` a point.
+    ///
+    /// # Errors
+    ///
+    /// [`SetError::NonFiniteCoordinate`] of the centre, [`SetError::NonFinite`] or
+    /// [`SetError::NegativeRadius`] of the radius.
+    pub fn new(centre: impl Into<SVector<f64, D>>, r: f64) -> Result<Sphere<D>, SetError> {
+        const { assert!(D > 0, "R⁰ has no sphere") }
+        Ok(Sphere { centre: finite_vector("the centre", centre)?, r: valid_radius(r)? })
+    }
+
+    /// Returns the centre `c`, in `ℓ`.
+    #[must_use]
+    pub fn centre(&self) -> &SVector<f64, D> {
+        &self.centre
+    }
+
+    /// Returns `r`, in `ℓ`, which is not the [`radius`](ClosedSet::radius) about the origin.
+    #[must_use]
+    pub fn r(&self) -> f64 {
+        self.r
+    }
+}
+
+impl<const D: usize> ClosedSet<D> for Sphere<D> {
+    fn project(&self, x: &SVector<f64, D>) -> SVector<f64, D> {
+        let u = polar(&(x - self.centre)).map_or_else(|| on_axis(0, 1.0), |(_, u)| u);
+        self.centre + u * self.r
+    }
+
+    fn projection_derivative(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
+        let (stretch, u) = match polar(&(x - self.centre)) {
+            // Close to the centre the quotient may overflow, and ∞ · 0 would be NaN.
+            Some((distance, u)) => ((self.r / distance).min(f64::MAX), u),
+            None if self.r == 0.0 => return SMatrix::zeros(),
+            None => (1.0, on_axis(0, 1.0)),
+        };
+        (SMatrix::identity() - u * u.transpose()) * stretch
+    }
+
+    fn radius(&self) -> Option<f64> {
+        Some(norm(&self.centre) + self.r)
+    }
+
+    fn is_convex(&self) -> bool {
+        self.r == 0.0
+    }
+
+    /// Returns `c ± r eᵢ`; nothing for `r = 0`, where there is one point only.
+    fn seeds(&self) -> Vec<SVector<f64, D>> {
+        if self.r == 0.0 {
+            return Vec::new();
+        }
+        (0..D).flat_map(|i| [self.r, -self.r].map(|r| self.centre + on_axis(i, r))).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Sphere;
+    use crate::laws::{Case, check, extent, scale, vector_in};
+    use crate::norm::on_axis;
+    use crate::{ClosedSet, SetError};
+    use nalgebra::{Matrix2, SVector, vector};
+    use proptest::prelude::*;
+
+    fn case<const D: usize>() -> impl Strategy<Value = Case<D>> {
+        (vector_in::<D>(3.0), extent(), scale()).prop_map(|(c, r, scale)| Case {
+            // For w = 0, which has no direction, any fixed one.
+            member: Box::new(move |w: &SVector<f64, D>| {
+                c + w.try_normalize(0.0).unwrap_or_else(|| on_axis(0, 1.0)) * r
+            }),
+            defect: Box::new(move |x| ((x - c).norm() - r).abs()),
+            // P jumps at the centre and bends hard near it: a quarter of the distance keeps
+            // the samples at least four times as far as from an ordinary kink.
+            kink: Box::new(move |x| (x - c).norm() / 4.0),
+            farthest: Some(c * (1.0 + r / c.norm())),
+            set: Box::new(Sphere::new(c * scale, r * scale).expect("finite")),
+            scale,
+        })
+    }
+
+    #[test]
+    fn sphere_obeys_the_laws() {
+        check(case::<1>());
+        check(case::<2>());
+        check(case::<4>());
+    }
+
+    #[test]
+    fn sphere_centre_goes_to_a_fixed_point() {
+        let sphere = Sphere::new([1.0, 2.0], 3.0).expect("finite");
+        assert_eq!(sphere.project(&vector![1.0, 2.0]), vector![4.0, 2.0]);
+        let tangent = Matrix2::new(0.0, 0.0, 0.0, 1.0);
+        assert_eq!(sphere.projection_derivative(&vector![1.0, 2.0]), tangent);
+    }
+
+    #[test]
+    fn sphere_derivative_exceeds_one_inside_and_never_overflows() {
+        let sphere = Sphere::new([0.0, 0.0], 3.0).expect("finite");
+        let inside = sphere.projection_derivative(&vector![1.5, 0.0]);
+        assert_eq!(inside, Matrix2::new(0.0, 0.0, 0.0, 2.0));
+        let close = sphere.projection_derivative(&vector![5e-324, 0.0]);
+        assert_eq!(close, Matrix2::new(0.0, 0.0, 0.0, f64::MAX));
+    }
+
+    #[test]
+    fn sphere_seeds_are_the_axis_points() {
+        let sphere = Sphere::new([1.0, 2.0], 3.0).expect("finite");
+        let axis = [vector![4.0, 2.0], vector![-2.0, 2.0], vector![1.0, 5.0], vector![1.0, -1.0]];
+        assert_eq!(sphere.seeds(), axis);
+        assert!(Sphere::new([1.0, 2.0], 0.0).expect("finite").seeds().is_empty());
+    }
+
+    #[test]
+    fn sphere_refuses_a_bad_radius_and_a_bad_centre() {
+        assert_eq!(Sphere::new([0.0], -0.5), Err(SetError::NegativeRadius { radius: -0.5 }));
+        assert_eq!(
+            Sphere::new([0.0], f64::NEG_INFINITY),
+            Err(SetError::NonFinite { what: "radius", value: f64::NEG_INFINITY })
+        );
+        assert_eq!(
+            Sphere::new([f64::INFINITY], 1.0),
+            Err(SetError::NonFiniteCoordinate {
+                what: "the centre",
+                index: 0,
+                value: f64::INFINITY
+            })
+        );
+    }
+}

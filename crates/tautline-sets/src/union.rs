@@ -1,0 +1,180 @@
+//! A finite union of closed sets.
+
+use std::sync::Arc;
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::closed_set::append_pieces;
+use crate::norm::norm;
+use crate::{ClosedSet, SetError};
+
+/// The union of finitely many closed sets.
+///
+/// `P(x)` and `DP(x)` are those of the member nearest to `x`, the first of them on a tie. Unions
+/// within the union are dissolved: no piece has pieces itself, and their order is that in which
+/// they were written.
+#[derive(Clone, Debug)]
+pub struct Union<const D: usize> {
+    /// Never empty.
+    pieces: Vec<Arc<dyn ClosedSet<D>>>,
+}
+
+impl<const D: usize> Union<D> {
+    /// Makes the union of `members`.
+    ///
+    /// ```
+    /// # use std::sync::Arc;
+    /// # use nalgebra::vector;
+    /// # use tautline_sets::{AxisBox, Ball, ClosedSet, SetError, Union};
+    /// let ball = Ball::new([0.0, 0.0], 1.0)?;
+    /// let wall = AxisBox::from_corners([2.0, -9.0], [3.0, 9.0])?;
+    /// let either = Union::new(vec![Arc::new(ball), Arc::new(wall)])?;
+    /// assert_eq!(either.project(&vector![1.75, 0.0]), vector![2.0, 0.0]);
+    /// # Ok::<(), SetError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`SetError::Empty`] without members.
+    pub fn new(members: Vec<Arc<dyn ClosedSet<D>>>) -> Result<Union<D>, SetError> {
+        let mut pieces = Vec::new();
+        for member in &members {
+            append_pieces(member, &mut pieces);
+        }
+        if pieces.is_empty() { Err(SetError::Empty) } else { Ok(Union { pieces }) }
+    }
+
+    /// Returns the nearest point to `x`, and the piece it is of.
+    fn nearest(&self, x: &SVector<f64, D>) -> (SVector<f64, D>, &Arc<dyn ClosedSet<D>>) {
+        let (first, rest) = self.pieces.split_first().expect("never empty");
+        let mut point = first.project(x);
+        let (mut distance, mut nearest) = (norm(&(point - x)), first);
+        for piece in rest {
+            let candidate = piece.project(x);
+            let to_candidate = norm(&(candidate - x));
+            if to_candidate < distance {
+                (point, distance, nearest) = (candidate, to_candidate, piece);
+            }
+        }
+        (point, nearest)
+    }
+}
+
+impl<const D: usize> ClosedSet<D> for Union<D> {
+    fn project(&self, x: &SVector<f64, D>) -> SVector<f64, D> {
+        self.nearest(x).0
+    }
+
+    fn projection_derivative(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
+        self.nearest(x).1.projection_derivative(x)
+    }
+
+    fn radius(&self) -> Option<f64> {
+        self.pieces.iter().try_fold(0.0_f64, |largest, piece| Some(largest.max(piece.radius()?)))
+    }
+
+    /// Returns whether the one member is convex. For several, `false`: whether they fit
+    /// together is not looked into.
+    fn is_convex(&self) -> bool {
+        matches!(self.pieces.as_slice(), [one] if one.is_convex())
+    }
+
+    fn pieces(&self) -> &[Arc<dyn ClosedSet<D>>] {
+        &self.pieces
+    }
+
+    /// Returns the seeds of all pieces, in their order.
+    fn seeds(&self) -> Vec<SVector<f64, D>> {
+        self.pieces.iter().flat_map(|piece| piece.seeds()).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::Union;
+    use crate::laws::{Case, check, extent, scale, vector_in};
+    use crate::norm::on_axis;
+    use crate::{Ball, ClosedSet, FiniteSet, HalfSpace, Point, SetError, Sphere};
+    use nalgebra::{SVector, vector};
+    use proptest::prelude::*;
+
+    /// A ball and a sphere, by their formulas.
+    fn case<const D: usize>() -> impl Strategy<Value = Case<D>> {
+        let parts = (vector_in::<D>(3.0), extent(), vector_in::<D>(3.0), extent());
+        (parts, scale()).prop_map(|((c, r, k, s), scale)| {
+            let ball = Ball::new(c * scale, r * scale).expect("finite");
+            let sphere = Sphere::new(k * scale, s * scale).expect("finite");
+            let to_ball = move |x: &SVector<f64, D>| ((x - c).norm() - r).max(0.0);
+            let to_sphere = move |x: &SVector<f64, D>| ((x - k).norm() - s).abs();
+            let outermost = |c: SVector<f64, D>, r: f64| c * (1.0 + r / c.norm());
+            let (in_ball, on_sphere) = (outermost(c, r), outermost(k, s));
+            Case {
+                member: Box::new(move |w| {
+                    if w[0] > 0.0 {
+                        c + w * (r / (D as f64).sqrt())
+                    } else {
+                        k + w.try_normalize(0.0).unwrap_or_else(|| on_axis(0, 1.0)) * s
+                    }
+                }),
+                defect: Box::new(move |x| to_ball(x).min(to_sphere(x))),
+                // Each distance changes by at most the way x goes.
+                kink: Box::new(move |x| {
+                    let rim = if r == 0.0 { f64::INFINITY } else { ((x - c).norm() - r).abs() };
+                    let tie = (to_ball(x) - to_sphere(x)).abs() / 2.0;
+                    tie.min(rim).min((x - k).norm() / 4.0)
+                }),
+                farthest: Some(if in_ball.norm() > on_sphere.norm() { in_ball } else { on_sphere }),
+                set: Box::new(Union::new(vec![Arc::new(ball), Arc::new(sphere)]).expect("two")),
+                scale,
+            }
+        })
+    }
+
+    #[test]
+    fn union_obeys_the_laws() {
+        check(case::<1>());
+        check(case::<3>());
+    }
+
+    #[test]
+    fn union_dissolves_unions_and_keeps_the_order() {
+        let points = FiniteSet::new([[1.0], [2.0]]).expect("finite");
+        let inner = Union::new(vec![Arc::new(points), Arc::new(Point::new([3.0]).expect("3"))]);
+        let outer = Union::new(vec![
+            Arc::new(Point::new([0.0]).expect("0")),
+            Arc::new(inner.expect("two")),
+            Arc::new(Sphere::new([9.0], 1.0).expect("9")),
+        ])
+        .expect("three");
+        let pieces: Vec<f64> =
+            outer.pieces().iter().map(|piece| piece.project(&vector![-5.0])[0]).collect();
+        assert_eq!(pieces, [0.0, 1.0, 2.0, 3.0, 8.0]);
+        assert!(outer.pieces().iter().all(|piece| piece.pieces().is_empty()));
+        assert_eq!(outer.seeds(), [vector![10.0], vector![8.0]]);
+    }
+
+    #[test]
+    fn union_takes_the_first_on_a_tie() {
+        let left = Ball::new([-2.0, 0.0], 1.0).expect("finite");
+        let right = Ball::new([2.0, 0.0], 1.0).expect("finite");
+        let union = Union::new(vec![Arc::new(right), Arc::new(left)]).expect("two");
+        assert_eq!(union.project(&vector![0.0, 0.0]), vector![1.0, 0.0]);
+    }
+
+    #[test]
+    fn union_with_an_unbounded_member_is_unbounded() {
+        let ball = Ball::new([0.0, 0.0], 1.0).expect("finite");
+        let wall = HalfSpace::new([1.0, 0.0], -3.0).expect("a normal");
+        assert_eq!(Union::new(vec![Arc::new(ball), Arc::new(wall)]).expect("two").radius(), None);
+        let one = Union::new(vec![Arc::new(ball)]).expect("one");
+        assert_eq!(one.radius(), Some(1.0));
+        assert!(one.is_convex());
+    }
+
+    #[test]
+    fn union_refuses_no_members() {
+        assert_eq!(Union::<2>::new(Vec::new()).unwrap_err(), SetError::Empty);
+    }
+}
