@@ -1,2 +1,13 @@
-//! stub
-fn main() {}
+//! Makes the figures and tables of the paper: see [`paper::command`].
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    match paper::command::run(std::env::args().skip(1)) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("error: {failure}");
+            ExitCode::FAILURE
+        }
+    }
+}

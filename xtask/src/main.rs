@@ -1,2 +1,86 @@
-//! stub
-fn main() {}
+//! `cargo xtask <task>`: what the repository can do, beyond building and testing one crate.
+
+use std::{
+    env,
+    path::Path,
+    process::{Command, ExitCode},
+};
+
+const USAGE: &str = "\
+usage: cargo xtask <task>
+
+  figures [ID …] [--check | --quick | --list]   recompute and redraw paper/figures and paper/data
+  tables  [ID …] [--check | --quick | --list]   recompute paper/tables
+  test    [ARG …]                               every test of the workspace
+  bench   [ARG …]                               the benchmarks
+  ci                                            what continuous integration runs
+
+  --check   recompute, and compare with what is committed
+  --quick   fewer subintervals, written to target/quick
+  --list    name what there is";
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = env::args().skip(1).collect();
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let result = match arguments.as_slice() {
+        ["figures", rest @ ..] => paper("figures", rest),
+        ["tables", rest @ ..] => paper("tables", rest),
+        ["test", rest @ ..] => test(rest),
+        ["bench", rest @ ..] => cargo(&[&["bench", "--workspace"], rest].concat(), &[]),
+        ["ci"] => ci(),
+        ["help" | "--help" | "-h"] => {
+            println!("{USAGE}");
+            Ok(())
+        }
+        _ => Err(USAGE.to_owned()),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("{message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Runs the package that computes and draws, always optimised.
+fn paper(what: &str, rest: &[&str]) -> Result<(), String> {
+    let run = ["run", "--release", "--package", "paper", "--", what];
+    cargo(&[&run, rest].concat(), &[])
+}
+
+fn test(rest: &[&str]) -> Result<(), String> {
+    cargo(&[&["test", "--workspace"], rest].concat(), &[])
+}
+
+/// Formatting, lints, documentation, tests, and whether figures and tables are what the code
+/// makes of them. The cheapest check comes first.
+fn ci() -> Result<(), String> {
+    cargo(&["fmt", "--all", "--check"], &[])?;
+    let lints = ["clippy", "--workspace", "--all-targets", "--", "--deny", "warnings"];
+    cargo(&lints, &[])?;
+    cargo(&["doc", "--workspace", "--no-deps"], &[("RUSTDOCFLAGS", "--deny warnings")])?;
+    test(&[])?;
+    paper("figures", &["--check"])?;
+    paper("tables", &["--check"])
+}
+
+/// Runs cargo in the root of the workspace, and echoes the command, so that a failure can be
+/// pasted and run again.
+fn cargo(arguments: &[&str], environment: &[(&str, &str)]) -> Result<(), String> {
+    let set: String =
+        environment.iter().map(|(name, value)| format!("{name}='{value}' ")).collect();
+    let line = format!("{set}cargo {}", arguments.join(" "));
+    eprintln!("$ {line}");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let status = Command::new(env!("CARGO"))
+        .args(arguments)
+        .envs(environment.iter().copied())
+        .current_dir(root)
+        .status();
+    match status {
+        Ok(status) if status.success() => Ok(()),
+        Ok(status) => Err(format!("`{line}` failed: {status}")),
+        Err(error) => Err(format!("`{line}` did not start: {error}")),
+    }
+}

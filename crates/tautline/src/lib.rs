@@ -71,3 +71,8 @@ pub use tautline_sets::{
 };
 
 pub use nalgebra::{SMatrix, SVector};
+
+/// The example of the README, as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;

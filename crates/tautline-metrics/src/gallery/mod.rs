@@ -1,8 +1,61 @@
 //! A gallery of metrics: one a file, each with its formula, its constants in closed form
 //! and, where known, its exact distance.
+//!
+//! | metric | `D` | `H(x)` | constants | distance |
+//! | --- | --- | --- | --- | --- |
+//! | [`Constant`] | any | `A` | exact | all pairs |
+//! | [`Valleys`] | any | `(2 − cos x₁)² I` | exact | most pairs |
+//! | [`Ramp`] | 1 | `(1 + a tanh kx)²` | exact but `M_H` | all pairs |
+//! | [`Separable`] | any | `diag((1 + aᵢ sin kᵢxᵢ)²)` | exact | all pairs |
+//! | [`Shear`] | 2 | `JᵀJ` of `(x₁ + a sin kx₂, x₂)` | exact | all pairs |
+//! | [`Lens`] | any | `(1 + a e^{−r²/2s²}) I` | exact | on rays |
+//! | [`Bump`] | any | `(1 + a e^{−r²/2s²})² I` | exact but `L_H` | on rays |
+//! | [`Hill`] | any | `I + ∇f ∇fᵀ`, `f = h e^{−r²/2s²}` | exact | on rays |
+//! | [`SoftObstacles`] | any | `(1 + Σ aᵢ e^{−rᵢ²/2sᵢ²}) I` | bounds | |
+//! | [`RotatingAnisotropy`] | 2 | `Q(k·x) diag(λ₁, λ₂) Q(k·x)ᵀ` | exact | |
+//! | [`TwoLinkArm`] | 2 | kinetic energy of a robot arm | exact | |
+//! | [`CoupledCosines`] | 3 | `diag + ⅖ cos(xᵢ − xⱼ) / (1 + ∣i − j∣)` | exact but `M_H` | |
+//! | [`SineProjections`] | any | `I + ½ Σ sin²(wₖ·x) aₖ aₖᵀ` | bounds | |
+//! | [`Sphere`] | any | `4 / (1 + r²)² I` | none | all pairs |
+//! | [`Hyperbolic`] | any | `4 / (1 − r²)² I` in the unit ball | none | in the ball |
+//!
+//! *Exact* constants are the best ones: no smaller `c₂`, `L_H`, `M_H` and no larger `c₁` holds
+//! on all of `R^D`. The others are bounds that hold as well.
+//!
+//! Parameters are checked by the constructors, so that a metric which exists is one.
 
+mod bump;
+mod constant;
+mod coupled_cosines;
+mod eigenvalues;
+mod error;
+mod hill;
+mod hyperbolic;
+mod lens;
+mod radial;
+mod ramp;
+mod rotating_anisotropy;
+mod separable;
+mod shear;
+mod sine_projections;
+mod soft_obstacles;
 mod sphere;
+mod two_link_arm;
 mod valleys;
 
+pub use bump::Bump;
+pub use constant::Constant;
+pub use coupled_cosines::CoupledCosines;
+pub use error::GalleryError;
+pub use hill::Hill;
+pub use hyperbolic::Hyperbolic;
+pub use lens::Lens;
+pub use ramp::Ramp;
+pub use rotating_anisotropy::RotatingAnisotropy;
+pub use separable::Separable;
+pub use shear::Shear;
+pub use sine_projections::{SineProjection, SineProjections};
+pub use soft_obstacles::{Obstacle, SoftObstacles};
 pub use sphere::Sphere;
+pub use two_link_arm::{Link, TwoLinkArm};
 pub use valleys::Valleys;

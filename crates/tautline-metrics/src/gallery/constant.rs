@@ -1,0 +1,65 @@
+//! A constant metric: `H(x) = A`.
+
+use nalgebra::{SMatrix, SVector};
+use tautline_scalar::Scalar;
+
+use super::{GalleryError, eigenvalues::eigenvalue_bounds};
+use crate::{Bounded, Constants, KnownDistance, Metric, check_gram};
+
+/// `H(x) = A`, a symmetric positive definite matrix in `m²/ℓ²`: Euclidean geometry in
+/// oblique coordinates.
+///
+/// `L_H = M_H = 0`, so that every bound of a discretization error is exactly `0`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Constant<const D: usize> {
+    matrix: SMatrix<f64, D, D>,
+    constants: Constants,
+}
+
+/// The matrix as a metric that nobody has checked yet.
+struct Unchecked<'a, const D: usize>(&'a SMatrix<f64, D, D>);
+
+impl<const D: usize> Metric<D> for Unchecked<'_, D> {
+    fn gram<S: Scalar>(&self, _: &SVector<S, D>) -> SMatrix<S, D, D> {
+        self.0.map(S::constant)
+    }
+}
+
+impl<const D: usize> Constant<D> {
+    /// Returns the metric `H = A`. Only the upper triangle of `A` is read, after the check.
+    ///
+    /// # Errors
+    ///
+    /// [`GalleryError::Matrix`] if `A` is not finite, symmetric and positive definite;
+    /// [`GalleryError::Constants`] if its condition number is so large, some `10¹⁴`, that no
+    /// `c₁ > 0` is certain after rounding.
+    pub fn new(matrix: SMatrix<f64, D, D>) -> Result<Self, GalleryError> {
+        check_gram(&Unchecked(&matrix), &SVector::zeros())?;
+        let matrix = SMatrix::from_fn(|i, j| matrix[(i.min(j), i.max(j))]);
+        let (low, high) = eigenvalue_bounds(&matrix);
+        let constants = Constants::new(low, high, 0.0)?.with_m_h(0.0)?;
+        Ok(Self { matrix, constants })
+    }
+}
+
+impl<const D: usize> Metric<D> for Constant<D> {
+    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
+        Unchecked(&self.matrix).gram(x)
+    }
+}
+
+impl<const D: usize> Bounded<D> for Constant<D> {
+    /// `c₁`, `c₂`: the least and the greatest eigenvalue of `A`, moved apart by some ulp of the norm
+    /// to be bounds in spite of rounding; `L_H = M_H = 0`.
+    fn constants(&self) -> Constants {
+        self.constants
+    }
+}
+
+impl<const D: usize> KnownDistance<D> for Constant<D> {
+    /// `|A^{1/2} (x − y)|`.
+    fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
+        let chord = x - y;
+        Some(chord.dot(&(self.matrix * chord)).sqrt())
+    }
+}

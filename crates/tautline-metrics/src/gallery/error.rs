@@ -1,0 +1,80 @@
+//! Why a metric of the gallery cannot be built from the given numbers.
+
+use crate::{HypothesisError, MetricError};
+
+/// A parameter for which the formula is no metric, or has no finite constants.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum GalleryError {
+    /// A parameter is NaN or infinite.
+    #[error("{name} = {value} must be finite")]
+    NotFinite {
+        /// The parameter, as the constructor calls it.
+        name: &'static str,
+        /// The number that was given.
+        value: f64,
+    },
+    /// A width, a wave number or an eigenvalue is not positive.
+    #[error("{name} = {value} must be positive and finite")]
+    NotPositive {
+        /// The parameter, as the constructor calls it.
+        name: &'static str,
+        /// The number that was given.
+        value: f64,
+    },
+    /// A height, a mass or an inertia is negative.
+    #[error("{name} = {value} must be nonnegative and finite")]
+    Negative {
+        /// The parameter, as the constructor calls it.
+        name: &'static str,
+        /// The number that was given.
+        value: f64,
+    },
+    /// A relative amplitude `a` for which `1 + a sin` or `1 + a tanh` is not positive.
+    #[error("{name} = {value} must lie strictly between -1 and 1")]
+    NotBelowOne {
+        /// The parameter, as the constructor calls it.
+        name: &'static str,
+        /// The number that was given.
+        value: f64,
+    },
+    /// The inertia of a two-link arm is not positive definite in every position.
+    #[error(
+        "C (A - C) - B² = {determinant}, the determinant of the inertia of the stretched arm, \
+         must be positive"
+    )]
+    SingularArm {
+        /// `C (A − C) − B²`.
+        determinant: f64,
+    },
+    /// A given matrix is not symmetric positive definite.
+    #[error(transparent)]
+    Matrix(#[from] MetricError),
+    /// The constants of the metric overflow, or its `c₁` underflows.
+    #[error(transparent)]
+    Constants(#[from] HypothesisError),
+}
+
+pub(super) fn finite(name: &'static str, value: f64) -> Result<f64, GalleryError> {
+    if value.is_finite() { Ok(value) } else { Err(GalleryError::NotFinite { name, value }) }
+}
+
+pub(super) fn positive(name: &'static str, value: f64) -> Result<f64, GalleryError> {
+    if value > 0.0 && value.is_finite() {
+        Ok(value)
+    } else {
+        Err(GalleryError::NotPositive { name, value })
+    }
+}
+
+pub(super) fn nonnegative(name: &'static str, value: f64) -> Result<f64, GalleryError> {
+    if value >= 0.0 && value.is_finite() {
+        Ok(value)
+    } else {
+        Err(GalleryError::Negative { name, value })
+    }
+}
+
+pub(super) fn below_one(name: &'static str, value: f64) -> Result<f64, GalleryError> {
+    if value.abs() < 1.0 { Ok(value) } else { Err(GalleryError::NotBelowOne { name, value }) }
+}

@@ -1,0 +1,78 @@
+//! A ramp on the line: `H(x) = (1 + a tanh kx)²`.
+
+use std::f64::consts::LN_2;
+
+use nalgebra::{SMatrix, SVector};
+use tautline_scalar::Scalar;
+
+use super::{
+    GalleryError,
+    error::{below_one, positive},
+};
+use crate::{Bounded, Constants, KnownDistance, Metric};
+
+/// `H(x) = f²` with `f = 1 + a tanh kx`, on the line: cost `1 − a` far to the left, `1 + a`
+/// far to the right.
+///
+/// A metric on the line is flat, so its distance is an integral; unlike the periodic ones
+/// this one has no symmetry by which a leading error constant could vanish.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ramp {
+    amplitude: f64,
+    wave_number: f64,
+    constants: Constants,
+}
+
+impl Ramp {
+    /// Returns the ramp of relative amplitude `a`, `|a| < 1`, and steepness `k > 0` in `1/ℓ`.
+    ///
+    /// # Errors
+    ///
+    /// [`GalleryError`] with the parameter that is out of its range.
+    pub fn new(amplitude: f64, wave_number: f64) -> Result<Self, GalleryError> {
+        let a = below_one("amplitude", amplitude)?.abs();
+        let k = positive("wave number", wave_number)?;
+        // |H′| = 2|a|k (1 + |a|τ)(1 − τ²) with τ = ± tanh kx is stationary where
+        // 3|a|τ² + 2τ − |a| = 0. The root in [0, 1), written without cancellation at a = 0:
+        let tau = a / (1.0 + (1.0 + 3.0 * a * a).sqrt());
+        let l_h = 2.0 * a * k * (1.0 + a * tau) * (1.0 - tau * tau);
+        // H″ = 2ak² (−2τ(1 − τ²) + a (1 − τ²)(1 − 3τ²)), where the first part is at most
+        // 4/(3√3) (at τ² = 1/3) and the second at most |a| (at τ = 0).
+        let m_h = 2.0 * a * k * k * (4.0 / 27_f64.sqrt() + a);
+        let constants = Constants::new((1.0 - a).powi(2), (1.0 + a).powi(2), l_h)?.with_m_h(m_h)?;
+        Ok(Self { amplitude, wave_number, constants })
+    }
+
+    /// `F` with `F′ = f` and `F(0) = 0`.
+    fn primitive(&self, x: f64) -> f64 {
+        x + self.amplitude / self.wave_number * ln_cosh(self.wave_number * x)
+    }
+}
+
+/// `ln cosh u`, without the overflow of `cosh`.
+fn ln_cosh(u: f64) -> f64 {
+    u.abs() + (-2.0 * u.abs()).exp().ln_1p() - LN_2
+}
+
+impl Metric<1> for Ramp {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
+        let f = (x[0] * self.wave_number).tanh() * self.amplitude + 1.0;
+        SMatrix::from_diagonal_element(f.sqr())
+    }
+}
+
+impl Bounded<1> for Ramp {
+    /// `c₁ = (1 − |a|)²` and `c₂ = (1 + |a|)²` in the limit; `L_H = 2|a|k (1 + |a|τ)(1 − τ²)`
+    /// at `τ = |a| / (1 + √(1 + 3a²))`, attained; `M_H = 2|a|k² (4/√27 + |a|)`, an upper
+    /// bound that is at most 1.5 times too large.
+    fn constants(&self) -> Constants {
+        self.constants
+    }
+}
+
+impl KnownDistance<1> for Ramp {
+    /// `|F(x) − F(y)|` with `F(x) = x + (a/k) ln cosh kx`.
+    fn distance(&self, x: &SVector<f64, 1>, y: &SVector<f64, 1>) -> Option<f64> {
+        Some((self.primitive(x[0]) - self.primitive(y[0])).abs())
+    }
+}

@@ -1,0 +1,181 @@
+//! The constants are not larger than need be: where one is exact, a point and a direction
+//! attain it; where it is a bound, how much it misses by.
+//!
+//! A measured value is a formula of some ten roundings and an eigenvalue of a small matrix:
+//! some 1e-14, and constants that are computed eigenvalues are moved by as much on purpose.
+//! Everything has 1e-12; a constant that is off by one percent misses it by ten decades.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use approx::assert_relative_eq;
+use nalgebra::{SVector, matrix, vector};
+use tautline_metrics::{
+    Bounded,
+    gallery::{
+        Bump, Constant, Hill, Lens, Obstacle, Ramp, Separable, Shear, SoftObstacles, Valleys,
+    },
+};
+
+use crate::measure::{extremes, first, norm, second};
+
+pub(crate) fn low<const D: usize>(g: &impl Bounded<D>, x: SVector<f64, D>) {
+    assert_relative_eq!(extremes(&g.gram(&x)).0, g.constants().c1(), max_relative = 1e-12);
+}
+
+pub(crate) fn high<const D: usize>(g: &impl Bounded<D>, x: SVector<f64, D>) {
+    assert_relative_eq!(extremes(&g.gram(&x)).1, g.constants().c2(), max_relative = 1e-12);
+}
+
+pub(crate) fn slope<const D: usize>(g: &impl Bounded<D>, x: SVector<f64, D>, w: SVector<f64, D>) {
+    let measured = norm(&first(g, &x, &w)) / w.norm();
+    assert_relative_eq!(measured, g.constants().l_h(), max_relative = 1e-12);
+}
+
+pub(crate) fn curvature<const D: usize>(
+    g: &impl Bounded<D>,
+    x: SVector<f64, D>,
+    w: SVector<f64, D>,
+) {
+    let measured = norm(&second(g, &x, &w)) / w.norm_squared();
+    let m_h = g.constants().m_h().expect("every metric here has one");
+    assert_relative_eq!(measured, m_h, max_relative = 1e-12);
+}
+
+const WAVES: [(f64, f64); 4] = [(0.5, 1.0), (-0.3, 2.5), (0.95, 0.4), (1e-9, 3.0)];
+const PROFILES: [(f64, f64); 3] = [(4.0, 0.5), (0.3, 2.0), (1.0, 1.0)];
+
+#[test]
+fn constant_has_eigenvalues_1_and_3() {
+    let g = Constant::new(matrix![2.0, 1.0; 1.0, 2.0]).expect("positive definite");
+    // Moved apart by 32 ulp of the norm, 3: some 2e-14.
+    assert_relative_eq!(g.constants().c1(), 1.0, max_relative = 1e-13);
+    assert_relative_eq!(g.constants().c2(), 3.0, max_relative = 1e-13);
+    assert!(g.constants().c1() < 1.0 && g.constants().c2() > 3.0);
+    assert_eq!((g.constants().l_h(), g.constants().m_h()), (0.0, Some(0.0)));
+}
+
+#[test]
+fn valleys_are_exact() {
+    low(&Valleys, vector![0.0]);
+    high(&Valleys, vector![PI]);
+    let steepest = (0.5 * (1.0 - 3_f64.sqrt())).acos();
+    slope(&Valleys, vector![steepest, 2.0], vector![-1.0, 0.0]);
+    curvature(&Valleys, vector![PI, 2.0], vector![1.0, 0.0]);
+}
+
+#[test]
+fn ramp_is_exact_but_for_m_h() {
+    for (a, k) in WAVES {
+        let g = Ramp::new(a, k).expect("|a| < 1");
+        // tanh 20 = 1 in f64.
+        low(&g, vector![-20_f64.copysign(a) / k]);
+        high(&g, vector![20_f64.copysign(a) / k]);
+        // The root of 3aτ² + 2τ − a = 0, as f · f″ + f′² = 0 gives it; for a = 1e-9 it is a/2.
+        let tau = if a == 1e-9 { 0.5 * a } else { ((1.0 + 3.0 * a * a).sqrt() - 1.0) / (3.0 * a) };
+        slope(&g, vector![tau.atanh() / k], vector![1.0]);
+    }
+    // M_H for a = 1/2, k = 1: a scan with steps of 0.01 finds 1/1.422 of the bound.
+    let g = Ramp::new(0.5, 1.0).expect("|a| < 1");
+    let scan = (-500..500).map(|i| norm(&second(&g, &vector![f64::from(i) * 0.01], &vector![1.0])));
+    let ratio = scan.fold(0.0, f64::max) / g.constants().m_h().expect("known");
+    assert!((0.70..0.71).contains(&ratio), "{ratio}");
+}
+
+#[test]
+fn shear_is_exact() {
+    // S² from 1e-4 to 36: also below 1/8.
+    for (a, k) in [(0.5, 1.0), (-0.01, 1.0), (0.1, 2.5), (2.0, 3.0), (1.0, 0.3)] {
+        let g = Shear::new(a, k).expect("k > 0");
+        let s = a.abs() * k;
+        low(&g, vector![7.0, 0.0]);
+        high(&g, vector![7.0, 0.0]);
+        // sinh u = S cos kx₂ with e^{2u} = 1 + 2S².
+        let u = 0.5 * (2.0 * s * s).ln_1p();
+        slope(&g, vector![1.0, (u.sinh() / s).acos() / k], vector![0.0, 1.0]);
+        curvature(&g, vector![1.0, PI / k], vector![0.0, 1.0]);
+    }
+}
+
+/// The values for `a = 1/2`, `k = 1` were computed with 40 digits.
+#[test]
+fn shear_has_the_golden_constants() {
+    let constants = Shear::new(0.5, 1.0).expect("k > 0").constants();
+    assert_relative_eq!(constants.c1(), 0.609_611_796_797_792_431_272, max_relative = 1e-15);
+    assert_relative_eq!(constants.c2(), 1.640_388_203_202_207_568_73, max_relative = 1e-15);
+    assert_relative_eq!(constants.l_h(), 0.559_016_994_374_947_424_102, max_relative = 1e-15);
+    let m_h = constants.m_h().expect("known");
+    assert_relative_eq!(m_h, 0.809_016_994_374_947_424_102, max_relative = 1e-15);
+}
+
+/// Without the difference `1 + S²/2 − S √(1 + S²/4)`, of which no digit would be left.
+#[test]
+fn a_steep_shear_has_a_positive_c1() {
+    let constants = Shear::new(1e6, 1e3).expect("k > 0").constants();
+    // 1/c₂ with c₂ = S² + 2 − …, S = 1e9.
+    assert_relative_eq!(constants.c1(), 1e-18, max_relative = 1e-15);
+}
+
+#[test]
+fn separable_is_exact() {
+    for (a, k) in WAVES {
+        // The other axis is tamer: a/2 and k/2.
+        let g = Separable::new(vector![0.5 * a, a], vector![0.5 * k, k]).expect("|a| < 1");
+        let crest = FRAC_PI_2.copysign(a) / k;
+        low(&g, vector![1.0, -crest]);
+        high(&g, vector![1.0, crest]);
+        // The root of 2as² + s − a = 0; for a = 1e-9 it is a.
+        let s = if a == 1e-9 { a } else { ((1.0 + 8.0 * a * a).sqrt() - 1.0) / (4.0 * a) };
+        slope(&g, vector![1.0, s.asin() / k], vector![0.0, 1.0]);
+        curvature(&g, vector![1.0, crest], vector![0.0, 1.0]);
+    }
+}
+
+#[test]
+fn hill_is_exact() {
+    for (h, s) in PROFILES {
+        let g = Hill::new(h, s).expect("s > 0");
+        low(&g, vector![1.0, 2.0]);
+        high(&g, vector![0.6, 0.8] * s);
+        let rho = (0.25 * (5.0 - 17_f64.sqrt())).sqrt();
+        slope(&g, vector![0.0, rho] * s, vector![0.0, 1.0]);
+        curvature(&g, vector![0.0, 0.0], vector![0.6, 0.8]);
+    }
+}
+
+#[test]
+fn lens_is_exact() {
+    for (a, s) in PROFILES {
+        let g = Lens::new(a, s).expect("s > 0");
+        low(&g, vector![12.0, 0.0] * s);
+        high(&g, vector![0.0, 0.0]);
+        slope(&g, vector![0.6, 0.8] * s, vector![0.6, 0.8]);
+        curvature(&g, vector![0.0, 0.0], vector![1.0, 0.0]);
+    }
+}
+
+#[test]
+fn bump_is_exact_but_for_l_h() {
+    for (a, s) in PROFILES {
+        let g = Bump::new(a, s).expect("s > 0");
+        low(&g, vector![12.0, 0.0] * s);
+        high(&g, vector![0.0, 0.0]);
+        curvature(&g, vector![0.0, 0.0], vector![1.0, 0.0]);
+        // 1/1.0303 is the least that the sum of the two maxima leaves, over all a.
+        let steps = (1..300).map(|i| vector![f64::from(i) * 0.01 * s, 0.0]);
+        let scan = steps.map(|x| norm(&first(&g, &x, &vector![1.0, 0.0])));
+        let ratio = scan.fold(0.0, f64::max) / Bounded::<2>::constants(&g).l_h();
+        assert!((0.97..1.0).contains(&ratio), "{ratio}");
+    }
+}
+
+/// The sum of the constants is attained by obstacles that are the same.
+#[test]
+fn coinciding_soft_obstacles_are_exact() {
+    let centre = vector![1.0, -2.0];
+    let obstacles = [2.0, 0.5].map(|height| Obstacle { centre, height, width: 0.7 });
+    let g = SoftObstacles::new(obstacles.to_vec()).expect("s > 0");
+    low(&g, centre + vector![12.0, 0.0]);
+    high(&g, centre);
+    slope(&g, centre + vector![0.0, 0.7], vector![0.0, 1.0]);
+    curvature(&g, centre, vector![1.0, 0.0]);
+}

@@ -1,0 +1,225 @@
+//! The exact distances are distances, belong to their metric, and have the values that
+//! somebody else computed.
+
+use approx::assert_relative_eq;
+use nalgebra::{SMatrix, SVector, matrix, vector};
+use proptest::{array::uniform, prelude::*};
+use tautline_metrics::{
+    Bounded, Jet1, KnownDistance, Metric, check_gram,
+    gallery::{Bump, Constant, Hill, Hyperbolic, Lens, Ramp, Separable, Shear, Sphere, Valleys},
+    quadrature::integrate,
+};
+
+use crate::measure::runner;
+
+pub(crate) fn distance<const D: usize>(
+    g: &impl KnownDistance<D>,
+    x: &SVector<f64, D>,
+    y: &SVector<f64, D>,
+) -> f64 {
+    g.distance(x, y).expect("a pair whose distance is known")
+}
+
+/// The length of the straight line.
+pub(crate) fn chord<const D: usize>(
+    g: &impl Metric<D>,
+    x: &SVector<f64, D>,
+    y: &SVector<f64, D>,
+) -> f64 {
+    let v = y - x;
+    integrate(|t| g.norm_squared(&(x + v * t), &v).sqrt(), 0.0, 1.0, 1e-14).value
+}
+
+/// `d(x, y) = d(y, x)`, `d(x, x) = 0`, the triangle inequality, and no more than the chord.
+///
+/// Each `d` has some ten roundings of numbers of the size of the coordinates, which are below
+/// 10: 1e-13 is a hundred times an ulp of that.
+pub(crate) fn is_distance<const D: usize>(
+    g: &impl KnownDistance<D>,
+    [x, y, z]: [SVector<f64, D>; 3],
+) -> Result<(), TestCaseError> {
+    let d = distance(g, &x, &y);
+    prop_assert_eq!(d, distance(g, &y, &x));
+    prop_assert_eq!(distance(g, &x, &x), 0.0);
+    let detour = distance(g, &x, &z) + distance(g, &z, &y);
+    prop_assert!(d <= detour + 1e-13, "{d} > {detour}");
+    let chord = chord(g, &x, &y);
+    prop_assert!(d <= chord * (1.0 + 1e-12) + 1e-13, "{d} > the chord, {chord}");
+    Ok(())
+}
+
+/// `√c₁ |x − y| ≤ d(x, y) ≤ √c₂ |x − y|`, with the roundings of [`is_distance`].
+pub(crate) fn is_bounded<const D: usize>(
+    g: &(impl Bounded<D> + KnownDistance<D>),
+    x: &SVector<f64, D>,
+    y: &SVector<f64, D>,
+) -> Result<(), TestCaseError> {
+    let (d, euclidean) = (distance(g, x, y), (x - y).norm());
+    let (low, high) = (g.constants().c1().sqrt(), g.constants().c2().sqrt());
+    prop_assert!(low * euclidean <= d + 1e-13, "{low} {euclidean} > {d}");
+    prop_assert!(d <= high * euclidean + 1e-13, "{d} > {high} {euclidean}");
+    Ok(())
+}
+
+/// Three points of `[−reach, reach]^D`.
+fn triple<const D: usize>(reach: f64) -> impl Strategy<Value = [SVector<f64, D>; 3]> {
+    uniform(uniform(-reach..reach).prop_map(SVector::from))
+}
+
+pub(crate) fn run<P: std::fmt::Debug>(
+    seed: u64,
+    cases: impl Strategy<Value = P>,
+    law: impl Fn(P) -> Result<(), TestCaseError>,
+) {
+    if let Err(error) = runner(seed).run(&cases, law) {
+        panic!("{error}");
+    }
+}
+
+#[test]
+fn constant_has_a_distance() {
+    let a = matrix![2.0, 1.0, 0.3; 1.0, 2.0, -0.5; 0.3, -0.5, 1.0];
+    let g = Constant::new(a).expect("positive definite");
+    run(31, triple(4.0), |points| {
+        is_distance(&g, points)?;
+        is_bounded(&g, &points[0], &points[1])
+    });
+}
+
+#[test]
+fn ramp_has_a_distance() {
+    run(32, (-0.95..0.95_f64, 0.2..4.0_f64, triple(4.0)), |(a, k, points)| {
+        let g = Ramp::new(a, k).expect("|a| < 1");
+        is_distance(&g, points)?;
+        is_bounded(&g, &points[0], &points[1])
+    });
+}
+
+#[test]
+fn shear_has_a_distance() {
+    run(33, (-2.0..2.0_f64, 0.2..3.0_f64, triple(4.0)), |(a, k, points)| {
+        let g = Shear::new(a, k).expect("k > 0");
+        is_distance(&g, points)?;
+        is_bounded(&g, &points[0], &points[1])
+    });
+}
+
+#[test]
+fn separable_has_a_distance() {
+    let parameters = (uniform::<_, 3>(-0.95..0.95_f64), uniform::<_, 3>(0.2..3.0_f64));
+    run(34, (parameters, triple(4.0)), |((a, k), points)| {
+        let g = Separable::new(a.into(), k.into()).expect("|a| < 1");
+        is_distance(&g, points)?;
+        is_bounded(&g, &points[0], &points[1])
+    });
+}
+
+#[test]
+fn hyperbolic_and_sphere_have_a_distance() {
+    // |x| ≤ √3/2.
+    run(35, triple::<3>(0.5), |points| is_distance(&Hyperbolic, points));
+    run(36, triple::<3>(2.0), |points| is_distance(&Sphere, points));
+}
+
+/// Computed with 40 digits: `|A^{1/2} (3, 4)|`, and `|Φ(2, 3)|` with `Φ = (x₁ + ½ sin x₂, x₂)`.
+#[test]
+fn golden_distances() {
+    let g = Constant::new(matrix![2.0, 1.0; 1.0, 2.0]).expect("positive definite");
+    let d = distance(&g, &vector![0.0, 0.0], &vector![3.0, 4.0]);
+    assert_relative_eq!(d, 8.602_325_267_042_626_771_73, max_relative = 1e-15);
+    let g = Shear::new(0.5, 1.0).expect("k > 0");
+    let d = distance(&g, &vector![0.0, 0.0], &vector![2.0, 3.0]);
+    assert_relative_eq!(d, 3.645_163_745_332_771_562_03, max_relative = 1e-15);
+    // F(x) = x + ½ ln cosh x, where cosh 1000 overflows.
+    let g = Ramp::new(0.5, 1.0).expect("|a| < 1");
+    let d = distance(&g, &vector![0.0], &vector![1000.0]);
+    assert_relative_eq!(d, 1500.0 - 0.5 * 2_f64.ln(), max_relative = 1e-15);
+    // 2 artanh r along a diameter.
+    let d = distance(&Hyperbolic, &vector![0.0, 0.0], &vector![0.6, 0.0]);
+    assert_relative_eq!(d, 2.0 * 2_f64.ln(), max_relative = 1e-15);
+    let d = distance(&Hyperbolic, &vector![0.0, -0.6], &vector![0.0, 0.6]);
+    assert_relative_eq!(d, 4.0 * 2_f64.ln(), max_relative = 1e-15);
+}
+
+/// `d(x, x + εv)² / ε² = vᵀ H(x) v + O(ε)`, with slope 1 for `ε` from 2⁻⁶ to 2⁻¹².
+///
+/// The next term is `O(ε)` times the first, some 1/64 at the left end: it changes the slope
+/// over 6 octaves by less than 0.02. Rounding, `2 · 10⁻¹⁶ / ε`, is a billion times smaller.
+fn is_local<const D: usize>(g: &impl KnownDistance<D>, x: SVector<f64, D>, v: SVector<f64, D>) {
+    let speed2 = g.norm_squared(&x, &v);
+    let error = |octave: i32| {
+        let eps = 0.5_f64.powi(octave);
+        ((distance(g, &x, &(x + v * eps)) / eps).powi(2) - speed2).abs()
+    };
+    assert!(error(12) < 1e-2 * speed2, "{} of {speed2}", error(12));
+    let slope = (error(6) / error(12)).log2() / 6.0;
+    assert!((slope - 1.0).abs() < 0.05, "{slope}");
+}
+
+#[test]
+fn near_points_are_as_far_as_the_metric_says() {
+    is_local(&Ramp::new(-0.6, 1.3).expect("|a| < 1"), vector![0.4], vector![0.9]);
+    let shear = Shear::new(0.5, 1.7).expect("k > 0");
+    is_local(&shear, vector![0.4, 0.8], vector![0.6, -0.7]);
+    let separable = Separable::new(vector![0.5, -0.8, 0.1], vector![1.0, 2.0, 0.7]);
+    is_local(&separable.expect("|a| < 1"), vector![0.4, 0.8, -0.3], vector![0.6, -0.7, 0.2]);
+    is_local(&Lens::new(2.0, 0.7).expect("positive"), vector![0.3, 0.4], vector![0.6, 0.8]);
+    is_local(&Bump::new(4.0, 0.5).expect("positive"), vector![0.3, 0.4], vector![0.6, 0.8]);
+    is_local(&Hill::new(1.5, 0.8).expect("positive"), vector![0.3, 0.4], vector![0.6, 0.8]);
+    is_local(&Hyperbolic, vector![0.3, 0.4, 0.2], vector![0.6, -0.7, 0.2]);
+    is_local(&Sphere, vector![0.3, 0.4, 0.2], vector![0.6, -0.7, 0.2]);
+    is_local(&Valleys, vector![0.3, 0.4], vector![0.6, 0.7]);
+}
+
+/// `JᵀJ = H` for the Jacobian `J` of `flatten`.
+#[test]
+fn shear_and_separable_are_pullbacks() {
+    fn pullback<const D: usize>(flat: SVector<Jet1<f64, D>, D>) -> SMatrix<f64, D, D> {
+        let jacobian = SMatrix::<f64, D, D>::from_fn(|i, j| flat[i].first(j));
+        jacobian.transpose() * jacobian
+    }
+    fn jets<const D: usize>(x: SVector<f64, D>) -> SVector<Jet1<f64, D>, D> {
+        SVector::from(Jet1::variables(&x.into()))
+    }
+    run(43, (-2.0..2.0_f64, 0.2..3.0_f64, triple::<2>(4.0)), |(a, k, [x, ..])| {
+        let g = Shear::new(a, k).expect("k > 0");
+        // Entries up to 1 + S² = 37: some ulp of that.
+        prop_assert!((pullback(g.flatten(&jets(x))) - g.gram(&x)).amax() < 1e-13);
+        prop_assert!((g.unflatten(&g.flatten(&x)) - x).amax() < 1e-14);
+        prop_assert_eq!(g.flatten(&x)[1], x[1]);
+        Ok(())
+    });
+    let parameters = (uniform::<_, 3>(-0.95..0.95_f64), uniform::<_, 3>(0.2..3.0_f64));
+    run(44, (parameters, triple(4.0)), |((a, k), [x, ..])| {
+        let g = Separable::new(a.into(), k.into()).expect("|a| < 1");
+        prop_assert!((pullback(g.flatten(&jets(x))) - g.gram(&x)).amax() < 1e-14);
+        prop_assert_eq!(g.flatten(&vector![0.0, 0.0, 0.0]), vector![0.0, 0.0, 0.0]);
+        Ok(())
+    });
+}
+
+/// Close points of the hyperbolic ball keep their digits: `d / |x − y| → 2 / (1 − |x|²)`.
+#[test]
+fn hyperbolic_does_not_cancel() {
+    let (x, y) = (vector![0.5, 0.0], vector![0.5, 2_f64.powi(-40)]);
+    let d = distance(&Hyperbolic, &x, &y) * 2_f64.powi(40);
+    assert_relative_eq!(d, 2.0 / 0.75, max_relative = 1e-15);
+}
+
+/// Outside the ball `(1 − |x|²)²` is positive again: that must not pass for a metric.
+#[test]
+fn hyperbolic_is_nothing_outside_the_ball() {
+    let outside = vector![1.0, 0.5];
+    assert!(check_gram(&Hyperbolic, &outside).is_err());
+    let h = Hyperbolic.gram(&SVector::from(Jet1::<f64, 2>::variables(&outside.into())))[(0, 0)];
+    assert!(h.value().is_nan() && h.first(0).is_nan());
+    assert!(check_gram(&Hyperbolic, &vector![0.6, 0.8]).is_err());
+    for inside in [vector![0.0, 0.0], vector![0.3, 0.2]] {
+        assert_eq!(Hyperbolic.distance(&inside, &outside), None);
+        assert_eq!(Hyperbolic.distance(&outside, &inside), None);
+        assert_eq!(Hyperbolic.distance(&inside, &vector![f64::NAN, 0.0]), None);
+        let h = check_gram(&Hyperbolic, &inside).expect("inside the ball");
+        let exact = 4.0 / (1.0 - inside.norm_squared()).powi(2);
+        assert_relative_eq!(h[(1, 1)], exact, max_relative = 1e-15);
+    }
+}

@@ -1,0 +1,178 @@
+//! The constants hold at random points, for random parameters, and for near pairs.
+
+use nalgebra::{SMatrix, SVector, vector};
+use proptest::{array::uniform, prelude::*};
+use tautline_metrics::{
+    Bounded,
+    gallery::{
+        Bump, Constant, CoupledCosines, Hill, Lens, Obstacle, Ramp, RotatingAnisotropy, Separable,
+        Shear, SineProjection, SineProjections, SoftObstacles, TwoLinkArm, Valleys,
+    },
+};
+
+use crate::measure::{extremes, first, norm, runner, second};
+
+/// Points of `[−1, 1]^D`.
+fn cube<const D: usize>() -> impl Strategy<Value = SVector<f64, D>> {
+    uniform(-1.0..1.0_f64).prop_map(SVector::from)
+}
+
+/// Checks every constant of `build(parameters)` in the box of the half-width that it returns.
+fn hold<const D: usize, P: std::fmt::Debug, M: Bounded<D>>(
+    seed: u64,
+    parameters: impl Strategy<Value = P>,
+    build: impl Fn(P) -> (M, f64),
+) {
+    let cases = (parameters, cube::<D>(), cube::<D>(), cube::<D>(), 0..7_i32);
+    let outcome = runner(seed).run(&cases, |(parameters, x, y, w, decades)| {
+        let (g, reach) = build(parameters);
+        let (x, y) = (x * reach, y * reach);
+        hold_at(&g, &x, &w)?;
+        lipschitz(&g, &x, &y)?;
+        lipschitz(&g, &x, &(x + w * reach * 0.1_f64.powi(decades)))
+    });
+    if let Err(error) = outcome {
+        panic!("{error}");
+    }
+}
+
+fn hold_at<const D: usize>(
+    g: &impl Bounded<D>,
+    x: &SVector<f64, D>,
+    w: &SVector<f64, D>,
+) -> Result<(), TestCaseError> {
+    let constants = g.constants();
+    let h = g.gram(x);
+    prop_assert_eq!(h, h.transpose());
+    let (low, high) = extremes(&h);
+    // An entry has some ten roundings of terms of size c₂, an eigenvalue D times as many.
+    let slack = 1e-14 * constants.c2() * D as f64;
+    prop_assert!(constants.c1() <= low + slack, "c1 {} > {low}", constants.c1());
+    prop_assert!(high <= constants.c2() + slack, "c2 {} < {high}", constants.c2());
+    // The terms of the derivatives that a formula adds up are of the size of the constants.
+    let slope = norm(&first(g, x, w));
+    let bound = constants.l_h() * w.norm();
+    prop_assert!(slope <= bound * (1.0 + 1e-12), "L_H |w| {bound} < {slope}");
+    let curvature = norm(&second(g, x, w));
+    let bound = constants.m_h().expect("every metric here has one") * w.norm_squared();
+    prop_assert!(curvature <= bound * (1.0 + 1e-12), "M_H |w|^2 {bound} < {curvature}");
+    Ok(())
+}
+
+fn lipschitz<const D: usize>(
+    g: &impl Bounded<D>,
+    x: &SVector<f64, D>,
+    y: &SVector<f64, D>,
+) -> Result<(), TestCaseError> {
+    let constants = g.constants();
+    let difference = norm(&(g.gram(x) - g.gram::<f64>(y)));
+    let bound = constants.l_h() * (x - y).norm();
+    // As above: the roundings of H(x) and H(y).
+    let slack = 2e-14 * constants.c2() * D as f64;
+    prop_assert!(difference <= bound + slack, "L_H |x - y| {bound} < {difference}");
+    Ok(())
+}
+
+/// Relative amplitudes with `|a| < 1`, and wave numbers.
+fn wave() -> impl Strategy<Value = (f64, f64)> {
+    (-0.95..0.95_f64, 0.2..4.0_f64)
+}
+
+/// Heights and widths, of either scale.
+fn profile() -> impl Strategy<Value = (f64, f64)> {
+    (0.05..5.0_f64, 0.1..3.0_f64)
+}
+
+#[test]
+fn constants_of_constant_hold() {
+    hold::<3, _, _>(1, (uniform::<_, 9>(-1.0..1.0_f64), 0.01..1.0_f64), |(entries, shift)| {
+        let b = SMatrix::<f64, 3, 3>::from_column_slice(&entries);
+        let a = b * b.transpose() + SMatrix::identity() * shift;
+        (Constant::new(a).expect("positive definite"), 1.0)
+    });
+}
+
+#[test]
+fn constants_of_valleys_hold() {
+    hold::<1, _, _>(2, Just(()), |()| (Valleys, 7.0));
+    hold::<3, _, _>(3, Just(()), |()| (Valleys, 7.0));
+}
+
+#[test]
+fn constants_of_ramp_hold() {
+    hold(4, wave(), |(a, k)| (Ramp::new(a, k).expect("|a| < 1"), 3.0 / k));
+}
+
+#[test]
+fn constants_of_shear_hold() {
+    hold(5, (-3.0..3.0_f64, 0.2..4.0_f64), |(a, k)| (Shear::new(a, k).expect("k > 0"), 4.0));
+}
+
+#[test]
+fn constants_of_separable_hold() {
+    hold(6, uniform::<_, 3>(wave()), |waves| {
+        let a = vector![waves[0].0, waves[1].0, waves[2].0];
+        let k = vector![waves[0].1, waves[1].1, waves[2].1];
+        (Separable::new(a, k).expect("|a| < 1"), 4.0)
+    });
+}
+
+#[test]
+fn constants_of_hill_hold() {
+    let hill = |(h, s): (f64, f64)| (Hill::new(-h, s).expect("s > 0"), 3.0 * s);
+    hold::<1, _, _>(7, profile(), hill);
+    hold::<2, _, _>(8, profile(), hill);
+    hold::<4, _, _>(9, profile(), hill);
+}
+
+#[test]
+fn constants_of_lens_hold() {
+    let lens = |(a, s): (f64, f64)| (Lens::new(a, s).expect("s > 0"), 3.0 * s);
+    hold::<1, _, _>(10, profile(), lens);
+    hold::<3, _, _>(11, profile(), lens);
+}
+
+#[test]
+fn constants_of_bump_hold() {
+    let bump = |(a, s): (f64, f64)| (Bump::new(a, s).expect("s > 0"), 3.0 * s);
+    hold::<2, _, _>(12, profile(), bump);
+    hold::<3, _, _>(13, profile(), bump);
+}
+
+#[test]
+fn constants_of_soft_obstacles_hold() {
+    hold::<2, _, _>(14, uniform::<_, 3>((cube(), profile())), |obstacles| {
+        let obstacles =
+            obstacles.map(|(centre, (height, width))| Obstacle { centre, height, width });
+        (SoftObstacles::new(obstacles.to_vec()).expect("s > 0"), 4.0)
+    });
+}
+
+#[test]
+fn constants_of_rotating_anisotropy_hold() {
+    hold(15, (uniform(0.1..5.0_f64), cube()), |(eigenvalues, k)| {
+        (RotatingAnisotropy::new(eigenvalues, k * 3.0).expect("positive"), 3.0)
+    });
+}
+
+#[test]
+fn constants_of_two_link_arm_hold() {
+    // C = 1 and A = 1 + B² + excess.
+    hold(16, (-2.0..2.0_f64, 0.01..2.0_f64), |(b, excess)| {
+        (TwoLinkArm::new(1.0 + b * b + excess, b, 1.0).expect("definite"), 4.0)
+    });
+}
+
+#[test]
+fn constants_of_coupled_cosines_hold() {
+    hold(17, Just(()), |()| (CoupledCosines, 3.2));
+}
+
+#[test]
+fn constants_of_sine_projections_hold() {
+    hold::<3, _, _>(18, uniform::<_, 4>((cube(), cube())), |terms| {
+        let terms = terms.map(|(wave_vector, direction)| SineProjection { wave_vector, direction });
+        (SineProjections::new(terms.to_vec()).expect("finite"), 4.0)
+    });
+    hold(19, Just(()), |()| (SineProjections::benchmark(), 3.0));
+}

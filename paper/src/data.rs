@@ -1,0 +1,210 @@
+//! `Data`: the numbers behind a figure or table, as they are printed.
+
+use crate::Failure;
+
+/// How a column is compared with what is committed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Tolerance {
+    /// To the letter.
+    Exact,
+    /// `|a − b| ≤ relative · |b| + absolute`: what differs between machines is the last bits
+    /// of elementary functions and what the formulas make of them.
+    Close {
+        /// Relative part.
+        relative: f64,
+        /// Absolute part, in the unit of the column.
+        absolute: f64,
+    },
+    /// Nothing but rounding: both at most this.
+    AtMost(f64),
+}
+
+/// A column: its name and its tolerance.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    name: &'static str,
+    tolerance: Tolerance,
+}
+
+/// A table of cells as they are printed, under a comment that says what they are.
+///
+/// Figures are drawn, and tables set, from the printed cells: a picture shows what its data
+/// file says, and bits that are not printed cannot move it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Data {
+    columns: Vec<Column>,
+    rows: Vec<Vec<String>>,
+}
+
+impl Data {
+    /// Begins an empty table.
+    #[must_use]
+    pub fn new(columns: &[(&'static str, Tolerance)]) -> Data {
+        let columns = columns.iter().map(|&(name, tolerance)| Column { name, tolerance }).collect();
+        Data { columns, rows: Vec::new() }
+    }
+
+    /// Adds a row.
+    ///
+    /// # Panics
+    ///
+    /// If it has not one cell for each column.
+    pub fn push(&mut self, row: Vec<String>) {
+        assert_eq!(row.len(), self.columns.len(), "one cell for each column");
+        self.rows.push(row);
+    }
+
+    /// Returns the rows.
+    pub fn rows(&self) -> impl Iterator<Item = Row<'_>> {
+        self.rows.iter().map(|cells| Row { columns: &self.columns, cells })
+    }
+
+    /// Returns the file, under a comment of one line for each line of `comment`.
+    ///
+    /// # Errors
+    ///
+    /// If the writer fails, which it does not in memory.
+    pub fn to_csv(&self, comment: &str) -> Result<Vec<u8>, Failure> {
+        let mut bytes = Vec::new();
+        for line in comment.lines() {
+            bytes.extend_from_slice(format!("# {line}\n").as_bytes());
+        }
+        let mut writer = csv::Writer::from_writer(bytes);
+        let unwritten = |error: csv::Error| Failure::Data(error.to_string());
+        writer.write_record(self.columns.iter().map(|column| column.name)).map_err(unwritten)?;
+        for row in &self.rows {
+            writer.write_record(row).map_err(unwritten)?;
+        }
+        writer.into_inner().map_err(|error| Failure::Data(error.to_string()))
+    }
+
+    /// Reads a file back, with the columns of `self`.
+    ///
+    /// # Errors
+    ///
+    /// If the columns are others, or the file is none.
+    pub fn read(&self, bytes: &[u8]) -> Result<Data, Failure> {
+        let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(bytes);
+        let unread = |error: csv::Error| Failure::Data(error.to_string());
+        let header = reader.headers().map_err(unread)?;
+        if !header.iter().eq(self.columns.iter().map(|column| column.name)) {
+            return Err(Failure::Differs(format!("the columns are {header:?}")));
+        }
+        let rows = reader
+            .records()
+            .map(|record| Ok(record.map_err(unread)?.iter().map(str::to_owned).collect()))
+            .collect::<Result<_, Failure>>()?;
+        Ok(Data { columns: self.columns.clone(), rows })
+    }
+
+    /// Compares with what is committed.
+    ///
+    /// # Errors
+    ///
+    /// The first cell that differs by more than its tolerance.
+    pub fn compare(&self, committed: &Data) -> Result<(), Failure> {
+        if self.rows.len() != committed.rows.len() {
+            let (ours, theirs) = (self.rows.len(), committed.rows.len());
+            return Err(Failure::Differs(format!("{ours} rows, committed are {theirs}")));
+        }
+        for (k, (row, other)) in self.rows.iter().zip(&committed.rows).enumerate() {
+            for ((cell, old), column) in row.iter().zip(other).zip(&self.columns) {
+                if !agree(cell, old, column.tolerance) {
+                    return Err(Failure::Differs(format!(
+                        "row {}, column {}: computed {cell}, committed {old}",
+                        k + 1,
+                        column.name
+                    )));
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+fn agree(cell: &str, old: &str, tolerance: Tolerance) -> bool {
+    if cell == old && !matches!(tolerance, Tolerance::AtMost(_)) {
+        return true;
+    }
+    let (Ok(a), Ok(b)) = (cell.parse::<f64>(), old.parse::<f64>()) else {
+        return cell == old;
+    };
+    match tolerance {
+        Tolerance::Exact => false,
+        Tolerance::Close { relative, absolute } => (a - b).abs() <= relative * b.abs() + absolute,
+        Tolerance::AtMost(limit) => a <= limit && b <= limit,
+    }
+}
+
+/// One row.
+#[derive(Clone, Copy, Debug)]
+pub struct Row<'a> {
+    columns: &'a [Column],
+    cells: &'a [String],
+}
+
+impl<'a> Row<'a> {
+    /// Returns the cell as it is printed.
+    ///
+    /// # Panics
+    ///
+    /// If there is no such column.
+    #[must_use]
+    pub fn text(&self, column: &str) -> &'a str {
+        let index = self.columns.iter().position(|c| c.name == column);
+        &self.cells[index.unwrap_or_else(|| panic!("no column {column}"))]
+    }
+
+    /// Returns the number in the cell; NaN for an empty one.
+    ///
+    /// # Panics
+    ///
+    /// If there is no such column.
+    #[must_use]
+    pub fn number(&self, column: &str) -> f64 {
+        self.text(column).parse().unwrap_or(f64::NAN)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Data, Tolerance};
+
+    const CLOSE: Tolerance = Tolerance::Close { relative: 1e-9, absolute: 0.0 };
+
+    fn data(n: &str, value: &str, noise: &str) -> Data {
+        let mut data = Data::new(&[
+            ("n", Tolerance::Exact),
+            ("value", CLOSE),
+            ("noise", Tolerance::AtMost(1e-6)),
+        ]);
+        data.push([n, value, noise].map(str::to_owned).to_vec());
+        data
+    }
+
+    #[test]
+    fn a_file_is_read_back_as_it_was() {
+        let written = data("4", "1.5", "1e-12");
+        let bytes = written.to_csv("two\nlines").expect("in memory");
+        assert!(bytes.starts_with(b"# two\n# lines\nn,value,noise\n"));
+        assert_eq!(written.read(&bytes).expect("our own"), written);
+    }
+
+    #[test]
+    fn each_tolerance_accepts_and_refuses() {
+        let reference = data("4", "1.5", "1e-12");
+        assert!(data("4", "1.5000000001", "9e-7").compare(&reference).is_ok());
+        assert!(data("5", "1.5", "1e-12").compare(&reference).is_err());
+        assert!(data("4", "1.50001", "1e-12").compare(&reference).is_err());
+        assert!(data("4", "NaN", "1e-12").compare(&reference).is_err());
+        assert!(data("4", "", "1e-12").compare(&reference).is_err());
+        assert!(data("4", "1.5", "2e-6").compare(&reference).is_err());
+        assert!(data("4", "1.5", "NaN").compare(&reference).is_err());
+    }
+
+    #[test]
+    fn other_columns_are_refused() {
+        let bytes = b"n,other\n1,2\n";
+        assert!(data("4", "1.5", "0").read(bytes).is_err());
+    }
+}

@@ -1,0 +1,192 @@
+//! An axis: its scale, its range, perhaps a break, and its label.
+
+use super::{error::DrawingError, stretch::Stretch};
+
+/// How values are laid out along an axis, and where its ticks lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scale {
+    /// Linear, ticks at round numbers.
+    Linear,
+    /// Linear, ticks at multiples of π.
+    MultiplesOfPi,
+    /// Logarithmic, ticks at powers of ten.
+    Decades,
+    /// Logarithmic, ticks at powers of two.
+    Octaves,
+}
+
+/// One axis of a panel.
+///
+/// Invariant: one stretch, or two with a gap between them; each is finite and increasing, and
+/// positive on a logarithmic scale.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    stretches: Vec<Stretch>,
+    label: String,
+    numbered: bool,
+}
+
+impl Scale {
+    /// Returns whether equal ratios have equal lengths.
+    #[must_use]
+    pub fn is_logarithmic(self) -> bool {
+        matches!(self, Scale::Decades | Scale::Octaves)
+    }
+}
+
+impl Axis {
+    /// Returns an axis from `from` to `to`.
+    ///
+    /// # Errors
+    ///
+    /// If the range is not finite and increasing, or not positive where it must be.
+    pub fn new(scale: Scale, from: f64, to: f64) -> Result<Axis, DrawingError> {
+        let stretches = vec![Stretch::new(scale, from, to)?];
+        Ok(Axis { stretches, label: String::new(), numbered: true })
+    }
+
+    /// Returns a logarithmic axis of whole decades around all positive values.
+    ///
+    /// If somewhere more than `break_over` decades hold no value, the widest such gap is left
+    /// out; `f64::INFINITY` never breaks. Zero and negative values have no place and are skipped.
+    ///
+    /// # Errors
+    ///
+    /// If no value is positive and finite.
+    pub fn decades_covering(
+        values: impl IntoIterator<Item = f64>,
+        break_over: f64,
+    ) -> Result<Axis, DrawingError> {
+        let mut exponents: Vec<f64> =
+            values.into_iter().map(f64::log10).filter(|e| e.is_finite()).collect();
+        exponents.sort_by(f64::total_cmp);
+        let (Some(low), Some(high)) = (exponents.first(), exponents.last()) else {
+            let want = "no positive value was given";
+            return Err(DrawingError::BadRange { from: f64::NAN, to: f64::NAN, want });
+        };
+        // A billionth of a decade: log10 of a power of ten may miss the whole number.
+        let floor = |e: f64| (e + 1e-9).floor();
+        let ceil = |e: f64| (e - 1e-9).ceil();
+        let (from, to) = (floor(*low), ceil(*high).max(floor(*low) + 1.0));
+        let axis = Axis::new(Scale::Decades, power(from), power(to))?;
+        let widest = exponents.windows(2).max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));
+        match widest {
+            Some(gap) if gap[1] - gap[0] > break_over => {
+                // A stretch needs some length even if all its values are one power of ten.
+                let below = ceil(gap[0]).max(from + 1.0);
+                let above = floor(gap[1]).min(to - 1.0);
+                axis.broken(power(below), power(above))
+            }
+            _ => Ok(axis),
+        }
+    }
+
+    /// Leaves out what lies between `below` and `above`.
+    ///
+    /// Both stretches keep one scale, so that slopes can be compared across the break.
+    ///
+    /// # Errors
+    ///
+    /// If the two do not lie inside the range in this order.
+    pub fn broken(mut self, below: f64, above: f64) -> Result<Axis, DrawingError> {
+        let (scale, from, to) = (self.scale(), self.from(), self.to());
+        if !(below < above) {
+            let want = "a break must leave something out";
+            return Err(DrawingError::BadRange { from: below, to: above, want });
+        }
+        self.stretches = vec![Stretch::new(scale, from, below)?, Stretch::new(scale, above, to)?];
+        Ok(self)
+    }
+
+    /// Sets the label, in the syntax of [`typeset`](super::math_text::typeset).
+    #[must_use]
+    pub fn labelled(mut self, label: impl Into<String>) -> Axis {
+        self.label = label.into();
+        self
+    }
+
+    /// Leaves out the numbers, for a panel that shares them with its neighbour.
+    #[must_use]
+    pub fn unnumbered(mut self) -> Axis {
+        self.numbered = false;
+        self
+    }
+
+    /// Returns the pieces of the axis, the lowest first.
+    #[must_use]
+    pub fn stretches(&self) -> &[Stretch] {
+        &self.stretches
+    }
+
+    /// Returns the label; empty if there is none.
+    #[must_use]
+    pub fn label(&self) -> &str {
+        &self.label
+    }
+
+    /// Returns whether ticks carry numbers.
+    #[must_use]
+    pub fn is_numbered(&self) -> bool {
+        self.numbered
+    }
+
+    /// Returns the scale.
+    #[must_use]
+    pub fn scale(&self) -> Scale {
+        self.stretches[0].scale()
+    }
+
+    /// Returns the lower end.
+    #[must_use]
+    pub fn from(&self) -> f64 {
+        self.stretches[0].from()
+    }
+
+    /// Returns the upper end.
+    #[must_use]
+    pub fn to(&self) -> f64 {
+        self.stretches[self.stretches.len() - 1].to()
+    }
+}
+
+/// Ten to a whole power; `powi`, since `powf` need not hit powers of ten on every machine.
+fn power(exponent: f64) -> f64 {
+    10.0_f64.powi(exponent as i32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Axis, Scale};
+
+    #[test]
+    fn ranges_without_meaning_are_refused() {
+        for (scale, from, to) in [
+            (Scale::Linear, 1.0, 1.0),
+            (Scale::Linear, 2.0, 1.0),
+            (Scale::Linear, f64::NAN, 1.0),
+            (Scale::Linear, 0.0, f64::INFINITY),
+            (Scale::Decades, 0.0, 1.0),
+            (Scale::Octaves, -1.0, 1.0),
+        ] {
+            assert!(Axis::new(scale, from, to).is_err(), "{scale:?} {from} {to}");
+        }
+        assert!(Axis::decades_covering([0.0, -1.0], 6.0).is_err());
+        let axis = Axis::new(Scale::Decades, 1.0, 1e6).expect("a range");
+        assert!(axis.clone().broken(1e4, 1e2).is_err() && axis.broken(1e2, 1e4).is_ok());
+    }
+
+    #[test]
+    fn whole_decades_cover_the_values() {
+        let axis = Axis::decades_covering([3e-5, 0.0, 2.0], f64::INFINITY).expect("positive");
+        assert_eq!((axis.from(), axis.to()), (1e-5, 10.0));
+        assert_eq!(axis.stretches().len(), 1);
+    }
+
+    #[test]
+    fn a_wide_gap_breaks_the_axis() {
+        let values = [2e-8, 3e-3, 4e12, 5e14];
+        let axis = Axis::decades_covering(values, 6.0).expect("positive");
+        let ends: Vec<_> = axis.stretches().iter().map(|s| (s.from(), s.to())).collect();
+        assert_eq!(ends, [(1e-8, 1e-2), (1e12, 1e15)]);
+    }
+}

@@ -1,0 +1,94 @@
+//! What can be wrong with a figure.
+
+/// A figure that cannot be drawn as asked.
+///
+/// Each variant names the thing and carries the offending value, so that the message alone
+/// tells which label, range or number to change.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum DrawingError {
+    /// The embedded font has no outline for a character; a blank would go unnoticed.
+    #[error("the figure font has no glyph for {character:?} (U+{:04X}), wanted by {label:?}", u32::from(*character))]
+    UnknownGlyph {
+        /// The character without a glyph.
+        character: char,
+        /// The label that asked for it.
+        label: String,
+    },
+    /// A label does not follow the syntax of [`typeset`](super::math_text::typeset).
+    #[error("the label {label:?} is malformed: {problem}")]
+    MalformedLabel {
+        /// The label as it was given.
+        label: String,
+        /// What is wrong with it.
+        problem: &'static str,
+    },
+    /// An axis needs a finite, increasing range; a logarithmic one also a positive range.
+    #[error("an axis cannot run from {from} to {to}: {want}")]
+    BadRange {
+        /// Lower end, as given.
+        from: f64,
+        /// Upper end, as given.
+        to: f64,
+        /// The clause that failed.
+        want: &'static str,
+    },
+    /// A heat-map met a value that has no colour.
+    #[error("the field is {value} at ({x}, {y}); a heat-map needs finite values")]
+    NotFinite {
+        /// First coordinate of the sample.
+        x: f64,
+        /// Second coordinate of the sample.
+        y: f64,
+        /// The value found there.
+        value: f64,
+    },
+    /// A heat-map needs at least two increasing, finite levels.
+    #[error("a heat-map needs at least two increasing finite levels, got {levels:?}")]
+    BadLevels {
+        /// The levels as given.
+        levels: Vec<f64>,
+    },
+    /// The labels leave no room for the plots.
+    #[error("a panel would be {left:.0} px wide; widen the figure or shorten its labels")]
+    TooNarrow {
+        /// What is left for each plot, in px.
+        left: f64,
+    },
+    /// Two labels of a finished scene overlap.
+    #[error("the labels {first:?} and {second:?} overlap")]
+    Overlap {
+        /// The label drawn first.
+        first: String,
+        /// The label drawn over it.
+        second: String,
+    },
+    /// A curve runs through a label of a finished scene.
+    #[error("a curve crosses the label {label:?}")]
+    Crossed {
+        /// The label.
+        label: String,
+    },
+    /// A label of a finished scene leaves the canvas.
+    #[error("the label {label:?} is cut by the edge of the figure")]
+    Cut {
+        /// The label.
+        label: String,
+    },
+    /// A remark has its place outside its panel, where it would go unnoticed.
+    #[error("{what} at ({x}, {y}) lies outside its panel")]
+    Outside {
+        /// The remark.
+        what: String,
+        /// First coordinate.
+        x: f64,
+        /// Second coordinate.
+        y: f64,
+    },
+    /// A figure without panels has no picture.
+    #[error("a figure needs at least one panel, and equally many in each row")]
+    NoPanels,
+    /// A library that draws or encodes refused; its own words follow.
+    #[error("drawing failed: {0}")]
+    Backend(String),
+}

@@ -1,0 +1,146 @@
+//! An unbroken piece of an axis, as a coordinate of plotters.
+
+use std::ops::Range;
+
+use plotters::coord::combinators::{IntoLogRange, LogCoord};
+use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged};
+use plotters::coord::types::RangedCoordf64;
+
+use super::{axis::Scale, backend::UNITS, error::DrawingError, tick::candidates};
+
+/// A range on a scale; the map to px is that of plotters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stretch {
+    scale: Scale,
+    from: f64,
+    to: f64,
+}
+
+impl Stretch {
+    /// Checks the clauses of a range and reports the first that fails.
+    pub(super) fn new(scale: Scale, from: f64, to: f64) -> Result<Stretch, DrawingError> {
+        let bad = |want| DrawingError::BadRange { from, to, want };
+        if !(from.is_finite() && to.is_finite()) {
+            return Err(bad("both ends must be finite"));
+        }
+        if !(from < to) {
+            return Err(bad("the first end must be the smaller one"));
+        }
+        if scale.is_logarithmic() && !(from > 0.0) {
+            return Err(bad("a logarithmic scale needs positive ends"));
+        }
+        Ok(Stretch { scale, from, to })
+    }
+
+    /// Returns the scale.
+    #[must_use]
+    pub fn scale(&self) -> Scale {
+        self.scale
+    }
+
+    /// Returns the lower end.
+    #[must_use]
+    pub fn from(&self) -> f64 {
+        self.from
+    }
+
+    /// Returns the upper end.
+    #[must_use]
+    pub fn to(&self) -> f64 {
+        self.to
+    }
+
+    /// Returns the length on the scale: a difference, or a number of decades.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        if self.scale.is_logarithmic() {
+            (self.to / self.from).log10()
+        } else {
+            self.to - self.from
+        }
+    }
+
+    /// Returns whether a value lies on it; the ends do, also after rounding.
+    #[must_use]
+    pub fn holds(&self, value: f64) -> bool {
+        let slack = 1e-9 * (self.to - self.from);
+        let low =
+            if self.scale.is_logarithmic() { self.from * (1.0 - 1e-9) } else { self.from - slack };
+        low <= value && value <= self.to + slack
+    }
+
+    /// Returns whether a value has a place on the scale, inside the range or not.
+    #[must_use]
+    pub fn can_place(&self, value: f64) -> bool {
+        value.is_finite() && (value > 0.0 || !self.scale.is_logarithmic())
+    }
+
+    /// Returns the place of a value, in px, if the range covers `start` to `end`.
+    #[must_use]
+    pub fn place(&self, value: f64, (start, end): (f64, f64)) -> f64 {
+        f64::from(self.map(&value, (units(start), units(end)))) / UNITS
+    }
+}
+
+/// Returns px in the canvas units of plotters.
+pub(super) fn units(px: f64) -> i32 {
+    (px * UNITS).round() as i32
+}
+
+impl Ranged for Stretch {
+    type FormatOption = NoDefaultFormatting;
+    type ValueType = f64;
+
+    fn map(&self, value: &f64, limit: (i32, i32)) -> i32 {
+        let place = if self.scale.is_logarithmic() {
+            LogCoord::from((self.from..self.to).log_scale()).map(value, limit)
+        } else {
+            RangedCoordf64::from(self.from..self.to).map(value, limit)
+        };
+        // Ten thousand px outside: plotters adds to places, which must not overflow.
+        place.clamp(-1_000_000, 1_000_000)
+    }
+
+    fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
+        let sets = candidates(self);
+        let labelled = |set: &Vec<(f64, Option<String>)>| -> Vec<f64> {
+            set.iter().filter(|(_, label)| label.is_some()).map(|(value, _)| *value).collect()
+        };
+        sets.iter().map(labelled).find(|set| set.len() <= hint.max_num_points()).unwrap_or_default()
+    }
+
+    fn range(&self) -> Range<f64> {
+        self.from..self.to
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Ranged, Scale, Stretch};
+
+    #[test]
+    fn decades_have_equal_lengths() {
+        let stretch = Stretch::new(Scale::Decades, 1e-2, 1e2).expect("a range");
+        for (k, value) in [1e-2, 1e-1, 1.0, 10.0, 100.0].into_iter().enumerate() {
+            let place = stretch.place(value, (0.0, 400.0));
+            assert!((place - 100.0 * k as f64).abs() <= 0.02, "{value} at {place}");
+        }
+        // A vertical axis runs from the bottom, with the larger y, to the top.
+        assert!((stretch.place(10.0, (400.0, 0.0)) - 100.0).abs() <= 0.02);
+        assert_eq!(stretch.length(), 4.0);
+    }
+
+    #[test]
+    fn values_far_outside_do_not_overflow() {
+        let stretch = Stretch::new(Scale::Linear, 0.0, 1e-300).expect("a range");
+        assert_eq!(stretch.map(&1e300, (0, 1000)), 1000);
+        assert_eq!(stretch.map(&1.0, (0, 1000)), 1_000_000);
+    }
+
+    #[test]
+    fn key_points_respect_the_hint() {
+        let stretch = Stretch::new(Scale::Decades, 1e-12, 1e2).expect("a range");
+        let points = stretch.key_points(6);
+        assert!(!points.is_empty() && points.len() <= 6, "{points:?}");
+    }
+}

@@ -1,0 +1,72 @@
+//! `Failure`: why a figure or table could not be made, or was refused.
+
+use std::path::PathBuf;
+
+use tautline::{
+    Curvature, SequenceError, SetError, SolveError, Stop, bounds::BoundError, gallery::GalleryError,
+};
+
+use crate::drawing::DrawingError;
+
+/// What went wrong.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Failure {
+    /// The arguments of the command.
+    #[error("{0}")]
+    Usage(String),
+    /// A set.
+    #[error(transparent)]
+    Set(#[from] SetError),
+    /// A metric.
+    #[error(transparent)]
+    Gallery(#[from] GalleryError),
+    /// A point sequence.
+    #[error(transparent)]
+    Sequence(#[from] SequenceError),
+    /// A problem that the solver refuses.
+    #[error(transparent)]
+    Solve(#[from] SolveError),
+    /// A bound.
+    #[error(transparent)]
+    Bound(#[from] BoundError),
+    /// A drawing.
+    #[error(transparent)]
+    Drawing(#[from] DrawingError),
+    /// A result that is no local minimum.
+    #[error(
+        "{case}, {rule}, N = {n}: the search ended with {stop:?} and a Hessian that is {curvature:?}"
+    )]
+    NotConverged {
+        /// The name of the case.
+        case: &'static str,
+        /// The name of the rule.
+        rule: &'static str,
+        /// The number of subintervals.
+        n: usize,
+        /// How the solver stopped.
+        stop: Stop,
+        /// The signature of the Hessian.
+        curvature: Curvature,
+    },
+    /// A case without a reference value.
+    #[error("{0}: the distance is not known")]
+    NoReference(&'static str),
+    /// An inequality or an order that the observations violate.
+    #[error("{0}")]
+    Violated(String),
+    /// A file.
+    #[error("{}: {source}", path.display())]
+    File {
+        /// Which.
+        path: PathBuf,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// A data file that cannot be read back.
+    #[error("{0}")]
+    Data(String),
+    /// What is committed differs from what was computed.
+    #[error("{0}")]
+    Differs(String),
+}

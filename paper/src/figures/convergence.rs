@@ -1,0 +1,86 @@
+//! The observed errors of both rules under the proven bounds.
+
+use super::Figure;
+use crate::{
+    Failure,
+    case::PaperRule,
+    convergence::{data, series},
+    data::Data,
+    drawing::{self, Axis, Curve, Marker, Panel, Scale, Scene, SlopeTriangle, palette},
+};
+
+pub(super) const FIGURE: Figure = Figure {
+    id: "convergence",
+    shows: "the excess energy of the reconstructed curve for both rules under the bounds C/sqrt(N) \
+            of Theorems 1.1 and 1.3, on three metrics whose distance is known exactly",
+    data,
+    draw,
+};
+
+/// One panel each: fixed points, sets, and three dimensions.
+const PANELS: [(&str, &str); 3] = [
+    ("shear_points", "(a) shear, point to point"),
+    ("valleys_ball", "(b) valleys, ball to half-plane"),
+    ("separable_points", "(c) separable, $D = 3$"),
+];
+
+fn draw(data: &Data) -> Result<Scene, Failure> {
+    let shown =
+        |row: &crate::data::Row<'_>| PANELS.iter().any(|(case, _)| *case == row.text("case"));
+    let values: Vec<f64> = data
+        .rows()
+        .filter(shown)
+        .flat_map(|row| [row.number("excess"), row.number("paper_bound")])
+        .collect();
+    let last = data.rows().map(|row| row.number("n")).fold(1.0, f64::max);
+    let mut panels = Vec::new();
+    for (k, (case, title)) in PANELS.into_iter().enumerate() {
+        let x = Axis::new(Scale::Decades, 1.0, last)?.labelled("number of subintervals $N$");
+        let mut y = Axis::decades_covering(values.iter().copied(), 4.0)?;
+        y = if k == 0 { y.labelled("excess energy $E(γ^\"pl\") - d^2$") } else { y.unnumbered() };
+        let mut panel = Panel::new(x, y).titled(title).tall(300.0);
+        for (rule, colour, marker, bound, observed) in [
+            (
+                PaperRule::LeftEndpoint,
+                palette::BLUE,
+                Marker::Ring,
+                "$C/√{N}$ of Theorem 1.3",
+                "observed, left-endpoint rule",
+            ),
+            (
+                PaperRule::Trapezoidal,
+                palette::VERMILLION,
+                Marker::Disc,
+                "$C/√{N}$ of Theorem 1.1",
+                "observed, trapezoidal rule",
+            ),
+        ] {
+            let series = series(data, case, rule);
+            let points = |column: &str| -> Vec<(f64, f64)> {
+                series.iter().map(|row| (row.number("n"), row.number(column))).collect()
+            };
+            let (proven, seen) = (points("paper_bound"), points("excess"));
+            panel = if rule == PaperRule::Trapezoidal {
+                panel.triangle(below(&seen, -2.0)?)
+            } else {
+                panel.triangle(below(&proven, -0.5)?)
+            };
+            panel = panel
+                .curve(Curve::new(proven, colour).dashed(&[6.0, 3.0]).labelled(bound))
+                .curve(Curve::new(seen, colour).marked(marker).labelled(observed));
+        }
+        panels.push(panel);
+    }
+    let title = "Excess energy of both rules under the bounds of Theorems 1.1 and 1.3";
+    Ok(drawing::Figure::new(960.0, title, vec![panels]).keyed().draw()?)
+}
+
+/// A triangle under the last third of a falling series.
+fn below(points: &[(f64, f64)], slope: f64) -> Result<SlopeTriangle, Failure> {
+    let from = points
+        .get(points.len() * 2 / 3)
+        .ok_or_else(|| Failure::Data("a series without points".to_owned()))?;
+    let (start, end) = (from.0 / 4.0, from.0);
+    // Half a decade below the series.
+    Ok(SlopeTriangle::below(slope, start, end, 0.3 * from.1 * (start / end).powf(slope)))
+}

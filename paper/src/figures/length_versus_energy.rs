@@ -1,0 +1,85 @@
+//! Minimising the discrete length fails for every `N`; minimising the energy does not.
+
+use std::f64::consts::PI;
+
+use tautline::{Ends, LeftEndpoint, Problem, Rule, Trapezoidal, gallery::Valleys};
+
+use super::Figure;
+use crate::{
+    Failure,
+    data::{Data, Tolerance},
+    drawing::{self, Axis, Curve, Marker, Panel, Scale, Scene, palette},
+    section_5::{DISTANCE, ENDS, along_the_axis, left_minimisers, trapezoidal_minimisers},
+    sweep::Sweep,
+};
+
+pub(super) const FIGURE: Figure = Figure {
+    id: "length_versus_energy",
+    shows: "the minima of the discrete lengths, 4 pi for every N, and the square roots of the \
+            minima of the discrete energies, which converge to the distance 8 pi (Section 5)",
+    data,
+    draw,
+};
+
+/// Lengths up to 25, computed to rounding.
+const LENGTH: Tolerance = Tolerance::Close { relative: 1e-11, absolute: 0.0 };
+
+fn data(sweep: Sweep) -> Result<Data, Failure> {
+    let mut data = Data::new(&[
+        ("n", Tolerance::Exact),
+        ("length_left", LENGTH),
+        ("length_trapezoidal", LENGTH),
+        ("root_energy_left", LENGTH),
+        ("root_energy_trapezoidal", LENGTH),
+        ("reconstructed_length_trapezoidal", LENGTH),
+    ]);
+    let problem = Problem::new(Valleys, Ends::points(ENDS[0], ENDS[1])?);
+    for n in sweep.powers_of_two(1024) {
+        let trapezoidal = problem.solve(Trapezoidal, n)?;
+        let left = problem.solve(LeftEndpoint, n)?;
+        let none = || Failure::Data("N = 0".to_owned());
+        let left_minimiser = along_the_axis(&left_minimisers(n).next().ok_or_else(none)?)?;
+        let minimiser = along_the_axis(&trapezoidal_minimisers(n).next().ok_or_else(none)?)?;
+        let length_left = LeftEndpoint.length(&Valleys, &left_minimiser);
+        let length_trapezoidal = Trapezoidal.length(&Valleys, &minimiser);
+        let row = [
+            length_left,
+            length_trapezoidal,
+            left.discrete_energy().sqrt(),
+            trapezoidal.discrete_energy().sqrt(),
+            trapezoidal.length().value,
+        ];
+        let cells = row.map(|value| format!("{value:.12e}"));
+        data.push(std::iter::once(n.to_string()).chain(cells).collect());
+    }
+    Ok(data)
+}
+
+fn draw(data: &Data) -> Result<Scene, Failure> {
+    let points = |column: &str| -> Vec<(f64, f64)> {
+        data.rows().map(|row| (row.number("n"), row.number(column))).collect()
+    };
+    let last = data.rows().map(|row| row.number("n")).fold(1.0, f64::max);
+    let x = Axis::new(Scale::Octaves, 1.0, last)?.labelled("number of subintervals $N$");
+    let y = Axis::new(Scale::MultiplesOfPi, 3.4 * PI, 8.6 * PI)?.labelled("length");
+    let panel = Panel::new(x, y)
+        .tall(300.0)
+        .curve(Curve::level(DISTANCE, palette::GREY).labelled("distance $d = 8π$"))
+        .curve(
+            Curve::new(points("root_energy_trapezoidal"), palette::VERMILLION)
+                .marked(Marker::Disc)
+                .labelled("$√{\"min\" E_{\"tra\",N}}$"),
+        )
+        .curve(
+            Curve::new(points("root_energy_left"), palette::BLUE)
+                .marked(Marker::Ring)
+                .labelled("$√{\"min\" E_{\"l\",N}}$"),
+        )
+        .curve(
+            Curve::new(points("length_trapezoidal"), palette::GREEN)
+                .marked(Marker::Square)
+                .labelled("$\"min\" L_{\"tra\",N} = \"min\" L_{\"l\",N}$"),
+        );
+    let title = "Minimal discrete lengths and energies of the counterexample against N";
+    Ok(drawing::Figure::new(560.0, title, vec![vec![panel]]).draw()?)
+}

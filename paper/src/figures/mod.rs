@@ -1,0 +1,24 @@
+//! The figures, one a file.
+
+mod convergence;
+mod length_versus_energy;
+mod valleys;
+
+use crate::{Failure, data::Data, drawing::Scene, sweep::Sweep};
+
+/// A figure: its data and its drawing.
+#[derive(Clone, Copy, Debug)]
+pub struct Figure {
+    /// The name of its files.
+    pub id: &'static str,
+    /// What it shows, in a sentence.
+    pub shows: &'static str,
+    /// Computes and checks the data.
+    pub data: fn(Sweep) -> Result<Data, Failure>,
+    /// Draws the data, and nothing else.
+    pub draw: fn(&Data) -> Result<Scene, Failure>,
+}
+
+/// All figures.
+pub const FIGURES: [Figure; 3] =
+    [convergence::FIGURE, valleys::FIGURE, length_versus_energy::FIGURE];

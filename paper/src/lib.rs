@@ -1,0 +1,21 @@
+//! The figures and tables of the paper, computed, checked and drawn.
+//!
+//! `cargo xtask figures` and `cargo xtask tables` run [`command::run`]. A [`figures::Figure`]
+//! is two functions, from a sweep over `N` to [`data::Data`] and from the data to a scene; a
+//! [`tables::Table`] likewise. The data carry the tolerance of each column, so that `--check`
+//! compares what was recomputed with what is committed.
+
+pub mod case;
+pub mod command;
+pub mod convergence;
+pub mod data;
+pub mod drawing;
+pub mod failure;
+pub mod figures;
+pub mod observation;
+pub mod output;
+pub mod section_5;
+pub mod sweep;
+pub mod tables;
+
+pub use failure::Failure;

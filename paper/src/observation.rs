@@ -1,0 +1,26 @@
+//! `Observation`: what is measured of one computed minimiser.
+
+use tautline::{Curvature, Integral, Stop};
+
+/// The numbers of one solve: one case, one rule, one `N`.
+#[derive(Clone, Copy, Debug)]
+pub struct Observation {
+    /// The number of subintervals.
+    pub n: usize,
+    /// The discrete energy, in `m²`.
+    pub discrete_energy: f64,
+    /// The energy `E(γᵖˡ)` of the curve, in `m²`.
+    pub energy: Integral,
+    /// The length `L(γᵖˡ)` of the curve, in `m`.
+    pub length: Integral,
+    /// The relative decrement of the last Newton step.
+    pub decrement: f64,
+    /// The relative residual of the discrete geodesic equation.
+    pub residual: f64,
+    /// The predicted rounding of the residual.
+    pub residual_floor: f64,
+    /// How the solver stopped.
+    pub stop: Stop,
+    /// The signature of the Hessian.
+    pub curvature: Curvature,
+}

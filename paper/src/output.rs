@@ -1,0 +1,77 @@
+//! Where files go, and how they get there whole.
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
+
+use crate::Failure;
+
+/// The folder that holds `data`, `figures` and `tables`.
+#[derive(Clone, Debug)]
+pub struct Output {
+    root: PathBuf,
+}
+
+impl Output {
+    /// The committed place: the folder of this package.
+    #[must_use]
+    pub fn committed() -> Output {
+        Output { root: PathBuf::from(env!("CARGO_MANIFEST_DIR")) }
+    }
+
+    /// The place of a quick run, which must not overwrite what is committed.
+    #[must_use]
+    pub fn quick() -> Output {
+        Output { root: Path::new(env!("CARGO_MANIFEST_DIR")).join("../target/quick") }
+    }
+
+    /// Any other folder.
+    #[must_use]
+    pub fn at(root: impl Into<PathBuf>) -> Output {
+        Output { root: root.into() }
+    }
+
+    /// Writes a file under a temporary name and renames it, so that an interrupted run leaves
+    /// the old one.
+    ///
+    /// # Errors
+    ///
+    /// If the system refuses.
+    pub fn write(&self, file: &str, bytes: &[u8]) -> Result<(), Failure> {
+        let path = self.root.join(file);
+        let temporary = path.with_extension(format!("{}.part", std::process::id()));
+        let attempt = || {
+            fs::create_dir_all(path.parent().unwrap_or(&self.root))?;
+            fs::write(&temporary, bytes)?;
+            fs::rename(&temporary, &path)
+        };
+        attempt().map_err(|source| {
+            // Whatever is left of it: a failure to remove it adds nothing to the one reported.
+            let _ = fs::remove_file(&temporary);
+            Failure::File { path: path.clone(), source }
+        })
+    }
+
+    /// Reads a file.
+    ///
+    /// # Errors
+    ///
+    /// If it is not there, or cannot be read.
+    pub fn read(&self, file: &str) -> Result<Vec<u8>, Failure> {
+        let path = self.root.join(file);
+        fs::read(&path).map_err(|source| Failure::File { path, source })
+    }
+
+    /// Compares a file with what was made anew.
+    ///
+    /// # Errors
+    ///
+    /// If it is not there, or differs in a byte.
+    pub fn compare(&self, file: &str, bytes: &[u8]) -> Result<(), Failure> {
+        if self.read(file)? == bytes {
+            return Ok(());
+        }
+        Err(Failure::Differs(format!("{file} is not what its data give")))
+    }
+}

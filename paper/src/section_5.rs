@@ -1,0 +1,116 @@
+//! The counterexample of Section 5: the valleys, from `(0, 0)` to `(4π, 0)`.
+//!
+//! `f = 2 − cos x₁ ≥ 1`, so every discrete length is at least `Σ |xₙ₊₁ − xₙ| ≥ 4π`, with
+//! equality if and only if the points run monotonically along `[0, 4π] × {0}` and every chord
+//! that is not zero is read where `f = 1`.
+
+use std::f64::consts::{PI, TAU};
+
+use tautline::{PointSequence, SVector, SequenceError};
+
+/// The end points of the counterexample.
+pub const ENDS: [[f64; 2]; 2] = [[0.0, 0.0], [2.0 * TAU, 0.0]];
+
+/// The distance `8π` between them: `u = 2x₁ − sin x₁` has `|∇u| = f`.
+pub const DISTANCE: f64 = 8.0 * PI;
+
+/// The minimum `4π` of both discrete lengths, for every `N`.
+pub const DISCRETE_LENGTH: f64 = 4.0 * PI;
+
+/// Returns all `N (N + 1) / 2` minimisers of the left-endpoint length: nondecreasing sequences
+/// of the valleys `0, 2π, 4π`, each given by where it leaves the first and the second.
+pub fn left_minimisers(n: usize) -> impl Iterator<Item = Vec<f64>> {
+    (1..=n).flat_map(move |leave| (leave..=n).map(move |arrive| (leave, arrive))).map(
+        move |(leave, arrive)| {
+            let valley = |k: usize| usize::from(k >= leave) + usize::from(k >= arrive);
+            (0..=n).map(|k| valley(k) as f64 * TAU).collect()
+        },
+    )
+}
+
+/// Returns all `N` minimisers of the trapezoidal length: one jump from `0` to `4π`, read in
+/// the valley at its middle.
+pub fn trapezoidal_minimisers(n: usize) -> impl Iterator<Item = Vec<f64>> {
+    (1..=n).map(move |at| (0..=n).map(|k| if k < at { 0.0 } else { 2.0 * TAU }).collect())
+}
+
+/// Returns the sequence with these `x₁`, and `x₂ = 0`.
+///
+/// # Errors
+///
+/// If there are fewer than two.
+pub fn along_the_axis(x1: &[f64]) -> Result<PointSequence<2>, SequenceError> {
+    PointSequence::new(x1.iter().map(|&x| SVector::from([x, 0.0])).collect())
+}
+
+/// Returns every sequence of `n + 1` points between the ends whose inner points lie on the
+/// grid `x₁ ∈ {−π, −π/2, 0, …, 5π}`, `x₂ ∈ {−1, 0}`.
+#[must_use]
+pub fn grid_sequences(n: usize) -> Vec<Vec<SVector<f64, 2>>> {
+    let grid: Vec<SVector<f64, 2>> = (-2..=10)
+        .flat_map(|k| [-1.0, 0.0].map(|x2| SVector::from([f64::from(k) * 0.5 * PI, x2])))
+        .collect();
+    let mut sequences = vec![vec![SVector::from(ENDS[0])]];
+    for _ in 1..n {
+        sequences = sequences
+            .iter()
+            .flat_map(|sequence| {
+                grid.iter().map(|point| {
+                    let mut longer = sequence.clone();
+                    longer.push(*point);
+                    longer
+                })
+            })
+            .collect();
+    }
+    sequences.iter_mut().for_each(|sequence| sequence.push(SVector::from(ENDS[1])));
+    sequences
+}
+
+#[cfg(test)]
+mod tests {
+    use tautline::{LeftEndpoint, PointSequence, Rule, Trapezoidal, gallery::Valleys};
+
+    use super::{
+        DISCRETE_LENGTH, along_the_axis, grid_sequences, left_minimisers, trapezoidal_minimisers,
+    };
+
+    /// Section 5: the constructed sequences have the length `4π`, and there are as many as said.
+    #[test]
+    fn section_5_minimisers_have_length_4_pi() {
+        for n in [1, 2, 3, 7, 20] {
+            assert_eq!(left_minimisers(n).count(), n * (n + 1) / 2);
+            assert_eq!(trapezoidal_minimisers(n).count(), n);
+            // At most twenty chords of length 4π: rounding below 1e-13.
+            for x1 in left_minimisers(n) {
+                let line = along_the_axis(&x1).expect("finite");
+                assert!((LeftEndpoint.length(&Valleys, &line) - DISCRETE_LENGTH).abs() < 1e-13);
+            }
+            for x1 in trapezoidal_minimisers(n) {
+                let line = along_the_axis(&x1).expect("finite");
+                assert!((Trapezoidal.length(&Valleys, &line) - DISCRETE_LENGTH).abs() < 1e-13);
+            }
+        }
+    }
+
+    /// Section 5 by brute force, on a grid that holds every place where `f = 1`, ridges and
+    /// detours: no sequence is shorter than `4π`, and as many attain it as were constructed.
+    #[test]
+    fn section_5_by_brute_force() {
+        for n in 1..=4 {
+            let (mut left, mut trapezoidal) = (0, 0);
+            for points in grid_sequences(n) {
+                let sequence = PointSequence::new(points).expect("finite");
+                for (length, count) in [
+                    (LeftEndpoint.length(&Valleys, &sequence), &mut left),
+                    (Trapezoidal.length(&Valleys, &sequence), &mut trapezoidal),
+                ] {
+                    // The next longer sequence is longer by far more than rounding.
+                    assert!(length >= DISCRETE_LENGTH - 1e-12);
+                    *count += usize::from(length < DISCRETE_LENGTH + 1e-12);
+                }
+            }
+            assert_eq!((left, trapezoidal), (n * (n + 1) / 2, n), "N = {n}");
+        }
+    }
+}

@@ -1,0 +1,17 @@
+//! `Sweep`: over which numbers of subintervals the artefacts run.
+
+/// The range of `N`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sweep {
+    /// Whether it is cut short, to look at something quickly.
+    pub quick: bool,
+}
+
+impl Sweep {
+    /// Returns `1, 2, 4, …` up to `full`, or to a sixteenth of it if quick.
+    #[must_use]
+    pub fn powers_of_two(self, full: usize) -> Vec<usize> {
+        let last = if self.quick { full / 16 } else { full };
+        std::iter::successors(Some(1), |n| Some(2 * n)).take_while(|&n| n <= last).collect()
+    }
+}

@@ -1,0 +1,141 @@
+//! The counterexample of Section 5 in numbers, for every `N`.
+
+use tautline::{Ends, LeftEndpoint, PointSequence, Problem, Rule, Trapezoidal, gallery::Valleys};
+
+use super::{Layout, Table, layout::scientific};
+use crate::{
+    Failure,
+    data::{Data, Tolerance},
+    section_5::{
+        DISCRETE_LENGTH, DISTANCE, ENDS, along_the_axis, grid_sequences, left_minimisers,
+        trapezoidal_minimisers,
+    },
+    sweep::Sweep,
+};
+
+pub(super) const TABLE: Table = Table {
+    id: "counterexample",
+    shows: "the minima of the discrete lengths, 4 pi for every N, and of the square roots of the \
+            discrete energies, which converge to 8 pi (Section 5); minimisers counted by brute \
+            force on a grid for N up to 4",
+    data,
+    layout,
+};
+
+/// Lengths up to 25, computed to rounding.
+const LENGTH: Tolerance = Tolerance::Close { relative: 1e-11, absolute: 0.0 };
+
+/// The brute force takes `26^{N−1}` sequences.
+const COUNTED: usize = 4;
+
+/// How far a length may be from `4π`: rounding of at most 1024 chords.
+const ROUNDING: f64 = 1e-12;
+
+fn data(sweep: Sweep) -> Result<Data, Failure> {
+    let mut data = Data::new(&[
+        ("n", Tolerance::Exact),
+        ("min_length_left", LENGTH),
+        ("min_length_trapezoidal", LENGTH),
+        ("minimisers_left", Tolerance::Exact),
+        ("minimisers_trapezoidal", Tolerance::Exact),
+        ("counted_left", Tolerance::Exact),
+        ("counted_trapezoidal", Tolerance::Exact),
+        ("root_min_energy_left", LENGTH),
+        ("root_min_energy_trapezoidal", LENGTH),
+        ("distance", LENGTH),
+    ]);
+    let problem = Problem::new(Valleys, Ends::points(ENDS[0], ENDS[1])?);
+    let mut grids = sweep.powers_of_two(1024);
+    grids.insert(2, 3);
+    for n in grids {
+        // A thousand of the half million of the largest N, evenly spread: they differ in where
+        // they rest, not in their chords.
+        let stride = (n * (n + 1) / 2).div_ceil(1000);
+        let lengths_left = lengths(left_minimisers(n).step_by(stride), LeftEndpoint)?;
+        let lengths_trapezoidal = lengths(trapezoidal_minimisers(n), Trapezoidal)?;
+        let (left, trapezoidal) = (checked(&lengths_left, n)?, checked(&lengths_trapezoidal, n)?);
+        let counted = |count: usize| if n <= COUNTED { count.to_string() } else { String::new() };
+        let (grid_left, grid_trapezoidal) = if n <= COUNTED { count(n)? } else { (0, 0) };
+        let length = |value: f64| format!("{value:.12e}");
+        data.push(vec![
+            n.to_string(),
+            length(left),
+            length(trapezoidal),
+            (n * (n + 1) / 2).to_string(),
+            n.to_string(),
+            counted(grid_left),
+            counted(grid_trapezoidal),
+            length(problem.solve(LeftEndpoint, n)?.discrete_energy().sqrt()),
+            length(problem.solve(Trapezoidal, n)?.discrete_energy().sqrt()),
+            length(DISTANCE),
+        ]);
+    }
+    Ok(data)
+}
+
+/// The lengths of the sequences along the axis.
+fn lengths(
+    sequences: impl Iterator<Item = Vec<f64>>,
+    rule: impl Rule,
+) -> Result<Vec<f64>, Failure> {
+    sequences.map(|x1| Ok(rule.length(&Valleys, &along_the_axis(&x1)?))).collect()
+}
+
+/// The least of the lengths, all of which must be `4π`.
+fn checked(lengths: &[f64], n: usize) -> Result<f64, Failure> {
+    let (low, high) = lengths
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &l| (low.min(l), high.max(l)));
+    if low >= DISCRETE_LENGTH - ROUNDING && high <= DISCRETE_LENGTH + ROUNDING {
+        Ok(low)
+    } else {
+        Err(Failure::Violated(format!("N = {n}: lengths from {low} to {high}, not all 4π")))
+    }
+}
+
+/// Counts the sequences of the grid whose left and trapezoidal length is `4π`.
+fn count(n: usize) -> Result<(usize, usize), Failure> {
+    let (mut left, mut trapezoidal) = (0, 0);
+    for points in grid_sequences(n) {
+        let sequence = PointSequence::new(points)?;
+        let attained = |length: f64| usize::from((length - DISCRETE_LENGTH).abs() <= ROUNDING);
+        left += attained(LeftEndpoint.length(&Valleys, &sequence));
+        trapezoidal += attained(Trapezoidal.length(&Valleys, &sequence));
+    }
+    if (left, trapezoidal) == (n * (n + 1) / 2, n) {
+        Ok((left, trapezoidal))
+    } else {
+        Err(Failure::Violated(format!("N = {n}: counted {left} and {trapezoidal} minimisers")))
+    }
+}
+
+fn layout(data: &Data) -> Result<Layout, Failure> {
+    let mut layout = Layout::new(
+        "Minimal discrete lengths and energies from (0, 0) to (4π, 0); the distance is 8π.",
+        &[
+            "$N$",
+            "$\\min L_{\\mathrm l,N}/\\pi$",
+            "$\\min L_{\\mathrm{tra},N}/\\pi$",
+            "minimisers (left)",
+            "minimisers (trap.)",
+            "$\\sqrt{\\min E_{\\mathrm l,N}}/\\pi$",
+            "$\\sqrt{\\min E_{\\mathrm{tra},N}}/\\pi$",
+            "$8-\\sqrt{\\min E_{\\mathrm{tra},N}}/\\pi$",
+        ],
+    );
+    for row in data.rows() {
+        let over_pi = |column: &str| row.number(column) / std::f64::consts::PI;
+        let plain = |column: &str| format!("${:.9}$", over_pi(column));
+        layout.push(vec![
+            row.text("n").to_owned(),
+            plain("min_length_left"),
+            plain("min_length_trapezoidal"),
+            row.text("minimisers_left").to_owned(),
+            row.text("minimisers_trapezoidal").to_owned(),
+            plain("root_min_energy_left"),
+            plain("root_min_energy_trapezoidal"),
+            scientific(over_pi("distance") - over_pi("root_min_energy_trapezoidal"), 3),
+        ]);
+    }
+    Ok(layout)
+}

@@ -1,0 +1,84 @@
+//! The three writers agree on every figure of the gallery, and give the same bytes twice.
+
+#[path = "../examples/gallery_of_drawing.rs"]
+#[allow(dead_code, reason = "its `main` is that of the example")]
+mod gallery_of_drawing;
+
+use gallery_of_drawing::figures;
+use paper::drawing::{Extent, Scene, Shape, pdf, png, svg};
+
+/// The ink of a scene that is neither white nor invisible, cut by the clips, in px.
+fn inked(scene: &Scene) -> Extent {
+    let white = |shape: &Shape| shape.fill.is_some_and(|fill| fill.colour.rgb == [255; 3]);
+    let mut all: Option<Extent> = None;
+    for shape in scene.shapes().iter().filter(|shape| !white(shape)) {
+        let Some(mut extent) = shape.path.extent() else { continue };
+        let grown = shape.stroke.as_ref().map_or(0.0, |stroke| stroke.width / 2.0);
+        if shape.stroke.as_ref().is_some_and(|stroke| stroke.paint.colour.rgb == [255; 3]) {
+            continue;
+        }
+        extent = extent.inset(-grown, -grown);
+        if let Some(clip) = shape.clip {
+            extent.left = extent.left.clamp(clip.left, clip.right);
+            extent.right = extent.right.clamp(clip.left, clip.right);
+            extent.top = extent.top.clamp(clip.top, clip.bottom);
+            extent.bottom = extent.bottom.clamp(clip.top, clip.bottom);
+        }
+        let joined = all.unwrap_or(extent);
+        all = Some(joined.with(extent.left, extent.top).with(extent.right, extent.bottom));
+    }
+    all.expect("a figure has ink")
+}
+
+#[test]
+fn labels_neither_overlap_nor_leave_the_canvas() {
+    for (name, scene) in figures().expect("drawable") {
+        assert_eq!(scene.check_labels(), Ok(()), "{name}");
+        assert_eq!(scene.check_crossings(), Ok(()), "{name}");
+        assert!(scene.canvas().contains(&inked(&scene)), "{name}: {:?}", inked(&scene));
+    }
+}
+
+#[test]
+fn two_runs_give_the_same_bytes() {
+    let (first, second) = (figures().expect("drawable"), figures().expect("drawable"));
+    for ((name, a), (_, b)) in first.iter().zip(&second) {
+        assert_eq!(svg(a), svg(b), "{name}.svg");
+        assert_eq!(pdf(a), pdf(b), "{name}.pdf");
+        assert_eq!(png(a).expect("PNG"), png(b).expect("PNG"), "{name}.png");
+    }
+}
+
+#[test]
+fn the_png_has_its_ink_where_the_scene_has_it() {
+    for (name, scene) in figures().expect("drawable") {
+        let pixmap = tiny_skia::Pixmap::decode_png(&png(&scene).expect("PNG")).expect("our PNG");
+        let scale = f64::from(pixmap.width()) / scene.width;
+        let (mut left, mut top, mut right, mut bottom) = (u32::MAX, u32::MAX, 0, 0);
+        for y in 0..pixmap.height() {
+            for x in 0..pixmap.width() {
+                if pixmap.pixel(x, y).expect("inside").green() < 250 {
+                    (left, top) = (left.min(x), top.min(y));
+                    (right, bottom) = (right.max(x + 1), bottom.max(y + 1));
+                }
+            }
+        }
+        let ink = inked(&scene);
+        let found = [left, top, right, bottom].map(|pixel| f64::from(pixel) / scale);
+        for (found, wanted) in found.into_iter().zip([ink.left, ink.top, ink.right, ink.bottom]) {
+            // One pixel is a third of a px; a fainter one at an edge may be left out.
+            assert!((found - wanted).abs() <= 0.7, "{name}: {found} for {wanted}");
+        }
+    }
+}
+
+#[test]
+fn every_label_can_be_read_from_the_svg() {
+    for (name, scene) in figures().expect("drawable") {
+        let text = String::from_utf8(svg(&scene)).expect("UTF-8");
+        let labels = scene.shapes().iter().filter(|shape| shape.label.is_some()).count();
+        assert!(labels >= 8, "{name} has only {labels}");
+        assert_eq!(text.matches("aria-label").count(), labels, "{name}");
+        assert!(!text.contains("<text"), "{name}");
+    }
+}
