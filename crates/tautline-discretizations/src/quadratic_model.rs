@@ -70,34 +70,68 @@ struct Contraction<const D: usize> {
     q: SMatrix<f64, D, D>,
 }
 
+/// From this dimension on `dᵀHd` is differentiated twice apart from the rest, as one scalar:
+/// second-order jets of all `D²` entries of `H` would cost `D⁴`, and a metric of low rank
+/// evaluates `dᵀHd` far cheaper. Below it, one evaluation for all is faster.
+const SPLIT: usize = 4;
+
 impl<const D: usize> Contraction<D> {
     #[inline]
     fn new(metric: &impl Metric<D>, y: &SVector<f64, D>, d: &SVector<f64, D>) -> Self {
-        let jets = metric.gram(&SVector::from(Jet2::variables(&(*y).into())));
-        let mut h = SMatrix::zeros();
+        let mut contraction = if D < SPLIT {
+            let jets = metric.gram(&SVector::from(Jet2::variables(&(*y).into())));
+            let mut contraction = Self::first_order(&jets, d, Jet2::value, Jet2::first);
+            for i in 0..D {
+                for j in i..D {
+                    // Entries above the diagonal stand for two.
+                    let dd = d[i] * d[j] * if i == j { 1.0 } else { 2.0 };
+                    for k in 0..D {
+                        for l in k..D {
+                            contraction.q[(k, l)] += jets[(i, j)].second(k, l) * dd;
+                        }
+                    }
+                }
+            }
+            contraction
+        } else {
+            let jets = metric.gram(&SVector::from(Jet1::variables(&(*y).into())));
+            let mut contraction = Self::first_order(&jets, d, Jet1::value, Jet1::first);
+            let square = metric.norm_squared(&SVector::from(Jet2::variables(&(*y).into())), d);
+            for k in 0..D {
+                for l in k..D {
+                    contraction.q[(k, l)] = square.second(k, l);
+                }
+            }
+            contraction
+        };
+        contraction.q.fill_lower_triangle_with_upper_triangle();
+        contraction
+    }
+
+    /// `H`, `P` and `G` from the jets of the entries `i ≤ j` of `H`.
+    #[inline]
+    fn first_order<J>(
+        jets: &SMatrix<J, D, D>,
+        d: &SVector<f64, D>,
+        value: impl Fn(&J) -> f64,
+        first: impl Fn(&J, usize) -> f64,
+    ) -> Self {
+        let mut h = SMatrix::<f64, D, D>::zeros();
         let mut p = SMatrix::<f64, D, D>::zeros();
-        let mut q = SMatrix::<f64, D, D>::zeros();
         for i in 0..D {
             for j in i..D {
                 let jet = &jets[(i, j)];
-                h[(i, j)] = jet.value();
-                h[(j, i)] = jet.value();
-                // Entries above the diagonal stand for two.
-                let dd = d[i] * d[j] * if i == j { 1.0 } else { 2.0 };
+                h[(i, j)] = value(jet);
+                h[(j, i)] = value(jet);
                 for k in 0..D {
-                    p[(i, k)] += jet.first(k) * d[j];
+                    p[(i, k)] += first(jet, k) * d[j];
                     if i != j {
-                        p[(j, k)] += jet.first(k) * d[i];
-                    }
-                    for l in k..D {
-                        q[(k, l)] += jet.second(k, l) * dd;
+                        p[(j, k)] += first(jet, k) * d[i];
                     }
                 }
             }
         }
-        q.fill_lower_triangle_with_upper_triangle();
-        let g = p.tr_mul(d);
-        Self { h, g, p, q }
+        Self { h, g: p.tr_mul(d), p, q: SMatrix::zeros() }
     }
 }
 
@@ -118,26 +152,29 @@ pub fn energy_gradient<R: Rule, const D: usize>(
         for node in R::NODES {
             let w = node.weight * factor;
             let y = x + d * node.fraction;
-            let jets = metric.gram(&SVector::from(Jet1::variables(&y.into())));
-            let mut hd = SVector::<f64, D>::zeros();
-            let mut g = SVector::<f64, D>::zeros();
-            for i in 0..D {
-                for j in i..D {
-                    let jet = &jets[(i, j)];
-                    hd[i] += jet.value() * d[j];
-                    if i != j {
-                        hd[j] += jet.value() * d[i];
-                    }
-                    let dd = d[i] * d[j] * if i == j { 1.0 } else { 2.0 };
-                    for k in 0..D {
-                        g[k] += jet.first(k) * dd;
-                    }
-                }
-            }
+            let (hd, g) = momentum(metric, &y, &d);
             energy.add(w * d.dot(&hd));
             gradient[k] += (g * (1.0 - node.fraction) - hd * 2.0) * w;
             gradient[k + 1] += (g * node.fraction + hd * 2.0) * w;
         }
     }
     (energy.value(), gradient)
+}
+
+/// `H d` and `Gₖ = dᵀ ∂ₖH d` at `y`.
+#[inline]
+fn momentum<const D: usize>(
+    metric: &impl Metric<D>,
+    y: &SVector<f64, D>,
+    d: &SVector<f64, D>,
+) -> (SVector<f64, D>, SVector<f64, D>) {
+    let variables = SVector::from(Jet1::variables(&(*y).into()));
+    if D < SPLIT {
+        let jets = metric.gram(&variables);
+        let contraction = Contraction::first_order(&jets, d, Jet1::value, Jet1::first);
+        (contraction.h * d, contraction.g)
+    } else {
+        let h: SMatrix<f64, D, D> = metric.gram(y);
+        (h * d, SVector::from(*metric.norm_squared(&variables, d).gradient()))
+    }
 }

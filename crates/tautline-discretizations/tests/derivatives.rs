@@ -80,6 +80,58 @@ fn check<R: Rule>(rule: R, fractions: &[f64], coordinates: [f64; 8]) -> Result<(
     Ok(())
 }
 
+/// A full matrix in four dimensions, where `dᵀHd` is differentiated apart.
+struct Woven;
+
+impl Metric<4> for Woven {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 4>) -> SMatrix<S, 4, 4> {
+        SMatrix::from_fn(|i, j| {
+            let off = ((x[i] - x[j]).cos() + (x[i] * x[j]).sin()) * 0.2;
+            if i == j { off + x[(i + 1) % 4].exp() + 2.0 } else { off }
+        })
+    }
+}
+
+/// `E = Σ Hᵢⱼ dᵢ dⱼ` of one chord in four dimensions, by hand.
+fn chord_energy(v: &SVector<Dual, 8>, fraction: f64) -> Dual {
+    let d: [Dual; 4] = std::array::from_fn(|i| v[4 + i] - v[i]);
+    let m: [Dual; 4] = std::array::from_fn(|i| v[i] + d[i] * fraction);
+    let mut sum = v[0] * 0.0;
+    for i in 0..4 {
+        for j in 0..4 {
+            let off = ((m[i] - m[j]).cos() + (m[i] * m[j]).sin()) * 0.2;
+            let entry = if i == j { off + m[(i + 1) % 4].exp() + 2.0 } else { off };
+            sum += entry * d[i] * d[j];
+        }
+    }
+    sum
+}
+
+fn check_four<R: Rule>(rule: R, fraction: f64, v: [f64; 8]) -> Result<(), TestCaseError> {
+    let v = SVector::<f64, 8>::from(v);
+    let ends = [0, 4].map(|k| SVector::<f64, 4>::from_fn(|i, _| v[k + i]));
+    let sequence = PointSequence::new(ends.to_vec()).expect("finite");
+    let model = QuadraticModel::new(rule, &Woven, &sequence);
+    let (energy, gradient) = energy_gradient(rule, &Woven, &sequence);
+    let (e, g, h) = hessian(|v| chord_energy(&v, fraction), &v);
+    // As above: terms up to some 10³ and a hundred roundings.
+    let close = |a: f64, b: f64| (a - b).abs() <= 1e-11 * (1.0 + b.abs());
+    prop_assert!(close(model.energy, e) && close(energy, e));
+    for i in 0..8 {
+        prop_assert!(close(model.gradient[i / 4][i % 4], g[i]), "gradient {i}");
+        prop_assert!(close(gradient[i / 4][i % 4], g[i]), "first-order gradient {i}");
+        for j in 0..8 {
+            let ours = match (i / 4, j / 4) {
+                (0, 1) => model.hessian.upper[0][(i % 4, j % 4)],
+                (1, 0) => model.hessian.upper[0][(j % 4, i % 4)],
+                (n, _) => model.hessian.diagonal[n][(i % 4, j % 4)],
+            };
+            prop_assert!(close(ours, h[(i, j)]), "Hessian {i} {j}: {ours} {}", h[(i, j)]);
+        }
+    }
+    Ok(())
+}
+
 proptest! {
     #![proptest_config(ProptestConfig {
         rng_seed: RngSeed::Fixed(2), failure_persistence: None, cases: 64, ..ProptestConfig::default()
@@ -92,6 +144,8 @@ proptest! {
         check(Trapezoidal, &[0.5], v)?;
         check(LeftEndpoint, &[0.0], v)?;
         check(TrueTrapezoid, &[0.0, 1.0], v)?;
+        check_four(Trapezoidal, 0.5, v)?;
+        check_four(LeftEndpoint, 0.0, v)?;
     }
 
     /// `Hessian · v` by blocks is the derivative of the gradient along `v`.

@@ -16,15 +16,31 @@ pub trait Metric<const D: usize> {
     /// Returns the Gram matrix `H(x)`, in `m²/ℓ²`, shape `D × D`.
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D>;
 
-    /// Returns `g_x(u, u) = uᵀ H(x) u`, in `m²`.
-    fn norm_squared(&self, x: &SVector<f64, D>, u: &SVector<f64, D>) -> f64 {
-        u.dot(&(self.gram(x) * u))
+    /// Returns `g_x(u, u) = uᵀ H(x) u`, in `m²`, for a vector `u` that does not depend on `x`.
+    ///
+    /// Follows from [`gram`](Metric::gram). Worth overriding where it is much cheaper than the
+    /// `D²` entries of `H(x)`, as for a sum of few terms of rank one in many dimensions; both
+    /// must agree to rounding.
+    fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
+        let h = self.gram(x);
+        let mut sum = S::zero();
+        for i in 0..D {
+            sum += h[(i, i)] * (u[i] * u[i]);
+            for j in i + 1..D {
+                sum += h[(i, j)] * (2.0 * u[i] * u[j]);
+            }
+        }
+        sum
     }
 }
 
 impl<const D: usize, M: Metric<D>> Metric<D> for &M {
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         (**self).gram(x)
+    }
+
+    fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
+        (**self).norm_squared(x, u)
     }
 }
 

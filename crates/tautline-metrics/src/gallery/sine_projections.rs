@@ -82,6 +82,16 @@ impl<const D: usize> Metric<D> for SineProjections<D> {
         h.fill_lower_triangle_with_upper_triangle();
         h
     }
+
+    /// `|u|² + ½ Σₖ sin²(wₖ·x) (aₖ·u)²`: as many scalars as there are terms, where `H(x)` has
+    /// `D²` entries of them.
+    fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
+        let flat = S::constant(u.norm_squared());
+        self.terms.iter().fold(flat, |sum, SineProjection { wave_vector: w, direction: a }| {
+            let phase = (0..D).fold(S::zero(), |sum, i| sum + x[i] * w[i]);
+            sum + phase.sin().sqr() * (0.5 * a.dot(u).powi(2))
+        })
+    }
 }
 
 impl<const D: usize> Bounded<D> for SineProjections<D> {

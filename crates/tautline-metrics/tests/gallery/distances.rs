@@ -108,7 +108,7 @@ fn shear_has_a_distance() {
 fn separable_has_a_distance() {
     let parameters = (uniform::<_, 3>(-0.95..0.95_f64), uniform::<_, 3>(0.2..3.0_f64));
     run(34, (parameters, triple(4.0)), |((a, k), points)| {
-        let g = Separable::new(a.into(), k.into()).expect("|a| < 1");
+        let g = Separable::<3>::new(a, k).expect("|a| < 1");
         is_distance(&g, points)?;
         is_bounded(&g, &points[0], &points[1])
     });
@@ -191,7 +191,7 @@ fn shear_and_separable_are_pullbacks() {
     });
     let parameters = (uniform::<_, 3>(-0.95..0.95_f64), uniform::<_, 3>(0.2..3.0_f64));
     run(44, (parameters, triple(4.0)), |((a, k), [x, ..])| {
-        let g = Separable::new(a.into(), k.into()).expect("|a| < 1");
+        let g = Separable::<3>::new(a, k).expect("|a| < 1");
         prop_assert!((pullback(g.flatten(&jets(x))) - g.gram(&x)).amax() < 1e-14);
         prop_assert_eq!(g.flatten(&vector![0.0, 0.0, 0.0]), vector![0.0, 0.0, 0.0]);
         Ok(())
