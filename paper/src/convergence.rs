@@ -206,20 +206,23 @@ mod tests {
         assert!((slope(&points) + 1.5).abs() < 1e-14);
     }
 
+    const COLUMNS: [&str; 9] = [
+        "rule",
+        "n",
+        "d_squared",
+        "discrete_energy",
+        "energy",
+        "length_squared",
+        "excess",
+        "paper_bound",
+        "quadrature_error",
+    ];
+
     fn row(cells: [&str; 9]) -> Data {
-        let columns = [
-            "rule",
-            "n",
-            "d_squared",
-            "discrete_energy",
-            "energy",
-            "length_squared",
-            "excess",
-            "paper_bound",
-            "quadrature_error",
-        ];
-        let mut data = Data::new(&columns.map(|name| (name, Tolerance::Exact)));
-        data.push(cells.map(str::to_owned).to_vec());
+        let mut columns = COLUMNS.map(|name| (name, Tolerance::Exact)).to_vec();
+        columns.push(("case", Tolerance::Exact));
+        let mut data = Data::new(&columns);
+        data.push(cells.into_iter().chain(["made_up"]).map(str::to_owned).collect());
         data
     }
 

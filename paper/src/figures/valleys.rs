@@ -81,9 +81,8 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
     let geodesic: Vec<_> = (0..=200).map(|k| geodesic(4.0 * PI * f64::from(k) / 200.0)).collect();
     let axis = geodesic.iter().map(|&(x1, _)| (x1, 0.0));
     map = map.curve(Curve::new(axis, palette::INK).wide(1.6).over_field());
-    time = time.curve(
-        Curve::new(geodesic, palette::INK).wide(1.6).labelled("true minimal geodesic"),
-    );
+    time =
+        time.curve(Curve::new(geodesic, palette::INK).wide(1.6).labelled("true minimal geodesic"));
     for (name, label, colour, marker) in [
         ("length_left", "least length, left-endpoint rule", palette::PURPLE, Some(Marker::Square)),
         (
