@@ -37,26 +37,37 @@ impl<const D: usize> QuadraticModel<D> {
         let factor = n as f64;
         let mut energy = CompensatedSum::default();
         let mut trace = 0.0;
-        let mut gradient = vec![SVector::zeros(); n + 1];
-        let mut hessian = BlockTridiagonal::zeros(n);
-        for (k, (x, d)) in sequence.chords().enumerate() {
+        let mut gradient = Vec::with_capacity(n + 1);
+        let mut diagonal = Vec::with_capacity(n + 1);
+        let mut upper = Vec::with_capacity(n);
+        // What the chord before has left for the point between.
+        let mut carried = (SVector::<f64, D>::zeros(), SMatrix::<f64, D, D>::zeros());
+        for (x, d) in sequence.chords() {
+            let (mut g_near, mut h_near) = carried;
+            carried = (SVector::zeros(), SMatrix::zeros());
+            let mut coupling = SMatrix::<f64, D, D>::zeros();
             for node in R::NODES {
                 let (w, near, far) = (node.weight * factor, 1.0 - node.fraction, node.fraction);
                 let Contraction { h, g, p, q } = Contraction::new(metric, &(x + d * far), &d);
                 let hd = h * d;
                 energy.add(w * d.dot(&hd));
                 trace += w * h.trace();
-                gradient[k] += (g * near - hd * 2.0) * w;
-                gradient[k + 1] += (g * far + hd * 2.0) * w;
+                g_near += (g * near - hd * 2.0) * w;
+                carried.0 += (g * far + hd * 2.0) * w;
                 let symmetric = p + p.transpose();
-                hessian.diagonal[k] += (h * 2.0 - symmetric * (2.0 * near) + q * (near * near)) * w;
-                hessian.diagonal[k + 1] +=
-                    (h * 2.0 + symmetric * (2.0 * far) + q * (far * far)) * w;
-                hessian.upper[k] += (q * (near * far) - h * 2.0 - p * (2.0 * far)
+                h_near += (h * 2.0 - symmetric * (2.0 * near) + q * (near * near)) * w;
+                carried.1 += (h * 2.0 + symmetric * (2.0 * far) + q * (far * far)) * w;
+                coupling += (q * (near * far) - h * 2.0 - p * (2.0 * far)
                     + p.transpose() * (2.0 * near))
                     * w;
             }
+            gradient.push(g_near);
+            diagonal.push(h_near);
+            upper.push(coupling);
         }
+        gradient.push(carried.0);
+        diagonal.push(carried.1);
+        let hessian = BlockTridiagonal { diagonal, upper };
         let mean_gram = trace / (factor * factor * D as f64);
         Self { energy: energy.value(), gradient, hessian, mean_gram }
     }
