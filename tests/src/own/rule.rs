@@ -1,0 +1,58 @@
+//! A rule of one's own: Simpson's.
+
+use tautline::{
+    Ends, Interpolation, Node, PointSequence, Problem, Rule, SVector,
+    gallery::{Shear, Valleys},
+};
+
+/// `H` at both ends and twice as much, twice over, at the middle.
+#[derive(Clone, Copy, Debug)]
+struct Simpson;
+
+impl Rule for Simpson {
+    const NODES: &'static [Node] = &[
+        Node { fraction: 0.0, weight: 1.0 / 6.0 },
+        Node { fraction: 0.5, weight: 4.0 / 6.0 },
+        Node { fraction: 1.0, weight: 1.0 / 6.0 },
+    ];
+    const ERROR_EXPONENT: i32 = 2;
+}
+
+/// Simpson's rule integrates `uᵀHu` along a chord up to its fourth derivative: the discrete energy
+/// is that of the interpolation up to `max |(f²)⁗| |d|⁴ / 2880` relatively to `|β|²`.
+#[test]
+fn a_rule_of_ones_own_integrates_what_its_nodes_say() {
+    let points = [0.0, 0.4, 0.7, 1.1, 1.5, 1.9].map(|x: f64| SVector::from([x, x.sin()]));
+    let sequence = PointSequence::new(points.to_vec()).expect("finite");
+    let energy = Interpolation::new(&sequence).energy(&Valleys).value;
+    let gap = (Simpson.energy(&Valleys, &sequence) - energy).abs();
+    // f² = 4.5 − 4 cos x + ½ cos 2x has |(f²)⁗| ≤ 4 + 8 = 12, and chords are at most 0.4 long in
+    // x₁.
+    let bound = 12.0 * 0.4_f64.powi(4) / 2880.0 * sequence.k3().powi(2);
+    assert!(gap <= bound, "{gap:e} exceeds {bound:e}");
+    // f² is convex up to 1.94, so that the errors of the trapezoidal rule add up: this was not it.
+    let trapezoidal = tautline::Trapezoidal.energy(&Valleys, &sequence);
+    assert!((trapezoidal - energy).abs() > 10.0 * bound);
+}
+
+/// As `E_N` is `E(γᵖˡ)` up to `N⁻⁴`, its error is the least that an interpolation can have:
+/// `N² (E_N − d²) → (1/12) ∫ γ̈ᵀHγ̈ = (27/16) (½ − sin 6/12)` from `(0, 0)` to `(2, 3)`.
+#[test]
+fn a_rule_of_ones_own_is_minimised() {
+    let d2 = (2.0 + 0.5 * 3_f64.sin()).powi(2) + 9.0;
+    let ends = Ends::points([0.0, 0.0], [2.0, 3.0]).expect("finite");
+    let problem = Problem::new(Shear::new(0.5, 1.0).expect("valid"), ends);
+    let scaled = |n: usize| {
+        let line = problem.solve(Simpson, n).expect("a metric");
+        assert!(line.minimum().is_local_minimum());
+        (n * n) as f64 * (line.discrete_energy() - d2)
+    };
+    let limit = (4.0 * scaled(512) - scaled(256)) / 3.0;
+    let expected = 27.0 / 16.0 * (0.5 - 6_f64.sin() / 12.0);
+    // One extrapolation leaves (10/256)⁴ relatively; rounding is 2^18 · 2e-15 · 13.
+    assert!((limit - expected).abs() <= 1e-6, "{limit} is not {expected}");
+    let estimate = problem.solve(Simpson, 512).expect("a metric").distance_squared_estimate();
+    let estimate = estimate.expect("several grids").value;
+    // Grids 8, 32, 128 and 512 remove the terms to N⁻⁶; 13.3 has the ulp 2e-15.
+    assert!((estimate - d2).abs() <= 1e-10, "{:e}", estimate - d2);
+}

@@ -1,0 +1,18 @@
+//! The order of a sequence of errors, as the slope of a line through logarithms.
+
+/// Returns the slope of the least-squares line through `(log N, log error)`.
+pub(crate) fn slope(points: &[(usize, f64)]) -> f64 {
+    let logarithms: Vec<(f64, f64)> =
+        points.iter().map(|&(n, error)| ((n as f64).ln(), error.ln())).collect();
+    let count = logarithms.len() as f64;
+    let mean_x = logarithms.iter().map(|p| p.0).sum::<f64>() / count;
+    let mean_y = logarithms.iter().map(|p| p.1).sum::<f64>() / count;
+    let covariance: f64 = logarithms.iter().map(|p| (p.0 - mean_x) * (p.1 - mean_y)).sum();
+    covariance / logarithms.iter().map(|p| (p.0 - mean_x).powi(2)).sum::<f64>()
+}
+
+#[test]
+fn the_slope_of_a_power_is_its_exponent() {
+    let points = [1, 2, 8, 64].map(|n| (n, 3.0 * (n as f64).powf(-1.5)));
+    assert!((slope(&points) + 1.5).abs() < 1e-14);
+}

@@ -1,0 +1,4 @@
+//! Section 7: the trapezoidal rule.
+
+mod geodesics;
+mod point_sequences;
