@@ -82,6 +82,16 @@ impl<const D: usize> EndFrame<D> {
         Self { basis, coordinates, projected_gradient }
     }
 
+    /// Returns the force on the end point, in the coordinates of `R^D`: along the active face
+    /// that of the Newton equation, across it the `step/τ` that would lead back to it.
+    pub(crate) fn force(&self, tau: f64) -> SVector<f64, D> {
+        let component = |coordinate: &Coordinate| match *coordinate {
+            Coordinate::Free { force, .. } => force,
+            Coordinate::Fixed { step } => step / tau,
+        };
+        self.basis * SVector::from(self.coordinates.each_ref().map(component))
+    }
+
     /// The frame of an end that does not move.
     #[cfg(test)]
     pub(crate) fn is_fixed(&self) -> bool {

@@ -30,6 +30,7 @@
 //! A Newton step that would leave the region where the metric is finite and positive is
 //! shortened; a saddle is left along the direction of its most negative curvature.
 
+mod damping;
 mod end_frame;
 mod extrapolation;
 mod factorization;
@@ -39,6 +40,7 @@ mod minimise;
 mod minimum;
 mod prolongation;
 mod reduced_system;
+mod rounding;
 mod solve_error;
 mod starts;
 

@@ -7,23 +7,20 @@ use tautline_sets::ClosedSet;
 
 use crate::{
     Curvature, Stop,
+    damping::{Damping, LAST_SHIFT, SHIFT_FACTOR},
     end_frame::EndFrame,
     factorization::Factorization,
     reduced_system::{ReducedSystem, Step},
+    rounding::{is_rounding, margin, negligible, rounding},
 };
 
 /// Relative decrement below which Newton steps are taken without looking at the energy: the
 /// promised change, `10⁻¹⁰ E`, is real, but a few steps later it drowns in rounding.
 const QUADRATIC_ZONE: f64 = 1e-10;
 
-/// Relative decrement at which the energy cannot be lowered in `f64`.
-const CONVERGED: f64 = 1e-15;
-
-/// The first shift, and the factor between shifts; beyond the last, steps are so short that
-/// an energy that still does not fall will not.
-const FIRST_SHIFT: f64 = 1e-2;
-const SHIFT_FACTOR: f64 = 8.0;
-const LAST_SHIFT: f64 = 1e12;
+/// Steps that promise less than this many times the [`negligible`] decrement are taken without
+/// looking at the energy too: rounding of the coordinates moves it as much.
+const NOISE: f64 = 16.0;
 
 /// How often a search may leave a saddle at which it had come to rest.
 const ESCAPES: usize = 8;
@@ -55,27 +52,6 @@ pub(crate) struct Found<const D: usize> {
     pub(crate) iterations: usize,
 }
 
-/// What a search carries from one iterate to the next.
-#[derive(Default)]
-struct Damping {
-    /// The factor `μ` of the regulariser.
-    shift: f64,
-    /// Steps in a row with an indefinite Hessian.
-    indefinite: usize,
-    /// Saddles that were left.
-    escapes: usize,
-}
-
-impl Damping {
-    fn raise(&mut self) {
-        self.shift = (self.shift * SHIFT_FACTOR).max(FIRST_SHIFT);
-    }
-
-    fn lower(&mut self) {
-        self.shift = if self.shift <= FIRST_SHIFT { 0.0 } else { self.shift / SHIFT_FACTOR };
-    }
-}
-
 /// What to do after looking at one iterate.
 enum Next<const D: usize> {
     /// Go on from these points.
@@ -96,18 +72,15 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
     ///
     /// # Errors
     ///
-    /// If the Gram matrix is not finite, symmetric and positive definite at a node of the
-    /// start or of the result.
+    /// If the Gram matrix is not finite, symmetric and positive definite at a node or an end
+    /// of the result.
     pub(crate) fn run(&self, start: PointSequence<D>) -> Result<Found<D>, MetricError> {
-        self.check(&start)?;
         let mut sequence = start;
         let mut damping = Damping::default();
         for iteration in 0.. {
             let model = QuadraticModel::new(self.rule, self.metric, &sequence);
             let next = if iteration == self.iterations {
-                let system = ReducedSystem::new(&model, self.ends, sequence.points(), 0.0);
-                let curvature = self.curvature(&system);
-                Next::End { stop: Stop::IterationLimit, curvature, decrement: f64::INFINITY }
+                self.give_up(&model, &sequence)
             } else if is_rounding(&model, &sequence) {
                 let curvature = Curvature::PositiveDefinite;
                 Next::End { stop: Stop::EndsTouch, curvature, decrement: 0.0 }
@@ -154,13 +127,17 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
         damping: &mut Damping,
     ) -> Next<D> {
         let reduce = |shift| ReducedSystem::new(model, self.ends, sequence.points(), shift);
-        let end = |stop, curvature, decrement| Next::End { stop, curvature, decrement };
+        let end = |stop, decrement| {
+            let curvature = self.curvature(model, sequence);
+            Next::End { stop, curvature, decrement }
+        };
+        let negligible = negligible(model, sequence);
         let (mut rejected, mut indefinite) = (false, false);
         loop {
             let system = reduce(damping.shift);
             let Some(factorization) = system.factorize() else {
                 if damping.shift >= LAST_SHIFT {
-                    return end(Stop::Stalled, self.curvature(&system), f64::INFINITY);
+                    return end(Stop::Stalled, f64::INFINITY);
                 }
                 indefinite = true;
                 damping.raise();
@@ -178,12 +155,13 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
                 damping.indefinite = 0;
             }
             let Step { step, decrement } = system.newton_step(&factorization);
-            if decrement <= CONVERGED * model.energy {
+            // A shift makes promises as much smaller as it makes the Hessian larger.
+            if decrement * (1.0 + damping.shift) <= negligible {
                 if damping.shift == 0.0 {
-                    return end(Stop::Converged, Curvature::PositiveDefinite, decrement);
+                    let curvature = Curvature::PositiveDefinite;
+                    return Next::End { stop: Stop::Converged, curvature, decrement };
                 }
-                let plain = reduce(0.0);
-                let definite = plain.factorize().is_some();
+                let definite = reduce(0.0).factorize().is_some();
                 if definite && !rejected {
                     damping.shift = 0.0;
                     continue;
@@ -196,15 +174,21 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
                     .flatten();
                 return match down {
                     Some(points) => Next::Move(points),
-                    None if rejected || damping.escapes > ESCAPES => {
-                        end(Stop::Stalled, self.curvature(&plain), decrement)
-                    }
-                    None => end(Stop::Converged, Curvature::Degenerate, decrement),
+                    None if rejected || damping.escapes > ESCAPES => end(Stop::Stalled, decrement),
+                    None => end(Stop::Converged, decrement),
                 };
             }
             let trial = self.retract(sequence, &step, 1.0);
-            if decrement <= QUADRATIC_ZONE * model.energy && finite(&trial) {
-                return self.polish(model, &system, &factorization, trial, damping.shift);
+            let zone = (QUADRATIC_ZONE * model.energy).max(NOISE * negligible);
+            if decrement <= zone && finite(&trial) {
+                if damping.shift == 0.0 {
+                    if damping.stagnates(decrement) {
+                        return end(Stop::Converged, decrement);
+                    }
+                    return self.polish(&system, &factorization, trial, negligible);
+                }
+                damping.lower();
+                return Next::Move(trial);
             }
             // A quarter of what the quadratic model sheds is enough to converge.
             let sheds = |energy| model.energy - energy >= 0.25 * decrement;
@@ -214,7 +198,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
             }
             rejected = true;
             if damping.shift >= LAST_SHIFT {
-                return end(Stop::Stalled, self.curvature(&reduce(0.0)), decrement);
+                return end(Stop::Stalled, decrement);
             }
             damping.raise();
         }
@@ -224,20 +208,16 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
     /// the price of a gradient; ends there if that has converged.
     fn polish(
         &self,
-        model: &QuadraticModel<D>,
         system: &ReducedSystem<'_, D>,
         factorization: &Factorization<D>,
         points: Vec<SVector<f64, D>>,
-        shift: f64,
+        negligible: f64,
     ) -> Next<D> {
-        if shift > 0.0 {
-            return Next::Move(points);
-        }
         let trial = PointSequence::new(points).expect("the points are finite");
         let (energy, gradient) = energy_gradient(self.rule, self.metric, &trial);
         let points = trial.into_points();
         let decrement = system.decrement_at(factorization, self.ends, &points, &gradient);
-        if decrement <= CONVERGED * model.energy {
+        if decrement <= negligible {
             Next::EndAt { points, energy, gradient, decrement }
         } else {
             Next::Move(points)
@@ -319,15 +299,33 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
         (length.is_finite() && energy.is_finite()).then_some(energy)
     }
 
-    fn curvature(&self, system: &ReducedSystem<'_, D>) -> Curvature {
-        match system.factorize() {
-            Some(_) => Curvature::PositiveDefinite,
-            None => Curvature::Indefinite { negative: system.negative_eigenvalues() },
+    /// What to say when the steps are used up.
+    fn give_up(&self, model: &QuadraticModel<D>, sequence: &PointSequence<D>) -> Next<D> {
+        let system = ReducedSystem::new(model, self.ends, sequence.points(), 0.0);
+        let decrement = system
+            .factorize()
+            .map_or(f64::INFINITY, |factorization| system.newton_step(&factorization).decrement);
+        let curvature = self.curvature(model, sequence);
+        Next::End { stop: Stop::IterationLimit, curvature, decrement }
+    }
+
+    /// The signature of the Hessian; eigenvalues within its rounding count as zero.
+    fn curvature(&self, model: &QuadraticModel<D>, sequence: &PointSequence<D>) -> Curvature {
+        let reduce = |shift| ReducedSystem::new(model, self.ends, sequence.points(), shift);
+        if reduce(0.0).factorize().is_some() {
+            return Curvature::PositiveDefinite;
+        }
+        match reduce(2.0 * margin(sequence.n().get())).negative_eigenvalues() {
+            0 => Curvature::Degenerate,
+            negative => Curvature::Indefinite { negative },
         }
     }
 
-    /// Checks the Gram matrix at every node.
-    fn check(&self, sequence: &PointSequence<D>) -> Result<(), MetricError> {
+    /// Checks the Gram matrix at every node, and at both ends, which may be none.
+    pub(crate) fn check(&self, sequence: &PointSequence<D>) -> Result<(), MetricError> {
+        for x in [sequence.first(), sequence.last()] {
+            check_gram(self.metric, x)?;
+        }
         for (x, chord) in sequence.chords() {
             for node in R::NODES {
                 check_gram(self.metric, &(x + chord * node.fraction))?;
@@ -347,33 +345,24 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
         let points = sequence.points();
         let last = points.len() - 1;
         let n = last as f64;
-        let momentum = (mean_gram * energy).sqrt();
+        // Roots first: the product may be beyond the range of `f64`.
+        let momentum = mean_gram.sqrt() * energy.sqrt();
         if !(momentum > 0.0) {
             return (0.0, 0.0);
         }
-        let sum: f64 = gradient[1..last].iter().map(SVector::norm_squared).sum();
-        let inner = 0.5 * n * (sum / n).sqrt();
+        let floor = n * rounding(sequence) * (mean_gram / momentum);
+        // Where the metric has no derivative.
+        let infinite_if_nan = |x: f64| if x.is_nan() { f64::INFINITY } else { x };
+        let sum: f64 = gradient[1..last].iter().map(|g| (g / momentum).norm_squared()).sum();
+        let inner = infinite_if_nan(0.5 * n * (sum / n).sqrt());
         let tau = 1.0 / (2.0 * n * mean_gram);
         let at_end = |set: &dyn ClosedSet<D>, k: usize| {
-            0.5 * EndFrame::new(set, &points[k], &gradient[k], tau).projected_gradient.norm()
+            let frame = EndFrame::new(set, &points[k], &gradient[k], tau);
+            infinite_if_nan(0.5 * (frame.projected_gradient / momentum).norm())
         };
         let ends = at_end(self.ends[0], 0).max(at_end(self.ends[1], last));
-        let floor = f64::EPSILON * n * n * extent_from_origin(points) * mean_gram;
-        ((inner + ends) / momentum, floor / momentum)
+        (inner + ends, floor)
     }
-}
-
-/// Whether all chords are nothing but the rounding of their ends.
-fn is_rounding<const D: usize>(model: &QuadraticModel<D>, sequence: &PointSequence<D>) -> bool {
-    let chord = 4.0 * f64::EPSILON * extent_from_origin(sequence.points());
-    let n = sequence.n().get() as f64;
-    (sequence.last() - sequence.first()).amax() <= chord
-        && model.energy <= model.mean_gram * (n * chord).powi(2)
-}
-
-/// The largest coordinate of any point.
-fn extent_from_origin<const D: usize>(points: &[SVector<f64, D>]) -> f64 {
-    points.iter().map(|x| x.amax()).fold(0.0, f64::max)
 }
 
 /// The largest distance, by a coordinate, from the first point.

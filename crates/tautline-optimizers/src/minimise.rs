@@ -1,7 +1,7 @@
 //! The search for a discrete minimiser: several starts on a coarse grid, then finer grids.
 
 use tautline_discretizations::{PointSequence, Rule};
-use tautline_metrics::{Metric, MetricError};
+use tautline_metrics::{Metric, MetricError, check_gram};
 use tautline_sets::{ClosedSet, Ends, common_point};
 
 use crate::{
@@ -35,7 +35,7 @@ const REFINEMENT: usize = 4;
 
 /// How many different local minimisers of the coarsest grid are followed to the next ones,
 /// where their order may change, and the grid from which on only the lowest is.
-const FOLLOWED: usize = 3;
+const FOLLOWED: usize = 8;
 const SETTLED: usize = 512;
 
 /// Minima are different if their energies differ by more than this, relatively.
@@ -49,7 +49,8 @@ const DIFFERENT: f64 = 1e-9;
 /// # Errors
 ///
 /// [`SolveError::NoSubinterval`] if `n` is 0; [`SolveError::Metric`] if the metric is not
-/// finite, symmetric and positive definite along every start, or along the result.
+/// finite, symmetric and positive definite at the nodes and both ends of every start, or of
+/// the result.
 pub fn minimise<const D: usize, R: Rule>(
     metric: &impl Metric<D>,
     ends: &Ends<D>,
@@ -68,11 +69,12 @@ pub fn minimise<const D: usize, R: Rule>(
     for (first, second) in &pairs {
         let pair = [&**first, &**second];
         if let Some(x) = common_point(pair[0], pair[1]) {
+            check_gram(metric, &x)?;
             return Ok(Minimum::at_common_point(x, n));
         }
         let search = LocalSearch { metric, rule, ends: pair, iterations: options.iterations };
         for start in options.starts.between(pair[0], pair[1], grids[0]) {
-            match search.run(start) {
+            match search.check(&start).and_then(|()| search.run(start)) {
                 Ok(found) => {
                     steps += found.iterations;
                     candidates.push(Candidate::new(pair, found));

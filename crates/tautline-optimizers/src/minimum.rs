@@ -15,12 +15,13 @@ pub struct Minimum<const D: usize> {
     /// Its discrete energy, in `m²`.
     pub energy: f64,
     /// The energy that a Newton step still promises to shed, relative to the energy: half
-    /// the square of the Newton decrement.
+    /// the square of the Newton decrement. Infinite if the Hessian is not positive definite
+    /// where a search gave up.
     pub decrement: f64,
     /// The residual of the discrete geodesic equation: the root mean square of
     /// `ρₙ = (N/2) ∂E/∂xₙ` over the inner points, and the largest projected momentum
     /// `½ |∂E/∂x|` at the ends, relative to the momentum `(c E)^{1/2}` with the mean `c` of
-    /// `tr H / D`.
+    /// `tr H / D`. Infinite if the metric has no derivative at a node.
     pub residual: f64,
     /// What rounding alone does to the residual, predicted: `ε N² max |x| c / (c E)^{1/2}`.
     /// A residual of a few times this cannot be lowered in `f64`.
@@ -51,7 +52,9 @@ pub struct Level {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Stop {
-    /// The decrement is at most `10⁻¹⁵`, the rounding of the energy.
+    /// The decrement is at most `10⁻¹⁵`, the rounding of the energy, or `2 tr H (ε N max |x|)²`
+    /// relative to it, the rounding of the points: larger only far from the origin. Or it is
+    /// below `10⁻¹⁰` and does not fall any more.
     Converged,
     /// The sets have a point in common, so all points are the same and the energy is 0.
     EndsTouch,
@@ -66,12 +69,12 @@ pub enum Stop {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Curvature {
-    /// Positive definite: a strict local minimum.
+    /// Positive definite, beyond the rounding of the Hessian: a strict local minimum.
     PositiveDefinite,
-    /// Not positive definite to rounding, but no descent was found along its flattest
-    /// direction: one of a continuum of minimisers, or a degenerate minimum.
+    /// Not positive definite, but no eigenvalue is negative beyond rounding: one of a continuum
+    /// of minimisers, or a degenerate minimum.
     Degenerate,
-    /// This many negative eigenvalues: a saddle, or the search ended far from a minimum.
+    /// This many eigenvalues are negative: a saddle, or the search ended far from a minimum.
     Indefinite {
         /// The number of negative eigenvalues.
         negative: usize,
@@ -92,7 +95,7 @@ impl<const D: usize> Minimum<D> {
     /// The result for sets with the common point `x`: everything is 0.
     pub(crate) fn at_common_point(x: SVector<f64, D>, n: usize) -> Self {
         Self {
-            sequence: PointSequence::straight(x, x, n).expect("a common point is finite"),
+            sequence: PointSequence::new(vec![x; n + 1]).expect("a common point is finite"),
             energy: 0.0,
             decrement: 0.0,
             residual: 0.0,

@@ -7,6 +7,7 @@ use tautline_sets::ClosedSet;
 use crate::{
     end_frame::{Coordinate, EndFrame},
     factorization::{Factorization, Regulariser, Shifted},
+    rounding::margin,
 };
 
 /// The quadratic model of an energy in the coordinates of both [`EndFrame`]s.
@@ -29,7 +30,8 @@ pub(crate) struct Step<const D: usize> {
 }
 
 impl<'a, const D: usize> ReducedSystem<'a, D> {
-    /// Sets up the system for the shift `mu` (see [`Shifted`]).
+    /// Sets up the system for the shift `mu` (see [`Shifted`]), less the [`margin`]: what is
+    /// definite is so beyond rounding.
     pub(crate) fn new(
         model: &'a QuadraticModel<D>,
         ends: [&dyn ClosedSet<D>; 2],
@@ -37,7 +39,7 @@ impl<'a, const D: usize> ReducedSystem<'a, D> {
         mu: f64,
     ) -> Self {
         let n = points.len() - 1;
-        let regulariser = Regulariser { n: n as f64, weight: mu * model.mean_gram };
+        let regulariser = Regulariser { n: n as f64, weight: (mu - margin(n)) * model.mean_gram };
         // The inverse of a typical diagonal block, so that z lies about a chord from x.
         let tau = 1.0 / (2.0 * n as f64 * model.mean_gram * (1.0 + mu));
         let frame = |set, k: usize| EndFrame::new(set, &points[k], &model.gradient[k], tau);
@@ -125,8 +127,7 @@ impl<'a, const D: usize> ReducedSystem<'a, D> {
         let mut right: Vec<_> = gradient.iter().map(|g| -g).collect();
         for (end, k) in [(0, 0), (1, n)] {
             let frame = EndFrame::new(ends[end], &points[k], &gradient[k], self.tau);
-            // The projected gradient F/τ, in the coordinates of this system.
-            right[k] = -self.frames[end].basis.tr_mul(&frame.projected_gradient);
+            right[k] = self.frames[end].basis.tr_mul(&frame.force(self.tau));
         }
         let mut step = right.clone();
         factorization.solve(&mut step);
@@ -158,8 +159,9 @@ impl<'a, const D: usize> ReducedSystem<'a, D> {
             }
         }
         for _ in 0..20 {
-            let norm = v.iter().map(SVector::norm_squared).sum::<f64>().sqrt();
-            v.iter_mut().for_each(|v| *v /= norm);
+            // Not by the norm: the square of an inverse of a metric may be beyond `f64`.
+            let largest = v.iter().map(|v| v.amax()).fold(0.0, f64::max);
+            v.iter_mut().for_each(|v| *v /= largest);
             factorization.solve(&mut v);
         }
         self.leave_frames(&mut v);
@@ -175,4 +177,72 @@ impl<'a, const D: usize> ReducedSystem<'a, D> {
 
 fn half_dot<const D: usize>(a: &[SVector<f64, D>], b: &[SVector<f64, D>]) -> f64 {
     0.5 * a.iter().zip(b).map(|(a, b)| a.dot(b)).sum::<f64>()
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SMatrix, SVector, matrix, vector};
+    use tautline_discretizations::{PointSequence, QuadraticModel, Trapezoidal};
+    use tautline_metrics::gallery::Constant;
+    use tautline_sets::{AxisBox, ClosedSet, Point};
+
+    use super::ReducedSystem;
+
+    /// One Newton step from a crooked sequence under a constant oblique metric: the problem is
+    /// quadratic, so that the step leads to the minimum, but for the margin of `10⁻⁸`.
+    fn step(
+        h: SMatrix<f64, 2, 2>,
+        ends: [&dyn ClosedSet<2>; 2],
+        points: Vec<SVector<f64, 2>>,
+    ) -> (QuadraticModel<2>, QuadraticModel<2>, Vec<SVector<f64, 2>>, f64) {
+        let metric = Constant::new(h).expect("definite");
+        let expand = |points: &[SVector<f64, 2>]| {
+            let sequence = PointSequence::new(points.to_vec()).expect("finite");
+            QuadraticModel::new(Trapezoidal, &metric, &sequence)
+        };
+        let before = expand(&points);
+        let system = ReducedSystem::new(&before, ends, &points, 0.0);
+        let newton = system.newton_step(&system.factorize().expect("definite"));
+        let points: Vec<_> = points.iter().zip(&newton.step).map(|(x, s)| x + s).collect();
+        let after = expand(&points);
+        (before, after, points, newton.decrement)
+    }
+
+    fn oblique() -> SMatrix<f64, 2, 2> {
+        matrix![1.0, 0.6; 0.6, 2.0]
+    }
+
+    #[test]
+    fn the_decrement_is_the_energy_that_the_step_sheds() {
+        let (a, b) = (Point::new([0.0, 0.0]).expect("finite"), Point::new([2.0, 1.0]));
+        let points =
+            vec![vector![0.0, 0.0], vector![1.0, -1.0], vector![0.3, 0.9], vector![2.0, 1.0]];
+        let (before, after, _, decrement) = step(oblique(), [&a, &b.expect("finite")], points);
+        let shed = before.energy - after.energy;
+        assert!((decrement / shed - 1.0).abs() < 1e-7, "{decrement} {shed}");
+    }
+
+    /// Either end lies inside of its box and is pulled across a face: it moves to the face, and
+    /// in the same step along it and the other points with it.
+    #[test]
+    fn one_step_goes_to_the_face_along_it_and_takes_the_curve_with_it() {
+        let origin = Point::new([0.0, 0.0]).expect("finite");
+        let wide = AxisBox::from_corners([2.0, -9.0], [9.0, 9.0]).expect("in order");
+        let (there, back) = ([2.05, 0.3], [0.0, 0.0]);
+        for n in [1_usize, 2, 5] {
+            let line: Vec<_> = (0..=n)
+                .map(|k| SVector::from(back).lerp(&SVector::from(there), k as f64 / n as f64))
+                .collect();
+            let reversed = line.iter().rev().copied().collect();
+            for (ends, points, end) in
+                [([&origin as &dyn ClosedSet<2>, &wide], line, n), ([&wide, &origin], reversed, 0)]
+            {
+                let (_, after, points, _) = step(oblique(), ends, points);
+                assert!((points[end][0] - 2.0).abs() < 1e-15);
+                // Stationary inside, and along the face: there hᵀ(2, y) = 0.6 · 2 + 2 y = 0.
+                assert!((points[end][1] + 0.6).abs() < 1e-6, "{}", points[end]);
+                assert!(after.gradient[1..n].iter().all(|g| g.amax() < 1e-6));
+            }
+        }
+    }
 }

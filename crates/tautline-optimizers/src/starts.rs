@@ -124,7 +124,7 @@ mod tests {
     use tautline_discretizations::PointSequence;
     use tautline_sets::{Ball, HalfSpace, Point, Sphere};
 
-    use super::Starts;
+    use super::{BEND, Starts};
 
     #[test]
     fn every_start_ends_in_its_sets() {
@@ -140,6 +140,21 @@ mod tests {
             );
             assert!(start.last()[0] >= 3.0);
         }
+    }
+
+    #[test]
+    fn lines_are_bent_to_both_sides_of_every_axis_but_their_own() {
+        let a = Point::new([-1.0, 0.0, 0.0]).expect("finite");
+        let b = Point::new([1.0, 0.0, 0.0]).expect("finite");
+        let middles: Vec<_> = Starts::Automatic
+            .between(&a, &b, 10)
+            .iter()
+            .map(|start| {
+                let middle = start.points()[5];
+                [middle[1], middle[2]].map(|x| (x / (2.0 * BEND)).round())
+            })
+            .collect();
+        assert_eq!(middles, [[0.0, 0.0], [1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]]);
     }
 
     #[test]

@@ -1,0 +1,69 @@
+//! `Damping`: what a local search carries from one iterate to the next.
+
+/// So many steps in a row without looking at the energy may promise as much as the one before:
+/// then it is rounding that they see, such as that of a projection along a soft direction.
+const STAGNANT: usize = 3;
+
+/// The first shift, and the factor between shifts; beyond the last, steps are so short that
+/// an energy that still does not fall will not.
+const FIRST_SHIFT: f64 = 1e-2;
+pub(crate) const SHIFT_FACTOR: f64 = 8.0;
+pub(crate) const LAST_SHIFT: f64 = 1e12;
+
+/// What a search carries from one iterate to the next.
+#[derive(Default)]
+pub(crate) struct Damping {
+    /// The factor `μ` of the regulariser.
+    pub(crate) shift: f64,
+    /// Steps in a row with an indefinite Hessian.
+    pub(crate) indefinite: usize,
+    /// Saddles that were left.
+    pub(crate) escapes: usize,
+    /// What the last step that was taken without looking at the energy promised, and how
+    /// many in a row promised as much as the one before.
+    promised: f64,
+    stagnant: usize,
+}
+
+impl Damping {
+    pub(crate) fn raise(&mut self) {
+        self.shift = (self.shift * SHIFT_FACTOR).max(FIRST_SHIFT);
+    }
+
+    pub(crate) fn lower(&mut self) {
+        self.shift = if self.shift <= FIRST_SHIFT { 0.0 } else { self.shift / SHIFT_FACTOR };
+    }
+
+    /// Notes what a step promises; returns whether such promises have ceased to fall.
+    pub(crate) fn stagnates(&mut self, decrement: f64) -> bool {
+        let falls = self.promised == 0.0 || decrement <= 0.25 * self.promised;
+        self.stagnant = if falls { 0 } else { self.stagnant + 1 };
+        self.promised = decrement;
+        self.stagnant >= STAGNANT
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Damping, FIRST_SHIFT};
+
+    #[test]
+    fn the_shift_goes_up_from_zero_and_back() {
+        let mut damping = Damping::default();
+        damping.raise();
+        assert_eq!(damping.shift, FIRST_SHIFT);
+        damping.raise();
+        damping.lower();
+        assert_eq!(damping.shift, FIRST_SHIFT);
+        damping.lower();
+        assert_eq!(damping.shift, 0.0);
+    }
+
+    #[test]
+    fn three_promises_that_do_not_fall_are_stagnation() {
+        let mut damping = Damping::default();
+        let promises = [1e-11, 1e-12, 9e-13, 2e-13, 1.5e-13, 1.4e-13, 1.4e-13];
+        let stagnates = promises.map(|promise| damping.stagnates(promise));
+        assert_eq!(stagnates, [false, false, false, false, false, false, true]);
+    }
+}

@@ -1,0 +1,313 @@
+//! Bad input: each defect gets an error that names it, and no search runs for ever.
+
+use nalgebra::{SMatrix, SVector, matrix, vector};
+use tautline_discretizations::{LeftEndpoint, PointSequence, Rule, Trapezoidal};
+use tautline_metrics::{
+    Metric, MetricError, Scalar,
+    gallery::{Hyperbolic, Valleys},
+};
+use tautline_optimizers::{Curvature, Minimum, Options, SolveError, Starts, Stop, minimise};
+use tautline_sets::{Ball, Ends, FiniteSet, Point, Sphere};
+
+fn error<const D: usize>(metric: &impl Metric<D>, ends: &Ends<D>, n: usize) -> MetricError {
+    let error = minimise(metric, ends, Trapezoidal, n, &Options::default()).expect_err("refused");
+    let SolveError::Metric(error) = error else { panic!("{error}") };
+    error
+}
+
+fn points<const D: usize>(a: [f64; D], b: [f64; D]) -> Ends<D> {
+    Ends::points(a, b).expect("finite")
+}
+
+#[test]
+fn no_subinterval_is_refused() {
+    let ends = points([0.0], [1.0]);
+    let result = minimise(&Valleys, &ends, Trapezoidal, 0, &Options::default());
+    assert_eq!(result, Err(SolveError::NoSubinterval));
+    // Before anything else, ends that touch included.
+    let touching = points([0.0], [0.0]);
+    let result = minimise(&Valleys, &touching, Trapezoidal, 0, &Options::default());
+    assert_eq!(result.expect_err("refused").to_string(), SolveError::NoSubinterval.to_string());
+}
+
+#[test]
+fn no_start_is_an_error() {
+    let options = Options { starts: Starts::Only(vec![]), ..Options::default() };
+    let result = minimise(&Valleys, &points([0.0], [1.0]), Trapezoidal, 4, &options);
+    assert_eq!(result, Err(SolveError::NoStart));
+}
+
+/// `1 + √(1 − x₁²)`: NaN for `|x₁| > 1`, all the way up and down.
+struct Gorge;
+
+impl Metric<2> for Gorge {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+        SMatrix::from_diagonal_element((-x[0].sqr() + 1.0).sqrt() + 1.0)
+    }
+}
+
+#[test]
+fn a_metric_that_is_nan_along_the_way_is_named() {
+    for n in [1, 2, 9, 100] {
+        // An end in the region, and the region between the ends, for a rule that reads there.
+        for ends in [points([0.0, 0.0], [1.5, 0.0]), points([0.0, 1.0], [9.0, 0.0])] {
+            let MetricError::NotFinite { point, entry, .. } = error(&Gorge, &ends, n) else {
+                panic!("NaN is not finite");
+            };
+            assert!(entry.is_nan() && point[0] > 1.0, "{point:?}");
+        }
+    }
+    let inside =
+        minimise(&Gorge, &points([-0.9, 0.0], [0.9, 0.5]), Trapezoidal, 64, &Options::default());
+    assert!(inside.expect("a metric there").is_local_minimum());
+}
+
+/// A start that crosses the hole is refused; those round it are not.
+#[test]
+fn a_hole_in_the_metric_is_gone_round() {
+    /// Infinite cost at the rim of the unit disc, NaN inside.
+    struct Hole;
+    impl Metric<2> for Hole {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            let r2 = x[0].sqr() + x[1].sqr();
+            SMatrix::from_diagonal_element((r2 - 1.0).sqrt().recip() + 1.0)
+        }
+    }
+    let ends = points([-3.0, 0.1], [3.0, -0.1]);
+    let straight = PointSequence::straight([-3.0, 0.1], [3.0, -0.1], 30).expect("finite");
+    let options = Options { starts: Starts::Only(vec![straight]), ..Options::default() };
+    // Alone, the straight line is no start; beside the bent ones it does no harm.
+    assert!(minimise(&Hole, &ends, Trapezoidal, 30, &options).is_err());
+    let minimum = minimise(&Hole, &ends, Trapezoidal, 200, &Options::default()).expect("round");
+    assert!(minimum.is_local_minimum());
+    assert!(minimum.sequence.points().iter().all(|x| x.norm() > 1.0));
+}
+
+/// A constant matrix, which need not be a metric.
+struct Matrix([[f64; 2]; 2]);
+
+impl Metric<2> for Matrix {
+    fn gram<S: Scalar>(&self, _: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+        SMatrix::from_fn(|i, j| S::constant(self.0[i][j]))
+    }
+}
+
+#[test]
+fn matrices_that_are_no_metric_are_named() {
+    let ends = points([0.0, 0.0], [1.0, 1.0]);
+    for n in [1, 5, 80] {
+        let refused = |h| error(&Matrix(h), &ends, n);
+        assert!(matches!(
+            refused([[1.0, 0.25], [0.5, 1.0]]),
+            MetricError::NotSymmetric { row: 0, column: 1, above: 0.25, below: 0.5, .. }
+        ));
+        assert!(matches!(
+            refused([[f64::INFINITY, 0.0], [0.0, 1.0]]),
+            MetricError::NotFinite { row: 0, column: 0, .. }
+        ));
+        for (h, least) in [
+            ([[1.0, 2.0], [2.0, 1.0]], -1.0),
+            ([[-1.0, 0.0], [0.0, -1.0]], -1.0),
+            ([[1.0, 1.0], [1.0, 1.0]], 0.0),
+            ([[0.0, 0.0], [0.0, 0.0]], 0.0),
+        ] {
+            let MetricError::NotPositiveDefinite { eigenvalue, .. } = refused(h) else {
+                panic!("{h:?}");
+            };
+            assert!((eigenvalue - least).abs() < 1e-15, "{eigenvalue}");
+        }
+    }
+}
+
+/// The identity, but for a strip about `x₁ = ½`, narrower than the chords of a coarse grid,
+/// where the lower half of the matrix differs: the search itself reads the upper one only.
+struct Strip;
+
+impl Metric<2> for Strip {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+        let strip = (-((x[0] - 0.5) * 400.0).sqr()).exp();
+        matrix![S::one(), S::zero(); strip, S::one()]
+    }
+}
+
+#[test]
+fn a_defect_that_only_the_fine_grid_meets_is_named() {
+    let ends = points([0.0, 0.0], [1.0, 0.0]);
+    // The nodes nearest to the strip are 1/32 beside it: e^(−156).
+    let coarse = minimise(&Strip, &ends, Trapezoidal, 16, &Options::default());
+    assert!(coarse.expect("symmetric at the nodes").is_local_minimum());
+    let MetricError::NotSymmetric { point, above, .. } = error(&Strip, &ends, 1024) else {
+        panic!("finite and definite");
+    };
+    assert!((point[0] - 0.5).abs() < 0.02 && above == 0.0, "{point:?}");
+}
+
+/// `diag(1, ½ + cos x₁)`: indefinite for `x₁` between `2π/3` and `4π/3`.
+struct Flip;
+
+impl Metric<2> for Flip {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+        SMatrix::from_diagonal(&vector![S::one(), x[0].cos() + 0.5])
+    }
+}
+
+#[test]
+fn a_metric_that_is_indefinite_along_the_way_is_named() {
+    for n in [2, 9, 64] {
+        let across = points([1.5, 0.0], [5.0, 0.3]);
+        let MetricError::NotPositiveDefinite { point, eigenvalue } = error(&Flip, &across, n)
+        else {
+            panic!("the straight line crosses the strip");
+        };
+        assert!(eigenvalue <= 0.0 && (2.0..4.2).contains(&point[0]), "{point:?} {eigenvalue}");
+    }
+    // Away from the strip it is a metric; a search that strays into it is held back.
+    let aside = points([-1.9, 0.0], [1.9, 2.0]);
+    let minimum = minimise(&Flip, &aside, Trapezoidal, 100, &Options::default()).expect("aside");
+    assert!(minimum.sequence.points().iter().all(|x| x[0].cos() > -0.5));
+}
+
+#[test]
+fn points_outside_the_hyperbolic_disc_are_named() {
+    for (a, b) in [([2.0, 0.0], [3.0, 0.0]), ([0.0, 0.0], [1.5, 0.0]), ([0.3, 0.0], [0.0, -1.2])] {
+        for n in [1, 2, 33] {
+            for ends in [points(a, b), points(b, a)] {
+                let error = error(&Hyperbolic, &ends, n);
+                let MetricError::NotFinite { point, .. } = error else { panic!("{error}") };
+                assert!(vector![point[0], point[1]].norm() > 1.0, "{point:?}");
+                // The left-endpoint rule does not read the metric at the last point.
+                let left = minimise(&Hyperbolic, &ends, LeftEndpoint, n, &Options::default());
+                assert!(matches!(left, Err(SolveError::Metric(MetricError::NotFinite { .. }))));
+            }
+        }
+    }
+    // Touching there is no better.
+    let touching = points([2.0, 0.0], [2.0, 0.0]);
+    assert!(matches!(error(&Hyperbolic, &touching, 3), MetricError::NotFinite { .. }));
+    // On the rim, where the metric is infinite.
+    assert!(matches!(
+        error(&Hyperbolic, &points([0.0, 0.0], [1.0, 0.0]), 4),
+        MetricError::NotFinite { .. }
+    ));
+}
+
+/// Of a finite set, the members outside of the disc are passed over; of a ball across its rim,
+/// the part inside is used.
+#[test]
+fn the_part_of_a_set_where_there_is_a_metric_is_used() {
+    let set = FiniteSet::new([[3.0, 0.0], [0.0, 0.5], [0.0, -2.0]]).expect("finite");
+    let origin = Point::new([0.0, 0.0]).expect("finite");
+    let ends = Ends::new(origin, set).expect("bounded");
+    let options = Options::default();
+    let minimum = minimise(&Hyperbolic, &ends, Trapezoidal, 64, &options).expect("one inside");
+    assert!(minimum.is_local_minimum());
+    assert_eq!(*minimum.sequence.last(), vector![0.0, 0.5]);
+    let ball = Ball::new([1.0, 0.0], 0.5).expect("a radius");
+    let ends = Ends::new(origin, ball).expect("bounded");
+    let minimum = minimise(&Hyperbolic, &ends, Trapezoidal, 64, &options).expect("inside");
+    assert!(minimum.is_local_minimum());
+    assert!((minimum.sequence.last() - vector![0.5, 0.0]).norm() < 1e-9);
+}
+
+/// What any result must be, whatever the metric.
+#[track_caller]
+fn assert_honest(metric: &impl Metric<2>, minimum: &Minimum<2>) {
+    let energy = Trapezoidal.energy(metric, &minimum.sequence);
+    assert!((energy / minimum.energy - 1.0).abs() <= 1e-12, "{energy}");
+    for value in [minimum.decrement, minimum.residual, minimum.residual_floor] {
+        assert!(value >= 0.0, "{minimum:?}");
+    }
+    assert!(minimum.local_minima.iter().chain([&minimum.energy]).all(|e| e.is_finite()));
+    if minimum.stop == Stop::Converged {
+        // No claim without the numbers that go with it: residual² ≤ 2 N² κ decrement, here with
+        // decrements up to 1e-10 and N ≤ 40, up to ends and a condition κ < 10.
+        assert!(minimum.residual < 4e-3, "residual {:e}", minimum.residual);
+    }
+    if let Curvature::Indefinite { negative } = minimum.curvature {
+        assert!(negative > 0);
+    }
+}
+
+/// Four metrics that break the law of being twice differentiable, or obey it in name only.
+macro_rules! scalar_metric {
+    ($name:ident, $x:ident => $formula:expr) => {
+        struct $name;
+        impl Metric<2> for $name {
+            fn gram<S: Scalar>(&self, $x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+                SMatrix::from_diagonal_element($formula)
+            }
+        }
+    };
+}
+
+// |x₂|: a valley with a kink, on which the curve wants to lie. On it, no derivative.
+scalar_metric!(Kink, x => x[1].sqr().sqrt() + 1.0);
+// Jumps by π/2 along lines that cross every curve.
+scalar_metric!(Saw, x => ((x[0] * 7.0).tan().atan() + (x[1] * 11.0).tan().atan()) * 0.5 + 2.0);
+// Random digits of the coordinates, as far as any Newton step is concerned.
+scalar_metric!(Noise, x => (x[0] * 1e9 + x[1] * 3e9).sin() * 0.5 + 2.0);
+// Smooth, with more hills than the grids have points.
+scalar_metric!(Hills, x => (x[0] * 100.0).sin() * (x[1] * 77.0).cos() * 0.5 + 1.0);
+
+#[test]
+fn nasty_metrics_end_within_the_limit_and_say_how() {
+    check_nasty(&Kink);
+    check_nasty(&Saw);
+    check_nasty(&Noise);
+    check_nasty(&Hills);
+}
+
+fn check_nasty(metric: &impl Metric<2>) {
+    let ball = Ball::new([1.5, 0.1], 0.3).expect("a radius");
+    let circle = Sphere::new([-1.5, -0.1], 0.4).expect("a radius");
+    let all = [
+        points([-1.0, 0.3], [1.0, -0.2]),
+        // On the kink.
+        points([-1.0, 0.0], [1.0, 0.0]),
+        Ends::new(circle, ball).expect("bounded"),
+    ];
+    for ends in &all {
+        for n in [1, 2, 7, 40] {
+            for limit in [0, 1, 30] {
+                let options = Options { starts: Starts::Automatic, iterations: limit };
+                let minimum = minimise(metric, ends, Trapezoidal, n, &options).expect("a metric");
+                assert_honest(metric, &minimum);
+                // At most ten end pairs with five starts, or n jumps, and then eight followed.
+                let searches = 10 * (5 + 8) + 8 * minimum.levels.len();
+                assert!(minimum.iterations <= searches * (limit + 1), "{}", minimum.iterations);
+                if limit == 0 {
+                    assert_ne!(minimum.stop, Stop::Converged);
+                }
+            }
+        }
+    }
+}
+
+/// NaN derivatives reach the frames of the ends and every eigenvalue routine, in `D = 3` too.
+#[test]
+fn derivatives_that_are_nan_end_the_search() {
+    struct Kink;
+    impl Metric<3> for Kink {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 3>) -> SMatrix<S, 3, 3> {
+            let kink = x[0].sqr().sqrt();
+            let (diagonal, off) = (kink + 1.0, kink * 0.25);
+            matrix![diagonal, off, off; off, diagonal, off; off, off, diagonal]
+        }
+    }
+    // Symmetric to x₁ = 0, where every straight start lies.
+    let origin = Point::new([0.0; 3]).expect("finite");
+    let ball = Ball::new([0.0, 2.0, 0.0], 0.5).expect("a radius");
+    for ends in [Ends::new(origin, ball).expect("bounded"), points([0.0; 3], [0.0, 1.0, 1.0])] {
+        for n in [1, 2, 8, 40] {
+            let straight = PointSequence::straight([0.0; 3], [0.0, 1.0, 1.0], n).expect("finite");
+            for starts in [Starts::Automatic, Starts::Only(vec![straight])] {
+                let options = Options { starts, ..Options::default() };
+                let minimum = minimise(&Kink, &ends, Trapezoidal, n, &options).expect("values");
+                assert!(minimum.energy.is_finite() && minimum.residual >= 0.0);
+                // Without derivatives nothing is known, and nothing is claimed.
+                let blind = minimum.residual == f64::INFINITY;
+                assert!(!blind || !minimum.is_local_minimum(), "{minimum:?}");
+            }
+        }
+    }
+}

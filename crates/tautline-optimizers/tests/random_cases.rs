@@ -1,0 +1,267 @@
+//! Random metrics, random ends, `N` from 1 to 200, both rules: what must hold in every case.
+
+use nalgebra::{SVector, vector};
+use proptest::{prelude::*, test_runner::RngSeed};
+use tautline_discretizations::{Interpolation, LeftEndpoint, PointSequence, Rule, Trapezoidal};
+use tautline_metrics::{
+    KnownDistance, Metric,
+    gallery::{Bump, Lens, Ramp, Separable, Shear, Valleys},
+};
+use tautline_optimizers::{Minimum, Options, Starts, Stop, minimise};
+use tautline_sets::{AxisBox, Ball, ClosedSet, Ends, HalfSpace, Point, Segment, Sphere};
+
+fn config(cases: u32) -> ProptestConfig {
+    ProptestConfig {
+        cases,
+        rng_seed: RngSeed::Fixed(17),
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    }
+}
+
+fn vector<const D: usize>(size: f64) -> impl Strategy<Value = SVector<f64, D>> {
+    proptest::array::uniform::<_, D>(-size..size).prop_map(SVector::from)
+}
+
+/// Two points; or a bounded set of any kind about `−3e₁`, and a set of any kind about `3e₁`.
+fn ends<const D: usize>() -> impl Strategy<Value = Ends<D>> {
+    let points =
+        (vector::<D>(4.0), vector::<D>(4.0)).prop_map(|(a, b)| Ends::points(a, b).expect("finite"));
+    let sets = (0..4_usize, 0..5_usize, vector::<D>(1.0), vector::<D>(1.0), 0.0..0.8_f64);
+    let sets = sets.prop_map(|(first, second, a, b, size)| {
+        let on_axis = |x: f64| SVector::from_fn(|i, _| if i == 0 { x } else { 0.0 });
+        let (a, b) = (a + on_axis(-3.0), b + on_axis(3.0));
+        let bounded = |kind: usize, c: SVector<f64, D>| -> std::sync::Arc<dyn ClosedSet<D>> {
+            match kind {
+                0 => std::sync::Arc::new(Ball::new(c, size).expect("a radius")),
+                1 => std::sync::Arc::new(
+                    AxisBox::new(c, SVector::repeat(size)).expect("half-widths"),
+                ),
+                2 => std::sync::Arc::new(Sphere::new(c, size).expect("a radius")),
+                3 => std::sync::Arc::new(
+                    Segment::new(c - SVector::repeat(size), c + on_axis(size)).expect("finite"),
+                ),
+                _ => std::sync::Arc::new(
+                    HalfSpace::at_least(SVector::repeat(size) + on_axis(1.0), 3.0)
+                        .expect("a normal"),
+                ),
+            }
+        };
+        Ends::new(bounded(first, a), bounded(second, b)).expect("one bounded")
+    });
+    prop_oneof![1 => points, 2 => sets]
+}
+
+/// Mostly few chords, where discrete minima are odd.
+fn chords() -> impl Strategy<Value = usize> {
+    prop_oneof![1_usize..12, 12_usize..200]
+}
+
+/// Checks both rules. `sine` is a phase for the perturbations.
+fn check<const D: usize>(
+    metric: &impl Metric<D>,
+    ends: &Ends<D>,
+    n: usize,
+    sine: f64,
+) -> Result<(), TestCaseError> {
+    check_rule(metric, ends, Trapezoidal, n, sine)?;
+    check_rule(metric, ends, LeftEndpoint, n, sine)
+}
+
+fn check_rule<const D: usize>(
+    metric: &impl Metric<D>,
+    ends: &Ends<D>,
+    rule: impl Rule,
+    n: usize,
+    sine: f64,
+) -> Result<(), TestCaseError> {
+    let solve = |starts| {
+        let options = Options { starts, ..Options::default() };
+        minimise(metric, ends, rule, n, &options).expect("a metric everywhere")
+    };
+    let minimum = solve(Starts::Automatic);
+    stops_well(&minimum)?;
+    if minimum.stop == Stop::EndsTouch {
+        prop_assert_eq!(minimum.energy, 0.0);
+        return Ok(());
+    }
+    // The straight line between points that are nearest to each other, by projections.
+    let mut a = ends.first().project(&SVector::zeros());
+    let mut b = ends.second().project(&a);
+    for _ in 0..50 {
+        a = ends.first().project(&b);
+        b = ends.second().project(&a);
+    }
+    let straight = PointSequence::straight(a, b, n).expect("finite");
+    let energy = rule.energy(metric, &straight);
+    prop_assert!(minimum.energy <= energy * (1.0 + 1e-12), "{} {energy}", minimum.energy);
+    // That start alone is one of many.
+    let alone = solve(Starts::Only(vec![straight]));
+    stops_well(&alone)?;
+    prop_assert!(alone.energy <= energy * (1.0 + 1e-12), "{} {energy}", alone.energy);
+    prop_assert!(
+        minimum.energy <= alone.energy * (1.0 + 1e-9),
+        "{} {}",
+        minimum.energy,
+        alone.energy
+    );
+    not_lowered(metric, ends, rule, &minimum, sine)
+}
+
+fn stops_well<const D: usize>(minimum: &Minimum<D>) -> Result<(), TestCaseError> {
+    let good = matches!(minimum.stop, Stop::Converged | Stop::EndsTouch);
+    prop_assert!(good, "{:?} {:?}", minimum.stop, minimum.curvature);
+    for value in [minimum.energy, minimum.decrement, minimum.residual, minimum.residual_floor] {
+        prop_assert!((0.0..f64::INFINITY).contains(&value), "{value}");
+    }
+    prop_assert!(minimum.decrement <= 1e-14, "decrement {:e}", minimum.decrement);
+    Ok(())
+}
+
+/// No perturbation with its ends in the sets lowers the energy: waves and single points, of
+/// sizes from `1e-3`, which stays near a shallow minimum, down to where the change is rounding.
+fn not_lowered<const D: usize>(
+    metric: &impl Metric<D>,
+    ends: &Ends<D>,
+    rule: impl Rule,
+    minimum: &Minimum<D>,
+    sine: f64,
+) -> Result<(), TestCaseError> {
+    let points = minimum.sequence.points();
+    let n = points.len() - 1;
+    for trial in 0..24 {
+        let size = 1e-3 * 0.1_f64.powi(trial % 4) * if trial % 2 == 0 { 1.0 } else { -1.0 };
+        let phase = |i: usize| sine + 1.7 * i as f64 + 0.9 * f64::from(trial);
+        let moved = |k: usize| {
+            let t = k as f64 / n as f64;
+            let wave = SVector::<f64, D>::from_fn(|i, _| {
+                (phase(i) + f64::from(trial % 5) * std::f64::consts::PI * t).sin()
+            });
+            let single = k == (trial as usize * 7919 + 1) % (n + 1);
+            points[k] + wave * if trial < 16 || single { size } else { 0.0 }
+        };
+        let mut perturbed: Vec<_> = (0..=n).map(moved).collect();
+        perturbed[0] = ends.first().project(&perturbed[0]);
+        perturbed[n] = ends.second().project(&perturbed[n]);
+        let perturbed = PointSequence::new(perturbed).expect("finite");
+        let energy = rule.energy(metric, &perturbed);
+        // No step promises more than the decrement, 1e-15; each term of the sum is rounded.
+        prop_assert!(energy >= minimum.energy * (1.0 - 1e-13), "{energy} below at {trial}");
+    }
+    Ok(())
+}
+
+/// `d² ≤ E(γᵖˡ)`, up to the error of the quadrature and of the reference.
+fn not_below<const D: usize>(
+    metric: &impl KnownDistance<D>,
+    a: SVector<f64, D>,
+    b: SVector<f64, D>,
+    n: usize,
+) -> Result<(), TestCaseError> {
+    let ends = Ends::points(a, b).expect("finite");
+    let Some(d) = metric.distance(&a, &b) else { return Ok(()) };
+    for left in [false, true] {
+        let options = Options::default();
+        let minimum = if left {
+            minimise(metric, &ends, LeftEndpoint, n, &options)
+        } else {
+            minimise(metric, &ends, Trapezoidal, n, &options)
+        };
+        let minimum = minimum.expect("a metric everywhere");
+        stops_well(&minimum)?;
+        let energy = Interpolation::new(&minimum.sequence).energy(metric);
+        // The primitives, up to 10, have an error of some 4e-15 each; so has the sum of squares.
+        let slack = energy.error + 2e-14 * d + 1e-13 * d * d;
+        prop_assert!(d * d <= energy.value + slack, "{} below {}", energy.value, d * d);
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(config(400))]
+
+    #[test]
+    fn shear(
+        (amplitude, k) in (-0.8..0.8_f64, 0.3..2.0_f64),
+        ends in ends::<2>(), n in chords(), sine in 0.0..6.0_f64,
+        (a, b) in (vector::<2>(4.0), vector::<2>(4.0)),
+    ) {
+        let shear = Shear::new(amplitude, k).expect("k > 0");
+        check(&shear, &ends, n, sine)?;
+        not_below(&shear, a, b, n)?;
+    }
+
+    #[test]
+    fn separable(
+        (amplitudes, k) in (vector::<3>(0.8), 0.3..2.0_f64),
+        ends in ends::<3>(), n in chords(), sine in 0.0..6.0_f64,
+        (a, b) in (vector::<3>(4.0), vector::<3>(4.0)),
+    ) {
+        let metric = Separable::new(amplitudes, vector![k, 1.0, 0.5]).expect("below one");
+        check(&metric, &ends, n, sine)?;
+        not_below(&metric, a, b, n)?;
+    }
+
+    #[test]
+    fn ramp(
+        (amplitude, k) in (-0.9..0.9_f64, 0.3..3.0_f64),
+        ends in ends::<1>(), n in chords(), sine in 0.0..6.0_f64,
+        (a, b) in (vector::<1>(4.0), vector::<1>(4.0)),
+    ) {
+        let ramp = Ramp::new(amplitude, k).expect("below one");
+        check(&ramp, &ends, n, sine)?;
+        not_below(&ramp, a, b, n)?;
+    }
+
+    #[test]
+    fn valleys(
+        ends in ends::<2>(), n in chords(), sine in 0.0..6.0_f64,
+        (a, b) in (vector::<2>(4.0), vector::<2>(4.0)),
+    ) {
+        check(&Valleys, &ends, n, sine)?;
+        not_below(&Valleys, a, b, n)?;
+    }
+
+    #[test]
+    fn lens(
+        (height, width) in (0.0..8.0_f64, 0.3..1.5_f64),
+        ends in ends::<2>(), n in chords(), sine in 0.0..6.0_f64,
+    ) {
+        check(&Lens::new(height, width).expect("positive"), &ends, n, sine)?;
+    }
+
+    #[test]
+    fn bump(
+        (height, width) in (0.0..4.0_f64, 0.3..1.5_f64),
+        ends in ends::<2>(), n in chords(), sine in 0.0..6.0_f64,
+    ) {
+        check(&Bump::new(height, width).expect("positive"), &ends, n, sine)?;
+    }
+}
+
+/// A start at random, refined: it ends in a minimum that the automatic starts beat or equal.
+#[test]
+fn random_starts_find_nothing_lower() {
+    let bump = Bump::new(4.0, 0.5).expect("positive");
+    let ends = Ends::new(
+        Point::new([-2.0, 0.2]).expect("finite"),
+        Ball::new([2.0, 0.0], 0.4).expect("a radius"),
+    )
+    .expect("bounded");
+    let automatic = minimise(&bump, &ends, Trapezoidal, 64, &Options::default()).expect("a metric");
+    let mut same = 0;
+    for k in 0..40 {
+        let phase = |i: f64, j: f64| (12.9 * i + 78.2 * j + 3.7 * f64::from(k)).sin() * 1.2;
+        let points = (0..=16).map(|j| {
+            let t = f64::from(j);
+            vector![t / 4.0 - 2.0 + phase(1.0, t), phase(2.0, t)]
+        });
+        let start = PointSequence::new(points.collect()).expect("finite");
+        let options = Options { starts: Starts::Only(vec![start]), ..Options::default() };
+        let minimum = minimise(&bump, &ends, Trapezoidal, 64, &options).expect("a metric");
+        assert!(minimum.is_local_minimum(), "{:?} {:?}", minimum.stop, minimum.curvature);
+        assert!(automatic.energy <= minimum.energy * (1.0 + 1e-13));
+        same += usize::from(minimum.energy <= automatic.energy * (1.0 + 1e-12));
+    }
+    assert!((10..40).contains(&same), "{same} of 40: there are two sides");
+}

@@ -1,0 +1,181 @@
+//! Other units of `ℓ` and of `m`, and a far origin: the same results, as far as `f64` allows.
+
+use nalgebra::{SMatrix, SVector, vector};
+use tautline_discretizations::{PointSequence, Trapezoidal};
+use tautline_metrics::{Metric, Scalar, gallery::Bump};
+use tautline_optimizers::{Curvature, Minimum, Options, Starts, Stop, minimise};
+use tautline_sets::{Ball, Ends, HalfSpace};
+
+/// A metric in other units: `m² H(x/ℓ)/ℓ²`, about another origin.
+#[derive(Clone, Copy)]
+struct Units<M> {
+    metric: M,
+    /// The old unit of length, in new ones.
+    ell: f64,
+    /// The square of the old unit of Riemannian length, over that of `ℓ`, in new ones.
+    gram: f64,
+    /// Where the old origin is, coordinate by coordinate, in new units.
+    origin: f64,
+}
+
+impl<const D: usize, M: Metric<D>> Metric<D> for Units<M> {
+    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
+        let old = x.map(|x| (x - self.origin) / self.ell);
+        self.metric.gram(&old).map(|entry| entry * self.gram)
+    }
+}
+
+type Solve = fn(Units<()>, usize) -> Minimum<2>;
+
+const PLAIN: Units<()> = Units { metric: (), ell: 1.0, gram: 1.0, origin: 0.0 };
+
+impl Units<()> {
+    fn of<M>(self, metric: M) -> Units<M> {
+        Units { metric, ell: self.ell, gram: self.gram, origin: self.origin }
+    }
+
+    /// From a ball on one side of the bump to a half-plane on the other.
+    fn solve_sets(self, n: usize) -> Minimum<2> {
+        let at = |x: f64, y: f64| vector![x, y] * self.ell + vector![self.origin, self.origin];
+        let ball = Ball::new(at(-2.0, 0.1), 0.5 * self.ell).expect("a radius");
+        // {x₁ ≥ 2}, its normal of any length.
+        let wall = HalfSpace::at_least([0.25, 0.0], 0.25 * at(2.0, 0.0)[0]).expect("a normal");
+        self.minimise(&Ends::new(ball, wall).expect("one bounded"), n)
+    }
+
+    fn solve_points(self, n: usize) -> Minimum<2> {
+        let at = |x: f64, y: f64| vector![x, y] * self.ell + vector![self.origin, self.origin];
+        self.minimise(&Ends::points(at(-1.5, 0.125), at(1.5, -0.25)).expect("finite"), n)
+    }
+
+    fn minimise(self, ends: &Ends<2>, n: usize) -> Minimum<2> {
+        let bump = self.of(Bump::new(4.0, 0.5).expect("positive"));
+        minimise(&bump, ends, Trapezoidal, n, &Options::default()).expect("a metric")
+    }
+}
+
+/// A power of two as a unit changes no rounding: every number is the same, scaled, to the last
+/// bit. A tolerance with a hidden unit would show.
+#[test]
+fn powers_of_two_change_no_bit() {
+    for n in [3, 40, 200] {
+        for solve in [Units::solve_sets as Solve, Units::solve_points] {
+            let reference = solve(PLAIN, n);
+            assert!(reference.is_local_minimum());
+            for (ell, gram) in [(300, 0), (-300, 0), (0, 40), (0, -40), (20, -600), (-20, 600)] {
+                // H in m²/ℓ²: a power of 4, so that roots are exact too.
+                let (ell, gram) = (2_f64.powi(ell), 4_f64.powi(gram / 2));
+                let minimum = solve(Units { ell, gram, ..PLAIN }, n);
+                let points: Vec<_> = reference.sequence.points().iter().map(|x| x * ell).collect();
+                assert_eq!(minimum.sequence.points(), points, "ℓ {ell:e}, H {gram:e}");
+                assert_eq!(minimum.energy, reference.energy * ell * ell * gram);
+                assert_eq!(minimum.residual, reference.residual);
+                assert_eq!(minimum.residual_floor, reference.residual_floor);
+                assert_eq!(minimum.decrement, reference.decrement);
+                assert_eq!(minimum.iterations, reference.iterations, "{n}, ℓ {ell:e}, H {gram:e}");
+                assert_eq!(
+                    (minimum.stop, minimum.curvature),
+                    (reference.stop, reference.curvature)
+                );
+            }
+        }
+    }
+}
+
+/// Units that are no powers of two, up to the limits of what has a square in `f64`.
+#[test]
+fn any_units_give_the_same_energy() {
+    let reference = PLAIN.solve_sets(64);
+    for (ell, gram) in [
+        (1e-150, 1.0),
+        (1e-100, 1.0),
+        (1e-6, 1.0),
+        (1e6, 1.0),
+        (1e100, 1.0),
+        (1e150, 1.0),
+        (1.0, 1e-12),
+        (1.0, 1e12),
+        (1.0, 1e-300),
+        (1.0, 1e300),
+        (1e6, 1e-12),
+    ] {
+        let minimum = Units { ell, gram, ..PLAIN }.solve_sets(64);
+        assert_eq!((minimum.stop, minimum.curvature), (reference.stop, reference.curvature));
+        // Twice the decrement, and some roundings of coordinates near and in the exponent.
+        let energy = minimum.energy / (ell * gram) / ell;
+        assert!((energy / reference.energy - 1.0).abs() <= 1e-14, "{ell:e} {gram:e}: {energy}");
+        let range = 0.0..=8.0 * minimum.residual_floor + 1e-6;
+        assert!(range.contains(&minimum.residual), "residual {:e}", minimum.residual);
+        assert!(minimum.residual_floor > 0.0);
+    }
+}
+
+/// Far from the origin the coordinates are rounded to `ε |x|`, the chords with them. The search
+/// ends there, and the predicted floor of the residual is what is seen.
+#[test]
+fn far_from_the_origin_the_floor_predicts_the_residual() {
+    for (solve, name) in
+        [(Units::solve_points as Solve, "points"), (Units::solve_sets as Solve, "sets")]
+    {
+        for n in [10_usize, 100, 1000, 5000] {
+            let near = solve(PLAIN, n);
+            for origin in [1e5, 1e6, 1e7, 1e8] {
+                let far = solve(Units { origin, ..PLAIN }, n);
+                let which = format!("{name}, N = {n}, origin {origin:e}");
+                assert_eq!(far.stop, Stop::Converged, "{which}");
+                assert_eq!(far.curvature, Curvature::PositiveDefinite, "{which}");
+                assert!(far.iterations < 100 + near.iterations, "{which}: {}", far.iterations);
+                // A decrement that is not yet rounding has residual² ≤ 2 N² decrement, with
+                // 4 granted for the condition of the metric and for the ends.
+                let unfinished = 4.0 * n as f64 * 1e-15_f64.sqrt();
+                let ratio = far.residual / far.residual_floor;
+                assert!(far.residual <= 30.0 * far.residual_floor + unfinished, "{which}: {ratio}");
+                if n >= 100 && far.residual_floor > unfinished {
+                    assert!(ratio >= 1.0 / 30.0, "{which}: {ratio}");
+                }
+                // Ends and points are moved by u = ε |x|: by c₂ and the length of some 5 that
+                // changes E by 2 · 5 · 5 · u, and by the noise (N u)² of the chords.
+                let u = f64::EPSILON * origin;
+                let bound = 100.0 * u + 100.0 * (n as f64 * u).powi(2) + 1e-13;
+                let error = (far.energy - near.energy).abs();
+                assert!(error <= bound, "{which}: {error:e} over {bound:e}");
+            }
+        }
+    }
+}
+
+/// The smallest shift at which rounding counts for every `N`: results far out are noisy, but
+/// they end at once and say so.
+#[test]
+fn hopelessly_far_from_the_origin_the_search_still_ends() {
+    for n in [10, 300] {
+        let far = Units { origin: 1e12, ..PLAIN }.solve_points(n);
+        assert!(matches!(far.stop, Stop::Converged | Stop::Stalled), "{:?}", far.stop);
+        assert!(far.residual.is_finite() && far.energy.is_finite());
+        // ε N² |x|/L: nothing is left of the residual's digits.
+        assert!(far.residual_floor > 1e-3, "{:e}", far.residual_floor);
+    }
+}
+
+/// The same curve run backwards, from the same start.
+#[test]
+fn exchanging_the_ends_reverses_the_sequence() {
+    let bump = Bump::new(4.0, 0.5).expect("positive");
+    let ball = Ball::new([-2.0, 0.1], 0.5).expect("a radius");
+    let wall = HalfSpace::at_least([1.0, 0.2], 2.0).expect("a normal");
+    let (forth, back) = (Ends::new(ball, wall), Ends::new(wall, ball));
+    let start = PointSequence::straight([-1.5, 0.5], [2.0, 0.4], 32).expect("finite");
+    let turned = start.points().iter().rev().copied().collect();
+    let turned = PointSequence::new(turned).expect("finite");
+    let solve = |ends: &Ends<2>, start: &PointSequence<2>| {
+        let options = Options { starts: Starts::Only(vec![start.clone()]), ..Options::default() };
+        minimise(&bump, ends, Trapezoidal, 100, &options).expect("a metric")
+    };
+    let forth = solve(&forth.expect("one bounded"), &start);
+    let back = solve(&back.expect("one bounded"), &turned);
+    assert!(forth.is_local_minimum() && back.is_local_minimum());
+    assert!((forth.energy / back.energy - 1.0).abs() <= 1e-14);
+    // A relative decrement below 1e-15 leaves displacements of some 3e-8.
+    let points = forth.sequence.points().iter().zip(back.sequence.points().iter().rev());
+    assert!(points.into_iter().all(|(x, y)| (x - y).amax() < 1e-6));
+}
