@@ -35,6 +35,7 @@ mod end_frame;
 mod extrapolation;
 mod factorization;
 mod inverse_factor;
+mod line_minimum;
 mod local_search;
 mod minimise;
 mod minimum;

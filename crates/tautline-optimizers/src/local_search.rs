@@ -18,6 +18,10 @@ use crate::{
 /// promised change, `10⁻¹⁰ E`, is real, but a few steps later it drowns in rounding.
 const QUADRATIC_ZONE: f64 = 1e-10;
 
+/// Relative decrement below which the Hessian at one end of a step also speaks for the other:
+/// the points move by the root of it, `10⁻⁸`, and with them the Hessian.
+const SAME_HESSIAN: f64 = 1e-16;
+
 /// Steps that promise less than this many times the [`negligible`] decrement are taken without
 /// looking at the energy too: rounding of the coordinates moves it as much.
 const NOISE: f64 = 16.0;
@@ -185,7 +189,11 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
                     if damping.stagnates(decrement) {
                         return end(Stop::Converged, decrement);
                     }
-                    return self.polish(&system, &factorization, trial, negligible);
+                    return if decrement <= SAME_HESSIAN * model.energy {
+                        self.polish(&system, &factorization, trial, negligible)
+                    } else {
+                        Next::Move(trial)
+                    };
                 }
                 damping.lower();
                 return Next::Move(trial);

@@ -26,8 +26,12 @@ impl<const D: usize> Default for Options<D> {
     }
 }
 
-/// The coarsest grid has at most this many chords: enough to tell the ways round an obstacle
-/// apart, and few enough that a dozen starts cost less than one pass over a fine grid.
+/// Up to so many chords everything is tried on the grid itself: there a discrete minimiser
+/// may leap over a ridge, and which leaps save energy depends on the grid.
+const DIRECT: usize = 64;
+
+/// Otherwise the coarsest grid has at most this many chords: enough to tell the ways round an
+/// obstacle apart, and few enough that a dozen starts cost less than one pass over a fine grid.
 const COARSEST: usize = 32;
 
 /// From one grid to the next, `N` grows at most by this factor.
@@ -73,7 +77,7 @@ pub fn minimise<const D: usize, R: Rule>(
             return Ok(Minimum::at_common_point(x, n));
         }
         let search = LocalSearch { metric, rule, ends: pair, iterations: options.iterations };
-        for start in options.starts.between(pair[0], pair[1], grids[0]) {
+        for start in options.starts.between(metric, rule, pair, grids[0]) {
             match search.check(&start).and_then(|()| search.run(start)) {
                 Ok(found) => {
                     steps += found.iterations;
@@ -160,7 +164,7 @@ fn lowest_first<const D: usize>(candidates: &mut Vec<Candidate<'_, D>>) {
 fn grids(n: usize) -> Vec<usize> {
     let mut grids = vec![n];
     let mut grid = n;
-    while grid > COARSEST {
+    while n > DIRECT && grid > COARSEST {
         grid = grid.div_ceil(REFINEMENT);
         grids.push(grid);
     }
@@ -175,8 +179,8 @@ mod tests {
     #[test]
     fn grids_end_at_n_and_begin_coarse() {
         assert_eq!(grids(1), [1]);
-        assert_eq!(grids(32), [32]);
-        assert_eq!(grids(33), [9, 33]);
+        assert_eq!(grids(64), [64]);
+        assert_eq!(grids(65), [17, 65]);
         assert_eq!(grids(1000), [16, 63, 250, 1000]);
     }
 }

@@ -52,8 +52,8 @@ pub struct Level {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Stop {
-    /// The decrement is at most `10⁻¹⁵`, the rounding of the energy, or `2 tr H (ε N max |x|)²`
-    /// relative to it, the rounding of the points: larger only far from the origin. Or it is
+    /// The decrement is at most `10⁻²⁰`, or `2 tr H (ε N max |x|)²` relative to the energy, the
+    /// rounding of the points: larger only on huge grids or far from the origin. Or it is
     /// below `10⁻¹⁰` and does not fall any more.
     Converged,
     /// The sets have a point in common, so all points are the same and the energy is 0.

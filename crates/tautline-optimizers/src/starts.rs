@@ -1,18 +1,19 @@
 //! Where the local searches start.
 
 use nalgebra::SVector;
-use tautline_discretizations::PointSequence;
+use tautline_discretizations::{PointSequence, Rule};
+use tautline_metrics::Metric;
 use tautline_sets::ClosedSet;
 
-use crate::prolongation::prolong;
+use crate::{line_minimum::line_minimum, prolongation::prolong};
 
 /// Where to start the local searches.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub enum Starts<const D: usize> {
     /// The straight lines between nearest points of the sets (and between further points
-    /// of sets that are not convex), each also bent to every side; on grids of at most eight
-    /// chords also the sequences that jump at once.
+    /// of sets that are not convex), each also bent to every side; and the best of all
+    /// sequences on a grid of the straight line.
     #[default]
     Automatic,
     /// These sequences and no others, on any grid; their ends are moved to the nearest
@@ -26,18 +27,16 @@ pub enum Starts<const D: usize> {
 /// its diameter, one half: enough to pass an obstacle in the middle on either side.
 const BEND: f64 = 0.4;
 
-/// On coarser grids than this a discrete minimiser may be one jump over several valleys.
-const JUMPING: usize = 8;
-
 /// Alternating projections to find nearest points; only a start, so it need not converge.
 const PROJECTIONS: usize = 50;
 
 impl<const D: usize> Starts<D> {
     /// Returns the starts between two pieces, on the grid of `n` chords.
-    pub(crate) fn between(
+    pub(crate) fn between<R: Rule>(
         &self,
-        first: &dyn ClosedSet<D>,
-        second: &dyn ClosedSet<D>,
+        metric: &impl Metric<D>,
+        _rule: R,
+        [first, second]: [&dyn ClosedSet<D>; 2],
         n: usize,
     ) -> Vec<PointSequence<D>> {
         let mut starts = Vec::new();
@@ -51,7 +50,8 @@ impl<const D: usize> Starts<D> {
         }
         if !matches!(self, Starts::Only(_)) {
             for (a, b) in end_points(first, second) {
-                starts.extend(automatic(&a, &b, n));
+                starts.extend(bent_lines(&a, &b, n));
+                starts.extend(line_minimum::<R, D>(metric, &a, &b, n));
             }
         }
         starts.into_iter().filter_map(|points| PointSequence::new(points).ok()).collect()
@@ -82,8 +82,8 @@ fn end_points<const D: usize>(
     pairs
 }
 
-/// The straight line from `a` to `b`, its bends, and its jumps.
-fn automatic<const D: usize>(
+/// The straight line from `a` to `b`, and its bends.
+fn bent_lines<const D: usize>(
     a: &SVector<f64, D>,
     b: &SVector<f64, D>,
     n: usize,
@@ -112,16 +112,13 @@ fn automatic<const D: usize>(
             starts.extend([line(bend), line(-bend)]);
         }
     }
-    if (2..=JUMPING).contains(&n) {
-        starts
-            .extend((0..n).map(|jump| (0..=n).map(|k| if k <= jump { *a } else { *b }).collect()));
-    }
     starts
 }
 
 #[cfg(test)]
 mod tests {
-    use tautline_discretizations::PointSequence;
+    use tautline_discretizations::{PointSequence, Trapezoidal};
+    use tautline_metrics::gallery::Valleys;
     use tautline_sets::{Ball, HalfSpace, Point, Sphere};
 
     use super::{BEND, Starts};
@@ -131,8 +128,12 @@ mod tests {
         let ball = Ball::new([0.0, 2.0], 0.5).expect("positive radius");
         let wall = HalfSpace::new([-1.0, 0.0], -3.0).expect("not zero");
         let given = PointSequence::straight([0.0, 9.0], [9.0, 0.0], 3).expect("finite");
-        let starts = Starts::Also(vec![given]).between(&ball, &wall, 16);
-        assert_eq!(starts.len(), 1 + 3, "given; straight and bent to both sides");
+        let starts = Starts::Also(vec![given]).between(&Valleys, Trapezoidal, [&ball, &wall], 16);
+        assert_eq!(
+            starts.len(),
+            1 + 3 + 1,
+            "given; straight, bent to both sides, and best on the line"
+        );
         for start in starts {
             assert_eq!(start.n().get(), 16);
             assert!(
@@ -147,29 +148,21 @@ mod tests {
         let a = Point::new([-1.0, 0.0, 0.0]).expect("finite");
         let b = Point::new([1.0, 0.0, 0.0]).expect("finite");
         let middles: Vec<_> = Starts::Automatic
-            .between(&a, &b, 10)
+            .between(&Valleys, Trapezoidal, [&a, &b], 10)
             .iter()
             .map(|start| {
                 let middle = start.points()[5];
                 [middle[1], middle[2]].map(|x| (x / (2.0 * BEND)).round())
             })
             .collect();
-        assert_eq!(middles, [[0.0, 0.0], [1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]]);
-    }
-
-    #[test]
-    fn coarse_grids_also_start_from_jumps() {
-        let (a, b) = (Point::new([0.0]).expect("finite"), Point::new([1.0]).expect("finite"));
-        assert_eq!(Starts::Automatic.between(&a, &b, 5).len(), 1 + 5);
-        assert_eq!(Starts::Automatic.between(&a, &b, 1).len(), 1);
-        assert_eq!(Starts::Automatic.between(&a, &b, 9).len(), 1);
+        assert_eq!(middles[..5], [[0.0, 0.0], [1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]]);
     }
 
     #[test]
     fn a_sphere_is_tried_from_all_sides() {
         let sphere = Sphere::new([0.0, 0.0], 1.0).expect("positive radius");
         let point = Point::new([0.2, 0.1]).expect("finite");
-        let starts = Starts::Automatic.between(&sphere, &point, 16);
-        assert!(starts.len() >= 5 * 3, "the nearest point and four seeds, {}", starts.len());
+        let starts = Starts::Automatic.between(&Valleys, Trapezoidal, [&sphere, &point], 16);
+        assert!(starts.len() >= 5 * 4, "the nearest point and four seeds, {}", starts.len());
     }
 }

@@ -1,0 +1,99 @@
+//! The best point sequence on a straight line, by dynamic programming.
+
+use nalgebra::SVector;
+use tautline_discretizations::Rule;
+use tautline_metrics::Metric;
+
+/// The line between the ends is divided into this many intervals, and goes on for a few more
+/// at both sides.
+const INTERVALS: usize = 64;
+const OVERSHOOT: usize = 6;
+
+/// Returns the sequence with the least discrete energy among all that begin in `a`, end in `b`
+/// and have their inner points on a grid of the straight line through both; `None` if no
+/// sequence has a finite energy.
+///
+/// On a coarse grid a minimiser may leap over what is dear between two nodes (Section 5), and
+/// there are as many local minimisers as ways to do it. Here none is missed, up to the grid: a
+/// start for the local search. With `c(x, y)` the energy of one chord, the least energy
+/// `Vₙ(y)` of `n` chords from `a` to `y` obeys `Vₙ₊₁(y) = minₓ Vₙ(x) + c(x, y)`.
+pub(crate) fn line_minimum<R: Rule, const D: usize>(
+    metric: &impl Metric<D>,
+    a: &SVector<f64, D>,
+    b: &SVector<f64, D>,
+    n: usize,
+) -> Option<Vec<SVector<f64, D>>> {
+    let last = INTERVALS + 2 * OVERSHOOT;
+    let (start, end) = (OVERSHOOT, OVERSHOOT + INTERVALS);
+    let at = |k: usize| {
+        let t = (k as f64 - start as f64) / INTERVALS as f64;
+        a * (1.0 - t) + b * t
+    };
+    let points: Vec<SVector<f64, D>> = (0..=last).map(at).collect();
+    let chord = |x: usize, y: usize| {
+        let d = points[y] - points[x];
+        let square = |fraction: f64| metric.norm_squared(&(points[x] + d * fraction), &d);
+        let cost: f64 = R::NODES.iter().map(|node| node.weight * square(node.fraction)).sum();
+        // Where the metric is none, no sequence passes.
+        if cost >= 0.0 { cost } else { f64::INFINITY }
+    };
+    // Row y holds the chords that arrive in y.
+    let costs: Vec<Vec<f64>> =
+        (0..=last).map(|y| (0..=last).map(|x| chord(x, y)).collect()).collect();
+    let mut value = vec![f64::INFINITY; last + 1];
+    value[start] = 0.0;
+    let mut came_from: Vec<Vec<usize>> = Vec::with_capacity(n);
+    for _ in 0..n {
+        let best = |row: &Vec<f64>| {
+            let sums = row.iter().zip(&value).map(|(cost, before)| cost + before);
+            sums.enumerate().fold((f64::INFINITY, start), |best, (x, sum)| {
+                if sum < best.0 { (sum, x) } else { best }
+            })
+        };
+        let (next, from) = costs.iter().map(best).unzip();
+        value = next;
+        came_from.push(from);
+    }
+    if !value[end].is_finite() {
+        return None;
+    }
+    let mut sequence = vec![end];
+    for from in came_from.iter().rev() {
+        sequence.push(from[sequence[sequence.len() - 1]]);
+    }
+    Some(sequence.into_iter().rev().map(|k| points[k]).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::vector;
+    use tautline_discretizations::{LeftEndpoint, Trapezoidal};
+    use tautline_metrics::gallery::{Hyperbolic, Valleys};
+
+    use super::line_minimum;
+
+    /// Two chords of the left rule from valley to valley over two ridges: one leap, `32 π²`,
+    /// is twice `(4π)²`; resting half way in the valley `2π` is the best, `2 · 2 · (2π)²`.
+    #[test]
+    fn the_left_rule_steps_from_valley_to_valley() {
+        let (a, b) = (vector![0.0, 1.0], vector![4.0 * std::f64::consts::PI, 1.0]);
+        let line = line_minimum::<LeftEndpoint, 2>(&Valleys, &a, &b, 2).expect("finite");
+        assert_eq!((line[0], line[2]), (a, b));
+        assert!((line[1] - (a + b) * 0.5).norm() < 1e-14, "{}", line[1]);
+    }
+
+    /// For many chords the best sequence is near the geodesic, at equal lengths of chords.
+    #[test]
+    fn a_flat_metric_has_equal_chords() {
+        let flat = tautline_metrics::gallery::Constant::new(nalgebra::matrix![2.0]).expect("2 > 0");
+        let line = line_minimum::<Trapezoidal, 1>(&flat, &vector![0.0], &vector![8.0], 16);
+        let line: Vec<f64> = line.expect("finite").iter().map(|x| x[0]).collect();
+        assert_eq!(line, (0..=16).map(|k| 0.5 * f64::from(k)).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn no_sequence_leaves_the_domain() {
+        let (inside, outside) = (vector![0.9, 0.0], vector![1.5, 0.0]);
+        assert_eq!(line_minimum::<LeftEndpoint, 2>(&Hyperbolic, &outside, &inside, 3), None);
+    }
+}
