@@ -4,14 +4,14 @@ use nalgebra::SVector;
 use tautline_discretizations::Rule;
 use tautline_metrics::Metric;
 
-/// The line between the ends is divided into this many intervals, and goes on for a few more
-/// at both sides.
-const INTERVALS: usize = 64;
-const OVERSHOOT: usize = 6;
+/// The grid goes on at both sides of the ends for this fraction of their distance: the best
+/// sequence may begin with a step back into a valley.
+const OVERSHOOT: f64 = 0.1;
 
 /// Returns the sequence with the least discrete energy among all that begin in `a`, end in `b`
 /// and have their inner points on a grid of the straight line through both; `None` if no
-/// sequence has a finite energy.
+/// sequence has a finite energy. The grid divides the line between `a` and `b` into this many
+/// intervals.
 ///
 /// On a coarse grid a minimiser may leap over what is dear between two nodes (Section 5), and
 /// there are as many local minimisers as ways to do it. Here none is missed, up to the grid: a
@@ -22,11 +22,12 @@ pub(crate) fn line_minimum<R: Rule, const D: usize>(
     a: &SVector<f64, D>,
     b: &SVector<f64, D>,
     n: usize,
+    intervals: usize,
 ) -> Option<Vec<SVector<f64, D>>> {
-    let last = INTERVALS + 2 * OVERSHOOT;
-    let (start, end) = (OVERSHOOT, OVERSHOOT + INTERVALS);
+    let start = (OVERSHOOT * intervals as f64) as usize;
+    let (end, last) = (start + intervals, 2 * start + intervals);
     let at = |k: usize| {
-        let t = (k as f64 - start as f64) / INTERVALS as f64;
+        let t = (k as f64 - start as f64) / intervals as f64;
         a * (1.0 - t) + b * t
     };
     let points: Vec<SVector<f64, D>> = (0..=last).map(at).collect();
@@ -77,7 +78,7 @@ mod tests {
     #[test]
     fn the_left_rule_steps_from_valley_to_valley() {
         let (a, b) = (vector![0.0, 1.0], vector![4.0 * std::f64::consts::PI, 1.0]);
-        let line = line_minimum::<LeftEndpoint, 2>(&Valleys, &a, &b, 2).expect("finite");
+        let line = line_minimum::<LeftEndpoint, 2>(&Valleys, &a, &b, 2, 64).expect("finite");
         assert_eq!((line[0], line[2]), (a, b));
         assert!((line[1] - (a + b) * 0.5).norm() < 1e-14, "{}", line[1]);
     }
@@ -86,7 +87,7 @@ mod tests {
     #[test]
     fn a_flat_metric_has_equal_chords() {
         let flat = tautline_metrics::gallery::Constant::new(nalgebra::matrix![2.0]).expect("2 > 0");
-        let line = line_minimum::<Trapezoidal, 1>(&flat, &vector![0.0], &vector![8.0], 16);
+        let line = line_minimum::<Trapezoidal, 1>(&flat, &vector![0.0], &vector![8.0], 16, 64);
         let line: Vec<f64> = line.expect("finite").iter().map(|x| x[0]).collect();
         assert_eq!(line, (0..=16).map(|k| 0.5 * f64::from(k)).collect::<Vec<_>>());
     }
@@ -94,6 +95,6 @@ mod tests {
     #[test]
     fn no_sequence_leaves_the_domain() {
         let (inside, outside) = (vector![0.9, 0.0], vector![1.5, 0.0]);
-        assert_eq!(line_minimum::<LeftEndpoint, 2>(&Hyperbolic, &outside, &inside, 3), None);
+        assert_eq!(line_minimum::<LeftEndpoint, 2>(&Hyperbolic, &outside, &inside, 3, 64), None);
     }
 }

@@ -34,6 +34,11 @@ const DIRECT: usize = 64;
 /// obstacle apart, and few enough that a dozen starts cost less than one pass over a fine grid.
 const COARSEST: usize = 32;
 
+/// Intervals of the line on which leaps are looked for: on a grid that is refined later they
+/// need not be known as well, since few survive.
+const LINE_DIRECT: usize = 128;
+const LINE_COARSE: usize = 48;
+
 /// From one grid to the next, `N` grows at most by this factor.
 const REFINEMENT: usize = 4;
 
@@ -66,6 +71,7 @@ pub fn minimise<const D: usize, R: Rule>(
         return Err(SolveError::NoSubinterval);
     }
     let grids = grids(n);
+    let intervals = if n <= DIRECT { LINE_DIRECT } else { LINE_COARSE };
     let mut steps = 0;
     let mut candidates: Vec<Candidate<'_, D>> = Vec::new();
     let mut refused: Option<MetricError> = None;
@@ -77,7 +83,7 @@ pub fn minimise<const D: usize, R: Rule>(
             return Ok(Minimum::at_common_point(x, n));
         }
         let search = LocalSearch { metric, rule, ends: pair, iterations: options.iterations };
-        for start in options.starts.between(metric, rule, pair, grids[0]) {
+        for start in options.starts.between(metric, rule, pair, grids[0], intervals) {
             match search.check(&start).and_then(|()| search.run(start)) {
                 Ok(found) => {
                     steps += found.iterations;

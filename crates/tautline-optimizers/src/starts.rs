@@ -31,13 +31,15 @@ const BEND: f64 = 0.4;
 const PROJECTIONS: usize = 50;
 
 impl<const D: usize> Starts<D> {
-    /// Returns the starts between two pieces, on the grid of `n` chords.
+    /// Returns the starts between two pieces, on the grid of `n` chords; the best sequence on
+    /// a line is looked for among points at this many intervals.
     pub(crate) fn between<R: Rule>(
         &self,
         metric: &impl Metric<D>,
         _rule: R,
         [first, second]: [&dyn ClosedSet<D>; 2],
         n: usize,
+        intervals: usize,
     ) -> Vec<PointSequence<D>> {
         let mut starts = Vec::new();
         if let Starts::Only(given) | Starts::Also(given) = self {
@@ -51,7 +53,7 @@ impl<const D: usize> Starts<D> {
         if !matches!(self, Starts::Only(_)) {
             for (a, b) in end_points(first, second) {
                 starts.extend(bent_lines(&a, &b, n));
-                starts.extend(line_minimum::<R, D>(metric, &a, &b, n));
+                starts.extend(line_minimum::<R, D>(metric, &a, &b, n, intervals));
             }
         }
         starts.into_iter().filter_map(|points| PointSequence::new(points).ok()).collect()
@@ -128,7 +130,8 @@ mod tests {
         let ball = Ball::new([0.0, 2.0], 0.5).expect("positive radius");
         let wall = HalfSpace::new([-1.0, 0.0], -3.0).expect("not zero");
         let given = PointSequence::straight([0.0, 9.0], [9.0, 0.0], 3).expect("finite");
-        let starts = Starts::Also(vec![given]).between(&Valleys, Trapezoidal, [&ball, &wall], 16);
+        let starts =
+            Starts::Also(vec![given]).between(&Valleys, Trapezoidal, [&ball, &wall], 16, 64);
         assert_eq!(
             starts.len(),
             1 + 3 + 1,
@@ -148,7 +151,7 @@ mod tests {
         let a = Point::new([-1.0, 0.0, 0.0]).expect("finite");
         let b = Point::new([1.0, 0.0, 0.0]).expect("finite");
         let middles: Vec<_> = Starts::Automatic
-            .between(&Valleys, Trapezoidal, [&a, &b], 10)
+            .between(&Valleys, Trapezoidal, [&a, &b], 10, 64)
             .iter()
             .map(|start| {
                 let middle = start.points()[5];
@@ -162,7 +165,7 @@ mod tests {
     fn a_sphere_is_tried_from_all_sides() {
         let sphere = Sphere::new([0.0, 0.0], 1.0).expect("positive radius");
         let point = Point::new([0.2, 0.1]).expect("finite");
-        let starts = Starts::Automatic.between(&Valleys, Trapezoidal, [&sphere, &point], 16);
+        let starts = Starts::Automatic.between(&Valleys, Trapezoidal, [&sphere, &point], 16, 64);
         assert!(starts.len() >= 5 * 4, "the nearest point and four seeds, {}", starts.len());
     }
 }
