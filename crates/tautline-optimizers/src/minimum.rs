@@ -52,7 +52,7 @@ pub struct Level {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Stop {
-    /// The decrement is at most `10⁻²⁰`, or `2 tr H (ε N max |x|)²` relative to the energy, the
+    /// The decrement is at most `10⁻¹⁸`, or `2 tr H (ε N max |x|)²` relative to the energy, the
     /// rounding of the points: larger only on huge grids or far from the origin. Or it is
     /// below `10⁻¹⁰` and does not fall any more.
     Converged,

@@ -5,7 +5,7 @@ use tautline_discretizations::{PointSequence, QuadraticModel};
 
 /// Relative decrement at which a search has converged: the energy cannot be lowered in `f64`
 /// from `10⁻¹⁵` on, but the points, off by the root of it, can be improved.
-const CONVERGED: f64 = 1e-20;
+const CONVERGED: f64 = 1e-18;
 
 /// What rounding of the points does to a difference `βₙ`, in `ℓ`: `N ε max |x|`.
 pub(crate) fn rounding<const D: usize>(sequence: &PointSequence<D>) -> f64 {
@@ -48,8 +48,8 @@ fn extent_from_origin<const D: usize>(points: &[SVector<f64, D>]) -> f64 {
 ///
 /// The blocks, of the size `4N`, are sums of rounded terms, and eliminated with as many
 /// roundings again: some `8 ε N`. The regulariser has at least `1/N`. Hence `8 ε N²`, doubled.
-/// On coarse grids the iterate counts more: a decrement of `10⁻²⁰` may leave it, and with it
-/// the Hessian, off by `10⁻¹⁰` times what a metric varies. As a change of the Newton matrix the margin is harmless,
+/// On coarse grids the iterate counts more: a decrement of `10⁻¹⁸` may leave it, and with it
+/// the Hessian, off by `10⁻⁹` times what a metric varies. As a change of the Newton matrix the margin is harmless,
 /// and on huge grids it is kept so.
 pub(crate) fn margin(n: usize) -> f64 {
     (16.0 * f64::EPSILON * (n as f64).powi(2)).clamp(1e-8, 1e-3)
@@ -71,7 +71,7 @@ mod tests {
             (negligible(&model, &line), model.energy)
         };
         // At x = 0 the metric is the identity: E = 1, and 4 (8 ε)² = 1e-29 is nothing.
-        assert_eq!(shifted(0.0), (1e-20, 1.0));
+        assert_eq!(shifted(0.0), (1e-18, 1.0));
         // At x = 2π 10⁹: N ε x = 1.1e-5, and 4 (1.1e-5)² = 5e-10.
         let (far, energy) = shifted(std::f64::consts::TAU * 1e9);
         assert!((4e-10..6e-10).contains(&(far / energy)), "{far:e}");
