@@ -45,7 +45,7 @@ pub fn data(sweep: Sweep) -> Result<Data, Failure> {
         ("length_squared", ENERGY),
         ("excess", EXCESS),
         ("quadrature_error", Tolerance::AtMost(1e-10)),
-        ("decrement", Tolerance::AtMost(1e-19)),
+        ("decrement", Tolerance::AtMost(1e-17)),
         ("residual", Tolerance::AtMost(1e-6)),
         ("residual_floor", Tolerance::Close { relative: 1e-2, absolute: 0.0 }),
         ("paper_bound", ENERGY),
