@@ -200,6 +200,10 @@ mod tests {
         assert!(data("4", "", "1e-12").compare(&reference).is_err());
         assert!(data("4", "1.5", "2e-6").compare(&reference).is_err());
         assert!(data("4", "1.5", "NaN").compare(&reference).is_err());
+        let mut longer = reference.clone();
+        longer.push(["8", "1.5", "0"].map(str::to_owned).to_vec());
+        assert!(longer.compare(&reference).is_err());
+        assert!(reference.compare(&longer).is_err());
     }
 
     #[test]

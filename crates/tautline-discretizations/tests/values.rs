@@ -77,3 +77,13 @@ fn nan_is_passed_on() {
     assert!(Trapezoidal.energy(&Broken, &line).is_nan());
     assert!(Interpolation::new(&line).energy(&Broken).value.is_nan());
 }
+
+/// The speed of a chord is the root of the weighted mean, not the mean of the roots: from valley
+/// to ridge `f = 1` and `3`, the root of `(1 + 9)/2`.
+#[test]
+fn speeds_are_roots_of_means() {
+    let chord = PointSequence::straight([0.0, 0.0], [PI, 0.0], 1).expect("finite");
+    let speed = TrueTrapezoid.speeds(&Valleys, &chord)[0];
+    assert_relative_eq!(speed, PI * 5.0_f64.sqrt(), max_relative = 1e-15);
+    assert_relative_eq!(TrueTrapezoid.length(&Valleys, &chord), 2.0 * PI, max_relative = 1e-15);
+}

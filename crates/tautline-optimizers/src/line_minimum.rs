@@ -92,6 +92,14 @@ mod tests {
         assert_eq!(line, (0..=16).map(|k| 0.5 * f64::from(k)).collect::<Vec<_>>());
     }
 
+    /// From the slope at `x₁ = 1.2` it pays to step back towards the valley before the leap.
+    #[test]
+    fn a_leap_begins_with_a_step_back() {
+        let (a, b) = (vector![1.2, 0.0], vector![12.0, 0.0]);
+        let line = line_minimum::<LeftEndpoint, 2>(&Valleys, &a, &b, 4, 128).expect("finite");
+        assert!(line.iter().any(|x| x[0] < 1.0), "{line:?}");
+    }
+
     #[test]
     fn no_sequence_leaves_the_domain() {
         let (inside, outside) = (vector![0.9, 0.0], vector![1.5, 0.0]);
