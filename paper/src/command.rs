@@ -40,9 +40,17 @@ pub fn run(arguments: impl IntoIterator<Item = String>) -> Result<(), Failure> {
     let (mut kind, mut ids, mut mode) = (None, Vec::new(), Mode::Write);
     while let Some(argument) = arguments.next().map_err(|error| usage(error.to_string()))? {
         match argument {
-            lexopt::Arg::Long("check") => mode = Mode::Check,
-            lexopt::Arg::Long("quick") => mode = Mode::Quick,
-            lexopt::Arg::Long("list") => mode = Mode::List,
+            lexopt::Arg::Long(flag @ ("check" | "quick" | "list")) => {
+                let asked = match flag {
+                    "check" => Mode::Check,
+                    "quick" => Mode::Quick,
+                    _ => Mode::List,
+                };
+                if mode != Mode::Write && mode != asked {
+                    return Err(usage("only one of --check, --quick and --list".to_owned()));
+                }
+                mode = asked;
+            }
             lexopt::Arg::Value(value) => {
                 let value = value.to_string_lossy().into_owned();
                 if kind.is_none() { kind = Some(value) } else { ids.push(value) }
@@ -147,7 +155,12 @@ impl Artefact {
         let bytes = data.to_csv(&comment)?;
         let output = if quick { Output::quick() } else { Output::committed() };
         if mode == Mode::Check {
-            let committed = data.read(&output.read(&data_file)?)?;
+            let old = output.read(&data_file)?;
+            let header: String = comment.lines().map(|line| format!("# {line}\n")).collect();
+            if !old.starts_with(header.as_bytes()) {
+                return Err(Failure::Differs(format!("{data_file}: its comment is another")));
+            }
+            let committed = data.read(&old)?;
             let within = |error| Failure::Differs(format!("{data_file}: {error}"));
             data.compare(&committed).map_err(within)?;
             for (file, bytes) in self.files(&committed)? {
@@ -159,5 +172,25 @@ impl Artefact {
         let files = self.files(&data.read(&bytes)?)?;
         output.write(&data_file, &bytes)?;
         files.iter().try_for_each(|(file, bytes)| output.write(file, bytes))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::run;
+    use crate::Failure;
+
+    #[test]
+    fn arguments_that_mean_nothing_are_refused() {
+        for arguments in [
+            vec!["figures", "--check", "--quick"],
+            vec!["figures", "--nope"],
+            vec!["figures", "nope"],
+            vec!["nope"],
+            vec![],
+        ] {
+            let refused = run(arguments.iter().map(|&a| a.to_owned()));
+            assert!(matches!(refused, Err(Failure::Usage(_))), "{arguments:?}");
+        }
     }
 }

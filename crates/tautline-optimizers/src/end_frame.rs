@@ -22,7 +22,7 @@ use tautline_sets::ClosedSet;
 pub(crate) struct EndFrame<const D: usize> {
     /// The eigenvectors of `J`, as columns.
     pub(crate) basis: SMatrix<f64, D, D>,
-    /// For each coordinate: `Err(step)` if it is fixed, else the curvature and the right side.
+    /// For each column of the basis, how the end moves along it.
     pub(crate) coordinates: [Coordinate; D],
     /// `F / τ`, the projected gradient, in the coordinates of `R^D`.
     pub(crate) projected_gradient: SVector<f64, D>,

@@ -18,9 +18,9 @@ pub struct Minimum<const D: usize> {
     /// the square of the Newton decrement. Infinite if the Hessian is not positive definite
     /// where a search gave up.
     pub decrement: f64,
-    /// The residual of the discrete geodesic equation: the root mean square of
-    /// `ρₙ = (N/2) ∂E/∂xₙ` over the inner points, and the largest projected momentum
-    /// `½ |∂E/∂x|` at the ends, relative to the momentum `(c E)^{1/2}` with the mean `c` of
+    /// The residual of the discrete geodesic equation: `((1/N) Σ |ρₙ|²)^{1/2}` over the inner
+    /// points with `ρₙ = (N/2) ∂E/∂xₙ`, plus the larger projected momentum `½ |∂E/∂x|` at the
+    /// ends, relative to the momentum `(c E)^{1/2}` with the mean `c` of
     /// `tr H / D`. Infinite if the metric has no derivative at a node.
     pub residual: f64,
     /// What rounding alone does to the residual, predicted: `ε N² max |x| c / (c E)^{1/2}`.
@@ -34,8 +34,9 @@ pub struct Minimum<const D: usize> {
     pub iterations: usize,
     /// The grids on the way here, from coarse to fine, the last being this result.
     pub levels: Vec<Level>,
-    /// The energies of the different local minimisers that were met on the coarsest grid,
-    /// lowest first, in `m²`. One entry means that all starts led to the same.
+    /// The energies, different by more than `10⁻⁹` relatively, of the local minimisers that
+    /// were met on the coarsest grid, lowest first, in `m²`. Mirror images count once; empty if
+    /// no search converged there.
     pub local_minima: Vec<f64>,
 }
 

@@ -10,7 +10,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     println!("length of the curve    {:.9}", line.length().value);
     if let Some(d2) = line.distance_squared_estimate() {
-        println!("distance, extrapolated {:.9} ± {:.0e}", d2.value.sqrt(), d2.error);
+        // The error of d is that of d² over 2d.
+        let d = d2.value.sqrt();
+        println!("distance, extrapolated {d:.9} ± {:.0e}", d2.error / (2.0 * d));
     }
     let middle = line.curve().at(0.5);
     println!("half way at            ({:.4}, {:.4})", middle[0], middle[1]);

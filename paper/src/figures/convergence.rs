@@ -12,7 +12,8 @@ use crate::{
 pub(super) const FIGURE: Figure = Figure {
     id: "convergence",
     shows: "the excess energy of the reconstructed curve for both rules under the bounds C/sqrt(N) \
-            of Theorems 1.1 and 1.3, on three metrics whose distance is known exactly",
+            of Theorems 1.1 and 1.3, for ten cases, of which the figure shows three whose distance \
+            is known exactly",
     data,
     draw,
 };
