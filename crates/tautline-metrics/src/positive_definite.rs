@@ -158,4 +158,11 @@ mod tests {
         assert!((l * l.transpose() - a).amax() < 1e-14);
         assert!(cholesky(&matrix![1.0, 2.0; 2.0, 1.0]).is_none());
     }
+
+    #[test]
+    fn the_halves_may_differ_by_rounding_and_by_no_more() {
+        let off = |by: f64| check_gram(&Matrix([[2.0, 1.0], [1.0 + by, 2.0]]), &vector![0.0, 0.0]);
+        assert!(off(4.0 * f64::EPSILON).is_ok());
+        assert!(matches!(off(1e-11), Err(MetricError::NotSymmetric { .. })));
+    }
 }

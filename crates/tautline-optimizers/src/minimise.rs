@@ -1,7 +1,7 @@
 //! The search for a discrete minimiser: several starts on a coarse grid, then finer grids.
 
 use tautline_discretizations::{PointSequence, Rule, SequenceError};
-use tautline_metrics::{Metric, MetricError, check_gram};
+use tautline_metrics::{Metric, check_gram};
 use tautline_sets::{ClosedSet, Ends, common_point};
 
 use crate::{
@@ -77,7 +77,7 @@ pub fn minimise<const D: usize, R: Rule>(
     let intervals = if n <= DIRECT { LINE_DIRECT } else { LINE_COARSE };
     let mut steps = 0;
     let mut candidates: Vec<Candidate<'_, D>> = Vec::new();
-    let mut refused: Option<MetricError> = None;
+    let mut refused: Option<SolveError> = None;
     let pairs: Vec<_> = ends.pairs().collect();
     for (first, second) in &pairs {
         let pair = [&**first, &**second];
@@ -92,7 +92,7 @@ pub fn minimise<const D: usize, R: Rule>(
                     steps += found.iterations;
                     candidates.push(Candidate::new(pair, found));
                 }
-                Err(error) => refused = refused.or(Some(error)),
+                Err(error) => refused = refused.or(Some(error.into())),
             }
         }
     }
@@ -104,7 +104,8 @@ pub fn minimise<const D: usize, R: Rule>(
         for candidate in std::mem::take(&mut candidates) {
             let search =
                 LocalSearch { metric, rule, ends: candidate.ends, iterations: options.iterations };
-            match search.run(candidate.start(grid, R::ERROR_EXPONENT)?) {
+            let start = candidate.start(grid, R::ERROR_EXPONENT).map_err(SolveError::Sequence);
+            match start.and_then(|start| Ok(search.run(start)?)) {
                 Ok(found) => {
                     steps += found.iterations;
                     candidates.push(candidate.refined(found));
@@ -115,7 +116,7 @@ pub fn minimise<const D: usize, R: Rule>(
         lowest_first(&mut candidates);
     }
     let Some(Candidate { found, levels, .. }) = candidates.into_iter().next() else {
-        return Err(refused.map_or(SolveError::NoStart, SolveError::Metric));
+        return Err(refused.unwrap_or(SolveError::NoStart));
     };
     Ok(Minimum {
         sequence: found.sequence,

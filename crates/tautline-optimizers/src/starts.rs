@@ -168,4 +168,16 @@ mod tests {
         let starts = Starts::Automatic.between(&Valleys, Trapezoidal, [&sphere, &point], 16, 64);
         assert!(starts.len() >= 5 * 4, "the nearest point and four seeds, {}", starts.len());
     }
+
+    /// The nearest points of a ball and a half-space lie on the normal through the centre.
+    #[test]
+    fn the_straight_start_joins_nearest_points() {
+        let ball = Ball::new([0.0, 2.0], 1.0).expect("positive radius");
+        let wall = HalfSpace::at_least([1.0, 1.0], 6.0).expect("not zero");
+        let starts = Starts::Automatic.between(&Valleys, Trapezoidal, [&ball, &wall], 4, 64);
+        let r = 0.5_f64.sqrt();
+        // The alternating projections stop after 50 rounds, each of which at least halves what
+        // is left: rounding.
+        assert!((starts[0].first() - nalgebra::vector![r, 2.0 + r]).amax() < 1e-6);
+    }
 }

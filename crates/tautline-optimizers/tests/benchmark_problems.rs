@@ -119,3 +119,17 @@ fn the_saddle_on_the_axis_is_left() {
         assert_close(extrapolated(&minimum), 17.476_778_558, 1e-9);
     }
 }
+
+/// On 16, 63, 250 chords, and on two grids more.
+#[test]
+fn steps_on_all_grids_are_counted() {
+    let ends = Ends::points([0.0, 0.0], [2.0, 1.5]).expect("finite");
+    let of = |n| {
+        let minimum = minimise(&Valleys, &ends, Trapezoidal, n, &Options::default());
+        let minimum = minimum.expect("a metric");
+        (minimum.levels.len(), minimum.iterations)
+    };
+    let ((three, few), (five, more)) = (of(250), of(4000));
+    assert_eq!((three, five), (3, 5));
+    assert!(more >= few + 2, "{few} and {more}");
+}
