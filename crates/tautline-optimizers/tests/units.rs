@@ -2,9 +2,12 @@
 
 use nalgebra::{SMatrix, SVector, vector};
 use tautline_discretizations::{PointSequence, Trapezoidal};
-use tautline_metrics::{Metric, Scalar, gallery::Bump};
+use tautline_metrics::{
+    Metric, Scalar,
+    gallery::{Bump, Constant},
+};
 use tautline_optimizers::{Curvature, Minimum, Options, Starts, Stop, minimise};
-use tautline_sets::{Ball, Ends, HalfSpace};
+use tautline_sets::{Ball, Ends, HalfSpace, Point};
 
 /// A metric in other units: `m² H(x/ℓ)/ℓ²`, about another origin.
 #[derive(Clone, Copy)]
@@ -178,4 +181,22 @@ fn exchanging_the_ends_reverses_the_sequence() {
     // A relative decrement below 1e-15 leaves displacements of some 3e-8.
     let points = forth.sequence.points().iter().zip(back.sequence.points().iter().rev());
     assert!(points.into_iter().all(|(x, y)| (x - y).amax() < 1e-6));
+}
+
+/// `H = I`, `(0, 0) → (1, 1) → (2, 0)` with the end on a wall: `E = 8`, `ρ₁ = (0, 8)`, and the
+/// momentum along the wall is 2.
+#[test]
+fn the_residual_of_a_sequence_that_is_not_stationary() {
+    let points = [[0.0, 0.0], [1.0, 1.0], [2.0, 0.0]].map(SVector::from).to_vec();
+    let start = PointSequence::new(points).expect("finite");
+    let options = Options { starts: Starts::Only(vec![start]), iterations: 0 };
+    let flat = Constant::new(SMatrix::identity()).expect("definite");
+    let origin = Point::new([0.0, 0.0]).expect("finite");
+    let wall = HalfSpace::at_least([1.0, 0.0], 2.0).expect("a normal");
+    let ends = Ends::new(origin, wall).expect("one bounded");
+    let minimum = minimise(&flat, &ends, Trapezoidal, 2, &options).expect("a metric");
+    assert_eq!(minimum.stop, Stop::IterationLimit);
+    let expected = (8.0 / 2_f64.sqrt() + 2.0) / 8_f64.sqrt();
+    // A dozen roundings of numbers of size 10.
+    assert!((minimum.residual - expected).abs() < 1e-14, "{}", minimum.residual);
 }

@@ -199,4 +199,39 @@ mod tests {
         let ends = Ends::new(set, Point::new([0.0, 0.0]).expect("finite")).expect("one bounded");
         assert_eq!(ends.clone().first().project(&vector![0.0, 1.0]), vector![2.0, 1.0]);
     }
+
+    /// A set that lies about its radius, or about the nearest points of one side.
+    #[derive(Debug)]
+    struct Wrong {
+        radius: f64,
+        below: f64,
+    }
+
+    impl ClosedSet<2> for Wrong {
+        fn project(&self, x: &SVector<f64, 2>) -> SVector<f64, 2> {
+            if x[1] < 0.0 { vector![self.below, 0.0] } else { vector![0.0, 0.0] }
+        }
+
+        fn projection_derivative(&self, _: &SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
+            SMatrix::zeros()
+        }
+
+        fn radius(&self) -> Option<f64> {
+            Some(self.radius)
+        }
+    }
+
+    #[test]
+    fn a_radius_that_is_not_finite_bounds_nothing() {
+        for radius in [f64::NAN, f64::INFINITY] {
+            let ends = Ends::new(Wrong { radius, below: 0.0 }, wall());
+            assert_eq!(ends.unwrap_err(), SetError::BothUnbounded);
+        }
+    }
+
+    #[test]
+    fn a_nearest_point_that_is_missing_on_one_side_only_is_found() {
+        let ends = Ends::new(Wrong { radius: 0.0, below: f64::NAN }, wall());
+        assert!(matches!(ends, Err(SetError::NoNearestPoint { end: "first", index: 0, .. })));
+    }
 }
