@@ -4,12 +4,10 @@
 //! | --- | --- | --- |
 //! | constant `A` | points | `∣A^{1/2} (x − y)∣` |
 //! | | ball about `c`, half-space `{a·x ≥ b}` | `(b − a·c − r∣a∣) / (aᵀA⁻¹a)^{1/2}` |
-//! | | finite sets | the least of those of pairs |
 //! | shear | points | `∣Φ(x) − Φ(y)∣` |
 //! | | ball, half-plane `{x₂ ≥ b}` | `b − c₂ − r`, since `Φ` keeps `x₂` |
 //! | separable | points | `∣F(x) − F(y)∣` |
-//! | | box, half-space `{xᵢ ≥ b}` | `Fᵢ(b) − Fᵢ(uᵢ)`, since `F` maps boxes to boxes |
-//! | | box, box | that of the boxes `F` maps them to |
+//! | | box, box | that of the boxes `F` maps them to, boxes again |
 //! | ramp | points | `∣F(x) − F(y)∣` |
 //! | valleys | points along `x₁` | `F(b) − F(a)` |
 //! | | points across | by Clairaut's relation, where it has a solution |
@@ -19,7 +17,7 @@ use std::fmt::Debug;
 
 use proptest::prelude::*;
 use tautline::{
-    AxisBox, Ball, Bounded, Ends, FiniteSet, HalfSpace, KnownDistance, SMatrix, SVector,
+    AxisBox, Ball, Bounded, Ends, HalfSpace, KnownDistance, SMatrix, SVector,
     gallery::{Constant, Ramp, Separable, Shear, Valleys},
 };
 
@@ -103,22 +101,6 @@ pub(crate) fn constant_ball_half_space<const D: usize>()
     })
 }
 
-/// Up to four points in each set: the nearest pair in the plane need not be the one under `A`.
-pub(crate) fn constant_finite_sets() -> impl Strategy<Value = Known<Constant<2>, 2>> {
-    let points = || proptest::collection::vec(vector::<2>(2.0), 1..5);
-    (constant::<2>(), points(), points()).prop_filter_map(
-        "the sets are apart",
-        |(metric, first, second)| {
-            let pairs = first.iter().flat_map(|a| second.iter().map(move |b| (a, b)));
-            let distance = pairs.map(|(a, b)| metric.distance(a, b).expect("known"));
-            let distance = distance.fold(f64::INFINITY, f64::min);
-            let set = |points| FiniteSet::new::<SVector<f64, 2>>(points).expect("not empty");
-            let ends = Ends::new(set(first), set(second)).expect("bounded");
-            (distance >= 0.03).then_some(Known { metric, ends, distance })
-        },
-    )
-}
-
 pub(crate) fn shear_ball_half_plane() -> impl Strategy<Value = Known<Shear, 2>> {
     (shear(), vector(2.0), 0.0..1.0, 0.2..4.0).prop_map(|(metric, centre, radius, gap)| Known {
         metric,
@@ -135,22 +117,6 @@ pub(crate) fn shear_ball_half_plane() -> impl Strategy<Value = Known<Shear, 2>> 
 fn axis_box<const D: usize>() -> impl Strategy<Value = AxisBox<D>> {
     (vector(1.5), proptest::array::uniform::<_, D>(0.0..1.0))
         .prop_map(|(centre, half)| AxisBox::new(centre, half).expect("half-widths"))
-}
-
-pub(crate) fn separable_box_half_space<const D: usize>()
--> impl Strategy<Value = Known<Separable<D>, D>> {
-    (separable(), axis_box(), 0..D, 0.2..4.0).prop_map(
-        |(metric, first, axis, gap): (Separable<D>, AxisBox<D>, _, _)| {
-            let from = *first.upper();
-            let mut to = from;
-            to[axis] += gap;
-            let mut normal = SVector::zeros();
-            normal[axis] = 1.0;
-            let second = HalfSpace::at_least(normal, to[axis]).expect("a normal");
-            let distance = metric.flatten(&to)[axis] - metric.flatten(&from)[axis];
-            Known { metric, ends: Ends::new(first, second).expect("a box is bounded"), distance }
-        },
-    )
 }
 
 pub(crate) fn separable_boxes<const D: usize>() -> impl Strategy<Value = Known<Separable<D>, D>> {

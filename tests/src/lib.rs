@@ -2,11 +2,12 @@
 //!
 //! | module | shows |
 //! | --- | --- |
-//! | `section_1` | Theorems 1.1 to 1.4, every inequality on its own; observed orders and leading constants |
+//! | `section_1` | observed orders and leading constants |
 //! | `section_3` | geodesics have constant speed; distances between the Euclidean ones |
 //! | `section_5` | the counterexample: discrete lengths, and global minima of the discrete energies |
 //! | `section_6` | no curve has less energy than `d²` |
-//! | `section_7`, `section_8` | the propositions on each rule, with witnesses of equality |
+//! | `section_7` | the propositions on geodesics |
+//! | `battery` | every check of the project's own suite, by its name |
 //! | `golden` | the paper's constants against values computed with 40 digits |
 //! | `own` | a metric, a rule and a closed set of one's own, through the face |
 //! | `bad_input`, `touching_ends` | what is refused, and how; what is not |
@@ -19,13 +20,13 @@
 #[cfg(test)]
 mod bad_input;
 #[cfg(test)]
+mod battery;
+#[cfg(test)]
 mod committed_data;
 #[cfg(test)]
 mod families;
 #[cfg(test)]
 mod golden;
-#[cfg(test)]
-mod one_step;
 #[cfg(test)]
 mod own;
 #[cfg(test)]
@@ -40,8 +41,6 @@ mod section_5;
 mod section_6;
 #[cfg(test)]
 mod section_7;
-#[cfg(test)]
-mod section_8;
 #[cfg(test)]
 mod tidiness;
 #[cfg(test)]

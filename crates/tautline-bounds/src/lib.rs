@@ -44,6 +44,14 @@
 //! | | its constant `C` | [`theorem_1_3_constant`] |
 //! | Theorem 1.4 | `L(γᵖˡ)² − min L²` | [`theorem_1_4_length_excess`] |
 //!
+//! Sharper than the paper, with the same hypotheses, `1/N` in place of `1/√N`:
+//!
+//! | bounds | trapezoidal | left endpoint |
+//! | --- | --- | --- |
+//! | `min E_N − min E` | [`first_order_minimum_gap_trapezoidal`] | [`first_order_minimum_gap_left`] |
+//! | `E(γᵖˡ) − min E_N` and `min E − min E_N` | [`first_order_polyline_gap_trapezoidal`] | [`first_order_polyline_gap_left`] |
+//! | `E(γᵖˡ) − min E` and `L(γᵖˡ)² − min L²` | [`first_order_excess_trapezoidal`] | [`first_order_excess_left`] |
+//!
 //! The minimum of `E` is `d²`, and that of `L²` too. `γᵖˡ` is the linear interpolation of a
 //! point sequence; in the theorems, of a *global* minimiser of the discrete energy.
 //!
@@ -63,6 +71,7 @@
 
 mod apriori;
 mod c_tra;
+mod first_order;
 mod k_bar;
 mod left_endpoint;
 mod polyline_gap;
@@ -72,6 +81,11 @@ mod trapezoidal;
 
 pub use apriori::{k1_g, k2_g};
 pub use c_tra::{c_tra, c_tra_g, c_tra_sharp, c_tra_sharp_g};
+pub use first_order::{
+    first_order_excess_left, first_order_excess_trapezoidal, first_order_minimum_gap_left,
+    first_order_minimum_gap_trapezoidal, first_order_polyline_gap_left,
+    first_order_polyline_gap_trapezoidal,
+};
 pub use k_bar::{k3_bar_g, k4_bar_g};
 pub use left_endpoint::{
     theorem_1_3_constant, theorem_1_3_excess, theorem_1_3_minimum_gap, theorem_1_3_polyline_gap,

@@ -56,13 +56,14 @@ pub use taut_line::TautLine;
 pub use tautline_bounds as bounds;
 pub use tautline_discretizations::{
     Integral, Interpolation, LeftEndpoint, Node, PointSequence, Rule, SequenceError, Trapezoidal,
-    TrueTrapezoid,
+    TrueTrapezoid, energy_gradient,
 };
 pub use tautline_metrics::{
-    Bounded, Constants, HypothesisError, KnownDistance, Metric, MetricError, christoffel, gallery,
+    Bounded, Constants, HypothesisError, KnownDistance, Metric, MetricError, check_gram,
+    christoffel, gallery, quadrature,
 };
 pub use tautline_optimizers::{
-    Curvature, Estimate, Level, Minimum, Options, SolveError, Starts, Stop,
+    Curvature, Estimate, Level, Minimum, Options, SolveError, Starts, Stop, extrapolate, minimise,
 };
 pub use tautline_scalar::{Jet1, Jet2, Scalar};
 pub use tautline_sets::{

@@ -1,4 +1,3 @@
 //! Section 7: the trapezoidal rule.
 
 mod geodesics;
-mod point_sequences;

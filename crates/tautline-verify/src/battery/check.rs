@@ -1,0 +1,71 @@
+//! `Check`: one named test, which any subject can be put to.
+
+use super::{Outcome, Scope, Tally, Trial};
+use crate::Statement;
+
+/// What a check shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Kind {
+    /// A statement holds on random data.
+    Random,
+    /// Both sides scale by their unit where coordinates and lengths are measured in others.
+    Homogeneous,
+    /// A case comes near equality, or its slack is the best one known.
+    Witness,
+    /// Without one of its hypotheses a statement fails.
+    Dropped,
+    /// A statement is false as printed.
+    Refuted,
+    /// Errors fall with the order, or with the leading constant, that theory predicts.
+    Order,
+    /// Numbers agree with reference values of another program.
+    Reference,
+}
+
+/// One named test.
+#[derive(Clone, Copy, Debug)]
+pub struct Check<S> {
+    /// The name of the test, which says what it shows.
+    pub name: &'static str,
+    /// What it shows.
+    pub kind: Kind,
+    /// The statements that it is about.
+    pub statements: &'static [Statement],
+    run: fn(&Trial<'_, S>) -> Outcome,
+}
+
+impl<S> Check<S> {
+    /// Names a test.
+    pub const fn new(
+        name: &'static str,
+        kind: Kind,
+        statements: &'static [Statement],
+        run: fn(&Trial<'_, S>) -> Outcome,
+    ) -> Self {
+        Self { name, kind, statements, run }
+    }
+
+    /// Puts a subject to the test.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure`](super::Failure) with the two numbers that show it.
+    pub fn run(&self, trial: &Trial<'_, S>) -> Outcome {
+        (self.run)(trial)
+    }
+
+    /// Returns whether the check belongs to the suite that asserts observed ≤ bound and no more.
+    #[must_use]
+    pub fn is_in(&self, scope: Scope) -> bool {
+        scope == Scope::Everything || self.kind == Kind::Random
+    }
+}
+
+/// Merges the tallies of several runs; the first failure is the outcome.
+pub(super) fn all(outcomes: impl IntoIterator<Item = Outcome>) -> Outcome {
+    let mut sum = Tally::default();
+    for outcome in outcomes {
+        sum.extend(&outcome?);
+    }
+    Ok(sum)
+}

@@ -1,0 +1,190 @@
+//! `Trial`: one run of a check on a subject.
+
+use std::{cell::RefCell, fmt::Debug};
+
+use proptest::{
+    prelude::Strategy,
+    test_runner::{Config, RngSeed, TestCaseError, TestRunner},
+};
+
+use super::Tally;
+use crate::{Evidence, Finding, Source, Units, VerifyError};
+
+/// How much of the evidence is judged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scope {
+    /// Hypotheses, the paper's conclusions and the sharper companions.
+    Everything,
+    /// Of random cases the paper's conclusions alone: observed ≤ bound and nothing else.
+    PaperAlone,
+}
+
+/// What a check may use: the subject, how much of the evidence counts, and how many cases.
+#[derive(Clone, Copy, Debug)]
+pub struct Trial<'a, S> {
+    /// What the statements are computed with.
+    pub subject: &'a S,
+    /// How much of the evidence is judged.
+    pub scope: Scope,
+    /// At most so many random cases a family.
+    pub cases: u32,
+}
+
+/// Why a check failed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{message}")]
+pub struct Failure {
+    /// The two numbers, the claim, and the case (of a random case, the smallest one found).
+    pub message: String,
+}
+
+impl Failure {
+    /// Returns a failure with this message.
+    pub fn new(message: impl Into<String>) -> Self {
+        Self { message: message.into() }
+    }
+}
+
+impl From<VerifyError> for Failure {
+    fn from(error: VerifyError) -> Self {
+        Self::new(error.to_string())
+    }
+}
+
+/// What a check says: its tally, or why it failed.
+pub type Outcome = Result<Tally, Failure>;
+
+impl<S> Trial<'_, S> {
+    /// Evaluates statements on `cases` random values, always the same ones for the same `seed`.
+    ///
+    /// # Errors
+    ///
+    /// The first evidence that fails, with the smallest value found for which it does, and the
+    /// seed.
+    pub fn for_all<V, E>(
+        &self,
+        seed: u64,
+        cases: u32,
+        values: V,
+        evidence: impl Fn(&S, V::Value) -> Result<E, VerifyError>,
+    ) -> Outcome
+    where
+        V: Strategy,
+        V::Value: Debug,
+        E: IntoIterator<Item = Evidence>,
+    {
+        let config = Config {
+            cases: cases.min(self.cases),
+            rng_seed: RngSeed::Fixed(seed),
+            // Every run draws the same cases, so that there is nothing to remember.
+            failure_persistence: None,
+            ..Config::default()
+        };
+        let tally = RefCell::new(Tally::default());
+        let outcome = TestRunner::new(config).run(&values, |value| {
+            let found = evidence(self.subject, value)
+                .map_err(|error| TestCaseError::fail(error.to_string()))?;
+            for evidence in found {
+                self.judge(&evidence).map_err(TestCaseError::fail)?;
+                tally.borrow_mut().count(&evidence);
+            }
+            Ok(())
+        });
+        match outcome {
+            Ok(()) => Ok(tally.into_inner()),
+            Err(error) => Err(Failure::new(format!("seed {seed}: {error}"))),
+        }
+    }
+
+    /// Evaluates statements on `cases` random values twice, in two systems of units, and compares:
+    /// every number has to scale by its unit.
+    ///
+    /// The units differ by powers of two, so that a change of units rounds nothing; bounds agree
+    /// to `10⁻¹²`, relatively, which leaves room for the rounding of a few hundred operations that
+    /// were done in another order, and observations up to what is granted.
+    ///
+    /// # Errors
+    ///
+    /// The first number that does not scale.
+    pub fn homogeneous<V, E>(
+        &self,
+        seed: u64,
+        cases: u32,
+        values: V,
+        evidence: impl Fn(&S, V::Value, Units) -> Result<E, VerifyError>,
+    ) -> Outcome
+    where
+        V: Strategy,
+        V::Value: Debug + Clone,
+        E: IntoIterator<Item = Evidence>,
+    {
+        let units = (-3..4_i32, -3..4_i32)
+            .prop_map(|(ell, m)| Units { ell: 2_f64.powi(ell), m: 2_f64.powi(m) });
+        self.for_all(seed, cases, (values, units), |subject, (value, units)| {
+            let here: Vec<_> = evidence(subject, value.clone(), Units::ONE)?.into_iter().collect();
+            let there = evidence(subject, value, units)?;
+            for (here, there) in here.iter().zip(there) {
+                scales(here, &there, units)?;
+            }
+            Ok(here)
+        })
+    }
+
+    /// Evaluates statements on one given case.
+    ///
+    /// # Errors
+    ///
+    /// The first evidence that fails.
+    pub fn one(&self, evidence: impl IntoIterator<Item = Evidence>) -> Outcome {
+        let mut tally = Tally::default();
+        for evidence in evidence {
+            self.judge(&evidence).map_err(Failure::new)?;
+            tally.count(&evidence);
+        }
+        Ok(tally)
+    }
+
+    fn judge(&self, evidence: &Evidence) -> Result<(), String> {
+        let failed = match self.scope {
+            Scope::PaperAlone => evidence
+                .conclusions
+                .iter()
+                .find(|claim| claim.source == Source::Paper && !claim.holds())
+                .map(|claim| ("is violated", claim)),
+            Scope::Everything => match evidence.finding() {
+                Finding::Holds => None,
+                Finding::Inapplicable(clause) => Some(("does not apply", clause)),
+                Finding::Violated(claim) => Some(("is violated", claim)),
+            },
+        };
+        match failed {
+            None => Ok(()),
+            Some((how, number)) => Err(format!("{} {how}: {number}", evidence.statement)),
+        }
+    }
+}
+
+/// Compares all numbers of the same case in two systems of units.
+fn scales(here: &Evidence, there: &Evidence, units: Units) -> Result<(), VerifyError> {
+    let pairs = |evidence: &Evidence| {
+        evidence.hypotheses.iter().chain(&evidence.conclusions).copied().collect::<Vec<_>>()
+    };
+    for (here, there) in pairs(here).into_iter().zip(pairs(there)) {
+        let factor = here.unit.factor(units.ell, units.m);
+        let (observed, bound) = (here.observed * factor, here.bound * factor);
+        let granted = there.granted + here.granted * factor;
+        // Infinities are equal, and have no difference.
+        let same_bound =
+            bound == there.bound || (bound - there.bound).abs() <= 1e-12 * bound.abs() + granted;
+        let same = observed == there.observed || (observed - there.observed).abs() <= granted;
+        if !(same && same_bound) {
+            let claim = here.claim;
+            return Err(VerifyError::NotHomogeneous {
+                claim,
+                expected: [observed, bound],
+                found: [there.observed, there.bound],
+            });
+        }
+    }
+    Ok(())
+}

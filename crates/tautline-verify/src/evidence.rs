@@ -1,0 +1,133 @@
+//! `Evidence`: what one statement says of one case.
+
+use crate::{Inequality, Source, Statement, Unit, VerifyError};
+
+/// One statement, evaluated on one case: its hypotheses and its conclusions, all as numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Evidence {
+    /// The statement.
+    pub statement: Statement,
+    /// The clauses on which it rests, as far as the case lets them be checked. That a
+    /// minimiser is global is not among them: no finite number of evaluations shows it.
+    pub hypotheses: Vec<Inequality>,
+    /// What it claims, and sharper companions.
+    pub conclusions: Vec<Inequality>,
+}
+
+/// What the numbers of an [`Evidence`] say.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Finding<'a> {
+    /// Hypotheses and conclusions hold.
+    Holds,
+    /// A hypothesis does not hold, so the statement says nothing of the case.
+    Inapplicable(&'a Inequality),
+    /// The hypotheses hold and this conclusion does not.
+    Violated(&'a Inequality),
+}
+
+impl Evidence {
+    /// Begins the evidence for a statement.
+    #[must_use]
+    pub fn of(statement: Statement) -> Self {
+        Self { statement, hypotheses: Vec::new(), conclusions: Vec::new() }
+    }
+
+    /// Adds a hypothesis `observed ≤ bound`.
+    #[must_use]
+    pub fn given(
+        mut self,
+        claim: &'static str,
+        unit: Unit,
+        [observed, bound]: [f64; 2],
+        granted: f64,
+    ) -> Self {
+        let source = Source::Paper;
+        self.hypotheses.push(Inequality { claim, source, unit, observed, bound, granted });
+        self
+    }
+
+    /// Adds a conclusion `observed ≤ bound` that the paper states, or repaired it would.
+    #[must_use]
+    pub fn paper(
+        mut self,
+        claim: &'static str,
+        unit: Unit,
+        [observed, bound]: [f64; 2],
+        granted: f64,
+    ) -> Self {
+        let source = Source::Paper;
+        self.conclusions.push(Inequality { claim, source, unit, observed, bound, granted });
+        self
+    }
+
+    /// Adds a sharper companion `observed ≤ bound`.
+    #[must_use]
+    pub fn sharper(
+        mut self,
+        claim: &'static str,
+        unit: Unit,
+        [observed, bound]: [f64; 2],
+        granted: f64,
+    ) -> Self {
+        let source = Source::Sharper;
+        self.conclusions.push(Inequality { claim, source, unit, observed, bound, granted });
+        self
+    }
+
+    /// Returns what the numbers say. A conclusion is only looked at where the hypotheses hold.
+    #[must_use]
+    pub fn finding(&self) -> Finding<'_> {
+        if let Some(failed) = self.hypotheses.iter().find(|clause| !clause.holds()) {
+            return Finding::Inapplicable(failed);
+        }
+        match self.conclusions.iter().find(|claim| !claim.holds()) {
+            Some(failed) => Finding::Violated(failed),
+            None => Finding::Holds,
+        }
+    }
+
+    /// Returns the least slack of the paper's own conclusions, a pure number; `∞` if none of
+    /// them can be told from rounding.
+    #[must_use]
+    pub fn slack(&self) -> f64 {
+        let paper = self.conclusions.iter().filter(|claim| claim.source == Source::Paper);
+        paper.map(Inequality::slack).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Returns the evidence again if one of the paper's conclusions is attained: its slack is at
+    /// most 1.01.
+    ///
+    /// # Errors
+    ///
+    /// [`VerifyError::NotAttained`] with the least slack.
+    pub fn attained(self) -> Result<Self, VerifyError> {
+        self.slack_is_at_most(1.01)
+    }
+
+    /// Returns the evidence again if the least slack of the paper's conclusions is at most `known`,
+    /// the best slack that is known. A loosened formula fails here.
+    ///
+    /// # Errors
+    ///
+    /// [`VerifyError::NotAttained`] with the least slack.
+    pub fn slack_is_at_most(self, known: f64) -> Result<Self, VerifyError> {
+        let (statement, slack) = (self.statement, self.slack());
+        if slack <= known {
+            Ok(self)
+        } else {
+            Err(VerifyError::NotAttained { statement, slack, known })
+        }
+    }
+
+    /// Returns a conclusion by its claim.
+    ///
+    /// # Panics
+    ///
+    /// If there is no conclusion of this claim.
+    #[must_use]
+    #[track_caller]
+    pub fn conclusion(&self, claim: &str) -> &Inequality {
+        let found = self.conclusions.iter().find(|conclusion| conclusion.claim == claim);
+        found.unwrap_or_else(|| panic!("{} does not claim {claim}", self.statement))
+    }
+}

@@ -1,0 +1,90 @@
+//! `GramRange`: what a metric was seen to do at a number of points.
+
+use nalgebra::{DMatrix, SMatrix, SVector};
+use tautline::{Constants, Metric, MetricError, check_gram};
+
+use crate::{Evidence, Unit};
+
+/// The extreme eigenvalues of `H` at a number of points, and its largest difference quotient from
+/// one point to the next: what the hypotheses on `c₁`, `c₂` and `L_H` are compared with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GramRange {
+    /// The least eigenvalue that was seen, in `m²/ℓ²`.
+    pub low: f64,
+    /// The largest eigenvalue that was seen, in `m²/ℓ²`.
+    pub high: f64,
+    /// The largest `‖H(x) − H(y)‖ / |x − y|` of two consecutive points, in `m²/ℓ³`.
+    pub slope: f64,
+    /// What rounding does to `slope`, in `m²/ℓ³`: `ε c/|x − y|` where that was largest.
+    slope_rounding: f64,
+}
+
+impl GramRange {
+    /// Reads `H` at each of the points.
+    ///
+    /// # Errors
+    ///
+    /// [`MetricError`] where `H` is not finite, symmetric and positive definite.
+    pub fn along<const D: usize>(
+        metric: &impl Metric<D>,
+        points: impl IntoIterator<Item = SVector<f64, D>>,
+    ) -> Result<Self, MetricError> {
+        let mut range = Self { low: f64::INFINITY, high: 0.0, slope: 0.0, slope_rounding: 0.0 };
+        let mut before: Option<(SVector<f64, D>, SMatrix<f64, D, D>)> = None;
+        for x in points {
+            let h = check_gram(metric, &x)?;
+            let (low, high) = extreme_eigenvalues(&h);
+            range.low = range.low.min(low);
+            range.high = range.high.max(high);
+            if let Some((y, k)) = before
+                && x != y
+            {
+                let step = (x - y).norm();
+                let slope = operator_norm(&(h - k)) / step;
+                if slope > range.slope {
+                    range.slope = slope;
+                    // Points of size |x| are rounded too, but H is read at the rounded ones; a
+                    // dozen roundings an entry, D entries a row.
+                    range.slope_rounding = 16.0 * f64::EPSILON * D as f64 * high / step;
+                }
+            }
+            before = Some((x, h));
+        }
+        Ok(range)
+    }
+}
+
+impl Evidence {
+    /// Adds the three clauses on `c₁`, `c₂` and `L_H` of Theorem 1.1 as hypotheses.
+    #[must_use]
+    pub fn given_constants(self, constants: Constants, seen: &GramRange) -> Self {
+        // A dozen roundings an entry, and D entries a row of which D ≤ 10 or so.
+        let rounding = 1e-14 * seen.high;
+        self.given("c₁ ≤ λ_min(H)", Unit::GRAM, [constants.c1(), seen.low], rounding)
+            .given("λ_max(H) ≤ c₂", Unit::GRAM, [seen.high, constants.c2()], rounding)
+            .given(
+                "‖H(x) − H(y)‖/|x − y| ≤ L_H",
+                Unit::GRAM_SLOPE,
+                [seen.slope, constants.l_h()],
+                seen.slope_rounding,
+            )
+    }
+}
+
+/// Returns the least and the largest eigenvalue of a symmetric matrix.
+#[must_use]
+pub fn extreme_eigenvalues<const D: usize>(matrix: &SMatrix<f64, D, D>) -> (f64, f64) {
+    if D == 1 {
+        return (matrix[(0, 0)], matrix[(0, 0)]);
+    }
+    let values =
+        DMatrix::from_fn(D, D, |i, j| matrix[(i.min(j), i.max(j))]).symmetric_eigenvalues();
+    (values.min(), values.max())
+}
+
+/// Returns the operator norm of a symmetric matrix.
+#[must_use]
+pub fn operator_norm<const D: usize>(matrix: &SMatrix<f64, D, D>) -> f64 {
+    let (low, high) = extreme_eigenvalues(matrix);
+    high.abs().max(low.abs())
+}

@@ -1,0 +1,43 @@
+//! Every statement of the paper as one function, and a kit that tests what you bring.
+//!
+//! A statement is evaluated on a case, and returns [`Evidence`]: the hypotheses that could be
+//! checked, and its inequalities, each with the number that was observed and its bound.
+//!
+//! ```
+//! use tautline::{PointSequence, gallery::Valleys};
+//! use tautline_verify::{Finding, Library, statements::prop_7_9};
+//!
+//! // |E(γᵖˡ) − E_tra,N| ≤ L_H K₃³ / 4√N for four points over a ridge
+//! let sequence = PointSequence::straight([0.0, 0.0], [6.0, 1.0], 3)?;
+//! let evidence = prop_7_9(&Library, &Valleys, &sequence)?;
+//! assert_eq!(evidence.finding(), Finding::Holds);
+//! assert!(evidence.slack() > 1.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+pub mod battery;
+mod catalogue;
+mod evidence;
+mod gram_range;
+mod inequality;
+mod known;
+mod reconstruction;
+mod statement;
+pub mod statements;
+pub mod strategies;
+mod subject;
+mod units;
+mod verdict;
+mod verify_error;
+pub mod witnesses;
+
+pub use evidence::{Evidence, Finding};
+pub use gram_range::{GramRange, extreme_eigenvalues, operator_norm};
+pub use inequality::{Inequality, Source, Unit};
+pub use known::Known;
+pub use reconstruction::{PaperRule, Reconstruction, mean_cube, nodes};
+pub use statement::Statement;
+pub use subject::{Library, Subject};
+pub use units::{InUnits, Units};
+pub use verdict::Verdict;
+pub use verify_error::VerifyError;

@@ -1,0 +1,153 @@
+//! `Reconstruction`: what is observed of one computed discrete minimiser.
+
+use std::num::NonZeroUsize;
+
+use nalgebra::SVector;
+use tautline::{
+    Bounded, Curvature, Integral, LeftEndpoint, Minimum, PointSequence, Rule, Stop, Trapezoidal,
+    bounds::Setting,
+};
+
+use crate::{GramRange, Known, Subject, VerifyError};
+
+/// The two rules of the paper, as a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum PaperRule {
+    /// The trapezoidal rule.
+    Trapezoidal,
+    /// The left-endpoint rule.
+    LeftEndpoint,
+}
+
+impl PaperRule {
+    /// Both, in the paper's order.
+    pub const BOTH: [PaperRule; 2] = [PaperRule::Trapezoidal, PaperRule::LeftEndpoint];
+
+    /// Returns the name, as in data files.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            PaperRule::Trapezoidal => "trapezoidal",
+            PaperRule::LeftEndpoint => "left_endpoint",
+        }
+    }
+}
+
+/// The numbers of one solve, all that Theorems 1.1 to 1.4 and Sections 6 to 9 ask about it.
+#[derive(Clone, Debug)]
+pub struct Reconstruction<const D: usize> {
+    /// The rule whose discrete energy was minimised.
+    pub rule: PaperRule,
+    /// By what the theorems know the problem.
+    pub setting: Setting,
+    /// The number of subintervals.
+    pub n: NonZeroUsize,
+    /// `min E = min L² = d²`, in `m²`.
+    pub distance_squared: f64,
+    /// The discrete energy of the sequence, in `m²`.
+    pub discrete_energy: f64,
+    /// The energy `E(γᵖˡ)` of the curve, in `m²`.
+    pub energy: Integral,
+    /// The squared length `L(γᵖˡ)²` of the curve, in `m²`.
+    pub length_squared: Integral,
+    /// The root mean square `K₃` of the differences, in `ℓ`.
+    pub k3: f64,
+    /// The mean of the cubes of the differences, `(1/N) Σ |βₙ|³`, in `ℓ³`.
+    pub mean_cube: f64,
+    /// What the metric was seen to do at the points and the midpoints of the chords.
+    pub gram: GramRange,
+    /// How far the two ends are from their sets, in `ℓ`.
+    pub off_sets: f64,
+    /// How the sequence was found.
+    pub minimum: Minimum<D>,
+    /// What is granted to rounding, to the quadratures and to the error of `d²`, in `m²`.
+    pub granted: f64,
+}
+
+impl<const D: usize> Reconstruction<D> {
+    /// Minimises the discrete energy of `rule` with `n` subintervals, and reads off the numbers.
+    ///
+    /// # Errors
+    ///
+    /// If the solver refuses the problem, or does not converge to a local minimum.
+    pub fn observe<M: Bounded<D>>(
+        subject: &impl Subject,
+        known: &Known<M, D>,
+        rule: PaperRule,
+        n: usize,
+    ) -> Result<Self, VerifyError> {
+        match rule {
+            PaperRule::Trapezoidal => Self::of(subject, known, rule, Trapezoidal, n),
+            PaperRule::LeftEndpoint => Self::of(subject, known, rule, LeftEndpoint, n),
+        }
+    }
+
+    fn of<M: Bounded<D>, R: Rule>(
+        subject: &impl Subject,
+        known: &Known<M, D>,
+        name: PaperRule,
+        rule: R,
+        n: usize,
+    ) -> Result<Self, VerifyError> {
+        let metric = &known.metric;
+        let minimum = subject.minimise(rule, metric, &known.ends, n)?;
+        // Degenerate is allowed: where a curve leaves a ball, it may be free to move sideways.
+        let saddle = matches!(minimum.curvature, Curvature::Indefinite { .. });
+        if !matches!(minimum.stop, Stop::Converged | Stop::EndsTouch) || saddle {
+            let (stop, curvature) = (minimum.stop, minimum.curvature);
+            return Err(VerifyError::NotConverged { n, stop, curvature });
+        }
+        let sequence = &minimum.sequence;
+        let discrete_energy = subject.discrete_energy(rule, metric, sequence);
+        let energy = subject.curve_energy(metric, sequence);
+        let length = subject.curve_length(metric, sequence);
+        let length_squared =
+            Integral { value: length.value.powi(2), error: 2.0 * length.value * length.error };
+        let setting = Setting::new(subject.constants(metric), known.distance, D)?;
+        let distance_squared = known.distance.powi(2);
+        // Energies are compensated sums of terms with some ten roundings each, relative to
+        // themselves; points of size |x| are rounded, and the momentum 2√(c₂E) turns that into
+        // energy.
+        let size = sequence.points().iter().map(|x| x.norm()).fold(0.0, f64::max);
+        let momentum = 2.0 * (setting.constants().c2() * energy.value.max(0.0)).sqrt();
+        let granted = 1e-14 * (distance_squared + discrete_energy + energy.value)
+            + 8.0 * f64::EPSILON * size * momentum
+            + 2.0 * known.distance * known.distance_error
+            + energy.error
+            + length_squared.error;
+        Ok(Self {
+            rule: name,
+            setting,
+            n: sequence.n(),
+            distance_squared,
+            discrete_energy,
+            energy,
+            length_squared,
+            k3: subject.k3(sequence),
+            mean_cube: mean_cube(sequence),
+            gram: GramRange::along(metric, nodes(sequence))?,
+            off_sets: off_sets(known, sequence),
+            minimum,
+            granted,
+        })
+    }
+}
+
+/// Returns `(1/N) Σ |βₙ|³`, in `ℓ³`.
+#[must_use]
+pub fn mean_cube<const D: usize>(sequence: &PointSequence<D>) -> f64 {
+    sequence.differences().map(|beta| beta.norm().powi(3)).sum::<f64>() / sequence.n().get() as f64
+}
+
+/// Returns the points of a sequence and the midpoints of its chords, in the order of the curve:
+/// where the rules of the paper read `H`.
+pub fn nodes<const D: usize>(sequence: &PointSequence<D>) -> impl Iterator<Item = SVector<f64, D>> {
+    let chords = sequence.chords().flat_map(|(x, chord)| [*x, x + chord * 0.5]);
+    chords.chain([*sequence.last()])
+}
+
+/// How far the ends of a sequence are from their sets, in `ℓ`.
+fn off_sets<M, const D: usize>(known: &Known<M, D>, sequence: &PointSequence<D>) -> f64 {
+    let ends = [(known.ends.first(), sequence.first()), (known.ends.second(), sequence.last())];
+    ends.map(|(set, x)| (set.project(x) - x).norm()).into_iter().fold(0.0, f64::max)
+}

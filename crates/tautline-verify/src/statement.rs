@@ -1,0 +1,156 @@
+//! `Statement`: the statements of the paper, by number, TeX label and claim.
+
+use crate::{Verdict, catalogue::entry};
+
+/// A numbered statement of the paper, a claim of its Section 5, or a displayed constant.
+///
+/// The order is that of the paper.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[allow(missing_docs, reason = "the names are the paper's numbers; `claim` says what they say")]
+pub enum Statement {
+    Theorem1_1,
+    Theorem1_2,
+    Theorem1_3,
+    Theorem1_4,
+    Proposition3_1,
+    Proposition3_2,
+    Proposition3_3,
+    Proposition4_1,
+    Proposition4_2,
+    Proposition4_3,
+    Lemma4_4,
+    Section5Left,
+    Section5Trapezoidal,
+    Proposition6_1,
+    Proposition6_2,
+    Proposition6_3,
+    Proposition7_1,
+    Proposition7_2,
+    Proposition7_3,
+    Proposition7_4,
+    Proposition7_5,
+    Proposition7_6,
+    ConstantCTra,
+    ConstantCTraSharp,
+    Proposition7_7,
+    Proposition7_8,
+    Proposition7_9,
+    Proposition7_10,
+    Proposition7_11,
+    ConstantK1,
+    ConstantK2,
+    Proposition7_12,
+    ConstantK3Bar,
+    ConstantC1_1,
+    Proposition8_1,
+    Proposition8_2,
+    ConstantK4Bar,
+    ConstantC1_3,
+    Proposition9_1,
+    Remark9_2,
+}
+
+impl Statement {
+    /// All statements, in the paper's order: the 30 numbered ones, the two claims of Section 5,
+    /// and eight displayed constants.
+    pub const ALL: [Statement; 40] = [
+        Statement::Theorem1_1,
+        Statement::Theorem1_2,
+        Statement::Theorem1_3,
+        Statement::Theorem1_4,
+        Statement::Proposition3_1,
+        Statement::Proposition3_2,
+        Statement::Proposition3_3,
+        Statement::Proposition4_1,
+        Statement::Proposition4_2,
+        Statement::Proposition4_3,
+        Statement::Lemma4_4,
+        Statement::Section5Left,
+        Statement::Section5Trapezoidal,
+        Statement::Proposition6_1,
+        Statement::Proposition6_2,
+        Statement::Proposition6_3,
+        Statement::Proposition7_1,
+        Statement::Proposition7_2,
+        Statement::Proposition7_3,
+        Statement::Proposition7_4,
+        Statement::Proposition7_5,
+        Statement::Proposition7_6,
+        Statement::ConstantCTra,
+        Statement::ConstantCTraSharp,
+        Statement::Proposition7_7,
+        Statement::Proposition7_8,
+        Statement::Proposition7_9,
+        Statement::Proposition7_10,
+        Statement::Proposition7_11,
+        Statement::ConstantK1,
+        Statement::ConstantK2,
+        Statement::Proposition7_12,
+        Statement::ConstantK3Bar,
+        Statement::ConstantC1_1,
+        Statement::Proposition8_1,
+        Statement::Proposition8_2,
+        Statement::ConstantK4Bar,
+        Statement::ConstantC1_3,
+        Statement::Proposition9_1,
+        Statement::Remark9_2,
+    ];
+
+    /// Returns the number, as in prose: "Proposition 7.9", "Section 5, left-endpoint rule".
+    #[must_use]
+    pub fn number(self) -> &'static str {
+        entry(self).number
+    }
+
+    /// Returns the TeX label in the paper; of a displayed constant, its symbol.
+    #[must_use]
+    pub fn label(self) -> &'static str {
+        entry(self).label
+    }
+
+    /// Returns what it claims, in a line.
+    #[must_use]
+    pub fn claim(self) -> &'static str {
+        entry(self).claim
+    }
+
+    /// Returns what we say of it.
+    #[must_use]
+    pub fn verdict(self) -> Verdict {
+        entry(self).verdict
+    }
+
+    /// Returns the name of the function of this crate that evaluates it.
+    #[must_use]
+    pub fn function(self) -> &'static str {
+        entry(self).function
+    }
+}
+
+impl std::fmt::Display for Statement {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.number())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Statement;
+
+    #[test]
+    fn labels_and_numbers_are_different_and_in_order() {
+        for (k, statement) in Statement::ALL.into_iter().enumerate() {
+            assert_eq!(statement as usize, k);
+            for other in &Statement::ALL[..k] {
+                assert_ne!(statement.label(), other.label());
+                assert_ne!(statement.number(), other.number());
+            }
+        }
+        let numbered = |statement: &&Statement| {
+            ["Theorem", "Proposition", "Lemma", "Remark"]
+                .iter()
+                .any(|kind| statement.number().starts_with(kind))
+        };
+        assert_eq!(Statement::ALL.iter().filter(numbered).count(), 30);
+    }
+}

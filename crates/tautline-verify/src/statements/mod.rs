@@ -1,0 +1,12 @@
+//! The statements, each as one function that returns [`Evidence`](crate::Evidence).
+//!
+//! | section | takes | functions |
+//! | --- | --- | --- |
+//! | 1, main results | a [`Reconstruction`](crate::Reconstruction) | [`theorem_1_1`] to [`theorem_1_4`] |
+//! | 7 and 8, any point sequence | a metric and a point sequence | [`prop_7_8`], [`prop_7_9`], [`prop_8_1`], [`prop_8_2`] |
+
+mod point_sequences;
+mod section_1;
+
+pub use point_sequences::{prop_7_8, prop_7_9, prop_8_1, prop_8_2};
+pub use section_1::{theorem_1_1, theorem_1_2, theorem_1_3, theorem_1_4};

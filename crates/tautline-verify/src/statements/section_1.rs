@@ -1,0 +1,188 @@
+//! Theorems 1.1 to 1.4: the minimisers of the discrete energies, and what they reconstruct.
+//!
+//! # Global and local minimisers
+//!
+//! The theorems speak of a global minimiser `γᵖ` of the discrete energy. A solver returns a local
+//! one, and its energy is an upper bound of the minimum. So
+//!
+//! - `E_N − d² ≤ C/N` claims more than the theorem: it could fail only because the solver stopped
+//!   at a worse local minimiser, and that is worth knowing;
+//! - `E(γᵖˡ) − E_N ≤ C/√N` needs of the minimiser no more than the *premise* of `K̄_{3,g}` or
+//!   `K̄_{4,g}`, an upper bound of its discrete energy. The premise is a hypothesis here: where it
+//!   holds, the theorem holds for the very sequence that was found.
+//!
+//! Nothing is added for a residual: no inequality of the paper needs a stationary sequence.
+//!
+//! The constants are larger than what is observed by many decades, so that these inequalities
+//! alone say little of a program. The sharper companions are of first order in `1/N`, or bound
+//! the gap of the very sequence by the mean cube of its differences.
+
+use tautline::bounds;
+
+use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};
+
+/// What the theorems need: the clauses on the metric, ends in their sets, the rule, the premise.
+fn begin<const D: usize>(
+    statement: Statement,
+    seen: &Reconstruction<D>,
+    rule: PaperRule,
+    premise: f64,
+) -> Evidence {
+    let another_rule = if seen.rule == rule { 0.0 } else { 1.0 };
+    // Coordinates and radii of the size of K₃ + |x|, a projection of 4 D roundings or so.
+    let size = seen.minimum.sequence.first().norm() + seen.k3;
+    Evidence::of(statement)
+        .given("the rule is that of the theorem", Unit::NONE, [another_rule, 0.0], 0.0)
+        .given_constants(seen.setting.constants(), &seen.gram)
+        .given(
+            "the ends lie in X⁽⁰⁾ and X⁽¹⁾",
+            Unit::COORDINATE,
+            [seen.off_sets, 0.0],
+            1e-13 * size,
+        )
+        .given(
+            "E_N ≤ what the proof has for the minimum",
+            Unit::ENERGY,
+            [seen.discrete_energy, premise],
+            seen.granted,
+        )
+}
+
+/// `d² + C_tra♯`, which the proof of Theorem 1.1 has for `min E_tra,N`.
+fn premise_trapezoidal<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> f64 {
+    let (k1, k2) = (subject.k1_g(seen.setting), subject.k2_g(seen.setting));
+    seen.distance_squared + subject.c_tra_sharp(seen.setting.constants(), k1, k2)
+}
+
+/// `d² + C_tra♯ + ½ L_H K̄_{3,g}³`, which the proof of Theorem 1.3 has for `min E_l,N`.
+fn premise_left<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> f64 {
+    let cube = subject.k3_bar_g(seen.setting).powi(3);
+    premise_trapezoidal(subject, seen) + 0.5 * seen.setting.constants().l_h() * cube
+}
+
+/// Evaluates Theorem 1.1 on a computed minimiser of the trapezoidal rule.
+///
+/// ```text
+/// min E − C/√N  ≤  E(γᵖˡ) − C/√N  ≤  E_tra,N(γᵖ)  ≤  min E + C/N
+/// ```
+///
+/// Companions: the gap of the very sequence is at most `(L_H/4N) mean |β|³`, and all three gaps
+/// are of order `1/N` ([`bounds::first_order_excess_trapezoidal`] and its parts).
+#[doc(alias = "theo:approx_numerical_integral_trapezoidal")]
+#[must_use]
+pub fn theorem_1_1<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
+    let &Reconstruction { setting, n, distance_squared: d2, discrete_energy, granted, .. } = seen;
+    let (constant, count) = (subject.theorem_1_1_constant(setting), n.get() as f64);
+    let gap = seen.energy.value - discrete_energy;
+    let premise = premise_trapezoidal(subject, seen);
+    let mean_cube = setting.constants().l_h() * seen.mean_cube / (4.0 * count);
+    let ceiling = bounds::first_order_minimum_gap_trapezoidal(setting, n);
+    let first_order = bounds::first_order_polyline_gap_trapezoidal(setting, n);
+    begin(Statement::Theorem1_1, seen, PaperRule::Trapezoidal, premise)
+        .paper("E(γᵖˡ) − E_tra,N ≤ C/√N", Unit::ENERGY, [gap, constant / count.sqrt()], granted)
+        .paper(
+            "E_tra,N − d² ≤ C/N",
+            Unit::ENERGY,
+            [discrete_energy - d2, constant / count],
+            granted,
+        )
+        .sharper("d² ≤ E(γᵖˡ)", Unit::ENERGY, [d2, seen.energy.value], granted)
+        .sharper("E(γᵖˡ) − E_tra,N ≤ L_H mean|β|³/4N", Unit::ENERGY, [gap, mean_cube], granted)
+        .sharper(
+            "E_tra,N − d² ≤ d² (e − 1)",
+            Unit::ENERGY,
+            [discrete_energy - d2, ceiling],
+            granted,
+        )
+        .sharper("E(γᵖˡ) − E_tra,N ≤ d² (δ/4N) e Q", Unit::ENERGY, [gap, first_order], granted)
+        .sharper(
+            "d² − E_tra,N ≤ d² (δ/4N) e Q",
+            Unit::ENERGY,
+            [d2 - discrete_energy, first_order],
+            granted,
+        )
+}
+
+/// Evaluates Theorem 1.2 on a computed minimiser of the trapezoidal rule.
+///
+/// ```text
+/// 0  ≤  L(γᵖˡ)² − d²  ≤  C/√N      with the C of Theorem 1.1
+/// ```
+///
+/// Companion: `L(γᵖˡ)² − d²` is of order `1/N` ([`bounds::first_order_excess_trapezoidal`]).
+#[doc(alias = "theo:approx_numerical_integral_trapezoidal_length")]
+#[must_use]
+pub fn theorem_1_2<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
+    let constant = subject.theorem_1_1_constant(seen.setting);
+    let first_order = bounds::first_order_excess_trapezoidal(seen.setting, seen.n);
+    let premise = premise_trapezoidal(subject, seen);
+    let evidence = begin(Statement::Theorem1_2, seen, PaperRule::Trapezoidal, premise);
+    length_excess(evidence, seen, constant, first_order)
+}
+
+/// Evaluates Theorem 1.3 on a computed minimiser of the left-endpoint rule.
+///
+/// ```text
+/// min E − C/√N  ≤  E(γᵖˡ) − C/√N  ≤  E_l,N(γᵖ)  ≤  min E + C/√N
+/// ```
+///
+/// Companions: the gap of the very sequence is at most `(L_H/2N) mean |β|³`, and all three gaps
+/// are of order `1/N` ([`bounds::first_order_excess_left`] and its parts).
+#[doc(alias = "theo:approx_numerical_integral_left")]
+#[must_use]
+pub fn theorem_1_3<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
+    let &Reconstruction { setting, n, distance_squared: d2, discrete_energy, granted, .. } = seen;
+    let count = n.get() as f64;
+    let bound = subject.theorem_1_3_constant(setting) / count.sqrt();
+    let gap = seen.energy.value - discrete_energy;
+    let premise = premise_left(subject, seen);
+    let mean_cube = setting.constants().l_h() * seen.mean_cube / (2.0 * count);
+    let ceiling = bounds::first_order_minimum_gap_left(setting, n);
+    let first_order = bounds::first_order_polyline_gap_left(setting, n);
+    begin(Statement::Theorem1_3, seen, PaperRule::LeftEndpoint, premise)
+        .paper("E(γᵖˡ) − E_l,N ≤ C/√N", Unit::ENERGY, [gap, bound], granted)
+        .paper("E_l,N − d² ≤ C/√N", Unit::ENERGY, [discrete_energy - d2, bound], granted)
+        .sharper("d² ≤ E(γᵖˡ)", Unit::ENERGY, [d2, seen.energy.value], granted)
+        .sharper("E(γᵖˡ) − E_l,N ≤ L_H mean|β|³/2N", Unit::ENERGY, [gap, mean_cube], granted)
+        .sharper("E_l,N − d² ≤ d² (e − 1)", Unit::ENERGY, [discrete_energy - d2, ceiling], granted)
+        .sharper("E(γᵖˡ) − E_l,N ≤ d² (δ/2N) e Q", Unit::ENERGY, [gap, first_order], granted)
+        .sharper(
+            "d² − E_l,N ≤ d² (δ/2N) e Q",
+            Unit::ENERGY,
+            [d2 - discrete_energy, first_order],
+            granted,
+        )
+}
+
+/// Evaluates Theorem 1.4 on a computed minimiser of the left-endpoint rule.
+///
+/// ```text
+/// 0  ≤  L(γᵖˡ)² − d²  ≤  C/√N      with the C of Theorem 1.3
+/// ```
+///
+/// Companion: `L(γᵖˡ)² − d²` is of order `1/N` ([`bounds::first_order_excess_left`]).
+#[doc(alias = "theo:approx_numerical_integral_left_length")]
+#[must_use]
+pub fn theorem_1_4<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
+    let constant = subject.theorem_1_3_constant(seen.setting);
+    let first_order = bounds::first_order_excess_left(seen.setting, seen.n);
+    let premise = premise_left(subject, seen);
+    let evidence = begin(Statement::Theorem1_4, seen, PaperRule::LeftEndpoint, premise);
+    length_excess(evidence, seen, constant, first_order)
+}
+
+/// What Theorems 1.2 and 1.4 claim alike.
+fn length_excess<const D: usize>(
+    evidence: Evidence,
+    seen: &Reconstruction<D>,
+    constant: f64,
+    first_order: f64,
+) -> Evidence {
+    let (length2, d2) = (seen.length_squared.value, seen.distance_squared);
+    let bound = constant / (seen.n.get() as f64).sqrt();
+    evidence
+        .paper("L(γᵖˡ)² − d² ≤ C/√N", Unit::ENERGY, [length2 - d2, bound], seen.granted)
+        .sharper("d² ≤ L(γᵖˡ)²", Unit::ENERGY, [d2, length2], seen.granted)
+        .sharper("L(γᵖˡ)² ≤ E(γᵖˡ)", Unit::ENERGY, [length2, seen.energy.value], seen.granted)
+        .sharper("L(γᵖˡ)² − d² = O(1/N)", Unit::ENERGY, [length2 - d2, first_order], seen.granted)
+}

@@ -1,0 +1,43 @@
+//! Metrics at random, of families whose distance is known.
+
+use proptest::prelude::*;
+use tautline::{
+    SMatrix, SVector,
+    gallery::{Constant, Ramp, Separable, Shear},
+};
+
+use super::points::vector;
+
+/// A symmetric positive definite matrix: `MᵀM + ¼ I` with entries of `M` in `[−1, 1]`.
+pub(super) fn matrix<const D: usize>() -> impl Strategy<Value = SMatrix<f64, D, D>> {
+    let entries = proptest::array::uniform::<_, D>(vector::<D>(1.0));
+    entries.prop_map(|columns| {
+        let m: SMatrix<f64, D, D> = SMatrix::from_columns(&columns);
+        let square: SMatrix<f64, D, D> = m.tr_mul(&m) + SMatrix::identity() * 0.25;
+        (square + square.transpose()) * 0.5
+    })
+}
+
+/// Constant metrics with eigenvalues in `[¼, D² + ¼]`.
+pub fn constant<const D: usize>() -> impl Strategy<Value = Constant<D>> {
+    matrix().prop_map(|a| Constant::new(a).expect("positive definite"))
+}
+
+/// Shears of amplitude up to 0.8 and wave number up to 2.
+pub fn shear() -> impl Strategy<Value = Shear> {
+    (-0.8..0.8, 0.5..2.0)
+        .prop_map(|(amplitude, k)| Shear::new(amplitude, k).expect("a positive wave number"))
+}
+
+/// Separable metrics of amplitudes up to 0.6 and wave numbers up to 2.
+pub fn separable<const D: usize>() -> impl Strategy<Value = Separable<D>> {
+    let wave_numbers = proptest::array::uniform::<_, D>(0.5..2.0);
+    (vector(0.6), wave_numbers).prop_map(|(amplitudes, k): (SVector<f64, D>, _)| {
+        Separable::new(amplitudes, k).expect("amplitudes below one")
+    })
+}
+
+/// Ramps of amplitude up to 0.7 and wave number up to 2.
+pub fn ramp() -> impl Strategy<Value = Ramp> {
+    (-0.7..0.7, 0.5..2.0).prop_map(|(amplitude, k)| Ramp::new(amplitude, k).expect("below one"))
+}

@@ -1,0 +1,12 @@
+//! Random cases for proptest: points, point sequences, metrics and problems with known distances.
+
+mod metrics;
+mod points;
+mod problems;
+
+pub use metrics::{constant, ramp, separable, shear};
+pub use points::{sequence, subintervals, two_points, vector};
+pub use problems::{
+    constant_ball_half_space, constant_finite_sets, points, separable_box_half_space,
+    separable_boxes, shear_ball_half_plane, valleys_across, valleys_along, valleys_ball_half_space,
+};

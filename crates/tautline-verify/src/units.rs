@@ -1,0 +1,154 @@
+//! `Units`: the same problem, measured in other units.
+
+use std::sync::Arc;
+
+use nalgebra::{SMatrix, SVector};
+use tautline::{Bounded, ClosedSet, Constants, Ends, Metric, PointSequence, Scalar};
+
+use crate::{Known, VerifyError};
+
+/// A system of units: what was 1 in coordinates becomes `ell`, what was 1 as a length becomes `m`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Units {
+    /// The factor of coordinates.
+    pub ell: f64,
+    /// The factor of Riemannian lengths.
+    pub m: f64,
+}
+
+impl Units {
+    /// The units in which things are given.
+    pub const ONE: Units = Units { ell: 1.0, m: 1.0 };
+
+    /// Returns a metric in these units.
+    pub fn metric<M>(self, metric: M) -> InUnits<M> {
+        InUnits { metric, units: self }
+    }
+
+    /// Returns a vector of coordinates in these units.
+    #[must_use]
+    pub fn vector<const D: usize>(self, x: SVector<f64, D>) -> SVector<f64, D> {
+        x * self.ell
+    }
+
+    /// Returns a point sequence in these units.
+    ///
+    /// # Errors
+    ///
+    /// If coordinates overflow.
+    pub fn sequence<const D: usize>(
+        self,
+        sequence: &PointSequence<D>,
+    ) -> Result<PointSequence<D>, VerifyError> {
+        let points = sequence.points().iter().map(|x| x * self.ell).collect();
+        Ok(PointSequence::new(points)?)
+    }
+
+    /// Returns constants in these units.
+    ///
+    /// # Errors
+    ///
+    /// If one overflows or underflows.
+    pub fn constants(self, constants: Constants) -> Result<Constants, VerifyError> {
+        let gram = (self.m / self.ell).powi(2);
+        let scaled = Constants::new(
+            constants.c1() * gram,
+            constants.c2() * gram,
+            constants.l_h() * gram / self.ell,
+        )?;
+        Ok(match constants.m_h() {
+            Some(m_h) => scaled.with_m_h(m_h * gram / self.ell / self.ell)?,
+            None => scaled,
+        })
+    }
+
+    /// Returns a problem in these units.
+    ///
+    /// # Errors
+    ///
+    /// If a set is refused, its coordinates having overflown.
+    pub fn known<M: Bounded<D>, const D: usize>(
+        self,
+        known: Known<M, D>,
+    ) -> Result<Known<InUnits<M>, D>, VerifyError> {
+        let set = |set: &Arc<dyn ClosedSet<D>>| SetInUnits::new(Arc::clone(set), self.ell);
+        let [first, second] = [known.ends.first(), known.ends.second()].map(set);
+        Ok(Known {
+            metric: self.metric(known.metric),
+            ends: Ends::new(first, second)?,
+            distance: known.distance * self.m,
+            distance_error: known.distance_error * self.m,
+        })
+    }
+}
+
+/// A metric in other units: `H′(x) = (m/ℓ)² H(x/ℓ)`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct InUnits<M> {
+    metric: M,
+    units: Units,
+}
+
+impl<M: Metric<D>, const D: usize> Metric<D> for InUnits<M> {
+    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
+        let Units { ell, m } = self.units;
+        self.metric.gram(&x.map(|xi| xi * ell.recip())).map(|entry| entry * (m / ell).powi(2))
+    }
+
+    fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
+        let Units { ell, m } = self.units;
+        self.metric.norm_squared(&x.map(|xi| xi * ell.recip()), u) * (m / ell).powi(2)
+    }
+}
+
+impl<M: Bounded<D>, const D: usize> Bounded<D> for InUnits<M> {
+    /// Those of the metric, in these units.
+    fn constants(&self) -> Constants {
+        // Constants that overflow are no constants of a metric in f64.
+        self.units.constants(self.metric.constants()).expect("in the range of f64")
+    }
+}
+
+/// A set whose coordinates are measured in another unit.
+#[derive(Clone, Debug)]
+struct SetInUnits<const D: usize> {
+    set: Arc<dyn ClosedSet<D>>,
+    pieces: Vec<Arc<dyn ClosedSet<D>>>,
+    ell: f64,
+}
+
+impl<const D: usize> SetInUnits<D> {
+    fn new(set: Arc<dyn ClosedSet<D>>, ell: f64) -> Self {
+        let piece = |piece: &Arc<dyn ClosedSet<D>>| -> Arc<dyn ClosedSet<D>> {
+            Arc::new(Self::new(Arc::clone(piece), ell))
+        };
+        let pieces = set.pieces().iter().map(piece).collect();
+        Self { set, pieces, ell }
+    }
+}
+
+impl<const D: usize> ClosedSet<D> for SetInUnits<D> {
+    fn project(&self, x: &SVector<f64, D>) -> SVector<f64, D> {
+        self.set.project(&(x / self.ell)) * self.ell
+    }
+
+    fn projection_derivative(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
+        self.set.projection_derivative(&(x / self.ell))
+    }
+
+    fn radius(&self) -> Option<f64> {
+        self.set.radius().map(|radius| radius * self.ell)
+    }
+
+    fn is_convex(&self) -> bool {
+        self.set.is_convex()
+    }
+
+    fn pieces(&self) -> &[Arc<dyn ClosedSet<D>>] {
+        &self.pieces
+    }
+
+    fn seeds(&self) -> Vec<SVector<f64, D>> {
+        self.set.seeds().into_iter().map(|seed| seed * self.ell).collect()
+    }
+}

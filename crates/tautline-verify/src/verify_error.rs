@@ -1,0 +1,73 @@
+//! `VerifyError`: why a statement could not be evaluated.
+
+use crate::Statement;
+use tautline::{
+    Curvature, HypothesisError, MetricError, SequenceError, SetError, SolveError, Stop,
+    bounds::BoundError,
+};
+
+/// Why a statement could not be evaluated on a case. Not a violation of it.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum VerifyError {
+    /// The solver refused the problem.
+    #[error(transparent)]
+    Solve(#[from] SolveError),
+    /// The solver did not converge to a local minimum: its result says nothing of minimisers.
+    #[error("N = {n}: the search ended as {stop:?} with the curvature {curvature:?}")]
+    NotConverged {
+        /// The number of subintervals.
+        n: usize,
+        /// How the search stopped.
+        stop: Stop,
+        /// The signature of the Hessian.
+        curvature: Curvature,
+    },
+    /// The metric is not finite, symmetric and positive definite somewhere.
+    #[error(transparent)]
+    Metric(#[from] MetricError),
+    /// Points are no point sequence.
+    #[error(transparent)]
+    Sequence(#[from] SequenceError),
+    /// A number is no distance, or a dimension is zero.
+    #[error(transparent)]
+    Bound(#[from] BoundError),
+    /// A set is refused.
+    #[error(transparent)]
+    Set(#[from] SetError),
+    /// Constants are refused.
+    #[error(transparent)]
+    Constants(#[from] HypothesisError),
+    /// The numbers of one case do not scale by their unit.
+    #[error("{claim}: in other units {found:?}, where {expected:?} were expected")]
+    NotHomogeneous {
+        /// The claim.
+        claim: &'static str,
+        /// The two numbers as they should be in the other units.
+        expected: [f64; 2],
+        /// The two numbers as they are.
+        found: [f64; 2],
+    },
+    /// A witness does not come as near equality as it should.
+    #[error("{statement}: the slack of the witness is {slack}, not at most {known}")]
+    NotAttained {
+        /// The statement.
+        statement: Statement,
+        /// The least slack of the paper's conclusions, a pure number.
+        slack: f64,
+        /// The best slack that is known.
+        known: f64,
+    },
+    /// A parameter of the case is out of its range.
+    #[error("{name} = {value} must lie in [{low}, {high}]")]
+    OutOfRange {
+        /// The parameter.
+        name: &'static str,
+        /// The number that was given.
+        value: f64,
+        /// The least number that is allowed.
+        low: f64,
+        /// The largest number that is allowed.
+        high: f64,
+    },
+}

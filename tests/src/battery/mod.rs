@@ -1,0 +1,46 @@
+//! Every check of the project's own suite as a test of its own name.
+
+mod point_sequences;
+mod section_1;
+
+use std::collections::BTreeSet;
+
+use tautline_verify::{
+    Library,
+    battery::{Scope, Trial, battery},
+};
+
+/// Names the checks of one section; each becomes a test.
+macro_rules! checks {
+    ($($name:ident)*) => {
+        pub(super) const NAMES: &[&str] = &[$(stringify!($name)),*];
+
+        $(
+            #[test]
+            fn $name() {
+                super::passes(stringify!($name));
+            }
+        )*
+    };
+}
+use checks;
+
+/// Runs the check of this name on the library.
+#[track_caller]
+fn passes(name: &str) {
+    let check = battery().into_iter().find(|check| check.name == name);
+    let check = check.unwrap_or_else(|| panic!("no check is called {name}"));
+    let trial = Trial { subject: &Library, scope: Scope::Everything, cases: u32::MAX };
+    if let Err(failure) = check.run(&trial) {
+        panic!("{failure}");
+    }
+}
+
+#[test]
+fn every_check_is_a_test() {
+    let checks: BTreeSet<&str> = battery::<Library>().iter().map(|check| check.name).collect();
+    assert_eq!(checks.len(), battery::<Library>().len(), "two checks of one name");
+    let sections = [section_1::NAMES, point_sequences::NAMES];
+    let tests: BTreeSet<&str> = sections.concat().into_iter().collect();
+    assert_eq!(checks, tests);
+}
