@@ -37,6 +37,12 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
             &[Proposition8_1, Proposition8_2],
             attained_by_the_incline,
         ),
+        Check::new(
+            "the_left_rule_reads_the_point_where_a_chord_begins",
+            Kind::Witness,
+            &[Proposition8_1],
+            left_is_left,
+        ),
         Check::new("props_7_9_8_1_and_8_2_fail_where_the_metric_jumps", Kind::Dropped, ALL, |_| {
             dropped_lipschitz()
         }),
