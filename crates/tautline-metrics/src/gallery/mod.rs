@@ -25,6 +25,7 @@
 //! Parameters are checked by the constructors, so that a metric which exists is one.
 
 mod bump;
+mod clairaut;
 mod constant;
 mod coupled_cosines;
 mod eigenvalues;
