@@ -12,6 +12,7 @@
 //! | [`Bump`] | any | `(1 + a e^{−r²/2s²})² I` | exact but `L_H` | on rays |
 //! | [`Hill`] | any | `I + ∇f ∇fᵀ`, `f = h e^{−r²/2s²}` | exact | on rays |
 //! | [`SoftObstacles`] | any | `(1 + Σ aᵢ e^{−rᵢ²/2sᵢ²}) I` | bounds | |
+//! | [`Swirl`] | 2 | `JᵀJ` of `R(α e^{−r²/2s²}) x` | exact but `L_H`, `M_H` | all pairs |
 //! | [`RotatingAnisotropy`] | 2 | `Q(k·x) diag(λ₁, λ₂) Q(k·x)ᵀ` | exact | |
 //! | [`TwoLinkArm`] | 2 | kinetic energy of a robot arm | exact | |
 //! | [`CoupledCosines`] | 3 | `diag + ⅖ cos(xᵢ − xⱼ) / (1 + ∣i − j∣)` | exact but `M_H` | |
@@ -41,6 +42,7 @@ mod shear;
 mod sine_projections;
 mod soft_obstacles;
 mod sphere;
+mod swirl;
 mod two_link_arm;
 mod valleys;
 
@@ -58,5 +60,6 @@ pub use shear::Shear;
 pub use sine_projections::{SineProjection, SineProjections};
 pub use soft_obstacles::{Obstacle, SoftObstacles};
 pub use sphere::Sphere;
+pub use swirl::Swirl;
 pub use two_link_arm::{Link, TwoLinkArm};
 pub use valleys::Valleys;
