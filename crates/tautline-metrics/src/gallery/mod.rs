@@ -13,6 +13,7 @@
 //! | [`Hill`] | any | `I + ∇f ∇fᵀ`, `f = h e^{−r²/2s²}` | exact | on rays |
 //! | [`SoftObstacles`] | any | `(1 + Σ aᵢ e^{−rᵢ²/2sᵢ²}) I` | bounds | |
 //! | [`Swirl`] | 2 | `JᵀJ` of `R(α e^{−r²/2s²}) x` | exact but `L_H`, `M_H` | all pairs |
+//! | [`EggCrate`] | 2 | `I + ∇f ∇fᵀ`, `f = a (sin kx₁ + sin kx₂)` | exact | on lines |
 //! | [`RotatingAnisotropy`] | 2 | `Q(k·x) diag(λ₁, λ₂) Q(k·x)ᵀ` | exact | |
 //! | [`TwoLinkArm`] | 2 | kinetic energy of a robot arm | exact | |
 //! | [`CoupledCosines`] | 3 | `diag + ⅖ cos(xᵢ − xⱼ) / (1 + ∣i − j∣)` | exact but `M_H` | |
@@ -29,6 +30,7 @@ mod bump;
 mod clairaut;
 mod constant;
 mod coupled_cosines;
+mod egg_crate;
 mod eigenvalues;
 mod error;
 mod hill;
@@ -49,6 +51,7 @@ mod valleys;
 pub use bump::Bump;
 pub use constant::Constant;
 pub use coupled_cosines::CoupledCosines;
+pub use egg_crate::EggCrate;
 pub use error::GalleryError;
 pub use hill::Hill;
 pub use hyperbolic::Hyperbolic;
