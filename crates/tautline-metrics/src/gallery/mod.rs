@@ -14,6 +14,7 @@
 //! | [`SoftObstacles`] | any | `(1 + Σ aᵢ e^{−rᵢ²/2sᵢ²}) I` | bounds | |
 //! | [`Swirl`] | 2 | `JᵀJ` of `R(α e^{−r²/2s²}) x` | exact but `L_H`, `M_H` | all pairs |
 //! | [`EggCrate`] | 2 | `I + ∇f ∇fᵀ`, `f = a (sin kx₁ + sin kx₂)` | exact | on lines |
+//! | [`Corrugated`] | any | `I + f′² e₁e₁ᵀ`, `f = a sin kx₁` | exact | all pairs |
 //! | [`RotatingAnisotropy`] | 2 | `Q(k·x) diag(λ₁, λ₂) Q(k·x)ᵀ` | exact | |
 //! | [`TwoLinkArm`] | 2 | kinetic energy of a robot arm | exact | |
 //! | [`CoupledCosines`] | 3 | `diag + ⅖ cos(xᵢ − xⱼ) / (1 + ∣i − j∣)` | exact but `M_H` | |
@@ -29,6 +30,7 @@
 mod bump;
 mod clairaut;
 mod constant;
+mod corrugated;
 mod coupled_cosines;
 mod egg_crate;
 mod eigenvalues;
@@ -50,6 +52,7 @@ mod valleys;
 
 pub use bump::Bump;
 pub use constant::Constant;
+pub use corrugated::Corrugated;
 pub use coupled_cosines::CoupledCosines;
 pub use egg_crate::EggCrate;
 pub use error::GalleryError;
