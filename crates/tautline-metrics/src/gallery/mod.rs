@@ -15,6 +15,7 @@
 //! | [`Swirl`] | 2 | `JᵀJ` of `R(α e^{−r²/2s²}) x` | exact but `L_H`, `M_H` | all pairs |
 //! | [`EggCrate`] | 2 | `I + ∇f ∇fᵀ`, `f = a (sin kx₁ + sin kx₂)` | exact | on lines |
 //! | [`Corrugated`] | any | `I + f′² e₁e₁ᵀ`, `f = a sin kx₁` | exact | all pairs |
+//! | [`Checkerboard`] | 2 | `(1 + a sin²(πx₁/e) sin²(πx₂/e)) I` | exact | on grid lines |
 //! | [`RotatingAnisotropy`] | 2 | `Q(k·x) diag(λ₁, λ₂) Q(k·x)ᵀ` | exact | |
 //! | [`TwoLinkArm`] | 2 | kinetic energy of a robot arm | exact | |
 //! | [`CoupledCosines`] | 3 | `diag + ⅖ cos(xᵢ − xⱼ) / (1 + ∣i − j∣)` | exact but `M_H` | |
@@ -28,6 +29,7 @@
 //! Parameters are checked by the constructors, so that a metric which exists is one.
 
 mod bump;
+mod checkerboard;
 mod clairaut;
 mod constant;
 mod corrugated;
@@ -51,6 +53,7 @@ mod two_link_arm;
 mod valleys;
 
 pub use bump::Bump;
+pub use checkerboard::Checkerboard;
 pub use constant::Constant;
 pub use corrugated::Corrugated;
 pub use coupled_cosines::CoupledCosines;
