@@ -16,6 +16,7 @@
 //! | [`EggCrate`] | 2 | `I + ∇f ∇fᵀ`, `f = a (sin kx₁ + sin kx₂)` | exact | on lines |
 //! | [`Corrugated`] | any | `I + f′² e₁e₁ᵀ`, `f = a sin kx₁` | exact | all pairs |
 //! | [`Checkerboard`] | 2 | `(1 + a sin²(πx₁/e) sin²(πx₂/e)) I` | exact | on grid lines |
+//! | [`TwoChannels`] | 2 | `(1 + a Π (1 − e^{−(x₂ ∓ b)²/2s²})) I` | exact but `L_H`, `M_H` | many pairs |
 //! | [`RotatingAnisotropy`] | 2 | `Q(k·x) diag(λ₁, λ₂) Q(k·x)ᵀ` | exact | |
 //! | [`TwoLinkArm`] | 2 | kinetic energy of a robot arm | exact | |
 //! | [`CoupledCosines`] | 3 | `diag + ⅖ cos(xᵢ − xⱼ) / (1 + ∣i − j∣)` | exact but `M_H` | |
@@ -49,6 +50,7 @@ mod sine_projections;
 mod soft_obstacles;
 mod sphere;
 mod swirl;
+mod two_channels;
 mod two_link_arm;
 mod valleys;
 
@@ -70,5 +72,6 @@ pub use sine_projections::{SineProjection, SineProjections};
 pub use soft_obstacles::{Obstacle, SoftObstacles};
 pub use sphere::Sphere;
 pub use swirl::Swirl;
+pub use two_channels::TwoChannels;
 pub use two_link_arm::{Link, TwoLinkArm};
 pub use valleys::Valleys;
