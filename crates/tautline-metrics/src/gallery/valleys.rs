@@ -57,7 +57,7 @@ mod tests {
     use approx::assert_relative_eq;
     use nalgebra::vector;
 
-    use std::f64::consts::TAU;
+    use std::f64::consts::{PI, SQRT_2, TAU};
 
     use super::Valleys;
     use crate::{Bounded, KnownDistance};
@@ -73,6 +73,23 @@ mod tests {
     fn an_oblique_pair_has_the_distance_of_clairaut() {
         let d = Valleys.distance(&vector![2.0, 1.5], &vector![0.0, 0.0]);
         assert_relative_eq!(d.expect("p < 1"), 3.781_762_054_661_521_4, max_relative = 1e-14);
+    }
+
+    /// With `p → 1` the distance tends to `20 + ∫ √(f² − 1) dx₁`, which is elementary in
+    /// `u = cos x₁/2`; it is off by a multiple of `e^{−20}`.
+    #[test]
+    fn a_long_way_along_a_valley_keeps_its_digits() {
+        let d =
+            |x: f64, y: f64| Valleys.distance(&vector![x, 0.0], &vector![y, 20.0]).expect("p < 1");
+        let climb = |x: f64| {
+            let u = (0.5 * x).cos();
+            2.0 - 2.0 * u * (2.0 - u * u).sqrt() + PI - 4.0 * (u / SQRT_2).asin()
+        };
+        let limit = 20.0 + climb(1.0) + climb(1.5);
+        assert_relative_eq!(d(-1.0, 1.5), limit, max_relative = 1e-8);
+        assert!(d(-1.0, 1.5) > limit);
+        // The mirror image meets the valley from the other side.
+        assert_relative_eq!(d(-1.0, 1.5), d(1.0, -1.5), max_relative = 1e-15);
     }
 
     #[test]
