@@ -38,9 +38,9 @@ impl EggCrate {
         // √2 a²k³; attained where B = C and P = ½.
         let l_h = SQRT_2 * slope2 * k;
         // zᵀ D²H[w, w] z = 2a²k⁴ ((b s w₁ + c t w₂)² − (B w₁² + C w₂²) (B + C)). As w₁² + w₂² = 1,
-        // the product is a mean of B (B + C) and C (B + C), where
-        // B² + BC ≤ b² + |bc| ≤ (1 + √2)/2: this is attained by w = (1, 0), p = q = 1 and b = cos π/8.
-        // On the other side (b s w₁ + c t w₂)² ≤ (b²s² + c²t²) = 1 − P, so that the whole is at most
+        // the product is a mean of B (B + C) and C (B + C), where B² + BC ≤ b² + |bc| ≤ (1 + √2)/2:
+        // this is attained by w = (1, 0), p = q = 1 and b = cos π/8. On the other side
+        // (b s w₁ + c t w₂)² ≤ b²s² + c²t² = 1 − P, so that the whole is at most
         // 1 − P − min(B (B + C), C (B + C)) = 1 − P − BC − min(B², C²) ≤ 1.
         let m_h = (1.0 + SQRT_2) * slope2 * k * k;
         let constants = Constants::new(1.0, 1.0 + 2.0 * slope2, l_h)?.with_m_h(m_h)?;
@@ -101,9 +101,9 @@ impl KnownDistance<2> for EggCrate {
         }
         let k = self.wave_number;
         let [from, to] = [x * k, y * k];
-        // The n of the line `phase = offset + n period` on which both points lie, up to the rounding
-        // of the phases: so close to it the distance is that on it to rounding, since d is
-        // √c₂-Lipschitz.
+        // The n of the line `phase = offset + n period` on which both points lie, up to the
+        // rounding of the phases: so close to it the distance is that on it to rounding, since d
+        // is √c₂-Lipschitz.
         let line = |u: f64, v: f64, period: f64, offset: f64| {
             let n = ((u - offset) / period).round();
             let on = |phase: f64, size: f64| {

@@ -15,11 +15,11 @@ use crate::{Bounded, Constants, KnownDistance, Metric};
 /// `r = |x|`:
 ///
 /// ```text
-/// H(x) = I + τ (u vᵀ + v uᵀ) + τ² u uᵀ,    u = x/r,    v = Ju,    τ = r θ′(r) = −α (r/s)² e^{−r²/2s²}
+/// H(x) = I + τ (u vᵀ + v uᵀ) + τ² u uᵀ,    τ = r θ′(r) = −α (r/s)² e^{−r²/2s²}
 /// ```
 ///
-/// with the quarter turn `J`. Flat, but neither conformal nor diagonal: geodesics are the
-/// preimages of straight lines.
+/// with `u = x/r`, `v = Ju` and the quarter turn `J`. Flat, but neither conformal nor diagonal:
+/// geodesics are the preimages of straight lines.
 ///
 /// Since `|Φ(x)| = |x|`, the map `Φ` sends every disc and every circle about the origin onto
 /// itself. Distances between these are therefore the Euclidean ones: two circles of radii
@@ -70,7 +70,7 @@ impl Swirl {
 }
 
 // Both L_H and M_H are suprema of a form that has a part linear in α and one quadratic in it.
-// With s = 1, y = r², e = e^{−y/2}, unit vectors w = c u + σ v and z, and the angle χ/2 of z from u,
+// With s = 1, y = r², e = e^{−y/2}, unit vectors w = c u + σ v and z, the angle of z from u χ/2,
 //
 //     zᵀ DH[w] z = α G₁ + α² G₂,        zᵀ D²H[w, w] z = α F₁ + α² F₂,
 //

@@ -51,22 +51,22 @@ impl TwoChannels {
 //     ψ′ = uU (1 − V) + vV (1 − U),
 //     ψ″ = (1 − u²) U (1 − V) + (1 − v²) V (1 − U) + 2uvUV.
 //
-// |ψ″| ≤ 8/7. From below: (1 − u²) U ≥ −m with m = 2e^{−3/2}, and 2uvUV ≥ −u²U² − v²V², so that −ψ″
-// is at most the sum of m (1 − V) + v²V² and the same of u. As −ln V ≤ ½/V − 1 + ln 2, and v² is
-// −2 ln V, the first is at most m + (1 − m) V − 2 (1 − ln 2) V², hence
+// |ψ″| ≤ 8/7. From below: (1 − u²) U ≥ −m with m = 2e^{−3/2}, and 2uvUV ≥ −u²U² − v²V², so that
+// −ψ″ is at most the sum of m (1 − V) + v²V² and the same of u. As −ln V ≤ ½/V − 1 + ln 2, and v²
+// is −2 ln V, the first is at most m + (1 − m) V − 2 (1 − ln 2) V², hence
 // m + (1 − m)²/(8 (1 − ln 2)) = 0.57117 < 4/7. From above: 2uvUV ≤ u²U² + v²V² leaves
 //
 //     U + V − 2UV + (u²U + v²V)(U + V − 1).
 //
-// That is at most 1 if t = U + V ≤ 1. Else u²U = −2U ln U ≤ 2 (1 − U) and UV ≥ t − 1 make it at most
-// 2 − t + 2 (t − 1)(2 − t) = (2 − t)(2t − 1) ≤ 9/8.
+// That is at most 1 if t = U + V ≤ 1. Else u²U = −2U ln U ≤ 2 (1 − U) and UV ≥ t − 1 make it at
+// most 2 − t + 2 (t − 1)(2 − t) = (2 − t)(2t − 1) ≤ 9/8.
 
 /// A bound of `|ψ′|` over `x₂`, for `s = 1` and channels which are `gap = 2b` apart.
 fn steepest(gap: f64) -> f64 {
-    // |uU| ≤ e^{−1/2}, attained at |u| = 1. Between the channels the terms of ψ′ have opposite signs,
-    // and each is at most that. Beyond them (say u ≥ 0) v = u + gap, so that the second is at most
-    // vV at v = max(gap, 1). But |ψ′| ≤ 2/3 in any case: for all u, v ≥ 0 this is proven by bisection
-    // in interval arithmetic, in the test `two_channels_l_h_is_proven`.
+    // |uU| ≤ e^{−1/2}, attained at |u| = 1. Between the channels the terms of ψ′ have opposite
+    // signs, and each is at most that. Beyond them (say u ≥ 0) v = u + gap, so that the second is
+    // at most vV at v = max(gap, 1). But |ψ′| ≤ 2/3 in any case: for all u, v ≥ 0 this is proven by
+    // bisection in interval arithmetic, in the test `two_channels_l_h_is_proven`.
     let v = gap.max(1.0);
     ((-0.5_f64).exp() + v * (-0.5 * v * v).exp()).min(2.0 / 3.0)
 }
@@ -102,8 +102,8 @@ impl KnownDistance<2> for TwoChannels {
         if low == high && (across == 0.0 || low.abs() == self.offset) {
             return Some(across);
         }
-        // Beyond 12 widths from the bottoms n² = 1 + a in f64: no piece between two knots is so long
-        // that a quadrature could miss a channel.
+        // Beyond 12 widths from the bottoms n² = 1 + a in f64: no piece between two knots is so
+        // long that a quadrature could miss a channel.
         let reach = 12.0 * self.width;
         let mut knots = vec![low, high];
         for bottom in [-self.offset, self.offset] {

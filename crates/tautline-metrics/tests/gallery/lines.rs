@@ -205,7 +205,7 @@ fn two_channels_is_known_along_a_channel() {
     let g = TwoChannels::new(4.0, 1.0, 0.5).expect("positive");
     let n2 = |x2: f64| g.norm_squared(&vector![0.0, x2], &vector![1.0, 0.0]);
     let root = |x2: f64| (n2(x2) - 1.0).max(0.0).sqrt();
-    // Here rounding is 1e-16 in n² − 1, hence 1e-8 in the root where it is that small: 1e-16 in all.
+    // Rounding is 1e-16 in n² − 1, hence 1e-8 in the root where it is that small: 1e-16 in all.
     let [left, right] = [[0.5, 1.0], [1.0, 1.7]].map(|[a, b]| integrate(root, a, b, 1e-13).value);
     let excess =
         |way: f64| distance(&g, &vector![0.0, 0.5], &vector![way, 1.7]) - (way + left + right);
