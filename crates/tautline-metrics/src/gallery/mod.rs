@@ -12,6 +12,11 @@
 //! | [`Bump`] | any | `(1 + a e^{−r²/2s²})² I` | exact but `L_H` | on rays |
 //! | [`Hill`] | any | `I + ∇f ∇fᵀ`, `f = h e^{−r²/2s²}` | exact | on rays |
 //! | [`SoftObstacles`] | any | `(1 + Σ aᵢ e^{−rᵢ²/2sᵢ²}) I` | bounds | |
+//! | [`Swirl`] | 2 | `JᵀJ` of `R(α e^{−r²/2s²}) x` | exact but `L_H`, `M_H` | all pairs |
+//! | [`EggCrate`] | 2 | `I + ∇f ∇fᵀ`, `f = a (sin kx₁ + sin kx₂)` | exact | on lines |
+//! | [`Corrugated`] | any | `I + f′² e₁e₁ᵀ`, `f = a sin kx₁` | exact | all pairs |
+//! | [`Checkerboard`] | 2 | `(1 + a sin²(πx₁/e) sin²(πx₂/e)) I` | exact | on grid lines |
+//! | [`TwoChannels`] | 2 | `(1 + a Π (1 − e^{−(x₂ ∓ b)²/2s²})) I` | exact but `L_H`, `M_H` | many pairs |
 //! | [`RotatingAnisotropy`] | 2 | `Q(k·x) diag(λ₁, λ₂) Q(k·x)ᵀ` | exact | |
 //! | [`TwoLinkArm`] | 2 | kinetic energy of a robot arm | exact | |
 //! | [`CoupledCosines`] | 3 | `diag + ⅖ cos(xᵢ − xⱼ) / (1 + ∣i − j∣)` | exact but `M_H` | |
@@ -25,8 +30,12 @@
 //! Parameters are checked by the constructors, so that a metric which exists is one.
 
 mod bump;
+mod checkerboard;
+mod clairaut;
 mod constant;
+mod corrugated;
 mod coupled_cosines;
+mod egg_crate;
 mod eigenvalues;
 mod error;
 mod hill;
@@ -40,12 +49,17 @@ mod shear;
 mod sine_projections;
 mod soft_obstacles;
 mod sphere;
+mod swirl;
+mod two_channels;
 mod two_link_arm;
 mod valleys;
 
 pub use bump::Bump;
+pub use checkerboard::Checkerboard;
 pub use constant::Constant;
+pub use corrugated::Corrugated;
 pub use coupled_cosines::CoupledCosines;
+pub use egg_crate::EggCrate;
 pub use error::GalleryError;
 pub use hill::Hill;
 pub use hyperbolic::Hyperbolic;
@@ -57,5 +71,7 @@ pub use shear::Shear;
 pub use sine_projections::{SineProjection, SineProjections};
 pub use soft_obstacles::{Obstacle, SoftObstacles};
 pub use sphere::Sphere;
+pub use swirl::Swirl;
+pub use two_channels::TwoChannels;
 pub use two_link_arm::{Link, TwoLinkArm};
 pub use valleys::Valleys;

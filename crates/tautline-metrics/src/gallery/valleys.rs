@@ -5,7 +5,8 @@ use std::f64::consts::SQRT_2;
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Scalar;
 
-use crate::{Bounded, Constants, KnownDistance, Metric, quadrature::integrate};
+use super::clairaut::across_layers;
+use crate::{Bounded, Constants, KnownDistance, Metric};
 
 /// `H(x) = f² I` with `f = 2 − cos x₁`: cheap along `x₁ = 0, 2π, 4π`, three times as dear
 /// between. In dimension 1 it is the one-dimensional metric `f²`.
@@ -38,32 +39,16 @@ impl<const D: usize> Bounded<D> for Valleys {
 }
 
 impl<const D: usize> KnownDistance<D> for Valleys {
-    /// For `0 ≤ p < 1` the function `u = p s + ∫ √(f² − p²) dx₁`, with `s` the coordinate
-    /// along the difference of the other coordinates, satisfies `|∇u| = f` everywhere. So
-    /// `d ≥ u(y) − u(x)`, with equality along the curve of steepest ascent, which joins the
-    /// points if `∫ p / √(f² − p²) dx₁` is their difference in `s` (Clairaut's relation).
-    ///
-    /// `None` if no such `p` exists (up to `1 − 10⁻⁶`): the minimal geodesic then turns
-    /// round in `x₁`.
+    /// `F(b) − F(a)` with `F = 2x₁ − sin x₁` along `x₁`; else by Clairaut's relation, `None` if the
+    /// minimal geodesic turns round in `x₁`.
     fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
         let (a, b) = (x[0].min(y[0]), x[0].max(y[0]));
         let across = (1..D).map(|i| (x[i] - y[i]).powi(2)).sum::<f64>().sqrt();
         if across == 0.0 {
             return Some(primitive(b) - primitive(a));
         }
-        let f2 = |x: f64| (2.0 - x.cos()).powi(2);
-        let reach = |p: f64| integrate(|x| p / (f2(x) - p * p).sqrt(), a, b, 1e-14).value;
-        let (mut low, mut high) = (0.0, 1.0 - 1e-6);
-        if !(reach(high) >= across) {
-            return None;
-        }
-        // u(y) − u(x) is stationary in p, so that half of the digits of p would do.
-        for _ in 0..50 {
-            let middle = 0.5 * (low + high);
-            *(if reach(middle) < across { &mut low } else { &mut high }) = middle;
-        }
-        let climb = integrate(|x| (f2(x) - low * low).sqrt(), a, b, 1e-15).value;
-        Some(low * across + climb)
+        // f² − 1 = (1 − cos x₁)(3 − cos x₁).
+        across_layers(|x1| 2.0 * (0.5 * x1).sin().powi(2) * (3.0 - x1.cos()), &[a, b], across)
     }
 }
 
@@ -72,7 +57,7 @@ mod tests {
     use approx::assert_relative_eq;
     use nalgebra::vector;
 
-    use std::f64::consts::TAU;
+    use std::f64::consts::{PI, SQRT_2, TAU};
 
     use super::Valleys;
     use crate::{Bounded, KnownDistance};
@@ -88,6 +73,23 @@ mod tests {
     fn an_oblique_pair_has_the_distance_of_clairaut() {
         let d = Valleys.distance(&vector![2.0, 1.5], &vector![0.0, 0.0]);
         assert_relative_eq!(d.expect("p < 1"), 3.781_762_054_661_521_4, max_relative = 1e-14);
+    }
+
+    /// With `p → 1` the distance tends to `20 + ∫ √(f² − 1) dx₁`, which is elementary in
+    /// `u = cos x₁/2`; it is off by a multiple of `e^{−20}`.
+    #[test]
+    fn a_long_way_along_a_valley_keeps_its_digits() {
+        let d =
+            |x: f64, y: f64| Valleys.distance(&vector![x, 0.0], &vector![y, 20.0]).expect("p < 1");
+        let climb = |x: f64| {
+            let u = (0.5 * x).cos();
+            2.0 - 2.0 * u * (2.0 - u * u).sqrt() + PI - 4.0 * (u / SQRT_2).asin()
+        };
+        let limit = 20.0 + climb(1.0) + climb(1.5);
+        assert_relative_eq!(d(-1.0, 1.5), limit, max_relative = 1e-8);
+        assert!(d(-1.0, 1.5) > limit);
+        // The mirror image meets the valley from the other side.
+        assert_relative_eq!(d(-1.0, 1.5), d(1.0, -1.5), max_relative = 1e-15);
     }
 
     #[test]

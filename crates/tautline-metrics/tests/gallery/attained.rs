@@ -5,14 +5,15 @@
 //! some 1e-14, and constants that are computed eigenvalues are moved by as much on purpose.
 //! Everything has 1e-12; a constant that is off by one percent misses it by ten decades.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, SQRT_2};
 
 use approx::assert_relative_eq;
 use nalgebra::{SVector, matrix, vector};
 use tautline_metrics::{
     Bounded,
     gallery::{
-        Bump, Constant, Hill, Lens, Obstacle, Ramp, Separable, Shear, SoftObstacles, Valleys,
+        Bump, Checkerboard, Constant, Corrugated, EggCrate, Hill, Lens, Obstacle, Ramp, Separable,
+        Shear, SoftObstacles, Swirl, TwoChannels, Valleys,
     },
 };
 
@@ -178,4 +179,84 @@ fn coinciding_soft_obstacles_are_exact() {
     high(&g, centre);
     slope(&g, centre + vector![0.0, 0.7], vector![0.0, 1.0]);
     curvature(&g, centre, vector![1.0, 0.0]);
+}
+
+#[test]
+fn swirl_is_exact_but_for_l_h_and_m_h() {
+    for (angle, s) in
+        [(0.1, 1.0), (-0.5, 2.0), (0.6, 1.0), (0.7, 1.5), (1.0, 0.5), (2.5, 1.0), (-10.0, 0.3)]
+    {
+        let g = Swirl::new(angle, s).expect("s > 0");
+        low(&g, vector![0.6, 0.8] * (SQRT_2 * s));
+        high(&g, vector![0.6, 0.8] * (SQRT_2 * s));
+        // The metric is the same all round: points of one ray, directions of half a circle.
+        let (mut slope, mut curvature) = (0.0_f64, 0.0_f64);
+        for i in 0..200 {
+            let x = vector![f64::from(i) * 0.01 * s, 0.0];
+            for j in 0..90 {
+                let (sin, cos) = (f64::from(j) * PI / 90.0).sin_cos();
+                slope = slope.max(norm(&first(&g, &x, &vector![cos, sin])));
+                curvature = curvature.max(norm(&second(&g, &x, &vector![cos, sin])));
+            }
+        }
+        let slope = slope / g.constants().l_h();
+        assert!((0.985..1.0).contains(&slope), "{slope} for {angle}");
+        let curvature = curvature / g.constants().m_h().expect("known");
+        assert!((0.955..1.0).contains(&curvature), "{curvature} for {angle}");
+    }
+}
+
+#[test]
+fn egg_crate_is_exact() {
+    for (a, k) in [(0.5, 1.0), (-2.0, 0.7), (0.01, 3.0)] {
+        let g = EggCrate::new(a, k).expect("k > 0");
+        low(&g, vector![0.3, 0.4]);
+        high(&g, vector![0.0, PI / k]);
+        slope(&g, vector![FRAC_PI_4, FRAC_PI_4] / k, vector![1.0, 1.0]);
+        curvature(&g, vector![0.0, PI / k], vector![1.0, 0.0]);
+    }
+}
+
+#[test]
+fn corrugated_is_exact() {
+    for (a, k) in [(0.5, 1.0), (-2.0, 0.7), (0.01, 3.0)] {
+        let g = Corrugated::new(a, k).expect("k > 0");
+        low(&g, vector![FRAC_PI_2 / k]);
+        high(&g, vector![PI / k, 0.3, 0.4]);
+        slope(&g, vector![FRAC_PI_4 / k, 0.3], vector![-1.0, 0.0]);
+        curvature(&g, vector![PI / k], vector![1.0]);
+    }
+}
+
+#[test]
+fn checkerboard_is_exact() {
+    for (a, e) in PROFILES {
+        let g = Checkerboard::new(a, e).expect("e > 0");
+        low(&g, vector![3.0 * e, 0.3]);
+        high(&g, vector![0.5, -1.5] * e);
+        slope(&g, vector![0.75, 0.5] * e, vector![1.0, 0.0]);
+        curvature(&g, vector![0.5, 0.5] * e, vector![0.6, 0.8]);
+    }
+}
+
+#[test]
+fn two_channels_is_exact_but_for_l_h_and_m_h() {
+    for (a, s) in PROFILES {
+        // Half the gap, in widths: one wide channel, ridges between, and two channels apart.
+        for beta in [0.01, 0.5, 1.0, 1.33, 1.5, 2.0, 5.0] {
+            let g = TwoChannels::new(a, beta * s, s).expect("positive");
+            low(&g, vector![1.0, -beta * s]);
+            high(&g, vector![1.0, (beta + 12.0) * s]);
+            let (mut slope, mut curvature) = (0.0_f64, 0.0_f64);
+            for i in 0..900 {
+                let x = vector![0.0, f64::from(i) * 0.01 * s];
+                slope = slope.max(norm(&first(&g, &x, &vector![0.0, 1.0])));
+                curvature = curvature.max(norm(&second(&g, &x, &vector![0.0, 1.0])));
+            }
+            let slope = slope / g.constants().l_h();
+            assert!((0.91..1.0 + 1e-12).contains(&slope), "{slope} for {beta}");
+            let curvature = curvature / g.constants().m_h().expect("known");
+            assert!((0.715..1.0).contains(&curvature), "{curvature} for {beta}");
+        }
+    }
 }

@@ -1,12 +1,17 @@
 //! The exact distances are distances, belong to their metric, and have the values that
 //! somebody else computed.
 
+use std::f64::consts::PI;
+
 use approx::assert_relative_eq;
 use nalgebra::{SMatrix, SVector, matrix, vector};
 use proptest::{array::uniform, prelude::*};
 use tautline_metrics::{
     Bounded, Jet1, KnownDistance, Metric, check_gram,
-    gallery::{Bump, Constant, Hill, Hyperbolic, Lens, Ramp, Separable, Shear, Sphere, Valleys},
+    gallery::{
+        Bump, Constant, Corrugated, Hill, Hyperbolic, Lens, Ramp, Separable, Shear, Sphere, Swirl,
+        TwoChannels, Valleys,
+    },
     quadrature::integrate,
 };
 
@@ -115,6 +120,33 @@ fn separable_has_a_distance() {
 }
 
 #[test]
+fn swirl_has_a_distance() {
+    run(45, (-5.0..5.0_f64, 0.3..3.0_f64, triple(4.0)), |(angle, s, points)| {
+        let g = Swirl::new(angle, s).expect("s > 0");
+        is_distance(&g, points)?;
+        is_bounded(&g, &points[0], &points[1])
+    });
+}
+
+#[test]
+fn corrugated_has_a_distance() {
+    run(46, (-2.0..2.0_f64, 0.2..3.0_f64, triple::<3>(4.0)), |(a, k, points)| {
+        let g = Corrugated::new(a, k).expect("k > 0");
+        is_distance(&g, points)?;
+        is_bounded(&g, &points[0], &points[1])?;
+        // An interval is as long as its parts, which have other whole waves.
+        let mut ends = points.map(|x| 10.0 * x[0]);
+        ends.sort_by(f64::total_cmp);
+        let [low, middle, high] = ends;
+        let whole = g.arc_length(low, high);
+        let parts = g.arc_length(low, middle) + g.arc_length(middle, high);
+        prop_assert!((parts - whole).abs() <= 1e-13 * whole, "{parts} {whole}");
+        prop_assert!(whole >= high - low);
+        Ok(())
+    });
+}
+
+#[test]
 fn hyperbolic_and_sphere_have_a_distance() {
     // |x| ≤ √3/2.
     run(35, triple::<3>(0.5), |points| is_distance(&Hyperbolic, points));
@@ -134,6 +166,17 @@ fn golden_distances() {
     let g = Ramp::new(0.5, 1.0).expect("|a| < 1");
     let d = distance(&g, &vector![0.0], &vector![1000.0]);
     assert_relative_eq!(d, 1500.0 - 0.5 * 2_f64.ln(), max_relative = 1e-15);
+    // |Φ(x) − Φ(y)|, with 50 digits.
+    let g = Swirl::new(1.5, 0.8).expect("s > 0");
+    let d = distance(&g, &vector![0.3, -0.4], &vector![1.0, 0.5]);
+    assert_relative_eq!(d, 0.812_968_756_700_474_705_99, max_relative = 1e-15);
+    // 2 √2 E(1/2) for half a wave of the sine, by the arithmetic-geometric mean.
+    let g = Corrugated::new(1.0, 1.0).expect("k > 0");
+    let half_wave = 3.820_197_789_027_712_017_90;
+    let d = distance(&g, &vector![-0.5 * PI], &vector![0.5 * PI]);
+    assert_relative_eq!(d, half_wave, max_relative = 1e-15);
+    let d = distance(&g, &vector![-1e3 * PI, 3e3], &vector![0.0, 0.0]);
+    assert_relative_eq!(d, (1e3 * half_wave).hypot(3e3), max_relative = 1e-15);
     // 2 artanh r along a diameter.
     let d = distance(&Hyperbolic, &vector![0.0, 0.0], &vector![0.6, 0.0]);
     assert_relative_eq!(d, 2.0 * 2_f64.ln(), max_relative = 1e-15);
@@ -169,11 +212,16 @@ fn near_points_are_as_far_as_the_metric_says() {
     is_local(&Hyperbolic, vector![0.3, 0.4, 0.2], vector![0.6, -0.7, 0.2]);
     is_local(&Sphere, vector![0.3, 0.4, 0.2], vector![0.6, -0.7, 0.2]);
     is_local(&Valleys, vector![0.3, 0.4], vector![0.6, 0.7]);
+    is_local(&Swirl::new(1.5, 0.8).expect("s > 0"), vector![0.3, 0.4], vector![0.6, -0.7]);
+    let corrugated = Corrugated::new(0.6, 2.0).expect("k > 0");
+    is_local(&corrugated, vector![0.3, 0.4, 0.2], vector![0.6, -0.7, 0.2]);
+    let channels = TwoChannels::new(4.0, 1.0, 0.5).expect("positive");
+    is_local(&channels, vector![0.3, 0.4], vector![0.2, 0.7]);
 }
 
 /// `JᵀJ = H` for the Jacobian `J` of `flatten`.
 #[test]
-fn shear_and_separable_are_pullbacks() {
+fn shear_separable_and_swirl_are_pullbacks() {
     fn pullback<const D: usize>(flat: SVector<Jet1<f64, D>, D>) -> SMatrix<f64, D, D> {
         let jacobian = SMatrix::<f64, D, D>::from_fn(|i, j| flat[i].first(j));
         jacobian.transpose() * jacobian
@@ -196,6 +244,28 @@ fn shear_and_separable_are_pullbacks() {
         prop_assert_eq!(g.flatten(&vector![0.0, 0.0, 0.0]), vector![0.0, 0.0, 0.0]);
         Ok(())
     });
+    run(47, (-5.0..5.0_f64, 0.3..3.0_f64, triple::<2>(4.0)), |(angle, s, [x, ..])| {
+        let g = Swirl::new(angle, s).expect("s > 0");
+        // Entries up to 1 + T² < 15, with phases up to 5.
+        prop_assert!((pullback(g.flatten(&jets(x))) - g.gram(&x)).amax() < 1e-13);
+        prop_assert!((g.unflatten(&g.flatten(&x)) - x).amax() < 1e-14);
+        prop_assert!((g.flatten(&x).norm() - x.norm()).abs() < 1e-14);
+        Ok(())
+    });
+}
+
+/// Two circles about the centre have the distance `R − r`, and every point has a partner.
+#[test]
+fn swirl_keeps_circles_about_its_centre() {
+    let g = Swirl::new(2.0, 0.8).expect("s > 0");
+    let point = |r: f64, angle: f64| vector![angle.cos(), angle.sin()] * r;
+    let (x, r, far) = (point(0.5, 0.7), 0.5, 1.3);
+    let nearest = (0..1000).map(|i| distance(&g, &x, &point(far, f64::from(i) * 0.002 * PI)));
+    let nearest = nearest.fold(f64::INFINITY, f64::min);
+    // The partner is missed by half a step at most, θ = 0.0032: that is θ² r R / 2(R − r) < 5e-6.
+    assert!((0.0..5e-6).contains(&(nearest - (far - r))), "{nearest}");
+    let partner = g.unflatten(&(g.flatten(&x) * (far / r)));
+    assert_relative_eq!(distance(&g, &x, &partner), far - r, max_relative = 1e-14);
 }
 
 /// Close points of the hyperbolic ball keep their digits: `d / |x − y| → 2 / (1 − |x|²)`.

@@ -5,8 +5,9 @@ use proptest::{array::uniform, prelude::*};
 use tautline_metrics::{
     Bounded,
     gallery::{
-        Bump, Constant, CoupledCosines, Hill, Lens, Obstacle, Ramp, RotatingAnisotropy, Separable,
-        Shear, SineProjection, SineProjections, SoftObstacles, TwoLinkArm, Valleys,
+        Bump, Checkerboard, Constant, Corrugated, CoupledCosines, EggCrate, Hill, Lens, Obstacle,
+        Ramp, RotatingAnisotropy, Separable, Shear, SineProjection, SineProjections, SoftObstacles,
+        Swirl, TwoChannels, TwoLinkArm, Valleys,
     },
 };
 
@@ -145,6 +146,43 @@ fn constants_of_soft_obstacles_hold() {
         let obstacles =
             obstacles.map(|(centre, (height, width))| Obstacle { centre, height, width });
         (SoftObstacles::new(obstacles.to_vec()).expect("s > 0"), 4.0)
+    });
+}
+
+#[test]
+fn constants_of_swirl_hold() {
+    hold(20, (-6.0..6.0_f64, 0.1..3.0_f64), |(angle, s)| {
+        (Swirl::new(angle, s).expect("s > 0"), 3.0 * s)
+    });
+}
+
+/// Amplitudes of either sign, and wave numbers: slopes `ak` up to 12.
+fn surface() -> impl Strategy<Value = (f64, f64)> {
+    (-3.0..3.0_f64, 0.2..4.0_f64)
+}
+
+#[test]
+fn constants_of_egg_crate_hold() {
+    hold(21, surface(), |(a, k)| (EggCrate::new(a, k).expect("k > 0"), 4.0));
+}
+
+#[test]
+fn constants_of_corrugated_hold() {
+    let sheet = |(a, k): (f64, f64)| (Corrugated::new(a, k).expect("k > 0"), 4.0);
+    hold::<1, _, _>(22, surface(), sheet);
+    hold::<3, _, _>(23, surface(), sheet);
+}
+
+#[test]
+fn constants_of_checkerboard_hold() {
+    hold(24, profile(), |(a, e)| (Checkerboard::new(a, e).expect("e > 0"), 3.0 * e));
+}
+
+#[test]
+fn constants_of_two_channels_hold() {
+    // Channels that overlap and channels that do not.
+    hold(25, (profile(), 0.1..5.0_f64), |((a, s), beta)| {
+        (TwoChannels::new(a, beta * s, s).expect("positive"), (beta + 3.0) * s)
     });
 }
 

@@ -4,8 +4,9 @@ use nalgebra::{SMatrix, SVector, matrix, vector};
 use tautline_metrics::{
     MetricError,
     gallery::{
-        Bump, Constant, GalleryError, Hill, Lens, Link, Obstacle, Ramp, RotatingAnisotropy,
-        Separable, Shear, SineProjection, SineProjections, SoftObstacles, TwoLinkArm,
+        Bump, Checkerboard, Constant, Corrugated, EggCrate, GalleryError, Hill, Lens, Link,
+        Obstacle, Ramp, RotatingAnisotropy, Separable, Shear, SineProjection, SineProjections,
+        SoftObstacles, Swirl, TwoChannels, TwoLinkArm,
     },
 };
 
@@ -42,11 +43,15 @@ fn waves_need_amplitudes_and_wave_numbers() {
     for bad in NOT_POSITIVE {
         same(refused(Ramp::new(0.5, bad)), 'p', "wave number", bad);
         same(refused(Shear::new(0.5, bad)), 'p', "wave number", bad);
+        same(refused(EggCrate::new(0.5, bad)), 'p', "wave number", bad);
+        same(refused(Corrugated::new(0.5, bad)), 'p', "wave number", bad);
         let separable = Separable::new(vector![0.5, 0.5], vector![1.0, bad]);
         same(refused(separable), 'p', "wave number", bad);
     }
     for bad in NOT_FINITE {
         same(refused(Shear::new(bad, 1.0)), 'f', "amplitude", bad);
+        same(refused(EggCrate::new(bad, 1.0)), 'f', "amplitude", bad);
+        same(refused(Corrugated::new(bad, 1.0)), 'f', "amplitude", bad);
     }
 }
 
@@ -62,14 +67,21 @@ fn profiles_need_heights_and_widths() {
         same(refused(Bump::new(1.0, bad)), 'p', "width", bad);
         same(refused(Hill::new(1.0, bad)), 'p', "width", bad);
         same(refused(obstacles(1.0, bad)), 'p', "width", bad);
+        same(refused(Swirl::new(1.0, bad)), 'p', "width", bad);
+        same(refused(Checkerboard::new(1.0, bad)), 'p', "cell", bad);
+        same(refused(TwoChannels::new(1.0, 1.0, bad)), 'p', "width", bad);
+        same(refused(TwoChannels::new(1.0, bad, 1.0)), 'p', "offset", bad);
     }
     for bad in NEGATIVE {
         same(refused(Lens::new(bad, 1.0)), 'n', "height", bad);
         same(refused(Bump::new(bad, 1.0)), 'n', "height", bad);
         same(refused(obstacles(bad, 1.0)), 'n', "height", bad);
+        same(refused(Checkerboard::new(bad, 1.0)), 'n', "height", bad);
+        same(refused(TwoChannels::new(bad, 1.0, 1.0)), 'n', "height", bad);
     }
     for bad in NOT_FINITE {
         same(refused(Hill::new(bad, 1.0)), 'f', "height", bad);
+        same(refused(Swirl::new(bad, 1.0)), 'f', "angle", bad);
         let obstacle = Obstacle { centre: vector![0.0, bad], height: 1.0, width: 1.0 };
         same(refused(SoftObstacles::new(vec![obstacle])), 'f', "coordinate of a centre", bad);
     }
@@ -156,6 +168,11 @@ fn constants_that_overflow_are_refused() {
     overflows(Hill::new(1e300, 1.0).err());
     overflows(Shear::new(1e200, 1.0).err());
     overflows(Ramp::new(0.5, 1e200).err());
+    overflows(Swirl::new(1e200, 1.0).err());
+    overflows(EggCrate::new(1e200, 1.0).err());
+    overflows(Corrugated::new(1.0, 1e200).err());
+    overflows(Checkerboard::new(1e300, 1e-300).err());
+    overflows(TwoChannels::new(1e300, 1.0, 1e-300).err());
     overflows(Separable::new(SVector::<f64, 1>::new(0.5), SVector::<f64, 1>::new(1e200)).err());
     overflows(RotatingAnisotropy::new([1.0, 2.0], vector![1e200, 0.0]).err());
 }

@@ -1,0 +1,44 @@
+//! Layers: metrics `f² I` whose `f ≥ 1` depends on one coordinate only, and Clairaut's relation.
+
+use crate::quadrature::integrate;
+
+/// Returns the distance of two points whose layered coordinates are the first and the last of
+/// `knots`, and whose other coordinates are `across ≥ 0` apart. `excess` is `f² − 1`, without
+/// cancellation where it vanishes. The knots ascend; between two of them it has no detail that
+/// the nodes of one quadrature would miss.
+///
+/// For `0 ≤ p < 1` the function `u = p s + ∫ √(f² − p²)`, with `s` the coordinate along the
+/// difference of the other coordinates, satisfies `|∇u| = f` everywhere. So `d ≥ u(y) − u(x)`,
+/// with equality along the curve of steepest ascent, which joins the points if
+/// `∫ p / √(f² − p²)` is their difference in `s` (Clairaut's relation).
+///
+/// `None` if no such `p` exists (up to `1 − 10⁻¹²`): the minimal geodesic then turns round in the
+/// layered coordinate.
+pub(super) fn across_layers(
+    excess: impl Fn(f64) -> f64,
+    knots: &[f64],
+    across: f64,
+) -> Option<f64> {
+    let sum = |f: &dyn Fn(f64) -> f64, tolerance: f64| -> f64 {
+        knots.windows(2).map(|ends| integrate(f, ends[0], ends[1], tolerance).value).sum()
+    };
+    // In q = 1 − p, where f² − p² = (f² − 1) + q (2 − q) does not cancel: noise there would use up
+    // the intervals of the quadrature.
+    let root = |x: f64, q: f64| (excess(x) + q * (2.0 - q)).sqrt();
+    let reach = |q: f64| sum(&|x| (1.0 - q) / root(x, q), 1e-10);
+    let (mut high, mut low) = (1.0_f64, 1e-12_f64);
+    if !(reach(low) >= across) {
+        return None;
+    }
+    // u(y) − u(x) is stationary in p. The error of p is some 1e-9 q, from the bisection and from
+    // the reach, and the derivative of the reach is of the order of q^{−3/2} at most: that of
+    // u(y) − u(x) is some 1e-18.
+    if across > 0.0 {
+        for _ in 0..35 {
+            let middle = (low * high).sqrt();
+            *(if reach(middle) < across { &mut high } else { &mut low }) = middle;
+        }
+    }
+    let climb = sum(&|x| root(x, high), 1e-15);
+    Some((1.0 - high) * across + climb)
+}

@@ -1,0 +1,107 @@
+//! The inequalities behind constants that have no closed form, proven by bisection in interval
+//! arithmetic. Their names are those of the derivations in `swirl.rs` and `two_channels.rs`.
+
+use std::f64::consts::PI;
+
+use nalgebra::{SMatrix, vector};
+use tautline_metrics::gallery::Swirl;
+
+use crate::{
+    interval::{Interval, below},
+    measure::{first, second},
+};
+
+/// `y`, `χ` and `ω` with `w = e^{iω}`. Neither `(w, z) ↦ (−w, z)` nor the reflection
+/// `(χ, ω) ↦ −(χ, ω)` changes the sums of squares: half-turns of both angles are enough.
+fn frame() -> [Interval; 3] {
+    [Interval::new(0.0, 12.0), Interval::new(0.0, PI), Interval::new(0.0, PI)]
+}
+
+/// `G₁²` and `G₂²`.
+fn slopes([y, chi, omega]: [Interval; 3]) -> [Interval; 2] {
+    let (c, s) = (omega.cos(), omega.sin());
+    let rest = y * -1.0 + 2.0;
+    let g1 = rest * c * chi.sin() - s * chi.cos() * 2.0;
+    let g2 = rest * c * (chi.cos() + 1.0) + s * chi.sin();
+    [y * (y * -1.0).exp() * g1.sqr(), y * y.sqr() * (y * -2.0).exp() * g2.sqr()]
+}
+
+/// `F₁²` and `F₂²`.
+fn curvatures([y, chi, omega]: [Interval; 3]) -> [Interval; 2] {
+    let (c, s) = (omega.cos(), omega.sin());
+    let (half_c, half_s) = ((chi * 0.5).cos(), (chi * 0.5).sin());
+    let f1 = (omega * 2.0 - chi).sin() * 2.0
+        - y * c * (omega - chi).sin() * 4.0
+        - y * (y * c.sqr() + -1.0) * chi.sin();
+    let radial = c.sqr() * (y * 4.0 + -16.0) * y + c.sqr() * 10.0 + (y * -2.0 + 2.0);
+    let f2 =
+        radial * half_c.sqr() + c * s * (y * -4.0 + 6.0) * chi.sin() + s.sqr() * half_s.sqr() * 2.0;
+    [(y * -1.0).exp() * f1.sqr(), (y * (y * -1.0).exp() * f2).sqr()]
+}
+
+/// The forms are those of the metric: their odd and even parts in the angle.
+#[test]
+fn the_forms_are_those_of_the_swirl() {
+    let angle = 0.7;
+    let [g, mirrored] = [angle, -angle].map(|angle| Swirl::new(angle, 1.0).expect("s > 0"));
+    for step in 0..100 {
+        let at = f64::from(step);
+        // Frames all over the box, by steps that are not commensurable.
+        let [y, chi, omega] = [(0.618 * at) % 6.0, (1.414 * at) % PI, (1.732 * at) % PI];
+        let x = vector![y.sqrt(), 0.0];
+        let (w, z) =
+            (vector![omega.cos(), omega.sin()], vector![(0.5 * chi).cos(), (0.5 * chi).sin()]);
+        let parts = |plus: SMatrix<f64, 2, 2>, minus: SMatrix<f64, 2, 2>| {
+            let [plus, minus] = [plus, minus].map(|derivative| z.dot(&(derivative * z)));
+            [0.5 * (plus - minus) / angle, 0.5 * (plus + minus) / angle.powi(2)]
+        };
+        let box_point = [y, chi, omega].map(Interval::point);
+        let first = parts(first(&g, &x, &w), first(&mirrored, &x, &w));
+        let second = parts(second(&g, &x, &w), second(&mirrored, &x, &w));
+        let squares = slopes(box_point).into_iter().chain(curvatures(box_point));
+        for (part, square) in first.into_iter().chain(second).zip(squares) {
+            // Squares up to 5, of sums with some twenty roundings.
+            assert!((part * part - square.high).abs() < 1e-13, "{part} {square:?} at {step}");
+        }
+    }
+}
+
+/// `G₁²/λ² + G₂²/κ² ≤ 1.01²`.
+#[test]
+fn swirl_l_h_is_proven() {
+    let lambda = 2.0 * (-0.5_f64).exp();
+    let y = 0.25 * (9.0 - 33_f64.sqrt());
+    let kappa = 2.0 * y.powf(1.5) * (2.0 - y) * (-y).exp();
+    let squares = |part| {
+        let [linear, quadratic] = slopes(part);
+        linear * lambda.powi(-2) + quadratic * kappa.powi(-2)
+    };
+    assert!(below(frame(), 1.01_f64.powi(2), squares));
+    assert!(!below(frame(), 1.004_f64.powi(2), squares), "it is almost sharp");
+}
+
+/// `F₁²/4 + F₂²/(9/4)² ≤ 1.02²`.
+#[test]
+fn swirl_m_h_is_proven() {
+    let squares = |part| {
+        let [linear, quadratic] = curvatures(part);
+        linear * 0.25 + quadratic * 2.25_f64.powi(-2)
+    };
+    assert!(below(frame(), 1.02_f64.powi(2), squares));
+    assert!(!below(frame(), 1.01_f64.powi(2), squares), "it is almost sharp");
+}
+
+/// `uU (1 − V) + vV (1 − U) ≤ 2/3` for `u, v ≥ 0`; it is symmetric, and for `u ≥ 6` at most
+/// `6e^{−18} + e^{−1/2}`.
+#[test]
+fn two_channels_l_h_is_proven() {
+    let gaussian = |u: Interval| (u.sqr() * -0.5).exp();
+    let slope = |[u, v]: [Interval; 2]| {
+        let one = Interval::point(1.0);
+        let (near, far) = (gaussian(u), gaussian(v));
+        u * near * (one - far) + v * far * (one - near)
+    };
+    let quarter = [Interval::new(0.0, 6.0); 2];
+    assert!(below(quarter, 2.0 / 3.0, slope));
+    assert!(!below(quarter, 0.659, slope), "it is almost sharp");
+}
