@@ -35,6 +35,7 @@
 //! Coordinates are in `ℓ`, Riemannian length in `m`, and `t ∈ [0, 1]` is a pure number. Hence
 //! `H`, `c₁` and `c₂` are in `m²/ℓ²`, `L_H` in `m²/ℓ³`, `M_H` in `m²/ℓ⁴`, energies in `m²`.
 
+mod calculus;
 mod christoffel;
 mod constants;
 pub mod gallery;
