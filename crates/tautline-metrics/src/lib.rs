@@ -37,6 +37,7 @@
 
 mod calculus;
 mod christoffel;
+pub mod composition;
 mod constants;
 pub mod gallery;
 mod metric;

@@ -5,6 +5,7 @@ mod attained;
 mod distances;
 mod full_matrices;
 mod hold;
+mod laws;
 mod measure;
 mod rays;
 mod refused;
