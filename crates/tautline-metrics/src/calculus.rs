@@ -66,8 +66,9 @@ impl Constants {
     /// - `factor`: with `c₁ = φ_min`, `c₂ = φ_max`, `L_H = Lip(φ)` in `1/ℓ` and `M_H = Lip(Dφ)`
     ///   in `1/ℓ²`, for a `φ` without unit. `M_H` is known if both are.
     ///
-    /// Slack: none if `φ` or `H` is constant. Otherwise `L_H` is not attained by a smooth `φ`, which
-    /// has no slope where it has its maximum; two tents with one tip come as near as one likes.
+    /// Slack: none if `φ` or `H` is constant. Otherwise `L_H` is not attained by a smooth `φ`,
+    /// which has no slope where it has its maximum; two tents with one tip come as near as one
+    /// likes.
     ///
     /// # Errors
     ///

@@ -2,10 +2,13 @@
 //! distances, and bad parameters are refused.
 
 mod attained;
+mod decoder;
 mod distances;
 mod full_matrices;
 mod hold;
 mod laws;
 mod measure;
+mod patch_distances;
+mod patches;
 mod rays;
 mod refused;
