@@ -9,7 +9,7 @@ use tautline_scalar::Scalar;
 use super::{
     GalleryError,
     error::between,
-    saturation::{INVERSE, P, PLATEAU, greatest, saturate},
+    saturation::{INVERSE, P, PLATEAU, greatest, rest, saturate},
 };
 use crate::{Bounded, Constants, KnownDistance, Metric};
 
@@ -45,13 +45,15 @@ impl GaussianFisher {
         //
         // |∂ₜ e^{−2S}| = 2 S′ e^{−2S}, largest for t < 0.
         let growth = |z: f64| (2.0 * limit * z).exp();
-        let l_h = 2.0 * greatest(growth, 1.0 + INVERSE);
-        // ∂ₜ² e^{−2S} = (4S′² − 2S″) e^{−2S}. For t < 0 both terms have their maxima, and opposite
-        // signs; for t > 0 they have the same sign, but the first is at most 4.
-        let grows = 4.0 * greatest(growth, 2.0 + 2.0 * INVERSE);
-        let bends = 2.0 * f64::from(P + 1) / limit
-            * greatest(|z| z.powi(P - 1) * growth(z), 1.0 + 2.0 * INVERSE);
-        let m_h = grows.max(4.0 + bends);
+        let l_h = 2.0 * greatest(|a, b| growth(b) * rest(a, 1.0 + INVERSE));
+        // ∂ₜ² e^{−2S} = (4S′² − 2S″) e^{−2S}, with terms of opposite signs for t < 0 and of the
+        // same for t > 0.
+        let square = |a: f64| 4.0 * rest(a, 2.0 + 2.0 * INVERSE);
+        let bend = 2.0 * f64::from(P + 1) / limit;
+        let bends = |a: f64, b: f64| bend * b.powi(P - 1) * rest(a, 1.0 + 2.0 * INVERSE);
+        let m_h = greatest(|a, b| growth(b) * square(a) - growth(a) * bends(b, a))
+            .max(greatest(|a, b| growth(b) * bends(a, b) - growth(a) * square(b)))
+            .max(greatest(|a, b| (square(a) + bends(a, b)) / growth(a)));
         let constants = Constants::new(1.0 / c2, c2.max(2.0), l_h)?.with_m_h(m_h)?;
         Ok(Self { rim, limit, constants })
     }
@@ -66,12 +68,9 @@ impl Metric<2> for GaussianFisher {
 }
 
 impl Bounded<2> for GaussianFisher {
-    /// `c₁ = e^{−2Q}` in the limit, `c₂ = max(e^{2Q}, 2)` in the limit or everywhere. `L_H`, the
-    /// maximum of `2 (1 − (s/Q)^p)^{1+1/p} e^{2s}` over `0 ≤ s < Q`, is attained, up to `10⁻³` by
-    /// which the maximum is bounded from above.
-    ///
-    /// `M_H` is a bound that leaves out terms of the other sign: at most 1.06 times too large for
-    /// `T ≤ 3`, 1.2 times at `T = 10`.
+    /// `c₁ = e^{−2Q}` in the limit, `c₂ = max(e^{2Q}, 2)` in the limit or everywhere. `L_H` and
+    /// `M_H` are the maxima of functions of `S` in the transition, bounded from above by branch
+    /// and bound: at most `10⁻³` of themselves too large for `T ≤ 30`.
     fn constants(&self) -> Constants {
         self.constants
     }

@@ -6,7 +6,7 @@ use tautline_scalar::Scalar;
 use super::{
     GalleryError, Hyperbolic,
     error::between,
-    saturation::{INVERSE, P, PLATEAU, greatest, saturate},
+    saturation::{INVERSE, P, PLATEAU, greatest, rest, saturate},
 };
 use crate::{Bounded, Constants, KnownDistance, Metric};
 
@@ -39,17 +39,25 @@ impl HyperbolicPatch {
         // S′ = b^{1+1/p}, S″ = −((p + 1)/Q) z^{p−1} b^{1+2/p} and q = S b^{−1/p}.
         //
         // |∇φ| = 2 √q φ′ = 16 √q S′ (1 − S)^{−3} = 16 √S b^{1+1/2p} (1 − S)^{−3}.
-        let rest = |z: f64| 1.0 - limit * z;
-        let l_h = 16.0 * greatest(|z| (limit * z).sqrt() / rest(z).powi(3), 1.0 + 0.5 * INVERSE);
+        let s = |z: f64| limit * z;
+        let slope = |a, b| s(b).sqrt() * rest(a, 1.0 + 0.5 * INVERSE) / (1.0 - s(b)).powi(3);
+        let l_h = 16.0 * greatest(slope);
         // For the radial part c of a unit vector w, D²φ[w, w] = 2φ′ + 4c² q φ″ lies between
         //     2φ′         = 16 b^{1+1/p} (1 − S)^{−3} ≥ 0  and
         //     2φ′ + 4qφ″  = 2φ′ + 96 S b^{2+1/p} (1 − S)^{−4}
-        //                       − 32 (p + 1) z^p b^{1+1/p} (1 − S)^{−3},
-        // where the positive terms add up to b^{1+1/p} (16 (1 − S) + 96 S b) (1 − S)^{−4} ≤
-        // b^{1+1/p} (16 + 80 S) (1 − S)^{−4}.
-        let grows = greatest(|z| (16.0 + 80.0 * limit * z) / rest(z).powi(4), 1.0 + INVERSE);
-        let bends = greatest(|z| z.powi(P) / rest(z).powi(3), 1.0 + INVERSE);
-        let m_h = grows.max(32.0 * f64::from(P + 1) * bends);
+        //                       − 32 (p + 1) z^p b^{1+1/p} (1 − S)^{−3}.
+        let grows = |a: f64, b: f64| {
+            16.0 * rest(a, 1.0 + INVERSE) / (1.0 - s(b)).powi(3)
+                + 96.0 * s(b) * rest(a, 2.0 + INVERSE) / (1.0 - s(b)).powi(4)
+        };
+        let bends = |a: f64, b: f64| {
+            32.0 * f64::from(P + 1) * b.powi(P) * rest(a, 1.0 + INVERSE) / (1.0 - s(b)).powi(3)
+        };
+        let across = |a: f64, b: f64| 16.0 * rest(a, 1.0 + INVERSE) / (1.0 - s(b)).powi(3);
+        // As lower bounds on a cell, both terms with its ends exchanged.
+        let m_h = greatest(|a, b| grows(a, b) - bends(b, a))
+            .max(greatest(|a, b| bends(a, b) - grows(b, a)))
+            .max(greatest(across));
         let c2 = 4.0 / (1.0 - limit).powi(2);
         let constants = Constants::new(4.0, c2, l_h)?.with_m_h(m_h)?;
         Ok(Self { radius, limit, constants })
@@ -65,12 +73,9 @@ impl<const D: usize> Metric<D> for HyperbolicPatch {
 }
 
 impl<const D: usize> Bounded<D> for HyperbolicPatch {
-    /// `c₁ = 4` at the centre, `c₂ = 4 / (1 − Q)²` in the limit. `L_H`, the maximum of
-    /// `16 √S (1 − (S/Q)^p)^{1+1/2p} (1 − S)^{−3}` over `0 ≤ S < Q`, is attained, up to `10⁻³` by
-    /// which the maximum is bounded from above.
-    ///
-    /// `M_H` is the greater of two maxima of terms of opposite sign, a bound: at most 1.13 times
-    /// too large for `R ≤ 0.8`, 1.5 times at `R = 0.85`, 3 times at the end.
+    /// `c₁ = 4` at the centre, `c₂ = 4 / (1 − Q)²` in the limit. `L_H` and `M_H` are the maxima of
+    /// functions of `S` in the transition, bounded from above by branch and bound: at most `10⁻³`
+    /// of themselves too large.
     fn constants(&self) -> Constants {
         self.constants
     }

@@ -18,16 +18,17 @@
 //! | [`SineProjections`] | any | `I + ½ Σ sin²(wₖ·x) aₖ aₖᵀ` | bounds | |
 //! | [`Sphere`] | any | `4 / (1 + r²)² I` | none | all pairs |
 //! | [`Hyperbolic`] | any | `4 / (1 − r²)² I` in the unit ball | none | in the ball |
-//! | [`SpherePatch`] | any | `4 / (1 + r²)² I`, `r ≤ R` | exact if `R ≥ 1.64` | in the patch |
-//! | [`HyperbolicPatch`] | any | `4 / (1 − r²)² I`, `r ≤ R` | exact but `M_H` | in the patch |
-//! | [`GaussianFisher`] | 2 | `diag(e^{−2t}, 2)`, `∣t∣ ≤ T` | exact but `M_H` | in the strip |
+//! | [`SpherePatch`] | any | `4 / (1 + r²)² I`, `r ≤ R` | exact | in the patch |
+//! | [`HyperbolicPatch`] | any | `4 / (1 − r²)² I`, `r ≤ R` | exact | in the patch |
+//! | [`GaussianFisher`] | 2 | `diag(e^{−2t}, 2)`, `∣t∣ ≤ T` | exact | in the strip |
 //! | [`TanhDecoder`] | any | `JᵀJ + μ I` of `W₂ tanh(W₁ x)` | bounds | |
 //!
 //! *Exact* constants are the best ones: no smaller `c₂`, `L_H`, `M_H` and no larger `c₁` holds
 //! on all of `R^D`. The others are bounds that hold as well.
 //!
 //! The three with an `R` or a `T` are patches: beyond it they pass to a constant matrix, which
-//! gives them constants on all of `R^D`. A distance is known where the geodesic stays.
+//! gives them constants on all of `R^D`. Of their `L_H` and `M_H` three digits are exact. A
+//! distance is known where the geodesic stays.
 //!
 //! Parameters are checked by the constructors, so that a metric which exists is one.
 

@@ -26,20 +26,22 @@ pub(super) fn saturate<S: Scalar>(u: S) -> S {
     sin * (norm.ln() * -INVERSE).exp()
 }
 
-/// Returns an upper bound of `f(s) (1 − s^p)^power` for `0 ≤ s < 1`, where `f ≥ 0` does not
-/// decrease.
+/// Returns `(1 − s^p)^power`: with `power = 1 + 1/p` it is `s′`. It falls with `s`.
+pub(super) fn rest(s: f64, power: f64) -> f64 {
+    (1.0 - s.powi(P)).powf(power)
+}
+
+/// Returns an upper bound of a function of `0 ≤ s < 1`, by branch and bound: `cell(a, b)` is not
+/// less than the function anywhere in `[a, b]`, and `cell(a, a)` is its value at `a`.
 ///
-/// On a cell `[a, b]` the product is at most `f(b) (1 − a^p)^power`. Cells are halved twenty
-/// times, those that cannot hold the maximum are left out: the bound is too large by `2⁻²⁰` times
-/// the logarithmic slope of `f` at most.
-pub(super) fn greatest(f: impl Fn(f64) -> f64, power: f64) -> f64 {
-    let falling = |s: f64| (1.0 - s.powi(P)).powf(power);
-    let bound = |&(a, b): &(f64, f64)| f(b) * falling(a);
+/// A product of a growing factor at `b` and a falling one at `a` is such a bound, and so is a sum
+/// of products; of what is subtracted, the other way round.
+///
+/// Cells are halved twenty times, those that cannot hold the maximum are left out: the bound is
+/// too large by `2⁻²⁰` times the sum of the slopes of all factors at most. NaN and `+∞` stay.
+pub(super) fn greatest(cell: impl Fn(f64, f64) -> f64) -> f64 {
     let mut cells = vec![(0.0, 1.0)];
-    let mut reached = 0.0_f64;
-    if !f(1.0).is_finite() {
-        return f64::INFINITY;
-    }
+    let mut reached = f64::NEG_INFINITY;
     for _ in 0..20 {
         cells = cells
             .into_iter()
@@ -48,17 +50,17 @@ pub(super) fn greatest(f: impl Fn(f64) -> f64, power: f64) -> f64 {
                 [(a, middle), (middle, b)]
             })
             .collect();
-        reached = cells.iter().map(|&(a, _)| f(a) * falling(a)).fold(reached, f64::max);
-        cells.retain(|cell| bound(cell) > reached);
+        reached = cells.iter().map(|&(a, _)| cell(a, a)).fold(reached, f64::max);
+        cells.retain(|&(a, b)| cell(a, b) > reached);
     }
-    cells.iter().map(bound).fold(reached, f64::max)
+    cells.into_iter().map(|(a, b)| cell(a, b)).fold(reached, f64::max)
 }
 
 #[cfg(test)]
 mod tests {
     use tautline_scalar::Jet2;
 
-    use super::{P, PLATEAU, greatest, saturate};
+    use super::{P, PLATEAU, greatest, rest, saturate};
 
     #[test]
     fn it_is_the_identity_on_the_plateau() {
@@ -106,15 +108,19 @@ mod tests {
 
     #[test]
     fn the_greatest_value_is_a_bound_and_hardly_more() {
-        // s^p (1 − s^p) is 1/4 at most; its logarithmic slope there is p 2^{1/p}, some 129.
-        let quarter = greatest(|s| s.powi(P), 1.0);
+        // s^p (1 − s^p) is 1/4 at most; the slope of s^p there is p/2 of s, some 64.
+        let quarter = greatest(|a, b| b.powi(P) * rest(a, 1.0));
         assert!((0.25..0.25 * (1.0 + 129.0 / 2_f64.powi(20))).contains(&quarter), "{quarter}");
         // s (1 − s^p)² is largest at s^p = 1/(1 + 2p).
         let y = 1.0 / (1.0 + 2.0 * f64::from(P));
         let exact = y.powf(1.0 / f64::from(P)) * (1.0 - y).powi(2);
-        let bound = greatest(|s| s, 2.0);
+        let bound = greatest(|a, b| b * rest(a, 2.0));
         assert!((exact..exact * (1.0 + 2e-6)).contains(&bound), "{bound} {exact}");
-        assert_eq!(greatest(|_| 3.0, 1.0), 3.0);
-        assert_eq!(greatest(|s| 1.0 / (1.0 - s), 1.0), f64::INFINITY);
+        // A difference of growing functions, s − s², and its negative.
+        let bound = greatest(|a, b| b - a * a);
+        assert!((0.25..0.25 + 4e-6).contains(&bound), "{bound}");
+        let bound = greatest(|a, b| b * b - a);
+        assert!((0.0..4e-6).contains(&bound), "{bound}");
+        assert_eq!(greatest(|a, _| 3.0 * rest(a, 1.0)), 3.0);
     }
 }

@@ -6,7 +6,7 @@ use tautline_scalar::Scalar;
 use super::{
     GalleryError, Sphere,
     error::between,
-    saturation::{INVERSE, P, PLATEAU, greatest, saturate},
+    saturation::{INVERSE, P, PLATEAU, greatest, rest, saturate},
 };
 use crate::{Bounded, Constants, KnownDistance, Metric};
 
@@ -39,19 +39,33 @@ impl SpherePatch {
         // S′ = b^{1+1/p}, S″ = −((p + 1)/Q) z^{p−1} b^{1+2/p} and q = S b^{−1/p}.
         //
         // |∇φ| = 2 √q |φ′| = 16 √q S′ (1 + S)^{−3} = 16 √S b^{1+1/2p} (1 + S)^{−3}, where b ≤ 1 and
-        // √S (1 + S)^{−3} grows up to S = 1/5.
-        let steepest = limit.min(0.2);
-        let l_h = 16.0 * steepest.sqrt() / (1.0 + steepest).powi(3);
+        // √S (1 + S)^{−3} grows up to S = 1/5: in the patch, b = 1, unless it is small.
+        let s = |z: f64| limit * z;
+        let l_h = if radius * radius >= 0.2 {
+            16.0 * 0.2_f64.sqrt() / 1.2_f64.powi(3)
+        } else {
+            let cell = |a, b| s(b).sqrt() * rest(a, 1.0 + 0.5 * INVERSE) / (1.0 + s(a)).powi(3);
+            16.0 * greatest(cell)
+        };
         // For the radial part c of a unit vector w, D²φ[w, w] = 2φ′ + 4c² q φ″ lies between
         //     2φ′         = −16 b^{1+1/p} (1 + S)^{−3}, which is −16 at the centre and above it
         //                   elsewhere, and
         //     2φ′ + 4qφ″  = 2φ′ + 96 S b^{2+1/p} (1 + S)^{−4}
         //                       + 32 (p + 1) z^p b^{1+1/p} (1 + S)^{−3} ≥ −16.
-        // Of the last three terms the first two are b^{1+1/p} (96 S b − 16 (1 + S)) (1 + S)^{−4} ≤
-        // max (80 S − 16) (1 + S)^{−4} = 625/128 (at S = 3/5), and in the third z^p (1 + Qz)^{−3}
-        // grows with z.
-        let transition = greatest(|z| z.powi(P) / (1.0 + limit * z).powi(3), 1.0 + INVERSE);
-        let m_h = (625.0 / 128.0 + 32.0 * f64::from(P + 1) * transition).max(16.0);
+        // For Q ≥ 4 it is below 16: the first two terms are at most (80 S − 16) (1 + S)^{−4} ≤
+        // 625/128 (at S = 3/5). As 1 + Qz ≥ (1 + Q) z, the third is at most 32 · 129 z^{125}
+        // (1 − z^{128}) / 125, where z^{125} (1 − z^{128}) ≤ 0.2542 (at z^{128} = 125/253).
+        let m_h = if limit < 4.0 {
+            let bend = 32.0 * f64::from(P + 1);
+            let radial = |a: f64, b: f64| {
+                let falls = 16.0 * rest(b, 1.0 + INVERSE) / (1.0 + s(b)).powi(3);
+                let grows = 96.0 * s(b) * rest(a, 2.0 + INVERSE) / (1.0 + s(a)).powi(4);
+                grows - falls + bend * b.powi(P) * rest(a, 1.0 + INVERSE) / (1.0 + s(a)).powi(3)
+            };
+            greatest(radial).max(16.0)
+        } else {
+            16.0
+        };
         let c1 = 4.0 / (1.0 + limit).powi(2);
         let constants = Constants::new(c1, 4.0, l_h)?.with_m_h(m_h)?;
         Ok(Self { radius, limit, constants })
@@ -67,12 +81,11 @@ impl<const D: usize> Metric<D> for SpherePatch {
 }
 
 impl<const D: usize> Bounded<D> for SpherePatch {
-    /// `c₁ = 4 / (1 + Q)²` in the limit, `c₂ = 4` at the centre; with `m = min(Q, 1/5)`,
-    /// `L_H = 16 √m / (1 + m)³`, attained if `R² ≥ 1/5`, else at most 1.03 times too large.
+    /// `c₁ = 4 / (1 + Q)²` in the limit, `c₂ = 4` at the centre, `L_H = (16/√5) (5/6)³` if
+    /// `R² ≥ 1/5` and `M_H = 16`, at the centre, if `R ≥ 1.6`; all attained.
     ///
-    /// `M_H = 16`, attained at the centre, from `R = 1.64` on. Below, where the transition from the
-    /// patch to the constant decides, it is a bound: at most 1.06 times too large for `R ≤ 1`, and
-    /// 1.3 times between.
+    /// Otherwise `L_H` and `M_H` are the maxima of functions of `S` in the transition, bounded from
+    /// above by branch and bound: at most `10⁻³` of themselves too large.
     fn constants(&self) -> Constants {
         self.constants
     }

@@ -180,6 +180,10 @@ fn tanh_decoder_refuses_bad_weights() {
         let error = build(inner, outer, 1.0).expect_err("overflow");
         assert!(matches!(error, GalleryError::Constants(_)), "{error}");
     }
+    // In more dimensions, too, where eigenvalues take an iteration.
+    let huge = SMatrix::<f64, 3, 4>::from_fn(|i, j| 1e200 * (1.0 + i as f64 - j as f64));
+    let error = TanhDecoder::<4, 3, 1>::new(huge, SMatrix::zeros(), 1.0).expect_err("overflow");
+    assert!(matches!(error, GalleryError::Constants(_)), "{error}");
     // No weights: the Euclidean line.
     let flat = Constants::new(1.0, 1.0, 0.0).and_then(|c| c.with_m_h(0.0));
     assert_eq!(build(0.0, 0.0, 1.0).expect("finite").constants(), flat.expect("in order"));

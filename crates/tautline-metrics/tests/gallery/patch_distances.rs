@@ -218,7 +218,9 @@ fn the_top_of_a_half_circle_decides() {
     assert_eq!(g.distance(&vector![0.0, 1.01], &vector![0.0, 0.0]), None);
     assert_eq!(g.distance(&vector![0.0, 0.0], &vector![0.0, -1.01]), None);
     assert_eq!(sphere(1.0).distance(&vector![0.0], &vector![1.01]), None);
+    assert_eq!(sphere(1.0).distance(&vector![1.01], &vector![0.0]), None);
     assert_eq!(hyperbolic(0.5).distance(&vector![0.51], &vector![0.0]), None);
+    assert_eq!(hyperbolic(0.5).distance(&vector![0.0], &vector![0.51]), None);
 }
 
 /// Over the south pole they would be nearer, but that is outside.

@@ -52,8 +52,8 @@ fn scan(g: &impl Bounded<2>, from: SVector<f64, 2>, to: SVector<f64, 2>) -> (f64
     let along = (to - from).normalize();
     let across = vector![-along[1], along[0]];
     let (mut steepest, mut most) = (0.0_f64, 0.0_f64);
-    for i in 0..=8000 {
-        let x = from + (to - from) * (f64::from(i) / 8000.0);
+    for i in 0..=10_000 {
+        let x = from + (to - from) * (f64::from(i) / 10_000.0);
         steepest = steepest.max(norm(&first(g, &x, &along)));
         most = most.max(norm(&second(g, &x, &along))).max(norm(&second(g, &x, &across)));
     }
@@ -61,57 +61,62 @@ fn scan(g: &impl Bounded<2>, from: SVector<f64, 2>, to: SVector<f64, 2>) -> (f64
     (steepest / constants.l_h(), most / constants.m_h().expect("known"))
 }
 
-/// The scan of a patch of the given radius reaches to twice the radius.
+/// The scan of a patch of the given radius: its centre, and the transition.
 fn scan_ball(g: &impl Bounded<2>, radius: f64) -> (f64, f64) {
-    scan(g, vector![0.0, 0.0], vector![1.2, 1.6] * radius)
+    let ray = vector![0.6, 0.8] * radius;
+    let (steepest, most) = scan(g, ray * 0.8, ray * 1.3);
+    (steepest, most.max(scan(g, ray * -0.5, ray * 0.5).1))
 }
 
 #[test]
 fn sphere_patch_is_exact_if_it_is_large() {
-    for radius in [0.448, 0.7, 1.0, 1.64, 5.0] {
+    for radius in [0.448, 0.7, 1.0, 1.64, 1.73, 1.74, 5.0, 1e6] {
         let g = sphere(radius);
         low(&g, vector![3.0, 4.0] * radius);
         high(&g, vector![0.0, 0.0]);
         slope(&g, vector![0.6, -0.8] * 0.2_f64.sqrt(), vector![0.3, -0.4]);
-        if radius >= 1.64 {
+        if radius >= 1.6 {
             curvature(&g, vector![0.0, 0.0], vector![1.0, 2.0]);
         }
     }
 }
 
+/// Measured: 0.9991 for the hyperbolic patch of radius 0.859, else at least 0.9995, and at most
+/// 1 + 2e-16. A scan in steps of `R/20000` misses a maximum in the transition by some 1e-5; the
+/// rest is what the bound is too large by.
+const EXACT: std::ops::Range<f64> = 0.999..1.0 + 1e-12;
+
 #[test]
-fn sphere_patch_has_bounds_if_it_is_small() {
-    for (radius, l_h, m_h) in
-        [(1e-3, 0.97, 0.98), (0.2, 0.98, 0.98), (1.0, 0.9999, 0.94), (1.5, 0.9999, 0.77)]
-    {
+fn sphere_patch_is_exact_if_it_is_small() {
+    for radius in [1e-3, 0.2, 0.44, 0.45, 1.0, 1.5, 1.6] {
         let (steepest, most) = scan_ball(&sphere(radius), radius);
-        assert!((l_h..=1.0).contains(&steepest), "{radius}: {steepest}");
-        assert!((m_h..=1.0).contains(&most), "{radius}: {most}");
+        // From R² = 1/5 on the steepest place is in the patch.
+        assert!(EXACT.contains(&steepest) || radius > 0.447, "{radius}: {steepest}");
+        assert!(EXACT.contains(&most), "{radius}: {most}");
     }
 }
 
 #[test]
-fn hyperbolic_patch_is_exact_but_for_m_h() {
-    for (radius, m_h) in [(1e-3, 0.98), (0.5, 0.98), (0.8, 0.88), (0.85, 0.66)] {
+fn hyperbolic_patch_is_exact() {
+    for radius in [1e-3, 0.5, 0.8, 0.85, 0.859] {
         let g = hyperbolic(radius);
         low(&g, vector![0.0, 0.0]);
         high(&g, vector![-3.0, 4.0] * radius);
         let (steepest, most) = scan_ball(&g, radius);
-        // At R = 0.85 the scan misses the maximum by 5e-5, and the bound exceeds it by 6e-5.
-        assert!((0.9998..=1.0).contains(&steepest), "{radius}: {steepest}");
-        assert!((m_h..=1.0).contains(&most), "{radius}: {most}");
+        assert!(EXACT.contains(&steepest), "{radius}: {steepest}");
+        assert!(EXACT.contains(&most), "{radius}: {most}");
     }
 }
 
 #[test]
-fn gaussian_fisher_is_exact_but_for_m_h() {
-    for (rim, m_h) in [(1e-3, 0.99), (0.1, 0.98), (1.0, 0.97), (3.0, 0.94), (10.0, 0.83)] {
+fn gaussian_fisher_is_exact() {
+    for rim in [1e-3, 0.1, 1.0, 3.0, 10.0, 30.0] {
         let g = fisher(rim);
         low(&g, vector![0.0, 4.0 * rim]);
         high(&g, vector![5.0, -4.0 * rim]);
-        let (steepest, most) = scan(&g, vector![0.0, -2.0 * rim], vector![0.0, 2.0 * rim]);
-        assert!((0.9999..=1.0).contains(&steepest), "{rim}: {steepest}");
-        assert!((m_h..=1.0).contains(&most), "{rim}: {most}");
+        let (steepest, most) = scan(&g, vector![0.0, -0.8 * rim], vector![0.0, -1.4 * rim]);
+        assert!(EXACT.contains(&steepest), "{rim}: {steepest}");
+        assert!(EXACT.contains(&most), "{rim}: {most}");
     }
 }
 
