@@ -70,7 +70,7 @@ impl Metric<2> for GaussianFisher {
 impl Bounded<2> for GaussianFisher {
     /// `c₁ = e^{−2Q}` in the limit, `c₂ = max(e^{2Q}, 2)` in the limit or everywhere. `L_H` and
     /// `M_H` are the maxima of functions of `S` in the transition, bounded from above by branch
-    /// and bound: at most `10⁻³` of themselves too large for `T ≤ 30`.
+    /// and bound: at most `2 · 10⁻³` of themselves too large.
     fn constants(&self) -> Constants {
         self.constants
     }

@@ -87,7 +87,7 @@ fn norm_squared<const R: usize, const C: usize>(
     if most.is_finite() {
         Ok(eigenvalue_bounds(&square).1)
     } else {
-        // No iteration for eigenvalues ends on what is not finite.
+        // What the eigenvalues of a matrix that is not finite come out as, nobody promises.
         Err(HypothesisError::CrossedBounds { c1: 0.0, c2: most }.into())
     }
 }
