@@ -27,8 +27,8 @@
 //! on all of `R^D`. The others are bounds that hold as well.
 //!
 //! The three with an `R` or a `T` are patches: beyond it they pass to a constant matrix, which
-//! gives them constants on all of `R^D`, *exact* up to `2 · 10⁻³` for `L_H` and `M_H`. A distance is
-//! known where the geodesic stays.
+//! gives them constants on all of `R^D`, *exact* up to `2 · 10⁻³` for `L_H` and `M_H`. A distance
+//! is known where the geodesic stays.
 //!
 //! Parameters are checked by the constructors, so that a metric which exists is one.
 
