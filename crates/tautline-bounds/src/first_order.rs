@@ -161,10 +161,10 @@ mod tests {
         close(gap, 9.0 * 0.75 * 2.875_f64.powf(1.5));
         close(first_order_polyline_gap_left(setting(), n(1)), 9.0 * 1.5 * 2.5_f64.powf(1.5));
         // N = 36: e = 1 + 1/48 + 1/1152 and 1 + 1/24; Q is √e + 3e, below 6√e.
-        let e = 1.0 + 1.0 / 48.0 + 1.0 / 1152.0;
+        let e: f64 = 1.0 + 1.0 / 48.0 + 1.0 / 1152.0;
         let gap = first_order_polyline_gap_trapezoidal(setting(), n(36));
         close(gap, 9.0 / 48.0 * e * (e.sqrt() + 3.0 * e));
-        let e = 25.0 / 24.0;
+        let e: f64 = 25.0 / 24.0;
         let gap = first_order_polyline_gap_left(setting(), n(36));
         close(gap, 9.0 / 24.0 * e * (e.sqrt() + 3.0 * e));
         close(first_order_excess_left(setting(), n(36)), 9.0 / 24.0 + gap);

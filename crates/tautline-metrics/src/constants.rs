@@ -75,7 +75,8 @@ impl Constants {
     }
 }
 
-/// A hypothesis of Theorem 1.1 which the given constants do not meet.
+/// A hypothesis of Theorem 1.1, or of the calculus of its constants, which the given numbers do
+/// not meet.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum HypothesisError {
@@ -104,6 +105,23 @@ pub enum HypothesisError {
     NotTwiceBounded {
         /// The constant that was given.
         m_h: f64,
+    },
+    /// `s H` is a metric for `s > 0` only.
+    #[error("the factor {factor} of a metric must be positive and finite")]
+    NotAFactor {
+        /// The factor that was given.
+        factor: f64,
+    },
+    /// `|A u|` lies between `σ_min |u|` and `σ_max |u|` with `0 < σ_min ≤ σ_max < ∞`.
+    #[error(
+        "the singular values of a map must lie between two positive finite numbers, \
+         not between {smin} and {smax}"
+    )]
+    NotStretches {
+        /// The lower bound that was given.
+        smin: f64,
+        /// The upper bound that was given.
+        smax: f64,
     },
 }
 

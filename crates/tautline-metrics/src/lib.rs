@@ -30,12 +30,17 @@
 //! | [`Bounded`] | the constants `c₁`, `c₂`, `L_H` on all of `R^D` | proven bounds |
 //! | [`KnownDistance`] | the exact distance of (some) pairs of points | measuring an error |
 //!
+//! The [`gallery`] has metrics of each kind; [`composition`] builds new ones from these, and
+//! [`Constants`] has the rules by which their constants follow.
+//!
 //! # Units
 //!
 //! Coordinates are in `ℓ`, Riemannian length in `m`, and `t ∈ [0, 1]` is a pure number. Hence
 //! `H`, `c₁` and `c₂` are in `m²/ℓ²`, `L_H` in `m²/ℓ³`, `M_H` in `m²/ℓ⁴`, energies in `m²`.
 
+mod calculus;
 mod christoffel;
+pub mod composition;
 mod constants;
 pub mod gallery;
 mod metric;

@@ -60,7 +60,7 @@ pub use tautline_discretizations::{
 };
 pub use tautline_metrics::{
     Bounded, Constants, HypothesisError, KnownDistance, Metric, MetricError, check_gram,
-    christoffel, gallery, quadrature,
+    christoffel, composition, gallery, quadrature,
 };
 pub use tautline_optimizers::{
     Curvature, Estimate, Level, Minimum, Options, SolveError, Starts, Stop, extrapolate, minimise,

@@ -38,6 +38,18 @@ pub enum GalleryError {
         /// The number that was given.
         value: f64,
     },
+    /// A radius for which there is no patch, or none that `f64` can hold.
+    #[error("{name} = {value:?} must lie strictly between {low:?} and {high:?}")]
+    OutOfRange {
+        /// The parameter, as the constructor calls it.
+        name: &'static str,
+        /// The number that was given.
+        value: f64,
+        /// The greatest number that is too small.
+        low: f64,
+        /// The least number that is too large.
+        high: f64,
+    },
     /// The inertia of a two-link arm is not positive definite in every position.
     #[error(
         "C (A - C) - B² = {determinant}, the determinant of the inertia of the stretched arm, \
@@ -77,4 +89,17 @@ pub(super) fn nonnegative(name: &'static str, value: f64) -> Result<f64, Gallery
 
 pub(super) fn below_one(name: &'static str, value: f64) -> Result<f64, GalleryError> {
     if value.abs() < 1.0 { Ok(value) } else { Err(GalleryError::NotBelowOne { name, value }) }
+}
+
+pub(super) fn between(
+    name: &'static str,
+    value: f64,
+    low: f64,
+    high: f64,
+) -> Result<f64, GalleryError> {
+    if low < value && value < high {
+        Ok(value)
+    } else {
+        Err(GalleryError::OutOfRange { name, value, low, high })
+    }
 }

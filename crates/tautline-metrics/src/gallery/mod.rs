@@ -23,9 +23,17 @@
 //! | [`SineProjections`] | any | `I + ½ Σ sin²(wₖ·x) aₖ aₖᵀ` | bounds | |
 //! | [`Sphere`] | any | `4 / (1 + r²)² I` | none | all pairs |
 //! | [`Hyperbolic`] | any | `4 / (1 − r²)² I` in the unit ball | none | in the ball |
+//! | [`SpherePatch`] | any | `4 / (1 + r²)² I`, `r ≤ R` | exact | in the patch |
+//! | [`HyperbolicPatch`] | any | `4 / (1 − r²)² I`, `r ≤ R` | exact | in the patch |
+//! | [`GaussianFisher`] | 2 | `diag(e^{−2t}, 2)`, `∣t∣ ≤ T` | exact | in the strip |
+//! | [`TanhDecoder`] | any | `JᵀJ + μ I` of `W₂ tanh(W₁ x)` | bounds | |
 //!
 //! *Exact* constants are the best ones: no smaller `c₂`, `L_H`, `M_H` and no larger `c₁` holds
 //! on all of `R^D`. The others are bounds that hold as well.
+//!
+//! The three with an `R` or a `T` are patches: beyond it they pass to a constant matrix, which
+//! gives them constants on all of `R^D`, *exact* up to `2 · 10⁻³` for `L_H` and `M_H`. A distance
+//! is known where the geodesic stays.
 //!
 //! Parameters are checked by the constructors, so that a metric which exists is one.
 
@@ -38,18 +46,23 @@ mod coupled_cosines;
 mod egg_crate;
 mod eigenvalues;
 mod error;
+mod gaussian_fisher;
 mod hill;
 mod hyperbolic;
+mod hyperbolic_patch;
 mod lens;
 mod radial;
 mod ramp;
 mod rotating_anisotropy;
+mod saturation;
 mod separable;
 mod shear;
 mod sine_projections;
 mod soft_obstacles;
 mod sphere;
+mod sphere_patch;
 mod swirl;
+mod tanh_decoder;
 mod two_channels;
 mod two_link_arm;
 mod valleys;
@@ -61,8 +74,10 @@ pub use corrugated::Corrugated;
 pub use coupled_cosines::CoupledCosines;
 pub use egg_crate::EggCrate;
 pub use error::GalleryError;
+pub use gaussian_fisher::GaussianFisher;
 pub use hill::Hill;
 pub use hyperbolic::Hyperbolic;
+pub use hyperbolic_patch::HyperbolicPatch;
 pub use lens::Lens;
 pub use ramp::Ramp;
 pub use rotating_anisotropy::RotatingAnisotropy;
@@ -71,7 +86,9 @@ pub use shear::Shear;
 pub use sine_projections::{SineProjection, SineProjections};
 pub use soft_obstacles::{Obstacle, SoftObstacles};
 pub use sphere::Sphere;
+pub use sphere_patch::SpherePatch;
 pub use swirl::Swirl;
+pub use tanh_decoder::TanhDecoder;
 pub use two_channels::TwoChannels;
 pub use two_link_arm::{Link, TwoLinkArm};
 pub use valleys::Valleys;

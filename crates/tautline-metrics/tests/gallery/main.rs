@@ -2,12 +2,16 @@
 //! distances, and bad parameters are refused.
 
 mod attained;
+mod decoder;
 mod distances;
 mod full_matrices;
 mod hold;
 mod interval;
+mod laws;
 mod lines;
 mod measure;
+mod patch_distances;
+mod patches;
 mod proven;
 mod rays;
 mod refused;

@@ -5,12 +5,14 @@
 //! variants, and shows which check kills which.
 
 mod check;
+mod ledger;
 mod point_sequences;
 mod section_1;
 mod tally;
 mod trial;
 
 pub use check::{Check, Kind};
+pub use ledger::{Entry, kills, ledger};
 pub use tally::{Count, Tally};
 pub use trial::{Failure, Outcome, Scope, Trial};
 

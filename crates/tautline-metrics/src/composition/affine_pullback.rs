@@ -1,0 +1,115 @@
+//! A metric in affine coordinates: `Aᵀ H(A x + b) A`.
+
+use nalgebra::{DMatrix, SMatrix, SVector};
+use tautline_scalar::Scalar;
+
+use super::CompositionError;
+use crate::{Bounded, Constants, HypothesisError, KnownDistance, Metric};
+
+/// `Aᵀ H(A x + b) A` for an invertible matrix `A`: the metric `H` seen from coordinates `x` in
+/// which its points are `A x + b`. A rotation, a shift, another unit of the coordinates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AffinePullback<M, const D: usize> {
+    metric: M,
+    matrix: SMatrix<f64, D, D>,
+    shift: SVector<f64, D>,
+    /// Bounds of the singular values of the matrix: positive, finite, in order.
+    stretches: (f64, f64),
+}
+
+impl<M, const D: usize> AffinePullback<M, D> {
+    /// Returns the pullback of `metric` by `x ↦ A x + b`.
+    ///
+    /// # Errors
+    ///
+    /// [`CompositionError::NotFinite`] with an entry of `A` or `b`;
+    /// [`HypothesisError::NotStretches`] if `A` is singular, or its condition number so large,
+    /// some `10¹⁴`, that its least singular value is not certain to be positive.
+    pub fn new(
+        metric: M,
+        matrix: SMatrix<f64, D, D>,
+        shift: impl Into<SVector<f64, D>>,
+    ) -> Result<Self, CompositionError> {
+        let shift = shift.into();
+        let finite = |name, value: f64| {
+            if value.is_finite() {
+                Ok(())
+            } else {
+                Err(CompositionError::NotFinite { name, value })
+            }
+        };
+        matrix.iter().try_for_each(|&entry| finite("entry of the matrix", entry))?;
+        shift.iter().try_for_each(|&entry| finite("entry of the shift", entry))?;
+        let (smin, smax) = stretches(&matrix);
+        if !(smin > 0.0 && smax.is_finite()) {
+            return Err(HypothesisError::NotStretches { smin, smax }.into());
+        }
+        Ok(Self { metric, matrix, shift, stretches: (smin, smax) })
+    }
+
+    /// Returns `A x + b`.
+    pub fn image<S: Scalar>(&self, x: &SVector<S, D>) -> SVector<S, D> {
+        SVector::from_fn(|i, _| {
+            (0..D).fold(S::constant(self.shift[i]), |sum, j| sum + x[j] * self.matrix[(i, j)])
+        })
+    }
+}
+
+/// Numbers below and above all singular values of a finite matrix, by `16 D` ulp of its norm:
+/// above what the reduction to bidiagonal form and the iteration after it err by.
+fn stretches<const D: usize>(matrix: &SMatrix<f64, D, D>) -> (f64, f64) {
+    // Entries up to 1, so that no square overflows on the way.
+    let scale = matrix.amax();
+    if scale == 0.0 {
+        return (0.0, 0.0);
+    }
+    let singular_values = DMatrix::from_fn(D, D, |i, j| matrix[(i, j)] / scale).singular_values();
+    let (low, high) = (singular_values.min(), singular_values.max());
+    let slack = 16.0 * D as f64 * f64::EPSILON * high;
+    ((low - slack) * scale, (high + slack) * scale)
+}
+
+impl<M: Metric<D>, const D: usize> Metric<D> for AffinePullback<M, D> {
+    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
+        let h = self.metric.gram(&self.image(x));
+        let columns = SMatrix::<S, D, D>::from_fn(|i, j| {
+            (0..D).fold(S::zero(), |sum, k| sum + h[(i.min(k), i.max(k))] * self.matrix[(k, j)])
+        });
+        let mut pulled = SMatrix::<S, D, D>::zeros();
+        for j in 0..D {
+            for i in 0..=j {
+                for k in 0..D {
+                    pulled[(i, j)] += columns[(k, j)] * self.matrix[(k, i)];
+                }
+            }
+        }
+        pulled.fill_lower_triangle_with_upper_triangle();
+        pulled
+    }
+
+    /// `(A u)ᵀ H (A u)`: where `A u` is a vector of numbers, no matrix is conjugated.
+    fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
+        self.metric.norm_squared(&self.image(x), &(self.matrix * u))
+    }
+}
+
+impl<M: Bounded<D>, const D: usize> Bounded<D> for AffinePullback<M, D> {
+    /// `c₁ σ_min²`, `c₂ σ_max²`, `L_H σ_max³`, `M_H σ_max⁴` with the singular values of `A`
+    /// ([`Constants::pulled_back`]), moved apart by some ulp; attained up to those for a multiple
+    /// of an isometry, and where the directions fit.
+    ///
+    /// # Panics
+    ///
+    /// If one of them overflows, or `c₁` underflows.
+    fn constants(&self) -> Constants {
+        let (smin, smax) = self.stretches;
+        self.metric.constants().pulled_back(smin, smax).expect("stretches within the range of f64")
+    }
+}
+
+impl<M: KnownDistance<D>, const D: usize> KnownDistance<D> for AffinePullback<M, D> {
+    /// The distance of the images `A x + b` and `A y + b`.
+    fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
+        self.metric.distance(&self.image(x), &self.image(y))
+    }
+}

@@ -1,0 +1,97 @@
+//! The product of two metrics: `diag(H(x), H′(y))` on pairs of points.
+
+use nalgebra::{SMatrix, SVector};
+use tautline_scalar::Scalar;
+
+use crate::{Bounded, Constants, KnownDistance, Metric};
+
+/// `diag(H(x), H′(y))` on the pairs `(x, y)` of `R^{D₁} × R^{D₂}`: two systems that move
+/// together, each under its own metric.
+///
+/// A curve is a geodesic if both of its parts are. It is a metric on `R^D` for `D = D₁ + D₂`
+/// alone; another `D` does not compile:
+///
+/// ```compile_fail
+/// use tautline_metrics::{Metric, composition::Product, gallery::Valleys};
+///
+/// let product = Product::<_, _, 2, 1>::new(Valleys, Valleys);
+/// let h = product.gram(&nalgebra::vector![0.0, 0.0, 0.0, 0.0]);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Product<A, B, const D1: usize, const D2: usize> {
+    first: A,
+    second: B,
+}
+
+impl<A: Metric<D1>, B: Metric<D2>, const D1: usize, const D2: usize> Product<A, B, D1, D2> {
+    /// Returns the product of a metric on `R^{D₁}` and one on `R^{D₂}`.
+    #[must_use]
+    pub const fn new(first: A, second: B) -> Self {
+        Self { first, second }
+    }
+}
+
+/// Does not compile for another `D` than `D₁ + D₂`.
+fn dimensions_add_up<const D1: usize, const D2: usize, const D: usize>() {
+    const { assert!(D1 + D2 == D, "a product of R^D1 and R^D2 is a metric on R^(D1 + D2)") };
+}
+
+/// The first `D₁` and the last `D₂` entries of a vector.
+fn split<T: nalgebra::Scalar + Copy, const D1: usize, const D2: usize, const D: usize>(
+    x: &SVector<T, D>,
+) -> (SVector<T, D1>, SVector<T, D2>) {
+    dimensions_add_up::<D1, D2, D>();
+    (SVector::from_fn(|i, _| x[i]), SVector::from_fn(|i, _| x[D1 + i]))
+}
+
+impl<A, B, const D1: usize, const D2: usize, const D: usize> Metric<D> for Product<A, B, D1, D2>
+where
+    A: Metric<D1>,
+    B: Metric<D2>,
+{
+    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
+        let (x, y) = split(x);
+        let (first, second) = (self.first.gram(&x), self.second.gram(&y));
+        SMatrix::from_fn(|i, j| match (i < D1, j < D1) {
+            (true, true) => first[(i, j)],
+            (false, false) => second[(i - D1, j - D1)],
+            _ => S::zero(),
+        })
+    }
+
+    /// `uᵀ H(x) u + vᵀ H′(y) v`, without the blocks of zeros.
+    fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
+        let ((x, y), (u, v)) = (split(x), split(u));
+        self.first.norm_squared(&x, &u) + self.second.norm_squared(&y, &v)
+    }
+}
+
+impl<A, B, const D1: usize, const D2: usize, const D: usize> Bounded<D> for Product<A, B, D1, D2>
+where
+    A: Bounded<D1>,
+    B: Bounded<D2>,
+{
+    /// The lesser `c₁`, and the greater of each of the others ([`Constants::beside`]); attained
+    /// where those are.
+    fn constants(&self) -> Constants {
+        dimensions_add_up::<D1, D2, D>();
+        self.first.constants().beside(self.second.constants())
+    }
+}
+
+impl<A, B, const D1: usize, const D2: usize, const D: usize> KnownDistance<D>
+    for Product<A, B, D1, D2>
+where
+    A: KnownDistance<D1>,
+    B: KnownDistance<D2>,
+{
+    /// `√(d² + d′²)`; `None` if either is not known.
+    ///
+    /// For `∫ √(a² + b²) ≥ √((∫ a)² + (∫ b)²)`, with equality if `a` and `b` are constant: the
+    /// pair of minimal geodesics attains it.
+    fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
+        let ((x, x_second), (y, y_second)) = (split(x), split(y));
+        let first = self.first.distance(&x, &y)?;
+        Some(first.hypot(self.second.distance(&x_second, &y_second)?))
+    }
+}

@@ -1,0 +1,56 @@
+//! A metric in another unit of length: `s H`.
+
+use nalgebra::{SMatrix, SVector};
+use tautline_scalar::Scalar;
+
+use super::CompositionError;
+use crate::{Bounded, Constants, HypothesisError, KnownDistance, Metric};
+
+/// `s H(x)`: the same geodesics, all lengths times `√s`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scaled<M> {
+    metric: M,
+    factor: f64,
+}
+
+impl<M> Scaled<M> {
+    /// Returns the metric `s H` for a factor `s > 0`.
+    ///
+    /// # Errors
+    ///
+    /// [`HypothesisError::NotAFactor`] unless `s` is positive and finite.
+    pub fn new(metric: M, factor: f64) -> Result<Self, CompositionError> {
+        if !(factor > 0.0 && factor.is_finite()) {
+            return Err(HypothesisError::NotAFactor { factor }.into());
+        }
+        Ok(Self { metric, factor })
+    }
+}
+
+impl<M: Metric<D>, const D: usize> Metric<D> for Scaled<M> {
+    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
+        self.metric.gram(x).map(|entry| entry * self.factor)
+    }
+
+    fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
+        self.metric.norm_squared(x, u) * self.factor
+    }
+}
+
+impl<M: Bounded<D>, const D: usize> Bounded<D> for Scaled<M> {
+    /// All constants of `H` times `s` ([`Constants::scaled`]), attained where those are.
+    ///
+    /// # Panics
+    ///
+    /// If one of them overflows, or `c₁` underflows.
+    fn constants(&self) -> Constants {
+        self.metric.constants().scaled(self.factor).expect("a factor within the range of f64")
+    }
+}
+
+impl<M: KnownDistance<D>, const D: usize> KnownDistance<D> for Scaled<M> {
+    /// `√s` times the distance of `H`.
+    fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
+        self.metric.distance(x, y).map(|distance| distance * self.factor.sqrt())
+    }
+}

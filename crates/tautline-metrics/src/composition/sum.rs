@@ -1,0 +1,48 @@
+//! The sum of two metrics on the same space: `H + H′`.
+
+use nalgebra::{SMatrix, SVector};
+use tautline_scalar::Scalar;
+
+use crate::{Bounded, Constants, Metric};
+
+/// `H(x) + H′(x)`: the squared speeds add up.
+///
+/// Its distance is at least `√(d² + d′²)`, with equality for pairs that one curve joins minimally
+/// in both metrics, at proportional speeds; in general it does not follow from `d` and `d′`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sum<A, B> {
+    first: A,
+    second: B,
+}
+
+impl<A, B> Sum<A, B> {
+    /// Returns the sum of two metrics.
+    #[must_use]
+    pub const fn new(first: A, second: B) -> Self {
+        Self { first, second }
+    }
+}
+
+impl<A: Metric<D>, B: Metric<D>, const D: usize> Metric<D> for Sum<A, B> {
+    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
+        self.first.gram(x) + self.second.gram(x)
+    }
+
+    fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
+        self.first.norm_squared(x, u) + self.second.norm_squared(x, u)
+    }
+}
+
+impl<A: Bounded<D>, B: Bounded<D>, const D: usize> Bounded<D> for Sum<A, B> {
+    /// The sums ([`Constants::plus`]), attained where both metrics attain theirs at one point.
+    ///
+    /// # Panics
+    ///
+    /// If a sum overflows.
+    fn constants(&self) -> Constants {
+        self.first
+            .constants()
+            .plus(self.second.constants())
+            .expect("constants whose sum is within the range of f64")
+    }
+}

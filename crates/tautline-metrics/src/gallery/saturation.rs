@@ -1,0 +1,126 @@
+//! A number that saturates: what makes a metric with constants out of one without.
+
+use tautline_scalar::Scalar;
+
+/// The exponent `p`, even.
+pub(super) const P: i32 = 128;
+
+/// `1/p`.
+pub(super) const INVERSE: f64 = 1.0 / P as f64;
+
+/// `s(u) = u` and `s′(u) = 1` to rounding for `|u|` up to this: `u¹²⁸ < 1.1e-16`, of which `s`
+/// misses the 128th part.
+pub(super) const PLATEAU: f64 = 0.75;
+
+/// Returns `s(u) = u / (1 + u^p)^{1/p}` with `p = 128`: odd, increasing, `|s| < min(|u|, 1)`.
+///
+/// ```text
+/// s′ = (1 − s^p)^{1 + 1/p},   s″ = −(p + 1) s^{p−1} (1 − s^p)^{1 + 2/p},   u = s (1 − s^p)^{−1/p}
+/// ```
+///
+/// The first by `s^p = u^p / (1 + u^p)`, that is `1 − s^p = 1 / (1 + u^p)`; the second from it.
+pub(super) fn saturate<S: Scalar>(u: S) -> S {
+    // With u = tan θ this is sin θ / (cos^p θ + sin^p θ)^{1/p}, where nothing overflows.
+    let (sin, cos) = u.atan().sin_cos();
+    let norm = cos.powi(P) + sin.powi(P);
+    sin * (norm.ln() * -INVERSE).exp()
+}
+
+/// Returns `(1 − s^p)^power`: with `power = 1 + 1/p` it is `s′`. It falls with `s`.
+pub(super) fn rest(s: f64, power: f64) -> f64 {
+    (1.0 - s.powi(P)).powf(power)
+}
+
+/// Returns an upper bound of a function of `0 ≤ s < 1`, by branch and bound: `cell(a, b)` is not
+/// less than the function anywhere in `[a, b]`, and `cell(a, a)` is its value at `a`.
+///
+/// A product of a growing factor at `b` and a falling one at `a` is such a bound, and so is a sum
+/// of products; of what is subtracted, the other way round.
+///
+/// Cells are halved twenty times, those that cannot hold the maximum are left out: the bound is
+/// too large by `2⁻²⁰` times the sum of the slopes of all factors at most. NaN and `+∞` stay.
+pub(super) fn greatest(cell: impl Fn(f64, f64) -> f64) -> f64 {
+    let mut cells = vec![(0.0, 1.0)];
+    let mut reached = f64::NEG_INFINITY;
+    for _ in 0..20 {
+        cells = cells
+            .into_iter()
+            .flat_map(|(a, b)| {
+                let middle = 0.5 * (a + b);
+                [(a, middle), (middle, b)]
+            })
+            .collect();
+        reached = cells.iter().map(|&(a, _)| cell(a, a)).fold(reached, f64::max);
+        cells.retain(|&(a, b)| cell(a, b) > reached);
+    }
+    cells.into_iter().map(|(a, b)| cell(a, b)).fold(reached, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use tautline_scalar::Jet2;
+
+    use super::{P, PLATEAU, greatest, rest, saturate};
+
+    #[test]
+    fn it_is_the_identity_on_the_plateau() {
+        for i in -1000..=1000 {
+            let u = f64::from(i) * 1e-3 * PLATEAU;
+            let [variable] = Jet2::<f64, 1>::variables(&[u]);
+            let s = saturate(variable);
+            // Measured: 1.6 ε at most, and 1.6e-14 for the derivative; the second is u^{p−1}
+            // times p + 1, 1.7e-14, and the rounding of p² = 16384 that cancel.
+            assert!((s.value() - u).abs() <= 4.0 * f64::EPSILON * u.abs(), "{u}: {s:?}");
+            assert!((s.first(0) - 1.0).abs() < 1e-13, "{u}: {s:?}");
+            assert!(s.second(0, 0).abs() < 1e-11, "{u}: {s:?}");
+        }
+    }
+
+    #[test]
+    fn it_saturates_however_large_the_number() {
+        for u in [1e3, 1e154, 1e155, 1e300, f64::MAX] {
+            for sign in [1.0, -1.0] {
+                let [variable] = Jet2::<f64, 1>::variables(&[sign * u]);
+                let s = saturate(variable);
+                assert!((s.value() - sign).abs() <= 2.0 * f64::EPSILON, "{u}: {s:?}");
+                assert!(s.first(0).abs() < 1e-15 && s.second(0, 0).abs() < 1e-15, "{u}: {s:?}");
+            }
+        }
+    }
+
+    /// The differential equations of the documentation, through the transition.
+    #[test]
+    fn its_derivatives_are_functions_of_its_value() {
+        let p = f64::from(P);
+        for i in 750..1250 {
+            let u = f64::from(i) * 1e-3;
+            let [variable] = Jet2::<f64, 1>::variables(&[u]);
+            let s = saturate(variable);
+            let z = s.value();
+            let rest = 1.0 - z.powi(P);
+            assert!((z - u * (1.0 + u.powi(P)).powf(-1.0 / p)).abs() < 1e-15);
+            // 1 − z^p has the roundings of z 128 times.
+            assert!((s.first(0) - rest.powf(1.0 + 1.0 / p)).abs() < 1e-13);
+            let second = -(p + 1.0) * z.powi(P - 1) * rest.powf(1.0 + 2.0 / p);
+            assert!((s.second(0, 0) - second).abs() < 1e-10, "{u}: {s:?} {second}");
+        }
+    }
+
+    #[test]
+    fn the_greatest_value_is_a_bound_and_hardly_more() {
+        // s^p (1 − s^p) is 1/4 at most; the slope of s^p there is p/2 of s, some 64.
+        let quarter = greatest(|a, b| b.powi(P) * rest(a, 1.0));
+        assert!((0.25..0.25 * (1.0 + 129.0 / 2_f64.powi(20))).contains(&quarter), "{quarter}");
+        // s (1 − s^p)² is largest at s^p = 1/(1 + 2p).
+        let y = 1.0 / (1.0 + 2.0 * f64::from(P));
+        let exact = y.powf(1.0 / f64::from(P)) * (1.0 - y).powi(2);
+        let bound = greatest(|a, b| b * rest(a, 2.0));
+        assert!((exact..exact * (1.0 + 2e-6)).contains(&bound), "{bound} {exact}");
+        // A difference of growing functions, s − s², and its negative.
+        let bound = greatest(|a, b| b - a * a);
+        assert!((0.25..0.25 + 4e-6).contains(&bound), "{bound}");
+        let bound = greatest(|a, b| b * b - a);
+        assert!((0.0..4e-6).contains(&bound), "{bound}");
+        assert_eq!(greatest(|a, _| 3.0 * rest(a, 1.0)), 3.0);
+    }
+}

@@ -1,0 +1,166 @@
+//! The rules of the calculus give away nothing where they say so: constants of compositions are
+//! attained, so that a wrong power of a factor fails, whichever way it is wrong.
+//!
+//! Tolerances as in the gallery: some ten roundings and an eigenvalue, 1e-14, and 1e-13 more where
+//! singular values were moved apart on purpose; 1e-12 for all.
+
+use std::f64::consts::PI;
+
+use approx::assert_relative_eq;
+use nalgebra::{SMatrix, SVector, matrix, vector};
+use tautline_metrics::{
+    Bounded, Constants, Metric, Scalar,
+    composition::{AffinePullback, Product, Scaled, Sum},
+    gallery::{Lens, RotatingAnisotropy, Shear, Valleys},
+};
+
+use crate::{
+    conformal::Conformal,
+    measure::{extremes, first, norm, second},
+};
+
+/// The four constants of `g`, measured at the four places where they should be attained: `c₁`,
+/// `c₂`, then `L_H` and `M_H` in a direction.
+fn attained<const D: usize>(
+    g: &impl Bounded<D>,
+    [low, high]: [SVector<f64, D>; 2],
+    [slope, curve]: [(SVector<f64, D>, SVector<f64, D>); 2],
+) {
+    let constants = g.constants();
+    let same = |measured: f64, bound: f64| {
+        assert_relative_eq!(measured, bound, max_relative = 1e-12);
+    };
+    same(extremes(&g.gram(&low)).0, constants.c1());
+    same(extremes(&g.gram(&high)).1, constants.c2());
+    same(norm(&first(g, &slope.0, &slope.1)), constants.l_h() * slope.1.norm());
+    let m_h = constants.m_h().expect("every part knows it");
+    same(norm(&second(g, &curve.0, &curve.1)), m_h * curve.1.norm_squared());
+}
+
+/// Where the valleys are steepest, in `x₁`.
+fn steepest() -> f64 {
+    (0.5 * (1.0 - 3_f64.sqrt())).acos()
+}
+
+#[test]
+fn scaled_attains_all() {
+    for s in [0.01, 1.0, 7.0] {
+        let g = Scaled::new(Valleys, s).expect("positive");
+        let (low, high, w) = (vector![0.0, 3.0], vector![PI, 3.0], vector![1.0, 0.0]);
+        let places = [(vector![steepest(), 0.0], w), (high, w)];
+        attained(&g, [low, high], places);
+    }
+}
+
+/// `H + s H`, and `λ₁, λ₂` in directions that turn together.
+#[test]
+fn sum_attains_all_for_metrics_that_go_together() {
+    let g = Sum::new(Valleys, Scaled::new(Valleys, 3.0).expect("positive"));
+    let (low, high, w) = (vector![0.0, 3.0], vector![PI, 3.0], vector![1.0, 0.0]);
+    attained(&g, [low, high], [(vector![steepest(), 0.0], w), (high, w)]);
+    let (k, x) = (vector![0.7, -1.1], vector![0.3, 0.9]);
+    let turning = |eigenvalues| RotatingAnisotropy::new(eigenvalues, k).expect("positive");
+    let g = Sum::new(turning([1.0, 4.0]), turning([0.5, 0.6]));
+    attained(&g, [x, x], [(x, k), (x, k)]);
+    // Against each other they cancel: c₂ is 4.6, but 4.5 and 1.6 are the eigenvalues.
+    let g = Sum::new(turning([1.0, 4.0]), turning([0.6, 0.5]));
+    assert_relative_eq!(extremes(&g.gram(&x)).1, 4.5, max_relative = 1e-13);
+    assert_relative_eq!(g.constants().c2(), 4.6, max_relative = 1e-13);
+}
+
+/// Each constant comes from another factor: `c₁`, `L_H` and `M_H` from the shear, `c₂` from the
+/// lens.
+#[test]
+fn product_attains_all() {
+    let (lens, shear) =
+        (Lens::new(11.0, 3.0).expect("s > 0"), Shear::new(2.0, 1.5).expect("k > 0"));
+    let (flat, steep) = (Bounded::<2>::constants(&lens), shear.constants());
+    assert!(steep.c1() < flat.c1() && flat.c2() > steep.c2());
+    assert!(steep.l_h() > flat.l_h() && steep.m_h() > flat.m_h());
+    // sinh u = S cos kx₂ with e^{2u} = 1 + 2S², where the shear is steepest.
+    let u = 0.5 * 19_f64.ln();
+    let y = (u.sinh() / 3.0).acos() / 1.5;
+    let (x, w) = (vector![0.0, 0.0, 0.5, y], vector![0.0, 0.0, 0.0, 1.0]);
+    let low = vector![0.4, 0.1, 0.5, 0.0];
+    let places = [(x, w), (vector![0.0, 0.0, 0.5, PI / 1.5], w)];
+    let g = Product::<_, _, 2, 2>::new(lens, shear);
+    attained(&g, [low, vector![0.0, 0.0, 1.0, 1.0]], places);
+    // And in the other order.
+    let turn = |x: SVector<f64, 4>| vector![x[2], x[3], x[0], x[1]];
+    let g = Product::<_, _, 2, 2>::new(shear, lens);
+    let places = places.map(|(x, w)| (turn(x), turn(w)));
+    attained(&g, [turn(low), vector![1.0, 1.0, 0.0, 0.0]], places);
+}
+
+/// On the line, and by a multiple of a rotation: nothing is given away, so that `σ²` for `σ³`
+/// (or any other power) is off by the factor 3, up or down.
+#[test]
+fn a_similarity_attains_all() {
+    for s in [-3.0, 1.0 / 3.0] {
+        let g = AffinePullback::new(Valleys, matrix![s], [0.4]).expect("invertible");
+        let at = |image: f64| vector![(image - 0.4) / s];
+        let w = vector![-2.0];
+        let places = [(at(steepest()), w), (at(PI), w)];
+        attained(&g, [at(0.0), at(PI)], places);
+        let (sin, cos) = 0.7_f64.sin_cos();
+        let rotation = matrix![cos, -sin; sin, cos];
+        let g = AffinePullback::new(Valleys, rotation * s, [0.4, -1.0]).expect("invertible");
+        let at = |image: SVector<f64, 2>| rotation.transpose() * (image - vector![0.4, -1.0]) / s;
+        let w = rotation.transpose() * vector![1.0, 0.0];
+        let places = [(at(vector![steepest(), 5.0]), w), (at(vector![PI, -2.0]), w)];
+        attained(&g, [at(vector![0.0, 2.0]), at(vector![PI, 1.0])], places);
+    }
+}
+
+/// Stretches 1/2 and 4, neither of them 1 and far apart: `σ_min` for `σ_max`, or the reverse,
+/// is off by 64 at least.
+#[test]
+fn a_stretch_along_the_right_axis_attains_all() {
+    let (sin, cos) = 1.1_f64.sin_cos();
+    let rotation = matrix![cos, -sin; sin, cos];
+    let stretch = matrix![4.0, 0.0; 0.0, 0.5] * rotation;
+    // Varies along its first axis, in all directions alike: so it does for the stretched ones.
+    let g = AffinePullback::new(Valleys, stretch, [0.0, 0.0]).expect("invertible");
+    let at = |image: SVector<f64, 2>| stretch.try_inverse().expect("invertible") * image;
+    let w = rotation.transpose() * vector![1.0, 0.0];
+    let places = [(at(vector![steepest(), 5.0]), w), (at(vector![PI, -2.0]), w)];
+    attained(&g, [at(vector![0.0, 2.0]), at(vector![PI, 1.0])], places);
+}
+
+/// `4 I`.
+struct Four;
+
+impl Metric<2> for Four {
+    fn gram<S: Scalar>(&self, _: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+        SMatrix::from_diagonal_element(S::constant(4.0))
+    }
+}
+
+impl Bounded<2> for Four {
+    fn constants(&self) -> Constants {
+        Constants::new(4.0, 4.0, 0.0).and_then(|c| c.with_m_h(0.0)).expect("in order")
+    }
+}
+
+#[test]
+fn conformal_attains_all_if_a_factor_is_constant() {
+    let (low, high, w) = (vector![0.0, 3.0], vector![PI, 3.0], vector![1.0, 0.0]);
+    let places = [(vector![steepest(), 0.0], w), (high, w)];
+    attained(&Conformal(Four, Valleys), [low, high], places);
+    attained(&Conformal(Valleys, Four), [low, high], places);
+}
+
+/// Two tents `1 + L (1 − |x − 1|)` on the line: near their tip the product falls by
+/// `φ_max L + Lip(φ) c₂ = 2 · 2L` per step, but for what `H` and `φ` fall by in a step.
+#[test]
+fn conformal_attains_l_h_in_the_limit_of_two_tents() {
+    let tent = |x: f64| 2.0 - (x - 1.0).abs();
+    let factor = Constants::new(1.0, 2.0, 1.0).expect("a tent of slope 1 on [0, 2]");
+    let l_h = factor.conformal(factor).expect("finite").l_h();
+    for octave in 4..20 {
+        let step = 0.5_f64.powi(octave);
+        let slope = (tent(1.0).powi(2) - tent(1.0 + step).powi(2)) / step;
+        // (4 − (2 − step)²) / step = 4 − step, exact in powers of two.
+        assert_eq!(slope, l_h - step);
+    }
+}

@@ -1,0 +1,12 @@
+//! Metrics built from metrics: their constants hold and are attained, their distances are those
+//! of their parts, and bad parts are refused.
+
+mod attained;
+mod conformal;
+mod formulas;
+mod hold;
+#[path = "../gallery/laws.rs"]
+mod laws;
+#[path = "../gallery/measure.rs"]
+mod measure;
+mod refused;

@@ -1,0 +1,69 @@
+//! The law that constants hold, checked at random points, for random parameters, and for near
+//! pairs.
+
+use nalgebra::SVector;
+use proptest::{array::uniform, prelude::*};
+use tautline_metrics::Bounded;
+
+use crate::measure::{extremes, first, norm, runner, second};
+
+/// Points of `[−1, 1]^D`.
+pub(crate) fn cube<const D: usize>() -> impl Strategy<Value = SVector<f64, D>> {
+    uniform(-1.0..1.0_f64).prop_map(SVector::from)
+}
+
+/// Checks every constant of `build(parameters)` in the box of the half-width that it returns.
+pub(crate) fn hold<const D: usize, P: std::fmt::Debug, M: Bounded<D>>(
+    seed: u64,
+    parameters: impl Strategy<Value = P>,
+    build: impl Fn(P) -> (M, f64),
+) {
+    let cases = (parameters, cube::<D>(), cube::<D>(), cube::<D>(), 0..7_i32);
+    let outcome = runner(seed).run(&cases, |(parameters, x, y, w, decades)| {
+        let (g, reach) = build(parameters);
+        let (x, y) = (x * reach, y * reach);
+        hold_at(&g, &x, &w)?;
+        lipschitz(&g, &x, &y)?;
+        lipschitz(&g, &x, &(x + w * reach * 0.1_f64.powi(decades)))
+    });
+    if let Err(error) = outcome {
+        panic!("{error}");
+    }
+}
+
+fn hold_at<const D: usize>(
+    g: &impl Bounded<D>,
+    x: &SVector<f64, D>,
+    w: &SVector<f64, D>,
+) -> Result<(), TestCaseError> {
+    let constants = g.constants();
+    let h = g.gram(x);
+    prop_assert_eq!(h, h.transpose());
+    let (low, high) = extremes(&h);
+    // An entry has some ten roundings of terms of size c₂, an eigenvalue D times as many.
+    let slack = 1e-14 * constants.c2() * D as f64;
+    prop_assert!(constants.c1() <= low + slack, "c1 {} > {low}", constants.c1());
+    prop_assert!(high <= constants.c2() + slack, "c2 {} < {high}", constants.c2());
+    // The terms of the derivatives that a formula adds up are of the size of the constants.
+    let slope = norm(&first(g, x, w));
+    let bound = constants.l_h() * w.norm();
+    prop_assert!(slope <= bound * (1.0 + 1e-12), "L_H |w| {bound} < {slope}");
+    let curvature = norm(&second(g, x, w));
+    let bound = constants.m_h().expect("every metric here has one") * w.norm_squared();
+    prop_assert!(curvature <= bound * (1.0 + 1e-12), "M_H |w|^2 {bound} < {curvature}");
+    Ok(())
+}
+
+fn lipschitz<const D: usize>(
+    g: &impl Bounded<D>,
+    x: &SVector<f64, D>,
+    y: &SVector<f64, D>,
+) -> Result<(), TestCaseError> {
+    let constants = g.constants();
+    let difference = norm(&(g.gram(x) - g.gram::<f64>(y)));
+    let bound = constants.l_h() * (x - y).norm();
+    // As above: the roundings of H(x) and H(y).
+    let slack = 2e-14 * constants.c2() * D as f64;
+    prop_assert!(difference <= bound + slack, "L_H |x - y| {bound} < {difference}");
+    Ok(())
+}

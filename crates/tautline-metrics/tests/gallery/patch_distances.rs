@@ -1,0 +1,246 @@
+//! Distances in patches: those of the whole metric, where and only where its geodesic stays.
+
+use std::f64::consts::{FRAC_PI_2, LN_2, SQRT_2};
+
+use approx::assert_relative_eq;
+use nalgebra::{SVector, vector};
+use proptest::{array::uniform, prelude::*};
+use tautline_metrics::{
+    KnownDistance, Metric,
+    gallery::{Hyperbolic, Sphere},
+    quadrature::integrate,
+};
+
+use crate::{
+    distances::{chord, distance, is_bounded, is_distance, run},
+    patches::{fisher, hyperbolic, sphere},
+};
+
+/// A point of the closed ball, from one of the cube: its direction, and its largest coordinate as
+/// the part of the radius.
+fn in_ball<const D: usize>(x: [f64; D], radius: f64) -> SVector<f64, D> {
+    let x = SVector::from(x);
+    // A little inside, so that rounding does not push it over the rim.
+    if x.norm() > 0.0 { x * (0.999_999 * radius * x.amax() / x.norm()) } else { x }
+}
+
+/// A curve of the sphere or of the hyperboloid, `(f(d − s) P + f(s) Q) / f(d)` with `f = sin` or
+/// `sinh`, projected to the plane: its point and its velocity at `s`. `e` is the sign of the
+/// curvature.
+fn geodesic(
+    e: f64,
+    [x, y]: [SVector<f64, 2>; 2],
+    d: f64,
+    s: f64,
+) -> (SVector<f64, 2>, SVector<f64, 2>) {
+    let lift = |x: SVector<f64, 2>| {
+        let r2 = e * x.norm_squared();
+        vector![2.0 * x[0], 2.0 * x[1], 1.0 - r2] / (1.0 + r2)
+    };
+    let f = |s: f64| if e > 0.0 { s.sin() } else { s.sinh() };
+    let df = |s: f64| if e > 0.0 { s.cos() } else { s.cosh() };
+    let point = (lift(x) * f(d - s) + lift(y) * f(s)) / f(d);
+    let velocity = (lift(y) * df(s) - lift(x) * df(d - s)) / f(d);
+    let scale = 1.0 / (1.0 + point[2]);
+    let flat = vector![point[0], point[1]] * scale;
+    (flat, (vector![velocity[0], velocity[1]] - flat * velocity[2]) * scale)
+}
+
+/// The distance is the length, under the metric of the patch, of the geodesic of the whole.
+fn is_attained(
+    g: &impl Metric<2>,
+    ends: [SVector<f64, 2>; 2],
+    d: f64,
+    e: f64,
+) -> Result<(), TestCaseError> {
+    let speed = |s: f64| {
+        let (x, v) = geodesic(e, ends, d, s);
+        g.norm_squared(&x, &v).sqrt()
+    };
+    let length = integrate(speed, 0.0, d, 1e-13).value;
+    // Near antipodes the geodesic is lost in f(d); the cases keep 1e-3 away.
+    prop_assert!((length - d).abs() <= 1e-11 * (1.0 + d), "{length} {d}");
+    Ok(())
+}
+
+/// Not even by way of a point outside.
+fn is_minimal(
+    g: &(impl Metric<2> + KnownDistance<2>),
+    [x, y, detour]: [SVector<f64, 2>; 3],
+) -> Result<(), TestCaseError> {
+    let d = distance(g, &x, &y);
+    let around = chord(g, &x, &detour) + chord(g, &detour, &y);
+    prop_assert!(d <= around * (1.0 + 1e-12), "{d} > {around}");
+    Ok(())
+}
+
+#[test]
+fn sphere_patch_up_to_a_hemisphere_knows_all_pairs() {
+    let cases = (0.05..1.0_f64, uniform::<_, 3>(uniform::<_, 2>(-1.0..1.0_f64)));
+    run(91, cases, |(radius, points)| {
+        let g = sphere(radius);
+        let detour = SVector::from(points[2]) * (3.0 * radius);
+        let points = points.map(|x| in_ball(x, radius));
+        is_distance(&g, points)?;
+        is_bounded(&g, &points[0], &points[1])?;
+        let [x, y, _] = points;
+        is_minimal(&g, [x, y, detour])?;
+        let d = distance(&g, &x, &y);
+        prop_assert_eq!(Some(d), Sphere.distance(&x, &y));
+        is_attained(&g, [x, y], d, 1.0)
+    });
+}
+
+/// Against the farthest of 2000 points of the arc, which finds its lowest point to a relative
+/// 1e-6; pairs that come so near to the rim are left out, and antipodes.
+#[test]
+fn a_large_sphere_patch_knows_pairs_whose_arc_stays() {
+    let cases = (1.0..5.0_f64, uniform::<_, 2>(uniform::<_, 2>(-1.0..1.0_f64)));
+    let (mut known, mut unknown) = (0, 0);
+    let counts = std::cell::RefCell::new((&mut known, &mut unknown));
+    run(92, cases, |(radius, points)| {
+        let g = sphere(radius);
+        let [x, y] = points.map(|x| in_ball(x, radius));
+        let d = Sphere.distance(&x, &y).expect("always");
+        prop_assume!(d < std::f64::consts::PI - 1e-3);
+        let arc = (0..=2000).map(|i| geodesic(1.0, [x, y], d, d * f64::from(i) / 2000.0).0.norm());
+        let farthest = arc.fold(0.0, f64::max);
+        prop_assume!((farthest / radius - 1.0).abs() > 1e-5 || farthest <= x.norm().max(y.norm()));
+        let stays = farthest <= radius;
+        prop_assert_eq!(g.distance(&x, &y), stays.then_some(d));
+        prop_assert_eq!(g.distance(&y, &x), stays.then_some(d));
+        // Leaving the patch costs at least the ways to the rim: then the arc stays.
+        let to_rim = |x: &SVector<f64, 2>| 2.0 * (radius.atan() - x.norm().atan());
+        prop_assert!(stays || d > to_rim(&x) + to_rim(&y));
+        let mut counts = counts.borrow_mut();
+        if stays {
+            *counts.0 += 1;
+            is_attained(&g, [x, y], d, 1.0)
+        } else {
+            *counts.1 += 1;
+            Ok(())
+        }
+    });
+    assert!(known > 30 && unknown > 30, "{known} {unknown}");
+}
+
+#[test]
+fn hyperbolic_patch_knows_all_pairs() {
+    let cases = (0.05..0.85_f64, uniform::<_, 3>(uniform::<_, 2>(-1.0..1.0_f64)));
+    run(93, cases, |(radius, points)| {
+        let g = hyperbolic(radius);
+        let detour = SVector::from(points[2]) * (2.0 * radius);
+        let points = points.map(|x| in_ball(x, radius));
+        is_distance(&g, points)?;
+        is_bounded(&g, &points[0], &points[1])?;
+        let [x, y, _] = points;
+        is_minimal(&g, [x, y, detour])?;
+        let d = distance(&g, &x, &y);
+        prop_assert_eq!(Some(d), Hyperbolic.distance(&x, &y));
+        is_attained(&g, [x, y], d, -1.0)
+    });
+}
+
+/// Half-circles `(μ/√2, σ) = (c + ρ cos φ, ρ sin φ)`: two points of one, and its top.
+#[test]
+fn gaussian_fisher_knows_pairs_whose_half_circle_stays() {
+    let cases = (0.2..2.0_f64, -2.0..2.0_f64, 0.1..5.0_f64, uniform::<_, 2>(0.05..3.1_f64));
+    let counts = std::cell::Cell::new((0, 0));
+    run(94, cases, |(rim, centre, rho, angles)| {
+        let g = fisher(rim);
+        let at = |phi: f64| vector![SQRT_2 * (centre + rho * phi.cos()), (rho * phi.sin()).ln()];
+        let [x, y] = angles.map(at);
+        let (first, last) = (angles[0].min(angles[1]), angles[0].max(angles[1]));
+        prop_assume!(last - first > 1e-3);
+        let on_top = first < FRAC_PI_2 && last > FRAC_PI_2;
+        let top = if on_top { rho.ln() } else { x[1].max(y[1]) };
+        let bottom = x[1].min(y[1]);
+        prop_assume!((top - rim).abs() > 1e-9 && (bottom + rim).abs() > 1e-9);
+        let stays = top <= rim && bottom >= -rim;
+        prop_assert_eq!(g.distance(&x, &y).is_some(), stays);
+        let (known, unknown) = counts.get();
+        counts.set(if stays { (known + 1, unknown) } else { (known, unknown + 1) });
+        if !stays {
+            return Ok(());
+        }
+        let d = distance(&g, &x, &y);
+        prop_assert_eq!(d, distance(&g, &y, &x));
+        is_bounded(&g, &x, &y)?;
+        let speed = |phi: f64| {
+            let v = vector![-SQRT_2 * rho * phi.sin(), phi.cos() / phi.sin()];
+            g.norm_squared(&at(phi), &v).sqrt()
+        };
+        let length = integrate(speed, first, last, 1e-13).value;
+        prop_assert!((length - d).abs() <= 1e-11 * (1.0 + d), "{length} {d}");
+        // The formula as it is usually written; it loses half of the digits of near points.
+        let (s, t) = (x[1].exp(), y[1].exp());
+        let cosh = 1.0 + (0.5 * (x[0] - y[0]).powi(2) + (s - t).powi(2)) / (2.0 * s * t);
+        prop_assert!((SQRT_2 * cosh.acosh() - d).abs() <= 1e-10 * (1.0 + d), "{d}");
+        Ok(())
+    });
+    let (known, unknown) = counts.get();
+    assert!(known > 30 && unknown > 30, "{known} {unknown}");
+}
+
+/// Nothing is shorter, not even over a point of the cheap half of the plane, or beyond the strip.
+#[test]
+fn gaussian_fisher_has_a_distance() {
+    let cases = (0.2..2.0_f64, uniform::<_, 3>(uniform::<_, 2>(-1.0..1.0_f64)), -3.0..3.0_f64);
+    run(95, cases, |(rim, points, detour)| {
+        let g = fisher(rim);
+        // So near in μ that the half-circles hardly rise: a/2 ≤ 0.05 e^{−T}.
+        let width = 0.05 * (-rim).exp();
+        let [x, y, z] = points.map(|[mean, t]| vector![width * mean, 0.99 * rim * t]);
+        is_distance(&g, [x, y, z])?;
+        is_minimal(&g, [x, y, vector![z[0], detour * rim]])
+    });
+}
+
+#[test]
+fn the_top_of_a_half_circle_decides() {
+    let g = fisher(1.0);
+    // ρ² = m²/2 + 1 ≤ e².
+    let m = (2.0 * (2_f64.exp() - 1.0)).sqrt();
+    for (mean, stays) in [(0.999 * m, true), (1.001 * m, false)] {
+        let d = g.distance(&vector![-mean, 0.0], &vector![mean, 0.0]);
+        assert_eq!(d.is_some(), stays, "{mean}");
+    }
+    // Rising all the way to the rim: no top between.
+    assert!(g.distance(&vector![0.0, -1.0], &vector![1.0, 1.0]).is_some());
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        assert_eq!(g.distance(&vector![bad, 0.0], &vector![1.0, 0.0]), None);
+        assert_eq!(g.distance(&vector![1.0, 0.0], &vector![1.0, bad]), None);
+        assert_eq!(sphere(1.0).distance(&vector![0.0, 0.5], &vector![0.5, bad]), None);
+        assert_eq!(sphere(1.0).distance(&vector![bad, 0.5], &vector![0.5, 0.0]), None);
+        assert_eq!(hyperbolic(0.5).distance(&vector![bad, 0.0], &vector![0.1, 0.0]), None);
+        assert_eq!(hyperbolic(0.5).distance(&vector![0.1, 0.0], &vector![0.0, bad]), None);
+    }
+    assert_eq!(g.distance(&vector![0.0, 1.01], &vector![0.0, 0.0]), None);
+    assert_eq!(g.distance(&vector![0.0, 0.0], &vector![0.0, -1.01]), None);
+    assert_eq!(sphere(1.0).distance(&vector![0.0], &vector![1.01]), None);
+    assert_eq!(sphere(1.0).distance(&vector![1.01], &vector![0.0]), None);
+    assert_eq!(hyperbolic(0.5).distance(&vector![0.51], &vector![0.0]), None);
+    assert_eq!(hyperbolic(0.5).distance(&vector![0.0], &vector![0.51]), None);
+}
+
+/// Over the south pole they would be nearer, but that is outside.
+#[test]
+fn a_sphere_patch_does_not_know_pairs_beyond_its_hole() {
+    let g = sphere(3.0);
+    assert_eq!(g.distance(&vector![2.9, 0.0], &vector![-2.9, 0.0]), None);
+    assert_eq!(g.distance(&vector![2.9], &vector![-2.9]), None);
+    let d = g.distance(&vector![2.9, 0.0], &vector![2.0, 0.0]).expect("one ray");
+    assert_relative_eq!(d, 2.0 * (2.9_f64.atan() - 2_f64.atan()), max_relative = 1e-14);
+    assert_eq!(g.distance(&vector![2.9, 0.0], &vector![2.9, 0.0]), Some(0.0));
+}
+
+/// `√2 arcosh(11/8)` for `N(0, 1)` and `N(1, 2)`, `√2 ln 2` for `N(0, 1)` and `N(0, 2)`, computed
+/// with 40 digits.
+#[test]
+fn gaussian_fisher_has_golden_distances() {
+    let g = fisher(1.0);
+    let d = distance(&g, &vector![0.0, 0.0], &vector![1.0, LN_2]);
+    assert_relative_eq!(d, 1.189_380_931_406_411_827_59, max_relative = 1e-15);
+    let d = distance(&g, &vector![0.0, 0.0], &vector![0.0, LN_2]);
+    assert_relative_eq!(d, SQRT_2 * LN_2, max_relative = 1e-15);
+}

@@ -1,0 +1,62 @@
+//! The ledger: what the whole suite says of each statement.
+
+use super::{Check, Failure, Kind, Scope, Tally, Trial, battery};
+use crate::{Library, Statement, Subject};
+
+/// One statement, and what the suite says of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entry {
+    /// The statement.
+    pub statement: Statement,
+    /// On how many random cases it was evaluated.
+    pub cases: u64,
+    /// The least slack of these, a pure number; `∞` if none was seen.
+    pub worst_slack: f64,
+    /// The least slack of its witnesses, a pure number.
+    pub witness_slack: f64,
+    /// The names of the checks that are about it.
+    pub checks: Vec<&'static str>,
+}
+
+/// Runs the whole suite on the library, and returns an entry for each statement.
+///
+/// # Errors
+///
+/// The first check that fails, by its name.
+pub fn ledger() -> Result<Vec<Entry>, Failure> {
+    let trial = Trial { subject: &Library, scope: Scope::Everything, cases: u32::MAX };
+    let checks: Vec<Check<Library>> = battery();
+    let (mut random, mut witnesses) = (Tally::default(), Tally::default());
+    for check in &checks {
+        let tally = check
+            .run(&trial)
+            .map_err(|failure| Failure::new(format!("{}: {failure}", check.name)))?;
+        match check.kind {
+            Kind::Random => random.extend(&tally),
+            Kind::Witness => witnesses.extend(&tally),
+            _ => {}
+        }
+    }
+    let entry = |statement: Statement| {
+        let about = checks.iter().filter(|check| check.statements.contains(&statement));
+        let slack = |tally: &Tally| tally.of(statement).map_or(f64::INFINITY, |count| count.slack);
+        Entry {
+            statement,
+            cases: random.of(statement).map_or(0, |count| count.cases),
+            worst_slack: slack(&random),
+            witness_slack: slack(&witnesses),
+            checks: about.map(|check| check.name).collect(),
+        }
+    };
+    Ok(Statement::ALL.map(entry).to_vec())
+}
+
+/// Returns the names of the checks which a subject fails.
+///
+/// `cases` limits the random cases a family, and `scope` what is judged of them.
+pub fn kills<S: Subject>(subject: &S, scope: Scope, cases: u32) -> Vec<&'static str> {
+    let trial = Trial { subject, scope, cases };
+    let checks: Vec<Check<S>> = battery();
+    let failing = |check: &&Check<S>| check.is_in(scope) && check.run(&trial).is_err();
+    checks.iter().filter(failing).map(|check| check.name).collect()
+}

@@ -1,0 +1,91 @@
+//! The programs of the mutants that are longer than a line.
+
+use nalgebra::{SMatrix, SVector};
+use tautline::{
+    Constants, Interpolation, Jet1, Metric, MetricError, PointSequence, Rule, check_gram,
+};
+
+/// The discrete energy without the last chord.
+pub(crate) fn without_last_chord<R: Rule, const D: usize>(
+    rule: R,
+    metric: &impl Metric<D>,
+    sequence: &PointSequence<D>,
+) -> f64 {
+    let mut points = sequence.points().to_vec();
+    let last = points.len() - 1;
+    // A chord of no length adds nothing, and N stays.
+    points[last] = points[last - 1];
+    rule.energy(metric, &PointSequence::new(points).expect("as many finite points"))
+}
+
+/// The gradient of the discrete energy as if `H` did not depend on the point.
+pub(crate) fn frozen_gradient<R: Rule, const D: usize>(
+    _rule: R,
+    metric: &impl Metric<D>,
+    sequence: &PointSequence<D>,
+) -> Vec<SVector<f64, D>> {
+    let n = sequence.n().get() as f64;
+    let mut gradient = vec![SVector::zeros(); sequence.points().len()];
+    for (k, (x, chord)) in sequence.chords().enumerate() {
+        for node in R::NODES {
+            let gram: SMatrix<f64, D, D> = metric.gram(&(x + chord * node.fraction));
+            let force = gram * chord * (2.0 * n * node.weight);
+            gradient[k] -= force;
+            gradient[k + 1] += force;
+        }
+    }
+    gradient
+}
+
+/// `Γᵏᵢⱼ = ½ Σ H⁻¹ₖₗ (∂ᵢHₗⱼ + ∂ⱼHₗᵢ + ∂ₗHᵢⱼ)`, with a plus in the last term.
+pub(crate) fn christoffel_with_wrong_sign<const D: usize>(
+    metric: &impl Metric<D>,
+    x: &SVector<f64, D>,
+) -> Result<[SMatrix<f64, D, D>; D], MetricError> {
+    let gram = check_gram(metric, x)?;
+    let inverse = gram.cholesky().map_or_else(SMatrix::zeros, |factor| factor.inverse());
+    let jets = metric.gram(&SVector::from(Jet1::variables(&(*x).into())));
+    let d = |k: usize, i: usize, j: usize| jets[(i.min(j), i.max(j))].first(k);
+    let mut gamma = [SMatrix::zeros(); D];
+    for (k, symbols) in gamma.iter_mut().enumerate() {
+        *symbols = SMatrix::from_fn(|i, j| {
+            let term = |l: usize| inverse[(k, l)] * (d(i, l, j) + d(j, l, i) + d(l, i, j));
+            0.5 * (0..D).map(term).sum::<f64>()
+        });
+    }
+    Ok(gamma)
+}
+
+/// Equidistant points between the ends of a sequence.
+pub(crate) fn straightened<const D: usize>(sequence: &PointSequence<D>) -> PointSequence<D> {
+    PointSequence::straight(*sequence.first(), *sequence.last(), sequence.n().get())
+        .expect("finite ends")
+}
+
+/// `n + 1` points on the interpolation of a sequence, at equal times.
+pub(crate) fn resampled<const D: usize>(sequence: &PointSequence<D>, n: usize) -> PointSequence<D> {
+    let curve = Interpolation::new(sequence);
+    let points = (0..=n).map(|k| curve.at(k as f64 / n as f64)).collect();
+    PointSequence::new(points).expect("finite")
+}
+
+/// The sequence with its first point moved along the first axis, by a fraction of its size.
+pub(crate) fn first_point_moved<const D: usize>(
+    sequence: &PointSequence<D>,
+    fraction: f64,
+) -> PointSequence<D> {
+    let mut points = sequence.points().to_vec();
+    let size = points[0].norm() + sequence.k3();
+    points[0][0] += fraction * size;
+    PointSequence::new(points).expect("finite")
+}
+
+/// Constants with another `L_H`.
+pub(crate) fn with_l_h(constants: Constants, factor: f64) -> Constants {
+    let other = Constants::new(constants.c1(), constants.c2(), factor * constants.l_h());
+    let other = other.and_then(|other| match constants.m_h() {
+        Some(m_h) => other.with_m_h(m_h),
+        None => Ok(other),
+    });
+    other.expect("a multiple of a finite constant")
+}
