@@ -40,6 +40,10 @@ pub fn run(arguments: impl IntoIterator<Item = String>) -> Result<(), Failure> {
     let (mut kind, mut ids, mut mode) = (None, Vec::new(), Mode::Write);
     while let Some(argument) = arguments.next().map_err(|error| usage(error.to_string()))? {
         match argument {
+            lexopt::Arg::Long("help") | lexopt::Arg::Short('h') => {
+                println!("{USAGE}");
+                return Ok(());
+            }
             lexopt::Arg::Long(flag @ ("check" | "quick" | "list")) => {
                 let asked = match flag {
                     "check" => Mode::Check,
@@ -133,10 +137,13 @@ impl Artefact {
             Artefact::Table(table) => {
                 let layout = (table.layout)(data)?;
                 let file = |ending: &str| format!("tables/{}.{ending}", table.id);
-                Ok(vec![
+                let mut files = vec![
                     (file("md"), layout.markdown().into_bytes()),
                     (file("tex"), layout.latex().into_bytes()),
-                ])
+                ];
+                let pages = (table.pages)(data).into_iter();
+                files.extend(pages.map(|(name, text)| (name.to_owned(), text.into_bytes())));
+                Ok(files)
             }
         }
     }

@@ -15,7 +15,7 @@ pub enum Tolerance {
         /// Absolute part, in the unit of the column.
         absolute: f64,
     },
-    /// Nothing but rounding: both at most this.
+    /// Nothing but rounding: both nonnegative, and at most this.
     AtMost(f64),
 }
 
@@ -132,7 +132,7 @@ fn agree(cell: &str, old: &str, tolerance: Tolerance) -> bool {
     match tolerance {
         Tolerance::Exact => false,
         Tolerance::Close { relative, absolute } => (a - b).abs() <= relative * b.abs() + absolute,
-        Tolerance::AtMost(limit) => a <= limit && b <= limit,
+        Tolerance::AtMost(limit) => (0.0..=limit).contains(&a) && (0.0..=limit).contains(&b),
     }
 }
 
@@ -200,6 +200,7 @@ mod tests {
         assert!(data("4", "", "1e-12").compare(&reference).is_err());
         assert!(data("4", "1.5", "2e-6").compare(&reference).is_err());
         assert!(data("4", "1.5", "NaN").compare(&reference).is_err());
+        assert!(data("4", "1.5", "-1e-9").compare(&reference).is_err());
         let mut longer = reference.clone();
         longer.push(["8", "1.5", "0"].map(str::to_owned).to_vec());
         assert!(longer.compare(&reference).is_err());

@@ -2,9 +2,8 @@
 
 use std::path::PathBuf;
 
-use tautline::{
-    Curvature, SequenceError, SetError, SolveError, Stop, bounds::BoundError, gallery::GalleryError,
-};
+use tautline::{SequenceError, SetError, SolveError, bounds::BoundError, gallery::GalleryError};
+use tautline_verify::VerifyError;
 
 use crate::drawing::DrawingError;
 
@@ -33,28 +32,18 @@ pub enum Failure {
     /// A drawing.
     #[error(transparent)]
     Drawing(#[from] DrawingError),
-    /// A result that is no local minimum.
-    #[error(
-        "{case}, {rule}, N = {n}: the search ended with {stop:?} and a Hessian that is {curvature:?}"
-    )]
-    NotConverged {
-        /// The name of the case.
-        case: &'static str,
-        /// The name of the rule.
-        rule: &'static str,
-        /// The number of subintervals.
-        n: usize,
-        /// How the solver stopped.
-        stop: Stop,
-        /// The signature of the Hessian.
-        curvature: Curvature,
-    },
+    /// A statement that could not be evaluated.
+    #[error(transparent)]
+    Verify(#[from] VerifyError),
     /// A case without a reference value.
     #[error("{0}: the distance is not known")]
     NoReference(&'static str),
     /// An inequality or an order that the observations violate.
     #[error("{0}")]
     Violated(String),
+    /// A check of the project's own suite.
+    #[error("a check fails: {0}")]
+    Check(#[from] tautline_verify::battery::Failure),
     /// A file.
     #[error("{}: {source}", path.display())]
     File {

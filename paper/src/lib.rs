@@ -14,6 +14,7 @@ pub mod failure;
 pub mod figures;
 pub mod observation;
 pub mod output;
+pub mod parallel;
 pub mod section_5;
 pub mod sweep;
 pub mod tables;

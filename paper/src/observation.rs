@@ -1,6 +1,6 @@
 //! `Observation`: what is measured of one computed minimiser.
 
-use tautline::{Curvature, Integral, Stop};
+use tautline::{Curvature, Integral};
 
 /// The numbers of one solve: one case, one rule, one `N`.
 #[derive(Clone, Copy, Debug)]
@@ -11,16 +11,14 @@ pub struct Observation {
     pub discrete_energy: f64,
     /// The energy `E(γᵖˡ)` of the curve, in `m²`.
     pub energy: Integral,
-    /// The length `L(γᵖˡ)` of the curve, in `m`.
-    pub length: Integral,
+    /// The squared length `L(γᵖˡ)²` of the curve, in `m²`.
+    pub length_squared: Integral,
     /// The relative decrement of the last Newton step.
     pub decrement: f64,
     /// The relative residual of the discrete geodesic equation.
     pub residual: f64,
     /// The predicted rounding of the residual.
     pub residual_floor: f64,
-    /// How the solver stopped.
-    pub stop: Stop,
     /// The signature of the Hessian.
     pub curvature: Curvature,
 }

@@ -239,7 +239,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
         sequence: &PointSequence<D>,
         shift: f64,
     ) -> Option<Vec<SVector<f64, D>>> {
-        // The smallest shift that makes the system definite, to 1 in 16: the direction which
+        // The smallest shift that makes the system definite, to 1 in 8: the direction which
         // is flattest there is the one of most negative curvature.
         let (mut low, mut high) = (0.0, shift);
         let factorized = |shift: f64| {

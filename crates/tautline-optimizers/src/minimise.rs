@@ -55,8 +55,9 @@ const DIFFERENT: f64 = 1e-9;
 
 /// Returns the lowest discrete minimiser of `rule` between the sets `ends` that was found.
 ///
-/// Every pair of pieces of the sets is tried from every start on the coarsest grid; the best
-/// are carried to `n` chords over grids that refine by 4, one or two Newton steps each.
+/// Every pair of pieces of the sets is tried from every start on the coarsest grid, which is the
+/// only one for `n ≤ 64`; the best are carried to `n` chords over grids that refine by 4, one or
+/// two Newton steps each. A rule without nodes does not compile.
 ///
 /// # Errors
 ///
@@ -70,6 +71,7 @@ pub fn minimise<const D: usize, R: Rule>(
     n: usize,
     options: &Options<D>,
 ) -> Result<Minimum<D>, SolveError> {
+    const { assert!(!R::NODES.is_empty(), "a rule reads the metric somewhere") };
     if n == 0 {
         return Err(SolveError::NoSubinterval);
     }

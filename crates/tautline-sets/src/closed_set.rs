@@ -19,6 +19,36 @@ use nalgebra::{SMatrix, SVector};
 /// No method panics on finite input; none reads a clock, a file or a random number. An empty
 /// set has no nearest point: an implementation which may be empty returns NaN, and
 /// [`Ends::new`](crate::Ends::new) refuses it.
+///
+/// A set of your own, here a strip:
+///
+/// ```
+/// use nalgebra::{SMatrix, SVector, matrix, vector};
+/// use tautline_sets::{Ball, ClosedSet, Ends};
+///
+/// /// `|x₂| ≤ 1`.
+/// #[derive(Debug)]
+/// struct Strip;
+/// impl ClosedSet<2> for Strip {
+///     fn project(&self, x: &SVector<f64, 2>) -> SVector<f64, 2> {
+///         vector![x[0], x[1].clamp(-1.0, 1.0)]
+///     }
+///     fn projection_derivative(&self, x: &SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
+///         let inside = f64::from(u8::from(x[1].abs() <= 1.0));
+///         matrix![1.0, 0.0; 0.0, inside]
+///     }
+///     fn radius(&self) -> Option<f64> {
+///         None
+///     }
+///     fn is_convex(&self) -> bool {
+///         true
+///     }
+/// }
+///
+/// let ends = Ends::new(Ball::new([0.0, 5.0], 1.0)?, Strip)?;
+/// assert_eq!(ends.second().project(&vector![3.0, 5.0]), vector![3.0, 1.0]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub trait ClosedSet<const D: usize>: Debug + Send + Sync {
     /// Returns a nearest point `P(x)` of the set to `x`, in `ℓ`.
     ///

@@ -58,7 +58,9 @@ impl<const D: usize> HalfSpace<D> {
         normal: impl Into<SVector<f64, D>>,
         offset: f64,
     ) -> Result<HalfSpace<D>, SetError> {
-        HalfSpace::new(-normal.into(), -offset)
+        // Checked before the signs change, so that an error names the numbers as they were given.
+        let normal = finite_vector("the normal", normal)?;
+        HalfSpace::new(-normal, -finite("offset", offset)?)
     }
 
     /// Returns the outward normal `n`, of length 1, a pure number.

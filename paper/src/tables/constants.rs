@@ -4,7 +4,7 @@ use tautline::bounds::{
     c_tra_sharp_g, k1_g, k2_g, k3_bar_g, k4_bar_g, theorem_1_1_constant, theorem_1_3_constant,
 };
 
-use super::{Layout, Table, layout::scientific};
+use super::{Layout, Table, layout::scientific, no_pages};
 use crate::{
     Failure,
     case::cases,
@@ -17,6 +17,7 @@ pub(super) const TABLE: Table = Table {
     shows: "the constants of Theorems 1.1 to 1.4 and of the estimates behind them",
     data,
     layout,
+    pages: no_pages,
 };
 
 /// Closed forms of closed forms: rounding alone, but raised to the ninth power.

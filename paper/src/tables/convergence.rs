@@ -1,6 +1,6 @@
 //! Errors and observed orders of both rules on every case.
 
-use super::{Layout, Table, layout::scientific};
+use super::{Layout, Table, layout::scientific, no_pages};
 use crate::{
     Failure,
     case::{PaperRule, cases},
@@ -14,6 +14,7 @@ pub(super) const TABLE: Table = Table {
             with observed orders and the bound C/sqrt(N)",
     data,
     layout,
+    pages: no_pages,
 };
 
 /// Every fourth power of two; the data file has all of them.

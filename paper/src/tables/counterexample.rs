@@ -2,7 +2,7 @@
 
 use tautline::{Ends, LeftEndpoint, PointSequence, Problem, Rule, Trapezoidal, gallery::Valleys};
 
-use super::{Layout, Table, layout::scientific};
+use super::{Layout, Table, layout::scientific, no_pages};
 use crate::{
     Failure,
     data::{Data, Tolerance},
@@ -20,6 +20,7 @@ pub(super) const TABLE: Table = Table {
             force on a grid for N up to 4",
     data,
     layout,
+    pages: no_pages,
 };
 
 /// Lengths up to 25, computed to rounding.

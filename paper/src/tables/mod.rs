@@ -4,6 +4,8 @@ mod constants;
 mod convergence;
 mod counterexample;
 mod layout;
+mod mutants;
+mod statements;
 
 pub use layout::Layout;
 
@@ -20,7 +22,21 @@ pub struct Table {
     pub data: fn(Sweep) -> Result<Data, Failure>,
     /// Chooses columns and writes their heads.
     pub layout: fn(&Data) -> Result<Layout, Failure>,
+    /// Pages of Markdown that are written from the data too: their names, beside the folder of
+    /// the tables, and their texts.
+    pub pages: fn(&Data) -> Vec<(&'static str, String)>,
+}
+
+/// No pages.
+fn no_pages(_: &Data) -> Vec<(&'static str, String)> {
+    Vec::new()
 }
 
 /// All tables.
-pub const TABLES: [Table; 3] = [constants::TABLE, convergence::TABLE, counterexample::TABLE];
+pub const TABLES: [Table; 5] = [
+    constants::TABLE,
+    convergence::TABLE,
+    counterexample::TABLE,
+    mutants::TABLE,
+    statements::TABLE,
+];

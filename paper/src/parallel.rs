@@ -1,0 +1,34 @@
+//! The same function of many values, on all cores, with the results in order.
+
+use std::{
+    sync::atomic::{AtomicUsize, Ordering},
+    thread,
+};
+
+/// Returns `f` of each of the values, in their order, whatever the number of threads.
+///
+/// # Panics
+///
+/// If `f` does.
+pub fn map<T: Sync, R: Send>(values: &[T], f: impl Fn(&T) -> R + Sync) -> Vec<R> {
+    let threads = thread::available_parallelism().map_or(1, usize::from).min(values.len());
+    let next = AtomicUsize::new(0);
+    let mut results: Vec<(usize, R)> = thread::scope(|scope| {
+        let work = || {
+            let take = || next.fetch_add(1, Ordering::Relaxed);
+            let mine = std::iter::repeat_with(take).take_while(|&k| k < values.len());
+            mine.map(|k| (k, f(&values[k]))).collect::<Vec<_>>()
+        };
+        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
+        workers.into_iter().flat_map(|worker| worker.join().expect("f did not panic")).collect()
+    });
+    results.sort_by_key(|(k, _)| *k);
+    results.into_iter().map(|(_, result)| result).collect()
+}
+
+#[test]
+fn results_come_in_order() {
+    let values: Vec<u32> = (0..100).collect();
+    assert!(map(&values, |x| x * x).into_iter().eq((0..100).map(|x| x * x)));
+    assert!(map(&[] as &[u32], |x| *x).is_empty());
+}

@@ -1,0 +1,146 @@
+//! The ledger: every statement of the paper, our verdict, and what the suite says of it.
+
+use tautline_verify::{Statement, Verdict, battery::ledger};
+
+use super::{Layout, Table};
+use crate::{
+    Failure,
+    data::{Data, Row, Tolerance},
+    sweep::Sweep,
+};
+
+pub(super) const TABLE: Table = Table {
+    id: "statements",
+    shows: "every statement of the paper with our verdict, the number of random cases, their \
+            least slack (bound / observed), the slack of the best witness, and the tests",
+    data,
+    layout,
+    pages,
+};
+
+/// A statement that is tested at random is tested this often.
+const CASES: u64 = 1000;
+
+/// Slacks are printed with few digits: they depend on where the solver stops.
+const SLACK: Tolerance = Tolerance::Close { relative: 0.02, absolute: 0.0 };
+
+fn data(_sweep: Sweep) -> Result<Data, Failure> {
+    let mut data = Data::new(&[
+        ("label", Tolerance::Exact),
+        ("number", Tolerance::Exact),
+        ("verdict", Tolerance::Exact),
+        ("cases", Tolerance::Exact),
+        ("worst_slack", SLACK),
+        ("witness_slack", SLACK),
+        ("tests", Tolerance::Exact),
+    ]);
+    let mut missing = Vec::new();
+    for entry in ledger()? {
+        let statement = entry.statement;
+        if entry.cases < CASES || !entry.witness_slack.is_finite() {
+            missing.push(format!(
+                "{statement}: {} cases, witness of slack {}",
+                entry.cases, entry.witness_slack
+            ));
+        }
+        let slack = |slack: f64| {
+            if slack.is_finite() { format!("{slack:.3e}") } else { String::new() }
+        };
+        data.push(vec![
+            statement.label().to_owned(),
+            statement.number().to_owned(),
+            statement.verdict().name().to_owned(),
+            entry.cases.to_string(),
+            slack(entry.worst_slack),
+            slack(entry.witness_slack),
+            entry.checks.join("; "),
+        ]);
+    }
+    if !missing.is_empty() {
+        return Err(Failure::Violated(format!("not enough tests:\n{}", missing.join("\n"))));
+    }
+    Ok(data)
+}
+
+fn layout(data: &Data) -> Result<Layout, Failure> {
+    let mut layout = Layout::new(
+        "The statements of the paper: our verdict, random cases, and slack (bound / observed) at \
+         random and at the best witness.",
+        &["statement", "verdict", "cases", "least slack at random", "slack of the witness"],
+    );
+    for row in data.rows() {
+        layout.push(vec![
+            plain(row.text("number")),
+            row.text("verdict").to_owned(),
+            row.text("cases").to_owned(),
+            slack(&row, "worst_slack"),
+            slack(&row, "witness_slack"),
+        ]);
+    }
+    Ok(layout)
+}
+
+/// A symbol as mathematics that both Markdown and LaTeX understand.
+fn plain(number: &str) -> String {
+    match number {
+        "C_tra(N)" => "$C_{\\mathrm{tra}}(N)$".to_owned(),
+        "C_tra♯" => "$C_{\\mathrm{tra}}^\\sharp$".to_owned(),
+        "K_{1,g}" => "$K_{1,g}$".to_owned(),
+        "K_{2,g}" => "$K_{2,g}$".to_owned(),
+        "K̄_{3,g}" => "$\\overline K_{3,g}$".to_owned(),
+        "K̄_{4,g}" => "$\\overline K_{4,g}$".to_owned(),
+        other => other.to_owned(),
+    }
+}
+
+fn slack(row: &Row<'_>, column: &str) -> String {
+    let value = row.number(column);
+    match value {
+        value if value.is_nan() => "–".to_owned(),
+        value if value < 1000.0 => format!("${value:.3}$"),
+        value => super::layout::scientific(value, 1),
+    }
+}
+
+/// `STATEMENTS.md`: the ledger for readers, one section for each statement.
+fn pages(data: &Data) -> Vec<(&'static str, String)> {
+    let mut text = "\
+# The statements of the paper
+
+Every numbered statement, both claims of Section 5 and every displayed constant: what it claims, the function that evaluates it, our verdict, and the tests.
+`cargo xtask tables statements` writes this page together with `tables/statements.csv`.
+*Slack* is the bound divided by what is observed: 1 where a statement is attained.
+
+"
+    .to_owned();
+    for (row, statement) in data.rows().zip(Statement::ALL) {
+        text += &section(&row, statement);
+    }
+    vec![("STATEMENTS.md", text)]
+}
+
+fn section(row: &Row<'_>, statement: Statement) -> String {
+    let verdict = match statement.verdict() {
+        Verdict::Holds | Verdict::Cited => statement.verdict().name().to_owned(),
+        verdict => format!("{}: {}", verdict.name(), verdict.remark()),
+    };
+    let tests: Vec<String> =
+        row.text("tests").split("; ").map(|test| format!("`{test}`")).collect();
+    let slack = |column: &str| match row.text(column) {
+        "" => "not to be told from rounding".to_owned(),
+        slack => slack.to_owned(),
+    };
+    format!(
+        "## {}\n\n{}.\n\n- label: `{}`\n- code: `tautline_verify::statements::{}`\n- verdict: \
+         **{verdict}**\n- random cases: {}, least slack {}\n- slack of the best witness: {}\n- \
+         tests: {}\n\n",
+        statement.number(),
+        statement.claim(),
+        statement.label(),
+        statement.function(),
+        row.text("cases"),
+        slack("worst_slack"),
+        slack("witness_slack"),
+        tests.join(", "),
+    )
+}
