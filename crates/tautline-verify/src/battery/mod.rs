@@ -5,8 +5,10 @@
 //! variants, and shows which check kills which.
 
 mod check;
+mod failing;
 mod point_sequences;
 mod section_1;
+mod section_7_morrey;
 mod tally;
 mod trial;
 
@@ -19,5 +21,8 @@ use crate::Subject;
 /// Returns all checks, in the paper's order.
 #[must_use]
 pub fn battery<S: Subject>() -> Vec<Check<S>> {
-    [section_1::checks(), point_sequences::checks()].into_iter().flatten().collect()
+    [section_1::checks(), section_7_morrey::checks(), point_sequences::checks()]
+        .into_iter()
+        .flatten()
+        .collect()
 }
