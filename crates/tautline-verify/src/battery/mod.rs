@@ -7,8 +7,12 @@
 mod check;
 mod failing;
 mod point_sequences;
+mod quick;
 mod section_1;
+mod section_7_algebra;
+mod section_7_apriori;
 mod section_7_morrey;
+mod section_7_sampling;
 mod tally;
 mod trial;
 
@@ -21,8 +25,15 @@ use crate::Subject;
 /// Returns all checks, in the paper's order.
 #[must_use]
 pub fn battery<S: Subject>() -> Vec<Check<S>> {
-    [section_1::checks(), section_7_morrey::checks(), point_sequences::checks()]
-        .into_iter()
-        .flatten()
-        .collect()
+    [
+        section_1::checks(),
+        section_7_morrey::checks(),
+        section_7_algebra::checks(),
+        section_7_sampling::checks(),
+        section_7_apriori::checks(),
+        point_sequences::checks(),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
