@@ -20,6 +20,10 @@ pub struct AnySetting {
 }
 
 impl AnySetting {
+    fn of((c1, ratio, l_h, distance, dimension, n): (u8, u8, u8, u8, u8, u8)) -> Self {
+        Self { c1, ratio, l_h, distance, dimension, n }
+    }
+
     /// Returns the constants of the metric.
     #[must_use]
     pub fn constants(&self) -> Constants {
@@ -54,18 +58,13 @@ impl Arbitrary for AnySetting {
     }
 }
 
-impl AnySetting {
-    fn of((c1, ratio, l_h, distance, dimension, n): (u8, u8, u8, u8, u8, u8)) -> Self {
-        Self { c1, ratio, l_h, distance, dimension, n }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use quickcheck::{Gen, QuickCheck};
-    use tautline::bounds::{Setting, c_tra_g, k1_g, k2_g, theorem_1_1_constant};
+    use tautline::bounds::{Setting, c_tra_g, c_tra_sharp_g, k1_g, k2_g, theorem_1_1_constant};
 
     use super::AnySetting;
+    use crate::Units;
 
     /// Every bound grows with `d`, `c₂` and `L_H` and falls with `c₁`, as [`Setting`] says; twice the
     /// distance stands for all upper bounds of it.
@@ -96,6 +95,48 @@ mod tests {
             })
         }
         let source = Gen::from_size_and_seed(24, 771);
+        QuickCheck::new().rng(source).tests(500).quickcheck(law as fn(AnySetting) -> bool);
+    }
+
+    /// `K_{1,g}` and `K_{2,g}` are in `ℓ`, the others in `m²`. The units differ by powers of two, whose
+    /// squares have exact roots: not a bit is rounded otherwise.
+    #[test]
+    fn bounds_scale_by_their_units() {
+        fn law(any: AnySetting, ell: i8, m: i8) -> bool {
+            let units =
+                Units { ell: 2_f64.powi(i32::from(ell % 8)), m: 2_f64.powi(i32::from(m % 8)) };
+            let (setting, n) = (any.setting(), any.n());
+            let constants = units.constants(setting.constants()).expect("in range");
+            let there = Setting::new(constants, setting.distance() * units.m, setting.dimension());
+            let there = there.expect("a distance");
+            let energy = units.m * units.m;
+            k1_g(there) == units.ell * k1_g(setting)
+                && k2_g(there) == units.ell * k2_g(setting)
+                && c_tra_g(there, n) == energy * c_tra_g(setting, n)
+                && theorem_1_1_constant(there) == energy * theorem_1_1_constant(setting)
+        }
+        let source = Gen::from_size_and_seed(24, 772);
+        let law: fn(AnySetting, i8, i8) -> bool = law;
+        QuickCheck::new().rng(source).tests(500).quickcheck(law);
+    }
+
+    /// `C_tra♯ = d² (δ + 3D²δ² + 6κD²δ + 9κD⁴δ²)` with `δ = L_H d/c₁^{3/2}` and `κ = c₂/c₁`.
+    #[test]
+    fn c_tra_sharp_depends_on_two_pure_numbers() {
+        fn law(any: AnySetting) -> bool {
+            let setting = any.setting();
+            let constants = setting.constants();
+            let d2 = setting.distance().powi(2);
+            let delta = constants.l_h() * setting.distance() / constants.c1().powf(1.5);
+            let kappa = constants.c2() / constants.c1();
+            let square = (setting.dimension() as f64).powi(2);
+            let bend = square * delta;
+            let expected =
+                d2 * (delta + 3.0 * bend * delta + 6.0 * kappa * bend + 9.0 * kappa * bend * bend);
+            // Sums of nonnegative terms, two dozen roundings each.
+            (c_tra_sharp_g(setting) - expected).abs() <= 1e-14 * expected
+        }
+        let source = Gen::from_size_and_seed(24, 773);
         QuickCheck::new().rng(source).tests(500).quickcheck(law as fn(AnySetting) -> bool);
     }
 }

@@ -8,7 +8,7 @@ use tautline::SVector;
 use super::{
     Check, Kind, Outcome, Trial,
     check::all,
-    failing::{dropped, refuted},
+    failing::{dropped, refuted, without},
 };
 use crate::{
     Evidence,
@@ -236,5 +236,9 @@ fn attained_by_half_a_cosine<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 fn kink_of_7_4() -> Outcome {
     let modulus = KinkedCurve::new([0.5], [(0.5, [0.0].into())], [0.5])?;
     let evidence = prop_7_4(&modulus, NonZeroUsize::MIN, 0, 0.0)?;
-    dropped(&evidence, "γ̇ does not jump")
+    let clause = "γ̇ does not jump";
+    all([
+        dropped(&evidence, clause),
+        refuted(&without(evidence, clause), "|β − γ̇(t)| ≤ 2‖γ̈‖/√N", [1.0, 0.0]),
+    ])
 }

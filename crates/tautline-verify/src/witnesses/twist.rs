@@ -3,7 +3,10 @@
 use nalgebra::{SMatrix, SVector};
 use tautline::{Bounded, Constants, Metric, Scalar};
 
-use crate::{VerifyError, curves::SmoothCurve};
+use crate::{
+    VerifyError,
+    curves::{Curve, SmoothCurve},
+};
 
 /// `H = c I + L S(y)` with `S(y) = [[−y₂, y₁], [y₁, y₂]]` in the first two coordinates, and
 /// `y = (x₁, x₂)/(1 + (x₁² + x₂²)/R²)^{1/2}`.
@@ -42,7 +45,6 @@ impl Twist<2> {
     /// geodesic equation at four times, and is off by the order of `speed⁴` of itself.
     #[must_use]
     pub fn short_geodesic(&self, speed: f64) -> SmoothCurve<2> {
-        use crate::curves::Curve;
         let times = [0.0, 0.25, 0.75, 1.0];
         let monomials: SMatrix<f64, 4, 4> =
             SMatrix::from_fn(|row, power| f64::powi(times[row], power as i32));
