@@ -119,8 +119,8 @@ impl Evidence {
         }
     }
 
-    /// Returns the evidence again if the slack of the conclusion `claim`, the paper's or a companion,
-    /// is at most `known`.
+    /// Returns the evidence again if the slack of the conclusion `claim`, the paper's or a
+    /// companion, is at most `known`.
     ///
     /// # Errors
     ///

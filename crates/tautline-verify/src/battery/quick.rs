@@ -11,8 +11,8 @@ use crate::{Evidence, VerifyError};
 const MAX_SHRINKS: usize = 1000;
 
 impl<S> Trial<'_, S> {
-    /// Evaluates statements on `cases` values of an [`Arbitrary`] type, always the same ones for the
-    /// same `seed`.
+    /// Evaluates statements on `cases` values of an [`Arbitrary`] type, always the same ones for
+    /// the same `seed`.
     ///
     /// # Errors
     ///

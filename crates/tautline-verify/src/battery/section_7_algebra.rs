@@ -154,8 +154,8 @@ fn attained_numbers<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 }
 
 /// No counterexample is there to be found without `xₙ ≥ 0`: turning a sign makes the left side
-/// smaller and leaves the right side, so that the hypothesis is not needed. Only the case of equality
-/// is lost: `−1` alone has `−1 < 1`.
+/// smaller and leaves the right side, so that the hypothesis is not needed. Only the case of
+/// equality is lost: `−1` alone has `−1 < 1`.
 fn negative_numbers<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     trial.for_all(7840, 512, vec(-10.0..10.0_f64, 0..40), |_, numbers| {
         let evidence = prop_7_8(&numbers);

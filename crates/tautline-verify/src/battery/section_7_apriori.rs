@@ -110,8 +110,8 @@ fn ripples<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     })
 }
 
-/// `Γ²₁₁ = 3L/2c` at 0, where `c₁ = c − LR` for an `R` as small as one likes: the companion is attained,
-/// and what the paper gives away is `√D`.
+/// `Γ²₁₁ = 3L/2c` at 0, where `c₁ = c − LR` for an `R` as small as one likes: the companion is
+/// attained, and what the paper gives away is `√D`.
 fn twists<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     fn one<const D: usize>(
         subject: &impl Subject,
@@ -148,8 +148,8 @@ impl Metric<1> for Slope {
     }
 }
 
-/// Derivatives of 1 where a Lipschitz constant of `¼` is claimed, and `Γ = 1/2H` above `3/2c₁` where
-/// `c₁` is claimed to be 9 times what it is.
+/// Derivatives of 1 where a Lipschitz constant of `¼` is claimed, and `Γ = 1/2H` above `3/2c₁`
+/// where `c₁` is claimed to be 9 times what it is.
 fn false_constants() -> Outcome {
     let origin = SVector::from([0.0]);
     let claimed = |foot, c1, l_h| {
@@ -233,8 +233,8 @@ fn attained_k1<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     })
 }
 
-/// A short geodesic through the centre of a twist: `|γ̈|` is nearly `3L_H K₁²/2c₁` all along it, and the
-/// paper gives away `D² = 4`. It is minimal, being short, and `d` is its speed.
+/// A short geodesic through the centre of a twist: `|γ̈|` is nearly `3L_H K₁²/2c₁` all along it,
+/// and the paper gives away `D² = 4`. It is minimal, being short, and `d` is its speed.
 fn bent_by_a_twist<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     trial.for_all(7161, 64, (0.3..3.0, 0.1..10.0), |subject, (base, slope)| {
         let twist = Twist::<2>::new(base, slope, 2e-3 * base / slope)?;
@@ -269,8 +269,8 @@ fn bent_by_an_incline<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     })
 }
 
-/// Without minimality: a wave is longer than the straight line, and bends. With a false `c₁` or `L_H`:
-/// minimal geodesics that go faster, and bend more, than these allow.
+/// Without minimality: a wave is longer than the straight line, and bends. With a false `c₁` or
+/// `L_H`: minimal geodesics that go faster, and bend more, than these allow.
 fn dropped_minimality() -> Outcome {
     let flat = |c1| Claimed {
         metric: Constant::new(SMatrix::<f64, 1, 1>::from_diagonal_element(1.0)).expect("positive"),

@@ -138,9 +138,9 @@ fn constant_velocity<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     })
 }
 
-/// `e (1 + ε w)` with `ẇ = r − 1` is `1 + ε (r²/2 − r)`: at 0 it is above its norm by `ε/3 + O(ε²)`,
-/// and `‖γ̇‖/√3 = ε/3`. A constant is its own norm over `√l`, so that the other factor, `1/√l`, is
-/// the best too: a smaller one leaves a gap where the bound is 0.
+/// `e (1 + ε w)` with `ẇ = r − 1` is `1 + ε (r²/2 − r)`: at 0 it is above its norm by `ε/3 +
+/// O(ε²)`, and `‖γ̇‖/√3 = ε/3`. A constant is its own norm over `√l`, so that the other factor,
+/// `1/√l`, is the best too: a smaller one leaves a gap where the bound is 0.
 fn best_constants_of_7_2<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     let second = "|γ(s)| − ‖γ‖/√l ≤ √(l/3) ‖γ̇‖";
     let epsilon = 1e-3;
@@ -186,8 +186,8 @@ fn refuted_by_constant_velocity() -> Outcome {
     refuted(&evidence, "|γ(s₂) − γ(s₁)| ≤ l (‖γ̇‖ + 2‖γ̈‖)", [0.25, 0.125])
 }
 
-/// `γ̇ = 1/ε` on `[0, ε]` and 0 after it: `1 ≤ √ε` is false, on `[0, 1]` and on `[0, ε]`, as printed
-/// and repaired; but the first repaired form survives, being Proposition 7.2.
+/// `γ̇ = 1/ε` on `[0, ε]` and 0 after it: `1 ≤ √ε` is false, on `[0, 1]` and on `[0, ε]`, as
+/// printed and repaired; but the first repaired form survives, being Proposition 7.2.
 fn kink_of_7_3() -> Outcome {
     let epsilon = 1.0 / 16.0;
     let ramp = KinkedCurve::new([0.0], [(epsilon, [1.0].into())], [1.0])?;
@@ -203,8 +203,8 @@ fn kink_of_7_3() -> Outcome {
     ])
 }
 
-/// `(tₖ₊₁ − t)³` on the subinterval `k` of `N`, at `tₖ`: with `h = 1`, `|−1 + 3| = 2 = ‖γ̈‖/√3`. The
-/// paper's bound is `2√3` times that.
+/// `(tₖ₊₁ − t)³` on the subinterval `k` of `N`, at `tₖ`: with `h = 1`, `|−1 + 3| = 2 = ‖γ̈‖/√3`.
+/// The paper's bound is `2√3` times that.
 fn attained_by_a_cube<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     trial.for_all(7430, 128, (subintervals(), 0.0..1.0), |_, (n, at)| {
         let count = n.get() as f64;

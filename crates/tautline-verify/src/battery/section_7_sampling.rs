@@ -118,8 +118,8 @@ fn smooth<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     ])
 }
 
-/// Where `E = d²`: the pointwise companions are `d² (1 + δ/4N + δ²/8N²)` for the trapezoidal rule and
-/// `d² (1 + δ/2N)` for the left-endpoint rule, with `δ = L_H d/c₁^{3/2}`.
+/// Where `E = d²`: the pointwise companions are `d² (1 + δ/4N + δ²/8N²)` for the trapezoidal rule
+/// and `d² (1 + δ/2N)` for the left-endpoint rule, with `δ = L_H d/c₁^{3/2}`.
 fn geodesics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     all([
         trial.for_all(
@@ -155,8 +155,8 @@ fn homogeneous<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     })
 }
 
-/// The straight line from 0 to 1 with a valley or a ridge at each midpoint: `|E − E_tra,N| = L_H/4N`,
-/// against `L_H/N`. So the slack of the paper is 4, and the pointwise form is attained.
+/// The straight line from 0 to 1 with a valley or a ridge at each midpoint: `|E − E_tra,N| =
+/// L_H/4N`, against `L_H/N`. So the slack of the paper is 4, and the pointwise form is attained.
 fn valleys_at_midpoints<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     let line = SmoothCurve::straight([0.0], [1.0]);
     trial.for_all(7630, 96, (1..60_usize, 0.2..1.5), |subject, (n, slope)| {
@@ -203,8 +203,8 @@ fn refuted_by_a_kink<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     ])
 }
 
-/// With a false `L_H`, the valley of a line; with a false `c₂`, half a cosine. `c₁` is not needed, and
-/// upwards, in Proposition 7.7, nor is `c₂`.
+/// With a false `L_H`, the valley of a line; with a false `c₂`, half a cosine. `c₁` is not needed,
+/// and upwards, in Proposition 7.7, nor is `c₂`.
 fn false_constants() -> Outcome {
     let n = NonZeroUsize::MIN;
     let claimed = |c1, c2, l_h| Constants::new(c1, c2, l_h).expect("in order");
@@ -224,9 +224,9 @@ fn false_constants() -> Outcome {
     ])
 }
 
-/// From 0 to 1 in the time `1/N`, over the ridge `H = c + L (½ − |x − ½|)`, then at rest:
-/// `E_tra,N − E = NL/4`, while `K₁ = √N` and `K₂ = 0` make `C_tra(N) = L √N`. For `N ≥ 17` the first
-/// is larger, and a small `K₂ > 0` changes nothing. Without a kink it is at most `L K₁³/2N = ½ L √N`.
+/// From 0 to 1 in the time `1/N`, over the ridge `H = c + L (½ − |x − ½|)`, then at rest: `E_tra,N
+/// − E = NL/4`, while `K₁ = √N` and `K₂ = 0` make `C_tra(N) = L √N`. For `N ≥ 17` the first is
+/// larger, and a small `K₂ > 0` changes nothing. Without a kink it is at most `L K₁³/2N = ½ L √N`.
 fn refuted_by_a_fast_start<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     let mut outcomes = Vec::new();
     for n in [17, 18, 32, 100, 1000_u16] {

@@ -51,8 +51,8 @@ impl FlatGeodesic<2> {
 }
 
 impl<const D: usize> FlatGeodesic<D> {
-    /// Returns the minimal geodesic of a separable metric: with `v = F(b) − F(a)`, coordinate `i` is
-    /// where `Fᵢ = Fᵢ(aᵢ) + t vᵢ`, its velocity `vᵢ/fᵢ` and its acceleration `−fᵢ′ vᵢ²/fᵢ³`.
+    /// Returns the minimal geodesic of a separable metric: with `v = F(b) − F(a)`, coordinate `i`
+    /// is where `Fᵢ = Fᵢ(aᵢ) + t vᵢ`, its velocity `vᵢ/fᵢ` and its acceleration `−fᵢ′ vᵢ²/fᵢ³`.
     #[must_use]
     pub fn of_separable(metric: Separable<D>, [a, b]: [SVector<f64, D>; 2]) -> Self {
         let p = metric.flatten(&a);

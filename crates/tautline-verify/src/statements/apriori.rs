@@ -1,4 +1,5 @@
-//! Proposition 7.12, `K_{1,g}` and `K_{2,g}`: how fast a minimal geodesic goes, and how much it bends.
+//! Proposition 7.12, `K_{1,g}` and `K_{2,g}`: how fast a minimal geodesic goes, and how much it
+//! bends.
 
 use nalgebra::SVector;
 use tautline::{Bounded, MetricError, bounds::Setting};
@@ -71,8 +72,8 @@ impl Instant {
 ///
 /// # Errors
 ///
-/// [`VerifyError::Metric`] where `H` is not positive definite, [`VerifyError::Bound`] if `distance` is
-/// no distance.
+/// [`VerifyError::Metric`] where `H` is not positive definite, [`VerifyError::Bound`] if `distance`
+/// is no distance.
 #[doc(alias = "K_{1,g}")]
 pub fn constant_k1<const D: usize>(
     subject: &impl Subject,
@@ -98,8 +99,8 @@ pub fn constant_k1<const D: usize>(
 ///
 /// Slack: `D²` at best for `D ≥ 2`, and 3 on the line, see the companion.
 ///
-/// Companions: `|γ̈| ≤ ω (L_H/c₁) K_{1,g}²` with `ω = 3/2`, on the line `½`; and `K_{2,g}` is what it is
-/// defined to be.
+/// Companions: `|γ̈| ≤ ω (L_H/c₁) K_{1,g}²` with `ω = 3/2`, on the line `½`; and `K_{2,g}` is what
+/// it is defined to be.
 ///
 /// # Errors
 ///
@@ -165,8 +166,8 @@ pub fn prop_7_12<const D: usize>(
     let seen = seen_along(metric, curve)?;
     let natural = constants.l_h() * (distance / constants.c1()).powi(2);
     let [size, a1, _] = curve.suprema();
-    // As for a single time: the integrand is off by roundings of γ̇, and of the point where the metric
-    // is read. The distance is a difference of numbers of the size of √c₂ |γ|.
+    // As for a single time: the integrand is off by roundings of γ̇, and of the point where the
+    // metric is read. The distance is a difference of numbers of the size of √c₂ |γ|.
     let relative = 128.0 * f64::EPSILON * (1.0 + size * constants.l_h() / constants.c1());
     let granted = energy.error
         + constants.c2() * a1 * (2.0 * relative * a1)

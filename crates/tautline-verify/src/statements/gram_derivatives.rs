@@ -62,9 +62,9 @@ pub fn prop_7_10<const D: usize>(
 ///
 /// Needs: `H ≥ c₁`, `H` Lipschitz. Slack: `√D` at best, see the companion.
 ///
-/// Companion: `Γᵏᵢⱼ` is the product of row `k` of `H⁻¹`, whose norm is at most `1/c₁`, and half of the
-/// vector `(∂ᵢHⱼ + ∂ⱼHᵢ − ∇Hᵢⱼ)`, each term of which has the norm `L_H` at most. So `√D` may go, and
-/// `3/2` is sharp in two dimensions; in one the terms cancel, and `L_H/2c₁` is left.
+/// Companion: `Γᵏᵢⱼ` is the product of row `k` of `H⁻¹`, whose norm is at most `1/c₁`, and half of
+/// the vector `(∂ᵢHⱼ + ∂ⱼHᵢ − ∇Hᵢⱼ)`, each term of which has the norm `L_H` at most. So `√D` may
+/// go, and `3/2` is sharp in two dimensions; in one the terms cancel, and `L_H/2c₁` is left.
 ///
 /// # Errors
 ///

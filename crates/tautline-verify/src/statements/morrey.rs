@@ -60,9 +60,9 @@ pub(super) fn without_kinks<const D: usize>(evidence: Evidence, curve: &impl Cur
 /// |γ(s₂) − γ(s₁)|  ≤  √l ‖γ̇‖,        |γ(s)|  ≤  ‖γ‖/√l + √(l/3) ‖γ̇‖
 /// ```
 ///
-/// Equality in the first exactly if `γ̇` is constant; in the second for constant curves, and `√(1/3)`
-/// is the best constant. Nothing is needed but that `γ` is continuous and piecewise smooth, which
-/// a [`Curve`] is.
+/// Equality in the first exactly if `γ̇` is constant; in the second for constant curves, and
+/// `√(1/3)` is the best constant. Nothing is needed but that `γ` is continuous and piecewise
+/// smooth, which a [`Curve`] is.
 ///
 /// Companion: `γ(s)` is the mean of `γ` plus `(1/l) ∫ k_s γ̇`, where the kernel is `r − s₁` before
 /// `s` and `r − s₂` after it. So the factor of `‖γ̇‖` may be `((a³ + (l − a)³)/3)^{1/2}/l` with
@@ -125,8 +125,8 @@ pub fn prop_7_2_as_printed<const D: usize>(
     ))
 }
 
-/// Evaluates Proposition 7.3, repaired, on `[s₁, s₂] ⊂ [0, 1]`: on the interval itself, and with the
-/// norms over `[0, 1]`, which is what Proposition 7.6 needs.
+/// Evaluates Proposition 7.3, repaired, on `[s₁, s₂] ⊂ [0, 1]`: on the interval itself, and with
+/// the norms over `[0, 1]`, which is what Proposition 7.6 needs.
 ///
 /// ```text
 /// |γ(s₂) − γ(s₁)|  ≤  l (‖γ̇‖/√l + √(l/3) ‖γ̈‖)

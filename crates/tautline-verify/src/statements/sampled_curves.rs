@@ -54,8 +54,8 @@ impl Sampled {
     }
 }
 
-/// `(L_H/2N) K₁² (K₁ + K₂/√3)`, in `m²`: the distance of a curve to the midpoint of its chord is half
-/// a step, at a speed that Proposition 7.2 bounds.
+/// `(L_H/2N) K₁² (K₁ + K₂/√3)`, in `m²`: the distance of a curve to the midpoint of its chord is
+/// half a step, at a speed that Proposition 7.2 bounds.
 fn half_a_step(constants: Constants, [k1, k2]: [f64; 2], n: NonZeroUsize) -> f64 {
     constants.l_h() * k1 * k1 * (k1 + k2 / 3_f64.sqrt()) / (2.0 * n.get() as f64)
 }
@@ -68,8 +68,8 @@ fn half_a_step(constants: Constants, [k1, k2]: [f64; 2], n: NonZeroUsize) -> f64
 ///
 /// Needs: `0 ≤ H ≤ c₂`, `H` Lipschitz, and that `γ̇` does not jump, which the paper does not say.
 ///
-/// Slack: 4 at best as far as we know, for a straight line over a valley at the middle of each chord;
-/// the companions are attained.
+/// Slack: 4 at best as far as we know, for a straight line over a valley at the middle of each
+/// chord; the companions are attained.
 ///
 /// Companions: `β` is the mean of `γ̇` over its subinterval, so that the cross term of the proof
 /// integrates to 0 and the square is that of Wirtinger; upwards there is no `c₂` at all (Jensen).
@@ -137,8 +137,8 @@ pub fn prop_7_6<const D: usize>(
 
 /// Evaluates Proposition 7.6 as it is printed: kinks are allowed, and `‖γ̈‖` does not see them.
 ///
-/// It is false for `γ(t) = |t − ½|` with `H = 1` and `N = 1`, where `E = 1` and `E_tra = 0`, for every
-/// `K₂ < (√2 − 1)/2`.
+/// It is false for `γ(t) = |t − ½|` with `H = 1` and `N = 1`, where `E = 1` and `E_tra = 0`, for
+/// every `K₂ < (√2 − 1)/2`.
 ///
 /// # Errors
 ///
@@ -169,8 +169,8 @@ pub fn prop_7_6_as_printed<const D: usize>(
 /// min E_tra,N  ≤  min E + C_tra(N)      over Ξ
 /// ```
 ///
-/// Needs: as [`prop_7_6`], for every curve. Slack: as there; half of the first term of `C_tra(N)`, and
-/// none of the others, would do, which is the companion.
+/// Needs: as [`prop_7_6`], for every curve. Slack: as there; half of the first term of `C_tra(N)`,
+/// and none of the others, would do, which is the companion.
 ///
 /// # Errors
 ///

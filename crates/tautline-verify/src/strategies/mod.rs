@@ -1,4 +1,5 @@
-//! Random cases for proptest: points, point sequences, curves, metrics and problems with known distances.
+//! Random cases for proptest: points, point sequences, curves, metrics and problems with known
+//! distances.
 
 mod curves;
 mod metrics;

@@ -7,8 +7,8 @@ use crate::VerifyError;
 
 /// `H = c I + (L/k) sin(k xₗ) E`, where `E` has a 1 at `(i, j)` and at `(j, i)`, and `k = 2L/c`.
 ///
-/// `‖E‖ = 1`, so that `‖H(x) − H(y)‖ ≤ L |xₗ − yₗ|`, and `∂ₗ Hᵢⱼ = L` where `xₗ = 0`: Proposition 7.10
-/// loses nothing there.
+/// `‖E‖ = 1`, so that `‖H(x) − H(y)‖ ≤ L |xₗ − yₗ|`, and `∂ₗ Hᵢⱼ = L` where `xₗ = 0`: Proposition
+/// 7.10 loses nothing there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ripple<const D: usize> {
     base: f64,

@@ -11,9 +11,9 @@ use crate::{
 /// `H = c I + L S(y)` with `S(y) = [[−y₂, y₁], [y₁, y₂]]` in the first two coordinates, and
 /// `y = (x₁, x₂)/(1 + (x₁² + x₂²)/R²)^{1/2}`.
 ///
-/// `‖S(y)‖ = |y|`, and `x ↦ y` contracts and stays within `R`: so `L_H = L`, and `H` is within `LR` of
-/// `c I`. At 0, for `v = e₁`, both terms of the geodesic equation point the same way, `DH[v]v = L e₂` and
-/// `½ ∇(vᵀHv) = −½ L e₂`: a geodesic bends by `3L/2c`, and `Γ²₁₁ = 3L/2c`.
+/// `‖S(y)‖ = |y|`, and `x ↦ y` contracts and stays within `R`: so `L_H = L`, and `H` is within `LR`
+/// of `c I`. At 0, for `v = e₁`, both terms of the geodesic equation point the same way, `DH[v]v =
+/// L e₂` and `½ ∇(vᵀHv) = −½ L e₂`: a geodesic bends by `3L/2c`, and `Γ²₁₁ = 3L/2c`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Twist<const D: usize> {
     base: f64,
@@ -23,7 +23,8 @@ pub struct Twist<const D: usize> {
 }
 
 impl<const D: usize> Twist<D> {
-    /// Returns the twist with `c = base` in `m²/ℓ²`, `L = slope` in `m²/ℓ³` and `R = radius` in `ℓ`.
+    /// Returns the twist with `c = base` in `m²/ℓ²`, `L = slope` in `m²/ℓ³` and `R = radius` in
+    /// `ℓ`.
     ///
     /// # Errors
     ///
@@ -40,8 +41,8 @@ impl<const D: usize> Twist<D> {
 }
 
 impl Twist<2> {
-    /// Returns the geodesic that starts at 0 with the velocity `(speed, 0)`, for a speed so small that
-    /// a polynomial of degree 5 is as good as exact: its acceleration interpolates that of the
+    /// Returns the geodesic that starts at 0 with the velocity `(speed, 0)`, for a speed so small
+    /// that a polynomial of degree 5 is as good as exact: its acceleration interpolates that of the
     /// geodesic equation at four times, and is off by the order of `speed⁴` of itself.
     #[must_use]
     pub fn short_geodesic(&self, speed: f64) -> SmoothCurve<2> {

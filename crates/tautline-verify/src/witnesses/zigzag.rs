@@ -5,11 +5,12 @@ use std::f64::consts::PI;
 use nalgebra::{SMatrix, SVector};
 use tautline::{Bounded, Constants, Metric, Scalar};
 
-/// `H = c + s |x − m|`, where `m` is the nearest of the points `(k + ½)/N`: straight-sided valleys for
-/// `s > 0`, ridges for `s < 0`, one in each of `N` steps along `[0, 1]`.
+/// `H = c + s |x − m|`, where `m` is the nearest of the points `(k + ½)/N`: straight-sided valleys
+/// for `s > 0`, ridges for `s < 0`, one in each of `N` steps along `[0, 1]`.
 ///
-/// Not differentiable at the tips, so it is for reading values; the limit of smooth metrics with the
-/// same `L_H = |s|`. The trapezoidal rule reads the samples of a straight line at the tips alone.
+/// Not differentiable at the tips, so it is for reading values; the limit of smooth metrics with
+/// the same `L_H = |s|`. The trapezoidal rule reads the samples of a straight line at the tips
+/// alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Zigzag {
     tip: f64,
