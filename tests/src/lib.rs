@@ -6,7 +6,6 @@
 //! | `section_3` | geodesics have constant speed; distances between the Euclidean ones |
 //! | `section_5` | the counterexample: discrete lengths, and global minima of the discrete energies |
 //! | `section_6` | no curve has less energy than `d²` |
-//! | `section_7` | the propositions on geodesics |
 //! | `battery` | every check of the project's own suite, by its name |
 //! | `golden` | the paper's constants against values computed with 40 digits |
 //! | `own` | a metric, a rule and a closed set of one's own, through the face |
@@ -39,8 +38,6 @@ mod section_3;
 mod section_5;
 #[cfg(test)]
 mod section_6;
-#[cfg(test)]
-mod section_7;
 #[cfg(test)]
 mod tidiness;
 #[cfg(test)]

@@ -2,7 +2,6 @@
 
 use proptest::{
     prelude::*,
-    sample::select,
     test_runner::{Config, RngSeed, TestCaseError, TestRunner},
 };
 use tautline::{PointSequence, SVector};
@@ -44,12 +43,6 @@ pub(crate) fn at_most(inequality: &str, left: f64, right: f64, slack: f64) -> Ve
         left - right
     );
     Ok(())
-}
-
-/// The numbers of subintervals at which statements "for every `N`" are tried: the smallest
-/// ones, which are the hardest, some that are no powers of two, and one of several grids.
-pub(crate) fn subintervals() -> impl Strategy<Value = usize> {
-    select(vec![1_usize, 2, 3, 5, 8, 17, 64, 200])
 }
 
 /// A vector of the cube `[−size, size]^D`.

@@ -27,11 +27,7 @@ fn prop_3_1_minimal_geodesics_of_shears_have_the_speed_d() {
 /// that a jet in `t` gives the derivatives.
 ///
 /// [`Scalar`]: tautline::Scalar
-pub(crate) fn geodesic(
-    metric: &Shear,
-    [a, b]: [SVector<f64, 2>; 2],
-    t: f64,
-) -> [SVector<f64, 2>; 3] {
+fn geodesic(metric: &Shear, [a, b]: [SVector<f64, 2>; 2], t: f64) -> [SVector<f64, 2>; 3] {
     let (p, q) = (metric.flatten(&a), metric.flatten(&b));
     let [t] = Jet2::variables(&[t]);
     let flat = SVector::<Jet2<f64, 1>, 2>::from_fn(|i, _| t * (q[i] - p[i]) + p[i]);

@@ -177,6 +177,8 @@ mod tests {
         assert_eq!(first_order_excess_trapezoidal(flat.expect("valid"), n(3)), 0.0);
         let steep = Setting::new(Constants::new(1.0, 2.0, 1e6).expect("in order"), 3.0, 2);
         assert_eq!(first_order_minimum_gap_left(steep.expect("valid"), n(3)), 9.0);
+        let steep = Setting::new(Constants::new(2.0, 3.0, 1e6).expect("in order"), 3.0, 2);
+        assert_eq!(first_order_minimum_gap_left(steep.expect("valid"), n(3)), 4.5);
         let touching = Setting::new(Constants::new(1.0, 2.0, 1e300).expect("in order"), 0.0, 2);
         assert_eq!(first_order_excess_left(touching.expect("valid"), n(3)), 0.0);
     }

@@ -119,6 +119,26 @@ impl Evidence {
         }
     }
 
+    /// Returns the evidence again if the slack of the conclusion `claim`, the paper's or a
+    /// companion, is at most `known`.
+    ///
+    /// # Errors
+    ///
+    /// [`VerifyError::NotAttained`] with its slack.
+    ///
+    /// # Panics
+    ///
+    /// If there is no conclusion of this claim.
+    #[track_caller]
+    pub fn claim_is_attained(self, claim: &str, known: f64) -> Result<Self, VerifyError> {
+        let (statement, slack) = (self.statement, self.conclusion(claim).slack());
+        if slack <= known {
+            Ok(self)
+        } else {
+            Err(VerifyError::NotAttained { statement, slack, known })
+        }
+    }
+
     /// Returns a conclusion by its claim.
     ///
     /// # Panics

@@ -15,8 +15,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod arbitrary;
 pub mod battery;
 mod catalogue;
+pub mod curves;
 mod evidence;
 mod gram_range;
 mod inequality;

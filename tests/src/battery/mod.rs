@@ -2,6 +2,10 @@
 
 mod point_sequences;
 mod section_1;
+mod section_7_algebra;
+mod section_7_apriori;
+mod section_7_morrey;
+mod section_7_sampling;
 
 use std::collections::BTreeSet;
 
@@ -40,7 +44,14 @@ fn passes(name: &str) {
 fn every_check_is_a_test() {
     let checks: BTreeSet<&str> = battery::<Library>().iter().map(|check| check.name).collect();
     assert_eq!(checks.len(), battery::<Library>().len(), "two checks of one name");
-    let sections = [section_1::NAMES, point_sequences::NAMES];
+    let sections = [
+        section_1::NAMES,
+        section_7_morrey::NAMES,
+        section_7_algebra::NAMES,
+        section_7_sampling::NAMES,
+        section_7_apriori::NAMES,
+        point_sequences::NAMES,
+    ];
     let tests: BTreeSet<&str> = sections.concat().into_iter().collect();
     assert_eq!(checks, tests);
 }

@@ -1,13 +1,19 @@
 //! The project's own suite: named checks, to which the library and any variant of it can be put.
 //!
-//! A check is generic over its [`Subject`](crate::Subject). The tests of the workspace run all
-//! of them on [`Library`](crate::Library); the table of mutants runs them on deliberately wrong
-//! variants, and shows which check kills which.
+//! A check is generic over its [`Subject`]. The tests of the workspace run all of them on
+//! [`Library`](crate::Library); the table of mutants runs them on deliberately wrong variants, and
+//! shows which check kills which.
 
 mod check;
+mod failing;
 mod ledger;
 mod point_sequences;
+mod quick;
 mod section_1;
+mod section_7_algebra;
+mod section_7_apriori;
+mod section_7_morrey;
+mod section_7_sampling;
 mod tally;
 mod trial;
 
@@ -21,5 +27,15 @@ use crate::Subject;
 /// Returns all checks, in the paper's order.
 #[must_use]
 pub fn battery<S: Subject>() -> Vec<Check<S>> {
-    [section_1::checks(), point_sequences::checks()].into_iter().flatten().collect()
+    [
+        section_1::checks(),
+        section_7_morrey::checks(),
+        section_7_algebra::checks(),
+        section_7_sampling::checks(),
+        section_7_apriori::checks(),
+        point_sequences::checks(),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }

@@ -3,10 +3,28 @@
 //! | section | takes | functions |
 //! | --- | --- | --- |
 //! | 1, main results | a [`Reconstruction`](crate::Reconstruction) | [`theorem_1_1`] to [`theorem_1_4`] |
+//! | 7, curves | a [`Curve`](crate::curves::Curve) | [`prop_7_2`] to [`prop_7_4`] |
+//! | 7, matrices | [`TwoForms`] | [`prop_7_5`] |
+//! | 7, sampled curves | a metric, curves and `N` | [`prop_7_6`], [`prop_7_7`] |
+//! | | constants, `K₁`, `K₂` and `N` | [`constant_c_tra`], [`constant_c_tra_sharp`] |
+//! | 7, derivatives | a metric and a point | [`prop_7_10`], [`prop_7_11`] |
+//! | 7, a priori | a metric and a minimal geodesic | [`constant_k1`], [`constant_k2`], [`prop_7_12`] |
 //! | 7 and 8, any point sequence | a metric and a point sequence | [`prop_7_8`], [`prop_7_9`], [`prop_8_1`], [`prop_8_2`] |
 
+mod apriori;
+mod functional_lipschitz;
+mod gram_derivatives;
+mod morrey;
 mod point_sequences;
+mod sampled_curves;
 mod section_1;
 
+pub use apriori::{constant_k1, constant_k2, prop_7_12};
+pub use functional_lipschitz::{TwoForms, prop_7_5, prop_7_5_as_printed};
+pub use gram_derivatives::{prop_7_10, prop_7_11};
+pub use morrey::{prop_7_2, prop_7_2_as_printed, prop_7_3, prop_7_3_as_printed, prop_7_4};
 pub use point_sequences::{prop_7_8, prop_7_9, prop_8_1, prop_8_2};
+pub use sampled_curves::{
+    constant_c_tra, constant_c_tra_sharp, prop_7_6, prop_7_6_as_printed, prop_7_7,
+};
 pub use section_1::{theorem_1_1, theorem_1_2, theorem_1_3, theorem_1_4};

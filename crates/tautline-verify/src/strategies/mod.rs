@@ -1,9 +1,12 @@
-//! Random cases for proptest: points, point sequences, metrics and problems with known distances.
+//! Random cases for proptest: points, point sequences, curves, metrics and problems with known
+//! distances.
 
+mod curves;
 mod metrics;
 mod points;
 mod problems;
 
+pub use curves::{kinked_curve, smooth_curve, smooth_curve_between, times};
 pub use metrics::{constant, ramp, separable, shear};
 pub use points::{sequence, subintervals, two_points, vector};
 pub use problems::{

@@ -1,0 +1,44 @@
+//! `Nonnegatives`: the numbers of Proposition 7.8.
+
+use quickcheck::{Arbitrary, Gen};
+
+/// Nonnegative numbers, multiples of 1/16 up to 4096; many are small, some are 0.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Nonnegatives(Vec<u16>);
+
+impl Nonnegatives {
+    /// Returns the numbers.
+    #[must_use]
+    pub fn numbers(&self) -> Vec<f64> {
+        self.0.iter().map(|&sixteenths| f64::from(sixteenths) / 16.0).collect()
+    }
+}
+
+impl Arbitrary for Nonnegatives {
+    fn arbitrary(g: &mut Gen) -> Self {
+        // An integer shifted by 0 to 15 bits: sizes are spread over decades.
+        let entries = Vec::<(u16, u8)>::arbitrary(g);
+        Self(entries.into_iter().map(|(number, shift)| number >> (shift % 16)).collect())
+    }
+
+    fn shrink(&self) -> Box<dyn Iterator<Item = Self>> {
+        Box::new(self.0.shrink().map(Self))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use quickcheck::{Arbitrary, Gen, QuickCheck};
+
+    use super::Nonnegatives;
+
+    #[test]
+    fn numbers_and_what_they_shrink_to_are_nonnegative() {
+        fn law(numbers: Nonnegatives) -> bool {
+            let mut all = numbers.shrink().chain([numbers.clone()]);
+            all.all(|numbers| numbers.numbers().iter().all(|x| (0.0..=4096.0).contains(x)))
+        }
+        let source = Gen::from_size_and_seed(24, 781);
+        QuickCheck::new().rng(source).tests(200).quickcheck(law as fn(Nonnegatives) -> bool);
+    }
+}

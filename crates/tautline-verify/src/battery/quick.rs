@@ -1,0 +1,73 @@
+//! Random cases drawn and shrunk by quickcheck.
+
+use std::fmt::Debug;
+
+use quickcheck::{Arbitrary, Gen};
+
+use super::{Failure, Outcome, Tally, Trial};
+use crate::{Evidence, VerifyError};
+
+/// Steps of shrinking, each to the first smaller case that fails too.
+const MAX_SHRINKS: usize = 1000;
+
+impl<S> Trial<'_, S> {
+    /// Evaluates statements on `cases` values of an [`Arbitrary`] type, always the same ones for
+    /// the same `seed`.
+    ///
+    /// # Errors
+    ///
+    /// The first evidence that fails, on the smallest case to which quickcheck shrinks.
+    pub fn quick<A, E>(
+        &self,
+        seed: u64,
+        cases: u32,
+        evidence: impl Fn(&S, &A) -> Result<E, VerifyError>,
+    ) -> Outcome
+    where
+        A: Arbitrary + Debug,
+        E: IntoIterator<Item = Evidence>,
+    {
+        let run = |value: &A| self.one(evidence(self.subject, value).map_err(Failure::from)?);
+        let mut source = Gen::from_size_and_seed(24, seed);
+        let mut tally = Tally::default();
+        for _ in 0..cases.min(self.cases) {
+            let mut value = A::arbitrary(&mut source);
+            match run(&value) {
+                Ok(count) => tally.extend(&count),
+                Err(mut failure) => {
+                    for _ in 0..MAX_SHRINKS {
+                        let smaller =
+                            value.shrink().find_map(|value| Some((run(&value).err()?, value)));
+                        let Some(found) = smaller else { break };
+                        (failure, value) = found;
+                    }
+                    return Err(Failure::new(format!("seed {seed}: {failure}, for {value:?}")));
+                }
+            }
+        }
+        Ok(tally)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{
+        Evidence, Library, Statement, Unit,
+        arbitrary::Nonnegatives,
+        battery::{Scope, Trial},
+    };
+
+    /// "No number is above 100" fails, and for one number just above it at the end.
+    #[test]
+    fn a_false_claim_is_shrunk_to_its_smallest_case() {
+        let trial = Trial { subject: &Library, scope: Scope::Everything, cases: u32::MAX };
+        let outcome = trial.quick(1, 100, |_, numbers: &Nonnegatives| {
+            let largest = numbers.numbers().into_iter().fold(0.0, f64::max);
+            let evidence = Evidence::of(Statement::Proposition7_8);
+            Ok([evidence.paper("x ≤ 100", Unit::COORDINATE, [largest, 100.0], 0.0)])
+        });
+        let message = outcome.expect_err("false").message;
+        // 1601/16 is the first multiple of 1/16 above 100.
+        assert!(message.ends_with("Nonnegatives([1601])"), "{message}");
+    }
+}

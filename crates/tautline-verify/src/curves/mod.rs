@@ -1,0 +1,28 @@
+//! Curves over `[0, 1]` with their first two derivatives, and their norms in `L²`.
+//!
+//! ```
+//! use tautline_verify::{Finding, curves::SmoothCurve, statements::{prop_7_3, prop_7_3_as_printed}};
+//!
+//! // γ(t) = t on [0, ¼]: the proposition as it is printed says ¼ ≤ ⅛.
+//! let line = SmoothCurve::straight([0.0], [1.0]);
+//! let printed = prop_7_3_as_printed(&line, [0.0, 0.25])?;
+//! assert!(matches!(printed.finding(), Finding::Violated(_)));
+//! assert_eq!(prop_7_3(&line, [0.0, 0.25])?.finding(), Finding::Holds);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod curve;
+mod curve_energy;
+mod curve_in_units;
+mod flat_geodesic;
+mod kinked_curve;
+mod l2_norm;
+mod smooth_curve;
+
+pub use curve::Curve;
+pub use curve_energy::curve_energy;
+pub use curve_in_units::CurveInUnits;
+pub use flat_geodesic::FlatGeodesic;
+pub use kinked_curve::KinkedCurve;
+pub use l2_norm::l2_norm;
+pub use smooth_curve::SmoothCurve;

@@ -1,0 +1,205 @@
+//! Proposition 7.12, `K_{1,g}` and `K_{2,g}`: how fast a minimal geodesic goes, and how much it
+//! bends.
+
+use nalgebra::SVector;
+use tautline::{Bounded, MetricError, bounds::Setting};
+
+use crate::{
+    Evidence, GramRange, Statement, Subject, Unit, VerifyError,
+    curves::{Curve, curve_energy, l2_norm},
+};
+
+/// The factor `ω` of `|γ̈| ≤ ω (L_H/c₁) K₁²`: 3/2, and 1/2 on the line.
+fn omega(dimension: usize) -> f64 {
+    if dimension == 1 { 0.5 } else { 1.5 }
+}
+
+/// A minimal geodesic at one time.
+struct Instant {
+    setting: Setting,
+    evidence: Evidence,
+    speed: f64,
+    acceleration: f64,
+    /// What is granted to `γ̇` and to `γ̈`, in `ℓ`.
+    granted: [f64; 2],
+}
+
+impl Instant {
+    /// Checks that `γ` has the speed `d` at the time `t` and satisfies the geodesic equation there.
+    fn of<const D: usize>(
+        statement: Statement,
+        subject: &impl Subject,
+        metric: &impl Bounded<D>,
+        curve: &impl Curve<D>,
+        distance: f64,
+        t: f64,
+    ) -> Result<Self, VerifyError> {
+        let setting = Setting::new(subject.constants(metric), distance, D)?;
+        let constants = setting.constants();
+        let [position, velocity, acceleration] = curve.jet(t);
+        let symbols = subject.christoffel(metric, &position)?;
+        let expected = SVector::<f64, D>::from_fn(|k, _| -velocity.dot(&(symbols[k] * velocity)));
+        let residual = (acceleration - expected).norm();
+        let speed_squared = metric.norm_squared(&position, &velocity);
+        let [size, a1, a2] = curve.suprema();
+        let natural = constants.l_h() / constants.c1();
+        let condition = constants.c2() / constants.c1();
+        // Of a derivative a dozen roundings; the metric is read at a point that is off by a few
+        // ε|γ|, and turns once or so in c₁/L_H; a Γ is off by ε times the condition number.
+        let relative = 128.0 * f64::EPSILON * (1.0 + condition + size * natural);
+        let granted = [relative * a1, relative * (a2 + 1.5 * natural * a1 * a1)];
+        let seen = GramRange::along(metric, [position])?;
+        let evidence = Evidence::of(statement)
+            .given_constants(constants, &seen)
+            .given(
+                "|g(γ̇, γ̇) − d²| = 0",
+                Unit::ENERGY,
+                [(speed_squared - distance * distance).abs(), 0.0],
+                2.0 * constants.c2() * a1 * granted[0] + relative * distance * distance,
+            )
+            .given("|γ̈ + Γ(γ̇, γ̇)| = 0", Unit::COORDINATE, [residual, 0.0], granted[1] * (D as f64));
+        let (speed, acceleration) = (velocity.norm(), acceleration.norm());
+        Ok(Self { setting, evidence, speed, acceleration, granted })
+    }
+}
+
+/// Evaluates `K_{1,g} = d/√c₁` on a minimal geodesic at the time `t`: `|γ̇(t)| ≤ K_{1,g}`.
+///
+/// That the geodesic is minimal is in `distance`: its speed has to be the distance `d` of its ends.
+/// Slack: none where `H = c₁` in the direction of `γ̇`.
+///
+/// Companions: `c₁ K_{1,g}²` is `d²`.
+///
+/// # Errors
+///
+/// [`VerifyError::Metric`] where `H` is not positive definite, [`VerifyError::Bound`] if `distance`
+/// is no distance.
+#[doc(alias = "K_{1,g}")]
+pub fn constant_k1<const D: usize>(
+    subject: &impl Subject,
+    metric: &impl Bounded<D>,
+    curve: &impl Curve<D>,
+    distance: f64,
+    t: f64,
+) -> Result<Evidence, VerifyError> {
+    let statement = Statement::ConstantK1;
+    let instant = Instant::of(statement, subject, metric, curve, distance, t)?;
+    let k1 = subject.k1_g(instant.setting);
+    let energy = instant.setting.constants().c1() * k1 * k1;
+    let (d2, rounding) = (distance * distance, 16.0 * f64::EPSILON * energy);
+    Ok(instant
+        .evidence
+        .paper("|γ̇(t)| ≤ K₁", Unit::COORDINATE, [instant.speed, k1], instant.granted[0])
+        .sharper("c₁K₁² ≤ d²", Unit::ENERGY, [energy, d2], rounding)
+        .sharper("d² ≤ c₁K₁²", Unit::ENERGY, [d2, energy], rounding))
+}
+
+/// Evaluates `K_{2,g} = 3 L_H D² K_{1,g}²/2c₁` on a minimal geodesic at the time `t`:
+/// `|γ̈(t)| ≤ K_{2,g}`.
+///
+/// Slack: `D²` at best for `D ≥ 2`, and 3 on the line, see the companion.
+///
+/// Companions: `|γ̈| ≤ ω (L_H/c₁) K_{1,g}²` with `ω = 3/2`, on the line `½`; and `K_{2,g}` is what
+/// it is defined to be.
+///
+/// # Errors
+///
+/// As [`constant_k1`].
+#[doc(alias = "K_{2,g}")]
+pub fn constant_k2<const D: usize>(
+    subject: &impl Subject,
+    metric: &impl Bounded<D>,
+    curve: &impl Curve<D>,
+    distance: f64,
+    t: f64,
+) -> Result<Evidence, VerifyError> {
+    let statement = Statement::ConstantK2;
+    let instant = Instant::of(statement, subject, metric, curve, distance, t)?;
+    let constants = instant.setting.constants();
+    let k2 = subject.k2_g(instant.setting);
+    // L_H d²/c₁², by the definition of K₁.
+    let natural = constants.l_h() * (distance / constants.c1()).powi(2);
+    let defined = 1.5 * natural * (D * D) as f64;
+    let (found, granted) = (instant.acceleration, instant.granted[1]);
+    let rounding = 16.0 * f64::EPSILON * defined;
+    Ok(instant
+        .evidence
+        .paper("|γ̈(t)| ≤ K₂", Unit::COORDINATE, [found, k2], granted)
+        .sharper(
+            "|γ̈(t)| ≤ ω L_H K₁²/c₁",
+            Unit::COORDINATE,
+            [found, omega(D) * natural],
+            granted + rounding,
+        )
+        .sharper("K₂ ≤ 3L_H D² d²/2c₁²", Unit::COORDINATE, [k2, defined], rounding)
+        .sharper("3L_H D² d²/2c₁² ≤ K₂", Unit::COORDINATE, [defined, k2], rounding))
+}
+
+/// Evaluates Proposition 7.12 on a minimiser of the energy between points at a given distance.
+///
+/// ```text
+/// ‖γ̇‖  ≤  K_{1,g},        ‖γ̈‖  ≤  K_{2,g}
+/// ```
+///
+/// Needs: `H ≥ c₁`, `H` Lipschitz, and `E(γ) ≤ d²`, which is what a minimiser is. Neither `c₂` nor
+/// closed sets are needed.
+///
+/// Slack: none in the first where `H = c₁` in the direction of the geodesic; in the second that of
+/// [`constant_k2`].
+///
+/// Companion: `‖γ̈‖ ≤ ω (L_H/c₁) K_{1,g}²` with `ω = 3/2`, on the line `½`.
+///
+/// # Errors
+///
+/// As [`constant_k1`].
+#[doc(alias = "prop:apriori_estuimate_geodesic")]
+pub fn prop_7_12<const D: usize>(
+    subject: &impl Subject,
+    metric: &impl Bounded<D>,
+    curve: &impl Curve<D>,
+    distance: f64,
+) -> Result<Evidence, VerifyError> {
+    let setting = Setting::new(subject.constants(metric), distance, D)?;
+    let constants = setting.constants();
+    let energy = curve_energy(metric, curve, 4);
+    let [velocity, acceleration] = [1, 2].map(|k| l2_norm(curve, k, [0.0, 1.0]));
+    let seen = seen_along(metric, curve)?;
+    let natural = constants.l_h() * (distance / constants.c1()).powi(2);
+    let [size, a1, _] = curve.suprema();
+    // As for a single time: the integrand is off by roundings of γ̇, and of the point where the
+    // metric is read. The distance is a difference of numbers of the size of √c₂ |γ|.
+    let relative = 128.0 * f64::EPSILON * (1.0 + size * constants.l_h() / constants.c1());
+    let granted = energy.error
+        + constants.c2() * a1 * (2.0 * relative * a1)
+        + 64.0 * f64::EPSILON * constants.c2().sqrt() * size * distance;
+    // And so are K₁, and the K₂ that has K₁² in it.
+    let off = 32.0 * f64::EPSILON * constants.c2().sqrt() * size / constants.c1().sqrt();
+    let bend = omega(D) * natural;
+    let granted_bend = acceleration.error
+        + 2.0 * relative * bend
+        + 2.0 * omega(D) * constants.l_h() / constants.c1() * subject.k1_g(setting) * off;
+    Ok(Evidence::of(Statement::Proposition7_12)
+        .given_constants(constants, &seen)
+        .given("E(γ) ≤ d²", Unit::ENERGY, [energy.value, distance * distance], granted)
+        .paper(
+            "‖γ̇‖ ≤ K₁",
+            Unit::COORDINATE,
+            [velocity.value, subject.k1_g(setting)],
+            velocity.error + off,
+        )
+        .paper(
+            "‖γ̈‖ ≤ K₂",
+            Unit::COORDINATE,
+            [acceleration.value, subject.k2_g(setting)],
+            granted_bend,
+        )
+        .sharper("‖γ̈‖ ≤ ω L_H K₁²/c₁", Unit::COORDINATE, [acceleration.value, bend], granted_bend))
+}
+
+/// What the metric does at nine points of a curve.
+fn seen_along<const D: usize>(
+    metric: &impl Bounded<D>,
+    curve: &impl Curve<D>,
+) -> Result<GramRange, MetricError> {
+    GramRange::along(metric, (0..9).map(|k| curve.jet(f64::from(k) / 8.0)[0]))
+}

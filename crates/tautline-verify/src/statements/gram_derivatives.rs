@@ -1,0 +1,94 @@
+//! Propositions 7.10 and 7.11: the first derivatives of the metric, and its Christoffel symbols.
+
+use nalgebra::{SMatrix, SVector};
+use tautline::{Bounded, Constants, Jet1, MetricError};
+
+use crate::{Evidence, GramRange, Statement, Subject, Unit, operator_norm};
+
+/// The constants as hypotheses, seen at `x` and near it: a step of `2⁻⁸ c₁/L_H` along each axis.
+fn near<const D: usize>(
+    statement: Statement,
+    constants: Constants,
+    metric: &impl Bounded<D>,
+    x: &SVector<f64, D>,
+) -> Result<Evidence, MetricError> {
+    // A constant metric has no length of its own.
+    let natural = constants.c1() / (256.0 * constants.l_h());
+    let step = if natural.is_finite() { natural } else { x.norm().max(f64::MIN_POSITIVE) };
+    let points = (0..D).flat_map(|l| {
+        let mut beside = *x;
+        beside[l] += step;
+        [*x, beside]
+    });
+    let seen = GramRange::along(metric, points)?;
+    Ok(Evidence::of(statement).given_constants(constants, &seen))
+}
+
+/// Evaluates Proposition 7.10 at a point: `|∂ₗ Hᵢⱼ| ≤ L_H` for all `i`, `j` and `l`.
+///
+/// Needs: `H` Lipschitz. Slack: none for a wave in one pair of entries along one axis.
+///
+/// Companion: the whole matrices `∂ₗ H`, and the derivative along the diagonal, `Σ ∂ₗ H/√D`, have
+/// operator norms up to `L_H`.
+///
+/// # Errors
+///
+/// [`MetricError`] where `H` is not finite, symmetric and positive definite.
+#[doc(alias = "prop:estimate_derivation_g")]
+pub fn prop_7_10<const D: usize>(
+    subject: &impl Subject,
+    metric: &impl Bounded<D>,
+    x: &SVector<f64, D>,
+) -> Result<Evidence, MetricError> {
+    let constants = subject.constants(metric);
+    let jets = metric.gram(&SVector::from(Jet1::variables(&(*x).into())));
+    let slopes: [SMatrix<f64, D, D>; D] =
+        std::array::from_fn(|l| SMatrix::from_fn(|i, j| jets[(i.min(j), i.max(j))].first(l)));
+    let largest = slopes.iter().map(|slope| slope.amax()).fold(0.0, f64::max);
+    let diagonal: SMatrix<f64, D, D> =
+        slopes.iter().sum::<SMatrix<f64, D, D>>() / (D as f64).sqrt();
+    let norms = slopes.iter().chain([&diagonal]).map(operator_norm);
+    let operator = norms.fold(0.0, f64::max);
+    let bound = constants.l_h();
+    // A dozen roundings an entry, and those of an argument of the size of |x| L_H/c₁.
+    let size = 1.0 + x.norm() * bound / constants.c1();
+    let granted = 32.0 * f64::EPSILON * (D as f64 + size) * bound;
+    Ok(near(Statement::Proposition7_10, constants, metric, x)?
+        .paper("|∂ₗHᵢⱼ| ≤ L_H", Unit::GRAM_SLOPE, [largest, bound], granted)
+        .sharper("‖DH[w]‖ ≤ L_H|w|", Unit::GRAM_SLOPE, [operator, bound], granted))
+}
+
+/// Evaluates Proposition 7.11 at a point: `|Γᵏᵢⱼ| ≤ 3 L_H √D/2c₁`.
+///
+/// Needs: `H ≥ c₁`, `H` Lipschitz. Slack: `√D` at best, see the companion.
+///
+/// Companion: `Γᵏᵢⱼ` is the product of row `k` of `H⁻¹`, whose norm is at most `1/c₁`, and half of
+/// the vector `(∂ᵢHⱼ + ∂ⱼHᵢ − ∇Hᵢⱼ)`, each term of which has the norm `L_H` at most. So `√D` may
+/// go, and `3/2` is sharp in two dimensions; in one the terms cancel, and `L_H/2c₁` is left.
+///
+/// # Errors
+///
+/// [`MetricError`] where `H` is not finite, symmetric and positive definite.
+#[doc(alias = "prop:Christoffel_symbol_estimate")]
+pub fn prop_7_11<const D: usize>(
+    subject: &impl Subject,
+    metric: &impl Bounded<D>,
+    x: &SVector<f64, D>,
+) -> Result<Evidence, MetricError> {
+    let constants = subject.constants(metric);
+    let symbols = subject.christoffel(metric, x)?;
+    let largest = symbols.iter().map(|matrix| matrix.amax()).fold(0.0, f64::max);
+    let natural = constants.l_h() / constants.c1();
+    let bound = 1.5 * natural * (D as f64).sqrt();
+    let (claim, sharp) = if D == 1 {
+        ("|Γ| ≤ L_H/2c₁", 0.5 * natural)
+    } else {
+        ("|Γᵏᵢⱼ| ≤ 3 L_H/2c₁", 1.5 * natural)
+    };
+    // As in Proposition 7.10; a solution of H z = r is off by ε times the condition number.
+    let size = D as f64 + x.norm() * natural + constants.c2() / constants.c1();
+    let granted = 64.0 * f64::EPSILON * size * bound;
+    Ok(near(Statement::Proposition7_11, constants, metric, x)?
+        .paper("|Γᵏᵢⱼ| ≤ 3 L_H √D/2c₁", Unit::CHRISTOFFEL, [largest, bound], granted)
+        .sharper(claim, Unit::CHRISTOFFEL, [largest, sharp], granted))
+}

@@ -1,0 +1,259 @@
+//! Propositions 7.2 to 7.4: how far a curve and its velocity are from their means.
+//!
+//! The intervals of the paper are `[s₁, s₂] ⊂ [0, 1]`, here of the length `l = s₂ − s₁ > 0`. An
+//! inequality with two terms on its right side is compared as a gap: what the first term leaves of
+//! the left side, against the second term.
+
+use std::num::NonZeroUsize;
+
+use nalgebra::SVector;
+use tautline::Integral;
+
+use crate::{
+    Evidence, Statement, Unit, VerifyError,
+    curves::{Curve, l2_norm},
+};
+
+/// Returns `value` if it lies in `[low, high]`.
+fn within(name: &'static str, value: f64, [low, high]: [f64; 2]) -> Result<f64, VerifyError> {
+    if low <= value && value <= high {
+        Ok(value)
+    } else {
+        Err(VerifyError::OutOfRange { name, value, low, high })
+    }
+}
+
+/// What is read off a curve on `[s₁, s₂]`, for Propositions 7.2 and 7.3.
+struct Interval<const D: usize> {
+    /// `γ(s₂) − γ(s₁)`.
+    chord: SVector<f64, D>,
+    length: f64,
+    /// `‖γ‖`, `‖γ̇‖` and `‖γ̈‖`.
+    norms: [Integral; 3],
+    /// The rounding of a position, in `ℓ`.
+    rounding: f64,
+}
+
+impl<const D: usize> Interval<D> {
+    fn of(curve: &impl Curve<D>, [s1, s2]: [f64; 2]) -> Result<Self, VerifyError> {
+        within("s₁", s1, [0.0, 1.0])?;
+        // An interval of rounding has no length to speak of.
+        within("s₂", s2, [s1 + 1e-6, 1.0])?;
+        Ok(Self {
+            chord: curve.jet(s2)[0] - curve.jet(s1)[0],
+            length: s2 - s1,
+            norms: [0, 1, 2].map(|k| l2_norm(curve, k, [s1, s2])),
+            // A dozen terms, a few roundings each; and t is rounded, which moves γ by ε|γ̇|.
+            rounding: f64::EPSILON * (64.0 * curve.suprema()[0] + 4.0 * curve.suprema()[1]),
+        })
+    }
+}
+
+/// The clause that the paper leaves out: `γ̇` is absolutely continuous.
+pub(super) fn without_kinks<const D: usize>(evidence: Evidence, curve: &impl Curve<D>) -> Evidence {
+    evidence.given("γ̇ does not jump", Unit::COORDINATE, [curve.largest_jump(), 0.0], 0.0)
+}
+
+/// Evaluates Proposition 7.2, its second inequality repaired, at `0 ≤ s₁ ≤ s ≤ s₂ ≤ 1`.
+///
+/// ```text
+/// |γ(s₂) − γ(s₁)|  ≤  √l ‖γ̇‖,        |γ(s)|  ≤  ‖γ‖/√l + √(l/3) ‖γ̇‖
+/// ```
+///
+/// Equality in the first exactly if `γ̇` is constant; in the second for constant curves, and
+/// `√(1/3)` is the best constant. Nothing is needed but that `γ` is continuous and piecewise
+/// smooth, which a [`Curve`] is.
+///
+/// Companion: `γ(s)` is the mean of `γ` plus `(1/l) ∫ k_s γ̇`, where the kernel is `r − s₁` before
+/// `s` and `r − s₂` after it. So the factor of `‖γ̇‖` may be `((a³ + (l − a)³)/3)^{1/2}/l` with
+/// `a = s − s₁`, half of the other where `s` is in the middle.
+///
+/// # Errors
+///
+/// [`VerifyError::OutOfRange`] if the times are not in order, or `l < 10⁻⁶`.
+#[doc(alias = "prop:morrey_ineq")]
+pub fn prop_7_2<const D: usize>(
+    curve: &impl Curve<D>,
+    [s1, s, s2]: [f64; 3],
+) -> Result<Evidence, VerifyError> {
+    let Interval { chord, length, norms: [position, velocity, _], rounding } =
+        Interval::of(curve, [s1, s2])?;
+    let a = within("s", s, [s1, s2])? - s1;
+    let kernel = ((a.powi(3) + (length - a).powi(3)) / 3.0).sqrt() / length;
+    let gap = curve.jet(s)[0].norm() - position.value / length.sqrt();
+    let granted = 2.0 * rounding + length.sqrt() * velocity.error;
+    let granted_gap = granted + position.error / length.sqrt();
+    Ok(Evidence::of(Statement::Proposition7_2)
+        .paper(
+            "|γ(s₂) − γ(s₁)| ≤ √l ‖γ̇‖",
+            Unit::COORDINATE,
+            [chord.norm(), length.sqrt() * velocity.value],
+            granted,
+        )
+        .paper(
+            "|γ(s)| − ‖γ‖/√l ≤ √(l/3) ‖γ̇‖",
+            Unit::COORDINATE,
+            [gap, (length / 3.0).sqrt() * velocity.value],
+            granted_gap,
+        )
+        .sharper(
+            "|γ(s)| − ‖γ‖/√l ≤ ((a³ + (l − a)³)/3)^{1/2} ‖γ̇‖/l",
+            Unit::COORDINATE,
+            [gap, kernel * velocity.value],
+            granted_gap,
+        ))
+}
+
+/// Evaluates the second inequality of Proposition 7.2 as it is printed: `|γ(s)| ≤ ‖γ‖ + 2‖γ̇‖`.
+///
+/// It is false on every interval shorter than 1: for a constant curve the right side is `√l |γ|`.
+///
+/// # Errors
+///
+/// As [`prop_7_2`].
+pub fn prop_7_2_as_printed<const D: usize>(
+    curve: &impl Curve<D>,
+    [s1, s, s2]: [f64; 3],
+) -> Result<Evidence, VerifyError> {
+    let Interval { norms: [position, velocity, _], rounding, .. } = Interval::of(curve, [s1, s2])?;
+    let gap = curve.jet(within("s", s, [s1, s2])?)[0].norm() - position.value;
+    Ok(Evidence::of(Statement::Proposition7_2).paper(
+        "|γ(s)| − ‖γ‖ ≤ 2‖γ̇‖",
+        Unit::COORDINATE,
+        [gap, 2.0 * velocity.value],
+        rounding + position.error + 2.0 * velocity.error,
+    ))
+}
+
+/// Evaluates Proposition 7.3, repaired, on `[s₁, s₂] ⊂ [0, 1]`: on the interval itself, and with
+/// the norms over `[0, 1]`, which is what Proposition 7.6 needs.
+///
+/// ```text
+/// |γ(s₂) − γ(s₁)|  ≤  l (‖γ̇‖/√l + √(l/3) ‖γ̈‖)
+/// |γ(s₂) − γ(s₁)|  ≤  l (‖γ̇‖₍₀,₁₎ + ‖γ̈‖₍₀,₁₎/√3)
+/// ```
+///
+/// Equality for constant velocity. The second is the mean value theorem with `|γ̇|` bounded by
+/// Proposition 7.2 on `[0, 1]`, and no constant smaller than `1/√3` will do; it needs that `γ̇`
+/// does not jump. The first holds for kinked curves too, and without its last term, which makes
+/// it the first inequality of Proposition 7.2.
+///
+/// # Errors
+///
+/// As [`prop_7_2`].
+#[doc(alias = "prop:morrey_ineq_cor")]
+pub fn prop_7_3<const D: usize>(
+    curve: &impl Curve<D>,
+    [s1, s2]: [f64; 2],
+) -> Result<Evidence, VerifyError> {
+    let Interval { chord, length, norms: [_, velocity, acceleration], rounding } =
+        Interval::of(curve, [s1, s2])?;
+    let [whole, bend] = [1, 2].map(|k| l2_norm(curve, k, [0.0, 1.0]));
+    let local = velocity.value / length.sqrt() + (length / 3.0).sqrt() * acceleration.value;
+    let errors = velocity.error / length.sqrt() + whole.error + acceleration.error + bend.error;
+    let granted = 2.0 * rounding + length * errors;
+    Ok(without_kinks(Evidence::of(Statement::Proposition7_3), curve)
+        .paper(
+            "|γ(s₂) − γ(s₁)| ≤ l (‖γ̇‖/√l + √(l/3) ‖γ̈‖)",
+            Unit::COORDINATE,
+            [chord.norm(), length * local],
+            granted,
+        )
+        .paper(
+            "|γ(s₂) − γ(s₁)| − l‖γ̇‖₍₀,₁₎ ≤ l‖γ̈‖₍₀,₁₎/√3",
+            Unit::COORDINATE,
+            [chord.norm() - length * whole.value, length * bend.value / 3_f64.sqrt()],
+            granted,
+        ))
+}
+
+/// Evaluates Proposition 7.3 as it is printed: `|γ(s₂) − γ(s₁)| ≤ l (‖γ̇‖ + 2‖γ̈‖)`.
+///
+/// It is false on every interval shorter than 1: for constant velocity the right side is
+/// `l^{3/2} |γ̇|`.
+///
+/// # Errors
+///
+/// As [`prop_7_2`].
+pub fn prop_7_3_as_printed<const D: usize>(
+    curve: &impl Curve<D>,
+    [s1, s2]: [f64; 2],
+) -> Result<Evidence, VerifyError> {
+    let Interval { chord, length, norms: [_, velocity, acceleration], rounding } =
+        Interval::of(curve, [s1, s2])?;
+    Ok(Evidence::of(Statement::Proposition7_3).paper(
+        "|γ(s₂) − γ(s₁)| ≤ l (‖γ̇‖ + 2‖γ̈‖)",
+        Unit::COORDINATE,
+        [chord.norm(), length * (velocity.value + 2.0 * acceleration.value)],
+        2.0 * rounding + length * (velocity.error + 2.0 * acceleration.error),
+    ))
+}
+
+/// Evaluates Proposition 7.4, repaired, at `t = tₖ + θh` with `h = 1/N`.
+///
+/// ```text
+/// |βₖ − γ̇(t)|  ≤  2 ‖γ̈‖/√N      with the norm over [tₖ, tₖ₊₁]
+/// ```
+///
+/// Needs that `γ̇` does not jump, which the paper does not say. Slack: `2√3` at best, see the
+/// companions.
+///
+/// Companions: `βₖ` is the mean of `γ̇`, so that Proposition 7.2 has the factor `(h/3)^{1/2}` at
+/// its worst, `θ = 0`, and `((θ³ + (1 − θ)³) h/3)^{1/2}` elsewhere, both attained by
+/// `(tₖ₊₁ − t)³` at `tₖ`; and in `L²` over the subinterval `‖γ̇ − βₖ‖ ≤ (h/π) ‖γ̈‖`, attained where
+/// `γ̇` is half a cosine.
+///
+/// # Errors
+///
+/// [`VerifyError::OutOfRange`] unless `k < N` and `0 ≤ θ ≤ 1`.
+#[doc(alias = "prop:approx_numerical_integral_beta-gamma")]
+pub fn prop_7_4<const D: usize>(
+    curve: &impl Curve<D>,
+    n: NonZeroUsize,
+    k: usize,
+    theta: f64,
+) -> Result<Evidence, VerifyError> {
+    let n = n.get() as f64;
+    let k = within("k", k as f64, [0.0, n - 1.0])?;
+    within("θ", theta, [0.0, 1.0])?;
+    let (h, cell) = (1.0 / n, [k / n, (k + 1.0) / n]);
+    let Interval { chord, norms: [_, velocity, acceleration], rounding, .. } =
+        Interval::of(curve, cell)?;
+    let beta = chord * n;
+    let [_, derivative, _] = curve.jet((k + theta) / n);
+    let gap = (beta - derivative).norm();
+    // ∫ |γ̇ − β|² = ∫ |γ̇|² − h |β|², a difference of numbers of the size of the first.
+    let square = (velocity.value.powi(2) - h * beta.norm_squared()).max(0.0);
+    let granted_square = 4.0 * velocity.value * (velocity.error + 2.0 * rounding / h.sqrt());
+    let kernel = ((theta.powi(3) + (1.0 - theta).powi(3)) * h / 3.0).sqrt();
+    let granted = 2.0 * n * rounding
+        + 64.0 * f64::EPSILON * curve.suprema()[1]
+        + 4.0 * f64::EPSILON * curve.suprema()[2]
+        + 2.0 * h.sqrt() * acceleration.error;
+    let squared = Unit { ell: 2, m: 0 };
+    Ok(without_kinks(Evidence::of(Statement::Proposition7_4), curve)
+        .paper(
+            "|β − γ̇(t)| ≤ 2‖γ̈‖/√N",
+            Unit::COORDINATE,
+            [gap, 2.0 * acceleration.value / n.sqrt()],
+            granted,
+        )
+        .sharper(
+            "|β − γ̇(t)| ≤ (h/3)^{1/2} ‖γ̈‖",
+            Unit::COORDINATE,
+            [gap, (h / 3.0).sqrt() * acceleration.value],
+            granted,
+        )
+        .sharper(
+            "|β − γ̇(t)| ≤ ((θ³ + (1 − θ)³) h/3)^{1/2} ‖γ̈‖",
+            Unit::COORDINATE,
+            [gap, kernel * acceleration.value],
+            granted,
+        )
+        .sharper(
+            "‖γ̇ − β‖² ≤ (h/π)² ‖γ̈‖²",
+            squared,
+            [square, (h * acceleration.value / std::f64::consts::PI).powi(2)],
+            granted_square + h * h * acceleration.value * acceleration.error,
+        ))
+}

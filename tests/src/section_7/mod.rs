@@ -1,3 +1,0 @@
-//! Section 7: the trapezoidal rule.
-
-mod geodesics;
