@@ -3,9 +3,7 @@
 //! | module | shows |
 //! | --- | --- |
 //! | `section_1` | observed orders and leading constants |
-//! | `section_3` | geodesics have constant speed; distances between the Euclidean ones |
 //! | `section_5` | the counterexample: discrete lengths, and global minima of the discrete energies |
-//! | `section_6` | no curve has less energy than `d²` |
 //! | `section_7` | the propositions on geodesics |
 //! | `battery` | every check of the project's own suite, by its name |
 //! | `golden` | the paper's constants against values computed with 40 digits |
@@ -37,8 +35,6 @@ mod section_1;
 mod section_3;
 #[cfg(test)]
 mod section_5;
-#[cfg(test)]
-mod section_6;
 #[cfg(test)]
 mod section_7;
 #[cfg(test)]

@@ -17,6 +17,7 @@
 
 pub mod battery;
 mod catalogue;
+pub mod curves;
 mod evidence;
 mod gram_range;
 mod inequality;

@@ -2,6 +2,10 @@
 
 mod point_sequences;
 mod section_1;
+mod section_3;
+mod section_4;
+mod section_6;
+mod section_9;
 
 use std::collections::BTreeSet;
 
@@ -40,7 +44,14 @@ fn passes(name: &str) {
 fn every_check_is_a_test() {
     let checks: BTreeSet<&str> = battery::<Library>().iter().map(|check| check.name).collect();
     assert_eq!(checks.len(), battery::<Library>().len(), "two checks of one name");
-    let sections = [section_1::NAMES, point_sequences::NAMES];
+    let sections = [
+        section_1::NAMES,
+        section_3::NAMES,
+        section_4::NAMES,
+        section_6::NAMES,
+        point_sequences::NAMES,
+        section_9::NAMES,
+    ];
     let tests: BTreeSet<&str> = sections.concat().into_iter().collect();
     assert_eq!(checks, tests);
 }

@@ -7,6 +7,10 @@
 mod check;
 mod point_sequences;
 mod section_1;
+mod section_3;
+mod section_4;
+mod section_6;
+mod section_9;
 mod tally;
 mod trial;
 
@@ -19,5 +23,13 @@ use crate::Subject;
 /// Returns all checks, in the paper's order.
 #[must_use]
 pub fn battery<S: Subject>() -> Vec<Check<S>> {
-    [section_1::checks(), point_sequences::checks()].into_iter().flatten().collect()
+    let sections = [
+        section_1::checks(),
+        section_3::checks(),
+        section_4::checks(),
+        section_6::checks(),
+        point_sequences::checks(),
+        section_9::checks(),
+    ];
+    sections.into_iter().flatten().collect()
 }

@@ -1,10 +1,12 @@
 //! Random cases for proptest: points, point sequences, metrics and problems with known distances.
 
+mod geodesics;
 mod metrics;
 mod points;
 mod problems;
 
-pub use metrics::{constant, ramp, separable, shear};
+pub use geodesics::{clock, in_hyperbolic_space, joined, on_sphere, ray};
+pub use metrics::{bump, constant, hill, lens, ramp, separable, shear};
 pub use points::{sequence, subintervals, two_points, vector};
 pub use problems::{
     constant_ball_half_space, constant_finite_sets, points, separable_box_half_space,

@@ -2,8 +2,12 @@
 
 mod incline;
 mod one_step;
+mod polygonal;
 mod tent;
+mod washboard;
 
 pub use incline::Incline;
 pub use one_step::one_step;
+pub use polygonal::Polygonal;
 pub use tent::Tent;
+pub use washboard::Washboard;
