@@ -12,4 +12,5 @@ super::checks! {
     remark_9_2_is_homogeneous
     remark_9_2_is_attained_by_two_routes
     remark_9_2_has_the_best_rate_for_every_number_of_subintervals
+    remark_9_2_fails_for_a_slope_that_is_not_admitted
 }

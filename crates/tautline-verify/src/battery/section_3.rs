@@ -5,7 +5,7 @@ use std::{f64::consts::TAU, fmt::Debug};
 use nalgebra::{SMatrix, SVector};
 use proptest::prelude::*;
 use tautline::{
-    Bounded, Constants, Metric, Scalar,
+    Bounded, Constants,
     gallery::{Constant, Hyperbolic, Shear, Sphere, Valleys},
 };
 
@@ -23,6 +23,7 @@ use crate::{
         constant, in_hyperbolic_space, joined, on_sphere, points, ramp, separable, shear,
         valleys_across, valleys_along, vector,
     },
+    witnesses::Claimed,
 };
 
 pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
@@ -267,22 +268,6 @@ fn attained_by_constant_metrics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     })
 }
 
-/// A metric and constants that are not its own.
-#[derive(Debug)]
-struct Claimed<M>(M, Constants);
-
-impl<M: Metric<D>, const D: usize> Metric<D> for Claimed<M> {
-    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
-        self.0.gram(x)
-    }
-}
-
-impl<M: Metric<D>, const D: usize> Bounded<D> for Claimed<M> {
-    fn constants(&self) -> Constants {
-        self.1
-    }
-}
-
 /// Hyperbolic space has `H ≥ 4`, and no `c₂`: from 0 to `(0.99, 0)` it is `2 artanh 0.99 = 5.29`,
 /// not at most `√5 · 0.99`. The sphere has `H ≤ 4`, and no `c₁`: from 0 to `(10, 0)` it is `2
 /// arctan 10 = 2.94`, not at least `√½ · 10`.
@@ -296,7 +281,7 @@ fn dropped_constants() -> Outcome {
         let Known { ends, distance, distance_error, .. } =
             Known::joined(&metric, ends)?.expect("known");
         let constants = Constants::new(constants[0], constants[1], 1e6)?;
-        let metric = Claimed(metric, constants);
+        let metric = Claimed::new(metric, constants);
         Ok(prop_3_3(&Library, &Known { metric, ends, distance, distance_error })?)
     }
     fails_without("c₂", case(Hyperbolic, [4.0, 5.0], 0.99)?)?;
