@@ -107,7 +107,7 @@ impl Residual {
             found.bending = found.bending.max(bending.norm());
             // The symbols are derivatives of H over its least eigenvalue, some dozens of roundings
             // of their largest terms; the position is rounded as well, and they move with it by
-            // about Γ times that. Measured: less than a fifth of this in 5000 random cases.
+            // about Γ times that. Measured over the suite: less than a fifth of this.
             let moved = position.norm() * gamma * scale;
             found.granted = found.granted.max(512.0 * f64::EPSILON * (scale + moved));
         }
