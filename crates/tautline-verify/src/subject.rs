@@ -168,6 +168,36 @@ pub trait Subject: Sync {
     fn theorem_1_3_constant(&self, setting: Setting) -> f64 {
         bounds::theorem_1_3_constant(setting)
     }
+
+    /// Returns the bound of order `1/N` of `E(γᵖˡ) − d²` for the trapezoidal rule, in `m²`.
+    fn first_order_excess_trapezoidal(&self, setting: Setting, n: NonZeroUsize) -> f64 {
+        bounds::first_order_excess_trapezoidal(setting, n)
+    }
+
+    /// Returns the bound of order `1/N` of `E(γᵖˡ) − d²` for the left-endpoint rule, in `m²`.
+    fn first_order_excess_left(&self, setting: Setting, n: NonZeroUsize) -> f64 {
+        bounds::first_order_excess_left(setting, n)
+    }
+
+    /// Returns the bound of order `1/N` of `min E_tra,N − d²`, in `m²`.
+    fn first_order_minimum_gap_trapezoidal(&self, setting: Setting, n: NonZeroUsize) -> f64 {
+        bounds::first_order_minimum_gap_trapezoidal(setting, n)
+    }
+
+    /// Returns the bound of order `1/N` of `min E_l,N − d²`, in `m²`.
+    fn first_order_minimum_gap_left(&self, setting: Setting, n: NonZeroUsize) -> f64 {
+        bounds::first_order_minimum_gap_left(setting, n)
+    }
+
+    /// Returns the bound of order `1/N` of `E(γᵖˡ) − E_tra,N` and of `d² − E_tra,N`, in `m²`.
+    fn first_order_polyline_gap_trapezoidal(&self, setting: Setting, n: NonZeroUsize) -> f64 {
+        bounds::first_order_polyline_gap_trapezoidal(setting, n)
+    }
+
+    /// Returns the bound of order `1/N` of `E(γᵖˡ) − E_l,N` and of `d² − E_l,N`, in `m²`.
+    fn first_order_polyline_gap_left(&self, setting: Setting, n: NonZeroUsize) -> f64 {
+        bounds::first_order_polyline_gap_left(setting, n)
+    }
 }
 
 /// The library itself: every method of [`Subject`] as it is.

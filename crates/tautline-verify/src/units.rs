@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use nalgebra::{SMatrix, SVector};
-use tautline::{Bounded, ClosedSet, Constants, Ends, Metric, PointSequence, Scalar};
+use tautline::{Bounded, ClosedSet, Constants, Ends, KnownDistance, Metric, PointSequence, Scalar};
 
 use crate::{Known, VerifyError};
 
@@ -89,6 +89,18 @@ pub struct InUnits<M> {
     units: Units,
 }
 
+impl<M> InUnits<M> {
+    /// Returns the metric in its own units.
+    pub fn metric(&self) -> &M {
+        &self.metric
+    }
+
+    /// Returns the units.
+    pub fn units(&self) -> Units {
+        self.units
+    }
+}
+
 impl<M: Metric<D>, const D: usize> Metric<D> for InUnits<M> {
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         let Units { ell, m } = self.units;
@@ -106,6 +118,14 @@ impl<M: Bounded<D>, const D: usize> Bounded<D> for InUnits<M> {
     fn constants(&self) -> Constants {
         // Constants that overflow are no constants of a metric in f64.
         self.units.constants(self.metric.constants()).expect("in the range of f64")
+    }
+}
+
+impl<M: KnownDistance<D>, const D: usize> KnownDistance<D> for InUnits<M> {
+    /// That of the metric, in these units.
+    fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
+        let Units { ell, m } = self.units;
+        Some(self.metric.distance(&(x / ell), &(y / ell))? * m)
     }
 }
 

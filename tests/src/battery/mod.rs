@@ -2,10 +2,14 @@
 
 mod point_sequences;
 mod section_1;
+mod section_3;
+mod section_4;
+mod section_6;
 mod section_7_algebra;
 mod section_7_apriori;
 mod section_7_morrey;
 mod section_7_sampling;
+mod section_9;
 
 use std::collections::BTreeSet;
 
@@ -46,11 +50,15 @@ fn every_check_is_a_test() {
     assert_eq!(checks.len(), battery::<Library>().len(), "two checks of one name");
     let sections = [
         section_1::NAMES,
+        section_3::NAMES,
+        section_4::NAMES,
+        section_6::NAMES,
         section_7_morrey::NAMES,
         section_7_algebra::NAMES,
         section_7_sampling::NAMES,
         section_7_apriori::NAMES,
         point_sequences::NAMES,
+        section_9::NAMES,
     ];
     let tests: BTreeSet<&str> = sections.concat().into_iter().collect();
     assert_eq!(checks, tests);

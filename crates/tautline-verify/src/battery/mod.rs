@@ -10,10 +10,14 @@ mod ledger;
 mod point_sequences;
 mod quick;
 mod section_1;
+mod section_3;
+mod section_4;
+mod section_6;
 mod section_7_algebra;
 mod section_7_apriori;
 mod section_7_morrey;
 mod section_7_sampling;
+mod section_9;
 mod tally;
 mod trial;
 
@@ -27,15 +31,17 @@ use crate::Subject;
 /// Returns all checks, in the paper's order.
 #[must_use]
 pub fn battery<S: Subject>() -> Vec<Check<S>> {
-    [
+    let sections = [
         section_1::checks(),
+        section_3::checks(),
+        section_4::checks(),
+        section_6::checks(),
         section_7_morrey::checks(),
         section_7_algebra::checks(),
         section_7_sampling::checks(),
         section_7_apriori::checks(),
         point_sequences::checks(),
-    ]
-    .into_iter()
-    .flatten()
-    .collect()
+        section_9::checks(),
+    ];
+    sections.into_iter().flatten().collect()
 }

@@ -14,7 +14,7 @@ use crate::{
     Evidence, Library,
     Statement::{self, ConstantK1, ConstantK2, Proposition7_10, Proposition7_11, Proposition7_12},
     Subject, VerifyError,
-    curves::{Curve, FlatGeodesic, SmoothCurve},
+    curves::{BoundedCurve, Geodesic, SmoothCurve},
     statements::{constant_k1, constant_k2, prop_7_10, prop_7_11, prop_7_12},
     strategies::{constant, ramp, separable, shear, two_points, vector},
     witnesses::{Claimed, Incline, InclineGeodesic, Ripple, Twist},
@@ -168,7 +168,7 @@ fn false_constants() -> Outcome {
 fn evidence<const D: usize>(
     subject: &impl Subject,
     metric: &impl Bounded<D>,
-    curve: &impl Curve<D>,
+    curve: &impl BoundedCurve<D>,
     distance: f64,
     t: f64,
 ) -> Result<[Evidence; 3], VerifyError> {
@@ -183,8 +183,9 @@ fn geodesics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     fn separables<S: Subject, const D: usize>(trial: &Trial<'_, S>, seed: u64) -> Outcome {
         let cases = (separable::<D>(), two_points(2.5), 0.0..1.0);
         trial.for_all(seed, 192, cases, |subject, (metric, ends, t): (Separable<D>, _, _)| {
-            let curve = FlatGeodesic::of_separable(metric, ends);
-            evidence(subject, &metric, &curve, curve.distance(), t)
+            let curve = Geodesic::between(metric, ends);
+            let distance = metric.distance(&ends[0], &ends[1]).expect("known");
+            evidence(subject, &metric, &curve, distance, t)
         })
     }
     fn constants<S: Subject, const D: usize>(trial: &Trial<'_, S>, seed: u64) -> Outcome {
@@ -200,8 +201,9 @@ fn geodesics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
             512,
             (shear(), two_points(2.5), 0.0..1.0),
             |subject, (metric, ends, t)| {
-                let curve = FlatGeodesic::of_shear(metric, ends);
-                evidence(subject, &metric, &curve, curve.distance(), t)
+                let curve = Geodesic::between(metric, ends);
+                let distance = metric.distance(&ends[0], &ends[1]).expect("known");
+                evidence(subject, &metric, &curve, distance, t)
             },
         ),
         separables::<S, 1>(trial, 7141),
@@ -215,8 +217,8 @@ fn geodesics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 fn homogeneous_geodesics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     let cases = (shear(), two_points(2.5), 0.0..1.0);
     trial.homogeneous(7150, 128, cases, |subject, (metric, ends, t), units| {
-        let curve = FlatGeodesic::of_shear(metric, ends);
-        let distance = curve.distance() * units.m;
+        let curve = Geodesic::between(metric, ends);
+        let distance = metric.distance(&ends[0], &ends[1]).expect("known") * units.m;
         evidence(subject, &units.metric(metric), &units.curve(curve), distance, t)
     })
 }

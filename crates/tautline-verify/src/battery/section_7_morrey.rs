@@ -14,7 +14,7 @@ use crate::{
     Evidence,
     Statement::{self, Proposition7_2, Proposition7_3, Proposition7_4},
     Subject, VerifyError,
-    curves::{Curve, KinkedCurve, SmoothCurve},
+    curves::{BoundedCurve, KinkedCurve, SmoothCurve},
     statements::{prop_7_2, prop_7_2_as_printed, prop_7_3, prop_7_3_as_printed, prop_7_4},
     strategies::{kinked_curve, smooth_curve, times},
 };
@@ -81,7 +81,7 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
 
 /// The three statements; `θ = s` and `k = ⌊s₁ N⌋` in the last.
 fn evidence<const D: usize>(
-    curve: &impl Curve<D>,
+    curve: &impl BoundedCurve<D>,
     [s1, s, s2]: [f64; 3],
     n: NonZeroUsize,
 ) -> Result<[Evidence; 3], VerifyError> {

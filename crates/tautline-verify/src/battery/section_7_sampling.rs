@@ -19,7 +19,7 @@ use crate::{
     Statement::{self, ConstantCTra, ConstantCTraSharp, Proposition7_6, Proposition7_7},
     Subject, Unit, VerifyError,
     arbitrary::AnySetting,
-    curves::{Curve, FlatGeodesic, KinkedCurve, SmoothCurve},
+    curves::{BoundedCurve, Curve, Geodesic, KinkedCurve, SmoothCurve},
     statements::{constant_c_tra, constant_c_tra_sharp, prop_7_6, prop_7_6_as_printed, prop_7_7},
     strategies::{constant, ramp, separable, shear, smooth_curve, subintervals, two_points},
     witnesses::{Claimed, Tent, Zigzag},
@@ -91,7 +91,7 @@ fn family<const D: usize>() -> impl Strategy<Value = [SmoothCurve<D>; 3]> {
 fn evidence<const D: usize>(
     subject: &impl Subject,
     metric: &impl Bounded<D>,
-    curves: &[impl Curve<D>; 3],
+    curves: &[impl BoundedCurve<D>; 3],
     n: NonZeroUsize,
 ) -> Result<[Evidence; 2], VerifyError> {
     Ok([prop_7_6(subject, metric, &curves[0], n)?, prop_7_7(subject, metric, curves, n)?])
@@ -127,12 +127,7 @@ fn geodesics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
             512,
             (shear(), two_points(2.5), subintervals()),
             |subject, (metric, ends, n)| {
-                Ok([prop_7_6(
-                    subject,
-                    &metric,
-                    &FlatGeodesic::of_shear(metric, ends),
-                    positive(n),
-                )?])
+                Ok([prop_7_6(subject, &metric, &Geodesic::between(metric, ends), positive(n))?])
             },
         ),
         trial.for_all(
@@ -140,7 +135,7 @@ fn geodesics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
             192,
             (separable::<2>(), two_points(2.5), subintervals()),
             |subject, (metric, ends, n)| {
-                let curve = FlatGeodesic::of_separable(metric, ends);
+                let curve = Geodesic::between(metric, ends);
                 Ok([prop_7_6(subject, &metric, &curve, positive(n))?])
             },
         ),
@@ -248,7 +243,7 @@ fn discrete_minimum<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     let cases = (shear(), two_points(2.5), smooth_curve::<2>(0.5), subintervals());
     trial.for_all(7641, 192, cases, |subject, (metric, [a, b], curve, n)| {
         let ends = Ends::points(a, b)?;
-        let geodesic = FlatGeodesic::of_shear(metric, [a, b]).sample(n)?;
+        let geodesic = Geodesic::between(metric, [a, b]).sample(n)?;
         let curve = curve.between(a, b).sample(n)?;
         let trapezoidal = subject.minimise(Trapezoidal, &metric, &ends, n)?.sequence;
         let left = subject.minimise(LeftEndpoint, &metric, &ends, n)?.sequence;

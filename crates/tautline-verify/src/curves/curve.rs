@@ -1,31 +1,33 @@
 //! `Curve`: a curve over `[0, 1]` with its first two derivatives.
 
-use nalgebra::SVector;
 use tautline::{PointSequence, SequenceError};
 
-/// A continuous curve over `[0, 1]` that is smooth but for finitely many kinks.
-///
-/// # Laws
-///
-/// [`jet`](Curve::jet) is finite on `[0, 1]`, and [`suprema`](Curve::suprema) bounds it there.
+use super::Motion;
+
+/// A continuous, piecewise twice differentiable curve on `[0, 1]`.
 pub trait Curve<const D: usize> {
-    /// Returns `γ(t)`, `γ̇(t)` and `γ̈(t)`, each in `ℓ`; at a kink the derivatives from the right.
-    fn jet(&self, t: f64) -> [SVector<f64, D>; 3];
+    /// Returns where the curve is at the time `t ∈ [0, 1]`, and how it moves; at a corner, how it
+    /// goes on.
+    fn motion(&self, t: f64) -> Motion<D>;
 
-    /// Returns bounds of `|γ|`, `|γ̇|` and `|γ̈|` over `[0, 1]`, each in `ℓ`.
-    ///
-    /// Sums over coefficients, not samples: they are what pointwise statements may use, and the
-    /// size of the numbers that are rounded on the way to [`jet`](Curve::jet).
-    fn suprema(&self) -> [f64; 3];
-
-    /// Returns the times in `(0, 1)` where `γ̇` may jump, in increasing order.
-    fn kinks(&self) -> &[f64] {
-        &[]
+    /// Returns the times in `(0, 1)`, in order, at which velocity or acceleration may jump.
+    fn corners(&self) -> Vec<f64> {
+        Vec::new()
     }
 
-    /// Returns the largest jump of `γ̇`, in `ℓ`: 0 exactly if `γ` is in `H²`.
-    fn largest_jump(&self) -> f64 {
-        0.0
+    /// Returns the pieces `[t, t′]` between corners.
+    fn pieces(&self) -> Vec<[f64; 2]> {
+        let ends = self.corners().into_iter().chain([1.0]);
+        let mut from = 0.0;
+        ends.map(|to| [std::mem::replace(&mut from, to), to]).collect()
+    }
+
+    /// Returns times at which to look at the curve, eight inside each piece.
+    fn times(&self) -> Vec<f64> {
+        let inside = |[from, to]: [f64; 2]| {
+            (0..8).map(move |k| from + (to - from) * (f64::from(k) + 0.5) / 8.0)
+        };
+        self.pieces().into_iter().flat_map(inside).collect()
     }
 
     /// Returns the samples `γ(n/N)` for `n = 0, …, N`.
@@ -34,22 +36,38 @@ pub trait Curve<const D: usize> {
     ///
     /// [`SequenceError`] if `n` is 0.
     fn sample(&self, n: usize) -> Result<PointSequence<D>, SequenceError> {
-        let points = (0..=n).map(|k| if n == 0 { 0.0 } else { k as f64 / n as f64 });
-        PointSequence::new(points.map(|t| self.jet(t)[0]).collect())
+        let times = (0..=n).map(|k| if n == 0 { 0.0 } else { k as f64 / n as f64 });
+        PointSequence::new(times.map(|t| self.motion(t).position).collect())
     }
 }
 
 impl<const D: usize, C: Curve<D>> Curve<D> for &C {
-    fn jet(&self, t: f64) -> [SVector<f64, D>; 3] {
-        (**self).jet(t)
+    fn motion(&self, t: f64) -> Motion<D> {
+        (**self).motion(t)
     }
 
+    fn corners(&self) -> Vec<f64> {
+        (**self).corners()
+    }
+}
+
+/// A curve of which bounds are known, not only samples.
+pub trait BoundedCurve<const D: usize>: Curve<D> {
+    /// Returns bounds of `|γ|`, `|γ̇|` and `|γ̈|` over `[0, 1]`, each in `ℓ`.
+    ///
+    /// Sums over coefficients, not samples: they are what pointwise statements may use, and the
+    /// size of the numbers that are rounded on the way to [`motion`](Curve::motion).
+    fn suprema(&self) -> [f64; 3];
+
+    /// Returns the largest jump of `γ̇`, in `ℓ`: 0 exactly if `γ` is in `H²`.
+    fn largest_jump(&self) -> f64 {
+        0.0
+    }
+}
+
+impl<const D: usize, C: BoundedCurve<D>> BoundedCurve<D> for &C {
     fn suprema(&self) -> [f64; 3] {
         (**self).suprema()
-    }
-
-    fn kinks(&self) -> &[f64] {
-        (**self).kinks()
     }
 
     fn largest_jump(&self) -> f64 {

@@ -2,7 +2,7 @@
 
 use tautline::{Integral, Metric, quadrature::integrate};
 
-use super::Curve;
+use super::{Curve, Motion};
 
 /// Returns `E(γ) = ∫₀¹ γ̇ᵀ H(γ) γ̇ dt`, in `m²`, with the error of the quadrature.
 ///
@@ -14,11 +14,11 @@ pub fn curve_energy<const D: usize>(
     pieces: usize,
 ) -> Integral {
     let speed = |t: f64| {
-        let [position, velocity, _] = curve.jet(t);
+        let Motion { position, velocity, .. } = curve.motion(t);
         metric.norm_squared(&position, &velocity)
     };
     let grid = (1..pieces.max(1)).map(|k| k as f64 / pieces as f64);
-    let mut ends: Vec<f64> = grid.chain(curve.kinks().iter().copied()).chain([1.0]).collect();
+    let mut ends: Vec<f64> = grid.chain(curve.corners()).chain([1.0]).collect();
     ends.sort_by(f64::total_cmp);
     let mut energy = Integral::default();
     let mut from = 0.0;

@@ -1,8 +1,6 @@
 //! `CurveInUnits`: a curve whose coordinates are measured in another unit.
 
-use nalgebra::SVector;
-
-use super::Curve;
+use super::{BoundedCurve, Curve, Motion};
 use crate::Units;
 
 /// `ℓ γ`: the same curve where what was 1 in coordinates is `ell`. Time has no unit.
@@ -20,16 +18,18 @@ impl Units {
 }
 
 impl<const D: usize, C: Curve<D>> Curve<D> for CurveInUnits<C> {
-    fn jet(&self, t: f64) -> [SVector<f64, D>; 3] {
-        self.curve.jet(t).map(|derivative| derivative * self.ell)
+    fn motion(&self, t: f64) -> Motion<D> {
+        self.curve.motion(t).scaled(self.ell)
     }
 
+    fn corners(&self) -> Vec<f64> {
+        self.curve.corners()
+    }
+}
+
+impl<const D: usize, C: BoundedCurve<D>> BoundedCurve<D> for CurveInUnits<C> {
     fn suprema(&self) -> [f64; 3] {
         self.curve.suprema().map(|bound| bound * self.ell)
-    }
-
-    fn kinks(&self) -> &[f64] {
-        self.curve.kinks()
     }
 
     fn largest_jump(&self) -> f64 {

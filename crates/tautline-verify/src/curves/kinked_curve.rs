@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::Curve;
+use super::{BoundedCurve, Curve, Motion};
 use crate::VerifyError;
 
 /// A piecewise linear curve through given points at given times.
@@ -42,6 +42,10 @@ impl<const D: usize> KinkedCurve<D> {
         Ok(Self { times, points })
     }
 
+    fn kinks(&self) -> &[f64] {
+        &self.times[1..self.times.len() - 1]
+    }
+
     fn velocity(&self, piece: usize) -> SVector<f64, D> {
         (self.points[piece + 1] - self.points[piece]) / (self.times[piece + 1] - self.times[piece])
     }
@@ -52,23 +56,25 @@ impl<const D: usize> KinkedCurve<D> {
 }
 
 impl<const D: usize> Curve<D> for KinkedCurve<D> {
-    fn jet(&self, t: f64) -> [SVector<f64, D>; 3] {
+    fn motion(&self, t: f64) -> Motion<D> {
         let piece = self.kinks().iter().filter(|kink| **kink <= t).count();
         let velocity = self.velocity(piece);
         let position = self.points[piece] + velocity * (t - self.times[piece]);
-        [position, velocity, SVector::zeros()]
+        Motion { position, velocity, acceleration: SVector::zeros() }
     }
 
+    fn corners(&self) -> Vec<f64> {
+        self.kinks().to_vec()
+    }
+}
+
+impl<const D: usize> BoundedCurve<D> for KinkedCurve<D> {
     /// `max |points|` and `max |velocities|`; a bound of `γ̈` where there is one.
     fn suprema(&self) -> [f64; 3] {
         let largest = |norms: &mut dyn Iterator<Item = f64>| norms.fold(0.0, f64::max);
         let position = largest(&mut self.points.iter().map(|point| point.norm()));
         let velocity = largest(&mut self.velocities().map(|velocity| velocity.norm()));
         [position, velocity, 0.0]
-    }
-
-    fn kinks(&self) -> &[f64] {
-        &self.times[1..self.times.len() - 1]
     }
 
     fn largest_jump(&self) -> f64 {
@@ -79,14 +85,14 @@ impl<const D: usize> Curve<D> for KinkedCurve<D> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Curve, KinkedCurve};
+    use super::{BoundedCurve, Curve, KinkedCurve};
 
     #[test]
     fn the_modulus_has_one_kink() {
         let modulus = KinkedCurve::new([0.5], [(0.5, [0.0].into())], [0.5]).expect("in order");
-        assert_eq!(modulus.jet(0.25).map(|x| x[0]), [0.25, -1.0, 0.0]);
-        assert_eq!(modulus.jet(0.5).map(|x| x[0]), [0.0, 1.0, 0.0]);
-        assert_eq!(modulus.jet(1.0).map(|x| x[0]), [0.5, 1.0, 0.0]);
+        assert_eq!(modulus.motion(0.25).derivatives().map(|x| x[0]), [0.25, -1.0, 0.0]);
+        assert_eq!(modulus.motion(0.5).derivatives().map(|x| x[0]), [0.0, 1.0, 0.0]);
+        assert_eq!(modulus.motion(1.0).derivatives().map(|x| x[0]), [0.5, 1.0, 0.0]);
         assert_eq!((modulus.kinks(), modulus.largest_jump()), (&[0.5][..], 2.0));
         assert_eq!(modulus.suprema(), [0.5, 1.0, 0.0]);
         assert!(KinkedCurve::new([0.0], [(1.0, [0.0].into())], [0.0]).is_err());

@@ -2,11 +2,11 @@
 
 use tautline::{Integral, quadrature::integrate};
 
-use super::Curve;
+use super::BoundedCurve;
 
 /// Returns `(∫ₐᵇ |γ⁽ᵏ⁾|² dt)^{1/2}` for `k = derivative ≤ 2`, in `ℓ`, with its error.
 ///
-/// Piece by piece from kink to kink. The error is that of the quadrature, and the rounding of the
+/// Piece by piece from corner to corner. The error is that of the quadrature, and the rounding of the
 /// derivative: a sum of a dozen terms, a few roundings each, of the size of the supremum.
 ///
 /// # Panics
@@ -14,15 +14,20 @@ use super::Curve;
 /// If `derivative` is above 2.
 #[must_use]
 pub fn l2_norm<const D: usize>(
-    curve: &impl Curve<D>,
+    curve: &impl BoundedCurve<D>,
     derivative: usize,
     [a, b]: [f64; 2],
 ) -> Integral {
     let mut square = Integral::default();
     let mut from = a;
-    let inner = curve.kinks().iter().copied().filter(|kink| a < *kink && *kink < b);
+    let inner = curve.corners().into_iter().filter(|corner| a < *corner && *corner < b);
     for to in inner.chain([b]) {
-        square += integrate(|t| curve.jet(t)[derivative].norm_squared(), from, to, 1e-14);
+        square += integrate(
+            |t| curve.motion(t).derivatives()[derivative].norm_squared(),
+            from,
+            to,
+            1e-14,
+        );
         from = to;
     }
     let value = square.value.sqrt();

@@ -1,4 +1,5 @@
-//! Curves over `[0, 1]` with their first two derivatives, and their norms in `L²`.
+//! Curves over `[0, 1]` with their velocity and acceleration: smooth ones, geodesics, reparametrised
+//! and kinked ones, with their lengths, energies and norms.
 //!
 //! ```
 //! use tautline_verify::{Finding, curves::SmoothCurve, statements::{prop_7_3, prop_7_3_as_printed}};
@@ -11,18 +12,29 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod ball_model;
 mod curve;
 mod curve_energy;
 mod curve_in_units;
-mod flat_geodesic;
+mod geodesic;
+mod great_circle;
 mod kinked_curve;
 mod l2_norm;
+mod measured;
+mod motion;
+mod reparametrisation;
+mod segment;
 mod smooth_curve;
 
-pub use curve::Curve;
+pub use curve::{BoundedCurve, Curve};
 pub use curve_energy::curve_energy;
 pub use curve_in_units::CurveInUnits;
-pub use flat_geodesic::FlatGeodesic;
+pub use geodesic::{Geodesic, KnownGeodesics};
 pub use kinked_curve::KinkedCurve;
 pub use l2_norm::l2_norm;
+pub use measured::Measured;
+pub(crate) use motion::largest;
+pub use motion::{Motion, Residual};
+pub use reparametrisation::{Clock, Pace, Reparametrised};
+pub use segment::EvenSegment;
 pub use smooth_curve::SmoothCurve;

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use nalgebra::SVector;
 use tautline::{Jet2, Scalar};
 
-use super::Curve;
+use super::{BoundedCurve, Curve, Motion};
 
 /// ```text
 /// γ(t)  =  Σ pₖ tᵏ  +  Σ (aₖ cos kπt + bₖ sin kπt)      k = 0, 1, … and k = 1, 2, …
@@ -62,12 +62,13 @@ impl<const D: usize> SmoothCurve<D> {
 }
 
 impl<const D: usize> Curve<D> for SmoothCurve<D> {
-    fn jet(&self, t: f64) -> [SVector<f64, D>; 3] {
+    fn motion(&self, t: f64) -> Motion<D> {
         let [t] = Jet2::variables(&[t]);
-        let x = self.at::<Jet2<f64, 1>>(t);
-        [x.map(|x| x.value()), x.map(|x| x.first(0)), x.map(|x| x.second(0, 0))]
+        Motion::of_jet(&self.at(t))
     }
+}
 
+impl<const D: usize> BoundedCurve<D> for SmoothCurve<D> {
     /// `Σ |pₖ| + Σ (|aₖ|² + |bₖ|²)^{1/2}`, the terms times `k`, `k(k − 1)` and `kπ`, `(kπ)²`.
     fn suprema(&self) -> [f64; 3] {
         let mut bounds = [0.0; 3];
@@ -90,7 +91,7 @@ impl<const D: usize> Curve<D> for SmoothCurve<D> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Curve, SmoothCurve};
+    use super::{BoundedCurve, Curve, SmoothCurve};
     use nalgebra::vector;
     use std::f64::consts::PI;
 
@@ -101,7 +102,7 @@ mod tests {
             vec![[vector![0.0], vector![0.0]], [vector![0.0], vector![2.0]]],
         );
         // 1 + 3t² + 2 sin 2πt at t = 1/4.
-        let [x, v, a] = curve.jet(0.25).map(|x| x[0]);
+        let [x, v, a] = curve.motion(0.25).derivatives().map(|x| x[0]);
         assert!((x - 3.1875).abs() <= 1e-15 && (v - 1.5).abs() <= 1e-14);
         assert!((a - (6.0 - 8.0 * PI * PI)).abs() <= 1e-13);
         let bounds = curve.suprema();
@@ -109,7 +110,7 @@ mod tests {
             assert!((bound - expected).abs() <= 1e-13);
         }
         let moved = curve.between(vector![5.0], vector![-1.0]);
-        assert!((moved.jet(0.0)[0][0] - 5.0).abs() <= 1e-15);
-        assert!((moved.jet(1.0)[0][0] + 1.0).abs() <= 1e-14);
+        assert!((moved.motion(0.0).position[0] - 5.0).abs() <= 1e-15);
+        assert!((moved.motion(1.0).position[0] + 1.0).abs() <= 1e-14);
     }
 }

@@ -6,7 +6,7 @@ use tautline::{Bounded, MetricError, bounds::Setting};
 
 use crate::{
     Evidence, GramRange, Statement, Subject, Unit, VerifyError,
-    curves::{Curve, curve_energy, l2_norm},
+    curves::{BoundedCurve, curve_energy, l2_norm},
 };
 
 /// The factor `ω` of `|γ̈| ≤ ω (L_H/c₁) K₁²`: 3/2, and 1/2 on the line.
@@ -30,13 +30,13 @@ impl Instant {
         statement: Statement,
         subject: &impl Subject,
         metric: &impl Bounded<D>,
-        curve: &impl Curve<D>,
+        curve: &impl BoundedCurve<D>,
         distance: f64,
         t: f64,
     ) -> Result<Self, VerifyError> {
         let setting = Setting::new(subject.constants(metric), distance, D)?;
         let constants = setting.constants();
-        let [position, velocity, acceleration] = curve.jet(t);
+        let [position, velocity, acceleration] = curve.motion(t).derivatives();
         let symbols = subject.christoffel(metric, &position)?;
         let expected = SVector::<f64, D>::from_fn(|k, _| -velocity.dot(&(symbols[k] * velocity)));
         let residual = (acceleration - expected).norm();
@@ -78,7 +78,7 @@ impl Instant {
 pub fn constant_k1<const D: usize>(
     subject: &impl Subject,
     metric: &impl Bounded<D>,
-    curve: &impl Curve<D>,
+    curve: &impl BoundedCurve<D>,
     distance: f64,
     t: f64,
 ) -> Result<Evidence, VerifyError> {
@@ -109,7 +109,7 @@ pub fn constant_k1<const D: usize>(
 pub fn constant_k2<const D: usize>(
     subject: &impl Subject,
     metric: &impl Bounded<D>,
-    curve: &impl Curve<D>,
+    curve: &impl BoundedCurve<D>,
     distance: f64,
     t: f64,
 ) -> Result<Evidence, VerifyError> {
@@ -156,7 +156,7 @@ pub fn constant_k2<const D: usize>(
 pub fn prop_7_12<const D: usize>(
     subject: &impl Subject,
     metric: &impl Bounded<D>,
-    curve: &impl Curve<D>,
+    curve: &impl BoundedCurve<D>,
     distance: f64,
 ) -> Result<Evidence, VerifyError> {
     let setting = Setting::new(subject.constants(metric), distance, D)?;
@@ -199,7 +199,7 @@ pub fn prop_7_12<const D: usize>(
 /// What the metric does at nine points of a curve.
 fn seen_along<const D: usize>(
     metric: &impl Bounded<D>,
-    curve: &impl Curve<D>,
+    curve: &impl BoundedCurve<D>,
 ) -> Result<GramRange, MetricError> {
-    GramRange::along(metric, (0..9).map(|k| curve.jet(f64::from(k) / 8.0)[0]))
+    GramRange::along(metric, (0..9).map(|k| curve.motion(f64::from(k) / 8.0).position))
 }

@@ -3,6 +3,9 @@
 //! | section | takes | functions |
 //! | --- | --- | --- |
 //! | 1, main results | a [`Reconstruction`](crate::Reconstruction) | [`theorem_1_1`] to [`theorem_1_4`] |
+//! | 3, geodesics and distances | a curve, or two points | [`prop_3_1`], [`prop_3_2`], [`prop_3_3`] |
+//! | 4, minimal curves | a geodesic and a clock, a tangent vector, or a curve | [`prop_4_1`], [`prop_4_2`], [`prop_4_3`], [`lemma_4_4`] |
+//! | 6, energy and length | a curve between points or sets | [`prop_6_1`], [`prop_6_2`], [`prop_6_3`] |
 //! | 7, curves | a [`Curve`](crate::curves::Curve) | [`prop_7_2`] to [`prop_7_4`] |
 //! | 7, matrices | [`TwoForms`] | [`prop_7_5`] |
 //! | 7, sampled curves | a metric, curves and `N` | [`prop_7_6`], [`prop_7_7`] |
@@ -10,18 +13,31 @@
 //! | 7, derivatives | a metric and a point | [`prop_7_10`], [`prop_7_11`] |
 //! | 7, a priori | a metric and a minimal geodesic | [`constant_k1`], [`constant_k2`], [`prop_7_12`] |
 //! | 7 and 8, any point sequence | a metric and a point sequence | [`prop_7_8`], [`prop_7_9`], [`prop_8_1`], [`prop_8_2`] |
+//! | 9, excess of length | two curves, or a [`Reconstruction`](crate::Reconstruction) | [`prop_9_1`], [`remark_9_2`] |
 
 mod apriori;
+mod distances;
+mod energy_and_length;
 mod functional_lipschitz;
+mod geodesics;
 mod gram_derivatives;
+mod length_excess;
+mod minimal_curves;
 mod morrey;
 mod point_sequences;
 mod sampled_curves;
 mod section_1;
 
 pub use apriori::{constant_k1, constant_k2, prop_7_12};
+pub use distances::prop_3_3;
+pub use energy_and_length::{NearestPair, prop_6_1, prop_6_1_minimiser, prop_6_2, prop_6_3};
 pub use functional_lipschitz::{TwoForms, prop_7_5, prop_7_5_as_printed};
+pub use geodesics::{prop_3_1, prop_3_2};
 pub use gram_derivatives::{prop_7_10, prop_7_11};
+pub use length_excess::{prop_9_1, prop_9_1_as_printed, remark_9_2};
+pub use minimal_curves::{
+    lemma_4_4, prop_4_1, prop_4_2, prop_4_2_converse, prop_4_2_read_strictly, prop_4_3,
+};
 pub use morrey::{prop_7_2, prop_7_2_as_printed, prop_7_3, prop_7_3_as_printed, prop_7_4};
 pub use point_sequences::{prop_7_8, prop_7_9, prop_8_1, prop_8_2};
 pub use sampled_curves::{

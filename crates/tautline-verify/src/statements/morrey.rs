@@ -11,7 +11,7 @@ use tautline::Integral;
 
 use crate::{
     Evidence, Statement, Unit, VerifyError,
-    curves::{Curve, l2_norm},
+    curves::{BoundedCurve, l2_norm},
 };
 
 /// Returns `value` if it lies in `[low, high]`.
@@ -35,12 +35,12 @@ struct Interval<const D: usize> {
 }
 
 impl<const D: usize> Interval<D> {
-    fn of(curve: &impl Curve<D>, [s1, s2]: [f64; 2]) -> Result<Self, VerifyError> {
+    fn of(curve: &impl BoundedCurve<D>, [s1, s2]: [f64; 2]) -> Result<Self, VerifyError> {
         within("s₁", s1, [0.0, 1.0])?;
         // An interval of rounding has no length to speak of.
         within("s₂", s2, [s1 + 1e-6, 1.0])?;
         Ok(Self {
-            chord: curve.jet(s2)[0] - curve.jet(s1)[0],
+            chord: curve.motion(s2).position - curve.motion(s1).position,
             length: s2 - s1,
             norms: [0, 1, 2].map(|k| l2_norm(curve, k, [s1, s2])),
             // A dozen terms, a few roundings each; and t is rounded, which moves γ by ε|γ̇|.
@@ -50,7 +50,10 @@ impl<const D: usize> Interval<D> {
 }
 
 /// The clause that the paper leaves out: `γ̇` is absolutely continuous.
-pub(super) fn without_kinks<const D: usize>(evidence: Evidence, curve: &impl Curve<D>) -> Evidence {
+pub(super) fn without_kinks<const D: usize>(
+    evidence: Evidence,
+    curve: &impl BoundedCurve<D>,
+) -> Evidence {
     evidence.given("γ̇ does not jump", Unit::COORDINATE, [curve.largest_jump(), 0.0], 0.0)
 }
 
@@ -73,14 +76,14 @@ pub(super) fn without_kinks<const D: usize>(evidence: Evidence, curve: &impl Cur
 /// [`VerifyError::OutOfRange`] if the times are not in order, or `l < 10⁻⁶`.
 #[doc(alias = "prop:morrey_ineq")]
 pub fn prop_7_2<const D: usize>(
-    curve: &impl Curve<D>,
+    curve: &impl BoundedCurve<D>,
     [s1, s, s2]: [f64; 3],
 ) -> Result<Evidence, VerifyError> {
     let Interval { chord, length, norms: [position, velocity, _], rounding } =
         Interval::of(curve, [s1, s2])?;
     let a = within("s", s, [s1, s2])? - s1;
     let kernel = ((a.powi(3) + (length - a).powi(3)) / 3.0).sqrt() / length;
-    let gap = curve.jet(s)[0].norm() - position.value / length.sqrt();
+    let gap = curve.motion(s).position.norm() - position.value / length.sqrt();
     let granted = 2.0 * rounding + length.sqrt() * velocity.error;
     let granted_gap = granted + position.error / length.sqrt();
     Ok(Evidence::of(Statement::Proposition7_2)
@@ -112,11 +115,11 @@ pub fn prop_7_2<const D: usize>(
 ///
 /// As [`prop_7_2`].
 pub fn prop_7_2_as_printed<const D: usize>(
-    curve: &impl Curve<D>,
+    curve: &impl BoundedCurve<D>,
     [s1, s, s2]: [f64; 3],
 ) -> Result<Evidence, VerifyError> {
     let Interval { norms: [position, velocity, _], rounding, .. } = Interval::of(curve, [s1, s2])?;
-    let gap = curve.jet(within("s", s, [s1, s2])?)[0].norm() - position.value;
+    let gap = curve.motion(within("s", s, [s1, s2])?).position.norm() - position.value;
     Ok(Evidence::of(Statement::Proposition7_2).paper(
         "|γ(s)| − ‖γ‖ ≤ 2‖γ̇‖",
         Unit::COORDINATE,
@@ -143,7 +146,7 @@ pub fn prop_7_2_as_printed<const D: usize>(
 /// As [`prop_7_2`].
 #[doc(alias = "prop:morrey_ineq_cor")]
 pub fn prop_7_3<const D: usize>(
-    curve: &impl Curve<D>,
+    curve: &impl BoundedCurve<D>,
     [s1, s2]: [f64; 2],
 ) -> Result<Evidence, VerifyError> {
     let Interval { chord, length, norms: [_, velocity, acceleration], rounding } =
@@ -176,7 +179,7 @@ pub fn prop_7_3<const D: usize>(
 ///
 /// As [`prop_7_2`].
 pub fn prop_7_3_as_printed<const D: usize>(
-    curve: &impl Curve<D>,
+    curve: &impl BoundedCurve<D>,
     [s1, s2]: [f64; 2],
 ) -> Result<Evidence, VerifyError> {
     let Interval { chord, length, norms: [_, velocity, acceleration], rounding } =
@@ -208,7 +211,7 @@ pub fn prop_7_3_as_printed<const D: usize>(
 /// [`VerifyError::OutOfRange`] unless `k < N` and `0 ≤ θ ≤ 1`.
 #[doc(alias = "prop:approx_numerical_integral_beta-gamma")]
 pub fn prop_7_4<const D: usize>(
-    curve: &impl Curve<D>,
+    curve: &impl BoundedCurve<D>,
     n: NonZeroUsize,
     k: usize,
     theta: f64,
@@ -220,7 +223,7 @@ pub fn prop_7_4<const D: usize>(
     let Interval { chord, norms: [_, velocity, acceleration], rounding, .. } =
         Interval::of(curve, cell)?;
     let beta = chord * n;
-    let [_, derivative, _] = curve.jet((k + theta) / n);
+    let derivative = curve.motion((k + theta) / n).velocity;
     let gap = (beta - derivative).norm();
     // ∫ |γ̇ − β|² = ∫ |γ̇|² − h |β|², a difference of numbers of the size of the first.
     let square = (velocity.value.powi(2) - h * beta.norm_squared()).max(0.0);

@@ -8,7 +8,7 @@ use tautline::{Bounded, Constants, Integral, LeftEndpoint, Trapezoidal};
 use super::morrey::without_kinks;
 use crate::{
     Evidence, GramRange, Statement, Subject, Unit, VerifyError,
-    curves::{Curve, curve_energy, l2_norm},
+    curves::{BoundedCurve, curve_energy, l2_norm},
     reconstruction::nodes,
 };
 
@@ -28,7 +28,7 @@ impl Sampled {
     fn of<const D: usize>(
         subject: &impl Subject,
         metric: &impl Bounded<D>,
-        curve: &impl Curve<D>,
+        curve: &impl BoundedCurve<D>,
         n: NonZeroUsize,
     ) -> Result<Self, VerifyError> {
         let sequence = curve.sample(n.get())?;
@@ -89,7 +89,7 @@ fn half_a_step(constants: Constants, [k1, k2]: [f64; 2], n: NonZeroUsize) -> f64
 pub fn prop_7_6<const D: usize>(
     subject: &impl Subject,
     metric: &impl Bounded<D>,
-    curve: &impl Curve<D>,
+    curve: &impl BoundedCurve<D>,
     n: NonZeroUsize,
 ) -> Result<Evidence, VerifyError> {
     let seen = Sampled::of(subject, metric, curve, n)?;
@@ -146,7 +146,7 @@ pub fn prop_7_6<const D: usize>(
 pub fn prop_7_6_as_printed<const D: usize>(
     subject: &impl Subject,
     metric: &impl Bounded<D>,
-    curve: &impl Curve<D>,
+    curve: &impl BoundedCurve<D>,
     [k1, k2]: [f64; 2],
     n: NonZeroUsize,
 ) -> Result<Evidence, VerifyError> {
@@ -179,7 +179,7 @@ pub fn prop_7_6_as_printed<const D: usize>(
 pub fn prop_7_7<const D: usize>(
     subject: &impl Subject,
     metric: &impl Bounded<D>,
-    curves: &[impl Curve<D>],
+    curves: &[impl BoundedCurve<D>],
     n: NonZeroUsize,
 ) -> Result<Evidence, VerifyError> {
     let constants = subject.constants(metric);

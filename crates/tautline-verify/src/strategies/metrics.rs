@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use tautline::{
     SMatrix, SVector,
-    gallery::{Constant, Ramp, Separable, Shear},
+    gallery::{Bump, Constant, Hill, Lens, Ramp, Separable, Shear},
 };
 
 use super::points::vector;
@@ -40,4 +40,19 @@ pub fn separable<const D: usize>() -> impl Strategy<Value = Separable<D>> {
 /// Ramps of amplitude up to 0.7 and wave number up to 2.
 pub fn ramp() -> impl Strategy<Value = Ramp> {
     (-0.7..0.7, 0.5..2.0).prop_map(|(amplitude, k)| Ramp::new(amplitude, k).expect("below one"))
+}
+
+/// Bumps of heights up to 2 and widths from 0.5 to 2.
+pub fn bump() -> impl Strategy<Value = Bump> {
+    (0.0..2.0, 0.5..2.0).prop_map(|(height, width)| Bump::new(height, width).expect("a width"))
+}
+
+/// Lenses of heights up to 3 and widths from 0.5 to 2.
+pub fn lens() -> impl Strategy<Value = Lens> {
+    (0.0..3.0, 0.5..2.0).prop_map(|(height, width)| Lens::new(height, width).expect("a width"))
+}
+
+/// Hills of heights up to 1 and widths from 0.5 to 2.
+pub fn hill() -> impl Strategy<Value = Hill> {
+    (-1.0..1.0, 0.5..2.0).prop_map(|(height, width)| Hill::new(height, width).expect("a width"))
 }

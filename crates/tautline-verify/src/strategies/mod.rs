@@ -2,12 +2,14 @@
 //! distances.
 
 mod curves;
+mod geodesics;
 mod metrics;
 mod points;
 mod problems;
 
 pub use curves::{kinked_curve, smooth_curve, smooth_curve_between, times};
-pub use metrics::{constant, ramp, separable, shear};
+pub use geodesics::{clock, in_hyperbolic_space, joined, on_sphere, ray};
+pub use metrics::{bump, constant, hill, lens, ramp, separable, shear};
 pub use points::{sequence, subintervals, two_points, vector};
 pub use problems::{
     constant_ball_half_space, constant_finite_sets, points, separable_box_half_space,

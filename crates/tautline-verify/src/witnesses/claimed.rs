@@ -1,9 +1,10 @@
 //! `Claimed`: a metric with constants that are only claimed of it.
 
 use nalgebra::{SMatrix, SVector};
-use tautline::{Bounded, Constants, Metric, Scalar};
+use tautline::{Bounded, Constants, KnownDistance, Metric, Scalar};
 
-/// A metric with constants that may be false: what is left of a statement without a hypothesis.
+/// A metric with constants that may be false: what is left of a statement where its hypotheses on
+/// `c₁`, `c₂` and `L_H` do not hold.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Claimed<M> {
     /// The metric.
@@ -16,11 +17,21 @@ impl<M: Metric<D>, const D: usize> Metric<D> for Claimed<M> {
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         self.metric.gram(x)
     }
+
+    fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
+        self.metric.norm_squared(x, u)
+    }
 }
 
 impl<M: Metric<D>, const D: usize> Bounded<D> for Claimed<M> {
     /// Those that are claimed.
     fn constants(&self) -> Constants {
         self.constants
+    }
+}
+
+impl<M: KnownDistance<D>, const D: usize> KnownDistance<D> for Claimed<M> {
+    fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
+        self.metric.distance(x, y)
     }
 }

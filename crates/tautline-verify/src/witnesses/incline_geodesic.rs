@@ -2,7 +2,10 @@
 
 use nalgebra::SVector;
 
-use crate::{VerifyError, curves::Curve};
+use crate::{
+    VerifyError,
+    curves::{BoundedCurve, Curve, Motion},
+};
 
 /// The minimal geodesic of `H = c + s x` from 0 to `x = b`, in closed form.
 ///
@@ -43,7 +46,7 @@ impl InclineGeodesic {
 }
 
 impl Curve<1> for InclineGeodesic {
-    fn jet(&self, t: f64) -> [SVector<f64, 1>; 3] {
+    fn motion(&self, t: f64) -> Motion<1> {
         let Self { foot, slope, distance, .. } = *self;
         // x = c ((1 + z)^{2/3} − 1)/s, by functions that are exact near 0.
         let z = 1.5 * slope * distance * t / foot.powf(1.5);
@@ -51,12 +54,14 @@ impl Curve<1> for InclineGeodesic {
         let h = foot * (1.0 + growth);
         let numbers =
             [foot * growth / slope, distance / h.sqrt(), -0.5 * slope * (distance / h).powi(2)];
-        numbers.map(|number| SVector::from([number]))
+        Motion::new(numbers.map(|number| SVector::from([number])))
     }
+}
 
+impl BoundedCurve<1> for InclineGeodesic {
     /// The end, and the derivatives at 0.
     fn suprema(&self) -> [f64; 3] {
-        let [_, velocity, acceleration] = self.jet(0.0);
+        let Motion { velocity, acceleration, .. } = self.motion(0.0);
         [self.end, velocity.norm(), acceleration.norm()]
     }
 }

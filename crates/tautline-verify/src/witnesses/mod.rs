@@ -1,19 +1,24 @@
-//! Witnesses: metrics and curves on which the statements come near equality.
+//! Witnesses: metrics and curves on which the statements come near equality, or fail without a
+//! hypothesis.
 
 mod claimed;
 mod incline;
 mod incline_geodesic;
 mod one_step;
+mod polygonal;
 mod ripple;
 mod tent;
 mod twist;
+mod washboard;
 mod zigzag;
 
 pub use claimed::Claimed;
 pub use incline::Incline;
 pub use incline_geodesic::InclineGeodesic;
 pub use one_step::one_step;
+pub use polygonal::Polygonal;
 pub use ripple::Ripple;
 pub use tent::Tent;
 pub use twist::Twist;
+pub use washboard::Washboard;
 pub use zigzag::Zigzag;

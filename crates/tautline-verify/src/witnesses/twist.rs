@@ -55,7 +55,7 @@ impl Twist<2> {
         // Each step of the iteration gains a factor of the size of `speed`.
         for _ in 0..12 {
             let accelerations = times.map(|t| {
-                let [x, v, _] = curve.jet(t);
+                let [x, v, _] = curve.motion(t).derivatives();
                 let gamma = tautline::christoffel(self, &x).expect("positive definite");
                 SVector::<f64, 2>::from_fn(|k, _| -v.dot(&(gamma[k] * v)))
             });

@@ -1,0 +1,190 @@
+//! Propositions 4.1 and 4.2: minimal curves are minimal geodesics run through by a clock.
+
+use std::fmt::Debug;
+
+use nalgebra::SVector;
+use proptest::prelude::*;
+use tautline::{Metric, gallery::Sphere};
+
+use super::{
+    super::{
+        Check, Failure, Kind, Outcome, Trial,
+        check::{all, fails_without},
+    },
+    Segment, ends, sheared,
+};
+use crate::{
+    Evidence, Finding, Known, Library, Statement,
+    Statement::{Proposition4_1, Proposition4_2},
+    Subject, VerifyError,
+    curves::{Clock, EvenSegment, Geodesic, KnownGeodesics, Pace},
+    statements::{prop_4_1, prop_4_2, prop_4_2_converse, prop_4_2_read_strictly},
+    strategies::{
+        bump, clock, constant, hill, in_hyperbolic_space, joined, lens, on_sphere, points, ramp,
+        ray, separable, shear, valleys_along,
+    },
+};
+
+const BOTH: &[Statement] = &[Proposition4_1, Proposition4_2];
+
+pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+    vec![
+        Check::new("props_4_1_and_4_2_hold_for_every_clock", Kind::Random, BOTH, clocks),
+        Check::new(
+            "prop_4_2_holds_for_segments_that_are_minimal",
+            Kind::Random,
+            &[Proposition4_2],
+            minimal_segments,
+        ),
+        Check::new("props_4_1_and_4_2_are_homogeneous", Kind::Homogeneous, BOTH, |trial| {
+            let cases = (joined(shear()), clock());
+            trial.homogeneous(4120, 96, cases, |subject, ((metric, ends), clock), units| {
+                both(subject, &units.metric(metric), ends.map(|x| units.vector(x)), &clock)
+            })
+        }),
+        Check::new(
+            "props_4_1_and_4_2_are_attained_by_a_curve_that_pauses",
+            Kind::Witness,
+            BOTH,
+            |trial| {
+                trial.for_all(4130, 96, joined(shear()), |subject, (metric, ends)| {
+                    let [local, global] = both(subject, &metric, ends, &Clock::pausing())?;
+                    Ok([local.attained()?, global.attained()?])
+                })
+            },
+        ),
+        Check::new(
+            "props_4_1_and_4_2_read_strictly_are_refuted_by_a_pause",
+            Kind::Refuted,
+            BOTH,
+            |_| refuted_by_a_pause(),
+        ),
+        Check::new(
+            "props_4_1_and_4_2_fail_for_a_clock_that_turns_back",
+            Kind::Dropped,
+            BOTH,
+            |_| dropped_monotone(),
+        ),
+        Check::new("props_4_1_and_4_2_fail_for_the_long_way_round", Kind::Dropped, BOTH, |_| {
+            dropped_minimal()
+        }),
+        Check::new("prop_4_2_says_nothing_of_a_detour", Kind::Dropped, &[Proposition4_2], |_| {
+            detour()
+        }),
+    ]
+}
+
+/// Both propositions for the known geodesic between two points.
+fn both<M: KnownGeodesics<D>, const D: usize>(
+    subject: &impl Subject,
+    metric: &M,
+    ends: [SVector<f64, D>; 2],
+    clock: &Clock,
+) -> Result<[Evidence; 2], VerifyError> {
+    let known = Known::joined(metric, ends)?.expect("known");
+    let geodesic = Geodesic::between(metric, ends);
+    let radius = metric.normal_radius(&ends[0]);
+    Ok([
+        prop_4_1(subject, &known, &geodesic, clock, radius)?,
+        prop_4_2(subject, &known, &geodesic, clock)?,
+    ])
+}
+
+fn clocks<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+    fn family<S: Subject, M, const D: usize>(
+        trial: &Trial<'_, S>,
+        seed: u64,
+        family: impl Strategy<Value = (M, [SVector<f64, D>; 2])>,
+    ) -> Outcome
+    where
+        M: KnownGeodesics<D> + Debug,
+    {
+        trial.for_all(seed, 160, (family, clock()), |subject, ((metric, ends), clock)| {
+            // On the sphere not all pairs are near: the second evidence is for all of them.
+            let [local, global] = both(subject, &metric, ends, &clock)?;
+            let near = local.hypotheses[0].holds();
+            Ok([global].into_iter().chain(near.then_some(local)))
+        })
+    }
+    all([
+        family(trial, 4101, joined(constant::<3>())),
+        family(trial, 4102, joined(shear())),
+        family(trial, 4103, joined(separable::<1>())),
+        family(trial, 4104, joined(separable::<2>())),
+        family(trial, 4105, on_sphere::<2>()),
+        family(trial, 4106, on_sphere::<3>()),
+        family(trial, 4107, in_hyperbolic_space::<2>()),
+    ])
+}
+
+/// Segments on rays of radial metrics, along the valleys and on the line are shortest curves; their
+/// clocks have nothing to do with the metric.
+fn minimal_segments<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+    fn family<S: Subject, M: Metric<D> + Debug, const D: usize>(
+        trial: &Trial<'_, S>,
+        seed: u64,
+        family: impl Strategy<Value = Known<M, D>>,
+    ) -> Outcome {
+        trial.for_all(seed, 64, family, |subject, known| {
+            let ends = ends(&known);
+            let geodesic = EvenSegment::new(&known.metric, ends);
+            Ok([prop_4_2_converse(subject, &known, &Segment(ends), &geodesic)])
+        })
+    }
+    all([
+        family(trial, 4201, ray::<_, 2>(bump())),
+        family(trial, 4202, ray::<_, 3>(lens())),
+        family(trial, 4203, ray::<_, 2>(hill())),
+        family(trial, 4204, valleys_along()),
+        family(trial, 4205, points(ramp())),
+    ])
+}
+
+/// `φ = ½` from `⅓` to `⅔`: a minimal curve, at rest for a third of the time.
+fn refuted_by_a_pause() -> Outcome {
+    let (known, geodesic) = sheared();
+    let evidence = prop_4_2_read_strictly(&known, &geodesic, &Clock::pausing());
+    let refuted = matches!(evidence.finding(), Finding::Violated(claim)
+        if (claim.observed - 1.0 / 3.0).abs() <= 1e-15);
+    if refuted { Ok(Default::default()) } else { Err(Failure::new(format!("{evidence:?}"))) }
+}
+
+/// To `¾`, back to `¼` and on: the length is `d ∫|φ′| = 2d`.
+fn dropped_monotone() -> Outcome {
+    let (known, geodesic) = sheared();
+    let clock = Clock::turning_back();
+    let length = prop_4_2(&Library, &known, &geodesic, &clock).map_err(VerifyError::from)?;
+    let ratio = length.conclusion("L(γ** ∘ φ) ≤ d").observed / known.distance;
+    if !((ratio - 2.0).abs() <= 1e-13) {
+        return Err(Failure::new(format!("{ratio} times d")));
+    }
+    let local = prop_4_1(&Library, &known, &geodesic, &clock, f64::INFINITY);
+    all([
+        fails_without("∫|φ′| ≤ 1", length),
+        fails_without("∫|φ′| ≤ 1", local.map_err(VerifyError::from)?),
+    ])
+}
+
+/// Along the equator from angle 0 to angle 1, but the other way round: a geodesic, `2π − 1` long.
+fn dropped_minimal() -> Outcome {
+    let angle = 1.0_f64;
+    let ends = [[1.0, 0.0].into(), [angle.cos(), angle.sin()].into()];
+    let known = Known::joined(Sphere, ends).map_err(VerifyError::from)?.expect("known");
+    let way_round = SVector::from([0.0, angle - std::f64::consts::TAU]);
+    let geodesic = Geodesic::leaving(Sphere, ends[0], way_round);
+    let clock = Clock::plain(Pace::Even);
+    let radius = Sphere.normal_radius(&ends[0]);
+    let local = prop_4_1(&Library, &known, &geodesic, &clock, radius);
+    let global = prop_4_2(&Library, &known, &geodesic, &clock);
+    all([
+        fails_without("L(γ**) ≤ d", local.map_err(VerifyError::from)?),
+        fails_without("L(γ**) ≤ d", global.map_err(VerifyError::from)?),
+    ])
+}
+
+/// The straight segment under a shear is longer than the geodesic, and elsewhere.
+fn detour() -> Outcome {
+    let (known, geodesic) = sheared();
+    let segment = Segment(ends(&known));
+    fails_without("L(γ) ≤ d", prop_4_2_converse(&Library, &known, &segment, &geodesic))
+}

@@ -1,0 +1,45 @@
+//! Section 4: minimal curves are minimal geodesics run through by a clock, and minimal curves of
+//! constant speed are geodesics.
+
+mod clocks;
+mod constant_speed;
+mod normal_balls;
+
+use nalgebra::SVector;
+use tautline::gallery::Shear;
+
+use super::Check;
+use crate::{
+    Known, Subject,
+    curves::{Curve, Geodesic, Motion},
+};
+
+pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+    let parts = [clocks::checks(), normal_balls::checks(), constant_speed::checks()];
+    parts.into_iter().flatten().collect()
+}
+
+/// The segment `a + t (b − a)`, at constant speed in coordinates.
+struct Segment<const D: usize>([SVector<f64, D>; 2]);
+
+impl<const D: usize> Curve<D> for Segment<D> {
+    fn motion(&self, t: f64) -> Motion<D> {
+        let [a, b] = self.0;
+        let acceleration = SVector::zeros();
+        Motion { position: a + (b - a) * t, velocity: b - a, acceleration }
+    }
+}
+
+/// The two points of a problem between points.
+fn ends<M, const D: usize>(known: &Known<M, D>) -> [SVector<f64, D>; 2] {
+    let origin = SVector::zeros();
+    [known.ends.first().project(&origin), known.ends.second().project(&origin)]
+}
+
+/// The known geodesic of a shear from `(0, 0)` to `(2, 3)`.
+fn sheared() -> (Known<Shear, 2>, Geodesic<Shear, 2>) {
+    let shear = Shear::new(0.5, 1.0).expect("a wave number");
+    let ends = [[0.0, 0.0].into(), [2.0, 3.0].into()];
+    let known = Known::joined(shear, ends).expect("finite").expect("known");
+    (known, Geodesic::between(shear, ends))
+}

@@ -1,0 +1,108 @@
+//! Proposition 4.3: on a compact set, one radius for all exponential maps.
+
+use std::{f64::consts::TAU, fmt::Debug};
+
+use nalgebra::SVector;
+use proptest::prelude::*;
+use tautline::{
+    Metric,
+    gallery::{Hyperbolic, Sphere},
+};
+
+use super::super::{
+    Check, Failure, Kind, Outcome, Trial,
+    check::{all, fails_without},
+};
+use crate::{
+    Statement::Proposition4_3,
+    Subject, VerifyError,
+    curves::KnownGeodesics,
+    statements::prop_4_3,
+    strategies::{constant, separable, shear, vector},
+};
+
+pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+    vec![
+        Check::new("prop_4_3_holds_on_balls", Kind::Random, &[Proposition4_3], normal_balls),
+        Check::new("prop_4_3_is_homogeneous", Kind::Homogeneous, &[Proposition4_3], |trial| {
+            trial.homogeneous(4320, 128, tangent(1.0), |subject, (x, v, radius), units| {
+                let metric = units.metric(Sphere);
+                let (x, v) = (units.vector(x), units.vector(v));
+                Ok([prop_4_3(subject, &metric, &x, &v, radius * units.m)?])
+            })
+        }),
+        Check::new(
+            "prop_4_3_is_attained_by_every_ray",
+            Kind::Witness,
+            &[Proposition4_3],
+            |trial| {
+                trial.for_all(4330, 256, tangent(1.0), |subject, (x, v, radius)| {
+                    Ok([prop_4_3(subject, &Sphere, &x, &v, radius)?.attained()?])
+                })
+            },
+        ),
+        Check::new(
+            "prop_4_3_fails_beyond_half_a_great_circle",
+            Kind::Dropped,
+            &[Proposition4_3],
+            beyond_the_radius,
+        ),
+    ]
+}
+
+/// A point of the ball `|x| ≤ R`, a tangent vector, and the common radius `ε` of the ball on the
+/// sphere, the angle from its boundary to the missing point. Of the vector, `|v|` is the fraction
+/// `reach` of `ε` at most.
+fn tangent(reach: f64) -> impl Strategy<Value = (SVector<f64, 2>, SVector<f64, 2>, f64)> {
+    let point = (0.1..1.5, 0.0..1.0, 0.0..TAU);
+    (point, 0.01..0.99, 0.0..TAU).prop_map(
+        move |((ball, part, at), fraction, towards): ((f64, f64, f64), f64, f64)| {
+            let x = SVector::from([at.cos(), at.sin()]) * (ball * part);
+            let epsilon = Sphere.normal_radius(&SVector::from([ball, 0.0]));
+            let direction = SVector::from([towards.cos(), towards.sin()]);
+            let unit = Sphere.norm_squared(&x, &direction).sqrt();
+            // Short of π, where the inverse is ill-conditioned.
+            (x, direction * ((epsilon * fraction * reach).min(2.8) / unit), epsilon)
+        },
+    )
+}
+
+fn normal_balls<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+    fn family<S: Subject, M: KnownGeodesics<D> + Debug, const D: usize>(
+        trial: &Trial<'_, S>,
+        seed: u64,
+        metrics: impl Strategy<Value = M>,
+        size: f64,
+    ) -> Outcome {
+        let cases = (metrics, vector::<D>(size), vector::<D>(2.0))
+            .prop_filter("a vector", |(_, _, v)| v.norm() >= 0.1);
+        trial.for_all(seed, 160, cases, |subject, (metric, x, v)| {
+            Ok([prop_4_3(subject, &metric, &x, &v, f64::INFINITY)?])
+        })
+    }
+    all([
+        trial.for_all(4301, 512, tangent(1.0), |subject, (x, v, radius)| {
+            Ok([prop_4_3(subject, &Sphere, &x, &v, radius)?])
+        }),
+        family(trial, 4302, shear(), 2.5),
+        family(trial, 4303, separable::<3>(), 2.5),
+        family(trial, 4304, constant::<4>(), 2.5),
+        family::<_, _, 2>(trial, 4305, Just(Hyperbolic), 0.25),
+    ])
+}
+
+/// Along the equator by an angle between `π` and `2π`: `d = 2π − |v|`.
+fn beyond_the_radius<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+    let x = SVector::from([1.0, 0.0]);
+    for angle in [3.2, 4.0, 5.0, 6.0] {
+        let v = SVector::from([0.0, angle]);
+        let evidence = prop_4_3(trial.subject, &Sphere, &x, &v, Sphere.normal_radius(&x));
+        let evidence = evidence.map_err(VerifyError::from)?;
+        let distance = evidence.conclusion("|v| ≤ d(x, Exp_x v)").bound;
+        if !((distance - (TAU - angle)).abs() <= 1e-14) {
+            return Err(Failure::new(format!("{angle} along the equator: {distance}")));
+        }
+        fails_without("|v| < ε", evidence)?;
+    }
+    Ok(Default::default())
+}

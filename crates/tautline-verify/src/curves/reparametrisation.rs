@@ -1,0 +1,156 @@
+//! `Reparametrised`: a curve run through by another clock.
+
+use super::{Curve, Motion};
+
+/// How a clock goes from one of its knots to the next: by `τ`, `τ²` or `τ² (3 − 2τ)` of the way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Pace {
+    /// At constant speed: `τ`.
+    Even,
+    /// From rest, faster and faster: `τ²`.
+    Accelerating,
+    /// From rest to rest, once differentiable at the knots: `τ² (3 − 2τ)`.
+    Smooth,
+}
+
+impl Pace {
+    /// The part of the way, its first and its second derivative.
+    fn jet(self, t: f64) -> [f64; 3] {
+        match self {
+            Pace::Even => [t, 1.0, 0.0],
+            Pace::Accelerating => [t * t, 2.0 * t, 2.0],
+            Pace::Smooth => [t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t), 6.0 - 12.0 * t],
+        }
+    }
+
+    /// `∫₀¹ w′²`.
+    fn energy(self) -> f64 {
+        match self {
+            Pace::Even => 1.0,
+            Pace::Accelerating => 4.0 / 3.0,
+            Pace::Smooth => 6.0 / 5.0,
+        }
+    }
+}
+
+/// A continuous function `φ: [0, 1] → [0, 1]` with `φ(0) = 0` and `φ(1) = 1` through given knots.
+///
+/// It may pause, and it may run backwards.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Clock {
+    /// Times, increasing from 0 to 1, and what the clock shows.
+    knots: Vec<[f64; 2]>,
+    pace: Pace,
+}
+
+impl Clock {
+    /// Returns the clock that shows `readings` at times that cut `[0, 1]` in proportion to
+    /// `durations`, one more than there are readings; 0 and 1 are added at the ends.
+    ///
+    /// `None` unless the numbers are so many, durations are positive and readings in `[0, 1]`.
+    #[must_use]
+    pub fn new(durations: &[f64], readings: &[f64], pace: Pace) -> Option<Self> {
+        let valid = durations.len() == readings.len() + 1
+            && durations.iter().all(|&duration| duration > 0.0)
+            && readings.iter().all(|reading| (0.0..=1.0).contains(reading));
+        let total: f64 = durations.iter().sum();
+        if !(valid && total.is_finite()) {
+            return None;
+        }
+        let mut knots = vec![[0.0, 0.0]];
+        let mut time = 0.0;
+        for (duration, &reading) in durations.iter().zip(readings) {
+            time += duration / total;
+            knots.push([time, reading]);
+        }
+        knots.push([1.0, 1.0]);
+        Some(Self { knots, pace })
+    }
+
+    /// Returns the clock that goes from 0 to 1 in one piece: `φ(t) = t` if the pace is even.
+    #[must_use]
+    pub fn plain(pace: Pace) -> Self {
+        Self { knots: vec![[0.0, 0.0], [1.0, 1.0]], pace }
+    }
+
+    /// Returns the clock `φ` with `φ = ½` from `⅓` to `⅔`.
+    #[must_use]
+    pub fn pausing() -> Self {
+        let third = 1.0 / 3.0;
+        let knots = vec![[0.0, 0.0], [third, 0.5], [2.0 * third, 0.5], [1.0, 1.0]];
+        Self { knots, pace: Pace::Even }
+    }
+
+    /// Returns the clock that goes to `¾`, back to `¼`, and on.
+    #[must_use]
+    pub fn turning_back() -> Self {
+        let third = 1.0 / 3.0;
+        let knots = vec![[0.0, 0.0], [third, 0.75], [2.0 * third, 0.25], [1.0, 1.0]];
+        Self { knots, pace: Pace::Even }
+    }
+
+    /// Returns `φ`, `φ′` and `φ″` at a time.
+    #[must_use]
+    pub fn at(&self, t: f64) -> [f64; 3] {
+        let after = self.knots.partition_point(|knot| knot[0] <= t).clamp(1, self.knots.len() - 1);
+        let ([t0, s0], [t1, s1]) = (self.knots[after - 1], self.knots[after]);
+        let (duration, way) = (t1 - t0, s1 - s0);
+        let [w, first, second] = self.pace.jet(((t - t0) / duration).clamp(0.0, 1.0));
+        [s0 + way * w, way * first / duration, way * second / (duration * duration)]
+    }
+
+    /// Returns `∫ |φ′|`, a pure number: 1 if and only if the clock never runs backwards.
+    #[must_use]
+    pub fn variation(&self) -> f64 {
+        self.steps().map(|[_, way]| way.abs()).sum()
+    }
+
+    /// Returns `∫ φ′²`, a pure number: 1 if and only if the clock is `φ(t) = t`.
+    #[must_use]
+    pub fn energy(&self) -> f64 {
+        self.steps().map(|[duration, way]| way * way / duration * self.pace.energy()).sum()
+    }
+
+    /// Returns the longest time during which the clock stands still.
+    #[must_use]
+    pub fn longest_pause(&self) -> f64 {
+        let paused = self.steps().filter(|[_, way]| *way == 0.0).map(|[duration, _]| duration);
+        paused.fold(0.0, f64::max)
+    }
+
+    /// Returns the number of pieces.
+    #[must_use]
+    pub fn pieces(&self) -> usize {
+        self.knots.len() - 1
+    }
+
+    fn steps(&self) -> impl Iterator<Item = [f64; 2]> {
+        self.knots.windows(2).map(|pair| [pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]])
+    }
+}
+
+/// The curve `γ ∘ φ`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reparametrised<'a, C> {
+    /// The curve `γ`, without corners.
+    pub curve: &'a C,
+    /// The clock `φ`.
+    pub clock: &'a Clock,
+}
+
+impl<C: Curve<D>, const D: usize> Curve<D> for Reparametrised<'_, C> {
+    fn motion(&self, t: f64) -> Motion<D> {
+        let [reading, first, second] = self.clock.at(t);
+        let Motion { position, velocity, acceleration } = self.curve.motion(reading);
+        Motion {
+            position,
+            velocity: velocity * first,
+            acceleration: acceleration * (first * first) + velocity * second,
+        }
+    }
+
+    fn corners(&self) -> Vec<f64> {
+        let inner = &self.clock.knots[1..self.clock.knots.len() - 1];
+        inner.iter().map(|knot| knot[0]).collect()
+    }
+}

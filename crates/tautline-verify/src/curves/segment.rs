@@ -1,0 +1,81 @@
+//! `EvenSegment`: a straight segment, run through at constant Riemannian speed.
+
+use nalgebra::SVector;
+use tautline::{Jet1, Metric, quadrature::integrate};
+
+use super::{Curve, Motion};
+
+/// The segment from `a` to `b`, at the constant speed of its length.
+///
+/// Where the segment is a shortest curve, as on a ray from the centre of a radial metric, Lemma 4.4
+/// makes a geodesic of it; nothing here knows of the geodesic equation.
+#[derive(Clone, Debug)]
+pub struct EvenSegment<'a, M, const D: usize> {
+    metric: &'a M,
+    start: SVector<f64, D>,
+    chord: SVector<f64, D>,
+    length: f64,
+}
+
+impl<'a, M: Metric<D>, const D: usize> EvenSegment<'a, M, D> {
+    /// Returns the segment between two points, in `ℓ`.
+    pub fn new(metric: &'a M, [a, b]: [SVector<f64, D>; 2]) -> Self {
+        let mut segment = Self { metric, start: a, chord: b - a, length: 0.0 };
+        segment.length = segment.travelled(0.0, 1.0);
+        segment
+    }
+
+    /// The length between two fractions of the chord, in `m`.
+    fn travelled(&self, from: f64, to: f64) -> f64 {
+        let speed = |s: f64| self.metric.norm_squared(&(self.start + self.chord * s), &self.chord);
+        integrate(|s| speed(s).sqrt(), from, to, 1e-15).value
+    }
+}
+
+impl<M: Metric<D>, const D: usize> Curve<D> for EvenSegment<'_, M, D> {
+    /// With `h(s) = |b − a|²` in the metric at the fraction `s` of the chord, constant speed is
+    /// `ṡ = L/√h`, hence `s̈ = −½ h′/h ṡ²`.
+    fn motion(&self, t: f64) -> Motion<D> {
+        // Newton's method for ∫₀ˢ √h = t L: √h varies by less than a factor of ten, and halving
+        // is there where a step leaves the interval.
+        let (mut low, mut high, mut s) = (0.0, 1.0, t);
+        let mut rates = self.rates(s);
+        for _ in 0..60 {
+            let excess = self.travelled(0.0, s) - t * self.length;
+            *(if excess > 0.0 { &mut high } else { &mut low }) = s;
+            let step = s - excess / rates[0].sqrt();
+            let next = if step >= low && step <= high { step } else { 0.5 * (low + high) };
+            let moved = (next - s).abs();
+            s = next;
+            rates = self.rates(s);
+            if moved <= 4.0 * f64::EPSILON {
+                break;
+            }
+        }
+        let [square, slope] = rates;
+        let rate = self.length / square.sqrt();
+        Motion {
+            position: self.start + self.chord * s,
+            velocity: self.chord * rate,
+            acceleration: self.chord * (-0.5 * slope / square * rate * rate),
+        }
+    }
+}
+
+impl<M: Metric<D>, const D: usize> EvenSegment<'_, M, D> {
+    /// `h` and `h′` at a fraction of the chord, in `m²`.
+    fn rates(&self, s: f64) -> [f64; 2] {
+        let [s] = Jet1::<f64, 1>::variables(&[s]);
+        let x = SVector::<Jet1<f64, 1>, D>::from_fn(|i, _| s * self.chord[i] + self.start[i]);
+        let square = self.metric.norm_squared(&x, &self.chord);
+        [square.value(), square.first(0)]
+    }
+}
+
+impl<M, const D: usize> EvenSegment<'_, M, D> {
+    /// Returns the length, in `m`.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        self.length
+    }
+}

@@ -1,0 +1,81 @@
+//! Propositions 3.1 and 3.2: geodesics have constant speed, and join any two points of a complete
+//! space.
+
+use tautline::{KnownDistance, Metric, MetricError};
+
+use crate::{
+    Evidence, Known, Statement, Subject, Unit,
+    curves::{Curve, Measured, Residual, largest},
+};
+
+/// Evaluates Proposition 3.1 on a curve: if it satisfies the geodesic equation (3.2), then
+/// `g(γ̇, γ̇) = L(γ)²` at all times, which is two inequalities.
+///
+/// An equality: the slack is 1 on every geodesic.
+///
+/// # Errors
+///
+/// [`MetricError`] where `H` is not finite, symmetric and positive definite.
+#[doc(alias = "prop:metric_geodesic_constant")]
+pub fn prop_3_1<const D: usize>(
+    subject: &impl Subject,
+    metric: &impl Metric<D>,
+    curve: &impl Curve<D>,
+) -> Result<Evidence, MetricError> {
+    let residual = Residual::of(subject, metric, curve)?;
+    let seen = Measured::of(metric, curve);
+    let [least, largest] = seen.speeds.map(|speed| speed.powi(2));
+    let (length2, granted) = (seen.length_squared(), seen.granted_energy());
+    Ok(Evidence::of(Statement::Proposition3_1)
+        .given("γ̈ = −Γ(γ̇, γ̇)", Unit::COORDINATE, [residual.value, 0.0], residual.granted)
+        .paper("g(γ̇, γ̇) ≤ L(γ)²", Unit::ENERGY, [largest, length2], granted)
+        .paper("L(γ)² ≤ g(γ̇, γ̇)", Unit::ENERGY, [length2, least], granted))
+}
+
+/// Evaluates what can be observed of Proposition 3.2 (Hopf and Rinow): that the curve which is
+/// shown is a minimal geodesic between the two points.
+///
+/// `way_out` is the length in `m` of the shortest curve from one of the points that leaves every
+/// compact set. A space is complete if and only if there is none, and this is `∞`; where `H ≥ c₁ >
+/// 0` on all of `R^D`, Proposition 3.3 says so.
+///
+/// That there is one between *any* two points, no finite number of curves shows. For a computed
+/// curve, Theorem 1.2 says how much longer than `d` it may be.
+///
+/// # Errors
+///
+/// [`MetricError`] where `H` is not finite, symmetric and positive definite.
+#[doc(alias = "prop:Hopf-Rinow-theorem")]
+pub fn prop_3_2<M: KnownDistance<D>, const D: usize>(
+    subject: &impl Subject,
+    known: &Known<M, D>,
+    curve: &impl Curve<D>,
+    way_out: f64,
+) -> Result<Evidence, MetricError> {
+    let residual = Residual::of(subject, &known.metric, curve)?;
+    let seen = Measured::of(&known.metric, curve);
+    let granted = seen.granted_length() + known.distance_error;
+    let (off, rounding) = off_sets(subject, known, &seen);
+    let inverse = Unit { ell: 0, m: -1 };
+    Ok(Evidence::of(Statement::Proposition3_2)
+        .given("1/(length of the shortest way out) = 0", inverse, [way_out.recip(), 0.0], 0.0)
+        .paper("γ joins the points", Unit::COORDINATE, [off, 0.0], rounding)
+        .paper("γ̈ = −Γ(γ̇, γ̇)", Unit::COORDINATE, [residual.value, 0.0], residual.granted)
+        .paper("L(γ) ≤ d", Unit::LENGTH, [seen.length.value, known.distance], granted)
+        .sharper("d ≤ L(γ)", Unit::LENGTH, [known.distance, seen.length.value], granted))
+}
+
+/// How far the ends of a curve are from their sets, and what is granted, both in `ℓ`.
+pub(super) fn off_sets<M, const D: usize>(
+    subject: &impl Subject,
+    known: &Known<M, D>,
+    seen: &Measured<D>,
+) -> (f64, f64) {
+    let sets = [known.ends.first(), known.ends.second()];
+    let off = sets.into_iter().zip(&seen.ends);
+    let off = largest(off.map(|(set, x)| (subject.project(&**set, x) - x).norm()));
+    // A closed form for a curve, and the way back from flat coordinates, have some dozens of
+    // roundings; a projection has 4 D.
+    let size = seen.ends.iter().map(|x| x.norm()).sum::<f64>();
+    (off, 64.0 * f64::EPSILON * size)
+}

@@ -1,0 +1,214 @@
+//! Section 4: minimal curves are minimal geodesics, run through by a clock that may pause.
+
+use nalgebra::SVector;
+use tautline::{Metric, MetricError, quadrature::integrate};
+
+use super::geodesics::off_sets;
+use crate::{
+    Evidence, Known, Statement, Subject, Unit,
+    curves::{Clock, Curve, Geodesic, KnownGeodesics, Measured, Reparametrised, Residual, largest},
+};
+
+/// Evaluates Proposition 4.1, read with clocks that may pause: the claim of [`prop_4_2`] for two
+/// points nearer than the radius of a normal neighbourhood of the first, in `m`.
+///
+/// That they are near is not needed, as Proposition 4.2 says.
+///
+/// # Errors
+///
+/// [`MetricError`] where `H` is not finite, symmetric and positive definite.
+#[doc(alias = "prop:geodesic_min_loc_path_min")]
+pub fn prop_4_1<M: Metric<D>, C: Curve<D>, const D: usize>(
+    subject: &impl Subject,
+    known: &Known<M, D>,
+    geodesic: &C,
+    clock: &Clock,
+    radius: f64,
+) -> Result<Evidence, MetricError> {
+    let near = Evidence::of(Statement::Proposition4_1).given(
+        "d < ε",
+        Unit::LENGTH,
+        [known.distance, radius],
+        0.0,
+    );
+    reparametrised(near, subject, known, geodesic, clock)
+}
+
+/// Evaluates Proposition 4.2, read with clocks that may pause, on `γ = γ** ∘ φ`.
+///
+/// If `γ**` is a minimal geodesic and `φ` nondecreasing, then `γ` is minimal; and `φ` is what the
+/// converse makes of `γ`, its length up to the time `t` divided by `d`. For a minimal curve that
+/// is given otherwise, see [`prop_4_2_converse`].
+///
+/// Equality: the slack is 1 on every reparametrised minimal geodesic.
+///
+/// # Errors
+///
+/// [`MetricError`] where `H` is not finite, symmetric and positive definite.
+#[doc(alias = "prop:geodesic_min_path_min")]
+pub fn prop_4_2<M: Metric<D>, C: Curve<D>, const D: usize>(
+    subject: &impl Subject,
+    known: &Known<M, D>,
+    geodesic: &C,
+    clock: &Clock,
+) -> Result<Evidence, MetricError> {
+    let evidence = Evidence::of(Statement::Proposition4_2);
+    reparametrised(evidence, subject, known, geodesic, clock)
+}
+
+fn reparametrised<M: Metric<D>, C: Curve<D>, const D: usize>(
+    evidence: Evidence,
+    subject: &impl Subject,
+    known: &Known<M, D>,
+    geodesic: &C,
+    clock: &Clock,
+) -> Result<Evidence, MetricError> {
+    let (metric, d) = (&known.metric, known.distance);
+    let residual = Residual::of(subject, metric, geodesic)?;
+    let straight = Measured::of(metric, geodesic);
+    let curve = Reparametrised { curve: geodesic, clock };
+    let seen = Measured::of(metric, &curve);
+    let (off, rounding) = off_sets(subject, known, &straight);
+    let granted = straight.granted_length() + seen.granted_length() + known.distance_error;
+    let lag = lengths(metric, &curve).into_iter().map(|(t, s)| (s / d - clock.at(t)[0]).abs());
+    // A time of [0, 1] is rounded, and a piece turns that into a few roundings of φ.
+    let ticks = 16.0 * f64::EPSILON * clock.pieces() as f64;
+    Ok(evidence
+        .given("γ** joins the points", Unit::COORDINATE, [off, 0.0], rounding)
+        .given("γ̈** = −Γ(γ̇**, γ̇**)", Unit::COORDINATE, [residual.value, 0.0], residual.granted)
+        .given("L(γ**) ≤ d", Unit::LENGTH, [straight.length.value, d], granted)
+        .given("∫|φ′| ≤ 1", Unit::NONE, [clock.variation(), 1.0], ticks)
+        .paper("L(γ** ∘ φ) ≤ d", Unit::LENGTH, [seen.length.value, d], granted)
+        .paper("φ(t) = (length up to t)/d", Unit::NONE, [largest(lag), 0.0], ticks + granted / d)
+        .sharper("d ≤ L(γ** ∘ φ)", Unit::LENGTH, [d, seen.length.value], granted))
+}
+
+/// The lengths in `m` up to the end of each piece, with the time.
+fn lengths<M: Metric<D>, const D: usize>(metric: &M, curve: &impl Curve<D>) -> Vec<(f64, f64)> {
+    let speed = |t: f64| {
+        let motion = curve.motion(t);
+        metric.norm_squared(&motion.position, &motion.velocity).sqrt()
+    };
+    let mut sum = 0.0;
+    let up_to = |[from, to]: [f64; 2]| {
+        sum += integrate(speed, from, to, 20.0 * f64::EPSILON).value;
+        (to, sum)
+    };
+    curve.pieces().into_iter().map(up_to).collect()
+}
+
+/// Evaluates the other half of Proposition 4.2 on any curve `γ`: if it is minimal, then
+/// `γ(t) = γ**(φ(t))` with `φ(t)` its length up to `t`, divided by `d`. Looked at at 16 times.
+///
+/// `γ**` has to be *the* minimal geodesic, the only one.
+#[doc(alias = "prop:geodesic_min_path_min")]
+pub fn prop_4_2_converse<M: Metric<D>, const D: usize>(
+    subject: &impl Subject,
+    known: &Known<M, D>,
+    curve: &impl Curve<D>,
+    geodesic: &impl Curve<D>,
+) -> Evidence {
+    let (metric, d) = (&known.metric, known.distance);
+    let seen = Measured::of(metric, curve);
+    let speed = |t: f64| {
+        let motion = curve.motion(t);
+        metric.norm_squared(&motion.position, &motion.velocity).sqrt()
+    };
+    let granted = seen.granted_length() + known.distance_error;
+    let (mut before, mut travelled) = (0.0, 0.0);
+    let (mut apart, mut rate) = (0.0, 0.0_f64);
+    for k in 1..=16 {
+        let t = f64::from(k) / 16.0;
+        travelled += integrate(speed, before, t, 20.0 * f64::EPSILON).value;
+        before = t;
+        let other = geodesic.motion((travelled / d).min(1.0));
+        apart = largest([apart, (curve.motion(t).position - other.position).norm()]);
+        // What an error of a length is in coordinates.
+        rate = rate.max(other.velocity.norm() / d);
+    }
+    let (off, rounding) = off_sets(subject, known, &seen);
+    Evidence::of(Statement::Proposition4_2)
+        .given("γ joins the points", Unit::COORDINATE, [off, 0.0], rounding)
+        .given("L(γ) ≤ d", Unit::LENGTH, [seen.length.value, d], granted)
+        .paper("γ = γ** ∘ φ", Unit::COORDINATE, [apart, 0.0], 4.0 * granted * rate + rounding)
+}
+
+/// Evaluates Propositions 4.1 and 4.2 with "monotone increasing" read strictly: a minimal curve
+/// would never pause. False.
+#[doc(alias = "prop:geodesic_min_path_min")]
+pub fn prop_4_2_read_strictly<M: Metric<D>, C: Curve<D>, const D: usize>(
+    known: &Known<M, D>,
+    geodesic: &C,
+    clock: &Clock,
+) -> Evidence {
+    let seen = Measured::of(&known.metric, &Reparametrised { curve: geodesic, clock });
+    let granted = seen.granted_length() + known.distance_error;
+    Evidence::of(Statement::Proposition4_2)
+        .given("L(γ) ≤ d", Unit::LENGTH, [seen.length.value, known.distance], granted)
+        .paper("γ never pauses", Unit::NONE, [clock.longest_pause(), 0.0], 0.0)
+}
+
+/// Evaluates what can be observed of Proposition 4.3 at one point `x` of a compact set `K` and one
+/// tangent vector `v` in `ℓ`, with the common radius `ε` of `K` in `m`: `Exp_x` maps radii to
+/// distances, and has an inverse.
+///
+/// The geodesic has to satisfy the geodesic equation, too (companion). That `K` is compact is
+/// needed: on the sphere without a point, the geodesics from `x` shorter than `π − 2 arctan |x|`
+/// exist, and this tends to 0 as `|x| → ∞`.
+///
+/// # Errors
+///
+/// [`MetricError`] where `H` is not finite, symmetric and positive definite.
+#[doc(alias = "prop:uniformal_normal_radius")]
+pub fn prop_4_3<M: KnownGeodesics<D>, const D: usize>(
+    subject: &impl Subject,
+    metric: &M,
+    x: &SVector<f64, D>,
+    v: &SVector<f64, D>,
+    epsilon: f64,
+) -> Result<Evidence, MetricError> {
+    let curve = Geodesic::leaving(metric, *x, *v);
+    let end = curve.motion(1.0).position;
+    let radius = metric.norm_squared(x, v).sqrt();
+    let distance = metric.distance(x, &end).unwrap_or(f64::NAN);
+    let back = (metric.logarithm(x, &end) - v).norm();
+    let residual = Residual::of(subject, metric, &curve)?;
+    let seen = Measured::of(metric, &curve);
+    let granted = 2.0 * seen.granted_length();
+    // The inverse of Exp expands by r / sin r on the sphere: at most by 10 for r ≤ 2.85.
+    let expanded = 10.0 * granted * v.norm() / radius;
+    Ok(Evidence::of(Statement::Proposition4_3)
+        .given("|v| < ε", Unit::LENGTH, [radius, epsilon], 0.0)
+        .paper("|v| ≤ d(x, Exp_x v)", Unit::LENGTH, [radius, distance], granted)
+        .paper("d(x, Exp_x v) ≤ |v|", Unit::LENGTH, [distance, radius], granted)
+        .paper("Log_x Exp_x v = v", Unit::COORDINATE, [back, 0.0], expanded)
+        .sharper("γ̈ = −Γ(γ̇, γ̇)", Unit::COORDINATE, [residual.value, 0.0], residual.granted))
+}
+
+/// Evaluates Lemma 4.4 on a curve: if it is minimal and has constant speed, it satisfies the
+/// geodesic equation.
+///
+/// The equation is compared as a vector, and by the sizes of its two sides, which are two more
+/// inequalities of slack 1. With `d = 0` the curve is constant, and a geodesic.
+///
+/// # Errors
+///
+/// [`MetricError`] where `H` is not finite, symmetric and positive definite.
+#[doc(alias = "lem:minimal_constant_speed_geodesic")]
+pub fn lemma_4_4<M: Metric<D>, const D: usize>(
+    subject: &impl Subject,
+    known: &Known<M, D>,
+    curve: &impl Curve<D>,
+) -> Result<Evidence, MetricError> {
+    let seen = Measured::of(&known.metric, curve);
+    let Residual { value, acceleration, bending, granted } =
+        Residual::of(subject, &known.metric, curve)?;
+    let length = seen.granted_length() + known.distance_error;
+    let [least, largest] = seen.speeds;
+    Ok(Evidence::of(Statement::Lemma4_4)
+        .given("L(γ) ≤ d", Unit::LENGTH, [seen.length.value, known.distance], length)
+        .given("the speed is constant", Unit::LENGTH, [largest - least, 0.0], length)
+        .paper("γ̈ = −Γ(γ̇, γ̇)", Unit::COORDINATE, [value, 0.0], granted)
+        .paper("max |γ̈| ≤ max |Γ(γ̇, γ̇)|", Unit::COORDINATE, [acceleration, bending], granted)
+        .paper("max |Γ(γ̇, γ̇)| ≤ max |γ̈|", Unit::COORDINATE, [bending, acceleration], granted))
+}
