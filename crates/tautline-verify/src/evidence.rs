@@ -119,6 +119,26 @@ impl Evidence {
         }
     }
 
+    /// Returns the evidence again if the slack of this conclusion is at most `known`, the best
+    /// slack that is known for it.
+    ///
+    /// # Errors
+    ///
+    /// [`VerifyError::NotAttained`] with the slack of the conclusion.
+    ///
+    /// # Panics
+    ///
+    /// If there is no conclusion of this claim.
+    #[track_caller]
+    pub fn slack_of_is_at_most(self, claim: &str, known: f64) -> Result<Self, VerifyError> {
+        let (statement, slack) = (self.statement, self.conclusion(claim).slack());
+        if slack <= known {
+            Ok(self)
+        } else {
+            Err(VerifyError::NotAttained { statement, slack, known })
+        }
+    }
+
     /// Returns a conclusion by its claim.
     ///
     /// # Panics

@@ -17,11 +17,13 @@
 
 pub mod battery;
 mod catalogue;
+mod dynamic_programming;
 mod evidence;
 mod gram_range;
 mod inequality;
 mod known;
 mod reconstruction;
+mod slope;
 mod statement;
 pub mod statements;
 pub mod strategies;
@@ -31,11 +33,13 @@ mod verdict;
 mod verify_error;
 pub mod witnesses;
 
+pub use dynamic_programming::{GridLine, GridMinimum};
 pub use evidence::{Evidence, Finding};
 pub use gram_range::{GramRange, extreme_eigenvalues, operator_norm};
 pub use inequality::{Inequality, Source, Unit};
 pub use known::Known;
 pub use reconstruction::{PaperRule, Reconstruction, mean_cube, nodes};
+pub use slope::slope;
 pub use statement::Statement;
 pub use subject::{Library, Subject};
 pub use units::{InUnits, Units};

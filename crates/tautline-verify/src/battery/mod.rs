@@ -5,9 +5,18 @@
 //! variants, and shows which check kills which.
 
 mod check;
+mod existence;
+mod global_minima;
+mod golden;
+mod gradients;
+mod leading_constants;
+mod orders;
 mod point_sequences;
 mod section_1;
+mod section_5;
+mod slope;
 mod tally;
+mod theorem_witnesses;
 mod trial;
 
 pub use check::{Check, Kind};
@@ -19,5 +28,17 @@ use crate::Subject;
 /// Returns all checks, in the paper's order.
 #[must_use]
 pub fn battery<S: Subject>() -> Vec<Check<S>> {
-    [section_1::checks(), point_sequences::checks()].into_iter().flatten().collect()
+    let sections = [
+        section_1::checks(),
+        theorem_witnesses::checks(),
+        orders::checks(),
+        leading_constants::checks(),
+        golden::checks(),
+        gradients::checks(),
+        section_5::checks(),
+        global_minima::checks(),
+        existence::checks(),
+        point_sequences::checks(),
+    ];
+    sections.into_iter().flatten().collect()
 }
