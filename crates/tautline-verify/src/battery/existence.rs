@@ -179,7 +179,7 @@ impl ClosedSet<2> for AboveExponential {
 /// refused where ends are made.
 fn both_unbounded() -> Outcome {
     let floor = HalfSpace::new([0.0, 1.0], 0.0).map_err(VerifyError::from)?;
-    let refused = Ends::new(floor.clone(), AboveExponential);
+    let refused = Ends::new(floor, AboveExponential);
     if !matches!(refused, Err(SetError::BothUnbounded)) {
         return Err(Failure::new(format!("two unbounded sets: {refused:?}")));
     }

@@ -35,6 +35,12 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
             attained,
         ),
         Check::new("section_5_brute_force_counts_the_minimisers", Kind::Witness, BOTH, counted),
+        Check::new(
+            "section_5_the_left_rule_reads_the_point_where_a_chord_begins",
+            Kind::Witness,
+            BOTH,
+            left_is_left,
+        ),
         Check::new("section_5_fails_between_other_ends", Kind::Dropped, BOTH, |_| other_ends()),
         Check::new(
             "section_5_one_jump_undershoots_for_n_up_to_3",
@@ -153,6 +159,21 @@ fn counted<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
             let message = format!("N = {n}: {left} and {trapezoidal} minimisers");
             return Err(Failure::new(message));
         }
+    }
+    Ok(Default::default())
+}
+
+/// From a valley up to a ridge and back, `0, π` and `π, 0`: `π` and `3π` by the left rule, and `π f(π/2)`,
+/// which is `2π`, both ways by the trapezoidal rule. The minima alone do not tell the left end of a
+/// chord from its right one.
+fn left_is_left<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+    for ([a, b], left, trapezoidal) in [([0.0, PI], PI, 2.0 * PI), ([PI, 0.0], 3.0 * PI, 2.0 * PI)]
+    {
+        let line = PointSequence::straight([a, 0.0], [b, 0.0], 1).map_err(VerifyError::from)?;
+        let found = trial.subject.discrete_length(LeftEndpoint, &Valleys, &line);
+        close("L_l,1", found, left, 1e-14)?;
+        let found = trial.subject.discrete_length(Trapezoidal, &Valleys, &line);
+        close("L_tra,1", found, trapezoidal, 1e-14)?;
     }
     Ok(Default::default())
 }
