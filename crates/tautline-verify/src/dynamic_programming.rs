@@ -2,8 +2,9 @@
 //! dynamic programming: no sequence on the grid is missed, whatever valleys it jumps over.
 //!
 //! With the cost `c(x, y) = H(x + θ(y − x)) (y − x)²` of one chord, `E_N = N Σ c(xₙ, xₙ₊₁)`, and
-//! the least cost `Vₙ(y)` of `n` chords from the start to `y` obeys `Vₙ₊₁(y) = minₓ Vₙ(x) + c(x, y)`.
-//! `V` does not depend on `N`, so that one pass gives the minima for all `N` up to the last.
+//! the least cost `Vₙ(y)` of `n` chords from the start to `y` obeys
+//! `Vₙ₊₁(y) = minₓ Vₙ(x) + c(x, y)`. `V` does not depend on `N`, so that one pass gives the minima
+//! for all `N` up to the last.
 //!
 //! # How far the grid has to reach
 //!
@@ -20,8 +21,8 @@
 //! N (2H v² + 4 H′ Δ u v + H″ Δ² u²),    v = δₙ₊₁ − δₙ, |v| ≤ h;    u: δ at the node, |u| ≤ h/2
 //! ```
 //!
-//! at most `N h² (2c₂ + 2 L_H |Δ| + M_H Δ²/4)`, where along the way `|Δ|` grows by at most `h`. Half
-//! of the sum over the chords bounds the change.
+//! at most `N h² (2c₂ + 2 L_H |Δ| + M_H Δ²/4)`, where along the way `|Δ|` grows by at most `h`.
+//! Half of the sum over the chords bounds the change.
 
 use tautline::{Bounded, Constants, gallery::Valleys};
 
@@ -52,11 +53,11 @@ pub struct GridMinimum {
 }
 
 impl GridLine<'static> {
-    /// Returns the valleys of Section 5 along the axis, from 0 to `4π`, with 800 intervals; the rule
-    /// reads at the fraction `theta`.
+    /// Returns the valleys of Section 5 along the axis, from 0 to `4π`, with 800 intervals; the
+    /// rule reads at the fraction `theta`.
     ///
-    /// In the plane the search is the same: to set `x₂ = 0` everywhere leaves `H = f(x₁)² I` where it
-    /// is read and shortens the chords.
+    /// In the plane the search is the same: to set `x₂ = 0` everywhere leaves `H = f(x₁)² I` where
+    /// it is read and shortens the chords.
     #[must_use]
     pub fn over_the_valleys(theta: f64) -> Self {
         Self {
@@ -128,7 +129,8 @@ impl GridLine<'_> {
         minima
     }
 
-    /// The bound of the module's doc. For a minimiser, `Σ Δ² ≤ U/(N c₁)` and `Σ |Δ| ≤ (U/c₁)^{1/2}`.
+    /// The bound of the module's doc. For a minimiser, `Σ Δ² ≤ U/(N c₁)` and
+    /// `Σ |Δ| ≤ (U/c₁)^{1/2}`.
     fn grid_error(&self, n: usize, upper: f64) -> f64 {
         let (h, constants, n) = (self.step(), self.constants, n as f64);
         let squares = upper / (n * constants.c1());

@@ -174,8 +174,8 @@ impl ClosedSet<2> for AboveExponential {
     }
 }
 
-/// From `{x₂ ≤ 0}` to `{x₂ ≥ e^{−x₁}}` under `H = I`: straight up at `x₁` costs `e^{−2x₁}`, so that any
-/// minimiser is beaten farther to the right. The infimum 0 is not attained, and the pair is
+/// From `{x₂ ≤ 0}` to `{x₂ ≥ e^{−x₁}}` under `H = I`: straight up at `x₁` costs `e^{−2x₁}`, so that
+/// any minimiser is beaten farther to the right. The infimum 0 is not attained, and the pair is
 /// refused where ends are made.
 fn both_unbounded() -> Outcome {
     let floor = HalfSpace::new([0.0, 1.0], 0.0).map_err(VerifyError::from)?;

@@ -1,8 +1,8 @@
 //! The gradient of a discrete energy against differences of the energy itself.
 //!
 //! Of central differences with the step `h`, the error is `h² ∂³E/6 + …`: of the order 2 exactly if
-//! the gradient is right, and 0 otherwise. The slope of its logarithm tells, without a tolerance for
-//! the size of the error.
+//! the gradient is right, and 0 otherwise. The slope of its logarithm tells, without a tolerance
+//! for the size of the error.
 
 use nalgebra::SVector;
 use tautline::{

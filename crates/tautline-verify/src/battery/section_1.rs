@@ -1,5 +1,5 @@
-//! Section 1: the chains of Theorems 1.1 to 1.4, and the constants in them, on random problems with a
-//! known distance.
+//! Section 1: the chains of Theorems 1.1 to 1.4, and the constants in them, on random problems with
+//! a known distance.
 
 use std::fmt::Debug;
 

@@ -1,5 +1,5 @@
-//! Section 5: over the valleys, from `(0, 0)` to `(4π, 0)`, the discrete lengths have minima that do
-//! not converge to the distance `8π`, and the discrete energies have minima that do.
+//! Section 5: over the valleys, from `(0, 0)` to `(4π, 0)`, the discrete lengths have minima that
+//! do not converge to the distance `8π`, and the discrete energies have minima that do.
 
 use std::f64::consts::{PI, TAU};
 
@@ -163,9 +163,9 @@ fn counted<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     Ok(Default::default())
 }
 
-/// From a valley up to a ridge and back, `0, π` and `π, 0`: `π` and `3π` by the left rule, and `π f(π/2)`,
-/// which is `2π`, both ways by the trapezoidal rule. The minima alone do not tell the left end of a
-/// chord from its right one.
+/// From a valley up to a ridge and back, `0, π` and `π, 0`: `π` and `3π` by the left rule, and
+/// `π f(π/2) = 2π` both ways by the trapezoidal rule. The minima alone do not tell the left end of
+/// a chord from its right one.
 fn left_is_left<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     for ([a, b], left, trapezoidal) in [([0.0, PI], PI, 2.0 * PI), ([PI, 0.0], 3.0 * PI, 2.0 * PI)]
     {

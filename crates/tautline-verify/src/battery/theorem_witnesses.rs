@@ -4,8 +4,8 @@
 //! # The best slack known
 //!
 //! With `δ = L_H d/c₁^{3/2}` and `κ = c₂/c₁`, on the line, `C_tra♯ = d² (δ + 3δ² + 6κδ + 9κδ²)`. As
-//! `δ → 0` and `κ → 1` that is `7 d²δ`, so that `C = 7¼ d²δ` for the trapezoidal rule and `8 d²δ` for the
-//! left one; larger `D`, `κ` or `δ` only add to it. No gap is larger at `N = 1` than in the
+//! `δ → 0` and `κ → 1` that is `7 d²δ`, so that `C = 7¼ d²δ` for the trapezoidal rule and `8 d²δ`
+//! for the left one; larger `D`, `κ` or `δ` only add to it. No gap is larger at `N = 1` than in the
 //! sharper companions, which are attained in the same limit:
 //!
 //! | gap | at most, of `d²δ` | witness | slack of the paper's bound |
@@ -270,8 +270,8 @@ fn understated([c1, c2, l_h]: [f64; 3], dropped: &str) -> Outcome {
     Ok(Default::default())
 }
 
-/// From `{0, 10}` to `{1, 12}` under `H = 1` the constants are `C = 0` and `K̄ = d = 1`. The way from
-/// 10 to 12 is the only one between its ends, and is a local minimiser as the sets are
+/// From `{0, 10}` to `{1, 12}` under `H = 1` the constants are `C = 0` and `K̄ = d = 1`. The way
+/// from 10 to 12 is straight, and a local minimiser since the sets are
 /// discrete; it has `E = 4`.
 fn not_global() -> Outcome {
     let metric = gallery::Constant::<1>::new([[1.0]].into()).expect("positive definite");
@@ -295,8 +295,9 @@ fn not_global() -> Outcome {
 }
 
 /// One step over the tent `H = 1 + L|x − ½|` has the discrete length 1 at its tip, as short as any
-/// sequence from 0 to 1 can be, for every `N`; and with the left rule so has one step up an incline. Their
-/// discrete energy is `N`, and that of the curve `N (1 + L/4)` and `N (1 + L/2)`: nothing converges.
+/// sequence from 0 to 1 can be, for every `N`; and with the left rule so has one step up an
+/// incline. Their discrete energy is `N`, and that of the curve `N (1 + L/4)` and `N (1 + L/2)`:
+/// nothing converges.
 ///
 /// Theorems 1.2 and 1.4 are silent here: on the line every monotone curve has the length `d`.
 fn length_minimiser() -> Outcome {

@@ -15,10 +15,10 @@ use crate::{
 /// |xₙ − X| ≤ √(R/c₁) for both,    E_N(γ*) ≤ E_N(γᵖ) = R
 /// ```
 ///
-/// with the bounded set `X` and the energy `R` of the second: the first line is the proof's, by which
-/// sequences with at most the energy `R` form a compact set, and a box in which a search may stay;
-/// the second is what being a minimiser says. Companion: even the whole way
-/// `Σ |xₙ₊₁ − xₙ|` is at most `√(R/c₁)`.
+/// with the bounded set `X` and the energy `R` of the second: the first line is the proof's, by
+/// which sequences with at most the energy `R` form a compact set, and a box in which a search may
+/// stay; the second is what being a minimiser says. Companion: even the whole way `Σ |xₙ₊₁ − xₙ|`
+/// is at most `√(R/c₁)`.
 ///
 /// # Errors
 ///
@@ -90,8 +90,9 @@ pub fn prop_7_1<const D: usize>(
 /// # What is granted
 ///
 /// A search ends where a Newton step promises to lower the energy by `10⁻¹⁸ E`. The Hessian is at
-/// most `8 N c₂` or so, hence `|∂E|² ≤ 16 N c₂ · 10⁻¹⁸ E`, and `((1/N) Σ |ρₙ|²)^{1/2} = ½√N |∂E|` is
-/// at most `2 N (c₂E)^{1/2} 10⁻⁹`. Rounding of the points moves it by `ε N² |x| c₂`, a few times.
+/// most `8 N c₂` or so, hence `|∂E|² ≤ 16 N c₂ · 10⁻¹⁸ E`, and `((1/N) Σ |ρₙ|²)^{1/2} = ½√N |∂E|`
+/// is at most `2 N (c₂E)^{1/2} 10⁻⁹`. Rounding of the points moves it by `ε N² |x| c₂`, a few
+/// times.
 #[must_use]
 pub fn critical_point<M: Bounded<D>, const D: usize>(
     subject: &impl Subject,

@@ -113,7 +113,8 @@ pub fn theorem_1_1<const D: usize>(subject: &impl Subject, seen: &Reconstruction
 /// 0  ≤  L(γᵖˡ)² − d²  ≤  C/√N      with the C of Theorem 1.1
 /// ```
 ///
-/// Companion: `L(γᵖˡ)² − d²` is of order `1/N` ([`tautline::bounds::first_order_excess_trapezoidal`]).
+/// Companion: `L(γᵖˡ)² − d²` is of order `1/N`
+/// ([`tautline::bounds::first_order_excess_trapezoidal`]).
 #[doc(alias = "theo:approx_numerical_integral_trapezoidal_length")]
 #[must_use]
 pub fn theorem_1_2<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
