@@ -2,17 +2,13 @@
 //!
 //! | module | shows |
 //! | --- | --- |
-//! | `section_1` | observed orders and leading constants |
-//! | `section_5` | the counterexample: discrete lengths, and global minima of the discrete energies |
 //! | `battery` | every check of the project's own suite, by its name |
-//! | `golden` | the paper's constants against values computed with 40 digits |
 //! | `own` | a metric, a rule and a closed set of one's own, through the face |
 //! | `bad_input`, `touching_ends` | what is refused, and how; what is not |
 //! | `committed_data` | what the project claims of the data in its repository |
 //! | `tidiness` | the shape of the workspace |
 //!
-//! Everything goes through the public face, `tautline`. Nothing here is random: property tests
-//! have fixed seeds, the first argument of `for_all`.
+//! Nothing here is random: property tests have fixed seeds, which a failure names.
 
 #[cfg(test)]
 mod bad_input;
@@ -21,15 +17,7 @@ mod battery;
 #[cfg(test)]
 mod committed_data;
 #[cfg(test)]
-mod golden;
-#[cfg(test)]
 mod own;
-#[cfg(test)]
-mod random;
-#[cfg(test)]
-mod section_1;
-#[cfg(test)]
-mod section_5;
 #[cfg(test)]
 mod tidiness;
 #[cfg(test)]

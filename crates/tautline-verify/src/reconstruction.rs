@@ -4,7 +4,7 @@ use std::num::NonZeroUsize;
 
 use nalgebra::SVector;
 use tautline::{
-    Bounded, Curvature, Integral, LeftEndpoint, Minimum, PointSequence, Rule, Stop, Trapezoidal,
+    Bounded, Curvature, Integral, LeftEndpoint, Metric, Minimum, PointSequence, Stop, Trapezoidal,
     bounds::Setting,
 };
 
@@ -29,6 +29,19 @@ impl PaperRule {
         match self {
             PaperRule::Trapezoidal => "trapezoidal",
             PaperRule::LeftEndpoint => "left_endpoint",
+        }
+    }
+
+    /// Returns the discrete energy of a sequence, in `m²`.
+    pub fn energy<const D: usize>(
+        self,
+        subject: &impl Subject,
+        metric: &impl Metric<D>,
+        sequence: &PointSequence<D>,
+    ) -> f64 {
+        match self {
+            PaperRule::Trapezoidal => subject.discrete_energy(Trapezoidal, metric, sequence),
+            PaperRule::LeftEndpoint => subject.discrete_energy(LeftEndpoint, metric, sequence),
         }
     }
 }
@@ -76,29 +89,34 @@ impl<const D: usize> Reconstruction<D> {
         rule: PaperRule,
         n: usize,
     ) -> Result<Self, VerifyError> {
-        match rule {
-            PaperRule::Trapezoidal => Self::of(subject, known, rule, Trapezoidal, n),
-            PaperRule::LeftEndpoint => Self::of(subject, known, rule, LeftEndpoint, n),
-        }
-    }
-
-    fn of<M: Bounded<D>, R: Rule>(
-        subject: &impl Subject,
-        known: &Known<M, D>,
-        name: PaperRule,
-        rule: R,
-        n: usize,
-    ) -> Result<Self, VerifyError> {
-        let metric = &known.metric;
-        let minimum = subject.minimise(rule, metric, &known.ends, n)?;
+        let (metric, ends) = (&known.metric, &known.ends);
+        let minimum = match rule {
+            PaperRule::Trapezoidal => subject.minimise(Trapezoidal, metric, ends, n)?,
+            PaperRule::LeftEndpoint => subject.minimise(LeftEndpoint, metric, ends, n)?,
+        };
         // Degenerate is allowed: where a curve leaves a ball, it may be free to move sideways.
         let saddle = matches!(minimum.curvature, Curvature::Indefinite { .. });
         if !matches!(minimum.stop, Stop::Converged | Stop::EndsTouch) || saddle {
             let (stop, curvature) = (minimum.stop, minimum.curvature);
             return Err(VerifyError::NotConverged { n, stop, curvature });
         }
-        let sequence = &minimum.sequence;
-        let discrete_energy = subject.discrete_energy(rule, metric, sequence);
+        Self::read(subject, known, rule, minimum)
+    }
+
+    /// Reads off the numbers of a sequence that was found in another way: what the theorems say
+    /// of one that is no global minimiser.
+    ///
+    /// # Errors
+    ///
+    /// [`VerifyError::Metric`] where `H` is not finite, symmetric and positive definite.
+    pub fn read<M: Bounded<D>>(
+        subject: &impl Subject,
+        known: &Known<M, D>,
+        rule: PaperRule,
+        minimum: Minimum<D>,
+    ) -> Result<Self, VerifyError> {
+        let (metric, sequence) = (&known.metric, &minimum.sequence);
+        let discrete_energy = rule.energy(subject, metric, sequence);
         let energy = subject.curve_energy(metric, sequence);
         let length = subject.curve_length(metric, sequence);
         let length_squared =
@@ -116,7 +134,7 @@ impl<const D: usize> Reconstruction<D> {
             + energy.error
             + length_squared.error;
         Ok(Self {
-            rule: name,
+            rule,
             setting,
             n: sequence.n(),
             distance_squared,

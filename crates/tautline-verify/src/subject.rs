@@ -94,7 +94,17 @@ pub trait Subject: Sync {
         set.project(x)
     }
 
-    /// Returns the discrete minimiser that the solver finds.
+    /// Returns the discrete speeds of the chords, in `m`.
+    fn discrete_speeds<R: Rule, const D: usize>(
+        &self,
+        rule: R,
+        metric: &impl Metric<D>,
+        sequence: &PointSequence<D>,
+    ) -> Vec<f64> {
+        rule.speeds(metric, sequence)
+    }
+
+    /// Returns the discrete minimiser that the solver finds from its own starts.
     ///
     /// # Errors
     ///
@@ -106,7 +116,23 @@ pub trait Subject: Sync {
         ends: &Ends<D>,
         n: usize,
     ) -> Result<Minimum<D>, SolveError> {
-        minimise(metric, ends, rule, n, &Options::default())
+        self.minimise_with(rule, metric, ends, n, &Options::default())
+    }
+
+    /// Returns the discrete minimiser that the solver finds with these options.
+    ///
+    /// # Errors
+    ///
+    /// As [`minimise`].
+    fn minimise_with<R: Rule, const D: usize>(
+        &self,
+        rule: R,
+        metric: &impl Metric<D>,
+        ends: &Ends<D>,
+        n: usize,
+        options: &Options<D>,
+    ) -> Result<Minimum<D>, SolveError> {
+        minimise(metric, ends, rule, n, options)
     }
 
     /// Returns what a metric claims of itself.
@@ -167,6 +193,16 @@ pub trait Subject: Sync {
     /// Returns the constant `C` of Theorems 1.3 and 1.4, in `m²`.
     fn theorem_1_3_constant(&self, setting: Setting) -> f64 {
         bounds::theorem_1_3_constant(setting)
+    }
+
+    /// Returns the bound of `E(γᵖˡ) − d²` in the proof of Theorem 1.1, in `m²`.
+    fn theorem_1_1_excess(&self, setting: Setting, n: NonZeroUsize) -> f64 {
+        bounds::theorem_1_1_excess(setting, n)
+    }
+
+    /// Returns the bound of `E(γᵖˡ) − d²` in the proof of Theorem 1.3, in `m²`.
+    fn theorem_1_3_excess(&self, setting: Setting, n: NonZeroUsize) -> f64 {
+        bounds::theorem_1_3_excess(setting, n)
     }
 
     /// Returns the bound of order `1/N` of `E(γᵖˡ) − d²` for the trapezoidal rule, in `m²`.

@@ -1,15 +1,23 @@
 //! Every check of the project's own suite as a test of its own name.
 
+mod existence;
+mod global_minima;
+mod golden;
+mod gradients;
+mod leading_constants;
+mod orders;
 mod point_sequences;
 mod section_1;
 mod section_3;
 mod section_4;
+mod section_5;
 mod section_6;
 mod section_7_algebra;
 mod section_7_apriori;
 mod section_7_morrey;
 mod section_7_sampling;
 mod section_9;
+mod theorem_witnesses;
 
 use std::collections::BTreeSet;
 
@@ -50,9 +58,17 @@ fn every_check_is_a_test() {
     assert_eq!(checks.len(), battery::<Library>().len(), "two checks of one name");
     let sections = [
         section_1::NAMES,
+        theorem_witnesses::NAMES,
+        orders::NAMES,
+        leading_constants::NAMES,
+        golden::NAMES,
+        gradients::NAMES,
         section_3::NAMES,
         section_4::NAMES,
+        section_5::NAMES,
+        global_minima::NAMES,
         section_6::NAMES,
+        existence::NAMES,
         section_7_morrey::NAMES,
         section_7_algebra::NAMES,
         section_7_sampling::NAMES,

@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use tautline_verify::slope;
+
 use super::{Row, Table};
-use crate::section_1::slope;
 
 /// Cases for which the left rule does not show the order 1 (the last: neither rule its own), and
 /// why.
@@ -127,7 +128,7 @@ fn convergence_has_the_predicted_orders() {
     for ((case, rule), rows) in series(&table) {
         let fit = |value: &dyn Fn(&Row<'_>) -> f64| {
             let window = rows.iter().filter(|row| row.n() >= 256);
-            let points: Vec<_> = window.map(|row| (row.n(), value(row))).collect();
+            let points: Vec<_> = window.map(|row| (row.n() as f64, value(row))).collect();
             assert_eq!(points.len(), 5, "N = 256, …, 4096");
             slope(&points)
         };

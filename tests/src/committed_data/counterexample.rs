@@ -2,8 +2,9 @@
 
 use std::f64::consts::PI;
 
+use tautline_verify::GridLine;
+
 use super::Table;
-use crate::section_5::axis;
 
 fn table() -> Table {
     Table::read("tables/counterexample.csv")
@@ -73,7 +74,7 @@ fn counterexample_has_the_energies_of_global_minimisers() {
     let d2 = 64.0 * PI * PI;
     let mut above = Vec::new();
     for (column, theta) in [("root_min_energy_left", 0.0), ("root_min_energy_trapezoidal", 0.5)] {
-        let minima = axis(theta).minima(32, d2);
+        let minima = GridLine::over_the_valleys(theta).minima(32, d2);
         for row in table().rows().filter(|row| row.n() <= 32) {
             let (root, best) = (row.number(column), minima[row.n() - 1].energy.sqrt());
             // Printed with 13 digits.

@@ -7,7 +7,7 @@ use tautline::{
 
 /// `H(x) = diag(1 + ½ sin² x₁, 2)`.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Corrugated;
+struct Corrugated;
 
 impl Metric<2> for Corrugated {
     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {

@@ -4,5 +4,3 @@ mod ellipse;
 mod metric;
 mod rule;
 mod set;
-
-pub(crate) use metric::Corrugated;

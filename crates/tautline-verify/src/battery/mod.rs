@@ -5,20 +5,29 @@
 //! shows which check kills which.
 
 mod check;
+mod existence;
 mod failing;
+mod global_minima;
+mod golden;
+mod gradients;
+mod leading_constants;
 mod ledger;
+mod orders;
 mod point_sequences;
 mod quick;
 mod section_1;
 mod section_3;
 mod section_4;
+mod section_5;
 mod section_6;
 mod section_7_algebra;
 mod section_7_apriori;
 mod section_7_morrey;
 mod section_7_sampling;
 mod section_9;
+mod slope;
 mod tally;
+mod theorem_witnesses;
 mod trial;
 
 pub use check::{Check, Kind};
@@ -33,9 +42,17 @@ use crate::Subject;
 pub fn battery<S: Subject>() -> Vec<Check<S>> {
     let sections = [
         section_1::checks(),
+        theorem_witnesses::checks(),
+        orders::checks(),
+        leading_constants::checks(),
+        golden::checks(),
+        gradients::checks(),
         section_3::checks(),
         section_4::checks(),
+        section_5::checks(),
+        global_minima::checks(),
         section_6::checks(),
+        existence::checks(),
         section_7_morrey::checks(),
         section_7_algebra::checks(),
         section_7_sampling::checks(),

@@ -5,19 +5,24 @@
 //! | 1, main results | a [`Reconstruction`](crate::Reconstruction) | [`theorem_1_1`] to [`theorem_1_4`] |
 //! | 3, geodesics and distances | a curve, or two points | [`prop_3_1`], [`prop_3_2`], [`prop_3_3`] |
 //! | 4, minimal curves | a geodesic and a clock, a tangent vector, or a curve | [`prop_4_1`], [`prop_4_2`], [`prop_4_3`], [`lemma_4_4`] |
+//! | 5, the counterexample | a point sequence over the valleys | [`section_5_left`], [`section_5_trapezoidal`] |
 //! | 6, energy and length | a curve between points or sets | [`prop_6_1`], [`prop_6_2`], [`prop_6_3`] |
-//! | 7, curves | a [`Curve`](crate::curves::Curve) | [`prop_7_2`] to [`prop_7_4`] |
+//! | 7, existence | two sets and two point sequences | [`prop_7_1`], and [`critical_point`] of a minimiser |
+//! | 7, curves | a [`BoundedCurve`](crate::curves::BoundedCurve) | [`prop_7_2`] to [`prop_7_4`] |
 //! | 7, matrices | [`TwoForms`] | [`prop_7_5`] |
 //! | 7, sampled curves | a metric, curves and `N` | [`prop_7_6`], [`prop_7_7`] |
 //! | | constants, `K₁`, `K₂` and `N` | [`constant_c_tra`], [`constant_c_tra_sharp`] |
 //! | 7, derivatives | a metric and a point | [`prop_7_10`], [`prop_7_11`] |
 //! | 7, a priori | a metric and a minimal geodesic | [`constant_k1`], [`constant_k2`], [`prop_7_12`] |
 //! | 7 and 8, any point sequence | a metric and a point sequence | [`prop_7_8`], [`prop_7_9`], [`prop_8_1`], [`prop_8_2`] |
+//! | 7 and 8, constants of the theorems | a [`Reconstruction`](crate::Reconstruction) | [`constant_k3_bar`], [`constant_c_1_1`], [`constant_k4_bar`], [`constant_c_1_3`] |
 //! | 9, excess of length | two curves, or a [`Reconstruction`](crate::Reconstruction) | [`prop_9_1`], [`remark_9_2`] |
 
 mod apriori;
+mod discrete_constants;
 mod distances;
 mod energy_and_length;
+mod existence;
 mod functional_lipschitz;
 mod geodesics;
 mod gram_derivatives;
@@ -27,10 +32,13 @@ mod morrey;
 mod point_sequences;
 mod sampled_curves;
 mod section_1;
+mod section_5;
 
 pub use apriori::{constant_k1, constant_k2, prop_7_12};
+pub use discrete_constants::{constant_c_1_1, constant_c_1_3, constant_k3_bar, constant_k4_bar};
 pub use distances::prop_3_3;
 pub use energy_and_length::{NearestPair, prop_6_1, prop_6_1_minimiser, prop_6_2, prop_6_3};
+pub use existence::{critical_point, prop_7_1};
 pub use functional_lipschitz::{TwoForms, prop_7_5, prop_7_5_as_printed};
 pub use geodesics::{prop_3_1, prop_3_2};
 pub use gram_derivatives::{prop_7_10, prop_7_11};
@@ -44,3 +52,4 @@ pub use sampled_curves::{
     constant_c_tra, constant_c_tra_sharp, prop_7_6, prop_7_6_as_printed, prop_7_7,
 };
 pub use section_1::{theorem_1_1, theorem_1_2, theorem_1_3, theorem_1_4};
+pub use section_5::{section_5_left, section_5_trapezoidal};

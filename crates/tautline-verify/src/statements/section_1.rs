@@ -17,12 +17,10 @@
 //! alone say little of a program. The sharper companions are of first order in `1/N`, or bound
 //! the gap of the very sequence by the mean cube of its differences.
 
-use tautline::bounds;
-
 use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};
 
 /// What the theorems need: the clauses on the metric, ends in their sets, the rule, the premise.
-fn begin<const D: usize>(
+pub(super) fn begin<const D: usize>(
     statement: Statement,
     seen: &Reconstruction<D>,
     rule: PaperRule,
@@ -49,13 +47,19 @@ fn begin<const D: usize>(
 }
 
 /// `d² + C_tra♯`, which the proof of Theorem 1.1 has for `min E_tra,N`.
-fn premise_trapezoidal<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> f64 {
+pub(super) fn premise_trapezoidal<const D: usize>(
+    subject: &impl Subject,
+    seen: &Reconstruction<D>,
+) -> f64 {
     let (k1, k2) = (subject.k1_g(seen.setting), subject.k2_g(seen.setting));
     seen.distance_squared + subject.c_tra_sharp(seen.setting.constants(), k1, k2)
 }
 
 /// `d² + C_tra♯ + ½ L_H K̄_{3,g}³`, which the proof of Theorem 1.3 has for `min E_l,N`.
-fn premise_left<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> f64 {
+pub(super) fn premise_left<const D: usize>(
+    subject: &impl Subject,
+    seen: &Reconstruction<D>,
+) -> f64 {
     let cube = subject.k3_bar_g(seen.setting).powi(3);
     premise_trapezoidal(subject, seen) + 0.5 * seen.setting.constants().l_h() * cube
 }
@@ -67,7 +71,7 @@ fn premise_left<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>
 /// ```
 ///
 /// Companions: the gap of the very sequence is at most `(L_H/4N) mean |β|³`, and all three gaps
-/// are of order `1/N` ([`bounds::first_order_excess_trapezoidal`] and its parts).
+/// are of order `1/N` ([`tautline::bounds::first_order_excess_trapezoidal`] and its parts).
 #[doc(alias = "theo:approx_numerical_integral_trapezoidal")]
 #[must_use]
 pub fn theorem_1_1<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
@@ -76,8 +80,8 @@ pub fn theorem_1_1<const D: usize>(subject: &impl Subject, seen: &Reconstruction
     let gap = seen.energy.value - discrete_energy;
     let premise = premise_trapezoidal(subject, seen);
     let mean_cube = setting.constants().l_h() * seen.mean_cube / (4.0 * count);
-    let ceiling = bounds::first_order_minimum_gap_trapezoidal(setting, n);
-    let first_order = bounds::first_order_polyline_gap_trapezoidal(setting, n);
+    let ceiling = subject.first_order_minimum_gap_trapezoidal(setting, n);
+    let first_order = subject.first_order_polyline_gap_trapezoidal(setting, n);
     begin(Statement::Theorem1_1, seen, PaperRule::Trapezoidal, premise)
         .paper("E(γᵖˡ) − E_tra,N ≤ C/√N", Unit::ENERGY, [gap, constant / count.sqrt()], granted)
         .paper(
@@ -109,12 +113,13 @@ pub fn theorem_1_1<const D: usize>(subject: &impl Subject, seen: &Reconstruction
 /// 0  ≤  L(γᵖˡ)² − d²  ≤  C/√N      with the C of Theorem 1.1
 /// ```
 ///
-/// Companion: `L(γᵖˡ)² − d²` is of order `1/N` ([`bounds::first_order_excess_trapezoidal`]).
+/// Companion: `L(γᵖˡ)² − d²` is of order `1/N`
+/// ([`tautline::bounds::first_order_excess_trapezoidal`]).
 #[doc(alias = "theo:approx_numerical_integral_trapezoidal_length")]
 #[must_use]
 pub fn theorem_1_2<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
     let constant = subject.theorem_1_1_constant(seen.setting);
-    let first_order = bounds::first_order_excess_trapezoidal(seen.setting, seen.n);
+    let first_order = subject.first_order_excess_trapezoidal(seen.setting, seen.n);
     let premise = premise_trapezoidal(subject, seen);
     let evidence = begin(Statement::Theorem1_2, seen, PaperRule::Trapezoidal, premise);
     length_excess(evidence, seen, constant, first_order)
@@ -127,7 +132,7 @@ pub fn theorem_1_2<const D: usize>(subject: &impl Subject, seen: &Reconstruction
 /// ```
 ///
 /// Companions: the gap of the very sequence is at most `(L_H/2N) mean |β|³`, and all three gaps
-/// are of order `1/N` ([`bounds::first_order_excess_left`] and its parts).
+/// are of order `1/N` ([`tautline::bounds::first_order_excess_left`] and its parts).
 #[doc(alias = "theo:approx_numerical_integral_left")]
 #[must_use]
 pub fn theorem_1_3<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
@@ -137,8 +142,8 @@ pub fn theorem_1_3<const D: usize>(subject: &impl Subject, seen: &Reconstruction
     let gap = seen.energy.value - discrete_energy;
     let premise = premise_left(subject, seen);
     let mean_cube = setting.constants().l_h() * seen.mean_cube / (2.0 * count);
-    let ceiling = bounds::first_order_minimum_gap_left(setting, n);
-    let first_order = bounds::first_order_polyline_gap_left(setting, n);
+    let ceiling = subject.first_order_minimum_gap_left(setting, n);
+    let first_order = subject.first_order_polyline_gap_left(setting, n);
     begin(Statement::Theorem1_3, seen, PaperRule::LeftEndpoint, premise)
         .paper("E(γᵖˡ) − E_l,N ≤ C/√N", Unit::ENERGY, [gap, bound], granted)
         .paper("E_l,N − d² ≤ C/√N", Unit::ENERGY, [discrete_energy - d2, bound], granted)
@@ -160,12 +165,12 @@ pub fn theorem_1_3<const D: usize>(subject: &impl Subject, seen: &Reconstruction
 /// 0  ≤  L(γᵖˡ)² − d²  ≤  C/√N      with the C of Theorem 1.3
 /// ```
 ///
-/// Companion: `L(γᵖˡ)² − d²` is of order `1/N` ([`bounds::first_order_excess_left`]).
+/// Companion: `L(γᵖˡ)² − d²` is of order `1/N` ([`tautline::bounds::first_order_excess_left`]).
 #[doc(alias = "theo:approx_numerical_integral_left_length")]
 #[must_use]
 pub fn theorem_1_4<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
     let constant = subject.theorem_1_3_constant(seen.setting);
-    let first_order = bounds::first_order_excess_left(seen.setting, seen.n);
+    let first_order = subject.first_order_excess_left(seen.setting, seen.n);
     let premise = premise_left(subject, seen);
     let evidence = begin(Statement::Theorem1_4, seen, PaperRule::LeftEndpoint, premise);
     length_excess(evidence, seen, constant, first_order)

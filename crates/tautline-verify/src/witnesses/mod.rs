@@ -2,6 +2,7 @@
 //! hypothesis.
 
 mod claimed;
+mod corrugated;
 mod incline;
 mod incline_geodesic;
 mod one_step;
@@ -13,6 +14,9 @@ mod washboard;
 mod zigzag;
 
 pub use claimed::Claimed;
+mod two_routes;
+mod valley_jump;
+pub use corrugated::Corrugated;
 pub use incline::Incline;
 pub use incline_geodesic::InclineGeodesic;
 pub use one_step::one_step;
@@ -20,5 +24,7 @@ pub use polygonal::Polygonal;
 pub use ripple::Ripple;
 pub use tent::Tent;
 pub use twist::Twist;
+pub use two_routes::{Profile, TwoRoutes};
+pub use valley_jump::valley_jump;
 pub use washboard::Washboard;
 pub use zigzag::Zigzag;

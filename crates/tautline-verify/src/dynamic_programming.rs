@@ -2,8 +2,9 @@
 //! dynamic programming: no sequence on the grid is missed, whatever valleys it jumps over.
 //!
 //! With the cost `c(x, y) = H(x + θ(y − x)) (y − x)²` of one chord, `E_N = N Σ c(xₙ, xₙ₊₁)`, and
-//! the least cost `Vₙ(y)` of `n` chords from the start to `y` obeys `Vₙ₊₁(y) = minₓ Vₙ(x) + c(x, y)`.
-//! `V` does not depend on `N`, so that one pass gives the minima for all `N` up to the last.
+//! the least cost `Vₙ(y)` of `n` chords from the start to `y` obeys
+//! `Vₙ₊₁(y) = minₓ Vₙ(x) + c(x, y)`. `V` does not depend on `N`, so that one pass gives the minima
+//! for all `N` up to the last.
 //!
 //! # How far the grid has to reach
 //!
@@ -20,31 +21,56 @@
 //! N (2H v² + 4 H′ Δ u v + H″ Δ² u²),    v = δₙ₊₁ − δₙ, |v| ≤ h;    u: δ at the node, |u| ≤ h/2
 //! ```
 //!
-//! at most `N h² (2c₂ + 2 L_H |Δ| + M_H Δ²/4)`, where along the way `|Δ|` grows by at most `h`. Half
-//! of the sum over the chords bounds the change.
+//! at most `N h² (2c₂ + 2 L_H |Δ| + M_H Δ²/4)`, where along the way `|Δ|` grows by at most `h`.
+//! Half of the sum over the chords bounds the change.
 
-use tautline::Constants;
+use tautline::{Bounded, Constants, gallery::Valleys};
 
 /// A problem on the line: from `a` to `b`, `a < b`, with the Gram matrix read at the fraction
 /// `theta` of each chord.
-pub(crate) struct Line<'a> {
-    pub(crate) ends: [f64; 2],
-    pub(crate) gram: &'a dyn Fn(f64) -> f64,
-    pub(crate) constants: Constants,
-    pub(crate) theta: f64,
+pub struct GridLine<'a> {
+    /// `a` and `b`, in `ℓ`.
+    pub ends: [f64; 2],
+    /// `H`, in `m²/ℓ²`.
+    pub gram: &'a dyn Fn(f64) -> f64,
+    /// The constants of `H`, with `M_H`.
+    pub constants: Constants,
+    /// Where the rule reads: 0 for the left-endpoint rule, ½ for the trapezoidal rule.
+    pub theta: f64,
     /// The number of grid intervals between the ends.
-    pub(crate) intervals: usize,
+    pub intervals: usize,
 }
 
 /// The least energy on the grid.
-pub(crate) struct GridMinimum {
-    pub(crate) energy: f64,
-    pub(crate) sequence: Vec<f64>,
-    /// A bound of what the grid adds to the minimum over all sequences.
-    pub(crate) grid_error: f64,
+#[derive(Clone, Debug, PartialEq)]
+pub struct GridMinimum {
+    /// The energy, in `m²`.
+    pub energy: f64,
+    /// The sequence that has it, in `ℓ`.
+    pub sequence: Vec<f64>,
+    /// A bound of what the grid adds to the minimum over all sequences, in `m²`.
+    pub grid_error: f64,
 }
 
-impl Line<'_> {
+impl GridLine<'static> {
+    /// Returns the valleys of Section 5 along the axis, from 0 to `4π`, with 800 intervals; the
+    /// rule reads at the fraction `theta`.
+    ///
+    /// In the plane the search is the same: to set `x₂ = 0` everywhere leaves `H = f(x₁)² I` where
+    /// it is read and shortens the chords.
+    #[must_use]
+    pub fn over_the_valleys(theta: f64) -> Self {
+        Self {
+            ends: [0.0, 4.0 * std::f64::consts::PI],
+            gram: &|x| (2.0 - x.cos()).powi(2),
+            constants: Bounded::<2>::constants(&Valleys),
+            theta,
+            intervals: 800,
+        }
+    }
+}
+
+impl GridLine<'_> {
     fn step(&self) -> f64 {
         (self.ends[1] - self.ends[0]) / self.intervals as f64
     }
@@ -56,7 +82,12 @@ impl Line<'_> {
 
     /// Returns the minima for `N = 1, …, last`, where `upper` is the largest of the energies of
     /// any admissible sequences for these `N`.
-    pub(crate) fn minima(&self, last: usize, upper: f64) -> Vec<GridMinimum> {
+    ///
+    /// # Panics
+    ///
+    /// If the constants have no `M_H`.
+    #[must_use]
+    pub fn minima(&self, last: usize, upper: f64) -> Vec<GridMinimum> {
         let h = self.step();
         let margin = (self.reach(upper) / h).ceil() as usize;
         let count = self.intervals + 2 * margin + 1;
@@ -98,12 +129,13 @@ impl Line<'_> {
         minima
     }
 
-    /// The bound of the module's doc. For a minimiser, `Σ Δ² ≤ U/(N c₁)` and `Σ |Δ| ≤ (U/c₁)^{1/2}`.
+    /// The bound of the module's doc. For a minimiser, `Σ Δ² ≤ U/(N c₁)` and
+    /// `Σ |Δ| ≤ (U/c₁)^{1/2}`.
     fn grid_error(&self, n: usize, upper: f64) -> f64 {
         let (h, constants, n) = (self.step(), self.constants, n as f64);
         let squares = upper / (n * constants.c1());
         let lengths = (upper / constants.c1()).sqrt();
-        let m_h = constants.m_h().expect("the constants of the gallery have M_H");
+        let m_h = constants.m_h().expect("the constants have M_H");
         // Σ (|Δ| + h) and Σ (|Δ| + h)².
         let (first, second) = (lengths + n * h, squares + 2.0 * h * lengths + n * h * h);
         0.5 * n

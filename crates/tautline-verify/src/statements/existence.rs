@@ -1,0 +1,152 @@
+//! Proposition 7.1: the discrete energies have minimisers, and where to look for them.
+
+use nalgebra::SVector;
+use tautline::{Bounded, ClosedSet, LeftEndpoint, PointSequence, Trapezoidal};
+
+use crate::{
+    Evidence, GramRange, PaperRule, Reconstruction, Statement, Subject, Unit, VerifyError,
+    reconstruction::nodes,
+};
+
+/// Evaluates Proposition 7.1 on two admissible sequences of the same `N`, of which the first is
+/// said to be a minimiser.
+///
+/// ```text
+/// |xₙ − X| ≤ √(R/c₁) for both,    E_N(γ*) ≤ E_N(γᵖ) = R
+/// ```
+///
+/// with the bounded set `X` and the energy `R` of the second: the first line is the proof's, by
+/// which sequences with at most the energy `R` form a compact set, and a box in which a search may
+/// stay; the second is what being a minimiser says. Companion: even the whole way `Σ |xₙ₊₁ − xₙ|`
+/// is at most `√(R/c₁)`.
+///
+/// # Errors
+///
+/// [`VerifyError::Metric`] where `H` is not finite, symmetric and positive definite.
+#[doc(alias = "prop:existence_discrete_minimizers")]
+pub fn prop_7_1<const D: usize>(
+    subject: &impl Subject,
+    rule: PaperRule,
+    metric: &impl Bounded<D>,
+    sets: [&dyn ClosedSet<D>; 2],
+    [minimiser, other]: [&PointSequence<D>; 2],
+) -> Result<Evidence, VerifyError> {
+    let c1 = subject.constants(metric).c1();
+    let gram = GramRange::along(metric, nodes(minimiser).chain(nodes(other)))?;
+    let bounded = sets.iter().find(|set| set.radius().is_some_and(f64::is_finite));
+    let unbounded = if bounded.is_some() { 0.0 } else { 1.0 };
+    let differ = minimiser.n().get().abs_diff(other.n().get()) as f64;
+    // How far a sequence goes from the bounded set.
+    let reach = |sequence: &PointSequence<D>| match bounded {
+        Some(&set) => sequence
+            .points()
+            .iter()
+            .map(|x| (subject.project(set, x) - x).norm())
+            .fold(0.0, f64::max),
+        None => f64::INFINITY,
+    };
+    let off = [minimiser, other].map(|sequence| {
+        let ends = [(sets[0], sequence.first()), (sets[1], sequence.last())];
+        ends.map(|(set, x)| (set.project(x) - x).norm()).into_iter().fold(0.0, f64::max)
+    });
+    let size = [minimiser, other].map(|sequence| {
+        sequence.points().iter().map(|x: &SVector<f64, D>| x.norm()).fold(0.0, f64::max)
+    });
+    let size = size[0].max(size[1]);
+    let [least, energy] = [minimiser, other].map(|sequence| rule.energy(subject, metric, sequence));
+    let way: f64 = other.chords().map(|(_, chord)| chord.norm()).sum();
+    let radius = (energy / c1).sqrt();
+    // A projection of 4 D roundings of coordinates, and a root of a compensated sum.
+    let rounding = 1e-14 * (size + radius);
+    // Points of size |x| are rounded, and the momentum 2√(c₂E) makes energy of that.
+    let momentum = 2.0 * (gram.high * least.max(0.0)).sqrt();
+    let granted = 1e-14 * (least + energy) + 8.0 * f64::EPSILON * size * momentum;
+    Ok(Evidence::of(Statement::Proposition7_1)
+        .given("one of the sets is bounded", Unit::NONE, [unbounded, 0.0], 0.0)
+        .given("both sequences have the same N", Unit::NONE, [differ, 0.0], 0.0)
+        .given("c₁ ≤ λ_min(H)", Unit::GRAM, [c1, gram.low], 1e-14 * gram.high)
+        .given(
+            "the ends lie in X⁽⁰⁾ and X⁽¹⁾",
+            Unit::COORDINATE,
+            [off[0].max(off[1]), 0.0],
+            1e-13 * size,
+        )
+        .paper("|xₙ − X| ≤ √(R/c₁)", Unit::COORDINATE, [reach(other), radius], rounding)
+        .paper("|xₙ − X| ≤ √(R/c₁) for γ*", Unit::COORDINATE, [reach(minimiser), radius], rounding)
+        .paper("E_N(γ*) ≤ E_N(γᵖ)", Unit::ENERGY, [least, energy], granted)
+        .sharper("Σ |xₙ₊₁ − xₙ| ≤ √(R/c₁)", Unit::COORDINATE, [way, radius], rounding))
+}
+
+/// Evaluates what a minimiser is besides, a critical point: companions of Proposition 7.1.
+///
+/// ```text
+/// ρₙ = (N/2) ∂E_N/∂xₙ = 0 inside,    P(x − s ∂E_N/∂x) = x at the ends, for small s > 0
+/// |qₙ − qₙ₋₁| ≤ (L_H/N c₁^{3/2}) (w qₙ² + (1 − w) qₙ₋₁²),    qₙ² = βₙᵀHβₙ
+/// ```
+///
+/// with `w = ½` for the trapezoidal rule and `w = ⅝` for the left one. The last is a discrete
+/// Proposition 3.1, speeds that are nearly equal; it follows from the first.
+///
+/// # What is granted
+///
+/// A search ends where a Newton step promises to lower the energy by `10⁻¹⁸ E`. The Hessian is at
+/// most `8 N c₂` or so, hence `|∂E|² ≤ 16 N c₂ · 10⁻¹⁸ E`, and `((1/N) Σ |ρₙ|²)^{1/2} = ½√N |∂E|`
+/// is at most `2 N (c₂E)^{1/2} 10⁻⁹`. Rounding of the points moves it by `ε N² |x| c₂`, a few
+/// times.
+#[must_use]
+pub fn critical_point<M: Bounded<D>, const D: usize>(
+    subject: &impl Subject,
+    known: &crate::Known<M, D>,
+    seen: &Reconstruction<D>,
+) -> Evidence {
+    let (metric, sequence) = (&known.metric, &seen.minimum.sequence);
+    let (gradient, speeds, weight) = match seen.rule {
+        PaperRule::Trapezoidal => (
+            subject.energy_gradient(Trapezoidal, metric, sequence),
+            subject.discrete_speeds(Trapezoidal, metric, sequence),
+            0.5,
+        ),
+        PaperRule::LeftEndpoint => (
+            subject.energy_gradient(LeftEndpoint, metric, sequence),
+            subject.discrete_speeds(LeftEndpoint, metric, sequence),
+            0.625,
+        ),
+    };
+    let (n, constants) = (seen.n.get(), seen.setting.constants());
+    let (count, c2) = (n as f64, constants.c2());
+    let size = sequence.points().iter().map(|x| x.norm()).fold(0.0, f64::max);
+    let momentum = (c2 * seen.discrete_energy.max(0.0)).sqrt();
+    let granted = 4e-9 * count * momentum + 16.0 * f64::EPSILON * count * count * size * c2;
+    let inner = &gradient[1..n];
+    let squares: f64 = inner.iter().map(|g| (g * (0.5 * count)).norm_squared()).sum();
+    let residual = (squares / count).sqrt();
+    // s of the size of the inverse Hessian, so that the step is short; ½|∂E| is a momentum.
+    let s = 1.0 / (2.0 * count * c2);
+    let ends = [
+        (known.ends.first(), sequence.first(), &gradient[0]),
+        (known.ends.second(), sequence.last(), &gradient[n]),
+    ];
+    let slip = ends.map(|(set, x, g)| (subject.project(&**set, &(x - g * s)) - x).norm() * 0.5 / s);
+    let lambda = constants.l_h() / constants.c1().powf(1.5);
+    let steps = speeds.windows(2).map(|q| {
+        let bound = lambda / count * (weight * q[1] * q[1] + (1.0 - weight) * q[0] * q[0]);
+        [(q[1] - q[0]).abs(), bound]
+    });
+    let excess = |[step, bound]: &[f64; 2]| step - bound;
+    let worst = steps.max_by(|a, b| excess(a).total_cmp(&excess(b))).unwrap_or([0.0, 0.0]);
+    // What is left of ∂E shows in the speeds by |ρₙ|/(N √c₁), and |ρₙ| ≤ √N granted.
+    let speed_granted = granted / (count * constants.c1()).sqrt()
+        + 16.0 * f64::EPSILON * (count * size * c2.sqrt() + momentum);
+    let rho = Unit { ell: -1, m: 2 };
+    Evidence::of(Statement::Proposition7_1)
+        .sharper(
+            "the ends lie in their sets",
+            Unit::COORDINATE,
+            [seen.off_sets, 0.0],
+            1e-13 * (size + seen.k3),
+        )
+        .sharper("((1/N) Σ |ρₙ|²)^{1/2} = 0", rho, [residual, 0.0], granted)
+        .sharper("½∂E/∂x₀ points into X⁽⁰⁾", rho, [slip[0], 0.0], granted)
+        .sharper("½∂E/∂x_N points into X⁽¹⁾", rho, [slip[1], 0.0], granted)
+        .sharper("|qₙ − qₙ₋₁| ≤ (L_H/N c₁^{3/2}) q²", Unit::LENGTH, worst, speed_granted)
+}
