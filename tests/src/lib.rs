@@ -28,6 +28,8 @@ mod families;
 #[cfg(test)]
 mod golden;
 #[cfg(test)]
+mod kit;
+#[cfg(test)]
 mod own;
 #[cfg(test)]
 mod random;

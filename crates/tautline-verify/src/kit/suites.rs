@@ -1,0 +1,59 @@
+//! The macros that give each law a test of its own name.
+
+/// Tests a metric of your own: one test a law, in a module of the given name.
+///
+/// ```text
+/// metric_suite!(egg: Egg, dimension 2, in Region::cell([0.0, 0.0], [6.3, 6.3]));
+/// metric_suite!(egg: Egg, dimension 2, in Region::cell([0.0, 0.0], [6.3, 6.3]), with distances);
+/// ```
+///
+/// The metric implements [`Bounded`](tautline::Bounded), and for the second form
+/// [`KnownDistance`](tautline::KnownDistance), with which its own distances are tested too, and
+/// the theorems between two points are put to them instead of to estimates.
+///
+/// Expands to `mod egg` with a test for each of [`metric::LAWS`](crate::kit::metric::LAWS), which
+/// calls the function of the same name, and with the test `every_law_is_a_test`. Each test draws
+/// the same samples in every run. See [`kit`](crate::kit).
+#[macro_export]
+macro_rules! metric_suite {
+    ($name:ident: $metric:expr, dimension $d:literal, in $region:expr $(,)?) => {
+        $crate::__metric_laws! { [$crate::__metric_tests] { $name, $d, $metric, $region, {} } }
+    };
+    ($name:ident: $metric:expr, dimension $d:literal, in $region:expr, with distances $(,)?) => {
+        $crate::__metric_laws! {
+            [$crate::__metric_tests] { $name, $d, $metric, $region, {.with_known_distance()} }
+        }
+    };
+}
+
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __metric_tests {
+    (
+        { $name:ident, $d:literal, $metric:expr, $region:expr, {$($known:tt)*} }
+        $($id:ident, $law:literal, $run:expr;)*
+    ) => {
+        #[cfg(test)]
+        mod $name {
+            #[allow(unused_imports, reason = "what the metric is made of")]
+            use super::*;
+
+            fn case() -> $crate::kit::MetricCase<impl $crate::prelude::Bounded<$d>, $d> {
+                let effort = $crate::kit::Effort::default();
+                $crate::kit::MetricCase::new($metric, $region, effort)$($known)*
+            }
+
+            $(
+                #[test]
+                fn $id() {
+                    $crate::kit::metric::$id(&case()).assert();
+                }
+            )*
+
+            #[test]
+            fn every_law_is_a_test() {
+                assert_eq!([$(stringify!($id)),*], $crate::kit::metric::LAWS);
+            }
+        }
+    };
+}
