@@ -7,6 +7,6 @@ pub use tautline::{
 };
 
 pub use crate::{
-    kit::{Effort, Outcome, Region, Report, verify_metric},
-    metric_suite,
+    kit::{Effort, Outcome, Region, Report, verify_metric, verify_rule, verify_set},
+    metric_suite, rule_suite, set_suite,
 };

@@ -40,7 +40,7 @@ metric_suite!(valleys_1: Valleys, dimension 1, in period(TAU), with distances);
 metric_suite!(valleys_2: Valleys, dimension 2, in period(TAU), with distances);
 metric_suite!(ramp: Ramp::new(0.5, 1.0).expect("below one"), dimension 1, in cube(8.0), with distances);
 metric_suite!(separable_3: separable(), dimension 3, in cube(3.2), with distances);
-metric_suite!(shear: Shear::new(0.5, 1.0).expect("valid"), dimension 2, in period(TAU), with distances);
+metric_suite!(shear_2: Shear::new(0.5, 1.0).expect("valid"), dimension 2, in period(TAU), with distances);
 metric_suite!(lens_2: Lens::new(1.0, 0.5).expect("valid"), dimension 2, in cube(3.0), with distances);
 metric_suite!(bump_2: Bump::new(1.0, 0.5).expect("valid"), dimension 2, in cube(3.0), with distances);
 metric_suite!(hill_2: Hill::new(0.5, 0.5).expect("valid"), dimension 2, in cube(3.0), with distances);

@@ -5,4 +5,6 @@ mod metric;
 mod rule;
 mod set;
 
+pub(crate) use ellipse::Ellipse;
+
 pub(crate) use metric::Corrugated;

@@ -16,9 +16,7 @@ pub enum Fault {
     #[error(transparent)]
     Lie(#[from] Lie),
     /// An inequality of a law does not hold at a point.
-    #[error(
-        "{law}, at x = {point:?}: {left:e} is not at most {right:e}, with {granted:e} granted"
-    )]
+    #[error("{law}, at x = {point:?}: {left:e} is not at most {right:e}, with {granted:e} granted")]
     Broken {
         /// The law, as a formula.
         law: &'static str,

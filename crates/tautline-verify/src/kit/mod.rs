@@ -6,6 +6,8 @@
 //! | you bring | tests | the same as a function | one law |
 //! | --- | --- | --- | --- |
 //! | [`Metric`](tautline::Metric) and [`Bounded`](tautline::Bounded) | [`metric_suite!`](crate::metric_suite) | [`verify_metric`] | [`metric`] |
+//! | [`ClosedSet`](tautline::ClosedSet) | [`set_suite!`](crate::set_suite) | [`verify_set`] | [`set`] |
+//! | [`Rule`](tautline::Rule) | [`rule_suite!`](crate::rule_suite) | [`verify_rule`] | [`rule`] |
 //!
 //! # Test a metric of your own
 //!
@@ -77,7 +79,9 @@ pub mod metric;
 mod order;
 mod region;
 mod report;
+pub mod rule;
 mod sampling;
+pub mod set;
 mod slope_test;
 mod suites;
 
@@ -87,3 +91,5 @@ pub use lie::{Constant, Lie};
 pub use metric::{MetricCase, WithConstants, verify_metric};
 pub use region::{Region, RegionError, directions};
 pub use report::{Failure, Outcome, Report};
+pub use rule::{RuleCase, verify_rule};
+pub use set::{SetCase, verify_set};

@@ -8,9 +8,8 @@ pub(crate) fn order(errors: &[(usize, f64)]) -> f64 {
     let count = logarithms.len() as f64;
     let mean = |k: usize| logarithms.iter().map(|p| p[k]).sum::<f64>() / count;
     let means = [mean(0), mean(1)];
-    let moment = |k: usize| {
-        logarithms.iter().map(|p| (p[0] - means[0]) * (p[k] - means[k])).sum::<f64>()
-    };
+    let moment =
+        |k: usize| logarithms.iter().map(|p| (p[0] - means[0]) * (p[k] - means[k])).sum::<f64>();
     moment(1) / moment(0)
 }
 

@@ -66,9 +66,7 @@ pub(crate) type Verdict = Result<Tried, Failure>;
 impl Outcome {
     pub(crate) fn new(id: &'static str, law: &'static str, verdict: Verdict) -> Self {
         match verdict {
-            Ok(Tried { cases, slack, note }) => {
-                Self { id, law, cases, slack, note, failure: None }
-            }
+            Ok(Tried { cases, slack, note }) => Self { id, law, cases, slack, note, failure: None },
             Err(failure) => {
                 Self { id, law, cases: 0, slack: f64::NAN, note: None, failure: Some(failure) }
             }

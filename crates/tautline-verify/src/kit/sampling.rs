@@ -7,7 +7,10 @@ use proptest::{
     test_runner::{Config, RngSeed, TestCaseError, TestError, TestRunner},
 };
 
-use super::{Effort, Failure, Fault, report::{Tried, Verdict}};
+use super::{
+    Effort, Failure, Fault,
+    report::{Tried, Verdict},
+};
 
 /// How many smaller samples are tried after a failure, where a case is an evaluation of `H`.
 pub(crate) const CHEAP: u32 = 4096;

@@ -57,3 +57,88 @@ macro_rules! __metric_tests {
         }
     };
 }
+
+/// Tests a closed set of your own: one test a law, in a module of the given name.
+///
+/// ```text
+/// set_suite!(ellipse: Ellipse::new(2.0, 1.0), dimension 2, in Region::cell([-4.0, -4.0], [4.0, 4.0]));
+/// ```
+///
+/// The set implements [`ClosedSet`](tautline::ClosedSet). The region should reach beyond its
+/// boundary. Expands to a test for each of [`set::LAWS`](crate::kit::set::LAWS), and to the test
+/// `every_law_is_a_test`.
+#[macro_export]
+macro_rules! set_suite {
+    ($name:ident: $set:expr, dimension $d:literal, in $region:expr $(,)?) => {
+        $crate::__set_laws! { [$crate::__set_tests] { $name, $d, $set, $region } }
+    };
+}
+
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __set_tests {
+    (
+        { $name:ident, $d:literal, $set:expr, $region:expr }
+        $($id:ident, $law:literal, $run:expr;)*
+    ) => {
+        #[cfg(test)]
+        mod $name {
+            #[allow(unused_imports, reason = "what the set is made of")]
+            use super::*;
+
+            $(
+                #[test]
+                fn $id() {
+                    let (set, region): (_, $crate::kit::Region<$d>) = ($set, $region);
+                    let effort = $crate::kit::Effort::default();
+                    $crate::kit::set::$id(&$crate::kit::SetCase::new(&set, region, effort)).assert();
+                }
+            )*
+
+            #[test]
+            fn every_law_is_a_test() {
+                assert_eq!([$(stringify!($id)),*], $crate::kit::set::LAWS);
+            }
+        }
+    };
+}
+
+/// Tests a rule of numerical integration of your own: one test a law, in a module of the given name.
+///
+/// ```text
+/// rule_suite!(simpson: Simpson);
+/// ```
+///
+/// The rule implements [`Rule`](tautline::Rule). Expands to a test for each of
+/// [`rule::LAWS`](crate::kit::rule::LAWS), and to the test `every_law_is_a_test`.
+#[macro_export]
+macro_rules! rule_suite {
+    ($name:ident: $rule:expr $(,)?) => {
+        $crate::__rule_laws! { [$crate::__rule_tests] { $name, $rule } }
+    };
+}
+
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __rule_tests {
+    ({ $name:ident, $rule:expr } $($id:ident, $law:literal, $run:expr;)*) => {
+        #[cfg(test)]
+        mod $name {
+            #[allow(unused_imports, reason = "what the rule is made of")]
+            use super::*;
+
+            $(
+                #[test]
+                fn $id() {
+                    let effort = $crate::kit::Effort::default();
+                    $crate::kit::rule::$id(&$crate::kit::RuleCase::new($rule, effort)).assert();
+                }
+            )*
+
+            #[test]
+            fn every_law_is_a_test() {
+                assert_eq!([$(stringify!($id)),*], $crate::kit::rule::LAWS);
+            }
+        }
+    };
+}

@@ -74,7 +74,11 @@ pub(super) fn search<M: Bounded<D>, const D: usize>(
             Constant::C1 => claimed <= found.value + granted,
             _ => found.value <= claimed + granted,
         };
-        if holds { Ok(slack(constant, claimed, found.value)) } else { Err(lie(constant, claimed, found)) }
+        if holds {
+            Ok(slack(constant, claimed, found.value))
+        } else {
+            Err(lie(constant, claimed, found))
+        }
     };
     let seen: RefCell<Vec<Extreme<D>>> = RefCell::default();
     let samples = (region.points(), directions::<D>());

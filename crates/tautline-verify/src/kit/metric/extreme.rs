@@ -56,16 +56,26 @@ impl Constant {
                 let (_, (high, direction)) = eigenpairs(&metric.gram(x));
                 at(high, direction)
             }
-            Constant::LH => alternate(x, w, |w| first(metric, x, w), |u| {
-                let jet = metric.norm_squared(&Jet1::variables(&(*x).into()).into(), u);
-                let gradient = SVector::<f64, D>::from(*jet.gradient());
-                gradient.try_normalize(0.0)
-            }),
-            Constant::MH => alternate(x, w, |w| second(metric, x, w), |u| {
-                let jet = metric.norm_squared(&Jet2::variables(&(*x).into()).into(), u);
-                let hessian = SMatrix::from_fn(|k, l| jet.second(k, l));
-                Some(largest(&hessian).1)
-            }),
+            Constant::LH => alternate(
+                x,
+                w,
+                |w| first(metric, x, w),
+                |u| {
+                    let jet = metric.norm_squared(&Jet1::variables(&(*x).into()).into(), u);
+                    let gradient = SVector::<f64, D>::from(*jet.gradient());
+                    gradient.try_normalize(0.0)
+                },
+            ),
+            Constant::MH => alternate(
+                x,
+                w,
+                |w| second(metric, x, w),
+                |u| {
+                    let jet = metric.norm_squared(&Jet2::variables(&(*x).into()).into(), u);
+                    let hessian = SMatrix::from_fn(|k, l| jet.second(k, l));
+                    Some(largest(&hessian).1)
+                },
+            ),
         }
     }
 
@@ -169,8 +179,7 @@ fn eigenpairs<const D: usize>(matrix: &SMatrix<f64, D, D>) -> (Eigenpair<D>, Eig
     if D == 1 {
         return ((matrix[(0, 0)], axis), (matrix[(0, 0)], axis));
     }
-    let eigen =
-        DMatrix::from_fn(D, D, |i, j| matrix[(i.min(j), i.max(j))]).symmetric_eigen();
+    let eigen = DMatrix::from_fn(D, D, |i, j| matrix[(i.min(j), i.max(j))]).symmetric_eigen();
     let vector = |k: usize| SVector::from_fn(|i, _| eigen.eigenvectors[(i, k)]);
     let (low, high) = (eigen.eigenvalues.imin(), eigen.eigenvalues.imax());
     ((eigen.eigenvalues[low], vector(low)), (eigen.eigenvalues[high], vector(high)))

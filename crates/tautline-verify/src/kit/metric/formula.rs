@@ -34,9 +34,7 @@ pub(super) fn finite_and_symmetric<M: Bounded<D>, const D: usize>(
 }
 
 /// `H(x)` is positive definite at random points, and where its least eigenvalue descends to.
-pub(super) fn positive_definite<M: Bounded<D>, const D: usize>(
-    case: &MetricCase<M, D>,
-) -> Verdict {
+pub(super) fn positive_definite<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Verdict {
     let (metric, effort) = (&case.metric, &case.effort);
     let axis = SVector::from_fn(|i, _| if i == 0 { 1.0 } else { 0.0 });
     let tried = for_all(effort, effort.cases, CHEAP, case.region.points(), |x| {

@@ -20,8 +20,7 @@ use crate::{PaperRule, statements as of_the_paper};
 pub use with_constants::WithConstants;
 
 /// The distance of two points, where a metric knows it, in `m`.
-type Distance<M, const D: usize> =
-    fn(&M, &SVector<f64, D>, &SVector<f64, D>) -> Option<f64>;
+type Distance<M, const D: usize> = fn(&M, &SVector<f64, D>, &SVector<f64, D>) -> Option<f64>;
 
 /// A metric, where to look, and for how long.
 #[derive(Clone, Debug)]

@@ -3,13 +3,18 @@
 use nalgebra::SVector;
 use tautline::Bounded;
 
-use super::{MetricCase, formula::winding, problems::Posed};
+use super::{
+    MetricCase,
+    formula::winding,
+    problems::{Posed, estimated},
+};
 use crate::{
     Library, PaperRule, Reconstruction, VerifyError,
     kit::{
         Failure, Fault,
         order::{median, order},
         report::{Tried, Verdict},
+        sampling::{COSTLY, for_all},
     },
 };
 
@@ -34,8 +39,7 @@ pub(super) fn orders<M: Bounded<D>, const D: usize>(
     rule: PaperRule,
     least: f64,
 ) -> Verdict {
-    let failure =
-        |fault: Fault| Failure { fault, sample: None, seed: case.effort.seed };
+    let failure = |fault: Fault| Failure { fault, sample: None, seed: case.effort.seed };
     let mut slopes = [Vec::new(), Vec::new()];
     let mut solved = 0;
     let mut stuck = None;
@@ -83,9 +87,8 @@ fn errors<M: Bounded<D>, const D: usize>(
     rule: PaperRule,
     k: usize,
 ) -> Result<Errors, VerifyError> {
-    let point = |k: usize| {
-        case.region.at(&SVector::from_fn(|i, _| ((k + 1) as f64 * winding(i)).fract()))
-    };
+    let point =
+        |k: usize| case.region.at(&SVector::from_fn(|i, _| ((k + 1) as f64 * winding(i)).fract()));
     let posed = Posed::between(point(k), point(k + 1));
     let known = case.known(&posed, &[])?;
     let mut errors = [Vec::new(), Vec::new()];
@@ -105,12 +108,10 @@ fn errors<M: Bounded<D>, const D: usize>(
 
 /// `d^g` is zero from a point to itself, symmetric, and the limit of the minimal discrete energies.
 pub(super) fn distances<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Verdict {
-    use crate::kit::sampling::{COSTLY, for_all};
     let Some(distance) = case.distance else {
         return Ok(Tried::cases(0).with_note("no distance is known"));
     };
     let metric = &case.metric;
-    let unknown = MetricCase { metric, region: case.region, effort: case.effort, distance: None };
     let pairs = (case.region.points(), case.region.points());
     for_all(&case.effort, case.effort.problems, COSTLY, pairs, |(a, b)| {
         let (Some(d), Some(back)) = (distance(metric, a, b), distance(metric, b, a)) else {
@@ -126,11 +127,13 @@ pub(super) fn distances<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) 
         if (b - a).norm() < case.region.size() / 64.0 {
             return Ok(f64::INFINITY);
         }
-        let known = match unknown.known(&Posed::between(*a, *b), &[]) {
-            Ok(known) => known,
-            Err(VerifyError::NotConverged { .. }) => return Ok(f64::INFINITY),
-            Err(error) => return Err(error.into()),
-        };
+        let known =
+            match estimated(metric, Posed::between(*a, *b).ends().map_err(VerifyError::from)?, &[])
+            {
+                Ok(known) => known,
+                Err(VerifyError::NotConverged { .. }) => return Ok(f64::INFINITY),
+                Err(error) => return Err(error.into()),
+            };
         let granted = granted + known.distance_error;
         // A solver may miss the shortest curve, but finds none that is shorter.
         Fault::unless_at_most("d(x, y) ≤ length of a curve", [d, known.distance], granted, &point)

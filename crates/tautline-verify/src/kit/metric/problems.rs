@@ -82,10 +82,7 @@ impl<const D: usize> Posed<D> {
                 // Of the two points, `further` may lie in the box; then the distance is 0, which is
                 // a problem too, so the second point mirrors `b` instead.
                 let mirrored = a * 2.0 - b;
-                Ends::new(
-                    FiniteSet::new::<SVector<f64, D>>([a, mirrored])?,
-                    AxisBox::new(b, half)?,
-                )
+                Ends::new(FiniteSet::new::<SVector<f64, D>>([a, mirrored])?, AxisBox::new(b, half)?)
             }
         }
     }
@@ -117,24 +114,33 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
             let distance_error = 16.0 * f64::EPSILON * size;
             return Ok(Known { metric, ends: posed.ends()?, distance, distance_error });
         }
-        let ends = posed.ends()?;
-        let starts = match shorter {
-            [] => Starts::Automatic,
-            _ => Starts::Also(shorter.iter().map(|seen| seen.minimum.sequence.clone()).collect()),
-        };
-        let options = Options { starts, ..Options::default() };
-        let minimum = minimise(metric, &ends, Trapezoidal, REFERENCE, &options)?;
-        let unknown = VerifyError::NotConverged {
-            n: REFERENCE,
-            stop: minimum.stop,
-            curvature: minimum.curvature,
-        };
-        let Some(estimate) = extrapolate(&minimum.levels, 2) else { return Err(unknown) };
-        if !(estimate.value > 0.0) {
-            return Err(unknown);
-        }
-        let distance = estimate.value.sqrt();
-        let error = 10.0 * estimate.error + 1e-13 * estimate.value;
-        Ok(Known { metric, ends, distance, distance_error: error / (2.0 * distance) })
+        estimated(metric, posed.ends()?, shorter)
     }
+}
+
+/// The problem with a distance that is extrapolated from a fine grid, as for
+/// [`MetricCase::known`].
+pub(super) fn estimated<M: Bounded<D>, const D: usize>(
+    metric: M,
+    ends: Ends<D>,
+    shorter: &[Reconstruction<D>],
+) -> Result<Known<M, D>, VerifyError> {
+    let starts = match shorter {
+        [] => Starts::Automatic,
+        _ => Starts::Also(shorter.iter().map(|seen| seen.minimum.sequence.clone()).collect()),
+    };
+    let options = Options { starts, ..Options::default() };
+    let minimum = minimise(&metric, &ends, Trapezoidal, REFERENCE, &options)?;
+    let unknown = VerifyError::NotConverged {
+        n: REFERENCE,
+        stop: minimum.stop,
+        curvature: minimum.curvature,
+    };
+    let Some(estimate) = extrapolate(&minimum.levels, 2) else { return Err(unknown) };
+    if !(estimate.value > 0.0) {
+        return Err(unknown);
+    }
+    let distance = estimate.value.sqrt();
+    let error = 10.0 * estimate.error + 1e-13 * estimate.value;
+    Ok(Known { metric, ends, distance, distance_error: error / (2.0 * distance) })
 }

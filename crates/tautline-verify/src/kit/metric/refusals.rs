@@ -8,11 +8,7 @@ use tautline::{
     minimise,
 };
 
-use super::{
-    MetricCase, WithConstants,
-    claims::search,
-    problems::Posed,
-};
+use super::{MetricCase, WithConstants, claims::search, problems::Posed};
 use crate::kit::{
     Constant, Failure, Fault,
     report::{Tried, Verdict},
@@ -185,7 +181,9 @@ pub(super) fn nan_metric<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>)
         distance: None,
     };
     let found = Cell::new(false);
-    if let Err(Failure { fault: Fault::Metric(_), .. }) = super::formula::finite_and_symmetric(&torn) {
+    if let Err(Failure { fault: Fault::Metric(_), .. }) =
+        super::formula::finite_and_symmetric(&torn)
+    {
         found.set(true);
     }
     refused(case, "a metric that is NaN in half of the region", &[found.get()])

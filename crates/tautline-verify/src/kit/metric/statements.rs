@@ -69,7 +69,8 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
         let last: RefCell<Option<VerifyError>> = RefCell::default();
         let mut tried = Tried::cases(0);
         for (offset, kind) in Kind::ALL.into_iter().enumerate() {
-            let effort = Effort { seed: self.effort.seed.wrapping_add(offset as u64), ..self.effort };
+            let effort =
+                Effort { seed: self.effort.seed.wrapping_add(offset as u64), ..self.effort };
             let problems = Posed::problems(kind, &self.region);
             let one = for_all(&effort, cases, COSTLY, problems, |posed| {
                 match self.minimisers(rule, posed) {
