@@ -9,6 +9,7 @@
 //! | `section_7` | the propositions on geodesics |
 //! | `battery` | every check of the project's own suite, by its name |
 //! | `golden` | the paper's constants against values computed with 40 digits |
+//! | `kit` | the kit on the whole gallery, all sets and rules, and on what has to be rejected |
 //! | `own` | a metric, a rule and a closed set of one's own, through the face |
 //! | `bad_input`, `touching_ends` | what is refused, and how; what is not |
 //! | `committed_data` | what the project claims of the data in its repository |

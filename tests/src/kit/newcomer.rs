@@ -1,4 +1,5 @@
-//! What a newcomer writes: a formula, its constants, and one line.
+//! What a newcomer writes: a formula, its constants, and one line; and what he is told where one
+//! of these is wrong.
 
 use tautline_verify::prelude::*;
 
@@ -14,3 +15,5 @@ impl Bounded<2> for Egg {
     }
 }
 metric_suite!(egg: Egg, dimension 2, in Region::cell([0.0, 0.0], [6.3, 6.3]));
+
+mod mistakes;

@@ -39,7 +39,7 @@ impl Effort {
 }
 
 impl Default for Effort {
-    /// Samples for some seconds a metric of two or three dimensions, unoptimised solvers included.
+    /// One or two seconds for a metric of two or three dimensions.
     fn default() -> Self {
         Self { cases: 256, ascents: 6, problems: 12, subintervals: &[1, 2, 3, 8, 32], seed: 1 }
     }

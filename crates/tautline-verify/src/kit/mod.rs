@@ -5,9 +5,17 @@
 //!
 //! | you bring | tests | the same as a function | one law |
 //! | --- | --- | --- | --- |
-//! | [`Metric`](tautline::Metric) and [`Bounded`](tautline::Bounded) | [`metric_suite!`](crate::metric_suite) | [`verify_metric`] | [`metric`] |
-//! | [`ClosedSet`](tautline::ClosedSet) | [`set_suite!`](crate::set_suite) | [`verify_set`] | [`set`] |
-//! | [`Rule`](tautline::Rule) | [`rule_suite!`](crate::rule_suite) | [`verify_rule`] | [`rule`] |
+//! | [`Metric`] and [`Bounded`] | [`metric_suite!`] | [`verify_metric`] | [`metric`] |
+//! | [`ClosedSet`] | [`set_suite!`] | [`verify_set`] | [`set`] |
+//! | [`Rule`] | [`rule_suite!`] | [`verify_rule`] | [`rule`] |
+//!
+//! [`Metric`]: tautline::Metric
+//! [`Bounded`]: tautline::Bounded
+//! [`ClosedSet`]: tautline::ClosedSet
+//! [`Rule`]: tautline::Rule
+//! [`metric_suite!`]: crate::metric_suite
+//! [`set_suite!`]: crate::set_suite
+//! [`rule_suite!`]: crate::rule_suite
 //!
 //! # Test a metric of your own
 //!
@@ -39,7 +47,8 @@
 //! is wrong is named with its numbers; here with `L_H = 1/2` in place of 1:
 //!
 //! ```
-//! # use tautline_verify::{kit::{Constant, Fault, Lie, MetricCase, WithConstants, metric}, prelude::*};
+//! # use tautline_verify::kit::{Constant, Fault, MetricCase, WithConstants, metric};
+//! # use tautline_verify::prelude::*;
 //! # #[derive(Clone, Copy, Debug)]
 //! # struct Egg;
 //! # impl Metric<2> for Egg {
@@ -53,9 +62,14 @@
 //! let outcome = metric::l_h_bounds_the_derivative(&case);
 //! let Some(Fault::Lie(lie)) = outcome.failure.map(|failure| failure.fault) else { panic!() };
 //! assert_eq!((lie.constant, lie.claimed), (Constant::LH, 0.5));
-//! assert!((lie.found - 1.0).abs() < 1e-6); // ‖DH(x)[w]‖ at lie.point, in the direction lie.direction
+//! // ‖DH(x)[w]‖ at x = lie.point, in the direction w = lie.direction
+//! assert!((lie.found - 1.0).abs() < 1e-6);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! A metric that knows its distances says `with distances` at the end of the line, and
+//! [`MetricCase::with_known_distance`] where functions are called. A metric that claims nothing is
+//! given claims by [`WithConstants`].
 //!
 //! # How the laws look
 //!

@@ -61,7 +61,7 @@ macro_rules! __metric_tests {
 /// Tests a closed set of your own: one test a law, in a module of the given name.
 ///
 /// ```text
-/// set_suite!(ellipse: Ellipse::new(2.0, 1.0), dimension 2, in Region::cell([-4.0, -4.0], [4.0, 4.0]));
+/// set_suite!(ellipse: Ellipse, dimension 2, in Region::cell([-4.0, -4.0], [4.0, 4.0]));
 /// ```
 ///
 /// The set implements [`ClosedSet`](tautline::ClosedSet). The region should reach beyond its
@@ -91,7 +91,8 @@ macro_rules! __set_tests {
                 fn $id() {
                     let (set, region): (_, $crate::kit::Region<$d>) = ($set, $region);
                     let effort = $crate::kit::Effort::default();
-                    $crate::kit::set::$id(&$crate::kit::SetCase::new(&set, region, effort)).assert();
+                    let case = $crate::kit::SetCase::new(&set, region, effort);
+                    $crate::kit::set::$id(&case).assert();
                 }
             )*
 
@@ -103,7 +104,8 @@ macro_rules! __set_tests {
     };
 }
 
-/// Tests a rule of numerical integration of your own: one test a law, in a module of the given name.
+/// Tests a rule of numerical integration of your own: one test a law, in a module of the given
+/// name.
 ///
 /// ```text
 /// rule_suite!(simpson: Simpson);

@@ -30,12 +30,14 @@ pub(super) struct Extreme<const D: usize> {
 }
 
 impl Constant {
-    /// Returns whether `a` is nearer to breaking the claim than `b`, or breaks it more; a NaN is not.
+    /// Returns whether `a` is nearer to breaking the claim than `b`, or breaks it more; a NaN is
+    /// not.
     pub(super) fn worse(self, a: f64, b: f64) -> bool {
         if self == Constant::C1 { a < b } else { a > b }
     }
 
-    /// Measures a metric at `x`, in the direction that is worst as far as alternation from `w` finds.
+    /// Measures a metric at `x`, in the direction that is worst as far as alternation from `w`
+    /// finds.
     ///
     /// Of `L_H`, `sup |uᵀ DH(x)[w] u|` over unit `u` and `w`: for given `w` the best `u` is an
     /// eigenvector, for given `u` the best `w` is the gradient of `uᵀHu`. Of `M_H` likewise, with

@@ -103,8 +103,8 @@ pub(super) fn nan_points<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>)
 pub(super) fn no_subinterval<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Verdict {
     let [a, b] = [0.25, 0.75].map(|fraction| case.region.at(&SVector::repeat(fraction)));
     let ends = Posed::between(a, b).ends();
-    let solved =
-        ends.map(|ends| minimise(&case.metric, &ends, Trapezoidal, 0, &Options::default()).is_ok());
+    let solved = ends
+        .map(|ends| minimise(&&case.metric, &ends, Trapezoidal, 0, &Options::default()).is_ok());
     let refusals = [solved == Ok(false), PointSequence::straight(a, b, 0).is_err()];
     refused(case, "N = 0", &refusals)
 }

@@ -1,8 +1,8 @@
 //! The laws of a rule of numerical integration.
 
 use tautline::{
-    Curvature, LeftEndpoint, Metric, Node, Options, PointSequence, Rule, SMatrix,
-    Stop, energy_gradient,
+    Curvature, LeftEndpoint, Metric, Node, Options, PointSequence, Rule, SMatrix, Stop,
+    energy_gradient,
     gallery::{Constant, Shear},
     minimise,
 };
@@ -122,7 +122,8 @@ fn shear(case: &RuleCase<impl Rule>) -> Result<Shear, Failure> {
     Shear::new(0.5, 1.0).map_err(|_| failure(case, Fault::NoSample { why: "no shear".to_owned() }))
 }
 
-/// `E_N,min − d²` falls like `N⁻ᑫ` with the claimed `q` at least, on a shear from `(0, 0)` to `(2, 3)`.
+/// `E_N,min − d²` falls like `N⁻ᑫ` with the claimed `q` at least, on a shear from `(0, 0)` to
+/// `(2, 3)`.
 pub(super) fn exponent<R: Rule>(case: &RuleCase<R>) -> Verdict {
     let metric = shear(case)?;
     let known = Known::between(metric, [0.0, 0.0], [2.0, 3.0]).map_err(VerifyError::from);

@@ -73,8 +73,8 @@ pub(super) fn idempotent<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, 
     })
 }
 
-/// No member is nearer to `x` than `P(x)`: not `P(y)` for any other `y`, nor for a `y` near `x`, near
-/// `P(x)`, or on the way from one to the other.
+/// No member is nearer to `x` than `P(x)`: not `P(y)` for any other `y`, nor for a `y` near `x`,
+/// near `P(x)`, or on the way from one to the other.
 pub(super) fn nearest<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> Verdict {
     let effort = &case.effort;
     let samples = (case.region.pairs(), directions::<D>(), 1..=12_i32);
@@ -118,8 +118,8 @@ pub(super) fn radius<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) 
     Ok(tried)
 }
 
-/// A set that says it is convex: `P` does not expand, `x − P(x)` and the set make obtuse angles, the
-/// middle of two members is a member, `DP` has its eigenvalues in `[0, 1]`, and there are no seeds.
+/// A set that says it is convex: `P` does not expand, `x − P(x)` and the set make obtuse angles,
+/// the middle of two members is a member, `DP` has its eigenvalues in `[0, 1]`, and there are no seeds.
 pub(super) fn convex<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> Verdict {
     let effort = &case.effort;
     if !case.set.is_convex() {
