@@ -120,6 +120,8 @@ pub fn directions<const D: usize>() -> impl Strategy<Value = SVector<f64, D>> {
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::vector;
+
     use super::{Region, RegionError};
 
     #[test]
@@ -135,7 +137,7 @@ mod tests {
     fn size_reach_and_clamp_are_those_of_the_box() {
         let region = Region::<2>::cell([-4.0, 0.0], [-3.0, 3.0]);
         assert_eq!((region.size(), region.reach()), (3.0, 5.0));
-        assert_eq!(region.clamp(&[-9.0, 1.0].into()), [-4.0, 1.0].into());
-        assert_eq!(region.at(&[0.5, 1.0].into()), [-3.5, 3.0].into());
+        assert_eq!(region.clamp(&vector![-9.0, 1.0]), vector![-4.0, 1.0]);
+        assert_eq!(region.at(&vector![0.5, 1.0]), vector![-3.5, 3.0]);
     }
 }

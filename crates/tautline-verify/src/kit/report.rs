@@ -154,3 +154,55 @@ impl fmt::Display for Report {
         self.outcomes.iter().try_for_each(|outcome| writeln!(f, "{outcome}"))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Failure, Outcome, Report, Tried};
+    use crate::kit::{Constant, Fault, Lie};
+
+    fn report() -> Report {
+        let good = Tried { cases: 7, slack: 1.5, note: Some("and more".to_owned()) };
+        let lie = Lie {
+            constant: Constant::LH,
+            claimed: 0.5,
+            found: 1.0,
+            point: vec![0.25, 0.0],
+            direction: vec![1.0, 0.0],
+        };
+        let sample = Some("smaller".to_owned());
+        let failure = Failure { fault: Fault::Lie(lie), sample, seed: 3 };
+        let outcomes = vec![
+            Outcome::new("good", "a ≤ b", Ok(good)),
+            Outcome::new("bad", "c ≤ d", Err(failure)),
+            Outcome::new("far", "e ≤ f", Ok(Tried::cases(2))),
+        ];
+        Report { outcomes }
+    }
+
+    #[test]
+    fn a_report_is_a_table_with_the_numbers_of_what_fails() {
+        let report = report();
+        assert!(!report.holds());
+        assert_eq!(report.failures().map(|outcome| outcome.id).collect::<Vec<_>>(), ["bad"]);
+        assert!(report.of("good").is_some_and(Outcome::holds) && report.of("none").is_none());
+        let text = report.to_string();
+        let lines: Vec<&str> = text.lines().map(str::trim_end).collect();
+        let row = |id: &str, rest: &str| format!("{id:<48} {rest}");
+        assert_eq!(lines[0], row("law", "        cases      slack  says"));
+        assert_eq!(lines[1], row("good", "ok          7     1.5000  a ≤ b; and more"));
+        assert_eq!(lines[2], row("bad", "FAILS       0             c ≤ d"));
+        assert_eq!(
+            lines[3],
+            "    the metric claims L_H = 0.5, but ‖DH(x)[w]‖ = 1 at x = [0.25, 0.0] in the \
+             direction w = [1.0, 0.0]"
+        );
+        assert_eq!(lines[4..6], ["    smallest sample: smaller", "    seed 3"]);
+        assert_eq!(lines[6], row("far", "ok          2          -  e ≤ f"));
+    }
+
+    #[test]
+    #[should_panic(expected = "the metric claims L_H = 0.5")]
+    fn a_law_that_does_not_hold_panics_in_a_test() {
+        report().outcomes[1].assert();
+    }
+}

@@ -36,7 +36,7 @@ pub(crate) fn slope_test<const K: usize>(
         let error = (0..K).fold(0.0, |error: f64, k| {
             let off = ((right[k] - left[k]) / (2.0 * step) - claimed[k]).abs();
             // `max` would drop a NaN.
-            if off <= error { error } else { off }
+            if error.is_nan() || off <= error { error } else { off }
         });
         // Some thirty roundings of terms of this size in either value.
         let granted = 64.0 * f64::EPSILON * size / step;

@@ -118,7 +118,7 @@ fn what_is_no_metric_is_refused_by_its_own_law() {
     let norm = fault(metric::norm_squared_agrees_with_gram(&case(Wrong::NormSquared)));
     let Fault::Broken { left, right, .. } = norm else { panic!("{norm}") };
     // 10⁻⁹ of a number between 1 and 4.
-    assert!(right == 0.0 && left >= 0.9e-9 && left <= 4.1e-9, "{norm}");
+    assert!(right == 0.0 && (0.9e-9..=4.1e-9).contains(&left), "{norm}");
 }
 
 /// A ripple that is finer than the least step of the differences, a 65536th of a period: where to

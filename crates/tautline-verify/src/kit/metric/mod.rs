@@ -121,7 +121,7 @@ macro_rules! __metric_laws {
 macro_rules! functions {
     ({} $($id:ident, $law:literal, $run:expr;)*) => {
         $(
-            #[doc = concat!("Tries the law `", stringify!($id), "`: ", $law, ".")]
+            #[doc = concat!("Tries the law `", stringify!($id), "`: `", $law, "`.")]
             pub fn $id<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Outcome {
                 let run: fn(&MetricCase<M, D>) -> super::report::Verdict = $run;
                 Outcome::new(stringify!($id), $law, run(case))

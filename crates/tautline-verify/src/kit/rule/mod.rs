@@ -52,7 +52,7 @@ macro_rules! __rule_laws {
 macro_rules! functions {
     ({} $($id:ident, $law:literal, $run:expr;)*) => {
         $(
-            #[doc = concat!("Tries the law `", stringify!($id), "`: ", $law, ".")]
+            #[doc = concat!("Tries the law `", stringify!($id), "`: `", $law, "`.")]
             pub fn $id<R: Rule>(case: &RuleCase<R>) -> Outcome {
                 let run: fn(&RuleCase<R>) -> super::report::Verdict = $run;
                 Outcome::new(stringify!($id), $law, run(case))

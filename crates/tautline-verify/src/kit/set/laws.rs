@@ -56,7 +56,7 @@ pub(super) fn finite<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) 
         let derivative = case.set.projection_derivative(x);
         let largest = derivative.iter().fold(0.0, |largest: f64, entry| {
             // `max` would drop a NaN.
-            if entry.abs() <= largest { largest } else { entry.abs() }
+            if largest.is_nan() || entry.abs() <= largest { largest } else { entry.abs() }
         });
         Fault::unless_at_most("|DP(x)| < ∞", [largest, f64::MAX], 0.0, &list(x))?;
         Ok(f64::INFINITY)
@@ -165,7 +165,7 @@ pub(super) fn derivative<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, 
     let smooth = std::cell::Cell::new(0_u64);
     let tried = for_all(effort, effort.cases, CHEAP, case.region.points(), |x| {
         let derivative = case.set.projection_derivative(x);
-        let skew = (derivative - derivative.transpose()).amax();
+        let skew = (derivative - derivative.transpose()).norm();
         let granted = 64.0 * (D * D) as f64 * f64::EPSILON;
         Fault::unless_at_most("|DP(x) − DP(x)ᵀ| = 0", [skew, 0.0], granted, &list(x))?;
         let p = case.set.project(x);
@@ -174,14 +174,14 @@ pub(super) fn derivative<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, 
             let mut h = SVector::zeros();
             h[j] = step;
             let (right, left) = (case.set.project(&(x + h)), case.set.project(&(x - h)));
-            if !(((right - p) - (p - left)).amax() <= SMOOTH * step) {
+            if !(((right - p) - (p - left)).norm() <= SMOOTH * step) {
                 return Ok(f64::INFINITY);
             }
             columns.push((right - left) / (2.0 * step));
         }
         smooth.set(smooth.get() + 1);
         for (j, column) in columns.iter().enumerate() {
-            let off = (derivative.column(j) - column).amax();
+            let off = (derivative.column(j) - column).norm();
             let granted = OFF + rounding(case, &[x, &p]) / step;
             let law = "|DP(x) eⱼ − its central difference| = O(h²)";
             Fault::unless_at_most(law, [off, 0.0], granted, &list(x))?;

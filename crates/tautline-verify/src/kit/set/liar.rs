@@ -70,12 +70,15 @@ impl<S: ClosedSet<D>, const D: usize> ClosedSet<D> for Liar<'_, S> {
     }
 }
 
+/// A law of closed sets.
+type Law<S, const D: usize> = fn(&SetCase<'_, S, D>) -> Verdict;
+
 /// Puts a lie to the laws that should notice it.
 fn refused<'a, S: ClosedSet<D>, const D: usize>(
     case: &SetCase<'a, S, D>,
     lie: Lie,
     what: &'static str,
-    laws: &[fn(&SetCase<'_, Liar<'a, S>, D>) -> Verdict],
+    laws: &[Law<Liar<'a, S>, D>],
 ) -> Verdict {
     let set = Liar { set: case.set, lie };
     let liar = SetCase { set: &set, region: case.region, effort: case.effort };

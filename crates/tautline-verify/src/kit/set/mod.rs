@@ -62,7 +62,7 @@ macro_rules! __set_laws {
 macro_rules! functions {
     ({} $($id:ident, $law:literal, $run:expr;)*) => {
         $(
-            #[doc = concat!("Tries the law `", stringify!($id), "`: ", $law, ".")]
+            #[doc = concat!("Tries the law `", stringify!($id), "`: `", $law, "`.")]
             pub fn $id<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> Outcome {
                 let run: fn(&SetCase<'_, S, D>) -> super::report::Verdict = $run;
                 Outcome::new(stringify!($id), $law, run(case))
