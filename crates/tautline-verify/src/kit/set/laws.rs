@@ -188,6 +188,10 @@ pub(super) fn derivative<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, 
         }
         Ok(f64::INFINITY)
     })?;
+    if smooth.get() == 0 && tried.cases > 0 {
+        let why = "P is smooth at none of the samples".to_owned();
+        return Err(Failure { fault: Fault::NoSample { why }, sample: None, seed: effort.seed });
+    }
     let note = format!("smooth at {} of them", smooth.get());
     Ok(tried.with_note(note))
 }
