@@ -104,8 +104,10 @@ fn seen<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> (bool, boo
 /// A nearest point that is that of another place.
 pub(super) fn beside<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> Verdict {
     let by = 0.25 * case.region.size();
-    let moves = (0..5).any(|k| {
-        let x = case.region.at(&SVector::repeat(f64::from(k) * 0.25));
+    let moves = (1..=32).any(|k| {
+        // Off the diagonal: k/32 times 1, 3, 5, …, without whole parts.
+        let odd = |i: usize, _| (f64::from(k) / 32.0 * (2 * i + 1) as f64).fract();
+        let x = case.region.at(&SVector::from_fn(odd));
         let mut y = x;
         y[0] += by;
         let (p, q) = (case.set.project(&x), case.set.project(&y));
