@@ -31,6 +31,16 @@ impl Effort {
         }
     }
 
+    /// The default up to three dimensions. Above, half of the problems and fewer numbers of
+    /// subintervals, since a solve costs `D³`.
+    #[must_use]
+    pub fn for_dimension(dimension: usize) -> Self {
+        if dimension <= 3 {
+            return Self::default();
+        }
+        Self { problems: 6, subintervals: &[1, 2, 8], ..Self::default() }
+    }
+
     /// Returns the effort with another seed.
     #[must_use]
     pub fn with_seed(self, seed: u64) -> Self {

@@ -39,7 +39,7 @@ macro_rules! __metric_tests {
             use super::*;
 
             fn case() -> $crate::kit::MetricCase<impl $crate::prelude::Bounded<$d>, $d> {
-                let effort = $crate::kit::Effort::default();
+                let effort = $crate::kit::Effort::for_dimension($d);
                 $crate::kit::MetricCase::new($metric, $region, effort)$($known)*
             }
 
