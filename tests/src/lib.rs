@@ -3,6 +3,7 @@
 //! | module | shows |
 //! | --- | --- |
 //! | `battery` | every check of the project's own suite, by its name |
+//! | `kit` | the kit on the whole gallery, all sets and rules, and on what has to be rejected |
 //! | `own` | a metric, a rule and a closed set of one's own, through the face |
 //! | `bad_input`, `touching_ends` | what is refused, and how; what is not |
 //! | `committed_data` | what the project claims of the data in its repository |
@@ -16,6 +17,8 @@ mod bad_input;
 mod battery;
 #[cfg(test)]
 mod committed_data;
+#[cfg(test)]
+mod kit;
 #[cfg(test)]
 mod own;
 #[cfg(test)]

@@ -4,14 +4,14 @@ use tautline::{ClosedSet, SMatrix, SVector};
 
 /// `{x : (x − c)ᵀ Q (x − c) ≤ 1}` with a symmetric positive definite `Q`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Ellipse {
+pub(crate) struct Ellipse {
     pub(super) centre: SVector<f64, 2>,
     pub(super) form: SMatrix<f64, 2, 2>,
 }
 
 impl Ellipse {
     /// The ellipse with these semi-axes, turned by `angle`.
-    pub(super) fn new(centre: [f64; 2], semi_axes: [f64; 2], angle: f64) -> Self {
+    pub(crate) fn new(centre: [f64; 2], semi_axes: [f64; 2], angle: f64) -> Self {
         let (sin, cos) = angle.sin_cos();
         let turn = SMatrix::<f64, 2, 2>::new(cos, -sin, sin, cos);
         let scale = SMatrix::from_diagonal(&SVector::from(semi_axes.map(|a| a.powi(-2))));

@@ -4,3 +4,5 @@ mod ellipse;
 mod metric;
 mod rule;
 mod set;
+
+pub(crate) use ellipse::Ellipse;

@@ -1,0 +1,56 @@
+//! `Effort`: how long a kit looks.
+
+/// How many samples are drawn, how many problems solved, and the seed of all of them.
+///
+/// The same effort draws the same samples in every run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Effort {
+    /// Random samples for each law.
+    pub cases: u32,
+    /// Local ascents towards each constant, from the best of the samples.
+    pub ascents: usize,
+    /// Problems that are posed for each theorem, each solved for every `N` of
+    /// [`subintervals`](Effort::subintervals).
+    pub problems: u32,
+    /// The numbers of subintervals, from 1.
+    pub subintervals: &'static [usize],
+    /// The seed of all samples.
+    pub seed: u64,
+}
+
+impl Effort {
+    /// Some ten times the default: for the night before a claim is published.
+    #[must_use]
+    pub fn thorough() -> Self {
+        Self {
+            cases: 4096,
+            ascents: 32,
+            problems: 96,
+            subintervals: &[1, 2, 3, 4, 5, 8, 13, 32, 100],
+            ..Self::default()
+        }
+    }
+
+    /// The default up to three dimensions. Above, half of the problems and fewer numbers of
+    /// subintervals, since a solve costs `D³`.
+    #[must_use]
+    pub fn for_dimension(dimension: usize) -> Self {
+        if dimension <= 3 {
+            return Self::default();
+        }
+        Self { problems: 6, subintervals: &[1, 2, 8], ..Self::default() }
+    }
+
+    /// Returns the effort with another seed.
+    #[must_use]
+    pub fn with_seed(self, seed: u64) -> Self {
+        Self { seed, ..self }
+    }
+}
+
+impl Default for Effort {
+    /// One or two seconds for a metric of two or three dimensions.
+    fn default() -> Self {
+        Self { cases: 256, ascents: 6, problems: 12, subintervals: &[1, 2, 3, 8, 32], seed: 1 }
+    }
+}

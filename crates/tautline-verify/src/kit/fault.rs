@@ -1,0 +1,101 @@
+//! `Fault`: the law that does not hold, with the numbers that show it.
+
+use tautline::MetricError;
+
+use super::Lie;
+use crate::{Inequality, Statement, VerifyError};
+
+/// Why a metric, a set or a rule is rejected.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Fault {
+    /// `H` is not finite, symmetric and positive definite at a point.
+    #[error(transparent)]
+    Metric(#[from] MetricError),
+    /// A claimed constant does not hold.
+    #[error(transparent)]
+    Lie(#[from] Lie),
+    /// An inequality of a law does not hold at a point.
+    #[error("{law}, at x = {point:?}: {left:e} is not at most {right:e}, with {granted:e} granted")]
+    Broken {
+        /// The law, as a formula.
+        law: &'static str,
+        /// The left side.
+        left: f64,
+        /// The right side.
+        right: f64,
+        /// What is granted to rounding, besides the right side.
+        granted: f64,
+        /// Where.
+        point: Vec<f64>,
+    },
+    /// The numbers of a statement of the paper violate it, or its hypotheses.
+    #[error("{statement}{}: {inequality}", if *.hypothesis { ", a hypothesis" } else { "" })]
+    Statement {
+        /// The statement.
+        statement: Statement,
+        /// Whether the inequality is a hypothesis of it: a claim of the metric.
+        hypothesis: bool,
+        /// The inequality that does not hold.
+        inequality: Inequality,
+    },
+    /// Errors fall more slowly than they should.
+    #[error(
+        "{what} falls like N^-{found:.3} over N = {window:?}, which should be at least N^-{least}"
+    )]
+    Order {
+        /// The error.
+        what: &'static str,
+        /// The slope that was observed, of the median of several problems.
+        found: f64,
+        /// The least slope that is accepted.
+        least: f64,
+        /// The numbers of subintervals.
+        window: Vec<usize>,
+    },
+    /// Something that has to be refused was not.
+    #[error("{what} was not refused")]
+    NotRefused {
+        /// What, in words.
+        what: &'static str,
+    },
+    /// The solver reached no minimum for most problems, so that nothing was tested.
+    #[error("the solver found no local minimum for {failed} of {tried} problems: {error}")]
+    NotSolved {
+        /// Problems without a result.
+        failed: u64,
+        /// All problems.
+        tried: u64,
+        /// Why, for one of them.
+        error: VerifyError,
+    },
+    /// A statement could not be evaluated.
+    #[error(transparent)]
+    Unevaluated(#[from] VerifyError),
+    /// No sample could be drawn.
+    #[error("no sample could be drawn: {why}")]
+    NoSample {
+        /// Why.
+        why: String,
+    },
+}
+
+impl Fault {
+    /// Returns `Ok` with the slack `right / left` if `left ≤ right + granted`; NaN on either side
+    /// is a fault.
+    ///
+    /// The slack is `∞` where `left` is not positive or cannot be told from what is granted.
+    pub(crate) fn unless_at_most(
+        law: &'static str,
+        [left, right]: [f64; 2],
+        granted: f64,
+        point: &[f64],
+    ) -> Result<f64, Self> {
+        if left <= right + granted {
+            let seen = left > 0.0 && granted <= 0.01 * left;
+            Ok(if seen { right / left } else { f64::INFINITY })
+        } else {
+            Err(Fault::Broken { law, left, right, granted, point: point.to_vec() })
+        }
+    }
+}

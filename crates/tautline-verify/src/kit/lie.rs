@@ -1,0 +1,65 @@
+//! `Lie`: a constant that a metric claims and does not keep.
+
+/// One of the constants by which the theorems know a metric.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Constant {
+    /// `c₁ ≤ λ_min(H)`, in `m²/ℓ²`.
+    C1,
+    /// `λ_max(H) ≤ c₂`, in `m²/ℓ²`.
+    C2,
+    /// `‖DH(x)[w]‖ ≤ L_H |w|`, in `m²/ℓ³`.
+    LH,
+    /// `|uᵀ D²H(x)[w, w] u| ≤ M_H |w|² |u|²`, in `m²/ℓ⁴`.
+    MH,
+}
+
+impl Constant {
+    /// All four.
+    pub const ALL: [Constant; 4] = [Constant::C1, Constant::C2, Constant::LH, Constant::MH];
+
+    /// Returns the name, in ASCII as in code.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Constant::C1 => "c1",
+            Constant::C2 => "c2",
+            Constant::LH => "L_H",
+            Constant::MH => "M_H",
+        }
+    }
+
+    /// Returns the formula of what is found at a point `x` in a unit direction `w`.
+    #[must_use]
+    pub fn formula(self) -> &'static str {
+        match self {
+            Constant::C1 | Constant::C2 => "wᵀ H(x) w",
+            Constant::LH => "‖DH(x)[w]‖",
+            Constant::MH => "‖D²H(x)[w, w]‖",
+        }
+    }
+}
+
+impl std::fmt::Display for Constant {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// A constant that a metric claims, and a point and a direction where it does not hold.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error(
+    "the metric claims {constant} = {claimed}, but {} = {found} at x = {point:?} in the direction \
+     w = {direction:?}", constant.formula()
+)]
+pub struct Lie {
+    /// Which constant.
+    pub constant: Constant,
+    /// The number that the metric claims.
+    pub claimed: f64,
+    /// The number that was found, in the unit of the constant.
+    pub found: f64,
+    /// Where.
+    pub point: Vec<f64>,
+    /// In which direction, of length 1.
+    pub direction: Vec<f64>,
+}

@@ -1,0 +1,163 @@
+//! The laws of a metric that claims constants: at random samples, and where they are looked for.
+
+use std::cell::RefCell;
+
+use nalgebra::SVector;
+use tautline::{Bounded, Constants};
+
+use super::{
+    MetricCase,
+    extreme::{Extreme, norm},
+};
+use crate::kit::{
+    Constant, Failure, Fault, Lie,
+    region::directions,
+    report::{Tried, Verdict},
+    sampling::{CHEAP, for_all},
+};
+
+impl Constant {
+    /// Returns what is claimed; `None` for `M_H` if it is not.
+    #[must_use]
+    pub fn of(self, constants: &Constants) -> Option<f64> {
+        match self {
+            Constant::C1 => Some(constants.c1()),
+            Constant::C2 => Some(constants.c2()),
+            Constant::LH => Some(constants.l_h()),
+            Constant::MH => constants.m_h(),
+        }
+    }
+
+    /// Returns the claim with its number multiplied by `factor`, if it is one of the constants.
+    pub(super) fn scaled(self, constants: &Constants, factor: f64) -> Option<Constants> {
+        let by = |constant| if self == constant { factor } else { 1.0 };
+        let [c1, c2] = [constants.c1() * by(Constant::C1), constants.c2() * by(Constant::C2)];
+        let scaled = Constants::new(c1, c2, constants.l_h() * by(Constant::LH)).ok()?;
+        match constants.m_h() {
+            Some(m_h) => scaled.with_m_h(m_h * by(Constant::MH)).ok(),
+            None => Some(scaled),
+        }
+    }
+
+    /// What rounding makes of a value, in the unit of the constant.
+    ///
+    /// An entry of `H` has a dozen roundings or so of terms of size `c₂`, an eigenvalue `D` times
+    /// as many; derivatives have more terms, of the size of the constants themselves.
+    fn rounding<const D: usize>(self, constants: &Constants, claimed: f64) -> f64 {
+        match self {
+            Constant::C1 | Constant::C2 => 1e-14 * D as f64 * constants.c2(),
+            Constant::LH | Constant::MH => 1e-12 * claimed,
+        }
+    }
+}
+
+/// What was found of one constant.
+pub(super) struct Found {
+    /// How often the metric was measured at a sample.
+    pub(super) cases: u64,
+    /// The slack `claimed / found` (of `c₁`, `found / claimed`), a pure number; `∞` if the
+    /// metric was not seen to change at all.
+    pub(super) slack: f64,
+}
+
+/// Looks for the extreme value of one constant; `Ok(None)` if it is not claimed.
+pub(super) fn search<M: Bounded<D>, const D: usize>(
+    case: &MetricCase<M, D>,
+    constant: Constant,
+) -> Result<Option<Found>, Failure> {
+    let (metric, region, effort) = (&case.metric, &case.region, &case.effort);
+    let constants = metric.constants();
+    let Some(claimed) = constant.of(&constants) else { return Ok(None) };
+    let granted = constant.rounding::<D>(&constants, claimed);
+    let judge = |found: &Extreme<D>| {
+        let holds = match constant {
+            Constant::C1 => claimed <= found.value + granted,
+            _ => found.value <= claimed + granted,
+        };
+        if holds {
+            Ok(slack(constant, claimed, found.value))
+        } else {
+            Err(lie(constant, claimed, found))
+        }
+    };
+    let seen: RefCell<Vec<Extreme<D>>> = RefCell::default();
+    let samples = (region.points(), directions::<D>());
+    let random = for_all(effort, effort.cases, CHEAP, samples, |(x, w)| {
+        let found = constant.measure(metric, x, w);
+        seen.borrow_mut().push(found);
+        judge(&found).map_err(Fault::from)
+    });
+    let mut starts = seen.into_inner();
+    starts.sort_by(|a, b| {
+        let (a, b) = (a.value, b.value);
+        if constant == Constant::C1 { a.total_cmp(&b) } else { b.total_cmp(&a) }
+    });
+    starts.truncate(effort.ascents);
+    let tops = starts.into_iter().map(|start| constant.climb(metric, region, start));
+    let worst = tops.reduce(|a, b| if constant.worse(b.value, a.value) { b } else { a });
+    match (random, worst) {
+        (Ok(tried), None) => Ok(Some(Found { cases: tried.cases, slack: tried.slack })),
+        (Ok(tried), Some(worst)) => match judge(&worst) {
+            Ok(top) => Ok(Some(Found { cases: tried.cases, slack: tried.slack.min(top) })),
+            Err(lie) => Err(Failure { fault: lie.into(), sample: None, seed: effort.seed }),
+        },
+        (Err(failure), None) => Err(failure),
+        // The sample that was shrunk has short coordinates, the top of the ascent the right number.
+        (Err(failure), Some(worst)) => Err(match judge(&worst) {
+            Ok(_) => failure,
+            Err(lie) => Failure { fault: lie.into(), ..failure },
+        }),
+    }
+}
+
+fn slack(constant: Constant, claimed: f64, found: f64) -> f64 {
+    match constant {
+        Constant::C1 => found / claimed,
+        // 0 / 0 for a constant metric.
+        _ if found == 0.0 => f64::INFINITY,
+        _ => claimed / found,
+    }
+}
+
+fn lie<const D: usize>(constant: Constant, claimed: f64, found: &Extreme<D>) -> Lie {
+    let Extreme { value, point, direction } = found;
+    let list = |x: &SVector<f64, D>| x.iter().copied().collect();
+    Lie { constant, claimed, found: *value, point: list(point), direction: list(direction) }
+}
+
+/// Looks for a point where one constant does not hold.
+pub(super) fn claim<M: Bounded<D>, const D: usize>(
+    case: &MetricCase<M, D>,
+    constant: Constant,
+) -> Verdict {
+    Ok(match search(case, constant)? {
+        None => Tried::cases(0).with_note("not claimed"),
+        Some(Found { cases, slack }) => Tried { cases, slack, note: None },
+    })
+}
+
+/// `‖H(x) − H(y)‖ ≤ L_H |x − y|` for points far apart and near each other.
+pub(super) fn lipschitz<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Verdict {
+    let constants = case.metric.constants();
+    let effort = &case.effort;
+    for_all(effort, effort.cases, CHEAP, case.region.pairs(), |[x, y]| {
+        let difference = norm(&(case.metric.gram::<f64>(x) - case.metric.gram::<f64>(y)));
+        let step = (x - y).norm();
+        // The roundings of H(x) and of H(y), see above.
+        let granted = 2e-14 * D as f64 * constants.c2();
+        if difference <= constants.l_h() * step + granted {
+            return Ok(if granted <= 0.01 * difference {
+                constants.l_h() * step / difference
+            } else {
+                f64::INFINITY
+            });
+        }
+        Err(Fault::Lie(Lie {
+            constant: Constant::LH,
+            claimed: constants.l_h(),
+            found: difference / step,
+            point: x.iter().copied().collect(),
+            direction: ((y - x) / step).iter().copied().collect(),
+        }))
+    })
+}

@@ -1,0 +1,141 @@
+//! The laws of every metric: `H` is a metric, and all that follows from its formula agrees.
+
+use nalgebra::SVector;
+use tautline::{Bounded, Jet1, Jet2, MetricError, check_gram};
+
+use super::{
+    MetricCase,
+    extreme::{first, norm, second},
+};
+use crate::kit::{
+    Constant, Failure, Fault,
+    region::directions,
+    report::{Tried, Verdict},
+    sampling::{CHEAP, for_all},
+    slope_test::slope_test,
+};
+
+fn list<const D: usize>(x: &SVector<f64, D>) -> Vec<f64> {
+    x.iter().copied().collect()
+}
+
+/// `H(x)` is finite, and its two halves agree to rounding.
+pub(super) fn finite_and_symmetric<M: Bounded<D>, const D: usize>(
+    case: &MetricCase<M, D>,
+) -> Verdict {
+    let effort = &case.effort;
+    for_all(effort, effort.cases, CHEAP, case.region.points(), |x| {
+        match check_gram(&case.metric, x) {
+            // Those have a law of their own.
+            Ok(_) | Err(MetricError::NotPositiveDefinite { .. }) => Ok(f64::INFINITY),
+            Err(error) => Err(error.into()),
+        }
+    })
+}
+
+/// `H(x)` is positive definite at random points, and where its least eigenvalue descends to.
+pub(super) fn positive_definite<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Verdict {
+    let (metric, effort) = (&case.metric, &case.effort);
+    let axis = SVector::from_fn(|i, _| if i == 0 { 1.0 } else { 0.0 });
+    let tried = for_all(effort, effort.cases, CHEAP, case.region.points(), |x| {
+        check_gram(metric, x)?;
+        Ok(f64::INFINITY)
+    })?;
+    let corners = (0..effort.ascents).map(|k| {
+        // The points of an irrational winding, which no period of a formula follows.
+        let fractions = SVector::from_fn(|i, _| ((k + 1) as f64 * winding(i)).fract());
+        Constant::C1.measure(metric, &case.region.at(&fractions), &axis)
+    });
+    for start in corners {
+        let lowest = Constant::C1.climb(metric, &case.region, start);
+        if let Err(error) = check_gram(metric, &lowest.point) {
+            return Err(Failure { fault: error.into(), sample: None, seed: effort.seed });
+        }
+    }
+    Ok(tried.and(Tried::cases(effort.ascents as u64)))
+}
+
+/// `√(i + 2)` for different square-free parts, without its whole part.
+pub(super) fn winding(i: usize) -> f64 {
+    const PRIMES: [f64; 12] = [2., 3., 5., 7., 11., 13., 17., 19., 23., 29., 31., 37.];
+    PRIMES[i % PRIMES.len()].sqrt().fract()
+}
+
+/// `norm_squared` is `uᵀHu`: its value, its gradient and its Hessian.
+pub(super) fn norm_squared<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Verdict {
+    let effort = &case.effort;
+    for_all(effort, effort.cases, CHEAP, (case.region.points(), directions::<D>()), |(x, u)| {
+        let jets: SVector<Jet2<f64, D>, D> = Jet2::variables(&(*x).into()).into();
+        let overridden = case.metric.norm_squared(&jets, u);
+        let entries = case.metric.gram(&jets);
+        let sum = |part: &dyn Fn(&Jet2<f64, D>) -> f64| {
+            let mut sum = 0.0;
+            let mut size = 0.0;
+            for i in 0..D {
+                for j in 0..D {
+                    let term = u[i] * u[j] * part(&entries[(i.min(j), i.max(j))]);
+                    sum += term;
+                    size += term.abs();
+                }
+            }
+            (sum, size)
+        };
+        let compare = |law, part: &dyn Fn(&Jet2<f64, D>) -> f64, size: f64| {
+            let (sum, terms) = sum(part);
+            // Two formulas for one number: as in `check_gram`, relative to its terms.
+            let granted = 1e-12 * (terms + size);
+            Fault::unless_at_most(law, [(part(&overridden) - sum).abs(), 0.0], granted, &list(x))
+        };
+        // A derivative may be a difference of terms that a sum of other terms never sees.
+        let constants = case.metric.constants();
+        compare("norm_squared(x, u) = uᵀ H(x) u", &|jet| jet.value(), 0.0)?;
+        for k in 0..D {
+            let size = constants.l_h();
+            compare("∂ₖ norm_squared(x, u) = uᵀ ∂ₖH(x) u", &|jet| jet.first(k), size)?;
+            for l in k..D {
+                // D²H is of some size even where no M_H is claimed.
+                let size = constants.m_h().unwrap_or(0.0) + sum(&|jet| jet.second(k, k)).1;
+                let law = "∂ₖ∂ₗ norm_squared(x, u) = uᵀ ∂ₖ∂ₗH(x) u";
+                compare(law, &|jet| jet.second(k, l), size)?;
+            }
+        }
+        Ok(f64::INFINITY)
+    })
+}
+
+/// First and second derivatives by jets are those of central differences.
+pub(super) fn jets<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Verdict {
+    let (metric, effort) = (&case.metric, &case.effort);
+    let samples = (case.region.points(), directions::<D>(), directions::<D>());
+    for_all(effort, effort.cases, CHEAP, samples, |(x, u, w)| {
+        let form = |t: f64| [metric.norm_squared(&(x + w * t), u)];
+        let slope = |t: f64| {
+            let matrix = first(metric, &(x + w * t), w);
+            [u.dot(&(matrix * u))]
+        };
+        let [size, curvature] = [norm(&metric.gram(x)), norm(&second(metric, x, w))];
+        let [claimed] = slope(0.0);
+        let length = case.region.size();
+        let point = || list(x);
+        // Along the line that a step walks, uᵀHu is of the size of H and what its slope adds.
+        slope_test(&[claimed], form, length, size + claimed.abs() * length).map_err(|off| {
+            let law = "|uᵀ DH(x)[w] u − its central difference| = O(h²)";
+            let [left, right] = [off.error, 0.0];
+            Fault::Broken { law, left, right, granted: off.granted, point: point() }
+        })?;
+        let second = u.dot(&(second(metric, x, w) * u));
+        let size = claimed.abs().max(norm(&first(metric, x, w))) + curvature * length;
+        slope_test(&[second], slope, length, size).map_err(|off| {
+            let law = "|uᵀ D²H(x)[w, w] u − its central difference| = O(h²)";
+            let [left, right] = [off.error, 0.0];
+            Fault::Broken { law, left, right, granted: off.granted, point: point() }
+        })?;
+        // The gradient, which is another number type than the derivative along a line.
+        let jet = metric.norm_squared(&Jet1::variables(&(*x).into()).into(), u);
+        let along = SVector::<f64, D>::from(*jet.gradient()).dot(w);
+        // D terms of the size of the derivatives.
+        let granted = 1e-12 * (jet.gradient().iter().map(|g| g.abs()).sum::<f64>() + claimed.abs());
+        let law = "∇(uᵀHu)·w = uᵀ DH(x)[w] u";
+        Fault::unless_at_most(law, [(along - claimed).abs(), 0.0], granted, &list(x))
+    })
+}

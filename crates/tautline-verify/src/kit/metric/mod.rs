@@ -1,0 +1,152 @@
+//! The laws of a metric, and the statements of the paper about it.
+//!
+//! One function a law, of the name that its test has in [`metric_suite!`](crate::metric_suite).
+
+mod claims;
+mod extreme;
+mod formula;
+mod orders;
+mod problems;
+mod refusals;
+mod statements;
+mod with_constants;
+
+use nalgebra::SVector;
+use tautline::{Bounded, KnownDistance};
+
+use super::{Constant, Effort, Outcome, Region, Report};
+use crate::{PaperRule, statements as of_the_paper};
+
+pub use with_constants::WithConstants;
+
+/// The distance of two points, where a metric knows it, in `m`.
+type Distance<M, const D: usize> = fn(&M, &SVector<f64, D>, &SVector<f64, D>) -> Option<f64>;
+
+/// A metric, where to look, and for how long.
+#[derive(Clone, Debug)]
+pub struct MetricCase<M, const D: usize> {
+    metric: M,
+    region: Region<D>,
+    effort: Effort,
+    distance: Option<Distance<M, D>>,
+}
+
+impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
+    /// A metric whose distances are not known: they are extrapolated from fine grids.
+    pub fn new(metric: M, region: Region<D>, effort: Effort) -> Self {
+        Self { metric, region, effort, distance: None }
+    }
+
+    /// The same metric with the distances that it knows.
+    #[must_use]
+    pub fn with_known_distance(self) -> Self
+    where
+        M: KnownDistance<D>,
+    {
+        Self { distance: Some(|metric, x, y| metric.distance(x, y)), ..self }
+    }
+}
+
+/// The laws, one a row: its name, what it says, and the function that tries it.
+///
+/// A statement of `tautline_verify::statements` is one more row: `case.of_points(…)` for one about
+/// the metric at a point, `case.of_point_sequences(…)` for one about any point sequence,
+/// `case.of_minimisers(rule, …)` for one about computed minimisers.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __metric_laws {
+    ([$($callback:tt)*] $context:tt) => {
+        $($callback)*! { $context
+            is_finite_and_symmetric, "H(x) is finite and symmetric",
+                formula::finite_and_symmetric;
+            is_positive_definite, "H(x) is positive definite",
+                formula::positive_definite;
+            norm_squared_agrees_with_gram, "norm_squared(x, u) = uᵀ H(x) u, with both derivatives",
+                formula::norm_squared;
+            jets_agree_with_differences, "DH and D²H are the limits of central differences",
+                formula::jets;
+            c1_is_a_lower_bound, "c1 ≤ λ_min(H)",
+                |case| claims::claim(case, Constant::C1);
+            c2_is_an_upper_bound, "λ_max(H) ≤ c2",
+                |case| claims::claim(case, Constant::C2);
+            l_h_bounds_the_derivative, "‖DH(x)[w]‖ ≤ L_H |w|",
+                |case| claims::claim(case, Constant::LH);
+            l_h_bounds_differences, "‖H(x) − H(y)‖ ≤ L_H |x − y|",
+                claims::lipschitz;
+            m_h_bounds_the_second_derivative, "|uᵀ D²H(x)[w, w] u| ≤ M_H |w|² |u|²",
+                |case| claims::claim(case, Constant::MH);
+            known_distances_are_distances, "d(x, y) = d(y, x), d(x, x) = 0, no curve is shorter",
+                orders::distances;
+            prop_7_9, "Proposition 7.9: |E(γᵖˡ) − E_tra,N| ≤ L_H K₃³/4√N",
+                |case| case.of_point_sequences(of_the_paper::prop_7_9);
+            prop_8_1, "Proposition 8.1: |E_l,N − E_tra,N| ≤ L_H K₃³/2√N",
+                |case| case.of_point_sequences(of_the_paper::prop_8_1);
+            prop_8_2, "Proposition 8.2: |E(γᵖˡ) − E_l,N| ≤ L_H K₃³/2√N",
+                |case| case.of_point_sequences(of_the_paper::prop_8_2);
+            theorem_1_1, "Theorem 1.1: energies of the trapezoidal rule",
+                |case| case.of_minimisers(PaperRule::Trapezoidal, of_the_paper::theorem_1_1);
+            theorem_1_2, "Theorem 1.2: lengths of the trapezoidal rule",
+                |case| case.of_minimisers(PaperRule::Trapezoidal, of_the_paper::theorem_1_2);
+            theorem_1_3, "Theorem 1.3: energies of the left-endpoint rule",
+                |case| case.of_minimisers(PaperRule::LeftEndpoint, of_the_paper::theorem_1_3);
+            theorem_1_4, "Theorem 1.4: lengths of the left-endpoint rule",
+                |case| case.of_minimisers(PaperRule::LeftEndpoint, of_the_paper::theorem_1_4);
+            trapezoidal_rule_has_order_2, "E_tra,N − d² and E(γᵖˡ) − d² fall like N⁻²",
+                |case| orders::orders(case, PaperRule::Trapezoidal, 2.0);
+            left_rule_has_order_1, "E_l,N − d² falls like N⁻¹, E(γᵖˡ) − d² like N⁻²",
+                |case| orders::orders(case, PaperRule::LeftEndpoint, 1.0);
+            refuses_a_larger_c1, "1.05 c1 is refused, if c1 is attained",
+                |case| refusals::lie(case, Constant::C1);
+            refuses_a_smaller_c2, "0.95 c2 is refused, if c2 is attained",
+                |case| refusals::lie(case, Constant::C2);
+            refuses_a_smaller_l_h, "0.9 L_H is refused, if L_H is attained",
+                |case| refusals::lie(case, Constant::LH);
+            refuses_a_smaller_m_h, "0.9 M_H is refused, if M_H is attained",
+                |case| refusals::lie(case, Constant::MH);
+            refuses_a_metric_that_is_nan, "H is refused if it is NaN in half of the region",
+                refusals::nan_metric;
+            refuses_points_that_are_nan, "points that are not finite are refused",
+                refusals::nan_points;
+            refuses_no_subinterval, "N = 0 is refused",
+                refusals::no_subinterval;
+            refuses_two_unbounded_sets, "two half-spaces are refused",
+                refusals::two_unbounded_sets;
+            refuses_an_empty_set, "an empty set is refused",
+                refusals::empty_set;
+        }
+    };
+}
+
+/// One function a law, their names, and all of them in a row.
+macro_rules! functions {
+    ({} $($id:ident, $law:literal, $run:expr;)*) => {
+        $(
+            #[doc = concat!("Tries the law `", stringify!($id), "`: `", $law, "`.")]
+            pub fn $id<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Outcome {
+                let run: fn(&MetricCase<M, D>) -> super::report::Verdict = $run;
+                Outcome::new(stringify!($id), $law, run(case))
+            }
+        )*
+
+        /// The names of all laws, in the order of a report.
+        pub const LAWS: &[&str] = &[$(stringify!($id)),*];
+
+        /// Tries all laws of a case.
+        pub fn verify<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Report {
+            Report { outcomes: vec![$($id(case)),*] }
+        }
+    };
+}
+
+__metric_laws! { [functions] {} }
+
+/// Tries all laws on a metric, whose distances are extrapolated from fine grids.
+///
+/// The same functions are behind the tests of [`metric_suite!`](crate::metric_suite).
+pub fn verify_metric<M: Bounded<D>, const D: usize>(
+    metric: &M,
+    region: &Region<D>,
+    effort: &Effort,
+) -> Report {
+    verify(&MetricCase::new(metric, *region, *effort))
+}

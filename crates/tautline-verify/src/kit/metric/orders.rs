@@ -1,0 +1,141 @@
+//! The observed orders of convergence of one metric.
+
+use nalgebra::SVector;
+use tautline::Bounded;
+
+use super::{
+    MetricCase,
+    formula::winding,
+    problems::{Posed, estimated},
+};
+use crate::{
+    Library, PaperRule, Reconstruction, VerifyError,
+    kit::{
+        Failure, Fault,
+        order::{median, order},
+        report::{Tried, Verdict},
+        sampling::{COSTLY, for_all},
+    },
+};
+
+/// The grids of the fits.
+const WINDOW: [usize; 4] = [32, 64, 128, 256];
+
+/// How far below the order a slope may be: the next term of the expansion is smaller by some
+/// `10/N`, which tilts a line over the window by 0.2 at most.
+const TILT: f64 = 0.2;
+
+/// Of so many problems the median is judged: of one, the leading coefficient may happen to be
+/// small, and the line is then that of a sum which changes its sign.
+const PROBLEMS: usize = 5;
+
+/// The errors of one problem: of the discrete energy and of the energy of the curve, for each grid
+/// where they are not rounding.
+type Errors = [Vec<(usize, f64)>; 2];
+
+/// Fits `|E_N − d²|` and `E(γᵖˡ) − d²` for the rule, and compares with their orders.
+pub(super) fn orders<M: Bounded<D>, const D: usize>(
+    case: &MetricCase<M, D>,
+    rule: PaperRule,
+    least: f64,
+) -> Verdict {
+    let failure = |fault: Fault| Failure { fault, sample: None, seed: case.effort.seed };
+    let mut slopes = [Vec::new(), Vec::new()];
+    let mut solved = 0;
+    let mut stuck = None;
+    for k in 0..PROBLEMS {
+        match errors(case, rule, k) {
+            Ok(errors) => {
+                solved += 1;
+                for (slopes, errors) in slopes.iter_mut().zip(errors) {
+                    // Two errors above rounding make no line.
+                    if errors.len() >= 3 {
+                        slopes.push(order(&errors));
+                    }
+                }
+            }
+            Err(error @ VerifyError::NotConverged { .. }) => stuck = Some(error),
+            Err(error) => return Err(failure(error.into())),
+        }
+    }
+    if let (0, Some(error)) = (solved, stuck) {
+        let tried = PROBLEMS as u64;
+        return Err(failure(Fault::NotSolved { failed: tried, tried, error }));
+    }
+    let [discrete, curve] = slopes.map(median);
+    for (what, found, least) in
+        [("|E_N − d²|", discrete, least - TILT), ("E(γᵖˡ) − d²", curve, 2.0 - TILT)]
+    {
+        if let Some(found) = found
+            && !(found >= least)
+        {
+            let window = WINDOW.to_vec();
+            return Err(failure(Fault::Order { what, found, least, window }));
+        }
+    }
+    let word = |order: Option<f64>| match order {
+        Some(order) => format!("{order:.2}"),
+        None => "exact".to_owned(),
+    };
+    let note = format!("observed {} and {} over N = {WINDOW:?}", word(discrete), word(curve));
+    Ok(Tried::cases(solved * WINDOW.len() as u64).with_note(note))
+}
+
+/// Solves the `k`-th problem, between two points of an irrational winding through the region.
+fn errors<M: Bounded<D>, const D: usize>(
+    case: &MetricCase<M, D>,
+    rule: PaperRule,
+    k: usize,
+) -> Result<Errors, VerifyError> {
+    let point =
+        |k: usize| case.region.at(&SVector::from_fn(|i, _| ((k + 1) as f64 * winding(i)).fract()));
+    let posed = Posed::between(point(k), point(k + 1));
+    let known = case.known(&posed, &[])?;
+    let mut errors = [Vec::new(), Vec::new()];
+    for n in WINDOW {
+        let seen = Reconstruction::observe(&Library, &known, rule, n)?;
+        let pair = [seen.discrete_energy, seen.energy.value];
+        for (errors, energy) in errors.iter_mut().zip(pair) {
+            let error = (energy - seen.distance_squared).abs();
+            // Ten times what may be wrong about it tilts a line no more than its next term does.
+            if error > 10.0 * seen.granted {
+                errors.push((n, error));
+            }
+        }
+    }
+    Ok(errors)
+}
+
+/// `d^g` is zero from a point to itself, symmetric, and the limit of the minimal discrete energies.
+pub(super) fn distances<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Verdict {
+    let Some(distance) = case.distance else {
+        return Ok(Tried::cases(0).with_note("no distance is known"));
+    };
+    let metric = &case.metric;
+    let pairs = (case.region.points(), case.region.points());
+    for_all(&case.effort, case.effort.problems, COSTLY, pairs, |(a, b)| {
+        let (Some(d), Some(back)) = (distance(metric, a, b), distance(metric, b, a)) else {
+            return Ok(f64::INFINITY);
+        };
+        let point: Vec<f64> = a.iter().chain(b).copied().collect();
+        // As in `Known::between`.
+        let size = (a.norm() + b.norm()) * metric.constants().c2().sqrt();
+        let granted = 32.0 * f64::EPSILON * size;
+        Fault::unless_at_most("|d(x, y) − d(y, x)| = 0", [(d - back).abs(), 0.0], granted, &point)?;
+        let own = distance(metric, a, a).unwrap_or(0.0);
+        Fault::unless_at_most("d(x, x) = 0", [own.abs(), 0.0], granted, &point)?;
+        if (b - a).norm() < case.region.size() / 64.0 {
+            return Ok(f64::INFINITY);
+        }
+        let known =
+            match estimated(metric, Posed::between(*a, *b).ends().map_err(VerifyError::from)?, &[])
+            {
+                Ok(known) => known,
+                Err(VerifyError::NotConverged { .. }) => return Ok(f64::INFINITY),
+                Err(error) => return Err(error.into()),
+            };
+        let granted = granted + known.distance_error;
+        // A solver may miss the shortest curve, but finds none that is shorter.
+        Fault::unless_at_most("d(x, y) ≤ length of a curve", [d, known.distance], granted, &point)
+    })
+}

@@ -1,0 +1,190 @@
+//! What has to be refused: samples that are wrong on purpose.
+
+use std::cell::Cell;
+
+use nalgebra::{SMatrix, SVector};
+use tautline::{
+    Bounded, ClosedSet, Ends, HalfSpace, Options, Point, PointSequence, SetError, Trapezoidal,
+    minimise,
+};
+
+use super::{MetricCase, WithConstants, claims::search, problems::Posed};
+use crate::kit::{
+    Constant, Failure, Fault,
+    report::{Tried, Verdict},
+};
+
+impl Constant {
+    /// The lie that is told of it: `c₁` five percent too large, `c₂` as much too small, `L_H` and
+    /// `M_H` ten percent too small.
+    fn lie(self) -> f64 {
+        match self {
+            Constant::C1 => 1.05,
+            Constant::C2 => 0.95,
+            Constant::LH | Constant::MH => 0.9,
+        }
+    }
+}
+
+/// Tells a lie about one constant, and fails if nobody notices.
+///
+/// If the claim itself is looser than the lie, the lie is true in this region, and there is
+/// nothing to refuse; the looseness is noted.
+pub(super) fn lie<M: Bounded<D>, const D: usize>(
+    case: &MetricCase<M, D>,
+    constant: Constant,
+) -> Verdict {
+    let Some(found) = search(case, constant)? else {
+        return Ok(Tried::cases(0).with_note("not claimed"));
+    };
+    let factor = constant.lie();
+    let looseness = factor.max(1.0 / factor);
+    // Beyond this the lie would have to be noticed by its last digits.
+    if !(found.slack < 1.0 + 0.9 * (looseness - 1.0)) {
+        let slack = found.slack;
+        return Ok(Tried::cases(0).with_note(if slack.is_finite() {
+            format!("not sharp in this region: looseness {slack:.3}")
+        } else {
+            "constant here: there is no lie to tell".to_owned()
+        }));
+    }
+    let Some(constants) = constant.scaled(&case.metric.constants(), factor) else {
+        return Ok(Tried::cases(0).with_note("the lie contradicts c1 ≤ c2"));
+    };
+    let liar = MetricCase {
+        metric: WithConstants { metric: &case.metric, constants },
+        region: case.region,
+        // Other samples than those by which the claim was found to be sharp.
+        effort: case.effort.with_seed(case.effort.seed.wrapping_add(1)),
+        distance: None,
+    };
+    match search(&liar, constant) {
+        Err(Failure { fault: Fault::Lie(_), .. }) => {
+            Ok(Tried { cases: found.cases, slack: found.slack, note: None })
+        }
+        _ => Err(not_refused(case, "a wrong constant")),
+    }
+}
+
+fn not_refused<M, const D: usize>(case: &MetricCase<M, D>, what: &'static str) -> Failure {
+    Failure { fault: Fault::NotRefused { what }, sample: None, seed: case.effort.seed }
+}
+
+/// Counts the refusals, and fails at the first thing that is not refused.
+fn refused<M, const D: usize>(
+    case: &MetricCase<M, D>,
+    what: &'static str,
+    refusals: &[bool],
+) -> Verdict {
+    if refusals.iter().all(|&refused| refused) {
+        Ok(Tried::cases(refusals.len() as u64))
+    } else {
+        Err(not_refused(case, what))
+    }
+}
+
+/// Points and curves with a coordinate that is no number.
+pub(super) fn nan_points<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Verdict {
+    let good = case.region.at(&SVector::repeat(0.5));
+    let refusals: Vec<bool> = (0..D)
+        .flat_map(|i| [f64::NAN, f64::INFINITY, f64::NEG_INFINITY].map(|value| (i, value)))
+        .map(|(i, value)| {
+            let mut bad = good;
+            bad[i] = value;
+            PointSequence::new(vec![good, bad]).is_err()
+                && Ends::points(good, bad).is_err()
+                && Ends::points(bad, good).is_err()
+        })
+        .collect();
+    refused(case, "a point that is not finite", &refusals)
+}
+
+/// `N = 0`.
+pub(super) fn no_subinterval<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Verdict {
+    let [a, b] = [0.25, 0.75].map(|fraction| case.region.at(&SVector::repeat(fraction)));
+    let ends = Posed::between(a, b).ends();
+    let solved = ends
+        .map(|ends| minimise(&&case.metric, &ends, Trapezoidal, 0, &Options::default()).is_ok());
+    let refusals = [solved == Ok(false), PointSequence::straight(a, b, 0).is_err()];
+    refused(case, "N = 0", &refusals)
+}
+
+/// Two half-spaces: Proposition 7.1 wants one of the sets bounded.
+pub(super) fn two_unbounded_sets<M: Bounded<D>, const D: usize>(
+    case: &MetricCase<M, D>,
+) -> Verdict {
+    let half_space = |sign: f64| -> Result<HalfSpace<D>, SetError> {
+        let normal = SVector::from_fn(|i, _| if i == 0 { sign } else { 0.0 });
+        HalfSpace::at_least(normal, case.region.size())
+    };
+    let ends = half_space(1.0).and_then(|right| Ends::new(half_space(-1.0)?, right));
+    refused(case, "a pair of unbounded sets", &[ends.is_err()])
+}
+
+/// The empty set, which has no nearest points.
+#[derive(Clone, Copy, Debug)]
+struct Empty;
+
+impl<const D: usize> ClosedSet<D> for Empty {
+    fn project(&self, _: &SVector<f64, D>) -> SVector<f64, D> {
+        SVector::repeat(f64::NAN)
+    }
+
+    fn projection_derivative(&self, _: &SVector<f64, D>) -> SMatrix<f64, D, D> {
+        SMatrix::zeros()
+    }
+
+    fn radius(&self) -> Option<f64> {
+        Some(0.0)
+    }
+}
+
+/// A problem to which one of the sets is empty.
+pub(super) fn empty_set<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Verdict {
+    let point = || Point::new(case.region.at(&SVector::repeat(0.5)));
+    let refusals = [
+        point().and_then(|point| Ends::new(Empty, point)).is_err(),
+        point().and_then(|point| Ends::new(point, Empty)).is_err(),
+    ];
+    refused(case, "an empty set", &refusals)
+}
+
+/// `H` with an entry that is NaN on one side of the middle of the region.
+#[derive(Clone, Copy, Debug)]
+struct Torn<'a, M, const D: usize> {
+    metric: &'a M,
+    from: f64,
+}
+
+impl<M: tautline::Metric<D>, const D: usize> tautline::Metric<D> for Torn<'_, M, D> {
+    fn gram<S: tautline::Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
+        let mut h = self.metric.gram(x);
+        // √ of a negative number right of the middle; 0 · √ elsewhere.
+        h[(0, 0)] += (-x[0] + self.from).sqrt() * 0.0;
+        h
+    }
+}
+
+impl<M: Bounded<D>, const D: usize> Bounded<D> for Torn<'_, M, D> {
+    fn constants(&self) -> tautline::Constants {
+        self.metric.constants()
+    }
+}
+
+/// The same formula where half of the region is outside of its domain.
+pub(super) fn nan_metric<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Verdict {
+    let from = case.region.at(&SVector::repeat(0.5))[0];
+    let torn = MetricCase {
+        metric: Torn { metric: &case.metric, from },
+        region: case.region,
+        effort: case.effort,
+        distance: None,
+    };
+    let found = Cell::new(false);
+    if let Err(Failure { fault: Fault::Metric(_), .. }) =
+        super::formula::finite_and_symmetric(&torn)
+    {
+        found.set(true);
+    }
+    refused(case, "a metric that is NaN in half of the region", &[found.get()])
+}

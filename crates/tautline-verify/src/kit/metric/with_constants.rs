@@ -1,0 +1,36 @@
+//! `WithConstants`: a metric with claims of another.
+
+use nalgebra::{SMatrix, SVector};
+use tautline::{Bounded, Constants, KnownDistance, Metric, Scalar};
+
+/// A metric with constants put beside it, true or not: for a metric without claims of its own,
+/// and for the lies that a kit has to refuse.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WithConstants<M> {
+    /// The metric.
+    pub metric: M,
+    /// What is claimed of it.
+    pub constants: Constants,
+}
+
+impl<M: Metric<D>, const D: usize> Metric<D> for WithConstants<M> {
+    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
+        self.metric.gram(x)
+    }
+
+    fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
+        self.metric.norm_squared(x, u)
+    }
+}
+
+impl<M: Metric<D>, const D: usize> Bounded<D> for WithConstants<M> {
+    fn constants(&self) -> Constants {
+        self.constants
+    }
+}
+
+impl<M: KnownDistance<D>, const D: usize> KnownDistance<D> for WithConstants<M> {
+    fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
+        self.metric.distance(x, y)
+    }
+}

@@ -1,0 +1,109 @@
+//! Test a metric of your own, a closed set or a rule.
+//!
+//! A kit takes what you bring, draws samples, and tries laws on them, one after the other: what
+//! the trait asks for, what your constants claim, and the statements of the paper that follow.
+//!
+//! | you bring | tests | the same as a function | one law |
+//! | --- | --- | --- | --- |
+//! | [`Metric`] and [`Bounded`] | [`metric_suite!`] | [`verify_metric`] | [`metric`] |
+//! | [`ClosedSet`] | [`set_suite!`] | [`verify_set`] | [`set`] |
+//! | [`Rule`] | [`rule_suite!`] | [`verify_rule`] | [`rule`] |
+//!
+//! [`Metric`]: tautline::Metric
+//! [`Bounded`]: tautline::Bounded
+//! [`ClosedSet`]: tautline::ClosedSet
+//! [`Rule`]: tautline::Rule
+//! [`metric_suite!`]: crate::metric_suite
+//! [`set_suite!`]: crate::set_suite
+//! [`rule_suite!`]: crate::rule_suite
+//!
+//! # Test a metric of your own
+//!
+//! A file `tests/egg.rs`, all of it:
+//!
+//! ```
+//! use tautline_verify::prelude::*;
+//!
+//! #[derive(Clone, Copy, Debug)]
+//! struct Egg; // H(x) = diag(2 + cos x₁, 3 + sin x₂)
+//! impl Metric<2> for Egg {
+//!     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+//!         SMatrix::from_diagonal(&[x[0].cos() + 2.0, x[1].sin() + 3.0].into())
+//!     }
+//! }
+//! impl Bounded<2> for Egg {
+//!     fn constants(&self) -> Constants {
+//!         Constants::new(1.0, 4.0, 1.0).expect("c1 ≤ c2")
+//!     }
+//! }
+//! metric_suite!(egg: Egg, dimension 2, in Region::cell([0.0, 0.0], [6.3, 6.3]));
+//! # let region = Region::cell([0.0, 0.0], [6.3, 6.3]);
+//! # let effort = Effort { cases: 32, problems: 1, subintervals: &[1, 4], ..Effort::default() };
+//! # let report = verify_metric(&Egg, &region, &effort);
+//! # assert!(report.holds(), "{report}");
+//! ```
+//!
+//! `cargo test egg` then runs `egg::l_h_bounds_the_derivative`, `egg::theorem_1_1` and so on. What
+//! is wrong is named with its numbers; here with `L_H = 1/2` in place of 1:
+//!
+//! ```
+//! # use tautline_verify::kit::{Constant, Fault, MetricCase, WithConstants, metric};
+//! # use tautline_verify::prelude::*;
+//! # #[derive(Clone, Copy, Debug)]
+//! # struct Egg;
+//! # impl Metric<2> for Egg {
+//! #     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+//! #         SMatrix::from_diagonal(&[x[0].cos() + 2.0, x[1].sin() + 3.0].into())
+//! #     }
+//! # }
+//! let constants = Constants::new(1.0, 4.0, 0.5)?;
+//! let region = Region::new([0.0, 0.0], [6.3, 6.3])?;
+//! let case = MetricCase::new(WithConstants { metric: Egg, constants }, region, Effort::default());
+//! let outcome = metric::l_h_bounds_the_derivative(&case);
+//! let Some(Fault::Lie(lie)) = outcome.failure.map(|failure| failure.fault) else { panic!() };
+//! assert_eq!((lie.constant, lie.claimed), (Constant::LH, 0.5));
+//! // ‖DH(x)[w]‖ at x = lie.point, in the direction w = lie.direction
+//! assert!((lie.found - 1.0).abs() < 1e-6);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! A metric that knows its distances says `with distances` at the end of the line, and
+//! [`MetricCase::with_known_distance`] where functions are called. A metric that claims nothing is
+//! given claims by [`WithConstants`].
+//!
+//! # How the laws look
+//!
+//! Random samples alone test the program, not the constants: of 256 uniform points none need be
+//! where `‖DH(x)[w]‖` comes within 9 % of its largest value. So each constant is looked for by
+//! local ascents from the best of the samples, until the maximum over a smooth formula is known
+//! to six digits or so, and a claim that is off by more is refused with the point, the direction,
+//! and both numbers. What ascents from [`Effort::ascents`] starts do not reach is not seen:
+//! a law that holds is evidence, not a proof.
+//!
+//! A claim may be loose. The slack of each law is in the [`Report`], and `refuses_a_smaller_l_h`
+//! notes it: the bounds of the theorems are as loose as the constants.
+//!
+//! Samples are integers that are mapped to the [`Region`], so that the smallest sample that fails
+//! has short binary fractions of its edges. Seeds are fixed, nothing is written.
+
+mod effort;
+mod fault;
+mod lie;
+pub mod metric;
+mod order;
+mod region;
+mod report;
+pub mod rule;
+mod sampling;
+pub mod set;
+mod slope_test;
+mod suites;
+
+pub use effort::Effort;
+pub use fault::Fault;
+pub use lie::{Constant, Lie};
+pub use metric::{MetricCase, WithConstants, verify_metric};
+pub use region::{Region, RegionError, directions};
+pub use report::{Failure, Outcome, Report};
+pub use rule::{RuleCase, verify_rule};
+pub use set::{SetCase, verify_set};

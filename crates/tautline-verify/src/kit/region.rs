@@ -1,0 +1,143 @@
+//! `Region`: the box of `R^D` in which samples are drawn.
+
+use nalgebra::SVector;
+use proptest::prelude::*;
+
+/// The number of steps of a sample along each edge. A power of two, so that shrunk samples are
+/// short binary fractions of the edges.
+const STEPS: u32 = 1 << 16;
+
+/// The number of steps of a direction to each side.
+const DIRECTION_STEPS: i32 = 1 << 8;
+
+/// A box of `R^D` with positive edges: where a kit looks.
+///
+/// Choose it as large as the place where the formula does something: one period, or some widths
+/// of what it is about.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Region<const D: usize> {
+    low: SVector<f64, D>,
+    high: SVector<f64, D>,
+}
+
+/// Edges between which no samples can be drawn.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("edge {index} from {low} to {high} must be finite and of positive length")]
+pub struct RegionError {
+    /// The index of the coordinate, from 0.
+    pub index: usize,
+    /// The coordinate of the lower corner.
+    pub low: f64,
+    /// The coordinate of the upper corner.
+    pub high: f64,
+}
+
+impl<const D: usize> Region<D> {
+    /// Returns the box between two corners, in `ℓ`.
+    ///
+    /// # Errors
+    ///
+    /// [`RegionError`] with the first edge that is not finite or not positive.
+    pub fn new(
+        low: impl Into<SVector<f64, D>>,
+        high: impl Into<SVector<f64, D>>,
+    ) -> Result<Self, RegionError> {
+        let (low, high) = (low.into(), high.into());
+        for index in 0..D {
+            let (low, high) = (low[index], high[index]);
+            let length = high - low;
+            if !(length > 0.0 && length.is_finite()) {
+                return Err(RegionError { index, low, high });
+            }
+        }
+        Ok(Self { low, high })
+    }
+
+    /// Returns the box between two corners, in `ℓ`, for use in a test.
+    ///
+    /// # Panics
+    ///
+    /// If an edge is not finite or not positive. [`Region::new`] returns an error.
+    #[must_use]
+    #[track_caller]
+    pub fn cell(low: impl Into<SVector<f64, D>>, high: impl Into<SVector<f64, D>>) -> Self {
+        match Self::new(low, high) {
+            Ok(region) => region,
+            Err(error) => panic!("{error}"),
+        }
+    }
+
+    /// Returns the longest edge, in `ℓ`.
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        (self.high - self.low).max()
+    }
+
+    /// Returns the largest distance of a point of the box from the origin, in `ℓ`.
+    #[must_use]
+    pub fn reach(&self) -> f64 {
+        self.low.abs().sup(&self.high.abs()).norm()
+    }
+
+    /// Returns the point at a fraction in `[0, 1]` of each edge, in `ℓ`.
+    #[must_use]
+    pub fn at(&self, fractions: &SVector<f64, D>) -> SVector<f64, D> {
+        self.low + (self.high - self.low).component_mul(fractions)
+    }
+
+    /// Returns the nearest point of the box, in `ℓ`.
+    #[must_use]
+    pub fn clamp(&self, x: &SVector<f64, D>) -> SVector<f64, D> {
+        x.sup(&self.low).inf(&self.high)
+    }
+
+    /// Points of the box. Drawn as integers, so that what is left after shrinking has short
+    /// coordinates.
+    pub fn points(&self) -> impl Strategy<Value = SVector<f64, D>> + use<D> {
+        let region = *self;
+        proptest::array::uniform::<_, D>(0..=STEPS).prop_map(move |steps| {
+            region.at(&SVector::from(steps.map(|k| f64::from(k) / f64::from(STEPS))))
+        })
+    }
+
+    /// Pairs of different points of the box or near it: two in three are uniform, the others
+    /// as near as `2⁻¹⁸` of the longest edge.
+    pub fn pairs(&self) -> impl Strategy<Value = [SVector<f64, D>; 2]> + use<D> {
+        let size = self.size();
+        let near = (self.points(), directions::<D>(), 1..=18_i32)
+            .prop_map(move |(x, w, halvings)| [x, x + w * (size * 0.5_f64.powi(halvings))]);
+        let far = (self.points(), self.points()).prop_map(|(x, y)| [x, y]);
+        prop_oneof![2 => far, 1 => near].prop_filter("the points differ", |[x, y]| x != y)
+    }
+}
+
+/// Unit vectors, from integers.
+pub fn directions<const D: usize>() -> impl Strategy<Value = SVector<f64, D>> {
+    proptest::array::uniform::<_, D>(-DIRECTION_STEPS..=DIRECTION_STEPS)
+        .prop_filter("a direction is not zero", |steps| steps.iter().any(|&k| k != 0))
+        .prop_map(|steps| SVector::from(steps.map(f64::from)).normalize())
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::vector;
+
+    use super::{Region, RegionError};
+
+    #[test]
+    fn edges_without_length_are_refused() {
+        let error = Region::<2>::new([0.0, 1.0], [1.0, 1.0]).expect_err("no length");
+        assert_eq!(error, RegionError { index: 1, low: 1.0, high: 1.0 });
+        assert!(Region::<1>::new([f64::NAN], [1.0]).is_err());
+        assert!(Region::<1>::new([0.0], [f64::INFINITY]).is_err());
+        assert!(Region::<1>::new([-f64::MAX], [f64::MAX]).is_err());
+    }
+
+    #[test]
+    fn size_reach_and_clamp_are_those_of_the_box() {
+        let region = Region::<2>::cell([-4.0, 0.0], [-3.0, 3.0]);
+        assert_eq!((region.size(), region.reach()), (3.0, 5.0));
+        assert_eq!(region.clamp(&vector![-9.0, 1.0]), vector![-4.0, 1.0]);
+        assert_eq!(region.at(&vector![0.5, 1.0]), vector![-3.5, 3.0]);
+    }
+}

@@ -1,0 +1,208 @@
+//! `Report`: what a kit says of a metric, a set or a rule, law by law.
+
+use std::fmt;
+
+use super::Fault;
+
+/// What one law says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outcome {
+    /// The name of the law, which is that of its test.
+    pub id: &'static str,
+    /// What it says, in a line.
+    pub law: &'static str,
+    /// How many cases were looked at.
+    pub cases: u64,
+    /// The least slack `bound / observed`, a pure number: 1 where a bound is attained, below 1
+    /// where it is violated; `∞` if nothing was seen beyond rounding.
+    pub slack: f64,
+    /// What is worth knowing besides.
+    pub note: Option<String>,
+    /// Why the law does not hold, if it does not.
+    pub failure: Option<Failure>,
+}
+
+/// Why a law does not hold.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Failure {
+    /// The law with its numbers.
+    pub fault: Fault,
+    /// The smallest sample that was found to break it, if it was broken by a random one.
+    pub sample: Option<String>,
+    /// The seed of the samples.
+    pub seed: u64,
+}
+
+/// The cases of a law that holds.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Tried {
+    pub(crate) cases: u64,
+    pub(crate) slack: f64,
+    pub(crate) note: Option<String>,
+}
+
+impl Tried {
+    /// This many cases, none of which came near anything.
+    pub(crate) fn cases(cases: u64) -> Self {
+        Self { cases, slack: f64::INFINITY, note: None }
+    }
+
+    pub(crate) fn with_note(self, note: impl Into<String>) -> Self {
+        Self { note: Some(note.into()), ..self }
+    }
+
+    pub(crate) fn and(self, other: Tried) -> Self {
+        Self {
+            cases: self.cases + other.cases,
+            slack: self.slack.min(other.slack),
+            note: self.note.or(other.note),
+        }
+    }
+}
+
+/// What a law returns.
+pub(crate) type Verdict = Result<Tried, Failure>;
+
+impl Outcome {
+    pub(crate) fn new(id: &'static str, law: &'static str, verdict: Verdict) -> Self {
+        match verdict {
+            Ok(Tried { cases, slack, note }) => Self { id, law, cases, slack, note, failure: None },
+            Err(failure) => {
+                Self { id, law, cases: 0, slack: f64::NAN, note: None, failure: Some(failure) }
+            }
+        }
+    }
+
+    /// Returns whether the law holds, as far as was looked.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.failure.is_none()
+    }
+
+    /// Does nothing if the law holds; for tests.
+    ///
+    /// # Panics
+    ///
+    /// If it does not, with the message of the fault.
+    #[track_caller]
+    pub fn assert(&self) {
+        assert!(self.holds(), "{self}");
+    }
+}
+
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let slack = match self.slack {
+            slack if slack.is_nan() => String::new(),
+            f64::INFINITY => "-".to_owned(),
+            // An attained constant may miss by a rounding; more than that is a failure.
+            slack if slack < 1e4 => format!("{slack:.4}"),
+            slack => format!("{slack:.1e}"),
+        };
+        let mark = if self.holds() { "ok" } else { "FAILS" };
+        write!(f, "{:<48} {mark:<5} {:>7} {slack:>10}  {}", self.id, self.cases, self.law)?;
+        if let Some(note) = &self.note {
+            write!(f, "; {note}")?;
+        }
+        match &self.failure {
+            Some(failure) => write!(f, "\n    {failure}"),
+            None => Ok(()),
+        }
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.fault)?;
+        if let Some(sample) = &self.sample {
+            write!(f, "\n    smallest sample: {sample}")?;
+        }
+        write!(f, "\n    seed {}", self.seed)
+    }
+}
+
+/// One [`Outcome`] a law, in a fixed order. Printed, it is a table.
+#[derive(Clone, Debug, PartialEq)]
+#[must_use = "a report that is not read accepts everything"]
+pub struct Report {
+    /// The outcomes.
+    pub outcomes: Vec<Outcome>,
+}
+
+impl Report {
+    /// Returns whether all laws hold, as far as was looked.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.outcomes.iter().all(Outcome::holds)
+    }
+
+    /// Returns the outcomes of the laws that do not hold.
+    pub fn failures(&self) -> impl Iterator<Item = &Outcome> {
+        self.outcomes.iter().filter(|outcome| !outcome.holds())
+    }
+
+    /// Returns the outcome of a law by its name.
+    #[must_use]
+    pub fn of(&self, id: &str) -> Option<&Outcome> {
+        self.outcomes.iter().find(|outcome| outcome.id == id)
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{:<48} {:<5} {:>7} {:>10}  says", "law", "", "cases", "slack")?;
+        self.outcomes.iter().try_for_each(|outcome| writeln!(f, "{outcome}"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Failure, Outcome, Report, Tried};
+    use crate::kit::{Constant, Fault, Lie};
+
+    fn report() -> Report {
+        let good = Tried { cases: 7, slack: 1.5, note: Some("and more".to_owned()) };
+        let lie = Lie {
+            constant: Constant::LH,
+            claimed: 0.5,
+            found: 1.0,
+            point: vec![0.25, 0.0],
+            direction: vec![1.0, 0.0],
+        };
+        let sample = Some("smaller".to_owned());
+        let failure = Failure { fault: Fault::Lie(lie), sample, seed: 3 };
+        let outcomes = vec![
+            Outcome::new("good", "a ≤ b", Ok(good)),
+            Outcome::new("bad", "c ≤ d", Err(failure)),
+            Outcome::new("far", "e ≤ f", Ok(Tried::cases(2))),
+        ];
+        Report { outcomes }
+    }
+
+    #[test]
+    fn a_report_is_a_table_with_the_numbers_of_what_fails() {
+        let report = report();
+        assert!(!report.holds());
+        assert_eq!(report.failures().map(|outcome| outcome.id).collect::<Vec<_>>(), ["bad"]);
+        assert!(report.of("good").is_some_and(Outcome::holds) && report.of("none").is_none());
+        let text = report.to_string();
+        let lines: Vec<&str> = text.lines().map(str::trim_end).collect();
+        let row = |id: &str, rest: &str| format!("{id:<48} {rest}");
+        assert_eq!(lines[0], row("law", "        cases      slack  says"));
+        assert_eq!(lines[1], row("good", "ok          7     1.5000  a ≤ b; and more"));
+        assert_eq!(lines[2], row("bad", "FAILS       0             c ≤ d"));
+        assert_eq!(
+            lines[3],
+            "    the metric claims L_H = 0.5, but ‖DH(x)[w]‖ = 1 at x = [0.25, 0.0] in the \
+             direction w = [1.0, 0.0]"
+        );
+        assert_eq!(lines[4..6], ["    smallest sample: smaller", "    seed 3"]);
+        assert_eq!(lines[6], row("far", "ok          2          -  e ≤ f"));
+    }
+
+    #[test]
+    #[should_panic(expected = "the metric claims L_H = 0.5")]
+    fn a_law_that_does_not_hold_panics_in_a_test() {
+        report().outcomes[1].assert();
+    }
+}

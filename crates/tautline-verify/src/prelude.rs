@@ -1,0 +1,12 @@
+//! What a test of a metric, a closed set or a rule of one's own needs, in one line.
+//!
+//! See [`kit`](crate::kit).
+
+pub use tautline::{
+    Bounded, ClosedSet, Constants, KnownDistance, Metric, Node, Rule, SMatrix, SVector, Scalar,
+};
+
+pub use crate::{
+    kit::{Effort, Outcome, Region, Report, verify_metric, verify_rule, verify_set},
+    metric_suite, rule_suite, set_suite,
+};

@@ -1,0 +1,79 @@
+//! Every metric of the gallery that has constants: one line each.
+//!
+//! The regions hold the points where the constants are attained: a period, or six widths to each
+//! side, where a Gaussian is below `10⁻⁷`.
+
+use std::f64::consts::TAU;
+
+use tautline::gallery::{
+    Bump, Constant, CoupledCosines, Hill, Lens, Obstacle, Ramp, RotatingAnisotropy, Separable,
+    Shear, SineProjections, SoftObstacles, TwoLinkArm, Valleys,
+};
+use tautline_verify::prelude::*;
+
+/// The cube `[−size, size]^D`.
+fn cube<const D: usize>(size: f64) -> Region<D> {
+    Region::cell([-size; D], [size; D])
+}
+
+/// The cube `[0, 2π]^D`.
+fn period<const D: usize>() -> Region<D> {
+    Region::cell([0.0; D], [TAU; D])
+}
+
+fn constant() -> Constant<2> {
+    Constant::new(SMatrix::<f64, 2, 2>::new(2.0, 1.0, 1.0, 2.0)).expect("positive definite")
+}
+
+fn ramp() -> Ramp {
+    Ramp::new(0.5, 1.0).expect("below one")
+}
+
+fn separable() -> Separable<3> {
+    Separable::new([0.3, 0.5, -0.4], [1.0, 2.0, 1.5]).expect("below one")
+}
+
+fn shear() -> Shear {
+    Shear::new(0.5, 1.0).expect("a wave number")
+}
+
+fn lens() -> Lens {
+    Lens::new(1.0, 0.5).expect("a width")
+}
+
+fn bump() -> Bump {
+    Bump::new(1.0, 0.5).expect("a width")
+}
+
+fn hill() -> Hill {
+    Hill::new(0.5, 0.5).expect("a width")
+}
+
+fn obstacles() -> SoftObstacles<2> {
+    let one = Obstacle { centre: [0.0, 0.0].into(), height: 2.0, width: 0.5 };
+    let two = Obstacle { centre: [1.0, 1.0].into(), height: 1.0, width: 0.7 };
+    SoftObstacles::new(vec![one, two]).expect("widths")
+}
+
+fn anisotropy() -> RotatingAnisotropy {
+    RotatingAnisotropy::new([1.0, 4.0], [0.7, -1.1]).expect("eigenvalues")
+}
+
+fn arm() -> TwoLinkArm {
+    TwoLinkArm::new(4.0, 0.8, 1.0).expect("positive definite")
+}
+
+metric_suite!(a_constant_matrix: constant(), dimension 2, in cube(2.0), with distances);
+metric_suite!(valleys_on_a_line: Valleys, dimension 1, in period(), with distances);
+metric_suite!(valleys: Valleys, dimension 2, in period(), with distances);
+metric_suite!(a_ramp: ramp(), dimension 1, in cube(8.0), with distances);
+metric_suite!(a_separable_metric: separable(), dimension 3, in cube(3.2), with distances);
+metric_suite!(a_shear: shear(), dimension 2, in period(), with distances);
+metric_suite!(a_lens: lens(), dimension 2, in cube(3.0), with distances);
+metric_suite!(a_bump: bump(), dimension 2, in cube(3.0), with distances);
+metric_suite!(a_hill: hill(), dimension 2, in cube(3.0), with distances);
+metric_suite!(soft_obstacles: obstacles(), dimension 2, in cube(3.0));
+metric_suite!(rotating_anisotropy: anisotropy(), dimension 2, in cube(2.0));
+metric_suite!(a_two_link_arm: arm(), dimension 2, in period());
+metric_suite!(coupled_cosines: CoupledCosines, dimension 3, in period());
+metric_suite!(sine_projections: SineProjections::benchmark(), dimension 8, in cube(1.5));

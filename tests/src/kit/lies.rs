@@ -1,0 +1,139 @@
+//! Constants that are not those of the metric, on the whole gallery.
+
+use std::f64::consts::TAU;
+
+use tautline::gallery::{
+    Bump, CoupledCosines, Hill, Lens, Ramp, RotatingAnisotropy, Separable, Shear, SineProjections,
+    TwoLinkArm, Valleys,
+};
+use tautline_verify::{
+    kit::{Constant, Fault, MetricCase, Outcome, WithConstants, metric},
+    prelude::*,
+};
+
+use Constant::{C1, C2, LH, MH};
+
+/// A lie of this size about an attained constant is refused. Measured: one of `10⁻⁶` is, for every
+/// constant below.
+const SMALL: f64 = 1e-4;
+
+/// The metric with one of its constants multiplied by a factor, put to the law about that constant.
+fn put<M: Bounded<D>, const D: usize>(
+    metric: &M,
+    region: Region<D>,
+    constant: Constant,
+    factor: f64,
+) -> Outcome {
+    let claimed = metric.constants();
+    let by = |which| if which == constant { factor } else { 1.0 };
+    let [c1, c2] = [claimed.c1() * by(C1), claimed.c2() * by(C2)];
+    let constants = Constants::new(c1, c2, claimed.l_h() * by(LH));
+    let m_h = claimed.m_h().expect("claimed") * by(MH);
+    let constants = constants.and_then(|constants| constants.with_m_h(m_h)).expect("in order");
+    let liar = MetricCase::new(WithConstants { metric, constants }, region, Effort::default());
+    match constant {
+        C1 => metric::c1_is_a_lower_bound(&liar),
+        C2 => metric::c2_is_an_upper_bound(&liar),
+        LH => metric::l_h_bounds_the_derivative(&liar),
+        MH => metric::m_h_bounds_the_second_derivative(&liar),
+    }
+}
+
+/// Tells a small lie about every constant that is attained, and one of twice its looseness about
+/// every other.
+#[track_caller]
+fn liars_are_refused<M: Bounded<D>, const D: usize>(
+    metric: &M,
+    region: Region<D>,
+    loose: &[(Constant, f64)],
+) {
+    for constant in Constant::ALL {
+        let known = loose.iter().find(|(which, _)| *which == constant);
+        let looseness = known.map_or(1.0, |(_, looseness)| *looseness);
+        let truth = put(metric, region, constant, 1.0);
+        // The looseness is known to its last printed digit.
+        assert!((truth.slack - looseness).abs() <= 1e-3, "{truth}");
+        let size = looseness * (1.0 + SMALL + 1e-3 * f64::from(u8::from(known.is_some())));
+        let factor = if constant == C1 { size } else { 1.0 / size };
+        let outcome = put(metric, region, constant, factor);
+        let failure = outcome.failure.unwrap_or_else(|| panic!("{constant} × {factor} passes"));
+        let Fault::Lie(lie) = failure.fault else { panic!("{failure}") };
+        let claimed = constant.of(&metric.constants()).expect("claimed") * factor;
+        assert_eq!((lie.constant, lie.point.len(), lie.direction.len()), (constant, D, D));
+        // One rounding of the product.
+        assert!((lie.claimed - claimed).abs() <= 1e-15 * claimed, "{lie}");
+        let beyond = if constant == C1 { lie.found < claimed } else { lie.found > claimed };
+        assert!(beyond, "{lie}");
+    }
+}
+
+fn cube<const D: usize>(size: f64) -> Region<D> {
+    Region::cell([-size; D], [size; D])
+}
+
+fn period<const D: usize>() -> Region<D> {
+    Region::cell([0.0; D], [TAU; D])
+}
+
+#[test]
+fn liars_about_the_valleys_are_refused() {
+    liars_are_refused(&Valleys, period::<2>(), &[]);
+}
+
+/// The claim `M_H` of a ramp is a bound that is not attained.
+#[test]
+fn liars_about_a_ramp_are_refused() {
+    let ramp = Ramp::new(0.5, 1.0).expect("below one");
+    liars_are_refused(&ramp, cube::<1>(8.0), &[(MH, 1.4219)]);
+}
+
+#[test]
+fn liars_about_a_separable_metric_are_refused() {
+    let metric = Separable::new([0.3, 0.5, -0.4], [1.0, 2.0, 1.5]).expect("below one");
+    liars_are_refused(&metric, cube::<3>(3.2), &[]);
+}
+
+#[test]
+fn liars_about_a_shear_are_refused() {
+    liars_are_refused(&Shear::new(0.5, 1.0).expect("valid"), period::<2>(), &[]);
+}
+
+#[test]
+fn liars_about_a_lens_are_refused() {
+    liars_are_refused(&Lens::new(1.0, 0.5).expect("a width"), cube::<2>(3.0), &[]);
+}
+
+/// The claim `L_H` of a bump is a bound that is not attained.
+#[test]
+fn liars_about_a_bump_are_refused() {
+    let bump = Bump::new(1.0, 0.5).expect("a width");
+    liars_are_refused(&bump, cube::<2>(3.0), &[(LH, 1.0302)]);
+}
+
+#[test]
+fn liars_about_a_hill_are_refused() {
+    liars_are_refused(&Hill::new(0.5, 0.5).expect("a width"), cube::<2>(3.0), &[]);
+}
+
+#[test]
+fn liars_about_rotating_anisotropy_are_refused() {
+    let metric = RotatingAnisotropy::new([1.0, 4.0], [0.7, -1.1]).expect("eigenvalues");
+    liars_are_refused(&metric, cube::<2>(2.0), &[]);
+}
+
+#[test]
+fn liars_about_a_two_link_arm_are_refused() {
+    liars_are_refused(&TwoLinkArm::new(4.0, 0.8, 1.0).expect("definite"), period::<2>(), &[]);
+}
+
+#[test]
+fn liars_about_coupled_cosines_are_refused() {
+    liars_are_refused(&CoupledCosines, period::<3>(), &[(MH, 1.3813)]);
+}
+
+/// Eight dimensions, and three claims that are bounds.
+#[test]
+fn liars_about_sine_projections_are_refused() {
+    let loose = [(C2, 1.0154), (LH, 1.2389), (MH, 1.4397)];
+    liars_are_refused(&SineProjections::benchmark(), cube::<8>(1.5), &loose);
+}

@@ -1,0 +1,139 @@
+//! Closed sets that lie: each is rejected, by the law that it breaks, with the numbers.
+
+use tautline::Sphere;
+use tautline_verify::{
+    kit::{Fault, SetCase, set},
+    prelude::*,
+};
+
+fn region() -> Region<2> {
+    Region::cell([-4.0, -4.0], [4.0, 4.0])
+}
+
+/// The unit circle, with one thing said of it that is not so.
+#[derive(Clone, Copy, Debug, Default)]
+struct Circle {
+    /// Its nearest points are turned by this angle.
+    turned: f64,
+    /// This much is missing of its radius.
+    missing: f64,
+    /// It says that it is convex.
+    convex: bool,
+    /// Its derivative is off by this much in one entry.
+    off: f64,
+    /// It has a seed in its middle.
+    seed: bool,
+}
+
+impl Circle {
+    fn circle() -> Sphere<2> {
+        Sphere::new([0.5, 0.0], 1.0).expect("a radius")
+    }
+}
+
+impl ClosedSet<2> for Circle {
+    fn project(&self, x: &SVector<f64, 2>) -> SVector<f64, 2> {
+        let centre = SVector::from([0.5, 0.0]);
+        let p = Self::circle().project(x);
+        if p == *x || self.turned == 0.0 {
+            return p;
+        }
+        let (sin, cos) = self.turned.sin_cos();
+        let z = p - centre;
+        centre + SVector::from([cos * z[0] - sin * z[1], sin * z[0] + cos * z[1]])
+    }
+
+    fn projection_derivative(&self, x: &SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
+        let mut derivative = Self::circle().projection_derivative(x);
+        derivative[(0, 0)] += self.off;
+        derivative
+    }
+
+    fn radius(&self) -> Option<f64> {
+        Self::circle().radius().map(|radius| radius - self.missing)
+    }
+
+    fn is_convex(&self) -> bool {
+        self.convex
+    }
+
+    fn seeds(&self) -> Vec<SVector<f64, 2>> {
+        if self.seed { vec![[0.5, 0.0].into()] } else { Vec::new() }
+    }
+}
+
+/// Fails unless the law is broken by the set; returns the two sides of its inequality.
+#[track_caller]
+fn broken(circle: Circle, id: &str) -> [f64; 2] {
+    let report = verify_set(&circle, &region(), &Effort::default());
+    let outcome = report.of(id).expect("a law");
+    match outcome.failure.as_ref().map(|failure| &failure.fault) {
+        Some(&Fault::Broken { left, right, .. }) => [left, right],
+        _ => panic!("{report}"),
+    }
+}
+
+#[test]
+fn the_circle_itself_passes() {
+    let report = verify_set(&Circle::default(), &region(), &Effort::default());
+    assert!(report.holds(), "{report}");
+}
+
+/// One degree off: the projections lie in the set and stay there, but others are nearer.
+#[test]
+fn nearest_points_beside_the_nearest_are_refused() {
+    let turned = 1_f64.to_radians();
+    let [left, right] = broken(Circle { turned, ..Circle::default() }, "no_member_is_nearer");
+    assert!(left > right);
+}
+
+#[test]
+fn a_radius_that_misses_one_percent_is_refused() {
+    let circle = Circle { missing: 0.015, ..Circle::default() };
+    let [left, right] = broken(circle, "radius_bounds_the_members");
+    assert_eq!(right, 1.485);
+    assert!(left > right && left <= 1.5 + 1e-12);
+}
+
+#[test]
+fn a_circle_is_not_convex() {
+    let circle = Circle { convex: true, ..Circle::default() };
+    let [left, right] = broken(circle, "a_claim_of_convexity_is_true");
+    assert!(left > right);
+}
+
+#[test]
+fn a_derivative_that_is_off_by_one_thousandth_is_refused() {
+    let circle = Circle { off: 1e-3, ..Circle::default() };
+    let [left, right] = broken(circle, "derivative_is_that_of_the_projection");
+    assert!((left - right - 1e-3).abs() <= 1e-5);
+}
+
+#[test]
+fn a_seed_that_is_no_member_is_refused() {
+    let circle = Circle { seed: true, ..Circle::default() };
+    assert_eq!(broken(circle, "seeds_and_pieces_belong_to_the_set"), [1.0, 0.0]);
+}
+
+/// NaN on one side of a line, where a solver may never look.
+#[test]
+fn a_projection_that_is_nan_is_refused() {
+    #[derive(Clone, Copy, Debug)]
+    struct Torn;
+    impl ClosedSet<2> for Torn {
+        fn project(&self, x: &SVector<f64, 2>) -> SVector<f64, 2> {
+            if x[0] > 3.0 { SVector::repeat(f64::NAN) } else { SVector::zeros() }
+        }
+        fn projection_derivative(&self, _: &SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
+            SMatrix::zeros()
+        }
+        fn radius(&self) -> Option<f64> {
+            Some(0.0)
+        }
+    }
+    let outcome = set::outputs_are_finite(&SetCase::new(&Torn, region(), Effort::default()));
+    let failure = outcome.failure.expect("it fails");
+    let Fault::Broken { left, point, .. } = failure.fault else { panic!("{failure}") };
+    // Shrunk to the first step beyond the line.
+    assert!(left.is_nan() && point == [3.0 + 8.0 / 65536.0, -4.0], "{point:?}");
+}

@@ -1,0 +1,8 @@
+//! The kit on all that the project brings itself, and on what has to be rejected.
+
+mod gallery;
+mod lies;
+mod lying_sets;
+mod newcomer;
+mod rules;
+mod sets;

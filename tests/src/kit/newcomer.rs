@@ -1,0 +1,19 @@
+//! What a newcomer writes: a formula, its constants, and one line; and what he is told where one
+//! of these is wrong.
+
+use tautline_verify::prelude::*;
+
+struct Egg; // H(x) = diag(2 + cos x₁, 3 + sin x₂)
+impl Metric<2> for Egg {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+        SMatrix::from_diagonal(&[x[0].cos() + 2.0, x[1].sin() + 3.0].into())
+    }
+}
+impl Bounded<2> for Egg {
+    fn constants(&self) -> Constants {
+        Constants::new(1.0, 4.0, 1.0).expect("c1 ≤ c2")
+    }
+}
+metric_suite!(egg: Egg, dimension 2, in Region::cell([0.0, 0.0], [6.3, 6.3]));
+
+mod mistakes;

@@ -1,0 +1,178 @@
+//! The newcomer's metric with one mistake in it: what is found, and how it is told.
+
+use tautline::MetricError;
+use tautline_verify::{
+    kit::{Constant, Fault, MetricCase, Outcome, WithConstants, metric},
+    prelude::*,
+};
+
+use super::Egg;
+
+fn region() -> Region<2> {
+    Region::cell([0.0, 0.0], [6.3, 6.3])
+}
+
+fn fault(outcome: Outcome) -> Fault {
+    outcome.failure.expect("it fails").fault
+}
+
+/// `L_H = ½` in place of 1: `‖DH(x)[w]‖ = |sin x₁|` at `x₁ = π/2` or `3π/2`, or `|cos x₂|` at
+/// `x₂ = 0`, `π` or `2π`, along that axis. Both laws about `L_H` say so, and so does every
+/// statement that rests on it.
+#[test]
+fn half_of_l_h_is_refused_with_the_witness() {
+    let constants = Constants::new(1.0, 4.0, 0.5).expect("c1 ≤ c2");
+    let wrong = WithConstants { metric: &Egg, constants };
+    let case = MetricCase::new(wrong, region(), Effort::default());
+    let outcome = metric::l_h_bounds_the_derivative(&case);
+    let message = outcome.to_string();
+    let Fault::Lie(lie) = fault(outcome) else { panic!("{message}") };
+    assert_eq!((lie.constant, lie.claimed), (Constant::LH, 0.5));
+    // The last step of the ascent is 6.3 · 2⁻¹⁶ = 1e-4 long: 1 − cos of that.
+    assert!((lie.found - 1.0).abs() <= 1e-8, "{lie}");
+    let axis = usize::from(lie.direction[1].abs() > 0.5);
+    let slope = if axis == 0 { lie.point[0].sin() } else { lie.point[1].cos() };
+    assert!((slope.abs() - lie.found).abs() <= 1e-12 && lie.direction[axis].abs() > 0.999_999);
+    for part in ["L_H = 0.5", "FAILS", "smallest sample", "seed 1"] {
+        assert!(message.contains(part), "{message}");
+    }
+
+    let Fault::Lie(lie) = fault(metric::l_h_bounds_differences(&case)) else { panic!("a lie") };
+    assert!(lie.constant == Constant::LH && lie.found > 0.5 && lie.found <= 1.0 + 1e-12, "{lie}");
+    let statement = fault(metric::prop_7_9(&case));
+    let Fault::Statement { hypothesis: true, inequality, .. } = statement else {
+        panic!("{statement}")
+    };
+    assert!(inequality.claim.contains("L_H"), "{statement}");
+}
+
+/// `H₂₂ = 3 + 3.00001 sin x₂`, which is negative for 0.005 around `3π/2`: at one random point in a
+/// thousand.
+struct Cracked;
+
+impl Metric<2> for Cracked {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+        SMatrix::from_diagonal(&[x[0].cos() + 2.0, x[1].sin() * 3.000_01 + 3.0].into())
+    }
+}
+
+impl Bounded<2> for Cracked {
+    fn constants(&self) -> Constants {
+        Egg.constants()
+    }
+}
+
+#[test]
+fn an_indefinite_metric_is_refused_with_the_point() {
+    let case = MetricCase::new(Cracked, region(), Effort::default());
+    let found = fault(metric::is_positive_definite(&case));
+    let Fault::Metric(MetricError::NotPositiveDefinite { point, eigenvalue }) = found else {
+        panic!("{found}")
+    };
+    let least = 3.0 + 3.000_01 * point[1].sin();
+    // A sum of two numbers of size 3.
+    assert!(eigenvalue <= 0.0 && (eigenvalue - least).abs() <= 1e-14, "{point:?}, {eigenvalue}");
+    assert!((point[1] - 4.712).abs() <= 0.01, "{point:?}");
+}
+
+/// Two halves that differ; an entry that is NaN; a `norm_squared` of another matrix.
+#[test]
+fn what_is_no_metric_is_refused_by_its_own_law() {
+    #[derive(Clone, Copy, PartialEq)]
+    enum Wrong {
+        Halves,
+        NotFinite,
+        NormSquared,
+    }
+    struct Scrambled(Wrong);
+    impl Metric<2> for Scrambled {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            let mut h: SMatrix<S, 2, 2> = Egg.gram(x);
+            match self.0 {
+                Wrong::Halves => h[(0, 1)] += x[0] * 1e-6,
+                // The logarithm of a negative number, right of x₁ = 6.
+                Wrong::NotFinite => h[(1, 1)] += (-x[0] + 6.0).ln() * 0.0,
+                Wrong::NormSquared => {}
+            }
+            h
+        }
+        fn norm_squared<S: Scalar>(&self, x: &SVector<S, 2>, u: &SVector<f64, 2>) -> S {
+            let factor = if self.0 == Wrong::NormSquared { 1.0 + 1e-9 } else { 1.0 };
+            Egg.norm_squared::<S>(x, u) * factor
+        }
+    }
+    impl Bounded<2> for Scrambled {
+        fn constants(&self) -> Constants {
+            Egg.constants()
+        }
+    }
+    let case = |wrong| MetricCase::new(Scrambled(wrong), region(), Effort::default());
+    let halves = fault(metric::is_finite_and_symmetric(&case(Wrong::Halves)));
+    assert!(matches!(halves, Fault::Metric(MetricError::NotSymmetric { .. })), "{halves}");
+    let not_finite = fault(metric::is_finite_and_symmetric(&case(Wrong::NotFinite)));
+    // Shrunk to the edge of the domain, and to 0 in the other coordinate.
+    let Fault::Metric(MetricError::NotFinite { point, .. }) = not_finite else {
+        panic!("{not_finite}")
+    };
+    assert!(point[0] >= 6.0 && point[0] <= 6.0 + 6.3 / 65536.0 && point[1] == 0.0, "{point:?}");
+    let norm = fault(metric::norm_squared_agrees_with_gram(&case(Wrong::NormSquared)));
+    let Fault::Broken { left, right, .. } = norm else { panic!("{norm}") };
+    // 10⁻⁹ of a number between 1 and 4.
+    assert!(right == 0.0 && (0.9e-9..=4.1e-9).contains(&left), "{norm}");
+}
+
+/// A ripple that is finer than the least step of the differences, a 65536th of a period: where to
+/// look is for the user to say.
+#[test]
+fn what_is_finer_than_the_steps_of_the_region_is_refused() {
+    struct Rippled;
+    impl Metric<1> for Rippled {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
+            SMatrix::from_diagonal_element((x[0] * 1e6).sin() * 1e-3 + 2.0)
+        }
+    }
+    impl Bounded<1> for Rippled {
+        fn constants(&self) -> Constants {
+            Constants::new(1.999, 2.001, 1e3).expect("c1 ≤ c2")
+        }
+    }
+    let law = |length: f64| {
+        let region = Region::cell([0.0], [length]);
+        metric::jets_agree_with_differences(&MetricCase::new(Rippled, region, Effort::default()))
+    };
+    assert!(!law(6.3).holds());
+    let fine = law(6.3e-6);
+    assert!(fine.holds(), "{fine}");
+}
+
+/// Distances that are one percent too long, or too short.
+#[test]
+fn distances_that_are_not_those_of_the_metric_are_refused() {
+    struct Scaled(f64);
+    impl Metric<1> for Scaled {
+        fn gram<S: Scalar>(&self, _: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
+            SMatrix::from_diagonal_element(S::constant(4.0))
+        }
+    }
+    impl Bounded<1> for Scaled {
+        fn constants(&self) -> Constants {
+            Constants::new(4.0, 4.0, 0.0).expect("c1 ≤ c2")
+        }
+    }
+    impl KnownDistance<1> for Scaled {
+        fn distance(&self, x: &SVector<f64, 1>, y: &SVector<f64, 1>) -> Option<f64> {
+            Some(2.0 * self.0 * (x - y).norm())
+        }
+    }
+    let case = |factor| {
+        MetricCase::new(Scaled(factor), Region::cell([0.0], [1.0]), Effort::default())
+            .with_known_distance()
+    };
+    assert!(metric::known_distances_are_distances(&case(1.0)).holds());
+    let long = fault(metric::known_distances_are_distances(&case(1.01)));
+    let Fault::Broken { left, right, .. } = long else { panic!("{long}") };
+    assert!((left / right - 1.01).abs() <= 1e-9, "{long}");
+    // Nothing is shorter than a shortest curve, but the theorems do not hold with less.
+    assert!(metric::theorem_1_1(&case(1.0)).holds());
+    assert!(!metric::theorem_1_1(&case(0.99)).holds());
+}
