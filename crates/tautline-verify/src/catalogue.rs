@@ -160,7 +160,9 @@ const CATALOGUE: [Entry; Statement::ALL.len()] = [
         "Proposition 7.3",
         "prop:morrey_ineq_cor",
         "∣γ(s₂) − γ(s₁)∣ ≤ l (‖γ̇‖ + 2‖γ̈‖) on an interval of length l",
-        Verdict::RefutedRepairedAs("l (‖γ̇‖/√l + √(l/3) ‖γ̈‖), for γ̇ absolutely continuous"),
+        Verdict::RefutedRepairedAs(
+            "l (‖γ̇‖/√l + √(l/3) ‖γ̈‖); or l (‖γ̇‖ + ‖γ̈‖/√3) with the norms over [0, 1], where γ̇ does not jump",
+        ),
         "prop_7_3",
     ),
     statement(

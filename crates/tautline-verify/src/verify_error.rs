@@ -3,7 +3,7 @@
 use crate::Statement;
 use tautline::{
     Curvature, HypothesisError, MetricError, SequenceError, SetError, SolveError, Stop,
-    bounds::BoundError,
+    bounds::BoundError, gallery::GalleryError,
 };
 
 /// Why a statement could not be evaluated on a case. Not a violation of it.
@@ -58,6 +58,15 @@ pub enum VerifyError {
         /// The best slack that is known.
         known: f64,
     },
+    /// A witness against the printed form of a statement does not refute it.
+    #[error("{statement}: the witness does not refute it")]
+    NotRefuted {
+        /// The statement.
+        statement: Statement,
+    },
+    /// A metric of the gallery is refused.
+    #[error(transparent)]
+    Gallery(#[from] GalleryError),
     /// A parameter of the case is out of its range.
     #[error("{name} = {value} must lie in [{low}, {high}]")]
     OutOfRange {

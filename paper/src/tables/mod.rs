@@ -3,6 +3,7 @@
 mod constants;
 mod convergence;
 mod counterexample;
+mod errata;
 mod layout;
 mod mutants;
 mod statements;
@@ -33,10 +34,11 @@ fn no_pages(_: &Data) -> Vec<(&'static str, String)> {
 }
 
 /// All tables.
-pub const TABLES: [Table; 5] = [
+pub const TABLES: [Table; 6] = [
     constants::TABLE,
     convergence::TABLE,
     counterexample::TABLE,
+    errata::TABLE,
     mutants::TABLE,
     statements::TABLE,
 ];

@@ -1,4 +1,4 @@
-//! `Mutant`: the library with one deliberate mistake.
+//! Each mutant as a subject: the one method that is wrong.
 
 use std::num::NonZeroUsize;
 
@@ -9,174 +9,8 @@ use tautline::{
     bounds::Setting,
 };
 
-use crate::{Library, Subject, mutations};
-
-/// A deliberately wrong variant of the library: a suite of tests that lets one pass is not worth
-/// its name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Mutant {
-    /// The two rules are exchanged, in energies, gradients and solver.
-    RulesExchanged,
-    /// The trapezoidal rule takes the mean of `H` at both ends.
-    TrueTrapezoid,
-    /// A factor ½ in the discrete energy.
-    EnergyHalved,
-    /// The discrete energy leaves out the last chord.
-    LastChordLost,
-    /// The discrete length is taken without its square root.
-    RootLost,
-    /// `E(γᵖˡ)` by one node a chord.
-    QuadratureOfOneNode,
-    /// `E(γᵖˡ)` by the ends of each chord.
-    QuadratureByEnds,
-    /// `L(γᵖˡ)` is taken for `E(γᵖˡ)^{1/2}`.
-    LengthFromEnergy,
-    /// `K₃` without the mean over the chords.
-    MeanForgotten,
-    /// The gradient with the wrong sign.
-    GradientReversed,
-    /// The gradient without the derivative of `H`.
-    MetricFrozen,
-    /// Christoffel symbols with a sign exchanged in the last term.
-    ChristoffelSign,
-    /// Christoffel symbols without the factor ½.
-    ChristoffelDoubled,
-    /// The nearest-point map leaves points where they are.
-    NotProjected,
-    /// The solver lets the first point out of its set by a millionth.
-    EndRelaxed,
-    /// The solver stops after one step and says that it converged.
-    StopsEarly,
-    /// The solver returns the straight line and says that it converged.
-    NotOptimised,
-    /// The solver returns the interpolation of a minimiser of half as many chords.
-    NotRefined,
-    /// The solver returns the local minimum nearest to the straight line.
-    LocalForGlobal,
-    /// `L_H` is claimed 10 % too small.
-    LipschitzTooSmall,
-    /// `L_H` is claimed twice too large: nothing is wrong then, but the bounds are loosened.
-    LipschitzDoubled,
-    /// `c₁` and `c₂` are exchanged in `K_{1,g}`.
-    ConstantsExchanged,
-    /// `K_{1,g} = d/c₁`, without the root.
-    RootOfC1Forgotten,
-    /// `K_{2,g}` without `D²`.
-    DimensionForgotten,
-    /// `K_{2,g}` with `D` for `D²`.
-    DimensionOnce,
-    /// `C_tra(N)` without its cross term.
-    CrossTermLost,
-    /// `C_tra(N)` with `1/N` for `1/N²`.
-    SecondOrderForgotten,
-    /// `C_tra♯` with `K₁²` for `K₁³`.
-    PowerOfK1Lost,
-    /// `K̄_{3,g}` without the distance.
-    DistanceForgotten,
-    /// `K̄_{4,g}` is taken for `K̄_{3,g}`.
-    K4IsK3,
-    /// Proposition 7.9 without the factor ¼.
-    QuarterLost,
-    /// Proposition 7.9 with `K₃²` for `K₃³`.
-    PowerOfK3Lost,
-    /// Proposition 7.9 with `1/N` for `1/√N`: true of equal speeds only.
-    RootOfNForgotten,
-    /// Proposition 8.1 with the factor ¼ for ½.
-    HalfOfRuleGap,
-    /// Proposition 8.2 with the factor ¼ for ½.
-    HalfOfLeftGap,
-    /// The `C` of Theorem 1.1 without `C_tra♯`.
-    SharpForgotten,
-    /// The `C` of Theorem 1.3 without the cube of `K̄_{4,g}`.
-    LastCubeForgotten,
-}
-
-impl Mutant {
-    /// All of them: discretizations, sets, solver, constants, bounds.
-    pub const ALL: [Mutant; 37] = [
-        Mutant::RulesExchanged,
-        Mutant::TrueTrapezoid,
-        Mutant::EnergyHalved,
-        Mutant::LastChordLost,
-        Mutant::RootLost,
-        Mutant::QuadratureOfOneNode,
-        Mutant::QuadratureByEnds,
-        Mutant::LengthFromEnergy,
-        Mutant::MeanForgotten,
-        Mutant::GradientReversed,
-        Mutant::MetricFrozen,
-        Mutant::ChristoffelSign,
-        Mutant::ChristoffelDoubled,
-        Mutant::NotProjected,
-        Mutant::EndRelaxed,
-        Mutant::StopsEarly,
-        Mutant::NotOptimised,
-        Mutant::NotRefined,
-        Mutant::LocalForGlobal,
-        Mutant::LipschitzTooSmall,
-        Mutant::LipschitzDoubled,
-        Mutant::ConstantsExchanged,
-        Mutant::RootOfC1Forgotten,
-        Mutant::DimensionForgotten,
-        Mutant::DimensionOnce,
-        Mutant::CrossTermLost,
-        Mutant::SecondOrderForgotten,
-        Mutant::PowerOfK1Lost,
-        Mutant::DistanceForgotten,
-        Mutant::K4IsK3,
-        Mutant::QuarterLost,
-        Mutant::PowerOfK3Lost,
-        Mutant::RootOfNForgotten,
-        Mutant::HalfOfRuleGap,
-        Mutant::HalfOfLeftGap,
-        Mutant::SharpForgotten,
-        Mutant::LastCubeForgotten,
-    ];
-
-    /// Returns what is wrong with it, in a few words.
-    #[must_use]
-    pub fn mistake(self) -> &'static str {
-        match self {
-            Mutant::RulesExchanged => "the two rules exchanged",
-            Mutant::TrueTrapezoid => "H averaged over the ends of a chord",
-            Mutant::EnergyHalved => "a factor 1/2 in the discrete energy",
-            Mutant::LastChordLost => "the last chord left out",
-            Mutant::RootLost => "no square root in the discrete length",
-            Mutant::QuadratureOfOneNode => "one node a chord in E(γᵖˡ)",
-            Mutant::QuadratureByEnds => "the ends of a chord in E(γᵖˡ)",
-            Mutant::LengthFromEnergy => "L(γᵖˡ) = √E(γᵖˡ)",
-            Mutant::MeanForgotten => "K₃ without the mean",
-            Mutant::GradientReversed => "the gradient reversed",
-            Mutant::MetricFrozen => "the gradient without DH",
-            Mutant::ChristoffelSign => "a wrong sign in Γ",
-            Mutant::ChristoffelDoubled => "no factor 1/2 in Γ",
-            Mutant::NotProjected => "points not projected",
-            Mutant::EndRelaxed => "an end point 10⁻⁶ off its set",
-            Mutant::StopsEarly => "one Newton step",
-            Mutant::NotOptimised => "the straight line for a minimiser",
-            Mutant::NotRefined => "the minimiser of half as many chords",
-            Mutant::LocalForGlobal => "a local minimum for the global one",
-            Mutant::LipschitzTooSmall => "L_H 10 % too small",
-            Mutant::LipschitzDoubled => "L_H twice too large",
-            Mutant::ConstantsExchanged => "c₁ and c₂ exchanged in K_{1,g}",
-            Mutant::RootOfC1Forgotten => "K_{1,g} = d/c₁",
-            Mutant::DimensionForgotten => "K_{2,g} without D²",
-            Mutant::DimensionOnce => "K_{2,g} with D for D²",
-            Mutant::CrossTermLost => "C_tra(N) without 4c₂K₁K₂/N",
-            Mutant::SecondOrderForgotten => "C_tra(N) with 4c₂K₂²/N",
-            Mutant::PowerOfK1Lost => "C_tra♯ with K₁² for K₁³",
-            Mutant::DistanceForgotten => "K̄_{3,g} without d",
-            Mutant::K4IsK3 => "K̄_{4,g} = K̄_{3,g}",
-            Mutant::QuarterLost => "7.9 without the factor 1/4",
-            Mutant::PowerOfK3Lost => "7.9 with K₃² for K₃³",
-            Mutant::RootOfNForgotten => "7.9 with N for √N",
-            Mutant::HalfOfRuleGap => "8.1 with 1/4 for 1/2",
-            Mutant::HalfOfLeftGap => "8.2 with 1/4 for 1/2",
-            Mutant::SharpForgotten => "C of Theorem 1.1 without C_tra♯",
-            Mutant::LastCubeForgotten => "C of Theorem 1.3 without K̄_{4,g}³",
-        }
-    }
-}
+use super::{Mutant, mutations};
+use crate::{Library, Subject};
 
 /// Whether `R` reads the metric as the trapezoidal rule of the paper does.
 fn is_trapezoidal<R: Rule>() -> bool {
@@ -306,52 +140,58 @@ impl Subject for Mutant {
         }
     }
 
-    fn minimise<R: Rule, const D: usize>(
+    fn minimise_with<R: Rule, const D: usize>(
         &self,
         rule: R,
         metric: &impl Metric<D>,
         ends: &Ends<D>,
         n: usize,
+        options: &Options<D>,
     ) -> Result<Minimum<D>, SolveError> {
+        let genuine = |n| Library.minimise_with(rule, metric, ends, n, options);
         let believed = |mut minimum: Minimum<D>| {
             (minimum.stop, minimum.curvature) = (Stop::Converged, Curvature::PositiveDefinite);
             minimum
         };
-        let with = |starts, iterations| {
-            let options = Options { starts, iterations };
-            tautline::minimise(metric, ends, rule, n, &options).map(believed)
+        let with = |minimum: Minimum<D>, sequence: PointSequence<D>| {
+            let mut minimum = believed(minimum);
+            minimum.energy = rule.energy(metric, &sequence);
+            minimum.sequence = sequence;
+            minimum
         };
         match self {
             Mutant::RulesExchanged if is_trapezoidal::<R>() => {
-                Library.minimise(LeftEndpoint, metric, ends, n)
+                Library.minimise_with(LeftEndpoint, metric, ends, n, options)
             }
-            Mutant::RulesExchanged => Library.minimise(Trapezoidal, metric, ends, n),
+            Mutant::RulesExchanged => Library.minimise_with(Trapezoidal, metric, ends, n, options),
             Mutant::TrueTrapezoid if is_trapezoidal::<R>() => {
-                Library.minimise(TrueTrapezoid, metric, ends, n)
+                Library.minimise_with(TrueTrapezoid, metric, ends, n, options)
             }
-            Mutant::StopsEarly => with(Starts::Automatic, 1),
+            Mutant::StopsEarly => {
+                let once = Options { iterations: 1, ..options.clone() };
+                Library.minimise_with(rule, metric, ends, n, &once).map(believed)
+            }
             Mutant::NotOptimised => {
-                let mut minimum = believed(Library.minimise(rule, metric, ends, n)?);
-                minimum.sequence = mutations::straightened(&minimum.sequence);
-                minimum.energy = rule.energy(metric, &minimum.sequence);
-                Ok(minimum)
+                let minimum = genuine(n)?;
+                let straight = mutations::straightened(&minimum.sequence);
+                Ok(with(minimum, straight))
             }
             Mutant::NotRefined => {
-                let mut minimum = Library.minimise(rule, metric, ends, n.div_ceil(2))?;
-                minimum.sequence = mutations::resampled(&minimum.sequence, n);
-                minimum.energy = rule.energy(metric, &minimum.sequence);
-                Ok(minimum)
+                let minimum = genuine(n.div_ceil(2))?;
+                let finer = mutations::resampled(&minimum.sequence, n);
+                Ok(with(minimum, finer))
             }
             Mutant::LocalForGlobal => {
-                let line = Library.minimise(rule, metric, ends, n)?.sequence;
-                with(Starts::Only(vec![mutations::straightened(&line)]), 200)
+                let straight = mutations::straightened(&genuine(n)?.sequence);
+                let one = Options { starts: Starts::Only(vec![straight]), ..options.clone() };
+                Library.minimise_with(rule, metric, ends, n, &one).map(believed)
             }
             Mutant::EndRelaxed => {
-                let mut minimum = Library.minimise(rule, metric, ends, n)?;
-                minimum.sequence = mutations::first_point_moved(&minimum.sequence, 1e-6);
-                Ok(minimum)
+                let minimum = genuine(n)?;
+                let moved = mutations::first_point_moved(&minimum.sequence, 1e-6);
+                Ok(with(minimum, moved))
             }
-            _ => Library.minimise(rule, metric, ends, n),
+            _ => genuine(n),
         }
     }
 

@@ -1,0 +1,132 @@
+//! What is false in the paper as printed: witness, repair, and who relies on it.
+
+use tautline_verify::{Statement, Verdict, errata};
+
+use super::{Layout, Table, layout::scientific};
+use crate::{
+    Failure,
+    data::{Data, Tolerance},
+    sweep::Sweep,
+};
+
+pub(super) const TABLE: Table = Table {
+    id: "errata",
+    shows: "the statements that are false as printed, each with a witness and its two numbers \
+            (observed above bound), the repaired form, and who relies on it",
+    data,
+    layout,
+    pages,
+};
+
+/// The numbers are small fractions, evaluated by quadrature.
+const NUMBER: Tolerance = Tolerance::Close { relative: 1e-6, absolute: 1e-9 };
+
+fn data(_sweep: Sweep) -> Result<Data, Failure> {
+    let mut data = Data::new(&[
+        ("number", Tolerance::Exact),
+        ("label", Tolerance::Exact),
+        ("printed", Tolerance::Exact),
+        ("witness", Tolerance::Exact),
+        ("observed", NUMBER),
+        ("bound", NUMBER),
+        ("repair", Tolerance::Exact),
+        ("relied_on_by", Tolerance::Exact),
+    ]);
+    for erratum in errata()? {
+        let (statement, violated) = (erratum.statement, erratum.violated);
+        // No −0, and no digit of rounding.
+        let number = |value: f64| format!("{:.6}", (value * 1e6).round() / 1e6 + 0.0);
+        data.push(vec![
+            statement.number().to_owned(),
+            statement.label().to_owned(),
+            violated.claim.to_owned(),
+            erratum.witness.to_owned(),
+            number(violated.observed),
+            number(violated.bound),
+            statement.verdict().remark().to_owned(),
+            erratum.relied_on_by.to_owned(),
+        ]);
+    }
+    Ok(data)
+}
+
+fn layout(data: &Data) -> Result<Layout, Failure> {
+    let mut layout = Layout::new(
+        "Statements that are false as printed: a witness has the observed number where the printed \
+         form allows at most the bound.",
+        &["statement", "observed", "bound"],
+    );
+    for row in data.rows() {
+        layout.push(vec![
+            row.text("number").to_owned(),
+            scientific(row.number("observed"), 3),
+            scientific(row.number("bound"), 3),
+        ]);
+    }
+    Ok(layout)
+}
+
+/// What is misprinted, by place: nothing here changes a result.
+const MISPRINTS: [&str; 8] = [
+    "Section 1 refers to Section 6 for the failure of discretised lengths; it is in Section 5.",
+    "Proposition 3.3: the norm in the last display lacks its subscript.",
+    "Section 5: that a minimal curve is monotone is shown by the intermediate value theorem in a \
+     way that does not cover a curve which leaves the interval on both sides; on a shorter interval \
+     it does.",
+    "Proposition 7.5: the hypothesis bounds H at x₁ where it means every x.",
+    "Proposition 7.6: in (7.5) an equality sign stands for ≤, and the two half distances to the \
+     midpoint are counted as whole ones.",
+    "Proposition 7.10: the bound by L h/h stands outside of its limit.",
+    "Theorem 1.1: its proof ends with C/√N for the upper bound, where C_tra♯/N was shown and C/N is \
+     claimed.",
+    "Proposition 8.1: the first display of the proof lacks the factor 1/N.",
+];
+
+/// `ERRATA.md`: the errata for readers.
+fn pages(data: &Data) -> Vec<(&'static str, String)> {
+    let mut text = "\
+# Errata
+
+What is false in the paper as it is printed, with the smallest witness that we know, the form that is true, and who relies on it.
+No theorem falls: wherever a refuted statement is used, the case at hand is covered by its repaired form.
+`cargo xtask tables errata` evaluates every witness and writes this page together with `tables/errata.csv`.
+
+"
+    .to_owned();
+    for row in data.rows() {
+        text += &format!(
+            "## {}\n\n- printed: {}\n- witness: {}; observed {}, bound {}\n- repaired: {}\n- relied \
+             on by: {}\n- label: `{}`\n\n",
+            row.text("number"),
+            row.text("printed").replace('|', "∣"),
+            row.text("witness").replace('|', "∣"),
+            row.text("observed"),
+            row.text("bound"),
+            row.text("repair"),
+            row.text("relied_on_by"),
+            row.text("label"),
+        );
+    }
+    text += "## To be read with care\n\n";
+    for statement in Statement::ALL {
+        if let Verdict::HoldsReadAs(reading) = statement.verdict() {
+            text += &format!("- {}: {reading}.\n", statement.number());
+        }
+    }
+    text += "- *Trapezoidal rule*: H is read at the midpoint of each chord, which elsewhere is the \
+             midpoint rule.\n\n## The open question\n\n";
+    for statement in Statement::ALL {
+        if let Verdict::OpenAnsweredBy(answer) = statement.verdict() {
+            text += &format!(
+                "{} leaves open whether the rates of E(γᵖˡ) and L(γᵖˡ)² can be improved.\nAnswer: \
+                 {answer}.\n\n",
+                statement.number()
+            );
+        }
+    }
+    text += "## Misprints\n\n";
+    for misprint in MISPRINTS {
+        text += &format!("- {misprint}\n");
+    }
+    vec![("ERRATA.md", text)]
+}
