@@ -101,5 +101,9 @@ mod tests {
         let curve = Interpolation::new(&sequence);
         let values = [-1.0, 0.0, 0.25, 0.5, 0.75, 1.0, 2.0].map(|t| curve.at(t)[0]);
         assert_eq!(values, [0.0, 0.0, 0.5, 1.0, 3.0, 5.0, 5.0]);
+        let squares = (0..6).map(|k| vector![f64::from(k * k)]).collect();
+        let squares = PointSequence::new(squares).expect("finite");
+        let curve = Interpolation::new(&squares);
+        assert_eq!([0.1, 0.9, 1.0].map(|t| curve.at(t)[0]), [0.5, 20.5, 25.0]);
     }
 }

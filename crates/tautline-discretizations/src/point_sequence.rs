@@ -151,6 +151,7 @@ mod tests {
         points.push(vector![3.0]);
         let jump = PointSequence::new(points).expect("finite");
         assert_eq!(jump.k3(), 6.0);
+        assert_eq!(jump.clone().into_points(), jump.points());
     }
 
     #[test]

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use approx::assert_relative_eq;
 use nalgebra::vector;
 use tautline_discretizations::{
-    Interpolation, LeftEndpoint, PointSequence, Rule, Trapezoidal, TrueTrapezoid,
+    BlockTridiagonal, Interpolation, LeftEndpoint, PointSequence, Rule, Trapezoidal, TrueTrapezoid,
 };
 use tautline_metrics::gallery::{Sphere, Valleys};
 
@@ -86,4 +86,11 @@ fn speeds_are_roots_of_means() {
     let speed = TrueTrapezoid.speeds(&Valleys, &chord)[0];
     assert_relative_eq!(speed, PI * 5.0_f64.sqrt(), max_relative = 1e-15);
     assert_relative_eq!(TrueTrapezoid.length(&Valleys, &chord), 2.0 * PI, max_relative = 1e-15);
+}
+
+#[test]
+fn the_zero_matrix_has_its_blocks() {
+    let zero = BlockTridiagonal::<2>::zeros(3);
+    assert_eq!((zero.diagonal.len(), zero.upper.len()), (4, 3));
+    assert!(zero.mul(&[vector![1.0, 2.0]; 4]).iter().all(|block| block.amax() == 0.0));
 }

@@ -1,7 +1,7 @@
 //! Deliberately wrong variants of the library, and which checks kill them.
 
 use tautline_verify::{
-    Library, Mutant,
+    Mutant,
     battery::{Scope, kills},
 };
 
@@ -35,13 +35,13 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
     ]);
     let (cases, all) = if sweep.quick { (8, 32) } else { (CASES, u32::MAX) };
     // Nothing is worth anything if the suite kills the library itself.
-    let healthy = kills(&Library, Scope::Everything, cases);
+    let healthy = kills(None, Scope::Everything, cases);
     if !healthy.is_empty() {
         return Err(Failure::Violated(format!("the library fails {}", healthy.join(", "))));
     }
     let killed = parallel::map(&Mutant::ALL, |mutant| {
-        let by_all = kills(mutant, Scope::Everything, cases);
-        let by_paper = kills(mutant, Scope::PaperAlone, all);
+        let by_all = kills(Some(*mutant), Scope::Everything, cases);
+        let by_paper = kills(Some(*mutant), Scope::PaperAlone, all);
         (by_all, by_paper)
     });
     let mut survivors = Vec::new();

@@ -1,7 +1,7 @@
 //! The ledger: what the whole suite says of each statement.
 
 use super::{Check, Failure, Kind, Scope, Tally, Trial, battery};
-use crate::{Library, Statement, Subject};
+use crate::{Mutant, Statement};
 
 /// One statement, and what the suite says of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,8 +24,8 @@ pub struct Entry {
 ///
 /// The first check that fails, by its name.
 pub fn ledger() -> Result<Vec<Entry>, Failure> {
-    let trial = Trial { subject: &Library, scope: Scope::Everything, cases: u32::MAX };
-    let checks: Vec<Check<Library>> = battery();
+    let trial = Trial { subject: &None, scope: Scope::Everything, cases: u32::MAX };
+    let checks: Vec<Check<Option<Mutant>>> = battery();
     let (mut random, mut witnesses) = (Tally::default(), Tally::default());
     for check in &checks {
         let tally = check
@@ -51,12 +51,13 @@ pub fn ledger() -> Result<Vec<Entry>, Failure> {
     Ok(Statement::ALL.map(entry).to_vec())
 }
 
-/// Returns the names of the checks which a subject fails.
+/// Returns the names of the checks which a mutant fails; without a mutant, the library.
 ///
 /// `cases` limits the random cases a family, and `scope` what is judged of them.
-pub fn kills<S: Subject>(subject: &S, scope: Scope, cases: u32) -> Vec<&'static str> {
-    let trial = Trial { subject, scope, cases };
-    let checks: Vec<Check<S>> = battery();
-    let failing = |check: &&Check<S>| check.is_in(scope) && check.run(&trial).is_err();
+#[must_use]
+pub fn kills(mutant: Option<Mutant>, scope: Scope, cases: u32) -> Vec<&'static str> {
+    let trial = Trial { subject: &mutant, scope, cases };
+    let checks: Vec<Check<Option<Mutant>>> = battery();
+    let failing = |check: &&Check<_>| check.is_in(scope) && check.run(&trial).is_err();
     checks.iter().filter(failing).map(|check| check.name).collect()
 }

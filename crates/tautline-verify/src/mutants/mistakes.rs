@@ -17,7 +17,8 @@ fn is_trapezoidal<R: Rule>() -> bool {
     R::NODES == Trapezoidal::NODES
 }
 
-impl Subject for Mutant {
+/// The library with the mistake of a mutant; with none, the library.
+impl Subject for Option<Mutant> {
     fn discrete_energy<R: Rule, const D: usize>(
         &self,
         rule: R,
@@ -26,15 +27,15 @@ impl Subject for Mutant {
     ) -> f64 {
         let genuine = Library.discrete_energy(rule, metric, sequence);
         match self {
-            Mutant::RulesExchanged if is_trapezoidal::<R>() => {
+            Some(Mutant::RulesExchanged) if is_trapezoidal::<R>() => {
                 LeftEndpoint.energy(metric, sequence)
             }
-            Mutant::RulesExchanged => Trapezoidal.energy(metric, sequence),
-            Mutant::TrueTrapezoid if is_trapezoidal::<R>() => {
+            Some(Mutant::RulesExchanged) => Trapezoidal.energy(metric, sequence),
+            Some(Mutant::TrueTrapezoid) if is_trapezoidal::<R>() => {
                 TrueTrapezoid.energy(metric, sequence)
             }
-            Mutant::EnergyHalved => 0.5 * genuine,
-            Mutant::LastChordLost => mutations::without_last_chord(rule, metric, sequence),
+            Some(Mutant::EnergyHalved) => 0.5 * genuine,
+            Some(Mutant::LastChordLost) => mutations::without_last_chord(rule, metric, sequence),
             _ => genuine,
         }
     }
@@ -47,12 +48,12 @@ impl Subject for Mutant {
     ) -> f64 {
         match self {
             // Σ dᵀHd over the chords d.
-            Mutant::RootLost => rule.energy(metric, sequence) / sequence.n().get() as f64,
-            Mutant::RulesExchanged if is_trapezoidal::<R>() => {
+            Some(Mutant::RootLost) => rule.energy(metric, sequence) / sequence.n().get() as f64,
+            Some(Mutant::RulesExchanged) if is_trapezoidal::<R>() => {
                 LeftEndpoint.length(metric, sequence)
             }
-            Mutant::RulesExchanged => Trapezoidal.length(metric, sequence),
-            Mutant::TrueTrapezoid if is_trapezoidal::<R>() => {
+            Some(Mutant::RulesExchanged) => Trapezoidal.length(metric, sequence),
+            Some(Mutant::TrueTrapezoid) if is_trapezoidal::<R>() => {
                 TrueTrapezoid.length(metric, sequence)
             }
             _ => Library.discrete_length(rule, metric, sequence),
@@ -66,15 +67,15 @@ impl Subject for Mutant {
         sequence: &PointSequence<D>,
     ) -> Vec<SVector<f64, D>> {
         match self {
-            Mutant::RulesExchanged if is_trapezoidal::<R>() => {
+            Some(Mutant::RulesExchanged) if is_trapezoidal::<R>() => {
                 Library.energy_gradient(LeftEndpoint, metric, sequence)
             }
-            Mutant::RulesExchanged => Library.energy_gradient(Trapezoidal, metric, sequence),
-            Mutant::GradientReversed => {
+            Some(Mutant::RulesExchanged) => Library.energy_gradient(Trapezoidal, metric, sequence),
+            Some(Mutant::GradientReversed) => {
                 let gradient = Library.energy_gradient(rule, metric, sequence);
                 gradient.into_iter().map(|slope| -slope).collect()
             }
-            Mutant::MetricFrozen => mutations::frozen_gradient(rule, metric, sequence),
+            Some(Mutant::MetricFrozen) => mutations::frozen_gradient(rule, metric, sequence),
             _ => Library.energy_gradient(rule, metric, sequence),
         }
     }
@@ -86,8 +87,8 @@ impl Subject for Mutant {
     ) -> Integral {
         let exact = |value| Integral { value, error: 0.0 };
         match self {
-            Mutant::QuadratureOfOneNode => exact(Trapezoidal.energy(metric, sequence)),
-            Mutant::QuadratureByEnds => exact(TrueTrapezoid.energy(metric, sequence)),
+            Some(Mutant::QuadratureOfOneNode) => exact(Trapezoidal.energy(metric, sequence)),
+            Some(Mutant::QuadratureByEnds) => exact(TrueTrapezoid.energy(metric, sequence)),
             _ => Library.curve_energy(metric, sequence),
         }
     }
@@ -98,7 +99,7 @@ impl Subject for Mutant {
         sequence: &PointSequence<D>,
     ) -> Integral {
         match self {
-            Mutant::LengthFromEnergy => {
+            Some(Mutant::LengthFromEnergy) => {
                 let energy = Library.curve_energy(metric, sequence);
                 let value = energy.value.sqrt();
                 Integral { value, error: 0.5 * energy.error / value }
@@ -110,7 +111,7 @@ impl Subject for Mutant {
     fn k3<const D: usize>(&self, sequence: &PointSequence<D>) -> f64 {
         let genuine = Library.k3(sequence);
         match self {
-            Mutant::MeanForgotten => genuine * (sequence.n().get() as f64).sqrt(),
+            Some(Mutant::MeanForgotten) => genuine * (sequence.n().get() as f64).sqrt(),
             _ => genuine,
         }
     }
@@ -121,8 +122,8 @@ impl Subject for Mutant {
         x: &SVector<f64, D>,
     ) -> Result<[SMatrix<f64, D, D>; D], MetricError> {
         match self {
-            Mutant::ChristoffelSign => mutations::christoffel_with_wrong_sign(metric, x),
-            Mutant::ChristoffelDoubled => {
+            Some(Mutant::ChristoffelSign) => mutations::christoffel_with_wrong_sign(metric, x),
+            Some(Mutant::ChristoffelDoubled) => {
                 Ok(Library.christoffel(metric, x)?.map(|symbols| symbols * 2.0))
             }
             _ => Library.christoffel(metric, x),
@@ -135,7 +136,7 @@ impl Subject for Mutant {
         x: &SVector<f64, D>,
     ) -> SVector<f64, D> {
         match self {
-            Mutant::NotProjected => *x,
+            Some(Mutant::NotProjected) => *x,
             _ => Library.project(set, x),
         }
     }
@@ -160,33 +161,35 @@ impl Subject for Mutant {
             minimum
         };
         match self {
-            Mutant::RulesExchanged if is_trapezoidal::<R>() => {
+            Some(Mutant::RulesExchanged) if is_trapezoidal::<R>() => {
                 Library.minimise_with(LeftEndpoint, metric, ends, n, options)
             }
-            Mutant::RulesExchanged => Library.minimise_with(Trapezoidal, metric, ends, n, options),
-            Mutant::TrueTrapezoid if is_trapezoidal::<R>() => {
+            Some(Mutant::RulesExchanged) => {
+                Library.minimise_with(Trapezoidal, metric, ends, n, options)
+            }
+            Some(Mutant::TrueTrapezoid) if is_trapezoidal::<R>() => {
                 Library.minimise_with(TrueTrapezoid, metric, ends, n, options)
             }
-            Mutant::StopsEarly => {
+            Some(Mutant::StopsEarly) => {
                 let once = Options { iterations: 1, ..options.clone() };
                 Library.minimise_with(rule, metric, ends, n, &once).map(believed)
             }
-            Mutant::NotOptimised => {
+            Some(Mutant::NotOptimised) => {
                 let minimum = genuine(n)?;
                 let straight = mutations::straightened(&minimum.sequence);
                 Ok(with(minimum, straight))
             }
-            Mutant::NotRefined => {
+            Some(Mutant::NotRefined) => {
                 let minimum = genuine(n.div_ceil(2))?;
                 let finer = mutations::resampled(&minimum.sequence, n);
                 Ok(with(minimum, finer))
             }
-            Mutant::LocalForGlobal => {
+            Some(Mutant::LocalForGlobal) => {
                 let straight = mutations::straightened(&genuine(n)?.sequence);
                 let one = Options { starts: Starts::Only(vec![straight]), ..options.clone() };
                 Library.minimise_with(rule, metric, ends, n, &one).map(believed)
             }
-            Mutant::EndRelaxed => {
+            Some(Mutant::EndRelaxed) => {
                 let minimum = genuine(n)?;
                 let moved = mutations::first_point_moved(&minimum.sequence, 1e-6);
                 Ok(with(minimum, moved))
@@ -198,8 +201,8 @@ impl Subject for Mutant {
     fn constants<const D: usize>(&self, metric: &impl Bounded<D>) -> Constants {
         let genuine = Library.constants(metric);
         match self {
-            Mutant::LipschitzTooSmall => mutations::with_l_h(genuine, 0.9),
-            Mutant::LipschitzDoubled => mutations::with_l_h(genuine, 2.0),
+            Some(Mutant::LipschitzTooSmall) => mutations::with_l_h(genuine, 0.9),
+            Some(Mutant::LipschitzDoubled) => mutations::with_l_h(genuine, 2.0),
             _ => genuine,
         }
     }
@@ -207,8 +210,8 @@ impl Subject for Mutant {
     fn k1_g(&self, setting: Setting) -> f64 {
         let constants = setting.constants();
         match self {
-            Mutant::ConstantsExchanged => setting.distance() / constants.c2().sqrt(),
-            Mutant::RootOfC1Forgotten => setting.distance() / constants.c1(),
+            Some(Mutant::ConstantsExchanged) => setting.distance() / constants.c2().sqrt(),
+            Some(Mutant::RootOfC1Forgotten) => setting.distance() / constants.c1(),
             _ => Library.k1_g(setting),
         }
     }
@@ -216,8 +219,8 @@ impl Subject for Mutant {
     fn k2_g(&self, setting: Setting) -> f64 {
         let (genuine, dimension) = (Library.k2_g(setting), setting.dimension() as f64);
         match self {
-            Mutant::DimensionForgotten => genuine / dimension / dimension,
-            Mutant::DimensionOnce => genuine / dimension,
+            Some(Mutant::DimensionForgotten) => genuine / dimension / dimension,
+            Some(Mutant::DimensionOnce) => genuine / dimension,
             _ => genuine,
         }
     }
@@ -225,8 +228,8 @@ impl Subject for Mutant {
     fn c_tra(&self, constants: Constants, k1: f64, k2: f64, n: NonZeroUsize) -> f64 {
         let (genuine, count) = (Library.c_tra(constants, k1, k2, n), n.get() as f64);
         match self {
-            Mutant::CrossTermLost => genuine - 4.0 * constants.c2() * k1 * k2 / count,
-            Mutant::SecondOrderForgotten => Library.c_tra_sharp(constants, k1, k2) / count,
+            Some(Mutant::CrossTermLost) => genuine - 4.0 * constants.c2() * k1 * k2 / count,
+            Some(Mutant::SecondOrderForgotten) => Library.c_tra_sharp(constants, k1, k2) / count,
             _ => genuine,
         }
     }
@@ -234,8 +237,8 @@ impl Subject for Mutant {
     fn c_tra_sharp(&self, constants: Constants, k1: f64, k2: f64) -> f64 {
         let genuine = Library.c_tra_sharp(constants, k1, k2);
         match self {
-            Mutant::PowerOfK1Lost => genuine + constants.l_h() * (k1.powi(2) - k1.powi(3)),
-            Mutant::CrossTermLost => genuine - 4.0 * constants.c2() * k1 * k2,
+            Some(Mutant::PowerOfK1Lost) => genuine + constants.l_h() * (k1.powi(2) - k1.powi(3)),
+            Some(Mutant::CrossTermLost) => genuine - 4.0 * constants.c2() * k1 * k2,
             _ => genuine,
         }
     }
@@ -243,7 +246,7 @@ impl Subject for Mutant {
     fn k3_bar_g(&self, setting: Setting) -> f64 {
         let genuine = Library.k3_bar_g(setting);
         match self {
-            Mutant::DistanceForgotten => {
+            Some(Mutant::DistanceForgotten) => {
                 (genuine.powi(2) - Library.k1_g(setting).powi(2)).max(0.0).sqrt()
             }
             _ => genuine,
@@ -252,7 +255,7 @@ impl Subject for Mutant {
 
     fn k4_bar_g(&self, setting: Setting) -> f64 {
         match self {
-            Mutant::K4IsK3 => Library.k3_bar_g(setting),
+            Some(Mutant::K4IsK3) => Library.k3_bar_g(setting),
             _ => Library.k4_bar_g(setting),
         }
     }
@@ -260,27 +263,27 @@ impl Subject for Mutant {
     fn polyline_gap_trapezoidal(&self, constants: Constants, k3: f64, n: NonZeroUsize) -> f64 {
         let genuine = Library.polyline_gap_trapezoidal(constants, k3, n);
         match self {
-            Mutant::QuarterLost => 4.0 * genuine,
-            Mutant::PowerOfK3Lost => genuine / k3,
-            Mutant::RootOfNForgotten => genuine / (n.get() as f64).sqrt(),
+            Some(Mutant::QuarterLost) => 4.0 * genuine,
+            Some(Mutant::PowerOfK3Lost) => genuine / k3,
+            Some(Mutant::RootOfNForgotten) => genuine / (n.get() as f64).sqrt(),
             _ => genuine,
         }
     }
 
     fn rule_gap(&self, constants: Constants, k3: f64, n: NonZeroUsize) -> f64 {
         let genuine = Library.rule_gap(constants, k3, n);
-        if *self == Mutant::HalfOfRuleGap { 0.5 * genuine } else { genuine }
+        if *self == Some(Mutant::HalfOfRuleGap) { 0.5 * genuine } else { genuine }
     }
 
     fn polyline_gap_left(&self, constants: Constants, k3: f64, n: NonZeroUsize) -> f64 {
         let genuine = Library.polyline_gap_left(constants, k3, n);
-        if *self == Mutant::HalfOfLeftGap { 0.5 * genuine } else { genuine }
+        if *self == Some(Mutant::HalfOfLeftGap) { 0.5 * genuine } else { genuine }
     }
 
     fn theorem_1_1_constant(&self, setting: Setting) -> f64 {
         let genuine = Library.theorem_1_1_constant(setting);
         match self {
-            Mutant::SharpForgotten => {
+            Some(Mutant::SharpForgotten) => {
                 let constants = setting.constants();
                 let (k1, k2) = (Library.k1_g(setting), Library.k2_g(setting));
                 genuine - Library.c_tra_sharp(constants, k1, k2)
@@ -292,7 +295,7 @@ impl Subject for Mutant {
     fn theorem_1_3_constant(&self, setting: Setting) -> f64 {
         let genuine = Library.theorem_1_3_constant(setting);
         match self {
-            Mutant::LastCubeForgotten => {
+            Some(Mutant::LastCubeForgotten) => {
                 let cube = Library.k4_bar_g(setting).powi(3);
                 (genuine - 0.5 * setting.constants().l_h() * cube).max(0.0)
             }
