@@ -1,5 +1,6 @@
 //! The shape of the workspace, as tests: which file may hold what, and who may depend on whom.
 
+mod ledger;
 mod manifest;
 mod sources;
 mod workspace;
