@@ -1,6 +1,6 @@
 //! The project's own suite: named checks, to which the library and any variant of it can be put.
 //!
-//! A check is generic over its [`Subject`](crate::Subject). The tests of the workspace run all
+//! A check is generic over its [`Subject`]. The tests of the workspace run all
 //! of them on [`Library`](crate::Library); the table of mutants runs them on deliberately wrong
 //! variants, and shows which check kills which.
 
