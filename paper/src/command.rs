@@ -111,6 +111,14 @@ impl Artefact {
         }
     }
 
+    /// Where its random numbers come from.
+    fn seed(&self) -> String {
+        match self {
+            Artefact::Table(Table { seed: Some(seed), .. }) => seed.to_string(),
+            _ => "none: nothing is random".to_owned(),
+        }
+    }
+
     fn compute(&self, sweep: Sweep) -> Result<Data, Failure> {
         match self {
             Artefact::Figure(figure) => (figure.data)(sweep),
@@ -146,7 +154,7 @@ impl Artefact {
         let data = self.compute(Sweep { quick })?;
         let (data_file, command) = self.data_file();
         let id = self.id();
-        let seed = "none: nothing is random";
+        let seed = self.seed();
         let version = env!("CARGO_PKG_VERSION");
         let comment = format!(
             "{id}\n{}\ncommand: cargo xtask {command} {id}\nversion: {version}\nseed: {seed}",

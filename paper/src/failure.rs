@@ -6,6 +6,8 @@ use tautline::{
     Curvature, SequenceError, SetError, SolveError, Stop, bounds::BoundError, gallery::GalleryError,
 };
 
+use tautline_verify::{VerifyError, adversary::AdversaryError};
+
 use crate::drawing::DrawingError;
 
 /// What went wrong.
@@ -30,6 +32,12 @@ pub enum Failure {
     /// A bound.
     #[error(transparent)]
     Bound(#[from] BoundError),
+    /// A statement that could not be evaluated.
+    #[error(transparent)]
+    Verify(#[from] VerifyError),
+    /// A search that met a violated statement.
+    #[error(transparent)]
+    Adversary(#[from] AdversaryError),
     /// A drawing.
     #[error(transparent)]
     Drawing(#[from] DrawingError),

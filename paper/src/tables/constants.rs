@@ -15,6 +15,7 @@ use crate::{
 pub(super) const TABLE: Table = Table {
     id: "constants",
     shows: "the constants of Theorems 1.1 to 1.4 and of the estimates behind them",
+    seed: None,
     data,
     layout,
 };

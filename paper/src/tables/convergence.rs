@@ -12,6 +12,7 @@ pub(super) const TABLE: Table = Table {
     id: "convergence",
     shows: "the errors of discrete energy, reconstructed energy and squared length for both rules, \
             with observed orders and the bound C/sqrt(N)",
+    seed: None,
     data,
     layout,
 };

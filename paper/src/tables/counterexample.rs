@@ -18,6 +18,7 @@ pub(super) const TABLE: Table = Table {
     shows: "the minima of the discrete lengths, 4 pi for every N, and of the square roots of the \
             discrete energies, which converge to 8 pi (Section 5); minimisers counted by brute \
             force on a grid for N up to 4",
+    seed: None,
     data,
     layout,
 };

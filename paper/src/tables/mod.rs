@@ -4,6 +4,7 @@ mod constants;
 mod convergence;
 mod counterexample;
 mod layout;
+mod tightness;
 
 pub use layout::Layout;
 
@@ -16,6 +17,8 @@ pub struct Table {
     pub id: &'static str,
     /// What it shows, in a sentence.
     pub shows: &'static str,
+    /// The seed of its random numbers, if there are any.
+    pub seed: Option<u64>,
     /// Computes and checks the data.
     pub data: fn(Sweep) -> Result<Data, Failure>,
     /// Chooses columns and writes their heads.
@@ -23,4 +26,5 @@ pub struct Table {
 }
 
 /// All tables.
-pub const TABLES: [Table; 3] = [constants::TABLE, convergence::TABLE, counterexample::TABLE];
+pub const TABLES: [Table; 4] =
+    [constants::TABLE, convergence::TABLE, counterexample::TABLE, tightness::TABLE];
