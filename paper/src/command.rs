@@ -9,7 +9,7 @@ use crate::{
     figures::{FIGURES, Figure},
     output::Output,
     sweep::Sweep,
-    tables::{TABLES, Table},
+    tables::{Seed, TABLES, Table},
 };
 
 const USAGE: &str = "\
@@ -115,6 +115,14 @@ impl Artefact {
         }
     }
 
+    /// Where its random numbers come from.
+    fn seed(&self) -> Seed {
+        match self {
+            Artefact::Figure(_) => Seed::None,
+            Artefact::Table(table) => table.seed,
+        }
+    }
+
     fn compute(&self, sweep: Sweep) -> Result<Data, Failure> {
         match self {
             Artefact::Figure(figure) => (figure.data)(sweep),
@@ -153,7 +161,7 @@ impl Artefact {
         let data = self.compute(Sweep { quick })?;
         let (data_file, command) = self.data_file();
         let id = self.id();
-        let seed = "none: nothing is random";
+        let seed = self.seed();
         let version = env!("CARGO_PKG_VERSION");
         let comment = format!(
             "{id}\n{}\ncommand: cargo xtask {command} {id}\nversion: {version}\nseed: {seed}",

@@ -17,6 +17,9 @@ pub enum Tolerance {
     },
     /// Nothing but rounding: both nonnegative, and at most this.
     AtMost(f64),
+    /// Not compared: what belongs to another column that is, and may be another one with the same
+    /// right on another machine, such as the place of a flat minimum.
+    Free,
 }
 
 /// A column: its name and its tolerance.
@@ -123,7 +126,7 @@ impl Data {
 }
 
 fn agree(cell: &str, old: &str, tolerance: Tolerance) -> bool {
-    if cell == old && !matches!(tolerance, Tolerance::AtMost(_)) {
+    if tolerance == Tolerance::Free || cell == old && !matches!(tolerance, Tolerance::AtMost(_)) {
         return true;
     }
     let (Ok(a), Ok(b)) = (cell.parse::<f64>(), old.parse::<f64>()) else {
@@ -131,6 +134,7 @@ fn agree(cell: &str, old: &str, tolerance: Tolerance) -> bool {
     };
     match tolerance {
         Tolerance::Exact => false,
+        Tolerance::Free => true,
         Tolerance::Close { relative, absolute } => (a - b).abs() <= relative * b.abs() + absolute,
         Tolerance::AtMost(limit) => (0.0..=limit).contains(&a) && (0.0..=limit).contains(&b),
     }
@@ -180,6 +184,17 @@ mod tests {
         ]);
         data.push([n, value, noise].map(str::to_owned).to_vec());
         data
+    }
+
+    #[test]
+    fn a_free_column_is_not_compared_and_the_others_are() {
+        let data = |place: &str, value: &str| {
+            let mut data = Data::new(&[("place", Tolerance::Free), ("value", CLOSE)]);
+            data.push([place, value].map(str::to_owned).to_vec());
+            data
+        };
+        assert!(data("x = 1", "2").compare(&data("x = 3", "2")).is_ok());
+        assert!(data("x = 1", "2").compare(&data("x = 1", "3")).is_err());
     }
 
     #[test]

@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 
 use tautline::{SequenceError, SetError, SolveError, bounds::BoundError, gallery::GalleryError};
-use tautline_verify::VerifyError;
+
+use tautline_verify::{VerifyError, adversary::AdversaryError};
 
 use crate::drawing::DrawingError;
 
@@ -29,12 +30,15 @@ pub enum Failure {
     /// A bound.
     #[error(transparent)]
     Bound(#[from] BoundError),
-    /// A drawing.
-    #[error(transparent)]
-    Drawing(#[from] DrawingError),
     /// A statement that could not be evaluated.
     #[error(transparent)]
     Verify(#[from] VerifyError),
+    /// A search that met a violated statement.
+    #[error(transparent)]
+    Adversary(#[from] AdversaryError),
+    /// A drawing.
+    #[error(transparent)]
+    Drawing(#[from] DrawingError),
     /// A case without a reference value.
     #[error("{0}: the distance is not known")]
     NoReference(&'static str),

@@ -12,6 +12,7 @@ pub mod data;
 pub mod drawing;
 pub mod failure;
 pub mod figures;
+pub mod grid;
 pub mod observation;
 pub mod output;
 pub mod parallel;

@@ -13,6 +13,8 @@ pub struct Field {
     step: (f64, f64),
     values: Vec<f64>,
     levels: Vec<f64>,
+    /// Whether `x` is sampled in decades: contours are smooth on a logarithmic axis then.
+    decades: bool,
     pub(super) line_every: usize,
     pub(super) label: String,
 }
@@ -63,7 +65,24 @@ impl Field {
             }
         }
         let (line_every, label) = (0, String::new());
-        Ok(Field { columns, rows, origin, step, values, levels, line_every, label })
+        let decades = false;
+        Ok(Field { columns, rows, origin, step, values, levels, decades, line_every, label })
+    }
+
+    /// Samples `f` as [`sample`](Field::sample) does, for a panel whose `x` axis is logarithmic.
+    ///
+    /// # Errors
+    ///
+    /// As there, and if `x` is not positive.
+    pub fn sample_over_decades(
+        x: (f64, f64),
+        y: (f64, f64),
+        levels: Vec<f64>,
+        f: impl Fn(f64, f64) -> f64,
+    ) -> Result<Field, DrawingError> {
+        let exponents = (x.0.log10(), x.1.log10());
+        let field = Field::sample(exponents, y, levels, |x, y| f(10_f64.powf(x), y))?;
+        Ok(Field { decades: true, ..field })
     }
 
     /// Names the quantity, above the colour bar.
@@ -105,7 +124,9 @@ impl Field {
             .map_err(|error| DrawingError::Backend(error.to_string()))?;
         // The library counts in cells and puts the first sample at one half.
         let data = |x: f64, y: f64| {
-            (self.origin.0 + (x - 0.5) * self.step.0, self.origin.1 + (y - 0.5) * self.step.1)
+            let across = self.origin.0 + (x - 0.5) * self.step.0;
+            let across = if self.decades { 10_f64.powf(across) } else { across };
+            (across, self.origin.1 + (y - 0.5) * self.step.1)
         };
         let rings = lines.iter().flat_map(|line| line.geometry().0.iter());
         let ring = |points: Vec<(f64, f64)>| without_straight_points(&points);
@@ -147,6 +168,21 @@ mod tests {
         for (x, y) in &rings[0] {
             assert!((x.hypot(*y) - 1.0).abs() <= 2e-5, "({x}, {y})");
         }
+    }
+
+    #[test]
+    fn over_decades_a_power_law_has_straight_contours() {
+        let power = |x: f64, y: f64| x.log10() - y;
+        let levels = vec![-9.0, 0.5];
+        let field = Field::sample_over_decades((1e-2, 1e2), (-2.0, 2.0), levels, power);
+        let rings = field.expect("finite").rings(0.5).expect("contours");
+        let inside = |&(x, y): &(f64, f64)| (0.011..90.0).contains(&x) && y.abs() < 1.9;
+        let crossed: Vec<_> = rings.concat().into_iter().filter(inside).collect();
+        // A linear function between its samples, to rounding.
+        assert!(crossed.len() > 100);
+        assert!(crossed.iter().all(|(x, y)| (x.log10() - y - 0.5).abs() <= 1e-9), "{crossed:?}");
+        let unit = (0.0, 1.0);
+        assert!(Field::sample_over_decades(unit, unit, vec![0.0, 1.0], |x, _| x).is_err());
     }
 
     #[test]

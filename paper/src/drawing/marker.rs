@@ -17,6 +17,8 @@ pub enum Marker {
     Triangle,
     /// A diagonal cross.
     Cross,
+    /// A filled star with five points, one of them up.
+    Star,
 }
 
 impl Marker {
@@ -42,6 +44,17 @@ impl Marker {
                 let (low, high) = (height / 3.0, -2.0 * height / 3.0);
                 Some(vec![(-side / 2.0, low), (0.0, high), (side / 2.0, low)])
             }
+            Marker::Star => {
+                // A pentagram: the inner corners are at 0.382 of the reach of the points. Ten
+                // triangles make its area 5 sin 36° · 0.382 reach².
+                let reach = 1.673 * r;
+                let corner = |k: i32| {
+                    let far = if k % 2 == 0 { reach } else { 0.382 * reach };
+                    let (sin, cos) = (f64::from(k) * std::f64::consts::PI / 5.0).sin_cos();
+                    (far * sin, -far * cos)
+                };
+                Some((0..10).map(corner).collect())
+            }
             Marker::Cross => {
                 let (reach, arm) = (1.2 * r, 0.24 * r);
                 let (a, b) = (reach - arm, reach + arm);
@@ -65,7 +78,7 @@ mod tests {
     #[test]
     fn polygons_have_the_area_of_the_disc() {
         let disc = std::f64::consts::PI * MARKER * MARKER;
-        for marker in [Marker::Square, Marker::Diamond, Marker::Triangle] {
+        for marker in [Marker::Square, Marker::Diamond, Marker::Triangle, Marker::Star] {
             let corners = marker.corners().expect("a polygon");
             let twice: f64 = (0..corners.len())
                 .map(|k| {

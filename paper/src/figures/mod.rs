@@ -2,6 +2,7 @@
 
 mod convergence;
 mod length_versus_energy;
+mod tightness;
 mod valleys;
 
 use crate::{Failure, data::Data, drawing::Scene, sweep::Sweep};
@@ -20,5 +21,5 @@ pub struct Figure {
 }
 
 /// All figures.
-pub const FIGURES: [Figure; 3] =
-    [convergence::FIGURE, valleys::FIGURE, length_versus_energy::FIGURE];
+pub const FIGURES: [Figure; 4] =
+    [convergence::FIGURE, valleys::FIGURE, length_versus_energy::FIGURE, tightness::FIGURE];

@@ -4,7 +4,7 @@ use tautline::bounds::{
     c_tra_sharp_g, k1_g, k2_g, k3_bar_g, k4_bar_g, theorem_1_1_constant, theorem_1_3_constant,
 };
 
-use super::{Layout, Table, layout::scientific, no_pages};
+use super::{Layout, Seed, Table, layout::scientific, no_pages};
 use crate::{
     Failure,
     case::cases,
@@ -15,6 +15,7 @@ use crate::{
 pub(super) const TABLE: Table = Table {
     id: "constants",
     shows: "the constants of Theorems 1.1 to 1.4 and of the estimates behind them",
+    seed: Seed::None,
     data,
     layout,
     pages: no_pages,

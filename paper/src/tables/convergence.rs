@@ -1,6 +1,6 @@
 //! Errors and observed orders of both rules on every case.
 
-use super::{Layout, Table, layout::scientific, no_pages};
+use super::{Layout, Seed, Table, layout::scientific, no_pages};
 use crate::{
     Failure,
     case::{PaperRule, cases},
@@ -12,6 +12,7 @@ pub(super) const TABLE: Table = Table {
     id: "convergence",
     shows: "the errors of discrete energy, reconstructed energy and squared length for both rules, \
             with observed orders and the bound C/sqrt(N)",
+    seed: Seed::None,
     data,
     layout,
     pages: no_pages,

@@ -2,7 +2,7 @@
 
 use tautline::{Ends, LeftEndpoint, PointSequence, Problem, Rule, Trapezoidal, gallery::Valleys};
 
-use super::{Layout, Table, layout::scientific, no_pages};
+use super::{Layout, Seed, Table, layout::scientific, no_pages};
 use crate::{
     Failure,
     data::{Data, Tolerance},
@@ -18,6 +18,7 @@ pub(super) const TABLE: Table = Table {
     shows: "the minima of the discrete lengths, 4 pi for every N, and of the square roots of the \
             discrete energies, which converge to 8 pi (Section 5); minimisers counted by brute \
             force on a grid for N up to 4",
+    seed: Seed::None,
     data,
     layout,
     pages: no_pages,

@@ -2,7 +2,7 @@
 
 use tautline_verify::{Statement, Verdict, errata};
 
-use super::{Layout, Table, layout::scientific};
+use super::{Layout, Seed, Table, layout::scientific};
 use crate::{
     Failure,
     data::{Data, Tolerance},
@@ -13,6 +13,7 @@ pub(super) const TABLE: Table = Table {
     id: "errata",
     shows: "the statements that are false as printed, each with a witness and its two numbers \
             (observed above bound), the repaired form, and who relies on it",
+    seed: Seed::None,
     data,
     layout,
     pages,

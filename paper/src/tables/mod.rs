@@ -7,6 +7,7 @@ mod errata;
 mod layout;
 mod mutants;
 mod statements;
+mod tightness;
 
 pub use layout::Layout;
 
@@ -19,6 +20,8 @@ pub struct Table {
     pub id: &'static str,
     /// What it shows, in a sentence.
     pub shows: &'static str,
+    /// The seed of its random numbers, or where it stands.
+    pub seed: Seed,
     /// Computes and checks the data.
     pub data: fn(Sweep) -> Result<Data, Failure>,
     /// Chooses columns and writes their heads.
@@ -28,17 +31,39 @@ pub struct Table {
     pub pages: fn(&Data) -> Vec<(&'static str, String)>,
 }
 
+/// Where random numbers come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Seed {
+    /// Nothing is random.
+    None,
+    /// One seed for all.
+    One(u64),
+    /// Each check of the suite has its own, in its source.
+    Suite,
+}
+
+impl std::fmt::Display for Seed {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Seed::None => f.write_str("none: nothing is random"),
+            Seed::One(seed) => write!(f, "{seed}"),
+            Seed::Suite => f.write_str("one for each check, in the sources of tautline-verify"),
+        }
+    }
+}
+
 /// No pages.
 fn no_pages(_: &Data) -> Vec<(&'static str, String)> {
     Vec::new()
 }
 
 /// All tables.
-pub const TABLES: [Table; 6] = [
+pub const TABLES: [Table; 7] = [
     constants::TABLE,
     convergence::TABLE,
     counterexample::TABLE,
     errata::TABLE,
     mutants::TABLE,
     statements::TABLE,
+    tightness::TABLE,
 ];

@@ -5,7 +5,7 @@ use tautline_verify::{
     battery::{Scope, kills},
 };
 
-use super::{Layout, Table, no_pages};
+use super::{Layout, Seed, Table, no_pages};
 use crate::{
     Failure,
     data::{Data, Tolerance},
@@ -17,6 +17,7 @@ pub(super) const TABLE: Table = Table {
     id: "mutants",
     shows: "deliberately wrong variants of the library, the checks that kill each of them, and \
             whether the paper's bounds alone, observed <= bound on random cases, would",
+    seed: Seed::Suite,
     data,
     layout,
     pages: no_pages,

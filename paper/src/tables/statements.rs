@@ -2,7 +2,7 @@
 
 use tautline_verify::{Statement, Verdict, battery::ledger};
 
-use super::{Layout, Table};
+use super::{Layout, Seed, Table};
 use crate::{
     Failure,
     data::{Data, Row, Tolerance},
@@ -13,6 +13,7 @@ pub(super) const TABLE: Table = Table {
     id: "statements",
     shows: "every statement of the paper with our verdict, the number of random cases, their \
             least slack (bound / observed), the slack of the best witness, and the tests",
+    seed: Seed::Suite,
     data,
     layout,
     pages,

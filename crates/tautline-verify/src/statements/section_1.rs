@@ -90,7 +90,7 @@ pub fn theorem_1_1<const D: usize>(subject: &impl Subject, seen: &Reconstruction
             [discrete_energy - d2, constant / count],
             granted,
         )
-        .sharper("d² ≤ E(γᵖˡ)", Unit::ENERGY, [d2, seen.energy.value], granted)
+        .sharper("d² ≤ E(γᵖˡ)", Unit::ENERGY, [d2 - seen.energy.value, 0.0], granted)
         .sharper("E(γᵖˡ) − E_tra,N ≤ L_H mean|β|³/4N", Unit::ENERGY, [gap, mean_cube], granted)
         .sharper(
             "E_tra,N − d² ≤ d² (e − 1)",
@@ -147,7 +147,7 @@ pub fn theorem_1_3<const D: usize>(subject: &impl Subject, seen: &Reconstruction
     begin(Statement::Theorem1_3, seen, PaperRule::LeftEndpoint, premise)
         .paper("E(γᵖˡ) − E_l,N ≤ C/√N", Unit::ENERGY, [gap, bound], granted)
         .paper("E_l,N − d² ≤ C/√N", Unit::ENERGY, [discrete_energy - d2, bound], granted)
-        .sharper("d² ≤ E(γᵖˡ)", Unit::ENERGY, [d2, seen.energy.value], granted)
+        .sharper("d² ≤ E(γᵖˡ)", Unit::ENERGY, [d2 - seen.energy.value, 0.0], granted)
         .sharper("E(γᵖˡ) − E_l,N ≤ L_H mean|β|³/2N", Unit::ENERGY, [gap, mean_cube], granted)
         .sharper("E_l,N − d² ≤ d² (e − 1)", Unit::ENERGY, [discrete_energy - d2, ceiling], granted)
         .sharper("E(γᵖˡ) − E_l,N ≤ d² (δ/2N) e Q", Unit::ENERGY, [gap, first_order], granted)
@@ -187,7 +187,7 @@ fn length_excess<const D: usize>(
     let bound = constant / (seen.n.get() as f64).sqrt();
     evidence
         .paper("L(γᵖˡ)² − d² ≤ C/√N", Unit::ENERGY, [length2 - d2, bound], seen.granted)
-        .sharper("d² ≤ L(γᵖˡ)²", Unit::ENERGY, [d2, length2], seen.granted)
-        .sharper("L(γᵖˡ)² ≤ E(γᵖˡ)", Unit::ENERGY, [length2, seen.energy.value], seen.granted)
+        .sharper("d² ≤ L(γᵖˡ)²", Unit::ENERGY, [d2 - length2, 0.0], seen.granted)
+        .sharper("L(γᵖˡ)² ≤ E(γᵖˡ)", Unit::ENERGY, [length2 - seen.energy.value, 0.0], seen.granted)
         .sharper("L(γᵖˡ)² − d² = O(1/N)", Unit::ENERGY, [length2 - d2, first_order], seen.granted)
 }

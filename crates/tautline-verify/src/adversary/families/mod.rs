@@ -1,0 +1,79 @@
+//! The families of the project: which statements are searched on which boxes.
+//!
+//! | what a case is | families | statements: one line each in |
+//! | --- | --- | --- |
+//! | a problem with a known distance, and `N` | shear, separable, ramp, tent, incline, valleys, two routes | `problems.rs` |
+//! | a metric and a point sequence | shear, separable, ramp, tent, incline, valleys | `sequences.rs` |
+//!
+//! Where a change of the units of coordinates or a reflection maps a family to itself, one
+//! parameter is left out: a wave number is then 1, and coordinates count in phases.
+
+mod problems;
+mod sequences;
+
+use super::Family;
+use crate::Subject;
+
+/// Returns all families, by statement and then by name as listed above.
+#[must_use]
+pub fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
+    let mut all = problems::families(subject);
+    all.extend(sequences::families(subject));
+    // Stable: the families of a statement stay in their order.
+    all.sort_by_key(|family| family.statement);
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::families;
+    use crate::{Library, Source, adversary::Search};
+
+    /// The least slack that the search finds; `∞` if none is told.
+    #[track_caller]
+    fn slack(number: &str, name: &str, source: Source) -> f64 {
+        let families = families(&Library);
+        let family = families.iter().find(|family| family.is(number, name)).expect("listed");
+        let found = Search::default().tightest(family, source).expect("no violation");
+        found.map_or(f64::INFINITY, |found| found.slack)
+    }
+
+    /// Within one per cent above the infimum of the family, and not below it.
+    #[track_caller]
+    fn assert_found(number: &str, name: &str, source: Source, least: f64) {
+        let found = slack(number, name, source);
+        assert!(least - 1e-9 <= found && found <= 1.01 * least, "{number} on {name}: {found}");
+    }
+
+    #[test]
+    fn equality_in_props_7_9_8_1_and_8_2_is_found() {
+        for source in [Source::Paper, Source::Sharper] {
+            assert_found("Proposition 7.9", "tent", source, 1.0);
+            assert_found("Proposition 8.1", "incline", source, 1.0);
+            assert_found("Proposition 8.2", "incline", source, 1.0);
+        }
+    }
+
+    /// With `δ = L_H d / c₁^{3/2} → 0` in dimension 1, `C = C_tra♯ + …` is `d² (δ + 6δ + δ/4)`, and a
+    /// tent has the gap `d² δ/4`: the slack tends to 29.
+    #[test]
+    fn theorem_1_1_on_tents_tends_to_29() {
+        assert_found("Theorem 1.1", "tent", Source::Paper, 29.0);
+    }
+
+    /// On two routes both gaps add up, `d² δ/2` for the trapezoidal rule and `d² δ` for the left one:
+    /// a slack of 14½ and 8 for the paper's bounds, as `δ → 0`, and of 1 for those of order `1/N`.
+    #[test]
+    fn theorems_1_2_and_1_4_on_two_routes_come_near_the_bounds_of_first_order() {
+        assert_found("Theorem 1.2", "two routes", Source::Paper, 14.5);
+        assert_found("Theorem 1.4", "two routes", Source::Paper, 8.0);
+        assert_found("Theorem 1.2", "two routes", Source::Sharper, 1.0);
+        assert_found("Theorem 1.4", "two routes", Source::Sharper, 1.0);
+    }
+
+    /// In dimension 1 every reconstruction between two points has the length `d`.
+    #[test]
+    fn there_is_no_slack_to_tell_of_the_length_on_the_line() {
+        assert_eq!(slack("Theorem 1.2", "ramp", Source::Paper), f64::INFINITY);
+    }
+}

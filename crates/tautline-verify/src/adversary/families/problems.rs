@@ -1,0 +1,176 @@
+//! Families of problems whose distance is known, for statements about discrete minimisers.
+
+use tautline::{
+    Bounded, KnownDistance, SVector,
+    gallery::{Ramp, Separable, Shear, Valleys},
+};
+
+use super::super::{Family, Parameter};
+use crate::{
+    Evidence, Known, PaperRule, Reconstruction, Statement, Subject,
+    statements::{theorem_1_1, theorem_1_2, theorem_1_3, theorem_1_4},
+    witnesses::{Incline, PolygonalRoutes, Tent},
+};
+
+/// A statement about the reconstruction of a discrete minimiser of one rule.
+type OfReconstruction<S, const D: usize> = fn(&S, &Reconstruction<D>) -> Evidence;
+
+/// The statements; another one is one line more.
+fn statements<S: Subject, const D: usize>() -> Vec<(Statement, PaperRule, OfReconstruction<S, D>)> {
+    vec![
+        (Statement::Theorem1_1, PaperRule::Trapezoidal, theorem_1_1),
+        (Statement::Theorem1_2, PaperRule::Trapezoidal, theorem_1_2),
+        (Statement::Theorem1_3, PaperRule::LeftEndpoint, theorem_1_3),
+        (Statement::Theorem1_4, PaperRule::LeftEndpoint, theorem_1_4),
+    ]
+}
+
+/// All statements on one box; `problem` takes the rule too, since what misleads a rule depends on
+/// where it reads.
+fn on<'a, S: Subject, M: Bounded<D>, const D: usize, const P: usize>(
+    subject: &'a S,
+    name: &'static str,
+    parameters: [Parameter; P],
+    problem: impl Fn(PaperRule, [f64; P]) -> Option<(Known<M, D>, f64)> + Copy + 'a,
+) -> Vec<Family<'a>> {
+    let family = |(statement, rule, evidence): (_, _, OfReconstruction<S, D>)| {
+        Family::new(name, statement, parameters, move |values| {
+            let Some((known, n)) = problem(rule, values) else { return Ok(None) };
+            let seen = Reconstruction::observe(subject, &known, rule, n as usize)?;
+            Ok(Some(evidence(subject, &seen)))
+        })
+    };
+    statements().into_iter().map(family).collect()
+}
+
+/// Two points whose distance the metric knows, and `N`; at least a tenth of the unit of
+/// coordinates apart, so that what is observed is more than the rounding of the ends.
+fn between<M, const D: usize>(
+    metric: M,
+    a: [f64; D],
+    b: [f64; D],
+    n: f64,
+) -> Option<(Known<M, D>, f64)>
+where
+    M: Bounded<D> + KnownDistance<D>,
+{
+    let apart = (SVector::from(a) - SVector::from(b)).norm();
+    let known = (apart >= 0.1).then(|| Known::between(metric, a, b).ok()).flatten();
+    Some((known??, n))
+}
+
+/// A problem of a metric on `[0, 1]` that is linear on it or on its halves, with the roots `a` and
+/// `b` of its least and largest value: `d = ⅔ (a² + ab + b²) / (a + b)` in both cases.
+fn along<M: Bounded<1>>(metric: M, n: f64) -> Option<(Known<M, 1>, f64)> {
+    let [a, b] = [metric.constants().c1().sqrt(), metric.constants().c2().sqrt()];
+    let distance = 2.0 / 3.0 * (a * a + a * b + b * b) / (a + b);
+    let ends = tautline::Ends::points([0.0], [1.0]).ok()?;
+    // A dozen roundings of positive terms.
+    let distance_error = 16.0 * f64::EPSILON * distance;
+    Some((Known { metric, ends, distance, distance_error }, n))
+}
+
+/// `N`: what is tight is so for few subintervals, since the bounds fall like `1/√N`.
+fn n() -> Parameter {
+    Parameter::whole("N", 1, 8)
+}
+
+pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
+    let coordinate = |name| Parameter::linear(name, -3.0, 3.0);
+    let slope = || Parameter::logarithmic("L", 1e-3, 10.0);
+    let mut all = on(
+        subject,
+        "shear",
+        [
+            Parameter::logarithmic("a", 1e-3, 0.8),
+            coordinate("x2"),
+            coordinate("y1"),
+            coordinate("y2"),
+            n(),
+        ],
+        |_, [a, x2, y1, y2, n]| between(Shear::new(a, 1.0).ok()?, [0.0, x2], [y1, y2], n),
+    );
+    all.extend(on(
+        subject,
+        "separable, D = 1",
+        [Parameter::logarithmic("a", 1e-3, 0.6), coordinate("x"), coordinate("y"), n()],
+        |_, [a, x, y, n]| between(Separable::new([a], [1.0]).ok()?, [x], [y], n),
+    ));
+    all.extend(on(
+        subject,
+        "separable, D = 2",
+        [
+            Parameter::logarithmic("a1", 1e-3, 0.6),
+            Parameter::logarithmic("a2", 1e-3, 0.6),
+            Parameter::logarithmic("k2", 0.5, 2.0),
+            coordinate("x1"),
+            coordinate("x2"),
+            coordinate("y1"),
+            coordinate("y2"),
+            n(),
+        ],
+        |_, [a1, a2, k2, x1, x2, y1, y2, n]| {
+            between(Separable::new([a1, a2], [1.0, k2]).ok()?, [x1, x2], [y1, y2], n)
+        },
+    ));
+    all.extend(on(
+        subject,
+        "ramp",
+        [Parameter::logarithmic("a", 1e-3, 0.7), coordinate("x"), coordinate("y"), n()],
+        |_, [a, x, y, n]| between(Ramp::new(a, 1.0).ok()?, [x], [y], n),
+    ));
+    // Kinked in the middle, where one chord reads it and two chords would search it.
+    all.extend(on(subject, "tent", [slope(), Parameter::subintervals(1)], |_, [slope, n]| {
+        along(Tent::new(1.0, slope)?, n)
+    }));
+    all.extend(on(subject, "incline", [slope(), n()], |_, [slope, n]| {
+        along(Incline::new(1.0, slope)?, n)
+    }));
+    all.extend(on(
+        subject,
+        "valleys",
+        [
+            coordinate("x1"),
+            Parameter::linear("y1", -10.0, 10.0),
+            Parameter::linear("y2", 0.0, 3.0),
+            n(),
+        ],
+        |_, [x1, y1, y2, n]| between(Valleys, [x1, 0.0], [y1, y2], n),
+    ));
+    let turn = |name| Parameter::linear(name, -1.0, 1.0);
+    all.extend(on(
+        subject,
+        "two routes",
+        [
+            slope(),
+            turn("a1"),
+            turn("a2"),
+            turn("b1"),
+            turn("b2"),
+            Parameter::logarithmic("lead", 1e-9, 1e-1),
+            Parameter::subintervals(1),
+        ],
+        two_routes,
+    ));
+    all
+}
+
+/// Two routes for one chord: on the halves of the first one the slopes `a₁L` and `a₂L`, on those of
+/// the second one `b₁L` and `b₂L`; the least value on the first is 1, and where the rule reads it,
+/// the second one is ahead by `lead L`.
+fn two_routes(
+    rule: PaperRule,
+    [l, a1, a2, b1, b2, lead, n]: [f64; 7],
+) -> Option<(Known<PolygonalRoutes, 1>, f64)> {
+    let profile = |first: f64, second: f64| [0.0, 0.5 * first * l, 0.5 * (first + second) * l];
+    let (first, second) = (profile(a1, a2), profile(b1, b2));
+    let read = match rule {
+        PaperRule::Trapezoidal => 1,
+        PaperRule::LeftEndpoint => 0,
+    };
+    let least = first.iter().copied().fold(f64::INFINITY, f64::min);
+    let first = first.map(|height| 1.0 + height - least);
+    let ahead = first[read] - second[read] - lead * l;
+    let metric = PolygonalRoutes::new(first, second.map(|height| height + ahead))?;
+    Some((metric.problem(), n))
+}

@@ -1,0 +1,34 @@
+//! The adversary: a search for the case in which a statement gives away the least.
+//!
+//! A [`Family`] is a box of parameters (of a metric, of two sets or a point sequence, and `N`) with
+//! a function from its points to the [`Evidence`](crate::Evidence) for one statement. A [`Search`]
+//! makes the least slack of that evidence as small as it can: samples at random, then a local
+//! ascent that needs no derivatives, several times. What it returns is an upper bound of the
+//! slack that the statement really has, with the case that shows it. A conclusion that fails on
+//! the way is an error.
+//!
+//! ```
+//! use tautline_verify::{Library, Source, adversary::{Search, families}};
+//!
+//! // Proposition 7.9 is attained by a step over the valley of a tent, and the search finds it.
+//! let families = families(&Library);
+//! let tent = families.iter().find(|family| family.is("Proposition 7.9", "tent"));
+//! let found = Search::default().tightest(tent.expect("listed"), Source::Paper)?;
+//! assert!(found.is_some_and(|tightest| tightest.slack < 1.01));
+//! # Ok::<(), tautline_verify::adversary::AdversaryError>(())
+//! ```
+
+mod adversary_error;
+mod families;
+mod family;
+mod parameter;
+mod search;
+mod split_mix;
+mod tightest;
+
+pub use adversary_error::AdversaryError;
+pub use families::families;
+pub use family::Family;
+pub use parameter::Parameter;
+pub use search::Search;
+pub use tightest::Tightest;

@@ -1,0 +1,119 @@
+//! `Grid`: numbers on a rectangular grid, and a smooth function through them.
+
+use crate::Failure;
+
+/// Values at the crossings of equidistant lines, at least four in each direction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Grid {
+    x: Lines,
+    y: Lines,
+    /// `values[j * x.count + i]` at the `i`-th `x` and the `j`-th `y`.
+    values: Vec<f64>,
+}
+
+/// Equidistant lines.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lines {
+    /// Where the first one is.
+    pub from: f64,
+    /// Where the last one is.
+    pub to: f64,
+    /// How many there are.
+    pub count: usize,
+}
+
+impl Lines {
+    /// Returns where the `k`-th one is.
+    #[must_use]
+    pub fn at(&self, k: usize) -> f64 {
+        self.from + (self.to - self.from) * k as f64 / (self.count - 1) as f64
+    }
+
+    /// Returns all of them.
+    pub fn all(self) -> impl Iterator<Item = f64> {
+        (0..self.count).map(move |k| self.at(k))
+    }
+
+    /// Returns the first of the four lines about `place`, and the weights of the four.
+    ///
+    /// Those of Lagrange's cubic, exact for polynomials of degree 3; near the edge, and a little
+    /// beyond it, it is the cubic through the last four.
+    fn weights(&self, place: f64) -> (usize, [f64; 4]) {
+        let s = (place - self.from) / (self.to - self.from) * (self.count - 1) as f64;
+        let first = (s.floor() - 1.0).clamp(0.0, (self.count - 4) as f64);
+        let t = s - first;
+        let weights = [
+            -(t - 1.0) * (t - 2.0) * (t - 3.0) / 6.0,
+            t * (t - 2.0) * (t - 3.0) / 2.0,
+            -t * (t - 1.0) * (t - 3.0) / 2.0,
+            t * (t - 1.0) * (t - 2.0) / 6.0,
+        ];
+        (first as usize, weights)
+    }
+}
+
+impl Grid {
+    /// Returns the grid with the given values, row by row from the lowest `y`.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::Data`] unless there are four lines each way and one finite value at each crossing.
+    pub fn new(x: Lines, y: Lines, values: Vec<f64>) -> Result<Grid, Failure> {
+        let complete = x.count >= 4 && y.count >= 4 && values.len() == x.count * y.count;
+        if complete && values.iter().all(|value| value.is_finite()) {
+            return Ok(Grid { x, y, values });
+        }
+        let (rows, columns) = (y.count, x.count);
+        Err(Failure::Data(format!("{} values for a grid of {columns} × {rows}", values.len())))
+    }
+
+    /// Returns the function at a point: cubic in each direction, continuous.
+    #[must_use]
+    pub fn at(&self, x: f64, y: f64) -> f64 {
+        let ((i, across), (j, up)) = (self.x.weights(x), self.y.weights(y));
+        let value = |p: usize, q: usize| self.values[(j + q) * self.x.count + i + p];
+        (0..4).map(|q| up[q] * (0..4).map(|p| across[p] * value(p, q)).sum::<f64>()).sum()
+    }
+
+    /// Returns the point of the grid with the least value, and that value.
+    #[must_use]
+    pub fn least(&self) -> ((f64, f64), f64) {
+        let all = self.values.iter().enumerate();
+        let (k, value) = all.min_by(|a, b| a.1.total_cmp(b.1)).expect("sixteen values at least");
+        ((self.x.at(k % self.x.count), self.y.at(k / self.x.count)), *value)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Grid, Lines};
+
+    const X: Lines = Lines { from: -1.0, to: 2.0, count: 7 };
+    const Y: Lines = Lines { from: 0.0, to: 1.0, count: 5 };
+
+    fn sampled(f: impl Fn(f64, f64) -> f64) -> Grid {
+        let values = Y.all().flat_map(|y| X.all().map(move |x| (x, y))).map(|(x, y)| f(x, y));
+        Grid::new(X, Y, values.collect()).expect("complete")
+    }
+
+    #[test]
+    fn cubics_come_back_exactly_also_beyond_the_edge() {
+        let cubic = |x: f64, y: f64| x * x * x - 2.0 * x * y * y + y * y * y - 1.0;
+        let grid = sampled(cubic);
+        for (x, y) in [(0.5, 0.5), (-0.93, 0.07), (1.99, 0.6), (2.05, -0.02), (-1.0, 1.0)] {
+            assert!((grid.at(x, y) - cubic(x, y)).abs() <= 1e-13, "({x}, {y})");
+        }
+    }
+
+    #[test]
+    fn the_least_value_is_found_where_it_is() {
+        let (place, value) = sampled(|x, y| (x - 0.5).abs() + (y - 0.75).abs()).least();
+        assert_eq!((place, value), ((0.5, 0.75), 0.0));
+    }
+
+    #[test]
+    fn an_incomplete_grid_is_refused() {
+        assert!(Grid::new(X, Y, vec![0.0; 34]).is_err());
+        assert!(Grid::new(X, Y, vec![f64::NAN; 35]).is_err());
+    }
+}

@@ -1,0 +1,120 @@
+//! The tightest cases that the adversary finds, statement by statement and family by family.
+
+use tautline_verify::{
+    Library, Source,
+    adversary::{Search, Tightest, families},
+};
+
+use super::{Layout, Seed, Table, layout::scientific, no_pages};
+use crate::{
+    Failure,
+    data::{Data, Row, Tolerance},
+    sweep::Sweep,
+};
+
+/// The year of the pattern search of Hooke and Jeeves.
+const SEED: u64 = 1961;
+
+pub(super) const TABLE: Table = Table {
+    id: "tightness",
+    shows: "the least slack bound/observed that a search over metrics, ends and N finds for each \
+            statement in each family, by the paper's conclusions and by their sharper companions",
+    seed: Seed::One(SEED),
+    data,
+    layout,
+    pages: no_pages,
+};
+
+/// One per cent: the search stops where a step changes the slack by a tenth of that.
+const SLACK: Tolerance = Tolerance::Close { relative: 1e-2, absolute: 0.0 };
+
+fn data(sweep: Sweep) -> Result<Data, Failure> {
+    // Where a minimum is flat, or two conclusions or two cases tie, the last bits of elementary
+    // functions decide which one is found: only the slack is compared.
+    let mut data = Data::new(&[
+        ("statement", Tolerance::Exact),
+        ("family", Tolerance::Exact),
+        ("conclusions", Tolerance::Exact),
+        ("slack", SLACK),
+        ("n", Tolerance::Free),
+        ("tightest_conclusion", Tolerance::Free),
+        ("parameters", Tolerance::Free),
+    ]);
+    let full = Search { seed: SEED, ..Search::default() };
+    let search = if sweep.quick { Search { restarts: 1, ..full } } else { full };
+    for family in families(&Library) {
+        for (source, name) in [(Source::Paper, "paper"), (Source::Sharper, "sharper")] {
+            // Where a bound is never seen to be used at all, as that of the length on the line,
+            // where every reconstruction has the length d, there is no slack to tell.
+            let found = search.tightest(&family, source)?;
+            let of = |cell: fn(&Tightest) -> String| found.as_ref().map_or(String::new(), cell);
+            data.push(vec![
+                family.statement.number().to_owned(),
+                family.name.to_owned(),
+                name.to_owned(),
+                of(|found| format!("{:.4e}", found.slack)),
+                of(|found| found.parameter("N").map_or(String::new(), |n| n.to_string())),
+                of(|found| found.conclusion.claim.to_owned()),
+                of(case),
+            ]);
+        }
+    }
+    Ok(data)
+}
+
+/// The parameters but `N`, to three digits.
+fn case(found: &Tightest) -> String {
+    let others = found.parameters.iter().filter(|(name, _)| *name != "N");
+    let cells = others.map(|(name, value)| format!("{name} = {}", three_digits(*value)));
+    cells.collect::<Vec<_>>().join("; ")
+}
+
+fn three_digits(value: f64) -> String {
+    let small = value != 0.0 && value.abs() < 1e-2;
+    if small { format!("{value:.2e}") } else { format!("{:.3}", value + 0.0) }
+}
+
+fn layout(data: &Data) -> Result<Layout, Failure> {
+    let mut layout = Layout::new(
+        "The least slack bound/observed that the search finds, by the paper's conclusions and by \
+         their sharper companions, with the case of the former. Families in which nothing but \
+         rounding is observed are left out: the length between two points of the line, and \
+         Proposition 7.9 where H is linear.",
+        &["statement", "family", "slack", "$N$", "sharper slack", "$N$", "case"],
+    );
+    let rows: Vec<Row<'_>> = data.rows().collect();
+    let mut before = "";
+    for pair in rows.chunks(2) {
+        let [paper, sharper] = pair else {
+            return Err(Failure::Data("a family without its second row".to_owned()));
+        };
+        if paper.text("slack").is_empty() && sharper.text("slack").is_empty() {
+            continue;
+        }
+        if paper.text("statement") != before {
+            before = paper.text("statement");
+            layout.group();
+        }
+        let mut cells = vec![before.to_owned(), paper.text("family").to_owned()];
+        for row in [paper, sharper] {
+            cells.extend([slack(row.number("slack")), or_dash(row.text("n"))]);
+        }
+        cells.push(or_dash(paper.text("parameters")));
+        layout.push(cells);
+    }
+    Ok(layout)
+}
+
+/// Four or five digits.
+fn slack(value: f64) -> String {
+    match value {
+        1e4.. => scientific(value, 2),
+        100.0.. => format!("${value:.1}$"),
+        0.0.. => format!("${value:.3}$"),
+        _ => "–".to_owned(),
+    }
+}
+
+fn or_dash(text: &str) -> String {
+    if text.is_empty() { "–".to_owned() } else { text.to_owned() }
+}
