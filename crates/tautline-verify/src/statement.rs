@@ -120,6 +120,35 @@ impl Statement {
         entry(self).verdict
     }
 
+    /// Returns whether it bounds an error, a speed or a derivative by the constants of the metric:
+    /// Theorems 1.1 to 1.4, and Propositions 7.4, 7.6, 7.7, 7.9 to 7.12, 8.1 and 8.2.
+    ///
+    /// The others say that something exists, that two numbers are equal, or what a constant is.
+    #[must_use]
+    pub fn is_a_bound(self) -> bool {
+        use Statement::{
+            Proposition7_4, Proposition7_6, Proposition7_7, Proposition7_9, Proposition7_10,
+            Proposition7_11, Proposition7_12, Proposition8_1, Proposition8_2, Theorem1_1,
+            Theorem1_2, Theorem1_3, Theorem1_4,
+        };
+        matches!(
+            self,
+            Theorem1_1
+                | Theorem1_2
+                | Theorem1_3
+                | Theorem1_4
+                | Proposition7_4
+                | Proposition7_6
+                | Proposition7_7
+                | Proposition7_9
+                | Proposition7_10
+                | Proposition7_11
+                | Proposition7_12
+                | Proposition8_1
+                | Proposition8_2
+        )
+    }
+
     /// Returns the name of the function of this crate that evaluates it.
     #[must_use]
     pub fn function(self) -> &'static str {

@@ -54,10 +54,12 @@ impl<S> Check<S> {
         (self.run)(trial)
     }
 
-    /// Returns whether the check belongs to the suite that asserts observed ≤ bound and no more.
+    /// Returns whether the check belongs to the suite of this scope: that of the paper's bounds alone
+    /// asserts observed ≤ bound on random cases, and no more.
     #[must_use]
     pub fn is_in(&self, scope: Scope) -> bool {
-        scope == Scope::Everything || self.kind == Kind::Random
+        let is_a_bound = self.statements.iter().any(|statement| statement.is_a_bound());
+        scope == Scope::Everything || (self.kind == Kind::Random && is_a_bound)
     }
 }
 

@@ -51,13 +51,15 @@ pub fn ledger() -> Result<Vec<Entry>, Failure> {
     Ok(Statement::ALL.map(entry).to_vec())
 }
 
-/// Returns the names of the checks which a mutant fails; without a mutant, the library.
+/// Returns the names of the checks which a mutant fails, in the suite's order; without a mutant,
+/// those which the library fails.
 ///
-/// `cases` limits the random cases a family, and `scope` what is judged of them.
+/// `cases` limits the random cases a family, `scope` what is judged of them, and `most` the checks
+/// that are named: the rest is not run.
 #[must_use]
-pub fn kills(mutant: Option<Mutant>, scope: Scope, cases: u32) -> Vec<&'static str> {
+pub fn kills(mutant: Option<Mutant>, scope: Scope, cases: u32, most: usize) -> Vec<&'static str> {
     let trial = Trial { subject: &mutant, scope, cases };
     let checks: Vec<Check<Option<Mutant>>> = battery();
     let failing = |check: &&Check<_>| check.is_in(scope) && check.run(&trial).is_err();
-    checks.iter().filter(failing).map(|check| check.name).collect()
+    checks.iter().filter(failing).map(|check| check.name).take(most).collect()
 }

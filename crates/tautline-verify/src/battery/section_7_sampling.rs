@@ -68,7 +68,7 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
         Check::new(
             "c_tra_sharp_is_attained_at_one_subinterval",
             Kind::Witness,
-            &CONSTANTS[1..],
+            CONSTANTS,
             attained_c_tra_sharp,
         ),
     ]
@@ -317,7 +317,8 @@ fn attained_c_tra_sharp<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         let [k1, k2] = norms.map(|k| k + 0.1);
         let one = constant_c_tra_sharp(subject, constants, [k1, k2], NonZeroUsize::MIN);
         let exact = 1.0 + 1e-9;
-        let mut evidence = vec![one.slack_is_at_most(exact)?];
+        let defined = constant_c_tra(subject, constants, [k1, k2], n);
+        let mut evidence = vec![one.slack_is_at_most(exact)?, defined.slack_is_at_most(exact)?];
         if constants.l_h() > 0.1 {
             let still = constant_c_tra_sharp(subject, constants, [k1, 0.0], n);
             evidence.push(still.slack_is_at_most(exact)?);

@@ -15,7 +15,8 @@ use crate::{Evidence, Finding, Source, Units, VerifyError};
 pub enum Scope {
     /// Hypotheses, the paper's conclusions and the sharper companions.
     Everything,
-    /// Of random cases the paper's conclusions alone: observed ≤ bound and nothing else.
+    /// Of random cases the paper's bounds alone, observed ≤ bound and nothing else: the conclusions
+    /// of the statements that [are bounds](crate::Statement::is_a_bound).
     PaperAlone,
 }
 
@@ -150,6 +151,7 @@ impl<S> Trial<'_, S> {
                 .conclusions
                 .iter()
                 .find(|claim| claim.source == Source::Paper && !claim.holds())
+                .filter(|_| evidence.statement.is_a_bound())
                 .map(|claim| ("is violated", claim)),
             Scope::Everything => match evidence.finding() {
                 Finding::Holds => None,
