@@ -13,25 +13,25 @@ fn shear() -> Shear {
 }
 
 /// A shear beside a lens.
-fn product() -> Product<Shear, Lens, 2, 2> {
+pub(super) fn product() -> Product<Shear, Lens, 2, 2> {
     Product::new(shear(), Lens::new(1.0, 0.5).expect("a width"))
 }
 
 /// A period of the shear, and six widths of the lens to each side.
-fn beside() -> Region<4> {
+pub(super) fn beside() -> Region<4> {
     Region::cell([0.0, 0.0, -3.0, -3.0], [TAU, TAU, 3.0, 3.0])
 }
 
-fn sum() -> Sum<Shear, EggCrate> {
+pub(super) fn sum() -> Sum<Shear, EggCrate> {
     Sum::new(shear(), EggCrate::new(0.5, 1.0).expect("a wave number"))
 }
 
-fn scaled() -> Scaled<Hill> {
+pub(super) fn scaled() -> Scaled<Hill> {
     Scaled::new(Hill::new(0.5, 0.5).expect("a width"), 2.5).expect("a factor")
 }
 
 /// Neither a similarity nor symmetric.
-fn pullback() -> AffinePullback<Shear, 2> {
+pub(super) fn pullback() -> AffinePullback<Shear, 2> {
     let matrix = SMatrix::<f64, 2, 2>::new(1.2, -0.5, 0.3, 0.8);
     AffinePullback::new(shear(), matrix, [0.5, -0.25]).expect("invertible")
 }

@@ -64,40 +64,40 @@ fn arm() -> TwoLinkArm {
     TwoLinkArm::new(4.0, 0.8, 1.0).expect("positive definite")
 }
 
-fn swirl() -> Swirl {
+pub(super) fn swirl() -> Swirl {
     Swirl::new(1.0, 0.5).expect("a width")
 }
 
-fn egg_crate() -> EggCrate {
+pub(super) fn egg_crate() -> EggCrate {
     EggCrate::new(0.5, 1.0).expect("a wave number")
 }
 
-fn corrugated() -> Corrugated {
+pub(super) fn corrugated() -> Corrugated {
     Corrugated::new(0.5, 1.0).expect("a wave number")
 }
 
-fn checkerboard() -> Checkerboard {
+pub(super) fn checkerboard() -> Checkerboard {
     Checkerboard::new(2.0, 1.0).expect("a side")
 }
 
-fn channels() -> TwoChannels {
+pub(super) fn channels() -> TwoChannels {
     TwoChannels::new(2.0, 1.0, 0.5).expect("a width")
 }
 
 /// A hemisphere; its constants are attained at the centre, in it and outside.
-fn sphere_patch() -> SpherePatch {
+pub(super) fn sphere_patch() -> SpherePatch {
     SpherePatch::new(1.0).expect("a radius")
 }
 
-fn hyperbolic_patch() -> HyperbolicPatch {
+pub(super) fn hyperbolic_patch() -> HyperbolicPatch {
     HyperbolicPatch::new(0.5).expect("below 0.86")
 }
 
-fn fisher() -> GaussianFisher {
+pub(super) fn fisher() -> GaussianFisher {
     GaussianFisher::new(0.75).expect("a rim")
 }
 
-fn decoder() -> TanhDecoder<2, 3, 3> {
+pub(super) fn decoder() -> TanhDecoder<2, 3, 3> {
     let inner = SMatrix::<f64, 3, 2>::new(1.0, 0.2, -0.5, 0.8, 0.3, -1.0);
     let outer = SMatrix::<f64, 3, 3>::new(1.0, 0.0, 0.5, 0.0, 1.0, -0.5, 0.4, 0.3, 1.0);
     TanhDecoder::new(inner, outer, 0.5).expect("a floor")
