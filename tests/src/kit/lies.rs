@@ -167,8 +167,8 @@ fn liars_about_a_checkerboard_are_refused() {
     liars_are_refused(&checkerboard(), cube::<2>(1.5), &[]);
 }
 
-/// `c₂` is attained in the limit: at the edge of the region, four widths from a channel, it is missed
-/// by `2 · 10⁻⁴`.
+/// `c₂` is attained in the limit: at the edge of the region, four widths from a channel, it is
+/// missed by `2 · 10⁻⁴`.
 #[test]
 fn liars_about_two_channels_are_refused() {
     let loose = [(C2, 1.0002), (LH, 1.0022), (MH, 1.1432)];

@@ -13,7 +13,8 @@
 ///
 /// Expands to `mod egg` with a test for each of [`metric::LAWS`](crate::kit::metric::LAWS), which
 /// calls the function of the same name, and with the test `every_law_is_a_test`. Each test draws
-/// the same samples in every run; minimisers are computed once for all of them. See [`kit`](crate::kit).
+/// the same samples in every run; minimisers are computed once for all of them.
+/// See [`kit`](crate::kit).
 #[macro_export]
 macro_rules! metric_suite {
     ($name:ident: $metric:expr, dimension $d:literal, in $region:expr $(,)?) => {

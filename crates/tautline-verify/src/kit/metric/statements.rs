@@ -67,8 +67,8 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
         })
     }
 
-    /// Evaluates a statement about any point sequence, with `N` from 1 to 8: the bounds are sharpest
-    /// for few subintervals.
+    /// Evaluates a statement about any point sequence, with `N` from 1 to 8: the bounds are
+    /// sharpest for few subintervals.
     pub(super) fn of_point_sequences(&self, statement: About<M, PointSequence<D>>) -> Verdict {
         let effort = &self.effort;
         let points = proptest::collection::vec(self.region.points(), 2..=9);
