@@ -1,5 +1,6 @@
 //! The kit on all that the project brings itself, and on what has to be rejected.
 
+mod composition;
 mod gallery;
 mod lies;
 mod lying_sets;

@@ -13,7 +13,8 @@
 ///
 /// Expands to `mod egg` with a test for each of [`metric::LAWS`](crate::kit::metric::LAWS), which
 /// calls the function of the same name, and with the test `every_law_is_a_test`. Each test draws
-/// the same samples in every run. See [`kit`](crate::kit).
+/// the same samples in every run; minimisers are computed once for all of them.
+/// See [`kit`](crate::kit).
 #[macro_export]
 macro_rules! metric_suite {
     ($name:ident: $metric:expr, dimension $d:literal, in $region:expr $(,)?) => {
@@ -40,8 +41,13 @@ macro_rules! __metric_tests {
 
             fn case() -> $crate::kit::MetricCase<impl $crate::prelude::Bounded<$d>, $d> {
                 let effort = $crate::kit::Effort::for_dimension($d);
-                $crate::kit::MetricCase::new($metric, $region, effort)$($known)*
+                $crate::kit::MetricCase::new($metric, $region, effort)$($known)*.sharing(&SOLVED)
             }
+
+            /// What the tests of this metric have solved.
+            static SOLVED: ::std::sync::LazyLock<
+                ::std::sync::Arc<$crate::kit::metric::Solved<$d>>,
+            > = ::std::sync::LazyLock::new(::std::default::Default::default);
 
             $(
                 #[test]

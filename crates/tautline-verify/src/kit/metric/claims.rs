@@ -52,6 +52,7 @@ impl Constant {
 }
 
 /// What was found of one constant.
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Found {
     /// How often the metric was measured at a sample.
     pub(super) cases: u64,
@@ -62,6 +63,13 @@ pub(super) struct Found {
 
 /// Looks for the extreme value of one constant; `Ok(None)` if it is not claimed.
 pub(super) fn search<M: Bounded<D>, const D: usize>(
+    case: &MetricCase<M, D>,
+    constant: Constant,
+) -> Result<Option<Found>, Failure> {
+    case.solved.extremes.recall(&constant, || look(case, constant))
+}
+
+fn look<M: Bounded<D>, const D: usize>(
     case: &MetricCase<M, D>,
     constant: Constant,
 ) -> Result<Option<Found>, Failure> {

@@ -108,6 +108,8 @@ pub(super) fn jets<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Ve
     let (metric, effort) = (&case.metric, &case.effort);
     let samples = (case.region.points(), directions::<D>(), directions::<D>());
     for_all(effort, effort.cases, CHEAP, samples, |(x, u, w)| {
+        // DH may be small as a difference of terms that are as large as it is elsewhere.
+        let terms = metric.constants().l_h();
         let form = |t: f64| [metric.norm_squared(&(x + w * t), u)];
         let slope = |t: f64| {
             let matrix = first(metric, &(x + w * t), w);
@@ -124,7 +126,7 @@ pub(super) fn jets<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Ve
             Fault::Broken { law, left, right, granted: off.granted, point: point() }
         })?;
         let second = u.dot(&(second(metric, x, w) * u));
-        let size = claimed.abs().max(norm(&first(metric, x, w))) + curvature * length;
+        let size = terms + claimed.abs().max(norm(&first(metric, x, w))) + curvature * length;
         slope_test(&[second], slope, length, size).map_err(|off| {
             let law = "|uᵀ D²H(x)[w, w] u − its central difference| = O(h²)";
             let [left, right] = [off.error, 0.0];
@@ -133,8 +135,9 @@ pub(super) fn jets<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Ve
         // The gradient, which is another number type than the derivative along a line.
         let jet = metric.norm_squared(&Jet1::variables(&(*x).into()).into(), u);
         let along = SVector::<f64, D>::from(*jet.gradient()).dot(w);
-        // D terms of the size of the derivatives.
-        let granted = 1e-12 * (jet.gradient().iter().map(|g| g.abs()).sum::<f64>() + claimed.abs());
+        // D terms of the size of the derivatives, or of what they are differences of.
+        let sizes = jet.gradient().iter().map(|g| g.abs()).sum::<f64>() + claimed.abs();
+        let granted = 1e-12 * (sizes + terms);
         let law = "∇(uᵀHu)·w = uᵀ DH(x)[w] u";
         Fault::unless_at_most(law, [(along - claimed).abs(), 0.0], granted, &list(x))
     })

@@ -5,18 +5,23 @@
 mod claims;
 mod extreme;
 mod formula;
+mod memory;
 mod orders;
 mod problems;
 mod refusals;
 mod statements;
 mod with_constants;
 
+use std::sync::Arc;
+
 use nalgebra::SVector;
 use tautline::{Bounded, KnownDistance};
 
 use super::{Constant, Effort, Outcome, Region, Report};
-use crate::{PaperRule, statements as of_the_paper};
+use crate::{PaperRule, curves::Measured, statements as of_the_paper};
+use statements::joined;
 
+pub use memory::Solved;
 pub use with_constants::WithConstants;
 
 /// The distance of two points, where a metric knows it, in `m`.
@@ -29,12 +34,14 @@ pub struct MetricCase<M, const D: usize> {
     region: Region<D>,
     effort: Effort,
     distance: Option<Distance<M, D>>,
+    /// What several laws need of the same problems.
+    solved: Arc<Solved<D>>,
 }
 
 impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
     /// A metric whose distances are not known: they are extrapolated from fine grids.
     pub fn new(metric: M, region: Region<D>, effort: Effort) -> Self {
-        Self { metric, region, effort, distance: None }
+        Self { metric, region, effort, distance: None, solved: Arc::default() }
     }
 
     /// The same metric with the distances that it knows.
@@ -43,7 +50,16 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
     where
         M: KnownDistance<D>,
     {
-        Self { distance: Some(|metric, x, y| metric.distance(x, y)), ..self }
+        // Not what was solved with estimates.
+        let solved = Arc::default();
+        Self { distance: Some(|metric, x, y| metric.distance(x, y)), solved, ..self }
+    }
+
+    /// The same case with what was solved for others: for cases that are equal in all the rest.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn sharing(self, solved: &Arc<Solved<D>>) -> Self {
+        Self { solved: Arc::clone(solved), ..self }
     }
 }
 
@@ -51,7 +67,9 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
 ///
 /// A statement of `tautline_verify::statements` is one more row: `case.of_points(…)` for one about
 /// the metric at a point, `case.of_point_sequences(…)` for one about any point sequence,
-/// `case.of_minimisers(rule, …)` for one about computed minimisers.
+/// `case.of_known(…)` for one about a distance and the curves that are as long at least,
+/// `case.of_minimisers(rule, …)` for one about computed minimisers. All laws about minimisers look
+/// at the same ones, which are computed once.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __metric_laws {
@@ -77,8 +95,22 @@ macro_rules! __metric_laws {
                 |case| claims::claim(case, Constant::MH);
             known_distances_are_distances, "d(x, y) = d(y, x), d(x, x) = 0, no curve is shorter",
                 orders::distances;
+            prop_3_3, "Proposition 3.3: c1|x − y|² ≤ d(x, y)² ≤ c2|x − y|²",
+                |case| case.of_known(|subject, known, _| {
+                    Ok(of_the_paper::prop_3_3(subject, known)?)
+                });
+            prop_6_1, "Proposition 6.1: d² ≤ L(γᵖˡ)² ≤ E(γᵖˡ) between two points",
+                |case| case.of_known(|subject, known, inner| {
+                    let sequence = joined(known, inner)?;
+                    let seen = Measured::of_sequence(subject, &known.metric, &sequence);
+                    Ok(of_the_paper::prop_6_1(subject, known, &seen))
+                });
             prop_7_9, "Proposition 7.9: |E(γᵖˡ) − E_tra,N| ≤ L_H K₃³/4√N",
                 |case| case.of_point_sequences(of_the_paper::prop_7_9);
+            prop_7_10, "Proposition 7.10: |∂ₗ Hᵢⱼ| ≤ L_H",
+                |case| case.of_points(of_the_paper::prop_7_10);
+            prop_7_11, "Proposition 7.11: |Γᵏᵢⱼ| ≤ 3 L_H √D/2c1",
+                |case| case.of_points(of_the_paper::prop_7_11);
             prop_8_1, "Proposition 8.1: |E_l,N − E_tra,N| ≤ L_H K₃³/2√N",
                 |case| case.of_point_sequences(of_the_paper::prop_8_1);
             prop_8_2, "Proposition 8.2: |E(γᵖˡ) − E_l,N| ≤ L_H K₃³/2√N",
@@ -91,6 +123,16 @@ macro_rules! __metric_laws {
                 |case| case.of_minimisers(PaperRule::LeftEndpoint, of_the_paper::theorem_1_3);
             theorem_1_4, "Theorem 1.4: lengths of the left-endpoint rule",
                 |case| case.of_minimisers(PaperRule::LeftEndpoint, of_the_paper::theorem_1_4);
+            constant_k3_bar, "K₃ ≤ K̄₃ for the trapezoidal rule",
+                |case| case.of_minimisers(PaperRule::Trapezoidal, of_the_paper::constant_k3_bar);
+            constant_c_1_1, "E(γᵖˡ) − d² ≤ C/√N with the C of Theorem 1.1, the sum of its parts",
+                |case| case.of_minimisers(PaperRule::Trapezoidal, of_the_paper::constant_c_1_1);
+            constant_k4_bar, "K₃ ≤ K̄₄ for the left-endpoint rule",
+                |case| case.of_minimisers(PaperRule::LeftEndpoint, of_the_paper::constant_k4_bar);
+            constant_c_1_3, "E(γᵖˡ) − d² ≤ C/√N with the C of Theorem 1.3, the sum of its parts",
+                |case| case.of_minimisers(PaperRule::LeftEndpoint, of_the_paper::constant_c_1_3);
+            remark_9_2, "Remark 9.2: all gaps are of order 1/N, for both rules",
+                statements::remark_9_2;
             trapezoidal_rule_has_order_2, "E_tra,N − d² and E(γᵖˡ) − d² fall like N⁻²",
                 |case| orders::orders(case, PaperRule::Trapezoidal, 2.0);
             left_rule_has_order_1, "E_l,N − d² falls like N⁻¹, E(γᵖˡ) − d² like N⁻²",

@@ -29,6 +29,12 @@ const TILT: f64 = 0.2;
 /// small, and the line is then that of a sum which changes its sign.
 const PROBLEMS: usize = 5;
 
+/// The grids and the number of problems: above three dimensions, where a solve costs `D³`, the
+/// finest grid and two problems less.
+const fn window_and_problems(dimension: usize) -> (&'static [usize], usize) {
+    if dimension <= 3 { (&WINDOW, PROBLEMS) } else { (WINDOW.split_at(3).0, PROBLEMS - 2) }
+}
+
 /// The errors of one problem: of the discrete energy and of the energy of the curve, for each grid
 /// where they are not rounding.
 type Errors = [Vec<(usize, f64)>; 2];
@@ -39,11 +45,12 @@ pub(super) fn orders<M: Bounded<D>, const D: usize>(
     rule: PaperRule,
     least: f64,
 ) -> Verdict {
+    let (window, problems) = window_and_problems(D);
     let failure = |fault: Fault| Failure { fault, sample: None, seed: case.effort.seed };
     let mut slopes = [Vec::new(), Vec::new()];
     let mut solved = 0;
     let mut stuck = None;
-    for k in 0..PROBLEMS {
+    for k in 0..problems {
         match errors(case, rule, k) {
             Ok(errors) => {
                 solved += 1;
@@ -59,7 +66,7 @@ pub(super) fn orders<M: Bounded<D>, const D: usize>(
         }
     }
     if let (0, Some(error)) = (solved, stuck) {
-        let tried = PROBLEMS as u64;
+        let tried = problems as u64;
         return Err(failure(Fault::NotSolved { failed: tried, tried, error }));
     }
     let [discrete, curve] = slopes.map(median);
@@ -69,7 +76,7 @@ pub(super) fn orders<M: Bounded<D>, const D: usize>(
         if let Some(found) = found
             && !(found >= least)
         {
-            let window = WINDOW.to_vec();
+            let window = window.to_vec();
             return Err(failure(Fault::Order { what, found, least, window }));
         }
     }
@@ -77,8 +84,8 @@ pub(super) fn orders<M: Bounded<D>, const D: usize>(
         Some(order) => format!("{order:.2}"),
         None => "exact".to_owned(),
     };
-    let note = format!("observed {} and {} over N = {WINDOW:?}", word(discrete), word(curve));
-    Ok(Tried::cases(solved * WINDOW.len() as u64).with_note(note))
+    let note = format!("observed {} and {} over N = {window:?}", word(discrete), word(curve));
+    Ok(Tried::cases(solved * window.len() as u64).with_note(note))
 }
 
 /// Solves the `k`-th problem, between two points of an irrational winding through the region.
@@ -92,7 +99,7 @@ fn errors<M: Bounded<D>, const D: usize>(
     let posed = Posed::between(point(k), point(k + 1));
     let known = case.known(&posed, &[])?;
     let mut errors = [Vec::new(), Vec::new()];
-    for n in WINDOW {
+    for &n in window_and_problems(D).0 {
         let seen = Reconstruction::observe(&Library, &known, rule, n)?;
         let pair = [seen.discrete_energy, seen.energy.value];
         for (errors, energy) in errors.iter_mut().zip(pair) {

@@ -36,7 +36,7 @@ impl Kind {
 }
 
 /// Two sets about `a` and `b`, apart from each other.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Posed<const D: usize> {
     kind: Kind,
     a: SVector<f64, D>,
@@ -109,12 +109,30 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
         if let (Some(distance), Some([a, b])) = (self.distance, posed.points())
             && let Some(distance) = distance(metric, &a, &b)
         {
-            // As in `Known::between`.
-            let size = (a.norm() + b.norm()) * metric.constants().c2().sqrt();
-            let distance_error = 16.0 * f64::EPSILON * size;
-            return Ok(Known { metric, ends: posed.ends()?, distance, distance_error });
+            return Ok(self.told([a, b], posed.ends()?, distance));
         }
-        estimated(metric, posed.ends()?, shorter)
+        if !shorter.is_empty() {
+            return estimated(metric, posed.ends()?, shorter);
+        }
+        let [distance, distance_error] = self.solved.distances.recall(posed, || {
+            let known = estimated(metric, posed.ends()?, &[])?;
+            Ok([known.distance, known.distance_error])
+        })?;
+        Ok(Known { metric, ends: posed.ends()?, distance, distance_error })
+    }
+}
+
+impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
+    /// Two points with the distance that the metric says, as in [`Known::between`].
+    pub(super) fn told(
+        &self,
+        [a, b]: [SVector<f64, D>; 2],
+        ends: Ends<D>,
+        distance: f64,
+    ) -> Known<&M, D> {
+        let metric = &self.metric;
+        let size = (a.norm() + b.norm()) * metric.constants().c2().sqrt();
+        Known { metric, ends, distance, distance_error: 16.0 * f64::EPSILON * size }
     }
 }
 

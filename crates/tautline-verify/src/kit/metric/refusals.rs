@@ -51,13 +51,10 @@ pub(super) fn lie<M: Bounded<D>, const D: usize>(
     let Some(constants) = constant.scaled(&case.metric.constants(), factor) else {
         return Ok(Tried::cases(0).with_note("the lie contradicts c1 ≤ c2"));
     };
-    let liar = MetricCase {
-        metric: WithConstants { metric: &case.metric, constants },
-        region: case.region,
-        // Other samples than those by which the claim was found to be sharp.
-        effort: case.effort.with_seed(case.effort.seed.wrapping_add(1)),
-        distance: None,
-    };
+    let lying = WithConstants { metric: &case.metric, constants };
+    // Other samples than those by which the claim was found to be sharp.
+    let effort = case.effort.with_seed(case.effort.seed.wrapping_add(1));
+    let liar = MetricCase::new(lying, case.region, effort);
     match search(&liar, constant) {
         Err(Failure { fault: Fault::Lie(_), .. }) => {
             Ok(Tried { cases: found.cases, slack: found.slack, note: None })
@@ -174,12 +171,7 @@ impl<M: Bounded<D>, const D: usize> Bounded<D> for Torn<'_, M, D> {
 /// The same formula where half of the region is outside of its domain.
 pub(super) fn nan_metric<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Verdict {
     let from = case.region.at(&SVector::repeat(0.5))[0];
-    let torn = MetricCase {
-        metric: Torn { metric: &case.metric, from },
-        region: case.region,
-        effort: case.effort,
-        distance: None,
-    };
+    let torn = MetricCase::new(Torn { metric: &case.metric, from }, case.region, case.effort);
     let found = Cell::new(false);
     if let Err(Failure { fault: Fault::Metric(_), .. }) =
         super::formula::finite_and_symmetric(&torn)
