@@ -65,7 +65,7 @@ pub(super) fn without_kinks<const D: usize>(
 ///
 /// Equality in the first exactly if `γ̇` is constant; in the second for constant curves, and
 /// `√(1/3)` is the best constant. Nothing is needed but that `γ` is continuous and piecewise
-/// smooth, which a [`Curve`] is.
+/// smooth, which a [`Curve`](crate::curves::Curve) is.
 ///
 /// Companion: `γ(s)` is the mean of `γ` plus `(1/l) ∫ k_s γ̇`, where the kernel is `r − s₁` before
 /// `s` and `r − s₂` after it. So the factor of `‖γ̇‖` may be `((a³ + (l − a)³)/3)^{1/2}/l` with
