@@ -8,6 +8,7 @@ use tautline::{
     Curvature,
     bounds::{theorem_1_2_length_excess, theorem_1_4_length_excess},
 };
+use tautline_verify::slope;
 
 use crate::{
     Failure,
@@ -146,29 +147,8 @@ fn expect_order(
     Err(Failure::Violated(format!("{case}, {rule}: {quantity} falls with the slope {slope:.3}")))
 }
 
-/// Returns the slope of the least-squares line through `(log x, log y)`.
-#[must_use]
-pub fn slope(points: &[(f64, f64)]) -> f64 {
-    let count = points.len() as f64;
-    let (x, y): (Vec<f64>, Vec<f64>) = points.iter().map(|(x, y)| (x.ln(), y.ln())).unzip();
-    let (mean_x, mean_y) = (x.iter().sum::<f64>() / count, y.iter().sum::<f64>() / count);
-    let covariance: f64 = x.iter().zip(&y).map(|(x, y)| (x - mean_x) * (y - mean_y)).sum();
-    covariance / x.iter().map(|x| (x - mean_x).powi(2)).sum::<f64>()
-}
-
 /// Returns the rows of one case and rule, by growing `N`.
 #[must_use]
 pub fn series<'a>(data: &'a Data, case: &str, rule: PaperRule) -> Vec<Row<'a>> {
     data.rows().filter(|row| row.text("case") == case && row.text("rule") == rule.name()).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::slope;
-
-    #[test]
-    fn the_slope_of_a_power_is_its_exponent() {
-        let points: Vec<_> = [1.0, 2.0, 8.0].map(|n: f64| (n, 3.0 * n.powf(-1.5))).to_vec();
-        assert!((slope(&points) + 1.5).abs() < 1e-14);
-    }
 }

@@ -38,6 +38,7 @@ mod subject;
 mod units;
 mod verdict;
 mod verify_error;
+mod with_constants;
 pub mod witnesses;
 
 pub use dynamic_programming::{GridLine, GridMinimum};
@@ -54,3 +55,4 @@ pub use subject::{Library, Subject};
 pub use units::{InUnits, Units};
 pub use verdict::Verdict;
 pub use verify_error::VerifyError;
+pub use with_constants::WithConstants;

@@ -7,6 +7,7 @@ pub use tautline::{
 };
 
 pub use crate::{
+    WithConstants,
     kit::{Effort, Outcome, Region, Report, verify_metric, verify_rule, verify_set},
     metric_suite, rule_suite, set_suite,
 };

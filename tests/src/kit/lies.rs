@@ -7,7 +7,8 @@ use tautline::gallery::{
     TwoLinkArm, Valleys,
 };
 use tautline_verify::{
-    kit::{Constant, Fault, MetricCase, Outcome, WithConstants, metric},
+    WithConstants,
+    kit::{Constant, Fault, MetricCase, Outcome, metric},
     prelude::*,
 };
 

@@ -1,7 +1,7 @@
 //! `Check`: one named test, which any subject can be put to.
 
-use super::{Failure, Outcome, Scope, Tally, Trial};
-use crate::{Evidence, Finding, Statement};
+use super::{Outcome, Scope, Tally, Trial};
+use crate::Statement;
 
 /// What a check shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -70,19 +70,4 @@ pub(super) fn all(outcomes: impl IntoIterator<Item = Outcome>) -> Outcome {
         sum.extend(&outcome?);
     }
     Ok(sum)
-}
-
-/// Asks that a hypothesis, named by a part of its claim, does not hold, and that a conclusion
-/// fails: what a counterexample to the statement without that hypothesis has to show.
-pub(super) fn fails_without(hypothesis: &str, evidence: Evidence) -> Outcome {
-    let lies = matches!(evidence.finding(), Finding::Inapplicable(clause)
-        if clause.claim.contains(hypothesis));
-    let others = evidence.hypotheses.iter().filter(|clause| !clause.claim.contains(hypothesis));
-    let alone = others.clone().all(|clause| clause.holds());
-    let fails = evidence.conclusions.iter().any(|claim| !claim.holds());
-    if lies && alone && fails {
-        return Ok(Tally::default());
-    }
-    let statement = evidence.statement;
-    Err(Failure::new(format!("{statement} does not fail without {hypothesis} alone: {evidence:?}")))
 }

@@ -10,13 +10,12 @@ use super::{Check, Failure, Kind, Outcome, Trial, check::all};
 use crate::{
     Evidence, Finding, Known, Library, PaperRule, Reconstruction, Statement,
     Statement::Proposition7_1,
-    Subject, Units, VerifyError,
+    Subject, Units, VerifyError, WithConstants,
     statements::{critical_point, prop_7_1},
     strategies::{
         constant_ball_half_space, points, ramp, separable_boxes, sequence, shear_ball_half_plane,
         valleys_ball_half_space,
     },
-    witnesses::Claimed,
 };
 
 const STATEMENT: &[Statement] = &[Proposition7_1];
@@ -203,7 +202,7 @@ fn both_unbounded() -> Outcome {
 /// claimed that they stay within `√(E/c₁)` of `(1, 0)`, with `c₁ = 1`.
 fn on_the_sphere() -> Outcome {
     let claimed = Constants::new(1.0, 4.0, 4.0).map_err(VerifyError::from)?;
-    let metric = Claimed { metric: gallery::Sphere, constants: claimed };
+    let metric = WithConstants { metric: gallery::Sphere, constants: claimed };
     let ends = Ends::points([1.0, 0.0], [-1.0, 0.0]).map_err(VerifyError::from)?;
     let sets: [&dyn ClosedSet<2>; 2] = [&**ends.first(), &**ends.second()];
     let out = |r: f64| {

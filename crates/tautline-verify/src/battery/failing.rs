@@ -1,6 +1,6 @@
 //! Evidence that has to fail: of statements that are false as printed, and without a hypothesis.
 
-use super::{Failure, Outcome};
+use super::{Failure, Outcome, Tally};
 use crate::{Evidence, Finding};
 
 /// Passes if the hypotheses hold and the conclusion `claim` fails with just these numbers,
@@ -33,13 +33,17 @@ pub(super) fn without(mut evidence: Evidence, clause: &str) -> Evidence {
     evidence
 }
 
-/// Passes if the hypothesis `clause` is the first that does not hold, and a conclusion fails.
-pub(super) fn dropped(evidence: &Evidence, clause: &str) -> Outcome {
-    let lies = matches!(evidence.finding(), Finding::Inapplicable(lie) if lie.claim == clause);
-    let fails = evidence.conclusions.iter().any(|conclusion| !conclusion.holds());
-    if lies && fails {
-        Ok(Default::default())
-    } else {
-        Err(Failure::new(format!("{} survives without {clause}: {evidence:?}", evidence.statement)))
+/// Passes if a hypothesis, named by a part of its claim, is the only one that does not hold, and a
+/// conclusion fails: what a counterexample to the statement without that hypothesis has to show.
+pub(super) fn fails_without(hypothesis: &str, evidence: Evidence) -> Outcome {
+    let lies = matches!(evidence.finding(), Finding::Inapplicable(clause)
+        if clause.claim.contains(hypothesis));
+    let others = evidence.hypotheses.iter().filter(|clause| !clause.claim.contains(hypothesis));
+    let alone = others.clone().all(|clause| clause.holds());
+    let fails = evidence.conclusions.iter().any(|claim| !claim.holds());
+    if lies && alone && fails {
+        return Ok(Tally::default());
     }
+    let statement = evidence.statement;
+    Err(Failure::new(format!("{statement} does not fail without {hypothesis} alone: {evidence:?}")))
 }

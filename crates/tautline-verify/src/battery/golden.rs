@@ -19,7 +19,7 @@ use crate::{
         ConstantK4Bar, Theorem1_1, Theorem1_3,
     },
     Subject, VerifyError,
-    witnesses::Corrugated,
+    witnesses::EllipticProduct,
 };
 
 const CONSTANTS: &[Statement] = &[
@@ -276,8 +276,8 @@ fn sheared<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 /// The distance is solved for and extrapolated.
 fn corrugated<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     let points = [[0.2, 0.0], [2.5, 1.0]];
-    let distance = extrapolated(trial.subject, Trapezoidal, &Corrugated, points, 1000)?;
-    check(trial.subject, &G3A, &Corrugated, distance)?;
+    let distance = extrapolated(trial.subject, Trapezoidal, &EllipticProduct, points, 1000)?;
+    check(trial.subject, &G3A, &EllipticProduct, distance)?;
     Ok(Default::default())
 }
 
@@ -312,7 +312,7 @@ fn distances<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     }
     one(trial.subject, &G1B, &oblique(), [[0.0, 0.0], [3.0, 4.0]])?;
     one(trial.subject, &G2B, &Valleys, [[0.0, 0.0], [2.0, 1.5]])?;
-    one(trial.subject, &G3A, &Corrugated, [[0.2, 0.0], [2.5, 1.0]])?;
+    one(trial.subject, &G3A, &EllipticProduct, [[0.2, 0.0], [2.5, 1.0]])?;
     one(trial.subject, &G4A, &shear(), [[0.0, 0.0], [2.0, 3.0]])?;
     Ok(Default::default())
 }

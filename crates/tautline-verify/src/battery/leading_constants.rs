@@ -22,7 +22,7 @@ use crate::{
     Statement,
     Statement::{Theorem1_1, Theorem1_2, Theorem1_3, Theorem1_4},
     Subject, VerifyError,
-    witnesses::Corrugated,
+    witnesses::EllipticProduct,
 };
 
 const ALL: &[Statement] = &[Theorem1_1, Theorem1_2, Theorem1_3, Theorem1_4];
@@ -144,7 +144,7 @@ fn over_the_valleys<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 
 fn corrugated<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     let case = Case {
-        metric: Corrugated,
+        metric: EllipticProduct,
         ends: [[0.2, 0.0], [2.5, 1.0]],
         d2: 8.97778203566217551435,
         measured: [[0.292391, 0.070223, 0.015644], [-0.511175, 0.873992, 0.194751]],

@@ -9,21 +9,17 @@ use tautline::{
     gallery::{Constant, Hyperbolic, Shear, Sphere, Valleys},
 };
 
-use super::{
-    Check, Failure, Kind, Outcome, Trial,
-    check::{all, fails_without},
-};
+use super::{Check, Failure, Kind, Outcome, Trial, check::all, failing::fails_without};
 use crate::{
     Evidence, Known, Library,
     Statement::{Proposition3_1, Proposition3_2, Proposition3_3},
-    Subject, VerifyError,
+    Subject, VerifyError, WithConstants,
     curves::{Clock, Curve, Geodesic, KnownGeodesics, Motion, Pace, Reparametrised},
     statements::{prop_3_1, prop_3_2, prop_3_3},
     strategies::{
         constant, in_hyperbolic_space, joined, on_sphere, points, ramp, separable, shear,
         valleys_across, valleys_along, vector,
     },
-    witnesses::Claimed,
 };
 
 pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
@@ -281,7 +277,7 @@ fn dropped_constants() -> Outcome {
         let Known { ends, distance, distance_error, .. } =
             Known::joined(&metric, ends)?.expect("known");
         let constants = Constants::new(constants[0], constants[1], 1e6)?;
-        let metric = Claimed { metric, constants };
+        let metric = WithConstants { metric, constants };
         Ok(prop_3_3(&Library, &Known { metric, ends, distance, distance_error })?)
     }
     fails_without("c₂", case(Hyperbolic, [4.0, 5.0], 0.99)?)?;

@@ -9,10 +9,7 @@ use tautline::{
     gallery::{Constant, Shear},
 };
 
-use super::{
-    Check, Failure, Kind, Outcome, Trial,
-    check::{all, fails_without},
-};
+use super::{Check, Failure, Kind, Outcome, Trial, check::all, failing::fails_without};
 use crate::{
     Evidence, Known, Library, PaperRule, Reconstruction,
     Statement::{Proposition6_1, Proposition6_2, Proposition6_3},

@@ -9,15 +9,15 @@ use tautline::{
     gallery::{Constant, Separable, Valleys},
 };
 
-use super::{Check, Failure, Kind, Outcome, Trial, check::all, failing::dropped};
+use super::{Check, Failure, Kind, Outcome, Trial, check::all, failing::fails_without};
 use crate::{
     Evidence, Library,
     Statement::{self, ConstantK1, ConstantK2, Proposition7_10, Proposition7_11, Proposition7_12},
-    Subject, VerifyError,
+    Subject, VerifyError, WithConstants,
     curves::{BoundedCurve, Geodesic, SmoothCurve},
     statements::{constant_k1, constant_k2, prop_7_10, prop_7_11, prop_7_12},
     strategies::{constant, ramp, separable, shear, two_points, vector},
-    witnesses::{Claimed, Incline, InclineGeodesic, Ripple, Twist},
+    witnesses::{Incline, InclineGeodesic, Ripple, Twist},
 };
 
 const POINTWISE: &[Statement] = &[Proposition7_10, Proposition7_11];
@@ -154,14 +154,17 @@ fn false_constants() -> Outcome {
     let origin = SVector::from([0.0]);
     let claimed = |foot, c1, l_h| {
         let constants = Constants::new(c1, 10.0, l_h).expect("in order");
-        Claimed { metric: Slope { foot }, constants }
+        WithConstants { metric: Slope { foot }, constants }
     };
     let lipschitz = "‖H(x) − H(y)‖/|x − y| ≤ L_H";
     let [flat, high] = [claimed(1.0, 1.0, 0.25), claimed(1.0 / 9.0, 1.0, 1.0)];
     all([
-        dropped(&prop_7_10(&Library, &flat, &origin).map_err(VerifyError::from)?, lipschitz),
-        dropped(&prop_7_11(&Library, &flat, &origin).map_err(VerifyError::from)?, lipschitz),
-        dropped(&prop_7_11(&Library, &high, &origin).map_err(VerifyError::from)?, "c₁ ≤ λ_min(H)"),
+        fails_without(lipschitz, prop_7_10(&Library, &flat, &origin).map_err(VerifyError::from)?),
+        fails_without(lipschitz, prop_7_11(&Library, &flat, &origin).map_err(VerifyError::from)?),
+        fails_without(
+            "c₁ ≤ λ_min(H)",
+            prop_7_11(&Library, &high, &origin).map_err(VerifyError::from)?,
+        ),
     ])
 }
 
@@ -274,7 +277,7 @@ fn bent_by_an_incline<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 /// Without minimality: a wave is longer than the straight line, and bends. With a false `c₁` or
 /// `L_H`: minimal geodesics that go faster, and bend more, than these allow.
 fn dropped_minimality() -> Outcome {
-    let flat = |c1| Claimed {
+    let flat = |c1| WithConstants {
         metric: Constant::new(SMatrix::<f64, 1, 1>::from_diagonal_element(1.0)).expect("positive"),
         constants: Constants::new(c1, c1.max(2.0), 0.0).expect("in order"),
     };
@@ -284,7 +287,7 @@ fn dropped_minimality() -> Outcome {
     );
     let line = SmoothCurve::straight([0.0], [1.0]);
     let bent = InclineGeodesic::new(1.0, 1.0, 1.0)?;
-    let gentle = Claimed {
+    let gentle = WithConstants {
         metric: Slope { foot: 1.0 },
         constants: Constants::new(1.0, 2.0, 0.01).expect("in order"),
     };
@@ -299,11 +302,11 @@ fn dropped_minimality() -> Outcome {
         }
     }
     all([
-        dropped(&first, "|g(γ̇, γ̇) − d²| = 0"),
-        dropped(&second, "|g(γ̇, γ̇) − d²| = 0"),
-        dropped(&prop_7_12(&Library, &flat(1.0), &wave, 1.0)?, "E(γ) ≤ d²"),
-        dropped(&slow, "c₁ ≤ λ_min(H)"),
-        dropped(&prop_7_12(&Library, &flat(4.0), &line, 1.0)?, "c₁ ≤ λ_min(H)"),
-        dropped(&gently, lipschitz),
+        fails_without("|g(γ̇, γ̇) − d²| = 0", first),
+        fails_without("|g(γ̇, γ̇) − d²| = 0", second),
+        fails_without("E(γ) ≤ d²", prop_7_12(&Library, &flat(1.0), &wave, 1.0)?),
+        fails_without("c₁ ≤ λ_min(H)", slow),
+        fails_without("c₁ ≤ λ_min(H)", prop_7_12(&Library, &flat(4.0), &line, 1.0)?),
+        fails_without(lipschitz, gently),
     ])
 }

@@ -7,18 +7,13 @@ use std::{
 
 use nalgebra::{SMatrix, SVector};
 use proptest::prelude::*;
-use tautline::{
-    Bounded, Constants, Ends, FiniteSet, KnownDistance, PointSequence, gallery::Constant,
-};
+use tautline::{Bounded, Constants, Ends, FiniteSet, PointSequence, gallery::Constant};
 
-use super::{
-    Check, Failure, Kind, Outcome, Trial,
-    check::{all, fails_without},
-};
+use super::{Check, Failure, Kind, Outcome, Trial, check::all, failing::fails_without};
 use crate::{
     Evidence, Finding, Known, Library, PaperRule, Reconstruction,
     Statement::{Proposition9_1, Remark9_2},
-    Subject, VerifyError,
+    Subject, VerifyError, WithConstants,
     curves::{Clock, Geodesic, KnownGeodesics, Measured, Pace, Reparametrised},
     statements::{prop_9_1, prop_9_1_as_printed, remark_9_2},
     strategies::{
@@ -26,7 +21,7 @@ use crate::{
         on_sphere, points, ramp, separable, separable_boxes, sequence, shear,
         shear_ball_half_plane, subintervals, valleys_across, valleys_ball_half_space, vector,
     },
-    witnesses::{Claimed, Polygonal, Washboard},
+    witnesses::{Polygonal, Washboard, two_routes},
 };
 
 pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
@@ -252,15 +247,6 @@ fn rates_of_sets<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     ])
 }
 
-/// Two pairs of points on the line, `{0, 10}` and `{1, 11}`.
-fn two_routes(metric: Polygonal) -> Result<Known<Polygonal, 1>, VerifyError> {
-    let ends = Ends::new(FiniteSet::new([[0.0], [10.0]])?, FiniteSet::new([[1.0], [11.0]])?)?;
-    let route = |from: f64| metric.distance(&[from].into(), &[from + 1.0].into()).expect("known");
-    let distance = route(0.0).min(route(10.0));
-    // Sums of six terms up to 10 each.
-    Ok(Known { metric, ends, distance, distance_error: 64.0 * f64::EPSILON * 10.0 })
-}
-
 /// `N = 1`: the rule prefers the second route by a hair, since it reads the metric where that is
 /// least there and largest on the first. As `δ → 0` the excess is `d² δ/2` for the trapezoidal rule
 /// and `d² δ` for the left one, and that is the bound.
@@ -270,22 +256,22 @@ fn attained_by_two_routes<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     let tents = |l: f64, hair: f64| {
         let (top, low) = (1.0 + 0.5 * l, 1.0 + 0.5 * l - hair);
         let ridge = [[0.0, 1.0], [0.5, top], [1.0, 1.0]];
-        let valley = [[10.0, low + 0.5 * l], [10.5, low], [11.0, low + 0.5 * l]];
-        [ridge, valley].concat()
+        let valley = [[0.0, low + 0.5 * l], [0.5, low], [1.0, low + 0.5 * l]];
+        two_routes(&ridge, &valley).expect("apart")
     };
     let inclines = |l: f64, hair: f64| {
         let falling = [[0.0, 1.0 + l], [1.0, 1.0]];
-        let rising = [[10.0, 1.0 + l - hair], [11.0, 1.0 + 2.0 * l - hair]];
-        [falling, rising].concat()
+        let rising = [[0.0, 1.0 + l - hair], [1.0, 1.0 + 2.0 * l - hair]];
+        two_routes(&falling, &rising).expect("apart")
     };
     let slopes = [1.0, 0.1, 0.01, 0.001];
     let trapezoidal = slopes.into_iter().zip([0.725, 0.965, 0.9964, 0.9996]);
     let left = slopes.into_iter().zip([0.560, 0.932, 0.993, 0.9993]);
     let trapezoidal = trapezoidal.map(|(l, ratio)| {
-        route_with_excess(trial, &tents(l, 1e-6 * l), PaperRule::Trapezoidal, l, 0.5, ratio)
+        route_with_excess(trial, tents(l, 1e-6 * l), PaperRule::Trapezoidal, l, 0.5, ratio)
     });
     let left = left.map(|(l, ratio)| {
-        route_with_excess(trial, &inclines(l, 1e-6 * l), PaperRule::LeftEndpoint, l, 1.0, ratio)
+        route_with_excess(trial, inclines(l, 1e-6 * l), PaperRule::LeftEndpoint, l, 1.0, ratio)
     });
     all(trapezoidal.collect::<Vec<_>>().into_iter().chain(left.collect::<Vec<_>>()))
 }
@@ -293,13 +279,12 @@ fn attained_by_two_routes<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 /// One pair of routes, with the ratio of the excess to `d² δ` times the leading constant.
 fn route_with_excess<S: Subject>(
     trial: &Trial<'_, S>,
-    knots: &[[f64; 2]],
+    known: Known<Polygonal, 1>,
     rule: PaperRule,
     slope: f64,
     constant: f64,
     ratio: f64,
 ) -> Outcome {
-    let known = two_routes(Polygonal::new(knots).expect("in order"))?;
     let seen = Reconstruction::observe(trial.subject, &known, rule, 1)?;
     let excess = seen.energy.value - seen.distance_squared;
     // c₁ = 1, hence δ = L d.
@@ -330,7 +315,7 @@ fn washboard(n: u32, slope: f64) -> Result<(Washboard, Known<Washboard, 1>), Ver
 fn dropped_lipschitz() -> Outcome {
     let (metric, Known { ends, distance, distance_error, .. }) = washboard(8, 0.5)?;
     let constants = Constants::new(1.0, 2.0, 1e-3).map_err(VerifyError::from)?;
-    let metric = Claimed { metric, constants };
+    let metric = WithConstants { metric, constants };
     let known = Known { metric, ends, distance, distance_error };
     let seen = Reconstruction::observe(&Library, &known, PaperRule::Trapezoidal, 8)?;
     fails_without("L_H", remark_9_2(&Library, &seen))

@@ -28,12 +28,12 @@ use crate::{
         ConstantC1_1, ConstantC1_3, ConstantK3Bar, ConstantK4Bar, Theorem1_1, Theorem1_2,
         Theorem1_3, Theorem1_4,
     },
-    Subject, VerifyError,
+    Subject, VerifyError, WithConstants,
     statements::{
         constant_c_1_1, constant_c_1_3, constant_k3_bar, constant_k4_bar, theorem_1_1, theorem_1_2,
         theorem_1_3, theorem_1_4,
     },
-    witnesses::{Claimed, Profile, Tent, TwoRoutes, one_step},
+    witnesses::{Polygonal, Tent, one_step, two_routes},
 };
 
 const ALL: &[Statement] = &[
@@ -98,43 +98,58 @@ const MARGIN: f64 = 1e-8;
 /// `C_tra♯` in `K̄³`), and `d³` up to `δ`. The margin is `10⁻⁵` of the gaps.
 const LIMIT: f64 = 1.0 + 6.0 * SLOPE;
 
-fn ridge(foot: f64) -> Profile {
-    Profile::Tent { tip: foot + 0.5 * SLOPE, slope: -SLOPE }
+/// `H` at the knots of a route, and how long they are apart.
+type Knots = [[f64; 2]; 3];
+
+/// Along a route of length 1: a slope up to the middle and another one down from it.
+fn tent(foot: f64, tip: f64) -> Knots {
+    [[0.0, foot], [0.5, tip], [1.0, foot]]
 }
 
-fn valley(tip: f64) -> Profile {
-    Profile::Tent { tip, slope: SLOPE }
+fn ridge(foot: f64) -> Knots {
+    tent(foot, foot + 0.5 * SLOPE)
 }
 
-fn upwards(start: f64) -> Profile {
-    Profile::Incline { start, slope: SLOPE }
+fn valley(tip: f64) -> Knots {
+    tent(tip + 0.5 * SLOPE, tip)
 }
 
-fn downwards(end: f64) -> Profile {
-    Profile::Incline { start: end + SLOPE, slope: -SLOPE }
+fn straight(start: f64, end: f64) -> Knots {
+    [[0.0, start], [0.5, 0.5 * (start + end)], [1.0, end]]
 }
 
-const FLAT: Profile = Profile::Incline { start: 1.0, slope: 0.0 };
+fn upwards(start: f64) -> Knots {
+    straight(start, start + SLOPE)
+}
+
+fn downwards(end: f64) -> Knots {
+    straight(end + SLOPE, end)
+}
+
+/// `H = 1` along a route of this length.
+fn level(length: f64) -> Knots {
+    [[0.0, 1.0], [0.5 * length, 1.0], [length, 1.0]]
+}
 
 /// Observes the minimiser of the one chord from set to set.
 fn routes(
     subject: &impl Subject,
     rule: PaperRule,
-    profiles: [Profile; 2],
-    length: f64,
+    [first, second]: [Knots; 2],
 ) -> Result<Reconstruction<1>, VerifyError> {
-    let metric = TwoRoutes::new(profiles, length).expect("gentle slopes");
-    Reconstruction::observe(subject, &metric.between_sets()?, rule, 1)
+    let known = two_routes(&first, &second).expect("apart");
+    Reconstruction::observe(subject, &known, rule, 1)
 }
 
 /// The same between two points.
 fn route(
     subject: &impl Subject,
     rule: PaperRule,
-    profile: Profile,
+    knots: Knots,
 ) -> Result<Reconstruction<1>, VerifyError> {
-    let metric = TwoRoutes::new([profile; 2], 1.0).expect("gentle slopes");
-    Reconstruction::observe(subject, &metric.along_the_first()?, rule, 1)
+    let metric = Polygonal::new(&knots).expect("in order");
+    let known = Known::between(metric, [0.0], [1.0]).map_err(VerifyError::from)?;
+    Reconstruction::observe(subject, &known.expect("between the knots"), rule, 1)
 }
 
 fn tents<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
@@ -143,8 +158,8 @@ fn tents<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     let over_ridge = route(subject, rule, ridge(1.0))?;
     // On the ridge H(½) = 1 + L/2, in the valley just less.
     let tie = 1.0 + 0.5 * SLOPE - MARGIN;
-    let both = routes(subject, rule, [ridge(1.0), valley(tie)], 1.0)?;
-    let flat = routes(subject, rule, [ridge(1.0), FLAT], tie.sqrt())?;
+    let both = routes(subject, rule, [ridge(1.0), valley(tie)])?;
+    let flat = routes(subject, rule, [ridge(1.0), level(tie.sqrt())])?;
     trial.one([
         theorem_1_1(subject, &over_valley)
             .claim_is_attained("E(γᵖˡ) − E_tra,N ≤ C/√N", 29.0 * LIMIT)?
@@ -172,8 +187,8 @@ fn inclines<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     let down = route(subject, rule, downwards(1.0))?;
     // Downwards H(0) = 1 + L, upwards just less.
     let tie = 1.0 + SLOPE - MARGIN;
-    let both = routes(subject, rule, [downwards(1.0), upwards(tie)], 1.0)?;
-    let flat = routes(subject, rule, [downwards(1.0), FLAT], tie.sqrt())?;
+    let both = routes(subject, rule, [downwards(1.0), upwards(tie)])?;
+    let flat = routes(subject, rule, [downwards(1.0), level(tie.sqrt())])?;
     trial.one([
         theorem_1_3(subject, &up)
             .claim_is_attained("E(γᵖˡ) − E_l,N ≤ C/√N", 16.0 * LIMIT)?
@@ -237,24 +252,17 @@ fn is_dropped(evidence: &Evidence, dropped: &str) -> Result<(), Failure> {
 /// (Proposition 7.1).
 fn understated([c1, c2, l_h]: [f64; 3], dropped: &str) -> Outcome {
     let claimed = Constants::new(c1, c2, l_h).map_err(VerifyError::from)?;
-    let steep = |profile: Profile| match profile {
-        Profile::Incline { start, slope } => {
-            Profile::Incline { start: 1.0 + 100.0 * (start - 1.0), slope: 100.0 * slope }
-        }
-        Profile::Tent { tip, slope } => {
-            Profile::Tent { tip: 1.0 + 100.0 * (tip - 1.0), slope: 100.0 * slope }
-        }
-    };
+    let steep = |knots: Knots| knots.map(|[s, h]| [s, 1.0 + 100.0 * (h - 1.0)]);
     let tents = [ridge(1.0), valley(1.0 + 0.5 * SLOPE - MARGIN)];
     let inclines = [downwards(1.0), upwards(1.0 + SLOPE - MARGIN)];
     // A flat second route whose c₁K₃² = l² lies between d² and the energy of the first route:
     // with L = 0.1, between 1.025 and 1.05 on tents, between 1.05 and 1.1 on inclines.
     let apart = [(PaperRule::Trapezoidal, tents, 1.02), (PaperRule::LeftEndpoint, inclines, 1.04)];
     for (rule, profiles, flat) in apart {
-        for (second, length) in [(steep(profiles[1]), 1.0), (upwards(1.0), flat)] {
-            let routes = TwoRoutes::new([steep(profiles[0]), second], length).expect("gentle");
-            let Known { metric, ends, distance, distance_error } = routes.between_sets()?;
-            let metric = Claimed { metric, constants: claimed };
+        for (second, length) in [(steep(profiles[1]), 1.0), (level(flat), flat)] {
+            let Known { metric, ends, distance, distance_error } =
+                two_routes(&steep(profiles[0]), &second).expect("apart");
+            let metric = WithConstants { metric, constants: claimed };
             let known = Known { metric, ends, distance, distance_error };
             let seen = Reconstruction::observe(&Library, &known, rule, 1)?;
             let [first, second, speed, constant] = evidence(&Library, &seen);

@@ -47,7 +47,7 @@
 //! is wrong is named with its numbers; here with `L_H = 1/2` in place of 1:
 //!
 //! ```
-//! # use tautline_verify::kit::{Constant, Fault, MetricCase, WithConstants, metric};
+//! # use tautline_verify::kit::{Constant, Fault, MetricCase, metric};
 //! # use tautline_verify::prelude::*;
 //! # #[derive(Clone, Copy, Debug)]
 //! # struct Egg;
@@ -69,7 +69,7 @@
 //!
 //! A metric that knows its distances says `with distances` at the end of the line, and
 //! [`MetricCase::with_known_distance`] where functions are called. A metric that claims nothing is
-//! given claims by [`WithConstants`].
+//! given claims by [`WithConstants`](crate::WithConstants).
 //!
 //! # How the laws look
 //!
@@ -102,7 +102,7 @@ mod suites;
 pub use effort::Effort;
 pub use fault::Fault;
 pub use lie::{Constant, Lie};
-pub use metric::{MetricCase, WithConstants, verify_metric};
+pub use metric::{MetricCase, verify_metric};
 pub use region::{Region, RegionError, directions};
 pub use report::{Failure, Outcome, Report};
 pub use rule::{RuleCase, verify_rule};

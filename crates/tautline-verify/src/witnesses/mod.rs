@@ -1,13 +1,11 @@
 //! Witnesses: metrics and curves on which the statements come near equality, or fail without a
 //! hypothesis.
 
-mod claimed;
-mod corrugated;
+mod elliptic_product;
 mod incline;
 mod incline_geodesic;
 mod one_step;
 mod polygonal;
-mod polygonal_routes;
 mod ripple;
 mod tent;
 mod twist;
@@ -16,17 +14,15 @@ mod valley_jump;
 mod washboard;
 mod zigzag;
 
-pub use claimed::Claimed;
-pub use corrugated::Corrugated;
+pub use elliptic_product::EllipticProduct;
 pub use incline::Incline;
 pub use incline_geodesic::InclineGeodesic;
 pub use one_step::one_step;
 pub use polygonal::Polygonal;
-pub use polygonal_routes::PolygonalRoutes;
 pub use ripple::Ripple;
 pub use tent::Tent;
 pub use twist::Twist;
-pub use two_routes::{Profile, TwoRoutes};
+pub use two_routes::two_routes;
 pub use valley_jump::valley_jump;
 pub use washboard::Washboard;
 pub use zigzag::Zigzag;

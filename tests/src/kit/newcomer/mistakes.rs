@@ -2,7 +2,8 @@
 
 use tautline::MetricError;
 use tautline_verify::{
-    kit::{Constant, Fault, MetricCase, Outcome, WithConstants, metric},
+    WithConstants,
+    kit::{Constant, Fault, MetricCase, Outcome, metric},
     prelude::*,
 };
 

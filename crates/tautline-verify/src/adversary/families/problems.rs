@@ -9,7 +9,7 @@ use super::super::{Family, Parameter};
 use crate::{
     Evidence, Known, PaperRule, Reconstruction, Statement, Subject,
     statements::{theorem_1_1, theorem_1_2, theorem_1_3, theorem_1_4},
-    witnesses::{Incline, PolygonalRoutes, Tent},
+    witnesses::{self, Incline, Polygonal, Tent},
 };
 
 /// A statement about the reconstruction of a discrete minimiser of one rule.
@@ -161,7 +161,7 @@ pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
 fn two_routes(
     rule: PaperRule,
     [l, a1, a2, b1, b2, lead, n]: [f64; 7],
-) -> Option<(Known<PolygonalRoutes, 1>, f64)> {
+) -> Option<(Known<Polygonal, 1>, f64)> {
     let profile = |first: f64, second: f64| [0.0, 0.5 * first * l, 0.5 * (first + second) * l];
     let (first, second) = (profile(a1, a2), profile(b1, b2));
     let read = match rule {
@@ -171,6 +171,7 @@ fn two_routes(
     let least = first.iter().copied().fold(f64::INFINITY, f64::min);
     let first = first.map(|height| 1.0 + height - least);
     let ahead = first[read] - second[read] - lead * l;
-    let metric = PolygonalRoutes::new(first, second.map(|height| height + ahead))?;
-    Some((metric.problem(), n))
+    let knots = |[a, b, c]: [f64; 3]| [[0.0, a], [0.5, b], [1.0, c]];
+    let second = second.map(|height| height + ahead);
+    Some((witnesses::two_routes(&knots(first), &knots(second))?, n))
 }

@@ -7,10 +7,7 @@ use proptest::prelude::*;
 use tautline::{Metric, gallery::Sphere};
 
 use super::{
-    super::{
-        Check, Failure, Kind, Outcome, Trial,
-        check::{all, fails_without},
-    },
+    super::{Check, Failure, Kind, Outcome, Trial, check::all, failing::fails_without},
     Segment, ends, sheared,
 };
 use crate::{

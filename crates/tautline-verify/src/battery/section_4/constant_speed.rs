@@ -10,10 +10,7 @@ use tautline::{
 };
 
 use super::{
-    super::{
-        Check, Kind, Outcome, Trial,
-        check::{all, fails_without},
-    },
+    super::{Check, Kind, Outcome, Trial, check::all, failing::fails_without},
     ends, sheared,
 };
 use crate::{

@@ -9,10 +9,7 @@ use tautline::{
     gallery::{Hyperbolic, Sphere},
 };
 
-use super::super::{
-    Check, Failure, Kind, Outcome, Trial,
-    check::{all, fails_without},
-};
+use super::super::{Check, Failure, Kind, Outcome, Trial, check::all, failing::fails_without};
 use crate::{
     Statement::Proposition4_3,
     Subject, VerifyError,

@@ -10,7 +10,6 @@ mod orders;
 mod problems;
 mod refusals;
 mod statements;
-mod with_constants;
 
 use std::sync::Arc;
 
@@ -22,7 +21,6 @@ use crate::{PaperRule, curves::Measured, statements as of_the_paper};
 use statements::joined;
 
 pub use memory::Solved;
-pub use with_constants::WithConstants;
 
 /// The distance of two points, where a metric knows it, in `m`.
 type Distance<M, const D: usize> = fn(&M, &SVector<f64, D>, &SVector<f64, D>) -> Option<f64>;

@@ -8,10 +8,13 @@ use tautline::{
     minimise,
 };
 
-use super::{MetricCase, WithConstants, claims::search, problems::Posed};
-use crate::kit::{
-    Constant, Failure, Fault,
-    report::{Tried, Verdict},
+use super::{MetricCase, claims::search, problems::Posed};
+use crate::{
+    WithConstants,
+    kit::{
+        Constant, Failure, Fault,
+        report::{Tried, Verdict},
+    },
 };
 
 impl Constant {

@@ -1,10 +1,11 @@
-//! `WithConstants`: a metric with claims of another.
+//! `WithConstants`: a metric with constants that are only claimed of it.
 
 use nalgebra::{SMatrix, SVector};
 use tautline::{Bounded, Constants, KnownDistance, Metric, Scalar};
 
-/// A metric with constants put beside it, true or not: for a metric without claims of its own,
-/// and for the lies that a kit has to refuse.
+/// A metric with constants put beside it, true or not: for a metric without claims of its own, for
+/// the lies that a kit has to refuse, and for what is left of a statement where its hypotheses on
+/// `c₁`, `c₂` and `L_H` do not hold.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WithConstants<M> {
     /// The metric.
@@ -24,6 +25,7 @@ impl<M: Metric<D>, const D: usize> Metric<D> for WithConstants<M> {
 }
 
 impl<M: Metric<D>, const D: usize> Bounded<D> for WithConstants<M> {
+    /// Those that are claimed.
     fn constants(&self) -> Constants {
         self.constants
     }
