@@ -26,7 +26,7 @@ struct Case {
 const CASES: [Case; 8] = [
     // `H = I`, from (0, 0) to (3, 4).
     Case {
-        name: "G1a",
+        name: "identity",
         c1: 1.0,
         c2: 1.0,
         l_h: 0.0,
@@ -41,7 +41,7 @@ const CASES: [Case; 8] = [
     },
     // `H = [[2, 1], [1, 2]]`, from (0, 0) to (3, 4).
     Case {
-        name: "G1b",
+        name: "oblique",
         c1: 1.0,
         c2: 3.0,
         l_h: 0.0,
@@ -56,7 +56,7 @@ const CASES: [Case; 8] = [
     },
     // `H = [[2, 1], [1, 2]]`, from the ball of radius ½ about 0 to `{x₁ ≥ 3}`.
     Case {
-        name: "G1c",
+        name: "oblique, from a ball",
         c1: 1.0,
         c2: 3.0,
         l_h: 0.0,
@@ -71,7 +71,7 @@ const CASES: [Case; 8] = [
     },
     // `H = (2 − cos x₁)² I`, from (0, 0) to (4π, 0).
     Case {
-        name: "G2a",
+        name: "along the valleys",
         c1: 1.0,
         c2: 9.0,
         l_h: 4.40366947504161167615,
@@ -86,7 +86,7 @@ const CASES: [Case; 8] = [
     },
     // `H = (2 − cos x₁)² I`, from (0, 0) to (2, 3/2).
     Case {
-        name: "G2b",
+        name: "across the valleys",
         c1: 1.0,
         c2: 9.0,
         l_h: 4.40366947504161167615,
@@ -101,7 +101,7 @@ const CASES: [Case; 8] = [
     },
     // `H = (2 − cos x₁)² I`, from the ball of radius ½ about 0 to `{x₁ ≥ 3}`.
     Case {
-        name: "G2c",
+        name: "valleys, from a ball",
         c1: 1.0,
         c2: 9.0,
         l_h: 4.40366947504161167615,
@@ -116,7 +116,7 @@ const CASES: [Case; 8] = [
     },
     // `H = diag(1 + ½ sin² x₁, 2)`, from (0.2, 0) to (2.5, 1).
     Case {
-        name: "G3a",
+        name: "elliptic integral",
         c1: 1.0,
         c2: 2.0,
         l_h: 0.5,
@@ -131,7 +131,7 @@ const CASES: [Case; 8] = [
     },
     // `H = [[1, k], [k, 1 + k²]]` with `k = ½ cos x₂`, from (0, 0) to (2, 3).
     Case {
-        name: "G4a",
+        name: "shear",
         c1: 0.609611796797792431272,
         c2: 1.64038820320220756873,
         l_h: 0.559016994374947424102,

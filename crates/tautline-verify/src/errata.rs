@@ -6,7 +6,7 @@ use nalgebra::{SMatrix, SVector};
 use tautline::gallery::Constant;
 
 use crate::{
-    Evidence, Inequality, Known, Library, Statement, VerifyError,
+    Evidence, Finding, Inequality, Known, Library, Source, Statement, VerifyError,
     curves::{Clock, Geodesic, KinkedCurve, Measured, Pace, Reparametrised, SmoothCurve},
     statements::{
         TwoForms, prop_7_2_as_printed, prop_7_3_as_printed, prop_7_4, prop_7_5_as_printed,
@@ -40,11 +40,15 @@ pub fn errata() -> Result<Vec<Erratum>, VerifyError> {
     let modulus = KinkedCurve::new([0.5], [(0.5, [0.0].into())], [0.5])?;
     let flat = Constant::<1>::new(SMatrix::from_diagonal_element(1.0))?;
     let erratum = |evidence: Evidence, witness, relied_on_by| -> Result<Erratum, VerifyError> {
-        // A kink is a hypothesis of the repaired form; the printed one has none.
-        let violated = evidence.conclusions.iter().find(|claim| !claim.holds());
+        // That there is no kink is a hypothesis of the repaired form; the printed one has it not.
+        let evidence = evidence.without("γ̇ does not jump");
         let statement = evidence.statement;
-        let violated = *violated.ok_or(VerifyError::NotRefuted { statement })?;
-        Ok(Erratum { statement, witness, violated, relied_on_by })
+        match evidence.finding() {
+            Finding::Violated(&violated) if violated.source == Source::Paper => {
+                Ok(Erratum { statement, witness, violated, relied_on_by })
+            }
+            _ => Err(VerifyError::NotRefuted { statement }),
+        }
     };
     Ok(vec![
         erratum(

@@ -74,6 +74,14 @@ impl Evidence {
         self
     }
 
+    /// Returns the evidence without the hypothesis of this claim: of a statement that lacks it as
+    /// printed.
+    #[must_use]
+    pub fn without(mut self, claim: &str) -> Self {
+        self.hypotheses.retain(|hypothesis| hypothesis.claim != claim);
+        self
+    }
+
     /// Returns what the numbers say. A conclusion is only looked at where the hypotheses hold.
     #[must_use]
     pub fn finding(&self) -> Finding<'_> {

@@ -121,15 +121,17 @@ impl Statement {
     }
 
     /// Returns whether it bounds an error, a speed or a derivative by the constants of the metric:
-    /// Theorems 1.1 to 1.4, and Propositions 7.4, 7.6, 7.7, 7.9 to 7.12, 8.1 and 8.2.
+    /// Theorems 1.1 to 1.4, Propositions 7.4, 7.6, 7.7, 7.9 to 7.12, 8.1 and 8.2, and what the
+    /// displayed constants bound.
     ///
-    /// The others say that something exists, that two numbers are equal, or what a constant is.
+    /// The others say that something exists, or that two numbers are equal, as a definition does.
     #[must_use]
     pub fn is_a_bound(self) -> bool {
         use Statement::{
-            Proposition7_4, Proposition7_6, Proposition7_7, Proposition7_9, Proposition7_10,
-            Proposition7_11, Proposition7_12, Proposition8_1, Proposition8_2, Theorem1_1,
-            Theorem1_2, Theorem1_3, Theorem1_4,
+            ConstantC1_1, ConstantC1_3, ConstantCTraSharp, ConstantK1, ConstantK2, ConstantK3Bar,
+            ConstantK4Bar, Proposition7_4, Proposition7_6, Proposition7_7, Proposition7_9,
+            Proposition7_10, Proposition7_11, Proposition7_12, Proposition8_1, Proposition8_2,
+            Theorem1_1, Theorem1_2, Theorem1_3, Theorem1_4,
         };
         matches!(
             self,
@@ -146,6 +148,13 @@ impl Statement {
                 | Proposition7_12
                 | Proposition8_1
                 | Proposition8_2
+                | ConstantK1
+                | ConstantK2
+                | ConstantK3Bar
+                | ConstantK4Bar
+                | ConstantCTraSharp
+                | ConstantC1_1
+                | ConstantC1_3
         )
     }
 

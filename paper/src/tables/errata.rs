@@ -68,19 +68,29 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
 }
 
 /// What is misprinted, by place: nothing here changes a result.
-const MISPRINTS: [&str; 8] = [
+const MISPRINTS: [&str; 14] = [
     "Section 1 refers to Section 6 for the failure of discretised lengths; it is in Section 5.",
     "Proposition 3.3: the norm in the last display lacks its subscript.",
+    "Proposition 4.1 cites the theorem that Proposition 4.3 cites, for another fact.",
+    "Proposition 4.2: the radius ε/2 in its proof does not fit near the ends of [0, 1], and points \
+     that coincide are not covered; then the curve is constant.",
+    "Lemma 4.4: its proof divides by the speed, which is 0 where the points coincide; then the curve \
+     is constant.",
     "Section 5: that a minimal curve is monotone is shown by the intermediate value theorem in a \
      way that does not cover a curve which leaves the interval on both sides; on a shorter interval \
      it does.",
+    "Proposition 7.1: the left-endpoint energy is not symmetric, as its proof has it; the bound works \
+     from either end all the same.",
+    "Proposition 7.3: the first ≤ of its proof is an equality.",
     "Proposition 7.5: the hypothesis bounds H at x₁ where it means every x.",
     "Proposition 7.6: in (7.5) an equality sign stands for ≤, and the two half distances to the \
      midpoint are counted as whole ones.",
+    "Proposition 7.9 does not repeat that H is Lipschitz, which it needs; c₁ and c₂ it does not.",
     "Proposition 7.10: the bound by L h/h stands outside of its limit.",
     "Theorem 1.1: its proof ends with C/√N for the upper bound, where C_tra♯/N was shown and C/N is \
      claimed.",
-    "Proposition 8.1: the first display of the proof lacks the factor 1/N.",
+    "Proposition 8.1: the first display of the proof lacks the factor 1/N, and \
+     (7.8) is cited where it is not needed.",
 ];
 
 /// `ERRATA.md`: the errata for readers.
@@ -114,7 +124,9 @@ No theorem falls: wherever a refuted statement is used, the case at hand is cove
             text += &format!("- {}: {reading}.\n", statement.number());
         }
     }
-    text += "- *Trapezoidal rule*: H is read at the midpoint of each chord, which elsewhere is the \
+    text += "- Propositions 4.3 and 6.2 are about connected manifolds, or distances are not finite; \
+             R^D is one.\n- The constant C of Theorems 1.1 to 1.4 depends on D, through K_{2,g}.\n- \
+             *Trapezoidal rule*: H is read at the midpoint of each chord, which elsewhere is the \
              midpoint rule.\n\n## The open question\n\n";
     for statement in Statement::ALL {
         if let Verdict::OpenAnsweredBy(answer) = statement.verdict() {

@@ -12,7 +12,8 @@ use crate::{
 pub(super) const TABLE: Table = Table {
     id: "statements",
     shows: "every statement of the paper with our verdict, the number of random cases, their \
-            least slack (bound / observed), the slack of the best witness, and the tests",
+            least slack (bound / observed), the slack of the best witness, the tests, and the \
+            hypotheses that are evaluated with it",
     seed: Seed::Suite,
     data,
     layout,
@@ -34,6 +35,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
         ("worst_slack", SLACK),
         ("witness_slack", SLACK),
         ("tests", Tolerance::Exact),
+        ("hypotheses", Tolerance::Exact),
     ]);
     let mut missing = Vec::new();
     for entry in ledger()? {
@@ -55,6 +57,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
             slack(entry.worst_slack),
             slack(entry.witness_slack),
             entry.checks.join("; "),
+            entry.hypotheses.join("; "),
         ]);
     }
     if !missing.is_empty() {
@@ -127,13 +130,17 @@ fn section(row: &Row<'_>, statement: Statement) -> String {
     };
     let tests: Vec<String> =
         row.text("tests").split("; ").map(|test| format!("`{test}`")).collect();
+    let hypotheses = match row.text("hypotheses") {
+        "" => "none".to_owned(),
+        claims => claims.replace('|', "∣"),
+    };
     let slack = |column: &str| match row.text(column) {
         "" => "not to be told from rounding".to_owned(),
         slack => slack.to_owned(),
     };
     format!(
         "## {}\n\n{}.\n\n- label: `{}`\n- code: `tautline_verify::statements::{}`\n- verdict: \
-         **{verdict}**\n- random cases: {}, least slack {}\n- slack of the best witness: {}\n- \
+         **{verdict}**\n- hypotheses evaluated: {hypotheses}\n- random cases: {}, least slack {}\n- slack of the best witness: {}\n- \
          tests: {}\n\n",
         statement.number(),
         statement.claim(),

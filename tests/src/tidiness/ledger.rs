@@ -6,6 +6,51 @@ use tautline_verify::{Statement, Verdict};
 
 use super::{files, read, root};
 
+/// The labels of the paper's numbered statements and of both claims of Section 5, and its displayed
+/// constants, in its order: read from the paper, not from the program.
+const LABELS: [&str; 40] = [
+    "theo:approx_numerical_integral_trapezoidal",
+    "theo:approx_numerical_integral_trapezoidal_length",
+    "theo:approx_numerical_integral_left",
+    "theo:approx_numerical_integral_left_length",
+    "prop:metric_geodesic_constant",
+    "prop:Hopf-Rinow-theorem",
+    "prop:bounded_g_completeness",
+    "prop:geodesic_min_loc_path_min",
+    "prop:geodesic_min_path_min",
+    "prop:uniformal_normal_radius",
+    "lem:minimal_constant_speed_geodesic",
+    "eq:length-left-point-min",
+    "eq:length-tra-point-min",
+    "prop:geodesic_len_and_energy",
+    "prop:bounded_2sets_min",
+    "prop:geodesic_len_and_energy_2",
+    "prop:existence_discrete_minimizers",
+    "prop:morrey_ineq",
+    "prop:morrey_ineq_cor",
+    "prop:approx_numerical_integral_beta-gamma",
+    "prop:functional_lipschitz_estimate",
+    "prop:approx_numerical_integral",
+    "C_tra(N)",
+    "C_tra^sharp",
+    "prop:approx_numerical_integral_set",
+    "prop:ineq_cube_3/2",
+    "prop:approx_numerical_integral_pts",
+    "prop:estimate_derivation_g",
+    "prop:Christoffel_symbol_estimate",
+    "K_{1,g}",
+    "K_{2,g}",
+    "prop:apriori_estuimate_geodesic",
+    "overline K_{3,g}",
+    "C (Theorem 1.1)",
+    "prop:left_trapezoidal_fomula",
+    "prop:approx_numerical_integral_pts_left",
+    "overline K_{4,g}",
+    "C (Theorem 1.3)",
+    "prop:length_energy_estimation",
+    "Remark 9.2",
+];
+
 /// The rows of `paper/tables/statements.csv`, as label, number, verdict and tests.
 fn rows() -> Vec<[String; 4]> {
     let text = read(&root().join("paper/tables/statements.csv"));
@@ -25,6 +70,8 @@ fn sources(folder: &str) -> String {
 #[test]
 fn every_statement_has_its_row() {
     let rows = rows();
+    let labels: Vec<&str> = rows.iter().map(|row| row[0].as_str()).collect();
+    assert_eq!(labels, LABELS);
     assert_eq!(rows.len(), Statement::ALL.len());
     for (row, statement) in rows.iter().zip(Statement::ALL) {
         let expected = [statement.label(), statement.number(), statement.verdict().name()];

@@ -50,10 +50,19 @@ pub(super) fn greatest(cell: impl Fn(f64, f64) -> f64) -> f64 {
                 [(a, middle), (middle, b)]
             })
             .collect();
-        reached = cells.iter().map(|&(a, _)| cell(a, a)).fold(reached, f64::max);
-        cells.retain(|&(a, b)| cell(a, b) > reached);
+        reached = cells.iter().map(|&(a, _)| cell(a, a)).fold(reached, larger);
+        if reached.is_nan() {
+            return reached;
+        }
+        // A bound that is NaN stays.
+        cells.retain(|&(a, b)| !(cell(a, b) <= reached));
     }
-    cells.into_iter().map(|(a, b)| cell(a, b)).fold(reached, f64::max)
+    cells.into_iter().map(|(a, b)| cell(a, b)).fold(reached, larger)
+}
+
+/// The larger of two numbers, and NaN if one is.
+fn larger(a: f64, b: f64) -> f64 {
+    if a >= b || a.is_nan() { a } else { b }
 }
 
 #[cfg(test)]
@@ -122,5 +131,9 @@ mod tests {
         let bound = greatest(|a, b| b * b - a);
         assert!((0.0..4e-6).contains(&bound), "{bound}");
         assert_eq!(greatest(|a, _| 3.0 * rest(a, 1.0)), 3.0);
+        // A value that is NaN, a bound that is, and infinity.
+        assert!(greatest(|a, _| if a > 0.7 { f64::NAN } else { a }).is_nan());
+        assert!(greatest(|a, b| if a < b && b > 0.7 { f64::NAN } else { a }).is_nan());
+        assert_eq!(greatest(|_, b| 1.0 / (1.0 - b)), f64::INFINITY);
     }
 }

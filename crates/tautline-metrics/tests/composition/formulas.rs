@@ -106,7 +106,8 @@ fn distances_are_those_of_the_parts() {
     assert_relative_eq!(pulled_d, d, max_relative = 1e-14);
 }
 
-/// G4 ⊕ G10 on a pair whose first halves are known everywhere and whose second lie on a ray.
+/// The shear beside the lens, on a pair whose first halves are known everywhere and whose second
+/// lie on a ray.
 #[test]
 fn the_square_of_a_distance_in_a_product_is_the_sum_of_squares() {
     let (shear, lens) = (Shear::new(0.5, 1.0).expect("k > 0"), Lens::new(2.0, 0.7).expect("s > 0"));

@@ -64,7 +64,7 @@ struct Golden {
 }
 
 /// `H = I`, from `(0, 0)` to `(3, 4)`.
-const G1A: Golden = Golden {
+const IDENTITY: Golden = Golden {
     c1: 1.0,
     c2: 1.0,
     l_h: 0.0,
@@ -79,7 +79,7 @@ const G1A: Golden = Golden {
 };
 
 /// `H = [[2, 1], [1, 2]]`, from `(0, 0)` to `(3, 4)`.
-const G1B: Golden = Golden {
+const OBLIQUE: Golden = Golden {
     c1: 1.0,
     c2: 3.0,
     l_h: 0.0,
@@ -94,7 +94,7 @@ const G1B: Golden = Golden {
 };
 
 /// `H = [[2, 1], [1, 2]]`, from the ball of radius ½ about 0 to `{x₁ ≥ 3}`.
-const G1C: Golden = Golden {
+const OBLIQUE_FROM_BALL: Golden = Golden {
     c1: 1.0,
     c2: 3.0,
     l_h: 0.0,
@@ -109,7 +109,7 @@ const G1C: Golden = Golden {
 };
 
 /// The valleys, from `(0, 0)` to `(4π, 0)`.
-const G2A: Golden = Golden {
+const ALONG_VALLEYS: Golden = Golden {
     c1: 1.0,
     c2: 9.0,
     l_h: 4.40366947504161167615,
@@ -124,7 +124,7 @@ const G2A: Golden = Golden {
 };
 
 /// The valleys, from `(0, 0)` to `(2, 3/2)`.
-const G2B: Golden = Golden {
+const ACROSS_VALLEYS: Golden = Golden {
     c1: 1.0,
     c2: 9.0,
     l_h: 4.40366947504161167615,
@@ -139,7 +139,7 @@ const G2B: Golden = Golden {
 };
 
 /// The valleys, from the ball of radius ½ about 0 to `{x₁ ≥ 3}`: `d = 5 − sin 3 + sin ½`.
-const G2C: Golden = Golden {
+const VALLEYS_FROM_BALL: Golden = Golden {
     c1: 1.0,
     c2: 9.0,
     l_h: 4.40366947504161167615,
@@ -154,7 +154,7 @@ const G2C: Golden = Golden {
 };
 
 /// `H = diag(1 + ½ sin² x₁, 2)`, from `(0.2, 0)` to `(2.5, 1)`.
-const G3A: Golden = Golden {
+const ELLIPTIC: Golden = Golden {
     c1: 1.0,
     c2: 2.0,
     l_h: 0.5,
@@ -169,7 +169,7 @@ const G3A: Golden = Golden {
 };
 
 /// The shear by `Φ = (x₁ + ½ sin x₂, x₂)`, from `(0, 0)` to `(2, 3)`.
-const G4A: Golden = Golden {
+const SHEARED: Golden = Golden {
     c1: 0.609611796797792431272,
     c2: 1.64038820320220756873,
     l_h: 0.559016994374947424102,
@@ -253,23 +253,23 @@ fn shear() -> Shear {
 
 fn constant_metrics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     let flat = Constant::new(SMatrix::<f64, 2, 2>::identity()).expect("positive definite");
-    between(trial.subject, &G1A, &flat, [3.0, 4.0])?;
-    between(trial.subject, &G1B, &oblique(), [3.0, 4.0])?;
+    between(trial.subject, &IDENTITY, &flat, [3.0, 4.0])?;
+    between(trial.subject, &OBLIQUE, &oblique(), [3.0, 4.0])?;
     let distance = from_ball(trial.subject, &oblique())?;
-    check(trial.subject, &G1C, &oblique(), distance)?;
+    check(trial.subject, &OBLIQUE_FROM_BALL, &oblique(), distance)?;
     Ok(Default::default())
 }
 
 fn valleys<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    between(trial.subject, &G2A, &Valleys, [4.0 * std::f64::consts::PI, 0.0])?;
-    between(trial.subject, &G2B, &Valleys, [2.0, 1.5])?;
+    between(trial.subject, &ALONG_VALLEYS, &Valleys, [4.0 * std::f64::consts::PI, 0.0])?;
+    between(trial.subject, &ACROSS_VALLEYS, &Valleys, [2.0, 1.5])?;
     let distance = from_ball(trial.subject, &Valleys)?;
-    check(trial.subject, &G2C, &Valleys, distance)?;
+    check(trial.subject, &VALLEYS_FROM_BALL, &Valleys, distance)?;
     Ok(Default::default())
 }
 
 fn sheared<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    between(trial.subject, &G4A, &shear(), [2.0, 3.0])?;
+    between(trial.subject, &SHEARED, &shear(), [2.0, 3.0])?;
     Ok(Default::default())
 }
 
@@ -277,7 +277,7 @@ fn sheared<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 fn corrugated<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     let points = [[0.2, 0.0], [2.5, 1.0]];
     let distance = extrapolated(trial.subject, Trapezoidal, &EllipticProduct, points, 1000)?;
-    check(trial.subject, &G3A, &EllipticProduct, distance)?;
+    check(trial.subject, &ELLIPTIC, &EllipticProduct, distance)?;
     Ok(Default::default())
 }
 
@@ -310,9 +310,9 @@ fn distances<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         let left = extrapolated(subject, LeftEndpoint, metric, points, 2048)?;
         close("d, left", left, golden.d, 1e-7)
     }
-    one(trial.subject, &G1B, &oblique(), [[0.0, 0.0], [3.0, 4.0]])?;
-    one(trial.subject, &G2B, &Valleys, [[0.0, 0.0], [2.0, 1.5]])?;
-    one(trial.subject, &G3A, &EllipticProduct, [[0.2, 0.0], [2.5, 1.0]])?;
-    one(trial.subject, &G4A, &shear(), [[0.0, 0.0], [2.0, 3.0]])?;
+    one(trial.subject, &OBLIQUE, &oblique(), [[0.0, 0.0], [3.0, 4.0]])?;
+    one(trial.subject, &ACROSS_VALLEYS, &Valleys, [[0.0, 0.0], [2.0, 1.5]])?;
+    one(trial.subject, &ELLIPTIC, &EllipticProduct, [[0.2, 0.0], [2.5, 1.0]])?;
+    one(trial.subject, &SHEARED, &shear(), [[0.0, 0.0], [2.0, 3.0]])?;
     Ok(Default::default())
 }

@@ -14,6 +14,8 @@ pub struct Entry {
     pub worst_slack: f64,
     /// The least slack of its witnesses, a pure number.
     pub witness_slack: f64,
+    /// The hypotheses that were evaluated on the random cases, by their claims.
+    pub hypotheses: Vec<&'static str>,
     /// The names of the checks that are about it.
     pub checks: Vec<&'static str>,
 }
@@ -45,6 +47,7 @@ pub fn ledger() -> Result<Vec<Entry>, Failure> {
             cases: random.of(statement).map_or(0, |count| count.cases),
             worst_slack: slack(&random),
             witness_slack: slack(&witnesses),
+            hypotheses: random.hypotheses(statement).collect(),
             checks: about.map(|check| check.name).collect(),
         }
     };

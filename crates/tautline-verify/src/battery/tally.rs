@@ -1,13 +1,15 @@
 //! `Tally`: how often each statement was evaluated, and how near it came to equality.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use crate::{Evidence, Statement};
+use crate::{Evidence, Source, Statement};
 
-/// For each statement, the number of cases on which it was evaluated and the least slack.
+/// For each statement, the number of cases on which it was evaluated, the least slack, and the
+/// hypotheses that were looked at.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tally {
     counts: BTreeMap<Statement, Count>,
+    hypotheses: BTreeMap<Statement, BTreeSet<&'static str>>,
 }
 
 /// The cases of one statement.
@@ -20,10 +22,13 @@ pub struct Count {
 }
 
 impl Tally {
-    /// Counts one case.
+    /// Counts one case, of the statement if a conclusion of the paper was put to it.
     pub fn count(&mut self, evidence: &Evidence) {
-        let one = Count { cases: 1, slack: evidence.slack() };
+        let paper = evidence.conclusions.iter().any(|claim| claim.source == Source::Paper);
+        let one = Count { cases: u64::from(paper), slack: evidence.slack() };
         self.add(evidence.statement, one);
+        let claims = evidence.hypotheses.iter().map(|clause| clause.claim);
+        self.hypotheses.entry(evidence.statement).or_default().extend(claims);
     }
 
     /// Adds all the cases of another tally.
@@ -31,12 +36,20 @@ impl Tally {
         for (&statement, &count) in &other.counts {
             self.add(statement, count);
         }
+        for (&statement, claims) in &other.hypotheses {
+            self.hypotheses.entry(statement).or_default().extend(claims);
+        }
     }
 
     /// Returns the count of a statement, if it was evaluated at all.
     #[must_use]
     pub fn of(&self, statement: Statement) -> Option<Count> {
         self.counts.get(&statement).copied()
+    }
+
+    /// Returns the hypotheses of a statement that were evaluated, by their claims.
+    pub fn hypotheses(&self, statement: Statement) -> impl Iterator<Item = &'static str> {
+        self.hypotheses.get(&statement).into_iter().flatten().copied()
     }
 
     fn add(&mut self, statement: Statement, more: Count) {

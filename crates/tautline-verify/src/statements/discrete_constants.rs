@@ -145,9 +145,9 @@ impl Excess {
         let rounding = 1e-13 * self.constant;
         evidence
             .paper("E(γᵖˡ) − d² ≤ by parts", Unit::ENERGY, [excess, self.by_parts], seen.granted)
-            .paper("by parts ≤ C/√N", Unit::ENERGY, [self.by_parts, bound], rounding)
-            .paper("C ≤ the sum of its parts", Unit::ENERGY, [self.constant, self.sum], rounding)
-            .paper("the sum of its parts ≤ C", Unit::ENERGY, [self.sum, self.constant], rounding)
+            .sharper("by parts ≤ C/√N", Unit::ENERGY, [self.by_parts, bound], rounding)
+            .sharper("C ≤ the sum of its parts", Unit::ENERGY, [self.constant, self.sum], rounding)
+            .sharper("the sum of its parts ≤ C", Unit::ENERGY, [self.sum, self.constant], rounding)
             .sharper("E(γᵖˡ) − d² = O(1/N)", Unit::ENERGY, [excess, self.first_order], seen.granted)
     }
 }

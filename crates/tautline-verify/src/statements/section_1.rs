@@ -90,7 +90,7 @@ pub fn theorem_1_1<const D: usize>(subject: &impl Subject, seen: &Reconstruction
             [discrete_energy - d2, constant / count],
             granted,
         )
-        .sharper("d² ≤ E(γᵖˡ)", Unit::ENERGY, [d2 - seen.energy.value, 0.0], granted)
+        .paper("d² ≤ E(γᵖˡ)", Unit::ENERGY, [d2 - seen.energy.value, 0.0], granted)
         .sharper("E(γᵖˡ) − E_tra,N ≤ L_H mean|β|³/4N", Unit::ENERGY, [gap, mean_cube], granted)
         .sharper(
             "E_tra,N − d² ≤ d² (e − 1)",
@@ -147,7 +147,7 @@ pub fn theorem_1_3<const D: usize>(subject: &impl Subject, seen: &Reconstruction
     begin(Statement::Theorem1_3, seen, PaperRule::LeftEndpoint, premise)
         .paper("E(γᵖˡ) − E_l,N ≤ C/√N", Unit::ENERGY, [gap, bound], granted)
         .paper("E_l,N − d² ≤ C/√N", Unit::ENERGY, [discrete_energy - d2, bound], granted)
-        .sharper("d² ≤ E(γᵖˡ)", Unit::ENERGY, [d2 - seen.energy.value, 0.0], granted)
+        .paper("d² ≤ E(γᵖˡ)", Unit::ENERGY, [d2 - seen.energy.value, 0.0], granted)
         .sharper("E(γᵖˡ) − E_l,N ≤ L_H mean|β|³/2N", Unit::ENERGY, [gap, mean_cube], granted)
         .sharper("E_l,N − d² ≤ d² (e − 1)", Unit::ENERGY, [discrete_energy - d2, ceiling], granted)
         .sharper("E(γᵖˡ) − E_l,N ≤ d² (δ/2N) e Q", Unit::ENERGY, [gap, first_order], granted)
