@@ -18,7 +18,7 @@ usage: paper figures [ID …] [--check | --quick | --list]
 
   --check   recompute, and compare with what is committed
   --quick   fewer subintervals, written to target/quick
-  --list    name what there is";
+  --list    name what there is, and what it shows";
 
 /// What to do with an artefact.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -70,7 +70,8 @@ pub fn run(arguments: impl IntoIterator<Item = String>) -> Result<(), Failure> {
     };
     if let Some(id) = ids.iter().find(|id| artefacts.iter().all(|a| a.id() != id.as_str())) {
         let known: Vec<&str> = artefacts.iter().map(Artefact::id).collect();
-        return Err(usage(format!("there is no {id}; there are {}", known.join(", "))));
+        let kind = kind.as_deref().unwrap_or_default();
+        return Err(usage(format!("none of the {kind} is called {id}: {}", known.join(", "))));
     }
     let chosen = artefacts.iter().filter(|a| ids.is_empty() || ids.iter().any(|id| id == a.id()));
     for artefact in chosen {
@@ -80,8 +81,13 @@ pub fn run(arguments: impl IntoIterator<Item = String>) -> Result<(), Failure> {
         }
         let begun = Instant::now();
         artefact.make(mode)?;
-        let verb = if mode == Mode::Check { "checked" } else { "wrote" };
-        eprintln!("{verb} {} in {:.1} s", artefact.id(), begun.elapsed().as_secs_f64());
+        let (file, _) = artefact.data_file();
+        let done = match mode {
+            Mode::Check => format!("checked paper/{file}"),
+            Mode::Quick => format!("wrote target/quick/{file}"),
+            _ => format!("wrote paper/{file}"),
+        };
+        eprintln!("{done} in {:.1} s", begun.elapsed().as_secs_f64());
     }
     Ok(())
 }

@@ -6,6 +6,7 @@
 //! | `kit` | the kit on the whole gallery, all sets and rules, and on what has to be rejected |
 //! | `own` | a metric, a rule and a closed set of one's own, through the face |
 //! | `bad_input`, `touching_ends` | what is refused, and how; what is not |
+//! | `promoted_cases` | random cases that caught a mistake, kept by name |
 //! | `committed_data` | what the project claims of the data in its repository |
 //! | `tidiness` | the shape of the workspace |
 //!
@@ -21,6 +22,8 @@ mod committed_data;
 mod kit;
 #[cfg(test)]
 mod own;
+#[cfg(test)]
+mod promoted_cases;
 #[cfg(test)]
 mod tidiness;
 #[cfg(test)]

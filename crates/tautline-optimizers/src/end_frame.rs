@@ -148,4 +148,12 @@ mod tests {
         // On the set and normal: nothing is left of the gradient but rounding, 1e-16 / τ.
         assert!(frame.projected_gradient.norm() < 1e-13);
     }
+
+    /// However small it is beside the chord: here the eigenvalue `r/|z|` is `10⁻⁶`.
+    #[test]
+    fn a_small_disc_is_not_a_point() {
+        let ball = Ball::new([0.0, 0.0], 1e-6).expect("positive radius");
+        let frame = EndFrame::new(&ball, &vector![1e-6, 0.0], &vector![-(1.0 - 1e-6), 0.0], 1.0);
+        assert_eq!(free(&frame), 1);
+    }
 }

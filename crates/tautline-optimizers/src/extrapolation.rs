@@ -73,6 +73,19 @@ mod tests {
         assert!(estimate.error >= (estimate.value - 7.0).abs());
     }
 
+    /// Of two grids the one change, of three the last one: with `y = N⁻²` they are the first and
+    /// the second difference, at `y = 0`.
+    #[test]
+    fn the_error_is_the_change_by_the_last_order() {
+        let energy = |n: f64| 7.0 - 3.0 * n.powi(-2) + 5.0 * n.powi(-4);
+        let levels = [1, 2, 4].map(|n| Level { n, energy: energy(n as f64) });
+        let two = extrapolate(&levels[..2], 2).expect("two grids");
+        approx::assert_relative_eq!(two.error, (energy(2.0) - energy(1.0)).abs() / 3.0);
+        let three = extrapolate(&levels, 2).expect("three grids");
+        // The quadratic term that a straight line through 1/4 and 1/16 misses at 0.
+        approx::assert_relative_eq!(three.error, 5.0 / 64.0, max_relative = 1e-13);
+    }
+
     #[test]
     fn one_grid_is_not_enough() {
         assert_eq!(extrapolate(&[Level { n: 4, energy: 1.0 }], 2), None);

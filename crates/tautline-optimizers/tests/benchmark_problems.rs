@@ -120,6 +120,20 @@ fn the_saddle_on_the_axis_is_left() {
     }
 }
 
+/// Straight over the bump: a search that may not take a step says that the line is no minimum.
+#[test]
+fn a_saddle_is_told_by_its_negative_eigenvalues() {
+    let bump = Bump::new(4.0, 0.5).expect("positive");
+    let ends = Ends::points([-2.0, 0.0], [2.0, 0.0]).expect("finite");
+    let axis = PointSequence::straight([-2.0, 0.0], [2.0, 0.0], 16).expect("finite");
+    let options = Options { starts: Starts::Only(vec![axis]), iterations: 0 };
+    let minimum = minimise(&bump, &ends, Trapezoidal, 16, &options).expect("a metric");
+    assert_eq!(minimum.stop, Stop::IterationLimit);
+    // Sideways, all the points to one side: there is one slope that goes down.
+    assert!(matches!(minimum.curvature, Curvature::Indefinite { negative: 1 }), "{minimum:?}");
+    assert!(!minimum.is_local_minimum());
+}
+
 /// On 16, 63, 250 chords, and on two grids more.
 #[test]
 fn steps_on_all_grids_are_counted() {

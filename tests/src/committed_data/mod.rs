@@ -1,10 +1,11 @@
 //! What the project claims of the data in its repository, read from the files themselves.
 //!
-//! Nothing is computed here: a figure or a table that was drawn from these files shows what these
-//! tests checked.
+//! A figure or a table that was drawn from these files shows what these tests checked. Nothing is
+//! computed here but by the checks that kill the mutants.
 
 mod convergence;
 mod counterexample;
+mod mutants;
 
 use std::collections::HashMap;
 

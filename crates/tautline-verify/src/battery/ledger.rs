@@ -20,6 +20,14 @@ pub struct Entry {
     pub checks: Vec<&'static str>,
 }
 
+/// Returns the suite for the library, which is no mutant, and for the mutants.
+///
+/// The same checks as [`battery`] gives for any subject, but compiled once, with this crate.
+#[must_use]
+pub fn suite() -> Vec<Check<Option<Mutant>>> {
+    battery()
+}
+
 /// Runs the whole suite on the library, and returns an entry for each statement.
 ///
 /// # Errors
@@ -27,7 +35,7 @@ pub struct Entry {
 /// The first check that fails, by its name.
 pub fn ledger() -> Result<Vec<Entry>, Failure> {
     let trial = Trial { subject: &None, scope: Scope::Everything, cases: u32::MAX };
-    let checks: Vec<Check<Option<Mutant>>> = battery();
+    let checks = suite();
     let (mut random, mut witnesses) = (Tally::default(), Tally::default());
     for check in &checks {
         let tally = check
@@ -62,7 +70,7 @@ pub fn ledger() -> Result<Vec<Entry>, Failure> {
 #[must_use]
 pub fn kills(mutant: Option<Mutant>, scope: Scope, cases: u32, most: usize) -> Vec<&'static str> {
     let trial = Trial { subject: &mutant, scope, cases };
-    let checks: Vec<Check<Option<Mutant>>> = battery();
+    let checks = suite();
     let failing = |check: &&Check<_>| check.is_in(scope) && check.run(&trial).is_err();
     checks.iter().filter(failing).map(|check| check.name).take(most).collect()
 }

@@ -31,7 +31,7 @@ mod theorem_witnesses;
 mod trial;
 
 pub use check::{Check, Kind};
-pub use ledger::{Entry, kills, ledger};
+pub use ledger::{Entry, kills, ledger, suite};
 pub use tally::{Count, Tally};
 pub use trial::{Failure, Outcome, Scope, Trial};
 

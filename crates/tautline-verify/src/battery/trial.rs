@@ -196,3 +196,59 @@ fn scales(here: &Evidence, there: &Evidence, units: Units) -> Result<(), VerifyE
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Scope, Trial, scales};
+    use crate::{Evidence, Statement, Unit, Units};
+
+    /// One hypothesis and one conclusion of Theorem 1.1, and a companion of it.
+    fn evidence(given: f64, paper: f64, sharper: f64) -> Evidence {
+        Evidence::of(Statement::Theorem1_1)
+            .given("a hypothesis", Unit::NONE, [given, 1.0], 0.0)
+            .paper("a bound", Unit::ENERGY, [paper, 1.0], 0.0)
+            .sharper("a companion", Unit::ENERGY, [sharper, 1.0], 0.0)
+    }
+
+    #[test]
+    fn all_that_does_not_hold_fails_and_alone_the_bounds_of_the_paper() {
+        let judged = |scope, evidence: Evidence| {
+            Trial { subject: &(), scope, cases: 1 }.one([evidence]).is_ok()
+        };
+        let outcomes = |scope| {
+            [evidence(0.5, 0.5, 0.5), evidence(2.0, 0.5, 0.5), evidence(0.5, 2.0, 0.5)]
+                .into_iter()
+                .chain([evidence(0.5, 0.5, 2.0), evidence(0.5, f64::NAN, 0.5)])
+                .map(|evidence| judged(scope, evidence))
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(outcomes(Scope::Everything), [true, false, false, false, false]);
+        assert_eq!(outcomes(Scope::PaperAlone), [true, true, false, true, false]);
+    }
+
+    /// Lengths in units of 1/2 are twice as large, and energies four times.
+    #[test]
+    fn every_number_has_to_scale_by_its_unit() {
+        let units = Units { ell: 1.0, m: 2.0 };
+        let of = |observed: f64, bound: f64, granted: f64| {
+            Evidence::of(Statement::Theorem1_1).paper(
+                "a bound",
+                Unit::ENERGY,
+                [observed, bound],
+                granted,
+            )
+        };
+        let here = of(1.0, 3.0, 1e-9);
+        assert!(scales(&here, &of(4.0, 12.0, 4e-9), units).is_ok());
+        for there in [of(2.0, 12.0, 4e-9), of(4.0, 6.0, 4e-9), of(4.0, 12.0, 1e-9)] {
+            assert!(scales(&here, &there, units).is_err(), "{there:?}");
+        }
+    }
+
+    #[test]
+    #[should_panic(expected = "as many clauses")]
+    fn a_clause_that_is_missing_in_other_units_is_missed() {
+        let less = Evidence::of(Statement::Theorem1_1);
+        let _ = scales(&evidence(0.5, 0.5, 0.5), &less, Units::ONE);
+    }
+}

@@ -1,0 +1,171 @@
+//! Cases that caught a mistake: drawn at random, shrunk, and kept by name.
+//!
+//! The library passes each, and a program with that mistake does not. The random checks of the
+//! suite may come to draw other cases; these stay.
+
+use std::f64::consts::TAU;
+
+use tautline::{
+    Ball, Bounded, Constants, Ends, HalfSpace, PointSequence, SMatrix,
+    gallery::{Constant, Shear},
+};
+use tautline_verify::{
+    Evidence, Finding, Known, Mutant, PaperRule, Reconstruction, Units,
+    statements::{
+        constant_c_tra, constant_k3_bar, critical_point, prop_7_9, section_5_left, theorem_1_1,
+        theorem_1_2,
+    },
+};
+
+/// Evaluates the case with the library and with a mistake.
+fn tells_apart(mutant: Mutant, case: impl Fn(&Option<Mutant>) -> Evidence) {
+    let sound = case(&None);
+    assert_eq!(sound.finding(), Finding::Holds, "{sound:?}");
+    let wrong = case(&Some(mutant));
+    assert_ne!(wrong.finding(), Finding::Holds, "{mutant:?} passes: {wrong:?}");
+}
+
+/// What a subject's minimiser of a rule with `n` subintervals looks like.
+fn observe<M: Bounded<D>, const D: usize>(
+    subject: &Option<Mutant>,
+    known: &Known<M, D>,
+    rule: PaperRule,
+    n: usize,
+) -> Reconstruction<D> {
+    Reconstruction::observe(subject, known, rule, n).expect("a minimiser")
+}
+
+/// `H = ¼ I` from 0 to a point near `(1, 2)`: `C = 0`, so that nothing may be off.
+fn quarter() -> Known<Constant<2>, 2> {
+    let metric = Constant::new(SMatrix::identity() * 0.25).expect("positive definite");
+    Known::between(metric, [0.0, 0.0], [0.9, 1.9136]).expect("finite").expect("known everywhere")
+}
+
+/// A shear, between two points.
+fn shear(amplitude: f64, wave_number: f64, [a, b]: [[f64; 2]; 2]) -> Known<Shear, 2> {
+    let metric = Shear::new(amplitude, wave_number).expect("a wave number");
+    Known::between(metric, a, b).expect("finite").expect("known everywhere")
+}
+
+/// A shear, from the origin to the half-plane `{x₂ ≥ 1/5}`: straight up.
+fn straight_up(amplitude: f64) -> Known<Shear, 2> {
+    let metric = Shear::new(amplitude, 0.5).expect("a wave number");
+    let point = Ball::new([0.0, 0.0], 0.0).expect("a point");
+    let half_plane = HalfSpace::at_least([0.0, 1.0], 0.2).expect("a direction");
+    let ends = Ends::new(point, half_plane).expect("one is bounded");
+    Known { metric, ends, distance: 0.2, distance_error: 2e-14 }
+}
+
+#[test]
+fn half_of_the_energy_on_a_straight_line() {
+    let known = quarter();
+    tells_apart(Mutant::EnergyHalved, |subject| {
+        theorem_1_1(subject, &observe(subject, &known, PaperRule::Trapezoidal, 1))
+    });
+}
+
+#[test]
+fn the_energy_of_all_chords_but_the_last_on_a_straight_line() {
+    let known = quarter();
+    tells_apart(Mutant::LastChordLost, |subject| {
+        theorem_1_1(subject, &observe(subject, &known, PaperRule::Trapezoidal, 2))
+    });
+}
+
+#[test]
+fn k3_bar_without_the_distance_on_a_straight_line() {
+    let known = quarter();
+    tells_apart(Mutant::DistanceForgotten, |subject| {
+        constant_k3_bar(subject, &observe(subject, &known, PaperRule::Trapezoidal, 1))
+    });
+}
+
+#[test]
+fn an_end_point_a_millionth_off_on_a_straight_line() {
+    let known = quarter();
+    tells_apart(Mutant::EndRelaxed, |subject| {
+        theorem_1_1(subject, &observe(subject, &known, PaperRule::Trapezoidal, 1))
+    });
+}
+
+/// The energy of one chord on a shear, read at one node, is less than the square of the distance.
+#[test]
+fn one_node_of_a_chord_on_a_shear() {
+    let ends = [[0.0, 0.0], [-1.782_908_291_752_968, 0.166_017_112_013_032_04]];
+    let known = shear(0.577_034_596_844_456, 0.5, ends);
+    tells_apart(Mutant::QuadratureOfOneNode, |subject| {
+        theorem_1_1(subject, &observe(subject, &known, PaperRule::Trapezoidal, 1))
+    });
+}
+
+/// The steepest place of this shear is on the way.
+#[test]
+fn a_lipschitz_constant_a_tenth_too_small_on_a_shear() {
+    let ends =
+        [[-1.971_790_881_159_051_2, 0.0], [-2.031_890_739_852_592_7, 2.205_841_535_059_412_7]];
+    let known = shear(0.374_169_547_927_881_2, 0.5, ends);
+    tells_apart(Mutant::LipschitzTooSmall, |subject| {
+        theorem_1_1(subject, &observe(subject, &known, PaperRule::Trapezoidal, 3))
+    });
+}
+
+/// From a point to a half-plane: with the mean of `H` over the ends of a chord for `H` in its
+/// middle, the minimiser meets the line at a slant.
+#[test]
+fn the_mean_over_the_ends_of_a_chord_from_a_point_to_a_half_plane() {
+    let known = straight_up(-0.303_127_440_325_200_7);
+    tells_apart(Mutant::TrueTrapezoid, |subject| {
+        critical_point(subject, &known, &observe(subject, &known, PaperRule::Trapezoidal, 2))
+    });
+}
+
+#[test]
+fn sums_of_squares_for_lengths_on_one_chord_over_the_valleys() {
+    let chord = PointSequence::straight([0.0, 0.0], [2.0 * TAU, 0.0], 1).expect("finite");
+    for mutant in [Mutant::RootLost, Mutant::LengthFromEnergy] {
+        tells_apart(mutant, |subject| {
+            section_5_left(subject, Units::ONE, &chord).expect("a sequence")
+        });
+    }
+}
+
+/// `c₁ = c₂ = ⅛`, `L_H = d = 1/16` and `D = 1`: the smallest numbers that show it.
+#[test]
+fn c_tra_without_its_term_of_second_order() {
+    let constants = Constants::new(0.125, 0.125, 0.0625).expect("in order");
+    let k1 = 0.0625 / 0.125_f64.sqrt();
+    let k2 = 1.5 * 0.0625 / 0.125 * k1 * k1;
+    let two = std::num::NonZeroUsize::MIN.saturating_add(1);
+    tells_apart(Mutant::SecondOrderForgotten, |subject| {
+        constant_c_tra(subject, constants, [k1, k2], two)
+    });
+}
+
+/// `0 / 0` must not pass for a bound.
+#[test]
+fn a_sequence_that_stays_where_it_is() {
+    let metric = Constant::<2>::new(SMatrix::identity()).expect("positive definite");
+    let still = PointSequence::straight([0.0, 0.0], [0.0, 0.0], 1).expect("finite");
+    tells_apart(Mutant::PowerOfK3Lost, |subject| {
+        prop_7_9(subject, &metric, &still).expect("a sequence")
+    });
+}
+
+/// The straight line is dearer than any bound of the minimum allows.
+#[test]
+fn a_straight_line_on_a_shear() {
+    let ends = [[-0.786_559_023_454_842_9, 0.0], [0.0, -2.261_642_456_117_900_5]];
+    let known = shear(0.255_151_814_396_990_14, 0.5, ends);
+    tells_apart(Mutant::NotOptimised, |subject| {
+        theorem_1_1(subject, &observe(subject, &known, PaperRule::Trapezoidal, 200))
+    });
+}
+
+/// With one node a chord, the square of a length is above its energy.
+#[test]
+fn one_node_of_a_chord_from_a_point_to_a_half_plane() {
+    let known = straight_up(0.182_596_145_964_421_17);
+    tells_apart(Mutant::QuadratureOfOneNode, |subject| {
+        theorem_1_2(subject, &observe(subject, &known, PaperRule::Trapezoidal, 1))
+    });
+}
