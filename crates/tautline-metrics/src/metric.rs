@@ -72,3 +72,22 @@ impl<const D: usize, M: KnownDistance<D>> KnownDistance<D> for &M {
         (**self).distance(x, y)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::vector;
+
+    use super::{Bounded, KnownDistance};
+    use crate::gallery::Shear;
+
+    #[test]
+    fn a_reference_to_a_metric_knows_what_the_metric_knows() {
+        fn knows(metric: impl Bounded<2> + KnownDistance<2>) -> (f64, Option<f64>) {
+            let distance = metric.distance(&vector![0.0, 0.0], &vector![2.0, 3.0]);
+            (metric.constants().l_h(), distance)
+        }
+        let shear = Shear::new(0.5, 1.0).expect("a wave number");
+        assert_eq!(knows(&shear), knows(shear));
+        assert!(knows(shear).1.is_some_and(|distance| distance > 1.0));
+    }
+}

@@ -159,6 +159,23 @@ mod tests {
         assert!(cholesky(&matrix![1.0, 2.0; 2.0, 1.0]).is_none());
     }
 
+    /// Cancelling terms of size 10⁶ leave an entry of size 1, off by their rounding.
+    #[test]
+    fn the_halves_may_differ_by_the_rounding_of_the_diagonal() {
+        let off = |by: f64| {
+            check_gram(&Matrix([[1e6, 1.0], [1.0 + by, 4e6]]), &vector![0.0, 0.0]).map(|_| ())
+        };
+        assert_eq!(off(1e-6), Ok(()));
+        assert!(matches!(off(4e-6), Err(MetricError::NotSymmetric { .. })));
+    }
+
+    #[test]
+    fn zero_and_infinity_are_not_positive_definite() {
+        let zero = check_gram(&Matrix([[0.0; 2]; 2]), &vector![0.0, 0.0]).expect_err("zero");
+        assert!(matches!(zero, MetricError::NotPositiveDefinite { eigenvalue: 0.0, .. }));
+        assert!(cholesky(&matrix![f64::INFINITY, 0.0; 0.0, 1.0]).is_none());
+    }
+
     #[test]
     fn the_halves_may_differ_by_rounding_and_by_no_more() {
         let off = |by: f64| check_gram(&Matrix([[2.0, 1.0], [1.0 + by, 2.0]]), &vector![0.0, 0.0]);
