@@ -149,11 +149,21 @@ fn lies_in_both<const D: usize>(
 
 #[cfg(test)]
 mod tests {
-    use super::common_point;
+    use super::{common_point, lies_in_both};
     use crate::laws::{runner, unwrap, vector_in};
     use crate::{AxisBox, Ball, ClosedSet, HalfSpace, Point, Segment, Sphere};
     use nalgebra::{SMatrix, SVector, vector};
     use proptest::prelude::*;
+
+    /// `(D + 4) ε = 7 ε` of the largest coordinate, and no more.
+    #[test]
+    fn a_point_lies_in_a_set_up_to_seven_roundings_in_space() {
+        let off = |count: f64| {
+            let set = Point::new([1.0 + count * f64::EPSILON, 0.5, 0.25]).expect("finite");
+            lies_in_both(&set, &set, &vector![1.0, 0.5, 0.25])
+        };
+        assert!(off(0.0) && off(6.0) && !off(9.0));
+    }
 
     #[test]
     fn common_point_of_two_balls_that_touch_off_the_straight_way_from_the_origin() {
