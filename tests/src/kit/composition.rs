@@ -8,13 +8,11 @@ use tautline::{
 };
 use tautline_verify::prelude::*;
 
-fn shear() -> Shear {
-    Shear::new(0.5, 1.0).expect("a wave number")
-}
+use super::gallery::{cube, egg_crate, hill, lens, period, shear};
 
 /// A shear beside a lens.
 pub(super) fn product() -> Product<Shear, Lens, 2, 2> {
-    Product::new(shear(), Lens::new(1.0, 0.5).expect("a width"))
+    Product::new(shear(), lens())
 }
 
 /// A period of the shear, and six widths of the lens to each side.
@@ -23,11 +21,11 @@ pub(super) fn beside() -> Region<4> {
 }
 
 pub(super) fn sum() -> Sum<Shear, EggCrate> {
-    Sum::new(shear(), EggCrate::new(0.5, 1.0).expect("a wave number"))
+    Sum::new(shear(), egg_crate())
 }
 
 pub(super) fn scaled() -> Scaled<Hill> {
-    Scaled::new(Hill::new(0.5, 0.5).expect("a width"), 2.5).expect("a factor")
+    Scaled::new(hill(), 2.5).expect("a factor")
 }
 
 /// Neither a similarity nor symmetric.
@@ -37,13 +35,6 @@ pub(super) fn pullback() -> AffinePullback<Shear, 2> {
 }
 
 metric_suite!(a_product: product(), dimension 4, in beside(), with distances);
-metric_suite!(
-    a_sum: sum(), dimension 2, in Region::cell([0.0, 0.0], [TAU, TAU]),
-);
-metric_suite!(
-    a_multiple: scaled(), dimension 2, in Region::cell([-3.0, -3.0], [3.0, 3.0]), with distances,
-);
-metric_suite!(
-    an_affine_pullback: pullback(), dimension 2, in Region::cell([-4.0, -4.0], [4.0, 4.0]),
-    with distances,
-);
+metric_suite!(a_sum: sum(), dimension 2, in period());
+metric_suite!(a_multiple: scaled(), dimension 2, in cube(3.0), with distances);
+metric_suite!(an_affine_pullback: pullback(), dimension 2, in cube(4.0), with distances);

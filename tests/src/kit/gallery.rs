@@ -1,4 +1,5 @@
-//! Every metric of the gallery that has constants: one line each.
+//! Every metric of the gallery that has constants: one line each. `Sphere` and `Hyperbolic`
+//! have none; what applies to them is in `without_constants.rs`.
 //!
 //! The regions hold the points where the constants are attained: a period, or six widths to each
 //! side, where a Gaussian is below `10⁻⁷`, or a patch with what surrounds it.
@@ -13,12 +14,12 @@ use tautline::gallery::{
 use tautline_verify::prelude::*;
 
 /// The cube `[−size, size]^D`.
-fn cube<const D: usize>(size: f64) -> Region<D> {
+pub(super) fn cube<const D: usize>(size: f64) -> Region<D> {
     Region::cell([-size; D], [size; D])
 }
 
 /// The cube `[0, 2π]^D`.
-fn period<const D: usize>() -> Region<D> {
+pub(super) fn period<const D: usize>() -> Region<D> {
     Region::cell([0.0; D], [TAU; D])
 }
 
@@ -26,27 +27,27 @@ fn constant() -> Constant<2> {
     Constant::new(SMatrix::<f64, 2, 2>::new(2.0, 1.0, 1.0, 2.0)).expect("positive definite")
 }
 
-fn ramp() -> Ramp {
+pub(super) fn ramp() -> Ramp {
     Ramp::new(0.5, 1.0).expect("below one")
 }
 
-fn separable() -> Separable<3> {
+pub(super) fn separable() -> Separable<3> {
     Separable::new([0.3, 0.5, -0.4], [1.0, 2.0, 1.5]).expect("below one")
 }
 
-fn shear() -> Shear {
+pub(super) fn shear() -> Shear {
     Shear::new(0.5, 1.0).expect("a wave number")
 }
 
-fn lens() -> Lens {
+pub(super) fn lens() -> Lens {
     Lens::new(1.0, 0.5).expect("a width")
 }
 
-fn bump() -> Bump {
+pub(super) fn bump() -> Bump {
     Bump::new(1.0, 0.5).expect("a width")
 }
 
-fn hill() -> Hill {
+pub(super) fn hill() -> Hill {
     Hill::new(0.5, 0.5).expect("a width")
 }
 
@@ -56,11 +57,11 @@ fn obstacles() -> SoftObstacles<2> {
     SoftObstacles::new(vec![one, two]).expect("widths")
 }
 
-fn anisotropy() -> RotatingAnisotropy {
+pub(super) fn anisotropy() -> RotatingAnisotropy {
     RotatingAnisotropy::new([1.0, 4.0], [0.7, -1.1]).expect("eigenvalues")
 }
 
-fn arm() -> TwoLinkArm {
+pub(super) fn arm() -> TwoLinkArm {
     TwoLinkArm::new(4.0, 0.8, 1.0).expect("positive definite")
 }
 

@@ -2,8 +2,11 @@
 
 mod composition;
 mod gallery;
+mod inventory;
 mod lies;
 mod lying_sets;
 mod newcomer;
 mod rules;
 mod sets;
+mod statement_lies;
+mod without_constants;

@@ -19,18 +19,6 @@ pub struct Effort {
 }
 
 impl Effort {
-    /// Some ten times the default: for the night before a claim is published.
-    #[must_use]
-    pub fn thorough() -> Self {
-        Self {
-            cases: 4096,
-            ascents: 32,
-            problems: 96,
-            subintervals: &[1, 2, 3, 4, 5, 8, 13, 32, 100],
-            ..Self::default()
-        }
-    }
-
     /// The default up to three dimensions. Above, half of the problems and fewer numbers of
     /// subintervals, since a solve costs `D³`.
     #[must_use]

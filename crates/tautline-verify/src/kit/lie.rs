@@ -1,8 +1,8 @@
-//! `Lie`: a constant that a metric claims and does not keep.
+//! `Claim` and `Lie`: a constant that a metric claims, and one that it does not keep.
 
-/// One of the constants by which the theorems know a metric.
+/// A claim of a metric: one of the constants by which the theorems know it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Constant {
+pub enum Claim {
     /// `c₁ ≤ λ_min(H)`, in `m²/ℓ²`.
     C1,
     /// `λ_max(H) ≤ c₂`, in `m²/ℓ²`.
@@ -13,18 +13,18 @@ pub enum Constant {
     MH,
 }
 
-impl Constant {
+impl Claim {
     /// All four.
-    pub const ALL: [Constant; 4] = [Constant::C1, Constant::C2, Constant::LH, Constant::MH];
+    pub const ALL: [Claim; 4] = [Claim::C1, Claim::C2, Claim::LH, Claim::MH];
 
     /// Returns the name, in ASCII as in code.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
-            Constant::C1 => "c1",
-            Constant::C2 => "c2",
-            Constant::LH => "L_H",
-            Constant::MH => "M_H",
+            Claim::C1 => "c1",
+            Claim::C2 => "c2",
+            Claim::LH => "L_H",
+            Claim::MH => "M_H",
         }
     }
 
@@ -32,14 +32,14 @@ impl Constant {
     #[must_use]
     pub fn formula(self) -> &'static str {
         match self {
-            Constant::C1 | Constant::C2 => "wᵀ H(x) w",
-            Constant::LH => "‖DH(x)[w]‖",
-            Constant::MH => "‖D²H(x)[w, w]‖",
+            Claim::C1 | Claim::C2 => "wᵀ H(x) w",
+            Claim::LH => "‖DH(x)[w]‖",
+            Claim::MH => "‖D²H(x)[w, w]‖",
         }
     }
 }
 
-impl std::fmt::Display for Constant {
+impl std::fmt::Display for Claim {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(self.name())
     }
@@ -53,7 +53,7 @@ impl std::fmt::Display for Constant {
 )]
 pub struct Lie {
     /// Which constant.
-    pub constant: Constant,
+    pub constant: Claim,
     /// The number that the metric claims.
     pub claimed: f64,
     /// The number that was found, in the unit of the constant.

@@ -1,16 +1,11 @@
-//! The order of a sequence of errors, as a slope on a log–log scale.
+//! The order of a sequence of errors: `q` for errors `N⁻ᑫ`.
 
-/// Returns the slope of the least-squares line through `(log N, −log error)`: `q` for errors
-/// `N⁻ᑫ`.
+use crate::slope;
+
+/// Returns the order, minus the [`slope`] of the errors over `N`.
 pub(crate) fn order(errors: &[(usize, f64)]) -> f64 {
-    let logarithms: Vec<[f64; 2]> =
-        errors.iter().map(|&(n, error)| [(n as f64).ln(), -error.ln()]).collect();
-    let count = logarithms.len() as f64;
-    let mean = |k: usize| logarithms.iter().map(|p| p[k]).sum::<f64>() / count;
-    let means = [mean(0), mean(1)];
-    let moment =
-        |k: usize| logarithms.iter().map(|p| (p[0] - means[0]) * (p[k] - means[k])).sum::<f64>();
-    moment(1) / moment(0)
+    let points: Vec<(f64, f64)> = errors.iter().map(|&(n, error)| (n as f64, error)).collect();
+    -slope(&points)
 }
 
 /// Returns the median; the lower one of an even number.

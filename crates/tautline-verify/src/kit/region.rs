@@ -100,12 +100,14 @@ impl<const D: usize> Region<D> {
         })
     }
 
-    /// Pairs of different points of the box or near it: two in three are uniform, the others
-    /// as near as `2⁻¹⁸` of the longest edge.
+    /// Pairs of different points of the box: two in three are uniform, the others as near as
+    /// `2⁻¹⁸` of the longest edge.
     pub fn pairs(&self) -> impl Strategy<Value = [SVector<f64, D>; 2]> + use<D> {
-        let size = self.size();
-        let near = (self.points(), directions::<D>(), 1..=18_i32)
-            .prop_map(move |(x, w, halvings)| [x, x + w * (size * 0.5_f64.powi(halvings))]);
+        let region = *self;
+        let near =
+            (self.points(), directions::<D>(), 1..=18_i32).prop_map(move |(x, w, halvings)| {
+                [x, region.clamp(&(x + w * (region.size() * 0.5_f64.powi(halvings))))]
+            });
         let far = (self.points(), self.points()).prop_map(|(x, y)| [x, y]);
         prop_oneof![2 => far, 1 => near].prop_filter("the points differ", |[x, y]| x != y)
     }

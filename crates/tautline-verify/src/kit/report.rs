@@ -61,11 +61,11 @@ impl Tried {
 }
 
 /// What a law returns.
-pub(crate) type Verdict = Result<Tried, Failure>;
+pub(crate) type LawResult = Result<Tried, Failure>;
 
 impl Outcome {
-    pub(crate) fn new(id: &'static str, law: &'static str, verdict: Verdict) -> Self {
-        match verdict {
+    pub(crate) fn new(id: &'static str, law: &'static str, result: LawResult) -> Self {
+        match result {
             Ok(Tried { cases, slack, note }) => Self { id, law, cases, slack, note, failure: None },
             Err(failure) => {
                 Self { id, law, cases: 0, slack: f64::NAN, note: None, failure: Some(failure) }
@@ -158,12 +158,12 @@ impl fmt::Display for Report {
 #[cfg(test)]
 mod tests {
     use super::{Failure, Outcome, Report, Tried};
-    use crate::kit::{Constant, Fault, Lie};
+    use crate::kit::{Claim, Fault, Lie};
 
     fn report() -> Report {
         let good = Tried { cases: 7, slack: 1.5, note: Some("and more".to_owned()) };
         let lie = Lie {
-            constant: Constant::LH,
+            constant: Claim::LH,
             claimed: 0.5,
             found: 1.0,
             point: vec![0.25, 0.0],

@@ -9,7 +9,7 @@ use proptest::{
 
 use super::{
     Effort, Failure, Fault,
-    report::{Tried, Verdict},
+    report::{LawResult, Tried},
 };
 
 /// How many smaller samples are tried after a failure, where a case is an evaluation of `H`.
@@ -25,7 +25,7 @@ pub(crate) fn for_all<V>(
     shrinks: u32,
     values: V,
     law: impl Fn(&V::Value) -> Result<f64, Fault>,
-) -> Verdict
+) -> LawResult
 where
     V: Strategy,
     V::Value: Debug,

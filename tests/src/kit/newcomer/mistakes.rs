@@ -3,7 +3,7 @@
 use tautline::MetricError;
 use tautline_verify::{
     WithConstants,
-    kit::{Constant, Fault, MetricCase, Outcome, metric},
+    kit::{Claim, Fault, MetricCase, Outcome, metric},
     prelude::*,
 };
 
@@ -28,7 +28,7 @@ fn half_of_l_h_is_refused_with_the_witness() {
     let outcome = metric::l_h_bounds_the_derivative(&case);
     let message = outcome.to_string();
     let Fault::Lie(lie) = fault(outcome) else { panic!("{message}") };
-    assert_eq!((lie.constant, lie.claimed), (Constant::LH, 0.5));
+    assert_eq!((lie.constant, lie.claimed), (Claim::LH, 0.5));
     // The last step of the ascent is 6.3 · 2⁻¹⁶ = 1e-4 long: 1 − cos of that.
     assert!((lie.found - 1.0).abs() <= 1e-8, "{lie}");
     let axis = usize::from(lie.direction[1].abs() > 0.5);
@@ -39,7 +39,7 @@ fn half_of_l_h_is_refused_with_the_witness() {
     }
 
     let Fault::Lie(lie) = fault(metric::l_h_bounds_differences(&case)) else { panic!("a lie") };
-    assert!(lie.constant == Constant::LH && lie.found > 0.5 && lie.found <= 1.0 + 1e-12, "{lie}");
+    assert!(lie.constant == Claim::LH && lie.found > 0.5 && lie.found <= 1.0 + 1e-12, "{lie}");
     let statement = fault(metric::prop_7_9(&case));
     let Fault::Statement { hypothesis: true, inequality, .. } = statement else {
         panic!("{statement}")
@@ -173,7 +173,13 @@ fn distances_that_are_not_those_of_the_metric_are_refused() {
     let long = fault(metric::known_distances_are_distances(&case(1.01)));
     let Fault::Broken { left, right, .. } = long else { panic!("{long}") };
     assert!((left / right - 1.01).abs() <= 1e-9, "{long}");
-    // Nothing is shorter than a shortest curve, but the theorems do not hold with less.
-    assert!(metric::theorem_1_1(&case(1.0)).holds());
-    assert!(!metric::theorem_1_1(&case(0.99)).holds());
+    // Nothing is shorter than a shortest curve, but the theorems do not hold with less, and there
+    // is no nearest pair.
+    for law in [metric::theorem_1_1, metric::prop_6_2] {
+        assert!(law(&case(1.0)).holds());
+        assert!(!law(&case(0.99)).holds());
+    }
+    // Nor is there a curve of less than the distance.
+    assert!(metric::prop_6_3(&case(1.0)).holds());
+    assert!(!metric::prop_6_3(&case(1.01)).holds());
 }

@@ -2,7 +2,6 @@
 
 use std::cell::RefCell;
 
-use nalgebra::SVector;
 use tautline::{Bounded, Constants};
 
 use super::{
@@ -10,31 +9,31 @@ use super::{
     extreme::{Extreme, norm},
 };
 use crate::kit::{
-    Constant, Failure, Fault, Lie,
+    Claim, Failure, Fault, Lie,
     region::directions,
-    report::{Tried, Verdict},
+    report::{LawResult, Tried},
     sampling::{CHEAP, for_all},
 };
 
-impl Constant {
+impl Claim {
     /// Returns what is claimed; `None` for `M_H` if it is not.
     #[must_use]
     pub fn of(self, constants: &Constants) -> Option<f64> {
         match self {
-            Constant::C1 => Some(constants.c1()),
-            Constant::C2 => Some(constants.c2()),
-            Constant::LH => Some(constants.l_h()),
-            Constant::MH => constants.m_h(),
+            Claim::C1 => Some(constants.c1()),
+            Claim::C2 => Some(constants.c2()),
+            Claim::LH => Some(constants.l_h()),
+            Claim::MH => constants.m_h(),
         }
     }
 
     /// Returns the claim with its number multiplied by `factor`, if it is one of the constants.
     pub(super) fn scaled(self, constants: &Constants, factor: f64) -> Option<Constants> {
         let by = |constant| if self == constant { factor } else { 1.0 };
-        let [c1, c2] = [constants.c1() * by(Constant::C1), constants.c2() * by(Constant::C2)];
-        let scaled = Constants::new(c1, c2, constants.l_h() * by(Constant::LH)).ok()?;
+        let [c1, c2] = [constants.c1() * by(Claim::C1), constants.c2() * by(Claim::C2)];
+        let scaled = Constants::new(c1, c2, constants.l_h() * by(Claim::LH)).ok()?;
         match constants.m_h() {
-            Some(m_h) => scaled.with_m_h(m_h * by(Constant::MH)).ok(),
+            Some(m_h) => scaled.with_m_h(m_h * by(Claim::MH)).ok(),
             None => Some(scaled),
         }
     }
@@ -45,8 +44,8 @@ impl Constant {
     /// as many; derivatives have more terms, of the size of the constants themselves.
     fn rounding<const D: usize>(self, constants: &Constants, claimed: f64) -> f64 {
         match self {
-            Constant::C1 | Constant::C2 => 1e-14 * D as f64 * constants.c2(),
-            Constant::LH | Constant::MH => 1e-12 * claimed,
+            Claim::C1 | Claim::C2 => 1e-14 * D as f64 * constants.c2(),
+            Claim::LH | Claim::MH => 1e-12 * claimed,
         }
     }
 }
@@ -64,14 +63,14 @@ pub(super) struct Found {
 /// Looks for the extreme value of one constant; `Ok(None)` if it is not claimed.
 pub(super) fn search<M: Bounded<D>, const D: usize>(
     case: &MetricCase<M, D>,
-    constant: Constant,
+    constant: Claim,
 ) -> Result<Option<Found>, Failure> {
     case.solved.extremes.recall(&constant, || look(case, constant))
 }
 
 fn look<M: Bounded<D>, const D: usize>(
     case: &MetricCase<M, D>,
-    constant: Constant,
+    constant: Claim,
 ) -> Result<Option<Found>, Failure> {
     let (metric, region, effort) = (&case.metric, &case.region, &case.effort);
     let constants = metric.constants();
@@ -79,7 +78,7 @@ fn look<M: Bounded<D>, const D: usize>(
     let granted = constant.rounding::<D>(&constants, claimed);
     let judge = |found: &Extreme<D>| {
         let holds = match constant {
-            Constant::C1 => claimed <= found.value + granted,
+            Claim::C1 => claimed <= found.value + granted,
             _ => found.value <= claimed + granted,
         };
         if holds {
@@ -98,7 +97,7 @@ fn look<M: Bounded<D>, const D: usize>(
     let mut starts = seen.into_inner();
     starts.sort_by(|a, b| {
         let (a, b) = (a.value, b.value);
-        if constant == Constant::C1 { a.total_cmp(&b) } else { b.total_cmp(&a) }
+        if constant == Claim::C1 { a.total_cmp(&b) } else { b.total_cmp(&a) }
     });
     starts.truncate(effort.ascents);
     let tops = starts.into_iter().map(|start| constant.climb(metric, region, start));
@@ -118,26 +117,26 @@ fn look<M: Bounded<D>, const D: usize>(
     }
 }
 
-fn slack(constant: Constant, claimed: f64, found: f64) -> f64 {
+fn slack(constant: Claim, claimed: f64, found: f64) -> f64 {
     match constant {
-        Constant::C1 => found / claimed,
+        Claim::C1 => found / claimed,
         // 0 / 0 for a constant metric.
         _ if found == 0.0 => f64::INFINITY,
         _ => claimed / found,
     }
 }
 
-fn lie<const D: usize>(constant: Constant, claimed: f64, found: &Extreme<D>) -> Lie {
+fn lie<const D: usize>(constant: Claim, claimed: f64, found: &Extreme<D>) -> Lie {
     let Extreme { value, point, direction } = found;
-    let list = |x: &SVector<f64, D>| x.iter().copied().collect();
-    Lie { constant, claimed, found: *value, point: list(point), direction: list(direction) }
+    let [point, direction] = [point, direction].map(|x| x.as_slice().to_vec());
+    Lie { constant, claimed, found: *value, point, direction }
 }
 
 /// Looks for a point where one constant does not hold.
 pub(super) fn claim<M: Bounded<D>, const D: usize>(
     case: &MetricCase<M, D>,
-    constant: Constant,
-) -> Verdict {
+    constant: Claim,
+) -> LawResult {
     Ok(match search(case, constant)? {
         None => Tried::cases(0).with_note("not claimed"),
         Some(Found { cases, slack }) => Tried { cases, slack, note: None },
@@ -145,7 +144,7 @@ pub(super) fn claim<M: Bounded<D>, const D: usize>(
 }
 
 /// `‖H(x) − H(y)‖ ≤ L_H |x − y|` for points far apart and near each other.
-pub(super) fn lipschitz<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Verdict {
+pub(super) fn lipschitz<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
     let constants = case.metric.constants();
     let effort = &case.effort;
     for_all(effort, effort.cases, CHEAP, case.region.pairs(), |[x, y]| {
@@ -161,11 +160,11 @@ pub(super) fn lipschitz<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) 
             });
         }
         Err(Fault::Lie(Lie {
-            constant: Constant::LH,
+            constant: Claim::LH,
             claimed: constants.l_h(),
             found: difference / step,
-            point: x.iter().copied().collect(),
-            direction: ((y - x) / step).iter().copied().collect(),
+            point: x.as_slice().to_vec(),
+            direction: ((y - x) / step).as_slice().to_vec(),
         }))
     })
 }

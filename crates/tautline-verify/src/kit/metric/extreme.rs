@@ -5,7 +5,7 @@ use tautline::{Jet1, Jet2, Metric};
 
 use crate::{
     extreme_eigenvalues,
-    kit::{Constant, Region},
+    kit::{Claim, Region},
 };
 
 /// Rounds of the alternation between directions. Each is a step of a power method that never
@@ -29,11 +29,11 @@ pub(super) struct Extreme<const D: usize> {
     pub(super) direction: SVector<f64, D>,
 }
 
-impl Constant {
+impl Claim {
     /// Returns whether `a` is nearer to breaking the claim than `b`, or breaks it more; a NaN is
     /// not.
     pub(super) fn worse(self, a: f64, b: f64) -> bool {
-        if self == Constant::C1 { a < b } else { a > b }
+        if self == Claim::C1 { a < b } else { a > b }
     }
 
     /// Measures a metric at `x`, in the direction that is worst as far as alternation from `w`
@@ -50,15 +50,15 @@ impl Constant {
     ) -> Extreme<D> {
         let at = |value, direction| Extreme { value, point: *x, direction };
         match self {
-            Constant::C1 => {
+            Claim::C1 => {
                 let ((low, direction), _) = eigenpairs(&metric.gram(x));
                 at(low, direction)
             }
-            Constant::C2 => {
+            Claim::C2 => {
                 let (_, (high, direction)) = eigenpairs(&metric.gram(x));
                 at(high, direction)
             }
-            Constant::LH => alternate(
+            Claim::LH => alternate(
                 x,
                 w,
                 |w| first(metric, x, w),
@@ -68,7 +68,7 @@ impl Constant {
                     gradient.try_normalize(0.0)
                 },
             ),
-            Constant::MH => alternate(
+            Claim::MH => alternate(
                 x,
                 w,
                 |w| second(metric, x, w),

@@ -8,21 +8,17 @@ use super::{
     extreme::{first, norm, second},
 };
 use crate::kit::{
-    Constant, Failure, Fault,
+    Claim, Failure, Fault,
+    difference_test::difference_test,
     region::directions,
-    report::{Tried, Verdict},
+    report::{LawResult, Tried},
     sampling::{CHEAP, for_all},
-    slope_test::slope_test,
 };
-
-fn list<const D: usize>(x: &SVector<f64, D>) -> Vec<f64> {
-    x.iter().copied().collect()
-}
 
 /// `H(x)` is finite, and its two halves agree to rounding.
 pub(super) fn finite_and_symmetric<M: Bounded<D>, const D: usize>(
     case: &MetricCase<M, D>,
-) -> Verdict {
+) -> LawResult {
     let effort = &case.effort;
     for_all(effort, effort.cases, CHEAP, case.region.points(), |x| {
         match check_gram(&case.metric, x) {
@@ -34,7 +30,9 @@ pub(super) fn finite_and_symmetric<M: Bounded<D>, const D: usize>(
 }
 
 /// `H(x)` is positive definite at random points, and where its least eigenvalue descends to.
-pub(super) fn positive_definite<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Verdict {
+pub(super) fn positive_definite<M: Bounded<D>, const D: usize>(
+    case: &MetricCase<M, D>,
+) -> LawResult {
     let (metric, effort) = (&case.metric, &case.effort);
     let axis = SVector::from_fn(|i, _| if i == 0 { 1.0 } else { 0.0 });
     let tried = for_all(effort, effort.cases, CHEAP, case.region.points(), |x| {
@@ -44,10 +42,10 @@ pub(super) fn positive_definite<M: Bounded<D>, const D: usize>(case: &MetricCase
     let corners = (0..effort.ascents).map(|k| {
         // The points of an irrational winding, which no period of a formula follows.
         let fractions = SVector::from_fn(|i, _| ((k + 1) as f64 * winding(i)).fract());
-        Constant::C1.measure(metric, &case.region.at(&fractions), &axis)
+        Claim::C1.measure(metric, &case.region.at(&fractions), &axis)
     });
     for start in corners {
-        let lowest = Constant::C1.climb(metric, &case.region, start);
+        let lowest = Claim::C1.climb(metric, &case.region, start);
         if let Err(error) = check_gram(metric, &lowest.point) {
             return Err(Failure { fault: error.into(), sample: None, seed: effort.seed });
         }
@@ -62,7 +60,7 @@ pub(super) fn winding(i: usize) -> f64 {
 }
 
 /// `norm_squared` is `uᵀHu`: its value, its gradient and its Hessian.
-pub(super) fn norm_squared<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Verdict {
+pub(super) fn norm_squared<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
     let effort = &case.effort;
     for_all(effort, effort.cases, CHEAP, (case.region.points(), directions::<D>()), |(x, u)| {
         let jets: SVector<Jet2<f64, D>, D> = Jet2::variables(&(*x).into()).into();
@@ -84,7 +82,12 @@ pub(super) fn norm_squared<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D
             let (sum, terms) = sum(part);
             // Two formulas for one number: as in `check_gram`, relative to its terms.
             let granted = 1e-12 * (terms + size);
-            Fault::unless_at_most(law, [(part(&overridden) - sum).abs(), 0.0], granted, &list(x))
+            Fault::unless_at_most(
+                law,
+                [(part(&overridden) - sum).abs(), 0.0],
+                granted,
+                x.as_slice(),
+            )
         };
         // A derivative may be a difference of terms that a sum of other terms never sees.
         let constants = case.metric.constants();
@@ -104,7 +107,7 @@ pub(super) fn norm_squared<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D
 }
 
 /// First and second derivatives by jets are those of central differences.
-pub(super) fn jets<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Verdict {
+pub(super) fn jets<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
     let (metric, effort) = (&case.metric, &case.effort);
     let samples = (case.region.points(), directions::<D>(), directions::<D>());
     for_all(effort, effort.cases, CHEAP, samples, |(x, u, w)| {
@@ -118,16 +121,18 @@ pub(super) fn jets<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Ve
         let [size, curvature] = [norm(&metric.gram(x)), norm(&second(metric, x, w))];
         let [claimed] = slope(0.0);
         let length = case.region.size();
-        let point = || list(x);
+        let point = || x.as_slice().to_vec();
         // Along the line that a step walks, uᵀHu is of the size of H and what its slope adds.
-        slope_test(&[claimed], form, length, size + claimed.abs() * length).map_err(|off| {
-            let law = "|uᵀ DH(x)[w] u − its central difference| = O(h²)";
-            let [left, right] = [off.error, 0.0];
-            Fault::Broken { law, left, right, granted: off.granted, point: point() }
-        })?;
+        difference_test(&[claimed], form, length, size + claimed.abs() * length).map_err(
+            |off| {
+                let law = "|uᵀ DH(x)[w] u − its central difference| = O(h²)";
+                let [left, right] = [off.error, 0.0];
+                Fault::Broken { law, left, right, granted: off.granted, point: point() }
+            },
+        )?;
         let second = u.dot(&(second(metric, x, w) * u));
         let size = terms + claimed.abs().max(norm(&first(metric, x, w))) + curvature * length;
-        slope_test(&[second], slope, length, size).map_err(|off| {
+        difference_test(&[second], slope, length, size).map_err(|off| {
             let law = "|uᵀ D²H(x)[w, w] u − its central difference| = O(h²)";
             let [left, right] = [off.error, 0.0];
             Fault::Broken { law, left, right, granted: off.granted, point: point() }
@@ -139,6 +144,6 @@ pub(super) fn jets<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Ve
         let sizes = jet.gradient().iter().map(|g| g.abs()).sum::<f64>() + claimed.abs();
         let granted = 1e-12 * (sizes + terms);
         let law = "∇(uᵀHu)·w = uᵀ DH(x)[w] u";
-        Fault::unless_at_most(law, [(along - claimed).abs(), 0.0], granted, &list(x))
+        Fault::unless_at_most(law, [(along - claimed).abs(), 0.0], granted, x.as_slice())
     })
 }

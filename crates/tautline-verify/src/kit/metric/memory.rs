@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use super::{claims::Found, problems::Posed};
 use crate::{
     Reconstruction, VerifyError,
-    kit::{Constant, Failure},
+    kit::{Claim, Failure},
 };
 
 /// Values by their keys, which are few: it is searched from the front.
@@ -40,17 +40,26 @@ impl<K: PartialEq + Clone, V: Clone> Memory<K, V> {
 /// A distance, in `m`, and how far it may be off.
 pub(super) type Estimate = Result<[f64; 2], VerifyError>;
 
-/// The minimisers of one problem, one for each `N` of the effort.
-pub(super) type Minimisers<const D: usize> = Result<Arc<[Reconstruction<D>]>, VerifyError>;
+/// A problem that was solved.
+#[derive(Debug)]
+pub(super) struct Solution<const D: usize> {
+    /// The distance, in `m`, and how far it may be off.
+    pub(super) distance: [f64; 2],
+    /// The minimisers of a rule, one for each `N` of the effort.
+    pub(super) minimisers: Vec<Reconstruction<D>>,
+}
+
+/// The solution of a problem, or why there is none.
+pub(super) type Solutions<const D: usize> = Result<Arc<Solution<D>>, VerifyError>;
 
 /// What was computed so far of one metric: the extreme values that its constants bound, the
 /// distances of its problems, and the minimisers of either rule.
 #[derive(Debug)]
 pub struct Solved<const D: usize> {
-    pub(super) extremes: Memory<Constant, Result<Option<Found>, Failure>>,
+    pub(super) extremes: Memory<Claim, Result<Option<Found>, Failure>>,
     pub(super) distances: Memory<Posed<D>, Estimate>,
-    pub(super) trapezoidal: Memory<Posed<D>, Minimisers<D>>,
-    pub(super) left: Memory<Posed<D>, Minimisers<D>>,
+    pub(super) trapezoidal: Memory<Posed<D>, Solutions<D>>,
+    pub(super) left: Memory<Posed<D>, Solutions<D>>,
 }
 
 impl<const D: usize> Default for Solved<D> {

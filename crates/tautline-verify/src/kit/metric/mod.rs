@@ -1,14 +1,22 @@
 //! The laws of a metric, and the statements of the paper about it.
 //!
 //! One function a law, of the name that its test has in [`metric_suite!`](crate::metric_suite).
+//!
+//! Every statement is tried that can be put to a metric of which only the formula, the constants
+//! and perhaps the distances are known. Propositions 3.1, 3.2, 4.1 to 4.3, 7.12 and 9.1, Lemma 4.4
+//! and the constants `K_{1,g}` and `K_{2,g}` are about minimal geodesics, which nobody brings;
+//! Section 5 is about the valleys, Propositions 7.2 to 7.4 and 7.8 about no metric at all.
 
 mod claims;
 mod extreme;
 mod formula;
 mod memory;
+mod minimisers;
 mod orders;
 mod problems;
 mod refusals;
+mod sampled_curves;
+mod solutions;
 mod statements;
 
 use std::sync::Arc;
@@ -16,7 +24,7 @@ use std::sync::Arc;
 use nalgebra::SVector;
 use tautline::{Bounded, KnownDistance};
 
-use super::{Constant, Effort, Outcome, Region, Report};
+use super::{Claim, Effort, Outcome, Region, Report};
 use crate::{PaperRule, curves::Measured, statements as of_the_paper};
 use statements::joined;
 
@@ -66,8 +74,9 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
 /// A statement of `tautline_verify::statements` is one more row: `case.of_points(…)` for one about
 /// the metric at a point, `case.of_point_sequences(…)` for one about any point sequence,
 /// `case.of_known(…)` for one about a distance and the curves that are as long at least,
-/// `case.of_minimisers(rule, …)` for one about computed minimisers. All laws about minimisers look
-/// at the same ones, which are computed once.
+/// `case.of_minimisers(rule, …)` for one about computed minimisers, `case.of_constants(rule, …)` for
+/// one that holds with equality for every metric. All laws about minimisers look at the same ones,
+/// which are computed once.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __metric_laws {
@@ -82,15 +91,15 @@ macro_rules! __metric_laws {
             jets_agree_with_differences, "DH and D²H are the limits of central differences",
                 formula::jets;
             c1_is_a_lower_bound, "c1 ≤ λ_min(H)",
-                |case| claims::claim(case, Constant::C1);
+                |case| claims::claim(case, Claim::C1);
             c2_is_an_upper_bound, "λ_max(H) ≤ c2",
-                |case| claims::claim(case, Constant::C2);
+                |case| claims::claim(case, Claim::C2);
             l_h_bounds_the_derivative, "‖DH(x)[w]‖ ≤ L_H |w|",
-                |case| claims::claim(case, Constant::LH);
+                |case| claims::claim(case, Claim::LH);
             l_h_bounds_differences, "‖H(x) − H(y)‖ ≤ L_H |x − y|",
                 claims::lipschitz;
             m_h_bounds_the_second_derivative, "|uᵀ D²H(x)[w, w] u| ≤ M_H |w|² |u|²",
-                |case| claims::claim(case, Constant::MH);
+                |case| claims::claim(case, Claim::MH);
             known_distances_are_distances, "d(x, y) = d(y, x), d(x, x) = 0, no curve is shorter",
                 orders::distances;
             prop_3_3, "Proposition 3.3: c1|x − y|² ≤ d(x, y)² ≤ c2|x − y|²",
@@ -103,6 +112,20 @@ macro_rules! __metric_laws {
                     let seen = Measured::of_sequence(subject, &known.metric, &sequence);
                     Ok(of_the_paper::prop_6_1(subject, known, &seen))
                 });
+            prop_6_2, "Proposition 6.2: a nearest pair is there, within R + d/√c1",
+                minimisers::prop_6_2;
+            prop_6_3, "Proposition 6.3: d² ≤ L(γ)² ≤ E(γ) between two sets",
+                minimisers::prop_6_3;
+            prop_7_1, "Proposition 7.1: minimisers are no farther away than √(R/c1), and minimal",
+                minimisers::prop_7_1;
+            minimisers_are_critical_points, "∂E_N/∂xₙ = 0, and speeds are nearly equal",
+                minimisers::critical_points;
+            prop_7_5, "Proposition 7.5: |u₁ᵀH(x₁)u₁ − u₂ᵀH(x₂)u₂| by L_H and c2",
+                |case| case.of_two_forms();
+            prop_7_6, "Proposition 7.6: |E(γ) − E_tra,N(γ)| ≤ C_tra(N) for a smooth curve",
+                |case| case.of_curves();
+            prop_7_7, "Proposition 7.7: min E_tra,N − min E ≤ C_tra(N) over smooth curves",
+                |case| case.of_families();
             prop_7_9, "Proposition 7.9: |E(γᵖˡ) − E_tra,N| ≤ L_H K₃³/4√N",
                 |case| case.of_point_sequences(of_the_paper::prop_7_9);
             prop_7_10, "Proposition 7.10: |∂ₗ Hᵢⱼ| ≤ L_H",
@@ -121,28 +144,38 @@ macro_rules! __metric_laws {
                 |case| case.of_minimisers(PaperRule::LeftEndpoint, of_the_paper::theorem_1_3);
             theorem_1_4, "Theorem 1.4: lengths of the left-endpoint rule",
                 |case| case.of_minimisers(PaperRule::LeftEndpoint, of_the_paper::theorem_1_4);
+            constant_c_tra, "C_tra(N) is its formula",
+                |case| case.of_constants(PaperRule::Trapezoidal, minimisers::c_tra, None);
+            constant_c_tra_sharp, "C_tra(N) ≤ C_tra♯/N, with equality at N = 1",
+                |case| case.of_constants(PaperRule::Trapezoidal, minimisers::c_tra_sharp, None);
             constant_k3_bar, "K₃ ≤ K̄₃ for the trapezoidal rule",
                 |case| case.of_minimisers(PaperRule::Trapezoidal, of_the_paper::constant_k3_bar);
             constant_c_1_1, "E(γᵖˡ) − d² ≤ C/√N with the C of Theorem 1.1, the sum of its parts",
-                |case| case.of_minimisers(PaperRule::Trapezoidal, of_the_paper::constant_c_1_1);
+                |case| {
+                    let shown = Some("E(γᵖˡ) − d² ≤ by parts");
+                    case.of_constants(PaperRule::Trapezoidal, of_the_paper::constant_c_1_1, shown)
+                };
             constant_k4_bar, "K₃ ≤ K̄₄ for the left-endpoint rule",
                 |case| case.of_minimisers(PaperRule::LeftEndpoint, of_the_paper::constant_k4_bar);
             constant_c_1_3, "E(γᵖˡ) − d² ≤ C/√N with the C of Theorem 1.3, the sum of its parts",
-                |case| case.of_minimisers(PaperRule::LeftEndpoint, of_the_paper::constant_c_1_3);
+                |case| {
+                    let shown = Some("E(γᵖˡ) − d² ≤ by parts");
+                    case.of_constants(PaperRule::LeftEndpoint, of_the_paper::constant_c_1_3, shown)
+                };
             remark_9_2, "Remark 9.2: all gaps are of order 1/N, for both rules",
-                statements::remark_9_2;
+                minimisers::remark_9_2;
             trapezoidal_rule_has_order_2, "E_tra,N − d² and E(γᵖˡ) − d² fall like N⁻²",
                 |case| orders::orders(case, PaperRule::Trapezoidal, 2.0);
             left_rule_has_order_1, "E_l,N − d² falls like N⁻¹, E(γᵖˡ) − d² like N⁻²",
                 |case| orders::orders(case, PaperRule::LeftEndpoint, 1.0);
             refuses_a_larger_c1, "1.05 c1 is refused, if c1 is attained",
-                |case| refusals::lie(case, Constant::C1);
+                |case| refusals::lie(case, Claim::C1);
             refuses_a_smaller_c2, "0.95 c2 is refused, if c2 is attained",
-                |case| refusals::lie(case, Constant::C2);
+                |case| refusals::lie(case, Claim::C2);
             refuses_a_smaller_l_h, "0.9 L_H is refused, if L_H is attained",
-                |case| refusals::lie(case, Constant::LH);
+                |case| refusals::lie(case, Claim::LH);
             refuses_a_smaller_m_h, "0.9 M_H is refused, if M_H is attained",
-                |case| refusals::lie(case, Constant::MH);
+                |case| refusals::lie(case, Claim::MH);
             refuses_a_metric_that_is_nan, "H is refused if it is NaN in half of the region",
                 refusals::nan_metric;
             refuses_points_that_are_nan, "points that are not finite are refused",
@@ -163,7 +196,7 @@ macro_rules! functions {
         $(
             #[doc = concat!("Tries the law `", stringify!($id), "`: `", $law, "`.")]
             pub fn $id<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Outcome {
-                let run: fn(&MetricCase<M, D>) -> super::report::Verdict = $run;
+                let run: fn(&MetricCase<M, D>) -> super::report::LawResult = $run;
                 Outcome::new(stringify!($id), $law, run(case))
             }
         )*

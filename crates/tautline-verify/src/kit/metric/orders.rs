@@ -13,7 +13,7 @@ use crate::{
     kit::{
         Failure, Fault,
         order::{median, order},
-        report::{Tried, Verdict},
+        report::{LawResult, Tried},
         sampling::{COSTLY, for_all},
     },
 };
@@ -44,7 +44,7 @@ pub(super) fn orders<M: Bounded<D>, const D: usize>(
     case: &MetricCase<M, D>,
     rule: PaperRule,
     least: f64,
-) -> Verdict {
+) -> LawResult {
     let (window, problems) = window_and_problems(D);
     let failure = |fault: Fault| Failure { fault, sample: None, seed: case.effort.seed };
     let mut slopes = [Vec::new(), Vec::new()];
@@ -114,7 +114,7 @@ fn errors<M: Bounded<D>, const D: usize>(
 }
 
 /// `d^g` is zero from a point to itself, symmetric, and the limit of the minimal discrete energies.
-pub(super) fn distances<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Verdict {
+pub(super) fn distances<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
     let Some(distance) = case.distance else {
         return Ok(Tried::cases(0).with_note("no distance is known"));
     };

@@ -3,8 +3,8 @@
 use nalgebra::SVector;
 use proptest::prelude::*;
 use tautline::{
-    AxisBox, Ball, Bounded, Ends, FiniteSet, HalfSpace, Options, SetError, Starts, Trapezoidal,
-    extrapolate, minimise,
+    AxisBox, Ball, Bounded, Ends, FiniteSet, HalfSpace, Options, Point, SetError, Starts,
+    Trapezoidal, extrapolate, minimise,
 };
 
 use super::MetricCase;
@@ -64,7 +64,7 @@ impl<const D: usize> Posed<D> {
     /// that the diagonal is.
     pub(super) fn ends(&self) -> Result<Ends<D>, SetError> {
         let Self { a, b, further, .. } = *self;
-        let radius = 0.25 * (b - a).norm();
+        let radius = self.radius();
         let half = [radius / (D as f64).sqrt(); D];
         match self.kind {
             Kind::Points => Ends::points(a, b),
@@ -85,6 +85,30 @@ impl<const D: usize> Posed<D> {
                 Ends::new(FiniteSet::new::<SVector<f64, D>>([a, mirrored])?, AxisBox::new(b, half)?)
             }
         }
+    }
+
+    /// The two sets as they are near these members of theirs: in a finite set each stands alone.
+    pub(super) fn ends_near(
+        &self,
+        [first, last]: [SVector<f64, D>; 2],
+    ) -> Result<Ends<D>, SetError> {
+        match self.kind {
+            Kind::PointToFiniteSet => Ends::points(first, last),
+            Kind::FiniteSetToBox => {
+                let half = [self.radius() / (D as f64).sqrt(); D];
+                Ends::new(Point::new(first)?, AxisBox::new(self.b, half)?)
+            }
+            _ => self.ends(),
+        }
+    }
+
+    fn radius(&self) -> f64 {
+        0.25 * (self.b - self.a).norm()
+    }
+
+    /// A third point, an eighth of the longest edge from `a` at least.
+    pub(super) fn further(&self) -> SVector<f64, D> {
+        self.further
     }
 
     /// The two points, if that is what the sets are.
@@ -119,6 +143,15 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
             Ok([known.distance, known.distance_error])
         })?;
         Ok(Known { metric, ends: posed.ends()?, distance, distance_error })
+    }
+
+    /// The problem with a distance that was found before, and how far it may be off.
+    pub(super) fn with_distance(
+        &self,
+        posed: &Posed<D>,
+        [distance, distance_error]: [f64; 2],
+    ) -> Result<Known<&M, D>, VerifyError> {
+        Ok(Known { metric: &self.metric, ends: posed.ends()?, distance, distance_error })
     }
 }
 

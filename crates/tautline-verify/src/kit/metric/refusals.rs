@@ -12,19 +12,19 @@ use super::{MetricCase, claims::search, problems::Posed};
 use crate::{
     WithConstants,
     kit::{
-        Constant, Failure, Fault,
-        report::{Tried, Verdict},
+        Claim, Failure, Fault,
+        report::{LawResult, Tried},
     },
 };
 
-impl Constant {
+impl Claim {
     /// The lie that is told of it: `c₁` five percent too large, `c₂` as much too small, `L_H` and
     /// `M_H` ten percent too small.
     fn lie(self) -> f64 {
         match self {
-            Constant::C1 => 1.05,
-            Constant::C2 => 0.95,
-            Constant::LH | Constant::MH => 0.9,
+            Claim::C1 => 1.05,
+            Claim::C2 => 0.95,
+            Claim::LH | Claim::MH => 0.9,
         }
     }
 }
@@ -35,8 +35,8 @@ impl Constant {
 /// nothing to refuse; the looseness is noted.
 pub(super) fn lie<M: Bounded<D>, const D: usize>(
     case: &MetricCase<M, D>,
-    constant: Constant,
-) -> Verdict {
+    constant: Claim,
+) -> LawResult {
     let Some(found) = search(case, constant)? else {
         return Ok(Tried::cases(0).with_note("not claimed"));
     };
@@ -75,7 +75,7 @@ fn refused<M, const D: usize>(
     case: &MetricCase<M, D>,
     what: &'static str,
     refusals: &[bool],
-) -> Verdict {
+) -> LawResult {
     if refusals.iter().all(|&refused| refused) {
         Ok(Tried::cases(refusals.len() as u64))
     } else {
@@ -84,7 +84,7 @@ fn refused<M, const D: usize>(
 }
 
 /// Points and curves with a coordinate that is no number.
-pub(super) fn nan_points<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Verdict {
+pub(super) fn nan_points<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
     let good = case.region.at(&SVector::repeat(0.5));
     let refusals: Vec<bool> = (0..D)
         .flat_map(|i| [f64::NAN, f64::INFINITY, f64::NEG_INFINITY].map(|value| (i, value)))
@@ -100,7 +100,7 @@ pub(super) fn nan_points<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>)
 }
 
 /// `N = 0`.
-pub(super) fn no_subinterval<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Verdict {
+pub(super) fn no_subinterval<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
     let [a, b] = [0.25, 0.75].map(|fraction| case.region.at(&SVector::repeat(fraction)));
     let ends = Posed::between(a, b).ends();
     let solved = ends
@@ -112,7 +112,7 @@ pub(super) fn no_subinterval<M: Bounded<D>, const D: usize>(case: &MetricCase<M,
 /// Two half-spaces: Proposition 7.1 wants one of the sets bounded.
 pub(super) fn two_unbounded_sets<M: Bounded<D>, const D: usize>(
     case: &MetricCase<M, D>,
-) -> Verdict {
+) -> LawResult {
     let half_space = |sign: f64| -> Result<HalfSpace<D>, SetError> {
         let normal = SVector::from_fn(|i, _| if i == 0 { sign } else { 0.0 });
         HalfSpace::at_least(normal, case.region.size())
@@ -140,7 +140,7 @@ impl<const D: usize> ClosedSet<D> for Empty {
 }
 
 /// A problem to which one of the sets is empty.
-pub(super) fn empty_set<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Verdict {
+pub(super) fn empty_set<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
     let point = || Point::new(case.region.at(&SVector::repeat(0.5)));
     let refusals = [
         point().and_then(|point| Ends::new(Empty, point)).is_err(),
@@ -172,7 +172,7 @@ impl<M: Bounded<D>, const D: usize> Bounded<D> for Torn<'_, M, D> {
 }
 
 /// The same formula where half of the region is outside of its domain.
-pub(super) fn nan_metric<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Verdict {
+pub(super) fn nan_metric<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
     let from = case.region.at(&SVector::repeat(0.5))[0];
     let torn = MetricCase::new(Torn { metric: &case.metric, from }, case.region, case.effort);
     let found = Cell::new(false);

@@ -12,10 +12,10 @@ use crate::{
     Known, VerifyError,
     kit::{
         Failure, Fault, Region,
+        difference_test::difference_test,
         order::order,
-        report::{Tried, Verdict},
+        report::{LawResult, Tried},
         sampling::{CHEAP, for_all},
-        slope_test::slope_test,
     },
 };
 
@@ -42,7 +42,7 @@ fn check(
 }
 
 /// The weights are nonnegative and add up to 1.
-pub(super) fn weights<R: Rule>(case: &RuleCase<R>) -> Verdict {
+pub(super) fn weights<R: Rule>(case: &RuleCase<R>) -> LawResult {
     for node in R::NODES {
         check(case, "0 ≤ weight", [-node.weight, 0.0], 0.0)?;
     }
@@ -54,7 +54,7 @@ pub(super) fn weights<R: Rule>(case: &RuleCase<R>) -> Verdict {
 }
 
 /// The nodes lie on the chord, and there is one at least.
-pub(super) fn nodes<R: Rule>(case: &RuleCase<R>) -> Verdict {
+pub(super) fn nodes<R: Rule>(case: &RuleCase<R>) -> LawResult {
     check(case, "1 ≤ number of nodes", [1.0, R::NODES.len() as f64], 0.0)?;
     for node in R::NODES {
         check(case, "0 ≤ fraction", [-node.fraction, 0.0], 0.0)?;
@@ -69,7 +69,7 @@ fn region() -> Region<2> {
 }
 
 /// Under a constant metric the discrete energy is `(1/N) Σ βᵀAβ`, the energy of the curve.
-pub(super) fn constant_metrics<R: Rule>(case: &RuleCase<R>) -> Verdict {
+pub(super) fn constant_metrics<R: Rule>(case: &RuleCase<R>) -> LawResult {
     let matrix = SMatrix::<f64, 2, 2>::new(2.0, 1.0, 1.0, 3.0);
     let metric = Constant::new(matrix)
         .map_err(|_| failure(case, Fault::NoSample { why: "no matrix".to_owned() }))?;
@@ -88,7 +88,7 @@ pub(super) fn constant_metrics<R: Rule>(case: &RuleCase<R>) -> Verdict {
 }
 
 /// The gradient by the `N + 1` points is that of the energy.
-pub(super) fn gradient<R: Rule>(case: &RuleCase<R>) -> Verdict {
+pub(super) fn gradient<R: Rule>(case: &RuleCase<R>) -> LawResult {
     let metric = shear(case)?;
     let points = proptest::collection::vec((region().points(), region().points()), 2..=9);
     for_all(&case.effort, case.effort.cases, CHEAP, points, |pairs| {
@@ -106,7 +106,7 @@ pub(super) fn gradient<R: Rule>(case: &RuleCase<R>) -> Verdict {
         let terms: f64 = gradient.iter().zip(pairs).map(|(g, (_, v))| g.norm() * v.norm()).sum();
         // Finite points at all steps, which are at most 1/16.
         let line = |t: f64| [at(t).map_or(f64::NAN, |s| case.rule.energy(&metric, &s))];
-        slope_test(&[along], line, 1.0, own + terms).map_err(|off| Fault::Broken {
+        difference_test(&[along], line, 1.0, own + terms).map_err(|off| Fault::Broken {
             law: "|∇E_N·v − its central difference| = O(h²)",
             left: off.error,
             right: 0.0,
@@ -124,7 +124,7 @@ fn shear(case: &RuleCase<impl Rule>) -> Result<Shear, Failure> {
 
 /// `E_N,min − d²` falls like `N⁻ᑫ` with the claimed `q` at least, on a shear from `(0, 0)` to
 /// `(2, 3)`.
-pub(super) fn exponent<R: Rule>(case: &RuleCase<R>) -> Verdict {
+pub(super) fn exponent<R: Rule>(case: &RuleCase<R>) -> LawResult {
     let metric = shear(case)?;
     let known = Known::between(metric, [0.0, 0.0], [2.0, 3.0]).map_err(VerifyError::from);
     let known = known.map_err(|error| failure(case, error.into()))?;
@@ -205,9 +205,9 @@ impl<R: Rule> Rule for Other<R> {
 fn refused<R: Rule, W: Rule>(
     case: &RuleCase<R>,
     wrong: W,
-    law: fn(&RuleCase<W>) -> Verdict,
+    law: fn(&RuleCase<W>) -> LawResult,
     what: &'static str,
-) -> Verdict {
+) -> LawResult {
     match law(&RuleCase { rule: wrong, effort: case.effort }) {
         Err(_) => Ok(Tried::cases(1)),
         Ok(_) => Err(failure(case, Fault::NotRefused { what })),
@@ -215,19 +215,19 @@ fn refused<R: Rule, W: Rule>(
 }
 
 /// Weights that add up to 0.9, and nodes off the chord.
-pub(super) fn wrong_nodes<R: Rule>(case: &RuleCase<R>) -> Verdict {
+pub(super) fn wrong_nodes<R: Rule>(case: &RuleCase<R>) -> LawResult {
     Ok(refused(case, Light, weights, "weights that add up to 0.9")?
         .and(refused(case, Light, constant_metrics, "weights that add up to 0.9")?)
         .and(refused(case, Beyond, nodes, "a node off the chord")?))
 }
 
 /// An exponent of 2 for the left-endpoint rule.
-pub(super) fn boast<R: Rule>(case: &RuleCase<R>) -> Verdict {
+pub(super) fn boast<R: Rule>(case: &RuleCase<R>) -> LawResult {
     refused(case, Boaster, exponent, "an exponent of 2 for the left-endpoint rule")
 }
 
 /// The rule itself, with an energy that is not that of its nodes.
-pub(super) fn another_energy<R: Rule>(case: &RuleCase<R>) -> Verdict {
+pub(super) fn another_energy<R: Rule>(case: &RuleCase<R>) -> LawResult {
     let what = "an energy that is not that of the nodes";
     refused(case, Other(case.rule), gradient, what)
 }

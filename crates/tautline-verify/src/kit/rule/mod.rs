@@ -54,7 +54,7 @@ macro_rules! functions {
         $(
             #[doc = concat!("Tries the law `", stringify!($id), "`: `", $law, "`.")]
             pub fn $id<R: Rule>(case: &RuleCase<R>) -> Outcome {
-                let run: fn(&RuleCase<R>) -> super::report::Verdict = $run;
+                let run: fn(&RuleCase<R>) -> super::report::LawResult = $run;
                 Outcome::new(stringify!($id), $law, run(case))
             }
         )*

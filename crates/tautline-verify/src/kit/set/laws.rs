@@ -9,7 +9,7 @@ use crate::{
     kit::{
         Failure, Fault,
         region::directions,
-        report::{Tried, Verdict},
+        report::{LawResult, Tried},
         sampling::{CHEAP, for_all},
     },
 };
@@ -30,10 +30,6 @@ const SMOOTH: f64 = 1e-3;
 /// `ε |x|/h` of points of the size of the region.
 const OFF: f64 = 1e-5;
 
-fn list<const D: usize>(x: &SVector<f64, D>) -> Vec<f64> {
-    x.iter().copied().collect()
-}
-
 /// What rounding makes of a coordinate of `P(x)`: a hundred roundings of numbers of the size of
 /// `x`, of the region, and of `P(x)`.
 fn rounding<S: ClosedSet<D>, const D: usize>(
@@ -45,37 +41,42 @@ fn rounding<S: ClosedSet<D>, const D: usize>(
 }
 
 /// `P(x)` is finite, and the same each time.
-pub(super) fn finite<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> Verdict {
+pub(super) fn finite<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> LawResult {
     let effort = &case.effort;
     for_all(effort, effort.cases, CHEAP, case.region.points(), |x| {
         let p = case.set.project(x);
         let size = p.norm();
-        Fault::unless_at_most("|P(x)| < ∞", [size, f64::MAX], 0.0, &list(x))?;
+        Fault::unless_at_most("|P(x)| < ∞", [size, f64::MAX], 0.0, x.as_slice())?;
         let off = (case.set.project(x) - p).norm();
-        Fault::unless_at_most("P(x) is the same each time", [off, 0.0], 0.0, &list(x))?;
+        Fault::unless_at_most("P(x) is the same each time", [off, 0.0], 0.0, x.as_slice())?;
         let derivative = case.set.projection_derivative(x);
         let largest = derivative.iter().fold(0.0, |largest: f64, entry| {
             // `max` would drop a NaN.
             if largest.is_nan() || entry.abs() <= largest { largest } else { entry.abs() }
         });
-        Fault::unless_at_most("|DP(x)| < ∞", [largest, f64::MAX], 0.0, &list(x))?;
+        Fault::unless_at_most("|DP(x)| < ∞", [largest, f64::MAX], 0.0, x.as_slice())?;
         Ok(f64::INFINITY)
     })
 }
 
 /// `P(P(x)) = P(x)`.
-pub(super) fn idempotent<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> Verdict {
+pub(super) fn idempotent<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> LawResult {
     let effort = &case.effort;
     for_all(effort, effort.cases, CHEAP, case.region.points(), |x| {
         let p = case.set.project(x);
         let moved = (case.set.project(&p) - p).norm();
-        Fault::unless_at_most("P(P(x)) = P(x)", [moved, 0.0], rounding(case, &[x, &p]), &list(x))
+        Fault::unless_at_most(
+            "P(P(x)) = P(x)",
+            [moved, 0.0],
+            rounding(case, &[x, &p]),
+            x.as_slice(),
+        )
     })
 }
 
 /// No member is nearer to `x` than `P(x)`: not `P(y)` for any other `y`, nor for a `y` near `x`,
 /// near `P(x)`, or on the way from one to the other.
-pub(super) fn nearest<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> Verdict {
+pub(super) fn nearest<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> LawResult {
     let effort = &case.effort;
     let samples = (case.region.pairs(), directions::<D>(), 1..=12_i32);
     for_all(effort, effort.cases, CHEAP, samples, |([x, y], w, halvings)| {
@@ -87,13 +88,13 @@ pub(super) fn nearest<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>)
             let pair = [(x - p).norm(), (x - q).norm()];
             let granted = rounding(case, &[x, &p, &q]);
             let law = "|x − P(x)| ≤ |x − member|";
-            Ok(slack.min(Fault::unless_at_most(law, pair, granted, &list(x))?))
+            Ok(slack.min(Fault::unless_at_most(law, pair, granted, x.as_slice())?))
         })
     })
 }
 
 /// No member is longer than the radius; the members are looked for far out, too.
-pub(super) fn radius<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> Verdict {
+pub(super) fn radius<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> LawResult {
     let effort = &case.effort;
     let Some(radius) = case.set.radius() else {
         return Ok(Tried::cases(0).with_note("unbounded, it says"));
@@ -110,7 +111,7 @@ pub(super) fn radius<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) 
                     "|member| ≤ radius",
                     [member.norm(), radius],
                     granted,
-                    &list(&y),
+                    y.as_slice(),
                 )
             })?;
         tried = tried.and(one);
@@ -120,7 +121,7 @@ pub(super) fn radius<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) 
 
 /// A set that says it is convex: `P` does not expand, `x − P(x)` and the set make obtuse angles,
 /// the middle of two members is a member, `DP` has its eigenvalues in `[0, 1]`, and there are no seeds.
-pub(super) fn convex<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> Verdict {
+pub(super) fn convex<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> LawResult {
     let effort = &case.effort;
     if !case.set.is_convex() {
         return Ok(Tried::cases(0).with_note("not convex, as far as it says"));
@@ -131,7 +132,7 @@ pub(super) fn convex<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) 
             left: case.set.seeds().len() as f64,
             right: 0.0,
             granted: 0.0,
-            point: list(seed),
+            point: seed.as_slice().to_vec(),
         };
         return Err(Failure { fault, sample: None, seed: effort.seed });
     }
@@ -139,27 +140,27 @@ pub(super) fn convex<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) 
         let (p, q) = (case.set.project(x), case.set.project(y));
         let granted = rounding(case, &[x, y, &p, &q]);
         let pair = [(p - q).norm(), (x - y).norm()];
-        let slack = Fault::unless_at_most("|P(x) − P(y)| ≤ |x − y|", pair, granted, &list(x))?;
+        let slack = Fault::unless_at_most("|P(x) − P(y)| ≤ |x − y|", pair, granted, x.as_slice())?;
         let angle = (x - p).dot(&(q - p));
         // Each factor is off by the rounding, the other one of the size of the lengths.
         let lengths = (x - p).norm() + (q - p).norm();
         let law = "(x − P(x))·(member − P(x)) ≤ 0";
-        Fault::unless_at_most(law, [angle, 0.0], granted * (lengths + granted), &list(x))?;
+        Fault::unless_at_most(law, [angle, 0.0], granted * (lengths + granted), x.as_slice())?;
         let middle = (p + q) * 0.5;
         let off = (case.set.project(&middle) - middle).norm();
         let law = "the middle of two members is a member";
-        Fault::unless_at_most(law, [off, 0.0], granted, &list(&middle))?;
+        Fault::unless_at_most(law, [off, 0.0], granted, middle.as_slice())?;
         let (low, high) = extreme_eigenvalues(&case.set.projection_derivative(x));
         // Entries up to 1 with D² roundings or so.
         let granted = 64.0 * (D * D) as f64 * f64::EPSILON;
-        Fault::unless_at_most("0 ≤ eigenvalues of DP(x)", [-low, 0.0], granted, &list(x))?;
-        Fault::unless_at_most("eigenvalues of DP(x) ≤ 1", [high, 1.0], granted, &list(x))?;
+        Fault::unless_at_most("0 ≤ eigenvalues of DP(x)", [-low, 0.0], granted, x.as_slice())?;
+        Fault::unless_at_most("eigenvalues of DP(x) ≤ 1", [high, 1.0], granted, x.as_slice())?;
         Ok(slack)
     })
 }
 
 /// `DP` is symmetric, and the derivative of `P` where that is smooth.
-pub(super) fn derivative<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> Verdict {
+pub(super) fn derivative<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> LawResult {
     let effort = &case.effort;
     let step = case.region.size() * STEP;
     let smooth = std::cell::Cell::new(0_u64);
@@ -167,7 +168,7 @@ pub(super) fn derivative<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, 
         let derivative = case.set.projection_derivative(x);
         let skew = (derivative - derivative.transpose()).norm();
         let granted = 64.0 * (D * D) as f64 * f64::EPSILON;
-        Fault::unless_at_most("|DP(x) − DP(x)ᵀ| = 0", [skew, 0.0], granted, &list(x))?;
+        Fault::unless_at_most("|DP(x) − DP(x)ᵀ| = 0", [skew, 0.0], granted, x.as_slice())?;
         let p = case.set.project(x);
         let mut columns = Vec::with_capacity(D);
         for j in 0..D {
@@ -184,7 +185,7 @@ pub(super) fn derivative<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, 
             let off = (derivative.column(j) - column).norm();
             let granted = OFF + rounding(case, &[x, &p]) / step;
             let law = "|DP(x) eⱼ − its central difference| = O(h²)";
-            Fault::unless_at_most(law, [off, 0.0], granted, &list(x))?;
+            Fault::unless_at_most(law, [off, 0.0], granted, x.as_slice())?;
         }
         Ok(f64::INFINITY)
     })?;
@@ -199,12 +200,12 @@ pub(super) fn derivative<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, 
 /// Seeds are members, and the nearest member of a union is that of one of its pieces.
 pub(super) fn seeds_and_pieces<S: ClosedSet<D>, const D: usize>(
     case: &SetCase<'_, S, D>,
-) -> Verdict {
+) -> LawResult {
     let effort = &case.effort;
     let members = |point: &SVector<f64, D>| {
         let off = (case.set.project(point) - point).norm();
         let granted = rounding(case, &[point]);
-        Fault::unless_at_most("a seed is a member", [off, 0.0], granted, &list(point))
+        Fault::unless_at_most("a seed is a member", [off, 0.0], granted, point.as_slice())
     };
     for seed in case.set.seeds() {
         members(&seed).map_err(|fault| Failure { fault, sample: None, seed: effort.seed })?;
@@ -219,6 +220,6 @@ pub(super) fn seeds_and_pieces<S: ClosedSet<D>, const D: usize>(
         }
         let law = "the nearest piece is as near as the union";
         let off = (nearest - (p - x).norm()).abs();
-        Fault::unless_at_most(law, [off, 0.0], rounding(case, &[x, &p]), &list(x))
+        Fault::unless_at_most(law, [off, 0.0], rounding(case, &[x, &p]), x.as_slice())
     })
 }

@@ -8,7 +8,7 @@ use tautline::ClosedSet;
 use super::{SetCase, laws};
 use crate::kit::{
     Failure, Fault,
-    report::{Tried, Verdict},
+    report::{LawResult, Tried},
 };
 
 /// What a [`Liar`] says that is not so.
@@ -71,7 +71,7 @@ impl<S: ClosedSet<D>, const D: usize> ClosedSet<D> for Liar<'_, S> {
 }
 
 /// A law of closed sets.
-type Law<S, const D: usize> = fn(&SetCase<'_, S, D>) -> Verdict;
+type Law<S, const D: usize> = fn(&SetCase<'_, S, D>) -> LawResult;
 
 /// Puts a lie to the laws that should notice it.
 fn refused<'a, S: ClosedSet<D>, const D: usize>(
@@ -79,7 +79,7 @@ fn refused<'a, S: ClosedSet<D>, const D: usize>(
     lie: Lie,
     what: &'static str,
     laws: &[Law<Liar<'a, S>, D>],
-) -> Verdict {
+) -> LawResult {
     let set = Liar { set: case.set, lie };
     let liar = SetCase { set: &set, region: case.region, effort: case.effort };
     if laws.iter().any(|law| law(&liar).is_err()) {
@@ -102,7 +102,7 @@ fn seen<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> (bool, boo
 }
 
 /// A nearest point that is that of another place.
-pub(super) fn beside<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> Verdict {
+pub(super) fn beside<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> LawResult {
     let by = 0.25 * case.region.size();
     let moves = (1..=32).any(|k| {
         // Off the diagonal: k/32 times 1, 3, 5, …, without whole parts.
@@ -121,7 +121,7 @@ pub(super) fn beside<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) 
 }
 
 /// A nearest point that is not in the set.
-pub(super) fn halfway<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> Verdict {
+pub(super) fn halfway<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> LawResult {
     if !seen(case).0 {
         return Ok(Tried::cases(0).with_note("the set contains the region"));
     }
@@ -129,7 +129,7 @@ pub(super) fn halfway<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>)
 }
 
 /// A radius that is ten percent too small, if it is attained to five.
-pub(super) fn small_radius<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> Verdict {
+pub(super) fn small_radius<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> LawResult {
     let tried = laws::radius(case)?;
     if !(tried.slack < 1.05) {
         let note = match case.set.radius() {
@@ -143,7 +143,7 @@ pub(super) fn small_radius<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S
 }
 
 /// A derivative that is twice too large, if it is not zero.
-pub(super) fn derivative<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> Verdict {
+pub(super) fn derivative<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> LawResult {
     if !seen(case).1 {
         return Ok(Tried::cases(0).with_note("the nearest points do not change"));
     }

@@ -64,7 +64,7 @@ macro_rules! functions {
         $(
             #[doc = concat!("Tries the law `", stringify!($id), "`: `", $law, "`.")]
             pub fn $id<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> Outcome {
-                let run: fn(&SetCase<'_, S, D>) -> super::report::Verdict = $run;
+                let run: fn(&SetCase<'_, S, D>) -> super::report::LawResult = $run;
                 Outcome::new(stringify!($id), $law, run(case))
             }
         )*

@@ -1,4 +1,4 @@
-//! The slope test: a claimed derivative against central differences of smaller and smaller step.
+//! The difference test: a claimed derivative against central differences of smaller and smaller step.
 
 /// The steps are `4⁻ʲ` of a length, for `j` in this range.
 const QUARTERINGS: std::ops::RangeInclusive<i32> = 2..=8;
@@ -7,7 +7,7 @@ const QUARTERINGS: std::ops::RangeInclusive<i32> = 2..=8;
 /// asked for at the last steps, where the next term of the expansion is small.
 const FALL: f64 = 4.0;
 
-/// What a slope test says: the numbers at the smallest step.
+/// What a difference test says: the numbers at the smallest step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Disagreement {
     /// The largest difference between the claimed derivative and the central difference.
@@ -21,7 +21,7 @@ pub(crate) struct Disagreement {
 /// They agree if the error falls like the square of the step until it is at the rounding of the
 /// difference; a derivative that is off by `δ` has errors that stay at `δ`. `size` is the size
 /// of the terms of `f`, which are rounded. NaN is a disagreement.
-pub(crate) fn slope_test<const K: usize>(
+pub(crate) fn difference_test<const K: usize>(
     claimed: &[f64; K],
     f: impl Fn(f64) -> [f64; K],
     length: f64,
@@ -51,22 +51,22 @@ pub(crate) fn slope_test<const K: usize>(
 
 #[cfg(test)]
 mod tests {
-    use super::slope_test;
+    use super::difference_test;
 
     #[test]
     fn a_derivative_agrees_and_a_wrong_one_does_not() {
         let f = |t: f64| [(3.0 * t + 1.0).sin(), t * t];
         let right = [3.0 * 1_f64.cos(), 0.0];
-        assert_eq!(slope_test(&right, f, 1.0, 1.0), Ok(()));
+        assert_eq!(difference_test(&right, f, 1.0, 1.0), Ok(()));
         for off in [1e-6, -1e-3, 1.0, f64::NAN] {
-            let found = slope_test(&[right[0] + off, 0.0], f, 1.0, 1.0).expect_err("off");
+            let found = difference_test(&[right[0] + off, 0.0], f, 1.0, 1.0).expect_err("off");
             assert!(off.is_nan() || (found.error - off.abs()).abs() <= 1e-7, "{found:?}");
         }
     }
 
     #[test]
     fn a_kink_has_no_derivative() {
-        assert!(slope_test(&[1.0], |t: f64| [(t + 1e-9).abs()], 1.0, 1.0).is_err());
-        assert!(slope_test(&[f64::NAN], |_| [f64::NAN], 1.0, 1.0).is_err());
+        assert!(difference_test(&[1.0], |t: f64| [(t + 1e-9).abs()], 1.0, 1.0).is_err());
+        assert!(difference_test(&[f64::NAN], |_| [f64::NAN], 1.0, 1.0).is_err());
     }
 }

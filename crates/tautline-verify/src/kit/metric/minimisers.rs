@@ -1,0 +1,194 @@
+//! The statements of the paper about minimisers, on the solved problems of one metric.
+
+use tautline::Bounded;
+
+use super::{MetricCase, solutions::Minimiser, statements::judge};
+use crate::{
+    Evidence, Known, Library, PaperRule, Reconstruction, Subject, VerifyError,
+    curves::Measured,
+    kit::{Fault, report::LawResult},
+    statements::{self, NearestPair},
+};
+
+/// Proposition 6.2, on the ends of the minimisers of the trapezoidal rule.
+///
+/// Their distance is no more than the length of the reconstruction; that of another pair is known,
+/// or no more than the length of the detour. What is refused of a length is a shorter one, so that
+/// neither has to be exact.
+pub(super) fn prop_6_2<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
+    case.of_solutions(PaperRule::Trapezoidal, |minimiser| {
+        let detour = minimiser.detour()?;
+        let (metric, seen) = (&case.metric, minimiser.seen);
+        let other = case
+            .distance
+            .and_then(|distance| distance(metric, detour.first(), detour.last()))
+            .unwrap_or_else(|| Measured::of_sequence(&Library, metric, &detour).length.value);
+        let apart = seen.length_squared.value.sqrt();
+        let pair = NearestPair::of(&Library, minimiser.known, seen, apart, other);
+        judge(&statements::prop_6_2(&pair, metric.constants().c1()))
+    })
+}
+
+/// Proposition 6.3, on the reconstructions of the trapezoidal rule, and on ways around.
+pub(super) fn prop_6_3<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
+    case.of_solutions(PaperRule::Trapezoidal, |minimiser| {
+        [&minimiser.seen.minimum.sequence, &minimiser.detour()?].into_iter().try_fold(
+            f64::INFINITY,
+            |slack: f64, sequence| {
+                let curve = Measured::of_sequence(&Library, &case.metric, sequence);
+                Ok(slack.min(judge(&statements::prop_6_3(&Library, minimiser.known, &curve))?))
+            },
+        )
+    })
+}
+
+/// Proposition 7.1, on the minimisers of both rules: each against a way around, and against what it
+/// becomes where its points are moved.
+///
+/// A search may end at a local minimum, or where the energy is flat to second order, and there may be
+/// less energy nearby. Then it is begun again, at the better one of the two as well; above that it
+/// must not end.
+pub(super) fn prop_7_1<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
+    case.of_both_rules(|minimiser| {
+        let (rule, metric, sets) = (minimiser.seen.rule, &case.metric, minimiser.sets());
+        let others = [minimiser.detour()?, minimiser.moved()?];
+        others.into_iter().try_fold(f64::INFINITY, |slack: f64, other| {
+            let less = rule.energy(&Library, metric, &other) < minimiser.seen.discrete_energy;
+            let again = if less { Some(minimiser.again(&other)?) } else { None };
+            let found = again.as_ref().unwrap_or(&minimiser.seen.minimum.sequence);
+            let evidence = statements::prop_7_1(&Library, rule, metric, sets, [found, &other])?;
+            Ok(slack.min(judge(&evidence)?))
+        })
+    })
+}
+
+/// What the minimisers of Proposition 7.1 are besides: critical points, of nearly constant speed.
+pub(super) fn critical_points<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
+    case.of_both_rules(|minimiser| critical_point(&Library, minimiser))
+}
+
+/// The step by which the statement tries the ends is not small beside the gaps of a finite set, so
+/// that each member of one is put alone.
+fn critical_point<M: Bounded<D>, const D: usize>(
+    subject: &impl Subject,
+    minimiser: &Minimiser<'_, M, D>,
+) -> Result<f64, Fault> {
+    let sequence = &minimiser.seen.minimum.sequence;
+    let ends = minimiser.posed.ends_near([*sequence.first(), *sequence.last()]);
+    let known = Known { ends: ends.map_err(VerifyError::from)?, ..minimiser.known.clone() };
+    judge(&statements::critical_point(subject, &known, minimiser.seen))
+}
+
+/// Remark 9.2, on the minimisers of both rules.
+pub(super) fn remark_9_2<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
+    case.of_both_rules(|minimiser| judge(&statements::remark_9_2(&Library, minimiser.seen)))
+}
+
+/// `C_tra(N)` with the `K_{1,g}` and `K_{2,g}` of a problem, as the proof of Theorem 1.1 has it.
+pub(super) fn c_tra<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
+    let norms = [subject.k1_g(seen.setting), subject.k2_g(seen.setting)];
+    statements::constant_c_tra(subject, seen.setting.constants(), norms, seen.n)
+}
+
+/// `C_tra♯` with the `K_{1,g}` and `K_{2,g}` of a problem, as the proof of Theorem 1.1 has it.
+pub(super) fn c_tra_sharp<const D: usize>(
+    subject: &impl Subject,
+    seen: &Reconstruction<D>,
+) -> Evidence {
+    let norms = [subject.k1_g(seen.setting), subject.k2_g(seen.setting)];
+    statements::constant_c_tra_sharp(subject, seen.setting.constants(), norms, seen.n)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::num::NonZeroUsize;
+
+    use nalgebra::SVector;
+    use tautline::{
+        Constants, Metric, PointSequence, Rule, bounds, energy_gradient, gallery::Shear,
+    };
+
+    use super::{critical_point, judge};
+    use crate::{
+        Library, PaperRule, Subject, VerifyError,
+        kit::{
+            Effort, Fault, MetricCase, Region,
+            metric::{minimisers, solutions::Minimiser},
+            report::LawResult,
+        },
+        statements,
+    };
+
+    /// The library with `C_tra(N)` off by one part in a million, and gradients by `10⁻⁶`.
+    struct Off;
+
+    impl Subject for Off {
+        fn c_tra(&self, constants: Constants, k1: f64, k2: f64, n: NonZeroUsize) -> f64 {
+            bounds::c_tra(constants, k1, k2, n) * (1.0 + 1e-6)
+        }
+
+        fn energy_gradient<R: Rule, const D: usize>(
+            &self,
+            rule: R,
+            metric: &impl Metric<D>,
+            sequence: &PointSequence<D>,
+        ) -> Vec<SVector<f64, D>> {
+            let gradient = energy_gradient(rule, metric, sequence).1;
+            gradient.into_iter().map(|entries| entries.add_scalar(1e-6)).collect()
+        }
+    }
+
+    fn case() -> MetricCase<Shear, 2> {
+        let shear = Shear::new(0.5, 1.0).expect("a wave number");
+        let effort = Effort { problems: 6, subintervals: &[1, 3], ..Effort::default() };
+        MetricCase::new(shear, Region::cell([0.0, 0.0], [6.0, 6.0]), effort)
+    }
+
+    type Way = fn(&Minimiser<'_, Shear, 2>) -> Result<PointSequence<2>, VerifyError>;
+
+    /// The claim that does not hold.
+    #[track_caller]
+    fn violated(result: LawResult) -> &'static str {
+        match result.expect_err("it is off").fault {
+            Fault::Statement { hypothesis: false, inequality, .. } => inequality.claim,
+            fault => panic!("{fault}"),
+        }
+    }
+
+    #[test]
+    fn constants_that_are_off_by_a_millionth_are_refused() {
+        let of = |statement| case().of_constants(PaperRule::Trapezoidal, statement, None);
+        assert!(of(minimisers::c_tra).is_ok() && of(minimisers::c_tra_sharp).is_ok());
+        assert_eq!(
+            violated(of(|_, seen| minimisers::c_tra(&Off, seen))),
+            "C_tra(N) ≤ its definition"
+        );
+        assert_eq!(
+            violated(of(|_, seen| minimisers::c_tra_sharp(&Off, seen))),
+            "C_tra(N) ≤ C_tra♯/N"
+        );
+    }
+
+    #[test]
+    fn gradients_that_are_off_by_a_millionth_are_refused() {
+        assert!(case().of_both_rules(|minimiser| critical_point(&Library, minimiser)).is_ok());
+        let claim = violated(case().of_both_rules(|minimiser| critical_point(&Off, minimiser)));
+        assert!(claim.contains("ρₙ") || claim.contains("∂E"), "{claim}");
+    }
+
+    /// What a minimiser is compared with has more energy, by more than is granted.
+    #[test]
+    fn a_minimiser_that_is_moved_is_none() {
+        let case = case();
+        let ways: [Way; 2] = [|minimiser| minimiser.moved(), |minimiser| minimiser.detour()];
+        for way in ways {
+            let swapped = case.of_both_rules(|minimiser| {
+                let (rule, found) = (minimiser.seen.rule, &minimiser.seen.minimum.sequence);
+                let (metric, sets) = (&case.metric, minimiser.sets());
+                let pair = [&way(minimiser)?, found];
+                judge(&statements::prop_7_1(&Library, rule, metric, sets, pair)?)
+            });
+            assert_eq!(violated(swapped), "E_N(γ*) ≤ E_N(γᵖ)");
+        }
+    }
+}
