@@ -1,5 +1,6 @@
 //! Every check of the project's own suite as a test of its own name.
 
+mod dropped;
 mod existence;
 mod global_minima;
 mod golden;
@@ -72,6 +73,7 @@ fn every_check_is_a_test() {
         section_7_apriori::NAMES,
         point_sequences::NAMES,
         section_9::NAMES,
+        dropped::NAMES,
     ];
     let tests: BTreeSet<&str> = sections.concat().into_iter().collect();
     assert_eq!(checks, tests);

@@ -6,11 +6,9 @@ super::checks! {
     prop_9_1_is_homogeneous
     prop_9_1_is_attained_by_curves_of_constant_speed
     prop_9_1_refuted_by_a_late_minimiser
-    prop_9_1_fails_for_a_minimiser_of_the_length_alone
     remark_9_2_holds_between_points
     remark_9_2_holds_from_set_to_set
     remark_9_2_is_homogeneous
     remark_9_2_is_attained_by_two_routes
     remark_9_2_has_the_best_rate_for_every_number_of_subintervals
-    remark_9_2_fails_for_a_slope_that_is_not_admitted
 }

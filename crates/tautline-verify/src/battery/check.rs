@@ -12,7 +12,8 @@ pub enum Kind {
     Homogeneous,
     /// A case comes near equality, or its slack is the best one known.
     Witness,
-    /// Without one of its hypotheses a statement fails.
+    /// Without one of its hypotheses a statement fails; or holds all the same, and the hypothesis
+    /// is not needed.
     Dropped,
     /// A statement is false as printed.
     Refuted,
@@ -54,8 +55,8 @@ impl<S> Check<S> {
         (self.run)(trial)
     }
 
-    /// Returns whether the check belongs to the suite of this scope: that of the paper's bounds alone
-    /// asserts observed ≤ bound on random cases, and no more.
+    /// Returns whether the check belongs to the suite of this scope: that of the paper's bounds
+    /// alone asserts observed ≤ bound on random cases, and no more.
     #[must_use]
     pub fn is_in(&self, scope: Scope) -> bool {
         let is_a_bound = self.statements.iter().any(|statement| statement.is_a_bound());

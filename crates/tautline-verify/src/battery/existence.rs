@@ -4,18 +4,25 @@ use std::fmt::Debug;
 
 use nalgebra::{SMatrix, SVector};
 use proptest::prelude::*;
-use tautline::{Bounded, ClosedSet, Constants, Ends, HalfSpace, PointSequence, SetError, gallery};
+use tautline::{
+    Bounded, ClosedSet, Constants, Ends, HalfSpace, LeftEndpoint, Metric, PointSequence, SetError,
+    Trapezoidal, gallery,
+};
 
-use super::{Check, Failure, Kind, Outcome, Trial, check::all};
+use super::{
+    Check, Failure, Kind, Outcome, Trial, admissible::admissible, check::all,
+    failing::fails_without,
+};
 use crate::{
-    Evidence, Finding, Known, Library, PaperRule, Reconstruction, Statement,
+    Evidence, Known, Library, PaperRule, Reconstruction, Statement,
     Statement::Proposition7_1,
-    Subject, Units, VerifyError, WithConstants,
+    Subject, VerifyError, WithConstants,
     statements::{critical_point, prop_7_1},
     strategies::{
         constant_ball_half_space, points, ramp, separable_boxes, sequence, shear_ball_half_plane,
         valleys_ball_half_space,
     },
+    witnesses::Tent,
 };
 
 const STATEMENT: &[Statement] = &[Proposition7_1];
@@ -44,21 +51,13 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
         Check::new("prop_7_1_fails_where_c1_is_zero", Kind::Dropped, STATEMENT, |_| {
             on_the_sphere()
         }),
+        Check::new(
+            "prop_7_1_fails_for_another_number_of_subintervals_and_for_other_ends",
+            Kind::Dropped,
+            STATEMENT,
+            |_| another_number_or_other_ends(),
+        ),
     ]
-}
-
-/// Moves the ends of a sequence into their sets, in other units.
-fn admissible<const D: usize>(
-    subject: &impl Subject,
-    ends: &Ends<D>,
-    units: Units,
-    sequence: &PointSequence<D>,
-) -> Result<PointSequence<D>, VerifyError> {
-    let mut points = units.sequence(sequence)?.into_points();
-    let last = points.len() - 1;
-    points[0] = subject.project(&**ends.first(), &points[0]);
-    points[last] = subject.project(&**ends.second(), &points[last]);
-    Ok(PointSequence::new(points)?)
 }
 
 /// Both rules, each with its computed minimiser and a random sequence; and both critical points.
@@ -85,7 +84,7 @@ fn random<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         problems: impl Strategy<Value = Known<M, D>>,
     ) -> Outcome {
         trial.for_all(seed, 128, (problems, sequence(3.0)), |subject, (known, other)| {
-            let other = admissible(subject, &known.ends, Units::ONE, &other)?;
+            let other = admissible(subject, &known.ends, other)?;
             evidence(subject, &known, &other)
         })
     }
@@ -102,7 +101,7 @@ fn homogeneous<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     let problems = (shear_ball_half_plane(), sequence(3.0));
     trial.homogeneous(7110, 64, problems, |subject, (known, other), units| {
         let known = units.known(known)?;
-        let other = admissible(subject, &known.ends, units, &other)?;
+        let other = admissible(subject, &known.ends, units.sequence(&other)?)?;
         evidence(subject, &known, &other)
     })
 }
@@ -113,12 +112,15 @@ fn attained<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     let metric = gallery::Constant::<3>::new(SMatrix::identity() * 4.0).expect("positive definite");
     let ball = tautline::Ball::new([1.0, 0.0, 0.0], 1.0).map_err(VerifyError::from)?;
     let wall = HalfSpace::at_least([1.0, 0.0, 0.0], 5.0).map_err(VerifyError::from)?;
+    let ends = Ends::new(ball, wall).map_err(VerifyError::from)?;
     let mut found = Vec::new();
     for n in [1, 3, 20] {
         let line = PointSequence::straight([2.0, 0.0, 0.0], [5.0, 0.0, 0.0], n);
         let line = line.map_err(VerifyError::from)?;
         for rule in PaperRule::BOTH {
-            let evidence = prop_7_1(trial.subject, rule, &metric, [&ball, &wall], [&line, &line]);
+            let least = minimiser(trial.subject, rule, &metric, &ends, n)?;
+            let pair = [&least, &line];
+            let evidence = prop_7_1(trial.subject, rule, &metric, [&ball, &wall], pair);
             found.push(
                 evidence?
                     .claim_is_attained("|xₙ − X| ≤ √(R/c₁)", 1.01)?
@@ -130,15 +132,26 @@ fn attained<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     trial.one(found)
 }
 
-/// Evidence in which the clause `dropped` does not hold, and neither does the claim `fails`.
-fn is_dropped(evidence: &Evidence, dropped: &str, fails: &str) -> Result<(), Failure> {
-    let inapplicable = matches!(evidence.finding(), Finding::Inapplicable(clause)
-        if clause.claim.contains(dropped));
-    if inapplicable && !evidence.conclusion(fails).holds() {
-        Ok(())
-    } else {
-        Err(Failure::new(format!("{fails} survives: {evidence:?}")))
+/// The computed minimiser of a rule.
+fn minimiser<const D: usize>(
+    subject: &impl Subject,
+    rule: PaperRule,
+    metric: &impl Metric<D>,
+    ends: &Ends<D>,
+    n: usize,
+) -> Result<PointSequence<D>, VerifyError> {
+    Ok(match rule {
+        PaperRule::Trapezoidal => subject.minimise(Trapezoidal, metric, ends, n)?.sequence,
+        PaperRule::LeftEndpoint => subject.minimise(LeftEndpoint, metric, ends, n)?.sequence,
+    })
+}
+
+/// As [`fails_without`], with the conclusion that fails.
+fn claim_fails_without(hypothesis: &str, claim: &str, evidence: Evidence) -> Outcome {
+    if evidence.conclusion(claim).holds() {
+        return Err(Failure::new(format!("{claim} survives: {evidence:?}")));
     }
+    fails_without(&[hypothesis], evidence)
 }
 
 /// The closed set `{x₂ ≥ e^{−x₁}}` in the plane, by Newton's method for its nearest points.
@@ -190,7 +203,7 @@ fn both_unbounded() -> Outcome {
         for rule in PaperRule::BOTH {
             let evidence =
                 prop_7_1(&Library, rule, &metric, [&floor, &AboveExponential], [&best, &better])?;
-            is_dropped(&evidence, "bounded", "E_N(γ*) ≤ E_N(γᵖ)")?;
+            claim_fails_without("bounded", "E_N(γ*) ≤ E_N(γᵖ)", evidence)?;
         }
     }
     Ok(Default::default())
@@ -214,12 +227,37 @@ fn on_the_sphere() -> Outcome {
         let sequence = out(r).map_err(VerifyError::from)?;
         let rule = PaperRule::Trapezoidal;
         let evidence = prop_7_1(&Library, rule, &metric, sets, [&sequence, &sequence])?;
-        is_dropped(&evidence, "c₁ ≤ λ_min(H)", "|xₙ − X| ≤ √(R/c₁)")?;
         let energy = evidence.conclusion("E_N(γ*) ≤ E_N(γᵖ)").bound;
+        claim_fails_without("c₁ ≤ λ_min(H)", "|xₙ − X| ≤ √(R/c₁)", evidence)?;
         if !(energy < before) {
             return Err(Failure::new(format!("r = {r}: {energy} after {before}")));
         }
         before = energy;
     }
     Ok(Default::default())
+}
+
+/// Over a ridge one chord is dearer than eight, and a straight line from set to set dearer than one
+/// that stops half-way.
+fn another_number_or_other_ends() -> Outcome {
+    let ridge = Tent::new(2.0, -1.5).expect("positive");
+    let ends = Ends::points([0.0], [1.0]).map_err(VerifyError::from)?;
+    let sets: [&dyn ClosedSet<1>; 2] = [&**ends.first(), &**ends.second()];
+    let least = "E_N(γ*) ≤ E_N(γᵖ)";
+    let rule = PaperRule::Trapezoidal;
+    let [one, eight] = [1, 8].map(|n| minimiser(&Library, rule, &ridge, &ends, n));
+    let (one, eight) = (one?, eight?);
+    let half = PointSequence::straight([0.0], [0.5], 8).map_err(VerifyError::from)?;
+    all([
+        claim_fails_without(
+            "the same N",
+            least,
+            prop_7_1(&Library, rule, &ridge, sets, [&one, &eight])?,
+        ),
+        claim_fails_without(
+            "the ends lie",
+            least,
+            prop_7_1(&Library, rule, &ridge, sets, [&eight, &half])?,
+        ),
+    ])
 }

@@ -11,7 +11,7 @@ use tautline::{
     gallery::{Constant, Shear, Valleys},
 };
 
-use super::{Check, Failure, Kind, Outcome, Trial};
+use super::{Check, Failure, Kind, Outcome, Trial, close::close};
 use crate::{
     Statement,
     Statement::{
@@ -209,18 +209,9 @@ fn check(
         ("K̄_{4,g}", subject.k4_bar_g(setting), golden.k4_bar),
         ("C of Theorem 1.3", subject.theorem_1_3_constant(setting), golden.theorem_1_3),
     ] {
-        close(name, value, expected, 1e-12)?;
+        close(name, value, expected, 1e-12 * expected)?;
     }
     Ok(())
-}
-
-/// Returns a failure unless `value` is `expected` up to `tolerance`, relatively.
-fn close(name: &str, value: f64, expected: f64, tolerance: f64) -> Result<(), Failure> {
-    if (value - expected).abs() <= tolerance * expected {
-        Ok(())
-    } else {
-        Err(Failure::new(format!("{name}: {value:.17e} is not {expected:.17e}")))
-    }
 }
 
 fn between(
@@ -306,9 +297,9 @@ fn distances<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         points: [[f64; 2]; 2],
     ) -> Result<(), Failure> {
         let trapezoidal = extrapolated(subject, Trapezoidal, metric, points, 2048)?;
-        close("d, trapezoidal", trapezoidal, golden.d, 1e-11)?;
+        close("d, trapezoidal", trapezoidal, golden.d, 1e-11 * golden.d)?;
         let left = extrapolated(subject, LeftEndpoint, metric, points, 2048)?;
-        close("d, left", left, golden.d, 1e-7)
+        close("d, left", left, golden.d, 1e-7 * golden.d)
     }
     one(trial.subject, &OBLIQUE, &oblique(), [[0.0, 0.0], [3.0, 4.0]])?;
     one(trial.subject, &ACROSS_VALLEYS, &Valleys, [[0.0, 0.0], [2.0, 1.5]])?;

@@ -17,7 +17,7 @@ use tautline::{
     gallery::{Shear, Valleys},
 };
 
-use super::{Check, Failure, Kind, Outcome, Trial};
+use super::{Check, Kind, Outcome, Trial, close::close};
 use crate::{
     Statement,
     Statement::{Theorem1_1, Theorem1_2, Theorem1_3, Theorem1_4},
@@ -72,15 +72,6 @@ fn scaled_errors<M: Metric<D>, R: Rule, const D: usize>(
     // A search that has converged leaves no more than 10⁻¹⁸ or rounding, whatever it reports.
     let left_over = minimum.decrement.min(1e-15) * discrete_energy;
     Ok((errors, count * count * 2.0 * (left_over * excess.max(0.0)).sqrt()))
-}
-
-fn close(what: &str, value: f64, reference: f64, tolerance: f64) -> Result<(), Failure> {
-    if (value - reference).abs() <= tolerance {
-        Ok(())
-    } else {
-        let message = format!("{what}: {value:.9} is not {reference:.9} up to {tolerance:.1e}");
-        Err(Failure::new(message))
-    }
 }
 
 fn check<M: Metric<D>, const D: usize>(subject: &impl Subject, case: &Case<M, D>) -> Outcome {

@@ -103,15 +103,15 @@ fn attained_forms<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 fn dropped_forms() -> Outcome {
     all([
         fails_without(
-            "0 ≤ λ_min(H(x₂))",
+            &["0 ≤ λ_min(H(x₂))"],
             prop_7_5(&on_the_line([0.0, 0.0], [0.0, 1.0], [-2.0, -2.0], 1.0, 0.0)),
         ),
         fails_without(
-            "λ_max(H(x₂)) ≤ c₂",
+            &["λ_max(H(x₂)) ≤ c₂"],
             prop_7_5(&on_the_line([0.0, 0.0], [0.0, 1.0], [3.0, 3.0], 1.0, 0.0)),
         ),
         fails_without(
-            "‖H(x₁) − H(x₂)‖ ≤ L_H |x₁ − x₂|",
+            &["‖H(x₁) − H(x₂)‖ ≤ L_H |x₁ − x₂|"],
             prop_7_5(&on_the_line([0.0, 1.0], [1.0, 1.0], [1.0, 0.0], 1.0, 0.5)),
         ),
     ])

@@ -5,15 +5,15 @@ use std::fmt::Debug;
 use nalgebra::{SMatrix, SVector};
 use proptest::prelude::*;
 use tautline::{
-    Bounded, Constants, KnownDistance, Metric, Scalar,
+    Bounded, KnownDistance,
     gallery::{Constant, Separable, Valleys},
 };
 
-use super::{Check, Failure, Kind, Outcome, Trial, check::all, failing::fails_without};
+use super::{Check, Kind, Outcome, Trial, check::all};
 use crate::{
-    Evidence, Library,
+    Evidence,
     Statement::{self, ConstantK1, ConstantK2, Proposition7_10, Proposition7_11, Proposition7_12},
-    Subject, VerifyError, WithConstants,
+    Subject, VerifyError,
     curves::{BoundedCurve, Geodesic, SmoothCurve},
     statements::{constant_k1, constant_k2, prop_7_10, prop_7_11, prop_7_12},
     strategies::{constant, ramp, separable, shear, two_points, vector},
@@ -38,12 +38,6 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
         Check::new("prop_7_10_is_attained_by_a_ripple", Kind::Witness, p710, ripples),
         Check::new("prop_7_11_has_the_factor_root_d_over_a_twist", Kind::Witness, p711, twists),
         Check::new("prop_7_11_has_the_factor_three_on_the_line", Kind::Witness, p711, inclines),
-        Check::new(
-            "props_7_10_and_7_11_fail_with_false_constants",
-            Kind::Dropped,
-            POINTWISE,
-            |_| false_constants(),
-        ),
         Check::new("prop_7_12_holds_for_minimal_geodesics", Kind::Random, APRIORI, geodesics),
         Check::new("prop_7_12_is_homogeneous", Kind::Homogeneous, APRIORI, homogeneous_geodesics),
         Check::new(
@@ -59,9 +53,6 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
             bent_by_a_twist,
         ),
         Check::new("k2_has_the_factor_three_on_the_line", Kind::Witness, bend, bent_by_an_incline),
-        Check::new("prop_7_12_fails_without_its_hypotheses", Kind::Dropped, APRIORI, |_| {
-            dropped_minimality()
-        }),
     ]
 }
 
@@ -134,38 +125,6 @@ fn inclines<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         let evidence = prop_7_11(subject, &incline, &[0.0].into())?;
         Ok([evidence.claim_is_attained("|Γ| ≤ L_H/2c₁", NEAR)?.slack_is_at_most(3.0 * NEAR)?])
     })
-}
-
-/// `H = foot + x` near 0.
-#[derive(Clone, Copy, Debug)]
-struct Slope {
-    foot: f64,
-}
-
-impl Metric<1> for Slope {
-    fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
-        SMatrix::from_diagonal_element(x[0] + self.foot)
-    }
-}
-
-/// Derivatives of 1 where a Lipschitz constant of `¼` is claimed, and `Γ = 1/2H` above `3/2c₁`
-/// where `c₁` is claimed to be 9 times what it is.
-fn false_constants() -> Outcome {
-    let origin = SVector::from([0.0]);
-    let claimed = |foot, c1, l_h| {
-        let constants = Constants::new(c1, 10.0, l_h).expect("in order");
-        WithConstants { metric: Slope { foot }, constants }
-    };
-    let lipschitz = "‖H(x) − H(y)‖/|x − y| ≤ L_H";
-    let [flat, high] = [claimed(1.0, 1.0, 0.25), claimed(1.0 / 9.0, 1.0, 1.0)];
-    all([
-        fails_without(lipschitz, prop_7_10(&Library, &flat, &origin).map_err(VerifyError::from)?),
-        fails_without(lipschitz, prop_7_11(&Library, &flat, &origin).map_err(VerifyError::from)?),
-        fails_without(
-            "c₁ ≤ λ_min(H)",
-            prop_7_11(&Library, &high, &origin).map_err(VerifyError::from)?,
-        ),
-    ])
 }
 
 fn evidence<const D: usize>(
@@ -272,41 +231,4 @@ fn bent_by_an_incline<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
                 .claim_is_attained("‖γ̈‖ ≤ K₂", known)?,
         ])
     })
-}
-
-/// Without minimality: a wave is longer than the straight line, and bends. With a false `c₁` or
-/// `L_H`: minimal geodesics that go faster, and bend more, than these allow.
-fn dropped_minimality() -> Outcome {
-    let flat = |c1| WithConstants {
-        metric: Constant::new(SMatrix::<f64, 1, 1>::from_diagonal_element(1.0)).expect("positive"),
-        constants: Constants::new(c1, c1.max(2.0), 0.0).expect("in order"),
-    };
-    let wave = SmoothCurve::new(
-        vec![SVector::from([0.0]), SVector::from([1.0])],
-        vec![[SVector::from([0.0]), SVector::from([0.2])]],
-    );
-    let line = SmoothCurve::straight([0.0], [1.0]);
-    let bent = InclineGeodesic::new(1.0, 1.0, 1.0)?;
-    let gentle = WithConstants {
-        metric: Slope { foot: 1.0 },
-        constants: Constants::new(1.0, 2.0, 0.01).expect("in order"),
-    };
-    let lipschitz = "‖H(x) − H(y)‖/|x − y| ≤ L_H";
-    let first = constant_k1(&Library, &flat(1.0), &wave, 1.0, 0.0)?;
-    let second = constant_k2(&Library, &flat(1.0), &wave, 1.0, 0.3)?;
-    let slow = constant_k1(&Library, &flat(4.0), &line, 1.0, 0.0)?;
-    let gently = prop_7_12(&Library, &gentle, &bent, bent.distance())?;
-    for (evidence, claim) in [(&first, "|γ̇(t)| ≤ K₁"), (&second, "|γ̈(t)| ≤ K₂")] {
-        if evidence.conclusion(claim).holds() {
-            return Err(Failure::new(format!("{} holds for a wave", evidence.statement)));
-        }
-    }
-    all([
-        fails_without("|g(γ̇, γ̇) − d²| = 0", first),
-        fails_without("|g(γ̇, γ̇) − d²| = 0", second),
-        fails_without("E(γ) ≤ d²", prop_7_12(&Library, &flat(1.0), &wave, 1.0)?),
-        fails_without("c₁ ≤ λ_min(H)", slow),
-        fails_without("c₁ ≤ λ_min(H)", prop_7_12(&Library, &flat(4.0), &line, 1.0)?),
-        fails_without(lipschitz, gently),
-    ])
 }

@@ -207,7 +207,7 @@ fn kink_of_7_3() -> Outcome {
     let ramp = KinkedCurve::new([0.0], [(epsilon, [1.0].into())], [1.0])?;
     let evidence = prop_7_3(&ramp, [0.0, epsilon])?;
     all([
-        fails_without("γ̇ does not jump", evidence),
+        fails_without(&["γ̇ does not jump"], evidence),
         // γ̈ = 0 almost everywhere, so that the form for H² is the printed one.
         refuted(
             &prop_7_3_as_printed(&ramp, [0.0, epsilon])?,
@@ -252,7 +252,7 @@ fn kink_of_7_4() -> Outcome {
     let evidence = prop_7_4(&modulus, NonZeroUsize::MIN, 0, 0.0)?;
     let clause = "γ̇ does not jump";
     all([
-        fails_without(clause, evidence.clone()),
+        fails_without(&[clause], evidence.clone()),
         refuted(&without(evidence, clause), "|β − γ̇(t)| ≤ 2‖γ̈‖/√N", [1.0, 0.0]),
     ])
 }

@@ -194,7 +194,7 @@ fn refuted_by_a_kink<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     let printed = prop_7_6_as_printed(trial.subject, &metric, &modulus, [1.0, 0.1], n)?;
     all([
         refuted(&printed, "|E − E_tra,N| ≤ C_tra(N)", [1.0, 0.44]),
-        fails_without("γ̇ does not jump", prop_7_6(trial.subject, &metric, &modulus, n)?),
+        fails_without(&["γ̇ does not jump"], prop_7_6(trial.subject, &metric, &modulus, n)?),
     ])
 }
 
@@ -213,9 +213,9 @@ fn false_constants() -> Outcome {
     let curve = SmoothCurve::new(vec![SVector::zeros(), SVector::from([1.0])], vec![sine]);
     let lipschitz = "‖H(x) − H(y)‖/|x − y| ≤ L_H";
     all([
-        fails_without(lipschitz, prop_7_6(&Library, &ridge, &line, n)?),
-        fails_without(lipschitz, prop_7_7(&Library, &ridge, &[&line], n)?),
-        fails_without("λ_max(H) ≤ c₂", prop_7_6(&Library, &flat, &curve, n)?),
+        fails_without(&[lipschitz], prop_7_6(&Library, &ridge, &line, n)?),
+        fails_without(&[lipschitz], prop_7_7(&Library, &ridge, &[&line], n)?),
+        fails_without(&["λ_max(H) ≤ c₂"], prop_7_6(&Library, &flat, &curve, n)?),
     ])
 }
 
@@ -230,7 +230,7 @@ fn refuted_by_a_fast_start<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         let ramp = KinkedCurve::new([0.0], [stop], [1.0])?;
         let evidence = prop_7_7(trial.subject, &metric, &[ramp], positive(n.into()))?;
         let clause = "γ̇ does not jump";
-        outcomes.push(fails_without(clause, evidence.clone()));
+        outcomes.push(fails_without(&[clause], evidence.clone()));
         let numbers = [1.5 * f64::from(n) / 4.0, 1.5 * f64::from(n).sqrt()];
         let claim = "min E_tra,N − min E ≤ C_tra(N)";
         outcomes.push(refuted(&without(evidence, clause), claim, numbers));

@@ -66,6 +66,8 @@ impl Instant {
 /// Evaluates `K_{1,g} = d/√c₁` on a minimal geodesic at the time `t`: `|γ̇(t)| ≤ K_{1,g}`.
 ///
 /// That the geodesic is minimal is in `distance`: its speed has to be the distance `d` of its ends.
+/// Of the geodesic equation, and of `c₂` and `L_H`, no use is made.
+///
 /// Slack: none where `H = c₁` in the direction of `γ̇`.
 ///
 /// Companions: `c₁ K_{1,g}²` is `d²`.
@@ -96,6 +98,8 @@ pub fn constant_k1<const D: usize>(
 
 /// Evaluates `K_{2,g} = 3 L_H D² K_{1,g}²/2c₁` on a minimal geodesic at the time `t`:
 /// `|γ̈(t)| ≤ K_{2,g}`.
+///
+/// Needs: as [`constant_k1`], the geodesic equation, and `H` Lipschitz; no `c₂`.
 ///
 /// Slack: `D²` at best for `D ≥ 2`, and 3 on the line, see the companion.
 ///

@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 use tautline::{Metric, MetricError};
 
-use super::geodesics::off_sets;
+use super::geodesics::{given_complete, off_sets};
 use crate::{
     Evidence, Known, Reconstruction, Statement, Subject, Unit,
     curves::{Curve, Measured, Residual, largest},
@@ -11,30 +11,108 @@ use crate::{
 
 /// Evaluates Proposition 6.1 on a curve between two points: `d² ≤ L(γ)² ≤ E(γ)`.
 ///
-/// Equality: minimal geodesics, for which see [`prop_6_1_minimiser`], and nothing else.
+/// Equality: minimal geodesics, for which see [`prop_6_1_minimiser`], and nothing else. That the
+/// minima are attained: [`prop_6_1_attained`].
 #[doc(alias = "prop:geodesic_len_and_energy")]
 pub fn prop_6_1<M, const D: usize>(
     subject: &impl Subject,
     known: &Known<M, D>,
     seen: &Measured<D>,
 ) -> Evidence {
-    // A set is a point if what is far is sent to the same place.
+    no_curve_is_shorter(
+        given_points(Evidence::of(Statement::Proposition6_1), subject, known),
+        subject,
+        known,
+        seen,
+    )
+}
+
+/// Adds the hypothesis that both sets are points.
+///
+/// With `R` the radius of a set, it is a point if and only if it sends the `2D` points `±s eᵢ` to
+/// the same one, for an `s ≥ √D R`. If two points `p ≠ q` of it had `p` nearest to all of them,
+/// `2s |pᵢ − qᵢ| ≤ |q|² − |p|²` for every `i`; but
+///
+/// ```text
+/// |q|² − |p|² = (q − p)·(q + p) < 2R |q − p| ≤ 2R √D maxᵢ |pᵢ − qᵢ|
+/// ```
+///
+/// A set without a radius is not bounded, and no point.
+fn given_points<M, const D: usize>(
+    evidence: Evidence,
+    subject: &impl Subject,
+    known: &Known<M, D>,
+) -> Evidence {
     let spread = [known.ends.first(), known.ends.second()].map(|set| {
-        let far = SVector::<f64, D>::repeat(1e3);
-        (subject.project(&**set, &far) - subject.project(&**set, &-far)).norm()
+        let Some(radius) = set.radius() else { return f64::INFINITY };
+        let far = 2.0 * (D as f64).sqrt() * radius;
+        let axes = (0..D).flat_map(|i| [far, -far].map(|s| (i, s)));
+        let mut seen = axes.map(|(i, s)| {
+            let mut probe = SVector::<f64, D>::zeros();
+            probe[i] = s;
+            subject.project(&**set, &probe)
+        });
+        let first = seen.next();
+        largest(seen.zip(first.iter().cycle()).map(|(other, first)| (other - first).norm()))
     });
-    let evidence = Evidence::of(Statement::Proposition6_1).given(
-        "the two sets are points",
-        Unit::COORDINATE,
-        [largest(spread), 0.0],
-        0.0,
-    );
-    no_curve_is_shorter(evidence, subject, known, seen)
+    let claim = "the two sets are points";
+    evidence.given(claim, Unit::COORDINATE, [largest(spread), 0.0], 0.0)
+}
+
+/// Evaluates that the minima of Proposition 6.1 are attained: by the curve which is shown.
+///
+/// ```text
+/// γ ∈ C(x⁰, x¹),    L(γ)² ≤ d²,    E(γ) ≤ d²
+/// ```
+///
+/// Needs: that there is a minimal geodesic, as in a complete space; `way_out` is that of
+/// [`prop_3_2`](super::prop_3_2).
+#[doc(alias = "prop:geodesic_len_and_energy")]
+pub fn prop_6_1_attained<M, const D: usize>(
+    subject: &impl Subject,
+    known: &Known<M, D>,
+    seen: &Measured<D>,
+    way_out: f64,
+) -> Evidence {
+    let evidence = given_points(Evidence::of(Statement::Proposition6_1), subject, known);
+    is_attained(given_complete(evidence, way_out), subject, known, seen)
+}
+
+/// Evaluates that the minima of Proposition 6.3 are attained, as [`prop_6_1_attained`] does.
+///
+/// Needs: a complete space, and that one of the sets is bounded. [`tautline::Ends`] sees to the
+/// second; without it there may be no nearest pair, and then no shortest curve: see
+/// [`prop_6_2`], and for the discrete energies [`prop_7_1`](super::prop_7_1).
+#[doc(alias = "prop:geodesic_len_and_energy_2")]
+pub fn prop_6_3_attained<M, const D: usize>(
+    subject: &impl Subject,
+    known: &Known<M, D>,
+    seen: &Measured<D>,
+    way_out: f64,
+) -> Evidence {
+    let evidence = given_complete(Evidence::of(Statement::Proposition6_3), way_out);
+    is_attained(evidence, subject, known, seen)
+}
+
+fn is_attained<M, const D: usize>(
+    evidence: Evidence,
+    subject: &impl Subject,
+    known: &Known<M, D>,
+    seen: &Measured<D>,
+) -> Evidence {
+    let (off, rounding) = off_sets(subject, known, seen);
+    let d2 = known.distance.powi(2);
+    let granted = seen.granted_energy() + 2.0 * known.distance * known.distance_error;
+    evidence
+        .paper("γ joins the sets", Unit::COORDINATE, [off, 0.0], rounding)
+        .paper("L(γ)² ≤ d²", Unit::ENERGY, [seen.length_squared(), d2], granted)
+        .paper("E(γ) ≤ d²", Unit::ENERGY, [seen.energy.value, d2], granted)
 }
 
 /// Evaluates Proposition 6.3 on a curve between two closed sets: `d² ≤ L(γ)² ≤ E(γ)`.
 ///
-/// Equality: minimal geodesics between a nearest pair.
+/// Equality: minimal geodesics between a nearest pair. That the minima are attained:
+/// [`prop_6_3_attained`].
 #[doc(alias = "prop:geodesic_len_and_energy_2")]
 pub fn prop_6_3<M, const D: usize>(
     subject: &impl Subject,
@@ -103,6 +181,12 @@ pub struct NearestPair<const D: usize> {
     pub radius: Option<f64>,
     /// The least distance of other pairs of points of the two sets, in `m`; `∞` if none was tried.
     pub sampled: f64,
+    /// Whether both sets contain the limits of their sequences, as a
+    /// [`ClosedSet`](tautline::ClosedSet) does.
+    pub closed: bool,
+    /// The length of the shortest curve from one of the points that leaves every compact set, in
+    /// `m`; `∞` if and only if the space is complete.
+    pub way_out: f64,
     /// What is granted, in `m²`.
     pub granted: f64,
 }
@@ -110,7 +194,8 @@ pub struct NearestPair<const D: usize> {
 impl<const D: usize> NearestPair<D> {
     /// Returns the ends of a computed minimiser of the trapezoidal rule, whose distance is `apart`:
     /// no more than the length of the curve that joins them, so that `excess` is of order `1/N`.
-    /// `sampled` is the least distance of other pairs.
+    /// `sampled` is the least distance of other pairs. The metric has a `c₁ > 0`, so that the space
+    /// is complete (Proposition 3.3).
     #[must_use]
     pub fn of<M>(
         subject: &impl Subject,
@@ -129,6 +214,8 @@ impl<const D: usize> NearestPair<D> {
             off_sets: seen.off_sets,
             radius: sets.iter().filter_map(|set| set.radius()).reduce(f64::min),
             sampled,
+            closed: true,
+            way_out: f64::INFINITY,
             granted: seen.granted,
         }
     }
@@ -137,7 +224,8 @@ impl<const D: usize> NearestPair<D> {
 /// Evaluates Proposition 6.2 on a pair: that it is a nearest one, and that it lies where the
 /// nearest pairs are confined to, within `d/√c₁` of the bounded set.
 ///
-/// Needs: a lower bound `c1 > 0` of `H`, which makes the space complete (Proposition 3.3).
+/// Needs: closed sets, a bounded one, a complete space. `c1` is a lower bound of `H` at the two
+/// points; where it is one everywhere, the space is complete (Proposition 3.3).
 #[doc(alias = "prop:bounded_2sets_min")]
 #[must_use]
 pub fn prop_6_2<const D: usize>(pair: &NearestPair<D>, c1: f64) -> Evidence {
@@ -149,8 +237,10 @@ pub fn prop_6_2<const D: usize>(pair: &NearestPair<D>, c1: f64) -> Evidence {
     // The sets may touch, and then there is no reach to be rounded.
     let moved = if reach > 0.0 { 0.5 * pair.granted / (c1 * reach) } else { 0.0 };
     let granted = 1e-13 * size + moved;
-    Evidence::of(Statement::Proposition6_2)
+    let open = if pair.closed { 0.0 } else { 1.0 };
+    given_complete(Evidence::of(Statement::Proposition6_2), pair.way_out)
         .given("one of the sets is bounded", Unit::NONE, [unbounded, 0.0], 0.0)
+        .given("the sets are closed", Unit::NONE, [open, 0.0], 0.0)
         .given("x ∈ X⁽⁰⁾ and y ∈ X⁽¹⁾", Unit::COORDINATE, [pair.off_sets, 0.0], 1e-13 * size)
         .paper("d(x, y)² ≤ d(X⁽⁰⁾, X⁽¹⁾)²", Unit::ENERGY, [pair.apart.powi(2), d2], pair.granted)
         .paper("|x|, |y| ≤ R + d/√c₁", Unit::COORDINATE, [size, room], granted)

@@ -56,13 +56,18 @@ pub fn prop_3_2<M: KnownDistance<D>, const D: usize>(
     let seen = Measured::of(&known.metric, curve);
     let granted = seen.granted_length() + known.distance_error;
     let (off, rounding) = off_sets(subject, known, &seen);
-    let inverse = Unit { ell: 0, m: -1 };
-    Ok(Evidence::of(Statement::Proposition3_2)
-        .given("1/(length of the shortest way out) = 0", inverse, [way_out.recip(), 0.0], 0.0)
+    Ok(given_complete(Evidence::of(Statement::Proposition3_2), way_out)
         .paper("γ joins the points", Unit::COORDINATE, [off, 0.0], rounding)
         .paper("γ̈ = −Γ(γ̇, γ̇)", Unit::COORDINATE, [residual.value, 0.0], residual.granted)
         .paper("L(γ) ≤ d", Unit::LENGTH, [seen.length.value, known.distance], granted)
         .sharper("d ≤ L(γ)", Unit::LENGTH, [known.distance, seen.length.value], granted))
+}
+
+/// Adds the hypothesis that the space is complete: `way_out` is the length in `m` of the shortest
+/// curve from a point that leaves every compact set, and `∞` if and only if there is none.
+pub(super) fn given_complete(evidence: Evidence, way_out: f64) -> Evidence {
+    let inverse = Unit { ell: 0, m: -1 };
+    evidence.given("1/(length of the shortest way out) = 0", inverse, [way_out.recip(), 0.0], 0.0)
 }
 
 /// How far the ends of a curve are from their sets, and what is granted, both in `ℓ`.

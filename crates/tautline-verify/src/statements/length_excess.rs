@@ -8,6 +8,10 @@ use crate::{
 /// Evaluates Proposition 9.1, repaired, on a curve `γ` and a minimiser `γ*`:
 /// `L(γ)² − L(γ*)² ≤ E(γ) − E(γ*)` if `γ*` has the least *energy* `d²`.
 ///
+/// Needs: that `γ*` joins the sets and has `E(γ*) ≤ d²`. Then `d² ≤ L(γ*)² ≤ E(γ*) ≤ d²`, so that
+/// `L(γ*) ≤ d` is no further hypothesis, and what is left is `L(γ)² ≤ E(γ)`, for any curve `γ`.
+/// Neither a complete space nor bounded sets are needed, but for the existence of `γ*`.
+///
 /// Equality: `γ` of constant speed.
 #[doc(alias = "prop:length_energy_estimation")]
 pub fn prop_9_1<M, const D: usize>(
@@ -62,42 +66,117 @@ fn excess<M, const D: usize>(
 /// ```
 ///
 /// `δ = L_H d / c₁^{3/2}`, `k = ¼` or `½`, and `e = 1 + O(1/N)` and `Q` as in [`tautline::bounds`].
-/// Needs: `E_N ≤ d² e`, as for a global minimiser, and stationary inner points. The solver finds
-/// local minimisers: that it stopped at a worse one is a violation here, since this is worth
-/// knowing.
+/// Needs: `E_N ≤ d² e`, as for a global minimiser, and nothing else of the sequence
+/// ([`remark_9_2_for_any_sequence`]). The solver finds local minimisers: that it stopped at a worse
+/// one is a violation here, since this is worth knowing.
 ///
 /// Optimal among the bounds by `c₁`, `c₂`, `L_H` and `d`: two routes attain the leading constants
 /// at `N = 1`, as `δ → 0`, and others keep `N (E(γᵖˡ) − d²)` from falling for all `N`.
 #[doc(alias = "Remark 9.2")]
 #[must_use]
 pub fn remark_9_2<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
-    let &Reconstruction { setting, n, distance_squared: d2, granted, .. } = seen;
-    let [excess, above, below] = match seen.rule {
-        PaperRule::Trapezoidal => [
-            subject.first_order_excess_trapezoidal(setting, n),
-            subject.first_order_minimum_gap_trapezoidal(setting, n),
-            subject.first_order_polyline_gap_trapezoidal(setting, n),
-        ],
-        PaperRule::LeftEndpoint => [
-            subject.first_order_excess_left(setting, n),
-            subject.first_order_minimum_gap_left(setting, n),
-            subject.first_order_polyline_gap_left(setting, n),
-        ],
-    };
-    let (energy, length2) = (seen.energy.value, seen.length_squared.value);
+    let above = Gaps::of(subject, seen).above;
+    let (over, granted) = (seen.discrete_energy - seen.distance_squared, seen.granted);
+    let evidence = admitted(Evidence::of(Statement::Remark9_2), seen);
+    curve_and_minimum(evidence, subject, seen).paper(
+        "E_N − d² = O(1/N)",
+        Unit::ENERGY,
+        [over, above],
+        granted,
+    )
+}
+
+/// Evaluates the answer to Remark 9.2 on any sequence from set to set, minimiser or not, whose
+/// discrete energy is no more than what [`remark_9_2`] has for the minimum.
+///
+/// ```text
+/// E_N ≤ d² e   ⟹   d² − E_N  ≤  d² (k δ/N) e Q,
+///                  L(γᵖˡ)² − d²  ≤  E(γᵖˡ) − d²  ≤  d² (e − 1 + (k δ/N) e Q)
+/// ```
+///
+/// That inner points are stationary is not needed. With `qₙ² = βₙᵀHβₙ`, means over `n` and `Λ =
+/// L_H/c₁^{3/2}`, the chord `n` has a length of at most `(qₙ + (kΛ/2N) qₙ²)/N`, and the curve one
+/// of `d` at least. So the mean of `q` is not far below the root of that of `q²`, its variance `v`
+/// is small, and no `q` is farther than `√((N − 1) v)` from the mean:
+///
+/// ```text
+/// mean q  ≥  d − (kΛ/2N) mean q²,        v  ≤  d² (e − 1 + kδe/N)
+/// c₁^{3/2} mean |β|³  ≤  mean q³  ≤  d³ e^{3/2} + (3/2) d √e v + √(N − 1) v^{3/2}
+/// ```
+///
+/// where `v ≤ d² e` too. For `N ≥ 2` the last two terms are largest against `d³ δe²` at `N = 2`, and
+/// there a comparison in `δ/N` and `e` showed them to be less than a half of it for the trapezoidal
+/// rule, and 0.89 of it for the left one; for `N = 1` they vanish. So the sum is at most `d³ e Q`
+/// for `Q = √e + δe`; for `Q = √(Ne)` it is since `max q² ≤ N mean q²`. The rest is Proposition 7.9
+/// or 8.2 before the proof passes to `K₃`.
+#[doc(alias = "Remark 9.2")]
+#[must_use]
+pub fn remark_9_2_for_any_sequence<const D: usize>(
+    subject: &impl Subject,
+    seen: &Reconstruction<D>,
+) -> Evidence {
+    let least = seen.distance_squared + Gaps::of(subject, seen).above;
+    let evidence = admitted(Evidence::of(Statement::Remark9_2), seen).given(
+        "E_N ≤ d² e",
+        Unit::ENERGY,
+        [seen.discrete_energy, least],
+        seen.granted,
+    );
+    curve_and_minimum(evidence, subject, seen)
+}
+
+/// The bounds of order `1/N`, in `m²`.
+struct Gaps {
+    /// Of `E(γᵖˡ) − d²`.
+    excess: f64,
+    /// Of `E_N − d²`.
+    above: f64,
+    /// Of `d² − E_N`.
+    below: f64,
+}
+
+impl Gaps {
+    fn of<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Self {
+        let &Reconstruction { setting, n, .. } = seen;
+        match seen.rule {
+            PaperRule::Trapezoidal => Self {
+                excess: subject.first_order_excess_trapezoidal(setting, n),
+                above: subject.first_order_minimum_gap_trapezoidal(setting, n),
+                below: subject.first_order_polyline_gap_trapezoidal(setting, n),
+            },
+            PaperRule::LeftEndpoint => Self {
+                excess: subject.first_order_excess_left(setting, n),
+                above: subject.first_order_minimum_gap_left(setting, n),
+                below: subject.first_order_polyline_gap_left(setting, n),
+            },
+        }
+    }
+}
+
+/// Adds the hypotheses on the metric and on the ends.
+fn admitted<const D: usize>(evidence: Evidence, seen: &Reconstruction<D>) -> Evidence {
     let size = seen.minimum.sequence.first().norm() + seen.k3;
-    Evidence::of(Statement::Remark9_2)
-        .given_constants(setting.constants(), &seen.gram)
-        .given(
-            "the ends lie in X⁽⁰⁾ and X⁽¹⁾",
-            Unit::COORDINATE,
-            [seen.off_sets, 0.0],
-            // As for the theorems of Section 1.
-            1e-13 * size,
-        )
+    evidence.given_constants(seen.setting.constants(), &seen.gram).given(
+        "the ends lie in X⁽⁰⁾ and X⁽¹⁾",
+        Unit::COORDINATE,
+        [seen.off_sets, 0.0],
+        // As for the theorems of Section 1.
+        1e-13 * size,
+    )
+}
+
+/// Adds what is claimed of the curve, and that the discrete energy is not far below `d²`.
+fn curve_and_minimum<const D: usize>(
+    evidence: Evidence,
+    subject: &impl Subject,
+    seen: &Reconstruction<D>,
+) -> Evidence {
+    let &Reconstruction { distance_squared: d2, granted, .. } = seen;
+    let Gaps { excess, below, .. } = Gaps::of(subject, seen);
+    let (energy, length2) = (seen.energy.value, seen.length_squared.value);
+    evidence
         .paper("E(γᵖˡ) − d² = O(1/N)", Unit::ENERGY, [energy - d2, excess], granted)
         .paper("L(γᵖˡ)² − d² = O(1/N)", Unit::ENERGY, [length2 - d2, excess], granted)
-        .paper("E_N − d² = O(1/N)", Unit::ENERGY, [seen.discrete_energy - d2, above], granted)
         .paper("d² − E_N = O(1/N)", Unit::ENERGY, [d2 - seen.discrete_energy, below], granted)
         .sharper("d² ≤ L(γᵖˡ)²", Unit::ENERGY, [d2, length2], granted)
         .sharper("L(γᵖˡ)² ≤ E(γᵖˡ)", Unit::ENERGY, [length2, energy], granted)

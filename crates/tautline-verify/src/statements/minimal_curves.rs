@@ -5,7 +5,7 @@ use tautline::{Metric, MetricError, quadrature::integrate};
 
 use super::geodesics::off_sets;
 use crate::{
-    Evidence, Known, Statement, Subject, Unit,
+    Evidence, Known, Library, Statement, Subject, Unit,
     curves::{Clock, Curve, Geodesic, KnownGeodesics, Measured, Reparametrised, Residual, largest},
 };
 
@@ -37,8 +37,9 @@ pub fn prop_4_1<M: Metric<D>, C: Curve<D>, const D: usize>(
 /// Evaluates Proposition 4.2, read with clocks that may pause, on `γ = γ** ∘ φ`.
 ///
 /// If `γ**` is a minimal geodesic and `φ` nondecreasing, then `γ` is minimal; and `φ` is what the
-/// converse makes of `γ`, its length up to the time `t` divided by `d`. For a minimal curve that
-/// is given otherwise, see [`prop_4_2_converse`].
+/// converse makes of `γ`, its length up to the time `t` divided by `d`; with `d = 0` all curves
+/// here are constant, and any `φ` will do. For a minimal curve that is given otherwise, see
+/// [`prop_4_2_converse`].
 ///
 /// Equality: the slack is 1 on every reparametrised minimal geodesic.
 ///
@@ -73,14 +74,19 @@ fn reparametrised<M: Metric<D>, C: Curve<D>, const D: usize>(
     let lag = lengths(metric, &curve).into_iter().map(|(t, s)| (s / d - clock.at(t)[0]).abs());
     // A time of [0, 1] is rounded, and a piece turns that into a few roundings of φ.
     let ticks = 16.0 * f64::EPSILON * clock.pieces() as f64;
-    Ok(evidence
+    let evidence = evidence
         .given("γ** joins the points", Unit::COORDINATE, [off, 0.0], rounding)
         .given("γ̈** = −Γ(γ̇**, γ̇**)", Unit::COORDINATE, [residual.value, 0.0], residual.granted)
         .given("L(γ**) ≤ d", Unit::LENGTH, [straight.length.value, d], granted)
         .given("∫|φ′| ≤ 1", Unit::NONE, [clock.variation(), 1.0], ticks)
         .paper("L(γ** ∘ φ) ≤ d", Unit::LENGTH, [seen.length.value, d], granted)
-        .paper("φ(t) = (length up to t)/d", Unit::NONE, [largest(lag), 0.0], ticks + granted / d)
-        .sharper("d ≤ L(γ** ∘ φ)", Unit::LENGTH, [d, seen.length.value], granted))
+        .sharper("d ≤ L(γ** ∘ φ)", Unit::LENGTH, [d, seen.length.value], granted);
+    // With d = 0 the curve is constant: it is γ** ∘ φ for every φ, and its length tells none.
+    if d == 0.0 {
+        return Ok(evidence);
+    }
+    let granted = ticks + granted / d;
+    Ok(evidence.paper("φ(t) = (length up to t)/d", Unit::NONE, [largest(lag), 0.0], granted))
 }
 
 /// The lengths in `m` up to the end of each piece, with the time.
@@ -100,7 +106,7 @@ fn lengths<M: Metric<D>, const D: usize>(metric: &M, curve: &impl Curve<D>) -> V
 /// Evaluates the other half of Proposition 4.2 on any curve `γ`: if it is minimal, then
 /// `γ(t) = γ**(φ(t))` with `φ(t)` its length up to `t`, divided by `d`. Looked at at 16 times.
 ///
-/// `γ**` has to be *the* minimal geodesic, the only one.
+/// `γ**` has to be *the* minimal geodesic, the only one. With `d = 0` it is constant, as `γ` is.
 #[doc(alias = "prop:geodesic_min_path_min")]
 pub fn prop_4_2_converse<M: Metric<D>, const D: usize>(
     subject: &impl Subject,
@@ -121,10 +127,12 @@ pub fn prop_4_2_converse<M: Metric<D>, const D: usize>(
         let t = f64::from(k) / 16.0;
         travelled += integrate(speed, before, t, 20.0 * f64::EPSILON).value;
         before = t;
-        let other = geodesic.motion((travelled / d).min(1.0));
+        let (reading, per_length) =
+            if d == 0.0 { (0.0, 0.0) } else { ((travelled / d).min(1.0), 1.0 / d) };
+        let other = geodesic.motion(reading);
         apart = largest([apart, (curve.motion(t).position - other.position).norm()]);
         // What an error of a length is in coordinates.
-        rate = rate.max(other.velocity.norm() / d);
+        rate = rate.max(other.velocity.norm() * per_length);
     }
     let (off, rounding) = off_sets(subject, known, &seen);
     Evidence::of(Statement::Proposition4_2)
@@ -143,14 +151,17 @@ pub fn prop_4_2_read_strictly<M: Metric<D>, C: Curve<D>, const D: usize>(
 ) -> Evidence {
     let seen = Measured::of(&known.metric, &Reparametrised { curve: geodesic, clock });
     let granted = seen.granted_length() + known.distance_error;
+    // Points, of whose projections there is nothing to be tested.
+    let (off, rounding) = off_sets(&Library, known, &seen);
     Evidence::of(Statement::Proposition4_2)
+        .given("γ joins the points", Unit::COORDINATE, [off, 0.0], rounding)
         .given("L(γ) ≤ d", Unit::LENGTH, [seen.length.value, known.distance], granted)
         .paper("γ never pauses", Unit::NONE, [clock.longest_pause(), 0.0], 0.0)
 }
 
-/// Evaluates what can be observed of Proposition 4.3 at one point `x` of a compact set `K` and one
-/// tangent vector `v` in `ℓ`, with the common radius `ε` of `K` in `m`: `Exp_x` maps radii to
-/// distances, and has an inverse.
+/// Evaluates what can be observed of Proposition 4.3 at one point `x` of the ball `K = {|x| ≤ R}`,
+/// with `R` in `ℓ`, and one tangent vector `v` in `ℓ`, with the common radius `ε` of `K` in `m`:
+/// `Exp_x` maps radii to distances, and has an inverse.
 ///
 /// The geodesic has to satisfy the geodesic equation, too (companion). That `K` is compact is
 /// needed: on the sphere without a point, the geodesics from `x` shorter than `π − 2 arctan |x|`
@@ -163,8 +174,8 @@ pub fn prop_4_2_read_strictly<M: Metric<D>, C: Curve<D>, const D: usize>(
 pub fn prop_4_3<M: KnownGeodesics<D>, const D: usize>(
     subject: &impl Subject,
     metric: &M,
-    x: &SVector<f64, D>,
-    v: &SVector<f64, D>,
+    [x, v]: [&SVector<f64, D>; 2],
+    ball: f64,
     epsilon: f64,
 ) -> Result<Evidence, MetricError> {
     let curve = Geodesic::leaving(metric, *x, *v);
@@ -177,16 +188,23 @@ pub fn prop_4_3<M: KnownGeodesics<D>, const D: usize>(
     let granted = 2.0 * seen.granted_length();
     // The inverse of Exp expands by r / sin r on the sphere: at most by 10 for r ≤ 2.85.
     let expanded = 10.0 * granted * v.norm() / radius;
+    let unbounded = if ball.is_finite() { 0.0 } else { 1.0 };
+    // Of an arc tangent, and an x on the boundary of the ball.
+    let normal = metric.normal_radius(x);
+    let rounding = 16.0 * f64::EPSILON * if normal.is_finite() { normal } else { 0.0 };
     Ok(Evidence::of(Statement::Proposition4_3)
+        .given("K is bounded", Unit::NONE, [unbounded, 0.0], 0.0)
+        .given("x ∈ K", Unit::COORDINATE, [x.norm(), ball], 4.0 * f64::EPSILON * x.norm())
         .given("|v| < ε", Unit::LENGTH, [radius, epsilon], 0.0)
+        .paper("ε ≤ the normal radius of x", Unit::LENGTH, [epsilon, normal], rounding)
         .paper("|v| ≤ d(x, Exp_x v)", Unit::LENGTH, [radius, distance], granted)
         .paper("d(x, Exp_x v) ≤ |v|", Unit::LENGTH, [distance, radius], granted)
         .paper("Log_x Exp_x v = v", Unit::COORDINATE, [back, 0.0], expanded)
         .sharper("γ̈ = −Γ(γ̇, γ̇)", Unit::COORDINATE, [residual.value, 0.0], residual.granted))
 }
 
-/// Evaluates Lemma 4.4 on a curve: if it is minimal and has constant speed, it satisfies the
-/// geodesic equation.
+/// Evaluates Lemma 4.4 on a curve between two points: if it is minimal and has constant speed, it
+/// satisfies the geodesic equation.
 ///
 /// The equation is compared as a vector, and by the sizes of its two sides, which are two more
 /// inequalities of slack 1. With `d = 0` the curve is constant, and a geodesic.
@@ -205,7 +223,9 @@ pub fn lemma_4_4<M: Metric<D>, const D: usize>(
         Residual::of(subject, &known.metric, curve)?;
     let length = seen.granted_length() + known.distance_error;
     let [least, largest] = seen.speeds;
+    let (off, rounding) = off_sets(subject, known, &seen);
     Ok(Evidence::of(Statement::Lemma4_4)
+        .given("γ joins the points", Unit::COORDINATE, [off, 0.0], rounding)
         .given("L(γ) ≤ d", Unit::LENGTH, [seen.length.value, known.distance], length)
         .given("the speed is constant", Unit::LENGTH, [largest - least, 0.0], length)
         .paper("γ̈ = −Γ(γ̇, γ̇)", Unit::COORDINATE, [value, 0.0], granted)

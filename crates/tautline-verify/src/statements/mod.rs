@@ -37,12 +37,15 @@ mod section_5;
 pub use apriori::{constant_k1, constant_k2, prop_7_12};
 pub use discrete_constants::{constant_c_1_1, constant_c_1_3, constant_k3_bar, constant_k4_bar};
 pub use distances::prop_3_3;
-pub use energy_and_length::{NearestPair, prop_6_1, prop_6_1_minimiser, prop_6_2, prop_6_3};
+pub use energy_and_length::{
+    NearestPair, prop_6_1, prop_6_1_attained, prop_6_1_minimiser, prop_6_2, prop_6_3,
+    prop_6_3_attained,
+};
 pub use existence::{critical_point, prop_7_1};
 pub use functional_lipschitz::{TwoForms, prop_7_5, prop_7_5_as_printed};
 pub use geodesics::{prop_3_1, prop_3_2};
 pub use gram_derivatives::{prop_7_10, prop_7_11};
-pub use length_excess::{prop_9_1, prop_9_1_as_printed, remark_9_2};
+pub use length_excess::{prop_9_1, prop_9_1_as_printed, remark_9_2, remark_9_2_for_any_sequence};
 pub use minimal_curves::{
     lemma_4_4, prop_4_1, prop_4_2, prop_4_2_converse, prop_4_2_read_strictly, prop_4_3,
 };

@@ -60,6 +60,8 @@ impl Energies {
 
 /// Evaluates Proposition 7.9: `|E(γᵖˡ) − E_tra,N(γᵖ)| ≤ L_H K₃³ / (4√N)`.
 ///
+/// Needs: `H` Lipschitz. That `c₁ ≤ H ≤ c₂` is checked as well, but not needed.
+///
 /// Companion: the same with `(L_H/4N) mean |β|³`, before the proof passes to `K₃`.
 ///
 /// # Errors
@@ -88,6 +90,8 @@ pub fn prop_7_9<const D: usize>(
 
 /// Evaluates Proposition 8.1: `|E_l,N(γᵖ) − E_tra,N(γᵖ)| ≤ L_H K₃³ / (2√N)`.
 ///
+/// Needs: as [`prop_7_9`].
+///
 /// Companion: the same with `(L_H/2N) mean |β|³`.
 ///
 /// # Errors
@@ -115,6 +119,8 @@ pub fn prop_8_1<const D: usize>(
 }
 
 /// Evaluates Proposition 8.2: `|E(γᵖˡ) − E_l,N(γᵖ)| ≤ L_H K₃³ / (2√N)`.
+///
+/// Needs: as [`prop_7_9`].
 ///
 /// Companion: the same with `(L_H/2N) mean |β|³`.
 ///

@@ -169,8 +169,8 @@ pub fn prop_7_6_as_printed<const D: usize>(
 /// min E_tra,N  ≤  min E + C_tra(N)      over Ξ
 /// ```
 ///
-/// Needs: as [`prop_7_6`], for every curve. Slack: as there; half of the first term of `C_tra(N)`,
-/// and none of the others, would do, which is the companion.
+/// Needs: as [`prop_7_6`], for every curve, but no `c₂`. Slack: as there; half of the first term of
+/// `C_tra(N)`, and none of the others, would do, which is the companion.
 ///
 /// # Errors
 ///
@@ -212,7 +212,7 @@ pub fn prop_7_7<const D: usize>(
 /// C_tra(N)  =  (L_H (K₁³ + 2 K₁² K₂) + 4 c₂ K₁ K₂)/N + 4 c₂ K₂²/N²
 /// ```
 ///
-/// An equality, hence two inequalities without slack.
+/// An equality, hence two inequalities without slack. Needs: nothing.
 ///
 /// # Panics
 ///
@@ -238,7 +238,7 @@ pub fn constant_c_tra(
         .paper("its definition ≤ C_tra(N)", Unit::ENERGY, [defined, found], granted)
 }
 
-/// Evaluates `C_tra(N) ≤ C_tra♯/N`. Equality at `N = 1`, or where `K₂ = 0`.
+/// Evaluates `C_tra(N) ≤ C_tra♯/N`. Needs: nothing. Equality at `N = 1`, or where `K₂ = 0`.
 ///
 /// # Panics
 ///

@@ -6,12 +6,11 @@ mod constant_speed;
 mod normal_balls;
 
 use nalgebra::SVector;
-use tautline::gallery::Shear;
 
 use super::Check;
 use crate::{
     Known, Subject,
-    curves::{Curve, Geodesic, Motion},
+    curves::{Curve, Motion},
 };
 
 pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
@@ -34,12 +33,4 @@ impl<const D: usize> Curve<D> for Segment<D> {
 fn ends<M, const D: usize>(known: &Known<M, D>) -> [SVector<f64, D>; 2] {
     let origin = SVector::zeros();
     [known.ends.first().project(&origin), known.ends.second().project(&origin)]
-}
-
-/// The known geodesic of a shear from `(0, 0)` to `(2, 3)`.
-fn sheared() -> (Known<Shear, 2>, Geodesic<Shear, 2>) {
-    let shear = Shear::new(0.5, 1.0).expect("a wave number");
-    let ends = [[0.0, 0.0].into(), [2.0, 3.0].into()];
-    let known = Known::joined(shear, ends).expect("finite").expect("known");
-    (known, Geodesic::between(shear, ends))
 }

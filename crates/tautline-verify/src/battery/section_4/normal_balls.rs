@@ -11,6 +11,7 @@ use tautline::{
 
 use super::super::{Check, Failure, Kind, Outcome, Trial, check::all, failing::fails_without};
 use crate::{
+    Evidence, Library,
     Statement::Proposition4_3,
     Subject, VerifyError,
     curves::KnownGeodesics,
@@ -22,10 +23,10 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
     vec![
         Check::new("prop_4_3_holds_on_balls", Kind::Random, &[Proposition4_3], normal_balls),
         Check::new("prop_4_3_is_homogeneous", Kind::Homogeneous, &[Proposition4_3], |trial| {
-            trial.homogeneous(4320, 128, tangent(1.0), |subject, (x, v, radius), units| {
+            trial.homogeneous(4320, 128, tangent(1.0), |subject, (ball, x, v, radius), units| {
                 let metric = units.metric(Sphere);
                 let (x, v) = (units.vector(x), units.vector(v));
-                Ok([prop_4_3(subject, &metric, &x, &v, radius * units.m)?])
+                Ok([prop_4_3(subject, &metric, [&x, &v], ball * units.ell, radius * units.m)?])
             })
         }),
         Check::new(
@@ -33,8 +34,8 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
             Kind::Witness,
             &[Proposition4_3],
             |trial| {
-                trial.for_all(4330, 256, tangent(1.0), |subject, (x, v, radius)| {
-                    Ok([prop_4_3(subject, &Sphere, &x, &v, radius)?.attained()?])
+                trial.for_all(4330, 256, tangent(1.0), |subject, (ball, x, v, radius)| {
+                    Ok([prop_4_3(subject, &Sphere, [&x, &v], ball, radius)?.attained()?])
                 })
             },
         ),
@@ -44,13 +45,19 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
             &[Proposition4_3],
             beyond_the_radius,
         ),
+        Check::new(
+            "prop_4_3_fails_on_the_whole_plane_and_outside_a_ball",
+            Kind::Dropped,
+            &[Proposition4_3],
+            |_| far_out(),
+        ),
     ]
 }
 
-/// A point of the ball `|x| ≤ R`, a tangent vector, and the common radius `ε` of the ball on the
-/// sphere, the angle from its boundary to the missing point. Of the vector, `|v|` is the fraction
-/// `reach` of `ε` at most.
-fn tangent(reach: f64) -> impl Strategy<Value = (SVector<f64, 2>, SVector<f64, 2>, f64)> {
+/// The radius `R` of a ball, a point `|x| ≤ R`, a tangent vector, and the common radius `ε` of the
+/// ball on the sphere, the angle from its boundary to the missing point. Of the vector, `|v|` is
+/// the fraction `reach` of `ε` at most.
+fn tangent(reach: f64) -> impl Strategy<Value = (f64, SVector<f64, 2>, SVector<f64, 2>, f64)> {
     let point = (0.1..1.5, 0.0..1.0, 0.0..TAU);
     (point, 0.01..0.99, 0.0..TAU).prop_map(
         move |((ball, part, at), fraction, towards): ((f64, f64, f64), f64, f64)| {
@@ -59,7 +66,7 @@ fn tangent(reach: f64) -> impl Strategy<Value = (SVector<f64, 2>, SVector<f64, 2
             let direction = SVector::from([towards.cos(), towards.sin()]);
             let unit = Sphere.norm_squared(&x, &direction).sqrt();
             // Short of π, where the inverse is ill-conditioned.
-            (x, direction * ((epsilon * fraction * reach).min(2.8) / unit), epsilon)
+            (ball, x, direction * ((epsilon * fraction * reach).min(2.8) / unit), epsilon)
         },
     )
 }
@@ -74,12 +81,13 @@ fn normal_balls<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         let cases = (metrics, vector::<D>(size), vector::<D>(2.0))
             .prop_filter("a vector", |(_, _, v)| v.norm() >= 0.1);
         trial.for_all(seed, 160, cases, |subject, (metric, x, v)| {
-            Ok([prop_4_3(subject, &metric, &x, &v, f64::INFINITY)?])
+            let ball = x.norm().max(1.0);
+            Ok([prop_4_3(subject, &metric, [&x, &v], ball, f64::INFINITY)?])
         })
     }
     all([
-        trial.for_all(4301, 512, tangent(1.0), |subject, (x, v, radius)| {
-            Ok([prop_4_3(subject, &Sphere, &x, &v, radius)?])
+        trial.for_all(4301, 512, tangent(1.0), |subject, (ball, x, v, radius)| {
+            Ok([prop_4_3(subject, &Sphere, [&x, &v], ball, radius)?])
         }),
         family(trial, 4302, shear(), 2.5),
         family(trial, 4303, separable::<3>(), 2.5),
@@ -93,13 +101,30 @@ fn beyond_the_radius<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     let x = SVector::from([1.0, 0.0]);
     for angle in [3.2, 4.0, 5.0, 6.0] {
         let v = SVector::from([0.0, angle]);
-        let evidence = prop_4_3(trial.subject, &Sphere, &x, &v, Sphere.normal_radius(&x));
+        let radius = Sphere.normal_radius(&x);
+        let evidence = prop_4_3(trial.subject, &Sphere, [&x, &v], 1.0, radius);
         let evidence = evidence.map_err(VerifyError::from)?;
         let distance = evidence.conclusion("|v| ≤ d(x, Exp_x v)").bound;
         if !((distance - (TAU - angle)).abs() <= 1e-14) {
             return Err(Failure::new(format!("{angle} along the equator: {distance}")));
         }
-        fails_without("|v| < ε", evidence)?;
+        fails_without(&["|v| < ε"], evidence)?;
     }
     Ok(Default::default())
+}
+
+/// On the sphere without a point no `ε` is common to all of the plane, which is not compact, nor is
+/// that of a ball a radius for points outside it: `π − 2 arctan |x|` tends to 0.
+fn far_out() -> Outcome {
+    let of = |x: f64, ball: f64, epsilon: f64| -> Result<Evidence, VerifyError> {
+        let (x, v) = (SVector::from([x, 0.0]), SVector::from([0.0, 0.1]));
+        Ok(prop_4_3(&Library, &Sphere, [&x, &v], ball, epsilon)?)
+    };
+    let mut outcomes = Vec::new();
+    for epsilon in [1.0, 0.1, 1e-3] {
+        outcomes.push(fails_without(&["K is bounded"], of(4.0 / epsilon, f64::INFINITY, epsilon)?));
+    }
+    let unit = Sphere.normal_radius(&SVector::from([1.0, 0.0]));
+    outcomes.push(fails_without(&["x ∈ K"], of(2.0, 1.0, unit)?));
+    all(outcomes)
 }

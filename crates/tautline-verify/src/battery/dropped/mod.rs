@@ -1,0 +1,21 @@
+//! What fails where a hypothesis is dropped, and what is left of a statement without one.
+
+mod apriori;
+mod energy_and_length;
+mod rates;
+mod theorems;
+mod unneeded;
+
+use super::Check;
+use crate::Subject;
+
+pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+    let parts = [
+        theorems::checks(),
+        energy_and_length::checks(),
+        unneeded::checks(),
+        apriori::checks(),
+        rates::checks(),
+    ];
+    parts.into_iter().flatten().collect()
+}
