@@ -52,6 +52,27 @@ impl GramRange {
         }
         Ok(range)
     }
+
+    /// Reads `H` at `x` and near it, a step of `2⁻⁸ c₁/L_H` along each axis.
+    ///
+    /// # Errors
+    ///
+    /// As [`along`](Self::along).
+    pub fn near<const D: usize>(
+        metric: &impl Metric<D>,
+        constants: Constants,
+        x: &SVector<f64, D>,
+    ) -> Result<Self, MetricError> {
+        // A constant metric has no length of its own.
+        let natural = constants.c1() / (256.0 * constants.l_h());
+        let step = if natural.is_finite() { natural } else { x.norm().max(f64::MIN_POSITIVE) };
+        let points = (0..D).flat_map(|l| {
+            let mut beside = *x;
+            beside[l] += step;
+            [*x, beside]
+        });
+        Self::along(metric, points)
+    }
 }
 
 impl Evidence {

@@ -48,7 +48,7 @@ impl Instant {
         // ε|γ|, and turns once or so in c₁/L_H; a Γ is off by ε times the condition number.
         let relative = 128.0 * f64::EPSILON * (1.0 + condition + size * natural);
         let granted = [relative * a1, relative * (a2 + 1.5 * natural * a1 * a1)];
-        let seen = GramRange::along(metric, [position])?;
+        let seen = GramRange::near(metric, constants, &position)?;
         let evidence = Evidence::of(statement)
             .given_constants(constants, &seen)
             .given(

@@ -1,28 +1,9 @@
 //! Propositions 7.10 and 7.11: the first derivatives of the metric, and its Christoffel symbols.
 
 use nalgebra::{SMatrix, SVector};
-use tautline::{Bounded, Constants, Jet1, MetricError};
+use tautline::{Bounded, Jet1, MetricError};
 
 use crate::{Evidence, GramRange, Statement, Subject, Unit, operator_norm};
-
-/// The constants as hypotheses, seen at `x` and near it: a step of `2⁻⁸ c₁/L_H` along each axis.
-fn near<const D: usize>(
-    statement: Statement,
-    constants: Constants,
-    metric: &impl Bounded<D>,
-    x: &SVector<f64, D>,
-) -> Result<Evidence, MetricError> {
-    // A constant metric has no length of its own.
-    let natural = constants.c1() / (256.0 * constants.l_h());
-    let step = if natural.is_finite() { natural } else { x.norm().max(f64::MIN_POSITIVE) };
-    let points = (0..D).flat_map(|l| {
-        let mut beside = *x;
-        beside[l] += step;
-        [*x, beside]
-    });
-    let seen = GramRange::along(metric, points)?;
-    Ok(Evidence::of(statement).given_constants(constants, &seen))
-}
 
 /// Evaluates Proposition 7.10 at a point: `|∂ₗ Hᵢⱼ| ≤ L_H` for all `i`, `j` and `l`.
 ///
@@ -54,7 +35,8 @@ pub fn prop_7_10<const D: usize>(
     // A dozen roundings an entry, and those of an argument of the size of |x| L_H/c₁.
     let size = 1.0 + x.norm() * bound / constants.c1();
     let granted = 32.0 * f64::EPSILON * (D as f64 + size) * bound;
-    Ok(near(Statement::Proposition7_10, constants, metric, x)?
+    Ok(Evidence::of(Statement::Proposition7_10)
+        .given_constants(constants, &GramRange::near(metric, constants, x)?)
         .paper("|∂ₗHᵢⱼ| ≤ L_H", Unit::GRAM_SLOPE, [largest, bound], granted)
         .sharper("‖DH[w]‖ ≤ L_H|w|", Unit::GRAM_SLOPE, [operator, bound], granted))
 }
@@ -89,7 +71,8 @@ pub fn prop_7_11<const D: usize>(
     // As in Proposition 7.10; a solution of H z = r is off by ε times the condition number.
     let size = D as f64 + x.norm() * natural + constants.c2() / constants.c1();
     let granted = 64.0 * f64::EPSILON * size * bound;
-    Ok(near(Statement::Proposition7_11, constants, metric, x)?
+    Ok(Evidence::of(Statement::Proposition7_11)
+        .given_constants(constants, &GramRange::near(metric, constants, x)?)
         .paper("|Γᵏᵢⱼ| ≤ 3 L_H √D/2c₁", Unit::CHRISTOFFEL, [largest, bound], granted)
         .sharper(claim, Unit::CHRISTOFFEL, [largest, sharp], granted))
 }
