@@ -12,7 +12,7 @@ use crate::{
         TwoForms, prop_7_2_as_printed, prop_7_3_as_printed, prop_7_4, prop_7_5_as_printed,
         prop_7_6_as_printed, prop_7_7, prop_9_1_as_printed,
     },
-    witnesses::Tent,
+    witnesses::{Polygonal, tent},
 };
 
 /// A statement that is false as printed.
@@ -100,10 +100,10 @@ fn seventeen() -> NonZeroUsize {
 }
 
 /// `H = 2 − 3/2 |x − ½|` on `[0, 1]`.
-fn ridge() -> Result<Tent, VerifyError> {
+fn ridge() -> Result<Polygonal, VerifyError> {
     let slope = -1.5;
     let range = VerifyError::OutOfRange { name: "slope", value: slope, low: -4.0, high: 4.0 };
-    Tent::new(2.0, slope).ok_or(range)
+    tent(2.0, slope).ok_or(range)
 }
 
 /// From 0 to 1 in the time `1/n`, then at rest.

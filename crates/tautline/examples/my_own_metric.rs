@@ -8,9 +8,9 @@ use tautline::{
 };
 
 /// `H(x) = diag(1 + ½ sin² x₁, 2)`: the formula is all that a metric needs.
-struct Corrugated;
+struct Sheet;
 
-impl Metric<2> for Corrugated {
+impl Metric<2> for Sheet {
     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
         let first = x[0].sin().sqr() * 0.5 + 1.0;
         SMatrix::from_diagonal(&SVector::from([first, S::constant(2.0)]))
@@ -18,21 +18,21 @@ impl Metric<2> for Corrugated {
 }
 
 /// The bounds need its constants besides: `(½ sin²)′ = ½ sin 2x₁`.
-impl Bounded<2> for Corrugated {
+impl Bounded<2> for Sheet {
     fn constants(&self) -> Constants {
         Constants::new(1.0, 2.0, 0.5).expect("1 ≤ 2")
     }
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let problem = Problem::new(Corrugated, Ends::points([0.2, 0.0], [2.5, 1.0])?);
+    let problem = Problem::new(Sheet, Ends::points([0.2, 0.0], [2.5, 1.0])?);
     let n = NonZeroUsize::new(512).ok_or("N is positive")?;
     let line = problem.solve(Trapezoidal, n.get())?;
     let energy = line.energy();
     println!("E = {:.9} is an upper bound of d², up to {:.0e}", energy.value, energy.error);
 
     // Every bound grows with d, so that an upper bound of d serves.
-    let setting = Setting::new(Corrugated.constants(), line.length().value, 2)?;
+    let setting = Setting::new(Sheet.constants(), line.length().value, 2)?;
     let excess = theorem_1_1_excess(setting, n);
     println!("E − d² is at most {excess:.3e} for a global minimiser (Theorem 1.1)");
     if let Some(d2) = line.distance_squared_estimate() {

@@ -7,16 +7,16 @@ use tautline::{
 
 /// `H(x) = diag(1 + ½ sin² x₁, 2)`.
 #[derive(Clone, Copy, Debug)]
-struct Corrugated;
+struct Sheet;
 
-impl Metric<2> for Corrugated {
+impl Metric<2> for Sheet {
     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
         let first = x[0].sin().sqr() * 0.5 + 1.0;
         SMatrix::from_diagonal(&SVector::from([first, S::constant(2.0)]))
     }
 }
 
-impl Bounded<2> for Corrugated {
+impl Bounded<2> for Sheet {
     /// `(½ sin² x)′ = ½ sin 2x`.
     fn constants(&self) -> Constants {
         Constants::new(1.0, 2.0, 0.5).expect("in order")
@@ -28,7 +28,7 @@ impl Bounded<2> for Corrugated {
 const D2: f64 = 8.97778203566217551435;
 
 fn estimate(rule: impl Rule, n: usize) -> tautline::Estimate {
-    let problem = Problem::new(Corrugated, Ends::points([0.2, 0.0], [2.5, 1.0]).expect("finite"));
+    let problem = Problem::new(Sheet, Ends::points([0.2, 0.0], [2.5, 1.0]).expect("finite"));
     let line = problem.solve(rule, n).expect("a metric");
     assert!(line.minimum().is_local_minimum());
     line.distance_squared_estimate().expect("several grids")
@@ -55,7 +55,7 @@ fn a_metric_of_ones_own_extrapolates_to_its_distance() {
 #[test]
 fn a_metric_of_ones_own_has_christoffel_symbols() {
     let x = SVector::from([0.7, -3.0]);
-    let symbols = christoffel(&Corrugated, &x).expect("a metric");
+    let symbols = christoffel(&Sheet, &x).expect("a metric");
     let expected = 0.25 * 1.4_f64.sin() / (1.0 + 0.5 * 0.7_f64.sin().powi(2));
     approx::assert_relative_eq!(symbols[0][(0, 0)], expected, max_relative = 1e-14);
     let sum: f64 = symbols.iter().map(|matrix| matrix.abs().sum()).sum();

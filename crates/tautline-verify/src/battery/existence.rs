@@ -22,7 +22,7 @@ use crate::{
         constant_ball_half_space, points, ramp, separable_boxes, sequence, shear_ball_half_plane,
         valleys_ball_half_space,
     },
-    witnesses::Tent,
+    witnesses::tent,
 };
 
 const STATEMENT: &[Statement] = &[Proposition7_1];
@@ -240,7 +240,7 @@ fn on_the_sphere() -> Outcome {
 /// Over a ridge one chord is dearer than eight, and a straight line from set to set dearer than one
 /// that stops half-way.
 fn another_number_or_other_ends() -> Outcome {
-    let ridge = Tent::new(2.0, -1.5).expect("positive");
+    let ridge = tent(2.0, -1.5).expect("positive");
     let ends = Ends::points([0.0], [1.0]).map_err(VerifyError::from)?;
     let sets: [&dyn ClosedSet<1>; 2] = [&**ends.first(), &**ends.second()];
     let least = "E_N(γ*) ≤ E_N(γᵖ)";

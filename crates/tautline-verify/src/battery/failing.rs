@@ -27,12 +27,6 @@ pub(super) fn refuted(evidence: &Evidence, claim: &str, numbers: [f64; 2]) -> Ou
     }
 }
 
-/// Returns the evidence without the hypothesis `clause`: as the paper prints it.
-pub(super) fn without(mut evidence: Evidence, clause: &str) -> Evidence {
-    evidence.hypotheses.retain(|hypothesis| hypothesis.claim != clause);
-    evidence
-}
-
 /// Passes if these hypotheses, each named by a part of its claim, do not hold, all others hold, and
 /// a conclusion of the paper fails: what a counterexample to the statement without them has to
 /// show. More than one are named where one implies the other.

@@ -3,12 +3,15 @@
 //!
 //! Here `c₁`, `c₂`, `L_H` and `d` are not put in: they come from the metric and from the solver.
 
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
+
 use nalgebra::{SMatrix, SVector};
 use tautline::{
     Ball, Bounded, Ends, HalfSpace, KnownDistance, LeftEndpoint, Metric, Rule, Trapezoidal,
     bounds::Setting,
+    composition::Product,
     extrapolate,
-    gallery::{Constant, Shear, Valleys},
+    gallery::{Constant, Corrugated, Shear, Valleys},
 };
 
 use super::{Check, Failure, Kind, Outcome, Trial, close::close};
@@ -19,7 +22,6 @@ use crate::{
         ConstantK4Bar, Theorem1_1, Theorem1_3,
     },
     Subject, VerifyError,
-    witnesses::EllipticProduct,
 };
 
 const CONSTANTS: &[Statement] = &[
@@ -264,11 +266,21 @@ fn sheared<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     Ok(Default::default())
 }
 
-/// The distance is solved for and extrapolated.
+/// `diag(1 + ½ cos² x₁, 2)`, and two points: the sheet of the golden values, moved by `π/2` along
+/// `x₁`.
+pub(super) fn corrugated_beside_line() -> (impl Bounded<2> + KnownDistance<2>, [[f64; 2]; 2]) {
+    let sheet = Corrugated::new(FRAC_1_SQRT_2, 1.0).expect("a wave number");
+    let line = Constant::new(SMatrix::from_diagonal_element(2.0)).expect("positive");
+    (Product::<_, _, 1, 1>::new(sheet, line), [[0.2 - FRAC_PI_2, 0.0], [2.5 - FRAC_PI_2, 1.0]])
+}
+
+/// The distance is solved for and extrapolated; and the metric knows it, up to some roundings.
 fn corrugated<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    let points = [[0.2, 0.0], [2.5, 1.0]];
-    let distance = extrapolated(trial.subject, Trapezoidal, &EllipticProduct, points, 1000)?;
-    check(trial.subject, &ELLIPTIC, &EllipticProduct, distance)?;
+    let (metric, [a, b]) = corrugated_beside_line();
+    let distance = extrapolated(trial.subject, Trapezoidal, &metric, [a, b], 1000)?;
+    check(trial.subject, &ELLIPTIC, &metric, distance)?;
+    let known = metric.distance(&a.into(), &b.into()).unwrap_or(f64::NAN);
+    close("d by arc length", known, ELLIPTIC.d, 1e-14 * ELLIPTIC.d)?;
     Ok(Default::default())
 }
 
@@ -303,7 +315,8 @@ fn distances<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     }
     one(trial.subject, &OBLIQUE, &oblique(), [[0.0, 0.0], [3.0, 4.0]])?;
     one(trial.subject, &ACROSS_VALLEYS, &Valleys, [[0.0, 0.0], [2.0, 1.5]])?;
-    one(trial.subject, &ELLIPTIC, &EllipticProduct, [[0.2, 0.0], [2.5, 1.0]])?;
+    let (corrugated, points) = corrugated_beside_line();
+    one(trial.subject, &ELLIPTIC, &corrugated, points)?;
     one(trial.subject, &SHEARED, &shear(), [[0.0, 0.0], [2.0, 3.0]])?;
     Ok(Default::default())
 }

@@ -17,12 +17,11 @@ use tautline::{
     gallery::{Shear, Valleys},
 };
 
-use super::{Check, Kind, Outcome, Trial, close::close};
+use super::{Check, Kind, Outcome, Trial, close::close, golden::corrugated_beside_line};
 use crate::{
     Statement,
     Statement::{Theorem1_1, Theorem1_2, Theorem1_3, Theorem1_4},
     Subject, VerifyError,
-    witnesses::EllipticProduct,
 };
 
 const ALL: &[Statement] = &[Theorem1_1, Theorem1_2, Theorem1_3, Theorem1_4];
@@ -134,9 +133,10 @@ fn over_the_valleys<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 }
 
 fn corrugated<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+    let (metric, ends) = corrugated_beside_line();
     let case = Case {
-        metric: EllipticProduct,
-        ends: [[0.2, 0.0], [2.5, 1.0]],
+        metric,
+        ends,
         d2: 8.97778203566217551435,
         measured: [[0.292391, 0.070223, 0.015644], [-0.511175, 0.873992, 0.194751]],
         trapezoidal: [0.292386, 0.070220, 0.015643],

@@ -16,7 +16,7 @@ use crate::{
     Subject, VerifyError,
     statements::{prop_7_9, prop_8_1, prop_8_2},
     strategies::{ramp, separable, sequence, shear},
-    witnesses::{Incline, Tent, one_step},
+    witnesses::{Incline, one_step, tent},
 };
 
 const ALL: &[Statement] = &[Proposition7_9, Proposition8_1, Proposition8_2];
@@ -95,7 +95,7 @@ fn steps() -> impl Strategy<Value = (PointSequence<1>, f64)> {
 /// One step over the valley of a tent, for every `N`: `E(γᵖˡ) = N (2 + L/4)`, `E_tra,N = 2N`.
 fn attained_by_the_tent<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     trial.for_all(7910, 256, steps(), |subject, (sequence, slope)| {
-        let metric = Tent::new(2.0, slope).expect("positive");
+        let metric = tent(2.0, slope).expect("positive");
         Ok([prop_7_9(subject, &metric, &sequence)?.attained()?])
     })
 }

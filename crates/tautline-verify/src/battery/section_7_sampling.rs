@@ -12,7 +12,7 @@ use tautline::{
 use super::{
     Check, Kind, Outcome, Trial,
     check::all,
-    failing::{fails_without, refuted, without},
+    failing::{fails_without, refuted},
 };
 use crate::{
     Evidence, Library,
@@ -22,7 +22,7 @@ use crate::{
     curves::{BoundedCurve, Curve, Geodesic, KinkedCurve, SmoothCurve},
     statements::{constant_c_tra, constant_c_tra_sharp, prop_7_6, prop_7_6_as_printed, prop_7_7},
     strategies::{constant, ramp, separable, shear, smooth_curve, subintervals, two_points},
-    witnesses::{Tent, Zigzag},
+    witnesses::{Zigzag, tent},
 };
 
 const CURVES: &[Statement] = &[Proposition7_6, Proposition7_7];
@@ -225,7 +225,7 @@ fn false_constants() -> Outcome {
 fn refuted_by_a_fast_start<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     let mut outcomes = Vec::new();
     for n in [17, 18, 32, 100, 1000_u16] {
-        let metric = Tent::new(2.0, -1.5).expect("positive");
+        let metric = tent(2.0, -1.5).expect("positive");
         let stop = (1.0 / f64::from(n), SVector::from([1.0]));
         let ramp = KinkedCurve::new([0.0], [stop], [1.0])?;
         let evidence = prop_7_7(trial.subject, &metric, &[ramp], positive(n.into()))?;
@@ -233,7 +233,7 @@ fn refuted_by_a_fast_start<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         outcomes.push(fails_without(&[clause], evidence.clone()));
         let numbers = [1.5 * f64::from(n) / 4.0, 1.5 * f64::from(n).sqrt()];
         let claim = "min E_tra,N − min E ≤ C_tra(N)";
-        outcomes.push(refuted(&without(evidence, clause), claim, numbers));
+        outcomes.push(refuted(&evidence.without(clause), claim, numbers));
     }
     all(outcomes)
 }

@@ -1,7 +1,6 @@
 //! Witnesses: metrics and curves on which the statements come near equality, or fail without a
 //! hypothesis.
 
-mod elliptic_product;
 mod incline;
 mod incline_geodesic;
 mod one_step;
@@ -14,13 +13,12 @@ mod valley_jump;
 mod washboard;
 mod zigzag;
 
-pub use elliptic_product::EllipticProduct;
 pub use incline::Incline;
 pub use incline_geodesic::InclineGeodesic;
 pub use one_step::one_step;
 pub use polygonal::Polygonal;
 pub use ripple::Ripple;
-pub use tent::Tent;
+pub use tent::tent;
 pub use twist::Twist;
 pub use two_routes::two_routes;
 pub use valley_jump::valley_jump;

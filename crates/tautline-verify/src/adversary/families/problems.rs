@@ -9,7 +9,7 @@ use super::super::{Family, Parameter};
 use crate::{
     Evidence, Known, PaperRule, Reconstruction, Statement, Subject,
     statements::{theorem_1_1, theorem_1_2, theorem_1_3, theorem_1_4},
-    witnesses::{self, Incline, Polygonal, Tent},
+    witnesses::{self, Incline, Polygonal, tent},
 };
 
 /// A statement about the reconstruction of a discrete minimiser of one rule.
@@ -121,7 +121,7 @@ pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
     ));
     // Kinked in the middle, where one chord reads it and two chords would search it.
     all.extend(on(subject, "tent", [slope(), Parameter::subintervals(1)], |_, [slope, n]| {
-        along(Tent::new(1.0, slope)?, n)
+        along(tent(1.0, slope)?, n)
     }));
     all.extend(on(subject, "incline", [slope(), n()], |_, [slope, n]| {
         along(Incline::new(1.0, slope)?, n)

@@ -9,7 +9,7 @@ use super::super::{Family, Parameter};
 use crate::{
     Evidence, Statement, Subject,
     statements::{prop_7_9, prop_8_1, prop_8_2},
-    witnesses::{Incline, Tent},
+    witnesses::{Incline, tent},
 };
 
 /// A statement about a metric and a point sequence.
@@ -111,7 +111,7 @@ pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
         subject,
         "tent",
         [slope(), inside("x"), inside("y"), inside("z"), two()],
-        |[slope, x, y, z, _]| Some((Tent::new(1.0, slope)?, vec![[x], [y], [z]])),
+        |[slope, x, y, z, _]| Some((tent(1.0, slope)?, vec![[x], [y], [z]])),
     ));
     all.extend(on(
         subject,

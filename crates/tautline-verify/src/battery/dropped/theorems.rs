@@ -22,7 +22,7 @@ use crate::{
     },
     Subject, VerifyError, WithConstants,
     statements::{theorem_1_1, theorem_1_2, theorem_1_3, theorem_1_4},
-    witnesses::{Incline, Polygonal, Tent, one_step, two_routes},
+    witnesses::{Incline, Polygonal, one_step, tent, two_routes},
 };
 
 const ALL: &[Statement] = &[
@@ -236,7 +236,7 @@ fn other_rule() -> Outcome {
 /// Theorems 1.2 and 1.4 are silent here: on the line every monotone curve has the length `d`.
 fn length_minimiser() -> Outcome {
     let (n, slope) = (16, 1e-2);
-    let tent = Tent::new(1.0, slope).expect("positive");
+    let tent = tent(1.0, slope).expect("positive");
     let d = 2.0 / (3.0 * slope) * 2.0 * ((1.0 + 0.5 * slope).powf(1.5) - 1.0);
     let sequence = one_step(n, n / 2);
     let length = Library.discrete_length(Trapezoidal, &tent, &sequence);
