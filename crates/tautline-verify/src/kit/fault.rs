@@ -72,6 +72,12 @@ pub enum Fault {
     /// A statement could not be evaluated.
     #[error(transparent)]
     Unevaluated(#[from] VerifyError),
+    /// Nothing was solved, since a law of the formula does not hold: the solver would stall.
+    #[error("not tried: {law} fails")]
+    NotTried {
+        /// The name of the law that fails.
+        law: &'static str,
+    },
     /// No sample could be drawn.
     #[error("no sample could be drawn: {why}")]
     NoSample {
@@ -81,6 +87,30 @@ pub enum Fault {
 }
 
 impl Fault {
+    /// Returns whether it is the metric or a claim of it that is wrong, and not what a statement
+    /// makes of them: there are laws that look for no more than that.
+    pub(crate) fn is_of_the_metric(&self) -> bool {
+        matches!(
+            self,
+            Fault::Metric(_)
+                | Fault::Lie(_)
+                | Fault::NotTried { .. }
+                | Fault::Statement { hypothesis: true, .. }
+                | Fault::Unevaluated(VerifyError::Metric(_))
+        )
+    }
+
+    /// Returns whether a side of an inequality is NaN, which says little.
+    pub(crate) fn is_nan(&self) -> bool {
+        match self {
+            Fault::Broken { left, right, granted, .. } => (left + right + granted).is_nan(),
+            Fault::Statement { inequality, .. } => {
+                (inequality.observed + inequality.bound + inequality.granted).is_nan()
+            }
+            _ => false,
+        }
+    }
+
     /// Returns `Ok` with the slack `right / left` if `left ≤ right + granted`; NaN on either side
     /// is a fault.
     ///

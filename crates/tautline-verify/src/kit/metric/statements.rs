@@ -81,6 +81,7 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
         for_all(effort, effort.cases, CHEAP, points, |points| {
             let sequence = PointSequence::new(points.clone()).map_err(VerifyError::from)?;
             judge(&statement(&Library, &self.metric, &sequence).map_err(VerifyError::from)?)
+                .map_err(|fault| self.explained(fault, points))
         })
     }
 
@@ -90,6 +91,7 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
     /// The two points are those of the problems of the theorems, and besides, if the metric knows
     /// distances, random pairs. Each of both has half of the samples.
     pub(super) fn of_known(&self, statement: OfKnown<M, D>) -> LawResult {
+        self.solvable()?;
         let (region, effort) = (&self.region, &self.effort);
         let inner = || proptest::collection::vec(region.points(), 0..=7);
         let problems = effort.problems.div_ceil(Kind::ALL.len() as u32);
@@ -115,7 +117,7 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
                 })?);
         }
         let Some(distance) = self.distance else { return Ok(tried) };
-        let pairs = (region.points(), region.points(), inner());
+        let pairs = (region.uniform(), region.uniform(), inner());
         Ok(tried.and(for_all(effort, cases, CHEAP, pairs, |(a, b, inner)| {
             let Some(distance) = distance(&self.metric, a, b) else { return Ok(f64::INFINITY) };
             let ends = Ends::points(*a, *b).map_err(VerifyError::from)?;
