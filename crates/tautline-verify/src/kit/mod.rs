@@ -24,7 +24,6 @@
 //! ```
 //! use tautline_verify::prelude::*;
 //!
-//! #[derive(Clone, Copy, Debug)]
 //! struct Egg; // H(x) = diag(2 + cos x₁, 3 + sin x₂)
 //! impl Metric<2> for Egg {
 //!     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {

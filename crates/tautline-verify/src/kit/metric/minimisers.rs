@@ -44,17 +44,21 @@ pub(super) fn prop_6_3<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -
 
 /// Proposition 7.1, on the minimisers of both rules: each against a way around, and against what it
 /// becomes where its points are moved.
+///
+/// A search may end at a local minimum, or where the energy is flat to second order, and there may be
+/// less energy nearby. Then it is begun again, at the better one of the two as well; above that it
+/// must not end.
 pub(super) fn prop_7_1<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
     case.of_both_rules(|minimiser| {
-        let (rule, found) = (minimiser.seen.rule, &minimiser.seen.minimum.sequence);
-        [minimiser.detour()?, minimiser.moved()?].iter().try_fold(
-            f64::INFINITY,
-            |slack: f64, other| {
-                let (metric, sets) = (&case.metric, minimiser.sets());
-                let evidence = statements::prop_7_1(&Library, rule, metric, sets, [found, other])?;
-                Ok(slack.min(judge(&evidence)?))
-            },
-        )
+        let (rule, metric, sets) = (minimiser.seen.rule, &case.metric, minimiser.sets());
+        let others = [minimiser.detour()?, minimiser.moved()?];
+        others.into_iter().try_fold(f64::INFINITY, |slack: f64, other| {
+            let less = rule.energy(&Library, metric, &other) < minimiser.seen.discrete_energy;
+            let again = if less { Some(minimiser.again(&other)?) } else { None };
+            let found = again.as_ref().unwrap_or(&minimiser.seen.minimum.sequence);
+            let evidence = statements::prop_7_1(&Library, rule, metric, sets, [found, &other])?;
+            Ok(slack.min(judge(&evidence)?))
+        })
     })
 }
 

@@ -3,7 +3,9 @@
 use std::cell::{Cell, RefCell};
 
 use nalgebra::SVector;
-use tautline::{Bounded, ClosedSet, PointSequence};
+use tautline::{
+    Bounded, ClosedSet, LeftEndpoint, Options, PointSequence, Starts, Trapezoidal, minimise,
+};
 
 use super::{
     MetricCase,
@@ -53,6 +55,18 @@ impl<M: Bounded<D>, const D: usize> Minimiser<'_, M, D> {
             x + SVector::from_fn(|i, _| step * (2.0 * (f64::from(n) * winding(i)).fract() - 1.0))
         });
         admissible(self.sets(), moved.collect())
+    }
+
+    /// What is found if the search may begin at another sequence, too.
+    pub(super) fn again(&self, other: &PointSequence<D>) -> Result<PointSequence<D>, VerifyError> {
+        let options = Options { starts: Starts::Also(vec![other.clone()]), ..Options::default() };
+        let Known { metric, ends, .. } = self.known;
+        let n = self.seen.n.get();
+        let minimum = match self.seen.rule {
+            PaperRule::Trapezoidal => minimise(metric, ends, Trapezoidal, n, &options)?,
+            PaperRule::LeftEndpoint => minimise(metric, ends, LeftEndpoint, n, &options)?,
+        };
+        Ok(minimum.sequence)
     }
 
     pub(super) fn sets(&self) -> [&dyn ClosedSet<D>; 2] {
