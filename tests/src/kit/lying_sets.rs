@@ -92,6 +92,10 @@ fn a_radius_that_misses_one_percent_is_refused() {
     let circle = Circle { missing: 0.015, ..Circle::default() };
     let [left, right] = broken(circle, "radius_bounds_the_members");
     assert_eq!(right, 1.485);
+    // There is no lie to tell of a radius that is one.
+    let case = SetCase::new(&circle, region(), Effort::default());
+    let note = set::refuses_a_smaller_radius(&case).note;
+    assert_eq!(note.as_deref(), Some("the claim itself does not hold"));
     assert!(left > right && left <= 1.5 + 1e-12);
 }
 
@@ -210,8 +214,11 @@ impl ClosedSet<2> for Pair {
 #[test]
 fn a_seed_that_is_nearer_is_a_member_that_is_nearer() {
     let pair = Pair { half: 1.03, convex: false, forgets: true };
-    assert_eq!(law(&pair, set::no_member_is_nearer), "|x − P(x)| ≤ |x − member|");
     let case = SetCase::new(&pair, region(), Effort::default());
+    let failure = set::no_member_is_nearer(&case).failure.expect("it fails");
+    let Fault::Broken { law, other, .. } = failure.fault else { panic!("{failure}") };
+    assert_eq!(law, "|x − P(x)| ≤ |x − member|");
+    assert_eq!(other.as_deref(), Some([1.03, 0.0].as_slice()));
     assert!(set::seeds_and_pieces_belong_to_the_set(&case).holds());
     let right = Pair { forgets: false, ..pair };
     let case = SetCase::new(&right, region(), Effort::default());

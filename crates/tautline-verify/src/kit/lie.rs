@@ -63,7 +63,7 @@ pub struct Lie {
     /// In which direction, of length 1.
     pub direction: Vec<f64>,
     /// The second point `y`, in that direction from `x`, if what was found is a difference quotient.
-    pub other: Option<Vec<f64>>,
+    pub other: Option<Box<[f64]>>,
 }
 
 impl Lie {

@@ -101,7 +101,7 @@ mod tests {
     }
 
     fn broken(left: f64) -> Fault {
-        Fault::Broken { law: "k < 700", left, right: 700.0, granted: 0.0, point: Vec::new() }
+        Fault::unless_at_most("k ≤ 699", [left, 699.0], 0.0, &[]).expect_err("from 700")
     }
 
     fn not_finite(entry: f64) -> Fault {

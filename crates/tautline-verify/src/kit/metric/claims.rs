@@ -147,8 +147,8 @@ pub(super) fn claim<M: Bounded<D>, const D: usize>(
     })
 }
 
-/// How often a chord is halved: from the longest edge to its `2⁻¹⁸`-th part, with which a jump of
-/// `H` by `δ` is one of a quarter of a million `δ` in the quotient.
+/// How often a chord is halved at most: from the longest edge to its `2⁻¹⁸`-th part, over which a
+/// jump of `H` by `δ` has a quotient of `2¹⁸ δ` an edge.
 const HALVINGS: i32 = 18;
 
 /// `‖H(x) − H(y)‖ ≤ L_H |x − y|` for points far apart and near each other.
@@ -167,7 +167,7 @@ pub(super) fn lipschitz<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) 
         let mut slack = f64::INFINITY;
         let mut worst: Option<Lie> = None;
         let [mut x, mut y] = pair.map(|x| (x, gram(&x)));
-        loop {
+        for _ in 0..=HALVINGS {
             let (found, step) = (quotient([&x, &y]), (x.0 - y.0).norm());
             if !(found * step <= constants.l_h() * step + granted) {
                 // A NaN is as bad as it can be.
@@ -178,14 +178,14 @@ pub(super) fn lipschitz<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) 
                         found,
                         point: x.0.as_slice().to_vec(),
                         direction: ((y.0 - x.0) / step).as_slice().to_vec(),
-                        other: Some(y.0.as_slice().to_vec()),
+                        other: Some(y.0.as_slice().into()),
                     });
                 }
             } else if granted <= 0.01 * found * step {
                 slack = slack.min(constants.l_h() / found);
             }
             if step <= 2.0 * shortest || found.is_nan() {
-                return worst.map_or(Ok(slack), |lie| Err(lie.into()));
+                break;
             }
             let middle = (x.0 + y.0) * 0.5;
             let middle = (middle, gram(&middle));
@@ -195,5 +195,6 @@ pub(super) fn lipschitz<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) 
                 x = middle;
             }
         }
+        worst.map_or(Ok(slack), |lie| Err(lie.into()))
     })
 }

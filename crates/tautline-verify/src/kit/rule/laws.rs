@@ -111,6 +111,7 @@ pub(super) fn gradient<R: Rule>(case: &RuleCase<R>) -> LawResult {
             right: 0.0,
             granted: off.granted,
             point,
+            other: None,
         })?;
         Ok(f64::INFINITY)
     })
