@@ -19,6 +19,9 @@ const GROSS: f64 = 1e3;
 /// Places on each chord where a NaN is looked for, besides its ends.
 const BETWEEN: u32 = 64;
 
+/// A law of metrics.
+type Law<M, const D: usize> = fn(&MetricCase<M, D>) -> LawResult;
+
 impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
     /// Fails in one line if a law of the formula does: of a metric that is not continuous the
     /// solver makes minutes of stalled searches, and nothing that a statement could be blamed for.
@@ -32,7 +35,7 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
 
     /// The name of a law that does not hold of the formula.
     fn broken(&self) -> Option<&'static str> {
-        let laws: [(_, fn(&Self) -> LawResult); 6] = [
+        let laws: [(_, Law<M, D>); 6] = [
             ("is_finite_and_symmetric", formula::finite_and_symmetric),
             ("is_positive_definite", formula::positive_definite),
             ("jets_agree_with_differences", formula::jets),
