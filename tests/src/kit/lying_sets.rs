@@ -1,6 +1,6 @@
 //! Closed sets that lie: each is rejected, by the law that it breaks, with the numbers.
 
-use tautline::Sphere;
+use tautline::{Ball, Sphere};
 use tautline_verify::{
     kit::{Fault, SetCase, set},
     prelude::*,
@@ -92,6 +92,10 @@ fn a_radius_that_misses_one_percent_is_refused() {
     let circle = Circle { missing: 0.015, ..Circle::default() };
     let [left, right] = broken(circle, "radius_bounds_the_members");
     assert_eq!(right, 1.485);
+    // There is no lie to tell of a radius that is one.
+    let case = SetCase::new(&circle, region(), Effort::default());
+    let note = set::refuses_a_smaller_radius(&case).note;
+    assert_eq!(note.as_deref(), Some("the claim itself does not hold"));
     assert!(left > right && left <= 1.5 + 1e-12);
 }
 
@@ -136,4 +140,99 @@ fn a_projection_that_is_nan_is_refused() {
     let Fault::Broken { left, point, .. } = failure.fault else { panic!("{failure}") };
     // Shrunk to the first step beyond the line.
     assert!(left.is_nan() && point == [3.0 + 8.0 / 65536.0, -4.0], "{point:?}");
+}
+
+/// The law that a set breaks, of those about one thing.
+#[track_caller]
+fn law<S: ClosedSet<2>>(set: &S, id: fn(&SetCase<'_, S, 2>) -> Outcome) -> &'static str {
+    match id(&SetCase::new(set, region(), Effort::default())).failure.expect("it fails").fault {
+        Fault::Broken { law, .. } => law,
+        fault => panic!("{fault}"),
+    }
+}
+
+/// A ball of radius 100, in which the region lies: no sample of it is longer than 6.
+#[test]
+fn a_radius_that_is_too_small_outside_of_the_region_is_refused() {
+    #[derive(Clone, Copy, Debug)]
+    struct Large(Option<f64>);
+    impl ClosedSet<2> for Large {
+        fn project(&self, x: &SVector<f64, 2>) -> SVector<f64, 2> {
+            Ball::new([0.0, 0.0], 100.0).expect("a radius").project(x)
+        }
+        fn projection_derivative(&self, x: &SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
+            Ball::new([0.0, 0.0], 100.0).expect("a radius").projection_derivative(x)
+        }
+        fn radius(&self) -> Option<f64> {
+            self.0
+        }
+    }
+    let wrong = Large(Some(50.0));
+    assert_eq!(law(&wrong, set::radius_bounds_the_members), "|member| ≤ radius");
+    for radius in [Some(100.0), None] {
+        let right = Large(radius);
+        let case = SetCase::new(&right, region(), Effort::default());
+        assert!(set::radius_bounds_the_members(&case).holds());
+    }
+}
+
+/// Two points `(±half, 0)`, as a set that says of itself what it is told to.
+#[derive(Clone, Copy, Debug)]
+struct Pair {
+    half: f64,
+    /// It says that it is convex.
+    convex: bool,
+    /// The right point is a seed, and the nearest of no other place.
+    forgets: bool,
+}
+
+impl ClosedSet<2> for Pair {
+    fn project(&self, x: &SVector<f64, 2>) -> SVector<f64, 2> {
+        let right = if self.forgets { x[0] == self.half && x[1] == 0.0 } else { x[0] > 0.0 };
+        SVector::from([if right { self.half } else { -self.half }, 0.0])
+    }
+
+    fn projection_derivative(&self, _: &SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
+        SMatrix::zeros()
+    }
+
+    fn radius(&self) -> Option<f64> {
+        Some(self.half)
+    }
+
+    fn is_convex(&self) -> bool {
+        self.convex
+    }
+
+    fn seeds(&self) -> Vec<SVector<f64, 2>> {
+        if self.forgets { vec![[self.half, 0.0].into()] } else { Vec::new() }
+    }
+}
+
+/// No sample is sent to the right point, though half of them are nearer to it: it is known as a
+/// seed alone.
+#[test]
+fn a_seed_that_is_nearer_is_a_member_that_is_nearer() {
+    let pair = Pair { half: 1.03, convex: false, forgets: true };
+    let case = SetCase::new(&pair, region(), Effort::default());
+    let failure = set::no_member_is_nearer(&case).failure.expect("it fails");
+    let Fault::Broken { law, other, .. } = failure.fault else { panic!("{failure}") };
+    assert_eq!(law, "|x − P(x)| ≤ |x − member|");
+    assert_eq!(other.as_deref(), Some([1.03, 0.0].as_slice()));
+    assert!(set::seeds_and_pieces_belong_to_the_set(&case).holds());
+    let right = Pair { forgets: false, ..pair };
+    let case = SetCase::new(&right, region(), Effort::default());
+    assert!(set::no_member_is_nearer(&case).holds());
+}
+
+/// So near to each other that samples in different cells are farther apart, and that angles are
+/// obtuse up to rounding: `(x − P(x))·(q − P(x))` is `2 half²` at most, far below what is granted.
+#[test]
+fn the_middle_of_two_points_is_no_member() {
+    let pair = Pair { half: 1e-8, convex: true, forgets: false };
+    let found = law(&pair, set::a_claim_of_convexity_is_true);
+    assert_eq!(found, "the middle of two members is a member");
+    // Far from each other, it is the nearest points that give it away.
+    let pair = Pair { half: 2.5, ..pair };
+    assert_eq!(law(&pair, set::a_claim_of_convexity_is_true), "|P(x) − P(y)| ≤ |x − y|");
 }

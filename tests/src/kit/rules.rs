@@ -1,7 +1,10 @@
 //! The rules of the project, one line each, and one of one's own.
 
 use tautline::{LeftEndpoint, Trapezoidal, TrueTrapezoid};
-use tautline_verify::{kit::Fault, prelude::*};
+use tautline_verify::{
+    kit::{Fault, RuleCase, rule},
+    prelude::*,
+};
 
 rule_suite!(trapezoidal: Trapezoidal);
 rule_suite!(left_endpoint: LeftEndpoint);
@@ -59,4 +62,56 @@ fn an_exponent_that_is_not_observed_is_named() {
     let fault = &outcome.failure.as_ref().expect("it fails").fault;
     let Fault::Order { found, least, .. } = *fault else { panic!("{report}") };
     assert!((found - 1.0).abs() <= 0.05 && least > 1.9, "{report}");
+}
+
+/// The law of an inequality that does not hold.
+#[track_caller]
+fn broken(outcome: Outcome) -> &'static str {
+    match outcome.failure.expect("it fails").fault {
+        Fault::Broken { law, .. } => law,
+        fault => panic!("{fault}"),
+    }
+}
+
+/// A rule with these nodes and weights.
+macro_rules! rule {
+    ($(($fraction:expr, $weight:expr)),*) => {{
+        #[derive(Clone, Copy, Debug)]
+        struct Some;
+        impl Rule for Some {
+            const NODES: &'static [Node] =
+                &[$(Node { fraction: $fraction, weight: $weight }),*];
+            const ERROR_EXPONENT: i32 = 1;
+        }
+        RuleCase::new(Some, Effort::default())
+    }};
+}
+
+#[test]
+fn a_node_beyond_either_end_of_the_chord_is_refused() {
+    let before = rule::nodes_lie_on_the_chord(&rule![(-0.1, 0.5), (0.5, 0.5)]);
+    assert_eq!(broken(before), "0 ≤ fraction");
+    let behind = rule::nodes_lie_on_the_chord(&rule![(0.5, 0.5), (1.1, 0.5)]);
+    assert_eq!(broken(behind), "fraction ≤ 1");
+    assert_eq!(broken(rule::nodes_lie_on_the_chord(&rule![])), "1 ≤ number of nodes");
+    assert!(rule::nodes_lie_on_the_chord(&rule![(0.0, 0.5), (1.0, 0.5)]).holds());
+}
+
+/// They add up to 1, and both nodes lie on the chord.
+#[test]
+fn a_negative_weight_is_refused() {
+    let case = rule![(0.0, 1.5), (1.0, -0.5)];
+    assert_eq!(broken(rule::weights_are_nonnegative_and_sum_to_1(&case)), "0 ≤ weight");
+    assert!(rule::nodes_lie_on_the_chord(&case).holds());
+}
+
+#[test]
+fn weights_that_do_not_add_up_to_1_are_refused() {
+    const LAW: &str = "|Σ weights − 1| = 0";
+    let one = rule::weights_are_nonnegative_and_sum_to_1(&rule![(0.0, 0.5), (1.0, 0.499)]);
+    assert_eq!(broken(one), LAW);
+    let other = rule::weights_are_nonnegative_and_sum_to_1(&rule![(0.0, 0.5), (1.0, 0.5 + 1e-9)]);
+    assert_eq!(broken(other), LAW);
+    let none = rule::weights_are_nonnegative_and_sum_to_1(&rule![]);
+    assert_eq!(broken(none), LAW);
 }

@@ -37,7 +37,8 @@ impl Effort {
 }
 
 impl Default for Effort {
-    /// One or two seconds for a metric of two or three dimensions.
+    /// One or two seconds for a metric of two or three dimensions with `opt-level = 2`, and some 15
+    /// in an unoptimised build: see [how to set it](crate::kit#test-a-metric-of-your-own).
     fn default() -> Self {
         Self { cases: 256, ascents: 6, problems: 12, subintervals: &[1, 2, 3, 8, 32], seed: 1 }
     }

@@ -48,8 +48,8 @@ impl std::fmt::Display for Claim {
 /// A constant that a metric claims, and a point and a direction where it does not hold.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
-    "the metric claims {constant} = {claimed}, but {} = {found} at x = {point:?} in the direction \
-     w = {direction:?}", constant.formula()
+    "the metric claims {constant} = {claimed}, but {} = {found} at x = {point:?}{}",
+    self.formula(), self.besides()
 )]
 pub struct Lie {
     /// Which constant.
@@ -62,4 +62,22 @@ pub struct Lie {
     pub point: Vec<f64>,
     /// In which direction, of length 1.
     pub direction: Vec<f64>,
+    /// The second point `y`, in that direction from `x`, if what was found is a difference quotient.
+    pub other: Option<Box<[f64]>>,
+}
+
+impl Lie {
+    /// Returns the formula of what was found.
+    #[must_use]
+    pub fn formula(&self) -> &'static str {
+        if self.other.is_some() { "‖H(x) − H(y)‖/|x − y|" } else { self.constant.formula() }
+    }
+
+    /// The second letter of the formula, with its value.
+    fn besides(&self) -> String {
+        match &self.other {
+            Some(other) => format!(" and y = {other:?}"),
+            None => format!(" in the direction w = {:?}", self.direction),
+        }
+    }
 }

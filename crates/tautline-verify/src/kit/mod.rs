@@ -19,6 +19,17 @@
 //!
 //! # Test a metric of your own
 //!
+//! The crate is not published: your `Cargo.toml` names where it lies, and has the tests optimised,
+//! which unoptimised take ten times as long.
+//!
+//! ```toml
+//! [dev-dependencies]
+//! tautline-verify = { path = "../tautline/crates/tautline-verify" } # or git = "…"
+//!
+//! [profile.dev]
+//! opt-level = 2
+//! ```
+//!
 //! A file `tests/egg.rs`, all of it, which is a formula and twelve lines:
 //!
 //! ```
@@ -41,6 +52,11 @@
 //! # let report = verify_metric(&Egg, &region, &effort);
 //! # assert!(report.holds(), "{report}");
 //! ```
+//!
+//! An `S: Scalar` has `+ - * /` with another `S` and with an `f64` on the right (`x[0] * 2.0 + 1.0`,
+//! and `S::constant(2.0)` to begin with), `sqr`, `powi`, `recip`, `sqrt`, `exp`, `ln`, `sin`, `cos`,
+//! `tan`, `atan`, `sinh`, `cosh` and `tanh`; it has no `abs`, no `powf`, and no order, since a formula
+//! has to be smooth.
 //!
 //! `cargo test egg` then runs `egg::l_h_bounds_the_derivative`, `egg::theorem_1_1` and so on. What
 //! is wrong is named with its numbers; here with `L_H = 1/2` in place of 1:
@@ -78,6 +94,11 @@
 //! to six digits or so, and a claim that is off by more is refused with the point, the direction,
 //! and both numbers. What ascents from [`Effort::ascents`] starts do not reach is not seen:
 //! a law that holds is evidence, not a proof.
+//!
+//! One sample in eight is moved to the ends, the quarters or the middle of the edges, or to 0: there
+//! `x/|x|`, `1/r` and angles break, and uniform samples are never there. Where a law of the formula
+//! itself fails, or `H` jumps, the laws that would solve problems say `not tried` with the name of
+//! that law, which is the one to mend first.
 //!
 //! A claim may be loose. The slack of each law is in the [`Report`], and `refuses_a_smaller_l_h`
 //! notes it: the bounds of the theorems are as loose as the constants.

@@ -7,6 +7,12 @@ use proptest::prelude::*;
 /// short binary fractions of the edges.
 const STEPS: u32 = 1 << 16;
 
+/// The number of parts of an edge between which special points lie.
+const PARTS: u32 = 4;
+
+/// One in so many points is special.
+const MOVED: u32 = 8;
+
 /// The number of steps of a direction to each side.
 const DIRECTION_STEPS: i32 = 1 << 8;
 
@@ -91,12 +97,36 @@ impl<const D: usize> Region<D> {
         x.sup(&self.low).inf(&self.high)
     }
 
-    /// Points of the box. Drawn as integers, so that what is left after shrinking has short
-    /// coordinates.
+    /// Points of the box: seven in eight are [`uniform`](Region::uniform), the others such ones
+    /// moved to where formulas break, and where of uniform ones there are none: each coordinate to
+    /// an end of its edge, a quarter, the middle, three quarters or, if that is on the edge, 0.
     pub fn points(&self) -> impl Strategy<Value = SVector<f64, D>> + use<D> {
+        let region = *self;
+        // Shrunk, a point is first one that is not moved, if that does not hold either.
+        (0..MOVED, self.uniform())
+            .prop_map(move |(k, x)| if k + 1 == MOVED { region.special(&x) } else { x })
+    }
+
+    /// Points that are anywhere in the box. Drawn as integers, so that what is left after shrinking
+    /// has short coordinates.
+    pub fn uniform(&self) -> impl Strategy<Value = SVector<f64, D>> + use<D> {
         let region = *self;
         proptest::array::uniform::<_, D>(0..=STEPS).prop_map(move |steps| {
             region.at(&SVector::from(steps.map(|k| f64::from(k) / f64::from(STEPS))))
+        })
+    }
+
+    /// The point with each coordinate moved to a special one.
+    fn special(&self, x: &SVector<f64, D>) -> SVector<f64, D> {
+        let ([low, high], parts) = ([&self.low, &self.high], f64::from(PARTS));
+        SVector::from_fn(|i, _| {
+            let edge = high[i] - low[i];
+            // Each of the five has a fifth of the edge, in which it lies.
+            let part = ((x[i] - low[i]) / edge * (parts + 1.0)).floor().min(parts);
+            // low + (high − low) may be one rounding beyond.
+            let quarter = (low[i] + part / parts * edge).min(high[i]);
+            let zero = low[i] <= 0.0 && high[i] >= 0.0 && x[i].abs() < (x[i] - quarter).abs();
+            if zero { 0.0 } else { quarter }
         })
     }
 
@@ -123,6 +153,10 @@ pub fn directions<const D: usize>() -> impl Strategy<Value = SVector<f64, D>> {
 #[cfg(test)]
 mod tests {
     use nalgebra::vector;
+    use proptest::{
+        strategy::{Strategy, ValueTree},
+        test_runner::TestRunner,
+    };
 
     use super::{Region, RegionError};
 
@@ -141,5 +175,39 @@ mod tests {
         assert_eq!((region.size(), region.reach()), (3.0, 5.0));
         assert_eq!(region.clamp(&vector![-9.0, 1.0]), vector![-4.0, 1.0]);
         assert_eq!(region.at(&vector![0.5, 1.0]), vector![-3.5, 3.0]);
+    }
+
+    /// Of 1024 samples, 128 are moved: a tenth or a fifth of these to a given place of an edge.
+    #[test]
+    fn samples_meet_the_axes_the_middle_and_the_corner() {
+        let region = Region::<2>::cell([-1.0, -0.7], [2.0, 0.9]);
+        let mut runner = TestRunner::deterministic();
+        let mut met = [0; 4];
+        for _ in 0..1024 {
+            let x = region.points().new_tree(&mut runner).expect("a sample").current();
+            let seen = [x[0] == 0.0, x[1] == 0.0, x[0] == 0.5, x == vector![2.0, 0.9]];
+            for (met, seen) in met.iter_mut().zip(seen) {
+                *met += u32::from(seen);
+            }
+        }
+        assert!(met.iter().all(|&times| (1..=64).contains(&times)), "{met:?}");
+        let moved = [[0.1, 0.08], [0.4, -0.29], [-0.9, 0.89]].map(|x| region.special(&x.into()));
+        let expected = [vector![0.0, 0.1], vector![0.5, -0.3], vector![-1.0, 0.9]];
+        for (x, expected) in moved.iter().zip(expected) {
+            assert!((x - expected).amax() <= 1e-15 && region.clamp(x) == *x, "{x}");
+        }
+    }
+    /// Of 256 pairs, 85 are near, and 28 of these nearer than `2⁻¹²` of the edge.
+    #[test]
+    fn some_pairs_are_near_and_most_are_far() {
+        let region = Region::<2>::cell([0.0, 0.0], [1.0, 1.0]);
+        let mut runner = TestRunner::deterministic();
+        let apart: Vec<f64> = (0..256)
+            .map(|_| region.pairs().new_tree(&mut runner).expect("a sample").current())
+            .map(|[x, y]| (x - y).norm())
+            .collect();
+        let nearer = |than: f64| apart.iter().filter(|&&step| step < than).count();
+        assert!((10..=56).contains(&nearer(1.0 / 4096.0)), "{}", nearer(1.0 / 4096.0));
+        assert!(nearer(0.1) <= 128 && nearer(f64::MIN_POSITIVE) == 0);
     }
 }

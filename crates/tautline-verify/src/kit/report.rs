@@ -27,7 +27,8 @@ pub struct Outcome {
 pub struct Failure {
     /// The law with its numbers.
     pub fault: Fault,
-    /// The smallest sample that was found to break it, if it was broken by a random one.
+    /// The smallest random sample that was found to break it, if one was; where an ascent leads
+    /// farther, the fault is that of its top.
     pub sample: Option<String>,
     /// The seed of the samples.
     pub seed: u64,
@@ -115,7 +116,7 @@ impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.fault)?;
         if let Some(sample) = &self.sample {
-            write!(f, "\n    smallest sample: {sample}")?;
+            write!(f, "\n    smallest random sample that breaks it: {sample}")?;
         }
         write!(f, "\n    seed {}", self.seed)
     }
@@ -168,6 +169,7 @@ mod tests {
             found: 1.0,
             point: vec![0.25, 0.0],
             direction: vec![1.0, 0.0],
+            other: None,
         };
         let sample = Some("smaller".to_owned());
         let failure = Failure { fault: Fault::Lie(lie), sample, seed: 3 };
@@ -196,7 +198,10 @@ mod tests {
             "    the metric claims L_H = 0.5, but ‖DH(x)[w]‖ = 1 at x = [0.25, 0.0] in the \
              direction w = [1.0, 0.0]"
         );
-        assert_eq!(lines[4..6], ["    smallest sample: smaller", "    seed 3"]);
+        assert_eq!(
+            lines[4..6],
+            ["    smallest random sample that breaks it: smaller", "    seed 3"]
+        );
         assert_eq!(lines[6], row("far", "ok          2          -  e ≤ f"));
     }
 

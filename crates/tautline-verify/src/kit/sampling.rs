@@ -1,10 +1,10 @@
 //! Random samples of a law, always the same ones, shrunk where it fails.
 
-use std::{cell::Cell, fmt::Debug};
+use std::fmt::Debug;
 
 use proptest::{
-    strategy::Strategy,
-    test_runner::{Config, RngSeed, TestCaseError, TestError, TestRunner},
+    strategy::{Strategy, ValueTree},
+    test_runner::{Config, RngSeed, TestRunner},
 };
 
 use super::{
@@ -15,10 +15,13 @@ use super::{
 /// How many smaller samples are tried after a failure, where a case is an evaluation of `H`.
 pub(crate) const CHEAP: u32 = 4096;
 
-/// The same, where a case is a number of solves.
-pub(crate) const COSTLY: u32 = 40;
+/// The same, where a case is a number of solves: seconds for a metric on which the solver stalls.
+pub(crate) const COSTLY: u32 = 5;
 
 /// Checks a law, which returns its slack, on `cases` random values.
+///
+/// A sample that breaks it is made smaller, unless that costs solves and the fault is one of the
+/// metric, for which there are cheaper laws with smaller samples.
 pub(crate) fn for_all<V>(
     effort: &Effort,
     cases: u32,
@@ -30,34 +33,105 @@ where
     V: Strategy,
     V::Value: Debug,
 {
-    let config = Config {
-        cases,
-        max_shrink_iters: shrinks,
-        rng_seed: RngSeed::Fixed(effort.seed),
-        // Every run draws the same samples, so that there is nothing to remember, and no file
-        // to leave in the folder of somebody else.
-        failure_persistence: None,
-        ..Config::default()
-    };
-    let slack = Cell::new(f64::INFINITY);
-    let outcome = TestRunner::new(config).run(&values, |value| match law(&value) {
-        Ok(found) => {
-            slack.set(slack.get().min(found));
-            Ok(())
+    let config = Config { rng_seed: RngSeed::Fixed(effort.seed), ..Config::default() };
+    // Only the samples are proptest's. Its runner would catch the panics of a formula, say on
+    // stderr when it stops shrinking, and remember seeds in the folder of somebody else.
+    let mut runner = TestRunner::new(config);
+    let mut slack = f64::INFINITY;
+    for _ in 0..cases {
+        let mut tree = values.new_tree(&mut runner).map_err(|reason| {
+            let fault = Fault::NoSample { why: reason.to_string() };
+            Failure { fault, sample: None, seed: effort.seed }
+        })?;
+        let value = tree.current();
+        match law(&value) {
+            Ok(found) => slack = slack.min(found),
+            Err(fault) => {
+                let shrinks =
+                    if shrinks <= COSTLY && fault.is_of_the_metric() { 0 } else { shrinks };
+                let (fault, value) = shrink(&mut tree, shrinks, (fault, value), law);
+                let sample = Some(format!("{value:?}"));
+                return Err(Failure { fault, sample, seed: effort.seed });
+            }
         }
-        Err(fault) => Err(TestCaseError::fail(fault.to_string())),
-    });
-    let (fault, sample) = match outcome {
-        Ok(()) => {
-            return Ok(Tried { cases: cases.into(), slack: slack.get(), note: None });
-        }
-        Err(TestError::Fail(reason, value)) => {
-            // A law is a function of its sample, so that it fails again; were it not one, its
-            // message would be all that is left.
-            let why = || Fault::NoSample { why: format!("once only: {reason}") };
-            (law(&value).err().unwrap_or_else(why), Some(format!("{value:?}")))
-        }
-        Err(TestError::Abort(reason)) => (Fault::NoSample { why: reason.to_string() }, None),
-    };
-    Err(Failure { fault, sample, seed: effort.seed })
+    }
+    Ok(Tried { cases: cases.into(), slack, note: None })
+}
+
+/// The smallest of the next samples that break the law, and how.
+fn shrink<T: ValueTree>(
+    tree: &mut T,
+    shrinks: u32,
+    mut smallest: (Fault, T::Value),
+    law: impl Fn(&T::Value) -> Result<f64, Fault>,
+) -> (Fault, T::Value) {
+    let mut left = shrinks;
+    let mut changed = left > 0 && tree.simplify();
+    while changed && left > 0 {
+        left -= 1;
+        let value = tree.current();
+        changed = match law(&value) {
+            Ok(_) => tree.complicate(),
+            Err(fault) => {
+                smallest = (fault, value);
+                tree.simplify()
+            }
+        };
+    }
+    smallest
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+
+    use tautline::MetricError;
+
+    use super::{CHEAP, COSTLY, for_all};
+    use crate::kit::{Effort, Failure, Fault};
+
+    /// What a law says that fails from 700 on, and how many samples it was asked.
+    fn from_700(shrinks: u32, fault: fn(f64) -> Fault) -> (Failure, u32) {
+        let asked = Cell::new(0);
+        let failed = for_all(&Effort::default(), 256, shrinks, 0..1000_u32, |&k| {
+            asked.set(asked.get() + 1);
+            if k < 700 { Ok(1000.0 / f64::from(k)) } else { Err(fault(f64::from(k))) }
+        });
+        (failed.expect_err("some are beyond"), asked.get())
+    }
+
+    fn broken(left: f64) -> Fault {
+        Fault::unless_at_most("k ≤ 699", [left, 699.0], 0.0, &[]).expect_err("from 700")
+    }
+
+    fn not_finite(entry: f64) -> Fault {
+        MetricError::NotFinite { point: Vec::new(), row: 0, column: 0, entry }.into()
+    }
+
+    #[test]
+    fn the_smallest_sample_is_found_with_its_fault() {
+        let (failure, _) = from_700(CHEAP, broken);
+        assert_eq!((failure.fault, failure.sample.as_deref()), (broken(700.0), Some("700")));
+        let (failure, _) = from_700(CHEAP, not_finite);
+        assert_eq!(failure.sample.as_deref(), Some("700"));
+    }
+
+    #[test]
+    fn what_costs_solves_is_shrunk_a_little_and_not_for_a_fault_of_the_metric() {
+        let [(_, once), (_, of_metric), (_, of_law)] =
+            [from_700(0, broken), from_700(COSTLY, not_finite), from_700(COSTLY, broken)];
+        assert_eq!(of_metric, once);
+        assert!(of_law > once && of_law <= once + COSTLY, "{of_law} of {once}");
+    }
+
+    #[test]
+    fn the_least_slack_is_that_of_the_largest_sample() {
+        let largest = Cell::new(0);
+        let tried = for_all(&Effort::default(), 64, CHEAP, 1..1000_u32, |&k| {
+            largest.set(largest.get().max(k));
+            Ok(1000.0 / f64::from(k))
+        });
+        let tried = tried.expect("it holds");
+        assert_eq!((tried.cases, tried.slack), (64, 1000.0 / f64::from(largest.get())));
+    }
 }

@@ -34,12 +34,25 @@ fn half_of_l_h_is_refused_with_the_witness() {
     let axis = usize::from(lie.direction[1].abs() > 0.5);
     let slope = if axis == 0 { lie.point[0].sin() } else { lie.point[1].cos() };
     assert!((slope.abs() - lie.found).abs() <= 1e-12 && lie.direction[axis].abs() > 0.999_999);
-    for part in ["L_H = 0.5", "FAILS", "smallest sample", "seed 1"] {
+    for part in ["L_H = 0.5", "FAILS", "smallest random sample", "seed 1"] {
         assert!(message.contains(part), "{message}");
     }
 
     let Fault::Lie(lie) = fault(metric::l_h_bounds_differences(&case)) else { panic!("a lie") };
     assert!(lie.constant == Claim::LH && lie.found > 0.5 && lie.found <= 1.0 + 1e-12, "{lie}");
+    // The quotient, and the second of the points that it is of.
+    let text = lie.to_string();
+    let other = SVector::<f64, 2>::from_column_slice(lie.other.as_deref().expect("a point y"));
+    let point = SVector::<f64, 2>::from_column_slice(&lie.point);
+    let [h, k]: [SMatrix<f64, 2, 2>; 2] = [point, other].map(|x| Egg.gram(&x));
+    let quotient = (h - k).amax() / (point - other).norm();
+    assert!((quotient - lie.found).abs() <= 1e-12 * lie.found, "{text}");
+    assert!(text.contains("‖H(x) − H(y)‖/|x − y| = ") && text.contains(" and y = ["), "{text}");
+    // The claim is wrong, so that there is no lie to tell.
+    assert_eq!(
+        metric::refuses_a_smaller_l_h(&case).note.as_deref(),
+        Some("the claim itself does not hold"),
+    );
     let statement = fault(metric::prop_7_9(&case));
     let Fault::Statement { hypothesis: true, inequality, .. } = statement else {
         panic!("{statement}")
@@ -144,6 +157,87 @@ fn what_is_finer_than_the_steps_of_the_region_is_refused() {
     assert!(!law(6.3).holds());
     let fine = law(6.3e-6);
     assert!(fine.holds(), "{fine}");
+}
+
+/// `H = 2` with teeth of slope 1 that are `2⁻¹²` wide, where `L_H = ½` is claimed: of two points that
+/// are farther apart than `2⁻¹⁰`, none tells.
+#[test]
+fn teeth_that_are_finer_than_the_samples_are_refused() {
+    struct Saw;
+    impl Metric<2> for Saw {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            let tooth = (x[0] * 4096.0).sin() / 4096.0 + 2.0;
+            SMatrix::from_diagonal(&[tooth, S::constant(2.0)].into())
+        }
+    }
+    impl Bounded<2> for Saw {
+        fn constants(&self) -> Constants {
+            Constants::new(1.99, 2.01, 0.5).expect("c1 ≤ c2")
+        }
+    }
+    let case = MetricCase::new(Saw, region(), Effort::default());
+    let Fault::Lie(lie) = fault(metric::l_h_bounds_differences(&case)) else { panic!("a lie") };
+    let other = lie.other.expect("a point y");
+    let step = (lie.point[0] - other[0]).hypot(lie.point[1] - other[1]);
+    assert!(lie.found > 0.5 && lie.found <= 1.0 + 1e-6 && step < 1.0 / 1024.0, "{step}");
+}
+
+/// `x₁/x₁` is 1, but on the line in the middle of the region: no uniform sample lies there.
+#[test]
+fn what_is_no_number_in_the_middle_of_the_region_is_refused() {
+    struct Split;
+    impl Metric<2> for Split {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            SMatrix::from_diagonal_element(x[0] / x[0] + 1.0)
+        }
+    }
+    impl Bounded<2> for Split {
+        fn constants(&self) -> Constants {
+            Constants::new(2.0, 2.0, 0.0).expect("c1 ≤ c2")
+        }
+    }
+    for region in [Region::cell([-3.0, -3.0], [3.0, 3.0]), Region::cell([-1.0, -3.0], [7.0, 3.0])] {
+        let case = MetricCase::new(Split, region, Effort::default());
+        let found = fault(metric::is_finite_and_symmetric(&case));
+        let Fault::Metric(MetricError::NotFinite { point, .. }) = found else { panic!("{found}") };
+        assert_eq!(point[0], 0.0);
+    }
+}
+
+/// A distance that is known, times a factor that depends on the order of the points, and more.
+#[test]
+fn distances_that_are_not_symmetric_or_not_zero_are_refused() {
+    struct Skew {
+        back: f64,
+        more: f64,
+    }
+    impl Metric<1> for Skew {
+        fn gram<S: Scalar>(&self, _: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
+            SMatrix::from_diagonal_element(S::constant(4.0))
+        }
+    }
+    impl Bounded<1> for Skew {
+        fn constants(&self) -> Constants {
+            Constants::new(4.0, 4.0, 0.0).expect("c1 ≤ c2")
+        }
+    }
+    impl KnownDistance<1> for Skew {
+        fn distance(&self, x: &SVector<f64, 1>, y: &SVector<f64, 1>) -> Option<f64> {
+            let factor = if x[0] > y[0] { self.back } else { 1.0 };
+            Some(2.0 * factor * (x - y).norm() + self.more)
+        }
+    }
+    let law = |back, more| {
+        let region = Region::cell([0.0], [1.0]);
+        let case = MetricCase::new(Skew { back, more }, region, Effort::default());
+        match fault(metric::known_distances_are_distances(&case.with_known_distance())) {
+            Fault::Broken { law, .. } => law,
+            fault => panic!("{fault}"),
+        }
+    };
+    // Not longer than any curve.
+    assert_eq!(law(0.999, 0.0), "|d(x, y) − d(y, x)| = 0");
+    assert_eq!(law(1.0, 1e-6), "d(x, x) = 0");
 }
 
 /// Distances that are one percent too long, or too short.

@@ -127,7 +127,14 @@ pub(super) fn jets<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> La
             |off| {
                 let law = "|uᵀ DH(x)[w] u − its central difference| = O(h²)";
                 let [left, right] = [off.error, 0.0];
-                Fault::Broken { law, left, right, granted: off.granted, point: point() }
+                Fault::Broken {
+                    law,
+                    left,
+                    right,
+                    granted: off.granted,
+                    point: point(),
+                    other: None,
+                }
             },
         )?;
         let second = u.dot(&(second(metric, x, w) * u));
@@ -135,7 +142,7 @@ pub(super) fn jets<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> La
         difference_test(&[second], slope, length, size).map_err(|off| {
             let law = "|uᵀ D²H(x)[w, w] u − its central difference| = O(h²)";
             let [left, right] = [off.error, 0.0];
-            Fault::Broken { law, left, right, granted: off.granted, point: point() }
+            Fault::Broken { law, left, right, granted: off.granted, point: point(), other: None }
         })?;
         // The gradient, which is another number type than the derivative along a line.
         let jet = metric.norm_squared(&Jet1::variables(&(*x).into()).into(), u);

@@ -56,6 +56,8 @@ pub(super) type Solutions<const D: usize> = Result<Arc<Solution<D>>, VerifyError
 /// distances of its problems, and the minimisers of either rule.
 #[derive(Debug)]
 pub struct Solved<const D: usize> {
+    /// The name of a law of the formula that does not hold, for which nothing is solved.
+    pub(super) broken: OnceLock<Option<&'static str>>,
     pub(super) extremes: Memory<Claim, Result<Option<Found>, Failure>>,
     pub(super) distances: Memory<Posed<D>, Estimate>,
     pub(super) trapezoidal: Memory<Posed<D>, Solutions<D>>,
@@ -65,6 +67,7 @@ pub struct Solved<const D: usize> {
 impl<const D: usize> Default for Solved<D> {
     fn default() -> Self {
         Self {
+            broken: OnceLock::new(),
             extremes: Memory::default(),
             distances: Memory::default(),
             trapezoidal: Memory::default(),

@@ -17,6 +17,7 @@ mod problems;
 mod refusals;
 mod sampled_curves;
 mod solutions;
+mod soundness;
 mod statements;
 
 use std::sync::Arc;

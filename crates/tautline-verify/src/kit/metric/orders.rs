@@ -45,6 +45,7 @@ pub(super) fn orders<M: Bounded<D>, const D: usize>(
     rule: PaperRule,
     least: f64,
 ) -> LawResult {
+    case.solvable()?;
     let (window, problems) = window_and_problems(D);
     let failure = |fault: Fault| Failure { fault, sample: None, seed: case.effort.seed };
     let mut slopes = [Vec::new(), Vec::new()];
@@ -70,22 +71,32 @@ pub(super) fn orders<M: Bounded<D>, const D: usize>(
         return Err(failure(Fault::NotSolved { failed: tried, tried, error }));
     }
     let [discrete, curve] = slopes.map(median);
-    for (what, found, least) in
-        [("|E_N − d²|", discrete, least - TILT), ("E(γᵖˡ) − d²", curve, 2.0 - TILT)]
-    {
-        if let Some(found) = found
-            && !(found >= least)
-        {
-            let window = window.to_vec();
-            return Err(failure(Fault::Order { what, found, least, window }));
-        }
-    }
+    observed([discrete, curve], least, window).map_err(failure)?;
     let word = |order: Option<f64>| match order {
         Some(order) => format!("{order:.2}"),
         None => "exact".to_owned(),
     };
     let note = format!("observed {} and {} over N = {window:?}", word(discrete), word(curve));
     Ok(Tried::cases(solved * window.len() as u64).with_note(note))
+}
+
+/// Compares the slopes of both errors with the order of the rule and with 2; there is none where
+/// errors are rounding.
+fn observed(
+    [discrete, curve]: [Option<f64>; 2],
+    least: f64,
+    window: &[usize],
+) -> Result<(), Fault> {
+    for (what, found, least) in
+        [("|E_N − d²|", discrete, least - TILT), ("E(γᵖˡ) − d²", curve, 2.0 - TILT)]
+    {
+        if let Some(found) = found
+            && !(found >= least)
+        {
+            return Err(Fault::Order { what, found, least, window: window.to_vec() });
+        }
+    }
+    Ok(())
 }
 
 /// Solves the `k`-th problem, between two points of an irrational winding through the region.
@@ -118,8 +129,9 @@ pub(super) fn distances<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) 
     let Some(distance) = case.distance else {
         return Ok(Tried::cases(0).with_note("no distance is known"));
     };
+    case.solvable()?;
     let metric = &case.metric;
-    let pairs = (case.region.points(), case.region.points());
+    let pairs = (case.region.uniform(), case.region.uniform());
     for_all(&case.effort, case.effort.problems, COSTLY, pairs, |(a, b)| {
         let (Some(d), Some(back)) = (distance(metric, a, b), distance(metric, b, a)) else {
             return Ok(f64::INFINITY);
@@ -145,4 +157,29 @@ pub(super) fn distances<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) 
         // A solver may miss the shortest curve, but finds none that is shorter.
         Fault::unless_at_most("d(x, y) ≤ length of a curve", [d, known.distance], granted, &point)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{WINDOW, observed};
+    use crate::kit::Fault;
+
+    #[test]
+    fn both_orders_are_judged() {
+        let judged = |pair, least| observed(pair, least, &WINDOW);
+        assert_eq!(judged([Some(1.81), Some(1.81)], 2.0), Ok(()));
+        assert_eq!(judged([Some(0.81), Some(1.81)], 1.0), Ok(()));
+        assert_eq!(judged([None, None], 2.0), Ok(()));
+        for (pair, least, word) in [
+            ([Some(1.79), Some(2.0)], 2.0, "|E_N − d²|"),
+            ([Some(0.79), Some(2.0)], 1.0, "|E_N − d²|"),
+            ([Some(f64::NAN), Some(2.0)], 1.0, "|E_N − d²|"),
+            // For the left-endpoint rule too, the curve has order 2.
+            ([Some(1.0), Some(1.79)], 1.0, "E(γᵖˡ) − d²"),
+            ([None, Some(f64::NAN)], 2.0, "E(γᵖˡ) − d²"),
+        ] {
+            let Err(Fault::Order { what, .. }) = judged(pair, least) else { panic!("{pair:?}") };
+            assert_eq!(what, word);
+        }
+    }
 }

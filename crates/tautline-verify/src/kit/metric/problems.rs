@@ -45,10 +45,11 @@ pub(super) struct Posed<const D: usize> {
 }
 
 impl<const D: usize> Posed<D> {
-    /// Problems of one kind, with `a` and `b` an eighth of the longest edge apart at least.
+    /// Problems of one kind, with `a` and `b` an eighth of the longest edge apart at least. Two
+    /// points on an axis of symmetry may have a saddle between them, so that none is special.
     pub(super) fn problems(kind: Kind, region: &Region<D>) -> impl Strategy<Value = Self> + use<D> {
         let apart = region.size() / 8.0;
-        (region.points(), region.points(), region.points())
+        (region.uniform(), region.uniform(), region.uniform())
             .prop_filter("the sets are apart", move |(a, b, further)| {
                 (b - a).norm() >= apart && (further - a).norm() >= apart
             })

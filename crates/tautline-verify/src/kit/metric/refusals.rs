@@ -8,7 +8,11 @@ use tautline::{
     minimise,
 };
 
-use super::{MetricCase, claims::search, problems::Posed};
+use super::{
+    MetricCase,
+    claims::{Found, search},
+    problems::Posed,
+};
 use crate::{
     WithConstants,
     kit::{
@@ -37,8 +41,14 @@ pub(super) fn lie<M: Bounded<D>, const D: usize>(
     case: &MetricCase<M, D>,
     constant: Claim,
 ) -> LawResult {
-    let Some(found) = search(case, constant)? else {
-        return Ok(Tried::cases(0).with_note("not claimed"));
+    let found = match search(case, constant) {
+        Ok(Some(found)) => found,
+        Ok(None) => return Ok(Tried::cases(0).with_note("not claimed")),
+        // It has a law of its own.
+        Err(Failure { fault: Fault::Lie(_), .. }) => {
+            return Ok(Tried::cases(0).with_note("the claim itself does not hold"));
+        }
+        Err(failure) => return Err(failure),
     };
     let factor = constant.lie();
     let looseness = factor.max(1.0 / factor);
@@ -58,16 +68,16 @@ pub(super) fn lie<M: Bounded<D>, const D: usize>(
     // Other samples than those by which the claim was found to be sharp.
     let effort = case.effort.with_seed(case.effort.seed.wrapping_add(1));
     let liar = MetricCase::new(lying, case.region, effort);
-    match search(&liar, constant) {
-        Err(Failure { fault: Fault::Lie(_), .. }) => {
-            Ok(Tried { cases: found.cases, slack: found.slack, note: None })
-        }
-        _ => Err(not_refused(case, "a wrong constant")),
-    }
+    verdict(found, search(&liar, constant).map_err(|failure| failure.fault))
+        .map_err(|fault| Failure { fault, sample: None, seed: case.effort.seed })
 }
 
-fn not_refused<M, const D: usize>(case: &MetricCase<M, D>, what: &'static str) -> Failure {
-    Failure { fault: Fault::NotRefused { what }, sample: None, seed: case.effort.seed }
+/// Judges the search for a lie: it has to end with that lie.
+fn verdict(truth: Found, search: Result<Option<Found>, Fault>) -> Result<Tried, Fault> {
+    match search {
+        Err(Fault::Lie(_)) => Ok(Tried { cases: truth.cases, slack: truth.slack, note: None }),
+        _ => Err(Fault::NotRefused { what: "a wrong constant" }),
+    }
 }
 
 /// Counts the refusals, and fails at the first thing that is not refused.
@@ -79,7 +89,8 @@ fn refused<M, const D: usize>(
     if refusals.iter().all(|&refused| refused) {
         Ok(Tried::cases(refusals.len() as u64))
     } else {
-        Err(not_refused(case, what))
+        let fault = Fault::NotRefused { what };
+        Err(Failure { fault, sample: None, seed: case.effort.seed })
     }
 }
 
@@ -182,4 +193,55 @@ pub(super) fn nan_metric<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>)
         found.set(true);
     }
     refused(case, "a metric that is NaN in half of the region", &[found.get()])
+}
+
+#[cfg(test)]
+mod tests {
+    use tautline::gallery::Valleys;
+
+    use super::{Found, lie, refused, verdict};
+    use crate::{
+        WithConstants,
+        kit::{Claim, Effort, Fault, Lie, MetricCase, Region},
+    };
+
+    fn case<M: tautline::Bounded<2>>(metric: M) -> MetricCase<M, 2> {
+        MetricCase::new(metric, Region::cell([0.0, 0.0], [6.3, 6.3]), Effort::default())
+    }
+
+    #[test]
+    fn a_lie_that_nobody_notices_is_a_fault() {
+        let found = || Found { cases: 7, slack: 1.0 };
+        let lie = Lie {
+            constant: Claim::C2,
+            claimed: 1.0,
+            found: 1.1,
+            point: vec![0.0],
+            direction: vec![1.0],
+            other: None,
+        };
+        assert!(verdict(found(), Err(lie.into())).is_ok_and(|tried| tried.cases == 7));
+        let another = Fault::NoSample { why: "none".to_owned() };
+        for search in [Ok(Some(found())), Ok(None), Err(another)] {
+            let refused = Fault::NotRefused { what: "a wrong constant" };
+            assert_eq!(verdict(found(), search), Err(refused));
+        }
+    }
+
+    #[test]
+    fn one_thing_that_is_not_refused_is_a_fault() {
+        assert!(refused(&case(Valleys), "it", &[true, true]).is_ok_and(|tried| tried.cases == 2));
+        let failure = refused(&case(Valleys), "it", &[true, false, true]).expect_err("the second");
+        assert_eq!(failure.fault, Fault::NotRefused { what: "it" });
+    }
+
+    /// Half of `L_H`: the law about `L_H` fails, and there is no other lie to tell.
+    #[test]
+    fn no_lie_is_told_of_a_claim_that_does_not_hold() {
+        let claimed = tautline::Bounded::<2>::constants(&Valleys);
+        let constants = Claim::LH.scaled(&claimed, 0.5).expect("in order");
+        let tried = lie(&case(WithConstants { metric: Valleys, constants }), Claim::LH);
+        let note = tried.expect("a note").note;
+        assert_eq!(note.as_deref(), Some("the claim itself does not hold"));
+    }
 }

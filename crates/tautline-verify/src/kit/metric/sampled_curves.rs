@@ -35,16 +35,19 @@ fn cubic<const D: usize>([a, p, q, b]: [SVector<f64, D>; 4]) -> SmoothCurve<D> {
 fn curves<const D: usize>(
     region: &Region<D>,
 ) -> impl Strategy<Value = [SmoothCurve<D>; 3]> + use<D> {
-    (region.points(), region.points(), region.points(), region.points()).prop_map(|(a, p, q, b)| {
-        let line = [a + (b - a) / 3.0, b + (a - b) / 3.0];
-        let half = [(p + line[0]) * 0.5, (q + line[1]) * 0.5];
-        [cubic([a, p, q, b]), cubic([a, half[0], half[1], b]), SmoothCurve::straight(a, b)]
-    })
+    (region.uniform(), region.uniform(), region.uniform(), region.uniform()).prop_map(
+        |(a, p, q, b)| {
+            let line = [a + (b - a) / 3.0, b + (a - b) / 3.0];
+            let half = [(p + line[0]) * 0.5, (q + line[1]) * 0.5];
+            [cubic([a, p, q, b]), cubic([a, half[0], half[1], b]), SmoothCurve::straight(a, b)]
+        },
+    )
 }
 
 impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
     /// Evaluates Proposition 7.6 on smooth curves, with `N` from 1 to 8.
     pub(super) fn of_curves(&self) -> LawResult {
+        self.solvable()?;
         let samples = (curves(&self.region), subintervals());
         for_all(&self.effort, self.effort.cases.div_ceil(FEWER), CHEAP, samples, |(curves, n)| {
             judge(&statements::prop_7_6(&Library, &self.metric, &curves[0], *n)?)
@@ -53,6 +56,7 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
 
     /// Evaluates Proposition 7.7 on three smooth curves, with `N` from 1 to 8.
     pub(super) fn of_families(&self) -> LawResult {
+        self.solvable()?;
         let samples = (curves(&self.region), subintervals());
         for_all(&self.effort, self.effort.cases.div_ceil(FEWER), CHEAP, samples, |(curves, n)| {
             judge(&statements::prop_7_7(&Library, &self.metric, curves, *n)?)

@@ -85,6 +85,11 @@ fn admissible<const D: usize>(
     Ok(PointSequence::new(points)?)
 }
 
+/// Fails if more than half of the problems were not solved.
+fn enough(failed: u64, tried: u64, error: VerifyError) -> Result<(), Fault> {
+    if 2 * failed > tried { Err(Fault::NotSolved { failed, tried, error }) } else { Ok(()) }
+}
+
 impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
     /// Evaluates a statement about minimisers of a rule.
     pub(super) fn of_minimisers(&self, rule: PaperRule, statement: OfMinimisers<D>) -> LawResult {
@@ -126,6 +131,7 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
         rule: PaperRule,
         law: impl Fn(&Minimiser<'_, M, D>) -> Result<f64, Fault>,
     ) -> LawResult {
+        self.solvable()?;
         let cases = self.effort.problems.div_ceil(Kind::ALL.len() as u32);
         let failed = Cell::new(0_u64);
         let last: RefCell<Option<VerifyError>> = RefCell::default();
@@ -139,7 +145,9 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
                     Ok(solution) => {
                         let known = &self.with_distance(posed, solution.distance)?;
                         solution.minimisers.iter().try_fold(f64::INFINITY, |slack: f64, seen| {
-                            Ok(slack.min(law(&Minimiser { posed, known, seen })?))
+                            let found = law(&Minimiser { posed, known, seen });
+                            let points = seen.minimum.sequence.points();
+                            Ok(slack.min(found.map_err(|fault| self.explained(fault, points))?))
                         })
                     }
                     Err(error @ VerifyError::NotConverged { .. }) => {
@@ -154,10 +162,8 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
         }
         let failed = failed.get();
         if let Some(error) = last.into_inner() {
-            if 2 * failed > tried.cases {
-                let fault = Fault::NotSolved { failed, tried: tried.cases, error };
-                return Err(Failure { fault, sample: None, seed: self.effort.seed });
-            }
+            let failure = |fault| Failure { fault, sample: None, seed: self.effort.seed };
+            enough(failed, tried.cases, error).map_err(failure)?;
             tried = tried.with_note(format!("{failed} problems without a minimum"));
         }
         tried.cases = (tried.cases - failed) * self.effort.subintervals.len() as u64;
@@ -187,5 +193,25 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
             return Ok(solution);
         }
         observe(self.known(posed, all)?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use tautline::{Curvature, Stop};
+
+    use super::enough;
+    use crate::{VerifyError, kit::Fault};
+
+    #[test]
+    fn half_of_the_problems_have_to_be_solved() {
+        let error = || VerifyError::NotConverged {
+            n: 8,
+            stop: Stop::Converged,
+            curvature: Curvature::Indefinite { negative: 1 },
+        };
+        assert_eq!(enough(6, 12, error()), Ok(()));
+        let refused = Fault::NotSolved { failed: 7, tried: 12, error: error() };
+        assert_eq!(enough(7, 12, error()), Err(refused));
     }
 }

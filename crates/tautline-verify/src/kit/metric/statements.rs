@@ -51,9 +51,11 @@ pub(super) fn joined<M, const D: usize>(
 
 impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
     /// Evaluates a statement about the metric at a point.
+    ///
+    /// None is special: the statements step to all sides, and some claims hold in the region alone.
     pub(super) fn of_points(&self, statement: About<M, SVector<f64, D>>) -> LawResult {
         let effort = &self.effort;
-        for_all(effort, effort.cases, CHEAP, self.region.points(), |x| {
+        for_all(effort, effort.cases, CHEAP, self.region.uniform(), |x| {
             judge(&statement(&Library, &self.metric, x).map_err(VerifyError::from)?)
         })
     }
@@ -81,6 +83,7 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
         for_all(effort, effort.cases, CHEAP, points, |points| {
             let sequence = PointSequence::new(points.clone()).map_err(VerifyError::from)?;
             judge(&statement(&Library, &self.metric, &sequence).map_err(VerifyError::from)?)
+                .map_err(|fault| self.explained(fault, points))
         })
     }
 
@@ -90,6 +93,7 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
     /// The two points are those of the problems of the theorems, and besides, if the metric knows
     /// distances, random pairs. Each of both has half of the samples.
     pub(super) fn of_known(&self, statement: OfKnown<M, D>) -> LawResult {
+        self.solvable()?;
         let (region, effort) = (&self.region, &self.effort);
         let inner = || proptest::collection::vec(region.points(), 0..=7);
         let problems = effort.problems.div_ceil(Kind::ALL.len() as u32);
@@ -115,7 +119,7 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
                 })?);
         }
         let Some(distance) = self.distance else { return Ok(tried) };
-        let pairs = (region.points(), region.points(), inner());
+        let pairs = (region.uniform(), region.uniform(), inner());
         Ok(tried.and(for_all(effort, cases, CHEAP, pairs, |(a, b, inner)| {
             let Some(distance) = distance(&self.metric, a, b) else { return Ok(f64::INFINITY) };
             let ends = Ends::points(*a, *b).map_err(VerifyError::from)?;

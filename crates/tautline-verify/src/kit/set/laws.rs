@@ -88,7 +88,8 @@ pub(super) fn nearest<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>)
             let pair = [(x - p).norm(), (x - q).norm()];
             let granted = rounding(case, &[x, &p, &q]);
             let law = "|x − P(x)| ≤ |x − member|";
-            Ok(slack.min(Fault::unless_at_most(law, pair, granted, x.as_slice())?))
+            let found = Fault::unless_at_most(law, pair, granted, x.as_slice());
+            Ok(slack.min(found.map_err(|fault| fault.with_member(q.as_slice()))?))
         })
     })
 }
@@ -133,6 +134,7 @@ pub(super) fn convex<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) 
             right: 0.0,
             granted: 0.0,
             point: seed.as_slice().to_vec(),
+            other: None,
         };
         return Err(Failure { fault, sample: None, seed: effort.seed });
     }
@@ -145,7 +147,8 @@ pub(super) fn convex<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) 
         // Each factor is off by the rounding, the other one of the size of the lengths.
         let lengths = (x - p).norm() + (q - p).norm();
         let law = "(x − P(x))·(member − P(x)) ≤ 0";
-        Fault::unless_at_most(law, [angle, 0.0], granted * (lengths + granted), x.as_slice())?;
+        Fault::unless_at_most(law, [angle, 0.0], granted * (lengths + granted), x.as_slice())
+            .map_err(|fault| fault.with_member(q.as_slice()))?;
         let middle = (p + q) * 0.5;
         let off = (case.set.project(&middle) - middle).norm();
         let law = "the middle of two members is a member";

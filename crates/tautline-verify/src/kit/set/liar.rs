@@ -130,7 +130,10 @@ pub(super) fn halfway<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>)
 
 /// A radius that is ten percent too small, if it is attained to five.
 pub(super) fn small_radius<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> LawResult {
-    let tried = laws::radius(case)?;
+    let Ok(tried) = laws::radius(case) else {
+        // It has a law of its own.
+        return Ok(Tried::cases(0).with_note("the claim itself does not hold"));
+    };
     if !(tried.slack < 1.05) {
         let note = match case.set.radius() {
             None => "unbounded, it says".to_owned(),
