@@ -137,7 +137,7 @@ No theorem falls: wherever a refuted statement is used, the case at hand is cove
             );
         }
     }
-    text += "## Misprints\n\n";
+    text += "## Misprints and gaps\n\n";
     for misprint in MISPRINTS {
         text += &format!("- {misprint}\n");
     }
