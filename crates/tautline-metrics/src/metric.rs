@@ -87,7 +87,8 @@ mod tests {
             (metric.constants().l_h(), distance)
         }
         let shear = Shear::new(0.5, 1.0).expect("a wave number");
-        assert_eq!(knows(&shear), knows(shear));
+        let reference: &Shear = &shear;
+        assert_eq!(knows(reference), knows(shear));
         assert!(knows(shear).1.is_some_and(|distance| distance > 1.0));
     }
 }

@@ -74,7 +74,7 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
     );
     for row in data.rows() {
         layout.push(vec![
-            plain(row.text("number")),
+            symbol(row.text("number")),
             row.text("verdict").to_owned(),
             row.text("cases").to_owned(),
             slack(&row, "worst_slack"),
@@ -85,7 +85,7 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
 }
 
 /// A symbol as mathematics that both Markdown and LaTeX understand.
-fn plain(number: &str) -> String {
+pub(super) fn symbol(number: &str) -> String {
     match number {
         "C_tra(N)" => "$C_{\\mathrm{tra}}(N)$".to_owned(),
         "C_tra♯" => "$C_{\\mathrm{tra}}^\\sharp$".to_owned(),

@@ -5,7 +5,7 @@ use tautline_verify::{
     adversary::{Search, Tightest, families},
 };
 
-use super::{Layout, Seed, Table, layout::scientific, no_pages};
+use super::{Layout, Seed, Table, layout::scientific, no_pages, statements::symbol};
 use crate::{
     Failure,
     data::{Data, Row, Tolerance},
@@ -95,7 +95,7 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
             before = paper.text("statement");
             layout.group();
         }
-        let mut cells = vec![before.to_owned(), paper.text("family").to_owned()];
+        let mut cells = vec![symbol(before), paper.text("family").to_owned()];
         for row in [paper, sharper] {
             cells.extend([slack(row.number("slack")), or_dash(row.text("n"))]);
         }

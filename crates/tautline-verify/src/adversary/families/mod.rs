@@ -3,11 +3,13 @@
 //! | what a case is | families | statements: one line each in |
 //! | --- | --- | --- |
 //! | a problem with a known distance, and `N` | shear, separable, ramp, tent, incline, valleys, two routes | `problems.rs` |
+//! | a metric and a point | shear, valleys, cosines, anisotropy | `points.rs` |
 //! | a metric and a point sequence | shear, separable, ramp, tent, incline, valleys | `sequences.rs` |
 //!
 //! Where a change of the units of coordinates or a reflection maps a family to itself, one
 //! parameter is left out: a wave number is then 1, and coordinates count in phases.
 
+mod points;
 mod problems;
 mod sequences;
 
@@ -19,6 +21,7 @@ use crate::Subject;
 pub fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
     let mut all = problems::families(subject);
     all.extend(sequences::families(subject));
+    all.extend(points::families(subject));
     // Stable: the families of a statement stay in their order.
     all.sort_by_key(|family| family.statement);
     all
@@ -51,6 +54,14 @@ mod tests {
             assert_found("Proposition 7.9", "tent", source, 1.0);
             assert_found("Proposition 8.1", "incline", source, 1.0);
             assert_found("Proposition 8.2", "incline", source, 1.0);
+        }
+    }
+
+    /// A whole matrix `∂ₗH` is as large as `L_H` allows where a wave is steepest.
+    #[test]
+    fn equality_in_prop_7_10_is_found() {
+        for name in ["shear", "valleys"] {
+            assert_found("Proposition 7.10", name, Source::Sharper, 1.0);
         }
     }
 

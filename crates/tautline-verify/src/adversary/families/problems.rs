@@ -8,7 +8,10 @@ use tautline::{
 use super::super::{Family, Parameter};
 use crate::{
     Evidence, Known, PaperRule, Reconstruction, Statement, Subject,
-    statements::{theorem_1_1, theorem_1_2, theorem_1_3, theorem_1_4},
+    statements::{
+        constant_k3_bar, constant_k4_bar, remark_9_2, theorem_1_1, theorem_1_2, theorem_1_3,
+        theorem_1_4,
+    },
     witnesses::{self, Incline, Polygonal, tent},
 };
 
@@ -22,6 +25,10 @@ fn statements<S: Subject, const D: usize>() -> Vec<(Statement, PaperRule, OfReco
         (Statement::Theorem1_2, PaperRule::Trapezoidal, theorem_1_2),
         (Statement::Theorem1_3, PaperRule::LeftEndpoint, theorem_1_3),
         (Statement::Theorem1_4, PaperRule::LeftEndpoint, theorem_1_4),
+        (Statement::ConstantK3Bar, PaperRule::Trapezoidal, constant_k3_bar),
+        (Statement::ConstantK4Bar, PaperRule::LeftEndpoint, constant_k4_bar),
+        // The larger of the two bounds.
+        (Statement::Remark9_2, PaperRule::LeftEndpoint, remark_9_2),
     ]
 }
 
