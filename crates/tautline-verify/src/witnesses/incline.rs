@@ -1,7 +1,7 @@
 //! `Incline`: a metric on the line that grows linearly along `[0, 1]`.
 
 use nalgebra::{SMatrix, SVector};
-use tautline::{Bounded, Constants, Metric, Scalar};
+use tautline::{Bounded, Constants, KnownDistance, Metric, Scalar};
 
 /// `H = c + s x` on `[0, 1]`, smooth: the left-endpoint rule reads it where it is farthest from
 /// its mean, so that Propositions 8.1 and 8.2 lose nothing on it.
@@ -33,5 +33,15 @@ impl Bounded<1> for Incline {
     /// Those on `[0, 1]`: `H` between its ends, `L_H = |slope|`.
     fn constants(&self) -> Constants {
         self.constants
+    }
+}
+
+impl KnownDistance<1> for Incline {
+    /// With the roots `h` and `k` of `H` at the two points, `⅔ (h² + hk + k²)/(h + k)` times how far
+    /// they are apart, for points of `[0, 1]`.
+    fn distance(&self, x: &SVector<f64, 1>, y: &SVector<f64, 1>) -> Option<f64> {
+        let known = [x[0], y[0]].iter().all(|s| (0.0..=1.0).contains(s));
+        let [h, k] = [x[0], y[0]].map(|s| (self.foot + self.slope * s).sqrt());
+        known.then(|| (x[0] - y[0]).abs() * (h * h + h * k + k * k) / (1.5 * (h + k)))
     }
 }

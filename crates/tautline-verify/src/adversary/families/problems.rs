@@ -66,17 +66,6 @@ where
     Some((known??, n))
 }
 
-/// A problem of a metric on `[0, 1]` that is linear on it or on its halves, with the roots `a` and
-/// `b` of its least and largest value: `d = ⅔ (a² + ab + b²) / (a + b)` in both cases.
-fn along<M: Bounded<1>>(metric: M, n: f64) -> Option<(Known<M, 1>, f64)> {
-    let [a, b] = [metric.constants().c1().sqrt(), metric.constants().c2().sqrt()];
-    let distance = 2.0 / 3.0 * (a * a + a * b + b * b) / (a + b);
-    let ends = tautline::Ends::points([0.0], [1.0]).ok()?;
-    // A dozen roundings of positive terms.
-    let distance_error = 16.0 * f64::EPSILON * distance;
-    Some((Known { metric, ends, distance, distance_error }, n))
-}
-
 /// `N`: what is tight is so for few subintervals, since the bounds fall like `1/√N`.
 fn n() -> Parameter {
     Parameter::whole("N", 1, 8)
@@ -128,10 +117,10 @@ pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
     ));
     // Kinked in the middle, where one chord reads it and two chords would search it.
     all.extend(on(subject, "tent", [slope(), Parameter::subintervals(1)], |_, [slope, n]| {
-        along(tent(1.0, slope)?, n)
+        between(tent(1.0, slope)?, [0.0], [1.0], n)
     }));
     all.extend(on(subject, "incline", [slope(), n()], |_, [slope, n]| {
-        along(Incline::new(1.0, slope)?, n)
+        between(Incline::new(1.0, slope)?, [0.0], [1.0], n)
     }));
     all.extend(on(
         subject,

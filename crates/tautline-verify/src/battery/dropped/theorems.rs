@@ -237,16 +237,13 @@ fn other_rule() -> Outcome {
 fn length_minimiser() -> Outcome {
     let (n, slope) = (16, 1e-2);
     let tent = tent(1.0, slope).expect("positive");
-    let d = 2.0 / (3.0 * slope) * 2.0 * ((1.0 + 0.5 * slope).powf(1.5) - 1.0);
     let sequence = one_step(n, n / 2);
     let length = Library.discrete_length(Trapezoidal, &tent, &sequence);
     // The tip is rounded off over 10⁻¹², where H is larger by as much times the slope.
     close("the discrete length", length, 1.0, 1e-12 * slope)?;
-    let ends = Ends::points([0.0], [1.0]).map_err(VerifyError::from)?;
     let incline = Incline::new(1.0, slope).expect("positive");
-    let e = 2.0 / (3.0 * slope) * ((1.0 + slope).powf(1.5) - 1.0);
-    let tent = Known { metric: tent, ends: ends.clone(), distance: d, distance_error: 1e-12 };
-    let incline = Known { metric: incline, ends, distance: e, distance_error: 1e-12 };
+    let tent = Known::between(tent, [0.0], [1.0]).map_err(VerifyError::from)?.expect("known");
+    let incline = Known::between(incline, [0.0], [1.0]).map_err(VerifyError::from)?.expect("known");
     all([
         fails_for(&tent, PaperRule::Trapezoidal, &sequence),
         fails_for(&incline, PaperRule::LeftEndpoint, &sequence),
