@@ -45,3 +45,23 @@ impl KnownDistance<1> for Incline {
         known.then(|| (x[0] - y[0]).abs() * (h * h + h * k + k * k) / (1.5 * (h + k)))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use tautline::KnownDistance;
+
+    use super::Incline;
+
+    /// `√(1 + 3x)` is the derivative of `2/9 (1 + 3x)^{3/2}`, which is 2 at most: a few roundings.
+    #[test]
+    fn the_distance_is_the_integral_of_the_root() {
+        let incline = Incline::new(1.0, 3.0).expect("positive");
+        let distance = |x: f64, y: f64| incline.distance(&[x].into(), &[y].into());
+        let primitive = |x: f64| 2.0 / 9.0 * (1.0 + 3.0 * x).powf(1.5);
+        for (x, y) in [(0.0, 1.0), (1.0, 0.0), (0.25, 0.75)] {
+            let expected = (primitive(y) - primitive(x)).abs();
+            assert!(distance(x, y).is_some_and(|d| (d - expected).abs() <= 4e-15));
+        }
+        assert_eq!(distance(0.0, 1.5), None);
+    }
+}
