@@ -44,13 +44,27 @@
 //! | | its constant `C` | [`theorem_1_3_constant`] |
 //! | Theorem 1.4 | `L(γᵖˡ)² − min L²` | [`theorem_1_4_length_excess`] |
 //!
-//! Sharper than the paper, with the same hypotheses, `1/N` in place of `1/√N`:
+//! Sharper than the paper, with the same hypotheses or with `M_H` besides; the proofs are in
+//! `paper/SHARPER.md`:
 //!
-//! | bounds | trapezoidal | left endpoint |
+//! | statement | bounds | by |
 //! | --- | --- | --- |
-//! | `min E_N − min E` | [`first_order_minimum_gap_trapezoidal`] | [`first_order_minimum_gap_left`] |
-//! | `E(γᵖˡ) − min E_N` and `min E − min E_N` | [`first_order_polyline_gap_trapezoidal`] | [`first_order_polyline_gap_left`] |
-//! | `E(γᵖˡ) − min E` and `L(γᵖˡ)² − min L²` | [`first_order_excess_trapezoidal`] | [`first_order_excess_left`] |
+//! | Lemma S.1 | acceleration of a minimal geodesic | [`k2_sharp`] |
+//! | Lemma S.2 | the energies of one sequence | [`cubic_gap`], [`cubic_rule_gap`], [`quartic_gap`] |
+//! | Lemma S.3 | speeds of a stationary sequence | [`greatest_speed`], [`greatest_difference`], [`difference_step`] |
+//! | Lemma S.4 | `min E_N − d²` | [`theorem_a_minimum_gap`], [`theorem_b_minimum_gap`], [`theorem_d_minimum_gap`] |
+//! | Lemma S.5 | `d² − E_N`, and the spread of the speeds | [`theorem_c_deficit`], [`theorem_d_deficit`], [`Spread`] |
+//! | Theorem A | `E(γᵖˡ) − d²`, order `1/N`, by stationarity | [`theorem_a_excess`] |
+//! | Theorem B | the same, order `1/N²`, trapezoidal | [`theorem_b_excess`] |
+//! | Theorem C | order `1/N`, by the energy alone | [`theorem_c_excess`] |
+//! | Theorem D | order `1/N²`, by the energy alone | [`theorem_d_excess`] |
+//! | Proposition S.6 | `d²` from one computed sequence | [`enclose`] |
+//! | Proposition S.7 | the discrete minimum from below | [`strict_convexity`] |
+//! | Proposition S.8 | where all competitors are | [`competitors`] |
+//! | Propositions 7.4, 7.6, 7.11 | as there | [`velocity_error`], [`sampling_rise`], [`sampling_fall`], [`christoffel_bound`] |
+//!
+//! [`least_excess`] is the least of all bounds of `E(γᵖˡ) − d²`, and [`suggest_n`] the `N` that it
+//! asks for.
 //!
 //! The minimum of `E` is `d²`, and that of `L²` too. `γᵖˡ` is the linear interpolation of a
 //! point sequence; in the theorems, of a *global* minimiser of the discrete energy.
@@ -59,7 +73,7 @@
 //!
 //! Coordinates are in `ℓ`, Riemannian length in `m`, and `t ∈ [0, 1]` is a pure number. Hence
 //! `c₁` and `c₂` are in `m²/ℓ²`, `L_H` in `m²/ℓ³`, `d` in `m`; every `K` is in `ℓ`, and every
-//! `C` and every bound of an energy in `m²`.
+//! `C` and every bound of an energy in `m²`. `δ = L_H d/c₁^{3/2}` and `μ = M_H d²/c₁²` are pure numbers.
 //!
 //! # Rounding
 //!
@@ -69,32 +83,14 @@
 //! `0`, and where `d = 0` every bound is, however large the rest. No function returns NaN or a
 //! negative number.
 
-mod apriori;
-mod c_tra;
-mod first_order;
-mod k_bar;
-mod left_endpoint;
-mod polyline_gap;
+mod paper;
+mod paper_rule;
 mod product;
 mod setting;
-mod trapezoidal;
+mod sharper;
 
-pub use apriori::{k1_g, k2_g};
-pub use c_tra::{c_tra, c_tra_g, c_tra_sharp, c_tra_sharp_g};
-pub use first_order::{
-    first_order_excess_left, first_order_excess_trapezoidal, first_order_minimum_gap_left,
-    first_order_minimum_gap_trapezoidal, first_order_polyline_gap_left,
-    first_order_polyline_gap_trapezoidal,
-};
-pub use k_bar::{k3_bar_g, k4_bar_g};
-pub use left_endpoint::{
-    theorem_1_3_constant, theorem_1_3_excess, theorem_1_3_minimum_gap, theorem_1_3_polyline_gap,
-    theorem_1_4_length_excess,
-};
-pub use polyline_gap::{polyline_gap_left, polyline_gap_trapezoidal, rule_gap};
+pub use paper::*;
+pub use paper_rule::PaperRule;
 pub use setting::{BoundError, Setting};
+pub use sharper::*;
 pub use tautline_metrics::Constants;
-pub use trapezoidal::{
-    theorem_1_1_constant, theorem_1_1_excess, theorem_1_1_minimum_gap, theorem_1_1_polyline_gap,
-    theorem_1_2_length_excess,
-};

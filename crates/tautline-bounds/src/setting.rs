@@ -2,6 +2,8 @@
 
 use tautline_metrics::Constants;
 
+use crate::product::product;
+
 /// The setting of Theorem 1.1 in numbers: the constants of the metric, the distance
 /// `d = d^g(X⁽⁰⁾, X⁽¹⁾)` of the ends, in `m`, and the dimension `D`.
 ///
@@ -60,6 +62,43 @@ impl Setting {
     pub fn dimension(&self) -> usize {
         self.dimension
     }
+
+    /// Returns the factor `ω` in `|γ̈| ≤ ω (L_H/c₁) |γ̇|²` for geodesics, a pure number: ½ for an
+    /// isotropic metric, which on the line every metric is, and 3/2 otherwise.
+    #[must_use]
+    pub fn omega(&self) -> f64 {
+        if self.dimension == 1 || self.constants.is_isotropic() { 0.5 } else { 1.5 }
+    }
+
+    /// Returns `δ = L_H d / c₁^{3/2}`, a pure number: by how much `H` can change along a minimal
+    /// geodesic, relative to its least value; `+∞` on overflow.
+    #[must_use]
+    pub fn delta(&self) -> f64 {
+        let root = 1.0 / self.constants.c1().sqrt();
+        product([self.constants.l_h(), self.distance, root, root, root])
+    }
+
+    /// Returns `μ = M_H d² / c₁²`, a pure number; `None` if `M_H` is not known, `+∞` on overflow.
+    #[must_use]
+    pub fn mu(&self) -> Option<f64> {
+        let root = 1.0 / self.constants.c1().sqrt();
+        let d = self.distance;
+        self.constants.m_h().map(|m_h| product([m_h, d, d, root, root, root, root]))
+    }
+
+    /// Returns `κ − 1` for `κ = c₂/c₁`, a pure number; `+∞` on overflow.
+    pub(crate) fn kappa_above_one(&self) -> f64 {
+        (self.constants.c2() - self.constants.c1()) / self.constants.c1()
+    }
+
+    /// Returns the same setting with another distance in place of `d`, in `m`.
+    ///
+    /// # Errors
+    ///
+    /// [`BoundError::NotADistance`] if it is negative, infinite or NaN.
+    pub fn with_distance(self, distance: f64) -> Result<Setting, BoundError> {
+        Setting::new(self.constants, distance, self.dimension)
+    }
 }
 
 /// A clause of the setting of Theorem 1.1 which the given numbers do not meet.
@@ -75,9 +114,26 @@ pub enum BoundError {
         /// The number that was given.
         distance: f64,
     },
+    /// An energy, or a squared length, that was computed.
+    #[error("the energy {energy} must be nonnegative and finite (Proposition S.6)")]
+    NotAnEnergy {
+        /// The number that was given.
+        energy: f64,
+    },
     /// The metric lives on `R^D` with `D ≥ 1`.
     #[error("D = 0 must be at least 1: it is the dimension of the space (Theorem 1.1)")]
     NoDimension,
+}
+
+impl BoundError {
+    /// Checks that a computed energy is one.
+    pub(crate) fn check_energy(energy: f64) -> Result<(), BoundError> {
+        if energy >= 0.0 && energy.is_finite() {
+            Ok(())
+        } else {
+            Err(BoundError::NotAnEnergy { energy })
+        }
+    }
 }
 
 #[cfg(test)]
@@ -123,6 +179,25 @@ mod tests {
             BoundError::NoDimension.to_string(),
             "D = 0 must be at least 1: it is the dimension of the space (Theorem 1.1)"
         );
+    }
+
+    /// `c₁ = 4`, `c₂ = 10`, `L_H = 8`, `M_H = 6`, `d = 3`: `δ = 24/8` and `μ = 54/16`.
+    #[test]
+    fn pure_numbers_by_hand() {
+        let constants = Constants::new(4.0, 10.0, 8.0).expect("in order");
+        let setting =
+            |constants, dimension| Setting::new(constants, 3.0, dimension).expect("valid");
+        let known = constants.with_m_h(6.0).expect("nonnegative");
+        assert_eq!(setting(known, 2).delta(), 3.0);
+        assert_eq!(setting(known, 2).mu(), Some(3.375));
+        assert_eq!(setting(constants, 2).mu(), None);
+        assert_eq!(setting(constants, 2).kappa_above_one(), 1.5);
+        assert_eq!(setting(constants, 2).omega(), 1.5);
+        assert_eq!(setting(constants, 1).omega(), 0.5);
+        assert_eq!(setting(constants.isotropic(), 2).omega(), 0.5);
+        let nearer = setting(known, 2).with_distance(1.0).expect("a distance");
+        assert_eq!((nearer.delta(), nearer.dimension()), (1.0, 2));
+        assert!(nearer.with_distance(-1.0).is_err());
     }
 
     #[test]

@@ -7,7 +7,7 @@
 use crate::{Constants, HypothesisError};
 
 impl Constants {
-    /// Returns the constants of `s H`: all of them times `s`.
+    /// Returns the constants of `s H`: all of them times `s`. It is isotropic if `H` is.
     ///
     /// Slack: none.
     ///
@@ -20,12 +20,13 @@ impl Constants {
             return Err(HypothesisError::NotAFactor { factor: s });
         }
         let m_h = self.m_h().map(|m_h| m_h * s);
-        Constants::new(self.c1() * s, self.c2() * s, self.l_h() * s)?.with_known(m_h)
+        let scaled = Constants::new(self.c1() * s, self.c2() * s, self.l_h() * s)?;
+        scaled.with_known(m_h, self.is_isotropic())
     }
 
     /// Returns the constants of `H + H′`, both on the same `R^D`: the sums.
     ///
-    /// `M_H` is known if both are.
+    /// `M_H` is known if both are; the sum is isotropic if both are.
     ///
     /// Slack: none where both metrics attain a constant at the same point in the same directions,
     /// as `H` and `s H` do; else as much as they miss that.
@@ -36,13 +37,13 @@ impl Constants {
     pub fn plus(self, other: Constants) -> Result<Constants, HypothesisError> {
         let m_h = self.m_h().zip(other.m_h()).map(|(a, b)| a + b);
         Constants::new(self.c1() + other.c1(), self.c2() + other.c2(), self.l_h() + other.l_h())?
-            .with_known(m_h)
+            .with_known(m_h, self.is_isotropic() && other.is_isotropic())
     }
 
     /// Returns the constants of the product, `diag(H(x), H′(y))` on pairs `(x, y)`: the lesser
     /// `c₁`, and the greater of each of the others.
     ///
-    /// `M_H` is known if both are. The norm of a block-diagonal matrix is that of its larger
+    /// `M_H` is known if both are; isotropic it is not. The norm of a block-diagonal matrix is that of its larger
     /// block, and `DH[w]` and `D²H[w, w]` are largest for a `w` that moves one point alone.
     ///
     /// Slack: none.
@@ -52,7 +53,7 @@ impl Constants {
         let m_h = self.m_h().zip(other.m_h()).map(|(a, b)| a.max(b));
         let (c1, c2) = (self.c1().min(other.c1()), self.c2().max(other.c2()));
         Constants::new(c1, c2, self.l_h().max(other.l_h()))
-            .and_then(|constants| constants.with_known(m_h))
+            .and_then(|constants| constants.with_known(m_h, false))
             .expect("either is in order, so the lesser c1 is below the greater c2")
     }
 
@@ -64,7 +65,8 @@ impl Constants {
     /// ```
     ///
     /// - `factor`: with `c₁ = φ_min`, `c₂ = φ_max`, `L_H = Lip(φ)` in `1/ℓ` and `M_H = Lip(Dφ)`
-    ///   in `1/ℓ²`, for a `φ` without unit. `M_H` is known if both are.
+    ///   in `1/ℓ²`, for a `φ` without unit. `M_H` is known if both are. `φ H` is isotropic if `H`
+    ///   is.
     ///
     /// Slack: none if `φ` or `H` is constant. Otherwise `L_H` is not attained by a smooth `φ`,
     /// which has no slope where it has its maximum; two tents with one tip come as near as one
@@ -79,7 +81,8 @@ impl Constants {
         let m_h = self.m_h().zip(factor.m_h()).map(|(m_h, lip2)| {
             factor.c2() * m_h + 2.0 * factor.l_h() * self.l_h() + lip2 * self.c2()
         });
-        Constants::new(factor.c1() * self.c1(), factor.c2() * self.c2(), l_h)?.with_known(m_h)
+        Constants::new(factor.c1() * self.c1(), factor.c2() * self.c2(), l_h)?
+            .with_known(m_h, self.is_isotropic())
     }
 
     /// Returns the constants of the pullback `x ↦ Aᵀ H(A x + b) A` by an affine map:
@@ -90,6 +93,7 @@ impl Constants {
     ///
     /// - `smin`, `smax`: bounds of the singular values of `A`, in units of the old coordinates
     ///   per new one. `A` need not be square, but `σ_min` must bound `|A u| / |u|` for every `u`.
+    ///   If they are the same, the pullback is isotropic where `H` is.
     ///
     /// Slack: none if `A` is a multiple of an isometry; for other `A`, none if the direction that
     /// `A` stretches most (for `c₁`: least) is mapped to one where `H` attains its constants.
@@ -111,12 +115,13 @@ impl Constants {
             power(self.c2(), smax, 2),
             power(self.l_h(), smax, 3),
         )?
-        .with_known(m_h)
+        .with_known(m_h, self.is_isotropic() && smin == smax)
     }
 
-    /// Adds `M_H` if there is one.
-    fn with_known(self, m_h: Option<f64>) -> Result<Constants, HypothesisError> {
-        m_h.map_or(Ok(self), |m_h| self.with_m_h(m_h))
+    /// Adds `M_H` if there is one, and that the metric is isotropic if it is.
+    fn with_known(self, m_h: Option<f64>, isotropic: bool) -> Result<Constants, HypothesisError> {
+        let known = m_h.map_or(Ok(self), |m_h| self.with_m_h(m_h))?;
+        Ok(if isotropic { known.isotropic() } else { known })
     }
 }
 
@@ -166,6 +171,24 @@ mod tests {
             assert_eq!(a.plus(b).expect("finite").m_h(), None);
             assert_eq!(a.beside(b).m_h(), None);
             assert_eq!(a.conformal(b).expect("finite").m_h(), None);
+        }
+    }
+
+    #[test]
+    fn what_is_built_from_isotropic_metrics_is_isotropic_where_it_stays_so() {
+        let general = constants(2.0, 5.0, 3.0, 7.0);
+        let isotropic = general.isotropic();
+        assert!(isotropic.scaled(2.0).expect("finite").is_isotropic());
+        assert!(isotropic.plus(isotropic).expect("finite").is_isotropic());
+        assert!(isotropic.conformal(general).expect("finite").is_isotropic());
+        assert!(isotropic.pulled_back(2.0, 2.0).expect("finite").is_isotropic());
+        assert!(!isotropic.pulled_back(1.0, 2.0).expect("finite").is_isotropic());
+        assert!(!isotropic.beside(isotropic).is_isotropic());
+        assert!(!general.scaled(2.0).expect("finite").is_isotropic());
+        assert!(!general.conformal(isotropic).expect("finite").is_isotropic());
+        assert!(!general.pulled_back(2.0, 2.0).expect("finite").is_isotropic());
+        for (a, b) in [(general, isotropic), (isotropic, general)] {
+            assert!(!a.plus(b).expect("finite").is_isotropic());
         }
     }
 

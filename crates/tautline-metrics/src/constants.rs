@@ -7,7 +7,8 @@
 /// ```
 ///
 /// with the Euclidean norm of vectors and the operator norm of matrices. The last is not
-/// asked for by the paper, and optional.
+/// asked for by the paper, and optional; nor is it that the metric may be isotropic, `H = φ I`, for
+/// which geodesics bend less.
 ///
 /// Invariant: `0 < c₁ ≤ c₂ < ∞`, `0 ≤ L_H < ∞`, `0 ≤ M_H < ∞`. [`Constants::new`] is the only
 /// way in, so a function which takes `Constants` need not check again.
@@ -17,6 +18,7 @@ pub struct Constants {
     c2: f64,
     l_h: f64,
     m_h: Option<f64>,
+    isotropic: bool,
 }
 
 impl Constants {
@@ -35,7 +37,7 @@ impl Constants {
         if !(l_h >= 0.0 && l_h.is_finite()) {
             return Err(HypothesisError::NotLipschitz { l_h });
         }
-        Ok(Constants { c1, c2, l_h, m_h: None })
+        Ok(Constants { c1, c2, l_h, m_h: None, isotropic: false })
     }
 
     /// Adds `M_H`, in `m²/ℓ⁴`; a Lipschitz constant of `DH` is enough.
@@ -48,6 +50,14 @@ impl Constants {
             return Err(HypothesisError::NotTwiceBounded { m_h });
         }
         Ok(Constants { m_h: Some(m_h), ..self })
+    }
+
+    /// Adds that the metric is isotropic, `H(x) = φ(x) I` with a number `φ(x)`: conformal to the
+    /// Euclidean metric, as every metric on the line is.
+    #[doc(alias = "conformal")]
+    #[must_use]
+    pub fn isotropic(self) -> Constants {
+        Constants { isotropic: true, ..self }
     }
 
     /// Returns `c₁`, in `m²/ℓ²`.
@@ -72,6 +82,12 @@ impl Constants {
     #[must_use]
     pub fn m_h(&self) -> Option<f64> {
         self.m_h
+    }
+
+    /// Returns whether the metric is known to be isotropic.
+    #[must_use]
+    pub fn is_isotropic(&self) -> bool {
+        self.isotropic
     }
 }
 
@@ -149,7 +165,14 @@ mod tests {
         assert!(constants.with_m_h(nan).is_err());
         assert!(constants.with_m_h(-1.0).is_err());
         assert_eq!(constants.m_h(), None);
-        assert_eq!(constants.with_m_h(6.0).expect("nonnegative").m_h(), Some(6.0));
+        let constants = constants.with_m_h(6.0).expect("nonnegative");
+        assert_eq!(constants.m_h(), Some(6.0));
+        assert!(!constants.is_isotropic());
+        let isotropic = constants.isotropic();
+        assert!(isotropic.is_isotropic() && isotropic.m_h() == Some(6.0) && isotropic.c2() == 9.0);
+        // It may be said in any order.
+        let again = isotropic.with_m_h(6.0).expect("nonnegative");
+        assert_eq!(again, isotropic);
     }
 
     #[test]

@@ -41,7 +41,7 @@ impl Bump {
         // c = 0, −(2a/s²) g (1 + ag), which is −(2a/s²)(1 + a) at the centre; and at most that
         // for c = 1, (2a/s²) (g (y − 1) + a g² (2y − 1)) ≤ (2a/s²) 2e^{−3/2} (1 + a).
         let m_h = 2.0 * a / s / s * (1.0 + a);
-        let constants = Constants::new(1.0, (1.0 + a).powi(2), l_h)?.with_m_h(m_h)?;
+        let constants = Constants::new(1.0, (1.0 + a).powi(2), l_h)?.with_m_h(m_h)?.isotropic();
         Ok(Self { height, width, constants })
     }
 }

@@ -38,7 +38,7 @@ impl Checkerboard {
         let l_h = a * k;
         // φ = 1 + a/4 (1 − cos 2X − cos 2Y + ½ cos 2(X + Y) + ½ cos 2(X − Y)): D²φ[w, w] is at most
         // ak² (w₁² + w₂² + ½ (w₁ + w₂)² + ½ (w₁ − w₂)²) = 2ak² |w|²; attained at the centres.
-        let constants = Constants::new(1.0, 1.0 + a, l_h)?.with_m_h(2.0 * a * k * k)?;
+        let constants = Constants::new(1.0, 1.0 + a, l_h)?.with_m_h(2.0 * a * k * k)?.isotropic();
         Ok(Self { height, cell, constants })
     }
 }

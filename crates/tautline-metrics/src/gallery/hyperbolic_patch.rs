@@ -59,7 +59,7 @@ impl HyperbolicPatch {
             .max(greatest(|a, b| bends(a, b) - grows(b, a)))
             .max(greatest(across));
         let c2 = 4.0 / (1.0 - limit).powi(2);
-        let constants = Constants::new(4.0, c2, l_h)?.with_m_h(m_h)?;
+        let constants = Constants::new(4.0, c2, l_h)?.with_m_h(m_h)?.isotropic();
         Ok(Self { radius, limit, constants })
     }
 }

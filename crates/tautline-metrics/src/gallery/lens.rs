@@ -33,7 +33,7 @@ impl Lens {
         // n² is (a/s²) e^{−ρ²/2} times ρ² − 1 along the ray and −1 across; both are largest in
         // size at ρ = 0.
         let l_h = a / s * (-0.5_f64).exp();
-        let constants = Constants::new(1.0, 1.0 + a, l_h)?.with_m_h(a / s / s)?;
+        let constants = Constants::new(1.0, 1.0 + a, l_h)?.with_m_h(a / s / s)?.isotropic();
         Ok(Self { height, width, constants })
     }
 }

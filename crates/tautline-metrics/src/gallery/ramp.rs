@@ -39,7 +39,8 @@ impl Ramp {
         // H″ = 2ak² (−2τ(1 − τ²) + a (1 − τ²)(1 − 3τ²)), where the first part is at most
         // 4/(3√3) (at τ² = 1/3) and the second at most |a| (at τ = 0).
         let m_h = 2.0 * a * k * k * (4.0 / 27_f64.sqrt() + a);
-        let constants = Constants::new((1.0 - a).powi(2), (1.0 + a).powi(2), l_h)?.with_m_h(m_h)?;
+        let constants =
+            Constants::new((1.0 - a).powi(2), (1.0 + a).powi(2), l_h)?.with_m_h(m_h)?.isotropic();
         Ok(Self { amplitude, wave_number, constants })
     }
 

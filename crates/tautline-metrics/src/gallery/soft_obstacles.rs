@@ -49,7 +49,7 @@ impl<const D: usize> SoftObstacles<D> {
             l_h += a / s * (-0.5_f64).exp();
             m_h += a / s / s;
         }
-        let constants = Constants::new(1.0, c2, l_h)?.with_m_h(m_h)?;
+        let constants = Constants::new(1.0, c2, l_h)?.with_m_h(m_h)?.isotropic();
         Ok(Self { obstacles, constants })
     }
 }

@@ -67,7 +67,7 @@ impl SpherePatch {
             16.0
         };
         let c1 = 4.0 / (1.0 + limit).powi(2);
-        let constants = Constants::new(c1, 4.0, l_h)?.with_m_h(m_h)?;
+        let constants = Constants::new(c1, 4.0, l_h)?.with_m_h(m_h)?.isotropic();
         Ok(Self { radius, limit, constants })
     }
 }

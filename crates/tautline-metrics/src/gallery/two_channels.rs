@@ -40,7 +40,8 @@ impl TwoChannels {
         let a = nonnegative("height", height)?;
         let (b, s) = (positive("offset", offset)?, positive("width", width)?);
         let constants = Constants::new(1.0, 1.0 + a, a / s * steepest(2.0 * b / s))?
-            .with_m_h(a / s / s * 8.0 / 7.0)?;
+            .with_m_h(a / s / s * 8.0 / 7.0)?
+            .isotropic();
         Ok(Self { height, offset, width, constants })
     }
 }

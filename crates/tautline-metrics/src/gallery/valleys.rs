@@ -33,7 +33,7 @@ impl<const D: usize> Bounded<D> for Valleys {
     fn constants(&self) -> Constants {
         let root = 3_f64.sqrt();
         Constants::new(1.0, 9.0, (3.0 + root) * root.sqrt() / SQRT_2)
-            .and_then(|constants| constants.with_m_h(6.0))
+            .and_then(|constants| constants.isotropic().with_m_h(6.0))
             .expect("1 ≤ 9, and the others are positive")
     }
 }

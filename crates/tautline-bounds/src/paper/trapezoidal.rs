@@ -2,7 +2,7 @@
 
 use std::num::NonZeroUsize;
 
-use crate::{Setting, c_tra_sharp_g, k3_bar_g, polyline_gap::l_h_k_cubed};
+use crate::{Setting, c_tra_sharp_g, k3_bar_g, paper::polyline_gap::l_h_k_cubed};
 
 /// Returns the constant `C` of Theorem 1.1, which is that of Theorem 1.2 too, in `m²`.
 ///

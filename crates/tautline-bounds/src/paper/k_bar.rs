@@ -1,6 +1,6 @@
 //! `K̄_{3,g}` and `K̄_{4,g}`: how fast the discrete minimisers can go, uniformly in `N`.
 
-use crate::{Setting, c_tra_sharp_g, k1_g, polyline_gap::l_h_k_cubed};
+use crate::{Setting, c_tra_sharp_g, k1_g, paper::polyline_gap::l_h_k_cubed};
 
 /// Bounds the root mean square speed `K₃` of every minimiser of `E_tra,N`, for every `N`, in `ℓ`
 /// (Section 7, proof of Theorem 1.1).

@@ -1,0 +1,35 @@
+//! `PaperRule`: the two rules of the paper, as a value.
+
+/// The two rules of the paper, as a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum PaperRule {
+    /// The trapezoidal rule: `H` at the middle of each chord.
+    #[doc(alias = "midpoint")]
+    Trapezoidal,
+    /// The left-endpoint rule: `H` at the first point of each chord.
+    LeftEndpoint,
+}
+
+impl PaperRule {
+    /// Both, in the paper's order.
+    pub const BOTH: [PaperRule; 2] = [PaperRule::Trapezoidal, PaperRule::LeftEndpoint];
+
+    /// Returns the name, as in data files.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            PaperRule::Trapezoidal => "trapezoidal",
+            PaperRule::LeftEndpoint => "left_endpoint",
+        }
+    }
+
+    /// Returns how far the points of a chord are in the mean from where the rule reads `H`, in
+    /// chords: `k = ¼` from the middle, `k = ½` from an end.
+    #[must_use]
+    pub fn mean_distance(self) -> f64 {
+        match self {
+            PaperRule::Trapezoidal => 0.25,
+            PaperRule::LeftEndpoint => 0.5,
+        }
+    }
+}

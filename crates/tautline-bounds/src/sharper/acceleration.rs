@@ -1,0 +1,74 @@
+//! Lemma S.1: how much a minimal geodesic can bend, without the dimension.
+
+use tautline_metrics::Constants;
+
+use crate::{Setting, product::product};
+
+/// Bounds the acceleration `|γ̈(t)|` of every minimal geodesic at every time, in `ℓ` (Lemma S.1).
+///
+/// ```text
+/// K₂  =  ω (L_H/c₁) K_{1,g}²,      ω = 3/2,  or ½ for an isotropic metric and on the line
+/// ```
+///
+/// The geodesic equation is `H γ̈ = −r`, where `r = DH[γ̇] γ̇ − ½ ∇(vᵀHv)` has norm `ω L_H |γ̇|²` at
+/// most: estimated as one vector, not one Christoffel symbol at a time, so that the `D²` of
+/// `K_{2,g}` is not needed.
+///
+/// Needs: `H ≥ c₁`, `H` Lipschitz with `L_H`, and a minimiser of the energy; neither `c₂` nor the
+/// dimension.
+///
+/// Slack: `ω = 3/2` is attained for every `D ≥ 2`, at one point of a geodesic.
+#[doc(alias = "K_{2,g}")]
+#[must_use]
+pub fn k2_sharp(setting: Setting) -> f64 {
+    let constants = setting.constants();
+    let (d, root) = (setting.distance(), 1.0 / constants.c1().sqrt());
+    product([setting.omega(), constants.l_h(), d, d, root, root, root, root])
+}
+
+/// Bounds every Christoffel symbol, `|Γᵏ_ij|`, in `1/ℓ`: Proposition 7.11 without its `√D`.
+///
+/// ```text
+/// |Γᵏ_ij|  ≤  3 L_H/2c₁,      on the line  L_H/2c₁
+/// ```
+///
+/// `Γᵏ_ij` is an entry of `H⁻¹ r` with `r = ½ (DH[eᵢ] eⱼ + DH[eⱼ] eᵢ − ∇(eᵢᵀ H eⱼ))`, three vectors of
+/// norm `L_H` at most.
+///
+/// Needs: `H ≥ c₁`, and `H` Lipschitz with `L_H`. Slack: none.
+///
+/// # Panics
+///
+/// If `dimension` is 0.
+#[doc(alias = "prop:Christoffel_symbol_estimate")]
+#[must_use]
+pub fn christoffel_bound(constants: Constants, dimension: usize) -> f64 {
+    assert!(dimension > 0, "a metric lives on R^D with D ≥ 1");
+    let factor = if dimension == 1 { 0.5 } else { 1.5 };
+    factor * (constants.l_h() / constants.c1())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{christoffel_bound, k2_sharp};
+    use crate::{Constants, Setting, k2_g};
+
+    #[test]
+    fn by_hand() {
+        // c₁ = 4, L_H = 8, d = 3: K₁² = 9/4, L_H K₁²/c₁ = 9/2.
+        let constants = Constants::new(4.0, 10.0, 8.0).expect("in order");
+        let setting =
+            |constants, dimension| Setting::new(constants, 3.0, dimension).expect("valid");
+        assert_eq!(k2_sharp(setting(constants, 2)), 6.75);
+        assert_eq!(k2_sharp(setting(constants, 1)), 2.25);
+        assert_eq!(k2_sharp(setting(constants.isotropic(), 7)), 2.25);
+        assert_eq!(k2_sharp(setting(constants, 5)) * 25.0, k2_g(setting(constants, 5)));
+        assert_eq!((christoffel_bound(constants, 3), christoffel_bound(constants, 1)), (3.0, 1.0));
+    }
+
+    #[test]
+    #[should_panic(expected = "D ≥ 1")]
+    fn there_is_no_symbol_without_a_dimension() {
+        let _ = christoffel_bound(Constants::new(1.0, 1.0, 1.0).expect("in order"), 0);
+    }
+}

@@ -1,0 +1,175 @@
+//! Proposition S.8: a ball that contains every competitor, for metrics with constants on balls only.
+
+use std::num::NonZeroUsize;
+
+use tautline_metrics::Constants;
+
+use super::ceiling;
+use crate::{BoundError, PaperRule, Setting};
+
+/// A region that contains every competitor, and the constants that hold on it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Region {
+    /// The points within this distance of the bounded end, in `ℓ`.
+    pub radius: f64,
+    /// The constants of the metric there.
+    pub constants: Constants,
+}
+
+/// Why no region was found.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum LocalityError<E> {
+    /// The metric has no constants on a region of this radius.
+    #[error("no constants within {radius} of the bounded end (Proposition S.8): {reason}")]
+    NoConstants {
+        /// The radius, in `ℓ`.
+        radius: f64,
+        /// What the metric says.
+        reason: E,
+    },
+    /// Competitors might leave every region that was tried: `√c₁` falls faster than the radius
+    /// grows.
+    #[error(
+        "within {radius} of the bounded end a competitor could go as far as {reach}: \
+         no region holds them all (Proposition S.8)"
+    )]
+    Escapes {
+        /// The largest radius that was tried, in `ℓ`.
+        radius: f64,
+        /// How far a competitor could go there, in `ℓ`.
+        reach: f64,
+    },
+    /// The bound of the distance is no distance, or there is no dimension.
+    #[error(transparent)]
+    Bound(BoundError),
+}
+
+/// Finds a region outside of which no competitor comes (Proposition S.8): neither a minimal geodesic,
+/// nor a sequence with `E_N ≤ d² e`.
+///
+/// A curve or a sequence with the energy `E` comes no further from the bounded end than `√(E/c₁)`.
+/// So a radius `R` will do if, with the constants on that region,
+///
+/// ```text
+/// d̄ √e  <  √c₁ R,        e = e(d̄) of Lemma S.4
+/// ```
+///
+/// for an upper bound `d̄` of the distance. Theorems A to D then hold with these constants, for the
+/// minimisers of `E_N` among the sequences in the region.
+///
+/// - `upper`: `d̄`, in `m`, the length of a curve between the ends *inside the region*, such as the
+///   `γᵖˡ` of a sequence there;
+/// - `constants_within`: the constants on the convex hull of the points within a distance of the
+///   bounded end, which may refuse.
+///
+/// The radius is within 1 % of the least that will do, if `√c₁ R` has no flat piece there.
+///
+/// # Errors
+///
+/// [`LocalityError`] where the metric has no constants, where competitors might escape, and where
+/// `upper` is no distance or `dimension` is 0.
+pub fn competitors<E>(
+    dimension: usize,
+    rule: PaperRule,
+    n: NonZeroUsize,
+    upper: f64,
+    mut constants_within: impl FnMut(f64) -> Result<Constants, E>,
+) -> Result<Region, LocalityError<E>> {
+    let (mut radius, mut first, mut last) = (0.0_f64, f64::INFINITY, 0.0_f64);
+    // Each round is 1 % larger than the last at least, and nine decades are enough.
+    while radius <= 1e9 * first {
+        let constants = constants_within(radius)
+            .map_err(|reason| LocalityError::NoConstants { radius, reason })?;
+        let setting = Setting::new(constants, upper, dimension).map_err(LocalityError::Bound)?;
+        let reach = reach(setting, rule, n);
+        if reach < radius || (reach == 0.0 && radius == 0.0) {
+            return Ok(Region { radius, constants });
+        }
+        first = first.min(reach);
+        last = reach;
+        let next = 1.01 * reach;
+        if !(next > radius && next.is_finite()) {
+            break;
+        }
+        radius = next;
+    }
+    Err(LocalityError::Escapes { radius, reach: last })
+}
+
+/// `d̄ √e / √c₁`, in `ℓ`.
+fn reach(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
+    let first = ceiling::first_order(setting, rule, n);
+    let surplus = match rule {
+        PaperRule::Trapezoidal => ceiling::second_variation(setting, n).unwrap_or(first),
+        PaperRule::LeftEndpoint => first,
+    };
+    setting.distance() * (1.0 + surplus).sqrt() / setting.constants().c1().sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{LocalityError, competitors};
+    use crate::{BoundError, Constants, PaperRule};
+    use std::{convert::Infallible, num::NonZeroUsize};
+
+    const N: NonZeroUsize = NonZeroUsize::new(100).expect("positive");
+    const TRA: PaperRule = PaperRule::Trapezoidal;
+
+    /// `4/(1 + r²)²` on the ball of radius `r` about 0: `c₁` there, `c₂ = 4`, and the slope is
+    /// steepest at `1/√5`.
+    fn sphere(radius: f64) -> Result<Constants, Infallible> {
+        let c1 = 4.0 / (1.0 + radius * radius).powi(2);
+        let r = radius.min(1.0 / 5_f64.sqrt());
+        Ok(Constants::new(c1, 4.0, 16.0 * r / (1.0 + r * r).powi(3)).expect("in order"))
+    }
+
+    #[test]
+    fn the_region_holds_what_the_constants_on_it_let_go() {
+        for upper in [0.0, 0.1, 0.5, 0.8] {
+            let region = competitors(2, TRA, N, upper, sphere).expect("near enough");
+            let reach = upper / region.constants.c1().sqrt();
+            assert!(reach <= region.radius, "{region:?}");
+            assert!(region.radius <= 1.05 * reach, "{region:?}");
+            assert_eq!(region.constants, sphere(region.radius).expect("a ball"));
+        }
+    }
+
+    /// `√c₁ R = 2R/(1 + R²) ≤ 1`: too far for this argument, and it says so.
+    #[test]
+    fn a_distance_that_would_need_the_antipode_is_refused() {
+        let error = competitors(2, TRA, N, 1.01, sphere).expect_err("too far");
+        assert!(matches!(error, LocalityError::Escapes { reach, .. } if reach > 1.0), "{error}");
+    }
+
+    #[test]
+    fn a_metric_may_refuse_a_radius() {
+        let disc = |radius: f64| {
+            if radius < 1.0 {
+                Ok(Constants::new(4.0, 1e9, 1.0).expect("in order"))
+            } else {
+                Err(radius)
+            }
+        };
+        let region = competitors(2, TRA, N, 1.0, disc).expect("inside");
+        assert!((0.5..0.52).contains(&region.radius), "{region:?}");
+        let error = competitors(2, TRA, N, 2.0, disc).expect_err("on the boundary");
+        assert!(
+            matches!(error, LocalityError::NoConstants { reason, .. } if reason >= 1.0),
+            "{error}"
+        );
+    }
+
+    #[test]
+    fn what_is_no_distance_is_refused() {
+        for bad in [-1.0, f64::NAN, f64::INFINITY] {
+            let error = competitors(2, TRA, N, bad, sphere).expect_err("no distance");
+            assert!(
+                matches!(error, LocalityError::Bound(BoundError::NotADistance { .. })),
+                "{error}"
+            );
+        }
+        let error = competitors(0, TRA, N, 1.0, sphere).expect_err("no dimension");
+        assert_eq!(error, LocalityError::Bound(BoundError::NoDimension));
+    }
+}

@@ -1,0 +1,37 @@
+//! Sharper than the paper: order `1/N` and `1/N²`, without the dimension, and from one computed
+//! sequence. The proofs are in `paper/SHARPER.md`.
+
+mod acceleration;
+mod best;
+mod ceiling;
+mod convexity;
+mod enclosure;
+mod locality;
+mod sampling;
+mod sequence_gap;
+mod speeds;
+mod spread;
+mod theorem_a;
+mod theorem_b;
+mod theorem_c;
+mod theorem_d;
+
+pub use acceleration::{christoffel_bound, k2_sharp};
+pub use best::{Bound, Theorem, first_order_excess, least_excess, second_order_excess, suggest_n};
+pub use convexity::{BetweenPoints, convexity_modulus, strict_convexity};
+pub use enclosure::{Computed, DiscreteMinimum, Enclosure, FromAbove, FromBelow, enclose};
+pub use locality::{LocalityError, Region, competitors};
+pub use sampling::{pointwise_fall, pointwise_rise, sampling_fall, sampling_rise, velocity_error};
+pub use sequence_gap::{cubic_gap, cubic_rule_gap, quartic_gap};
+pub use speeds::{difference_step, greatest_difference, greatest_speed};
+pub use spread::Spread;
+pub use theorem_a::{
+    theorem_a_constant, theorem_a_excess, theorem_a_minimum_gap, theorem_a_polyline_gap,
+};
+pub use theorem_b::{
+    theorem_b_constant, theorem_b_excess, theorem_b_minimum_gap, theorem_b_polyline_gap,
+};
+pub use theorem_c::{theorem_c_deficit, theorem_c_excess, theorem_c_polyline_gap};
+pub use theorem_d::{
+    theorem_d_deficit, theorem_d_excess, theorem_d_minimum_gap, theorem_d_polyline_gap,
+};

@@ -1,0 +1,124 @@
+//! Theorem B: order `1/N²` for the trapezoidal rule, for sequences that are stationary in their
+//! inner points, where `M_H` is known.
+//!
+//! With `μ = M_H d²/c₁²` besides `δ` and `ω`:
+//!
+//! 1. *From above* (Lemma S.4). The geodesic that is sampled is looked at from the middle of each
+//!    subinterval, where terms of odd order cancel: `min E_tra,N ≤ d² e₂` with
+//!    `e₂ = min(e, 1 + (ωδ²/3 + μ/24)/N²)`, and the `e` of Theorem A.
+//! 2. *The gap* (Lemma S.2). `|E(γᵖˡ) − E_tra,N| ≤ (M_H/24N²) mean |β|⁴ ≤ d² (μ/24N²) e₂ Q²` with
+//!    `Q = min(√(Ne₂), √e₂ + δe₂)` by Lemma S.3.
+
+use std::num::NonZeroUsize;
+
+use super::theorem_a::greatest_speed;
+use crate::{PaperRule, Setting, product::product, sharper::ceiling};
+
+/// Bounds `min E_tra,N − d²`, in `m²`, by `d² (e₂ − 1) = O(1/N²)`; `None` if `M_H` is not known.
+///
+/// Needs: as Theorem A, and `DH` Lipschitz with `M_H`; a *global* minimiser.
+///
+/// Slack: as `N → ∞` a factor of `(ωδ²/3 + μ/24)/(ω²δ²/12 + μ/24)` is lost, which
+/// [`theorem_d_minimum_gap`](crate::theorem_d_minimum_gap) does not lose.
+#[must_use]
+pub fn theorem_b_minimum_gap(setting: Setting, n: NonZeroUsize) -> Option<f64> {
+    let d = setting.distance();
+    Some(product([d, d, ceiling::second_order(setting, n)?]))
+}
+
+/// Bounds `|E(γᵖˡ) − E_tra,N(γᵖ)|`, and `d² − E_tra,N(γᵖ)`, in `m²`, by `d² (μ/24N²) e₂ Q² = O(1/N²)`;
+/// `None` if `M_H` is not known.
+///
+/// Needs: a sequence that is stationary in its inner points with `E_tra,N ≤ d² e₂`, as a *global*
+/// minimiser is. Slack: attained at `N = 1` by a metric that is quadratic along the chord.
+#[must_use]
+pub fn theorem_b_polyline_gap(setting: Setting, n: NonZeroUsize) -> Option<f64> {
+    let (mu, d) = (setting.mu()?, setting.distance());
+    let e = 1.0 + ceiling::second_order(setting, n)?;
+    let greatest = greatest_speed(setting.delta(), e, n);
+    let count = n.get() as f64;
+    Some(product([d, d, mu, e, greatest, greatest]) / (24.0 * count * count))
+}
+
+/// Bounds `E(γᵖˡ) − d²`, and `L(γᵖˡ)² − d²`, for the minimiser of `E_tra,N`, in `m²`: the sum of the
+/// two gaps above, `O(1/N²)`; `None` if `M_H` is not known.
+///
+/// Needs and slack: those of the two gaps.
+#[must_use]
+pub fn theorem_b_excess(setting: Setting, n: NonZeroUsize) -> Option<f64> {
+    Some(theorem_b_minimum_gap(setting, n)? + theorem_b_polyline_gap(setting, n)?)
+}
+
+/// Returns `C₂`, in `m²`, with `E(γᵖˡ) − d² ≤ C₂/N²` for every `N`; `None` if `M_H` is not known.
+///
+/// ```text
+/// C₂ = d² [ωδ²/3 + (μ/24) (1 + ē (√ē + δē)²)],      ē = min(κ, 1 + δ/4 + ωδ²/12)
+/// ```
+///
+/// Needs: as [`theorem_b_excess`], which is no larger than `C₂/N²`.
+#[must_use]
+pub fn theorem_b_constant(setting: Setting) -> Option<f64> {
+    let (delta, mu, d) = (setting.delta(), setting.mu()?, setting.distance());
+    let e = 1.0 + ceiling::first_order(setting, PaperRule::Trapezoidal, NonZeroUsize::MIN);
+    let greatest = e.sqrt() + product([delta, e]);
+    let sampled = product([setting.omega() / 3.0, delta, delta]);
+    let gap = product([mu / 24.0, 1.0 + product([e, greatest, greatest])]);
+    Some(product([d, d, sampled + gap]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{
+        theorem_b_constant, theorem_b_excess, theorem_b_minimum_gap, theorem_b_polyline_gap,
+    };
+    use crate::{Constants, Setting};
+    use std::num::NonZeroUsize;
+
+    fn n(n: usize) -> NonZeroUsize {
+        NonZeroUsize::new(n).expect("positive")
+    }
+
+    fn close(value: Option<f64>, expected: f64) {
+        let value = value.expect("M_H is known");
+        // Some ten roundings.
+        assert!((value / expected - 1.0).abs() < 4e-15, "{value} is not {expected}");
+    }
+
+    /// `c₁ = 4`, `L_H = 8`, `M_H = 32`, `d = 3`: `δ = 3`, `μ = 18`, `d² = 9`.
+    fn setting() -> Setting {
+        let constants = Constants::new(4.0, 4e6, 8.0).and_then(|c| c.with_m_h(32.0));
+        Setting::new(constants.expect("in order"), 3.0, 2).expect("valid")
+    }
+
+    #[test]
+    fn by_hand() {
+        // N = 36: e₂ = 1 + (9/2 + 3/4)/1296, Q = √e₂ + 3e₂.
+        let e: f64 = 1.0 + 5.25 / 1296.0;
+        close(theorem_b_minimum_gap(setting(), n(36)), 9.0 * 5.25 / 1296.0);
+        let gap = 9.0 * 0.75 / 1296.0 * e * (e.sqrt() + 3.0 * e).powi(2);
+        close(theorem_b_polyline_gap(setting(), n(36)), gap);
+        close(theorem_b_excess(setting(), n(36)), 9.0 * 5.25 / 1296.0 + gap);
+        // ē = 23/8.
+        let e: f64 = 2.875;
+        let constant = 9.0 * (4.5 + 0.75 * (1.0 + e * (e.sqrt() + 3.0 * e).powi(2)));
+        close(theorem_b_constant(setting()), constant);
+    }
+
+    #[test]
+    fn at_one_chord_the_ceiling_is_that_of_theorem_a() {
+        // e = 23/8 is less than 1 + 5.25; Q = √e.
+        let gap = theorem_b_polyline_gap(setting(), n(1)).expect("M_H");
+        assert!((gap / (9.0 * 0.75 * 2.875 * 2.875) - 1.0).abs() < 4e-15);
+        close(theorem_b_excess(setting(), n(1)), 9.0 * 1.875 + gap);
+    }
+
+    #[test]
+    fn there_is_none_without_m_h() {
+        let constants = Constants::new(1.0, 2.0, 1.0).expect("in order");
+        let setting = Setting::new(constants, 1.0, 2).expect("valid");
+        assert_eq!(theorem_b_minimum_gap(setting, n(8)), None);
+        assert_eq!(theorem_b_polyline_gap(setting, n(8)), None);
+        assert_eq!(theorem_b_excess(setting, n(8)), None);
+        assert_eq!(theorem_b_constant(setting), None);
+    }
+}

@@ -1,0 +1,134 @@
+//! Theorem C: order `1/N` from the energy alone, stationary or not.
+//!
+//! 1. *From below* (Lemma S.5). `d ≤ L(γᵖˡ) ≤ mean q + (kΛ/2N) mean q²` with `Λ = L_H/c₁^{3/2}`, for
+//!    every admissible sequence: the length of `γᵖˡ` is nearly the mean of the speeds.
+//! 2. *Speeds* (Lemma S.5). `mean q² ≤ d² e` then leaves a variance of `O(1/N)` to the speeds, and
+//!    `mean q³ ≤ d³ m₃` with `m₃ → 1`.
+//! 3. *The gap* (Lemma S.2). `|E(γᵖˡ) − E_N| ≤ (k L_H/N) mean |β|³ ≤ d² (kδ/N) m₃`.
+
+use std::num::NonZeroUsize;
+
+use super::{ceiling, spread::Spread};
+use crate::{PaperRule, Setting, product::product, theorem_a_minimum_gap};
+
+/// Bounds `d² − E_N(γᵖ)` for *every* admissible sequence, in `m²`, by `O(1/N)`.
+///
+/// ```text
+/// E_N  ≥  d²·4/(1 + √(1 + 2kδ/N))²  ≥  d² (1 − kδ/N),      k = ¼ (trapezoidal), ½ (left endpoint)
+/// ```
+///
+/// Needs: `H ≥ c₁`, Lipschitz with `L_H`; ends in their sets. No minimiser, and no `c₂`: a discrete
+/// energy can undershoot no further.
+///
+/// Slack: none as `δ → 0`, at `N = 1` over a tent (trapezoidal) and up an incline (left endpoint).
+#[must_use]
+pub fn theorem_c_deficit(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
+    let d = setting.distance();
+    let y = 2.0 * product([rule.mean_distance(), setting.delta()]) / n.get() as f64;
+    let root = 1.0 + (1.0 + y).sqrt();
+    // 1 − 4/(1 + √(1 + y))² without the cancellation: with r = 1 + √(1 + y), r² = 2r + y, and
+    // (r² − 4)/r² = (r − 2)(r + 2)/r² where r − 2 = y/r.
+    let lost = (y / root) * ((root + 2.0) / root) / root;
+    // ∞/∞ where δ overflows: nothing is left.
+    product([d, d, if y.is_finite() { lost } else { 1.0 }])
+}
+
+/// Bounds `|E(γᵖˡ) − E_N(γᵖ)|`, in `m²`, by `d² (kδ/N) m₃ = O(1/N)`, where `E_N(γᵖ) ≤ d² e`.
+///
+/// Needs: as [`theorem_c_deficit`], and an energy of at most `d² e`, with the `e` of Theorem A; a
+/// *global* minimiser has it, and need not be stationary. Slack: as
+/// [`theorem_a_polyline_gap`](crate::theorem_a_polyline_gap) at `N = 1`; where that grows with `δ`
+/// like `δ²/N`, this grows like `δ/N`.
+#[must_use]
+pub fn theorem_c_polyline_gap(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
+    let (delta, d) = (setting.delta(), setting.distance());
+    let surplus = ceiling::first_order(setting, rule, n);
+    let spread = Spread::of_first_order(setting, rule, n, surplus);
+    product([d, d, rule.mean_distance(), delta, spread.cube]) / n.get() as f64
+}
+
+/// Bounds `E(γᵖˡ) − d²`, and `L(γᵖˡ)² − d²`, in `m²`, for every admissible sequence with
+/// `E_N ≤ d² e`: `d² (e − 1)` and the gap above, `O(1/N)`.
+///
+/// ```text
+/// E(γᵖˡ) − d²  ≤  d² [e − 1 + (kδ/N) m₃]  ~  d² δ/2N (trapezoidal),  d² δ/N (left endpoint)
+/// ```
+///
+/// Needs: as [`theorem_c_polyline_gap`]. Slack: for the left-endpoint rule none as `δ → 0`, for
+/// every `N`; for the trapezoidal rule none as `δ → 0` at `N = 1`, and 2 at best for large `N`, as
+/// far as is known.
+#[must_use]
+pub fn theorem_c_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
+    theorem_a_minimum_gap(setting, rule, n) + theorem_c_polyline_gap(setting, rule, n)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{theorem_c_deficit, theorem_c_excess, theorem_c_polyline_gap};
+    use crate::{Constants, PaperRule, Setting, theorem_a_excess};
+    use std::num::NonZeroUsize;
+
+    const TRA: PaperRule = PaperRule::Trapezoidal;
+    const LEFT: PaperRule = PaperRule::LeftEndpoint;
+
+    fn n(n: usize) -> NonZeroUsize {
+        NonZeroUsize::new(n).expect("positive")
+    }
+
+    fn close(value: f64, expected: f64) {
+        // Some twenty roundings, the first ones relative to a variance of a fortieth.
+        assert!((value / expected - 1.0).abs() < 4e-14, "{value} is not {expected}");
+    }
+
+    /// `c₁ = 4`, `L_H = 8`, `d = 3`: `δ = 3`, `d² = 9`, and `κ` out of the way.
+    fn setting(c2: f64) -> Setting {
+        Setting::new(Constants::new(4.0, c2, 8.0).expect("in order"), 3.0, 2).expect("valid")
+    }
+
+    #[test]
+    fn by_hand() {
+        // y = 3/2N and 3/N: at N = 2 and 4, y = 3/4; at N = 1 (left) y = 3, 4/(1 + 2)² = 4/9.
+        close(theorem_c_deficit(setting(400.0), LEFT, n(1)), 9.0 * 5.0 / 9.0);
+        let root = 1.0 + 1.75_f64.sqrt();
+        close(theorem_c_deficit(setting(400.0), TRA, n(2)), 9.0 * (1.0 - 4.0 / root / root));
+        close(theorem_c_deficit(setting(400.0), LEFT, n(4)), 9.0 * (1.0 - 4.0 / root / root));
+        // κ − 1 = 1/80 caps e at N = 30: x = 3·(81/80)/240, R² = 29v.
+        let e = 1.0125_f64;
+        let cube = |x: f64| {
+            let v = e - (1.0 - x).powi(2);
+            e.powf(1.5) + 1.5 * e.sqrt() * v + (29.0 * v).sqrt() * v
+        };
+        let (gap, tame) = (3.0 / 120.0 * cube(3.0 * e / 240.0), setting(4.05));
+        close(theorem_c_polyline_gap(tame, TRA, n(30)), 9.0 * gap);
+        close(theorem_c_excess(tame, TRA, n(30)), 9.0 * (0.0125 + gap));
+        close(theorem_c_polyline_gap(tame, LEFT, n(30)), 9.0 * 3.0 / 60.0 * cube(3.0 * e / 120.0));
+        // At N = 1 there is one speed.
+        close(theorem_c_polyline_gap(tame, LEFT, n(1)), 9.0 * 1.5 * e.powf(1.5));
+    }
+
+    /// `δ/2N` and `δ/N` as `N → ∞`, where Theorem A has `δ/4 + (δ/4)(1 + δ)` and twice that.
+    #[test]
+    fn the_leading_constant_is_linear_in_delta() {
+        let huge = 1 << 40;
+        for (rule, leading, older) in [(TRA, 1.5, 3.75), (LEFT, 3.0, 7.5)] {
+            let at = |bound: f64| bound / 9.0 * huge as f64;
+            let new = at(theorem_c_excess(setting(400.0), rule, n(huge)));
+            // The next term is of the relative order N^{-1/2}.
+            assert!((new / leading - 1.0).abs() < 1e-5, "{new}");
+            let old = at(theorem_a_excess(setting(400.0), rule, n(huge)));
+            assert!((old / older - 1.0).abs() < 1e-5, "{old}");
+        }
+    }
+
+    #[test]
+    fn nothing_is_nan_and_no_more_than_all_is_lost() {
+        let wild = Setting::new(Constants::new(1e-300, 1.0, 1e300).expect("in order"), 1e4, 2);
+        let wild = wild.expect("valid");
+        assert_eq!(theorem_c_deficit(wild, TRA, n(7)), 1e8);
+        assert_eq!(theorem_c_excess(wild, TRA, n(7)), f64::INFINITY);
+        let touching = Setting::new(Constants::new(1.0, 2.0, 1e300).expect("in order"), 0.0, 2);
+        let touching = touching.expect("valid");
+        assert_eq!(theorem_c_deficit(touching, LEFT, n(7)), 0.0);
+        assert_eq!(theorem_c_excess(touching, LEFT, n(7)), 0.0);
+    }
+}
