@@ -53,18 +53,18 @@
 //! | Lemma S.2 | the energies of one sequence | [`cubic_gap`], [`cubic_rule_gap`], [`quartic_gap`] |
 //! | Lemma S.3 | speeds of a stationary sequence | [`greatest_speed`], [`greatest_difference`], [`difference_step`] |
 //! | Lemma S.4 | `min E_N − d²` | [`theorem_a_minimum_gap`], [`theorem_b_minimum_gap`], [`theorem_d_minimum_gap`] |
-//! | Lemma S.5 | `d² − E_N`, and the spread of the speeds | [`theorem_c_deficit`], [`theorem_d_deficit`], [`Spread`] |
+//! | Lemma S.5 | `L(γᵖˡ)²` by `E_N`, and the spread of the speeds | [`squared_length`], [`Spread`] |
 //! | Theorem A | `E(γᵖˡ) − d²`, order `1/N`, by stationarity | [`theorem_a_excess`] |
 //! | Theorem B | the same, order `1/N²`, trapezoidal | [`theorem_b_excess`] |
-//! | Theorem C | order `1/N`, by the energy alone | [`theorem_c_excess`] |
-//! | Theorem D | order `1/N²`, by the energy alone | [`theorem_d_excess`] |
+//! | Theorem C | order `1/N`, by the energy alone | [`theorem_c_excess`], [`theorem_c_length_excess`], [`theorem_c_deficit`] |
+//! | Theorem D | order `1/N²`, by the energy alone | [`theorem_d_excess`], [`theorem_d_length_excess`], [`theorem_d_deficit`] |
 //! | Proposition S.6 | `d²` from one computed sequence | [`enclose`] |
 //! | Proposition S.7 | the discrete minimum from below | [`strict_convexity`] |
 //! | Proposition S.8 | where all competitors are | [`competitors`] |
 //! | Propositions 7.4, 7.6, 7.11 | as there | [`velocity_error`], [`sampling_rise`], [`sampling_fall`], [`christoffel_bound`] |
 //!
-//! [`least_excess`] is the least of all bounds of `E(γᵖˡ) − d²`, and [`suggest_n`] the `N` that it
-//! asks for.
+//! [`least_excess`] is the least of all bounds of `E(γᵖˡ) − d²`, [`least_length_excess`] of
+//! `L(γᵖˡ)² − d²`, and [`suggest_n`] the `N` that a tolerance asks for.
 //!
 //! The minimum of `E` is `d²`, and that of `L²` too. `γᵖˡ` is the linear interpolation of a
 //! point sequence; in the theorems, of a *global* minimiser of the discrete energy.

@@ -86,6 +86,38 @@ impl Setting {
         self.constants.m_h().map(|m_h| product([m_h, d, d, root, root, root, root]))
     }
 
+    /// Returns `G` with `γ̈ᵀ H(γ) γ̈ ≤ G² d²` for every minimal geodesic, a pure number (Lemma S.1);
+    /// `+∞` on overflow.
+    ///
+    /// ```text
+    /// G  =  ωδ,    and for an isotropic metric with M_H
+    /// G² =  (δ²/4) (1 + δ²/2μ)⁻³  if δ² ≤ μ,      2μ/27  otherwise
+    /// ```
+    ///
+    /// Where `H = φ I`, `φ` is smallest where its gradient is: `φ ≥ c₁` everywhere makes
+    /// `|∇φ|² ≤ 2M_H (φ − c₁)` (Glaeser), and the force is `d²|∇φ|/2φ^{3/2}`. This needs constants
+    /// that hold everywhere, not [on a region](Constants::on_a_region).
+    #[must_use]
+    pub fn bend(&self) -> f64 {
+        let (delta, constants) = (self.delta(), self.constants);
+        let coarse = product([self.omega(), delta]);
+        let isotropic = self.dimension == 1 || constants.is_isotropic();
+        match self.mu() {
+            Some(mu) if isotropic && !constants.is_local() => {
+                // δ²/μ = L_H²/(M_H c₁), without the distance, which may be 0.
+                let ratio = delta / mu.sqrt();
+                let fine = if ratio.powi(2) <= 1.0 {
+                    product([0.5, delta]) * (1.0 + 0.5 * ratio.powi(2)).powf(-1.5)
+                } else {
+                    (mu * (2.0 / 27.0)).sqrt()
+                };
+                // NaN where both are 0, or both overflow.
+                if fine < coarse { fine } else { coarse }
+            }
+            _ => coarse,
+        }
+    }
+
     /// Returns `κ − 1` for `κ = c₂/c₁`, a pure number; `+∞` on overflow.
     pub(crate) fn kappa_above_one(&self) -> f64 {
         (self.constants.c2() - self.constants.c1()) / self.constants.c1()
@@ -195,6 +227,18 @@ mod tests {
         assert_eq!(setting(constants, 2).omega(), 1.5);
         assert_eq!(setting(constants, 1).omega(), 0.5);
         assert_eq!(setting(constants.isotropic(), 2).omega(), 0.5);
+        assert_eq!(setting(known, 2).bend(), 4.5);
+        assert_eq!(setting(constants, 1).bend(), 1.5);
+        // δ² = 9 is more than μ = 27/8, and less than 54 with M_H = 96: G² = 1/4, and
+        // (9/4)(13/12)⁻³.
+        assert_eq!(setting(known, 1).bend(), 0.5);
+        assert_eq!(setting(known.isotropic(), 5).bend(), 0.5);
+        assert_eq!(setting(known.on_a_region(), 1).bend(), 1.5);
+        let curved = constants.with_m_h(96.0).expect("nonnegative");
+        let expected = 1.5 * (13.0_f64 / 12.0).powf(-1.5);
+        assert!((setting(curved, 1).bend() / expected - 1.0).abs() < 1e-15);
+        let flat = Constants::new(4.0, 10.0, 0.0).and_then(|c| c.with_m_h(0.0)).expect("in order");
+        assert_eq!(setting(flat, 1).bend(), 0.0);
         let nearer = setting(known, 2).with_distance(1.0).expect("a distance");
         assert_eq!((nearer.delta(), nearer.dimension()), (1.0, 2));
         assert!(nearer.with_distance(-1.0).is_err());

@@ -21,7 +21,7 @@ impl Constants {
         }
         let m_h = self.m_h().map(|m_h| m_h * s);
         let scaled = Constants::new(self.c1() * s, self.c2() * s, self.l_h() * s)?;
-        scaled.with_known(m_h, self.is_isotropic())
+        scaled.with_known(m_h, self.is_isotropic(), self.is_local())
     }
 
     /// Returns the constants of `H + H′`, both on the same `R^D`: the sums.
@@ -37,7 +37,11 @@ impl Constants {
     pub fn plus(self, other: Constants) -> Result<Constants, HypothesisError> {
         let m_h = self.m_h().zip(other.m_h()).map(|(a, b)| a + b);
         Constants::new(self.c1() + other.c1(), self.c2() + other.c2(), self.l_h() + other.l_h())?
-            .with_known(m_h, self.is_isotropic() && other.is_isotropic())
+            .with_known(
+                m_h,
+                self.is_isotropic() && other.is_isotropic(),
+                self.is_local() || other.is_local(),
+            )
     }
 
     /// Returns the constants of the product, `diag(H(x), H′(y))` on pairs `(x, y)`: the lesser
@@ -53,7 +57,9 @@ impl Constants {
         let m_h = self.m_h().zip(other.m_h()).map(|(a, b)| a.max(b));
         let (c1, c2) = (self.c1().min(other.c1()), self.c2().max(other.c2()));
         Constants::new(c1, c2, self.l_h().max(other.l_h()))
-            .and_then(|constants| constants.with_known(m_h, false))
+            .and_then(|constants| {
+                constants.with_known(m_h, false, self.is_local() || other.is_local())
+            })
             .expect("either is in order, so the lesser c1 is below the greater c2")
     }
 
@@ -81,8 +87,11 @@ impl Constants {
         let m_h = self.m_h().zip(factor.m_h()).map(|(m_h, lip2)| {
             factor.c2() * m_h + 2.0 * factor.l_h() * self.l_h() + lip2 * self.c2()
         });
-        Constants::new(factor.c1() * self.c1(), factor.c2() * self.c2(), l_h)?
-            .with_known(m_h, self.is_isotropic())
+        Constants::new(factor.c1() * self.c1(), factor.c2() * self.c2(), l_h)?.with_known(
+            m_h,
+            self.is_isotropic(),
+            self.is_local() || factor.is_local(),
+        )
     }
 
     /// Returns the constants of the pullback `x ↦ Aᵀ H(A x + b) A` by an affine map:
@@ -115,13 +124,34 @@ impl Constants {
             power(self.c2(), smax, 2),
             power(self.l_h(), smax, 3),
         )?
-        .with_known(m_h, self.is_isotropic() && smin == smax)
+        .with_known(m_h, self.is_isotropic() && smin == smax, self.is_local())
     }
 
-    /// Adds `M_H` if there is one, and that the metric is isotropic if it is.
-    fn with_known(self, m_h: Option<f64>, isotropic: bool) -> Result<Constants, HypothesisError> {
+    /// Returns the constants times these factors, in the order `c₁`, `c₂`, `L_H`, `M_H`; what else is
+    /// known stays: in other units, or for a claim that is put to the test.
+    ///
+    /// # Errors
+    ///
+    /// The clause that fails.
+    pub fn times(self, [c1, c2, l_h, m_h]: [f64; 4]) -> Result<Constants, HypothesisError> {
+        Constants::new(self.c1() * c1, self.c2() * c2, self.l_h() * l_h)?.with_known(
+            self.m_h().map(|known| known * m_h),
+            self.is_isotropic(),
+            self.is_local(),
+        )
+    }
+
+    /// Adds `M_H` if there is one, and that the metric is isotropic, or its constants are local, if
+    /// so it is.
+    fn with_known(
+        self,
+        m_h: Option<f64>,
+        isotropic: bool,
+        local: bool,
+    ) -> Result<Constants, HypothesisError> {
         let known = m_h.map_or(Ok(self), |m_h| self.with_m_h(m_h))?;
-        Ok(if isotropic { known.isotropic() } else { known })
+        let known = if isotropic { known.isotropic() } else { known };
+        Ok(if local { known.on_a_region() } else { known })
     }
 }
 
@@ -144,6 +174,7 @@ mod tests {
         // 11 · 3 + 13 · 5 and 11 · 7 + 2 · 13 · 3 + 4 · 5.
         assert_eq!(h.conformal(g), Ok(constants(2.0, 55.0, 98.0, 175.0)));
         assert_eq!(h.pulled_back(2.0, 3.0), Ok(constants(8.0, 45.0, 81.0, 567.0)));
+        assert_eq!(h.times([0.5, 2.0, 3.0, 4.0]), Ok(constants(1.0, 10.0, 9.0, 28.0)));
     }
 
     /// `φ I = I · φ`, and `s H` is `φ H` for a constant `φ` and the pullback by `√s`.
@@ -166,6 +197,7 @@ mod tests {
         let known = constants(2.0, 5.0, 3.0, 7.0);
         let unknown = Constants::new(1.0, 2.0, 3.0).expect("in order");
         assert_eq!(unknown.scaled(2.0).expect("finite").m_h(), None);
+        assert_eq!(unknown.times([1.0; 4]), Ok(unknown));
         assert_eq!(unknown.pulled_back(1.0, 2.0).expect("finite").m_h(), None);
         for (a, b) in [(known, unknown), (unknown, known)] {
             assert_eq!(a.plus(b).expect("finite").m_h(), None);
@@ -179,6 +211,7 @@ mod tests {
         let general = constants(2.0, 5.0, 3.0, 7.0);
         let isotropic = general.isotropic();
         assert!(isotropic.scaled(2.0).expect("finite").is_isotropic());
+        assert!(isotropic.times([1.0, 2.0, 0.0, 1.0]).expect("finite").is_isotropic());
         assert!(isotropic.plus(isotropic).expect("finite").is_isotropic());
         assert!(isotropic.conformal(general).expect("finite").is_isotropic());
         assert!(isotropic.pulled_back(2.0, 2.0).expect("finite").is_isotropic());
@@ -190,6 +223,22 @@ mod tests {
         for (a, b) in [(general, isotropic), (isotropic, general)] {
             assert!(!a.plus(b).expect("finite").is_isotropic());
         }
+    }
+
+    #[test]
+    fn what_is_built_from_local_constants_is_local() {
+        let global = constants(2.0, 5.0, 3.0, 7.0);
+        let local = global.on_a_region();
+        assert!(local.scaled(2.0).expect("finite").is_local());
+        assert!(local.pulled_back(1.0, 2.0).expect("finite").is_local());
+        assert!(local.times([1.0; 4]).expect("finite").is_local());
+        for (a, b) in [(global, local), (local, global)] {
+            assert!(a.plus(b).expect("finite").is_local());
+            assert!(a.beside(b).is_local());
+            assert!(a.conformal(b).expect("finite").is_local());
+        }
+        assert!(!global.plus(global).expect("finite").is_local());
+        assert!(!global.beside(global).is_local());
     }
 
     #[test]

@@ -19,6 +19,7 @@ pub struct Constants {
     l_h: f64,
     m_h: Option<f64>,
     isotropic: bool,
+    local: bool,
 }
 
 impl Constants {
@@ -37,7 +38,7 @@ impl Constants {
         if !(l_h >= 0.0 && l_h.is_finite()) {
             return Err(HypothesisError::NotLipschitz { l_h });
         }
-        Ok(Constants { c1, c2, l_h, m_h: None, isotropic: false })
+        Ok(Constants { c1, c2, l_h, m_h: None, isotropic: false, local: false })
     }
 
     /// Adds `M_H`, in `m²/ℓ⁴`; a Lipschitz constant of `DH` is enough.
@@ -58,6 +59,12 @@ impl Constants {
     #[must_use]
     pub fn isotropic(self) -> Constants {
         Constants { isotropic: true, ..self }
+    }
+
+    /// Says that the constants hold on a region only, not for all `x` and `y`.
+    #[must_use]
+    pub fn on_a_region(self) -> Constants {
+        Constants { local: true, ..self }
     }
 
     /// Returns `c₁`, in `m²/ℓ²`.
@@ -88,6 +95,12 @@ impl Constants {
     #[must_use]
     pub fn is_isotropic(&self) -> bool {
         self.isotropic
+    }
+
+    /// Returns whether the constants hold on a region only.
+    #[must_use]
+    pub fn is_local(&self) -> bool {
+        self.local
     }
 }
 
@@ -170,6 +183,8 @@ mod tests {
         assert!(!constants.is_isotropic());
         let isotropic = constants.isotropic();
         assert!(isotropic.is_isotropic() && isotropic.m_h() == Some(6.0) && isotropic.c2() == 9.0);
+        let local = isotropic.on_a_region();
+        assert!(local.is_local() && local.is_isotropic() && !isotropic.is_local());
         // It may be said in any order.
         let again = isotropic.with_m_h(6.0).expect("nonnegative");
         assert_eq!(again, isotropic);

@@ -44,7 +44,7 @@ pub fn errata() -> Result<Vec<Erratum>, VerifyError> {
         let evidence = evidence.without("γ̇ does not jump");
         let statement = evidence.statement;
         match evidence.finding() {
-            Finding::Violated(&violated) if violated.source == Source::Paper => {
+            Finding::Violated(&violated) if violated.source == Source::Stated => {
                 Ok(Erratum { statement, witness, violated, relied_on_by })
             }
             _ => Err(VerifyError::NotRefuted { statement }),

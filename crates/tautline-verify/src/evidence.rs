@@ -41,21 +41,22 @@ impl Evidence {
         [observed, bound]: [f64; 2],
         granted: f64,
     ) -> Self {
-        let source = Source::Paper;
+        let source = Source::Stated;
         self.hypotheses.push(Inequality { claim, source, unit, observed, bound, granted });
         self
     }
 
-    /// Adds a conclusion `observed ≤ bound` that the paper states, or repaired it would.
+    /// Adds a conclusion `observed ≤ bound` that the statement makes; one of the paper, perhaps, only if it
+    /// is repaired.
     #[must_use]
-    pub fn paper(
+    pub fn stated(
         mut self,
         claim: &'static str,
         unit: Unit,
         [observed, bound]: [f64; 2],
         granted: f64,
     ) -> Self {
-        let source = Source::Paper;
+        let source = Source::Stated;
         self.conclusions.push(Inequality { claim, source, unit, observed, bound, granted });
         self
     }
@@ -94,15 +95,15 @@ impl Evidence {
         }
     }
 
-    /// Returns the least slack of the paper's own conclusions, a pure number; `∞` if none of
+    /// Returns the least slack of the stated conclusions, a pure number; `∞` if none of
     /// them can be told from rounding.
     #[must_use]
     pub fn slack(&self) -> f64 {
-        let paper = self.conclusions.iter().filter(|claim| claim.source == Source::Paper);
-        paper.map(Inequality::slack).fold(f64::INFINITY, f64::min)
+        let stated = self.conclusions.iter().filter(|claim| claim.source == Source::Stated);
+        stated.map(Inequality::slack).fold(f64::INFINITY, f64::min)
     }
 
-    /// Returns the evidence again if one of the paper's conclusions is attained: its slack is at
+    /// Returns the evidence again if one of the stated conclusions is attained: its slack is at
     /// most 1.01.
     ///
     /// # Errors
@@ -112,7 +113,7 @@ impl Evidence {
         self.slack_is_at_most(1.01)
     }
 
-    /// Returns the evidence again if the least slack of the paper's conclusions is at most `known`,
+    /// Returns the evidence again if the least slack of the stated conclusions is at most `known`,
     /// the best slack that is known. A loosened formula fails here.
     ///
     /// # Errors
@@ -127,7 +128,7 @@ impl Evidence {
         }
     }
 
-    /// Returns the evidence again if the slack of the conclusion `claim`, the paper's or a
+    /// Returns the evidence again if the slack of the conclusion `claim`, stated or a
     /// companion, is at most `known`.
     ///
     /// # Errors

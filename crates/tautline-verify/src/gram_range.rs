@@ -90,6 +90,14 @@ impl Evidence {
                 seen.slope_rounding,
             )
     }
+
+    /// Adds the clause on `M_H`, in `m²/ℓ⁴`, by the greatest second derivative that was seen.
+    #[must_use]
+    pub fn given_curvature(self, seen: f64, m_h: f64) -> Self {
+        // Where a second derivative is attained, its terms may cancel to some digits.
+        let claim = "|uᵀ D²H[u, u] u| ≤ M_H";
+        self.given(claim, Unit::GRAM_CURVATURE, [seen, m_h], 1e-9 * m_h)
+    }
 }
 
 /// Returns the least and the largest eigenvalue of a symmetric matrix.

@@ -35,12 +35,12 @@ impl Unit {
     }
 }
 
-/// Whose inequality it is.
+/// Whether a statement says it, or we do besides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Source {
-    /// The paper states it, or repaired it would.
-    Paper,
-    /// A sharper form that the paper does not have: a companion, which a wrong program has
+    /// The statement says it; one of the paper, perhaps, only if it is repaired.
+    Stated,
+    /// A sharper form that the statement does not have: a companion, which a wrong program has
     /// more trouble to satisfy.
     Sharper,
 }
@@ -50,7 +50,7 @@ pub enum Source {
 pub struct Inequality {
     /// What is compared, as a formula.
     pub claim: &'static str,
-    /// Whose it is.
+    /// Whether it is stated, or a companion.
     pub source: Source,
     /// The unit of the three numbers below.
     pub unit: Unit,
@@ -101,7 +101,7 @@ mod tests {
     fn inequality(observed: f64, bound: f64) -> Inequality {
         Inequality {
             claim: "a ≤ b",
-            source: Source::Paper,
+            source: Source::Stated,
             unit: Unit::NONE,
             observed,
             bound,

@@ -4,45 +4,23 @@ use std::num::NonZeroUsize;
 
 use nalgebra::SVector;
 use tautline::{
-    Bounded, Curvature, Integral, LeftEndpoint, Metric, Minimum, PointSequence, Stop, Trapezoidal,
-    bounds::Setting,
+    Bounded, Curvature, Integral, Jet2, LeftEndpoint, Metric, Minimum, PointSequence, Stop,
+    Trapezoidal,
+    bounds::{PaperRule, Setting},
 };
 
 use crate::{GramRange, Known, Subject, VerifyError};
 
-/// The two rules of the paper, as a value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum PaperRule {
-    /// The trapezoidal rule.
-    Trapezoidal,
-    /// The left-endpoint rule.
-    LeftEndpoint,
-}
-
-impl PaperRule {
-    /// Both, in the paper's order.
-    pub const BOTH: [PaperRule; 2] = [PaperRule::Trapezoidal, PaperRule::LeftEndpoint];
-
-    /// Returns the name, as in data files.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            PaperRule::Trapezoidal => "trapezoidal",
-            PaperRule::LeftEndpoint => "left_endpoint",
-        }
-    }
-
-    /// Returns the discrete energy of a sequence, in `m²`.
-    pub fn energy<const D: usize>(
-        self,
-        subject: &impl Subject,
-        metric: &impl Metric<D>,
-        sequence: &PointSequence<D>,
-    ) -> f64 {
-        match self {
-            PaperRule::Trapezoidal => subject.discrete_energy(Trapezoidal, metric, sequence),
-            PaperRule::LeftEndpoint => subject.discrete_energy(LeftEndpoint, metric, sequence),
-        }
+/// Returns the discrete energy of a sequence by a rule of the paper, in `m²`.
+pub fn discrete_energy<const D: usize>(
+    subject: &impl Subject,
+    rule: PaperRule,
+    metric: &impl Metric<D>,
+    sequence: &PointSequence<D>,
+) -> f64 {
+    match rule {
+        PaperRule::Trapezoidal => subject.discrete_energy(Trapezoidal, metric, sequence),
+        PaperRule::LeftEndpoint => subject.discrete_energy(LeftEndpoint, metric, sequence),
     }
 }
 
@@ -67,6 +45,11 @@ pub struct Reconstruction<const D: usize> {
     pub k3: f64,
     /// The mean of the cubes of the differences, `(1/N) Σ |βₙ|³`, in `ℓ³`.
     pub mean_cube: f64,
+    /// The speeds `qₙ` that the rule sees, in `m`.
+    pub speeds: Vec<f64>,
+    /// The greatest `|uᵀ D²H[u, u] u|` that was seen along the chords, for unit vectors `u`, in
+    /// `m²/ℓ⁴`.
+    pub bend: f64,
     /// What the metric was seen to do at the points and the midpoints of the chords.
     pub gram: GramRange,
     /// How far the two ends are from their sets, in `ℓ`.
@@ -116,7 +99,11 @@ impl<const D: usize> Reconstruction<D> {
         minimum: Minimum<D>,
     ) -> Result<Self, VerifyError> {
         let (metric, sequence) = (&known.metric, &minimum.sequence);
-        let discrete_energy = rule.energy(subject, metric, sequence);
+        let discrete_energy = discrete_energy(subject, rule, metric, sequence);
+        let speeds = match rule {
+            PaperRule::Trapezoidal => subject.discrete_speeds(Trapezoidal, metric, sequence),
+            PaperRule::LeftEndpoint => subject.discrete_speeds(LeftEndpoint, metric, sequence),
+        };
         let energy = subject.curve_energy(metric, sequence);
         let length = subject.curve_length(metric, sequence);
         let length_squared =
@@ -142,7 +129,9 @@ impl<const D: usize> Reconstruction<D> {
             energy,
             length_squared,
             k3: subject.k3(sequence),
-            mean_cube: mean_cube(sequence),
+            mean_cube: mean_power(sequence, 3),
+            speeds,
+            bend: bend_along(metric, sequence),
             gram: GramRange::along(metric, nodes(sequence))?,
             off_sets: off_sets(known, sequence),
             minimum,
@@ -151,10 +140,33 @@ impl<const D: usize> Reconstruction<D> {
     }
 }
 
-/// Returns `(1/N) Σ |βₙ|³`, in `ℓ³`.
+/// Returns `(1/N) Σ |βₙ|^power`, in `ℓ^power`.
 #[must_use]
-pub fn mean_cube<const D: usize>(sequence: &PointSequence<D>) -> f64 {
-    sequence.differences().map(|beta| beta.norm().powi(3)).sum::<f64>() / sequence.n().get() as f64
+pub fn mean_power<const D: usize>(sequence: &PointSequence<D>, power: i32) -> f64 {
+    let powers: f64 = sequence.differences().map(|beta| beta.norm().powi(power)).sum();
+    powers / sequence.n().get() as f64
+}
+
+/// Returns the greatest `|uᵀ D²H[u, u] u|` at the points of a sequence and the midpoints of its
+/// chords, where `u` is the direction of the chord, in `m²/ℓ⁴`: no more than `M_H`.
+#[must_use]
+pub fn bend_along<const D: usize>(metric: &impl Metric<D>, sequence: &PointSequence<D>) -> f64 {
+    let [s] = Jet2::<f64, 1>::variables(&[0.0]);
+    let mut greatest = 0.0_f64;
+    for (x, chord) in sequence.chords() {
+        let length = chord.norm();
+        if length > 0.0 {
+            let u = chord / length;
+            for fraction in [0.0, 0.5, 1.0] {
+                let at = x + chord * fraction;
+                let along = SVector::<_, D>::from_fn(|i, _| s * u[i] + at[i]);
+                let bend = metric.norm_squared(&along, &u).second(0, 0).abs();
+                // NaN is kept: it is no bound of anything.
+                greatest = if bend <= greatest { greatest } else { bend };
+            }
+        }
+    }
+    greatest
 }
 
 /// Returns the points of a sequence and the midpoints of its chords, in the order of the curve:

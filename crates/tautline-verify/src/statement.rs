@@ -1,12 +1,11 @@
-//! `Statement`: the statements of the paper, by number, TeX label and claim.
+//! `Statement`: the statements of the paper, and the sharper ones, by number, label and claim.
 
 use crate::{Verdict, catalogue::entry};
 
-/// A numbered statement of the paper, a claim of its Section 5, or a displayed constant.
-///
-/// The order is that of the paper.
+/// A numbered statement of the paper, a claim of its Section 5, or a displayed constant, in the
+/// order of the paper; and after them our own, in the order of `paper/SHARPER.md`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[allow(missing_docs, reason = "the names are the paper's numbers; `claim` says what they say")]
+#[allow(missing_docs, reason = "the names are the numbers; `claim` says what they say")]
 pub enum Statement {
     Theorem1_1,
     Theorem1_2,
@@ -48,12 +47,23 @@ pub enum Statement {
     ConstantC1_3,
     Proposition9_1,
     Remark9_2,
+    LemmaS1,
+    LemmaS2,
+    LemmaS3,
+    LemmaS4,
+    LemmaS5,
+    TheoremA,
+    TheoremB,
+    TheoremC,
+    TheoremD,
+    PropositionS6,
+    PropositionS7,
 }
 
 impl Statement {
-    /// All statements, in the paper's order: the 30 numbered ones, the two claims of Section 5,
-    /// and eight displayed constants.
-    pub const ALL: [Statement; 40] = [
+    /// All statements: of the paper, in its order, the 30 numbered ones, the two claims of Section
+    /// 5, and eight displayed constants; then the sharper ones.
+    pub const ALL: [Statement; 51] = [
         Statement::Theorem1_1,
         Statement::Theorem1_2,
         Statement::Theorem1_3,
@@ -94,6 +104,17 @@ impl Statement {
         Statement::ConstantC1_3,
         Statement::Proposition9_1,
         Statement::Remark9_2,
+        Statement::LemmaS1,
+        Statement::LemmaS2,
+        Statement::LemmaS3,
+        Statement::LemmaS4,
+        Statement::LemmaS5,
+        Statement::TheoremA,
+        Statement::TheoremB,
+        Statement::TheoremC,
+        Statement::TheoremD,
+        Statement::PropositionS6,
+        Statement::PropositionS7,
     ];
 
     /// Returns the number, as in prose: "Proposition 7.9", "Section 5, left-endpoint rule".
@@ -102,7 +123,8 @@ impl Statement {
         entry(self).number
     }
 
-    /// Returns the TeX label in the paper; of a displayed constant, its symbol.
+    /// Returns the TeX label in the paper; of a displayed constant, its symbol; of a statement of
+    /// ours, `sharper:` and its subject.
     #[must_use]
     pub fn label(self) -> &'static str {
         entry(self).label
@@ -120,7 +142,13 @@ impl Statement {
         entry(self).verdict
     }
 
-    /// Returns whether it bounds an error, a speed or a derivative by the constants of the metric:
+    /// Returns whether it is one of the paper's, and not of ours.
+    #[must_use]
+    pub fn is_of_the_paper(self) -> bool {
+        self.verdict() != Verdict::ProvedHere
+    }
+
+    /// Returns whether it is one of the paper's and bounds an error, a speed or a derivative by the constants of the metric:
     /// Theorems 1.1 to 1.4, Propositions 7.4, 7.6, 7.7, 7.9 to 7.12, 8.1 and 8.2, and what the
     /// displayed constants bound.
     ///

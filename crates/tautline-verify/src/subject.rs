@@ -6,7 +6,7 @@ use nalgebra::SVector;
 use tautline::{
     Bounded, ClosedSet, Constants, Ends, Integral, Interpolation, Metric, MetricError, Minimum,
     Options, PointSequence, Rule, SolveError,
-    bounds::{self, Setting},
+    bounds::{self, BetweenPoints, BoundError, Computed, Enclosure, PaperRule, Setting, Spread},
     christoffel, energy_gradient, minimise,
 };
 
@@ -205,34 +205,150 @@ pub trait Subject: Sync {
         bounds::theorem_1_3_excess(setting, n)
     }
 
-    /// Returns the bound of order `1/N` of `E(γᵖˡ) − d²` for the trapezoidal rule, in `m²`.
-    fn first_order_excess_trapezoidal(&self, setting: Setting, n: NonZeroUsize) -> f64 {
-        bounds::first_order_excess_trapezoidal(setting, n)
+    /// Returns the `K₂` of Lemma S.1, in `ℓ`.
+    fn k2_sharp(&self, setting: Setting) -> f64 {
+        bounds::k2_sharp(setting)
     }
 
-    /// Returns the bound of order `1/N` of `E(γᵖˡ) − d²` for the left-endpoint rule, in `m²`.
-    fn first_order_excess_left(&self, setting: Setting, n: NonZeroUsize) -> f64 {
-        bounds::first_order_excess_left(setting, n)
+    /// Returns the bound of `|E(γᵖˡ) − E_N|` by the mean cube of Lemma S.2, in `m²`.
+    fn cubic_gap(&self, constants: Constants, rule: PaperRule, cube: f64, n: NonZeroUsize) -> f64 {
+        bounds::cubic_gap(constants, rule, cube, n)
     }
 
-    /// Returns the bound of order `1/N` of `min E_tra,N − d²`, in `m²`.
-    fn first_order_minimum_gap_trapezoidal(&self, setting: Setting, n: NonZeroUsize) -> f64 {
-        bounds::first_order_minimum_gap_trapezoidal(setting, n)
+    /// Returns the bound of `|E_l,N − E_tra,N|` by the mean cube of Lemma S.2, in `m²`.
+    fn cubic_rule_gap(&self, constants: Constants, cube: f64, n: NonZeroUsize) -> f64 {
+        bounds::cubic_rule_gap(constants, cube, n)
     }
 
-    /// Returns the bound of order `1/N` of `min E_l,N − d²`, in `m²`.
-    fn first_order_minimum_gap_left(&self, setting: Setting, n: NonZeroUsize) -> f64 {
-        bounds::first_order_minimum_gap_left(setting, n)
+    /// Returns the bound of `|E(γᵖˡ) − E_tra,N|` by the mean fourth power of Lemma S.2, in `m²`.
+    fn quartic_gap(&self, constants: Constants, fourth: f64, n: NonZeroUsize) -> Option<f64> {
+        bounds::quartic_gap(constants, fourth, n)
     }
 
-    /// Returns the bound of order `1/N` of `E(γᵖˡ) − E_tra,N` and of `d² − E_tra,N`, in `m²`.
-    fn first_order_polyline_gap_trapezoidal(&self, setting: Setting, n: NonZeroUsize) -> f64 {
-        bounds::first_order_polyline_gap_trapezoidal(setting, n)
+    /// Returns the bound of `max qₙ` of Lemma S.3, in `m`.
+    fn greatest_speed(&self, constants: Constants, energy: f64, rho: f64, n: NonZeroUsize) -> f64 {
+        bounds::greatest_speed(constants, energy, rho, n)
     }
 
-    /// Returns the bound of order `1/N` of `E(γᵖˡ) − E_l,N` and of `d² − E_l,N`, in `m²`.
-    fn first_order_polyline_gap_left(&self, setting: Setting, n: NonZeroUsize) -> f64 {
-        bounds::first_order_polyline_gap_left(setting, n)
+    /// Returns the bound of `max |βₙ|` of Lemma S.3, in `ℓ`.
+    fn greatest_difference(&self, constants: Constants, k3: f64, rho: f64) -> f64 {
+        bounds::greatest_difference(constants, k3, rho)
+    }
+
+    /// Returns the bound of `L(γᵖˡ)²` by the discrete energy of Lemma S.5, in `m²`.
+    fn squared_length(
+        &self,
+        constants: Constants,
+        rule: PaperRule,
+        e: f64,
+        n: NonZeroUsize,
+    ) -> f64 {
+        bounds::squared_length(constants, rule, e, n)
+    }
+
+    /// Returns the spread of Lemma S.5 by the first order, pure numbers.
+    fn spread(&self, setting: Setting, rule: PaperRule, n: NonZeroUsize, surplus: f64) -> Spread {
+        Spread::of_first_order(setting, rule, n, surplus)
+    }
+
+    /// Returns the spread of Lemma S.5 by the second order, pure numbers.
+    fn sharp_spread(&self, setting: Setting, n: NonZeroUsize, surplus: f64) -> Option<Spread> {
+        Spread::of_second_order(setting, n, surplus)
+    }
+
+    /// Returns the bound of order `1/N` of `min E_N − d²`, in `m²`.
+    fn theorem_a_minimum_gap(&self, setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
+        bounds::theorem_a_minimum_gap(setting, rule, n)
+    }
+
+    /// Returns the bound of `E(γᵖˡ) − E_N` and `d² − E_N` of Theorem A, in `m²`.
+    fn theorem_a_polyline_gap(&self, setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
+        bounds::theorem_a_polyline_gap(setting, rule, n)
+    }
+
+    /// Returns the bound of `E(γᵖˡ) − d²` of Theorem A, in `m²`.
+    fn theorem_a_excess(&self, setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
+        bounds::theorem_a_excess(setting, rule, n)
+    }
+
+    /// Returns the bound of order `1/N²` of `min E_tra,N − d²` of Theorem B, in `m²`.
+    fn theorem_b_minimum_gap(&self, setting: Setting, n: NonZeroUsize) -> Option<f64> {
+        bounds::theorem_b_minimum_gap(setting, n)
+    }
+
+    /// Returns the bound of `|E(γᵖˡ) − E_tra,N|` of Theorem B, in `m²`.
+    fn theorem_b_polyline_gap(&self, setting: Setting, n: NonZeroUsize) -> Option<f64> {
+        bounds::theorem_b_polyline_gap(setting, n)
+    }
+
+    /// Returns the bound of `d² − E_N` of Theorem C, in `m²`.
+    fn theorem_c_deficit(&self, setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
+        bounds::theorem_c_deficit(setting, rule, n)
+    }
+
+    /// Returns the bound of `|E(γᵖˡ) − E_N|` of Theorem C, in `m²`.
+    fn theorem_c_polyline_gap(&self, setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
+        bounds::theorem_c_polyline_gap(setting, rule, n)
+    }
+
+    /// Returns the bound of `L(γᵖˡ)² − d²` of Theorem C, in `m²`.
+    fn theorem_c_length_excess(&self, setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
+        bounds::theorem_c_length_excess(setting, rule, n)
+    }
+
+    /// Returns the bound of `L(γᵖˡ)² − d²` of Theorem D, in `m²`.
+    fn theorem_d_length_excess(&self, setting: Setting, n: NonZeroUsize) -> Option<f64> {
+        bounds::theorem_d_length_excess(setting, n)
+    }
+
+    /// Returns the bound of order `1/N²` of `min E_tra,N − d²` of Theorem D, in `m²`.
+    fn theorem_d_minimum_gap(&self, setting: Setting, n: NonZeroUsize) -> Option<f64> {
+        bounds::theorem_d_minimum_gap(setting, n)
+    }
+
+    /// Returns the bound of `d² − E_tra,N` of Theorem D, in `m²`.
+    fn theorem_d_deficit(&self, setting: Setting, n: NonZeroUsize) -> Option<f64> {
+        bounds::theorem_d_deficit(setting, n)
+    }
+
+    /// Returns the bound of `|E(γᵖˡ) − E_tra,N|` of Theorem D, in `m²`.
+    fn theorem_d_polyline_gap(&self, setting: Setting, n: NonZeroUsize) -> Option<f64> {
+        bounds::theorem_d_polyline_gap(setting, n)
+    }
+
+    /// Returns the enclosure of `d²` of Proposition S.6.
+    ///
+    /// # Errors
+    ///
+    /// As [`bounds::enclose`].
+    fn enclose(
+        &self,
+        constants: Constants,
+        dimension: usize,
+        computed: &Computed,
+    ) -> Result<Enclosure, BoundError> {
+        bounds::enclose(constants, dimension, computed)
+    }
+
+    /// Returns the modulus of convexity of Proposition S.7, in `m²/ℓ²`.
+    fn convexity_modulus(
+        &self,
+        constants: Constants,
+        rule: PaperRule,
+        greatest: f64,
+        n: NonZeroUsize,
+    ) -> Option<f64> {
+        bounds::convexity_modulus(constants, rule, greatest, n)
+    }
+
+    /// Returns the lower bound of the discrete minimum of Proposition S.7, in `m²`.
+    fn strict_convexity(
+        &self,
+        constants: Constants,
+        dimension: usize,
+        computed: &BetweenPoints,
+    ) -> Option<f64> {
+        bounds::strict_convexity(constants, dimension, computed)
     }
 }
 

@@ -51,15 +51,7 @@ impl Units {
     /// If one overflows or underflows.
     pub fn constants(self, constants: Constants) -> Result<Constants, VerifyError> {
         let gram = (self.m / self.ell).powi(2);
-        let scaled = Constants::new(
-            constants.c1() * gram,
-            constants.c2() * gram,
-            constants.l_h() * gram / self.ell,
-        )?;
-        Ok(match constants.m_h() {
-            Some(m_h) => scaled.with_m_h(m_h * gram / self.ell / self.ell)?,
-            None => scaled,
-        })
+        Ok(constants.times([gram, gram, gram / self.ell, gram / self.ell / self.ell])?)
     }
 
     /// Returns a problem in these units.

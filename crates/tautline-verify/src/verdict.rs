@@ -1,6 +1,6 @@
 //! `Verdict`: what we say of a statement, having tested it.
 
-/// What we say of a statement of the paper.
+/// What we say of a statement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// It holds as printed.
@@ -11,6 +11,8 @@ pub enum Verdict {
     RefutedRepairedAs(&'static str),
     /// A known theorem that the paper cites; what can be observed of it is tested.
     Cited,
+    /// A statement of ours, proved in `paper/SHARPER.md`.
+    ProvedHere,
     /// A question that the paper leaves open, and the answer.
     OpenAnsweredBy(&'static str),
 }
@@ -24,6 +26,7 @@ impl Verdict {
             Verdict::HoldsReadAs(_) => "holds when read as",
             Verdict::RefutedRepairedAs(_) => "refuted, repaired as",
             Verdict::Cited => "cited",
+            Verdict::ProvedHere => "proved here",
             Verdict::OpenAnsweredBy(_) => "open, answered by",
         }
     }
@@ -32,7 +35,7 @@ impl Verdict {
     #[must_use]
     pub fn remark(self) -> &'static str {
         match self {
-            Verdict::Holds | Verdict::Cited => "",
+            Verdict::Holds | Verdict::Cited | Verdict::ProvedHere => "",
             Verdict::HoldsReadAs(remark)
             | Verdict::RefutedRepairedAs(remark)
             | Verdict::OpenAnsweredBy(remark) => remark,

@@ -18,7 +18,7 @@ const SEED: u64 = 1961;
 pub(super) const TABLE: Table = Table {
     id: "tightness",
     shows: "the least slack bound/observed that a search over metrics, ends and N finds for each \
-            statement in each family, by the paper's conclusions and by their sharper companions",
+            statement in each family, by its own conclusions and by their sharper companions",
     seed: Seed::One(SEED),
     data,
     layout,
@@ -43,7 +43,7 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
     let full = Search { seed: SEED, ..Search::default() };
     let search = if sweep.quick { Search { restarts: 1, ..full } } else { full };
     for family in families(&Library) {
-        for (source, name) in [(Source::Paper, "paper"), (Source::Sharper, "sharper")] {
+        for (source, name) in [(Source::Stated, "stated"), (Source::Sharper, "sharper")] {
             // Where a bound is never seen to be used at all, as that of the length on the line,
             // where every reconstruction has the length d, there is no slack to tell.
             let found = search.tightest(&family, source)?;

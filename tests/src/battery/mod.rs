@@ -18,6 +18,7 @@ mod section_7_apriori;
 mod section_7_morrey;
 mod section_7_sampling;
 mod section_9;
+mod sharper;
 mod theorem_witnesses;
 
 use std::collections::BTreeSet;
@@ -74,6 +75,7 @@ fn every_check_is_a_test() {
         point_sequences::NAMES,
         section_9::NAMES,
         dropped::NAMES,
+        sharper::NAMES,
     ];
     let tests: BTreeSet<&str> = sections.concat().into_iter().collect();
     assert_eq!(checks, tests);

@@ -7,8 +7,10 @@ use crate::{Setting, product::product};
 /// Bounds the acceleration `|γ̈(t)|` of every minimal geodesic at every time, in `ℓ` (Lemma S.1).
 ///
 /// ```text
-/// K₂  =  ω (L_H/c₁) K_{1,g}²,      ω = 3/2,  or ½ for an isotropic metric and on the line
+/// K₂  =  G d/√c₁  ≤  ω (L_H/c₁) K_{1,g}²,      ω = 3/2,  or ½ for an isotropic metric and on the line
 /// ```
+///
+/// with the [`G`](Setting::bend) of the setting.
 ///
 /// The geodesic equation is `H γ̈ = −r`, where `r = DH[γ̇] γ̇ − ½ ∇(vᵀHv)` has norm `ω L_H |γ̇|²` at
 /// most: estimated as one vector, not one Christoffel symbol at a time, so that the `D²` of
@@ -17,13 +19,11 @@ use crate::{Setting, product::product};
 /// Needs: `H ≥ c₁`, `H` Lipschitz with `L_H`, and a minimiser of the energy; neither `c₂` nor the
 /// dimension.
 ///
-/// Slack: `ω = 3/2` is attained for every `D ≥ 2`, at one point of a geodesic.
+/// Slack: none for every `D ≥ 2`, at one point of a geodesic and in the limit `c₂ → c₁`.
 #[doc(alias = "K_{2,g}")]
 #[must_use]
 pub fn k2_sharp(setting: Setting) -> f64 {
-    let constants = setting.constants();
-    let (d, root) = (setting.distance(), 1.0 / constants.c1().sqrt());
-    product([setting.omega(), constants.l_h(), d, d, root, root, root, root])
+    product([setting.bend(), setting.distance(), 1.0 / setting.constants().c1().sqrt()])
 }
 
 /// Bounds every Christoffel symbol, `|Γᵏ_ij|`, in `1/ℓ`: Proposition 7.11 without its `√D`.

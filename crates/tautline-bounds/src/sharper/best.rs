@@ -1,8 +1,11 @@
-//! The least of all bounds of `E(γᵖˡ) − d²`, and the number of subintervals that a bound asks for.
+//! The least of all bounds of `E(γᵖˡ) − d²` and of `L(γᵖˡ)² − d²`, and the number of subintervals that a bound asks for.
 
 use std::num::NonZeroUsize;
 
-use super::{theorem_a_excess, theorem_b_excess, theorem_c_excess, theorem_d_excess};
+use super::{
+    theorem_a_excess, theorem_b_excess, theorem_c_excess, theorem_c_length_excess,
+    theorem_d_excess, theorem_d_length_excess,
+};
 use crate::{PaperRule, Setting, theorem_1_1_excess, theorem_1_3_excess};
 
 /// By which theorem a bound holds.
@@ -79,11 +82,23 @@ pub fn least_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> Bound
     }
 }
 
-/// Returns an `N` for which [`least_excess`] is at most `tolerance`, and half of which is not known
+/// Returns the least bound of `L(γᵖˡ)² − d²` for a *global* minimiser: that of Theorem C or D for the
+/// length, or the one of [`least_excess`].
+#[must_use]
+pub fn least_length_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> Bound {
+    let first = least_excess(setting, rule, n)
+        .or(Some(theorem_c_length_excess(setting, rule, n)), Theorem::C);
+    match rule {
+        PaperRule::Trapezoidal => first.or(theorem_d_length_excess(setting, n), Theorem::D),
+        PaperRule::LeftEndpoint => first,
+    }
+}
+
+/// Returns an `N` for which [`least_length_excess`] is at most `tolerance`, and half of which is not known
 /// to do; with the theorem by which it does. `None` if no `N` up to `2⁴⁰` does, or the tolerance is
 /// NaN.
 ///
-/// - `tolerance`: of `E(γᵖˡ) − d²` and `L(γᵖˡ)² − d²`, in `m²`.
+/// - `tolerance`: of `L(γᵖˡ)² − d²`, in `m²`.
 ///
 /// Found by doubling and bisection. The bounds fall with `N` wherever we looked; if one did not,
 /// the `N` returned would still do, and might not be the least.
@@ -97,7 +112,7 @@ pub fn suggest_n(
     tolerance: f64,
 ) -> Option<(NonZeroUsize, Theorem)> {
     let enough = |n: usize| {
-        let bound = least_excess(setting, rule, NonZeroUsize::new(n)?);
+        let bound = least_length_excess(setting, rule, NonZeroUsize::new(n)?);
         (bound.value <= tolerance).then_some(bound.by)
     };
     let (mut enough_n, mut by) =
@@ -115,8 +130,12 @@ pub fn suggest_n(
 
 #[cfg(test)]
 mod tests {
-    use super::{Theorem, first_order_excess, least_excess, second_order_excess, suggest_n};
+    use super::{
+        Theorem, first_order_excess, least_excess, least_length_excess, second_order_excess,
+        suggest_n,
+    };
     use crate::{Constants, PaperRule, Setting};
+    use crate::{theorem_c_length_excess, theorem_d_length_excess};
     use std::num::NonZeroUsize;
 
     fn n(n: usize) -> NonZeroUsize {
@@ -142,6 +161,13 @@ mod tests {
         // M_H does not help the left-endpoint rule.
         let bound = least_excess(smooth, PaperRule::LeftEndpoint, n(4096));
         assert_eq!(bound.by, Theorem::C);
+        // Of the length.
+        let bound = least_length_excess(smooth, PaperRule::LeftEndpoint, n(4096));
+        let expected = theorem_c_length_excess(smooth, PaperRule::LeftEndpoint, n(4096));
+        assert_eq!((bound.value, bound.by), (expected, Theorem::C));
+        let bound = least_length_excess(smooth, PaperRule::Trapezoidal, n(4096));
+        let expected = theorem_d_length_excess(smooth, n(4096)).expect("M_H");
+        assert_eq!((bound.value, bound.by), (expected, Theorem::D));
         // A constant metric has no error, and the paper says so.
         let flat = Setting::new(Constants::new(1.0, 2.0, 0.0).expect("in order"), 5.0, 2);
         let bound = least_excess(flat.expect("valid"), PaperRule::LeftEndpoint, n(1));
@@ -153,10 +179,10 @@ mod tests {
         for rule in PaperRule::BOTH {
             for tolerance in [100.0, 1.0, 1e-2, 1e-4] {
                 let (found, by) = suggest_n(setting(Some(6.0)), rule, tolerance).expect("some N");
-                let bound = least_excess(setting(Some(6.0)), rule, found);
+                let bound = least_length_excess(setting(Some(6.0)), rule, found);
                 assert!(bound.value <= tolerance && bound.by == by);
                 if found.get() > 1 {
-                    let before = least_excess(setting(Some(6.0)), rule, n(found.get() - 1));
+                    let before = least_length_excess(setting(Some(6.0)), rule, n(found.get() - 1));
                     assert!(before.value > tolerance, "{before:?} at {found} − 1");
                 }
             }

@@ -6,25 +6,23 @@ use std::num::NonZeroUsize;
 
 use crate::{PaperRule, Setting, product::product};
 
-/// `e − 1` with `e = min(κ, 1 + δ/4N + ωδ²/12N²)` (trapezoidal), `min(κ, 1 + δ/2N)` (left
+/// `e − 1` with `e = min(κ, 1 + δ/4N + Gδ/12N²)` (trapezoidal), `min(κ, 1 + δ/2N)` (left
 /// endpoint): the chord of the geodesic, or its points.
 pub(crate) fn first_order(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let (delta, n) = (setting.delta(), n.get() as f64);
     let sampled = match rule {
         // One division by N after the sum.
-        PaperRule::Trapezoidal => {
-            (0.25 * delta + product([setting.omega() / 12.0, delta, delta]) / n) / n
-        }
+        PaperRule::Trapezoidal => (0.25 * delta + product([setting.bend() / 12.0, delta]) / n) / n,
         PaperRule::LeftEndpoint => 0.5 * delta / n,
     };
     sampled.min(setting.kappa_above_one())
 }
 
-/// `e₂ − 1` for the trapezoidal rule: the least of the above and `(ωδ²/3 + μ/24)/N²`; `None` if
+/// `e₂ − 1` for the trapezoidal rule: the least of the above and `(Gδ/3 + μ/24)/N²`; `None` if
 /// `M_H` is not known.
 pub(crate) fn second_order(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     let (delta, mu) = (setting.delta(), setting.mu()?);
-    let leading = product([setting.omega() / 3.0, delta, delta]) + mu / 24.0;
+    let leading = product([setting.bend() / 3.0, delta]) + mu / 24.0;
     let count = n.get() as f64;
     Some((leading / count / count).min(first_order(setting, PaperRule::Trapezoidal, n)))
 }
@@ -32,17 +30,17 @@ pub(crate) fn second_order(setting: Setting, n: NonZeroUsize) -> Option<f64> {
 /// The least of the above and `ê − 1`, where
 ///
 /// ```text
-/// ê − 1 = (1/N²) [ω²δ² ((1 + δ/2N)²/12 + δ/(√360 N) + μ/240N²) + μ/24]
+/// ê − 1 = (1/N²) [G² (min(κ, (1 + δ/2N)²)/12 + δ/(√360 N) + μ/240N²) + μ/24]
 /// ```
 ///
 /// is what the second variation of the energy at the geodesic leaves.
 pub(crate) fn second_variation(setting: Setting, n: NonZeroUsize) -> Option<f64> {
-    let (delta, mu, omega) = (setting.delta(), setting.mu()?, setting.omega());
+    let (delta, mu, bend) = (setting.delta(), setting.mu()?, setting.bend());
     let count = n.get() as f64;
     let step = delta / count;
-    let factor =
-        (1.0 + 0.5 * step).powi(2) / 12.0 + step / 360_f64.sqrt() + mu / (240.0 * count * count);
-    let bent = product([omega, omega, delta, delta, factor]);
+    let moved = (1.0 + 0.5 * step).powi(2).min(1.0 + setting.kappa_above_one());
+    let factor = moved / 12.0 + step / 360_f64.sqrt() + mu / (240.0 * count * count);
+    let bent = product([bend, bend, factor]);
     let surplus = (bent + mu / 24.0) / count / count;
     Some(surplus.min(second_order(setting, n)?))
 }
@@ -57,10 +55,10 @@ mod tests {
         NonZeroUsize::new(n).expect("positive")
     }
 
-    /// `c₁ = 4`, `L_H = 8`, `M_H = 32`, `d = 3`: `δ = 3` and `μ = 18`.
+    /// `c₁ = 4`, `L_H = 8`, `M_H = 32`, `d = 3`: `δ = 3` and `μ = 18`, on a region.
     fn setting(c2: f64, dimension: usize) -> Setting {
         let constants = Constants::new(4.0, c2, 8.0).and_then(|c| c.with_m_h(32.0));
-        Setting::new(constants.expect("in order"), 3.0, dimension).expect("valid")
+        Setting::new(constants.expect("in order").on_a_region(), 3.0, dimension).expect("valid")
     }
 
     #[test]
@@ -84,6 +82,11 @@ mod tests {
 
     #[test]
     fn the_least_is_taken() {
+        // In the second variation κ = 1.2 is less than (1 + 3/2N)².
+        let capped = second_variation(setting(4.8, 2), n(9)).expect("M_H");
+        let factor = 0.1 + 1.0 / 3.0 / 360_f64.sqrt() + 18.0 / 19440.0;
+        let expected = (20.25 * factor + 0.75) / 81.0;
+        assert!((capped / expected - 1.0).abs() < 4e-15, "{capped} is not {expected}");
         // κ − 1 = 1/8.
         let tame = setting(4.5, 2);
         assert_eq!(first_order(tame, PaperRule::Trapezoidal, n(2)), 0.125);

@@ -80,7 +80,8 @@ pub fn competitors<E>(
     // Each round is 1 % larger than the last at least, and nine decades are enough.
     while radius <= 1e9 * first {
         let constants = constants_within(radius)
-            .map_err(|reason| LocalityError::NoConstants { radius, reason })?;
+            .map_err(|reason| LocalityError::NoConstants { radius, reason })?
+            .on_a_region();
         let setting = Setting::new(constants, upper, dimension).map_err(LocalityError::Bound)?;
         let reach = reach(setting, rule, n);
         if reach < radius || (reach == 0.0 && radius == 0.0) {
@@ -131,7 +132,7 @@ mod tests {
             let reach = upper / region.constants.c1().sqrt();
             assert!(reach <= region.radius, "{region:?}");
             assert!(region.radius <= 1.05 * reach, "{region:?}");
-            assert_eq!(region.constants, sphere(region.radius).expect("a ball"));
+            assert_eq!(region.constants, sphere(region.radius).expect("a ball").on_a_region());
         }
     }
 

@@ -6,6 +6,7 @@ mod best;
 mod ceiling;
 mod convexity;
 mod enclosure;
+mod length;
 mod locality;
 mod sampling;
 mod sequence_gap;
@@ -17,9 +18,13 @@ mod theorem_c;
 mod theorem_d;
 
 pub use acceleration::{christoffel_bound, k2_sharp};
-pub use best::{Bound, Theorem, first_order_excess, least_excess, second_order_excess, suggest_n};
+pub use best::{
+    Bound, Theorem, first_order_excess, least_excess, least_length_excess, second_order_excess,
+    suggest_n,
+};
 pub use convexity::{BetweenPoints, convexity_modulus, strict_convexity};
 pub use enclosure::{Computed, DiscreteMinimum, Enclosure, FromAbove, FromBelow, enclose};
+pub use length::squared_length;
 pub use locality::{LocalityError, Region, competitors};
 pub use sampling::{pointwise_fall, pointwise_rise, sampling_fall, sampling_rise, velocity_error};
 pub use sequence_gap::{cubic_gap, cubic_rule_gap, quartic_gap};
@@ -31,7 +36,10 @@ pub use theorem_a::{
 pub use theorem_b::{
     theorem_b_constant, theorem_b_excess, theorem_b_minimum_gap, theorem_b_polyline_gap,
 };
-pub use theorem_c::{theorem_c_deficit, theorem_c_excess, theorem_c_polyline_gap};
+pub use theorem_c::{
+    theorem_c_deficit, theorem_c_excess, theorem_c_length_excess, theorem_c_polyline_gap,
+};
 pub use theorem_d::{
-    theorem_d_deficit, theorem_d_excess, theorem_d_minimum_gap, theorem_d_polyline_gap,
+    theorem_d_deficit, theorem_d_excess, theorem_d_length_excess, theorem_d_minimum_gap,
+    theorem_d_polyline_gap,
 };

@@ -1,13 +1,13 @@
 //! Theorem A: order `1/N`, for sequences that are stationary in their inner points.
 //!
-//! With `δ = L_H d / c₁^{3/2}` and `κ = c₂/c₁`, pure numbers, and `k = ¼` for the trapezoidal
+//! With `δ = L_H d / c₁^{3/2}`, the [`G`](Setting::bend) of Lemma S.1 and `κ = c₂/c₁`, pure numbers, and `k = ¼` for the trapezoidal
 //! rule, `k = ½` for the left-endpoint rule:
 //!
 //! 1. *From above* (Lemma S.4). A minimal geodesic, sampled at `tₙ = n/N`, is admissible, and gives
 //!    `min E_N ≤ d² e` with
 //!
 //!    ```text
-//!    e = min(κ, 1 + δ/4N + ωδ²/12N²)  (trapezoidal),     e = min(κ, 1 + δ/2N)  (left endpoint)
+//!    e = min(κ, 1 + δ/4N + Gδ/12N²)  (trapezoidal),     e = min(κ, 1 + δ/2N)  (left endpoint)
 //!    ```
 //! 2. *Speeds* (Lemma S.3). Where the inner points are stationary, `max qₙ ≤ d Q` with
 //!    `Q = min(√(Ne), √e + δe)`.
@@ -21,7 +21,7 @@ use crate::{PaperRule, Setting, product::product, sharper::ceiling};
 /// Bounds `min E_N − d²`, in `m²`, by `d² (e − 1) = O(1/N)`.
 ///
 /// ```text
-/// min E_tra,N − d²  ≤  d² min(κ − 1, δ/4N + ωδ²/12N²),      min E_l,N − d²  ≤  d² min(κ − 1, δ/2N)
+/// min E_tra,N − d²  ≤  d² min(κ − 1, δ/4N + Gδ/12N²),      min E_l,N − d²  ≤  d² min(κ − 1, δ/2N)
 /// ```
 ///
 /// Needs: the setting of Theorem 1.1, and a *global* minimiser. `c₂` is not needed but for the
@@ -61,7 +61,7 @@ pub fn theorem_a_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f
 /// Returns `C₁`, in `m²`, with `E(γᵖˡ) − d² ≤ C₁/N` for every `N`.
 ///
 /// ```text
-/// C₁ = d² [δ/4 + ωδ²/12 + (δ/4) ē (√ē + δē)]    (trapezoidal),      ē = e at N = 1
+/// C₁ = d² [δ/4 + Gδ/12 + (δ/4) ē (√ē + δē)]    (trapezoidal),      ē = e at N = 1
 /// C₁ = d² [δ/2 + (δ/2) ē (√ē + δē)]             (left endpoint)
 /// ```
 ///
@@ -71,7 +71,7 @@ pub fn theorem_a_constant(setting: Setting, rule: PaperRule) -> f64 {
     let (delta, d, k) = (setting.delta(), setting.distance(), rule.mean_distance());
     let e = 1.0 + ceiling::first_order(setting, rule, NonZeroUsize::MIN);
     let sampled = match rule {
-        PaperRule::Trapezoidal => 0.25 * delta + product([setting.omega() / 12.0, delta, delta]),
+        PaperRule::Trapezoidal => 0.25 * delta + product([setting.bend() / 12.0, delta]),
         PaperRule::LeftEndpoint => 0.5 * delta,
     };
     let gap = product([k, delta, e, e.sqrt() + product([delta, e])]);

@@ -1,11 +1,11 @@
 //! Theorem B: order `1/N²` for the trapezoidal rule, for sequences that are stationary in their
 //! inner points, where `M_H` is known.
 //!
-//! With `μ = M_H d²/c₁²` besides `δ` and `ω`:
+//! With `μ = M_H d²/c₁²` besides `δ` and `G`:
 //!
 //! 1. *From above* (Lemma S.4). The geodesic that is sampled is looked at from the middle of each
 //!    subinterval, where terms of odd order cancel: `min E_tra,N ≤ d² e₂` with
-//!    `e₂ = min(e, 1 + (ωδ²/3 + μ/24)/N²)`, and the `e` of Theorem A.
+//!    `e₂ = min(e, 1 + (Gδ/3 + μ/24)/N²)`, and the `e` of Theorem A.
 //! 2. *The gap* (Lemma S.2). `|E(γᵖˡ) − E_tra,N| ≤ (M_H/24N²) mean |β|⁴ ≤ d² (μ/24N²) e₂ Q²` with
 //!    `Q = min(√(Ne₂), √e₂ + δe₂)` by Lemma S.3.
 
@@ -18,7 +18,7 @@ use crate::{PaperRule, Setting, product::product, sharper::ceiling};
 ///
 /// Needs: as Theorem A, and `DH` Lipschitz with `M_H`; a *global* minimiser.
 ///
-/// Slack: as `N → ∞` a factor of `(ωδ²/3 + μ/24)/(ω²δ²/12 + μ/24)` is lost, which
+/// Slack: as `N → ∞` a factor of `(Gδ/3 + μ/24)/(G²/12 + μ/24)` is lost, which
 /// [`theorem_d_minimum_gap`](crate::theorem_d_minimum_gap) does not lose.
 #[must_use]
 pub fn theorem_b_minimum_gap(setting: Setting, n: NonZeroUsize) -> Option<f64> {
@@ -52,7 +52,7 @@ pub fn theorem_b_excess(setting: Setting, n: NonZeroUsize) -> Option<f64> {
 /// Returns `C₂`, in `m²`, with `E(γᵖˡ) − d² ≤ C₂/N²` for every `N`; `None` if `M_H` is not known.
 ///
 /// ```text
-/// C₂ = d² [ωδ²/3 + (μ/24) (1 + ē (√ē + δē)²)],      ē = min(κ, 1 + δ/4 + ωδ²/12)
+/// C₂ = d² [Gδ/3 + (μ/24) (1 + ē (√ē + δē)²)],      ē = min(κ, 1 + δ/4 + Gδ/12)
 /// ```
 ///
 /// Needs: as [`theorem_b_excess`], which is no larger than `C₂/N²`.
@@ -61,7 +61,7 @@ pub fn theorem_b_constant(setting: Setting) -> Option<f64> {
     let (delta, mu, d) = (setting.delta(), setting.mu()?, setting.distance());
     let e = 1.0 + ceiling::first_order(setting, PaperRule::Trapezoidal, NonZeroUsize::MIN);
     let greatest = e.sqrt() + product([delta, e]);
-    let sampled = product([setting.omega() / 3.0, delta, delta]);
+    let sampled = product([setting.bend() / 3.0, delta]);
     let gap = product([mu / 24.0, 1.0 + product([e, greatest, greatest])]);
     Some(product([d, d, sampled + gap]))
 }

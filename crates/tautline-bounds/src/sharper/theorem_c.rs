@@ -1,10 +1,13 @@
 //! Theorem C: order `1/N` from the energy alone, stationary or not.
 //!
-//! 1. *From below* (Lemma S.5). `d ≤ L(γᵖˡ) ≤ mean q + (kΛ/2N) mean q²` with `Λ = L_H/c₁^{3/2}`, for
-//!    every admissible sequence: the length of `γᵖˡ` is nearly the mean of the speeds.
-//! 2. *Speeds* (Lemma S.5). `mean q² ≤ d² e` then leaves a variance of `O(1/N)` to the speeds, and
+//! With `Λ = L_H/c₁^{3/2}`, `k = ¼` for the trapezoidal rule, `k = ½` for the left-endpoint rule:
+//!
+//! 1. *Length* (Lemma S.5). On a chord the mean of `βᵀHβ` is at most `q² + (kΛ/N) q³`, and the root is
+//!    concave; so is `√(s + c s^{3/2})`, hence `L(γᵖˡ)² ≤ E_N + (kΛ/N) E_N^{3/2}` for every sequence.
+//! 2. *From below*. `d ≤ L(γᵖˡ)` for every admissible sequence: solved for `E_N`.
+//! 3. *Speeds* (Lemma S.5). `mean q² ≤ d² e` leaves a variance of `O(1/N)` to the speeds, and
 //!    `mean q³ ≤ d³ m₃` with `m₃ → 1`.
-//! 3. *The gap* (Lemma S.2). `|E(γᵖˡ) − E_N| ≤ (k L_H/N) mean |β|³ ≤ d² (kδ/N) m₃`.
+//! 4. *The gap* (Lemma S.2). `|E(γᵖˡ) − E_N| ≤ (k L_H/N) mean |β|³ ≤ d² (kδ/N) m₃`.
 
 use std::num::NonZeroUsize;
 
@@ -14,23 +17,36 @@ use crate::{PaperRule, Setting, product::product, theorem_a_minimum_gap};
 /// Bounds `d² − E_N(γᵖ)` for *every* admissible sequence, in `m²`, by `O(1/N)`.
 ///
 /// ```text
-/// E_N  ≥  d²·4/(1 + √(1 + 2kδ/N))²  ≥  d² (1 − kδ/N),      k = ¼ (trapezoidal), ½ (left endpoint)
+/// E_N  ≥  d² s²,      s² + (kδ/N) s³ = 1,      k = ¼ (trapezoidal), ½ (left endpoint)
 /// ```
+///
+/// which is `d² (1 − kδ/N)` at least.
 ///
 /// Needs: `H ≥ c₁`, Lipschitz with `L_H`; ends in their sets. No minimiser, and no `c₂`: a discrete
 /// energy can undershoot no further.
 ///
-/// Slack: none as `δ → 0`, at `N = 1` over a tent (trapezoidal) and up an incline (left endpoint).
+/// Slack: none as `δ → 0`, for every `N`, over valleys in the middle of the chords (trapezoidal) and
+/// up an incline (left endpoint).
 #[must_use]
 pub fn theorem_c_deficit(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let d = setting.distance();
-    let y = 2.0 * product([rule.mean_distance(), setting.delta()]) / n.get() as f64;
-    let root = 1.0 + (1.0 + y).sqrt();
-    // 1 − 4/(1 + √(1 + y))² without the cancellation: with r = 1 + √(1 + y), r² = 2r + y, and
-    // (r² − 4)/r² = (r − 2)(r + 2)/r² where r − 2 = y/r.
-    let lost = (y / root) * ((root + 2.0) / root) / root;
-    // ∞/∞ where δ overflows: nothing is left.
-    product([d, d, if y.is_finite() { lost } else { 1.0 }])
+    let a = product([rule.mean_distance(), setting.delta()]) / n.get() as f64;
+    // 1 − s² = a s³, without the cancellation; nothing is left where δ overflows.
+    let lost = if a.is_finite() { product([a, root(a).powi(3)]) } else { 1.0 };
+    product([d, d, lost])
+}
+
+/// The positive root of `s² + a s³ = 1` for `a ≥ 0`, by Newton's method from above: the function is
+/// convex, so that every step stays above the root.
+fn root(a: f64) -> f64 {
+    let mut s = a.powf(-1.0 / 3.0).min(1.0);
+    loop {
+        let next = s - (s * s * (1.0 + a * s) - 1.0) / (s * (2.0 + 3.0 * a * s));
+        if !(next < s) {
+            return s;
+        }
+        s = next;
+    }
 }
 
 /// Bounds `|E(γᵖˡ) − E_N(γᵖ)|`, in `m²`, by `d² (kδ/N) m₃ = O(1/N)`, where `E_N(γᵖ) ≤ d² e`.
@@ -38,7 +54,7 @@ pub fn theorem_c_deficit(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> 
 /// Needs: as [`theorem_c_deficit`], and an energy of at most `d² e`, with the `e` of Theorem A; a
 /// *global* minimiser has it, and need not be stationary. Slack: as
 /// [`theorem_a_polyline_gap`](crate::theorem_a_polyline_gap) at `N = 1`; where that grows with `δ`
-/// like `δ²/N`, this grows like `δ/N`.
+/// like `δ²/N`, this grows like `δ/N`, and it is never larger.
 #[must_use]
 pub fn theorem_c_polyline_gap(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let (delta, d) = (setting.delta(), setting.distance());
@@ -47,24 +63,40 @@ pub fn theorem_c_polyline_gap(setting: Setting, rule: PaperRule, n: NonZeroUsize
     product([d, d, rule.mean_distance(), delta, spread.cube]) / n.get() as f64
 }
 
-/// Bounds `E(γᵖˡ) − d²`, and `L(γᵖˡ)² − d²`, in `m²`, for every admissible sequence with
-/// `E_N ≤ d² e`: `d² (e − 1)` and the gap above, `O(1/N)`.
+/// Bounds `E(γᵖˡ) − d²`, in `m²`, for every admissible sequence with `E_N ≤ d² e`: `d² (e − 1)` and
+/// the gap above, `O(1/N)`.
 ///
 /// ```text
 /// E(γᵖˡ) − d²  ≤  d² [e − 1 + (kδ/N) m₃]  ~  d² δ/2N (trapezoidal),  d² δ/N (left endpoint)
 /// ```
 ///
-/// Needs: as [`theorem_c_polyline_gap`]. Slack: for the left-endpoint rule none as `δ → 0`, for
-/// every `N`; for the trapezoidal rule none as `δ → 0` at `N = 1`, and 2 at best for large `N`, as
-/// far as is known.
+/// Needs: as [`theorem_c_polyline_gap`]. Slack: none as `δ → 0`, for every `N`.
 #[must_use]
 pub fn theorem_c_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     theorem_a_minimum_gap(setting, rule, n) + theorem_c_polyline_gap(setting, rule, n)
 }
 
+/// Bounds `L(γᵖˡ)² − d²`, in `m²`, for every admissible sequence with `E_N ≤ d² e`.
+///
+/// ```text
+/// L(γᵖˡ)² − d²  ≤  d² [e − 1 + (kδ/N) e^{3/2}]
+/// ```
+///
+/// Needs: as [`theorem_c_excess`], which is no smaller. Slack: as there.
+#[must_use]
+pub fn theorem_c_length_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
+    let (delta, d) = (setting.delta(), setting.distance());
+    let surplus = ceiling::first_order(setting, rule, n);
+    let cube = (1.0 + surplus).powf(1.5);
+    let gap = product([rule.mean_distance(), delta, cube]) / n.get() as f64;
+    product([d, d, surplus + gap])
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{theorem_c_deficit, theorem_c_excess, theorem_c_polyline_gap};
+    use super::{
+        root, theorem_c_deficit, theorem_c_excess, theorem_c_length_excess, theorem_c_polyline_gap,
+    };
     use crate::{Constants, PaperRule, Setting, theorem_a_excess};
     use std::num::NonZeroUsize;
 
@@ -87,11 +119,20 @@ mod tests {
 
     #[test]
     fn by_hand() {
-        // y = 3/2N and 3/N: at N = 2 and 4, y = 3/4; at N = 1 (left) y = 3, 4/(1 + 2)² = 4/9.
-        close(theorem_c_deficit(setting(400.0), LEFT, n(1)), 9.0 * 5.0 / 9.0);
-        let root = 1.0 + 1.75_f64.sqrt();
-        close(theorem_c_deficit(setting(400.0), TRA, n(2)), 9.0 * (1.0 - 4.0 / root / root));
-        close(theorem_c_deficit(setting(400.0), LEFT, n(4)), 9.0 * (1.0 - 4.0 / root / root));
+        // Left, N = 1: s² + (3/2)s³ = 1. At a = 6, s = ½ is the root: left, N = ¼ of 1, so with δ = 12.
+        assert_eq!(root(6.0), 0.5);
+        assert_eq!(root(0.0), 1.0);
+        let far = setting(400.0).with_distance(12.0).expect("a distance");
+        assert_eq!(theorem_c_deficit(far, LEFT, n(1)), 144.0 * 0.75);
+        let farther = setting(400.0).with_distance(48.0).expect("a distance");
+        assert_eq!(theorem_c_deficit(farther, TRA, n(2)), 2304.0 * 0.75);
+        for a in [1e-9, 0.3, 1.5, 1e3, 1e60] {
+            let s = root(a);
+            assert!((s * s + a * s * s * s - 1.0).abs() < 1e-14, "{a}: {s}");
+        }
+        // e = 1 + 1/4 at N = 6 (left): e − 1 + (1/4)(5/4)^{3/2}.
+        let excess = theorem_c_length_excess(setting(400.0), LEFT, n(6));
+        close(excess, 9.0 * (0.25 + 0.25 * 1.25_f64.powf(1.5)));
         // κ − 1 = 1/80 caps e at N = 30: x = 3·(81/80)/240, R² = 29v.
         let e = 1.0125_f64;
         let cube = |x: f64| {
@@ -126,9 +167,11 @@ mod tests {
         let wild = wild.expect("valid");
         assert_eq!(theorem_c_deficit(wild, TRA, n(7)), 1e8);
         assert_eq!(theorem_c_excess(wild, TRA, n(7)), f64::INFINITY);
+        assert_eq!(theorem_c_length_excess(wild, TRA, n(7)), f64::INFINITY);
         let touching = Setting::new(Constants::new(1.0, 2.0, 1e300).expect("in order"), 0.0, 2);
         let touching = touching.expect("valid");
         assert_eq!(theorem_c_deficit(touching, LEFT, n(7)), 0.0);
         assert_eq!(theorem_c_excess(touching, LEFT, n(7)), 0.0);
+        assert_eq!(theorem_c_length_excess(touching, LEFT, n(7)), 0.0);
     }
 }

@@ -13,7 +13,7 @@
 //! // Proposition 7.9 is attained by a step over the valley of a tent, and the search finds it.
 //! let families = families(&Library);
 //! let tent = families.iter().find(|family| family.is("Proposition 7.9", "tent"));
-//! let found = Search::default().tightest(tent.expect("listed"), Source::Paper)?;
+//! let found = Search::default().tightest(tent.expect("listed"), Source::Stated)?;
 //! assert!(found.is_some_and(|tightest| tightest.slack < 1.01));
 //! # Ok::<(), tautline_verify::adversary::AdversaryError>(())
 //! ```

@@ -228,7 +228,7 @@ mod tests {
 
     #[test]
     fn the_corner_of_equality_is_found() {
-        let found = Search::default().tightest(&cubes(), Source::Paper).expect("true");
+        let found = Search::default().tightest(&cubes(), Source::Stated).expect("true");
         let found = found.expect("told everywhere");
         assert!(found.slack <= 1.000_001, "{found:?}");
         assert_eq!(found.slack, found.evidence.slack());
@@ -244,14 +244,14 @@ mod tests {
         let parameters = [side("x"), side("y")];
         let edge = Family::new("edge", Statement::Proposition7_8, parameters, |[x, y]| {
             let slack = 1.0 + (x - y).abs() + (y - 0.7).powi(2);
-            Ok(Some(Evidence::of(Statement::Proposition7_8).paper(
+            Ok(Some(Evidence::of(Statement::Proposition7_8).stated(
                 "1 ≤ slack",
                 Unit::NONE,
                 [1.0, slack],
                 0.0,
             )))
         });
-        let found = Search::default().tightest(&edge, Source::Paper).expect("true");
+        let found = Search::default().tightest(&edge, Source::Stated).expect("true");
         assert!(found.expect("told").slack <= 1.01);
     }
 
@@ -273,10 +273,10 @@ mod tests {
         // The sharper companion fails for x > ½ only, and the search looks at the paper's.
         let wrong = Family::new("wrong", Statement::Proposition7_8, side, |[x]| {
             let evidence = Evidence::of(Statement::Proposition7_8);
-            let evidence = evidence.paper("x ≤ 2", Unit::NONE, [x, 2.0], 0.0);
+            let evidence = evidence.stated("x ≤ 2", Unit::NONE, [x, 2.0], 0.0);
             Ok(Some(evidence.sharper("x ≤ ½", Unit::NONE, [x, 0.5], 0.0)))
         });
-        let found = Search::default().tightest(&wrong, Source::Paper);
+        let found = Search::default().tightest(&wrong, Source::Stated);
         let Err(AdversaryError::Violated { family: "wrong", parameters, conclusion, .. }) = found
         else {
             panic!("{found:?}");
@@ -302,7 +302,7 @@ mod tests {
     fn a_wrong_constant_is_found_out() {
         let families = families(&Eighth);
         let tent = families.iter().find(|family| family.is("Proposition 7.9", "tent"));
-        let found = Search::default().tightest(tent.expect("listed"), Source::Paper);
+        let found = Search::default().tightest(tent.expect("listed"), Source::Stated);
         assert!(matches!(found, Err(AdversaryError::Violated { .. })), "{found:?}");
     }
 
@@ -312,12 +312,12 @@ mod tests {
         let none = Family::new("none", Statement::Proposition7_8, side, |[x]| {
             Ok((x < 0.5).then(|| prop_7_8(&[-1.0, x])))
         });
-        assert_eq!(Search::default().tightest(&none, Source::Paper), Ok(None));
+        assert_eq!(Search::default().tightest(&none, Source::Stated), Ok(None));
         let (name, low, high) = ("x", 2.0, 3.0);
         let error = Family::new("error", Statement::Proposition7_8, side, |[value]| {
             Err(VerifyError::OutOfRange { name, value, low, high })
         });
-        let found = Search::default().tightest(&error, Source::Paper);
+        let found = Search::default().tightest(&error, Source::Stated);
         assert!(matches!(found, Err(AdversaryError::Evaluation { .. })), "{found:?}");
     }
 }

@@ -28,22 +28,22 @@ pub(super) fn refuted(evidence: &Evidence, claim: &str, numbers: [f64; 2]) -> Ou
 }
 
 /// Passes if these hypotheses, each named by a part of its claim, do not hold, all others hold, and
-/// a conclusion of the paper fails: what a counterexample to the statement without them has to
+/// a stated conclusion fails: what a counterexample to the statement without them has to
 /// show. More than one are named where one implies the other.
 pub(super) fn fails_without(hypotheses: &[&str], evidence: Evidence) -> Outcome {
-    let fails = of_the_paper(&evidence).any(is_false);
+    let fails = stated(&evidence).any(is_false);
     dropped(hypotheses, &evidence, fails, "does not fail")
 }
 
-/// Passes if these hypotheses do not hold, all others hold, and so do all conclusions of the paper:
+/// Passes if these hypotheses do not hold, all others hold, and so do all stated conclusions:
 /// an example of what is proved where this is asked, that they are not needed.
 pub(super) fn holds_without(hypotheses: &[&str], evidence: Evidence) -> Outcome {
-    let holds = of_the_paper(&evidence).all(Inequality::holds);
+    let holds = stated(&evidence).all(Inequality::holds);
     dropped(hypotheses, &evidence, holds, "does not hold")
 }
 
-fn of_the_paper(evidence: &Evidence) -> impl Iterator<Item = &Inequality> {
-    evidence.conclusions.iter().filter(|claim| claim.source == Source::Paper)
+fn stated(evidence: &Evidence) -> impl Iterator<Item = &Inequality> {
+    evidence.conclusions.iter().filter(|claim| claim.source == Source::Stated)
 }
 
 /// Whether the numbers contradict the claim; NaN contradicts nothing.
@@ -79,7 +79,7 @@ mod tests {
         Evidence::of(Statement::Lemma4_4)
             .given("a = 0", Unit::NONE, [a, 0.0], 0.0)
             .given("b = 0", Unit::NONE, [b, 0.0], 0.0)
-            .paper("c = 0", Unit::NONE, [c, 0.0], 0.0)
+            .stated("c = 0", Unit::NONE, [c, 0.0], 0.0)
             .sharper("c = 1", Unit::NONE, [1.0, c], 0.0)
     }
 
@@ -96,7 +96,7 @@ mod tests {
     }
 
     #[test]
-    fn a_conclusion_of_the_paper_decides_and_nan_does_not() {
+    fn a_conclusion_stated_decides_and_nan_does_not() {
         assert!(fails_without(&["a"], evidence(1.0, 0.0, 0.0)).is_err());
         assert!(holds_without(&["a"], evidence(1.0, 0.0, 0.0)).is_ok());
         assert!(holds_without(&["a"], evidence(1.0, 0.0, 1.0)).is_err());

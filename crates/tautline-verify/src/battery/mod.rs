@@ -18,6 +18,7 @@ mod ledger;
 mod orders;
 mod point_sequences;
 mod quick;
+mod random_problems;
 mod section_1;
 mod section_3;
 mod section_4;
@@ -28,6 +29,7 @@ mod section_7_apriori;
 mod section_7_morrey;
 mod section_7_sampling;
 mod section_9;
+mod sharper;
 mod sheared;
 mod slope;
 mod tally;
@@ -64,6 +66,7 @@ pub fn battery<S: Subject>() -> Vec<Check<S>> {
         point_sequences::checks(),
         section_9::checks(),
         dropped::checks(),
+        sharper::checks(),
     ];
     sections.into_iter().flatten().collect()
 }

@@ -64,7 +64,7 @@ mod tests {
         let outcome = trial.quick(1, 100, |_, numbers: &Nonnegatives| {
             let largest = numbers.numbers().into_iter().fold(0.0, f64::max);
             let evidence = Evidence::of(Statement::Proposition7_8);
-            Ok([evidence.paper("x ≤ 100", Unit::COORDINATE, [largest, 100.0], 0.0)])
+            Ok([evidence.stated("x ≤ 100", Unit::COORDINATE, [largest, 100.0], 0.0)])
         });
         let message = outcome.expect_err("false").message;
         // 1601/16 is the first multiple of 1/16 above 100.

@@ -17,15 +17,15 @@ pub struct Tally {
 pub struct Count {
     /// How many cases.
     pub cases: u64,
-    /// The least slack of the paper's own conclusions, a pure number; `∞` if none was seen.
+    /// The least slack of the stated conclusions, a pure number; `∞` if none was seen.
     pub slack: f64,
 }
 
 impl Tally {
-    /// Counts one case, of the statement if a conclusion of the paper was put to it.
+    /// Counts one case, of the statement if a stated conclusion was put to it.
     pub fn count(&mut self, evidence: &Evidence) {
-        let paper = evidence.conclusions.iter().any(|claim| claim.source == Source::Paper);
-        let one = Count { cases: u64::from(paper), slack: evidence.slack() };
+        let stated = evidence.conclusions.iter().any(|claim| claim.source == Source::Stated);
+        let one = Count { cases: u64::from(stated), slack: evidence.slack() };
         self.add(evidence.statement, one);
         let claims = evidence.hypotheses.iter().map(|clause| clause.claim);
         self.hypotheses.entry(evidence.statement).or_default().extend(claims);

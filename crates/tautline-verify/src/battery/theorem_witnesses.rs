@@ -66,7 +66,7 @@ pub(super) const MARGIN: f64 = 1e-8;
 
 /// In `C` the next order adds up to `4.4 δ` of it (`3δ² + 9κδ²`, `6(κ − 1)δ` with `κ − 1 = 2δ`, and
 /// `C_tra♯` in `K̄³`), and `d³` up to `δ`. The margin is `10⁻⁵` of the gaps.
-const LIMIT: f64 = 1.0 + 6.0 * SLOPE;
+pub(super) const LIMIT: f64 = 1.0 + 6.0 * SLOPE;
 
 /// `H` at the knots of a route, and how long they are apart.
 pub(super) type Knots = [[f64; 2]; 3];
@@ -102,7 +102,7 @@ pub(super) fn level(length: f64) -> Knots {
 }
 
 /// Observes the minimiser of the one chord from set to set.
-fn routes(
+pub(super) fn routes(
     subject: &impl Subject,
     rule: PaperRule,
     [first, second]: [Knots; 2],
@@ -112,7 +112,7 @@ fn routes(
 }
 
 /// The same between two points.
-fn route(
+pub(super) fn route(
     subject: &impl Subject,
     rule: PaperRule,
     knots: Knots,

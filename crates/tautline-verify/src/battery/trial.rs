@@ -151,7 +151,7 @@ impl<S> Trial<'_, S> {
             Scope::PaperAlone => evidence
                 .conclusions
                 .iter()
-                .find(|claim| claim.source == Source::Paper && !claim.holds())
+                .find(|claim| claim.source == Source::Stated && !claim.holds())
                 .filter(|_| evidence.statement.is_a_bound())
                 .map(|claim| ("is violated", claim)),
             Scope::Everything => match evidence.finding() {
@@ -206,7 +206,7 @@ mod tests {
     fn evidence(given: f64, paper: f64, sharper: f64) -> Evidence {
         Evidence::of(Statement::Theorem1_1)
             .given("a hypothesis", Unit::NONE, [given, 1.0], 0.0)
-            .paper("a bound", Unit::ENERGY, [paper, 1.0], 0.0)
+            .stated("a bound", Unit::ENERGY, [paper, 1.0], 0.0)
             .sharper("a companion", Unit::ENERGY, [sharper, 1.0], 0.0)
     }
 
@@ -231,7 +231,7 @@ mod tests {
     fn every_number_has_to_scale_by_its_unit() {
         let units = Units { ell: 1.0, m: 2.0 };
         let of = |observed: f64, bound: f64, granted: f64| {
-            Evidence::of(Statement::Theorem1_1).paper(
+            Evidence::of(Statement::Theorem1_1).stated(
                 "a bound",
                 Unit::ENERGY,
                 [observed, bound],

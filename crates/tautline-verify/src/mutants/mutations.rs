@@ -82,10 +82,5 @@ pub(crate) fn first_point_moved<const D: usize>(
 
 /// Constants with another `L_H`.
 pub(crate) fn with_l_h(constants: Constants, factor: f64) -> Constants {
-    let other = Constants::new(constants.c1(), constants.c2(), factor * constants.l_h());
-    let other = other.and_then(|other| match constants.m_h() {
-        Some(m_h) => other.with_m_h(m_h),
-        None => Ok(other),
-    });
-    other.expect("a multiple of a finite constant")
+    constants.times([1.0, 1.0, factor, 1.0]).expect("a multiple of a finite constant")
 }

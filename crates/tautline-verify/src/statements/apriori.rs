@@ -9,11 +9,6 @@ use crate::{
     curves::{BoundedCurve, curve_energy, l2_norm},
 };
 
-/// The factor `ω` of `|γ̈| ≤ ω (L_H/c₁) K₁²`: 3/2, and 1/2 on the line.
-fn omega(dimension: usize) -> f64 {
-    if dimension == 1 { 0.5 } else { 1.5 }
-}
-
 /// A minimal geodesic at one time.
 struct Instant {
     setting: Setting,
@@ -91,7 +86,7 @@ pub fn constant_k1<const D: usize>(
     let (d2, rounding) = (distance * distance, 16.0 * f64::EPSILON * energy);
     Ok(instant
         .evidence
-        .paper("|γ̇(t)| ≤ K₁", Unit::COORDINATE, [instant.speed, k1], instant.granted[0])
+        .stated("|γ̇(t)| ≤ K₁", Unit::COORDINATE, [instant.speed, k1], instant.granted[0])
         .sharper("c₁K₁² ≤ d²", Unit::ENERGY, [energy, d2], rounding)
         .sharper("d² ≤ c₁K₁²", Unit::ENERGY, [d2, energy], rounding))
 }
@@ -103,7 +98,8 @@ pub fn constant_k1<const D: usize>(
 ///
 /// Slack: `D²` at best for `D ≥ 2`, and 3 on the line, see the companion.
 ///
-/// Companions: `|γ̈| ≤ ω (L_H/c₁) K_{1,g}²` with `ω = 3/2`, on the line `½`; and `K_{2,g}` is what
+/// Companions: `|γ̈| ≤ ω (L_H/c₁) K_{1,g}²` with `ω = 3/2`, and `½` for an isotropic metric and on the
+/// line (Lemma S.1); and `K_{2,g}` is what
 /// it is defined to be.
 ///
 /// # Errors
@@ -128,15 +124,49 @@ pub fn constant_k2<const D: usize>(
     let rounding = 16.0 * f64::EPSILON * defined;
     Ok(instant
         .evidence
-        .paper("|γ̈(t)| ≤ K₂", Unit::COORDINATE, [found, k2], granted)
+        .stated("|γ̈(t)| ≤ K₂", Unit::COORDINATE, [found, k2], granted)
         .sharper(
             "|γ̈(t)| ≤ ω L_H K₁²/c₁",
             Unit::COORDINATE,
-            [found, omega(D) * natural],
+            [found, subject.k2_sharp(instant.setting)],
             granted + rounding,
         )
         .sharper("K₂ ≤ 3L_H D² d²/2c₁²", Unit::COORDINATE, [k2, defined], rounding)
         .sharper("3L_H D² d²/2c₁² ≤ K₂", Unit::COORDINATE, [defined, k2], rounding))
+}
+
+/// Evaluates Lemma S.1 on a minimal geodesic at the time `t`.
+///
+/// ```text
+/// |γ̈(t)|  ≤  ω (L_H/c₁) K_{1,g}²,        γ̈ᵀ H(γ) γ̈  ≤  ω² δ² d²
+/// ```
+///
+/// Needs: as [`constant_k2`]; `ω = 3/2`, and `½` for an isotropic metric and on the line.
+///
+/// Slack: none in either, at 0 over a twist for `D ≥ 2`, and at the foot of an incline for `ω = ½`.
+///
+/// # Errors
+///
+/// As [`constant_k1`].
+pub fn lemma_s_1<const D: usize>(
+    subject: &impl Subject,
+    metric: &impl Bounded<D>,
+    curve: &impl BoundedCurve<D>,
+    distance: f64,
+    t: f64,
+) -> Result<Evidence, VerifyError> {
+    let instant = Instant::of(Statement::LemmaS1, subject, metric, curve, distance, t)?;
+    let bound = subject.k2_sharp(instant.setting);
+    let [position, _, acceleration] = curve.motion(t).derivatives();
+    let force = metric.norm_squared(&position, &acceleration);
+    let setting = instant.setting;
+    let force_bound = (setting.omega() * setting.delta() * distance).powi(2);
+    let granted = instant.granted[1] + 16.0 * f64::EPSILON * bound;
+    let momentum = 2.0 * (setting.constants().c2() * force_bound.max(force)).sqrt();
+    Ok(instant
+        .evidence
+        .stated("|γ̈(t)| ≤ ω L_H K₁²/c₁", Unit::COORDINATE, [instant.acceleration, bound], granted)
+        .stated("γ̈ᵀHγ̈ ≤ ω²δ²d²", Unit::ENERGY, [force, force_bound], momentum * granted))
 }
 
 /// Evaluates Proposition 7.12 on a minimiser of the energy between points at a given distance.
@@ -151,7 +181,7 @@ pub fn constant_k2<const D: usize>(
 /// Slack: none in the first where `H = c₁` in the direction of the geodesic; in the second that of
 /// [`constant_k2`].
 ///
-/// Companion: `‖γ̈‖ ≤ ω (L_H/c₁) K_{1,g}²` with `ω = 3/2`, on the line `½`.
+/// Companion: `‖γ̈‖ ≤ ω (L_H/c₁) K_{1,g}²` with the `ω` of Lemma S.1.
 ///
 /// # Errors
 ///
@@ -168,7 +198,6 @@ pub fn prop_7_12<const D: usize>(
     let energy = curve_energy(metric, curve, 4);
     let [velocity, acceleration] = [1, 2].map(|k| l2_norm(curve, k, [0.0, 1.0]));
     let seen = seen_along(metric, curve)?;
-    let natural = constants.l_h() * (distance / constants.c1()).powi(2);
     let [size, a1, _] = curve.suprema();
     // As for a single time: the integrand is off by roundings of γ̇, and of the point where the
     // metric is read. The distance is a difference of numbers of the size of √c₂ |γ|.
@@ -178,20 +207,20 @@ pub fn prop_7_12<const D: usize>(
         + 64.0 * f64::EPSILON * constants.c2().sqrt() * size * distance;
     // And so are K₁, and the K₂ that has K₁² in it.
     let off = 32.0 * f64::EPSILON * constants.c2().sqrt() * size / constants.c1().sqrt();
-    let bend = omega(D) * natural;
+    let bend = subject.k2_sharp(setting);
     let granted_bend = acceleration.error
         + 2.0 * relative * bend
-        + 2.0 * omega(D) * constants.l_h() / constants.c1() * subject.k1_g(setting) * off;
+        + 2.0 * setting.omega() * constants.l_h() / constants.c1() * subject.k1_g(setting) * off;
     Ok(Evidence::of(Statement::Proposition7_12)
         .given_constants(constants, &seen)
         .given("E(γ) ≤ d²", Unit::ENERGY, [energy.value, distance * distance], granted)
-        .paper(
+        .stated(
             "‖γ̇‖ ≤ K₁",
             Unit::COORDINATE,
             [velocity.value, subject.k1_g(setting)],
             velocity.error + off,
         )
-        .paper(
+        .stated(
             "‖γ̈‖ ≤ K₂",
             Unit::COORDINATE,
             [acceleration.value, subject.k2_g(setting)],

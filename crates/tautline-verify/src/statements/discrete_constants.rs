@@ -58,7 +58,7 @@ fn speed<const D: usize>(
     let [observed, bound] = [seen.k3, bar].map(|k| c1 * k * k - d2);
     // K̄ is a square root of a sum, squared again: a few roundings of the bound.
     let rounding = seen.granted + 8.0 * f64::EPSILON * (bound + 2.0 * d2);
-    evidence.paper(plain, Unit::COORDINATE, [seen.k3, bar], granted).paper(
+    evidence.stated(plain, Unit::COORDINATE, [seen.k3, bar], granted).stated(
         gap,
         Unit::ENERGY,
         [observed, bound],
@@ -88,7 +88,7 @@ pub fn constant_c_1_1<const D: usize>(
         by_parts: subject.theorem_1_1_excess(setting, n),
         constant: subject.theorem_1_1_constant(setting),
         sum: sharp + 0.25 * cube,
-        first_order: subject.first_order_excess_trapezoidal(setting, n),
+        first_order: subject.theorem_a_excess(setting, PaperRule::Trapezoidal, n),
     };
     let premise = premise_trapezoidal(subject, seen);
     let begun = begin(Statement::ConstantC1_1, seen, PaperRule::Trapezoidal, premise);
@@ -119,7 +119,7 @@ pub fn constant_c_1_3<const D: usize>(
         by_parts: subject.theorem_1_3_excess(setting, n),
         constant: subject.theorem_1_3_constant(setting),
         sum: sharp + 0.5 * setting.constants().l_h() * cubes,
-        first_order: subject.first_order_excess_left(setting, n),
+        first_order: subject.theorem_a_excess(setting, PaperRule::LeftEndpoint, n),
     };
     let premise = premise_left(subject, seen);
     let begun = begin(Statement::ConstantC1_3, seen, PaperRule::LeftEndpoint, premise);
@@ -144,7 +144,7 @@ impl Excess {
         // C is a product of cubes of sums of cubes: some 40 roundings, and powers up to 9.
         let rounding = 1e-13 * self.constant;
         evidence
-            .paper("E(γᵖˡ) − d² ≤ by parts", Unit::ENERGY, [excess, self.by_parts], seen.granted)
+            .stated("E(γᵖˡ) − d² ≤ by parts", Unit::ENERGY, [excess, self.by_parts], seen.granted)
             .sharper("by parts ≤ C/√N", Unit::ENERGY, [self.by_parts, bound], rounding)
             .sharper("C ≤ the sum of its parts", Unit::ENERGY, [self.constant, self.sum], rounding)
             .sharper("the sum of its parts ≤ C", Unit::ENERGY, [self.sum, self.constant], rounding)

@@ -104,9 +104,9 @@ fn is_attained<M, const D: usize>(
     let d2 = known.distance.powi(2);
     let granted = seen.granted_energy() + 2.0 * known.distance * known.distance_error;
     evidence
-        .paper("γ joins the sets", Unit::COORDINATE, [off, 0.0], rounding)
-        .paper("L(γ)² ≤ d²", Unit::ENERGY, [seen.length_squared(), d2], granted)
-        .paper("E(γ) ≤ d²", Unit::ENERGY, [seen.energy.value, d2], granted)
+        .stated("γ joins the sets", Unit::COORDINATE, [off, 0.0], rounding)
+        .stated("L(γ)² ≤ d²", Unit::ENERGY, [seen.length_squared(), d2], granted)
+        .stated("E(γ) ≤ d²", Unit::ENERGY, [seen.energy.value, d2], granted)
 }
 
 /// Evaluates Proposition 6.3 on a curve between two closed sets: `d² ≤ L(γ)² ≤ E(γ)`.
@@ -135,8 +135,8 @@ fn no_curve_is_shorter<M, const D: usize>(
     let granted = seen.granted_energy() + 2.0 * known.distance * known.distance_error;
     evidence
         .given("the ends lie in X⁽⁰⁾ and X⁽¹⁾", Unit::COORDINATE, [off, 0.0], rounding)
-        .paper("d² ≤ L(γ)²", Unit::ENERGY, [d2, length2], granted)
-        .paper("L(γ)² ≤ E(γ)", Unit::ENERGY, [length2, energy], granted)
+        .stated("d² ≤ L(γ)²", Unit::ENERGY, [d2, length2], granted)
+        .stated("L(γ)² ≤ E(γ)", Unit::ENERGY, [length2, energy], granted)
 }
 
 /// Evaluates the second claim of Proposition 6.1 on a curve: if its energy is `d²`, it is a minimal
@@ -159,9 +159,9 @@ pub fn prop_6_1_minimiser<M: Metric<D>, const D: usize>(
     Ok(Evidence::of(Statement::Proposition6_1)
         .given("the ends lie in X⁽⁰⁾ and X⁽¹⁾", Unit::COORDINATE, [off, 0.0], rounding)
         .given("E(γ) ≤ d²", Unit::ENERGY, [seen.energy.value, known.distance.powi(2)], granted)
-        .paper("L(γ) ≤ d", Unit::LENGTH, [seen.length.value, known.distance], length)
-        .paper("d ≤ L(γ)", Unit::LENGTH, [known.distance, seen.length.value], length)
-        .paper("γ̈ = −Γ(γ̇, γ̇)", Unit::COORDINATE, [residual.value, 0.0], residual.granted))
+        .stated("L(γ) ≤ d", Unit::LENGTH, [seen.length.value, known.distance], length)
+        .stated("d ≤ L(γ)", Unit::LENGTH, [known.distance, seen.length.value], length)
+        .stated("γ̈ = −Γ(γ̇, γ̇)", Unit::COORDINATE, [residual.value, 0.0], residual.granted))
 }
 
 /// A pair of points of two sets, said to be a nearest one.
@@ -210,7 +210,7 @@ impl<const D: usize> NearestPair<D> {
             points: [*sequence.first(), *sequence.last()],
             apart,
             distance: known.distance,
-            excess: subject.first_order_excess_trapezoidal(seen.setting, seen.n),
+            excess: subject.theorem_a_excess(seen.setting, seen.rule, seen.n),
             off_sets: seen.off_sets,
             radius: sets.iter().filter_map(|set| set.radius()).reduce(f64::min),
             sampled,
@@ -242,8 +242,8 @@ pub fn prop_6_2<const D: usize>(pair: &NearestPair<D>, c1: f64) -> Evidence {
         .given("one of the sets is bounded", Unit::NONE, [unbounded, 0.0], 0.0)
         .given("the sets are closed", Unit::NONE, [open, 0.0], 0.0)
         .given("x ∈ X⁽⁰⁾ and y ∈ X⁽¹⁾", Unit::COORDINATE, [pair.off_sets, 0.0], 1e-13 * size)
-        .paper("d(x, y)² ≤ d(X⁽⁰⁾, X⁽¹⁾)²", Unit::ENERGY, [pair.apart.powi(2), d2], pair.granted)
-        .paper("|x|, |y| ≤ R + d/√c₁", Unit::COORDINATE, [size, room], granted)
+        .stated("d(x, y)² ≤ d(X⁽⁰⁾, X⁽¹⁾)²", Unit::ENERGY, [pair.apart.powi(2), d2], pair.granted)
+        .stated("|x|, |y| ≤ R + d/√c₁", Unit::COORDINATE, [size, room], granted)
         .sharper(
             "d(X⁽⁰⁾, X⁽¹⁾)² ≤ d(x, y)²",
             Unit::ENERGY,

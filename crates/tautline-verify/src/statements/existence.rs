@@ -5,7 +5,7 @@ use tautline::{Bounded, ClosedSet, LeftEndpoint, PointSequence, Trapezoidal};
 
 use crate::{
     Evidence, GramRange, PaperRule, Reconstruction, Statement, Subject, Unit, VerifyError,
-    reconstruction::nodes,
+    discrete_energy, reconstruction::nodes,
 };
 
 /// Evaluates Proposition 7.1 on two admissible sequences of the same `N`, of which the first is
@@ -53,7 +53,8 @@ pub fn prop_7_1<const D: usize>(
         sequence.points().iter().map(|x: &SVector<f64, D>| x.norm()).fold(0.0, f64::max)
     });
     let size = size[0].max(size[1]);
-    let [least, energy] = [minimiser, other].map(|sequence| rule.energy(subject, metric, sequence));
+    let [least, energy] =
+        [minimiser, other].map(|sequence| discrete_energy(subject, rule, metric, sequence));
     let way: f64 = other.chords().map(|(_, chord)| chord.norm()).sum();
     let radius = (energy / c1).sqrt();
     // A projection of 4 D roundings of coordinates, and a root of a compensated sum.
@@ -71,9 +72,9 @@ pub fn prop_7_1<const D: usize>(
             [off[0].max(off[1]), 0.0],
             1e-13 * size,
         )
-        .paper("|xₙ − X| ≤ √(R/c₁)", Unit::COORDINATE, [reach(other), radius], rounding)
-        .paper("|xₙ − X| ≤ √(R/c₁) for γ*", Unit::COORDINATE, [reach(minimiser), radius], rounding)
-        .paper("E_N(γ*) ≤ E_N(γᵖ)", Unit::ENERGY, [least, energy], granted)
+        .stated("|xₙ − X| ≤ √(R/c₁)", Unit::COORDINATE, [reach(other), radius], rounding)
+        .stated("|xₙ − X| ≤ √(R/c₁) for γ*", Unit::COORDINATE, [reach(minimiser), radius], rounding)
+        .stated("E_N(γ*) ≤ E_N(γᵖ)", Unit::ENERGY, [least, energy], granted)
         .sharper("Σ |xₙ₊₁ − xₙ| ≤ √(R/c₁)", Unit::COORDINATE, [way, radius], rounding))
 }
 

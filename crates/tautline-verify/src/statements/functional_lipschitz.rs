@@ -81,7 +81,7 @@ impl<const D: usize> TwoForms<D> {
             + self.c2 * difference * difference
             + 2.0 * self.c2 * speed * difference;
         let size = self.rounding() * (u1.norm_squared() + u2.norm_squared());
-        evidence.paper(
+        evidence.stated(
             "|u₁ᵀH(x₁)u₁ − u₂ᵀH(x₂)u₂| ≤ L_H|x₁ − x₂||u₁|² + c₂|u₁ − u₂|² + 2c₂|u₁||u₁ − u₂|",
             Unit::ENERGY,
             [(first - second).abs(), bound],

@@ -28,8 +28,8 @@ pub fn prop_3_1<const D: usize>(
     let (length2, granted) = (seen.length_squared(), seen.granted_energy());
     Ok(Evidence::of(Statement::Proposition3_1)
         .given("γ̈ = −Γ(γ̇, γ̇)", Unit::COORDINATE, [residual.value, 0.0], residual.granted)
-        .paper("g(γ̇, γ̇) ≤ L(γ)²", Unit::ENERGY, [largest, length2], granted)
-        .paper("L(γ)² ≤ g(γ̇, γ̇)", Unit::ENERGY, [length2, least], granted))
+        .stated("g(γ̇, γ̇) ≤ L(γ)²", Unit::ENERGY, [largest, length2], granted)
+        .stated("L(γ)² ≤ g(γ̇, γ̇)", Unit::ENERGY, [length2, least], granted))
 }
 
 /// Evaluates what can be observed of Proposition 3.2 (Hopf and Rinow): that the curve which is
@@ -57,9 +57,9 @@ pub fn prop_3_2<M: KnownDistance<D>, const D: usize>(
     let granted = seen.granted_length() + known.distance_error;
     let (off, rounding) = off_sets(subject, known, &seen);
     Ok(given_complete(Evidence::of(Statement::Proposition3_2), way_out)
-        .paper("γ joins the points", Unit::COORDINATE, [off, 0.0], rounding)
-        .paper("γ̈ = −Γ(γ̇, γ̇)", Unit::COORDINATE, [residual.value, 0.0], residual.granted)
-        .paper("L(γ) ≤ d", Unit::LENGTH, [seen.length.value, known.distance], granted)
+        .stated("γ joins the points", Unit::COORDINATE, [off, 0.0], rounding)
+        .stated("γ̈ = −Γ(γ̇, γ̇)", Unit::COORDINATE, [residual.value, 0.0], residual.granted)
+        .stated("L(γ) ≤ d", Unit::LENGTH, [seen.length.value, known.distance], granted)
         .sharper("d ≤ L(γ)", Unit::LENGTH, [known.distance, seen.length.value], granted))
 }
 

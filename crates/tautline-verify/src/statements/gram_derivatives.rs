@@ -1,7 +1,7 @@
 //! Propositions 7.10 and 7.11: the first derivatives of the metric, and its Christoffel symbols.
 
 use nalgebra::{SMatrix, SVector};
-use tautline::{Bounded, Jet1, MetricError};
+use tautline::{Bounded, Jet1, MetricError, bounds::christoffel_bound};
 
 use crate::{Evidence, GramRange, Statement, Subject, Unit, operator_norm};
 
@@ -37,7 +37,7 @@ pub fn prop_7_10<const D: usize>(
     let granted = 32.0 * f64::EPSILON * (D as f64 + size) * bound;
     Ok(Evidence::of(Statement::Proposition7_10)
         .given_constants(constants, &GramRange::near(metric, constants, x)?)
-        .paper("|∂ₗHᵢⱼ| ≤ L_H", Unit::GRAM_SLOPE, [largest, bound], granted)
+        .stated("|∂ₗHᵢⱼ| ≤ L_H", Unit::GRAM_SLOPE, [largest, bound], granted)
         .sharper("‖DH[w]‖ ≤ L_H|w|", Unit::GRAM_SLOPE, [operator, bound], granted))
 }
 
@@ -63,16 +63,13 @@ pub fn prop_7_11<const D: usize>(
     let largest = symbols.iter().map(|matrix| matrix.amax()).fold(0.0, f64::max);
     let natural = constants.l_h() / constants.c1();
     let bound = 1.5 * natural * (D as f64).sqrt();
-    let (claim, sharp) = if D == 1 {
-        ("|Γ| ≤ L_H/2c₁", 0.5 * natural)
-    } else {
-        ("|Γᵏᵢⱼ| ≤ 3 L_H/2c₁", 1.5 * natural)
-    };
+    let sharp = christoffel_bound(constants, D);
+    let claim = if D == 1 { "|Γ| ≤ L_H/2c₁" } else { "|Γᵏᵢⱼ| ≤ 3 L_H/2c₁" };
     // As in Proposition 7.10; a solution of H z = r is off by ε times the condition number.
     let size = D as f64 + x.norm() * natural + constants.c2() / constants.c1();
     let granted = 64.0 * f64::EPSILON * size * bound;
     Ok(Evidence::of(Statement::Proposition7_11)
         .given_constants(constants, &GramRange::near(metric, constants, x)?)
-        .paper("|Γᵏᵢⱼ| ≤ 3 L_H √D/2c₁", Unit::CHRISTOFFEL, [largest, bound], granted)
+        .stated("|Γᵏᵢⱼ| ≤ 3 L_H √D/2c₁", Unit::CHRISTOFFEL, [largest, bound], granted)
         .sharper(claim, Unit::CHRISTOFFEL, [largest, sharp], granted))
 }

@@ -1,9 +1,8 @@
 //! Section 9: from energies to lengths, and the rate that is left open.
 
 use super::geodesics::off_sets;
-use crate::{
-    Evidence, Known, PaperRule, Reconstruction, Statement, Subject, Unit, curves::Measured,
-};
+use super::section_1::admitted;
+use crate::{Evidence, Known, Reconstruction, Statement, Subject, Unit, curves::Measured};
 
 /// Evaluates Proposition 9.1, repaired, on a curve `γ` and a minimiser `γ*`:
 /// `L(γ)² − L(γ*)² ≤ E(γ) − E(γ*)` if `γ*` has the least *energy* `d²`.
@@ -54,7 +53,7 @@ fn excess<M, const D: usize>(
     let bound = curve.energy.value - minimiser.energy.value;
     evidence
         .given("L(γ*) ≤ d", Unit::LENGTH, [minimiser.length.value, known.distance], length)
-        .paper("L(γ)² − L(γ*)² ≤ E(γ) − E(γ*)", Unit::ENERGY, [gap, bound], granted)
+        .stated("L(γ)² − L(γ*)² ≤ E(γ) − E(γ*)", Unit::ENERGY, [gap, bound], granted)
 }
 
 /// Evaluates the answer to Remark 9.2 on a computed minimiser of either rule: the gaps of its
@@ -78,7 +77,7 @@ pub fn remark_9_2<const D: usize>(subject: &impl Subject, seen: &Reconstruction<
     let above = Gaps::of(subject, seen).above;
     let (over, granted) = (seen.discrete_energy - seen.distance_squared, seen.granted);
     let evidence = admitted(Evidence::of(Statement::Remark9_2), seen);
-    curve_and_minimum(evidence, subject, seen).paper(
+    curve_and_minimum(evidence, subject, seen).stated(
         "E_N − d² = O(1/N)",
         Unit::ENERGY,
         [over, above],
@@ -138,31 +137,12 @@ struct Gaps {
 impl Gaps {
     fn of<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Self {
         let &Reconstruction { setting, n, .. } = seen;
-        match seen.rule {
-            PaperRule::Trapezoidal => Self {
-                excess: subject.first_order_excess_trapezoidal(setting, n),
-                above: subject.first_order_minimum_gap_trapezoidal(setting, n),
-                below: subject.first_order_polyline_gap_trapezoidal(setting, n),
-            },
-            PaperRule::LeftEndpoint => Self {
-                excess: subject.first_order_excess_left(setting, n),
-                above: subject.first_order_minimum_gap_left(setting, n),
-                below: subject.first_order_polyline_gap_left(setting, n),
-            },
+        Self {
+            excess: subject.theorem_a_excess(setting, seen.rule, n),
+            above: subject.theorem_a_minimum_gap(setting, seen.rule, n),
+            below: subject.theorem_a_polyline_gap(setting, seen.rule, n),
         }
     }
-}
-
-/// Adds the hypotheses on the metric and on the ends.
-fn admitted<const D: usize>(evidence: Evidence, seen: &Reconstruction<D>) -> Evidence {
-    let size = seen.minimum.sequence.first().norm() + seen.k3;
-    evidence.given_constants(seen.setting.constants(), &seen.gram).given(
-        "the ends lie in X⁽⁰⁾ and X⁽¹⁾",
-        Unit::COORDINATE,
-        [seen.off_sets, 0.0],
-        // As for the theorems of Section 1.
-        1e-13 * size,
-    )
 }
 
 /// Adds what is claimed of the curve, and that the discrete energy is not far below `d²`.
@@ -175,9 +155,9 @@ fn curve_and_minimum<const D: usize>(
     let Gaps { excess, below, .. } = Gaps::of(subject, seen);
     let (energy, length2) = (seen.energy.value, seen.length_squared.value);
     evidence
-        .paper("E(γᵖˡ) − d² = O(1/N)", Unit::ENERGY, [energy - d2, excess], granted)
-        .paper("L(γᵖˡ)² − d² = O(1/N)", Unit::ENERGY, [length2 - d2, excess], granted)
-        .paper("d² − E_N = O(1/N)", Unit::ENERGY, [d2 - seen.discrete_energy, below], granted)
+        .stated("E(γᵖˡ) − d² = O(1/N)", Unit::ENERGY, [energy - d2, excess], granted)
+        .stated("L(γᵖˡ)² − d² = O(1/N)", Unit::ENERGY, [length2 - d2, excess], granted)
+        .stated("d² − E_N = O(1/N)", Unit::ENERGY, [d2 - seen.discrete_energy, below], granted)
         .sharper("d² ≤ L(γᵖˡ)²", Unit::ENERGY, [d2, length2], granted)
         .sharper("L(γᵖˡ)² ≤ E(γᵖˡ)", Unit::ENERGY, [length2, energy], granted)
 }

@@ -79,14 +79,14 @@ fn reparametrised<M: Metric<D>, C: Curve<D>, const D: usize>(
         .given("γ̈** = −Γ(γ̇**, γ̇**)", Unit::COORDINATE, [residual.value, 0.0], residual.granted)
         .given("L(γ**) ≤ d", Unit::LENGTH, [straight.length.value, d], granted)
         .given("∫|φ′| ≤ 1", Unit::NONE, [clock.variation(), 1.0], ticks)
-        .paper("L(γ** ∘ φ) ≤ d", Unit::LENGTH, [seen.length.value, d], granted)
+        .stated("L(γ** ∘ φ) ≤ d", Unit::LENGTH, [seen.length.value, d], granted)
         .sharper("d ≤ L(γ** ∘ φ)", Unit::LENGTH, [d, seen.length.value], granted);
     // With d = 0 the curve is constant: it is γ** ∘ φ for every φ, and its length tells none.
     if d == 0.0 {
         return Ok(evidence);
     }
     let granted = ticks + granted / d;
-    Ok(evidence.paper("φ(t) = (length up to t)/d", Unit::NONE, [largest(lag), 0.0], granted))
+    Ok(evidence.stated("φ(t) = (length up to t)/d", Unit::NONE, [largest(lag), 0.0], granted))
 }
 
 /// The lengths in `m` up to the end of each piece, with the time.
@@ -138,7 +138,7 @@ pub fn prop_4_2_converse<M: Metric<D>, const D: usize>(
     Evidence::of(Statement::Proposition4_2)
         .given("γ joins the points", Unit::COORDINATE, [off, 0.0], rounding)
         .given("L(γ) ≤ d", Unit::LENGTH, [seen.length.value, d], granted)
-        .paper("γ = γ** ∘ φ", Unit::COORDINATE, [apart, 0.0], 4.0 * granted * rate + rounding)
+        .stated("γ = γ** ∘ φ", Unit::COORDINATE, [apart, 0.0], 4.0 * granted * rate + rounding)
 }
 
 /// Evaluates Propositions 4.1 and 4.2 with "monotone increasing" read strictly: a minimal curve
@@ -156,7 +156,7 @@ pub fn prop_4_2_read_strictly<M: Metric<D>, C: Curve<D>, const D: usize>(
     Evidence::of(Statement::Proposition4_2)
         .given("γ joins the points", Unit::COORDINATE, [off, 0.0], rounding)
         .given("L(γ) ≤ d", Unit::LENGTH, [seen.length.value, known.distance], granted)
-        .paper("γ never pauses", Unit::NONE, [clock.longest_pause(), 0.0], 0.0)
+        .stated("γ never pauses", Unit::NONE, [clock.longest_pause(), 0.0], 0.0)
 }
 
 /// Evaluates what can be observed of Proposition 4.3 at one point `x` of the ball `K = {|x| ≤ R}`,
@@ -196,10 +196,10 @@ pub fn prop_4_3<M: KnownGeodesics<D>, const D: usize>(
         .given("K is bounded", Unit::NONE, [unbounded, 0.0], 0.0)
         .given("x ∈ K", Unit::COORDINATE, [x.norm(), ball], 4.0 * f64::EPSILON * x.norm())
         .given("|v| < ε", Unit::LENGTH, [radius, epsilon], 0.0)
-        .paper("ε ≤ the normal radius of x", Unit::LENGTH, [epsilon, normal], rounding)
-        .paper("|v| ≤ d(x, Exp_x v)", Unit::LENGTH, [radius, distance], granted)
-        .paper("d(x, Exp_x v) ≤ |v|", Unit::LENGTH, [distance, radius], granted)
-        .paper("Log_x Exp_x v = v", Unit::COORDINATE, [back, 0.0], expanded)
+        .stated("ε ≤ the normal radius of x", Unit::LENGTH, [epsilon, normal], rounding)
+        .stated("|v| ≤ d(x, Exp_x v)", Unit::LENGTH, [radius, distance], granted)
+        .stated("d(x, Exp_x v) ≤ |v|", Unit::LENGTH, [distance, radius], granted)
+        .stated("Log_x Exp_x v = v", Unit::COORDINATE, [back, 0.0], expanded)
         .sharper("γ̈ = −Γ(γ̇, γ̇)", Unit::COORDINATE, [residual.value, 0.0], residual.granted))
 }
 
@@ -228,7 +228,7 @@ pub fn lemma_4_4<M: Metric<D>, const D: usize>(
         .given("γ joins the points", Unit::COORDINATE, [off, 0.0], rounding)
         .given("L(γ) ≤ d", Unit::LENGTH, [seen.length.value, known.distance], length)
         .given("the speed is constant", Unit::LENGTH, [largest - least, 0.0], length)
-        .paper("γ̈ = −Γ(γ̇, γ̇)", Unit::COORDINATE, [value, 0.0], granted)
-        .paper("max |γ̈| ≤ max |Γ(γ̇, γ̇)|", Unit::COORDINATE, [acceleration, bending], granted)
-        .paper("max |Γ(γ̇, γ̇)| ≤ max |γ̈|", Unit::COORDINATE, [bending, acceleration], granted))
+        .stated("γ̈ = −Γ(γ̇, γ̇)", Unit::COORDINATE, [value, 0.0], granted)
+        .stated("max |γ̈| ≤ max |Γ(γ̇, γ̇)|", Unit::COORDINATE, [acceleration, bending], granted)
+        .stated("max |Γ(γ̇, γ̇)| ≤ max |γ̈|", Unit::COORDINATE, [bending, acceleration], granted))
 }

@@ -87,13 +87,13 @@ pub fn prop_7_2<const D: usize>(
     let granted = 2.0 * rounding + length.sqrt() * velocity.error;
     let granted_gap = granted + position.error / length.sqrt();
     Ok(Evidence::of(Statement::Proposition7_2)
-        .paper(
+        .stated(
             "|γ(s₂) − γ(s₁)| ≤ √l ‖γ̇‖",
             Unit::COORDINATE,
             [chord.norm(), length.sqrt() * velocity.value],
             granted,
         )
-        .paper(
+        .stated(
             "|γ(s)| − ‖γ‖/√l ≤ √(l/3) ‖γ̇‖",
             Unit::COORDINATE,
             [gap, (length / 3.0).sqrt() * velocity.value],
@@ -120,7 +120,7 @@ pub fn prop_7_2_as_printed<const D: usize>(
 ) -> Result<Evidence, VerifyError> {
     let Interval { norms: [position, velocity, _], rounding, .. } = Interval::of(curve, [s1, s2])?;
     let gap = curve.motion(within("s", s, [s1, s2])?).position.norm() - position.value;
-    Ok(Evidence::of(Statement::Proposition7_2).paper(
+    Ok(Evidence::of(Statement::Proposition7_2).stated(
         "|γ(s)| − ‖γ‖ ≤ 2‖γ̇‖",
         Unit::COORDINATE,
         [gap, 2.0 * velocity.value],
@@ -156,13 +156,13 @@ pub fn prop_7_3<const D: usize>(
     let errors = velocity.error / length.sqrt() + whole.error + acceleration.error + bend.error;
     let granted = 2.0 * rounding + length * errors;
     Ok(without_kinks(Evidence::of(Statement::Proposition7_3), curve)
-        .paper(
+        .stated(
             "|γ(s₂) − γ(s₁)| ≤ l (‖γ̇‖/√l + √(l/3) ‖γ̈‖)",
             Unit::COORDINATE,
             [chord.norm(), length * local],
             granted,
         )
-        .paper(
+        .stated(
             "|γ(s₂) − γ(s₁)| − l‖γ̇‖₍₀,₁₎ ≤ l‖γ̈‖₍₀,₁₎/√3",
             Unit::COORDINATE,
             [chord.norm() - length * whole.value, length * bend.value / 3_f64.sqrt()],
@@ -184,7 +184,7 @@ pub fn prop_7_3_as_printed<const D: usize>(
 ) -> Result<Evidence, VerifyError> {
     let Interval { chord, length, norms: [_, velocity, acceleration], rounding } =
         Interval::of(curve, [s1, s2])?;
-    Ok(Evidence::of(Statement::Proposition7_3).paper(
+    Ok(Evidence::of(Statement::Proposition7_3).stated(
         "|γ(s₂) − γ(s₁)| ≤ l (‖γ̇‖ + 2‖γ̈‖)",
         Unit::COORDINATE,
         [chord.norm(), length * (velocity.value + 2.0 * acceleration.value)],
@@ -235,7 +235,7 @@ pub fn prop_7_4<const D: usize>(
         + 2.0 * h.sqrt() * acceleration.error;
     let squared = Unit { ell: 2, m: 0 };
     Ok(without_kinks(Evidence::of(Statement::Proposition7_4), curve)
-        .paper(
+        .stated(
             "|β − γ̇(t)| ≤ 2‖γ̈‖/√N",
             Unit::COORDINATE,
             [gap, 2.0 * acceleration.value / n.sqrt()],

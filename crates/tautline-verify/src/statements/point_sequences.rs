@@ -3,8 +3,8 @@
 use tautline::{Bounded, LeftEndpoint, MetricError, PointSequence, Trapezoidal};
 
 use crate::{
-    Evidence, GramRange, Statement, Subject, Unit,
-    reconstruction::{mean_cube, nodes},
+    Evidence, GramRange, PaperRule, Statement, Subject, Unit,
+    reconstruction::{bend_along, mean_power, nodes},
 };
 
 /// Evaluates Proposition 7.8 for nonnegative numbers: `Σ xₙ³ ≤ (Σ xₙ²)^{3/2}`.
@@ -22,7 +22,7 @@ pub fn prop_7_8(numbers: &[f64]) -> Evidence {
     let granted = (4.0 + 2.0 * numbers.len() as f64) * f64::EPSILON * bound;
     Evidence::of(Statement::Proposition7_8)
         .given("0 ≤ xₙ", Unit::COORDINATE, [-least, 0.0], 0.0)
-        .paper("Σ xₙ³ ≤ (Σ xₙ²)^{3/2}", unit, [cubes, bound], granted)
+        .stated("Σ xₙ³ ≤ (Σ xₙ²)^{3/2}", unit, [cubes, bound], granted)
 }
 
 /// The three energies of one point sequence, and what Propositions 7.9, 8.1 and 8.2 need.
@@ -30,8 +30,10 @@ struct Energies {
     trapezoidal: f64,
     left: f64,
     curve: f64,
-    /// `(L_H/N) mean |β|³`, in `m²`.
-    cube: f64,
+    /// `mean |β|³`, in `ℓ³`.
+    mean_cube: f64,
+    /// `mean |β|⁴`, in `ℓ⁴`.
+    mean_fourth: f64,
     gram: GramRange,
     granted: f64,
 }
@@ -45,12 +47,12 @@ impl Energies {
         let trapezoidal = subject.discrete_energy(Trapezoidal, metric, sequence);
         let left = subject.discrete_energy(LeftEndpoint, metric, sequence);
         let curve = subject.curve_energy(metric, sequence);
-        let l_h = subject.constants(metric).l_h();
         Ok(Self {
             trapezoidal,
             left,
             curve: curve.value,
-            cube: l_h * mean_cube(sequence) / sequence.n().get() as f64,
+            mean_cube: mean_power(sequence, 3),
+            mean_fourth: mean_power(sequence, 4),
             gram: GramRange::along(metric, nodes(sequence))?,
             // Sums of the same size, a dozen roundings a term.
             granted: curve.error + 1e-14 * (trapezoidal + left + curve.value),
@@ -79,11 +81,14 @@ pub fn prop_7_9<const D: usize>(
     let gap = (seen.curve - seen.trapezoidal).abs();
     Ok(Evidence::of(Statement::Proposition7_9)
         .given_constants(constants, &seen.gram)
-        .paper("|E(γᵖˡ) − E_tra,N| ≤ L_H K₃³/4√N", Unit::ENERGY, [gap, bound], seen.granted)
+        .stated("|E(γᵖˡ) − E_tra,N| ≤ L_H K₃³/4√N", Unit::ENERGY, [gap, bound], seen.granted)
         .sharper(
             "|E(γᵖˡ) − E_tra,N| ≤ L_H mean|β|³/4N",
             Unit::ENERGY,
-            [gap, 0.25 * seen.cube],
+            [
+                gap,
+                subject.cubic_gap(constants, PaperRule::Trapezoidal, seen.mean_cube, sequence.n()),
+            ],
             seen.granted,
         ))
 }
@@ -109,11 +114,11 @@ pub fn prop_8_1<const D: usize>(
     let gap = (seen.left - seen.trapezoidal).abs();
     Ok(Evidence::of(Statement::Proposition8_1)
         .given_constants(constants, &seen.gram)
-        .paper("|E_l,N − E_tra,N| ≤ L_H K₃³/2√N", Unit::ENERGY, [gap, bound], seen.granted)
+        .stated("|E_l,N − E_tra,N| ≤ L_H K₃³/2√N", Unit::ENERGY, [gap, bound], seen.granted)
         .sharper(
             "|E_l,N − E_tra,N| ≤ L_H mean|β|³/2N",
             Unit::ENERGY,
-            [gap, 0.5 * seen.cube],
+            [gap, subject.cubic_rule_gap(constants, seen.mean_cube, sequence.n())],
             seen.granted,
         ))
 }
@@ -139,11 +144,57 @@ pub fn prop_8_2<const D: usize>(
     let gap = (seen.curve - seen.left).abs();
     Ok(Evidence::of(Statement::Proposition8_2)
         .given_constants(constants, &seen.gram)
-        .paper("|E(γᵖˡ) − E_l,N| ≤ L_H K₃³/2√N", Unit::ENERGY, [gap, bound], seen.granted)
+        .stated("|E(γᵖˡ) − E_l,N| ≤ L_H K₃³/2√N", Unit::ENERGY, [gap, bound], seen.granted)
         .sharper(
             "|E(γᵖˡ) − E_l,N| ≤ L_H mean|β|³/2N",
             Unit::ENERGY,
-            [gap, 0.5 * seen.cube],
+            [
+                gap,
+                subject.cubic_gap(constants, PaperRule::LeftEndpoint, seen.mean_cube, sequence.n()),
+            ],
             seen.granted,
         ))
+}
+
+/// Evaluates Lemma S.2 on any point sequence.
+///
+/// ```text
+/// |E(γᵖˡ) − E_N|  ≤  (k L_H/N) mean |β|³,      |E_l,N − E_tra,N|  ≤  (L_H/2N) mean |β|³
+/// |E(γᵖˡ) − E_tra,N|  ≤  (M_H/24N²) mean |β|⁴,                 if M_H is known
+/// ```
+///
+/// with `k = ¼` for the trapezoidal rule, `k = ½` for the left-endpoint rule.
+///
+/// Needs: `H` Lipschitz with `L_H`, `DH` with `M_H`. That `c₁ ≤ H ≤ c₂` is checked as well, but not
+/// needed.
+///
+/// # Errors
+///
+/// [`MetricError`] where `H` is not finite, symmetric and positive definite.
+pub fn lemma_s_2<const D: usize>(
+    subject: &impl Subject,
+    metric: &impl Bounded<D>,
+    sequence: &PointSequence<D>,
+) -> Result<Evidence, MetricError> {
+    let seen = Energies::of(subject, metric, sequence)?;
+    let (constants, n, granted) = (subject.constants(metric), sequence.n(), seen.granted);
+    let [tra, left] =
+        PaperRule::BOTH.map(|rule| subject.cubic_gap(constants, rule, seen.mean_cube, n));
+    let between = subject.cubic_rule_gap(constants, seen.mean_cube, n);
+    let gaps =
+        [seen.curve - seen.trapezoidal, seen.curve - seen.left, seen.left - seen.trapezoidal];
+    let [of_tra, of_left, of_rules] = gaps.map(f64::abs);
+    let mut evidence = Evidence::of(Statement::LemmaS2).given_constants(constants, &seen.gram);
+    if let Some(m_h) = constants.m_h() {
+        evidence = evidence.given_curvature(bend_along(metric, sequence), m_h);
+    }
+    evidence = evidence
+        .stated("|E(γᵖˡ) − E_tra,N| ≤ L_H mean|β|³/4N", Unit::ENERGY, [of_tra, tra], granted)
+        .stated("|E(γᵖˡ) − E_l,N| ≤ L_H mean|β|³/2N", Unit::ENERGY, [of_left, left], granted)
+        .stated("|E_l,N − E_tra,N| ≤ L_H mean|β|³/2N", Unit::ENERGY, [of_rules, between], granted);
+    if let Some(bound) = subject.quartic_gap(constants, seen.mean_fourth, n) {
+        let claim = "|E(γᵖˡ) − E_tra,N| ≤ M_H mean|β|⁴/24N²";
+        evidence = evidence.stated(claim, Unit::ENERGY, [of_tra, bound], granted);
+    }
+    Ok(evidence)
 }

@@ -3,7 +3,10 @@
 
 use std::num::NonZeroUsize;
 
-use tautline::{Bounded, Constants, Integral, LeftEndpoint, Trapezoidal};
+use tautline::{
+    Bounded, Constants, Integral, LeftEndpoint, Trapezoidal,
+    bounds::{PaperRule, pointwise_fall, pointwise_rise, sampling_fall, sampling_rise},
+};
 
 use super::morrey::without_kinks;
 use crate::{
@@ -54,12 +57,6 @@ impl Sampled {
     }
 }
 
-/// `(L_H/2N) K₁² (K₁ + K₂/√3)`, in `m²`: the distance of a curve to the midpoint of its chord is
-/// half a step, at a speed that Proposition 7.2 bounds.
-fn half_a_step(constants: Constants, [k1, k2]: [f64; 2], n: NonZeroUsize) -> f64 {
-    constants.l_h() * k1 * k1 * (k1 + k2 / 3_f64.sqrt()) / (2.0 * n.get() as f64)
-}
-
 /// Evaluates Proposition 7.6, repaired, with the norms of the curve itself for `K₁` and `K₂`.
 ///
 /// ```text
@@ -96,41 +93,43 @@ pub fn prop_7_6<const D: usize>(
     let constants = subject.constants(metric);
     let [k1, k2] = seen.norms;
     let [_, a1, a2] = curve.suprema();
-    let count = n.get() as f64;
     let bound = subject.c_tra(constants, k1, k2, n);
     let (rise, fall) = (seen.trapezoidal - seen.curve.value, seen.curve.value - seen.trapezoidal);
     let left = seen.left - seen.curve.value;
-    let step = half_a_step(constants, seen.norms, n);
-    let (l_h, c2) = (constants.l_h(), constants.c2());
-    let wirtinger = c2 * (k2 / (std::f64::consts::PI * count)).powi(2);
-    let pointwise = l_h * a1 * a1 * (a1 / (4.0 * count) + a2 / (12.0 * count * count));
-    let sagitta = c2 * a2 * a2 / (12.0 * count * count);
+    let (rise_bound, fall_bound) =
+        (sampling_rise(constants, k1, k2, n), sampling_fall(constants, k1, k2, n));
+    let pointwise = |rule| pointwise_rise(constants, rule, a1, a2, n);
     let evidence = Evidence::of(Statement::Proposition7_6).given_constants(constants, &seen.gram);
     Ok(without_kinks(evidence, curve)
-        .paper("|E − E_tra,N| ≤ C_tra(N)", Unit::ENERGY, [rise.abs(), bound], seen.granted)
-        .sharper("E_tra,N − E ≤ L_H K₁²(K₁ + K₂/√3)/2N", Unit::ENERGY, [rise, step], seen.granted)
+        .stated("|E − E_tra,N| ≤ C_tra(N)", Unit::ENERGY, [rise.abs(), bound], seen.granted)
+        .sharper(
+            "E_tra,N − E ≤ L_H K₁²(K₁ + K₂/√3)/2N",
+            Unit::ENERGY,
+            [rise, rise_bound],
+            seen.granted,
+        )
         .sharper(
             "E − E_tra,N ≤ L_H K₁²(K₁ + K₂/√3)/2N + c₂K₂²/π²N²",
             Unit::ENERGY,
-            [fall, step + wirtinger],
+            [fall, fall_bound],
             seen.granted,
         )
         .sharper(
             "E_tra,N − E ≤ L_H A₁²(A₁/4N + A₂/12N²)",
             Unit::ENERGY,
-            [rise, pointwise],
+            [rise, pointwise(PaperRule::Trapezoidal)],
             seen.granted,
         )
         .sharper(
             "E − E_tra,N ≤ L_H A₁²(A₁/4N + A₂/12N²) + c₂A₂²/12N²",
             Unit::ENERGY,
-            [fall, pointwise + sagitta],
+            [fall, pointwise_fall(constants, a1, a2, n)],
             seen.granted,
         )
         .sharper(
             "E_l,N − E ≤ L_H A₁³/2N",
             Unit::ENERGY,
-            [left, l_h * a1.powi(3) / (2.0 * count)],
+            [left, pointwise(PaperRule::LeftEndpoint)],
             seen.granted,
         ))
 }
@@ -159,7 +158,7 @@ pub fn prop_7_6_as_printed<const D: usize>(
         .given_constants(constants, &seen.gram)
         .given("‖γ̇‖ ≤ K₁", Unit::COORDINATE, [seen.norms[0], k1], granted)
         .given("‖γ̈‖ ≤ K₂", Unit::COORDINATE, [seen.norms[1], k2], granted)
-        .paper("|E − E_tra,N| ≤ C_tra(N)", Unit::ENERGY, [gap, bound], seen.granted))
+        .stated("|E − E_tra,N| ≤ C_tra(N)", Unit::ENERGY, [gap, bound], seen.granted))
 }
 
 /// Evaluates Proposition 7.7, repaired, on a finite set `Ξ` of curves, with their largest norms for
@@ -197,11 +196,11 @@ pub fn prop_7_7<const D: usize>(
     let gap = least_sampled - least;
     let bound = subject.c_tra(constants, norms[0], norms[1], n);
     Ok(evidence
-        .paper("min E_tra,N − min E ≤ C_tra(N)", Unit::ENERGY, [gap, bound], granted)
+        .stated("min E_tra,N − min E ≤ C_tra(N)", Unit::ENERGY, [gap, bound], granted)
         .sharper(
             "min E_tra,N − min E ≤ L_H K₁²(K₁ + K₂/√3)/2N",
             Unit::ENERGY,
-            [gap, half_a_step(constants, norms, n)],
+            [gap, sampling_rise(constants, norms[0], norms[1], n)],
             granted,
         ))
 }
@@ -234,8 +233,8 @@ pub fn constant_c_tra(
     // Sums of nonnegative terms, a dozen roundings each.
     let granted = 32.0 * f64::EPSILON * defined;
     Evidence::of(Statement::ConstantCTra)
-        .paper("C_tra(N) ≤ its definition", Unit::ENERGY, [found, defined], granted)
-        .paper("its definition ≤ C_tra(N)", Unit::ENERGY, [defined, found], granted)
+        .stated("C_tra(N) ≤ its definition", Unit::ENERGY, [found, defined], granted)
+        .stated("its definition ≤ C_tra(N)", Unit::ENERGY, [defined, found], granted)
 }
 
 /// Evaluates `C_tra(N) ≤ C_tra♯/N`. Needs: nothing. Equality at `N = 1`, or where `K₂ = 0`.
@@ -253,7 +252,7 @@ pub fn constant_c_tra_sharp(
 ) -> Evidence {
     let of_n = subject.c_tra(constants, k1, k2, n);
     let sharp = subject.c_tra_sharp(constants, k1, k2) / n.get() as f64;
-    Evidence::of(Statement::ConstantCTraSharp).paper(
+    Evidence::of(Statement::ConstantCTraSharp).stated(
         "C_tra(N) ≤ C_tra♯/N",
         Unit::ENERGY,
         [of_n, sharp],

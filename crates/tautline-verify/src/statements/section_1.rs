@@ -27,23 +27,30 @@ pub(super) fn begin<const D: usize>(
     premise: f64,
 ) -> Evidence {
     let another_rule = if seen.rule == rule { 0.0 } else { 1.0 };
+    let evidence = Evidence::of(statement).given(
+        "the rule is that of the theorem",
+        Unit::NONE,
+        [another_rule, 0.0],
+        0.0,
+    );
+    admitted(evidence, seen).given(
+        "E_N ≤ what the proof has for the minimum",
+        Unit::ENERGY,
+        [seen.discrete_energy, premise],
+        seen.granted,
+    )
+}
+
+/// Adds the clauses on the metric, and ends in their sets.
+pub(super) fn admitted<const D: usize>(evidence: Evidence, seen: &Reconstruction<D>) -> Evidence {
     // Coordinates and radii of the size of K₃ + |x|, a projection of 4 D roundings or so.
     let size = seen.minimum.sequence.first().norm() + seen.k3;
-    Evidence::of(statement)
-        .given("the rule is that of the theorem", Unit::NONE, [another_rule, 0.0], 0.0)
-        .given_constants(seen.setting.constants(), &seen.gram)
-        .given(
-            "the ends lie in X⁽⁰⁾ and X⁽¹⁾",
-            Unit::COORDINATE,
-            [seen.off_sets, 0.0],
-            1e-13 * size,
-        )
-        .given(
-            "E_N ≤ what the proof has for the minimum",
-            Unit::ENERGY,
-            [seen.discrete_energy, premise],
-            seen.granted,
-        )
+    evidence.given_constants(seen.setting.constants(), &seen.gram).given(
+        "the ends lie in X⁽⁰⁾ and X⁽¹⁾",
+        Unit::COORDINATE,
+        [seen.off_sets, 0.0],
+        1e-13 * size,
+    )
 }
 
 /// `d² + C_tra♯`, which the proof of Theorem 1.1 has for `min E_tra,N`.
@@ -71,7 +78,7 @@ pub(super) fn premise_left<const D: usize>(
 /// ```
 ///
 /// Companions: the gap of the very sequence is at most `(L_H/4N) mean |β|³`, and all three gaps
-/// are of order `1/N` ([`tautline::bounds::first_order_excess_trapezoidal`] and its parts).
+/// are of order `1/N` ([`tautline::bounds::theorem_a_excess`] and its parts).
 #[doc(alias = "theo:approx_numerical_integral_trapezoidal")]
 #[must_use]
 pub fn theorem_1_1<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
@@ -79,18 +86,18 @@ pub fn theorem_1_1<const D: usize>(subject: &impl Subject, seen: &Reconstruction
     let (constant, count) = (subject.theorem_1_1_constant(setting), n.get() as f64);
     let gap = seen.energy.value - discrete_energy;
     let premise = premise_trapezoidal(subject, seen);
-    let mean_cube = setting.constants().l_h() * seen.mean_cube / (4.0 * count);
-    let ceiling = subject.first_order_minimum_gap_trapezoidal(setting, n);
-    let first_order = subject.first_order_polyline_gap_trapezoidal(setting, n);
+    let mean_cube = subject.cubic_gap(setting.constants(), seen.rule, seen.mean_cube, n);
+    let ceiling = subject.theorem_a_minimum_gap(setting, seen.rule, n);
+    let first_order = subject.theorem_a_polyline_gap(setting, seen.rule, n);
     begin(Statement::Theorem1_1, seen, PaperRule::Trapezoidal, premise)
-        .paper("E(γᵖˡ) − E_tra,N ≤ C/√N", Unit::ENERGY, [gap, constant / count.sqrt()], granted)
-        .paper(
+        .stated("E(γᵖˡ) − E_tra,N ≤ C/√N", Unit::ENERGY, [gap, constant / count.sqrt()], granted)
+        .stated(
             "E_tra,N − d² ≤ C/N",
             Unit::ENERGY,
             [discrete_energy - d2, constant / count],
             granted,
         )
-        .paper("d² ≤ E(γᵖˡ)", Unit::ENERGY, [d2 - seen.energy.value, 0.0], granted)
+        .stated("d² ≤ E(γᵖˡ)", Unit::ENERGY, [d2 - seen.energy.value, 0.0], granted)
         .sharper("E(γᵖˡ) − E_tra,N ≤ L_H mean|β|³/4N", Unit::ENERGY, [gap, mean_cube], granted)
         .sharper(
             "E_tra,N − d² ≤ d² (e − 1)",
@@ -114,12 +121,12 @@ pub fn theorem_1_1<const D: usize>(subject: &impl Subject, seen: &Reconstruction
 /// ```
 ///
 /// Companion: `L(γᵖˡ)² − d²` is of order `1/N`
-/// ([`tautline::bounds::first_order_excess_trapezoidal`]).
+/// ([`tautline::bounds::theorem_a_excess`]).
 #[doc(alias = "theo:approx_numerical_integral_trapezoidal_length")]
 #[must_use]
 pub fn theorem_1_2<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
     let constant = subject.theorem_1_1_constant(seen.setting);
-    let first_order = subject.first_order_excess_trapezoidal(seen.setting, seen.n);
+    let first_order = subject.theorem_a_excess(seen.setting, seen.rule, seen.n);
     let premise = premise_trapezoidal(subject, seen);
     let evidence = begin(Statement::Theorem1_2, seen, PaperRule::Trapezoidal, premise);
     length_excess(evidence, seen, constant, first_order)
@@ -132,7 +139,7 @@ pub fn theorem_1_2<const D: usize>(subject: &impl Subject, seen: &Reconstruction
 /// ```
 ///
 /// Companions: the gap of the very sequence is at most `(L_H/2N) mean |β|³`, and all three gaps
-/// are of order `1/N` ([`tautline::bounds::first_order_excess_left`] and its parts).
+/// are of order `1/N` ([`tautline::bounds::theorem_a_excess`] and its parts).
 #[doc(alias = "theo:approx_numerical_integral_left")]
 #[must_use]
 pub fn theorem_1_3<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
@@ -141,13 +148,13 @@ pub fn theorem_1_3<const D: usize>(subject: &impl Subject, seen: &Reconstruction
     let bound = subject.theorem_1_3_constant(setting) / count.sqrt();
     let gap = seen.energy.value - discrete_energy;
     let premise = premise_left(subject, seen);
-    let mean_cube = setting.constants().l_h() * seen.mean_cube / (2.0 * count);
-    let ceiling = subject.first_order_minimum_gap_left(setting, n);
-    let first_order = subject.first_order_polyline_gap_left(setting, n);
+    let mean_cube = subject.cubic_gap(setting.constants(), seen.rule, seen.mean_cube, n);
+    let ceiling = subject.theorem_a_minimum_gap(setting, seen.rule, n);
+    let first_order = subject.theorem_a_polyline_gap(setting, seen.rule, n);
     begin(Statement::Theorem1_3, seen, PaperRule::LeftEndpoint, premise)
-        .paper("E(γᵖˡ) − E_l,N ≤ C/√N", Unit::ENERGY, [gap, bound], granted)
-        .paper("E_l,N − d² ≤ C/√N", Unit::ENERGY, [discrete_energy - d2, bound], granted)
-        .paper("d² ≤ E(γᵖˡ)", Unit::ENERGY, [d2 - seen.energy.value, 0.0], granted)
+        .stated("E(γᵖˡ) − E_l,N ≤ C/√N", Unit::ENERGY, [gap, bound], granted)
+        .stated("E_l,N − d² ≤ C/√N", Unit::ENERGY, [discrete_energy - d2, bound], granted)
+        .stated("d² ≤ E(γᵖˡ)", Unit::ENERGY, [d2 - seen.energy.value, 0.0], granted)
         .sharper("E(γᵖˡ) − E_l,N ≤ L_H mean|β|³/2N", Unit::ENERGY, [gap, mean_cube], granted)
         .sharper("E_l,N − d² ≤ d² (e − 1)", Unit::ENERGY, [discrete_energy - d2, ceiling], granted)
         .sharper("E(γᵖˡ) − E_l,N ≤ d² (δ/2N) e Q", Unit::ENERGY, [gap, first_order], granted)
@@ -165,12 +172,12 @@ pub fn theorem_1_3<const D: usize>(subject: &impl Subject, seen: &Reconstruction
 /// 0  ≤  L(γᵖˡ)² − d²  ≤  C/√N      with the C of Theorem 1.3
 /// ```
 ///
-/// Companion: `L(γᵖˡ)² − d²` is of order `1/N` ([`tautline::bounds::first_order_excess_left`]).
+/// Companion: `L(γᵖˡ)² − d²` is of order `1/N` ([`tautline::bounds::theorem_a_excess`]).
 #[doc(alias = "theo:approx_numerical_integral_left_length")]
 #[must_use]
 pub fn theorem_1_4<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
     let constant = subject.theorem_1_3_constant(seen.setting);
-    let first_order = subject.first_order_excess_left(seen.setting, seen.n);
+    let first_order = subject.theorem_a_excess(seen.setting, seen.rule, seen.n);
     let premise = premise_left(subject, seen);
     let evidence = begin(Statement::Theorem1_4, seen, PaperRule::LeftEndpoint, premise);
     length_excess(evidence, seen, constant, first_order)
@@ -186,7 +193,7 @@ fn length_excess<const D: usize>(
     let (length2, d2) = (seen.length_squared.value, seen.distance_squared);
     let bound = constant / (seen.n.get() as f64).sqrt();
     evidence
-        .paper("L(γᵖˡ)² − d² ≤ C/√N", Unit::ENERGY, [length2 - d2, bound], seen.granted)
+        .stated("L(γᵖˡ)² − d² ≤ C/√N", Unit::ENERGY, [length2 - d2, bound], seen.granted)
         .sharper("d² ≤ L(γᵖˡ)²", Unit::ENERGY, [d2 - length2, 0.0], seen.granted)
         .sharper("L(γᵖˡ)² ≤ E(γᵖˡ)", Unit::ENERGY, [length2 - seen.energy.value, 0.0], seen.granted)
         .sharper("L(γᵖˡ)² − d² = O(1/N)", Unit::ENERGY, [length2 - d2, first_order], seen.granted)

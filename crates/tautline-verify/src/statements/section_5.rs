@@ -75,13 +75,13 @@ fn evaluate(
     Ok(evidence
         .given("γᵖ begins at (0, 0)", Unit::COORDINATE, [off[0], 0.0], 0.0)
         .given("γᵖ ends at (4π, 0)", Unit::COORDINATE, [off[1], 0.0], 1e-14 * units.ell)
-        .paper(above, Unit::LENGTH, [four, length], granted(length))
-        .paper(attained, Unit::LENGTH, [least, four], granted(least))
-        .paper(
+        .stated(above, Unit::LENGTH, [four, length], granted(length))
+        .stated(attained, Unit::LENGTH, [least, four], granted(least))
+        .stated(
             "8π ≤ L(γᵖˡ)",
             Unit::LENGTH,
             [eight, curve.value],
             granted(curve.value) + curve.error,
         )
-        .paper("d ≤ 8π", Unit::LENGTH, [line.value, eight], granted(eight) + line.error))
+        .stated("d ≤ 8π", Unit::LENGTH, [line.value, eight], granted(eight) + line.error))
 }

@@ -50,7 +50,7 @@ mod tests {
 
     #[test]
     fn equality_in_props_7_9_8_1_and_8_2_is_found() {
-        for source in [Source::Paper, Source::Sharper] {
+        for source in [Source::Stated, Source::Sharper] {
             assert_found("Proposition 7.9", "tent", source, 1.0);
             assert_found("Proposition 8.1", "incline", source, 1.0);
             assert_found("Proposition 8.2", "incline", source, 1.0);
@@ -69,15 +69,15 @@ mod tests {
     /// tent has the gap `d² δ/4`: the slack tends to 29.
     #[test]
     fn theorem_1_1_on_tents_tends_to_29() {
-        assert_found("Theorem 1.1", "tent", Source::Paper, 29.0);
+        assert_found("Theorem 1.1", "tent", Source::Stated, 29.0);
     }
 
     /// On two routes both gaps add up, `d² δ/2` for the trapezoidal rule and `d² δ` for the left one:
     /// a slack of 14½ and 8 for the paper's bounds, as `δ → 0`, and of 1 for those of order `1/N`.
     #[test]
     fn theorems_1_2_and_1_4_on_two_routes_come_near_the_bounds_of_first_order() {
-        assert_found("Theorem 1.2", "two routes", Source::Paper, 14.5);
-        assert_found("Theorem 1.4", "two routes", Source::Paper, 8.0);
+        assert_found("Theorem 1.2", "two routes", Source::Stated, 14.5);
+        assert_found("Theorem 1.4", "two routes", Source::Stated, 8.0);
         assert_found("Theorem 1.2", "two routes", Source::Sharper, 1.0);
         assert_found("Theorem 1.4", "two routes", Source::Sharper, 1.0);
     }
@@ -85,6 +85,6 @@ mod tests {
     /// In dimension 1 every reconstruction between two points has the length `d`.
     #[test]
     fn there_is_no_slack_to_tell_of_the_length_on_the_line() {
-        assert_eq!(slack("Theorem 1.2", "ramp", Source::Paper), f64::INFINITY);
+        assert_eq!(slack("Theorem 1.2", "ramp", Source::Stated), f64::INFINITY);
     }
 }

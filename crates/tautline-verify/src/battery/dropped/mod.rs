@@ -3,7 +3,7 @@
 mod apriori;
 mod energy_and_length;
 mod rates;
-mod theorems;
+pub(super) mod theorems;
 mod unneeded;
 
 use super::Check;

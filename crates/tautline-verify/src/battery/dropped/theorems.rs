@@ -71,12 +71,12 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
 }
 
 /// A profile a hundred times as steep: of the slope 0.1.
-pub(super) fn steep(knots: Knots) -> Knots {
+pub(in super::super) fn steep(knots: Knots) -> Knots {
     knots.map(|[s, h]| [s, 1.0 + 0.1 / SLOPE * (h - 1.0)])
 }
 
 /// Two routes with constants that are only claimed, and the minimiser of one chord.
-pub(super) fn claimed(
+pub(in super::super) fn claimed(
     rule: PaperRule,
     [first, second]: [Knots; 2],
     [c1, c2, l_h]: [f64; 3],
@@ -91,7 +91,7 @@ pub(super) fn claimed(
 
 /// A level route with `d² = 1.005`, and a second one on which the rule reads `H = 1`, though its
 /// energy and its squared length are 1.025 (trapezoidal) or 1.05 (left), to a thousandth.
-pub(super) fn cheap_second_route(
+pub(in super::super) fn cheap_second_route(
     rule: PaperRule,
     constants: [f64; 3],
 ) -> Result<Reconstruction<1>, VerifyError> {
@@ -164,7 +164,10 @@ pub(super) fn minimum(
 
 /// From `{0, 10}` to `{1, 12}` under `H = 1` the constants are `C = 0` and `K̄ = d = 1`. The way
 /// from 10 to 12 is straight, and a local minimiser since the sets are discrete; it has `E = 4`.
-pub(super) fn longer_way(rule: PaperRule, n: usize) -> Result<Reconstruction<1>, VerifyError> {
+pub(in super::super) fn longer_way(
+    rule: PaperRule,
+    n: usize,
+) -> Result<Reconstruction<1>, VerifyError> {
     let metric = gallery::Constant::<1>::new([[1.0]].into())?;
     let ends = Ends::new(
         tautline::FiniteSet::new([[0.0], [10.0]])?,

@@ -31,12 +31,7 @@ impl Claim {
     /// Returns the claim with its number multiplied by `factor`, if it is one of the constants.
     pub(super) fn scaled(self, constants: &Constants, factor: f64) -> Option<Constants> {
         let by = |constant| if self == constant { factor } else { 1.0 };
-        let [c1, c2] = [constants.c1() * by(Claim::C1), constants.c2() * by(Claim::C2)];
-        let scaled = Constants::new(c1, c2, constants.l_h() * by(Claim::LH)).ok()?;
-        match constants.m_h() {
-            Some(m_h) => scaled.with_m_h(m_h * by(Claim::MH)).ok(),
-            None => Some(scaled),
-        }
+        constants.times([Claim::C1, Claim::C2, Claim::LH, Claim::MH].map(by)).ok()
     }
 
     /// What rounding makes of a value, in the unit of the constant.

@@ -6,6 +6,7 @@ use super::{MetricCase, solutions::Minimiser, statements::judge};
 use crate::{
     Evidence, Known, Library, PaperRule, Reconstruction, Subject, VerifyError,
     curves::Measured,
+    discrete_energy,
     kit::{Fault, report::LawResult},
     statements::{self, NearestPair},
 };
@@ -53,7 +54,8 @@ pub(super) fn prop_7_1<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -
         let (rule, metric, sets) = (minimiser.seen.rule, &case.metric, minimiser.sets());
         let others = [minimiser.detour()?, minimiser.moved()?];
         others.into_iter().try_fold(f64::INFINITY, |slack: f64, other| {
-            let less = rule.energy(&Library, metric, &other) < minimiser.seen.discrete_energy;
+            let less =
+                discrete_energy(&Library, rule, metric, &other) < minimiser.seen.discrete_energy;
             let again = if less { Some(minimiser.again(&other)?) } else { None };
             let found = again.as_ref().unwrap_or(&minimiser.seen.minimum.sequence);
             let evidence = statements::prop_7_1(&Library, rule, metric, sets, [found, &other])?;

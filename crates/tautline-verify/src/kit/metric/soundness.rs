@@ -156,7 +156,7 @@ mod tests {
             hypothesis: false,
             inequality: Inequality {
                 claim: "a ≤ b",
-                source: Source::Paper,
+                source: Source::Stated,
                 unit: Unit::ENERGY,
                 observed,
                 bound: 1.0,

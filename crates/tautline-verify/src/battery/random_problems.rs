@@ -1,0 +1,127 @@
+//! Random problems with a known distance, and what is asked of their computed minimisers.
+
+use std::fmt::Debug;
+
+use proptest::prelude::*;
+use tautline::Bounded;
+
+use super::{Outcome, Trial, check::all};
+use crate::{
+    Evidence, Known, PaperRule, Reconstruction, Subject, VerifyError,
+    strategies::{
+        constant, constant_ball_half_space, constant_finite_sets, points, ramp, separable,
+        separable_box_half_space, separable_boxes, shear, shear_ball_half_plane, subintervals,
+        valleys_across, valleys_along, valleys_ball_half_space,
+    },
+};
+
+/// What is asked of one computed minimiser, in any dimension.
+pub(super) trait Question<S: Subject>: Copy {
+    /// Evaluates statements on it.
+    fn evidence<M: Bounded<D>, const D: usize>(
+        self,
+        subject: &S,
+        known: &Known<M, D>,
+        seen: &Reconstruction<D>,
+    ) -> Result<Vec<Evidence>, VerifyError>;
+}
+
+/// Problems of one family, solved by one rule.
+#[derive(Clone, Copy)]
+pub(super) struct Problems<Q> {
+    pub(super) rule: PaperRule,
+    pub(super) seed: u64,
+    /// Of the cases below, one in so many is tried.
+    pub(super) one_in: u32,
+    pub(super) question: Q,
+}
+
+impl<Q> Problems<Q> {
+    fn family<S: Subject, M, const D: usize>(
+        self,
+        trial: &Trial<'_, S>,
+        k: u64,
+        cases: u32,
+        family: impl Strategy<Value = Known<M, D>>,
+    ) -> Outcome
+    where
+        M: Bounded<D> + Clone + Debug,
+        Q: Question<S>,
+    {
+        let cases = cases / self.one_in;
+        trial.for_all(self.seed + k, cases, (family, subintervals()), |subject, (known, n)| {
+            let seen = Reconstruction::observe(subject, &known, self.rule, n)?;
+            self.question.evidence(subject, &known, &seen)
+        })
+    }
+
+    /// Between two points.
+    pub(super) fn between_points<S: Subject>(self, trial: &Trial<'_, S>) -> Outcome
+    where
+        Q: Question<S>,
+    {
+        all([
+            self.family(trial, 0, 128, points(constant::<2>())),
+            self.family(trial, 1, 128, points(constant::<4>())),
+            self.family(trial, 2, 384, points(shear())),
+            self.family(trial, 3, 256, points(separable::<1>())),
+            self.family(trial, 4, 256, points(separable::<2>())),
+            self.family(trial, 5, 192, points(separable::<3>())),
+            self.family(trial, 6, 128, points(separable::<5>())),
+            self.family(trial, 7, 384, points(ramp())),
+            self.family(trial, 8, 256, valleys_along()),
+            self.family(trial, 9, 256, valleys_across::<2>()),
+            self.family(trial, 10, 128, valleys_across::<3>()),
+        ])
+    }
+
+    /// From set to set.
+    pub(super) fn from_set_to_set<S: Subject>(self, trial: &Trial<'_, S>) -> Outcome
+    where
+        Q: Question<S>,
+    {
+        all([
+            self.family(trial, 0, 192, constant_ball_half_space::<2>()),
+            self.family(trial, 1, 128, constant_ball_half_space::<3>()),
+            // The bounds are 0 for a constant metric, so that no pair but the nearest will do.
+            self.family(trial, 2, 128, constant_finite_sets()),
+            self.family(trial, 3, 256, shear_ball_half_plane()),
+            self.family(trial, 4, 192, separable_box_half_space::<2>()),
+            self.family(trial, 5, 128, separable_box_half_space::<3>()),
+            self.family(trial, 6, 192, separable_boxes::<1>()),
+            self.family(trial, 7, 192, separable_boxes::<2>()),
+            self.family(trial, 8, 128, separable_boxes::<3>()),
+            self.family(trial, 9, 256, valleys_ball_half_space()),
+        ])
+    }
+
+    /// In two systems of units each.
+    pub(super) fn homogeneous<S: Subject>(self, trial: &Trial<'_, S>) -> Outcome
+    where
+        Q: Question<S>,
+    {
+        all([
+            self.in_units(trial, 0, shear_ball_half_plane()),
+            self.in_units(trial, 1, separable_boxes::<3>()),
+            self.in_units(trial, 2, points(ramp())),
+        ])
+    }
+
+    fn in_units<S: Subject, M, const D: usize>(
+        self,
+        trial: &Trial<'_, S>,
+        k: u64,
+        family: impl Strategy<Value = Known<M, D>>,
+    ) -> Outcome
+    where
+        M: Bounded<D> + Clone + Debug,
+        Q: Question<S>,
+    {
+        let cases = (family, subintervals());
+        trial.homogeneous(self.seed + k, 64, cases, |subject, (known, n), units| {
+            let known = units.known(known)?;
+            let seen = Reconstruction::observe(subject, &known, self.rule, n)?;
+            self.question.evidence(subject, &known, &seen)
+        })
+    }
+}

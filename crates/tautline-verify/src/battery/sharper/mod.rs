@@ -1,0 +1,14 @@
+//! The sharper statements: Lemmas S.1 to S.5, Theorems A to D, Propositions S.6 and S.7.
+
+mod dropped;
+mod lemmas;
+mod theorems;
+mod witnesses;
+
+use super::Check;
+use crate::Subject;
+
+pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+    let parts = [lemmas::checks(), theorems::checks(), witnesses::checks(), dropped::checks()];
+    parts.into_iter().flatten().collect()
+}

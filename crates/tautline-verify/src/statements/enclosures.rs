@@ -1,0 +1,155 @@
+//! Propositions S.6 and S.7: the distance from one computed sequence, and a discrete minimum that is
+//! global.
+
+use tautline::{
+    Bounded, PointSequence,
+    bounds::{BetweenPoints, Computed, DiscreteMinimum},
+};
+
+use super::section_1::admitted;
+use crate::{
+    Evidence, GramRange, PaperRule, Reconstruction, Statement, Subject, Unit, VerifyError,
+    discrete_energy, reconstruction::nodes,
+};
+
+/// Evaluates Proposition S.6 on a computed minimiser, of which it is assumed that it is global;
+/// `gap` is the Euclidean distance of the sets, or less, in `ℓ`.
+///
+/// ```text
+/// lower  ≤  d²  ≤  L(γᵖˡ)²,      lower = max{ d² : d² e(d) ≤ E_N },  or  c₁ gap²
+/// ```
+///
+/// Needs: the setting of Theorem 1.1; a *global* minimiser, from below.
+///
+/// Slack: none where the metric is constant.
+///
+/// # Errors
+///
+/// [`VerifyError::Bound`] if an energy is none.
+pub fn prop_s_6<const D: usize>(
+    subject: &impl Subject,
+    seen: &Reconstruction<D>,
+    gap: f64,
+) -> Result<Evidence, VerifyError> {
+    let constants = seen.setting.constants();
+    let computed = |minimum| Computed {
+        rule: seen.rule,
+        n: seen.n,
+        discrete_energy: seen.discrete_energy,
+        energy: seen.energy.value,
+        length_squared: seen.length_squared.value,
+        minimum,
+        gap,
+    };
+    let assumed = subject.enclose(constants, D, &computed(DiscreteMinimum::Assumed))?;
+    let unknown = subject.enclose(constants, D, &computed(DiscreteMinimum::Unknown))?;
+    let (d2, granted) = (seen.distance_squared, seen.granted);
+    let mut evidence = admitted(Evidence::of(Statement::PropositionS6), seen);
+    if let (Some(m_h), PaperRule::Trapezoidal) = (constants.m_h(), seen.rule) {
+        evidence = evidence.given_curvature(seen.bend, m_h);
+    }
+    Ok(evidence
+        .stated("d² ≤ L(γᵖˡ)²", Unit::ENERGY, [d2, assumed.upper], granted)
+        .stated("lower ≤ d²", Unit::ENERGY, [assumed.lower, d2], granted)
+        .stated("c₁ gap² ≤ d²", Unit::ENERGY, [unknown.lower, d2], granted)
+        .sharper("lower ≤ E_N", Unit::ENERGY, [assumed.lower, seen.discrete_energy], granted))
+}
+
+/// Evaluates Proposition S.7 on two sequences between the same two points.
+///
+/// ```text
+/// σ  ≤  4 [½ (E_N(x) + E_N(y)) − E_N(½(x + y))] / mean|β(x) − β(y)|²,      |βₙ| ≤ B for both
+/// E_N(x) − R²/(4σ N² sin²(π/2N))  ≤  E_N(y),                              where σ > 0
+/// ```
+///
+/// The first is the convexity of modulus `σ` along a segment, half the second derivative in the mean;
+/// the second that `x` has as little
+/// energy as any other sequence, up to what its residual `R` leaves. `length` is that of the
+/// reconstruction of `x`, in `m`.
+///
+/// Needs: `c₁ ≤ H`, `H` Lipschitz with `L_H`, `DH` with `M_H`; the same ends and the same `N`.
+///
+/// Slack: none in the first for the trapezoidal rule with `N = 2`, where `H` has the slopes `±L_H`
+/// at the two midpoints.
+///
+/// # Errors
+///
+/// [`VerifyError`] where `H` is not positive definite, or the middle is no sequence.
+pub fn prop_s_7<const D: usize>(
+    subject: &impl Subject,
+    metric: &impl Bounded<D>,
+    rule: PaperRule,
+    [x, y]: [&PointSequence<D>; 2],
+    length: f64,
+) -> Result<Evidence, VerifyError> {
+    let (n, constants) = (x.n(), subject.constants(metric));
+    let other_ends = (x.first() - y.first()).norm().max((x.last() - y.last()).norm());
+    let as_many = if y.n() == n { 0.0 } else { 1.0 };
+    let points = x.points().iter().zip(y.points()).map(|(x, y)| (x + y) * 0.5);
+    let middle = PointSequence::new(points.collect())?;
+    let [of_x, of_y, of_middle] =
+        [x, y, &middle].map(|sequence| discrete_energy(subject, rule, metric, sequence));
+    let greatest = |sequence: &PointSequence<D>| {
+        sequence.differences().map(|beta| beta.norm()).fold(0.0, f64::max)
+    };
+    let apart: f64 =
+        x.differences().zip(y.differences()).map(|(b, c)| (b - c).norm_squared()).sum();
+    let apart = apart / n.get() as f64;
+    let both = greatest(x).max(greatest(y));
+    let mut evidence = Evidence::of(Statement::PropositionS7)
+        .given("the ends are the same", Unit::COORDINATE, [other_ends, 0.0], 0.0)
+        .given("N is the same", Unit::NONE, [as_many, 0.0], 0.0);
+    for sequence in [x, y, &middle] {
+        evidence = evidence.given_constants(constants, &GramRange::along(metric, nodes(sequence))?);
+        if let Some(m_h) = constants.m_h() {
+            evidence = evidence.given_curvature(crate::bend_along(metric, sequence), m_h);
+        }
+    }
+    // As for a reconstruction: compensated sums, and points that are rounded.
+    let size = x.points().iter().chain(y.points()).map(|x| x.norm()).fold(0.0, f64::max);
+    let sum = of_x + of_y + of_middle;
+    let momentum = 2.0 * (constants.c2() * sum).sqrt();
+    let granted = 1e-14 * sum + 8.0 * f64::EPSILON * size * momentum;
+    let equal = if apart > 0.0 { 0.0 } else { 1.0 };
+    evidence = evidence.given("x ≠ y", Unit::NONE, [equal, 0.0], 0.0);
+    if let Some(modulus) = subject.convexity_modulus(constants, rule, both, n) {
+        let bend = 4.0 * (0.5 * (of_x + of_y) - of_middle) / apart;
+        let claim = "σ ≤ the convexity of E from x to y";
+        evidence = evidence.stated(claim, Unit::GRAM, [modulus, bend], 4.0 * granted / apart);
+    }
+    let computed = BetweenPoints {
+        rule,
+        n,
+        discrete_energy: of_x,
+        length,
+        greatest_difference: greatest(x),
+        residual: residual(subject, metric, rule, x),
+    };
+    if let Some(least) = subject.strict_convexity(constants, D, &computed) {
+        evidence = evidence.stated(
+            "E(x) − R²/4σN²sin² ≤ E(y)",
+            Unit::ENERGY,
+            [least, of_y.min(of_middle)],
+            granted,
+        );
+    }
+    Ok(evidence)
+}
+
+/// `((1/N) Σ |ρₙ|²)^{1/2}` over the inner points, in `m²/ℓ`.
+fn residual<const D: usize>(
+    subject: &impl Subject,
+    metric: &impl Bounded<D>,
+    rule: PaperRule,
+    sequence: &PointSequence<D>,
+) -> f64 {
+    let gradient = match rule {
+        PaperRule::Trapezoidal => subject.energy_gradient(tautline::Trapezoidal, metric, sequence),
+        PaperRule::LeftEndpoint => {
+            subject.energy_gradient(tautline::LeftEndpoint, metric, sequence)
+        }
+    };
+    let n = sequence.n().get();
+    let squares: f64 = gradient[1..n].iter().map(|g| g.norm_squared()).sum();
+    0.5 * (n as f64 * squares).sqrt()
+}

@@ -1,0 +1,177 @@
+//! Lemma S.4 and Theorems A to D: the excess of a discrete minimiser, to the order `1/N` and `1/N²`.
+//!
+//! As in Section 1, a solver finds a local minimiser, and the theorems speak of a global one. That its
+//! energy is no more than what Lemma S.4 has for the minimum is the *premise*, a hypothesis of
+//! Theorems A to D; where it holds, they hold for the very sequence that was found.
+
+use super::section_1::{admitted, begin};
+use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};
+
+/// Evaluates Lemma S.4 on a computed minimiser.
+///
+/// ```text
+/// E_tra,N − d²  ≤  d² min(κ − 1, δ/4N + Gδ/12N²),      E_l,N − d²  ≤  d² min(κ − 1, δ/2N)
+/// E_tra,N − d²  ≤  d² (Gδ/3 + μ/24)/N²,  and  d² (ê − 1),            if M_H is known
+/// ```
+///
+/// Needs: the setting of Theorem 1.1, where `M_H` is used `DH` Lipschitz too, and a *global*
+/// minimiser, which no evaluation shows: a sequence with more energy is a worse local minimiser.
+///
+/// Slack: none as `δ → 0`, at `N = 1` over a ridge (trapezoidal) and down an incline (left
+/// endpoint).
+#[must_use]
+pub fn lemma_s_4<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
+    let &Reconstruction { setting, rule, n, granted, .. } = seen;
+    let surplus = seen.discrete_energy - seen.distance_squared;
+    let first = subject.theorem_a_minimum_gap(setting, rule, n);
+    let mut evidence = admitted(Evidence::of(Statement::LemmaS4), seen).stated(
+        "E_N − d² ≤ d² (e − 1)",
+        Unit::ENERGY,
+        [surplus, first],
+        granted,
+    );
+    if rule == PaperRule::Trapezoidal {
+        if let Some(m_h) = setting.constants().m_h() {
+            evidence = evidence.given_curvature(seen.bend, m_h);
+        }
+        let second = subject.theorem_b_minimum_gap(setting, n);
+        let third = subject.theorem_d_minimum_gap(setting, n);
+        for (claim, bound) in
+            [("E_tra,N − d² ≤ d² (e₂ − 1)", second), ("E_tra,N − d² ≤ d² (ê − 1)", third)]
+        {
+            if let Some(bound) = bound {
+                evidence = evidence.stated(claim, Unit::ENERGY, [surplus, bound], granted);
+            }
+        }
+    }
+    evidence
+}
+
+/// What a theorem has for `min E_N − d²`, `d² − E_N`, `|E(γᵖˡ) − E_N|` and `L(γᵖˡ)² − d²`, in `m²`.
+struct Gaps {
+    above: f64,
+    below: f64,
+    polyline: f64,
+    length: f64,
+}
+
+impl Gaps {
+    /// Compares all three, and their sum with the excess of energy and of squared length.
+    fn conclude<const D: usize>(&self, statement: Statement, seen: &Reconstruction<D>) -> Evidence {
+        let &Reconstruction { distance_squared: d2, discrete_energy, granted, .. } = seen;
+        let (energy, length2) = (seen.energy.value, seen.length_squared.value);
+        let excess = self.above + self.polyline;
+        begin(statement, seen, seen.rule, d2 + self.above)
+            .stated(
+                "|E(γᵖˡ) − E_N| ≤ its bound",
+                Unit::ENERGY,
+                [(energy - discrete_energy).abs(), self.polyline],
+                granted,
+            )
+            .stated(
+                "d² − E_N ≤ its bound",
+                Unit::ENERGY,
+                [d2 - discrete_energy, self.below],
+                granted,
+            )
+            .stated("E(γᵖˡ) − d² ≤ its bound", Unit::ENERGY, [energy - d2, excess], granted)
+            .stated("L(γᵖˡ)² − d² ≤ its bound", Unit::ENERGY, [length2 - d2, self.length], granted)
+    }
+}
+
+/// Evaluates Theorem A on a computed minimiser of either rule.
+///
+/// ```text
+/// |E(γᵖˡ) − E_N|, d² − E_N  ≤  d² (kδ/N) e Q,      L(γᵖˡ)² − d² ≤ E(γᵖˡ) − d²  ≤  d² [e − 1 + (kδ/N) e Q]
+/// ```
+///
+/// Needs: the setting of Theorem 1.1, and the premise `E_N ≤ d² e`. Stationarity, of which the proof
+/// makes use, is not needed as far as we have seen
+/// ([`remark_9_2_for_any_sequence`](super::remark_9_2_for_any_sequence)).
+///
+/// Slack: none as `δ → 0`, at `N = 1` on two routes.
+#[must_use]
+pub fn theorem_a<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
+    let polyline = subject.theorem_a_polyline_gap(seen.setting, seen.rule, seen.n);
+    let above = subject.theorem_a_minimum_gap(seen.setting, seen.rule, seen.n);
+    let length = above + polyline;
+    Gaps { above, below: polyline, polyline, length }.conclude(Statement::TheoremA, seen)
+}
+
+/// Evaluates Theorem B on a computed minimiser of the trapezoidal rule, if `M_H` is known.
+///
+/// ```text
+/// |E(γᵖˡ) − E_tra,N|, d² − E_tra,N  ≤  d² (μ/24N²) e₂ Q²,      E(γᵖˡ) − d²  ≤  d² [e₂ − 1 + (μ/24N²) e₂ Q²]
+/// ```
+///
+/// Needs: as [`theorem_a`] with the premise `E_tra,N ≤ d² e₂`, and `DH` Lipschitz with `M_H`.
+///
+/// Slack: none as `μ → 0`, at `N = 1` on two routes along parabolas.
+#[must_use]
+pub fn theorem_b<const D: usize>(
+    subject: &impl Subject,
+    seen: &Reconstruction<D>,
+) -> Option<Evidence> {
+    let polyline = subject.theorem_b_polyline_gap(seen.setting, seen.n)?;
+    let above = subject.theorem_b_minimum_gap(seen.setting, seen.n)?;
+    let length = above + polyline;
+    of_second_order(Gaps { above, below: polyline, polyline, length }, Statement::TheoremB, seen)
+}
+
+/// Evaluates Theorem C on any sequence from set to set with `E_N ≤ d² e`, of either rule.
+///
+/// ```text
+/// |E(γᵖˡ) − E_N|  ≤  d² (kδ/N) m₃,    d² − E_N  ≤  d² (1 − s²),  s² + (kδ/N) s³ = 1
+/// E(γᵖˡ) − d²  ≤  d² [e − 1 + (kδ/N) m₃],    L(γᵖˡ)² − d²  ≤  d² [e − 1 + (kδ/N) e^{3/2}]
+/// ```
+///
+/// Needs: the setting of Theorem 1.1, and the premise; neither a minimiser nor a stationary
+/// sequence.
+///
+/// Slack: none as `δ → 0`, on two routes, for every `N`.
+#[must_use]
+pub fn theorem_c<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
+    let &Reconstruction { setting, rule, n, .. } = seen;
+    let gaps = Gaps {
+        above: subject.theorem_a_minimum_gap(setting, rule, n),
+        below: subject.theorem_c_deficit(setting, rule, n),
+        polyline: subject.theorem_c_polyline_gap(setting, rule, n),
+        length: subject.theorem_c_length_excess(setting, rule, n),
+    };
+    gaps.conclude(Statement::TheoremC, seen)
+}
+
+/// Evaluates Theorem D on any sequence from set to set with `E_tra,N ≤ d² ε`, if `M_H` is known.
+///
+/// ```text
+/// |E(γᵖˡ) − E_tra,N|  ≤  d² (μ/24N²) m₄,    d² − E_tra,N  ≤  d² (1 − 2/(1 + √(1 + μ/6N²)))
+/// E(γᵖˡ) − d²  ≤  d² [ε − 1 + (μ/24N²) m₄],    L(γᵖˡ)² − d²  ≤  d² [ε − 1 + (μ/24N²) ε²]
+/// ```
+///
+/// Needs: as [`theorem_c`], and `DH` Lipschitz with `M_H`.
+///
+/// Slack: none as `μ → 0`, at `N = 1` on two routes along parabolas.
+#[must_use]
+pub fn theorem_d<const D: usize>(
+    subject: &impl Subject,
+    seen: &Reconstruction<D>,
+) -> Option<Evidence> {
+    let gaps = Gaps {
+        above: subject.theorem_d_minimum_gap(seen.setting, seen.n)?,
+        below: subject.theorem_d_deficit(seen.setting, seen.n)?,
+        polyline: subject.theorem_d_polyline_gap(seen.setting, seen.n)?,
+        length: subject.theorem_d_length_excess(seen.setting, seen.n)?,
+    };
+    of_second_order(gaps, Statement::TheoremD, seen)
+}
+
+/// `None` for the left-endpoint rule, about which Theorems B and D say nothing.
+fn of_second_order<const D: usize>(
+    gaps: Gaps,
+    statement: Statement,
+    seen: &Reconstruction<D>,
+) -> Option<Evidence> {
+    let m_h = seen.setting.constants().m_h()?;
+    let of_the_rule = seen.rule == PaperRule::Trapezoidal;
+    of_the_rule.then(|| gaps.conclude(statement, seen).given_curvature(seen.bend, m_h))
+}

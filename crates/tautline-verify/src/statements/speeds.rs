@@ -1,0 +1,140 @@
+//! Lemmas S.3 and S.5: how fast the chords of a sequence can be, and how unequally fast.
+
+use tautline::{Bounded, LeftEndpoint, MetricError, PointSequence, Trapezoidal};
+
+use crate::{
+    Evidence, GramRange, PaperRule, Reconstruction, Statement, Subject, Unit, discrete_energy,
+    reconstruction::nodes,
+};
+
+/// Evaluates Lemma S.3 on any point sequence; what is missing to a stationary one is its residual.
+///
+/// ```text
+/// max qₙ   ≤  min( √(N E_N), √E_N + (L_H/c₁^{3/2}) E_N + mean|ρ|/√c₁ ),      ∂E_N/∂xₙ = −2hρₙ
+/// max |βₙ|  ≤  (c₂K₃ + ½ L_H K₃² + mean|ρ|)/c₁
+/// ```
+///
+/// Needs: `c₁ ≤ H`, `H` Lipschitz; the second `H ≤ c₂`.
+///
+/// Slack: none in both for a constant metric. Companion: with the largest difference `B`,
+/// `|βₙ − βₙ₋₁| ≤ (3L_H/2Nc₁) B² + |ρₙ|/Nc₁`.
+///
+/// # Errors
+///
+/// [`MetricError`] where `H` is not finite, symmetric and positive definite.
+pub fn lemma_s_3<const D: usize>(
+    subject: &impl Subject,
+    metric: &impl Bounded<D>,
+    rule: PaperRule,
+    sequence: &PointSequence<D>,
+) -> Result<Evidence, MetricError> {
+    let (gradient, speeds) = match rule {
+        PaperRule::Trapezoidal => (
+            subject.energy_gradient(Trapezoidal, metric, sequence),
+            subject.discrete_speeds(Trapezoidal, metric, sequence),
+        ),
+        PaperRule::LeftEndpoint => (
+            subject.energy_gradient(LeftEndpoint, metric, sequence),
+            subject.discrete_speeds(LeftEndpoint, metric, sequence),
+        ),
+    };
+    let (n, constants) = (sequence.n(), subject.constants(metric));
+    let (count, c1, c2) = (n.get() as f64, constants.c1(), constants.c2());
+    let energy = discrete_energy(subject, rule, metric, sequence);
+    let rho: Vec<f64> = gradient[1..n.get()].iter().map(|g| g.norm() * 0.5 * count).collect();
+    let mean_rho = rho.iter().sum::<f64>() / count;
+    let fastest = speeds.iter().copied().fold(0.0, f64::max);
+    let differences: Vec<_> = sequence.differences().collect();
+    let greatest = differences.iter().map(|beta| beta.norm()).fold(0.0, f64::max);
+    let steps = differences.windows(2).zip(&rho).map(|(pair, rho)| {
+        let bound = tautline::bounds::difference_step(constants, greatest, n) + rho / (count * c1);
+        [(pair[1] - pair[0]).norm(), bound]
+    });
+    let over = |[step, bound]: &[f64; 2]| step - bound;
+    let worst = steps.max_by(|a, b| over(a).total_cmp(&over(b))).unwrap_or([0.0, 0.0]);
+    // The points are rounded, so that a difference is off by 2Nε|x|, and a residual, of two momenta
+    // each, by 8N²c₂ε|x|; a momentum besides by a few ε, and by the slope of H.
+    let size = sequence.points().iter().map(|x| x.norm()).fold(0.0, f64::max);
+    let off = f64::EPSILON * count * size;
+    let slope = constants.l_h() * f64::EPSILON * size * greatest;
+    let momentum = c2 * (8.0 * off + 16.0 * f64::EPSILON * greatest) + slope;
+    let residual = momentum * count;
+    let speed_bound = subject.greatest_speed(constants, energy, mean_rho, n);
+    let difference_bound = subject.greatest_difference(constants, sequence.k3(), mean_rho);
+    let step_granted = residual / (count * c1) + 4.0 * off;
+    Ok(Evidence::of(Statement::LemmaS3)
+        .given_constants(constants, &GramRange::along(metric, nodes(sequence))?)
+        .stated(
+            "max qₙ ≤ √E + (L_H/c₁^{3/2})E + mean|ρ|/√c₁",
+            Unit::LENGTH,
+            [fastest, speed_bound],
+            residual / c1.sqrt() + 1e-14 * fastest,
+        )
+        .stated(
+            "max|βₙ| ≤ (c₂K₃ + ½L_H K₃² + mean|ρ|)/c₁",
+            Unit::COORDINATE,
+            [greatest, difference_bound],
+            residual / c1 + 1e-14 * greatest,
+        )
+        .sharper("|βₙ − βₙ₋₁| ≤ 3L_H B²/2Nc₁ + |ρₙ|/Nc₁", Unit::COORDINATE, worst, step_granted))
+}
+
+/// Evaluates Lemma S.5 on any sequence from set to set, whose distance `d > 0` is known: with
+/// `uₙ = qₙ/d` and `ε = max(1, E_N/d²)`,
+///
+/// ```text
+/// mean u ≥ 1 − x,    v ≤ ε − max(0, 1 − x)²,    |uₙ − mean u| ≤ √((N − 1)v),    mean u³ ≤ m₃,  mean u⁴ ≤ m₄
+/// L(γᵖˡ)²  ≤  E_N + (k L_H/N c₁^{3/2}) E_N^{3/2},        L(γᵖˡ)²  ≤  E_tra,N + (M_H/24c₁²N²) E_tra,N²
+/// ```
+///
+/// Needs: `c₁ ≤ H`, `H` Lipschitz, where `M_H` is used `DH` too; ends in their sets. No minimiser.
+///
+/// Slack: none in the last two as `δ → 0` and `μ → 0`, at `N = 1` over a valley and along a parabola.
+#[must_use]
+pub fn lemma_s_5<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
+    let &Reconstruction {
+        setting, rule, n, discrete_energy, distance_squared: d2, granted, ..
+    } = seen;
+    let d = setting.distance();
+    let relative = granted / d2;
+    let u: Vec<f64> = seen.speeds.iter().map(|q| q / d).collect();
+    let mean = |f: &dyn Fn(f64) -> f64| u.iter().map(|&u| f(u)).sum::<f64>() / u.len() as f64;
+    let average = mean(&|u| u);
+    let variance = mean(&|u| (u - average).powi(2));
+    let deviation = u.iter().map(|u| (u - average).abs()).fold(0.0, f64::max);
+    let surplus = (discrete_energy / d2 - 1.0).max(0.0);
+    let mut evidence = super::section_1::admitted(Evidence::of(Statement::LemmaS5), seen).given(
+        "0 < d",
+        Unit::LENGTH,
+        [-d, 0.0],
+        0.0,
+    );
+    let spreads = [
+        Some(subject.spread(setting, rule, n, surplus)),
+        subject.sharp_spread(setting, n, surplus).filter(|_| rule == PaperRule::Trapezoidal),
+    ];
+    // A root of what is granted to the variance, and products of that with the moments.
+    let others = (n.get() - 1) as f64;
+    let off = (others * relative).sqrt();
+    for spread in spreads.into_iter().flatten() {
+        let moments = 16.0 * relative * (1.0 + spread.deviation).powi(2)
+            + 4.0 * off * spread.variance * (1.0 + spread.deviation);
+        evidence = evidence
+            .stated("1 − mean u ≤ x", Unit::NONE, [1.0 - average, spread.shortfall], relative)
+            .stated("var u ≤ v", Unit::NONE, [variance, spread.variance], 4.0 * relative)
+            .stated(
+                "|u − mean u| ≤ √((N−1)v)",
+                Unit::NONE,
+                [deviation, spread.deviation],
+                2.0 * off,
+            )
+            .stated("mean u³ ≤ m₃", Unit::NONE, [mean(&|u| u.powi(3)), spread.cube], moments)
+            .stated("mean u⁴ ≤ m₄", Unit::NONE, [mean(&|u| u.powi(4)), spread.fourth], moments);
+    }
+    if let (Some(m_h), PaperRule::Trapezoidal) = (setting.constants().m_h(), rule) {
+        evidence = evidence.given_curvature(seen.bend, m_h);
+    }
+    let bound = subject.squared_length(setting.constants(), rule, discrete_energy, n);
+    let (excess, room) = (seen.length_squared.value - discrete_energy, bound - discrete_energy);
+    evidence.stated("L(γᵖˡ)² − E_N ≤ its bound", Unit::ENERGY, [excess, room], granted)
+}
