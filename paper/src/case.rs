@@ -10,7 +10,10 @@ use tautline::{
 pub use tautline_verify::PaperRule;
 use tautline_verify::{
     Finding, Known, Library, Reconstruction,
-    statements::{theorem_1_1, theorem_1_2, theorem_1_3, theorem_1_4},
+    statements::{
+        lemma_s_4, prop_s_6, theorem_1_1, theorem_1_2, theorem_1_3, theorem_1_4, theorem_a,
+        theorem_b, theorem_c, theorem_d,
+    },
 };
 
 use crate::{Failure, observation::Observation};
@@ -80,7 +83,7 @@ type Solve = Box<dyn Fn(PaperRule, usize) -> Result<Observation, Failure>>;
 
 impl Case {
     /// Minimises the discrete energy of `rule` with `n` subintervals, and puts the result to
-    /// Theorems 1.1 and 1.2, or 1.3 and 1.4.
+    /// Theorems 1.1 and 1.2, or 1.3 and 1.4, and to the sharper theorems.
     ///
     /// # Errors
     ///
@@ -142,11 +145,16 @@ fn observe<M: Bounded<D>, const D: usize>(
     n: usize,
 ) -> Result<Observation, Failure> {
     let seen = Reconstruction::observe(&Library, known, rule, n)?;
-    let theorems = match rule {
+    let of_the_paper = match rule {
         PaperRule::Trapezoidal => [theorem_1_1(&Library, &seen), theorem_1_2(&Library, &seen)],
         PaperRule::LeftEndpoint => [theorem_1_3(&Library, &seen), theorem_1_4(&Library, &seen)],
     };
-    for theorem in theorems {
+    let first_order =
+        [lemma_s_4(&Library, &seen), theorem_a(&Library, &seen), theorem_c(&Library, &seen)];
+    let second_order = [theorem_b(&Library, &seen), theorem_d(&Library, &seen)];
+    let enclosure = prop_s_6(&Library, &seen, 0.0)?;
+    let sharper = first_order.into_iter().chain(second_order.into_iter().flatten());
+    for theorem in of_the_paper.into_iter().chain(sharper).chain([enclosure]) {
         match theorem.finding() {
             Finding::Holds => {}
             Finding::Inapplicable(clause) => {

@@ -1,12 +1,15 @@
 //! How the error falls as `N` grows: the data of the convergence figure and table.
 //!
-//! Every row is one solve, put to Theorems 1.1 to 1.4 before its numbers are used; the observed
-//! orders are checked as soon as the data are there.
+//! Every row is one solve, put to Theorems 1.1 to 1.4 and to the sharper ones before its numbers are
+//! used; the observed orders are checked as soon as the data are there.
 
 use indicatif::ProgressBar;
 use tautline::{
     Curvature,
-    bounds::{theorem_1_2_length_excess, theorem_1_4_length_excess},
+    bounds::{
+        Computed, DiscreteMinimum, enclose, first_order_excess, second_order_excess,
+        theorem_1_2_length_excess, theorem_1_4_length_excess,
+    },
 };
 use tautline_verify::slope;
 
@@ -23,6 +26,10 @@ const ENERGY: Tolerance = Tolerance::Close { relative: 1e-11, absolute: 0.0 };
 
 /// An excess is a difference of energies up to 700 with an error of 1e-12 each.
 const EXCESS: Tolerance = Tolerance::Close { relative: 1e-6, absolute: 2e-10 };
+
+/// The width of an enclosure of `d²` is a difference of such energies too, and never less than the
+/// excess of the length.
+const WIDTH: Tolerance = Tolerance::Close { relative: 1e-6, absolute: 2e-10 };
 
 /// Grids from here on are in the asymptotic range, where the orders are fitted.
 const ASYMPTOTIC: usize = 256;
@@ -52,6 +59,7 @@ pub fn data(sweep: Sweep) -> Result<Data, Failure> {
         ("paper_bound", ENERGY),
         ("first_order_bound", ENERGY),
         ("second_order_bound", ENERGY),
+        ("a_posteriori_bound", WIDTH),
         ("reference", Tolerance::Exact),
         ("curvature", Tolerance::Exact),
     ]);
@@ -79,6 +87,20 @@ fn row(case: &Case, rule: PaperRule, seen: &Observation) -> Result<Vec<String>, 
         PaperRule::Trapezoidal => theorem_1_2_length_excess(case.setting, n),
         PaperRule::LeftEndpoint => theorem_1_4_length_excess(case.setting, n),
     };
+    let second = match rule {
+        PaperRule::Trapezoidal => second_order_excess(case.setting, n),
+        PaperRule::LeftEndpoint => None,
+    };
+    let computed = Computed {
+        rule,
+        n,
+        discrete_energy: seen.discrete_energy,
+        energy: seen.energy.value,
+        length_squared: seen.length_squared.value,
+        minimum: DiscreteMinimum::Assumed,
+        gap: 0.0,
+    };
+    let enclosure = enclose(case.setting.constants(), case.setting.dimension(), &computed)?;
     let energy = |value: f64| format!("{value:.12e}");
     let rough = |value: f64| format!("{value:.2e}");
     Ok(vec![
@@ -95,8 +117,9 @@ fn row(case: &Case, rule: PaperRule, seen: &Observation) -> Result<Vec<String>, 
         rough(seen.residual),
         rough(seen.residual_floor),
         energy(bound),
-        String::new(),
-        String::new(),
+        energy(first_order_excess(case.setting, rule, n)),
+        second.map_or(String::new(), energy),
+        format!("{:.6e}", enclosure.width()),
         case.reference.name().to_owned(),
         match seen.curvature {
             Curvature::PositiveDefinite => "positive_definite",

@@ -12,8 +12,9 @@ use crate::{
 pub(super) const FIGURE: Figure = Figure {
     id: "convergence",
     shows: "the excess energy of the reconstructed curve for both rules under the bounds C/sqrt(N) \
-            of Theorems 1.1 and 1.3, for ten cases, of which the figure shows three whose distance \
-            is known exactly",
+            of Theorems 1.1 and 1.3, the sharper ones of order 1/N and 1/N^2, and the width of the \
+            enclosure of d^2 by one computed sequence, for ten cases, of which the figure shows \
+            three whose distance is known exactly",
     data,
     draw,
 };
@@ -32,6 +33,7 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
         .rows()
         .filter(shown)
         .flat_map(|row| [row.number("excess"), row.number("paper_bound")])
+        .filter(|value| *value > 0.0)
         .collect();
     let last = data.rows().map(|row| row.number("n")).fold(1.0, f64::max);
     let mut panels = Vec::new();
@@ -40,12 +42,13 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
         let mut y = Axis::decades_covering(values.iter().copied(), 4.0)?;
         y = if k == 0 { y.labelled("excess energy $E(γ^\"pl\") - d^2$") } else { y.unnumbered() };
         let mut panel = Panel::new(x, y).titled(title).tall(300.0);
-        for (rule, colour, marker, bound, observed) in [
+        for (rule, colour, marker, bound, sharper, observed) in [
             (
                 PaperRule::LeftEndpoint,
                 palette::BLUE,
                 Marker::Ring,
                 "$C/√{N}$ of Theorem 1.3",
+                ["order $1/N$, left endpoint", ""],
                 "observed, left-endpoint rule",
             ),
             (
@@ -53,6 +56,7 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
                 palette::VERMILLION,
                 Marker::Disc,
                 "$C/√{N}$ of Theorem 1.1",
+                ["order $1/N$, trapezoidal", "order $1/N^2$, trapezoidal"],
                 "observed, trapezoidal rule",
             ),
         ] {
@@ -66,13 +70,20 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
             } else {
                 panel.triangle(below(&proven, -0.5)?)
             };
-            panel = panel
-                .curve(Curve::new(proven, colour).dashed(&[6.0, 3.0]).labelled(bound))
-                .curve(Curve::new(seen, colour).marked(marker).labelled(observed));
+            panel = panel.curve(Curve::new(proven, colour).dashed(&[6.0, 3.0]).labelled(bound));
+            let columns = ["first_order_bound", "second_order_bound"];
+            let dashes: [&[f64]; 2] = [&[2.0, 2.0], &[8.0, 2.0, 2.0, 2.0]];
+            for ((column, label), dash) in columns.into_iter().zip(sharper).zip(dashes) {
+                if !label.is_empty() {
+                    let curve = Curve::new(points(column), colour).dashed(dash);
+                    panel = panel.curve(curve.labelled(label));
+                }
+            }
+            panel = panel.curve(Curve::new(seen, colour).marked(marker).labelled(observed));
         }
         panels.push(panel);
     }
-    let title = "Excess energy of both rules under the bounds of Theorems 1.1 and 1.3";
+    let title = "Excess energy of both rules under the bounds of the paper and the sharper ones";
     Ok(drawing::Figure::new(960.0, title, vec![panels]).keyed().draw()?)
 }
 

@@ -18,10 +18,13 @@ super::checks! {
     lemma_s_2_is_attained_along_a_parabola
     lemma_s_3_and_prop_s_6_are_attained_where_the_metric_is_constant
     lemmas_s_4_and_s_5_are_attained_on_ridges_valleys_and_inclines
+    lemma_s_4_has_the_second_variation_up_an_incline
+    lemma_s_5_is_attained_by_one_long_chord
     theorems_a_and_c_are_attained_on_two_routes
     theorem_c_is_attained_by_the_left_rule_for_every_n
     theorems_b_and_d_are_attained_on_two_arcs
     prop_s_7_is_attained_with_two_chords_on_opposite_slopes
+    golden_bounds_of_theorems_a_and_b
     lemmas_s_1_to_s_3_fail_where_l_h_is_understated
     the_sharper_theorems_fail_where_l_h_is_understated
     lemma_s_2_and_theorems_b_and_d_fail_where_m_h_is_understated

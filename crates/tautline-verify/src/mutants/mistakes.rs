@@ -6,10 +6,10 @@ use nalgebra::{SMatrix, SVector};
 use tautline::{
     Bounded, ClosedSet, Constants, Curvature, Ends, Integral, LeftEndpoint, Metric, MetricError,
     Minimum, Options, PointSequence, Rule, SolveError, Starts, Stop, Trapezoidal, TrueTrapezoid,
-    bounds::Setting,
+    bounds::{BoundError, Computed, Enclosure, PaperRule, Setting, Spread},
 };
 
-use super::{Mutant, mutations};
+use super::{Mutant, mutations, sharper};
 use crate::{Library, Subject};
 
 /// Whether `R` reads the metric as the trapezoidal rule of the paper does.
@@ -301,5 +301,74 @@ impl Subject for Option<Mutant> {
             }
             _ => genuine,
         }
+    }
+
+    fn k2_sharp(&self, setting: Setting) -> f64 {
+        sharper::k2_sharp(*self, setting)
+    }
+
+    fn cubic_gap(&self, constants: Constants, rule: PaperRule, cube: f64, n: NonZeroUsize) -> f64 {
+        sharper::cubic_gap(*self, constants, rule, cube, n)
+    }
+
+    fn quartic_gap(&self, constants: Constants, fourth: f64, n: NonZeroUsize) -> Option<f64> {
+        sharper::quartic_gap(*self, constants, fourth, n)
+    }
+
+    fn greatest_speed(&self, constants: Constants, energy: f64, rho: f64, n: NonZeroUsize) -> f64 {
+        sharper::greatest_speed(*self, constants, energy, rho, n)
+    }
+
+    fn squared_length(
+        &self,
+        constants: Constants,
+        rule: PaperRule,
+        e: f64,
+        n: NonZeroUsize,
+    ) -> f64 {
+        sharper::squared_length(*self, constants, rule, e, n)
+    }
+
+    fn spread(&self, setting: Setting, rule: PaperRule, n: NonZeroUsize, surplus: f64) -> Spread {
+        sharper::spread(*self, setting, rule, n, surplus)
+    }
+
+    fn theorem_a_minimum_gap(&self, setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
+        sharper::theorem_a_minimum_gap(*self, setting, rule, n)
+    }
+
+    fn theorem_a_polyline_gap(&self, setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
+        sharper::theorem_a_polyline_gap(*self, setting, rule, n)
+    }
+
+    fn theorem_c_deficit(&self, setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
+        sharper::theorem_c_deficit(*self, setting, rule, n)
+    }
+
+    fn theorem_d_minimum_gap(&self, setting: Setting, n: NonZeroUsize) -> Option<f64> {
+        sharper::theorem_d_minimum_gap(*self, setting, n)
+    }
+
+    fn theorem_d_polyline_gap(&self, setting: Setting, n: NonZeroUsize) -> Option<f64> {
+        sharper::theorem_d_polyline_gap(*self, setting, n)
+    }
+
+    fn enclose(
+        &self,
+        constants: Constants,
+        dimension: usize,
+        computed: &Computed,
+    ) -> Result<Enclosure, BoundError> {
+        sharper::enclose(*self, constants, dimension, computed)
+    }
+
+    fn convexity_modulus(
+        &self,
+        constants: Constants,
+        rule: PaperRule,
+        greatest: f64,
+        n: NonZeroUsize,
+    ) -> Option<f64> {
+        sharper::convexity_modulus(*self, constants, rule, greatest, n)
     }
 }

@@ -3,5 +3,6 @@
 mod mistakes;
 mod mutant;
 mod mutations;
+mod sharper;
 
 pub use mutant::Mutant;

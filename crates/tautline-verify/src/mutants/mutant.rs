@@ -78,11 +78,39 @@ pub enum Mutant {
     SharpForgotten,
     /// The `C` of Theorem 1.3 without the cube of `K̄_{4,g}`.
     LastCubeForgotten,
+    /// Lemma S.1 with `ω = ½` for every metric.
+    OmegaHalved,
+    /// Lemma S.2 with the factor ¼ for the left-endpoint rule.
+    LeftCubeHalved,
+    /// Lemma S.2 with `M_H/48N²` for `M_H/24N²`.
+    CurvatureGapHalved,
+    /// Lemma S.3 without the residual.
+    ResidualForgotten,
+    /// Lemma S.3 without the change of speed from chord to chord.
+    SpeedChangeForgotten,
+    /// Lemma S.4 with `δ/4N` for the left-endpoint rule.
+    LeftCeilingHalved,
+    /// Lemma S.4 with `G²/24` for `G²/12`.
+    SecondVariationHalved,
+    /// Lemma S.5 with half of the gap between energy and length.
+    LengthGapHalved,
+    /// Lemma S.5 with half of the variance of the speeds.
+    VarianceHalved,
+    /// Theorem A with `Q = √e`, as if all speeds were equal.
+    SpeedsOfTheoremAEqual,
+    /// Theorem C with half of what `E_N` may be below `d²`.
+    DeficitHalved,
+    /// Theorem D with `μ/48N²` for `μ/24N²`.
+    FourthPowerHalved,
+    /// Proposition S.6 with `min E_N ≤ d²`.
+    CeilingForgotten,
+    /// Proposition S.7 without the term of `L_H`.
+    SlopeForgotten,
 }
 
 impl Mutant {
-    /// All of them: discretizations, sets, solver, constants, bounds.
-    pub const ALL: [Mutant; 37] = [
+    /// All of them: discretizations, sets, solver, constants, bounds, sharper bounds.
+    pub const ALL: [Mutant; 51] = [
         Mutant::RulesExchanged,
         Mutant::TrueTrapezoid,
         Mutant::EnergyHalved,
@@ -120,6 +148,20 @@ impl Mutant {
         Mutant::HalfOfLeftGap,
         Mutant::SharpForgotten,
         Mutant::LastCubeForgotten,
+        Mutant::OmegaHalved,
+        Mutant::LeftCubeHalved,
+        Mutant::CurvatureGapHalved,
+        Mutant::ResidualForgotten,
+        Mutant::SpeedChangeForgotten,
+        Mutant::LeftCeilingHalved,
+        Mutant::SecondVariationHalved,
+        Mutant::LengthGapHalved,
+        Mutant::VarianceHalved,
+        Mutant::SpeedsOfTheoremAEqual,
+        Mutant::DeficitHalved,
+        Mutant::FourthPowerHalved,
+        Mutant::CeilingForgotten,
+        Mutant::SlopeForgotten,
     ];
 
     /// Returns what is wrong with it, in a few words.
@@ -163,6 +205,20 @@ impl Mutant {
             Mutant::HalfOfLeftGap => "8.2 with 1/4 for 1/2",
             Mutant::SharpForgotten => "C of Theorem 1.1 without C_tra♯",
             Mutant::LastCubeForgotten => "C of Theorem 1.3 without K̄_{4,g}³",
+            Mutant::OmegaHalved => "ω = 1/2 for every metric",
+            Mutant::LeftCubeHalved => "S.2 with 1/4 for the left rule",
+            Mutant::CurvatureGapHalved => "S.2 with M_H/48N²",
+            Mutant::ResidualForgotten => "S.3 without the residual",
+            Mutant::SpeedChangeForgotten => "S.3 with max q = √E",
+            Mutant::LeftCeilingHalved => "S.4 with δ/4N for the left rule",
+            Mutant::SecondVariationHalved => "S.4 with G²/24",
+            Mutant::LengthGapHalved => "S.5 with half the gap of the length",
+            Mutant::VarianceHalved => "S.5 with half the variance",
+            Mutant::SpeedsOfTheoremAEqual => "Theorem A with Q = √e",
+            Mutant::DeficitHalved => "Theorem C with half the deficit",
+            Mutant::FourthPowerHalved => "Theorem D with μ/48N²",
+            Mutant::CeilingForgotten => "S.6 with min E_N ≤ d²",
+            Mutant::SlopeForgotten => "S.7 without L_H",
         }
     }
 }

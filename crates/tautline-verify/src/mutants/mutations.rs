@@ -1,9 +1,14 @@
 //! The programs of the mutants that are longer than a line.
 
+use std::num::NonZeroUsize;
+
 use nalgebra::{SMatrix, SVector};
 use tautline::{
-    Constants, Interpolation, Jet1, Metric, MetricError, PointSequence, Rule, check_gram,
+    Constants, Interpolation, Jet1, Metric, MetricError, PointSequence, Rule, bounds::PaperRule,
+    bounds::Setting, check_gram,
 };
+
+use crate::{Library, Subject};
 
 /// The discrete energy without the last chord.
 pub(crate) fn without_last_chord<R: Rule, const D: usize>(
@@ -83,4 +88,15 @@ pub(crate) fn first_point_moved<const D: usize>(
 /// Constants with another `L_H`.
 pub(crate) fn with_l_h(constants: Constants, factor: f64) -> Constants {
     constants.times([1.0, 1.0, factor, 1.0]).expect("a multiple of a finite constant")
+}
+
+/// `d² (kδ/N) e Q` of Theorem A with `Q = √e`.
+pub(crate) fn theorem_a_gap_of_equal_speeds(
+    setting: Setting,
+    rule: PaperRule,
+    n: NonZeroUsize,
+) -> f64 {
+    let d2 = setting.distance().powi(2);
+    let e = 1.0 + Library.theorem_a_minimum_gap(setting, rule, n) / d2;
+    d2 * rule.mean_distance() * setting.delta() / n.get() as f64 * e.powf(1.5)
 }

@@ -16,7 +16,9 @@ use crate::{
     Subject, VerifyError,
     curves::Geodesic,
     statements::{lemma_s_1, lemma_s_2, lemma_s_3, prop_s_7},
-    strategies::{points, ramp, separable, sequence, shear, two_points, valleys_along, vector},
+    strategies::{
+        constant, points, ramp, separable, sequence, shear, two_points, valleys_along, vector,
+    },
 };
 
 const SEQUENCES: &[Statement] = &[LemmaS2, LemmaS3];
@@ -106,6 +108,8 @@ fn sequences<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         family(trial, 2722, separable::<3>()),
         family(trial, 2723, ramp()),
         family::<_, _, 2>(trial, 2724, Just(Valleys)),
+        // Without L_H the residual alone is left.
+        family(trial, 2725, constant::<2>()),
     ])
 }
 

@@ -1,6 +1,7 @@
 //! The sharper statements: Lemmas S.1 to S.5, Theorems A to D, Propositions S.6 and S.7.
 
 mod dropped;
+mod golden;
 mod lemmas;
 mod theorems;
 mod witnesses;
@@ -9,6 +10,12 @@ use super::Check;
 use crate::Subject;
 
 pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
-    let parts = [lemmas::checks(), theorems::checks(), witnesses::checks(), dropped::checks()];
+    let parts = [
+        lemmas::checks(),
+        theorems::checks(),
+        witnesses::checks(),
+        golden::checks(),
+        dropped::checks(),
+    ];
     parts.into_iter().flatten().collect()
 }

@@ -1,7 +1,7 @@
 //! The sharper statements where they lose nothing, or as little as is known.
 
 use tautline::{
-    Constants, Ends, FiniteSet, PointSequence,
+    Constants, Ends, FiniteSet, KnownDistance, PointSequence,
     gallery::{Constant, Separable},
 };
 
@@ -42,6 +42,13 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
             &[LemmaS4, LemmaS5],
             one_route,
         ),
+        Check::new(
+            "lemma_s_4_has_the_second_variation_up_an_incline",
+            witness,
+            &[LemmaS4],
+            second_variation,
+        ),
+        Check::new("lemma_s_5_is_attained_by_one_long_chord", witness, &[LemmaS5], one_long_chord),
         Check::new(
             "theorems_a_and_c_are_attained_on_two_routes",
             witness,
@@ -181,6 +188,55 @@ fn one_route<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         lemma_s_5(subject, &seen(tra, valley(1.0))?).claim_is_attained(length, LIMIT)?,
         lemma_s_5(subject, &seen(left, upwards(1.0))?).claim_is_attained(length, LIMIT)?,
     ])
+}
+
+/// Up `H = 1 + x/100`, where `M_H = 0` and the force is `δ/2` of `d²` all the way, to a few `δ`: only
+/// the second variation is left, `d²δ²/48N²`.
+fn second_variation<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+    let slope = 1e-2;
+    let metric = Incline::new(1.0, slope).expect("positive");
+    let constants = Constants::new(1.0, 1.0 + slope, slope).and_then(|c| c.with_m_h(0.0));
+    let constants = constants.map_err(VerifyError::from)?.on_a_region();
+    let ends = Ends::points([0.0], [1.0]).map_err(VerifyError::from)?;
+    let distance = metric.distance(&[0.0].into(), &[1.0].into()).expect("of [0, 1]");
+    let metric = WithConstants { metric, constants };
+    let known = Known { metric, ends, distance, distance_error: 4.0 * f64::EPSILON };
+    let mut evidence = Vec::new();
+    for n in [4, 16, 64] {
+        let seen = Reconstruction::observe(trial.subject, &known, PaperRule::Trapezoidal, n)?;
+        let found = lemma_s_4(trial.subject, &seen);
+        evidence.push(found.claim_is_attained("E_tra,N − d² ≤ d² (ê − 1)", 1.05)?);
+    }
+    trial.one(evidence)
+}
+
+/// A straight line under a constant metric: `mean u = 1`, so that `v = ε − 1` is the variance; and of
+/// chords that are equal but for one, that one is as far from the mean as it can be.
+fn one_long_chord<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+    let metric = Constant::<1>::new([[4.0]].into()).expect("positive");
+    let known = Known::between(metric, [0.0], [3.0]).map_err(VerifyError::from)?.expect("known");
+    let mut evidence = Vec::new();
+    for n in [2_usize, 3, 10] {
+        for rule in PaperRule::BOTH {
+            let mut minimum = Reconstruction::observe(trial.subject, &known, rule, n)?.minimum;
+            // The first chord has the length 2, the others share the rest.
+            let at = |k: usize| match k {
+                0 => [0.0],
+                _ => [2.0 + (k - 1) as f64 / (n - 1) as f64],
+            };
+            let points = (0..=n).map(|k| at(k).into()).collect();
+            minimum.sequence = PointSequence::new(points).map_err(VerifyError::from)?;
+            let seen = Reconstruction::read(trial.subject, &known, rule, minimum)?;
+            let mut found = lemma_s_5(trial.subject, &seen);
+            if n > 2 {
+                found = found
+                    .claim_is_attained("var u ≤ v", 1.0 + 1e-9)?
+                    .claim_is_attained("|u − mean u| ≤ √((N−1)v)", 1.0 + 1e-9)?;
+            }
+            evidence.push(found);
+        }
+    }
+    trial.one(evidence)
 }
 
 /// Two routes, of which the wrong one seems shorter by a hair; and one with all of `d² − E_N`.

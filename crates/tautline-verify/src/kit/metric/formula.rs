@@ -1,6 +1,6 @@
 //! The laws of every metric: `H` is a metric, and all that follows from its formula agrees.
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 use tautline::{Bounded, Jet1, Jet2, MetricError, check_gram};
 
 use super::{
@@ -51,6 +51,24 @@ pub(super) fn positive_definite<M: Bounded<D>, const D: usize>(
         }
     }
     Ok(tried.and(Tried::cases(effort.ascents as u64)))
+}
+
+/// `H(x)` is a multiple of the identity, if the constants say so.
+pub(super) fn isotropic<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
+    let (metric, effort) = (&case.metric, &case.effort);
+    let constants = metric.constants();
+    if !constants.is_isotropic() {
+        return Ok(Tried::cases(0).with_note("not isotropic".to_owned()));
+    }
+    for_all(effort, effort.cases, CHEAP, case.region.points(), |x| {
+        let h = metric.gram(x);
+        let off = (h - SMatrix::from_diagonal_element(h[(0, 0)])).amax();
+        // A dozen roundings an entry.
+        let granted = 1e-14 * constants.c2();
+        let law = "H(x) = φ(x) I";
+        Fault::unless_at_most(law, [off, 0.0], granted, x.as_slice())?;
+        Ok(f64::INFINITY)
+    })
 }
 
 /// `√(i + 2)` for different square-free parts, without its whole part.

@@ -16,6 +16,7 @@ mod orders;
 mod problems;
 mod refusals;
 mod sampled_curves;
+mod sharper;
 mod solutions;
 mod soundness;
 mod statements;
@@ -91,6 +92,8 @@ macro_rules! __metric_laws {
                 formula::norm_squared;
             jets_agree_with_differences, "DH and D²H are the limits of central differences",
                 formula::jets;
+            is_isotropic_if_it_says_so, "H(x) is a multiple of I, if the constants say so",
+                formula::isotropic;
             c1_is_a_lower_bound, "c1 ≤ λ_min(H)",
                 |case| claims::claim(case, Claim::C1);
             c2_is_an_upper_bound, "λ_max(H) ≤ c2",
@@ -163,6 +166,14 @@ macro_rules! __metric_laws {
                     let shown = Some("E(γᵖˡ) − d² ≤ by parts");
                     case.of_constants(PaperRule::LeftEndpoint, of_the_paper::constant_c_1_3, shown)
                 };
+            lemmas_s_2_and_s_3, "Lemmas S.2 and S.3: gaps and speeds of any sequence",
+                sharper::of_sequences;
+            lemmas_s_4_and_s_5, "Lemmas S.4 and S.5: the discrete minimum and its speeds",
+                sharper::of_minima;
+            theorems_a_to_d, "Theorems A to D: all gaps are of order 1/N, or 1/N² with M_H",
+                sharper::theorems;
+            prop_s_6, "Proposition S.6: the distance is enclosed by one minimiser",
+                sharper::enclosures;
             remark_9_2, "Remark 9.2: all gaps are of order 1/N, for both rules",
                 minimisers::remark_9_2;
             trapezoidal_rule_has_order_2, "E_tra,N − d² and E(γᵖˡ) − d² fall like N⁻²",

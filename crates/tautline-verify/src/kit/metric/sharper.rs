@@ -1,0 +1,55 @@
+//! The sharper statements as laws of a metric.
+
+use tautline::Bounded;
+
+use super::{MetricCase, solutions::Minimiser, statements::judge};
+use crate::{
+    Evidence, Library, PaperRule, VerifyError,
+    kit::{Fault, report::LawResult},
+    statements::{
+        lemma_s_2, lemma_s_3, lemma_s_4, lemma_s_5, prop_s_6, theorem_a, theorem_b, theorem_c,
+        theorem_d,
+    },
+};
+
+/// The least slack of several evidences.
+fn judge_all(evidence: impl IntoIterator<Item = Evidence>) -> Result<f64, Fault> {
+    evidence.into_iter().try_fold(f64::INFINITY, |slack, one| Ok(slack.min(judge(&one)?)))
+}
+
+/// Lemmas S.2 and S.3.
+pub(super) fn of_sequences<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
+    let gaps = case.of_point_sequences(lemma_s_2)?;
+    let trapezoidal = case
+        .of_point_sequences(|s, m, sequence| lemma_s_3(s, m, PaperRule::Trapezoidal, sequence))?;
+    let left = case
+        .of_point_sequences(|s, m, sequence| lemma_s_3(s, m, PaperRule::LeftEndpoint, sequence))?;
+    Ok(gaps.and(trapezoidal).and(left))
+}
+
+/// Lemmas S.4 and S.5. Between ends that touch there is no speed to compare with.
+pub(super) fn of_minima<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
+    case.of_both_rules(|minimiser: &Minimiser<'_, M, D>| {
+        let seen = minimiser.seen;
+        let speeds = (seen.distance_squared > 0.0).then(|| lemma_s_5(&Library, seen));
+        judge_all([lemma_s_4(&Library, seen)].into_iter().chain(speeds))
+    })
+}
+
+/// Theorems A to D.
+pub(super) fn theorems<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
+    case.of_both_rules(|minimiser: &Minimiser<'_, M, D>| {
+        let seen = minimiser.seen;
+        let first_order = [theorem_a(&Library, seen), theorem_c(&Library, seen)];
+        let second_order = [theorem_b(&Library, seen), theorem_d(&Library, seen)];
+        judge_all(first_order.into_iter().chain(second_order.into_iter().flatten()))
+    })
+}
+
+/// Proposition S.6.
+pub(super) fn enclosures<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
+    case.of_both_rules(|minimiser: &Minimiser<'_, M, D>| {
+        let evidence = prop_s_6(&Library, minimiser.seen, 0.0);
+        judge(&evidence.map_err(VerifyError::from)?)
+    })
+}
