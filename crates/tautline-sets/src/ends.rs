@@ -17,6 +17,7 @@ use crate::{ClosedSet, Point, SetError};
 pub struct Ends<const D: usize> {
     first: Arc<dyn ClosedSet<D>>,
     second: Arc<dyn ClosedSet<D>>,
+    points: bool,
 }
 
 impl<const D: usize> Ends<D> {
@@ -35,7 +36,7 @@ impl<const D: usize> Ends<D> {
         first: impl ClosedSet<D> + 'static,
         second: impl ClosedSet<D> + 'static,
     ) -> Result<Ends<D>, SetError> {
-        let ends = Ends { first: Arc::new(first), second: Arc::new(second) };
+        let ends = Ends { first: Arc::new(first), second: Arc::new(second), points: false };
         probe("first", &ends.first)?;
         probe("second", &ends.second)?;
         // A radius of NaN or ∞ bounds nothing.
@@ -55,7 +56,7 @@ impl<const D: usize> Ends<D> {
         first: impl Into<SVector<f64, D>>,
         second: impl Into<SVector<f64, D>>,
     ) -> Result<Ends<D>, SetError> {
-        Ends::new(Point::new(first)?, Point::new(second)?)
+        Ok(Ends { points: true, ..Ends::new(Point::new(first)?, Point::new(second)?)? })
     }
 
     /// Returns the set in which curves start.
@@ -68,6 +69,13 @@ impl<const D: usize> Ends<D> {
     #[must_use]
     pub fn second(&self) -> &Arc<dyn ClosedSet<D>> {
         &self.second
+    }
+
+    /// Returns whether the pair was made by [`Ends::points`]: then both ends of a curve are fixed. Of
+    /// sets that happen to have one member each it is not known.
+    #[must_use]
+    pub fn are_points(&self) -> bool {
+        self.points
     }
 
     /// Returns all pairs of a piece of the first set and a piece of the second.
@@ -136,6 +144,9 @@ mod tests {
         let x = vector![0.0, 0.0];
         assert_eq!(ends.first().project(&x), vector![1.0, 2.0]);
         assert_eq!(ends.second().project(&x), vector![3.0, 4.0]);
+        assert!(ends.are_points());
+        let ball = Ball::new([0.0, 0.0], 2.0).expect("finite");
+        assert!(!Ends::new(ball, ball).expect("bounded").are_points());
         assert!(matches!(
             Ends::points([1.0, f64::NAN], [3.0, 4.0]),
             Err(SetError::NonFiniteCoordinate { index: 1, .. })

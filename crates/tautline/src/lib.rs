@@ -47,9 +47,11 @@
 //! *trapezoidal* rule reads the metric at the middle of each chord and is called the midpoint
 //! rule elsewhere.
 
+mod certificate;
 mod problem;
 mod taut_line;
 
+pub use certificate::{RuleOfThePaper, SuggestedN};
 pub use problem::Problem;
 pub use taut_line::TautLine;
 

@@ -55,6 +55,7 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
         options: &Options<D>,
     ) -> Result<TautLine<M, R, D>, SolveError> {
         let minimum = minimise(&*self.metric, &self.ends, rule, n, options)?;
-        Ok(TautLine::new(Arc::clone(&self.metric), rule, minimum))
+        let fixed = self.ends.are_points();
+        Ok(TautLine::new(Arc::clone(&self.metric), rule, minimum, fixed))
     }
 }

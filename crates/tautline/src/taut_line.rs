@@ -12,11 +12,30 @@ pub struct TautLine<M, R, const D: usize> {
     metric: Arc<M>,
     rule: R,
     minimum: Minimum<D>,
+    /// Whether both ends are points.
+    fixed: bool,
 }
 
 impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
-    pub(crate) fn new(metric: Arc<M>, rule: R, minimum: Minimum<D>) -> Self {
-        Self { metric, rule, minimum }
+    pub(crate) fn new(metric: Arc<M>, rule: R, minimum: Minimum<D>, fixed: bool) -> Self {
+        Self { metric, rule, minimum, fixed }
+    }
+
+    /// Returns the metric.
+    #[must_use]
+    pub fn metric(&self) -> &M {
+        &self.metric
+    }
+
+    /// Returns the rule.
+    pub(crate) fn rule(&self) -> R {
+        self.rule
+    }
+
+    /// Returns whether both ends are fixed points.
+    #[must_use]
+    pub fn is_fixed(&self) -> bool {
+        self.fixed
     }
 
     /// Returns how the sequence was found, and what is known about it.

@@ -1,4 +1,5 @@
-//! The ledger: every statement of the paper, our verdict, and what the suite says of it.
+//! The ledger: every statement of the paper and every sharper one, our verdict, and what the suite
+//! says of it.
 
 use tautline_verify::{Statement, Verdict, battery::ledger};
 
@@ -11,7 +12,7 @@ use crate::{
 
 pub(super) const TABLE: Table = Table {
     id: "statements",
-    shows: "every statement of the paper with our verdict, the number of random cases, their \
+    shows: "every statement of the paper and every sharper one with our verdict, the number of random cases, their \
             least slack (bound / observed), the slack of the best witness, the tests, and the \
             hypotheses that are evaluated with it",
     seed: Seed::Suite,
@@ -68,8 +69,8 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
 
 fn layout(data: &Data) -> Result<Layout, Failure> {
     let mut layout = Layout::new(
-        "The statements of the paper: our verdict, random cases, and slack (bound / observed) at \
-         random and at the best witness.",
+        "The statements of the paper, and sharper ones: our verdict, random cases, and slack (bound / \
+         observed) at random and at the best witness.",
         &["statement", "verdict", "cases", "least slack at random", "slack of the witness"],
     );
     for row in data.rows() {
@@ -109,9 +110,9 @@ fn slack(row: &Row<'_>, column: &str) -> String {
 /// `STATEMENTS.md`: the ledger for readers, one section for each statement.
 fn pages(data: &Data) -> Vec<(&'static str, String)> {
     let mut text = "\
-# The statements of the paper
+# The statements of the paper, and sharper ones
 
-Every numbered statement, both claims of Section 5 and every displayed constant: what it claims, the function that evaluates it, our verdict, and the tests.
+Every numbered statement, both claims of Section 5 and every displayed constant, and after them the statements of [SHARPER.md](SHARPER.md): what it claims, the function that evaluates it, our verdict, and the tests.
 `cargo xtask tables statements` writes this page together with `tables/statements.csv`.
 *Slack* is the bound divided by what is observed: 1 where a statement is attained.
 
@@ -126,6 +127,7 @@ Every numbered statement, both claims of Section 5 and every displayed constant:
 fn section(row: &Row<'_>, statement: Statement) -> String {
     let verdict = match statement.verdict() {
         Verdict::Holds | Verdict::Cited => statement.verdict().name().to_owned(),
+        Verdict::ProvedHere => "proved here".to_owned() + ", in [SHARPER.md](SHARPER.md)",
         verdict => format!("{}: {}", verdict.name(), verdict.remark()),
     };
     let tests: Vec<String> =

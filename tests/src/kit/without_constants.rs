@@ -32,6 +32,9 @@ const EVERYWHERE: [&str; 18] = [
     "constant_c_1_1",
     "constant_k4_bar",
     "constant_c_1_3",
+    "lemmas_s_4_and_s_5",
+    "theorems_a_to_d",
+    "prop_s_6",
     "remark_9_2",
     "trapezoidal_rule_has_order_2",
     "left_rule_has_order_1",
@@ -43,9 +46,10 @@ type Law<M> = fn(&MetricCase<M, 2>) -> Outcome;
 #[track_caller]
 fn laws_hold_inside<M: Bounded<2> + KnownDistance<2>>(metric: M, region: Region<2>) {
     let case = MetricCase::new(metric, region, Effort::default()).with_known_distance();
-    let laws: [Law<M>; 28] = [
+    let laws: [Law<M>; 30] = [
         metric::is_finite_and_symmetric,
         metric::is_positive_definite,
+        metric::is_isotropic_if_it_says_so,
         metric::norm_squared_agrees_with_gram,
         metric::jets_agree_with_differences,
         metric::c1_is_a_lower_bound,
@@ -63,6 +67,7 @@ fn laws_hold_inside<M: Bounded<2> + KnownDistance<2>>(metric: M, region: Region<
         metric::prop_7_11,
         metric::prop_8_1,
         metric::prop_8_2,
+        metric::lemmas_s_2_and_s_3,
         metric::refuses_a_larger_c1,
         metric::refuses_a_smaller_c2,
         metric::refuses_a_smaller_l_h,

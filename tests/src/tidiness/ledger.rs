@@ -7,8 +7,9 @@ use tautline_verify::{Statement, Verdict};
 use super::{files, read, root};
 
 /// The labels of the paper's numbered statements and of both claims of Section 5, and its displayed
-/// constants, in its order: read from the paper, not from the program.
-const LABELS: [&str; 40] = [
+/// constants, in its order: read from the paper, not from the program. Then those of
+/// `paper/SHARPER.md`.
+const LABELS: [&str; 51] = [
     "theo:approx_numerical_integral_trapezoidal",
     "theo:approx_numerical_integral_trapezoidal_length",
     "theo:approx_numerical_integral_left",
@@ -49,6 +50,17 @@ const LABELS: [&str; 40] = [
     "C (Theorem 1.3)",
     "prop:length_energy_estimation",
     "Remark 9.2",
+    "sharper:acceleration",
+    "sharper:gaps",
+    "sharper:speeds",
+    "sharper:ceiling",
+    "sharper:spread",
+    "sharper:A",
+    "sharper:B",
+    "sharper:C",
+    "sharper:D",
+    "sharper:enclosure",
+    "sharper:convexity",
 ];
 
 /// The rows of `paper/tables/statements.csv`, as label, number, verdict and tests.
@@ -113,4 +125,36 @@ fn every_refuted_statement_is_among_the_errata() {
         let refuted = matches!(statement.verdict(), Verdict::RefutedRepairedAs(_));
         assert_eq!(page.contains(&head), refuted, "{statement}");
     }
+}
+
+/// Every sharper statement has a section with its proof, and all functions and tests that are named
+/// there exist.
+#[test]
+fn every_sharper_statement_is_proved_and_what_its_proof_names_exists() {
+    let page = read(&root().join("paper/SHARPER.md"));
+    for statement in Statement::ALL.into_iter().filter(|statement| !statement.is_of_the_paper()) {
+        let head = format!("\n## {} (", statement.number());
+        let section = page.split(&head).nth(1).unwrap_or_else(|| panic!("no section {head}"));
+        let section = section.split("\n## ").next().expect("the first part");
+        assert!(section.contains("*Proof.*") && section.contains('∎'), "{statement} has no proof");
+        let code = section.split("*Code:*").nth(1).expect("a line of code");
+        let code = code.lines().next().expect("a line");
+        assert!(code.contains(&format!("`{}`", statement.function())), "{statement}: {code}");
+    }
+    let sources = sources("crates/tautline-bounds/src")
+        + &sources("crates/tautline-verify/src/statements")
+        + &read(&root().join("tests/src/battery/sharper.rs"))
+        + &read(&root().join("tests/src/battery/section_9.rs"));
+    let lines = page
+        .lines()
+        .filter(|line| line.starts_with("*Code:*") || line.starts_with("The limits are tests:"));
+    let names = lines.flat_map(|line| line.split('`').skip(1).step_by(2));
+    let mut count = 0;
+    for name in names {
+        let name = name.rsplit("::").next().expect("a name");
+        let words = sources.split(|c: char| !c.is_alphanumeric() && c != '_');
+        assert!(words.into_iter().any(|word| word == name), "SHARPER.md names {name}");
+        count += 1;
+    }
+    assert!(count > 40, "{count} names");
 }

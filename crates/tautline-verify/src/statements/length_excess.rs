@@ -93,21 +93,8 @@ pub fn remark_9_2<const D: usize>(subject: &impl Subject, seen: &Reconstruction<
 ///                  L(γᵖˡ)² − d²  ≤  E(γᵖˡ) − d²  ≤  d² (e − 1 + (k δ/N) e Q)
 /// ```
 ///
-/// That inner points are stationary is not needed. With `qₙ² = βₙᵀHβₙ`, means over `n` and `Λ =
-/// L_H/c₁^{3/2}`, the chord `n` has a length of at most `(qₙ + (kΛ/2N) qₙ²)/N`, and the curve one
-/// of `d` at least. So the mean of `q` is not far below the root of that of `q²`, its variance `v`
-/// is small, and no `q` is farther than `√((N − 1) v)` from the mean:
-///
-/// ```text
-/// mean q  ≥  d − (kΛ/2N) mean q²,        v  ≤  d² (e − 1 + kδe/N)
-/// c₁^{3/2} mean |β|³  ≤  mean q³  ≤  d³ e^{3/2} + (3/2) d √e v + √(N − 1) v^{3/2}
-/// ```
-///
-/// where `v ≤ d² e` too. For `N ≥ 2` the last two terms are largest against `d³ δe²` at `N = 2`, and
-/// there a comparison in `δ/N` and `e` showed them to be less than a half of it for the trapezoidal
-/// rule, and 0.89 of it for the left one; for `N = 1` they vanish. So the sum is at most `d³ e Q`
-/// for `Q = √e + δe`; for `Q = √(Ne)` it is since `max q² ≤ N mean q²`. The rest is Proposition 7.9
-/// or 8.2 before the proof passes to `K₃`.
+/// That inner points are stationary is not needed: Theorem C has less on its right side, and does
+/// not ask for it.
 #[doc(alias = "Remark 9.2")]
 #[must_use]
 pub fn remark_9_2_for_any_sequence<const D: usize>(

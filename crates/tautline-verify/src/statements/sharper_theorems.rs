@@ -86,8 +86,7 @@ impl Gaps {
 /// ```
 ///
 /// Needs: the setting of Theorem 1.1, and the premise `E_N ≤ d² e`. Stationarity, of which the proof
-/// makes use, is not needed as far as we have seen
-/// ([`remark_9_2_for_any_sequence`](super::remark_9_2_for_any_sequence)).
+/// makes use, is not needed, since Theorem C is no weaker.
 ///
 /// Slack: none as `δ → 0`, at `N = 1` on two routes.
 #[must_use]

@@ -52,7 +52,7 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
 fn geodesics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     fn separables<S: Subject, const D: usize>(trial: &Trial<'_, S>, seed: u64) -> Outcome {
         let cases = (separable::<D>(), two_points(2.5), 0.0..1.0);
-        trial.for_all(seed, 192, cases, |subject, (metric, ends, t): (Separable<D>, _, _)| {
+        trial.for_all(seed, 256, cases, |subject, (metric, ends, t): (Separable<D>, _, _)| {
             let curve = Geodesic::between(metric, ends);
             let distance = metric.distance(&ends[0], &ends[1]).expect("known");
             Ok([lemma_s_1(subject, &metric, &curve, distance, t)?])
@@ -60,7 +60,7 @@ fn geodesics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     }
     let cases = (shear(), two_points(2.5), 0.0..1.0);
     all([
-        trial.for_all(2700, 256, cases, |subject, (metric, ends, t)| {
+        trial.for_all(2700, 512, cases, |subject, (metric, ends, t)| {
             let curve = Geodesic::between(metric, ends);
             let distance = metric.distance(&ends[0], &ends[1]).expect("known");
             Ok([lemma_s_1(subject, &metric, &curve, distance, t)?])

@@ -1,0 +1,188 @@
+//! How wrong a line can be: `d²` between two numbers, and the `N` that a tolerance asks for.
+
+use std::num::NonZeroUsize;
+
+use tautline_bounds::{
+    BetweenPoints, BoundError, Computed, DiscreteMinimum, Enclosure, PaperRule, Setting, Theorem,
+    enclose, strict_convexity, suggest_n,
+};
+use tautline_discretizations::{LeftEndpoint, Rule, Trapezoidal, energy_gradient};
+use tautline_metrics::Bounded;
+
+use crate::TautLine;
+
+/// A rule about which there are theorems.
+pub trait RuleOfThePaper: Rule {
+    /// Which.
+    const OF_THE_PAPER: PaperRule;
+}
+
+impl RuleOfThePaper for Trapezoidal {
+    const OF_THE_PAPER: PaperRule = PaperRule::Trapezoidal;
+}
+
+impl RuleOfThePaper for LeftEndpoint {
+    const OF_THE_PAPER: PaperRule = PaperRule::LeftEndpoint;
+}
+
+/// Numbers of subintervals for which `L(γᵖˡ)² − d²` is within a tolerance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SuggestedN {
+    /// For which the theorems prove it of a global minimiser, and by which of them; `None` if they
+    /// do for no `N` up to `2⁴⁰`.
+    pub proven: Option<(NonZeroUsize, Theorem)>,
+    /// For which it is expected: the excess that extrapolation sees falls like `1/N²`. `None` if
+    /// there are too few grids, or what it sees is rounding.
+    pub expected: Option<NonZeroUsize>,
+}
+
+impl<M: Bounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
+    /// Encloses `d²`, in `m²`, from this one line and the constants of the metric.
+    ///
+    /// - From above by the squared length of the line, quadrature error included: no assumption.
+    /// - From below by the theorems. Between two points, the discrete minimum is shown to be global
+    ///   if the energy is strictly convex where all competitors are; otherwise that is assumed, and
+    ///   [`Enclosure::assumes_global_minimum`] says so.
+    ///
+    /// Needs: that the metric is what its constants say. Computed in `f64`, with a quadrature whose
+    /// error is estimated: not certified to the last digits.
+    ///
+    /// # Errors
+    ///
+    /// [`BoundError`] if an energy is not finite.
+    pub fn enclosure(&self) -> Result<Enclosure, BoundError> {
+        let (rule, n) = (R::OF_THE_PAPER, self.sequence().n());
+        let constants = self.metric().constants();
+        let (length, energy) = (self.length(), self.energy());
+        let length = length.value + length.error;
+        let certified = if self.is_fixed() { self.global_minimum(length) } else { None };
+        let computed = Computed {
+            rule,
+            n,
+            discrete_energy: self.discrete_energy(),
+            energy: energy.value + energy.error,
+            length_squared: length * length,
+            minimum: certified.map_or(DiscreteMinimum::Assumed, DiscreteMinimum::AtLeast),
+            gap: 0.0,
+        };
+        enclose(constants, D, &computed)
+    }
+
+    /// A lower bound of the discrete minimum over all sequences, in `m²`, where convexity shows one.
+    fn global_minimum(&self, length: f64) -> Option<f64> {
+        let (sequence, n) = (self.sequence(), self.sequence().n());
+        let (_, gradient) = energy_gradient(self.rule(), self.metric(), sequence);
+        let squares: f64 = gradient[1..n.get()].iter().map(|g| g.norm_squared()).sum();
+        let greatest = sequence.differences().map(|beta| beta.norm()).fold(0.0, f64::max);
+        let finite = squares.is_finite() && greatest.is_finite() && length.is_finite();
+        let computed = BetweenPoints {
+            rule: R::OF_THE_PAPER,
+            n,
+            discrete_energy: self.discrete_energy(),
+            length,
+            greatest_difference: greatest,
+            // ρₙ = ½N ∂E/∂xₙ, and the mean of its square over N.
+            residual: 0.5 * (n.get() as f64 * squares).sqrt(),
+        };
+        finite.then(|| strict_convexity(self.metric().constants(), D, &computed)).flatten()
+    }
+
+    /// Suggests `N` for which `L(γᵖˡ)² − d²` is at most `tolerance`, in `m²`: by the theorems with the
+    /// length of this line for `d`, and by extrapolation from this line and the grids before it.
+    ///
+    /// # Errors
+    ///
+    /// [`BoundError`] if the length is not finite.
+    pub fn suggest_n(&self, tolerance: f64) -> Result<SuggestedN, BoundError> {
+        let length = self.length();
+        let setting = Setting::new(self.metric().constants(), length.value + length.error, D)?;
+        let expected = self.distance_squared_estimate().and_then(|estimate| {
+            let excess = length.value * length.value - estimate.value;
+            let noise = estimate.error + 2.0 * length.value * length.error;
+            let count = self.sequence().n().get() as f64 * (excess / tolerance).sqrt();
+            let told = excess > noise && count.is_finite() && count < 2_f64.powi(40);
+            NonZeroUsize::new(if told { count.ceil() as usize } else { 0 })
+        });
+        Ok(SuggestedN { proven: suggest_n(setting, R::OF_THE_PAPER, tolerance), expected })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use tautline_bounds::{FromBelow, PaperRule};
+    use tautline_metrics::gallery::{Shear, Valleys};
+    use tautline_metrics::{Bounded, KnownDistance};
+    use tautline_sets::{Ball, Ends};
+
+    use super::RuleOfThePaper;
+    use crate::{LeftEndpoint, Problem, Trapezoidal};
+
+    #[test]
+    fn near_points_are_joined_by_a_line_that_is_known_to_be_the_shortest() {
+        let metric = Shear::new(0.5, 1.0).expect("valid");
+        let (a, b) = ([0.0, 0.0], [0.2, 0.1]);
+        let d2 = metric.distance(&a.into(), &b.into()).expect("known").powi(2);
+        let problem = Problem::new(metric, Ends::points(a, b).expect("finite"));
+        let tra = problem.solve(Trapezoidal, 64).expect("solved").enclosure().expect("finite");
+        let left = problem.solve(LeftEndpoint, 64).expect("solved").enclosure().expect("finite");
+        for enclosure in [tra, left] {
+            assert!(
+                enclosure.lower <= d2 && d2 <= enclosure.upper * (1.0 + 1e-14),
+                "{enclosure:?}"
+            );
+            assert!(!enclosure.assumes_global_minimum, "{enclosure:?}");
+            assert_eq!(enclosure.from_below, FromBelow::Minimum);
+        }
+        // Of second order, and of first.
+        assert!(tra.width() < 1e-4 * d2 && left.width() > 1e-4 * d2, "{tra:?}, {left:?}");
+    }
+
+    #[test]
+    fn far_points_and_sets_leave_an_assumption() {
+        let ends = Ends::points([0.0, 0.0], [4.0 * std::f64::consts::PI, 0.0]).expect("finite");
+        let line = Problem::new(Valleys, ends).solve(Trapezoidal, 256).expect("solved");
+        let enclosure = line.enclosure().expect("finite");
+        let d2 = (8.0 * std::f64::consts::PI).powi(2);
+        assert!(enclosure.lower <= d2 && d2 <= enclosure.upper * (1.0 + 1e-13), "{enclosure:?}");
+        assert!(enclosure.assumes_global_minimum);
+        let ball = |x| Ball::new([x, 0.0], 0.01).expect("finite");
+        let ends = Ends::new(ball(0.0), ball(0.1)).expect("bounded");
+        let line = Problem::new(Valleys, ends).solve(Trapezoidal, 64).expect("solved");
+        assert!(line.enclosure().expect("finite").assumes_global_minimum);
+    }
+
+    /// The number that is proven is enough, and far more than what is expected, which is enough too.
+    #[test]
+    fn suggested_grids_reach_the_tolerance() {
+        let metric = Shear::new(0.5, 1.0).expect("valid");
+        let (a, b) = ([0.0, 0.0], [1.0, 2.0]);
+        let d2 = metric.distance(&a.into(), &b.into()).expect("known").powi(2);
+        let problem = Problem::new(metric, Ends::points(a, b).expect("finite"));
+        let tolerance = 1e-6;
+        let coarse = problem.solve(Trapezoidal, 512).expect("solved");
+        let suggested = coarse.suggest_n(tolerance).expect("finite");
+        let estimate = coarse.distance_squared_estimate();
+        let expected = suggested.expected.unwrap_or_else(|| panic!("{estimate:?} of {d2}")).get();
+        let (proven, _) = suggested.proven.expect("of second order");
+        assert!(expected < proven.get() && proven.get() < 100_000, "{suggested:?}");
+        for n in [expected, proven.get()] {
+            let line = problem.solve(Trapezoidal, n).expect("solved");
+            let excess = line.length().value.powi(2) - d2;
+            // What is expected holds up to the next order, a few percent here.
+            assert!(excess <= 1.1 * tolerance, "N = {n}: {excess}");
+        }
+        // 512 chords are as many as were expected for what they reach.
+        let excess = coarse.length().value.powi(2) - d2;
+        let again = coarse.suggest_n(excess).expect("finite").expected.expect("seen").get();
+        assert!((508..=516).contains(&again), "{again}");
+        assert_eq!(coarse.suggest_n(0.0).expect("finite").expected, None);
+        assert_eq!(coarse.suggest_n(f64::NAN).expect("finite").proven, None);
+    }
+
+    #[test]
+    fn both_rules_of_the_paper_are_named() {
+        assert_eq!(Trapezoidal::OF_THE_PAPER, PaperRule::Trapezoidal);
+        assert_eq!(LeftEndpoint::OF_THE_PAPER, PaperRule::LeftEndpoint);
+        assert!(Bounded::<2>::constants(&Valleys).is_isotropic());
+    }
+}
