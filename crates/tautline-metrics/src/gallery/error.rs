@@ -103,3 +103,16 @@ pub(super) fn between(
         Err(GalleryError::OutOfRange { name, value, low, high })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::between;
+
+    #[test]
+    fn the_ends_of_a_range_are_not_between_them() {
+        assert_eq!(between("x", 0.5, 0.0, 1.0), Ok(0.5));
+        for bad in [0.0, 1.0, -1.0, f64::NAN] {
+            assert!(between("x", bad, 0.0, 1.0).is_err(), "{bad}");
+        }
+    }
+}

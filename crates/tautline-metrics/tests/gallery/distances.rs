@@ -288,6 +288,9 @@ fn hyperbolic_is_nothing_outside_the_ball() {
         assert_eq!(Hyperbolic.distance(&inside, &outside), None);
         assert_eq!(Hyperbolic.distance(&outside, &inside), None);
         assert_eq!(Hyperbolic.distance(&inside, &vector![f64::NAN, 0.0]), None);
+        // The boundary is infinitely far away, and no distance.
+        assert_eq!(Hyperbolic.distance(&inside, &vector![1.0, 0.0]), None);
+        assert_eq!(Hyperbolic.distance(&vector![0.0, 1.0], &inside), None);
         let h = check_gram(&Hyperbolic, &inside).expect("inside the ball");
         let exact = 4.0 / (1.0 - inside.norm_squared()).powi(2);
         assert_relative_eq!(h[(1, 1)], exact, max_relative = 1e-15);
