@@ -32,7 +32,11 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
     let values: Vec<f64> = data
         .rows()
         .filter(shown)
-        .flat_map(|row| [row.number("excess"), row.number("paper_bound")])
+        .flat_map(|row| {
+            ["excess", "paper_bound", "first_order_bound", "second_order_bound"]
+                .map(|column| row.number(column))
+        })
+        // The left-endpoint rule has no bound of second order.
         .filter(|value| *value > 0.0)
         .collect();
     let last = data.rows().map(|row| row.number("n")).fold(1.0, f64::max);

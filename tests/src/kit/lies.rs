@@ -199,3 +199,22 @@ fn liars_about_an_affine_pullback_are_refused() {
     let loose = [(C1, 1.3617), (C2, 1.3617), (LH, 2.3774), (MH, 3.9979)];
     liars_are_refused(&pullback(), cube::<2>(4.0), &loose);
 }
+
+/// A shear is no multiple of the identity, and may not say so; the valleys are.
+#[test]
+fn a_metric_may_not_call_itself_isotropic_if_it_is_not() {
+    let metric = shear();
+    let constants = metric.constants().isotropic();
+    let liar = WithConstants { metric, constants };
+    let outcome = metric::is_isotropic_if_it_says_so(&MetricCase::new(
+        liar,
+        period(),
+        Effort::default(),
+    ));
+    let failure = outcome.failure.expect("refused");
+    assert!(failure.sample.is_some(), "{failure:?}");
+    let honest = MetricCase::new(Valleys, period(), Effort::default());
+    let outcome = metric::is_isotropic_if_it_says_so::<_, 2>(&honest);
+    outcome.assert();
+    assert!(outcome.note.is_none(), "{outcome}");
+}

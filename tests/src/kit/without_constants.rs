@@ -16,7 +16,7 @@ use tautline_verify::{
 use super::gallery::cube;
 
 /// Laws that need the constants on all of `R^D`: distances between two points, and minimisers.
-const EVERYWHERE: [&str; 18] = [
+const EVERYWHERE: [&str; 21] = [
     "prop_3_3",
     "prop_6_2",
     "prop_6_3",

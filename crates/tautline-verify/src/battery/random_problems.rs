@@ -76,7 +76,7 @@ impl<Q> Problems<Q> {
     }
 
     /// From set to set.
-    pub(super) fn from_set_to_set<S: Subject>(self, trial: &Trial<'_, S>) -> Outcome
+    pub(super) fn between_sets<S: Subject>(self, trial: &Trial<'_, S>) -> Outcome
     where
         Q: Question<S>,
     {

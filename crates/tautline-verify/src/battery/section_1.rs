@@ -35,13 +35,13 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
             "theorems_1_1_and_1_2_hold_from_set_to_set",
             Kind::Random,
             TRAPEZOIDAL,
-            |trial| PaperTheorems::of(PaperRule::Trapezoidal, 1200).from_set_to_set(trial),
+            |trial| PaperTheorems::of(PaperRule::Trapezoidal, 1200).between_sets(trial),
         ),
         Check::new("theorems_1_3_and_1_4_hold_between_points", Kind::Random, LEFT, |trial| {
             PaperTheorems::of(PaperRule::LeftEndpoint, 1300).between_points(trial)
         }),
         Check::new("theorems_1_3_and_1_4_hold_from_set_to_set", Kind::Random, LEFT, |trial| {
-            PaperTheorems::of(PaperRule::LeftEndpoint, 1400).from_set_to_set(trial)
+            PaperTheorems::of(PaperRule::LeftEndpoint, 1400).between_sets(trial)
         }),
         Check::new(
             "theorems_1_1_and_1_2_are_homogeneous",

@@ -28,13 +28,13 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
             SharperTheorems::of(PaperRule::Trapezoidal, 2100).between_points(trial)
         }),
         Check::new("theorems_a_to_d_hold_from_set_to_set", Kind::Random, TRAPEZOIDAL, |trial| {
-            SharperTheorems::of(PaperRule::Trapezoidal, 2200).from_set_to_set(trial)
+            SharperTheorems::of(PaperRule::Trapezoidal, 2200).between_sets(trial)
         }),
         Check::new("theorems_a_and_c_hold_between_points", Kind::Random, LEFT, |trial| {
             SharperTheorems::of(PaperRule::LeftEndpoint, 2300).between_points(trial)
         }),
         Check::new("theorems_a_and_c_hold_from_set_to_set", Kind::Random, LEFT, |trial| {
-            SharperTheorems::of(PaperRule::LeftEndpoint, 2400).from_set_to_set(trial)
+            SharperTheorems::of(PaperRule::LeftEndpoint, 2400).between_sets(trial)
         }),
         Check::new("theorems_a_to_d_are_homogeneous", Kind::Homogeneous, TRAPEZOIDAL, |trial| {
             SharperTheorems::of(PaperRule::Trapezoidal, 2500).homogeneous(trial)

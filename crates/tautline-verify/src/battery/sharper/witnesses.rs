@@ -274,7 +274,10 @@ fn many_chords<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         let l = SLOPE / f64::from(n);
         let wave = |foot: f64, height: f64| -> Vec<[f64; 2]> {
             let at = |k: u32| {
-                [0.5 * f64::from(k) / f64::from(n), if k % 2 == 0 { foot } else { foot + height }]
+                [
+                    0.5 * f64::from(k) / f64::from(n),
+                    if k.is_multiple_of(2) { foot } else { foot + height },
+                ]
             };
             (0..=2 * n).map(at).collect()
         };

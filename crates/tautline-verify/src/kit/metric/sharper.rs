@@ -4,7 +4,7 @@ use tautline::Bounded;
 
 use super::{MetricCase, solutions::Minimiser, statements::judge};
 use crate::{
-    Evidence, Library, PaperRule, VerifyError,
+    Evidence, Library, PaperRule,
     kit::{Fault, report::LawResult},
     statements::{
         lemma_s_2, lemma_s_3, lemma_s_4, lemma_s_5, prop_s_6, theorem_a, theorem_b, theorem_c,
@@ -49,7 +49,6 @@ pub(super) fn theorems<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -
 /// Proposition S.6.
 pub(super) fn enclosures<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
     case.of_both_rules(|minimiser: &Minimiser<'_, M, D>| {
-        let evidence = prop_s_6(&Library, minimiser.seen, 0.0);
-        judge(&evidence.map_err(VerifyError::from)?)
+        judge(&prop_s_6(&Library, minimiser.seen, 0.0)?)
     })
 }
