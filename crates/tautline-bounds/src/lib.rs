@@ -79,9 +79,9 @@
 //!
 //! Values are computed in `f64` and rounded to nearest, to a relative error below `10⁻¹³` short
 //! of underflow: good for comparing and drawing, not a certificate in the last digits. What
-//! exceeds the range of `f64` is `+∞`. Where `L_H = 0`, every bound of an energy is the exact
-//! `0`, and where `d = 0` every bound is, however large the rest. No function returns NaN or a
-//! negative number.
+//! exceeds the range of `f64` is `+∞`. Where `L_H = M_H = 0`, every bound of an error of a
+//! minimiser's energy is the exact `0`, and where `d = 0` it is, however large the rest. No bound
+//! is NaN, and none of an error is negative.
 
 mod paper;
 mod paper_rule;

@@ -10,7 +10,7 @@ use crate::product::product;
 /// Invariant: `0 ≤ d < ∞` and `D ≥ 1`, besides those of [`Constants`]. [`Setting::new`] is the
 /// only way in, so a function which takes a `Setting` need not check again.
 ///
-/// Every bound grows with `d`, `c₂` and `L_H` and falls with `c₁`: where only an upper bound of
+/// Every bound grows with `d`, `c₂`, `L_H` and `M_H` and falls with `c₁`: where only an upper bound of
 /// the distance is known (the length of any admissible curve is one), it may stand for `d`, and
 /// the results are still bounds.
 #[doc(alias = "theo:approx_numerical_integral_trapezoidal")]
@@ -102,20 +102,25 @@ impl Setting {
         let (delta, constants) = (self.delta(), self.constants);
         let coarse = product([self.omega(), delta]);
         let isotropic = self.dimension == 1 || constants.is_isotropic();
-        match self.mu() {
-            Some(mu) if isotropic && !constants.is_local() => {
-                // δ²/μ = L_H²/(M_H c₁), without the distance, which may be 0.
-                let ratio = delta / mu.sqrt();
-                let fine = if ratio.powi(2) <= 1.0 {
-                    product([0.5, delta]) * (1.0 + 0.5 * ratio.powi(2)).powf(-1.5)
+        match (constants.m_h(), self.mu()) {
+            (Some(m_h), Some(mu)) if isotropic && !constants.is_local() && delta > 0.0 => {
+                // δ²/μ, without the distance: nothing underflows unless L_H or M_H does.
+                let ratio = constants.l_h() / m_h * (constants.l_h() / constants.c1());
+                let fine = if ratio <= 1.0 {
+                    product([0.5, delta]) * (1.0 + 0.5 * ratio).powf(-1.5)
                 } else {
                     (mu * (2.0 / 27.0)).sqrt()
                 };
-                // NaN where both are 0, or both overflow.
-                if fine < coarse { fine } else { coarse }
+                fine.min(coarse)
             }
             _ => coarse,
         }
+    }
+
+    /// Returns whether [`bend`](Setting::bend) rests on `M_H`.
+    #[must_use]
+    pub fn bend_needs_m_h(&self) -> bool {
+        self.bend() < product([self.omega(), self.delta()])
     }
 
     /// Returns `κ − 1` for `κ = c₂/c₁`, a pure number; `+∞` on overflow.
@@ -152,6 +157,12 @@ pub enum BoundError {
         /// The number that was given.
         energy: f64,
     },
+    /// Constants that hold on a region only say nothing of competitors that leave it.
+    #[error(
+        "the constants hold on a region only: competitors may leave it, which Proposition S.8 has to \
+         exclude"
+    )]
+    LocalConstants,
     /// The metric lives on `R^D` with `D ≥ 1`.
     #[error("D = 0 must be at least 1: it is the dimension of the space (Theorem 1.1)")]
     NoDimension,
@@ -234,6 +245,7 @@ mod tests {
         assert_eq!(setting(known, 1).bend(), 0.5);
         assert_eq!(setting(known.isotropic(), 5).bend(), 0.5);
         assert_eq!(setting(known.on_a_region(), 1).bend(), 1.5);
+        assert!(setting(known, 1).bend_needs_m_h() && !setting(known, 2).bend_needs_m_h());
         let curved = constants.with_m_h(96.0).expect("nonnegative");
         let expected = 1.5 * (13.0_f64 / 12.0).powf(-1.5);
         assert!((setting(curved, 1).bend() / expected - 1.0).abs() < 1e-15);

@@ -315,7 +315,7 @@ const CATALOGUE: [Entry; Statement::ALL.len()] = [
     statement(
         "Lemma S.1",
         "sharper:acceleration",
-        "∣γ̈∣ ≤ ω L_H K_{1,g}²/c₁ for a minimal geodesic, ω = 3/2, or ½ for an isotropic metric",
+        "∣γ̈∣ ≤ G d/√c₁ for a minimal geodesic, with G = ωδ, ω = 3/2, or ½ for an isotropic metric, and less with M_H",
         Verdict::ProvedHere,
         "lemma_s_1",
     ),

@@ -48,7 +48,7 @@ pub use gram_range::{GramRange, extreme_eigenvalues, operator_norm};
 pub use inequality::{Inequality, Source, Unit};
 pub use known::Known;
 pub use mutants::Mutant;
-pub use reconstruction::{Reconstruction, bend_along, discrete_energy, mean_power, nodes};
+pub use reconstruction::{Reconstruction, curvature_along, discrete_energy, mean_power, nodes};
 pub use slope::slope;
 pub use statement::Statement;
 pub use subject::{Library, Subject};

@@ -49,7 +49,7 @@ pub struct Reconstruction<const D: usize> {
     pub speeds: Vec<f64>,
     /// The greatest `|uᵀ D²H[u, u] u|` that was seen along the chords, for unit vectors `u`, in
     /// `m²/ℓ⁴`.
-    pub bend: f64,
+    pub curvature: f64,
     /// What the metric was seen to do at the points and the midpoints of the chords.
     pub gram: GramRange,
     /// How far the two ends are from their sets, in `ℓ`.
@@ -131,7 +131,7 @@ impl<const D: usize> Reconstruction<D> {
             k3: subject.k3(sequence),
             mean_cube: mean_power(sequence, 3),
             speeds,
-            bend: bend_along(metric, sequence),
+            curvature: curvature_along(metric, sequence),
             gram: GramRange::along(metric, nodes(sequence))?,
             off_sets: off_sets(known, sequence),
             minimum,
@@ -150,23 +150,36 @@ pub fn mean_power<const D: usize>(sequence: &PointSequence<D>, power: i32) -> f6
 /// Returns the greatest `|uᵀ D²H[u, u] u|` at the points of a sequence and the midpoints of its
 /// chords, where `u` is the direction of the chord, in `m²/ℓ⁴`: no more than `M_H`.
 #[must_use]
-pub fn bend_along<const D: usize>(metric: &impl Metric<D>, sequence: &PointSequence<D>) -> f64 {
-    let [s] = Jet2::<f64, 1>::variables(&[0.0]);
+pub fn curvature_along<const D: usize>(
+    metric: &impl Metric<D>,
+    sequence: &PointSequence<D>,
+) -> f64 {
     let mut greatest = 0.0_f64;
     for (x, chord) in sequence.chords() {
-        let length = chord.norm();
-        if length > 0.0 {
-            let u = chord / length;
-            for fraction in [0.0, 0.5, 1.0] {
-                let at = x + chord * fraction;
-                let along = SVector::<_, D>::from_fn(|i, _| s * u[i] + at[i]);
-                let bend = metric.norm_squared(&along, &u).second(0, 0).abs();
-                // NaN is kept: it is no bound of anything.
-                greatest = if bend <= greatest { greatest } else { bend };
-            }
+        for fraction in [0.0, 0.5, 1.0] {
+            let found = curvature_at(metric, &(x + chord * fraction), &chord);
+            // NaN is kept: it is no bound of anything.
+            greatest = if found <= greatest { greatest } else { found };
         }
     }
     greatest
+}
+
+/// Returns `|uᵀ D²H(x)[u, u] u|` for the unit vector `u` of a direction, in `m²/ℓ⁴`; 0 if there is
+/// none.
+pub(crate) fn curvature_at<const D: usize>(
+    metric: &impl Metric<D>,
+    x: &SVector<f64, D>,
+    direction: &SVector<f64, D>,
+) -> f64 {
+    let length = direction.norm();
+    if length == 0.0 {
+        return 0.0;
+    }
+    let u = direction / length;
+    let [s] = Jet2::<f64, 1>::variables(&[0.0]);
+    let along = SVector::<_, D>::from_fn(|i, _| s * u[i] + x[i]);
+    metric.norm_squared(&along, &u).second(0, 0).abs()
 }
 
 /// Returns the points of a sequence and the midpoints of its chords, in the order of the curve:

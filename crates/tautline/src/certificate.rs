@@ -3,8 +3,8 @@
 use std::num::NonZeroUsize;
 
 use tautline_bounds::{
-    BetweenPoints, BoundError, Computed, DiscreteMinimum, Enclosure, PaperRule, Setting, Theorem,
-    enclose, strict_convexity, suggest_n,
+    BetweenPoints, BoundError, Computed, Constants, DiscreteMinimum, Enclosure, PaperRule, Setting,
+    Theorem, enclose, strict_convexity, suggest_n,
 };
 use tautline_discretizations::{LeftEndpoint, Rule, Trapezoidal, energy_gradient};
 use tautline_metrics::Bounded;
@@ -49,10 +49,11 @@ impl<M: Bounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     ///
     /// # Errors
     ///
-    /// [`BoundError`] if an energy is not finite.
+    /// [`BoundError::LocalConstants`] if the constants hold on a region only; [`BoundError`] if an
+    /// energy is not finite.
     pub fn enclosure(&self) -> Result<Enclosure, BoundError> {
         let (rule, n) = (R::OF_THE_PAPER, self.sequence().n());
-        let constants = self.metric().constants();
+        let constants = global(self.metric().constants())?;
         let (length, energy) = (self.length(), self.energy());
         let length = length.value + length.error;
         let certified = if self.is_fixed() { self.global_minimum(length) } else { None };
@@ -74,7 +75,6 @@ impl<M: Bounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
         let (_, gradient) = energy_gradient(self.rule(), self.metric(), sequence);
         let squares: f64 = gradient[1..n.get()].iter().map(|g| g.norm_squared()).sum();
         let greatest = sequence.differences().map(|beta| beta.norm()).fold(0.0, f64::max);
-        let finite = squares.is_finite() && greatest.is_finite() && length.is_finite();
         let computed = BetweenPoints {
             rule: R::OF_THE_PAPER,
             n,
@@ -84,7 +84,7 @@ impl<M: Bounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
             // ρₙ = ½N ∂E/∂xₙ, and the mean of its square over N.
             residual: 0.5 * (n.get() as f64 * squares).sqrt(),
         };
-        finite.then(|| strict_convexity(self.metric().constants(), D, &computed)).flatten()
+        strict_convexity(self.metric().constants(), D, &computed)
     }
 
     /// Suggests `N` for which `L(γᵖˡ)² − d²` is at most `tolerance`, in `m²`: by the theorems with the
@@ -92,10 +92,12 @@ impl<M: Bounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     ///
     /// # Errors
     ///
-    /// [`BoundError`] if the length is not finite.
+    /// [`BoundError::LocalConstants`] if the constants hold on a region only; [`BoundError`] if the
+    /// length is not finite.
     pub fn suggest_n(&self, tolerance: f64) -> Result<SuggestedN, BoundError> {
         let length = self.length();
-        let setting = Setting::new(self.metric().constants(), length.value + length.error, D)?;
+        let constants = global(self.metric().constants())?;
+        let setting = Setting::new(constants, length.value + length.error, D)?;
         let expected = self.distance_squared_estimate().and_then(|estimate| {
             let excess = length.value * length.value - estimate.value;
             let noise = estimate.error + 2.0 * length.value * length.error;
@@ -107,15 +109,20 @@ impl<M: Bounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     }
 }
 
+/// Refuses constants that hold on a region only.
+fn global(constants: Constants) -> Result<Constants, BoundError> {
+    if constants.is_local() { Err(BoundError::LocalConstants) } else { Ok(constants) }
+}
+
 #[cfg(test)]
 mod tests {
-    use tautline_bounds::{FromBelow, PaperRule};
-    use tautline_metrics::gallery::{Shear, Valleys};
-    use tautline_metrics::{Bounded, KnownDistance};
+    use tautline_bounds::{BoundError, Constants, FromBelow, PaperRule};
+    use tautline_metrics::gallery::{Constant, Shear, Valleys};
+    use tautline_metrics::{Bounded, KnownDistance, Metric};
     use tautline_sets::{Ball, Ends};
 
     use super::RuleOfThePaper;
-    use crate::{LeftEndpoint, Problem, Trapezoidal};
+    use crate::{LeftEndpoint, Problem, SMatrix, SVector, Scalar, Trapezoidal};
 
     #[test]
     fn near_points_are_joined_by_a_line_that_is_known_to_be_the_shortest() {
@@ -177,6 +184,41 @@ mod tests {
         assert!((508..=516).contains(&again), "{again}");
         assert_eq!(coarse.suggest_n(0.0).expect("finite").expected, None);
         assert_eq!(coarse.suggest_n(f64::NAN).expect("finite").proven, None);
+    }
+
+    /// What is below the noise of the extrapolation is not told.
+    #[test]
+    fn a_line_without_an_excess_suggests_nothing() {
+        let metric = Constant::<2>::new([[2.0, 1.0], [1.0, 2.0]].into());
+        let ends = Ends::points([0.0, 0.0], [3.0, 4.0]).expect("finite");
+        let problem = Problem::new(metric.expect("positive definite"), ends);
+        let line = problem.solve(Trapezoidal, 512).expect("solved");
+        let suggested = line.suggest_n(1e-20).expect("finite");
+        assert_eq!(suggested.expected, None);
+        assert_eq!(suggested.proven.map(|(n, _)| n.get()), Some(1));
+    }
+
+    #[derive(Debug)]
+    struct OnARegion;
+
+    impl Metric<2> for OnARegion {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            Valleys.gram(x)
+        }
+    }
+
+    impl Bounded<2> for OnARegion {
+        fn constants(&self) -> Constants {
+            Bounded::<2>::constants(&Valleys).on_a_region()
+        }
+    }
+
+    #[test]
+    fn constants_on_a_region_are_refused() {
+        let ends = Ends::points([0.0, 0.0], [0.1, 0.0]).expect("finite");
+        let line = Problem::new(OnARegion, ends).solve(Trapezoidal, 16).expect("solved");
+        assert_eq!(line.enclosure(), Err(BoundError::LocalConstants));
+        assert_eq!(line.suggest_n(1.0), Err(BoundError::LocalConstants));
     }
 
     #[test]

@@ -23,6 +23,7 @@ super::checks! {
     theorems_a_and_c_are_attained_on_two_routes
     theorem_c_is_attained_by_the_left_rule_for_every_n
     theorems_b_and_d_are_attained_on_two_arcs
+    prop_s_7_finds_the_minimum_under_a_constant_metric_from_a_wave
     prop_s_7_is_attained_with_two_chords_on_opposite_slopes
     golden_bounds_of_theorems_a_and_b
     lemmas_s_1_to_s_3_fail_where_l_h_is_understated

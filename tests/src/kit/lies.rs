@@ -206,11 +206,8 @@ fn a_metric_may_not_call_itself_isotropic_if_it_is_not() {
     let metric = shear();
     let constants = metric.constants().isotropic();
     let liar = WithConstants { metric, constants };
-    let outcome = metric::is_isotropic_if_it_says_so(&MetricCase::new(
-        liar,
-        period(),
-        Effort::default(),
-    ));
+    let outcome =
+        metric::is_isotropic_if_it_says_so(&MetricCase::new(liar, period(), Effort::default()));
     let failure = outcome.failure.expect("refused");
     assert!(failure.sample.is_some(), "{failure:?}");
     let honest = MetricCase::new(Valleys, period(), Effort::default());

@@ -16,8 +16,8 @@ use crate::{Setting, product::product};
 /// most: estimated as one vector, not one Christoffel symbol at a time, so that the `D²` of
 /// `K_{2,g}` is not needed.
 ///
-/// Needs: `H ≥ c₁`, `H` Lipschitz with `L_H`, and a minimiser of the energy; neither `c₂` nor the
-/// dimension.
+/// Needs: `H ≥ c₁`, `H` Lipschitz with `L_H`, and a minimiser of the energy; for an isotropic metric
+/// with `M_H`, that too, everywhere. Neither `c₂` nor the dimension.
 ///
 /// Slack: none for every `D ≥ 2`, at one point of a geodesic and in the limit `c₂ → c₁`.
 #[doc(alias = "K_{2,g}")]

@@ -1,4 +1,5 @@
-//! The least of all bounds of `E(γᵖˡ) − d²` and of `L(γᵖˡ)² − d²`, and the number of subintervals that a bound asks for.
+//! The least of all bounds of `E(γᵖˡ) − d²` and of `L(γᵖˡ)² − d²`, and the number of subintervals
+//! that a tolerance asks for.
 
 use std::num::NonZeroUsize;
 
@@ -94,9 +95,9 @@ pub fn least_length_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -
     }
 }
 
-/// Returns an `N` for which [`least_length_excess`] is at most `tolerance`, and half of which is not known
-/// to do; with the theorem by which it does. `None` if no `N` up to `2⁴⁰` does, or the tolerance is
-/// NaN.
+/// Returns an `N` for which [`least_length_excess`] is at most `tolerance`, and `N − 1` is not enough;
+/// with the theorem by which it is. `None` if no power of 2 up to `2⁴⁰` is enough, or the tolerance
+/// is NaN.
 ///
 /// - `tolerance`: of `L(γᵖˡ)² − d²`, in `m²`.
 ///
@@ -115,8 +116,9 @@ pub fn suggest_n(
         let bound = least_length_excess(setting, rule, NonZeroUsize::new(n)?);
         (bound.value <= tolerance).then_some(bound.by)
     };
-    let (mut enough_n, mut by) =
-        (0..=40).map(|power| 1_usize << power).find_map(|n| enough(n).map(|by| (n, by)))?;
+    let (mut enough_n, mut by) = (0..=40.min(usize::BITS - 1))
+        .map(|power| 1_usize << power)
+        .find_map(|n| enough(n).map(|by| (n, by)))?;
     let mut too_few = enough_n / 2;
     while enough_n - too_few > 1 {
         let middle = too_few + (enough_n - too_few) / 2;

@@ -45,6 +45,16 @@ pub(crate) fn second_variation(setting: Setting, n: NonZeroUsize) -> Option<f64>
     Some(surplus.min(second_order(setting, n)?))
 }
 
+/// The least of all, for either rule.
+pub(crate) fn least(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
+    match rule {
+        PaperRule::Trapezoidal => {
+            second_variation(setting, n).unwrap_or_else(|| first_order(setting, rule, n))
+        }
+        PaperRule::LeftEndpoint => first_order(setting, rule, n),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::{first_order, second_order, second_variation};

@@ -71,6 +71,9 @@ pub struct Enclosure {
     pub from_above: FromAbove,
     /// Whether `lower` needs that the computed energy is the global minimum.
     pub assumes_global_minimum: bool,
+    /// Whether the numbers show that it is not: then there is a sequence with less discrete energy,
+    /// and nothing was concluded from the assumption.
+    pub is_not_global: bool,
 }
 
 impl Enclosure {
@@ -130,12 +133,14 @@ pub fn enclose(
         DiscreteMinimum::Unknown => 0.0,
     };
     let solved = distance_from_below(zero, rule, n, least).powi(2);
+    // min E_N ≤ F(d) ≤ F(upper): a minimum above that is none, unless by rounding.
+    let is_not_global = minimum == DiscreteMinimum::Assumed && solved > upper * (1.0 + 1e-12);
     let mut assumes_global_minimum = false;
-    if solved > lower {
-        (lower, from_below) = (solved, FromBelow::Minimum);
+    if solved > lower && !is_not_global {
+        (lower, from_below) = (solved.min(upper), FromBelow::Minimum);
         assumes_global_minimum = minimum == DiscreteMinimum::Assumed;
     }
-    Ok(Enclosure { lower, upper, from_below, from_above, assumes_global_minimum })
+    Ok(Enclosure { lower, upper, from_below, from_above, assumes_global_minimum, is_not_global })
 }
 
 /// Returns a `d` for which `d² e(d) ≤ least`, in `m`, as large as bisection finds it: the distance
@@ -143,11 +148,7 @@ pub fn enclose(
 fn distance_from_below(setting: Setting, rule: PaperRule, n: NonZeroUsize, least: f64) -> f64 {
     let at_most = |d: f64| {
         setting.with_distance(d).is_ok_and(|setting| {
-            let surplus = match rule {
-                PaperRule::Trapezoidal => ceiling::second_variation(setting, n)
-                    .unwrap_or_else(|| ceiling::first_order(setting, rule, n)),
-                PaperRule::LeftEndpoint => ceiling::first_order(setting, rule, n),
-            };
+            let surplus = ceiling::least(setting, rule, n);
             product([d, d, 1.0 + surplus]) <= least
         })
     };
@@ -240,6 +241,21 @@ mod tests {
         let energy = Computed { energy: 8.999, ..exact };
         let found = enclose(flat, 2, &energy).expect("valid");
         assert_eq!((found.upper, found.from_above), (8.999, FromAbove::Energy));
+    }
+
+    /// A discrete energy of 9 where the length is 1: some sequence has less.
+    #[test]
+    fn an_assumption_that_the_numbers_disprove_is_not_used() {
+        let good = computed(PaperRule::Trapezoidal, DiscreteMinimum::Assumed);
+        let bad = Computed { length_squared: 1.0, ..good };
+        let found = enclose(constants(), 2, &bad).expect("valid");
+        assert!(found.is_not_global && !found.assumes_global_minimum, "{found:?}");
+        assert_eq!((found.lower, found.upper), (0.25, 1.0));
+        let flat = Constants::new(4.0, 5.0, 0.0).expect("in order");
+        // A rounding is no disproof.
+        let rounded = Computed { length_squared: 9.0 * (1.0 - 1e-15), ..bad };
+        let found = enclose(flat, 2, &rounded).expect("valid");
+        assert!(!found.is_not_global && found.width() == 0.0, "{found:?}");
     }
 
     #[test]

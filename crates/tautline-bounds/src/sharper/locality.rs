@@ -58,8 +58,7 @@ pub enum LocalityError<E> {
 /// for an upper bound `d̄` of the distance. Theorems A to D then hold with these constants, for the
 /// minimisers of `E_N` among the sequences in the region.
 ///
-/// - `upper`: `d̄`, in `m`, the length of a curve between the ends *inside the region*, such as the
-///   `γᵖˡ` of a sequence there;
+/// - `upper`: `d̄`, in `m`, the length of a curve between the ends, such as `γᵖˡ`;
 /// - `constants_within`: the constants on the convex hull of the points within a distance of the
 ///   bounded end, which may refuse.
 ///
@@ -100,11 +99,7 @@ pub fn competitors<E>(
 
 /// `d̄ √e / √c₁`, in `ℓ`.
 fn reach(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
-    let first = ceiling::first_order(setting, rule, n);
-    let surplus = match rule {
-        PaperRule::Trapezoidal => ceiling::second_variation(setting, n).unwrap_or(first),
-        PaperRule::LeftEndpoint => first,
-    };
+    let surplus = ceiling::least(setting, rule, n);
     setting.distance() * (1.0 + surplus).sqrt() / setting.constants().c1().sqrt()
 }
 
@@ -141,6 +136,25 @@ mod tests {
     fn a_distance_that_would_need_the_antipode_is_refused() {
         let error = competitors(2, TRA, N, 1.01, sphere).expect_err("too far");
         assert!(matches!(error, LocalityError::Escapes { reach, .. } if reach > 1.0), "{error}");
+    }
+
+    /// With one chord `e` counts: `H ≥ 1` with `L_H = 2` and `d̄ = 1` has `δ = 2`, so that a competitor
+    /// may go as far as `√2` by `1 + δ/2`, `M_H` or not, and as far as `√2` by `1 + δ/4 + δ²/8`.
+    #[test]
+    fn what_a_sequence_may_spend_counts() {
+        let flat = Constants::new(1.0, 100.0, 2.0).and_then(|c| c.with_m_h(0.0)).expect("in order");
+        let within = |_| Ok::<_, Infallible>(flat);
+        for rule in PaperRule::BOTH {
+            let region = competitors(2, rule, NonZeroUsize::MIN, 1.0, within).expect("bounded");
+            assert!((2_f64.sqrt()..1.03 * 2_f64.sqrt()).contains(&region.radius), "{region:?}");
+        }
+        // With four chords 1 + δ/8, and the second variation: 1 + 9·(25/16/12 + ½/√360)/16.
+        let four = NonZeroUsize::new(4).expect("positive");
+        let left = competitors(2, PaperRule::LeftEndpoint, four, 1.0, within).expect("bounded");
+        assert!((1.25_f64.sqrt()..1.03 * 1.25_f64.sqrt()).contains(&left.radius), "{left:?}");
+        let tra = competitors(2, TRA, four, 1.0, within).expect("bounded");
+        let e = 1.0 + 9.0 * (25.0 / 192.0 + 0.5 / 360_f64.sqrt()) / 16.0;
+        assert!((e.sqrt()..1.03 * e.sqrt()).contains(&tra.radius), "{tra:?}");
     }
 
     #[test]

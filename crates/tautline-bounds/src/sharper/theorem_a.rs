@@ -25,7 +25,8 @@ use crate::{PaperRule, Setting, product::product, sharper::ceiling};
 /// ```
 ///
 /// Needs: the setting of Theorem 1.1, and a *global* minimiser. `c₂` is not needed but for the
-/// first entry of the minimum, and `D` only where it is 1.
+/// first entry of the minimum, and `D` only where it is 1. Where `M_H` is given and the metric is
+/// isotropic, [`G`](Setting::bend) rests on it.
 ///
 /// Slack: neither `δ/4` nor `δ/2` can be improved for all metrics with these constants; on one
 /// smooth metric the gap of the trapezoidal rule is of order `1/N²`.

@@ -2,11 +2,12 @@
 //! bends.
 
 use nalgebra::SVector;
-use tautline::{Bounded, MetricError, bounds::Setting};
+use tautline::{Bounded, Constants, MetricError, bounds::Setting};
 
 use crate::{
     Evidence, GramRange, Statement, Subject, Unit, VerifyError,
     curves::{BoundedCurve, curve_energy, l2_norm},
+    reconstruction::curvature_at,
 };
 
 /// A minimal geodesic at one time.
@@ -128,7 +129,7 @@ pub fn constant_k2<const D: usize>(
         .sharper(
             "|γ̈(t)| ≤ ω L_H K₁²/c₁",
             Unit::COORDINATE,
-            [found, subject.k2_sharp(instant.setting)],
+            [found, subject.k2_sharp(without_m_h(instant.setting)?)],
             granted + rounding,
         )
         .sharper("K₂ ≤ 3L_H D² d²/2c₁²", Unit::COORDINATE, [k2, defined], rounding)
@@ -138,10 +139,13 @@ pub fn constant_k2<const D: usize>(
 /// Evaluates Lemma S.1 on a minimal geodesic at the time `t`.
 ///
 /// ```text
-/// |γ̈(t)|  ≤  ω (L_H/c₁) K_{1,g}²,        γ̈ᵀ H(γ) γ̈  ≤  ω² δ² d²
+/// |γ̈(t)|  ≤  G d/√c₁,        γ̈ᵀ H(γ) γ̈  ≤  G² d²
 /// ```
 ///
-/// Needs: as [`constant_k2`]; `ω = 3/2`, and `½` for an isotropic metric and on the line.
+/// with the [`G`](Setting::bend) of the setting: `ωδ` with `ω = 3/2`, and `½` for an isotropic metric
+/// and on the line; for these less, if `M_H` is known.
+///
+/// Needs: as [`constant_k2`], and what `G` rests on.
 ///
 /// Slack: none in either, at 0 over a twist for `D ≥ 2`, and at the foot of an incline for `ω = ½`.
 ///
@@ -156,17 +160,21 @@ pub fn lemma_s_1<const D: usize>(
     t: f64,
 ) -> Result<Evidence, VerifyError> {
     let instant = Instant::of(Statement::LemmaS1, subject, metric, curve, distance, t)?;
-    let bound = subject.k2_sharp(instant.setting);
-    let [position, _, acceleration] = curve.motion(t).derivatives();
-    let force = metric.norm_squared(&position, &acceleration);
     let setting = instant.setting;
-    let force_bound = (setting.omega() * setting.delta() * distance).powi(2);
+    let bound = subject.k2_sharp(setting);
+    let [position, velocity, acceleration] = curve.motion(t).derivatives();
+    let force = metric.norm_squared(&position, &acceleration);
+    let force_bound = setting.constants().c1() * bound * bound;
     let granted = instant.granted[1] + 16.0 * f64::EPSILON * bound;
     let momentum = 2.0 * (setting.constants().c2() * force_bound.max(force)).sqrt();
-    Ok(instant
-        .evidence
-        .stated("|γ̈(t)| ≤ ω L_H K₁²/c₁", Unit::COORDINATE, [instant.acceleration, bound], granted)
-        .stated("γ̈ᵀHγ̈ ≤ ω²δ²d²", Unit::ENERGY, [force, force_bound], momentum * granted))
+    let mut evidence = instant.evidence;
+    if let (true, Some(m_h)) = (setting.bend_needs_m_h(), setting.constants().m_h()) {
+        let seen = [velocity, acceleration].map(|u| curvature_at(metric, &position, &u));
+        evidence = evidence.given_curvature(seen[0].max(seen[1]), m_h);
+    }
+    Ok(evidence
+        .stated("|γ̈(t)| ≤ G d/√c₁", Unit::COORDINATE, [instant.acceleration, bound], granted)
+        .stated("γ̈ᵀHγ̈ ≤ G²d²", Unit::ENERGY, [force, force_bound], momentum * granted))
 }
 
 /// Evaluates Proposition 7.12 on a minimiser of the energy between points at a given distance.
@@ -207,7 +215,7 @@ pub fn prop_7_12<const D: usize>(
         + 64.0 * f64::EPSILON * constants.c2().sqrt() * size * distance;
     // And so are K₁, and the K₂ that has K₁² in it.
     let off = 32.0 * f64::EPSILON * constants.c2().sqrt() * size / constants.c1().sqrt();
-    let bend = subject.k2_sharp(setting);
+    let bend = subject.k2_sharp(without_m_h(setting)?);
     let granted_bend = acceleration.error
         + 2.0 * relative * bend
         + 2.0 * setting.omega() * constants.l_h() / constants.c1() * subject.k1_g(setting) * off;
@@ -235,4 +243,12 @@ fn seen_along<const D: usize>(
     curve: &impl BoundedCurve<D>,
 ) -> Result<GramRange, MetricError> {
     GramRange::along(metric, (0..9).map(|k| curve.motion(f64::from(k) / 8.0).position))
+}
+
+/// The setting as if `M_H` were not known: what Lemma S.1 has by `L_H` alone.
+fn without_m_h(setting: Setting) -> Result<Setting, VerifyError> {
+    let known = setting.constants();
+    let constants = Constants::new(known.c1(), known.c2(), known.l_h())?;
+    let constants = if known.is_isotropic() { constants.isotropic() } else { constants };
+    Ok(Setting::new(constants, setting.distance(), setting.dimension())?)
 }

@@ -46,7 +46,7 @@ pub fn prop_s_6<const D: usize>(
     let (d2, granted) = (seen.distance_squared, seen.granted);
     let mut evidence = admitted(Evidence::of(Statement::PropositionS6), seen);
     if let (Some(m_h), PaperRule::Trapezoidal) = (constants.m_h(), seen.rule) {
-        evidence = evidence.given_curvature(seen.bend, m_h);
+        evidence = evidence.given_curvature(seen.curvature, m_h);
     }
     Ok(evidence
         .stated("d² ≤ L(γᵖˡ)²", Unit::ENERGY, [d2, assumed.upper], granted)
@@ -62,8 +62,8 @@ pub fn prop_s_6<const D: usize>(
 /// E_N(x) − R²/(4σ N² sin²(π/2N))  ≤  E_N(y),                              where σ > 0
 /// ```
 ///
-/// The first is the convexity of modulus `σ` along a segment, half the second derivative in the mean;
-/// the second that `x` has as little
+/// The first is the convexity of modulus `σ` along a segment, half the second derivative in the
+/// mean; the second that `x` has as little
 /// energy as any other sequence, up to what its residual `R` leaves. `length` is that of the
 /// reconstruction of `x`, in `m`.
 ///
@@ -102,7 +102,7 @@ pub fn prop_s_7<const D: usize>(
     for sequence in [x, y, &middle] {
         evidence = evidence.given_constants(constants, &GramRange::along(metric, nodes(sequence))?);
         if let Some(m_h) = constants.m_h() {
-            evidence = evidence.given_curvature(crate::bend_along(metric, sequence), m_h);
+            evidence = evidence.given_curvature(crate::curvature_along(metric, sequence), m_h);
         }
     }
     // As for a reconstruction: compensated sums, and points that are rounded.
@@ -113,9 +113,9 @@ pub fn prop_s_7<const D: usize>(
     let equal = if apart > 0.0 { 0.0 } else { 1.0 };
     evidence = evidence.given("x ≠ y", Unit::NONE, [equal, 0.0], 0.0);
     if let Some(modulus) = subject.convexity_modulus(constants, rule, both, n) {
-        let bend = 4.0 * (0.5 * (of_x + of_y) - of_middle) / apart;
+        let convexity = 4.0 * (0.5 * (of_x + of_y) - of_middle) / apart;
         let claim = "σ ≤ the convexity of E from x to y";
-        evidence = evidence.stated(claim, Unit::GRAM, [modulus, bend], 4.0 * granted / apart);
+        evidence = evidence.stated(claim, Unit::GRAM, [modulus, convexity], 4.0 * granted / apart);
     }
     let computed = BetweenPoints {
         rule,

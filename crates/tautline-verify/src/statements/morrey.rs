@@ -7,7 +7,7 @@
 use std::num::NonZeroUsize;
 
 use nalgebra::SVector;
-use tautline::Integral;
+use tautline::{Integral, bounds::velocity_error};
 
 use crate::{
     Evidence, Statement, Unit, VerifyError,
@@ -216,7 +216,7 @@ pub fn prop_7_4<const D: usize>(
     k: usize,
     theta: f64,
 ) -> Result<Evidence, VerifyError> {
-    let n = n.get() as f64;
+    let (count, n) = (n, n.get() as f64);
     let k = within("k", k as f64, [0.0, n - 1.0])?;
     within("θ", theta, [0.0, 1.0])?;
     let (h, cell) = (1.0 / n, [k / n, (k + 1.0) / n]);
@@ -228,7 +228,7 @@ pub fn prop_7_4<const D: usize>(
     // ∫ |γ̇ − β|² = ∫ |γ̇|² − h |β|², a difference of numbers of the size of the first.
     let square = (velocity.value.powi(2) - h * beta.norm_squared()).max(0.0);
     let granted_square = 4.0 * velocity.value * (velocity.error + 2.0 * rounding / h.sqrt());
-    let kernel = ((theta.powi(3) + (1.0 - theta).powi(3)) * h / 3.0).sqrt();
+    let error = |theta| velocity_error(acceleration.value, theta, count);
     let granted = 2.0 * n * rounding
         + 64.0 * f64::EPSILON * curve.suprema()[1]
         + 4.0 * f64::EPSILON * curve.suprema()[2]
@@ -241,16 +241,11 @@ pub fn prop_7_4<const D: usize>(
             [gap, 2.0 * acceleration.value / n.sqrt()],
             granted,
         )
-        .sharper(
-            "|β − γ̇(t)| ≤ (h/3)^{1/2} ‖γ̈‖",
-            Unit::COORDINATE,
-            [gap, (h / 3.0).sqrt() * acceleration.value],
-            granted,
-        )
+        .sharper("|β − γ̇(t)| ≤ (h/3)^{1/2} ‖γ̈‖", Unit::COORDINATE, [gap, error(0.0)], granted)
         .sharper(
             "|β − γ̇(t)| ≤ ((θ³ + (1 − θ)³) h/3)^{1/2} ‖γ̈‖",
             Unit::COORDINATE,
-            [gap, kernel * acceleration.value],
+            [gap, error(theta)],
             granted,
         )
         .sharper(

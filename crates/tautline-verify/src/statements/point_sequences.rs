@@ -4,7 +4,7 @@ use tautline::{Bounded, LeftEndpoint, MetricError, PointSequence, Trapezoidal};
 
 use crate::{
     Evidence, GramRange, PaperRule, Statement, Subject, Unit,
-    reconstruction::{bend_along, mean_power, nodes},
+    reconstruction::{curvature_along, mean_power, nodes},
 };
 
 /// Evaluates Proposition 7.8 for nonnegative numbers: `Σ xₙ³ ≤ (Σ xₙ²)^{3/2}`.
@@ -186,7 +186,7 @@ pub fn lemma_s_2<const D: usize>(
     let [of_tra, of_left, of_rules] = gaps.map(f64::abs);
     let mut evidence = Evidence::of(Statement::LemmaS2).given_constants(constants, &seen.gram);
     if let Some(m_h) = constants.m_h() {
-        evidence = evidence.given_curvature(bend_along(metric, sequence), m_h);
+        evidence = evidence.given_curvature(curvature_along(metric, sequence), m_h);
     }
     evidence = evidence
         .stated("|E(γᵖˡ) − E_tra,N| ≤ L_H mean|β|³/4N", Unit::ENERGY, [of_tra, tra], granted)

@@ -32,7 +32,7 @@ pub fn lemma_s_4<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D
     );
     if rule == PaperRule::Trapezoidal {
         if let Some(m_h) = setting.constants().m_h() {
-            evidence = evidence.given_curvature(seen.bend, m_h);
+            evidence = evidence.given_curvature(seen.curvature, m_h);
         }
         let second = subject.theorem_b_minimum_gap(setting, n);
         let third = subject.theorem_d_minimum_gap(setting, n);
@@ -56,7 +56,7 @@ struct Gaps {
 }
 
 impl Gaps {
-    /// Compares all three, and their sum with the excess of energy and of squared length.
+    /// Compares all four, and the sum of two with the excess of energy.
     fn conclude<const D: usize>(&self, statement: Statement, seen: &Reconstruction<D>) -> Evidence {
         let &Reconstruction { distance_squared: d2, discrete_energy, granted, .. } = seen;
         let (energy, length2) = (seen.energy.value, seen.length_squared.value);
@@ -94,7 +94,8 @@ pub fn theorem_a<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D
     let polyline = subject.theorem_a_polyline_gap(seen.setting, seen.rule, seen.n);
     let above = subject.theorem_a_minimum_gap(seen.setting, seen.rule, seen.n);
     let length = above + polyline;
-    Gaps { above, below: polyline, polyline, length }.conclude(Statement::TheoremA, seen)
+    let gaps = Gaps { above, below: polyline, polyline, length };
+    given_what_bends(gaps.conclude(Statement::TheoremA, seen), seen)
 }
 
 /// Evaluates Theorem B on a computed minimiser of the trapezoidal rule, if `M_H` is known.
@@ -103,7 +104,8 @@ pub fn theorem_a<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D
 /// |E(γᵖˡ) − E_tra,N|, d² − E_tra,N  ≤  d² (μ/24N²) e₂ Q²,      E(γᵖˡ) − d²  ≤  d² [e₂ − 1 + (μ/24N²) e₂ Q²]
 /// ```
 ///
-/// Needs: as [`theorem_a`] with the premise `E_tra,N ≤ d² e₂`, and `DH` Lipschitz with `M_H`.
+/// Needs: the setting of Theorem 1.1, the premise `E_tra,N ≤ d² e₂`, `DH` Lipschitz with `M_H`, and
+/// inner points that are stationary, as a converged minimiser has them.
 ///
 /// Slack: none as `μ → 0`, at `N = 1` on two routes along parabolas.
 #[must_use]
@@ -137,7 +139,7 @@ pub fn theorem_c<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D
         polyline: subject.theorem_c_polyline_gap(setting, rule, n),
         length: subject.theorem_c_length_excess(setting, rule, n),
     };
-    gaps.conclude(Statement::TheoremC, seen)
+    given_what_bends(gaps.conclude(Statement::TheoremC, seen), seen)
 }
 
 /// Evaluates Theorem D on any sequence from set to set with `E_tra,N ≤ d² ε`, if `M_H` is known.
@@ -164,6 +166,14 @@ pub fn theorem_d<const D: usize>(
     of_second_order(gaps, Statement::TheoremD, seen)
 }
 
+/// Adds the clause on `M_H` where the bound of the acceleration rests on it.
+fn given_what_bends<const D: usize>(evidence: Evidence, seen: &Reconstruction<D>) -> Evidence {
+    match seen.setting.constants().m_h() {
+        Some(m_h) if seen.setting.bend_needs_m_h() => evidence.given_curvature(seen.curvature, m_h),
+        _ => evidence,
+    }
+}
+
 /// `None` for the left-endpoint rule, about which Theorems B and D say nothing.
 fn of_second_order<const D: usize>(
     gaps: Gaps,
@@ -172,5 +182,5 @@ fn of_second_order<const D: usize>(
 ) -> Option<Evidence> {
     let m_h = seen.setting.constants().m_h()?;
     let of_the_rule = seen.rule == PaperRule::Trapezoidal;
-    of_the_rule.then(|| gaps.conclude(statement, seen).given_curvature(seen.bend, m_h))
+    of_the_rule.then(|| gaps.conclude(statement, seen).given_curvature(seen.curvature, m_h))
 }

@@ -132,7 +132,7 @@ pub fn lemma_s_5<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D
             .stated("mean u⁴ ≤ m₄", Unit::NONE, [mean(&|u| u.powi(4)), spread.fourth], moments);
     }
     if let (Some(m_h), PaperRule::Trapezoidal) = (setting.constants().m_h(), rule) {
-        evidence = evidence.given_curvature(seen.bend, m_h);
+        evidence = evidence.given_curvature(seen.curvature, m_h);
     }
     let bound = subject.squared_length(setting.constants(), rule, discrete_energy, n);
     let (excess, room) = (seen.length_squared.value - discrete_energy, bound - discrete_energy);

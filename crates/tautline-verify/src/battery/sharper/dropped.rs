@@ -1,7 +1,8 @@
 //! The sharper statements without a hypothesis.
 //!
 //! `c₂` is needed for the cap `e ≤ κ` of Lemma S.4, and for nothing else. That the sequence is
-//! stationary is a hypothesis of Theorems A and B only; C and D do not ask for it, and are no weaker.
+//! stationary is a hypothesis of Theorems A and B only. Theorem C does not ask for it, and is no
+//! weaker than A; Theorem D does not either.
 
 use tautline::{Constants, Ends, PointSequence, Trapezoidal};
 

@@ -68,6 +68,12 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
             two_arcs,
         ),
         Check::new(
+            "prop_s_7_finds_the_minimum_under_a_constant_metric_from_a_wave",
+            witness,
+            &[PropositionS7],
+            wave,
+        ),
+        Check::new(
             "prop_s_7_is_attained_with_two_chords_on_opposite_slopes",
             witness,
             &[PropositionS7],
@@ -88,8 +94,8 @@ fn bent<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         distance: f64,
     ) -> Result<Evidence, VerifyError> {
         lemma_s_1(subject, metric, curve, distance, 0.0)?
-            .claim_is_attained("|γ̈(t)| ≤ ω L_H K₁²/c₁", NEAR)?
-            .claim_is_attained("γ̈ᵀHγ̈ ≤ ω²δ²d²", NEAR)
+            .claim_is_attained("|γ̈(t)| ≤ G d/√c₁", NEAR)?
+            .claim_is_attained("γ̈ᵀHγ̈ ≤ G²d²", NEAR)
     }
     let cases = (0.3..3.0, 0.1..2.0);
     trial.for_all(2800, 64, cases, |subject, (base, slope): (f64, f64)| {
@@ -363,4 +369,29 @@ fn opposite_slopes<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     let rule = PaperRule::Trapezoidal;
     let evidence = prop_s_7(trial.subject, &metric, rule, [&x, &y], 1.0)?;
     trial.one([evidence.claim_is_attained("σ ≤ the convexity of E from x to y", NEAR)?])
+}
+
+/// Under `H = 4` the energy is quadratic, and a straight line with half a sine wave added is off its
+/// minimum by `R²/(4σN² sin²(π/2N))` for both rules: the wave is what Poincaré's inequality is sharp
+/// for.
+fn wave<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+    let metric = Constant::<1>::new([[4.0]].into()).expect("positive");
+    let mut evidence = Vec::new();
+    for n in [2_usize, 5, 32] {
+        let through = |by: f64| {
+            let at = |k: usize| {
+                let t = k as f64 / n as f64;
+                let sine = if k == 0 || k == n { 0.0 } else { (std::f64::consts::PI * t).sin() };
+                [t + by * sine].into()
+            };
+            PointSequence::new((0..=n).map(at).collect())
+        };
+        let (waved, straight) = (through(0.1), through(0.0));
+        let both = [&waved.map_err(VerifyError::from)?, &straight.map_err(VerifyError::from)?];
+        for rule in PaperRule::BOTH {
+            let found = prop_s_7(trial.subject, &metric, rule, both, 2.0)?;
+            evidence.push(found.claim_is_attained("E(x) − R²/4σN²sin² ≤ E(y)", 1.0 + 1e-9)?);
+        }
+    }
+    trial.one(evidence)
 }
