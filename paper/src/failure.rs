@@ -2,7 +2,10 @@
 
 use std::path::PathBuf;
 
-use tautline::{SequenceError, SetError, SolveError, bounds::BoundError, gallery::GalleryError};
+use tautline::{
+    AsymptoticsError, SequenceError, SetError, SolveError, bounds::BoundError,
+    gallery::GalleryError,
+};
 
 use tautline_verify::{VerifyError, adversary::AdversaryError};
 
@@ -27,6 +30,9 @@ pub enum Failure {
     /// A problem that the solver refuses.
     #[error(transparent)]
     Solve(#[from] SolveError),
+    /// Leading constants that do not exist, or cannot be told.
+    #[error(transparent)]
+    Asymptotics(#[from] AsymptoticsError),
     /// A bound.
     #[error(transparent)]
     Bound(#[from] BoundError),

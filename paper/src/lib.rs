@@ -5,6 +5,7 @@
 //! [`tables::Table`] likewise. The data carry the tolerance of each column, so that `--check`
 //! compares what was recomputed with what is committed.
 
+pub mod asymptotics;
 pub mod case;
 pub mod command;
 pub mod convergence;

@@ -27,14 +27,20 @@
 //! [signature of the Hessian](Curvature) and the energies of all the local minimisers that
 //! were met. That it is the global minimiser is not claimed.
 //!
+//! On smooth data [`leading_constants`] predicts, along a minimiser, how the errors of both rules
+//! fall: it needs the same factorisation for where the left rule has its points.
+//!
 //! A Newton step that would leave the region where the metric is finite and positive is
 //! shortened; a saddle is left along the direction of its most negative curvature.
 
+mod asymptotics_error;
 mod damping;
 mod end_frame;
 mod extrapolation;
 mod factorization;
+mod geodesic_means;
 mod inverse_factor;
+mod leading_constants;
 mod line_minimum;
 mod local_search;
 mod minimise;
@@ -45,7 +51,9 @@ mod rounding;
 mod solve_error;
 mod starts;
 
+pub use asymptotics_error::AsymptoticsError;
 pub use extrapolation::{Estimate, extrapolate};
+pub use leading_constants::{LeadingConstants, leading_constants};
 pub use minimise::{Options, minimise};
 pub use minimum::{Curvature, Level, Minimum, Stop};
 pub use solve_error::SolveError;

@@ -134,6 +134,30 @@ impl<'a, const D: usize> ReducedSystem<'a, D> {
         half_dot(&step, &right)
     }
 
+    /// Returns half the square of the Newton decrement of another functional with this
+    /// `gradient`, in the Hessian of the system: `½ gᵀA⁻¹g` over the free coordinates.
+    ///
+    /// Half of `δᵀAδ` for the shift `δ` of the minimiser under a small such functional, if the
+    /// energy itself is stationary here. Fixed coordinates stay, whatever pulls at them.
+    pub(crate) fn decrement_of(
+        &self,
+        factorization: &Factorization<D>,
+        gradient: &[SVector<f64, D>],
+    ) -> f64 {
+        let mut right: Vec<_> = gradient.iter().map(|g| -g).collect();
+        for (frame, k) in self.frames.iter().zip([0, self.matrix.n()]) {
+            right[k] = frame.basis.tr_mul(&right[k]);
+            for (i, coordinate) in frame.coordinates.iter().enumerate() {
+                if matches!(coordinate, Coordinate::Fixed { .. }) {
+                    right[k][i] = 0.0;
+                }
+            }
+        }
+        let mut step = right.clone();
+        factorization.solve(&mut step);
+        half_dot(&step, &right)
+    }
+
     /// Returns the direction of the least eigenvalue, by inverse iteration: the most negative
     /// curvature, if the shift is just large enough to make the system definite.
     pub(crate) fn flattest_direction(

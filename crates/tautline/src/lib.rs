@@ -36,6 +36,7 @@
 //! | [`TautLine::energy`], [`TautLine::length`] | of an actual curve between the sets, hence upper bounds of `d²` and `d`, up to a stated quadrature error |
 //! | [`TautLine::discrete_energy`] | may lie on either side of `d²` |
 //! | [`TautLine::distance_squared_estimate`] | extrapolated: an estimate, not a bound |
+//! | [`leading_constants`] | limits of the errors times `N` or `N²` on smooth data: computed, not proven |
 //! | [`bounds`] | proven, for global minimisers of the discrete energy |
 //!
 //! A solver finds local minimisers. [`TautLine::minimum`] tells how it was found and what the
@@ -65,7 +66,8 @@ pub use tautline_metrics::{
     christoffel, composition, gallery, quadrature,
 };
 pub use tautline_optimizers::{
-    Curvature, Estimate, Level, Minimum, Options, SolveError, Starts, Stop, extrapolate, minimise,
+    AsymptoticsError, Curvature, Estimate, LeadingConstants, Level, Minimum, Options, SolveError,
+    Starts, Stop, extrapolate, leading_constants, minimise,
 };
 pub use tautline_scalar::{Jet1, Jet2, Scalar};
 pub use tautline_sets::{

@@ -1,5 +1,6 @@
 //! The tables, one a file.
 
+mod asymptotics;
 mod constants;
 mod convergence;
 mod counterexample;
@@ -58,7 +59,8 @@ fn no_pages(_: &Data) -> Vec<(&'static str, String)> {
 }
 
 /// All tables.
-pub const TABLES: [Table; 7] = [
+pub const TABLES: [Table; 8] = [
+    asymptotics::TABLE,
     constants::TABLE,
     convergence::TABLE,
     counterexample::TABLE,

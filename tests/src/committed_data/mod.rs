@@ -3,6 +3,7 @@
 //! A figure or a table that was drawn from these files shows what these tests checked. Nothing is
 //! computed here but by the checks that kill the mutants.
 
+mod asymptotics;
 mod convergence;
 mod counterexample;
 mod mutants;

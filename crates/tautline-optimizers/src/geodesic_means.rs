@@ -1,0 +1,54 @@
+//! `GeodesicMeans`: how a geodesic bends, and how the metric changes along it, on average.
+
+use nalgebra::SVector;
+use tautline_metrics::{Jet2, Metric, MetricError, christoffel};
+
+use crate::Minimum;
+
+/// Integrals over `t ∈ [0, 1]` along a computed minimiser `γ`, in `m²` (the last in `m⁴`), with
+/// `w = DH[γ̇](γ̇, γ̇)`: by the midpoint rule on the chords, of second order.
+#[derive(Default)]
+pub(crate) struct GeodesicMeans {
+    /// `∫ γ̈ᵀHγ̈`.
+    pub(crate) bending: f64,
+    /// `∫ (γ̈ᵀHγ̈ − w²/4γ̇ᵀHγ̇)`, the same of the part of `γ̈` across `γ̇`.
+    pub(crate) turning: f64,
+    /// `∫ D²H[γ̇, γ̇](γ̇, γ̇)`.
+    pub(crate) second: f64,
+    /// `∫ w`.
+    pub(crate) growth: f64,
+    /// `∫ w²`.
+    pub(crate) growth_squared: f64,
+}
+
+impl GeodesicMeans {
+    /// Sums over the chords; fails if the metric is not one at the middle of a chord.
+    pub(crate) fn along<const D: usize>(
+        metric: &impl Metric<D>,
+        minimum: &Minimum<D>,
+    ) -> Result<Self, MetricError> {
+        let weight = 1.0 / minimum.sequence.n().get() as f64;
+        let mut means = Self::default();
+        for (x, d) in minimum.sequence.chords() {
+            let (middle, velocity) = (x + d * 0.5, d / weight);
+            // γ̈ by the geodesic equation: second differences would bring in rounding times N².
+            let gamma = christoffel(metric, &middle)?;
+            let acceleration =
+                SVector::<f64, D>::from_fn(|k, _| -velocity.dot(&(gamma[k] * velocity)));
+            // The metric along the line through the chord, as a function of time.
+            let [t] = Jet2::variables(&[0.0]);
+            let line = SVector::<_, D>::from_fn(|i, _| t * velocity[i] + middle[i]);
+            let square: Jet2<f64, 1> = metric.norm_squared(&line, &velocity);
+            let growth = square.first(0);
+            let bending: f64 = metric.norm_squared(&middle, &acceleration);
+            means.bending += weight * bending;
+            // Not d² but the square on this chord: the difference is a square then, and vanishes
+            // where the curve does not turn.
+            means.turning += weight * (bending - growth * growth / (4.0 * square.value()));
+            means.second += weight * square.second(0, 0);
+            means.growth += weight * growth;
+            means.growth_squared += weight * growth * growth;
+        }
+        Ok(means)
+    }
+}

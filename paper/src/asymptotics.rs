@@ -1,0 +1,270 @@
+//! Leading constants of the errors, predicted and measured: the data of the table of asymptotics.
+//!
+//! The prediction reads one geodesic; the measurement subtracts `d²` from minimal energies. They
+//! share no formula, and the table is refused unless they agree to three digits.
+
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
+
+use tautline::{
+    Ball, Ends, HalfSpace, KnownDistance, LeftEndpoint, Metric, Problem, Rule, SMatrix, SVector,
+    TautLine, Trapezoidal,
+    composition::Product,
+    gallery::{
+        Constant, Corrugated, CoupledCosines, GaussianFisher, HyperbolicPatch, Lens, Ramp,
+        RotatingAnisotropy, Separable, Shear, SineProjections, SpherePatch, Swirl, TwoLinkArm,
+        Valleys,
+    },
+    leading_constants,
+};
+
+use crate::{
+    Failure,
+    case::Reference,
+    data::{Data, Tolerance},
+    parallel,
+    sweep::Sweep,
+};
+
+/// The quantities and their orders in `1/N`: what of `E_tra,N`, `E_l,N`, and of both curves.
+pub const QUANTITIES: [(&str, i32); 6] = [
+    ("discrete_energy_trapezoidal", 2),
+    ("discrete_energy_left", 1),
+    ("energy_trapezoidal", 2),
+    ("length_squared_trapezoidal", 2),
+    ("energy_left", 2),
+    ("length_squared_left", 2),
+];
+
+/// Chords of the finest measurement. What is left of the next order is some `(10/N)²` of the
+/// first, and rounding `N² ε d²`, both below `10⁻⁴`.
+const N: usize = 2048;
+
+/// Chords of the geodesics that the prediction reads, whose error is of second order: so two
+/// grids give it to fourth. From the coarser grids of the last `d²` is extrapolated where it is
+/// not known.
+const READ: [usize; 2] = [2048, 4096];
+
+/// Predicted and measured agree to three digits.
+pub const AGREEMENT: f64 = 5e-4;
+
+/// A prediction below this part of the largest of the six is 0, by symmetry or in one dimension,
+/// but for what two grids leave of sums that cancel, `(4π/4096)⁴` of their terms at most; then what
+/// is measured is compared with `d²`. No other prediction here is below `10⁻³` of the largest.
+const ZERO: f64 = 1e-8;
+
+/// A smooth problem with a unique minimiser, as far as known.
+struct Smooth {
+    name: &'static str,
+    limits: Box<dyn Fn() -> Result<Limits, Failure> + Send + Sync>,
+}
+
+/// The six constants, in `m²`, both ways.
+struct Limits {
+    predicted: [f64; 6],
+    measured: [f64; 6],
+    d_squared: f64,
+    reference: Reference,
+}
+
+impl Smooth {
+    fn new<M, const D: usize>(
+        name: &'static str,
+        metric: M,
+        ends: Ends<D>,
+        distance: Option<f64>,
+    ) -> Self
+    where
+        M: Metric<D> + Send + Sync + 'static,
+    {
+        let problem = Problem::new(metric, ends);
+        Self { name, limits: Box::new(move || limits(name, &problem, distance)) }
+    }
+
+    /// Between two points whose distance the metric knows.
+    fn known<M, const D: usize>(
+        name: &'static str,
+        metric: M,
+        [a, b]: [[f64; D]; 2],
+    ) -> Result<Self, Failure>
+    where
+        M: KnownDistance<D> + Send + Sync + 'static,
+    {
+        let distance = metric.distance(&SVector::from(a), &SVector::from(b));
+        let distance = Some(distance.ok_or(Failure::NoReference(name))?);
+        Ok(Self::new(name, metric, Ends::points(a, b)?, distance))
+    }
+}
+
+fn limits<M: Metric<D>, const D: usize>(
+    name: &'static str,
+    problem: &Problem<M, D>,
+    distance: Option<f64>,
+) -> Result<Limits, Failure> {
+    let [coarse, fine] = READ.map(|n| problem.solve(Trapezoidal, n));
+    let (coarse, fine) = (coarse?, fine?);
+    let read = |line: &TautLine<M, Trapezoidal, D>| {
+        let predicted = leading_constants(problem.metric(), problem.ends(), line.minimum())?;
+        Ok::<[f64; 6], Failure>([
+            predicted.trapezoidal,
+            predicted.left,
+            predicted.energy_trapezoidal,
+            predicted.length_trapezoidal,
+            predicted.energy_left,
+            predicted.length_left,
+        ])
+    };
+    let (coarse, finer) = (read(&coarse)?, read(&fine)?);
+    let predicted = std::array::from_fn(|i| (4.0 * finer[i] - coarse[i]) / 3.0);
+    let (d_squared, reference) = match (distance, fine.distance_squared_estimate()) {
+        (Some(d), _) => (d * d, Reference::Exact),
+        (None, Some(estimate)) => (estimate.value, Reference::Extrapolated),
+        (None, None) => return Err(Failure::NoReference(name)),
+    };
+    let trapezoidal = scaled_errors(problem, Trapezoidal, N, d_squared)?;
+    let coarse = scaled_errors(problem, LeftEndpoint, N / 2, d_squared)?;
+    let left = scaled_errors(problem, LeftEndpoint, N, d_squared)?;
+    // The next term of the left rule has one more power of 1/N, which two grids eliminate.
+    let left: [f64; 3] = std::array::from_fn(|i| 2.0 * left[i] - coarse[i]);
+    Ok(Limits {
+        predicted,
+        measured: [trapezoidal[0], left[0], trapezoidal[1], trapezoidal[2], left[1], left[2]],
+        d_squared,
+        reference,
+    })
+}
+
+/// Returns `N^q (E_N − d²)` with the order `q` of the rule, `N² (E(γᵖˡ) − d²)` and
+/// `N² (L(γᵖˡ)² − d²)`, in `m²`.
+fn scaled_errors<M: Metric<D>, R: Rule, const D: usize>(
+    problem: &Problem<M, D>,
+    rule: R,
+    n: usize,
+    d_squared: f64,
+) -> Result<[f64; 3], Failure> {
+    let line = problem.solve(rule, n)?;
+    let count = n as f64;
+    Ok([
+        count.powi(R::ERROR_EXPONENT) * (line.discrete_energy() - d_squared),
+        count.powi(2) * (line.energy().value - d_squared),
+        count.powi(2) * (line.length().value.powi(2) - d_squared),
+    ])
+}
+
+fn smooth_problems() -> Result<Vec<Smooth>, Failure> {
+    let line = Constant::new(SMatrix::from_diagonal_element(2.0))?;
+    let corrugated = Product::<_, _, 1, 1>::new(Corrugated::new(FRAC_1_SQRT_2, 1.0)?, line);
+    Ok(vec![
+        Smooth::known("valleys_points", Valleys, [[0.0, 0.0], [4.0 * PI, 0.0]])?,
+        Smooth::known("valleys_oblique", Valleys, [[0.0, 0.0], [2.0, 1.5]])?,
+        Smooth::known("shear_points", Shear::new(0.5, 1.0)?, [[0.0, 0.0], [2.0, 3.0]])?,
+        Smooth::known("corrugated", corrugated, [[0.2 - FRAC_PI_2, 0.0], [2.5 - FRAC_PI_2, 1.0]])?,
+        Smooth::known(
+            "separable_points",
+            Separable::new([0.3, 0.5, -0.4], [1.0, 2.0, 1.5])?,
+            [[0.0, 0.0, 0.0], [2.0, 1.0, -1.5]],
+        )?,
+        Smooth::known("ramp", Ramp::new(0.5, 1.0)?, [[-1.0], [2.0]])?,
+        Smooth::known("swirl", Swirl::new(1.0, 1.0)?, [[-1.5, 0.2], [1.0, 0.8]])?,
+        Smooth::known("sphere_patch", SpherePatch::new(2.0)?, [[0.5, 0.0], [0.2, 1.0]])?,
+        Smooth::known("hyperbolic_patch", HyperbolicPatch::new(0.8)?, [[0.6, 0.1], [-0.2, 0.5]])?,
+        Smooth::known("gaussian_fisher", GaussianFisher::new(2.0)?, [[0.0, 0.0], [1.5, 0.5]])?,
+        Smooth::new(
+            "lens",
+            Lens::new(1.0, 1.0)?,
+            Ends::points([-1.5, 0.4, 0.0], [1.0, 0.5, 0.8])?,
+            None,
+        ),
+        Smooth::new(
+            "rotating_anisotropy",
+            RotatingAnisotropy::new([1.0, 2.0], [0.7, 0.3])?,
+            Ends::points([0.0, 0.0], [1.5, 1.0])?,
+            None,
+        ),
+        Smooth::new(
+            "two_link_arm",
+            TwoLinkArm::new(3.0, 1.0, 1.0)?,
+            Ends::points([0.0, 0.5], [1.0, 2.0])?,
+            None,
+        ),
+        Smooth::new(
+            "coupled_cosines",
+            CoupledCosines,
+            Ends::points([0.0, 0.0, 0.0], [1.0, -0.5, 1.5])?,
+            None,
+        ),
+        Smooth::new(
+            "sine_projections",
+            SineProjections::benchmark(),
+            Ends::points([0.0; 8], [1.0, 0.5, -0.5, 0.8, -1.0, 0.3, 0.6, -0.2])?,
+            None,
+        ),
+        Smooth::new(
+            "rotating_anisotropy_ball",
+            RotatingAnisotropy::new([1.0, 2.0], [0.7, 0.3])?,
+            Ends::new(Ball::new([0.0, 0.0], 0.5)?, HalfSpace::at_least([1.0, 1.0], 2.0)?)?,
+            None,
+        ),
+        Smooth::new(
+            "lens_balls",
+            Lens::new(1.0, 1.0)?,
+            Ends::new(Ball::new([-1.5, 0.4], 0.5)?, Ball::new([1.5, 0.9], 0.25)?)?,
+            None,
+        ),
+    ])
+}
+
+/// Computes both sides for every problem, and compares them.
+///
+/// # Errors
+///
+/// If a solve fails, or predicted and measured do not [agree](AGREEMENT).
+pub fn data(_sweep: Sweep) -> Result<Data, Failure> {
+    let close = |absolute| Tolerance::Close { relative: 1e-6, absolute };
+    let mut data = Data::new(&[
+        ("case", Tolerance::Exact),
+        ("quantity", Tolerance::Exact),
+        ("order", Tolerance::Exact),
+        ("n", Tolerance::Exact),
+        ("predicted", close(0.0)),
+        // N² times some ulp of a d² up to 632.
+        ("measured", close(5e-6)),
+        ("relative_difference", Tolerance::AtMost(AGREEMENT)),
+        ("relative_to", Tolerance::Exact),
+        ("d_squared", Tolerance::Close { relative: 1e-11, absolute: 0.0 }),
+        ("reference", Tolerance::Exact),
+    ]);
+    let problems = smooth_problems()?;
+    let results = parallel::map(&problems, |problem| (problem.limits)());
+    for (Smooth { name, .. }, limits) in problems.iter().zip(results) {
+        let limits = limits?;
+        let largest = limits.predicted.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
+        for (k, (quantity, order)) in QUANTITIES.into_iter().enumerate() {
+            let (predicted, measured) = (limits.predicted[k], limits.measured[k]);
+            let zero = predicted.abs() <= ZERO * largest;
+            let (predicted, scale, relative_to) = if zero {
+                (0.0, limits.d_squared, "d_squared")
+            } else {
+                (predicted, predicted.abs(), "predicted")
+            };
+            let difference = (measured - predicted).abs() / scale;
+            if !(difference <= AGREEMENT) {
+                return Err(Failure::Violated(format!(
+                    "{name}, {quantity}: predicted {predicted:.6e}, measured {measured:.6e}"
+                )));
+            }
+            data.push(vec![
+                (*name).to_owned(),
+                quantity.to_owned(),
+                order.to_string(),
+                N.to_string(),
+                if zero { "0".to_owned() } else { format!("{predicted:.6e}") },
+                format!("{measured:.6e}"),
+                format!("{difference:.1e}"),
+                relative_to.to_owned(),
+                format!("{:.12e}", limits.d_squared),
+                limits.reference.name().to_owned(),
+            ]);
+        }
+    }
+    Ok(data)
+}

@@ -1,0 +1,94 @@
+//! `paper/tables/asymptotics.csv`: leading constants of the errors, predicted and measured.
+
+use std::collections::BTreeMap;
+use std::f64::consts::PI;
+
+use super::{Row, Table};
+
+/// The quantities with their orders in `1/N`.
+const QUANTITIES: [(&str, &str); 6] = [
+    ("discrete_energy_left", "1"),
+    ("discrete_energy_trapezoidal", "2"),
+    ("energy_left", "2"),
+    ("energy_trapezoidal", "2"),
+    ("length_squared_left", "2"),
+    ("length_squared_trapezoidal", "2"),
+];
+
+/// Three digits.
+const AGREEMENT: f64 = 5e-4;
+
+fn table() -> Table {
+    Table::read("tables/asymptotics.csv")
+}
+
+/// The difference of what is measured from the prediction, relative to it, or to `d²` if it is 0.
+fn difference(row: &Row<'_>) -> f64 {
+    let (predicted, measured) = (row.number("predicted"), row.number("measured"));
+    let scale = if predicted == 0.0 { row.number("d_squared") } else { predicted.abs() };
+    (measured - predicted).abs() / scale
+}
+
+#[test]
+fn asymptotics_has_every_quantity_of_every_case() {
+    let table = table();
+    table.assert_columns(&[
+        "case",
+        "quantity",
+        "order",
+        "n",
+        "predicted",
+        "measured",
+        "relative_difference",
+    ]);
+    let mut cases: BTreeMap<&str, Vec<(&str, &str)>> = BTreeMap::new();
+    for row in table.rows() {
+        let quantities = cases.entry(row.text("case")).or_default();
+        quantities.push((row.text("quantity"), row.text("order")));
+        assert!(row.n() >= 1024, "{:?}", row.record);
+    }
+    for (case, mut quantities) in cases {
+        quantities.sort_unstable();
+        assert_eq!(quantities, QUANTITIES, "{case}");
+    }
+}
+
+/// In every row; and for each quantity there are eight cases and more in which it is not zero.
+#[test]
+fn asymptotics_agree_to_three_digits() {
+    let table = table();
+    for (quantity, _) in QUANTITIES {
+        let mut agreeing = 0;
+        for row in table.rows().filter(|row| row.text("quantity") == quantity) {
+            let difference = difference(&row);
+            assert!(difference <= AGREEMENT, "{difference:e} in {:?}", row.record);
+            // Predicted and measured are printed with seven digits, the difference with two.
+            let printed = row.number("relative_difference");
+            let tolerance = 0.05 * printed + 2e-6;
+            assert!((printed - difference).abs() <= tolerance, "{:?}", row.record);
+            agreeing += usize::from(row.number("predicted") != 0.0);
+        }
+        assert!(agreeing >= 8, "{quantity}: {agreeing} cases");
+    }
+}
+
+/// With `c = (8π)³ π/18√3`: `−2c`, 0, `c`, 0 for the trapezoidal rule and `13c` and 0 for the left
+/// one, which runs along the segment too.
+#[test]
+fn asymptotics_over_the_valleys_are_explicit() {
+    let table = table();
+    let c = (8.0 * PI).powi(3) * PI / (18.0 * 3_f64.sqrt());
+    let rows: Vec<_> = table.rows().filter(|row| row.text("case") == "valleys_points").collect();
+    assert_eq!(rows.len(), 6);
+    for row in rows {
+        let expected = match row.text("quantity") {
+            "discrete_energy_trapezoidal" => -2.0 * c,
+            "energy_trapezoidal" => c,
+            "energy_left" => 13.0 * c,
+            _ => 0.0,
+        };
+        // Printed with seven digits.
+        let error = (row.number("predicted") - expected).abs();
+        assert!(error <= 5e-7 * expected.abs(), "{:?}", row.record);
+    }
+}
