@@ -6,6 +6,7 @@ mod counterexample;
 mod errata;
 mod layout;
 mod mutants;
+mod rates;
 mod statements;
 mod tightness;
 
@@ -58,12 +59,13 @@ fn no_pages(_: &Data) -> Vec<(&'static str, String)> {
 }
 
 /// All tables.
-pub const TABLES: [Table; 7] = [
+pub const TABLES: [Table; 8] = [
     constants::TABLE,
     convergence::TABLE,
     counterexample::TABLE,
     errata::TABLE,
     mutants::TABLE,
+    rates::TABLE,
     statements::TABLE,
     tightness::TABLE,
 ];
