@@ -5,7 +5,13 @@
 
 mod convergence;
 mod counterexample;
+mod dimension;
+mod losses;
 mod mutants;
+mod quantities;
+mod rates;
+mod slack;
+mod speeds;
 
 use std::collections::HashMap;
 
