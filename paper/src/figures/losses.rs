@@ -91,6 +91,8 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
 }
 
 /// The steps to Theorem 1.1, each a bound of `E(γᵖˡ) − d²`, in `m²`.
+///
+/// `K₂` is that of Lemma S.1 until the paper's takes its place: that step has all of `D`.
 fn paper(case: &Case, seen: &Observation) -> Result<Vec<f64>, Failure> {
     let (setting, constants, n) = (case.setting, case.setting.constants(), subintervals(seen.n)?);
     let minimum = seen.discrete_energy - case.distance_squared;
