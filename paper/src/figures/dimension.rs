@@ -24,9 +24,9 @@ use crate::{
 
 pub(super) const FIGURE: Figure = Figure {
     id: "dimension",
-    shows: "the bounds of the excess E - d^2 by Theorem 1.1, which grows like D^6, and by Theorems A \
-            to D, which are the same from D = 2 on, with the excess observed along an axis and along \
-            the diagonal of the same wave in every coordinate, at one distance and N = 16",
+    shows: "the bounds of the excess E - d^2 by Theorem 1.1, which grows like D^6, and by Theorems \
+            A to D, which are the same from D = 2 on, with the excess observed along an axis and \
+            along the diagonal of the same wave in every coordinate, at one distance and N = 16",
     data,
     draw,
 };
@@ -38,7 +38,8 @@ const WAVE_NUMBER: f64 = 1.0;
 /// Where the curve along an axis ends, in `ℓ`; it begins at the origin.
 const END: f64 = 2.0;
 
-/// The same wave along each axis: a [`Separable`] whose `uᵀ H u` is a sum of `D` terms, not of `D²`.
+/// The same wave along each axis: a [`Separable`] whose `uᵀ H u` is a sum of `D` terms, and not of
+/// `D²`.
 #[derive(Clone, Debug)]
 struct Waves<const D: usize>(Separable<D>);
 
@@ -109,8 +110,10 @@ fn observe<const D: usize>() -> Result<Observed, Failure> {
     Ok(Observed { setting, along_axis: excess(axis)?, along_diagonal: excess(diagonal)? })
 }
 
+type Observe = fn() -> Result<Observed, Failure>;
+
 /// Each dimension is a type of its own. 32 takes three seconds; 64 would take over a minute.
-const DIMENSIONS: [(usize, fn() -> Result<Observed, Failure>); 9] = [
+const DIMENSIONS: [(usize, Observe); 9] = [
     (1, observe::<1>),
     (2, observe::<2>),
     (3, observe::<3>),

@@ -17,9 +17,9 @@ use crate::{
 
 pub(super) const FIGURE: Figure = Figure {
     id: "losses",
-    shows: "the steps from the observed excess E - d^2 of the trapezoidal rule with N = 256 to the \
-            bound C/sqrt(N) of Theorem 1.1, and to that of Theorem D, each with the decades that it \
-            gives away",
+    shows: "the steps from the observed excess E - d^2 of the trapezoidal rule with N = 256 to \
+            the bound C/sqrt(N) of Theorem 1.1, and to that of Theorem D, each with the decades \
+            that it gives away",
     data,
     draw,
 };
@@ -32,12 +32,19 @@ const CASES: [(&str, &str); 3] = [
     ("separable_points", "separable, $D = 3$"),
 ];
 
-/// The chains of estimates: name, colour, and the steps with their names in the figure.
-const CHAINS: [(&str, Colour, &[(&str, &str)]); 2] = [
-    (
-        "theorem_1_1",
-        palette::VERMILLION,
-        &[
+/// A chain of estimates, and its steps with their names in the figure.
+#[derive(Clone, Copy)]
+struct Chain {
+    name: &'static str,
+    colour: Colour,
+    steps: &'static [(&'static str, &'static str)],
+}
+
+const CHAINS: [Chain; 2] = [
+    Chain {
+        name: "theorem_1_1",
+        colour: palette::VERMILLION,
+        steps: &[
             ("observed", "observed"),
             ("sum_of_cubes", "Lemma S.2: $|H - H_n| ≤ L_H|x - m_n|$"),
             ("root_of_n", "Prop. 7.8: mean$\u{2009}|β|^3 ≤ √{N} K_3^3$"),
@@ -47,17 +54,17 @@ const CHAINS: [(&str, Colour, &[(&str, &str)]); 2] = [
             ("christoffel", "Christoffel symbols in $K_2$"),
             ("one_constant", "$C/√{N}$ of Theorem 1.1"),
         ],
-    ),
-    (
-        "theorem_d",
-        palette::GREEN,
-        &[
+    },
+    Chain {
+        name: "theorem_d",
+        colour: palette::GREEN,
+        steps: &[
             ("observed", "observed"),
             ("sum_of_fourths", "Lemma S.2: $|D^2H| ≤ M_H$"),
             ("spread", "Lemma S.5: spread of the speeds"),
             ("minimum_gap", "Lemma S.4: $\"min\" E_N$, Theorem D"),
         ],
-    ),
+    },
 ];
 
 fn data(_sweep: Sweep) -> Result<Data, Failure> {
@@ -71,7 +78,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
     ]);
     for case in cases_named(&CASES.map(|(name, _)| name))? {
         let seen = case.solve(PaperRule::Trapezoidal, N)?;
-        for ((chain, _, steps), values) in
+        for (Chain { name: chain, steps, .. }, values) in
             CHAINS.into_iter().zip([paper(&case, &seen)?, sharper(&case, &seen)?])
         {
             // Each step estimates the one before: what the proofs say, up to rounding.
@@ -132,7 +139,7 @@ fn sharper(case: &Case, seen: &Observation) -> Result<Vec<f64>, Failure> {
 fn draw(data: &Data) -> Result<Scene, Failure> {
     let decades = |value: f64| value.log10();
     let mut rows = Vec::new();
-    for (chain, colour, steps) in CHAINS {
+    for Chain { name: chain, colour, steps } in CHAINS {
         let mut panels = Vec::new();
         for (k, (case, title)) in CASES.into_iter().enumerate() {
             let of_case = |row: &Row<'_>| row.text("case") == case;
@@ -148,7 +155,7 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
             // A decade before the first bar, and room for a number after the last.
             let from = 10_f64.powi(decades(least).floor() as i32 - 1);
             let to = 10_f64.powi((decades(most) + 0.36 * decades(most / least)).ceil() as i32);
-            let first_chain = chain == CHAINS[0].0;
+            let first_chain = chain == CHAINS[0].name;
             let x = Axis::new(Scale::Decades, from, to)?;
             let x = if first_chain { x } else { x.labelled("bound of $E(γ^\"pl\") - d^2$") };
             let y = Axis::of_names(steps.iter().rev().map(|(_, name)| *name))?;

@@ -11,9 +11,9 @@ use crate::{
 
 pub(super) const FIGURE: Figure = Figure {
     id: "quantities",
-    shows: "the discrete energy, the energy and the squared length of the reconstructed curve minus \
-            d^2 against N, for both rules: where the left-endpoint rule shows its first order, and \
-            where the second hides it up to N = 1024",
+    shows: "the discrete energy, the energy and the squared length of the reconstructed curve \
+            minus d^2 against N, for both rules: where the left-endpoint rule shows its first \
+            order, and where the second hides it up to N = 1024",
     data,
     draw,
 };

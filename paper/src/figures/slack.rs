@@ -17,9 +17,9 @@ use crate::{
 
 pub(super) const FIGURE: Figure = Figure {
     id: "slack",
-    shows: "the bounds of the paper, of Theorems A to D and of one computed sequence for the excess \
-            E - d^2 of the curve reconstructed from the trapezoidal minimiser, divided by the \
-            observed excess, against N",
+    shows: "the bounds of the paper, of Theorems A to D and of one computed sequence for the \
+            excess E - d^2 of the curve reconstructed from the trapezoidal minimiser, divided by \
+            the observed excess, against N",
     data,
     draw,
 };

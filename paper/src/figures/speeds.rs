@@ -115,7 +115,8 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
                     .labelled("mean + $R$ of Lemma S.5"),
             );
         let at = |row: &Row<'_>| (row.number("index") + 0.5) / number as f64;
-        // Below, mean − R is negative, and says nothing. What rests has no place on a logarithmic axis: only the jump is drawn, as a stem.
+        // mean − R is negative for these N, and says nothing. What rests has no place on a
+        // logarithmic axis: only the jump is drawn, as a stem.
         let jump = rows.iter().find(|row| row.number("least_length") > 0.0);
         let jump = jump.ok_or_else(|| Failure::Data("nothing jumps".to_owned()))?;
         let (place, height) = (at(jump), jump.number("least_length"));
