@@ -1,15 +1,15 @@
 //! `Case`: a metric, two sets and the distance between them.
 
-use std::f64::consts::PI;
+use std::{f64::consts::PI, num::NonZeroUsize};
 
 use tautline::{
     AxisBox, Ball, Bounded, Ends, HalfSpace, KnownDistance, Problem, SVector, Trapezoidal,
-    bounds::Setting,
+    bounds::{Computed, DiscreteMinimum, Enclosure, Setting, enclose},
     gallery::{Bump, Ramp, Separable, Shear, Valleys},
 };
 pub use tautline_verify::PaperRule;
 use tautline_verify::{
-    Finding, Known, Library, Reconstruction,
+    Finding, Known, Library, Reconstruction, mean_power,
     statements::{
         lemma_s_4, prop_s_6, theorem_1_1, theorem_1_2, theorem_1_3, theorem_1_4, theorem_a,
         theorem_b, theorem_c, theorem_d,
@@ -96,6 +96,25 @@ impl Case {
         })
     }
 
+    /// Encloses `d²` by what was observed of one minimiser, taken for a global one, without using
+    /// the known distance (Proposition S.6).
+    ///
+    /// # Errors
+    ///
+    /// If an observed energy is none.
+    pub fn enclose(&self, rule: PaperRule, seen: &Observation) -> Result<Enclosure, Failure> {
+        let computed = Computed {
+            rule,
+            n: subintervals(seen.n)?,
+            discrete_energy: seen.discrete_energy,
+            energy: seen.energy.value,
+            length_squared: seen.length_squared.value,
+            minimum: DiscreteMinimum::Assumed,
+            gap: 0.0,
+        };
+        Ok(enclose(self.setting.constants(), self.setting.dimension(), &computed)?)
+    }
+
     fn new<M, const D: usize>(
         (name, title): (&'static str, &'static str),
         metric: M,
@@ -173,11 +192,38 @@ fn observe<M: Bounded<D>, const D: usize>(
         discrete_energy: seen.discrete_energy,
         energy: seen.energy,
         length_squared: seen.length_squared,
+        k3: seen.k3,
+        mean_cube: seen.mean_cube,
+        mean_fourth: mean_power(&minimum.sequence, 4),
         decrement: minimum.decrement,
         residual: minimum.residual,
         residual_floor: minimum.residual_floor,
         curvature: minimum.curvature,
     })
+}
+
+/// Returns `N ≥ 1` as the bounds want it.
+///
+/// # Errors
+///
+/// [`Failure::Data`] for `N = 0`.
+pub fn subintervals(n: usize) -> Result<NonZeroUsize, Failure> {
+    NonZeroUsize::new(n).ok_or_else(|| Failure::Data("N = 0".to_owned()))
+}
+
+/// Returns the cases of these names, in the order of the names.
+///
+/// # Errors
+///
+/// [`Failure::Data`] if there is no case of a name; those of [`cases`].
+pub fn cases_named(names: &[&str]) -> Result<Vec<Case>, Failure> {
+    let mut all = cases()?;
+    let take = |name: &&str| {
+        let place = all.iter().position(|case| case.name == *name);
+        let place = place.ok_or_else(|| Failure::Data(format!("no case is called {name}")))?;
+        Ok(all.swap_remove(place))
+    };
+    names.iter().map(take).collect()
 }
 
 /// Returns all cases.

@@ -7,15 +7,15 @@ use indicatif::ProgressBar;
 use tautline::{
     Curvature,
     bounds::{
-        Computed, DiscreteMinimum, enclose, first_order_excess, second_order_excess,
-        theorem_1_2_length_excess, theorem_1_4_length_excess,
+        first_order_excess, second_order_excess, theorem_1_2_length_excess,
+        theorem_1_4_length_excess,
     },
 };
 use tautline_verify::slope;
 
 use crate::{
     Failure,
-    case::{Case, PaperRule, cases},
+    case::{Case, PaperRule, cases, subintervals},
     data::{Data, Row, Tolerance},
     observation::Observation,
     sweep::Sweep,
@@ -81,7 +81,7 @@ pub fn data(sweep: Sweep) -> Result<Data, Failure> {
 }
 
 fn row(case: &Case, rule: PaperRule, seen: &Observation) -> Result<Vec<String>, Failure> {
-    let n = std::num::NonZeroUsize::new(seen.n).ok_or_else(|| Failure::Data("N = 0".to_owned()))?;
+    let n = subintervals(seen.n)?;
     // C/√N bounds the excess of the energy and of the squared length alike.
     let bound = match rule {
         PaperRule::Trapezoidal => theorem_1_2_length_excess(case.setting, n),
@@ -91,16 +91,7 @@ fn row(case: &Case, rule: PaperRule, seen: &Observation) -> Result<Vec<String>, 
         PaperRule::Trapezoidal => second_order_excess(case.setting, n),
         PaperRule::LeftEndpoint => None,
     };
-    let computed = Computed {
-        rule,
-        n,
-        discrete_energy: seen.discrete_energy,
-        energy: seen.energy.value,
-        length_squared: seen.length_squared.value,
-        minimum: DiscreteMinimum::Assumed,
-        gap: 0.0,
-    };
-    let enclosure = enclose(case.setting.constants(), case.setting.dimension(), &computed)?;
+    let enclosure = case.enclose(rule, seen)?;
     let energy = |value: f64| format!("{value:.12e}");
     let rough = |value: f64| format!("{value:.2e}");
     Ok(vec![

@@ -1,5 +1,7 @@
 //! Every figure is legible, the three writers agree on it, and two runs give the same bytes.
 
+use std::sync::OnceLock;
+
 use paper::{
     Failure,
     drawing::{Extent, Scene, Shape, pdf, png, svg},
@@ -7,8 +9,13 @@ use paper::{
     sweep::Sweep,
 };
 
-/// All figures, computed and drawn.
-fn figures() -> Result<Vec<(&'static str, Scene)>, Failure> {
+/// All figures, computed and drawn once.
+fn figures() -> &'static [(&'static str, Scene)] {
+    static FIRST: OnceLock<Vec<(&'static str, Scene)>> = OnceLock::new();
+    FIRST.get_or_init(|| computed().expect("drawable"))
+}
+
+fn computed() -> Result<Vec<(&'static str, Scene)>, Failure> {
     let sweep = Sweep { quick: false };
     FIGURES.iter().map(|f| Ok((f.id, (f.draw)(&(f.data)(sweep)?)?))).collect()
 }
@@ -38,17 +45,17 @@ fn inked(scene: &Scene) -> Extent {
 
 #[test]
 fn labels_neither_overlap_nor_leave_the_canvas() {
-    for (name, scene) in figures().expect("drawable") {
+    for (name, scene) in figures() {
         assert_eq!(scene.check_labels(), Ok(()), "{name}");
         assert_eq!(scene.check_crossings(), Ok(()), "{name}");
-        assert!(scene.canvas().contains(&inked(&scene)), "{name}: {:?}", inked(&scene));
+        assert!(scene.canvas().contains(&inked(scene)), "{name}: {:?}", inked(scene));
     }
 }
 
 #[test]
 fn two_runs_give_the_same_bytes() {
-    let (first, second) = (figures().expect("drawable"), figures().expect("drawable"));
-    for ((name, a), (_, b)) in first.iter().zip(&second) {
+    let second = computed().expect("drawable");
+    for ((name, a), (_, b)) in figures().iter().zip(&second) {
         assert_eq!(svg(a), svg(b), "{name}.svg");
         assert_eq!(pdf(a), pdf(b), "{name}.pdf");
         assert_eq!(png(a).expect("PNG"), png(b).expect("PNG"), "{name}.png");
@@ -57,8 +64,8 @@ fn two_runs_give_the_same_bytes() {
 
 #[test]
 fn the_png_has_its_ink_where_the_scene_has_it() {
-    for (name, scene) in figures().expect("drawable") {
-        let pixmap = tiny_skia::Pixmap::decode_png(&png(&scene).expect("PNG")).expect("our PNG");
+    for (name, scene) in figures() {
+        let pixmap = tiny_skia::Pixmap::decode_png(&png(scene).expect("PNG")).expect("our PNG");
         let scale = f64::from(pixmap.width()) / scene.width;
         let (mut left, mut top, mut right, mut bottom) = (u32::MAX, u32::MAX, 0, 0);
         for y in 0..pixmap.height() {
@@ -69,7 +76,7 @@ fn the_png_has_its_ink_where_the_scene_has_it() {
                 }
             }
         }
-        let ink = inked(&scene);
+        let ink = inked(scene);
         let found = [left, top, right, bottom].map(|pixel| f64::from(pixel) / scale);
         for (found, wanted) in found.into_iter().zip([ink.left, ink.top, ink.right, ink.bottom]) {
             // One pixel is a third of a px; a fainter one at an edge may be left out.
@@ -80,8 +87,8 @@ fn the_png_has_its_ink_where_the_scene_has_it() {
 
 #[test]
 fn every_label_can_be_read_from_the_svg() {
-    for (name, scene) in figures().expect("drawable") {
-        let text = String::from_utf8(svg(&scene)).expect("UTF-8");
+    for (name, scene) in figures() {
+        let text = String::from_utf8(svg(scene)).expect("UTF-8");
         let labels = scene.shapes().iter().filter(|shape| shape.label.is_some()).count();
         assert!(labels >= 8, "{name} has only {labels}");
         assert_eq!(text.matches("aria-label").count(), labels, "{name}");

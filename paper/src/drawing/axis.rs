@@ -18,10 +18,11 @@ pub enum Scale {
 /// One axis of a panel.
 ///
 /// Invariant: one stretch, or two with a gap between them; each is finite and increasing, and
-/// positive on a logarithmic scale.
+/// positive on a logarithmic scale. Names stand at `1, 2, …` on one linear stretch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
     stretches: Vec<Stretch>,
+    names: Vec<String>,
     label: String,
     numbered: bool,
 }
@@ -42,7 +43,22 @@ impl Axis {
     /// If the range is not finite and increasing, or not positive where it must be.
     pub fn new(scale: Scale, from: f64, to: f64) -> Result<Axis, DrawingError> {
         let stretches = vec![Stretch::new(scale, from, to)?];
-        Ok(Axis { stretches, label: String::new(), numbered: true })
+        Ok(Axis { stretches, names: Vec::new(), label: String::new(), numbered: true })
+    }
+
+    /// Returns an axis with names in place of numbers: the first at 1, the next at 2, and so on,
+    /// from ½ to half a unit beyond the last. The syntax of a name is that of
+    /// [`typeset`](super::math_text::typeset).
+    ///
+    /// # Errors
+    ///
+    /// If there are no names.
+    pub fn of_names(
+        names: impl IntoIterator<Item = impl Into<String>>,
+    ) -> Result<Axis, DrawingError> {
+        let names: Vec<String> = names.into_iter().map(Into::into).collect();
+        let axis = Axis::new(Scale::Linear, 0.5, names.len() as f64 + 0.5)?;
+        Ok(Axis { names, ..axis })
     }
 
     /// Returns a logarithmic axis of whole decades around all positive values.
@@ -118,6 +134,12 @@ impl Axis {
         &self.stretches
     }
 
+    /// Returns the names along the axis; none if it has numbers.
+    #[must_use]
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
     /// Returns the label; empty if there is none.
     #[must_use]
     pub fn label(&self) -> &str {
@@ -173,6 +195,13 @@ mod tests {
         assert!(Axis::decades_covering([0.0, -1.0], 6.0).is_err());
         let axis = Axis::new(Scale::Decades, 1.0, 1e6).expect("a range");
         assert!(axis.clone().broken(1e4, 1e2).is_err() && axis.broken(1e2, 1e4).is_ok());
+    }
+
+    #[test]
+    fn names_have_a_unit_each() {
+        let axis = Axis::of_names(["first", "second"]).expect("two names");
+        assert_eq!((axis.from(), axis.to(), axis.names().len()), (0.5, 2.5, 2));
+        assert!(Axis::of_names(Vec::<String>::new()).is_err());
     }
 
     #[test]

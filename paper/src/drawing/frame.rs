@@ -14,7 +14,7 @@ use super::{
     path::Path,
     plot::Plot,
     scene::{Scene, Shape, Stroke},
-    tick::{Direction, Tick, ticks},
+    tick::{Direction, Tick, named_ticks, ticks},
 };
 
 /// What a panel needs round its frame, in px.
@@ -68,7 +68,7 @@ pub(super) fn margins(
     let outwards = outward_tick(panel);
     let mut margins = Margins { left: outwards, bottom: outwards, ..Margins::default() };
     if panel.y.is_numbered() {
-        let numbers = y_ticks(plots)?;
+        let numbers = y_ticks(panel, plots)?;
         margins.left += TICK_GAP + widest(numbers.iter().map(|(_, tick)| tick));
     }
     if let Some(label) = y_label(panel)? {
@@ -76,7 +76,7 @@ pub(super) fn margins(
     }
     let mut half_number: f64 = 0.0;
     if panel.x.is_numbered() {
-        let numbers = x_ticks(plots)?;
+        let numbers = x_ticks(panel, plots)?;
         let heights = numbers.iter().filter_map(|tick| Some(-tick.label.as_ref()?.extent.top));
         margins.bottom += TICK_GAP + heights.fold(0.0, f64::max);
         half_number = widest(numbers.iter()) / 2.0;
@@ -107,7 +107,7 @@ pub(super) fn draw_grid(
     if panel.field.is_some() {
         return Ok(());
     }
-    for (y, tick) in y_ticks(plots)? {
+    for (y, tick) in y_ticks(panel, plots)? {
         if tick.label.is_some() {
             draw_line(&mut scene.borrow_mut(), [(frame.left, y), (frame.right, y)], GRID, THIN);
         }
@@ -126,13 +126,13 @@ pub(super) fn draw_axes(
     let outwards = outward_tick(panel);
     let inwards = if outwards > 0.0 { -1.0 } else { 1.0 };
     let length = |tick: &Tick| inwards * if tick.label.is_some() { TICK } else { MINOR_TICK };
-    for (y, tick) in y_ticks(plots)? {
+    for (y, tick) in y_ticks(panel, plots)? {
         draw_line(scene, [(frame.left, y), (frame.left + length(&tick), y)], INK, THIN);
         if let Some(label) = tick.label.filter(|_| panel.y.is_numbered()) {
             scene.write(&label, (frame.left - outwards - TICK_GAP, y + half_digit(SMALL)), INK);
         }
     }
-    let numbers = x_ticks(plots)?;
+    let numbers = x_ticks(panel, plots)?;
     // All numbers share one baseline, as high as the tallest allows.
     let heights = numbers.iter().filter_map(|tick| Some(-tick.label.as_ref()?.extent.top));
     let baseline = frame.bottom + outwards + TICK_GAP + heights.fold(0.0, f64::max);
@@ -185,18 +185,24 @@ fn outward_tick(panel: &Panel) -> f64 {
     if panel.field.is_some() { TICK } else { 0.0 }
 }
 
-fn x_ticks(plots: &[Plot<'_>]) -> Result<Vec<Tick>, DrawingError> {
+fn x_ticks(panel: &Panel, plots: &[Plot<'_>]) -> Result<Vec<Tick>, DrawingError> {
+    if !panel.x.names().is_empty() {
+        return named_ticks(&panel.x, Direction::Horizontal);
+    }
     let (from, to) = plots[0].across;
     ticks(&plots[0].x, to - from, Direction::Horizontal)
 }
 
 /// Returns the ticks of all stretches of the `y` axis, each with its place.
-fn y_ticks(plots: &[Plot<'_>]) -> Result<Vec<(f64, Tick)>, DrawingError> {
+fn y_ticks(panel: &Panel, plots: &[Plot<'_>]) -> Result<Vec<(f64, Tick)>, DrawingError> {
     let mut all = Vec::new();
     for plot in plots {
-        for tick in ticks(&plot.y, plot.up.0 - plot.up.1, Direction::Vertical)? {
-            all.push((plot.y.place(tick.value, plot.up), tick));
-        }
+        let ticks = if panel.y.names().is_empty() {
+            ticks(&plot.y, plot.up.0 - plot.up.1, Direction::Vertical)?
+        } else {
+            named_ticks(&panel.y, Direction::Vertical)?
+        };
+        all.extend(ticks.into_iter().map(|tick| (plot.y.place(tick.value, plot.up), tick)));
     }
     Ok(all)
 }

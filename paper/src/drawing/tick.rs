@@ -1,7 +1,7 @@
 //! Where an axis has ticks, and which of them carry a number.
 
 use super::{
-    axis::Scale,
+    axis::{Axis, Scale},
     error::DrawingError,
     math_text::{Align, TextBlock, typeset},
     measures::SMALL,
@@ -26,6 +26,13 @@ pub(super) enum Direction {
     Vertical,
 }
 
+impl Direction {
+    /// How the labels of its ticks stand to them.
+    fn align(self) -> Align {
+        if self == Direction::Horizontal { Align::Centre } else { Align::Right }
+    }
+}
+
 /// Ticks closer than this, in px, are left out.
 const CROWDED: f64 = 2.5;
 
@@ -39,7 +46,7 @@ pub(super) fn ticks(
     length: f64,
     direction: Direction,
 ) -> Result<Vec<Tick>, DrawingError> {
-    let align = if direction == Direction::Horizontal { Align::Centre } else { Align::Right };
+    let align = direction.align();
     let mut chosen = Vec::new();
     for set in candidates(stretch) {
         let mut all = Vec::with_capacity(set.len());
@@ -60,6 +67,20 @@ pub(super) fn ticks(
         chosen.retain(|tick| tick.label.is_some());
     }
     Ok(chosen)
+}
+
+/// Returns one tick for each name of an axis, whether they are airy or not.
+///
+/// # Errors
+///
+/// If a name cannot be set.
+pub(super) fn named_ticks(axis: &Axis, direction: Direction) -> Result<Vec<Tick>, DrawingError> {
+    let align = direction.align();
+    let names = axis.names().iter().enumerate();
+    let tick = |(k, name): (usize, &String)| {
+        Ok(Tick { value: k as f64 + 1.0, label: Some(typeset(name, SMALL, align)?) })
+    };
+    names.map(tick).collect()
 }
 
 /// More labelled multiples of π than this, and fractions only repeat what whole ones say.

@@ -26,17 +26,16 @@ const PANELS: [(&str, &str); 3] = [
     ("separable_points", "(c) separable, $D = 3$"),
 ];
 
+/// The columns that the axis must hold.
+const DRAWN: [&str; 4] = ["excess", "paper_bound", "first_order_bound", "second_order_bound"];
+
 fn draw(data: &Data) -> Result<Scene, Failure> {
     let shown =
         |row: &crate::data::Row<'_>| PANELS.iter().any(|(case, _)| *case == row.text("case"));
     let values: Vec<f64> = data
         .rows()
         .filter(shown)
-        .flat_map(|row| {
-            ["excess", "paper_bound", "first_order_bound", "second_order_bound"]
-                .map(|column| row.number(column))
-        })
-        // The left-endpoint rule has no bound of second order.
+        .flat_map(|row| DRAWN.map(|column| row.number(column)))
         .filter(|value| *value > 0.0)
         .collect();
     let last = data.rows().map(|row| row.number("n")).fold(1.0, f64::max);
@@ -45,7 +44,7 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
         let x = Axis::new(Scale::Decades, 1.0, last)?.labelled("number of subintervals $N$");
         let mut y = Axis::decades_covering(values.iter().copied(), 4.0)?;
         y = if k == 0 { y.labelled("excess energy $E(γ^\"pl\") - d^2$") } else { y.unnumbered() };
-        let mut panel = Panel::new(x, y).titled(title).tall(300.0);
+        let mut panel = Panel::new(x, y).titled(title).tall(340.0);
         for (rule, colour, marker, bound, sharper, observed) in [
             (
                 PaperRule::LeftEndpoint,

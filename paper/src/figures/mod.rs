@@ -1,7 +1,12 @@
 //! The figures, one a file.
 
 mod convergence;
+mod dimension;
 mod length_versus_energy;
+mod losses;
+mod quantities;
+mod slack;
+mod speeds;
 mod tightness;
 mod valleys;
 
@@ -21,5 +26,14 @@ pub struct Figure {
 }
 
 /// All figures.
-pub const FIGURES: [Figure; 4] =
-    [convergence::FIGURE, valleys::FIGURE, length_versus_energy::FIGURE, tightness::FIGURE];
+pub const FIGURES: [Figure; 9] = [
+    convergence::FIGURE,
+    quantities::FIGURE,
+    slack::FIGURE,
+    losses::FIGURE,
+    dimension::FIGURE,
+    valleys::FIGURE,
+    length_versus_energy::FIGURE,
+    speeds::FIGURE,
+    tightness::FIGURE,
+];

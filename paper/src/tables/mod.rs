@@ -7,6 +7,7 @@ mod counterexample;
 mod errata;
 mod layout;
 mod mutants;
+mod rates;
 mod statements;
 mod tightness;
 
@@ -59,13 +60,14 @@ fn no_pages(_: &Data) -> Vec<(&'static str, String)> {
 }
 
 /// All tables.
-pub const TABLES: [Table; 8] = [
+pub const TABLES: [Table; 9] = [
     asymptotics::TABLE,
     constants::TABLE,
     convergence::TABLE,
     counterexample::TABLE,
     errata::TABLE,
     mutants::TABLE,
+    rates::TABLE,
     statements::TABLE,
     tightness::TABLE,
 ];

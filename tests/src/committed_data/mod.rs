@@ -6,7 +6,13 @@
 mod asymptotics;
 mod convergence;
 mod counterexample;
+mod dimension;
+mod losses;
 mod mutants;
+mod quantities;
+mod rates;
+mod slack;
+mod speeds;
 
 use std::collections::HashMap;
 

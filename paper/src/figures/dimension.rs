@@ -1,0 +1,209 @@
+//! How bounds and errors depend on the dimension.
+
+use std::thread;
+
+use tautline::{
+    Bounded, Constants, Ends, KnownDistance, Metric, Problem, SMatrix, SVector, Scalar,
+    Trapezoidal,
+    bounds::{
+        Setting, theorem_1_2_length_excess, theorem_a_excess, theorem_b_excess, theorem_c_excess,
+        theorem_d_excess,
+    },
+    gallery::{GalleryError, Separable},
+};
+use tautline_verify::slope;
+
+use super::Figure;
+use crate::{
+    Failure,
+    case::{PaperRule, subintervals},
+    data::{Data, Tolerance},
+    drawing::{self, Align, Axis, Curve, Marker, Note, Panel, Scale, Scene, palette},
+    sweep::Sweep,
+};
+
+pub(super) const FIGURE: Figure = Figure {
+    id: "dimension",
+    shows: "the bounds of the excess E - d^2 by Theorem 1.1, which grows like D^6, and by Theorems \
+            A to D, which are the same from D = 2 on, with the excess observed along an axis and \
+            along the diagonal of the same wave in every coordinate, at one distance and N = 16",
+    data,
+    draw,
+};
+
+const N: usize = 16;
+/// The profile `f = 1 + a sin kxᵢ` of every coordinate.
+const AMPLITUDE: f64 = 0.3;
+const WAVE_NUMBER: f64 = 1.0;
+/// Where the curve along an axis ends, in `ℓ`; it begins at the origin.
+const END: f64 = 2.0;
+
+/// The same wave along each axis: a [`Separable`] whose `uᵀ H u` is a sum of `D` terms, and not of
+/// `D²`.
+#[derive(Clone, Debug)]
+struct Waves<const D: usize>(Separable<D>);
+
+impl<const D: usize> Waves<D> {
+    fn new() -> Result<Self, GalleryError> {
+        let all = |value: f64| SVector::<f64, D>::repeat(value);
+        Ok(Self(Separable::new(all(AMPLITUDE), all(WAVE_NUMBER))?))
+    }
+}
+
+impl<const D: usize> Metric<D> for Waves<D> {
+    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
+        self.0.gram(x)
+    }
+
+    fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
+        let mut sum = S::zero();
+        for i in 0..D {
+            sum += ((x[i] * WAVE_NUMBER).sin() * AMPLITUDE + 1.0).sqr() * (u[i] * u[i]);
+        }
+        sum
+    }
+}
+
+impl<const D: usize> Bounded<D> for Waves<D> {
+    fn constants(&self) -> Constants {
+        self.0.constants()
+    }
+}
+
+/// The distances from the origin to a point of the line, and the excesses that were observed.
+struct Observed {
+    setting: Setting,
+    along_axis: f64,
+    along_diagonal: f64,
+}
+
+/// Solves along an axis and along the diagonal, at the same distance.
+fn observe<const D: usize>() -> Result<Observed, Failure> {
+    let metric = Waves::<D>::new()?;
+    let line = Separable::<1>::new([AMPLITUDE], [WAVE_NUMBER])?;
+    let reach = |x: f64| line.flatten(&SVector::from([x]))[0];
+    let distance = reach(END);
+    // Fᵢ = d/√D in every coordinate; Fᵢ′ ≥ 1 − a > 0, and bisection ends at neighbouring numbers.
+    let share = distance / (D as f64).sqrt();
+    let (mut low, mut high) = (0.0, 2.0 * END);
+    loop {
+        let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            break;
+        }
+        if reach(middle) <= share { low = middle } else { high = middle }
+    }
+    let origin = SVector::<f64, D>::zeros();
+    let mut axis = origin;
+    axis[0] = END;
+    let excess = |end: SVector<f64, D>| -> Result<f64, Failure> {
+        let found = metric.0.distance(&origin, &end).ok_or(Failure::NoReference("waves"))?;
+        let problem = Problem::new(metric.clone(), Ends::points(origin, end)?);
+        let solved = problem.solve(Trapezoidal, N)?;
+        if !solved.minimum().is_local_minimum() {
+            return Err(Failure::Violated(format!("D = {D}: no minimum was found")));
+        }
+        Ok(solved.energy().value - found * found)
+    };
+    let setting = Setting::new(metric.constants(), distance, D)?;
+    let diagonal = SVector::<f64, D>::repeat(low);
+    Ok(Observed { setting, along_axis: excess(axis)?, along_diagonal: excess(diagonal)? })
+}
+
+type Observe = fn() -> Result<Observed, Failure>;
+
+/// Each dimension is a type of its own. 32 takes three seconds; 64 would take over a minute.
+const DIMENSIONS: [(usize, Observe); 9] = [
+    (1, observe::<1>),
+    (2, observe::<2>),
+    (3, observe::<3>),
+    (5, observe::<5>),
+    (8, observe::<8>),
+    (12, observe::<12>),
+    (16, observe::<16>),
+    (24, observe::<24>),
+    (32, observe::<32>),
+];
+
+/// In 32 dimensions a matrix of gradients is 270 kB, and the second derivatives of all coordinates
+/// as much again; several of each are on the stack, which for a thread is 2 MB if nobody asks.
+const STACK: usize = 1 << 26;
+
+const BOUNDS: [&str; 5] = ["paper", "theorem_a", "theorem_c", "theorem_b", "theorem_d"];
+
+fn data(sweep: Sweep) -> Result<Data, Failure> {
+    // Differences of energies below 10, and closed forms.
+    let seen = Tolerance::Close { relative: 1e-7, absolute: 2e-13 };
+    let proven = Tolerance::Close { relative: 1e-9, absolute: 0.0 };
+    let mut columns =
+        vec![("dimension", Tolerance::Exact), ("along_axis", seen), ("along_diagonal", seen)];
+    columns.extend(BOUNDS.map(|name| (name, proven)));
+    let mut data = Data::new(&columns);
+    let (n, rule) = (subintervals(N)?, PaperRule::Trapezoidal);
+    let chosen = DIMENSIONS.into_iter().filter(|(dimension, _)| !sweep.quick || *dimension <= 8);
+    for (dimension, observe) in chosen {
+        let worker = thread::Builder::new().stack_size(STACK).spawn(observe);
+        let worker = worker.map_err(|error| Failure::Data(error.to_string()))?;
+        let seen = worker.join().map_err(|_| Failure::Data(format!("D = {dimension}")))??;
+        let setting = seen.setting;
+        let unknown = || Failure::Data("M_H is not known".to_owned());
+        let bounds = [
+            theorem_1_2_length_excess(setting, n),
+            theorem_a_excess(setting, rule, n),
+            theorem_c_excess(setting, rule, n),
+            theorem_b_excess(setting, n).ok_or_else(unknown)?,
+            theorem_d_excess(setting, n).ok_or_else(unknown)?,
+        ];
+        let observed = [seen.along_axis, seen.along_diagonal];
+        let most = observed[0].max(observed[1]);
+        if let Some(bound) = bounds.iter().find(|bound| !(most <= **bound)) {
+            return Err(Failure::Violated(format!("D = {dimension}: {most} exceeds {bound}")));
+        }
+        let mut row = vec![dimension.to_string()];
+        row.extend(observed.map(|value| format!("{value:.9e}")));
+        row.extend(bounds.map(|value| format!("{value:.11e}")));
+        data.push(row);
+    }
+    Ok(data)
+}
+
+fn draw(data: &Data) -> Result<Scene, Failure> {
+    let points = |column: &str| -> Vec<(f64, f64)> {
+        data.rows().map(|row| (row.number("dimension"), row.number(column))).collect()
+    };
+    let columns = ["paper", "along_axis", "along_diagonal"];
+    let values = columns.iter().flat_map(|column| points(column)).map(|point| point.1);
+    let last = data.rows().map(|row| row.number("dimension")).fold(1.0, f64::max);
+    let x = Axis::new(Scale::Decades, 1.0, last)?.labelled("dimension $D$");
+    let y = Axis::decades_covering(values, f64::INFINITY)?;
+    let mut panel = Panel::new(x, y.labelled("$E(γ^\"pl\") - d^2$ and its bounds")).tall(380.0);
+    let paper = points("paper");
+    let tail: Vec<(f64, f64)> = paper.iter().rev().take(4).copied().collect();
+    let place = paper.get(paper.len() / 2).copied();
+    let place = place.ok_or_else(|| Failure::Data("no dimension".to_owned()))?;
+    let rate = format!("slope {:.2}", slope(&tail));
+    for (column, label, colour, dash, marker) in [
+        ("paper", "Theorem 1.1", palette::VERMILLION, &[][..], Some(Marker::Disc)),
+        ("theorem_a", "Theorem A", palette::BLUE, &[6.0, 3.0], None),
+        ("theorem_c", "Theorem C", palette::BLUE, &[], None),
+        ("theorem_b", "Theorem B", palette::GREEN, &[6.0, 3.0], None),
+        ("theorem_d", "Theorem D", palette::GREEN, &[], None),
+        ("along_axis", "observed along an axis", palette::INK, &[], Some(Marker::Square)),
+        (
+            "along_diagonal",
+            "observed along the diagonal",
+            palette::GREY,
+            &[],
+            Some(Marker::Diamond),
+        ),
+    ] {
+        let curve = Curve::new(points(column), colour).dashed(dash).labelled(label);
+        panel = panel.curve(match marker {
+            Some(marker) => curve.marked(marker),
+            None => curve,
+        });
+    }
+    let note = Note::new(place, rate, palette::VERMILLION, Align::Right).shifted(-14.0, -14.0);
+    let title = "Bounds of the excess energy and observed excess against the dimension";
+    Ok(drawing::Figure::new(720.0, title, vec![vec![panel.note(note)]]).draw()?)
+}

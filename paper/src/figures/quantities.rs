@@ -1,0 +1,113 @@
+//! The three quantities that the theorems compare with `d²`, against `N`.
+
+use super::Figure;
+use crate::{
+    Failure,
+    case::{PaperRule, cases_named},
+    data::{Data, Row, Tolerance},
+    drawing::{self, Axis, Curve, Marker, Panel, Scale, Scene, SlopeTriangle, palette},
+    sweep::Sweep,
+};
+
+pub(super) const FIGURE: Figure = Figure {
+    id: "quantities",
+    shows: "the discrete energy, the energy and the squared length of the reconstructed curve \
+            minus d^2 against N, for both rules: where the left-endpoint rule shows its first \
+            order, and where the second hides it up to N = 1024",
+    data,
+    draw,
+};
+
+/// One row of panels each: the general case, and one whose ends are nearly at one height of `H`.
+const CASES: [(&str, &str); 2] = [
+    ("valleys_oblique", "valleys, $(0,0)$ to $(2,3/2)$"),
+    ("bump_points", "bump, passed on one side"),
+];
+
+/// Differences of energies up to 200 with an error of 1e-13 each.
+const GAP: Tolerance = Tolerance::Close { relative: 1e-6, absolute: 2e-11 };
+
+fn data(sweep: Sweep) -> Result<Data, Failure> {
+    let mut data = Data::new(&[
+        ("case", Tolerance::Exact),
+        ("rule", Tolerance::Exact),
+        ("n", Tolerance::Exact),
+        ("discrete_energy_gap", GAP),
+        ("energy_gap", GAP),
+        ("squared_length_gap", GAP),
+    ]);
+    for case in cases_named(&CASES.map(|(name, _)| name))? {
+        for rule in PaperRule::BOTH {
+            for n in sweep.powers_of_two(4096) {
+                let seen = case.solve(rule, n)?;
+                let values = [seen.discrete_energy, seen.energy.value, seen.length_squared.value];
+                let names = [case.name.to_owned(), rule.name().to_owned(), n.to_string()];
+                let gaps = values.map(|value| format!("{:.6e}", value - case.distance_squared));
+                data.push(names.into_iter().chain(gaps).collect());
+            }
+        }
+    }
+    Ok(data)
+}
+
+fn draw(data: &Data) -> Result<Scene, Failure> {
+    let columns = ["discrete_energy_gap", "energy_gap", "squared_length_gap"];
+    let last = data.rows().map(|row| row.number("n")).fold(1.0, f64::max);
+    let mut rows = Vec::new();
+    for (k, (name, title)) in CASES.into_iter().enumerate() {
+        let of_case = || data.rows().filter(move |row| row.text("case") == name);
+        let values = of_case().flat_map(|row| columns.map(|column| row.number(column).abs()));
+        let values: Vec<f64> = values.collect();
+        let mut panels = Vec::new();
+        for rule in [PaperRule::Trapezoidal, PaperRule::LeftEndpoint] {
+            let left = rule == PaperRule::LeftEndpoint;
+            let x = Axis::new(Scale::Decades, 1.0, last)?;
+            let x = if k == 0 { x.unnumbered() } else { x.labelled("number of subintervals $N$") };
+            let y = Axis::decades_covering(values.iter().copied(), f64::INFINITY)?;
+            let y = if left { y.unnumbered() } else { y.labelled("difference from $d^2$") };
+            let series: Vec<Row<'_>> =
+                of_case().filter(|row| row.text("rule") == rule.name()).collect();
+            let letter = ["(a)", "(b)", "(c)", "(d)"][2 * k + usize::from(left)];
+            let of_rule = if left { "left-endpoint rule" } else { "trapezoidal rule" };
+            let panel = Panel::new(x, y).titled(format!("{letter} {title}: {of_rule}")).tall(250.0);
+            panels.push(curves(panel, &series, left && k == 0)?);
+        }
+        rows.push(panels);
+    }
+    let title = "Discrete energy, energy and squared length minus the squared distance against N";
+    Ok(drawing::Figure::new(960.0, title, rows).keyed().draw()?)
+}
+
+/// The three quantities of one case and rule; the discrete energy by its sign.
+fn curves(panel: Panel, series: &[Row<'_>], first_order: bool) -> Result<Panel, Failure> {
+    let points = |column: &str, sign: f64| -> Vec<(f64, f64)> {
+        series.iter().map(|row| (row.number("n"), sign * row.number(column))).collect()
+    };
+    let above = Curve::new(points("discrete_energy_gap", 1.0), palette::VERMILLION);
+    let below = Curve::new(points("discrete_energy_gap", -1.0), palette::VERMILLION);
+    let energy = points("energy_gap", 1.0);
+    let length = points("squared_length_gap", 1.0);
+    let under = length.iter().map(|&(n, gap)| (n, 0.3 * gap)).collect::<Vec<_>>();
+    let mut panel = panel.triangle(triangle(&under, -2.0)?);
+    if first_order {
+        let over = points("discrete_energy_gap", -0.3);
+        panel = panel.triangle(triangle(&over, -1.0)?);
+    }
+    // The energy is wide and beneath: where the speed is nearly constant the length lies over it.
+    let energy = Curve::new(energy, palette::BLUE).wide(3.4).marked(Marker::Square);
+    let length = Curve::new(length, palette::GREEN).marked(Marker::Diamond);
+    Ok(panel
+        .curve(energy.labelled("$E(γ^\"pl\") - d^2$"))
+        .curve(length.labelled("$L(γ^\"pl\")^2 - d^2$"))
+        .curve(above.marked(Marker::Disc).labelled("$E_N - d^2$, positive"))
+        .curve(below.dashed(&[5.0, 3.0]).marked(Marker::Ring).labelled("$d^2 - E_N$, positive")))
+}
+
+/// A triangle whose hypotenuse ends at the last third of a falling series.
+fn triangle(points: &[(f64, f64)], slope: f64) -> Result<SlopeTriangle, Failure> {
+    let at = points
+        .get(points.len() * 2 / 3)
+        .ok_or_else(|| Failure::Data("a series without points".to_owned()))?;
+    let start = at.0 / 4.0;
+    Ok(SlopeTriangle::below(slope, start, at.0, at.1 * (start / at.0).powf(slope)))
+}

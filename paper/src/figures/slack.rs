@@ -1,0 +1,115 @@
+//! How many times the observed excess each bound is, against `N`.
+
+use tautline::bounds::{
+    theorem_1_2_length_excess, theorem_a_excess, theorem_b_excess, theorem_c_excess,
+    theorem_d_excess,
+};
+
+use super::Figure;
+use crate::{
+    Failure,
+    case::{Case, PaperRule, cases_named, subintervals},
+    data::{Data, Row, Tolerance},
+    drawing::{self, Axis, Colour, Curve, Marker, Panel, Scale, Scene, palette},
+    observation::Observation,
+    sweep::Sweep,
+};
+
+pub(super) const FIGURE: Figure = Figure {
+    id: "slack",
+    shows: "the bounds of the paper, of Theorems A to D and of one computed sequence for the \
+            excess E - d^2 of the curve reconstructed from the trapezoidal minimiser, divided by \
+            the observed excess, against N",
+    data,
+    draw,
+};
+
+/// One panel each: the counterexample, a full matrix, sets, and three dimensions.
+const PANELS: [(&str, &str); 4] = [
+    ("valleys_points", "(a) valleys, $(0,0)$ to $(4π,0)$"),
+    ("shear_points", "(b) shear, $(0,0)$ to $(2,3)$"),
+    ("valleys_ball", "(c) valleys, ball to half-plane"),
+    ("separable_points", "(d) separable, $D = 3$"),
+];
+
+/// A bound: its column, its name, and how it is drawn. Theorems of one order have one colour.
+type Bound = (&'static str, &'static str, Colour, &'static [f64], Option<Marker>);
+
+const BOUNDS: [Bound; 6] = [
+    ("paper", "$C/√{N}$ of Theorem 1.1", palette::VERMILLION, &[], None),
+    ("theorem_a", "Theorem A, $1/N$", palette::BLUE, &[6.0, 3.0], None),
+    ("theorem_c", "Theorem C, $1/N$", palette::BLUE, &[], None),
+    ("theorem_b", "Theorem B, $1/N^2$", palette::GREEN, &[6.0, 3.0], None),
+    ("theorem_d", "Theorem D, $1/N^2$", palette::GREEN, &[], None),
+    ("a_posteriori", "from the computed sequence alone", palette::PURPLE, &[], Some(Marker::Disc)),
+];
+
+fn data(sweep: Sweep) -> Result<Data, Failure> {
+    // A difference of energies up to 700, with an error of 1e-12 each.
+    let seen = Tolerance::Close { relative: 1e-6, absolute: 2e-10 };
+    // Closed forms.
+    let proven = Tolerance::Close { relative: 1e-9, absolute: 0.0 };
+    let mut columns = vec![("case", Tolerance::Exact), ("n", Tolerance::Exact), ("excess", seen)];
+    columns.extend(BOUNDS.map(|(column, ..)| match column {
+        "a_posteriori" => (column, seen),
+        _ => (column, proven),
+    }));
+    let mut data = Data::new(&columns);
+    for case in cases_named(&PANELS.map(|(name, _)| name))? {
+        for n in sweep.powers_of_two(4096) {
+            let observation = case.solve(PaperRule::Trapezoidal, n)?;
+            data.push(row(&case, &observation)?);
+        }
+    }
+    Ok(data)
+}
+
+fn row(case: &Case, seen: &Observation) -> Result<Vec<String>, Failure> {
+    let (n, setting) = (subintervals(seen.n)?, case.setting);
+    let rule = PaperRule::Trapezoidal;
+    let unknown = || Failure::Data(format!("{}: M_H is not known", case.name));
+    // E(γᵖˡ) − d² is at most this, whatever d is.
+    let enclosure = case.enclose(rule, seen)?;
+    let a_posteriori = seen.energy.value - enclosure.lower;
+    let proven = [
+        theorem_1_2_length_excess(setting, n),
+        theorem_a_excess(setting, rule, n),
+        theorem_c_excess(setting, rule, n),
+        theorem_b_excess(setting, n).ok_or_else(unknown)?,
+        theorem_d_excess(setting, n).ok_or_else(unknown)?,
+    ];
+    let excess = seen.energy.value - case.distance_squared;
+    let mut row = vec![case.name.to_owned(), seen.n.to_string(), format!("{excess:.6e}")];
+    row.extend(proven.map(|bound| format!("{bound:.11e}")));
+    row.push(format!("{a_posteriori:.6e}"));
+    Ok(row)
+}
+
+fn draw(data: &Data) -> Result<Scene, Failure> {
+    let ratio = |row: &Row<'_>, bound: &str| row.number(bound) / row.number("excess");
+    let ratios = data.rows().flat_map(|row| BOUNDS.map(|(column, ..)| ratio(&row, column)));
+    let most = ratios.fold(1.0, f64::max);
+    let last = data.rows().map(|row| row.number("n")).fold(1.0, f64::max);
+    let mut panels = Vec::new();
+    for (k, (name, title)) in PANELS.into_iter().enumerate() {
+        let x = Axis::new(Scale::Decades, 1.0, last)?;
+        let x = if k < 2 { x.unnumbered() } else { x.labelled("number of subintervals $N$") };
+        let y = Axis::decades_covering([1.0, most], f64::INFINITY)?;
+        let y = if k % 2 == 0 { y.labelled("bound / excess") } else { y.unnumbered() };
+        let mut panel = Panel::new(x, y).titled(title).tall(240.0);
+        panel = panel.curve(Curve::level(1.0, palette::GREY));
+        for (column, label, colour, dash, marker) in BOUNDS {
+            let rows = data.rows().filter(|row| row.text("case") == name);
+            let points = rows.map(|row| (row.number("n"), ratio(&row, column)));
+            let curve = Curve::new(points, colour).dashed(dash).labelled(label);
+            panel = panel.curve(match marker {
+                Some(marker) => curve.marked(marker),
+                None => curve,
+            });
+        }
+        panels.push(panel);
+    }
+    let lower = panels.split_off(2);
+    let title = "Bounds of the excess energy divided by the observed one, for four cases";
+    Ok(drawing::Figure::new(960.0, title, vec![panels, lower]).keyed().draw()?)
+}

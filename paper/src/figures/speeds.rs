@@ -1,0 +1,137 @@
+//! How fast the minimisers of energy and of length are on each chord.
+
+use std::f64::consts::PI;
+
+use tautline::{
+    Bounded, Ends, PointSequence, Problem, Rule, Trapezoidal,
+    bounds::{Setting, Spread, greatest_speed},
+    gallery::Valleys,
+};
+
+use super::Figure;
+use crate::{
+    Failure,
+    case::subintervals,
+    data::{Data, Row, Tolerance},
+    drawing::{self, Align, Axis, Curve, Marker, Note, Panel, Scale, Scene, palette},
+    section_5::{DISTANCE, ENDS, along_the_axis, trapezoidal_minimisers},
+    sweep::Sweep,
+};
+
+pub(super) const FIGURE: Figure = Figure {
+    id: "speeds",
+    shows: "the speeds of the chords of the minimisers of the trapezoidal energy and of the \
+            trapezoidal length between (0, 0) and (4 pi, 0) over the valleys, with the bound of \
+            Lemma S.3 and the spread of Lemma S.5",
+    data,
+    draw,
+};
+
+const NUMBERS: [usize; 3] = [8, 32, 128];
+
+fn data(_sweep: Sweep) -> Result<Data, Failure> {
+    // Speeds up to 2000; the minimisers are found to rounding times the condition N².
+    let speed = Tolerance::Close { relative: 1e-7, absolute: 1e-6 };
+    let mut data = Data::new(&[
+        ("n", Tolerance::Exact),
+        ("index", Tolerance::Exact),
+        ("least_energy", speed),
+        ("least_length", speed),
+        ("mean", speed),
+        ("greatest", speed),
+        ("deviation", speed),
+    ]);
+    let problem = Problem::new(Valleys, Ends::points(ENDS[0], ENDS[1])?);
+    let constants = Bounded::<2>::constants(&Valleys);
+    let setting = Setting::new(constants, DISTANCE, 2)?;
+    for number in NUMBERS {
+        let n = subintervals(number)?;
+        let line = problem.solve(Trapezoidal, number)?;
+        let mut energy = line.speeds();
+        // The mirror image of a minimiser is one too: take the one that is ahead.
+        let ahead: f64 = line.sequence().points().iter().map(|x| x[0] - 2.0 * PI).sum();
+        if ahead < 0.0 {
+            energy.reverse();
+        }
+        let jump = trapezoidal_minimisers(number)
+            .nth(number / 2)
+            .ok_or_else(|| Failure::Data("no minimiser jumps in the middle".to_owned()))?;
+        let length = speeds(&along_the_axis(&jump)?);
+        let mean = energy.iter().sum::<f64>() / number as f64;
+        let fastest = energy.iter().copied().fold(0.0, f64::max);
+        let discrete = line.discrete_energy();
+        // What is left of the residual is no more than rounding, and √(N E_N) is the lesser here.
+        let greatest = greatest_speed(constants, discrete, 0.0, n);
+        let surplus = (discrete / (DISTANCE * DISTANCE) - 1.0).max(0.0);
+        let spread = Spread::of_second_order(setting, n, surplus)
+            .ok_or_else(|| Failure::Data("M_H is not known".to_owned()))?;
+        let deviation = DISTANCE * spread.deviation;
+        let furthest = energy.iter().map(|q| (q - mean).abs()).fold(0.0, f64::max);
+        if !(fastest <= greatest && furthest <= deviation) {
+            let claim = format!("N = {number}: speeds up to {fastest}, {furthest} from the mean");
+            return Err(Failure::Violated(claim));
+        }
+        for (index, (energy, length)) in energy.into_iter().zip(length).enumerate() {
+            let cells = [energy, length, mean, greatest, deviation];
+            let cells = cells.map(|value| format!("{value:.9e}"));
+            data.push([number.to_string(), index.to_string()].into_iter().chain(cells).collect());
+        }
+    }
+    Ok(data)
+}
+
+/// The speeds that the trapezoidal rule sees.
+fn speeds(sequence: &PointSequence<2>) -> Vec<f64> {
+    Trapezoidal.speeds(&Valleys, sequence)
+}
+
+fn draw(data: &Data) -> Result<Scene, Failure> {
+    let mut panels = Vec::new();
+    let fastest = data.rows().map(|row| row.number("least_length")).fold(0.0, f64::max);
+    let slowest = data.rows().map(|row| row.number("least_energy")).fold(f64::INFINITY, f64::min);
+    let from = 10_f64.powi(slowest.log10().floor() as i32);
+    for (k, number) in NUMBERS.into_iter().enumerate() {
+        let rows: Vec<Row<'_>> =
+            data.rows().filter(|row| row.text("n") == number.to_string()).collect();
+        let first = rows.first().ok_or_else(|| Failure::Data("no speeds".to_owned()))?;
+        let [mean, greatest, deviation] =
+            ["mean", "greatest", "deviation"].map(|column| first.number(column));
+        let x = Axis::new(Scale::Linear, 0.0, 1.0)?.labelled("place $n/N$ of the chord");
+        // Room for the name of the highest jump.
+        let y = Axis::new(Scale::Decades, from, 1.6 * fastest)?;
+        let y = if k == 0 { y.labelled("speed $|β_n|_g$") } else { y.unnumbered() };
+        let letter = ["a", "b", "c"][k];
+        let mut panel = Panel::new(x, y).titled(format!("({letter}) $N = {number}$")).tall(260.0);
+        let level = |value: f64| [(0.0, value), (1.0, value)];
+        panel = panel
+            .curve(
+                Curve::new(level(greatest), palette::BLUE)
+                    .dashed(&[6.0, 3.0])
+                    .labelled("greatest by Lemma S.3"),
+            )
+            .curve(
+                Curve::new(level(mean + deviation), palette::GREEN)
+                    .dashed(&[2.0, 2.0])
+                    .labelled("mean + $R$ of Lemma S.5"),
+            );
+        let at = |row: &Row<'_>| (row.number("index") + 0.5) / number as f64;
+        // mean − R is negative for these N, and says nothing. What rests has no place on a
+        // logarithmic axis: only the jump is drawn, as a stem.
+        let jump = rows.iter().find(|row| row.number("least_length") > 0.0);
+        let jump = jump.ok_or_else(|| Failure::Data("nothing jumps".to_owned()))?;
+        let (place, height) = (at(jump), jump.number("least_length"));
+        let stem = Curve::new([(place, from), (place, height)], palette::PURPLE);
+        let top = Curve::new([(place, height)], palette::PURPLE).marked(Marker::Diamond);
+        let energy = rows.iter().map(|row| (at(row), row.number("least_energy")));
+        let energy = Curve::new(energy, palette::VERMILLION).labelled("least energy");
+        panel = panel
+            .curve(stem.wide(2.4))
+            .curve(top.labelled("least length: one jump, rest elsewhere"))
+            .curve(if number <= 32 { energy.marked(Marker::Disc) } else { energy.wide(2.4) });
+        let times = format!("${:.0}\u{2009}d$", height / DISTANCE);
+        let note = Note::new((place, height), times, palette::PURPLE, Align::Left);
+        panels.push(panel.note(note.shifted(8.0, -7.0)));
+    }
+    let title = "Speeds of the chords of the minimisers of energy and of length";
+    Ok(drawing::Figure::new(960.0, title, vec![panels]).keyed().draw()?)
+}

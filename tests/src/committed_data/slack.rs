@@ -1,0 +1,44 @@
+//! `paper/data/slack.csv`: every bound is one, and those that use more are less.
+
+use std::collections::BTreeSet;
+
+use super::Table;
+
+const BOUNDS: [&str; 6] =
+    ["paper", "theorem_a", "theorem_c", "theorem_b", "theorem_d", "a_posteriori"];
+
+#[test]
+fn slack_is_that_of_bounds_in_every_row() {
+    let table = Table::read("data/slack.csv");
+    table.assert_columns(&BOUNDS);
+    let cases: BTreeSet<&str> = table.rows().map(|row| row.text("case")).collect();
+    assert!(cases.contains("valleys_points") && cases.contains("shear_points"), "{cases:?}");
+    for row in table.rows() {
+        let excess = row.number("excess");
+        assert!(excess > 0.0, "{:?}", row.record);
+        for bound in BOUNDS {
+            assert!(excess <= row.number(bound), "{bound} in {:?}", row.record);
+        }
+        // The paper's bound is the largest, and what the sequence itself tells is the least.
+        for bound in &BOUNDS[1..] {
+            assert!(row.number(bound) <= row.number("paper"), "{bound} in {:?}", row.record);
+            assert!(row.number("a_posteriori") <= row.number(bound), "{bound} in {:?}", row.record);
+        }
+    }
+}
+
+/// Theorem D and the observed excess are of one order: their quotient settles.
+#[test]
+fn slack_of_theorem_d_does_not_grow() {
+    let table = Table::read("data/slack.csv");
+    let at = |case: &str, n: usize| {
+        let row = table.rows().find(|row| row.text("case") == case && row.n() == n);
+        let row = row.unwrap_or_else(|| panic!("{case} at N = {n}"));
+        row.number("theorem_d") / row.number("excess")
+    };
+    for case in ["valleys_points", "shear_points", "valleys_ball", "separable_points"] {
+        let (before, after) = (at(case, 1024), at(case, 4096));
+        // The next terms of the bound are of the relative order N^{-1/2}.
+        assert!(after <= before, "{case}: {before} at N = 1024, {after} at N = 4096");
+    }
+}

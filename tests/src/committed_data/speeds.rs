@@ -1,0 +1,41 @@
+//! `paper/data/speeds.csv`: least energy is near one speed, least length is one jump.
+
+use std::f64::consts::PI;
+
+use super::{Row, Table};
+
+#[test]
+fn speeds_stay_within_lemmas_s_3_and_s_5() {
+    let table = Table::read("data/speeds.csv");
+    for n in [8, 32, 128] {
+        let rows: Vec<Row<'_>> = table.rows().filter(|row| row.n() == n).collect();
+        assert_eq!(rows.len(), n, "one speed for each chord");
+        let mean = rows.iter().map(|row| row.number("least_energy")).sum::<f64>() / n as f64;
+        for row in &rows {
+            let speed = row.number("least_energy");
+            // Printed with ten digits.
+            assert!((row.number("mean") - mean).abs() <= 1e-8 * mean, "{:?}", row.record);
+            assert!(speed <= row.number("greatest"), "{:?}", row.record);
+            assert!((speed - mean).abs() <= row.number("deviation"), "{:?}", row.record);
+        }
+        // Section 5: one chord from 0 to 4π, read where H = 1, and so N times 4π.
+        let moving: Vec<f64> =
+            rows.iter().map(|row| row.number("least_length")).filter(|q| *q != 0.0).collect();
+        let [jump] = moving[..] else { panic!("N = {n}: {moving:?}") };
+        let expected = 4.0 * PI * n as f64;
+        assert!((jump - expected).abs() <= 1e-9 * expected, "N = {n}: {jump}");
+    }
+}
+
+/// The energy minimiser's greatest deviation from its mean speed falls with `N`, relative to it.
+#[test]
+fn speeds_of_least_energy_become_equal() {
+    let table = Table::read("data/speeds.csv");
+    let furthest = |n: usize| {
+        let rows = table.rows().filter(|row| row.n() == n);
+        rows.map(|row| (row.number("least_energy") / row.number("mean") - 1.0).abs())
+            .fold(0.0, f64::max)
+    };
+    let [few, more, many] = [8, 32, 128].map(furthest);
+    assert!(many < 0.1 * more && more < 0.1 * few, "{few}, {more}, {many}");
+}
