@@ -47,8 +47,9 @@ impl Constants {
     /// Returns the constants of the product, `diag(H(x), H′(y))` on pairs `(x, y)`: the lesser
     /// `c₁`, and the greater of each of the others.
     ///
-    /// `M_H` is known if both are; isotropic it is not. The norm of a block-diagonal matrix is that of its larger
-    /// block, and `DH[w]` and `D²H[w, w]` are largest for a `w` that moves one point alone.
+    /// `M_H` is known if both are; isotropic it is not. The norm of a block-diagonal matrix is that
+    /// of its larger block, and `DH[w]` and `D²H[w, w]` are largest for a `w` that moves one point
+    /// alone.
     ///
     /// Slack: none.
     #[doc(alias = "product")]

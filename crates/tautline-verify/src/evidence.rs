@@ -46,8 +46,8 @@ impl Evidence {
         self
     }
 
-    /// Adds a conclusion `observed ≤ bound` that the statement makes; one of the paper, perhaps, only if it
-    /// is repaired.
+    /// Adds a conclusion `observed ≤ bound` that the statement makes; one of the paper, perhaps,
+    /// only if it is repaired.
     #[must_use]
     pub fn stated(
         mut self,

@@ -148,8 +148,8 @@ impl Statement {
         self.verdict() != Verdict::ProvedHere
     }
 
-    /// Returns whether it is one of the paper's and bounds an error, a speed or a derivative by the constants of the metric:
-    /// Theorems 1.1 to 1.4, Propositions 7.4, 7.6, 7.7, 7.9 to 7.12, 8.1 and 8.2, and what the
+    /// Returns whether it is one of the paper's and bounds an error, a speed or a derivative by the
+    /// constants of the metric: Theorems 1.1 to 1.4, Propositions 7.4, 7.6, 7.7, 7.9 to 7.12, 8.1 and 8.2, and what the
     /// displayed constants bound.
     ///
     /// The others say that something exists, or that two numbers are equal, as a definition does.

@@ -12,9 +12,9 @@ use crate::{
 
 pub(super) const TABLE: Table = Table {
     id: "statements",
-    shows: "every statement of the paper and every sharper one with our verdict, the number of random cases, their \
-            least slack (bound / observed), the slack of the best witness, the tests, and the \
-            hypotheses that are evaluated with it",
+    shows: "every statement of the paper and every sharper one with our verdict, the number of \
+            random cases, their least slack (bound / observed), the slack of the best witness, the \
+            tests, and the hypotheses that are evaluated with it",
     seed: Seed::Suite,
     data,
     layout,

@@ -1,7 +1,7 @@
 //! Theorem A: order `1/N`, for sequences that are stationary in their inner points.
 //!
-//! With `δ = L_H d / c₁^{3/2}`, the [`G`](Setting::bend) of Lemma S.1 and `κ = c₂/c₁`, pure numbers, and `k = ¼` for the trapezoidal
-//! rule, `k = ½` for the left-endpoint rule:
+//! With `δ = L_H d / c₁^{3/2}`, the [`G`](Setting::bend) of Lemma S.1 and `κ = c₂/c₁`, pure numbers,
+//! and `k = ¼` for the trapezoidal rule, `k = ½` for the left-endpoint rule:
 //!
 //! 1. *From above* (Lemma S.4). A minimal geodesic, sampled at `tₙ = n/N`, is admissible, and gives
 //!    `min E_N ≤ d² e` with

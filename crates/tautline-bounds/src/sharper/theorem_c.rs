@@ -119,7 +119,7 @@ mod tests {
 
     #[test]
     fn by_hand() {
-        // Left, N = 1: s² + (3/2)s³ = 1. At a = 6, s = ½ is the root: left, N = ¼ of 1, so with δ = 12.
+        // s = ½ is the root for a = 6: with δ = 12 at N = 1 (left), with δ = 48 at N = 2.
         assert_eq!(root(6.0), 0.5);
         assert_eq!(root(0.0), 1.0);
         let far = setting(400.0).with_distance(12.0).expect("a distance");

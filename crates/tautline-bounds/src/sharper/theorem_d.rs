@@ -67,7 +67,8 @@ pub fn theorem_d_polyline_gap(setting: Setting, n: NonZeroUsize) -> Option<f64> 
     Some(product([d, d, mu, spread.fourth]) / (24.0 * count * count))
 }
 
-/// Bounds `E(γᵖˡ) − d²`, in `m²`, for every admissible sequence with `E_tra,N ≤ d² ε`: `d² (ε − 1)` and the gap above, `O(1/N²)`; `None` if `M_H` is not known.
+/// Bounds `E(γᵖˡ) − d²`, in `m²`, for every admissible sequence with `E_tra,N ≤ d² ε`:
+/// `d² (ε − 1)` and the gap above, `O(1/N²)`; `None` if `M_H` is not known.
 ///
 /// ```text
 /// E(γᵖˡ) − d²  ≤  d² [ε − 1 + (μ/24N²) m₄]  ~  (d²/N²) (G²/12 + μ/12)

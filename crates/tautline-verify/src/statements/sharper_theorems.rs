@@ -82,7 +82,8 @@ impl Gaps {
 /// Evaluates Theorem A on a computed minimiser of either rule.
 ///
 /// ```text
-/// |E(γᵖˡ) − E_N|, d² − E_N  ≤  d² (kδ/N) e Q,      L(γᵖˡ)² − d² ≤ E(γᵖˡ) − d²  ≤  d² [e − 1 + (kδ/N) e Q]
+/// |E(γᵖˡ) − E_N|, d² − E_N  ≤  d² (kδ/N) e Q
+/// L(γᵖˡ)² − d²  ≤  E(γᵖˡ) − d²  ≤  d² [e − 1 + (kδ/N) e Q]
 /// ```
 ///
 /// Needs: the setting of Theorem 1.1, and the premise `E_N ≤ d² e`. Stationarity, of which the proof
@@ -101,7 +102,8 @@ pub fn theorem_a<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D
 /// Evaluates Theorem B on a computed minimiser of the trapezoidal rule, if `M_H` is known.
 ///
 /// ```text
-/// |E(γᵖˡ) − E_tra,N|, d² − E_tra,N  ≤  d² (μ/24N²) e₂ Q²,      E(γᵖˡ) − d²  ≤  d² [e₂ − 1 + (μ/24N²) e₂ Q²]
+/// |E(γᵖˡ) − E_tra,N|, d² − E_tra,N  ≤  d² (μ/24N²) e₂ Q²
+/// E(γᵖˡ) − d²  ≤  d² [e₂ − 1 + (μ/24N²) e₂ Q²]
 /// ```
 ///
 /// Needs: the setting of Theorem 1.1, the premise `E_tra,N ≤ d² e₂`, `DH` Lipschitz with `M_H`, and

@@ -83,8 +83,10 @@ pub fn lemma_s_3<const D: usize>(
 /// `uₙ = qₙ/d` and `ε = max(1, E_N/d²)`,
 ///
 /// ```text
-/// mean u ≥ 1 − x,    v ≤ ε − max(0, 1 − x)²,    |uₙ − mean u| ≤ √((N − 1)v),    mean u³ ≤ m₃,  mean u⁴ ≤ m₄
-/// L(γᵖˡ)²  ≤  E_N + (k L_H/N c₁^{3/2}) E_N^{3/2},        L(γᵖˡ)²  ≤  E_tra,N + (M_H/24c₁²N²) E_tra,N²
+/// mean u ≥ 1 − x,    v ≤ ε − max(0, 1 − x)²,    |uₙ − mean u| ≤ √((N − 1)v)
+/// mean u³ ≤ m₃,      mean u⁴ ≤ m₄
+/// L(γᵖˡ)²  ≤  E_N + (k L_H/N c₁^{3/2}) E_N^{3/2}
+/// L(γᵖˡ)²  ≤  E_tra,N + (M_H/24c₁²N²) E_tra,N²
 /// ```
 ///
 /// Needs: `c₁ ≤ H`, `H` Lipschitz, where `M_H` is used `DH` too; ends in their sets. No minimiser.

@@ -12,7 +12,7 @@ use super::{
         check::all,
         dropped::theorems::{cheap_second_route, claimed, longer_way, steep},
         failing::fails_without,
-        theorem_witnesses::{level, ridge},
+        theorem_witnesses::{ridge, valley},
     },
     witnesses::{CREST, crest, slopes},
 };
@@ -113,9 +113,10 @@ fn theorems_without_l_h() -> Outcome {
     all(outcomes)
 }
 
-/// A steep ridge, where the rule reads 1.05 for 1.025 in the mean, and a longer way beside it.
+/// A steep ridge with `d² = 1.025`, where the rule reads 1.05, so that it takes the valley beside it,
+/// where it reads 1.04 for 1.065.
 fn dear_ridge(constants: [f64; 3]) -> Result<Reconstruction<1>, VerifyError> {
-    claimed(PaperRule::Trapezoidal, [steep(ridge(1.0)), level(1.2)], constants)
+    claimed(PaperRule::Trapezoidal, [steep(ridge(1.0)), steep(valley(1.0004))], constants)
 }
 
 /// A crest with half its curvature, and a valley whose tip has far more than is claimed.
