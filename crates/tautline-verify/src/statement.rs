@@ -217,6 +217,19 @@ mod tests {
                 .iter()
                 .any(|kind| statement.number().starts_with(kind))
         };
-        assert_eq!(Statement::ALL.iter().filter(numbered).count(), 30);
+        let of_the_paper = || Statement::ALL.iter().filter(|statement| statement.is_of_the_paper());
+        assert_eq!(of_the_paper().filter(numbered).count(), 30);
+        assert_eq!(of_the_paper().count(), 40);
+        // The paper's come first.
+        assert!(Statement::ALL[..40].iter().all(|statement| statement.is_of_the_paper()));
+    }
+
+    /// What the suite of the paper's bounds alone asserts is the paper's.
+    #[test]
+    fn the_sharper_statements_are_not_among_the_bounds_of_the_paper() {
+        for statement in Statement::ALL.into_iter().filter(|statement| !statement.is_of_the_paper())
+        {
+            assert!(!statement.is_a_bound(), "{statement}");
+        }
     }
 }
