@@ -10,7 +10,7 @@ use tautline::{
     TautLine, Trapezoidal,
     composition::Product,
     gallery::{
-        Constant, Corrugated, CoupledCosines, GaussianFisher, HyperbolicPatch, Lens, Ramp,
+        Constant, Corrugated, CoupledCosines, GaussianFisherPatch, HyperbolicPatch, Lens, Ramp,
         RotatingAnisotropy, Separable, Shear, SineProjections, SpherePatch, Swirl, TwoLinkArm,
         Valleys,
     },
@@ -167,7 +167,7 @@ fn smooth_problems() -> Result<Vec<Smooth>, Failure> {
         Smooth::known("swirl", Swirl::new(1.0, 1.0)?, [[-1.5, 0.2], [1.0, 0.8]])?,
         Smooth::known("sphere_patch", SpherePatch::new(2.0)?, [[0.5, 0.0], [0.2, 1.0]])?,
         Smooth::known("hyperbolic_patch", HyperbolicPatch::new(0.8)?, [[0.6, 0.1], [-0.2, 0.5]])?,
-        Smooth::known("gaussian_fisher", GaussianFisher::new(2.0)?, [[0.0, 0.0], [1.5, 0.5]])?,
+        Smooth::known("gaussian_fisher", GaussianFisherPatch::new(2.0)?, [[0.0, 0.0], [1.5, 0.5]])?,
         Smooth::new(
             "lens",
             Lens::new(1.0, 1.0)?,

@@ -28,6 +28,7 @@
 //! | --- | --- | --- |
 //! | [`Metric`] | `H(x)` and nothing else | minimising |
 //! | [`Bounded`] | the constants `c₁`, `c₂`, `L_H` on all of `R^D` | proven bounds |
+//! | [`LocallyBounded`] | such constants on balls | proven bounds near the ends |
 //! | [`KnownDistance`] | the exact distance of (some) pairs of points | measuring an error |
 //!
 //! The [`gallery`] has metrics of each kind; [`composition`] builds new ones from these, and
@@ -43,12 +44,14 @@ mod christoffel;
 pub mod composition;
 mod constants;
 pub mod gallery;
+mod locally_bounded;
 mod metric;
 mod positive_definite;
 pub mod quadrature;
 
 pub use christoffel::christoffel;
 pub use constants::{Constants, HypothesisError};
+pub use locally_bounded::{LocalError, LocallyBounded};
 pub use metric::{Bounded, KnownDistance, Metric};
 pub use positive_definite::{MetricError, check_gram, cholesky};
 pub use tautline_scalar::{Jet1, Jet2, Scalar};

@@ -102,6 +102,10 @@ impl<const D: usize> ClosedSet<D> for AffineSubspace<D> {
         self.basis.is_empty().then(|| norm(&self.base))
     }
 
+    fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
+        self.basis.is_empty().then_some((self.base, 0.0))
+    }
+
     fn is_convex(&self) -> bool {
         true
     }

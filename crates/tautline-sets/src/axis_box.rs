@@ -91,6 +91,11 @@ impl<const D: usize> ClosedSet<D> for AxisBox<D> {
         Some(norm(&self.lower.zip_map(&self.upper, |l, u| l.abs().max(u.abs()))))
     }
 
+    fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
+        let centre = self.lower * 0.5 + self.upper * 0.5;
+        Some((centre, norm(&(self.upper - centre).sup(&(centre - self.lower)))))
+    }
+
     fn is_convex(&self) -> bool {
         true
     }

@@ -67,6 +67,10 @@ impl<const D: usize> ClosedSet<D> for Ball<D> {
         Some(norm(&self.centre) + self.r)
     }
 
+    fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
+        Some((self.centre, self.r))
+    }
+
     fn is_convex(&self) -> bool {
         true
     }

@@ -14,7 +14,8 @@ use nalgebra::{SMatrix, SVector};
 /// - `P(x)` lies in `X`, `P(P(x)) = P(x)`, and no member of `X` is nearer to `x` than `P(x)`;
 /// - if [`is_convex`](ClosedSet::is_convex), then `|P(x) − P(y)| ≤ |x − y|`, and the derivative
 ///   has its eigenvalues in `[0, 1]`;
-/// - no member of `X` is longer than [`radius`](ClosedSet::radius).
+/// - no member of `X` is longer than [`radius`](ClosedSet::radius), nor outside of its
+///   [`enclosing_ball`](ClosedSet::enclosing_ball).
 ///
 /// No method panics on finite input; none reads a clock, a file or a random number. An empty
 /// set has no nearest point: an implementation which may be empty returns NaN, and
@@ -69,6 +70,16 @@ pub trait ClosedSet<const D: usize>: Debug + Send + Sync {
     /// Returns `sup |x|` over the set, in `ℓ`; `None` if the set is unbounded.
     fn radius(&self) -> Option<f64>;
 
+    /// Returns the centre and the radius of a ball that contains the set, in `ℓ`; `None` if the set is
+    /// unbounded.
+    ///
+    /// It need not be the smallest: by default it is the ball about the origin. Worth overriding for
+    /// a set that lies far from there, since constants that hold on a region are better on a
+    /// smaller one.
+    fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
+        Some((SVector::zeros(), self.radius()?))
+    }
+
     /// Returns whether the set is known to be convex. `false` claims nothing.
     ///
     /// Under a constant metric the distance to a convex set has no local minimum but the
@@ -104,6 +115,10 @@ impl<const D: usize, S: ClosedSet<D> + ?Sized> ClosedSet<D> for Arc<S> {
         (**self).radius()
     }
 
+    fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
+        (**self).enclosing_ball()
+    }
+
     fn is_convex(&self) -> bool {
         (**self).is_convex()
     }
@@ -127,5 +142,43 @@ pub(crate) fn append_pieces<const D: usize>(
     }
     for piece in set.pieces() {
         append_pieces(piece, pieces);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use nalgebra::{SVector, vector};
+
+    use crate::{
+        AffineSubspace, AxisBox, Ball, ClosedSet, FiniteSet, HalfSpace, Point, Segment, SetError,
+        Sphere, Union,
+    };
+
+    /// Those of the sets themselves, not those about the origin.
+    #[test]
+    fn enclosing_balls_are_small() -> Result<(), SetError> {
+        let ball = |set: &dyn ClosedSet<2>| set.enclosing_ball();
+        let about = |x: f64, y: f64, radius: f64| Some((vector![x, y], radius));
+        assert_eq!(ball(&Point::new([3.0, 4.0])?), about(3.0, 4.0, 0.0));
+        assert_eq!(ball(&Ball::new([3.0, 4.0], 0.5)?), about(3.0, 4.0, 0.5));
+        assert_eq!(ball(&Sphere::new([3.0, 4.0], 0.5)?), about(3.0, 4.0, 0.5));
+        assert_eq!(ball(&Segment::new([0.0, 5.0], [6.0, 13.0])?), about(3.0, 9.0, 5.0));
+        assert_eq!(ball(&AxisBox::new([7.0, 8.0], [3.0, 4.0])?), about(7.0, 8.0, 5.0));
+        assert_eq!(ball(&FiniteSet::new([[0.0, 1.0], [4.0, 1.0]])?), about(2.0, 1.0, 2.0));
+        let none: [SVector<f64, 2>; 0] = [];
+        assert_eq!(ball(&AffineSubspace::new([1.0, 2.0], none)?), about(1.0, 2.0, 0.0));
+        let wall = HalfSpace::new([1.0, 0.0], 0.0)?;
+        assert_eq!(ball(&wall), None);
+        let disc: Arc<dyn ClosedSet<2>> = Arc::new(Ball::new([1.0, 0.0], 1.0)?);
+        let far: Arc<dyn ClosedSet<2>> = Arc::new(Point::new([5.0, 0.0])?);
+        assert_eq!(ball(&Union::new(vec![Arc::clone(&disc), far])?), about(3.0, 0.0, 3.0));
+        assert_eq!(ball(&Union::new(vec![disc, Arc::new(wall)])?), None);
+        // Sums of two coordinates would be beyond f64.
+        let most = 2_f64.powi(1023);
+        let huge = AxisBox::from_corners([0.5 * most, 0.0], [1.5 * most, 0.0])?;
+        assert_eq!(ball(&huge), about(most, 0.0, 0.5 * most));
+        Ok(())
     }
 }

@@ -46,6 +46,10 @@ impl<const D: usize> ClosedSet<D> for FiniteSet<D> {
         self.points.radius()
     }
 
+    fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
+        self.points.enclosing_ball()
+    }
+
     fn is_convex(&self) -> bool {
         self.points.is_convex()
     }

@@ -151,6 +151,15 @@ fn bounded<const D: usize>(case: &Case<D>, w: &SVector<f64, D>) -> Result<(), Te
         let member = (case.member)(w).norm();
         prop_assert!(member <= radius + ROUNDING, "a member of length {member} > {radius}");
     }
+    let ball = case.set.enclosing_ball();
+    prop_assert_eq!(ball.is_some(), radius.is_some());
+    if let Some((centre, radius)) = ball {
+        let (centre, radius) = (centre / case.scale, radius / case.scale);
+        for member in [(case.member)(w), case.project(&(case.member)(w))] {
+            let away = (member - centre).norm();
+            prop_assert!(away <= radius + ROUNDING, "{away} from the centre of a ball of {radius}");
+        }
+    }
     for seed in case.set.seeds() {
         let defect = (case.defect)(&(seed / case.scale));
         prop_assert!(defect <= ROUNDING, "the seed {seed:?} misses the set by {defect:e}");

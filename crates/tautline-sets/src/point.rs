@@ -42,6 +42,10 @@ impl<const D: usize> ClosedSet<D> for Point<D> {
         Some(norm(&self.position))
     }
 
+    fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
+        Some((self.position, 0.0))
+    }
+
     fn is_convex(&self) -> bool {
         true
     }

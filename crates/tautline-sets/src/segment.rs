@@ -78,6 +78,12 @@ impl<const D: usize> ClosedSet<D> for Segment<D> {
         Some(norm(&self.start).max(norm(&self.end)))
     }
 
+    fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
+        // Halves first: the sum of the ends may be beyond `f64`.
+        let centre = self.start * 0.5 + self.end * 0.5;
+        Some((centre, norm(&(self.start - centre)).max(norm(&(self.end - centre)))))
+    }
+
     fn is_convex(&self) -> bool {
         true
     }

@@ -73,6 +73,17 @@ impl<const D: usize> ClosedSet<D> for Union<D> {
         self.pieces.iter().try_fold(0.0_f64, |largest, piece| Some(largest.max(piece.radius()?)))
     }
 
+    /// About the mean of the centres of the members.
+    fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
+        let balls: Option<Vec<_>> =
+            self.pieces.iter().map(|piece| piece.enclosing_ball()).collect();
+        let balls = balls?;
+        let share = 1.0 / balls.len() as f64;
+        let middle = balls.iter().fold(SVector::zeros(), |sum, (centre, _)| sum + centre * share);
+        let reach = |(centre, radius): &(SVector<f64, D>, f64)| norm(&(centre - middle)) + radius;
+        Some((middle, balls.iter().map(reach).fold(0.0, f64::max)))
+    }
+
     /// Returns whether the one member is convex. For several, `false`: whether they fit
     /// together is not looked into.
     fn is_convex(&self) -> bool {

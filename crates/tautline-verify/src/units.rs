@@ -152,6 +152,10 @@ impl<const D: usize> ClosedSet<D> for SetInUnits<D> {
         self.set.radius().map(|radius| radius * self.ell)
     }
 
+    fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
+        self.set.enclosing_ball().map(|(centre, radius)| (centre * self.ell, radius * self.ell))
+    }
+
     fn is_convex(&self) -> bool {
         self.set.is_convex()
     }

@@ -7,7 +7,7 @@
 use std::f64::consts::TAU;
 
 use tautline::gallery::{
-    Bump, Checkerboard, Constant, Corrugated, CoupledCosines, EggCrate, GaussianFisher, Hill,
+    Bump, Checkerboard, Constant, Corrugated, CoupledCosines, EggCrate, GaussianFisherPatch, Hill,
     HyperbolicPatch, Lens, Obstacle, Ramp, RotatingAnisotropy, Separable, Shear, SineProjections,
     SoftObstacles, SpherePatch, Swirl, TanhDecoder, TwoChannels, TwoLinkArm, Valleys,
 };
@@ -94,8 +94,8 @@ pub(super) fn hyperbolic_patch() -> HyperbolicPatch {
     HyperbolicPatch::new(0.5).expect("below 0.86")
 }
 
-pub(super) fn fisher() -> GaussianFisher {
-    GaussianFisher::new(0.75).expect("a rim")
+pub(super) fn fisher() -> GaussianFisherPatch {
+    GaussianFisherPatch::new(0.75).expect("a rim")
 }
 
 pub(super) fn decoder() -> TanhDecoder<2, 3, 3> {

@@ -1,104 +1,48 @@
-//! Normal distributions, measured by Fisher's information: `H = diag(e^{−2S(t)}, 2)` in the mean
-//! and the logarithm of the standard deviation.
+//! Normal distributions, measured by Fisher's information: `H = diag(e^{−2t}, 2)` in the mean and
+//! the logarithm of the standard deviation.
 
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Scalar;
 
-use super::{
-    GalleryError,
-    error::between,
-    saturation::{INVERSE, P, PLATEAU, greatest, rest, saturate},
-};
-use crate::{Bounded, Constants, KnownDistance, Metric};
+use crate::{Constants, KnownDistance, LocalError, LocallyBounded, Metric};
 
-/// `H(μ, t) = diag(e^{−2S(t)}, 2)` with
+/// `H(μ, t) = diag(e^{−2t}, 2)`: Fisher's metric of the normal distributions with the mean `μ` and
+/// the standard deviation `σ = e^t`, that is `(dμ² + 2 dσ²)/σ²`. All numbers are pure.
 ///
-/// ```text
-/// S(t) = t / (1 + (t/Q)^p)^{1/p},    p = 128,    Q = 4T/3
-/// ```
-///
-/// For `|t| ≤ T` it is Fisher's metric of the normal distributions with the mean `μ` and the
-/// standard deviation `σ = e^t`, that is `(dμ² + 2 dσ²)/σ²`, with its first derivatives to some ulp
-/// of `1 + T`, and with its second to `10⁻¹² (1 + 1/T)`. All numbers are pure.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// It has no constants on all of the plane, but on every ball.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[doc(alias = "information geometry")]
-pub struct GaussianFisher {
-    rim: f64,
-    limit: f64,
-    constants: Constants,
-}
-
-impl GaussianFisher {
-    /// Returns the metric that is Fisher's for `e^{−T} ≤ σ ≤ e^T`.
-    ///
-    /// # Errors
-    ///
-    /// [`GalleryError::OutOfRange`] unless `10⁻⁵⁰ < T < 260`, where `e^{8T/3}` is about to
-    /// overflow.
-    pub fn new(rim: f64) -> Result<Self, GalleryError> {
-        between("rim", rim, 1e-50, 260.0)?;
-        let limit = rim / PLATEAU;
-        let c2 = (2.0 * limit).exp();
-        // With z = S/Q and b = 1 − z^p: S′ = b^{1+1/p} and S″ = −((p + 1)/Q) z^{p−1} b^{1+2/p}.
-        //
-        // |∂ₜ e^{−2S}| = 2 S′ e^{−2S}, largest for t < 0.
-        let growth = |z: f64| (2.0 * limit * z).exp();
-        let l_h = 2.0 * greatest(|a, b| growth(b) * rest(a, 1.0 + INVERSE));
-        // ∂ₜ² e^{−2S} = (4S′² − 2S″) e^{−2S}, with terms of opposite signs for t < 0 and of the
-        // same for t > 0.
-        let square = |a: f64| 4.0 * rest(a, 2.0 + 2.0 * INVERSE);
-        let bend = 2.0 * f64::from(P + 1) / limit;
-        let bends = |a: f64, b: f64| bend * b.powi(P - 1) * rest(a, 1.0 + 2.0 * INVERSE);
-        let m_h = greatest(|a, b| growth(b) * square(a) - growth(a) * bends(b, a))
-            .max(greatest(|a, b| growth(b) * bends(a, b) - growth(a) * square(b)))
-            .max(greatest(|a, b| (square(a) + bends(a, b)) / growth(a)));
-        let constants = Constants::new(1.0 / c2, c2.max(2.0), l_h)?.with_m_h(m_h)?;
-        Ok(Self { rim, limit, constants })
-    }
-}
+pub struct GaussianFisher;
 
 impl Metric<2> for GaussianFisher {
     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-        let saturated = saturate(x[1] * (1.0 / self.limit)) * self.limit;
-        let information = (saturated * -2.0).exp();
-        SMatrix::from_diagonal(&SVector::from([information, S::constant(2.0)]))
+        SMatrix::from_diagonal(&SVector::from([(x[1] * -2.0).exp(), S::constant(2.0)]))
     }
 }
 
-impl Bounded<2> for GaussianFisher {
-    /// `c₁ = e^{−2Q}` in the limit, `c₂ = max(e^{2Q}, 2)` in the limit or everywhere. `L_H` and
-    /// `M_H` are the maxima of functions of `S` in the transition, bounded from above by branch
-    /// and bound: at most `2 · 10⁻³` of themselves too large.
-    fn constants(&self) -> Constants {
-        self.constants
+impl LocallyBounded<2> for GaussianFisher {
+    /// `c₁ = min(e^{−2t}, 2)` at the top of the ball, `c₂ = max(e^{−2t}, 2)` at its bottom, where also
+    /// `L_H = 2 e^{−2t}` and `M_H = 4 e^{−2t}`. All exact.
+    fn constants_within(
+        &self,
+        centre: &SVector<f64, 2>,
+        radius: f64,
+    ) -> Result<Constants, LocalError> {
+        LocalError::check_radius(radius)?;
+        let information = |t: f64| (-2.0 * t).exp();
+        let (least, most) = (information(centre[1] + radius), information(centre[1] - radius));
+        let constants = Constants::new(least.min(2.0), most.max(2.0), 2.0 * most)?;
+        Ok(constants.with_m_h(4.0 * most)?.on_a_region())
     }
 }
 
 impl KnownDistance<2> for GaussianFisher {
-    /// `√2 arcosh(1 + ((Δμ)²/2 + (Δσ)²) / (2σσ′)) = 2√2 arsinh √(sinh²(Δt/2) + (Δμ)²/(8σσ′))` if
-    /// both points and their geodesic have `|t| ≤ T`; `None` for others.
-    ///
-    /// Below `t = −T`, `e^{−2S}` is not smaller than at `−T`: lifted to there, no piece of a curve
-    /// gets longer. Above, `S ≤ t` makes `H` no less than Fisher's (for `t < 0`, up to the rounding
-    /// by which they differ). So nothing is shorter than Fisher's distance. His geodesics are, in
-    /// `(μ/√2, σ)`, half-circles about points of `σ = 0`: nowhere lower than at an end, so that the
-    /// top alone decides whether one stays where both metrics agree.
+    /// `√2 arcosh(1 + ((Δμ)²/2 + (Δσ)²) / (2σσ′)) = 2√2 arsinh √(sinh²(Δt/2) + (Δμ)²/(8σσ′))`, for all
+    /// pairs: in `(μ/√2, σ)` it is `√2` times the hyperbolic distance of the upper half-plane.
     fn distance(&self, x: &SVector<f64, 2>, y: &SVector<f64, 2>) -> Option<f64> {
-        let (low, high) = (x[1].min(y[1]), x[1].max(y[1]));
-        if !(x[1].abs() <= self.rim && y[1].abs() <= self.rim) {
-            return None;
-        }
-        // From the lower end the centre is at the distance a/2 + (σ₂² − σ₁²)/2a along the way a;
-        // beyond the upper end it has no top on the way.
         let across = (x[0] - y[0]).abs() * FRAC_1_SQRT_2;
-        let rise = (2.0 * high).exp() - (2.0 * low).exp();
-        let climbs = across * across <= rise;
-        let radius = low.exp().hypot(0.5 * across + 0.5 * rise / across);
-        if !(climbs || radius <= self.rim.exp()) {
-            return None;
-        }
         let (half, mean) = (0.5 * (x[1] - y[1]), 0.5 * (x[1] + y[1]));
         Some(2.0 * SQRT_2 * half.sinh().hypot(0.5 * across * (-mean).exp()).asinh())
     }

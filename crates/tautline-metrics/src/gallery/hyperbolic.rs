@@ -3,12 +3,14 @@
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Scalar;
 
-use crate::{KnownDistance, Metric};
+use crate::{
+    Constants, KnownDistance, LocalError, LocallyBounded, Metric, locally_bounded::norms_within,
+};
 
 /// `H(x) = 4 / (1 − |x|²)² I` in the open unit ball; NaN outside, infinite on its boundary.
 ///
-/// It is not defined on all of `R^D` and has no constant `c₂`, so none of the theorems
-/// applies.
+/// It is not defined on all of `R^D` and has no constant `c₂`, so none of the paper's theorems
+/// applies; but it has all constants on every ball inside of the unit ball.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Hyperbolic;
 
@@ -19,6 +21,27 @@ impl<const D: usize> Metric<D> for Hyperbolic {
         // would look like a metric.
         let root = (-r2 + 1.0).sqrt();
         SMatrix::from_diagonal_element((root.sqr().recip() * 2.0).sqr())
+    }
+}
+
+impl<const D: usize> LocallyBounded<D> for Hyperbolic {
+    /// With `s = |x|²`: `c₁ = 4/(1 − s)²` where the ball is nearest to the origin, and where it is
+    /// farthest `c₂`, `L_H = 16 √s/(1 − s)³` and `M_H = 16 (1 + 5s)/(1 − s)⁴`, along the ray. All exact.
+    fn constants_within(
+        &self,
+        centre: &SVector<f64, D>,
+        radius: f64,
+    ) -> Result<Constants, LocalError> {
+        let [near, far] = norms_within(centre, radius)?;
+        if !(far < 1.0) {
+            return Err(LocalError::LeavesTheDomain { radius, reach: far, limit: 1.0 });
+        }
+        // 1 − s without cancellation.
+        let inner = |r: f64| (1.0 - r) * (1.0 + r);
+        let l_h = 16.0 * far / inner(far).powi(3);
+        let m_h = 16.0 * (1.0 + 5.0 * far * far) / inner(far).powi(4);
+        let constants = Constants::new(4.0 / inner(near).powi(2), 4.0 / inner(far).powi(2), l_h)?;
+        Ok(constants.with_m_h(m_h)?.isotropic().on_a_region())
     }
 }
 

@@ -21,15 +21,17 @@
 //! | [`TwoLinkArm`] | 2 | kinetic energy of a robot arm | exact | |
 //! | [`CoupledCosines`] | 3 | `diag + ⅖ cos(xᵢ − xⱼ) / (1 + ∣i − j∣)` | exact but `M_H` | |
 //! | [`SineProjections`] | any | `I + ½ Σ sin²(wₖ·x) aₖ aₖᵀ` | bounds | |
-//! | [`Sphere`] | any | `4 / (1 + r²)² I` | none | all pairs |
-//! | [`Hyperbolic`] | any | `4 / (1 − r²)² I` in the unit ball | none | in the ball |
+//! | [`Sphere`] | any | `4 / (1 + r²)² I` | on balls | all pairs |
+//! | [`Hyperbolic`] | any | `4 / (1 − r²)² I` in the unit ball | on balls | in the ball |
+//! | [`GaussianFisher`] | 2 | `diag(e^{−2t}, 2)` | on balls | all pairs |
 //! | [`SpherePatch`] | any | `4 / (1 + r²)² I`, `r ≤ R` | exact | in the patch |
 //! | [`HyperbolicPatch`] | any | `4 / (1 − r²)² I`, `r ≤ R` | exact | in the patch |
-//! | [`GaussianFisher`] | 2 | `diag(e^{−2t}, 2)`, `∣t∣ ≤ T` | exact | in the strip |
+//! | [`GaussianFisherPatch`] | 2 | `diag(e^{−2t}, 2)`, `∣t∣ ≤ T` | exact | in the strip |
 //! | [`TanhDecoder`] | any | `JᵀJ + μ I` of `W₂ tanh(W₁ x)` | bounds | |
 //!
 //! *Exact* constants are the best ones: no smaller `c₂`, `L_H`, `M_H` and no larger `c₁` holds
-//! on all of `R^D`. The others are bounds that hold as well.
+//! on all of `R^D`. The others are bounds that hold as well. Three metrics have none there, but on
+//! every ball inside of their domain, as [`LocallyBounded`](crate::LocallyBounded) says.
 //!
 //! The three with an `R` or a `T` are patches: beyond it they pass to a constant matrix, which
 //! gives them constants on all of `R^D`, *exact* up to `2 · 10⁻³` for `L_H` and `M_H`. A distance
@@ -47,6 +49,7 @@ mod egg_crate;
 mod eigenvalues;
 mod error;
 mod gaussian_fisher;
+mod gaussian_fisher_patch;
 mod hill;
 mod hyperbolic;
 mod hyperbolic_patch;
@@ -75,6 +78,7 @@ pub use coupled_cosines::CoupledCosines;
 pub use egg_crate::EggCrate;
 pub use error::GalleryError;
 pub use gaussian_fisher::GaussianFisher;
+pub use gaussian_fisher_patch::GaussianFisherPatch;
 pub use hill::Hill;
 pub use hyperbolic::Hyperbolic;
 pub use hyperbolic_patch::HyperbolicPatch;

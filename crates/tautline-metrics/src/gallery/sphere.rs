@@ -3,13 +3,15 @@
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Scalar;
 
-use crate::{KnownDistance, Metric};
+use crate::{
+    Constants, KnownDistance, LocalError, LocallyBounded, Metric, locally_bounded::norms_within,
+};
 
 /// `H(x) = 4 / (1 + |x|²)² I`: the unit sphere `S^D` without a point.
 ///
-/// It has no constant `c₁ > 0`, so none of the theorems applies: the discrete energies have
-/// the infimum `0` for `N ≥ 2` (one jump far out and back), and only local minimisers mean
-/// anything.
+/// It has no constant `c₁ > 0` on all of `R^D`, so none of the paper's theorems applies: the discrete
+/// energies have the infimum `0` for `N ≥ 2` (one jump far out and back), and only minimisers among
+/// the sequences of a ball mean anything (Proposition S.8).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sphere;
 
@@ -17,6 +19,27 @@ impl<const D: usize> Metric<D> for Sphere {
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         let r2 = x.iter().fold(S::zero(), |sum, xi| sum + xi.sqr());
         SMatrix::from_diagonal_element((r2 + 1.0).sqr().recip() * 4.0)
+    }
+}
+
+impl<const D: usize> LocallyBounded<D> for Sphere {
+    /// With `s = |x|²`: `c₁ = 4/(1 + s)²` where the ball is farthest from the origin, `c₂` where it is
+    /// nearest; `L_H = 16 √s/(1 + s)³` at `s = 1/5`, and `M_H` the larger of `16/(1 + s)³`, across the
+    /// ray, where the ball is nearest, and of `16 (5s − 1)/(1 + s)⁴`, along it, at `s = 3/5`, or where
+    /// the ball comes nearest to that. All exact if `D ≥ 2`.
+    fn constants_within(
+        &self,
+        centre: &SVector<f64, D>,
+        radius: f64,
+    ) -> Result<Constants, LocalError> {
+        let [low, high] = norms_within(centre, radius)?.map(|r| r * r);
+        let factor = |s: f64| 4.0 / (1.0 + s).powi(2);
+        let [steep, bent] = [0.2_f64, 0.6].map(|s| s.max(low).min(high));
+        let l_h = 16.0 * steep.sqrt() / (1.0 + steep).powi(3);
+        let across = 16.0 / (1.0 + low).powi(3);
+        let along = 16.0 * (5.0 * bent - 1.0) / (1.0 + bent).powi(4);
+        let constants = Constants::new(factor(high), factor(low), l_h)?;
+        Ok(constants.with_m_h(across.max(along))?.isotropic().on_a_region())
     }
 }
 

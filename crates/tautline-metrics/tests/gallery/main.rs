@@ -2,6 +2,7 @@
 //! distances, and bad parameters are refused.
 
 mod attained;
+mod balls;
 mod decoder;
 mod distances;
 mod full_matrices;

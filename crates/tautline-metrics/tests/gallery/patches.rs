@@ -6,7 +6,9 @@
 use nalgebra::{SMatrix, SVector, vector};
 use tautline_metrics::{
     Bounded, Metric,
-    gallery::{GalleryError, GaussianFisher, Hyperbolic, HyperbolicPatch, Sphere, SpherePatch},
+    gallery::{
+        GalleryError, GaussianFisherPatch, Hyperbolic, HyperbolicPatch, Sphere, SpherePatch,
+    },
 };
 
 use crate::{
@@ -23,8 +25,8 @@ pub(crate) fn hyperbolic(radius: f64) -> HyperbolicPatch {
     HyperbolicPatch::new(radius).expect("a radius below √3/2")
 }
 
-pub(crate) fn fisher(rim: f64) -> GaussianFisher {
-    GaussianFisher::new(rim).expect("a rim")
+pub(crate) fn fisher(rim: f64) -> GaussianFisherPatch {
+    GaussianFisherPatch::new(rim).expect("a rim")
 }
 
 #[test]
@@ -194,11 +196,11 @@ fn radii_must_be_in_their_range() {
         assert_eq!(refused(error), ("radius", bits, 1e-50, 1e50));
         let error = HyperbolicPatch::new(value).expect_err("out of range");
         assert_eq!(refused(error), ("radius", bits, 1e-50, 0.86));
-        let error = GaussianFisher::new(value).expect_err("out of range");
+        let error = GaussianFisherPatch::new(value).expect_err("out of range");
         assert_eq!(refused(error), ("rim", bits, 1e-50, 260.0));
     }
     assert!(HyperbolicPatch::new(0.86).is_err() && HyperbolicPatch::new(0.859).is_ok());
-    assert!(GaussianFisher::new(260.0).is_err() && GaussianFisher::new(259.0).is_ok());
+    assert!(GaussianFisherPatch::new(260.0).is_err() && GaussianFisherPatch::new(259.0).is_ok());
     assert!(SpherePatch::new(1e-49).is_ok() && SpherePatch::new(1e49).is_ok());
     let message = HyperbolicPatch::new(1.5).expect_err("out of range").to_string();
     assert_eq!(message, "radius = 1.5 must lie strictly between 1e-50 and 0.86");

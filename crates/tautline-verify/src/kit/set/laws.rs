@@ -96,26 +96,40 @@ pub(super) fn nearest<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>)
 
 /// No member is longer than the radius; the members are looked for far out, too.
 pub(super) fn radius<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> LawResult {
-    let effort = &case.effort;
     let Some(radius) = case.set.radius() else {
         return Ok(Tried::cases(0).with_note("unbounded, it says"));
     };
+    members(case, |y, member| {
+        let granted = rounding(case, &[y, member]);
+        Fault::unless_at_most("|member| ≤ radius", [member.norm(), radius], granted, y.as_slice())
+    })
+}
+
+/// No member is outside of the enclosing ball; the members are looked for far out, too.
+pub(super) fn ball<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> LawResult {
+    let Some((centre, radius)) = case.set.enclosing_ball() else {
+        return Ok(Tried::cases(0).with_note("unbounded, it says"));
+    };
+    members(case, |y, member| {
+        let granted = rounding(case, &[y, member, &centre]);
+        let away = (member - centre).norm();
+        Fault::unless_at_most("|member − centre| ≤ radius", [away, radius], granted, y.as_slice())
+    })
+}
+
+/// A law at the projections of points near and far.
+fn members<S: ClosedSet<D>, const D: usize>(
+    case: &SetCase<'_, S, D>,
+    law: impl Fn(&SVector<f64, D>, &SVector<f64, D>) -> Result<f64, Fault>,
+) -> LawResult {
+    let effort = &case.effort;
     let mut tried = Tried::cases(0);
     for far in FAR {
-        let directions = directions::<D>();
-        let one =
-            for_all(effort, effort.cases, CHEAP, (case.region.points(), directions), |(x, w)| {
-                let y = x + w * (case.region.reach() * (far - 1.0));
-                let member = case.set.project(&y);
-                let granted = rounding(case, &[&y, &member]);
-                Fault::unless_at_most(
-                    "|member| ≤ radius",
-                    [member.norm(), radius],
-                    granted,
-                    y.as_slice(),
-                )
-            })?;
-        tried = tried.and(one);
+        let samples = (case.region.points(), directions::<D>());
+        tried = tried.and(for_all(effort, effort.cases, CHEAP, samples, |(x, w)| {
+            let y = x + w * (case.region.reach() * (far - 1.0));
+            law(&y, &case.set.project(&y))
+        })?);
     }
     Ok(tried)
 }

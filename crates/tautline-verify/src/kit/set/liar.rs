@@ -20,6 +20,8 @@ enum Lie {
     Halfway,
     /// The radius is this many times what it is.
     Radius(f64),
+    /// The radius of the enclosing ball is this many times what it is.
+    Ball(f64),
     /// The derivative is twice what it is.
     Derivative,
 }
@@ -54,6 +56,14 @@ impl<S: ClosedSet<D>, const D: usize> ClosedSet<D> for Liar<'_, S> {
         match self.lie {
             Lie::Radius(factor) => self.set.radius().map(|radius| radius * factor),
             _ => self.set.radius(),
+        }
+    }
+
+    fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
+        let (centre, radius) = self.set.enclosing_ball()?;
+        match self.lie {
+            Lie::Ball(factor) => Some((centre, radius * factor)),
+            _ => Some((centre, radius)),
         }
     }
 
@@ -130,19 +140,38 @@ pub(super) fn halfway<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>)
 
 /// A radius that is ten percent too small, if it is attained to five.
 pub(super) fn small_radius<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> LawResult {
-    let Ok(tried) = laws::radius(case) else {
+    let said = case.set.radius();
+    small(case, said, laws::radius, Lie::Radius(0.9), "a radius that is too small", laws::radius)
+}
+
+/// An enclosing ball that is ten percent too small, if it is attained to five.
+pub(super) fn small_ball<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> LawResult {
+    let said = case.set.enclosing_ball().map(|(_, radius)| radius);
+    small(case, said, laws::ball, Lie::Ball(0.9), "a ball that is too small", laws::ball)
+}
+
+/// A radius that is too small, as `said`, where its `law` holds and is attained.
+fn small<'a, S: ClosedSet<D>, const D: usize>(
+    case: &SetCase<'a, S, D>,
+    said: Option<f64>,
+    law: Law<S, D>,
+    lie: Lie,
+    what: &'static str,
+    refusing: Law<Liar<'a, S>, D>,
+) -> LawResult {
+    let Ok(tried) = law(case) else {
         // It has a law of its own.
         return Ok(Tried::cases(0).with_note("the claim itself does not hold"));
     };
     if !(tried.slack < 1.05) {
-        let note = match case.set.radius() {
+        let note = match said {
             None => "unbounded, it says".to_owned(),
             Some(_) if tried.slack == f64::INFINITY => "the radius is 0".to_owned(),
             Some(_) => format!("not attained: looseness {:.3}", tried.slack),
         };
         return Ok(Tried::cases(0).with_note(note));
     }
-    refused(case, Lie::Radius(0.9), "a radius that is too small", &[laws::radius])
+    refused(case, lie, what, &[refusing])
 }
 
 /// A derivative that is twice too large, if it is not zero.

@@ -40,6 +40,8 @@ macro_rules! __set_laws {
                 laws::nearest;
             radius_bounds_the_members, "|member| ≤ radius",
                 laws::radius;
+            enclosing_ball_holds_the_members, "|member − centre| ≤ radius of the enclosing ball",
+                laws::ball;
             a_claim_of_convexity_is_true, "|P(x) − P(y)| ≤ |x − y|, middles are members",
                 laws::convex;
             derivative_is_that_of_the_projection, "DP is symmetric, and the limit of differences",
@@ -52,6 +54,8 @@ macro_rules! __set_laws {
                 liar::halfway;
             refuses_a_smaller_radius, "0.9 radius is refused, if it is attained",
                 liar::small_radius;
+            refuses_a_smaller_enclosing_ball, "0.9 of its radius is refused, if it is attained",
+                liar::small_ball;
             refuses_a_wrong_derivative, "2 DP in place of DP is refused",
                 liar::derivative;
         }

@@ -1,0 +1,102 @@
+//! A patch of the normal distributions under Fisher's metric: `H = diag(e^{−2S(t)}, 2)` with a saturated
+//! `S`.
+
+use std::f64::consts::FRAC_1_SQRT_2;
+
+use nalgebra::{SMatrix, SVector};
+use tautline_scalar::Scalar;
+
+use super::{
+    GalleryError, GaussianFisher,
+    error::between,
+    saturation::{INVERSE, P, PLATEAU, greatest, rest, saturate},
+};
+use crate::{Bounded, Constants, KnownDistance, Metric};
+
+/// `H(μ, t) = diag(e^{−2S(t)}, 2)` with
+///
+/// ```text
+/// S(t) = t / (1 + (t/Q)^p)^{1/p},    p = 128,    Q = 4T/3
+/// ```
+///
+/// For `|t| ≤ T` it is [`GaussianFisher`] with its first derivatives to some ulp of `1 + T`, and with
+/// its second to `10⁻¹² (1 + 1/T)`. All numbers are pure.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(alias = "information geometry")]
+pub struct GaussianFisherPatch {
+    rim: f64,
+    limit: f64,
+    constants: Constants,
+}
+
+impl GaussianFisherPatch {
+    /// Returns the metric that is Fisher's for `e^{−T} ≤ σ ≤ e^T`.
+    ///
+    /// # Errors
+    ///
+    /// [`GalleryError::OutOfRange`] unless `10⁻⁵⁰ < T < 260`, where `e^{8T/3}` is about to
+    /// overflow.
+    pub fn new(rim: f64) -> Result<Self, GalleryError> {
+        between("rim", rim, 1e-50, 260.0)?;
+        let limit = rim / PLATEAU;
+        let c2 = (2.0 * limit).exp();
+        // With z = S/Q and b = 1 − z^p: S′ = b^{1+1/p} and S″ = −((p + 1)/Q) z^{p−1} b^{1+2/p}.
+        //
+        // |∂ₜ e^{−2S}| = 2 S′ e^{−2S}, largest for t < 0.
+        let growth = |z: f64| (2.0 * limit * z).exp();
+        let l_h = 2.0 * greatest(|a, b| growth(b) * rest(a, 1.0 + INVERSE));
+        // ∂ₜ² e^{−2S} = (4S′² − 2S″) e^{−2S}, with terms of opposite signs for t < 0 and of the
+        // same for t > 0.
+        let square = |a: f64| 4.0 * rest(a, 2.0 + 2.0 * INVERSE);
+        let bend = 2.0 * f64::from(P + 1) / limit;
+        let bends = |a: f64, b: f64| bend * b.powi(P - 1) * rest(a, 1.0 + 2.0 * INVERSE);
+        let m_h = greatest(|a, b| growth(b) * square(a) - growth(a) * bends(b, a))
+            .max(greatest(|a, b| growth(b) * bends(a, b) - growth(a) * square(b)))
+            .max(greatest(|a, b| (square(a) + bends(a, b)) / growth(a)));
+        let constants = Constants::new(1.0 / c2, c2.max(2.0), l_h)?.with_m_h(m_h)?;
+        Ok(Self { rim, limit, constants })
+    }
+}
+
+impl Metric<2> for GaussianFisherPatch {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+        let saturated = saturate(x[1] * (1.0 / self.limit)) * self.limit;
+        let information = (saturated * -2.0).exp();
+        SMatrix::from_diagonal(&SVector::from([information, S::constant(2.0)]))
+    }
+}
+
+impl Bounded<2> for GaussianFisherPatch {
+    /// `c₁ = e^{−2Q}` in the limit, `c₂ = max(e^{2Q}, 2)` in the limit or everywhere. `L_H` and
+    /// `M_H` are the maxima of functions of `S` in the transition, bounded from above by branch
+    /// and bound: at most `2 · 10⁻³` of themselves too large.
+    fn constants(&self) -> Constants {
+        self.constants
+    }
+}
+
+impl KnownDistance<2> for GaussianFisherPatch {
+    /// That of [`GaussianFisher`] if both points and their geodesic have `|t| ≤ T`; `None` for others.
+    ///
+    /// Below `t = −T`, `e^{−2S}` is not smaller than at `−T`: lifted to there, no piece of a curve
+    /// gets longer. Above, `S ≤ t` makes `H` no less than Fisher's (for `t < 0`, up to the rounding
+    /// by which they differ). So nothing is shorter than Fisher's distance. His geodesics are, in
+    /// `(μ/√2, σ)`, half-circles about points of `σ = 0`: nowhere lower than at an end, so that the
+    /// top alone decides whether one stays where both metrics agree.
+    fn distance(&self, x: &SVector<f64, 2>, y: &SVector<f64, 2>) -> Option<f64> {
+        let (low, high) = (x[1].min(y[1]), x[1].max(y[1]));
+        if !(x[1].abs() <= self.rim && y[1].abs() <= self.rim) {
+            return None;
+        }
+        // From the lower end the centre is at the distance a/2 + (σ₂² − σ₁²)/2a along the way a;
+        // beyond the upper end it has no top on the way.
+        let across = (x[0] - y[0]).abs() * FRAC_1_SQRT_2;
+        let rise = (2.0 * high).exp() - (2.0 * low).exp();
+        let climbs = across * across <= rise;
+        let radius = low.exp().hypot(0.5 * across + 0.5 * rise / across);
+        if !(climbs || radius <= self.rim.exp()) {
+            return None;
+        }
+        GaussianFisher.distance(x, y)
+    }
+}
