@@ -2,14 +2,14 @@
 
 use nalgebra::SVector;
 
-use crate::{Bounded, Constants, HypothesisError, Metric};
+use crate::{Constants, HypothesisError, Metric};
 
 /// A metric which knows constants on every ball where it has some.
 ///
-/// Every [`Bounded`] metric is one: its constants hold on all balls. Others, as `4 / (1 + r²)² I`,
-/// have no constant `c₁ > 0` on all of `R^D`, and none of the paper's theorems applies to them; but
-/// shortest curves and discrete minimisers stay near their ends, where the constants of a ball do
-/// (Proposition S.8).
+/// Some, as `4 / (1 + r²)² I`, have no constant `c₁ > 0` on all of `R^D`, and none of the paper's
+/// theorems applies to them; but shortest curves and discrete minimisers stay near their ends, where
+/// the constants of a ball do (Proposition S.8). A [`Bounded`](crate::Bounded) metric may be locally
+/// bounded too: where it varies from place to place, the constants of a ball are better.
 ///
 /// ```
 /// use tautline_metrics::{LocallyBounded, gallery::Sphere};
@@ -20,19 +20,9 @@ use crate::{Bounded, Constants, HypothesisError, Metric};
 /// assert!(Sphere.constants_within(&[0.0, 0.0].into(), f64::INFINITY).is_err());
 /// # Ok::<(), tautline_metrics::LocalError>(())
 /// ```
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` knows no constants",
-    note = "implement `Bounded<{D}>` if they hold on all of R^D, else `LocallyBounded<{D}>`",
-    note = "a reference to a metric that is only locally bounded is none itself: pass a value"
-)]
 pub trait LocallyBounded<const D: usize>: Metric<D> {
-    /// Returns constants that hold on the ball `|x − centre| ≤ radius`, both in `ℓ`; on all of `R^D`
-    /// for `radius = ∞`.
-    ///
-    /// # Laws
-    ///
-    /// Those of [`Constants`], for all `x` and `y` of the ball; the flag
-    /// [`is_local`](Constants::is_local) is set unless they hold on all of `R^D`.
+    /// Returns constants that hold on the ball `|x − centre| ≤ radius`, both in `ℓ`, for all `x` and
+    /// `y` there, and say that they [hold on a region](Constants::is_local).
     ///
     /// # Errors
     ///
@@ -44,10 +34,13 @@ pub trait LocallyBounded<const D: usize>: Metric<D> {
     ) -> Result<Constants, LocalError>;
 }
 
-impl<M: Bounded<D>, const D: usize> LocallyBounded<D> for M {
-    /// Those of all of `R^D`.
-    fn constants_within(&self, _: &SVector<f64, D>, _: f64) -> Result<Constants, LocalError> {
-        Ok(self.constants())
+impl<M: LocallyBounded<D>, const D: usize> LocallyBounded<D> for &M {
+    fn constants_within(
+        &self,
+        centre: &SVector<f64, D>,
+        radius: f64,
+    ) -> Result<Constants, LocalError> {
+        (**self).constants_within(centre, radius)
     }
 }
 
@@ -102,15 +95,6 @@ mod tests {
     use nalgebra::vector;
 
     use super::{LocalError, norms_within};
-    use crate::{Bounded, LocallyBounded, gallery::Valleys};
-
-    #[test]
-    fn a_bounded_metric_has_its_constants_everywhere() {
-        let all: crate::Constants = Bounded::<2>::constants(&Valleys);
-        for radius in [0.0, 1.0, f64::INFINITY] {
-            assert_eq!(Valleys.constants_within(&vector![1.0, 2.0], radius), Ok(all));
-        }
-    }
 
     #[test]
     fn a_ball_reaches_from_the_nearest_to_the_farthest_norm() {

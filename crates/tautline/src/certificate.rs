@@ -7,9 +7,9 @@ use tautline_bounds::{
     Theorem, enclose, strict_convexity, suggest_n,
 };
 use tautline_discretizations::{LeftEndpoint, Rule, Trapezoidal, energy_gradient};
-use tautline_metrics::Bounded;
+use tautline_metrics::{Bounded, Metric};
 
-use crate::TautLine;
+use crate::{Competitors, TautLine};
 
 /// A rule about which there are theorems.
 pub trait RuleOfThePaper: Rule {
@@ -52,11 +52,62 @@ impl<M: Bounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     /// [`BoundError::LocalConstants`] if the constants hold on a region only; [`BoundError`] if an
     /// energy is not finite.
     pub fn enclosure(&self) -> Result<Enclosure, BoundError> {
+        self.enclosure_by(global(self.metric().constants())?)
+    }
+
+    /// Suggests `N` for which `L(γᵖˡ)² − d²` is at most `tolerance`, in `m²`: by the theorems with the
+    /// length of this line for `d`, and by extrapolation from this line and the grids before it.
+    ///
+    /// # Errors
+    ///
+    /// [`BoundError::LocalConstants`] if the constants hold on a region only; [`BoundError`] if the
+    /// length is not finite.
+    pub fn suggest_n(&self, tolerance: f64) -> Result<SuggestedN, BoundError> {
+        self.suggest_n_by(global(self.metric().constants())?, tolerance)
+    }
+}
+
+/// Refuses constants that hold on a region only.
+fn global(constants: Constants) -> Result<Constants, BoundError> {
+    if constants.is_local() { Err(BoundError::LocalConstants) } else { Ok(constants) }
+}
+
+impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
+    /// Encloses `d²`, in `m²`, as [`enclosure`](TautLine::enclosure) does, by constants that hold
+    /// where all [competitors](TautLine::competitors) are. What is called a global minimum is one
+    /// among the sequences in that ball.
+    ///
+    /// # Errors
+    ///
+    /// [`BoundError`] if an energy is not finite.
+    pub fn enclosure_among(&self, competitors: &Competitors<D>) -> Result<Enclosure, BoundError> {
+        self.enclosure_by(competitors.constants)
+    }
+
+    /// Suggests `N` as [`suggest_n`](TautLine::suggest_n) does, by constants that hold where all
+    /// [competitors](TautLine::competitors) are on this grid, and on finer ones.
+    ///
+    /// # Errors
+    ///
+    /// [`BoundError`] if the length is not finite.
+    pub fn suggest_n_among(
+        &self,
+        competitors: &Competitors<D>,
+        tolerance: f64,
+    ) -> Result<SuggestedN, BoundError> {
+        let suggested = self.suggest_n_by(competitors.constants, tolerance)?;
+        let n = self.sequence().n();
+        let proven = suggested.proven.map(|(least, theorem)| (least.max(n), theorem));
+        Ok(SuggestedN { proven, ..suggested })
+    }
+
+    fn enclosure_by(&self, constants: Constants) -> Result<Enclosure, BoundError> {
         let (rule, n) = (R::OF_THE_PAPER, self.sequence().n());
-        let constants = global(self.metric().constants())?;
         let (length, energy) = (self.length(), self.energy());
         let length = length.value + length.error;
-        let certified = if self.is_fixed() { self.global_minimum(length) } else { None };
+        let fixed = self.ends().are_points();
+        let certified = if fixed { self.global_minimum(constants, length) } else { None };
+        let gap = (self.sequence().last() - self.sequence().first()).norm();
         let computed = Computed {
             rule,
             n,
@@ -64,13 +115,14 @@ impl<M: Bounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
             energy: energy.value + energy.error,
             length_squared: length * length,
             minimum: certified.map_or(DiscreteMinimum::Assumed, DiscreteMinimum::AtLeast),
-            gap: 0.0,
+            // Of two sets it is not known.
+            gap: if fixed { gap } else { 0.0 },
         };
         enclose(constants, D, &computed)
     }
 
     /// A lower bound of the discrete minimum over all sequences, in `m²`, where convexity shows one.
-    fn global_minimum(&self, length: f64) -> Option<f64> {
+    fn global_minimum(&self, constants: Constants, length: f64) -> Option<f64> {
         let (sequence, n) = (self.sequence(), self.sequence().n());
         let (_, gradient) = energy_gradient(self.rule(), self.metric(), sequence);
         let squares: f64 = gradient[1..n.get()].iter().map(|g| g.norm_squared()).sum();
@@ -84,19 +136,11 @@ impl<M: Bounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
             // ρₙ = ½N ∂E/∂xₙ, and the mean of its square over N.
             residual: 0.5 * (n.get() as f64 * squares).sqrt(),
         };
-        strict_convexity(self.metric().constants(), D, &computed)
+        strict_convexity(constants, D, &computed)
     }
 
-    /// Suggests `N` for which `L(γᵖˡ)² − d²` is at most `tolerance`, in `m²`: by the theorems with the
-    /// length of this line for `d`, and by extrapolation from this line and the grids before it.
-    ///
-    /// # Errors
-    ///
-    /// [`BoundError::LocalConstants`] if the constants hold on a region only; [`BoundError`] if the
-    /// length is not finite.
-    pub fn suggest_n(&self, tolerance: f64) -> Result<SuggestedN, BoundError> {
+    fn suggest_n_by(&self, constants: Constants, tolerance: f64) -> Result<SuggestedN, BoundError> {
         let length = self.length();
-        let constants = global(self.metric().constants())?;
         let setting = Setting::new(constants, length.value + length.error, D)?;
         let expected = self.distance_squared_estimate().and_then(|estimate| {
             let excess = length.value * length.value - estimate.value;
@@ -107,11 +151,6 @@ impl<M: Bounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
         });
         Ok(SuggestedN { proven: suggest_n(setting, R::OF_THE_PAPER, tolerance), expected })
     }
-}
-
-/// Refuses constants that hold on a region only.
-fn global(constants: Constants) -> Result<Constants, BoundError> {
-    if constants.is_local() { Err(BoundError::LocalConstants) } else { Ok(constants) }
 }
 
 #[cfg(test)]

@@ -36,6 +36,7 @@
 //! | [`TautLine::energy`], [`TautLine::length`] | of an actual curve between the sets, hence upper bounds of `d²` and `d`, up to a stated quadrature error |
 //! | [`TautLine::discrete_energy`] | may lie on either side of `d²` |
 //! | [`TautLine::distance_squared_estimate`] | extrapolated: an estimate, not a bound |
+//! | [`TautLine::enclosure`], [`TautLine::enclosure_among`] | `d²` between two proven bounds, with the assumption they need, if any |
 //! | [`leading_constants`] | limits of the errors times `N` or `N²` on smooth data: computed, not proven |
 //! | [`bounds`] | proven, for global minimisers of the discrete energy |
 //!
@@ -49,10 +50,12 @@
 //! rule elsewhere.
 
 mod certificate;
+mod competitors;
 mod problem;
 mod taut_line;
 
 pub use certificate::{RuleOfThePaper, SuggestedN};
+pub use competitors::Competitors;
 pub use problem::Problem;
 pub use taut_line::TautLine;
 
@@ -62,8 +65,8 @@ pub use tautline_discretizations::{
     TrueTrapezoid, energy_gradient,
 };
 pub use tautline_metrics::{
-    Bounded, Constants, HypothesisError, KnownDistance, Metric, MetricError, check_gram,
-    christoffel, composition, gallery, quadrature,
+    Bounded, Constants, HypothesisError, KnownDistance, LocalError, LocallyBounded, Metric,
+    MetricError, check_gram, christoffel, composition, gallery, quadrature,
 };
 pub use tautline_optimizers::{
     AsymptoticsError, Curvature, Estimate, LeadingConstants, Level, Minimum, Options, SolveError,

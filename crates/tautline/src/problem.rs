@@ -55,7 +55,6 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
         options: &Options<D>,
     ) -> Result<TautLine<M, R, D>, SolveError> {
         let minimum = minimise(&*self.metric, &self.ends, rule, n, options)?;
-        let fixed = self.ends.are_points();
-        Ok(TautLine::new(Arc::clone(&self.metric), rule, minimum, fixed))
+        Ok(TautLine::new(Arc::clone(&self.metric), rule, self.ends.clone(), minimum))
     }
 }

@@ -5,20 +5,20 @@ use std::sync::Arc;
 use tautline_discretizations::{Integral, Interpolation, PointSequence, Rule};
 use tautline_metrics::Metric;
 use tautline_optimizers::{Estimate, Minimum, extrapolate};
+use tautline_sets::Ends;
 
 /// A computed discrete minimiser and the curve `γᵖˡ` that it reconstructs.
 #[derive(Clone, Debug)]
 pub struct TautLine<M, R, const D: usize> {
     metric: Arc<M>,
     rule: R,
+    ends: Ends<D>,
     minimum: Minimum<D>,
-    /// Whether both ends are points.
-    fixed: bool,
 }
 
 impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
-    pub(crate) fn new(metric: Arc<M>, rule: R, minimum: Minimum<D>, fixed: bool) -> Self {
-        Self { metric, rule, minimum, fixed }
+    pub(crate) fn new(metric: Arc<M>, rule: R, ends: Ends<D>, minimum: Minimum<D>) -> Self {
+        Self { metric, rule, ends, minimum }
     }
 
     /// Returns the metric.
@@ -32,10 +32,10 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
         self.rule
     }
 
-    /// Returns whether both ends are fixed points.
+    /// Returns the two sets that it joins.
     #[must_use]
-    pub fn is_fixed(&self) -> bool {
-        self.fixed
+    pub fn ends(&self) -> &Ends<D> {
+        &self.ends
     }
 
     /// Returns how the sequence was found, and what is known about it.

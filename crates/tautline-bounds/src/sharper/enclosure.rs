@@ -74,6 +74,9 @@ pub struct Enclosure {
     /// Whether the numbers show that it is not: then there is a sequence with less discrete energy,
     /// and nothing was concluded from the assumption.
     pub is_not_global: bool,
+    /// Whether the constants hold on a region only. Then a global minimum is one among the sequences
+    /// in the region (Proposition S.8).
+    pub is_local: bool,
 }
 
 impl Enclosure {
@@ -140,7 +143,15 @@ pub fn enclose(
         (lower, from_below) = (solved.min(upper), FromBelow::Minimum);
         assumes_global_minimum = minimum == DiscreteMinimum::Assumed;
     }
-    Ok(Enclosure { lower, upper, from_below, from_above, assumes_global_minimum, is_not_global })
+    Ok(Enclosure {
+        lower,
+        upper,
+        from_below,
+        from_above,
+        assumes_global_minimum,
+        is_not_global,
+        is_local: constants.is_local(),
+    })
 }
 
 /// Returns a `d` for which `d² e(d) ≤ least`, in `m`, as large as bisection finds it: the distance
@@ -237,6 +248,8 @@ mod tests {
         };
         let found = enclose(flat, 2, &exact).expect("valid");
         assert_eq!((found.lower, found.upper), (9.0, 9.0));
+        let local = enclose(flat.on_a_region(), 2, &exact).expect("valid");
+        assert!(local.is_local && !found.is_local && local.lower == found.lower);
         // What came out less is taken, by whatever rounding.
         let energy = Computed { energy: 8.999, ..exact };
         let found = enclose(flat, 2, &energy).expect("valid");

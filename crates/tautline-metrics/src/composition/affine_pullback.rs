@@ -4,7 +4,9 @@ use nalgebra::{DMatrix, SMatrix, SVector};
 use tautline_scalar::Scalar;
 
 use super::CompositionError;
-use crate::{Bounded, Constants, HypothesisError, KnownDistance, Metric};
+use crate::{
+    Bounded, Constants, HypothesisError, KnownDistance, LocalError, LocallyBounded, Metric,
+};
 
 /// `Aᵀ H(A x + b) A` for an invertible matrix `A`: the metric `H` seen from coordinates `x` in
 /// which its points are `A x + b`. A rotation, a shift, another unit of the coordinates.
@@ -104,6 +106,23 @@ impl<M: Bounded<D>, const D: usize> Bounded<D> for AffinePullback<M, D> {
     fn constants(&self) -> Constants {
         let (smin, smax) = self.stretches;
         self.metric.constants().pulled_back(smin, smax).expect("stretches within the range of f64")
+    }
+}
+
+impl<M: LocallyBounded<D>, const D: usize> LocallyBounded<D> for AffinePullback<M, D> {
+    /// The image of a ball lies in a ball of `σ_max` times its radius about the image of its centre.
+    fn constants_within(
+        &self,
+        centre: &SVector<f64, D>,
+        radius: f64,
+    ) -> Result<Constants, LocalError> {
+        let (smin, smax) = self.stretches;
+        // Three roundings of a coordinate of the image, and one of the radius.
+        let image = self.image(centre);
+        let margin =
+            4.0 * D as f64 * f64::EPSILON * (self.matrix.amax() * centre.amax() + image.amax());
+        let within = self.metric.constants_within(&image, smax * radius + margin)?;
+        Ok(within.pulled_back(smin, smax)?)
     }
 }
 

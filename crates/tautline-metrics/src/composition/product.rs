@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Scalar;
 
-use crate::{Bounded, Constants, KnownDistance, Metric};
+use crate::{Bounded, Constants, KnownDistance, LocalError, LocallyBounded, Metric};
 
 /// `diag(H(x), H′(y))` on the pairs `(x, y)` of `R^{D₁} × R^{D₂}`: two systems that move
 /// together, each under its own metric.
@@ -76,6 +76,24 @@ where
     fn constants(&self) -> Constants {
         dimensions_add_up::<D1, D2, D>();
         self.first.constants().beside(self.second.constants())
+    }
+}
+
+impl<A, B, const D1: usize, const D2: usize, const D: usize> LocallyBounded<D>
+    for Product<A, B, D1, D2>
+where
+    A: LocallyBounded<D1>,
+    B: LocallyBounded<D2>,
+{
+    /// A ball lies in the product of balls of its radius.
+    fn constants_within(
+        &self,
+        centre: &SVector<f64, D>,
+        radius: f64,
+    ) -> Result<Constants, LocalError> {
+        let (x, y) = split(centre);
+        let first = self.first.constants_within(&x, radius)?;
+        Ok(first.beside(self.second.constants_within(&y, radius)?))
     }
 }
 

@@ -4,7 +4,9 @@ use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Scalar;
 
 use super::CompositionError;
-use crate::{Bounded, Constants, HypothesisError, KnownDistance, Metric};
+use crate::{
+    Bounded, Constants, HypothesisError, KnownDistance, LocalError, LocallyBounded, Metric,
+};
 
 /// `s H(x)`: the same geodesics, all lengths times `√s`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,6 +47,16 @@ impl<M: Bounded<D>, const D: usize> Bounded<D> for Scaled<M> {
     /// If one of them overflows, or `c₁` underflows.
     fn constants(&self) -> Constants {
         self.metric.constants().scaled(self.factor).expect("a factor within the range of f64")
+    }
+}
+
+impl<M: LocallyBounded<D>, const D: usize> LocallyBounded<D> for Scaled<M> {
+    fn constants_within(
+        &self,
+        centre: &SVector<f64, D>,
+        radius: f64,
+    ) -> Result<Constants, LocalError> {
+        Ok(self.metric.constants_within(centre, radius)?.scaled(self.factor)?)
     }
 }
 

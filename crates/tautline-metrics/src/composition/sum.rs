@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Scalar;
 
-use crate::{Bounded, Constants, Metric};
+use crate::{Bounded, Constants, LocalError, LocallyBounded, Metric};
 
 /// `H(x) + H′(x)`: the squared speeds add up.
 ///
@@ -44,5 +44,16 @@ impl<A: Bounded<D>, B: Bounded<D>, const D: usize> Bounded<D> for Sum<A, B> {
             .constants()
             .plus(self.second.constants())
             .expect("constants whose sum is within the range of f64")
+    }
+}
+
+impl<A: LocallyBounded<D>, B: LocallyBounded<D>, const D: usize> LocallyBounded<D> for Sum<A, B> {
+    fn constants_within(
+        &self,
+        centre: &SVector<f64, D>,
+        radius: f64,
+    ) -> Result<Constants, LocalError> {
+        let first = self.first.constants_within(centre, radius)?;
+        Ok(first.plus(self.second.constants_within(centre, radius)?)?)
     }
 }
