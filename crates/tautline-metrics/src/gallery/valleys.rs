@@ -68,11 +68,23 @@ mod tests {
         assert_relative_eq!(d.expect("along x₁"), 4.0 * TAU, max_relative = 1e-15);
     }
 
+    /// `F(2) − F(0.3)`, from either side and wherever the others are.
+    #[test]
+    fn distances_along_the_axis_are_differences_of_a_primitive() {
+        let expected = 3.4 - 2_f64.sin() + 0.3_f64.sin();
+        for (a, b) in [(0.3, 2.0), (2.0, 0.3)] {
+            let d = Valleys.distance(&vector![a, 7.0], &vector![b, 7.0]).expect("along x₁");
+            assert_relative_eq!(d, expected, max_relative = 1e-15);
+        }
+    }
+
     /// `(0, 0) → (2, 3/2)`: the value was computed with 40 digits, `p = 0.80358…`.
     #[test]
     fn an_oblique_pair_has_the_distance_of_clairaut() {
         let d = Valleys.distance(&vector![2.0, 1.5], &vector![0.0, 0.0]);
         assert_relative_eq!(d.expect("p < 1"), 3.781_762_054_661_521_4, max_relative = 1e-14);
+        let moved = Valleys.distance(&vector![2.0, 2.5], &vector![0.0, 1.0]);
+        assert_eq!(moved, d);
     }
 
     /// With `p → 1` the distance tends to `20 + ∫ √(f² − 1) dx₁`, which is elementary in

@@ -201,6 +201,7 @@ fn radii_must_be_in_their_range() {
     }
     assert!(HyperbolicPatch::new(0.86).is_err() && HyperbolicPatch::new(0.859).is_ok());
     assert!(GaussianFisherPatch::new(260.0).is_err() && GaussianFisherPatch::new(259.0).is_ok());
+    assert!(SpherePatch::new(1e-50).is_err() && SpherePatch::new(1e50).is_err());
     assert!(SpherePatch::new(1e-49).is_ok() && SpherePatch::new(1e49).is_ok());
     let message = HyperbolicPatch::new(1.5).expect_err("out of range").to_string();
     assert_eq!(message, "radius = 1.5 must lie strictly between 1e-50 and 0.86");
