@@ -58,12 +58,13 @@ pub enum Statement {
     TheoremD,
     PropositionS6,
     PropositionS7,
+    PropositionS8,
 }
 
 impl Statement {
     /// All statements: of the paper, in its order, the 30 numbered ones, the two claims of Section
     /// 5, and eight displayed constants; then the sharper ones.
-    pub const ALL: [Statement; 51] = [
+    pub const ALL: [Statement; 52] = [
         Statement::Theorem1_1,
         Statement::Theorem1_2,
         Statement::Theorem1_3,
@@ -115,6 +116,7 @@ impl Statement {
         Statement::TheoremD,
         Statement::PropositionS6,
         Statement::PropositionS7,
+        Statement::PropositionS8,
     ];
 
     /// Returns the number, as in prose: "Proposition 7.9", "Section 5, left-endpoint rule".

@@ -6,7 +6,10 @@ use nalgebra::SVector;
 use tautline::{
     Bounded, ClosedSet, Constants, Ends, Integral, Interpolation, Metric, MetricError, Minimum,
     Options, PointSequence, Rule, SolveError,
-    bounds::{self, BetweenPoints, BoundError, Computed, Enclosure, PaperRule, Setting, Spread},
+    bounds::{
+        self, BetweenPoints, BoundError, Computed, Enclosure, LocalityError, PaperRule, Region,
+        Setting, Spread,
+    },
     christoffel, energy_gradient, minimise,
 };
 
@@ -349,6 +352,18 @@ pub trait Subject: Sync {
         computed: &BetweenPoints,
     ) -> Option<f64> {
         bounds::strict_convexity(constants, dimension, computed)
+    }
+
+    /// Returns the region of Proposition S.8, outside of which no competitor comes.
+    fn competitors<E>(
+        &self,
+        dimension: usize,
+        rule: PaperRule,
+        n: NonZeroUsize,
+        upper: f64,
+        constants_within: impl FnMut(f64) -> Result<Constants, E>,
+    ) -> Result<Region, LocalityError<E>> {
+        bounds::competitors(dimension, rule, n, upper, constants_within)
     }
 }
 

@@ -2,8 +2,9 @@
 
 use crate::Statement;
 use tautline::{
-    Curvature, HypothesisError, MetricError, SequenceError, SetError, SolveError, Stop,
-    bounds::BoundError, gallery::GalleryError,
+    Curvature, HypothesisError, LocalError, MetricError, SequenceError, SetError, SolveError, Stop,
+    bounds::{BoundError, LocalityError},
+    gallery::GalleryError,
 };
 
 /// Why a statement could not be evaluated on a case. Not a violation of it.
@@ -32,6 +33,9 @@ pub enum VerifyError {
     /// A number is no distance, or a dimension is zero.
     #[error(transparent)]
     Bound(#[from] BoundError),
+    /// No region holds all competitors.
+    #[error(transparent)]
+    Locality(#[from] LocalityError<LocalError>),
     /// A set is refused.
     #[error(transparent)]
     Set(#[from] SetError),

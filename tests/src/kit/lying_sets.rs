@@ -17,6 +17,8 @@ struct Circle {
     turned: f64,
     /// This much is missing of its radius.
     missing: f64,
+    /// This much is missing of the radius of its enclosing ball.
+    tight: f64,
     /// It says that it is convex.
     convex: bool,
     /// Its derivative is off by this much in one entry.
@@ -51,6 +53,10 @@ impl ClosedSet<2> for Circle {
 
     fn radius(&self) -> Option<f64> {
         Self::circle().radius().map(|radius| radius - self.missing)
+    }
+
+    fn enclosing_ball(&self) -> Option<(SVector<f64, 2>, f64)> {
+        Self::circle().enclosing_ball().map(|(centre, radius)| (centre, radius - self.tight))
     }
 
     fn is_convex(&self) -> bool {
@@ -97,6 +103,14 @@ fn a_radius_that_misses_one_percent_is_refused() {
     let note = set::refuses_a_smaller_radius(&case).note;
     assert_eq!(note.as_deref(), Some("the claim itself does not hold"));
     assert!(left > right && left <= 1.5 + 1e-12);
+}
+
+#[test]
+fn an_enclosing_ball_that_misses_one_percent_is_refused() {
+    let circle = Circle { tight: 0.01, ..Circle::default() };
+    let [left, right] = broken(circle, "enclosing_ball_holds_the_members");
+    assert_eq!(right, 0.99);
+    assert!(left > right && left <= 1.0 + 1e-12);
 }
 
 #[test]

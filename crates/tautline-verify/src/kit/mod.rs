@@ -6,11 +6,13 @@
 //! | you bring | tests | the same as a function | one law |
 //! | --- | --- | --- | --- |
 //! | [`Metric`] and [`Bounded`] | [`metric_suite!`] | [`verify_metric`] | [`metric`] |
+//! | [`Metric`] and [`LocallyBounded`] | [`metric_suite!`] `within` a ball | [`verify_metric_within`] | |
 //! | [`ClosedSet`] | [`set_suite!`] | [`verify_set`] | [`set`] |
 //! | [`Rule`] | [`rule_suite!`] | [`verify_rule`] | [`rule`] |
 //!
 //! [`Metric`]: tautline::Metric
 //! [`Bounded`]: tautline::Bounded
+//! [`LocallyBounded`]: tautline::LocallyBounded
 //! [`ClosedSet`]: tautline::ClosedSet
 //! [`Rule`]: tautline::Rule
 //! [`metric_suite!`]: crate::metric_suite
@@ -84,7 +86,8 @@
 //!
 //! A metric that knows its distances says `with distances` at the end of the line, and
 //! [`MetricCase::with_known_distance`] where functions are called. A metric that claims nothing is
-//! given claims by [`WithConstants`](crate::WithConstants).
+//! given claims by [`WithConstants`](crate::WithConstants). One that has constants on balls only
+//! is tested in one of them, `within 0.5, of [0.1, 0.2]` in place of `in Region::cell(…)`.
 //!
 //! # How the laws look
 //!
@@ -122,7 +125,7 @@ mod suites;
 pub use effort::Effort;
 pub use fault::Fault;
 pub use lie::{Claim, Lie};
-pub use metric::{MetricCase, verify_metric};
+pub use metric::{MetricCase, verify_metric, verify_metric_within};
 pub use region::{Region, RegionError, directions};
 pub use report::{Failure, Outcome, Report};
 pub use rule::{RuleCase, verify_rule};

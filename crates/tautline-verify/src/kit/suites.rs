@@ -5,7 +5,12 @@
 /// ```text
 /// metric_suite!(egg: Egg, dimension 2, in Region::cell([0.0, 0.0], [6.3, 6.3]));
 /// metric_suite!(egg: Egg, dimension 2, in Region::cell([0.0, 0.0], [6.3, 6.3]), with distances);
+/// metric_suite!(disc: Disc, dimension 2, within 0.5, of [0.1, 0.2]);
+/// metric_suite!(disc: Disc, dimension 2, within 0.5, of [0.1, 0.2], with distances);
 /// ```
+///
+/// In the last two it is tested in the ball of this radius and centre, and implements
+/// [`LocallyBounded`](tautline::LocallyBounded) instead of [`Bounded`](tautline::Bounded).
 ///
 /// The metric implements [`Bounded`](tautline::Bounded), and for the second form
 /// [`KnownDistance`](tautline::KnownDistance), with which its own distances are tested too, and
@@ -18,11 +23,43 @@
 #[macro_export]
 macro_rules! metric_suite {
     ($name:ident: $metric:expr, dimension $d:literal, in $region:expr $(,)?) => {
-        $crate::__metric_laws! { [$crate::__metric_tests] { $name, $d, $metric, $region, {} } }
+        $crate::__metric_laws! {
+            [$crate::__metric_tests]
+            { $name, $d, (|effort| $crate::kit::MetricCase::new($metric, $region, effort)), {} }
+        }
     };
     ($name:ident: $metric:expr, dimension $d:literal, in $region:expr, with distances $(,)?) => {
         $crate::__metric_laws! {
-            [$crate::__metric_tests] { $name, $d, $metric, $region, {.with_known_distance()} }
+            [$crate::__metric_tests]
+            {
+                $name, $d, (|effort| $crate::kit::MetricCase::new($metric, $region, effort)),
+                {.with_known_distance()}
+            }
+        }
+    };
+    ($name:ident: $metric:expr, dimension $d:literal, within $radius:expr, of $centre:expr $(,)?) => {
+        $crate::__metric_laws! {
+            [$crate::__metric_tests]
+            {
+                $name, $d,
+                (|effort| $crate::kit::MetricCase::within($metric, $centre, $radius, effort)
+                    .unwrap_or_else(|error| panic!("{error}"))),
+                {}
+            }
+        }
+    };
+    (
+        $name:ident: $metric:expr, dimension $d:literal, within $radius:expr, of $centre:expr,
+        with distances $(,)?
+    ) => {
+        $crate::__metric_laws! {
+            [$crate::__metric_tests]
+            {
+                $name, $d,
+                (|effort| $crate::kit::MetricCase::within($metric, $centre, $radius, effort)
+                    .unwrap_or_else(|error| panic!("{error}"))),
+                {.with_known_distance()}
+            }
         }
     };
 }
@@ -31,7 +68,7 @@ macro_rules! metric_suite {
 #[macro_export]
 macro_rules! __metric_tests {
     (
-        { $name:ident, $d:literal, $metric:expr, $region:expr, {$($known:tt)*} }
+        { $name:ident, $d:literal, $case:expr, {$($known:tt)*} }
         $($id:ident, $law:literal, $run:expr;)*
     ) => {
         #[cfg(test)]
@@ -41,7 +78,7 @@ macro_rules! __metric_tests {
 
             fn case() -> $crate::kit::MetricCase<impl $crate::prelude::Bounded<$d>, $d> {
                 let effort = $crate::kit::Effort::for_dimension($d);
-                $crate::kit::MetricCase::new($metric, $region, effort)$($known)*.sharing(&SOLVED)
+                $case(effort)$($known)*.sharing(&SOLVED)
             }
 
             /// What the tests of this metric have solved.

@@ -16,7 +16,7 @@
 //! | 7, a priori | a metric and a minimal geodesic | [`constant_k1`], [`constant_k2`], [`prop_7_12`] |
 //! | 7 and 8, any point sequence | a metric and a point sequence | [`prop_7_8`], [`prop_7_9`], [`prop_8_1`], [`prop_8_2`] |
 //! | 7 and 8, constants of the theorems | a [`Reconstruction`](crate::Reconstruction) | [`constant_k3_bar`], [`constant_c_1_1`], [`constant_k4_bar`], [`constant_c_1_3`] |
-//! | sharper | as the statement needs | [`lemma_s_1`] to [`lemma_s_5`], [`theorem_a`] to [`theorem_d`], [`prop_s_6`], [`prop_s_7`] |
+//! | sharper | as the statement needs | [`lemma_s_1`] to [`lemma_s_5`], [`theorem_a`] to [`theorem_d`], [`prop_s_6`] to [`prop_s_8`] |
 //! | 9, excess of length | two curves, or a [`Reconstruction`](crate::Reconstruction) | [`prop_9_1`], [`remark_9_2`] |
 
 mod apriori;
@@ -29,6 +29,7 @@ mod functional_lipschitz;
 mod geodesics;
 mod gram_derivatives;
 mod length_excess;
+mod locality;
 mod minimal_curves;
 mod morrey;
 mod point_sequences;
@@ -51,6 +52,7 @@ pub use functional_lipschitz::{TwoForms, prop_7_5, prop_7_5_as_printed};
 pub use geodesics::{prop_3_1, prop_3_2};
 pub use gram_derivatives::{prop_7_10, prop_7_11};
 pub use length_excess::{prop_9_1, prop_9_1_as_printed, remark_9_2, remark_9_2_for_any_sequence};
+pub use locality::prop_s_8;
 pub use minimal_curves::{
     lemma_4_4, prop_4_1, prop_4_2, prop_4_2_converse, prop_4_2_read_strictly, prop_4_3,
 };

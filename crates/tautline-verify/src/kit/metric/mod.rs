@@ -12,6 +12,7 @@ mod extreme;
 mod formula;
 mod memory;
 mod minimisers;
+mod on_a_ball;
 mod orders;
 mod problems;
 mod refusals;
@@ -24,7 +25,7 @@ mod statements;
 use std::sync::Arc;
 
 use nalgebra::SVector;
-use tautline::{Bounded, KnownDistance};
+use tautline::{Bounded, KnownDistance, LocalError, LocallyBounded, bounds::LocalityError};
 
 use super::{Claim, Effort, Outcome, Region, Report};
 use crate::{PaperRule, curves::Measured, statements as of_the_paper};
@@ -40,6 +41,8 @@ type Distance<M, const D: usize> = fn(&M, &SVector<f64, D>, &SVector<f64, D>) ->
 pub struct MetricCase<M, const D: usize> {
     metric: M,
     region: Region<D>,
+    /// Where the ends of problems are.
+    ends: Region<D>,
     effort: Effort,
     distance: Option<Distance<M, D>>,
     /// What several laws need of the same problems.
@@ -49,7 +52,7 @@ pub struct MetricCase<M, const D: usize> {
 impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
     /// A metric whose distances are not known: they are extrapolated from fine grids.
     pub fn new(metric: M, region: Region<D>, effort: Effort) -> Self {
-        Self { metric, region, effort, distance: None, solved: Arc::default() }
+        Self { metric, region, ends: region, effort, distance: None, solved: Arc::default() }
     }
 
     /// The same metric with the distances that it knows.
@@ -174,6 +177,8 @@ macro_rules! __metric_laws {
                 sharper::theorems;
             prop_s_6, "Proposition S.6: the distance is enclosed by one minimiser",
                 sharper::enclosures;
+            prop_s_8, "Proposition S.8: competitors stay where the constants hold",
+                sharper::localities;
             remark_9_2, "Remark 9.2: all gaps are of order 1/N, for both rules",
                 minimisers::remark_9_2;
             trapezoidal_rule_has_order_2, "E_tra,N − d² and E(γᵖˡ) − d² fall like N⁻²",
@@ -234,4 +239,18 @@ pub fn verify_metric<M: Bounded<D>, const D: usize>(
     effort: &Effort,
 ) -> Report {
     verify(&MetricCase::new(metric, *region, *effort))
+}
+
+/// Tries all laws on a metric with constants on balls, in one of them.
+///
+/// # Errors
+///
+/// As [`MetricCase::within`].
+pub fn verify_metric_within<M: LocallyBounded<D>, const D: usize>(
+    metric: &M,
+    centre: impl Into<SVector<f64, D>>,
+    radius: f64,
+    effort: &Effort,
+) -> Result<Report, LocalityError<LocalError>> {
+    Ok(verify(&MetricCase::within(metric, centre, radius, *effort)?))
 }

@@ -106,7 +106,7 @@ fn errors<M: Bounded<D>, const D: usize>(
     k: usize,
 ) -> Result<Errors, VerifyError> {
     let point =
-        |k: usize| case.region.at(&SVector::from_fn(|i, _| ((k + 1) as f64 * winding(i)).fract()));
+        |k: usize| case.ends.at(&SVector::from_fn(|i, _| ((k + 1) as f64 * winding(i)).fract()));
     let posed = Posed::between(point(k), point(k + 1));
     let known = case.known(&posed, &[])?;
     let mut errors = [Vec::new(), Vec::new()];
@@ -131,7 +131,7 @@ pub(super) fn distances<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) 
     };
     case.solvable()?;
     let metric = &case.metric;
-    let pairs = (case.region.uniform(), case.region.uniform());
+    let pairs = (case.ends.uniform(), case.ends.uniform());
     for_all(&case.effort, case.effort.problems, COSTLY, pairs, |(a, b)| {
         let (Some(d), Some(back)) = (distance(metric, a, b), distance(metric, b, a)) else {
             return Ok(f64::INFINITY);
@@ -143,7 +143,7 @@ pub(super) fn distances<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) 
         Fault::unless_at_most("|d(x, y) − d(y, x)| = 0", [(d - back).abs(), 0.0], granted, &point)?;
         let own = distance(metric, a, a).unwrap_or(0.0);
         Fault::unless_at_most("d(x, x) = 0", [own.abs(), 0.0], granted, &point)?;
-        if (b - a).norm() < case.region.size() / 64.0 {
+        if (b - a).norm() < case.ends.size() / 64.0 {
             return Ok(f64::INFINITY);
         }
         let known =

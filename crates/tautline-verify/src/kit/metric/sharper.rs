@@ -7,8 +7,8 @@ use crate::{
     Evidence, Library, PaperRule,
     kit::{Fault, report::LawResult},
     statements::{
-        lemma_s_2, lemma_s_3, lemma_s_4, lemma_s_5, prop_s_6, theorem_a, theorem_b, theorem_c,
-        theorem_d,
+        lemma_s_2, lemma_s_3, lemma_s_4, lemma_s_5, prop_s_6, prop_s_8, theorem_a, theorem_b,
+        theorem_c, theorem_d,
     },
 };
 
@@ -50,5 +50,12 @@ pub(super) fn theorems<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -
 pub(super) fn enclosures<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
     case.of_both_rules(|minimiser: &Minimiser<'_, M, D>| {
         judge(&prop_s_6(&Library, minimiser.seen, 0.0)?)
+    })
+}
+
+/// Proposition S.8.
+pub(super) fn localities<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
+    case.of_both_rules(|minimiser: &Minimiser<'_, M, D>| {
+        judge(&prop_s_8(&Library, minimiser.known, minimiser.seen)?)
     })
 }

@@ -139,7 +139,7 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
         for (offset, kind) in Kind::ALL.into_iter().enumerate() {
             let effort =
                 Effort { seed: self.effort.seed.wrapping_add(offset as u64), ..self.effort };
-            let problems = Posed::problems(kind, &self.region);
+            let problems = Posed::problems(kind, &self.ends);
             let one = for_all(&effort, cases, COSTLY, problems, |posed| {
                 match self.solution(rule, posed) {
                     Ok(solution) => {

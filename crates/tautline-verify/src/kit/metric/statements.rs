@@ -94,12 +94,12 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
     /// distances, random pairs. Each of both has half of the samples.
     pub(super) fn of_known(&self, statement: OfKnown<M, D>) -> LawResult {
         self.solvable()?;
-        let (region, effort) = (&self.region, &self.effort);
-        let inner = || proptest::collection::vec(region.points(), 0..=7);
+        let (ends, effort) = (&self.ends, &self.effort);
+        let inner = || proptest::collection::vec(self.region.points(), 0..=7);
         let problems = effort.problems.div_ceil(Kind::ALL.len() as u32);
         let cases = effort.cases.div_ceil(2);
         let posed: RefCell<Vec<Posed<D>>> = RefCell::default();
-        for_all(effort, problems, 0, Posed::problems(Kind::Points, region), |problem| {
+        for_all(effort, problems, 0, Posed::problems(Kind::Points, ends), |problem| {
             posed.borrow_mut().push(*problem);
             Ok(f64::INFINITY)
         })?;
@@ -119,7 +119,7 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
                 })?);
         }
         let Some(distance) = self.distance else { return Ok(tried) };
-        let pairs = (region.uniform(), region.uniform(), inner());
+        let pairs = (ends.uniform(), ends.uniform(), inner());
         Ok(tried.and(for_all(effort, cases, CHEAP, pairs, |(a, b, inner)| {
             let Some(distance) = distance(&self.metric, a, b) else { return Ok(f64::INFINITY) };
             let ends = Ends::points(*a, *b).map_err(VerifyError::from)?;

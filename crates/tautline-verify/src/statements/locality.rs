@@ -1,0 +1,76 @@
+//! Proposition S.8: a ball that no competitor leaves.
+
+use nalgebra::SVector;
+use tautline::{Bounded, LocalError, PointSequence};
+
+use super::section_1::begin;
+use crate::{
+    Evidence, GramRange, Known, PaperRule, Reconstruction, Statement, Subject, Unit, VerifyError,
+    reconstruction::nodes,
+};
+
+/// The chords of a way out of the ball.
+const WAY: usize = 8;
+
+/// Evaluates Proposition S.8 on a computed minimiser, with the radius `R` at which the library
+/// stops when it is given the constants of the problem.
+///
+/// ```text
+/// |xₙ − x|  ≤  R        for every point of the sequence, where x is its bounded end
+/// d  ≤  √c₁ R           which a minimal geodesic would have to exceed in order to leave
+/// √c₁ R  ≤  L(γ)        for the segments γ from x to the distance R along the axes
+/// ```
+///
+/// Needs: the setting of Theorem 1.1 within `R` of the end; a *global* minimiser among the sequences
+/// there.
+///
+/// Slack: one percent in the first two, for which the radius is given away, and none in the third,
+/// where the metric is `c₁ I`.
+///
+/// # Errors
+///
+/// [`VerifyError::Locality`] if no radius is found, [`VerifyError::Metric`] where `H` is not positive
+/// definite.
+pub fn prop_s_8<M: Bounded<D>, const D: usize>(
+    subject: &impl Subject,
+    known: &Known<M, D>,
+    seen: &Reconstruction<D>,
+) -> Result<Evidence, VerifyError> {
+    let &Reconstruction { setting, rule, n, distance_squared: d2, granted, .. } = seen;
+    let (constants, distance) = (setting.constants(), setting.distance());
+    let everywhere = |_| Ok::<_, LocalError>(constants);
+    let region = subject.competitors(D, rule, n, distance, everywhere)?;
+    let (radius, root) = (region.radius, constants.c1().sqrt());
+    let sequence = &seen.minimum.sequence;
+    let is_bounded = known.ends.first().radius().is_some_and(f64::is_finite);
+    let end = if is_bounded { sequence.first() } else { sequence.last() };
+    let farthest = sequence.points().iter().map(|x| (x - end).norm()).fold(0.0, f64::max);
+    // Points are rounded; lengths are roots of energies, of the size of d at least.
+    let rounding = 1e-14 * (end.norm() + radius);
+    let of_lengths = if d2 > 0.0 { granted / distance } else { granted.sqrt() };
+    // What Lemma S.4 has for the minimum, by which the library finds the radius.
+    let mut ceiling = subject.theorem_a_minimum_gap(setting, rule, n);
+    if rule == PaperRule::Trapezoidal {
+        let second =
+            [subject.theorem_b_minimum_gap(setting, n), subject.theorem_d_minimum_gap(setting, n)];
+        ceiling = second.into_iter().flatten().fold(ceiling, f64::min);
+    }
+    let premise = d2 + ceiling;
+    let mut evidence = begin(Statement::PropositionS8, seen, rule, premise)
+        .stated("|xₙ − x| ≤ R", Unit::COORDINATE, [farthest, radius], rounding)
+        .stated("d ≤ √c₁ R", Unit::LENGTH, [distance, root * radius], of_lengths);
+    for axis in 0..D {
+        for sign in [1.0, -1.0] {
+            let way = SVector::from_fn(|i, _| if i == axis { sign * radius } else { 0.0 });
+            let at = |k: usize| end + way * (k as f64 / WAY as f64);
+            let out = PointSequence::new((0..=WAY).map(at).collect())?;
+            let length = subject.curve_length(&known.metric, &out);
+            let pair = [root * radius, length.value];
+            let off = length.error + 1e-14 * length.value + root * rounding;
+            evidence = evidence
+                .given_constants(constants, &GramRange::along(&known.metric, nodes(&out))?)
+                .stated("√c₁ R ≤ L(γ) on the way out", Unit::LENGTH, pair, off);
+        }
+    }
+    Ok(evidence)
+}
