@@ -33,6 +33,9 @@ pub enum VerifyError {
     /// A number is no distance, or a dimension is zero.
     #[error(transparent)]
     Bound(#[from] BoundError),
+    /// A metric has no constants on a ball.
+    #[error(transparent)]
+    Local(#[from] LocalError),
     /// No region holds all competitors.
     #[error(transparent)]
     Locality(#[from] LocalityError<LocalError>),

@@ -28,6 +28,7 @@
 //! | the distance of two points | `examples/two_points.rs` |
 //! | the shortest way between two bodies | `examples/two_sets.rs` |
 //! | a metric of your own, with bounds | `examples/my_own_metric.rs` |
+//! | the distance of two normal distributions, whose metric has no constants on all of the plane | `examples/normal_distributions.rs` |
 //!
 //! # What is computed and what is proven
 //!

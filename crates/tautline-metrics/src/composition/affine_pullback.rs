@@ -117,11 +117,7 @@ impl<M: LocallyBounded<D>, const D: usize> LocallyBounded<D> for AffinePullback<
         radius: f64,
     ) -> Result<Constants, LocalError> {
         let (smin, smax) = self.stretches;
-        // Three roundings of a coordinate of the image, and one of the radius.
-        let image = self.image(centre);
-        let margin =
-            4.0 * D as f64 * f64::EPSILON * (self.matrix.amax() * centre.amax() + image.amax());
-        let within = self.metric.constants_within(&image, smax * radius + margin)?;
+        let within = self.metric.constants_within(&self.image(centre), smax * radius)?;
         Ok(within.pulled_back(smin, smax)?)
     }
 }

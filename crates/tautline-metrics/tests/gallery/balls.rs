@@ -2,50 +2,18 @@
 
 use std::f64::consts::SQRT_2;
 
-use nalgebra::{SMatrix, SVector, vector};
+use nalgebra::{SVector, vector};
 use proptest::prelude::*;
 use tautline_metrics::{
-    Bounded, Constants, HypothesisError, KnownDistance, LocalError, LocallyBounded, Metric, Scalar,
+    Constants, HypothesisError, KnownDistance, LocalError, LocallyBounded,
     gallery::{GaussianFisher, Hyperbolic, Sphere},
 };
 
 use crate::{
+    about::{About, in_ball},
     attained::{curvature, high, low, slope},
     laws::{cube, hold},
 };
-
-/// A metric seen from a point, with the constants of a ball about it.
-#[derive(Debug)]
-struct About<M, const D: usize> {
-    metric: M,
-    centre: SVector<f64, D>,
-    constants: Constants,
-}
-
-impl<M: LocallyBounded<D>, const D: usize> About<M, D> {
-    fn new(metric: M, centre: SVector<f64, D>, radius: f64) -> Self {
-        let constants = metric.constants_within(&centre, radius).expect("inside of its domain");
-        assert!(constants.is_local());
-        Self { metric, centre, constants }
-    }
-}
-
-impl<M: Metric<D>, const D: usize> Metric<D> for About<M, D> {
-    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
-        self.metric.gram(&SVector::from_fn(|i, _| x[i] + self.centre[i]))
-    }
-}
-
-impl<M: Metric<D>, const D: usize> Bounded<D> for About<M, D> {
-    fn constants(&self) -> Constants {
-        self.constants
-    }
-}
-
-/// Half of the half-width of the largest cube in a ball: one of a pair may be twice as far out.
-fn in_ball<const D: usize>(radius: f64) -> f64 {
-    0.5 * radius / (D as f64).sqrt()
-}
 
 #[test]
 fn constants_of_the_sphere_hold_on_balls() {

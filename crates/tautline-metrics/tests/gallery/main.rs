@@ -1,6 +1,7 @@
 //! The metrics of the gallery: their constants hold and are attained, their distances are
 //! distances, and bad parameters are refused.
 
+mod about;
 mod attained;
 mod balls;
 mod decoder;

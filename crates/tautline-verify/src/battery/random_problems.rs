@@ -9,9 +9,10 @@ use super::{Outcome, Trial, check::all};
 use crate::{
     Evidence, Known, PaperRule, Reconstruction, Subject, VerifyError,
     strategies::{
-        constant, constant_ball_half_space, constant_finite_sets, points, ramp, separable,
-        separable_box_half_space, separable_boxes, shear, shear_ball_half_plane, subintervals,
-        valleys_across, valleys_along, valleys_ball_half_space,
+        constant, constant_ball_half_space, constant_finite_sets, gaussian_fisher_nearby,
+        hyperbolic_nearby, points, ramp, separable, separable_box_half_space, separable_boxes,
+        shear, shear_ball_half_plane, sphere_nearby, subintervals, valleys_across, valleys_along,
+        valleys_ball_half_space,
     },
 };
 
@@ -95,6 +96,20 @@ impl<Q> Problems<Q> {
         ])
     }
 
+    /// Between two points near each other, with the constants of a ball that holds all competitors.
+    pub(super) fn on_balls<S: Subject>(self, trial: &Trial<'_, S>) -> Outcome
+    where
+        Q: Question<S>,
+    {
+        all([
+            self.family(trial, 0, 128, sphere_nearby::<1>()),
+            self.family(trial, 1, 256, sphere_nearby::<2>()),
+            self.family(trial, 2, 128, sphere_nearby::<3>()),
+            self.family(trial, 3, 256, hyperbolic_nearby::<2>()),
+            self.family(trial, 4, 256, gaussian_fisher_nearby()),
+        ])
+    }
+
     /// In two systems of units each.
     pub(super) fn homogeneous<S: Subject>(self, trial: &Trial<'_, S>) -> Outcome
     where
@@ -104,6 +119,7 @@ impl<Q> Problems<Q> {
             self.in_units(trial, 0, shear_ball_half_plane()),
             self.in_units(trial, 1, separable_boxes::<3>()),
             self.in_units(trial, 2, points(ramp())),
+            self.in_units(trial, 3, gaussian_fisher_nearby()),
         ])
     }
 

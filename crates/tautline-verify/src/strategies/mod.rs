@@ -1,12 +1,14 @@
 //! Random cases for proptest: points, point sequences, curves, metrics and problems with known
 //! distances.
 
+mod balls;
 mod curves;
 mod geodesics;
 mod metrics;
 mod points;
 mod problems;
 
+pub use balls::{gaussian_fisher_nearby, hyperbolic_nearby, sphere_nearby};
 pub use curves::{kinked_curve, smooth_curve, smooth_curve_between, times};
 pub use geodesics::{clock, in_hyperbolic_space, joined, on_sphere, ray};
 pub use metrics::{bump, constant, hill, lens, ramp, separable, shear};

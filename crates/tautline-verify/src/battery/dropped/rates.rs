@@ -85,7 +85,7 @@ fn other_ends() -> Outcome {
 /// Another way from set to set, a local minimiser with `E_N = E = 4` where `d² e = 1`.
 fn not_global() -> Outcome {
     all(PaperRule::BOTH.map(|rule| {
-        let seen = longer_way(rule, 8)?;
+        let (_, seen) = longer_way(rule, 8)?;
         fails_without(&["E_N ≤ d² e"], remark_9_2_for_any_sequence(&Library, &seen))
     }))
 }

@@ -167,7 +167,7 @@ pub(super) fn minimum(
 pub(in super::super) fn longer_way(
     rule: PaperRule,
     n: usize,
-) -> Result<Reconstruction<1>, VerifyError> {
+) -> Result<(Known<gallery::Constant<1>, 1>, Reconstruction<1>), VerifyError> {
     let metric = gallery::Constant::<1>::new([[1.0]].into())?;
     let ends = Ends::new(
         tautline::FiniteSet::new([[0.0], [10.0]])?,
@@ -175,14 +175,15 @@ pub(in super::super) fn longer_way(
     )?;
     let known = Known { metric, ends, distance: 1.0, distance_error: 0.0 };
     let far = minimum(&metric, &Ends::points([10.0], [12.0])?, rule, n)?;
-    Reconstruction::read(&Library, &known, rule, far)
+    let seen = Reconstruction::read(&Library, &known, rule, far)?;
+    Ok((known, seen))
 }
 
 fn not_global() -> Outcome {
     let mut outcomes = Vec::new();
     for n in [1, 8] {
         for rule in PaperRule::BOTH {
-            let evidence = evidence(&Library, &longer_way(rule, n)?);
+            let evidence = evidence(&Library, &longer_way(rule, n)?.1);
             outcomes.extend(evidence.map(|evidence| fails_without(&[PREMISE], evidence)));
         }
     }

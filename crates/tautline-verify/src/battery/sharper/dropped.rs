@@ -19,13 +19,13 @@ use super::{
 use crate::{
     Known, Library, PaperRule, Reconstruction,
     Statement::{
-        LemmaS1, LemmaS2, LemmaS3, LemmaS4, LemmaS5, PropositionS6, PropositionS7, TheoremA,
-        TheoremB, TheoremC, TheoremD,
+        LemmaS1, LemmaS2, LemmaS3, LemmaS4, LemmaS5, PropositionS6, PropositionS7, PropositionS8,
+        TheoremA, TheoremB, TheoremC, TheoremD,
     },
     Subject, VerifyError, WithConstants,
     statements::{
-        lemma_s_1, lemma_s_2, lemma_s_3, lemma_s_4, lemma_s_5, prop_s_6, prop_s_7, theorem_a,
-        theorem_b, theorem_c, theorem_d,
+        lemma_s_1, lemma_s_2, lemma_s_3, lemma_s_4, lemma_s_5, prop_s_6, prop_s_7, prop_s_8,
+        theorem_a, theorem_b, theorem_c, theorem_d,
     },
     witnesses::{Polygonal, Twist, one_step, tent},
 };
@@ -62,9 +62,9 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
             without_c1()
         }),
         Check::new(
-            "theorems_a_and_c_fail_for_a_minimiser_that_is_not_global",
+            "theorems_a_and_c_and_prop_s_8_fail_for_a_minimiser_that_is_not_global",
             dropped,
-            &[TheoremA, TheoremC],
+            &[TheoremA, TheoremC, PropositionS8],
             |_| not_global(),
         ),
     ]
@@ -158,9 +158,10 @@ fn without_c1() -> Outcome {
 fn not_global() -> Outcome {
     let mut outcomes = Vec::new();
     for rule in PaperRule::BOTH {
-        let longer = longer_way(rule, 8)?;
+        let (known, longer) = longer_way(rule, 8)?;
         outcomes.push(fails_without(PREMISE, theorem_a(&Library, &longer)));
         outcomes.push(fails_without(PREMISE, theorem_c(&Library, &longer)));
+        outcomes.push(fails_without(PREMISE, prop_s_8(&Library, &known, &longer)?));
     }
     all(outcomes)
 }

@@ -1,8 +1,9 @@
-//! The sharper statements: Lemmas S.1 to S.5, Theorems A to D, Propositions S.6 and S.7.
+//! The sharper statements: Lemmas S.1 to S.5, Theorems A to D, Propositions S.6 to S.8.
 
 mod dropped;
 mod golden;
 mod lemmas;
+mod locality;
 mod theorems;
 mod witnesses;
 
@@ -13,6 +14,7 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
     let parts = [
         lemmas::checks(),
         theorems::checks(),
+        locality::checks(),
         witnesses::checks(),
         golden::checks(),
         dropped::checks(),

@@ -1,4 +1,5 @@
-//! Lemmas S.4 and S.5, Theorems A to D and Proposition S.6 on random problems with a known distance.
+//! Lemmas S.2 to S.5, Theorems A to D and Propositions S.6 and S.8 on random problems with a known
+//! distance.
 
 use tautline::Bounded;
 
@@ -9,18 +10,30 @@ use super::super::{
 use crate::{
     Evidence, Known, PaperRule, Reconstruction, Statement,
     Statement::{
-        LemmaS2, LemmaS3, LemmaS4, LemmaS5, PropositionS6, TheoremA, TheoremB, TheoremC, TheoremD,
+        LemmaS2, LemmaS3, LemmaS4, LemmaS5, PropositionS6, PropositionS8, TheoremA, TheoremB,
+        TheoremC, TheoremD,
     },
     Subject, VerifyError,
     statements::{
-        lemma_s_2, lemma_s_3, lemma_s_4, lemma_s_5, prop_s_6, theorem_a, theorem_b, theorem_c,
-        theorem_d,
+        lemma_s_2, lemma_s_3, lemma_s_4, lemma_s_5, prop_s_6, prop_s_8, theorem_a, theorem_b,
+        theorem_c, theorem_d,
     },
 };
 
-const TRAPEZOIDAL: &[Statement] =
-    &[LemmaS2, LemmaS3, LemmaS4, LemmaS5, TheoremA, TheoremB, TheoremC, TheoremD, PropositionS6];
-const LEFT: &[Statement] = &[LemmaS2, LemmaS3, LemmaS4, LemmaS5, TheoremA, TheoremC, PropositionS6];
+const TRAPEZOIDAL: &[Statement] = &[
+    LemmaS2,
+    LemmaS3,
+    LemmaS4,
+    LemmaS5,
+    TheoremA,
+    TheoremB,
+    TheoremC,
+    TheoremD,
+    PropositionS6,
+    PropositionS8,
+];
+const LEFT: &[Statement] =
+    &[LemmaS2, LemmaS3, LemmaS4, LemmaS5, TheoremA, TheoremC, PropositionS6, PropositionS8];
 
 pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
     vec![
@@ -35,6 +48,15 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
         }),
         Check::new("theorems_a_and_c_hold_from_set_to_set", Kind::Random, LEFT, |trial| {
             SharperTheorems::of(PaperRule::LeftEndpoint, 2400).between_sets(trial)
+        }),
+        Check::new(
+            "theorems_a_to_d_hold_with_constants_of_a_ball",
+            Kind::Random,
+            TRAPEZOIDAL,
+            |trial| SharperTheorems::of(PaperRule::Trapezoidal, 2700).on_balls(trial),
+        ),
+        Check::new("theorems_a_and_c_hold_with_constants_of_a_ball", Kind::Random, LEFT, |trial| {
+            SharperTheorems::of(PaperRule::LeftEndpoint, 2750).on_balls(trial)
         }),
         Check::new("theorems_a_to_d_are_homogeneous", Kind::Homogeneous, TRAPEZOIDAL, |trial| {
             SharperTheorems::of(PaperRule::Trapezoidal, 2500).homogeneous(trial)
@@ -59,6 +81,7 @@ pub(super) fn evidence<S: Subject, M: Bounded<D>, const D: usize>(
         theorem_a(subject, seen),
         theorem_c(subject, seen),
         prop_s_6(subject, seen, 0.0)?,
+        prop_s_8(subject, known, seen)?,
     ];
     // Between ends that touch there is no speed to compare with.
     if seen.distance_squared > 0.0 {

@@ -1,0 +1,21 @@
+//! How different are two normal distributions? A metric with constants on balls only.
+
+use tautline::{Ends, KnownDistance, Problem, SVector, Trapezoidal, gallery::GaussianFisher};
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    // The mean, and the logarithm of the standard deviation.
+    let [before, after] = [[0.0, 0.0], [0.1, 0.05]];
+    let line =
+        Problem::new(GaussianFisher, Ends::points(before, after)?).solve(Trapezoidal, 1000)?;
+
+    // diag(e^{−2t}, 2) lies between no two positive numbers, but nothing shorter than this line leaves
+    // a ball, and there it does (Proposition S.8).
+    let competitors = line.competitors()?;
+    println!("all competitors are within {:.4} of the first", competitors.within.r());
+    let enclosure = line.enclosure_among(&competitors)?;
+    println!("{:.9} ≤ d² ≤ {:.9}", enclosure.lower, enclosure.upper);
+
+    let exact = GaussianFisher.distance(&SVector::from(before), &SVector::from(after));
+    println!("d² = {:.9}", exact.ok_or("always known")?.powi(2));
+    Ok(())
+}
