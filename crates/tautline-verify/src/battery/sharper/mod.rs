@@ -1,8 +1,11 @@
 //! The sharper statements: Lemmas S.1 to S.5, Theorems A to D, Propositions S.6 and S.7.
 
+mod convexity;
 mod dropped;
 mod golden;
+mod leading;
 mod lemmas;
+mod speeds;
 mod theorems;
 mod witnesses;
 
@@ -14,6 +17,9 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
         lemmas::checks(),
         theorems::checks(),
         witnesses::checks(),
+        speeds::checks(),
+        convexity::checks(),
+        leading::checks(),
         golden::checks(),
         dropped::checks(),
     ];
