@@ -149,12 +149,39 @@ pub(crate) fn append_pieces<const D: usize>(
 mod tests {
     use std::sync::Arc;
 
-    use nalgebra::{SVector, vector};
+    use nalgebra::{SMatrix, SVector, vector};
 
     use crate::{
         AffineSubspace, AxisBox, Ball, ClosedSet, FiniteSet, HalfSpace, Point, Segment, SetError,
         Sphere, Union,
     };
+
+    /// A set that says no more than it has to.
+    #[derive(Debug)]
+    struct Anything {
+        radius: Option<f64>,
+    }
+
+    impl ClosedSet<2> for Anything {
+        fn project(&self, _: &SVector<f64, 2>) -> SVector<f64, 2> {
+            SVector::zeros()
+        }
+
+        fn projection_derivative(&self, _: &SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
+            SMatrix::zeros()
+        }
+
+        fn radius(&self) -> Option<f64> {
+            self.radius
+        }
+    }
+
+    #[test]
+    fn any_bounded_set_is_in_a_ball_about_the_origin() {
+        let ball = |radius| Anything { radius }.enclosing_ball();
+        assert_eq!(ball(Some(3.0)), Some((vector![0.0, 0.0], 3.0)));
+        assert_eq!(ball(None), None);
+    }
 
     /// Those of the sets themselves, not those about the origin.
     #[test]

@@ -7,8 +7,8 @@ use tautline::{
     Bounded, ClosedSet, Constants, Ends, Integral, Interpolation, Metric, MetricError, Minimum,
     Options, PointSequence, Rule, SolveError,
     bounds::{
-        self, BetweenPoints, BoundError, Computed, Enclosure, LocalityError, PaperRule, Region,
-        Setting, Spread,
+        self, BetweenPoints, Bound, BoundError, Computed, Enclosure, LocalityError, PaperRule,
+        Region, Setting, Spread,
     },
     christoffel, energy_gradient, minimise,
 };
@@ -238,6 +238,11 @@ pub trait Subject: Sync {
         bounds::greatest_difference(constants, k3, rho)
     }
 
+    /// Returns the bound of `|βₙ − βₙ₋₁|` of Lemma S.3, in `ℓ`.
+    fn difference_step(&self, constants: Constants, greatest: f64, n: NonZeroUsize) -> f64 {
+        bounds::difference_step(constants, greatest, n)
+    }
+
     /// Returns the bound of `L(γᵖˡ)²` by the discrete energy of Lemma S.5, in `m²`.
     fn squared_length(
         &self,
@@ -317,6 +322,11 @@ pub trait Subject: Sync {
     /// Returns the bound of `|E(γᵖˡ) − E_tra,N|` of Theorem D, in `m²`.
     fn theorem_d_polyline_gap(&self, setting: Setting, n: NonZeroUsize) -> Option<f64> {
         bounds::theorem_d_polyline_gap(setting, n)
+    }
+
+    /// Returns the least of all bounds of `L(γᵖˡ)² − d²`, in `m²`.
+    fn least_length_excess(&self, setting: Setting, rule: PaperRule, n: NonZeroUsize) -> Bound {
+        bounds::least_length_excess(setting, rule, n)
     }
 
     /// Returns the enclosure of `d²` of Proposition S.6.

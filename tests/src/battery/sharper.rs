@@ -11,8 +11,13 @@ super::checks! {
     theorems_a_to_d_hold_from_set_to_set
     theorems_a_and_c_hold_between_points
     theorems_a_and_c_hold_from_set_to_set
+    theorems_a_to_d_hold_with_constants_of_a_ball
+    theorems_a_and_c_hold_with_constants_of_a_ball
     theorems_a_to_d_are_homogeneous
     theorems_a_and_c_are_homogeneous
+    prop_s_8_is_attained_where_the_metric_is_constant
+    prop_s_8_is_attained_in_a_small_ball
+    prop_s_8_fails_where_c1_is_overstated
     lemma_s_1_is_attained_by_a_twist_and_an_incline
     lemma_s_2_is_attained_by_one_step
     lemma_s_2_is_attained_along_a_parabola
@@ -23,13 +28,18 @@ super::checks! {
     theorems_a_and_c_are_attained_on_two_routes
     theorem_c_is_attained_by_the_left_rule_for_every_n
     theorems_b_and_d_are_attained_on_two_arcs
+    lemma_s_3_is_attained_from_chord_to_chord_over_a_twist
+    lemma_s_3_is_nearly_attained_by_a_sequence_that_runs_away
     prop_s_7_finds_the_minimum_under_a_constant_metric_from_a_wave
     prop_s_7_is_attained_with_two_chords_on_opposite_slopes
-    golden_bounds_of_theorems_a_and_b
+    prop_s_7_is_attained_with_two_chords_about_crests
+    prop_s_7_covers_a_minimiser_that_is_faster_than_the_straight_line
+    bounds_of_theorems_a_to_d_have_the_leading_terms_that_are_stated
+    golden_bounds_of_theorems_a_to_d
     lemmas_s_1_to_s_3_fail_where_l_h_is_understated
     the_sharper_theorems_fail_where_l_h_is_understated
     lemma_s_2_and_theorems_b_and_d_fail_where_m_h_is_understated
     lemma_s_4_fails_where_c2_is_understated
     prop_s_7_fails_where_c1_is_overstated
-    theorems_a_and_c_fail_for_a_minimiser_that_is_not_global
+    theorems_a_and_c_and_prop_s_8_fail_for_a_minimiser_that_is_not_global
 }

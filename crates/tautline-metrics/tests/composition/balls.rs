@@ -77,7 +77,7 @@ fn constants_on_balls_are_those_of_the_parts() {
     assert!(close(found.l_h(), expected.l_h()) && found.is_local());
     assert!(close(found.m_h().expect("known"), expected.m_h().expect("known")), "{found:?}");
     // A reference knows what the metric knows.
-    assert_eq!(of(&Sphere, x, radius), sphere);
+    assert_eq!(of::<&Sphere, 2>(&Sphere, x, radius), sphere);
 }
 
 /// The patch has constants everywhere, and its metric better ones where it is tame.

@@ -4,18 +4,13 @@ use std::num::NonZeroUsize;
 
 use nalgebra::{SMatrix, SVector};
 use tautline::{
-    Bounded, ClosedSet, Constants, Curvature, Ends, Integral, LeftEndpoint, Metric, MetricError,
-    Minimum, Options, PointSequence, Rule, SolveError, Starts, Stop, Trapezoidal, TrueTrapezoid,
-    bounds::{BoundError, Computed, Enclosure, PaperRule, Setting, Spread},
+    Bounded, ClosedSet, Constants, Ends, Integral, LeftEndpoint, Metric, MetricError, Minimum,
+    Options, PointSequence, Rule, SolveError, Trapezoidal, TrueTrapezoid,
+    bounds::{BetweenPoints, Bound, BoundError, Computed, Enclosure, PaperRule, Setting, Spread},
 };
 
-use super::{Mutant, mutations, sharper};
+use super::{Mutant, enclosures, mutations, sharper, solver, solver::is_trapezoidal, theorems};
 use crate::{Library, Subject};
-
-/// Whether `R` reads the metric as the trapezoidal rule of the paper does.
-fn is_trapezoidal<R: Rule>() -> bool {
-    R::NODES == Trapezoidal::NODES
-}
 
 /// The library with the mistake of a mutant; with none, the library.
 impl Subject for Option<Mutant> {
@@ -149,53 +144,7 @@ impl Subject for Option<Mutant> {
         n: usize,
         options: &Options<D>,
     ) -> Result<Minimum<D>, SolveError> {
-        let genuine = |n| Library.minimise_with(rule, metric, ends, n, options);
-        let believed = |mut minimum: Minimum<D>| {
-            (minimum.stop, minimum.curvature) = (Stop::Converged, Curvature::PositiveDefinite);
-            minimum
-        };
-        let with = |minimum: Minimum<D>, sequence: PointSequence<D>| {
-            let mut minimum = believed(minimum);
-            minimum.energy = rule.energy(metric, &sequence);
-            minimum.sequence = sequence;
-            minimum
-        };
-        match self {
-            Some(Mutant::RulesExchanged) if is_trapezoidal::<R>() => {
-                Library.minimise_with(LeftEndpoint, metric, ends, n, options)
-            }
-            Some(Mutant::RulesExchanged) => {
-                Library.minimise_with(Trapezoidal, metric, ends, n, options)
-            }
-            Some(Mutant::TrueTrapezoid) if is_trapezoidal::<R>() => {
-                Library.minimise_with(TrueTrapezoid, metric, ends, n, options)
-            }
-            Some(Mutant::StopsEarly) => {
-                let once = Options { iterations: 1, ..options.clone() };
-                Library.minimise_with(rule, metric, ends, n, &once).map(believed)
-            }
-            Some(Mutant::NotOptimised) => {
-                let minimum = genuine(n)?;
-                let straight = mutations::straightened(&minimum.sequence);
-                Ok(with(minimum, straight))
-            }
-            Some(Mutant::NotRefined) => {
-                let minimum = genuine(n.div_ceil(2))?;
-                let finer = mutations::resampled(&minimum.sequence, n);
-                Ok(with(minimum, finer))
-            }
-            Some(Mutant::LocalForGlobal) => {
-                let straight = mutations::straightened(&genuine(n)?.sequence);
-                let one = Options { starts: Starts::Only(vec![straight]), ..options.clone() };
-                Library.minimise_with(rule, metric, ends, n, &one).map(believed)
-            }
-            Some(Mutant::EndRelaxed) => {
-                let minimum = genuine(n)?;
-                let moved = mutations::first_point_moved(&minimum.sequence, 1e-6);
-                Ok(with(minimum, moved))
-            }
-            _ => genuine(n),
-        }
+        solver::minimise_with(*self, rule, metric, ends, n, options)
     }
 
     fn constants<const D: usize>(&self, metric: &impl Bounded<D>) -> Constants {
@@ -319,6 +268,15 @@ impl Subject for Option<Mutant> {
         sharper::greatest_speed(*self, constants, energy, rho, n)
     }
 
+    fn greatest_difference(&self, constants: Constants, k3: f64, rho: f64) -> f64 {
+        sharper::greatest_difference(*self, constants, k3, rho)
+    }
+
+    fn difference_step(&self, constants: Constants, greatest: f64, n: NonZeroUsize) -> f64 {
+        let genuine = Library.difference_step(constants, greatest, n);
+        if *self == Some(Mutant::StepHalved) { 0.5 * genuine } else { genuine }
+    }
+
     fn squared_length(
         &self,
         constants: Constants,
@@ -333,24 +291,58 @@ impl Subject for Option<Mutant> {
         sharper::spread(*self, setting, rule, n, surplus)
     }
 
+    fn sharp_spread(&self, setting: Setting, n: NonZeroUsize, surplus: f64) -> Option<Spread> {
+        sharper::sharp_spread(*self, setting, n, surplus)
+    }
+
     fn theorem_a_minimum_gap(&self, setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
-        sharper::theorem_a_minimum_gap(*self, setting, rule, n)
+        theorems::theorem_a_minimum_gap(*self, setting, rule, n)
     }
 
     fn theorem_a_polyline_gap(&self, setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
-        sharper::theorem_a_polyline_gap(*self, setting, rule, n)
+        theorems::theorem_a_polyline_gap(*self, setting, rule, n)
+    }
+
+    fn theorem_b_minimum_gap(&self, setting: Setting, n: NonZeroUsize) -> Option<f64> {
+        theorems::theorem_b_minimum_gap(*self, setting, n)
+    }
+
+    fn theorem_b_polyline_gap(&self, setting: Setting, n: NonZeroUsize) -> Option<f64> {
+        theorems::theorem_b_polyline_gap(*self, setting, n)
     }
 
     fn theorem_c_deficit(&self, setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
-        sharper::theorem_c_deficit(*self, setting, rule, n)
+        theorems::theorem_c_deficit(*self, setting, rule, n)
+    }
+
+    fn theorem_c_polyline_gap(&self, setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
+        theorems::theorem_c_polyline_gap(*self, setting, rule, n)
+    }
+
+    fn theorem_c_length_excess(&self, setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
+        theorems::theorem_c_length_excess(*self, setting, rule, n)
     }
 
     fn theorem_d_minimum_gap(&self, setting: Setting, n: NonZeroUsize) -> Option<f64> {
-        sharper::theorem_d_minimum_gap(*self, setting, n)
+        theorems::theorem_d_minimum_gap(*self, setting, n)
     }
 
     fn theorem_d_polyline_gap(&self, setting: Setting, n: NonZeroUsize) -> Option<f64> {
-        sharper::theorem_d_polyline_gap(*self, setting, n)
+        theorems::theorem_d_polyline_gap(*self, setting, n)
+    }
+
+    fn theorem_d_length_excess(&self, setting: Setting, n: NonZeroUsize) -> Option<f64> {
+        theorems::theorem_d_length_excess(*self, setting, n)
+    }
+
+    fn theorem_d_deficit(&self, setting: Setting, n: NonZeroUsize) -> Option<f64> {
+        let genuine = Library.theorem_d_deficit(setting, n);
+        let half = *self == Some(Mutant::DeficitOfTheoremDHalved);
+        if half { genuine.map(|lost| 0.5 * lost) } else { genuine }
+    }
+
+    fn least_length_excess(&self, setting: Setting, rule: PaperRule, n: NonZeroUsize) -> Bound {
+        theorems::least_length_excess(*self, setting, rule, n)
     }
 
     fn enclose(
@@ -359,7 +351,7 @@ impl Subject for Option<Mutant> {
         dimension: usize,
         computed: &Computed,
     ) -> Result<Enclosure, BoundError> {
-        sharper::enclose(*self, constants, dimension, computed)
+        enclosures::enclose(*self, constants, dimension, computed)
     }
 
     fn convexity_modulus(
@@ -369,6 +361,15 @@ impl Subject for Option<Mutant> {
         greatest: f64,
         n: NonZeroUsize,
     ) -> Option<f64> {
-        sharper::convexity_modulus(*self, constants, rule, greatest, n)
+        enclosures::convexity_modulus(*self, constants, rule, greatest, n)
+    }
+
+    fn strict_convexity(
+        &self,
+        constants: Constants,
+        dimension: usize,
+        computed: &BetweenPoints,
+    ) -> Option<f64> {
+        enclosures::strict_convexity(*self, constants, dimension, computed)
     }
 }

@@ -88,6 +88,10 @@ pub enum Mutant {
     ResidualForgotten,
     /// Lemma S.3 without the change of speed from chord to chord.
     SpeedChangeForgotten,
+    /// Lemma S.3 with `¼ L_H K₃²` for `½ L_H K₃²`.
+    MomentumGrowthHalved,
+    /// Lemma S.3 with `¾` for `3/2` from one difference to the next.
+    StepHalved,
     /// Lemma S.4 with `δ/4N` for the left-endpoint rule.
     LeftCeilingHalved,
     /// Lemma S.4 with `G²/24` for `G²/12`.
@@ -96,21 +100,49 @@ pub enum Mutant {
     LengthGapHalved,
     /// Lemma S.5 with half of the variance of the speeds.
     VarianceHalved,
+    /// Lemma S.5 with an `m₃` as if the speeds were symmetric about their mean.
+    SkewnessForgotten,
+    /// Lemma S.5 with an `m₄` without the fourth power of the deviations.
+    KurtosisForgotten,
     /// Theorem A with `Q = √e`, as if all speeds were equal.
     SpeedsOfTheoremAEqual,
+    /// Theorem B with `Gδ/6` for `Gδ/3`.
+    SampledTermHalved,
+    /// Theorem B with `Q` for `Q²`.
+    SquareOfSpeedLost,
+    /// Theorem B with `μ/48N²` for `μ/24N²`.
+    StationaryFourthHalved,
     /// Theorem C with half of what `E_N` may be below `d²`.
     DeficitHalved,
+    /// Theorem C with `m₃ = e^{3/2}`, as if all speeds were equal.
+    SpeedsOfTheoremCEqual,
+    /// Theorem C with half the gap of the length.
+    LengthOfTheoremCHalved,
+    /// Theorem C with `e` for `e^{3/2}` in the gap of the length.
+    PowerOfTheoremCLost,
     /// Theorem D with `μ/48N²` for `μ/24N²`.
     FourthPowerHalved,
+    /// Theorem D with half the gap of the length.
+    LengthOfTheoremDHalved,
+    /// Theorem D with half of what `E_tra,N` may be below `d²`.
+    DeficitOfTheoremDHalved,
+    /// The least bound of the length of the trapezoidal rule for the left-endpoint rule.
+    LeastOfTheOtherRule,
     /// Proposition S.6 with `min E_N ≤ d²`.
     CeilingForgotten,
     /// Proposition S.7 without the term of `L_H`.
     SlopeForgotten,
+    /// Proposition S.7 without the term of `M_H`.
+    CurvatureOfConvexityForgotten,
+    /// Proposition S.7 with a `B` that covers the computed sequence only.
+    CompetitorsForgotten,
+    /// Proposition S.7 with `π/2` for `N sin(π/2N)`, as for curves.
+    PoincareOfCurves,
 }
 
 impl Mutant {
     /// All of them: discretizations, sets, solver, constants, bounds, sharper bounds.
-    pub const ALL: [Mutant; 51] = [
+    pub const ALL: [Mutant; 67] = [
         Mutant::RulesExchanged,
         Mutant::TrueTrapezoid,
         Mutant::EnergyHalved,
@@ -153,15 +185,31 @@ impl Mutant {
         Mutant::CurvatureGapHalved,
         Mutant::ResidualForgotten,
         Mutant::SpeedChangeForgotten,
+        Mutant::MomentumGrowthHalved,
+        Mutant::StepHalved,
         Mutant::LeftCeilingHalved,
         Mutant::SecondVariationHalved,
         Mutant::LengthGapHalved,
         Mutant::VarianceHalved,
+        Mutant::SkewnessForgotten,
+        Mutant::KurtosisForgotten,
         Mutant::SpeedsOfTheoremAEqual,
+        Mutant::SampledTermHalved,
+        Mutant::SquareOfSpeedLost,
+        Mutant::StationaryFourthHalved,
         Mutant::DeficitHalved,
+        Mutant::SpeedsOfTheoremCEqual,
+        Mutant::LengthOfTheoremCHalved,
+        Mutant::PowerOfTheoremCLost,
         Mutant::FourthPowerHalved,
+        Mutant::LengthOfTheoremDHalved,
+        Mutant::DeficitOfTheoremDHalved,
+        Mutant::LeastOfTheOtherRule,
         Mutant::CeilingForgotten,
         Mutant::SlopeForgotten,
+        Mutant::CurvatureOfConvexityForgotten,
+        Mutant::CompetitorsForgotten,
+        Mutant::PoincareOfCurves,
     ];
 
     /// Returns what is wrong with it, in a few words.
@@ -210,15 +258,31 @@ impl Mutant {
             Mutant::CurvatureGapHalved => "S.2 with M_H/48N²",
             Mutant::ResidualForgotten => "S.3 without the residual",
             Mutant::SpeedChangeForgotten => "S.3 with max q = √E",
+            Mutant::MomentumGrowthHalved => "S.3 with half the growth of the momentum",
+            Mutant::StepHalved => "S.3 with 3/4 from chord to chord",
             Mutant::LeftCeilingHalved => "S.4 with δ/4N for the left rule",
             Mutant::SecondVariationHalved => "S.4 with G²/24",
             Mutant::LengthGapHalved => "S.5 with half the gap of the length",
             Mutant::VarianceHalved => "S.5 with half the variance",
+            Mutant::SkewnessForgotten => "S.5 without R v in m₃",
+            Mutant::KurtosisForgotten => "S.5 without R²v in m₄",
             Mutant::SpeedsOfTheoremAEqual => "Theorem A with Q = √e",
+            Mutant::SampledTermHalved => "Theorem B with Gδ/6 for Gδ/3",
+            Mutant::SquareOfSpeedLost => "Theorem B with Q for Q²",
+            Mutant::StationaryFourthHalved => "Theorem B with μ/48N²",
             Mutant::DeficitHalved => "Theorem C with half the deficit",
+            Mutant::SpeedsOfTheoremCEqual => "Theorem C with m₃ = e^{3/2}",
+            Mutant::LengthOfTheoremCHalved => "Theorem C with half the gap of L(γᵖˡ)",
+            Mutant::PowerOfTheoremCLost => "Theorem C with e for e^{3/2}",
             Mutant::FourthPowerHalved => "Theorem D with μ/48N²",
+            Mutant::LengthOfTheoremDHalved => "Theorem D with half the gap of L(γᵖˡ)",
+            Mutant::DeficitOfTheoremDHalved => "Theorem D with half the deficit",
+            Mutant::LeastOfTheOtherRule => "the left rule with the trapezoidal least bound",
             Mutant::CeilingForgotten => "S.6 with min E_N ≤ d²",
             Mutant::SlopeForgotten => "S.7 without L_H",
+            Mutant::CurvatureOfConvexityForgotten => "S.7 without M_H",
+            Mutant::CompetitorsForgotten => "S.7 on a set without the competitors",
+            Mutant::PoincareOfCurves => "S.7 with π/2 for N sin(π/2N)",
         }
     }
 }

@@ -1,14 +1,7 @@
 //! The programs of the mutants that are longer than a line.
 
-use std::num::NonZeroUsize;
-
 use nalgebra::{SMatrix, SVector};
-use tautline::{
-    Constants, Interpolation, Jet1, Metric, MetricError, PointSequence, Rule, bounds::PaperRule,
-    bounds::Setting, check_gram,
-};
-
-use crate::{Library, Subject};
+use tautline::{Constants, Jet1, Metric, MetricError, PointSequence, Rule, check_gram};
 
 /// The discrete energy without the last chord.
 pub(crate) fn without_last_chord<R: Rule, const D: usize>(
@@ -61,42 +54,7 @@ pub(crate) fn christoffel_with_wrong_sign<const D: usize>(
     Ok(gamma)
 }
 
-/// Equidistant points between the ends of a sequence.
-pub(crate) fn straightened<const D: usize>(sequence: &PointSequence<D>) -> PointSequence<D> {
-    PointSequence::straight(*sequence.first(), *sequence.last(), sequence.n().get())
-        .expect("finite ends")
-}
-
-/// `n + 1` points on the interpolation of a sequence, at equal times.
-pub(crate) fn resampled<const D: usize>(sequence: &PointSequence<D>, n: usize) -> PointSequence<D> {
-    let curve = Interpolation::new(sequence);
-    let points = (0..=n).map(|k| curve.at(k as f64 / n as f64)).collect();
-    PointSequence::new(points).expect("finite")
-}
-
-/// The sequence with its first point moved along the first axis, by a fraction of its size.
-pub(crate) fn first_point_moved<const D: usize>(
-    sequence: &PointSequence<D>,
-    fraction: f64,
-) -> PointSequence<D> {
-    let mut points = sequence.points().to_vec();
-    let size = points[0].norm() + sequence.k3();
-    points[0][0] += fraction * size;
-    PointSequence::new(points).expect("finite")
-}
-
 /// Constants with another `L_H`.
 pub(crate) fn with_l_h(constants: Constants, factor: f64) -> Constants {
     constants.times([1.0, 1.0, factor, 1.0]).expect("a multiple of a finite constant")
-}
-
-/// `d² (kδ/N) e Q` of Theorem A with `Q = √e`.
-pub(crate) fn theorem_a_gap_of_equal_speeds(
-    setting: Setting,
-    rule: PaperRule,
-    n: NonZeroUsize,
-) -> f64 {
-    let d2 = setting.distance().powi(2);
-    let e = 1.0 + Library.theorem_a_minimum_gap(setting, rule, n) / d2;
-    d2 * rule.mean_distance() * setting.delta() / n.get() as f64 * e.powf(1.5)
 }

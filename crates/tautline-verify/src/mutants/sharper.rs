@@ -1,13 +1,13 @@
-//! The mistakes of the mutants in the sharper bounds.
+//! The mistakes of the mutants in Lemmas S.1, S.2, S.3 and S.5.
 
 use std::num::NonZeroUsize;
 
 use tautline::{
     Constants,
-    bounds::{BoundError, Computed, Enclosure, PaperRule, Setting, Spread},
+    bounds::{PaperRule, Setting, Spread},
 };
 
-use super::{Mutant, mutations};
+use super::Mutant;
 use crate::{Library, Subject};
 
 pub(super) fn k2_sharp(mutant: Option<Mutant>, setting: Setting) -> f64 {
@@ -59,6 +59,21 @@ pub(super) fn greatest_speed(
     }
 }
 
+pub(super) fn greatest_difference(
+    mutant: Option<Mutant>,
+    constants: Constants,
+    k3: f64,
+    rho: f64,
+) -> f64 {
+    let genuine = Library.greatest_difference(constants, k3, rho);
+    match mutant {
+        Some(Mutant::MomentumGrowthHalved) => {
+            genuine - 0.25 * constants.l_h() * k3 * k3 / constants.c1()
+        }
+        _ => genuine,
+    }
+}
+
 pub(super) fn squared_length(
     mutant: Option<Mutant>,
     constants: Constants,
@@ -80,105 +95,32 @@ pub(super) fn spread(
     n: NonZeroUsize,
     surplus: f64,
 ) -> Spread {
-    let genuine = Library.spread(setting, rule, n, surplus);
-    match mutant {
-        Some(Mutant::VarianceHalved) => Spread { variance: 0.5 * genuine.variance, ..genuine },
-        _ => genuine,
-    }
+    moments(mutant, Library.spread(setting, rule, n, surplus), n, surplus)
 }
 
-pub(super) fn theorem_a_minimum_gap(
+pub(super) fn sharp_spread(
     mutant: Option<Mutant>,
     setting: Setting,
-    rule: PaperRule,
     n: NonZeroUsize,
-) -> f64 {
-    let genuine = Library.theorem_a_minimum_gap(setting, rule, n);
-    match (mutant, rule) {
-        (Some(Mutant::LeftCeilingHalved), PaperRule::LeftEndpoint) => 0.5 * genuine,
-        _ => genuine,
-    }
+    surplus: f64,
+) -> Option<Spread> {
+    Some(moments(mutant, Library.sharp_spread(setting, n, surplus)?, n, surplus))
 }
 
-pub(super) fn theorem_a_polyline_gap(
-    mutant: Option<Mutant>,
-    setting: Setting,
-    rule: PaperRule,
-    n: NonZeroUsize,
-) -> f64 {
+/// The mistakes in the moments.
+fn moments(mutant: Option<Mutant>, genuine: Spread, n: NonZeroUsize, surplus: f64) -> Spread {
+    let Spread { variance, deviation, .. } = genuine;
+    let (e, count) = (1.0 + surplus, n.get() as f64);
     match mutant {
-        Some(Mutant::SpeedsOfTheoremAEqual) => {
-            mutations::theorem_a_gap_of_equal_speeds(setting, rule, n)
+        Some(Mutant::VarianceHalved) => Spread { variance: 0.5 * variance, ..genuine },
+        Some(Mutant::SkewnessForgotten) => {
+            let cube = e.powf(1.5) + 1.5 * e.sqrt() * variance;
+            Spread { cube: cube.min(genuine.cube), ..genuine }
         }
-        _ => Library.theorem_a_polyline_gap(setting, rule, n),
-    }
-}
-
-pub(super) fn theorem_c_deficit(
-    mutant: Option<Mutant>,
-    setting: Setting,
-    rule: PaperRule,
-    n: NonZeroUsize,
-) -> f64 {
-    let genuine = Library.theorem_c_deficit(setting, rule, n);
-    match mutant {
-        Some(Mutant::DeficitHalved) => 0.5 * genuine,
-        _ => genuine,
-    }
-}
-
-pub(super) fn theorem_d_minimum_gap(
-    mutant: Option<Mutant>,
-    setting: Setting,
-    n: NonZeroUsize,
-) -> Option<f64> {
-    let genuine = Library.theorem_d_minimum_gap(setting, n)?;
-    match mutant {
-        Some(Mutant::SecondVariationHalved) => {
-            let half = setting.bend().powi(2) / (24.0 * (n.get() as f64).powi(2));
-            Some((genuine - setting.distance().powi(2) * half).max(0.5 * genuine))
-        }
-        _ => Some(genuine),
-    }
-}
-
-pub(super) fn theorem_d_polyline_gap(
-    mutant: Option<Mutant>,
-    setting: Setting,
-    n: NonZeroUsize,
-) -> Option<f64> {
-    let genuine = Library.theorem_d_polyline_gap(setting, n);
-    match mutant {
-        Some(Mutant::FourthPowerHalved) => genuine.map(|gap| 0.5 * gap),
-        _ => genuine,
-    }
-}
-
-pub(super) fn enclose(
-    mutant: Option<Mutant>,
-    constants: Constants,
-    dimension: usize,
-    computed: &Computed,
-) -> Result<Enclosure, BoundError> {
-    let genuine = Library.enclose(constants, dimension, computed)?;
-    Ok(match mutant {
-        Some(Mutant::CeilingForgotten) if genuine.assumes_global_minimum => {
-            Enclosure { lower: computed.discrete_energy, ..genuine }
+        Some(Mutant::KurtosisForgotten) => {
+            let fourth = e * e + 4.0 * e * variance + 4.0 * e.sqrt() * deviation * variance;
+            Spread { fourth: fourth.min(count * e * e), ..genuine }
         }
         _ => genuine,
-    })
-}
-
-pub(super) fn convexity_modulus(
-    mutant: Option<Mutant>,
-    constants: Constants,
-    rule: PaperRule,
-    greatest: f64,
-    n: NonZeroUsize,
-) -> Option<f64> {
-    let constants = match mutant {
-        Some(Mutant::SlopeForgotten) => mutations::with_l_h(constants, 0.0),
-        _ => constants,
-    };
-    Library.convexity_modulus(constants, rule, greatest, n)
+    }
 }

@@ -28,6 +28,7 @@ mod existence;
 mod functional_lipschitz;
 mod geodesics;
 mod gram_derivatives;
+mod least_bound;
 mod length_excess;
 mod locality;
 mod minimal_curves;
@@ -51,6 +52,7 @@ pub use existence::{critical_point, prop_7_1};
 pub use functional_lipschitz::{TwoForms, prop_7_5, prop_7_5_as_printed};
 pub use geodesics::{prop_3_1, prop_3_2};
 pub use gram_derivatives::{prop_7_10, prop_7_11};
+pub use least_bound::least_length_bound;
 pub use length_excess::{prop_9_1, prop_9_1_as_printed, remark_9_2, remark_9_2_for_any_sequence};
 pub use locality::prop_s_8;
 pub use minimal_curves::{

@@ -16,8 +16,9 @@ use crate::{
 ///
 /// Needs: `c₁ ≤ H`, `H` Lipschitz; the second `H ≤ c₂`.
 ///
-/// Slack: none in both for a constant metric. Companion: with the largest difference `B`,
-/// `|βₙ − βₙ₋₁| ≤ (3L_H/2Nc₁) B² + |ρₙ|/Nc₁`.
+/// Slack: none in both for a constant metric; nor in what `L_H` adds to the second, in the limit of
+/// sequences that run away. Companion: with the largest difference `B`, `|βₙ − βₙ₋₁| ≤ (3L_H/2Nc₁) B² +
+/// |ρₙ|/Nc₁`, which is attained over a twist.
 ///
 /// # Errors
 ///
@@ -47,7 +48,7 @@ pub fn lemma_s_3<const D: usize>(
     let differences: Vec<_> = sequence.differences().collect();
     let greatest = differences.iter().map(|beta| beta.norm()).fold(0.0, f64::max);
     let steps = differences.windows(2).zip(&rho).map(|(pair, rho)| {
-        let bound = tautline::bounds::difference_step(constants, greatest, n) + rho / (count * c1);
+        let bound = subject.difference_step(constants, greatest, n) + rho / (count * c1);
         [(pair[1] - pair[0]).norm(), bound]
     });
     let over = |[step, bound]: &[f64; 2]| step - bound;

@@ -1,53 +1,39 @@
 //! Families of problems whose distance is known, for statements about discrete minimisers.
 
+use std::f64::consts::FRAC_PI_2;
+
 use tautline::{
-    Bounded, KnownDistance, SVector,
+    Bounded, Ends, FiniteSet, KnownDistance, SVector,
     gallery::{Ramp, Separable, Shear, Valleys},
 };
 
-use super::super::{Family, Parameter};
+use super::{
+    super::{Family, Parameter},
+    about_problems::AboutProblem,
+};
 use crate::{
-    Evidence, Known, PaperRule, Reconstruction, Statement, Subject,
-    statements::{
-        constant_k3_bar, constant_k4_bar, remark_9_2, theorem_1_1, theorem_1_2, theorem_1_3,
-        theorem_1_4,
-    },
+    Known, PaperRule, Reconstruction, Subject,
     witnesses::{self, Incline, Polygonal, tent},
 };
 
-/// A statement about the reconstruction of a discrete minimiser of one rule.
-type OfReconstruction<S, const D: usize> = fn(&S, &Reconstruction<D>) -> Evidence;
-
-/// The statements; another one is one line more.
-fn statements<S: Subject, const D: usize>() -> Vec<(Statement, PaperRule, OfReconstruction<S, D>)> {
-    vec![
-        (Statement::Theorem1_1, PaperRule::Trapezoidal, theorem_1_1),
-        (Statement::Theorem1_2, PaperRule::Trapezoidal, theorem_1_2),
-        (Statement::Theorem1_3, PaperRule::LeftEndpoint, theorem_1_3),
-        (Statement::Theorem1_4, PaperRule::LeftEndpoint, theorem_1_4),
-        (Statement::ConstantK3Bar, PaperRule::Trapezoidal, constant_k3_bar),
-        (Statement::ConstantK4Bar, PaperRule::LeftEndpoint, constant_k4_bar),
-        // The larger of the two bounds.
-        (Statement::Remark9_2, PaperRule::LeftEndpoint, remark_9_2),
-    ]
-}
-
-/// All statements on one box; `problem` takes the rule too, since what misleads a rule depends on
-/// where it reads.
-fn on<'a, S: Subject, M: Bounded<D>, const D: usize, const P: usize>(
+/// Statements on one box; `problem` takes the rule too, since what misleads a rule depends on where
+/// it reads. What a statement about both rules says of the left-endpoint one has the second name.
+fn on<'a, S: Subject, M: Bounded<D> + 'a, const D: usize, const P: usize>(
     subject: &'a S,
-    name: &'static str,
+    [name, left]: [&'static str; 2],
+    statements: impl IntoIterator<Item = Vec<AboutProblem<S, M, D>>>,
     parameters: [Parameter; P],
     problem: impl Fn(PaperRule, [f64; P]) -> Option<(Known<M, D>, f64)> + Copy + 'a,
 ) -> Vec<Family<'a>> {
-    let family = |(statement, rule, evidence): (_, _, OfReconstruction<S, D>)| {
-        Family::new(name, statement, parameters, move |values| {
+    let family = |about: AboutProblem<S, M, D>| {
+        let AboutProblem { statement, rule, is_second, evidence } = about;
+        Family::new(if is_second { left } else { name }, statement, parameters, move |values| {
             let Some((known, n)) = problem(rule, values) else { return Ok(None) };
             let seen = Reconstruction::observe(subject, &known, rule, n as usize)?;
-            Ok(Some(evidence(subject, &seen)))
+            evidence(subject, &known, &seen)
         })
     };
-    statements().into_iter().map(family).collect()
+    statements.into_iter().flatten().map(family).collect()
 }
 
 /// Two points whose distance the metric knows, and `N`; at least a tenth of the unit of
@@ -76,7 +62,15 @@ pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
     let slope = || Parameter::logarithmic("L", 1e-3, 10.0);
     let mut all = on(
         subject,
-        "shear",
+        ["shear", "shear, left"],
+        [
+            AboutProblem::of_the_paper(),
+            AboutProblem::speeds(),
+            AboutProblem::ceiling(),
+            AboutProblem::first_order(),
+            AboutProblem::second_order(),
+            AboutProblem::enclosure(),
+        ],
         [
             Parameter::logarithmic("a", 1e-3, 0.8),
             coordinate("x2"),
@@ -88,13 +82,15 @@ pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
     );
     all.extend(on(
         subject,
-        "separable, D = 1",
+        ["separable, D = 1", "separable, D = 1, left"],
+        [AboutProblem::of_the_paper(), AboutProblem::ceiling(), AboutProblem::second_order()],
         [Parameter::logarithmic("a", 1e-3, 0.6), coordinate("x"), coordinate("y"), n()],
         |_, [a, x, y, n]| between(Separable::new([a], [1.0]).ok()?, [x], [y], n),
     ));
     all.extend(on(
         subject,
-        "separable, D = 2",
+        ["separable, D = 2", "separable, D = 2, left"],
+        [AboutProblem::of_the_paper()],
         [
             Parameter::logarithmic("a1", 1e-3, 0.6),
             Parameter::logarithmic("a2", 1e-3, 0.6),
@@ -111,20 +107,30 @@ pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
     ));
     all.extend(on(
         subject,
-        "ramp",
+        ["ramp", "ramp, left"],
+        [AboutProblem::of_the_paper(), AboutProblem::speeds()],
         [Parameter::logarithmic("a", 1e-3, 0.7), coordinate("x"), coordinate("y"), n()],
         |_, [a, x, y, n]| between(Ramp::new(a, 1.0).ok()?, [x], [y], n),
     ));
     // Kinked in the middle, where one chord reads it and two chords would search it.
-    all.extend(on(subject, "tent", [slope(), Parameter::subintervals(1)], |_, [slope, n]| {
-        between(tent(1.0, slope)?, [0.0], [1.0], n)
-    }));
-    all.extend(on(subject, "incline", [slope(), n()], |_, [slope, n]| {
-        between(Incline::new(1.0, slope)?, [0.0], [1.0], n)
-    }));
     all.extend(on(
         subject,
-        "valleys",
+        ["tent", "tent, left"],
+        [AboutProblem::of_the_paper()],
+        [slope(), Parameter::subintervals(1)],
+        |_, [slope, n]| between(tent(1.0, slope)?, [0.0], [1.0], n),
+    ));
+    all.extend(on(
+        subject,
+        ["incline", "incline, left"],
+        [AboutProblem::of_the_paper(), AboutProblem::first_order()],
+        [slope(), n()],
+        |_, [slope, n]| between(Incline::new(1.0, slope)?, [0.0], [1.0], n),
+    ));
+    all.extend(on(
+        subject,
+        ["valleys", "valleys, left"],
+        [AboutProblem::of_the_paper(), AboutProblem::second_order()],
         [
             coordinate("x1"),
             Parameter::linear("y1", -10.0, 10.0),
@@ -136,7 +142,13 @@ pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
     let turn = |name| Parameter::linear(name, -1.0, 1.0);
     all.extend(on(
         subject,
-        "two routes",
+        ["two routes", "two routes, left"],
+        [
+            AboutProblem::of_the_paper(),
+            AboutProblem::ceiling(),
+            AboutProblem::first_order(),
+            AboutProblem::enclosure(),
+        ],
         [
             slope(),
             turn("a1"),
@@ -148,7 +160,42 @@ pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
         ],
         two_routes,
     ));
+    all.extend(on(
+        subject,
+        ["two arcs", "two arcs, left"],
+        [AboutProblem::ceiling(), AboutProblem::second_order()],
+        [
+            Parameter::logarithmic("a", 1e-4, 0.5),
+            Parameter::logarithmic("length", 0.1, 1.5),
+            Parameter::logarithmic("lead", 1e-8, 1e-1),
+            Parameter::subintervals(1),
+        ],
+        |_, values| two_arcs(values),
+    ));
     all
+}
+
+/// Two arcs for one chord under `H = (1 + a sin x)²`: one about the crest, of this length, and one
+/// about the trough, whose energy the trapezoidal rule takes for less by the part `lead`.
+fn two_arcs([a, length, lead, n]: [f64; 4]) -> Option<(Known<Separable<1>, 1>, f64)> {
+    let metric = Separable::new([a], [1.0]).ok()?;
+    let (crest, trough) = (FRAC_PI_2, 3.0 * FRAC_PI_2);
+    let other = length * (1.0 - lead).sqrt() * (1.0 + a) / (1.0 - a);
+    let from = [crest - 0.5 * length, trough - 0.5 * other];
+    let to = [crest + 0.5 * length, trough + 0.5 * other];
+    let set = |[x, y]: [f64; 2]| FiniteSet::new([[x], [y]]).ok();
+    let ends = Ends::new(set(from)?, set(to)?).ok()?;
+    let of = |x: f64, y: f64| Some(Known::between(metric, [x], [y]).ok()??.distance);
+    let mut distance = f64::INFINITY;
+    for x in from {
+        for y in to {
+            distance = distance.min(of(x, y)?);
+        }
+    }
+    // As in `Known::between`.
+    let size = (trough + other + crest) * (1.0 + a);
+    let distance_error = 16.0 * f64::EPSILON * size;
+    Some((Known { metric, ends, distance, distance_error }, n))
 }
 
 /// Two routes for one chord: on the halves of the first one the slopes `a₁L` and `a₂L`, on those of

@@ -8,7 +8,7 @@ use tautline::{
 use super::super::{Family, Parameter};
 use crate::{
     Evidence, Statement, Subject,
-    statements::{prop_7_9, prop_8_1, prop_8_2},
+    statements::{lemma_s_2, prop_7_9, prop_8_1, prop_8_2},
     witnesses::{Incline, tent},
 };
 
@@ -23,6 +23,7 @@ fn statements<S: Subject, M: Bounded<D>, const D: usize>() -> Vec<(Statement, Of
         (Statement::Proposition7_9, prop_7_9),
         (Statement::Proposition8_1, prop_8_1),
         (Statement::Proposition8_2, prop_8_2),
+        (Statement::LemmaS2, lemma_s_2),
     ]
 }
 

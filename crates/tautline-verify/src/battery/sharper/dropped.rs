@@ -14,7 +14,8 @@ use super::{
         failing::fails_without,
         theorem_witnesses::{ridge, valley},
     },
-    witnesses::{CREST, crest, slopes},
+    convexity::slopes,
+    witnesses::{CREST, crest},
 };
 use crate::{
     Known, Library, PaperRule, Reconstruction,

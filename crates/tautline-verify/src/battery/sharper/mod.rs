@@ -1,9 +1,12 @@
 //! The sharper statements: Lemmas S.1 to S.5, Theorems A to D, Propositions S.6 to S.8.
 
+mod convexity;
 mod dropped;
 mod golden;
+mod leading;
 mod lemmas;
 mod locality;
+mod speeds;
 mod theorems;
 mod witnesses;
 
@@ -16,6 +19,9 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
         theorems::checks(),
         locality::checks(),
         witnesses::checks(),
+        speeds::checks(),
+        convexity::checks(),
+        leading::checks(),
         golden::checks(),
         dropped::checks(),
     ];

@@ -15,8 +15,8 @@ use crate::{
     },
     Subject, VerifyError,
     statements::{
-        lemma_s_2, lemma_s_3, lemma_s_4, lemma_s_5, prop_s_6, prop_s_8, theorem_a, theorem_b,
-        theorem_c, theorem_d,
+        least_length_bound, lemma_s_2, lemma_s_3, lemma_s_4, lemma_s_5, prop_s_6, prop_s_8,
+        theorem_a, theorem_b, theorem_c, theorem_d,
     },
 };
 
@@ -82,6 +82,7 @@ pub(super) fn evidence<S: Subject, M: Bounded<D>, const D: usize>(
         theorem_c(subject, seen),
         prop_s_6(subject, seen, 0.0)?,
         prop_s_8(subject, known, seen)?,
+        least_length_bound(subject, seen),
     ];
     // Between ends that touch there is no speed to compare with.
     if seen.distance_squared > 0.0 {

@@ -12,16 +12,16 @@ use super::super::{
 use crate::{
     Evidence, Known, PaperRule, Reconstruction,
     Statement::{
-        LemmaS1, LemmaS2, LemmaS3, LemmaS4, LemmaS5, PropositionS6, PropositionS7, TheoremA,
-        TheoremB, TheoremC, TheoremD,
+        LemmaS1, LemmaS2, LemmaS3, LemmaS4, LemmaS5, PropositionS6, TheoremA, TheoremB, TheoremC,
+        TheoremD,
     },
     Subject, VerifyError, WithConstants,
     curves::BoundedCurve,
     statements::{
-        lemma_s_1, lemma_s_2, lemma_s_3, lemma_s_4, lemma_s_5, prop_s_6, prop_s_7, theorem_a,
-        theorem_b, theorem_c, theorem_d,
+        least_length_bound, lemma_s_1, lemma_s_2, lemma_s_3, lemma_s_4, lemma_s_5, prop_s_6,
+        theorem_a, theorem_b, theorem_c, theorem_d,
     },
-    witnesses::{Incline, InclineGeodesic, Polygonal, Twist, one_step, tent, two_routes},
+    witnesses::{Incline, InclineGeodesic, Twist, one_step, tent, two_routes},
 };
 
 pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
@@ -67,23 +67,11 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
             &[TheoremB, TheoremD],
             two_arcs,
         ),
-        Check::new(
-            "prop_s_7_finds_the_minimum_under_a_constant_metric_from_a_wave",
-            witness,
-            &[PropositionS7],
-            wave,
-        ),
-        Check::new(
-            "prop_s_7_is_attained_with_two_chords_on_opposite_slopes",
-            witness,
-            &[PropositionS7],
-            opposite_slopes,
-        ),
     ]
 }
 
 /// What a slack may be above 1 where a limit is taken.
-const NEAR: f64 = 1.01;
+pub(super) const NEAR: f64 = 1.01;
 
 /// A short geodesic through the centre of a twist, and one at the foot of an incline.
 fn bent<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
@@ -218,17 +206,21 @@ fn second_variation<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 
 /// A straight line under a constant metric: `mean u = 1`, so that `v = ε − 1` is the variance; and of
 /// chords that are equal but for one, that one is as far from the mean as it can be.
+///
+/// With `N = 100`, one speed of 8 times the mean and `v = 49/99` the moments lose what `√(s − v)` is
+/// above its tangent, and `N − 2` and `N² − 3N + 3` are below `N − 1` and `(N − 1)²`: 6.200 for 5.914,
+/// and 46.39 for 41.70.
 fn one_long_chord<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     let metric = Constant::<1>::new([[4.0]].into()).expect("positive");
     let known = Known::between(metric, [0.0], [3.0]).map_err(VerifyError::from)?.expect("known");
     let mut evidence = Vec::new();
-    for n in [2_usize, 3, 10] {
+    for (n, first) in [(2_usize, 2.0), (3, 2.0), (10, 2.0), (100, 0.24)] {
         for rule in PaperRule::BOTH {
             let mut minimum = Reconstruction::observe(trial.subject, &known, rule, n)?.minimum;
-            // The first chord has the length 2, the others share the rest.
+            // The other chords share the rest.
             let at = |k: usize| match k {
                 0 => [0.0],
-                _ => [2.0 + (k - 1) as f64 / (n - 1) as f64],
+                _ => [first + (3.0 - first) * (k - 1) as f64 / (n - 1) as f64],
             };
             let points = (0..=n).map(|k| at(k).into()).collect();
             minimum.sequence = PointSequence::new(points).map_err(VerifyError::from)?;
@@ -238,6 +230,11 @@ fn one_long_chord<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
                 found = found
                     .claim_is_attained("var u ≤ v", 1.0 + 1e-9)?
                     .claim_is_attained("|u − mean u| ≤ √((N−1)v)", 1.0 + 1e-9)?;
+            }
+            if n == 100 {
+                found = found
+                    .claim_is_attained("mean u³ ≤ m₃", 1.049)?
+                    .claim_is_attained("mean u⁴ ≤ m₄", 1.113)?;
             }
             evidence.push(found);
         }
@@ -255,6 +252,7 @@ fn two_ways<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     ] {
         let (both, alone) =
             (routes(subject, rule, [first, second])?, route(subject, rule, second)?);
+        evidence.push(least_length_bound(subject, &both).slack_is_at_most(LIMIT)?);
         for theorem in [theorem_a, theorem_c] {
             evidence.push(theorem_is_attained(theorem(subject, &both), LIMIT)?);
             evidence
@@ -329,6 +327,7 @@ fn two_arcs<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     for theorem in theorems {
         evidence.push(theorem_is_attained(theorem.expect("M_H is known"), 1.03)?);
     }
+    evidence.push(least_length_bound(trial.subject, &seen).slack_is_at_most(1.03)?);
     // The trough alone: d² − E_tra.
     let ends = [[trough - 0.5], [trough + 0.5]];
     let alone = Known::between(metric, ends[0], ends[1]).map_err(VerifyError::from)?;
@@ -341,57 +340,6 @@ fn two_arcs<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     for theorem in [theorem_b(trial.subject, &seen), theorem_d(trial.subject, &seen)] {
         let theorem = theorem.expect("M_H is known");
         evidence.push(theorem.claim_is_attained("d² − E_N ≤ its bound", 1.01)?);
-    }
-    trial.one(evidence)
-}
-
-/// `N = 2` on the line, with the slope `−L` at the first midpoint and `L` at the second, where `H` is
-/// hardly more than `c₁`: a variation of the middle point changes both differences, and both values
-/// of `H` against each other.
-pub(super) fn slopes(claimed: [f64; 3]) -> Result<(Claimed, [PointSequence<1>; 2]), VerifyError> {
-    // Half the width of the slopes.
-    let w = 1e-3;
-    let knots =
-        [[0.25 - w, 1.0 + w], [0.25 + w, 1.0 - w], [0.75 - w, 1.0 - w], [0.75 + w, 1.0 + w]];
-    let metric = Polygonal::new(&knots).expect("in order");
-    let [c1, c2, l_h] = claimed;
-    // Between its knots H is linear, up to the rounding of its corners.
-    let constants = Constants::new(c1, c2, l_h)?.with_m_h(1e-9)?;
-    let through = |x: f64| PointSequence::new([0.0, x, 1.0].map(|x| [x].into()).to_vec());
-    Ok((WithConstants { metric, constants }, [through(0.5)?, through(0.5001)?]))
-}
-
-/// A polygon with constants that hold where it is read.
-type Claimed = WithConstants<Polygonal>;
-
-fn opposite_slopes<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    let (metric, [x, y]) = slopes([1.0 - 1.1e-3, 1.0 + 1.1e-3, 1.0])?;
-    let rule = PaperRule::Trapezoidal;
-    let evidence = prop_s_7(trial.subject, &metric, rule, [&x, &y], 1.0)?;
-    trial.one([evidence.claim_is_attained("σ ≤ the convexity of E from x to y", NEAR)?])
-}
-
-/// Under `H = 4` the energy is quadratic, and a straight line with half a sine wave added is off its
-/// minimum by `R²/(4σN² sin²(π/2N))` for both rules: the wave is what Poincaré's inequality is sharp
-/// for.
-fn wave<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    let metric = Constant::<1>::new([[4.0]].into()).expect("positive");
-    let mut evidence = Vec::new();
-    for n in [2_usize, 5, 32] {
-        let through = |by: f64| {
-            let at = |k: usize| {
-                let t = k as f64 / n as f64;
-                let sine = if k == 0 || k == n { 0.0 } else { (std::f64::consts::PI * t).sin() };
-                [t + by * sine].into()
-            };
-            PointSequence::new((0..=n).map(at).collect())
-        };
-        let (waved, straight) = (through(0.1), through(0.0));
-        let both = [&waved.map_err(VerifyError::from)?, &straight.map_err(VerifyError::from)?];
-        for rule in PaperRule::BOTH {
-            let found = prop_s_7(trial.subject, &metric, rule, both, 2.0)?;
-            evidence.push(found.claim_is_attained("E(x) − R²/4σN²sin² ≤ E(y)", 1.0 + 1e-9)?);
-        }
     }
     trial.one(evidence)
 }

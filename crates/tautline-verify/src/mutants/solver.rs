@@ -1,0 +1,95 @@
+//! The mistakes of the mutants that are about the solver.
+
+use tautline::{
+    Curvature, Ends, Interpolation, LeftEndpoint, Metric, Minimum, Options, PointSequence, Rule,
+    SolveError, Starts, Stop, Trapezoidal, TrueTrapezoid,
+};
+
+use super::Mutant;
+use crate::{Library, Subject};
+
+/// Whether `R` reads the metric as the trapezoidal rule of the paper does.
+pub(super) fn is_trapezoidal<R: Rule>() -> bool {
+    R::NODES == Trapezoidal::NODES
+}
+
+pub(super) fn minimise_with<R: Rule, const D: usize>(
+    mutant: Option<Mutant>,
+    rule: R,
+    metric: &impl Metric<D>,
+    ends: &Ends<D>,
+    n: usize,
+    options: &Options<D>,
+) -> Result<Minimum<D>, SolveError> {
+    let genuine = |n| Library.minimise_with(rule, metric, ends, n, options);
+    let believed = |mut minimum: Minimum<D>| {
+        (minimum.stop, minimum.curvature) = (Stop::Converged, Curvature::PositiveDefinite);
+        minimum
+    };
+    let with = |minimum: Minimum<D>, sequence: PointSequence<D>| {
+        let mut minimum = believed(minimum);
+        minimum.energy = rule.energy(metric, &sequence);
+        minimum.sequence = sequence;
+        minimum
+    };
+    match mutant {
+        Some(Mutant::RulesExchanged) if is_trapezoidal::<R>() => {
+            Library.minimise_with(LeftEndpoint, metric, ends, n, options)
+        }
+        Some(Mutant::RulesExchanged) => {
+            Library.minimise_with(Trapezoidal, metric, ends, n, options)
+        }
+        Some(Mutant::TrueTrapezoid) if is_trapezoidal::<R>() => {
+            Library.minimise_with(TrueTrapezoid, metric, ends, n, options)
+        }
+        Some(Mutant::StopsEarly) => {
+            let once = Options { iterations: 1, ..options.clone() };
+            Library.minimise_with(rule, metric, ends, n, &once).map(believed)
+        }
+        Some(Mutant::NotOptimised) => {
+            let minimum = genuine(n)?;
+            let straight = straightened(&minimum.sequence);
+            Ok(with(minimum, straight))
+        }
+        Some(Mutant::NotRefined) => {
+            let minimum = genuine(n.div_ceil(2))?;
+            let finer = resampled(&minimum.sequence, n);
+            Ok(with(minimum, finer))
+        }
+        Some(Mutant::LocalForGlobal) => {
+            let straight = straightened(&genuine(n)?.sequence);
+            let one = Options { starts: Starts::Only(vec![straight]), ..options.clone() };
+            Library.minimise_with(rule, metric, ends, n, &one).map(believed)
+        }
+        Some(Mutant::EndRelaxed) => {
+            let minimum = genuine(n)?;
+            let moved = first_point_moved(&minimum.sequence, 1e-6);
+            Ok(with(minimum, moved))
+        }
+        _ => genuine(n),
+    }
+}
+
+/// Equidistant points between the ends of a sequence.
+fn straightened<const D: usize>(sequence: &PointSequence<D>) -> PointSequence<D> {
+    PointSequence::straight(*sequence.first(), *sequence.last(), sequence.n().get())
+        .expect("finite ends")
+}
+
+/// `n + 1` points on the interpolation of a sequence, at equal times.
+fn resampled<const D: usize>(sequence: &PointSequence<D>, n: usize) -> PointSequence<D> {
+    let curve = Interpolation::new(sequence);
+    let points = (0..=n).map(|k| curve.at(k as f64 / n as f64)).collect();
+    PointSequence::new(points).expect("finite")
+}
+
+/// The sequence with its first point moved along the first axis, by a fraction of its size.
+fn first_point_moved<const D: usize>(
+    sequence: &PointSequence<D>,
+    fraction: f64,
+) -> PointSequence<D> {
+    let mut points = sequence.points().to_vec();
+    let size = points[0].norm() + sequence.k3();
+    points[0][0] += fraction * size;
+    PointSequence::new(points).expect("finite")
+}

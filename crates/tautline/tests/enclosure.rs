@@ -1,0 +1,102 @@
+//! What an enclosure of `d²` owes to the errors of the quadratures, and to the residual of the line.
+
+use std::f64::consts::PI;
+
+use tautline::{
+    Ends, KnownDistance, LeftEndpoint, Options, PointSequence, Problem, Rule, RuleOfThePaper,
+    Starts, TautLine, Trapezoidal,
+    bounds::{Enclosure, FromAbove, FromBelow},
+    gallery::{Constant, Separable, Shear},
+};
+
+/// `f = 1 + a sin kx` on `[0, 1]`, with far more waves than a quadrature looks at.
+fn unresolved(a: f64) -> (TautLine<Separable<1>, Trapezoidal, 1>, f64) {
+    let metric = Separable::new([a], [1e5]).expect("valid");
+    let d = metric.distance(&[0.0].into(), &[1.0].into()).expect("known");
+    let ends = Ends::points([0.0], [1.0]).expect("finite");
+    (Problem::new(metric, ends).solve(Trapezoidal, 1).expect("nothing to solve"), d * d)
+}
+
+/// `upper` is `min(E + its error, (L + its error)²)`: without either error it would be less, by far
+/// more than rounding.
+#[test]
+fn the_errors_of_both_quadratures_are_in_the_upper_bound() {
+    for a in [1e-3, 0.5] {
+        let (line, d2) = unresolved(a);
+        let (length, energy) = (line.length(), line.energy());
+        let enclosure = line.enclosure().expect("finite");
+        let of_length = (length.value + length.error).powi(2);
+        let of_energy = energy.value + energy.error;
+        assert_eq!(enclosure.upper, of_length.min(of_energy));
+        let by = if of_energy < of_length { FromAbove::Energy } else { FromAbove::Length };
+        assert_eq!(enclosure.from_above, by);
+        // Rounding is some 10⁻¹⁵.
+        let seen = enclosure.upper * (1.0 - 1e-6);
+        assert!(length.value.powi(2) < seen, "a = {a}: {length:?}, {enclosure:?}");
+        assert!(enclosure.lower <= d2 && d2 <= enclosure.upper, "a = {a}: {enclosure:?} of {d2}");
+        if a < 0.1 {
+            assert!(energy.value < seen, "{energy:?}, {enclosure:?}");
+        }
+    }
+}
+
+/// A straight line between `a` and `b` with half a sine wave added, which no search has touched.
+fn waved<M, R: RuleOfThePaper, const D: usize>(
+    metric: M,
+    rule: R,
+    n: usize,
+    [a, b, by]: [[f64; D]; 3],
+) -> TautLine<M, R, D>
+where
+    M: tautline::Bounded<D>,
+{
+    let at = |k: usize| {
+        let t = k as f64 / n as f64;
+        let sine = if k == 0 || k == n { 0.0 } else { (PI * t).sin() };
+        std::array::from_fn(|i| a[i] * (1.0 - t) + b[i] * t + by[i] * sine).into()
+    };
+    let start = PointSequence::new((0..=n).map(at).collect()).expect("finite");
+    let options = Options { starts: Starts::Only(vec![start]), iterations: 0 };
+    let ends = Ends::points(a, b).expect("finite");
+    Problem::new(metric, ends).solve_with(rule, n, &options).expect("solved")
+}
+
+/// Under `H = 4 I` the energy is quadratic, and a wave is off its minimum `d²` by just what the residual
+/// tells, `R²/(4σ N² sin²(π/2N))` with `R² = (1/N) Σ |½N ∂E/∂xₙ|²`.
+#[test]
+fn the_residual_is_what_a_wave_under_a_constant_metric_has_too_much() {
+    fn lower<R: RuleOfThePaper + Rule>(rule: R, n: usize) -> (Enclosure, f64) {
+        let metric = Constant::<2>::new([[4.0, 0.0], [0.0, 4.0]].into()).expect("definite");
+        let line = waved(metric, rule, n, [[0.0, 0.0], [3.0, 4.0], [0.0, 0.5]]);
+        (line.enclosure().expect("finite"), line.discrete_energy())
+    }
+    for n in [2, 5, 32] {
+        for (enclosure, energy) in [lower(Trapezoidal, n), lower(LeftEndpoint, n)] {
+            // d² = 4·25, and the wave adds 4 (π/2)²/2 or a little less.
+            assert!(energy > 103.0, "N = {n}: {energy}");
+            assert!((enclosure.lower - 100.0).abs() < 1e-11, "N = {n}: {enclosure:?}");
+            assert_eq!(enclosure.from_below, FromBelow::Minimum);
+            assert!(!enclosure.assumes_global_minimum, "N = {n}: {enclosure:?}");
+        }
+    }
+}
+
+/// The energy of a line that is not optimised is above `d²` by more than the bound of second order:
+/// only its residual keeps the lower bound below.
+#[test]
+fn a_line_that_is_not_optimised_has_its_residual_in_the_lower_bound() {
+    let metric = Shear::new(0.5, 1.0).expect("valid");
+    let (a, b) = ([0.0, 0.0], [0.2, 0.1]);
+    let d2 = metric.distance(&a.into(), &b.into()).expect("known").powi(2);
+    let line = waved(metric, Trapezoidal, 64, [a, b, [0.0, 0.02]]);
+    let enclosure = line.enclosure().expect("finite");
+    assert!(!enclosure.assumes_global_minimum, "{enclosure:?}");
+    assert!(enclosure.lower <= d2 && d2 <= enclosure.upper, "{enclosure:?} of {d2}");
+    // The same energy of a line that is as short as it can be would have a lower bound above d².
+    let converged = Problem::new(metric, Ends::points(a, b).expect("finite"));
+    let converged = converged.solve(Trapezoidal, 64).expect("solved");
+    let left = converged.enclosure().expect("finite");
+    let lost = converged.discrete_energy() - left.lower;
+    assert!(line.discrete_energy() - lost > d2, "{enclosure:?}, {left:?}");
+    assert!(enclosure.lower < left.lower, "{enclosure:?}, {left:?}");
+}
