@@ -1,4 +1,4 @@
-//! What an enclosure of `d²` owes to the errors of the quadratures, and to the residual of the line.
+//! What an enclosure of `d²` owes to the errors of the quadratures, and to the residual of a line.
 
 use std::f64::consts::PI;
 
@@ -61,8 +61,8 @@ where
     Problem::new(metric, ends).solve_with(rule, n, &options).expect("solved")
 }
 
-/// Under `H = 4 I` the energy is quadratic, and a wave is off its minimum `d²` by just what the residual
-/// tells, `R²/(4σ N² sin²(π/2N))` with `R² = (1/N) Σ |½N ∂E/∂xₙ|²`.
+/// Under `H = 4 I` the energy is quadratic, and a wave is off its minimum `d²` by just what the
+/// residual tells, `R²/(4σ N² sin²(π/2N))` with `R² = (1/N) Σ |½N ∂E/∂xₙ|²`.
 #[test]
 fn the_residual_is_what_a_wave_under_a_constant_metric_has_too_much() {
     fn lower<R: RuleOfThePaper + Rule>(rule: R, n: usize) -> (Enclosure, f64) {

@@ -76,10 +76,10 @@ fn three_digits(value: f64) -> String {
 
 fn layout(data: &Data) -> Result<Layout, Failure> {
     let mut layout = Layout::new(
-        "The least slack bound/observed that the search finds, by the conclusions of the statements \
-         and by their sharper companions, with the case of the former. Families in which nothing but \
-         rounding is observed are left out: the length between two points of the line, and \
-         Proposition 7.9 where H is linear.",
+        "The least slack bound/observed that the search finds, by the conclusions of the \
+         statements and by their sharper companions, with the case of the former. Families in \
+         which nothing but rounding is observed are left out: the length between two points of \
+         the line, and Proposition 7.9 where H is linear.",
         &["statement", "family", "slack", "$N$", "sharper slack", "$N$", "case"],
     );
     let rows: Vec<Row<'_>> = data.rows().collect();

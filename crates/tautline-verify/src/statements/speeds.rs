@@ -17,8 +17,8 @@ use crate::{
 /// Needs: `c₁ ≤ H`, `H` Lipschitz; the second `H ≤ c₂`.
 ///
 /// Slack: none in both for a constant metric; nor in what `L_H` adds to the second, in the limit of
-/// sequences that run away. Companion: with the largest difference `B`, `|βₙ − βₙ₋₁| ≤ (3L_H/2Nc₁) B² +
-/// |ρₙ|/Nc₁`, which is attained over a twist.
+/// sequences that run away. Companion: with the largest difference `B`,
+/// `|βₙ − βₙ₋₁| ≤ (3L_H/2Nc₁) B² + |ρₙ|/Nc₁`, which is attained over a twist.
 ///
 /// # Errors
 ///

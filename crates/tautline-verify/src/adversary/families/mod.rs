@@ -101,7 +101,7 @@ mod tests {
         }
     }
 
-    /// On two routes, as `δ → 0`, for both rules; on two arcs, as `μ → 0`.
+    /// On two routes for both rules, as `δ → 0`; on two arcs, as `μ → 0`.
     #[test]
     fn theorems_a_to_d_are_attained() {
         for theorem in ["Theorem A", "Theorem C"] {

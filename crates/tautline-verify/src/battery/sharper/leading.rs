@@ -26,8 +26,8 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
     )]
 }
 
-/// The largest of the next terms is `√N v^{3/2} = (2kδ)^{3/2}/N` in `m₃`, 2·10⁻⁵ at most for the `δ`
-/// here, of which the largest is 111.
+/// The largest of the next terms is `√N v^{3/2} = (2kδ)^{3/2}/N` in `m₃`, 2·10⁻⁵ at most for the
+/// `δ` here, of which the largest is 111.
 const NEXT: f64 = 1e-4;
 
 fn leading<S: Subject>(trial: &Trial<'_, S>) -> Outcome {

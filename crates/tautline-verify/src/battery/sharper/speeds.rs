@@ -46,13 +46,13 @@ fn twist<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     trial.one(evidence)
 }
 
-/// Every chord has the slope `L_H` at its middle, and between them `H` falls back to 1: so the momentum
-/// grows all the way, `βₙ − βₙ₋₁ = (h/4)(βₙ² + βₙ₋₁²)`, and like `1/(c − t/2)`, to which the sequence
+/// Every chord has the slope `L_H = 1` at its middle, and between two of them `H` falls back to 1: so
+/// the momentum grows all the way, `βₙ − βₙ₋₁ = (h/4)(βₙ² + βₙ₋₁²)`, like `1/(c − t/2)`. The sequence
 /// is followed back from its last chord.
 ///
-/// With `sₙ = hβₙ/4`, which is 0.14 at last, `Σ (sₙ² + sₙ₋₁²) = s_N − s₀`: what the lemma loses is a
-/// part `s_N` of its second term, and its first, `K₃`, against the greatest difference,
-/// `(2N s_N)^{−1/2}`.
+/// With `sₙ = hβₙ/4`, which is 0.14 at last, `Σ (sₙ² + sₙ₋₁²)` is the last `s` less the first. What
+/// the lemma loses is a part `s` of its second term, and its first, `K₃`, which is
+/// `(2Ns)^{−1/2}` of the greatest difference.
 fn runaway<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     let n = 200;
     let mut last = 0.14_f64;
