@@ -9,7 +9,7 @@ use super::{files, read, root};
 /// The labels of the paper's numbered statements and of both claims of Section 5, and its displayed
 /// constants, in its order: read from the paper, not from the program. Then those of
 /// `paper/SHARPER.md`.
-const LABELS: [&str; 51] = [
+const LABELS: [&str; 52] = [
     "theo:approx_numerical_integral_trapezoidal",
     "theo:approx_numerical_integral_trapezoidal_length",
     "theo:approx_numerical_integral_left",
@@ -61,6 +61,7 @@ const LABELS: [&str; 51] = [
     "sharper:D",
     "sharper:enclosure",
     "sharper:convexity",
+    "sharper:region",
 ];
 
 /// The rows of `paper/tables/statements.csv`, as label, number, verdict and tests.

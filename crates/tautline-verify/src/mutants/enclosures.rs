@@ -1,10 +1,10 @@
-//! The mistakes of the mutants in Propositions S.6 and S.7.
+//! The mistakes of the mutants in Propositions S.6 to S.8.
 
 use std::{f64::consts::FRAC_PI_2, num::NonZeroUsize};
 
 use tautline::{
     Constants,
-    bounds::{BetweenPoints, BoundError, Computed, Enclosure, PaperRule},
+    bounds::{BetweenPoints, BoundError, Computed, Enclosure, PaperRule, Region},
 };
 
 use super::{Mutant, mutations};
@@ -54,6 +54,16 @@ pub(super) fn strict_convexity(
         Some(Mutant::PoincareOfCurves) => {
             let left = discrete_energy - genuine?;
             Some(discrete_energy - left * (wave / FRAC_PI_2).powi(2))
+        }
+        _ => genuine,
+    }
+}
+
+pub(super) fn region(mutant: Option<Mutant>, genuine: Region) -> Region {
+    let constants = genuine.constants;
+    match mutant {
+        Some(Mutant::RegionOfC2) => {
+            Region { radius: genuine.radius * (constants.c1() / constants.c2()).sqrt(), ..genuine }
         }
         _ => genuine,
     }

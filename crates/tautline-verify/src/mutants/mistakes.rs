@@ -6,7 +6,10 @@ use nalgebra::{SMatrix, SVector};
 use tautline::{
     Bounded, ClosedSet, Constants, Ends, Integral, LeftEndpoint, Metric, MetricError, Minimum,
     Options, PointSequence, Rule, SolveError, Trapezoidal, TrueTrapezoid,
-    bounds::{BetweenPoints, Bound, BoundError, Computed, Enclosure, PaperRule, Setting, Spread},
+    bounds::{
+        BetweenPoints, Bound, BoundError, Computed, Enclosure, LocalityError, PaperRule, Region,
+        Setting, Spread,
+    },
 };
 
 use super::{Mutant, enclosures, mutations, sharper, solver, solver::is_trapezoidal, theorems};
@@ -371,5 +374,16 @@ impl Subject for Option<Mutant> {
         computed: &BetweenPoints,
     ) -> Option<f64> {
         enclosures::strict_convexity(*self, constants, dimension, computed)
+    }
+    fn competitors<E>(
+        &self,
+        dimension: usize,
+        rule: PaperRule,
+        n: NonZeroUsize,
+        upper: f64,
+        within: impl FnMut(f64) -> Result<Constants, E>,
+    ) -> Result<Region, LocalityError<E>> {
+        let genuine = Library.competitors(dimension, rule, n, upper, within)?;
+        Ok(enclosures::region(*self, genuine))
     }
 }

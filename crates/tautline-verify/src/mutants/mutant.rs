@@ -138,11 +138,13 @@ pub enum Mutant {
     CompetitorsForgotten,
     /// Proposition S.7 with `π/2` for `N sin(π/2N)`, as for curves.
     PoincareOfCurves,
+    /// `d̄ √e/√c₂` for the radius of Proposition S.8.
+    RegionOfC2,
 }
 
 impl Mutant {
     /// All of them: discretizations, sets, solver, constants, bounds, sharper bounds.
-    pub const ALL: [Mutant; 67] = [
+    pub const ALL: [Mutant; 68] = [
         Mutant::RulesExchanged,
         Mutant::TrueTrapezoid,
         Mutant::EnergyHalved,
@@ -210,6 +212,7 @@ impl Mutant {
         Mutant::CurvatureOfConvexityForgotten,
         Mutant::CompetitorsForgotten,
         Mutant::PoincareOfCurves,
+        Mutant::RegionOfC2,
     ];
 
     /// Returns what is wrong with it, in a few words.
@@ -283,6 +286,7 @@ impl Mutant {
             Mutant::CurvatureOfConvexityForgotten => "S.7 without M_H",
             Mutant::CompetitorsForgotten => "S.7 on a set without the competitors",
             Mutant::PoincareOfCurves => "S.7 with π/2 for N sin(π/2N)",
+            Mutant::RegionOfC2 => "S.8 with c₂ for c₁",
         }
     }
 }
