@@ -67,8 +67,8 @@ fn allowed(order: i32, limit: f64, n: usize) -> f64 {
 fn data(sweep: Sweep) -> Result<Data, Failure> {
     // Relative to d²: rounding times N², on values from 10⁻³ on.
     let scaled = Tolerance::Close { relative: 1e-6, absolute: (N * N) as f64 * 2.0 * ROUNDING };
-    // Predictions, as in the table.
-    let predicted = Tolerance::Close { relative: 1e-6, absolute: 0.0 };
+    // Sums of second derivatives along 4096 chords, whose points are known to rounding times N².
+    let predicted = Tolerance::Close { relative: 1e-8, absolute: 0.0 };
     // Neville's weights for grids that double sum to at most 2 in absolute value.
     let extrapolated = Tolerance::Close { relative: 1e-6, absolute: 4.0 * ROUNDING };
     let mut columns = vec![("case", Tolerance::Exact), ("n", Tolerance::Exact)];
@@ -108,7 +108,7 @@ fn rows(problem: &Smooth, numbers: &[usize]) -> Result<Vec<Vec<String>>, Failure
             }
             row.push(format!("{value:.9e}"));
         }
-        row.extend(limits_of.map(|limit| format!("{limit:.6e}")));
+        row.extend(limits_of.map(|limit| format!("{limit:.10e}")));
         // Where d² is extrapolated itself there is nothing to compare with.
         row.extend([2, 3].map(|grids| match levels.len().checked_sub(grids) {
             Some(from) if limits.reference == Reference::Exact => {
