@@ -3,7 +3,10 @@
 //! The prediction reads one geodesic; the measurement subtracts `d²` from minimal energies. They
 //! share no formula, and the table is refused unless they agree to three digits.
 
-use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
+use std::{
+    f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI},
+    sync::Arc,
+};
 
 use tautline::{
     Ball, Ends, HalfSpace, KnownDistance, LeftEndpoint, Metric, Problem, Rule, SMatrix, SVector,
@@ -53,17 +56,29 @@ pub const AGREEMENT: f64 = 5e-4;
 const ZERO: f64 = 1e-8;
 
 /// A smooth problem with a unique minimiser, as far as known.
-struct Smooth {
-    name: &'static str,
-    limits: Box<dyn Fn() -> Result<Limits, Failure> + Send + Sync>,
+pub(crate) struct Smooth {
+    pub(crate) name: &'static str,
+    limits: Computed<(), Limits>,
+    energies: Computed<usize, [f64; 3]>,
 }
 
+/// What is known of a problem, whatever its metric and its dimension.
+type Computed<A, B> = Box<dyn Fn(A) -> Result<B, Failure> + Send + Sync>;
+
 /// The six constants, in `m²`, both ways.
-struct Limits {
+pub(crate) struct Limits {
     predicted: [f64; 6],
     measured: [f64; 6],
-    d_squared: f64,
-    reference: Reference,
+    pub(crate) d_squared: f64,
+    pub(crate) reference: Reference,
+}
+
+impl Limits {
+    /// Returns the predictions, with 0 for those that are it but for rounding.
+    pub(crate) fn predictions(&self) -> [f64; 6] {
+        let largest = self.predicted.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
+        self.predicted.map(|value| if value.abs() <= ZERO * largest { 0.0 } else { value })
+    }
 }
 
 impl Smooth {
@@ -76,8 +91,27 @@ impl Smooth {
     where
         M: Metric<D> + Send + Sync + 'static,
     {
-        let problem = Problem::new(metric, ends);
-        Self { name, limits: Box::new(move || limits(name, &problem, distance)) }
+        let problem = Arc::new(Problem::new(metric, ends));
+        let shared = Arc::clone(&problem);
+        Self {
+            name,
+            limits: Box::new(move |()| limits(name, &problem, distance)),
+            energies: Box::new(move |n| {
+                let line = shared.solve(Trapezoidal, n)?;
+                let left = shared.solve(LeftEndpoint, n)?.discrete_energy();
+                Ok([line.discrete_energy(), left, line.energy().value])
+            }),
+        }
+    }
+
+    /// Returns the constants.
+    pub(crate) fn limits(&self) -> Result<Limits, Failure> {
+        (self.limits)(())
+    }
+
+    /// Returns `E_tra,N`, `E_l,N` and `E(γᵖˡ)` of the trapezoidal rule for `N = n`, in `m²`.
+    pub(crate) fn energies(&self, n: usize) -> Result<[f64; 3], Failure> {
+        (self.energies)(n)
     }
 
     /// Between two points whose distance the metric knows.
@@ -150,7 +184,8 @@ fn scaled_errors<M: Metric<D>, R: Rule, const D: usize>(
     ])
 }
 
-fn smooth_problems() -> Result<Vec<Smooth>, Failure> {
+/// Returns the problems of the table.
+pub(crate) fn smooth_problems() -> Result<Vec<Smooth>, Failure> {
     let line = Constant::new(SMatrix::from_diagonal_element(2.0))?;
     let corrugated = Product::<_, _, 1, 1>::new(Corrugated::new(FRAC_1_SQRT_2, 1.0)?, line);
     Ok(vec![
@@ -234,13 +269,13 @@ pub fn data(_sweep: Sweep) -> Result<Data, Failure> {
         ("reference", Tolerance::Exact),
     ]);
     let problems = smooth_problems()?;
-    let results = parallel::map(&problems, |problem| (problem.limits)());
+    let results = parallel::map(&problems, Smooth::limits);
     for (Smooth { name, .. }, limits) in problems.iter().zip(results) {
         let limits = limits?;
-        let largest = limits.predicted.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
+        let predictions = limits.predictions();
         for (k, (quantity, order)) in QUANTITIES.into_iter().enumerate() {
-            let (predicted, measured) = (limits.predicted[k], limits.measured[k]);
-            let zero = predicted.abs() <= ZERO * largest;
+            let (predicted, measured) = (predictions[k], limits.measured[k]);
+            let zero = predicted == 0.0;
             let (predicted, scale, relative_to) = if zero {
                 (0.0, limits.d_squared, "d_squared")
             } else {

@@ -32,6 +32,7 @@
 
 mod block_tridiagonal;
 mod compensated_sum;
+mod contraction;
 mod interpolation;
 mod left_endpoint;
 mod point_sequence;

@@ -1,9 +1,13 @@
 //! A discrete energy to second order: value, gradient and block-tridiagonal Hessian.
 
 use nalgebra::{SMatrix, SVector};
-use tautline_metrics::{Jet1, Jet2, Metric};
+use tautline_metrics::Metric;
 
-use crate::{BlockTridiagonal, PointSequence, Rule, compensated_sum::CompensatedSum};
+use crate::{
+    BlockTridiagonal, PointSequence, Rule,
+    compensated_sum::CompensatedSum,
+    contraction::{Contraction, momentum},
+};
 
 /// The discrete energy of a point sequence with its first and second derivatives by the
 /// `N + 1` points.
@@ -73,79 +77,6 @@ impl<const D: usize> QuadraticModel<D> {
     }
 }
 
-/// The derivatives of `H` at a point, contracted with a chord as soon as they are known.
-struct Contraction<const D: usize> {
-    h: SMatrix<f64, D, D>,
-    g: SVector<f64, D>,
-    p: SMatrix<f64, D, D>,
-    q: SMatrix<f64, D, D>,
-}
-
-/// From this dimension on `dᵀHd` is differentiated twice apart from the rest, as one scalar:
-/// second-order jets of all `D²` entries of `H` would cost `D⁴`, and a metric of low rank
-/// evaluates `dᵀHd` far cheaper. Below it, one evaluation for all is faster.
-const SPLIT: usize = 4;
-
-impl<const D: usize> Contraction<D> {
-    #[inline]
-    fn new(metric: &impl Metric<D>, y: &SVector<f64, D>, d: &SVector<f64, D>) -> Self {
-        let mut contraction = if D < SPLIT {
-            let jets = metric.gram(&SVector::from(Jet2::variables(&(*y).into())));
-            let mut contraction = Self::first_order(&jets, d, Jet2::value, Jet2::first);
-            for i in 0..D {
-                for j in i..D {
-                    // Entries above the diagonal stand for two.
-                    let dd = d[i] * d[j] * if i == j { 1.0 } else { 2.0 };
-                    for k in 0..D {
-                        for l in k..D {
-                            contraction.q[(k, l)] += jets[(i, j)].second(k, l) * dd;
-                        }
-                    }
-                }
-            }
-            contraction
-        } else {
-            let jets = metric.gram(&SVector::from(Jet1::variables(&(*y).into())));
-            let mut contraction = Self::first_order(&jets, d, Jet1::value, Jet1::first);
-            let square = metric.norm_squared(&SVector::from(Jet2::variables(&(*y).into())), d);
-            for k in 0..D {
-                for l in k..D {
-                    contraction.q[(k, l)] = square.second(k, l);
-                }
-            }
-            contraction
-        };
-        contraction.q.fill_lower_triangle_with_upper_triangle();
-        contraction
-    }
-
-    /// `H`, `P` and `G` from the jets of the entries `i ≤ j` of `H`.
-    #[inline]
-    fn first_order<J>(
-        jets: &SMatrix<J, D, D>,
-        d: &SVector<f64, D>,
-        value: impl Fn(&J) -> f64,
-        first: impl Fn(&J, usize) -> f64,
-    ) -> Self {
-        let mut h = SMatrix::<f64, D, D>::zeros();
-        let mut p = SMatrix::<f64, D, D>::zeros();
-        for i in 0..D {
-            for j in i..D {
-                let jet = &jets[(i, j)];
-                h[(i, j)] = value(jet);
-                h[(j, i)] = value(jet);
-                for k in 0..D {
-                    p[(i, k)] += first(jet, k) * d[j];
-                    if i != j {
-                        p[(j, k)] += first(jet, k) * d[i];
-                    }
-                }
-            }
-        }
-        Self { h, g: p.tr_mul(d), p, q: SMatrix::zeros() }
-    }
-}
-
 /// Returns the discrete energy, in `m²`, and its gradient by each point, in `m²/ℓ`.
 ///
 /// First derivatives only: cheaper than [`QuadraticModel`], same formulas.
@@ -170,22 +101,4 @@ pub fn energy_gradient<R: Rule, const D: usize>(
         }
     }
     (energy.value(), gradient)
-}
-
-/// `H d` and `Gₖ = dᵀ ∂ₖH d` at `y`.
-#[inline]
-fn momentum<const D: usize>(
-    metric: &impl Metric<D>,
-    y: &SVector<f64, D>,
-    d: &SVector<f64, D>,
-) -> (SVector<f64, D>, SVector<f64, D>) {
-    let variables = SVector::from(Jet1::variables(&(*y).into()));
-    if D < SPLIT {
-        let jets = metric.gram(&variables);
-        let contraction = Contraction::first_order(&jets, d, Jet1::value, Jet1::first);
-        (contraction.h * d, contraction.g)
-    } else {
-        let h: SMatrix<f64, D, D> = metric.gram(y);
-        (h * d, SVector::from(*metric.norm_squared(&variables, d).gradient()))
-    }
 }

@@ -2,7 +2,8 @@
 //!
 //! A metric is written once, generic over [`Scalar`]. Evaluated in `f64` it gives values,
 //! in [`Jet1`] values and gradients, in [`Jet2`] values, gradients and second derivatives:
-//! exact up to rounding, and nobody differentiates by hand.
+//! exact up to rounding, and nobody differentiates by hand. In many variables [`MixedJet`] gives
+//! the second derivatives block by block.
 //!
 //! ```
 //! use tautline_scalar::{Jet2, Scalar};
@@ -34,9 +35,11 @@
 mod float;
 mod jet1;
 mod jet2;
+mod mixed_jet;
 mod operators;
 mod scalar;
 
 pub use jet1::Jet1;
 pub use jet2::Jet2;
+pub use mixed_jet::MixedJet;
 pub use scalar::Scalar;

@@ -73,7 +73,7 @@ pub use tautline_optimizers::{
     AsymptoticsError, Curvature, Estimate, LeadingConstants, Level, Minimum, Options, SolveError,
     Starts, Stop, extrapolate, leading_constants, minimise,
 };
-pub use tautline_scalar::{Jet1, Jet2, Scalar};
+pub use tautline_scalar::{Jet1, Jet2, MixedJet, Scalar};
 pub use tautline_sets::{
     AffineSubspace, AxisBox, Ball, ClosedSet, Ends, FiniteSet, HalfSpace, Point, Segment, SetError,
     Sphere, Union,

@@ -1,5 +1,6 @@
 //! The figures, one a file.
 
+mod asymptotics;
 mod convergence;
 mod dimension;
 mod length_versus_energy;
@@ -26,9 +27,10 @@ pub struct Figure {
 }
 
 /// All figures.
-pub const FIGURES: [Figure; 9] = [
+pub const FIGURES: [Figure; 10] = [
     convergence::FIGURE,
     quantities::FIGURE,
+    asymptotics::FIGURE,
     slack::FIGURE,
     losses::FIGURE,
     dimension::FIGURE,

@@ -1,7 +1,10 @@
-//! `paper/tables/asymptotics.csv`: leading constants of the errors, predicted and measured.
+//! `paper/tables/asymptotics.csv`: leading constants of the errors, predicted and measured; and
+//! `paper/data/asymptotics.csv`: how the errors come to them.
 
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
+
+use tautline_verify::slope;
 
 use super::{Row, Table};
 
@@ -91,4 +94,69 @@ fn asymptotics_over_the_valleys_are_explicit() {
         let error = (row.number("predicted") - expected).abs();
         assert!(error <= 5e-7 * expected.abs(), "{:?}", row.record);
     }
+}
+
+/// The next term of the expansion has two more powers of `1/N` for the trapezoidal rule, one for
+/// the left rule; extrapolation from two and three grids leaves the fourth and the sixth.
+#[test]
+fn asymptotics_are_approached_at_the_next_order() {
+    let figure = Table::read("data/asymptotics.csv");
+    let mut seen = 0;
+    for case in ["valleys_oblique", "shear_points", "sphere_patch", "lens_balls", "valleys_points"]
+    {
+        // Fine enough for the next term to lead, and coarse enough for it to be above rounding;
+        // over the symmetric valleys, long and deep, later.
+        let window = if case == "valleys_points" { 256..=1024 } else { 32..=128 };
+        let of_case = |row: &Row<'_>| row.text("case") == case && window.contains(&row.n());
+        let rows: Vec<_> = figure.rows().filter(of_case).collect();
+        assert_eq!(rows.len(), 3, "{case}");
+        let order = |distance: &dyn Fn(&Row<'_>) -> f64| {
+            slope(&rows.iter().map(|row| (row.n() as f64, distance(row))).collect::<Vec<_>>())
+        };
+        let quantities = [
+            ("trapezoidal", "limit_trapezoidal", -2.0),
+            ("left", "limit_left", -1.0),
+            ("energy", "limit_energy", -2.0),
+        ];
+        for (column, limit, expected) in quantities {
+            let found = order(&|row| (row.number(column) - row.number(limit)).abs());
+            // The term after next, some (10/N)² or 10/N of the next.
+            assert!((found - expected).abs() <= 0.1, "{case}, {column}: {found}");
+            seen += 1;
+        }
+        for (column, expected) in [("two_grids", -4.0), ("three_grids", -6.0)] {
+            if rows.iter().all(|row| !row.text(column).is_empty()) {
+                let found = order(&|row| row.number(column).abs());
+                assert!((found - expected).abs() <= 0.1, "{case}, {column}: {found}");
+                seen += 1;
+            }
+        }
+    }
+    // The distance of the balls under the lens is not known otherwise.
+    assert_eq!(seen, 5 * 3 + 4 * 2);
+}
+
+/// Both print one prediction, the figure relative to `d²`.
+#[test]
+fn asymptotics_have_the_same_limits_in_the_figure() {
+    let (table, figure) = (table(), Table::read("data/asymptotics.csv"));
+    let mut seen = 0;
+    for row in figure.rows().filter(|row| row.n() == 2048) {
+        for (quantity, limit) in [
+            ("discrete_energy_trapezoidal", "limit_trapezoidal"),
+            ("discrete_energy_left", "limit_left"),
+            ("energy_trapezoidal", "limit_energy"),
+        ] {
+            let same = |other: &Row<'_>| {
+                other.text("case") == row.text("case") && other.text("quantity") == quantity
+            };
+            let other = table.rows().find(same).expect("a case of the table");
+            let predicted = other.number("predicted");
+            let error = (row.number(limit) * other.number("d_squared") - predicted).abs();
+            // Printed with seven digits there.
+            assert!(error <= 6e-7 * predicted.abs(), "{:?} {:?}", row.record, other.record);
+            seen += 1;
+        }
+    }
+    assert_eq!(seen, 15);
 }

@@ -1,0 +1,219 @@
+//! The errors times their power of `N`, on the way to the predicted constants.
+
+use tautline::{Level, Rule, Trapezoidal, extrapolate};
+
+use super::Figure;
+use crate::{
+    Failure,
+    asymptotics::{Limits, Smooth, smooth_problems},
+    case::Reference,
+    data::{Data, Row, Tolerance},
+    drawing::{
+        self, Align, Axis, Colour, Curve, Marker, Note, Panel, Scale, Scene, SlopeTriangle, palette,
+    },
+    parallel,
+    sweep::Sweep,
+};
+
+pub(super) const FIGURE: Figure = Figure {
+    id: "asymptotics",
+    shows: "N^2 (E_tra,N - d^2), N (E_l,N - d^2) and N^2 (E - d^2) of the trapezoidal minimiser's \
+            curve, divided by the constants predicted along a geodesic (or by d^2 where that \
+            constant is 0 by symmetry), with their distance from the limit, and the error of d^2 \
+            extrapolated from the last two (dashed) or three grids, against N; left out are points \
+            beyond an axis, and where rounding may be over a twentieth of what would be drawn",
+    data,
+    draw,
+};
+
+/// Where both rules have their general order in the plane, with a curve that turns; on a sphere;
+/// an axis of symmetry; and both ends on curved sets.
+const CASES: [(&str, &str, Colour, Marker); 5] = [
+    ("valleys_oblique", "valleys", palette::VERMILLION, Marker::Disc),
+    ("shear_points", "shear", palette::BLUE, Marker::Square),
+    ("sphere_patch", "sphere", palette::GREEN, Marker::Triangle),
+    ("lens_balls", "lens, ball to ball", palette::ORANGE, Marker::Ring),
+    ("valleys_points", "valleys, symmetric", palette::PURPLE, Marker::Diamond),
+];
+
+/// A quantity: its column, the column of its limit, and its order.
+const QUANTITIES: [(&str, &str, i32); 3] = [
+    ("trapezoidal", "limit_trapezoidal", 2),
+    ("left", "limit_left", 1),
+    ("energy", "limit_energy", 2),
+];
+
+const N: usize = 2048;
+
+/// What an energy and `d²` may be off by, relative to `d²`: some roundings each.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// Drawn is what rounding changes by at most this part.
+const NOISE: f64 = 0.05;
+
+/// How far a quotient may be from its limit at the largest `N`.
+///
+/// The next term has two more powers of `1/N` for the trapezoidal rule and one for the left rule,
+/// where the constant is 0 with a second-order error divided by `d²`. Measured at 2048 are
+/// `(13.4/N)²`, `2.1/N` and `12.7/N` at most.
+fn allowed(order: i32, limit: f64, n: usize) -> f64 {
+    let n = n as f64;
+    match (order, limit == 0.0) {
+        (1, true) => 16.0 / n,
+        (1, false) => 4.0 / n,
+        _ => (16.0 / n).powi(2),
+    }
+}
+
+fn data(sweep: Sweep) -> Result<Data, Failure> {
+    // Relative to d²: rounding times N², on values from 10⁻³ on.
+    let scaled = Tolerance::Close { relative: 1e-6, absolute: (N * N) as f64 * 2.0 * ROUNDING };
+    // Sums of second derivatives along 4096 chords, whose points are known to rounding times N².
+    let predicted = Tolerance::Close { relative: 1e-8, absolute: 0.0 };
+    // Neville's weights for grids that double sum to at most 2 in absolute value.
+    let extrapolated = Tolerance::Close { relative: 1e-6, absolute: 4.0 * ROUNDING };
+    let mut columns = vec![("case", Tolerance::Exact), ("n", Tolerance::Exact)];
+    columns.extend(QUANTITIES.map(|(column, ..)| (column, scaled)));
+    columns.extend(QUANTITIES.map(|(_, limit, _)| (limit, predicted)));
+    columns.extend([("two_grids", extrapolated), ("three_grids", extrapolated)]);
+    let mut data = Data::new(&columns);
+    let mut problems = smooth_problems()?;
+    problems.retain(|problem| CASES.iter().any(|(name, ..)| *name == problem.name));
+    let numbers = sweep.powers_of_two(N);
+    for rows in parallel::map(&problems, |problem| rows(problem, &numbers)) {
+        rows?.into_iter().for_each(|row| data.push(row));
+    }
+    Ok(data)
+}
+
+/// The rows of one problem. All is divided by `d²`, so that rounding is the same everywhere.
+fn rows(problem: &Smooth, numbers: &[usize]) -> Result<Vec<Vec<String>>, Failure> {
+    let limits: Limits = problem.limits()?;
+    let d_squared = limits.d_squared;
+    let predictions = limits.predictions();
+    let limits_of = [predictions[0], predictions[1], predictions[2]].map(|limit| limit / d_squared);
+    let mut levels: Vec<Level> = Vec::new();
+    let mut rows = Vec::new();
+    for (k, &n) in numbers.iter().enumerate() {
+        let energies = problem.energies(n)?;
+        levels.push(Level { n, energy: energies[0] });
+        let mut row = vec![problem.name.to_owned(), n.to_string()];
+        for ((energy, limit), (column, _, order)) in
+            energies.into_iter().zip(limits_of).zip(QUANTITIES)
+        {
+            let value = (n as f64).powi(order) * (energy / d_squared - 1.0);
+            let distance = from_limit(value, limit);
+            if k + 1 == numbers.len() && !(distance <= allowed(order, limit, n)) {
+                let claim = format!("{}, N = {n}: {column} is {distance} off", problem.name);
+                return Err(Failure::Violated(claim));
+            }
+            row.push(format!("{value:.9e}"));
+        }
+        row.extend(limits_of.map(|limit| format!("{limit:.10e}")));
+        // Where d² is extrapolated itself there is nothing to compare with.
+        row.extend([2, 3].map(|grids| match levels.len().checked_sub(grids) {
+            Some(from) if limits.reference == Reference::Exact => {
+                let estimate = extrapolate(&levels[from..], Trapezoidal::ERROR_EXPONENT);
+                estimate.map_or(String::new(), |d2| format!("{:.6e}", d2.value / d_squared - 1.0))
+            }
+            _ => String::new(),
+        }));
+        rows.push(row);
+    }
+    Ok(rows)
+}
+
+/// The quotient by its limit minus 1, or the value itself if that is 0.
+fn from_limit(value: f64, limit: f64) -> f64 {
+    if limit == 0.0 { value.abs() } else { (value / limit - 1.0).abs() }
+}
+
+/// What a row shows of a quantity, if rounding lets it: the quotient and its distance from 1.
+fn shown(row: &Row<'_>, (column, limit, order): (&str, &str, i32)) -> [(f64, f64); 2] {
+    let (n, value, limit) = (row.number("n"), row.number(column), row.number(limit));
+    let unit = if limit == 0.0 { 1.0 } else { limit };
+    let noise = (n.powi(order) * ROUNDING / unit).abs();
+    let heard = |value: f64| if noise <= NOISE * value.abs() { value } else { f64::NAN };
+    [(n, heard(value / unit)), (n, heard(from_limit(value, limit)))]
+}
+
+fn draw(data: &Data) -> Result<Scene, Failure> {
+    let last = data.rows().map(|row| row.number("n")).fold(1.0, f64::max);
+    let below = |number: bool| -> Result<Axis, Failure> {
+        let x = Axis::new(Scale::Decades, 1.0, last)?;
+        Ok(if number { x.labelled("number of subintervals $N$") } else { x.unnumbered() })
+    };
+    let titles = [
+        ("(a) $N^2(E_\"tra\" - d^2)$ / predicted", 0.0, 2.0),
+        ("(b) $N(E_\"l\" - d^2)$ / predicted", -1.0, 1.5),
+        ("(c) $N^2(E(γ^\"pl\") - d^2)$ / predicted", 0.0, 2.0),
+    ];
+    let mut quotients = Vec::new();
+    let mut distances = Vec::new();
+    let points = |name: &str, k: usize, which: usize| -> Vec<(f64, f64)> {
+        let rows = data.rows().filter(|row| row.text("case") == name);
+        rows.map(|row| shown(&row, QUANTITIES[k])[which]).collect()
+    };
+    for (k, (title, from, to)) in titles.into_iter().enumerate() {
+        let y = Axis::new(Scale::Linear, from, to)?;
+        let y = if k == 0 { y.labelled("quotient") } else { y };
+        let mut panel = Panel::new(below(false)?, y).titled(title).tall(230.0);
+        panel = panel.curve(Curve::level(1.0, palette::GREY));
+        for (name, label, colour, marker) in CASES {
+            let inside = |(n, y): (f64, f64)| (n, if from <= y && y <= to { y } else { f64::NAN });
+            let curve = Curve::new(points(name, k, 0).into_iter().map(inside), colour);
+            panel = panel.curve(curve.marked(marker).labelled(label));
+        }
+        if k == 1 {
+            let text = "divided by $d^2$";
+            panel = panel.curve(Curve::level(0.0, palette::GREY));
+            panel = panel.note(Note::new((last, -0.35), text, palette::PURPLE, Align::Right));
+        }
+        quotients.push(panel);
+    }
+    let all = (0..2).flat_map(|k| CASES.iter().flat_map(move |(name, ..)| [(k, *name)]));
+    let values: Vec<f64> =
+        all.flat_map(|(k, name)| points(name, k, 1)).map(|point| point.1).collect();
+    for (k, title, slope, under) in [
+        (0, "(d) distance of (a) from its limit", -2.0, 2e-4),
+        (1, "(e) distance of (b) from its limit", -1.0, 4e-3),
+    ] {
+        let y = Axis::decades_covering(values.iter().copied(), f64::INFINITY)?;
+        let y = if k == 0 { y.labelled("distance") } else { y.unnumbered() };
+        let mut panel = Panel::new(below(true)?, y).titled(title).tall(230.0);
+        for (name, label, colour, marker) in CASES {
+            let curve = Curve::new(points(name, k, 1), colour).marked(marker);
+            panel = panel.curve(curve.labelled(label));
+        }
+        distances.push(panel.triangle(SlopeTriangle::below(slope, 8.0, 64.0, under)));
+    }
+    distances.push(extrapolated(data, below(true)?)?);
+    let title =
+        "Errors times their power of N divided by the predicted constants, and what is left";
+    Ok(drawing::Figure::new(960.0, title, vec![quotients, distances]).keyed().draw()?)
+}
+
+/// The panel of the extrapolated `d²`: a full line from three grids, a dashed one from two.
+fn extrapolated(data: &Data, x: Axis) -> Result<Panel, Failure> {
+    let points = |name: &str, column: &str| -> Vec<(f64, f64)> {
+        let rows = data.rows().filter(|row| row.text("case") == name);
+        let error = |row: Row<'_>| (row.number("n"), row.number(column).abs());
+        // Twice the rounding of one energy, by the weights.
+        let heard = |(n, error): (f64, f64)| {
+            (n, if 2.0 * ROUNDING <= NOISE * error { error } else { f64::NAN })
+        };
+        rows.map(error).map(heard).collect()
+    };
+    let columns = ["two_grids", "three_grids"];
+    let all = CASES.iter().flat_map(|(name, ..)| columns.map(|column| points(name, column)));
+    let y = Axis::decades_covering(all.flatten().map(|point| point.1), f64::INFINITY)?;
+    let title = "(f) error of the extrapolated $d^2$ / $d^2$";
+    let mut panel = Panel::new(x, y).titled(title).tall(230.0);
+    for (name, label, colour, marker) in CASES {
+        let two = Curve::new(points(name, "two_grids"), colour).dashed(&[5.0, 3.0]);
+        let three = Curve::new(points(name, "three_grids"), colour).marked(marker);
+        panel = panel.curve(two).curve(three.labelled(label));
+    }
+    Ok(panel
+        .triangle(SlopeTriangle::above(-4.0, 256.0, 1024.0, 5e-6))
+        .triangle(SlopeTriangle::below(-6.0, 8.0, 32.0, 1e-8)))
+}
