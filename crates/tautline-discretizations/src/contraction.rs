@@ -230,7 +230,7 @@ mod tests {
     /// With two, three and four chunks, of which the last is full or not.
     #[test]
     fn derivatives_by_chunks_are_those_of_all_at_once() {
-        assert!(CHUNK == 8 && CHUNKED > 16);
+        const { assert!(CHUNK == 8 && CHUNKED > 16) };
         compare::<13>();
         compare::<16>();
         compare::<{ CHUNKED - 1 }>();
