@@ -33,3 +33,14 @@ impl PaperRule {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::PaperRule;
+
+    /// Data files are read by these names.
+    #[test]
+    fn the_names_are_those_of_data_files() {
+        assert_eq!(PaperRule::BOTH.map(PaperRule::name), ["trapezoidal", "left_endpoint"]);
+    }
+}
