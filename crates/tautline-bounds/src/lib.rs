@@ -60,7 +60,7 @@
 //! | Theorem D | order `1/N²`, by the energy alone | [`theorem_d_excess`], [`theorem_d_length_excess`], [`theorem_d_deficit`] |
 //! | Proposition S.6 | `d²` from one computed sequence | [`enclose`] |
 //! | Proposition S.7 | the discrete minimum from below | [`strict_convexity`] |
-//! | Proposition S.8 | where all competitors are | [`competitors`] |
+//! | Proposition S.8 | where all competitors are | [`competitors`], [`reach`] |
 //! | Propositions 7.4, 7.6, 7.11 | as there | [`velocity_error`], [`sampling_rise`], [`sampling_fall`], [`christoffel_bound`] |
 //!
 //! [`least_excess`] is the least of all bounds of `E(γᵖˡ) − d²`, [`least_length_excess`] of

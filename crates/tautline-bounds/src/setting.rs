@@ -163,6 +163,28 @@ pub enum BoundError {
          exclude"
     )]
     LocalConstants,
+    /// A lower bound of the discrete minimum puts the distance above the length of a curve.
+    #[error(
+        "d² is at least {lower} and at most {upper}: the constants or the lower bound of the \
+         minimum do not hold (Proposition S.6)"
+    )]
+    Contradiction {
+        /// What follows from below, in `m²`.
+        lower: f64,
+        /// What follows from above, in `m²`.
+        upper: f64,
+    },
+    /// Competitors may leave the ball in which the constants hold.
+    #[error(
+        "a competitor could be {reach} from the centre of a ball of radius {radius}: the constants \
+         need not hold there (Proposition S.8)"
+    )]
+    LeavesTheBall {
+        /// How far from the centre a competitor could be, in `ℓ`.
+        reach: f64,
+        /// The radius of the ball, in `ℓ`.
+        radius: f64,
+    },
     /// The metric lives on `R^D` with `D ≥ 1`.
     #[error("D = 0 must be at least 1: it is the dimension of the space (Theorem 1.1)")]
     NoDimension,

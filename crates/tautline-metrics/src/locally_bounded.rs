@@ -9,7 +9,8 @@ use crate::{Constants, HypothesisError, Metric};
 /// Some, as `4 / (1 + r²)² I`, have no constant `c₁ > 0` on all of `R^D`, and none of the paper's
 /// theorems applies to them; but shortest curves and discrete minimisers stay near their ends, where
 /// the constants of a ball do (Proposition S.8). A [`Bounded`](crate::Bounded) metric may be locally
-/// bounded too: where it varies from place to place, the constants of a ball are better.
+/// bounded too, as [`Constant`](crate::gallery::Constant) is: where one varies from place to place,
+/// the constants of a ball are better.
 ///
 /// ```
 /// use tautline_metrics::{LocallyBounded, gallery::Sphere};
@@ -26,7 +27,7 @@ pub trait LocallyBounded<const D: usize>: Metric<D> {
     ///
     /// # Errors
     ///
-    /// [`LocalError`] if the metric has none there.
+    /// [`LocalError`] if the metric has none there, and where [`LocalError::check_ball`] refuses the ball.
     fn constants_within(
         &self,
         centre: &SVector<f64, D>,
@@ -64,18 +65,32 @@ pub enum LocalError {
         /// The radius that was given, in `ℓ`.
         radius: f64,
     },
+    /// No ball has such a centre.
+    #[error("coordinate {index} of the centre is {value}")]
+    NotACentre {
+        /// The index of the coordinate, from 0.
+        index: usize,
+        /// The coordinate.
+        value: f64,
+    },
     /// A constant is 0, infinite or NaN on the ball.
     #[error(transparent)]
     Hypothesis(#[from] HypothesisError),
 }
 
 impl LocalError {
-    /// Refuses a radius that is negative or NaN.
+    /// Refuses a centre that is not finite, and a radius that is negative or NaN.
     ///
     /// # Errors
     ///
-    /// [`LocalError::NotARadius`].
-    pub fn check_radius(radius: f64) -> Result<(), LocalError> {
+    /// [`LocalError::NotACentre`], [`LocalError::NotARadius`].
+    pub fn check_ball<const D: usize>(
+        centre: &SVector<f64, D>,
+        radius: f64,
+    ) -> Result<(), LocalError> {
+        if let Some((index, &value)) = centre.iter().enumerate().find(|(_, x)| !x.is_finite()) {
+            return Err(LocalError::NotACentre { index, value });
+        }
         if radius >= 0.0 { Ok(()) } else { Err(LocalError::NotARadius { radius }) }
     }
 }
@@ -85,7 +100,7 @@ pub(crate) fn norms_within<const D: usize>(
     centre: &SVector<f64, D>,
     radius: f64,
 ) -> Result<[f64; 2], LocalError> {
-    LocalError::check_radius(radius)?;
+    LocalError::check_ball(centre, radius)?;
     let away = centre.norm();
     Ok([(away - radius).max(0.0), away + radius])
 }
@@ -104,5 +119,7 @@ mod tests {
             let error = norms_within(&vector![0.0], radius).expect_err("no radius");
             assert!(matches!(error, LocalError::NotARadius { .. }), "{error}");
         }
+        let error = norms_within(&vector![0.0, f64::INFINITY], 1.0).expect_err("no centre");
+        assert_eq!(error, LocalError::NotACentre { index: 1, value: f64::INFINITY });
     }
 }

@@ -14,8 +14,8 @@ use nalgebra::{SMatrix, SVector};
 /// - `P(x)` lies in `X`, `P(P(x)) = P(x)`, and no member of `X` is nearer to `x` than `P(x)`;
 /// - if [`is_convex`](ClosedSet::is_convex), then `|P(x) − P(y)| ≤ |x − y|`, and the derivative
 ///   has its eigenvalues in `[0, 1]`;
-/// - no member of `X` is longer than [`radius`](ClosedSet::radius), nor outside of its
-///   [`enclosing_ball`](ClosedSet::enclosing_ball).
+/// - no member of `X` is longer than [`radius`](ClosedSet::radius), nor, up to rounding,
+///   outside of its [`enclosing_ball`](ClosedSet::enclosing_ball).
 ///
 /// No method panics on finite input; none reads a clock, a file or a random number. An empty
 /// set has no nearest point: an implementation which may be empty returns NaN, and
@@ -181,6 +181,14 @@ mod tests {
         let ball = |radius| Anything { radius }.enclosing_ball();
         assert_eq!(ball(Some(3.0)), Some((vector![0.0, 0.0], 3.0)));
         assert_eq!(ball(None), None);
+        // What bounds nothing is not lost among others.
+        let nan: Arc<dyn ClosedSet<2>> = Arc::new(Anything { radius: Some(f64::NAN) });
+        let point: Arc<dyn ClosedSet<2>> = Arc::new(Point::new([1.0, 2.0]).expect("finite"));
+        for pieces in [[Arc::clone(&nan), Arc::clone(&point)], [point, nan]] {
+            let union = Union::new(pieces.to_vec()).expect("two");
+            assert!(union.radius().is_some_and(f64::is_nan));
+            assert!(union.enclosing_ball().is_some_and(|(_, radius)| radius.is_nan()));
+        }
     }
 
     /// Those of the sets themselves, not those about the origin.

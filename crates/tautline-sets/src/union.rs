@@ -60,6 +60,11 @@ impl<const D: usize> Union<D> {
     }
 }
 
+/// The largest of radii; NaN if one is, which bounds nothing.
+fn largest(radii: impl IntoIterator<Item = f64>) -> f64 {
+    radii.into_iter().fold(0.0, |a, b| if a.is_nan() || b <= a { a } else { b })
+}
+
 impl<const D: usize> ClosedSet<D> for Union<D> {
     fn project(&self, x: &SVector<f64, D>) -> SVector<f64, D> {
         self.nearest(x).0
@@ -70,7 +75,8 @@ impl<const D: usize> ClosedSet<D> for Union<D> {
     }
 
     fn radius(&self) -> Option<f64> {
-        self.pieces.iter().try_fold(0.0_f64, |largest, piece| Some(largest.max(piece.radius()?)))
+        let radii: Option<Vec<f64>> = self.pieces.iter().map(|piece| piece.radius()).collect();
+        Some(largest(radii?))
     }
 
     /// About the mean of the centres of the members.
@@ -81,7 +87,7 @@ impl<const D: usize> ClosedSet<D> for Union<D> {
         let share = 1.0 / balls.len() as f64;
         let middle = balls.iter().fold(SVector::zeros(), |sum, (centre, _)| sum + centre * share);
         let reach = |(centre, radius): &(SVector<f64, D>, f64)| norm(&(centre - middle)) + radius;
-        Some((middle, balls.iter().map(reach).fold(0.0, f64::max)))
+        Some((middle, largest(balls.iter().map(reach))))
     }
 
     /// Returns whether the one member is convex. For several, `false`: whether they fit

@@ -74,27 +74,34 @@ fn global(constants: Constants) -> Result<Constants, BoundError> {
 
 impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     /// Encloses `d²`, in `m²`, as [`enclosure`](TautLine::enclosure) does, by constants that hold
-    /// where all [competitors](TautLine::competitors) are. What is called a global minimum is one
-    /// among the sequences in that ball.
+    /// where all [competitors](TautLine::competitors) of this line are. What is called a global minimum
+    /// is one among the sequences in that ball.
     ///
     /// # Errors
     ///
+    /// [`BoundError::LeavesTheBall`] if a competitor of this line might be outside of the ball, which
+    /// is then that of another line; [`BoundError::Contradiction`] if the constants do not hold;
     /// [`BoundError`] if an energy is not finite.
     pub fn enclosure_among(&self, competitors: &Competitors<D>) -> Result<Enclosure, BoundError> {
+        competitors.hold_those_of(self)?;
         self.enclosure_by(competitors.constants)
     }
 
     /// Suggests `N` as [`suggest_n`](TautLine::suggest_n) does, by constants that hold where all
-    /// [competitors](TautLine::competitors) are on this grid, and on finer ones.
+    /// [competitors](TautLine::competitors) of this line are. What is proven is at least the `N` of this
+    /// line: from there on no sequence of as little energy leaves the ball, since the bounds of Lemma
+    /// S.4 fall with `N`.
     ///
     /// # Errors
     ///
+    /// [`BoundError::LeavesTheBall`] as for [`enclosure_among`](TautLine::enclosure_among);
     /// [`BoundError`] if the length is not finite.
     pub fn suggest_n_among(
         &self,
         competitors: &Competitors<D>,
         tolerance: f64,
     ) -> Result<SuggestedN, BoundError> {
+        competitors.hold_those_of(self)?;
         let suggested = self.suggest_n_by(competitors.constants, tolerance)?;
         let n = self.sequence().n();
         let proven = suggested.proven.map(|(least, theorem)| (least.max(n), theorem));

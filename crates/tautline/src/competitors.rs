@@ -1,7 +1,8 @@
 //! Where all that could be shorter than a computed line is, and the constants of the metric there.
 
-use tautline_bounds::{BoundError, Constants, LocalityError, Region, competitors};
-use tautline_metrics::{LocalError, LocallyBounded};
+use tautline_bounds::{BoundError, Constants, LocalityError, Region, Setting, competitors, reach};
+use tautline_discretizations::Rule;
+use tautline_metrics::{LocalError, LocallyBounded, Metric};
 use tautline_sets::Ball;
 
 use crate::{RuleOfThePaper, TautLine};
@@ -12,8 +13,35 @@ pub struct Competitors<const D: usize> {
     /// The constants of the metric in the ball.
     pub constants: Constants,
     /// The ball: no minimal geodesic leaves it, and no sequence of points of the ball that has as
-    /// little discrete energy as the line comes near its boundary.
+    /// little discrete energy as the line reaches its boundary, if the line has a length.
     pub within: Ball<D>,
+}
+
+impl<const D: usize> Competitors<D> {
+    /// Checks that the ball holds all competitors of a line, whatever line it was made for.
+    pub(crate) fn hold_those_of<M: Metric<D>, R: RuleOfThePaper>(
+        &self,
+        line: &TautLine<M, R, D>,
+    ) -> Result<(), BoundError> {
+        let (radius, upper) = (self.within.r(), upper(line));
+        let setting = Setting::new(self.constants, upper, D)?;
+        let reach = reach(setting, R::OF_THE_PAPER, line.sequence().n());
+        // How far from the centre of the ball competitors may be, which begin in either set.
+        let sets = [line.ends().first(), line.ends().second()];
+        let balls = sets.into_iter().filter_map(|set| set.enclosing_ball());
+        let away = balls.map(|(centre, r)| (centre - self.within.centre()).norm() + r + reach);
+        let reach = away.fold(f64::INFINITY, f64::min);
+        let holds = reach < radius || (upper == 0.0 && reach <= radius);
+        if holds { Ok(()) } else { Err(BoundError::LeavesTheBall { reach, radius }) }
+    }
+}
+
+/// An upper bound of the distance, and of the root of the discrete energy, in `m`: a sequence with
+/// the energy of the line has to stay inside of the ball, too. NaN if either is.
+fn upper<M: Metric<D>, R: Rule, const D: usize>(line: &TautLine<M, R, D>) -> f64 {
+    let (length, root) = (line.length(), line.discrete_energy().sqrt());
+    let length = length.value + length.error;
+    if root.is_nan() || root > length { root } else { length }
 }
 
 impl<M: LocallyBounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
@@ -36,23 +64,26 @@ impl<M: LocallyBounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> 
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
-    /// Needs: that the metric is what its constants say. Slack: a curve as long as this line comes
-    /// no farther than its length over `√c₁` from its end; the constant `c₁` of the ball is taken, and
-    /// its radius to one percent.
+    /// Needs: that the metric is what its constants say; the length is computed with a quadrature
+    /// whose error is estimated. Slack: a competitor comes no farther than `√(d̄² e/c₁)` from its end,
+    /// with the length of this line for `d̄` and `e` of Lemma S.4; the constants of the ball are taken,
+    /// and its radius to one percent.
     ///
     /// # Errors
     ///
-    /// [`LocalityError`] if the metric has no constants there, or `√c₁` falls so fast that no ball
-    /// holds the competitors: the ends are too far apart.
+    /// [`LocalityError`] if the metric has no constants there, if `√c₁` falls so fast that no ball
+    /// holds the competitors, the ends being too far apart, and if the length is not finite.
     pub fn competitors(&self) -> Result<Competitors<D>, LocalityError<LocalError>> {
-        let length = self.length();
-        // A sequence with the discrete energy of this one has to stay inside, too.
-        let upper = (length.value + length.error).max(self.discrete_energy().sqrt());
+        let upper = upper(self);
         let sets = [self.ends().first(), self.ends().second()];
         let mut least: Option<Competitors<D>> = None;
-        let mut refused = LocalityError::Bound(BoundError::NotADistance { distance: upper });
+        // Ends without a ball have a radius that bounds nothing.
+        let mut refused = LocalityError::Escapes { radius: f64::INFINITY, reach: f64::INFINITY };
         for (centre, r) in sets.into_iter().filter_map(|set| set.enclosing_ball()) {
-            let within = |radius: f64| self.metric().constants_within(&centre, r + radius);
+            let within = |radius: f64| {
+                LocalError::check_ball(&centre, r)?;
+                self.metric().constants_within(&centre, r + radius)
+            };
             match competitors(D, R::OF_THE_PAPER, self.sequence().n(), upper, within) {
                 Ok(Region { radius, constants }) => {
                     let Ok(within) = Ball::new(centre, r + radius) else { continue };
@@ -69,13 +100,14 @@ impl<M: LocallyBounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> 
 
 #[cfg(test)]
 mod tests {
-    use tautline_bounds::LocalityError;
+    use tautline_bounds::{BoundError, LocalityError};
+    use tautline_discretizations::PointSequence;
     use tautline_metrics::gallery::{GaussianFisher, Hyperbolic, Sphere};
     use tautline_metrics::{KnownDistance, LocalError, LocallyBounded};
     use tautline_sets::{Ball, ClosedSet, Ends, HalfSpace};
 
     use super::Competitors;
-    use crate::{LeftEndpoint, Problem, SVector, TautLine, Trapezoidal};
+    use crate::{LeftEndpoint, Options, Problem, SVector, Starts, TautLine, Trapezoidal};
 
     fn line<M: LocallyBounded<2>>(
         metric: M,
@@ -146,6 +178,60 @@ mod tests {
             let ball = line.competitors().expect("near").within;
             assert_eq!(ball.centre()[0], if first < second { 0.3 } else { 0.6 });
         }
+    }
+
+    /// About a set the ball is larger by the set, and the constants are those of all of it.
+    #[test]
+    fn the_ball_holds_the_bounded_end() {
+        let disc = |x: f64| Ball::new([x, 0.2], 0.02).expect("finite");
+        let ends = Ends::new(disc(0.3), disc(0.36)).expect("bounded");
+        let line = Problem::new(Sphere, ends).solve(Trapezoidal, 16).expect("solved");
+        let Competitors { constants, within } = line.competitors().expect("near");
+        assert_eq!(Ok(constants), Sphere.constants_within(within.centre(), within.r()));
+        let reach = line.length().value / constants.c1().sqrt();
+        assert!(0.02 + reach < within.r() && within.r() < 0.02 + 1.03 * reach, "{within:?}");
+    }
+
+    /// One chord of the left rule may have `1 + δ/2` times `d²`, one of the trapezoidal rule half of
+    /// the excess; and a line that is not minimal has more energy than its length squared.
+    #[test]
+    fn what_a_sequence_may_spend_counts() {
+        let ends = || Ends::points([0.3, 0.0], [0.32, 0.0]).expect("finite");
+        let left = Problem::new(Hyperbolic, ends()).solve(LeftEndpoint, 1).expect("solved");
+        let Competitors { constants, within } = left.competitors().expect("near");
+        let length = left.length().value;
+        let delta = constants.l_h() * length / constants.c1().powf(1.5);
+        let most = constants.c2() / constants.c1();
+        let reach = length * (1.0 + 0.5 * delta).min(most).sqrt() / constants.c1().sqrt();
+        assert!(reach < within.r() && within.r() < 1.02 * reach, "{within:?} for {reach}");
+        let points = [0.3, 0.3005, 0.32].map(|x| [x, 0.0].into()).to_vec();
+        let uneven = PointSequence::new(points).expect("finite");
+        let options = Options { starts: Starts::Only(vec![uneven]), iterations: 0 };
+        let problem = Problem::new(Hyperbolic, ends());
+        let uneven = problem.solve_with(Trapezoidal, 2, &options).expect("finite");
+        let energy = uneven.discrete_energy();
+        assert!(energy > 1.5 * uneven.length().value.powi(2), "{energy}");
+        let Competitors { constants, within } = uneven.competitors().expect("near");
+        assert!(within.r() > (energy / constants.c1()).sqrt(), "{within:?}");
+    }
+
+    /// Another line's ball, a coarser grid of the same line, a ball elsewhere.
+    #[test]
+    fn competitors_of_another_line_are_refused() {
+        let near = line(Hyperbolic, [0.0, 0.0], [0.001, 0.0], 64).competitors().expect("near");
+        let far = line(Hyperbolic, [0.5, 0.0], [0.4, 0.02], 4);
+        let error = far.enclosure_among(&near).expect_err("another line");
+        assert!(matches!(error, BoundError::LeavesTheBall { .. }), "{error}");
+        assert_eq!(far.suggest_n_among(&near, 1e-3), Err(error));
+        let own = far.competitors().expect("near");
+        assert!(far.enclosure_among(&own).is_ok());
+        let smaller = Ball::new(*own.within.centre(), 0.9 * own.within.r()).expect("finite");
+        let smaller = Competitors { within: smaller, ..own };
+        assert!(far.enclosure_among(&smaller).is_err());
+        // No length, no radius.
+        let still = line(Hyperbolic, [0.5, 0.0], [0.5, 0.0], 4);
+        let own = still.competitors().expect("one point");
+        assert_eq!(still.enclosure_among(&own).expect("finite").width(), 0.0);
     }
 
     #[test]

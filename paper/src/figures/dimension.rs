@@ -120,7 +120,9 @@ fn observe<const D: usize>() -> Result<Observed, Failure> {
             let energy = solved.discrete_energy();
             let found = problem.solve(Trapezoidal, N)?;
             let same = |other: &f64| (other - energy).abs() <= SAME * energy;
-            if !found.minimum().local_minima.iter().all(same) {
+            // Those that differ by less than 10⁻⁹ are listed once.
+            let minima = &found.minimum().local_minima;
+            if minima.len() != 1 || !minima.iter().all(same) {
                 return Err(Failure::Violated(format!("D = {D}: there are other minima")));
             }
         }

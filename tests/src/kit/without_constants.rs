@@ -3,19 +3,52 @@
 //! The corner of the largest cube in a ball is as far from the origin as the ball reaches if its
 //! centre lies on a diagonal, so that the constants that are extreme there are attained.
 
-use tautline::gallery::{GaussianFisher, Hyperbolic, Sphere};
-use tautline_verify::{kit::MetricCase, prelude::*};
+use tautline::{
+    LocalError,
+    bounds::LocalityError,
+    gallery::{GaussianFisher, Hyperbolic, Sphere},
+};
+use tautline_verify::{
+    kit::{MetricCase, metric},
+    prelude::*,
+};
 
 metric_suite!(sphere: Sphere, dimension 2, within 0.3, of [0.5, 0.5], with distances);
 metric_suite!(hyperbolic: Hyperbolic, dimension 3, within 0.2, of [0.3, 0.3, 0.3], with distances);
 metric_suite!(fisher: GaussianFisher, dimension 2, within 0.5, of [1.0, -0.3], with distances);
 
+/// Each constant is attained in the cube, so that a lie about it is told, and refused.
+#[test]
+fn lies_about_the_constants_of_a_ball_are_refused() {
+    let case = MetricCase::<_, 2>::within(Sphere, [0.5, 0.5], 0.3, Effort::default());
+    let case = case.expect("a ball").with_known_distance();
+    let lies = [
+        metric::refuses_a_larger_c1,
+        metric::refuses_a_smaller_c2,
+        metric::refuses_a_smaller_l_h,
+        metric::refuses_a_smaller_m_h,
+    ];
+    for lie in lies {
+        let outcome = lie(&case);
+        outcome.assert();
+        assert!(outcome.note.is_none(), "{outcome}");
+    }
+}
+
 /// In a ball as large as that, nothing is near enough for its competitors to stay inside.
 #[test]
 fn a_ball_with_useless_constants_is_refused() {
-    for radius in [1e3, -1.0, f64::NAN] {
-        let refused = MetricCase::<_, 2>::within(Sphere, [0.0, 0.0], radius, Effort::default());
-        assert!(refused.is_err(), "{radius}");
+    let refused = |radius| {
+        MetricCase::<_, 2>::within(Sphere, [0.0, 0.0], radius, Effort::default())
+            .expect_err("no case")
+    };
+    assert!(matches!(refused(1e3), LocalityError::Escapes { .. }));
+    assert!(matches!(refused(0.0), LocalityError::Escapes { .. }));
+    for radius in [-1.0, f64::NAN] {
+        let LocalityError::NoConstants { reason, .. } = refused(radius) else { panic!("{radius}") };
+        assert!(matches!(reason, LocalError::NotARadius { .. }), "{reason}");
     }
-    assert!(MetricCase::<_, 2>::within(Hyperbolic, [0.0, 0.0], 1.0, Effort::default()).is_err());
+    let outside = MetricCase::<_, 2>::within(Hyperbolic, [0.0, 0.0], 1.0, Effort::default());
+    let LocalityError::NoConstants { reason, .. } = outside.expect_err("no case") else { panic!() };
+    assert!(matches!(reason, LocalError::LeavesTheDomain { limit: 1.0, .. }), "{reason}");
 }

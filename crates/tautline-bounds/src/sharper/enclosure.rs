@@ -103,7 +103,8 @@ impl Enclosure {
 /// # Errors
 ///
 /// [`BoundError::NotAnEnergy`] if an energy is negative, infinite or NaN;
-/// [`BoundError::NotADistance`] if `gap` is; [`BoundError::NoDimension`].
+/// [`BoundError::NotADistance`] if `gap` is; [`BoundError::NoDimension`];
+/// [`BoundError::Contradiction`] if the minimum is said to be at least what this sequence disproves.
 pub fn enclose(
     constants: Constants,
     dimension: usize,
@@ -137,7 +138,11 @@ pub fn enclose(
     };
     let solved = distance_from_below(zero, rule, n, least).powi(2);
     // min E_N ≤ F(d) ≤ F(upper): a minimum above that is none, unless by rounding.
-    let is_not_global = minimum == DiscreteMinimum::Assumed && solved > upper * (1.0 + 1e-12);
+    let contradicts = solved > upper * (1.0 + 1e-12);
+    if contradicts && matches!(minimum, DiscreteMinimum::AtLeast(_)) {
+        return Err(BoundError::Contradiction { lower: solved, upper });
+    }
+    let is_not_global = minimum == DiscreteMinimum::Assumed && contradicts;
     let mut assumes_global_minimum = false;
     if solved > lower && !is_not_global {
         (lower, from_below) = (solved.min(upper), FromBelow::Minimum);
@@ -264,6 +269,12 @@ mod tests {
         let found = enclose(constants(), 2, &bad).expect("valid");
         assert!(found.is_not_global && !found.assumes_global_minimum, "{found:?}");
         assert_eq!((found.lower, found.upper), (0.25, 1.0));
+        let sure = Computed { minimum: DiscreteMinimum::AtLeast(9.0), ..bad };
+        let error = enclose(constants(), 2, &sure).expect_err("9 is no minimum");
+        assert!(
+            matches!(error, BoundError::Contradiction { lower, upper: 1.0 } if lower > 1.0),
+            "{error}"
+        );
         let flat = Constants::new(4.0, 5.0, 0.0).expect("in order");
         // A rounding is no disproof.
         let rounded = Computed { length_squared: 9.0 * (1.0 - 1e-15), ..bad };

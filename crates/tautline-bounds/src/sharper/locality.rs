@@ -10,7 +10,7 @@ use crate::{BoundError, PaperRule, Setting};
 /// A region that contains every competitor, and the constants that hold on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Region {
-    /// The points within this distance of the bounded end, in `ℓ`.
+    /// `R`, in `ℓ`: the region holds all points within this distance of the bounded end.
     pub radius: f64,
     /// The constants of the metric there.
     pub constants: Constants,
@@ -48,8 +48,8 @@ pub enum LocalityError<E> {
 /// Finds a region outside of which no competitor comes (Proposition S.8): neither a minimal geodesic,
 /// nor a sequence with `E_N ≤ d² e`.
 ///
-/// A curve or a sequence with the energy `E` comes no further from the bounded end than `√(E/c₁)`.
-/// So a radius `R` will do if, with the constants on that region,
+/// As long as it is inside, a curve or a sequence with the energy `E` is no further from the bounded
+/// end than `√(E/c₁)`. So a radius `R` will do if, with the constants on that region,
 ///
 /// ```text
 /// d̄ √e  <  √c₁ R,        e = e(d̄) of Lemma S.4
@@ -62,7 +62,9 @@ pub enum LocalityError<E> {
 /// - `constants_within`: the constants on the convex hull of the points within a distance of the
 ///   bounded end, which may refuse.
 ///
-/// The radius is within 1 % of the least that will do, if `√c₁ R` has no flat piece there.
+/// Needs: constants that are no better on a larger region. Slack: the radius is within 1 % of the
+/// least that will do, if `√c₁ R` has no flat piece there; radii up to 1 % larger than that are asked
+/// for. If `upper` is 0, the region is that of the radius 0.
 ///
 /// # Errors
 ///
@@ -76,14 +78,15 @@ pub fn competitors<E>(
     mut constants_within: impl FnMut(f64) -> Result<Constants, E>,
 ) -> Result<Region, LocalityError<E>> {
     let (mut radius, mut first, mut last) = (0.0_f64, f64::INFINITY, 0.0_f64);
-    // Each round is 1 % larger than the last at least, and nine decades are enough.
+    // Each round is 1 % larger than the last at least. Nine decades beyond the reach at the end itself
+    // c₁ has fallen by eighteen, and what is left of the bounds is worth nothing.
     while radius <= 1e9 * first {
         let constants = constants_within(radius)
             .map_err(|reason| LocalityError::NoConstants { radius, reason })?
             .on_a_region();
         let setting = Setting::new(constants, upper, dimension).map_err(LocalityError::Bound)?;
         let reach = reach(setting, rule, n);
-        if reach < radius || (reach == 0.0 && radius == 0.0) {
+        if reach < radius || upper == 0.0 {
             return Ok(Region { radius, constants });
         }
         first = first.min(reach);
@@ -97,8 +100,12 @@ pub fn competitors<E>(
     Err(LocalityError::Escapes { radius, reach: last })
 }
 
-/// `d̄ √e / √c₁`, in `ℓ`.
-fn reach(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
+/// Returns how far from the bounded end a competitor can be, in `ℓ`, if the constants hold that far and
+/// further (Proposition S.8): `d̄ √e/√c₁`, with the distance of `setting` for `d̄`.
+///
+/// Slack: none as `H → c₁ I`.
+#[must_use]
+pub fn reach(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let surplus = ceiling::least(setting, rule, n);
     setting.distance() * (1.0 + surplus).sqrt() / setting.constants().c1().sqrt()
 }

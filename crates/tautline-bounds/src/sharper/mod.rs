@@ -25,7 +25,7 @@ pub use best::{
 pub use convexity::{BetweenPoints, convexity_modulus, strict_convexity};
 pub use enclosure::{Computed, DiscreteMinimum, Enclosure, FromAbove, FromBelow, enclose};
 pub use length::squared_length;
-pub use locality::{LocalityError, Region, competitors};
+pub use locality::{LocalityError, Region, competitors, reach};
 pub use sampling::{pointwise_fall, pointwise_rise, sampling_fall, sampling_rise, velocity_error};
 pub use sequence_gap::{cubic_gap, cubic_rule_gap, quartic_gap};
 pub use speeds::{difference_step, greatest_difference, greatest_speed};

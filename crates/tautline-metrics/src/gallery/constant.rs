@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Scalar;
 
 use super::{GalleryError, eigenvalues::eigenvalue_bounds};
-use crate::{Bounded, Constants, KnownDistance, Metric, check_gram};
+use crate::{Bounded, Constants, KnownDistance, LocalError, LocallyBounded, Metric, check_gram};
 
 /// `H(x) = A`, a symmetric positive definite matrix in `m²/ℓ²`: Euclidean geometry in
 /// oblique coordinates.
@@ -53,6 +53,18 @@ impl<const D: usize> Bounded<D> for Constant<D> {
     /// to be bounds in spite of rounding; `L_H = M_H = 0`.
     fn constants(&self) -> Constants {
         self.constants
+    }
+}
+
+impl<const D: usize> LocallyBounded<D> for Constant<D> {
+    /// Those of all of `R^D`, said of the ball.
+    fn constants_within(
+        &self,
+        centre: &SVector<f64, D>,
+        radius: f64,
+    ) -> Result<Constants, LocalError> {
+        LocalError::check_ball(centre, radius)?;
+        Ok(self.constants().on_a_region())
     }
 }
 

@@ -9,9 +9,9 @@ use crate::{
 
 /// `H(x) = 4 / (1 + |x|²)² I`: the unit sphere `S^D` without a point.
 ///
-/// It has no constant `c₁ > 0` on all of `R^D`, so none of the paper's theorems applies: the discrete
-/// energies have the infimum `0` for `N ≥ 2` (one jump far out and back), and only minimisers among
-/// the sequences of a ball mean anything (Proposition S.8).
+/// It has no constant `c₁ > 0` on all of `R^D`, so none of the paper's theorems applies: the trapezoidal
+/// energy has the infimum `0` for `N ≥ 2` (one jump far out and back), and only minimisers among the
+/// sequences of a ball mean anything (Proposition S.8).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sphere;
 

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use tautline_metrics::{
     Bounded, Constants, LocallyBounded,
     composition::{AffinePullback, Product, Scaled, Sum},
-    gallery::{GaussianFisher, Hyperbolic, Sphere},
+    gallery::{Constant, GaussianFisher, Hyperbolic, Sphere},
 };
 
 use crate::{
@@ -66,6 +66,9 @@ fn constants_on_balls_are_those_of_the_parts() {
     let product = Product::<_, _, 2, 2>::new(Sphere, Hyperbolic);
     let beside = sphere.beside(of(Hyperbolic, [-0.4, 0.2], radius));
     assert_eq!(of(product, [0.3, 0.1, -0.4, 0.2], radius), beside);
+    let flat = Constant::new(SMatrix::identity() * 2.0).expect("positive definite");
+    let sum = sphere.plus(of(flat, x, radius)).expect("in range");
+    assert!(sum.is_local() && of(Sum::new(Sphere, flat), x, radius) == sum);
     // Twice as large, turned and moved: in a ball of twice the radius about the image.
     let turn = SMatrix::<f64, 2, 2>::from([[1.2, 1.6], [-1.6, 1.2]]);
     let pulled = AffinePullback::new(Sphere, turn, vector![0.1, -0.2]).expect("regular");

@@ -3,7 +3,7 @@
 use std::f64::consts::SQRT_2;
 
 use nalgebra::{SVector, vector};
-use proptest::prelude::*;
+use proptest::{prelude::*, test_runner::RngSeed};
 use tautline_metrics::{
     Constants, HypothesisError, KnownDistance, LocalError, LocallyBounded,
     gallery::{GaussianFisher, Hyperbolic, Sphere},
@@ -121,12 +121,15 @@ fn balls_without_constants_are_refused() {
     for nan in [vector![f64::NAN, 0.0], vector![0.0, f64::NAN]] {
         assert!(Sphere.constants_within(&nan, 1.0).is_err());
         assert!(Hyperbolic.constants_within(&nan, 0.1).is_err());
+        assert!(GaussianFisher.constants_within(&nan, 1.0).is_err());
     }
-    assert!(GaussianFisher.constants_within(&vector![0.0, f64::NAN], 1.0).is_err());
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig {
+        rng_seed: RngSeed::Fixed(108),
+        failure_persistence: None,
+        ..ProptestConfig::default() })]
 
     /// `√2` times the distance of the half-plane, `arcosh(1 + |Δz|²/2σσ′)`; the same after a change of
     /// the unit of the data.

@@ -12,7 +12,7 @@
 /// In the last two it is tested in the ball of this radius and centre, and implements
 /// [`LocallyBounded`](tautline::LocallyBounded) instead of [`Bounded`](tautline::Bounded).
 ///
-/// The metric implements [`Bounded`](tautline::Bounded), and for the second form
+/// The metric implements [`Bounded`](tautline::Bounded), and for the second and the fourth form
 /// [`KnownDistance`](tautline::KnownDistance), with which its own distances are tested too, and
 /// the theorems between two points are put to them instead of to estimates.
 ///

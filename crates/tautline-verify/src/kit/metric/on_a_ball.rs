@@ -21,8 +21,8 @@ impl<M: LocallyBounded<D>, const D: usize> MetricCase<WithConstants<M>, D> {
     ///
     /// # Errors
     ///
-    /// [`LocalityError`] if the metric has no constants in the ball, or none for which any ends are
-    /// near enough.
+    /// [`LocalityError`] if the metric has no constants in the ball, or if these let competitors go so
+    /// far that no ends are near enough.
     pub fn within(
         metric: M,
         centre: impl Into<SVector<f64, D>>,
@@ -35,7 +35,8 @@ impl<M: LocallyBounded<D>, const D: usize> MetricCase<WithConstants<M>, D> {
         let cube = |half: f64| {
             let edge = SVector::repeat(half);
             let cube = Region::new(centre - edge, centre + edge);
-            cube.map_err(|_| refused(LocalError::NotARadius { radius }))
+            // Without edges, or beyond the largest number.
+            cube.map_err(|_| LocalityError::Escapes { radius, reach: radius })
         };
         let half = radius / (D as f64).sqrt();
         // Halved until the ends are near enough; if 2⁻¹⁰ of the ball is too much, so is all of it.
