@@ -120,7 +120,7 @@ fn asymptotics_are_approached_at_the_next_order() {
         ];
         for (column, limit, expected) in quantities {
             let found = order(&|row| (row.number(column) - row.number(limit)).abs());
-            // The term after next, some (10/N)² or 10/N of the next.
+            // The term after next tilts it by some hundredths; another order would by 1.
             assert!((found - expected).abs() <= 0.1, "{case}, {column}: {found}");
             seen += 1;
         }
