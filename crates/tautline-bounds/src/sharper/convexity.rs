@@ -136,7 +136,9 @@ fn greatest_ratio(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::{BetweenPoints, convexity_modulus, poincare, strict_convexity};
-    use crate::{Constants, PaperRule};
+    use crate::{
+        Constants, PaperRule, Setting, Spread, theorem_a_minimum_gap, theorem_d_minimum_gap,
+    };
     use std::num::NonZeroUsize;
 
     fn n(n: usize) -> NonZeroUsize {
@@ -208,6 +210,37 @@ mod tests {
         assert_eq!(strict_convexity(constants(2.0), 2, &computed(50.0, 0.0)), None);
         let unknown = Constants::new(4.0, 9.0, 1.0).expect("in order");
         assert_eq!(strict_convexity(unknown, 2, &computed(0.5, 0.0)), None);
+    }
+
+    /// A computed sequence of nine times the least energy and without a speed: it is the spread of the
+    /// speeds that bounds those of a minimiser, by the lesser of both ways.
+    #[test]
+    fn the_spread_of_the_speeds_bounds_those_of_a_minimiser() {
+        let setting = Setting::new(constants(2.0), 0.5, 2).expect("valid");
+        let ratio = |gap: f64, spread: &dyn Fn(f64) -> Spread| {
+            let surplus = gap / 0.25;
+            (1.0 + surplus).sqrt() + spread(surplus).deviation
+        };
+        for rule in PaperRule::BOTH {
+            let first = theorem_a_minimum_gap(setting, rule, n(64));
+            let first = ratio(first, &|e| Spread::of_first_order(setting, rule, n(64), e));
+            let second = theorem_d_minimum_gap(setting, n(64)).expect("M_H");
+            let second =
+                ratio(second, &|e| Spread::of_second_order(setting, n(64), e).expect("M_H"));
+            let least = match rule {
+                PaperRule::Trapezoidal => first.min(second),
+                PaperRule::LeftEndpoint => first,
+            };
+            let greatest = 0.5 * least / 2.0;
+            let modulus = convexity_modulus(constants(2.0), rule, greatest, n(64)).expect("M_H");
+            let slow = BetweenPoints { rule, discrete_energy: 2.25, ..computed(0.5, 1.0) };
+            let slow = BetweenPoints { greatest_difference: 0.0, ..slow };
+            let found = strict_convexity(constants(2.0), 2, &slow).expect("convex");
+            let wave = 64.0 * (std::f64::consts::FRAC_PI_2 / 64.0).sin();
+            let lost = 1.0 / (4.0 * modulus * wave * wave);
+            // Some twenty roundings of numbers up to 4, of a difference of 0.03.
+            assert!(((2.25 - found) / lost - 1.0).abs() < 1e-12, "{rule:?}: {found}, {lost}");
+        }
     }
 
     /// With a speed of the computed sequence that is too large for the set it says nothing.

@@ -252,7 +252,7 @@ mod tests {
             ..computed(PaperRule::Trapezoidal, DiscreteMinimum::Assumed)
         };
         let found = enclose(flat, 2, &exact).expect("valid");
-        assert_eq!((found.lower, found.upper), (9.0, 9.0));
+        assert_eq!((found.lower, found.upper, found.from_above), (9.0, 9.0, FromAbove::Length));
         let local = enclose(flat.on_a_region(), 2, &exact).expect("valid");
         assert!(local.is_local && !found.is_local && local.lower == found.lower);
         // What came out less is taken, by whatever rounding.
@@ -276,6 +276,8 @@ mod tests {
             "{error}"
         );
         let flat = Constants::new(4.0, 5.0, 0.0).expect("in order");
+        let worse = Computed { length_squared: 8.5, ..bad };
+        assert!(enclose(flat, 2, &worse).expect("valid").is_not_global);
         // A rounding is no disproof.
         let rounded = Computed { length_squared: 9.0 * (1.0 - 1e-15), ..bad };
         let found = enclose(flat, 2, &rounded).expect("valid");

@@ -182,6 +182,17 @@ mod tests {
         );
     }
 
+    /// Beyond the largest number nothing is asked.
+    #[test]
+    fn a_reach_beyond_all_numbers_is_an_escape() {
+        let within = |radius: f64| {
+            assert!(radius.is_finite());
+            Ok::<_, Infallible>(Constants::new(1e-300, 1.0, 0.0).expect("in order"))
+        };
+        let error = competitors(2, TRA, N, 1e200, within).expect_err("out of range");
+        assert!(matches!(error, LocalityError::Escapes { reach: f64::INFINITY, .. }), "{error}");
+    }
+
     #[test]
     fn what_is_no_distance_is_refused() {
         for bad in [-1.0, f64::NAN, f64::INFINITY] {
