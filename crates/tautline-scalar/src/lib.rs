@@ -33,12 +33,14 @@
 //! type of our own; write `-x + 2.0`.
 
 mod float;
+mod interval;
 mod jet1;
 mod jet2;
 mod mixed_jet;
 mod operators;
 mod scalar;
 
+pub use interval::{Enclosure, Fast, FastInterval, Interval, IntervalError, Kernel, Rigorous};
 pub use jet1::Jet1;
 pub use jet2::Jet2;
 pub use mixed_jet::MixedJet;
