@@ -44,3 +44,62 @@ pub(super) const ARCCOT_OF_EIGHTHS: [(f64, f64); 9] = [
     pair(0x3feb_434e_e310_13fd, 0xbc80_520d_0701_d877),
     pair(0x3fe9_21fb_5444_2d18, 0x3c81_a626_3314_5c07),
 ];
+
+#[cfg(test)]
+mod tests {
+    use astro_float::{BigFloat, Consts, RoundingMode};
+
+    use super::*;
+
+    const P: usize = 320;
+    const RM: RoundingMode = RoundingMode::None;
+
+    fn big(x: f64) -> BigFloat {
+        BigFloat::from_f64(x, P)
+    }
+
+    /// Fails unless the parts add up to the value with an error of at most `2ⁿ`.
+    #[track_caller]
+    fn assert_sum(parts: &[f64], value: &BigFloat, n: i32) {
+        let sum = parts.iter().fold(big(0.0), |sum, &part| sum.add(&big(part), P, RM));
+        let error = value.sub(&sum, P, RM).abs();
+        let within = error.cmp(&big(2.0_f64.powi(n))).is_some_and(|order| order <= 0);
+        assert!(within, "{parts:?} miss {value} by {error}");
+    }
+
+    fn is_multiple(x: f64, n: i32) -> bool {
+        (x * 2.0_f64.powi(-n)).fract() == 0.0
+    }
+
+    #[test]
+    fn half_pi_is_the_sum_of_its_parts() {
+        let mut constants = Consts::new().expect("memory");
+        let half_pi = constants.pi(P, RM).mul(&big(0.5), P, RM);
+        assert_sum(&HALF_PI, &half_pi, -156);
+        let [p0, p1, p2, p3] = HALF_PI;
+        assert!(is_multiple(p0, -32) && is_multiple(p1, -66) && is_multiple(p2, -101));
+        assert!(0.0 < p1 && p1 < 2.0_f64.powi(-33));
+        assert!(0.0 < p2 && p2 < 2.0_f64.powi(-68));
+        assert!(0.0 < p3 && p3 < 2.0_f64.powi(-103));
+    }
+
+    #[test]
+    fn ln_2_is_the_sum_of_its_parts() {
+        let mut constants = Consts::new().expect("memory");
+        assert_sum(&LN_2, &constants.ln_2(P, RM), -96);
+        assert!(is_multiple(LN_2[0], -42) && 0.0 < LN_2[1] && LN_2[1] < 2.0_f64.powi(-42));
+    }
+
+    #[test]
+    fn arctangents_of_eighths_are_the_sums_of_their_parts() {
+        let mut constants = Consts::new().expect("memory");
+        let half_pi = constants.pi(P, RM).mul(&big(0.5), P, RM);
+        for j in 0..=8 {
+            let angle = big(j as f64 / 8.0).atan(P, RM, &mut constants);
+            let (head, tail) = ARCTAN_OF_EIGHTHS[j];
+            assert_sum(&[head, tail], &angle, -106);
+            let (head, tail) = ARCCOT_OF_EIGHTHS[j];
+            assert_sum(&[head, tail], &half_pi.sub(&angle, P, RM), -106);
+        }
+    }
+}

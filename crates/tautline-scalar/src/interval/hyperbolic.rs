@@ -25,9 +25,12 @@ pub(super) fn sinh(x: f64) -> (f64, f64) {
         if size <= 40.0 {
             // (eˣ − 1/eˣ)/2, where the quarter of the reciprocal of eˣ/2 is e⁻ˣ/2.
             (add_down(lo, -div_up(0.25, lo)), add_up(hi, -div_down(0.25, hi)))
-        } else {
+        } else if size <= 711.0 {
             // e⁻ˣ/2 is less than 2⁻¹⁰⁰ of eˣ/2.
             (lo.next_down(), hi)
+        } else {
+            // Beyond 2¹⁰²⁴ by far.
+            (lo, hi)
         }
     };
     if x < 0.0 { (-hi, -lo) } else { (lo, hi) }

@@ -61,7 +61,8 @@ pub(crate) enum Function {
 use Function::{Atan, Cos, Cosh, Exp, Ln, Sin, Sinh, Tan, Tanh};
 
 /// The functions that share one computation in high precision.
-pub(crate) const FAMILIES: [&[Function]; 4] = [&[Exp, Sinh, Cosh, Tanh], &[Ln], &[Sin, Cos, Tan], &[Atan]];
+pub(crate) const FAMILIES: [&[Function]; 4] =
+    [&[Exp, Sinh, Cosh, Tanh], &[Ln], &[Sin, Cos, Tan], &[Atan]];
 
 impl Function {
     pub(crate) fn of<S: Scalar>(self, x: S) -> S {
