@@ -22,7 +22,7 @@ fn near_quarters(random: &mut Random) -> f64 {
         x = x.next_up();
     }
     // Quarters of π too, where the splitting changes its integer.
-    if random.bits() % 8 == 0 { random.sign() * x / 2.0 } else { random.sign() * x }
+    if random.bits().is_multiple_of(8) { random.sign() * x / 2.0 } else { random.sign() * x }
 }
 
 /// Numbers around which a case distinction, a rounding or a range changes.
@@ -39,7 +39,7 @@ fn special(family: &[Function], random: &mut Random) -> f64 {
             let scales = [1.0, 2.0, 0.5, 1e300, f64::MIN_POSITIVE, f64::MAX, 5e-324];
             scales.into_iter().chain(powers()).chain(powers().map(|x| x * 2.0_f64.sqrt())).collect()
         }
-        Function::Sin => powers().chain([LARGEST, 0.7854, 1.0]).collect(),
+        Function::Sin => powers().chain([LARGEST, std::f64::consts::FRAC_PI_4, 1.0]).collect(),
         _ => {
             let odd = (0..17).map(|j| f64::from(2 * j + 1) / 16.0);
             let ends = [1.0, 1e300, f64::MAX, f64::MIN_POSITIVE, 16.0, 20.0];

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use astro_float::{Consts, RoundingMode};
 use tautline_scalar::{
-    Enclosure, Fast, FastInterval, Interval, IntervalError, Jet1, Jet2, Kernel, Rigorous, Scalar,
+    Enclosure, Fast, FastInterval, Interval, IntervalError, Kernel, Rigorous, Scalar,
 };
 
 mod reference;
@@ -92,7 +92,7 @@ fn overflow_is_an_infinite_end_and_no_infinite_value() {
     assert_eq!(ends(Interval::point(-1e5).cosh()), (MAX, INFINITY));
     // MAX + MAX − MAX is not known, and not NaN.
     assert_eq!(ends(x + x - (x + x)), (-INFINITY, INFINITY));
-    assert_eq!((x * x) / (x * x), Interval::REALS);
+    assert_eq!(ends((x * x) / (x * x)), (0.0, INFINITY));
 }
 
 #[test]
@@ -105,7 +105,7 @@ fn functions_of_unbounded_intervals_are_their_limits() {
     assert_eq!(ends(line.cosh()), (1.0, INFINITY));
     assert_eq!(line.sinh(), line);
     let angle = line.atan();
-    assert!(angle.lo() < -PI / 2.0 && angle.hi() > PI / 2.0 && angle.magnitude() < 1.5708);
+    assert!(angle.lo() < -PI / 2.0 && angle.hi() > PI / 2.0 && angle.magnitude() < 1.571);
     assert_eq!(ends(interval(1.0, INFINITY).ln()), (0.0, INFINITY));
     assert_eq!(ends(interval(4.0, INFINITY).sqrt()), (2.0, INFINITY));
     let fast: FastInterval = line.with_kernel();
@@ -287,25 +287,4 @@ fn intersections_hulls_and_sizes() {
     assert_eq!((x.magnitude(), x.mignitude(), (-y - 1.0).mignitude()), (3.0, 0.0, 1.0));
     assert!(x.contains_interval(interval(-1.0, 0.5)) && !x.contains_interval(y));
     assert!(!Interval::REALS.contains(INFINITY));
-}
-
-#[test]
-fn jets_of_the_undefined_are_undefined() {
-    let [x] = Jet2::variables(&[interval(-1.0, 1.0)]);
-    for y in [x.recip(), x.ln(), x.sqrt(), x.powi(-1), x.powi(-1).powi(0), (x * 2.0).tan()] {
-        assert!(y.value().is_undefined() && y.first(0).is_undefined());
-        assert!(y.second(0, 0).is_undefined());
-    }
-    // The root is defined at zero, its slope is not.
-    let [x] = Jet1::variables(&[interval(0.0, 1.0)]);
-    assert!(x.sqrt().value().is_finite() && x.sqrt().first(0).is_undefined());
-    // x⁰ is 1 at zero, with slope 0.
-    assert_eq!((ends(x.powi(0).value()), ends(x.powi(0).first(0))), ((1.0, 1.0), (0.0, 0.0)));
-}
-
-#[test]
-fn second_derivatives_take_squares_of_slopes() {
-    // (x²)² has the second derivative 12 x², computed as 2 (2x)² + 2 x² · 2: never negative.
-    let [x] = Jet2::variables(&[interval(-1.0, 1.0)]);
-    assert_eq!(ends(x.sqr().sqr().second(0, 0)), (0.0, 12.0));
 }

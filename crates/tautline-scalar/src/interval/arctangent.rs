@@ -71,11 +71,6 @@ fn of_positive(x: f64) -> Approximation {
 
 /// An eighth, by its numerator.
 #[inline]
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "an integer between 0 and 8"
-)]
 fn index(j: f64) -> usize {
     j as usize
 }

@@ -46,9 +46,10 @@ pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
 /// `(p, e)` with `p = fl(a b)` and `p + e = a b` exactly; `e` is NaN where that is not certain.
 ///
 /// Dekker's product, on halves of 26 bits by Veltkamp. The splitting multiplies by `2²⁷ + 1`, which
-/// overflows only beyond `2⁹⁹⁶`; the product of the upper halves is less than `(1 + 2⁻²⁵)² |a b|`. The residual is a multiple of the product of the last places
-/// of `a` and `b`, which is at least `2⁻¹⁰⁶ |p|`: above the smallest subnormal, `2⁻¹⁰⁷⁴`, if
-/// `|p| ≥ 2⁻⁹⁶⁰`; and no partial product then has places below it either.
+/// overflows only beyond `2⁹⁹⁶`; the product of the upper halves is at most `(1 + 2⁻²⁵) |a b|`. The
+/// residual is a multiple of the product of the last places of `a` and `b`, which is at least
+/// `2⁻¹⁰⁶ |p|`: above the smallest subnormal, `2⁻¹⁰⁷⁴`, if `|p| ≥ 2⁻⁹⁶⁰`; and no partial product
+/// then has places below it either.
 #[inline]
 pub(super) fn two_product(a: f64, b: f64) -> (f64, f64) {
     const LARGE: f64 = f64::from_bits((1023 + 990) << 52);

@@ -1,6 +1,6 @@
 //! `Enclosure`: a closed interval of real numbers, or the mark that a formula is not defined.
 
-use std::marker::PhantomData;
+use std::{fmt, marker::PhantomData};
 
 use super::{
     IntervalError,
@@ -37,7 +37,7 @@ pub type Interval = Enclosure<Rigorous>;
 ///
 /// Two intervals are equal if their ends are; an undefined one equals nothing, itself included.
 /// There is no order.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct Enclosure<K> {
     // Invariant: lo ≤ hi, lo < ∞ and hi > −∞; or both are NaN.
     lo: f64,
@@ -196,5 +196,15 @@ impl<K: Kernel> Enclosure<K> {
     pub fn radius(self) -> f64 {
         let centre = self.midpoint();
         add_up(self.hi, -centre).max(-add_down(self.lo, -centre))
+    }
+}
+
+impl<K> fmt::Debug for Enclosure<K> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.lo.is_nan() {
+            write!(f, "undefined")
+        } else {
+            write!(f, "[{:?}, {:?}]", self.lo, self.hi)
+        }
     }
 }

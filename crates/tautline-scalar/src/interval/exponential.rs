@@ -77,7 +77,6 @@ fn reduced(x: f64) -> (i32, Approximation) {
     let tail = ((z * horner(h, &COEFFICIENTS) + t * h) + t) + s;
     // 2⁻¹⁰²; and 1.5 · 2⁻⁸³ where a multiple of ln 2 came off.
     let small = if k == 0.0 { power_of_two(-102) } else { power_of_two(-82) };
-    #[expect(clippy::cast_possible_truncation, reason = "an integer below 1100")]
     (k as i32, Approximation { head, tail, error: 6.0 * U * z + small })
 }
 

@@ -68,7 +68,6 @@ fn split(x: f64) -> (f64, f64) {
     let bits = if subnormal { x * 18_014_398_509_481_984.0 } else { x }.to_bits();
     let mantissa = bits & MANTISSA;
     let half = mantissa > SQRT_2;
-    #[expect(clippy::cast_possible_truncation, reason = "an exponent, of 11 bits")]
     let exponent = (bits >> 52) as i32 - 1023 - if subnormal { 54 } else { 0 } + i32::from(half);
     (f64::from(exponent), f64::from_bits(mantissa | if half { 1022 << 52 } else { 1023 << 52 }))
 }

@@ -44,7 +44,6 @@ impl QuarterTurns {
         let d = k * p3;
         let (head, tail) = two_sum(r, (b + c) - d);
         let error = 2.0 * f64::EPSILON * (b.abs() + c.abs() + d.abs()) + SMALL;
-        #[expect(clippy::cast_possible_truncation, reason = "an integer below 2²⁰")]
         Self { turns: k as i32, head, tail, error }
     }
 
