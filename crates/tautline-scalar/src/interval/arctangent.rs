@@ -45,7 +45,7 @@ pub(super) fn atan(x: f64) -> (f64, f64) {
 /// `2 u (|τ w|/3 · 1.01 + 3 u) ≤ 0.003 u |τ| + 6 u²`, and the constant is off by `2⁻¹⁰⁶`: together
 /// at most `4 u |τ| + 2⁻¹⁰²`, and `0.67 u` more for `x > 1`, `c > 0`.
 #[inline]
-fn of_positive(x: f64) -> Approximation {
+pub(super) fn of_positive(x: f64) -> Approximation {
     let (tau, (head, low), error) = if x <= 1.0 {
         let j = (8.0 * x).round();
         if j == 0.0 {

@@ -46,7 +46,7 @@ fn clipped(y: Approximation) -> (f64, f64) {
 
 /// Sine and cosine of an angle, not near zero.
 #[inline]
-fn approximations(x: f64) -> (Approximation, Approximation) {
+pub(super) fn approximations(x: f64) -> (Approximation, Approximation) {
     let angle = QuarterTurns::of(x);
     let QuarterTurns { head: h, tail: t, error: e, .. } = angle;
     let (s, c) = (odd(h, t, e, -1.0), even(h, t, e, -1.0));

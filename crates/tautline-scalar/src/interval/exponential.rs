@@ -69,7 +69,7 @@ pub(super) fn exp_times_power(x: f64, n: i32) -> (f64, f64) {
 /// tail is summed with three roundings, `3 · 0.564` beside `9 u²`. Together `4.7 u h²` and `12 u²`.
 /// The derivative, at most `1.42`, carries `e`.
 #[inline]
-fn reduced(x: f64) -> (i32, Approximation) {
+pub(super) fn reduced(x: f64) -> (i32, Approximation) {
     let k = (x * std::f64::consts::LOG2_E).round_ties_even();
     let (h, t) = two_sum(x - k * LN_2[0], -(k * LN_2[1]));
     let (head, s) = two_sum(1.0, h);

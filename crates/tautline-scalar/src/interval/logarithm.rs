@@ -22,6 +22,15 @@ const COEFFICIENTS: [f64; 10] = [
 ];
 
 /// Bounds of `ln x`, for `x > 0`.
+#[inline]
+pub(super) fn ln(x: f64) -> (f64, f64) {
+    if x == 1.0 {
+        return (0.0, 0.0);
+    }
+    if x == f64::INFINITY { (x, x) } else { of_positive(x).bounds() }
+}
+
+/// `ln x` for a finite `x > 0`.
 ///
 /// With `x = 2ᵏ (1 + f)`, where `−0.293 ≤ f ≤ 0.4143` is exact, and `s = f/(2 + f)`:
 /// `ln(1 + f) = 2 artanh s = f − s (f − R)`, `R = Σ 2 s²ʲ/(2j + 1)` over `j ≥ 1`, since
@@ -37,25 +46,17 @@ const COEFFICIENTS: [f64; 10] = [
 /// rounded by at most `2⁻⁸⁵`, and `|k ε| ≤ 2⁻⁸⁵`. The tail, with `t` of `k L₀ + f`, takes two
 /// roundings, at most `2 u (|c| + |k L₁| + |t|) ≤ 1.3 u f² + 2⁻⁸³`.
 #[inline]
-pub(super) fn ln(x: f64) -> (f64, f64) {
-    if x == f64::INFINITY {
-        return (x, x);
-    }
+pub(super) fn of_positive(x: f64) -> Approximation {
     let (k, m) = split(x);
     let f = m - 1.0;
     let s = f / (2.0 + f);
     let w = s * s;
     let c = -s * (f - w * horner(w, &COEFFICIENTS));
-    let y = if k == 0.0 {
-        if f == 0.0 {
-            return (0.0, 0.0);
-        }
-        Approximation { head: f, tail: c, error: 4.0 * U * (f * f) }
-    } else {
-        let (head, t) = two_sum(k * LN_2[0], f);
-        Approximation { head, tail: (c + k * LN_2[1]) + t, error: 6.0 * U * (f * f) + SMALL }
-    };
-    y.bounds()
+    if k == 0.0 {
+        return Approximation { head: f, tail: c, error: 4.0 * U * (f * f) };
+    }
+    let (head, t) = two_sum(k * LN_2[0], f);
+    Approximation { head, tail: (c + k * LN_2[1]) + t, error: 6.0 * U * (f * f) + SMALL }
 }
 
 /// `x = 2ᵏ m` with `0.707 ≤ m ≤ 1.4143`, exactly.
