@@ -41,6 +41,11 @@ pub trait Kernel: sealed::Sealed + Copy + Debug + PartialEq + Send + Sync + 'sta
 
 /// Series with bounded remainders and bounded roundings: nothing is trusted but that `+ − × ÷ √`
 /// of doubles are rounded to nearest.
+///
+/// The widest enclosures of points among a million for each function, in units of `2⁻⁵²` of the
+/// value (which is a place or half of one): 2.2 for `exp`, 4.4 for `ln`, 2.9 for `sin` and
+/// `cos`, 7 for `tan`, 5 for `atan`, 4.1 for `sinh`, 3.6 for `cosh`, 6.7 for `tanh`. They are
+/// relative to the value near its zeros too: nothing cancels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rigorous;
 
