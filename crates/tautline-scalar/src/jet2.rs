@@ -87,7 +87,11 @@ impl<T: Scalar, const D: usize> Jet2<T, D> {
         Self {
             value,
             first: g.map(|gi| gi * first),
-            second: Self::upper(|i, j| self.second[i][j] * first + g[i] * g[j] * second),
+            second: Self::upper(|i, j| {
+                // A square has no negative part, where numbers are ranges.
+                let product = if i == j { g[i].sqr() } else { g[i] * g[j] };
+                self.second[i][j] * first + product * second
+            }),
         }
     }
 }

@@ -1,0 +1,159 @@
+//! `+ − × ÷` of intervals.
+//!
+//! On real intervals each operation takes its extremes at ends, and which ends is decided by
+//! signs. Each extreme is then one operation of doubles, rounded in the direction that keeps
+//! it a bound. So the result is the smallest interval that contains all values, except where a
+//! product or quotient nearly under- or overflows, there it may be one double wider at each end.
+
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use num_traits::{One, Zero};
+
+use super::{
+    Enclosure,
+    directed::{add_down, add_up, div_down, div_up, mul_down, mul_up},
+    kernel::Kernel,
+};
+
+impl<K: Kernel> Neg for Enclosure<K> {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        if self.is_undefined() { self } else { Self::enclosing(-self.hi(), -self.lo()) }
+    }
+}
+
+impl<K: Kernel> Add for Enclosure<K> {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        if self.is_undefined() || other.is_undefined() {
+            return Self::UNDEFINED;
+        }
+        // Never ∞ − ∞: a lower end is not +∞, an upper one not −∞.
+        Self::enclosing(add_down(self.lo(), other.lo()), add_up(self.hi(), other.hi()))
+    }
+}
+
+impl<K: Kernel> Sub for Enclosure<K> {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl<K: Kernel> Mul for Enclosure<K> {
+    type Output = Self;
+    /// The product. Zero times an interval with an infinite end is the whole line: the formula
+    /// overflowed, and in `f64` it would be NaN.
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        if self.is_undefined() || other.is_undefined() {
+            return Self::UNDEFINED;
+        }
+        let ((a, b), (c, d)) = ((self.lo(), self.hi()), (other.lo(), other.hi()));
+        // 0 · ∞ is NaN, which `enclosing` takes for no bound; so `least` and `greatest` must
+        // not drop it.
+        let (lo, hi) = if a >= 0.0 {
+            if c >= 0.0 {
+                (mul_down(a, c), mul_up(b, d))
+            } else if d <= 0.0 {
+                (mul_down(b, c), mul_up(a, d))
+            } else {
+                (mul_down(b, c), mul_up(b, d))
+            }
+        } else if b <= 0.0 {
+            if c >= 0.0 {
+                (mul_down(a, d), mul_up(b, c))
+            } else if d <= 0.0 {
+                (mul_down(b, d), mul_up(a, c))
+            } else {
+                (mul_down(a, d), mul_up(a, c))
+            }
+        } else if c >= 0.0 {
+            (mul_down(a, d), mul_up(b, d))
+        } else if d <= 0.0 {
+            (mul_down(b, c), mul_up(a, c))
+        } else {
+            (least(mul_down(a, d), mul_down(b, c)), greatest(mul_up(a, c), mul_up(b, d)))
+        };
+        if lo.is_nan() || hi.is_nan() { Self::REALS } else { Self::enclosing(lo, hi) }
+    }
+}
+
+/// The smaller of two bounds; NaN if either is.
+#[inline]
+fn least(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a < b { a } else { b }
+}
+
+/// The larger of two bounds; NaN if either is.
+#[inline]
+fn greatest(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a > b { a } else { b }
+}
+
+impl<K: Kernel> Div for Enclosure<K> {
+    type Output = Self;
+    /// The quotient; undefined if the divisor contains zero.
+    #[inline]
+    fn div(self, other: Self) -> Self {
+        let ((a, b), (c, d)) = ((self.lo(), self.hi()), (other.lo(), other.hi()));
+        if self.is_undefined() {
+            return self;
+        }
+        let (lo, hi) = if c > 0.0 {
+            let lo = if a >= 0.0 { div_down(a, d) } else { div_down(a, c) };
+            (lo, if b >= 0.0 { div_up(b, c) } else { div_up(b, d) })
+        } else if d < 0.0 {
+            let lo = if b >= 0.0 { div_down(b, d) } else { div_down(b, c) };
+            (lo, if a >= 0.0 { div_up(a, c) } else { div_up(a, d) })
+        } else {
+            return Self::UNDEFINED;
+        };
+        // ∞ / ∞ is NaN.
+        if lo.is_nan() || hi.is_nan() { Self::REALS } else { Self::enclosing(lo, hi) }
+    }
+}
+
+/// The operators with a number on the right, which is the interval of that one number.
+macro_rules! with_a_number {
+    ($($operator:ident $method:ident, $assign:ident $assign_method:ident;)*) => {$(
+        impl<K: Kernel> $operator<f64> for Enclosure<K> {
+            type Output = Self;
+            #[inline]
+            fn $method(self, c: f64) -> Self {
+                self.$method(Self::point(c))
+            }
+        }
+        impl<K: Kernel> $assign for Enclosure<K> {
+            #[inline]
+            fn $assign_method(&mut self, other: Self) {
+                *self = self.$method(other);
+            }
+        }
+    )*};
+}
+
+with_a_number! {
+    Add add, AddAssign add_assign;
+    Sub sub, SubAssign sub_assign;
+    Mul mul, MulAssign mul_assign;
+    Div div, DivAssign div_assign;
+}
+
+impl<K: Kernel> Zero for Enclosure<K> {
+    fn zero() -> Self {
+        Self::enclosing(0.0, 0.0)
+    }
+    fn is_zero(&self) -> bool {
+        *self == Self::zero()
+    }
+}
+
+impl<K: Kernel> One for Enclosure<K> {
+    fn one() -> Self {
+        Self::enclosing(1.0, 1.0)
+    }
+}

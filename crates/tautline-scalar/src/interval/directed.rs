@@ -1,0 +1,166 @@
+//! The four operations and the square root, rounded down and rounded up.
+//!
+//! Each value `v = fl(a ∘ b)` is the number nearest to the true one, so the true one lies between
+//! the neighbours of `v`. The sign of the residual `a ∘ b − v` says on which side, and whether
+//! `v` is the true value itself: then neither bound moves.
+//!
+//! For sums the residual is itself a double and Knuth's sum of two numbers finds it exactly. For
+//! products Dekker's does, without a fused multiply-add, as long as nothing overflows and no part
+//! of the product falls below the smallest subnormal; the residuals `a − q b` of a quotient and
+//! `a − s²` of a root are doubles too, for `q` and `s` the rounded results. Outside these ranges
+//! nothing is asked of the residual: the bound goes to the neighbour, which is always right.
+
+/// Which of the two bounds is asked for.
+#[derive(Clone, Copy, PartialEq)]
+enum Side {
+    Below,
+    Above,
+}
+
+/// The bound for a true value whose nearest double is `value`, given a number with the sign of
+/// the residual: NaN stands for a residual that is not known.
+///
+/// A zero keeps the sign of what underflowed to it, so it is itself the bound on the other side.
+#[inline]
+fn beside(value: f64, residual: f64, side: Side) -> f64 {
+    match side {
+        Side::Below if residual >= 0.0 || value.to_bits() == 0.0_f64.to_bits() => value,
+        Side::Below => value.next_down(),
+        Side::Above if residual <= 0.0 || value.to_bits() == (-0.0_f64).to_bits() => value,
+        Side::Above => value.next_up(),
+    }
+}
+
+/// `(s, e)` with `s = fl(a + b)` and `s + e = a + b` exactly, unless the sum overflows.
+///
+/// Knuth's TwoSum. A sum of doubles never underflows, and the intermediate values are no larger
+/// than `2 max(|a|, |b|)`.
+#[inline]
+pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
+    let s = a + b;
+    let from_b = s - a;
+    let from_a = s - from_b;
+    (s, (a - from_a) + (b - from_b))
+}
+
+/// `(p, e)` with `p = fl(a b)` and `p + e = a b` exactly; `e` is NaN where that is not certain.
+///
+/// Dekker's product, on halves of 26 bits by Veltkamp. The splitting multiplies by `2²⁷ + 1`, which
+/// overflows only beyond `2⁹⁹⁶`; the product of the upper halves is at most `(1 + 2⁻²⁵) |a b|`. The
+/// residual is a multiple of the product of the last places of `a` and `b`, which is at least
+/// `2⁻¹⁰⁶ |p|`: above the smallest subnormal, `2⁻¹⁰⁷⁴`, if `|p| ≥ 2⁻⁹⁶⁰`; and no partial product
+/// then has places below it either.
+#[inline]
+pub(super) fn two_product(a: f64, b: f64) -> (f64, f64) {
+    const LARGE: f64 = f64::from_bits((1023 + 990) << 52);
+    const LARGEST: f64 = f64::from_bits((1023 + 1021) << 52);
+    const SMALL: f64 = f64::from_bits((1023 - 960) << 52);
+    let p = a * b;
+    if !(a.abs() <= LARGE && b.abs() <= LARGE && p.abs() <= LARGEST && p.abs() >= SMALL) {
+        // A product is zero without underflow only if a factor is.
+        let zero = (a == 0.0 && b.is_finite()) || (b == 0.0 && a.is_finite());
+        return (p, if zero { 0.0 } else { f64::NAN });
+    }
+    let (a1, a2) = halves(a);
+    let (b1, b2) = halves(b);
+    (p, ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2)
+}
+
+/// `a = a₁ + a₂`, neither with more than 26 bits.
+#[inline]
+fn halves(a: f64) -> (f64, f64) {
+    let c = a * 134_217_729.0;
+    let a1 = c - (c - a);
+    (a1, a - a1)
+}
+
+#[inline]
+fn add(a: f64, b: f64, side: Side) -> f64 {
+    // Beyond 2¹⁰²² the intermediate values of the residual might overflow.
+    const LARGE: f64 = f64::from_bits((1023 + 1022) << 52);
+    let (s, e) = two_sum(a, b);
+    let certain = a.abs() <= LARGE && b.abs() <= LARGE;
+    beside(s, if certain { e } else { f64::NAN }, side)
+}
+
+#[inline]
+fn mul(a: f64, b: f64, side: Side) -> f64 {
+    let (p, e) = two_product(a, b);
+    beside(p, e, side)
+}
+
+#[inline]
+fn div(a: f64, b: f64, side: Side) -> f64 {
+    let q = a / b;
+    if a == 0.0 && b != 0.0 && !b.is_nan() {
+        return q;
+    }
+    // a − q b is a double (of at most 53 bits, by the rounding of q), so is a − fl(q b), and their
+    // computed values are exact if the residual of the product is known. The quotient lies above q
+    // if the residual has the sign of b. A quotient that underflowed is left to its neighbours.
+    let (p, e) = two_product(q, b);
+    let residual = if q.abs() >= f64::MIN_POSITIVE && a.is_finite() && b.is_finite() {
+        (a - p) - e
+    } else {
+        f64::NAN
+    };
+    beside(q, if b < 0.0 { -residual } else { residual }, side)
+}
+
+#[inline]
+fn sqrt(a: f64, side: Side) -> f64 {
+    let s = a.sqrt();
+    if a == 0.0 || a == f64::INFINITY {
+        return s;
+    }
+    let (p, e) = two_product(s, s);
+    beside(s, (a - p) - e, side)
+}
+
+/// A lower bound of `a + b`.
+#[inline]
+pub(super) fn add_down(a: f64, b: f64) -> f64 {
+    add(a, b, Side::Below)
+}
+
+/// An upper bound of `a + b`.
+#[inline]
+pub(super) fn add_up(a: f64, b: f64) -> f64 {
+    add(a, b, Side::Above)
+}
+
+/// A lower bound of `a b`; NaN for `0 · ∞`.
+#[inline]
+pub(super) fn mul_down(a: f64, b: f64) -> f64 {
+    mul(a, b, Side::Below)
+}
+
+/// An upper bound of `a b`; NaN for `0 · ∞`.
+#[inline]
+pub(super) fn mul_up(a: f64, b: f64) -> f64 {
+    mul(a, b, Side::Above)
+}
+
+/// A lower bound of `a / b`, for `b ≠ 0`; NaN for `∞ / ∞`.
+#[inline]
+pub(super) fn div_down(a: f64, b: f64) -> f64 {
+    div(a, b, Side::Below)
+}
+
+/// An upper bound of `a / b`, for `b ≠ 0`; NaN for `∞ / ∞`.
+#[inline]
+pub(super) fn div_up(a: f64, b: f64) -> f64 {
+    div(a, b, Side::Above)
+}
+
+/// A lower bound of `√a`, for `a ≥ 0`.
+#[inline]
+pub(super) fn sqrt_down(a: f64) -> f64 {
+    sqrt(a, Side::Below)
+}
+
+/// An upper bound of `√a`, for `a ≥ 0`.
+#[inline]
+pub(super) fn sqrt_up(a: f64) -> f64 {
+    sqrt(a, Side::Above)
+}

@@ -1,0 +1,80 @@
+//! The two entire functions behind sine, cosine and their hyperbolic sisters.
+//!
+//! With `S(w) = Σ wʲ/(2j+1)!` and `C(w) = Σ wʲ/(2j)!` is `sin h = h S(−h²)`, `cos h = C(−h²)`,
+//! `sinh h = h S(h²)` and `cosh h = C(h²)`: one series and one bound for each pair.
+
+use super::{
+    approximation::Approximation,
+    directed::two_sum,
+    series::{U, horner},
+};
+
+/// `1/(2j+3)!`; the factorials up to 22! are doubles, so each quotient is correctly rounded.
+const ODD: [f64; 8] = [
+    1.0 / 6.0,
+    1.0 / 120.0,
+    1.0 / 5_040.0,
+    1.0 / 362_880.0,
+    1.0 / 39_916_800.0,
+    1.0 / 6_227_020_800.0,
+    1.0 / 1_307_674_368_000.0,
+    1.0 / 355_687_428_096_000.0,
+];
+
+/// `1/(2j+4)!`, likewise.
+const EVEN: [f64; 8] = [
+    1.0 / 24.0,
+    1.0 / 720.0,
+    1.0 / 40_320.0,
+    1.0 / 3_628_800.0,
+    1.0 / 479_001_600.0,
+    1.0 / 87_178_291_200.0,
+    1.0 / 20_922_789_888_000.0,
+    1.0 / 6_402_373_705_728_000.0,
+];
+
+/// `sin` (`sign = −1`) or `sinh` (`sign = 1`) of `h + t + δ`, `|δ| ≤ e`.
+///
+/// Needs: `2⁻³⁰⁰ ≤ |h| ≤ 1`, `|t| ≤ u |h|`; and `|h| ≤ 0.7855` unless `t = 0 = e`.
+///
+/// **The error is at most `2 u |h| h² + 2⁻¹⁰² |h| + e`.** Let `p(w) = (S(w) − 1)/w`, and `w` the
+/// rounded `±h²`. In units of `u |h w|`:
+/// Horner with `q = 1/20` is off by `2.01/6/0.95² ≤ 0.38`; `|p| ≤ sinh 1 − 1 ≤ 0.176`, so the two
+/// products add `0.352`; the rounding of `w` adds `|(w p)′| ≤ (cosh 1 − sinh 1)/2 ≤ 0.184`; the
+/// terms left out, `|w|⁸/19!` and less, add `0.08`. Adding the part of `t` rounds the sum, at most
+/// `0.176` more beside `2 u² |h|`. Last, `sin(h + t) − sin h = t cos ξ`, and `1 − h²/2` misses
+/// `cos ξ` by `h⁴/24 + |t|`: that is at most `0.03` more beside `u² |h|`, and three roundings of
+/// that part are `3 u² |h|`. Together `1.21 u |h w|` and `6 u² |h| < 2⁻¹⁰³ |h|`. The derivative by
+/// the argument, at most 1, carries `e`; for `sinh` there is none.
+#[inline]
+pub(super) fn odd(h: f64, t: f64, e: f64, sign: f64) -> Approximation {
+    let z = h * h;
+    let w = sign * z;
+    let tail = h * (w * horner(w, &ODD)) + t * (1.0 - 0.5 * z);
+    Approximation { head: h, tail, error: h.abs() * (2.0 * U * z + SMALL) + e }
+}
+
+/// `cos` (`sign = −1`) or `cosh` (`sign = 1`) of `h + t + δ`, `|δ| ≤ e`.
+///
+/// Needs: as for [`odd`].
+///
+/// **The error is at most `2 u h² + e`.** Let `p(w) = (C(w) − 1 − w/2)/w²`, and `w` the rounded
+/// `±h²`. The rounding of `w` moves `w/2` by `0.5 u |w|`; `1 + w/2` is then split exactly into a
+/// head and `s`, where `|s| ≤ min(u, |w|/2)`. In units of `u w²`: Horner with `q = 1/30` is off by
+/// `2.01/24/0.966² ≤ 0.09`; `|p| ≤ cosh 1 − 3/2 ≤ 0.0431`, so the two products add `0.087`; the
+/// rounding of `w` adds `(sinh 1 − 1)/2 ≤ 0.088`; the terms left out, `w⁸/20!` and less, add `0.01`.
+/// The two roundings of the sum of the tail are at most `0.09 u w² + u min(u, |w|/2) + u² h²`, of
+/// which the second is less than `0.5 u |w|`. Last, `cos(h + t) − cos h = −t sin ξ`, and
+/// `|sin ξ − h| ≤ |h|³/6 + |t|`: at most `0.17 u h⁴ + 3 u² h²` with the roundings of that part.
+/// Together at most `1.6 u h²`. The derivative by the argument, at most 1, carries `e`.
+#[inline]
+pub(super) fn even(h: f64, t: f64, e: f64, sign: f64) -> Approximation {
+    let z = h * h;
+    let w = sign * z;
+    let (head, s) = two_sum(1.0, 0.5 * w);
+    let tail = s + (w * (w * horner(w, &EVEN)) + sign * (h * t));
+    Approximation { head, tail, error: 2.0 * U * z + e }
+}
+
+/// `2⁻¹⁰²`.
+const SMALL: f64 = f64::from_bits((1023 - 102) << 52);

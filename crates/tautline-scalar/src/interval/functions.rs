@@ -1,0 +1,183 @@
+//! Intervals as numbers of a formula.
+
+use num_traits::One;
+
+use super::{
+    Enclosure,
+    kernel::Kernel,
+    quarter_turns::{LARGEST_ANGLE, QuarterTurns},
+};
+use crate::Scalar;
+
+impl<K: Kernel> Enclosure<K> {
+    /// The image under an increasing function, given its bounds at a double.
+    #[inline]
+    fn increasing(self, f: impl Fn(f64) -> (f64, f64)) -> Self {
+        if self.is_undefined() {
+            return self;
+        }
+        let (lo, hi) = f(self.lo());
+        Self::enclosing(lo, if self.lo() == self.hi() { hi } else { f(self.hi()).1 })
+    }
+
+    /// The image under `cosh`, which grows with `|x|`.
+    #[inline]
+    fn hyperbolic_cosine(self) -> Self {
+        if self.is_undefined() {
+            return self;
+        }
+        Self::enclosing(K::cosh(self.mignitude()).0, K::cosh(self.magnitude()).1)
+    }
+
+    /// Integers `j ≤ k` such that the multiples `n π/2` in the interval, its lower end aside,
+    /// all have `j < n ≤ k`; `None` if the ends are too large to tell, or undefined.
+    #[inline]
+    fn quarters(self) -> Option<(i32, i32)> {
+        if !(self.magnitude() <= LARGEST_ANGLE) {
+            return None;
+        }
+        let (lo, hi) = (QuarterTurns::of(self.lo()), QuarterTurns::of(self.hi()));
+        Some((lo.floor().0, hi.floor().1))
+    }
+
+    /// The image under sine (`shift = 1`) or cosine (`shift = 0`), given the bounds at both ends.
+    ///
+    /// The function takes its extremes at the ends or at a multiple `n π/2` with `n + shift`
+    /// even: there it is `1` if that is a multiple of 4 for the cosine, and so on round.
+    #[inline]
+    fn wave(ends: [(f64, f64); 2], (j, k): (i32, i32), shift: i32) -> Self {
+        let [(a, b), (c, d)] = ends;
+        let (mut lo, mut hi) = (a.min(c), b.max(d));
+        // More than four quarters hold every case.
+        for n in (j + 1)..=k.min(j + 5) {
+            match (n - shift) & 3 {
+                0 => hi = 1.0,
+                2 => lo = -1.0,
+                _ => {}
+            }
+        }
+        Self::enclosing(lo, hi)
+    }
+
+    /// What is known of the sine and the cosine of any number.
+    fn any_wave(self) -> Self {
+        if self.is_undefined() { self } else { Self::enclosing(-1.0, 1.0) }
+    }
+}
+
+/// Both ends through `f`, once if they are the same.
+#[inline]
+fn at_ends<T: Copy>(lo: f64, hi: f64, f: impl Fn(f64) -> T) -> [T; 2] {
+    let first = f(lo);
+    [first, if lo == hi { first } else { f(hi) }]
+}
+
+impl<K: Kernel> Scalar for Enclosure<K> {
+    /// Returns the interval of the one number; undefined unless it is finite.
+    #[inline]
+    fn constant(value: f64) -> Self {
+        Self::point(value)
+    }
+
+    #[inline]
+    fn sqr(self) -> Self {
+        self.square()
+    }
+
+    /// Returns `xⁿ`. Even powers have no negative part; negative ones are undefined if zero is
+    /// inside, and so is every power of the undefined, `x⁰` included.
+    #[inline]
+    fn powi(self, n: i32) -> Self {
+        self.power(n)
+    }
+
+    /// Returns `1 / x`; undefined if zero is inside.
+    #[inline]
+    fn recip(self) -> Self {
+        Self::one() / self
+    }
+
+    /// Returns `√x`; undefined if the interval reaches below zero.
+    #[inline]
+    fn sqrt(self) -> Self {
+        self.square_root()
+    }
+
+    #[inline]
+    fn exp(self) -> Self {
+        self.increasing(K::exp)
+    }
+
+    /// Returns the natural logarithm; undefined if the interval reaches to zero.
+    #[inline]
+    fn ln(self) -> Self {
+        if self.lo() > 0.0 { self.increasing(K::ln) } else { Self::UNDEFINED }
+    }
+
+    /// Returns `(sin x, cos x)`; `[−1, 1]` where an end is beyond `2²⁰`.
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        let Some(quarters) = self.quarters() else {
+            return (self.any_wave(), self.any_wave());
+        };
+        let [(s0, c0), (s1, c1)] = at_ends(self.lo(), self.hi(), K::sin_cos);
+        (Self::wave([s0, s1], quarters, 1), Self::wave([c0, c1], quarters, 0))
+    }
+
+    /// Returns `tan x`; undefined if a pole may be inside, which is not excluded where an end is
+    /// beyond `2²⁰`.
+    #[inline]
+    fn tan(self) -> Self {
+        let Some((j, k)) = self.quarters() else {
+            return Self::UNDEFINED;
+        };
+        // Poles are at odd multiples of π/2.
+        if ((j + 1)..=k.min(j + 2)).any(|n| n & 1 == 1) {
+            return Self::UNDEFINED;
+        }
+        self.increasing(K::tan)
+    }
+
+    #[inline]
+    fn atan(self) -> Self {
+        self.increasing(K::atan)
+    }
+
+    #[inline]
+    fn sinh_cosh(self) -> (Self, Self) {
+        (self.sinh(), self.cosh())
+    }
+
+    #[inline]
+    fn tanh(self) -> Self {
+        self.increasing(K::tanh)
+    }
+
+    // The four below drop the half that is not asked for.
+
+    #[inline]
+    fn sin(self) -> Self {
+        let Some(quarters) = self.quarters() else {
+            return self.any_wave();
+        };
+        Self::wave(at_ends(self.lo(), self.hi(), K::sin), quarters, 1)
+    }
+
+    #[inline]
+    fn cos(self) -> Self {
+        let Some(quarters) = self.quarters() else {
+            return self.any_wave();
+        };
+        Self::wave(at_ends(self.lo(), self.hi(), K::cos), quarters, 0)
+    }
+
+    #[inline]
+    fn sinh(self) -> Self {
+        self.increasing(K::sinh)
+    }
+
+    #[inline]
+    fn cosh(self) -> Self {
+        self.hyperbolic_cosine()
+    }
+}

@@ -1,0 +1,83 @@
+//! Squares, integer powers, reciprocals and square roots of intervals.
+
+use num_traits::One;
+
+use super::{
+    Enclosure,
+    directed::{mul_down, mul_up, sqrt_down, sqrt_up},
+    kernel::Kernel,
+};
+
+impl<K: Kernel> Enclosure<K> {
+    /// `x²`, which has no negative part.
+    #[inline]
+    pub(super) fn square(self) -> Self {
+        if self.is_undefined() {
+            return self;
+        }
+        let (near, far) = (self.mignitude(), self.magnitude());
+        Self::enclosing(mul_down(near, near), mul_up(far, far))
+    }
+
+    /// `xⁿ`; `1` for `n = 0`, also at zero; undefined for `n < 0` if zero is inside.
+    pub(super) fn power(self, n: i32) -> Self {
+        if self.is_undefined() {
+            return self;
+        }
+        // The reciprocal first: a power of a small number may underflow, and then contain zero.
+        let x = if n < 0 { Self::one() / self } else { self };
+        let n = n.unsigned_abs();
+        match n {
+            0 => Self::one(),
+            1 => x,
+            2 => x.square(),
+            _ if x.is_undefined() => x,
+            // Even powers grow with |x|.
+            _ if n.is_multiple_of(2) => Self::enclosing(
+                power_of_positive(x.mignitude(), n, mul_down),
+                power_of_positive(x.magnitude(), n, mul_up),
+            ),
+            // Odd ones with x.
+            _ => {
+                let lo = if x.lo() >= 0.0 {
+                    power_of_positive(x.lo(), n, mul_down)
+                } else {
+                    -power_of_positive(-x.lo(), n, mul_up)
+                };
+                let hi = if x.hi() >= 0.0 {
+                    power_of_positive(x.hi(), n, mul_up)
+                } else {
+                    -power_of_positive(-x.hi(), n, mul_down)
+                };
+                Self::enclosing(lo, hi)
+            }
+        }
+    }
+
+    /// `√x`; undefined if the interval reaches below zero.
+    #[inline]
+    pub(super) fn square_root(self) -> Self {
+        if !(self.lo() >= 0.0) {
+            return Self::UNDEFINED;
+        }
+        Self::enclosing(sqrt_down(self.lo()), sqrt_up(self.hi()))
+    }
+}
+
+/// A bound of `xⁿ` for `x ≥ 0` and `n ≥ 1`, by products that are bounds on the same side: they
+/// grow with each factor, and none is negative, since a zero is a lower bound of what underflows
+/// to it.
+fn power_of_positive(x: f64, mut n: u32, mul: impl Fn(f64, f64) -> f64) -> f64 {
+    let mut square = x;
+    let mut result: Option<f64> = None;
+    loop {
+        if n % 2 == 1 {
+            result = Some(result.map_or(square, |r| mul(r, square)));
+        }
+        n /= 2;
+        if n == 0 {
+            return result.unwrap_or(1.0);
+        }
+        square = mul(square, square);
+    }
+}

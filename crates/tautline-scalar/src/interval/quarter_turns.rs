@@ -1,0 +1,74 @@
+//! Angles as quarter turns and a remainder.
+
+use super::{constants::HALF_PI, directed::two_sum};
+
+/// The largest `|x|`, in radians, whose sine and cosine are enclosed by more than `[−1, 1]`: `2²⁰`.
+pub(super) const LARGEST_ANGLE: f64 = 1_048_576.0;
+
+/// An angle `x = turns · π/2 + head + tail + δ` with `|δ| ≤ error`, `|head| < 0.7855` and
+/// `|tail| ≤ u |head|`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct QuarterTurns {
+    turns: i32,
+    pub(super) head: f64,
+    pub(super) tail: f64,
+    pub(super) error: f64,
+}
+
+impl QuarterTurns {
+    /// Splits the angle `x`, in radians.
+    ///
+    /// Needs: `|x| ≤ 2²⁰`.
+    ///
+    /// Let `k` be the integer nearest to the rounded `x · (2/π)`; whatever it is, the splitting
+    /// is right. `|k| ≤ 667 545 < 2²⁰`, and the product is off by less than `2⁻³¹`, so the
+    /// remainder is less than `π/4 + 2⁻³⁰ < 0.7855`.
+    ///
+    /// * `x − k P₀` is exact: `k P₀` has 33 + 20 bits; for `k ≠ 0` is `|x| > 0.78`, so both are
+    ///   multiples of `2⁻⁵³`, and so is the difference, which is less than
+    ///   `0.7855 + 2²⁰ · 2⁻³³ < 1`.
+    /// * `k P₁` and `k P₂` have 53 bits as well, and two sums take them off exactly.
+    /// * `k P₃` is rounded, by at most `u |k P₃|`, and `k ε ≤ 2²⁰⁻¹⁵⁶ = 2⁻¹³⁶`.
+    /// * What remains is the sum of three small numbers `b`, `c`, `d`: two roundings, each at
+    ///   most `u (|b| + |c| + |d|)(1 + u)`, so all roundings together, that of `k P₃` included,
+    ///   are less than `4 u (|b| + |c| + |d|)`, itself computed to 3 `u`.
+    #[inline]
+    pub(super) fn of(x: f64) -> Self {
+        let k = (x * std::f64::consts::FRAC_2_PI).round_ties_even();
+        if k == 0.0 {
+            return Self { turns: 0, head: x, tail: 0.0, error: 0.0 };
+        }
+        let [p0, p1, p2, p3] = HALF_PI;
+        let (r, b) = two_sum(x - k * p0, -(k * p1));
+        let (r, c) = two_sum(r, -(k * p2));
+        let d = k * p3;
+        let (head, tail) = two_sum(r, (b + c) - d);
+        let error = 2.0 * f64::EPSILON * (b.abs() + c.abs() + d.abs()) + SMALL;
+        Self { turns: k as i32, head, tail, error }
+    }
+
+    /// Returns `k mod 4`, the number of quarter turns that matters.
+    #[inline]
+    pub(super) fn quadrant(self) -> i32 {
+        self.turns & 3
+    }
+
+    /// Returns two integers between which `⌊x / (π/2)⌋` lies.
+    ///
+    /// It is `k` or `k − 1`, by the sign of the remainder. No double but 0 is known to be so close
+    /// to a multiple of `π/2` that the sign is in doubt, but nothing depends on that.
+    #[inline]
+    pub(super) fn floor(self) -> (i32, i32) {
+        // head + tail has the sign of the head, and more than half its size.
+        if self.head >= 0.0 && (self.error == 0.0 || 0.5 * self.head > self.error) {
+            (self.turns, self.turns)
+        } else if 0.5 * self.head < -self.error {
+            (self.turns - 1, self.turns - 1)
+        } else {
+            (self.turns - 1, self.turns)
+        }
+    }
+}
+
+/// `2⁻¹³⁵`.
+const SMALL: f64 = f64::from_bits((1023 - 135) << 52);
