@@ -3,17 +3,22 @@
 use super::{Manifest, manifests, read, root};
 
 /// For each library, the libraries below it.
-const BELOW: [(&str, &[&str]); 8] = [
+const BELOW: [(&str, &[&str]); 9] = [
     ("tautline-scalar", &[]),
     ("tautline-metrics", &["tautline-scalar"]),
-    ("tautline-sets", &[]),
+    ("tautline-sets", &["tautline-scalar"]),
     ("tautline-bounds", &["tautline-metrics"]),
     ("tautline-discretizations", &["tautline-metrics", "tautline-scalar"]),
+    (
+        "tautline-certify",
+        &["tautline-discretizations", "tautline-metrics", "tautline-scalar", "tautline-sets"],
+    ),
     ("tautline-optimizers", &["tautline-discretizations", "tautline-metrics", "tautline-sets"]),
     (
         "tautline",
         &[
             "tautline-bounds",
+            "tautline-certify",
             "tautline-discretizations",
             "tautline-metrics",
             "tautline-optimizers",
