@@ -2,3 +2,17 @@
 //!
 //! Everything here is computed from the formula of the metric alone, with outward rounding, and
 //! holds for all points of a box at once: nothing is sampled.
+
+mod branch_and_bound;
+mod cell;
+mod certify_error;
+mod constants;
+mod domain;
+mod effort;
+mod formula;
+
+pub use cell::Cell;
+pub use certify_error::CertifyError;
+pub use constants::{CertifiedConstant, CertifiedConstants, Quantity, certify};
+pub use domain::Domain;
+pub use effort::Effort;

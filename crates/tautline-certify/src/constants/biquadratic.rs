@@ -1,0 +1,185 @@
+//! Biquadratic forms as quadratic forms, and what may be added to these.
+
+use nalgebra::{DMatrix, SMatrix};
+use tautline_scalar::Scalar;
+
+use super::spectral::{Direction, basis_with};
+
+/// `B`, with the entry `∂ₖ∂ₗHᵢⱼ` at `(k, i), (l, j)`.
+pub(super) fn flattened<T: Scalar, const D: usize>(b: &[[SMatrix<T, D, D>; D]; D]) -> DMatrix<T> {
+    DMatrix::from_fn(D * D, D * D, |row, column| b[row / D][column / D][(row % D, column % D)])
+}
+
+/// A matrix whose form vanishes on all `v ⊗ u`.
+pub(super) struct Vanishing<const D: usize> {
+    /// At `[k][l]` and `(i, j)`, `k < l` and `i < j`: the factor of `2 zₖᵢ zₗⱼ − 2 zₖⱼ zₗᵢ`.
+    factors: [[SMatrix<f64, D, D>; D]; D],
+}
+
+impl<const D: usize> Vanishing<D> {
+    /// The factors for a maximum at `u` and `v`, up to rounding.
+    pub(super) fn for_maximum(b: &[[SMatrix<f64, D, D>; D]; D], at: &Direction<D>) -> Self {
+        // With p and q, whose first columns are v and u: the entries at (1, 1), (l, j).
+        let (p, q) = (basis_with(&at.v), basis_with(&at.u));
+        let beside = SMatrix::<f64, D, D>::from_fn(|l, j| {
+            if l == 0 || j == 0 {
+                return 0.0;
+            }
+            let entry = |k: usize, m: usize| (q.transpose() * b[k][m] * q)[(0, j)];
+            (0..D)
+                .flat_map(|k| (0..D).map(move |m| (k, m)))
+                .map(|(k, m)| p[(k, 0)] * p[(m, l)] * entry(k, m))
+                .sum()
+        });
+        // Turned back: Σ over l and j of −beside times the antisymmetric parts of e₁ₗ and of e₁ⱼ.
+        let factor = |k: usize, l: usize, i: usize, j: usize| {
+            let mut sum = 0.0;
+            for m in 1..D {
+                for n in 1..D {
+                    let minor_v = p[(k, 0)] * p[(l, m)] - p[(l, 0)] * p[(k, m)];
+                    let minor_u = q[(i, 0)] * q[(j, n)] - q[(j, 0)] * q[(i, n)];
+                    sum -= beside[(m, n)] * minor_v * minor_u;
+                }
+            }
+            sum
+        };
+        Self {
+            factors: std::array::from_fn(|k| {
+                std::array::from_fn(|l| {
+                    let of = |i, j| if k < l && i < j { factor(k, l, i, j) } else { 0.0 };
+                    SMatrix::from_fn(of)
+                })
+            }),
+        }
+    }
+
+    pub(super) fn add_to<T: Scalar>(&self, matrix: &mut DMatrix<T>) {
+        let pairs = || (0..D).flat_map(|j| (0..j).map(move |i| (i, j)));
+        for (k, l) in pairs() {
+            for (i, j) in pairs() {
+                let factor = T::constant(self.factors[k][l][(i, j)]);
+                for ((a, b), factor) in
+                    [((k * D + i, l * D + j), factor), ((k * D + j, l * D + i), -factor)]
+                {
+                    matrix[(a, b)] += factor;
+                    matrix[(b, a)] += factor;
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{DVector, SMatrix, SVector};
+    use proptest::{
+        prelude::*,
+        strategy::ValueTree,
+        test_runner::{RngSeed, TestRunner},
+    };
+
+    use super::{Direction, Vanishing, flattened};
+    use crate::constants::{eigenvalue_bound::eigen, second_derivative::maximum, spectral::form};
+
+    type Second<const D: usize> = [[SMatrix<f64, D, D>; D]; D];
+
+    fn second<const D: usize>() -> impl Strategy<Value = Second<D>> {
+        proptest::collection::vec(-1.0..1.0_f64, D * D * D * D).prop_map(|entries| {
+            let at = |k: usize, l, i, j| entries[((k * D + l) * D + i) * D + j];
+            std::array::from_fn(|k| {
+                std::array::from_fn(|l| {
+                    SMatrix::from_fn(|i, j| at(k.min(l), k.max(l), i.min(j), i.max(j)))
+                })
+            })
+        })
+    }
+
+    fn unit<const D: usize>() -> impl Strategy<Value = SVector<f64, D>> {
+        proptest::collection::vec(-1.0..1.0_f64, D)
+            .prop_map(SVector::from_vec)
+            .prop_filter_map("a direction", |u: SVector<f64, D>| u.try_normalize(0.1))
+    }
+
+    fn value<const D: usize>(b: &Second<D>, v: &SVector<f64, D>, u: &SVector<f64, D>) -> f64 {
+        form(|k, l| form(|i, j| b[k][l][(i, j)], u), v)
+    }
+
+    fn changes_nothing<const D: usize>(
+        b: Second<D>,
+        c: Second<D>,
+        [u, v, w, z]: [SVector<f64, D>; 4],
+    ) -> Result<(), TestCaseError> {
+        let place = DVector::from_fn(D * D, |r, _| v[r / D] * u[r % D]);
+        let mut sum = flattened(&b);
+        for changed in [false, true] {
+            if changed {
+                let at = Direction { norm: 0.0, u: w, v: z };
+                Vanishing::for_maximum(&c, &at).add_to(&mut sum);
+            }
+            // Some hundreds of roundings of numbers up to D⁴.
+            let difference = (place.transpose() * &sum * &place)[0] - value(&b, &v, &u);
+            prop_assert!(difference.abs() < 1e-13, "{difference:e}");
+        }
+        Ok(())
+    }
+
+    /// The maximum that is found, and the bound.
+    fn bound<const D: usize>(b: &Second<D>) -> (f64, f64) {
+        let found = maximum(b).expect("finite");
+        let mut sum = flattened(b);
+        Vanishing::for_maximum(b, &found).add_to(&mut sum);
+        (found.norm, eigen(&sum).expect("finite").eigenvalues.max())
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig {
+            rng_seed: RngSeed::Fixed(3), failure_persistence: None, ..ProptestConfig::default()
+        })]
+        #[test]
+        fn what_is_added_vanishes_on_products_in_the_plane(
+            b in second::<2>(), c in second::<2>(), at in [unit(), unit(), unit(), unit()],
+        ) {
+            changes_nothing(b, c, at)?;
+        }
+
+        #[test]
+        fn what_is_added_vanishes_on_products_in_space(
+            b in second::<3>(), c in second::<3>(), at in [unit(), unit(), unit(), unit()],
+        ) {
+            changes_nothing(b, c, at)?;
+        }
+
+        #[test]
+        fn the_bound_is_the_maximum_in_the_plane(b in second::<2>()) {
+            let angle = |step: i32| {
+                let (sin, cos) = (f64::from(step) * std::f64::consts::PI / 400.0).sin_cos();
+                SVector::from([cos, sin])
+            };
+            let pairs = (0..400).flat_map(|s| (0..400).map(move |t| (s, t)));
+            let most = pairs.map(|(s, t)| value(&b, &angle(s), &angle(t))).fold(f64::MIN, f64::max);
+            let (found, bound) = bound(&b);
+            // Between the angles it is larger by at most 2 (π/800)² of the largest entry, times 8.
+            prop_assert!(most <= bound + 1e-13 && found <= bound + 1e-13);
+            prop_assert!(bound <= most + 3e-4, "{most} {found} {bound}");
+            // A maximum that is found exactly makes the bound so.
+            prop_assert!(bound - found < 1e-8 || found < most, "{found} {bound}");
+        }
+    }
+
+    /// Three times three variables: not exact, and the choice a guess. Measured: 2.6 % in the mean;
+    /// without it 13 %.
+    #[test]
+    fn the_bound_is_nearly_the_maximum_in_space() {
+        let mut runner = TestRunner::deterministic();
+        let mut sum = 0.0;
+        const CASES: usize = 512;
+        for _ in 0..CASES {
+            let b = second::<3>().new_tree(&mut runner).expect("a case").current();
+            let (found, bound) = bound(&b);
+            assert!(found <= bound * (1.0 + 1e-14), "{found} {bound}");
+            sum += bound / found;
+        }
+        let mean = sum / CASES as f64;
+        assert!(mean < 1.05, "{mean}");
+    }
+}

@@ -1,0 +1,70 @@
+//! `CertifiedConstants`: the four constants of a metric, enclosed.
+
+use tautline_metrics::{Constants, Metric};
+
+use super::{CertifiedConstant, Quantity, certify};
+use crate::{CertifyError, Domain, Effort, formula::is_isotropic};
+
+/// The constants of a metric on a domain, each between two bounds, proved from its formula.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CertifiedConstants<const D: usize> {
+    /// `c₁`, in `m²/ℓ²`.
+    pub c1: CertifiedConstant<D>,
+    /// `c₂`, in `m²/ℓ²`.
+    pub c2: CertifiedConstant<D>,
+    /// `L_H`, in `m²/ℓ³`.
+    pub l_h: CertifiedConstant<D>,
+    /// `M_H`, in `m²/ℓ⁴`.
+    pub m_h: CertifiedConstant<D>,
+    all_of_space: bool,
+    isotropic: bool,
+}
+
+impl<const D: usize> CertifiedConstants<D> {
+    /// Encloses the four constants of `metric` on `domain`.
+    ///
+    /// ```
+    /// use tautline_certify::{CertifiedConstants, Domain, Effort};
+    /// use tautline_metrics::gallery::Valleys;
+    ///
+    /// let space = Domain::<2>::space(&Valleys);
+    /// let proved = CertifiedConstants::new(&Valleys, &space, Effort::default())?.constants()?;
+    /// assert!(proved.c1() <= 1.0 && proved.c1() > 0.999);
+    /// assert!(proved.l_h() >= 4.40366947504161167615 && proved.l_h() < 4.41);
+    /// assert!(!proved.is_local());
+    /// # Ok::<(), tautline_certify::CertifyError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As [`certify`], for the first of them that fails.
+    pub fn new(
+        metric: &(impl Metric<D> + Sync),
+        domain: &Domain<D>,
+        effort: Effort,
+    ) -> Result<Self, CertifyError> {
+        let of = |quantity| certify(metric, quantity, domain, effort);
+        Ok(Self {
+            c1: of(Quantity::C1)?,
+            c2: of(Quantity::C2)?,
+            l_h: of(Quantity::LH)?,
+            m_h: of(Quantity::MH)?,
+            all_of_space: domain.is_all_of_space(),
+            isotropic: is_isotropic(metric),
+        })
+    }
+
+    /// Returns the bounds on the safe side, as constants of the metric; they [hold on a
+    /// region](Constants::is_local) unless the domain stands for all of space, and say so if the formula
+    /// shows a [multiple of the identity](Constants::is_isotropic).
+    ///
+    /// # Errors
+    ///
+    /// [`CertifyError::Hypothesis`] if one of them is no constant: `c₁` is not positive, say.
+    pub fn constants(&self) -> Result<Constants, CertifyError> {
+        let constants = Constants::new(self.c1.lower, self.c2.upper, self.l_h.upper)?
+            .with_m_h(self.m_h.upper)?;
+        let constants = if self.isotropic { constants.isotropic() } else { constants };
+        Ok(if self.all_of_space { constants } else { constants.on_a_region() })
+    }
+}

@@ -1,0 +1,106 @@
+//! `L_H`: the largest `‖DH(x)[v]‖` over unit vectors `v`.
+
+use nalgebra::{DMatrix, SMatrix, SVector};
+use num_traits::Zero;
+use tautline_metrics::Metric;
+use tautline_scalar::{Interval, Scalar};
+
+use super::{
+    gram::Gram,
+    quartic::{Vanishing, flattened},
+    spectral::{Direction, Spectral, TURNS, extreme, form, square, starts},
+};
+
+/// `‖DH(x)‖²`, or more. With `Aₖ = ∂ₖH` it is the largest value on unit vectors `u` of
+///
+/// `f(u) = Σₖ (uᵀAₖu)²`,
+///
+/// a form of degree four. It is the quadratic form of `Σ aₖaₖᵀ` in the coordinates
+/// `zᵢᵢ = uᵢ²`, `zᵢⱼ = √2 uᵢuⱼ` for `i < j` of the matrix `uuᵀ`, whose length is 1. Nothing changes if a
+/// symmetric matrix is added whose form vanishes on all these `z`: multiples of
+///
+/// * `2 zᵢᵢ zⱼⱼ − zᵢⱼ²`, and
+/// * `2 zᵢᵢ zⱼₖ − √2 zᵢⱼ zᵢₖ`.
+///
+/// For each choice the largest eigenvalue is a bound of `f`. With the right one it is exact for `D ≤ 3`,
+/// since a form of degree four in three variables that is not negative is a sum of squares (Hilbert).
+///
+/// # The choice
+///
+/// Let `f` have its maximum at `u = e₁`. The eigenvector must be `e₁₁`, so the entries beside it must
+/// vanish: those at `(11, 1j)` do, as `u` is stationary, the others at `(11, jj)` and `(11, jk)` are made
+/// to. In two dimensions this is all, and exact. In others all of the entries at `(ii, jj)` and `(ii, jk)`
+/// are made to vanish, which is a good guess, from where subgradient steps go down. For any other `u`
+/// the coordinates are turned.
+///
+/// A multiple of the identity takes the short way: `‖DH‖² = |∇φ|²`.
+pub(super) struct FirstDerivative<'a, M>(pub(super) Gram<'a, M>);
+
+impl<M: Metric<D> + Sync, const D: usize> Spectral<D> for FirstDerivative<'_, M> {
+    /// The factors of the forms that vanish.
+    type Choice = Option<Vanishing<D>>;
+
+    fn gram(&self) -> Gram<'_, impl Metric<D> + Sync> {
+        self.0
+    }
+
+    fn choice(&self, x: &SVector<f64, D>) -> Option<Vanishing<D>> {
+        if self.0.isotropic || D == 1 {
+            return None;
+        }
+        let a = self.0.first(x);
+        let found = direction(&a)?;
+        let guess = Vanishing::for_maximum(&a, &found.u);
+        Some(guess.improved(&flattened(&a), found.norm * found.norm))
+    }
+
+    fn matrices<T: Scalar>(
+        &self,
+        x: &SVector<T, D>,
+        choice: &Option<Vanishing<D>>,
+    ) -> Vec<DMatrix<T>> {
+        let a = self.0.first(x);
+        if self.0.isotropic {
+            let square = a.iter().fold(T::zero(), |sum, a| sum + a[(0, 0)].sqr());
+            return vec![DMatrix::from_element(1, 1, square)];
+        }
+        let mut sum = flattened(&a);
+        if let Some(vanishing) = choice {
+            vanishing.add_to(&mut sum);
+        }
+        vec![sum]
+    }
+
+    fn wanted(&self, x: &SVector<f64, D>) -> f64 {
+        direction(&self.0.first(x)).map_or(f64::NAN, |found| found.norm * found.norm)
+    }
+
+    fn witness(&self, x: &SVector<f64, D>) -> f64 {
+        let Some(Direction { u, v, .. }) = direction(&self.0.first(x)) else { return f64::NAN };
+        let a = self.0.first(&x.map(Interval::point));
+        let sum =
+            (0..D).fold(Interval::zero(), |sum, k| sum + form(|i, j| a[k][(i, j)], &u) * v[k]);
+        (Interval::point(sum.mignitude()) / (square(&v).sqrt() * square(&u))).lo()
+    }
+}
+
+/// Returns `Σ vₖ uᵀAₖu` and unit vectors `v` and `u` that make it large: the best one for a given other is
+/// an eigenvector or a gradient, so they are improved in turn.
+pub(super) fn direction<const D: usize>(a: &[SMatrix<f64, D, D>; D]) -> Option<Direction<D>> {
+    let mut best: Option<Direction<D>> = None;
+    for mut v in starts() {
+        for _ in 0..TURNS {
+            let (norm, u) = extreme(|i, j| (0..D).map(|k| v[k] * a[k][(i, j)]).sum())?;
+            if best.is_none_or(|best| norm > best.norm) {
+                best = Some(Direction { norm, u, v });
+            }
+            let gradient = SVector::<f64, D>::from_fn(|k, _| form(|i, j| a[k][(i, j)], &u));
+            let Some(unit) = gradient.try_normalize(0.0) else { break };
+            if (unit - v).norm_squared() < 1e-20 {
+                break;
+            }
+            v = unit;
+        }
+    }
+    best
+}

@@ -1,0 +1,297 @@
+//! The constants `c₁`, `c₂`, `L_H` and `M_H` of a metric, enclosed by branch and bound.
+//!
+//! Each is the largest value, over the domain, of the largest eigenvalue of some symmetric matrices made
+//! of `H` and its derivatives ([`spectral`]), or the negative or the root of it. On a box the
+//! eigenvalue is bounded from intervals ([`eigenvalue_bound`]).
+
+mod biquadratic;
+mod certified_constants;
+mod eigenvalue_bound;
+mod eigenvalue_range;
+mod first_derivative;
+mod gram;
+mod quantity;
+mod quartic;
+mod second_derivative;
+mod spectral;
+
+pub use certified_constants::CertifiedConstants;
+pub use quantity::Quantity;
+
+use nalgebra::SVector;
+use tautline_metrics::Metric;
+use tautline_scalar::{Interval, Scalar};
+
+use self::{
+    eigenvalue_range::{Greatest, Least},
+    first_derivative::FirstDerivative,
+    gram::Gram,
+    second_derivative::SecondDerivative,
+    spectral::{LargestEigenvalue, Spectral},
+};
+use crate::{
+    CertifyError, Domain, Effort,
+    branch_and_bound::{Maximum, maximise},
+};
+
+/// A constant of a metric on a domain: the exact one lies between two bounds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CertifiedConstant<const D: usize> {
+    /// Not above the constant: proved.
+    pub lower: f64,
+    /// Not below the constant: proved.
+    pub upper: f64,
+    /// A point where the constant is nearly attained, in `ℓ`: one of the two bounds is that of the
+    /// metric there.
+    pub at: SVector<f64, D>,
+    /// How many boxes were evaluated.
+    pub boxes: usize,
+}
+
+impl<const D: usize> CertifiedConstant<D> {
+    /// Returns how far the bounds are apart: `upper / lower`; 1 if both are 0.
+    #[must_use]
+    pub fn looseness(&self) -> f64 {
+        if self.lower == self.upper { 1.0 } else { self.upper / self.lower }
+    }
+
+    /// Returns whether `value` may be the constant.
+    #[must_use]
+    pub fn contains(&self, value: f64) -> bool {
+        self.lower <= value && value <= self.upper
+    }
+}
+
+/// Encloses a constant of `metric` on `domain`.
+///
+/// Slack: none but the tolerance for `c₁` and `c₂`, for a metric that is a multiple of the identity,
+/// and in one and two dimensions. Otherwise `L_H` and `M_H` are replaced by numbers that are at
+/// most `D` times larger, and that come within the tolerance;
+/// [`looseness`](CertifiedConstant::looseness) shows what they give away.
+///
+/// The result does not depend on the number of threads.
+///
+/// # Errors
+///
+/// [`CertifyError::NotATolerance`]; [`CertifyError::NotPositiveDefinite`] and
+/// [`CertifyError::Undefined`] with a point where that is certain; [`CertifyError::BudgetSpent`] with the
+/// bounds so far if they are not within the tolerance, as for a constant that is infinite.
+pub fn certify<const D: usize>(
+    metric: &(impl Metric<D> + Sync),
+    quantity: Quantity,
+    domain: &Domain<D>,
+    effort: Effort,
+) -> Result<CertifiedConstant<D>, CertifyError> {
+    let effort = effort.checked()?;
+    let gram = Gram::new(metric);
+    let (found, lower, upper) = match quantity {
+        Quantity::C1 => {
+            let (found, witness) = search(&Least(gram), domain, effort)?;
+            (found, -found.upper, witness)
+        }
+        Quantity::C2 => {
+            let (found, witness) = search(&Greatest(gram), domain, effort)?;
+            (found, witness, found.upper)
+        }
+        Quantity::LH => {
+            // The square is to be twice as close in proportion.
+            let square = Effort { tolerance: 2.0 * effort.tolerance, ..effort };
+            let (found, witness) = search(&FirstDerivative(gram), domain, square)?;
+            (found, witness, Interval::point(found.upper.max(0.0)).sqrt().hi())
+        }
+        Quantity::MH => {
+            let (found, witness) = search(&SecondDerivative(gram), domain, effort)?;
+            (found, witness, found.upper.max(0.0))
+        }
+    };
+    // NaN and infinity are no bounds.
+    let lower = if lower.is_finite() { lower } else { f64::NEG_INFINITY };
+    let upper = if upper.is_finite() { upper } else { f64::INFINITY };
+    let boxes = found.boxes;
+    match found.at {
+        Some(at) if found.reached && lower.is_finite() && upper.is_finite() => {
+            Ok(CertifiedConstant { lower, upper, at, boxes })
+        }
+        _ => Err(CertifyError::BudgetSpent { quantity, lower, upper, boxes }),
+    }
+}
+
+/// Returns what a search finds, and the number that its point proves.
+fn search<S: Spectral<D>, const D: usize>(
+    function: &S,
+    domain: &Domain<D>,
+    effort: Effort,
+) -> Result<(Maximum<D>, f64), CertifyError> {
+    let found = maximise(&LargestEigenvalue(function), domain, effort);
+    if let Some(x) = found.refuted {
+        let point = x.iter().copied().collect();
+        return Err(if function.gram().is_undefined(&x) {
+            CertifyError::Undefined { point }
+        } else {
+            CertifyError::NotPositiveDefinite { point, eigenvalue: function.witness(&x) }
+        });
+    }
+    Ok((found, found.at.map_or(f64::NAN, |x| function.witness(&x))))
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SMatrix, SVector, matrix};
+    use tautline_metrics::{
+        Metric,
+        gallery::{CoupledCosines, Hyperbolic, Valleys},
+    };
+    use tautline_scalar::Scalar;
+
+    use super::{CertifiedConstants, Quantity, certify};
+    use crate::{Cell, CertifyError, Domain, Effort};
+
+    const CLOSE: Effort = Effort { tolerance: 1e-6, budget: 100_000 };
+
+    #[test]
+    fn the_constants_of_the_valleys_to_six_digits() {
+        let space = Domain::<2>::space(&Valleys);
+        let proved = CertifiedConstants::new(&Valleys, &space, CLOSE).expect("constants");
+        let exact = [
+            (proved.c1, 1.0),
+            (proved.c2, 9.0),
+            (proved.l_h, 4.403_669_475_041_611_676_15),
+            (proved.m_h, 6.0),
+        ];
+        for (found, exact) in exact {
+            assert!(found.contains(exact) && found.looseness() <= 1.0 + 1e-6, "{found:?} {exact}");
+        }
+        let constants = proved.constants().expect("constants");
+        assert!(!constants.is_local() && constants.is_isotropic());
+    }
+
+    #[test]
+    fn in_three_dimensions_the_norm_of_the_derivative_is_nearly_exact() {
+        let space = Domain::space(&CoupledCosines);
+        let effort = Effort { tolerance: 1e-2, budget: 50_000 };
+        let found = certify(&CoupledCosines, Quantity::LH, &space, effort).expect("a constant");
+        assert!(found.contains(0.12_f64.sqrt()) && found.looseness() < 1.02, "{found:?}");
+    }
+
+    #[test]
+    fn a_ball_has_constants_where_space_has_none() {
+        let ball = Domain::<2>::ball([0.0, 0.0], 0.5).expect("a radius");
+        let effort = Effort { tolerance: 1e-3, budget: 100_000 };
+        let proved = CertifiedConstants::new(&Hyperbolic, &ball, effort).expect("constants");
+        // 4 / (1 − r²)²: 4 at the centre and 64/9 at the rim, where its slope 16 r / (1 − r²)³ is 512/27.
+        for (found, exact) in
+            [(proved.c1, 4.0), (proved.c2, 64.0 / 9.0), (proved.l_h, 512.0 / 27.0)]
+        {
+            assert!(found.contains(exact) && found.looseness() < 1.0011, "{found:?} {exact}");
+        }
+        assert!(proved.constants().expect("constants").is_local());
+    }
+
+    #[test]
+    fn a_metric_that_is_not_defined_is_refused_with_the_point() {
+        let ball = Domain::<2>::ball([0.0, 0.0], 1.5).expect("a radius");
+        match certify(&Hyperbolic, Quantity::C2, &ball, Effort::default()) {
+            Err(CertifyError::Undefined { point }) => {
+                assert!(SVector::<f64, 2>::from_row_slice(&point).norm() >= 1.0, "{point:?}");
+            }
+            other => panic!("{other:?}"),
+        }
+        /// `√x₁`, not defined to the left.
+        struct Root;
+        impl Metric<2> for Root {
+            fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+                matrix![x[0].sqrt() + 1.0, S::zero(); S::zero(), S::one()]
+            }
+        }
+        let cell = Domain::cell(Cell::new([-1.0, 0.0], [3.0, 1.0]).expect("in order"));
+        for quantity in Quantity::ALL {
+            match certify(&Root, quantity, &cell, Effort::default()) {
+                Err(CertifyError::Undefined { point }) => assert!(point[0] < 0.0, "{point:?}"),
+                other => panic!("{quantity}: {other:?}"),
+            }
+        }
+    }
+
+    /// `[[1, a x₁], [a x₁, 1]]`: indefinite where `|a x₁| > 1`.
+    struct Leaning(f64);
+    impl Metric<2> for Leaning {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            matrix![S::one(), x[0] * self.0; x[0] * self.0, S::one()]
+        }
+    }
+
+    #[test]
+    fn an_indefinite_metric_is_refused_with_a_point() {
+        let cell = Domain::cell(Cell::new([-1.0, 0.0], [1.0, 1.0]).expect("in order"));
+        match certify(&Leaning(1.001), Quantity::C1, &cell, Effort::default()) {
+            Err(CertifyError::NotPositiveDefinite { point, eigenvalue }) => {
+                assert!(point[0].abs() > 1.0 / 1.001, "{point:?}");
+                assert!((1.0 - 1.001..=0.0).contains(&eigenvalue), "{eigenvalue}");
+            }
+            other => panic!("{other:?}"),
+        }
+        let least = certify(&Leaning(0.999), Quantity::C1, &cell, Effort::default());
+        assert!(least.as_ref().is_ok_and(|c1| c1.contains(1.0 - 0.999)), "{least:?}");
+        // Just singular: neither positive nor indefinite, and no end of cutting.
+        let effort = Effort { budget: 1000, ..Effort::default() };
+        match certify(&Leaning(1.0), Quantity::C1, &cell, effort) {
+            Err(CertifyError::BudgetSpent { lower, upper, .. }) => {
+                assert!(lower <= 0.0 && 0.0 <= upper);
+            }
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn a_constant_that_is_infinite_is_not_bounded() {
+        /// `1 + eˣ`.
+        struct Growing;
+        impl Metric<1> for Growing {
+            fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
+                SMatrix::from_element(x[0].exp() + 1.0)
+            }
+        }
+        let space = Domain::space(&Growing);
+        let effort = Effort { budget: 10_000, ..Effort::default() };
+        for quantity in [Quantity::C2, Quantity::LH, Quantity::MH] {
+            match certify(&Growing, quantity, &space, effort) {
+                Err(CertifyError::BudgetSpent { upper, .. }) => assert_eq!(upper, f64::INFINITY),
+                other => panic!("{other:?}"),
+            }
+        }
+        assert!(certify(&Growing, Quantity::C1, &space, effort).is_ok_and(|c1| c1.contains(1.0)));
+    }
+
+    #[test]
+    fn no_budget_and_no_tolerance_are_refused() {
+        let space = Domain::<2>::space(&Valleys);
+        let none = Effort { budget: 0, ..Effort::default() };
+        match certify(&Valleys, Quantity::C1, &space, none) {
+            Err(CertifyError::BudgetSpent { lower, upper, boxes: 0, .. }) => {
+                assert_eq!((lower, upper), (f64::NEG_INFINITY, f64::INFINITY));
+            }
+            other => panic!("{other:?}"),
+        }
+        for tolerance in [0.0, 1.0, f64::NAN] {
+            let error = certify(&Valleys, Quantity::C1, &space, Effort { tolerance, budget: 10 });
+            assert!(matches!(error, Err(CertifyError::NotATolerance { .. })));
+        }
+    }
+
+    #[test]
+    fn a_constant_metric_has_no_derivative() {
+        struct Flat;
+        impl Metric<2> for Flat {
+            fn gram<S: Scalar>(&self, _: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+                matrix![S::constant(2.0), S::constant(0.5); S::constant(0.5), S::one()]
+            }
+        }
+        let space = Domain::space(&Flat);
+        let proved = CertifiedConstants::new(&Flat, &space, CLOSE).expect("constants");
+        assert_eq!([proved.l_h.upper, proved.m_h.upper], [0.0, 0.0]);
+        assert_eq!(proved.l_h.looseness(), 1.0);
+        let root = 0.5_f64.sqrt();
+        assert!(proved.c1.contains(1.5 - root) && proved.c2.contains(1.5 + root), "{proved:?}");
+        assert!(space.is_all_of_space());
+    }
+}

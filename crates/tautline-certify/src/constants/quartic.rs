@@ -1,0 +1,298 @@
+//! Forms of degree four as quadratic forms, and what may be added to these.
+
+use nalgebra::{DMatrix, DVector, SMatrix, SVector};
+use tautline_scalar::Scalar;
+
+use super::{eigenvalue_bound::eigen, spectral::basis_with};
+
+/// How many subgradient steps at most.
+const STEPS: usize = 20;
+
+/// The pairs `i ≤ j` in their order: `(0, 0), (1, 1), …`, then `(0, 1), (0, 2), (1, 2), …`.
+fn pairs(d: usize) -> impl Iterator<Item = (usize, usize)> {
+    (0..d).map(|i| (i, i)).chain((0..d).flat_map(|j| (0..j).map(move |i| (i, j))))
+}
+
+/// The place of `i` and `j` among the pairs.
+fn place(d: usize, i: usize, j: usize) -> usize {
+    let (i, j) = (i.min(j), i.max(j));
+    if i == j { i } else { d + j * (j - 1) / 2 + i }
+}
+
+/// The coordinates of a symmetric matrix: its diagonal, and `√2` times what is beside it.
+fn coordinates<T: Scalar>(matrix: impl Fn(usize, usize) -> T, d: usize) -> Vec<T> {
+    let root = T::constant(2.0).sqrt();
+    pairs(d).map(|(i, j)| if i == j { matrix(i, i) } else { matrix(i, j) * root }).collect()
+}
+
+/// `Σ aₖaₖᵀ`.
+pub(super) fn flattened<T: Scalar, const D: usize>(a: &[SMatrix<T, D, D>; D]) -> DMatrix<T> {
+    let vectors = a.map(|a| coordinates(|i, j| a[(i, j)], D));
+    let n = vectors[0].len();
+    let mut sum = DMatrix::from_element(n, n, T::zero());
+    for i in 0..n {
+        for j in 0..=i {
+            for a in &vectors {
+                sum[(i, j)] += if i == j { a[i].sqr() } else { a[i] * a[j] };
+            }
+            sum[(j, i)] = sum[(i, j)];
+        }
+    }
+    sum
+}
+
+/// A matrix whose form vanishes on all `uuᵀ`.
+#[derive(Clone)]
+pub(super) struct Vanishing<const D: usize> {
+    /// At `(i, j)`, `i < j`: the factor of `2 zᵢᵢ zⱼⱼ − zᵢⱼ²`.
+    squares: SMatrix<f64, D, D>,
+    /// At `[i]` and `(j, k)`, `j < k`: the factor of `2 zᵢᵢ zⱼₖ − √2 zᵢⱼ zᵢₖ`.
+    mixed: [SMatrix<f64, D, D>; D],
+}
+
+impl<const D: usize> Vanishing<D> {
+    /// The factors for a maximum at `u`, up to rounding.
+    pub(super) fn for_maximum(a: &[SMatrix<f64, D, D>; D], u: &SVector<f64, D>) -> Self {
+        // In coordinates whose first axis is u.
+        let q = basis_with(u);
+        let turned = a.map(|a| q.transpose() * a * q);
+        let root = 2.0_f64.sqrt();
+        let entry = |i: usize, j: usize, k: usize| -> f64 {
+            let weight = if j == k { 1.0 } else { root };
+            turned.iter().map(|a| a[(i, i)] * a[(j, k)] * weight).sum()
+        };
+        let there = Self {
+            squares: SMatrix::from_fn(|i, j| if i < j { -entry(i, j, j) } else { 0.0 }),
+            mixed: std::array::from_fn(|i| {
+                let apart = |j, k| j < k && i != j && i != k;
+                SMatrix::from_fn(|j, k| if apart(j, k) { -entry(i, j, k) } else { 0.0 })
+            }),
+        };
+        // Turned back: the factors are the entries at (ii, jj) and (ii, jk).
+        let mut matrix = DMatrix::zeros(D * (D + 1) / 2, D * (D + 1) / 2);
+        there.add_to(&mut matrix);
+        let axis = |i: usize, j: usize| {
+            let weight = if i == j { 0.5 } else { 1.0 / root };
+            let both = |a: usize, b: usize| q[(i, a)] * q[(j, b)] + q[(j, a)] * q[(i, b)];
+            DVector::from_vec(coordinates(|a, b| weight * both(a, b), D))
+        };
+        let back =
+            |i: usize, j: usize, k: usize| (axis(i, i).transpose() * &matrix * axis(j, k))[0];
+        Self {
+            squares: SMatrix::from_fn(|i, j| if i < j { back(i, j, j) } else { 0.0 }),
+            mixed: std::array::from_fn(|i| {
+                let apart = |j, k| j < k && i != j && i != k;
+                SMatrix::from_fn(|j, k| if apart(j, k) { back(i, j, k) } else { 0.0 })
+            }),
+        }
+    }
+
+    /// Returns factors with a smaller largest eigenvalue, if the maximum `goal` of the form leaves room.
+    ///
+    /// Polyak's steps: along the subgradient `wᵀNₘw`, for the eigenvector `w`, as far as a linear function
+    /// would take to reach the goal.
+    pub(super) fn improved(self, matrix: &DMatrix<f64>, goal: f64) -> Self {
+        let (mut best, mut least) = (self.clone(), f64::INFINITY);
+        let mut now = self;
+        for _ in 0..STEPS {
+            let mut sum = matrix.clone();
+            now.add_to(&mut sum);
+            let Some(eigen) = eigen(&sum) else { return best };
+            let index = eigen.eigenvalues.imax();
+            let largest = eigen.eigenvalues[index];
+            if largest < least {
+                (best, least) = (now.clone(), largest);
+            }
+            let slope = Self::slope(&eigen.eigenvectors.column(index).into_owned());
+            let size = slope.norm_squared();
+            if D == 2 || largest <= goal * (1.0 + 1e-3) || size == 0.0 {
+                break;
+            }
+            now.step(&slope, (goal - largest) / size);
+        }
+        best
+    }
+
+    /// The derivatives of `wᵀNw` by the factors.
+    fn slope(w: &DVector<f64>) -> Self {
+        let z = |i, j| w[place(D, i, j)];
+        Self {
+            squares: SMatrix::from_fn(|i, j| {
+                if i < j { 2.0 * z(i, i) * z(j, j) - z(i, j) * z(i, j) } else { 0.0 }
+            }),
+            mixed: std::array::from_fn(|i| {
+                SMatrix::from_fn(|j, k| {
+                    if j < k && i != j && i != k {
+                        2.0 * z(i, i) * z(j, k) - 2.0_f64.sqrt() * z(i, j) * z(i, k)
+                    } else {
+                        0.0
+                    }
+                })
+            }),
+        }
+    }
+
+    fn norm_squared(&self) -> f64 {
+        self.mixed.iter().map(SMatrix::norm_squared).sum::<f64>() + self.squares.norm_squared()
+    }
+
+    fn step(&mut self, direction: &Self, length: f64) {
+        self.squares += direction.squares * length;
+        for (factors, direction) in self.mixed.iter_mut().zip(&direction.mixed) {
+            *factors += direction * length;
+        }
+    }
+
+    pub(super) fn add_to<T: Scalar>(&self, matrix: &mut DMatrix<T>) {
+        let at = |i, j| place(D, i, j);
+        let mut add = |p: usize, q: usize, factor: T| {
+            matrix[(p, q)] += factor;
+            if p != q {
+                matrix[(q, p)] += factor;
+            }
+        };
+        let half_root = T::constant(0.5).sqrt();
+        for (j, k) in pairs(D).filter(|(j, k)| j < k) {
+            let factor = T::constant(self.squares[(j, k)]);
+            add(at(j, j), at(k, k), factor);
+            add(at(j, k), at(j, k), -factor);
+            for i in (0..D).filter(|&i| i != j && i != k) {
+                let factor = T::constant(self.mixed[i][(j, k)]);
+                add(at(i, i), at(j, k), factor);
+                add(at(i, j), at(i, k), -factor * half_root);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{DVector, SMatrix, SVector};
+    use proptest::{
+        prelude::*,
+        strategy::ValueTree,
+        test_runner::{RngSeed, TestRunner},
+    };
+
+    use super::{Vanishing, coordinates, eigen, flattened};
+    use crate::constants::{first_derivative::direction, spectral::form};
+
+    fn matrices<const D: usize>() -> impl Strategy<Value = [SMatrix<f64, D, D>; D]> {
+        proptest::collection::vec(-1.0..1.0_f64, D * D * D).prop_map(|entries| {
+            std::array::from_fn(|k| {
+                SMatrix::from_fn(|i, j| entries[(k * D + i.min(j)) * D + i.max(j)])
+            })
+        })
+    }
+
+    fn unit<const D: usize>() -> impl Strategy<Value = SVector<f64, D>> {
+        proptest::collection::vec(-1.0..1.0_f64, D)
+            .prop_map(SVector::from_vec)
+            .prop_filter_map("a direction", |u: SVector<f64, D>| u.try_normalize(0.1))
+    }
+
+    /// `Σ (uᵀAₖu)²`.
+    fn quartic<const D: usize>(a: &[SMatrix<f64, D, D>; D], u: &SVector<f64, D>) -> f64 {
+        a.iter().map(|a| form(|i, j| a[(i, j)], u).powi(2)).sum()
+    }
+
+    /// The bound at a point: the largest eigenvalue with the factors that are chosen.
+    fn bound<const D: usize>(a: &[SMatrix<f64, D, D>; D]) -> (f64, f64) {
+        let found = direction(a).expect("finite");
+        let goal = found.norm * found.norm;
+        let chosen = Vanishing::for_maximum(a, &found.u).improved(&flattened(a), goal);
+        let mut sum = flattened(a);
+        chosen.add_to(&mut sum);
+        (goal, eigen(&sum).expect("finite").eigenvalues.max())
+    }
+
+    /// The form is that of the sum in the coordinates of uuᵀ, and what is added changes nothing.
+    fn changes_nothing<const D: usize>(
+        a: [SMatrix<f64, D, D>; D],
+        b: [SMatrix<f64, D, D>; D],
+        u: SVector<f64, D>,
+        w: SVector<f64, D>,
+    ) -> Result<(), TestCaseError> {
+        let z = DVector::from_vec(coordinates(|i, j| u[i] * u[j], D));
+        prop_assert!((z.norm() - 1.0).abs() < 1e-14);
+        let mut sum = flattened(&a);
+        for changed in [false, true] {
+            if changed {
+                Vanishing::for_maximum(&b, &w).add_to(&mut sum);
+            }
+            // Some tens of roundings of numbers up to D³.
+            let difference = (z.transpose() * &sum * &z)[0] - quartic(&a, &u);
+            prop_assert!(difference.abs() < 1e-13, "{difference:e}");
+        }
+        Ok(())
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig {
+            rng_seed: RngSeed::Fixed(2), failure_persistence: None, ..ProptestConfig::default()
+        })]
+        #[test]
+        fn what_is_added_vanishes_on_squares_in_the_plane(
+            a in matrices::<2>(), b in matrices::<2>(), u in unit(), w in unit(),
+        ) {
+            changes_nothing(a, b, u, w)?;
+        }
+
+        #[test]
+        fn what_is_added_vanishes_on_squares_in_space(
+            a in matrices::<3>(), b in matrices::<3>(), u in unit(), w in unit(),
+        ) {
+            changes_nothing(a, b, u, w)?;
+        }
+
+        #[test]
+        fn what_is_added_vanishes_on_squares_in_four_dimensions(
+            a in matrices::<4>(), b in matrices::<4>(), u in unit(), w in unit(),
+        ) {
+            changes_nothing(a, b, u, w)?;
+        }
+
+        #[test]
+        fn the_bound_is_the_norm_in_the_plane(a in matrices::<2>()) {
+            // By brute force: u at ten thousand angles, then the parabola through three of them.
+            let at = |step: f64| {
+                let (sin, cos) = (step * std::f64::consts::PI / 1e4).sin_cos();
+                quartic(&a, &SVector::from([cos, sin]))
+            };
+            let best = (0..10_000).map(f64::from).max_by(|s, t| at(*s).total_cmp(&at(*t)));
+            let best = best.expect("steps");
+            let most = at(best);
+            let (_, bound) = bound(&a);
+            // The maximum is sought by a fixed number of turns, which is not always enough where the
+            // form is flat: measured, 1e-5. By brute force it is found to (π/2e4)², times 8.
+            prop_assert!(most <= bound * (1.0 + 1e-14) && bound <= most * (1.0 + 1e-4),
+                "{most} {bound}");
+        }
+
+        /// A multiple of the identity in general coordinates, where the short way is not taken.
+        #[test]
+        fn the_bound_is_the_norm_for_multiples_of_the_identity(g in unit::<3>()) {
+            let a = std::array::from_fn(|k| SMatrix::<f64, 3, 3>::identity() * g[k]);
+            let (found, bound) = bound(&a);
+            prop_assert!((found - 1.0).abs() < 1e-14 && (bound - 1.0).abs() < 1e-14, "{bound}");
+        }
+    }
+
+    /// Exact by Hilbert's theorem if the factors were the best ones. Measured: 0.02 % too large in the mean,
+    /// 1 % at most; without factors 43 % in the mean.
+    #[test]
+    fn the_bound_is_nearly_the_norm_in_space() {
+        let mut runner = TestRunner::deterministic();
+        let (mut sum, mut most) = (0.0, 0.0_f64);
+        const CASES: usize = 512;
+        for _ in 0..CASES {
+            let a = matrices::<3>().new_tree(&mut runner).expect("a case").current();
+            let (found, bound) = bound(&a);
+            assert!(found <= bound * (1.0 + 1e-14), "{found} {bound}");
+            sum += bound / found;
+            most = most.max(bound / found);
+        }
+        let mean = sum / CASES as f64;
+        assert!(mean < 1.001 && most < 1.03, "{mean} {most}");
+    }
+}

@@ -1,0 +1,107 @@
+//! `M_H`: the largest `‖D²H(x)[v, v]‖` over unit vectors `v`.
+
+use nalgebra::{DMatrix, SMatrix, SVector};
+use tautline_metrics::Metric;
+use tautline_scalar::{Interval, Scalar};
+
+use super::{
+    biquadratic::{Vanishing, flattened},
+    gram::Gram,
+    spectral::{Direction, Spectral, TURNS, form, greatest, square, starts},
+};
+
+/// `‖D²H(x)‖`, or more: the largest `|Σ vₖ vₗ uᵀ∂ₖ∂ₗH u|` over unit vectors `u` and `v`. (For a symmetric
+/// bilinear form two different vectors in the place of `v` give no more.)
+///
+/// The sum is the form of the `D² × D²` matrix `B`, with the entry `∂ₖ∂ₗHᵢⱼ` at `(k, i), (l, j)`, at the
+/// vector `v ⊗ u`, so it is between the least and the largest eigenvalue of `B`. Nothing changes if
+/// multiples of
+///
+/// `2 zₖᵢ zₗⱼ − 2 zₖⱼ zₗᵢ`, `k < l`, `i < j`,
+///
+/// which vanishes at `z = v ⊗ u`, are added; for either of the two eigenvalues others.
+///
+/// # The choice
+///
+/// Let the form have its maximum at `v = u = e₁`. The eigenvector must be `e₁ ⊗ e₁`, so the entries beside
+/// it must vanish: those at `(1, 1), (1, j)` and `(1, 1), (l, 1)` do, as `u` and `v` are stationary, and those
+/// at `(1, 1), (l, j)` are made to. For any other `u` and `v` the coordinates are turned. In two
+/// dimensions this is exact: a biquadratic form in two times two variables that is not negative is a
+/// sum of squares (Calderón), and a sum of squares that vanishes at `e₁ ⊗ e₁` has no entries beside it.
+///
+/// A multiple of the identity takes the short way: `‖D²H‖ = ‖D²φ‖`.
+pub(super) struct SecondDerivative<'a, M>(pub(super) Gram<'a, M>);
+
+impl<M: Metric<D> + Sync, const D: usize> Spectral<D> for SecondDerivative<'_, M> {
+    /// What is added to `B`, and to `−B`.
+    type Choice = [Option<Vanishing<D>>; 2];
+
+    fn gram(&self) -> Gram<'_, impl Metric<D> + Sync> {
+        self.0
+    }
+
+    fn choice(&self, x: &SVector<f64, D>) -> Self::Choice {
+        if self.0.isotropic || D == 1 {
+            return [None, None];
+        }
+        let b = self.0.second(x);
+        [1.0, -1.0].map(|sign| {
+            let b = b.map(|row| row.map(|matrix| matrix * sign));
+            Some(Vanishing::for_maximum(&b, &maximum(&b)?))
+        })
+    }
+
+    fn matrices<T: Scalar>(&self, x: &SVector<T, D>, choice: &Self::Choice) -> Vec<DMatrix<T>> {
+        let b = self.0.second(x);
+        if self.0.isotropic {
+            let hessian = DMatrix::from_fn(D, D, |k, l| b[k][l][(0, 0)]);
+            return vec![hessian.map(|entry| -entry), hessian];
+        }
+        let b = flattened(&b);
+        let mut both = [b.map(|entry| -entry), b];
+        for (matrix, vanishing) in both.iter_mut().rev().zip(choice) {
+            if let Some(vanishing) = vanishing {
+                vanishing.add_to(matrix);
+            }
+        }
+        both.into()
+    }
+
+    fn wanted(&self, x: &SVector<f64, D>) -> f64 {
+        direction(&self.0.second(x)).map_or(f64::NAN, |found| found.norm)
+    }
+
+    fn witness(&self, x: &SVector<f64, D>) -> f64 {
+        let Some(Direction { u, v, .. }) = direction(&self.0.second(x)) else { return f64::NAN };
+        let b = self.0.second(&x.map(Interval::point));
+        let sum = form(|k, l| form(|i, j| b[k][l][(i, j)], &u), &v);
+        (Interval::point(sum.mignitude()) / (square(&v) * square(&u))).lo()
+    }
+}
+
+/// Returns `Σ vₖ vₗ uᵀ∂ₖ∂ₗH u` and unit vectors `v` and `u` that make it large, improved in turn.
+pub(super) fn maximum<const D: usize>(b: &[[SMatrix<f64, D, D>; D]; D]) -> Option<Direction<D>> {
+    let mut best: Option<Direction<D>> = None;
+    for mut v in starts() {
+        for _ in 0..TURNS {
+            let (_, u) = greatest::<D>(|i, j| form(|k, l| b[k][l][(i, j)], &v))?;
+            let (norm, next) = greatest::<D>(|k, l| form(|i, j| b[k][l][(i, j)], &u))?;
+            let settled = (next - v).norm_squared().min((next + v).norm_squared()) < 1e-20;
+            v = next;
+            if best.is_none_or(|best| norm > best.norm) {
+                best = Some(Direction { norm, u, v });
+            }
+            if settled {
+                break;
+            }
+        }
+    }
+    best
+}
+
+/// The larger one of the maxima of the form and of its negative.
+fn direction<const D: usize>(b: &[[SMatrix<f64, D, D>; D]; D]) -> Option<Direction<D>> {
+    let [up, down] = [1.0, -1.0].map(|sign| maximum(&b.map(|row| row.map(|matrix| matrix * sign))));
+    let (up, down) = (up?, down?);
+    Some(if up.norm >= down.norm { up } else { down })
+}

@@ -1,0 +1,179 @@
+//! `Spectral`: a function of a point that is the largest eigenvalue of symmetric matrices made of the
+//! metric.
+
+use nalgebra::{DMatrix, DVector, SMatrix, SVector};
+use num_traits::Zero;
+use tautline_metrics::Metric;
+use tautline_scalar::{Interval, Jet1, Scalar};
+
+use super::{
+    eigenvalue_bound::{Enclosed, eigen, largest_eigenvalue},
+    gram::Gram,
+};
+use crate::{
+    Cell,
+    branch_and_bound::{Bound, Bounded},
+};
+
+/// The largest eigenvalue of some symmetric matrices `S(x)`, which is one of the constants of a
+/// metric, its negative or its square, or not below it.
+pub(super) trait Spectral<const D: usize>: Sync {
+    /// What may be chosen freely for each box: the matrices bound the constant for each choice.
+    type Choice;
+
+    /// Returns the metric.
+    fn gram(&self) -> Gram<'_, impl Metric<D> + Sync>;
+
+    /// Returns a choice for which the bound is good at `x`.
+    fn choice(&self, x: &SVector<f64, D>) -> Self::Choice;
+
+    /// Returns the matrices, all of the same size.
+    fn matrices<T: Scalar>(&self, x: &SVector<T, D>, choice: &Self::Choice) -> Vec<DMatrix<T>>;
+
+    /// Returns the wanted number at `x`, in the unit of the eigenvalue, up to rounding.
+    fn wanted(&self, x: &SVector<f64, D>) -> f64;
+
+    /// Returns a number, in the unit of the constant, that certainly is at most the wanted number at
+    /// `x`; at least the constant, if that is an infimum. Up to rounding the number itself. NaN if it is
+    /// not known.
+    fn witness(&self, x: &SVector<f64, D>) -> f64;
+
+    /// Returns whether the metric is certainly no metric at `x`, where the largest eigenvalue is
+    /// `value`.
+    fn is_refuted(&self, x: &SVector<f64, D>, value: f64) -> bool {
+        value.is_nan() && self.gram().is_undefined(x)
+    }
+}
+
+/// The largest eigenvalue as a function to be bounded.
+pub(super) struct LargestEigenvalue<'a, S>(pub(super) &'a S);
+
+impl<S: Spectral<D>, const D: usize> Bounded<D> for LargestEigenvalue<'_, S> {
+    fn bound(&self, cell: &Cell<D>) -> Bound {
+        let middle = cell.midpoint();
+        let choice = self.0.choice(&middle);
+        let centres = self.0.matrices(&middle.map(Interval::point), &choice);
+        let sides = cell.sides();
+        let jets = self.0.matrices(&SVector::from(Jet1::variables(sides)), &choice);
+        let offsets: Vec<_> = (0..D).map(|k| sides[k] - Interval::point(middle[k])).collect();
+        let mut bound = Bound { upper: f64::NEG_INFINITY, cut: 0 };
+        let mut influence = [0.0; D];
+        for (centre, jet) in centres.into_iter().zip(jets) {
+            let slopes: Vec<_> = (0..D).map(|k| jet.map(|entry| entry.first(k))).collect();
+            for k in 0..D {
+                let size: f64 = slopes[k].iter().map(|slope| slope.magnitude()).sum();
+                influence[k] += size * sides[k].width();
+            }
+            let value = jet.map(|entry| entry.value());
+            let upper =
+                largest_eigenvalue(&Enclosed { centre, value, slopes, offsets: offsets.clone() });
+            if !(upper <= bound.upper) {
+                bound.upper = upper;
+            }
+            if bound.upper.is_nan() {
+                break;
+            }
+        }
+        // Where a derivative has no bound, or none matters, the widest side is cut.
+        if !influence.iter().sum::<f64>().is_finite() || influence.iter().all(|i| *i == 0.0) {
+            influence = std::array::from_fn(|k| sides[k].width());
+        }
+        bound.cut = (0..D).fold(0, |most, k| if influence[k] > influence[most] { k } else { most });
+        bound
+    }
+
+    fn value(&self, x: &SVector<f64, D>) -> f64 {
+        let matrices = self.0.matrices(x, &self.0.choice(x));
+        let eigenvalues =
+            matrices.iter().map(|s| eigen(s).map_or(f64::NAN, |e| e.eigenvalues.max()));
+        eigenvalues.fold(f64::NEG_INFINITY, |most, x| if x > most || x.is_nan() { x } else { most })
+    }
+
+    fn wanted(&self, x: &SVector<f64, D>) -> f64 {
+        self.0.wanted(x)
+    }
+
+    fn is_refuted(&self, x: &SVector<f64, D>, value: f64) -> bool {
+        self.0.is_refuted(x, value)
+    }
+}
+
+/// Unit vectors `u` and `v` at which a form in both is large, and its absolute value there, up to rounding.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Direction<const D: usize> {
+    pub(super) norm: f64,
+    pub(super) u: SVector<f64, D>,
+    pub(super) v: SVector<f64, D>,
+}
+
+/// Returns `uᵀ A u`.
+pub(super) fn form<T: Scalar, const D: usize>(
+    entry: impl Fn(usize, usize) -> T,
+    u: &SVector<f64, D>,
+) -> T {
+    let mut sum = T::zero();
+    for i in 0..D {
+        for j in 0..D {
+            sum += entry(i, j) * u[i] * u[j];
+        }
+    }
+    sum
+}
+
+/// Returns `|u|²`, enclosed.
+pub(super) fn square<const D: usize>(u: &SVector<f64, D>) -> Interval {
+    u.iter().fold(Interval::zero(), |sum, &u| sum + Interval::point(u).sqr())
+}
+
+/// Returns the largest absolute value of the form of a symmetric matrix on unit vectors, and where it is
+/// taken, up to rounding; `None` if an entry is not finite.
+pub(super) fn extreme<const D: usize>(
+    entry: impl Fn(usize, usize) -> f64,
+) -> Option<(f64, SVector<f64, D>)> {
+    eigenvector(entry, |eigenvalues| eigenvalues.iamax()).map(|(value, u)| (value.abs(), u))
+}
+
+/// Returns the largest value of the form of a symmetric matrix on unit vectors, and where it is taken, up
+/// to rounding; `None` if an entry is not finite.
+pub(super) fn greatest<const D: usize>(
+    entry: impl Fn(usize, usize) -> f64,
+) -> Option<(f64, SVector<f64, D>)> {
+    eigenvector(entry, |eigenvalues| eigenvalues.imax())
+}
+
+fn eigenvector<const D: usize>(
+    entry: impl Fn(usize, usize) -> f64,
+    which: impl Fn(&DVector<f64>) -> usize,
+) -> Option<(f64, SVector<f64, D>)> {
+    let eigen = eigen(&DMatrix::from_fn(D, D, entry))?;
+    let index = which(&eigen.eigenvalues);
+    let vector = eigen.eigenvectors.column(index);
+    Some((eigen.eigenvalues[index], SVector::from_fn(|i, _| vector[i])))
+}
+
+/// Returns an orthogonal matrix whose first column is the unit vector `u`, up to rounding: the
+/// reflection that exchanges `u` and an axis, so that no digits cancel.
+pub(super) fn basis_with<const D: usize>(u: &SVector<f64, D>) -> SMatrix<f64, D, D> {
+    let mut w = *u;
+    let sign = if u[0] < 0.0 { -1.0 } else { 1.0 };
+    w[0] += sign;
+    let mut reflection = SMatrix::identity() - w * w.transpose() * (2.0 / w.norm_squared());
+    // It takes the first axis to −sign · u.
+    for i in 0..D {
+        reflection[(i, 0)] *= -sign;
+    }
+    reflection
+}
+
+/// Unit vectors from which a form in a unit vector is made large: the axes, and the bisectors of any two.
+pub(super) fn starts<const D: usize>() -> impl Iterator<Item = SVector<f64, D>> {
+    let axis = |i: usize| SVector::<f64, D>::from_fn(|k, _| if k == i { 1.0 } else { 0.0 });
+    let bisectors = (0..D).flat_map(move |j| (0..j).flat_map(move |i| [(i, j, 1.0), (i, j, -1.0)]));
+    (0..D).map(axis).chain(
+        bisectors
+            .map(move |(i, j, sign)| (axis(i) + axis(j) * sign) * std::f64::consts::FRAC_1_SQRT_2),
+    )
+}
+
+/// How often two unit vectors are improved in turn, unless they settle before.
+pub(super) const TURNS: usize = 40;

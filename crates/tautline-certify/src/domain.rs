@@ -1,0 +1,201 @@
+//! `Domain`: where a constant is to hold.
+
+use nalgebra::SVector;
+use num_traits::Zero;
+use tautline_metrics::Metric;
+use tautline_scalar::{Interval, Scalar};
+
+use crate::{
+    Cell, CertifyError,
+    formula::{Along, Dependence, superfluous},
+};
+
+/// A convex compact set on which constants are proved, and what they then hold on.
+///
+/// Convex, since on a convex set the largest `‖DH‖` is the Lipschitz constant of `H`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Domain<const D: usize> {
+    cell: Cell<D>,
+    ball: Option<(SVector<f64, D>, f64)>,
+    whole: bool,
+}
+
+impl<const D: usize> Domain<D> {
+    /// How far [`Domain::space`] reaches where a metric is neither constant nor periodic: `2¹⁰⁰ ℓ`.
+    ///
+    /// Tenth powers of coordinates do not overflow there, and times the least double, which stands for
+    /// what underflows, they are nothing.
+    pub const REACH: f64 = f64::from_bits((1023 + 100) << 52);
+
+    /// Returns a box.
+    #[must_use]
+    pub fn cell(cell: Cell<D>) -> Self {
+        Self { cell, ball: None, whole: false }
+    }
+
+    /// Returns the ball `|x − centre| ≤ radius`, both in `ℓ`.
+    ///
+    /// # Errors
+    ///
+    /// [`CertifyError::NotARadius`], [`CertifyError::NotASide`] for a centre that is not finite.
+    pub fn ball(centre: impl Into<SVector<f64, D>>, radius: f64) -> Result<Self, CertifyError> {
+        let centre = centre.into();
+        if !(radius >= 0.0 && radius.is_finite()) {
+            return Err(CertifyError::NotARadius { radius });
+        }
+        // One double farther, since the sums are rounded.
+        let cell = Cell::new(
+            centre.map(|c| (c - radius).next_down()),
+            centre.map(|c| (c + radius).next_up()),
+        )?;
+        Ok(Self { cell, ball: Some((centre, radius)), whole: false })
+    }
+
+    /// Returns a box that stands for all of `R^D`, as far as the formula of `metric` shows it to.
+    ///
+    /// Along a coordinate that does not occur in the formula, or only in differences with others, it has
+    /// the width 0; along one in which the formula is periodic, it is one period, rounded up. Both are read off the formula, not sampled:
+    /// sines, cosines and tangents of linear functions are followed, with coefficients that are
+    /// doubles with a common divisor. Along any other coordinate it reaches from `−2¹⁰⁰` to `2¹⁰⁰`,
+    /// and [`is_all_of_space`](Domain::is_all_of_space) is false: nothing is said of what lies beyond
+    /// [`REACH`](Domain::REACH).
+    ///
+    /// ```
+    /// use tautline_certify::Domain;
+    /// use tautline_metrics::gallery::{Lens, Valleys};
+    ///
+    /// let valleys = Domain::<2>::space(&Valleys);
+    /// let [x1, x2] = valleys.bounding_cell().sides();
+    /// assert!(valleys.is_all_of_space());
+    /// assert!(x1.lo() == 0.0 && 6.28 < x1.hi() && x1.hi() < 6.29 && x2.width() == 0.0);
+    ///
+    /// let lens = Domain::<2>::space(&Lens::new(1.0, 1.0)?);
+    /// assert!(!lens.is_all_of_space());
+    /// # Ok::<(), tautline_metrics::gallery::GalleryError>(())
+    /// ```
+    #[must_use]
+    pub fn space(metric: &impl Metric<D>) -> Self {
+        let mut along = Dependence::of(metric);
+        for (along, superfluous) in along.iter_mut().zip(superfluous(metric)) {
+            if superfluous {
+                *along = Along::Constant;
+            }
+        }
+        let sides = along.map(|along| match along {
+            Along::Constant => Interval::zero(),
+            // Four right angles, each arctan ∞ = 2 arctan 1, by the kernel of the intervals.
+            Along::Periodic(wave_number) => {
+                let period = Interval::constant(1.0).atan() * 8.0 / wave_number;
+                Interval::zero().hull(period)
+            }
+            Along::Unknown => Interval::point(-Self::REACH).hull(Interval::point(Self::REACH)),
+        });
+        let whole = along.iter().all(|along| *along != Along::Unknown);
+        let corner = |end: fn(Interval) -> f64| SVector::from(sides.map(end));
+        // Wave numbers down to the least double have periods that overflow.
+        let cell = Cell::new(corner(Interval::lo), corner(Interval::hi));
+        match cell {
+            Ok(cell) => Self { cell, ball: None, whole },
+            Err(_) => {
+                let far = SVector::from_element(Self::REACH);
+                let cell = Cell::new(-far, far).expect("finite");
+                Self { cell, ball: None, whole: false }
+            }
+        }
+    }
+
+    /// Returns the box that contains the domain; the domain itself unless it is a ball.
+    #[must_use]
+    pub fn bounding_cell(&self) -> &Cell<D> {
+        &self.cell
+    }
+
+    /// Returns whether what holds here is proved to hold on all of `R^D`.
+    #[must_use]
+    pub fn is_all_of_space(&self) -> bool {
+        self.whole
+    }
+
+    /// Returns whether no point of `cell` lies in the domain: false in doubt.
+    pub(crate) fn misses(&self, cell: &Cell<D>) -> bool {
+        self.ball.is_some_and(|(centre, radius)| {
+            let nearest = distance_squared(&cell.nearest(&centre), &centre);
+            nearest.lo() > Interval::point(radius).sqr().hi()
+        })
+    }
+
+    /// Returns a point of `cell` that certainly lies in the domain, the middle if possible.
+    pub(crate) fn point_in(&self, cell: &Cell<D>) -> Option<SVector<f64, D>> {
+        let middle = cell.midpoint();
+        let Some((centre, radius)) = self.ball else { return Some(middle) };
+        let inside = |x: &SVector<f64, D>| {
+            distance_squared(x, &centre).hi() <= Interval::point(radius).sqr().lo()
+        };
+        if inside(&middle) {
+            return Some(middle);
+        }
+        // On the sphere, or just below, on the ray through the middle; then in the cell again.
+        let away = middle - centre;
+        let pulled = centre + away * (radius / away.norm() * (1.0 - 4.0 * f64::EPSILON));
+        [cell.nearest(&pulled), cell.nearest(&centre)].into_iter().find(|x| inside(x))
+    }
+}
+
+fn distance_squared<const D: usize>(x: &SVector<f64, D>, y: &SVector<f64, D>) -> Interval {
+    x.iter().zip(y).fold(Interval::zero(), |sum, (&x, &y)| {
+        sum + (Interval::point(x) - Interval::point(y)).sqr()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use nalgebra::vector;
+    use tautline_metrics::gallery::{CoupledCosines, GaussianFisher};
+
+    use super::Domain;
+    use crate::{Cell, CertifyError};
+
+    #[test]
+    fn a_ball_contains_its_points_and_misses_the_corners_of_its_box() {
+        let ball = Domain::ball([1.0, 0.0], 2.0).expect("a radius");
+        let cell = |lo: [f64; 2], hi: [f64; 2]| Cell::new(lo, hi).expect("in order");
+        assert!(ball.misses(&cell([2.9, 1.9], [3.0, 2.0])));
+        assert!(!ball.misses(&cell([2.0, 1.0], [3.0, 2.0])));
+        // The one point (3, 0).
+        assert!(!ball.misses(&cell([3.0, -1.0], [4.0, 1.0])));
+        let whole = *ball.bounding_cell();
+        assert_eq!(ball.point_in(&whole), Some(vector![1.0, 0.0]));
+        let x = ball.point_in(&cell([2.0, 1.0], [3.0, 2.0])).expect("they meet");
+        assert!((x - vector![1.0, 0.0]).norm() <= 2.0 && x[0] >= 2.0 && x[1] >= 1.0, "{x}");
+        assert_eq!(ball.point_in(&cell([2.9, 1.9], [3.0, 2.0])), None);
+        let point = Domain::ball([1.0], 0.0).expect("a radius");
+        assert_eq!(point.point_in(point.bounding_cell()), Some(vector![1.0]));
+    }
+
+    #[test]
+    fn a_ball_without_a_radius_or_a_centre_is_refused() {
+        for radius in [-1.0, f64::NAN, f64::INFINITY] {
+            let error = Domain::ball([0.0], radius).expect_err("no radius");
+            assert!(matches!(error, CertifyError::NotARadius { .. }), "{error}");
+        }
+        assert!(Domain::ball([f64::NAN], 1.0).is_err());
+    }
+
+    #[test]
+    fn space_is_a_period_where_the_formula_has_one() {
+        let space = Domain::space(&CoupledCosines);
+        assert!(space.is_all_of_space());
+        let [x, y, z] = *space.bounding_cell().sides();
+        for side in [x, y] {
+            // 2π lies between its nearest double and the next one.
+            assert!(side.contains(TAU.next_up()) && side.hi() < TAU * (1.0 + 1e-14));
+        }
+        // Only differences of coordinates occur.
+        assert_eq!(z.width(), 0.0);
+        let space = Domain::space(&GaussianFisher);
+        let [x, t] = space.bounding_cell().sides();
+        assert!(!space.is_all_of_space() && x.width() == 0.0 && t.hi() == Domain::<2>::REACH);
+    }
+}

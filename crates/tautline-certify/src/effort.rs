@@ -1,0 +1,44 @@
+//! `Effort`: how close bounds are to come, and what that may cost.
+
+use crate::CertifyError;
+
+/// How close the bounds of a constant are to come, and how many boxes that may cost.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Effort {
+    /// The relative distance of the bounds, between 0 and 1.
+    pub tolerance: f64,
+    /// The largest number of boxes.
+    pub budget: usize,
+}
+
+impl Default for Effort {
+    /// Returns a tolerance of `10⁻³` and a budget of a million boxes, which take from a second to a
+    /// minute or so.
+    fn default() -> Self {
+        Self { tolerance: 1e-3, budget: 1_000_000 }
+    }
+}
+
+impl Effort {
+    /// Refuses a tolerance that is not between 0 and 1.
+    pub(crate) fn checked(self) -> Result<Self, CertifyError> {
+        if self.tolerance > 0.0 && self.tolerance < 1.0 {
+            Ok(self)
+        } else {
+            Err(CertifyError::NotATolerance { tolerance: self.tolerance })
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Effort;
+
+    #[test]
+    fn a_tolerance_lies_between_0_and_1() {
+        assert!(Effort::default().checked().is_ok());
+        for tolerance in [0.0, -1e-3, 1.0, f64::INFINITY, f64::NAN] {
+            assert!(Effort { tolerance, ..Effort::default() }.checked().is_err(), "{tolerance}");
+        }
+    }
+}

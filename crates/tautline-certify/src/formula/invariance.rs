@@ -1,0 +1,128 @@
+//! Directions along which a formula does not change.
+
+use nalgebra::{DMatrix, SVector};
+use tautline_metrics::Metric;
+use tautline_scalar::Jet1;
+
+use super::Dependence;
+
+/// Coordinates that can be set to 0 without leaving anything out: for each of them the Gram matrix does
+/// not change along a direction in which it, and none of the others, moves.
+///
+/// The directions are guessed, from derivatives at some points, as multiples of small fractions; that
+/// the formula does not change along them is then proved by [`Dependence::is_constant_along`]. So
+/// `cos(x₁ − x₂)` needs one coordinate only. What is not guessed or not proved costs boxes and
+/// nothing else.
+pub(crate) fn superfluous<const D: usize>(metric: &impl Metric<D>) -> [bool; D] {
+    let mut rows = gradients(metric);
+    let pivots = reduce(&mut rows);
+    let mut superfluous = [false; D];
+    for free in (0..D).filter(|i| !pivots.contains(i)) {
+        // The direction with 1 at the free coordinate that every row annihilates.
+        let mut direction = SVector::<f64, D>::zeros();
+        direction[free] = 1.0;
+        for (row, &pivot) in pivots.iter().enumerate() {
+            direction[pivot] = -fraction(rows[(row, free)]);
+        }
+        superfluous[free] = Dependence::is_constant_along(metric, &direction);
+    }
+    superfluous
+}
+
+/// The gradients of the entries of `H` at some points that are not special, one a row.
+fn gradients<const D: usize>(metric: &impl Metric<D>) -> DMatrix<f64> {
+    let mut rows: Vec<f64> = Vec::new();
+    for point in 1..=2 * D {
+        // Fractions of multiples of irrational numbers, spread over the unit cube.
+        let x: [f64; D] = std::array::from_fn(|i| (point as f64 * (i as f64 + 2.0).sqrt()).fract());
+        let gram = metric.gram(&SVector::from(Jet1::variables(&x)));
+        for entry in gram.iter() {
+            if entry.gradient().iter().all(|g| g.is_finite()) {
+                rows.extend(entry.gradient());
+            }
+        }
+    }
+    DMatrix::from_row_iterator(rows.len() / D, D, rows)
+}
+
+/// Brings the rows into reduced echelon form, with the largest pivot of each column; returns the columns of
+/// the pivots. What is below `10⁻⁹` of the largest entry is rounding.
+fn reduce(rows: &mut DMatrix<f64>) -> Vec<usize> {
+    let least = 1e-9 * rows.amax();
+    let mut pivots = Vec::new();
+    for column in 0..rows.ncols() {
+        let next = pivots.len();
+        let Some(best) = (next..rows.nrows())
+            .max_by(|&a, &b| rows[(a, column)].abs().total_cmp(&rows[(b, column)].abs()))
+            .filter(|&best| rows[(best, column)].abs() > least)
+        else {
+            continue;
+        };
+        rows.swap_rows(next, best);
+        let pivot = rows[(next, column)];
+        for entry in rows.row_mut(next).iter_mut() {
+            *entry /= pivot;
+        }
+        for row in (0..rows.nrows()).filter(|&row| row != next) {
+            let factor = rows[(row, column)];
+            for j in 0..rows.ncols() {
+                let change = factor * rows[(next, j)];
+                rows[(row, j)] -= change;
+            }
+        }
+        pivots.push(column);
+    }
+    pivots
+}
+
+/// The multiple of `1/64` that is nearest, which is a double whose products with most coefficients
+/// of formulas are exact.
+fn fraction(x: f64) -> f64 {
+    (64.0 * x).round() / 64.0
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SMatrix, SVector, matrix};
+    use tautline_metrics::{
+        Metric,
+        gallery::{CoupledCosines, EggCrate, RotatingAnisotropy, Shear, Valleys},
+    };
+    use tautline_scalar::Scalar;
+
+    use super::superfluous;
+
+    #[test]
+    fn a_formula_in_differences_needs_one_coordinate_less() {
+        assert_eq!(superfluous(&CoupledCosines), [false, false, true]);
+        let anisotropy = RotatingAnisotropy::new([1.0, 4.0], [0.5, 1.5]).expect("eigenvalues");
+        assert_eq!(superfluous(&anisotropy), [false, true]);
+        assert_eq!(superfluous::<3>(&Valleys), [false, true, true]);
+        let shear = Shear::new(0.5, 1.0).expect("a wave number");
+        assert_eq!(superfluous(&shear), [true, false]);
+    }
+
+    #[test]
+    fn a_coordinate_that_matters_is_kept() {
+        let crate_ = EggCrate::new(1.0, 1.0).expect("a wave number");
+        assert_eq!(superfluous(&crate_), [false, false]);
+        /// A function of `x₁ + 2⁻²⁰ x₂`, which is nearly one of `x₁`, and of both where it is small.
+        struct Nearly;
+        impl Metric<2> for Nearly {
+            fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+                let c = (x[0] + x[1] * 2.0_f64.powi(-20)).cos() + 2.0;
+                matrix![c, S::zero(); S::zero(), c]
+            }
+        }
+        assert_eq!(superfluous(&Nearly), [false, false]);
+        /// Constant at the points that are tried, to rounding, and not elsewhere.
+        struct Far;
+        impl Metric<2> for Far {
+            fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+                let c = (x[1] * 40.0 - 400.0).tanh() + 2.0;
+                matrix![c, S::zero(); S::zero(), c]
+            }
+        }
+        assert_eq!(superfluous(&Far), [true, false]);
+    }
+}
