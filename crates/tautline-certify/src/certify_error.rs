@@ -29,6 +29,21 @@ pub enum CertifyError {
         /// The radius that was given, in `ℓ`.
         radius: f64,
     },
+    /// A metric that is declared to settle still changes at the reach of the domain.
+    #[error(
+        "along coordinate {coordinate} the metric still changes by up to {change} in proportion \
+         when the distance is doubled"
+    )]
+    NotSettled {
+        /// The index of the coordinate, from 0.
+        coordinate: usize,
+        /// A bound of the change, in proportion to the metric; NaN if there is none.
+        change: f64,
+    },
+    /// Constants on all of `R^D` are asked for, and the formula does not show that the metric is
+    /// periodic or constant along each coordinate.
+    #[error("the formula does not show that a bounded domain stands for all of space")]
+    NotAllOfSpace,
     /// The requested relative tolerance is not between 0 and 1.
     #[error("a relative tolerance of {tolerance} is not between 0 and 1")]
     NotATolerance {

@@ -1,9 +1,9 @@
 //! `Domain`: where a constant is to hold.
 
 use nalgebra::SVector;
-use num_traits::Zero;
+use num_traits::{One, Zero};
 use tautline_metrics::Metric;
-use tautline_scalar::{Interval, Scalar};
+use tautline_scalar::{Interval, Jet2, Scalar};
 
 use crate::{
     Cell, CertifyError,
@@ -104,6 +104,33 @@ impl<const D: usize> Domain<D> {
         }
     }
 
+    /// Returns [`space`](Domain::space) as all of `R^D`, for a metric that is declared to settle: farther
+    /// out than [`REACH`](Domain::REACH) it is to change no more than a constant metric does.
+    ///
+    /// That is the caller's word, as of a metric with Gaussian or saturated parts. It is checked on the
+    /// last octave: for `R/2 ≤ |xₖ| ≤ R`, `R` the reach, and any other coordinates, `R |∂H|` and `R² |∂²H|` are
+    /// at most `10⁻⁹ Hᵢᵢ` in each entry.
+    ///
+    /// # Errors
+    ///
+    /// [`CertifyError::NotSettled`] with the coordinate along which the check fails.
+    pub fn settled_space(metric: &impl Metric<D>) -> Result<Self, CertifyError> {
+        let space = Self::space(metric);
+        let far = |side: &Interval| side.hi() == Self::REACH;
+        for coordinate in (0..D).filter(|&k| far(&space.cell.sides()[k])) {
+            for sign in [1.0, -1.0] {
+                let mut shell = *space.cell.sides();
+                shell[coordinate] =
+                    (Interval::point(0.5).hull(Interval::one())) * (sign * Self::REACH);
+                let change = relative_change(metric, &shell);
+                if !(change <= 1e-9) {
+                    return Err(CertifyError::NotSettled { coordinate, change });
+                }
+            }
+        }
+        Ok(Self { whole: true, ..space })
+    }
+
     /// Returns the box that contains the domain; the domain itself unless it is a ball.
     #[must_use]
     pub fn bounding_cell(&self) -> &Cell<D> {
@@ -141,6 +168,26 @@ impl<const D: usize> Domain<D> {
     }
 }
 
+/// The largest of `R |∂ₖHᵢⱼ|` and `R² |∂ₖ∂ₗHᵢⱼ|` on a box, over the least diagonal entry, for the reach `R`.
+fn relative_change<const D: usize>(metric: &impl Metric<D>, sides: &[Interval; D]) -> f64 {
+    let reach = Interval::point(Domain::<D>::REACH);
+    let gram = metric.gram(&SVector::from(Jet2::variables(sides)));
+    let least = (0..D).map(|i| gram[(i, i)].value()).reduce(Interval::hull);
+    let mut most = Interval::zero();
+    for entry in gram.iter() {
+        for k in 0..D {
+            most = most.hull(entry.first(k) * reach);
+            for l in k..D {
+                most = most.hull(entry.second(k, l) * reach.sqr());
+            }
+        }
+    }
+    match least {
+        Some(least) if least.lo() > 0.0 => (Interval::point(most.magnitude()) / least.lo()).hi(),
+        _ => f64::NAN,
+    }
+}
+
 fn distance_squared<const D: usize>(x: &SVector<f64, D>, y: &SVector<f64, D>) -> Interval {
     x.iter().zip(y).fold(Interval::zero(), |sum, (&x, &y)| {
         sum + (Interval::point(x) - Interval::point(y)).sqr()
@@ -152,7 +199,10 @@ mod tests {
     use std::f64::consts::TAU;
 
     use nalgebra::vector;
-    use tautline_metrics::gallery::{CoupledCosines, GaussianFisher};
+    use tautline_metrics::gallery::{
+        CoupledCosines, GaussianFisher, GaussianFisherPatch, HyperbolicPatch, Lens, Ramp, Sphere,
+        SpherePatch, Swirl,
+    };
 
     use super::Domain;
     use crate::{Cell, CertifyError};
@@ -197,5 +247,26 @@ mod tests {
         let space = Domain::space(&GaussianFisher);
         let [x, t] = space.bounding_cell().sides();
         assert!(!space.is_all_of_space() && x.width() == 0.0 && t.hi() == Domain::<2>::REACH);
+    }
+
+    #[test]
+    fn a_metric_with_gaussian_or_saturated_parts_settles() {
+        let lens = Lens::new(1.0, 1.0).expect("a width");
+        assert!(Domain::<2>::settled_space(&lens).is_ok_and(|space| space.is_all_of_space()));
+        assert!(Domain::settled_space(&Ramp::new(0.5, 1.0).expect("a slope")).is_ok());
+        assert!(Domain::settled_space(&Swirl::new(1.0, 1.0).expect("a width")).is_ok());
+        assert!(Domain::settled_space(&GaussianFisherPatch::new(1.0).expect("a rim")).is_ok());
+        let sphere = SpherePatch::new(1.0).expect("a radius");
+        assert!(Domain::<2>::settled_space(&sphere).is_ok());
+        let hyperbolic = HyperbolicPatch::new(0.5).expect("a radius");
+        assert!(Domain::<2>::settled_space(&hyperbolic).is_ok());
+    }
+
+    #[test]
+    fn a_metric_that_goes_on_changing_does_not_settle() {
+        let error = Domain::settled_space(&GaussianFisher).expect_err("it grows");
+        assert!(matches!(error, CertifyError::NotSettled { coordinate: 1, .. }), "{error}");
+        // The sphere goes to 0, where no change is small in proportion.
+        assert!(Domain::<2>::settled_space(&Sphere).is_err());
     }
 }

@@ -5,14 +5,18 @@
 
 mod branch_and_bound;
 mod cell;
+mod certified;
 mod certify_error;
 mod constants;
 mod domain;
 mod effort;
 mod formula;
+mod locally_certified;
 
 pub use cell::Cell;
+pub use certified::Certified;
 pub use certify_error::CertifyError;
 pub use constants::{CertifiedConstant, CertifiedConstants, Quantity, certify};
 pub use domain::Domain;
 pub use effort::Effort;
+pub use locally_certified::LocallyCertified;

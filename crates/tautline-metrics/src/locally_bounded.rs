@@ -73,6 +73,12 @@ pub enum LocalError {
         /// The coordinate.
         value: f64,
     },
+    /// No constants could be proved from the formula.
+    #[error("no constants could be proved on the ball of radius {radius}")]
+    NotProved {
+        /// The radius of the ball, in `ℓ`.
+        radius: f64,
+    },
     /// A constant is 0, infinite or NaN on the ball.
     #[error(transparent)]
     Hypothesis(#[from] HypothesisError),

@@ -1,0 +1,111 @@
+//! `LocallyCertified`: a metric with constants on balls that its formula proves.
+
+use nalgebra::{SMatrix, SVector};
+use tautline_metrics::{Constants, LocalError, LocallyBounded, Metric};
+use tautline_scalar::Scalar;
+
+use crate::{CertifiedConstants, Domain, Effort};
+
+/// A metric whose constants on a ball are proved from its formula when they are asked for: the constants
+/// that the competitors of a computed line need, for a metric that may have none on all of `R^D`.
+///
+/// ```
+/// use tautline_certify::{Effort, LocallyCertified};
+/// use tautline_metrics::{LocallyBounded, gallery::Sphere};
+///
+/// let proved = LocallyCertified::new(Sphere, Effort::default());
+/// let ball = proved.constants_within(&[0.0, 0.0].into(), 1.0)?;
+/// assert!(ball.c1() <= 1.0 && ball.c1() > 0.998 && ball.c2() >= 4.0 && ball.c2() < 4.01);
+/// # Ok::<(), tautline_metrics::LocalError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LocallyCertified<M> {
+    metric: M,
+    effort: Effort,
+}
+
+impl<M> LocallyCertified<M> {
+    /// Takes a metric, and the effort that each ball is worth.
+    #[must_use]
+    pub fn new(metric: M, effort: Effort) -> Self {
+        Self { metric, effort }
+    }
+
+    /// Returns the metric.
+    #[must_use]
+    pub fn metric(&self) -> &M {
+        &self.metric
+    }
+}
+
+impl<M: Metric<D>, const D: usize> Metric<D> for LocallyCertified<M> {
+    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
+        self.metric.gram(x)
+    }
+
+    fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
+        self.metric.norm_squared(x, u)
+    }
+}
+
+impl<M: Metric<D> + Sync, const D: usize> LocallyBounded<D> for LocallyCertified<M> {
+    /// # Errors
+    ///
+    /// [`LocalError::NotProved`] where the metric is undefined or indefinite on the ball, and where the
+    /// budget is spent: [`CertifiedConstants::new`] says which.
+    fn constants_within(
+        &self,
+        centre: &SVector<f64, D>,
+        radius: f64,
+    ) -> Result<Constants, LocalError> {
+        LocalError::check_ball(centre, radius)?;
+        let proved = Domain::ball(*centre, radius).and_then(|ball| {
+            CertifiedConstants::new(&self.metric, &ball, self.effort)?.constants()
+        });
+        // On a ball, whatever the formula shows of all of space.
+        proved.map(Constants::on_a_region).map_err(|_| LocalError::NotProved { radius })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::vector;
+    use tautline_metrics::{
+        LocalError, LocallyBounded,
+        gallery::{GaussianFisher, Hyperbolic, Sphere},
+    };
+
+    use super::LocallyCertified;
+    use crate::Effort;
+
+    /// On balls, where the constants are known in closed form.
+    #[test]
+    fn the_proved_constants_are_those_in_closed_form() {
+        fn check(metric: impl LocallyBounded<2> + Sync, centre: [f64; 2], radius: f64) {
+            let centre = centre.into();
+            let effort = Effort { tolerance: 1e-2, budget: 200_000 };
+            let known = metric.constants_within(&centre, radius).expect("closed form");
+            let proved = LocallyCertified::new(metric, effort);
+            let proved = proved.constants_within(&centre, radius).expect("proved");
+            assert!(proved.is_local());
+            // Closed forms on balls that are not about the origin may give away more than the tolerance.
+            assert!(proved.c1() >= known.c1() * 0.99 && proved.c2() <= known.c2() * 1.01);
+            assert!(proved.l_h() <= known.l_h() * 1.01, "{proved:?} {known:?}");
+            let (Some(proved), Some(known)) = (proved.m_h(), known.m_h()) else { panic!("M_H") };
+            assert!(proved <= known * 1.01, "{proved} {known}");
+        }
+        check(Sphere, [0.0, 0.0], 0.7);
+        check(Sphere, [1.0, -0.5], 0.5);
+        check(Hyperbolic, [0.2, 0.1], 0.5);
+        check(GaussianFisher, [3.0, 0.5], 0.4);
+    }
+
+    #[test]
+    fn a_ball_that_leaves_the_domain_has_no_constants() {
+        let proved = LocallyCertified::new(Hyperbolic, Effort::default());
+        let error = proved.constants_within(&vector![0.0, 0.0], 1.5).expect_err("it leaves");
+        assert_eq!(error, LocalError::NotProved { radius: 1.5 });
+        let error = proved.constants_within(&vector![0.0, 0.0], -1.0).expect_err("no radius");
+        assert_eq!(error, LocalError::NotARadius { radius: -1.0 });
+    }
+}
