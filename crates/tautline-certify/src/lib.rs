@@ -2,3 +2,7 @@
 //!
 //! Everything here is computed from the formula of the metric alone, with outward rounding, and
 //! holds for all points of a box at once: nothing is sampled.
+
+mod curves;
+
+pub use curves::Polygon;
