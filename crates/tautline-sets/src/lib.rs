@@ -52,12 +52,15 @@ mod ball;
 mod closed_set;
 mod common_point;
 mod ends;
+#[cfg(test)]
+mod exact;
 mod finite_set;
 mod half_space;
 #[cfg(test)]
 mod laws;
 mod norm;
 mod point;
+mod proof;
 mod segment;
 mod set_error;
 mod sphere;
