@@ -5,4 +5,4 @@
 
 mod curves;
 
-pub use curves::Polygon;
+pub use curves::{AdmissibleCurve, CurveError, Polygon};

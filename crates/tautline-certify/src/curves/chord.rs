@@ -4,7 +4,7 @@ use nalgebra::SVector;
 use tautline_metrics::Metric;
 use tautline_scalar::{Enclosure, Kernel, Scalar};
 
-use super::taylor::Taylor;
+use super::{pairwise_sum::PairwiseSum, taylor::Taylor};
 
 /// A panel whose enclosure is at most this much wider than long, relatively, is not bisected.
 ///
@@ -12,8 +12,13 @@ use super::taylor::Taylor;
 /// more than this: a hundredth of ten digits. The rounding of `N = 1000` chords comes to `10⁻¹⁴`.
 const TOLERANCE: f64 = 1e-12;
 
-/// How often a chord is bisected at most: a panel is then `2⁻¹²` of it.
-const DEPTH: u32 = 12;
+/// How often a panel is bisected at most: it is then `2⁻⁴⁰` of its chord, about where the rounding of
+/// its ends begins to matter.
+const DEPTH: u32 = 40;
+
+/// How many panels of a chord are looked at, at most: enough for twelve bisections of all of it,
+/// and for forty about a few places.
+const PANELS: usize = 8192;
 
 /// The line from `start` to `start + step`, or each of the lines with these data in two boxes.
 #[derive(Clone, Copy, Debug)]
@@ -46,8 +51,39 @@ impl<K: Kernel, const D: usize> Chord<K, D> {
     }
 
     /// The enclosures; undefined if the metric is, somewhere on the chord.
+    ///
+    /// Panels that are too wide are bisected all at once, so that where there are too many of them
+    /// they end up equally long.
     pub(super) fn integrals(&self, metric: &impl Metric<D>) -> Integrals<K> {
-        self.over(metric, Panel { centre: 0.5, width: 1.0 }, DEPTH)
+        let whole = Panel { centre: 0.5, width: 1.0 };
+        let (integrals, done) = self.over(metric, whole);
+        if done {
+            return integrals;
+        }
+        let (mut squares, mut roots) = (PairwiseSum::new(), PairwiseSum::new());
+        let mut add = |integrals: Integrals<K>| {
+            squares.add(integrals.square);
+            roots.add(integrals.root);
+        };
+        let mut wide = vec![(whole, integrals)];
+        let mut seen = 1;
+        for _ in 0..DEPTH {
+            seen += 2 * wide.len();
+            if seen > PANELS {
+                break;
+            }
+            for panel in std::mem::take(&mut wide).into_iter().flat_map(|(panel, _)| panel.halves())
+            {
+                match self.over(metric, panel) {
+                    (integrals, true) if integrals.is_undefined() => return integrals,
+                    (integrals, true) => add(integrals),
+                    (integrals, false) => wide.push((panel, integrals)),
+                }
+            }
+        }
+        // What is left is wide, or undefined, but true.
+        wide.into_iter().for_each(|(_, integrals)| add(integrals));
+        Integrals { square: squares.value(), root: roots.value() }
     }
 
     /// `dᵀ H(x + s d) d` as a function of `u`, where `s = centre + width u`.
@@ -68,14 +104,13 @@ impl<K: Kernel, const D: usize> Chord<K, D> {
         }))
     }
 
-    /// The value `dᵀ H(x + s d) d` alone.
+    /// The value `dᵀ H(x + s d) d` alone; at `s = 0` nothing is added to `x`.
     pub(super) fn square_at(&self, metric: &impl Metric<D>, fraction: f64) -> Enclosure<K> {
-        // Where s = 0 the point is x itself: x + 0 d would be wider if d is a box.
         let value: Taylor<_, 1> = self.square(metric, Enclosure::point(fraction), 0.0);
         nonnegative(value.coefficient(0))
     }
 
-    /// The integrals over a panel, bisected up to `depth` times.
+    /// The integrals over a panel, and whether bisecting it would not help.
     ///
     /// With `g(u) = f(centre + width u)`, Taylor's formula at the midpoint has
     ///
@@ -84,31 +119,29 @@ impl<K: Kernel, const D: usize> Chord<K, D> {
     /// ```
     ///
     /// in the coefficients `gₖ = g⁽ᵏ⁾/k!`: the odd ones cancel, and `∫ u² = 1/12`, `∫ u⁴ = 1/80`.
-    fn over(&self, metric: &impl Metric<D>, panel: Panel, depth: u32) -> Integrals<K> {
+    fn over(&self, metric: &impl Metric<D>, panel: Panel) -> (Integrals<K>, bool) {
         let Panel { centre, width } = panel;
         let middle: Taylor<_, 3> = self.square(metric, Enclosure::point(centre), width);
-        if middle.coefficient(0).is_undefined() {
-            return Integrals::undefined();
+        // At one point, as far as rounding goes: no smaller panel would be defined there.
+        let value = nonnegative(middle.coefficient(0));
+        if value.is_undefined() {
+            return (Integrals::undefined(), true);
         }
         let half = 0.5 * width;
         let range = Enclosure::new(centre - half, centre + half).expect("a panel has its ends");
         let all: Taylor<_, 5> = self.square(metric, range, width);
-        let square = bound(nonnegative(all.coefficient(0)), &middle, &all);
-        let roots = nonnegative(all.coefficient(0)).sqrt();
-        let root = bound(roots, &middle.sqrt(), &all.sqrt());
-        // Bisecting does not help against the rounding of a value.
-        let value = nonnegative(middle.coefficient(0));
-        let done =
-            depth == 0 || (narrow(square, value.width()) && narrow(root, value.sqrt().width()));
-        if done {
-            return Integrals { square: square * width, root: root * width };
-        }
-        let side = |centre: f64| self.over(metric, Panel { centre, width: half }, depth - 1);
-        let left = side(centre - 0.5 * half);
-        if left.is_undefined() {
-            return left;
-        }
-        left + side(centre + 0.5 * half)
+        let squares = nonnegative(all.coefficient(0));
+        let square = bound(squares, &middle, &all);
+        let root = bound(squares.sqrt(), &middle.sqrt(), &all.sqrt());
+        let done = narrow(square, value.width()) && narrow(root, value.sqrt().width());
+        (Integrals { square: square * width, root: root * width }, done)
+    }
+}
+
+impl Panel {
+    fn halves(self) -> [Panel; 2] {
+        let width = 0.5 * self.width;
+        [-0.5, 0.5].map(|side| Panel { centre: self.centre + side * width, width })
     }
 }
 
@@ -126,7 +159,8 @@ fn bound<K: Kernel>(
     range.intersection(taylor).unwrap_or(Enclosure::UNDEFINED)
 }
 
-/// Whether a panel is narrow enough, given the width of one value on it; false if undefined.
+/// Whether a panel is narrow enough, given the width of one value on it, against which bisecting
+/// does not help; false if undefined.
 fn narrow<K: Kernel>(mean: Enclosure<K>, of_value: f64) -> bool {
     let width = mean.width();
     width <= TOLERANCE * mean.mignitude() || width <= 2.0 * of_value
@@ -149,12 +183,5 @@ impl<K: Kernel> Integrals<K> {
 
     pub(super) fn is_undefined(&self) -> bool {
         self.square.is_undefined() || self.root.is_undefined()
-    }
-}
-
-impl<K: Kernel> std::ops::Add for Integrals<K> {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        Self { square: self.square + other.square, root: self.root + other.root }
     }
 }
