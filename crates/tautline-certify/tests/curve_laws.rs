@@ -153,6 +153,19 @@ fn boxes_at_the_ends_stand_for_all_their_points() {
     }
 }
 
+/// The terms of `uᵀ H u` cancel in boxes that contain opposite chords, but a square has no negative
+/// part.
+#[test]
+fn no_energy_is_negative() {
+    let metric = RotatingAnisotropy::new([1.0, 4.0], [1.0, 2.0]).expect("positive");
+    let sequence = PointSequence::straight([0.0, 0.0], [1.0, 0.0], 1).expect("finite");
+    let wide = Interval::new(-1.0, 1.0).expect("ordered");
+    let polygon = Polygon::new(&sequence).with_ends(vector![wide, wide], vector![wide, wide]);
+    let (energy, length) = polygon.energy_and_length(&metric);
+    assert!(energy.lo() == 0.0 && length.lo() == 0.0, "{energy:?} {length:?}");
+    assert_eq!(polygon.discrete_energy(Trapezoidal, &metric).lo(), 0.0);
+}
+
 #[test]
 fn equal_points_have_energy_and_length_zero() {
     let zero = Interval::point(0.0);
@@ -200,6 +213,8 @@ fn a_metric_that_is_undefined_somewhere_has_no_finite_energy() {
     undefined(&Hyperbolic, &[[2.0, 0.0], [2.0, 0.0]]);
     undefined(&Pole, &[[-1.0], [2.0]]);
     undefined(&Negative, &[[0.0], [1.0]]);
+    let unit = PointSequence::straight([0.0], [1.0], 1).expect("finite");
+    assert!(Polygon::new(&unit).discrete_energy(LeftEndpoint, &Negative).is_undefined());
     let sequence = PointSequence::straight([0.0, 0.0], [1.0, 0.0], 1).expect("finite");
     let polygon = Polygon::new(&sequence);
     let interior = polygon.discrete_energy(Trapezoidal, &Hyperbolic);

@@ -6,7 +6,7 @@ use tautline_scalar::{Enclosure, Kernel, Scalar};
 
 use super::{pairwise_sum::PairwiseSum, taylor::Taylor};
 
-/// A panel whose enclosure is at most this much wider than long, relatively, is not bisected.
+/// A panel is not bisected if its enclosure is at most this wide, relative to itself.
 ///
 /// The widths of panels add up as their integrals do, so the truncation widens the whole by no
 /// more than this: a hundredth of ten digits. The rounding of `N = 1000` chords comes to `10⁻¹⁴`.

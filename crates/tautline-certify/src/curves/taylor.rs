@@ -55,39 +55,51 @@ impl<T: Scalar, const M: usize> Taylor<T, M> {
         Self(b)
     }
 
-    /// `Σ aᵢ bₖ₋ᵢ` over `from ≤ i ≤ k`.
-    fn convolution(a: &[T; M], b: &[T; M], k: usize, from: usize) -> T {
-        (from..=k).fold(T::zero(), |sum, i| sum + a[i] * b[k - i])
+    /// `Σ aᵢ bₖ₋ᵢ` over `1 ≤ i ≤ k`.
+    fn convolution(a: &[T; M], b: &[T; M], k: usize) -> T {
+        // From the first term on, here and below: adding it to zero costs as much as the others.
+        (2..=k).fold(a[1] * b[k - 1], |sum, i| sum + a[i] * b[k - i])
     }
 
-    /// `(1/k) Σ i aᵢ wₖ₋ᵢ` over `1 ≤ i ≤ k`: the coefficient of `f` where `f′ = a′ w`.
-    fn integral(a: &[T; M], w: &[T; M], k: usize) -> T {
-        let sum = (1..=k).fold(T::zero(), |sum, i| sum + a[i] * w[k - i] * i as f64);
-        sum / k as f64
+    /// `i aᵢ`, the coefficients of `u a′`.
+    fn slopes(a: &[T; M]) -> [T; M] {
+        std::array::from_fn(|i| if i < 2 { a[i] } else { a[i] * i as f64 })
+    }
+
+    /// The coefficient of `f` where `f′ = a′ w`, given the slopes of `a`: `(1/k) Σ i aᵢ wₖ₋ᵢ`.
+    fn integral(slopes: &[T; M], w: &[T; M], k: usize) -> T {
+        let sum = Self::convolution(slopes, w, k);
+        if k == 1 { sum } else { sum / k as f64 }
     }
 
     /// The coefficient of `f²`. A square has no negative part, where numbers are ranges.
     fn square(a: &[T; M], k: usize) -> T {
-        let pairs = (0..k.div_ceil(2)).fold(T::zero(), |sum, i| sum + a[i] * a[k - i]) * 2.0;
+        if k == 0 {
+            return a[0].sqr();
+        }
+        let half = k.div_ceil(2);
+        let pairs = (1..half).fold(a[0] * a[k], |sum, i| sum + a[i] * a[k - i]) * 2.0;
         if k.is_multiple_of(2) { pairs + a[k / 2].sqr() } else { pairs }
     }
 
     /// `f` and `g` with `f′ = a′ g` and `g′ = ± a′ f`, given their values.
     fn coupled(self, (f0, g0): (T, T), sign: f64) -> (Self, Self) {
+        let slopes = Self::slopes(&self.0);
         let (mut f, mut g) = ([T::zero(); M], [T::zero(); M]);
         (f[0], g[0]) = (f0, g0);
         for k in 1..M {
-            (f[k], g[k]) = (Self::integral(&self.0, &g, k), Self::integral(&self.0, &f, k) * sign);
+            (f[k], g[k]) = (Self::integral(&slopes, &g, k), Self::integral(&slopes, &f, k) * sign);
         }
         (Self(f), Self(g))
     }
 
     /// `f` with `f′ = a′ w` and `w = w₀ ± f²` up to a constant, given the values.
     fn quadratic(self, f0: T, w0: T, sign: f64) -> Self {
+        let slopes = Self::slopes(&self.0);
         let (mut f, mut w) = ([T::zero(); M], [T::zero(); M]);
         (f[0], w[0]) = (f0, w0);
         for k in 1..M {
-            f[k] = Self::integral(&self.0, &w, k);
+            f[k] = Self::integral(&slopes, &w, k);
             w[k] = Self::square(&f, k) * sign;
         }
         Self(f)
@@ -118,7 +130,6 @@ impl<T: Scalar, const M: usize> Sub for Taylor<T, M> {
 impl<T: Scalar, const M: usize> Mul for Taylor<T, M> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        // From the first term on, not from zero: that addition would cost as much as others.
         Self(std::array::from_fn(|k| {
             (1..=k).fold(self.0[0] * other.0[k], |sum, i| sum + self.0[i] * other.0[k - i])
         }))
@@ -130,7 +141,7 @@ impl<T: Scalar, const M: usize> Div for Taylor<T, M> {
     fn div(self, other: Self) -> Self {
         let (a, b) = (self.0, other.0);
         // q b = a.
-        Self::recursive(a[0] / b[0], |k, q| (a[k] - Self::convolution(&b, q, k, 1)) / b[0])
+        Self::recursive(a[0] / b[0], |k, q| (a[k] - Self::convolution(&b, q, k)) / b[0])
     }
 }
 
@@ -226,7 +237,7 @@ impl<T: Scalar, const M: usize> Scalar for Taylor<T, M> {
     fn recip(self) -> Self {
         let a = self.0;
         let first = a[0].recip();
-        Self::recursive(first, |k, b| -(Self::convolution(&a, b, k, 1) * first))
+        Self::recursive(first, |k, b| -(Self::convolution(&a, b, k) * first))
     }
 
     fn sqrt(self) -> Self {
@@ -241,7 +252,8 @@ impl<T: Scalar, const M: usize> Scalar for Taylor<T, M> {
     }
 
     fn exp(self) -> Self {
-        Self::recursive(self.0[0].exp(), |k, b| Self::integral(&self.0, b, k))
+        let slopes = Self::slopes(&self.0);
+        Self::recursive(self.0[0].exp(), |k, b| Self::integral(&slopes, b, k))
     }
 
     fn ln(self) -> Self {
