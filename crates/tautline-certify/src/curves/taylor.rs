@@ -376,7 +376,11 @@ mod tests {
         let across = Interval::new(-1.0, 1.0).expect("ordered");
         let x = Taylor::<Interval, 5>::line(across, Interval::point(1.0));
         let one = Taylor::constant(1.0);
-        for y in [x.recip(), x.ln(), x.sqrt(), x.powi(-2), one / x, (x * 2.0).tan()] {
+        // Negative throughout: the derivative 1/x would be defined, the logarithm is not.
+        let negative = x - 2.0;
+        let undefined =
+            [x.recip(), x.ln(), x.sqrt(), x.powi(-2), one / x, (x * 2.0).tan(), negative.ln()];
+        for y in undefined {
             for z in [y, y.powi(0), y * 0.0, y.atan(), one / (y.sqr() + 1.0)] {
                 assert!(z.coefficient(0).is_undefined(), "{z:?}");
             }
