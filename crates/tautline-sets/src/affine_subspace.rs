@@ -1,9 +1,11 @@
 //! An affine subspace: a point, a line, a plane and so on.
 
 use nalgebra::{SMatrix, SVector};
+use tautline_scalar::Interval;
 
 use crate::ClosedSet;
 use crate::norm::{norm, polar};
+use crate::proof;
 use crate::set_error::{SetError, finite_vector};
 
 /// The affine subspace `p + span(q₁, …, qₖ)`, `0 ≤ k ≤ D`, unbounded for `k ≥ 1`.
@@ -21,6 +23,8 @@ use crate::set_error::{SetError, finite_vector};
 pub struct AffineSubspace<const D: usize> {
     base: SVector<f64, D>,
     basis: Vec<SVector<f64, D>>,
+    /// As given: the subspace that is meant, before the basis is rounded.
+    directions: Vec<SVector<f64, D>>,
     /// `QQᵀ`.
     projector: SMatrix<f64, D, D>,
 }
@@ -41,8 +45,10 @@ impl<const D: usize> AffineSubspace<D> {
     ) -> Result<AffineSubspace<D>, SetError> {
         let base = finite_vector("the base point", base)?;
         let mut basis: Vec<SVector<f64, D>> = Vec::new();
+        let mut given = Vec::new();
         for (index, direction) in directions.into_iter().enumerate() {
             let direction = finite_vector("a direction", direction)?;
+            given.push(direction);
             let Some((_, mut q)) = polar(&direction) else {
                 return Err(SetError::DependentDirection { index, remainder: 0.0 });
             };
@@ -69,7 +75,7 @@ impl<const D: usize> AffineSubspace<D> {
         } else {
             basis.iter().fold(SMatrix::zeros(), |sum, q| sum + q * q.transpose())
         };
-        Ok(AffineSubspace { base, basis, projector })
+        Ok(AffineSubspace { base, basis, directions: given, projector })
     }
 
     /// Returns the point `p`, in `ℓ`.
@@ -106,6 +112,36 @@ impl<const D: usize> ClosedSet<D> for AffineSubspace<D> {
         self.basis.is_empty().then_some((self.base, 0.0))
     }
 
+    fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
+        let k = self.basis.len();
+        if k == D {
+            return Some(proof::point(x));
+        }
+        let along = |v: &SVector<f64, D>| v.iter().filter(|&&coordinate| coordinate != 0.0).count();
+        if self.directions.iter().all(|v| along(v) == 1) {
+            // Axes span the coordinates that they have, and nothing rounds.
+            let free = |i: usize| self.directions.iter().any(|v| v[i] != 0.0);
+            let member = SVector::from_fn(|i, _| if free(i) { x[i] } else { self.base[i] });
+            return Some(proof::point(&member));
+        }
+        // p + Σ tᵢ vᵢ is a member whatever the tᵢ are; those of P(x) to rounding, by the triangular
+        // system QᵀV t = Qᵀ(x − p), V with the directions as given, up to a power of two.
+        let units: Vec<f64> =
+            self.directions.iter().map(|v| proof::power_of_two(v.amax())).collect();
+        let offset = x - self.base;
+        let mut t = vec![0.0; k];
+        for i in (0..k).rev() {
+            let entry = |j: usize| self.basis[i].dot(&(self.directions[j] / units[j]));
+            let later: f64 = (i + 1..k).map(|j| entry(j) * t[j]).sum();
+            t[i] = (self.basis[i].dot(&offset) - later) / entry(i);
+        }
+        let base = proof::point(&self.base);
+        proof::finite((0..k).fold(base, |sum, i| {
+            let v = proof::point(&self.directions[i]).map(|v| v / units[i]);
+            sum + v.map(|v| v * t[i])
+        }))
+    }
+
     fn is_convex(&self) -> bool {
         true
     }
@@ -114,6 +150,7 @@ impl<const D: usize> ClosedSet<D> for AffineSubspace<D> {
 #[cfg(test)]
 mod tests {
     use super::AffineSubspace;
+    use crate::exact::{Exact, meets_line, reaches_subspace};
     use crate::laws::{Case, check, scale, vector_in};
     use crate::{ClosedSet, SetError};
     use nalgebra::{DMatrix, Matrix3, SVector, vector};
@@ -147,13 +184,17 @@ mod tests {
         });
         (vector_in::<D>(3.0), steep, scale()).prop_map(|(p, directions, scale)| {
             let set = AffineSubspace::new(p * scale, directions.iter().copied());
-            let spanning = directions.clone();
+            let [spanning, exactly] = std::array::from_fn(|_| directions.clone());
             Case {
                 farthest: directions.is_empty().then_some(p),
                 member: Box::new(move |w| {
                     spanning.iter().enumerate().fold(p, |sum, (i, v)| sum + v * w[i])
                 }),
                 defect: Box::new(move |x| distance(p, &directions, x)),
+                held: Box::new(move |y| match exactly.as_slice() {
+                    [v] => meets_line(y, &p, &std::array::from_fn(|i| Exact::new(v[i])), false),
+                    more => reaches_subspace(y, &p, more),
+                }),
                 kink: Box::new(|_| f64::INFINITY),
                 set: Box::new(set.expect("independent")),
                 scale,

@@ -1,9 +1,11 @@
 //! A box whose sides are parallel to the axes.
 
 use nalgebra::{SMatrix, SVector};
+use tautline_scalar::Interval;
 
 use crate::ClosedSet;
 use crate::norm::norm;
+use crate::proof;
 use crate::set_error::{SetError, finite_vector};
 
 /// The box `lᵢ ≤ xᵢ ≤ uᵢ`.
@@ -96,6 +98,11 @@ impl<const D: usize> ClosedSet<D> for AxisBox<D> {
         Some((centre, norm(&(self.upper - centre).sup(&(centre - self.lower)))))
     }
 
+    fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
+        // Clamping does not round.
+        Some(proof::point(&self.project(x)))
+    }
+
     fn is_convex(&self) -> bool {
         true
     }
@@ -115,6 +122,9 @@ mod tests {
             member: Box::new(move |w: &SVector<f64, D>| c + w.component_mul(&h)),
             defect: Box::new(move |x| ((x - c).abs() - h).max().max(0.0)),
             // A flat coordinate is constant and has no kink.
+            held: Box::new(move |y| {
+                (0..D).all(|i| y[i].lo() <= c[i] + h[i] && c[i] - h[i] <= y[i].hi())
+            }),
             kink: Box::new(move |x| {
                 let gaps =
                     (0..D).filter(|&i| h[i] > 0.0).map(|i| ((x[i] - c[i]).abs() - h[i]).abs());

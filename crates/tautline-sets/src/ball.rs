@@ -1,9 +1,11 @@
 //! A closed ball.
 
 use nalgebra::{SMatrix, SVector};
+use tautline_scalar::Interval;
 
 use crate::ClosedSet;
 use crate::norm::{norm, polar};
+use crate::proof;
 use crate::set_error::{SetError, finite_vector, valid_radius};
 
 /// The ball `|x − c| ≤ r`. With `u = (x − c)/|x − c|`:
@@ -71,6 +73,13 @@ impl<const D: usize> ClosedSet<D> for Ball<D> {
         Some((self.centre, self.r))
     }
 
+    fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
+        if proof::distance(x, &self.centre).at_most(self.r) {
+            return Some(proof::point(x));
+        }
+        proof::on_sphere(x, &self.centre, self.r)
+    }
+
     fn is_convex(&self) -> bool {
         true
     }
@@ -79,6 +88,7 @@ impl<const D: usize> ClosedSet<D> for Ball<D> {
 #[cfg(test)]
 mod tests {
     use super::Ball;
+    use crate::exact::{square, squared_distances};
     use crate::laws::{Case, check, extent, scale, vector_in};
     use crate::{ClosedSet, SetError};
     use nalgebra::{Matrix2, vector};
@@ -89,6 +99,7 @@ mod tests {
             // The cube shrunk onto the ball: |w| ≤ √D.
             member: Box::new(move |w| c + w * (r / (D as f64).sqrt())),
             defect: Box::new(move |x| ((x - c).norm() - r).max(0.0)),
+            held: Box::new(move |y| squared_distances(y, &c).0.at_most(&square(r))),
             kink: Box::new(
                 move |x| {
                     if r == 0.0 { f64::INFINITY } else { ((x - c).norm() - r).abs() }

@@ -4,6 +4,7 @@ use std::fmt::Debug;
 use std::sync::Arc;
 
 use nalgebra::{SMatrix, SVector};
+use tautline_scalar::Interval;
 
 /// A non-empty closed subset `X` of `R^D`, given by its Euclidean nearest-point map `P`.
 ///
@@ -15,7 +16,9 @@ use nalgebra::{SMatrix, SVector};
 /// - if [`is_convex`](ClosedSet::is_convex), then `|P(x) − P(y)| ≤ |x − y|`, and the derivative
 ///   has its eigenvalues in `[0, 1]`;
 /// - no member of `X` is longer than [`radius`](ClosedSet::radius), nor, up to rounding,
-///   outside of its [`enclosing_ball`](ClosedSet::enclosing_ball).
+///   outside of its [`enclosing_ball`](ClosedSet::enclosing_ball);
+/// - a box from [`member_near`](ClosedSet::member_near) contains a member of `X`, without any
+///   rounding granted.
 ///
 /// No method panics on finite input; none reads a clock, a file or a random number. An empty
 /// set has no nearest point: an implementation which may be empty returns NaN, and
@@ -88,6 +91,18 @@ pub trait ClosedSet<const D: usize>: Debug + Send + Sync {
         false
     }
 
+    /// Returns a box that certainly contains a member of the set, as near to `x` as the set can
+    /// prove, in `ℓ`; `None` if it can prove nothing, as by default.
+    ///
+    /// The box is `[x, x]` if and only if `x` itself is proved to be a member, else a box of a few
+    /// roundings about `P(x)`. It says nothing of where in the box the members are. The set is meant
+    /// exactly: the numbers that it was made of are the doubles which they are, and whatever was
+    /// rounded in making it, such as the length of a normal, does not enter.
+    fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
+        let _ = x;
+        None
+    }
+
     /// Returns the members of a union, each to be searched separately; empty if the set is
     /// one piece.
     fn pieces(&self) -> &[Arc<dyn ClosedSet<D>>] {
@@ -121,6 +136,10 @@ impl<const D: usize, S: ClosedSet<D> + ?Sized> ClosedSet<D> for Arc<S> {
 
     fn is_convex(&self) -> bool {
         (**self).is_convex()
+    }
+
+    fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
+        (**self).member_near(x)
     }
 
     fn pieces(&self) -> &[Arc<dyn ClosedSet<D>>] {

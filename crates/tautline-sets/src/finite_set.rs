@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use nalgebra::{SMatrix, SVector};
+use tautline_scalar::Interval;
 
 use crate::{ClosedSet, Point, SetError, Union};
 
@@ -50,6 +51,10 @@ impl<const D: usize> ClosedSet<D> for FiniteSet<D> {
         self.points.enclosing_ball()
     }
 
+    fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
+        self.points.member_near(x)
+    }
+
     fn is_convex(&self) -> bool {
         self.points.is_convex()
     }
@@ -62,6 +67,7 @@ impl<const D: usize> ClosedSet<D> for FiniteSet<D> {
 #[cfg(test)]
 mod tests {
     use super::FiniteSet;
+    use crate::exact::contains;
     use crate::laws::{Case, check, scale, vector_in};
     use crate::{ClosedSet, SetError};
     use nalgebra::{SVector, vector};
@@ -76,10 +82,11 @@ mod tests {
                 distances.sort_by(f64::total_cmp);
                 distances
             };
-            let (a, b, c) = (points.clone(), points.clone(), points.clone());
+            let [a, b, c, d] = std::array::from_fn(|_| points.clone());
             Case {
                 member: Box::new(move |w| a[((w[0] + 1.0) / 2.0 * a.len() as f64) as usize]),
                 defect: Box::new(move |x| distances(x, &b)[0]),
+                held: Box::new(move |y| d.iter().any(|p| contains(y, p))),
                 // Each distance changes by at most the way x goes: a tie at half the difference.
                 kink: Box::new(move |x| {
                     let d = distances(x, &c);

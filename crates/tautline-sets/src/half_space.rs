@@ -1,8 +1,10 @@
 //! A closed half-space.
 
 use nalgebra::{SMatrix, SVector};
+use tautline_scalar::Interval;
 
 use crate::ClosedSet;
+use crate::proof;
 use crate::set_error::{SetError, finite, finite_vector};
 
 /// The half-space `n·x ≤ b`, unbounded. With `|n| = 1`:
@@ -11,11 +13,23 @@ use crate::set_error::{SetError, finite, finite_vector};
 /// P(x) = x   and DP(x) = I                        where n·x ≤ b,
 /// P(x) = x − (n·x − b) n   and   DP(x) = I − nnᵀ   outside.
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+///
+/// Two half-spaces are equal if their `n` and `b` are, up to the rounding of the length to 1.
+#[derive(Clone, Copy, Debug)]
 pub struct HalfSpace<const D: usize> {
     /// `n`, of length 1.
     normal: SVector<f64, D>,
     offset: f64,
+    /// The normal and the offset as they were given: the half-space that is meant, before the length
+    /// of the normal is rounded to 1.
+    given_normal: SVector<f64, D>,
+    given_offset: f64,
+}
+
+impl<const D: usize> PartialEq for HalfSpace<D> {
+    fn eq(&self, other: &Self) -> bool {
+        (self.normal, self.offset) == (other.normal, other.offset)
+    }
 }
 
 impl<const D: usize> HalfSpace<D> {
@@ -45,8 +59,12 @@ impl<const D: usize> HalfSpace<D> {
         }
         let scaled = normal / largest;
         let length = scaled.norm();
-        let offset = finite("offset / |normal|", offset / largest / length)?;
-        Ok(HalfSpace { normal: scaled / length, offset })
+        Ok(HalfSpace {
+            normal: scaled / length,
+            offset: finite("offset / |normal|", offset / largest / length)?,
+            given_normal: normal,
+            given_offset: offset,
+        })
     }
 
     /// Makes the half-space `normal·x ≥ offset`, whose normal points into the set.
@@ -103,6 +121,22 @@ impl<const D: usize> ClosedSet<D> for HalfSpace<D> {
         None
     }
 
+    fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
+        let unit = proof::power_of_two(self.given_normal.amax());
+        let n = proof::point(&self.given_normal).map(|n| n / unit);
+        let b = Interval::point(self.given_offset) / unit;
+        let height = |y: &SVector<Interval, D>| proof::dot(&n, y) - b;
+        let here = proof::point(x);
+        if height(&here).hi() <= 0.0 {
+            return Some(here);
+        }
+        // From near the plane, where x − (n·x − b) n/|n|² does not cancel: the foot of a point other
+        // than x is a member as well.
+        let near = proof::point(&self.project(x));
+        let step = height(&near) / proof::square(&n);
+        proof::finite(SVector::from_fn(|i, _| near[i] - n[i] * step))
+    }
+
     fn is_convex(&self) -> bool {
         true
     }
@@ -111,6 +145,7 @@ impl<const D: usize> ClosedSet<D> for HalfSpace<D> {
 #[cfg(test)]
 mod tests {
     use super::HalfSpace;
+    use crate::exact::{Exact, least_product};
     use crate::laws::{Case, check, scale, vector_in};
     use crate::{ClosedSet, SetError};
     use nalgebra::{Matrix2, vector};
@@ -127,6 +162,7 @@ mod tests {
                     if height(&y) > 0.0 { y - n * (2.0 * height(&y) / n.norm()) } else { y }
                 }),
                 defect: Box::new(move |x| height(x).max(0.0)),
+                held: Box::new(move |y| least_product(&n, y).at_most(&Exact::new(b))),
                 kink: Box::new(move |x| height(x).abs()),
                 farthest: None,
                 set: Box::new(HalfSpace::new(n, b * scale).expect("finite")),

@@ -5,6 +5,7 @@ use std::fmt;
 use nalgebra::{SMatrix, SVector};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestError, TestRunner};
+use tautline_scalar::Interval;
 
 use crate::ClosedSet;
 use crate::norm::on_axis;
@@ -37,6 +38,9 @@ const DIFFERENCE: f64 = 4e-8;
 /// A function of a point at scale 1.
 type Of<const D: usize, T> = Box<dyn Fn(&SVector<f64, D>) -> T>;
 
+/// A statement about a box at scale 1.
+type Held<const D: usize> = Box<dyn Fn(&SVector<Interval, D>) -> bool>;
+
 /// A set with what is known of it from its formula alone, without its projection.
 ///
 /// The set is made `scale` times as large as the formulas below, which are written at scale 1.
@@ -47,6 +51,8 @@ pub(crate) struct Case<const D: usize> {
     pub(crate) member: Of<D, SVector<f64, D>>,
     /// Zero for members, otherwise about the distance to the set.
     pub(crate) defect: Of<D, f64>,
+    /// Whether a box contains a member, by the formula of the set without rounding.
+    pub(crate) held: Held<D>,
     /// A lower bound of the distance to the nearest place where `P` is not smooth.
     pub(crate) kink: Of<D, f64>,
     /// A member farthest from the origin, if there is one.
@@ -113,6 +119,9 @@ pub(crate) fn check<const D: usize>(cases: impl Strategy<Value = Case<D>>) {
     unwrap(runner().run(&samples, |(case, x, y, w)| {
         nearest(&case, &x, &w)?;
         nearest(&case, &(case.member)(&w), &w)?;
+        proved(&case, &x)?;
+        proved(&case, &(case.member)(&w))?;
+        proved(&case, &case.project(&x))?;
         bounded(&case, &w)?;
         differentiable(&case, &x)?;
         if case.set.is_convex() {
@@ -138,6 +147,31 @@ fn nearest<const D: usize>(
     prop_assert!(left <= right + ROUNDING, "{left} to P(x), {right} to the member {member:?}");
     // Where several members are nearest, the same one each time.
     prop_assert_eq!(p, case.project(x));
+    Ok(())
+}
+
+/// A member is in the box, which is about `P(x)`; a point that is clearly inside is proved to be.
+fn proved<const D: usize>(case: &Case<D>, x: &SVector<f64, D>) -> Result<(), TestCaseError> {
+    let near = case.set.member_near(&(x * case.scale));
+    let Some(near) = near else {
+        return Err(TestCaseError::fail(format!("nothing is proved near {x:?}")));
+    };
+    // Powers of two: nothing rounds.
+    let side = |i: usize| [near[i].lo(), near[i].hi()].map(|end| end / case.scale);
+    let member = SVector::from_fn(|i, _| {
+        let [lo, hi] = side(i);
+        Interval::new(lo, hi).expect("bounded")
+    });
+    prop_assert!((case.held)(&member), "no member in {member:?} near {x:?}");
+    let p = case.project(x);
+    for i in 0..D {
+        let far = (member[i].lo() - p[i]).abs().max((member[i].hi() - p[i]).abs());
+        prop_assert!(far <= ROUNDING, "{:?} for coordinate {i} of P({x:?}) = {p:?}", member[i]);
+    }
+    let inside = p == *x && case.derivative(x) == SMatrix::<f64, D, D>::identity();
+    if inside && (case.kink)(x) > ROUNDING {
+        prop_assert_eq!(member, x.map(Interval::point));
+    }
     Ok(())
 }
 

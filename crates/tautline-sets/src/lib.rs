@@ -43,8 +43,9 @@
 //!
 //! Coordinates, radii and distances are in `ℓ`; derivatives of `P` are pure numbers.
 //! Projections lie in their sets to rounding, a few units in the last place of the largest
-//! coordinate met. Norms neither overflow nor underflow, but differences of coordinates are
-//! formed as they are, so coordinates should stay below `2^1021` in magnitude.
+//! coordinate met; [`ClosedSet::member_near`] gives a box that contains a member for certain.
+//! Norms neither overflow nor underflow, but differences of coordinates are formed as they are, so
+//! coordinates should stay below `2^1021` in magnitude.
 
 mod affine_subspace;
 mod axis_box;
@@ -52,12 +53,15 @@ mod ball;
 mod closed_set;
 mod common_point;
 mod ends;
+#[cfg(test)]
+mod exact;
 mod finite_set;
 mod half_space;
 #[cfg(test)]
 mod laws;
 mod norm;
 mod point;
+mod proof;
 mod segment;
 mod set_error;
 mod sphere;

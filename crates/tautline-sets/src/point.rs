@@ -1,9 +1,11 @@
 //! A single point.
 
 use nalgebra::{SMatrix, SVector};
+use tautline_scalar::Interval;
 
 use crate::ClosedSet;
 use crate::norm::norm;
+use crate::proof;
 use crate::set_error::{SetError, finite_vector};
 
 /// The set `{p}`: `P(x) = p`, `DP = 0`.
@@ -46,6 +48,10 @@ impl<const D: usize> ClosedSet<D> for Point<D> {
         Some((self.position, 0.0))
     }
 
+    fn member_near(&self, _x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
+        Some(proof::point(&self.position))
+    }
+
     fn is_convex(&self) -> bool {
         true
     }
@@ -55,6 +61,7 @@ impl<const D: usize> ClosedSet<D> for Point<D> {
 mod tests {
     use super::Point;
     use crate::SetError;
+    use crate::exact::contains;
     use crate::laws::{Case, check, scale, vector_in};
     use proptest::prelude::*;
 
@@ -63,6 +70,7 @@ mod tests {
             member: Box::new(move |_| p),
             defect: Box::new(move |x| (x - p).norm()),
             // The map is constant.
+            held: Box::new(move |y| contains(y, &p)),
             kink: Box::new(|_| f64::INFINITY),
             farthest: Some(p),
             set: Box::new(Point::new(p * scale).expect("finite")),

@@ -1,9 +1,11 @@
 //! A line segment.
 
 use nalgebra::{SMatrix, SVector};
+use tautline_scalar::Interval;
 
 use crate::ClosedSet;
 use crate::norm::{norm, polar};
+use crate::proof;
 use crate::set_error::{SetError, finite, finite_vector};
 
 /// The segment from `a` to `b`. With `L = |b − a|`, `v = (b − a)/L` and `s = v·(x − a)`:
@@ -84,6 +86,27 @@ impl<const D: usize> ClosedSet<D> for Segment<D> {
         Some((centre, norm(&(self.start - centre)).max(norm(&(self.end - centre)))))
     }
 
+    fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
+        // A segment along an axis is a flat box, and where both ends agree in a coordinate nothing
+        // is to be computed.
+        let differing = (0..D).filter(|&i| self.start[i] != self.end[i]).count();
+        if differing <= 1 {
+            let (lower, upper) = self.start.inf_sup(&self.end);
+            return Some(proof::point(&SVector::from_fn(|i, _| x[i].clamp(lower[i], upper[i]))));
+        }
+        let s = self.direction.dot(&(x - self.start));
+        if s <= 0.0 {
+            return Some(proof::point(&self.start));
+        }
+        // Any s in [0, L] makes a member: its rounding moves the member, but not off the segment.
+        let fraction = s / self.length;
+        if !(fraction < 1.0) {
+            return (fraction >= 1.0).then(|| proof::point(&self.end));
+        }
+        let (a, b) = (proof::point(&self.start), proof::point(&self.end));
+        proof::finite(SVector::from_fn(|i, _| a[i] + (b[i] - a[i]) * fraction))
+    }
+
     fn is_convex(&self) -> bool {
         true
     }
@@ -92,6 +115,7 @@ impl<const D: usize> ClosedSet<D> for Segment<D> {
 #[cfg(test)]
 mod tests {
     use super::Segment;
+    use crate::exact::{difference, meets_line};
     use crate::laws::{Case, check, scale, vector_in};
     use crate::{ClosedSet, SetError};
     use nalgebra::{Matrix2, SVector, vector};
@@ -119,6 +143,7 @@ mod tests {
             member: Box::new(move |w| a.lerp(&b, (w[0] + 1.0) / 2.0)),
             defect: Box::new(move |x| defect(a, b, x)),
             // The kinks are the planes through the ends, orthogonal to b − a.
+            held: Box::new(move |y| meets_line(y, &a, &difference(&b, &a), true)),
             kink: Box::new(move |x| match (b - a).try_normalize(0.0) {
                 Some(v) => v.dot(&(x - a)).abs().min(v.dot(&(x - b)).abs()),
                 None => f64::INFINITY,

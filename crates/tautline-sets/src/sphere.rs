@@ -1,9 +1,11 @@
 //! A sphere: the surface alone.
 
 use nalgebra::{SMatrix, SVector};
+use tautline_scalar::Interval;
 
 use crate::ClosedSet;
 use crate::norm::{norm, on_axis, polar};
+use crate::proof;
 use crate::set_error::{SetError, finite_vector, valid_radius};
 
 /// The sphere `|x − c| = r`, not convex unless `r = 0`. With `u = (x − c)/|x − c|`:
@@ -74,6 +76,13 @@ impl<const D: usize> ClosedSet<D> for Sphere<D> {
         Some((self.centre, self.r))
     }
 
+    fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
+        if proof::distance(x, &self.centre).is(self.r) {
+            return Some(proof::point(x));
+        }
+        proof::on_sphere(x, &self.centre, self.r)
+    }
+
     fn is_convex(&self) -> bool {
         self.r == 0.0
     }
@@ -90,6 +99,7 @@ impl<const D: usize> ClosedSet<D> for Sphere<D> {
 #[cfg(test)]
 mod tests {
     use super::Sphere;
+    use crate::exact::{square, squared_distances};
     use crate::laws::{Case, check, extent, scale, vector_in};
     use crate::norm::on_axis;
     use crate::{ClosedSet, SetError};
@@ -105,6 +115,11 @@ mod tests {
             defect: Box::new(move |x| ((x - c).norm() - r).abs()),
             // P jumps at the centre and bends hard near it: a quarter of the distance keeps
             // the samples at least four times as far as from an ordinary kink.
+            held: Box::new(move |y| {
+                // Connected: all distances between the least and the largest occur.
+                let (least, most) = squared_distances(y, &c);
+                least.at_most(&square(r)) && square(r).at_most(&most)
+            }),
             kink: Box::new(move |x| (x - c).norm() / 4.0),
             farthest: Some(c * (1.0 + r / c.norm())),
             set: Box::new(Sphere::new(c * scale, r * scale).expect("finite")),

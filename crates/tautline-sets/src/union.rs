@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use nalgebra::{SMatrix, SVector};
+use tautline_scalar::Interval;
 
 use crate::closed_set::append_pieces;
 use crate::norm::norm;
@@ -90,6 +91,20 @@ impl<const D: usize> ClosedSet<D> for Union<D> {
         Some((middle, largest(balls.iter().map(reach))))
     }
 
+    /// Returns the nearest of the boxes that the members prove; a nearer member that can prove
+    /// nothing is passed over.
+    fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
+        let mut nearest: Option<(f64, SVector<Interval, D>)> = None;
+        for member in self.pieces.iter().filter_map(|piece| piece.member_near(x)) {
+            let away = norm(&(member.map(Interval::midpoint) - x));
+            // The first on a tie.
+            if nearest.as_ref().is_none_or(|(distance, _)| away < *distance) {
+                nearest = Some((away, member));
+            }
+        }
+        nearest.map(|(_, member)| member)
+    }
+
     /// Returns whether the one member is convex. For several, `false`: whether they fit
     /// together is not looked into.
     fn is_convex(&self) -> bool {
@@ -111,6 +126,7 @@ mod tests {
     use std::sync::Arc;
 
     use super::Union;
+    use crate::exact::{square, squared_distances};
     use crate::laws::{Case, check, extent, scale, vector_in};
     use crate::norm::on_axis;
     use crate::{Ball, ClosedSet, FiniteSet, HalfSpace, Point, SetError, Sphere};
@@ -137,6 +153,12 @@ mod tests {
                 }),
                 defect: Box::new(move |x| to_ball(x).min(to_sphere(x))),
                 // Each distance changes by at most the way x goes.
+                held: Box::new(move |y| {
+                    let (to_c, _) = squared_distances(y, &c);
+                    let (least, most) = squared_distances(y, &k);
+                    let on_sphere = least.at_most(&square(s)) && square(s).at_most(&most);
+                    to_c.at_most(&square(r)) || on_sphere
+                }),
                 kink: Box::new(move |x| {
                     let rim = if r == 0.0 { f64::INFINITY } else { ((x - c).norm() - r).abs() };
                     let tie = (to_ball(x) - to_sphere(x)).abs() / 2.0;

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use nalgebra::{SMatrix, SVector, vector};
+use tautline_scalar::Interval;
 use tautline_sets::{
     AffineSubspace, AxisBox, Ball, ClosedSet, FiniteSet, HalfSpace, Point, Segment, SetError,
     Sphere, Union,
@@ -77,5 +78,81 @@ fn numbers_come_out_as_they_went_in() -> Result<(), SetError> {
 fn a_sphere_of_radius_0_has_no_derivative_at_its_centre() -> Result<(), SetError> {
     let sphere = Sphere::new([1.0, 2.0], 0.0)?;
     assert_eq!(sphere.projection_derivative(&vector![1.0, 2.0]), SMatrix::<f64, 2, 2>::zeros());
+    Ok(())
+}
+
+/// The numbers are exact, so that membership is decided.
+#[test]
+fn points_that_are_proved_to_be_members_stay_where_they_are() -> Result<(), SetError> {
+    let members: [(Arc<dyn ClosedSet<2>>, SVector<f64, 2>); 12] = [
+        (Arc::new(Point::new([1.0, 2.0])?), vector![1.0, 2.0]),
+        (Arc::new(FiniteSet::new([[5.0, 5.0], [1.0, 2.0]])?), vector![1.0, 2.0]),
+        (Arc::new(Ball::new([1.0, 1.0], 5.0)?), vector![4.0, 5.0]),
+        (Arc::new(Ball::new([1.0, 1.0], 5.0)?), vector![1.0, 1.0]),
+        (Arc::new(Ball::new([0.1, 0.2], 0.0)?), vector![0.1, 0.2]),
+        (Arc::new(Sphere::new([1.0, 1.0], 5.0)?), vector![-2.0, 5.0]),
+        (Arc::new(Sphere::new([0.1, 0.2], 0.0)?), vector![0.1, 0.2]),
+        (Arc::new(AxisBox::new([0.0, 0.0], [0.1, 0.0])?), vector![0.1, 0.0]),
+        (Arc::new(Segment::new([0.1, 0.3], [0.7, 0.3])?), vector![0.45, 0.3]),
+        // The normal of length 1 is rounded, the one that is given is not.
+        (Arc::new(HalfSpace::new([1.0, 3.0], 10.0)?), vector![1.0, 3.0]),
+        (Arc::new(AffineSubspace::new([0.1, 0.3], [[0.0, 0.7]])?), vector![0.1, 0.45]),
+        (Arc::new(AffineSubspace::new([0.0, 0.0], [[1.0, 3.0]])?), vector![0.0, 0.0]),
+    ];
+    for (set, x) in &members {
+        let near = set.member_near(x).expect("a set of this crate");
+        assert_eq!(near, x.map(Interval::point), "{set:?}");
+        let union = Union::new(vec![Arc::new(Point::new([2.0, 2.0])?), Arc::clone(set)])?;
+        assert_eq!(union.member_near(x), Some(near), "{set:?}");
+    }
+    Ok(())
+}
+
+/// A place outside of the set is not taken for a member, however near it is.
+#[test]
+fn points_beside_a_set_are_not_taken_for_members() -> Result<(), SetError> {
+    let beside: [(Arc<dyn ClosedSet<2>>, SVector<f64, 2>); 7] = [
+        (Arc::new(Ball::new([1.0, 1.0], 5.0)?), vector![4.0, 5.0_f64.next_up()]),
+        (Arc::new(Sphere::new([1.0, 1.0], 5.0)?), vector![-2.0, 5.0_f64.next_down()]),
+        (Arc::new(HalfSpace::new([1.0, 3.0], 10.0)?), vector![1.0, 3.0_f64.next_up()]),
+        // 0.1 + 0.2 > 0.3 in decimals, and still more so in doubles.
+        (Arc::new(HalfSpace::new([1.0, 1.0], 0.3)?), vector![0.1, 0.2]),
+        (Arc::new(Segment::new([0.0, 0.0], [1.0, 3.0])?), vector![0.1, 0.3]),
+        (Arc::new(AffineSubspace::new([0.0, 0.0], [[1.0, 3.0]])?), vector![0.1, 0.3]),
+        (Arc::new(Point::new([1.0, 2.0])?), vector![1.0, 2.0_f64.next_up()]),
+    ];
+    for (set, x) in &beside {
+        let near = set.member_near(x).expect("a set of this crate");
+        assert_ne!(near, x.map(Interval::point), "{set:?}");
+        for i in 0..2 {
+            // Some roundings of coordinates up to 5.
+            let far = (near[i].lo() - x[i]).abs().max((near[i].hi() - x[i]).abs());
+            assert!(far <= 16.0 * 5.0 * f64::EPSILON, "{set:?}: {near:?}");
+        }
+    }
+    Ok(())
+}
+
+/// The centre of a sphere is as far from all of it; no division by its distance zero.
+#[test]
+fn the_centre_of_a_sphere_has_a_member_near() -> Result<(), SetError> {
+    let near = Sphere::new([1.0, 2.0], 3.0)?.member_near(&vector![1.0, 2.0]);
+    assert_eq!(near, Some(vector![4.0, 2.0].map(Interval::point)));
+    // c₁ + r is not a double.
+    let near = Sphere::new([0.1, 2.0], 0.7)?.member_near(&vector![0.1, 2.0]).expect("a member");
+    assert!(near[0].lo() < near[0].hi() && near[1] == Interval::point(2.0));
+    Ok(())
+}
+
+/// A set of the user's own says nothing; it is passed over beside one that can tell.
+#[test]
+fn a_set_that_proves_nothing_says_so() -> Result<(), SetError> {
+    let x = vector![0.0, 0.0];
+    assert_eq!(Origin.member_near(&x), None);
+    let shared: Arc<dyn ClosedSet<2>> = Arc::new(Origin);
+    assert_eq!(shared.member_near(&x), None);
+    assert_eq!(Union::new(vec![Arc::clone(&shared)])?.member_near(&x), None);
+    let both = Union::new(vec![shared, Arc::new(Point::new([3.0, 0.0])?)])?;
+    assert_eq!(both.member_near(&x), Some(vector![3.0, 0.0].map(Interval::point)));
     Ok(())
 }

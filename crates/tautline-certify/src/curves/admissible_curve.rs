@@ -1,0 +1,221 @@
+//! `AdmissibleCurve`: a curve from set to set, and what it proves of their distance.
+
+use tautline_discretizations::PointSequence;
+use tautline_metrics::Metric;
+use tautline_scalar::{Interval, Scalar};
+use tautline_sets::{ClosedSet, Ends};
+use thiserror::Error;
+
+use super::Polygon;
+
+/// A polygon that certainly runs from the first end set to the second, with its energy and length.
+///
+/// ```
+/// use tautline_certify::AdmissibleCurve;
+/// use tautline_discretizations::PointSequence;
+/// use tautline_metrics::gallery::Valleys;
+/// use tautline_sets::{Ball, Ends, HalfSpace};
+///
+/// let ball = Ball::new([0.0, 0.0], 0.5)?;
+/// let ends = Ends::new(ball, HalfSpace::at_least([1.0, 0.0], 3.0)?)?;
+/// let line = PointSequence::straight([0.5, 0.0], [3.0, 0.0], 1000)?;
+/// let curve = AdmissibleCurve::new(&Valleys, &line, &ends)?;
+/// // d = 5 − sin 3 + sin ½ is the length of this line; its square is proved to 13 digits.
+/// let d_squared = 28.497_505_937_440_242;
+/// let bound = curve.distance_squared_at_most();
+/// assert!(bound >= d_squared && bound <= d_squared * (1.0 + 1e-13));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+#[doc(alias = "competitor")]
+pub struct AdmissibleCurve<'a, const D: usize> {
+    polygon: Polygon<'a, D>,
+    energy: Interval,
+    length: Interval,
+}
+
+/// Why a point sequence bounds no distance.
+#[derive(Clone, Copy, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum CurveError {
+    /// A set cannot prove that it has a member near the end of the curve.
+    #[error(
+        "the {end} end set proves no member near the point at distance {distance:e} from its \
+         projection: implement ClosedSet::member_near"
+    )]
+    NoMember {
+        /// Which end: `first` or `second`.
+        end: &'static str,
+        /// The Euclidean distance of the curve's end to its projection to the set, in `ℓ`.
+        distance: f64,
+    },
+    /// The metric is not defined somewhere on a chord, or so nearly that 8192 parts of it cannot tell.
+    #[error("the metric is undefined somewhere on chord {chord} of {chords}, counted from 0")]
+    Undefined {
+        /// Which chord, from 0.
+        chord: usize,
+        /// How many there are.
+        chords: usize,
+    },
+}
+
+impl<'a, const D: usize> AdmissibleCurve<'a, D> {
+    /// Replaces the ends of `sequence` by members of the two sets and encloses energy and length.
+    ///
+    /// An end that is proved to be a member stays. Otherwise the new end is known to lie in a box
+    /// of a few roundings about the nearest point of the set; the curve need not end there to begin
+    /// with, but the farther it is, the longer it becomes.
+    ///
+    /// # Errors
+    ///
+    /// [`CurveError::NoMember`] if a set can prove nothing, as sets of the user's own by default;
+    /// [`CurveError::Undefined`].
+    pub fn new(
+        metric: &impl Metric<D>,
+        sequence: &'a PointSequence<D>,
+        ends: &Ends<D>,
+    ) -> Result<Self, CurveError> {
+        let member = |end, set: &dyn ClosedSet<D>, x| {
+            let distance = || (set.project(x) - x).norm();
+            set.member_near(x).ok_or_else(|| CurveError::NoMember { end, distance: distance() })
+        };
+        let first = member("first", &**ends.first(), sequence.first())?;
+        let last = member("second", &**ends.second(), sequence.last())?;
+        let polygon = Polygon::new(sequence).with_ends(first, last);
+        let chords = sequence.n().get();
+        let (energy, length) =
+            polygon.enclosures(metric).map_err(|chord| CurveError::Undefined { chord, chords })?;
+        Ok(Self { polygon, energy, length })
+    }
+
+    /// Returns the polygon.
+    #[must_use]
+    pub fn polygon(&self) -> &Polygon<'a, D> {
+        &self.polygon
+    }
+
+    /// Returns an enclosure of its energy, in `m²`.
+    #[must_use]
+    pub fn energy(&self) -> Interval {
+        self.energy
+    }
+
+    /// Returns an enclosure of its length, in `m`.
+    #[must_use]
+    pub fn length(&self) -> Interval {
+        self.length
+    }
+
+    /// Returns an upper bound of `d²`, the squared distance of the sets, in `m²`: the lesser of the
+    /// upper ends of the energy and of the squared length. `∞` if both overflow.
+    ///
+    /// Needs: nothing but that the formula of the metric is the one that is meant.
+    ///
+    /// Slack: the rounding, and what the curve is longer than a minimal geodesic. In real numbers
+    /// `L² ≤ E`, so the energy decides only if the length is enclosed less sharply.
+    #[must_use]
+    pub fn distance_squared_at_most(&self) -> f64 {
+        self.energy.hi().min(self.length.sqr().hi())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SMatrix, SVector, vector};
+    use tautline_discretizations::PointSequence;
+    use tautline_metrics::gallery::{Constant, Hyperbolic, Valleys};
+    use tautline_scalar::{Interval, Scalar};
+    use tautline_sets::{Ball, ClosedSet, Ends, HalfSpace, Point, Sphere};
+
+    use super::{AdmissibleCurve, CurveError};
+
+    /// A set of the user's own, which proves nothing.
+    #[derive(Debug)]
+    struct Origin;
+
+    impl ClosedSet<2> for Origin {
+        fn project(&self, _: &SVector<f64, 2>) -> SVector<f64, 2> {
+            SVector::zeros()
+        }
+        fn projection_derivative(&self, _: &SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
+            SMatrix::zeros()
+        }
+        fn radius(&self) -> Option<f64> {
+            Some(0.0)
+        }
+    }
+
+    fn line(a: [f64; 2], b: [f64; 2], n: usize) -> PointSequence<2> {
+        PointSequence::straight(a, b, n).expect("finite")
+    }
+
+    #[test]
+    fn a_set_that_proves_nothing_is_named() {
+        let goal = Point::new([1.0, 0.0]).expect("finite");
+        let curve = line([0.0, 3.0], [1.0, 0.0], 2);
+        let ends = Ends::new(Origin, goal).expect("bounded");
+        let error = AdmissibleCurve::new(&Valleys, &curve, &ends).expect_err("nothing proved");
+        assert_eq!(error, CurveError::NoMember { end: "first", distance: 3.0 });
+        let ends = Ends::new(goal, Origin).expect("bounded");
+        let error = AdmissibleCurve::new(&Valleys, &curve, &ends).expect_err("nothing proved");
+        assert_eq!(error, CurveError::NoMember { end: "second", distance: 1.0 });
+    }
+
+    #[test]
+    fn a_chord_on_which_the_metric_is_undefined_is_named() {
+        let curve = line([0.0, 0.0], [2.0, 0.0], 4);
+        let ends = Ends::points([0.0, 0.0], [2.0, 0.0]).expect("finite");
+        let error = AdmissibleCurve::new(&Hyperbolic, &curve, &ends).expect_err("leaves the ball");
+        // The boundary is at 1, where the second chord ends.
+        assert_eq!(error, CurveError::Undefined { chord: 1, chords: 4 });
+    }
+
+    /// The ends of the sequence are not members, or not known to be: those of the polygon are.
+    #[test]
+    fn the_ends_are_moved_into_the_sets() {
+        let sphere = Sphere::new([0.0, 0.0], 0.1).expect("finite");
+        let wall = HalfSpace::at_least([1.0, 0.0], 3.0).expect("a normal");
+        let ends = Ends::new(sphere, wall).expect("bounded");
+        let curve = line([0.03, 0.04], [2.0, 0.0], 1);
+        let euclidean = Constant::new(SMatrix::identity()).expect("definite");
+        let curve = AdmissibleCurve::new(&euclidean, &curve, &ends).expect("proved");
+        let first = curve.polygon().first();
+        assert!((first[0].midpoint() - 0.06).abs() < 1e-16 && !first[0].contains(0.03));
+        assert_eq!(curve.polygon().last(), &vector![3.0, 0.0].map(Interval::point));
+        // From 0.1 (0.6, 0.8) to (3, 0): (2.94² + 0.08²).
+        let square = 2.94_f64 * 2.94 + 0.08 * 0.08;
+        let bound = curve.distance_squared_at_most();
+        assert!((bound / square - 1.0).abs() < 1e-14 && bound >= square * (1.0 - 1e-15));
+        // The distance of the sets is 2.9.
+        assert!(bound >= 2.9 * 2.9);
+    }
+
+    /// The lesser of the two, and rounded up.
+    #[test]
+    fn the_bound_is_not_below_the_square_of_the_length() {
+        let euclidean = Constant::new(SMatrix::identity()).expect("definite");
+        let ends = Ends::points([0.0, 0.0], [0.3, 0.0]).expect("finite");
+        // Unequal chords: the energy is 2 (0.01 + 0.04), the squared length 0.09.
+        let points = vec![vector![0.0, 0.0], vector![0.1, 0.0], vector![0.3, 0.0]];
+        let curve = PointSequence::new(points).expect("finite");
+        let curve = AdmissibleCurve::new(&euclidean, &curve, &ends).expect("proved");
+        assert!((curve.energy().midpoint() - 0.1).abs() < 1e-15);
+        let bound = curve.distance_squared_at_most();
+        let square = Interval::point(0.3).sqr();
+        assert!(square.lo() < square.hi(), "0.3² would be a double");
+        assert!(square.hi() <= bound && bound < 0.09 * (1.0 + 1e-14), "{bound}");
+    }
+
+    /// A ball that contains the first point: no rounding moves it, and the ends of a constant
+    /// curve have distance zero.
+    #[test]
+    fn a_constant_curve_proves_distance_zero() {
+        let ball = Ball::new([0.1, 0.2], 0.5).expect("finite");
+        let ends = Ends::new(ball, ball).expect("bounded");
+        let curve = line([0.3, 0.4], [0.3, 0.4], 3);
+        let points = curve.points();
+        assert!(points.iter().all(|x| x == &points[0]), "{points:?}");
+        let curve = AdmissibleCurve::new(&Valleys, &curve, &ends).expect("proved");
+        assert_eq!(curve.distance_squared_at_most(), 0.0);
+    }
+}

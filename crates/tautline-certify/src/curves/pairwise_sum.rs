@@ -1,0 +1,76 @@
+//! Sums of many intervals whose width hardly grows.
+
+use tautline_scalar::{Enclosure, Kernel};
+
+/// A running sum of intervals, added in pairs of sums of equally many terms.
+///
+/// Each addition rounds each end outward, by up to one place of the sum at hand. One after the
+/// other, `N` terms would widen the total by up to `N` of its places; in pairs no term goes
+/// through more than `2 log₂ N` additions, and only the last few are of the size of the total.
+#[derive(Clone, Debug)]
+pub(super) struct PairwiseSum<K> {
+    /// The sum of `2ᵏ` terms at place `k`, where `count` has that binary digit.
+    sums: Vec<Enclosure<K>>,
+    count: usize,
+}
+
+impl<K: Kernel> PairwiseSum<K> {
+    pub(super) fn new() -> Self {
+        Self { sums: Vec::new(), count: 0 }
+    }
+
+    pub(super) fn add(&mut self, term: Enclosure<K>) {
+        // As in counting: each trailing one of the count carries.
+        let carries = self.count.trailing_ones();
+        let sum = (0..carries).fold(term, |sum, _| self.sums.pop().map_or(sum, |s| s + sum));
+        self.sums.push(sum);
+        self.count += 1;
+    }
+
+    /// The sum; zero if there was no term.
+    pub(super) fn value(self) -> Enclosure<K> {
+        let zero = Enclosure::point(0.0);
+        self.sums.into_iter().rev().reduce(|sum, s| s + sum).unwrap_or(zero)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use tautline_scalar::{Interval, Rigorous};
+
+    use super::PairwiseSum;
+
+    fn sum(terms: impl Iterator<Item = Interval>) -> Interval {
+        let mut sum = PairwiseSum::<Rigorous>::new();
+        terms.for_each(|term| sum.add(term));
+        sum.value()
+    }
+
+    /// Integers: nothing rounds, and no term is lost or taken twice.
+    #[test]
+    fn all_terms_are_added() {
+        for n in 0..70_u32 {
+            let total = sum((1..=n).map(|k| Interval::point(f64::from(k))));
+            assert_eq!(total, Interval::point(f64::from(n * (n + 1) / 2)));
+        }
+    }
+
+    #[test]
+    fn the_width_grows_like_the_logarithm() {
+        // 0.1 is not a multiple of the places of the sums.
+        let n = 10_000;
+        let terms = || (0..n).map(|_| Interval::point(0.1));
+        let plain = terms().reduce(|a, b| a + b).expect("terms");
+        let paired = sum(terms());
+        // The double 0.1 is 0.1 + 5.55e-18, so the sum is 1000 + 5.55e-14: between neighbours.
+        assert!(paired.contains(1000.0) && paired.contains(1000.0_f64.next_up()));
+        assert!(plain.width() > 1e3 * 1000.0 * f64::EPSILON);
+        assert!(paired.width() <= 14.0 * 1000.0 * f64::EPSILON, "{:e}", paired.width());
+    }
+
+    #[test]
+    fn an_undefined_term_makes_the_sum_undefined() {
+        let terms = [Interval::point(1.0), Interval::UNDEFINED, Interval::point(2.0)];
+        assert!(sum(terms.into_iter()).is_undefined());
+    }
+}

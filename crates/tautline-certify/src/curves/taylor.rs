@@ -1,0 +1,395 @@
+//! `Taylor`: a function of one variable, as the first coefficients of its power series.
+
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use num_traits::{One, Zero};
+use tautline_scalar::Scalar;
+
+/// The coefficients `aₖ = f⁽ᵏ⁾/k!`, `k < M`, of a function `f` of one variable.
+///
+/// Over intervals the coefficients enclose those at every point of the interval at which the
+/// variable stands. Each operation is the recurrence that its differential equation implies, so a
+/// product costs `M (M + 1)/2` multiplications; a jet of a jet of the same order needs three
+/// times as many at order four, and its bounds are wider, since it computes mixed derivatives twice.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Taylor<T, const M: usize>([T; M]);
+
+impl<T: Scalar, const M: usize> Taylor<T, M> {
+    /// The function `value + slope u` at `u = 0`.
+    pub(super) fn line(value: T, slope: T) -> Self {
+        let mut coefficients = [T::zero(); M];
+        coefficients[0] = value;
+        if M > 1 {
+            coefficients[1] = slope;
+        }
+        Self(coefficients)
+    }
+
+    /// The sum of `aₖ` times `factors`, which do not depend on the variable.
+    pub(super) fn combination(terms: impl Iterator<Item = (Self, T)>) -> Self {
+        let mut sum = Self::zero();
+        for (term, factor) in terms {
+            for k in 0..M {
+                sum.0[k] += term.0[k] * factor;
+            }
+        }
+        sum
+    }
+
+    /// `aₖ`.
+    pub(super) fn coefficient(&self, k: usize) -> T {
+        self.0[k]
+    }
+
+    fn constant_part(value: T) -> Self {
+        Self::line(value, T::zero())
+    }
+
+    /// The coefficients one after the other, each from those before it.
+    fn recursive(first: T, next: impl Fn(usize, &[T; M]) -> T) -> Self {
+        let mut b = [T::zero(); M];
+        b[0] = first;
+        for k in 1..M {
+            b[k] = next(k, &b);
+        }
+        Self(b)
+    }
+
+    /// `Σ aᵢ bₖ₋ᵢ` over `1 ≤ i ≤ k`.
+    fn convolution(a: &[T; M], b: &[T; M], k: usize) -> T {
+        // From the first term on, here and below: adding it to zero costs as much as the others.
+        (2..=k).fold(a[1] * b[k - 1], |sum, i| sum + a[i] * b[k - i])
+    }
+
+    /// `i aᵢ`, the coefficients of `u a′`.
+    fn slopes(a: &[T; M]) -> [T; M] {
+        std::array::from_fn(|i| if i < 2 { a[i] } else { a[i] * i as f64 })
+    }
+
+    /// The coefficient of `f` where `f′ = a′ w`, given the slopes of `a`: `(1/k) Σ i aᵢ wₖ₋ᵢ`.
+    fn integral(slopes: &[T; M], w: &[T; M], k: usize) -> T {
+        let sum = Self::convolution(slopes, w, k);
+        if k == 1 { sum } else { sum / k as f64 }
+    }
+
+    /// The coefficient of `f²`. A square has no negative part, where numbers are ranges.
+    fn square(a: &[T; M], k: usize) -> T {
+        if k == 0 {
+            return a[0].sqr();
+        }
+        let half = k.div_ceil(2);
+        let pairs = (1..half).fold(a[0] * a[k], |sum, i| sum + a[i] * a[k - i]) * 2.0;
+        if k.is_multiple_of(2) { pairs + a[k / 2].sqr() } else { pairs }
+    }
+
+    /// `f` and `g` with `f′ = a′ g` and `g′ = ± a′ f`, given their values.
+    fn coupled(self, (f0, g0): (T, T), sign: f64) -> (Self, Self) {
+        let slopes = Self::slopes(&self.0);
+        let (mut f, mut g) = ([T::zero(); M], [T::zero(); M]);
+        (f[0], g[0]) = (f0, g0);
+        for k in 1..M {
+            (f[k], g[k]) = (Self::integral(&slopes, &g, k), Self::integral(&slopes, &f, k) * sign);
+        }
+        (Self(f), Self(g))
+    }
+
+    /// `f` with `f′ = a′ w` and `w = w₀ ± f²` up to a constant, given the values.
+    fn quadratic(self, f0: T, w0: T, sign: f64) -> Self {
+        let slopes = Self::slopes(&self.0);
+        let (mut f, mut w) = ([T::zero(); M], [T::zero(); M]);
+        (f[0], w[0]) = (f0, w0);
+        for k in 1..M {
+            f[k] = Self::integral(&slopes, &w, k);
+            w[k] = Self::square(&f, k) * sign;
+        }
+        Self(f)
+    }
+}
+
+impl<T: Scalar, const M: usize> Neg for Taylor<T, M> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(self.0.map(|a| -a))
+    }
+}
+
+impl<T: Scalar, const M: usize> Add for Taylor<T, M> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self(std::array::from_fn(|k| self.0[k] + other.0[k]))
+    }
+}
+
+impl<T: Scalar, const M: usize> Sub for Taylor<T, M> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self(std::array::from_fn(|k| self.0[k] - other.0[k]))
+    }
+}
+
+impl<T: Scalar, const M: usize> Mul for Taylor<T, M> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self(std::array::from_fn(|k| {
+            (1..=k).fold(self.0[0] * other.0[k], |sum, i| sum + self.0[i] * other.0[k - i])
+        }))
+    }
+}
+
+impl<T: Scalar, const M: usize> Div for Taylor<T, M> {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        let (a, b) = (self.0, other.0);
+        // q b = a.
+        Self::recursive(a[0] / b[0], |k, q| (a[k] - Self::convolution(&b, q, k)) / b[0])
+    }
+}
+
+impl<T: Scalar, const M: usize> Add<f64> for Taylor<T, M> {
+    type Output = Self;
+    fn add(mut self, c: f64) -> Self {
+        self.0[0] = self.0[0] + c;
+        self
+    }
+}
+
+impl<T: Scalar, const M: usize> Sub<f64> for Taylor<T, M> {
+    type Output = Self;
+    fn sub(self, c: f64) -> Self {
+        self + -c
+    }
+}
+
+impl<T: Scalar, const M: usize> Mul<f64> for Taylor<T, M> {
+    type Output = Self;
+    fn mul(self, c: f64) -> Self {
+        Self(self.0.map(|a| a * c))
+    }
+}
+
+impl<T: Scalar, const M: usize> Div<f64> for Taylor<T, M> {
+    type Output = Self;
+    fn div(self, c: f64) -> Self {
+        Self(self.0.map(|a| a / c))
+    }
+}
+
+impl<T: Scalar, const M: usize> AddAssign for Taylor<T, M> {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl<T: Scalar, const M: usize> SubAssign for Taylor<T, M> {
+    fn sub_assign(&mut self, other: Self) {
+        *self = *self - other;
+    }
+}
+
+impl<T: Scalar, const M: usize> MulAssign for Taylor<T, M> {
+    fn mul_assign(&mut self, other: Self) {
+        *self = *self * other;
+    }
+}
+
+impl<T: Scalar, const M: usize> DivAssign for Taylor<T, M> {
+    fn div_assign(&mut self, other: Self) {
+        *self = *self / other;
+    }
+}
+
+impl<T: Scalar, const M: usize> Zero for Taylor<T, M> {
+    fn zero() -> Self {
+        Self([T::zero(); M])
+    }
+    fn is_zero(&self) -> bool {
+        *self == Self::zero()
+    }
+}
+
+impl<T: Scalar, const M: usize> One for Taylor<T, M> {
+    fn one() -> Self {
+        Self::constant_part(T::one())
+    }
+}
+
+impl<T: Scalar, const M: usize> Scalar for Taylor<T, M> {
+    fn constant(value: f64) -> Self {
+        Self::constant_part(T::constant(value))
+    }
+
+    fn sqr(self) -> Self {
+        Self(std::array::from_fn(|k| Self::square(&self.0, k)))
+    }
+
+    fn powi(self, n: i32) -> Self {
+        match n {
+            // Not the constant: what is not defined stays so.
+            0 => Self::constant_part(self.0[0].powi(0)),
+            1 => self,
+            // −1 first, since −n may overflow.
+            ..0 => self.recip() * self.recip().powi(-(n + 1)),
+            _ if n % 2 == 0 => self.powi(n / 2).sqr(),
+            _ => self.powi(n - 1) * self,
+        }
+    }
+
+    fn recip(self) -> Self {
+        let a = self.0;
+        let first = a[0].recip();
+        Self::recursive(first, |k, b| -(Self::convolution(&a, b, k) * first))
+    }
+
+    fn sqrt(self) -> Self {
+        let a = self.0;
+        let root = a[0].sqrt();
+        // 2 b₀ bₖ = aₖ − Σ bᵢ bₖ₋ᵢ over 0 < i < k, which is the square with b₀ and bₖ zero.
+        Self::recursive(root, |k, b| {
+            let mut inner = *b;
+            inner[0] = T::zero();
+            (a[k] - Self::square(&inner, k)) / (root * 2.0)
+        })
+    }
+
+    fn exp(self) -> Self {
+        let slopes = Self::slopes(&self.0);
+        Self::recursive(self.0[0].exp(), |k, b| Self::integral(&slopes, b, k))
+    }
+
+    fn ln(self) -> Self {
+        let a = self.0;
+        // b′ a = a′. The logarithm of a negative number is not defined, though its slope would be.
+        let inside = a[0].ln() * 0.0;
+        Self::recursive(a[0].ln(), |k, b| {
+            let earlier =
+                (1..k).fold(T::zero(), |sum, i| sum + b[i] * a[k - i] * i as f64) / k as f64;
+            (a[k] - earlier) / a[0] + inside
+        })
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        self.coupled(self.0[0].sin_cos(), -1.0)
+    }
+
+    fn tan(self) -> Self {
+        let t = self.0[0].tan();
+        self.quadratic(t, t.sqr() + 1.0, 1.0)
+    }
+
+    fn atan(self) -> Self {
+        let a = self.0;
+        let w = (self.sqr() + 1.0).0;
+        // b′ (1 + a²) = a′.
+        Self::recursive(a[0].atan(), |k, b| {
+            let earlier =
+                (1..k).fold(T::zero(), |sum, i| sum + b[i] * w[k - i] * i as f64) / k as f64;
+            (a[k] - earlier) / w[0]
+        })
+    }
+
+    fn sinh_cosh(self) -> (Self, Self) {
+        self.coupled(self.0[0].sinh_cosh(), 1.0)
+    }
+
+    fn tanh(self) -> Self {
+        let a = self.0[0];
+        // 1/cosh², not 1 − tanh²: the latter cancels where tanh is near ±1.
+        self.quadratic(a.tanh(), a.cosh().sqr().recip(), -1.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use tautline_scalar::{Interval, Jet2, Scalar};
+
+    use super::Taylor;
+
+    /// Every operation of a scalar, by name.
+    fn functions<S: Scalar>(x: S) -> Vec<(&'static str, S)> {
+        vec![
+            ("sqr", x.sqr()),
+            ("cube", x.powi(3)),
+            ("power 6", x.powi(6)),
+            ("power -3", x.powi(-3)),
+            ("power 0", x.powi(0) * x),
+            ("recip", x.recip()),
+            ("sqrt", (x + 1.0).sqrt()),
+            ("exp", (-x).exp()),
+            ("ln", (x + 1.0).ln()),
+            ("sin", x.sin()),
+            ("cos", (x * 3.0).cos()),
+            ("tan", x.tan()),
+            ("atan", x.atan()),
+            ("sinh", x.sinh()),
+            ("cosh", x.cosh()),
+            ("tanh", (x - 0.25).tanh()),
+            ("quotient", (x.sin() + 2.0) / (x.exp() + 0.5)),
+            ("nested", ((x.sqr() + 1.0).sqrt() / 3.0).exp() * x.cos()),
+        ]
+    }
+
+    /// The coefficients are those of nested second-order jets, which share no recurrence with them.
+    #[test]
+    fn coefficients_are_those_of_nested_jets() {
+        for x in [0.125, 0.5, 1.3, -0.7] {
+            let [inner] = Jet2::<f64, 1>::variables(&[x]);
+            let [outer] = Jet2::<_, 1>::variables(&[inner]);
+            let ours = functions(Taylor::<f64, 5>::line(x, 1.0));
+            for ((name, taylor), (_, jet)) in ours.into_iter().zip(functions(outer)) {
+                let (value, second) = (jet.value(), jet.second(0, 0));
+                let jets = [
+                    value.value(),
+                    value.first(0),
+                    value.second(0, 0) / 2.0,
+                    second.first(0) / 6.0,
+                    second.second(0, 0) / 24.0,
+                ];
+                // Some thirty roundings of terms which are at most some eight times the result.
+                let size = jets.iter().fold(1.0_f64, |size, c| size.max(c.abs()));
+                for k in 0..5 {
+                    let error = (taylor.coefficient(k) - jets[k]).abs();
+                    let slack = 128.0 * f64::EPSILON * size;
+                    assert!(error <= slack, "{name} at {x}, coefficient {k}: {error:e}");
+                }
+            }
+        }
+    }
+
+    /// The coefficients at each point lie in those over the interval.
+    #[test]
+    fn an_interval_encloses_the_coefficients_of_its_points() {
+        let line = |x| functions(Taylor::<Interval, 5>::line(x, Interval::point(1.0)));
+        let range = line(Interval::new(0.5, 1.0).expect("ordered"));
+        for x in [0.5, 0.625, 0.8125, 1.0] {
+            for ((name, all), (_, one)) in range.iter().zip(line(Interval::point(x))) {
+                for k in 0..5 {
+                    let (all, one) = (all.coefficient(k), one.coefficient(k));
+                    assert!(all.contains_interval(one), "{name}, {k}: {one:?} in {all:?}");
+                }
+            }
+        }
+    }
+
+    /// What is not defined at a point of the interval has no finite value there.
+    #[test]
+    fn what_is_not_defined_stays_so() {
+        let across = Interval::new(-1.0, 1.0).expect("ordered");
+        let x = Taylor::<Interval, 5>::line(across, Interval::point(1.0));
+        let one = Taylor::constant(1.0);
+        // Negative throughout: the derivative 1/x would be defined, the logarithm is not.
+        let negative = x - 2.0;
+        let undefined =
+            [x.recip(), x.ln(), x.sqrt(), x.powi(-2), one / x, (x * 2.0).tan(), negative.ln()];
+        for y in undefined {
+            for z in [y, y.powi(0), y * 0.0, y.atan(), one / (y.sqr() + 1.0)] {
+                assert!(z.coefficient(0).is_undefined(), "{z:?}");
+            }
+            assert!((1..5).all(|k| y.coefficient(k).is_undefined()), "{y:?}");
+        }
+        // A root that touches zero is defined, its derivatives are not.
+        let touching = Interval::new(0.0, 1.0).expect("ordered");
+        let root = Taylor::<Interval, 5>::line(touching, Interval::point(1.0)).sqrt();
+        assert_eq!(root.coefficient(0), touching);
+        assert!((1..5).all(|k| root.coefficient(k).is_undefined()));
+    }
+}

@@ -1,0 +1,197 @@
+//! Energies and lengths of polygons against closed forms and against numbers of many digits.
+
+use astro_float::{BigFloat, Consts, Radix, RoundingMode};
+use nalgebra::{SMatrix, SVector, vector};
+use tautline_certify::Polygon;
+use tautline_discretizations::{LeftEndpoint, PointSequence, Trapezoidal, TrueTrapezoid};
+use tautline_metrics::{
+    Metric,
+    gallery::{
+        Bump, Constant, EggCrate, GaussianFisher, Hyperbolic, RotatingAnisotropy, Shear, Sphere,
+        TwoLinkArm, Valleys,
+    },
+};
+use tautline_scalar::{Enclosure, Fast, Interval, Kernel};
+
+const P: usize = 192;
+const RM: RoundingMode = RoundingMode::None;
+
+fn big(x: f64) -> BigFloat {
+    BigFloat::from_f64(x, P)
+}
+
+/// Whether the enclosure contains the number.
+fn holds<K: Kernel>(x: Enclosure<K>, y: &BigFloat) -> bool {
+    let below = |a: &BigFloat, b: &BigFloat| a.cmp(b).is_some_and(|order| order <= 0);
+    below(&big(x.lo()), y) && below(y, &big(x.hi()))
+}
+
+/// Whether the enclosure contains the decimal, and no more than `slack` of it beside.
+#[track_caller]
+fn check<K: Kernel>(x: Enclosure<K>, decimal: &str, slack: f64) {
+    let mut consts = Consts::new().expect("memory for the constants");
+    let y = BigFloat::parse(decimal, Radix::Dec, P, RM, &mut consts);
+    assert!(holds(x, &y), "{x:?} misses {decimal}");
+    assert!(x.width() <= slack * x.lo(), "{x:?} is wide: {:e}", x.width() / x.lo());
+}
+
+/// What a chord is bisected down to, and the rounding of a few chords.
+const NARROW: f64 = 1.01e-12;
+
+fn line(a: [f64; 2], b: [f64; 2]) -> PointSequence<2> {
+    PointSequence::straight(a, b, 1).expect("finite")
+}
+
+/// `E = ½ (4/3 + ln 3)` and `L = ln 3` from the centre to ½ in the hyperbolic ball; and
+/// `E = 2 + (1 − e⁻²)/2` along the diagonal for `diag(e^{−2t}, 2)`.
+#[test]
+fn closed_forms_are_enclosed() {
+    let radius = line([0.0, 0.0], [0.5, 0.0]);
+    let (energy, length) = Polygon::new(&radius).energy_and_length(&Hyperbolic);
+    check(energy, "1.215972811000721512364289285128", NARROW);
+    check(length, "1.098612288668109691395245236923", NARROW);
+    let diagonal = line([0.0, 0.0], [1.0, 1.0]);
+    check(
+        Polygon::new(&diagonal).energy(&GaussianFisher),
+        "2.432332358381693654053000252514",
+        NARROW,
+    );
+    // From the ball of radius ½ to the wall at 3 in the valleys: 5 − sin 3 + sin ½.
+    let gap = line([0.5, 0.0], [3.0, 0.0]);
+    check(Polygon::new(&gap).length(&Valleys), "5.33830553054433577817", NARROW);
+}
+
+/// The straight line of Section 5: `E = 72 π²`, `L = 8π`. Its end `4π` is no double, but lies in
+/// a box between two of them; and one chord is bisected as often as it takes.
+#[test]
+fn the_line_of_section_5_has_the_energy_72_pi_squared() {
+    let four_pi = 12.566370614359172_f64;
+    let straight = line([0.0, 0.0], [four_pi, 0.0]);
+    let zero = Interval::point(0.0);
+    let end = Interval::new(four_pi, four_pi.next_up()).expect("ordered");
+    let polygon = Polygon::new(&straight).with_ends(vector![zero, zero], vector![end, zero]);
+    let (energy, length) = polygon.energy_and_length(&Valleys);
+    check(energy, "710.61151687843382055608335199108", NARROW);
+    check(length, "25.1327412287183459077011471", NARROW);
+    // The paper's discrete energy sees a valley only: 16 π². The box is a place wide, and squared.
+    let discrete = polygon.discrete_energy(Trapezoidal, &Valleys);
+    check(discrete, "157.913670417429737901351855998", 16.0 * f64::EPSILON);
+    let fast = polygon.with_kernel::<Fast>();
+    check(fast.energy(&Valleys), "710.61151687843382055608335199108", NARROW);
+}
+
+/// The trap: the end of the sequence itself is not `4π`, and its energy is another number.
+#[test]
+fn without_the_box_the_end_is_another_point() {
+    let straight = line([0.0, 0.0], [12.0, 0.0]);
+    let polygon = Polygon::new(&straight);
+    let moved = polygon.with_ends(*polygon.first(), vector![13.0, 0.0].map(Interval::point));
+    assert!(polygon.energy(&Valleys).hi() < moved.energy(&Valleys).lo());
+    assert!(polygon.length(&Valleys).hi() < moved.length(&Valleys).lo());
+}
+
+/// Three chords of a polygon, by quadrature with 40 digits of the formulas written anew.
+#[test]
+fn polygons_under_seven_metrics_are_enclosed() {
+    fn reference(metric: &impl Metric<2>, energy: &str, length: &str) {
+        let points =
+            vec![vector![-1.0, 0.25], vector![0.125, 0.5], vector![1.0, -0.75], vector![2.5, 0.5]];
+        let sequence = PointSequence::new(points).expect("finite");
+        let polygon = Polygon::new(&sequence);
+        let (e, l) = polygon.energy_and_length(metric);
+        check(e, energy, NARROW);
+        check(l, length, NARROW);
+        let (e, l) = polygon.with_kernel::<Fast>().energy_and_length(metric);
+        check(e, energy, NARROW);
+        check(l, length, NARROW);
+    }
+    let bump = Bump::new(1.0, 0.5).expect("positive");
+    let egg = EggCrate::new(0.5, 2.0).expect("positive");
+    let rotating = RotatingAnisotropy::new([1.0, 4.0], [1.0, 2.0]).expect("positive");
+    let arm = TwoLinkArm::new(3.0, 1.0, 1.0).expect("definite");
+    let shear = Shear::new(0.5, 1.0).expect("positive");
+    reference(&bump, "35.36908591833803836736965", "5.864341535834249608205426");
+    reference(&egg, "27.10108592342320716977472", "5.137576898421293718357888");
+    reference(&rotating, "57.60478298481092038987403", "7.186524588467538482284238");
+    reference(&arm, "84.24294797584373749255681", "8.171830674547448108248316");
+    reference(&shear, "27.44061706962195256177904", "4.97814666587224638335436");
+    reference(&Sphere, "25.74417942983695645757937", "4.755194247840014670830747");
+    reference(&GaussianFisher, "35.82410628634388510639273", "5.507440069068043424268044");
+}
+
+/// `2 − cos` and its square along `x₁`, by their primitives in 192 bits: for random polygons, and so
+/// sharply that a remainder left out, of any chord, shows.
+#[test]
+fn random_polygons_in_the_valleys_contain_a_value_of_192_bits() {
+    let mut consts = Consts::new().expect("memory for the constants");
+    for n in [1, 2, 7, 40] {
+        // A quadratic irrational rotation: no two points are alike.
+        let at = |k: usize, step: f64| (k as f64 * step).fract() * 6.0 - 3.0;
+        let points: Vec<SVector<f64, 2>> =
+            (0..=n).map(|k| vector![at(k + n, 0.618_034), at(k + n, 0.414_214)]).collect();
+        let (mut energy, mut length) = (big(0.0), big(0.0));
+        for pair in points.windows(2) {
+            let [a, b] = [pair[0][0], pair[1][0]];
+            let minus = |a: &BigFloat, b: &BigFloat| a.sub(b, P, RM);
+            let times = |a: &BigFloat, b: &BigFloat| a.mul(b, P, RM);
+            let mut sine = |x: f64, k: f64| times(&big(x), &big(k)).sin(P, RM, &mut consts);
+            let first = minus(&sine(b, 1.0), &sine(a, 1.0));
+            let second = minus(&sine(b, 2.0), &sine(a, 2.0));
+            let d = [0, 1].map(|i| minus(&big(pair[1][i]), &big(pair[0][i])));
+            let square = times(&d[0], &d[0]).add(&times(&d[1], &d[1]), P, RM);
+            // ∫ f² = 9/2 − (4 [sin x] − ¼ [sin 2x]) / (b − a) and ∫ f = 2 − [sin x] / (b − a).
+            let part = minus(&times(&big(4.0), &first), &times(&big(0.25), &second));
+            let f2 = minus(&big(4.5), &part.div(&d[0], P, RM));
+            let f1 = minus(&big(2.0), &first.div(&d[0], P, RM));
+            energy = energy.add(&times(&square, &f2), P, RM);
+            length = length.add(&times(&square.sqrt(P, RM), &f1), P, RM);
+        }
+        let energy = energy.mul(&big(n as f64), P, RM);
+        let sequence = PointSequence::new(points).expect("finite");
+        let (e, l) = Polygon::new(&sequence).energy_and_length(&Valleys);
+        assert!(holds(e, &energy) && holds(l, &length), "N = {n}: {e:?} {l:?}");
+        assert!(e.width() <= NARROW * e.lo() && l.width() <= NARROW * l.lo(), "N = {n}");
+    }
+}
+
+/// The trap: `1 − 10⁻²⁰` rounds to 1, and a chord of doubles would be too long.
+#[test]
+fn the_difference_of_points_is_not_rounded() {
+    let euclidean = Constant::new(SMatrix::<f64, 1, 1>::identity()).expect("definite");
+    let tiny = 1e-20_f64;
+    let sequence = PointSequence::straight([tiny], [1.0], 1).expect("finite");
+    let exact = big(1.0).sub(&big(tiny), P, RM);
+    let square = exact.mul(&exact, P, RM);
+    let polygon = Polygon::new(&sequence);
+    let (energy, length) = polygon.energy_and_length(&euclidean);
+    assert!(holds(energy, &square) && holds(length, &exact), "{energy:?} {length:?}");
+    assert!(holds(polygon.discrete_energy(Trapezoidal, &euclidean), &square));
+    assert!(energy.width() <= 1e-15 && length.width() <= 1e-15);
+}
+
+/// `H = x⁴` is a polynomial of fourth order, whose remainder is a constant: nothing else than the
+/// coefficient 1/80 makes `∫₀¹ x⁴ = 1/5` out of it. And the weights and places of three rules.
+#[test]
+fn fourth_powers_are_integrated_exactly() {
+    struct Quartic;
+    impl Metric<1> for Quartic {
+        fn gram<S: tautline_scalar::Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
+            SMatrix::from_element(x[0].powi(4))
+        }
+    }
+    let sequence = PointSequence::straight([1.0], [2.0], 1).expect("finite");
+    let polygon = Polygon::new(&sequence);
+    let (energy, length) = polygon.energy_and_length(&Quartic);
+    // 31/5, which is no double, and 7/3 for √H = x², which the recurrence of the root does not see
+    // to be a polynomial.
+    check(energy, "6.2", 4.0 * f64::EPSILON);
+    check(length, "2.333333333333333333333333333333", NARROW);
+    let point = |x: f64| Interval::point(x);
+    assert_eq!(polygon.discrete_energy(LeftEndpoint, &Quartic), point(1.0));
+    assert_eq!(polygon.discrete_energy(Trapezoidal, &Quartic), point(5.0625));
+    assert_eq!(polygon.discrete_energy(TrueTrapezoid, &Quartic), point(8.5));
+    // Both halves have N = 2 in front.
+    let sequence = PointSequence::straight([1.0], [2.0], 2).expect("finite");
+    let halves = Polygon::new(&sequence).discrete_energy(LeftEndpoint, &Quartic);
+    assert_eq!(halves, point(2.0 * 0.25 * (1.0 + 5.0625)));
+}

@@ -1,0 +1,124 @@
+//! What intervals prove of points and boxes: sums of squares, and points of a sphere.
+
+use nalgebra::SVector;
+use tautline_scalar::{Interval, Scalar};
+
+use crate::norm::on_axis;
+
+/// The box of one point.
+pub(crate) fn point<const D: usize>(x: &SVector<f64, D>) -> SVector<Interval, D> {
+    x.map(Interval::point)
+}
+
+/// The box, if it is bounded; `None` where a number overflowed.
+pub(crate) fn finite<const D: usize>(member: SVector<Interval, D>) -> Option<SVector<Interval, D>> {
+    member.iter().all(|side| side.is_finite()).then_some(member)
+}
+
+/// `u·v`.
+pub(crate) fn dot<const D: usize>(u: &SVector<Interval, D>, v: &SVector<Interval, D>) -> Interval {
+    (0..D).fold(Interval::constant(0.0), |sum, i| sum + u[i] * v[i])
+}
+
+/// `|u|²`.
+pub(crate) fn square<const D: usize>(u: &SVector<Interval, D>) -> Interval {
+    u.iter().fold(Interval::constant(0.0), |sum, u| sum + u.sqr())
+}
+
+/// The largest power of two that is at most `size`, or the least normal number: division of
+/// intervals by it is exact for all but the largest and the smallest numbers.
+pub(crate) fn power_of_two(size: f64) -> f64 {
+    const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
+    f64::from_bits(size.to_bits() & EXPONENT).max(f64::MIN_POSITIVE)
+}
+
+/// The distance of two points, squared, in units in which the largest coordinate of their
+/// difference is between 1 and 2: no square overflows or vanishes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Distance<const D: usize> {
+    offset: SVector<Interval, D>,
+    square: Interval,
+    unit: f64,
+}
+
+/// From `c` to `x`.
+pub(crate) fn distance<const D: usize>(x: &SVector<f64, D>, c: &SVector<f64, D>) -> Distance<D> {
+    let unit = power_of_two((x - c).amax());
+    let offset = (point(x) - point(c)).map(|u| u / unit);
+    Distance { offset, square: square(&offset), unit }
+}
+
+impl<const D: usize> Distance<D> {
+    /// Whether the distance is proved to be at most `r ≥ 0`.
+    pub(crate) fn at_most(&self, r: f64) -> bool {
+        self.square.hi() <= self.square_of(r).lo()
+    }
+
+    /// Whether the distance is proved to be `r ≥ 0`: only if nothing rounds.
+    pub(crate) fn is(&self, r: f64) -> bool {
+        self.at_most(r) && self.square_of(r).hi() <= self.square.lo()
+    }
+
+    fn square_of(&self, r: f64) -> Interval {
+        (Interval::point(r) / self.unit).sqr()
+    }
+}
+
+/// A box that contains the point `c + r (x − c)/|x − c|` of a sphere, or `c + r e₁` for `x = c`.
+pub(crate) fn on_sphere<const D: usize>(
+    x: &SVector<f64, D>,
+    c: &SVector<f64, D>,
+    r: f64,
+) -> Option<SVector<Interval, D>> {
+    let away = distance(x, c);
+    let direction = if r == 0.0 {
+        point(&SVector::zeros())
+    } else if x == c {
+        point(&on_axis(0, 1.0))
+    } else {
+        let length = away.square.sqrt();
+        let unit = Interval::new(-1.0, 1.0).expect("ordered");
+        // No coordinate of a unit vector exceeds 1.
+        away.offset.map(|u| (u / length).intersection(unit).unwrap_or(Interval::UNDEFINED))
+    };
+    finite(SVector::from_fn(|i, _| direction[i] * r + c[i]))
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::vector;
+    use tautline_scalar::Interval;
+
+    use super::{distance, finite, on_sphere, point, power_of_two};
+
+    #[test]
+    fn powers_of_two_are_below_their_numbers() {
+        let table = [(1.0, 1.0), (1.9, 1.0), (2.0, 2.0), (0.3, 0.25), (7e-310, f64::MIN_POSITIVE)];
+        for (size, power) in table {
+            assert_eq!(power_of_two(size), power);
+        }
+    }
+
+    /// `3² + 4² = 5²` in every unit; one place more or less is seen.
+    #[test]
+    fn distances_are_compared_exactly() {
+        for unit in [1.0, 2.0_f64.powi(-900), 2.0_f64.powi(900)] {
+            let away = distance(&(vector![4.0, 6.0] * unit), &(vector![1.0, 2.0] * unit));
+            let r = 5.0 * unit;
+            assert!(away.at_most(r) && away.is(r));
+            assert!(away.at_most(r.next_up()) && !away.is(r.next_up()));
+            assert!(!away.at_most(r.next_down()) && !away.is(r.next_down()));
+        }
+    }
+
+    #[test]
+    fn nothing_is_proved_beyond_f64() {
+        let (x, c) = (vector![f64::MAX], vector![-f64::MAX]);
+        let away = distance(&x, &c);
+        assert!(!away.at_most(f64::MAX) && !away.is(f64::MAX));
+        assert!(on_sphere(&x, &c, 1.0).is_none());
+        assert!(on_sphere(&vector![f64::INFINITY], &c, 1.0).is_none());
+        assert!(finite(vector![Interval::REALS]).is_none());
+        assert_eq!(finite(point(&c)), Some(point(&c)));
+    }
+}
