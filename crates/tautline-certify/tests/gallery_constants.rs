@@ -1,0 +1,139 @@
+//! The constants that the gallery states lie between the bounds that its formulas prove.
+
+use tautline_certify::{CertifyError, Domain, Effort, Quantity, certify};
+use tautline_metrics::{
+    Bounded,
+    gallery::{
+        Bump, Checkerboard, CoupledCosines, EggCrate, GaussianFisherPatch, Hill, Lens, Ramp,
+        RotatingAnisotropy, Shear, Swirl, Valleys,
+    },
+};
+
+/// What is stated of a constant.
+#[derive(Clone, Copy, PartialEq)]
+enum Stated {
+    Exact,
+    /// Not the best one.
+    Bound,
+}
+use Stated::{Bound, Exact};
+
+/// Fails unless the stated `c₁`, `c₂`, `L_H` and `M_H` lie between the bounds, or are no better than the
+/// constants can be.
+fn check<const D: usize>(
+    metric: impl Bounded<D> + Sync,
+    stated: [Stated; 4],
+    domain: Domain<D>,
+    tolerance: f64,
+) -> Result<(), CertifyError> {
+    let constants = metric.constants();
+    let values = [
+        constants.c1(),
+        constants.c2(),
+        constants.l_h(),
+        constants.m_h().expect("the gallery states M_H"),
+    ];
+    for ((quantity, value), stated) in Quantity::ALL.into_iter().zip(values).zip(stated) {
+        let found = certify(&metric, quantity, &domain, Effort { tolerance, budget: 300_000 })?;
+        let holds = match (stated, quantity) {
+            // The closed form itself is rounded, by some ε.
+            (Exact, _) => {
+                found.lower <= value * (1.0 + 1e-14) && value * (1.0 - 1e-14) <= found.upper
+            }
+            (Bound, Quantity::C1) => value <= found.upper,
+            (Bound, _) => found.lower <= value,
+        };
+        assert!(holds, "{quantity} = {value}: {found:?}");
+        // Exact relaxations but for M_H in three dimensions, which is at most D times too large.
+        assert!(found.looseness() <= 1.0 + 2.0 * tolerance || D == 3, "{quantity}: {found:?}");
+    }
+    Ok(())
+}
+
+fn space<const D: usize>(metric: &impl Bounded<D>) -> Domain<D> {
+    let space = Domain::space(metric);
+    if space.is_all_of_space() {
+        return space;
+    }
+    Domain::settled_space(metric).expect("it settles")
+}
+
+macro_rules! stated_constants_are_proved {
+    ($name:ident, $metric:expr, $d:literal, $stated:expr, $tolerance:expr) => {
+        #[test]
+        fn $name() {
+            let metric = $metric;
+            let domain = space::<$d>(&metric);
+            check::<$d>(metric, $stated, domain, $tolerance).expect("within the budget");
+        }
+    };
+}
+
+const ALL: [Stated; 4] = [Exact; 4];
+
+stated_constants_are_proved!(valleys_on_the_line, Valleys, 1, ALL, 1e-4);
+stated_constants_are_proved!(valleys_in_the_plane, Valleys, 2, ALL, 1e-4);
+stated_constants_are_proved!(valleys_in_space, Valleys, 3, ALL, 1e-4);
+stated_constants_are_proved!(
+    ramp,
+    Ramp::new(0.5, 2.0).expect("a slope"),
+    1,
+    [Exact, Exact, Exact, Bound],
+    1e-3
+);
+stated_constants_are_proved!(shear, Shear::new(0.7, 1.5).expect("a wave number"), 2, ALL, 1e-3);
+stated_constants_are_proved!(lens, Lens::new(1.0, 0.5).expect("a width"), 2, ALL, 1e-2);
+stated_constants_are_proved!(
+    bump,
+    Bump::new(1.0, 2.0).expect("a width"),
+    2,
+    [Exact, Exact, Bound, Exact],
+    1e-2
+);
+stated_constants_are_proved!(hill, Hill::new(1.0, 1.0).expect("a width"), 2, ALL, 1e-2);
+stated_constants_are_proved!(
+    swirl,
+    Swirl::new(0.5, 1.0).expect("a width"),
+    2,
+    [Exact, Exact, Bound, Bound],
+    1e-2
+);
+stated_constants_are_proved!(egg_crate, EggCrate::new(1.0, 1.0).expect("a height"), 2, ALL, 1e-2);
+stated_constants_are_proved!(
+    checkerboard,
+    Checkerboard::new(1.0, 2.0).expect("an edge"),
+    2,
+    ALL,
+    1e-3
+);
+stated_constants_are_proved!(
+    rotating_anisotropy,
+    RotatingAnisotropy::new([1.0, 4.0], [0.5, 1.5]).expect("eigenvalues"),
+    2,
+    ALL,
+    1e-3
+);
+stated_constants_are_proved!(
+    coupled_cosines,
+    CoupledCosines,
+    3,
+    [Exact, Exact, Exact, Bound],
+    1e-2
+);
+stated_constants_are_proved!(
+    gaussian_fisher_patch,
+    GaussianFisherPatch::new(1.0).expect("a rim"),
+    2,
+    [Exact, Exact, Bound, Bound],
+    1e-3
+);
+
+/// A constant that is stated too small by a thousandth is out of the question.
+#[test]
+fn a_lie_of_a_thousandth_is_seen() {
+    let shear = Shear::new(0.7, 1.5).expect("a wave number");
+    let stated = shear.constants().l_h();
+    let effort = Effort { tolerance: 1e-4, ..Effort::default() };
+    let found = certify(&shear, Quantity::LH, &Domain::space(&shear), effort).expect("a constant");
+    assert!(found.contains(stated) && 0.999 * stated < found.lower, "{found:?}");
+}
