@@ -108,7 +108,7 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
         Ok(SuggestedN { proven, ..suggested })
     }
 
-    fn enclosure_by(&self, constants: Constants) -> Result<Enclosure, BoundError> {
+    pub(crate) fn enclosure_by(&self, constants: Constants) -> Result<Enclosure, BoundError> {
         let (rule, n) = (R::OF_THE_PAPER, self.sequence().n());
         let (length, energy) = (self.length(), self.energy());
         let length = length.value + length.error;

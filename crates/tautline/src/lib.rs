@@ -38,6 +38,7 @@
 //! | [`TautLine::discrete_energy`] | may lie on either side of `d²` |
 //! | [`TautLine::distance_squared_estimate`] | extrapolated: an estimate, not a bound |
 //! | [`TautLine::enclosure`], [`TautLine::enclosure_among`] | `d²` between two proven bounds, with the assumption they need, if any |
+//! | [`TautLine::prove`] | the same with constants that are proved from the formula, and an upper bound with outward rounding |
 //! | [`leading_constants`] | limits of the errors times `N` or `N²` on smooth data: computed, not proven |
 //! | [`bounds`] | proven, for global minimisers of the discrete energy |
 //!
@@ -53,14 +54,20 @@
 mod certificate;
 mod competitors;
 mod problem;
+mod proof;
 mod taut_line;
 
 pub use certificate::{RuleOfThePaper, SuggestedN};
 pub use competitors::Competitors;
 pub use problem::Problem;
+pub use proof::{Proof, ProofError};
 pub use taut_line::TautLine;
 
 pub use tautline_bounds as bounds;
+pub use tautline_certify::{
+    self as certify, AdmissibleCurve, Certified, CertifiedConstant, CertifiedConstants,
+    CertifyError, CurveError, Domain, Effort, LocallyCertified, Polygon, Quantity,
+};
 pub use tautline_discretizations::{
     Integral, Interpolation, LeftEndpoint, Node, PointSequence, Rule, SequenceError, Trapezoidal,
     TrueTrapezoid, energy_gradient,
@@ -73,7 +80,7 @@ pub use tautline_optimizers::{
     AsymptoticsError, Curvature, Estimate, LeadingConstants, Level, Minimum, Options, SolveError,
     Starts, Stop, extrapolate, leading_constants, minimise,
 };
-pub use tautline_scalar::{Jet1, Jet2, MixedJet, Scalar};
+pub use tautline_scalar::{FastInterval, Interval, Jet1, Jet2, MixedJet, Scalar};
 pub use tautline_sets::{
     AffineSubspace, AxisBox, Ball, ClosedSet, Ends, FiniteSet, HalfSpace, Point, Segment, SetError,
     Sphere, Union,

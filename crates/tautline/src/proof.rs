@@ -1,0 +1,186 @@
+//! What the formula of the metric proves about a computed line.
+
+use std::sync::Arc;
+
+use tautline_bounds::{BoundError, Constants, Enclosure, LocalityError};
+use tautline_certify::{
+    AdmissibleCurve, CertifiedConstants, CertifyError, CurveError, Domain, Effort, LocallyCertified,
+};
+use tautline_metrics::{LocalError, Metric};
+use tautline_sets::Ball;
+
+use crate::{RuleOfThePaper, TautLine};
+
+/// `d²` between two numbers, by constants that are proved from the formula of the metric.
+#[derive(Clone, Copy, Debug)]
+#[doc(alias = "certificate")]
+pub struct Proof<'a, const D: usize> {
+    /// A curve from set to set, with rigorous bounds of its energy and its length.
+    pub curve: AdmissibleCurve<'a, D>,
+    /// The constants, proved from the formula.
+    pub constants: Constants,
+    /// Where they hold; `None` if on all of `R^D`.
+    pub within: Option<Ball<D>>,
+    /// What follows for `d²`. The upper bound is that of the curve and rigorous. The lower one is a
+    /// theorem about rigorous constants, evaluated in doubles: its last digits are not certified.
+    pub enclosure: Enclosure,
+}
+
+/// Why nothing is proved about a line.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ProofError {
+    /// The curve does not certainly join the sets, or leaves the domain of the metric.
+    #[error(transparent)]
+    Curve(#[from] CurveError),
+    /// No constants on all of `R^D`.
+    #[error(transparent)]
+    Constants(#[from] CertifyError),
+    /// No ball that holds all competitors has constants.
+    #[error(transparent)]
+    Competitors(#[from] LocalityError<LocalError>),
+    /// The theorems do not apply.
+    #[error(transparent)]
+    Bound(#[from] BoundError),
+}
+
+impl<M: Metric<D> + Sync, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
+    /// Returns a curve that certainly joins the two sets, with rigorous bounds of its energy and length,
+    /// and so a rigorous upper bound of `d²`.
+    ///
+    /// # Errors
+    ///
+    /// [`CurveError`]: a set of your own that does not implement
+    /// [`ClosedSet::member_near`](crate::ClosedSet::member_near), and a metric that is undefined on the
+    /// curve.
+    pub fn admissible_curve(&self) -> Result<AdmissibleCurve<'_, D>, CurveError> {
+        AdmissibleCurve::new(self.metric(), self.sequence(), self.ends())
+    }
+
+    /// Encloses `d²`, in `m²`, as [`enclosure`](TautLine::enclosure) does, with nothing stated by the
+    /// author of the metric: its constants are proved from the formula, on all of `R^D` if the formula
+    /// shows that a box stands for it, else on the ball that holds all
+    /// [competitors](TautLine::competitors).
+    ///
+    /// ```
+    /// use tautline::{Effort, Ends, Metric, Problem, SMatrix, SVector, Scalar, Trapezoidal};
+    ///
+    /// struct Dent; // (1 + e^{−|x|²})² I, and no word about its constants
+    /// impl Metric<2> for Dent {
+    ///     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+    ///         let square = x[0].sqr() + x[1].sqr();
+    ///         SMatrix::from_diagonal_element(((-square).exp() + 1.0).sqr())
+    ///     }
+    /// }
+    ///
+    /// let ends = Ends::points([-0.5, 0.2], [0.5, 0.2])?;
+    /// let line = Problem::new(Dent, ends).solve(Trapezoidal, 512)?;
+    /// let proof = line.prove(Effort::default())?;
+    /// let d_squared = proof.enclosure;
+    /// assert!(d_squared.width() < 1e-2 * d_squared.upper && proof.within.is_some());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`ProofError`], with what is missing.
+    pub fn prove(&self, effort: Effort) -> Result<Proof<'_, D>, ProofError> {
+        let curve = self.admissible_curve()?;
+        let space = Domain::space(self.metric());
+        let (constants, within, enclosure) = if space.is_all_of_space() {
+            let proved = CertifiedConstants::new(self.metric(), &space, effort)?;
+            let constants = proved.constants()?;
+            (constants, None, self.enclosure_by(constants)?)
+        } else {
+            let metric = Arc::new(LocallyCertified::new(self.metric(), effort));
+            let (ends, minimum) = (self.ends().clone(), self.minimum().clone());
+            let line = TautLine::new(metric, self.rule(), ends, minimum);
+            let competitors = line.competitors()?;
+            let enclosure = line.enclosure_among(&competitors)?;
+            (competitors.constants, Some(competitors.within), enclosure)
+        };
+        // The bound of the curve holds whatever the quadrature says.
+        let enclosure = Enclosure { upper: curve.distance_squared_at_most(), ..enclosure };
+        Ok(Proof { curve, constants, within, enclosure })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use tautline_bounds::LocalityError;
+    use tautline_certify::{CurveError, Effort};
+    use tautline_metrics::gallery::{GaussianFisher, Hyperbolic, Shear, Sphere, Valleys};
+    use tautline_metrics::{Bounded, KnownDistance, LocalError, Metric};
+    use tautline_sets::{Ball, Ends, HalfSpace};
+
+    use super::ProofError;
+    use crate::{Problem, Trapezoidal};
+
+    /// Each distance is known, and lies between the bounds.
+    #[test]
+    fn distances_are_enclosed_by_the_formula_alone() {
+        fn check<M: KnownDistance<2> + Sync>(metric: M, a: [f64; 2], b: [f64; 2], width: f64) {
+            let d = metric.distance(&a.into(), &b.into()).expect("known");
+            let ends = Ends::points(a, b).expect("finite");
+            let line = Problem::new(metric, ends).solve(Trapezoidal, 256).expect("solved");
+            let proof = line.prove(Effort::default()).expect("proved");
+            let (lower, upper) = (proof.enclosure.lower, proof.enclosure.upper);
+            assert!(lower <= d * d && d * d <= upper, "{lower} {} {upper}", d * d);
+            assert!(upper - lower <= width * d * d, "{lower} {upper}");
+            assert!(!proof.enclosure.assumes_global_minimum);
+            assert_eq!(proof.constants.is_local(), proof.within.is_some());
+        }
+        let shear = Shear::new(0.3, 1.0).expect("a wave number");
+        check(shear, [0.0, 0.0], [0.3, 0.2], 1e-2);
+        check(Sphere, [0.3, 0.1], [0.45, 0.2], 1e-2);
+        check(Hyperbolic, [0.1, 0.0], [0.15, 0.1], 1e-2);
+        check(GaussianFisher, [0.0, 0.0], [0.1, 0.1], 1e-2);
+    }
+
+    /// The bound of the curve agrees with its quadrature, which is not rigorous.
+    #[test]
+    fn the_upper_bound_is_that_of_the_curve() {
+        let ball = Ball::new([0.0, 0.0], 0.5).expect("a radius");
+        let wall = HalfSpace::at_least([1.0, 0.0], 3.0).expect("a normal");
+        let ends = Ends::new(ball, wall).expect("bounded");
+        let line = Problem::new(Valleys, ends).solve(Trapezoidal, 64).expect("solved");
+        let proof = line.prove(Effort::default()).expect("proved");
+        let length = line.length().value;
+        assert!((proof.enclosure.upper / (length * length) - 1.0).abs() < 1e-12);
+        let stated = Bounded::<2>::constants(&Valleys);
+        assert!(proof.constants.l_h() >= stated.l_h() && proof.within.is_none());
+        assert!(line.admissible_curve().is_ok_and(|curve| curve.length().contains(length)));
+    }
+
+    #[test]
+    fn what_cannot_be_proved_is_said() {
+        // Across the sphere: the competitors may pass through infinity.
+        let ends = Ends::points([1.0, 0.0], [-1.5, 0.3]).expect("finite");
+        let line = Problem::new(Sphere, ends).solve(Trapezoidal, 64).expect("solved");
+        let effort = Effort { budget: 2_000, ..Effort::default() };
+        let error = line.prove(effort).expect_err("no ball");
+        let expected = matches!(
+            error,
+            ProofError::Competitors(
+                LocalityError::Escapes { .. }
+                    | LocalityError::NoConstants { reason: LocalError::NotProved { .. }, .. }
+            )
+        );
+        assert!(expected, "{error}");
+        // A line that is not in the domain of another metric.
+        struct Left;
+        impl Metric<1> for Left {
+            fn gram<S: tautline_scalar::Scalar>(
+                &self,
+                x: &crate::SVector<S, 1>,
+            ) -> crate::SMatrix<S, 1, 1> {
+                // Defined at the midpoint of each chord, where the rule reads it, and not between.
+                crate::SMatrix::from_element(((x[0] - 0.375).sqr() - 1e-3).sqrt() + 1.0)
+            }
+        }
+        let ends = Ends::points([0.0], [1.0]).expect("finite");
+        let line = Problem::new(Left, ends).solve(Trapezoidal, 2).expect("solved");
+        let error = line.prove(effort).expect_err("undefined");
+        assert!(matches!(error, ProofError::Curve(CurveError::Undefined { .. })), "{error}");
+    }
+}
