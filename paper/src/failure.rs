@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use tautline::{
-    AsymptoticsError, SequenceError, SetError, SolveError, bounds::BoundError,
-    gallery::GalleryError,
+    AsymptoticsError, CertifyError, LocalError, SequenceError, SetError, SolveError,
+    bounds::BoundError, gallery::GalleryError,
 };
 
 use tautline_verify::{VerifyError, adversary::AdversaryError};
@@ -24,6 +24,12 @@ pub enum Failure {
     /// A metric.
     #[error(transparent)]
     Gallery(#[from] GalleryError),
+    /// Constants on a ball.
+    #[error(transparent)]
+    Local(#[from] LocalError),
+    /// Constants that could not be proved.
+    #[error(transparent)]
+    Certify(#[from] CertifyError),
     /// A point sequence.
     #[error(transparent)]
     Sequence(#[from] SequenceError),

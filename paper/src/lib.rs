@@ -7,6 +7,7 @@
 
 pub mod asymptotics;
 pub mod case;
+pub mod certified;
 pub mod command;
 pub mod convergence;
 pub mod data;

@@ -7,7 +7,7 @@ use tautline_scalar::{Interval, Jet2, Scalar};
 
 use crate::{
     Cell, CertifyError,
-    formula::{Along, Dependence, superfluous},
+    formula::{Along, Dependence, is_radial, superfluous},
 };
 
 /// A convex compact set on which constants are proved, and what they then hold on.
@@ -54,7 +54,8 @@ impl<const D: usize> Domain<D> {
     /// Returns a box that stands for all of `R^D`, as far as the formula of `metric` shows it to.
     ///
     /// Along a coordinate that does not occur in the formula, or only in differences with others, it has
-    /// the width 0; along one in which the formula is periodic, it is one period, rounded up. Both are read off the formula, not sampled:
+    /// the width 0, and so it has along all but the first where the formula is a function of `|x|²` times
+    /// the identity; along one in which the formula is periodic, it is one period, rounded up. Both are read off the formula, not sampled:
     /// sines, cosines and tangents of linear functions are followed, with coefficients that are
     /// doubles with a common divisor. Along any other coordinate it reaches from `−2¹⁰⁰` to `2¹⁰⁰`,
     /// and [`is_all_of_space`](Domain::is_all_of_space) is false: nothing is said of what lies beyond
@@ -76,6 +77,10 @@ impl<const D: usize> Domain<D> {
     #[must_use]
     pub fn space(metric: &impl Metric<D>) -> Self {
         let mut along = Dependence::of(metric);
+        if is_radial(metric) {
+            // A ray: constants do not depend on the direction.
+            along[1..].fill(Along::Constant);
+        }
         for (along, superfluous) in along.iter_mut().zip(superfluous(metric)) {
             if superfluous {
                 *along = Along::Constant;

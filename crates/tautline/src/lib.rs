@@ -66,7 +66,7 @@ pub use taut_line::TautLine;
 pub use tautline_bounds as bounds;
 pub use tautline_certify::{
     self as certify, AdmissibleCurve, Certified, CertifiedConstant, CertifiedConstants,
-    CertifyError, CurveError, Domain, Effort, LocallyCertified, Polygon, Quantity,
+    CertifyError, CurveError, Domain, LocallyCertified, Polygon, Quantity,
 };
 pub use tautline_discretizations::{
     Integral, Interpolation, LeftEndpoint, Node, PointSequence, Rule, SequenceError, Trapezoidal,

@@ -63,7 +63,7 @@ impl<M: Metric<D> + Sync, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     /// [competitors](TautLine::competitors).
     ///
     /// ```
-    /// use tautline::{Effort, Ends, Metric, Problem, SMatrix, SVector, Scalar, Trapezoidal};
+    /// use tautline::{Ends, Metric, Problem, SMatrix, SVector, Scalar, Trapezoidal, certify};
     ///
     /// struct Dent; // (1 + e^{−|x|²})² I, and no word about its constants
     /// impl Metric<2> for Dent {
@@ -75,7 +75,7 @@ impl<M: Metric<D> + Sync, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     ///
     /// let ends = Ends::points([-0.5, 0.2], [0.5, 0.2])?;
     /// let line = Problem::new(Dent, ends).solve(Trapezoidal, 512)?;
-    /// let proof = line.prove(Effort::default())?;
+    /// let proof = line.prove(certify::Effort::default())?;
     /// let d_squared = proof.enclosure;
     /// assert!(d_squared.width() < 1e-2 * d_squared.upper && proof.within.is_some());
     /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -1,6 +1,7 @@
 //! The figures, one a file.
 
 mod asymptotics;
+mod certified;
 mod convergence;
 mod dimension;
 mod length_versus_energy;
@@ -27,7 +28,7 @@ pub struct Figure {
 }
 
 /// All figures.
-pub const FIGURES: [Figure; 10] = [
+pub const FIGURES: [Figure; 11] = [
     convergence::FIGURE,
     quantities::FIGURE,
     asymptotics::FIGURE,
@@ -38,4 +39,5 @@ pub const FIGURES: [Figure; 10] = [
     length_versus_energy::FIGURE,
     speeds::FIGURE,
     tightness::FIGURE,
+    certified::FIGURE,
 ];

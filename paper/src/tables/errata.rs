@@ -16,6 +16,7 @@ pub(super) const TABLE: Table = Table {
     seed: Seed::None,
     data,
     layout,
+    repeatable: true,
     pages,
 };
 

@@ -1,6 +1,8 @@
 //! The tables, one a file.
 
 mod asymptotics;
+mod certified_constants;
+mod certified_times;
 mod constants;
 mod convergence;
 mod counterexample;
@@ -28,6 +30,8 @@ pub struct Table {
     pub data: fn(Sweep) -> Result<Data, Failure>,
     /// Chooses columns and writes their heads.
     pub layout: fn(&Data) -> Result<Layout, Failure>,
+    /// Whether it can be computed again: not so for times.
+    pub repeatable: bool,
     /// Pages of Markdown that are written from the data too: their names, beside the folder of
     /// the tables, and their texts.
     pub pages: fn(&Data) -> Vec<(&'static str, String)>,
@@ -60,8 +64,10 @@ fn no_pages(_: &Data) -> Vec<(&'static str, String)> {
 }
 
 /// All tables.
-pub const TABLES: [Table; 9] = [
+pub const TABLES: [Table; 11] = [
     asymptotics::TABLE,
+    certified_constants::TABLE,
+    certified_times::TABLE,
     constants::TABLE,
     convergence::TABLE,
     counterexample::TABLE,

@@ -20,6 +20,7 @@ pub(super) const TABLE: Table = Table {
     seed: Seed::Suite,
     data,
     layout,
+    repeatable: true,
     pages: no_pages,
 };
 

@@ -18,6 +18,7 @@ pub(super) const TABLE: Table = Table {
     seed: Seed::None,
     data,
     layout,
+    repeatable: true,
     pages: no_pages,
 };
 

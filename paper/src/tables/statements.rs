@@ -18,6 +18,7 @@ pub(super) const TABLE: Table = Table {
     seed: Seed::Suite,
     data,
     layout,
+    repeatable: true,
     pages,
 };
 

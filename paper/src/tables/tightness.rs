@@ -22,6 +22,7 @@ pub(super) const TABLE: Table = Table {
     seed: Seed::One(SEED),
     data,
     layout,
+    repeatable: true,
     pages: no_pages,
 };
 

@@ -6,6 +6,7 @@ mod inventory;
 mod lies;
 mod lying_sets;
 mod newcomer;
+mod proofs;
 mod rules;
 mod sets;
 mod statement_lies;

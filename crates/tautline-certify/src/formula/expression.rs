@@ -35,13 +35,44 @@ struct Formulas {
     numbers: HashMap<Node, u32>,
 }
 
+/// Returns whether `H(x) = φ(|x|²) I` by its formula: the coordinates occur in `x₁² + x₂² + … `, summed in
+/// their order, and nowhere else.
+///
+/// True is proved; false says nothing.
+pub(crate) fn is_radial<const D: usize>(metric: &impl Metric<D>) -> bool {
+    if !is_isotropic(metric) {
+        return false;
+    }
+    // The formulas of that evaluation are still there.
+    let x = std::array::from_fn::<_, D, _>(|i| Expression::new(Node::Variable(i)));
+    let square = x.iter().fold(Expression::zero(), |sum, x| sum + x.sqr());
+    let gram = metric.gram(&SVector::from(x));
+    FORMULAS.with_borrow(|formulas| {
+        let mut reached = vec![false; formulas.nodes.len()];
+        let mut open = vec![gram[(0, 0)]];
+        while let Some(expression) = open.pop() {
+            let number = expression.0 as usize;
+            if expression == square || std::mem::replace(&mut reached[number], true) {
+                continue;
+            }
+            match formulas.nodes[number] {
+                Node::Variable(_) => return false,
+                Node::Constant(_) => {}
+                Node::Sum(a, b) | Node::Product(a, b) | Node::Quotient(a, b) => open.extend([a, b]),
+                Node::Negative(a) | Node::Power(a, _) | Node::Of(_, a) => open.push(a),
+            }
+        }
+        true
+    })
+}
+
 thread_local! {
     static FORMULAS: RefCell<Formulas> = RefCell::default();
 }
 
 /// An expression by its number: two are the same formula if and only if their numbers are equal.
 ///
-/// Sums and products do not depend on the order of two operands; adding `0` and multiplying by `1`
+/// Sums and products do not depend on the order of two operands; `f · f` is `f²`; adding `0` and multiplying by `1`
 /// changes nothing; of constants, `0 · c` is `0`. Nothing else is simplified, `0 · f` not either: `f`
 /// may not be defined.
 #[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
@@ -110,6 +141,8 @@ impl Mul for Expression {
             other
         } else if other.is_one() || (self == zero && other.is_finite_constant()) {
             self
+        } else if self == other {
+            self.powi(2)
         } else {
             Self::new(Node::Product(self.min(other), self.max(other)))
         }
@@ -184,7 +217,30 @@ mod tests {
     };
     use tautline_scalar::Scalar;
 
-    use super::is_isotropic;
+    use super::{is_isotropic, is_radial};
+
+    #[test]
+    fn functions_of_the_norm_are_seen() {
+        let lens = Lens::new(1.0, 0.5).expect("a width");
+        assert!(is_radial::<1>(&lens) && is_radial::<3>(&lens) && is_radial::<2>(&Hyperbolic));
+        assert!(!is_radial::<2>(&Valleys) && !is_radial::<2>(&Sum::new(Valleys, lens)));
+        assert!(!is_radial::<2>(&Hill::new(1.0, 1.0).expect("a width")));
+        /// A product for a square, and a coordinate beside, or a weight.
+        struct Near(usize);
+        impl Metric<2> for Near {
+            fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+                let square = match self.0 {
+                    0 => x[0] * x[0] + x[1].powi(2),
+                    1 => x[0].sqr() + x[1].sqr() + x[0],
+                    2 => x[0].sqr() + x[1].sqr() * 2.0,
+                    _ => x[0].sqr() + x[0].sqr(),
+                };
+                SMatrix::from_diagonal_element(square.exp() + 1.0)
+            }
+        }
+        assert!(is_radial(&Near(0)));
+        assert!(!is_radial(&Near(1)) && !is_radial(&Near(2)) && !is_radial(&Near(3)));
+    }
 
     #[test]
     fn multiples_of_the_identity_are_seen() {

@@ -11,5 +11,5 @@ mod invariance;
 mod operators;
 
 pub(crate) use dependence::{Along, Dependence};
-pub(crate) use expression::is_isotropic;
+pub(crate) use expression::{is_isotropic, is_radial};
 pub(crate) use invariance::superfluous;

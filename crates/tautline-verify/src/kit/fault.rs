@@ -1,6 +1,6 @@
 //! `Fault`: the law that does not hold, with the numbers that show it.
 
-use tautline::MetricError;
+use tautline::{CertifyError, MetricError};
 
 use super::Lie;
 use crate::{Inequality, Statement, VerifyError};
@@ -12,6 +12,9 @@ pub enum Fault {
     /// `H` is not finite, symmetric and positive definite at a point.
     #[error(transparent)]
     Metric(#[from] MetricError),
+    /// The formula proves that the metric is none: indefinite or undefined somewhere.
+    #[error(transparent)]
+    Unproved(CertifyError),
     /// A claimed constant does not hold.
     #[error(transparent)]
     Lie(#[from] Lie),

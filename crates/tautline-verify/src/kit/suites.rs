@@ -76,7 +76,10 @@ macro_rules! __metric_tests {
             #[allow(unused_imports, reason = "what the metric is made of")]
             use super::*;
 
-            fn case() -> $crate::kit::MetricCase<impl $crate::prelude::Bounded<$d>, $d> {
+            fn case() -> $crate::kit::MetricCase<
+                impl $crate::prelude::Bounded<$d> + ::std::marker::Sync,
+                $d,
+            > {
                 let effort = $crate::kit::Effort::for_dimension($d);
                 $case(effort)$($known)*.sharing(&SOLVED)
             }

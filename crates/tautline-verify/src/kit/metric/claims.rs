@@ -74,18 +74,7 @@ fn look<M: Bounded<D>, const D: usize>(
     let (metric, region, effort) = (&case.metric, &case.region, &case.effort);
     let constants = metric.constants();
     let Some(claimed) = constant.of(&constants) else { return Ok(None) };
-    let granted = constant.rounding::<D>(&constants, claimed);
-    let judge = |found: &Extreme<D>| {
-        let holds = match constant {
-            Claim::C1 => claimed <= found.value + granted,
-            _ => found.value <= claimed + granted,
-        };
-        if holds {
-            Ok(slack(constant, claimed, found.value))
-        } else {
-            Err(lie(constant, claimed, found))
-        }
-    };
+    let judge = |found: &Extreme<D>| judge(constant, &constants, claimed, found);
     let seen: RefCell<Vec<Extreme<D>>> = RefCell::default();
     let samples = (region.points(), directions::<D>());
     let random = for_all(effort, effort.cases, CHEAP, samples, |(x, w)| {
@@ -113,6 +102,25 @@ fn look<M: Bounded<D>, const D: usize>(
             Ok(_) => failure,
             Err(lie) => Failure { fault: lie.into(), ..failure },
         }),
+    }
+}
+
+/// Returns the slack of a claim where something was found, or that it is a lie.
+pub(super) fn judge<const D: usize>(
+    constant: Claim,
+    constants: &Constants,
+    claimed: f64,
+    found: &Extreme<D>,
+) -> Result<f64, Lie> {
+    let granted = constant.rounding::<D>(constants, claimed);
+    let holds = match constant {
+        Claim::C1 => claimed <= found.value + granted,
+        _ => found.value <= claimed + granted,
+    };
+    if holds {
+        Ok(slack(constant, claimed, found.value))
+    } else {
+        Err(lie(constant, claimed, found))
     }
 }
 

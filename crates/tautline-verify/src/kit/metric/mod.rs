@@ -15,6 +15,7 @@ mod minimisers;
 mod on_a_ball;
 mod orders;
 mod problems;
+mod proofs;
 mod refusals;
 mod sampled_curves;
 mod sharper;
@@ -107,6 +108,8 @@ macro_rules! __metric_laws {
                 claims::lipschitz;
             m_h_bounds_the_second_derivative, "|uᵀ D²H(x)[w, w] u| ≤ M_H |w|² |u|²",
                 |case| claims::claim(case, Claim::MH);
+            constants_are_proved, "c1, c2, L_H and M_H hold in every box, by the formula",
+                proofs::constants;
             known_distances_are_distances, "d(x, y) = d(y, x), d(x, x) = 0, no curve is shorter",
                 orders::distances;
             prop_3_3, "Proposition 3.3: c1|x − y|² ≤ d(x, y)² ≤ c2|x − y|²",
@@ -212,7 +215,7 @@ macro_rules! functions {
     ({} $($id:ident, $law:literal, $run:expr;)*) => {
         $(
             #[doc = concat!("Tries the law `", stringify!($id), "`: `", $law, "`.")]
-            pub fn $id<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Outcome {
+            pub fn $id<M: Bounded<D> + Sync, const D: usize>(case: &MetricCase<M, D>) -> Outcome {
                 let run: fn(&MetricCase<M, D>) -> super::report::LawResult = $run;
                 Outcome::new(stringify!($id), $law, run(case))
             }
@@ -222,7 +225,7 @@ macro_rules! functions {
         pub const LAWS: &[&str] = &[$(stringify!($id)),*];
 
         /// Tries all laws of a case.
-        pub fn verify<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Report {
+        pub fn verify<M: Bounded<D> + Sync, const D: usize>(case: &MetricCase<M, D>) -> Report {
             Report { outcomes: vec![$($id(case)),*] }
         }
     };
@@ -233,7 +236,7 @@ __metric_laws! { [functions] {} }
 /// Tries all laws on a metric, whose distances are extrapolated from fine grids.
 ///
 /// The same functions are behind the tests of [`metric_suite!`](crate::metric_suite).
-pub fn verify_metric<M: Bounded<D>, const D: usize>(
+pub fn verify_metric<M: Bounded<D> + Sync, const D: usize>(
     metric: &M,
     region: &Region<D>,
     effort: &Effort,
@@ -246,7 +249,7 @@ pub fn verify_metric<M: Bounded<D>, const D: usize>(
 /// # Errors
 ///
 /// As [`MetricCase::within`].
-pub fn verify_metric_within<M: LocallyBounded<D>, const D: usize>(
+pub fn verify_metric_within<M: LocallyBounded<D> + Sync, const D: usize>(
     metric: &M,
     centre: impl Into<SVector<f64, D>>,
     radius: f64,

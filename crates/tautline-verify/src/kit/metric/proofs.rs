@@ -1,0 +1,98 @@
+//! The constants of a metric in every point of the region, by branch and bound.
+
+use nalgebra::SVector;
+use tautline::{
+    Bounded, CertifyError, Domain, Metric, Quantity,
+    certify::{Cell, Effort, certify},
+};
+
+use super::{MetricCase, claims::judge, extreme::Extreme};
+use crate::kit::{
+    Claim, Failure, Fault,
+    report::{LawResult, Tried},
+};
+
+impl Claim {
+    fn quantity(self) -> Quantity {
+        match self {
+            Claim::C1 => Quantity::C1,
+            Claim::C2 => Quantity::C2,
+            Claim::LH => Quantity::LH,
+            Claim::MH => Quantity::MH,
+        }
+    }
+
+    /// To one percent, with so many boxes as take a fraction of a second: the derivatives cost more.
+    fn effort(self, dimension: usize) -> Effort {
+        let budget = match self {
+            Claim::C1 | Claim::C2 => 20_000,
+            Claim::LH => 6_000,
+            Claim::MH => 2_000,
+        };
+        let budget = if dimension <= 2 { budget } else { budget / 4 };
+        Effort { tolerance: 1e-2, budget }
+    }
+
+    /// What the claim is about at a point where it is known to be `attained`, in the best direction that
+    /// is found from the axes.
+    fn at<const D: usize>(
+        self,
+        metric: &impl Metric<D>,
+        x: &SVector<f64, D>,
+        attained: f64,
+    ) -> Extreme<D> {
+        let axes = (0..D).map(|i| SVector::from_fn(|k, _| if k == i { 1.0 } else { 0.0 }));
+        let worst = axes
+            .map(|axis: SVector<f64, D>| self.measure(metric, x, &axis))
+            .reduce(|a, b| if self.worse(b.value, a.value) { b } else { a });
+        let mut found =
+            worst.unwrap_or(Extreme { value: attained, point: *x, direction: SVector::zeros() });
+        if self.worse(attained, found.value) {
+            found.value = attained;
+        }
+        found
+    }
+}
+
+/// Encloses each constant over the region, from the formula of the metric.
+///
+/// A claim that the bounds contradict is refused with the point, from where an ascent makes the most of
+/// it. Where the claim is on the right side of both bounds it is proved; between them, it is right
+/// up to the tolerance. In more than three dimensions, and where the boxes do not suffice, the note says
+/// that nothing was decided.
+pub(super) fn constants<M: Bounded<D> + Sync, const D: usize>(
+    case: &MetricCase<M, D>,
+) -> LawResult {
+    if D > 3 {
+        return Ok(Tried::cases(0).with_note("not tried in more than three dimensions"));
+    }
+    let (metric, region) = (&case.metric, &case.region);
+    let failure = |fault| Failure { fault, sample: None, seed: case.effort.seed };
+    let corner = |share| region.at(&SVector::repeat(share));
+    let cell = Cell::new(corner(0.0), corner(1.0));
+    let domain = Domain::cell(cell.map_err(|error| failure(Fault::Unproved(error)))?);
+    let constants = metric.constants();
+    let mut tried = Tried::cases(0);
+    let mut notes = Vec::new();
+    for claim in Claim::ALL {
+        let Some(claimed) = claim.of(&constants) else { continue };
+        let found = match certify(metric, claim.quantity(), &domain, claim.effort(D)) {
+            Ok(found) => found,
+            Err(CertifyError::BudgetSpent { .. }) => {
+                notes.push(format!("{claim} not decided"));
+                continue;
+            }
+            Err(error) => return Err(failure(Fault::Unproved(error))),
+        };
+        let (attained, proved) = match claim {
+            Claim::C1 => (found.upper, claimed <= found.lower),
+            _ => (found.lower, found.upper <= claimed),
+        };
+        let top = claim.climb(metric, region, claim.at(metric, &found.at, attained));
+        let slack = judge(claim, &constants, claimed, &top).map_err(|lie| failure(lie.into()))?;
+        tried.cases += found.boxes as u64;
+        tried.slack = tried.slack.min(slack);
+        notes.push(format!("{claim} {}", if proved { "proved" } else { "right to 1 %" }));
+    }
+    Ok(tried.with_note(notes.join(", ")))
+}

@@ -1,0 +1,189 @@
+//! The gallery with the constants that its formulas prove.
+
+use std::time::{Duration, Instant};
+
+use tautline::{
+    Bounded, CertifiedConstant, CertifyError, Constants, Domain, LocallyBounded, Metric, Quantity,
+    SMatrix, SVector,
+    certify::{Cell, Effort, certify},
+    gallery::{
+        Bump, Checkerboard, Constant, Corrugated, CoupledCosines, EggCrate, GaussianFisher,
+        GaussianFisherPatch, Hill, Hyperbolic, HyperbolicPatch, Lens, Obstacle, Ramp,
+        RotatingAnisotropy, Separable, Shear, SineProjection, SineProjections, SoftObstacles,
+        Sphere, SpherePatch, Swirl, TanhDecoder, TwoChannels, TwoLinkArm, Valleys,
+    },
+};
+
+use crate::Failure;
+
+/// A metric of the gallery and what is stated of its constants.
+pub struct Certified {
+    /// Its name.
+    pub metric: &'static str,
+    /// The dimension.
+    pub d: usize,
+    /// Where its constants are proved.
+    pub on: &'static str,
+    /// The four constants that are stated, in the order of [`Quantity::ALL`], and whether each is the
+    /// best one.
+    pub stated: [(f64, bool); 4],
+    search: Search,
+}
+
+/// What a search found, but for the point.
+#[derive(Clone, Copy, Debug)]
+pub struct Found {
+    /// The bound from below.
+    pub lower: f64,
+    /// The bound from above.
+    pub upper: f64,
+    /// The number of boxes.
+    pub boxes: usize,
+    /// How long it took.
+    pub time: Duration,
+}
+
+type Search = Box<dyn Fn(Quantity, Effort) -> Result<Found, CertifyError>>;
+
+impl Certified {
+    /// Encloses a constant.
+    ///
+    /// # Errors
+    ///
+    /// As [`certify`].
+    pub fn find(&self, quantity: Quantity, effort: Effort) -> Result<Found, CertifyError> {
+        (self.search)(quantity, effort)
+    }
+
+    fn new<M: Metric<D> + Sync + 'static, const D: usize>(
+        name: &'static str,
+        metric: M,
+        (on, domain): (&'static str, Domain<D>),
+        constants: Constants,
+        exact: [bool; 4],
+    ) -> Self {
+        let c = constants;
+        let values = [c.c1(), c.c2(), c.l_h(), c.m_h().unwrap_or(f64::NAN)];
+        let search = move |quantity, effort| {
+            let begun = Instant::now();
+            let CertifiedConstant { lower, upper, boxes, .. } =
+                certify(&metric, quantity, &domain, effort)?;
+            Ok(Found { lower, upper, boxes, time: begun.elapsed() })
+        };
+        let stated = std::array::from_fn(|i| (values[i], exact[i]));
+        Certified { metric: name, d: D, on, stated, search: Box::new(search) }
+    }
+}
+
+/// All of space, by periods or because the metric settles.
+fn space<const D: usize>(
+    metric: &impl Metric<D>,
+) -> Result<(&'static str, Domain<D>), CertifyError> {
+    let space = Domain::space(metric);
+    if space.is_all_of_space() {
+        return Ok(("a period", space));
+    }
+    Ok(("space, as it settles", Domain::settled_space(metric)?))
+}
+
+/// A metric with constants on all of space.
+fn global<M: Bounded<D> + Sync + 'static, const D: usize>(
+    name: &'static str,
+    metric: M,
+    exact: [bool; 4],
+) -> Result<Certified, Failure> {
+    let (domain, constants) = (space(&metric)?, metric.constants());
+    Ok(Certified::new(name, metric, domain, constants, exact))
+}
+
+/// A metric with constants on balls.
+fn local<M: LocallyBounded<2> + Sync + 'static>(
+    name: &'static str,
+    metric: M,
+    on: &'static str,
+    (centre, radius): ([f64; 2], f64),
+    exact: [bool; 4],
+) -> Result<Certified, Failure> {
+    let constants = metric.constants_within(&centre.into(), radius)?;
+    let ball = Domain::ball(centre, radius)?;
+    Ok(Certified::new(name, metric, (on, ball), constants, exact))
+}
+
+const ALL: [bool; 4] = [true; 4];
+const BUT_M_H: [bool; 4] = [true, true, true, false];
+const BUT_L_H: [bool; 4] = [true, true, false, true];
+const EIGENVALUES: [bool; 4] = [true, true, false, false];
+/// The eigenvalues are stated with a margin for rounding.
+const DERIVATIVES: [bool; 4] = [false, false, true, true];
+const NONE: [bool; 4] = [false; 4];
+
+/// The effort that a constant is worth here: a thousandth, and a hundredth for `M_H`, which costs most.
+#[must_use]
+pub fn effort(quantity: Quantity) -> Effort {
+    let tolerance = if quantity == Quantity::MH { 1e-2 } else { 1e-3 };
+    Effort { tolerance, ..Effort::default() }
+}
+
+/// Returns the metrics of the gallery in at most three dimensions.
+///
+/// # Errors
+///
+/// If a metric has no such parameters, or does not settle: none has.
+pub fn gallery() -> Result<Vec<Certified>, Failure> {
+    let matrix = SMatrix::<f64, 2, 2>::new(2.0, 1.0, 1.0, 2.0);
+    let one = Obstacle { centre: [0.0, 0.0].into(), height: 2.0, width: 0.5 };
+    let two = Obstacle { centre: [1.0, 1.0].into(), height: 1.0, width: 0.7 };
+    let sine = |wave_vector: [f64; 2], direction: [f64; 2]| SineProjection {
+        wave_vector: SVector::from(wave_vector),
+        direction: SVector::from(direction),
+    };
+    let sines =
+        SineProjections::new(vec![sine([1.0, 0.0], [1.0, 0.5]), sine([1.0, 1.0], [0.0, 1.0])])?;
+    let inner = SMatrix::<f64, 3, 2>::new(1.0, 0.2, -0.5, 0.8, 0.3, -1.0);
+    let outer = SMatrix::<f64, 3, 3>::new(1.0, 0.0, 0.5, 0.0, 1.0, -0.5, 0.4, 0.3, 1.0);
+    let decoder = TanhDecoder::new(inner, outer, 0.5)?;
+    let decoded = Domain::cell(Cell::new([-6.0, -6.0], [6.0, 6.0])?);
+    let stated = Bounded::<2>::constants(&decoder);
+    Ok(vec![
+        global("constant", Constant::new(matrix)?, DERIVATIVES)?,
+        global::<_, 1>("valleys", Valleys, ALL)?,
+        global::<_, 2>("valleys", Valleys, ALL)?,
+        global::<_, 3>("valleys", Valleys, ALL)?,
+        global("ramp", Ramp::new(0.5, 1.0)?, BUT_M_H)?,
+        global("separable", Separable::new([0.3, 0.5], [1.0, 2.0])?, ALL)?,
+        global("shear", Shear::new(0.5, 1.0)?, ALL)?,
+        global::<_, 2>("lens", Lens::new(1.0, 0.5)?, ALL)?,
+        global::<_, 3>("lens", Lens::new(1.0, 0.5)?, ALL)?,
+        global::<_, 2>("bump", Bump::new(1.0, 0.5)?, BUT_L_H)?,
+        global::<_, 2>("hill", Hill::new(0.5, 0.5)?, ALL)?,
+        global("soft obstacles", SoftObstacles::new(vec![one, two])?, NONE)?,
+        global("swirl", Swirl::new(1.0, 0.5)?, EIGENVALUES)?,
+        global("egg crate", EggCrate::new(0.5, 1.0)?, ALL)?,
+        global::<_, 2>("corrugated", Corrugated::new(0.5, 1.0)?, ALL)?,
+        global("checkerboard", Checkerboard::new(2.0, 1.0)?, ALL)?,
+        global("two channels", TwoChannels::new(2.0, 1.0, 0.5)?, EIGENVALUES)?,
+        global("rotating anisotropy", RotatingAnisotropy::new([1.0, 4.0], [0.5, 1.5])?, ALL)?,
+        global("two-link arm", TwoLinkArm::new(4.0, 0.8, 1.0)?, ALL)?,
+        global("coupled cosines", CoupledCosines, BUT_M_H)?,
+        global("sine projections", sines, NONE)?,
+        local("sphere", Sphere, "$\\lvert x \\rvert \\le 1$", ([0.0, 0.0], 1.0), ALL)?,
+        local("hyperbolic", Hyperbolic, "$\\lvert x \\rvert \\le 1/2$", ([0.0, 0.0], 0.5), ALL)?,
+        local(
+            "Gaussian Fisher",
+            GaussianFisher,
+            "$\\lvert x \\rvert \\le 3/4$",
+            ([0.0, 0.0], 0.75),
+            ALL,
+        )?,
+        global::<_, 2>("sphere patch", SpherePatch::new(1.0)?, EIGENVALUES)?,
+        global::<_, 2>("hyperbolic patch", HyperbolicPatch::new(0.5)?, EIGENVALUES)?,
+        global("Gaussian Fisher patch", GaussianFisherPatch::new(0.75)?, EIGENVALUES)?,
+        Certified::new(
+            "tanh decoder",
+            decoder,
+            ("$\\lvert x_i \\rvert \\le 6$", decoded),
+            stated,
+            NONE,
+        ),
+    ])
+}

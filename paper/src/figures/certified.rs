@@ -1,0 +1,161 @@
+//! What a formula proves of its constants from place to place.
+
+use tautline::{
+    Bounded, Domain, Metric, Quantity, SMatrix, SVector, Scalar,
+    certify::{Cell, Effort, certify},
+    gallery::{Swirl, TanhDecoder},
+};
+
+use super::Figure;
+use crate::{
+    Failure,
+    data::{Data, Tolerance},
+    drawing::{self, Axis, DrawingError, Field, Panel, Scale, Scene},
+    grid::{Grid, Lines},
+    parallel,
+    sweep::Sweep,
+};
+
+pub(super) const FIGURE: Figure = Figure {
+    id: "certified",
+    shows: "bounds of the least and the greatest eigenvalue of H and of the norm of DH on each of \
+            31 x 31 small boxes, proved from the formulas of three metrics: one that states no \
+            constants, the stirred plane, and the pullback by a decoder",
+    data,
+    draw,
+};
+
+/// `[[2 + cos x₁, 0.3 sin(x₁ + x₂)], [·, 1.5 + 0.5 sin x₂]]`, and no word about constants.
+#[derive(Clone, Copy, Debug)]
+struct Formula;
+
+impl Metric<2> for Formula {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+        let off = (x[0] + x[1]).sin() * 0.3;
+        SMatrix::<S, 2, 2>::new(x[0].cos() + 2.0, off, off, x[1].sin() * 0.5 + 1.5)
+    }
+}
+
+/// The number of boxes to a side.
+const COUNT: usize = 31;
+
+/// The metrics by their names, each on a square about the origin, with half its side.
+const SQUARES: [(&str, &str, f64); 3] = [
+    ("formula", "a formula", std::f64::consts::PI),
+    ("swirl", "the stirred plane", 2.5),
+    ("decoder", "a decoder", 3.0),
+];
+
+const QUANTITIES: [(Quantity, &str, &str); 3] = [
+    (Quantity::C1, "least_eigenvalue", "$c_1(x)$"),
+    (Quantity::C2, "greatest_eigenvalue", "$c_2(x)$"),
+    (Quantity::LH, "derivative", "$‖DH(x)‖$"),
+];
+
+/// The centres of the boxes.
+fn centres(half: f64) -> Lines {
+    let step = 2.0 * half / COUNT as f64;
+    Lines { from: -half + 0.5 * step, to: half - 0.5 * step, count: COUNT }
+}
+
+fn data(_sweep: Sweep) -> Result<Data, Failure> {
+    // Each to two percent: what another library of elementary functions may make of it.
+    let bound = Tolerance::Close { relative: 0.02, absolute: 0.0 };
+    let mut columns =
+        vec![("metric", Tolerance::Exact), ("x1", Tolerance::Exact), ("x2", Tolerance::Exact)];
+    columns.extend(QUANTITIES.map(|(_, name, _)| (name, bound)));
+    let mut data = Data::new(&columns);
+    let inner = SMatrix::<f64, 3, 2>::new(1.0, 0.2, -0.5, 0.8, 0.3, -1.0);
+    let outer = SMatrix::<f64, 3, 3>::new(1.0, 0.0, 0.5, 0.0, 1.0, -0.5, 0.4, 0.3, 1.0);
+    let (swirl, decoder) = (Swirl::new(1.0, 1.0)?, TanhDecoder::new(inner, outer, 0.5)?);
+    let stated = [None, Some(swirl.constants()), Some(Bounded::<2>::constants(&decoder))];
+    for ((name, _, half), stated) in SQUARES.into_iter().zip(stated) {
+        let lines = centres(half);
+        let places: Vec<[f64; 2]> =
+            lines.all().flat_map(|y| lines.all().map(move |x| [x, y])).collect();
+        let step = 0.5 * (lines.all().nth(1).unwrap_or(half) - lines.from);
+        let rows = parallel::map(&places, |&at| match name {
+            "formula" => bounds(&Formula, at, step),
+            "swirl" => bounds(&swirl, at, step),
+            _ => bounds(&decoder, at, step),
+        });
+        for (at, row) in places.into_iter().zip(rows) {
+            let row = row?;
+            // No constant that is stated may be better than what is found in a box.
+            if let Some(c) = stated {
+                let worse =
+                    [c.c1() <= row[0] * 1.03, c.c2() >= row[1] * 0.97, c.l_h() >= row[2] * 0.97];
+                if worse.contains(&false) {
+                    return Err(Failure::Violated(format!(
+                        "{name} at {at:?}: {row:?}, stated {c:?}"
+                    )));
+                }
+            }
+            let place = at.map(|x| format!("{x:.6}"));
+            let numbers = row.map(|x| format!("{x:.6e}"));
+            data.push([name.to_owned()].into_iter().chain(place).chain(numbers).collect());
+        }
+    }
+    Ok(data)
+}
+
+/// The bounds on the safe side of the three quantities in a square of half side `step`.
+fn bounds(
+    metric: &(impl Metric<2> + Sync),
+    [x, y]: [f64; 2],
+    step: f64,
+) -> Result<[f64; 3], Failure> {
+    let domain = Domain::cell(Cell::new([x - step, y - step], [x + step, y + step])?);
+    let effort = Effort { tolerance: 0.01, ..Effort::default() };
+    let of = |quantity| certify(metric, quantity, &domain, effort);
+    Ok([of(Quantity::C1)?.lower, of(Quantity::C2)?.upper, of(Quantity::LH)?.upper])
+}
+
+fn draw(data: &Data) -> Result<Scene, Failure> {
+    let mut rows = Vec::new();
+    for (name, title, half) in SQUARES {
+        let mut panels = Vec::new();
+        for (k, (_, column, symbol)) in QUANTITIES.into_iter().enumerate() {
+            let values = data.rows().filter(|row| row.text("metric") == name);
+            let grid = Grid::new(
+                centres(half),
+                centres(half),
+                values.map(|row| row.number(column)).collect(),
+            )?;
+            let title =
+                format!("({}) {title}: {symbol}", char::from(b'a' + (3 * rows.len() + k) as u8));
+            panels.push(panel(&grid, half, &title, symbol)?);
+        }
+        rows.push(panels);
+    }
+    let title = "Constants from place to place, proved from the formula";
+    Ok(drawing::Figure::new(1100.0, title, rows).draw()?)
+}
+
+fn panel(grid: &Grid, half: f64, title: &str, symbol: &str) -> Result<Panel, DrawingError> {
+    let lines = centres(half);
+    let range = (lines.from, lines.to);
+    let all = || lines.all().flat_map(|y| lines.all().map(move |x| grid.at(x, y)));
+    let (least, most) = (all().fold(f64::INFINITY, f64::min), all().fold(0.0, f64::max));
+    let step = nice(least, most);
+    let (first, last) = ((least / step).floor() as i32, (most / step).ceil() as i32);
+    let levels = (first..=last).map(|k| f64::from(k) * step).collect();
+    let field =
+        Field::sample(range, range, levels, |x, y| grid.at(x, y))?.labelled(symbol).lined_every(2);
+    let axis = || Axis::new(Scale::Linear, range.0, range.1);
+    Ok(Panel::new(axis()?.labelled("$x_1$"), axis()?.labelled("$x_2$"))
+        .titled(title)
+        .tall(230.0)
+        .over(field))
+}
+
+/// A round number of which some ten to twenty lie between the two.
+fn nice(least: f64, most: f64) -> f64 {
+    let rough = (most - least) / 12.0;
+    let power = 10_f64.powf(rough.log10().floor());
+    [1.0, 2.0, 5.0]
+        .map(|k| k * power)
+        .into_iter()
+        .find(|&step| step >= rough)
+        .unwrap_or(10.0 * power)
+}

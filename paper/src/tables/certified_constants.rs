@@ -1,0 +1,120 @@
+//! The constants of the gallery, stated and proved.
+
+use tautline::Quantity;
+
+use super::{Layout, Seed, Table, no_pages};
+use crate::{
+    Failure,
+    certified::{Certified, Found, effort, gallery},
+    data::{Data, Tolerance},
+    sweep::Sweep,
+};
+
+pub(super) const TABLE: Table = Table {
+    id: "certified_constants",
+    shows: "the constants of the gallery as stated, and between which bounds its formulas prove them \
+            to be; on all of space by periods or because the metric settles, or on a ball",
+    seed: Seed::None,
+    data,
+    layout,
+    repeatable: true,
+    pages: no_pages,
+};
+
+/// Another library of elementary functions leads the search another way, to bounds that are as close.
+const BOUND: Tolerance = Tolerance::Close { relative: 1e-3, absolute: 0.0 };
+const BOXES: Tolerance = Tolerance::Close { relative: 0.25, absolute: 20.0 };
+
+fn data(_sweep: Sweep) -> Result<Data, Failure> {
+    let mut data = Data::new(&[
+        ("metric", Tolerance::Exact),
+        ("d", Tolerance::Exact),
+        ("quantity", Tolerance::Exact),
+        ("stated", Tolerance::Close { relative: 1e-12, absolute: 0.0 }),
+        ("certified_lower", BOUND),
+        ("certified_upper", BOUND),
+        ("boxes", BOXES),
+        ("stated_is", Tolerance::Exact),
+        ("on", Tolerance::Exact),
+    ]);
+    for metric in gallery()? {
+        for (quantity, (stated, exact)) in Quantity::ALL.into_iter().zip(metric.stated) {
+            let found = metric.find(quantity, effort(quantity))?;
+            agrees(&metric, quantity, (stated, exact), &found)?;
+            data.push(vec![
+                metric.metric.to_owned(),
+                metric.d.to_string(),
+                quantity.to_string(),
+                stated.to_string(),
+                found.lower.to_string(),
+                found.upper.to_string(),
+                found.boxes.to_string(),
+                if exact { "exact" } else { "a bound" }.to_owned(),
+                metric.on.to_owned(),
+            ]);
+        }
+    }
+    Ok(data)
+}
+
+/// Refuses a stated constant that is not between the bounds, or worse than it may be, and bounds that
+/// are too far apart.
+fn agrees(
+    metric: &Certified,
+    quantity: Quantity,
+    (stated, exact): (f64, bool),
+    found: &Found,
+) -> Result<(), Failure> {
+    // A closed form is evaluated in doubles, with some roundings.
+    let (below, above) = (stated * (1.0 - 1e-14), stated * (1.0 + 1e-14));
+    let holds = match (exact, quantity) {
+        (true, _) => found.lower <= above && below <= found.upper,
+        (false, Quantity::C1) => below <= found.upper,
+        (false, _) => found.lower <= above,
+    };
+    // L_H and M_H of a metric in three dimensions that is no multiple of the identity are replaced by
+    // something larger.
+    let limit = match quantity {
+        Quantity::C1 | Quantity::C2 => 1.0011,
+        Quantity::LH => 1.0021,
+        Quantity::MH => 1.02,
+    };
+    let close = found.upper <= found.lower * limit;
+    if holds && close {
+        return Ok(());
+    }
+    let (name, d) = (metric.metric, metric.d);
+    Err(Failure::Violated(format!(
+        "{quantity} of {name}, D = {d}: stated {stated}, proved between {} and {}",
+        found.lower, found.upper
+    )))
+}
+
+fn layout(data: &Data) -> Result<Layout, Failure> {
+    let mut layout = Layout::new(
+        "Constants of the gallery: as stated, and between which bounds the formula proves them to be. \
+         A stated constant that is only a bound need not lie between.",
+        &["metric", "$D$", "constant", "stated", "", "proved from", "to", "boxes", "on"],
+    );
+    for row in data.rows() {
+        let digits = |name: &str| format!("{:.6}", row.number(name));
+        layout.push(vec![
+            row.text("metric").to_owned(),
+            row.text("d").to_owned(),
+            match row.text("quantity") {
+                "c1" => "$c_1$",
+                "c2" => "$c_2$",
+                "L_H" => "$L_H$",
+                _ => "$M_H$",
+            }
+            .to_owned(),
+            digits("stated"),
+            row.text("stated_is").to_owned(),
+            digits("certified_lower"),
+            digits("certified_upper"),
+            row.text("boxes").to_owned(),
+            row.text("on").to_owned(),
+        ]);
+    }
+    Ok(layout)
+}

@@ -1,0 +1,86 @@
+//! Constants proved from the formula: where none are stated, and where they are wrong.
+
+use tautline::{
+    Certified, certify,
+    gallery::{Shear, Valleys},
+};
+use tautline_verify::{
+    WithConstants,
+    kit::{Claim, Fault, MetricCase, metric},
+    prelude::*,
+};
+
+use super::gallery::period;
+
+/// `[[2 + cos x₁, 0.3 sin(x₁ + x₂)], [·, 1.5 + 0.5 sin x₂]]`, and no word about its constants.
+struct Formula;
+
+impl Metric<2> for Formula {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+        let off = (x[0] + x[1]).sin() * 0.3;
+        SMatrix::<S, 2, 2>::new(x[0].cos() + 2.0, off, off, x[1].sin() * 0.5 + 1.5)
+    }
+}
+
+fn proved() -> Certified<Formula> {
+    Certified::new(Formula, certify::Effort::default()).expect("periodic")
+}
+
+metric_suite!(a_formula_alone: proved(), dimension 2, in period());
+
+/// The metric with one of its constants multiplied by a factor.
+fn liar<M: Bounded<2> + Sync>(
+    metric: M,
+    constant: Claim,
+    factor: f64,
+) -> MetricCase<WithConstants<M>, 2> {
+    let by = |which| if which == constant { factor } else { 1.0 };
+    let factors = [Claim::C1, Claim::C2, Claim::LH, Claim::MH].map(by);
+    let constants = metric.constants().times(factors).expect("in order");
+    MetricCase::new(WithConstants { metric, constants }, period(), Effort::default())
+}
+
+#[test]
+fn a_lie_of_a_thousandth_is_refused_with_its_witness() {
+    let shear = Shear::new(0.5, 1.0).expect("a wave number");
+    for constant in Claim::ALL {
+        let factor = if constant == Claim::C1 { 1.001 } else { 0.999 };
+        let outcome = metric::constants_are_proved(&liar(shear, constant, factor));
+        let failure = outcome.failure.unwrap_or_else(|| panic!("{constant} passes"));
+        let Fault::Lie(lie) = failure.fault else { panic!("{failure}") };
+        assert_eq!((lie.constant, lie.point.len(), lie.direction.len()), (constant, 2, 2));
+        // The ascent from the box finds the extreme value to six digits.
+        let truth = constant.of(&shear.constants()).expect("stated");
+        assert!((lie.found / truth - 1.0).abs() < 1e-6, "{lie}");
+    }
+}
+
+#[test]
+fn what_is_stated_is_proved_or_right_to_the_tolerance() {
+    let case = |factor| liar(Valleys, Claim::LH, factor);
+    let note = |factor| metric::constants_are_proved(&case(factor)).note.expect("a note");
+    assert!(note(1.0).contains("L_H right to 1 %"), "{}", note(1.0));
+    assert!(note(1.02).contains("L_H proved"), "{}", note(1.02));
+}
+
+/// Indefinite in a strip of width 0.04, where few samples are, and refused all the same.
+#[test]
+fn a_metric_that_is_indefinite_in_a_corner_is_refused_with_a_point() {
+    struct Dented;
+    impl Metric<2> for Dented {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            let near = ((x[0] - 1.3).sqr() + (x[1] - 4.1).sqr()) * -5000.0;
+            SMatrix::from_diagonal_element(-near.exp() * 1.1 + 1.0)
+        }
+    }
+    let constants = Constants::new(1.0, 1.0, 100.0).expect("in order");
+    let metric = WithConstants { metric: Dented, constants };
+    let case = MetricCase::new(metric, period(), Effort::default());
+    let failure = metric::constants_are_proved(&case).failure.expect("indefinite");
+    let Fault::Unproved(tautline::CertifyError::NotPositiveDefinite { point, eigenvalue }) =
+        failure.fault
+    else {
+        panic!("{failure}")
+    };
+    assert!((point[0] - 1.3).hypot(point[1] - 4.1) < 0.02 && eigenvalue <= 0.0, "{point:?}");
+}
