@@ -86,7 +86,9 @@
 //!
 //! A metric that knows its distances says `with distances` at the end of the line, and
 //! [`MetricCase::with_known_distance`] where functions are called. A metric that claims nothing is
-//! given claims by [`WithConstants`](crate::WithConstants). One that has constants on balls only
+//! given claims by [`WithConstants`](crate::WithConstants), or proved ones by
+//! [`Certified`](tautline::Certified), `metric_suite!(egg: Certified::new(Egg, effort).expect("periodic"), …)`:
+//! then the formula is all that there is to write. One that has constants on balls only
 //! is tested in one of them, `within 0.5, of [0.1, 0.2]` in place of `in Region::cell(…)`.
 //!
 //! # How the laws look
@@ -97,6 +99,11 @@
 //! to six digits or so, and a claim that is off by more is refused with the point, the direction,
 //! and both numbers. What ascents from [`Effort::ascents`] starts do not reach is not seen:
 //! a law that holds is evidence, not a proof.
+//!
+//! One is a proof, up to three dimensions: `constants_are_proved` bounds the constants in all of the
+//! region by intervals, and refuses a claim that they contradict, and a metric that is indefinite
+//! somewhere, with the point. Its note says what is proved, what is right to one percent (as a claim
+//! that is attained can be only), and for what the boxes did not suffice.
 //!
 //! One sample in eight is moved to the ends, the quarters or the middle of the edges, or to 0: there
 //! `x/|x|`, `1/r` and angles break, and uniform samples are never there. Where a law of the formula
