@@ -7,9 +7,7 @@ use std::any::type_name;
 
 use nalgebra::{SMatrix, SVector};
 use tautline_metrics::{Metric, gallery::*};
-use tautline_scalar::{
-    Enclosure, Fast, FastInterval, Interval, Jet1, Jet2, Kernel, Rigorous, Scalar,
-};
+use tautline_scalar::{Fast, FastInterval, Interval, Jet1, Jet2, Rigorous, Scalar};
 
 use crate::{
     precise::{Cell, Precise, Tally},
@@ -29,7 +27,8 @@ pub(crate) struct Record {
     pub(crate) dimension: usize,
     pub(crate) tally: Tally,
     /// The widest entries of `H`, of its first and of its second derivatives at a point within
-    /// `reach`, in units of `2⁻⁵²` of the largest entry of the same order there.
+    /// `reach`, in units of `2⁻⁵²` of the largest entry of all three there: derivatives that
+    /// cancel are not asked for more.
     pub(crate) widest: [f64; 3],
 }
 
@@ -129,18 +128,13 @@ fn attempt<const D: usize>(
         check("fast length", tally.compare(fast_length, value));
     }
     if cell.is_point() && cell.is_within(reach) {
+        let size = rigorous.iter().flatten().map(|x| x.magnitude()).fold(0.0, f64::max);
         for (widest, entries) in record.widest.iter_mut().zip(&rigorous) {
-            *widest = widest.max(relative_width(entries));
+            // The width of the undefined is NaN, which is not the largest.
+            let width = entries.iter().map(|x| x.width()).fold(0.0, f64::max);
+            *widest = widest.max(width / size / f64::EPSILON);
         }
     }
-}
-
-/// The largest width, in units of `2⁻⁵²` of the largest magnitude; zero where nothing is defined
-/// or everything next to underflow.
-fn relative_width<K: Kernel>(entries: &[Enclosure<K>]) -> f64 {
-    let size = entries.iter().map(|x| x.magnitude()).fold(0.0, f64::max);
-    let width = entries.iter().map(|x| x.width()).fold(0.0, f64::max);
-    if size > 1e-290 && size.is_finite() { width / size / f64::EPSILON } else { 0.0 }
 }
 
 /// Visits every metric of the gallery, those of any dimension in one, two and three, with

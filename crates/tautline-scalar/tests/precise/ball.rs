@@ -44,6 +44,16 @@ fn zero() -> BigFloat {
     BigFloat::new(COARSE)
 }
 
+/// The least binary exponent; that of the library is `−2³¹`.
+const LEAST: i32 = -(1 << 26);
+
+/// `2ⁿ` with an `n` somewhat above [`LEAST`], which bounds every smaller number.
+fn hardly_anything() -> BigFloat {
+    let mut bound = BigFloat::from_word(1, COARSE);
+    bound.set_exponent(LEAST + 2);
+    bound
+}
+
 /// Whether `a ≤ b`; not if either is NaN.
 pub(super) fn at_most(a: &BigFloat, b: &BigFloat) -> bool {
     a.cmp(b).is_some_and(|order| order <= 0)
@@ -92,10 +102,18 @@ impl Ball {
     /// what becomes of the radii of the operands. Rounded to nearest the centre is off by
     /// `2⁻¹⁹²` of it; `2⁻¹⁸⁸` forgives the library fifteen units, and the higher orders of the radii.
     fn result(mut centre: BigFloat, radius: BigFloat) -> Value {
-        // Far from the end of the exponents, `2³¹`, nothing is subnormal.
-        let usable = centre.is_zero() || centre.exponent().is_some_and(|e| e.abs() < 1 << 28);
-        if !usable || centre.is_nan() || radius.is_nan() || radius.is_inf() {
+        let exponents =
+            [&centre, &radius].map(|x| if x.is_zero() { Some(0) } else { x.exponent() });
+        let [Some(of_centre), Some(of_radius)] = exponents else {
             return Unknown;
+        };
+        if of_centre > -LEAST {
+            return Unknown;
+        }
+        if of_centre < LEAST || of_radius < LEAST {
+            // Far from the end of the exponents, where something might become zero.
+            let centre = if of_centre < LEAST { BigFloat::new(P) } else { centre };
+            return Self::result(centre, plus(&radius, &hardly_anything()));
         }
         let rounded = centre.inexact();
         centre.set_inexact(false);
@@ -181,6 +199,10 @@ impl Ball {
     pub(super) fn exp(&self) -> Value {
         if self.is_zero() {
             return Within(Self::exact(Reference::big(1.0)));
+        }
+        // e^{−2²⁶} < 2^{−2²⁶}.
+        if self.is_below(f64::from(LEAST)) {
+            return Within(Self { centre: BigFloat::new(P), radius: hardly_anything() });
         }
         if !self.is_small() {
             return Unknown;

@@ -27,7 +27,7 @@ impl<const D: usize> Cell<D> {
         let special = random.bits().is_multiple_of(8).then(|| random.bits() as usize % D);
         let sides = std::array::from_fn(|i| {
             let centre = if far {
-                random.sign() * random.with_exponent(-60, 30)
+                random.sign() * random.with_exponent(-60, 24)
             } else {
                 random.between(-reach, reach)
             };
