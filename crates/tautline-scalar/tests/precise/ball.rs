@@ -98,6 +98,11 @@ impl Ball {
         at_most(&scaled(&self.radius, 20), &Reference::big(1.0))
     }
 
+    /// Whether the centre is at least `2ⁿ` in size.
+    fn is_beyond(&self, n: i32) -> bool {
+        self.centre.exponent().is_none_or(|e| e > n)
+    }
+
     /// The result of an operation: the computed centre, rounded unless it is marked as exact, and
     /// what becomes of the radii of the operands. Rounded to nearest the centre is off by
     /// `2⁻¹⁹²` of it; `2⁻¹⁸⁸` forgives the library fifteen units, and the higher orders of the radii.
@@ -204,7 +209,7 @@ impl Ball {
         if self.is_below(f64::from(LEAST)) {
             return Within(Self { centre: BigFloat::new(P), radius: hardly_anything() });
         }
-        if !self.is_small() {
+        if !self.is_small() || self.is_beyond(27) {
             return Unknown;
         }
         let e = CONSTANTS.with_borrow_mut(|c| self.centre.exp(P, EVEN, c));
@@ -216,7 +221,7 @@ impl Ball {
         if self.is_zero() {
             return (Within(self.clone()), Within(Self::exact(Reference::big(1.0))));
         }
-        if !self.is_small() {
+        if !self.is_small() || self.is_beyond(27) {
             return (Unknown, Unknown);
         }
         let (s, c) = CONSTANTS.with_borrow_mut(|constants| {
@@ -226,10 +231,15 @@ impl Ball {
         (Self::approximate(s, radius.clone()), Self::approximate(c, radius))
     }
 
-    /// Neither is steeper than 1.
+    /// Neither is steeper than 1, nor larger: which is all that is said of the numbers beyond the
+    /// doubles, where the library would need `π` to as many places as the number has.
     pub(super) fn sin_cos(&self) -> (Value, Value) {
         if self.is_zero() {
             return (Within(self.clone()), Within(Self::exact(Reference::big(1.0))));
+        }
+        if self.is_beyond(1024) {
+            let any = Within(Self { centre: BigFloat::new(P), radius: Reference::big(1.0) });
+            return (any.clone(), any);
         }
         let (s, c) = CONSTANTS.with_borrow_mut(|constants| {
             (self.centre.sin(P, EVEN, constants), self.centre.cos(P, EVEN, constants))
