@@ -40,8 +40,8 @@ fn main() {
         trials.into_iter().map(|trial| trial.join().expect("no miss")).collect::<Vec<_>>()
     });
     let mut records = trials.pop().expect("a trial");
-    for (record, other) in trials.iter().flat_map(|other| records.iter_mut().zip(other)) {
-        record.add(other);
+    for other in &trials {
+        records.iter_mut().zip(other).for_each(|(record, other)| record.add(other));
     }
     let mut all = Tally::default();
     for Record { name, dimension, tally, widest: [h, first, second] } in records {

@@ -26,7 +26,7 @@ fn no_enclosure_misses_a_random_formula() {
         attempt(&formula, &mut random, &mut tally);
     }
     println!("{tally:?}");
-    assert_eq!(tally.total(), FORMULAS * 16 * 19);
+    assert!(tally.total() >= FORMULAS * 16 * 19, "{tally:?}");
     assert!(tally.compared > 100_000 && tally.undefined > 5_000, "{tally:?}");
     assert!(tally.unknown < tally.total() / 100, "{tally:?}");
 }

@@ -5,7 +5,7 @@
 use tautline_scalar::{Fast, Jet1, Jet2, Rigorous, Scalar};
 
 use crate::{
-    precise::{Cell, Precise, Tally},
+    precise::{Cell, Precise, Tally, Value},
     reference::{Function, Random},
 };
 
@@ -165,6 +165,12 @@ pub(crate) fn attempt(formula: &Formula, random: &mut Random, tally: &mut Tally)
                 });
             };
             compare("plain", 0, tally.compare(plain, at[0]));
+            // Nor may what forgets its argument forget that there is none.
+            if matches!(at[0].value(), Value::Undefined) {
+                for (k, x) in [plain.powi(0), plain * 0.0, plain.atan()].into_iter().enumerate() {
+                    compare("after the undefined", k, tally.compare(x, at[0]));
+                }
+            }
             for k in 0..6 {
                 compare("Jet2", k, tally.compare(rigorous[k], at[k]));
                 compare("fast Jet2", k, tally.compare(fast[k], at[k]));
