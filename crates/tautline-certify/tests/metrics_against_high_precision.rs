@@ -9,14 +9,14 @@ mod reference;
 
 use std::collections::BTreeSet;
 
-use every_metric::{Trial, visit_all};
+use every_metric::{Trial, try_all};
 use precise::Tally;
 use reference::Random;
 
 fn trial(seed: u64, comparisons: u64) -> Trial {
     println!("seed {seed}");
     let mut trial = Trial { random: Random(seed), comparisons, records: Vec::new() };
-    visit_all(&mut trial);
+    try_all(&mut trial);
     trial
 }
 

@@ -1,7 +1,7 @@
 //! A million comparisons of random formulas and their derivatives over boxes with their values in
 //! high precision.
 //!
-//! The tests make a hundred thousand; this takes SECONDS:
+//! The tests make a hundred thousand; this takes ten seconds:
 //! `cargo run --release -p tautline-scalar --example formulas_by_the_million [COUNT] [SEED]`.
 //! It panics at the first enclosure that misses.
 

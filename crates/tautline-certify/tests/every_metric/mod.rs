@@ -14,12 +14,6 @@ use crate::{
     reference::Random,
 };
 
-/// What is done with each metric.
-pub(crate) trait Visitor {
-    /// The metric changes with coordinates of about the size `reach`.
-    fn visit<M: Metric<D>, const D: usize>(&mut self, metric: &M, reach: f64);
-}
-
 /// A metric, and what was seen of it.
 #[derive(Clone, Debug)]
 pub(crate) struct Record {
@@ -50,8 +44,10 @@ pub(crate) struct Trial {
     pub(crate) records: Vec<Record>,
 }
 
-impl Visitor for Trial {
-    fn visit<M: Metric<D>, const D: usize>(&mut self, metric: &M, reach: f64) {
+impl Trial {
+    /// Tries a metric that changes with coordinates of about the size `reach`.
+    #[track_caller]
+    fn metric<M: Metric<D>, const D: usize>(&mut self, metric: &M, reach: f64) {
         let path = type_name::<M>().split('<').next().expect("a first part");
         let name = path.rsplit("::").next().expect("a last part");
         let mut record = Record { name, dimension: D, tally: Tally::default(), widest: [0.0; 3] };
@@ -137,52 +133,48 @@ fn attempt<const D: usize>(
     }
 }
 
-/// Visits every metric of the gallery, those of any dimension in one, two and three, with
+/// Tries every metric of the gallery, those of any dimension in one, two and three, with
 /// parameters that are not dyadic.
-pub(crate) fn visit_all(visitor: &mut impl Visitor) {
+pub(crate) fn try_all(trial: &mut Trial) {
     let full = SMatrix::<f64, 3, 3>::new(2.0, 0.3, 0.1, 0.3, 1.7, -0.4, 0.1, -0.4, 1.1);
-    visitor.visit(&Constant::new(full).expect("positive definite"), 1.0);
-    in_three(visitor, &Valleys, 7.0);
-    visitor.visit(&Ramp::new(0.7, 1.3).expect("below one"), 3.0);
-    visitor.visit(&Separable::<1>::new([0.7], [3.3]).expect("below one"), 3.0);
-    visitor.visit(&Separable::<3>::new([0.3, 0.5, -0.4], [1.1, 2.0, 1.7]).expect("below one"), 3.0);
-    visitor.visit(&Shear::new(0.7, 1.3).expect("a wave number"), 6.0);
-    in_three(visitor, &Lens::new(1.3, 0.6).expect("a width"), 2.0);
-    in_three(visitor, &Bump::new(1.3, 0.6).expect("a width"), 2.0);
-    in_three(visitor, &Hill::new(0.7, 0.6).expect("a width"), 2.0);
+    trial.metric(&Constant::new(full).expect("positive definite"), 1.0);
+    in_three(trial, &Valleys, 7.0);
+    trial.metric(&Ramp::new(0.7, 1.3).expect("below one"), 3.0);
+    trial.metric(&Separable::<1>::new([0.7], [3.3]).expect("below one"), 3.0);
+    trial.metric(&Separable::<3>::new([0.3, 0.5, -0.4], [1.1, 2.0, 1.7]).expect("below one"), 3.0);
+    trial.metric(&Shear::new(0.7, 1.3).expect("a wave number"), 6.0);
+    in_three(trial, &Lens::new(1.3, 0.6).expect("a width"), 2.0);
+    in_three(trial, &Bump::new(1.3, 0.6).expect("a width"), 2.0);
+    in_three(trial, &Hill::new(0.7, 0.6).expect("a width"), 2.0);
     let one = Obstacle { centre: [0.1, -0.3].into(), height: 2.3, width: 0.6 };
     let two = Obstacle { centre: [1.1, 0.9].into(), height: 0.7, width: 0.3 };
-    visitor.visit(&SoftObstacles::new(vec![one, two]).expect("widths"), 2.0);
-    visitor.visit(&Swirl::new(1.3, 0.6).expect("a width"), 2.0);
-    visitor.visit(&EggCrate::new(0.7, 1.3).expect("a wave number"), 6.0);
-    in_three(visitor, &Corrugated::new(0.7, 1.3).expect("a wave number"), 6.0);
-    visitor.visit(&Checkerboard::new(2.3, 0.9).expect("a side"), 2.0);
-    visitor.visit(&TwoChannels::new(2.3, 0.9, 0.4).expect("a width"), 2.0);
-    visitor.visit(&RotatingAnisotropy::new([0.9, 4.1], [0.7, -1.1]).expect("eigenvalues"), 3.0);
-    visitor.visit(&TwoLinkArm::new(4.1, 0.7, 1.1).expect("positive definite"), 6.0);
-    visitor.visit(&CoupledCosines, 6.0);
+    trial.metric(&SoftObstacles::new(vec![one, two]).expect("widths"), 2.0);
+    trial.metric(&Swirl::new(1.3, 0.6).expect("a width"), 2.0);
+    trial.metric(&EggCrate::new(0.7, 1.3).expect("a wave number"), 6.0);
+    in_three(trial, &Corrugated::new(0.7, 1.3).expect("a wave number"), 6.0);
+    trial.metric(&Checkerboard::new(2.3, 0.9).expect("a side"), 2.0);
+    trial.metric(&TwoChannels::new(2.3, 0.9, 0.4).expect("a width"), 2.0);
+    trial.metric(&RotatingAnisotropy::new([0.9, 4.1], [0.7, -1.1]).expect("eigenvalues"), 3.0);
+    trial.metric(&TwoLinkArm::new(4.1, 0.7, 1.1).expect("positive definite"), 6.0);
+    trial.metric(&CoupledCosines, 6.0);
     let term =
         |w: [f64; 3], a: [f64; 3]| SineProjection { wave_vector: w.into(), direction: a.into() };
     let terms =
         vec![term([0.7, -1.1, 0.3], [0.9, 0.2, -0.6]), term([1.3, 0.4, 0.8], [0.1, 1.1, 0.7])];
-    visitor.visit(&SineProjections::new(terms).expect("finite entries"), 3.0);
-    in_three(visitor, &Sphere, 2.0);
-    in_three(visitor, &Hyperbolic, 0.9);
-    visitor.visit(&GaussianFisher, 3.0);
-    in_three(visitor, &SpherePatch::new(0.9).expect("a radius"), 2.0);
-    in_three(visitor, &HyperbolicPatch::new(0.6).expect("below 0.86"), 1.0);
-    visitor.visit(&GaussianFisherPatch::new(0.7).expect("a rim"), 2.0);
+    trial.metric(&SineProjections::new(terms).expect("finite entries"), 3.0);
+    in_three(trial, &Sphere, 2.0);
+    in_three(trial, &Hyperbolic, 0.9);
+    trial.metric(&GaussianFisher, 3.0);
+    in_three(trial, &SpherePatch::new(0.9).expect("a radius"), 2.0);
+    in_three(trial, &HyperbolicPatch::new(0.6).expect("below 0.86"), 1.0);
+    trial.metric(&GaussianFisherPatch::new(0.7).expect("a rim"), 2.0);
     let inner = SMatrix::<f64, 3, 2>::new(1.0, 0.2, -0.5, 0.8, 0.3, -1.0);
     let outer = SMatrix::<f64, 2, 3>::new(1.0, 0.1, 0.5, -0.3, 0.9, -0.5);
-    visitor.visit(&TanhDecoder::new(inner, outer, 0.3).expect("a floor"), 4.0);
+    trial.metric(&TanhDecoder::new(inner, outer, 0.3).expect("a floor"), 4.0);
 }
 
-fn in_three(
-    visitor: &mut impl Visitor,
-    metric: &(impl Metric<1> + Metric<2> + Metric<3>),
-    reach: f64,
-) {
-    visitor.visit::<_, 1>(metric, reach);
-    visitor.visit::<_, 2>(metric, reach);
-    visitor.visit::<_, 3>(metric, reach);
+fn in_three(trial: &mut Trial, metric: &(impl Metric<1> + Metric<2> + Metric<3>), reach: f64) {
+    trial.metric::<_, 1>(metric, reach);
+    trial.metric::<_, 2>(metric, reach);
+    trial.metric::<_, 3>(metric, reach);
 }

@@ -181,7 +181,7 @@ impl Scalar for Precise {
         for place in (0..n.unsigned_abs().checked_ilog2().map_or(0, |k| k + 1)).rev() {
             power = power * power;
             if n.unsigned_abs() >> place & 1 == 1 {
-                power = power * self;
+                power *= self;
             }
         }
         if n < 0 { power.recip() } else { power }
