@@ -12,6 +12,7 @@ const P: usize = 192;
 const RM: RoundingMode = RoundingMode::None;
 
 /// Reproducible numbers: Steele, Lea and Flood's SplitMix64.
+#[derive(Debug)]
 pub(crate) struct Random(pub(crate) u64);
 
 impl Random {

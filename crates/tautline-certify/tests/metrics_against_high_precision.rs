@@ -1,0 +1,48 @@
+//! No jet over intervals misses an entry of a metric of the gallery, or of its first or second
+//! derivatives, at a point of the box, computed to 192 bits with a bound of the error.
+
+mod every_metric;
+#[path = "../../tautline-scalar/tests/precise/mod.rs"]
+mod precise;
+#[path = "../../tautline-scalar/tests/reference/mod.rs"]
+mod reference;
+
+use std::collections::BTreeSet;
+
+use every_metric::{Trial, try_all};
+use precise::Tally;
+use reference::Random;
+
+fn trial(seed: u64, comparisons: u64) -> Trial {
+    println!("seed {seed}");
+    let mut trial = Trial { random: Random(seed), comparisons, records: Vec::new() };
+    try_all(&mut trial);
+    trial
+}
+
+#[test]
+fn no_enclosure_misses_a_metric_or_its_derivatives() {
+    const EACH: u64 = 6_000;
+    let mut all = Tally::default();
+    for record in trial(41, EACH).records {
+        println!("{record:?}");
+        assert!(record.tally.compared >= EACH, "{record:?}");
+        assert!(record.tally.unknown * 100 <= record.tally.total(), "{record:?}");
+        all.add(record.tally);
+    }
+    println!("{all:?}");
+    // Outside of the unit ball nothing is defined.
+    assert!(all.undefined > 1_000, "{all:?}");
+}
+
+/// The names in the rows of the table at the top of the gallery, which other tests compare with
+/// what the gallery exports.
+#[test]
+fn every_metric_of_the_gallery_is_tried() {
+    let gallery = include_str!("../../tautline-metrics/src/gallery/mod.rs");
+    let rows = gallery.lines().filter_map(|line| line.strip_prefix("//! | [`"));
+    let names: BTreeSet<&str> = rows.map(|row| row.split('`').next().expect("a name")).collect();
+    let tried: BTreeSet<&str> = trial(42, 0).records.iter().map(|record| record.name).collect();
+    assert!(names.len() >= 25, "{names:?}");
+    assert_eq!(names, tried);
+}

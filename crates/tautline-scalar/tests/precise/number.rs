@@ -1,0 +1,227 @@
+//! `Precise`: a value in high precision, as a number of a formula.
+
+use std::{
+    cell::RefCell,
+    fmt,
+    ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign},
+};
+
+use num_traits::{One, Zero};
+use tautline_scalar::Scalar;
+
+use super::ball::{Ball, P, Value};
+use crate::reference::Reference;
+
+thread_local! {
+    /// Every value since the last [`Precise::forget_all`].
+    static VALUES: RefCell<Vec<Value>> = RefCell::default();
+}
+
+/// A value by its number among those of the thread, since a [`Scalar`] is copied.
+#[derive(Clone, Copy)]
+pub(crate) struct Precise(u32);
+
+impl Precise {
+    fn new(value: Value) -> Self {
+        VALUES.with_borrow_mut(|values| {
+            values.push(value);
+            Self(u32::try_from(values.len() - 1).expect("fewer than 2³² values"))
+        })
+    }
+
+    /// Gives back the memory. No number from before may be used again.
+    pub(crate) fn forget_all() {
+        VALUES.with_borrow_mut(Vec::clear);
+    }
+
+    pub(crate) fn value(self) -> Value {
+        VALUES.with_borrow(|values| values[self.0 as usize].clone())
+    }
+
+    /// The number at the fraction `t` of the way from `lo` to `hi`, to 192 bits: hardly ever a
+    /// double. It lies between them, since rounding is monotone.
+    ///
+    /// Needs: `lo ≤ hi`, `0 ≤ t ≤ 1`.
+    pub(crate) fn between(lo: f64, hi: f64, t: f64) -> Self {
+        const EVEN: astro_float::RoundingMode = astro_float::RoundingMode::ToEven;
+        let (lo, hi) = (Reference::big(lo), Reference::big(hi));
+        let mut x = lo.add(&hi.sub(&lo, P, EVEN).mul(&Reference::big(t), P, EVEN), P, EVEN);
+        x.set_inexact(false);
+        Self::new(Value::Within(Ball::exact(x.max(&lo).min(&hi))))
+    }
+
+    fn map(self, f: impl FnOnce(&Ball) -> Value) -> Self {
+        Self::new(self.value().then(f))
+    }
+
+    fn map_two(self, f: impl FnOnce(&Ball) -> (Value, Value)) -> (Self, Self) {
+        let (a, b) = match self.value() {
+            Value::Within(x) => f(&x),
+            other => (other.clone(), other),
+        };
+        (Self::new(a), Self::new(b))
+    }
+
+    fn zip(self, other: Self, f: impl FnOnce(&Ball, &Ball) -> Value) -> Self {
+        Self::new(self.value().with(&other.value(), f))
+    }
+}
+
+impl fmt::Debug for Precise {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.value() {
+            Value::Within(x) => write!(f, "{} ± {}", x.centre, x.radius),
+            Value::Undefined => write!(f, "undefined"),
+            Value::Unknown => write!(f, "unknown"),
+        }
+    }
+}
+
+/// Equal if both are the same number for certain.
+impl PartialEq for Precise {
+    fn eq(&self, other: &Self) -> bool {
+        match (*self - *other).value() {
+            Value::Within(difference) => difference.is_zero(),
+            _ => false,
+        }
+    }
+}
+
+impl Neg for Precise {
+    type Output = Self;
+    fn neg(self) -> Self {
+        self.map(|x| Value::Within(x.negative()))
+    }
+}
+
+impl Add for Precise {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        self.zip(other, Ball::add)
+    }
+}
+
+impl Sub for Precise {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self.zip(other, |x, y| x.add(&y.negative()))
+    }
+}
+
+impl Mul for Precise {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        self.zip(other, Ball::mul)
+    }
+}
+
+impl Div for Precise {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        self.zip(other, Ball::div)
+    }
+}
+
+/// The operators with a number on the right, and those that assign.
+macro_rules! operators_follow {
+    ($($operator:ident $method:ident, $assign:ident $assign_method:ident;)*) => {$(
+        impl $operator<f64> for Precise {
+            type Output = Self;
+            fn $method(self, c: f64) -> Self {
+                self.$method(Self::constant(c))
+            }
+        }
+        impl $assign for Precise {
+            fn $assign_method(&mut self, other: Self) {
+                *self = self.$method(other);
+            }
+        }
+    )*};
+}
+
+operators_follow! {
+    Add add, AddAssign add_assign;
+    Sub sub, SubAssign sub_assign;
+    Mul mul, MulAssign mul_assign;
+    Div div, DivAssign div_assign;
+}
+
+impl Zero for Precise {
+    fn zero() -> Self {
+        Self::constant(0.0)
+    }
+    fn is_zero(&self) -> bool {
+        matches!(self.value(), Value::Within(x) if x.is_zero())
+    }
+}
+
+impl One for Precise {
+    fn one() -> Self {
+        Self::constant(1.0)
+    }
+}
+
+impl Scalar for Precise {
+    /// The number itself; undefined unless it is finite.
+    fn constant(value: f64) -> Self {
+        Self::new(if value.is_finite() {
+            Value::Within(Ball::exact(Reference::big(value)))
+        } else {
+            Value::Undefined
+        })
+    }
+
+    fn sqr(self) -> Self {
+        self * self
+    }
+
+    /// By squaring. Undefined for `n < 0` at zero, and wherever `x` is, `x⁰` included.
+    fn powi(self, n: i32) -> Self {
+        let mut power = self.map(|_| Value::Within(Ball::exact(Reference::big(1.0))));
+        for place in (0..n.unsigned_abs().checked_ilog2().map_or(0, |k| k + 1)).rev() {
+            power = power * power;
+            if n.unsigned_abs() >> place & 1 == 1 {
+                power *= self;
+            }
+        }
+        if n < 0 { power.recip() } else { power }
+    }
+
+    fn recip(self) -> Self {
+        Self::one() / self
+    }
+
+    fn sqrt(self) -> Self {
+        self.map(Ball::sqrt)
+    }
+
+    fn exp(self) -> Self {
+        self.map(Ball::exp)
+    }
+
+    fn ln(self) -> Self {
+        self.map(Ball::ln)
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        self.map_two(Ball::sin_cos)
+    }
+
+    fn tan(self) -> Self {
+        let (s, c) = self.sin_cos();
+        s / c
+    }
+
+    fn atan(self) -> Self {
+        self.map(Ball::atan)
+    }
+
+    fn sinh_cosh(self) -> (Self, Self) {
+        self.map_two(Ball::sinh_cosh)
+    }
+
+    fn tanh(self) -> Self {
+        let (s, c) = self.sinh_cosh();
+        s / c
+    }
+}
