@@ -375,6 +375,7 @@ impl Subject for Option<Mutant> {
     ) -> Option<f64> {
         enclosures::strict_convexity(*self, constants, dimension, computed)
     }
+
     fn competitors<E>(
         &self,
         dimension: usize,

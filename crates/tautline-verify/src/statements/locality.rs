@@ -25,8 +25,8 @@ const WAY: usize = 4;
 /// Needs: the setting of Theorem 1.1 within `R` of the end; a *global* minimiser among the sequences
 /// there.
 ///
-/// Slack: one percent in the first three, two in the square, for which the radius is given away, and none in the third,
-/// where the metric is `c₁ I`.
+/// Slack: the radius is one percent larger than it need be, which is one percent in the first two and
+/// two in the third; none in the last where the metric is `c₁ I`.
 ///
 /// # Errors
 ///
