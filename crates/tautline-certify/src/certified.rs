@@ -6,8 +6,8 @@ use tautline_scalar::Scalar;
 
 use crate::{CertifiedConstants, CertifyError, Domain, Effort};
 
-/// A metric with the constants that its formula proves on all of `R^D`: for a metric whose author does not
-/// state any.
+/// A metric with the constants that its formula proves on all of `R^D`: for a metric whose author does
+/// not state any. They are those of `D` dimensions, whatever other dimensions the formula has.
 ///
 /// ```
 /// use nalgebra::{SMatrix, SVector, matrix};
@@ -29,12 +29,12 @@ use crate::{CertifiedConstants, CertifyError, Domain, Effort};
 /// # Ok::<(), tautline_certify::CertifyError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Certified<M> {
+pub struct Certified<M, const D: usize> {
     metric: M,
     constants: Constants,
 }
 
-impl<M> Certified<M> {
+impl<M: Metric<D> + Sync, const D: usize> Certified<M, D> {
     /// Proves the constants on [`Domain::space`].
     ///
     /// # Errors
@@ -42,10 +42,7 @@ impl<M> Certified<M> {
     /// [`CertifyError::NotAllOfSpace`] for a formula that is neither constant nor periodic along each
     /// coordinate: see [`Certified::settled`] and [`LocallyCertified`](crate::LocallyCertified). Else as
     /// [`CertifiedConstants::new`].
-    pub fn new<const D: usize>(metric: M, effort: Effort) -> Result<Self, CertifyError>
-    where
-        M: Metric<D> + Sync,
-    {
+    pub fn new(metric: M, effort: Effort) -> Result<Self, CertifyError> {
         let space = Domain::space(&metric);
         if !space.is_all_of_space() {
             return Err(CertifyError::NotAllOfSpace);
@@ -59,10 +56,7 @@ impl<M> Certified<M> {
     /// # Errors
     ///
     /// [`CertifyError::NotSettled`]; else as [`CertifiedConstants::new`].
-    pub fn settled<const D: usize>(metric: M, effort: Effort) -> Result<Self, CertifyError>
-    where
-        M: Metric<D> + Sync,
-    {
+    pub fn settled(metric: M, effort: Effort) -> Result<Self, CertifyError> {
         let space = Domain::settled_space(&metric)?;
         let constants = CertifiedConstants::new(&metric, &space, effort)?.constants()?;
         Ok(Self { metric, constants })
@@ -75,7 +69,7 @@ impl<M> Certified<M> {
     }
 }
 
-impl<M: Metric<D>, const D: usize> Metric<D> for Certified<M> {
+impl<M: Metric<D>, const D: usize> Metric<D> for Certified<M, D> {
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         self.metric.gram(x)
     }
@@ -85,7 +79,7 @@ impl<M: Metric<D>, const D: usize> Metric<D> for Certified<M> {
     }
 }
 
-impl<M: Metric<D>, const D: usize> Bounded<D> for Certified<M> {
+impl<M: Metric<D>, const D: usize> Bounded<D> for Certified<M, D> {
     fn constants(&self) -> Constants {
         self.constants
     }
@@ -93,17 +87,20 @@ impl<M: Metric<D>, const D: usize> Bounded<D> for Certified<M> {
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::{SMatrix, SVector};
     use tautline_metrics::{
-        Bounded,
+        Bounded, Metric,
         gallery::{GaussianFisher, Lens, Valleys},
     };
+
+    use tautline_scalar::Scalar;
 
     use super::Certified;
     use crate::{CertifyError, Effort};
 
     #[test]
     fn a_periodic_metric_needs_no_word_of_its_author() {
-        let proved = Certified::new::<2>(Valleys, Effort::default()).expect("constants");
+        let proved = Certified::<_, 2>::new(Valleys, Effort::default()).expect("constants");
         let (proved, stated) =
             (Bounded::<2>::constants(&proved), Bounded::<2>::constants(&Valleys));
         assert!(proved.c1() <= stated.c1() && proved.c2() >= stated.c2());
@@ -111,12 +108,32 @@ mod tests {
         assert!(!proved.is_local() && proved.is_isotropic());
     }
 
+    /// The formula has a meaning in every dimension; what was proved in one is not said in another.
+    #[test]
+    fn a_proof_belongs_to_its_dimension() {
+        struct Growing;
+        impl<const D: usize> Metric<D> for Growing {
+            fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
+                SMatrix::from_fn(
+                    |i, j| {
+                        if i == j { x[0].cos() + (2 + i) as f64 } else { S::zero() }
+                    },
+                )
+            }
+        }
+        let line = Certified::<_, 1>::new(Growing, Effort::default()).expect("constants");
+        let plane = Certified::<_, 2>::new(Growing, Effort::default()).expect("constants");
+        assert!((3.0..3.01).contains(&line.constants().c2()));
+        assert!((4.0..4.01).contains(&plane.constants().c2()));
+        assert!(line.constants().is_isotropic() && !plane.constants().is_isotropic());
+    }
+
     #[test]
     fn what_is_not_periodic_is_declared_to_settle_or_refused() {
         let lens = Lens::new(1.0, 1.0).expect("a width");
-        let refused = Certified::new::<2>(lens, Effort::default());
+        let refused = Certified::<_, 2>::new(lens, Effort::default());
         assert_eq!(refused, Err(CertifyError::NotAllOfSpace));
-        let settled = Certified::settled::<2>(lens, Effort::default()).expect("constants");
+        let settled = Certified::<_, 2>::settled(lens, Effort::default()).expect("constants");
         let constants = Bounded::<2>::constants(&settled);
         assert!(!constants.is_local() && constants.c2() >= 2.0 && constants.c2() < 2.01);
         let error = Certified::settled(GaussianFisher, Effort::default()).expect_err("it grows");

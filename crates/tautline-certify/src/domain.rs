@@ -17,7 +17,18 @@ use crate::{
 pub struct Domain<const D: usize> {
     cell: Cell<D>,
     ball: Option<(SVector<f64, D>, f64)>,
-    whole: bool,
+    scope: Scope,
+}
+
+/// What a domain stands for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Scope {
+    /// Itself.
+    Region,
+    /// All of space: proved.
+    Space,
+    /// All of space: declared.
+    SettledSpace,
 }
 
 impl<const D: usize> Domain<D> {
@@ -30,7 +41,7 @@ impl<const D: usize> Domain<D> {
     /// Returns a box.
     #[must_use]
     pub fn cell(cell: Cell<D>) -> Self {
-        Self { cell, ball: None, whole: false }
+        Self { cell, ball: None, scope: Scope::Region }
     }
 
     /// Returns the ball `|x − centre| ≤ radius`, both in `ℓ`.
@@ -48,14 +59,15 @@ impl<const D: usize> Domain<D> {
             centre.map(|c| (c - radius).next_down()),
             centre.map(|c| (c + radius).next_up()),
         )?;
-        Ok(Self { cell, ball: Some((centre, radius)), whole: false })
+        Ok(Self { cell, ball: Some((centre, radius)), scope: Scope::Region })
     }
 
     /// Returns a box that stands for all of `R^D`, as far as the formula of `metric` shows it to.
     ///
-    /// Along a coordinate that does not occur in the formula, or only in differences with others, it has
-    /// the width 0, and so it has along all but the first where the formula is a function of `|x|²` times
-    /// the identity; along one in which the formula is periodic, it is one period, rounded up. Both are read off the formula, not sampled:
+    /// Along a coordinate that does not occur in the formula, or only in differences with others, it
+    /// has the width 0, and so it has along all but the first where the formula is a function of
+    /// `|x|²` times the identity; along one in which the formula is periodic, it is one period,
+    /// rounded up. All that is read off the formula, not sampled:
     /// sines, cosines and tangents of linear functions are followed, with coefficients that are
     /// doubles with a common divisor. Along any other coordinate it reaches from `−2¹⁰⁰` to `2¹⁰⁰`,
     /// and [`is_all_of_space`](Domain::is_all_of_space) is false: nothing is said of what lies beyond
@@ -79,7 +91,7 @@ impl<const D: usize> Domain<D> {
         let mut along = Dependence::of(metric);
         if is_radial(metric) {
             // A ray: constants do not depend on the direction.
-            along[1..].fill(Along::Constant);
+            along.iter_mut().skip(1).for_each(|along| *along = Along::Constant);
         }
         for (along, superfluous) in along.iter_mut().zip(superfluous(metric)) {
             if superfluous {
@@ -96,15 +108,16 @@ impl<const D: usize> Domain<D> {
             Along::Unknown => Interval::point(-Self::REACH).hull(Interval::point(Self::REACH)),
         });
         let whole = along.iter().all(|along| *along != Along::Unknown);
+        let scope = if whole { Scope::Space } else { Scope::Region };
         let corner = |end: fn(Interval) -> f64| SVector::from(sides.map(end));
         // Wave numbers down to the least double have periods that overflow.
         let cell = Cell::new(corner(Interval::lo), corner(Interval::hi));
         match cell {
-            Ok(cell) => Self { cell, ball: None, whole },
+            Ok(cell) => Self { cell, ball: None, scope },
             Err(_) => {
                 let far = SVector::from_element(Self::REACH);
                 let cell = Cell::new(-far, far).expect("finite");
-                Self { cell, ball: None, whole: false }
+                Self { cell, ball: None, scope: Scope::Region }
             }
         }
     }
@@ -133,7 +146,11 @@ impl<const D: usize> Domain<D> {
                 }
             }
         }
-        Ok(Self { whole: true, ..space })
+        Ok(if space.is_all_of_space() {
+            space
+        } else {
+            Self { scope: Scope::SettledSpace, ..space }
+        })
     }
 
     /// Returns the box that contains the domain; the domain itself unless it is a ball.
@@ -142,10 +159,20 @@ impl<const D: usize> Domain<D> {
         &self.cell
     }
 
-    /// Returns whether what holds here is proved to hold on all of `R^D`.
+    /// Returns whether what holds here holds on all of `R^D`, under the metric that the domain was made
+    /// for: as its formula proves, or as [`settled_space`](Domain::settled_space) was told.
     #[must_use]
     pub fn is_all_of_space(&self) -> bool {
-        self.whole
+        self.scope != Scope::Region
+    }
+
+    /// Returns the same for this metric, whatever metric the domain was made for.
+    pub(crate) fn stands_for_space_under(&self, metric: &impl Metric<D>) -> bool {
+        match self.scope {
+            Scope::Region => false,
+            Scope::Space => *self == Self::space(metric),
+            Scope::SettledSpace => Self::settled_space(metric).is_ok_and(|space| *self == space),
+        }
     }
 
     /// Returns whether no point of `cell` lies in the domain: false in doubt.
@@ -203,11 +230,15 @@ fn distance_squared<const D: usize>(x: &SVector<f64, D>, y: &SVector<f64, D>) ->
 mod tests {
     use std::f64::consts::TAU;
 
-    use nalgebra::vector;
-    use tautline_metrics::gallery::{
-        CoupledCosines, GaussianFisher, GaussianFisherPatch, HyperbolicPatch, Lens, Ramp, Sphere,
-        SpherePatch, Swirl,
+    use nalgebra::{SMatrix, SVector, vector};
+    use tautline_metrics::{
+        Metric,
+        gallery::{
+            Constant, CoupledCosines, GaussianFisher, GaussianFisherPatch, HyperbolicPatch, Lens,
+            Ramp, Sphere, SpherePatch, Swirl,
+        },
     };
+    use tautline_scalar::{Interval, Scalar};
 
     use super::Domain;
     use crate::{Cell, CertifyError};
@@ -273,5 +304,50 @@ mod tests {
         assert!(matches!(error, CertifyError::NotSettled { coordinate: 1, .. }), "{error}");
         // The sphere goes to 0, where no change is small in proportion.
         assert!(Domain::<2>::settled_space(&Sphere).is_err());
+    }
+
+    /// A little on the last octave, by the first derivative, by the second, and on one side.
+    #[test]
+    fn what_still_changes_a_little_has_not_settled() {
+        struct Still(usize);
+        impl Metric<1> for Still {
+            fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
+                let scaled = x[0] * 2.0_f64.powi(-80);
+                SMatrix::from_element(match self.0 {
+                    0 => (x[0] * 2.0_f64.powi(-100)).tanh() * 1e-3 + 1.0,
+                    1 => (scaled + x[0].tanh()).sin() * 1e-17 + 1.0,
+                    2 => (x[0] * -2.0_f64.powi(-95)).exp() * 1e-6 + 1.0,
+                    _ => (x[0] * 2.0_f64.powi(-95)).exp() * 1e-6 + 1.0,
+                })
+            }
+        }
+        for k in 0..4 {
+            let error = Domain::settled_space(&Still(k)).expect_err("it changes");
+            assert!(matches!(error, CertifyError::NotSettled { .. }), "{k}: {error}");
+        }
+    }
+
+    #[test]
+    fn a_domain_stands_for_space_under_the_metric_that_it_was_made_for() {
+        let constant = Constant::new(SMatrix::<f64, 2, 2>::identity()).expect("definite");
+        let lens = Lens::new(1.0, 1.0).expect("a width");
+        let point = Domain::space(&constant);
+        assert!(point.stands_for_space_under(&constant) && !point.stands_for_space_under(&lens));
+        let settled = Domain::<2>::settled_space(&lens).expect("it settles");
+        assert!(settled.stands_for_space_under(&lens));
+        assert!(!settled.stands_for_space_under(&Sphere));
+        assert!(!Domain::<2>::space(&lens).stands_for_space_under(&lens));
+    }
+
+    /// The sums of centre and radius are rounded, and the box must not be too small.
+    #[test]
+    fn the_box_of_a_ball_holds_its_ends() {
+        for i in 1..200 {
+            let (c, r) = (f64::from(i) * 0.1, f64::from(i * i) * 0.37);
+            let ball = Domain::ball([c], r).expect("a radius");
+            let [side] = ball.bounding_cell().sides();
+            let (c, r) = (Interval::point(c), Interval::point(r));
+            assert!(side.contains_interval(c - r) && side.contains_interval(c + r), "{side:?}");
+        }
     }
 }

@@ -100,6 +100,18 @@ mod tests {
         check(GaussianFisher, [3.0, 0.5], 0.4);
     }
 
+    /// All of the ball, and not a little less.
+    #[test]
+    fn the_constants_hold_up_to_the_rim() {
+        let (centre, effort) = (vector![0.0], Effort { tolerance: 1e-6, budget: 100_000 });
+        let proved = LocallyCertified::new(Hyperbolic, effort).constants_within(&centre, 0.5);
+        let (proved, known) = (proved.expect("proved"), Hyperbolic.constants_within(&centre, 0.5));
+        let known = known.expect("closed form");
+        let within = |small: f64, large: f64| small <= large && large <= small * (1.0 + 2e-6);
+        assert!(within(known.c2(), proved.c2()) && within(known.l_h(), proved.l_h()));
+        assert!(within(proved.c1(), known.c1()), "{proved:?} {known:?}");
+    }
+
     #[test]
     fn a_ball_that_leaves_the_domain_has_no_constants() {
         let proved = LocallyCertified::new(Hyperbolic, Effort::default());

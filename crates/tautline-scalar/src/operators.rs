@@ -88,6 +88,12 @@ macro_rules! jet_is_scalar {
                     0 => self.chain(x.powi(0), T::zero(), T::zero()),
                     1 => self,
                     2 => self.sqr(),
+                    // The exponents of the derivatives are none.
+                    ..=-2_147_483_647 => {
+                        let (power, k) = (x.powi(n), f64::from(n));
+                        let first = power / x * k;
+                        self.chain(power, first, first / x * (k - 1.0))
+                    }
                     _ => {
                         let k = f64::from(n);
                         self.chain(x.powi(n), x.powi(n - 1) * k, x.powi(n - 2) * (k * (k - 1.0)))

@@ -36,6 +36,26 @@ pub struct SuggestedN {
     pub expected: Option<NonZeroUsize>,
 }
 
+/// Upper bounds of the energy, the length and the squared length of a curve.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Extent {
+    /// In `m²`.
+    pub(crate) energy: f64,
+    /// In `m`.
+    pub(crate) length: f64,
+    /// In `m²`.
+    pub(crate) length_squared: f64,
+}
+
+impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
+    /// The bounds by quadrature, whose error is estimated.
+    pub(crate) fn extent(&self) -> Extent {
+        let (length, energy) = (self.length(), self.energy());
+        let length = length.value + length.error;
+        Extent { energy: energy.value + energy.error, length, length_squared: length * length }
+    }
+}
+
 impl<M: Bounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     /// Encloses `d²`, in `m²`, from this one line and the constants of the metric.
     ///
@@ -52,7 +72,7 @@ impl<M: Bounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     /// [`BoundError::LocalConstants`] if the constants hold on a region only; [`BoundError`] if an
     /// energy is not finite.
     pub fn enclosure(&self) -> Result<Enclosure, BoundError> {
-        self.enclosure_by(global(self.metric().constants())?)
+        self.enclosure_by(global(self.metric().constants())?, self.extent())
     }
 
     /// Suggests `N` for which `L(γᵖˡ)² − d²` is at most `tolerance`, in `m²`: by the theorems with the
@@ -83,8 +103,9 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     /// is then that of another line; [`BoundError::Contradiction`] if the constants do not hold;
     /// [`BoundError`] if an energy is not finite.
     pub fn enclosure_among(&self, competitors: &Competitors<D>) -> Result<Enclosure, BoundError> {
-        competitors.hold_those_of(self)?;
-        self.enclosure_by(competitors.constants)
+        let extent = self.extent();
+        competitors.hold_those_of(self, extent)?;
+        self.enclosure_by(competitors.constants, extent)
     }
 
     /// Suggests `N` as [`suggest_n`](TautLine::suggest_n) does, by constants that hold where all
@@ -101,17 +122,20 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
         competitors: &Competitors<D>,
         tolerance: f64,
     ) -> Result<SuggestedN, BoundError> {
-        competitors.hold_those_of(self)?;
+        competitors.hold_those_of(self, self.extent())?;
         let suggested = self.suggest_n_by(competitors.constants, tolerance)?;
         let n = self.sequence().n();
         let proven = suggested.proven.map(|(least, theorem)| (least.max(n), theorem));
         Ok(SuggestedN { proven, ..suggested })
     }
 
-    pub(crate) fn enclosure_by(&self, constants: Constants) -> Result<Enclosure, BoundError> {
+    /// Encloses `d²` by constants that hold, and bounds of the curve.
+    pub(crate) fn enclosure_by(
+        &self,
+        constants: Constants,
+        Extent { energy, length, length_squared }: Extent,
+    ) -> Result<Enclosure, BoundError> {
         let (rule, n) = (R::OF_THE_PAPER, self.sequence().n());
-        let (length, energy) = (self.length(), self.energy());
-        let length = length.value + length.error;
         let fixed = self.ends().are_points();
         let certified = if fixed { self.global_minimum(constants, length) } else { None };
         let gap = (self.sequence().last() - self.sequence().first()).norm();
@@ -119,8 +143,8 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
             rule,
             n,
             discrete_energy: self.discrete_energy(),
-            energy: energy.value + energy.error,
-            length_squared: length * length,
+            energy,
+            length_squared,
             minimum: certified.map_or(DiscreteMinimum::Assumed, DiscreteMinimum::AtLeast),
             // Of two sets it is not known.
             gap: if fixed { gap } else { 0.0 },

@@ -5,7 +5,7 @@ use tautline_discretizations::Rule;
 use tautline_metrics::{LocalError, LocallyBounded, Metric};
 use tautline_sets::Ball;
 
-use crate::{RuleOfThePaper, TautLine};
+use crate::{RuleOfThePaper, TautLine, certificate::Extent};
 
 /// A ball that holds all competitors of a line, and the constants of the metric there.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,8 +22,9 @@ impl<const D: usize> Competitors<D> {
     pub(crate) fn hold_those_of<M: Metric<D>, R: RuleOfThePaper>(
         &self,
         line: &TautLine<M, R, D>,
+        extent: Extent,
     ) -> Result<(), BoundError> {
-        let (radius, upper) = (self.within.r(), upper(line));
+        let (radius, upper) = (self.within.r(), upper(line, extent));
         let setting = Setting::new(self.constants, upper, D)?;
         let reach = reach(setting, R::OF_THE_PAPER, line.sequence().n());
         // How far from the centre of the ball competitors may be, which begin in either set.
@@ -38,9 +39,11 @@ impl<const D: usize> Competitors<D> {
 
 /// An upper bound of the distance, and of the root of the discrete energy, in `m`: a sequence with
 /// the energy of the line has to stay inside of the ball, too. NaN if either is.
-fn upper<M: Metric<D>, R: Rule, const D: usize>(line: &TautLine<M, R, D>) -> f64 {
-    let (length, root) = (line.length(), line.discrete_energy().sqrt());
-    let length = length.value + length.error;
+fn upper<M: Metric<D>, R: Rule, const D: usize>(
+    line: &TautLine<M, R, D>,
+    Extent { length, .. }: Extent,
+) -> f64 {
+    let root = line.discrete_energy().sqrt();
     if root.is_nan() || root > length { root } else { length }
 }
 
@@ -74,7 +77,15 @@ impl<M: LocallyBounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> 
     /// [`LocalityError`] if the metric has no constants there, if `√c₁` falls so fast that no ball
     /// holds the competitors, the ends being too far apart, and if the length is not finite.
     pub fn competitors(&self) -> Result<Competitors<D>, LocalityError<LocalError>> {
-        let upper = upper(self);
+        self.competitors_by(self.extent())
+    }
+
+    /// The same by bounds of the curve.
+    pub(crate) fn competitors_by(
+        &self,
+        extent: Extent,
+    ) -> Result<Competitors<D>, LocalityError<LocalError>> {
+        let upper = upper(self, extent);
         let sets = [self.ends().first(), self.ends().second()];
         let mut least: Option<Competitors<D>> = None;
         // Ends without a ball have a radius that bounds nothing.

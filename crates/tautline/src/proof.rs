@@ -9,7 +9,7 @@ use tautline_certify::{
 use tautline_metrics::{LocalError, Metric};
 use tautline_sets::Ball;
 
-use crate::{RuleOfThePaper, TautLine};
+use crate::{RuleOfThePaper, TautLine, certificate::Extent};
 
 /// `d²` between two numbers, by constants that are proved from the formula of the metric.
 #[derive(Clone, Copy, Debug)]
@@ -22,7 +22,9 @@ pub struct Proof<'a, const D: usize> {
     /// Where they hold; `None` if on all of `R^D`.
     pub within: Option<Ball<D>>,
     /// What follows for `d²`. The upper bound is that of the curve and rigorous. The lower one is a
-    /// theorem about rigorous constants, evaluated in doubles: its last digits are not certified.
+    /// theorem about rigorous constants and a rigorous length, evaluated in doubles together with the
+    /// discrete energy and its residual: its last digits are not certified. Nothing rests on a
+    /// quadrature.
     pub enclosure: Enclosure,
 }
 
@@ -86,35 +88,39 @@ impl<M: Metric<D> + Sync, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     /// [`ProofError`], with what is missing.
     pub fn prove(&self, effort: Effort) -> Result<Proof<'_, D>, ProofError> {
         let curve = self.admissible_curve()?;
+        let extent = Extent {
+            energy: curve.energy().hi(),
+            length: curve.length().hi(),
+            length_squared: curve.distance_squared_at_most(),
+        };
         let space = Domain::space(self.metric());
         let (constants, within, enclosure) = if space.is_all_of_space() {
             let proved = CertifiedConstants::new(self.metric(), &space, effort)?;
             let constants = proved.constants()?;
-            (constants, None, self.enclosure_by(constants)?)
+            (constants, None, self.enclosure_by(constants, extent)?)
         } else {
             let metric = Arc::new(LocallyCertified::new(self.metric(), effort));
             let (ends, minimum) = (self.ends().clone(), self.minimum().clone());
             let line = TautLine::new(metric, self.rule(), ends, minimum);
-            let competitors = line.competitors()?;
-            let enclosure = line.enclosure_among(&competitors)?;
+            let competitors = line.competitors_by(extent)?;
+            competitors.hold_those_of(&line, extent)?;
+            let enclosure = line.enclosure_by(competitors.constants, extent)?;
             (competitors.constants, Some(competitors.within), enclosure)
         };
-        // The bound of the curve holds whatever the quadrature says.
-        let enclosure = Enclosure { upper: curve.distance_squared_at_most(), ..enclosure };
         Ok(Proof { curve, constants, within, enclosure })
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use tautline_bounds::LocalityError;
+    use tautline_bounds::{BoundError, LocalityError};
     use tautline_certify::{CurveError, Effort};
     use tautline_metrics::gallery::{GaussianFisher, Hyperbolic, Shear, Sphere, Valleys};
     use tautline_metrics::{Bounded, KnownDistance, LocalError, Metric};
     use tautline_sets::{Ball, Ends, HalfSpace};
 
     use super::ProofError;
-    use crate::{Problem, Trapezoidal};
+    use crate::{Problem, SMatrix, SVector, Scalar, Trapezoidal};
 
     /// Each distance is known, and lies between the bounds.
     #[test]
@@ -147,9 +153,35 @@ mod tests {
         let proof = line.prove(Effort::default()).expect("proved");
         let length = line.length().value;
         assert!((proof.enclosure.upper / (length * length) - 1.0).abs() < 1e-12);
+        assert_eq!(proof.enclosure.upper, proof.curve.distance_squared_at_most());
         let stated = Bounded::<2>::constants(&Valleys);
         assert!(proof.constants.l_h() >= stated.l_h() && proof.within.is_none());
         assert!(line.admissible_curve().is_ok_and(|curve| curve.length().contains(length)));
+    }
+
+    /// A metric whose two methods disagree: what the solver sees is four times what the formula is. The
+    /// formula is what is proved, and the contradiction is said.
+    #[test]
+    fn a_lower_bound_above_the_curve_is_a_contradiction() {
+        struct Torn;
+        impl Metric<1> for Torn {
+            fn gram<S: Scalar>(&self, _: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
+                SMatrix::from_element(S::one())
+            }
+            fn norm_squared<S: Scalar>(&self, _: &SVector<S, 1>, u: &SVector<f64, 1>) -> S {
+                S::constant(4.0 * u[0] * u[0])
+            }
+        }
+        let ends = Ends::points([0.0], [1.0]).expect("finite");
+        let line = Problem::new(Torn, ends).solve(Trapezoidal, 4).expect("solved");
+        match line.prove(Effort::default()) {
+            Err(ProofError::Bound(BoundError::Contradiction { .. })) => {}
+            Ok(proof) => {
+                let enclosure = proof.enclosure;
+                assert!(enclosure.lower <= enclosure.upper && enclosure.upper < 1.0 + 1e-12);
+            }
+            other => panic!("{other:?}"),
+        }
     }
 
     #[test]
@@ -170,12 +202,9 @@ mod tests {
         // A line that is not in the domain of another metric.
         struct Left;
         impl Metric<1> for Left {
-            fn gram<S: tautline_scalar::Scalar>(
-                &self,
-                x: &crate::SVector<S, 1>,
-            ) -> crate::SMatrix<S, 1, 1> {
+            fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
                 // Defined at the midpoint of each chord, where the rule reads it, and not between.
-                crate::SMatrix::from_element(((x[0] - 0.375).sqr() - 1e-3).sqrt() + 1.0)
+                SMatrix::from_element(((x[0] - 0.375).sqr() - 1e-3).sqrt() + 1.0)
             }
         }
         let ends = Ends::points([0.0], [1.0]).expect("finite");

@@ -22,7 +22,7 @@ impl Metric<2> for Formula {
     }
 }
 
-fn proved() -> Certified<Formula> {
+fn proved() -> Certified<Formula, 2> {
     Certified::new(Formula, certify::Effort::default()).expect("periodic")
 }
 
@@ -59,7 +59,7 @@ fn a_lie_of_a_thousandth_is_refused_with_its_witness() {
 fn what_is_stated_is_proved_or_right_to_the_tolerance() {
     let case = |factor| liar(Valleys, Claim::LH, factor);
     let note = |factor| metric::constants_are_proved(&case(factor)).note.expect("a note");
-    assert!(note(1.0).contains("L_H right to 1 %"), "{}", note(1.0));
+    assert!(note(1.0).contains("L_H right to 0."), "{}", note(1.0));
     assert!(note(1.02).contains("L_H proved"), "{}", note(1.02));
 }
 

@@ -8,14 +8,10 @@ use crate::{CertifyError, Domain, Effort, formula::is_isotropic};
 /// The constants of a metric on a domain, each between two bounds, proved from its formula.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CertifiedConstants<const D: usize> {
-    /// `c₁`, in `m²/ℓ²`.
-    pub c1: CertifiedConstant<D>,
-    /// `c₂`, in `m²/ℓ²`.
-    pub c2: CertifiedConstant<D>,
-    /// `L_H`, in `m²/ℓ³`.
-    pub l_h: CertifiedConstant<D>,
-    /// `M_H`, in `m²/ℓ⁴`.
-    pub m_h: CertifiedConstant<D>,
+    c1: CertifiedConstant<D>,
+    c2: CertifiedConstant<D>,
+    l_h: CertifiedConstant<D>,
+    m_h: CertifiedConstant<D>,
     all_of_space: bool,
     isotropic: bool,
 }
@@ -35,6 +31,9 @@ impl<const D: usize> CertifiedConstants<D> {
     /// # Ok::<(), tautline_certify::CertifyError>(())
     /// ```
     ///
+    /// They are constants on all of `R^D` only if the domain stands for that under this metric, and not
+    /// under the one that it was made for.
+    ///
     /// # Errors
     ///
     /// As [`certify`], for the first of them that fails.
@@ -49,9 +48,33 @@ impl<const D: usize> CertifiedConstants<D> {
             c2: of(Quantity::C2)?,
             l_h: of(Quantity::LH)?,
             m_h: of(Quantity::MH)?,
-            all_of_space: domain.is_all_of_space(),
+            all_of_space: domain.stands_for_space_under(metric),
             isotropic: is_isotropic(metric),
         })
+    }
+
+    /// Returns `c₁`, in `m²/ℓ²`.
+    #[must_use]
+    pub fn c1(&self) -> CertifiedConstant<D> {
+        self.c1
+    }
+
+    /// Returns `c₂`, in `m²/ℓ²`.
+    #[must_use]
+    pub fn c2(&self) -> CertifiedConstant<D> {
+        self.c2
+    }
+
+    /// Returns `L_H`, in `m²/ℓ³`.
+    #[must_use]
+    pub fn l_h(&self) -> CertifiedConstant<D> {
+        self.l_h
+    }
+
+    /// Returns `M_H`, in `m²/ℓ⁴`.
+    #[must_use]
+    pub fn m_h(&self) -> CertifiedConstant<D> {
+        self.m_h
     }
 
     /// Returns the bounds on the safe side, as constants of the metric; they [hold on a

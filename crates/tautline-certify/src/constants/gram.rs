@@ -69,7 +69,7 @@ impl<'a, M> Gram<'a, M> {
         })
     }
 
-    /// Returns whether the formula is certainly not defined at `x`.
+    /// Returns whether the formula is not shown to be defined at `x`.
     pub(super) fn is_undefined<const D: usize>(&self, x: &SVector<f64, D>) -> bool
     where
         M: Metric<D>,

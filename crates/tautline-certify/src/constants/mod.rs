@@ -66,22 +66,27 @@ impl<const D: usize> CertifiedConstant<D> {
 ///
 /// Slack: none but the tolerance for `c₁` and `c₂`, for a metric that is a multiple of the identity,
 /// and in one and two dimensions. Otherwise `L_H` and `M_H` are replaced by numbers that are at
-/// most `D` times larger, and that come within the tolerance;
-/// [`looseness`](CertifiedConstant::looseness) shows what they give away.
+/// most `√D` and `D` times larger, and that come within the tolerance;
+/// [`looseness`](CertifiedConstant::looseness) shows what they give away, as a rule some percent.
 ///
 /// The result does not depend on the number of threads.
 ///
 /// # Errors
 ///
-/// [`CertifyError::NotATolerance`]; [`CertifyError::NotPositiveDefinite`] and
-/// [`CertifyError::Undefined`] with a point where that is certain; [`CertifyError::BudgetSpent`] with the
-/// bounds so far if they are not within the tolerance, as for a constant that is infinite.
+/// [`CertifyError::NoDimension`], [`CertifyError::NotATolerance`];
+/// [`CertifyError::NotPositiveDefinite`] with a point where that is certain;
+/// [`CertifyError::Undefined`] with a point where the formula, evaluated with bounds, is not shown to be
+/// defined; [`CertifyError::BudgetSpent`] with the bounds so far if they are not within the
+/// tolerance, as for a constant that is infinite.
 pub fn certify<const D: usize>(
     metric: &(impl Metric<D> + Sync),
     quantity: Quantity,
     domain: &Domain<D>,
     effort: Effort,
 ) -> Result<CertifiedConstant<D>, CertifyError> {
+    if D == 0 {
+        return Err(CertifyError::NoDimension);
+    }
     let effort = effort.checked()?;
     let gram = Gram::new(metric);
     let (found, lower, upper) = match quantity {
@@ -153,10 +158,10 @@ mod tests {
         let space = Domain::<2>::space(&Valleys);
         let proved = CertifiedConstants::new(&Valleys, &space, CLOSE).expect("constants");
         let exact = [
-            (proved.c1, 1.0),
-            (proved.c2, 9.0),
-            (proved.l_h, 4.403_669_475_041_611_676_15),
-            (proved.m_h, 6.0),
+            (proved.c1(), 1.0),
+            (proved.c2(), 9.0),
+            (proved.l_h(), 4.403_669_475_041_611_676_15),
+            (proved.m_h(), 6.0),
         ];
         for (found, exact) in exact {
             assert!(found.contains(exact) && found.looseness() <= 1.0 + 1e-6, "{found:?} {exact}");
@@ -180,7 +185,7 @@ mod tests {
         let proved = CertifiedConstants::new(&Hyperbolic, &ball, effort).expect("constants");
         // 4 / (1 − r²)²: 4 at the centre and 64/9 at the rim, where its slope 16 r / (1 − r²)³ is 512/27.
         for (found, exact) in
-            [(proved.c1, 4.0), (proved.c2, 64.0 / 9.0), (proved.l_h, 512.0 / 27.0)]
+            [(proved.c1(), 4.0), (proved.c2(), 64.0 / 9.0), (proved.l_h(), 512.0 / 27.0)]
         {
             assert!(found.contains(exact) && found.looseness() < 1.0011, "{found:?} {exact}");
         }
@@ -262,6 +267,38 @@ mod tests {
         assert!(certify(&Growing, Quantity::C1, &space, effort).is_ok_and(|c1| c1.contains(1.0)));
     }
 
+    /// Entries below the diagonal are not read: here they are of no use.
+    #[test]
+    fn the_upper_triangle_is_the_metric() {
+        struct Half(f64);
+        impl Metric<2> for Half {
+            fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+                let off = (x[0] + x[1] * 2.0).sin() * 0.5;
+                let below = if self.0 == 0.0 { off } else { x[0].cos() * self.0 };
+                matrix![x[0].cos() + 3.0, off; below, x[1].sin() + 2.0]
+            }
+        }
+        let cell = Domain::cell(Cell::new([0.0, 0.0], [1.0, 1.0]).expect("in order"));
+        let of = |metric| CertifiedConstants::new(&metric, &cell, Effort::default());
+        assert_eq!(of(Half(0.0)), of(Half(1e3)));
+        assert!(of(Half(0.0)).is_ok());
+    }
+
+    /// The domain of another metric stands for nothing but itself.
+    #[test]
+    fn constants_on_the_domain_of_another_metric_are_local() {
+        struct Still;
+        impl Metric<2> for Still {
+            fn gram<S: Scalar>(&self, _: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+                SMatrix::identity()
+            }
+        }
+        let point = Domain::space(&Still);
+        let of = |proved: CertifiedConstants<2>| proved.constants().expect("constants").is_local();
+        assert!(of(CertifiedConstants::new(&Valleys, &point, CLOSE).expect("a point")));
+        assert!(!of(CertifiedConstants::new(&Still, &point, CLOSE).expect("a point")));
+    }
+
     #[test]
     fn no_budget_and_no_tolerance_are_refused() {
         let space = Domain::<2>::space(&Valleys);
@@ -279,6 +316,19 @@ mod tests {
     }
 
     #[test]
+    fn no_dimension_is_refused() {
+        struct Nowhere;
+        impl Metric<0> for Nowhere {
+            fn gram<S: Scalar>(&self, _: &SVector<S, 0>) -> SMatrix<S, 0, 0> {
+                SMatrix::from_element(S::zero())
+            }
+        }
+        let space = Domain::space(&Nowhere);
+        let error = certify(&Nowhere, Quantity::C1, &space, CLOSE);
+        assert_eq!(error, Err(CertifyError::NoDimension));
+    }
+
+    #[test]
     fn a_constant_metric_has_no_derivative() {
         struct Flat;
         impl Metric<2> for Flat {
@@ -288,10 +338,10 @@ mod tests {
         }
         let space = Domain::space(&Flat);
         let proved = CertifiedConstants::new(&Flat, &space, CLOSE).expect("constants");
-        assert_eq!([proved.l_h.upper, proved.m_h.upper], [0.0, 0.0]);
-        assert_eq!(proved.l_h.looseness(), 1.0);
+        assert_eq!([proved.l_h().upper, proved.m_h().upper], [0.0, 0.0]);
+        assert_eq!(proved.l_h().looseness(), 1.0);
         let root = 0.5_f64.sqrt();
-        assert!(proved.c1.contains(1.5 - root) && proved.c2.contains(1.5 + root), "{proved:?}");
+        assert!(proved.c1().contains(1.5 - root) && proved.c2().contains(1.5 + root), "{proved:?}");
         assert!(space.is_all_of_space());
     }
 }

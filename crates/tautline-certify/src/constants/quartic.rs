@@ -87,12 +87,15 @@ impl<const D: usize> Vanishing<D> {
         }
     }
 
-    /// Returns factors with a smaller largest eigenvalue, if the maximum `goal` of the form leaves room.
+    /// Returns factors with a smaller largest eigenvalue, if the maximum `goal` of the form leaves room: not
+    /// more than without factors, which is at most `D` times the goal.
     ///
     /// Polyak's steps: along the subgradient `wᵀNₘw`, for the eigenvector `w`, as far as a linear function
     /// would take to reach the goal.
     pub(super) fn improved(self, matrix: &DMatrix<f64>, goal: f64) -> Self {
-        let (mut best, mut least) = (self.clone(), f64::INFINITY);
+        let none = Self { squares: SMatrix::zeros(), mixed: [SMatrix::zeros(); D] };
+        let without = eigen(matrix).map_or(f64::INFINITY, |eigen| eigen.eigenvalues.max());
+        let (mut best, mut least) = (none, without);
         let mut now = self;
         for _ in 0..STEPS {
             let mut sum = matrix.clone();

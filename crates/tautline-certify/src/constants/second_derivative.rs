@@ -6,6 +6,7 @@ use tautline_scalar::{Interval, Scalar};
 
 use super::{
     biquadratic::{Vanishing, flattened},
+    eigenvalue_bound::eigen,
     gram::Gram,
     spectral::{Direction, Spectral, TURNS, form, greatest, square, starts},
 };
@@ -47,7 +48,14 @@ impl<M: Metric<D> + Sync, const D: usize> Spectral<D> for SecondDerivative<'_, M
         let b = self.0.second(x);
         [1.0, -1.0].map(|sign| {
             let b = b.map(|row| row.map(|matrix| matrix * sign));
-            Some(Vanishing::for_maximum(&b, &maximum(&b)?))
+            let vanishing = Vanishing::for_maximum(&b, &maximum(&b)?);
+            // Unless nothing is better, which is at most D times too large.
+            let plain = flattened(&b);
+            let mut added = plain.clone();
+            vanishing.add_to(&mut added);
+            let [with, without] =
+                [added, plain].map(|matrix| Some(eigen(&matrix)?.eigenvalues.max()));
+            (with? <= without?).then_some(vanishing)
         })
     }
 

@@ -125,7 +125,8 @@ impl<const D: usize> Dependence<D> {
     }
 
     fn scaled(self, factor: Interval) -> Self {
-        Self { constant: self.constant * factor, slope: self.slope.map(|a| a * factor), ..self }
+        let slope = self.slope.map(|a| if is_zero(a) { a } else { a * factor });
+        Self { constant: self.constant * factor, slope, ..self }
     }
 }
 
@@ -373,6 +374,15 @@ mod tests {
         assert_eq!(along!(|x: S| x.cos() + x.tanh()), Unknown);
         assert_eq!(along!(|x: S| (x.exp() * 2.0).cos()), Unknown);
         assert_eq!(along!(|x: S| (x.cos() * x).sin()), Unknown);
+        // Inside of a wave each function is a trap of its own.
+        assert_eq!(along!(|x: S| (x + 2.0).recip().cos()), Unknown);
+        assert_eq!(along!(|x: S| x.sqrt().cos()), Unknown);
+        assert_eq!(along!(|x: S| x.ln().cos()), Unknown);
+        assert_eq!(along!(|x: S| x.atan().cos()), Unknown);
+        assert_eq!(along!(|x: S| x.sinh().cos()), Unknown);
+        assert_eq!(along!(|x: S| x.cosh().cos()), Unknown);
+        assert_eq!(along!(|x: S| x.tanh().cos()), Unknown);
+        assert_eq!(along!(|x: S| (S::one() / x).cos()), Unknown);
     }
 
     #[test]

@@ -2,8 +2,9 @@
 
 use std::{
     cell::RefCell,
-    collections::HashMap,
+    collections::{HashMap, HashSet},
     ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign},
+    sync::atomic::{AtomicU64, Ordering},
 };
 
 use nalgebra::SVector;
@@ -29,10 +30,29 @@ pub(crate) fn is_isotropic<const D: usize>(metric: &impl Metric<D>) -> bool {
 }
 
 /// Every expression of the evaluation that goes on, by its number and with it.
-#[derive(Default)]
 struct Formulas {
+    /// No other table has this number: neither another thread's, nor that of another evaluation.
+    table: u64,
     nodes: Vec<Node>,
     numbers: HashMap<Node, u32>,
+}
+
+impl Default for Formulas {
+    fn default() -> Self {
+        static TABLES: AtomicU64 = AtomicU64::new(0);
+        let table = TABLES.fetch_add(1, Ordering::Relaxed);
+        Self { table, nodes: Vec::new(), numbers: HashMap::new() }
+    }
+}
+
+impl Formulas {
+    /// The formula of an expression, if it is from this table.
+    fn node(&self, expression: Expression) -> Option<Node> {
+        if expression.table != self.table {
+            return None;
+        }
+        self.nodes.get(expression.number as usize).copied()
+    }
 }
 
 /// Returns whether `H(x) = φ(|x|²) I` by its formula: the coordinates occur in `x₁² + x₂² + … `, summed in
@@ -40,7 +60,7 @@ struct Formulas {
 ///
 /// True is proved; false says nothing.
 pub(crate) fn is_radial<const D: usize>(metric: &impl Metric<D>) -> bool {
-    if !is_isotropic(metric) {
+    if D == 0 || !is_isotropic(metric) {
         return false;
     }
     // The formulas of that evaluation are still there.
@@ -48,18 +68,19 @@ pub(crate) fn is_radial<const D: usize>(metric: &impl Metric<D>) -> bool {
     let square = x.iter().fold(Expression::zero(), |sum, x| sum + x.sqr());
     let gram = metric.gram(&SVector::from(x));
     FORMULAS.with_borrow(|formulas| {
-        let mut reached = vec![false; formulas.nodes.len()];
+        let mut reached = HashSet::new();
         let mut open = vec![gram[(0, 0)]];
         while let Some(expression) = open.pop() {
-            let number = expression.0 as usize;
-            if expression == square || std::mem::replace(&mut reached[number], true) {
+            if expression == square || !reached.insert(expression) {
                 continue;
             }
-            match formulas.nodes[number] {
-                Node::Variable(_) => return false,
-                Node::Constant(_) => {}
-                Node::Sum(a, b) | Node::Product(a, b) | Node::Quotient(a, b) => open.extend([a, b]),
-                Node::Negative(a) | Node::Power(a, _) | Node::Of(_, a) => open.push(a),
+            match formulas.node(expression) {
+                None | Some(Node::Variable(_)) => return false,
+                Some(Node::Constant(_)) => {}
+                Some(Node::Sum(a, b) | Node::Product(a, b) | Node::Quotient(a, b)) => {
+                    open.extend([a, b]);
+                }
+                Some(Node::Negative(a) | Node::Power(a, _) | Node::Of(_, a)) => open.push(a),
             }
         }
         true
@@ -70,13 +91,17 @@ thread_local! {
     static FORMULAS: RefCell<Formulas> = RefCell::default();
 }
 
-/// An expression by its number: two are the same formula if and only if their numbers are equal.
+/// An expression by its number in a table: two are the same formula if both numbers are equal. Those that
+/// were made on another thread, or by an evaluation inside of this one, equal none of this one's.
 ///
 /// Sums and products do not depend on the order of two operands; `f · f` is `f²`; adding `0` and multiplying by `1`
 /// changes nothing; of constants, `0 · c` is `0`. Nothing else is simplified, `0 · f` not either: `f`
 /// may not be defined.
 #[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
-struct Expression(u32);
+struct Expression {
+    table: u64,
+    number: u32,
+}
 
 #[derive(Clone, Copy, Debug, Eq, Hash, PartialEq)]
 enum Node {
@@ -93,11 +118,12 @@ enum Node {
 
 impl Expression {
     fn new(node: Node) -> Self {
-        FORMULAS.with_borrow_mut(|Formulas { nodes, numbers }| {
-            Self(*numbers.entry(node).or_insert_with(|| {
+        FORMULAS.with_borrow_mut(|Formulas { table, nodes, numbers }| {
+            let number = *numbers.entry(node).or_insert_with(|| {
                 nodes.push(node);
                 u32::try_from(nodes.len() - 1).expect("fewer than 2³² expressions")
-            }))
+            });
+            Self { table: *table, number }
         })
     }
 
@@ -106,8 +132,8 @@ impl Expression {
     }
 
     fn is_finite_constant(self) -> bool {
-        FORMULAS.with_borrow(|formulas| match formulas.nodes[self.0 as usize] {
-            Node::Constant(bits) => f64::from_bits(bits).is_finite(),
+        FORMULAS.with_borrow(|formulas| match formulas.node(self) {
+            Some(Node::Constant(bits)) => f64::from_bits(bits).is_finite(),
             _ => false,
         })
     }
@@ -250,6 +276,22 @@ mod tests {
         assert!(is_isotropic(&Checkerboard::new(1.0, 2.0).expect("an edge")));
         assert!(is_isotropic::<2>(&Scaled::new(lens, 3.0).expect("a factor")));
         assert!(is_isotropic::<2>(&Sum::new(Valleys, lens)));
+    }
+
+    /// Each diagonal entry is made on a thread of its own, where it is the first formula.
+    #[test]
+    fn formulas_of_other_threads_equal_none() {
+        struct Threads;
+        impl Metric<2> for Threads {
+            fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+                let [a, b] = [x[0], x[1]].map(|x| {
+                    let entry = std::thread::scope(|scope| scope.spawn(|| x.sqr() + 2.0).join());
+                    entry.expect("no panic")
+                });
+                matrix![a, S::zero(); S::zero(), b]
+            }
+        }
+        assert!(!is_isotropic(&Threads) && !is_radial(&Threads));
     }
 
     #[test]

@@ -42,7 +42,7 @@ fn gradients<const D: usize>(metric: &impl Metric<D>) -> DMatrix<f64> {
             }
         }
     }
-    DMatrix::from_row_iterator(rows.len() / D, D, rows)
+    DMatrix::from_row_iterator(rows.len() / D.max(1), D, rows)
 }
 
 /// Brings the rows into reduced echelon form, with the largest pivot of each column; returns the columns of
@@ -104,8 +104,8 @@ mod tests {
 
     #[test]
     fn a_coordinate_that_matters_is_kept() {
-        let crate_ = EggCrate::new(1.0, 1.0).expect("a wave number");
-        assert_eq!(superfluous(&crate_), [false, false]);
+        let eggs = EggCrate::new(1.0, 1.0).expect("a wave number");
+        assert_eq!(superfluous(&eggs), [false, false]);
         /// A function of `x₁ + 2⁻²⁰ x₂`, which is nearly one of `x₁`, and of both where it is small.
         struct Nearly;
         impl Metric<2> for Nearly {
@@ -124,5 +124,19 @@ mod tests {
             }
         }
         assert_eq!(superfluous(&Far), [true, false]);
+        /// The same beside the diagonal, and in a product with what stays.
+        struct Hidden(bool);
+        impl Metric<2> for Hidden {
+            fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+                let (far, two) = ((x[1] * 40.0 - 400.0).tanh(), S::constant(2.0));
+                if self.0 {
+                    return matrix![two, far; far, two];
+                }
+                let c = x[0].cos() + x[0] * x[1] * 2.0_f64.powi(-40) + 3.0;
+                matrix![c, S::zero(); S::zero(), c]
+            }
+        }
+        assert_eq!(superfluous(&Hidden(true)), [true, false]);
+        assert_eq!(superfluous(&Hidden(false)), [false, false]);
     }
 }

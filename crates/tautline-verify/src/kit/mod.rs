@@ -102,8 +102,8 @@
 //!
 //! One is a proof, up to three dimensions: `constants_are_proved` bounds the constants in all of the
 //! region by intervals, and refuses a claim that they contradict, and a metric that is indefinite
-//! somewhere, with the point. Its note says what is proved, what is right to one percent (as a claim
-//! that is attained can be only), and for what the boxes did not suffice.
+//! somewhere, with the point. Its note says what is proved, what is right to so many percent (as a
+//! claim that is attained can be only), and for what the boxes did not suffice.
 //!
 //! One sample in eight is moved to the ends, the quarters or the middle of the edges, or to 0: there
 //! `x/|x|`, `1/r` and angles break, and uniform samples are never there. Where a law of the formula

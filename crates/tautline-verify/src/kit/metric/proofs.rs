@@ -58,7 +58,7 @@ impl Claim {
 ///
 /// A claim that the bounds contradict is refused with the point, from where an ascent makes the most of
 /// it. Where the claim is on the right side of both bounds it is proved; between them, it is right
-/// up to the tolerance. In more than three dimensions, and where the boxes do not suffice, the note says
+/// as far as they are apart. In more than three dimensions, and where the boxes do not suffice, the note says
 /// that nothing was decided.
 pub(super) fn constants<M: Bounded<D> + Sync, const D: usize>(
     case: &MetricCase<M, D>,
@@ -78,8 +78,9 @@ pub(super) fn constants<M: Bounded<D> + Sync, const D: usize>(
         let Some(claimed) = claim.of(&constants) else { continue };
         let found = match certify(metric, claim.quantity(), &domain, claim.effort(D)) {
             Ok(found) => found,
-            Err(CertifyError::BudgetSpent { .. }) => {
-                notes.push(format!("{claim} not decided"));
+            Err(CertifyError::BudgetSpent { lower, upper, .. }) => {
+                let proved = if claim == Claim::C1 { claimed <= lower } else { upper <= claimed };
+                notes.push(format!("{claim} {}", if proved { "proved" } else { "not decided" }));
                 continue;
             }
             Err(error) => return Err(failure(Fault::Unproved(error))),
@@ -92,7 +93,11 @@ pub(super) fn constants<M: Bounded<D> + Sync, const D: usize>(
         let slack = judge(claim, &constants, claimed, &top).map_err(|lie| failure(lie.into()))?;
         tried.cases += found.boxes as u64;
         tried.slack = tried.slack.min(slack);
-        notes.push(format!("{claim} {}", if proved { "proved" } else { "right to 1 %" }));
+        let loose = 100.0 * (found.looseness() - 1.0);
+        notes.push(match proved {
+            true => format!("{claim} proved"),
+            false => format!("{claim} right to {loose:.1} %"),
+        });
     }
     Ok(tried.with_note(notes.join(", ")))
 }
