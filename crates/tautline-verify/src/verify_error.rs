@@ -2,7 +2,8 @@
 
 use crate::Statement;
 use tautline::{
-    Curvature, HypothesisError, LocalError, MetricError, SequenceError, SetError, SolveError, Stop,
+    CertifyError, Curvature, HypothesisError, LocalError, MetricError, SequenceError, SetError,
+    SolveError, Stop,
     bounds::{BoundError, LocalityError},
     gallery::GalleryError,
 };
@@ -36,6 +37,9 @@ pub enum VerifyError {
     /// A metric has no constants on a ball.
     #[error(transparent)]
     Local(#[from] LocalError),
+    /// A constant could not be proved.
+    #[error(transparent)]
+    Certify(#[from] CertifyError),
     /// No region holds all competitors.
     #[error(transparent)]
     Locality(#[from] LocalityError<LocalError>),

@@ -14,7 +14,8 @@ pub(super) const TABLE: Table = Table {
     id: "statements",
     shows: "every statement of the paper and every sharper one with our verdict, the number of \
             random cases, their least slack (bound / observed), the slack of the best witness, the \
-            tests, and the hypotheses that are evaluated with it",
+            tests, the hypotheses that are evaluated with it, and the number of cases in which every \
+            number is proved with outward rounding",
     seed: Seed::Suite,
     data,
     layout,
@@ -38,6 +39,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
         ("witness_slack", SLACK),
         ("tests", Tolerance::Exact),
         ("hypotheses", Tolerance::Exact),
+        ("proved", Tolerance::Exact),
     ]);
     let mut missing = Vec::new();
     for entry in ledger()? {
@@ -60,6 +62,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
             slack(entry.witness_slack),
             entry.checks.join("; "),
             entry.hypotheses.join("; "),
+            entry.proved.to_string(),
         ]);
     }
     if !missing.is_empty() {
@@ -141,9 +144,13 @@ fn section(row: &Row<'_>, statement: Statement) -> String {
         "" => "not to be told from rounding".to_owned(),
         slack => slack.to_owned(),
     };
+    let proved = match row.text("proved") {
+        "0" => String::new(),
+        cases => format!("- cases in which every number is proved, by intervals: {cases}\n"),
+    };
     format!(
         "## {}\n\n{}.\n\n- label: `{}`\n- code: `tautline_verify::statements::{}`\n- verdict: \
-         **{verdict}**\n- hypotheses evaluated: {hypotheses}\n- random cases: {}, least slack {}\n- slack of the best witness: {}\n- \
+         **{verdict}**\n- hypotheses evaluated: {hypotheses}\n- random cases: {}, least slack {}\n- slack of the best witness: {}\n{proved}- \
          tests: {}\n\n",
         statement.number(),
         statement.claim(),

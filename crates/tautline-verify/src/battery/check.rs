@@ -21,6 +21,8 @@ pub enum Kind {
     Order,
     /// Numbers agree with reference values of another program.
     Reference,
+    /// A statement holds for numbers that are proved, with outward rounding.
+    Proved,
 }
 
 /// One named test.

@@ -14,6 +14,8 @@ pub struct Entry {
     pub worst_slack: f64,
     /// The least slack of its witnesses, a pure number.
     pub witness_slack: f64,
+    /// On how many cases it was evaluated with numbers that are proved.
+    pub proved: u64,
     /// The hypotheses that were evaluated on the random cases, by their claims.
     pub hypotheses: Vec<&'static str>,
     /// The names of the checks that are about it.
@@ -36,7 +38,8 @@ pub fn suite() -> Vec<Check<Option<Mutant>>> {
 pub fn ledger() -> Result<Vec<Entry>, Failure> {
     let trial = Trial { subject: &None, scope: Scope::Everything, cases: u32::MAX };
     let checks = suite();
-    let (mut random, mut witnesses) = (Tally::default(), Tally::default());
+    let (mut random, mut witnesses, mut proved) =
+        (Tally::default(), Tally::default(), Tally::default());
     for check in &checks {
         let tally = check
             .run(&trial)
@@ -44,6 +47,7 @@ pub fn ledger() -> Result<Vec<Entry>, Failure> {
         match check.kind {
             Kind::Random => random.extend(&tally),
             Kind::Witness => witnesses.extend(&tally),
+            Kind::Proved => proved.extend(&tally),
             _ => {}
         }
     }
@@ -55,6 +59,7 @@ pub fn ledger() -> Result<Vec<Entry>, Failure> {
             cases: random.of(statement).map_or(0, |count| count.cases),
             worst_slack: slack(&random),
             witness_slack: slack(&witnesses),
+            proved: proved.of(statement).map_or(0, |count| count.cases),
             hypotheses: random.hypotheses(statement).collect(),
             checks: about.map(|check| check.name).collect(),
         }

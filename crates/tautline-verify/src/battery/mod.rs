@@ -17,6 +17,7 @@ mod leading_constants;
 mod ledger;
 mod orders;
 mod point_sequences;
+mod proved_numbers;
 mod quick;
 mod random_problems;
 mod section_1;
@@ -64,6 +65,7 @@ pub fn battery<S: Subject>() -> Vec<Check<S>> {
         section_7_sampling::checks(),
         section_7_apriori::checks(),
         point_sequences::checks(),
+        proved_numbers::checks(),
         section_9::checks(),
         dropped::checks(),
         sharper::checks(),
