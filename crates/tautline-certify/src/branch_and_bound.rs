@@ -12,11 +12,12 @@ pub(crate) trait Bounded<const D: usize>: Sync {
     /// Returns what is known of the function on a box.
     fn bound(&self, cell: &Cell<D>) -> Bound;
 
-    /// Returns the function at a point, up to rounding; NaN where that overflows or it is not defined.
+    /// Returns the function at a point, up to rounding; NaN where that overflows or it is not
+    /// defined.
     fn value(&self, x: &SVector<f64, D>) -> f64;
 
-    /// Returns the function that is wanted at a point, up to rounding, where the one that is bounded is
-    /// never smaller and may be larger.
+    /// Returns the function that is wanted at a point, up to rounding, where the one that is
+    /// bounded is never smaller and may be larger.
     fn wanted(&self, x: &SVector<f64, D>) -> f64 {
         self.value(x)
     }
@@ -68,8 +69,8 @@ struct Open<const D: usize> {
 /// on the number of threads.
 ///
 /// A box is dropped if its bound is at most the best value met. That value is rounded, and might be
-/// too large: so what is returned is the larger one of the two, which is a bound of the dropped boxes
-/// and of the others.
+/// too large: so what is returned is the larger one of the two, which is a bound of the dropped
+/// boxes and of the others.
 pub(crate) fn maximise<const D: usize>(
     function: &impl Bounded<D>,
     domain: &Domain<D>,
@@ -280,8 +281,8 @@ mod tests {
         }
     }
 
-    /// Dropped boxes had a bound up to the best value that was met, be that rounded or wrong: the result
-    /// must not be below it.
+    /// Dropped boxes had a bound up to the best value that was met, be that rounded or wrong: the
+    /// result must not be below it.
     #[test]
     fn a_value_that_is_too_large_costs_sharpness_and_nothing_else() {
         let boasting = Waves { boasts_by: 0.1, ..Waves::default() };

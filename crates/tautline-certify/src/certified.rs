@@ -6,8 +6,8 @@ use tautline_scalar::Scalar;
 
 use crate::{CertifiedConstants, CertifyError, Domain, Effort};
 
-/// A metric with the constants that its formula proves on all of `R^D`: for a metric whose author does
-/// not state any. They are those of `D` dimensions, whatever other dimensions the formula has.
+/// A metric with the constants that its formula proves on all of `R^D`: for a metric whose author
+/// does not state any. They are those of `D` dimensions, whatever other dimensions the formula has.
 ///
 /// ```
 /// use nalgebra::{SMatrix, SVector, matrix};
@@ -39,9 +39,9 @@ impl<M: Metric<D> + Sync, const D: usize> Certified<M, D> {
     ///
     /// # Errors
     ///
-    /// [`CertifyError::NotAllOfSpace`] for a formula that is neither constant nor periodic along each
-    /// coordinate: see [`Certified::settled`] and [`LocallyCertified`](crate::LocallyCertified). Else as
-    /// [`CertifiedConstants::new`].
+    /// [`CertifyError::NotAllOfSpace`] for a formula that is neither constant nor periodic along
+    /// each coordinate: see [`Certified::settled`] and
+    /// [`LocallyCertified`](crate::LocallyCertified). Else as [`CertifiedConstants::new`].
     pub fn new(metric: M, effort: Effort) -> Result<Self, CertifyError> {
         let space = Domain::space(&metric);
         if !space.is_all_of_space() {
@@ -51,7 +51,8 @@ impl<M: Metric<D> + Sync, const D: usize> Certified<M, D> {
         Ok(Self { metric, constants })
     }
 
-    /// Proves the constants on [`Domain::settled_space`]: the caller declares that the metric settles.
+    /// Proves the constants on [`Domain::settled_space`]: the caller declares that the metric
+    /// settles.
     ///
     /// # Errors
     ///

@@ -53,8 +53,8 @@ pub enum CertifyError {
     /// There is no dimension.
     #[error("D = 0: there is no dimension")]
     NoDimension,
-    /// At a point of the domain the formula, evaluated with bounds, is not shown to be defined: a root of
-    /// something that may be negative, say, or the tangent of a number beyond `2²⁰`.
+    /// At a point of the domain the formula, evaluated with bounds, is not shown to be defined: a
+    /// root of something that may be negative, say, or the tangent of a number beyond `2²⁰`.
     #[error("the metric is not shown to be defined at {point:?}")]
     Undefined {
         /// Where it was evaluated, in `ℓ`.

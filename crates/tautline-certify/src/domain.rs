@@ -34,8 +34,8 @@ enum Scope {
 impl<const D: usize> Domain<D> {
     /// How far [`Domain::space`] reaches where a metric is neither constant nor periodic: `2¹⁰⁰ ℓ`.
     ///
-    /// Tenth powers of coordinates do not overflow there, and times the least double, which stands for
-    /// what underflows, they are nothing.
+    /// Tenth powers of coordinates do not overflow there, and times the least double, which stands
+    /// for what underflows, they are nothing.
     pub const REACH: f64 = f64::from_bits((1023 + 100) << 52);
 
     /// Returns a box.
@@ -64,13 +64,13 @@ impl<const D: usize> Domain<D> {
 
     /// Returns a box that stands for all of `R^D`, as far as the formula of `metric` shows it to.
     ///
-    /// Along a coordinate that does not occur in the formula, or only in differences with others, it
-    /// has the width 0, and so it has along all but the first where the formula is a function of
+    /// Along a coordinate that does not occur in the formula, or only in differences with others,
+    /// it has the width 0, and so it has along all but the first where the formula is a function of
     /// `|x|²` times the identity; along one in which the formula is periodic, it is one period,
-    /// rounded up. All that is read off the formula, not sampled:
-    /// sines, cosines and tangents of linear functions are followed, with coefficients that are
-    /// doubles with a common divisor. Along any other coordinate it reaches from `−2¹⁰⁰` to `2¹⁰⁰`,
-    /// and [`is_all_of_space`](Domain::is_all_of_space) is false: nothing is said of what lies beyond
+    /// rounded up. All that is read off the formula, not sampled: sines, cosines and tangents of
+    /// linear functions are followed, with coefficients that are doubles with a common divisor.
+    /// Along any other coordinate it reaches from `−2¹⁰⁰` to `2¹⁰⁰`, and
+    /// [`is_all_of_space`](Domain::is_all_of_space) is false: nothing is said of what lies beyond
     /// [`REACH`](Domain::REACH).
     ///
     /// ```
@@ -122,12 +122,13 @@ impl<const D: usize> Domain<D> {
         }
     }
 
-    /// Returns [`space`](Domain::space) as all of `R^D`, for a metric that is declared to settle: farther
-    /// out than [`REACH`](Domain::REACH) it is to change no more than a constant metric does.
+    /// Returns [`space`](Domain::space) as all of `R^D`, for a metric that is declared to settle:
+    /// farther out than [`REACH`](Domain::REACH) it is to change no more than a constant metric
+    /// does.
     ///
-    /// That is the caller's word, as of a metric with Gaussian or saturated parts. It is checked on the
-    /// last octave: for `R/2 ≤ |xₖ| ≤ R`, `R` the reach, and any other coordinates, `R |∂H|` and `R² |∂²H|` are
-    /// at most `10⁻⁹ Hᵢᵢ` in each entry.
+    /// That is the caller's word, as of a metric with Gaussian or saturated parts. It is checked on
+    /// the last octave: for `R/2 ≤ |xₖ| ≤ R`, `R` the reach, and any other coordinates, `R |∂H|`
+    /// and `R² |∂²H|` are at most `10⁻⁹ Hᵢᵢ` in each entry.
     ///
     /// # Errors
     ///
@@ -159,8 +160,8 @@ impl<const D: usize> Domain<D> {
         &self.cell
     }
 
-    /// Returns whether what holds here holds on all of `R^D`, under the metric that the domain was made
-    /// for: as its formula proves, or as [`settled_space`](Domain::settled_space) was told.
+    /// Returns whether what holds here holds on all of `R^D`, under the metric that the domain was
+    /// made for: as its formula proves, or as [`settled_space`](Domain::settled_space) was told.
     #[must_use]
     pub fn is_all_of_space(&self) -> bool {
         self.scope != Scope::Region
@@ -200,7 +201,8 @@ impl<const D: usize> Domain<D> {
     }
 }
 
-/// The largest of `R |∂ₖHᵢⱼ|` and `R² |∂ₖ∂ₗHᵢⱼ|` on a box, over the least diagonal entry, for the reach `R`.
+/// The largest of `R |∂ₖHᵢⱼ|` and `R² |∂ₖ∂ₗHᵢⱼ|` on a box, over the least diagonal entry, for the
+/// reach `R`.
 fn relative_change<const D: usize>(metric: &impl Metric<D>, sides: &[Interval; D]) -> f64 {
     let reach = Interval::point(Domain::<D>::REACH);
     let gram = metric.gram(&SVector::from(Jet2::variables(sides)));

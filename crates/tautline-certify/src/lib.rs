@@ -5,8 +5,8 @@
 //!
 //! * The constants `c₁`, `c₂`, `L_H` and `M_H` on a box, a ball or all of space: [`certify`],
 //!   [`CertifiedConstants`]; as a metric that has them, [`Certified`] and [`LocallyCertified`].
-//! * The energy and the length of a polygon, [`Polygon`], and the bound of the distance of two sets that
-//!   it proves, [`AdmissibleCurve`].
+//! * The energy and the length of a polygon, [`Polygon`], and the bound of the distance of two sets
+//!   that it proves, [`AdmissibleCurve`].
 //!
 //! ```
 //! use tautline_certify::{Domain, Effort, Quantity, certify};
@@ -22,15 +22,16 @@
 //! # Trust base
 //!
 //! What has to be believed for a number of this crate to hold: the trust base of
-//! [`Interval`](tautline_scalar::Interval), that is, that `+ − × ÷ √` of doubles are rounded as IEEE 754
-//! demands, that the compiler and the processor do what they say, and that the derivations in the
-//! comments of the intervals are right; that jets, Gershgorin's and Collatz and Wielandt's theorems, Taylor's
-//! formula and the search are implemented as they are described here; that the formula of the metric is
-//! the one that is meant, its decimals read as doubles, and gives the same operations each time it is
-//! evaluated; and, where a metric is [declared to settle](Domain::settled_space), that word. Nothing
-//! that is computed in plain doubles is believed: eigenvectors, choices and the best points found are
-//! guesses, which a bad one makes useless but not wrong. In particular no mathematical library, no
-//! linear algebra and no optimiser is part of it.
+//! [`Interval`](tautline_scalar::Interval), that is, that `+ − × ÷ √` of doubles are rounded as
+//! IEEE 754 demands, that the compiler and the processor do what they say, and that the derivations
+//! in the comments of the intervals are right; that jets, Gershgorin's and Collatz and Wielandt's
+//! theorems, Taylor's formula and the search are implemented as they are described here; that the
+//! formula of the metric is the one that is meant, its decimals read as doubles, and gives the same
+//! operations each time it is evaluated; and, where a metric is [declared to
+//! settle](Domain::settled_space), that word. Nothing that is computed in plain doubles is
+//! believed: eigenvectors, choices and the best points found are guesses, which a bad one makes
+//! useless but not wrong. In particular no mathematical library, no linear algebra and no optimiser
+//! is part of it.
 
 mod branch_and_bound;
 mod cell;

@@ -6,8 +6,9 @@ use tautline_scalar::Scalar;
 
 use crate::{CertifiedConstants, Domain, Effort};
 
-/// A metric whose constants on a ball are proved from its formula when they are asked for: the constants
-/// that the competitors of a computed line need, for a metric that may have none on all of `R^D`.
+/// A metric whose constants on a ball are proved from its formula when they are asked for: the
+/// constants that the competitors of a computed line need, for a metric that may have none on all
+/// of `R^D`.
 ///
 /// ```
 /// use tautline_certify::{Effort, LocallyCertified};
@@ -51,8 +52,8 @@ impl<M: Metric<D>, const D: usize> Metric<D> for LocallyCertified<M> {
 impl<M: Metric<D> + Sync, const D: usize> LocallyBounded<D> for LocallyCertified<M> {
     /// # Errors
     ///
-    /// [`LocalError::NotProved`] where the metric is undefined or indefinite on the ball, and where the
-    /// budget is spent: [`CertifiedConstants::new`] says which.
+    /// [`LocalError::NotProved`] where the metric is undefined or indefinite on the ball, and where
+    /// the budget is spent: [`CertifiedConstants::new`] says which.
     fn constants_within(
         &self,
         centre: &SVector<f64, D>,
@@ -88,7 +89,8 @@ mod tests {
             let proved = LocallyCertified::new(metric, effort);
             let proved = proved.constants_within(&centre, radius).expect("proved");
             assert!(proved.is_local());
-            // Closed forms on balls that are not about the origin may give away more than the tolerance.
+            // Closed forms on balls that are not about the origin may give away more than the
+            // tolerance.
             assert!(proved.c1() >= known.c1() * 0.99 && proved.c2() <= known.c2() * 1.01);
             assert!(proved.l_h() <= known.l_h() * 1.01, "{proved:?} {known:?}");
             let (Some(proved), Some(known)) = (proved.m_h(), known.m_h()) else { panic!("M_H") };

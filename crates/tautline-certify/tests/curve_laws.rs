@@ -126,8 +126,8 @@ fn a_thousand_chords_have_twelve_digits() {
     gallery(&mut Narrow);
 }
 
-/// Where a box at an end makes the enclosure wide, bisecting would not help, and is not tried; where
-/// the metric varies too fast, it ends.
+/// Where a box at an end makes the enclosure wide, bisecting would not help, and is not tried;
+/// where the metric varies too fast, it ends.
 #[test]
 fn bisecting_stops_where_it_does_not_help() {
     struct Counted<M>(M, Cell<usize>);

@@ -119,8 +119,8 @@ fn polygons_under_seven_metrics_are_enclosed() {
     reference(&GaussianFisher, "35.82410628634388510639273", "5.507440069068043424268044");
 }
 
-/// `2 − cos` and its square along `x₁`, by their primitives in 192 bits: for random polygons, and so
-/// sharply that a remainder left out, of any chord, shows.
+/// `2 − cos` and its square along `x₁`, by their primitives in 192 bits: for random polygons, and
+/// so sharply that a remainder left out, of any chord, shows.
 #[test]
 fn random_polygons_in_the_valleys_contain_a_value_of_192_bits() {
     let mut consts = Consts::new().expect("memory for the constants");

@@ -18,8 +18,8 @@ enum Stated {
 }
 use Stated::{Bound, Exact};
 
-/// Fails unless the stated `c₁`, `c₂`, `L_H` and `M_H` lie between the bounds, or are no better than the
-/// constants can be.
+/// Fails unless the stated `c₁`, `c₂`, `L_H` and `M_H` lie between the bounds, or are no better
+/// than the constants can be.
 fn check<const D: usize>(
     metric: impl Bounded<D> + Sync,
     stated: [Stated; 4],

@@ -7,10 +7,10 @@ use crate::{Constants, HypothesisError, Metric};
 /// A metric which knows constants on every ball where it has some.
 ///
 /// Some, as `4 / (1 + r²)² I`, have no constant `c₁ > 0` on all of `R^D`, and none of the paper's
-/// theorems applies to them; but shortest curves and discrete minimisers stay near their ends, where
-/// the constants of a ball do (Proposition S.8). A [`Bounded`](crate::Bounded) metric may be locally
-/// bounded too, as [`Constant`](crate::gallery::Constant) is: where one varies from place to place,
-/// the constants of a ball are better.
+/// theorems applies to them; but shortest curves and discrete minimisers stay near their ends,
+/// where the constants of a ball do (Proposition S.8). A [`Bounded`](crate::Bounded) metric may be
+/// locally bounded too, as [`Constant`](crate::gallery::Constant) is: where one varies from place
+/// to place, the constants of a ball are better.
 ///
 /// ```
 /// use tautline_metrics::{LocallyBounded, gallery::Sphere};
@@ -22,8 +22,8 @@ use crate::{Constants, HypothesisError, Metric};
 /// # Ok::<(), tautline_metrics::LocalError>(())
 /// ```
 pub trait LocallyBounded<const D: usize>: Metric<D> {
-    /// Returns constants that hold on the ball `|x − centre| ≤ radius`, both in `ℓ`, for all `x` and
-    /// `y` there, and say that they [hold on a region](Constants::is_local).
+    /// Returns constants that hold on the ball `|x − centre| ≤ radius`, both in `ℓ`, for all `x`
+    /// and `y` there, and say that they [hold on a region](Constants::is_local).
     ///
     /// # Errors
     ///

@@ -62,15 +62,15 @@
 //!   quotients (`1/3!` and the like) as the processor would.
 //! * The derivations in the comments of the kernel are right. They are also tested: against
 //!   `astro-float` at 192 bits, with twenty thousand arguments of each function in every run of the
-//!   tests and with a million by the example `enclosures_by_the_million`; random formulas with their
-//!   jets likewise, by `formulas_by_the_million`, and the metrics of the gallery by
+//!   tests and with a million by the example `enclosures_by_the_million`; random formulas with
+//!   their jets likewise, by `formulas_by_the_million`, and the metrics of the gallery by
 //!   `metrics_by_the_million` of `tautline-certify`. A test is no proof.
 //! * The constants `π/2`, `ln 2` and the arctangents of eighths are what they should be to the
 //!   stated error: a test compares each with a computation at 320 bits.
 //! * The formula is the one that is meant, decimals included.
 //!
-//! No mathematical library is trusted. A [`FastInterval`] trusts one in addition: that the functions
-//! of `pxfm` are never off by more than one unit in the last place.
+//! No mathematical library is trusted. A [`FastInterval`] trusts one in addition: that the
+//! functions of `pxfm` are never off by more than one unit in the last place.
 
 mod float;
 mod interval;

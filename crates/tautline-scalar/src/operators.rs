@@ -83,8 +83,8 @@ macro_rules! jet_is_scalar {
             fn powi(self, n: i32) -> Self {
                 let x = self.value();
                 match n {
-                    // Apart, since n xⁿ⁻¹ would be 0 · ∞ at x = 0. Zero times what comes in, and not
-                    // zero, so that what is not defined stays so.
+                    // Apart, since n xⁿ⁻¹ would be 0 · ∞ at x = 0. Zero times what comes in, and
+                    // not zero, so that what is not defined stays so.
                     0 => self.chain(x.powi(0), T::zero(), T::zero()),
                     1 => self,
                     2 => self.sqr(),

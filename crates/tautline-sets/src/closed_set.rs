@@ -73,11 +73,11 @@ pub trait ClosedSet<const D: usize>: Debug + Send + Sync {
     /// Returns `sup |x|` over the set, in `ℓ`; `None` if the set is unbounded.
     fn radius(&self) -> Option<f64>;
 
-    /// Returns the centre and the radius of a ball that contains the set, in `ℓ`; `None` if the set is
-    /// unbounded.
+    /// Returns the centre and the radius of a ball that contains the set, in `ℓ`; `None` if the set
+    /// is unbounded.
     ///
-    /// It need not be the smallest: by default it is the ball about the origin. Worth overriding for
-    /// a set that lies far from there, since constants that hold on a region are better on a
+    /// It need not be the smallest: by default it is the ball about the origin. Worth overriding
+    /// for a set that lies far from there, since constants that hold on a region are better on a
     /// smaller one.
     fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
         Some((SVector::zeros(), self.radius()?))
@@ -95,9 +95,9 @@ pub trait ClosedSet<const D: usize>: Debug + Send + Sync {
     /// prove, in `ℓ`; `None` if it can prove nothing, as by default.
     ///
     /// The box is `[x, x]` if and only if `x` itself is proved to be a member, else a box of a few
-    /// roundings about `P(x)`. It says nothing of where in the box the members are. The set is meant
-    /// exactly: the numbers that it was made of are the doubles which they are, and whatever was
-    /// rounded in making it, such as the length of a normal, does not enter.
+    /// roundings about `P(x)`. It says nothing of where in the box the members are. The set is
+    /// meant exactly: the numbers that it was made of are the doubles which they are, and whatever
+    /// was rounded in making it, such as the length of a normal, does not enter.
     fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
         let _ = x;
         None

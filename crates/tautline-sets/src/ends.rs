@@ -71,8 +71,8 @@ impl<const D: usize> Ends<D> {
         &self.second
     }
 
-    /// Returns whether the pair was made by [`Ends::points`]: then both ends of a curve are fixed. Of
-    /// sets that happen to have one member each it is not known.
+    /// Returns whether the pair was made by [`Ends::points`]: then both ends of a curve are fixed.
+    /// Of sets that happen to have one member each it is not known.
     #[must_use]
     pub fn are_points(&self) -> bool {
         self.points

@@ -77,8 +77,8 @@ pub(crate) fn least_product<const D: usize>(
     }))
 }
 
-/// Whether the box meets the points `a + s v` with `s` in `[0, 1]`, or all `s`; `v` is `b − a`, which
-/// is not rounded.
+/// Whether the box meets the points `a + s v` with `s` in `[0, 1]`, or all `s`; `v` is `b − a`,
+/// which is not rounded.
 pub(crate) fn meets_line<const D: usize>(
     y: &SVector<Interval, D>,
     a: &SVector<f64, D>,

@@ -20,8 +20,8 @@ pub struct HalfSpace<const D: usize> {
     /// `n`, of length 1.
     normal: SVector<f64, D>,
     offset: f64,
-    /// The normal and the offset as they were given: the half-space that is meant, before the length
-    /// of the normal is rounded to 1.
+    /// The normal and the offset as they were given: the half-space that is meant, before the
+    /// length of the normal is rounded to 1.
     given_normal: SVector<f64, D>,
     given_offset: f64,
 }
@@ -130,8 +130,8 @@ impl<const D: usize> ClosedSet<D> for HalfSpace<D> {
         if height(&here).hi() <= 0.0 {
             return Some(here);
         }
-        // From near the plane, where x − (n·x − b) n/|n|² does not cancel: the foot of a point other
-        // than x is a member as well.
+        // From near the plane, where x − (n·x − b) n/|n|² does not cancel: the foot of a point
+        // other than x is a member as well.
         let near = proof::point(&self.project(x));
         let step = height(&near) / proof::square(&n);
         proof::finite(SVector::from_fn(|i, _| near[i] - n[i] * step))

@@ -75,8 +75,9 @@ impl<M: Bounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
         self.enclosure_by(global(self.metric().constants())?, self.extent())
     }
 
-    /// Suggests `N` for which `L(γᵖˡ)² − d²` is at most `tolerance`, in `m²`: by the theorems with the
-    /// length of this line for `d`, and by extrapolation from this line and the grids before it.
+    /// Suggests `N` for which `L(γᵖˡ)² − d²` is at most `tolerance`, in `m²`: by the theorems with
+    /// the length of this line for `d`, and by extrapolation from this line and the grids before
+    /// it.
     ///
     /// # Errors
     ///
@@ -94,14 +95,14 @@ fn global(constants: Constants) -> Result<Constants, BoundError> {
 
 impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     /// Encloses `d²`, in `m²`, as [`enclosure`](TautLine::enclosure) does, by constants that hold
-    /// where all [competitors](TautLine::competitors) of this line are. What is called a global minimum
-    /// is one among the sequences in that ball.
+    /// where all [competitors](TautLine::competitors) of this line are. What is called a global
+    /// minimum is one among the sequences in that ball.
     ///
     /// # Errors
     ///
-    /// [`BoundError::LeavesTheBall`] if a competitor of this line might be outside of the ball, which
-    /// is then that of another line; [`BoundError::Contradiction`] if the constants do not hold;
-    /// [`BoundError`] if an energy is not finite.
+    /// [`BoundError::LeavesTheBall`] if a competitor of this line might be outside of the ball,
+    /// which is then that of another line; [`BoundError::Contradiction`] if the constants do not
+    /// hold; [`BoundError`] if an energy is not finite.
     pub fn enclosure_among(&self, competitors: &Competitors<D>) -> Result<Enclosure, BoundError> {
         let extent = self.extent();
         competitors.hold_those_of(self, extent)?;
@@ -109,9 +110,9 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     }
 
     /// Suggests `N` as [`suggest_n`](TautLine::suggest_n) does, by constants that hold where all
-    /// [competitors](TautLine::competitors) of this line are. What is proven is at least the `N` of this
-    /// line: from there on no sequence of as little energy leaves the ball, since the bounds of Lemma
-    /// S.4 fall with `N`.
+    /// [competitors](TautLine::competitors) of this line are. What is proven is at least the `N` of
+    /// this line: from there on no sequence of as little energy leaves the ball, since the bounds
+    /// of Lemma S.4 fall with `N`.
     ///
     /// # Errors
     ///
@@ -152,7 +153,8 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
         enclose(constants, D, &computed)
     }
 
-    /// A lower bound of the discrete minimum over all sequences, in `m²`, where convexity shows one.
+    /// A lower bound of the discrete minimum over all sequences, in `m²`, where convexity shows
+    /// one.
     fn global_minimum(&self, constants: Constants, length: f64) -> Option<f64> {
         let (sequence, n) = (self.sequence(), self.sequence().n());
         let (_, gradient) = energy_gradient(self.rule(), self.metric(), sequence);
@@ -228,7 +230,8 @@ mod tests {
         assert!(line.enclosure().expect("finite").assumes_global_minimum);
     }
 
-    /// The number that is proven is enough, and far more than what is expected, which is enough too.
+    /// The number that is proven is enough, and far more than what is expected, which is enough
+    /// too.
     #[test]
     fn suggested_grids_reach_the_tolerance() {
         let metric = Shear::new(0.5, 1.0).expect("valid");

@@ -68,9 +68,9 @@ impl<M: LocallyBounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> 
     /// ```
     ///
     /// Needs: that the metric is what its constants say; the length is computed with a quadrature
-    /// whose error is estimated. Slack: a competitor comes no farther than `√(d̄² e/c₁)` from its end,
-    /// with the length of this line for `d̄` and `e` of Lemma S.4; the constants of the ball are taken,
-    /// and its radius to one percent.
+    /// whose error is estimated. Slack: a competitor comes no farther than `√(d̄² e/c₁)` from its
+    /// end, with the length of this line for `d̄` and `e` of Lemma S.4; the constants of the ball
+    /// are taken, and its radius to one percent.
     ///
     /// # Errors
     ///
@@ -203,8 +203,8 @@ mod tests {
         assert!(0.02 + reach < within.r() && within.r() < 0.02 + 1.03 * reach, "{within:?}");
     }
 
-    /// One chord of the left rule may have `1 + δ/2` times `d²`, one of the trapezoidal rule half of
-    /// the excess; and a line that is not minimal has more energy than its length squared.
+    /// One chord of the left rule may have `1 + δ/2` times `d²`, one of the trapezoidal rule half
+    /// of the excess; and a line that is not minimal has more energy than its length squared.
     #[test]
     fn what_a_sequence_may_spend_counts() {
         let ends = || Ends::points([0.3, 0.0], [0.32, 0.0]).expect("finite");

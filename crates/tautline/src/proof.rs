@@ -22,8 +22,8 @@ pub struct Proof<'a, const D: usize> {
     /// Where they hold; `None` if on all of `R^D`.
     pub within: Option<Ball<D>>,
     /// What follows for `d²`. The upper bound is that of the curve and rigorous. The lower one is a
-    /// theorem about rigorous constants and a rigorous length, evaluated in doubles together with the
-    /// discrete energy and its residual: its last digits are not certified. Nothing rests on a
+    /// theorem about rigorous constants and a rigorous length, evaluated in doubles together with
+    /// the discrete energy and its residual: its last digits are not certified. Nothing rests on a
     /// quadrature.
     pub enclosure: Enclosure,
 }
@@ -47,21 +47,21 @@ pub enum ProofError {
 }
 
 impl<M: Metric<D> + Sync, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
-    /// Returns a curve that certainly joins the two sets, with rigorous bounds of its energy and length,
-    /// and so a rigorous upper bound of `d²`.
+    /// Returns a curve that certainly joins the two sets, with rigorous bounds of its energy and
+    /// length, and so a rigorous upper bound of `d²`.
     ///
     /// # Errors
     ///
     /// [`CurveError`]: a set of your own that does not implement
-    /// [`ClosedSet::member_near`](crate::ClosedSet::member_near), and a metric that is undefined on the
-    /// curve.
+    /// [`ClosedSet::member_near`](crate::ClosedSet::member_near), and a metric that is undefined on
+    /// the curve.
     pub fn admissible_curve(&self) -> Result<AdmissibleCurve<'_, D>, CurveError> {
         AdmissibleCurve::new(self.metric(), self.sequence(), self.ends())
     }
 
-    /// Encloses `d²`, in `m²`, as [`enclosure`](TautLine::enclosure) does, with nothing stated by the
-    /// author of the metric: its constants are proved from the formula, on all of `R^D` if the formula
-    /// shows that a box stands for it, else on the ball that holds all
+    /// Encloses `d²`, in `m²`, as [`enclosure`](TautLine::enclosure) does, with nothing stated by
+    /// the author of the metric: its constants are proved from the formula, on all of `R^D` if the
+    /// formula shows that a box stands for it, else on the ball that holds all
     /// [competitors](TautLine::competitors).
     ///
     /// ```
@@ -159,8 +159,8 @@ mod tests {
         assert!(line.admissible_curve().is_ok_and(|curve| curve.length().contains(length)));
     }
 
-    /// A metric whose two methods disagree: what the solver sees is four times what the formula is. The
-    /// formula is what is proved, and the contradiction is said.
+    /// A metric whose two methods disagree: what the solver sees is four times what the formula is.
+    /// The formula is what is proved, and the contradiction is said.
     #[test]
     fn a_lower_bound_above_the_curve_is_a_contradiction() {
         struct Torn;

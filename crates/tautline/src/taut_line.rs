@@ -62,7 +62,8 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
         self.minimum.energy
     }
 
-    /// Returns the energy `E(γᵖˡ) ≥ d²` of the curve, in `m²`, by quadrature with an error estimate.
+    /// Returns the energy `E(γᵖˡ) ≥ d²` of the curve, in `m²`, by quadrature with an error
+    /// estimate.
     #[must_use]
     pub fn energy(&self) -> Integral {
         self.curve().energy(&*self.metric)

@@ -31,8 +31,8 @@ impl<const D: usize> CertifiedConstants<D> {
     /// # Ok::<(), tautline_certify::CertifyError>(())
     /// ```
     ///
-    /// They are constants on all of `R^D` only if the domain stands for that under this metric, and not
-    /// under the one that it was made for.
+    /// They are constants on all of `R^D` only if the domain stands for that under this metric, and
+    /// not under the one that it was made for.
     ///
     /// # Errors
     ///
@@ -78,8 +78,8 @@ impl<const D: usize> CertifiedConstants<D> {
     }
 
     /// Returns the bounds on the safe side, as constants of the metric; they [hold on a
-    /// region](Constants::is_local) unless the domain stands for all of space, and say so if the formula
-    /// shows a [multiple of the identity](Constants::is_isotropic).
+    /// region](Constants::is_local) unless the domain stands for all of space, and say so if the
+    /// formula shows a [multiple of the identity](Constants::is_isotropic).
     ///
     /// # Errors
     ///

@@ -20,10 +20,10 @@ pub(crate) struct Enclosed {
 /// there is none.
 ///
 /// With the eigenvectors `Q` of the middle of the centre, computed in doubles and exact or not, the
-/// matrix `B = Qᵀ S Q` is nearly diagonal, and of the second order in the size of the box away from it
-/// where the eigenvalues are simple. Two enclosures of `B` are intersected: the mean value form
-/// `Qᵀ S(m) Q + Σ Qᵀ ∂ₖS Q (xₖ − mₖ)` and `Qᵀ S Q` itself. Then [`rayleigh`] bounds `zᵀBz / zᵀz`, and
-/// `yᵀSy / yᵀy = zᵀBz / zᵀQᵀQz` for `y = Qz`.
+/// matrix `B = Qᵀ S Q` is nearly diagonal, and of the second order in the size of the box away from
+/// it where the eigenvalues are simple. Two enclosures of `B` are intersected: the mean value form
+/// `Qᵀ S(m) Q + Σ Qᵀ ∂ₖS Q (xₖ − mₖ)` and `Qᵀ S Q` itself. Then [`rayleigh`] bounds `zᵀBz / zᵀz`,
+/// and `yᵀSy / yᵀy = zᵀBz / zᵀQᵀQz` for `y = Qz`.
 pub(crate) fn largest_eigenvalue(s: &Enclosed) -> f64 {
     let n = s.centre.nrows();
     let middle = s.centre.map(|entry| entry.midpoint());
@@ -66,13 +66,13 @@ fn rotated(a: &DMatrix<Interval>, q: &DMatrix<f64>) -> DMatrix<Interval> {
     result
 }
 
-/// Returns an upper bound of `zᵀBz / zᵀz` for all symmetric `B` within the entries; NaN if one of them
-/// is undefined.
+/// Returns an upper bound of `zᵀBz / zᵀz` for all symmetric `B` within the entries; NaN if one of
+/// them is undefined.
 ///
-/// It is at most `|z|ᵀ C |z| / zᵀz`, where `Cᵢᵢ` is the upper end of `Bᵢᵢ` and `Cᵢⱼ` the largest `|Bᵢⱼ|`.
-/// The off-diagonal entries of `C` are not negative, and the largest eigenvalue of such a matrix is at
-/// most `maxᵢ Σⱼ Cᵢⱼ tⱼ / tᵢ` for any positive `t` (Collatz–Wielandt), with equality for its
-/// eigenvector, which is taken, up to rounding.
+/// It is at most `|z|ᵀ C |z| / zᵀz`, where `Cᵢᵢ` is the upper end of `Bᵢᵢ` and `Cᵢⱼ` the largest
+/// `|Bᵢⱼ|`. The off-diagonal entries of `C` are not negative, and the largest eigenvalue of such a
+/// matrix is at most `maxᵢ Σⱼ Cᵢⱼ tⱼ / tᵢ` for any positive `t` (Collatz–Wielandt), with equality
+/// for its eigenvector, which is taken, up to rounding.
 fn rayleigh(b: &DMatrix<Interval>) -> f64 {
     let n = b.nrows();
     let c =

@@ -75,8 +75,8 @@ fn block<T: Scalar, M: Metric<D>, const D: usize>(
     if gram.isotropic { h.view((0, 0), (1, 1)).into_owned() } else { h }
 }
 
-/// Rayleigh's quotient `uᵀHu / uᵀu`, enclosed, for an eigenvector `u` up to rounding: between the least
-/// and the greatest eigenvalue, whatever `u` is.
+/// Rayleigh's quotient `uᵀHu / uᵀu`, enclosed, for an eigenvector `u` up to rounding: between the
+/// least and the greatest eigenvalue, whatever `u` is.
 fn quotient<M: Metric<D>, const D: usize>(
     gram: Gram<'_, M>,
     x: &SVector<f64, D>,

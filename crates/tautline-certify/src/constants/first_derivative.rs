@@ -15,23 +15,24 @@ use super::{
 ///
 /// `f(u) = Σₖ (uᵀAₖu)²`,
 ///
-/// a form of degree four. It is the quadratic form of `Σ aₖaₖᵀ` in the coordinates
-/// `zᵢᵢ = uᵢ²`, `zᵢⱼ = √2 uᵢuⱼ` for `i < j` of the matrix `uuᵀ`, whose length is 1. Nothing changes if a
+/// a form of degree four. It is the quadratic form of `Σ aₖaₖᵀ` in the coordinates `zᵢᵢ = uᵢ²`,
+/// `zᵢⱼ = √2 uᵢuⱼ` for `i < j` of the matrix `uuᵀ`, whose length is 1. Nothing changes if a
 /// symmetric matrix is added whose form vanishes on all these `z`: multiples of
 ///
 /// * `2 zᵢᵢ zⱼⱼ − zᵢⱼ²`, and
 /// * `2 zᵢᵢ zⱼₖ − √2 zᵢⱼ zᵢₖ`.
 ///
-/// For each choice the largest eigenvalue is a bound of `f`. With the right one it is exact for `D ≤ 3`,
-/// since a form of degree four in three variables that is not negative is a sum of squares (Hilbert).
+/// For each choice the largest eigenvalue is a bound of `f`. With the right one it is exact for `D
+/// ≤ 3`, since a form of degree four in three variables that is not negative is a sum of squares
+/// (Hilbert).
 ///
 /// # The choice
 ///
-/// Let `f` have its maximum at `u = e₁`. The eigenvector must be `e₁₁`, so the entries beside it must
-/// vanish: those at `(11, 1j)` do, as `u` is stationary, the others at `(11, jj)` and `(11, jk)` are made
-/// to. In two dimensions this is all, and exact. In others all of the entries at `(ii, jj)` and `(ii, jk)`
-/// are made to vanish, which is a good guess, from where subgradient steps go down. For any other `u`
-/// the coordinates are turned.
+/// Let `f` have its maximum at `u = e₁`. The eigenvector must be `e₁₁`, so the entries beside it
+/// must vanish: those at `(11, 1j)` do, as `u` is stationary, the others at `(11, jj)` and `(11,
+/// jk)` are made to. In two dimensions this is all, and exact. In others all of the entries at
+/// `(ii, jj)` and `(ii, jk)` are made to vanish, which is a good guess, from where subgradient
+/// steps go down. For any other `u` the coordinates are turned.
 ///
 /// A multiple of the identity takes the short way: `‖DH‖² = |∇φ|²`.
 pub(super) struct FirstDerivative<'a, M>(pub(super) Gram<'a, M>);
@@ -84,8 +85,8 @@ impl<M: Metric<D> + Sync, const D: usize> Spectral<D> for FirstDerivative<'_, M>
     }
 }
 
-/// Returns `Σ vₖ uᵀAₖu` and unit vectors `v` and `u` that make it large: the best one for a given other is
-/// an eigenvector or a gradient, so they are improved in turn.
+/// Returns `Σ vₖ uᵀAₖu` and unit vectors `v` and `u` that make it large: the best one for a given
+/// other is an eigenvector or a gradient, so they are improved in turn.
 pub(super) fn direction<const D: usize>(a: &[SMatrix<f64, D, D>; D]) -> Option<Direction<D>> {
     let mut best: Option<Direction<D>> = None;
     for mut v in starts() {

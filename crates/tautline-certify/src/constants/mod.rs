@@ -1,7 +1,7 @@
 //! The constants `c₁`, `c₂`, `L_H` and `M_H` of a metric, enclosed by branch and bound.
 //!
-//! Each is the largest value, over the domain, of the largest eigenvalue of some symmetric matrices made
-//! of `H` and its derivatives ([`spectral`]), or the negative or the root of it. On a box the
+//! Each is the largest value, over the domain, of the largest eigenvalue of some symmetric matrices
+//! made of `H` and its derivatives ([`spectral`]), or the negative or the root of it. On a box the
 //! eigenvalue is bounded from intervals ([`eigenvalue_bound`]).
 
 mod biquadratic;
@@ -64,9 +64,9 @@ impl<const D: usize> CertifiedConstant<D> {
 
 /// Encloses a constant of `metric` on `domain`.
 ///
-/// Slack: none but the tolerance for `c₁` and `c₂`, for a metric that is a multiple of the identity,
-/// and in one and two dimensions. Otherwise `L_H` and `M_H` are replaced by numbers that are at
-/// most `√D` and `D` times larger, and that come within the tolerance;
+/// Slack: none but the tolerance for `c₁` and `c₂`, for a metric that is a multiple of the
+/// identity, and in one and two dimensions. Otherwise `L_H` and `M_H` are replaced by numbers that
+/// are at most `√D` and `D` times larger, and that come within the tolerance;
 /// [`looseness`](CertifiedConstant::looseness) shows what they give away, as a rule some percent.
 ///
 /// The result does not depend on the number of threads.
@@ -75,8 +75,8 @@ impl<const D: usize> CertifiedConstant<D> {
 ///
 /// [`CertifyError::NoDimension`], [`CertifyError::NotATolerance`];
 /// [`CertifyError::NotPositiveDefinite`] with a point where that is certain;
-/// [`CertifyError::Undefined`] with a point where the formula, evaluated with bounds, is not shown to be
-/// defined; [`CertifyError::BudgetSpent`] with the bounds so far if they are not within the
+/// [`CertifyError::Undefined`] with a point where the formula, evaluated with bounds, is not shown
+/// to be defined; [`CertifyError::BudgetSpent`] with the bounds so far if they are not within the
 /// tolerance, as for a constant that is infinite.
 pub fn certify<const D: usize>(
     metric: &(impl Metric<D> + Sync),
@@ -183,7 +183,8 @@ mod tests {
         let ball = Domain::<2>::ball([0.0, 0.0], 0.5).expect("a radius");
         let effort = Effort { tolerance: 1e-3, budget: 100_000 };
         let proved = CertifiedConstants::new(&Hyperbolic, &ball, effort).expect("constants");
-        // 4 / (1 − r²)²: 4 at the centre and 64/9 at the rim, where its slope 16 r / (1 − r²)³ is 512/27.
+        // 4 / (1 − r²)²: 4 at the centre and 64/9 at the rim, where its slope 16 r / (1 − r²)³ is
+        // 512/27.
         for (found, exact) in
             [(proved.c1(), 4.0), (proved.c2(), 64.0 / 9.0), (proved.l_h(), 512.0 / 27.0)]
         {

@@ -87,11 +87,11 @@ impl<const D: usize> Vanishing<D> {
         }
     }
 
-    /// Returns factors with a smaller largest eigenvalue, if the maximum `goal` of the form leaves room: not
-    /// more than without factors, which is at most `D` times the goal.
+    /// Returns factors with a smaller largest eigenvalue, if the maximum `goal` of the form leaves
+    /// room: not more than without factors, which is at most `D` times the goal.
     ///
-    /// Polyak's steps: along the subgradient `wᵀNₘw`, for the eigenvector `w`, as far as a linear function
-    /// would take to reach the goal.
+    /// Polyak's steps: along the subgradient `wᵀNₘw`, for the eigenvector `w`, as far as a linear
+    /// function would take to reach the goal.
     pub(super) fn improved(self, matrix: &DMatrix<f64>, goal: f64) -> Self {
         let none = Self { squares: SMatrix::zeros(), mixed: [SMatrix::zeros(); D] };
         let without = eigen(matrix).map_or(f64::INFINITY, |eigen| eigen.eigenvalues.max());
@@ -266,8 +266,8 @@ mod tests {
             let best = best.expect("steps");
             let most = at(best);
             let (_, bound) = bound(&a);
-            // The maximum is sought by a fixed number of turns, which is not always enough where the
-            // form is flat: measured, 1e-5. By brute force it is found to (π/2e4)², times 8.
+            // The maximum is sought by a fixed number of turns, which is not always enough where
+            // the form is flat: measured, 1e-5. By brute force it is found to (π/2e4)², times 8.
             prop_assert!(most <= bound * (1.0 + 1e-14) && bound <= most * (1.0 + 1e-4),
                 "{most} {bound}");
         }
@@ -281,8 +281,8 @@ mod tests {
         }
     }
 
-    /// Exact by Hilbert's theorem if the factors were the best ones. Measured: 0.02 % too large in the mean,
-    /// 1 % at most; without factors 43 % in the mean.
+    /// Exact by Hilbert's theorem if the factors were the best ones. Measured: 0.02 % too large in
+    /// the mean, 1 % at most; without factors 43 % in the mean.
     #[test]
     fn the_bound_is_nearly_the_norm_in_space() {
         let mut runner = TestRunner::deterministic();

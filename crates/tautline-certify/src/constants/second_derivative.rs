@@ -11,12 +11,12 @@ use super::{
     spectral::{Direction, Spectral, TURNS, form, greatest, square, starts},
 };
 
-/// `‖D²H(x)‖`, or more: the largest `|Σ vₖ vₗ uᵀ∂ₖ∂ₗH u|` over unit vectors `u` and `v`. (For a symmetric
-/// bilinear form two different vectors in the place of `v` give no more.)
+/// `‖D²H(x)‖`, or more: the largest `|Σ vₖ vₗ uᵀ∂ₖ∂ₗH u|` over unit vectors `u` and `v`. (For a
+/// symmetric bilinear form two different vectors in the place of `v` give no more.)
 ///
-/// The sum is the form of the `D² × D²` matrix `B`, with the entry `∂ₖ∂ₗHᵢⱼ` at `(k, i), (l, j)`, at the
-/// vector `v ⊗ u`, so it is between the least and the largest eigenvalue of `B`. Nothing changes if
-/// multiples of
+/// The sum is the form of the `D² × D²` matrix `B`, with the entry `∂ₖ∂ₗHᵢⱼ` at `(k, i), (l, j)`,
+/// at the vector `v ⊗ u`, so it is between the least and the largest eigenvalue of `B`. Nothing
+/// changes if multiples of
 ///
 /// `2 zₖᵢ zₗⱼ − 2 zₖⱼ zₗᵢ`, `k < l`, `i < j`,
 ///
@@ -24,11 +24,12 @@ use super::{
 ///
 /// # The choice
 ///
-/// Let the form have its maximum at `v = u = e₁`. The eigenvector must be `e₁ ⊗ e₁`, so the entries beside
-/// it must vanish: those at `(1, 1), (1, j)` and `(1, 1), (l, 1)` do, as `u` and `v` are stationary, and those
-/// at `(1, 1), (l, j)` are made to. For any other `u` and `v` the coordinates are turned. In two
-/// dimensions this is exact: a biquadratic form in two times two variables that is not negative is a
-/// sum of squares (Calderón), and a sum of squares that vanishes at `e₁ ⊗ e₁` has no entries beside it.
+/// Let the form have its maximum at `v = u = e₁`. The eigenvector must be `e₁ ⊗ e₁`, so the entries
+/// beside it must vanish: those at `(1, 1), (1, j)` and `(1, 1), (l, 1)` do, as `u` and `v` are
+/// stationary, and those at `(1, 1), (l, j)` are made to. For any other `u` and `v` the coordinates
+/// are turned. In two dimensions this is exact: a biquadratic form in two times two variables that
+/// is not negative is a sum of squares (Calderón), and a sum of squares that vanishes at `e₁ ⊗ e₁`
+/// has no entries beside it.
 ///
 /// A multiple of the identity takes the short way: `‖D²H‖ = ‖D²φ‖`.
 pub(super) struct SecondDerivative<'a, M>(pub(super) Gram<'a, M>);

@@ -1,5 +1,5 @@
-//! `Spectral`: a function of a point that is the largest eigenvalue of symmetric matrices made of the
-//! metric.
+//! `Spectral`: a function of a point that is the largest eigenvalue of symmetric matrices made of
+//! the metric.
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 use num_traits::Zero;
@@ -33,9 +33,9 @@ pub(super) trait Spectral<const D: usize>: Sync {
     /// Returns the wanted number at `x`, in the unit of the eigenvalue, up to rounding.
     fn wanted(&self, x: &SVector<f64, D>) -> f64;
 
-    /// Returns a number, in the unit of the constant, that certainly is at most the wanted number at
-    /// `x`; at least the constant, if that is an infimum. Up to rounding the number itself. NaN if it is
-    /// not known.
+    /// Returns a number, in the unit of the constant, that certainly is at most the wanted number
+    /// at `x`; at least the constant, if that is an infimum. Up to rounding the number itself. NaN
+    /// if it is not known.
     fn witness(&self, x: &SVector<f64, D>) -> f64;
 
     /// Returns whether the metric is certainly no metric at `x`, where the largest eigenvalue is
@@ -98,7 +98,8 @@ impl<S: Spectral<D>, const D: usize> Bounded<D> for LargestEigenvalue<'_, S> {
     }
 }
 
-/// Unit vectors `u` and `v` at which a form in both is large, and its absolute value there, up to rounding.
+/// Unit vectors `u` and `v` at which a form in both is large, and its absolute value there, up to
+/// rounding.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Direction<const D: usize> {
     pub(super) norm: f64,
@@ -125,16 +126,16 @@ pub(super) fn square<const D: usize>(u: &SVector<f64, D>) -> Interval {
     u.iter().fold(Interval::zero(), |sum, &u| sum + Interval::point(u).sqr())
 }
 
-/// Returns the largest absolute value of the form of a symmetric matrix on unit vectors, and where it is
-/// taken, up to rounding; `None` if an entry is not finite.
+/// Returns the largest absolute value of the form of a symmetric matrix on unit vectors, and where
+/// it is taken, up to rounding; `None` if an entry is not finite.
 pub(super) fn extreme<const D: usize>(
     entry: impl Fn(usize, usize) -> f64,
 ) -> Option<(f64, SVector<f64, D>)> {
     eigenvector(entry, |eigenvalues| eigenvalues.iamax()).map(|(value, u)| (value.abs(), u))
 }
 
-/// Returns the largest value of the form of a symmetric matrix on unit vectors, and where it is taken, up
-/// to rounding; `None` if an entry is not finite.
+/// Returns the largest value of the form of a symmetric matrix on unit vectors, and where it is
+/// taken, up to rounding; `None` if an entry is not finite.
 pub(super) fn greatest<const D: usize>(
     entry: impl Fn(usize, usize) -> f64,
 ) -> Option<(f64, SVector<f64, D>)> {
@@ -165,7 +166,8 @@ pub(super) fn basis_with<const D: usize>(u: &SVector<f64, D>) -> SMatrix<f64, D,
     reflection
 }
 
-/// Unit vectors from which a form in a unit vector is made large: the axes, and the bisectors of any two.
+/// Unit vectors from which a form in a unit vector is made large: the axes, and the bisectors of
+/// any two.
 pub(super) fn starts<const D: usize>() -> impl Iterator<Item = SVector<f64, D>> {
     let axis = |i: usize| SVector::<f64, D>::from_fn(|k, _| if k == i { 1.0 } else { 0.0 });
     let bisectors = (0..D).flat_map(move |j| (0..j).flat_map(move |i| [(i, j, 1.0), (i, j, -1.0)]));

@@ -49,7 +49,8 @@ pub enum CurveError {
         /// The Euclidean distance of the curve's end to its projection to the set, in `ℓ`.
         distance: f64,
     },
-    /// The metric is not defined somewhere on a chord, or so nearly that 8192 parts of it cannot tell.
+    /// The metric is not defined somewhere on a chord, or so nearly that 8192 parts of it cannot
+    /// tell.
     #[error("the metric is undefined somewhere on chord {chord} of {chords}, counted from 0")]
     Undefined {
         /// Which chord, from 0.

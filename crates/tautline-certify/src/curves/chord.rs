@@ -12,8 +12,8 @@ use super::{pairwise_sum::PairwiseSum, taylor::Taylor};
 /// more than this: a hundredth of ten digits. The rounding of `N = 1000` chords comes to `10⁻¹⁴`.
 const TOLERANCE: f64 = 1e-12;
 
-/// How often a panel is bisected at most: it is then `2⁻⁴⁰` of its chord, about where the rounding of
-/// its ends begins to matter.
+/// How often a panel is bisected at most: it is then `2⁻⁴⁰` of its chord, about where the rounding
+/// of its ends begins to matter.
 const DEPTH: u32 = 40;
 
 /// How many panels of a chord are looked at, at most: enough for twelve bisections of all of it,

@@ -9,8 +9,8 @@ use tautline_scalar::Scalar;
 ///
 /// Over intervals the coefficients enclose those at every point of the interval at which the
 /// variable stands. Each operation is the recurrence that its differential equation implies, so a
-/// product costs `M (M + 1)/2` multiplications; a jet of a jet of the same order needs three
-/// times as many at order four, and its bounds are wider, since it computes mixed derivatives twice.
+/// product costs `M (M + 1)/2` multiplications; a jet of a jet of the same order needs three times
+/// as many at order four, and its bounds are wider, since it computes mixed derivatives twice.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Taylor<T, const M: usize>([T; M]);
 

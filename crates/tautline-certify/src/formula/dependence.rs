@@ -11,7 +11,8 @@ use super::operators::operators_follow;
 
 /// The largest ratio of a wave number to the common divisor of all wave numbers.
 ///
-/// Any two doubles have a common divisor; for `0.1` and `0.3` it is `2⁻⁵⁵` and the period is of no use.
+/// Any two doubles have a common divisor; for `0.1` and `0.3` it is `2⁻⁵⁵` and the period is of no
+/// use.
 const LARGEST_RATIO: f64 = 1024.0;
 
 /// What evaluation of a formula proves about its dependence on `D` coordinates: a function
@@ -22,16 +23,16 @@ const LARGEST_RATIO: f64 = 1024.0;
 ///
 /// A number type in which a metric is evaluated as in any other. It follows the formula as it is
 /// written, in exact arithmetic on its constants, so a period that it finds is proved. What it does
-/// not find may be there all the same: `sin x / cos x` is known to have the period `2π`, not `π`, and
-/// of `e^{i·x}` in other guises it knows nothing.
+/// not find may be there all the same: `sin x / cos x` is known to have the period `2π`, not `π`,
+/// and of `e^{i·x}` in other guises it knows nothing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Dependence<const D: usize> {
     /// The value of a constant; of no meaning for anything else.
     constant: Interval,
     /// `a`.
     slope: [Interval; D],
-    /// For each coordinate a number of which every wave number is a multiple, in `1/ℓ`; 0 if there is
-    /// no wave.
+    /// For each coordinate a number of which every wave number is a multiple, in `1/ℓ`; 0 if there
+    /// is no wave.
     wave_number: [f64; D],
     /// Whether more may happen along a coordinate.
     aperiodic: [bool; D],

@@ -14,8 +14,8 @@ use tautline_scalar::Scalar;
 
 use super::operators::operators_follow;
 
-/// Returns whether `H(x) = φ(x) I` by its formula: zeros beside the diagonal, and the same expression
-/// all along it.
+/// Returns whether `H(x) = φ(x) I` by its formula: zeros beside the diagonal, and the same
+/// expression all along it.
 ///
 /// True is proved; false says nothing, since equal functions may be written in different ways.
 pub(crate) fn is_isotropic<const D: usize>(metric: &impl Metric<D>) -> bool {
@@ -55,8 +55,8 @@ impl Formulas {
     }
 }
 
-/// Returns whether `H(x) = φ(|x|²) I` by its formula: the coordinates occur in `x₁² + x₂² + … `, summed in
-/// their order, and nowhere else.
+/// Returns whether `H(x) = φ(|x|²) I` by its formula: the coordinates occur in `x₁² + x₂² + … `,
+/// summed in their order, and nowhere else.
 ///
 /// True is proved; false says nothing.
 pub(crate) fn is_radial<const D: usize>(metric: &impl Metric<D>) -> bool {
@@ -91,12 +91,13 @@ thread_local! {
     static FORMULAS: RefCell<Formulas> = RefCell::default();
 }
 
-/// An expression by its number in a table: two are the same formula if both numbers are equal. Those that
-/// were made on another thread, or by an evaluation inside of this one, equal none of this one's.
+/// An expression by its number in a table: two are the same formula if both numbers are equal.
+/// Those that were made on another thread, or by an evaluation inside of this one, equal none of
+/// this one's.
 ///
-/// Sums and products do not depend on the order of two operands; `f · f` is `f²`; adding `0` and multiplying by `1`
-/// changes nothing; of constants, `0 · c` is `0`. Nothing else is simplified, `0 · f` not either: `f`
-/// may not be defined.
+/// Sums and products do not depend on the order of two operands; `f · f` is `f²`; adding `0` and
+/// multiplying by `1` changes nothing; of constants, `0 · c` is `0`. Nothing else is simplified, `0
+/// · f` not either: `f` may not be defined.
 #[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
 struct Expression {
     table: u64,

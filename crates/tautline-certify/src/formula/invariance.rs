@@ -6,12 +6,12 @@ use tautline_scalar::Jet1;
 
 use super::Dependence;
 
-/// Coordinates that can be set to 0 without leaving anything out: for each of them the Gram matrix does
-/// not change along a direction in which it, and none of the others, moves.
+/// Coordinates that can be set to 0 without leaving anything out: for each of them the Gram matrix
+/// does not change along a direction in which it, and none of the others, moves.
 ///
-/// The directions are guessed, from derivatives at some points, as multiples of small fractions; that
-/// the formula does not change along them is then proved by [`Dependence::is_constant_along`]. So
-/// `cos(x₁ − x₂)` needs one coordinate only. What is not guessed or not proved costs boxes and
+/// The directions are guessed, from derivatives at some points, as multiples of small fractions;
+/// that the formula does not change along them is then proved by [`Dependence::is_constant_along`].
+/// So `cos(x₁ − x₂)` needs one coordinate only. What is not guessed or not proved costs boxes and
 /// nothing else.
 pub(crate) fn superfluous<const D: usize>(metric: &impl Metric<D>) -> [bool; D] {
     let mut rows = gradients(metric);
@@ -45,8 +45,8 @@ fn gradients<const D: usize>(metric: &impl Metric<D>) -> DMatrix<f64> {
     DMatrix::from_row_iterator(rows.len() / D.max(1), D, rows)
 }
 
-/// Brings the rows into reduced echelon form, with the largest pivot of each column; returns the columns of
-/// the pivots. What is below `10⁻⁹` of the largest entry is rounding.
+/// Brings the rows into reduced echelon form, with the largest pivot of each column; returns the
+/// columns of the pivots. What is below `10⁻⁹` of the largest entry is rounding.
 fn reduce(rows: &mut DMatrix<f64>) -> Vec<usize> {
     let least = 1e-9 * rows.amax();
     let mut pivots = Vec::new();
@@ -106,7 +106,8 @@ mod tests {
     fn a_coordinate_that_matters_is_kept() {
         let eggs = EggCrate::new(1.0, 1.0).expect("a wave number");
         assert_eq!(superfluous(&eggs), [false, false]);
-        /// A function of `x₁ + 2⁻²⁰ x₂`, which is nearly one of `x₁`, and of both where it is small.
+        /// A function of `x₁ + 2⁻²⁰ x₂`, which is nearly one of `x₁`, and of both where it is
+        /// small.
         struct Nearly;
         impl Metric<2> for Nearly {
             fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {

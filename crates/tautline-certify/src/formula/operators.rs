@@ -1,7 +1,8 @@
 //! The operators that follow from others, for the number types that read a formula.
 
-/// Implements, for a type that has `+ × ÷`, `−x` and [`Scalar::constant`](tautline_scalar::Scalar::constant),
-/// the difference, the operators with an `f64` on the right and those that assign, `0` and `1`.
+/// Implements, for a type that has `+ × ÷`, `−x` and
+/// [`Scalar::constant`](tautline_scalar::Scalar::constant), the difference, the operators with an
+/// `f64` on the right and those that assign, `0` and `1`.
 macro_rules! operators_follow {
     ([$($generics:tt)*] $number:ty) => {
         impl<$($generics)*> Sub for $number {

@@ -27,10 +27,10 @@ pub(super) fn atan(x: f64) -> (f64, f64) {
 ///
 /// `arctan x = arctan c + arctan τ` with `τ = (x − c)/(1 + x c)` and `c` the eighth next to `x`,
 /// for `x ≤ 1`; and `arctan x = (π/2 − arctan c) + arctan τ` with `τ = (c x − 1)/(x + c)` and `c`
-/// the eighth next to `1/x`, for `x > 1`. Either way `|τ| ≤ 1/16 + 2⁻⁵⁰`. The series
-/// `arctan τ = τ − τ w p(−w)`, `w = τ²`, with `p(−w) = Σ (−w)ʲ/(2j+3)`, is in units of `u |τ w|`
-/// off by: Horner with `q = 0.004`, at most `0.68`; `w` and the two products, `1.01`; the terms left
-/// out, `w⁷/17`, at most `0.01`. Together less than `2 u |τ w|`, relatively `0.008 u`.
+/// the eighth next to `1/x`, for `x > 1`. Either way `|τ| ≤ 1/16 + 2⁻⁵⁰`. The series `arctan τ = τ
+/// − τ w p(−w)`, `w = τ²`, with `p(−w) = Σ (−w)ʲ/(2j+3)`, is in units of `u |τ w|` off by: Horner
+/// with `q = 0.004`, at most `0.68`; `w` and the two products, `1.01`; the terms left out, `w⁷/17`,
+/// at most `0.01`. Together less than `2 u |τ w|`, relatively `0.008 u`.
 ///
 /// * `c = 0`, `x ≤ 1`: `τ = x` is exact, and the tail is one number. The error is at most
 ///   `2 u |x| w`.

@@ -62,9 +62,9 @@ pub(super) fn odd(h: f64, t: f64, e: f64, sign: f64) -> Approximation {
 /// `±h²`. The rounding of `w` moves `w/2` by `0.5 u |w|`; `1 + w/2` is then split exactly into a
 /// head and `s`, where `|s| ≤ min(u, |w|/2)`. In units of `u w²`: Horner with `q = 1/30` is off by
 /// `2.01/24/0.966² ≤ 0.09`; `|p| ≤ cosh 1 − 3/2 ≤ 0.0431`, so the two products add `0.087`; the
-/// rounding of `w` adds `(sinh 1 − 1)/2 ≤ 0.088`; the terms left out, `w⁸/20!` and less, add `0.01`.
-/// The two roundings of the sum of the tail are at most `0.09 u w² + u min(u, |w|/2) + u² h²`, of
-/// which the second is less than `0.5 u |w|`. Last, `cos(h + t) − cos h = −t sin ξ`, and
+/// rounding of `w` adds `(sinh 1 − 1)/2 ≤ 0.088`; the terms left out, `w⁸/20!` and less, add
+/// `0.01`. The two roundings of the sum of the tail are at most `0.09 u w² + u min(u, |w|/2) + u²
+/// h²`, of which the second is less than `0.5 u |w|`. Last, `cos(h + t) − cos h = −t sin ξ`, and
 /// `|sin ξ − h| ≤ |h|³/6 + |t|`: at most `0.17 u h⁴ + 3 u² h²` with the roundings of that part.
 /// Together at most `1.6 u h²`. The derivative by the argument, at most 1, carries `e`.
 #[inline]

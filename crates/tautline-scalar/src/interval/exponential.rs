@@ -61,13 +61,13 @@ pub(super) fn exp_times_power(x: f64, n: i32) -> (f64, f64) {
 /// rounded by at most `u · 2¹¹⁻⁴²`, and `|k ε| ≤ 2¹¹⁻⁹⁶`: together at most `e = 2⁻⁸³`. So
 /// `r = h + t + δ` with `|t| ≤ u |h|` and `|δ| ≤ e`.
 ///
-/// **The error is at most `6 u h² + 2⁻¹⁰² + 1.5 e`.** Let `p(h) = (eʰ − 1 − h)/h²`. In units of
-/// `u h²`: Horner with `q = |h|/3 ≤ 0.116` is off by `2.01/2/0.884² ≤ 1.29`; `p ≤ 0.564`, so the
-/// two products add `1.13`; the terms left out, `1.04 |h|¹²/14!`, add `0.33`. The part of `t`:
-/// `eʰ⁺ᵗ − eʰ = t eˣⁱ`, and `1 + h` misses `eˣⁱ` by `0.6 h² + 1.5 |t|`, which is at most `0.21`
-/// beside `1.5 u² h²`; `1 + h` is split exactly into a head and a part of the tail, at most `u`. The
-/// tail is summed with three roundings, `3 · 0.564` beside `9 u²`. Together `4.7 u h²` and `12 u²`.
-/// The derivative, at most `1.42`, carries `e`.
+/// **The error is at most `6 u h² + 2⁻¹⁰² + 1.5 e`.** Let `p(h) = (eʰ − 1 − h)/h²`. In units of `u
+/// h²`: Horner with `q = |h|/3 ≤ 0.116` is off by `2.01/2/0.884² ≤ 1.29`; `p ≤ 0.564`, so the two
+/// products add `1.13`; the terms left out, `1.04 |h|¹²/14!`, add `0.33`. The part of `t`: `eʰ⁺ᵗ −
+/// eʰ = t eˣⁱ`, and `1 + h` misses `eˣⁱ` by `0.6 h² + 1.5 |t|`, which is at most `0.21` beside `1.5
+/// u² h²`; `1 + h` is split exactly into a head and a part of the tail, at most `u`. The tail is
+/// summed with three roundings, `3 · 0.564` beside `9 u²`. Together `4.7 u h²` and `12 u²`. The
+/// derivative, at most `1.42`, carries `e`.
 #[inline]
 pub(super) fn reduced(x: f64) -> (i32, Approximation) {
     let k = (x * std::f64::consts::LOG2_E).round_ties_even();

@@ -1,8 +1,8 @@
 //! Intervals: a formula evaluated at all points of a box at once.
 //!
-//! One object a file: the type ([`Enclosure`]), its arithmetic, powers and functions; below them the
-//! operations of doubles rounded in a direction (`directed`), a number with a bound of its error
-//! (`approximation`), Horner's scheme with a bound of its error (`series`), and an elementary
+//! One object a file: the type ([`Enclosure`]), its arithmetic, powers and functions; below them
+//! the operations of doubles rounded in a direction (`directed`), a number with a bound of its
+//! error (`approximation`), Horner's scheme with a bound of its error (`series`), and an elementary
 //! function each. Every bound is derived where it is used, in units of `u = 2⁻⁵³`, and is taken
 //! larger than derived, by a tenth or more where rounding is concerned. The higher orders of `u`,
 //! less than `10⁻¹⁴` of the first, go into that margin.

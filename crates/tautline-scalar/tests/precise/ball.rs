@@ -104,8 +104,8 @@ impl Ball {
     }
 
     /// The result of an operation: the computed centre, rounded unless it is marked as exact, and
-    /// what becomes of the radii of the operands. Rounded to nearest the centre is off by
-    /// `2⁻¹⁹²` of it; `2⁻¹⁸⁸` forgives the library fifteen units, and the higher orders of the radii.
+    /// what becomes of the radii of the operands. Rounded to nearest the centre is off by `2⁻¹⁹²`
+    /// of it; `2⁻¹⁸⁸` forgives the library fifteen units, and the higher orders of the radii.
     fn result(mut centre: BigFloat, radius: BigFloat) -> Value {
         let exponents =
             [&centre, &radius].map(|x| if x.is_zero() { Some(0) } else { x.exponent() });

@@ -1,5 +1,5 @@
-//! Statements put to numbers that are proved: energies and lengths with outward rounding, and constants
-//! from the formula alone.
+//! Statements put to numbers that are proved: energies and lengths with outward rounding, and
+//! constants from the formula alone.
 
 use std::fmt::Debug;
 

@@ -22,7 +22,8 @@ impl Claim {
         }
     }
 
-    /// To one percent, with so many boxes as take a fraction of a second: the derivatives cost more.
+    /// To one percent, with so many boxes as take a fraction of a second: the derivatives cost
+    /// more.
     fn effort(self, dimension: usize) -> Effort {
         let budget = match self {
             Claim::C1 | Claim::C2 => 20_000,
@@ -33,8 +34,8 @@ impl Claim {
         Effort { tolerance: 1e-2, budget }
     }
 
-    /// What the claim is about at a point where it is known to be `attained`, in the best direction that
-    /// is found from the axes.
+    /// What the claim is about at a point where it is known to be `attained`, in the best direction
+    /// that is found from the axes.
     fn at<const D: usize>(
         self,
         metric: &impl Metric<D>,
@@ -56,10 +57,10 @@ impl Claim {
 
 /// Encloses each constant over the region, from the formula of the metric.
 ///
-/// A claim that the bounds contradict is refused with the point, from where an ascent makes the most of
-/// it. Where the claim is on the right side of both bounds it is proved; between them, it is right
-/// as far as they are apart. In more than three dimensions, and where the boxes do not suffice, the note says
-/// that nothing was decided.
+/// A claim that the bounds contradict is refused with the point, from where an ascent makes the
+/// most of it. Where the claim is on the right side of both bounds it is proved; between them, it
+/// is right as far as they are apart. In more than three dimensions, and where the boxes do not
+/// suffice, the note says that nothing was decided.
 pub(super) fn constants<M: Bounded<D> + Sync, const D: usize>(
     case: &MetricCase<M, D>,
 ) -> LawResult {
