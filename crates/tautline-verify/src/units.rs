@@ -3,7 +3,9 @@
 use std::sync::Arc;
 
 use nalgebra::{SMatrix, SVector};
-use tautline::{Bounded, ClosedSet, Constants, Ends, KnownDistance, Metric, PointSequence, Scalar};
+use tautline::{
+    Bounded, ClosedSet, Constants, Ends, Interval, KnownDistance, Metric, PointSequence, Scalar,
+};
 
 use crate::{Known, VerifyError};
 
@@ -166,5 +168,11 @@ impl<const D: usize> ClosedSet<D> for SetInUnits<D> {
 
     fn seeds(&self) -> Vec<SVector<f64, D>> {
         self.set.seeds().into_iter().map(|seed| seed * self.ell).collect()
+    }
+
+    fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
+        // Rounded outward unless ℓ is a power of two.
+        let ell = Interval::point(self.ell);
+        Some(self.set.member_near(&(x / self.ell))?.map(|side| side * ell))
     }
 }

@@ -1,6 +1,6 @@
 //! Closed sets that lie: each is rejected, by the law that it breaks, with the numbers.
 
-use tautline::{Ball, Sphere};
+use tautline::{Ball, Interval, Sphere};
 use tautline_verify::{
     kit::{Fault, SetCase, set},
     prelude::*,
@@ -25,6 +25,8 @@ struct Circle {
     off: f64,
     /// It has a seed in its middle.
     seed: bool,
+    /// Its proved members are this far beside.
+    beside: f64,
 }
 
 impl Circle {
@@ -57,6 +59,14 @@ impl ClosedSet<2> for Circle {
 
     fn enclosing_ball(&self) -> Option<(SVector<f64, 2>, f64)> {
         Self::circle().enclosing_ball().map(|(centre, radius)| (centre, radius - self.tight))
+    }
+
+    fn member_near(&self, x: &SVector<f64, 2>) -> Option<SVector<Interval, 2>> {
+        let mut member = Self::circle().member_near(x)?;
+        if self.beside != 0.0 {
+            member[0] += Interval::point(self.beside);
+        }
+        Some(member)
     }
 
     fn is_convex(&self) -> bool {
@@ -125,6 +135,13 @@ fn a_derivative_that_is_off_by_one_thousandth_is_refused() {
     let circle = Circle { off: 1e-3, ..Circle::default() };
     let [left, right] = broken(circle, "derivative_is_that_of_the_projection");
     assert!((left - right - 1e-3).abs() <= 1e-5);
+}
+
+#[test]
+fn proved_members_that_are_a_billionth_beside_are_refused() {
+    let circle = Circle { beside: 1e-9, ..Circle::default() };
+    let [left, right] = broken(circle, "proved_members_are_nearest_members");
+    assert!(left > right && left < 1.01e-9, "{left} {right}");
 }
 
 #[test]

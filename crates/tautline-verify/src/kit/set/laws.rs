@@ -1,7 +1,7 @@
 //! The laws of a closed set, each at one sample.
 
 use nalgebra::SVector;
-use tautline::ClosedSet;
+use tautline::{ClosedSet, Interval};
 
 use super::SetCase;
 use crate::{
@@ -238,5 +238,37 @@ pub(super) fn seeds_and_pieces<S: ClosedSet<D>, const D: usize>(
         let law = "the nearest piece is as near as the union";
         let off = (nearest - (p - x).norm()).abs();
         Fault::unless_at_most(law, [off, 0.0], rounding(case, &[x, &p]), x.as_slice())
+    })
+}
+
+/// The box that is said to contain a member is as small as rounding, lies in the set up to
+/// rounding, and as near to `x` as `P(x)`. That a member lies in it is the author's proof: no sample
+/// decides that.
+pub(super) fn proved_members<S: ClosedSet<D>, const D: usize>(
+    case: &SetCase<'_, S, D>,
+) -> LawResult {
+    let effort = &case.effort;
+    let at = |fraction: f64| case.region.at(&SVector::repeat(fraction));
+    if case.set.member_near(&at(0.5)).is_none() {
+        return Ok(Tried::cases(0).with_note("it proves no members"));
+    }
+    for_all(effort, effort.cases, CHEAP, case.region.points(), |x| {
+        let p = case.set.project(x);
+        for y in [x, &p] {
+            let near = case.set.member_near(y);
+            let near = near.unwrap_or_else(|| SVector::repeat(Interval::UNDEFINED));
+            let granted = rounding(case, &[x, &p]);
+            let width = near.map(|side| side.width()).norm();
+            let law = "a box about a member, of no width";
+            Fault::unless_at_most(law, [width, 0.0], granted, y.as_slice())?;
+            let middle = near.map(|side| side.midpoint());
+            let off = (case.set.project(&middle) - middle).norm();
+            let law = "|P(y) − y| = 0 in a box about a member";
+            Fault::unless_at_most(law, [off, 0.0], granted, y.as_slice())?;
+            let pair = [(y - middle).norm(), (y - case.set.project(y)).norm()];
+            let law = "|x − box about a member| ≤ |x − P(x)|";
+            Fault::unless_at_most(law, pair, granted, y.as_slice())?;
+        }
+        Ok(f64::INFINITY)
     })
 }

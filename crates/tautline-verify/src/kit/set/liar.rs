@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use nalgebra::{SMatrix, SVector};
-use tautline::ClosedSet;
+use tautline::{ClosedSet, Interval};
 
 use super::{SetCase, laws};
 use crate::kit::{
@@ -24,6 +24,8 @@ enum Lie {
     Ball(f64),
     /// The derivative is twice what it is.
     Derivative,
+    /// A box that contains a member lies this far along the first axis from where it should.
+    MemberBeside(f64),
 }
 
 /// A set that lies about one thing.
@@ -77,6 +79,14 @@ impl<S: ClosedSet<D>, const D: usize> ClosedSet<D> for Liar<'_, S> {
 
     fn seeds(&self) -> Vec<SVector<f64, D>> {
         self.set.seeds()
+    }
+
+    fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
+        let mut member = self.set.member_near(x)?;
+        if let Lie::MemberBeside(by) = self.lie {
+            member[0] += Interval::point(by);
+        }
+        Some(member)
     }
 }
 
@@ -187,4 +197,13 @@ pub(super) fn derivative<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, 
         return Ok(Tried::cases(0).with_note("the derivative is zero"));
     }
     refused(case, Lie::Derivative, "a wrong derivative", &[laws::derivative])
+}
+
+/// A box that is said to contain a member, a millionth of the region beside where one is.
+pub(super) fn member<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> LawResult {
+    if case.set.member_near(&case.region.at(&SVector::repeat(0.5))).is_none() {
+        return Ok(Tried::cases(0).with_note("it proves no members"));
+    }
+    let lie = Lie::MemberBeside(1e-6 * case.region.size());
+    refused(case, lie, "a member that is none", &[laws::proved_members])
 }

@@ -48,6 +48,8 @@ macro_rules! __set_laws {
                 laws::derivative;
             seeds_and_pieces_belong_to_the_set, "seeds are members, pieces make up the set",
                 laws::seeds_and_pieces;
+            proved_members_are_nearest_members, "a box about a member lies in the set, near x",
+                laws::proved_members;
             refuses_a_nearest_point_of_another_place, "P(x + s) in place of P(x) is refused",
                 liar::beside;
             refuses_a_nearest_point_outside, "(x + P(x))/2 in place of P(x) is refused",
@@ -58,6 +60,8 @@ macro_rules! __set_laws {
                 liar::small_ball;
             refuses_a_wrong_derivative, "2 DP in place of DP is refused",
                 liar::derivative;
+            refuses_a_member_that_is_none, "a box beside P(x) is refused",
+                liar::member;
         }
     };
 }
