@@ -127,8 +127,8 @@ impl<const D: usize> Domain<D> {
     /// does.
     ///
     /// That is the caller's word, as of a metric with Gaussian or saturated parts. It is checked on
-    /// the last octave: for `R/2 ≤ |xₖ| ≤ R`, `R` the reach, and any other coordinates, `R |∂H|`
-    /// and `R² |∂²H|` are at most `10⁻⁹ Hᵢᵢ` in each entry.
+    /// the last octave: for `R/2 ≤ |xₖ| ≤ R`, `R` the reach, and all other coordinates within
+    /// [`space`](Domain::space), `R |∂H|` and `R² |∂²H|` are at most `10⁻⁹ Hᵢᵢ` in each entry.
     ///
     /// # Errors
     ///

@@ -1,4 +1,4 @@
-//! Every metric of the gallery, and the comparison of its derivatives over random boxes with those
+//! Every metric of the gallery and every composition, and the comparison of its derivatives over random boxes with those
 //! at points, in high precision.
 
 #![allow(dead_code, reason = "each test that shares this uses a part of it")]
@@ -6,7 +6,7 @@
 use std::any::type_name;
 
 use nalgebra::{SMatrix, SVector};
-use tautline_metrics::{Metric, gallery::*};
+use tautline_metrics::{Metric, composition::*, gallery::*};
 use tautline_scalar::{Fast, FastInterval, Interval, Jet1, Jet2, Rigorous, Scalar};
 
 use crate::{
@@ -133,7 +133,7 @@ fn attempt<const D: usize>(
     }
 }
 
-/// Tries every metric of the gallery, those of any dimension in one, two and three, with
+/// Tries every metric of the gallery and every composition, those of any dimension in one, two and three, with
 /// parameters that are not dyadic.
 pub(crate) fn try_all(trial: &mut Trial) {
     let full = SMatrix::<f64, 3, 3>::new(2.0, 0.3, 0.1, 0.3, 1.7, -0.4, 0.1, -0.4, 1.1);
@@ -171,6 +171,13 @@ pub(crate) fn try_all(trial: &mut Trial) {
     let inner = SMatrix::<f64, 3, 2>::new(1.0, 0.2, -0.5, 0.8, 0.3, -1.0);
     let outer = SMatrix::<f64, 2, 3>::new(1.0, 0.1, 0.5, -0.3, 0.9, -0.5);
     trial.metric(&TanhDecoder::new(inner, outer, 0.3).expect("a floor"), 4.0);
+    let shear = Shear::new(0.7, 1.3).expect("a wave number");
+    trial.metric::<_, 2>(&Scaled::new(shear, 1.7).expect("a factor"), 6.0);
+    trial.metric::<_, 2>(&Sum::new(shear, Sphere), 2.0);
+    trial.metric::<_, 3>(&Product::<_, _, 2, 1>::new(shear, Valleys), 6.0);
+    let matrix = SMatrix::<f64, 2, 2>::new(1.1, 0.3, -0.4, 0.9);
+    let pullback = AffinePullback::new(GaussianFisher, matrix, [0.3, -0.7]);
+    trial.metric(&pullback.expect("invertible"), 3.0);
 }
 
 fn in_three(trial: &mut Trial, metric: &(impl Metric<1> + Metric<2> + Metric<3>), reach: f64) {
