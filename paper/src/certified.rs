@@ -7,9 +7,9 @@ use tautline::{
     SMatrix, SVector,
     certify::{Cell, Effort, certify},
     gallery::{
-        Bump, Checkerboard, Constant, Corrugated, CoupledCosines, EggCrate, GaussianFisher,
-        GaussianFisherPatch, Hill, Hyperbolic, HyperbolicPatch, Lens, Obstacle, Ramp,
-        RotatingAnisotropy, Separable, Shear, SineProjection, SineProjections, SoftObstacles,
+        Bump, Checkerboard, Constant, Corrugated, CoupledCosines, EggCrate, GalleryError,
+        GaussianFisher, GaussianFisherPatch, Hill, Hyperbolic, HyperbolicPatch, Lens, Obstacle,
+        Ramp, RotatingAnisotropy, Separable, Shear, SineProjection, SineProjections, SoftObstacles,
         Sphere, SpherePatch, Swirl, TanhDecoder, TwoChannels, TwoLinkArm, Valleys,
     },
 };
@@ -124,6 +124,17 @@ pub fn effort(quantity: Quantity) -> Effort {
     Effort { tolerance, ..Effort::default() }
 }
 
+/// Returns the metric of a surface in space, decoded from a plane by two layers.
+///
+/// # Errors
+///
+/// If the floor is not positive: it is ½.
+pub fn decoder() -> Result<TanhDecoder<2, 3, 3>, GalleryError> {
+    let inner = SMatrix::<f64, 3, 2>::new(1.0, 0.2, -0.5, 0.8, 0.3, -1.0);
+    let outer = SMatrix::<f64, 3, 3>::new(1.0, 0.0, 0.5, 0.0, 1.0, -0.5, 0.4, 0.3, 1.0);
+    TanhDecoder::new(inner, outer, 0.5)
+}
+
 /// Returns the metrics of the gallery in at most three dimensions.
 ///
 /// # Errors
@@ -139,9 +150,7 @@ pub fn gallery() -> Result<Vec<Certified>, Failure> {
     };
     let sines =
         SineProjections::new(vec![sine([1.0, 0.0], [1.0, 0.5]), sine([1.0, 1.0], [0.0, 1.0])])?;
-    let inner = SMatrix::<f64, 3, 2>::new(1.0, 0.2, -0.5, 0.8, 0.3, -1.0);
-    let outer = SMatrix::<f64, 3, 3>::new(1.0, 0.0, 0.5, 0.0, 1.0, -0.5, 0.4, 0.3, 1.0);
-    let decoder = TanhDecoder::new(inner, outer, 0.5)?;
+    let decoder = decoder()?;
     let decoded = Domain::cell(Cell::new([-6.0, -6.0], [6.0, 6.0])?);
     let stated = Bounded::<2>::constants(&decoder);
     Ok(vec![

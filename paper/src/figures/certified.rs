@@ -3,12 +3,13 @@
 use tautline::{
     Bounded, Domain, Metric, Quantity, SMatrix, SVector, Scalar,
     certify::{Cell, Effort, certify},
-    gallery::{Swirl, TanhDecoder},
+    gallery::Swirl,
 };
 
 use super::Figure;
 use crate::{
     Failure,
+    certified::decoder,
     data::{Data, Tolerance},
     drawing::{self, Axis, DrawingError, Field, Panel, Scale, Scene},
     grid::{Grid, Lines},
@@ -65,9 +66,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
         vec![("metric", Tolerance::Exact), ("x1", Tolerance::Exact), ("x2", Tolerance::Exact)];
     columns.extend(QUANTITIES.map(|(_, name, _)| (name, bound)));
     let mut data = Data::new(&columns);
-    let inner = SMatrix::<f64, 3, 2>::new(1.0, 0.2, -0.5, 0.8, 0.3, -1.0);
-    let outer = SMatrix::<f64, 3, 3>::new(1.0, 0.0, 0.5, 0.0, 1.0, -0.5, 0.4, 0.3, 1.0);
-    let (swirl, decoder) = (Swirl::new(1.0, 1.0)?, TanhDecoder::new(inner, outer, 0.5)?);
+    let (swirl, decoder) = (Swirl::new(1.0, 1.0)?, decoder()?);
     let stated = [None, Some(swirl.constants()), Some(Bounded::<2>::constants(&decoder))];
     for ((name, _, half), stated) in SQUARES.into_iter().zip(stated) {
         let lines = centres(half);
