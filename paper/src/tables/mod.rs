@@ -2,6 +2,7 @@
 
 mod asymptotics;
 mod certified_constants;
+mod certified_curves;
 mod certified_times;
 mod constants;
 mod convergence;
@@ -64,9 +65,10 @@ fn no_pages(_: &Data) -> Vec<(&'static str, String)> {
 }
 
 /// All tables.
-pub const TABLES: [Table; 11] = [
+pub const TABLES: [Table; 12] = [
     asymptotics::TABLE,
     certified_constants::TABLE,
+    certified_curves::TABLE,
     certified_times::TABLE,
     constants::TABLE,
     convergence::TABLE,
