@@ -11,7 +11,9 @@ use crate::Quantity;
 #[non_exhaustive]
 pub enum CertifyError {
     /// A side of a box is not an interval of finite numbers.
-    #[error("side {coordinate} of a box from {lo} to {hi}: the ends must be finite and in order")]
+    #[error(
+        "side {coordinate} of a box from {lo:?} to {hi:?}: the ends must be finite and in order"
+    )]
     NotASide {
         /// The index of the side, from 0.
         coordinate: usize,
@@ -62,7 +64,8 @@ pub enum CertifyError {
     },
     /// The metric is not positive definite at a point of the domain: proved with outward rounding.
     #[error(
-        "the metric is not positive definite at {point:?}: its least eigenvalue is {eigenvalue} at most"
+        "the metric is not positive definite at {point:?}: its least eigenvalue is {eigenvalue:?} \
+         at most"
     )]
     NotPositiveDefinite {
         /// Where it was evaluated, in `ℓ`.
@@ -72,7 +75,7 @@ pub enum CertifyError {
     },
     /// The budget of boxes was spent before the bounds were as close as asked for. What they had
     /// come to is right, only wider.
-    #[error("after {boxes} boxes, {quantity} is only known to lie between {lower} and {upper}")]
+    #[error("after {boxes} boxes, {quantity} is only known to lie between {lower:?} and {upper:?}")]
     BudgetSpent {
         /// Which constant.
         quantity: Quantity,

@@ -54,11 +54,16 @@ impl<const D: usize> Domain<D> {
         if !(radius >= 0.0 && radius.is_finite()) {
             return Err(CertifyError::NotARadius { radius });
         }
-        // One double farther, since the sums are rounded.
-        let cell = Cell::new(
-            centre.map(|c| (c - radius).next_down()),
-            centre.map(|c| (c + radius).next_up()),
-        )?;
+        // One double farther, since the sums are rounded; nothing is for the radius 0, and there a
+        // derivative may vanish that vanishes nowhere near.
+        let cell = if radius == 0.0 {
+            Cell::new(centre, centre)?
+        } else {
+            Cell::new(
+                centre.map(|c| (c - radius).next_down()),
+                centre.map(|c| (c + radius).next_up()),
+            )?
+        };
         Ok(Self { cell, ball: Some((centre, radius)), scope: Scope::Region })
     }
 

@@ -114,6 +114,17 @@ mod tests {
         assert!(within(proved.c1(), known.c1()), "{proved:?} {known:?}");
     }
 
+    /// The slope of the sphere vanishes at its pole, and is positive a double farther: a point is a
+    /// ball, the first that competitors ask for.
+    #[test]
+    fn the_constants_at_a_point_are_those_of_the_point() {
+        let proved = LocallyCertified::new(Sphere, Effort::default());
+        let pole = proved.constants_within(&vector![0.0, 0.0], 0.0).expect("proved");
+        assert_eq!(pole.l_h(), 0.0);
+        // H = 4 there, by some roundings.
+        assert!(pole.c1() <= 4.0 && 4.0 <= pole.c2() && pole.c2() - pole.c1() < 1e-14, "{pole:?}");
+    }
+
     #[test]
     fn a_ball_that_leaves_the_domain_has_no_constants() {
         let proved = LocallyCertified::new(Hyperbolic, Effort::default());

@@ -38,7 +38,9 @@ pub enum ProofError {
     /// No constants on all of `R^D`.
     #[error(transparent)]
     Constants(#[from] CertifyError),
-    /// No ball that holds all competitors has constants.
+    /// No ball that holds all competitors has constants, a budget or a tolerance that proves nothing
+    /// included. Why not, on the ball that is named:
+    /// [`CertifiedConstants::new`] on [`Domain::ball`].
     #[error(transparent)]
     Competitors(#[from] LocalityError<LocalError>),
     /// The theorems do not apply.
@@ -157,6 +159,21 @@ mod tests {
         let stated = Bounded::<2>::constants(&Valleys);
         assert!(proof.constants.l_h() >= stated.l_h() && proof.within.is_none());
         assert!(line.admissible_curve().is_ok_and(|curve| curve.length().contains(length)));
+    }
+
+    /// From the pole of the sphere, where nothing changes, to a wall: the one ball is about the pole.
+    #[test]
+    fn a_line_from_a_point_where_the_derivative_vanishes_is_proved() {
+        let pole = Ball::new([0.0, 0.0], 0.0).expect("a radius");
+        let wall = HalfSpace::at_least([1.0, 0.0], 0.1).expect("a normal");
+        let ends = Ends::new(pole, wall).expect("bounded");
+        let line = Problem::new(Sphere, ends).solve(Trapezoidal, 64).expect("solved");
+        let proof = line.prove(Effort::default()).expect("proved");
+        let (lower, upper) = (proof.enclosure.lower, proof.enclosure.upper);
+        // H = 4 / (1 + |x|²)², so d = 2 arctan 0.1, straight along x₁.
+        let square = (2.0 * 0.1_f64.atan()).powi(2);
+        assert!(lower <= square && square <= upper, "{lower} {square} {upper}");
+        assert!(proof.within.is_some() && proof.enclosure.is_local);
     }
 
     /// A metric whose two methods disagree: what the solver sees is four times what the formula is.

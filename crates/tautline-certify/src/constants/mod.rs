@@ -128,7 +128,9 @@ fn search<S: Spectral<D>, const D: usize>(
     effort: Effort,
 ) -> Result<(Maximum<D>, f64), CertifyError> {
     let found = maximise(&LargestEigenvalue(function), domain, effort);
-    if let Some(x) = found.refuted {
+    // The derivative of a constant is 0, be that constant NaN.
+    let undefined = found.at.filter(|x| function.gram().is_undefined(x));
+    if let Some(x) = found.refuted.or(undefined) {
         let point = x.iter().copied().collect();
         return Err(if function.gram().is_undefined(&x) {
             CertifyError::Undefined { point }
@@ -148,7 +150,7 @@ mod tests {
     };
     use tautline_scalar::Scalar;
 
-    use super::{CertifiedConstants, Quantity, certify};
+    use super::{CertifiedConstant, CertifiedConstants, Quantity, certify};
     use crate::{Cell, CertifyError, Domain, Effort};
 
     const CLOSE: Effort = Effort { tolerance: 1e-6, budget: 100_000 };
@@ -168,6 +170,23 @@ mod tests {
         }
         let constants = proved.constants().expect("constants");
         assert!(!constants.is_local() && constants.is_isotropic());
+    }
+
+    /// `φ = 20 − (2 − cos x₁)²`: with either sign the second derivative may be the larger one, here
+    /// `6` at `π` and `−2` at `0`; of the valleys themselves it is `−6`.
+    #[test]
+    fn a_second_derivative_counts_with_either_sign() {
+        struct Ridges;
+        impl Metric<2> for Ridges {
+            fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+                SMatrix::from_diagonal_element(-(-x[0].cos() + 2.0).sqr() + 20.0)
+            }
+        }
+        let of = |found: CertifiedConstant<2>| found.contains(6.0) && found.looseness() < 1.000_01;
+        let space = Domain::<2>::space(&Ridges);
+        let ridges = certify(&Ridges, Quantity::MH, &space, CLOSE).expect("a constant");
+        let valleys = certify(&Valleys, Quantity::MH, &space, CLOSE).expect("a constant");
+        assert!(of(ridges) && of(valleys), "{ridges:?} {valleys:?}");
     }
 
     #[test]
@@ -215,6 +234,22 @@ mod tests {
                 Err(CertifyError::Undefined { point }) => assert!(point[0] < 0.0, "{point:?}"),
                 other => panic!("{quantity}: {other:?}"),
             }
+        }
+    }
+
+    /// Its derivatives are finite everywhere, and it is nowhere defined.
+    #[test]
+    fn a_constant_that_is_not_a_number_is_refused_for_each_quantity() {
+        struct Nowhere;
+        impl Metric<2> for Nowhere {
+            fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+                SMatrix::from_diagonal_element(x[0].cos() + 2.0 + f64::NAN)
+            }
+        }
+        let space = Domain::space(&Nowhere);
+        for quantity in Quantity::ALL {
+            let error = certify(&Nowhere, quantity, &space, CLOSE).expect_err("nowhere defined");
+            assert!(matches!(error, CertifyError::Undefined { .. }), "{quantity}: {error}");
         }
     }
 

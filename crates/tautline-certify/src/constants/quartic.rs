@@ -177,7 +177,9 @@ mod tests {
         test_runner::{RngSeed, TestRunner},
     };
 
-    use super::{Vanishing, coordinates, eigen, flattened};
+    use tautline_scalar::Interval;
+
+    use super::{DMatrix, Vanishing, coordinates, eigen, flattened};
     use crate::constants::{first_derivative::direction, spectral::form};
 
     fn matrices<const D: usize>() -> impl Strategy<Value = [SMatrix<f64, D, D>; D]> {
@@ -197,6 +199,22 @@ mod tests {
     /// `Σ (uᵀAₖu)²`.
     fn quartic<const D: usize>(a: &[SMatrix<f64, D, D>; D], u: &SVector<f64, D>) -> f64 {
         a.iter().map(|a| form(|i, j| a[(i, j)], u).powi(2)).sum()
+    }
+
+    /// The trap: a root that is taken in doubles is another number, by a rounding that no tolerance
+    /// shows. √2 and √½ are irrational, so no interval about them is a point.
+    #[test]
+    fn over_intervals_the_roots_are_enclosed() {
+        let beside = coordinates(|_, _| Interval::point(1.0), 2)[2];
+        assert!(beside.lo() < beside.hi(), "{beside:?}");
+        let mut mixed = [SMatrix::<f64, 3, 3>::zeros(); 3];
+        mixed[0][(1, 2)] = 1.0;
+        let mut matrix = DMatrix::from_element(6, 6, Interval::point(0.0));
+        Vanishing { squares: SMatrix::zeros(), mixed }.add_to(&mut matrix);
+        // At (11, 23) the factor itself, at (12, 13) −√½ of it.
+        let [whole, part] = [matrix[(0, 5)], matrix[(3, 4)]];
+        assert_eq!(whole, Interval::point(1.0));
+        assert!(part.lo() < part.hi() && part.hi() < 0.0, "{part:?}");
     }
 
     /// The bound at a point: the largest eigenvalue with the factors that are chosen.
