@@ -20,8 +20,12 @@ impl Default for Effort {
 }
 
 impl Effort {
-    /// Refuses a tolerance that is not between 0 and 1.
-    pub(crate) fn checked(self) -> Result<Self, CertifyError> {
+    /// Returns the effort itself.
+    ///
+    /// # Errors
+    ///
+    /// [`CertifyError::NotATolerance`] for a tolerance that is not between 0 and 1.
+    pub fn checked(self) -> Result<Self, CertifyError> {
         if self.tolerance > 0.0 && self.tolerance < 1.0 {
             Ok(self)
         } else {

@@ -53,7 +53,7 @@ impl<M: Metric<D> + Sync, const D: usize> LocallyBounded<D> for LocallyCertified
     /// # Errors
     ///
     /// [`LocalError::NotProved`] where the metric is undefined or indefinite on the ball, and where
-    /// the budget is spent: [`CertifiedConstants::new`] says which.
+    /// the budget is spent, with which of these as its reason.
     fn constants_within(
         &self,
         centre: &SVector<f64, D>,
@@ -64,7 +64,10 @@ impl<M: Metric<D> + Sync, const D: usize> LocallyBounded<D> for LocallyCertified
             CertifiedConstants::new(&self.metric, &ball, self.effort)?.constants()
         });
         // On a ball, whatever the formula shows of all of space.
-        proved.map(Constants::on_a_region).map_err(|_| LocalError::NotProved { radius })
+        proved.map(Constants::on_a_region).map_err(|why| {
+            let reason = why.to_string();
+            LocalError::NotProved { radius, reason }
+        })
     }
 }
 
@@ -129,7 +132,12 @@ mod tests {
     fn a_ball_that_leaves_the_domain_has_no_constants() {
         let proved = LocallyCertified::new(Hyperbolic, Effort::default());
         let error = proved.constants_within(&vector![0.0, 0.0], 1.5).expect_err("it leaves");
-        assert_eq!(error, LocalError::NotProved { radius: 1.5 });
+        match error {
+            LocalError::NotProved { radius: 1.5, reason } => {
+                assert!(reason.contains("is not shown to be defined at"), "{reason}");
+            }
+            other => panic!("{other}"),
+        }
         let error = proved.constants_within(&vector![0.0, 0.0], -1.0).expect_err("no radius");
         assert_eq!(error, LocalError::NotARadius { radius: -1.0 });
     }

@@ -46,7 +46,7 @@ impl<M: LocallyBounded<D>, const D: usize> LocallyBounded<D> for &M {
 }
 
 /// Why a metric has no constants on a ball.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum LocalError {
     /// The metric is not defined on all of the ball.
@@ -74,10 +74,12 @@ pub enum LocalError {
         value: f64,
     },
     /// No constants could be proved from the formula.
-    #[error("no constants could be proved on the ball of radius {radius}")]
+    #[error("no constants could be proved on the ball of radius {radius}: {reason}")]
     NotProved {
         /// The radius of the ball, in `ℓ`.
         radius: f64,
+        /// Why not, in the words of the search.
+        reason: String,
     },
     /// A constant is 0, infinite or NaN on the ball.
     #[error(transparent)]

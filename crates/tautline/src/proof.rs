@@ -38,9 +38,7 @@ pub enum ProofError {
     /// No constants on all of `R^D`.
     #[error(transparent)]
     Constants(#[from] CertifyError),
-    /// No ball that holds all competitors has constants, a budget or a tolerance that proves nothing
-    /// included. Why not, on the ball that is named:
-    /// [`CertifiedConstants::new`] on [`Domain::ball`].
+    /// No ball that holds all competitors has constants, with the reason.
     #[error(transparent)]
     Competitors(#[from] LocalityError<LocalError>),
     /// The theorems do not apply.
@@ -89,6 +87,7 @@ impl<M: Metric<D> + Sync, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     ///
     /// [`ProofError`], with what is missing.
     pub fn prove(&self, effort: Effort) -> Result<Proof<'_, D>, ProofError> {
+        let effort = effort.checked()?;
         let curve = self.admissible_curve()?;
         let extent = Extent {
             energy: curve.energy().hi(),
@@ -115,7 +114,7 @@ impl<M: Metric<D> + Sync, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
 
 #[cfg(test)]
 mod tests {
-    use tautline_bounds::{BoundError, LocalityError};
+    use tautline_bounds::LocalityError;
     use tautline_certify::{CurveError, Effort};
     use tautline_metrics::gallery::{GaussianFisher, Hyperbolic, Shear, Sphere, Valleys};
     use tautline_metrics::{Bounded, KnownDistance, LocalError, Metric};
@@ -137,6 +136,7 @@ mod tests {
             assert!(upper - lower <= width * d * d, "{lower} {upper}");
             assert!(!proof.enclosure.assumes_global_minimum);
             assert_eq!(proof.constants.is_local(), proof.within.is_some());
+            assert_eq!(upper, proof.curve.distance_squared_at_most());
         }
         let shear = Shear::new(0.3, 1.0).expect("a wave number");
         check(shear, [0.0, 0.0], [0.3, 0.2], 1e-2);
@@ -176,10 +176,32 @@ mod tests {
         assert!(proof.within.is_some() && proof.enclosure.is_local);
     }
 
-    /// A metric whose two methods disagree: what the solver sees is four times what the formula is.
-    /// The formula is what is proved, and the contradiction is said.
+    /// Two chords that read the metric where it is cheap, and a ridge between: the discrete energy is
+    /// a quarter of the squared length. A competitor as long as the curve is comes as far as that.
     #[test]
-    fn a_lower_bound_above_the_curve_is_a_contradiction() {
+    fn the_ball_reaches_as_far_as_the_curve_is_long() {
+        struct Ridges;
+        impl Metric<1> for Ridges {
+            fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
+                let ridges = (x[0] * (4.0 * std::f64::consts::PI)).cos() + 2.0;
+                // Not periodic, hence no constants but on balls.
+                SMatrix::from_element(ridges.sqr() + x[0].sqr() * 1e-3)
+            }
+        }
+        let ends = Ends::points([0.0], [1.0]).expect("finite");
+        let line = Problem::new(Ridges, ends).solve(Trapezoidal, 2).expect("solved");
+        let proof = line.prove(Effort::default()).expect("proved");
+        let ball = proof.within.expect("no constants on all of space");
+        let length = proof.curve.length().hi();
+        assert!(line.discrete_energy() < 0.3 * length * length);
+        assert!(ball.r() >= length / proof.constants.c1().sqrt(), "{ball:?} for {length}");
+        assert_eq!(proof.enclosure.upper, proof.curve.distance_squared_at_most());
+    }
+
+    /// A metric whose two methods disagree: `H = 1`, but a squared norm of `4 u²`. What is proved is
+    /// the matrix.
+    #[test]
+    fn a_metric_is_what_its_matrix_says() {
         struct Torn;
         impl Metric<1> for Torn {
             fn gram<S: Scalar>(&self, _: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
@@ -191,13 +213,19 @@ mod tests {
         }
         let ends = Ends::points([0.0], [1.0]).expect("finite");
         let line = Problem::new(Torn, ends).solve(Trapezoidal, 4).expect("solved");
-        let error = line.prove(Effort::default()).expect_err("4 > 1");
-        let expected = matches!(error, ProofError::Bound(BoundError::Contradiction { .. }));
-        assert!(expected, "{error}");
+        let enclosure = line.prove(Effort::default()).expect("proved").enclosure;
+        assert!(enclosure.lower <= 1.0 && 1.0 <= enclosure.upper, "{enclosure:?}");
+        assert!(enclosure.width() < 1e-12, "{enclosure:?}");
     }
 
     #[test]
     fn what_cannot_be_proved_is_said() {
+        let ends = Ends::points([0.1, 0.0], [0.2, 0.1]).expect("finite");
+        let near = Problem::new(Sphere, ends).solve(Trapezoidal, 8).expect("solved");
+        let error = near.prove(Effort { budget: 0, ..Effort::default() }).expect_err("no boxes");
+        assert!(error.to_string().contains("after 0 boxes"), "{error}");
+        let error = near.prove(Effort { tolerance: 0.0, ..Effort::default() }).expect_err("exact");
+        assert!(error.to_string().contains("tolerance of 0"), "{error}");
         // Across the sphere: the competitors may pass through infinity.
         let ends = Ends::points([1.0, 0.0], [-1.5, 0.3]).expect("finite");
         let line = Problem::new(Sphere, ends).solve(Trapezoidal, 64).expect("solved");
