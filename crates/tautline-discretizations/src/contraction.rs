@@ -33,7 +33,7 @@ const CHUNK: usize = 8;
 
 impl<const D: usize> Contraction<D> {
     /// Differentiates at `y`.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn new(metric: &impl Metric<D>, y: &SVector<f64, D>, d: &SVector<f64, D>) -> Self {
         // Constants, so that of the three only one is compiled for each metric.
         let mut contraction = if const { D < SPLIT } {
@@ -48,7 +48,7 @@ impl<const D: usize> Contraction<D> {
     }
 
     /// With all derivatives of all entries at once.
-    #[inline]
+    #[inline(always)]
     fn together(metric: &impl Metric<D>, y: &SVector<f64, D>, d: &SVector<f64, D>) -> Self {
         let jets = metric.gram(&SVector::from(Jet2::variables(&(*y).into())));
         let mut contraction = Self::first_order(&jets, d, Jet2::value, Jet2::first);
@@ -67,7 +67,7 @@ impl<const D: usize> Contraction<D> {
     }
 
     /// With the second derivatives of `dᵀHd` apart.
-    #[inline]
+    #[inline(always)]
     fn apart(metric: &impl Metric<D>, y: &SVector<f64, D>, d: &SVector<f64, D>) -> Self {
         let jets = metric.gram(&SVector::from(Jet1::variables(&(*y).into())));
         let mut contraction = Self::first_order(&jets, d, Jet1::value, Jet1::first);
@@ -81,7 +81,7 @@ impl<const D: usize> Contraction<D> {
     }
 
     /// `H`, `P` and `G` from the jets of the entries `i ≤ j` of `H`.
-    #[inline]
+    #[inline(always)]
     fn first_order<J>(
         jets: &SMatrix<J, D, D>,
         d: &SVector<f64, D>,
@@ -159,18 +159,18 @@ fn chunk_of_variables<const D: usize>(
     SVector::from_fn(|i, _| place(i, start).map_or(Jet1::constant(y[i]), |k| chunk[k]))
 }
 
-/// `H d` and `Gₖ = dᵀ ∂ₖH d` at `y`.
-#[inline]
+/// `H`, both halves as the metric has them, and `Gₖ = dᵀ ∂ₖH d` at `y`.
+#[inline(always)]
 pub(crate) fn momentum<const D: usize>(
     metric: &impl Metric<D>,
     y: &SVector<f64, D>,
     d: &SVector<f64, D>,
-) -> (SVector<f64, D>, SVector<f64, D>) {
+) -> (SMatrix<f64, D, D>, SVector<f64, D>) {
     let variables = || SVector::from(Jet1::variables(&(*y).into()));
     if const { D < SPLIT } {
         let jets = metric.gram(&variables());
         let contraction = Contraction::first_order(&jets, d, Jet1::value, Jet1::first);
-        return (contraction.h * d, contraction.g);
+        return (jets.map(|jet| jet.value()), contraction.g);
     }
     let h: SMatrix<f64, D, D> = metric.gram(y);
     let gradient = if const { D < CHUNKED } {
@@ -185,7 +185,7 @@ pub(crate) fn momentum<const D: usize>(
         }
         gradient
     };
-    (h * d, gradient)
+    (h, gradient)
 }
 
 #[cfg(test)]
@@ -220,8 +220,8 @@ mod tests {
         assert_eq!(whole.q, chunked.q);
         assert!((whole.p - chunked.p).amax() <= close);
         assert!((whole.g - chunked.g).amax() <= close);
-        let (hd, g) = momentum(&metric, &y, &d);
-        assert!((hd - whole.h * d).amax() <= close && (g - whole.g).amax() <= close);
+        let (h, g) = momentum(&metric, &y, &d);
+        assert!((h - whole.h).amax() <= close && (g - whole.g).amax() <= close);
         // None of which is small by itself.
         assert!(whole.p.amax() > 1e-2 && whole.g.amax() > 1e-2 && whole.q.amax() > 1e-2);
         assert_eq!(

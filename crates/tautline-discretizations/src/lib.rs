@@ -31,10 +31,12 @@
 //! ```
 
 mod block_tridiagonal;
+mod chord_model;
 mod compensated_sum;
 mod contraction;
 mod interpolation;
 mod left_endpoint;
+mod linear_model;
 mod point_sequence;
 mod quadratic_model;
 mod rule;
@@ -42,10 +44,12 @@ mod trapezoidal;
 mod true_trapezoid;
 
 pub use block_tridiagonal::BlockTridiagonal;
+pub use chord_model::ChordModel;
 pub use interpolation::Interpolation;
 pub use left_endpoint::LeftEndpoint;
+pub use linear_model::{LinearModel, energy_gradient};
 pub use point_sequence::{PointSequence, SequenceError};
-pub use quadratic_model::{QuadraticModel, energy_gradient};
+pub use quadratic_model::QuadraticModel;
 pub use rule::{Node, Rule};
 pub use tautline_metrics::quadrature::Integral;
 pub use trapezoidal::Trapezoidal;

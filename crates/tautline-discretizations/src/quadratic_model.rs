@@ -3,24 +3,10 @@
 use nalgebra::{SMatrix, SVector};
 use tautline_metrics::Metric;
 
-use crate::{
-    BlockTridiagonal, PointSequence, Rule,
-    compensated_sum::CompensatedSum,
-    contraction::{Contraction, momentum},
-};
+use crate::{BlockTridiagonal, ChordModel, PointSequence, Rule, compensated_sum::CompensatedSum};
 
 /// The discrete energy of a point sequence with its first and second derivatives by the
-/// `N + 1` points.
-///
-/// Derivation, for one node of weight 1 at the fraction `θ` of the chord `d = y − x`, with
-/// `H` and its derivatives at `x + θ d`, and `e = N dᵀHd` its part of the energy:
-///
-/// ```text
-/// q = H d,   Gₖ = dᵀ ∂ₖH d,   Pᵢₖ = (∂ₖH d)ᵢ,   Qₖₗ = dᵀ ∂ₖ∂ₗH d
-/// ∂e/∂x = N (−2q + (1−θ) G),                  ∂e/∂y = N (2q + θ G)
-/// ∂²e/∂x² = N (2H − 2(1−θ)(P + Pᵀ) + (1−θ)² Q),  ∂²e/∂y² = N (2H + 2θ(P + Pᵀ) + θ² Q)
-/// ∂²e/∂x∂y = N (−2H − 2θ P + 2(1−θ) Pᵀ + θ(1−θ) Q)
-/// ```
+/// `N + 1` points: the sum of the [`ChordModel`]s.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct QuadraticModel<const D: usize> {
     /// The discrete energy, in `m²`.
@@ -36,7 +22,7 @@ pub struct QuadraticModel<const D: usize> {
 impl<const D: usize> QuadraticModel<D> {
     /// Expands the discrete energy of `rule` about `sequence`. NaN where the metric is.
     #[must_use]
-    pub fn new<R: Rule>(_rule: R, metric: &impl Metric<D>, sequence: &PointSequence<D>) -> Self {
+    pub fn new<R: Rule>(rule: R, metric: &impl Metric<D>, sequence: &PointSequence<D>) -> Self {
         let n = sequence.n().get();
         let factor = n as f64;
         let mut energy = CompensatedSum::default();
@@ -47,27 +33,13 @@ impl<const D: usize> QuadraticModel<D> {
         // What the chord before has left for the point between.
         let mut carried = (SVector::<f64, D>::zeros(), SMatrix::<f64, D, D>::zeros());
         for (x, d) in sequence.chords() {
-            let (mut g_near, mut h_near) = carried;
-            carried = (SVector::zeros(), SMatrix::zeros());
-            let mut coupling = SMatrix::<f64, D, D>::zeros();
-            for node in R::NODES {
-                let (w, near, far) = (node.weight * factor, 1.0 - node.fraction, node.fraction);
-                let Contraction { h, g, p, q } = Contraction::new(metric, &(x + d * far), &d);
-                let hd = h * d;
-                energy.add(w * d.dot(&hd));
-                trace += w * h.trace();
-                g_near += (g * near - hd * 2.0) * w;
-                carried.0 += (g * far + hd * 2.0) * w;
-                let symmetric = p + p.transpose();
-                h_near += (h * 2.0 - symmetric * (2.0 * near) + q * (near * near)) * w;
-                carried.1 += (h * 2.0 + symmetric * (2.0 * far) + q * (far * far)) * w;
-                coupling += (q * (near * far) - h * 2.0 - p * (2.0 * far)
-                    + p.transpose() * (2.0 * near))
-                    * w;
-            }
-            gradient.push(g_near);
-            diagonal.push(h_near);
-            upper.push(coupling);
+            let chord = ChordModel::new(rule, metric, x, &d, factor);
+            energy.add(chord.energy);
+            trace += chord.trace;
+            gradient.push(carried.0 + chord.gradient[0]);
+            diagonal.push(carried.1 + chord.hessian[0]);
+            upper.push(chord.coupling);
+            carried = (chord.gradient[1], chord.hessian[1]);
         }
         gradient.push(carried.0);
         diagonal.push(carried.1);
@@ -75,30 +47,4 @@ impl<const D: usize> QuadraticModel<D> {
         let mean_gram = trace / (factor * factor * D as f64);
         Self { energy: energy.value(), gradient, hessian, mean_gram }
     }
-}
-
-/// Returns the discrete energy, in `m²`, and its gradient by each point, in `m²/ℓ`.
-///
-/// First derivatives only: cheaper than [`QuadraticModel`], same formulas.
-#[must_use]
-pub fn energy_gradient<R: Rule, const D: usize>(
-    _rule: R,
-    metric: &impl Metric<D>,
-    sequence: &PointSequence<D>,
-) -> (f64, Vec<SVector<f64, D>>) {
-    let n = sequence.n().get();
-    let factor = n as f64;
-    let mut energy = CompensatedSum::default();
-    let mut gradient = vec![SVector::zeros(); n + 1];
-    for (k, (x, d)) in sequence.chords().enumerate() {
-        for node in R::NODES {
-            let w = node.weight * factor;
-            let y = x + d * node.fraction;
-            let (hd, g) = momentum(metric, &y, &d);
-            energy.add(w * d.dot(&hd));
-            gradient[k] += (g * (1.0 - node.fraction) - hd * 2.0) * w;
-            gradient[k + 1] += (g * node.fraction + hd * 2.0) * w;
-        }
-    }
-    (energy.value(), gradient)
 }

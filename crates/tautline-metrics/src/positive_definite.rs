@@ -46,6 +46,25 @@ pub enum MetricError {
     },
 }
 
+/// Returns whether a matrix is finite, symmetric up to rounding, and positive definite.
+///
+/// The halves of one formula, written in another order, differ by some roundings of its terms,
+/// which for a positive definite `H` are of the size `√(Hᵢᵢ Hⱼⱼ)` at most: `10⁻¹²` of that is
+/// granted.
+#[must_use]
+#[inline]
+pub fn is_gram<const D: usize>(h: &SMatrix<f64, D, D>) -> bool {
+    cholesky(h).is_some()
+        && (0..D).all(|i| (i + 1..D).all(|j| h[(i, j)] == h[(j, i)] || is_symmetric(h, i, j)))
+}
+
+/// Whether the entries `(i, j)` and `(j, i)` are the same up to rounding.
+fn is_symmetric<const D: usize>(h: &SMatrix<f64, D, D>, i: usize, j: usize) -> bool {
+    let (above, below) = (h[(i, j)], h[(j, i)]);
+    let scale = (h[(i, i)] * h[(j, j)]).abs().sqrt();
+    (above - below).abs() <= 1e-12 * scale.max(above.abs())
+}
+
 /// Returns `H(x)` if it is finite, symmetric and positive definite.
 ///
 /// # Errors
@@ -64,11 +83,8 @@ pub fn check_gram<const D: usize>(
         }
     }
     for (row, column) in (0..D).flat_map(|i| (i + 1..D).map(move |j| (i, j))) {
-        let (above, below) = (h[(row, column)], h[(column, row)]);
-        // The halves of one formula, written in another order, differ by some roundings of
-        // its terms, which for a positive definite H are of the size √(Hᵢᵢ Hⱼⱼ) at most.
-        let scale = (h[(row, row)] * h[(column, column)]).abs().sqrt();
-        if (above - below).abs() > 1e-12 * scale.max(above.abs()) {
+        if !is_symmetric(&h, row, column) {
+            let (above, below) = (h[(row, column)], h[(column, row)]);
             return Err(MetricError::NotSymmetric { point: point(), row, column, above, below });
         }
     }

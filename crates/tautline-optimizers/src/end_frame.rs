@@ -82,6 +82,47 @@ impl<const D: usize> EndFrame<D> {
         Self { basis, coordinates, projected_gradient }
     }
 
+    /// Goes over to these coordinates in the row of a block system that belongs to the end point.
+    ///
+    /// `block` is its diagonal block, `coupling` the one beside it as seen from the end (row `i`
+    /// belongs to coordinate `i`), `right` what others have added to its right hand side. Returns
+    /// what is to be added to that of its neighbour. A fixed coordinate keeps its place, as an
+    /// equation of its own that is already solved.
+    pub(crate) fn enter(
+        &self,
+        block: &mut SMatrix<f64, D, D>,
+        coupling: &mut SMatrix<f64, D, D>,
+        right: &mut SVector<f64, D>,
+        tau: f64,
+    ) -> SVector<f64, D> {
+        *block = self.basis.tr_mul(&(*block * self.basis));
+        *coupling = self.basis.tr_mul(coupling);
+        *right = self.basis.tr_mul(right);
+        let mut beside = SVector::<f64, D>::zeros();
+        for (i, coordinate) in self.coordinates.iter().enumerate() {
+            match *coordinate {
+                Coordinate::Free { curvature, force } => {
+                    block[(i, i)] += curvature;
+                    right[i] += force;
+                }
+                Coordinate::Fixed { step } => {
+                    *right -= block.column(i) * step;
+                    beside -= coupling.row(i).transpose() * step;
+                    block.row_mut(i).fill(0.0);
+                    block.column_mut(i).fill(0.0);
+                    coupling.row_mut(i).fill(0.0);
+                }
+            }
+        }
+        for (i, coordinate) in self.coordinates.iter().enumerate() {
+            if let Coordinate::Fixed { step } = *coordinate {
+                block[(i, i)] = 1.0 / tau;
+                right[i] = step / tau;
+            }
+        }
+        beside
+    }
+
     /// Returns the force on the end point, in the coordinates of `R^D`: along the active face
     /// that of the Newton equation, across it the `step/τ` that would lead back to it.
     pub(crate) fn force(&self, tau: f64) -> SVector<f64, D> {

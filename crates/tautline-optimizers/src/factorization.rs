@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, SMatrix, SVector};
 use tautline_discretizations::BlockTridiagonal;
 
-use crate::inverse_factor::inverse_factor;
+use crate::inverse::inverse;
 
 /// A symmetric block-tridiagonal matrix `A + μ R`, where `R` is the regulariser
 /// `s (N Λ + I/N)` with the path Laplacian `Λ`: the discrete `∫ s (|δ̇|² + |δ|²) dt`.
@@ -107,14 +107,14 @@ impl<'a, const D: usize> Shifted<'a, D> {
     }
 }
 
-/// The Cholesky factorisation by blocks of a positive definite block-tridiagonal matrix.
+/// The factorisation by blocks of a positive definite block-tridiagonal matrix.
 ///
 /// With the Schur complements `S₀ = A₀`, `Sₙ₊₁ = Aₙ₊₁ − Uₙᵀ Sₙ⁻¹ Uₙ`: `O(N D³)`.
 #[derive(Clone, Debug)]
 pub(crate) struct Factorization<const D: usize> {
-    /// `Mₙ` with `Mₙᵀ Mₙ = Sₙ⁻¹`.
+    /// `Sₙ⁻¹`.
     inverse: Vec<SMatrix<f64, D, D>>,
-    /// `Wₙ = Mₙ Uₙ`.
+    /// `Vₙ = Sₙ⁻¹ Uₙ`.
     coupling: Vec<SMatrix<f64, D, D>>,
 }
 
@@ -122,32 +122,99 @@ impl<const D: usize> Factorization<D> {
     /// Factorises; `None` if the matrix is not positive definite (or not finite).
     pub(crate) fn new(system: &Shifted<'_, D>) -> Option<Self> {
         let n = system.n();
-        let mut inverse = Vec::with_capacity(n + 1);
-        let mut coupling = Vec::with_capacity(n);
+        let mut factorization = Self::with_capacity(n);
         let mut schur = system.diagonal(0);
         for k in 0..n {
-            let m = inverse_factor(&schur)?;
-            let w = m * system.upper(k);
-            schur = system.diagonal(k + 1) - w.tr_mul(&w);
-            inverse.push(m);
-            coupling.push(w);
+            let upper = system.upper(k);
+            schur = system.diagonal(k + 1) - factorization.push(&schur, &upper)?;
         }
-        inverse.push(inverse_factor(&schur)?);
-        Some(Self { inverse, coupling })
+        factorization.push_last(&schur)?;
+        Some(factorization)
+    }
+
+    /// Nothing yet, and room for `n + 1` points.
+    pub(crate) fn with_capacity(n: usize) -> Self {
+        Self { inverse: Vec::with_capacity(n + 1), coupling: Vec::with_capacity(n) }
+    }
+
+    /// Adds the Schur complement `Sₙ` and the block `Uₙ` beside it; returns `Uₙᵀ Sₙ⁻¹ Uₙ`, in the
+    /// entries `i ≤ j`.
+    #[inline]
+    pub(crate) fn push(
+        &mut self,
+        schur: &SMatrix<f64, D, D>,
+        upper: &SMatrix<f64, D, D>,
+    ) -> Option<SMatrix<f64, D, D>> {
+        let inverse = inverse(schur)?;
+        let coupling = inverse * upper;
+        self.inverse.push(inverse);
+        self.coupling.push(coupling);
+        Some(upper.tr_mul(&coupling))
+    }
+
+    /// Adds the last Schur complement.
+    pub(crate) fn push_last(&mut self, schur: &SMatrix<f64, D, D>) -> Option<()> {
+        self.inverse.push(inverse(schur)?);
+        Some(())
     }
 
     /// Overwrites `b` with the solution of `A x = b`.
     pub(crate) fn solve(&self, b: &mut [SVector<f64, D>]) {
-        let n = self.coupling.len();
-        // Forward: yₙ = Mₙ (bₙ − Wₙ₋₁ᵀ yₙ₋₁), backward: xₙ = Mₙᵀ (yₙ − Wₙ xₙ₊₁).
-        b[0] = self.inverse[0] * b[0];
-        for k in 1..=n {
-            b[k] = self.inverse[k] * (b[k] - self.coupling[k - 1].tr_mul(&b[k - 1]));
+        let mut elimination = Elimination::default();
+        b.iter_mut().for_each(|b| *b = elimination.push(self, *b));
+        self.substitute_back(b);
+    }
+
+    /// Overwrites `zₙ`, what an [`Elimination`] has made of the right hand side, with the solution:
+    /// `xₙ = zₙ − Vₙ xₙ₊₁`.
+    pub(crate) fn substitute_back(&self, z: &mut [SVector<f64, D>]) {
+        let Some(last) = z.last() else { return };
+        let mut x = *last;
+        for (z, coupling) in z.iter_mut().zip(&self.coupling).rev() {
+            x = *z - coupling * x;
+            *z = x;
         }
-        b[n] = self.inverse[n].tr_mul(&b[n]);
-        for k in (0..n).rev() {
-            b[k] = self.inverse[k].tr_mul(&(b[k] - self.coupling[k] * b[k + 1]));
-        }
+    }
+}
+
+/// The elimination of a right hand side `b` from the first block on:
+/// `rₙ = bₙ − Vₙ₋₁ᵀ rₙ₋₁`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Elimination<const D: usize> {
+    done: usize,
+    right: SVector<f64, D>,
+    square: f64,
+}
+
+impl<const D: usize> Default for Elimination<D> {
+    fn default() -> Self {
+        Self { done: 0, right: SVector::zeros(), square: 0.0 }
+    }
+}
+
+impl<const D: usize> Elimination<D> {
+    /// Takes the next block of the right hand side, as far as the matrix is factorised; returns
+    /// `zₙ = Sₙ⁻¹ rₙ`.
+    #[inline]
+    pub(crate) fn push(
+        &mut self,
+        factorization: &Factorization<D>,
+        b: SVector<f64, D>,
+    ) -> SVector<f64, D> {
+        self.right = match self.done.checked_sub(1) {
+            Some(before) => b - factorization.coupling[before].tr_mul(&self.right),
+            None => b,
+        };
+        let z = factorization.inverse[self.done] * self.right;
+        self.square += self.right.dot(&z);
+        self.done += 1;
+        z
+    }
+
+    /// Returns `½ bᵀ A⁻¹ b = ½ Σ rₙᵀ Sₙ⁻¹ rₙ` after the last block: nothing need be substituted back
+    /// for it.
+    pub(crate) fn half_square(&self) -> f64 {
+        0.5 * self.square
     }
 }
 

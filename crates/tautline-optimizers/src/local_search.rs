@@ -8,15 +8,15 @@ use tautline_sets::ClosedSet;
 use crate::{
     Curvature, Stop,
     damping::{Damping, LAST_SHIFT, SHIFT_FACTOR},
-    end_frame::EndFrame,
     factorization::Factorization,
     reduced_system::{ReducedSystem, Step},
-    rounding::{is_rounding, margin, negligible, rounding},
+    residual::Residual,
+    rounding::{is_rounding, margin, negligible},
 };
 
 /// Relative decrement below which Newton steps are taken without looking at the energy: the
 /// promised change, `10⁻¹⁰ E`, is real, but a few steps later it drowns in rounding.
-const QUADRATIC_ZONE: f64 = 1e-10;
+pub(crate) const QUADRATIC_ZONE: f64 = 1e-10;
 
 /// Relative decrement below which the Hessian at one end of a step also speaks for the other:
 /// the points move by the root of it, `10⁻⁸`, and with them the Hessian.
@@ -48,6 +48,8 @@ pub(crate) struct LocalSearch<'a, M, R, const D: usize> {
 pub(crate) struct Found<const D: usize> {
     pub(crate) sequence: PointSequence<D>,
     pub(crate) energy: f64,
+    /// The mean of `tr H / D` over the nodes, in `m²/ℓ²`.
+    pub(crate) mean_gram: f64,
     pub(crate) decrement: f64,
     pub(crate) residual: f64,
     pub(crate) residual_floor: f64,
@@ -112,6 +114,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
             return Ok(Found {
                 sequence,
                 energy,
+                mean_gram: scale,
                 decrement,
                 residual,
                 residual_floor,
@@ -135,7 +138,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
             let curvature = self.curvature(model, sequence);
             Next::End { stop, curvature, decrement }
         };
-        let negligible = negligible(model, sequence);
+        let negligible = negligible(model.energy, model.mean_gram, sequence);
         let (mut rejected, mut indefinite) = (false, false);
         loop {
             let system = reduce(damping.shift);
@@ -291,10 +294,15 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
     ) -> Vec<SVector<f64, D>> {
         let mut points: Vec<_> =
             sequence.points().iter().zip(step).map(|(x, s)| x + s * scale).collect();
+        self.project_ends(&mut points);
+        points
+    }
+
+    /// Moves both ends to their nearest points in their sets.
+    pub(crate) fn project_ends(&self, points: &mut [SVector<f64, D>]) {
         let n = points.len() - 1;
         points[0] = self.ends[0].project(&points[0]);
         points[n] = self.ends[1].project(&points[n]);
-        points
     }
 
     /// The energy of a trial; `None` if it is not finite or a chord has a negative one, that
@@ -350,26 +358,9 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
         gradient: &[SVector<f64, D>],
         mean_gram: f64,
     ) -> (f64, f64) {
-        let points = sequence.points();
-        let last = points.len() - 1;
-        let n = last as f64;
-        // Roots first: the product may be beyond the range of `f64`.
-        let momentum = mean_gram.sqrt() * energy.sqrt();
-        if !(momentum > 0.0) {
-            return (0.0, 0.0);
-        }
-        let floor = n * rounding(sequence) * (mean_gram / momentum);
-        // Where the metric has no derivative.
-        let infinite_if_nan = |x: f64| if x.is_nan() { f64::INFINITY } else { x };
-        let sum: f64 = gradient[1..last].iter().map(|g| (g / momentum).norm_squared()).sum();
-        let inner = infinite_if_nan(0.5 * n * (sum / n).sqrt());
-        let tau = 1.0 / (2.0 * n * mean_gram);
-        let at_end = |set: &dyn ClosedSet<D>, k: usize| {
-            let frame = EndFrame::new(set, &points[k], &gradient[k], tau);
-            infinite_if_nan(0.5 * (frame.projected_gradient / momentum).norm())
-        };
-        let ends = at_end(self.ends[0], 0).max(at_end(self.ends[1], last));
-        (inner + ends, floor)
+        let mut residual = Residual::new(sequence.n().get(), energy, mean_gram);
+        gradient.iter().enumerate().for_each(|(k, gradient)| residual.push(k, gradient));
+        residual.value(self.ends, sequence, energy, mean_gram)
     }
 }
 

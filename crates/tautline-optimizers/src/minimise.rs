@@ -39,13 +39,18 @@ const COARSEST: usize = 32;
 const LINE_DIRECT: usize = 128;
 const LINE_COARSE: usize = 48;
 
-/// From one grid to the next, `N` grows at most by this factor.
-const REFINEMENT: usize = 4;
+/// From one grid to the next, `N` grows at most by this factor; by the second one on fine grids,
+/// where what is prolonged is nearer.
+const REFINEMENT: [usize; 2] = [4, 8];
+const FINER: usize = 4096;
 
 /// How many different local minimisers of the coarsest grid are followed to the next ones,
 /// where their order may change, and the grid from which on only the lowest is.
 const FOLLOWED: usize = 8;
 const SETTLED: usize = 512;
+
+/// From this grid on a search is expected to need no damping, and is tried without.
+const FINE: usize = 256;
 
 /// The coarsest grid from which the points are extrapolated.
 const EXTRAPOLATED: usize = 100;
@@ -56,7 +61,7 @@ const DIFFERENT: f64 = 1e-9;
 /// Returns the lowest discrete minimiser of `rule` between the sets `ends` that was found.
 ///
 /// Every pair of pieces of the sets is tried from every start on the coarsest grid, which is the
-/// only one for `n ≤ 64`; the best are carried to `n` chords over grids that refine by 4, one or
+/// only one for `n ≤ 64`; the best are carried to `n` chords over grids that refine by 4 to 8, one or
 /// two Newton steps each. A rule without nodes does not compile.
 ///
 /// # Errors
@@ -107,7 +112,11 @@ pub fn minimise<const D: usize, R: Rule>(
             let search =
                 LocalSearch { metric, rule, ends: candidate.ends, iterations: options.iterations };
             let start = candidate.start(grid, R::ERROR_EXPONENT).map_err(SolveError::Sequence);
-            match start.and_then(|start| Ok(search.run(start)?)) {
+            let found = start.and_then(|start| {
+                let near = (grid >= FINE).then(|| search.refine(&start, candidate.found.mean_gram));
+                Ok(near.flatten().map_or_else(|| search.run(start), Ok)?)
+            });
+            match found {
                 Ok(found) => {
                     steps += found.iterations;
                     candidates.push(candidate.refined(found));
@@ -201,7 +210,7 @@ fn grids(n: usize) -> Vec<usize> {
     let mut grids = vec![n];
     let mut grid = n;
     while n > DIRECT && grid > COARSEST {
-        grid = grid.div_ceil(REFINEMENT);
+        grid = grid.div_ceil(REFINEMENT[usize::from(grid >= FINER)]);
         grids.push(grid);
     }
     grids.reverse();
@@ -251,5 +260,6 @@ mod tests {
         assert_eq!(grids(64), [64]);
         assert_eq!(grids(65), [17, 65]);
         assert_eq!(grids(1000), [16, 63, 250, 1000]);
+        assert_eq!(grids(100_000), [25, 98, 391, 1563, 12_500, 100_000]);
     }
 }

@@ -14,19 +14,34 @@ pub(crate) fn prolong<const D: usize>(
 ) -> Vec<SVector<f64, D>> {
     let points = sequence.points();
     let coarse = points.len() - 1;
-    let width = points.len().min(4);
-    (0..=n)
-        .map(|k| {
-            // The position on the coarse grid is k · coarse / n: split without rounding.
-            let (whole, rest) = (k * coarse / n, k * coarse % n);
-            if rest == 0 {
-                return points[whole];
-            }
-            let first = whole.saturating_sub(1).min(points.len() - width);
-            let s = (whole - first) as f64 + rest as f64 / n as f64;
-            lagrange(&points[first..first + width], s)
-        })
-        .collect()
+    let fraction = 1.0 / n as f64;
+    // The position on the coarse grid is k · coarse / n: whole + rest / n, without rounding.
+    let (mut whole, mut rest) = (0_usize, 0_usize);
+    let mut fine = Vec::with_capacity(n + 1);
+    for _ in 0..=n {
+        let s = rest as f64 * fraction;
+        let first = whole.saturating_sub(1).min(points.len().saturating_sub(4));
+        fine.push(match points[first..].first_chunk::<4>() {
+            _ if rest == 0 => points[whole],
+            Some(four) => cubic(four, (whole - first) as f64 + s),
+            None => lagrange(points, whole as f64 + s),
+        });
+        rest += coarse;
+        while rest >= n {
+            rest -= n;
+            whole += 1;
+        }
+    }
+    fine
+}
+
+/// The value at `s` of the cubic polynomial through the points at 0, 1, 2, 3.
+#[inline]
+fn cubic<const D: usize>([a, b, c, d]: &[SVector<f64, D>; 4], s: f64) -> SVector<f64, D> {
+    let (p, q, r) = (s - 1.0, s - 2.0, s - 3.0);
+    let (sp, qr) = (s * p, q * r);
+    d * (sp * q * (1.0 / 6.0)) - c * (sp * r * 0.5) + b * (s * qr * 0.5)
+        - a * (p * qr * (1.0 / 6.0))
 }
 
 /// The value at `s` of the polynomial through the points at `0, 1, …`.

@@ -62,37 +62,13 @@ impl<'a, const D: usize> ReducedSystem<'a, D> {
     fn enter_frame(&mut self, end: usize) {
         let n = self.matrix.n();
         let (k, neighbour) = if end == 0 { (0, 1) } else { (n, n - 1) };
-        let frame = &self.frames[end];
-        let basis = frame.basis;
-        let mut block = basis.tr_mul(&(self.matrix.end_diagonal[end] * basis));
+        let block = &mut self.matrix.end_diagonal[end];
         let upper = &mut self.matrix.end_upper[if n == 1 { 0 } else { end }];
-        // The coupling as seen from the end: row i belongs to its coordinate i.
-        let mut coupling = basis.tr_mul(&if end == 0 { *upper } else { upper.transpose() });
-        let mut right = basis.tr_mul(&self.right[k]);
-        for (i, coordinate) in frame.coordinates.iter().enumerate() {
-            match *coordinate {
-                Coordinate::Free { curvature, force } => {
-                    block[(i, i)] += curvature;
-                    right[i] += force;
-                }
-                Coordinate::Fixed { step } => {
-                    right -= block.column(i) * step;
-                    self.right[neighbour] -= coupling.row(i).transpose() * step;
-                    block.row_mut(i).fill(0.0);
-                    block.column_mut(i).fill(0.0);
-                    coupling.row_mut(i).fill(0.0);
-                }
-            }
-        }
-        for (i, coordinate) in frame.coordinates.iter().enumerate() {
-            if let Coordinate::Fixed { step } = *coordinate {
-                block[(i, i)] = 1.0 / self.tau;
-                right[i] = step / self.tau;
-            }
-        }
+        let mut coupling = if end == 0 { *upper } else { upper.transpose() };
+        let right = &mut self.right[k];
+        let beside = self.frames[end].enter(block, &mut coupling, right, self.tau);
         *upper = if end == 0 { coupling } else { coupling.transpose() };
-        self.matrix.end_diagonal[end] = block;
-        self.right[k] = right;
+        self.right[neighbour] += beside;
     }
 
     /// Factorises the system; `None` if it is not positive definite.

@@ -19,11 +19,12 @@ pub(crate) fn rounding<const D: usize>(sequence: &PointSequence<D>) -> f64 {
 /// `½ Σₙ 4N tr H u²/12 = tr H (N u)²/6`; twelve times that is granted, for the chance of small
 /// `N` and for the end points, which projections round several times.
 pub(crate) fn negligible<const D: usize>(
-    model: &QuadraticModel<D>,
+    energy: f64,
+    mean_gram: f64,
     sequence: &PointSequence<D>,
 ) -> f64 {
-    let trace = D as f64 * model.mean_gram;
-    (CONVERGED * model.energy).max(2.0 * trace * rounding(sequence).powi(2))
+    let trace = D as f64 * mean_gram;
+    (CONVERGED * energy).max(2.0 * trace * rounding(sequence).powi(2))
 }
 
 /// Whether all chords are nothing but the rounding of their ends.
@@ -68,7 +69,7 @@ mod tests {
             let line = PointSequence::straight([x, 0.0], [x, 1.0], 8).expect("finite");
             let model = QuadraticModel::new(Trapezoidal, &Valleys, &line);
             assert!(!is_rounding(&model, &line));
-            (negligible(&model, &line), model.energy)
+            (negligible(model.energy, model.mean_gram, &line), model.energy)
         };
         // At x = 0 the metric is the identity: E = 1, and 4 (8 ε)² = 1e-29 is nothing.
         assert_eq!(shifted(0.0), (1e-18, 1.0));

@@ -1,0 +1,64 @@
+//! `Residual`: how far a point sequence is from solving the discrete geodesic equation.
+
+use nalgebra::SVector;
+use tautline_discretizations::PointSequence;
+use tautline_sets::ClosedSet;
+
+use crate::{end_frame::EndFrame, rounding::rounding};
+
+/// The residual of [`Minimum`](crate::Minimum), from the gradients by one point after the other.
+pub(crate) struct Residual<const D: usize> {
+    /// About the momentum, in `m²/ℓ`: by which all is divided first, since a square may be beyond
+    /// the range of `f64`.
+    unit: f64,
+    last: usize,
+    inner: f64,
+    ends: [SVector<f64, D>; 2],
+}
+
+impl<const D: usize> Residual<D> {
+    /// Begins, for `n` subintervals and about this energy and mean of `tr H / D`.
+    pub(crate) fn new(n: usize, energy: f64, mean_gram: f64) -> Self {
+        // Roots first: the product may be beyond the range, too.
+        let unit = mean_gram.sqrt() * energy.sqrt();
+        Self { unit, last: n, inner: 0.0, ends: [SVector::zeros(); 2] }
+    }
+
+    /// Takes the gradient by point `k`.
+    #[inline]
+    pub(crate) fn push(&mut self, k: usize, gradient: &SVector<f64, D>) {
+        if k == 0 {
+            self.ends[0] = *gradient;
+        } else if k == self.last {
+            self.ends[1] = *gradient;
+        } else {
+            self.inner += (gradient / self.unit).norm_squared();
+        }
+    }
+
+    /// Returns the residual and its floor, after the last point.
+    pub(crate) fn value(
+        &self,
+        sets: [&dyn ClosedSet<D>; 2],
+        sequence: &PointSequence<D>,
+        energy: f64,
+        mean_gram: f64,
+    ) -> (f64, f64) {
+        let n = self.last as f64;
+        let momentum = mean_gram.sqrt() * energy.sqrt();
+        if !(momentum > 0.0) {
+            return (0.0, 0.0);
+        }
+        let floor = n * rounding(sequence) * (mean_gram / momentum);
+        // Where the metric has no derivative.
+        let infinite_if_nan = |x: f64| if x.is_nan() { f64::INFINITY } else { x };
+        let root = (self.inner / n).sqrt() * (self.unit / momentum);
+        let tau = 1.0 / (2.0 * n * mean_gram);
+        let at_end = |end: usize, x: &SVector<f64, D>| {
+            let frame = EndFrame::new(sets[end], x, &self.ends[end], tau);
+            infinite_if_nan(0.5 * (frame.projected_gradient / momentum).norm())
+        };
+        let ends = at_end(0, sequence.first()).max(at_end(1, sequence.last()));
+        (infinite_if_nan(0.5 * n * root) + ends, floor)
+    }
+}

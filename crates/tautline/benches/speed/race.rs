@@ -1,0 +1,37 @@
+//! `Race`: the times of several computations, taken in turn.
+
+use std::time::{Duration, Instant};
+
+/// Computations that are timed one after the other, round by round, so that what else the machine
+/// does at a time falls on all of them; the least time of each counts.
+#[derive(Default)]
+pub(crate) struct Race<'a> {
+    runners: Vec<(&'static str, Box<dyn FnMut() + 'a>)>,
+}
+
+/// At least so many rounds, and so many more as fit into the time.
+const ROUNDS: usize = 5;
+const TIME: Duration = Duration::from_millis(1500);
+
+impl<'a> Race<'a> {
+    pub(crate) fn add<T>(&mut self, name: &'static str, mut run: impl FnMut() -> T + 'a) {
+        let run = move || drop(std::hint::black_box(run()));
+        self.runners.push((name, Box::new(run)));
+    }
+
+    /// The least time of each, in the order in which they were added.
+    pub(crate) fn run(mut self) -> Vec<(&'static str, Duration)> {
+        let mut least = vec![Duration::MAX; self.runners.len()];
+        let begun = Instant::now();
+        let mut rounds = 0;
+        while rounds < ROUNDS || (begun.elapsed() < TIME && rounds < 1000) {
+            for ((_, run), least) in self.runners.iter_mut().zip(&mut least) {
+                let begun = Instant::now();
+                run();
+                *least = begun.elapsed().min(*least);
+            }
+            rounds += 1;
+        }
+        self.runners.into_iter().map(|(name, _)| name).zip(least).collect()
+    }
+}
