@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 use tautline_metrics::Metric;
 
-use crate::{Rule, contraction::Contraction};
+use crate::{Node, Rule, contraction::Contraction};
 
 /// The part of one chord in a discrete energy, with its first and second derivatives by the two
 /// points that it joins.
@@ -43,27 +43,57 @@ impl<const D: usize> ChordModel<D> {
         d: &SVector<f64, D>,
         n: f64,
     ) -> Self {
-        let mut chord = Self {
+        let node = |node: &Node| Self::at_node(metric, x, d, node.fraction, node.weight * n);
+        let [first, rest @ ..] = R::NODES else { return Self::zero() };
+        rest.iter().map(node).fold(node(first), Self::plus)
+    }
+
+    /// The part of one node, of the weight `w`, at the fraction `far` of the chord.
+    #[inline(always)]
+    fn at_node(
+        metric: &impl Metric<D>,
+        x: &SVector<f64, D>,
+        d: &SVector<f64, D>,
+        far: f64,
+        w: f64,
+    ) -> Self {
+        let near = 1.0 - far;
+        let Contraction { h, g, p, q } = Contraction::new(metric, &(x + d * far), d);
+        // Each with its weight, and twice where twice is wanted.
+        let (h, g, p, q) = (h * (2.0 * w), g * w, p * (2.0 * w), q * w);
+        let (hd, transposed) = (h * d, p.transpose());
+        let symmetric = p + transposed;
+        Self {
+            energy: 0.5 * d.dot(&hd),
+            trace: 0.5 * h.trace(),
+            gradient: [g * near - hd, g * far + hd],
+            hessian: [
+                h - symmetric * near + q * (near * near),
+                h + symmetric * far + q * (far * far),
+            ],
+            coupling: q * (near * far) - h - p * far + transposed * near,
+        }
+    }
+
+    /// The sum of two parts.
+    fn plus(self, other: Self) -> Self {
+        Self {
+            energy: self.energy + other.energy,
+            trace: self.trace + other.trace,
+            gradient: [0, 1].map(|end| self.gradient[end] + other.gradient[end]),
+            hessian: [0, 1].map(|end| self.hessian[end] + other.hessian[end]),
+            coupling: self.coupling + other.coupling,
+        }
+    }
+
+    /// What a rule without nodes has.
+    fn zero() -> Self {
+        Self {
             energy: 0.0,
             trace: 0.0,
             gradient: [SVector::zeros(); 2],
             hessian: [SMatrix::zeros(); 2],
             coupling: SMatrix::zeros(),
-        };
-        for node in R::NODES {
-            let (w, near, far) = (node.weight * n, 1.0 - node.fraction, node.fraction);
-            let Contraction { h, g, p, q } = Contraction::new(metric, &(x + d * far), d);
-            let hd = h * d;
-            chord.energy += w * d.dot(&hd);
-            chord.trace += w * h.trace();
-            chord.gradient[0] += (g * near - hd * 2.0) * w;
-            chord.gradient[1] += (g * far + hd * 2.0) * w;
-            let symmetric = p + p.transpose();
-            chord.hessian[0] += (h * 2.0 - symmetric * (2.0 * near) + q * (near * near)) * w;
-            chord.hessian[1] += (h * 2.0 + symmetric * (2.0 * far) + q * (far * far)) * w;
-            chord.coupling +=
-                (q * (near * far) - h * 2.0 - p * (2.0 * far) + p.transpose() * (2.0 * near)) * w;
         }
-        chord
     }
 }
