@@ -21,6 +21,7 @@ pub trait Metric<const D: usize> {
     /// Follows from [`gram`](Metric::gram). Worth overriding where it is much cheaper than the
     /// `D²` entries of `H(x)`, as for a sum of few terms of rank one in many dimensions; both
     /// must agree to rounding.
+    #[inline]
     fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
         let h = self.gram(x);
         let mut sum = S::zero();
@@ -35,10 +36,12 @@ pub trait Metric<const D: usize> {
 }
 
 impl<const D: usize, M: Metric<D>> Metric<D> for &M {
+    #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         (**self).gram(x)
     }
 
+    #[inline]
     fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
         (**self).norm_squared(x, u)
     }

@@ -54,8 +54,31 @@ pub enum MetricError {
 #[must_use]
 #[inline]
 pub fn is_gram<const D: usize>(h: &SMatrix<f64, D, D>) -> bool {
-    cholesky(h).is_some()
+    is_definite(*h)
         && (0..D).all(|i| (i + 1..D).all(|j| h[(i, j)] == h[(j, i)] || is_symmetric(h, i, j)))
+}
+
+/// Whether the matrix with these entries `i ≤ j` is finite and positive definite: by its pivots, as
+/// [`cholesky`], but without roots.
+#[inline]
+fn is_definite<const D: usize>(mut a: SMatrix<f64, D, D>) -> bool {
+    for k in 0..D {
+        let pivot = a[(k, k)];
+        // NaN and +∞ fail here too.
+        if !(pivot > 0.0 && pivot < f64::INFINITY) {
+            return false;
+        }
+        if k + 1 < D {
+            let reciprocal = 1.0 / pivot;
+            for i in k + 1..D {
+                let factor = a[(k, i)] * reciprocal;
+                for j in i..D {
+                    a[(i, j)] -= factor * a[(k, j)];
+                }
+            }
+        }
+    }
+    true
 }
 
 /// Whether the entries `(i, j)` and `(j, i)` are the same up to rounding.

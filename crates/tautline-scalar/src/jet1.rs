@@ -20,6 +20,7 @@ pub struct Jet1<T, const D: usize> {
 impl<T: Scalar, const D: usize> Jet1<T, D> {
     /// Returns the `D` coordinate functions at the point `x`.
     #[must_use]
+    #[inline]
     pub fn variables(x: &[T; D]) -> [Self; D] {
         std::array::from_fn(|i| Self {
             value: x[i],
@@ -29,35 +30,42 @@ impl<T: Scalar, const D: usize> Jet1<T, D> {
 
     /// Returns the value.
     #[must_use]
+    #[inline]
     pub fn value(&self) -> T {
         self.value
     }
 
     /// Returns the derivative by variable `i < D`.
     #[must_use]
+    #[inline]
     pub fn first(&self, i: usize) -> T {
         self.first[i]
     }
 
     /// Returns the gradient.
     #[must_use]
+    #[inline]
     pub fn gradient(&self) -> &[T; D] {
         &self.first
     }
 
+    #[inline]
     fn constant_part(value: T) -> Self {
         Self { value, first: [T::zero(); D] }
     }
 
+    #[inline]
     fn map(self, f: impl Fn(T) -> T) -> Self {
         Self { value: f(self.value), first: self.first.map(f) }
     }
 
+    #[inline]
     fn shift(self, c: f64) -> Self {
         Self { value: self.value + c, ..self }
     }
 
     /// `f ∘ self`, where `f` has the given value and derivative there.
+    #[inline]
     fn chain(self, value: T, first: T, _second: T) -> Self {
         Self { value, first: self.first.map(|g| g * first) }
     }
@@ -65,6 +73,7 @@ impl<T: Scalar, const D: usize> Jet1<T, D> {
 
 impl<T: Scalar, const D: usize> Add for Jet1<T, D> {
     type Output = Self;
+    #[inline]
     fn add(mut self, other: Self) -> Self {
         self.value += other.value;
         for i in 0..D {
@@ -76,6 +85,7 @@ impl<T: Scalar, const D: usize> Add for Jet1<T, D> {
 
 impl<T: Scalar, const D: usize> Sub for Jet1<T, D> {
     type Output = Self;
+    #[inline]
     fn sub(mut self, other: Self) -> Self {
         self.value -= other.value;
         for i in 0..D {
@@ -87,6 +97,7 @@ impl<T: Scalar, const D: usize> Sub for Jet1<T, D> {
 
 impl<T: Scalar, const D: usize> Mul for Jet1<T, D> {
     type Output = Self;
+    #[inline]
     fn mul(self, other: Self) -> Self {
         let (a, b) = (self, other);
         Self {
@@ -98,6 +109,7 @@ impl<T: Scalar, const D: usize> Mul for Jet1<T, D> {
 
 impl<T: Scalar, const D: usize> Div for Jet1<T, D> {
     type Output = Self;
+    #[inline]
     fn div(self, other: Self) -> Self {
         let (a, b) = (self, other);
         // q b = a, differentiated: q' b + q b' = a'.

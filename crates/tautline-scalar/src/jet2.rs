@@ -22,6 +22,7 @@ pub struct Jet2<T, const D: usize> {
 impl<T: Scalar, const D: usize> Jet2<T, D> {
     /// Returns the `D` coordinate functions at the point `x`.
     #[must_use]
+    #[inline]
     pub fn variables(x: &[T; D]) -> [Self; D] {
         std::array::from_fn(|i| {
             let mut jet = Self::constant_part(x[i]);
@@ -32,33 +33,39 @@ impl<T: Scalar, const D: usize> Jet2<T, D> {
 
     /// Returns the value.
     #[must_use]
+    #[inline]
     pub fn value(&self) -> T {
         self.value
     }
 
     /// Returns the derivative by variable `i < D`.
     #[must_use]
+    #[inline]
     pub fn first(&self, i: usize) -> T {
         self.first[i]
     }
 
     /// Returns the gradient.
     #[must_use]
+    #[inline]
     pub fn gradient(&self) -> &[T; D] {
         &self.first
     }
 
     /// Returns the second derivative by variables `i, j < D`, in either order.
     #[must_use]
+    #[inline]
     pub fn second(&self, i: usize, j: usize) -> T {
         self.second[i.min(j)][i.max(j)]
     }
 
+    #[inline]
     fn constant_part(value: T) -> Self {
         Self { value, first: [T::zero(); D], second: [[T::zero(); D]; D] }
     }
 
     /// The second-order part with entry `f(i, j)` for `j ≥ i`.
+    #[inline]
     fn upper(f: impl Fn(usize, usize) -> T) -> [[T; D]; D] {
         let mut second = [[T::zero(); D]; D];
         for i in 0..D {
@@ -69,6 +76,7 @@ impl<T: Scalar, const D: usize> Jet2<T, D> {
         second
     }
 
+    #[inline]
     fn map(self, f: impl Fn(T) -> T) -> Self {
         Self {
             value: f(self.value),
@@ -77,11 +85,13 @@ impl<T: Scalar, const D: usize> Jet2<T, D> {
         }
     }
 
+    #[inline]
     fn shift(self, c: f64) -> Self {
         Self { value: self.value + c, ..self }
     }
 
     /// `f ∘ self`, where `f` has the given value and derivatives there.
+    #[inline]
     fn chain(self, value: T, first: T, second: T) -> Self {
         let g = self.first;
         Self {
@@ -98,6 +108,7 @@ impl<T: Scalar, const D: usize> Jet2<T, D> {
 
 impl<T: Scalar, const D: usize> Add for Jet2<T, D> {
     type Output = Self;
+    #[inline]
     fn add(mut self, other: Self) -> Self {
         self.value += other.value;
         for i in 0..D {
@@ -112,6 +123,7 @@ impl<T: Scalar, const D: usize> Add for Jet2<T, D> {
 
 impl<T: Scalar, const D: usize> Sub for Jet2<T, D> {
     type Output = Self;
+    #[inline]
     fn sub(mut self, other: Self) -> Self {
         self.value -= other.value;
         for i in 0..D {
@@ -126,6 +138,7 @@ impl<T: Scalar, const D: usize> Sub for Jet2<T, D> {
 
 impl<T: Scalar, const D: usize> Mul for Jet2<T, D> {
     type Output = Self;
+    #[inline]
     fn mul(self, other: Self) -> Self {
         let (a, b) = (self, other);
         Self {
@@ -143,6 +156,7 @@ impl<T: Scalar, const D: usize> Mul for Jet2<T, D> {
 
 impl<T: Scalar, const D: usize> Div for Jet2<T, D> {
     type Output = Self;
+    #[inline]
     fn div(self, other: Self) -> Self {
         let (a, b) = (self, other);
         // q b = a, differentiated once and twice:

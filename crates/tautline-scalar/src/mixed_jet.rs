@@ -27,6 +27,7 @@ impl<T: Scalar, const D: usize> MixedJet<T, D> {
     /// Returns the variable with the given value that grows in the direction `i < D` of the first
     /// group and `j < D` of the second, each if there is one.
     #[must_use]
+    #[inline]
     pub fn variable(value: T, i: Option<usize>, j: Option<usize>) -> Self {
         let mut jet = Self::constant_part(value);
         for (first, direction) in jet.first.iter_mut().zip([i, j]) {
@@ -39,6 +40,7 @@ impl<T: Scalar, const D: usize> MixedJet<T, D> {
 
     /// Returns the value.
     #[must_use]
+    #[inline]
     pub fn value(&self) -> T {
         self.value
     }
@@ -46,15 +48,18 @@ impl<T: Scalar, const D: usize> MixedJet<T, D> {
     /// Returns the second derivative in the directions `i < D` of the first group and `j < D` of
     /// the second.
     #[must_use]
+    #[inline]
     pub fn mixed(&self, i: usize, j: usize) -> T {
         self.mixed[i][j]
     }
 
+    #[inline]
     fn constant_part(value: T) -> Self {
         Self { value, first: [[T::zero(); D]; 2], mixed: [[T::zero(); D]; D] }
     }
 
     /// The mixed part with entry `f(i, j)`.
+    #[inline]
     fn all(f: impl Fn(usize, usize) -> T) -> [[T; D]; D] {
         let mut mixed = [[T::zero(); D]; D];
         for i in 0..D {
@@ -66,6 +71,7 @@ impl<T: Scalar, const D: usize> MixedJet<T, D> {
     }
 
     /// The first-order parts with entry `f(group, i)`.
+    #[inline]
     fn both(f: impl Fn(usize, usize) -> T) -> [[T; D]; 2] {
         let mut first = [[T::zero(); D]; 2];
         for group in 0..2 {
@@ -76,6 +82,7 @@ impl<T: Scalar, const D: usize> MixedJet<T, D> {
         first
     }
 
+    #[inline]
     fn map(self, f: impl Fn(T) -> T) -> Self {
         Self {
             value: f(self.value),
@@ -84,11 +91,13 @@ impl<T: Scalar, const D: usize> MixedJet<T, D> {
         }
     }
 
+    #[inline]
     fn shift(self, c: f64) -> Self {
         Self { value: self.value + c, ..self }
     }
 
     /// `f ∘ self`, where `f` has the given value and derivatives there.
+    #[inline]
     fn chain(self, value: T, first: T, second: T) -> Self {
         let [p, q] = self.first;
         Self {
@@ -101,6 +110,7 @@ impl<T: Scalar, const D: usize> MixedJet<T, D> {
 
 impl<T: Scalar, const D: usize> Add for MixedJet<T, D> {
     type Output = Self;
+    #[inline]
     fn add(self, other: Self) -> Self {
         Self {
             value: self.value + other.value,
@@ -112,6 +122,7 @@ impl<T: Scalar, const D: usize> Add for MixedJet<T, D> {
 
 impl<T: Scalar, const D: usize> Sub for MixedJet<T, D> {
     type Output = Self;
+    #[inline]
     fn sub(self, other: Self) -> Self {
         Self {
             value: self.value - other.value,
@@ -123,6 +134,7 @@ impl<T: Scalar, const D: usize> Sub for MixedJet<T, D> {
 
 impl<T: Scalar, const D: usize> Mul for MixedJet<T, D> {
     type Output = Self;
+    #[inline]
     fn mul(self, other: Self) -> Self {
         let (a, b) = (self, other);
         let ([ap, aq], [bp, bq]) = (a.first, b.first);
@@ -138,6 +150,7 @@ impl<T: Scalar, const D: usize> Mul for MixedJet<T, D> {
 
 impl<T: Scalar, const D: usize> Div for MixedJet<T, D> {
     type Output = Self;
+    #[inline]
     fn div(self, other: Self) -> Self {
         let (a, b) = (self, other);
         // q b = a, differentiated once and twice, as for `Jet2`.

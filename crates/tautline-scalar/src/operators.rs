@@ -8,78 +8,93 @@ macro_rules! jet_is_scalar {
     ($jet:ident) => {
         impl<T: Scalar, const D: usize> Neg for $jet<T, D> {
             type Output = Self;
+            #[inline]
             fn neg(self) -> Self {
                 self.map(|c| -c)
             }
         }
         impl<T: Scalar, const D: usize> Add<f64> for $jet<T, D> {
             type Output = Self;
+            #[inline]
             fn add(self, c: f64) -> Self {
                 self.shift(c)
             }
         }
         impl<T: Scalar, const D: usize> Sub<f64> for $jet<T, D> {
             type Output = Self;
+            #[inline]
             fn sub(self, c: f64) -> Self {
                 self.shift(-c)
             }
         }
         impl<T: Scalar, const D: usize> Mul<f64> for $jet<T, D> {
             type Output = Self;
+            #[inline]
             fn mul(self, c: f64) -> Self {
                 self.map(|a| a * c)
             }
         }
         impl<T: Scalar, const D: usize> Div<f64> for $jet<T, D> {
             type Output = Self;
+            #[inline]
             fn div(self, c: f64) -> Self {
                 self.map(|a| a / c)
             }
         }
         impl<T: Scalar, const D: usize> AddAssign for $jet<T, D> {
+            #[inline]
             fn add_assign(&mut self, other: Self) {
                 *self = *self + other;
             }
         }
         impl<T: Scalar, const D: usize> SubAssign for $jet<T, D> {
+            #[inline]
             fn sub_assign(&mut self, other: Self) {
                 *self = *self - other;
             }
         }
         impl<T: Scalar, const D: usize> MulAssign for $jet<T, D> {
+            #[inline]
             fn mul_assign(&mut self, other: Self) {
                 *self = *self * other;
             }
         }
         impl<T: Scalar, const D: usize> DivAssign for $jet<T, D> {
+            #[inline]
             fn div_assign(&mut self, other: Self) {
                 *self = *self / other;
             }
         }
         impl<T: Scalar, const D: usize> Zero for $jet<T, D> {
+            #[inline]
             fn zero() -> Self {
                 Self::constant_part(T::zero())
             }
+            #[inline]
             fn is_zero(&self) -> bool {
                 *self == Self::zero()
             }
         }
         impl<T: Scalar, const D: usize> One for $jet<T, D> {
+            #[inline]
             fn one() -> Self {
                 Self::constant_part(T::one())
             }
         }
 
         impl<T: Scalar, const D: usize> Scalar for $jet<T, D> {
+            #[inline]
             fn constant(value: f64) -> Self {
                 Self::constant_part(T::constant(value))
             }
 
+            #[inline]
             fn sqr(self) -> Self {
                 let x = self.value();
                 self.chain(x.sqr(), x * 2.0, T::constant(2.0))
             }
 
+            #[inline]
             fn powi(self, n: i32) -> Self {
                 let x = self.value();
                 match n {
@@ -101,11 +116,13 @@ macro_rules! jet_is_scalar {
                 }
             }
 
+            #[inline]
             fn recip(self) -> Self {
                 let r = self.value().recip();
                 self.chain(r, -r.sqr(), r.sqr() * r * 2.0)
             }
 
+            #[inline]
             fn sqrt(self) -> Self {
                 let x = self.value();
                 let s = x.sqrt();
@@ -113,11 +130,13 @@ macro_rules! jet_is_scalar {
                 self.chain(s, first, -first / x * 0.5)
             }
 
+            #[inline]
             fn exp(self) -> Self {
                 let e = self.value().exp();
                 self.chain(e, e, e)
             }
 
+            #[inline]
             fn ln(self) -> Self {
                 let x = self.value();
                 let first = x.recip();
@@ -126,28 +145,33 @@ macro_rules! jet_is_scalar {
                 self.chain(x.ln(), first + inside, -first.sqr() + inside)
             }
 
+            #[inline]
             fn sin_cos(self) -> (Self, Self) {
                 let (s, c) = self.value().sin_cos();
                 (self.chain(s, c, -s), self.chain(c, -s, -c))
             }
 
+            #[inline]
             fn tan(self) -> Self {
                 let t = self.value().tan();
                 let first = t.sqr() + 1.0;
                 self.chain(t, first, t * first * 2.0)
             }
 
+            #[inline]
             fn atan(self) -> Self {
                 let x = self.value();
                 let first = (x.sqr() + 1.0).recip();
                 self.chain(x.atan(), first, -x * first.sqr() * 2.0)
             }
 
+            #[inline]
             fn sinh_cosh(self) -> (Self, Self) {
                 let (s, c) = self.value().sinh_cosh();
                 (self.chain(s, c, s), self.chain(c, s, c))
             }
 
+            #[inline]
             fn tanh(self) -> Self {
                 let x = self.value();
                 let t = x.tanh();

@@ -89,24 +89,28 @@ pub trait Scalar:
 
     /// Returns `sin x`, `x` in radians.
     #[must_use]
+    #[inline]
     fn sin(self) -> Self {
         self.sin_cos().0
     }
 
     /// Returns `cos x`, `x` in radians.
     #[must_use]
+    #[inline]
     fn cos(self) -> Self {
         self.sin_cos().1
     }
 
     /// Returns `sinh x`.
     #[must_use]
+    #[inline]
     fn sinh(self) -> Self {
         self.sinh_cosh().0
     }
 
     /// Returns `cosh x`.
     #[must_use]
+    #[inline]
     fn cosh(self) -> Self {
         self.sinh_cosh().1
     }

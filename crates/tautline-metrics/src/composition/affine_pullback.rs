@@ -72,6 +72,7 @@ fn stretches<const D: usize>(matrix: &SMatrix<f64, D, D>) -> (f64, f64) {
 }
 
 impl<M: Metric<D>, const D: usize> Metric<D> for AffinePullback<M, D> {
+    #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         let h = self.metric.gram(&self.image(x));
         let columns = SMatrix::<S, D, D>::from_fn(|i, j| {
@@ -90,6 +91,7 @@ impl<M: Metric<D>, const D: usize> Metric<D> for AffinePullback<M, D> {
     }
 
     /// `(A u)ᵀ H (A u)`: where `A u` is a vector of numbers, no matrix is conjugated.
+    #[inline]
     fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
         self.metric.norm_squared(&self.image(x), &(self.matrix * u))
     }

@@ -49,6 +49,7 @@ where
     A: Metric<D1>,
     B: Metric<D2>,
 {
+    #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         let (x, y) = split(x);
         let (first, second) = (self.first.gram(&x), self.second.gram(&y));
@@ -60,6 +61,7 @@ where
     }
 
     /// `uᵀ H(x) u + vᵀ H′(y) v`, without the blocks of zeros.
+    #[inline]
     fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
         let ((x, y), (u, v)) = (split(x), split(u));
         self.first.norm_squared(&x, &u) + self.second.norm_squared(&y, &v)

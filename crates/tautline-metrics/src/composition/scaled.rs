@@ -30,10 +30,12 @@ impl<M> Scaled<M> {
 }
 
 impl<M: Metric<D>, const D: usize> Metric<D> for Scaled<M> {
+    #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         self.metric.gram(x).map(|entry| entry * self.factor)
     }
 
+    #[inline]
     fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
         self.metric.norm_squared(x, u) * self.factor
     }

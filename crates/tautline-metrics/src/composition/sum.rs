@@ -24,10 +24,12 @@ impl<A, B> Sum<A, B> {
 }
 
 impl<A: Metric<D>, B: Metric<D>, const D: usize> Metric<D> for Sum<A, B> {
+    #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         self.first.gram(x) + self.second.gram(x)
     }
 
+    #[inline]
     fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
         self.first.norm_squared(x, u) + self.second.norm_squared(x, u)
     }

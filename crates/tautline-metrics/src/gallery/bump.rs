@@ -47,6 +47,7 @@ impl Bump {
 }
 
 impl<const D: usize> Metric<D> for Bump {
+    #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         SMatrix::from_diagonal_element((gaussian(x, self.width) * self.height + 1.0).sqr())
     }

@@ -44,6 +44,7 @@ impl Checkerboard {
 }
 
 impl Metric<2> for Checkerboard {
+    #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
         let k = PI / self.cell;
         let product = (x[0] * k).sin() * (x[1] * k).sin();

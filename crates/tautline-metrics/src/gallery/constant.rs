@@ -20,6 +20,7 @@ pub struct Constant<const D: usize> {
 struct Unchecked<'a, const D: usize>(&'a SMatrix<f64, D, D>);
 
 impl<const D: usize> Metric<D> for Unchecked<'_, D> {
+    #[inline]
     fn gram<S: Scalar>(&self, _: &SVector<S, D>) -> SMatrix<S, D, D> {
         self.0.map(S::constant)
     }
@@ -43,6 +44,7 @@ impl<const D: usize> Constant<D> {
 }
 
 impl<const D: usize> Metric<D> for Constant<D> {
+    #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         Unchecked(&self.matrix).gram(x)
     }

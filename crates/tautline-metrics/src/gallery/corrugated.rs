@@ -62,6 +62,7 @@ impl Corrugated {
 }
 
 impl<const D: usize> Metric<D> for Corrugated {
+    #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         let slope = (x[0] * self.wave_number).cos() * (self.amplitude * self.wave_number);
         let mut h = SMatrix::<S, D, D>::identity();

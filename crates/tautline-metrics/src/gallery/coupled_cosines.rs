@@ -12,6 +12,7 @@ use crate::{Bounded, Constants, Metric};
 pub struct CoupledCosines;
 
 impl Metric<3> for CoupledCosines {
+    #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, 3>) -> SMatrix<S, 3, 3> {
         let (a, b, c) = (S::constant(1.4), S::constant(1.9), S::constant(2.4));
         let p = (x[0] - x[1]).cos() * 0.2;

@@ -66,6 +66,7 @@ impl EggCrate {
 }
 
 impl Metric<2> for EggCrate {
+    #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
         let slope = self.amplitude * self.wave_number;
         let p = (x[0] * self.wave_number).cos() * slope;

@@ -17,6 +17,7 @@ use crate::{Constants, KnownDistance, LocalError, LocallyBounded, Metric};
 pub struct GaussianFisher;
 
 impl Metric<2> for GaussianFisher {
+    #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
         SMatrix::from_diagonal(&SVector::from([(x[1] * -2.0).exp(), S::constant(2.0)]))
     }

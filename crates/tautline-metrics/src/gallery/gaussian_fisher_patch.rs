@@ -59,6 +59,7 @@ impl GaussianFisherPatch {
 }
 
 impl Metric<2> for GaussianFisherPatch {
+    #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
         let saturated = saturate(x[1] * (1.0 / self.limit)) * self.limit;
         let information = (saturated * -2.0).exp();

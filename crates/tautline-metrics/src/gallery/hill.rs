@@ -66,6 +66,7 @@ fn lipschitz() -> f64 {
 }
 
 impl<const D: usize> Metric<D> for Hill {
+    #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         // ∇f = −(f/s²) x.
         let weight = (gaussian(x, self.width) * (self.height / self.width / self.width)).sqr();

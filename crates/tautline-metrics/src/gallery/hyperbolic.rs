@@ -15,6 +15,7 @@ use crate::{
 pub struct Hyperbolic;
 
 impl<const D: usize> Metric<D> for Hyperbolic {
+    #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         let r2 = x.iter().fold(S::zero(), |sum, xi| sum + xi.sqr());
         // The root is there to be NaN outside the ball, where (1 − |x|²)² is positive again and

@@ -65,6 +65,7 @@ impl HyperbolicPatch {
 }
 
 impl<const D: usize> Metric<D> for HyperbolicPatch {
+    #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         let r2 = x.iter().fold(S::zero(), |sum, xi| sum + xi.sqr());
         let saturated = saturate(r2 * (1.0 / self.limit)) * self.limit;

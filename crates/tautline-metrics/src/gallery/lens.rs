@@ -39,6 +39,7 @@ impl Lens {
 }
 
 impl<const D: usize> Metric<D> for Lens {
+    #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         SMatrix::from_diagonal_element(gaussian(x, self.width) * self.height + 1.0)
     }

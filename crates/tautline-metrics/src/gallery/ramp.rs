@@ -56,6 +56,7 @@ fn ln_cosh(u: f64) -> f64 {
 }
 
 impl Metric<1> for Ramp {
+    #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
         let f = (x[0] * self.wave_number).tanh() * self.amplitude + 1.0;
         SMatrix::from_diagonal_element(f.sqr())

@@ -47,6 +47,7 @@ impl RotatingAnisotropy {
 }
 
 impl Metric<2> for RotatingAnisotropy {
+    #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
         let [first, second] = self.eigenvalues;
         let (mean, half) = (0.5 * (first + second), 0.5 * (first - second));

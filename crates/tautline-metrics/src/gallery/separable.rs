@@ -65,6 +65,7 @@ impl<const D: usize> Separable<D> {
 }
 
 impl<const D: usize> Metric<D> for Separable<D> {
+    #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         SMatrix::from_diagonal(&SVector::<S, D>::from_fn(|i, _| {
             ((x[i] * self.wave_numbers[i]).sin() * self.amplitudes[i] + 1.0).sqr()

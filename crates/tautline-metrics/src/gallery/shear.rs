@@ -59,6 +59,7 @@ impl Shear {
 }
 
 impl Metric<2> for Shear {
+    #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
         let s = (x[1] * self.wave_number).cos() * (self.amplitude * self.wave_number);
         matrix![S::one(), s; s, s.sqr() + 1.0]

@@ -68,6 +68,7 @@ impl SineProjections<8> {
 }
 
 impl<const D: usize> Metric<D> for SineProjections<D> {
+    #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         let mut h = SMatrix::<S, D, D>::identity();
         for SineProjection { wave_vector: w, direction: a } in &self.terms {
@@ -85,6 +86,7 @@ impl<const D: usize> Metric<D> for SineProjections<D> {
 
     /// `|u|² + ½ Σₖ sin²(wₖ·x) (aₖ·u)²`: as many scalars as there are terms, where `H(x)` has
     /// `D²` entries of them.
+    #[inline]
     fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
         let flat = S::constant(u.norm_squared());
         self.terms.iter().fold(flat, |sum, SineProjection { wave_vector: w, direction: a }| {

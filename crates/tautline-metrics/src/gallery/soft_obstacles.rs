@@ -55,6 +55,7 @@ impl<const D: usize> SoftObstacles<D> {
 }
 
 impl<const D: usize> Metric<D> for SoftObstacles<D> {
+    #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         let phi = self.obstacles.iter().fold(S::one(), |phi, obstacle| {
             let offset = SVector::<S, D>::from_fn(|i, _| x[i] - obstacle.centre[i]);

@@ -16,6 +16,7 @@ use crate::{
 pub struct Sphere;
 
 impl<const D: usize> Metric<D> for Sphere {
+    #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         let r2 = x.iter().fold(S::zero(), |sum, xi| sum + xi.sqr());
         SMatrix::from_diagonal_element((r2 + 1.0).sqr().recip() * 4.0)

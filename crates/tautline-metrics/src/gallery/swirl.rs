@@ -110,6 +110,7 @@ fn kappa() -> f64 {
 }
 
 impl Metric<2> for Swirl {
+    #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
         // τ u vᵀ = φ x (Jx)ᵀ with φ = τ/r², which needs no direction u at the centre.
         let phi = gaussian(x, self.width) * (-self.angle / self.width / self.width);

@@ -95,6 +95,7 @@ fn norm_squared<const R: usize, const C: usize>(
 impl<const D: usize, const HIDDEN: usize, const OUT: usize> Metric<D>
     for TanhDecoder<D, HIDDEN, OUT>
 {
+    #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         let slopes = self.slopes(x);
         let jacobian = SMatrix::<S, OUT, D>::from_fn(|o, i| {
@@ -115,6 +116,7 @@ impl<const D: usize, const HIDDEN: usize, const OUT: usize> Metric<D>
     }
 
     /// `|J u|² + μ |u|²`, without the `D²` entries of `JᵀJ`.
+    #[inline]
     fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
         let (slopes, hidden) = (self.slopes(x), self.inner * u);
         (0..OUT).fold(S::constant(self.floor * u.norm_squared()), |sum, o| {

@@ -73,6 +73,7 @@ fn steepest(gap: f64) -> f64 {
 }
 
 impl Metric<2> for TwoChannels {
+    #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
         let wall = |offset: f64| {
             let rho = (x[1] - offset) * (1.0 / self.width);

@@ -93,6 +93,7 @@ impl TwoLinkArm {
 }
 
 impl Metric<2> for TwoLinkArm {
+    #[inline]
     fn gram<S: Scalar>(&self, q: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
         let bend = q[1].cos() * self.b;
         let off = bend + self.c;
