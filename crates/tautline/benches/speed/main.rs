@@ -41,10 +41,8 @@ fn measure<M: Metric<D>, const D: usize>(
     let options = case.options();
     for n in SIZES.into_iter().filter(|&n| wanted.wants(case.name, n)) {
         let metric = case.problem.metric();
-        let ends = case.problem.ends();
         let short = case.problem.solve_with(Trapezoidal, 64, &options).expect("a metric");
         let line = bent([short.sequence().first(), short.sequence().last()], n);
-        let _ = ends;
         let points: Vec<[f64; D]> = line.points().iter().map(|&x| x.into()).collect();
         let mut race = Race::default();
         limit(&mut race, &points);
@@ -101,7 +99,7 @@ fn main() {
     println!("problem,d,n,what,nanoseconds_per_node,ratio_to_limit");
     measure(&wanted, &p1(), |race, line| plane(race, line, limit::valleys));
     measure(&wanted, &p2(), |race, line| plane(race, line, limit::bump));
-    measure(&wanted, &p3(), |race, line| space(race, line));
+    measure(&wanted, &p3(), space);
     measure(&wanted, &p4(), none);
     measure(&wanted, &p5(), none);
     measure(&wanted, &p6(), none);

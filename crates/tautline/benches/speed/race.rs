@@ -6,8 +6,10 @@ use std::time::{Duration, Instant};
 /// does at a time falls on all of them; the least time of each counts.
 #[derive(Default)]
 pub(crate) struct Race<'a> {
-    runners: Vec<(&'static str, Box<dyn FnMut() + 'a>)>,
+    runners: Vec<(&'static str, Runner<'a>)>,
 }
+
+type Runner<'a> = Box<dyn FnMut() + 'a>;
 
 /// At least so many rounds, and so many more as fit into the time.
 const ROUNDS: usize = 5;
