@@ -28,6 +28,19 @@ pub(crate) struct EndFrame<const D: usize> {
     pub(crate) projected_gradient: SVector<f64, D>,
 }
 
+/// The row of a block system that belongs to an end point.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct EndRow<const D: usize> {
+    /// The diagonal block.
+    pub(crate) block: SMatrix<f64, D, D>,
+    /// The block beside it, as seen from the end: row `i` belongs to its coordinate `i`.
+    pub(crate) coupling: SMatrix<f64, D, D>,
+    /// The right hand side.
+    pub(crate) right: SVector<f64, D>,
+    /// That of the neighbour.
+    pub(crate) beside: SVector<f64, D>,
+}
+
 /// One coordinate of an end point.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Coordinate {
@@ -84,21 +97,12 @@ impl<const D: usize> EndFrame<D> {
 
     /// Goes over to these coordinates in the row of a block system that belongs to the end point.
     ///
-    /// `block` is its diagonal block, `coupling` the one beside it as seen from the end (row `i`
-    /// belongs to coordinate `i`), `right` what others have added to its right hand side. Returns
-    /// what is to be added to that of its neighbour. A fixed coordinate keeps its place, as an
-    /// equation of its own that is already solved.
-    pub(crate) fn enter(
-        &self,
-        block: &mut SMatrix<f64, D, D>,
-        coupling: &mut SMatrix<f64, D, D>,
-        right: &mut SVector<f64, D>,
-        tau: f64,
-    ) -> SVector<f64, D> {
-        *block = self.basis.tr_mul(&(*block * self.basis));
-        *coupling = self.basis.tr_mul(coupling);
-        *right = self.basis.tr_mul(right);
-        let mut beside = SVector::<f64, D>::zeros();
+    /// A fixed coordinate keeps its place, as an equation of its own that is already solved.
+    pub(crate) fn enter(&self, row: EndRow<D>, tau: f64) -> EndRow<D> {
+        let EndRow { block, coupling, right, mut beside } = row;
+        let mut block = self.basis.tr_mul(&(block * self.basis));
+        let mut coupling = self.basis.tr_mul(&coupling);
+        let mut right = self.basis.tr_mul(&right);
         for (i, coordinate) in self.coordinates.iter().enumerate() {
             match *coordinate {
                 Coordinate::Free { curvature, force } => {
@@ -106,7 +110,7 @@ impl<const D: usize> EndFrame<D> {
                     right[i] += force;
                 }
                 Coordinate::Fixed { step } => {
-                    *right -= block.column(i) * step;
+                    right -= block.column(i) * step;
                     beside -= coupling.row(i).transpose() * step;
                     block.row_mut(i).fill(0.0);
                     block.column_mut(i).fill(0.0);
@@ -120,7 +124,7 @@ impl<const D: usize> EndFrame<D> {
                 right[i] = step / tau;
             }
         }
-        beside
+        EndRow { block, coupling, right, beside }
     }
 
     /// Returns the force on the end point, in the coordinates of `R^D`: along the active face

@@ -6,7 +6,7 @@ use tautline_metrics::Metric;
 use tautline_sets::ClosedSet;
 
 use crate::{
-    end_frame::EndFrame,
+    end_frame::{EndFrame, EndRow},
     factorization::{Elimination, Factorization, Regulariser},
     rounding::margin,
 };
@@ -66,21 +66,29 @@ impl<const D: usize> NewtonPass<D> {
             let mut next = chord.hessian[1] + identity * shift;
             let mut next_right = -chord.gradient[1];
             block += chord.hessian[0];
+            right -= chord.gradient[0];
             if k == 0 {
-                // The frames have the forces at the ends.
                 let frame = EndFrame::new(ends[0], x, &chord.gradient[0], tau);
-                next_right += frame.enter(&mut block, &mut upper, &mut right, tau);
+                // It has the force on the end.
+                let right_of_end = SVector::zeros();
+                let row =
+                    EndRow { block, coupling: upper, right: right_of_end, beside: next_right };
+                EndRow { block, coupling: upper, right, beside: next_right } =
+                    frame.enter(row, tau);
                 first = Some(frame);
-            } else {
-                right -= chord.gradient[0];
             }
             let mut end = None;
             if last {
                 let frame = EndFrame::new(ends[1], &points[count], &chord.gradient[1], tau);
-                let mut coupling = upper.transpose();
-                next_right += chord.gradient[1];
-                right += frame.enter(&mut next, &mut coupling, &mut next_right, tau);
-                upper = coupling.transpose();
+                let row = EndRow {
+                    block: next,
+                    coupling: upper.transpose(),
+                    right: next_right + chord.gradient[1],
+                    beside: right,
+                };
+                let row = frame.enter(row, tau);
+                (next, next_right, right) = (row.block, row.right, row.beside);
+                upper = row.coupling.transpose();
                 end = Some(frame);
             }
             block = next - factorization.push(&block, &upper)?;

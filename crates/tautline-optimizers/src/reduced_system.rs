@@ -5,7 +5,7 @@ use tautline_discretizations::QuadraticModel;
 use tautline_sets::ClosedSet;
 
 use crate::{
-    end_frame::{Coordinate, EndFrame},
+    end_frame::{Coordinate, EndFrame, EndRow},
     factorization::{Factorization, Regulariser, Shifted},
     rounding::margin,
 };
@@ -62,13 +62,17 @@ impl<'a, const D: usize> ReducedSystem<'a, D> {
     fn enter_frame(&mut self, end: usize) {
         let n = self.matrix.n();
         let (k, neighbour) = if end == 0 { (0, 1) } else { (n, n - 1) };
-        let block = &mut self.matrix.end_diagonal[end];
         let upper = &mut self.matrix.end_upper[if n == 1 { 0 } else { end }];
-        let mut coupling = if end == 0 { *upper } else { upper.transpose() };
-        let right = &mut self.right[k];
-        let beside = self.frames[end].enter(block, &mut coupling, right, self.tau);
+        let row = EndRow {
+            block: self.matrix.end_diagonal[end],
+            coupling: if end == 0 { *upper } else { upper.transpose() },
+            right: self.right[k],
+            beside: self.right[neighbour],
+        };
+        let EndRow { block, coupling, right, beside } = self.frames[end].enter(row, self.tau);
         *upper = if end == 0 { coupling } else { coupling.transpose() };
-        self.right[neighbour] += beside;
+        self.matrix.end_diagonal[end] = block;
+        (self.right[k], self.right[neighbour]) = (right, beside);
     }
 
     /// Factorises the system; `None` if it is not positive definite.
