@@ -132,6 +132,14 @@ impl<const D: usize> Factorization<D> {
         Some(factorization)
     }
 
+    /// Forgets everything but the memory, and makes room for `n + 1` points.
+    pub(crate) fn clear(&mut self, n: usize) {
+        self.inverse.clear();
+        self.coupling.clear();
+        self.inverse.reserve_exact(n + 1);
+        self.coupling.reserve_exact(n);
+    }
+
     /// Nothing yet, and room for `n + 1` points.
     pub(crate) fn with_capacity(n: usize) -> Self {
         Self { inverse: Vec::with_capacity(n + 1), coupling: Vec::with_capacity(n) }
@@ -139,7 +147,7 @@ impl<const D: usize> Factorization<D> {
 
     /// Adds the Schur complement `Sₙ` and the block `Uₙ` beside it; returns `Uₙᵀ Sₙ⁻¹ Uₙ`, in the
     /// entries `i ≤ j`.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn push(
         &mut self,
         schur: &SMatrix<f64, D, D>,
@@ -195,7 +203,7 @@ impl<const D: usize> Default for Elimination<D> {
 impl<const D: usize> Elimination<D> {
     /// Takes the next block of the right hand side, as far as the matrix is factorised; returns
     /// `zₙ = Sₙ⁻¹ rₙ`.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn push(
         &mut self,
         factorization: &Factorization<D>,

@@ -8,7 +8,7 @@ use nalgebra::SMatrix;
 /// By `A = L D Lᵀ`: that has no roots in it, and the chain of operations from one block to the next
 /// is what an elimination waits for. The blocks here are `2N H` and a correction, so their condition
 /// is that of the metric, and multiplying by the inverse loses no more than solving does.
-#[inline]
+#[inline(always)]
 pub(crate) fn inverse<const D: usize>(a: &SMatrix<f64, D, D>) -> Option<SMatrix<f64, D, D>> {
     // L below the diagonal, D L⁻ᵀ above it.
     let mut l = SMatrix::<f64, D, D>::zeros();

@@ -53,11 +53,13 @@ mod residual;
 mod rounding;
 mod solve_error;
 mod starts;
+mod workspace;
 
 pub use asymptotics_error::AsymptoticsError;
 pub use extrapolation::{Estimate, extrapolate};
 pub use leading_constants::{LeadingConstants, leading_constants};
-pub use minimise::{Options, minimise};
+pub use minimise::{Options, minimise, minimise_in};
 pub use minimum::{Curvature, Level, Minimum, Stop};
 pub use solve_error::SolveError;
 pub use starts::Starts;
+pub use workspace::Workspace;

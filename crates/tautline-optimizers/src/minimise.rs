@@ -1,13 +1,14 @@
 //! The search for a discrete minimiser: several starts on a coarse grid, then finer grids.
 
+use nalgebra::SVector;
 use tautline_discretizations::{PointSequence, Rule, SequenceError};
 use tautline_metrics::{Metric, check_gram};
 use tautline_sets::{ClosedSet, Ends, common_point};
 
 use crate::{
-    Level, Minimum, SolveError, Starts, Stop,
+    Level, Minimum, SolveError, Starts, Stop, Workspace,
     local_search::{Found, LocalSearch},
-    prolongation::prolong,
+    prolongation::{prolong, prolong_into},
 };
 
 /// How to search.
@@ -76,6 +77,24 @@ pub fn minimise<const D: usize, R: Rule>(
     n: usize,
     options: &Options<D>,
 ) -> Result<Minimum<D>, SolveError> {
+    minimise_in(&mut Workspace::default(), metric, ends, rule, n, options)
+}
+
+/// As [`minimise`], in memory that is kept: for many problems one after the other.
+///
+/// The result does not depend on what the workspace was used for before.
+///
+/// # Errors
+///
+/// As [`minimise`].
+pub fn minimise_in<const D: usize, R: Rule>(
+    workspace: &mut Workspace<D>,
+    metric: &impl Metric<D>,
+    ends: &Ends<D>,
+    rule: R,
+    n: usize,
+    options: &Options<D>,
+) -> Result<Minimum<D>, SolveError> {
     const { assert!(!R::NODES.is_empty(), "a rule reads the metric somewhere") };
     if n == 0 {
         return Err(SolveError::NoSubinterval);
@@ -111,10 +130,17 @@ pub fn minimise<const D: usize, R: Rule>(
         for candidate in std::mem::take(&mut candidates) {
             let search =
                 LocalSearch { metric, rule, ends: candidate.ends, iterations: options.iterations };
-            let start = candidate.start(grid, R::ERROR_EXPONENT).map_err(SolveError::Sequence);
-            let found = start.and_then(|start| {
-                let near = (grid >= FINE).then(|| search.refine(&start, candidate.found.mean_gram));
-                Ok(near.flatten().map_or_else(|| search.run(start), Ok)?)
+            let memory = std::mem::take(&mut workspace.points);
+            let start = candidate.start(grid, R::ERROR_EXPONENT, memory);
+            let found = start.map_err(SolveError::Sequence).and_then(|start| {
+                let mean_gram = candidate.found.mean_gram;
+                if grid >= FINE
+                    && let Some(found) = search.refine(&start, mean_gram, workspace)
+                {
+                    workspace.points = start.into_points();
+                    return Ok(found);
+                }
+                Ok(search.run(start)?)
             });
             match found {
                 Ok(found) => {
@@ -172,10 +198,15 @@ impl<'a, const D: usize> Candidate<'a, D> {
     /// The points obey `x_N = x + c N⁻ᑫ + …` as the energies do, so that two grids tell where
     /// they go on the third. That saves a Newton step there, once the error of prolongation,
     /// of fourth order, is smaller than what is extrapolated.
-    fn start(&self, n: usize, exponent: i32) -> Result<PointSequence<D>, SequenceError> {
+    fn start(
+        &self,
+        n: usize,
+        exponent: i32,
+        memory: Vec<SVector<f64, D>>,
+    ) -> Result<PointSequence<D>, SequenceError> {
         let sequence = &self.found.sequence;
         let Some(coarser) = self.coarser.as_ref().filter(|c| c.n().get() >= EXTRAPOLATED) else {
-            return PointSequence::new(prolong(sequence, n));
+            return PointSequence::new(prolong_into(sequence, n, memory));
         };
         let power = |n: usize| (n as f64).powi(-exponent);
         let here = sequence.n().get();
@@ -185,7 +216,7 @@ impl<'a, const D: usize> Candidate<'a, D> {
             sequence.points().iter().zip(&before).map(|(x, y)| x + (x - y) * ratio).collect();
         points[0] = self.ends[0].project(&points[0]);
         points[here] = self.ends[1].project(&points[here]);
-        PointSequence::new(prolong(&PointSequence::new(points)?, n))
+        PointSequence::new(prolong_into(&PointSequence::new(points)?, n, memory))
     }
 }
 
@@ -240,7 +271,7 @@ mod tests {
         let distance = |points: &[nalgebra::SVector<f64, 2>]| {
             points.iter().zip(fine.points()).map(|(x, y)| (x - y).amax()).fold(0.0, f64::max)
         };
-        let start = candidate.start(3200, R::ERROR_EXPONENT).expect("finite");
+        let start = candidate.start(3200, R::ERROR_EXPONENT, Vec::new()).expect("finite");
         [distance(start.points()), distance(&prolong(&candidate.found.sequence, 3200))]
     }
 

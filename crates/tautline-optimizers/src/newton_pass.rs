@@ -16,7 +16,7 @@ use crate::{
 /// The same step as that of a [`ReducedSystem`](crate::reduced_system::ReducedSystem) without
 /// shift. Each block is eliminated as soon as the chords on both sides of its point are known,
 /// so that neither gradient nor Hessian is ever stored: only what the way back needs.
-pub(crate) struct NewtonPass<const D: usize> {
+pub(crate) struct NewtonPass<'a, const D: usize> {
     /// The discrete energy, in `m²`.
     pub(crate) energy: f64,
     /// The mean of `tr H / D` over the nodes, in `m²/ℓ²`.
@@ -25,21 +25,23 @@ pub(crate) struct NewtonPass<const D: usize> {
     pub(crate) step: Vec<SVector<f64, D>>,
     /// The energy that the quadratic model sheds, half the square of the Newton decrement.
     pub(crate) decrement: f64,
-    factorization: Factorization<D>,
+    factorization: &'a Factorization<D>,
     frames: [EndFrame<D>; 2],
     tau: f64,
 }
 
-impl<const D: usize> NewtonPass<D> {
+impl<'a, const D: usize> NewtonPass<'a, D> {
     /// Makes the step; `None` if the Hessian, less the [`margin`], is not positive definite or
     /// not finite. `mean_gram` is the mean of `tr H / D`, as far as it is known beforehand: it
-    /// scales the margin and what is taken for a chord at the ends.
+    /// scales the margin and what is taken for a chord at the ends. What is in `factorization` is
+    /// overwritten.
     pub(crate) fn new<R: Rule>(
         rule: R,
         metric: &impl Metric<D>,
         ends: [&dyn ClosedSet<D>; 2],
         sequence: &PointSequence<D>,
         mean_gram: f64,
+        factorization: &'a mut Factorization<D>,
     ) -> Option<Self> {
         let count = sequence.n().get();
         let n = count as f64;
@@ -49,7 +51,7 @@ impl<const D: usize> NewtonPass<D> {
         let beside = identity * regulariser.upper();
         let tau = 1.0 / (2.0 * n * mean_gram);
         let (mut energy, mut trace) = (0.0, 0.0);
-        let mut factorization = Factorization::with_capacity(count);
+        factorization.clear(count);
         let mut elimination = Elimination::default();
         let mut step = Vec::with_capacity(count + 1);
         let mut first = None;
@@ -92,11 +94,11 @@ impl<const D: usize> NewtonPass<D> {
                 end = Some(frame);
             }
             block = next - factorization.push(&block, &upper)?;
-            step.push(elimination.push(&factorization, right));
+            step.push(elimination.push(factorization, right));
             right = next_right;
             if let (Some(first), Some(end)) = (&first, end) {
                 factorization.push_last(&block)?;
-                step.push(elimination.push(&factorization, right));
+                step.push(elimination.push(factorization, right));
                 factorization.substitute_back(&mut step);
                 step[0] = first.basis * step[0];
                 step[count] = end.basis * step[count];
@@ -116,18 +118,18 @@ impl<const D: usize> NewtonPass<D> {
 
     /// Returns half the square of the Newton decrement at other points close by, with the
     /// factorisation from here, block by block: the gradient by each point is to be pushed.
-    pub(crate) fn decrement_at<'a>(
-        &'a self,
-        ends: [&'a dyn ClosedSet<D>; 2],
-        points: &'a [SVector<f64, D>],
-    ) -> Decrement<'a, D> {
+    pub(crate) fn decrement_at<'b>(
+        &'b self,
+        ends: [&'b dyn ClosedSet<D>; 2],
+        points: &'b [SVector<f64, D>],
+    ) -> Decrement<'b, D> {
         Decrement { pass: self, ends, points, elimination: Elimination::default() }
     }
 }
 
 /// The Newton decrement at a point sequence, while the gradient is being computed.
 pub(crate) struct Decrement<'a, const D: usize> {
-    pass: &'a NewtonPass<D>,
+    pass: &'a NewtonPass<'a, D>,
     ends: [&'a dyn ClosedSet<D>; 2],
     points: &'a [SVector<f64, D>],
     elimination: Elimination<D>,
@@ -135,7 +137,7 @@ pub(crate) struct Decrement<'a, const D: usize> {
 
 impl<const D: usize> Decrement<'_, D> {
     /// Takes the gradient by point `k`.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn push(&mut self, k: usize, gradient: &SVector<f64, D>) {
         let last = self.points.len() - 1;
         let force = if k == 0 || k == last {
@@ -145,7 +147,7 @@ impl<const D: usize> Decrement<'_, D> {
         } else {
             -gradient
         };
-        self.elimination.push(&self.pass.factorization, force);
+        self.elimination.push(self.pass.factorization, force);
     }
 
     /// Returns half its square after the last point, in `m²`.
@@ -165,7 +167,10 @@ mod tests {
     use tautline_sets::{Ball, ClosedSet, HalfSpace, Point, Sphere};
 
     use super::NewtonPass;
-    use crate::reduced_system::{ReducedSystem, Step};
+    use crate::{
+        Workspace,
+        reduced_system::{ReducedSystem, Step},
+    };
 
     /// The numbers of the pass and those of the system that is set up, factorised and solved.
     #[track_caller]
@@ -183,7 +188,8 @@ mod tests {
         let system = ReducedSystem::new(&model, ends, sequence.points(), 0.0);
         let factorization = system.factorize().expect("definite");
         let Step { step, decrement } = system.newton_step(&factorization);
-        let pass = NewtonPass::new(rule, &metric, ends, &sequence, model.mean_gram);
+        let mut memory = Workspace::default().factorization;
+        let pass = NewtonPass::new(rule, &metric, ends, &sequence, model.mean_gram, &mut memory);
         let pass = pass.expect("definite");
         // The same operations but for the order of three sums a block. The condition of the
         // system is 100 at most, its entries some 10.

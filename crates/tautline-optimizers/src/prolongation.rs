@@ -12,12 +12,22 @@ pub(crate) fn prolong<const D: usize>(
     sequence: &PointSequence<D>,
     n: usize,
 ) -> Vec<SVector<f64, D>> {
+    prolong_into(sequence, n, Vec::new())
+}
+
+/// The same in memory that is there.
+pub(crate) fn prolong_into<const D: usize>(
+    sequence: &PointSequence<D>,
+    n: usize,
+    mut fine: Vec<SVector<f64, D>>,
+) -> Vec<SVector<f64, D>> {
     let points = sequence.points();
     let coarse = points.len() - 1;
     let fraction = 1.0 / n as f64;
     // The position on the coarse grid is k · coarse / n: whole + rest / n, without rounding.
     let (mut whole, mut rest) = (0_usize, 0_usize);
-    let mut fine = Vec::with_capacity(n + 1);
+    fine.clear();
+    fine.reserve_exact(n + 1);
     for _ in 0..=n {
         let s = rest as f64 * fraction;
         let first = whole.saturating_sub(1).min(points.len().saturating_sub(4));

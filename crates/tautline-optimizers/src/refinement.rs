@@ -4,7 +4,7 @@ use tautline_discretizations::{LinearModel, PointSequence, Rule};
 use tautline_metrics::{Metric, check_gram};
 
 use crate::{
-    Curvature, Stop,
+    Curvature, Stop, Workspace,
     local_search::{Found, LocalSearch, QUADRATIC_ZONE},
     newton_pass::NewtonPass,
     residual::Residual,
@@ -21,12 +21,19 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
     /// step promises too much to be trusted, or the metric is none at the result.
     ///
     /// `mean_gram` is that of a coarser grid.
-    pub(crate) fn refine(&self, start: &PointSequence<D>, mean_gram: f64) -> Option<Found<D>> {
+    pub(crate) fn refine(
+        &self,
+        start: &PointSequence<D>,
+        mean_gram: f64,
+        workspace: &mut Workspace<D>,
+    ) -> Option<Found<D>> {
         let mut sequence = None;
         let mut mean_gram = mean_gram;
         for iteration in 1..=STEPS {
             let here = sequence.as_ref().unwrap_or(start);
-            let mut pass = NewtonPass::new(self.rule, self.metric, self.ends, here, mean_gram)?;
+            let memory = &mut workspace.factorization;
+            let (rule, metric, ends) = (self.rule, self.metric, self.ends);
+            let mut pass = NewtonPass::new(rule, metric, ends, here, mean_gram, memory)?;
             mean_gram = pass.mean_gram;
             // Written so that NaN fails.
             if !(pass.decrement <= QUADRATIC_ZONE * pass.energy) {
@@ -43,22 +50,20 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
                 sequence = Some(trial);
                 continue;
             }
-            let mut decrement = pass.decrement_at(self.ends, trial.points());
+            let mut decrement = pass.decrement_at(ends, trial.points());
             let mut residual = Residual::new(trial.n().get(), at, mean_gram);
-            let (energy, is_metric) =
-                LinearModel::for_each(self.rule, self.metric, &trial, |k, gradient| {
-                    decrement.push(k, &gradient);
-                    residual.push(k, &gradient);
-                });
+            let (energy, is_metric) = LinearModel::for_each(rule, metric, &trial, |k, gradient| {
+                decrement.push(k, &gradient);
+                residual.push(k, &gradient);
+            });
             let is_metric = is_metric
-                && [trial.first(), trial.last()].iter().all(|x| check_gram(self.metric, x).is_ok());
+                && [trial.first(), trial.last()].iter().all(|x| check_gram(metric, x).is_ok());
             if !is_metric {
                 return None;
             }
             let decrement = decrement.value();
             if decrement <= negligible(energy, mean_gram, &trial) {
-                let (residual, residual_floor) =
-                    residual.value(self.ends, &trial, energy, mean_gram);
+                let (residual, residual_floor) = residual.value(ends, &trial, energy, mean_gram);
                 return Some(Found {
                     sequence: trial,
                     energy,

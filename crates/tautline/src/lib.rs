@@ -78,7 +78,7 @@ pub use tautline_metrics::{
 };
 pub use tautline_optimizers::{
     AsymptoticsError, Curvature, Estimate, LeadingConstants, Level, Minimum, Options, SolveError,
-    Starts, Stop, extrapolate, leading_constants, minimise,
+    Starts, Stop, Workspace, extrapolate, leading_constants, minimise, minimise_in,
 };
 pub use tautline_scalar::{FastInterval, Interval, Jet1, Jet2, MixedJet, Scalar};
 pub use tautline_sets::{

@@ -1,25 +1,28 @@
 //! `Problem`: a metric and the two sets to join.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 use tautline_discretizations::Rule;
 use tautline_metrics::Metric;
-use tautline_optimizers::{Options, SolveError, minimise};
+use tautline_optimizers::{Options, SolveError, Workspace, minimise_in};
 use tautline_sets::Ends;
 
 use crate::TautLine;
 
 /// The problem to join two closed sets by a shortest curve.
+///
+/// It keeps the memory of its largest solve for the next one, and its clones share it.
 #[derive(Clone, Debug)]
 pub struct Problem<M, const D: usize> {
     metric: Arc<M>,
     ends: Ends<D>,
+    workspace: Arc<Mutex<Workspace<D>>>,
 }
 
 impl<M: Metric<D>, const D: usize> Problem<M, D> {
     /// Poses the problem. Nothing is computed yet.
     pub fn new(metric: M, ends: Ends<D>) -> Self {
-        Self { metric: Arc::new(metric), ends }
+        Self { metric: Arc::new(metric), ends, workspace: Arc::default() }
     }
 
     /// Returns the metric.
@@ -54,7 +57,11 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
         n: usize,
         options: &Options<D>,
     ) -> Result<TautLine<M, R, D>, SolveError> {
-        let minimum = minimise(&*self.metric, &self.ends, rule, n, options)?;
+        // While another thread solves, and after a panic, in memory of its own.
+        let mut own = Workspace::default();
+        let mut kept = self.workspace.try_lock();
+        let workspace = kept.as_deref_mut().unwrap_or(&mut own);
+        let minimum = minimise_in(workspace, &*self.metric, &self.ends, rule, n, options)?;
         Ok(TautLine::new(Arc::clone(&self.metric), rule, self.ends.clone(), minimum))
     }
 }

@@ -6,6 +6,7 @@ use tautline_scalar::Scalar;
 use crate::quadrature::integrate;
 
 /// Returns `e^{−|x|²/2s²}`.
+#[inline]
 pub(super) fn gaussian<S: Scalar, const D: usize>(x: &SVector<S, D>, width: f64) -> S {
     let r2 = x.iter().fold(S::zero(), |sum, xi| sum + xi.sqr());
     (r2 * (-0.5 / (width * width))).exp()
