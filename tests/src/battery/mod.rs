@@ -8,6 +8,7 @@ mod gradients;
 mod leading_constants;
 mod orders;
 mod point_sequences;
+mod proved_numbers;
 mod section_1;
 mod section_3;
 mod section_4;
@@ -73,6 +74,7 @@ fn every_check_is_a_test() {
         section_7_sampling::NAMES,
         section_7_apriori::NAMES,
         point_sequences::NAMES,
+        proved_numbers::NAMES,
         section_9::NAMES,
         dropped::NAMES,
         sharper::NAMES,
