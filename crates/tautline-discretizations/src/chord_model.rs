@@ -29,6 +29,8 @@ pub struct ChordModel<const D: usize> {
     pub hessian: [SMatrix<f64, D, D>; 2],
     /// The mixed ones: rows by the near point, columns by the far.
     pub coupling: SMatrix<f64, D, D>,
+    /// Whether the Gram matrix is finite, symmetric and positive definite at every node.
+    pub is_metric: bool,
 }
 
 impl<const D: usize> ChordModel<D> {
@@ -58,7 +60,7 @@ impl<const D: usize> ChordModel<D> {
         w: f64,
     ) -> Self {
         let near = 1.0 - far;
-        let Contraction { h, g, p, q } = Contraction::new(metric, &(x + d * far), d);
+        let Contraction { h, g, p, q, is_metric } = Contraction::new(metric, &(x + d * far), d);
         // Each with its weight, and twice where twice is wanted.
         let (h, g, p, q) = (h * (2.0 * w), g * w, p * (2.0 * w), q * w);
         let (hd, transposed) = (h * d, p.transpose());
@@ -72,6 +74,7 @@ impl<const D: usize> ChordModel<D> {
                 h + symmetric * far + q * (far * far),
             ],
             coupling: q * (near * far) - h - p * far + transposed * near,
+            is_metric,
         }
     }
 
@@ -83,6 +86,7 @@ impl<const D: usize> ChordModel<D> {
             gradient: [0, 1].map(|end| self.gradient[end] + other.gradient[end]),
             hessian: [0, 1].map(|end| self.hessian[end] + other.hessian[end]),
             coupling: self.coupling + other.coupling,
+            is_metric: self.is_metric && other.is_metric,
         }
     }
 
@@ -94,6 +98,7 @@ impl<const D: usize> ChordModel<D> {
             gradient: [SVector::zeros(); 2],
             hessian: [SMatrix::zeros(); 2],
             coupling: SMatrix::zeros(),
+            is_metric: true,
         }
     }
 }

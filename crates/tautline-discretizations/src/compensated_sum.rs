@@ -5,13 +5,15 @@
 /// `N` energies of chords, added plainly, would lose up to `N ε`; this keeps `2 ε`, and the
 /// differences `E_N − d²` of the asymptotic range are themselves as small as `10⁻¹⁰ d²`.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct CompensatedSum {
+pub struct CompensatedSum {
     sum: f64,
     lost: f64,
 }
 
 impl CompensatedSum {
-    pub(crate) fn add(&mut self, term: f64) {
+    /// Adds a term.
+    #[inline]
+    pub fn add(&mut self, term: f64) {
         let sum = self.sum + term;
         // The exact error of the addition: sum = s + t − error with these four roundings exact.
         let kept = sum - self.sum;
@@ -19,7 +21,9 @@ impl CompensatedSum {
         self.sum = sum;
     }
 
-    pub(crate) fn value(self) -> f64 {
+    /// Returns the sum of the terms, rounded once or twice; infinite if it overflowed.
+    #[must_use]
+    pub fn value(self) -> f64 {
         let value = self.sum + self.lost;
         // An infinite sum has lost ∞ − ∞; the sum itself says what happened.
         if value.is_nan() { self.sum } else { value }

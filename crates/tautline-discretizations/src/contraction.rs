@@ -1,7 +1,7 @@
 //! `Contraction`: the derivatives of `H` at a point, contracted with a chord.
 
 use nalgebra::{SMatrix, SVector};
-use tautline_metrics::{Jet1, Jet2, Metric, MixedJet, Scalar};
+use tautline_metrics::{Jet1, Jet2, Metric, MixedJet, Scalar, is_gram};
 
 /// The derivatives of `H` at a point, contracted with a chord `d` as soon as they are known.
 #[derive(Clone, Debug)]
@@ -14,6 +14,9 @@ pub(crate) struct Contraction<const D: usize> {
     pub(crate) p: SMatrix<f64, D, D>,
     /// `Qₖₗ = dᵀ ∂ₖ∂ₗH d`.
     pub(crate) q: SMatrix<f64, D, D>,
+    /// Whether `H`, with both halves as the metric has them, is finite, symmetric and positive
+    /// definite.
+    pub(crate) is_metric: bool,
 }
 
 /// From this dimension on `dᵀHd` is differentiated twice apart from the rest, as one scalar:
@@ -103,7 +106,8 @@ impl<const D: usize> Contraction<D> {
                 }
             }
         }
-        Self { h, g: p.tr_mul(d), p, q: SMatrix::zeros() }
+        let is_metric = is_gram(&SMatrix::<f64, D, D>::from_fn(|i, j| value(&jets[(i, j)])));
+        Self { h, g: p.tr_mul(d), p, q: SMatrix::zeros(), is_metric }
     }
 
     /// With the first derivatives by one chunk of directions at a time, and the second by all
@@ -112,8 +116,12 @@ impl<const D: usize> Contraction<D> {
         let mut h = SMatrix::<f64, D, D>::zeros();
         let mut p = SMatrix::<f64, D, D>::zeros();
         let mut q = SMatrix::<f64, D, D>::zeros();
+        let mut is_metric = false;
         for a in (0..D).step_by(CHUNK) {
             let jets = metric.gram(&chunk_of_variables(y, a));
+            if a == 0 {
+                is_metric = is_gram(&jets.map(|jet| jet.value()));
+            }
             for j in 0..D {
                 for i in 0..=j {
                     let jet = &jets[(i, j)];
@@ -139,7 +147,7 @@ impl<const D: usize> Contraction<D> {
                 }
             }
         }
-        Self { h, g: p.tr_mul(d), p, q }
+        Self { h, g: p.tr_mul(d), p, q, is_metric }
     }
 }
 

@@ -45,6 +45,7 @@ mod true_trapezoid;
 
 pub use block_tridiagonal::BlockTridiagonal;
 pub use chord_model::ChordModel;
+pub use compensated_sum::CompensatedSum;
 pub use interpolation::Interpolation;
 pub use left_endpoint::LeftEndpoint;
 pub use linear_model::{LinearModel, energy_gradient};

@@ -140,6 +140,11 @@ impl<const D: usize> Factorization<D> {
         self.coupling.reserve_exact(n);
     }
 
+    /// For how many points there is room.
+    pub(crate) fn capacity(&self) -> usize {
+        self.inverse.capacity()
+    }
+
     /// Nothing yet, and room for `n + 1` points.
     pub(crate) fn with_capacity(n: usize) -> Self {
         Self { inverse: Vec::with_capacity(n + 1), coupling: Vec::with_capacity(n) }

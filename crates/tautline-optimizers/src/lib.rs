@@ -43,6 +43,7 @@ mod inverse;
 mod leading_constants;
 mod line_minimum;
 mod local_search;
+mod magnitude;
 mod minimise;
 mod minimum;
 mod newton_pass;
@@ -53,6 +54,7 @@ mod residual;
 mod rounding;
 mod solve_error;
 mod starts;
+mod stationarity;
 mod workspace;
 
 pub use asymptotics_error::AsymptoticsError;

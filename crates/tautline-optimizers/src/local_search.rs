@@ -10,13 +10,14 @@ use crate::{
     damping::{Damping, LAST_SHIFT, SHIFT_FACTOR},
     factorization::Factorization,
     reduced_system::{ReducedSystem, Step},
+    magnitude::Magnitude,
     residual::Residual,
     rounding::{is_rounding, margin, negligible},
 };
 
 /// Relative decrement below which Newton steps are taken without looking at the energy: the
 /// promised change, `10⁻¹⁰ E`, is real, but a few steps later it drowns in rounding.
-pub(crate) const QUADRATIC_ZONE: f64 = 1e-10;
+const QUADRATIC_ZONE: f64 = 1e-10;
 
 /// Relative decrement below which the Hessian at one end of a step also speaks for the other:
 /// the points move by the root of it, `10⁻⁸`, and with them the Hessian.
@@ -56,6 +57,12 @@ pub(crate) struct Found<const D: usize> {
     pub(crate) stop: Stop,
     pub(crate) curvature: Curvature,
     pub(crate) iterations: usize,
+}
+
+impl<const D: usize> Found<D> {
+    pub(crate) fn magnitude(&self) -> Magnitude {
+        Magnitude { energy: self.energy, mean_gram: self.mean_gram }
+    }
 }
 
 /// What to do after looking at one iterate.
@@ -109,7 +116,8 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
                 }
             };
             self.check(&sequence)?;
-            let (residual, residual_floor) = self.residual(&sequence, energy, &gradient, scale);
+            let magnitude = Magnitude { energy, mean_gram: scale };
+            let (residual, residual_floor) = self.residual(&sequence, &gradient, magnitude);
             let decrement = if energy > 0.0 { decrement / energy } else { 0.0 };
             return Ok(Found {
                 sequence,
@@ -138,7 +146,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
             let curvature = self.curvature(model, sequence);
             Next::End { stop, curvature, decrement }
         };
-        let negligible = negligible(model.energy, model.mean_gram, sequence);
+        let negligible = negligible(Magnitude::of(model), sequence);
         let (mut rejected, mut indefinite) = (false, false);
         loop {
             let system = reduce(damping.shift);
@@ -165,6 +173,14 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
             // A shift makes promises as much smaller as it makes the Hessian larger.
             if decrement * (1.0 + damping.shift) <= negligible {
                 if damping.shift == 0.0 {
+                    // What is left of the residual costs one more gradient, and is worth it.
+                    let trial = self.retract(sequence, &step, 1.0);
+                    if finite(&trial)
+                        && let last @ Next::EndAt { .. } =
+                            self.polish(&system, &factorization, trial, negligible)
+                    {
+                        return last;
+                    }
                     let curvature = Curvature::PositiveDefinite;
                     return Next::End { stop: Stop::Converged, curvature, decrement };
                 }
@@ -354,13 +370,12 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
     fn residual(
         &self,
         sequence: &PointSequence<D>,
-        energy: f64,
         gradient: &[SVector<f64, D>],
-        mean_gram: f64,
+        magnitude: Magnitude,
     ) -> (f64, f64) {
-        let mut residual = Residual::new(sequence.n().get(), energy, mean_gram);
+        let mut residual = Residual::new(sequence.n().get(), magnitude);
         gradient.iter().enumerate().for_each(|(k, gradient)| residual.push(k, gradient));
-        residual.value(self.ends, sequence, energy, mean_gram)
+        residual.value(self.ends, sequence, magnitude)
     }
 }
 

@@ -40,10 +40,10 @@ const COARSEST: usize = 32;
 const LINE_DIRECT: usize = 128;
 const LINE_COARSE: usize = 48;
 
-/// From one grid to the next, `N` grows at most by this factor; by the second one on fine grids,
+/// From one grid to the next, `N` grows at most by this factor: by the later ones on fine grids,
 /// where what is prolonged is nearer.
-const REFINEMENT: [usize; 2] = [4, 8];
-const FINER: usize = 4096;
+const REFINEMENT: [usize; 3] = [4, 8, 16];
+const FINER: [usize; 2] = [4096, 65_536];
 
 /// How many different local minimisers of the coarsest grid are followed to the next ones,
 /// where their order may change, and the grid from which on only the lowest is.
@@ -62,8 +62,9 @@ const DIFFERENT: f64 = 1e-9;
 /// Returns the lowest discrete minimiser of `rule` between the sets `ends` that was found.
 ///
 /// Every pair of pieces of the sets is tried from every start on the coarsest grid, which is the
-/// only one for `n ≤ 64`; the best are carried to `n` chords over grids that refine by 4 to 8, one or
-/// two Newton steps each. A rule without nodes does not compile.
+/// only one for `n ≤ 64`; the best are carried to `n` chords over grids that refine by 4 to 16, two or
+/// three Newton steps each, and none on the finest: the start is a minimiser to rounding there. A
+/// rule without nodes does not compile.
 ///
 /// # Errors
 ///
@@ -130,22 +131,23 @@ pub fn minimise_in<const D: usize, R: Rule>(
         for candidate in std::mem::take(&mut candidates) {
             let search =
                 LocalSearch { metric, rule, ends: candidate.ends, iterations: options.iterations };
-            let memory = std::mem::take(&mut workspace.points);
-            let start = candidate.start(grid, R::ERROR_EXPONENT, memory);
-            let found = start.map_err(SolveError::Sequence).and_then(|start| {
-                let mean_gram = candidate.found.mean_gram;
-                if grid >= FINE
-                    && let Some(found) = search.refine(&start, mean_gram, workspace)
-                {
-                    workspace.points = start.into_points();
-                    return Ok(found);
-                }
-                Ok(search.run(start)?)
+            let start = |memory| {
+                candidate.start(grid, R::ERROR_EXPONENT, memory).map_err(SolveError::Sequence)
+            };
+            let refined = (grid >= FINE).then(|| {
+                let start = start(workspace.spare.take(grid + 1)).ok()?;
+                search.refine(start, candidate.found.magnitude(), workspace)
             });
+            let found = match refined.flatten() {
+                Some(found) => Ok(found),
+                None => start(Vec::new()).and_then(|start| Ok(search.run(start)?)),
+            };
             match found {
                 Ok(found) => {
                     steps += found.iterations;
-                    candidates.push(candidate.refined(found));
+                    let (candidate, unused) = candidate.refined(found);
+                    unused.into_iter().for_each(|x| workspace.spare.give(x.into_points()));
+                    candidates.push(candidate);
                 }
                 Err(error) => refused = refused.or(Some(error)),
             }
@@ -183,10 +185,13 @@ impl<'a, const D: usize> Candidate<'a, D> {
         Self { ends, levels: vec![level(&found)], coarser: None, found }
     }
 
-    fn refined(mut self, found: Found<D>) -> Self {
+    /// Goes over to the minimiser on the next grid; returns the points on the grid before the last,
+    /// which are not needed any more.
+    fn refined(mut self, found: Found<D>) -> (Self, Option<PointSequence<D>>) {
         self.levels.push(level(&found));
-        self.coarser = Some(std::mem::replace(&mut self.found, found).sequence);
-        self
+        let coarser = std::mem::replace(&mut self.found, found).sequence;
+        let before = self.coarser.replace(coarser);
+        (self, before)
     }
 
     fn failed(&self) -> bool {
@@ -241,7 +246,7 @@ fn grids(n: usize) -> Vec<usize> {
     let mut grids = vec![n];
     let mut grid = n;
     while n > DIRECT && grid > COARSEST {
-        grid = grid.div_ceil(REFINEMENT[usize::from(grid >= FINER)]);
+        grid = grid.div_ceil(REFINEMENT[FINER.iter().filter(|&&finer| grid >= finer).count()]);
         grids.push(grid);
     }
     grids.reverse();
@@ -266,7 +271,7 @@ mod tests {
             let line = PointSequence::straight([0.0, 0.0], [2.0, 1.5], n).expect("finite");
             search.run(line).expect("a metric")
         };
-        let candidate = Candidate::new(ends, solve(200)).refined(solve(800));
+        let candidate = Candidate::new(ends, solve(200)).refined(solve(800)).0;
         let fine = solve(3200).sequence;
         let distance = |points: &[nalgebra::SVector<f64, 2>]| {
             points.iter().zip(fine.points()).map(|(x, y)| (x - y).amax()).fold(0.0, f64::max)
@@ -291,6 +296,7 @@ mod tests {
         assert_eq!(grids(64), [64]);
         assert_eq!(grids(65), [17, 65]);
         assert_eq!(grids(1000), [16, 63, 250, 1000]);
-        assert_eq!(grids(100_000), [25, 98, 391, 1563, 12_500, 100_000]);
+        assert_eq!(grids(10_000), [20, 79, 313, 1250, 10_000]);
+        assert_eq!(grids(100_000), [13, 49, 196, 782, 6250, 100_000]);
     }
 }

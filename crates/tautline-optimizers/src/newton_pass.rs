@@ -1,14 +1,17 @@
 //! `NewtonPass`: a Newton step in one pass over the chords, there and back.
 
 use nalgebra::{SMatrix, SVector};
-use tautline_discretizations::{ChordModel, PointSequence, Rule};
+use tautline_discretizations::{ChordModel, CompensatedSum, LinearModel, PointSequence, Rule};
 use tautline_metrics::Metric;
 use tautline_sets::ClosedSet;
 
 use crate::{
     end_frame::{EndFrame, EndRow},
     factorization::{Elimination, Factorization, Regulariser},
+    magnitude::Magnitude,
+    residual::Residual,
     rounding::margin,
+    stationarity::Stationarity,
 };
 
 /// A Newton step from a point sequence where the Hessian is positive definite.
@@ -17,51 +20,51 @@ use crate::{
 /// shift. Each block is eliminated as soon as the chords on both sides of its point are known,
 /// so that neither gradient nor Hessian is ever stored: only what the way back needs.
 pub(crate) struct NewtonPass<'a, const D: usize> {
-    /// The discrete energy, in `m²`.
-    pub(crate) energy: f64,
-    /// The mean of `tr H / D` over the nodes, in `m²/ℓ²`.
-    pub(crate) mean_gram: f64,
-    /// How far each point moves.
-    pub(crate) step: Vec<SVector<f64, D>>,
-    /// The energy that the quadratic model sheds, half the square of the Newton decrement.
-    pub(crate) decrement: f64,
+    /// At the sequence from which the step is taken.
+    pub(crate) stationarity: Stationarity,
+    /// The right hand side after elimination.
+    eliminated: Vec<SVector<f64, D>>,
     factorization: &'a Factorization<D>,
     frames: [EndFrame<D>; 2],
     tau: f64,
 }
 
 impl<'a, const D: usize> NewtonPass<'a, D> {
-    /// Makes the step; `None` if the Hessian, less the [`margin`], is not positive definite or
-    /// not finite. `mean_gram` is the mean of `tr H / D`, as far as it is known beforehand: it
-    /// scales the margin and what is taken for a chord at the ends. What is in `factorization` is
-    /// overwritten.
+    /// Sums up and eliminates; `None` if the Hessian, less the [`margin`], is not positive definite
+    /// or not finite. `about` is what is known of the magnitude beforehand: it scales the margin and
+    /// what is taken for a chord at the ends. What is in `factorization` is overwritten, and `memory`
+    /// is used for the step.
     pub(crate) fn new<R: Rule>(
         rule: R,
         metric: &impl Metric<D>,
         ends: [&dyn ClosedSet<D>; 2],
         sequence: &PointSequence<D>,
-        mean_gram: f64,
+        about: Magnitude,
         factorization: &'a mut Factorization<D>,
+        memory: Vec<SVector<f64, D>>,
     ) -> Option<Self> {
         let count = sequence.n().get();
         let n = count as f64;
         let points = sequence.points();
-        let regulariser = Regulariser { n, weight: -margin(count) * mean_gram };
+        let regulariser = Regulariser { n, weight: -margin(count) * about.mean_gram };
         let identity = SMatrix::<f64, D, D>::identity();
         let beside = identity * regulariser.upper();
-        let tau = 1.0 / (2.0 * n * mean_gram);
-        let (mut energy, mut trace) = (0.0, 0.0);
+        let tau = about.tau(count);
+        let (mut energy, mut trace) = (CompensatedSum::default(), 0.0);
+        let mut is_metric = true;
         factorization.clear(count);
         let mut elimination = Elimination::default();
-        let mut step = Vec::with_capacity(count + 1);
+        let mut eliminated = memory;
+        let mut residual = Residual::new(count, about);
         let mut first = None;
         // What the chord before leaves for the point between, and what is eliminated of it.
         let mut block = identity * regulariser.diagonal(1.0);
-        let mut right = SVector::<f64, D>::zeros();
+        let (mut right, mut carried) = (SVector::<f64, D>::zeros(), SVector::<f64, D>::zeros());
         for (k, (x, d)) in sequence.chords().enumerate() {
             let chord = ChordModel::new(rule, metric, x, &d, n);
-            energy += chord.energy;
+            energy.add(chord.energy);
             trace += chord.trace;
+            is_metric &= chord.is_metric;
             let mut upper = chord.coupling + beside;
             let last = k + 1 == count;
             let shift = regulariser.diagonal(if last { 1.0 } else { 2.0 });
@@ -69,6 +72,8 @@ impl<'a, const D: usize> NewtonPass<'a, D> {
             let mut next_right = -chord.gradient[1];
             block += chord.hessian[0];
             right -= chord.gradient[0];
+            residual.push(k, &(carried + chord.gradient[0]));
+            carried = chord.gradient[1];
             if k == 0 {
                 let frame = EndFrame::new(ends[0], x, &chord.gradient[0], tau);
                 // It has the force on the end.
@@ -81,6 +86,7 @@ impl<'a, const D: usize> NewtonPass<'a, D> {
             }
             let mut end = None;
             if last {
+                residual.push(count, &carried);
                 let frame = EndFrame::new(ends[1], &points[count], &chord.gradient[1], tau);
                 let row = EndRow {
                     block: next,
@@ -94,19 +100,24 @@ impl<'a, const D: usize> NewtonPass<'a, D> {
                 end = Some(frame);
             }
             block = next - factorization.push(&block, &upper)?;
-            step.push(elimination.push(factorization, right));
+            eliminated.push(elimination.push(factorization, right));
             right = next_right;
             if let (Some(first), Some(end)) = (&first, end) {
                 factorization.push_last(&block)?;
-                step.push(elimination.push(factorization, right));
-                factorization.substitute_back(&mut step);
-                step[0] = first.basis * step[0];
-                step[count] = end.basis * step[count];
+                eliminated.push(elimination.push(factorization, right));
+                let mean_gram = trace / (n * n * D as f64);
+                let magnitude = Magnitude { energy: energy.value(), mean_gram };
+                let decrement = elimination.half_square();
+                let (residual, residual_floor) = residual.value(ends, sequence, magnitude);
                 return Some(Self {
-                    energy,
-                    mean_gram: trace / (n * n * D as f64),
-                    step,
-                    decrement: elimination.half_square(),
+                    stationarity: Stationarity {
+                        magnitude,
+                        is_metric,
+                        decrement,
+                        residual,
+                        residual_floor,
+                    },
+                    eliminated,
                     factorization,
                     frames: [first.clone(), end],
                     tau,
@@ -116,19 +127,43 @@ impl<'a, const D: usize> NewtonPass<'a, D> {
         None
     }
 
-    /// Returns half the square of the Newton decrement at other points close by, with the
-    /// factorisation from here, block by block: the gradient by each point is to be pushed.
-    pub(crate) fn decrement_at<'b>(
-        &'b self,
-        ends: [&'b dyn ClosedSet<D>; 2],
-        points: &'b [SVector<f64, D>],
-    ) -> Decrement<'b, D> {
-        Decrement { pass: self, ends, points, elimination: Elimination::default() }
+    /// Returns by how much the Newton step moves each point.
+    pub(crate) fn take_step(&mut self) -> Vec<SVector<f64, D>> {
+        let mut step = std::mem::take(&mut self.eliminated);
+        self.factorization.substitute_back(&mut step);
+        let last = step.len() - 1;
+        for (end, frame) in [0, last].into_iter().zip(&self.frames) {
+            step[end] = frame.basis * step[end];
+        }
+        step
+    }
+
+    /// Looks at a sequence close by, with the factorisation from here.
+    pub(crate) fn stationarity_at<R: Rule>(
+        &self,
+        rule: R,
+        metric: &impl Metric<D>,
+        ends: [&dyn ClosedSet<D>; 2],
+        sequence: &PointSequence<D>,
+    ) -> Stationarity {
+        let Magnitude { mean_gram, .. } = self.stationarity.magnitude;
+        let points = sequence.points();
+        let mut decrement =
+            Decrement { pass: self, ends, points, elimination: Elimination::default() };
+        let mut residual = Residual::new(sequence.n().get(), self.stationarity.magnitude);
+        let (energy, is_metric) = LinearModel::for_each(rule, metric, sequence, |k, gradient| {
+            decrement.push(k, &gradient);
+            residual.push(k, &gradient);
+        });
+        let magnitude = Magnitude { energy, mean_gram };
+        let decrement = decrement.value();
+        let (residual, residual_floor) = residual.value(ends, sequence, magnitude);
+        Stationarity { magnitude, is_metric, decrement, residual, residual_floor }
     }
 }
 
 /// The Newton decrement at a point sequence, while the gradient is being computed.
-pub(crate) struct Decrement<'a, const D: usize> {
+struct Decrement<'a, const D: usize> {
     pass: &'a NewtonPass<'a, D>,
     ends: [&'a dyn ClosedSet<D>; 2],
     points: &'a [SVector<f64, D>],
@@ -138,7 +173,7 @@ pub(crate) struct Decrement<'a, const D: usize> {
 impl<const D: usize> Decrement<'_, D> {
     /// Takes the gradient by point `k`.
     #[inline(always)]
-    pub(crate) fn push(&mut self, k: usize, gradient: &SVector<f64, D>) {
+    fn push(&mut self, k: usize, gradient: &SVector<f64, D>) {
         let last = self.points.len() - 1;
         let force = if k == 0 || k == last {
             let end = usize::from(k == last);
@@ -151,7 +186,7 @@ impl<const D: usize> Decrement<'_, D> {
     }
 
     /// Returns half its square after the last point, in `m²`.
-    pub(crate) fn value(&self) -> f64 {
+    fn value(&self) -> f64 {
         self.elimination.half_square()
     }
 }
@@ -166,7 +201,7 @@ mod tests {
     use tautline_metrics::gallery::Swirl;
     use tautline_sets::{Ball, ClosedSet, HalfSpace, Point, Sphere};
 
-    use super::NewtonPass;
+    use super::{Magnitude, NewtonPass, Residual};
     use crate::{
         Workspace,
         reduced_system::{ReducedSystem, Step},
@@ -189,24 +224,35 @@ mod tests {
         let factorization = system.factorize().expect("definite");
         let Step { step, decrement } = system.newton_step(&factorization);
         let mut memory = Workspace::default().factorization;
-        let pass = NewtonPass::new(rule, &metric, ends, &sequence, model.mean_gram, &mut memory);
-        let pass = pass.expect("definite");
+        let magnitude = Magnitude { energy: model.energy, mean_gram: model.mean_gram };
+        let pass = NewtonPass::new(rule, &metric, ends, &sequence, magnitude, &mut memory, Vec::new());
+        let mut pass = pass.expect("definite");
         // The same operations but for the order of three sums a block. The condition of the
         // system is 100 at most, its entries some 10.
         let close = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b.abs();
-        assert!(close(pass.energy, model.energy) && close(pass.mean_gram, model.mean_gram));
-        assert!(close(pass.decrement, decrement), "{} {decrement}", pass.decrement);
-        for (one, other) in pass.step.iter().zip(&step) {
+        let at = pass.stationarity;
+        assert!(at.is_metric && close(at.magnitude.energy, model.energy));
+        assert!(close(at.magnitude.mean_gram, model.mean_gram));
+        let mut residual = Residual::new(n, magnitude);
+        model.gradient.iter().enumerate().for_each(|(k, gradient)| residual.push(k, gradient));
+        let (residual, floor) = residual.value(ends, &sequence, magnitude);
+        assert!(close(at.residual, residual) && close(at.residual_floor, floor));
+        assert!(close(at.decrement, decrement), "{} {decrement}", at.decrement);
+        for (one, other) in pass.take_step().iter().zip(&step) {
             assert!((one - other).amax() <= 1e-12, "{one} {other}");
         }
         let moved: Vec<_> = sequence.points().iter().zip(&step).map(|(x, s)| x + s * 0.5).collect();
         let moved = PointSequence::new(moved).expect("finite");
-        let (_, gradient) = energy_gradient(rule, &metric, &moved);
+        let (energy, gradient) = energy_gradient(rule, &metric, &moved);
         let expected = system.decrement_at(&factorization, ends, moved.points(), &gradient);
-        let mut found = pass.decrement_at(ends, moved.points());
-        gradient.iter().enumerate().for_each(|(k, gradient)| found.push(k, gradient));
-        let found = found.value();
+        let mut residual = Residual::new(n, magnitude);
+        gradient.iter().enumerate().for_each(|(k, gradient)| residual.push(k, gradient));
+        let there = pass.stationarity_at(rule, &metric, ends, &moved);
+        let (residual, floor) = residual.value(ends, &moved, there.magnitude);
+        let found = there.decrement;
         assert!(close(found, expected) && expected > 0.0, "{found} {expected}");
+        assert!(there.is_metric && close(there.magnitude.energy, energy));
+        assert!(close(there.residual, residual) && close(there.residual_floor, floor));
     }
 
     #[test]

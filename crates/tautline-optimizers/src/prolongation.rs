@@ -1,13 +1,16 @@
-//! A point sequence on another grid: cubic interpolation in time.
+//! A point sequence on another grid: interpolation of the fifth degree in time.
 
 use nalgebra::SVector;
 use tautline_discretizations::PointSequence;
 
-/// Returns the sequence with `n ≥ 1` subintervals that follows `sequence`, by cubic
-/// interpolation through the four nearest points (all, if there are fewer).
+/// So many points a polynomial goes through.
+const POINTS: usize = 6;
+
+/// Returns the sequence with `n ≥ 1` subintervals that follows `sequence`: on each of its
+/// subintervals the polynomial through the six nearest points (all, if there are fewer).
 ///
-/// Keeps both ends exactly. The error on a smooth curve is `O(N⁻⁴)` of the coarser grid, so
-/// that one Newton step on the finer grid is left.
+/// Keeps both ends exactly. The error on a smooth curve is `O(N⁻⁶)` of the coarser grid: on fine
+/// grids less than the points are rounded by, so that no Newton step is left.
 pub(crate) fn prolong<const D: usize>(
     sequence: &PointSequence<D>,
     n: usize,
@@ -23,48 +26,56 @@ pub(crate) fn prolong_into<const D: usize>(
 ) -> Vec<SVector<f64, D>> {
     let points = sequence.points();
     let coarse = points.len() - 1;
+    let count = points.len().min(POINTS);
     let fraction = 1.0 / n as f64;
-    // The position on the coarse grid is k · coarse / n: whole + rest / n, without rounding.
-    let (mut whole, mut rest) = (0_usize, 0_usize);
     fine.clear();
     fine.reserve_exact(n + 1);
-    for _ in 0..=n {
-        let s = rest as f64 * fraction;
-        let first = whole.saturating_sub(1).min(points.len().saturating_sub(4));
-        fine.push(match points[first..].first_chunk::<4>() {
-            _ if rest == 0 => points[whole],
-            Some(four) => cubic(four, (whole - first) as f64 + s),
-            None => lagrange(points, whole as f64 + s),
-        });
-        rest += coarse;
-        while rest >= n {
-            rest -= n;
-            whole += 1;
+    let (mut place, mut basis) = (0, basis(count, 0));
+    // Where the next point is on the coarse grid: whole + rest / n, without rounding.
+    let mut rest = 0;
+    for whole in 0..coarse {
+        let first = whole.saturating_sub(POINTS / 2 - 1).min(points.len() - count);
+        if place != whole - first {
+            place = whole - first;
+            basis = self::basis(count, place);
         }
+        let near = &points[first..first + count];
+        let start = points[whole];
+        let mut coefficients = [SVector::<f64, D>::zeros(); POINTS];
+        for (point, weights) in near.iter().zip(&basis) {
+            let difference = point - start;
+            for (coefficient, weight) in coefficients.iter_mut().zip(weights) {
+                *coefficient += difference * *weight;
+            }
+        }
+        let [_, a, b, c, d, e] = coefficients;
+        while rest < n {
+            let s = rest as f64 * fraction;
+            fine.push(start + ((((e * s + d) * s + c) * s + b) * s + a) * s);
+            rest += coarse;
+        }
+        rest -= n;
     }
+    fine.push(points[coarse]);
     fine
 }
 
-/// The value at `s` of the cubic polynomial through the points at 0, 1, 2, 3.
-#[inline]
-fn cubic<const D: usize>([a, b, c, d]: &[SVector<f64, D>; 4], s: f64) -> SVector<f64, D> {
-    let (p, q, r) = (s - 1.0, s - 2.0, s - 3.0);
-    let (sp, qr) = (s * p, q * r);
-    d * (sp * q * (1.0 / 6.0)) - c * (sp * r * 0.5) + b * (s * qr * 0.5)
-        - a * (p * qr * (1.0 / 6.0))
-}
-
-/// The value at `s` of the polynomial through the points at `0, 1, …`.
-fn lagrange<const D: usize>(points: &[SVector<f64, D>], s: f64) -> SVector<f64, D> {
-    let mut value = SVector::zeros();
-    for (i, point) in points.iter().enumerate() {
-        let mut weight = 1.0;
-        for j in (0..points.len()).filter(|&j| j != i) {
-            weight *= (s - j as f64) / (i as f64 - j as f64);
+/// The coefficients, of `1, s, s², …`, of the polynomials that are 1 at one of `count` places
+/// and 0 at the others, which are at `s = −place, 1 − place, …`.
+fn basis(count: usize, place: usize) -> [[f64; POINTS]; POINTS] {
+    let mut basis = [[0.0; POINTS]; POINTS];
+    for (own, polynomial) in basis.iter_mut().enumerate().take(count) {
+        polynomial[0] = 1.0;
+        for other in (0..count).filter(|&other| other != own) {
+            // Times (s − o)/(p − o), with the place o of the other and p of its own.
+            let [p, o] = [own, other].map(|k| k as f64 - place as f64);
+            for k in (0..count).rev() {
+                let lower = if k > 0 { polynomial[k - 1] } else { 0.0 };
+                polynomial[k] = (lower - o * polynomial[k]) / (p - o);
+            }
         }
-        value += point * weight;
     }
-    value
+    basis
 }
 
 #[cfg(test)]
@@ -75,15 +86,30 @@ mod tests {
     use super::prolong;
 
     #[test]
-    fn cubic_curves_are_followed_exactly() {
-        let cubic = |t: f64| vector![t * t * t - t, 2.0 - t * t];
-        for (coarse, fine) in [(3, 12), (5, 20), (7, 9), (32, 45)] {
-            let points = (0..=coarse).map(|k| cubic(k as f64 / coarse as f64)).collect();
+    fn curves_of_the_fifth_degree_are_followed_exactly() {
+        let quintic = |t: f64| vector![t.powi(5) - t, 2.0 - t.powi(4)];
+        for (coarse, fine) in [(5, 20), (6, 6), (7, 9), (32, 45), (45, 32), (9, 1)] {
+            let points = (0..=coarse).map(|k| quintic(k as f64 / coarse as f64)).collect();
             let sequence = PointSequence::new(points).expect("finite");
-            for (k, point) in prolong(&sequence, fine).iter().enumerate() {
-                // Weights up to 2, coordinates up to 2.
-                assert!((point - cubic(k as f64 / fine as f64)).amax() < 1e-14);
+            let found = prolong(&sequence, fine);
+            assert_eq!(found.len(), fine + 1);
+            assert_eq!((found.first(), found.last()), (Some(sequence.first()), Some(sequence.last())));
+            for (k, point) in found.iter().enumerate() {
+                // Six weights up to 5, coordinates up to 2.
+                assert!((point - quintic(k as f64 / fine as f64)).amax() < 2e-14);
             }
+        }
+    }
+
+    /// With fewer points, of a lower degree.
+    #[test]
+    fn three_points_are_joined_by_a_parabola() {
+        let parabola = |t: f64| vector![1.0 - 3.0 * t * t];
+        let points = [0.0, 0.5, 1.0].map(parabola).to_vec();
+        let found = prolong(&PointSequence::new(points).expect("finite"), 7);
+        for (k, point) in found.iter().enumerate() {
+            // Three weights up to 1, coordinates up to 2.
+            assert!((point - parabola(k as f64 / 7.0)).amax() < 4e-15);
         }
     }
 

@@ -1,83 +1,95 @@
 //! The search on a fine grid, from a start so near that no Newton step needs damping.
 
-use tautline_discretizations::{LinearModel, PointSequence, Rule};
+use tautline_discretizations::{PointSequence, Rule};
 use tautline_metrics::{Metric, check_gram};
 
 use crate::{
     Curvature, Stop, Workspace,
-    local_search::{Found, LocalSearch, QUADRATIC_ZONE},
+    local_search::{Found, LocalSearch},
+    magnitude::Magnitude,
     newton_pass::NewtonPass,
-    residual::Residual,
-    rounding::{margin, negligible},
+    rounding::margin,
+    stationarity::Stationarity,
 };
 
-/// So many steps are enough where each squares the decrement, which begins below
-/// [`QUADRATIC_ZONE`]; a search that needs more is no such one.
+/// So many steps are enough where each squares the decrement; a search that needs more is no such
+/// one.
 const STEPS: usize = 4;
 
+/// Relative decrement above which a start is not near.
+const NEAR: f64 = 1e-4;
+
+/// By this factor at least the decrement has to fall from one step to the next.
+const FALL: f64 = 0.01;
+
 impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
-    /// Takes undamped Newton steps from `start`, each in one pass, as the [search](Self::run)
-    /// does at the end. `None` where that does not do: the Hessian is not positive definite, a
-    /// step promises too much to be trusted, or the metric is none at the result.
+    /// Takes undamped Newton steps from `start`, each in one pass, until the decrement is negligible
+    /// and the residual is rounding. On the finest grids both are so at the start.
     ///
-    /// `mean_gram` is that of a coarser grid.
+    /// `None` where that does not do: the Hessian is not positive definite, a step promises too
+    /// much, or not far less than the one before, or the metric is none at the result.
+    ///
+    /// `about` is the magnitude on a coarser grid.
     pub(crate) fn refine(
         &self,
-        start: &PointSequence<D>,
-        mean_gram: f64,
+        start: PointSequence<D>,
+        mut about: Magnitude,
         workspace: &mut Workspace<D>,
     ) -> Option<Found<D>> {
-        let mut sequence = None;
-        let mut mean_gram = mean_gram;
+        let (rule, metric, ends) = (self.rule, self.metric, self.ends);
+        let Workspace { factorization, spare } = workspace;
+        let n = start.n().get();
+        let (mut here, mut allowed) = (start, NEAR);
         for iteration in 1..=STEPS {
-            let here = sequence.as_ref().unwrap_or(start);
-            let memory = &mut workspace.factorization;
-            let (rule, metric, ends) = (self.rule, self.metric, self.ends);
-            let mut pass = NewtonPass::new(rule, metric, ends, here, mean_gram, memory)?;
-            mean_gram = pass.mean_gram;
+            let memory = spare.take(n + 1);
+            let mut pass = NewtonPass::new(rule, metric, ends, &here, about, factorization, memory)?;
+            let at = pass.stationarity;
+            if at.is_reached(&here) && at.residual <= at.residual_floor {
+                spare.give(pass.take_step());
+                return self.found(here, at, iteration);
+            }
+            about = at.magnitude;
             // Written so that NaN fails.
-            if !(pass.decrement <= QUADRATIC_ZONE * pass.energy) {
+            if !(at.decrement <= allowed * about.energy) {
                 return None;
             }
-            let (promised, at) = (pass.decrement, pass.energy);
-            let mut points = std::mem::take(&mut pass.step);
+            allowed = FALL * at.decrement / about.energy;
+            let mut points = pass.take_step();
             points.iter_mut().zip(here.points()).for_each(|(step, x)| *step += x);
             self.project_ends(&mut points);
             let trial = PointSequence::new(points).ok()?;
             // The points move by the root of what is promised, and with them the Hessian: by less
             // than the margin by which it is definite.
-            if promised > margin(here.n().get()).powi(2) * at {
-                sequence = Some(trial);
-                continue;
+            if at.decrement <= margin(n).powi(2) * about.energy {
+                let there = pass.stationarity_at(rule, metric, ends, &trial);
+                if there.is_reached(&trial) {
+                    return self.found(trial, there, iteration);
+                }
             }
-            let mut decrement = pass.decrement_at(ends, trial.points());
-            let mut residual = Residual::new(trial.n().get(), at, mean_gram);
-            let (energy, is_metric) = LinearModel::for_each(rule, metric, &trial, |k, gradient| {
-                decrement.push(k, &gradient);
-                residual.push(k, &gradient);
-            });
-            let is_metric = is_metric
-                && [trial.first(), trial.last()].iter().all(|x| check_gram(metric, x).is_ok());
-            if !is_metric {
-                return None;
-            }
-            let decrement = decrement.value();
-            if decrement <= negligible(energy, mean_gram, &trial) {
-                let (residual, residual_floor) = residual.value(ends, &trial, energy, mean_gram);
-                return Some(Found {
-                    sequence: trial,
-                    energy,
-                    mean_gram,
-                    decrement: decrement / energy,
-                    residual,
-                    residual_floor,
-                    stop: Stop::Converged,
-                    curvature: Curvature::PositiveDefinite,
-                    iterations: iteration,
-                });
-            }
-            sequence = Some(trial);
+            spare.give(std::mem::replace(&mut here, trial).into_points());
         }
         None
+    }
+
+    /// The result at a sequence with a positive definite Hessian, if the metric is one there.
+    fn found(
+        &self,
+        sequence: PointSequence<D>,
+        at: Stationarity,
+        iterations: usize,
+    ) -> Option<Found<D>> {
+        let ends = [sequence.first(), sequence.last()];
+        let is_metric = at.is_metric && ends.iter().all(|x| check_gram(self.metric, x).is_ok());
+        is_metric.then_some(Found {
+            sequence,
+            energy: at.magnitude.energy,
+            mean_gram: at.magnitude.mean_gram,
+            decrement: at.decrement / at.magnitude.energy,
+            residual: at.residual,
+            residual_floor: at.residual_floor,
+            stop: Stop::Converged,
+            curvature: Curvature::PositiveDefinite,
+            iterations,
+        })
     }
 }

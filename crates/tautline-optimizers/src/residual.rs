@@ -4,35 +4,36 @@ use nalgebra::SVector;
 use tautline_discretizations::PointSequence;
 use tautline_sets::ClosedSet;
 
-use crate::{end_frame::EndFrame, rounding::rounding};
+use crate::{end_frame::EndFrame, magnitude::Magnitude, rounding::rounding};
 
 /// The residual of [`Minimum`](crate::Minimum), from the gradients by one point after the other.
 pub(crate) struct Residual<const D: usize> {
     /// About the momentum, in `m²/ℓ`: by which all is divided first, since a square may be beyond
     /// the range of `f64`.
     unit: f64,
+    reciprocal: f64,
     last: usize,
     inner: f64,
     ends: [SVector<f64, D>; 2],
 }
 
 impl<const D: usize> Residual<D> {
-    /// Begins, for `n` subintervals and about this energy and mean of `tr H / D`.
-    pub(crate) fn new(n: usize, energy: f64, mean_gram: f64) -> Self {
-        // Roots first: the product may be beyond the range, too.
-        let unit = mean_gram.sqrt() * energy.sqrt();
-        Self { unit, last: n, inner: 0.0, ends: [SVector::zeros(); 2] }
+    /// Begins, for `n` subintervals and about this magnitude.
+    pub(crate) fn new(n: usize, about: Magnitude) -> Self {
+        // With a reciprocal that is finite.
+        let unit = about.momentum().max(f64::MIN_POSITIVE);
+        Self { unit, reciprocal: 1.0 / unit, last: n, inner: 0.0, ends: [SVector::zeros(); 2] }
     }
 
     /// Takes the gradient by point `k`.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn push(&mut self, k: usize, gradient: &SVector<f64, D>) {
         if k == 0 {
             self.ends[0] = *gradient;
         } else if k == self.last {
             self.ends[1] = *gradient;
         } else {
-            self.inner += (gradient / self.unit).norm_squared();
+            self.inner += (gradient * self.reciprocal).norm_squared();
         }
     }
 
@@ -41,19 +42,18 @@ impl<const D: usize> Residual<D> {
         &self,
         sets: [&dyn ClosedSet<D>; 2],
         sequence: &PointSequence<D>,
-        energy: f64,
-        mean_gram: f64,
+        magnitude: Magnitude,
     ) -> (f64, f64) {
         let n = self.last as f64;
-        let momentum = mean_gram.sqrt() * energy.sqrt();
+        let momentum = magnitude.momentum();
         if !(momentum > 0.0) {
             return (0.0, 0.0);
         }
-        let floor = n * rounding(sequence) * (mean_gram / momentum);
+        let floor = n * rounding(sequence) * (magnitude.mean_gram / momentum);
         // Where the metric has no derivative.
         let infinite_if_nan = |x: f64| if x.is_nan() { f64::INFINITY } else { x };
         let root = (self.inner / n).sqrt() * (self.unit / momentum);
-        let tau = 1.0 / (2.0 * n * mean_gram);
+        let tau = magnitude.tau(self.last);
         let at_end = |end: usize, x: &SVector<f64, D>| {
             let frame = EndFrame::new(sets[end], x, &self.ends[end], tau);
             infinite_if_nan(0.5 * (frame.projected_gradient / momentum).norm())

@@ -3,6 +3,8 @@
 use nalgebra::SVector;
 use tautline_discretizations::{PointSequence, QuadraticModel};
 
+use crate::magnitude::Magnitude;
+
 /// Relative decrement at which a search has converged: the energy cannot be lowered in `f64`
 /// from `10⁻¹⁵` on, but the points, off by the root of it, can be improved.
 const CONVERGED: f64 = 1e-18;
@@ -19,8 +21,7 @@ pub(crate) fn rounding<const D: usize>(sequence: &PointSequence<D>) -> f64 {
 /// `½ Σₙ 4N tr H u²/12 = tr H (N u)²/6`; twelve times that is granted, for the chance of small
 /// `N` and for the end points, which projections round several times.
 pub(crate) fn negligible<const D: usize>(
-    energy: f64,
-    mean_gram: f64,
+    Magnitude { energy, mean_gram }: Magnitude,
     sequence: &PointSequence<D>,
 ) -> f64 {
     let trace = D as f64 * mean_gram;
@@ -61,7 +62,7 @@ mod tests {
     use tautline_discretizations::{PointSequence, QuadraticModel, Trapezoidal};
     use tautline_metrics::gallery::Valleys;
 
-    use super::{is_rounding, margin, negligible};
+    use super::{Magnitude, is_rounding, margin, negligible};
 
     #[test]
     fn near_the_origin_the_energy_decides_and_far_away_the_points() {
@@ -69,7 +70,7 @@ mod tests {
             let line = PointSequence::straight([x, 0.0], [x, 1.0], 8).expect("finite");
             let model = QuadraticModel::new(Trapezoidal, &Valleys, &line);
             assert!(!is_rounding(&model, &line));
-            (negligible(model.energy, model.mean_gram, &line), model.energy)
+            (negligible(Magnitude::of(&model), &line), model.energy)
         };
         // At x = 0 the metric is the identity: E = 1, and 4 (8 ε)² = 1e-29 is nothing.
         assert_eq!(shifted(0.0), (1e-18, 1.0));

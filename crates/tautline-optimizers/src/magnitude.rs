@@ -1,0 +1,31 @@
+//! `Magnitude`: how large the numbers of a problem are.
+
+use tautline_discretizations::QuadraticModel;
+
+/// The energy of a curve and the size of the metric along it, which scale everything else.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Magnitude {
+    /// The discrete energy, in `m²`.
+    pub(crate) energy: f64,
+    /// The mean `c` of `tr H / D` over the nodes, in `m²/ℓ²`.
+    pub(crate) mean_gram: f64,
+}
+
+impl Magnitude {
+    /// Returns that of a curve whose energy has been expanded.
+    pub(crate) fn of<const D: usize>(model: &QuadraticModel<D>) -> Self {
+        Self { energy: model.energy, mean_gram: model.mean_gram }
+    }
+
+    /// Returns the momentum `(c E)^{1/2}`, in `m²/ℓ`.
+    pub(crate) fn momentum(self) -> f64 {
+        // Roots first: the product may be beyond the range.
+        self.mean_gram.sqrt() * self.energy.sqrt()
+    }
+
+    /// Returns the `τ` of an [`EndFrame`](crate::end_frame::EndFrame) on a grid of `n` chords: the
+    /// inverse of the Hessian by one end.
+    pub(crate) fn tau(self, n: usize) -> f64 {
+        1.0 / (2.0 * n as f64 * self.mean_gram)
+    }
+}

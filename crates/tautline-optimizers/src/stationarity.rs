@@ -1,0 +1,28 @@
+//! `Stationarity`: how near a point sequence is to a discrete minimiser.
+
+use tautline_discretizations::PointSequence;
+
+use crate::{magnitude::Magnitude, rounding::negligible};
+
+/// What first derivatives and a factorisation of the Hessian say about a point sequence.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stationarity {
+    /// The discrete energy, and the size of the metric.
+    pub(crate) magnitude: Magnitude,
+    /// Whether the metric is one at every node.
+    pub(crate) is_metric: bool,
+    /// The energy that a Newton step promises to shed, half the square of the Newton decrement, in
+    /// `m²`.
+    pub(crate) decrement: f64,
+    /// The [residual](crate::Minimum::residual).
+    pub(crate) residual: f64,
+    /// What rounding alone does to it.
+    pub(crate) residual_floor: f64,
+}
+
+impl Stationarity {
+    /// Returns whether the energy cannot be lowered in `f64`.
+    pub(crate) fn is_reached<const D: usize>(&self, sequence: &PointSequence<D>) -> bool {
+        self.decrement <= negligible(self.magnitude, sequence)
+    }
+}
