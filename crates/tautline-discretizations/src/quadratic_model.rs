@@ -23,28 +23,39 @@ impl<const D: usize> QuadraticModel<D> {
     /// Expands the discrete energy of `rule` about `sequence`. NaN where the metric is.
     #[must_use]
     pub fn new<R: Rule>(rule: R, metric: &impl Metric<D>, sequence: &PointSequence<D>) -> Self {
+        let mut model = Self::default();
+        model.expand(rule, metric, sequence);
+        model
+    }
+
+    /// Expands another time, in the memory of this model: everything in it is overwritten.
+    pub fn expand<R: Rule>(
+        &mut self,
+        rule: R,
+        metric: &impl Metric<D>,
+        sequence: &PointSequence<D>,
+    ) {
         let n = sequence.n().get();
         let factor = n as f64;
-        let mut energy = CompensatedSum::default();
-        let mut trace = 0.0;
-        let mut gradient = Vec::with_capacity(n + 1);
-        let mut diagonal = Vec::with_capacity(n + 1);
-        let mut upper = Vec::with_capacity(n);
+        let (mut energy, mut trace) = (CompensatedSum::default(), 0.0);
+        let Self { gradient, hessian: BlockTridiagonal { diagonal, upper }, .. } = self;
+        gradient.resize(n + 1, SVector::zeros());
+        diagonal.resize(n + 1, SMatrix::zeros());
+        upper.resize(n, SMatrix::zeros());
         // What the chord before has left for the point between.
         let mut carried = (SVector::<f64, D>::zeros(), SMatrix::<f64, D, D>::zeros());
-        for (x, d) in sequence.chords() {
+        let places = gradient.iter_mut().zip(diagonal.iter_mut()).zip(upper.iter_mut());
+        for ((x, d), ((gradient, diagonal), upper)) in sequence.chords().zip(places) {
             let chord = ChordModel::new(rule, metric, x, &d, factor);
             energy.add(chord.energy);
             trace += chord.trace;
-            gradient.push(carried.0 + chord.gradient[0]);
-            diagonal.push(carried.1 + chord.hessian[0]);
-            upper.push(chord.coupling);
+            *gradient = carried.0 + chord.gradient[0];
+            *diagonal = carried.1 + chord.hessian[0];
+            *upper = chord.coupling;
             carried = (chord.gradient[1], chord.hessian[1]);
         }
-        gradient.push(carried.0);
-        diagonal.push(carried.1);
-        let hessian = BlockTridiagonal { diagonal, upper };
-        let mean_gram = trace / (factor * factor * D as f64);
-        Self { energy: energy.value(), gradient, hessian, mean_gram }
+        (gradient[n], diagonal[n]) = carried;
+        self.energy = energy.value();
+        self.mean_gram = trace / (factor * factor * D as f64);
     }
 }
