@@ -55,15 +55,15 @@ impl<const D: usize> Contraction<D> {
     fn together(metric: &impl Metric<D>, y: &SVector<f64, D>, d: &SVector<f64, D>) -> Self {
         let jets = metric.gram(&SVector::from(Jet2::variables(&(*y).into())));
         let mut contraction = Self::first_order(&jets, d, Jet2::value, Jet2::first);
-        for i in 0..D {
-            for j in i..D {
-                // Entries above the diagonal stand for two.
-                let dd = d[i] * d[j] * if i == j { 1.0 } else { 2.0 };
-                for k in 0..D {
-                    for l in k..D {
-                        contraction.q[(k, l)] += jets[(i, j)].second(k, l) * dd;
-                    }
-                }
+        // Sums from the first term on: a zero to begin with costs an addition for each.
+        for k in 0..D {
+            for l in k..D {
+                let second = |i: usize, j: usize| jets[(i, j)].second(k, l);
+                let row = |i: usize| {
+                    let beside: f64 = (i + 1..D).map(|j| second(i, j) * (2.0 * d[j])).sum();
+                    (second(i, i) * d[i] + beside) * d[i]
+                };
+                contraction.q[(k, l)] = (0..D).map(row).sum();
             }
         }
         contraction
@@ -91,21 +91,9 @@ impl<const D: usize> Contraction<D> {
         value: impl Fn(&J) -> f64,
         first: impl Fn(&J, usize) -> f64,
     ) -> Self {
-        let mut h = SMatrix::<f64, D, D>::zeros();
-        let mut p = SMatrix::<f64, D, D>::zeros();
-        for i in 0..D {
-            for j in i..D {
-                let jet = &jets[(i, j)];
-                h[(i, j)] = value(jet);
-                h[(j, i)] = value(jet);
-                for k in 0..D {
-                    p[(i, k)] += first(jet, k) * d[j];
-                    if i != j {
-                        p[(j, k)] += first(jet, k) * d[i];
-                    }
-                }
-            }
-        }
+        let jet = |i: usize, j: usize| &jets[(i.min(j), i.max(j))];
+        let h = SMatrix::<f64, D, D>::from_fn(|i, j| value(jet(i, j)));
+        let p = SMatrix::<f64, D, D>::from_fn(|i, k| (0..D).map(|j| first(jet(i, j), k) * d[j]).sum());
         let is_metric = is_gram(&SMatrix::<f64, D, D>::from_fn(|i, j| value(&jets[(i, j)])));
         Self { h, g: p.tr_mul(d), p, q: SMatrix::zeros(), is_metric }
     }

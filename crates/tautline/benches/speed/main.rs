@@ -44,11 +44,16 @@ fn measure<M: Metric<D>, const D: usize>(
         let short = case.problem.solve_with(Trapezoidal, 64, &options).expect("a metric");
         let line = bent([short.sequence().first(), short.sequence().last()], n);
         let points: Vec<[f64; D]> = line.points().iter().map(|&x| x.into()).collect();
+        let line_again = line.clone();
         let mut race = Race::default();
         limit(&mut race, &points);
         race.add("energy", || Trapezoidal.energy(metric, black_box(&line)));
         race.add("gradient", || energy_gradient(Trapezoidal, metric, black_box(&line)));
-        race.add("assembly", || QuadraticModel::new(Trapezoidal, metric, black_box(&line)));
+        let mut model = QuadraticModel::default();
+        race.add("assembly", move || {
+            model.expand(Trapezoidal, metric, black_box(&line_again));
+            model.energy
+        });
         race.add("solve", || case.problem.solve_with(Trapezoidal, black_box(n), &options));
         let times = race.run();
         let by_hand = |name| {
