@@ -69,18 +69,25 @@ impl<const D: usize> Contraction<D> {
         contraction
     }
 
-    /// With the second derivatives of `dᵀHd` apart.
+    /// With `H`, the derivatives of `H d` and the second derivatives of `dᵀHd` apart.
     #[inline(always)]
     fn apart(metric: &impl Metric<D>, y: &SVector<f64, D>, d: &SVector<f64, D>) -> Self {
-        let jets = metric.gram(&SVector::from(Jet1::variables(&(*y).into())));
-        let mut contraction = Self::first_order(&jets, d, Jet1::value, Jet1::first);
+        let h = metric.gram(y);
+        let momentum = metric.momentum(&SVector::from(Jet1::variables(&(*y).into())), d);
         let square = metric.norm_squared(&SVector::from(Jet2::variables(&(*y).into())), d);
+        let mut q = SMatrix::<f64, D, D>::zeros();
         for k in 0..D {
             for l in k..D {
-                contraction.q[(k, l)] = square.second(k, l);
+                q[(k, l)] = square.second(k, l);
             }
         }
-        contraction
+        Self {
+            h,
+            g: SVector::from(*square.gradient()),
+            p: SMatrix::from_fn(|i, k| momentum[i].first(k)),
+            q,
+            is_metric: is_gram(&h),
+        }
     }
 
     /// `H`, `P` and `G` from the jets of the entries `i ≤ j` of `H`.

@@ -33,6 +33,17 @@ pub trait Metric<const D: usize> {
         }
         sum
     }
+
+    /// Returns `H(x) u`, in `m²/ℓ`, shape `D`: the momentum of a velocity `u` that does not depend on
+    /// `x`.
+    ///
+    /// Follows from [`gram`](Metric::gram). Worth overriding where
+    /// [`norm_squared`](Metric::norm_squared) is; both must agree to rounding.
+    #[inline]
+    fn momentum<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> SVector<S, D> {
+        let h = self.gram(x);
+        SVector::from_fn(|i, _| (1..D).fold(h[(i, 0)] * u[0], |sum, j| sum + h[(i, j)] * u[j]))
+    }
 }
 
 impl<const D: usize, M: Metric<D>> Metric<D> for &M {
@@ -44,6 +55,11 @@ impl<const D: usize, M: Metric<D>> Metric<D> for &M {
     #[inline]
     fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
         (**self).norm_squared(x, u)
+    }
+
+    #[inline]
+    fn momentum<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> SVector<S, D> {
+        (**self).momentum(x, u)
     }
 }
 

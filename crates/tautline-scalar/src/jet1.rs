@@ -59,6 +59,15 @@ impl<T: Scalar, const D: usize> Jet1<T, D> {
         Self { value: f(self.value), first: self.first.map(f) }
     }
 
+    /// Changes every number by the one in its place.
+    #[inline]
+    fn zip(&mut self, other: &Self, f: impl Fn(&mut T, T)) {
+        f(&mut self.value, other.value);
+        for i in 0..D {
+            f(&mut self.first[i], other.first[i]);
+        }
+    }
+
     #[inline]
     fn shift(self, c: f64) -> Self {
         Self { value: self.value + c, ..self }
@@ -75,10 +84,7 @@ impl<T: Scalar, const D: usize> Add for Jet1<T, D> {
     type Output = Self;
     #[inline]
     fn add(mut self, other: Self) -> Self {
-        self.value += other.value;
-        for i in 0..D {
-            self.first[i] += other.first[i];
-        }
+        self.zip(&other, |a, b| *a += b);
         self
     }
 }
@@ -87,10 +93,7 @@ impl<T: Scalar, const D: usize> Sub for Jet1<T, D> {
     type Output = Self;
     #[inline]
     fn sub(mut self, other: Self) -> Self {
-        self.value -= other.value;
-        for i in 0..D {
-            self.first[i] -= other.first[i];
-        }
+        self.zip(&other, |a, b| *a -= b);
         self
     }
 }

@@ -101,6 +101,23 @@ impl<T: Scalar, const D: usize> Jet2<T, D> {
         }
     }
 
+    /// Changes every number by the one in its place, unless that is zero anyway.
+    #[inline]
+    fn zip(&mut self, other: &Self, f: impl Fn(&mut T, T)) {
+        f(&mut self.value, other.value);
+        for i in 0..D {
+            f(&mut self.first[i], other.first[i]);
+        }
+        if other.bent {
+            for i in 0..D {
+                for j in i..D {
+                    f(&mut self.second[i][j], other.second[i][j]);
+                }
+            }
+        }
+        self.bent |= other.bent;
+    }
+
     #[inline]
     fn shift(self, c: f64) -> Self {
         Self { value: self.value + c, ..self }
@@ -131,18 +148,7 @@ impl<T: Scalar, const D: usize> Add for Jet2<T, D> {
     type Output = Self;
     #[inline]
     fn add(mut self, other: Self) -> Self {
-        self.value += other.value;
-        for i in 0..D {
-            self.first[i] += other.first[i];
-        }
-        if other.bent {
-            for i in 0..D {
-                for j in i..D {
-                    self.second[i][j] += other.second[i][j];
-                }
-            }
-        }
-        self.bent |= other.bent;
+        self.zip(&other, |a, b| *a += b);
         self
     }
 }
@@ -151,18 +157,7 @@ impl<T: Scalar, const D: usize> Sub for Jet2<T, D> {
     type Output = Self;
     #[inline]
     fn sub(mut self, other: Self) -> Self {
-        self.value -= other.value;
-        for i in 0..D {
-            self.first[i] -= other.first[i];
-        }
-        if other.bent {
-            for i in 0..D {
-                for j in i..D {
-                    self.second[i][j] -= other.second[i][j];
-                }
-            }
-        }
-        self.bent |= other.bent;
+        self.zip(&other, |a, b| *a -= b);
         self
     }
 }

@@ -91,6 +91,20 @@ impl<T: Scalar, const D: usize> MixedJet<T, D> {
         }
     }
 
+    /// Changes every number by the one in its place.
+    #[inline]
+    fn zip(&mut self, other: &Self, f: impl Fn(&mut T, T)) {
+        f(&mut self.value, other.value);
+        for i in 0..D {
+            for group in 0..2 {
+                f(&mut self.first[group][i], other.first[group][i]);
+            }
+            for j in 0..D {
+                f(&mut self.mixed[i][j], other.mixed[i][j]);
+            }
+        }
+    }
+
     #[inline]
     fn shift(self, c: f64) -> Self {
         Self { value: self.value + c, ..self }
@@ -111,24 +125,18 @@ impl<T: Scalar, const D: usize> MixedJet<T, D> {
 impl<T: Scalar, const D: usize> Add for MixedJet<T, D> {
     type Output = Self;
     #[inline]
-    fn add(self, other: Self) -> Self {
-        Self {
-            value: self.value + other.value,
-            first: Self::both(|group, i| self.first[group][i] + other.first[group][i]),
-            mixed: Self::all(|i, j| self.mixed[i][j] + other.mixed[i][j]),
-        }
+    fn add(mut self, other: Self) -> Self {
+        self.zip(&other, |a, b| *a += b);
+        self
     }
 }
 
 impl<T: Scalar, const D: usize> Sub for MixedJet<T, D> {
     type Output = Self;
     #[inline]
-    fn sub(self, other: Self) -> Self {
-        Self {
-            value: self.value - other.value,
-            first: Self::both(|group, i| self.first[group][i] - other.first[group][i]),
-            mixed: Self::all(|i, j| self.mixed[i][j] - other.mixed[i][j]),
-        }
+    fn sub(mut self, other: Self) -> Self {
+        self.zip(&other, |a, b| *a -= b);
+        self
     }
 }
 

@@ -2,8 +2,8 @@
 //! chain rule, and every elementary function as one line of the chain rule.
 
 /// Implements [`Scalar`](crate::Scalar) and its operators for a jet type which has
-/// `+ − × ÷` with itself, `constant_part(T)`, `map(f: T → T)`, `shift(f64)` and
-/// `chain(f, f′, f″)`.
+/// `+ − × ÷` with itself, `constant_part(T)`, `map(f: T → T)`, `shift(f64)`, `chain(f, f′, f″)` and
+/// `zip(other, f: (&mut T, T))`.
 macro_rules! jet_is_scalar {
     ($jet:ident) => {
         impl<T: Scalar, const D: usize> Neg for $jet<T, D> {
@@ -44,13 +44,13 @@ macro_rules! jet_is_scalar {
         impl<T: Scalar, const D: usize> AddAssign for $jet<T, D> {
             #[inline]
             fn add_assign(&mut self, other: Self) {
-                *self = *self + other;
+                self.zip(&other, |a, b| *a += b);
             }
         }
         impl<T: Scalar, const D: usize> SubAssign for $jet<T, D> {
             #[inline]
             fn sub_assign(&mut self, other: Self) {
-                *self = *self - other;
+                self.zip(&other, |a, b| *a -= b);
             }
         }
         impl<T: Scalar, const D: usize> MulAssign for $jet<T, D> {
@@ -86,6 +86,11 @@ macro_rules! jet_is_scalar {
             #[inline]
             fn constant(value: f64) -> Self {
                 Self::constant_part(T::constant(value))
+            }
+
+            #[inline]
+            fn axpy(&mut self, a: f64, x: &Self) {
+                self.zip(x, |sum, x| *sum += x * a);
             }
 
             #[inline]

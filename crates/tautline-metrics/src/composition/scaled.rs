@@ -39,6 +39,11 @@ impl<M: Metric<D>, const D: usize> Metric<D> for Scaled<M> {
     fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
         self.metric.norm_squared(x, u) * self.factor
     }
+
+    #[inline]
+    fn momentum<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> SVector<S, D> {
+        self.metric.momentum(x, u).map(|entry| entry * self.factor)
+    }
 }
 
 impl<M: Bounded<D>, const D: usize> Bounded<D> for Scaled<M> {

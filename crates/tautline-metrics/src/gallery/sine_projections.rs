@@ -67,16 +67,26 @@ impl SineProjections<8> {
     }
 }
 
+/// `w·x`.
+#[inline]
+fn phase<S: Scalar, const D: usize>(w: &SVector<f64, D>, x: &SVector<S, D>) -> S {
+    let mut phase = S::zero();
+    for i in 0..D {
+        phase.axpy(w[i], &x[i]);
+    }
+    phase
+}
+
 impl<const D: usize> Metric<D> for SineProjections<D> {
     #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         let mut h = SMatrix::<S, D, D>::identity();
         for SineProjection { wave_vector: w, direction: a } in &self.terms {
-            let phase = (0..D).fold(S::zero(), |sum, i| sum + x[i] * w[i]);
+            let phase = phase(w, x);
             let weight = phase.sin().sqr() * 0.5;
             for j in 0..D {
                 for i in 0..=j {
-                    h[(i, j)] += weight * (a[i] * a[j]);
+                    h[(i, j)].axpy(a[i] * a[j], &weight);
                 }
             }
         }
@@ -88,11 +98,25 @@ impl<const D: usize> Metric<D> for SineProjections<D> {
     /// `D²` entries of them.
     #[inline]
     fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
-        let flat = S::constant(u.norm_squared());
-        self.terms.iter().fold(flat, |sum, SineProjection { wave_vector: w, direction: a }| {
-            let phase = (0..D).fold(S::zero(), |sum, i| sum + x[i] * w[i]);
-            sum + phase.sin().sqr() * (0.5 * a.dot(u).powi(2))
-        })
+        let mut sum = S::constant(u.norm_squared());
+        for SineProjection { wave_vector: w, direction: a } in &self.terms {
+            sum.axpy(0.5 * a.dot(u).powi(2), &phase(w, x).sin().sqr());
+        }
+        sum
+    }
+
+    /// `u + ½ Σₖ sin²(wₖ·x) (aₖ·u) aₖ`.
+    #[inline]
+    fn momentum<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> SVector<S, D> {
+        let mut momentum = u.map(S::constant);
+        for SineProjection { wave_vector: w, direction: a } in &self.terms {
+            let phase = phase(w, x);
+            let weight = phase.sin().sqr() * (0.5 * a.dot(u));
+            for i in 0..D {
+                momentum[i].axpy(a[i], &weight);
+            }
+        }
+        momentum
     }
 }
 

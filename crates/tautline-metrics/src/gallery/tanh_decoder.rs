@@ -125,6 +125,25 @@ impl<const D: usize, const HIDDEN: usize, const OUT: usize> Metric<D>
             sum + image.sqr()
         })
     }
+
+    /// `Jᵀ (J u) + μ u`.
+    #[inline]
+    fn momentum<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> SVector<S, D> {
+        let (slopes, hidden) = (self.slopes(x), self.inner * u);
+        let mut back = SVector::<S, HIDDEN>::zeros();
+        for o in 0..OUT {
+            let image = (0..HIDDEN)
+                .fold(S::zero(), |image, k| image + slopes[k] * (self.outer[(o, k)] * hidden[k]));
+            for k in 0..HIDDEN {
+                back[k] += image * self.outer[(o, k)];
+            }
+        }
+        let back = back.component_mul(&slopes);
+        SVector::from_fn(|i, _| {
+            (0..HIDDEN)
+                .fold(S::constant(self.floor * u[i]), |sum, k| sum + back[k] * self.inner[(k, i)])
+        })
+    }
 }
 
 impl<const D: usize, const HIDDEN: usize, const OUT: usize> Bounded<D>
