@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, SMatrix, SVector};
 use tautline_discretizations::BlockTridiagonal;
 
-use crate::inverse::inverse;
+use crate::ldl::Ldl;
 
 /// A symmetric block-tridiagonal matrix `A + μ R`, where `R` is the regulariser
 /// `s (N Λ + I/N)` with the path Laplacian `Λ`: the discrete `∫ s (|δ̇|² + |δ|²) dt`.
@@ -109,13 +109,14 @@ impl<'a, const D: usize> Shifted<'a, D> {
 
 /// The factorisation by blocks of a positive definite block-tridiagonal matrix.
 ///
-/// With the Schur complements `S₀ = A₀`, `Sₙ₊₁ = Aₙ₊₁ − Uₙᵀ Sₙ⁻¹ Uₙ`: `O(N D³)`.
+/// With the Schur complements `S₀ = A₀`, `Sₙ₊₁ = Aₙ₊₁ − Uₙᵀ Sₙ⁻¹ Uₙ`, each `Sₙ = Lₙ Dₙ Lₙᵀ`, and
+/// `Wₙ = Uₙᵀ Lₙ⁻ᵀ`: `O(N D³)`.
 #[derive(Clone, Debug)]
 pub(crate) struct Factorization<const D: usize> {
-    /// `Sₙ⁻¹`.
-    inverse: Vec<SMatrix<f64, D, D>>,
-    /// `Vₙ = Sₙ⁻¹ Uₙ`.
-    coupling: Vec<SMatrix<f64, D, D>>,
+    /// `Lₙ` and `Dₙ`.
+    diagonal: Vec<Ldl<D>>,
+    /// `Wₙ Dₙ⁻¹`.
+    lower: Vec<SMatrix<f64, D, D>>,
 }
 
 impl<const D: usize> Factorization<D> {
@@ -125,8 +126,8 @@ impl<const D: usize> Factorization<D> {
         let mut factorization = Self::with_capacity(n);
         let mut schur = system.diagonal(0);
         for k in 0..n {
-            let upper = system.upper(k);
-            schur = system.diagonal(k + 1) - factorization.push(&schur, &upper)?;
+            let next = system.diagonal(k + 1);
+            schur = factorization.push(&schur, &system.upper(k).transpose(), next)?;
         }
         factorization.push_last(&schur)?;
         Some(factorization)
@@ -134,40 +135,48 @@ impl<const D: usize> Factorization<D> {
 
     /// Forgets everything but the memory, and makes room for `n + 1` points.
     pub(crate) fn clear(&mut self, n: usize) {
-        self.inverse.clear();
-        self.coupling.clear();
-        self.inverse.reserve_exact(n + 1);
-        self.coupling.reserve_exact(n);
+        self.diagonal.clear();
+        self.lower.clear();
+        self.diagonal.reserve_exact(n + 1);
+        self.lower.reserve_exact(n);
     }
 
     /// For how many points there is room.
     pub(crate) fn capacity(&self) -> usize {
-        self.inverse.capacity()
+        self.diagonal.capacity()
     }
 
     /// Nothing yet, and room for `n + 1` points.
     pub(crate) fn with_capacity(n: usize) -> Self {
-        Self { inverse: Vec::with_capacity(n + 1), coupling: Vec::with_capacity(n) }
+        Self { diagonal: Vec::with_capacity(n + 1), lower: Vec::with_capacity(n) }
     }
 
-    /// Adds the Schur complement `Sₙ` and the block `Uₙ` beside it; returns `Uₙᵀ Sₙ⁻¹ Uₙ`, in the
-    /// entries `i ≤ j`.
+    /// Adds the Schur complement `Sₙ` and the block `Uₙᵀ` below it; returns `Sₙ₊₁` for the block
+    /// `Aₙ₊₁`. Of all three symmetric ones, the entries `i ≥ j`.
     #[inline(always)]
     pub(crate) fn push(
         &mut self,
         schur: &SMatrix<f64, D, D>,
-        upper: &SMatrix<f64, D, D>,
+        lower: &SMatrix<f64, D, D>,
+        mut next: SMatrix<f64, D, D>,
     ) -> Option<SMatrix<f64, D, D>> {
-        let inverse = inverse(schur)?;
-        let coupling = inverse * upper;
-        self.inverse.push(inverse);
-        self.coupling.push(coupling);
-        Some(upper.tr_mul(&coupling))
+        let diagonal = Ldl::new(schur)?;
+        let [w, scaled] = diagonal.divide(lower);
+        self.diagonal.push(diagonal);
+        self.lower.push(scaled);
+        for k in 0..D {
+            for j in 0..D {
+                for i in j..D {
+                    next[(i, j)] -= w[(i, k)] * scaled[(j, k)];
+                }
+            }
+        }
+        Some(next)
     }
 
     /// Adds the last Schur complement.
     pub(crate) fn push_last(&mut self, schur: &SMatrix<f64, D, D>) -> Option<()> {
-        self.inverse.push(inverse(schur)?);
+        self.diagonal.push(Ldl::new(schur)?);
         Some(())
     }
 
@@ -179,52 +188,56 @@ impl<const D: usize> Factorization<D> {
     }
 
     /// Overwrites `zₙ`, what an [`Elimination`] has made of the right hand side, with the solution:
-    /// `xₙ = zₙ − Vₙ xₙ₊₁`.
+    /// `xₙ = Lₙ⁻ᵀ (zₙ − Dₙ⁻¹ Wₙᵀ xₙ₊₁)`.
     pub(crate) fn substitute_back(&self, z: &mut [SVector<f64, D>]) {
-        let Some(last) = z.last() else { return };
+        let Some((last, before)) = z.split_last_mut() else { return };
+        let mut diagonal = self.diagonal.iter().rev();
+        let Some(end) = diagonal.next() else { return };
+        *last = end.backward(*last);
         let mut x = *last;
-        for (z, coupling) in z.iter_mut().zip(&self.coupling).rev() {
-            x = *z - coupling * x;
+        for ((z, diagonal), lower) in before.iter_mut().rev().zip(diagonal).zip(self.lower.iter().rev()) {
+            x = diagonal.backward(*z - lower.tr_mul(&x));
             *z = x;
         }
     }
 }
 
 /// The elimination of a right hand side `b` from the first block on:
-/// `rₙ = bₙ − Vₙ₋₁ᵀ rₙ₋₁`.
+/// `rₙ = bₙ − Wₙ₋₁ Dₙ₋₁⁻¹ yₙ₋₁`, `yₙ = Lₙ⁻¹ rₙ`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Elimination<const D: usize> {
     done: usize,
-    right: SVector<f64, D>,
+    y: SVector<f64, D>,
     square: f64,
 }
 
 impl<const D: usize> Default for Elimination<D> {
     fn default() -> Self {
-        Self { done: 0, right: SVector::zeros(), square: 0.0 }
+        Self { done: 0, y: SVector::zeros(), square: 0.0 }
     }
 }
 
 impl<const D: usize> Elimination<D> {
     /// Takes the next block of the right hand side, as far as the matrix is factorised; returns
-    /// `zₙ = Sₙ⁻¹ rₙ`.
+    /// `zₙ = Dₙ⁻¹ yₙ`.
     #[inline(always)]
     pub(crate) fn push(
         &mut self,
         factorization: &Factorization<D>,
         b: SVector<f64, D>,
     ) -> SVector<f64, D> {
-        self.right = match self.done.checked_sub(1) {
-            Some(before) => b - factorization.coupling[before].tr_mul(&self.right),
+        let right = match self.done.checked_sub(1) {
+            Some(before) => b - factorization.lower[before] * self.y,
             None => b,
         };
-        let z = factorization.inverse[self.done] * self.right;
-        self.square += self.right.dot(&z);
+        let [y, z] = factorization.diagonal[self.done].forward(right);
+        self.square += y.dot(&z);
+        self.y = y;
         self.done += 1;
         z
     }
 
-    /// Returns `½ bᵀ A⁻¹ b = ½ Σ rₙᵀ Sₙ⁻¹ rₙ` after the last block: nothing need be substituted back
+    /// Returns `½ bᵀ A⁻¹ b = ½ Σ yₙᵀ Dₙ⁻¹ yₙ` after the last block: nothing need be substituted back
     /// for it.
     pub(crate) fn half_square(&self) -> f64 {
         0.5 * self.square

@@ -39,7 +39,7 @@ mod end_frame;
 mod extrapolation;
 mod factorization;
 mod geodesic_means;
-mod inverse;
+mod ldl;
 mod leading_constants;
 mod line_minimum;
 mod local_search;

@@ -65,7 +65,7 @@ impl<'a, const D: usize> NewtonPass<'a, D> {
             energy.add(chord.energy);
             trace += chord.trace;
             is_metric &= chord.is_metric;
-            let mut upper = chord.coupling + beside;
+            let mut lower = chord.coupling.transpose() + beside;
             let last = k + 1 == count;
             let shift = regulariser.diagonal(if last { 1.0 } else { 2.0 });
             let mut next = chord.hessian[1] + identity * shift;
@@ -78,10 +78,11 @@ impl<'a, const D: usize> NewtonPass<'a, D> {
                 let frame = EndFrame::new(ends[0], x, &chord.gradient[0], tau);
                 // It has the force on the end.
                 let right_of_end = SVector::zeros();
-                let row =
-                    EndRow { block, coupling: upper, right: right_of_end, beside: next_right };
-                EndRow { block, coupling: upper, right, beside: next_right } =
-                    frame.enter(row, tau);
+                let coupling = lower.transpose();
+                let row = EndRow { block, coupling, right: right_of_end, beside: next_right };
+                let row = frame.enter(row, tau);
+                (block, right, next_right) = (row.block, row.right, row.beside);
+                lower = row.coupling.transpose();
                 first = Some(frame);
             }
             let mut end = None;
@@ -90,16 +91,16 @@ impl<'a, const D: usize> NewtonPass<'a, D> {
                 let frame = EndFrame::new(ends[1], &points[count], &chord.gradient[1], tau);
                 let row = EndRow {
                     block: next,
-                    coupling: upper.transpose(),
+                    coupling: lower,
                     right: next_right + chord.gradient[1],
                     beside: right,
                 };
                 let row = frame.enter(row, tau);
                 (next, next_right, right) = (row.block, row.right, row.beside);
-                upper = row.coupling.transpose();
+                lower = row.coupling;
                 end = Some(frame);
             }
-            block = next - factorization.push(&block, &upper)?;
+            block = factorization.push(&block, &lower, next)?;
             eliminated.push(elimination.push(factorization, right));
             right = next_right;
             if let (Some(first), Some(end)) = (&first, end) {

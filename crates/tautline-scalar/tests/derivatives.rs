@@ -66,6 +66,14 @@ fn formula<S: Scalar>([x, y, z]: [S; 3]) -> S {
     sum += (-(z.sqr()) - y).exp() / (ch + sh.tanh());
     sum -= (x * 0.3).tan() * z.powi(3) + (y + z).atan().powi(-2);
     sum *= (x - y + 4.0).recip() - 0.25;
+    // What is straight and what is bent, in either order.
+    sum += (x - y * 2.0) / (z + 9.0) + x * z.sqr() - z.sqr() * y + x * y;
+    sum -= (x * z) / (y + 7.0) + (x - 8.0) / (y.sqr() + 1.0) + (z.sqr() - y) - (y - z.sqr());
+    let mut line = x * 2.0;
+    line.axpy(-0.7, &y);
+    line.axpy(0.3, &(y * z));
+    line.axpy(1.5, &z);
+    sum.axpy(0.4, &line);
     sum /= z.cosh();
     sum
 }
@@ -78,6 +86,9 @@ fn formula_in_num_dual(v: SVector<Dual2SVec64<3>, 3>) -> Dual2SVec64<3> {
     sum += (-(z * z) - y).exp() / ((z - x).cosh() + (z - x).sinh().tanh());
     sum -= (x * 0.3).tan() * z * z * z + ((y + z).atan() * (y + z).atan()).recip();
     sum *= (x - y + 4.0).recip() - 0.25;
+    sum += (x - y * 2.0) / (z + 9.0) + x * z * z - z * z * y + x * y;
+    sum -= (x * z) / (y + 7.0) + (x - 8.0) / (y * y + 1.0) + (z * z - y) * 2.0;
+    sum += (x * 2.0 - y * 0.7 + y * z * 0.3 + z * 1.5) * 0.4;
     sum /= z.cosh();
     sum
 }

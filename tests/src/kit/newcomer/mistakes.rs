@@ -97,6 +97,7 @@ fn what_is_no_metric_is_refused_by_its_own_law() {
         Halves,
         NotFinite,
         NormSquared,
+        Momentum,
     }
     struct Scrambled(Wrong);
     impl Metric<2> for Scrambled {
@@ -106,13 +107,20 @@ fn what_is_no_metric_is_refused_by_its_own_law() {
                 Wrong::Halves => h[(0, 1)] += x[0] * 1e-6,
                 // The logarithm of a negative number, right of x₁ = 6.
                 Wrong::NotFinite => h[(1, 1)] += (-x[0] + 6.0).ln() * 0.0,
-                Wrong::NormSquared => {}
+                Wrong::NormSquared | Wrong::Momentum => {}
             }
             h
         }
         fn norm_squared<S: Scalar>(&self, x: &SVector<S, 2>, u: &SVector<f64, 2>) -> S {
             let factor = if self.0 == Wrong::NormSquared { 1.0 + 1e-9 } else { 1.0 };
             Egg.norm_squared::<S>(x, u) * factor
+        }
+        fn momentum<S: Scalar>(&self, x: &SVector<S, 2>, u: &SVector<f64, 2>) -> SVector<S, 2> {
+            let mut momentum = Egg.momentum::<S>(x, u);
+            if self.0 == Wrong::Momentum {
+                momentum[1] += S::constant(1e-9);
+            }
+            momentum
         }
     }
     impl Bounded<2> for Scrambled {
@@ -133,6 +141,10 @@ fn what_is_no_metric_is_refused_by_its_own_law() {
     let Fault::Broken { left, right, .. } = norm else { panic!("{norm}") };
     // 10⁻⁹ of a number between 1 and 4.
     assert!(right == 0.0 && (0.9e-9..=4.1e-9).contains(&left), "{norm}");
+    let momentum = fault(metric::norm_squared_agrees_with_gram(&case(Wrong::Momentum)));
+    let Fault::Broken { left, right, .. } = momentum else { panic!("{momentum}") };
+    // Rounding of a number below 4.
+    assert!(right == 0.0 && (left - 1e-9).abs() < 1e-14, "{momentum}");
 }
 
 /// A ripple that is finer than the least step of the differences, a 65536th of a period: where to

@@ -77,46 +77,47 @@ pub(super) fn winding(i: usize) -> f64 {
     PRIMES[i % PRIMES.len()].sqrt().fract()
 }
 
-/// `norm_squared` is `uᵀHu`: its value, its gradient and its Hessian.
+/// `norm_squared` is `uᵀHu` and `momentum` is `Hu`: values, gradients, and the Hessian of the first.
 pub(super) fn norm_squared<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
     let effort = &case.effort;
     for_all(effort, effort.cases, CHEAP, (case.region.points(), directions::<D>()), |(x, u)| {
         let jets: SVector<Jet2<f64, D>, D> = Jet2::variables(&(*x).into()).into();
-        let overridden = case.metric.norm_squared(&jets, u);
+        let square = case.metric.norm_squared(&jets, u);
+        let momentum = case.metric.momentum(&jets, u);
         let entries = case.metric.gram(&jets);
-        let sum = |part: &dyn Fn(&Jet2<f64, D>) -> f64| {
-            let mut sum = 0.0;
-            let mut size = 0.0;
-            for i in 0..D {
-                for j in 0..D {
-                    let term = u[i] * u[j] * part(&entries[(i.min(j), i.max(j))]);
-                    sum += term;
-                    size += term.abs();
-                }
-            }
-            (sum, size)
+        // `vᵀHu` for one part of the jets, and the sum of the sizes of its terms.
+        let sum = |v: &SVector<f64, D>, part: &dyn Fn(&Jet2<f64, D>) -> f64| {
+            let terms = (0..D * D).map(|k| (k / D, k % D));
+            terms.fold((0.0, 0.0), |(sum, size), (i, j)| {
+                let term = v[i] * u[j] * part(&entries[(i.min(j), i.max(j))]);
+                (sum + term, size + term.abs())
+            })
         };
+        let unit = |i: usize| SVector::from_fn(|j, _| if i == j { 1.0 } else { 0.0 });
+        // |(Hu)ᵢ| ≤ √(Hᵢᵢ uᵀHu), even where its terms are zero.
+        let most = |i: usize| (entries[(i, i)].value() * square.value()).sqrt();
         let compare = |law, part: &dyn Fn(&Jet2<f64, D>) -> f64, size: f64| {
-            let (sum, terms) = sum(part);
-            // Two formulas for one number: as in `check_gram`, relative to its terms.
-            let granted = 1e-12 * (terms + size);
-            Fault::unless_at_most(
-                law,
-                [(part(&overridden) - sum).abs(), 0.0],
-                granted,
-                x.as_slice(),
-            )
+            let sides = momentum.iter().enumerate().map(|(i, entry)| (unit(i), entry, most(i)));
+            for (v, jet, most) in std::iter::once((*u, &square, 0.0)).chain(sides) {
+                let (sum, terms) = sum(&v, part);
+                // Two formulas for one number: as in `check_gram`, relative to its terms.
+                let granted = 1e-12 * (terms + size + most);
+                let off = (part(jet) - sum).abs();
+                Fault::unless_at_most(law, [off, 0.0], granted, x.as_slice())?;
+            }
+            Ok(())
         };
         // A derivative may be a difference of terms that a sum of other terms never sees.
         let constants = case.metric.constants();
-        compare("norm_squared(x, u) = uᵀ H(x) u", &|jet| jet.value(), 0.0)?;
+        compare("norm_squared(x, u) = uᵀ H(x) u, momentum(x, u) = H(x) u", &|jet| jet.value(), 0.0)?;
         for k in 0..D {
             let size = constants.l_h();
-            compare("∂ₖ norm_squared(x, u) = uᵀ ∂ₖH(x) u", &|jet| jet.first(k), size)?;
+            let law = "∂ₖ norm_squared(x, u) = uᵀ ∂ₖH(x) u, ∂ₖ momentum(x, u) = ∂ₖH(x) u";
+            compare(law, &|jet| jet.first(k), size)?;
             for l in k..D {
                 // D²H is of some size even where no M_H is claimed.
-                let size = constants.m_h().unwrap_or(0.0) + sum(&|jet| jet.second(k, k)).1;
-                let law = "∂ₖ∂ₗ norm_squared(x, u) = uᵀ ∂ₖ∂ₗH(x) u";
+                let size = constants.m_h().unwrap_or(0.0) + sum(u, &|jet| jet.second(k, k)).1;
+                let law = "∂ₖ∂ₗ norm_squared(x, u) = uᵀ ∂ₖ∂ₗH(x) u, ∂ₖ∂ₗ momentum(x, u) = ∂ₖ∂ₗH(x) u";
                 compare(law, &|jet| jet.second(k, l), size)?;
             }
         }

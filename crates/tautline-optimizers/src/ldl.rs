@@ -1,0 +1,113 @@
+//! `Ldl`: the factorisation `L D Lᵀ` of a small symmetric positive definite block.
+
+use nalgebra::{SMatrix, SVector};
+
+/// `A = L D Lᵀ` with ones on the diagonal of `L`: a Cholesky factorisation without roots, since the
+/// chain of operations from one block to the next is what an elimination waits for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Ldl<const D: usize> {
+    /// `L` below the diagonal, and the reciprocals of `D` on it; above it, nothing that counts.
+    factors: SMatrix<f64, D, D>,
+}
+
+impl<const D: usize> Ldl<D> {
+    /// Factorises `A`, reading its entries `i ≥ j`; `None` if it is not positive definite (or not
+    /// finite).
+    #[inline(always)]
+    pub(crate) fn new(a: &SMatrix<f64, D, D>) -> Option<Self> {
+        let mut factors = *a;
+        for j in 0..D {
+            let pivot = factors[(j, j)];
+            // NaN and +∞ fail here too.
+            if !(pivot > 0.0 && pivot < f64::INFINITY) {
+                return None;
+            }
+            let reciprocal = 1.0 / pivot;
+            factors[(j, j)] = reciprocal;
+            for k in j + 1..D {
+                let factor = factors[(k, j)] * reciprocal;
+                for i in k..D {
+                    factors[(i, k)] -= factors[(i, j)] * factor;
+                }
+                factors[(k, j)] = factor;
+            }
+        }
+        Some(Self { factors })
+    }
+
+    /// Returns `W = B L⁻ᵀ` and `W D⁻¹`, so that `B A⁻¹ Bᵀ = W (W D⁻¹)ᵀ`.
+    #[inline(always)]
+    pub(crate) fn divide(&self, b: &SMatrix<f64, D, D>) -> [SMatrix<f64, D, D>; 2] {
+        let mut w = *b;
+        for j in 0..D {
+            for k in j + 1..D {
+                let factor = self.factors[(k, j)];
+                for i in 0..D {
+                    w[(i, k)] -= w[(i, j)] * factor;
+                }
+            }
+        }
+        let scaled = SMatrix::from_fn(|i, j| w[(i, j)] * self.factors[(j, j)]);
+        [w, scaled]
+    }
+
+    /// Returns `y = L⁻¹ b` and `D⁻¹ y`, so that `bᵀ A⁻¹ b = y · D⁻¹ y`.
+    #[inline(always)]
+    pub(crate) fn forward(&self, b: SVector<f64, D>) -> [SVector<f64, D>; 2] {
+        let mut y = b;
+        for j in 0..D {
+            for i in j + 1..D {
+                y[i] -= self.factors[(i, j)] * y[j];
+            }
+        }
+        [y, SVector::from_fn(|i, _| y[i] * self.factors[(i, i)])]
+    }
+
+    /// Returns `L⁻ᵀ z`.
+    #[inline(always)]
+    pub(crate) fn backward(&self, z: SVector<f64, D>) -> SVector<f64, D> {
+        let mut x = z;
+        for j in (0..D).rev() {
+            for i in j + 1..D {
+                x[j] -= self.factors[(i, j)] * x[i];
+            }
+        }
+        x
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SMatrix, matrix, vector};
+
+    use super::Ldl;
+
+    #[test]
+    fn solving_and_dividing_multiply_back() {
+        let a = matrix![4.0, 2.0, -1.0; 2.0, 5.0, 0.5; -1.0, 0.5, 3.0];
+        let ldl = Ldl::new(&a).expect("diagonally dominant");
+        let b = vector![1.0, -2.0, 0.5];
+        let [y, scaled] = ldl.forward(b);
+        let x = ldl.backward(scaled);
+        // Entries of size 5 and 1: some 1e-15.
+        assert!((a * x - b).amax() < 1e-14);
+        assert!((y.dot(&scaled) - b.dot(&x)).abs() < 1e-14);
+        let c = matrix![1.0, 2.0, 3.0; 0.0, -1.0, 2.0; 0.5, 0.25, 4.0];
+        let [w, scaled] = ldl.divide(&c);
+        let inverse = a.try_inverse().expect("regular");
+        assert!((w * scaled.transpose() - c * inverse * c.transpose()).amax() < 1e-14);
+        assert!(Ldl::new(&matrix![1.0, 2.0; 2.0, 1.0]).is_none());
+        assert!(Ldl::new(&matrix![1.0, f64::NAN; f64::NAN, 1.0]).is_none());
+        assert!(Ldl::new(&matrix![f64::INFINITY]).is_none());
+    }
+
+    /// Only the lower half is read.
+    #[test]
+    fn the_upper_half_does_not_matter() {
+        let solve = |a: &SMatrix<f64, 2, 2>| {
+            let ldl = Ldl::new(a).expect("positive definite");
+            ldl.backward(ldl.forward(vector![1.0, 3.0])[1])
+        };
+        assert_eq!(solve(&matrix![4.0, f64::NAN; 2.0, 5.0]), solve(&matrix![4.0, 2.0; 2.0, 5.0]));
+    }
+}
