@@ -100,7 +100,8 @@ impl<const D: usize> Contraction<D> {
     ) -> Self {
         let jet = |i: usize, j: usize| &jets[(i.min(j), i.max(j))];
         let h = SMatrix::<f64, D, D>::from_fn(|i, j| value(jet(i, j)));
-        let p = SMatrix::<f64, D, D>::from_fn(|i, k| (0..D).map(|j| first(jet(i, j), k) * d[j]).sum());
+        let p =
+            SMatrix::<f64, D, D>::from_fn(|i, k| (0..D).map(|j| first(jet(i, j), k) * d[j]).sum());
         let is_metric = is_gram(&SMatrix::<f64, D, D>::from_fn(|i, j| value(&jets[(i, j)])));
         Self { h, g: p.tr_mul(d), p, q: SMatrix::zeros(), is_metric }
     }

@@ -195,7 +195,9 @@ impl<const D: usize> Factorization<D> {
         let Some(end) = diagonal.next() else { return };
         *last = end.backward(*last);
         let mut x = *last;
-        for ((z, diagonal), lower) in before.iter_mut().rev().zip(diagonal).zip(self.lower.iter().rev()) {
+        for ((z, diagonal), lower) in
+            before.iter_mut().rev().zip(diagonal).zip(self.lower.iter().rev())
+        {
             x = diagonal.backward(*z - lower.tr_mul(&x));
             *z = x;
         }

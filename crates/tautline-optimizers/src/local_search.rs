@@ -9,8 +9,8 @@ use crate::{
     Curvature, Stop,
     damping::{Damping, LAST_SHIFT, SHIFT_FACTOR},
     factorization::Factorization,
-    reduced_system::{ReducedSystem, Step},
     magnitude::Magnitude,
+    reduced_system::{ReducedSystem, Step},
     residual::Residual,
     rounding::{is_rounding, margin, negligible},
 };

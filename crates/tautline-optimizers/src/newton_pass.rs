@@ -226,7 +226,8 @@ mod tests {
         let Step { step, decrement } = system.newton_step(&factorization);
         let mut memory = Workspace::default().factorization;
         let magnitude = Magnitude { energy: model.energy, mean_gram: model.mean_gram };
-        let pass = NewtonPass::new(rule, &metric, ends, &sequence, magnitude, &mut memory, Vec::new());
+        let pass =
+            NewtonPass::new(rule, &metric, ends, &sequence, magnitude, &mut memory, Vec::new());
         let mut pass = pass.expect("definite");
         // The same operations but for the order of three sums a block. The condition of the
         // system is 100 at most, its entries some 10.

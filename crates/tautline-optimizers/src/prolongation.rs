@@ -93,7 +93,10 @@ mod tests {
             let sequence = PointSequence::new(points).expect("finite");
             let found = prolong(&sequence, fine);
             assert_eq!(found.len(), fine + 1);
-            assert_eq!((found.first(), found.last()), (Some(sequence.first()), Some(sequence.last())));
+            assert_eq!(
+                (found.first(), found.last()),
+                (Some(sequence.first()), Some(sequence.last()))
+            );
             for (k, point) in found.iter().enumerate() {
                 // Six weights up to 5, coordinates up to 2.
                 assert!((point - quintic(k as f64 / fine as f64)).amax() < 2e-14);

@@ -42,7 +42,8 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
         let (mut here, mut allowed) = (start, NEAR);
         for iteration in 1..=STEPS {
             let memory = spare.take(n + 1);
-            let mut pass = NewtonPass::new(rule, metric, ends, &here, about, factorization, memory)?;
+            let mut pass =
+                NewtonPass::new(rule, metric, ends, &here, about, factorization, memory)?;
             let at = pass.stationarity;
             if at.is_reached(&here) && at.residual <= at.residual_floor {
                 spare.give(pass.take_step());

@@ -92,11 +92,7 @@ impl<T: Scalar, const D: usize> Jet2<T, D> {
         Self {
             value: f(self.value),
             first: self.first.map(&f),
-            second: if self.bent {
-                Self::upper(|i, j| f(self.second[i][j]))
-            } else {
-                self.second
-            },
+            second: if self.bent { Self::upper(|i, j| f(self.second[i][j])) } else { self.second },
             bent: self.bent,
         }
     }

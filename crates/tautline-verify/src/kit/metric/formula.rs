@@ -105,11 +105,15 @@ pub(super) fn norm_squared<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D
                 let off = (part(jet) - sum).abs();
                 Fault::unless_at_most(law, [off, 0.0], granted, x.as_slice())?;
             }
-            Ok(())
+            Ok::<(), Fault>(())
         };
         // A derivative may be a difference of terms that a sum of other terms never sees.
         let constants = case.metric.constants();
-        compare("norm_squared(x, u) = uᵀ H(x) u, momentum(x, u) = H(x) u", &|jet| jet.value(), 0.0)?;
+        compare(
+            "norm_squared(x, u) = uᵀ H(x) u, momentum(x, u) = H(x) u",
+            &|jet| jet.value(),
+            0.0,
+        )?;
         for k in 0..D {
             let size = constants.l_h();
             let law = "∂ₖ norm_squared(x, u) = uᵀ ∂ₖH(x) u, ∂ₖ momentum(x, u) = ∂ₖH(x) u";
@@ -117,7 +121,8 @@ pub(super) fn norm_squared<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D
             for l in k..D {
                 // D²H is of some size even where no M_H is claimed.
                 let size = constants.m_h().unwrap_or(0.0) + sum(u, &|jet| jet.second(k, k)).1;
-                let law = "∂ₖ∂ₗ norm_squared(x, u) = uᵀ ∂ₖ∂ₗH(x) u, ∂ₖ∂ₗ momentum(x, u) = ∂ₖ∂ₗH(x) u";
+                let law =
+                    "∂ₖ∂ₗ norm_squared(x, u) = uᵀ ∂ₖ∂ₗH(x) u, ∂ₖ∂ₗ momentum(x, u) = ∂ₖ∂ₗH(x) u";
                 compare(law, &|jet| jet.second(k, l), size)?;
             }
         }
