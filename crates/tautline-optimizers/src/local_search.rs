@@ -1,7 +1,9 @@
 //! The local search on one grid: Newton's method, damped by a shift of the Hessian.
 
 use nalgebra::SVector;
-use tautline_discretizations::{PointSequence, QuadraticModel, Rule, energy_gradient};
+use tautline_discretizations::{
+    CompensatedSum, PointSequence, QuadraticModel, Rule, energy_gradient,
+};
 use tautline_metrics::{Metric, MetricError, check_gram};
 use tautline_sets::ClosedSet;
 
@@ -324,11 +326,21 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
     /// The energy of a trial; `None` if it is not finite or a chord has a negative one, that
     /// is, if the step left the region where the metric is one.
     fn admissible_energy(&self, points: &[SVector<f64, D>]) -> Option<f64> {
-        let trial = PointSequence::new(points.to_vec()).ok()?;
-        // The root of a negative number is NaN.
-        let length = self.rule.length(self.metric, &trial);
-        let energy = self.rule.energy(self.metric, &trial);
-        (length.is_finite() && energy.is_finite()).then_some(energy)
+        let n = points.len() - 1;
+        let mut energy = CompensatedSum::default();
+        for pair in points.windows(2) {
+            let chord = pair[1] - pair[0];
+            for node in R::NODES {
+                let square = self.metric.norm_squared(&(pair[0] + chord * node.fraction), &chord);
+                // Written so that NaN fails.
+                if !(square >= 0.0) {
+                    return None;
+                }
+                energy.add(node.weight * square);
+            }
+        }
+        let energy = energy.value() * n as f64;
+        energy.is_finite().then_some(energy)
     }
 
     /// What to say when the steps are used up.

@@ -51,10 +51,11 @@ const FOLLOWED: usize = 8;
 const SETTLED: usize = 512;
 
 /// From this grid on a search is expected to need no damping, and is tried without.
-const FINE: usize = 256;
+const FINE: usize = 64;
 
-/// The coarsest grid from which the points are extrapolated.
-const EXTRAPOLATED: usize = 100;
+/// From so many grids the points are extrapolated, and none of them coarser than this.
+const EXTRAPOLATED: usize = 3;
+const COARSE: usize = 64;
 
 /// Minima are different if their energies differ by more than this, relatively.
 const DIFFERENT: f64 = 1e-9;
@@ -175,23 +176,24 @@ pub fn minimise_in<const D: usize, R: Rule>(
 struct Candidate<'a, const D: usize> {
     ends: [&'a dyn ClosedSet<D>; 2],
     found: Found<D>,
-    /// The sequence on the next coarser grid.
-    coarser: Option<PointSequence<D>>,
+    /// The sequences on coarser grids, the finest last, as far as they are needed.
+    coarser: Vec<PointSequence<D>>,
     levels: Vec<Level>,
 }
 
 impl<'a, const D: usize> Candidate<'a, D> {
     fn new(ends: [&'a dyn ClosedSet<D>; 2], found: Found<D>) -> Self {
-        Self { ends, levels: vec![level(&found)], coarser: None, found }
+        Self { ends, levels: vec![level(&found)], coarser: Vec::new(), found }
     }
 
-    /// Goes over to the minimiser on the next grid; returns the points on the grid before the last,
-    /// which are not needed any more.
+    /// Goes over to the minimiser on the next grid; returns points on a coarser one which are not
+    /// needed any more.
     fn refined(mut self, found: Found<D>) -> (Self, Option<PointSequence<D>>) {
         self.levels.push(level(&found));
-        let coarser = std::mem::replace(&mut self.found, found).sequence;
-        let before = self.coarser.replace(coarser);
-        (self, before)
+        self.coarser.push(std::mem::replace(&mut self.found, found).sequence);
+        let unused = self.coarser.len() >= EXTRAPOLATED;
+        let unused = unused.then(|| self.coarser.remove(0));
+        (self, unused)
     }
 
     fn failed(&self) -> bool {
@@ -200,9 +202,9 @@ impl<'a, const D: usize> Candidate<'a, D> {
 
     /// Where to start on the next grid of `n` chords.
     ///
-    /// The points obey `x_N = x + c N⁻ᑫ + …` as the energies do, so that two grids tell where
-    /// they go on the third. That saves a Newton step there, once the error of prolongation,
-    /// of fourth order, is smaller than what is extrapolated.
+    /// The points obey `x_N = x + a N⁻ᑫ + b N⁻²ᑫ + …` as the energies do, so that three grids tell
+    /// where they go on the fourth, by a polynomial in `N⁻ᑫ`. What is left of the error is of the
+    /// order of rounding on fine grids, and no Newton step is needed there.
     fn start(
         &self,
         n: usize,
@@ -210,15 +212,26 @@ impl<'a, const D: usize> Candidate<'a, D> {
         memory: Vec<SVector<f64, D>>,
     ) -> Result<PointSequence<D>, SequenceError> {
         let sequence = &self.found.sequence;
-        let Some(coarser) = self.coarser.as_ref().filter(|c| c.n().get() >= EXTRAPOLATED) else {
-            return PointSequence::new(prolong_into(sequence, n, memory));
-        };
-        let power = |n: usize| (n as f64).powi(-exponent);
         let here = sequence.n().get();
-        let ratio = (power(n) - power(here)) / (power(here) - power(coarser.n().get()));
-        let before = prolong(coarser, here);
-        let mut points: Vec<_> =
-            sequence.points().iter().zip(&before).map(|(x, y)| x + (x - y) * ratio).collect();
+        let fine_enough = |coarser: &&PointSequence<D>| coarser.n().get() >= COARSE;
+        let coarser: Vec<_> = self.coarser.iter().filter(fine_enough).collect();
+        if coarser.is_empty() {
+            return PointSequence::new(prolong_into(sequence, n, memory));
+        }
+        let power = |n: usize| (n as f64).powi(-exponent);
+        // The weight of each in the polynomial of Lagrange through all.
+        let grids: Vec<_> = coarser.iter().map(|c| c.n().get()).chain([here]).map(power).collect();
+        let weight = |own: usize| {
+            let others = grids.iter().enumerate().filter(|(other, _)| *other != own);
+            others.map(|(_, h)| (power(n) - h) / (grids[own] - h)).product::<f64>()
+        };
+        let mut points = sequence.points().to_vec();
+        for (own, coarser) in coarser.into_iter().enumerate() {
+            let weight = weight(own);
+            let before = prolong(coarser, here);
+            let with = points.iter_mut().zip(sequence.points()).zip(&before);
+            with.for_each(|((point, x), y)| *point += (y - x) * weight);
+        }
         points[0] = self.ends[0].project(&points[0]);
         points[here] = self.ends[1].project(&points[here]);
         PointSequence::new(prolong_into(&PointSequence::new(points)?, n, memory))
@@ -260,10 +273,10 @@ mod tests {
     use tautline_sets::Point;
 
     use super::{Candidate, grids};
-    use crate::{local_search::LocalSearch, prolongation::prolong};
+    use crate::local_search::LocalSearch;
 
-    /// How far the start on the third grid is from the minimiser, with extrapolation and without.
-    fn distances<R: Rule>(rule: R) -> [f64; 2] {
+    /// How far the start with 3200 chords is from the minimiser, after a search on these grids.
+    fn distance<R: Rule>(rule: R, grids: &[usize]) -> f64 {
         let ends = [[0.0, 0.0], [2.0, 1.5]].map(|x| Point::new(x).expect("finite"));
         let ends: [&dyn tautline_sets::ClosedSet<2>; 2] = [&ends[0], &ends[1]];
         let search = LocalSearch { metric: &Valleys, rule, ends, iterations: 50 };
@@ -271,22 +284,28 @@ mod tests {
             let line = PointSequence::straight([0.0, 0.0], [2.0, 1.5], n).expect("finite");
             search.run(line).expect("a metric")
         };
-        let candidate = Candidate::new(ends, solve(200)).refined(solve(800)).0;
-        let fine = solve(3200).sequence;
-        let distance = |points: &[nalgebra::SVector<f64, 2>]| {
-            points.iter().zip(fine.points()).map(|(x, y)| (x - y).amax()).fold(0.0, f64::max)
-        };
+        let candidate = Candidate::new(ends, solve(grids[0]));
+        let candidate = grids[1..].iter().fold(candidate, |c, &n| c.refined(solve(n)).0);
         let start = candidate.start(3200, R::ERROR_EXPONENT, Vec::new()).expect("finite");
-        [distance(start.points()), distance(&prolong(&candidate.found.sequence, 3200))]
+        let fine = solve(3200).sequence;
+        let pairs = start.points().iter().zip(fine.points());
+        pairs.map(|(x, y)| (x - y).amax()).fold(0.0, f64::max)
     }
 
-    /// The first term of the error is of second order for one rule and of first for the other;
-    /// what is left is the next term, smaller by about the coarsest step or its square. Without
-    /// the right power, or with the wrong sign, as much is left as there was.
+    /// The first term of the error is of second order for one rule and of first for the other, and
+    /// the next of twice that: what is left is smaller by about the coarsest step or its square, for
+    /// each grid more. Without the right power, or with the wrong sign, as much is left as there was.
     #[test]
     fn the_points_are_extrapolated_to_the_next_grid() {
-        for [extrapolated, prolonged] in [distances(Trapezoidal), distances(LeftEndpoint)] {
-            assert!(extrapolated < 0.1 * prolonged, "{extrapolated:e} {prolonged:e}");
+        let one_by_one = [[800].as_slice(), &[200, 800], &[100, 200, 800], &[100, 100, 200, 800]];
+        for [one, two, three, again] in [
+            one_by_one.map(|grids| distance(Trapezoidal, grids)),
+            one_by_one.map(|grids| distance(LeftEndpoint, grids)),
+        ] {
+            assert!(two < 0.1 * one, "{two:e} {one:e}");
+            assert!(three < 0.1 * two, "{three:e} {two:e}");
+            // No more than three are kept.
+            assert_eq!(again, three);
         }
     }
 

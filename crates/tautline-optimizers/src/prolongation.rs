@@ -1,15 +1,15 @@
-//! A point sequence on another grid: interpolation of the fifth degree in time.
+//! A point sequence on another grid: interpolation of the seventh degree in time.
 
 use nalgebra::SVector;
 use tautline_discretizations::PointSequence;
 
 /// So many points a polynomial goes through.
-const POINTS: usize = 6;
+const POINTS: usize = 8;
 
 /// Returns the sequence with `n ≥ 1` subintervals that follows `sequence`: on each of its
-/// subintervals the polynomial through the six nearest points (all, if there are fewer).
+/// subintervals the polynomial through the eight nearest points (all, if there are fewer).
 ///
-/// Keeps both ends exactly. The error on a smooth curve is `O(N⁻⁶)` of the coarser grid: on fine
+/// Keeps both ends exactly. The error on a smooth curve is `O(N⁻⁸)` of the coarser grid: on fine
 /// grids less than the points are rounded by, so that no Newton step is left.
 pub(crate) fn prolong<const D: usize>(
     sequence: &PointSequence<D>,
@@ -48,10 +48,10 @@ pub(crate) fn prolong_into<const D: usize>(
                 *coefficient += difference * *weight;
             }
         }
-        let [_, a, b, c, d, e] = coefficients;
+        let [_, a, b, c, d, e, f, g] = coefficients;
         while rest < n {
             let s = rest as f64 * fraction;
-            fine.push(start + ((((e * s + d) * s + c) * s + b) * s + a) * s);
+            fine.push(start + ((((((g * s + f) * s + e) * s + d) * s + c) * s + b) * s + a) * s);
             rest += coarse;
         }
         rest -= n;
@@ -86,10 +86,10 @@ mod tests {
     use super::prolong;
 
     #[test]
-    fn curves_of_the_fifth_degree_are_followed_exactly() {
-        let quintic = |t: f64| vector![t.powi(5) - t, 2.0 - t.powi(4)];
-        for (coarse, fine) in [(5, 20), (6, 6), (7, 9), (32, 45), (45, 32), (9, 1)] {
-            let points = (0..=coarse).map(|k| quintic(k as f64 / coarse as f64)).collect();
+    fn curves_of_the_seventh_degree_are_followed_exactly() {
+        let curve = |t: f64| vector![t.powi(7) - t, 2.0 - t.powi(6)];
+        for (coarse, fine) in [(7, 28), (8, 8), (9, 11), (32, 45), (45, 32), (9, 1)] {
+            let points = (0..=coarse).map(|k| curve(k as f64 / coarse as f64)).collect();
             let sequence = PointSequence::new(points).expect("finite");
             let found = prolong(&sequence, fine);
             assert_eq!(found.len(), fine + 1);
@@ -98,8 +98,8 @@ mod tests {
                 (Some(sequence.first()), Some(sequence.last()))
             );
             for (k, point) in found.iter().enumerate() {
-                // Six weights up to 5, coordinates up to 2.
-                assert!((point - quintic(k as f64 / fine as f64)).amax() < 2e-14);
+                // Eight weights up to 9, coordinates up to 2.
+                assert!((point - curve(k as f64 / fine as f64)).amax() < 2e-14);
             }
         }
     }
