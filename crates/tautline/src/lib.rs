@@ -77,8 +77,9 @@ pub use tautline_metrics::{
     MetricError, check_gram, christoffel, composition, gallery, quadrature,
 };
 pub use tautline_optimizers::{
-    AsymptoticsError, Curvature, Estimate, LeadingConstants, Level, Minimum, Options, SolveError,
-    Starts, Stop, Workspace, extrapolate, leading_constants, minimise, minimise_in,
+    AsymptoticsError, Curvature, Estimate, LeadingConstants, Level, Minimum, NewtonStep, Options,
+    SolveError, Starts, Stop, Workspace, extrapolate, leading_constants, minimise, minimise_in,
+    newton_step,
 };
 pub use tautline_scalar::{FastInterval, Interval, Jet1, Jet2, MixedJet, Scalar};
 pub use tautline_sets::{

@@ -54,6 +54,10 @@ fn measure<M: Metric<D>, const D: usize>(
             model.expand(Trapezoidal, metric, black_box(&line_again));
             model.energy
         });
+        let mut workspace = Workspace::default();
+        race.add("newton step", move || {
+            newton_step(&mut workspace, metric, ends, Trapezoidal, black_box(&line_again))
+        });
         race.add("solve", || case.problem.solve_with(Trapezoidal, black_box(n), &options));
         let times = race.run();
         let by_hand = |name| {
@@ -76,7 +80,11 @@ fn measure<M: Metric<D>, const D: usize>(
 
 fn none<const D: usize>(_: &mut Race<'_>, _: &[[f64; D]]) {}
 
-fn plane<'a>(race: &mut Race<'a>, line: &'a [[f64; 2]], metric: fn([f64; 2]) -> Conformal) {
+fn plane<'a>(
+    race: &mut Race<'a>,
+    line: &'a [[f64; 2]],
+    metric: impl Fn([f64; 2]) -> Conformal + Copy + 'a,
+) {
     let mut assembled = Plane::new(line.len() - 1);
     race.add("assembly by hand", move || assembled.assemble(black_box(line), metric));
     let mut solved = Plane::new(line.len() - 1);

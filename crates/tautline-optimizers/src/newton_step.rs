@@ -1,0 +1,88 @@
+//! One Newton step by itself.
+
+use nalgebra::SVector;
+use tautline_discretizations::{PointSequence, Rule};
+use tautline_metrics::Metric;
+use tautline_sets::ClosedSet;
+
+use crate::{Workspace, magnitude::Magnitude, newton_pass::NewtonPass};
+
+/// A Newton step from a point sequence, and what it promises.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct NewtonStep<const D: usize> {
+    /// By how much each of the `N + 1` points moves, in `ℓ`. An end that moves is to be projected
+    /// back to its set.
+    pub step: Vec<SVector<f64, D>>,
+    /// The discrete energy before the step, in `m²`.
+    pub energy: f64,
+    /// The energy that the quadratic model sheds, in `m²`: half the square of the Newton decrement.
+    pub decrement: f64,
+}
+
+/// Returns one undamped Newton step from `sequence`, whose ends are to lie in the sets `ends`;
+/// `None` if the Hessian, confined to the active faces of the sets, is not positive definite beyond
+/// rounding.
+///
+/// What [`minimise`](crate::minimise) repeats on fine grids, where nothing need be damped: assembly
+/// and factorisation in one pass over the chords, `O(N D³)`, in the memory of `workspace`.
+pub fn newton_step<const D: usize, R: Rule>(
+    workspace: &mut Workspace<D>,
+    metric: &impl Metric<D>,
+    ends: [&dyn ClosedSet<D>; 2],
+    rule: R,
+    sequence: &PointSequence<D>,
+) -> Option<NewtonStep<D>> {
+    // Only what is taken for rounding depends on these: as at the ends and in the middle.
+    let points = sequence.points();
+    let places = [0, points.len() / 2, points.len() - 1];
+    let traces = places.map(|k| metric.gram(&points[k]).trace() / D as f64);
+    let mean_gram = traces.iter().sum::<f64>() / 3.0;
+    let energy = mean_gram * (sequence.last() - sequence.first()).norm_squared();
+    let about = Magnitude { energy, mean_gram };
+    let Workspace { factorization, spare } = workspace;
+    let memory = spare.take(points.len());
+    let mut pass = NewtonPass::new(rule, metric, ends, sequence, about, factorization, memory)?;
+    let at = pass.stationarity;
+    Some(NewtonStep { step: pass.take_step(), energy: at.magnitude.energy, decrement: at.decrement })
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::vector;
+    use tautline_discretizations::{PointSequence, Trapezoidal};
+    use tautline_metrics::gallery::{Bump, Constant};
+    use tautline_sets::Point;
+
+    use super::newton_step;
+    use crate::Workspace;
+
+    /// Where the energy is quadratic, one step leads from any sequence to the straight line, and
+    /// keeps what it promises.
+    #[test]
+    fn one_step_straightens_a_chain() {
+        let metric = Constant::<2>::identity();
+        let ends = [[0.0, 0.0], [1.0, 2.0]].map(|x| Point::new(x).expect("finite"));
+        let bent = [vector![0.0, 0.0], vector![3.0, -1.0], vector![0.5, 0.5], vector![1.0, 2.0]];
+        let bent = PointSequence::new(bent.to_vec()).expect("finite");
+        let found =
+            newton_step(&mut Workspace::default(), &metric, [&ends[0], &ends[1]], Trapezoidal, &bent)
+                .expect("definite");
+        for (k, (x, step)) in bent.points().iter().zip(&found.step).enumerate() {
+            // Less the margin of 1e-8 by which the Hessian has to be definite, of entries below 4.
+            assert!((x + step - vector![1.0, 2.0] * (k as f64 / 3.0)).amax() < 1e-7);
+        }
+        // 3 (9 + 1 + 6.25 + 2.25 + 0.25 + 2.25), and 5 for the line.
+        assert!((found.energy - 63.0).abs() < 1e-13);
+        assert!((found.energy - found.decrement - 5.0).abs() < 1e-5);
+    }
+
+    #[test]
+    fn over_a_bump_there_is_none() {
+        let bump = Bump::new(4.0, 0.5).expect("a width");
+        let ends = [[-1.5, 0.0], [1.5, 0.0]].map(|x| Point::new(x).expect("finite"));
+        let line = PointSequence::straight([-1.5, 0.0], [1.5, 0.0], 32).expect("finite");
+        let ends: [&dyn tautline_sets::ClosedSet<2>; 2] = [&ends[0], &ends[1]];
+        assert!(newton_step(&mut Workspace::default(), &bump, ends, Trapezoidal, &line).is_none());
+    }
+}
