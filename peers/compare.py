@@ -184,7 +184,8 @@ def main() -> None:
             reference = None
             for peer in chosen.peer or PEERS:
                 if (name, peer) in late:
-                    row = Row(name, n, PEERS[peer], "", converged="not run: smaller N did not finish")
+                    row = Row(name, n, PEERS[peer], "")
+                    row.converged = "not run: did not finish for smaller N"
                 else:
                     row = compare(peer, PROBLEMS[name], n, programs, chosen.limit)
                 if "did not finish in" in row.converged:

@@ -103,7 +103,7 @@ def sine_projections(x: Sequence[Any], m: ModuleType) -> list[list[Any]]:
     weights = [0.5 * m.sin(sum(w[i] * x[i] for i in range(8))) ** 2 for w in WAVES]
     return [
         [
-            sum(weights[k] * (DIRECTIONS[k][i] * DIRECTIONS[k][j]) for k in range(8)) + float(i == j)
+            sum(weights[k] * (a[i] * a[j]) for k, a in enumerate(DIRECTIONS)) + float(i == j)
             for j in range(8)
         ]
         for i in range(8)

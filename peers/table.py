@@ -77,8 +77,9 @@ def page(rows: list[Row], machine: str) -> str:
     grids = sorted({row.n for row in rows})
     peers = list(dict.fromkeys(row.peer for row in rows))
     lines = [
-        "Seconds of one processor for one solve, and in brackets how many times Tautline's that is;",
+        "Seconds of one processor for one solve, in brackets the ratio to Tautline's.",
         "*no*: the rule to stop is not fulfilled; *other*: another geodesic; a dash: no result.",
+        "The reasons are in `peers.csv`.",
         "",
         f"Machine: {machine}.",
     ]
@@ -86,9 +87,7 @@ def page(rows: list[Row], machine: str) -> str:
         lines += ["", f"| {problem} | " + " | ".join(f"N = {n}" for n in grids) + " |"]
         lines.append("| --- |" + " ---: |" * len(grids))
         for peer in peers:
-            found = {
-                row.n: row for row in rows if row.problem == problem and row.peer == peer
-            }
+            found = {row.n: row for row in rows if (row.problem, row.peer) == (problem, peer)}
             cells = [cell(found[n]) if n in found else "" for n in grids]
             lines.append(f"| {peer} | " + " | ".join(cells) + " |")
     return "\n".join(lines) + "\n"
@@ -100,9 +99,8 @@ def cell(row: Row) -> str:
         return "–"
     text = written(row.seconds, ".1e")
     if row.ratio_to_tautline is not None:
-        text += f" ({row.ratio_to_tautline:.2g})" if row.ratio_to_tautline < 99.5 else (
-            f" ({row.ratio_to_tautline:.0f})"
-        )
+        # Two digits, and no exponent.
+        text += f" ({float(f'{row.ratio_to_tautline:.1e}'):g})"
     if row.converged == "another geodesic":
         return text + " *other*"
     return text if row.converged == "yes" else text + " *no*"
