@@ -1,7 +1,8 @@
 """The problems P1 to P6, their discrete energy, and the rule by which a result is judged.
 
-A metric is one formula in a module ``m`` that has ``sin``, ``cos`` and ``exp``: NumPy, JAX,
-autograd or CasADi.  Its coordinates are numbers or arrays, its entries are too.
+A metric is given by its square speed u^T H(x) u, as one writes it by hand, in a module ``m`` that
+has ``sin``, ``cos`` and ``exp``: NumPy, JAX, autograd or CasADi.  Coordinates come first: ``x[0]``
+is a number or the array of all first coordinates.
 
 The discrete energy of N + 1 points is that of the paper's trapezoidal rule,
 
@@ -11,13 +12,14 @@ The discrete energy of N + 1 points is that of the paper's trapezoidal rule,
 from __future__ import annotations
 
 import math
+import sys
 from dataclasses import dataclass
-from types import ModuleType
-from typing import Any, Callable, Sequence
+from typing import Any, Callable
 
 import numpy as np
 
-Gram = Callable[[Sequence[Any], Any], list[list[Any]]]
+# Of x, u and the module.
+SquareSpeed = Callable[[Any, Any, Any], Any]
 
 
 @dataclass(frozen=True)
@@ -41,7 +43,7 @@ class Problem:
     """A metric, the line to start from, and the sets if the ends are not fixed."""
 
     name: str
-    gram: Gram
+    square_speed: SquareSpeed
     start: tuple[float, ...]
     stop: tuple[float, ...]
     # The square of the distance, and (E_N - d^2) N^2 for the minimum E_N of the discrete energy:
@@ -67,67 +69,49 @@ class Problem:
         return (1.0 - t) * np.array(self.start) + t * np.array(self.stop)
 
 
-def isotropic(factor: Callable[[Sequence[Any], Any], Any], dimension: int) -> Gram:
-    """The metric ``factor(x) I``."""
-
-    def gram(x: Sequence[Any], m: ModuleType) -> list[list[Any]]:
-        f = factor(x, m)
-        return [[f if i == j else 0.0 * f for j in range(dimension)] for i in range(dimension)]
-
-    return gram
-
-
-def squared_norm(x: Sequence[Any]) -> Any:
+def square(x: Any) -> Any:
     """The square of the Euclidean norm in the plane."""
     return x[0] * x[0] + x[1] * x[1]
 
 
-def coupled_cosines(x: Sequence[Any], m: ModuleType) -> list[list[Any]]:
-    """diag(1, 3/2, 2) + (2/5) cos(x_i - x_j) / (1 + |i - j|)."""
-    diagonal = (1.0, 1.5, 2.0)
-    return [
-        [
-            0.4 * m.cos(x[i] - x[j]) / (1 + abs(i - j)) + (diagonal[i] if i == j else 0.0)
-            for j in range(3)
-        ]
-        for i in range(3)
-    ]
+def coupled_cosines(x: Any, u: Any, m: Any) -> Any:
+    """H = diag(1, 3/2, 2) + (2/5) cos(x_i - x_j) / (1 + |i - j|)."""
+    diagonal = 1.4 * u[0] ** 2 + 1.9 * u[1] ** 2 + 2.4 * u[2] ** 2
+    beside = m.cos(x[0] - x[1]) * u[0] * u[1] + m.cos(x[1] - x[2]) * u[1] * u[2]
+    return diagonal + 0.4 * beside + 0.8 / 3 * m.cos(x[0] - x[2]) * u[0] * u[2]
 
 
-WAVES = [[math.sin(0.7 * k + i) for i in range(1, 9)] for k in range(1, 9)]
-DIRECTIONS = [[math.cos(1.3 * k * i) / 2 for i in range(1, 9)] for k in range(1, 9)]
+WAVES = np.array([[math.sin(0.7 * k + i) for i in range(1, 9)] for k in range(1, 9)])
+DIRECTIONS = np.array([[math.cos(1.3 * k * i) / 2 for i in range(1, 9)] for k in range(1, 9)])
+ONES = np.ones((1, 8))
 
 
-def sine_projections(x: Sequence[Any], m: ModuleType) -> list[list[Any]]:
-    """I + (1/2) sum_k sin(w_k . x)^2 a_k a_k^T in eight dimensions."""
-    weights = [0.5 * m.sin(sum(w[i] * x[i] for i in range(8))) ** 2 for w in WAVES]
-    return [
-        [
-            sum(weights[k] * (a[i] * a[j]) for k, a in enumerate(DIRECTIONS)) + float(i == j)
-            for j in range(8)
-        ]
-        for i in range(8)
-    ]
+def sine_projections(x: Any, u: Any, m: Any) -> Any:
+    """H = I + (1/2) sum_k sin(w_k . x)^2 a_k a_k^T in eight dimensions."""
+    return (ONES @ (u * u + 0.5 * (m.sin(WAVES @ x) * (DIRECTIONS @ u)) ** 2))[0]
 
 
-BUMP = isotropic(lambda x, m: (1.0 + 4.0 * m.exp(-2.0 * squared_norm(x))) ** 2, 2)
+def bump(x: Any, u: Any, m: Any) -> Any:
+    """H = (1 + 4 exp(-2 |x|^2))^2 I."""
+    return (1.0 + 4.0 * m.exp(-2.0 * square(x))) ** 2 * square(u)
+
 
 PROBLEMS = {
     problem.name: problem
     for problem in [
         Problem(
             "P1",
-            isotropic(lambda x, m: (2.0 - m.cos(x[0])) ** 2, 2),
+            lambda x, u, m: (2.0 - m.cos(x[0])) ** 2 * square(u),
             (0.0, 0.0),
             (4 * math.pi, 0.0),
             64 * math.pi**2,
             -3.2e3,
         ),
-        Problem("P2", BUMP, (-1.5, 0.05), (1.5, -0.1), 21.858160535, 23.2),
+        Problem("P2", bump, (-1.5, 0.05), (1.5, -0.1), 21.858160535, 23.2),
         Problem("P3", coupled_cosines, (0.0,) * 3, (3.0, 2.0, -2.0), 32.3618178235026, 0.55),
         Problem(
             "P4",
-            BUMP,
+            bump,
             (-1.6, 0.3),
             (2.0, 0.3),
             17.476778558,
@@ -138,7 +122,7 @@ PROBLEMS = {
         Problem("P5", sine_projections, (0.0,) * 8, (1.0,) * 8, 8.849588854249, 0.24),
         Problem(
             "P6",
-            isotropic(lambda x, m: 4.0 / (1.0 + squared_norm(x)) ** 2, 2),
+            lambda x, u, m: 4.0 * square(u) / (1.0 + square(x)) ** 2,
             (-0.8, 0.3),
             (1.1, 0.6),
             5.278323900279761,
@@ -148,34 +132,31 @@ PROBLEMS = {
 }
 
 
-def gram_array(problem: Problem, x: np.ndarray) -> np.ndarray:
-    """H at each row of ``x``, of the shape (rows, D, D)."""
-    rows = problem.gram(x.T, np)
-    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
-
-
 def energy(problem: Problem, points: np.ndarray) -> float:
     """The discrete energy."""
-    chords = np.diff(points, axis=0)
-    gram = gram_array(problem, (points[1:] + points[:-1]) / 2)
-    return len(chords) * math.fsum(np.einsum("ni,nij,nj->n", chords, gram, chords))
+    chords, middles = np.diff(points, axis=0), (points[1:] + points[:-1]) / 2
+    return len(chords) * math.fsum(problem.square_speed(middles.T, chords.T, np))
+
+
+def slopes(function: Callable[[np.ndarray], np.ndarray], x: np.ndarray) -> np.ndarray:
+    """The partial derivatives of a function of many points, one row each.
+
+    By a complex step: no difference of close numbers, so that they are exact to rounding.
+    """
+    found = np.empty_like(x)
+    for k in range(x.shape[1]):
+        moved = x.astype(complex)
+        moved[:, k] += 1e-30j
+        found[:, k] = function(moved.T).imag / 1e-30
+    return found
 
 
 def gradient(problem: Problem, points: np.ndarray) -> np.ndarray:
-    """The gradient of the discrete energy in all N + 1 points.
-
-    The metric is differentiated by a complex step: no difference of close numbers, so that the
-    result is exact to rounding.
-    """
+    """The gradient of the discrete energy in all N + 1 points."""
     n = len(points) - 1
     chords, middles = np.diff(points, axis=0), (points[1:] + points[:-1]) / 2
-    momenta = 2 * n * np.einsum("nij,nj->ni", gram_array(problem, middles), chords)
-    forces = np.empty_like(chords)
-    for k in range(problem.dimension):
-        moved = middles.astype(complex)
-        moved[:, k] += 1e-30j
-        slope = gram_array(problem, moved).imag / 1e-30
-        forces[:, k] = n / 2 * np.einsum("ni,nij,nj->n", chords, slope, chords)
+    forces = n / 2 * slopes(lambda x: problem.square_speed(x, chords.T, np), middles)
+    momenta = n * slopes(lambda u: problem.square_speed(middles.T, u, np), chords)
     total = np.zeros_like(points)
     total[:-1] += forces - momenta
     total[1:] += forces + momenta
@@ -205,8 +186,11 @@ def tolerance(problem: Problem, n: int) -> float:
     that is more: a relative error eps of x changes the gradient by up to 8 eps N |H| |x|.
     """
     line = problem.line(n)
-    largest = np.abs(gram_array(problem, line)).max() * np.abs(line).max()
-    return max(1e-10 * residual(problem, line), 8 * np.finfo(float).eps * n * float(largest))
+    # The largest entry of a positive definite matrix is on its diagonal.
+    units = (np.repeat(unit[:, None], n + 1, axis=1) for unit in np.eye(problem.dimension))
+    entries = max(float(problem.square_speed(line.T, unit, np).max()) for unit in units)
+    largest = entries * float(np.abs(line).max())
+    return max(1e-10 * residual(problem, line), 8 * sys.float_info.epsilon * n * largest)
 
 
 def is_minimum(problem: Problem, n: int, value: float, on_grid: bool) -> bool:

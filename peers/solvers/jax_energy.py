@@ -14,18 +14,9 @@ from problems import Problem
 jax.config.update("jax_enable_x64", True)
 
 
-def gram(problem: Problem, x: jax.Array) -> jax.Array:
-    """H at one point."""
-    return jnp.array(problem.gram(x, jnp))
-
-
 def chord_energy(problem: Problem, n: int) -> Callable[[jax.Array, jax.Array], jax.Array]:
     """What one of n chords adds to the discrete energy."""
-
-    def chord(a: jax.Array, b: jax.Array) -> jax.Array:
-        return n * (b - a) @ gram(problem, (a + b) / 2) @ (b - a)
-
-    return chord
+    return lambda a, b: n * problem.square_speed((a + b) / 2, b - a, jnp)
 
 
 # A free end is written in coordinates of its own, in the place of the D of an inner point.  P4 has

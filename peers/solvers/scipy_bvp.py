@@ -15,7 +15,7 @@ import scipy
 from scipy.integrate import solve_bvp
 
 from measurement import Solution
-from problems import Problem, gram_array
+from problems import Problem
 from solvers import jax_energy
 
 # A straight line of so many points is the first mesh, and no mesh has more than so many.
@@ -34,13 +34,16 @@ def equation(problem: Problem) -> tuple[Callable, Callable]:
     """The geodesic equation as a system of first order, and its Jacobian."""
     d = problem.dimension
 
+    def momentum(x: jax.Array, v: jax.Array) -> jax.Array:
+        # H v, of which d/dt (2 H v) = grad_x (v^T H v) is the geodesic equation.
+        return jax.grad(lambda v: problem.square_speed(x, v, jnp))(v) / 2
+
     def slope(y: jax.Array) -> jax.Array:
-        # d/dt (2 H v) = grad_x (v^T H v)
         x, v = y[:d], y[d:]
-        gram = lambda x: jax_energy.gram(problem, x)
-        force = jax.grad(lambda x: v @ gram(x) @ v)(x) / 2
-        _, turning = jax.jvp(gram, (x,), (v,))
-        return jnp.concatenate([v, jnp.linalg.solve(gram(x), force - turning @ v)])
+        force = jax.grad(lambda x: problem.square_speed(x, v, jnp))(x) / 2
+        _, turning = jax.jvp(lambda x: momentum(x, v), (x,), (v,))
+        gram = jax.jacfwd(lambda v: momentum(x, v))(v)
+        return jnp.concatenate([v, jnp.linalg.solve(gram, force - turning)])
 
     right = jax.jit(jax.vmap(slope, in_axes=1, out_axes=1))
     jacobian = jax.jit(jax.vmap(jax.jacfwd(slope), in_axes=1, out_axes=2))
@@ -54,10 +57,11 @@ def boundary(problem: Problem) -> Callable[[np.ndarray, np.ndarray], np.ndarray]
         start, stop = np.array(problem.start), np.array(problem.stop)
         return lambda a, b: np.concatenate([a[:d] - start, b[:d] - stop])
     ball, half_space = problem.first_set, problem.last_set
+    momentum = jax.jit(jax.grad(lambda x, v: problem.square_speed(x, v, jnp), argnums=1))
 
     def free(a: np.ndarray, b: np.ndarray) -> np.ndarray:
         offset = a[:2] - np.array(ball.centre)
-        momenta = [gram_array(problem, y[None, :2])[0] @ y[2:] for y in (a, b)]
+        momenta = [momentum(y[:2], y[2:]) for y in (a, b)]
         return np.array(
             [
                 offset @ offset - ball.radius**2,
@@ -76,8 +80,7 @@ def curve_energy(problem: Problem, found: Any) -> float:
     half = np.diff(found.x) / 2
     t = (found.x[:-1] + half)[:, None] + half[:, None] * nodes
     y = found.sol(t.ravel())
-    x, v = y[: problem.dimension].T, y[problem.dimension :].T
-    speeds = np.einsum("ni,nij,nj->n", v, gram_array(problem, x), v)
+    speeds = problem.square_speed(y[: problem.dimension], y[problem.dimension :], np)
     return float((half[:, None] * weights).ravel() @ speeds)
 
 
