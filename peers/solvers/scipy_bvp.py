@@ -16,7 +16,9 @@ from scipy.integrate import solve_bvp
 
 from measurement import Solution
 from problems import Problem
-from solvers import jax_energy
+
+# Set before any array is made; JAX computes in single precision otherwise.
+jax.config.update("jax_enable_x64", True)
 
 # A straight line of so many points is the first mesh, and no mesh has more than so many.
 FIRST_MESH, LARGEST_MESH = 101, 100_000
