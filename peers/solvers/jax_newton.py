@@ -81,6 +81,7 @@ def newton(
 ) -> Solution:
     """Newton's method from the straight line."""
     z, value, shift, stop = start, float(energy(start)), 0.0, "iteration limit"
+    noise = 1e-16 * len(start)
     for iteration in range(200):
         gradient, band = map(np.asarray, slopes(z))
         if np.abs(gradient).max() <= tolerance:
@@ -97,11 +98,12 @@ def newton(
             except LinAlgError:
                 shift = max(4 * shift, 1e-4 * np.abs(band[-1]).mean())
         slope, length = float((gradient * step).sum()), 1.0
-        # The energy is known to some 10^-15 of itself: below that every step may be taken.
+        # Rounding of the points, some 10^-16 of them, is N times that of a chord, and so of the
+        # energy: below that every step may be taken.
         while True:
             trial = z + length * step
             new = float(energy(trial))
-            if new <= value + 1e-4 * length * slope + 1e-15 * abs(value) or length < 1e-10:
+            if new <= value + 1e-4 * length * slope + noise * abs(value) or length < 1e-10:
                 break
             length /= 2
         z, value = trial, new
