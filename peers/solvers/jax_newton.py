@@ -87,6 +87,8 @@ def newton(
         if np.abs(gradient).max() <= tolerance:
             stop = "gradient small"
             break
+        # The lowest eigenvalues are some 1/N^2 of the entries on the diagonal.
+        least = np.abs(band[-1]).mean() / len(start) ** 2
         while True:
             try:
                 shifted = band.copy()
@@ -96,7 +98,7 @@ def newton(
                 ).reshape(z.shape)
                 break
             except LinAlgError:
-                shift = max(4 * shift, 1e-4 * np.abs(band[-1]).mean())
+                shift = max(4 * shift, least)
         slope, length = float((gradient * step).sum()), 1.0
         # Rounding of the points, some 10^-16 of them, is N times that of a chord, and so of the
         # energy: below that every step may be taken.
@@ -107,5 +109,5 @@ def newton(
                 break
             length /= 2
         z, value = trial, new
-        shift = shift / 8 if shift > 1e-8 * np.abs(band[-1]).mean() else 0.0
+        shift = shift / 8 if shift > least else 0.0
     return Solution(iteration, stop, jax_energy.points(problem, z))
