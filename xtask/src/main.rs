@@ -1,8 +1,10 @@
 //! `cargo xtask <task>`: what the repository can do, beyond building and testing one crate.
 
+mod peers;
+
 use std::{
     env,
-    path::Path,
+    path::{Path, PathBuf},
     process::{Command, ExitCode},
 };
 
@@ -13,6 +15,8 @@ usage: cargo xtask <task>
   tables  [ID …] [--check | --quick | --list]   recompute paper/tables
   test    [ARG …]                               every test of the workspace
   bench   [ARG …]                               the benchmarks
+  peers   [--problem ID | --n N | --peer ID] …  other programs on the same problems, timed; needs
+                                                Python 3 and downloads what docs/comparison.md lists
   ci                                            what continuous integration runs
 
   --check   recompute, and compare with what is committed
@@ -27,6 +31,7 @@ fn main() -> ExitCode {
         ["tables", rest @ ..] => paper("tables", rest),
         ["test", rest @ ..] => test(rest),
         ["bench", rest @ ..] => cargo(&[&["bench", "--workspace"], rest].concat(), &[]),
+        ["peers", rest @ ..] => peers::peers(&root(), rest),
         ["ci"] => ci(),
         ["help" | "--help" | "-h"] => {
             println!("{USAGE}");
@@ -65,6 +70,12 @@ fn ci() -> Result<(), String> {
     paper("tables", &["--check"])
 }
 
+/// The root of the workspace.
+fn root() -> PathBuf {
+    let xtask = Path::new(env!("CARGO_MANIFEST_DIR"));
+    xtask.parent().unwrap_or(xtask).to_owned()
+}
+
 /// Runs cargo in the root of the workspace, and echoes the command, so that a failure can be
 /// pasted and run again.
 fn cargo(arguments: &[&str], environment: &[(&str, &str)]) -> Result<(), String> {
@@ -72,11 +83,10 @@ fn cargo(arguments: &[&str], environment: &[(&str, &str)]) -> Result<(), String>
         environment.iter().map(|(name, value)| format!("{name}='{value}' ")).collect();
     let line = format!("{set}cargo {}", arguments.join(" "));
     eprintln!("$ {line}");
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let status = Command::new(env!("CARGO"))
         .args(arguments)
         .envs(environment.iter().copied())
-        .current_dir(root)
+        .current_dir(root())
         .status();
     match status {
         Ok(status) if status.success() => Ok(()),

@@ -8,7 +8,7 @@ use super::{crates, files, read, root};
 const LONGEST: usize = 400;
 
 fn all_sources() -> Vec<PathBuf> {
-    let folders = ["crates", "paper", "tests", "xtask"];
+    let folders = ["crates", "paper", "peers", "tests", "xtask"];
     folders.iter().flat_map(|folder| files(&root().join(folder), "rs")).collect()
 }
 
@@ -62,6 +62,16 @@ fn every_file_begins_with_what_it_is() {
 fn no_file_is_longer_than_one_sitting() {
     for path in all_sources() {
         let lines = read(&path).lines().count();
+        assert!(lines <= LONGEST, "{} has {lines} lines, more than {LONGEST}", path.display());
+    }
+}
+
+#[test]
+fn scripts_say_what_they_are_and_are_one_sitting() {
+    for path in files(&root().join("peers"), "py") {
+        let text = read(&path);
+        assert!(text.starts_with("\"\"\""), "{} does not begin with its doc", path.display());
+        let lines = text.lines().count();
         assert!(lines <= LONGEST, "{} has {lines} lines, more than {LONGEST}", path.display());
     }
 }

@@ -1,0 +1,86 @@
+"""How long a solve takes, and the report that the comparison reads: one process, one solve."""
+
+from __future__ import annotations
+
+import math
+import resource
+import statistics
+import time
+from dataclasses import dataclass
+from typing import Callable, Protocol
+
+import numpy as np
+
+from problems import Problem
+
+# A sample repeats the solve for at least so long, in seconds, as the peers in Rust do.
+SAMPLE = 0.2
+
+# A solve that takes longer than this, in seconds, is not repeated.
+PATIENCE = 5.0
+
+
+class NotApplicable(Exception):
+    """The peer cannot pose the problem."""
+
+
+@dataclass
+class Solution:
+    """What a peer returns: points where they are on the grid, otherwise its own energy."""
+
+    iterations: int
+    stop: str
+    points: np.ndarray | None = None
+    energy: float | None = None
+    # Whether a peer off the grid says that it has converged.
+    success: bool = True
+
+
+class Peer(Protocol):
+    """A module of this folder that solves."""
+
+    def version(self) -> str:
+        """What is compared, with its version."""
+
+    def prepare(self, problem: Problem, n: int, tolerance: float) -> Callable[[], Solution]:
+        """Poses the problem, compiles what is to be compiled, and returns the solve."""
+
+
+def limit(seconds: float) -> None:
+    """Lets the system end this process after so many more seconds on a processor."""
+    _, hard = resource.getrlimit(resource.RLIMIT_CPU)
+    resource.setrlimit(resource.RLIMIT_CPU, (math.ceil(time.process_time() + seconds), hard))
+
+
+def measure(
+    peer: Peer, problem: Problem, n: int, tolerance: float, seconds: float, file: str
+) -> None:
+    """Prepares, solves and reports, each with a limit of so many seconds on the processor."""
+    print("phase=set-up", flush=True)
+    limit(seconds)
+    print(f"version={peer.version()}", flush=True)
+    solve = peer.prepare(problem, n, tolerance)
+    print(f"set_up={time.process_time()}\nphase=solve", flush=True)
+    limit(seconds)
+    start = time.process_time()
+    solution = solve()
+    first = time.process_time() - start
+    if solution.points is not None:
+        np.ascontiguousarray(solution.points).tofile(file)
+    if solution.energy is not None:
+        print(f"energy={solution.energy!r}\nsuccess={int(solution.success)}")
+    print(f"iterations={solution.iterations}\nstop={solution.stop}", flush=True)
+    print(f"seconds={first if first > PATIENCE else samples(solve, first, seconds)}")
+
+
+def samples(solve: Callable[[], Solution], first: float, seconds: float) -> float:
+    """The median of three samples of the time of one solve."""
+    count = max(1, math.ceil(SAMPLE / first))
+    found = []
+    for _ in range(3):
+        limit(seconds)
+        start = time.process_time()
+        for _ in range(count):
+            solve()
+        found.append((time.process_time() - start) / count)
+    return statistics.median(found)

@@ -1,0 +1,88 @@
+//! `cargo xtask peers`: Tautline beside what one would take instead.
+//!
+//! Installs the Python packages into `target/peers`, compiles the peers in Rust, and leaves the
+//! rest to `peers/compare.py`. What cannot be installed is a row of the table that says so.
+
+use std::{env, fs, path::Path, process::Command};
+
+/// The virtual environments: their folders below `target/peers`, and what they are to hold.
+const ENVIRONMENTS: [(&str, &str); 2] =
+    [("main", "requirements.txt"), ("geomstats", "requirements-geomstats.txt")];
+
+/// Installs, compiles, compares. Arguments go to the comparison.
+pub(crate) fn peers(root: &Path, rest: &[&str]) -> Result<(), String> {
+    let scripts = root.join("peers");
+    // All build output is below one folder, wherever cargo has been told to have it.
+    let target = root.join(env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()));
+    let folder = target.join("peers");
+    let [python, geomstats] = ENVIRONMENTS.map(|(name, requirements)| {
+        let environment = folder.join(name);
+        if let Err(message) = install(&environment, &scripts.join(requirements)) {
+            eprintln!("{message}; peers that need it are rows that say so");
+        }
+        environment.join("bin/python")
+    });
+
+    let example = ["build", "--release", "--package", "tautline", "--example", "peers"];
+    super::cargo(&example, &[])?;
+    // A workspace of its own, with a lock file and a folder of its own.
+    let manifest = scripts.join("argmin/Cargo.toml").display().to_string();
+    let argmin = folder.join("argmin").display().to_string();
+    let build = ["build", "--release", "--manifest-path", &manifest, "--target-dir", &argmin];
+    if let Err(message) = super::cargo(&build, &[]) {
+        eprintln!("{message}; argmin is a row that says so");
+    }
+
+    // A part of the table does not replace the whole.
+    let place =
+        if rest.is_empty() { root.join("paper/tables") } else { target.join("quick/tables") };
+    let paths = [
+        ("--python", python.clone()),
+        ("--geomstats", geomstats),
+        ("--tautline", target.join("release/examples/peers")),
+        ("--argmin", folder.join("argmin/release/argmin-peer")),
+        ("--output", place.join("peers.csv")),
+    ];
+    let mut compare = Command::new(&python);
+    compare.arg(scripts.join("compare.py"));
+    for (name, path) in paths {
+        compare.arg(name).arg(path);
+    }
+    run(compare.args(rest).env("PYTHONDONTWRITEBYTECODE", "1"))
+}
+
+/// Makes a virtual environment, unless there is one, and installs what is listed.
+fn install(environment: &Path, requirements: &Path) -> Result<(), String> {
+    let python = environment.join("bin/python");
+    if !python.exists() {
+        run(Command::new("python3").args(["-m", "venv"]).arg(environment))?;
+    }
+    let pip = || {
+        let mut command = Command::new(&python);
+        command.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check"]);
+        command
+    };
+    run(pip().arg("--requirement").arg(requirements)).or_else(|_| {
+        // Nothing is installed if one of them cannot be: so one at a time.
+        let text = fs::read_to_string(requirements).map_err(|error| error.to_string())?;
+        let missing = text
+            .lines()
+            .filter(|line| !line.is_empty() && !line.starts_with('#'))
+            .filter(|line| run(pip().arg(line)).is_err());
+        let missing: Vec<&str> = missing.collect();
+        match missing.as_slice() {
+            [] => Ok(()),
+            names => Err(format!("{} could not be installed", names.join(", "))),
+        }
+    })
+}
+
+/// Runs a command, echoed before.
+fn run(command: &mut Command) -> Result<(), String> {
+    eprintln!("$ {command:?}");
+    match command.status() {
+        Ok(status) if status.success() => Ok(()),
+        Ok(status) => Err(format!("`{command:?}` failed: {status}")),
+        Err(error) => Err(format!("`{command:?}` did not start: {error}")),
+    }
+}
