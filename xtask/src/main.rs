@@ -1,5 +1,6 @@
 //! `cargo xtask <task>`: what the repository can do, beyond building and testing one crate.
 
+mod bench;
 mod peers;
 
 use std::{
@@ -14,7 +15,7 @@ usage: cargo xtask <task>
   figures [ID …] [--check | --quick | --list]   recompute and redraw paper/figures and paper/data
   tables  [ID …] [--check | --quick | --list]   recompute paper/tables
   test    [ARG …]                               every test of the workspace
-  bench   [ARG …]                               the benchmarks
+  bench   [P1 | … | P6 | N] …                   times the parts of a solve, paper/tables/speed.csv
   peers   [--problem ID | --n N | --peer ID] …  other programs on the same problems, timed; needs
                                                 Python 3 and downloads what docs/comparison.md lists
   ci                                            what continuous integration runs
@@ -30,7 +31,7 @@ fn main() -> ExitCode {
         ["figures", rest @ ..] => paper("figures", rest),
         ["tables", rest @ ..] => paper("tables", rest),
         ["test", rest @ ..] => test(rest),
-        ["bench", rest @ ..] => cargo(&[&["bench", "--workspace"], rest].concat(), &[]),
+        ["bench", rest @ ..] => bench::bench(&root(), rest),
         ["peers", rest @ ..] => peers::peers(&root(), rest),
         ["ci"] => ci(),
         ["help" | "--help" | "-h"] => {

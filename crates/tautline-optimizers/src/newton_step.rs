@@ -44,7 +44,11 @@ pub fn newton_step<const D: usize, R: Rule>(
     let memory = spare.take(points.len());
     let mut pass = NewtonPass::new(rule, metric, ends, sequence, about, factorization, memory)?;
     let at = pass.stationarity;
-    Some(NewtonStep { step: pass.take_step(), energy: at.magnitude.energy, decrement: at.decrement })
+    Some(NewtonStep {
+        step: pass.take_step(),
+        energy: at.magnitude.energy,
+        decrement: at.decrement,
+    })
 }
 
 #[cfg(test)]
@@ -65,9 +69,14 @@ mod tests {
         let ends = [[0.0, 0.0], [1.0, 2.0]].map(|x| Point::new(x).expect("finite"));
         let bent = [vector![0.0, 0.0], vector![3.0, -1.0], vector![0.5, 0.5], vector![1.0, 2.0]];
         let bent = PointSequence::new(bent.to_vec()).expect("finite");
-        let found =
-            newton_step(&mut Workspace::default(), &metric, [&ends[0], &ends[1]], Trapezoidal, &bent)
-                .expect("definite");
+        let found = newton_step(
+            &mut Workspace::default(),
+            &metric,
+            [&ends[0], &ends[1]],
+            Trapezoidal,
+            &bent,
+        )
+        .expect("definite");
         for (k, (x, step)) in bent.points().iter().zip(&found.step).enumerate() {
             // Less the margin of 1e-8 by which the Hessian has to be definite, of entries below 4.
             assert!((x + step - vector![1.0, 2.0] * (k as f64 / 3.0)).amax() < 1e-7);

@@ -1,119 +1,143 @@
 //! What each part of a solve costs, on the six problems on which solvers are compared, beside the
 //! limit: the same Newton pass written by hand for one metric.
 //!
-//! `cargo bench --bench speed -- P1 100000` for one problem and one `N`.
+//! `cargo bench --package tautline --bench speed -- P1 100000` for one problem and one `N`; all of it
+//! is `paper/tables/speed.csv`, which `cargo xtask bench` writes.
 
 mod limit;
 mod limit_space;
+#[path = "../../examples/peers/problems.rs"]
 mod problems;
 mod race;
 
-use std::hint::black_box;
+use std::{error::Error, f64::consts::PI, hint::black_box};
 
 use limit::{Conformal, Plane};
 use limit_space::Space;
-use problems::{Case, bent, p1, p2, p3, p4, p5, p6};
+use problems::{Peer, pose};
 use race::Race;
-use tautline::{Metric, Rule, Trapezoidal, energy_gradient};
+use tautline::{
+    Ends, Metric, Options, PointSequence, Problem, Rule, SVector, Starts, Trapezoidal, Workspace,
+    energy_gradient, newton_step,
+};
 use tautline_discretizations::QuadraticModel;
 
+const PROBLEMS: [&str; 6] = ["P1", "P2", "P3", "P4", "P5", "P6"];
 const SIZES: [usize; 4] = [1_000, 10_000, 100_000, 1_000_000];
 
-/// What to measure.
-struct Wanted(Vec<String>);
+/// A gigabyte, in numbers: larger models are left out.
+const LARGEST: usize = 1 << 27;
 
-impl Wanted {
-    fn wants(&self, problem: &str, n: usize) -> bool {
-        let n = n.to_string();
-        let (names, numbers): (Vec<_>, Vec<_>) =
-            self.0.iter().partition(|word| word.starts_with('P'));
-        (names.is_empty() || names.iter().any(|&name| name == problem))
-            && (numbers.is_empty() || numbers.iter().any(|&number| *number == n))
-    }
+/// Times every part on one problem.
+struct Timing {
+    name: &'static str,
 }
 
-/// Measures one problem; `limit` adds what is written by hand.
-fn measure<M: Metric<D>, const D: usize>(
-    wanted: &Wanted,
-    case: &Case<M, D>,
-    limit: impl for<'a> Fn(&mut Race<'a>, &'a [[f64; D]]),
-) {
-    let options = case.options();
-    for n in SIZES.into_iter().filter(|&n| wanted.wants(case.name, n)) {
-        let metric = case.problem.metric();
-        let short = case.problem.solve_with(Trapezoidal, 64, &options).expect("a metric");
-        let line = bent([short.sequence().first(), short.sequence().last()], n);
-        let points: Vec<[f64; D]> = line.points().iter().map(|&x| x.into()).collect();
-        let line_again = line.clone();
+impl Peer for Timing {
+    fn solve<M: Metric<D>, const D: usize>(
+        self,
+        metric: M,
+        ends: Ends<D>,
+        start: PointSequence<D>,
+    ) -> Result<(), Box<dyn Error>> {
+        let n = start.n().get();
+        if n * 2 * D * D > LARGEST {
+            return Ok(());
+        }
+        let options = Options { starts: Starts::Only(vec![start]), ..Options::default() };
+        let problem = Problem::new(metric, ends);
+        let metric = problem.metric();
+        let short = problem.solve_with(Trapezoidal, 64, &options)?;
+        let line = bent([short.sequence().first(), short.sequence().last()], n)?;
+        let (first, second) = problem.ends().pairs().next().ok_or("ends have pieces")?;
+        let (mut model, mut workspace) = (QuadraticModel::default(), Workspace::default());
         let mut race = Race::default();
-        limit(&mut race, &points);
+        by_hand(self.name, &mut race, line.points());
         race.add("energy", || Trapezoidal.energy(metric, black_box(&line)));
         race.add("gradient", || energy_gradient(Trapezoidal, metric, black_box(&line)));
-        let mut model = QuadraticModel::default();
-        race.add("assembly", move || {
-            model.expand(Trapezoidal, metric, black_box(&line_again));
+        race.add("assembly", || {
+            model.expand(Trapezoidal, metric, black_box(&line));
             model.energy
         });
-        let mut workspace = Workspace::default();
-        race.add("newton step", move || {
-            newton_step(&mut workspace, metric, ends, Trapezoidal, black_box(&line_again))
+        race.add("newton step", || {
+            newton_step(&mut workspace, metric, [&*first, &*second], Trapezoidal, black_box(&line))
         });
-        race.add("solve", || case.problem.solve_with(Trapezoidal, black_box(n), &options));
+        race.add("solve", || problem.solve_with(Trapezoidal, black_box(n), &options));
         let times = race.run();
-        let by_hand = |name| {
-            let limit = times.iter().find(|(found, _)| *found == name);
-            limit.map_or(f64::NAN, |(_, time)| time.as_secs_f64())
-        };
-        for (name, time) in &times {
+        for (what, time) in &times {
             let limit =
-                by_hand(if *name == "assembly" { "assembly by hand" } else { "newton by hand" });
-            let seconds = time.as_secs_f64();
-            println!(
-                "{},{D},{n},{name},{:.1},{:.2}",
-                case.name,
-                1e9 * seconds / n as f64,
-                seconds / limit
-            );
+                if *what == "assembly" { "assembly by hand" } else { "newton step by hand" };
+            let limit = times.iter().find(|(what, _)| *what == limit);
+            let ratio = limit.map_or(String::new(), |(_, limit)| {
+                format!("{:.2}", time.as_secs_f64() / limit.as_secs_f64())
+            });
+            let per_node = 1e9 * time.as_secs_f64() / n as f64;
+            println!("{},{D},{n},{what},{per_node:.1},{ratio}", self.name);
         }
+        Ok(())
     }
 }
 
-fn none<const D: usize>(_: &mut Race<'_>, _: &[[f64; D]]) {}
+/// The points of a curve on the way of the search, neither straight nor a geodesic: what a pass
+/// over the points is timed at.
+fn bent<const D: usize>(
+    ends: [&SVector<f64, D>; 2],
+    n: usize,
+) -> Result<PointSequence<D>, Box<dyn Error>> {
+    let at = |k: usize| {
+        let t = k as f64 / n as f64;
+        ends[0].lerp(ends[1], t).map(|x| x + 0.1 * (PI * t).sin())
+    };
+    Ok(PointSequence::new((0..=n).map(at).collect())?)
+}
+
+/// What is written by hand for this problem, if anything is.
+fn by_hand<const D: usize>(name: &str, race: &mut Race<'_>, line: &[SVector<f64, D>]) {
+    let plane_line = || line.iter().map(|x| [x[0], x[1]]).collect();
+    match name {
+        "P1" => plane(race, plane_line(), limit::valleys),
+        "P2" => plane(race, plane_line(), limit::bump),
+        "P3" => space(race, line.iter().map(|x| [x[0], x[1], x[2]]).collect()),
+        _ => {}
+    }
+}
 
 fn plane<'a>(
     race: &mut Race<'a>,
-    line: &'a [[f64; 2]],
+    line: Vec<[f64; 2]>,
     metric: impl Fn([f64; 2]) -> Conformal + Copy + 'a,
 ) {
-    let mut assembled = Plane::new(line.len() - 1);
-    race.add("assembly by hand", move || assembled.assemble(black_box(line), metric));
+    let (mut assembled, points) = (Plane::new(line.len() - 1), line.clone());
+    race.add("assembly by hand", move || assembled.assemble(black_box(&points), metric));
     let mut solved = Plane::new(line.len() - 1);
-    race.add("newton by hand", move || {
-        let energy = solved.assemble(black_box(line), metric);
+    race.add("newton step by hand", move || {
+        let energy = solved.assemble(black_box(&line), metric);
         solved.solve();
         energy
     });
 }
 
-fn space<'a>(race: &mut Race<'a>, line: &'a [[f64; 3]]) {
-    let mut assembled = Space::new(line.len() - 1);
-    race.add("assembly by hand", move || assembled.assemble(black_box(line)));
+fn space(race: &mut Race<'_>, line: Vec<[f64; 3]>) {
+    let (mut assembled, points) = (Space::new(line.len() - 1), line.clone());
+    race.add("assembly by hand", move || assembled.assemble(black_box(&points)));
     let mut solved = Space::new(line.len() - 1);
-    race.add("newton by hand", move || {
-        let energy = solved.assemble(black_box(line));
+    race.add("newton step by hand", move || {
+        let energy = solved.assemble(black_box(&line));
         solved.solve();
         energy
     });
 }
 
-fn main() {
-    let words = std::env::args().skip(1).filter(|word| !word.starts_with('-'));
-    let wanted = Wanted(words.collect());
+fn main() -> Result<(), Box<dyn Error>> {
+    let words: Vec<String> = std::env::args().skip(1).filter(|w| !w.starts_with('-')).collect();
+    let (names, numbers): (Vec<_>, Vec<_>) = words.iter().partition(|word| word.starts_with('P'));
+    let wanted =
+        |words: &[&String], word: &str| words.is_empty() || words.iter().any(|w| *w == word);
     println!("problem,d,n,what,nanoseconds_per_node,ratio_to_limit");
-    measure(&wanted, &p1(), |race, line| plane(race, line, limit::valleys));
-    measure(&wanted, &p2(), |race, line| plane(race, line, limit::bump));
-    measure(&wanted, &p3(), space);
-    measure(&wanted, &p4(), none);
-    measure(&wanted, &p5(), none);
-    measure(&wanted, &p6(), none);
+    for name in PROBLEMS.into_iter().filter(|name| wanted(&names, name)) {
+        for n in SIZES.into_iter().filter(|n| wanted(&numbers, &n.to_string())) {
+            pose(name, n, Timing { name })?;
+        }
+    }
+    Ok(())
 }
