@@ -107,10 +107,46 @@ impl<'a, const D: usize> Shifted<'a, D> {
     }
 }
 
+/// One step of the elimination by blocks.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pivot<const D: usize> {
+    /// The Schur complement `Sₙ = Lₙ Dₙ Lₙᵀ`.
+    pub(crate) diagonal: Ldl<D>,
+    /// `Wₙ Dₙ⁻¹` with `Wₙ = Uₙᵀ Lₙ⁻ᵀ`; the last has none.
+    pub(crate) lower: Option<SMatrix<f64, D, D>>,
+}
+
+impl<const D: usize> Pivot<D> {
+    /// Eliminates `Sₙ` with the block `Uₙᵀ` below it, and makes `Sₙ₊₁` of the next block `Aₙ₊₁`;
+    /// `None` if `Sₙ` is not positive definite. Of all three symmetric ones, the entries `i ≥ j`.
+    #[inline(always)]
+    pub(crate) fn new(
+        schur: &SMatrix<f64, D, D>,
+        lower: &SMatrix<f64, D, D>,
+        next: &mut SMatrix<f64, D, D>,
+    ) -> Option<Self> {
+        let diagonal = Ldl::new(schur)?;
+        let [w, scaled] = diagonal.divide(lower);
+        for k in 0..D {
+            for j in 0..D {
+                for i in j..D {
+                    next[(i, j)] -= w[(i, k)] * scaled[(j, k)];
+                }
+            }
+        }
+        Some(Self { diagonal, lower: Some(scaled) })
+    }
+
+    /// The last one.
+    #[inline(always)]
+    pub(crate) fn last(schur: &SMatrix<f64, D, D>) -> Option<Self> {
+        Some(Self { diagonal: Ldl::new(schur)?, lower: None })
+    }
+}
+
 /// The factorisation by blocks of a positive definite block-tridiagonal matrix.
 ///
-/// With the Schur complements `S₀ = A₀`, `Sₙ₊₁ = Aₙ₊₁ − Uₙᵀ Sₙ⁻¹ Uₙ`, each `Sₙ = Lₙ Dₙ Lₙᵀ`, and
-/// `Wₙ = Uₙᵀ Lₙ⁻ᵀ`: `O(N D³)`.
+/// With the Schur complements `S₀ = A₀`, `Sₙ₊₁ = Aₙ₊₁ − Uₙᵀ Sₙ⁻¹ Uₙ`, each a [`Pivot`]: `O(N D³)`.
 #[derive(Clone, Debug)]
 pub(crate) struct Factorization<const D: usize> {
     /// `Lₙ` and `Dₙ`.
@@ -126,10 +162,11 @@ impl<const D: usize> Factorization<D> {
         let mut factorization = Self::with_capacity(n);
         let mut schur = system.diagonal(0);
         for k in 0..n {
-            let next = system.diagonal(k + 1);
-            schur = factorization.push(&schur, &system.upper(k).transpose(), next)?;
+            let mut next = system.diagonal(k + 1);
+            factorization.push(Pivot::new(&schur, &system.upper(k).transpose(), &mut next)?);
+            schur = next;
         }
-        factorization.push_last(&schur)?;
+        factorization.push(Pivot::last(&schur)?);
         Some(factorization)
     }
 
@@ -151,33 +188,11 @@ impl<const D: usize> Factorization<D> {
         Self { diagonal: Vec::with_capacity(n + 1), lower: Vec::with_capacity(n) }
     }
 
-    /// Adds the Schur complement `Sₙ` and the block `Uₙᵀ` below it; returns `Sₙ₊₁` for the block
-    /// `Aₙ₊₁`. Of all three symmetric ones, the entries `i ≥ j`.
+    /// Adds what has been eliminated.
     #[inline(always)]
-    pub(crate) fn push(
-        &mut self,
-        schur: &SMatrix<f64, D, D>,
-        lower: &SMatrix<f64, D, D>,
-        mut next: SMatrix<f64, D, D>,
-    ) -> Option<SMatrix<f64, D, D>> {
-        let diagonal = Ldl::new(schur)?;
-        let [w, scaled] = diagonal.divide(lower);
-        self.diagonal.push(diagonal);
-        self.lower.push(scaled);
-        for k in 0..D {
-            for j in 0..D {
-                for i in j..D {
-                    next[(i, j)] -= w[(i, k)] * scaled[(j, k)];
-                }
-            }
-        }
-        Some(next)
-    }
-
-    /// Adds the last Schur complement.
-    pub(crate) fn push_last(&mut self, schur: &SMatrix<f64, D, D>) -> Option<()> {
-        self.diagonal.push(Ldl::new(schur)?);
-        Some(())
+    pub(crate) fn push(&mut self, pivot: Pivot<D>) {
+        self.diagonal.push(pivot.diagonal);
+        self.lower.extend(pivot.lower);
     }
 
     /// Overwrites `b` with the solution of `A x = b`.

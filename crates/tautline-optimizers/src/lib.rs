@@ -56,6 +56,7 @@ mod rounding;
 mod solve_error;
 mod starts;
 mod stationarity;
+mod sweep;
 mod workspace;
 
 pub use asymptotics_error::AsymptoticsError;

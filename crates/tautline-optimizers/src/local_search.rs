@@ -59,6 +59,8 @@ pub(crate) struct Found<const D: usize> {
     pub(crate) stop: Stop,
     pub(crate) curvature: Curvature,
     pub(crate) iterations: usize,
+    /// The relative decrement at the start.
+    pub(crate) from: f64,
 }
 
 impl<const D: usize> Found<D> {
@@ -131,6 +133,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
                 stop,
                 curvature,
                 iterations: iteration + 1,
+                from: f64::INFINITY,
             });
         }
         unreachable!("the loop ends at the limit of iterations")

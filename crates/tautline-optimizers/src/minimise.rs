@@ -137,7 +137,7 @@ pub fn minimise_in<const D: usize, R: Rule>(
             };
             let refined = (grid >= FINE).then(|| {
                 let start = start(workspace.spare.take(grid + 1)).ok()?;
-                search.refine(start, candidate.found.magnitude(), workspace)
+                search.refine(start, &candidate.found, workspace)
             });
             let found = match refined.flatten() {
                 Some(found) => Ok(found),

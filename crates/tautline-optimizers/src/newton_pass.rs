@@ -1,38 +1,32 @@
 //! `NewtonPass`: a Newton step in one pass over the chords, there and back.
 
-use nalgebra::{SMatrix, SVector};
-use tautline_discretizations::{ChordModel, CompensatedSum, LinearModel, PointSequence, Rule};
+use nalgebra::SVector;
+use tautline_discretizations::{LinearModel, PointSequence, Rule};
 use tautline_metrics::Metric;
 use tautline_sets::ClosedSet;
 
 use crate::{
-    end_frame::{EndFrame, EndRow},
-    factorization::{Elimination, Factorization, Regulariser},
+    end_frame::EndFrame,
+    factorization::{Elimination, Factorization},
     magnitude::Magnitude,
     residual::Residual,
-    rounding::margin,
     stationarity::Stationarity,
+    sweep::{Sweep, sweep},
 };
 
 /// A Newton step from a point sequence where the Hessian is positive definite.
 ///
 /// The same step as that of a [`ReducedSystem`](crate::reduced_system::ReducedSystem) without
-/// shift. Each block is eliminated as soon as the chords on both sides of its point are known,
-/// so that neither gradient nor Hessian is ever stored: only what the way back needs.
+/// shift, by one [`sweep`] there and a substitution back.
 pub(crate) struct NewtonPass<'a, const D: usize> {
-    /// At the sequence from which the step is taken.
-    pub(crate) stationarity: Stationarity,
+    sweep: Sweep<D>,
     /// The right hand side after elimination.
     eliminated: Vec<SVector<f64, D>>,
     factorization: &'a Factorization<D>,
-    frames: [EndFrame<D>; 2],
-    tau: f64,
 }
 
 impl<'a, const D: usize> NewtonPass<'a, D> {
-    /// Sums up and eliminates; `None` if the Hessian, less the [`margin`], is not positive definite
-    /// or not finite. `about` is what is known of the magnitude beforehand: it scales the margin and
-    /// what is taken for a chord at the ends. What is in `factorization` is overwritten, and `memory`
+    /// Sweeps; `None` where the [`sweep`] is. What is in `factorization` is overwritten, and `memory`
     /// is used for the step.
     pub(crate) fn new<R: Rule>(
         rule: R,
@@ -43,89 +37,21 @@ impl<'a, const D: usize> NewtonPass<'a, D> {
         factorization: &'a mut Factorization<D>,
         memory: Vec<SVector<f64, D>>,
     ) -> Option<Self> {
-        let count = sequence.n().get();
-        let n = count as f64;
-        let points = sequence.points();
-        let regulariser = Regulariser { n, weight: -margin(count) * about.mean_gram };
-        let identity = SMatrix::<f64, D, D>::identity();
-        let beside = identity * regulariser.upper();
-        let tau = about.tau(count);
-        let (mut energy, mut trace) = (CompensatedSum::default(), 0.0);
-        let mut is_metric = true;
-        factorization.clear(count);
-        let mut elimination = Elimination::default();
+        factorization.clear(sequence.n().get());
         let mut eliminated = memory;
-        let mut residual = Residual::new(count, about);
-        let mut first = None;
-        // What the chord before leaves for the point between, and what is eliminated of it.
-        let mut block = identity * regulariser.diagonal(1.0);
-        let (mut right, mut carried) = (SVector::<f64, D>::zeros(), SVector::<f64, D>::zeros());
-        for (k, (x, d)) in sequence.chords().enumerate() {
-            let chord = ChordModel::new(rule, metric, x, &d, n);
-            energy.add(chord.energy);
-            trace += chord.trace;
-            is_metric &= chord.is_metric;
-            let mut lower = chord.coupling.transpose() + beside;
-            let last = k + 1 == count;
-            let shift = regulariser.diagonal(if last { 1.0 } else { 2.0 });
-            let mut next = chord.hessian[1] + identity * shift;
-            let mut next_right = -chord.gradient[1];
-            block += chord.hessian[0];
-            right -= chord.gradient[0];
-            residual.push(k, &(carried + chord.gradient[0]));
-            carried = chord.gradient[1];
-            if k == 0 {
-                let frame = EndFrame::new(ends[0], x, &chord.gradient[0], tau);
-                // It has the force on the end.
-                let right_of_end = SVector::zeros();
-                let coupling = lower.transpose();
-                let row = EndRow { block, coupling, right: right_of_end, beside: next_right };
-                let row = frame.enter(row, tau);
-                (block, right, next_right) = (row.block, row.right, row.beside);
-                lower = row.coupling.transpose();
-                first = Some(frame);
-            }
-            let mut end = None;
-            if last {
-                residual.push(count, &carried);
-                let frame = EndFrame::new(ends[1], &points[count], &chord.gradient[1], tau);
-                let row = EndRow {
-                    block: next,
-                    coupling: lower,
-                    right: next_right + chord.gradient[1],
-                    beside: right,
-                };
-                let row = frame.enter(row, tau);
-                (next, next_right, right) = (row.block, row.right, row.beside);
-                lower = row.coupling;
-                end = Some(frame);
-            }
-            block = factorization.push(&block, &lower, next)?;
-            eliminated.push(elimination.push(factorization, right));
-            right = next_right;
-            if let (Some(first), Some(end)) = (&first, end) {
-                factorization.push_last(&block)?;
-                eliminated.push(elimination.push(factorization, right));
-                let mean_gram = trace / (n * n * D as f64);
-                let magnitude = Magnitude { energy: energy.value(), mean_gram };
-                let decrement = elimination.half_square();
-                let (residual, residual_floor) = residual.value(ends, sequence, magnitude);
-                return Some(Self {
-                    stationarity: Stationarity {
-                        magnitude,
-                        is_metric,
-                        decrement,
-                        residual,
-                        residual_floor,
-                    },
-                    eliminated,
-                    factorization,
-                    frames: [first.clone(), end],
-                    tau,
-                });
-            }
-        }
-        None
+        let memory = Some((&mut *factorization, &mut eliminated));
+        let sweep = sweep(rule, metric, ends, sequence, about, memory)?;
+        Some(Self { sweep, eliminated, factorization })
+    }
+
+    /// Returns what is known where the step begins.
+    pub(crate) fn stationarity(&self) -> Stationarity {
+        self.sweep.stationarity
+    }
+
+    /// Gives the memory of the step back, which is not taken.
+    pub(crate) fn into_memory(self) -> Vec<SVector<f64, D>> {
+        self.eliminated
     }
 
     /// Returns by how much the Newton step moves each point.
@@ -133,7 +59,7 @@ impl<'a, const D: usize> NewtonPass<'a, D> {
         let mut step = std::mem::take(&mut self.eliminated);
         self.factorization.substitute_back(&mut step);
         let last = step.len() - 1;
-        for (end, frame) in [0, last].into_iter().zip(&self.frames) {
+        for (end, frame) in [0, last].into_iter().zip(&self.sweep.frames) {
             step[end] = frame.basis * step[end];
         }
         step
@@ -147,11 +73,11 @@ impl<'a, const D: usize> NewtonPass<'a, D> {
         ends: [&dyn ClosedSet<D>; 2],
         sequence: &PointSequence<D>,
     ) -> Stationarity {
-        let Magnitude { mean_gram, .. } = self.stationarity.magnitude;
+        let Magnitude { mean_gram, .. } = self.stationarity().magnitude;
         let points = sequence.points();
         let mut decrement =
             Decrement { pass: self, ends, points, elimination: Elimination::default() };
-        let mut residual = Residual::new(sequence.n().get(), self.stationarity.magnitude);
+        let mut residual = Residual::new(sequence.n().get(), self.stationarity().magnitude);
         let (energy, is_metric) = LinearModel::for_each(rule, metric, sequence, |k, gradient| {
             decrement.push(k, &gradient);
             residual.push(k, &gradient);
@@ -178,8 +104,9 @@ impl<const D: usize> Decrement<'_, D> {
         let last = self.points.len() - 1;
         let force = if k == 0 || k == last {
             let end = usize::from(k == last);
-            let frame = EndFrame::new(self.ends[end], &self.points[k], gradient, self.pass.tau);
-            self.pass.frames[end].basis.tr_mul(&frame.force(self.pass.tau))
+            let frame =
+                EndFrame::new(self.ends[end], &self.points[k], gradient, self.pass.sweep.tau);
+            self.pass.sweep.frames[end].basis.tr_mul(&frame.force(self.pass.sweep.tau))
         } else {
             -gradient
         };
@@ -232,7 +159,7 @@ mod tests {
         // The same operations but for the order of three sums a block. The condition of the
         // system is 100 at most, its entries some 10.
         let close = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b.abs();
-        let at = pass.stationarity;
+        let at = pass.stationarity();
         assert!(at.is_metric && close(at.magnitude.energy, model.energy));
         assert!(close(at.magnitude.mean_gram, model.mean_gram));
         let mut residual = Residual::new(n, magnitude);

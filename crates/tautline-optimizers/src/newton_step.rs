@@ -43,7 +43,7 @@ pub fn newton_step<const D: usize, R: Rule>(
     let Workspace { factorization, spare } = workspace;
     let memory = spare.take(points.len());
     let mut pass = NewtonPass::new(rule, metric, ends, sequence, about, factorization, memory)?;
-    let at = pass.stationarity;
+    let at = pass.stationarity();
     Some(NewtonStep {
         step: pass.take_step(),
         energy: at.magnitude.energy,
@@ -65,7 +65,7 @@ mod tests {
     /// keeps what it promises.
     #[test]
     fn one_step_straightens_a_chain() {
-        let metric = Constant::<2>::identity();
+        let metric = Constant::new(nalgebra::SMatrix::identity()).expect("positive definite");
         let ends = [[0.0, 0.0], [1.0, 2.0]].map(|x| Point::new(x).expect("finite"));
         let bent = [vector![0.0, 0.0], vector![3.0, -1.0], vector![0.5, 0.5], vector![1.0, 2.0]];
         let bent = PointSequence::new(bent.to_vec()).expect("finite");

@@ -6,10 +6,10 @@ use tautline_metrics::{Metric, check_gram};
 use crate::{
     Curvature, Stop, Workspace,
     local_search::{Found, LocalSearch},
-    magnitude::Magnitude,
     newton_pass::NewtonPass,
     rounding::margin,
     stationarity::Stationarity,
+    sweep::sweep,
 };
 
 /// So many steps are enough where each squares the decrement; a search that needs more is no such
@@ -22,6 +22,12 @@ const NEAR: f64 = 1e-4;
 /// By this factor at least the decrement has to fall from one step to the next.
 const FALL: f64 = 0.01;
 
+/// On a grid of so many chords, a start is only looked at first, if that on the coarser grid had at
+/// most this relative decrement: it will be a minimiser to rounding, and for that nothing need be
+/// written down, which takes half as long again as the arithmetic.
+const LARGE: usize = 32_768;
+const FORESEEN: f64 = 1e-12;
+
 impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
     /// Takes undamped Newton steps from `start`, each in one pass, until the decrement is negligible
     /// and the residual is rounding. On the finest grids both are so at the start.
@@ -29,25 +35,35 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
     /// `None` where that does not do: the Hessian is not positive definite, a step promises too
     /// much, or not far less than the one before, or the metric is none at the result.
     ///
-    /// `about` is the magnitude on a coarser grid.
+    /// `coarser` is the result on the next coarser grid.
     pub(crate) fn refine(
         &self,
         start: PointSequence<D>,
-        mut about: Magnitude,
+        coarser: &Found<D>,
         workspace: &mut Workspace<D>,
     ) -> Option<Found<D>> {
         let (rule, metric, ends) = (self.rule, self.metric, self.ends);
-        let Workspace { factorization, spare } = workspace;
         let n = start.n().get();
-        let (mut here, mut allowed) = (start, NEAR);
+        let mut about = coarser.magnitude();
+        let reached =
+            |at: Stationarity, x: &_| at.is_reached(x) && at.residual <= at.residual_floor;
+        if n >= LARGE && coarser.from <= FORESEEN {
+            let at = sweep(rule, metric, ends, &start, about, None)?.stationarity;
+            if reached(at, &start) {
+                return self.found(start, at, 1, at.decrement);
+            }
+        }
+        let Workspace { factorization, spare } = workspace;
+        let (mut here, mut allowed, mut from) = (start, NEAR, None);
         for iteration in 1..=STEPS {
             let memory = spare.take(n + 1);
             let mut pass =
                 NewtonPass::new(rule, metric, ends, &here, about, factorization, memory)?;
-            let at = pass.stationarity;
-            if at.is_reached(&here) && at.residual <= at.residual_floor {
-                spare.give(pass.take_step());
-                return self.found(here, at, iteration);
+            let at = pass.stationarity();
+            let from = *from.get_or_insert(at.decrement);
+            if reached(at, &here) {
+                spare.give(pass.into_memory());
+                return self.found(here, at, iteration, from);
             }
             about = at.magnitude;
             // Written so that NaN fails.
@@ -64,7 +80,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
             if at.decrement <= margin(n).powi(2) * about.energy {
                 let there = pass.stationarity_at(rule, metric, ends, &trial);
                 if there.is_reached(&trial) {
-                    return self.found(trial, there, iteration);
+                    return self.found(trial, there, iteration, from);
                 }
             }
             spare.give(std::mem::replace(&mut here, trial).into_points());
@@ -78,6 +94,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
         sequence: PointSequence<D>,
         at: Stationarity,
         iterations: usize,
+        from: f64,
     ) -> Option<Found<D>> {
         let ends = [sequence.first(), sequence.last()];
         let is_metric = at.is_metric && ends.iter().all(|x| check_gram(self.metric, x).is_ok());
@@ -91,6 +108,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
             stop: Stop::Converged,
             curvature: Curvature::PositiveDefinite,
             iterations,
+            from: from / at.magnitude.energy,
         })
     }
 }

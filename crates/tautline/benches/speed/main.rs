@@ -47,8 +47,7 @@ impl Peer for Timing {
         let options = Options { starts: Starts::Only(vec![start]), ..Options::default() };
         let problem = Problem::new(metric, ends);
         let metric = problem.metric();
-        let short = problem.solve_with(Trapezoidal, 64, &options)?;
-        let line = bent([short.sequence().first(), short.sequence().last()], n)?;
+        let line = bent(problem.solve_with(Trapezoidal, n, &options)?.sequence())?;
         let (first, second) = problem.ends().pairs().next().ok_or("ends have pieces")?;
         let (mut model, mut workspace) = (QuadraticModel::default(), Workspace::default());
         let mut race = Race::default();
@@ -60,7 +59,9 @@ impl Peer for Timing {
             model.energy
         });
         race.add("newton step", || {
-            newton_step(&mut workspace, metric, [&*first, &*second], Trapezoidal, black_box(&line))
+            let ends = [&*first, &*second];
+            let step = newton_step(&mut workspace, metric, ends, Trapezoidal, black_box(&line));
+            step.expect("the Hessian is positive definite near a minimiser")
         });
         race.add("solve", || problem.solve_with(Trapezoidal, black_box(n), &options));
         let times = race.run();
@@ -78,17 +79,15 @@ impl Peer for Timing {
     }
 }
 
-/// The points of a curve on the way of the search, neither straight nor a geodesic: what a pass
-/// over the points is timed at.
+/// The points of a curve on the way of the search, close to a geodesic: what a pass over the points
+/// is timed at.
 fn bent<const D: usize>(
-    ends: [&SVector<f64, D>; 2],
-    n: usize,
-) -> Result<PointSequence<D>, Box<dyn Error>> {
-    let at = |k: usize| {
-        let t = k as f64 / n as f64;
-        ends[0].lerp(ends[1], t).map(|x| x + 0.1 * (PI * t).sin())
-    };
-    Ok(PointSequence::new((0..=n).map(at).collect())?)
+    line: &PointSequence<D>,
+) -> Result<PointSequence<D>, tautline::SequenceError> {
+    let n = line.n().get();
+    let bend = |k: usize| 1e-3 * (PI * k as f64 / n as f64).sin();
+    let points = line.points().iter().enumerate();
+    PointSequence::new(points.map(|(k, x)| x.map(|x| x + bend(k))).collect())
 }
 
 /// What is written by hand for this problem, if anything is.
