@@ -53,6 +53,7 @@ mod reduced_system;
 mod refinement;
 mod residual;
 mod rounding;
+mod saddle;
 mod solve_error;
 mod starts;
 mod stationarity;
