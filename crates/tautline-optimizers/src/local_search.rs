@@ -94,8 +94,9 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
     pub(crate) fn run(&self, start: PointSequence<D>) -> Result<Found<D>, MetricError> {
         let mut sequence = start;
         let mut damping = Damping::default();
+        let mut model = QuadraticModel::default();
         for iteration in 0.. {
-            let model = QuadraticModel::new(self.rule, self.metric, &sequence);
+            model.expand(self.rule, self.metric, &sequence);
             let next = if iteration == self.iterations {
                 self.give_up(&model, &sequence)
             } else if is_rounding(&model, &sequence) {
@@ -111,7 +112,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
                     continue;
                 }
                 Next::End { stop, curvature, decrement } => {
-                    (stop, curvature, decrement, model.energy, model.gradient)
+                    (stop, curvature, decrement, model.energy, std::mem::take(&mut model.gradient))
                 }
                 Next::EndAt { points, energy, gradient, decrement } => {
                     sequence = PointSequence::new(points).expect("a trial is checked");

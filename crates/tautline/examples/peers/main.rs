@@ -3,7 +3,7 @@
 //! Called by `cargo xtask peers`, once for each problem and `N`:
 //!
 //! ```console
-//! $ cargo run --release -p tautline --example peers -- P2 1000 /tmp/points
+//! $ cargo run --release -p tautline --example peers -- P2 1000 target/points
 //! ```
 
 mod measurement;

@@ -1,0 +1,101 @@
+//! Grids on which the points that are extrapolated from coarser ones are a minimiser to rounding, and
+//! are only looked at: what is said of them has to be true all the same.
+
+use std::f64::consts::PI;
+
+use nalgebra::{SMatrix, SVector};
+use tautline_discretizations::{LeftEndpoint, PointSequence, Rule, Trapezoidal, energy_gradient};
+use tautline_metrics::{
+    Metric, MetricError, Scalar,
+    gallery::{Bump, CoupledCosines, Sphere, Valleys},
+};
+use tautline_optimizers::{Minimum, Options, SolveError, Starts, Workspace, minimise, newton_step};
+use tautline_sets::Ends;
+
+fn from_the_line<const D: usize>(
+    metric: &impl Metric<D>,
+    rule: impl Rule,
+    [a, b]: [[f64; D]; 2],
+    n: usize,
+) -> Result<Minimum<D>, SolveError> {
+    let line = PointSequence::straight(a, b, 1).expect("finite");
+    let options = Options { starts: Starts::Only(vec![line]), ..Options::default() };
+    minimise(metric, &Ends::points(a, b).expect("finite"), rule, n, &options)
+}
+
+/// Energy, residual and decrement, computed once more from the points.
+#[track_caller]
+fn assert_true<R: Rule, const D: usize>(
+    metric: &impl Metric<D>,
+    rule: R,
+    line: [[f64; D]; 2],
+    n: usize,
+) {
+    let minimum = from_the_line(metric, rule, line, n).expect("a metric");
+    assert!(minimum.is_local_minimum() && minimum.levels.len() > 2);
+    let (energy, gradient) = energy_gradient(rule, metric, &minimum.sequence);
+    // Both sums are compensated; a term is known to a dozen roundings.
+    assert!((minimum.energy / energy - 1.0).abs() < 3e-15, "{} {energy}", minimum.energy);
+    // ρₙ = (N/2) ∂E/∂xₙ at the inner points, relative to (c E)^{1/2}; points have no other part.
+    let squares = gradient[1..n].iter().map(|g| g.norm_squared());
+    let root = (squares.sum::<f64>() / n as f64).sqrt();
+    let trace = |(x, d): (&SVector<f64, D>, SVector<f64, D>)| {
+        let at = |node: &tautline_discretizations::Node| {
+            node.weight * metric.gram::<f64>(&(x + d * node.fraction)).trace()
+        };
+        R::NODES.iter().map(at).sum::<f64>()
+    };
+    let mean = minimum.sequence.chords().map(trace).sum::<f64>() / (n * D) as f64;
+    let residual = 0.5 * n as f64 * root / (mean * energy).sqrt();
+    // What is left of the gradient are roundings: in another order, as sums of the same formula are
+    // taken, they differ by a few hundredths of what they are.
+    assert!((minimum.residual / residual - 1.0).abs() < 0.3, "{:e} {residual:e}", minimum.residual);
+    // Nothing but rounding, whether a step was taken or not.
+    let floor = minimum.residual_floor;
+    assert!(minimum.residual <= 2.0 * floor, "N = {n}: {:e} {floor:e}", minimum.residual);
+    let [a, b] = line.map(|x| tautline_sets::Point::new(x).expect("finite"));
+    let mut workspace = Workspace::default();
+    let step = newton_step(&mut workspace, metric, [&a, &b], rule, &minimum.sequence);
+    let decrement = step.expect("positive definite").decrement / energy;
+    // Of the order of rounding both, and negligible.
+    let range = 0.3 * decrement..=3.0 * decrement + 1e-28;
+    assert!(range.contains(&minimum.decrement), "{:e} {decrement:e}", minimum.decrement);
+    assert!(minimum.decrement <= 1e-18, "{:e}", minimum.decrement);
+}
+
+#[test]
+fn what_is_said_of_a_minimum_is_true_on_every_grid() {
+    let bump = Bump::new(4.0, 0.5).expect("a width");
+    for n in [3_000, 10_000, 40_000, 70_000] {
+        assert_true(&Valleys, Trapezoidal, [[0.0, 0.0], [4.0 * PI, 0.0]], n);
+        assert_true(&bump, Trapezoidal, [[-1.5, 0.05], [1.5, -0.1]], n);
+        assert_true(&bump, LeftEndpoint, [[-1.5, 0.05], [1.5, -0.1]], n);
+        assert_true(&CoupledCosines, Trapezoidal, [[0.0; 3], [3.0, 2.0, -2.0]], n);
+        assert_true(&Sphere, Trapezoidal, [[-0.8, 0.3], [1.1, 0.6]], n);
+    }
+}
+
+/// A bump whose Gram matrix is not symmetric within some 10⁻⁵ of `x₁ = 0.1001`.
+struct Slit(Bump);
+
+impl Metric<2> for Slit {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+        let mut h: SMatrix<S, 2, 2> = self.0.gram(x);
+        h[(1, 0)] += (-((x[0] - 0.1001) * 1e5).sqr()).exp() * 1e-3;
+        h
+    }
+}
+
+/// Coarser grids step over the slit, and the half of the matrix that a Newton step reads is in order.
+#[test]
+fn a_node_where_the_metric_is_none_is_seen_on_the_finest_grid() {
+    let slit = Slit(Bump::new(4.0, 0.5).expect("a width"));
+    let line = [[-1.5, 0.05], [1.5, -0.1]];
+    for n in [2_500, 5_000] {
+        let coarse = from_the_line(&slit, Trapezoidal, line, n).expect("a metric at the nodes");
+        assert!(coarse.is_local_minimum());
+    }
+    let fine = from_the_line(&slit, Trapezoidal, line, 80_000);
+    let refused = matches!(fine, Err(SolveError::Metric(MetricError::NotSymmetric { .. })));
+    assert!(refused, "{:?}", fine.map(|minimum| minimum.residual));
+}
