@@ -65,7 +65,7 @@ fn is_definite<const D: usize>(mut a: SMatrix<f64, D, D>) -> bool {
     for k in 0..D {
         let pivot = a[(k, k)];
         // NaN and +∞ fail here too.
-        if !(pivot > 0.0 && pivot < f64::INFINITY) {
+        if !(pivot > 0.0 && pivot <= f64::MAX) {
             return false;
         }
         if k + 1 < D {
@@ -133,7 +133,7 @@ pub fn cholesky<const D: usize>(a: &SMatrix<f64, D, D>) -> Option<SMatrix<f64, D
             pivot -= l[(j, k)] * l[(j, k)];
         }
         // NaN and +∞ fail here too.
-        if !(pivot > 0.0 && pivot < f64::INFINITY) {
+        if !(pivot > 0.0 && pivot <= f64::MAX) {
             return None;
         }
         let pivot = pivot.sqrt();

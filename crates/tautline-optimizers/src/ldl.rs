@@ -19,7 +19,7 @@ impl<const D: usize> Ldl<D> {
         for j in 0..D {
             let pivot = factors[(j, j)];
             // NaN and +∞ fail here too.
-            if !(pivot > 0.0 && pivot < f64::INFINITY) {
+            if !(pivot > 0.0 && pivot <= f64::MAX) {
                 return None;
             }
             let reciprocal = 1.0 / pivot;

@@ -6,6 +6,9 @@ use tautline_discretizations::PointSequence;
 /// So many points a polynomial goes through.
 const POINTS: usize = 6;
 
+/// Of the order of a difference.
+const RECIPROCALS: [f64; POINTS] = [1.0, 1.0, 0.5, 1.0 / 3.0, 0.25, 0.2];
+
 /// Returns the sequence with `n ≥ 1` subintervals that follows `sequence`: on each of its
 /// subintervals the polynomial through the six nearest points (all, if there are fewer).
 ///
@@ -30,53 +33,55 @@ pub(crate) fn prolong_into<const D: usize>(
     let fraction = 1.0 / n as f64;
     fine.clear();
     fine.reserve_exact(n + 1);
-    let (mut place, mut basis) = (0, basis(count, 0));
     // Where the next point is on the coarse grid: whole + rest / n, without rounding.
-    let mut rest = 0;
-    for whole in 0..coarse {
+    let (mut whole, mut rest) = (0, 0);
+    while whole < coarse {
         let first = whole.saturating_sub(POINTS / 2 - 1).min(points.len() - count);
-        if place != whole - first {
-            place = whole - first;
-            basis = self::basis(count, place);
-        }
         let near = &points[first..first + count];
+        let place = whole - first;
+        // Of a length that the compiler knows, where it is the usual one.
+        let usual: Result<&[_; POINTS], _> = near.try_into();
+        let [_, a, b, c, d, e] =
+            usual.map_or_else(|_| coefficients(near, place), |near| coefficients(near, place));
         let start = points[whole];
-        let mut coefficients = [SVector::<f64, D>::zeros(); POINTS];
-        for (point, weights) in near.iter().zip(&basis) {
-            let difference = point - start;
-            for (coefficient, weight) in coefficients.iter_mut().zip(weights) {
-                *coefficient += difference * *weight;
-            }
+        while rest < n {
+            let s = rest as f64 * fraction;
+            fine.push(start + ((((e * s + d) * s + c) * s + b) * s + a) * s);
+            rest += coarse;
         }
-        let [_, a, b, c, d, e] = coefficients;
-        let count = n.saturating_sub(rest).div_ceil(coarse);
-        fine.extend((0..count).map(|k| {
-            let s = (rest + k * coarse) as f64 * fraction;
-            start + ((((e * s + d) * s + c) * s + b) * s + a) * s
-        }));
-        rest += count * coarse;
-        rest -= n;
+        // Beyond a finer grid than this, several intervals on.
+        whole += rest / n;
+        rest %= n;
     }
     fine.push(points[coarse]);
     fine
 }
 
-/// The coefficients, of `1, s, s², …`, of the polynomials that are 1 at one of `count` places
-/// and 0 at the others, which are at `s = −place, 1 − place, …`.
-fn basis(count: usize, place: usize) -> [[f64; POINTS]; POINTS] {
-    let mut basis = [[0.0; POINTS]; POINTS];
-    for (own, polynomial) in basis.iter_mut().enumerate().take(count) {
-        polynomial[0] = 1.0;
-        for other in (0..count).filter(|&other| other != own) {
-            // Times (s − o)/(p − o), with the place o of the other and p of its own.
-            let [p, o] = [own, other].map(|k| k as f64 - place as f64);
-            for k in (0..count).rev() {
-                let lower = if k > 0 { polynomial[k - 1] } else { 0.0 };
-                polynomial[k] = (lower - o * polynomial[k]) / (p - o);
-            }
+/// The coefficients, of `1, s, s², …`, of the polynomial through points at
+/// `s = −place, 1 − place, 2 − place, …`.
+#[inline(always)]
+fn coefficients<const D: usize>(
+    points: &[SVector<f64, D>],
+    place: usize,
+) -> [SVector<f64, D>; POINTS] {
+    let mut coefficients = [SVector::zeros(); POINTS];
+    coefficients[..points.len()].copy_from_slice(points);
+    // Newton's, of the products 1, s − s₀, (s − s₀)(s − s₁), …: the differences of each order by
+    // its factorial.
+    for order in 1..points.len() {
+        for k in (order..points.len()).rev() {
+            coefficients[k] = (coefficients[k] - coefficients[k - 1]) * RECIPROCALS[order];
         }
     }
-    basis
+    // One factor after the other multiplied out.
+    for factor in (0..points.len() - 1).rev() {
+        let root = factor as f64 - place as f64;
+        for k in factor..points.len() - 1 {
+            let above = coefficients[k + 1];
+            coefficients[k] -= above * root;
+        }
+    }
+    coefficients
 }
 
 #[cfg(test)]
