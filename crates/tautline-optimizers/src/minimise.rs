@@ -50,12 +50,17 @@ const FINER: [usize; 2] = [4096, 65_536];
 const FOLLOWED: usize = 8;
 const SETTLED: usize = 512;
 
+/// Where the least energy rises by this factor from one grid to the next, the discrete minimisers
+/// of the coarser one leapt over ridges that the finer one resolves, and need not lead to its lowest:
+/// the starts are tried again.
+const LEAP: f64 = 1.5;
+
 /// From this grid on a search is expected to need no damping, and is tried without.
 const FINE: usize = 64;
 
 /// From so many grids the points are extrapolated, and none of them coarser than this.
 const EXTRAPOLATED: usize = 3;
-const COARSE: usize = 64;
+const COARSE: usize = 32;
 
 /// Minima are different if their energies differ by more than this, relatively.
 const DIFFERENT: f64 = 1e-9;
@@ -101,37 +106,24 @@ pub fn minimise_in<const D: usize, R: Rule>(
     if n == 0 {
         return Err(SolveError::NoSubinterval);
     }
-    let grids = grids(n);
-    let intervals = if n <= DIRECT { LINE_DIRECT } else { LINE_COARSE };
-    let mut steps = 0;
-    let mut candidates: Vec<Candidate<'_, D>> = Vec::new();
-    let mut refused: Option<SolveError> = None;
     let pairs: Vec<_> = ends.pairs().collect();
-    for (first, second) in &pairs {
-        let pair = [&**first, &**second];
+    let pairs: Vec<_> = pairs.iter().map(|(first, second)| [&**first, &**second]).collect();
+    for pair in &pairs {
         if let Some(x) = common_point(pair[0], pair[1]) {
             check_gram(metric, &x)?;
             return Ok(Minimum::at_common_point(x, n));
         }
-        let search = LocalSearch { metric, rule, ends: pair, iterations: options.iterations };
-        for start in options.starts.between(metric, rule, pair, grids[0], intervals) {
-            match search.check(&start).and_then(|()| search.run(start)) {
-                Ok(found) => {
-                    steps += found.iterations;
-                    candidates.push(Candidate::new(pair, found));
-                }
-                Err(error) => refused = refused.or(Some(error.into())),
-            }
-        }
     }
-    lowest_first(&mut candidates);
-    let local_minima: Vec<f64> =
-        candidates.iter().filter(|c| !c.failed()).map(|c| c.found.energy).collect();
-    for &grid in &grids[1..] {
+    let search = |ends| LocalSearch { metric, rule, ends, iterations: options.iterations };
+    let intervals = if n <= DIRECT { LINE_DIRECT } else { LINE_COARSE };
+    let mut steps = 0;
+    let mut candidates: Vec<Candidate<'_, D>> = Vec::new();
+    let mut refused: Option<SolveError> = None;
+    let mut local_minima: Option<Vec<f64>> = None;
+    for grid in grids(n) {
         candidates.truncate(if grid > SETTLED { 1 } else { FOLLOWED });
         for candidate in std::mem::take(&mut candidates) {
-            let search =
-                LocalSearch { metric, rule, ends: candidate.ends, iterations: options.iterations };
+            let search = search(candidate.ends);
             let start = |memory| {
                 candidate.start(grid, R::ERROR_EXPONENT, memory).map_err(SolveError::Sequence)
             };
@@ -154,6 +146,25 @@ pub fn minimise_in<const D: usize, R: Rule>(
             }
         }
         lowest_first(&mut candidates);
+        let unresolved = grid <= SETTLED && candidates.first().is_some_and(Candidate::leapt);
+        if local_minima.is_none() || unresolved {
+            for &pair in &pairs {
+                let search = search(pair);
+                for start in options.starts.between(metric, rule, pair, grid, intervals) {
+                    match search.check(&start).and_then(|()| search.run(start)) {
+                        Ok(found) => {
+                            steps += found.iterations;
+                            candidates.push(Candidate::new(pair, found));
+                        }
+                        Err(error) => refused = refused.or(Some(error.into())),
+                    }
+                }
+            }
+            lowest_first(&mut candidates);
+        }
+        local_minima.get_or_insert_with(|| {
+            candidates.iter().filter(|c| !c.failed()).map(|c| c.found.energy).collect()
+        });
     }
     let Some(Candidate { found, levels, .. }) = candidates.into_iter().next() else {
         return Err(refused.unwrap_or(SolveError::NoStart));
@@ -168,7 +179,7 @@ pub fn minimise_in<const D: usize, R: Rule>(
         curvature: found.curvature,
         iterations: steps,
         levels,
-        local_minima,
+        local_minima: local_minima.unwrap_or_default(),
     })
 }
 
@@ -194,6 +205,11 @@ impl<'a, const D: usize> Candidate<'a, D> {
         let unused = self.coarser.len() >= EXTRAPOLATED;
         let unused = unused.then(|| self.coarser.remove(0));
         (self, unused)
+    }
+
+    /// Whether the energy has risen so much since the coarser grid that it was that of leaps.
+    fn leapt(&self) -> bool {
+        matches!(self.levels[..], [.., coarse, fine] if fine.energy > LEAP * coarse.energy)
     }
 
     fn failed(&self) -> bool {

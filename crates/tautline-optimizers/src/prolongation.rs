@@ -1,18 +1,18 @@
-//! A point sequence on another grid: interpolation of the fifth degree in time.
+//! A point sequence on another grid: interpolation of the seventh degree in time.
 
 use nalgebra::SVector;
 use tautline_discretizations::PointSequence;
 
 /// So many points a polynomial goes through.
-const POINTS: usize = 6;
+const POINTS: usize = 8;
 
-/// Of the order of a difference.
-const RECIPROCALS: [f64; POINTS] = [1.0, 1.0, 0.5, 1.0 / 3.0, 0.25, 0.2];
+/// Those of the order of a difference.
+const RECIPROCALS: [f64; POINTS] = [1.0, 1.0, 0.5, 1.0 / 3.0, 0.25, 0.2, 1.0 / 6.0, 1.0 / 7.0];
 
 /// Returns the sequence with `n ≥ 1` subintervals that follows `sequence`: on each of its
-/// subintervals the polynomial through the six nearest points (all, if there are fewer).
+/// subintervals the polynomial through the eight nearest points (all, if there are fewer).
 ///
-/// Keeps both ends exactly. The error on a smooth curve is `O(N⁻⁶)` of the coarser grid: on fine
+/// Keeps both ends exactly. The error on a smooth curve is `O(N⁻⁸)` of the coarser grid: on fine
 /// grids less than the points are rounded by, so that no Newton step is left.
 pub(crate) fn prolong<const D: usize>(
     sequence: &PointSequence<D>,
@@ -41,12 +41,13 @@ pub(crate) fn prolong_into<const D: usize>(
         let place = whole - first;
         // Of a length that the compiler knows, where it is the usual one.
         let usual: Result<&[_; POINTS], _> = near.try_into();
-        let [_, a, b, c, d, e] =
+        let [_, a, b, c, d, e, f, g] =
             usual.map_or_else(|_| coefficients(near, place), |near| coefficients(near, place));
         let start = points[whole];
         while rest < n {
             let s = rest as f64 * fraction;
-            fine.push(start + ((((e * s + d) * s + c) * s + b) * s + a) * s);
+            let tail = ((g * s + f) * s + e) * s + d;
+            fine.push(start + (((tail * s + c) * s + b) * s + a) * s);
             rest += coarse;
         }
         // Beyond a finer grid than this, several intervals on.
@@ -92,9 +93,9 @@ mod tests {
     use super::prolong;
 
     #[test]
-    fn curves_of_the_fifth_degree_are_followed_exactly() {
-        let curve = |t: f64| vector![t.powi(5) - t, 2.0 - t.powi(4)];
-        for (coarse, fine) in [(5, 20), (6, 6), (7, 9), (32, 45), (45, 32), (9, 1)] {
+    fn curves_of_the_seventh_degree_are_followed_exactly() {
+        let curve = |t: f64| vector![t.powi(7) - t, 2.0 - t.powi(6)];
+        for (coarse, fine) in [(7, 20), (8, 8), (9, 11), (32, 45), (45, 32), (99, 7), (9, 1)] {
             let points = (0..=coarse).map(|k| curve(k as f64 / coarse as f64)).collect();
             let sequence = PointSequence::new(points).expect("finite");
             let found = prolong(&sequence, fine);
@@ -104,7 +105,7 @@ mod tests {
                 (Some(sequence.first()), Some(sequence.last()))
             );
             for (k, point) in found.iter().enumerate() {
-                // Six weights up to 5, coordinates up to 2.
+                // Eight weights up to 5, coordinates up to 2.
                 assert!((point - curve(k as f64 / fine as f64)).amax() < 2e-14);
             }
         }

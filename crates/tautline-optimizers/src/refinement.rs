@@ -22,10 +22,10 @@ const NEAR: f64 = 1e-4;
 /// By this factor at least the decrement has to fall from one step to the next.
 const FALL: f64 = 0.01;
 
-/// On a grid of so many chords, a start is only looked at first, if that on the coarser grid had at
-/// most this relative decrement: it will be a minimiser to rounding, and for that nothing need be
-/// written down, which takes half as long again as the arithmetic.
-const LARGE: usize = 32_768;
+/// On a grid whose chords have so many second derivatives, a start is only looked at first, if that
+/// on the coarser grid had at most this relative decrement: it will be a minimiser to rounding, and
+/// for that nothing need be written down, which takes half as long again as the arithmetic.
+const LARGE: usize = 32768;
 const FORESEEN: f64 = 1e-12;
 
 impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
@@ -47,7 +47,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
         let mut about = coarser.magnitude();
         let reached =
             |at: Stationarity, x: &_| at.is_reached(x) && at.residual <= at.residual_floor;
-        if n >= LARGE && coarser.from <= FORESEEN {
+        if n * D * D >= LARGE && coarser.from <= FORESEEN {
             let at = sweep(rule, metric, ends, &start, about, None)?.stationarity;
             if reached(at, &start) {
                 return self.found(start, at, 1, at.decrement);

@@ -1,13 +1,14 @@
 //! Grids on which the points that are extrapolated from coarser ones are a minimiser to rounding, and
-//! are only looked at: what is said of them has to be true all the same.
+//! are only looked at: what is said of them has to be true all the same. And the way there, over
+//! coarse grids that may know little of the metric.
 
 use std::f64::consts::PI;
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{SMatrix, SVector, vector};
 use tautline_discretizations::{LeftEndpoint, PointSequence, Rule, Trapezoidal, energy_gradient};
 use tautline_metrics::{
     Metric, MetricError, Scalar,
-    gallery::{Bump, CoupledCosines, Sphere, Valleys},
+    gallery::{Bump, CoupledCosines, Separable, Sphere, Valleys},
 };
 use tautline_optimizers::{Minimum, Options, SolveError, Starts, Workspace, minimise, newton_step};
 use tautline_sets::Ends;
@@ -98,4 +99,21 @@ fn a_node_where_the_metric_is_none_is_seen_on_the_finest_grid() {
     let fine = from_the_line(&slit, Trapezoidal, line, 80_000);
     let refused = matches!(fine, Err(SolveError::Metric(MetricError::NotSymmetric { .. })));
     assert!(refused, "{:?}", fine.map(|minimum| minimum.residual));
+}
+
+/// Nine chords leap over both ridges of this metric, with energies of 9.5 and 11. On the grids
+/// from there on, those minima become ones of energies 87 and 140, where the lowest has 33.15.
+#[test]
+fn where_the_minima_of_a_coarse_grid_leap_the_starts_are_tried_again() {
+    let ridges = Separable::new(vector![0.788, 0.0, 0.0], vector![1.663, 1.0, 1.0]);
+    let ridges = ridges.expect("below one");
+    let line = [[-2.866, 0.0, 0.0], [3.0, 0.0, 0.0]];
+    let ends = Ends::points(line[0], line[1]).expect("finite");
+    let automatic = minimise(&ridges, &ends, Trapezoidal, 129, &Options::default());
+    let automatic = automatic.expect("a metric");
+    let alone = from_the_line(&ridges, Trapezoidal, line, 129).expect("a metric");
+    for minimum in [automatic, alone] {
+        assert!((minimum.energy - 33.15).abs() < 0.1, "{:?}", minimum.levels);
+        assert!(minimum.is_local_minimum());
+    }
 }
