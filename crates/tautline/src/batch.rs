@@ -33,6 +33,14 @@ use crate::{Problem, TautLine};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
+/// # Stack
+///
+/// In many dimensions matrices of jets are on the stack, and threads other than the first have less
+/// of it: 2 MB by default. A metric that has nothing but [`gram`](Metric::gram) needs 2 MB at `D = 16`,
+/// 8 at 23, 3 at 32 and 12 at 64, one of few terms with formulas of its own for
+/// [`norm_squared`](Metric::norm_squared) and [`momentum`](Metric::momentum) 2 at 64, as measured with
+/// optimisation; rayon's `ThreadPoolBuilder::stack_size` provides it.
+///
 /// # Errors
 ///
 /// Each result has its own, as [`Problem::solve`].
