@@ -1,4 +1,4 @@
-//! `cargo xtask bench`: what each part of a solve costs, beside what is written by hand.
+//! `cargo xtask bench`: what solves cost, part by part and on large problems.
 
 use std::{
     fs,
@@ -7,10 +7,39 @@ use std::{
     thread,
 };
 
-/// Runs the benchmark of the solver; all of it is written to `paper/tables/speed.csv`, a part only
-/// to the terminal.
+/// Each benchmark of the solver, and what its table shows.
+const BENCHES: [(&str, &str); 2] = [
+    (
+        "speed",
+        "the least time of each part of a solve on one thread, of many runs in turn, and its ratio \
+         to the same written by hand: of assembly to assembly, of all else to one Newton step",
+    ),
+    (
+        "scale",
+        "whole solves of long, wide and many problems: the least time of up to five runs and the \
+         most memory in use at a time, by the nodes of all problems; the mean of the Newton steps \
+         on all grids, and the largest residual over its floor; efficiency is the rate over that \
+         of one thread times their number",
+    ),
+];
+
+/// Runs the benchmarks; all of each is written to `paper/tables`, a part only to the terminal.
 pub(crate) fn bench(root: &Path, rest: &[&str]) -> Result<(), String> {
-    let arguments = ["bench", "--package", "tautline", "--bench", "speed", "--"];
+    for (name, what) in BENCHES {
+        let rows = run(root, name, rest)?;
+        if rest.is_empty() {
+            let table = format!("paper/tables/{name}.csv");
+            let text = format!("{}{rows}", header(name, what));
+            fs::write(root.join(&table), text).map_err(|error| format!("{table}: {error}"))?;
+            eprintln!("wrote {table}");
+        }
+    }
+    Ok(())
+}
+
+/// Runs one of them, and returns what it prints.
+fn run(root: &Path, name: &str, rest: &[&str]) -> Result<String, String> {
+    let arguments = ["bench", "--package", "tautline", "--bench", name, "--"];
     eprintln!("$ cargo {} {}", arguments.join(" "), rest.join(" "));
     let output = Command::new(env!("CARGO"))
         .args(arguments)
@@ -19,22 +48,16 @@ pub(crate) fn bench(root: &Path, rest: &[&str]) -> Result<(), String> {
         .stderr(Stdio::inherit())
         .output()
         .map_err(|error| format!("the benchmark did not start: {error}"))?;
-    let rows = String::from_utf8_lossy(&output.stdout);
+    let rows = String::from_utf8_lossy(&output.stdout).into_owned();
     print!("{rows}");
     if !output.status.success() {
         return Err(format!("the benchmark failed: {}", output.status));
     }
-    if rest.is_empty() {
-        let path = root.join("paper/tables/speed.csv");
-        let text = format!("{}{rows}", header());
-        fs::write(&path, text).map_err(|error| format!("{}: {error}", path.display()))?;
-        eprintln!("wrote paper/tables/speed.csv");
-    }
-    Ok(())
+    Ok(rows)
 }
 
 /// What stands above the rows.
-fn header() -> String {
+fn header(name: &str, what: &str) -> String {
     let processor = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let processor = processor
         .lines()
@@ -42,11 +65,10 @@ fn header() -> String {
         .map_or(std::env::consts::ARCH, |(_, name)| name);
     let cores = thread::available_parallelism().map_or(1, usize::from);
     format!(
-        "# speed\n\
-         # the least time of each part of a solve, of many runs in turn, and its ratio to the same \
-         written by hand: of assembly to assembly, of all else to one Newton step\n\
+        "# {name}\n\
+         # {what}\n\
          # command: cargo xtask bench\n\
-         # machine: {processor}, {cores} cores, {}; one thread, no flags for the processor\n",
+         # machine: {processor}, {cores} cores, {}; no flags for the processor\n",
         std::env::consts::OS
     )
 }

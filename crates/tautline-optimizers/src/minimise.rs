@@ -72,6 +72,13 @@ const DIFFERENT: f64 = 1e-9;
 /// three Newton steps each, and none on the finest: the start is a minimiser to rounding there. A
 /// rule without nodes does not compile.
 ///
+/// # Memory
+///
+/// At most `16D² + 16D` bytes for each point of the finest grid on which a Newton step is taken, and
+/// some tenth of that for coarser ones. Where the finest of more than 30 000 chords needs none, its
+/// points are all that it has: together less than 30 bytes a point for `D = 2`, and less than 20 from
+/// `N = 10⁶` on, both measured on smooth metrics.
+///
 /// # Errors
 ///
 /// [`SolveError::NoSubinterval`] if `n` is 0; [`SolveError::Metric`] if the metric is not

@@ -27,6 +27,7 @@
 //! | --- | --- |
 //! | the distance of two points | `examples/two_points.rs` |
 //! | the shortest way between two bodies | `examples/two_sets.rs` |
+//! | the distances among many points, on all threads | `examples/many_pairs.rs` |
 //! | a metric of your own, with bounds | `examples/my_own_metric.rs` |
 //! | the distance of two normal distributions, whose metric has no constants on all of the plane | `examples/normal_distributions.rs` |
 //!
@@ -51,12 +52,14 @@
 //! *trapezoidal* rule reads the metric at the middle of each chord and is called the midpoint
 //! rule elsewhere.
 
+mod batch;
 mod certificate;
 mod competitors;
 mod problem;
 mod proof;
 mod taut_line;
 
+pub use batch::solve_all;
 pub use certificate::{RuleOfThePaper, SuggestedN};
 pub use competitors::Competitors;
 pub use problem::Problem;

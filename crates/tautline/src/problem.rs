@@ -61,6 +61,17 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
         let mut own = Workspace::default();
         let mut kept = self.workspace.try_lock();
         let workspace = kept.as_deref_mut().unwrap_or(&mut own);
+        self.solve_in(workspace, rule, n, options)
+    }
+
+    /// As [`solve_with`](Problem::solve_with), in the memory of another.
+    pub(crate) fn solve_in<R: Rule>(
+        &self,
+        workspace: &mut Workspace<D>,
+        rule: R,
+        n: usize,
+        options: &Options<D>,
+    ) -> Result<TautLine<M, R, D>, SolveError> {
         let minimum = minimise_in(workspace, &*self.metric, &self.ends, rule, n, options)?;
         Ok(TautLine::new(Arc::clone(&self.metric), rule, self.ends.clone(), minimum))
     }

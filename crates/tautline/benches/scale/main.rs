@@ -1,0 +1,173 @@
+//! How far solves reach on one machine: ten million nodes, 64 dimensions, ten thousand problems at
+//! once; the time and the memory of each, per node.
+//!
+//! `cargo bench --package tautline --bench scale -- P1 batch` for some of them; all of it is
+//! `paper/tables/scale.csv`, which `cargo xtask bench` writes.
+
+mod by_gram;
+mod cost;
+#[path = "../../examples/peers/problems.rs"]
+mod problems;
+mod random;
+
+use std::{error::Error, thread};
+
+use by_gram::ByGram;
+use cost::{Cost, cost};
+use problems::{Peer, pose};
+use random::SplitMix;
+use rayon::ThreadPoolBuilder;
+use tautline::{
+    Ends, Metric, Options, PointSequence, Problem, SVector, SolveError, Starts, TautLine,
+    Trapezoidal,
+    gallery::{Bump, SineProjection, SineProjections},
+    solve_all,
+};
+
+/// Subintervals of the long problems, of the wide ones, of the one whose formula costs most, and of
+/// those in the batch.
+const LONG: usize = 10_000_000;
+const WIDE: usize = 1000;
+const WIDEST: usize = 100;
+const SHORT: usize = 64;
+
+/// The wide problems by name.
+const BY_TERMS: &str = "by terms";
+const BY_GRAM: &str = "by gram";
+
+/// Bytes of stack for them.
+const STACK: usize = 64 << 20;
+
+/// Problems in the batch.
+const BATCH: usize = 10_000;
+
+/// Chords of the straight line from which a single problem starts.
+const START: usize = 16;
+
+/// What is printed of one row.
+struct Row {
+    problem: &'static str,
+    n: usize,
+    threads: usize,
+    /// The seconds per problem on one thread over those on all, times their number.
+    efficiency: Option<f64>,
+}
+
+impl Row {
+    fn print<M: Metric<D>, const D: usize>(
+        &self,
+        cost: Cost<Vec<Result<TautLine<M, Trapezoidal, D>, SolveError>>>,
+    ) -> Result<(), Box<dyn Error>> {
+        let Cost { seconds, bytes, result } = cost;
+        let count = result.len();
+        let (mut iterations, mut over_floor) = (0, 0.0_f64);
+        for line in result {
+            let line = line?;
+            let minimum = line.minimum();
+            iterations += minimum.iterations;
+            over_floor = over_floor.max(minimum.residual / minimum.residual_floor);
+        }
+        let Self { problem, n, threads, efficiency } = self;
+        let nodes = (count * n) as f64;
+        println!(
+            "{problem},{D},{n},{count},{threads},{:.1},{:.1},{:.1},{over_floor:.2},{:.4},{}",
+            1e9 * seconds / nodes,
+            bytes as f64 / nodes,
+            iterations as f64 / count as f64,
+            count as f64 / seconds,
+            efficiency.map_or(String::new(), |efficiency| format!("{efficiency:.2}")),
+        );
+        Ok(())
+    }
+}
+
+/// Solves one problem on one thread, from the straight line.
+struct Single {
+    problem: &'static str,
+    n: usize,
+}
+
+impl Peer for Single {
+    fn solve<M: Metric<D>, const D: usize>(
+        self,
+        metric: M,
+        ends: Ends<D>,
+        start: PointSequence<D>,
+    ) -> Result<(), Box<dyn Error>> {
+        let Self { problem, n } = self;
+        let options = Options { starts: Starts::Only(vec![start]), ..Options::default() };
+        let posed = Problem::new(metric, ends);
+        let cost = cost(|| vec![posed.solve_with(Trapezoidal, n, &options)]);
+        Row { problem, n, threads: 1, efficiency: None }.print(cost)
+    }
+}
+
+/// From `0` to `(1, …, 1)` under a metric of four terms, by its own formula for `dᵀHd` or by all
+/// entries of `H`.
+fn wide<const D: usize>(problem: &'static str, n: usize) -> Result<(), Box<dyn Error>> {
+    // As in P5.
+    let term = |k: f64| SineProjection {
+        wave_vector: SVector::from_fn(|i, _| (0.7 * k + (i + 1) as f64).sin()),
+        direction: SVector::from_fn(|i, _| 0.5 * (1.3 * k * (i + 1) as f64).cos()),
+    };
+    let metric = SineProjections::<D>::new([1.0, 2.0, 3.0, 4.0].map(term).to_vec())?;
+    let (from, to) = ([0.0; D], [1.0; D]);
+    let start = PointSequence::straight(from, to, START)?;
+    let (single, ends) = (Single { problem, n }, Ends::points(from, to)?);
+    if problem == BY_GRAM {
+        single.solve(ByGram(metric), ends, start)
+    } else {
+        single.solve(metric, ends, start)
+    }
+}
+
+/// The metric of P2 between random points of the square about it, from the automatic starts.
+fn batch(problem: &'static str) -> Result<(), Box<dyn Error>> {
+    let bump = Bump::new(4.0, 0.5)?;
+    let mut random = SplitMix::new(20_240_607);
+    let mut point = || [0; 2].map(|_| 1.5 * random.symmetric());
+    let posed: Result<Vec<_>, _> = (0..BATCH)
+        .map(|_| Ends::points(point(), point()).map(|ends| Problem::new(bump, ends)))
+        .collect();
+    let (posed, options) = (posed?, Options::default());
+    let all = thread::available_parallelism().map_or(1, usize::from);
+    let mut single = None;
+    for threads in [1, all] {
+        let pool = ThreadPoolBuilder::new().num_threads(threads).build()?;
+        let cost = cost(|| pool.install(|| solve_all(&posed, Trapezoidal, SHORT, &options)));
+        let one = *single.get_or_insert(cost.seconds);
+        let efficiency = Some(one / (cost.seconds * threads as f64));
+        Row { problem, n: SHORT, threads, efficiency }.print(cost)?;
+    }
+    Ok(())
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let words: Vec<String> = std::env::args().skip(1).filter(|w| !w.starts_with('-')).collect();
+    let wanted = |word: &str| words.is_empty() || words.iter().any(|w| w == word);
+    println!(
+        "problem,d,n,problems,threads,nanoseconds_per_node,bytes_per_node,iterations,\
+         residual_over_floor,problems_per_second,efficiency"
+    );
+    for problem in ["P1", "P2"].into_iter().filter(|problem| wanted(problem)) {
+        pose(problem, START, Single { problem, n: LONG })?;
+    }
+    // Matrices of jets of this size are on the stack.
+    let wide = || -> Result<(), String> {
+        for (problem, widest) in [(BY_TERMS, WIDE), (BY_GRAM, WIDEST)] {
+            if wanted(problem) {
+                wide::<32>(problem, WIDE).map_err(|error| error.to_string())?;
+                wide::<64>(problem, widest).map_err(|error| error.to_string())?;
+            }
+        }
+        Ok(())
+    };
+    thread::scope(|scope| {
+        let thread = thread::Builder::new().stack_size(STACK).spawn_scoped(scope, wide)?;
+        Ok::<_, Box<dyn Error>>(thread.join().map_err(|_| "a panic")??)
+    })?;
+    if wanted("batch") {
+        batch("batch")?;
+    }
+    Ok(())
+}

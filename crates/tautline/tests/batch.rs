@@ -1,0 +1,101 @@
+//! Many problems at once have the results that they have one by one.
+
+use rayon::ThreadPoolBuilder;
+use tautline::{
+    Ball, Ends, HalfSpace, LeftEndpoint, Metric, Options, Problem, Rule, SolveError, TautLine,
+    Trapezoidal,
+    gallery::{Bump, Hyperbolic},
+    solve_all,
+};
+
+type Lines<M, R> = Vec<Result<TautLine<M, R, 2>, SolveError>>;
+
+fn on_threads<M: Metric<2> + Send + Sync, R: Rule + Send + Sync>(
+    threads: usize,
+    problems: &[Problem<M, 2>],
+    rule: R,
+    n: usize,
+) -> Lines<M, R> {
+    let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+    pool.install(|| solve_all(problems, rule, n, &Options::default()))
+}
+
+/// Everything that a search returns: printed, since two numbers print alike only if they have the
+/// same bits, where equal ones may differ in the sign of a zero.
+fn printed<M: Metric<2>, R: Rule>(lines: &Lines<M, R>) -> Vec<String> {
+    let minima = lines.iter().map(|line| line.as_ref().map(TautLine::minimum));
+    minima.map(|minimum| format!("{minimum:?}")).collect()
+}
+
+#[track_caller]
+fn compare<R: Rule + Send + Sync>(rule: R, n: usize) {
+    let bumps = [1.0, 2.0, 4.0].map(|height| Bump::new(height, 0.5).expect("valid"));
+    let wall = HalfSpace::at_least([1.0, 0.0], 2.0).expect("a normal");
+    let mut problems = Vec::new();
+    for bump in bumps {
+        for k in 0..4 {
+            let y = 0.1 + 0.3 * f64::from(k);
+            let points = Ends::points([-1.5, y], [1.5, -0.1]).expect("finite");
+            let ball = Ball::new([-2.0, y], 0.5).expect("a radius");
+            let sets = Ends::new(ball, wall).expect("one bounded");
+            problems.extend([points, sets].map(|ends| Problem::new(bump, ends)));
+        }
+    }
+    let one_by_one: Lines<_, _> = problems.iter().map(|problem| problem.solve(rule, n)).collect();
+    let expected = printed(&one_by_one);
+    assert!(
+        one_by_one.iter().all(|line| line.as_ref().is_ok_and(|l| l.minimum().is_local_minimum()))
+    );
+    // All are different, so that none can stand in the place of another.
+    for (k, line) in expected.iter().enumerate() {
+        assert!(!expected[..k].contains(line), "{k}: {line}");
+    }
+    for threads in [1, 2, 5] {
+        let found = on_threads(threads, &problems, rule, n);
+        assert_eq!(printed(&found), expected, "{threads} threads");
+        for (line, problem) in found.iter().flatten().zip(&problems) {
+            assert_eq!(line.metric(), problem.metric());
+        }
+    }
+}
+
+/// On a grid of its own, and on one that is refined in the memory of the problem before.
+#[test]
+fn a_batch_has_the_results_of_its_problems_one_by_one() {
+    compare(Trapezoidal, 32);
+    compare(Trapezoidal, 1000);
+    compare(LeftEndpoint, 300);
+}
+
+#[test]
+fn an_error_stays_in_its_place() {
+    // Every third end is outside of the unit disk, where there is no metric.
+    let end = |k: usize| if k % 3 == 1 { [0.0, 2.0] } else { [0.5, 0.01 * k as f64] };
+    let pose = |k| Problem::new(&Hyperbolic, Ends::points([-0.5, 0.0], end(k)).expect("finite"));
+    let problems: Vec<_> = (0..20).map(pose).collect();
+    for threads in [1, 2] {
+        let lines = on_threads(threads, &problems, Trapezoidal, 80);
+        assert_eq!(lines.len(), problems.len());
+        for (k, line) in lines.into_iter().enumerate() {
+            match line {
+                Ok(line) => {
+                    assert!(k % 3 != 1, "{k}");
+                    assert_eq!(line.sequence().last().as_slice(), end(k));
+                }
+                Err(error) => {
+                    assert!(k % 3 == 1, "{k}: {error}");
+                    assert!(matches!(error, SolveError::Metric(_)), "{k}: {error}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn without_chords_every_problem_is_refused_and_without_problems_nothing_is() {
+    let ends = Ends::points([-0.5, 0.0], [0.5, 0.1]).expect("finite");
+    let problems = vec![Problem::new(Hyperbolic, ends); 3];
+    let lines = on_threads(2, &problems, Trapezoidal, 0);
+    assert!(lines.len() == 3 && lines.iter().all(|l| matches!(l, Err(SolveError::NoSubinterval))));
+    assert!(on_threads(2, &problems[..0], Trapezoidal, 10).is_empty());
+}

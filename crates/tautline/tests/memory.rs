@@ -1,0 +1,52 @@
+//! How much memory a solve takes, at most at a time.
+//!
+//! A binary of its own, with one test: the counting allocator is there for all of it.
+
+use std::f64::consts::PI;
+
+use peak_alloc::PeakAlloc;
+use tautline::{
+    Ends, Metric, Options, PointSequence, Problem, Starts, Trapezoidal,
+    gallery::{Bump, Valleys},
+};
+
+#[global_allocator]
+static MEMORY: PeakAlloc = PeakAlloc;
+
+/// The bytes per point of a solve with `n` chords that begins with a straight line.
+fn bytes_per_point<M: Metric<D>, const D: usize>(
+    metric: M,
+    [from, to]: [[f64; D]; 2],
+    n: usize,
+) -> f64 {
+    let problem = Problem::new(metric, Ends::points(from, to).expect("finite"));
+    let start = PointSequence::straight(from, to, 16).expect("finite");
+    let options = Options { starts: Starts::Only(vec![start]), ..Options::default() };
+    MEMORY.reset_peak_usage();
+    let before = MEMORY.current_usage();
+    let line = problem.solve_with(Trapezoidal, n, &options).expect("a metric");
+    let bytes = MEMORY.peak_usage() - before;
+    assert!(line.minimum().is_local_minimum());
+    bytes as f64 / n as f64
+}
+
+/// [`tautline::minimise`] states both numbers.
+#[test]
+fn a_solve_takes_one_newton_step_of_memory_and_on_fine_grids_little_more_than_its_points() {
+    let bump = Bump::new(4.0, 0.5).expect("valid");
+    for (n, bound) in [
+        // 2D² + 2D = 12 numbers for a Newton step on the finest grid, the points among them; and on
+        // coarser grids, of an eighth as many points, seven lists of points at most: three that are
+        // kept, and those from which the next start is made.
+        (30_000, 12.0 * 8.0 + 7.0 * 16.0 / 8.0),
+        // The points; such a step on a grid of a sixteenth as many, and as many lists there.
+        (100_000, 16.0 + (12.0 * 8.0 + 7.0 * 16.0) / 16.0),
+    ] {
+        let p1 = bytes_per_point(Valleys, [[0.0, 0.0], [4.0 * PI, 0.0]], n);
+        let p2 = bytes_per_point(bump, [[-1.5, 0.05], [1.5, -0.1]], n);
+        for bytes in [p1, p2] {
+            // The result alone has two numbers a point.
+            assert!(16.0 < bytes && bytes <= bound, "N = {n}: {bytes} bytes a point");
+        }
+    }
+}
