@@ -10,106 +10,17 @@ from __future__ import annotations
 import argparse
 import os
 import platform
-import resource
-import signal
-import subprocess
 import sys
 import tempfile
 import warnings
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
+import distance
 from problems import PROBLEMS, Problem, energy, is_minimum, residual, tolerance
+from programs import PEERS, Programs, number, run
 from table import Row, write
-
-HERE = Path(__file__).resolve().parent
-
-# Nobody is faster for having more than one thread.
-ONE_THREAD = {
-    "OMP_NUM_THREADS": "1",
-    "OPENBLAS_NUM_THREADS": "1",
-    "MKL_NUM_THREADS": "1",
-    "RAYON_NUM_THREADS": "1",
-    "XLA_FLAGS": "--xla_cpu_multi_thread_eigen=false intra_op_parallelism_threads=1",
-    "JAX_PLATFORMS": "cpu",
-}
-
-# Tautline goes first, since the others are divided by it.
-RUST = {"tautline": "Tautline", "argmin": "argmin, trust region"}
-PYTHON = {
-    "jax_newton": "JAX + banded solver",
-    "casadi_ipopt": "CasADi + IPOPT",
-    "casadi_fatrop": "CasADi + FATROP",
-    "scipy_bvp": "SciPy solve_bvp",
-    "scipy_lbfgs": "SciPy L-BFGS-B",
-    "geomstats_paths": "geomstats, path straightening",
-}
-PEERS = {"tautline": RUST["tautline"], **PYTHON, "argmin": RUST["argmin"]}
-
-
-@dataclass(frozen=True)
-class Programs:
-    """Where the programs are that xtask has made."""
-
-    python: str
-    geomstats: str
-    tautline: str
-    argmin: str
-
-    def command(self, peer: str, problem: str, n: int, stop: float, limit: int, file: str) -> list:
-        """What solves one problem by one peer."""
-        if peer == "tautline":
-            return [self.tautline, problem, str(n), file]
-        if peer == "argmin":
-            return [self.argmin, problem, str(n), repr(stop), file]
-        python = self.geomstats if peer == "geomstats_paths" else self.python
-        script = str(HERE / "solve_one.py")
-        return [python, script, peer, problem, str(n), repr(stop), str(limit), file]
-
-
-def on_one_processor(seconds: int, hard: int) -> None:
-    """Confines the process that is about to start: to one processor, and to so many seconds."""
-    if hasattr(os, "sched_setaffinity"):
-        os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
-    resource.setrlimit(resource.RLIMIT_CPU, (seconds, hard))
-
-
-def run(command: list[str], limit: int) -> tuple[dict[str, str], str]:
-    """Runs a peer; returns what it printed, and why it did not end well."""
-    try:
-        # A peer in Python sets the softer limit by itself, for each solve.
-        done = subprocess.run(
-            command,
-            capture_output=True,
-            text=True,
-            env={**os.environ, **ONE_THREAD},
-            preexec_fn=lambda: on_one_processor(limit, 20 * limit),
-            timeout=40 * limit,
-        )
-    except FileNotFoundError:
-        return {}, "not installed"
-    except subprocess.TimeoutExpired as expired:
-        printed = expired.stdout or b""
-        return parse(printed.decode() if isinstance(printed, bytes) else printed), "did not finish"
-    said = parse(done.stdout)
-    if "unavailable" in said:
-        return said, said["unavailable"]
-    if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
-        phase = "set-up " if said.get("phase") == "set-up" else ""
-        return said, f"{phase}did not finish in {limit} s"
-    if done.returncode != 0:
-        last = (done.stderr.strip() or f"exit code {done.returncode}").splitlines()[-1]
-        return said, f"failed: {last}"
-    return said, ""
-
-
-def parse(printed: str) -> dict[str, str]:
-    """Lines of ``key=value``; the last one of a key counts."""
-    pairs = (line.partition("=") for line in printed.splitlines())
-    return {key: value for key, separator, value in pairs if separator}
-
 
 def judge(problem: Problem, n: int, said: dict[str, str], points: np.ndarray | None) -> tuple:
     """Energy, residual and whether it has converged, by one code for all peers."""
@@ -147,11 +58,6 @@ def compare(peer: str, problem: Problem, n: int, programs: Programs, limit: int)
     return row
 
 
-def number(said: dict[str, str], key: str) -> float | None:
-    """A number that was printed, if it was."""
-    return float(said[key]) if key in said else None
-
-
 def machine() -> str:
     """The class of the machine: the model of its processor, and how many there are."""
     model = platform.processor() or platform.machine()
@@ -173,9 +79,20 @@ def main() -> None:
     parser.add_argument("--peer", action="append", choices=PEERS, help="only these peers")
     parser.add_argument("--problem", action="append", choices=PROBLEMS, help="only these problems")
     parser.add_argument("--n", action="append", type=int, help="only these N")
+    parser.add_argument("--distance", action="store_true", help="only the table of distances")
     parser.add_argument("--limit", type=int, default=30, help="seconds for a solve (30)")
     chosen = parser.parse_args()
     programs = Programs(chosen.python, chosen.geomstats, chosen.tautline, chosen.argmin)
+    distance.compare(
+        [name for name in distance.PROBLEM_NAMES if name in (chosen.problem or PROBLEMS)],
+        [peer for peer in distance.PEER_NAMES if peer in (chosen.peer or PEERS)],
+        programs,
+        chosen.limit,
+        chosen.output.with_name("distance.csv"),
+        machine(),
+    )
+    if chosen.distance:
+        return
     rows: list[Row] = []
     # Who did not finish does not finish on a finer grid either.
     late: set[tuple[str, str]] = set()

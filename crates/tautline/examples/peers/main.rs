@@ -13,7 +13,7 @@ use std::{env, path::PathBuf};
 
 use measurement::{cpu_time, report, time};
 use problems::{Peer, pose};
-use tautline::{Ends, Metric, Options, PointSequence, Problem, Starts, Trapezoidal};
+use tautline::{Ends, Metric, Options, PointSequence, Problem, SolveError, Starts, Trapezoidal};
 
 /// Tautline from the straight line alone, as everybody else in the comparison.
 struct Tautline {
@@ -39,10 +39,47 @@ impl Peer for Tautline {
     }
 }
 
+/// The square of the distance, extrapolated: on the first grid that is accurate enough.
+struct Distance {
+    reference: f64,
+    error: f64,
+}
+
+impl Peer for Distance {
+    fn solve<M: Metric<D>, const D: usize>(
+        self,
+        metric: M,
+        ends: Ends<D>,
+        start: PointSequence<D>,
+    ) -> Result<(), Box<dyn std::error::Error>> {
+        let problem = Problem::new(metric, ends);
+        let options = Options { starts: Starts::Only(vec![start]), ..Options::default() };
+        let estimate = |n| {
+            let line = problem.solve_with(Trapezoidal, n, &options)?;
+            Ok::<_, SolveError>(line.distance_squared_estimate())
+        };
+        println!("version={}\nset_up={}", env!("CARGO_PKG_VERSION"), cpu_time());
+        for n in (4..16).flat_map(|power| [1 << power, 3 << (power - 1)]) {
+            let found = estimate(n)?.map_or(f64::INFINITY, |estimate| estimate.value);
+            if (found / self.reference - 1.0).abs() <= self.error {
+                let timed = time(|| estimate(n));
+                println!("energy={found}\nstop=N = {n}\nseconds={}", timed.seconds);
+                return Ok(());
+            }
+        }
+        Err("no grid is accurate enough".into())
+    }
+}
+
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let arguments: Vec<String> = env::args().skip(1).collect();
-    let [problem, n, points] = arguments.as_slice() else {
-        return Err("usage: peers PROBLEM N FILE".into());
-    };
-    pose(problem, n.parse()?, Tautline { points: points.into() })
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    match *arguments.as_slice() {
+        [problem, "distance", reference, error] => {
+            let distance = Distance { reference: reference.parse()?, error: error.parse()? };
+            pose(problem, 1, distance)
+        }
+        [problem, n, points] => pose(problem, n.parse()?, Tautline { points: points.into() }),
+        _ => Err("usage: peers PROBLEM N FILE, or peers PROBLEM distance REFERENCE ERROR".into()),
+    }
 }

@@ -1,0 +1,97 @@
+"""How long the square of the distance takes to ten digits, on whatever grid is enough.
+
+Tautline extrapolates the discrete minima of its grids; solve_bvp, of order four, has a mesh of its
+own.  Each has its loosest setting that is accurate enough: the least ``N`` of 16, 24, 32, 48, ...,
+or the largest tolerance.  Where that is does not count as time of the solve.
+"""
+
+from __future__ import annotations
+
+import csv
+import math
+import sys
+import tempfile
+from pathlib import Path
+
+from problems import PROBLEMS, Problem
+from programs import PEERS, Programs, number, run
+from table import written
+
+# The relative error of the square of the distance that is granted.
+ERROR = 1e-10
+
+# With a reference of more digits, and points at both ends.
+PROBLEM_NAMES = ("P2", "P3", "P5", "P6")
+
+# Tautline goes first, since the others are divided by it.
+PEER_NAMES = ("tautline", "scipy_bvp")
+
+COLUMNS = (
+    "problem",
+    "peer",
+    "version",
+    "seconds",
+    "setup_seconds",
+    "distance_squared",
+    "relative_error",
+    "reached",
+    "ratio_to_tautline",
+)
+
+
+def solve(peer: str, problem: Problem, programs: Programs, limit: int) -> tuple[dict, str]:
+    """Runs one peer; returns what it printed, and why it did not end well."""
+    reference = problem.distance_squared
+    if peer == "tautline":
+        command = [programs.tautline, problem.name, "distance", repr(reference), repr(ERROR)]
+        return run(command, limit)
+    # It looks for the tolerance that is as accurate as a grid of N chords.
+    n = math.floor(math.sqrt(abs(problem.discretisation) / (ERROR * reference)))
+    with tempfile.TemporaryDirectory() as folder:
+        file = str(Path(folder) / "points")
+        return run(programs.command(peer, problem.name, n, 0.0, limit, file), limit)
+
+
+def compare(
+    problems: list[str], peers: list[str], programs: Programs, limit: int, file: Path, machine: str
+) -> None:
+    """Writes the table."""
+    file.parent.mkdir(parents=True, exist_ok=True)
+    with file.open("w", newline="") as output:
+        output.write("# distance\n# what the square of the distance costs to a relative 1e-10\n")
+        output.write("# command: cargo xtask peers\n")
+        output.write(f"# machine: {machine}; one thread, at most {limit} s for a solve\n")
+        writer = csv.writer(output, lineterminator="\n")
+        writer.writerow(COLUMNS)
+        for name in problems:
+            reference_seconds = None
+            for peer in peers:
+                said, reason = solve(peer, PROBLEMS[name], programs, limit)
+                seconds, found = number(said, "seconds"), number(said, "energy")
+                if peer == "tautline":
+                    reference_seconds = seconds
+                error = found and found / PROBLEMS[name].distance_squared - 1.0
+                ratio = seconds / reference_seconds if seconds and reference_seconds else None
+                cells = [
+                    name,
+                    PEERS[peer],
+                    said.get("version", ""),
+                    written(seconds, ".2e"),
+                    written(number(said, "set_up"), ".2f"),
+                    written(found, ".13g"),
+                    written(error, ".1e"),
+                    verdict(said, error) or reason,
+                    written(ratio, ".3g"),
+                ]
+                writer.writerow(cells)
+                print(",".join(cells), file=sys.stderr, flush=True)
+
+
+def verdict(said: dict[str, str], error: float | None) -> str:
+    """Whether it has got there, and with which setting."""
+    if error is None:
+        return ""
+    if abs(error) > 0.1:
+        return f"no: another geodesic; {said.get('stop', '')}"
+    reached = "yes" if abs(error) <= ERROR else "no"
+    return f"{reached}: {said.get('stop', '')}"
