@@ -37,9 +37,9 @@ use crate::{Problem, TautLine};
 ///
 /// In many dimensions matrices of jets are on the stack, and threads other than the first have less
 /// of it: 2 MB by default. A metric that has nothing but [`gram`](Metric::gram) needs 2 MB at `D = 16`,
-/// 8 at 23, 3 at 32 and 12 at 64, one of few terms with formulas of its own for
-/// [`norm_squared`](Metric::norm_squared) and [`momentum`](Metric::momentum) 2 at 64, as measured with
-/// optimisation; rayon's `ThreadPoolBuilder::stack_size` provides it.
+/// 8 at 23, 3 at 32 and 8 at 64, one of few terms with formulas of its own for
+/// [`norm_squared`](Metric::norm_squared) and [`momentum`](Metric::momentum) a quarter at 23, 1 at 32
+/// and 3 at 64, as measured with optimisation; rayon's `ThreadPoolBuilder::stack_size` provides it.
 ///
 /// # Errors
 ///
