@@ -155,7 +155,7 @@ pub fn minimise_in<const D: usize, R: Rule>(
         }
         lowest_first(&mut candidates);
     }
-    let Some(Candidate { found, levels, .. }) = candidates.into_iter().next() else {
+    let Some(Candidate { found, levels, iterations, .. }) = candidates.into_iter().next() else {
         return Err(refused.unwrap_or(SolveError::NoStart));
     };
     Ok(Minimum {
@@ -167,6 +167,7 @@ pub fn minimise_in<const D: usize, R: Rule>(
         stop: found.stop,
         curvature: found.curvature,
         iterations: steps,
+        own_iterations: iterations,
         levels,
         local_minima,
     })
@@ -179,17 +180,21 @@ struct Candidate<'a, const D: usize> {
     /// The sequences on coarser grids, the finest last, as far as they are needed.
     coarser: Vec<PointSequence<D>>,
     levels: Vec<Level>,
+    /// Newton steps so far.
+    iterations: usize,
 }
 
 impl<'a, const D: usize> Candidate<'a, D> {
     fn new(ends: [&'a dyn ClosedSet<D>; 2], found: Found<D>) -> Self {
-        Self { ends, levels: vec![level(&found)], coarser: Vec::new(), found }
+        let (levels, iterations) = (vec![level(&found)], found.iterations);
+        Self { ends, levels, coarser: Vec::new(), iterations, found }
     }
 
     /// Goes over to the minimiser on the next grid; returns points on a coarser one which are not
     /// needed any more.
     fn refined(mut self, found: Found<D>) -> (Self, Option<PointSequence<D>>) {
         self.levels.push(level(&found));
+        self.iterations += found.iterations;
         self.coarser.push(std::mem::replace(&mut self.found, found).sequence);
         let unused = self.coarser.len() >= EXTRAPOLATED;
         let unused = unused.then(|| self.coarser.remove(0));
