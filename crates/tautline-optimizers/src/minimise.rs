@@ -135,13 +135,17 @@ pub fn minimise_in<const D: usize, R: Rule>(
             let start = |memory| {
                 candidate.start(grid, R::ERROR_EXPONENT, memory).map_err(SolveError::Sequence)
             };
+            let mut in_vain = 0;
             let refined = (grid >= FINE).then(|| {
                 let start = start(workspace.spare.take(grid + 1)).ok()?;
-                search.refine(start, &candidate.found, workspace)
+                search.refine(start, &candidate.found, workspace, &mut in_vain)
             });
             let found = match refined.flatten() {
                 Some(found) => Ok(found),
-                None => start(Vec::new()).and_then(|start| Ok(search.run(start)?)),
+                None => start(Vec::new()).and_then(|start| {
+                    let found = search.run(start)?;
+                    Ok(Found { iterations: in_vain + found.iterations, ..found })
+                }),
             };
             match found {
                 Ok(found) => {
