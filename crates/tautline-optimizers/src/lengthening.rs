@@ -12,12 +12,12 @@ const SHORT: f64 = 1.5;
 impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
     /// Doubles a step from `sequence` as long as that sheds more; `None` if it does not at once.
     ///
-    /// `energy` is that of the sequence, `reached` that after the step, and `decrement` is `δ`, half
-    /// the slope of the energy along the step. In `t` times the step the energy falls by
+    /// `energy` is that of the sequence, `reached` that after the step, and `decrement` is `δ`,
+    /// half the slope of the energy along the step. In `t` times the step the energy falls by
     /// `2δt − κt²`. A shift larger than need be makes `κ` small, and the step too short by the
     /// factor `δ/κ`: a search with such steps creeps along a curved valley. Where
-    /// `2δt − κt² ≥ 3/2 δt`, twice the step sheds more, since `κt ≤ δ/2 < 2δ/3`. It costs an energy,
-    /// and no factorisation.
+    /// `2δt − κt² ≥ 3/2 δt`, twice the step sheds more, since `κt ≤ δ/2 < 2δ/3`. It costs an
+    /// energy, and no factorisation.
     pub(crate) fn lengthen(
         &self,
         sequence: &PointSequence<D>,

@@ -43,9 +43,9 @@ const DECREMENT: f64 = 1e-18;
 ///
 /// A coordinate is rounded by `u/2` at most, `u ≤ ε max |x|`, with the variance `u²/12`. In
 /// `ρₙ = (N/2) ∂E/∂xₙ`, about `N² H (xₙ₋₁ − 2xₙ + xₙ₊₁)`, three of them have the variance
-/// `N⁴ c² u²/2`, and `D` coordinates `D` times as much: the residual is `(D/2)^{1/2}` times its floor
-/// `ε N² max |x| c`, at most twice for `D ≤ 8`. As much again is granted for matrices `H` with
-/// entries above their mean `c`.
+/// `N⁴ c² u²/2`, and `D` coordinates `D` times as much: the residual is `(D/2)^{1/2}` times its
+/// floor `ε N² max |x| c`, at most twice for `D ≤ 8`. As much again is granted for matrices `H`
+/// with entries above their mean `c`.
 const FLOORS: f64 = 4.0;
 
 impl Search {

@@ -39,7 +39,7 @@ impl Kind {
         Kind::AffineSubspace,
     ];
     const BOUNDED: usize = 7;
-    /// The first so many have one piece, and few seeds.
+    /// The first so many may be members of a union.
     const SIMPLE: usize = 6;
 }
 

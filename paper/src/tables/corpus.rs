@@ -12,10 +12,11 @@ use crate::{
 pub(super) const TABLE: Table = Table {
     id: "corpus",
     shows: "random problems over the gallery, by the Newton steps in all, over all grids, of the \
-            search that led to the result: from the default starts, of which 99.9 % must reach the \
-            goal within 60 steps, and from one straight line alone; touch: the sets have a point in \
-            common; above: it converged, but to a decrement above 1e-18 of the energy and a residual \
-            above 4 times its floor; stopped: it says that it did not converge; refused: an error",
+            search that led to the result: from the default starts, of which 99.9 % must reach \
+            the goal within 60 steps, and from one straight line alone; touch: the sets have a \
+            point in common; above: it converged, but to a decrement above 1e-18 of the energy and \
+            a residual above 4 times its floor; stopped: it says that it did not converge; \
+            refused: an error",
     seed: Seed::One(SEED),
     data,
     layout,
