@@ -10,6 +10,7 @@ pub mod case;
 pub mod certified;
 pub mod command;
 pub mod convergence;
+pub mod corpus;
 pub mod data;
 pub mod drawing;
 pub mod failure;

@@ -41,6 +41,7 @@ mod factorization;
 mod geodesic_means;
 mod ldl;
 mod leading_constants;
+mod lengthening;
 mod line_minimum;
 mod local_search;
 mod magnitude;

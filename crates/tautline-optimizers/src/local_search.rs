@@ -224,10 +224,12 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
                 return Next::Move(trial);
             }
             // A quarter of what the quadratic model sheds is enough to converge.
-            let sheds = |energy| model.energy - energy >= 0.25 * decrement;
-            if self.admissible_energy(&trial).is_some_and(sheds) {
+            let sheds = |energy: &f64| model.energy - energy >= 0.25 * decrement;
+            if let Some(reached) = self.admissible_energy(&trial).filter(sheds) {
+                let longer = (damping.shift > 0.0)
+                    .then(|| self.lengthen(sequence, &step, [model.energy, reached], decrement));
                 damping.lower();
-                return Next::Move(trial);
+                return Next::Move(longer.flatten().unwrap_or(trial));
             }
             rejected = true;
             if damping.shift >= LAST_SHIFT {

@@ -69,7 +69,8 @@ const DIFFERENT: f64 = 1e-9;
 ///
 /// Every pair of pieces of the sets is tried from every start on the coarsest grid, which is the
 /// only one for `n ≤ 64`; the best are carried to `n` chords over grids that refine by 4 to 16, two or
-/// three Newton steps each, and none on the finest: the start is a minimiser to rounding there. A
+/// three Newton steps each, and none on the finest: the start is a minimiser to rounding there. Where
+/// the energy rises by half from one of the coarse grids to the next, all starts are tried again. A
 /// rule without nodes does not compile.
 ///
 /// # Memory
@@ -134,13 +135,17 @@ pub fn minimise_in<const D: usize, R: Rule>(
             let start = |memory| {
                 candidate.start(grid, R::ERROR_EXPONENT, memory).map_err(SolveError::Sequence)
             };
+            let mut in_vain = 0;
             let refined = (grid >= FINE).then(|| {
                 let start = start(workspace.spare.take(grid + 1)).ok()?;
-                search.refine(start, &candidate.found, workspace)
+                search.refine(start, &candidate.found, workspace, &mut in_vain)
             });
             let found = match refined.flatten() {
                 Some(found) => Ok(found),
-                None => start(Vec::new()).and_then(|start| Ok(search.run(start)?)),
+                None => start(Vec::new()).and_then(|start| {
+                    let found = search.run(start)?;
+                    Ok(Found { iterations: in_vain + found.iterations, ..found })
+                }),
             };
             match found {
                 Ok(found) => {
@@ -173,7 +178,7 @@ pub fn minimise_in<const D: usize, R: Rule>(
             candidates.iter().filter(|c| !c.failed()).map(|c| c.found.energy).collect()
         });
     }
-    let Some(Candidate { found, levels, .. }) = candidates.into_iter().next() else {
+    let Some(Candidate { found, levels, iterations, .. }) = candidates.into_iter().next() else {
         return Err(refused.unwrap_or(SolveError::NoStart));
     };
     Ok(Minimum {
@@ -185,6 +190,7 @@ pub fn minimise_in<const D: usize, R: Rule>(
         stop: found.stop,
         curvature: found.curvature,
         iterations: steps,
+        own_iterations: iterations,
         levels,
         local_minima: local_minima.unwrap_or_default(),
     })
@@ -197,17 +203,21 @@ struct Candidate<'a, const D: usize> {
     /// The sequences on coarser grids, the finest last, as far as they are needed.
     coarser: Vec<PointSequence<D>>,
     levels: Vec<Level>,
+    /// Newton steps so far.
+    iterations: usize,
 }
 
 impl<'a, const D: usize> Candidate<'a, D> {
     fn new(ends: [&'a dyn ClosedSet<D>; 2], found: Found<D>) -> Self {
-        Self { ends, levels: vec![level(&found)], coarser: Vec::new(), found }
+        let (levels, iterations) = (vec![level(&found)], found.iterations);
+        Self { ends, levels, coarser: Vec::new(), iterations, found }
     }
 
     /// Goes over to the minimiser on the next grid; returns points on a coarser one which are not
     /// needed any more.
     fn refined(mut self, found: Found<D>) -> (Self, Option<PointSequence<D>>) {
         self.levels.push(level(&found));
+        self.iterations += found.iterations;
         self.coarser.push(std::mem::replace(&mut self.found, found).sequence);
         let unused = self.coarser.len() >= EXTRAPOLATED;
         let unused = unused.then(|| self.coarser.remove(0));

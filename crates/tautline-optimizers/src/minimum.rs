@@ -30,8 +30,10 @@ pub struct Minimum<const D: usize> {
     pub stop: Stop,
     /// What the Hessian says at the last iterate.
     pub curvature: Curvature,
-    /// Newton steps that were taken on the way here, over all grids.
+    /// Newton steps of all searches, from every start, over all grids.
     pub iterations: usize,
+    /// Of these, the steps of the search that led here: from its one start, over all grids.
+    pub own_iterations: usize,
     /// The grids on the way here, from coarse to fine, the last being this result.
     pub levels: Vec<Level>,
     /// The energies, different by more than `10⁻⁹` relatively, of the local minimisers that
@@ -104,6 +106,7 @@ impl<const D: usize> Minimum<D> {
             stop: Stop::EndsTouch,
             curvature: Curvature::PositiveDefinite,
             iterations: 0,
+            own_iterations: 0,
             levels: vec![Level { n, energy: 0.0 }],
             local_minima: vec![0.0],
         }

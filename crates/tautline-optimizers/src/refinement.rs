@@ -35,12 +35,13 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
     /// `None` where that does not do: the Hessian is not positive definite, a step promises too
     /// much, or not far less than the one before, or the metric is none at the result.
     ///
-    /// `coarser` is the result on the next coarser grid.
+    /// `coarser` is the result on the next coarser grid; `passes` is set to how many were begun.
     pub(crate) fn refine(
         &self,
         start: PointSequence<D>,
         coarser: &Found<D>,
         workspace: &mut Workspace<D>,
+        passes: &mut usize,
     ) -> Option<Found<D>> {
         let (rule, metric, ends) = (self.rule, self.metric, self.ends);
         let n = start.n().get();
@@ -56,6 +57,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
         let Workspace { factorization, spare } = workspace;
         let (mut here, mut allowed, mut from) = (start, NEAR, None);
         for iteration in 1..=STEPS {
+            *passes = iteration;
             let memory = spare.take(n + 1);
             let mut pass =
                 NewtonPass::new(rule, metric, ends, &here, about, factorization, memory)?;

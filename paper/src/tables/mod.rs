@@ -6,6 +6,7 @@ mod certified_curves;
 mod certified_times;
 mod constants;
 mod convergence;
+mod corpus;
 mod counterexample;
 mod errata;
 mod layout;
@@ -65,13 +66,14 @@ fn no_pages(_: &Data) -> Vec<(&'static str, String)> {
 }
 
 /// All tables.
-pub const TABLES: [Table; 12] = [
+pub const TABLES: [Table; 13] = [
     asymptotics::TABLE,
     certified_constants::TABLE,
     certified_curves::TABLE,
     certified_times::TABLE,
     constants::TABLE,
     convergence::TABLE,
+    corpus::TABLE,
     counterexample::TABLE,
     errata::TABLE,
     mutants::TABLE,

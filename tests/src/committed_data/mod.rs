@@ -5,6 +5,7 @@
 
 mod asymptotics;
 mod convergence;
+mod corpus;
 mod counterexample;
 mod dimension;
 mod losses;

@@ -31,4 +31,5 @@ pub use families::families;
 pub use family::Family;
 pub use parameter::Parameter;
 pub use search::Search;
+pub use split_mix::SplitMix;
 pub use tightest::Tightest;

@@ -1,0 +1,73 @@
+//! Longer steps where a shift has made them too short.
+
+use nalgebra::SVector;
+use tautline_discretizations::{PointSequence, Rule};
+use tautline_metrics::Metric;
+
+use crate::local_search::LocalSearch;
+
+/// How much of twice the decrement a step has to shed to be called short: three quarters.
+const SHORT: f64 = 1.5;
+
+impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
+    /// Doubles a step from `sequence` as long as that sheds more; `None` if it does not at once.
+    ///
+    /// `energy` is that of the sequence, `reached` that after the step, and `decrement` is `δ`,
+    /// half the slope of the energy along the step. In `t` times the step the energy falls by
+    /// `2δt − κt²`. A shift larger than need be makes `κ` small, and the step too short by the
+    /// factor `δ/κ`: a search with such steps creeps along a curved valley. Where
+    /// `2δt − κt² ≥ 3/2 δt`, twice the step sheds more, since `κt ≤ δ/2 < 2δ/3`. It costs an
+    /// energy, and no factorisation.
+    pub(crate) fn lengthen(
+        &self,
+        sequence: &PointSequence<D>,
+        step: &[SVector<f64, D>],
+        [energy, reached]: [f64; 2],
+        decrement: f64,
+    ) -> Option<Vec<SVector<f64, D>>> {
+        let (mut scale, mut lowest, mut best) = (1.0, reached, None);
+        while energy - lowest >= SHORT * scale * decrement {
+            scale *= 2.0;
+            let trial = self.retract(sequence, step, scale);
+            match self.admissible_energy(&trial) {
+                Some(lower) if lower < lowest => (lowest, best) = (lower, Some(trial)),
+                _ => break,
+            }
+        }
+        best
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SMatrix, SVector, vector};
+    use tautline_discretizations::{PointSequence, Trapezoidal};
+    use tautline_metrics::gallery::Constant;
+    use tautline_sets::Point;
+
+    use crate::local_search::LocalSearch;
+
+    /// From `x` to the minimiser `x + p` the energy of a constant metric is quadratic: with the
+    /// step `p/12`, `κ = δ/12`, so that 1, 2 and 4 steps shed at least `(2 − 4/12) δt` and are
+    /// short, and 8 steps, which shed `(2 − 8/12) δt`, are not.
+    #[test]
+    fn a_twelfth_of_a_newton_step_is_taken_eight_times() {
+        let metric = Constant::<2>::new(SMatrix::identity()).expect("definite");
+        let [a, b] = [[0.0, 0.0], [2.0, 0.0]].map(|x| Point::new(x).expect("finite"));
+        let search =
+            LocalSearch { metric: &metric, rule: Trapezoidal, ends: [&a, &b], iterations: 1 };
+        let bent = vec![vector![0.0, 0.0], vector![1.0, 1.0], vector![2.0, 0.0]];
+        let bent = PointSequence::new(bent).expect("finite");
+        // E = 2 (1 + y²) · 2 at (1, y): from 8 down to 4 at y = 0, and δ = 4 for all of p.
+        let after = |share: f64| {
+            let step = [SVector::zeros(), vector![0.0, -share], SVector::zeros()];
+            let trial = search.retract(&bent, &step, 1.0);
+            let reached = search.admissible_energy(&trial).expect("finite");
+            search.lengthen(&bent, &step, [8.0, reached], 4.0 * share)
+        };
+        let moved = after(1.0 / 12.0).expect("it is short");
+        // One product and one difference, rounded.
+        assert!((moved[1] - vector![1.0, 1.0 - 8.0 / 12.0]).amax() <= 2.0 * f64::EPSILON);
+        assert_eq!(after(1.0), None, "the whole step is not short");
+    }
+}

@@ -1,0 +1,217 @@
+//! `Drawn`: a metric of the gallery with random parameters, in any dimension.
+
+use tautline::{
+    Metric, SMatrix, SVector, Scalar,
+    gallery::{
+        Bump, Checkerboard, Constant, Corrugated, CoupledCosines, EggCrate, GalleryError,
+        GaussianFisherPatch, Hill, HyperbolicPatch, Lens, Link, Obstacle, Ramp, RotatingAnisotropy,
+        Separable, Shear, SineProjection, SineProjections, SoftObstacles, SpherePatch, Swirl,
+        TanhDecoder, TwoChannels, TwoLinkArm, Valleys,
+    },
+};
+use tautline_verify::adversary::SplitMix;
+
+/// A metric of `R^K` for the first coordinates, and the Euclidean one for the others.
+#[derive(Clone, Copy, Debug)]
+pub struct Beside<M, const K: usize>(M);
+
+impl<M: Metric<K>, const K: usize, const D: usize> Metric<D> for Beside<M, K> {
+    #[inline]
+    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
+        let block = self.0.gram(&SVector::<S, K>::from_fn(|i, _| x[i]));
+        let mut h = SMatrix::<S, D, D>::identity();
+        for j in 0..K {
+            for i in 0..K {
+                h[(i, j)] = block[(i, j)];
+            }
+        }
+        h
+    }
+}
+
+/// Makes the enumeration of metrics, which is one itself.
+macro_rules! drawn {
+    ($($name:ident($metric:ty)),* $(,)?) => {
+        /// A metric of the gallery: those of a fixed dimension `K` [beside](Beside) a Euclidean
+        /// one if `D > K`.
+        #[derive(Clone, Debug)]
+        #[expect(missing_docs, reason = "each is the metric of its name in the gallery")]
+        pub enum Drawn<const D: usize> {
+            $($name($metric)),*
+        }
+
+        impl<const D: usize> Drawn<D> {
+            /// Returns the name of the metric in the gallery.
+            #[must_use]
+            pub fn name(&self) -> &'static str {
+                match self {
+                    $(Self::$name(_) => stringify!($name)),*
+                }
+            }
+        }
+
+        impl<const D: usize> Metric<D> for Drawn<D> {
+            #[inline(never)]
+            fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
+                match self {
+                    $(Self::$name(metric) => metric.gram(x)),*
+                }
+            }
+
+            #[inline(never)]
+            fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
+                match self {
+                    $(Self::$name(metric) => metric.norm_squared(x, u)),*
+                }
+            }
+
+            #[inline(never)]
+            fn momentum<S: Scalar>(
+                &self,
+                x: &SVector<S, D>,
+                u: &SVector<f64, D>,
+            ) -> SVector<S, D> {
+                match self {
+                    $(Self::$name(metric) => metric.momentum(x, u)),*
+                }
+            }
+        }
+    };
+}
+
+drawn! {
+    Constant(Constant<D>),
+    Valleys(Valleys),
+    Separable(Separable<D>),
+    Lens(Lens),
+    Bump(Bump),
+    Hill(Hill),
+    SoftObstacles(SoftObstacles<D>),
+    Corrugated(Corrugated),
+    SineProjections(SineProjections<D>),
+    SpherePatch(SpherePatch),
+    HyperbolicPatch(HyperbolicPatch),
+    TanhDecoder(TanhDecoder<D, 4, 3>),
+    Ramp(Beside<Ramp, 1>),
+    Shear(Beside<Shear, 2>),
+    Swirl(Beside<Swirl, 2>),
+    EggCrate(Beside<EggCrate, 2>),
+    Checkerboard(Beside<Checkerboard, 2>),
+    TwoChannels(Beside<TwoChannels, 2>),
+    RotatingAnisotropy(Beside<RotatingAnisotropy, 2>),
+    TwoLinkArm(Beside<TwoLinkArm, 2>),
+    GaussianFisherPatch(Beside<GaussianFisherPatch, 2>),
+    CoupledCosines(Beside<CoupledCosines, 3>),
+}
+
+/// Half the side of the cube about the origin in which ends lie, in `ℓ`, where a metric has no
+/// radius of its own: a wave or two of most.
+const REACH: f64 = 3.0;
+
+/// A vector of the cube `[−size, size]^D`.
+pub(super) fn vector<const D: usize>(random: &mut SplitMix, size: f64) -> SVector<f64, D> {
+    SVector::from_fn(|_, _| random.between(-size, size))
+}
+
+impl<const D: usize> Drawn<D> {
+    /// Returns a metric, and half the side of the cube about the origin in which it is worth
+    /// having ends, in `ℓ`: about the radius of a patch, 3 for all others.
+    ///
+    /// All 13 metrics of every dimension are equally likely, from `D = 2` on with the 8 of the
+    /// plane, from `D = 3` on with the one of space. Each has `c₁ > 0` on all of `R^D`, so that a
+    /// discrete minimiser exists. Without, it need not: under the metric of the whole sphere one
+    /// chord over infinity costs nothing, and the metrics of hyperbolic space and of the normal
+    /// distributions are no different; their patches stand for these three.
+    ///
+    /// # Errors
+    ///
+    /// None: the parameters are admissible.
+    pub fn new(random: &mut SplitMix) -> Result<(Self, f64), GalleryError> {
+        let known = match D {
+            1 => 13,
+            2 => 21,
+            _ => 22,
+        };
+        let kind = random.below(known);
+        let mut between = |low, high| random.between(low, high);
+        let mut reach = REACH;
+        let metric = match kind {
+            0 => {
+                let m: SMatrix<f64, D, D> = SMatrix::from_fn(|_, _| between(-1.0, 1.0));
+                let square: SMatrix<f64, D, D> = m.tr_mul(&m) + SMatrix::identity() * 0.25;
+                Self::Constant(Constant::new((square + square.transpose()) * 0.5)?)
+            }
+            1 => Self::Valleys(Valleys),
+            2 => {
+                let amplitudes = vector::<D>(random, 0.8);
+                let wave_numbers = SVector::<f64, D>::from_fn(|_, _| random.between(0.3, 2.0));
+                Self::Separable(Separable::new(amplitudes, wave_numbers)?)
+            }
+            3 => Self::Lens(Lens::new(between(0.0, 8.0), between(0.3, 1.5))?),
+            4 => Self::Bump(Bump::new(between(0.0, 4.0), between(0.3, 1.5))?),
+            5 => Self::Hill(Hill::new(between(-2.0, 2.0), between(0.5, 1.5))?),
+            6 => {
+                let count = 1 + random.below(6);
+                let obstacle = |_| Obstacle {
+                    centre: vector(random, REACH),
+                    height: random.between(0.0, 6.0),
+                    width: random.between(0.4, 1.5),
+                };
+                Self::SoftObstacles(SoftObstacles::new((0..count).map(obstacle).collect())?)
+            }
+            7 => Self::Corrugated(Corrugated::new(between(-1.0, 1.0), between(0.5, 3.0))?),
+            8 => {
+                let count = 1 + random.below(8);
+                let term = |_| SineProjection {
+                    wave_vector: vector(random, 1.5),
+                    direction: vector(random, 0.7),
+                };
+                Self::SineProjections(SineProjections::new((0..count).map(term).collect())?)
+            }
+            9 => {
+                reach = between(0.5, 2.0);
+                Self::SpherePatch(SpherePatch::new(reach)?)
+            }
+            10 => {
+                reach = between(0.3, 0.85);
+                Self::HyperbolicPatch(HyperbolicPatch::new(reach)?)
+            }
+            11 => {
+                let inner = SMatrix::from_fn(|_, _| between(-1.5, 1.5));
+                let outer = SMatrix::from_fn(|_, _| between(-1.5, 1.5));
+                Self::TanhDecoder(TanhDecoder::new(inner, outer, between(0.05, 1.0))?)
+            }
+            12 => Self::Ramp(Beside(Ramp::new(between(-0.9, 0.9), between(0.3, 3.0))?)),
+            13 => Self::Shear(Beside(Shear::new(between(-1.0, 1.0), between(0.3, 2.0))?)),
+            14 => Self::Swirl(Beside(Swirl::new(between(-2.5, 2.5), between(0.5, 2.0))?)),
+            15 => Self::EggCrate(Beside(EggCrate::new(between(-0.7, 0.7), between(0.5, 2.0))?)),
+            16 => {
+                let checkerboard = Checkerboard::new(between(0.0, 4.0), between(0.7, 3.0))?;
+                Self::Checkerboard(Beside(checkerboard))
+            }
+            17 => {
+                let (height, offset) = (between(0.0, 8.0), between(0.3, 2.0));
+                Self::TwoChannels(Beside(TwoChannels::new(height, offset, between(0.2, 1.0))?))
+            }
+            18 => {
+                let eigenvalues = [between(0.2, 4.0), between(0.2, 4.0)];
+                let wave_vector = vector::<2>(random, 1.5);
+                Self::RotatingAnisotropy(Beside(RotatingAnisotropy::new(eigenvalues, wave_vector)?))
+            }
+            19 => {
+                let mut link = || {
+                    let (mass, length) = (between(0.3, 3.0), between(0.3, 2.0));
+                    let (centre, inertia) = (length * between(0.2, 0.8), between(0.05, 0.5));
+                    Link { mass, length, centre, inertia }
+                };
+                Self::TwoLinkArm(Beside(TwoLinkArm::from_links(link(), link())?))
+            }
+            20 => {
+                reach = between(0.3, 1.5);
+                Self::GaussianFisherPatch(Beside(GaussianFisherPatch::new(reach)?))
+            }
+            _ => Self::CoupledCosines(Beside(CoupledCosines)),
+        };
+        Ok((metric, reach))
+    }
+}

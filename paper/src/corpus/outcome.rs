@@ -1,0 +1,91 @@
+//! `Search`: how a search for a discrete minimiser ended.
+
+use tautline::{Minimum, SolveError, Stop};
+
+/// What the solver said of one problem.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Search {
+    /// Whether it reached the goal, and if not, why.
+    pub end: End,
+    /// The Newton steps of the search that led to the result, from its one start, over all
+    /// grids; the last look at each grid counts as one.
+    pub iterations: usize,
+}
+
+/// Whether a search reached the goal.
+#[derive(Clone, Debug, PartialEq)]
+pub enum End {
+    /// The sets have a point in common, and there is nothing to search for.
+    Touch,
+    /// It converged, and rounding keeps it from doing better: see [`Search::new`].
+    Reached,
+    /// It says that it converged, but neither is left of rounding alone: the decrement, relative
+    /// to the energy, and the residual as a multiple of its floor.
+    Above {
+        /// The decrement.
+        decrement: f64,
+        /// The residual over its floor.
+        residual: f64,
+    },
+    /// It says that it did not converge.
+    Stopped(Stop),
+    /// There is no result, but an error.
+    Refused(SolveError),
+    /// A number of the result is NaN.
+    NotANumber,
+}
+
+/// The relative decrement at which a search may stop, as [`Stop::Converged`] says: a hundredth of
+/// the rounding of an energy in `f64`, so that the energy cannot tell the result from a minimiser.
+const DECREMENT: f64 = 1e-18;
+
+/// On fine grids rounding of the points alone leaves more than that, and shows in the residual.
+///
+/// A coordinate is rounded by `u/2` at most, `u ≤ ε max |x|`, with the variance `u²/12`. In
+/// `ρₙ = (N/2) ∂E/∂xₙ`, about `N² H (xₙ₋₁ − 2xₙ + xₙ₊₁)`, three of them have the variance
+/// `N⁴ c² u²/2`, and `D` coordinates `D` times as much: the residual is `(D/2)^{1/2}` times its
+/// floor `ε N² max |x| c`, at most twice for `D ≤ 8`. As much again is granted for matrices `H`
+/// with entries above their mean `c`.
+const FLOORS: f64 = 4.0;
+
+impl Search {
+    /// Judges a result. The goal is reached if the search says that it converged, and the decrement
+    /// is at most `10⁻¹⁸` of the energy or the residual at most four times its floor.
+    #[must_use]
+    pub fn new<const D: usize>(minimum: &Minimum<D>) -> Self {
+        Self { end: End::of(minimum), iterations: minimum.own_iterations }
+    }
+
+    /// The outcome of a problem without a result.
+    #[must_use]
+    pub fn refused(error: SolveError) -> Self {
+        Self { end: End::Refused(error), iterations: 0 }
+    }
+
+    /// Returns whether the goal is reached within this number of steps.
+    #[must_use]
+    pub fn reached_within(&self, iterations: usize) -> bool {
+        matches!(self.end, End::Touch | End::Reached) && self.iterations <= iterations
+    }
+}
+
+impl End {
+    fn of<const D: usize>(minimum: &Minimum<D>) -> Self {
+        let &Minimum { energy, decrement, residual, residual_floor, .. } = minimum;
+        let numbers = [energy, decrement, residual, residual_floor].into_iter();
+        let numbers = numbers.chain(minimum.levels.iter().map(|level| level.energy));
+        let mut numbers = numbers.chain(minimum.local_minima.iter().copied());
+        // The points are finite: a sequence has no others.
+        if numbers.any(f64::is_nan) {
+            return Self::NotANumber;
+        }
+        match minimum.stop {
+            Stop::EndsTouch => Self::Touch,
+            Stop::Converged if decrement <= DECREMENT || residual <= FLOORS * residual_floor => {
+                Self::Reached
+            }
+            Stop::Converged => Self::Above { decrement, residual: residual / residual_floor },
+            stop => Self::Stopped(stop),
+        }
+    }
+}

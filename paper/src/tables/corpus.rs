@@ -1,0 +1,200 @@
+//! How far the solver goes: random problems over the gallery, and the Newton steps of each.
+
+use super::{Layout, Seed, Table, no_pages};
+use crate::{
+    Failure,
+    corpus::{End, Kind, Outcome, SEED, Search, corpus},
+    data::{Data, Tolerance},
+    parallel,
+    sweep::Sweep,
+};
+
+pub(super) const TABLE: Table = Table {
+    id: "corpus",
+    shows: "random problems over the gallery, by the Newton steps in all, over all grids, of the \
+            search that led to the result: from the default starts, of which 99.9 % must reach \
+            the goal within 60 steps, and from one straight line alone; touch: the sets have a \
+            point in common; above: it converged, but to a decrement above 1e-18 of the energy and \
+            a residual above 4 times its floor; stopped: it says that it did not converge; \
+            refused: an error",
+    seed: Seed::One(SEED),
+    data,
+    layout,
+    repeatable: true,
+    pages: no_pages,
+};
+
+/// How many problems, and how many if quick.
+const PROBLEMS: usize = 2000;
+const QUICK: usize = 200;
+
+/// The goal: all but one in so many reach a minimiser within so many steps.
+const ONE_IN: usize = 1000;
+const STEPS: usize = 60;
+
+/// So many may miss it, and each has a row: as many rows on every machine, whichever they are.
+const MISSES: usize = PROBLEMS / ONE_IN;
+
+/// The greatest number of steps of each column of the histogram, but the last.
+const BANDS: [usize; 5] = [5, 10, 20, 40, STEPS];
+
+/// What a group of problems is called, and which are in it.
+type Group = (&'static str, fn(&Outcome) -> bool);
+
+const GROUPS: [Group; 10] = [
+    ("all", |_| true),
+    ("between points", |outcome| outcome.ends == [Kind::Point; 2]),
+    ("between sets", |outcome| outcome.ends != [Kind::Point; 2]),
+    ("left-endpoint rule", |outcome| !outcome.trapezoidal),
+    ("trapezoidal rule", |outcome| outcome.trapezoidal),
+    ("D = 1 or 2", |outcome| outcome.dimension <= 2),
+    ("D = 3 to 5", |outcome| (3..=5).contains(&outcome.dimension)),
+    ("D = 6 to 8", |outcome| outcome.dimension >= 6),
+    ("N up to 64", |outcome| outcome.n <= 64),
+    ("N above 64", |outcome| outcome.n > 64),
+];
+
+/// A number of problems: the elementary functions of another machine may move a few to the next
+/// column.
+const NUMBER: Tolerance = Tolerance::Close { relative: 0.05, absolute: 3.0 };
+
+const COLUMNS: [(&str, Tolerance); 15] = [
+    ("starts", Tolerance::Exact),
+    ("problems", Tolerance::Exact),
+    ("number", Tolerance::Exact),
+    ("touch", NUMBER),
+    ("steps_1_to_5", NUMBER),
+    ("steps_6_to_10", NUMBER),
+    ("steps_11_to_20", NUMBER),
+    ("steps_21_to_40", NUMBER),
+    ("steps_41_to_60", NUMBER),
+    ("steps_above_60", NUMBER),
+    ("above", NUMBER),
+    ("stopped", NUMBER),
+    ("refused", NUMBER),
+    // Of the hardest search of all, which takes a way of its own on another machine.
+    ("most_steps", Tolerance::Close { relative: 0.5, absolute: 3.0 }),
+    // Which problem misses the goal, and how it ended.
+    ("what", Tolerance::Free),
+];
+
+fn data(sweep: Sweep) -> Result<Data, Failure> {
+    let cases = corpus(if sweep.quick { QUICK } else { PROBLEMS });
+    let outcomes = parallel::map(&cases, |case| case.outcome());
+    let outcomes: Vec<Outcome> = outcomes.into_iter().collect::<Result<_, _>>()?;
+    if let Some(outcome) =
+        outcomes.iter().find(|o| [&o.default, &o.straight].iter().any(|s| s.end == End::NotANumber))
+    {
+        return Err(Failure::Violated(format!("a number is NaN: {}", describe(outcome))));
+    }
+    let missed: Vec<&Outcome> =
+        outcomes.iter().filter(|outcome| !outcome.default.reached_within(STEPS)).collect();
+    if missed.len() * ONE_IN > outcomes.len() {
+        let which: Vec<String> = missed.into_iter().map(describe).collect();
+        let count = outcomes.len();
+        return Err(Failure::Violated(format!(
+            "{} of {count} problems miss the goal: {}",
+            which.len(),
+            which.join("; ")
+        )));
+    }
+    let mut data = Data::new(&COLUMNS);
+    let by: [(&str, fn(&Outcome) -> &Search); 2] =
+        [("default", |outcome| &outcome.default), ("straight line", |outcome| &outcome.straight)];
+    for (starts, search) in by {
+        for (name, is_in) in GROUPS {
+            let searches: Vec<&Search> =
+                outcomes.iter().filter(|outcome| is_in(outcome)).map(search).collect();
+            data.push(histogram(starts, name, &searches));
+        }
+    }
+    for k in 0..MISSES {
+        let mut row = vec![String::new(); COLUMNS.len()];
+        row[0] = "default".to_owned();
+        row[1] = format!("missed {}", k + 1);
+        row[COLUMNS.len() - 1] = missed.get(k).map_or("none".to_owned(), |o| describe(o));
+        data.push(row);
+    }
+    Ok(data)
+}
+
+/// The row of a group.
+fn histogram(starts: &str, name: &str, searches: &[&Search]) -> Vec<String> {
+    let count = |is: &dyn Fn(&Search) -> bool| searches.iter().filter(|s| is(s)).count();
+    let reached = |from: usize, to: usize| {
+        count(&|s| s.end == End::Reached && (from..=to).contains(&s.iterations))
+    };
+    let mut numbers = vec![searches.len(), count(&|s| s.end == End::Touch)];
+    let mut from = 0;
+    for to in BANDS.into_iter().chain([usize::MAX]) {
+        numbers.push(reached(from, to));
+        from = to.saturating_add(1);
+    }
+    numbers.push(count(&|s| matches!(s.end, End::Above { .. })));
+    numbers.push(count(&|s| matches!(s.end, End::Stopped(_))));
+    numbers.push(count(&|s| matches!(s.end, End::Refused(_))));
+    numbers.push(searches.iter().map(|s| s.iterations).max().unwrap_or(0));
+    let mut row = vec![starts.to_owned(), name.to_owned()];
+    row.extend(numbers.iter().map(usize::to_string));
+    row.push(String::new());
+    row
+}
+
+/// What a problem is, and how the search from the default starts ended.
+fn describe(outcome: &Outcome) -> String {
+    let Outcome { index, metric, dimension, ends: [first, second], n, default, .. } = outcome;
+    let rule = if outcome.trapezoidal { "trapezoidal" } else { "left-endpoint" };
+    let end = match &default.end {
+        End::Touch => "the ends touch".to_owned(),
+        End::Reached => "reached".to_owned(),
+        End::Above { decrement, residual } => {
+            format!("decrement {decrement:.0e} and residual {residual:.0e} times its floor")
+        }
+        End::Stopped(stop) => format!("{stop:?}"),
+        End::Refused(error) => error.to_string(),
+        End::NotANumber => "NaN".to_owned(),
+    };
+    let steps = default.iterations;
+    format!(
+        "problem {index}: {metric} with D = {dimension} from {first:?} to {second:?}, {rule} rule \
+         with N = {n}: {end} after {steps} steps"
+    )
+}
+
+fn layout(data: &Data) -> Result<Layout, Failure> {
+    let mut layout = Layout::new(
+        "Random problems by the Newton steps in all of the search that led to the result, from the \
+         default starts and from one straight line alone.",
+        &[
+            "starts",
+            "problems",
+            "number",
+            "ends touch",
+            "1–5",
+            "6–10",
+            "11–20",
+            "21–40",
+            "41–60",
+            "> 60",
+            "not converged",
+            "errors",
+            "most steps",
+        ],
+    );
+    let mut starts = "";
+    for row in data.rows().filter(|row| !row.text("number").is_empty()) {
+        let mut first = String::new();
+        if row.text("starts") != starts {
+            starts = row.text("starts");
+            first = starts.to_owned();
+            layout.group();
+        }
+        let mut cells = vec![first];
+        let copied = COLUMNS[1..10].iter().map(|(column, _)| row.text(column).to_owned());
+        cells.extend(copied);
+        cells.push(format!("{}", row.number("above") + row.number("stopped")));
+        cells.extend(["refused", "most_steps"].map(|column| row.text(column).to_owned()));
+        layout.push(cells);
+    }
+    Ok(layout)
+}
