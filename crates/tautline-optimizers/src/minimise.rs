@@ -76,7 +76,7 @@ const DIFFERENT: f64 = 1e-9;
 /// # Memory
 ///
 /// At most `16D² + 16D` bytes for each point of the finest grid on which a Newton step is taken, and
-/// some tenth of that for coarser ones. Where the finest of more than 30 000 chords needs none, its
+/// some tenth of that for coarser ones. Where the finest, of more than `32 768/D²` chords, needs none, its
 /// points are all that it has: together less than 30 bytes a point for `D = 2`, and less than 20 from
 /// `N = 10⁶` on, both measured on smooth metrics.
 ///
