@@ -99,12 +99,15 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
         )));
     }
     let mut data = Data::new(&COLUMNS);
-    let by: [(&str, fn(&Outcome) -> &Search); 2] =
-        [("default", |outcome| &outcome.default), ("straight line", |outcome| &outcome.straight)];
-    for (starts, search) in by {
+    for starts in ["default", "straight line"] {
         for (name, is_in) in GROUPS {
-            let searches: Vec<&Search> =
-                outcomes.iter().filter(|outcome| is_in(outcome)).map(search).collect();
+            let group = outcomes.iter().filter(|outcome| is_in(outcome));
+            let searches: Vec<&Search> = group
+                .map(|Outcome { default, straight, .. }| match starts {
+                    "default" => default,
+                    _ => straight,
+                })
+                .collect();
             data.push(histogram(starts, name, &searches));
         }
     }
