@@ -2,8 +2,8 @@
 //!
 //! [`minimise`] looks for the point sequence with the least discrete energy among those that
 //! begin in one closed set and end in another. The Hessian of a discrete energy is block
-//! tridiagonal, so that a Newton step costs `O(N D³)`; a few steps on a coarse grid and one
-//! or two on each finer grid are enough.
+//! tridiagonal, so that a Newton step costs `O(N D³)`; a few steps on a coarse grid, two or
+//! three on each finer one and none on the finest are enough on smooth data.
 //!
 //! ```
 //! use tautline_discretizations::Trapezoidal;

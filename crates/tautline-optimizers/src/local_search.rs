@@ -123,7 +123,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
             self.check(&sequence)?;
             let magnitude = Magnitude { energy, mean_gram: scale };
             let (residual, residual_floor) = self.residual(&sequence, &gradient, magnitude);
-            let decrement = if energy > 0.0 { decrement / energy } else { 0.0 };
+            let decrement = magnitude.relative(decrement);
             return Ok(Found {
                 sequence,
                 energy,

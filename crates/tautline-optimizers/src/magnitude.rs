@@ -17,6 +17,11 @@ impl Magnitude {
         Self { energy: model.energy, mean_gram: model.mean_gram }
     }
 
+    /// Returns a decrement as a share of the energy; 0 where there is no energy to shed.
+    pub(crate) fn relative(self, decrement: f64) -> f64 {
+        if self.energy > 0.0 { decrement / self.energy } else { 0.0 }
+    }
+
     /// Returns the momentum `(c E)^{1/2}`, in `m²/ℓ`.
     pub(crate) fn momentum(self) -> f64 {
         // Roots first: the product may be beyond the range.

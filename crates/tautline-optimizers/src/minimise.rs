@@ -21,7 +21,7 @@ pub struct Options<const D: usize> {
 }
 
 impl<const D: usize> Default for Options<D> {
-    /// Automatic starts, and 200 steps: a search that works takes less than 30.
+    /// Automatic starts, and 200 steps: a search that works takes less than 40.
     fn default() -> Self {
         Self { starts: Starts::Automatic, iterations: 200 }
     }
@@ -46,7 +46,7 @@ const REFINEMENT: [usize; 3] = [4, 8, 16];
 const FINER: [usize; 2] = [4096, 65_536];
 
 /// How many different local minimisers of the coarsest grid are followed to the next ones,
-/// where their order may change, and the grid from which on only the lowest is.
+/// where their order may change, and the grid beyond which only the lowest is.
 const FOLLOWED: usize = 8;
 const SETTLED: usize = 512;
 
@@ -69,22 +69,24 @@ const DIFFERENT: f64 = 1e-9;
 ///
 /// Every pair of pieces of the sets is tried from every start on the coarsest grid, which is the
 /// only one for `n ≤ 64`; the best are carried to `n` chords over grids that refine by 4 to 16, two or
-/// three Newton steps each, and none on the finest: the start is a minimiser to rounding there. Where
+/// three Newton steps each, and none on the finest if the data are smooth and `n D²` is 32 768 or
+/// more: the start is a minimiser to rounding there. Where
 /// the energy rises by half from one of the coarse grids to the next, all starts are tried again. A
 /// rule without nodes does not compile.
 ///
 /// # Memory
 ///
-/// At most `16D² + 16D` bytes for each point of the finest grid on which a Newton step is taken, and
-/// some tenth of that for coarser ones. Where the finest, of more than `32 768/D²` chords, needs none, its
+/// At most `16D² + 16D` bytes for each point of the finest grid on which a Newton step is taken without
+/// damping, four times as much if it has to be damped, and some tenth of that for coarser ones. Where the finest, of more than `32 768/D²` chords, needs none, its
 /// points are all that it has: together less than 30 bytes a point for `D = 2`, and less than 20 from
 /// `N = 10⁶` on, both measured on smooth metrics.
 ///
 /// # Errors
 ///
-/// [`SolveError::NoSubinterval`] if `n` is 0; [`SolveError::Metric`] if the metric is not
-/// finite, symmetric and positive definite at the nodes and both ends of every start, or of
-/// the result.
+/// [`SolveError::NoSubinterval`] if `n` is 0; [`SolveError::TooManySubintervals`] if no memory has
+/// room for `n + 1` points; [`SolveError::Metric`] if the metric is not finite, symmetric and positive
+/// definite at the nodes and both ends of every start, or of the result; [`SolveError::NoStart`] if
+/// there is nothing to start from, [`SolveError::Sequence`] if points become infinite on the way.
 pub fn minimise<const D: usize, R: Rule>(
     metric: &impl Metric<D>,
     ends: &Ends<D>,
@@ -113,6 +115,10 @@ pub fn minimise_in<const D: usize, R: Rule>(
     const { assert!(!R::NODES.is_empty(), "a rule reads the metric somewhere") };
     if n == 0 {
         return Err(SolveError::NoSubinterval);
+    }
+    // An allocation has at most isize::MAX bytes; a Newton step takes 2D² + 2D numbers a point.
+    if n >= isize::MAX as usize / (8 * (2 * D * D + 2 * D).max(1)) {
+        return Err(SolveError::TooManySubintervals { n });
     }
     let pairs: Vec<_> = ends.pairs().collect();
     let pairs: Vec<_> = pairs.iter().map(|(first, second)| [&**first, &**second]).collect();
@@ -158,7 +164,7 @@ pub fn minimise_in<const D: usize, R: Rule>(
             }
         }
         lowest_first(&mut candidates);
-        let unresolved = grid <= SETTLED && candidates.first().is_some_and(Candidate::leapt);
+        let unresolved = grid <= SETTLED && candidates.first().is_none_or(Candidate::leapt);
         if local_minima.is_none() || unresolved {
             for &pair in &pairs {
                 let search = search(pair);

@@ -16,7 +16,8 @@ pub struct Minimum<const D: usize> {
     pub energy: f64,
     /// The energy that a Newton step still promises to shed, relative to the energy: half
     /// the square of the Newton decrement. Infinite if the Hessian is not positive definite
-    /// where a search gave up.
+    /// where a search gave up; where one converged and it is not, that of the Hessian with the last
+    /// shift.
     pub decrement: f64,
     /// The residual of the discrete geodesic equation: `((1/N) Σ |ρₙ|²)^{1/2}` over the inner
     /// points with `ρₙ = (N/2) ∂E/∂xₙ`, plus the larger projected momentum `½ |∂E/∂x|` at the
@@ -59,7 +60,8 @@ pub enum Stop {
     /// rounding of the points: larger only on huge grids or far from the origin. Or it is
     /// below `10⁻¹⁰` and does not fall any more.
     Converged,
-    /// The sets have a point in common, so all points are the same and the energy is 0.
+    /// The sets have a point in common, up to rounding: all points are the same and the energy is
+    /// 0, or all chords are rounding.
     EndsTouch,
     /// No step lowered the energy any more, though the decrement promised it.
     Stalled,
@@ -72,7 +74,11 @@ pub enum Stop {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Curvature {
-    /// Positive definite, beyond the rounding of the Hessian: a strict local minimum.
+    /// Positive definite, beyond the rounding of the Hessian (up to `N = 5·10⁵`; from there on
+    /// beyond `10⁻³` of the regulariser `∫ |δ̇|² + |δ|²`): a strict local minimum.
+    ///
+    /// The Hessian is that of the result, or of one Newton step before it whose relative decrement
+    /// was below `10⁻¹⁶`, on grids of up to 64 chords, or the square of the margin of definiteness.
     PositiveDefinite,
     /// Not positive definite, but no eigenvalue is negative beyond rounding: one of a continuum
     /// of minimisers, or a degenerate minimum.

@@ -33,7 +33,8 @@ pub fn newton_step<const D: usize, R: Rule>(
     rule: R,
     sequence: &PointSequence<D>,
 ) -> Option<NewtonStep<D>> {
-    // Only what is taken for rounding depends on these: as at the ends and in the middle.
+    // A scale, of what is taken for rounding and of the step by which the active faces of the sets
+    // are found: as at the ends and in the middle.
     let points = sequence.points();
     let places = [0, points.len() / 2, points.len() - 1];
     let traces = places.map(|k| metric.gram(&points[k]).trace() / D as f64);

@@ -30,7 +30,8 @@ const FORESEEN: f64 = 1e-12;
 
 impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
     /// Takes undamped Newton steps from `start`, each in one pass, until the decrement is negligible
-    /// and the residual is rounding. On the finest grids both are so at the start.
+    /// and the residual is rounding, or the decrement alone is after a step so small that the
+    /// factorisation still tells. On the finest grids both are so at the start.
     ///
     /// `None` where that does not do: the Hessian is not positive definite, a step promises too
     /// much, or not far less than the one before, or the metric is none at the result.
@@ -104,13 +105,13 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
             sequence,
             energy: at.magnitude.energy,
             mean_gram: at.magnitude.mean_gram,
-            decrement: at.decrement / at.magnitude.energy,
+            decrement: at.magnitude.relative(at.decrement),
             residual: at.residual,
             residual_floor: at.residual_floor,
             stop: Stop::Converged,
             curvature: Curvature::PositiveDefinite,
             iterations,
-            from: from / at.magnitude.energy,
+            from: at.magnitude.relative(from),
         })
     }
 }

@@ -10,6 +10,12 @@ pub enum SolveError {
     /// `N = 0`.
     #[error("N = 0: a point sequence has at least one subinterval")]
     NoSubinterval,
+    /// More subintervals than any memory has room for.
+    #[error("N = {n}: no memory has room for so many points")]
+    TooManySubintervals {
+        /// The number of subintervals.
+        n: usize,
+    },
     /// The metric is not one along the curves that were tried.
     #[error(transparent)]
     Metric(#[from] MetricError),

@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector, matrix, vector};
 use tautline_discretizations::{LeftEndpoint, PointSequence, Rule, Trapezoidal};
 use tautline_metrics::{
     Metric, MetricError, Scalar,
-    gallery::{Hyperbolic, Valleys},
+    gallery::{Constant, Hyperbolic, Valleys},
 };
 use tautline_optimizers::{Curvature, Minimum, Options, SolveError, Starts, Stop, minimise};
 use tautline_sets::{Ball, Ends, FiniteSet, Point, Sphere};
@@ -28,6 +28,54 @@ fn no_subinterval_is_refused() {
     let touching = points([0.0], [0.0]);
     let result = minimise(&Valleys, &touching, Trapezoidal, 0, &Options::default());
     assert_eq!(result.expect_err("refused").to_string(), SolveError::NoSubinterval.to_string());
+}
+
+#[test]
+fn more_points_than_memory_can_have_are_refused() {
+    for n in [usize::MAX, usize::MAX - 1, usize::MAX / 8] {
+        let result = minimise(&Valleys, &points([0.0], [1.0]), Trapezoidal, n, &Options::default());
+        assert_eq!(result, Err(SolveError::TooManySubintervals { n }));
+    }
+}
+
+/// The squares of lengths of 10⁻¹⁷⁰ are 0, and 0/0 is no decrement.
+#[test]
+fn an_energy_below_the_range_of_f64_is_zero_and_not_nan() {
+    let identity = Constant::<2>::new(SMatrix::identity()).expect("definite");
+    for n in [4, 100, 20_000] {
+        let ends = points([0.0, 0.0], [3e-170, 1e-170]);
+        let minimum = minimise(&identity, &ends, Trapezoidal, n, &Options::default());
+        let minimum = minimum.expect("a metric");
+        let Minimum { energy, decrement, residual, residual_floor, .. } = minimum;
+        assert_eq!([energy, decrement, residual, residual_floor], [0.0; 4], "N = {n}");
+    }
+}
+
+/// `1 + 0 √((x₁ − c)² − w²)`: NaN for `|x₁ − c| < w`.
+struct Gap {
+    c: f64,
+    w: f64,
+}
+
+impl Metric<2> for Gap {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+        let root = ((x[0] - self.c).sqr() - self.w * self.w).sqrt();
+        SMatrix::from_diagonal_element(root * 0.0 + 1.0)
+    }
+}
+
+/// A node of 16 chords is where the metric is none, and of 64 and of 256 chords none is.
+#[test]
+fn a_start_that_a_coarse_grid_refuses_is_tried_on_the_next() {
+    let gap = Gap { c: 8.5 / 16.0, w: 1e-3 };
+    let line = PointSequence::straight([0.0, 0.0], [1.0, 0.0], 1).expect("finite");
+    let options = Options { starts: Starts::Only(vec![line]), ..Options::default() };
+    let solve = |n| minimise(&gap, &points([0.0, 0.0], [1.0, 0.0]), Trapezoidal, n, &options);
+    assert!(matches!(solve(16), Err(SolveError::Metric(_))));
+    let minimum = solve(256).expect("no node in the gap");
+    // 256 squares of 1/256, each rounded.
+    assert!((minimum.energy - 1.0).abs() < 1e-14 && minimum.is_local_minimum());
+    assert_eq!(minimum.levels.iter().map(|level| level.n).collect::<Vec<_>>(), [64, 256]);
 }
 
 #[test]

@@ -11,8 +11,8 @@ use crate::{Problem, TautLine};
 ///
 /// The results are those of [`Problem::solve_with`] bit by bit, whatever the number of threads; one
 /// without a result leaves the others as they are. The threads are those of the rayon pool in which
-/// this is called: as many as processors, unless you say otherwise. Each works in memory of its own,
-/// which it keeps from one problem to the next.
+/// this is called: as many as processors, unless you say otherwise. Problems that one thread takes in
+/// one go share their memory.
 ///
 /// Problems that share a metric can be posed by reference to it, and problems with metrics of one
 /// type can have each its own:

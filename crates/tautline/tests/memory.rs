@@ -38,7 +38,7 @@ fn a_solve_takes_one_newton_step_of_memory_and_on_fine_grids_little_more_than_it
         // 2D² + 2D = 12 numbers for a Newton step on the finest grid, the points among them; and on
         // coarser grids, of an eighth as many points, seven lists of points at most: three that are
         // kept, and those from which the next start is made.
-        (30_000, 12.0 * 8.0 + 7.0 * 16.0 / 8.0),
+        (8_000, 12.0 * 8.0 + 7.0 * 16.0 / 8.0),
         // The points; such a step on a grid of a sixteenth as many, and as many lists there.
         (100_000, 16.0 + (12.0 * 8.0 + 7.0 * 16.0) / 16.0),
     ] {
