@@ -38,20 +38,27 @@ pub(crate) fn line_minimum<R: Rule, const D: usize>(
         // Where the metric is none, no sequence passes.
         if cost >= 0.0 { cost } else { f64::INFINITY }
     };
-    // Row y holds the chords that arrive in y.
-    let costs: Vec<Vec<f64>> =
-        (0..=last).map(|y| (0..=last).map(|x| chord(x, y)).collect()).collect();
+    // What some sequence costs: no chord of the best costs more. Where many steps are to be made, that
+    // leaves few of the long ones.
+    let step = |k: usize| start + (k * intervals + n / 2) / n;
+    let affordable: f64 = (0..n).map(|k| chord(step(k), step(k + 1))).sum();
+    // Row y holds the chords that arrive in y, by where they come from.
+    let row = |y: usize| -> Vec<(usize, f64)> {
+        let costs = (0..=last).map(|x| (x, chord(x, y)));
+        costs.filter(|(_, cost)| *cost <= affordable).collect()
+    };
+    let rows: Vec<_> = (0..=last).map(row).collect();
     let mut value = vec![f64::INFINITY; last + 1];
     value[start] = 0.0;
     let mut came_from: Vec<Vec<usize>> = Vec::with_capacity(n);
     for _ in 0..n {
-        let best = |row: &Vec<f64>| {
-            let sums = row.iter().zip(&value).map(|(cost, before)| cost + before);
-            sums.enumerate().fold((f64::INFINITY, start), |best, (x, sum)| {
+        let best = |row: &Vec<(usize, f64)>| {
+            row.iter().fold((f64::INFINITY, start), |best, &(x, cost)| {
+                let sum = cost + value[x];
                 if sum < best.0 { (sum, x) } else { best }
             })
         };
-        let (next, from) = costs.iter().map(best).unzip();
+        let (next, from) = rows.iter().map(best).unzip();
         value = next;
         came_from.push(from);
     }
