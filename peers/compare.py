@@ -22,6 +22,7 @@ from problems import PROBLEMS, Problem, energy, is_minimum, residual, tolerance
 from programs import PEERS, Programs, number, run
 from table import Row, write
 
+
 def judge(problem: Problem, n: int, said: dict[str, str], points: np.ndarray | None) -> tuple:
     """Energy, residual and whether it has converged, by one code for all peers."""
     stop = said.get("stop", "")

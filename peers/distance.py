@@ -1,7 +1,7 @@
 """How long the square of the distance takes to ten digits, on whatever grid is enough.
 
 Tautline extrapolates the discrete minima of its grids; solve_bvp, of order four, has a mesh of its
-own.  Each has its loosest setting that is accurate enough: the least ``N`` of 16, 24, 32, 48, ...,
+own.  Each has its loosest setting that is accurate enough: the least ``N`` of 96, 128, 192, 256, ...,
 or the largest tolerance.  Where that is does not count as time of the solve.
 """
 
@@ -46,7 +46,7 @@ def solve(peer: str, problem: Problem, programs: Programs, limit: int) -> tuple[
         command = [programs.tautline, problem.name, "distance", repr(reference), repr(ERROR)]
         return run(command, limit)
     # It looks for the tolerance that is as accurate as a grid of N chords.
-    n = math.floor(math.sqrt(abs(problem.discretisation) / (ERROR * reference)))
+    n = math.ceil(math.sqrt(abs(problem.discretisation) / (ERROR * reference)))
     with tempfile.TemporaryDirectory() as folder:
         file = str(Path(folder) / "points")
         return run(programs.command(peer, problem.name, n, 0.0, limit, file), limit)

@@ -105,7 +105,7 @@ def prepare(problem: Problem, n: int, tolerance: float) -> Callable[[], Solution
     wanted = abs(problem.discretisation) / n**2
     for setting in TOLERANCES:
         solution = solve(setting)
-        if abs(solution.energy - problem.distance_squared) <= wanted:
+        if solution.success and abs(solution.energy - problem.distance_squared) <= wanted:
             return lambda: solve(setting)
         # Another geodesic does not become the right one when it is computed more accurately.
         if abs(solution.energy / problem.distance_squared - 1.0) > 0.1 and solution.success:

@@ -15,9 +15,9 @@ usage: cargo xtask <task>
   figures [ID …] [--check | --quick | --list]   recompute and redraw paper/figures and paper/data
   tables  [ID …] [--check | --quick | --list]   recompute paper/tables
   test    [ARG …]                               every test of the workspace
-  bench   [P1 | … | P6 | N] …                   times the parts of a solve, and large problems:
+  bench   [P1 | … | P6 | N | batch | …] …       times the parts of a solve, and large problems:
                                                 paper/tables/speed.csv and scale.csv
-  peers   [--problem ID | --n N | --peer ID] …  other programs on the same problems, timed; needs
+  peers   [--problem ID | --n N | --distance] … other programs on the same problems, timed; needs
                                                 Python 3 and downloads what docs/comparison.md lists
   ci                                            what continuous integration runs
 

@@ -59,7 +59,8 @@ impl Peer for Distance {
             Ok::<_, SolveError>(line.distance_squared_estimate())
         };
         println!("version={}\nset_up={}", env!("CARGO_PKG_VERSION"), cpu_time());
-        for n in (4..16).flat_map(|power| [1 << power, 3 << (power - 1)]) {
+        // From two grids on there is something to extrapolate.
+        for n in (5..16).flat_map(|power| [3 << power, 4 << power]) {
             let found = estimate(n)?.map_or(f64::INFINITY, |estimate| estimate.value);
             if (found / self.reference - 1.0).abs() <= self.error {
                 let timed = time(|| estimate(n));
