@@ -1,13 +1,12 @@
 """How long the square of the distance takes to ten digits, on whatever grid is enough.
 
 Tautline extrapolates the discrete minima of its grids; solve_bvp, of order four, has a mesh of its
-own.  Each has its loosest setting that is accurate enough: the least ``N`` of 96, 128, 192, 256, ...,
-or the largest tolerance.  Where that is does not count as time of the solve.
+own.  Each has its loosest setting that is accurate enough: the least ``N`` of 96, 128, 192, 256,
+and so on, or the largest tolerance.  Where that is does not count as time of the solve.
 """
 
 from __future__ import annotations
 
-import csv
 import math
 import sys
 import tempfile
@@ -15,7 +14,7 @@ from pathlib import Path
 
 from problems import PROBLEMS, Problem
 from programs import PEERS, Programs, number, run
-from table import written
+from table import write_csv, written
 
 # The relative error of the square of the distance that is granted.
 ERROR = 1e-10
@@ -56,23 +55,18 @@ def compare(
     problems: list[str], peers: list[str], programs: Programs, limit: int, file: Path, machine: str
 ) -> None:
     """Writes the table."""
-    file.parent.mkdir(parents=True, exist_ok=True)
-    with file.open("w", newline="") as output:
-        output.write("# distance\n# what the square of the distance costs to a relative 1e-10\n")
-        output.write("# command: cargo xtask peers\n")
-        output.write(f"# machine: {machine}; one thread, at most {limit} s for a solve\n")
-        writer = csv.writer(output, lineterminator="\n")
-        writer.writerow(COLUMNS)
-        for name in problems:
-            reference_seconds = None
-            for peer in peers:
-                said, reason = solve(peer, PROBLEMS[name], programs, limit)
-                seconds, found = number(said, "seconds"), number(said, "energy")
-                if peer == "tautline":
-                    reference_seconds = seconds
-                error = found and found / PROBLEMS[name].distance_squared - 1.0
-                ratio = seconds / reference_seconds if seconds and reference_seconds else None
-                cells = [
+    rows: list[list[str]] = []
+    for name in problems:
+        reference_seconds = None
+        for peer in peers:
+            said, reason = solve(peer, PROBLEMS[name], programs, limit)
+            seconds, found = number(said, "seconds"), number(said, "energy")
+            if peer == "tautline":
+                reference_seconds = seconds
+            error = found and found / PROBLEMS[name].distance_squared - 1.0
+            ratio = seconds / reference_seconds if seconds and reference_seconds else None
+            rows.append(
+                [
                     name,
                     PEERS[peer],
                     said.get("version", ""),
@@ -83,8 +77,10 @@ def compare(
                     verdict(said, error) or reason,
                     written(ratio, ".3g"),
                 ]
-                writer.writerow(cells)
-                print(",".join(cells), file=sys.stderr, flush=True)
+            )
+            print(",".join(rows[-1]), file=sys.stderr, flush=True)
+    shows = "what the square of the distance costs to a relative 1e-10"
+    write_csv(file, shows, machine, limit, COLUMNS, rows)
 
 
 def verdict(said: dict[str, str], error: float | None) -> str:

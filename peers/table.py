@@ -59,16 +59,28 @@ def written(value: float | None, how: str) -> str:
     return "" if value is None else format(value, how)
 
 
-def write(rows: list[Row], file: Path, machine: str, limit: int) -> None:
-    """Writes the table and, beside it, the page."""
+def write_csv(
+    file: Path,
+    shows: str,
+    machine: str,
+    limit: int,
+    columns: tuple[str, ...],
+    rows: list[list[str]],
+) -> None:
+    """Writes a table with what it shows and where it was measured above it."""
     file.parent.mkdir(parents=True, exist_ok=True)
     with file.open("w", newline="") as output:
-        output.write("# peers\n# what a solve costs, beside what one would take instead\n")
-        output.write("# command: cargo xtask peers\n")
+        output.write(f"# {file.stem}\n# {shows}\n# command: cargo xtask peers\n")
         output.write(f"# machine: {machine}; one thread, at most {limit} s for a solve\n")
         writer = csv.writer(output, lineterminator="\n")
-        writer.writerow(COLUMNS)
-        writer.writerows(row.cells() for row in rows)
+        writer.writerow(columns)
+        writer.writerows(rows)
+
+
+def write(rows: list[Row], file: Path, machine: str, limit: int) -> None:
+    """Writes the table and, beside it, the page."""
+    shows = "what a solve costs, beside what one would take instead"
+    write_csv(file, shows, machine, limit, COLUMNS, [row.cells() for row in rows])
     file.with_suffix(".md").write_text(page(rows, machine))
 
 

@@ -1,6 +1,6 @@
 //! `Search`: how a search for a discrete minimiser ended.
 
-use tautline::{Minimum, SolveError, Stop};
+use tautline::{Curvature, Minimum, SolveError, Stop};
 
 /// What the solver said of one problem.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,6 +27,11 @@ pub enum End {
         /// The residual over its floor.
         residual: f64,
     },
+    /// It converged to where so many eigenvalues of the Hessian are negative.
+    Saddle {
+        /// Their number.
+        negative: usize,
+    },
     /// It says that it did not converge.
     Stopped(Stop),
     /// There is no result, but an error.
@@ -49,8 +54,9 @@ const DECREMENT: f64 = 1e-18;
 const FLOORS: f64 = 4.0;
 
 impl Search {
-    /// Judges a result. The goal is reached if the search says that it converged, and the decrement
-    /// is at most `10⁻¹⁸` of the energy or the residual at most four times its floor.
+    /// Judges a result. The goal is reached if the search says that it converged, no eigenvalue of
+    /// the Hessian is negative beyond rounding, and the decrement is at most `10⁻¹⁸` of the energy
+    /// or the residual at most four times its floor.
     #[must_use]
     pub fn new<const D: usize>(minimum: &Minimum<D>) -> Self {
         Self { end: End::of(minimum), iterations: minimum.own_iterations }
@@ -79,13 +85,16 @@ impl End {
         if numbers.any(f64::is_nan) {
             return Self::NotANumber;
         }
-        match minimum.stop {
-            Stop::EndsTouch => Self::Touch,
-            Stop::Converged if decrement <= DECREMENT || residual <= FLOORS * residual_floor => {
+        match (minimum.stop, minimum.curvature) {
+            (Stop::EndsTouch, _) => Self::Touch,
+            (Stop::Converged, Curvature::Indefinite { negative }) => Self::Saddle { negative },
+            (Stop::Converged, _)
+                if decrement <= DECREMENT || residual <= FLOORS * residual_floor =>
+            {
                 Self::Reached
             }
-            Stop::Converged => Self::Above { decrement, residual: residual / residual_floor },
-            stop => Self::Stopped(stop),
+            (Stop::Converged, _) => Self::Above { decrement, residual: residual / residual_floor },
+            (stop, _) => Self::Stopped(stop),
         }
     }
 }

@@ -15,8 +15,8 @@ pub(super) const TABLE: Table = Table {
             search that led to the result: from the default starts, of which 99.9 % must reach \
             the goal within 60 steps, and from one straight line alone; touch: the sets have a \
             point in common; above: it converged, but to a decrement above 1e-18 of the energy and \
-            a residual above 4 times its floor; stopped: it says that it did not converge; \
-            refused: an error",
+            a residual above 4 times its floor; stopped: it says that it did not converge, or to \
+            a saddle; refused: an error",
     seed: Seed::One(SEED),
     data,
     layout,
@@ -134,7 +134,7 @@ fn histogram(starts: &str, name: &str, searches: &[&Search]) -> Vec<String> {
         from = to.saturating_add(1);
     }
     numbers.push(count(&|s| matches!(s.end, End::Above { .. })));
-    numbers.push(count(&|s| matches!(s.end, End::Stopped(_))));
+    numbers.push(count(&|s| matches!(s.end, End::Stopped(_) | End::Saddle { .. })));
     numbers.push(count(&|s| matches!(s.end, End::Refused(_))));
     numbers.push(searches.iter().map(|s| s.iterations).max().unwrap_or(0));
     let mut row = vec![starts.to_owned(), name.to_owned()];
@@ -153,6 +153,7 @@ fn describe(outcome: &Outcome) -> String {
         End::Above { decrement, residual } => {
             format!("decrement {decrement:.0e} and residual {residual:.0e} times its floor")
         }
+        End::Saddle { negative } => format!("a saddle with {negative} ways down"),
         End::Stopped(stop) => format!("{stop:?}"),
         End::Refused(error) => error.to_string(),
         End::NotANumber => "NaN".to_owned(),
