@@ -1,26 +1,55 @@
 //! Sums of many terms with the rounding error of one.
 
+use std::ops::AddAssign;
+
+use tautline_metrics::{Lanes, Pair, Scalar};
+
 /// A running sum and the part of it that did not fit (Knuth's two-sum).
 ///
 /// `N` energies of chords, added plainly, would lose up to `N ε`; this keeps `2 ε`, and the
 /// differences `E_N − d²` of the asymptotic range are themselves as small as `10⁻¹⁰ d²`.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct CompensatedSum {
-    sum: f64,
-    lost: f64,
+#[derive(Clone, Copy, Debug)]
+pub struct CompensatedSum<T = f64> {
+    sum: T,
+    lost: T,
 }
 
-impl CompensatedSum {
+impl<T: Scalar> Default for CompensatedSum<T> {
+    /// Returns the sum of no term.
+    fn default() -> Self {
+        Self { sum: T::zero(), lost: T::zero() }
+    }
+}
+
+impl<T: Scalar> CompensatedSum<T> {
     /// Adds a term.
     #[inline]
-    pub fn add(&mut self, term: f64) {
+    pub fn add(&mut self, term: T) {
         let sum = self.sum + term;
         // The exact error of the addition: sum = s + t − error with these four roundings exact.
         let kept = sum - self.sum;
         self.lost += (self.sum - (sum - kept)) + (term - kept);
         self.sum = sum;
     }
+}
 
+impl<T: Scalar> AddAssign for CompensatedSum<T> {
+    /// Adds all terms of another sum.
+    fn add_assign(&mut self, other: Self) {
+        self.add(other.sum);
+        self.lost += other.lost;
+    }
+}
+
+impl CompensatedSum<Pair> {
+    /// Returns the two sums.
+    #[must_use]
+    pub fn apart(self) -> [CompensatedSum; 2] {
+        [0, 1].map(|lane| CompensatedSum { sum: self.sum.lane(lane), lost: self.lost.lane(lane) })
+    }
+}
+
+impl CompensatedSum {
     /// Returns the sum of the terms, rounded once or twice; infinite if it overflowed.
     #[must_use]
     pub fn value(self) -> f64 {
@@ -42,6 +71,8 @@ impl FromIterator<f64> for CompensatedSum {
 
 #[cfg(test)]
 mod tests {
+    use tautline_metrics::Pair;
+
     use super::CompensatedSum;
 
     #[test]
@@ -49,6 +80,20 @@ mod tests {
         let terms = std::iter::once(1.0).chain(std::iter::repeat_n(1e-17, 1000));
         // Plainly, every addition of 1e-17 to 1 is lost.
         assert_eq!(terms.collect::<CompensatedSum>().value(), 1.0 + 1e-14);
+    }
+
+    #[test]
+    fn two_sums_side_by_side_add_up_to_one_of_all_terms() {
+        let mut both = CompensatedSum::default();
+        both.add(Pair::new(1.0, -1.0));
+        for _ in 0..1000 {
+            both.add(Pair::new(1e-17, 2e-17));
+        }
+        let [mut one, other] = both.apart();
+        // Rounded once: 2 ε of a sum of 1.
+        assert_eq!((one.value(), other.value()), (1.0 + 1e-14, -1.0 + 2e-14));
+        one += other;
+        approx::assert_relative_eq!(one.value(), 3e-14, max_relative = 1e-12);
     }
 
     #[test]

@@ -1,19 +1,19 @@
 //! `Contraction`: the derivatives of `H` at a point, contracted with a chord.
 
 use nalgebra::{SMatrix, SVector};
-use tautline_metrics::{Jet1, Jet2, Metric, MixedJet, Scalar, is_gram};
+use tautline_metrics::{Jet1, Jet2, Lanes, Metric, MixedJet, Pair, Scalar, is_gram};
 
 /// The derivatives of `H` at a point, contracted with a chord `d` as soon as they are known.
 #[derive(Clone, Debug)]
-pub(crate) struct Contraction<const D: usize> {
+pub(crate) struct Contraction<const D: usize, T = f64> {
     /// `H`.
-    pub(crate) h: SMatrix<f64, D, D>,
+    pub(crate) h: SMatrix<T, D, D>,
     /// `Gₖ = dᵀ ∂ₖH d`.
-    pub(crate) g: SVector<f64, D>,
+    pub(crate) g: SVector<T, D>,
     /// `Pᵢₖ = (∂ₖH d)ᵢ`.
-    pub(crate) p: SMatrix<f64, D, D>,
+    pub(crate) p: SMatrix<T, D, D>,
     /// `Qₖₗ = dᵀ ∂ₖ∂ₗH d`.
-    pub(crate) q: SMatrix<f64, D, D>,
+    pub(crate) q: SMatrix<T, D, D>,
     /// Whether `H`, with both halves as the metric has them, is finite, symmetric and positive
     /// definite.
     pub(crate) is_metric: bool,
@@ -22,7 +22,7 @@ pub(crate) struct Contraction<const D: usize> {
 /// From this dimension on `dᵀHd` is differentiated twice apart from the rest, as one scalar:
 /// second-order jets of all `D²` entries of `H` would cost `D⁴`, and a metric of low rank
 /// evaluates `dᵀHd` far cheaper. Below it, one evaluation for all is faster.
-const SPLIT: usize = 4;
+pub(crate) const SPLIT: usize = 4;
 
 /// From this dimension on derivatives are taken by so many directions at once.
 ///
@@ -33,6 +33,58 @@ const SPLIT: usize = 4;
 /// 4 terms it takes 3.1, 3.7 and 3.4 times as long, with `D` terms 3.5, 4.8 and 5.3 times.
 const CHUNKED: usize = 24;
 const CHUNK: usize = 8;
+
+impl<T: Lanes, const D: usize> Contraction<D, T> {
+    /// With all derivatives of all entries at once.
+    #[inline(always)]
+    fn together(metric: &impl Metric<D>, y: &SVector<T, D>, d: &SVector<T, D>) -> Self {
+        let jets = metric.gram(&SVector::from(Jet2::variables(&(*y).into())));
+        let mut contraction = Self::first_order(&jets, d, Jet2::value, Jet2::first);
+        for k in 0..D {
+            for l in k..D {
+                let second = |i: usize, j: usize| jets[(i, j)].second(k, l);
+                let row = |i: usize| {
+                    let beside = (i + 1..D).map(|j| second(i, j) * (d[j] * 2.0));
+                    beside.fold(second(i, i) * d[i], |sum, term| sum + term) * d[i]
+                };
+                contraction.q[(k, l)] = (1..D).fold(row(0), |sum, i| sum + row(i));
+            }
+        }
+        contraction
+    }
+
+    /// `H`, `P` and `G` from the jets of the entries `i ≤ j` of `H`.
+    #[inline(always)]
+    fn first_order<J>(
+        jets: &SMatrix<J, D, D>,
+        d: &SVector<T, D>,
+        value: impl Fn(&J) -> T,
+        first: impl Fn(&J, usize) -> T,
+    ) -> Self {
+        let jet = |i: usize, j: usize| &jets[(i.min(j), i.max(j))];
+        let h = SMatrix::<T, D, D>::from_fn(|i, j| value(jet(i, j)));
+        let p = SMatrix::<T, D, D>::from_fn(|i, k| {
+            let term = |j: usize| first(jet(i, j), k) * d[j];
+            (1..D).fold(term(0), |sum, j| sum + term(j))
+        });
+        let is_metric = is_gram(&SMatrix::<T, D, D>::from_fn(|i, j| value(&jets[(i, j)])));
+        Self { h, g: p.tr_mul(d), p, q: SMatrix::zeros(), is_metric }
+    }
+}
+
+impl<const D: usize> Contraction<D, Pair> {
+    /// Differentiates at two places.
+    #[inline(always)]
+    pub(crate) fn of_pair(
+        metric: &impl Metric<D>,
+        y: &SVector<Pair, D>,
+        d: &SVector<Pair, D>,
+    ) -> Self {
+        let mut contraction = Self::together(metric, y, d);
+        contraction.q.fill_lower_triangle_with_upper_triangle();
+        contraction
+    }
+}
 
 impl<const D: usize> Contraction<D> {
     /// Differentiates at `y`.
@@ -47,25 +99,6 @@ impl<const D: usize> Contraction<D> {
             Self::by_chunks(metric, y, d)
         };
         contraction.q.fill_lower_triangle_with_upper_triangle();
-        contraction
-    }
-
-    /// With all derivatives of all entries at once.
-    #[inline(always)]
-    fn together(metric: &impl Metric<D>, y: &SVector<f64, D>, d: &SVector<f64, D>) -> Self {
-        let jets = metric.gram(&SVector::from(Jet2::variables(&(*y).into())));
-        let mut contraction = Self::first_order(&jets, d, Jet2::value, Jet2::first);
-        // Sums from the first term on: a zero to begin with costs an addition for each.
-        for k in 0..D {
-            for l in k..D {
-                let second = |i: usize, j: usize| jets[(i, j)].second(k, l);
-                let row = |i: usize| {
-                    let beside: f64 = (i + 1..D).map(|j| second(i, j) * (2.0 * d[j])).sum();
-                    (second(i, i) * d[i] + beside) * d[i]
-                };
-                contraction.q[(k, l)] = (0..D).map(row).sum();
-            }
-        }
         contraction
     }
 
@@ -88,22 +121,6 @@ impl<const D: usize> Contraction<D> {
             q,
             is_metric: is_gram(&h),
         }
-    }
-
-    /// `H`, `P` and `G` from the jets of the entries `i ≤ j` of `H`.
-    #[inline(always)]
-    fn first_order<J>(
-        jets: &SMatrix<J, D, D>,
-        d: &SVector<f64, D>,
-        value: impl Fn(&J) -> f64,
-        first: impl Fn(&J, usize) -> f64,
-    ) -> Self {
-        let jet = |i: usize, j: usize| &jets[(i.min(j), i.max(j))];
-        let h = SMatrix::<f64, D, D>::from_fn(|i, j| value(jet(i, j)));
-        let p =
-            SMatrix::<f64, D, D>::from_fn(|i, k| (0..D).map(|j| first(jet(i, j), k) * d[j]).sum());
-        let is_metric = is_gram(&SMatrix::<f64, D, D>::from_fn(|i, j| value(&jets[(i, j)])));
-        Self { h, g: p.tr_mul(d), p, q: SMatrix::zeros(), is_metric }
     }
 
     /// With the first derivatives by one chunk of directions at a time, and the second by all

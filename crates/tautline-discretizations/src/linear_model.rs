@@ -21,27 +21,13 @@ pub struct LinearModel<const D: usize> {
 impl<const D: usize> LinearModel<D> {
     /// Expands the discrete energy of `rule` about `sequence`. NaN where the metric is.
     #[must_use]
-    pub fn new<R: Rule>(rule: R, metric: &impl Metric<D>, sequence: &PointSequence<D>) -> Self {
+    pub fn new<R: Rule>(_rule: R, metric: &impl Metric<D>, sequence: &PointSequence<D>) -> Self {
         let mut gradient = Vec::with_capacity(sequence.points().len());
-        let (energy, is_metric) =
-            LinearModel::for_each(rule, metric, sequence, |_, by_point| gradient.push(by_point));
-        Self { energy, gradient, is_metric }
-    }
-
-    /// Hands over the gradient by each point in turn, with its number from 0, as soon as it is
-    /// known, and stores none; returns `energy` and `is_metric`.
-    pub fn for_each<R: Rule>(
-        _rule: R,
-        metric: &impl Metric<D>,
-        sequence: &PointSequence<D>,
-        mut each: impl FnMut(usize, SVector<f64, D>),
-    ) -> (f64, bool) {
-        let count = sequence.n().get();
-        let n = count as f64;
+        let n = sequence.n().get() as f64;
         let mut energy = CompensatedSum::default();
         let mut is_metric = true;
         let mut carried = SVector::<f64, D>::zeros();
-        for (k, (x, d)) in sequence.chords().enumerate() {
+        for (x, d) in sequence.chords() {
             let mut near = carried;
             carried = SVector::zeros();
             for node in R::NODES {
@@ -53,10 +39,10 @@ impl<const D: usize> LinearModel<D> {
                 near += (g * (1.0 - node.fraction) - hd * 2.0) * w;
                 carried += (g * node.fraction + hd * 2.0) * w;
             }
-            each(k, near);
+            gradient.push(near);
         }
-        each(count, carried);
-        (energy.value(), is_metric)
+        gradient.push(carried);
+        Self { energy: energy.value(), gradient, is_metric }
     }
 }
 

@@ -104,7 +104,14 @@ impl<const D: usize> PointSequence<D> {
 
     /// Returns the `N` chords, each as its first point and the vector to the next, in `ℓ`.
     pub fn chords(&self) -> impl ExactSizeIterator<Item = (&SVector<f64, D>, SVector<f64, D>)> {
-        (0..self.points.len() - 1).map(|k| (&self.points[k], self.points[k + 1] - self.points[k]))
+        (0..self.points.len() - 1).map(|n| self.chord(n))
+    }
+
+    /// Returns the chord with the number `n < N`: its first point and the vector to the next, in `ℓ`.
+    #[must_use]
+    #[inline]
+    pub fn chord(&self, n: usize) -> (&SVector<f64, D>, SVector<f64, D>) {
+        (&self.points[n], self.points[n + 1] - self.points[n])
     }
 
     /// Returns the finite differences `βₙ = N (xₙ₊₁ − xₙ)`, in `ℓ`, for `n = 0, …, N − 1`.

@@ -54,4 +54,4 @@ pub use constants::{Constants, HypothesisError};
 pub use locally_bounded::{LocalError, LocallyBounded};
 pub use metric::{Bounded, KnownDistance, Metric};
 pub use positive_definite::{MetricError, check_gram, cholesky, is_gram};
-pub use tautline_scalar::{Jet1, Jet2, MixedJet, Scalar};
+pub use tautline_scalar::{Jet1, Jet2, Lanes, MixedJet, Pair, Scalar};

@@ -1,6 +1,7 @@
 //! Symmetric positive definite matrices: the test that `H(x)` is one, and its Cholesky factor.
 
 use nalgebra::{DMatrix, SMatrix, SVector};
+use tautline_scalar::Lanes;
 
 use crate::Metric;
 
@@ -46,14 +47,15 @@ pub enum MetricError {
     },
 }
 
-/// Returns whether a matrix is finite, symmetric up to rounding, and positive definite.
+/// Returns whether a matrix is finite, symmetric up to rounding, and positive definite: each of them,
+/// where several stand side by side.
 ///
 /// The halves of one formula, written in another order, differ by some roundings of its terms,
 /// which for a positive definite `H` are of the size `√(Hᵢᵢ Hⱼⱼ)` at most: `10⁻¹²` of that is
 /// granted.
 #[must_use]
 #[inline]
-pub fn is_gram<const D: usize>(h: &SMatrix<f64, D, D>) -> bool {
+pub fn is_gram<T: Lanes, const D: usize>(h: &SMatrix<T, D, D>) -> bool {
     is_definite(*h)
         && (0..D).all(|i| (i + 1..D).all(|j| h[(i, j)] == h[(j, i)] || is_symmetric(h, i, j)))
 }
@@ -61,19 +63,20 @@ pub fn is_gram<const D: usize>(h: &SMatrix<f64, D, D>) -> bool {
 /// Whether the matrix with these entries `i ≤ j` is finite and positive definite: by its pivots, as
 /// [`cholesky`], but without roots.
 #[inline]
-fn is_definite<const D: usize>(mut a: SMatrix<f64, D, D>) -> bool {
+fn is_definite<T: Lanes, const D: usize>(mut a: SMatrix<T, D, D>) -> bool {
     for k in 0..D {
         let pivot = a[(k, k)];
         // NaN and +∞ fail here too.
-        if !(pivot > 0.0 && pivot <= f64::MAX) {
+        if !pivot.all(|pivot| pivot > 0.0 && pivot <= f64::MAX) {
             return false;
         }
         if k + 1 < D {
-            let reciprocal = 1.0 / pivot;
+            let reciprocal = pivot.recip();
             for i in k + 1..D {
                 let factor = a[(k, i)] * reciprocal;
                 for j in i..D {
-                    a[(i, j)] -= factor * a[(k, j)];
+                    let eliminated = factor * a[(k, j)];
+                    a[(i, j)] -= eliminated;
                 }
             }
         }
@@ -82,10 +85,13 @@ fn is_definite<const D: usize>(mut a: SMatrix<f64, D, D>) -> bool {
 }
 
 /// Whether the entries `(i, j)` and `(j, i)` are the same up to rounding.
-fn is_symmetric<const D: usize>(h: &SMatrix<f64, D, D>, i: usize, j: usize) -> bool {
-    let (above, below) = (h[(i, j)], h[(j, i)]);
-    let scale = (h[(i, i)] * h[(j, j)]).abs().sqrt();
-    (above - below).abs() <= 1e-12 * scale.max(above.abs())
+fn is_symmetric<T: Lanes, const D: usize>(h: &SMatrix<T, D, D>, i: usize, j: usize) -> bool {
+    (0..T::LANES).all(|lane| {
+        let entry = |i, j| h[(i, j)].lane(lane);
+        let (above, below) = (entry(i, j), entry(j, i));
+        let scale = (entry(i, i) * entry(j, j)).abs().sqrt();
+        (above - below).abs() <= 1e-12 * scale.max(above.abs())
+    })
 }
 
 /// Returns `H(x)` if it is finite, symmetric and positive definite.

@@ -2,6 +2,7 @@
 
 use nalgebra::{DMatrix, SMatrix, SVector};
 use tautline_discretizations::BlockTridiagonal;
+use tautline_metrics::Lanes;
 
 use crate::ldl::Ldl;
 
@@ -34,6 +35,16 @@ impl Regulariser {
     /// The diagonal entries at a point with this many neighbours.
     pub(crate) fn diagonal(self, neighbours: f64) -> f64 {
         self.weight * (neighbours * self.n + 1.0 / self.n)
+    }
+
+    /// The part of the diagonal entries at a point that each of the chords there has, of two.
+    pub(crate) fn of_chord(self) -> f64 {
+        self.weight * (self.n + 0.5 / self.n)
+    }
+
+    /// The part at an end that its one chord has not.
+    pub(crate) fn of_end(self) -> f64 {
+        self.weight * (0.5 / self.n)
     }
 
     /// The entries that couple a point with the next.
@@ -109,155 +120,92 @@ impl<'a, const D: usize> Shifted<'a, D> {
 
 /// One step of the elimination by blocks.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Pivot<const D: usize> {
+pub(crate) struct Pivot<const D: usize, T = f64> {
     /// The Schur complement `Sₙ = Lₙ Dₙ Lₙᵀ`.
-    pub(crate) diagonal: Ldl<D>,
-    /// `Wₙ Dₙ⁻¹` with `Wₙ = Uₙᵀ Lₙ⁻ᵀ`; the last has none.
-    pub(crate) lower: Option<SMatrix<f64, D, D>>,
+    diagonal: Ldl<D, T>,
+    /// `Wₙ Dₙ⁻¹` with `Wₙ = Uₙᵀ Lₙ⁻ᵀ`.
+    lower: SMatrix<T, D, D>,
 }
 
-impl<const D: usize> Pivot<D> {
+impl<T: Lanes, const D: usize> Pivot<D, T> {
     /// Eliminates `Sₙ` with the block `Uₙᵀ` below it, and makes `Sₙ₊₁` of the next block `Aₙ₊₁`;
     /// `None` if `Sₙ` is not positive definite. Of all three symmetric ones, the entries `i ≥ j`.
     #[inline(always)]
     pub(crate) fn new(
-        schur: &SMatrix<f64, D, D>,
-        lower: &SMatrix<f64, D, D>,
-        next: &mut SMatrix<f64, D, D>,
+        schur: &SMatrix<T, D, D>,
+        lower: &SMatrix<T, D, D>,
+        next: &mut SMatrix<T, D, D>,
     ) -> Option<Self> {
         let diagonal = Ldl::new(schur)?;
         let [w, scaled] = diagonal.divide(lower);
         for k in 0..D {
             for j in 0..D {
                 for i in j..D {
-                    next[(i, j)] -= w[(i, k)] * scaled[(j, k)];
+                    let eliminated = w[(i, k)] * scaled[(j, k)];
+                    next[(i, j)] -= eliminated;
                 }
             }
         }
-        Some(Self { diagonal, lower: Some(scaled) })
+        Some(Self { diagonal, lower: scaled })
     }
 
-    /// The last one.
+    /// Eliminates the right hand side: subtracts `Wₙ Dₙ⁻¹ yₙ` from the next; returns `yₙ = Lₙ⁻¹ rₙ` and
+    /// `zₙ = Dₙ⁻¹ yₙ`.
     #[inline(always)]
-    pub(crate) fn last(schur: &SMatrix<f64, D, D>) -> Option<Self> {
-        Some(Self { diagonal: Ldl::new(schur)?, lower: None })
+    pub(crate) fn forward(
+        &self,
+        right: SVector<T, D>,
+        next: &mut SVector<T, D>,
+    ) -> [SVector<T, D>; 2] {
+        let [y, z] = self.diagonal.forward(right);
+        *next -= self.lower * y;
+        [y, z]
+    }
+
+    /// Returns `xₙ = Lₙ⁻ᵀ (zₙ − Dₙ⁻¹ Wₙᵀ xₙ₊₁)`, by the next.
+    #[inline(always)]
+    pub(crate) fn backward(&self, z: SVector<T, D>, next: &SVector<T, D>) -> SVector<T, D> {
+        self.diagonal.backward(z - self.lower.tr_mul(next))
     }
 }
 
-/// The factorisation by blocks of a positive definite block-tridiagonal matrix.
+/// The factorisation by blocks of a positive definite block-tridiagonal matrix, from the first block
+/// to the last.
 ///
-/// With the Schur complements `S₀ = A₀`, `Sₙ₊₁ = Aₙ₊₁ − Uₙᵀ Sₙ⁻¹ Uₙ`, each a [`Pivot`]: `O(N D³)`.
+/// With the Schur complements `S₀ = A₀`, `Sₙ₊₁ = Aₙ₊₁ − Uₙᵀ Sₙ⁻¹ Uₙ`, each but the last a [`Pivot`]:
+/// `O(N D³)`.
 #[derive(Clone, Debug)]
 pub(crate) struct Factorization<const D: usize> {
-    /// `Lₙ` and `Dₙ`.
-    diagonal: Vec<Ldl<D>>,
-    /// `Wₙ Dₙ⁻¹`.
-    lower: Vec<SMatrix<f64, D, D>>,
+    pivots: Vec<Pivot<D>>,
+    last: Ldl<D>,
 }
 
 impl<const D: usize> Factorization<D> {
     /// Factorises; `None` if the matrix is not positive definite (or not finite).
     pub(crate) fn new(system: &Shifted<'_, D>) -> Option<Self> {
-        let n = system.n();
-        let mut factorization = Self::with_capacity(n);
         let mut schur = system.diagonal(0);
-        for k in 0..n {
+        let mut pivots = Vec::with_capacity(system.n());
+        for k in 0..system.n() {
             let mut next = system.diagonal(k + 1);
-            factorization.push(Pivot::new(&schur, &system.upper(k).transpose(), &mut next)?);
+            pivots.push(Pivot::new(&schur, &system.upper(k).transpose(), &mut next)?);
             schur = next;
         }
-        factorization.push(Pivot::last(&schur)?);
-        Some(factorization)
-    }
-
-    /// Forgets everything but the memory, and makes room for `n + 1` points.
-    pub(crate) fn clear(&mut self, n: usize) {
-        self.diagonal.clear();
-        self.lower.clear();
-        self.diagonal.reserve_exact(n + 1);
-        self.lower.reserve_exact(n);
-    }
-
-    /// For how many points there is room.
-    pub(crate) fn capacity(&self) -> usize {
-        self.diagonal.capacity()
-    }
-
-    /// Nothing yet, and room for `n + 1` points.
-    pub(crate) fn with_capacity(n: usize) -> Self {
-        Self { diagonal: Vec::with_capacity(n + 1), lower: Vec::with_capacity(n) }
-    }
-
-    /// Adds what has been eliminated.
-    #[inline(always)]
-    pub(crate) fn push(&mut self, pivot: Pivot<D>) {
-        self.diagonal.push(pivot.diagonal);
-        self.lower.extend(pivot.lower);
+        Some(Self { pivots, last: Ldl::new(&schur)? })
     }
 
     /// Overwrites `b` with the solution of `A x = b`.
     pub(crate) fn solve(&self, b: &mut [SVector<f64, D>]) {
-        let mut elimination = Elimination::default();
-        b.iter_mut().for_each(|b| *b = elimination.push(self, *b));
-        self.substitute_back(b);
-    }
-
-    /// Overwrites `zₙ`, what an [`Elimination`] has made of the right hand side, with the solution:
-    /// `xₙ = Lₙ⁻ᵀ (zₙ − Dₙ⁻¹ Wₙᵀ xₙ₊₁)`.
-    pub(crate) fn substitute_back(&self, z: &mut [SVector<f64, D>]) {
-        let Some((last, before)) = z.split_last_mut() else { return };
-        let mut diagonal = self.diagonal.iter().rev();
-        let Some(end) = diagonal.next() else { return };
-        *last = end.backward(*last);
-        let mut x = *last;
-        for ((z, diagonal), lower) in
-            before.iter_mut().rev().zip(diagonal).zip(self.lower.iter().rev())
-        {
-            x = diagonal.backward(*z - lower.tr_mul(&x));
-            *z = x;
+        for (n, pivot) in self.pivots.iter().enumerate() {
+            let mut next = b[n + 1];
+            [_, b[n]] = pivot.forward(b[n], &mut next);
+            b[n + 1] = next;
         }
-    }
-}
-
-/// The elimination of a right hand side `b` from the first block on:
-/// `rₙ = bₙ − Wₙ₋₁ Dₙ₋₁⁻¹ yₙ₋₁`, `yₙ = Lₙ⁻¹ rₙ`.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Elimination<const D: usize> {
-    done: usize,
-    y: SVector<f64, D>,
-    square: f64,
-}
-
-impl<const D: usize> Default for Elimination<D> {
-    fn default() -> Self {
-        Self { done: 0, y: SVector::zeros(), square: 0.0 }
-    }
-}
-
-impl<const D: usize> Elimination<D> {
-    /// Takes the next block of the right hand side, as far as the matrix is factorised; returns
-    /// `zₙ = Dₙ⁻¹ yₙ`.
-    #[inline(always)]
-    pub(crate) fn push(
-        &mut self,
-        factorization: &Factorization<D>,
-        b: SVector<f64, D>,
-    ) -> SVector<f64, D> {
-        let right = match self.done.checked_sub(1) {
-            Some(before) => b - factorization.lower[before] * self.y,
-            None => b,
-        };
-        let [y, z] = factorization.diagonal[self.done].forward(right);
-        self.square += y.dot(&z);
-        self.y = y;
-        self.done += 1;
-        z
-    }
-
-    /// Returns `½ bᵀ A⁻¹ b = ½ Σ yₙᵀ Dₙ⁻¹ yₙ` after the last block: nothing need be substituted back
-    /// for it.
-    pub(crate) fn half_square(&self) -> f64 {
-        0.5 * self.square
+        let Some(last) = b.last_mut() else { return };
+        let [_, z] = self.last.forward(*last);
+        *last = self.last.backward(z);
+        for (n, pivot) in self.pivots.iter().enumerate().rev() {
+            b[n] = pivot.backward(b[n], &b[n + 1]);
+        }
     }
 }
 

@@ -1,33 +1,35 @@
 //! `Ldl`: the factorisation `L D Lᵀ` of a small symmetric positive definite block.
 
 use nalgebra::{SMatrix, SVector};
+use tautline_metrics::Lanes;
 
 /// `A = L D Lᵀ` with ones on the diagonal of `L`: a Cholesky factorisation without roots, since the
 /// chain of operations from one block to the next is what an elimination waits for.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Ldl<const D: usize> {
+pub(crate) struct Ldl<const D: usize, T = f64> {
     /// `L` below the diagonal, and the reciprocals of `D` on it; above it, nothing that counts.
-    factors: SMatrix<f64, D, D>,
+    factors: SMatrix<T, D, D>,
 }
 
-impl<const D: usize> Ldl<D> {
+impl<T: Lanes, const D: usize> Ldl<D, T> {
     /// Factorises `A`, reading its entries `i ≥ j`; `None` if it is not positive definite (or not
-    /// finite).
+    /// finite): each of them, where several stand side by side.
     #[inline(always)]
-    pub(crate) fn new(a: &SMatrix<f64, D, D>) -> Option<Self> {
+    pub(crate) fn new(a: &SMatrix<T, D, D>) -> Option<Self> {
         let mut factors = *a;
         for j in 0..D {
             let pivot = factors[(j, j)];
             // NaN and +∞ fail here too.
-            if !(pivot > 0.0 && pivot <= f64::MAX) {
+            if !pivot.all(|pivot| pivot > 0.0 && pivot <= f64::MAX) {
                 return None;
             }
-            let reciprocal = 1.0 / pivot;
+            let reciprocal = pivot.recip();
             factors[(j, j)] = reciprocal;
             for k in j + 1..D {
                 let factor = factors[(k, j)] * reciprocal;
                 for i in k..D {
-                    factors[(i, k)] -= factors[(i, j)] * factor;
+                    let eliminated = factors[(i, j)] * factor;
+                    factors[(i, k)] -= eliminated;
                 }
                 factors[(k, j)] = factor;
             }
@@ -37,13 +39,14 @@ impl<const D: usize> Ldl<D> {
 
     /// Returns `W = B L⁻ᵀ` and `W D⁻¹`, so that `B A⁻¹ Bᵀ = W (W D⁻¹)ᵀ`.
     #[inline(always)]
-    pub(crate) fn divide(&self, b: &SMatrix<f64, D, D>) -> [SMatrix<f64, D, D>; 2] {
+    pub(crate) fn divide(&self, b: &SMatrix<T, D, D>) -> [SMatrix<T, D, D>; 2] {
         let mut w = *b;
         for j in 0..D {
             for k in j + 1..D {
                 let factor = self.factors[(k, j)];
                 for i in 0..D {
-                    w[(i, k)] -= w[(i, j)] * factor;
+                    let eliminated = w[(i, j)] * factor;
+                    w[(i, k)] -= eliminated;
                 }
             }
         }
@@ -53,11 +56,12 @@ impl<const D: usize> Ldl<D> {
 
     /// Returns `y = L⁻¹ b` and `D⁻¹ y`, so that `bᵀ A⁻¹ b = y · D⁻¹ y`.
     #[inline(always)]
-    pub(crate) fn forward(&self, b: SVector<f64, D>) -> [SVector<f64, D>; 2] {
+    pub(crate) fn forward(&self, b: SVector<T, D>) -> [SVector<T, D>; 2] {
         let mut y = b;
         for j in 0..D {
             for i in j + 1..D {
-                y[i] -= self.factors[(i, j)] * y[j];
+                let eliminated = self.factors[(i, j)] * y[j];
+                y[i] -= eliminated;
             }
         }
         [y, SVector::from_fn(|i, _| y[i] * self.factors[(i, i)])]
@@ -65,11 +69,12 @@ impl<const D: usize> Ldl<D> {
 
     /// Returns `L⁻ᵀ z`.
     #[inline(always)]
-    pub(crate) fn backward(&self, z: SVector<f64, D>) -> SVector<f64, D> {
+    pub(crate) fn backward(&self, z: SVector<T, D>) -> SVector<T, D> {
         let mut x = z;
         for j in (0..D).rev() {
             for i in j + 1..D {
-                x[j] -= self.factors[(i, j)] * x[i];
+                let known = self.factors[(i, j)] * x[i];
+                x[j] -= known;
             }
         }
         x

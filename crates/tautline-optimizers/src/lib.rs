@@ -38,6 +38,7 @@ mod damping;
 mod end_frame;
 mod extrapolation;
 mod factorization;
+mod front;
 mod geodesic_means;
 mod ldl;
 mod leading_constants;
@@ -59,6 +60,7 @@ mod solve_error;
 mod starts;
 mod stationarity;
 mod sweep;
+mod twisted_factorization;
 mod workspace;
 
 pub use asymptotics_error::AsymptoticsError;

@@ -342,7 +342,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
         magnitude: Magnitude,
     ) -> (f64, f64) {
         let mut residual = Residual::new(sequence.n().get(), magnitude);
-        gradient.iter().enumerate().for_each(|(k, gradient)| residual.push(k, gradient));
+        residual.push_all(gradient);
         residual.value(self.ends, sequence, magnitude)
     }
 }

@@ -1,7 +1,7 @@
 //! The search on a fine grid, from a start so near that no Newton step needs damping.
 
-use tautline_discretizations::{PointSequence, Rule};
-use tautline_metrics::{Metric, check_gram};
+use tautline_discretizations::{ChordModel, PointSequence, Rule};
+use tautline_metrics::{Metric, Pair, check_gram};
 
 use crate::{
     Curvature, Stop, Workspace,
@@ -81,7 +81,11 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
             // The points move by the root of what is promised, and with them the Hessian: by less
             // than the margin by which it is definite.
             if at.decrement <= margin(n).powi(2) * about.energy {
-                let there = pass.stationarity_at(rule, metric, ends, &trial);
+                let there = if const { ChordModel::<D, Pair>::PAYS } {
+                    sweep(rule, metric, ends, &trial, about, None)?.stationarity
+                } else {
+                    pass.stationarity_at(rule, metric, ends, &trial)
+                };
                 if there.is_reached(&trial) {
                     return self.found(trial, there, iteration, from);
                 }

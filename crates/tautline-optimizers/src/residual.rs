@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 use tautline_discretizations::PointSequence;
+use tautline_metrics::Lanes;
 use tautline_sets::ClosedSet;
 
 use crate::{end_frame::EndFrame, magnitude::Magnitude, rounding::rounding};
@@ -14,7 +15,8 @@ pub(crate) struct Residual<const D: usize> {
     reciprocal: f64,
     last: usize,
     inner: f64,
-    ends: [SVector<f64, D>; 2],
+    /// The gradients by the two ends.
+    pub(crate) ends: [SVector<f64, D>; 2],
 }
 
 impl<const D: usize> Residual<D> {
@@ -25,16 +27,19 @@ impl<const D: usize> Residual<D> {
         Self { unit, reciprocal: 1.0 / unit, last: n, inner: 0.0, ends: [SVector::zeros(); 2] }
     }
 
-    /// Takes the gradient by point `k`.
+    /// Takes the gradient by an inner point, or by some side by side.
     #[inline(always)]
-    pub(crate) fn push(&mut self, k: usize, gradient: &SVector<f64, D>) {
-        if k == 0 {
-            self.ends[0] = *gradient;
-        } else if k == self.last {
-            self.ends[1] = *gradient;
-        } else {
-            self.inner += (gradient * self.reciprocal).norm_squared();
-        }
+    pub(crate) fn push<T: Lanes>(&mut self, gradient: &SVector<T, D>) {
+        let scaled = gradient * T::constant(self.reciprocal);
+        let square = scaled.dot(&scaled);
+        self.inner += (1..T::LANES).fold(square.lane(0), |sum, lane| sum + square.lane(lane));
+    }
+
+    /// Takes the gradients by all points.
+    pub(crate) fn push_all(&mut self, gradient: &[SVector<f64, D>]) {
+        let [first, inner @ .., last] = gradient else { return };
+        self.ends = [*first, *last];
+        inner.iter().for_each(|gradient| self.push(gradient));
     }
 
     /// Returns the residual and its floor, after the last point.

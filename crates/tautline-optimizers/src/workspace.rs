@@ -4,7 +4,7 @@ use std::fmt;
 
 use nalgebra::SVector;
 
-use crate::factorization::Factorization;
+use crate::twisted_factorization::TwistedFactorization;
 
 /// Memory for searches, which grows with the largest of them and is kept for the next.
 ///
@@ -13,14 +13,14 @@ use crate::factorization::Factorization;
 /// longer than to compute it.
 #[derive(Clone)]
 pub struct Workspace<const D: usize> {
-    pub(crate) factorization: Factorization<D>,
+    pub(crate) factorization: TwistedFactorization<D>,
     pub(crate) spare: Spare<D>,
 }
 
 impl<const D: usize> Default for Workspace<D> {
     /// Returns a workspace without any memory yet.
     fn default() -> Self {
-        Self { factorization: Factorization::with_capacity(0), spare: Spare(Vec::new()) }
+        Self { factorization: TwistedFactorization::default(), spare: Spare(Vec::new()) }
     }
 }
 

@@ -32,6 +32,12 @@
 //! A decimal in a formula means the `f64` nearest to it. `2.0 - x` cannot be written for a
 //! type of our own; write `-x + 2.0`.
 //!
+//! # Two at a time
+//!
+//! A [`Pair`] is two `f64` in one vector register. A formula evaluated in `Jet2<Pair, D>` is expanded
+//! at two places for the price of little more than one: that is how the chords of a fine grid are
+//! gone through.
+//!
 //! # Intervals
 //!
 //! Evaluated in [`Interval`] a formula gives bounds of its values on a whole range, in
@@ -76,12 +82,16 @@ mod float;
 mod interval;
 mod jet1;
 mod jet2;
+mod lanes;
 mod mixed_jet;
 mod operators;
+mod pair;
 mod scalar;
 
 pub use interval::{Enclosure, Fast, FastInterval, Interval, IntervalError, Kernel, Rigorous};
 pub use jet1::Jet1;
 pub use jet2::Jet2;
+pub use lanes::Lanes;
 pub use mixed_jet::MixedJet;
+pub use pair::Pair;
 pub use scalar::Scalar;

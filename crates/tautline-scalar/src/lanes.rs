@@ -1,0 +1,38 @@
+//! `Lanes`: how many plain numbers a number stands for.
+
+use crate::{Pair, Scalar};
+
+/// One or more `f64` side by side, on which every operation works at once.
+pub trait Lanes: Scalar {
+    /// How many.
+    const LANES: usize;
+
+    /// Returns the one with the number `lane`, from 0.
+    #[must_use]
+    fn lane(self, lane: usize) -> f64;
+
+    /// Returns whether this holds of each.
+    #[must_use]
+    #[inline(always)]
+    fn all(self, holds: impl Fn(f64) -> bool) -> bool {
+        (0..Self::LANES).all(|lane| holds(self.lane(lane)))
+    }
+}
+
+impl Lanes for f64 {
+    const LANES: usize = 1;
+
+    #[inline(always)]
+    fn lane(self, _lane: usize) -> f64 {
+        self
+    }
+}
+
+impl Lanes for Pair {
+    const LANES: usize = 2;
+
+    #[inline(always)]
+    fn lane(self, lane: usize) -> f64 {
+        self.both()[lane]
+    }
+}
