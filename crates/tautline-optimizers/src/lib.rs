@@ -34,6 +34,7 @@
 //! shortened; a saddle is left along the direction of its most negative curvature.
 
 mod asymptotics_error;
+mod candidate;
 mod damping;
 mod end_frame;
 mod extrapolation;

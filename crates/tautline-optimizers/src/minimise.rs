@@ -1,14 +1,13 @@
 //! The search for a discrete minimiser: several starts on a coarse grid, then finer grids.
 
-use nalgebra::SVector;
-use tautline_discretizations::{PointSequence, Rule, SequenceError};
+use tautline_discretizations::Rule;
 use tautline_metrics::{Metric, check_gram};
 use tautline_sets::{ClosedSet, Ends, common_point};
 
 use crate::{
-    Level, Minimum, SolveError, Starts, Stop, Workspace,
+    Minimum, SolveError, Starts, Workspace,
+    candidate::{Candidate, lowest_first},
     local_search::{Found, LocalSearch},
-    prolongation::{prolong, prolong_into},
 };
 
 /// How to search.
@@ -50,20 +49,8 @@ const FINER: [usize; 2] = [4096, 65_536];
 const FOLLOWED: usize = 8;
 const SETTLED: usize = 512;
 
-/// Where the least energy rises by this factor from one grid to the next, the discrete minimisers
-/// of the coarser one leapt over ridges that the finer one resolves, and need not lead to its lowest:
-/// the starts are tried again.
-const LEAP: f64 = 1.5;
-
 /// From this grid on a search is expected to need no damping, and is tried without.
 const FINE: usize = 64;
-
-/// From so many grids the points are extrapolated, and none of them coarser than this.
-const EXTRAPOLATED: usize = 3;
-const COARSE: usize = 32;
-
-/// Minima are different if their energies differ by more than this, relatively.
-const DIFFERENT: f64 = 1e-9;
 
 /// Returns the lowest discrete minimiser of `rule` between the sets `ends` that was found.
 ///
@@ -86,7 +73,8 @@ const DIFFERENT: f64 = 1e-9;
 /// [`SolveError::NoSubinterval`] if `n` is 0; [`SolveError::TooManySubintervals`] if no memory has
 /// room for `n + 1` points; [`SolveError::Metric`] if the metric is not finite, symmetric and positive
 /// definite at the nodes and both ends of every start, or of the result; [`SolveError::NoStart`] if
-/// there is nothing to start from, [`SolveError::Sequence`] if points become infinite on the way.
+/// there is nothing to start from, [`SolveError::Sequence`] if points become infinite on the way,
+/// [`SolveError::Energy`] if the energy of every curve that was found does.
 pub fn minimise<const D: usize, R: Rule>(
     metric: &impl Metric<D>,
     ends: &Ends<D>,
@@ -128,55 +116,18 @@ pub fn minimise_in<const D: usize, R: Rule>(
             return Ok(Minimum::at_common_point(x, n));
         }
     }
-    let search = |ends| LocalSearch { metric, rule, ends, iterations: options.iterations };
-    let intervals = if n <= DIRECT { LINE_DIRECT } else { LINE_COARSE };
-    let mut steps = 0;
+    let mut search = Search { workspace, metric, rule, options, iterations: 0, refused: None };
     let mut candidates: Vec<Candidate<'_, D>> = Vec::new();
-    let mut refused: Option<SolveError> = None;
     let mut local_minima: Option<Vec<f64>> = None;
     for grid in grids(n) {
         candidates.truncate(if grid > SETTLED { 1 } else { FOLLOWED });
-        for candidate in std::mem::take(&mut candidates) {
-            let search = search(candidate.ends);
-            let start = |memory| {
-                candidate.start(grid, R::ERROR_EXPONENT, memory).map_err(SolveError::Sequence)
-            };
-            let mut in_vain = 0;
-            let refined = (grid >= FINE).then(|| {
-                let start = start(workspace.spare.take(grid + 1)).ok()?;
-                search.refine(start, &candidate.found, workspace, &mut in_vain)
-            });
-            let found = match refined.flatten() {
-                Some(found) => Ok(found),
-                None => start(Vec::new()).and_then(|start| {
-                    let found = search.run(start)?;
-                    Ok(Found { iterations: in_vain + found.iterations, ..found })
-                }),
-            };
-            match found {
-                Ok(found) => {
-                    steps += found.iterations;
-                    let (candidate, unused) = candidate.refined(found);
-                    unused.into_iter().for_each(|x| workspace.spare.give(x.into_points()));
-                    candidates.push(candidate);
-                }
-                Err(error) => refused = refused.or(Some(error)),
-            }
-        }
+        candidates = candidates.into_iter().filter_map(|c| search.follow(c, grid)).collect();
         lowest_first(&mut candidates);
         let unresolved = grid <= SETTLED && candidates.first().is_none_or(Candidate::leapt);
         if local_minima.is_none() || unresolved {
+            let intervals = if n <= DIRECT { LINE_DIRECT } else { LINE_COARSE };
             for &pair in &pairs {
-                let search = search(pair);
-                for start in options.starts.between(metric, rule, pair, grid, intervals) {
-                    match search.check(&start).and_then(|()| search.run(start)) {
-                        Ok(found) => {
-                            steps += found.iterations;
-                            candidates.push(Candidate::new(pair, found));
-                        }
-                        Err(error) => refused = refused.or(Some(error.into())),
-                    }
-                }
+                search.try_starts(pair, grid, intervals, &mut candidates);
             }
             lowest_first(&mut candidates);
         }
@@ -184,9 +135,11 @@ pub fn minimise_in<const D: usize, R: Rule>(
             candidates.iter().filter(|c| !c.failed()).map(|c| c.found.energy).collect()
         });
     }
-    let Some(Candidate { found, levels, iterations, .. }) = candidates.into_iter().next() else {
+    let Search { iterations, refused, .. } = search;
+    let Some(candidate) = candidates.into_iter().next() else {
         return Err(refused.unwrap_or(SolveError::NoStart));
     };
+    let Candidate { found, levels, iterations: own_iterations, .. } = candidate;
     Ok(Minimum {
         sequence: found.sequence,
         energy: found.energy,
@@ -195,102 +148,85 @@ pub fn minimise_in<const D: usize, R: Rule>(
         residual_floor: found.residual_floor,
         stop: found.stop,
         curvature: found.curvature,
-        iterations: steps,
-        own_iterations: iterations,
+        iterations,
+        own_iterations,
         levels,
         local_minima: local_minima.unwrap_or_default(),
     })
 }
 
-/// A local minimiser, the pieces it runs between and its energies on coarser grids.
-struct Candidate<'a, const D: usize> {
-    ends: [&'a dyn ClosedSet<D>; 2],
-    found: Found<D>,
-    /// The sequences on coarser grids, the finest last, as far as they are needed.
-    coarser: Vec<PointSequence<D>>,
-    levels: Vec<Level>,
-    /// Newton steps so far.
+/// What all local searches have in common.
+struct Search<'a, M, R, const D: usize> {
+    workspace: &'a mut Workspace<D>,
+    metric: &'a M,
+    rule: R,
+    options: &'a Options<D>,
+    /// Newton steps of all searches so far.
     iterations: usize,
+    /// Why the first one that failed did.
+    refused: Option<SolveError>,
 }
 
-impl<'a, const D: usize> Candidate<'a, D> {
-    fn new(ends: [&'a dyn ClosedSet<D>; 2], found: Found<D>) -> Self {
-        let (levels, iterations) = (vec![level(&found)], found.iterations);
-        Self { ends, levels, coarser: Vec::new(), iterations, found }
+impl<'a, M: Metric<D>, R: Rule, const D: usize> Search<'a, M, R, D> {
+    fn between<'e>(&self, ends: [&'e dyn ClosedSet<D>; 2]) -> LocalSearch<'e, M, R, D>
+    where
+        'a: 'e,
+    {
+        let (metric, rule) = (self.metric, self.rule);
+        LocalSearch { metric, rule, ends, iterations: self.options.iterations }
     }
 
-    /// Goes over to the minimiser on the next grid; returns points on a coarser one which are not
-    /// needed any more.
-    fn refined(mut self, found: Found<D>) -> (Self, Option<PointSequence<D>>) {
-        self.levels.push(level(&found));
-        self.iterations += found.iterations;
-        self.coarser.push(std::mem::replace(&mut self.found, found).sequence);
-        let unused = self.coarser.len() >= EXTRAPOLATED;
-        let unused = unused.then(|| self.coarser.remove(0));
-        (self, unused)
+    /// Counts what a search has taken, and keeps what it has found, if its energy is a number.
+    fn accept(&mut self, found: Result<Found<D>, SolveError>) -> Option<Found<D>> {
+        let found = found.and_then(|found| {
+            self.iterations += found.iterations;
+            let energy = found.energy;
+            if energy.is_finite() { Ok(found) } else { Err(SolveError::Energy { energy }) }
+        });
+        found.map_err(|error| self.refused.get_or_insert(error)).ok()
     }
 
-    /// Whether the energy has risen so much since the coarser grid that it was that of leaps.
-    fn leapt(&self) -> bool {
-        matches!(self.levels[..], [.., coarse, fine] if fine.energy > LEAP * coarse.energy)
+    /// Follows a local minimiser to a finer grid.
+    fn follow<'e>(&mut self, candidate: Candidate<'e, D>, grid: usize) -> Option<Candidate<'e, D>>
+    where
+        'a: 'e,
+    {
+        let search = self.between(candidate.ends);
+        let start = |memory| candidate.start(grid, R::ERROR_EXPONENT, memory);
+        let mut in_vain = 0;
+        let refined = (grid >= FINE).then(|| {
+            let start = start(self.workspace.spare.take(grid + 1)).ok()?;
+            search.refine(start, &candidate.found, self.workspace, &mut in_vain)
+        });
+        let found = refined.flatten().map_or_else(
+            || {
+                let found = search.run(start(Vec::new())?)?;
+                Ok(Found { iterations: in_vain + found.iterations, ..found })
+            },
+            Ok,
+        );
+        let (candidate, unused) = candidate.refined(self.accept(found)?);
+        unused.into_iter().for_each(|x| self.workspace.spare.give(x.into_points()));
+        Some(candidate)
     }
 
-    fn failed(&self) -> bool {
-        matches!(self.found.stop, Stop::Stalled | Stop::IterationLimit)
-    }
-
-    /// Where to start on the next grid of `n` chords.
-    ///
-    /// The points obey `x_N = x + a N⁻ᑫ + b N⁻²ᑫ + …` as the energies do, so that three grids tell
-    /// where they go on the fourth, by a polynomial in `N⁻ᑫ`. What is left of the error is of the
-    /// order of rounding on fine grids, and no Newton step is needed there.
-    fn start(
-        &self,
-        n: usize,
-        exponent: i32,
-        memory: Vec<SVector<f64, D>>,
-    ) -> Result<PointSequence<D>, SequenceError> {
-        let sequence = &self.found.sequence;
-        let here = sequence.n().get();
-        let fine_enough = |coarser: &&PointSequence<D>| coarser.n().get() >= COARSE;
-        let coarser: Vec<_> = self.coarser.iter().filter(fine_enough).collect();
-        if coarser.is_empty() {
-            return PointSequence::new(prolong_into(sequence, n, memory));
+    /// Searches from every start between two pieces of the sets.
+    fn try_starts<'e>(
+        &mut self,
+        ends: [&'e dyn ClosedSet<D>; 2],
+        grid: usize,
+        intervals: usize,
+        candidates: &mut Vec<Candidate<'e, D>>,
+    ) where
+        'a: 'e,
+    {
+        let search = self.between(ends);
+        for start in self.options.starts.between(self.metric, self.rule, ends, grid, intervals) {
+            let found = search.check(&start).and_then(|()| search.run(start));
+            let found = self.accept(found.map_err(SolveError::Metric));
+            candidates.extend(found.map(|found| Candidate::new(ends, found)));
         }
-        let power = |n: usize| (n as f64).powi(-exponent);
-        // The weight of each in the polynomial of Lagrange through all.
-        let grids: Vec<_> = coarser.iter().map(|c| c.n().get()).chain([here]).map(power).collect();
-        let weight = |own: usize| {
-            let others = grids.iter().enumerate().filter(|(other, _)| *other != own);
-            others.map(|(_, h)| (power(n) - h) / (grids[own] - h)).product::<f64>()
-        };
-        let mut points = sequence.points().to_vec();
-        for (own, coarser) in coarser.into_iter().enumerate() {
-            let weight = weight(own);
-            let before = prolong(coarser, here);
-            let with = points.iter_mut().zip(sequence.points()).zip(&before);
-            with.for_each(|((point, x), y)| *point += (y - x) * weight);
-        }
-        points[0] = self.ends[0].project(&points[0]);
-        points[here] = self.ends[1].project(&points[here]);
-        PointSequence::new(prolong_into(&PointSequence::new(points)?, n, memory))
     }
-}
-
-fn level<const D: usize>(found: &Found<D>) -> Level {
-    Level { n: found.sequence.n().get(), energy: found.energy }
-}
-
-/// Sorts by energy, and keeps one of those that are the same. A search that did not converge
-/// counts behind all that did: its energy is that of no minimiser.
-fn lowest_first<const D: usize>(candidates: &mut Vec<Candidate<'_, D>>) {
-    candidates.sort_by(|a, b| {
-        a.failed().cmp(&b.failed()).then(a.found.energy.total_cmp(&b.found.energy))
-    });
-    candidates.dedup_by(|b, a| {
-        a.failed() == b.failed()
-            && (b.found.energy - a.found.energy).abs() <= DIFFERENT * a.found.energy.abs()
-    });
 }
 
 /// The grids on the way to `n`, coarsest first.
@@ -307,44 +243,26 @@ fn grids(n: usize) -> Vec<usize> {
 
 #[cfg(test)]
 mod tests {
-    use tautline_discretizations::{LeftEndpoint, PointSequence, Rule, Trapezoidal};
-    use tautline_metrics::gallery::Valleys;
-    use tautline_sets::Point;
+    use nalgebra::SMatrix;
+    use tautline_discretizations::Trapezoidal;
+    use tautline_metrics::gallery::Constant;
+    use tautline_sets::Ends;
 
-    use super::{Candidate, grids};
-    use crate::local_search::LocalSearch;
+    use super::{Options, grids, minimise};
+    use crate::SolveError;
 
-    /// How far the start with 3200 chords is from the minimiser, after a search on these grids.
-    fn distance<R: Rule>(rule: R, grids: &[usize]) -> f64 {
-        let ends = [[0.0, 0.0], [2.0, 1.5]].map(|x| Point::new(x).expect("finite"));
-        let ends: [&dyn tautline_sets::ClosedSet<2>; 2] = [&ends[0], &ends[1]];
-        let search = LocalSearch { metric: &Valleys, rule, ends, iterations: 50 };
-        let solve = |n| {
-            let line = PointSequence::straight([0.0, 0.0], [2.0, 1.5], n).expect("finite");
-            search.run(line).expect("a metric")
-        };
-        let candidate = Candidate::new(ends, solve(grids[0]));
-        let candidate = grids[1..].iter().fold(candidate, |c, &n| c.refined(solve(n)).0);
-        let start = candidate.start(3200, R::ERROR_EXPONENT, Vec::new()).expect("finite");
-        let fine = solve(3200).sequence;
-        let pairs = start.points().iter().zip(fine.points());
-        pairs.map(|(x, y)| (x - y).amax()).fold(0.0, f64::max)
-    }
-
-    /// The first term of the error is of second order for one rule and of first for the other, and
-    /// the next of twice that: what is left is smaller by about the coarsest step or its square, for
-    /// each grid more. Without the right power, or with the wrong sign, as much is left as there was.
     #[test]
-    fn the_points_are_extrapolated_to_the_next_grid() {
-        let one_by_one = [[800].as_slice(), &[200, 800], &[100, 200, 800], &[100, 100, 200, 800]];
-        for [one, two, three, again] in [
-            one_by_one.map(|grids| distance(Trapezoidal, grids)),
-            one_by_one.map(|grids| distance(LeftEndpoint, grids)),
-        ] {
-            assert!(two < 0.1 * one, "{two:e} {one:e}");
-            assert!(three < 0.1 * two, "{three:e} {two:e}");
-            // No more than three are kept.
-            assert_eq!(again, three);
+    fn an_energy_beyond_the_range_of_f64_is_an_error() {
+        let euclidean = Constant::new(SMatrix::identity()).expect("positive definite");
+        let options = Options::default();
+        let between = |far: f64, n: usize| {
+            let ends = Ends::points([-far, 0.0], [far, far]).expect("finite");
+            minimise(&euclidean, &ends, Trapezoidal, n, &options)
+        };
+        for n in [1, 8, 100] {
+            assert!(between(1e150, n).expect("5e300").is_local_minimum());
+            let error = between(1e155, n).expect_err("5e310");
+            assert!(matches!(error, SolveError::Energy { .. } | SolveError::NoStart), "{error:?}");
         }
     }
 

@@ -24,8 +24,9 @@ pub struct Minimum<const D: usize> {
     /// ends, relative to the momentum `(c E)^{1/2}` with the mean `c` of
     /// `tr H / D`. Infinite if the metric has no derivative at a node.
     pub residual: f64,
-    /// What rounding alone does to the residual, predicted: `ε N² max |x| c / (c E)^{1/2}`.
-    /// A residual of a few times this cannot be lowered in `f64`.
+    /// What rounding alone does to the residual, predicted: `ε N² max |x| c / (c E)^{1/2}`, and from
+    /// three dimensions on `(D/2)^{1/2}` times that. A residual of a few times this cannot be lowered
+    /// in `f64`.
     pub residual_floor: f64,
     /// How the search ended.
     pub stop: Stop,

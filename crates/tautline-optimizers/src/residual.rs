@@ -54,7 +54,9 @@ impl<const D: usize> Residual<D> {
         if !(momentum > 0.0) {
             return (0.0, 0.0);
         }
-        let floor = n * rounding(sequence) * (magnitude.mean_gram / momentum);
+        // The rounding of D coordinates adds up as a sum of squares.
+        let dimensions = (D as f64 / 2.0).max(1.0).sqrt();
+        let floor = dimensions * n * rounding(sequence) * (magnitude.mean_gram / momentum);
         // Where the metric has no derivative.
         let infinite_if_nan = |x: f64| if x.is_nan() { f64::INFINITY } else { x };
         let root = (self.inner / n).sqrt() * (self.unit / momentum);

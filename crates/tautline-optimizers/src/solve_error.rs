@@ -22,6 +22,12 @@ pub enum SolveError {
     /// A point sequence became infinite on the way to a finer grid.
     #[error(transparent)]
     Sequence(#[from] SequenceError),
+    /// The discrete energy of what was found is out of the range of `f64`.
+    #[error("the energy is {energy}: the coordinates or the metric are too large for f64")]
+    Energy {
+        /// The energy, in `m²`.
+        energy: f64,
+    },
     /// There was no sequence to start from: none was given, or none has finite points.
     #[error("no sequence of finite points to start from")]
     NoStart,

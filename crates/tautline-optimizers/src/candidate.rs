@@ -1,0 +1,214 @@
+//! `Candidate`: a local minimiser on its way from grid to grid.
+
+use nalgebra::SVector;
+use tautline_discretizations::{PointSequence, SequenceError};
+use tautline_sets::ClosedSet;
+
+use crate::{
+    Level, Stop,
+    local_search::Found,
+    prolongation::{prolong, prolong_into},
+};
+
+/// Where the least energy rises by this factor from one grid to the next, the discrete minimisers
+/// of the coarser one leapt over ridges that the finer one resolves, and need not lead to its lowest:
+/// the starts are tried again.
+const LEAP: f64 = 1.5;
+
+/// From so many grids the points are extrapolated, and none of them coarser than this.
+const EXTRAPOLATED: usize = 3;
+const COARSE: usize = 32;
+
+/// Minima are different if their energies differ by more than this, relatively.
+const DIFFERENT: f64 = 1e-9;
+
+/// A local minimiser, the pieces it runs between and its energies on coarser grids.
+pub(crate) struct Candidate<'a, const D: usize> {
+    pub(crate) ends: [&'a dyn ClosedSet<D>; 2],
+    pub(crate) found: Found<D>,
+    /// The sequences on coarser grids, the finest last, as far as they are needed.
+    coarser: Vec<PointSequence<D>>,
+    pub(crate) levels: Vec<Level>,
+    /// Newton steps so far.
+    pub(crate) iterations: usize,
+}
+
+impl<'a, const D: usize> Candidate<'a, D> {
+    pub(crate) fn new(ends: [&'a dyn ClosedSet<D>; 2], found: Found<D>) -> Self {
+        let (levels, iterations) = (vec![level(&found)], found.iterations);
+        Self { ends, levels, coarser: Vec::new(), iterations, found }
+    }
+
+    /// Goes over to the minimiser on the next grid; returns points on a coarser one which are not
+    /// needed any more.
+    pub(crate) fn refined(mut self, found: Found<D>) -> (Self, Option<PointSequence<D>>) {
+        self.levels.push(level(&found));
+        self.iterations += found.iterations;
+        self.coarser.push(std::mem::replace(&mut self.found, found).sequence);
+        if self.leapt() {
+            // They lead elsewhere.
+            self.coarser.clear();
+        }
+        let unused = self.coarser.len() >= EXTRAPOLATED;
+        let unused = unused.then(|| self.coarser.remove(0));
+        (self, unused)
+    }
+
+    /// Whether the energy has risen so much since the coarser grid that it was that of leaps.
+    pub(crate) fn leapt(&self) -> bool {
+        matches!(self.levels[..], [.., coarse, fine] if fine.energy > LEAP * coarse.energy)
+    }
+
+    pub(crate) fn failed(&self) -> bool {
+        matches!(self.found.stop, Stop::Stalled | Stop::IterationLimit)
+    }
+
+    /// Where to start on the next grid of `n` chords.
+    ///
+    /// The points obey `x_N = x + a N⁻ᑫ + b N⁻²ᑫ + …` as the energies do, so that three grids tell
+    /// where they go on the fourth, by a polynomial in `N⁻ᑫ`. What is left of the error is of the
+    /// order of rounding on fine grids, and no Newton step is needed there.
+    pub(crate) fn start(
+        &self,
+        n: usize,
+        exponent: i32,
+        memory: Vec<SVector<f64, D>>,
+    ) -> Result<PointSequence<D>, SequenceError> {
+        let sequence = &self.found.sequence;
+        let here = sequence.n().get();
+        let fine_enough = |coarser: &&PointSequence<D>| coarser.n().get() >= COARSE;
+        let coarser: Vec<_> = self.coarser.iter().filter(fine_enough).collect();
+        if coarser.is_empty() {
+            return PointSequence::new(prolong_into(sequence, n, memory));
+        }
+        let power = |n: usize| (n as f64).powi(-exponent);
+        // The weight of each in the polynomial of Lagrange through all.
+        let grids: Vec<_> = coarser.iter().map(|c| c.n().get()).chain([here]).map(power).collect();
+        let weight = |own: usize| {
+            let others = grids.iter().enumerate().filter(|(other, _)| *other != own);
+            others.map(|(_, h)| (power(n) - h) / (grids[own] - h)).product::<f64>()
+        };
+        let mut points = sequence.points().to_vec();
+        for (own, coarser) in coarser.into_iter().enumerate() {
+            let weight = weight(own);
+            let before = prolong(coarser, here);
+            let with = points.iter_mut().zip(sequence.points()).zip(&before);
+            with.for_each(|((point, x), y)| *point += (y - x) * weight);
+        }
+        points[0] = self.ends[0].project(&points[0]);
+        points[here] = self.ends[1].project(&points[here]);
+        PointSequence::new(prolong_into(&PointSequence::new(points)?, n, memory))
+    }
+}
+
+fn level<const D: usize>(found: &Found<D>) -> Level {
+    Level { n: found.sequence.n().get(), energy: found.energy }
+}
+
+/// Sorts by energy, and keeps one of those that are the same: that which has been followed over most
+/// grids. A search that did not converge counts behind all that did: its energy is that of no
+/// minimiser.
+pub(crate) fn lowest_first<const D: usize>(candidates: &mut Vec<Candidate<'_, D>>) {
+    candidates.sort_by(|a, b| {
+        a.failed().cmp(&b.failed()).then(a.found.energy.total_cmp(&b.found.energy))
+    });
+    candidates.dedup_by(|b, a| {
+        let same = a.failed() == b.failed()
+            && (b.found.energy - a.found.energy).abs() <= DIFFERENT * a.found.energy.abs();
+        if same && b.levels.len() > a.levels.len() {
+            std::mem::swap(a, b);
+        }
+        same
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use tautline_discretizations::{LeftEndpoint, PointSequence, Rule, Trapezoidal};
+    use tautline_metrics::gallery::Valleys;
+    use tautline_sets::Point;
+
+    use super::{Candidate, lowest_first};
+    use crate::{
+        Curvature, Stop,
+        local_search::{Found, LocalSearch},
+    };
+
+    /// How far the start with 3200 chords is from the minimiser, after a search on these grids.
+    fn distance<R: Rule>(rule: R, grids: &[usize]) -> f64 {
+        let ends = [[0.0, 0.0], [2.0, 1.5]].map(|x| Point::new(x).expect("finite"));
+        let ends: [&dyn tautline_sets::ClosedSet<2>; 2] = [&ends[0], &ends[1]];
+        let search = LocalSearch { metric: &Valleys, rule, ends, iterations: 50 };
+        let solve = |n| {
+            let line = PointSequence::straight([0.0, 0.0], [2.0, 1.5], n).expect("finite");
+            search.run(line).expect("a metric")
+        };
+        let candidate = Candidate::new(ends, solve(grids[0]));
+        let candidate = grids[1..].iter().fold(candidate, |c, &n| c.refined(solve(n)).0);
+        let start = candidate.start(3200, R::ERROR_EXPONENT, Vec::new()).expect("finite");
+        let fine = solve(3200).sequence;
+        let pairs = start.points().iter().zip(fine.points());
+        pairs.map(|(x, y)| (x - y).amax()).fold(0.0, f64::max)
+    }
+
+    /// The first term of the error is of second order for one rule and of first for the other, and
+    /// the next of twice that: what is left is smaller by about the coarsest step or its square, for
+    /// each grid more. Without the right power, or with the wrong sign, as much is left as there was.
+    #[test]
+    fn the_points_are_extrapolated_to_the_next_grid() {
+        let one_by_one = [[800].as_slice(), &[200, 800], &[100, 200, 800], &[100, 100, 200, 800]];
+        for [one, two, three, again] in [
+            one_by_one.map(|grids| distance(Trapezoidal, grids)),
+            one_by_one.map(|grids| distance(LeftEndpoint, grids)),
+        ] {
+            assert!(two < 0.1 * one, "{two:e} {one:e}");
+            assert!(three < 0.1 * two, "{three:e} {two:e}");
+            // No more than three are kept.
+            assert_eq!(again, three);
+        }
+    }
+
+    /// A result with this energy, whatever it is of.
+    fn found(n: usize, energy: f64) -> Found<2> {
+        Found {
+            sequence: PointSequence::straight([0.0, 0.0], [1.0, 0.0], n).expect("finite"),
+            energy,
+            mean_gram: 1.0,
+            decrement: 0.0,
+            residual: 0.0,
+            residual_floor: 0.0,
+            stop: Stop::Converged,
+            curvature: Curvature::PositiveDefinite,
+            iterations: 1,
+            from: 0.0,
+        }
+    }
+
+    #[test]
+    fn grids_before_a_leap_are_not_extrapolated_from() {
+        let point = Point::new([0.0, 0.0]).expect("finite");
+        let coarse = || Candidate::new([&point, &point], found(32, 1.0)).refined(found(64, 1.1)).0;
+        assert_eq!(coarse().coarser.len(), 1);
+        let (steady, _) = coarse().refined(found(128, 1.1));
+        assert_eq!((steady.leapt(), steady.coarser.len()), (false, 2));
+        let (leapt, _) = coarse().refined(found(128, 2.0));
+        assert_eq!((leapt.leapt(), leapt.coarser.len()), (true, 0));
+    }
+
+    #[test]
+    fn of_two_that_are_the_same_the_one_from_more_grids_is_kept() {
+        let point = Point::new([0.0, 0.0]).expect("finite");
+        let new = |energy| Candidate::new([&point, &point], found(64, energy));
+        let followed =
+            || Candidate::new([&point, &point], found(32, 1.0)).refined(found(64, 1.0)).0;
+        let lower = 1.0 - 1e-10;
+        for mut candidates in [vec![new(lower), followed()], vec![followed(), new(lower)]] {
+            lowest_first(&mut candidates);
+            let [Candidate { levels, .. }] = &candidates[..] else { panic!("one of them") };
+            assert_eq!(levels.len(), 2);
+        }
+        let mut different = vec![followed(), new(1.0 - 1e-8)];
+        lowest_first(&mut different);
+        assert_eq!(different.iter().map(|c| c.levels.len()).collect::<Vec<_>>(), [1, 2]);
+    }
+}
