@@ -26,7 +26,7 @@ fn assert_close(value: f64, reference: f64, relative: f64) {
 #[track_caller]
 fn assert_minimum<const D: usize>(minimum: &Minimum<D>) {
     assert_eq!((minimum.stop, minimum.curvature), (Stop::Converged, Curvature::PositiveDefinite));
-    assert!(minimum.decrement <= 1e-15, "decrement {:e}", minimum.decrement);
+    assert!(minimum.decrement <= 1e-18, "decrement {:e}", minimum.decrement);
     // residual² = (N/4) |g|² / (c E), and |g|² ≤ ‖A‖ gᵀA⁻¹g = ‖A‖ 2 E decrement with the norm
     // ‖A‖ of some 4N c: at most 2 N² times the decrement. The floor is a typical size.
     let n = minimum.sequence.n().get() as f64;

@@ -114,7 +114,7 @@ fn stops_well<const D: usize>(minimum: &Minimum<D>) -> Result<(), TestCaseError>
     for value in [minimum.energy, minimum.decrement, minimum.residual, minimum.residual_floor] {
         prop_assert!((0.0..f64::INFINITY).contains(&value), "{value}");
     }
-    prop_assert!(minimum.decrement <= 1e-14, "decrement {:e}", minimum.decrement);
+    prop_assert!(minimum.decrement <= 1e-18, "decrement {:e}", minimum.decrement);
     Ok(())
 }
 
@@ -145,8 +145,9 @@ fn not_lowered<const D: usize>(
         perturbed[n] = ends.second().project(&perturbed[n]);
         let perturbed = PointSequence::new(perturbed).expect("finite");
         let energy = rule.energy(metric, &perturbed);
-        // No step promises more than the decrement, 1e-15; each term of the sum is rounded.
-        prop_assert!(energy >= minimum.energy * (1.0 - 1e-13), "{energy} below at {trial}");
+        // No step promises more than the decrement, 1e-18; each term of the sum is rounded, which
+        // in eight dimensions makes 1e-14.
+        prop_assert!(energy >= minimum.energy * (1.0 - 3e-14), "{energy} below at {trial}");
     }
     Ok(())
 }

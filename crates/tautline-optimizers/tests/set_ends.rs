@@ -26,7 +26,7 @@ fn solve<const D: usize>(
 ) -> Minimum<D> {
     let minimum = minimise(metric, ends, Trapezoidal, n, &Options::default()).expect("a metric");
     assert_eq!((minimum.stop, minimum.curvature), (Stop::Converged, Curvature::PositiveDefinite));
-    assert!(minimum.decrement <= 1e-15, "decrement {:e}", minimum.decrement);
+    assert!(minimum.decrement <= 1e-18, "decrement {:e}", minimum.decrement);
     let (_, gradient) = energy_gradient(Trapezoidal, metric, &minimum.sequence);
     for (set, x, g) in [
         (ends.first(), minimum.sequence.first(), &gradient[0]),

@@ -130,7 +130,7 @@ fn far_from_the_origin_the_floor_predicts_the_residual() {
                 assert!(far.iterations < 100 + near.iterations, "{which}: {}", far.iterations);
                 // A decrement that is not yet rounding has residual² ≤ 2 N² decrement, with
                 // 4 granted for the condition of the metric and for the ends.
-                let unfinished = 4.0 * n as f64 * 1e-15_f64.sqrt();
+                let unfinished = 4.0 * n as f64 * 1e-18_f64.sqrt();
                 let ratio = far.residual / far.residual_floor;
                 assert!(far.residual <= 30.0 * far.residual_floor + unfinished, "{which}: {ratio}");
                 if n >= 100 && far.residual_floor > unfinished {
@@ -178,9 +178,9 @@ fn exchanging_the_ends_reverses_the_sequence() {
     let back = solve(&back.expect("one bounded"), &turned);
     assert!(forth.is_local_minimum() && back.is_local_minimum());
     assert!((forth.energy / back.energy - 1.0).abs() <= 1e-14);
-    // A relative decrement below 1e-15 leaves displacements of some 3e-8.
+    // A relative decrement below 1e-18 leaves displacements of some 1e-9.
     let points = forth.sequence.points().iter().zip(back.sequence.points().iter().rev());
-    assert!(points.into_iter().all(|(x, y)| (x - y).amax() < 1e-6));
+    assert!(points.into_iter().all(|(x, y)| (x - y).amax() < 1e-8));
 }
 
 /// `H = I`, `(0, 0) → (1, 1) → (2, 0)` with the end on a wall: `E = 8`, `ρ₁ = (0, 8)`, and the
