@@ -33,43 +33,22 @@
 //! A Newton step that would leave the region where the metric is finite and positive is
 //! shortened; a saddle is left along the direction of its most negative curvature.
 
-mod asymptotics_error;
-mod candidate;
-mod damping;
-mod end_frame;
-mod extrapolation;
-mod factorization;
-mod front;
-mod geodesic_means;
-mod ldl;
-mod leading_constants;
-mod lengthening;
-mod line_minimum;
-mod local_search;
-mod magnitude;
-mod minimise;
-mod minimum;
-mod newton_pass;
-mod newton_step;
-mod prolongation;
-mod reduced_system;
-mod refinement;
-mod residual;
-mod rounding;
-mod saddle;
-mod solve_error;
-mod starts;
-mod stationarity;
-mod sweep;
-mod twisted_factorization;
-mod workspace;
+mod asymptotics;
+mod newton;
+mod search;
 
-pub use asymptotics_error::AsymptoticsError;
-pub use extrapolation::{Estimate, extrapolate};
-pub use leading_constants::{LeadingConstants, leading_constants};
-pub use minimise::{Options, minimise, minimise_in};
-pub use minimum::{Curvature, Level, Minimum, Stop};
-pub use newton_step::{NewtonStep, newton_step};
-pub use solve_error::SolveError;
-pub use starts::Starts;
-pub use workspace::Workspace;
+pub use asymptotics::{
+    asymptotics_error::AsymptoticsError,
+    extrapolation::{Estimate, extrapolate},
+    leading_constants::{LeadingConstants, leading_constants},
+};
+pub use newton::{
+    newton_step::{NewtonStep, newton_step},
+    workspace::Workspace,
+};
+pub use search::{
+    minimise::{Options, minimise, minimise_in},
+    minimum::{Curvature, Level, Minimum, Stop},
+    solve_error::SolveError,
+    starts::Starts,
+};

@@ -4,7 +4,7 @@ use std::fmt;
 
 use nalgebra::SVector;
 
-use crate::twisted_factorization::TwistedFactorization;
+use crate::newton::twisted_factorization::TwistedFactorization;
 
 /// Memory for searches, which grows with the largest of them and is kept for the next.
 ///

@@ -4,7 +4,7 @@ use nalgebra::SVector;
 use tautline_discretizations::{PointSequence, Rule};
 use tautline_metrics::Metric;
 
-use crate::local_search::LocalSearch;
+use crate::search::local_search::LocalSearch;
 
 /// How much of twice the decrement a step has to shed to be called short: three quarters.
 const SHORT: f64 = 1.5;
@@ -45,7 +45,7 @@ mod tests {
     use tautline_metrics::gallery::Constant;
     use tautline_sets::Point;
 
-    use crate::local_search::LocalSearch;
+    use crate::search::local_search::LocalSearch;
 
     /// From `x` to the minimiser `x + p` the energy of a constant metric is quadratic: with the
     /// step `p/12`, `κ = δ/12`, so that 1, 2 and 4 steps shed at least `(2 − 4/12) δt` and are

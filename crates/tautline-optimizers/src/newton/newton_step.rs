@@ -5,7 +5,10 @@ use tautline_discretizations::{PointSequence, Rule};
 use tautline_metrics::Metric;
 use tautline_sets::ClosedSet;
 
-use crate::{Workspace, magnitude::Magnitude, newton_pass::NewtonPass};
+use crate::{
+    Workspace,
+    newton::{magnitude::Magnitude, newton_pass::NewtonPass},
+};
 
 /// A Newton step from a point sequence, and what it promises.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 use tautline_discretizations::{PointSequence, QuadraticModel};
 
-use crate::magnitude::Magnitude;
+use crate::newton::magnitude::Magnitude;
 
 /// Relative decrement at which a search has converged: the energy cannot be lowered in `f64`
 /// from `10⁻¹⁵` on, but the points, off by the root of it, can be improved.
@@ -45,7 +45,7 @@ fn extent_from_origin<const D: usize>(points: &[SVector<f64, D>]) -> f64 {
 }
 
 /// How far the computed eigenvalues of the Hessian may be off, as a multiple of the
-/// regulariser of [`Shifted`](crate::factorization::Shifted): a Hessian that is definite by
+/// regulariser of [`Shifted`](crate::newton::factorization::Shifted): a Hessian that is definite by
 /// less is not told from one with an eigenvalue zero, as a continuum of minimisers has.
 ///
 /// The blocks, of the size `4N`, are sums of rounded terms, and eliminated with as many

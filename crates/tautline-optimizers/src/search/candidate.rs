@@ -6,8 +6,10 @@ use tautline_sets::ClosedSet;
 
 use crate::{
     Level, Stop,
-    local_search::Found,
-    prolongation::{prolong, prolong_into},
+    search::{
+        local_search::Found,
+        prolongation::{prolong, prolong_into},
+    },
 };
 
 /// Where the least energy rises by this factor from one grid to the next, the discrete minimisers
@@ -131,7 +133,7 @@ mod tests {
     use super::{Candidate, lowest_first};
     use crate::{
         Curvature, Stop,
-        local_search::{Found, LocalSearch},
+        search::local_search::{Found, LocalSearch},
     };
 
     /// How far the start with 3200 chords is from the minimiser, after a search on these grids.

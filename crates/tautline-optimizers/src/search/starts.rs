@@ -5,7 +5,7 @@ use tautline_discretizations::{PointSequence, Rule};
 use tautline_metrics::Metric;
 use tautline_sets::ClosedSet;
 
-use crate::{line_minimum::line_minimum, prolongation::prolong};
+use crate::search::{line_minimum::line_minimum, prolongation::prolong};
 
 /// Where to start the local searches.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -5,7 +5,7 @@ use tautline_discretizations::PointSequence;
 use tautline_metrics::Lanes;
 use tautline_sets::ClosedSet;
 
-use crate::{end_frame::EndFrame, magnitude::Magnitude, rounding::rounding};
+use crate::newton::{end_frame::EndFrame, magnitude::Magnitude, rounding::rounding};
 
 /// The residual of [`Minimum`](crate::Minimum), from the gradients by one point after the other.
 pub(crate) struct Residual<const D: usize> {

@@ -4,7 +4,10 @@ use nalgebra::SVector;
 use tautline_discretizations::{PointSequence, QuadraticModel, Rule};
 use tautline_metrics::Metric;
 
-use crate::{damping::SHIFT_FACTOR, local_search::LocalSearch, reduced_system::ReducedSystem};
+use crate::{
+    newton::reduced_system::ReducedSystem,
+    search::{damping::SHIFT_FACTOR, local_search::LocalSearch},
+};
 
 impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
     /// Walks down from a saddle, along the direction of the most negative curvature.

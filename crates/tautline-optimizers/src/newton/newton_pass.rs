@@ -5,7 +5,7 @@ use tautline_discretizations::{LinearModel, PointSequence, Rule};
 use tautline_metrics::Metric;
 use tautline_sets::ClosedSet;
 
-use crate::{
+use crate::newton::{
     end_frame::EndFrame,
     magnitude::Magnitude,
     residual::Residual,
@@ -16,7 +16,7 @@ use crate::{
 
 /// A Newton step from a point sequence where the Hessian is positive definite.
 ///
-/// The same step as that of a [`ReducedSystem`](crate::reduced_system::ReducedSystem) without
+/// The same step as that of a [`ReducedSystem`](crate::newton::reduced_system::ReducedSystem) without
 /// shift, by one [`sweep`] there and a substitution back.
 pub(crate) struct NewtonPass<'a, const D: usize> {
     sweep: Sweep<D>,
@@ -107,7 +107,7 @@ mod tests {
     use super::{Magnitude, NewtonPass, Residual};
     use crate::{
         Workspace,
-        reduced_system::{ReducedSystem, Step},
+        newton::reduced_system::{ReducedSystem, Step},
     };
 
     /// The numbers of the pass and those of the system that is set up, factorised and solved.

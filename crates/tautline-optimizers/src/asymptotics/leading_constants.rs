@@ -8,8 +8,9 @@ use tautline_metrics::Metric;
 use tautline_sets::{ClosedSet, Ends};
 
 use crate::{
-    AsymptoticsError, Minimum, Stop, geodesic_means::GeodesicMeans, reduced_system::ReducedSystem,
-    rounding::margin,
+    AsymptoticsError, Minimum, Stop,
+    asymptotics::geodesic_means::GeodesicMeans,
+    newton::{reduced_system::ReducedSystem, rounding::margin},
 };
 
 /// The limits, as `N → ∞`, of the errors of the discrete minimisers times `N` or `N²`, in `m²`.

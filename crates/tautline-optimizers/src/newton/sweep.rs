@@ -5,7 +5,7 @@ use tautline_discretizations::{ChordModel, PointSequence, Rule};
 use tautline_metrics::{Lanes, Metric, Pair};
 use tautline_sets::ClosedSet;
 
-use crate::{
+use crate::newton::{
     end_frame::EndFrame, factorization::Regulariser, front::Front, magnitude::Magnitude,
     residual::Residual, rounding::margin, stationarity::Stationarity,
     twisted_factorization::TwistedFactorization,

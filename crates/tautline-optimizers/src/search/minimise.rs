@@ -6,8 +6,10 @@ use tautline_sets::{ClosedSet, Ends, common_point};
 
 use crate::{
     Minimum, SolveError, Starts, Workspace,
-    candidate::{Candidate, lowest_first},
-    local_search::{Found, LocalSearch},
+    search::{
+        candidate::{Candidate, lowest_first},
+        local_search::{Found, LocalSearch},
+    },
 };
 
 /// How to search.

@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 use tautline_discretizations::{ChordModel, CompensatedSum};
 use tautline_metrics::{Lanes, Pair};
 
-use crate::{
+use crate::newton::{
     end_frame::{EndFrame, EndRow},
     factorization::{Pivot, Regulariser},
     ldl::Ldl,

@@ -2,7 +2,7 @@
 
 use tautline_discretizations::PointSequence;
 
-use crate::{magnitude::Magnitude, rounding::negligible};
+use crate::newton::{magnitude::Magnitude, rounding::negligible};
 
 /// What first derivatives and a factorisation of the Hessian say about a point sequence.
 #[derive(Clone, Copy, Debug)]

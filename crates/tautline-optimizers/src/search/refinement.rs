@@ -5,11 +5,8 @@ use tautline_metrics::{Metric, Pair, check_gram};
 
 use crate::{
     Curvature, Stop, Workspace,
-    local_search::{Found, LocalSearch},
-    newton_pass::NewtonPass,
-    rounding::margin,
-    stationarity::Stationarity,
-    sweep::sweep,
+    newton::{newton_pass::NewtonPass, rounding::margin, stationarity::Stationarity, sweep::sweep},
+    search::local_search::{Found, LocalSearch},
 };
 
 /// So many steps are enough where each squares the decrement; a search that needs more is no such

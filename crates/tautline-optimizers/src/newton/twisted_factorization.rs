@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 use tautline_metrics::{Lanes, Pair};
 
-use crate::{factorization::Pivot, ldl::Ldl};
+use crate::newton::{factorization::Pivot, ldl::Ldl};
 
 /// The factorisation by blocks of a positive definite block-tridiagonal matrix, from both ends
 /// towards the middle: block `n` from the front and block `N − n` from the back are eliminated side

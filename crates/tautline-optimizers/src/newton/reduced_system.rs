@@ -4,7 +4,7 @@ use nalgebra::SVector;
 use tautline_discretizations::QuadraticModel;
 use tautline_sets::ClosedSet;
 
-use crate::{
+use crate::newton::{
     end_frame::{Coordinate, EndFrame, EndRow},
     factorization::{Factorization, Regulariser, Shifted},
     rounding::margin,

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, SMatrix, SVector};
 use tautline_discretizations::BlockTridiagonal;
 use tautline_metrics::Lanes;
 
-use crate::ldl::Ldl;
+use crate::newton::ldl::Ldl;
 
 /// A symmetric block-tridiagonal matrix `A + μ R`, where `R` is the regulariser
 /// `s (N Λ + I/N)` with the path Laplacian `Λ`: the discrete `∫ s (|δ̇|² + |δ|²) dt`.

@@ -9,12 +9,14 @@ use tautline_sets::ClosedSet;
 
 use crate::{
     Curvature, Stop,
-    damping::{Damping, LAST_SHIFT},
-    factorization::Factorization,
-    magnitude::Magnitude,
-    reduced_system::{ReducedSystem, Step},
-    residual::Residual,
-    rounding::{is_rounding, margin, negligible},
+    newton::{
+        factorization::Factorization,
+        magnitude::Magnitude,
+        reduced_system::{ReducedSystem, Step},
+        residual::Residual,
+        rounding::{is_rounding, margin, negligible},
+    },
+    search::damping::{Damping, LAST_SHIFT},
 };
 
 /// Relative decrement below which Newton steps are taken without looking at the energy: the

@@ -1,0 +1,16 @@
+//! Newton steps: one look at a point sequence, and where it leads.
+
+pub(crate) mod end_frame;
+pub(crate) mod factorization;
+pub(crate) mod front;
+pub(crate) mod ldl;
+pub(crate) mod magnitude;
+pub(crate) mod newton_pass;
+pub(crate) mod newton_step;
+pub(crate) mod reduced_system;
+pub(crate) mod residual;
+pub(crate) mod rounding;
+pub(crate) mod stationarity;
+pub(crate) mod sweep;
+pub(crate) mod twisted_factorization;
+pub(crate) mod workspace;

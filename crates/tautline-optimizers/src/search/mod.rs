@@ -1,0 +1,14 @@
+//! The search for a minimiser, over starts and grids.
+
+pub(crate) mod candidate;
+pub(crate) mod damping;
+pub(crate) mod lengthening;
+pub(crate) mod line_minimum;
+pub(crate) mod local_search;
+pub(crate) mod minimise;
+pub(crate) mod minimum;
+pub(crate) mod prolongation;
+pub(crate) mod refinement;
+pub(crate) mod saddle;
+pub(crate) mod solve_error;
+pub(crate) mod starts;
