@@ -11,6 +11,8 @@ use crate::{
 /// The part of one chord in a discrete energy, with its first and second derivatives by the two
 /// points that it joins.
 ///
+/// With pairs of numbers, those of two chords side by side.
+///
 /// Derivation, for one node of weight 1 at the fraction `θ` of the chord `d = y − x`, with
 /// `H` and its derivatives at `x + θ d`, and `e = N dᵀHd` its part of the energy:
 ///

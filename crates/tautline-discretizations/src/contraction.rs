@@ -3,7 +3,8 @@
 use nalgebra::{SMatrix, SVector};
 use tautline_metrics::{Jet1, Jet2, Lanes, Metric, MixedJet, Pair, Scalar, is_gram};
 
-/// The derivatives of `H` at a point, contracted with a chord `d` as soon as they are known.
+/// The derivatives of `H` at a point, contracted with a chord `d` as soon as they are known; with
+/// pairs of numbers, at two points with two chords.
 #[derive(Clone, Debug)]
 pub(crate) struct Contraction<const D: usize, T = f64> {
     /// `H`.
@@ -35,7 +36,8 @@ const CHUNKED: usize = 24;
 const CHUNK: usize = 8;
 
 impl<T: Lanes, const D: usize> Contraction<D, T> {
-    /// With all derivatives of all entries at once.
+    /// With all derivatives of all entries at once. All sums begin with their first term: a zero to
+    /// begin with costs an addition for each.
     #[inline(always)]
     fn together(metric: &impl Metric<D>, y: &SVector<T, D>, d: &SVector<T, D>) -> Self {
         let jets = metric.gram(&SVector::from(Jet2::variables(&(*y).into())));

@@ -4,7 +4,7 @@ use crate::{Pair, Scalar};
 
 /// One or more `f64` side by side, on which every operation works at once.
 pub trait Lanes: Scalar {
-    /// How many.
+    /// How many numbers stand side by side.
     const LANES: usize;
 
     /// Returns the one with the number `lane`, from 0.

@@ -35,8 +35,8 @@
 //! # Two at a time
 //!
 //! A [`Pair`] is two `f64` in one vector register. A formula evaluated in `Jet2<Pair, D>` is expanded
-//! at two places for the price of little more than one: that is how the chords of a fine grid are
-//! gone through.
+//! at two places, and all arithmetic of both is done at once: that is how the chords of a fine grid
+//! are gone through.
 //!
 //! # Intervals
 //!

@@ -39,9 +39,10 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     ///
     /// # Errors
     ///
-    /// [`SolveError`] for `n = 0`, and where the metric is not finite, symmetric and positive
-    /// definite along all curves that were tried. A search that does not converge is no
-    /// error: the result says how it stopped.
+    /// [`SolveError`] for `n = 0`, where the metric is not finite, symmetric and positive definite
+    /// along all curves that were tried, and where numbers leave the range of `f64`, all as
+    /// [`minimise`](crate::minimise) says. A search that does not converge is no error: the result
+    /// says how it stopped.
     pub fn solve<R: Rule>(&self, rule: R, n: usize) -> Result<TautLine<M, R, D>, SolveError> {
         self.solve_with(rule, n, &Options::default())
     }

@@ -48,15 +48,14 @@ const DECREMENT: f64 = 1e-18;
 ///
 /// A coordinate is rounded by `u/2` at most, `u ≤ ε max |x|`, with the variance `u²/12`. In
 /// `ρₙ = (N/2) ∂E/∂xₙ`, about `N² H (xₙ₋₁ − 2xₙ + xₙ₊₁)`, three of them have the variance
-/// `N⁴ c² u²/2`, and `D` coordinates `D` times as much: the residual is `(D/2)^{1/2}` times its
-/// floor `ε N² max |x| c`, at most twice for `D ≤ 8`. As much again is granted for matrices `H`
-/// with entries above their mean `c`.
-const FLOORS: f64 = 4.0;
+/// `N⁴ c² u²/2`, and `D` coordinates `D` times as much: about the floor of the residual. Twice that is
+/// granted for matrices `H` with entries above their mean `c`.
+const FLOORS: f64 = 2.0;
 
 impl Search {
     /// Judges a result. The goal is reached if the search says that it converged, no eigenvalue of
     /// the Hessian is negative beyond rounding, and the decrement is at most `10⁻¹⁸` of the energy
-    /// or the residual at most four times its floor.
+    /// or the residual at most twice its floor.
     #[must_use]
     pub fn new<const D: usize>(minimum: &Minimum<D>) -> Self {
         Self { end: End::of(minimum), iterations: minimum.own_iterations }

@@ -15,7 +15,7 @@ pub(super) const TABLE: Table = Table {
             search that led to the result: from the default starts, of which 99.9 % must reach \
             the goal within 60 steps, and from one straight line alone; touch: the sets have a \
             point in common; above: it converged, but to a decrement above 1e-18 of the energy and \
-            a residual above 4 times its floor; stopped: it says that it did not converge, or to \
+            a residual above twice its floor; stopped: it says that it did not converge, or to \
             a saddle; refused: an error",
     seed: Seed::One(SEED),
     data,

@@ -37,7 +37,8 @@ impl Regulariser {
         self.weight * (neighbours * self.n + 1.0 / self.n)
     }
 
-    /// The part of the diagonal entries at a point that each of the chords there has, of two.
+    /// The part of the diagonal entries that a chord has at each of its points: twice that, or once
+    /// and [that of an end](Self::of_end), is all of them.
     pub(crate) fn of_chord(self) -> f64 {
         self.weight * (self.n + 0.5 / self.n)
     }

@@ -60,9 +60,13 @@ impl<T: Lanes, const D: usize> Front<D, T> {
 
     /// Adds the chord ahead to the row.
     #[inline(always)]
-    pub(crate) fn add(&mut self, chord: &ChordModel<D, T>, about: Regulariser) -> Ahead<D, T> {
+    pub(crate) fn add(
+        &mut self,
+        chord: &ChordModel<D, T>,
+        regulariser: Regulariser,
+    ) -> Ahead<D, T> {
         let diagonal = |x: f64| SMatrix::<T, D, D>::from_diagonal_element(T::constant(x));
-        let ([near, far], own) = (chord.gradient, diagonal(about.of_chord()));
+        let ([near, far], own) = (chord.gradient, diagonal(regulariser.of_chord()));
         self.row.block += chord.hessian[0] + own;
         self.row.right -= near;
         self.row.gradient += near;
@@ -70,7 +74,7 @@ impl<T: Lanes, const D: usize> Front<D, T> {
         self.trace += chord.trace;
         self.is_metric &= chord.is_metric;
         let row = Row { block: chord.hessian[1] + own, right: -far, gradient: far };
-        Ahead { row, lower: chord.coupling.transpose() + diagonal(about.upper()) }
+        Ahead { row, lower: chord.coupling.transpose() + diagonal(regulariser.upper()) }
     }
 
     /// Eliminates the row and goes ahead; returns the pivot and `zₙ`. `None` if the Hessian is not
@@ -88,9 +92,9 @@ impl<T: Lanes, const D: usize> Front<D, T> {
     }
 }
 
-impl<const D: usize, T: Lanes> Row<D, T> {
+impl<T: Lanes, const D: usize> Row<D, T> {
     /// Adds what is known of the same point from its other side.
-    fn join(&mut self, other: &Self) {
+    pub(crate) fn join(&mut self, other: &Self) {
         self.block += other.block;
         self.right += other.right;
         self.gradient += other.gradient;
@@ -113,19 +117,8 @@ impl<const D: usize> Front<D> {
         ahead.lower = coupling.transpose();
     }
 
-    /// Adds what an elimination from the other end has found, which has come to the point ahead.
-    pub(crate) fn meet(&mut self, other: &Self, ahead: &mut Ahead<D>) {
-        ahead.row.join(&other.row);
-        self.add_sums(other);
-    }
-
-    /// The same where it has come to the same point.
-    pub(crate) fn join(&mut self, other: &Self) {
-        self.row.join(&other.row);
-        self.add_sums(other);
-    }
-
-    fn add_sums(&mut self, other: &Self) {
+    /// Adds the sums of an elimination from the other end.
+    pub(crate) fn add_sums(&mut self, other: &Self) {
         self.energy += other.energy;
         self.trace += other.trace;
         self.square += other.square;

@@ -28,8 +28,8 @@ impl Magnitude {
         self.mean_gram.sqrt() * self.energy.sqrt()
     }
 
-    /// Returns the `τ` of an [`EndFrame`](crate::newton::end_frame::EndFrame) on a grid of `n` chords: the
-    /// inverse of the Hessian by one end.
+    /// Returns the `τ` of an [`EndFrame`](crate::newton::end_frame::EndFrame) on a grid of `n`
+    /// chords: the inverse of the Hessian by one end.
     pub(crate) fn tau(self, n: usize) -> f64 {
         1.0 / (2.0 * n as f64 * self.mean_gram)
     }

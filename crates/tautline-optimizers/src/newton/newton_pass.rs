@@ -78,10 +78,11 @@ impl<'a, const D: usize> NewtonPass<'a, D> {
         let count = sequence.n().get();
         let mut residual = Residual::new(count, self.stationarity().magnitude);
         residual.push_all(&gradient);
-        let mut right: Vec<_> = gradient.iter().map(|g| -g).collect();
+        let mut right = gradient;
+        right.iter_mut().for_each(|g| *g = -*g);
         for (end, k) in [(0, 0), (1, count)] {
             let (x, tau) = (&sequence.points()[k], self.sweep.tau);
-            let force = EndFrame::new(ends[end], x, &gradient[k], tau).force(tau);
+            let force = EndFrame::new(ends[end], x, &-right[k], tau).force(tau);
             right[k] = self.sweep.frames[end].basis.tr_mul(&force);
         }
         let decrement = self.factorization.half_square(&mut right);
@@ -162,7 +163,7 @@ mod tests {
         assert!(close(there.residual, residual) && close(there.residual_floor, floor));
     }
 
-    /// In the plane two chords at a time, in space one after the other.
+    /// Two chords at a time, up to three dimensions.
     #[test]
     fn one_pass_makes_the_step_of_the_whole_system() {
         let swirl = Swirl::new(0.5, 1.0).expect("a width");
@@ -185,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn in_many_dimensions_too() {
+    fn from_four_dimensions_on_too() {
         let term = |k: f64| SineProjection {
             wave_vector: [k.sin(), 0.5, k.cos(), 0.2 * k].into(),
             direction: [0.5, 0.3 * k.cos(), -0.4, 0.3 * k.sin()].into(),

@@ -54,7 +54,8 @@ impl<const D: usize> Residual<D> {
         if !(momentum > 0.0) {
             return (0.0, 0.0);
         }
-        // The rounding of D coordinates adds up as a sum of squares.
+        // A coordinate is rounded with the variance u²/12, u ≤ ε max |x|, and xₙ₋₁ − 2xₙ + xₙ₊₁ with
+        // u²/2: D of them, times N⁴ c².
         let dimensions = (D as f64 / 2.0).max(1.0).sqrt();
         let floor = dimensions * n * rounding(sequence) * (magnitude.mean_gram / momentum);
         // Where the metric has no derivative.

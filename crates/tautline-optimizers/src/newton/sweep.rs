@@ -1,4 +1,4 @@
-//! `Sweep`: a look at a point sequence, by elimination from its first point to its last.
+//! `Sweep`: a look at a point sequence, by elimination from both of its ends.
 
 use nalgebra::SVector;
 use tautline_discretizations::{ChordModel, PointSequence, Rule};
@@ -24,7 +24,8 @@ pub(crate) struct Sweep<const D: usize> {
 /// Sums up and eliminates in one pass; `None` if the Hessian, less the [`margin`], is not positive
 /// definite or not finite.
 ///
-/// From both ends towards the middle, two chords at a time. Each block is eliminated as soon as the
+/// From both ends towards the middle, two chords at a time; from four dimensions on, where that does
+/// not pay, from the first chord to the last. Each block is eliminated as soon as the
 /// chords on both sides of its point are known, so that neither gradient nor Hessian is ever stored.
 /// The pivots and the right hand side after elimination, which is all that a Newton step needs, are
 /// written to `memory`, if there is some. `about` is what is known of the magnitude beforehand: it
@@ -35,7 +36,8 @@ pub(crate) fn sweep<R: Rule, const D: usize>(
     ends: [&dyn ClosedSet<D>; 2],
     sequence: &PointSequence<D>,
     about: Magnitude,
-    // Not a generic parameter: a formula is inlined here once, and would not be twice.
+    // Not a generic parameter: a formula is inlined here once for each kind of number, and would not
+    // be twice.
     mut memory: Option<(&mut TwistedFactorization<D>, &mut Vec<SVector<f64, D>>)>,
 ) -> Option<Sweep<D>> {
     let count = sequence.n().get();
@@ -55,6 +57,7 @@ pub(crate) fn sweep<R: Rule, const D: usize>(
     let mut residual = Residual::new(count, about);
     let mut frames = [None, None];
     let [mut front, mut back] = [Front::new(regulariser); 2];
+    // Said twice, so that nothing is compiled where it does not pay.
     if const { ChordModel::<D, Pair>::PAYS } && pairs > 0 {
         let mut both = Front::<D, Pair>::new(regulariser);
         for k in 0..pairs {
@@ -82,7 +85,7 @@ pub(crate) fn sweep<R: Rule, const D: usize>(
         let (x, d) = sequence.chord(k);
         let mut ahead = front.add(&ChordModel::new(rule, metric, x, &d, n), regulariser);
         if k + 1 == count - pairs {
-            front.meet(&back, &mut ahead);
+            ahead.row.join(&back.row);
         }
         if k == 0 {
             residual.ends[0] = front.row.gradient;
@@ -101,8 +104,10 @@ pub(crate) fn sweep<R: Rule, const D: usize>(
         }
     }
     if 2 * pairs == count {
-        front.join(&back);
+        // Both have come to the same point.
+        front.row.join(&back.row);
     }
+    front.add_sums(&back);
     if pairs > 0 {
         residual.push(&front.row.gradient);
     }
@@ -116,6 +121,6 @@ pub(crate) fn sweep<R: Rule, const D: usize>(
     let (residual, residual_floor) = residual.value(ends, sequence, magnitude);
     let (decrement, is_metric) = (0.5 * front.square, front.is_metric);
     let stationarity = Stationarity { magnitude, is_metric, decrement, residual, residual_floor };
-    let [Some(first), Some(last)] = frames else { return None };
-    Some(Sweep { stationarity, frames: [first, last], tau })
+    let frames = frames.map(|frame| frame.expect("there are chords at both ends"));
+    Some(Sweep { stationarity, frames, tau })
 }

@@ -7,7 +7,8 @@ use crate::newton::{factorization::Pivot, ldl::Ldl};
 
 /// The factorisation by blocks of a positive definite block-tridiagonal matrix, from both ends
 /// towards the middle: block `n` from the front and block `N − n` from the back are eliminated side
-/// by side, and then what is left between them.
+/// by side, and then what is left between them. Also known as two-sided elimination, and as
+/// burning at both ends.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct TwistedFactorization<const D: usize> {
     /// Of the blocks `n` and `N − n`, from the ends on.
@@ -33,8 +34,8 @@ impl<const D: usize> TwistedFactorization<D> {
         2 * self.pairs.capacity() + self.middle.capacity()
     }
 
-    /// Eliminates a right hand side `b`, which it uses up; returns `½ bᵀ A⁻¹ b = ½ Σ yₙᵀ Dₙ⁻¹ yₙ`: nothing
-    /// need be substituted back for it.
+    /// Eliminates a right hand side `b`, which it uses up; returns `½ bᵀ A⁻¹ b = ½ Σ yₙᵀ Dₙ⁻¹ yₙ`:
+    /// nothing need be substituted back for it.
     pub(crate) fn half_square(&self, b: &mut [SVector<f64, D>]) -> f64 {
         let Some(end) = b.len().checked_sub(1) else { return 0.0 };
         let (front, back) = (self.pairs.len(), end - self.pairs.len());

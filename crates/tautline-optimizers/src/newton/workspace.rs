@@ -8,7 +8,7 @@ use crate::newton::twisted_factorization::TwistedFactorization;
 
 /// Memory for searches, which grows with the largest of them and is kept for the next.
 ///
-/// What a search on a fine grid writes down, `2D² + 2D` numbers a point, is written once and read
+/// What a search on a fine grid writes down, `2D² + 2D` numbers a point, is written and read
 /// once or twice: on fresh memory, which the system has to find and to clear first, that takes
 /// longer than to compute it.
 #[derive(Clone)]

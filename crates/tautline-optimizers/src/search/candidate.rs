@@ -107,9 +107,9 @@ fn level<const D: usize>(found: &Found<D>) -> Level {
     Level { n: found.sequence.n().get(), energy: found.energy }
 }
 
-/// Sorts by energy, and keeps one of those that are the same: that which has been followed over most
-/// grids. A search that did not converge counts behind all that did: its energy is that of no
-/// minimiser.
+/// Sorts by energy, and keeps one of those that are the same but for `10⁻⁹`: that which has most grids
+/// behind it to extrapolate from, or the lower one. A search that did not converge counts behind all
+/// that did: its energy is that of no minimiser.
 pub(crate) fn lowest_first<const D: usize>(candidates: &mut Vec<Candidate<'_, D>>) {
     candidates.sort_by(|a, b| {
         a.failed().cmp(&b.failed()).then(a.found.energy.total_cmp(&b.found.energy))
@@ -117,7 +117,7 @@ pub(crate) fn lowest_first<const D: usize>(candidates: &mut Vec<Candidate<'_, D>
     candidates.dedup_by(|b, a| {
         let same = a.failed() == b.failed()
             && (b.found.energy - a.found.energy).abs() <= DIFFERENT * a.found.energy.abs();
-        if same && b.levels.len() > a.levels.len() {
+        if same && b.coarser.len() > a.coarser.len() {
             std::mem::swap(a, b);
         }
         same

@@ -65,10 +65,11 @@ const FINE: usize = 64;
 ///
 /// # Memory
 ///
-/// At most `16D² + 16D` bytes for each point of the finest grid on which a Newton step is taken without
-/// damping, four times as much if it has to be damped, and some tenth of that for coarser ones. Where the finest, of more than `32 768/D²` chords, needs none, its
-/// points are all that it has: together less than 30 bytes a point for `D = 2`, and less than 20 from
-/// `N = 10⁶` on, both measured on smooth metrics.
+/// At most `16D² + 24D` bytes for each point of the finest grid on which a Newton step is taken
+/// without damping, four times as much if it has to be damped, and some tenth of that for coarser
+/// ones. Where the finest, of more than `32 768/D²` chords, needs none, its points are all that it
+/// has: together less than 30 bytes a point for `D = 2`, and less than 20 from `N = 10⁶` on, both
+/// measured on smooth metrics.
 ///
 /// # Errors
 ///
@@ -76,7 +77,7 @@ const FINE: usize = 64;
 /// room for `n + 1` points; [`SolveError::Metric`] if the metric is not finite, symmetric and positive
 /// definite at the nodes and both ends of every start, or of the result; [`SolveError::NoStart`] if
 /// there is nothing to start from, [`SolveError::Sequence`] if points become infinite on the way,
-/// [`SolveError::Energy`] if the energy of every curve that was found does.
+/// [`SolveError::Energy`] if the energy of every curve that was found is beyond the range of `f64`.
 pub fn minimise<const D: usize, R: Rule>(
     metric: &impl Metric<D>,
     ends: &Ends<D>,

@@ -79,7 +79,8 @@ pub enum Curvature {
     /// beyond `10⁻³` of the regulariser `∫ |δ̇|² + |δ|²`): a strict local minimum.
     ///
     /// The Hessian is that of the result, or of one Newton step before it whose relative decrement
-    /// was below `10⁻¹⁶`, on grids of up to 64 chords, or the square of the margin of definiteness.
+    /// was below `10⁻¹⁶`, or on finer grids, from four dimensions on, below the square of the margin
+    /// of definiteness.
     PositiveDefinite,
     /// Not positive definite, but no eigenvalue is negative beyond rounding: one of a continuum
     /// of minimisers, or a degenerate minimum.

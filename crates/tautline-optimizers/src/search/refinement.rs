@@ -21,14 +21,14 @@ const FALL: f64 = 0.01;
 
 /// On a grid whose chords have so many second derivatives, a start is only looked at first, if that
 /// on the coarser grid had at most this relative decrement: it will be a minimiser to rounding, and
-/// for that nothing need be written down, which takes half as long again as the arithmetic.
+/// for that nothing need be written down, which takes about half as long again as the arithmetic.
 const LARGE: usize = 32768;
 const FORESEEN: f64 = 1e-12;
 
 impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
     /// Takes undamped Newton steps from `start`, each in one pass, until the decrement is negligible
-    /// and the residual is rounding, or the decrement alone is after a step so small that the
-    /// factorisation still tells. On the finest grids both are so at the start.
+    /// and the residual is rounding, or the decrement alone is after a step that promised next to
+    /// nothing. On the finest grids both are so at the start.
     ///
     /// `None` where that does not do: the Hessian is not positive definite, a step promises too
     /// much, or not far less than the one before, or the metric is none at the result.
@@ -76,7 +76,8 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
             self.project_ends(&mut points);
             let trial = PointSequence::new(points).ok()?;
             // The points move by the root of what is promised, and with them the Hessian: by less
-            // than the margin by which it is definite.
+            // than the margin by which it is definite, so that the factorisation from here still
+            // tells. Two chords at a time, a sweep costs no more than a gradient does.
             if at.decrement <= margin(n).powi(2) * about.energy {
                 let there = if const { ChordModel::<D, Pair>::PAYS } {
                     sweep(rule, metric, ends, &trial, about, None)?.stationarity

@@ -22,10 +22,10 @@ pub enum SolveError {
     /// A point sequence became infinite on the way to a finer grid.
     #[error(transparent)]
     Sequence(#[from] SequenceError),
-    /// The discrete energy of what was found is out of the range of `f64`.
+    /// The discrete energy of what was found is beyond the range of `f64`.
     #[error("the energy is {energy}: the coordinates or the metric are too large for f64")]
     Energy {
-        /// The energy, in `m²`.
+        /// The energy, in `m²`: infinite, or NaN for a difference of infinite numbers.
         energy: f64,
     },
     /// There was no sequence to start from: none was given, or none has finite points.
