@@ -70,3 +70,50 @@ impl<const D: usize> Residual<D> {
         (infinite_if_nan(0.5 * n * root) + ends, floor)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SMatrix, SVector};
+    use tautline_discretizations::{PointSequence, QuadraticModel, Trapezoidal};
+    use tautline_metrics::{Pair, gallery::Constant};
+    use tautline_sets::Point;
+
+    use super::Residual;
+    use crate::newton::magnitude::Magnitude;
+
+    /// The residual, over its floor, of a straight line that is rounded: all coordinates alike.
+    fn over_the_floor<const D: usize>() -> f64 {
+        let (a, b) = (SVector::<f64, D>::repeat(-0.3), SVector::repeat(0.7));
+        let metric = Constant::new(SMatrix::<f64, D, D>::identity()).expect("definite");
+        let line = PointSequence::straight(a, b, 1000).expect("finite");
+        let model = QuadraticModel::new(Trapezoidal, &metric, &line);
+        let magnitude = Magnitude::of(&model);
+        let mut residual = Residual::new(1000, magnitude);
+        residual.push_all(&model.gradient);
+        let [a, b] = [a, b].map(|x| Point::new(x).expect("finite"));
+        let (residual, floor) = residual.value([&a, &b], &line, magnitude);
+        residual / floor
+    }
+
+    #[test]
+    fn the_floor_is_what_rounding_does_in_any_dimension() {
+        let plane = over_the_floor::<2>();
+        // Coordinates from −0.3 to 0.7 are rounded by a third of what those of 0.7 are, or so.
+        assert!((0.1..1.0).contains(&plane), "{plane}");
+        // The same roundings in every coordinate, summed in another order.
+        for more in [over_the_floor::<3>(), over_the_floor::<8>(), over_the_floor::<32>()] {
+            approx::assert_relative_eq!(more, plane, max_relative = 1e-9);
+        }
+    }
+
+    #[test]
+    fn a_pair_counts_as_both_of_its_points() {
+        let about = Magnitude { energy: 2.0, mean_gram: 1.0 };
+        let gradients = [[1.0, 2.0], [3.0, -4.0]].map(SVector::from);
+        let (mut both, mut apart) = (Residual::<2>::new(3, about), Residual::<2>::new(3, about));
+        both.push(&gradients[0].zip_map(&gradients[1], Pair::new));
+        gradients.iter().for_each(|gradient| apart.push(gradient));
+        // 1 + 4 + 9 + 16 = 30, over the square of the momentum.
+        assert!((both.inner - apart.inner).abs() < 1e-14 && (both.inner - 15.0).abs() < 1e-13);
+    }
+}
