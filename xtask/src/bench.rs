@@ -12,14 +12,16 @@ const BENCHES: [(&str, &str); 2] = [
     (
         "speed",
         "the least time of each part of a solve on one thread, of many runs in turn, and its ratio \
-         to the same written by hand: of assembly to assembly, of all else to one Newton step",
+         to the same written by hand: of assembly to assembly, of all else to one Newton step; none \
+         where nothing is written by hand, on P4 to P6",
     ),
     (
         "scale",
-        "whole solves of long, wide and many problems: the least time of up to five runs and the \
-         most memory in use at a time, by the nodes of all problems; the mean of the Newton steps \
-         on all grids, and the largest residual over its floor; efficiency is the rate over that \
-         of one thread times their number",
+        "whole solves of long and wide problems from the straight line, and of many from the \
+         automatic starts; how many ended in a local minimum; the least time of up to five runs \
+         and the most memory in use at a time in the first, by the nodes of all problems; the mean \
+         of the Newton steps of all searches on all grids, and the largest residual over its \
+         floor; efficiency is the rate over that of one thread times their number",
     ),
 ];
 

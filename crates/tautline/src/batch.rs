@@ -12,7 +12,7 @@ use crate::{Problem, TautLine};
 /// The results are those of [`Problem::solve_with`] bit by bit, whatever the number of threads; one
 /// without a result leaves the others as they are. The threads are those of the rayon pool in which
 /// this is called: as many as processors, unless you say otherwise. Problems that one thread takes in
-/// one go share their memory.
+/// one go share their memory, and none is kept.
 ///
 /// Problems that share a metric can be posed by reference to it, and problems with metrics of one
 /// type can have each its own:
@@ -36,10 +36,15 @@ use crate::{Problem, TautLine};
 /// # Stack
 ///
 /// In many dimensions matrices of jets are on the stack, and threads other than the first have less
-/// of it: 2 MB by default. A metric that has nothing but [`gram`](Metric::gram) needs 2 MB at `D = 16`,
-/// 8 at 23, 3 at 32 and 8 at 64, one of few terms with formulas of its own for
-/// [`norm_squared`](Metric::norm_squared) and [`momentum`](Metric::momentum) a quarter at 23, 1 at 32
-/// and 3 at 64, as measured with optimisation; rayon's `ThreadPoolBuilder::stack_size` provides it.
+/// of it: 2 MB by default. What is needed, in MB, as measured with optimisation:
+///
+/// | `D` | 16 | 23 | 32 | 64 |
+/// | --- | --- | --- | --- | --- |
+/// | by [`gram`](Metric::gram) alone | 2 | 8 | 3 | 8 |
+/// | [`norm_squared`](Metric::norm_squared) and [`momentum`](Metric::momentum) of few terms | – | ¼ | 1 | 3 |
+///
+/// From `D = 24` on derivatives are taken by blocks of directions, which need less. From `D = 16` on,
+/// give the threads more: rayon's `ThreadPoolBuilder::stack_size`.
 ///
 /// # Errors
 ///

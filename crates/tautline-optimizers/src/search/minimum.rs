@@ -32,7 +32,8 @@ pub struct Minimum<const D: usize> {
     pub stop: Stop,
     /// What the Hessian says at the last iterate.
     pub curvature: Curvature,
-    /// Newton steps of all searches, from every start, over all grids.
+    /// Newton steps of all searches, from every start, over all grids; the last look at each grid
+    /// counts as one.
     pub iterations: usize,
     /// Of these, the steps of the search that led here: from its one start, over all grids.
     pub own_iterations: usize,
@@ -59,7 +60,8 @@ pub struct Level {
 pub enum Stop {
     /// The decrement is at most `10⁻¹⁸`, or `2 tr H (ε N max |x|)²` relative to the energy, the
     /// rounding of the points: larger only on huge grids or far from the origin. Or it is
-    /// below `10⁻¹⁰` and does not fall any more.
+    /// below `10⁻¹⁰` and does not fall any more. It says nothing of the residual, and the Hessian may
+    /// be indefinite: see [`Minimum::is_local_minimum`].
     Converged,
     /// The sets have a point in common, up to rounding: all points are the same and the energy is
     /// 0, or all chords are rounding.

@@ -58,17 +58,19 @@ impl Row {
     ) -> Result<(), Box<dyn Error>> {
         let Cost { seconds, bytes, result } = cost;
         let count = result.len();
-        let (mut iterations, mut over_floor) = (0, 0.0_f64);
+        let (mut iterations, mut local_minima, mut over_floor) = (0, 0, 0.0_f64);
         for line in result {
             let line = line?;
             let minimum = line.minimum();
             iterations += minimum.iterations;
+            local_minima += usize::from(minimum.is_local_minimum());
             over_floor = over_floor.max(minimum.residual / minimum.residual_floor);
         }
         let Self { problem, n, threads, efficiency } = self;
         let nodes = (count * n) as f64;
         println!(
-            "{problem},{D},{n},{count},{threads},{:.1},{:.1},{:.1},{over_floor:.2},{:.4},{}",
+            "{problem},{D},{n},{count},{local_minima},{threads},{:.1},{:.1},{:.1},{over_floor:.2},\
+             {:.4},{}",
             1e9 * seconds / nodes,
             bytes as f64 / nodes,
             iterations as f64 / count as f64,
