@@ -171,7 +171,7 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
          from the default starts, of which 99.9 % must arrive within 60 steps, and from one straight \
          line alone. The problems are drawn in `paper/src/corpus`. Ends touch: the sets have a point \
          in common. Not converged: the search gave up, ended at a saddle, or left both a decrement \
-         above 10⁻¹⁸ of the energy and a residual above twice its floor.",
+         above 1e-18 of the energy and a residual above twice its floor.",
         &[
             "starts",
             "problems",

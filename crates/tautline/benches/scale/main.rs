@@ -149,7 +149,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let words: Vec<String> = std::env::args().skip(1).filter(|w| !w.starts_with('-')).collect();
     let wanted = |word: &str| words.is_empty() || words.iter().any(|w| w == word);
     println!(
-        "problem,d,n,problems,threads,nanoseconds_per_node,bytes_per_node,iterations,\
+        "problem,d,n,problems,local_minima,threads,nanoseconds_per_node,bytes_per_node,iterations,\
          residual_over_floor,problems_per_second,efficiency"
     );
     for problem in ["P1", "P2"].into_iter().filter(|problem| wanted(problem)) {
