@@ -25,8 +25,17 @@ const BENCHES: [(&str, &str); 2] = [
     ),
 ];
 
+/// The parts that can be asked for: problems, numbers of chords, and rows of the second table.
+const PARTS: [&str; 13] = [
+    "P1", "P2", "P3", "P4", "P5", "P6", "1000", "10000", "100000", "1000000", "batch", "by terms",
+    "by gram",
+];
+
 /// Runs the benchmarks; all of each is written to `paper/tables`, a part only to the terminal.
 pub(crate) fn bench(root: &Path, rest: &[&str]) -> Result<(), String> {
+    if let Some(other) = rest.iter().find(|word| !PARTS.contains(word)) {
+        return Err(format!("{other}: parts are {}", PARTS.join(", ")));
+    }
     for (name, what) in BENCHES {
         let rows = run(root, name, rest)?;
         if rest.is_empty() {
