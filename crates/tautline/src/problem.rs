@@ -13,7 +13,7 @@ use crate::TautLine;
 ///
 /// It keeps the memory of its largest solve for the next one, and its clones share it. Of many problems
 /// that are solved one by one each keeps its own; [`solve_all`](crate::solve_all) and
-/// [`solve_in`](Problem::solve_in) share it instead.
+/// [`minimise_in`](crate::minimise_in) share it instead.
 #[derive(Clone, Debug)]
 pub struct Problem<M, const D: usize> {
     metric: Arc<M>,
