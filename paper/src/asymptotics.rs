@@ -89,7 +89,7 @@ impl Smooth {
         distance: Option<f64>,
     ) -> Self
     where
-        M: Metric<D> + Send + Sync + 'static,
+        M: Metric<D> + Send + 'static,
     {
         let problem = Arc::new(Problem::new(metric, ends));
         let shared = Arc::clone(&problem);
@@ -121,7 +121,7 @@ impl Smooth {
         [a, b]: [[f64; D]; 2],
     ) -> Result<Self, Failure>
     where
-        M: KnownDistance<D> + Send + Sync + 'static,
+        M: KnownDistance<D> + Send + 'static,
     {
         let distance = metric.distance(&SVector::from(a), &SVector::from(b));
         let distance = Some(distance.ok_or(Failure::NoReference(name))?);

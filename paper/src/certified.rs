@@ -55,7 +55,7 @@ impl Certified {
         (self.search)(quantity, effort)
     }
 
-    fn new<M: Metric<D> + Sync + 'static, const D: usize>(
+    fn new<M: Metric<D> + 'static, const D: usize>(
         name: &'static str,
         metric: M,
         (on, domain): (&'static str, Domain<D>),
@@ -87,7 +87,7 @@ fn space<const D: usize>(
 }
 
 /// A metric with constants on all of space.
-fn global<M: Bounded<D> + Sync + 'static, const D: usize>(
+fn global<M: Bounded<D> + 'static, const D: usize>(
     name: &'static str,
     metric: M,
     exact: [bool; 4],
@@ -97,7 +97,7 @@ fn global<M: Bounded<D> + Sync + 'static, const D: usize>(
 }
 
 /// A metric with constants on balls.
-fn local<M: LocallyBounded<2> + Sync + 'static>(
+fn local<M: LocallyBounded<2> + 'static>(
     name: &'static str,
     metric: M,
     on: &'static str,

@@ -34,7 +34,7 @@ pub struct Certified<M, const D: usize> {
     constants: Constants,
 }
 
-impl<M: Metric<D> + Sync, const D: usize> Certified<M, D> {
+impl<M: Metric<D>, const D: usize> Certified<M, D> {
     /// Proves the constants on [`Domain::space`].
     ///
     /// # Errors

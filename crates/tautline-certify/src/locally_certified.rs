@@ -53,7 +53,7 @@ impl<M: Metric<D>, const D: usize> Metric<D> for LocallyCertified<M> {
     }
 }
 
-impl<M: Metric<D> + Sync, const D: usize> LocallyBounded<D> for LocallyCertified<M> {
+impl<M: Metric<D>, const D: usize> LocallyBounded<D> for LocallyCertified<M> {
     /// # Errors
     ///
     /// [`LocalError::NotProved`] where the metric is undefined or indefinite on the ball, and where
@@ -89,7 +89,7 @@ mod tests {
     /// On balls, where the constants are known in closed form.
     #[test]
     fn the_proved_constants_are_those_in_closed_form() {
-        fn check(metric: impl LocallyBounded<2> + Sync, centre: [f64; 2], radius: f64) {
+        fn check(metric: impl LocallyBounded<2>, centre: [f64; 2], radius: f64) {
             let centre = centre.into();
             let effort = Effort { tolerance: 1e-2, budget: 200_000 };
             let known = metric.constants_within(&centre, radius).expect("closed form");

@@ -21,7 +21,7 @@ use Stated::{Bound, Exact};
 /// Fails unless the stated `c₁`, `c₂`, `L_H` and `M_H` lie between the bounds, or are no better
 /// than the constants can be.
 fn check<const D: usize>(
-    metric: impl Bounded<D> + Sync,
+    metric: impl Bounded<D>,
     stated: [Stated; 4],
     domain: Domain<D>,
     tolerance: f64,

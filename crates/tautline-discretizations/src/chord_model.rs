@@ -44,15 +44,31 @@ impl<const D: usize> ChordModel<D> {
     #[inline(always)]
     #[must_use]
     pub fn new<R: Rule>(
-        _rule: R,
+        rule: R,
         metric: &impl Metric<D>,
         x: &SVector<f64, D>,
         d: &SVector<f64, D>,
         n: f64,
     ) -> Self {
+        Self::seen_from(0, rule, metric, (x, *d), n)
+    }
+
+    /// The same seen from the end 0, `x`, or 1, `x + d`, of the chord `(x, d)`: from the latter it
+    /// leads back to `x`, and its near point is the far one of the rule.
+    #[inline(always)]
+    #[must_use]
+    pub fn seen_from<R: Rule>(
+        end: usize,
+        _rule: R,
+        metric: &impl Metric<D>,
+        (x, d): (&SVector<f64, D>, SVector<f64, D>),
+        n: f64,
+    ) -> Self {
+        let seen = if end == 0 { d } else { -d };
         Self::over_nodes::<R>(|node| {
-            let contraction = Contraction::new(metric, &(x + d * node.fraction), d);
-            Self::at_node(contraction, d, node.fraction, node.weight * n)
+            let far = if end == 0 { node.fraction } else { 1.0 - node.fraction };
+            let contraction = Contraction::new(metric, &(x + d * node.fraction), &seen);
+            Self::at_node(contraction, &seen, far, node.weight * n)
         })
     }
 }
@@ -61,8 +77,8 @@ impl<const D: usize> ChordModel<D, Pair> {
     /// Whether two chords at once take less time than one after the other.
     pub const PAYS: bool = D < SPLIT;
 
-    /// Expands the parts of two chords at once, of which the second is seen from its other end: it
-    /// leads from `x + d` to `x`, and its near point is the far one of the rule.
+    /// Expands the parts of two chords at once, of which the second is [seen](ChordModel::seen_from)
+    /// from its end 1.
     #[inline(always)]
     #[must_use]
     pub fn facing<R: Rule>(
@@ -142,7 +158,7 @@ impl<T: Scalar, const D: usize> ChordModel<D, T> {
 #[cfg(test)]
 mod tests {
     use nalgebra::{SMatrix, SVector, vector};
-    use tautline_metrics::{Lanes, Metric, Pair, Scalar, gallery::Swirl};
+    use tautline_metrics::{Lanes, Metric, Scalar, gallery::Swirl};
 
     use super::ChordModel;
     use crate::{LeftEndpoint, Node, Rule, Trapezoidal, TrueTrapezoid};
@@ -156,36 +172,48 @@ mod tests {
         const ERROR_EXPONENT: i32 = 1;
     }
 
+    /// Some hundred operations on numbers below 100, of which 3e-14 is two roundings.
+    const SMALL: f64 = 1e-12;
+
+    /// That `one`, seen from the end `end`, is `other`, seen from the near one.
+    #[track_caller]
+    fn is_seen<const D: usize>(end: usize, one: &ChordModel<D>, other: &ChordModel<D>) {
+        assert!((one.energy - other.energy).abs() <= SMALL);
+        assert!((one.trace - other.trace).abs() <= SMALL);
+        for place in [0, 1] {
+            let seen = place ^ end;
+            assert!((one.gradient[seen] - other.gradient[place]).amax() <= SMALL);
+            assert!((one.hessian[seen] - other.hessian[place]).amax() <= SMALL);
+        }
+        let coupling = if end == 0 { other.coupling } else { other.coupling.transpose() };
+        assert!((one.coupling - coupling).amax() <= SMALL);
+    }
+
     #[track_caller]
     fn compare<R: Rule>(rule: R) {
         let metric = Swirl::new(0.5, 1.0).expect("a width");
         let chords =
             [(vector![0.3, -0.2], vector![0.5, 0.25]), (vector![-0.6, 0.1], vector![0.2, -0.7])];
-        let facing =
-            ChordModel::facing(rule, &metric, chords.each_ref().map(|(x, d)| (x, *d)), 8.0);
+        let chords = chords.each_ref().map(|(x, d)| (x, *d));
+        let facing = ChordModel::facing(rule, &metric, chords, 8.0);
         assert!(facing.is_metric);
-        for (lane, (x, d)) in chords.iter().enumerate() {
-            let one = ChordModel::new(rule, &metric, x, d, 8.0);
-            let vector = |v: &SVector<Pair, 2>| v.map(|x| x.lane(lane));
-            let matrix = |m: &SMatrix<Pair, 2, 2>| m.map(|x| x.lane(lane));
-            // Some hundred operations on numbers below 100, of which 3e-14 is two roundings.
-            let small = 1e-12;
-            assert!((facing.energy.lane(lane) - one.energy).abs() <= small);
-            assert!((facing.trace.lane(lane) - one.trace).abs() <= small);
-            for end in [0, 1] {
-                // The second is seen from its other end.
-                let seen = end ^ lane;
-                assert!((vector(&facing.gradient[seen]) - one.gradient[end]).amax() <= small);
-                assert!((matrix(&facing.hessian[seen]) - one.hessian[end]).amax() <= small);
-            }
-            let seen = matrix(&facing.coupling);
-            let coupling = if lane == 0 { seen } else { seen.transpose() };
-            assert!((coupling - one.coupling).amax() <= small);
+        for (end, (x, d)) in chords.into_iter().enumerate() {
+            let near = ChordModel::new(rule, &metric, x, &d, 8.0);
+            let lane = ChordModel {
+                energy: facing.energy.lane(end),
+                trace: facing.trace.lane(end),
+                gradient: facing.gradient.map(|g| g.map(|x| x.lane(end))),
+                hessian: facing.hessian.map(|h| h.map(|x| x.lane(end))),
+                coupling: facing.coupling.map(|x| x.lane(end)),
+                is_metric: true,
+            };
+            is_seen(end, &lane, &near);
+            is_seen(end, &ChordModel::seen_from(end, rule, &metric, (x, d), 8.0), &near);
         }
     }
 
     #[test]
-    fn two_chords_at_once_are_one_and_the_other_from_its_far_end() {
+    fn a_chord_seen_from_its_far_end_leads_back() {
         compare(Trapezoidal);
         compare(LeftEndpoint);
         compare(TrueTrapezoid);

@@ -33,7 +33,7 @@ pub struct Node {
 ///     const ERROR_EXPONENT: i32 = 2;
 /// }
 /// ```
-pub trait Rule: Copy + std::fmt::Debug {
+pub trait Rule: Copy + std::fmt::Debug + Send + Sync {
     /// The nodes.
     const NODES: &'static [Node];
 

@@ -11,8 +11,9 @@ use crate::Constants;
 ///
 /// `H(x)` is symmetric and positive definite at every `x` where the metric is defined, and
 /// not finite (NaN or infinite) where it is not. It is twice continuously differentiable.
-/// No method panics on finite input; none reads a clock, a file or a random number.
-pub trait Metric<const D: usize> {
+/// No method panics on finite input; none reads a clock, a file or a random number: values depend on
+/// `x` alone. Two threads may ask at once.
+pub trait Metric<const D: usize>: Sync {
     /// Returns the Gram matrix `H(x)`, in `m²/ℓ²`, shape `D × D`.
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D>;
 

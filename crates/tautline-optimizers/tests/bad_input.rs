@@ -317,7 +317,8 @@ fn check_nasty(metric: &impl Metric<2>) {
     for ends in &all {
         for n in [1, 2, 7, 40] {
             for limit in [0, 1, 30] {
-                let options = Options { starts: Starts::Automatic, iterations: limit };
+                let options =
+                    Options { starts: Starts::Automatic, iterations: limit, ..Options::default() };
                 let minimum = minimise(metric, ends, Trapezoidal, n, &options).expect("a metric");
                 assert_honest(metric, &minimum);
                 // At most ten end pairs with five starts, or n jumps, and then eight followed.

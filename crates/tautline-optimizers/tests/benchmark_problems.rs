@@ -126,7 +126,7 @@ fn a_saddle_is_told_by_its_negative_eigenvalue() {
     let bump = Bump::new(1.0, 0.5).expect("positive");
     let ends = Ends::points([-2.0, 0.0], [2.0, 0.0]).expect("finite");
     let axis = PointSequence::straight([-2.0, 0.0], [2.0, 0.0], 16).expect("finite");
-    let options = Options { starts: Starts::Only(vec![axis]), iterations: 0 };
+    let options = Options { starts: Starts::Only(vec![axis]), iterations: 0, ..Options::default() };
     let minimum = minimise(&bump, &ends, Trapezoidal, 16, &options).expect("a metric");
     assert_eq!(minimum.stop, Stop::IterationLimit);
     // Sideways, all the points to one side: there is one slope that goes down.

@@ -2,13 +2,13 @@
 //! are only looked at: what is said of them has to be true all the same. And the way there, over
 //! coarse grids that may know little of the metric.
 
-use std::f64::consts::PI;
+use std::{collections::HashSet, f64::consts::PI, sync::Mutex, thread};
 
 use nalgebra::{SMatrix, SVector, vector};
 use tautline_discretizations::{LeftEndpoint, PointSequence, Rule, Trapezoidal, energy_gradient};
 use tautline_metrics::{
     Metric, MetricError, Scalar,
-    gallery::{Bump, CoupledCosines, Separable, Sphere, Valleys},
+    gallery::{Bump, CoupledCosines, Separable, SineProjection, SineProjections, Sphere, Valleys},
 };
 use tautline_optimizers::{Minimum, Options, SolveError, Starts, Workspace, minimise, newton_step};
 use tautline_sets::Ends;
@@ -19,8 +19,18 @@ fn from_the_line<const D: usize>(
     [a, b]: [[f64; D]; 2],
     n: usize,
 ) -> Result<Minimum<D>, SolveError> {
+    on_threads(1, metric, rule, [a, b], n)
+}
+
+fn on_threads<const D: usize>(
+    threads: usize,
+    metric: &impl Metric<D>,
+    rule: impl Rule,
+    [a, b]: [[f64; D]; 2],
+    n: usize,
+) -> Result<Minimum<D>, SolveError> {
     let line = PointSequence::straight(a, b, 1).expect("finite");
-    let options = Options { starts: Starts::Only(vec![line]), ..Options::default() };
+    let options = Options { starts: Starts::Only(vec![line]), threads, ..Options::default() };
     minimise(metric, &Ends::points(a, b).expect("finite"), rule, n, &options)
 }
 
@@ -116,4 +126,96 @@ fn where_the_minima_of_a_coarse_grid_leap_the_starts_are_tried_again() {
         assert!((minimum.energy - 33.15).abs() < 0.1, "{:?}", minimum.levels);
         assert!(minimum.is_local_minimum());
     }
+}
+
+/// Knows who has asked.
+struct Asked<M>(M, Mutex<HashSet<thread::ThreadId>>);
+
+impl<M: Metric<D>, const D: usize> Metric<D> for Asked<M> {
+    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
+        self.1.lock().expect("nobody panics").insert(thread::current().id());
+        self.0.gram(x)
+    }
+}
+
+#[track_caller]
+fn assert_same_on_two_threads<const D: usize>(
+    metric: impl Metric<D> + Copy,
+    rule: impl Rule,
+    line: [[f64; D]; 2],
+    n: usize,
+) {
+    let [one, two] = [1, 2].map(|threads| {
+        let asked = Asked(metric, Mutex::default());
+        let minimum = on_threads(threads, &asked, rule, line, n).expect("a metric");
+        let more = asked.1.lock().expect("nobody panics").len() > 1;
+        assert_eq!(more, threads > 1 && there_are_processors());
+        minimum
+    });
+    assert!(one == two, "{D} dimensions, N = {n}");
+}
+
+/// Two at least; on one, the tests below compare one thread with itself.
+fn there_are_processors() -> bool {
+    thread::available_parallelism().is_ok_and(|processors| processors.get() > 1)
+}
+
+/// With an even and an odd number of chords.
+#[test]
+fn two_threads_find_the_same_bit_by_bit() {
+    let five = projections::<5>();
+    for n in [3_000, 3_001] {
+        assert_same_on_two_threads(&five, Trapezoidal, [[0.0; 5], [1.0; 5]], n);
+        assert_same_on_two_threads(&five, LeftEndpoint, [[0.0; 5], [1.0; 5]], n);
+    }
+    assert_same_on_two_threads(&projections::<4>(), Trapezoidal, [[0.0; 4], [1.0; 4]], 30_001);
+}
+
+/// A metric whose Gram matrix is not symmetric, by little, within some 10⁻⁵ of a hyperplane; what is
+/// differentiated is in order.
+struct Torn<'a> {
+    metric: &'a SineProjections<5>,
+    at: f64,
+}
+
+impl Metric<5> for Torn<'_> {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 5>) -> SMatrix<S, 5, 5> {
+        let mut h: SMatrix<S, 5, 5> = self.metric.gram(x);
+        h[(1, 0)] += (-((x[0] - self.at) * 1e5).sqr()).exp() * 1e-9;
+        h
+    }
+
+    fn norm_squared<S: Scalar>(&self, x: &SVector<S, 5>, u: &SVector<f64, 5>) -> S {
+        self.metric.norm_squared(x, u)
+    }
+
+    fn momentum<S: Scalar>(&self, x: &SVector<S, 5>, u: &SVector<f64, 5>) -> SVector<S, 5> {
+        self.metric.momentum(x, u)
+    }
+}
+
+/// At one node of the finest grid only, on the side of either end.
+#[test]
+fn a_node_where_the_metric_is_none_is_seen_on_either_side() {
+    let (metric, line, n) = (projections(), [[0.0; 5], [1.0; 5]], 3_000);
+    let whole = from_the_line(&metric, Trapezoidal, line, n).expect("a metric");
+    for k in [100, 2_900] {
+        let (x, d) = whole.sequence.chord(k);
+        let torn = Torn { metric: &metric, at: x[0] + 0.5 * d[0] };
+        let coarse = from_the_line(&torn, Trapezoidal, line, 750).expect("a metric at the nodes");
+        assert!(coarse.is_local_minimum());
+        for threads in [1, 2] {
+            let fine = on_threads(threads, &torn, Trapezoidal, line, n);
+            let refused = matches!(fine, Err(SolveError::Metric(MetricError::NotSymmetric { .. })));
+            assert!(refused, "{k}: {:?}", fine.map(|minimum| minimum.residual));
+        }
+    }
+}
+
+fn projections<const D: usize>() -> SineProjections<D> {
+    let term = |k: f64| SineProjection {
+        wave_vector: SVector::from_fn(|i, _| (0.7 * k + (i + 1) as f64).sin()),
+        direction: SVector::from_fn(|i, _| 0.5 * (1.3 * k * (i + 1) as f64).cos()),
+    };
+    SineProjections::new([1.0, 2.0, 3.0].map(term).to_vec()).expect("finite")
 }

@@ -313,7 +313,8 @@ fn residual_and_decrement_see_an_oblique_end() {
     let metric = Constant::new(SMatrix::<f64, 2, 2>::identity()).expect("definite");
     for n in [1, 2, 20] {
         let start = PointSequence::straight([0.0, 0.0], [3.0, 4.0], n).expect("finite");
-        let options = Options { starts: Starts::Only(vec![start]), iterations: 0 };
+        let options =
+            Options { starts: Starts::Only(vec![start]), iterations: 0, ..Options::default() };
         let ends = ends(point([0.0, 0.0]), half_space([1.0, 0.0], 3.0));
         let minimum = minimise(&metric, &ends, Trapezoidal, n, &options).expect("a metric");
         assert_eq!(minimum.stop, Stop::IterationLimit);

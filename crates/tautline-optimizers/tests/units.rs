@@ -189,7 +189,8 @@ fn exchanging_the_ends_reverses_the_sequence() {
 fn the_residual_of_a_sequence_that_is_not_stationary() {
     let points = [[0.0, 0.0], [1.0, 1.0], [2.0, 0.0]].map(SVector::from).to_vec();
     let start = PointSequence::new(points).expect("finite");
-    let options = Options { starts: Starts::Only(vec![start]), iterations: 0 };
+    let options =
+        Options { starts: Starts::Only(vec![start]), iterations: 0, ..Options::default() };
     let flat = Constant::new(SMatrix::identity()).expect("definite");
     let origin = Point::new([0.0, 0.0]).expect("finite");
     let wall = HalfSpace::at_least([1.0, 0.0], 2.0).expect("a normal");

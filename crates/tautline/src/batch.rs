@@ -9,10 +9,11 @@ use crate::{Problem, TautLine};
 
 /// Solves each of the problems on all threads, in the order in which they were given.
 ///
-/// The results are those of [`Problem::solve_with`] bit by bit, whatever the number of threads; one
-/// without a result leaves the others as they are. The threads are those of the rayon pool in which
-/// this is called: as many as processors, unless you say otherwise. Problems that one thread takes in
-/// one go share their memory, and none is kept.
+/// Each problem is solved on one thread: [`Options::threads`] is ignored. The results are those of
+/// [`Problem::solve_with`] bit by bit, whatever the number of threads; one without a result leaves the
+/// others as they are. The threads are those of the rayon pool in which this is called: as many as
+/// processors, unless you say otherwise. Problems that one thread takes in one go share their memory,
+/// and none is kept.
 ///
 /// Problems that share a metric can be posed by reference to it, and problems with metrics of one
 /// type can have each its own:
@@ -56,9 +57,10 @@ pub fn solve_all<M, R, const D: usize>(
     options: &Options<D>,
 ) -> Vec<Result<TautLine<M, R, D>, SolveError>>
 where
-    M: Metric<D> + Send + Sync,
-    R: Rule + Send + Sync,
+    M: Metric<D> + Send,
+    R: Rule,
 {
+    let options = &Options { threads: 1, ..options.clone() };
     let solve =
         |workspace: &mut _, problem: &Problem<M, D>| problem.solve_in(workspace, rule, n, options);
     problems.par_iter().map_init(Workspace::default, solve).collect()

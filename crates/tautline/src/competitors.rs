@@ -217,7 +217,8 @@ mod tests {
         assert!(reach < within.r() && within.r() < 1.02 * reach, "{within:?} for {reach}");
         let points = [0.3, 0.3005, 0.32].map(|x| [x, 0.0].into()).to_vec();
         let uneven = PointSequence::new(points).expect("finite");
-        let options = Options { starts: Starts::Only(vec![uneven]), iterations: 0 };
+        let options =
+            Options { starts: Starts::Only(vec![uneven]), iterations: 0, ..Options::default() };
         let problem = Problem::new(Hyperbolic, ends());
         let uneven = problem.solve_with(Trapezoidal, 2, &options).expect("finite");
         let energy = uneven.discrete_energy();

@@ -46,7 +46,7 @@ pub enum ProofError {
     Bound(#[from] BoundError),
 }
 
-impl<M: Metric<D> + Sync, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
+impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     /// Returns a curve that certainly joins the two sets, with rigorous bounds of its energy and
     /// length, and so a rigorous upper bound of `d²`.
     ///
@@ -126,7 +126,7 @@ mod tests {
     /// Each distance is known, and lies between the bounds.
     #[test]
     fn distances_are_enclosed_by_the_formula_alone() {
-        fn check<M: KnownDistance<2> + Sync>(metric: M, a: [f64; 2], b: [f64; 2], width: f64) {
+        fn check<M: KnownDistance<2>>(metric: M, a: [f64; 2], b: [f64; 2], width: f64) {
             let d = metric.distance(&a.into(), &b.into()).expect("known");
             let ends = Ends::points(a, b).expect("finite");
             let line = Problem::new(metric, ends).solve(Trapezoidal, 256).expect("solved");

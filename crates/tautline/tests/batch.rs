@@ -1,16 +1,18 @@
 //! Many problems at once have the results that they have one by one.
 
+use std::{collections::HashSet, sync::Mutex, thread};
+
 use rayon::ThreadPoolBuilder;
 use tautline::{
-    Ball, Ends, HalfSpace, LeftEndpoint, Metric, Options, Problem, Rule, SolveError, TautLine,
-    Trapezoidal,
+    Ball, Ends, HalfSpace, LeftEndpoint, Metric, Options, Problem, Rule, SMatrix, SVector, Scalar,
+    SolveError, TautLine, Trapezoidal,
     gallery::{Bump, Hyperbolic},
     solve_all,
 };
 
 type Lines<M, R> = Vec<Result<TautLine<M, R, 2>, SolveError>>;
 
-fn on_threads<M: Metric<2> + Send + Sync, R: Rule + Send + Sync>(
+fn on_threads<M: Metric<2> + Send, R: Rule>(
     threads: usize,
     problems: &[Problem<M, 2>],
     rule: R,
@@ -28,7 +30,7 @@ fn printed<M: Metric<2>, R: Rule>(lines: &Lines<M, R>) -> Vec<String> {
 }
 
 #[track_caller]
-fn compare<R: Rule + Send + Sync>(rule: R, n: usize) {
+fn compare<R: Rule>(rule: R, n: usize) {
     let bumps = [1.0, 2.0, 4.0].map(|height| Bump::new(height, 0.5).expect("valid"));
     let wall = HalfSpace::at_least([1.0, 0.0], 2.0).expect("a normal");
     let mut problems = Vec::new();
@@ -98,4 +100,36 @@ fn without_chords_every_problem_is_refused_and_without_problems_nothing_is() {
     let lines = on_threads(2, &problems, Trapezoidal, 0);
     assert!(lines.len() == 3 && lines.iter().all(|l| matches!(l, Err(SolveError::NoSubinterval))));
     assert!(on_threads(2, &problems[..0], Trapezoidal, 10).is_empty());
+}
+
+/// The Euclidean metric; knows who has asked.
+#[derive(Default)]
+struct Asked(Mutex<HashSet<thread::ThreadId>>);
+
+impl Metric<4> for Asked {
+    fn gram<S: Scalar>(&self, _: &SVector<S, 4>) -> SMatrix<S, 4, 4> {
+        self.0.lock().expect("nobody panics").insert(thread::current().id());
+        SMatrix::identity()
+    }
+}
+
+/// On a grid on which a problem by itself would take two.
+#[test]
+fn each_problem_of_a_batch_has_one_thread() {
+    let threads_of = |solve: fn(&[Problem<&Asked, 4>])| {
+        let asked = Asked::default();
+        let ends = Ends::points([0.0; 4], [1.0; 4]).expect("finite");
+        solve(&vec![Problem::new(&asked, ends); 3]);
+        asked.0.into_inner().expect("nobody panics").len()
+    };
+    let batch = threads_of(|problems| {
+        let pool = ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
+        pool.install(|| solve_all(problems, Trapezoidal, 5000, &Options::default()));
+    });
+    assert_eq!(batch, 1);
+    let alone = threads_of(|problems| {
+        problems[0].solve(Trapezoidal, 5000).expect("a metric");
+    });
+    let processors = thread::available_parallelism().map_or(1, usize::from);
+    assert_eq!(alone > 1, processors > 1);
 }

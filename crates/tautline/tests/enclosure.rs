@@ -56,7 +56,8 @@ where
         std::array::from_fn(|i| a[i] * (1.0 - t) + b[i] * t + by[i] * sine).into()
     };
     let start = PointSequence::new((0..=n).map(at).collect()).expect("finite");
-    let options = Options { starts: Starts::Only(vec![start]), iterations: 0 };
+    let options =
+        Options { starts: Starts::Only(vec![start]), iterations: 0, ..Options::default() };
     let ends = Ends::points(a, b).expect("finite");
     Problem::new(metric, ends).solve_with(rule, n, &options).expect("solved")
 }

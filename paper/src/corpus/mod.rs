@@ -91,7 +91,7 @@ impl Case {
         let straight = PointSequence::straight(first, ends.second().project(&first), n)?;
         let problem = Problem::new(metric, ends);
         let search = |starts| -> Result<Search, SolveError> {
-            let options = Options { starts, ..Options::default() };
+            let options = Options { starts, threads: 1, ..Options::default() };
             Ok(if trapezoidal {
                 Search::new(problem.solve_with(Trapezoidal, n, &options)?.minimum())
             } else {

@@ -99,11 +99,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
 }
 
 /// The bounds on the safe side of the three quantities in a square of half side `step`.
-fn bounds(
-    metric: &(impl Metric<2> + Sync),
-    [x, y]: [f64; 2],
-    step: f64,
-) -> Result<[f64; 3], Failure> {
+fn bounds(metric: &impl Metric<2>, [x, y]: [f64; 2], step: f64) -> Result<[f64; 3], Failure> {
     let domain = Domain::cell(Cell::new([x - step, y - step], [x + step, y + step])?);
     let effort = Effort { tolerance: 0.01, ..Effort::default() };
     let of = |quantity| certify(metric, quantity, &domain, effort);

@@ -22,7 +22,7 @@ use Claim::{C1, C2, LH, MH};
 const SMALL: f64 = 1e-4;
 
 /// The metric with one of its constants multiplied by a factor, put to the law about that constant.
-fn put<M: Bounded<D> + Sync, const D: usize>(
+fn put<M: Bounded<D>, const D: usize>(
     metric: &M,
     region: Region<D>,
     constant: Claim,
@@ -46,7 +46,7 @@ fn put<M: Bounded<D> + Sync, const D: usize>(
 /// Tells a small lie about every constant that is attained, and one of twice its looseness about
 /// every other.
 #[track_caller]
-fn liars_are_refused<M: Bounded<D> + Sync, const D: usize>(
+fn liars_are_refused<M: Bounded<D>, const D: usize>(
     metric: &M,
     region: Region<D>,
     loose: &[(Claim, f64)],

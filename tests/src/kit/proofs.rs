@@ -29,11 +29,7 @@ fn proved() -> Certified<Formula, 2> {
 metric_suite!(a_formula_alone: proved(), dimension 2, in period());
 
 /// The metric with one of its constants multiplied by a factor.
-fn liar<M: Bounded<2> + Sync>(
-    metric: M,
-    constant: Claim,
-    factor: f64,
-) -> MetricCase<WithConstants<M>, 2> {
+fn liar<M: Bounded<2>>(metric: M, constant: Claim, factor: f64) -> MetricCase<WithConstants<M>, 2> {
     let by = |which| if which == constant { factor } else { 1.0 };
     let factors = [Claim::C1, Claim::C2, Claim::LH, Claim::MH].map(by);
     let constants = metric.constants().times(factors).expect("in order");

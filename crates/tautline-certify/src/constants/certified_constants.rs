@@ -38,7 +38,7 @@ impl<const D: usize> CertifiedConstants<D> {
     ///
     /// As [`certify`], for the first of them that fails.
     pub fn new(
-        metric: &(impl Metric<D> + Sync),
+        metric: &impl Metric<D>,
         domain: &Domain<D>,
         effort: Effort,
     ) -> Result<Self, CertifyError> {

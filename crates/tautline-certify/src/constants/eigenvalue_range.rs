@@ -16,10 +16,10 @@ pub(super) struct Least<'a, M>(pub(super) Gram<'a, M>);
 /// The greatest eigenvalue of `H(x)`: at most `c₂`.
 pub(super) struct Greatest<'a, M>(pub(super) Gram<'a, M>);
 
-impl<M: Metric<D> + Sync, const D: usize> Spectral<D> for Least<'_, M> {
+impl<M: Metric<D>, const D: usize> Spectral<D> for Least<'_, M> {
     type Choice = ();
 
-    fn gram(&self) -> Gram<'_, impl Metric<D> + Sync> {
+    fn gram(&self) -> Gram<'_, impl Metric<D>> {
         self.0
     }
 
@@ -44,10 +44,10 @@ impl<M: Metric<D> + Sync, const D: usize> Spectral<D> for Least<'_, M> {
     }
 }
 
-impl<M: Metric<D> + Sync, const D: usize> Spectral<D> for Greatest<'_, M> {
+impl<M: Metric<D>, const D: usize> Spectral<D> for Greatest<'_, M> {
     type Choice = ();
 
-    fn gram(&self) -> Gram<'_, impl Metric<D> + Sync> {
+    fn gram(&self) -> Gram<'_, impl Metric<D>> {
         self.0
     }
 

@@ -37,11 +37,11 @@ use super::{
 /// A multiple of the identity takes the short way: `‖DH‖² = |∇φ|²`.
 pub(super) struct FirstDerivative<'a, M>(pub(super) Gram<'a, M>);
 
-impl<M: Metric<D> + Sync, const D: usize> Spectral<D> for FirstDerivative<'_, M> {
+impl<M: Metric<D>, const D: usize> Spectral<D> for FirstDerivative<'_, M> {
     /// The factors of the forms that vanish.
     type Choice = Option<Vanishing<D>>;
 
-    fn gram(&self) -> Gram<'_, impl Metric<D> + Sync> {
+    fn gram(&self) -> Gram<'_, impl Metric<D>> {
         self.0
     }
 

@@ -79,7 +79,7 @@ impl<const D: usize> CertifiedConstant<D> {
 /// to be defined; [`CertifyError::BudgetSpent`] with the bounds so far if they are not within the
 /// tolerance, as for a constant that is infinite.
 pub fn certify<const D: usize>(
-    metric: &(impl Metric<D> + Sync),
+    metric: &impl Metric<D>,
     quantity: Quantity,
     domain: &Domain<D>,
     effort: Effort,

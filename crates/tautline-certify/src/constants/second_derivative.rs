@@ -34,11 +34,11 @@ use super::{
 /// A multiple of the identity takes the short way: `‖D²H‖ = ‖D²φ‖`.
 pub(super) struct SecondDerivative<'a, M>(pub(super) Gram<'a, M>);
 
-impl<M: Metric<D> + Sync, const D: usize> Spectral<D> for SecondDerivative<'_, M> {
+impl<M: Metric<D>, const D: usize> Spectral<D> for SecondDerivative<'_, M> {
     /// What is added to `B`, and to `−B`.
     type Choice = [Option<Vanishing<D>>; 2];
 
-    fn gram(&self) -> Gram<'_, impl Metric<D> + Sync> {
+    fn gram(&self) -> Gram<'_, impl Metric<D>> {
         self.0
     }
 

@@ -22,7 +22,7 @@ pub(super) trait Spectral<const D: usize>: Sync {
     type Choice;
 
     /// Returns the metric.
-    fn gram(&self) -> Gram<'_, impl Metric<D> + Sync>;
+    fn gram(&self) -> Gram<'_, impl Metric<D>>;
 
     /// Returns a choice for which the bound is good at `x`.
     fn choice(&self, x: &SVector<f64, D>) -> Self::Choice;

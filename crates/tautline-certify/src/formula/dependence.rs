@@ -330,7 +330,7 @@ mod tests {
     /// A metric on the line by a formula.
     struct Line<F>(F);
 
-    trait Formula {
+    trait Formula: Sync {
         fn at<S: Scalar>(&self, x: S) -> S;
     }
 

@@ -26,6 +26,8 @@ pub(crate) struct EndFrame<const D: usize> {
     pub(crate) coordinates: [Coordinate; D],
     /// `F / τ`, the projected gradient, in the coordinates of `R^D`.
     pub(crate) projected_gradient: SVector<f64, D>,
+    /// `g`, in `m²/ℓ`.
+    pub(crate) gradient: SVector<f64, D>,
 }
 
 /// The row of a block system that belongs to an end point.
@@ -61,6 +63,7 @@ impl<const D: usize> EndFrame<D> {
         gradient: &SVector<f64, D>,
         tau: f64,
     ) -> Self {
+        let gradient = *gradient;
         let z = x - gradient * tau;
         let residual = x - set.project(&z);
         let derivative = set.projection_derivative(&z);
@@ -75,7 +78,7 @@ impl<const D: usize> EndFrame<D> {
                     Coordinate::Fixed { step: -residual[i] }
                 }
             });
-            return Self { basis: identity, coordinates, projected_gradient };
+            return Self { basis: identity, coordinates, projected_gradient, gradient };
         }
         let eigen = DMatrix::from_fn(D, D, |i, j| 0.5 * (derivative[(i, j)] + derivative[(j, i)]))
             .symmetric_eigen();
@@ -92,7 +95,7 @@ impl<const D: usize> EndFrame<D> {
                 }
             }
         });
-        Self { basis, coordinates, projected_gradient }
+        Self { basis, coordinates, projected_gradient, gradient }
     }
 
     /// Goes over to these coordinates in the row of a block system that belongs to the end point.

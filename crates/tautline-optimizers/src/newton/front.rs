@@ -8,6 +8,7 @@ use crate::newton::{
     end_frame::{EndFrame, EndRow},
     factorization::{Pivot, Regulariser},
     ldl::Ldl,
+    residual::Residual,
 };
 
 /// The block row of a point, as far as it is known.
@@ -33,6 +34,8 @@ pub(crate) struct Front<const D: usize, T = f64> {
     pub(crate) trace: T,
     /// `Σ yₙᵀ Dₙ⁻¹ yₙ` over what is eliminated, in `m²`.
     pub(crate) square: T,
+    /// `Σ |gₙ|²` over the inner points behind, divided by the square of the unit of the [`Residual`].
+    pub(crate) inner: T,
     /// Whether the metric is one at every node behind.
     pub(crate) is_metric: bool,
 }
@@ -54,6 +57,7 @@ impl<T: Lanes, const D: usize> Front<D, T> {
             energy: CompensatedSum::default(),
             trace: T::zero(),
             square: T::zero(),
+            inner: T::zero(),
             is_metric: true,
         }
     }
@@ -75,6 +79,12 @@ impl<T: Lanes, const D: usize> Front<D, T> {
         self.is_metric &= chord.is_metric;
         let row = Row { block: chord.hessian[1] + own, right: -far, gradient: far };
         Ahead { row, lower: chord.coupling.transpose() + diagonal(regulariser.upper()) }
+    }
+
+    /// Counts the point that it has come to as an inner one.
+    #[inline(always)]
+    pub(crate) fn count(&mut self, residual: &Residual<D>) {
+        self.inner += residual.square(&self.row.gradient);
     }
 
     /// Eliminates the row and goes ahead; returns the pivot and `zₙ`. `None` if the Hessian is not
@@ -122,6 +132,7 @@ impl<const D: usize> Front<D> {
         self.energy += other.energy;
         self.trace += other.trace;
         self.square += other.square;
+        self.inner += other.inner;
         self.is_metric &= other.is_metric;
     }
 
@@ -179,6 +190,7 @@ impl<const D: usize> Front<D, Pair> {
             energy: energies[lane],
             trace: self.trace.lane(lane),
             square: self.square.lane(lane),
+            inner: self.inner.lane(lane),
             is_metric: self.is_metric,
         })
     }

@@ -3,7 +3,7 @@
 use tautline_discretizations::QuadraticModel;
 
 /// The energy of a curve and the size of the metric along it, which scale everything else.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Magnitude {
     /// The discrete energy, in `m²`.
     pub(crate) energy: f64,

@@ -1,5 +1,6 @@
 //! Newton steps: one look at a point sequence, and where it leads.
 
+pub(crate) mod chain;
 pub(crate) mod end_frame;
 pub(crate) mod factorization;
 pub(crate) mod front;
@@ -13,4 +14,5 @@ pub(crate) mod rounding;
 pub(crate) mod stationarity;
 pub(crate) mod sweep;
 pub(crate) mod twisted_factorization;
+pub(crate) mod two_threads;
 pub(crate) mod workspace;

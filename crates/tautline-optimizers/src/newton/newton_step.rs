@@ -28,7 +28,7 @@ pub struct NewtonStep<const D: usize> {
 /// rounding.
 ///
 /// What [`minimise`](crate::minimise) repeats on fine grids, where nothing need be damped: assembly
-/// and factorisation in one pass over the chords, `O(N D³)`, in the memory of `workspace`.
+/// and factorisation in one pass over the chords, `O(N D³)`, in the memory of `workspace`, on one thread.
 pub fn newton_step<const D: usize, R: Rule>(
     workspace: &mut Workspace<D>,
     metric: &impl Metric<D>,
@@ -44,9 +44,7 @@ pub fn newton_step<const D: usize, R: Rule>(
     let mean_gram = traces.iter().sum::<f64>() / 3.0;
     let energy = mean_gram * (sequence.last() - sequence.first()).norm_squared();
     let about = Magnitude { energy, mean_gram };
-    let Workspace { factorization, spare } = workspace;
-    let memory = spare.take(points.len());
-    let mut pass = NewtonPass::new(rule, metric, ends, sequence, about, factorization, memory)?;
+    let mut pass = NewtonPass::new(rule, metric, ends, sequence, about, false, workspace)?;
     let at = pass.stationarity();
     Some(NewtonStep {
         step: pass.take_step(),

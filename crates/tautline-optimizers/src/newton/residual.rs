@@ -7,14 +7,15 @@ use tautline_sets::ClosedSet;
 
 use crate::newton::{end_frame::EndFrame, magnitude::Magnitude, rounding::rounding};
 
-/// The residual of [`Minimum`](crate::Minimum), from the gradients by one point after the other.
+/// The residual of [`Minimum`](crate::Minimum), from the gradients by all points.
 pub(crate) struct Residual<const D: usize> {
     /// About the momentum, in `m²/ℓ`: by which all is divided first, since a square may be beyond
     /// the range of `f64`.
     unit: f64,
     reciprocal: f64,
     last: usize,
-    inner: f64,
+    /// `Σ |gₙ|²` over the inner points, divided by the square of the unit.
+    pub(crate) inner: f64,
     /// The gradients by the two ends.
     pub(crate) ends: [SVector<f64, D>; 2],
 }
@@ -27,22 +28,21 @@ impl<const D: usize> Residual<D> {
         Self { unit, reciprocal: 1.0 / unit, last: n, inner: 0.0, ends: [SVector::zeros(); 2] }
     }
 
-    /// Takes the gradient by an inner point, or by some side by side.
+    /// Returns the square of the gradient by a point, divided by that of the unit.
     #[inline(always)]
-    pub(crate) fn push<T: Lanes>(&mut self, gradient: &SVector<T, D>) {
+    pub(crate) fn square<T: Lanes>(&self, gradient: &SVector<T, D>) -> T {
         let scaled = gradient * T::constant(self.reciprocal);
-        let square = scaled.dot(&scaled);
-        self.inner += (1..T::LANES).fold(square.lane(0), |sum, lane| sum + square.lane(lane));
+        scaled.dot(&scaled)
     }
 
     /// Takes the gradients by all points.
     pub(crate) fn push_all(&mut self, gradient: &[SVector<f64, D>]) {
         let [first, inner @ .., last] = gradient else { return };
         self.ends = [*first, *last];
-        inner.iter().for_each(|gradient| self.push(gradient));
+        self.inner = inner.iter().map(|gradient| self.square(gradient)).sum();
     }
 
-    /// Returns the residual and its floor, after the last point.
+    /// Returns the residual and its floor, once the gradients are known.
     pub(crate) fn value(
         &self,
         sets: [&dyn ClosedSet<D>; 2],
@@ -75,7 +75,7 @@ impl<const D: usize> Residual<D> {
 mod tests {
     use nalgebra::{SMatrix, SVector};
     use tautline_discretizations::{PointSequence, QuadraticModel, Trapezoidal};
-    use tautline_metrics::{Pair, gallery::Constant};
+    use tautline_metrics::{Lanes, Pair, gallery::Constant};
     use tautline_sets::Point;
 
     use super::Residual;
@@ -107,13 +107,14 @@ mod tests {
     }
 
     #[test]
-    fn a_pair_counts_as_both_of_its_points() {
-        let about = Magnitude { energy: 2.0, mean_gram: 1.0 };
+    fn of_two_points_side_by_side_each_has_its_square() {
+        let residual = Residual::<2>::new(3, Magnitude { energy: 2.0, mean_gram: 1.0 });
         let gradients = [[1.0, 2.0], [3.0, -4.0]].map(SVector::from);
-        let (mut both, mut apart) = (Residual::<2>::new(3, about), Residual::<2>::new(3, about));
-        both.push(&gradients[0].zip_map(&gradients[1], Pair::new));
-        gradients.iter().for_each(|gradient| apart.push(gradient));
-        // 1 + 4 + 9 + 16 = 30, over the square of the momentum.
-        assert!((both.inner - apart.inner).abs() < 1e-14 && (both.inner - 15.0).abs() < 1e-13);
+        let squares = residual.square(&gradients[0].zip_map(&gradients[1], Pair::new));
+        // 1 + 4 and 9 + 16, over the square of the momentum, 2: three roundings.
+        for (lane, expected) in [2.5, 12.5].into_iter().enumerate() {
+            assert!((squares.lane(lane) - expected).abs() < 1e-14);
+            assert_eq!(squares.lane(lane), residual.square(&gradients[lane]));
+        }
     }
 }

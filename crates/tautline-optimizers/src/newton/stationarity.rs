@@ -5,7 +5,7 @@ use tautline_discretizations::PointSequence;
 use crate::newton::{magnitude::Magnitude, rounding::negligible};
 
 /// What first derivatives and a factorisation of the Hessian say about a point sequence.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Stationarity {
     /// The discrete energy, and the size of the metric.
     pub(crate) magnitude: Magnitude,

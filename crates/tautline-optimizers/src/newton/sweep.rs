@@ -2,11 +2,11 @@
 
 use nalgebra::SVector;
 use tautline_discretizations::{ChordModel, PointSequence, Rule};
-use tautline_metrics::{Lanes, Metric, Pair};
+use tautline_metrics::{Metric, Pair};
 use tautline_sets::ClosedSet;
 
 use crate::newton::{
-    end_frame::EndFrame, factorization::Regulariser, front::Front, magnitude::Magnitude,
+    chain::Chain, end_frame::EndFrame, factorization::Regulariser, magnitude::Magnitude,
     residual::Residual, rounding::margin, stationarity::Stationarity,
     twisted_factorization::TwistedFactorization,
 };
@@ -24,103 +24,82 @@ pub(crate) struct Sweep<const D: usize> {
 /// Sums up and eliminates in one pass; `None` if the Hessian, less the [`margin`], is not positive
 /// definite or not finite.
 ///
-/// From both ends towards the middle, two chords at a time; from four dimensions on, where that does
-/// not pay, from the first chord to the last. Each block is eliminated as soon as the
-/// chords on both sides of its point are known, so that neither gradient nor Hessian is ever stored.
-/// The pivots and the right hand side after elimination, which is all that a Newton step needs, are
-/// written to `memory`, if there is some. `about` is what is known of the magnitude beforehand: it
-/// scales the margin and what is taken for a chord at the ends.
+/// From both ends towards the middle. Each block is eliminated as soon as the chords on both sides of
+/// its point are known, so that neither gradient nor Hessian is ever stored. The pivots and the right
+/// hand side after elimination, which is all that a Newton step needs, are written to `memory`, if
+/// there is some. `about` is what is known of the magnitude beforehand: it scales the margin and what
+/// is taken for a chord at the ends.
+///
+/// Up to three dimensions the two sides go side by side, [two chords at a time](ChordModel::PAYS). From
+/// four on they go one after the other, or both `at_once`, on two threads, which does not change a bit
+/// of the result.
 pub(crate) fn sweep<R: Rule, const D: usize>(
     rule: R,
     metric: &impl Metric<D>,
     ends: [&dyn ClosedSet<D>; 2],
     sequence: &PointSequence<D>,
     about: Magnitude,
-    // Not a generic parameter: a formula is inlined here once for each kind of number, and would not
-    // be twice.
+    at_once: bool,
+    // Not a generic parameter: where a formula is compiled once more, it is no longer inlined.
     mut memory: Option<(&mut TwistedFactorization<D>, &mut Vec<SVector<f64, D>>)>,
 ) -> Option<Sweep<D>> {
     let count = sequence.n().get();
     let n = count as f64;
-    let regulariser = Regulariser { n, weight: -margin(count) * about.mean_gram };
     let tau = about.tau(count);
-    let frame = |end: usize, gradient: &SVector<f64, D>| {
-        let x = if end == 0 { sequence.first() } else { sequence.last() };
-        EndFrame::new(ends[end], x, gradient, tau)
-    };
-    let pairs = if const { ChordModel::<D, Pair>::PAYS } { count / 2 } else { 0 };
+    let regulariser = Regulariser { n, weight: -margin(count) * about.mean_gram };
+    let mut residual = Residual::new(count, about);
+    let chain = Chain { rule, metric, ends, sequence, regulariser, tau, residual: &residual };
+    let half = chain.half();
     if let Some((factorization, eliminated)) = &mut memory {
-        factorization.clear(pairs, count - 2 * pairs);
+        let (pairs, on_each_side) =
+            if const { ChordModel::<D, Pair>::PAYS } { (half, 0) } else { (0, half) };
+        factorization.clear(pairs, on_each_side);
         eliminated.clear();
         eliminated.resize(count + 1, SVector::zeros());
     }
-    let mut residual = Residual::new(count, about);
-    let mut frames = [None, None];
-    let [mut front, mut back] = [Front::new(regulariser); 2];
-    // Said twice, so that nothing is compiled where it does not pay.
-    if const { ChordModel::<D, Pair>::PAYS } && pairs > 0 {
-        let mut both = Front::<D, Pair>::new(regulariser);
-        for k in 0..pairs {
-            let chords = [sequence.chord(k), sequence.chord(count - 1 - k)];
-            let chord = ChordModel::facing(rule, metric, chords, n);
-            let mut ahead = both.add(&chord, regulariser);
-            if k == 0 {
-                let gradients = both.apart().map(|front| front.row.gradient);
-                let [first, last] = [0, 1].map(|end| frame(end, &gradients[end]));
-                both.enter([&first, &last], &mut ahead, tau);
-                (residual.ends, frames) = (gradients, [Some(first), Some(last)]);
-            } else {
-                residual.push(&both.row.gradient);
-            }
-            let (pivot, z) = both.advance(ahead)?;
-            if let Some((factorization, eliminated)) = &mut memory {
-                factorization.pairs.push(pivot);
-                eliminated[k] = z.map(|z| z.lane(0));
-                eliminated[count - k] = z.map(|z| z.lane(1));
-            }
-        }
-        [front, back] = both.apart();
-    }
-    for k in pairs..count - pairs {
-        let (x, d) = sequence.chord(k);
+    let kept = memory.as_mut().map(|(pivots, eliminated)| (&mut **pivots, &mut eliminated[..]));
+    let [one, other] = if const { ChordModel::<D, Pair>::PAYS } {
+        chain.side_by_side(kept)?
+    } else {
+        chain.side_and_side(kept, at_once)?
+    };
+    let (mut front, mut frames, back) = (one.front, [one.frame, other.frame], other.front);
+    if count > 2 * half {
+        let (x, d) = sequence.chord(half);
         let mut ahead = front.add(&ChordModel::new(rule, metric, x, &d, n), regulariser);
-        if k + 1 == count - pairs {
-            ahead.row.join(&back.row);
-        }
-        if k == 0 {
-            residual.ends[0] = front.row.gradient;
-            front.enter(frames[0].insert(frame(0, &front.row.gradient)), &mut ahead, tau);
+        ahead.row.join(&back.row);
+        if half > 0 {
+            front.count(&residual);
         } else {
-            residual.push(&front.row.gradient);
-        }
-        if k + 1 == count {
-            residual.ends[1] = ahead.row.gradient;
-            ahead.enter(frames[1].insert(frame(1, &ahead.row.gradient)), &mut front, tau);
+            // Both ends are at the one chord that there is.
+            front.enter(frames[0].insert(chain.frame(0, &front.row.gradient)), &mut ahead, tau);
+            ahead.enter(frames[1].insert(chain.frame(1, &ahead.row.gradient)), &mut front, tau);
         }
         let (pivot, z) = front.advance(ahead)?;
         if let Some((factorization, eliminated)) = &mut memory {
-            factorization.middle.push(pivot);
-            eliminated[k] = z;
+            factorization.middle = Some(pivot);
+            eliminated[half] = z;
         }
-    }
-    if 2 * pairs == count {
+    } else {
         // Both have come to the same point.
         front.row.join(&back.row);
     }
     front.add_sums(&back);
-    if pairs > 0 {
-        residual.push(&front.row.gradient);
+    if half > 0 {
+        front.count(&residual);
     }
     let (last, z) = front.finish()?;
     if let Some((factorization, eliminated)) = memory {
         factorization.last = Some(last);
-        eliminated[count - pairs] = z;
+        eliminated[count - half] = z;
     }
+    let frames = frames.map(|frame| frame.expect("there are chords at both ends"));
+    residual.inner = front.inner;
+    residual.ends = frames.each_ref().map(|frame| frame.gradient);
     let mean_gram = front.trace / (n * n * D as f64);
     let magnitude = Magnitude { energy: front.energy.value(), mean_gram };
     let (residual, residual_floor) = residual.value(ends, sequence, magnitude);
     let (decrement, is_metric) = (0.5 * front.square, front.is_metric);
     let stationarity = Stationarity { magnitude, is_metric, decrement, residual, residual_floor };
-    let frames = frames.map(|frame| frame.expect("there are chords at both ends"));
     Some(Sweep { stationarity, frames, tau })
 }

@@ -6,57 +6,65 @@ use tautline_metrics::{Lanes, Pair};
 use crate::newton::{factorization::Pivot, ldl::Ldl};
 
 /// The factorisation by blocks of a positive definite block-tridiagonal matrix, from both ends
-/// towards the middle: block `n` from the front and block `N − n` from the back are eliminated side
-/// by side, and then what is left between them. Also known as two-sided elimination, and as
-/// burning at both ends.
+/// towards the middle: block `n` from the front and block `N − n` from the back, for `n < ⌊N/2⌋`, and
+/// then the one or two blocks between them. Also known as two-sided elimination, and as burning at
+/// both ends.
+///
+/// The two sides are eliminated side by side, as `pairs`, or each by itself, as `sides`.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct TwistedFactorization<const D: usize> {
     /// Of the blocks `n` and `N − n`, from the ends on.
     pub(crate) pairs: Vec<Pivot<D, Pair>>,
-    /// Of those between, each by itself, from the front to the back.
-    pub(crate) middle: Vec<Pivot<D>>,
+    /// Those from the front, and those from the back.
+    pub(crate) sides: [Vec<Pivot<D>>; 2],
+    /// Of the first of two blocks in the middle.
+    pub(crate) middle: Option<Pivot<D>>,
     /// Of the block that is left.
     pub(crate) last: Option<Ldl<D>>,
 }
 
 impl<const D: usize> TwistedFactorization<D> {
-    /// Forgets everything but the memory, and makes room for so many.
-    pub(crate) fn clear(&mut self, pairs: usize, middle: usize) {
+    /// Forgets everything but the memory, and makes room for so many pairs, and so many on each side.
+    pub(crate) fn clear(&mut self, pairs: usize, on_each_side: usize) {
         self.pairs.clear();
         self.pairs.reserve_exact(pairs);
-        self.middle.clear();
-        self.middle.reserve_exact(middle);
-        self.last = None;
+        for side in &mut self.sides {
+            side.clear();
+            side.reserve_exact(on_each_side);
+        }
+        (self.middle, self.last) = (None, None);
     }
 
     /// For how many blocks there is room.
     pub(crate) fn capacity(&self) -> usize {
-        2 * self.pairs.capacity() + self.middle.capacity()
+        2 * self.pairs.capacity() + self.sides.iter().map(Vec::capacity).sum::<usize>()
     }
 
-    /// Eliminates a right hand side `b`, which it uses up; returns `½ bᵀ A⁻¹ b = ½ Σ yₙᵀ Dₙ⁻¹ yₙ`:
-    /// nothing need be substituted back for it.
-    pub(crate) fn half_square(&self, b: &mut [SVector<f64, D>]) -> f64 {
-        let Some(end) = b.len().checked_sub(1) else { return 0.0 };
-        let (front, back) = (self.pairs.len(), end - self.pairs.len());
-        let mut square = 0.0;
-        for (n, pivot) in self.pairs.iter().enumerate() {
-            let mut change = SVector::zeros();
-            let [y, z] = pivot.forward(b[n].zip_map(&b[end - n], Pair::new), &mut change);
-            // One after the other: the last two may meet at the same block.
-            b[n + 1] += change.map(|x| x.lane(0));
-            b[end - n - 1] += change.map(|x| x.lane(1));
-            let both = y.dot(&z);
-            square += both.lane(0) + both.lane(1);
-        }
-        for (n, pivot) in self.middle.iter().enumerate() {
-            let mut next = b[front + n + 1];
-            let [y, z] = pivot.forward(b[front + n], &mut next);
-            b[front + n + 1] = next;
+    /// How many blocks are eliminated from each end, before those in the middle.
+    fn half(&self) -> usize {
+        self.pairs.len() + self.sides[0].len()
+    }
+
+    /// Returns `½ bᵀ A⁻¹ b = ½ Σ yₙᵀ Dₙ⁻¹ yₙ`: nothing need be substituted back for it.
+    pub(crate) fn half_square(&self, b: &[SVector<f64, D>]) -> f64 {
+        let (half, end) = (self.half(), b.len() - 1);
+        let [(front, left), (back, right)] = if self.sides[0].is_empty() {
+            let both = |n: usize| b[n].zip_map(&b[end - n], Pair::new);
+            let (square, carried) = eliminate(&self.pairs, both);
+            [0, 1].map(|lane| (square.lane(lane), carried.map(|x| x.lane(lane))))
+        } else {
+            let [front, back] = &self.sides;
+            [eliminate(front, |n| b[n]), eliminate(back, |n| b[end - n])]
+        };
+        let mut square = front + back;
+        let mut next = b[half] + left;
+        if let Some(middle) = &self.middle {
+            let here = std::mem::replace(&mut next, b[end - half]);
+            let [y, z] = middle.forward(here, &mut next);
             square += y.dot(&z);
         }
         if let Some(last) = &self.last {
-            let [y, z] = last.forward(b[back]);
+            let [y, z] = last.forward(next + right);
             square += y.dot(&z);
         }
         0.5 * square
@@ -64,19 +72,53 @@ impl<const D: usize> TwistedFactorization<D> {
 
     /// Overwrites the `zₙ` that elimination has made of a right hand side with the solution.
     pub(crate) fn substitute_back(&self, z: &mut [SVector<f64, D>]) {
-        let Some(end) = z.len().checked_sub(1) else { return };
-        let (front, back) = (self.pairs.len(), end - self.pairs.len());
+        let (half, end) = (self.half(), z.len() - 1);
         if let Some(last) = &self.last {
-            z[back] = last.backward(z[back]);
+            z[end - half] = last.backward(z[end - half]);
         }
-        for (n, pivot) in self.middle.iter().enumerate().rev() {
-            z[front + n] = pivot.backward(z[front + n], &z[front + n + 1]);
+        if let Some(middle) = &self.middle {
+            z[half] = middle.backward(z[half], &z[end - half]);
         }
-        let mut x = z[front].zip_map(&z[back], Pair::new);
+        let behind = [z[half], z[end - half]];
+        let mut x = behind[0].zip_map(&behind[1], Pair::new);
         for (n, pivot) in self.pairs.iter().enumerate().rev() {
             x = pivot.backward(z[n].zip_map(&z[end - n], Pair::new), &x);
             z[n] = x.map(|x| x.lane(0));
             z[end - n] = x.map(|x| x.lane(1));
         }
+        let [front, back] = &self.sides;
+        let (first, second) = z.split_at_mut(end + 1 - half);
+        substitute(front, first.iter_mut().take(half).rev(), behind[0]);
+        substitute(back, second.iter_mut(), behind[1]);
+    }
+}
+
+/// Eliminates the right hand sides of some blocks; returns `Σ yₙᵀ Dₙ⁻¹ yₙ` and what is added to the
+/// right hand side of the block behind them.
+fn eliminate<T: Lanes, const D: usize>(
+    pivots: &[Pivot<D, T>],
+    right: impl Fn(usize) -> SVector<T, D>,
+) -> (T, SVector<T, D>) {
+    let (mut square, mut carried) = (T::zero(), SVector::zeros());
+    for (n, pivot) in pivots.iter().enumerate() {
+        let here = right(n) + carried;
+        carried = SVector::zeros();
+        let [y, z] = pivot.forward(here, &mut carried);
+        square += y.dot(&z);
+    }
+    (square, carried)
+}
+
+/// Substitutes `behind`, the solution at the block behind the last, back to the first one; `z` are
+/// those of the blocks, the last first.
+fn substitute<'a, const D: usize>(
+    pivots: &[Pivot<D>],
+    z: impl Iterator<Item = &'a mut SVector<f64, D>>,
+    behind: SVector<f64, D>,
+) {
+    let mut x = behind;
+    for (pivot, z) in pivots.iter().rev().zip(z) {
+        x = pivot.backward(*z, &x);
+        *z = x;
     }
 }

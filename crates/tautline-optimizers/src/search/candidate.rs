@@ -140,7 +140,7 @@ mod tests {
     fn distance<R: Rule>(rule: R, grids: &[usize]) -> f64 {
         let ends = [[0.0, 0.0], [2.0, 1.5]].map(|x| Point::new(x).expect("finite"));
         let ends: [&dyn tautline_sets::ClosedSet<2>; 2] = [&ends[0], &ends[1]];
-        let search = LocalSearch { metric: &Valleys, rule, ends, iterations: 50 };
+        let search = LocalSearch { metric: &Valleys, rule, ends, iterations: 50, threads: 1 };
         let solve = |n| {
             let line = PointSequence::straight([0.0, 0.0], [2.0, 1.5], n).expect("finite");
             search.run(line).expect("a metric")

@@ -54,8 +54,13 @@ mod tests {
     fn a_twelfth_of_a_newton_step_is_taken_eight_times() {
         let metric = Constant::<2>::new(SMatrix::identity()).expect("definite");
         let [a, b] = [[0.0, 0.0], [2.0, 0.0]].map(|x| Point::new(x).expect("finite"));
-        let search =
-            LocalSearch { metric: &metric, rule: Trapezoidal, ends: [&a, &b], iterations: 1 };
+        let search = LocalSearch {
+            metric: &metric,
+            rule: Trapezoidal,
+            ends: [&a, &b],
+            iterations: 1,
+            threads: 1,
+        };
         let bent = vec![vector![0.0, 0.0], vector![1.0, 1.0], vector![2.0, 0.0]];
         let bent = PointSequence::new(bent).expect("finite");
         // E = 2 (1 + y²) · 2 at (1, y): from 8 down to 4 at y = 0, and δ = 4 for all of p.

@@ -46,6 +46,7 @@ pub(crate) struct LocalSearch<'a, M, R, const D: usize> {
     pub(crate) rule: R,
     pub(crate) ends: [&'a dyn ClosedSet<D>; 2],
     pub(crate) iterations: usize,
+    pub(crate) threads: usize,
 }
 
 /// Where a local search ended.

@@ -5,7 +5,10 @@ use tautline_metrics::{Metric, Pair, check_gram};
 
 use crate::{
     Curvature, Stop, Workspace,
-    newton::{newton_pass::NewtonPass, rounding::margin, stationarity::Stationarity, sweep::sweep},
+    newton::{
+        newton_pass::NewtonPass, rounding::margin, stationarity::Stationarity, sweep::sweep,
+        two_threads::share,
+    },
     search::local_search::{Found, LocalSearch},
 };
 
@@ -43,26 +46,24 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
     ) -> Option<Found<D>> {
         let (rule, metric, ends) = (self.rule, self.metric, self.ends);
         let n = start.n().get();
+        let at_once = share::<D>(self.threads, n);
         let mut about = coarser.magnitude();
         let reached =
             |at: Stationarity, x: &_| at.is_reached(x) && at.residual <= at.residual_floor;
         if n * D * D >= LARGE && coarser.from <= FORESEEN {
-            let at = sweep(rule, metric, ends, &start, about, None)?.stationarity;
+            let at = sweep(rule, metric, ends, &start, about, at_once, None)?.stationarity;
             if reached(at, &start) {
                 return self.found(start, at, 1, at.decrement);
             }
         }
-        let Workspace { factorization, spare } = workspace;
         let (mut here, mut allowed, mut from) = (start, NEAR, None);
         for iteration in 1..=STEPS {
             *passes = iteration;
-            let memory = spare.take(n + 1);
-            let mut pass =
-                NewtonPass::new(rule, metric, ends, &here, about, factorization, memory)?;
+            let mut pass = NewtonPass::new(rule, metric, ends, &here, about, at_once, workspace)?;
             let at = pass.stationarity();
             let from = *from.get_or_insert(at.decrement);
             if reached(at, &here) {
-                spare.give(pass.into_memory());
+                pass.leave();
                 return self.found(here, at, iteration, from);
             }
             about = at.magnitude;
@@ -80,7 +81,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
             // tells. Two chords at a time, a sweep costs no more than a gradient does.
             if at.decrement <= margin(n).powi(2) * about.energy {
                 let there = if const { ChordModel::<D, Pair>::PAYS } {
-                    sweep(rule, metric, ends, &trial, about, None)?.stationarity
+                    sweep(rule, metric, ends, &trial, about, false, None)?.stationarity
                 } else {
                     pass.stationarity_at(rule, metric, ends, &trial)
                 };
@@ -88,7 +89,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
                     return self.found(trial, there, iteration, from);
                 }
             }
-            spare.give(std::mem::replace(&mut here, trial).into_points());
+            workspace.spare.give(std::mem::replace(&mut here, trial).into_points());
         }
         None
     }

@@ -45,9 +45,7 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
 
 /// `c₁`, `c₂` and `L_H` of a periodic metric, on the safe side, proved to one percent on all of
 /// space.
-fn constants<const D: usize>(
-    metric: &(impl Metric<D> + Sync),
-) -> Result<[Interval; 3], VerifyError> {
+fn constants<const D: usize>(metric: &impl Metric<D>) -> Result<[Interval; 3], VerifyError> {
     let space = Domain::space(metric);
     if !space.is_all_of_space() {
         return Err(CertifyError::NotAllOfSpace.into());
@@ -79,7 +77,7 @@ fn proved(
 }
 
 fn evidence<const D: usize>(
-    metric: &(impl Metric<D> + Sync),
+    metric: &impl Metric<D>,
     points: &PointSequence<D>,
 ) -> Result<Vec<Evidence>, VerifyError> {
     let [c1, c2, l_h] = constants(metric)?;
@@ -131,7 +129,7 @@ fn evidence<const D: usize>(
 }
 
 fn hold<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn family<S: Subject, M: Metric<D> + Sync + Debug, const D: usize>(
+    fn family<S: Subject, M: Metric<D> + Debug, const D: usize>(
         trial: &Trial<'_, S>,
         seed: u64,
         metrics: impl Strategy<Value = M>,

@@ -77,7 +77,7 @@ macro_rules! __metric_tests {
             use super::*;
 
             fn case() -> $crate::kit::MetricCase<
-                impl $crate::prelude::Bounded<$d> + ::std::marker::Sync,
+                impl $crate::prelude::Bounded<$d>,
                 $d,
             > {
                 let effort = $crate::kit::Effort::for_dimension($d);

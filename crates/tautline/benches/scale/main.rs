@@ -48,7 +48,16 @@ struct Row {
     n: usize,
     threads: usize,
     /// The seconds per problem on one thread over those on all, times their number.
-    efficiency: Option<f64>,
+    efficiency: f64,
+}
+
+fn processors() -> usize {
+    thread::available_parallelism().map_or(1, usize::from)
+}
+
+/// The rate of this cost over that of the first, one thread's, times their number.
+fn efficiency<T>(first: &mut Option<f64>, cost: &Cost<T>, threads: usize) -> f64 {
+    *first.get_or_insert(cost.seconds) / (cost.seconds * threads as f64)
 }
 
 impl Row {
@@ -70,21 +79,21 @@ impl Row {
         let nodes = (count * n) as f64;
         println!(
             "{problem},{D},{n},{count},{local_minima},{threads},{:.1},{:.1},{:.1},{over_floor:.2},\
-             {:.4},{}",
+             {:.4},{efficiency:.2}",
             1e9 * seconds / nodes,
             bytes as f64 / nodes,
             iterations as f64 / count as f64,
             count as f64 / seconds,
-            efficiency.map_or(String::new(), |efficiency| format!("{efficiency:.2}")),
         );
         Ok(())
     }
 }
 
-/// Solves one problem on one thread, from the straight line.
+/// Solves one problem from the straight line, on one thread and on so many.
 struct Single {
     problem: &'static str,
     n: usize,
+    threads: usize,
 }
 
 impl Peer for Single {
@@ -94,11 +103,17 @@ impl Peer for Single {
         ends: Ends<D>,
         start: PointSequence<D>,
     ) -> Result<(), Box<dyn Error>> {
-        let Self { problem, n } = self;
-        let options = Options { starts: Starts::Only(vec![start]), ..Options::default() };
+        let Self { problem, n, threads } = self;
         let posed = Problem::new(metric, ends);
-        let cost = cost(|| vec![posed.solve_with(Trapezoidal, n, &options)]);
-        Row { problem, n, threads: 1, efficiency: None }.print(cost)
+        let mut single = None;
+        for threads in 1..=threads {
+            let starts = Starts::Only(vec![start.clone()]);
+            let options = Options { starts, threads, ..Options::default() };
+            let cost = cost(|| vec![posed.solve_with(Trapezoidal, n, &options)]);
+            Row { problem, n, threads, efficiency: efficiency(&mut single, &cost, threads) }
+                .print(cost)?;
+        }
+        Ok(())
     }
 }
 
@@ -113,7 +128,8 @@ fn wide<const D: usize>(problem: &'static str, n: usize) -> Result<(), Box<dyn E
     let metric = SineProjections::<D>::new([1.0, 2.0, 3.0, 4.0].map(term).to_vec())?;
     let (from, to) = ([0.0; D], [1.0; D]);
     let start = PointSequence::straight(from, to, START)?;
-    let (single, ends) = (Single { problem, n }, Ends::points(from, to)?);
+    let threads = processors().min(2);
+    let (single, ends) = (Single { problem, n, threads }, Ends::points(from, to)?);
     if problem == BY_GRAM {
         single.solve(ByGram(metric), ends, start)
     } else {
@@ -133,13 +149,11 @@ fn batch(problem: &'static str) -> Result<(), Box<dyn Error>> {
         .map(|k| Ends::points(point(2 * k), point(2 * k + 1)).map(|ends| Problem::new(bump, ends)))
         .collect();
     let (posed, options) = (posed?, Options::default());
-    let all = thread::available_parallelism().map_or(1, usize::from);
     let mut single = None;
-    for threads in [1, all] {
+    for threads in [1, processors()] {
         let pool = ThreadPoolBuilder::new().num_threads(threads).build()?;
         let cost = cost(|| pool.install(|| solve_all(&posed, Trapezoidal, SHORT, &options)));
-        let one = *single.get_or_insert(cost.seconds);
-        let efficiency = Some(one / (cost.seconds * threads as f64));
+        let efficiency = efficiency(&mut single, &cost, threads);
         Row { problem, n: SHORT, threads, efficiency }.print(cost)?;
     }
     Ok(())
@@ -153,7 +167,7 @@ fn main() -> Result<(), Box<dyn Error>> {
          residual_over_floor,problems_per_second,efficiency"
     );
     for problem in ["P1", "P2"].into_iter().filter(|problem| wanted(problem)) {
-        pose(problem, START, Single { problem, n: LONG })?;
+        pose(problem, START, Single { problem, n: LONG, threads: 1 })?;
     }
     // Matrices of jets of this size are on the stack.
     let wide = || -> Result<(), String> {

@@ -44,7 +44,8 @@ impl Peer for Timing {
         if n * 2 * D * D > LARGEST {
             return Ok(());
         }
-        let options = Options { starts: Starts::Only(vec![start]), ..Options::default() };
+        let options =
+            Options { starts: Starts::Only(vec![start]), threads: 1, ..Options::default() };
         let problem = Problem::new(metric, ends);
         let metric = problem.metric();
         let line = bent(problem.solve_with(Trapezoidal, n, &options)?.sequence())?;

@@ -29,7 +29,7 @@ impl Peer for Tautline {
     ) -> Result<(), Box<dyn std::error::Error>> {
         let n = start.n().get();
         let problem = Problem::new(metric, ends);
-        let options = Options { starts: Starts::Only(vec![start]), ..Options::default() };
+        let options = options(start);
         println!("version={}\nset_up={}", env!("CARGO_PKG_VERSION"), cpu_time());
         let timed = time(|| problem.solve_with(Trapezoidal, n, &options));
         let line = timed.result.as_ref().map_err(ToString::to_string)?;
@@ -37,6 +37,11 @@ impl Peer for Tautline {
         let stop = format!("{:?}, {:?}", minimum.stop, minimum.curvature);
         report(&timed, minimum.iterations, &stop, minimum.sequence.points(), &self.points)
     }
+}
+
+/// From this start alone, and on one thread: each program is confined to one processor.
+fn options<const D: usize>(start: PointSequence<D>) -> Options<D> {
+    Options { starts: Starts::Only(vec![start]), threads: 1, ..Options::default() }
 }
 
 /// The square of the distance, extrapolated: on the first grid that is accurate enough.
@@ -53,7 +58,7 @@ impl Peer for Distance {
         start: PointSequence<D>,
     ) -> Result<(), Box<dyn std::error::Error>> {
         let problem = Problem::new(metric, ends);
-        let options = Options { starts: Starts::Only(vec![start]), ..Options::default() };
+        let options = options(start);
         let estimate = |n| {
             let line = problem.solve_with(Trapezoidal, n, &options)?;
             Ok::<_, SolveError>(line.distance_squared_estimate())

@@ -216,7 +216,7 @@ macro_rules! functions {
     ({} $($id:ident, $law:literal, $run:expr;)*) => {
         $(
             #[doc = concat!("Tries the law `", stringify!($id), "`: `", $law, "`.")]
-            pub fn $id<M: Bounded<D> + Sync, const D: usize>(case: &MetricCase<M, D>) -> Outcome {
+            pub fn $id<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Outcome {
                 let run: fn(&MetricCase<M, D>) -> super::report::LawResult = $run;
                 Outcome::new(stringify!($id), $law, run(case))
             }
@@ -226,7 +226,7 @@ macro_rules! functions {
         pub const LAWS: &[&str] = &[$(stringify!($id)),*];
 
         /// Tries all laws of a case.
-        pub fn verify<M: Bounded<D> + Sync, const D: usize>(case: &MetricCase<M, D>) -> Report {
+        pub fn verify<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Report {
             Report { outcomes: vec![$($id(case)),*] }
         }
     };
@@ -237,7 +237,7 @@ __metric_laws! { [functions] {} }
 /// Tries all laws on a metric, whose distances are extrapolated from fine grids.
 ///
 /// The same functions are behind the tests of [`metric_suite!`](crate::metric_suite).
-pub fn verify_metric<M: Bounded<D> + Sync, const D: usize>(
+pub fn verify_metric<M: Bounded<D>, const D: usize>(
     metric: &M,
     region: &Region<D>,
     effort: &Effort,
@@ -250,7 +250,7 @@ pub fn verify_metric<M: Bounded<D> + Sync, const D: usize>(
 /// # Errors
 ///
 /// As [`MetricCase::within`].
-pub fn verify_metric_within<M: LocallyBounded<D> + Sync, const D: usize>(
+pub fn verify_metric_within<M: LocallyBounded<D>, const D: usize>(
     metric: &M,
     centre: impl Into<SVector<f64, D>>,
     radius: f64,

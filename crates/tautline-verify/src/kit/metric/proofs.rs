@@ -61,9 +61,7 @@ impl Claim {
 /// most of it. Where the claim is on the right side of both bounds it is proved; between them, it
 /// is right as far as they are apart. In more than three dimensions, and where the boxes do not
 /// suffice, the note says that nothing was decided.
-pub(super) fn constants<M: Bounded<D> + Sync, const D: usize>(
-    case: &MetricCase<M, D>,
-) -> LawResult {
+pub(super) fn constants<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
     if D > 3 {
         return Ok(Tried::cases(0).with_note("not tried in more than three dimensions"));
     }

@@ -1,0 +1,104 @@
+//! Two halves of a computation, one after the other or at once.
+
+use std::{panic::resume_unwind, thread};
+
+use tautline_discretizations::ChordModel;
+use tautline_metrics::Pair;
+
+/// The stack of the second thread, in bytes: in many dimensions matrices of jets are on it, 8 MB at
+/// `D = 64`. Only what is used of it becomes memory.
+const STACK: usize = 32 << 20;
+
+/// Where the chords of a grid have so many second derivatives, half a sweep takes ten times as long as
+/// a thread takes to begin and end.
+const WORTH_A_THREAD: usize = 65_536;
+
+/// Whether two of `threads` had better share a pass over `n` chords, one from each end: not where both
+/// sides go side by side, which two threads, with one side each, do not catch up with.
+pub(crate) fn share<const D: usize>(threads: usize, n: usize) -> bool {
+    let processors = || thread::available_parallelism().map_or(1, usize::from);
+    let worth = const { !ChordModel::<D, Pair>::PAYS } && n * D * D >= WORTH_A_THREAD;
+    worth && threads > 1 && processors() > 1
+}
+
+/// Returns both results, if there are both: one after the other, or `at_once`, the other half on a
+/// thread of its own, unless the system has none to give.
+pub(crate) fn join<T: Send>(
+    at_once: bool,
+    one: impl FnOnce() -> Option<T>,
+    other: impl FnOnce() -> Option<T> + Send,
+) -> Option<[T; 2]> {
+    if at_once { on_two_threads(STACK, one, other) } else { Some([one()?, other()?]) }
+}
+
+fn on_two_threads<T: Send>(
+    stack: usize,
+    one: impl FnOnce() -> Option<T>,
+    other: impl FnOnce() -> Option<T> + Send,
+) -> Option<[T; 2]> {
+    let mut other = Some(other);
+    let (one, done) = thread::scope(|scope| {
+        let work = || other.take().map(|other| other());
+        let thread = thread::Builder::new().stack_size(stack).spawn_scoped(scope, work);
+        let one = one();
+        let done = thread.ok().map(|thread| thread.join().unwrap_or_else(|why| resume_unwind(why)));
+        (one, done.flatten())
+    });
+    // The other half is still here, if there was no thread to take it.
+    let other = done.or_else(|| other.map(|other| other()));
+    Some([one?, other.flatten()?])
+}
+
+#[cfg(test)]
+mod tests {
+    use std::thread;
+
+    use super::{STACK, join, on_two_threads, share};
+
+    /// Which half, and whether this thread has done it.
+    fn halves(stack: usize) -> [(i32, bool); 2] {
+        let here = thread::current().id();
+        let half = |which| Some((which, thread::current().id() == here));
+        on_two_threads(stack, || half(1), || half(2)).expect("both halves")
+    }
+
+    #[test]
+    fn each_half_has_its_place_and_its_thread() {
+        assert_eq!(halves(STACK), [(1, true), (2, false)]);
+        assert_eq!(join(false, || Some(1), || Some(2)), Some([1, 2]));
+    }
+
+    #[test]
+    fn without_a_second_thread_the_first_does_both() {
+        // No system has so much.
+        assert_eq!(halves(1 << 60), [(1, true), (2, true)]);
+    }
+
+    #[test]
+    fn there_is_no_result_without_either_half() {
+        for at_once in [false, true] {
+            for [one, other] in [[None, Some(2)], [Some(1), None], [None, None]] {
+                assert_eq!(join(at_once, || one, || other), None);
+            }
+        }
+        // One after the other, nobody begins in vain.
+        let begun = join(false, || None::<()>, || panic!("begun"));
+        assert_eq!(begun, None);
+    }
+
+    #[test]
+    #[should_panic(expected = "the other half")]
+    fn a_panic_goes_on_where_it_is_waited_for() {
+        join(true, || Some(()), || panic!("the other half"));
+    }
+
+    #[test]
+    fn threads_share_what_is_worth_it() {
+        let two = thread::available_parallelism().is_ok_and(|processors| processors.get() > 1);
+        assert_eq!([4095, 4096].map(|n| share::<4>(2, n)), [false, two]);
+        assert_eq!([1023, 1024].map(|n| share::<8>(2, n)), [false, two]);
+        assert_eq!([0, 1, 3].map(|threads| share::<8>(threads, 1024)), [false, false, two]);
+        // There one thread takes both sides at once.
+        assert!(!share::<3>(2, 1 << 20));
+    }
+}
