@@ -104,9 +104,10 @@ impl Peer for Single {
         start: PointSequence<D>,
     ) -> Result<(), Box<dyn Error>> {
         let Self { problem, n, threads } = self;
-        let posed = Problem::new(metric, ends);
         let mut single = None;
         for threads in 1..=threads {
+            // Anew, so that no memory is left from before.
+            let posed = Problem::new(&metric, ends.clone());
             let starts = Starts::Only(vec![start.clone()]);
             let options = Options { starts, threads, ..Options::default() };
             let cost = cost(|| vec![posed.solve_with(Trapezoidal, n, &options)]);
