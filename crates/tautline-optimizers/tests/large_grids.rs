@@ -171,8 +171,8 @@ fn two_threads_find_the_same_bit_by_bit() {
     assert_same_on_two_threads(&projections::<4>(), Trapezoidal, [[0.0; 4], [1.0; 4]], 30_001);
 }
 
-/// A metric whose Gram matrix is not symmetric, by little, within some 10⁻⁵ of a hyperplane; what is
-/// differentiated is in order.
+/// A metric whose Gram matrix is not symmetric within some 10⁻⁵ of a hyperplane, in an entry that moves
+/// nothing along a line in `x₅ = 0`; what is differentiated is in order.
 struct Torn<'a> {
     metric: &'a SineProjections<5>,
     at: f64,
@@ -181,7 +181,7 @@ struct Torn<'a> {
 impl Metric<5> for Torn<'_> {
     fn gram<S: Scalar>(&self, x: &SVector<S, 5>) -> SMatrix<S, 5, 5> {
         let mut h: SMatrix<S, 5, 5> = self.metric.gram(x);
-        h[(1, 0)] += (-((x[0] - self.at) * 1e5).sqr()).exp() * 1e-9;
+        h[(1, 4)] += (-((x[0] - self.at) * 1e5).sqr()).exp() * 1e-6;
         h
     }
 
@@ -197,7 +197,12 @@ impl Metric<5> for Torn<'_> {
 /// At one node of the finest grid only, on the side of either end.
 #[test]
 fn a_node_where_the_metric_is_none_is_seen_on_either_side() {
-    let (metric, line, n) = (projections(), [[0.0; 5], [1.0; 5]], 3_000);
+    let term = |k: f64| SineProjection {
+        wave_vector: vector![k.sin(), 1.0, 0.5 * k, k.cos(), 0.0],
+        direction: vector![0.5 * k.cos(), 0.3, -0.2, 0.1 * k, 0.0],
+    };
+    let metric = SineProjections::new([1.0, 2.0, 3.0].map(term).to_vec()).expect("finite");
+    let (line, n) = ([[0.0; 5], [1.0, 1.0, 1.0, 1.0, 0.0]], 3_000);
     let whole = from_the_line(&metric, Trapezoidal, line, n).expect("a metric");
     for k in [100, 2_900] {
         let (x, d) = whole.sequence.chord(k);
