@@ -84,6 +84,7 @@ impl<T: Lanes, const D: usize> Ldl<D, T> {
 #[cfg(test)]
 mod tests {
     use nalgebra::{SMatrix, matrix, vector};
+    use tautline_metrics::Pair;
 
     use super::Ldl;
 
@@ -104,6 +105,15 @@ mod tests {
         assert!(Ldl::new(&matrix![1.0, 2.0; 2.0, 1.0]).is_none());
         assert!(Ldl::new(&matrix![1.0, f64::NAN; f64::NAN, 1.0]).is_none());
         assert!(Ldl::new(&matrix![f64::INFINITY]).is_none());
+    }
+
+    #[test]
+    fn of_two_side_by_side_each_has_to_be_positive_definite() {
+        let (definite, indefinite) = (matrix![2.0, 1.0; 1.0, 2.0], matrix![1.0, 2.0; 2.0, 1.0]);
+        let pair = |a: &SMatrix<f64, 2, 2>, b: &SMatrix<f64, 2, 2>| a.zip_map(b, Pair::new);
+        assert!(Ldl::new(&pair(&definite, &definite)).is_some());
+        assert!(Ldl::new(&pair(&definite, &indefinite)).is_none());
+        assert!(Ldl::new(&pair(&indefinite, &definite)).is_none());
     }
 
     /// Only the lower half is read.

@@ -257,13 +257,13 @@ fn grids(n: usize) -> Vec<usize> {
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::SMatrix;
-    use tautline_discretizations::Trapezoidal;
-    use tautline_metrics::gallery::Constant;
-    use tautline_sets::Ends;
+    use nalgebra::{SMatrix, vector};
+    use tautline_discretizations::{PointSequence, Rule, Trapezoidal};
+    use tautline_metrics::gallery::{Constant, Separable};
+    use tautline_sets::{ClosedSet, Ends, Point};
 
-    use super::{Options, grids, minimise};
-    use crate::SolveError;
+    use super::{Candidate, Options, Search, grids, minimise};
+    use crate::{SolveError, Workspace};
 
     #[test]
     fn an_energy_beyond_the_range_of_f64_is_an_error() {
@@ -278,6 +278,36 @@ mod tests {
             let error = between(1e155, n).expect_err("5e310");
             assert!(matches!(error, SolveError::Energy { .. }), "{error:?}");
         }
+    }
+
+    /// The minimiser with nine chords leaps over both ridges of this metric: from there, Newton's
+    /// method without damping leads nowhere on the next grid, and its steps count all the same.
+    #[test]
+    fn steps_without_damping_that_led_nowhere_are_counted() {
+        let ridges = Separable::new(vector![0.788, 0.0, 0.0], vector![1.663, 1.0, 1.0]);
+        let ridges = ridges.expect("below one");
+        let line = [[-2.866, 0.0, 0.0], [3.0, 0.0, 0.0]];
+        let [a, b] = line.map(|x| Point::new(x).expect("finite"));
+        let ends: [&dyn ClosedSet<3>; 2] = [&a, &b];
+        let (workspace, options) = (&mut Workspace::default(), &Options::default());
+        let (metric, rule) = (&ridges, Trapezoidal);
+        let mut search = Search { workspace, metric, rule, options, iterations: 0, refused: None };
+        let local = search.between(ends);
+        let coarse = || {
+            let line = PointSequence::straight(line[0], line[1], 9).expect("finite");
+            Candidate::new(ends, local.run(line).expect("a metric"))
+        };
+        let start = || {
+            let exponent = <Trapezoidal as Rule>::ERROR_EXPONENT;
+            coarse().start(129, exponent, Vec::new()).expect("finite")
+        };
+        let mut in_vain = 0;
+        let undamped = local.refine(start(), &coarse().found, search.workspace, &mut in_vain);
+        assert!(undamped.is_none() && in_vain > 0);
+        let damped = local.run(start()).expect("a metric").iterations;
+        let candidate = search.follow(coarse(), 129).expect("a metric");
+        assert_eq!(candidate.found.iterations, in_vain + damped);
+        assert_eq!(search.iterations, in_vain + damped);
     }
 
     #[test]
