@@ -72,7 +72,7 @@ struct Open<const D: usize> {
 /// too large: so what is returned is the larger one of the two, which is a bound of the dropped
 /// boxes and of the others.
 pub(crate) fn maximise<const D: usize>(
-    function: &impl Bounded<D>,
+    function: &dyn Bounded<D>,
     domain: &Domain<D>,
     effort: Effort,
 ) -> Maximum<D> {
@@ -129,7 +129,7 @@ impl<const D: usize> Default for Search<D> {
 
 impl<const D: usize> Search<D> {
     /// Takes note of a value; NaN is none.
-    fn meet(&mut self, x: SVector<f64, D>, value: f64, function: &impl Bounded<D>) {
+    fn meet(&mut self, x: SVector<f64, D>, value: f64, function: &dyn Bounded<D>) {
         self.best = self.best.max(value);
         if value > self.wanted {
             let wanted = function.wanted(&x);

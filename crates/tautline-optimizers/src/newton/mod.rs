@@ -1,6 +1,7 @@
 //! Newton steps: one look at a point sequence, and where it leads.
 
 pub(crate) mod chain;
+pub(crate) mod discrete_energy;
 pub(crate) mod end_frame;
 pub(crate) mod factorization;
 pub(crate) mod front;

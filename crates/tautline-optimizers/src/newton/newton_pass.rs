@@ -1,25 +1,21 @@
 //! `NewtonPass`: a Newton step in one pass over the chords, there and back.
 
 use nalgebra::SVector;
-use tautline_discretizations::{LinearModel, PointSequence, Rule};
-use tautline_metrics::Metric;
+use tautline_discretizations::{LinearModel, PointSequence};
 use tautline_sets::ClosedSet;
 
 use crate::{
     Workspace,
     newton::{
-        end_frame::EndFrame,
-        magnitude::Magnitude,
-        residual::Residual,
-        stationarity::Stationarity,
-        sweep::{Sweep, sweep},
+        discrete_energy::DiscreteEnergy, end_frame::EndFrame, magnitude::Magnitude,
+        residual::Residual, stationarity::Stationarity, sweep::Sweep,
     },
 };
 
 /// A Newton step from a point sequence where the Hessian is positive definite.
 ///
 /// The same step as that of a [`ReducedSystem`](crate::newton::reduced_system::ReducedSystem) without
-/// shift, by one [`sweep`] there and a substitution back.
+/// shift, by one [sweep](DiscreteEnergy::sweep) there and a substitution back.
 pub(crate) struct NewtonPass<'a, const D: usize> {
     sweep: Sweep<D>,
     /// The right hand side after elimination.
@@ -28,10 +24,9 @@ pub(crate) struct NewtonPass<'a, const D: usize> {
 }
 
 impl<'a, const D: usize> NewtonPass<'a, D> {
-    /// Sweeps; `None` where the [`sweep`] is. The factorisation in `workspace` is overwritten.
-    pub(crate) fn new<R: Rule>(
-        rule: R,
-        metric: &impl Metric<D>,
+    /// Sweeps; `None` where the [sweep](DiscreteEnergy::sweep) is. The factorisation in `workspace` is overwritten.
+    pub(crate) fn new(
+        energy: &dyn DiscreteEnergy<D>,
         ends: [&dyn ClosedSet<D>; 2],
         sequence: &PointSequence<D>,
         about: Magnitude,
@@ -40,7 +35,7 @@ impl<'a, const D: usize> NewtonPass<'a, D> {
     ) -> Option<Self> {
         let mut eliminated = workspace.spare.take(sequence.points().len());
         let memory = Some((&mut workspace.factorization, &mut eliminated));
-        match sweep(rule, metric, ends, sequence, about, at_once, memory) {
+        match energy.sweep(ends, sequence, about, at_once, memory) {
             Some(sweep) => Some(Self { sweep, eliminated, workspace }),
             None => {
                 workspace.spare.give(eliminated);
@@ -72,15 +67,14 @@ impl<'a, const D: usize> NewtonPass<'a, D> {
 
     /// Looks at a sequence close by, with the factorisation from here: in many dimensions at a
     /// fraction of the price of a sweep.
-    pub(crate) fn stationarity_at<R: Rule>(
+    pub(crate) fn stationarity_at(
         &self,
-        rule: R,
-        metric: &impl Metric<D>,
+        energy: &dyn DiscreteEnergy<D>,
         ends: [&dyn ClosedSet<D>; 2],
         sequence: &PointSequence<D>,
     ) -> Stationarity {
         let Magnitude { mean_gram, .. } = self.stationarity().magnitude;
-        let LinearModel { energy, gradient, is_metric } = LinearModel::new(rule, metric, sequence);
+        let LinearModel { energy, gradient, is_metric } = energy.linear_model(sequence);
         let count = sequence.n().get();
         let mut residual = Residual::new(count, self.stationarity().magnitude);
         residual.push_all(&gradient);
@@ -114,7 +108,10 @@ mod tests {
     use super::{Magnitude, NewtonPass, Residual, Stationarity};
     use crate::{
         Workspace,
-        newton::reduced_system::{ReducedSystem, Step},
+        newton::{
+            discrete_energy::EnergyOf,
+            reduced_system::{ReducedSystem, Step},
+        },
     };
 
     /// The numbers of the pass and those of the system that is set up, factorised and solved.
@@ -155,7 +152,8 @@ mod tests {
         let factorization = system.factorize().expect("definite");
         let Step { step, decrement } = system.newton_step(&factorization);
         let magnitude = Magnitude { energy: model.energy, mean_gram: model.mean_gram };
-        let pass = NewtonPass::new(rule, metric, ends, &sequence, magnitude, at_once, memory);
+        let functional = &EnergyOf { rule, metric };
+        let pass = NewtonPass::new(functional, ends, &sequence, magnitude, at_once, memory);
         let mut pass = pass.expect("definite");
         // The condition of the system is 100 at most, its entries some 10: some thousand roundings.
         let close = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b.abs();
@@ -177,7 +175,7 @@ mod tests {
         let expected = system.decrement_at(&factorization, ends, moved.points(), &gradient);
         let mut residual = Residual::new(n, magnitude);
         residual.push_all(&gradient);
-        let there = pass.stationarity_at(rule, metric, ends, &moved);
+        let there = pass.stationarity_at(functional, ends, &moved);
         let (residual, floor) = residual.value(ends, &moved, there.magnitude);
         assert!(close(there.decrement, expected) && expected > 0.0, "{there:?} {expected}");
         assert!(there.is_metric && close(there.magnitude.energy, energy));

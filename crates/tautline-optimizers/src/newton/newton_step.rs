@@ -7,7 +7,7 @@ use tautline_sets::ClosedSet;
 
 use crate::{
     Workspace,
-    newton::{magnitude::Magnitude, newton_pass::NewtonPass},
+    newton::{discrete_energy::EnergyOf, magnitude::Magnitude, newton_pass::NewtonPass},
 };
 
 /// A Newton step from a point sequence, and what it promises.
@@ -44,7 +44,8 @@ pub fn newton_step<const D: usize, R: Rule>(
     let mean_gram = traces.iter().sum::<f64>() / 3.0;
     let energy = mean_gram * (sequence.last() - sequence.first()).norm_squared();
     let about = Magnitude { energy, mean_gram };
-    let mut pass = NewtonPass::new(rule, metric, ends, sequence, about, false, workspace)?;
+    let mut pass =
+        NewtonPass::new(&EnergyOf { rule, metric }, ends, sequence, about, false, workspace)?;
     let at = pass.stationarity();
     Some(NewtonStep {
         step: pass.take_step(),

@@ -21,6 +21,13 @@ pub(crate) struct Sweep<const D: usize> {
     pub(crate) tau: f64,
 }
 
+/// Where a sweep writes, if anywhere: the factorisation, and the right hand side after elimination.
+///
+/// Not a generic parameter of [`sweep`]: where a formula is compiled once more, it is no longer
+/// inlined.
+pub(crate) type MemoryOfSweep<'m, const D: usize> =
+    Option<(&'m mut TwistedFactorization<D>, &'m mut Vec<SVector<f64, D>>)>;
+
 /// Sums up and eliminates in one pass; `None` if the Hessian, less the [`margin`], is not positive
 /// definite or not finite.
 ///
@@ -40,8 +47,7 @@ pub(crate) fn sweep<R: Rule, const D: usize>(
     sequence: &PointSequence<D>,
     about: Magnitude,
     at_once: bool,
-    // Not a generic parameter: where a formula is compiled once more, it is no longer inlined.
-    mut memory: Option<(&mut TwistedFactorization<D>, &mut Vec<SVector<f64, D>>)>,
+    mut memory: MemoryOfSweep<'_, D>,
 ) -> Option<Sweep<D>> {
     let count = sequence.n().get();
     let n = count as f64;

@@ -133,6 +133,7 @@ mod tests {
     use super::{Candidate, lowest_first};
     use crate::{
         Curvature, Stop,
+        newton::discrete_energy::EnergyOf,
         search::local_search::{Found, LocalSearch},
     };
 
@@ -140,7 +141,12 @@ mod tests {
     fn distance<R: Rule>(rule: R, grids: &[usize]) -> f64 {
         let ends = [[0.0, 0.0], [2.0, 1.5]].map(|x| Point::new(x).expect("finite"));
         let ends: [&dyn tautline_sets::ClosedSet<2>; 2] = [&ends[0], &ends[1]];
-        let search = LocalSearch { metric: &Valleys, rule, ends, iterations: 50, threads: 1 };
+        let search = LocalSearch {
+            energy: &EnergyOf { rule, metric: &Valleys },
+            ends,
+            iterations: 50,
+            threads: 1,
+        };
         let solve = |n| {
             let line = PointSequence::straight([0.0, 0.0], [2.0, 1.5], n).expect("finite");
             search.run(line).expect("a metric")

@@ -1,15 +1,14 @@
 //! Longer steps where a shift has made them too short.
 
 use nalgebra::SVector;
-use tautline_discretizations::{PointSequence, Rule};
-use tautline_metrics::Metric;
+use tautline_discretizations::PointSequence;
 
 use crate::search::local_search::LocalSearch;
 
 /// How much of twice the decrement a step has to shed to be called short: three quarters.
 const SHORT: f64 = 1.5;
 
-impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
+impl<const D: usize> LocalSearch<'_, D> {
     /// Doubles a step from `sequence` as long as that sheds more; `None` if it does not at once.
     ///
     /// `energy` is that of the sequence, `reached` that after the step, and `decrement` is `δ`,
@@ -29,7 +28,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
         while energy - lowest >= SHORT * scale * decrement {
             scale *= 2.0;
             let trial = self.retract(sequence, step, scale);
-            match self.admissible_energy(&trial) {
+            match self.energy.admissible(&trial) {
                 Some(lower) if lower < lowest => (lowest, best) = (lower, Some(trial)),
                 _ => break,
             }
@@ -45,7 +44,7 @@ mod tests {
     use tautline_metrics::gallery::Constant;
     use tautline_sets::Point;
 
-    use crate::search::local_search::LocalSearch;
+    use crate::{newton::discrete_energy::EnergyOf, search::local_search::LocalSearch};
 
     /// From `x` to the minimiser `x + p` the energy of a constant metric is quadratic: with the
     /// step `p/12`, `κ = δ/12`, so that 1, 2 and 4 steps shed at least `(2 − 4/12) δt` and are
@@ -55,8 +54,7 @@ mod tests {
         let metric = Constant::<2>::new(SMatrix::identity()).expect("definite");
         let [a, b] = [[0.0, 0.0], [2.0, 0.0]].map(|x| Point::new(x).expect("finite"));
         let search = LocalSearch {
-            metric: &metric,
-            rule: Trapezoidal,
+            energy: &EnergyOf { rule: Trapezoidal, metric: &metric },
             ends: [&a, &b],
             iterations: 1,
             threads: 1,
@@ -67,7 +65,7 @@ mod tests {
         let after = |share: f64| {
             let step = [SVector::zeros(), vector![0.0, -share], SVector::zeros()];
             let trial = search.retract(&bent, &step, 1.0);
-            let reached = search.admissible_energy(&trial).expect("finite");
+            let reached = search.energy.admissible(&trial).expect("finite");
             search.lengthen(&bent, &step, [8.0, reached], 4.0 * share)
         };
         let moved = after(1.0 / 12.0).expect("it is short");

@@ -1,8 +1,8 @@
 //! The best point sequence on a straight line, by dynamic programming.
 
 use nalgebra::SVector;
-use tautline_discretizations::Rule;
-use tautline_metrics::Metric;
+
+use crate::newton::discrete_energy::DiscreteEnergy;
 
 /// The grid goes on at both sides of the ends for this fraction of their distance: the best
 /// sequence may begin with a step back into a valley.
@@ -17,8 +17,8 @@ const OVERSHOOT: f64 = 0.1;
 /// there are as many local minimisers as ways to do it. Here none is missed, up to the grid: a
 /// start for the local search. With `c(x, y)` the energy of one chord, the least energy
 /// `Vₙ(y)` of `n` chords from `a` to `y` obeys `Vₙ₊₁(y) = minₓ Vₙ(x) + c(x, y)`.
-pub(crate) fn line_minimum<R: Rule, const D: usize>(
-    metric: &impl Metric<D>,
+pub(crate) fn line_minimum<const D: usize>(
+    energy: &dyn DiscreteEnergy<D>,
     a: &SVector<f64, D>,
     b: &SVector<f64, D>,
     n: usize,
@@ -32,9 +32,7 @@ pub(crate) fn line_minimum<R: Rule, const D: usize>(
     };
     let points: Vec<SVector<f64, D>> = (0..=last).map(at).collect();
     let chord = |x: usize, y: usize| {
-        let d = points[y] - points[x];
-        let square = |fraction: f64| metric.norm_squared(&(points[x] + d * fraction), &d);
-        let cost: f64 = R::NODES.iter().map(|node| node.weight * square(node.fraction)).sum();
+        let cost = energy.of_chord(&points[x], &(points[y] - points[x]));
         // Where the metric is none, no sequence passes.
         if cost >= 0.0 { cost } else { f64::INFINITY }
     };
@@ -79,13 +77,18 @@ mod tests {
     use tautline_metrics::gallery::{Hyperbolic, Valleys};
 
     use super::line_minimum;
+    use crate::newton::discrete_energy::EnergyOf;
+
+    fn left<M>(metric: &M) -> EnergyOf<'_, M, LeftEndpoint> {
+        EnergyOf { rule: LeftEndpoint, metric }
+    }
 
     /// Two chords of the left rule from valley to valley over two ridges: one leap, `32 π²`,
     /// is twice `(4π)²`; resting half way in the valley `2π` is the best, `2 · 2 · (2π)²`.
     #[test]
     fn the_left_rule_steps_from_valley_to_valley() {
         let (a, b) = (vector![0.0, 1.0], vector![4.0 * std::f64::consts::PI, 1.0]);
-        let line = line_minimum::<LeftEndpoint, 2>(&Valleys, &a, &b, 2, 64).expect("finite");
+        let line = line_minimum(&left(&Valleys), &a, &b, 2, 64).expect("finite");
         assert_eq!((line[0], line[2]), (a, b));
         assert!((line[1] - (a + b) * 0.5).norm() < 1e-14, "{}", line[1]);
     }
@@ -94,7 +97,13 @@ mod tests {
     #[test]
     fn a_flat_metric_has_equal_chords() {
         let flat = tautline_metrics::gallery::Constant::new(nalgebra::matrix![2.0]).expect("2 > 0");
-        let line = line_minimum::<Trapezoidal, 1>(&flat, &vector![0.0], &vector![8.0], 16, 64);
+        let line = line_minimum(
+            &EnergyOf { rule: Trapezoidal, metric: &flat },
+            &vector![0.0],
+            &vector![8.0],
+            16,
+            64,
+        );
         let line: Vec<f64> = line.expect("finite").iter().map(|x| x[0]).collect();
         assert_eq!(line, (0..=16).map(|k| 0.5 * f64::from(k)).collect::<Vec<_>>());
     }
@@ -103,13 +112,13 @@ mod tests {
     #[test]
     fn a_leap_begins_with_a_step_back() {
         let (a, b) = (vector![1.2, 0.0], vector![12.0, 0.0]);
-        let line = line_minimum::<LeftEndpoint, 2>(&Valleys, &a, &b, 4, 128).expect("finite");
+        let line = line_minimum(&left(&Valleys), &a, &b, 4, 128).expect("finite");
         assert!(line.iter().any(|x| x[0] < 1.0), "{line:?}");
     }
 
     #[test]
     fn no_sequence_leaves_the_domain() {
         let (inside, outside) = (vector![0.9, 0.0], vector![1.5, 0.0]);
-        assert_eq!(line_minimum::<LeftEndpoint, 2>(&Hyperbolic, &outside, &inside, 3, 64), None);
+        assert_eq!(line_minimum(&left(&Hyperbolic), &outside, &inside, 3, 64), None);
     }
 }

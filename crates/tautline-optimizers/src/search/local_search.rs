@@ -1,15 +1,14 @@
 //! The local search on one grid: Newton's method, damped by a shift of the Hessian.
 
 use nalgebra::SVector;
-use tautline_discretizations::{
-    CompensatedSum, PointSequence, QuadraticModel, Rule, energy_gradient,
-};
-use tautline_metrics::{Metric, MetricError, check_gram};
+use tautline_discretizations::{LinearModel, PointSequence, QuadraticModel};
+use tautline_metrics::MetricError;
 use tautline_sets::ClosedSet;
 
 use crate::{
     Curvature, Stop,
     newton::{
+        discrete_energy::DiscreteEnergy,
         factorization::Factorization,
         magnitude::Magnitude,
         reduced_system::{ReducedSystem, Step},
@@ -41,9 +40,8 @@ const PATIENCE: usize = 5;
 
 /// One problem on one grid.
 #[derive(Clone, Copy)]
-pub(crate) struct LocalSearch<'a, M, R, const D: usize> {
-    pub(crate) metric: &'a M,
-    pub(crate) rule: R,
+pub(crate) struct LocalSearch<'a, const D: usize> {
+    pub(crate) energy: &'a dyn DiscreteEnergy<D>,
     pub(crate) ends: [&'a dyn ClosedSet<D>; 2],
     pub(crate) iterations: usize,
     pub(crate) threads: usize,
@@ -87,7 +85,7 @@ enum Next<const D: usize> {
     },
 }
 
-impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
+impl<const D: usize> LocalSearch<'_, D> {
     /// Searches from `start`, whose ends lie in their sets.
     ///
     /// # Errors
@@ -99,7 +97,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
         let mut damping = Damping::default();
         let mut model = QuadraticModel::default();
         for iteration in 0.. {
-            model.expand(self.rule, self.metric, &sequence);
+            self.energy.expand(&sequence, &mut model);
             let next = if iteration == self.iterations {
                 self.give_up(&model, &sequence)
             } else if is_rounding(&model, &sequence) {
@@ -228,7 +226,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
             }
             // A quarter of what the quadratic model sheds is enough to converge.
             let sheds = |energy: &f64| model.energy - energy >= 0.25 * decrement;
-            if let Some(reached) = self.admissible_energy(&trial).filter(sheds) {
+            if let Some(reached) = self.energy.admissible(&trial).filter(sheds) {
                 let longer = (damping.shift > 0.0)
                     .then(|| self.lengthen(sequence, &step, [model.energy, reached], decrement));
                 damping.lower();
@@ -252,7 +250,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
         negligible: f64,
     ) -> Next<D> {
         let trial = PointSequence::new(points).expect("the points are finite");
-        let (energy, gradient) = energy_gradient(self.rule, self.metric, &trial);
+        let LinearModel { energy, gradient, .. } = self.energy.linear_model(&trial);
         let points = trial.into_points();
         let decrement = system.decrement_at(factorization, self.ends, &points, &gradient);
         if decrement <= negligible {
@@ -282,26 +280,6 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
         points[n] = self.ends[1].project(&points[n]);
     }
 
-    /// The energy of a trial; `None` if it is not finite or a chord has a negative one, that
-    /// is, if the step left the region where the metric is one.
-    pub(crate) fn admissible_energy(&self, points: &[SVector<f64, D>]) -> Option<f64> {
-        let n = points.len() - 1;
-        let mut energy = CompensatedSum::default();
-        for pair in points.windows(2) {
-            let chord = pair[1] - pair[0];
-            for node in R::NODES {
-                let square = self.metric.norm_squared(&(pair[0] + chord * node.fraction), &chord);
-                // Written so that NaN fails.
-                if !(square >= 0.0) {
-                    return None;
-                }
-                energy.add(node.weight * square);
-            }
-        }
-        let energy = energy.value() * n as f64;
-        energy.is_finite().then_some(energy)
-    }
-
     /// What to say when the steps are used up.
     fn give_up(&self, model: &QuadraticModel<D>, sequence: &PointSequence<D>) -> Next<D> {
         let system = ReducedSystem::new(model, self.ends, sequence.points(), 0.0);
@@ -327,14 +305,9 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
     /// Checks the Gram matrix at every node, and at both ends, which may be none.
     pub(crate) fn check(&self, sequence: &PointSequence<D>) -> Result<(), MetricError> {
         for x in [sequence.first(), sequence.last()] {
-            check_gram(self.metric, x)?;
+            self.energy.check_at(x)?;
         }
-        for (x, chord) in sequence.chords() {
-            for node in R::NODES {
-                check_gram(self.metric, &(x + chord * node.fraction))?;
-            }
-        }
-        Ok(())
+        self.energy.check_nodes(sequence)
     }
 
     /// The residual and its floor: see [`Minimum`](crate::Minimum).

@@ -1,11 +1,12 @@
 //! The search for a discrete minimiser: several starts on a coarse grid, then finer grids.
 
 use tautline_discretizations::Rule;
-use tautline_metrics::{Metric, check_gram};
+use tautline_metrics::Metric;
 use tautline_sets::{ClosedSet, Ends, common_point};
 
 use crate::{
     Minimum, SolveError, Starts, Workspace,
+    newton::discrete_energy::{DiscreteEnergy, EnergyOf},
     search::{
         candidate::{Candidate, lowest_first},
         local_search::{Found, LocalSearch},
@@ -114,6 +115,17 @@ pub fn minimise_in<const D: usize, R: Rule>(
     options: &Options<D>,
 ) -> Result<Minimum<D>, SolveError> {
     const { assert!(!R::NODES.is_empty(), "a rule reads the metric somewhere") };
+    lowest(workspace, &EnergyOf { rule, metric }, ends, n, options)
+}
+
+/// Returns the lowest minimiser of an energy between the sets `ends` that was found.
+fn lowest<const D: usize>(
+    workspace: &mut Workspace<D>,
+    energy: &dyn DiscreteEnergy<D>,
+    ends: &Ends<D>,
+    n: usize,
+    options: &Options<D>,
+) -> Result<Minimum<D>, SolveError> {
     if n == 0 {
         return Err(SolveError::NoSubinterval);
     }
@@ -125,11 +137,11 @@ pub fn minimise_in<const D: usize, R: Rule>(
     let pairs: Vec<_> = pairs.iter().map(|(first, second)| [&**first, &**second]).collect();
     for pair in &pairs {
         if let Some(x) = common_point(pair[0], pair[1]) {
-            check_gram(metric, &x)?;
+            energy.check_at(&x)?;
             return Ok(Minimum::at_common_point(x, n));
         }
     }
-    let mut search = Search { workspace, metric, rule, options, iterations: 0, refused: None };
+    let mut search = Search { workspace, energy, options, iterations: 0, refused: None };
     let mut candidates: Vec<Candidate<'_, D>> = Vec::new();
     let mut local_minima: Option<Vec<f64>> = None;
     for grid in grids(n) {
@@ -169,10 +181,9 @@ pub fn minimise_in<const D: usize, R: Rule>(
 }
 
 /// What all local searches have in common.
-struct Search<'a, M, R, const D: usize> {
+struct Search<'a, const D: usize> {
     workspace: &'a mut Workspace<D>,
-    metric: &'a M,
-    rule: R,
+    energy: &'a dyn DiscreteEnergy<D>,
     options: &'a Options<D>,
     /// Newton steps of all searches so far.
     iterations: usize,
@@ -180,14 +191,13 @@ struct Search<'a, M, R, const D: usize> {
     refused: Option<SolveError>,
 }
 
-impl<'a, M: Metric<D>, R: Rule, const D: usize> Search<'a, M, R, D> {
-    fn between<'e>(&self, ends: [&'e dyn ClosedSet<D>; 2]) -> LocalSearch<'e, M, R, D>
+impl<'a, const D: usize> Search<'a, D> {
+    fn between<'e>(&self, ends: [&'e dyn ClosedSet<D>; 2]) -> LocalSearch<'e, D>
     where
         'a: 'e,
     {
-        let (metric, rule) = (self.metric, self.rule);
         let &Options { iterations, threads, .. } = self.options;
-        LocalSearch { metric, rule, ends, iterations, threads }
+        LocalSearch { energy: self.energy, ends, iterations, threads }
     }
 
     /// Counts what a search has taken, and keeps what it has found, if its energy is a number.
@@ -206,7 +216,7 @@ impl<'a, M: Metric<D>, R: Rule, const D: usize> Search<'a, M, R, D> {
         'a: 'e,
     {
         let search = self.between(candidate.ends);
-        let start = |memory| candidate.start(grid, R::ERROR_EXPONENT, memory);
+        let start = |memory| candidate.start(grid, search.energy.error_exponent(), memory);
         let mut in_vain = 0;
         let refined = (grid >= FINE).then(|| {
             let start = start(self.workspace.spare.take(grid + 1)).ok()?;
@@ -235,7 +245,7 @@ impl<'a, M: Metric<D>, R: Rule, const D: usize> Search<'a, M, R, D> {
         'a: 'e,
     {
         let search = self.between(ends);
-        for start in self.options.starts.between(self.metric, self.rule, ends, grid, intervals) {
+        for start in self.options.starts.between(self.energy, ends, grid, intervals) {
             let found = search.check(&start).and_then(|()| search.run(start));
             let found = self.accept(found.map_err(SolveError::Metric));
             candidates.extend(found.map(|found| Candidate::new(ends, found)));
@@ -263,7 +273,7 @@ mod tests {
     use tautline_sets::{ClosedSet, Ends, Point};
 
     use super::{Candidate, Options, Search, grids, minimise};
-    use crate::{SolveError, Workspace};
+    use crate::{SolveError, Workspace, newton::discrete_energy::EnergyOf};
 
     #[test]
     fn an_energy_beyond_the_range_of_f64_is_an_error() {
@@ -290,8 +300,8 @@ mod tests {
         let [a, b] = line.map(|x| Point::new(x).expect("finite"));
         let ends: [&dyn ClosedSet<3>; 2] = [&a, &b];
         let (workspace, options) = (&mut Workspace::default(), &Options::default());
-        let (metric, rule) = (&ridges, Trapezoidal);
-        let mut search = Search { workspace, metric, rule, options, iterations: 0, refused: None };
+        let energy = &EnergyOf { rule: Trapezoidal, metric: &ridges };
+        let mut search = Search { workspace, energy, options, iterations: 0, refused: None };
         let local = search.between(ends);
         let coarse = || {
             let line = PointSequence::straight(line[0], line[1], 9).expect("finite");

@@ -1,13 +1,12 @@
 //! The search on a fine grid, from a start so near that no Newton step needs damping.
 
-use tautline_discretizations::{ChordModel, PointSequence, Rule};
-use tautline_metrics::{Metric, Pair, check_gram};
+use tautline_discretizations::{ChordModel, PointSequence};
+use tautline_metrics::Pair;
 
 use crate::{
     Curvature, Stop, Workspace,
     newton::{
-        newton_pass::NewtonPass, rounding::margin, stationarity::Stationarity, sweep::sweep,
-        two_threads::share,
+        newton_pass::NewtonPass, rounding::margin, stationarity::Stationarity, two_threads::share,
     },
     search::local_search::{Found, LocalSearch},
 };
@@ -28,7 +27,7 @@ const FALL: f64 = 0.01;
 const LARGE: usize = 32768;
 const FORESEEN: f64 = 1e-12;
 
-impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
+impl<const D: usize> LocalSearch<'_, D> {
     /// Takes undamped Newton steps from `start`, each in one pass, until the decrement is negligible
     /// and the residual is rounding, or the decrement alone is after a step that promised next to
     /// nothing. On the finest grids both are so at the start.
@@ -44,14 +43,14 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
         workspace: &mut Workspace<D>,
         passes: &mut usize,
     ) -> Option<Found<D>> {
-        let (rule, metric, ends) = (self.rule, self.metric, self.ends);
+        let (energy, ends) = (self.energy, self.ends);
         let n = start.n().get();
         let at_once = share::<D>(self.threads, n);
         let mut about = coarser.magnitude();
         let reached =
             |at: Stationarity, x: &_| at.is_reached(x) && at.residual <= at.residual_floor;
         if n * D * D >= LARGE && coarser.from <= FORESEEN {
-            let at = sweep(rule, metric, ends, &start, about, at_once, None)?.stationarity;
+            let at = energy.sweep(ends, &start, about, at_once, None)?.stationarity;
             if reached(at, &start) {
                 return self.found(start, at, 1, at.decrement);
             }
@@ -59,7 +58,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
         let (mut here, mut allowed, mut from) = (start, NEAR, None);
         for iteration in 1..=STEPS {
             *passes = iteration;
-            let mut pass = NewtonPass::new(rule, metric, ends, &here, about, at_once, workspace)?;
+            let mut pass = NewtonPass::new(energy, ends, &here, about, at_once, workspace)?;
             let at = pass.stationarity();
             let from = *from.get_or_insert(at.decrement);
             if reached(at, &here) {
@@ -81,9 +80,9 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
             // tells. Two chords at a time, a sweep costs no more than a gradient does.
             if at.decrement <= margin(n).powi(2) * about.energy {
                 let there = if const { ChordModel::<D, Pair>::PAYS } {
-                    sweep(rule, metric, ends, &trial, about, false, None)?.stationarity
+                    energy.sweep(ends, &trial, about, false, None)?.stationarity
                 } else {
-                    pass.stationarity_at(rule, metric, ends, &trial)
+                    pass.stationarity_at(energy, ends, &trial)
                 };
                 if there.is_reached(&trial) {
                     return self.found(trial, there, iteration, from);
@@ -103,7 +102,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
         from: f64,
     ) -> Option<Found<D>> {
         let ends = [sequence.first(), sequence.last()];
-        let is_metric = at.is_metric && ends.iter().all(|x| check_gram(self.metric, x).is_ok());
+        let is_metric = at.is_metric && ends.iter().all(|x| self.energy.check_at(x).is_ok());
         is_metric.then_some(Found {
             sequence,
             energy: at.magnitude.energy,

@@ -1,15 +1,14 @@
 //! The way down from a saddle.
 
 use nalgebra::SVector;
-use tautline_discretizations::{PointSequence, QuadraticModel, Rule};
-use tautline_metrics::Metric;
+use tautline_discretizations::{PointSequence, QuadraticModel};
 
 use crate::{
     newton::reduced_system::ReducedSystem,
     search::{damping::SHIFT_FACTOR, local_search::LocalSearch},
 };
 
-impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
+impl<const D: usize> LocalSearch<'_, D> {
     /// Walks down from a saddle, along the direction of the most negative curvature.
     pub(crate) fn leave_saddle(
         &self,
@@ -47,7 +46,7 @@ impl<M: Metric<D>, R: Rule, const D: usize> LocalSearch<'_, M, R, D> {
                 .into_iter()
                 .filter_map(|s| {
                     let trial = self.retract(sequence, &direction, s);
-                    self.admissible_energy(&trial).map(|energy| (energy, trial))
+                    self.energy.admissible(&trial).map(|energy| (energy, trial))
                 })
                 .min_by(|a, b| a.0.total_cmp(&b.0));
             let limit = best.as_ref().map_or(model.energy * (1.0 - 1e-13), |best| best.0);

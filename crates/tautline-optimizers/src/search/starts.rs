@@ -1,11 +1,13 @@
 //! Where the local searches start.
 
 use nalgebra::SVector;
-use tautline_discretizations::{PointSequence, Rule};
-use tautline_metrics::Metric;
+use tautline_discretizations::PointSequence;
 use tautline_sets::ClosedSet;
 
-use crate::search::{line_minimum::line_minimum, prolongation::prolong};
+use crate::{
+    newton::discrete_energy::DiscreteEnergy,
+    search::{line_minimum::line_minimum, prolongation::prolong},
+};
 
 /// Where to start the local searches.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -33,10 +35,9 @@ const PROJECTIONS: usize = 50;
 impl<const D: usize> Starts<D> {
     /// Returns the starts between two pieces, on the grid of `n` chords; the best sequence on
     /// a line is looked for among points at this many intervals.
-    pub(crate) fn between<R: Rule>(
+    pub(crate) fn between(
         &self,
-        metric: &impl Metric<D>,
-        _rule: R,
+        energy: &dyn DiscreteEnergy<D>,
         [first, second]: [&dyn ClosedSet<D>; 2],
         n: usize,
         intervals: usize,
@@ -53,7 +54,7 @@ impl<const D: usize> Starts<D> {
         if !matches!(self, Starts::Only(_)) {
             for (a, b) in end_points(first, second) {
                 starts.extend(bent_lines(&a, &b, n));
-                starts.extend(line_minimum::<R, D>(metric, &a, &b, n, intervals));
+                starts.extend(line_minimum(energy, &a, &b, n, intervals));
             }
         }
         starts.into_iter().filter_map(|points| PointSequence::new(points).ok()).collect()
@@ -124,14 +125,17 @@ mod tests {
     use tautline_sets::{Ball, HalfSpace, Point, Sphere};
 
     use super::{BEND, Starts};
+    use crate::newton::discrete_energy::EnergyOf;
+
+    const VALLEYS: EnergyOf<'_, Valleys, Trapezoidal> =
+        EnergyOf { rule: Trapezoidal, metric: &Valleys };
 
     #[test]
     fn every_start_ends_in_its_sets() {
         let ball = Ball::new([0.0, 2.0], 0.5).expect("positive radius");
         let wall = HalfSpace::new([-1.0, 0.0], -3.0).expect("not zero");
         let given = PointSequence::straight([0.0, 9.0], [9.0, 0.0], 3).expect("finite");
-        let starts =
-            Starts::Also(vec![given]).between(&Valleys, Trapezoidal, [&ball, &wall], 16, 64);
+        let starts = Starts::Also(vec![given]).between(&VALLEYS, [&ball, &wall], 16, 64);
         assert_eq!(
             starts.len(),
             1 + 3 + 1,
@@ -151,7 +155,7 @@ mod tests {
         let a = Point::new([-1.0, 0.0, 0.0]).expect("finite");
         let b = Point::new([1.0, 0.0, 0.0]).expect("finite");
         let middles: Vec<_> = Starts::Automatic
-            .between(&Valleys, Trapezoidal, [&a, &b], 10, 64)
+            .between(&VALLEYS, [&a, &b], 10, 64)
             .iter()
             .map(|start| {
                 let middle = start.points()[5];
@@ -165,7 +169,7 @@ mod tests {
     fn a_sphere_is_tried_from_all_sides() {
         let sphere = Sphere::new([0.0, 0.0], 1.0).expect("positive radius");
         let point = Point::new([0.2, 0.1]).expect("finite");
-        let starts = Starts::Automatic.between(&Valleys, Trapezoidal, [&sphere, &point], 16, 64);
+        let starts = Starts::Automatic.between(&VALLEYS, [&sphere, &point], 16, 64);
         assert!(starts.len() >= 5 * 4, "the nearest point and four seeds, {}", starts.len());
     }
 
@@ -174,7 +178,7 @@ mod tests {
     fn the_straight_start_joins_nearest_points() {
         let ball = Ball::new([0.0, 2.0], 1.0).expect("positive radius");
         let wall = HalfSpace::at_least([1.0, 1.0], 6.0).expect("not zero");
-        let starts = Starts::Automatic.between(&Valleys, Trapezoidal, [&ball, &wall], 4, 64);
+        let starts = Starts::Automatic.between(&VALLEYS, [&ball, &wall], 4, 64);
         let r = 0.5_f64.sqrt();
         // The alternating projections stop after 50 rounds, each of which at least halves what
         // is left: rounding.

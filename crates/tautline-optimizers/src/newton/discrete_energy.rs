@@ -1,0 +1,117 @@
+//! `DiscreteEnergy`: the energy that a rule makes of a metric, as a search sees it.
+
+use nalgebra::SVector;
+use tautline_discretizations::{CompensatedSum, LinearModel, PointSequence, QuadraticModel, Rule};
+use tautline_metrics::{Metric, MetricError, check_gram};
+use tautline_sets::ClosedSet;
+
+use crate::newton::{
+    magnitude::Magnitude,
+    sweep::{MemoryOfSweep, Sweep, sweep},
+};
+
+/// A function of point sequences, `E_N(x) = N Σₖ Σⱼ wⱼ g(xₖ + tⱼ dₖ)(dₖ, dₖ)` with `dₖ = xₖ₊₁ − xₖ`,
+/// and its derivatives.
+///
+/// A search calls it through a pointer: all that has to be compiled once more for a formula is behind
+/// these functions, each of which is called once for many chords.
+pub(crate) trait DiscreteEnergy<const D: usize> {
+    /// The `q` of the error `N⁻ᑫ` of the rule.
+    fn error_exponent(&self) -> i32;
+
+    /// The energy of one chord `d` from `x`, without the factor `N`: `Σⱼ wⱼ g(x + tⱼ d)(d, d)`.
+    fn of_chord(&self, x: &SVector<f64, D>, d: &SVector<f64, D>) -> f64;
+
+    /// The energy of a trial; `None` if it is not finite or a chord has a negative one at a node, that
+    /// is, if the step left the region where the metric is one.
+    fn admissible(&self, points: &[SVector<f64, D>]) -> Option<f64>;
+
+    /// Value and gradient.
+    fn linear_model(&self, sequence: &PointSequence<D>) -> LinearModel<D>;
+
+    /// Value, gradient and Hessian.
+    fn expand(&self, sequence: &PointSequence<D>, model: &mut QuadraticModel<D>);
+
+    /// One [`sweep`] between two sets.
+    fn sweep(
+        &self,
+        ends: [&dyn ClosedSet<D>; 2],
+        sequence: &PointSequence<D>,
+        about: Magnitude,
+        at_once: bool,
+        memory: MemoryOfSweep<'_, D>,
+    ) -> Option<Sweep<D>>;
+
+    /// Whether the Gram matrix is finite, symmetric and positive definite at a point.
+    fn check_at(&self, x: &SVector<f64, D>) -> Result<(), MetricError>;
+
+    /// Whether it is so at every node.
+    fn check_nodes(&self, sequence: &PointSequence<D>) -> Result<(), MetricError>;
+}
+
+/// The energy of this rule under this metric.
+pub(crate) struct EnergyOf<'a, M, R> {
+    pub(crate) rule: R,
+    pub(crate) metric: &'a M,
+}
+
+impl<M: Metric<D>, R: Rule, const D: usize> DiscreteEnergy<D> for EnergyOf<'_, M, R> {
+    fn error_exponent(&self) -> i32 {
+        R::ERROR_EXPONENT
+    }
+
+    fn of_chord(&self, x: &SVector<f64, D>, d: &SVector<f64, D>) -> f64 {
+        let square = |fraction: f64| self.metric.norm_squared(&(x + d * fraction), d);
+        R::NODES.iter().map(|node| node.weight * square(node.fraction)).sum()
+    }
+
+    fn admissible(&self, points: &[SVector<f64, D>]) -> Option<f64> {
+        let n = points.len() - 1;
+        let mut energy = CompensatedSum::default();
+        for pair in points.windows(2) {
+            let chord = pair[1] - pair[0];
+            for node in R::NODES {
+                let square = self.metric.norm_squared(&(pair[0] + chord * node.fraction), &chord);
+                // Written so that NaN fails.
+                if !(square >= 0.0) {
+                    return None;
+                }
+                energy.add(node.weight * square);
+            }
+        }
+        let energy = energy.value() * n as f64;
+        energy.is_finite().then_some(energy)
+    }
+
+    fn linear_model(&self, sequence: &PointSequence<D>) -> LinearModel<D> {
+        LinearModel::new(self.rule, self.metric, sequence)
+    }
+
+    fn expand(&self, sequence: &PointSequence<D>, model: &mut QuadraticModel<D>) {
+        model.expand(self.rule, self.metric, sequence);
+    }
+
+    fn sweep(
+        &self,
+        ends: [&dyn ClosedSet<D>; 2],
+        sequence: &PointSequence<D>,
+        about: Magnitude,
+        at_once: bool,
+        memory: MemoryOfSweep<'_, D>,
+    ) -> Option<Sweep<D>> {
+        sweep(self.rule, self.metric, ends, sequence, about, at_once, memory)
+    }
+
+    fn check_at(&self, x: &SVector<f64, D>) -> Result<(), MetricError> {
+        check_gram(self.metric, x).map(|_| ())
+    }
+
+    fn check_nodes(&self, sequence: &PointSequence<D>) -> Result<(), MetricError> {
+        for (x, chord) in sequence.chords() {
+            for node in R::NODES {
+                check_gram(self.metric, &(x + chord * node.fraction))?;
+            }
+        }
+        Ok(())
+    }
+}
