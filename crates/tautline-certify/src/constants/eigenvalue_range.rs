@@ -1,31 +1,30 @@
 //! `c₁` and `c₂`: the least and the greatest eigenvalue of `H`.
 
 use nalgebra::{DMatrix, DVector, SVector};
-use tautline_metrics::Metric;
-use tautline_scalar::{Interval, Scalar};
+use tautline_scalar::Interval;
 
 use super::{
     eigenvalue_bound::eigen,
-    gram::Gram,
+    gram::{Gram, Number},
     spectral::{Spectral, form, square},
 };
 
 /// `−λ` for the least eigenvalue `λ` of `H(x)`: at most `−c₁`.
-pub(super) struct Least<'a, M>(pub(super) Gram<'a, M>);
+pub(super) struct Least<'a, const D: usize>(pub(super) Gram<'a, D>);
 
 /// The greatest eigenvalue of `H(x)`: at most `c₂`.
-pub(super) struct Greatest<'a, M>(pub(super) Gram<'a, M>);
+pub(super) struct Greatest<'a, const D: usize>(pub(super) Gram<'a, D>);
 
-impl<M: Metric<D>, const D: usize> Spectral<D> for Least<'_, M> {
+impl<const D: usize> Spectral<D> for Least<'_, D> {
     type Choice = ();
 
-    fn gram(&self) -> Gram<'_, impl Metric<D>> {
+    fn gram(&self) -> Gram<'_, D> {
         self.0
     }
 
     fn choice(&self, _: &SVector<f64, D>) {}
 
-    fn matrices<T: Scalar>(&self, x: &SVector<T, D>, _: &()) -> Vec<DMatrix<T>> {
+    fn matrices<T: Number<D>>(&self, x: &SVector<T, D>, _: &()) -> Vec<DMatrix<T>> {
         vec![block(self.0, x).map(|entry| -entry)]
     }
 
@@ -44,16 +43,16 @@ impl<M: Metric<D>, const D: usize> Spectral<D> for Least<'_, M> {
     }
 }
 
-impl<M: Metric<D>, const D: usize> Spectral<D> for Greatest<'_, M> {
+impl<const D: usize> Spectral<D> for Greatest<'_, D> {
     type Choice = ();
 
-    fn gram(&self) -> Gram<'_, impl Metric<D>> {
+    fn gram(&self) -> Gram<'_, D> {
         self.0
     }
 
     fn choice(&self, _: &SVector<f64, D>) {}
 
-    fn matrices<T: Scalar>(&self, x: &SVector<T, D>, _: &()) -> Vec<DMatrix<T>> {
+    fn matrices<T: Number<D>>(&self, x: &SVector<T, D>, _: &()) -> Vec<DMatrix<T>> {
         vec![block(self.0, x)]
     }
 
@@ -67,18 +66,15 @@ impl<M: Metric<D>, const D: usize> Spectral<D> for Greatest<'_, M> {
 }
 
 /// `H(x)`, or `φ(x)` if that is all.
-fn block<T: Scalar, M: Metric<D>, const D: usize>(
-    gram: Gram<'_, M>,
-    x: &SVector<T, D>,
-) -> DMatrix<T> {
+fn block<T: Number<D>, const D: usize>(gram: Gram<'_, D>, x: &SVector<T, D>) -> DMatrix<T> {
     let h = gram.at(x);
     if gram.isotropic { h.view((0, 0), (1, 1)).into_owned() } else { h }
 }
 
 /// Rayleigh's quotient `uᵀHu / uᵀu`, enclosed, for an eigenvector `u` up to rounding: between the
 /// least and the greatest eigenvalue, whatever `u` is.
-fn quotient<M: Metric<D>, const D: usize>(
-    gram: Gram<'_, M>,
+fn quotient<const D: usize>(
+    gram: Gram<'_, D>,
     x: &SVector<f64, D>,
     which: impl Fn(&DVector<f64>) -> usize,
 ) -> Interval {

@@ -2,11 +2,10 @@
 
 use nalgebra::{DMatrix, SMatrix, SVector};
 use num_traits::Zero;
-use tautline_metrics::Metric;
 use tautline_scalar::{Interval, Scalar};
 
 use super::{
-    gram::Gram,
+    gram::{Gram, Number},
     quartic::{Vanishing, flattened},
     spectral::{Direction, Spectral, TURNS, extreme, form, square, starts},
 };
@@ -35,13 +34,13 @@ use super::{
 /// steps go down. For any other `u` the coordinates are turned.
 ///
 /// A multiple of the identity takes the short way: `‖DH‖² = |∇φ|²`.
-pub(super) struct FirstDerivative<'a, M>(pub(super) Gram<'a, M>);
+pub(super) struct FirstDerivative<'a, const D: usize>(pub(super) Gram<'a, D>);
 
-impl<M: Metric<D>, const D: usize> Spectral<D> for FirstDerivative<'_, M> {
+impl<const D: usize> Spectral<D> for FirstDerivative<'_, D> {
     /// The factors of the forms that vanish.
     type Choice = Option<Vanishing<D>>;
 
-    fn gram(&self) -> Gram<'_, impl Metric<D>> {
+    fn gram(&self) -> Gram<'_, D> {
         self.0
     }
 
@@ -55,7 +54,7 @@ impl<M: Metric<D>, const D: usize> Spectral<D> for FirstDerivative<'_, M> {
         Some(guess.improved(&flattened(&a), found.norm * found.norm))
     }
 
-    fn matrices<T: Scalar>(
+    fn matrices<T: Number<D>>(
         &self,
         x: &SVector<T, D>,
         choice: &Option<Vanishing<D>>,

@@ -1,13 +1,12 @@
 //! `M_H`: the largest `‖D²H(x)[v, v]‖` over unit vectors `v`.
 
 use nalgebra::{DMatrix, SMatrix, SVector};
-use tautline_metrics::Metric;
-use tautline_scalar::{Interval, Scalar};
+use tautline_scalar::Interval;
 
 use super::{
     biquadratic::{Vanishing, flattened},
     eigenvalue_bound::eigen,
-    gram::Gram,
+    gram::{Gram, Number},
     spectral::{Direction, Spectral, TURNS, form, greatest, square, starts},
 };
 
@@ -32,13 +31,13 @@ use super::{
 /// has no entries beside it.
 ///
 /// A multiple of the identity takes the short way: `‖D²H‖ = ‖D²φ‖`.
-pub(super) struct SecondDerivative<'a, M>(pub(super) Gram<'a, M>);
+pub(super) struct SecondDerivative<'a, const D: usize>(pub(super) Gram<'a, D>);
 
-impl<M: Metric<D>, const D: usize> Spectral<D> for SecondDerivative<'_, M> {
+impl<const D: usize> Spectral<D> for SecondDerivative<'_, D> {
     /// What is added to `B`, and to `−B`.
     type Choice = [Option<Vanishing<D>>; 2];
 
-    fn gram(&self) -> Gram<'_, impl Metric<D>> {
+    fn gram(&self) -> Gram<'_, D> {
         self.0
     }
 
@@ -60,7 +59,7 @@ impl<M: Metric<D>, const D: usize> Spectral<D> for SecondDerivative<'_, M> {
         })
     }
 
-    fn matrices<T: Scalar>(&self, x: &SVector<T, D>, choice: &Self::Choice) -> Vec<DMatrix<T>> {
+    fn matrices<T: Number<D>>(&self, x: &SVector<T, D>, choice: &Self::Choice) -> Vec<DMatrix<T>> {
         let b = self.0.second(x);
         if self.0.isotropic {
             let hessian = DMatrix::from_fn(D, D, |k, l| b[k][l][(0, 0)]);

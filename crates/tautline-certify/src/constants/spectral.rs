@@ -3,12 +3,11 @@
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 use num_traits::Zero;
-use tautline_metrics::Metric;
 use tautline_scalar::{Interval, Jet1, Scalar};
 
 use super::{
     eigenvalue_bound::{Enclosed, eigen, largest_eigenvalue},
-    gram::Gram,
+    gram::{Gram, Number},
 };
 use crate::{
     Cell,
@@ -22,13 +21,13 @@ pub(super) trait Spectral<const D: usize>: Sync {
     type Choice;
 
     /// Returns the metric.
-    fn gram(&self) -> Gram<'_, impl Metric<D>>;
+    fn gram(&self) -> Gram<'_, D>;
 
     /// Returns a choice for which the bound is good at `x`.
     fn choice(&self, x: &SVector<f64, D>) -> Self::Choice;
 
     /// Returns the matrices, all of the same size.
-    fn matrices<T: Scalar>(&self, x: &SVector<T, D>, choice: &Self::Choice) -> Vec<DMatrix<T>>;
+    fn matrices<T: Number<D>>(&self, x: &SVector<T, D>, choice: &Self::Choice) -> Vec<DMatrix<T>>;
 
     /// Returns the wanted number at `x`, in the unit of the eigenvalue, up to rounding.
     fn wanted(&self, x: &SVector<f64, D>) -> f64;
