@@ -33,6 +33,21 @@ where
     V: Strategy,
     V::Value: Debug,
 {
+    drawn(effort, cases, shrinks, &values, &law)
+}
+
+/// Compiled once for each kind of samples, and not for each law.
+fn drawn<V>(
+    effort: &Effort,
+    cases: u32,
+    shrinks: u32,
+    values: &V,
+    law: &dyn Fn(&V::Value) -> Result<f64, Fault>,
+) -> LawResult
+where
+    V: Strategy,
+    V::Value: Debug,
+{
     let config = Config { rng_seed: RngSeed::Fixed(effort.seed), ..Config::default() };
     // Only the samples are proptest's. Its runner would catch the panics of a formula, say on
     // stderr when it stops shrinking, and remember seeds in the folder of somebody else.
@@ -63,7 +78,7 @@ fn shrink<T: ValueTree>(
     tree: &mut T,
     shrinks: u32,
     mut smallest: (Fault, T::Value),
-    law: impl Fn(&T::Value) -> Result<f64, Fault>,
+    law: &dyn Fn(&T::Value) -> Result<f64, Fault>,
 ) -> (Fault, T::Value) {
     let mut left = shrinks;
     let mut changed = left > 0 && tree.simplify();

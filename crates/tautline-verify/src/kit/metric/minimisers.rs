@@ -17,7 +17,7 @@ use crate::{
 /// or no more than the length of the detour. What is refused of a length is a shorter one, so that
 /// neither has to be exact.
 pub(super) fn prop_6_2<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
-    case.of_solutions(PaperRule::Trapezoidal, |minimiser| {
+    case.of_solutions(PaperRule::Trapezoidal, &|minimiser| {
         let detour = minimiser.detour()?;
         let (metric, seen) = (&case.metric, minimiser.seen);
         let other = case
@@ -32,7 +32,7 @@ pub(super) fn prop_6_2<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -
 
 /// Proposition 6.3, on the reconstructions of the trapezoidal rule, and on ways around.
 pub(super) fn prop_6_3<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
-    case.of_solutions(PaperRule::Trapezoidal, |minimiser| {
+    case.of_solutions(PaperRule::Trapezoidal, &|minimiser| {
         [&minimiser.seen.minimum.sequence, &minimiser.detour()?].into_iter().try_fold(
             f64::INFINITY,
             |slack: f64, sequence| {
@@ -50,7 +50,7 @@ pub(super) fn prop_6_3<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -
 /// less energy nearby. Then it is begun again, at the better one of the two as well; above that it
 /// must not end.
 pub(super) fn prop_7_1<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
-    case.of_both_rules(|minimiser| {
+    case.of_both_rules(&|minimiser| {
         let (rule, metric, sets) = (minimiser.seen.rule, &case.metric, minimiser.sets());
         let others = [minimiser.detour()?, minimiser.moved()?];
         others.into_iter().try_fold(f64::INFINITY, |slack: f64, other| {
@@ -66,7 +66,7 @@ pub(super) fn prop_7_1<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -
 
 /// What the minimisers of Proposition 7.1 are besides: critical points, of nearly constant speed.
 pub(super) fn critical_points<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
-    case.of_both_rules(|minimiser| critical_point(&Library, minimiser))
+    case.of_both_rules(&|minimiser| critical_point(&Library, minimiser))
 }
 
 /// The step by which the statement tries the ends is not small beside the gaps of a finite set, so
@@ -83,7 +83,7 @@ fn critical_point<M: Bounded<D>, const D: usize>(
 
 /// Remark 9.2, on the minimisers of both rules.
 pub(super) fn remark_9_2<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
-    case.of_both_rules(|minimiser| judge(&statements::remark_9_2(&Library, minimiser.seen)))
+    case.of_both_rules(&|minimiser| judge(&statements::remark_9_2(&Library, minimiser.seen)))
 }
 
 /// `C_tra(N)` with the `K_{1,g}` and `K_{2,g}` of a problem, as the proof of Theorem 1.1 has it.
@@ -173,8 +173,8 @@ mod tests {
 
     #[test]
     fn gradients_that_are_off_by_a_millionth_are_refused() {
-        assert!(case().of_both_rules(|minimiser| critical_point(&Library, minimiser)).is_ok());
-        let claim = violated(case().of_both_rules(|minimiser| critical_point(&Off, minimiser)));
+        assert!(case().of_both_rules(&|minimiser| critical_point(&Library, minimiser)).is_ok());
+        let claim = violated(case().of_both_rules(&|minimiser| critical_point(&Off, minimiser)));
         assert!(claim.contains("ρₙ") || claim.contains("∂E"), "{claim}");
     }
 
@@ -184,7 +184,7 @@ mod tests {
         let case = case();
         let ways: [Way; 2] = [|minimiser| minimiser.moved(), |minimiser| minimiser.detour()];
         for way in ways {
-            let swapped = case.of_both_rules(|minimiser| {
+            let swapped = case.of_both_rules(&|minimiser| {
                 let (rule, found) = (minimiser.seen.rule, &minimiser.seen.minimum.sequence);
                 let (metric, sets) = (&case.metric, minimiser.sets());
                 let pair = [&way(minimiser)?, found];

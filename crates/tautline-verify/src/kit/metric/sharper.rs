@@ -29,7 +29,7 @@ pub(super) fn of_sequences<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D
 
 /// Lemmas S.4 and S.5. Between ends that touch there is no speed to compare with.
 pub(super) fn of_minima<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
-    case.of_both_rules(|minimiser: &Minimiser<'_, M, D>| {
+    case.of_both_rules(&|minimiser: &Minimiser<'_, M, D>| {
         let seen = minimiser.seen;
         let speeds = (seen.distance_squared > 0.0).then(|| lemma_s_5(&Library, seen));
         judge_all([lemma_s_4(&Library, seen)].into_iter().chain(speeds))
@@ -38,7 +38,7 @@ pub(super) fn of_minima<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) 
 
 /// Theorems A to D.
 pub(super) fn theorems<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
-    case.of_both_rules(|minimiser: &Minimiser<'_, M, D>| {
+    case.of_both_rules(&|minimiser: &Minimiser<'_, M, D>| {
         let seen = minimiser.seen;
         let first_order = [theorem_a(&Library, seen), theorem_c(&Library, seen)];
         let second_order = [theorem_b(&Library, seen), theorem_d(&Library, seen)];
@@ -48,14 +48,14 @@ pub(super) fn theorems<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -
 
 /// Proposition S.6.
 pub(super) fn enclosures<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
-    case.of_both_rules(|minimiser: &Minimiser<'_, M, D>| {
+    case.of_both_rules(&|minimiser: &Minimiser<'_, M, D>| {
         judge(&prop_s_6(&Library, minimiser.seen, 0.0)?)
     })
 }
 
 /// Proposition S.8.
 pub(super) fn localities<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
-    case.of_both_rules(|minimiser: &Minimiser<'_, M, D>| {
+    case.of_both_rules(&|minimiser: &Minimiser<'_, M, D>| {
         judge(&prop_s_8(&Library, minimiser.known, minimiser.seen)?)
     })
 }

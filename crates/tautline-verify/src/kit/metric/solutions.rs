@@ -93,7 +93,7 @@ fn enough(failed: u64, tried: u64, error: VerifyError) -> Result<(), Fault> {
 impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
     /// Evaluates a statement about minimisers of a rule.
     pub(super) fn of_minimisers(&self, rule: PaperRule, statement: OfMinimisers<D>) -> LawResult {
-        self.of_solutions(rule, |minimiser| judge(&statement(&Library, minimiser.seen)))
+        self.of_solutions(rule, &|minimiser| judge(&statement(&Library, minimiser.seen)))
     }
 
     /// Evaluates a statement about minimisers of a rule, some of whose claims are attained for every
@@ -105,7 +105,7 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
         statement: OfMinimisers<D>,
         shown: Option<&'static str>,
     ) -> LawResult {
-        self.of_solutions(rule, |minimiser| {
+        self.of_solutions(rule, &|minimiser| {
             let evidence = statement(&Library, minimiser.seen);
             judge(&evidence)?;
             Ok(shown.map_or(f64::INFINITY, |claim| evidence.conclusion(claim).slack()))
@@ -115,9 +115,9 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
     /// Tries a law on the minimisers of both rules.
     pub(super) fn of_both_rules(
         &self,
-        law: impl Fn(&Minimiser<'_, M, D>) -> Result<f64, Fault>,
+        law: &dyn Fn(&Minimiser<'_, M, D>) -> Result<f64, Fault>,
     ) -> LawResult {
-        let of = |rule| self.of_solutions(rule, &law);
+        let of = |rule| self.of_solutions(rule, law);
         Ok(of(PaperRule::Trapezoidal)?.and(of(PaperRule::LeftEndpoint)?))
     }
 
@@ -129,7 +129,7 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
     pub(super) fn of_solutions(
         &self,
         rule: PaperRule,
-        law: impl Fn(&Minimiser<'_, M, D>) -> Result<f64, Fault>,
+        law: &dyn Fn(&Minimiser<'_, M, D>) -> Result<f64, Fault>,
     ) -> LawResult {
         self.solvable()?;
         let cases = self.effort.problems.div_ceil(Kind::ALL.len() as u32);
