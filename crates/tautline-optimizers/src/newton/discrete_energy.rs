@@ -115,3 +115,59 @@ impl<M: Metric<D>, R: Rule, const D: usize> DiscreteEnergy<D> for EnergyOf<'_, M
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SMatrix, SVector, vector};
+    use tautline_discretizations::{
+        LeftEndpoint, PointSequence, Rule, Trapezoidal, TrueTrapezoid, energy_gradient,
+    };
+    use tautline_metrics::{Metric, Scalar, gallery::Shear};
+
+    use super::{DiscreteEnergy, EnergyOf};
+
+    #[track_caller]
+    fn assert_sum_of_chords<R: Rule>(rule: R, exponent: i32) {
+        let shear = Shear::new(0.5, 1.0).expect("a wave number");
+        let points = vec![vector![0.0, 0.3], vector![1.0, -0.2], vector![1.5, 0.8]];
+        let sequence = PointSequence::new(points).expect("finite");
+        let energy: &dyn DiscreteEnergy<2> = &EnergyOf { rule, metric: &shear };
+        let expected = energy_gradient(rule, &shear, &sequence).0;
+        let chords: f64 = sequence.chords().map(|(x, d)| energy.of_chord(x, &d)).sum();
+        // Two chords, two nodes each at most, some ten operations for each: below 1e-14.
+        let close = |found: f64| (found - expected).abs() <= 1e-14 * expected;
+        assert!(close(2.0 * chords), "{chords} {expected}");
+        assert!(energy.admissible(sequence.points()).is_some_and(close));
+        assert!(close(energy.linear_model(&sequence).energy));
+        assert_eq!(energy.error_exponent(), exponent);
+    }
+
+    #[test]
+    fn the_energy_is_that_of_its_chords() {
+        assert_sum_of_chords(Trapezoidal, 2);
+        assert_sum_of_chords(LeftEndpoint, 1);
+        assert_sum_of_chords(TrueTrapezoid, 2);
+    }
+
+    /// `H = x₁ I`, a metric to the right of 0 only.
+    struct ToTheRight;
+
+    impl Metric<2> for ToTheRight {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            SMatrix::from_diagonal_element(x[0])
+        }
+    }
+
+    #[test]
+    fn a_trial_with_one_negative_chord_has_no_energy() {
+        let energy: &dyn DiscreteEnergy<2> = &EnergyOf { rule: Trapezoidal, metric: &ToTheRight };
+        let over = |lowest: f64| {
+            energy.admissible(&[vector![8.0, 0.0], vector![lowest, 0.0], vector![lowest, 0.5]])
+        };
+        // 2 (9/2 · 7² + 1 · 1/4).
+        assert_eq!(over(1.0), Some(441.5));
+        // As large a sum, less some for the second chord.
+        assert_eq!(over(-1.0), None);
+        assert_eq!(over(f64::NAN), None);
+    }
+}
