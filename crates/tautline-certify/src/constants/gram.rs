@@ -71,11 +71,11 @@ impl<M: Metric<D>, T: Scalar, const D: usize> Over<T, D> for M {
     }
 
     fn first(&self, x: &SVector<T, D>) -> SMatrix<Jet1<T, D>, D, D> {
-        Metric::gram(self, &SVector::from(Jet1::variables(&x.data.0[0])))
+        Metric::gram(self, &SVector::from(Jet1::variables(&(*x).into())))
     }
 
     fn second(&self, x: &SVector<T, D>) -> SMatrix<Jet2<T, D>, D, D> {
-        Metric::gram(self, &SVector::from(Jet2::variables(&x.data.0[0])))
+        Metric::gram(self, &SVector::from(Jet2::variables(&(*x).into())))
     }
 }
 

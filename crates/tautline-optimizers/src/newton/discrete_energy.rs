@@ -14,7 +14,7 @@ use crate::newton::{
 /// and its derivatives.
 ///
 /// A search calls it through a pointer: all that has to be compiled once more for a formula is behind
-/// these functions, each of which is called once for many chords.
+/// these functions. What is done for every chord of a fine grid is a loop inside of one of them.
 pub(crate) trait DiscreteEnergy<const D: usize> {
     /// The `q` of the error `N⁻ᑫ` of the rule.
     fn error_exponent(&self) -> i32;

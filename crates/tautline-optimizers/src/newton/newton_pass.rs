@@ -24,7 +24,8 @@ pub(crate) struct NewtonPass<'a, const D: usize> {
 }
 
 impl<'a, const D: usize> NewtonPass<'a, D> {
-    /// Sweeps; `None` where the [sweep](DiscreteEnergy::sweep) is. The factorisation in `workspace` is overwritten.
+    /// Sweeps; `None` where the [sweep](DiscreteEnergy::sweep) is. The factorisation in `workspace`
+    /// is overwritten.
     pub(crate) fn new(
         energy: &dyn DiscreteEnergy<D>,
         ends: [&dyn ClosedSet<D>; 2],
