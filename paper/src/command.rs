@@ -207,23 +207,3 @@ impl Artefact {
         files.iter().try_for_each(|(file, bytes)| output.write(file, bytes))
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::run;
-    use crate::Failure;
-
-    #[test]
-    fn arguments_that_mean_nothing_are_refused() {
-        for arguments in [
-            vec!["figures", "--check", "--quick"],
-            vec!["figures", "--nope"],
-            vec!["figures", "nope"],
-            vec!["nope"],
-            vec![],
-        ] {
-            let refused = run(arguments.iter().map(|&a| a.to_owned()));
-            assert!(matches!(refused, Err(Failure::Usage(_))), "{arguments:?}");
-        }
-    }
-}

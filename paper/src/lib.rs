@@ -12,7 +12,6 @@ pub mod command;
 pub mod convergence;
 pub mod corpus;
 pub mod data;
-pub mod drawing;
 pub mod failure;
 pub mod figures;
 pub mod grid;
@@ -24,3 +23,4 @@ pub mod sweep;
 pub mod tables;
 
 pub use failure::Failure;
+pub use tautline_drawing as drawing;

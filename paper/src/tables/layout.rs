@@ -88,7 +88,7 @@ fn escape_latex(cell: &str) -> String {
 /// Returns a number as mathematics: `1.23e-4` becomes `$1.23\cdot 10^{-4}$`, an empty cell or
 /// NaN a dash.
 #[must_use]
-pub(super) fn scientific(value: f64, digits: usize) -> String {
+pub fn scientific(value: f64, digits: usize) -> String {
     if value.is_nan() {
         return "–".to_owned();
     }
@@ -100,36 +100,5 @@ pub(super) fn scientific(value: f64, digits: usize) -> String {
         Some((mantissa, "0")) => format!("${mantissa}$"),
         Some((mantissa, exponent)) => format!("${mantissa}\\cdot 10^{{{exponent}}}$"),
         None => text,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Layout, scientific};
-
-    #[test]
-    fn both_formats_hold_every_cell() {
-        let mut layout = Layout::new("A caption", &["case", "$|x|$"]);
-        layout.push(vec!["a_b".to_owned(), scientific(1.5e-7, 1)]);
-        layout.group();
-        layout.push(vec!["c".to_owned(), scientific(f64::NAN, 1)]);
-        assert_eq!(
-            layout.markdown(),
-            "A caption\n\n| case | $\\|x\\|$ |\n| ---: | ---: |\n\
-             | a_b | $1.5\\cdot 10^{-7}$ |\n| c | – |\n"
-        );
-        assert_eq!(
-            layout.latex(),
-            "% A caption\n\\begin{tabular}{rr}\n  \\toprule\n  case & $|x|$ \\\\\n  \\midrule\n  \
-             a\\_b & $1.5\\cdot 10^{-7}$ \\\\\n  \\addlinespace\n  c & – \\\\\n  \
-             \\bottomrule\n\\end{tabular}\n"
-        );
-    }
-
-    #[test]
-    fn numbers_of_size_one_have_no_exponent() {
-        assert_eq!(scientific(2.5, 3), "$2.500$");
-        assert_eq!(scientific(0.0, 3), "$0$");
-        assert_eq!(scientific(-31.0, 1), "$-3.1\\cdot 10^{1}$");
     }
 }

@@ -9,7 +9,7 @@ mod convergence;
 mod corpus;
 mod counterexample;
 mod errata;
-mod layout;
+pub mod layout;
 mod mutants;
 mod rates;
 mod statements;

@@ -3,7 +3,8 @@
 use super::{Manifest, manifests, read, root};
 
 /// For each library, the libraries below it.
-const BELOW: [(&str, &[&str]); 9] = [
+const BELOW: [(&str, &[&str]); 10] = [
+    ("tautline-drawing", &[]),
     ("tautline-scalar", &[]),
     ("tautline-metrics", &["tautline-scalar"]),
     ("tautline-sets", &["tautline-scalar"]),
@@ -60,14 +61,15 @@ fn arrows_between_crates_point_downward() {
 }
 
 #[test]
-fn plotters_is_for_the_paper_alone() {
+fn plotters_is_for_the_drawing_alone() {
     for manifest in manifests() {
         for dependency in manifest.dependencies.iter().chain(&manifest.dev_dependencies) {
-            let allowed = manifest.name == "paper" || !dependency.starts_with("plotters");
+            let drawing = manifest.name == "tautline-drawing";
+            let allowed = drawing || !dependency.starts_with("plotters");
             assert!(allowed, "{} depends on {dependency}", manifest.name);
         }
     }
-    assert!(manifests().iter().any(|m| m.name == "paper" && m.mentions("plotters")));
+    assert!(manifests().iter().any(|m| m.name == "tautline-drawing" && m.mentions("plotters")));
 }
 
 #[test]

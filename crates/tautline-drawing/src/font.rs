@@ -48,7 +48,7 @@ impl FigureFont {
     pub(super) fn embedded() -> &'static FigureFont {
         static FONT: OnceLock<FigureFont> = OnceLock::new();
         FONT.get_or_init(|| {
-            let data = include_bytes!("../../font/TautlineFigure.otf");
+            let data = include_bytes!("../font/TautlineFigure.otf");
             let face = Face::parse(data, 0).expect("the committed font is a valid OpenType font");
             let math = face.tables().math.expect("the committed font has a MATH table");
             let em = f64::from(face.units_per_em());

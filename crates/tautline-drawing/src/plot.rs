@@ -184,7 +184,7 @@ fn refused(error: impl Display) -> DrawingError {
 #[cfg(test)]
 mod tests {
     use super::{Curve, Extent, Field, Plot, RefCell, Scene};
-    use crate::drawing::{
+    use crate::{
         axis::{Axis, Scale},
         marker::Marker,
         palette::BLUE,

@@ -188,7 +188,7 @@ impl Panel {
 #[cfg(test)]
 mod tests {
     use super::{DrawingError, Figure, Panel};
-    use crate::drawing::{axis::Axis, axis::Scale, curve::Curve, palette::BLUE};
+    use crate::{axis::Axis, axis::Scale, curve::Curve, palette::BLUE};
 
     fn panel() -> Panel {
         let x = Axis::new(Scale::Octaves, 1.0, 64.0).expect("a range").labelled("$N$");

@@ -110,7 +110,7 @@ impl Curve {
 #[cfg(test)]
 mod tests {
     use super::{Axis, Curve};
-    use crate::drawing::{axis::Scale, palette::BLUE};
+    use crate::{axis::Scale, palette::BLUE};
 
     #[test]
     fn points_without_a_place_interrupt_the_line() {

@@ -226,7 +226,7 @@ fn draw_line(scene: &mut Scene, ends: [(f64, f64); 2], colour: Colour, width: f6
 #[cfg(test)]
 mod tests {
     use super::{Extent, Panel, RefCell, Scene, plots};
-    use crate::drawing::axis::{Axis, Scale};
+    use crate::axis::{Axis, Scale};
 
     #[test]
     fn a_broken_axis_keeps_one_scale() {

@@ -6,7 +6,7 @@
 //! in them depends on a system font, a clock or an address, two runs give the same bytes.
 //!
 //! ```
-//! use paper::drawing::{Axis, Curve, Figure, Marker, Panel, Scale, palette, pdf, png, svg};
+//! use tautline_drawing::{Axis, Curve, Figure, Marker, Panel, Scale, palette, pdf, png, svg};
 //!
 //! let points: Vec<(f64, f64)> = (0..=6).map(|k| 2.0_f64.powi(k)).map(|n| (n, 0.3 / n / n)).collect();
 //! let x = Axis::new(Scale::Octaves, 1.0, 64.0)?.labelled("number of subintervals $N$");
@@ -16,7 +16,7 @@
 //! let scene = Figure::new(480.0, "Excess energy", vec![vec![Panel::new(x, y).curve(curve)]]).draw()?;
 //! let files = [svg(&scene), png(&scene)?, pdf(&scene)];
 //! assert!(files.iter().all(|bytes| !bytes.is_empty()));
-//! # Ok::<(), paper::drawing::DrawingError>(())
+//! # Ok::<(), tautline_drawing::DrawingError>(())
 //! ```
 
 mod axis;

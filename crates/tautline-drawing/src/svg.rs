@@ -105,7 +105,7 @@ fn put(out: &mut String, arguments: std::fmt::Arguments<'_>) {
 #[cfg(test)]
 mod tests {
     use super::{Extent, Path, Shape, escaped, number, svg};
-    use crate::drawing::{
+    use crate::{
         colour::Colour,
         math_text::{Align, typeset},
         scene::Scene,

@@ -92,7 +92,7 @@ fn skia_stroke(stroke: &Stroke) -> tiny_skia::Stroke {
 #[cfg(test)]
 mod tests {
     use super::{Extent, Path, Scene, png};
-    use crate::drawing::{colour::Colour, scene::Shape};
+    use crate::{colour::Colour, scene::Shape};
 
     #[test]
     fn shapes_land_where_they_should_and_clips_cut_them() {

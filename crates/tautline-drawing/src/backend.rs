@@ -172,7 +172,7 @@ impl DrawingBackend for Recorder<'_> {
 #[cfg(test)]
 mod tests {
     use super::{Recorder, RefCell, Scene};
-    use crate::drawing::{extent::Extent, path::Segment};
+    use crate::{extent::Extent, path::Segment};
     use plotters::prelude::*;
 
     #[test]

@@ -173,7 +173,7 @@ impl Scene {
 #[cfg(test)]
 mod tests {
     use super::{Colour, DrawingError, Extent, Path, Scene, Shape, Stroke};
-    use crate::drawing::math_text::{Align, typeset};
+    use crate::math_text::{Align, typeset};
 
     #[test]
     fn overlapping_and_cut_labels_are_found() {

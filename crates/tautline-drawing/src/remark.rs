@@ -70,7 +70,7 @@ fn holding<'p, 's>(
 
 #[cfg(test)]
 mod tests {
-    use crate::drawing::{
+    use crate::{
         Align, Axis, DrawingError, Figure, Note, Panel, Scale, SlopeTriangle, palette::GREY,
     };
 

@@ -89,7 +89,7 @@ fn draw_sample(scene: &RefCell<Scene>, curve: &Curve, x: f64, y: f64) -> Result<
 #[cfg(test)]
 mod tests {
     use super::{Curve, Key, Panel, Scale};
-    use crate::drawing::{
+    use crate::{
         axis::Axis,
         palette::{BLUE, GREEN},
     };

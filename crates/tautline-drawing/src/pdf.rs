@@ -125,7 +125,7 @@ fn rounded(value: f64) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::{Scene, content, opacities, pdf};
-    use crate::drawing::{
+    use crate::{
         colour::Colour,
         path::Path,
         scene::{Shape, Stroke},
