@@ -5,7 +5,7 @@ use tautline::Quantity;
 use super::{Layout, Seed, Table, no_pages};
 use crate::{
     Failure,
-    certified::{Certified, Found, effort, gallery},
+    certified::{Certified, Found, accuracy, gallery},
     data::{Data, Tolerance},
     sweep::Sweep,
 };
@@ -39,7 +39,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
     ]);
     for metric in gallery()? {
         for (quantity, (stated, exact)) in Quantity::ALL.into_iter().zip(metric.stated) {
-            let found = metric.find(quantity, effort(quantity))?;
+            let found = metric.find(quantity, accuracy(quantity))?;
             agrees(&metric, quantity, (stated, exact), &found)?;
             data.push(vec![
                 metric.metric.to_owned(),

@@ -5,7 +5,7 @@ use tautline::Quantity;
 use super::{Layout, Seed, Table, layout::scientific, no_pages};
 use crate::{
     Failure,
-    certified::{effort, gallery},
+    certified::{accuracy, gallery},
     data::{Data, Tolerance},
     sweep::Sweep,
 };
@@ -36,7 +36,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     for metric in gallery()? {
         for quantity in Quantity::ALL {
-            let found = metric.find(quantity, effort(quantity))?;
+            let found = metric.find(quantity, accuracy(quantity))?;
             let seconds = found.time.as_secs_f64();
             data.push(vec![
                 metric.metric.to_owned(),
