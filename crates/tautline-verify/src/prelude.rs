@@ -3,7 +3,8 @@
 //! See [`kit`](crate::kit).
 
 pub use tautline::{
-    Bounded, ClosedSet, Constants, KnownDistance, Metric, Node, Rule, SMatrix, SVector, Scalar,
+    Bounded, Certified, ClosedSet, Constants, KnownDistance, LocallyBounded, LocallyCertified,
+    Metric, Node, Rule, SMatrix, SVector, Scalar, certify::Accuracy,
 };
 
 pub use crate::{

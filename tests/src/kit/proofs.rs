@@ -1,12 +1,9 @@
 //! Constants proved from the formula: where none are stated, and where they are wrong.
 
-use tautline::{
-    Certified, certify,
-    gallery::{Shear, Valleys},
-};
+use tautline::gallery::{Shear, SineProjections, Valleys};
 use tautline_verify::{
     WithConstants,
-    kit::{Claim, Fault, MetricCase, metric},
+    kit::{Claim, Fault, MetricCase, Proof, metric},
     prelude::*,
 };
 
@@ -22,11 +19,9 @@ impl Metric<2> for Formula {
     }
 }
 
-fn proved() -> Certified<Formula, 2> {
-    Certified::new(Formula, certify::Effort::default()).expect("periodic")
-}
-
-metric_suite!(a_formula_alone: proved(), dimension 2, in period());
+metric_suite!(
+    a_formula_alone: Certified::new(Formula, Accuracy::default()), dimension 2, in period(),
+);
 
 /// The metric with one of its constants multiplied by a factor.
 fn liar<M: Bounded<2>>(metric: M, constant: Claim, factor: f64) -> MetricCase<WithConstants<M>, 2> {
@@ -41,7 +36,7 @@ fn a_lie_of_a_thousandth_is_refused_with_its_witness() {
     let shear = Shear::new(0.5, 1.0).expect("a wave number");
     for constant in Claim::ALL {
         let factor = if constant == Claim::C1 { 1.001 } else { 0.999 };
-        let outcome = metric::constants_are_proved(&liar(shear, constant, factor));
+        let outcome = metric::no_constant_is_refuted(&liar(shear, constant, factor));
         let failure = outcome.failure.unwrap_or_else(|| panic!("{constant} passes"));
         let Fault::Lie(lie) = failure.fault else { panic!("{failure}") };
         assert_eq!((lie.constant, lie.point.len(), lie.direction.len()), (constant, 2, 2));
@@ -51,12 +46,50 @@ fn a_lie_of_a_thousandth_is_refused_with_its_witness() {
     }
 }
 
+/// What is known of one constant of a case.
+fn proof<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>, claim: Claim) -> Proof {
+    let outcome = metric::no_constant_is_refuted(case);
+    outcome.assert();
+    let of = |standing: &&tautline_verify::kit::Standing| standing.claim == claim;
+    outcome.standings.iter().find(of).expect("a claim").proof
+}
+
 #[test]
 fn what_is_stated_is_proved_or_right_to_the_tolerance() {
-    let case = |factor| liar(Valleys, Claim::LH, factor);
-    let note = |factor| metric::constants_are_proved(&case(factor)).note.expect("a note");
-    assert!(note(1.0).contains("L_H right to 0."), "{}", note(1.0));
-    assert!(note(1.02).contains("L_H proved"), "{}", note(1.02));
+    let of = |factor| proof(&liar(Valleys, Claim::LH, factor), Claim::LH);
+    // Attained, and known to one percent.
+    let Proof::RightTo { percent } = of(1.0) else { panic!("{}", of(1.0)) };
+    assert!(percent > 0.0 && percent <= 1.0, "{percent}");
+    assert_eq!(of(1.02), Proof::Proved);
+}
+
+/// That the law passes says nothing of these: their standings do.
+#[test]
+fn what_is_not_decided_and_what_is_not_tried_are_not_said_to_be_proved() {
+    /// `2 + cos x₁`, read as `2 + Σ cos(x₁)/200`: intervals lose what its terms share.
+    struct Loose;
+    impl Metric<2> for Loose {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            let mut sum = S::constant(2.0);
+            for k in 0..200 {
+                let shift = S::constant(f64::from(k));
+                sum += ((x[0] + x[1] + shift).cos() * x[0].sin()
+                    - (x[0] + x[1] + shift).sin() * x[1].cos())
+                    * 0.005;
+            }
+            SMatrix::from_diagonal_element(sum)
+        }
+    }
+    let constants = Constants::new(0.5, 4.0, 4.0).and_then(|known| known.with_m_h(4.0));
+    let metric = WithConstants { metric: Loose, constants: constants.expect("in order") };
+    let loose = MetricCase::new(metric, period(), Effort::default());
+    assert_eq!(proof(&loose, Claim::MH), Proof::NotDecided);
+
+    let region = Region::cell([-1.5; 8], [1.5; 8]);
+    let many = MetricCase::new(SineProjections::benchmark(), region, Effort::default());
+    for claim in [Claim::C1, Claim::C2, Claim::LH] {
+        assert_eq!(proof(&many, claim), Proof::NotTried);
+    }
 }
 
 /// Indefinite in a strip of width 0.04, where few samples are, and refused all the same.
@@ -72,7 +105,7 @@ fn a_metric_that_is_indefinite_in_a_corner_is_refused_with_a_point() {
     let constants = Constants::new(1.0, 1.0, 100.0).expect("in order");
     let metric = WithConstants { metric: Dented, constants };
     let case = MetricCase::new(metric, period(), Effort::default());
-    let failure = metric::constants_are_proved(&case).failure.expect("indefinite");
+    let failure = metric::no_constant_is_refuted(&case).failure.expect("indefinite");
     let Fault::Unproved(tautline::CertifyError::NotPositiveDefinite { point, eigenvalue }) =
         failure.fault
     else {

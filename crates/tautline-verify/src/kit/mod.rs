@@ -87,8 +87,28 @@
 //! A metric that knows its distances says `with distances` at the end of the line, and
 //! [`MetricCase::with_known_distance`] where functions are called. A metric that claims nothing is
 //! given claims by [`WithConstants`](crate::WithConstants), or proved ones by
-//! [`Certified`](tautline::Certified), `metric_suite!(egg: Certified::new(Egg, effort).expect("periodic"), …)`:
-//! then the formula is all that there is to write. One that has constants on balls only
+//! [`Certified`](tautline::Certified): then the formula is all that there is to write.
+//!
+//! ```
+//! use tautline_verify::prelude::*;
+//!
+//! struct Tray; // H(x) = (2 + cos x₁ sin x₂) I
+//! impl Metric<2> for Tray {
+//!     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+//!         SMatrix::from_diagonal_element(x[0].cos() * x[1].sin() + 2.0)
+//!     }
+//! }
+//! metric_suite!(
+//!     tray: Certified::new(Tray, Accuracy::default()), dimension 2,
+//!     in Region::cell([0.0, 0.0], [6.3, 6.3]),
+//! );
+//! # let constants = Certified::new(Tray, Accuracy::default()).expect("periodic").constants();
+//! # assert!(constants.c1() <= 1.0 && constants.c1() > 0.99 && constants.c2() < 3.01);
+//! ```
+//!
+//! The constants are proved once for all laws. Where they cannot be, because `H` is indefinite
+//! somewhere, say, the test `tray::the_metric_has_constants` fails with the point and with what may
+//! be done about it, and no law is tried. A metric that has constants on balls only
 //! is tested in one of them, `within 0.5, of [0.1, 0.2]` in place of `in Region::cell(…)`.
 //!
 //! # How the laws look
@@ -100,10 +120,11 @@
 //! and both numbers. What ascents from [`Effort::ascents`] starts do not reach is not seen:
 //! a law that holds is evidence, not a proof.
 //!
-//! One is a proof, up to three dimensions: `constants_are_proved` bounds the constants in all of the
+//! One is a proof, up to three dimensions: `no_constant_is_refuted` bounds the constants in all of the
 //! region by intervals, and refuses a claim that they contradict, and a metric that is indefinite
-//! somewhere, with the point. Its note says what is proved, what is right to so many percent (as a
-//! claim that is attained can be only), and for what the boxes did not suffice.
+//! somewhere, with the point. That it passes does not mean that all is proved: its
+//! [`standings`](Outcome::standings) say of each constant whether it is proved, right to so many
+//! percent (as a claim that is attained can be only), not decided by the boxes, or not tried.
 //!
 //! One sample in eight is moved to the ends, the quarters or the middle of the edges, or to 0: there
 //! `x/|x|`, `1/r` and angles break, and uniform samples are never there. Where a law of the formula
@@ -116,6 +137,7 @@
 //! Samples are integers that are mapped to the [`Region`], so that the smallest sample that fails
 //! has short binary fractions of its edges. Seeds are fixed, nothing is written.
 
+mod brought;
 mod difference_test;
 mod effort;
 mod fault;
@@ -127,8 +149,10 @@ mod report;
 pub mod rule;
 mod sampling;
 pub mod set;
+mod standing;
 mod suites;
 
+pub use brought::{Attempt, Bring, Brought, Itself};
 pub use effort::Effort;
 pub use fault::Fault;
 pub use lie::{Claim, Lie};
@@ -137,3 +161,4 @@ pub use region::{Region, RegionError, directions};
 pub use report::{Failure, Outcome, Report};
 pub use rule::{RuleCase, verify_rule};
 pub use set::{SetCase, verify_set};
+pub use standing::{Proof, Standing};

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::Fault;
+use super::{Fault, Standing, standing};
 
 /// What one law says.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,6 +16,9 @@ pub struct Outcome {
     /// The least slack `bound / observed`, a pure number: 1 where a bound is attained, below 1
     /// where it is violated; `∞` if nothing was seen beyond rounding.
     pub slack: f64,
+    /// What bounds over the whole region say of each constant; empty for a law that looks at
+    /// points.
+    pub standings: Vec<Standing>,
     /// What is worth knowing besides.
     pub note: Option<String>,
     /// Why the law does not hold, if it does not.
@@ -39,23 +42,26 @@ pub struct Failure {
 pub(crate) struct Tried {
     pub(crate) cases: u64,
     pub(crate) slack: f64,
+    pub(crate) standings: Vec<Standing>,
     pub(crate) note: Option<String>,
 }
 
 impl Tried {
     /// This many cases, none of which came near anything.
     pub(crate) fn cases(cases: u64) -> Self {
-        Self { cases, slack: f64::INFINITY, note: None }
+        Self { cases, slack: f64::INFINITY, standings: Vec::new(), note: None }
     }
 
     pub(crate) fn with_note(self, note: impl Into<String>) -> Self {
         Self { note: Some(note.into()), ..self }
     }
 
-    pub(crate) fn and(self, other: Tried) -> Self {
+    pub(crate) fn and(mut self, other: Tried) -> Self {
+        self.standings.extend(other.standings);
         Self {
             cases: self.cases + other.cases,
             slack: self.slack.min(other.slack),
+            standings: self.standings,
             note: self.note.or(other.note),
         }
     }
@@ -67,9 +73,12 @@ pub(crate) type LawResult = Result<Tried, Failure>;
 impl Outcome {
     pub(crate) fn new(id: &'static str, law: &'static str, result: LawResult) -> Self {
         match result {
-            Ok(Tried { cases, slack, note }) => Self { id, law, cases, slack, note, failure: None },
+            Ok(Tried { cases, slack, standings, note }) => {
+                Self { id, law, cases, slack, standings, note, failure: None }
+            }
             Err(failure) => {
-                Self { id, law, cases: 0, slack: f64::NAN, note: None, failure: Some(failure) }
+                let (standings, failure) = (Vec::new(), Some(failure));
+                Self { id, law, cases: 0, slack: f64::NAN, standings, note: None, failure }
             }
         }
     }
@@ -102,6 +111,9 @@ impl fmt::Display for Outcome {
         };
         let mark = if self.holds() { "ok" } else { "FAILS" };
         write!(f, "{:<48} {mark:<5} {:>7} {slack:>10}  {}", self.id, self.cases, self.law)?;
+        if !self.standings.is_empty() {
+            write!(f, "; {}", standing::line(&self.standings))?;
+        }
         if let Some(note) = &self.note {
             write!(f, "; {note}")?;
         }
@@ -159,10 +171,17 @@ impl fmt::Display for Report {
 #[cfg(test)]
 mod tests {
     use super::{Failure, Outcome, Report, Tried};
-    use crate::kit::{Claim, Fault, Lie};
+    use crate::kit::{Claim, Fault, Lie, Proof, Standing};
 
     fn report() -> Report {
-        let good = Tried { cases: 7, slack: 1.5, note: Some("and more".to_owned()) };
+        let standing = |claim, proof| Standing { claim, proof };
+        let standings = vec![
+            standing(Claim::C1, Proof::Proved),
+            standing(Claim::C2, Proof::RightTo { percent: 0.04 }),
+            standing(Claim::LH, Proof::NotDecided),
+            standing(Claim::MH, Proof::NotTried),
+        ];
+        let good = Tried { cases: 7, slack: 1.5, standings, note: Some("and more".to_owned()) };
         let lie = Lie {
             constant: Claim::LH,
             claimed: 0.5,
@@ -191,7 +210,9 @@ mod tests {
         let lines: Vec<&str> = text.lines().map(str::trim_end).collect();
         let row = |id: &str, rest: &str| format!("{id:<48} {rest}");
         assert_eq!(lines[0], row("law", "        cases      slack  says"));
-        assert_eq!(lines[1], row("good", "ok          7     1.5000  a ≤ b; and more"));
+        let standings = "c1 proved, c2 right to 0.0 %, L_H not decided, M_H not tried";
+        let good = format!("ok          7     1.5000  a ≤ b; {standings}; and more");
+        assert_eq!(lines[1], row("good", &good));
         assert_eq!(lines[2], row("bad", "FAILS       0             c ≤ d"));
         assert_eq!(
             lines[3],

@@ -70,7 +70,7 @@ where
             }
         }
     }
-    Ok(Tried { cases: cases.into(), slack, note: None })
+    Ok(Tried { slack, ..Tried::cases(cases.into()) })
 }
 
 /// The smallest of the next samples that break the law, and how.

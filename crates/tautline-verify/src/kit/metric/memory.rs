@@ -55,7 +55,7 @@ pub(super) type Solutions<const D: usize> = Result<Arc<Solution<D>>, VerifyError
 /// What was computed so far of one metric: the extreme values that its constants bound, the
 /// distances of its problems, and the minimisers of either rule.
 #[derive(Debug)]
-pub struct Solved<const D: usize> {
+pub(super) struct Solved<const D: usize> {
     /// The name of a law of the formula that does not hold, for which nothing is solved.
     pub(super) broken: OnceLock<Option<&'static str>>,
     pub(super) extremes: Memory<Claim, Result<Option<Found>, Failure>>,

@@ -30,9 +30,8 @@ use tautline::{Bounded, KnownDistance, LocalError, LocallyBounded, bounds::Local
 
 use super::{Claim, Effort, Outcome, Region, Report};
 use crate::{PaperRule, curves::Measured, statements as of_the_paper};
+use memory::Solved;
 use statements::joined;
-
-pub use memory::Solved;
 
 /// The distance of two points, where a metric knows it, in `m`.
 type Distance<M, const D: usize> = fn(&M, &SVector<f64, D>, &SVector<f64, D>) -> Option<f64>;
@@ -67,11 +66,14 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
         Self { distance: Some(|metric, x, y| metric.distance(x, y)), solved, ..self }
     }
 
-    /// The same case with what was solved for others: for cases that are equal in all the rest.
+    /// What `with distances` calls at the end of [`metric_suite!`](crate::metric_suite).
     #[doc(hidden)]
     #[must_use]
-    pub fn sharing(self, solved: &Arc<Solved<D>>) -> Self {
-        Self { solved: Arc::clone(solved), ..self }
+    pub fn distances(self) -> Self
+    where
+        M: KnownDistance<D>,
+    {
+        self.with_known_distance()
     }
 }
 
@@ -109,7 +111,7 @@ macro_rules! __metric_laws {
                 claims::lipschitz;
             m_h_bounds_the_second_derivative, "|uᵀ D²H(x)[w, w] u| ≤ M_H |w|² |u|²",
                 |case| claims::claim(case, Claim::MH);
-            constants_are_proved, "c1, c2, L_H and M_H hold in every box, by the formula",
+            no_constant_is_refuted, "no bound over the region contradicts c1, c2, L_H or M_H",
                 proofs::constants;
             known_distances_are_distances, "d(x, y) = d(y, x), d(x, x) = 0, no curve is shorter",
                 orders::distances;

@@ -3,12 +3,12 @@
 use nalgebra::SVector;
 use tautline::{
     Bounded, CertifyError, Domain, Metric, Quantity,
-    certify::{Cell, Effort, certify},
+    certify::{Accuracy, Cell, certify},
 };
 
 use super::{MetricCase, claims::judge, extreme::Extreme};
 use crate::kit::{
-    Claim, Failure, Fault,
+    Claim, Failure, Fault, Proof, Standing,
     report::{LawResult, Tried},
 };
 
@@ -24,14 +24,14 @@ impl Claim {
 
     /// To one percent, with so many boxes as take a fraction of a second: the derivatives cost
     /// more.
-    fn effort(self, dimension: usize) -> Effort {
+    fn accuracy(self, dimension: usize) -> Accuracy {
         let budget = match self {
             Claim::C1 | Claim::C2 => 20_000,
             Claim::LH => 6_000,
             Claim::MH => 2_000,
         };
         let budget = if dimension <= 2 { budget } else { budget / 4 };
-        Effort { tolerance: 1e-2, budget }
+        Accuracy { tolerance: 1e-2, budget }
     }
 
     /// What the claim is about at a point where it is known to be `attained`, in the best direction
@@ -59,27 +59,29 @@ impl Claim {
 ///
 /// A claim that the bounds contradict is refused with the point, from where an ascent makes the
 /// most of it. Where the claim is on the right side of both bounds it is proved; between them, it
-/// is right as far as they are apart. In more than three dimensions, and where the boxes do not
-/// suffice, the note says that nothing was decided.
+/// is right as far as they are apart. Where the boxes do not suffice nothing is decided, and in more
+/// than three dimensions nothing is tried: the standing of each constant says which.
 pub(super) fn constants<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
-    if D > 3 {
-        return Ok(Tried::cases(0).with_note("not tried in more than three dimensions"));
-    }
     let (metric, region) = (&case.metric, &case.region);
+    let constants = metric.constants();
+    let claimed = |claim: Claim| Some((claim, claim.of(&constants)?));
+    let claims = Claim::ALL.into_iter().filter_map(claimed);
+    if D > 3 {
+        let standings = claims.map(|(claim, _)| Standing { claim, proof: Proof::NotTried });
+        return Ok(Tried { standings: standings.collect(), ..Tried::cases(0) });
+    }
     let failure = |fault| Failure { fault, sample: None, seed: case.effort.seed };
     let corner = |share| region.at(&SVector::repeat(share));
     let cell = Cell::new(corner(0.0), corner(1.0));
     let domain = Domain::cell(cell.map_err(|error| failure(Fault::Unproved(error)))?);
-    let constants = metric.constants();
     let mut tried = Tried::cases(0);
-    let mut notes = Vec::new();
-    for claim in Claim::ALL {
-        let Some(claimed) = claim.of(&constants) else { continue };
-        let found = match certify(metric, claim.quantity(), &domain, claim.effort(D)) {
+    for (claim, claimed) in claims {
+        let found = match certify(metric, claim.quantity(), &domain, claim.accuracy(D)) {
             Ok(found) => found,
             Err(CertifyError::BudgetSpent { lower, upper, .. }) => {
                 let proved = if claim == Claim::C1 { claimed <= lower } else { upper <= claimed };
-                notes.push(format!("{claim} {}", if proved { "proved" } else { "not decided" }));
+                let proof = if proved { Proof::Proved } else { Proof::NotDecided };
+                tried.standings.push(Standing { claim, proof });
                 continue;
             }
             Err(error) => return Err(failure(Fault::Unproved(error))),
@@ -92,11 +94,9 @@ pub(super) fn constants<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) 
         let slack = judge(claim, &constants, claimed, &top).map_err(|lie| failure(lie.into()))?;
         tried.cases += found.boxes as u64;
         tried.slack = tried.slack.min(slack);
-        let loose = 100.0 * (found.looseness() - 1.0);
-        notes.push(match proved {
-            true => format!("{claim} proved"),
-            false => format!("{claim} right to {loose:.1} %"),
-        });
+        let percent = 100.0 * (found.looseness() - 1.0);
+        let proof = if proved { Proof::Proved } else { Proof::RightTo { percent } };
+        tried.standings.push(Standing { claim, proof });
     }
-    Ok(tried.with_note(notes.join(", ")))
+    Ok(tried)
 }

@@ -1,0 +1,61 @@
+//! `Standing` and `Proof`: what bounds over the whole region say of a claimed constant.
+
+use std::fmt;
+
+use super::Claim;
+
+/// What is known of one claimed constant, beyond the points that were looked at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Standing {
+    /// The constant.
+    pub claim: Claim,
+    /// What is known of it.
+    pub proof: Proof,
+}
+
+/// How far a claim is proved over the whole region, with outward rounding.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Proof {
+    /// It holds at every point of the region.
+    Proved,
+    /// It lies between the two bounds of the exact constant, which are this many percent apart: a
+    /// claim that is attained can be known no better.
+    RightTo {
+        /// How far the bounds are apart, in percent.
+        percent: f64,
+    },
+    /// The boxes did not suffice: the claim may be wrong.
+    NotDecided,
+    /// Nothing was tried: the dimension is above three.
+    NotTried,
+}
+
+impl Proof {
+    /// Returns whether something was proved: that the claim holds, or how far it may be off.
+    #[must_use]
+    pub fn is_decided(self) -> bool {
+        matches!(self, Proof::Proved | Proof::RightTo { .. })
+    }
+}
+
+impl fmt::Display for Proof {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Proof::Proved => f.write_str("proved"),
+            Proof::RightTo { percent } => write!(f, "right to {percent:.1} %"),
+            Proof::NotDecided => f.write_str("not decided"),
+            Proof::NotTried => f.write_str("not tried"),
+        }
+    }
+}
+
+impl fmt::Display for Standing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {}", self.claim, self.proof)
+    }
+}
+
+/// The standings in a line.
+pub(super) fn line(standings: &[Standing]) -> String {
+    standings.iter().map(Standing::to_string).collect::<Vec<_>>().join(", ")
+}
