@@ -146,6 +146,20 @@ pub(crate) fn check_edges<const D: usize>(cases: impl Strategy<Value = Case<D>>)
     }));
 }
 
+/// Checks that what the derivative takes for inside stays where it is, to the last bit: `P` agrees
+/// with `DP` on the boundary, on which `P(x)` lies as often as not. For sets with an interior in
+/// which nothing rounds.
+pub(crate) fn check_inside<const D: usize>(cases: impl Strategy<Value = Case<D>>) {
+    unwrap(runner().run(&(cases, vector_in::<D>(8.0)), |(case, x)| {
+        for y in [x, case.project(&x), case.project(&case.project(&x))] {
+            if case.derivative(&y) == SMatrix::<f64, D, D>::identity() {
+                prop_assert_eq!(y, case.project(&y), "inside, but moved");
+            }
+        }
+        Ok(())
+    }));
+}
+
 /// `P(x)` is a member, stays where it is, and no member is nearer.
 fn nearest<const D: usize>(
     case: &Case<D>,
