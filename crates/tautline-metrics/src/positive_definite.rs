@@ -89,7 +89,8 @@ fn is_symmetric<T: Lanes, const D: usize>(h: &SMatrix<T, D, D>, i: usize, j: usi
     (0..T::LANES).all(|lane| {
         let entry = |i, j| h[(i, j)].lane(lane);
         let (above, below) = (entry(i, j), entry(j, i));
-        let scale = (entry(i, i) * entry(j, j)).abs().sqrt();
+        // The product of the roots: that of the entries may overflow, and would then grant anything.
+        let scale = entry(i, i).abs().sqrt() * entry(j, j).abs().sqrt();
         (above - below).abs() <= 1e-12 * scale.max(above.abs())
     })
 }
@@ -161,7 +162,7 @@ mod tests {
     use nalgebra::{SMatrix, SVector, matrix, vector};
     use tautline_scalar::Scalar;
 
-    use super::{MetricError, check_gram, cholesky};
+    use super::{MetricError, check_gram, cholesky, is_gram};
     use crate::Metric;
 
     /// A matrix that does not depend on the point, right or wrong.
@@ -212,6 +213,23 @@ mod tests {
         };
         assert_eq!(off(1e-6), Ok(()));
         assert!(matches!(off(4e-6), Err(MetricError::NotSymmetric { .. })));
+    }
+
+    /// In any unit of length: squares of these entries are beyond `f64`.
+    #[test]
+    fn the_halves_may_differ_by_as_much_in_every_unit() {
+        for unit in [1e-300, 1e-200, 1.0, 1e200, 1e300] {
+            let off = |by: f64| {
+                let h = matrix![1e4, 1.0; 1.0 + by, 4e4] * unit;
+                let checked = check_gram(&Matrix(h.transpose().into()), &vector![0.0, 0.0]);
+                assert_eq!(checked.is_ok(), is_gram(&h), "{by} in {unit:e}");
+                is_gram(&h)
+            };
+            // 10⁻¹² of √(10⁴ · 4 · 10⁴) = 2 · 10⁴.
+            assert!(off(1e-8) && off(-1e-8) && !off(4e-8) && !off(-4e-8) && !off(-1.0), "{unit:e}");
+            // And of the entry where that is larger, in which case nothing is definite.
+            assert!(!is_gram(&(matrix![1.0, 2.0; 2.0, 1.0] * unit)));
+        }
     }
 
     #[test]
