@@ -158,10 +158,10 @@ impl<T: Scalar, const D: usize> ChordModel<D, T> {
 #[cfg(test)]
 mod tests {
     use nalgebra::{SMatrix, SVector, vector};
-    use tautline_metrics::{Lanes, Metric, Scalar, gallery::Swirl};
+    use tautline_metrics::{Lanes, Metric, Pair, Scalar, gallery::Swirl};
 
     use super::ChordModel;
-    use crate::{LeftEndpoint, Node, Rule, Trapezoidal, TrueTrapezoid};
+    use crate::{LeftEndpoint, LinearModel, Node, PointSequence, Rule, Trapezoidal, TrueTrapezoid};
 
     /// Nothing in it looks the same from both ends.
     #[derive(Clone, Copy, Debug)]
@@ -226,6 +226,83 @@ mod tests {
         fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
             SMatrix::from_diagonal_element(x[1])
         }
+    }
+
+    /// Below the axis at one node of one chord, of two nodes and two chords: each is enough, for a
+    /// pair of chords, for one chord, and for all of a sequence.
+    #[test]
+    fn one_node_without_a_metric_is_enough() {
+        // At the nodes 0 and 1 the heights are those of the two ends.
+        let chord = |from: f64, to: f64| (vector![0.0, from], vector![1.0, to - from]);
+        let heights = [1.0, 2.0, 3.0, 4.0];
+        for below in 0..=heights.len() {
+            let height = |place: usize| if place == below { -1.0 } else { heights[place] };
+            let chords = [chord(height(0), height(1)), chord(height(2), height(3))];
+            let [first, second] =
+                chords.map(|(x, d)| ChordModel::new(TrueTrapezoid, &Above, &x, &d, 1.0).is_metric);
+            assert_eq!([first, second], [below >= 2, !(2..4).contains(&below)], "{below}");
+            let both = chords.each_ref().map(|(x, d)| (x, *d));
+            let facing = ChordModel::facing(TrueTrapezoid, &Above, both, 1.0);
+            assert_eq!(facing.is_metric, below == heights.len(), "{below}");
+            let points = (0..4).map(|place| vector![place as f64, height(place)]).collect();
+            let sequence = PointSequence::new(points).expect("finite");
+            let linear = LinearModel::new(TrueTrapezoid, &Above, &sequence);
+            assert_eq!(linear.is_metric, below == heights.len(), "{below}");
+        }
+    }
+
+    /// The identity, but for one entry.
+    struct Spoilt {
+        place: (usize, usize),
+        entry: f64,
+    }
+    impl<const D: usize> Metric<D> for Spoilt {
+        fn gram<S: Scalar>(&self, _: &SVector<S, D>) -> SMatrix<S, D, D> {
+            let mut h = SMatrix::<S, D, D>::identity();
+            h[self.place] = S::constant(self.entry);
+            h
+        }
+    }
+
+    /// In every way in which derivatives are taken: halves that differ, whichever is the spoilt one,
+    /// an entry of the diagonal that is not positive, the last as well, and infinity.
+    #[track_caller]
+    fn spoilt_matrices_are_seen<const D: usize>() {
+        let defects = [
+            ((0, 1), 0.25),
+            ((1, 0), 0.25),
+            ((D - 1, 0), 0.25),
+            ((D - 2, D - 1), 0.25),
+            ((0, 0), -1.0),
+            ((D - 1, D - 1), 0.0),
+            ((D - 1, D - 1), f64::INFINITY),
+            ((0, D - 1), f64::NAN),
+        ];
+        let whole = ((0, 0), 1.0);
+        let (x, d) = (SVector::<f64, D>::zeros(), SVector::<f64, D>::repeat(0.5));
+        let sequence = PointSequence::new(vec![x, x + d]).expect("finite");
+        for (place, entry) in defects.into_iter().chain([whole]) {
+            let metric = Spoilt { place, entry };
+            let expected = (place, entry) == whole;
+            let chord = ChordModel::new(Trapezoidal, &metric, &x, &d, 1.0);
+            assert_eq!(chord.is_metric, expected, "{entry} at {place:?} of {D}");
+            let linear = LinearModel::new(Trapezoidal, &metric, &sequence);
+            assert_eq!(linear.is_metric, expected, "{entry} at {place:?} of {D}");
+            // Elsewhere nobody asks for two chords at once, whose derivatives fill the stack.
+            if ChordModel::<D, Pair>::PAYS {
+                let facing = ChordModel::facing(Trapezoidal, &metric, [(&x, d), (&x, d)], 1.0);
+                assert_eq!(facing.is_metric, expected, "{entry} at {place:?} of {D}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_matrix_that_is_no_metric_is_seen_in_every_dimension() {
+        spoilt_matrices_are_seen::<2>();
+        spoilt_matrices_are_seen::<3>();
+        spoilt_matrices_are_seen::<4>();
+        spoilt_matrices_are_seen::<9>();
+        spoilt_matrices_are_seen::<25>();
     }
 
     #[test]

@@ -174,5 +174,22 @@ mod tests {
         let error = PointSequence::new(vec![vector![0.0, 0.0], vector![0.0, f64::NAN]]);
         assert!(matches!(error, Err(SequenceError::NotFinite { index: 1, coordinate: 1, .. })));
         assert!(PointSequence::straight([0.0], [f64::INFINITY], 2).is_err());
+        let one = PointSequence::new(vec![vector![1.0]]);
+        assert_eq!(one, Err(SequenceError::NoSubinterval { points: 1 }));
+        assert!(PointSequence::new(vec![vector![1.0]; 2]).is_ok());
+        // Of several the first, at the ends of the sequence and of the point too.
+        let bad = f64::NEG_INFINITY;
+        for (index, coordinate) in (0..3).flat_map(|i| (0..3).map(move |j| (i, j))) {
+            let mut points = vec![vector![0.0, 0.0, 0.0]; 3];
+            points[index][coordinate] = bad;
+            for later in coordinate + 1..3 {
+                points[index][later] = f64::NAN;
+            }
+            for later in index + 1..3 {
+                points[later] = vector![f64::NAN, f64::NAN, f64::NAN];
+            }
+            let error = SequenceError::NotFinite { index, coordinate, value: bad };
+            assert_eq!(PointSequence::new(points), Err(error));
+        }
     }
 }

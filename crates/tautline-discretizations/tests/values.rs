@@ -3,11 +3,12 @@
 use std::f64::consts::{PI, TAU};
 
 use approx::assert_relative_eq;
-use nalgebra::vector;
+use nalgebra::{SMatrix, vector};
 use tautline_discretizations::{
-    BlockTridiagonal, Interpolation, LeftEndpoint, PointSequence, Rule, Trapezoidal, TrueTrapezoid,
+    BlockTridiagonal, Interpolation, LeftEndpoint, LinearModel, PointSequence, QuadraticModel,
+    Rule, Trapezoidal, TrueTrapezoid, energy_gradient,
 };
-use tautline_metrics::gallery::{Sphere, Valleys};
+use tautline_metrics::gallery::{Constant, Sphere, Valleys};
 
 /// One chord from `(0, 0)` to `(2π, 0)`: the midpoint sees the ridge `f = 3`, both ends `f = 1`.
 #[test]
@@ -93,4 +94,117 @@ fn the_zero_matrix_has_its_blocks() {
     let zero = BlockTridiagonal::<2>::zeros(3);
     assert_eq!((zero.diagonal.len(), zero.upper.len()), (4, 3));
     assert!(zero.mul(&[vector![1.0, 2.0]; 4]).iter().all(|block| block.amax() == 0.0));
+}
+
+/// One chord of length 1 and 1023 after it, each of which adds less than half an ulp of 1: added
+/// plainly they would all be lost, `6e-14` of the sum.
+#[test]
+fn what_many_small_chords_add_is_not_lost() {
+    let identity = Constant::<2>::new(SMatrix::identity()).expect("positive definite");
+    let chords = 1024;
+    // Along another axis than the long one, so that the small ones are exact: their length `small`.
+    let sequence = |small: f64| {
+        let after = (0..chords).map(|k| vector![1.0, f64::from(k) * small]);
+        PointSequence::new([vector![0.0, 0.0]].into_iter().chain(after).collect()).expect("finite")
+    };
+    let little = 2.0_f64.powi(-54);
+    let sum = 1.0 + f64::from(chords - 1) * little;
+    // The rounding of the result, and of the product with N.
+    let rounded = |found: f64, exact: f64| {
+        assert_relative_eq!(found, exact, max_relative = 4.0 * f64::EPSILON);
+    };
+    // Squares of 2⁻²⁷ in an energy, 2⁻⁵⁴ itself in a length.
+    let (squares, lengths) = (sequence(2.0_f64.powi(-27)), sequence(little));
+    let n = f64::from(chords);
+    rounded(Trapezoidal.energy(&identity, &squares), n * sum);
+    rounded(LeftEndpoint.energy(&identity, &squares), n * sum);
+    rounded(TrueTrapezoid.energy(&identity, &squares), n * sum);
+    rounded(energy_gradient(Trapezoidal, &identity, &squares).0, n * sum);
+    rounded(QuadraticModel::new(Trapezoidal, &identity, &squares).energy, n * sum);
+    rounded(Trapezoidal.length(&identity, &lengths), sum);
+    rounded(TrueTrapezoid.length(&identity, &lengths), sum);
+    rounded(squares.k3().powi(2), n * sum);
+    // A quadrature of seven nodes rounds the long chord a little more.
+    let curve = Interpolation::new(&squares).energy(&identity);
+    assert_relative_eq!(curve.value, n * sum, max_relative = 16.0 * f64::EPSILON);
+    let curve = Interpolation::new(&lengths).length(&identity);
+    assert_relative_eq!(curve.value, sum, max_relative = 16.0 * f64::EPSILON);
+}
+
+/// The errors of the chords add up, and those of an energy are in its unit: each is at least two
+/// roundings of its part.
+#[test]
+fn the_error_of_a_curve_is_the_sum_of_those_of_its_chords() {
+    let identity = Constant::<2>::new(SMatrix::identity()).expect("positive definite");
+    for n in [1, 2, 7, 64] {
+        let line = PointSequence::straight([0.0, 0.0], [3.0, 4.0], n).expect("finite");
+        let curve = Interpolation::new(&line);
+        for (integral, exact) in [(curve.energy(&identity), 25.0), (curve.length(&identity), 5.0)] {
+            assert_relative_eq!(integral.value, exact, max_relative = 16.0 * f64::EPSILON);
+            let relative = integral.error / exact;
+            assert!((1.5 * f64::EPSILON..1e-13).contains(&relative), "N = {n}: {relative:e}");
+        }
+    }
+}
+
+/// The order at which the energy of the sequence on a straight line converges to that of the
+/// line, `q` of `N⁻ᑫ`, is what each rule says of itself.
+#[test]
+fn the_exponent_of_the_error_is_the_one_that_is_seen() {
+    fn order<R: Rule>(rule: R) -> f64 {
+        let line = |n| PointSequence::straight([0.2, 0.0], [1.4, 0.3], n).expect("finite");
+        let limit = Interpolation::new(&line(64)).energy(&Valleys).value;
+        let error = |n| rule.energy(&Valleys, &line(n)) - limit;
+        (error(256) / error(512)).log2()
+    }
+    // The next order, relatively 1/256 of the first, is below 0.05 in the logarithm.
+    assert!((order(Trapezoidal) - f64::from(Trapezoidal::ERROR_EXPONENT)).abs() < 0.05);
+    assert!((order(TrueTrapezoid) - f64::from(TrueTrapezoid::ERROR_EXPONENT)).abs() < 0.05);
+    assert!((order(LeftEndpoint) - f64::from(LeftEndpoint::ERROR_EXPONENT)).abs() < 0.05);
+}
+
+/// A model that was of a finer grid is the same, in the memory it had, as a new one: nothing is
+/// left of the finer grid, nor of the numbers that were there.
+#[test]
+fn a_model_in_used_memory_is_a_new_one() {
+    let line = |n| PointSequence::straight([-0.5, 0.2], [1.4, 0.3], n).expect("finite");
+    let mut used = QuadraticModel::default();
+    for n in [9, 4, 4, 1, 6] {
+        used.expand(TrueTrapezoid, &Sphere, &line(n));
+        assert_eq!(used, QuadraticModel::new(TrueTrapezoid, &Sphere, &line(n)), "N = {n}");
+        assert_eq!((used.gradient.len(), used.hessian.upper.len()), (n + 1, n));
+    }
+}
+
+/// `diag(2, 6)` has the mean eigenvalue 4, with any number of chords, of any length.
+#[test]
+fn the_size_of_a_metric_is_the_mean_of_its_eigenvalues() {
+    let metric = Constant::new(SMatrix::from_diagonal(&vector![2.0, 6.0])).expect("positive");
+    for n in [1, 2, 5] {
+        let line = PointSequence::straight([0.0, 0.0], [3.0, 4.0], n).expect("finite");
+        for mean in [
+            QuadraticModel::new(Trapezoidal, &metric, &line).mean_gram,
+            QuadraticModel::new(TrueTrapezoid, &metric, &line).mean_gram,
+        ] {
+            assert_relative_eq!(mean, 4.0, max_relative = 1e-15);
+        }
+    }
+    // From valley to ridge f² is 1 and 9, at the two ends of the one chord: each counts.
+    let chord = PointSequence::straight([0.0, 0.0], [PI, 0.0], 1).expect("finite");
+    let mean = QuadraticModel::new(TrueTrapezoid, &Valleys, &chord).mean_gram;
+    assert_relative_eq!(mean, 5.0, max_relative = 1e-15);
+    let two = PointSequence::new(vec![vector![PI, 0.0], vector![0.0, 0.0], vector![0.0, 1.0]]);
+    let mean = QuadraticModel::new(LeftEndpoint, &Valleys, &two.expect("finite")).mean_gram;
+    assert_relative_eq!(mean, 5.0, max_relative = 1e-15);
+}
+
+/// The value at 1 is the last point, with one chord as with many, and what lies between is on the
+/// chord that the time says.
+#[test]
+fn a_curve_of_one_chord_has_both_its_ends() {
+    let chord = PointSequence::new(vec![vector![2.0, 1.0], vector![4.0, -3.0]]).expect("finite");
+    let curve = Interpolation::new(&chord);
+    assert_eq!([curve.at(0.0), curve.at(1.0)], [vector![2.0, 1.0], vector![4.0, -3.0]]);
+    assert_eq!(curve.at(0.25), vector![2.5, 0.0]);
+    assert!(LinearModel::new(Trapezoidal, &Sphere, &chord).is_metric);
 }

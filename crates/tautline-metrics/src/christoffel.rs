@@ -44,16 +44,47 @@ pub fn christoffel<const D: usize>(
 #[cfg(test)]
 mod tests {
     use approx::assert_relative_eq;
-    use nalgebra::vector;
+    use nalgebra::{SMatrix, SVector, vector};
+    use tautline_scalar::Jet2;
 
     use super::christoffel;
-    use crate::gallery::{Sphere, Valleys};
+    use crate::Metric;
+    use crate::gallery::{Shear, Sphere, Swirl, Valleys};
 
     /// For `H = φ I`: `Γᵏᵢⱼ = ½ (δₖᵢ ∂ⱼ + δₖⱼ ∂ᵢ − δᵢⱼ ∂ₖ) log φ`.
     fn conformal(gradient_of_log: [f64; 2], k: usize, i: usize, j: usize) -> f64 {
         let delta = |a: usize, b: usize| f64::from(u8::from(a == b));
         0.5 * (delta(k, i) * gradient_of_log[j] + delta(k, j) * gradient_of_log[i]
             - delta(i, j) * gradient_of_log[k])
+    }
+
+    /// For the pullback of the Euclidean metric by `Φ`, `Γᵏᵢⱼ = Σₘ (DΦ⁻¹)ₖₘ ∂ᵢ∂ⱼ Φₘ`: full matrices,
+    /// of which no entry may stand for another.
+    #[test]
+    fn flat_metrics_have_the_second_derivatives_of_their_chart() {
+        #[track_caller]
+        fn compare(
+            metric: &impl Metric<2>,
+            chart: impl Fn(&SVector<Jet2<f64, 2>, 2>) -> SVector<Jet2<f64, 2>, 2>,
+        ) {
+            let x = vector![0.7, -0.3];
+            let gamma = christoffel(metric, &x).expect("positive definite");
+            let flat = chart(&SVector::from(Jet2::variables(&[x[0], x[1]])));
+            let slope = SMatrix::<f64, 2, 2>::from_fn(|m, i| flat[m].first(i));
+            let inverse = slope.try_inverse().expect("of determinant 1");
+            for (k, i, j) in
+                (0..8).map(|place: usize| (place & 1, (place >> 1) & 1, (place >> 2) & 1))
+            {
+                let bend = vector![flat[0].second(i, j), flat[1].second(i, j)];
+                let exact = inverse.row(k).transpose().dot(&bend);
+                // Some thirty roundings of numbers below 10.
+                assert_relative_eq!(gamma[k][(i, j)], exact, epsilon = 1e-14, max_relative = 1e-13);
+            }
+        }
+        let shear = Shear::new(1.5, 2.0).expect("a wave number");
+        compare(&shear, |x| shear.flatten(x));
+        let swirl = Swirl::new(1.5, 0.8).expect("a width");
+        compare(&swirl, |x| swirl.flatten(x));
     }
 
     #[test]

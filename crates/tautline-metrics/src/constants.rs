@@ -190,6 +190,50 @@ mod tests {
         assert_eq!(again, isotropic);
     }
 
+    /// What is said of constants is said in any order, and nothing is forgotten.
+    #[test]
+    fn no_order_of_saying_forgets_anything() {
+        let bare = Constants::new(1.0, 9.0, 5.0).expect("in order");
+        let bent = |c: Constants| c.with_m_h(6.0).expect("nonnegative");
+        let (round, local) = (Constants::isotropic, Constants::on_a_region);
+        let all = local(round(bent(bare)));
+        assert!(all.is_local() && all.is_isotropic());
+        assert_eq!((all.c1(), all.c2(), all.l_h(), all.m_h()), (1.0, 9.0, 5.0, Some(6.0)));
+        for other in [
+            round(local(bent(bare))),
+            local(bent(round(bare))),
+            bent(local(round(bare))),
+            round(bent(local(bare))),
+            bent(round(local(bare))),
+        ] {
+            assert_eq!(other, all);
+        }
+        assert!(all != local(bent(bare)) && all != round(bent(bare)) && all != local(round(bare)));
+    }
+
+    /// Each number alone at the edge of what it may be: in, out, and infinite.
+    #[test]
+    fn the_edges_of_the_clauses_belong_or_do_not() {
+        let new = |c1, c2, l_h| Constants::new(c1, c2, l_h);
+        assert!(new(1.0, 1.0, 0.0).and_then(|c| c.with_m_h(0.0)).is_ok());
+        assert!(new(f64::from_bits(1), f64::MAX, f64::MAX).is_ok());
+        let infinite = f64::INFINITY;
+        assert_eq!(new(0.0, 1.0, 0.0), Err(HypothesisError::NotCoercive { c1: 0.0 }));
+        assert_eq!(
+            new(infinite, infinite, 0.0),
+            Err(HypothesisError::NotCoercive { c1: infinite })
+        );
+        assert_eq!(
+            new(1.0, infinite, 0.0),
+            Err(HypothesisError::CrossedBounds { c1: 1.0, c2: infinite })
+        );
+        assert_eq!(new(1.0, 1.0, infinite), Err(HypothesisError::NotLipschitz { l_h: infinite }));
+        assert_eq!(
+            new(1.0, 1.0, 0.0).and_then(|c| c.with_m_h(infinite)),
+            Err(HypothesisError::NotTwiceBounded { m_h: infinite })
+        );
+    }
+
     #[test]
     fn the_message_names_the_number_and_the_clause() {
         let error = Constants::new(-1.5, 1.0, 0.0).expect_err("c1 < 0");

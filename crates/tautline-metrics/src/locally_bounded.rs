@@ -123,11 +123,18 @@ mod tests {
     fn a_ball_reaches_from_the_nearest_to_the_farthest_norm() {
         assert_eq!(norms_within(&vector![3.0, 4.0], 2.0), Ok([3.0, 7.0]));
         assert_eq!(norms_within(&vector![3.0, 4.0], 6.0), Ok([0.0, 11.0]));
+        // Its centre alone, and all of space.
+        assert_eq!(norms_within(&vector![3.0, 4.0], 0.0), Ok([5.0, 5.0]));
+        assert_eq!(norms_within(&vector![3.0, 4.0], 5.0), Ok([0.0, 10.0]));
+        assert_eq!(norms_within(&vector![3.0, 4.0], f64::INFINITY), Ok([0.0, f64::INFINITY]));
         for radius in [-1.0, f64::NAN] {
             let error = norms_within(&vector![0.0], radius).expect_err("no radius");
             assert!(matches!(error, LocalError::NotARadius { .. }), "{error}");
         }
         let error = norms_within(&vector![0.0, f64::INFINITY], 1.0).expect_err("no centre");
         assert_eq!(error, LocalError::NotACentre { index: 1, value: f64::INFINITY });
+        // The first of two.
+        let error = norms_within(&vector![f64::NEG_INFINITY, f64::NAN], 1.0).expect_err("none");
+        assert_eq!(error, LocalError::NotACentre { index: 0, value: f64::NEG_INFINITY });
     }
 }

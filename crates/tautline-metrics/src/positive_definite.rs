@@ -89,7 +89,8 @@ fn is_symmetric<T: Lanes, const D: usize>(h: &SMatrix<T, D, D>, i: usize, j: usi
     (0..T::LANES).all(|lane| {
         let entry = |i, j| h[(i, j)].lane(lane);
         let (above, below) = (entry(i, j), entry(j, i));
-        let scale = (entry(i, i) * entry(j, j)).abs().sqrt();
+        // The product of the roots: that of the entries may overflow, and would then grant anything.
+        let scale = entry(i, i).abs().sqrt() * entry(j, j).abs().sqrt();
         (above - below).abs() <= 1e-12 * scale.max(above.abs())
     })
 }
@@ -159,9 +160,9 @@ pub fn cholesky<const D: usize>(a: &SMatrix<f64, D, D>) -> Option<SMatrix<f64, D
 #[cfg(test)]
 mod tests {
     use nalgebra::{SMatrix, SVector, matrix, vector};
-    use tautline_scalar::Scalar;
+    use tautline_scalar::{Pair, Scalar};
 
-    use super::{MetricError, check_gram, cholesky};
+    use super::{MetricError, check_gram, cholesky, is_gram};
     use crate::Metric;
 
     /// A matrix that does not depend on the point, right or wrong.
@@ -170,6 +171,15 @@ mod tests {
     impl Metric<2> for Matrix {
         fn gram<S: Scalar>(&self, _: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
             SMatrix::from_fn(|i, j| S::constant(self.0[i][j]))
+        }
+    }
+
+    /// The same in three dimensions.
+    struct Three(SMatrix<f64, 3, 3>);
+
+    impl Metric<3> for Three {
+        fn gram<S: Scalar>(&self, _: &SVector<S, 3>) -> SMatrix<S, 3, 3> {
+            self.0.map(S::constant)
         }
     }
 
@@ -212,6 +222,75 @@ mod tests {
         };
         assert_eq!(off(1e-6), Ok(()));
         assert!(matches!(off(4e-6), Err(MetricError::NotSymmetric { .. })));
+    }
+
+    /// In any unit of length: squares of these entries are beyond `f64`.
+    #[test]
+    fn the_halves_may_differ_by_as_much_in_every_unit() {
+        for unit in [1e-300, 1e-200, 1.0, 1e200, 1e300] {
+            let off = |by: f64| {
+                let h = matrix![1e4, 1.0; 1.0 + by, 4e4] * unit;
+                let checked = check_gram(&Matrix(h.transpose().into()), &vector![0.0, 0.0]);
+                assert_eq!(checked.is_ok(), is_gram(&h), "{by} in {unit:e}");
+                is_gram(&h)
+            };
+            // 10⁻¹² of √(10⁴ · 4 · 10⁴) = 2 · 10⁴.
+            assert!(off(1e-8) && off(-1e-8) && !off(4e-8) && !off(-4e-8) && !off(-1.0), "{unit:e}");
+            // And of the entry where that is larger, in which case nothing is definite.
+            assert!(!is_gram(&(matrix![1.0, 2.0; 2.0, 1.0] * unit)));
+        }
+    }
+
+    /// One defect at a time, in each entry, and in each of two matrices side by side.
+    #[test]
+    fn every_entry_of_every_matrix_is_looked_at() {
+        let good = matrix![4.0, 2.0, -1.0; 2.0, 5.0, 0.5; -1.0, 0.5, 3.0];
+        let both =
+            |a: &SMatrix<f64, 3, 3>, b: &SMatrix<f64, 3, 3>| is_gram(&a.zip_map(b, Pair::new));
+        assert!(is_gram(&good) && both(&good, &good));
+        for (place, bad) in (0..3).flat_map(|i| (0..3).map(move |j| (i, j))).flat_map(|place| {
+            [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -7.0, 0.25].map(|bad| (place, bad))
+        }) {
+            let mut spoilt = good;
+            spoilt[place] = bad;
+            assert!(!is_gram(&spoilt), "{bad} at {place:?}");
+            assert!(!both(&spoilt, &good) && !both(&good, &spoilt), "{bad} at {place:?}");
+            let checked = check_gram(&Three(spoilt), &vector![0.0, 0.0, 0.0]);
+            assert!(checked.is_err(), "{bad} at {place:?}");
+            if !bad.is_finite() {
+                let Err(MetricError::NotFinite { row, column, .. }) = checked else {
+                    panic!("{checked:?}");
+                };
+                assert_eq!((row, column), place);
+            }
+        }
+        // Singular: the last pivot is zero.
+        let singular = matrix![1.0, 1.0; 1.0, 1.0];
+        assert!(!is_gram(&singular) && cholesky(&singular).is_none());
+        assert!(!is_gram(&matrix![0.0]) && is_gram(&matrix![f64::MIN_POSITIVE]));
+    }
+
+    /// `is_gram` by its pivots, and the factor by Cholesky, agree on random matrices, definite or not;
+    /// both halves of the matrix are the same, and only the upper one is read.
+    #[test]
+    fn the_pivots_and_the_factor_agree() {
+        let mut definite = 0;
+        for case in 0..2000 {
+            let wave = |k: usize| (f64::from(case) * (0.7 + 1.3 * k as f64).sqrt()).sin();
+            let a = SMatrix::<f64, 4, 4>::from_fn(|i, j| {
+                0.5 * wave(i.min(j) + 5 * i.max(j)) + if i == j { 0.8 } else { 0.0 }
+            });
+            let least = a.symmetric_eigenvalues().min();
+            let factor = cholesky(&a);
+            // Rounding of entries up to 1.3 decides nothing at this distance.
+            if least.abs() > 1e-12 {
+                assert_eq!((factor.is_some(), is_gram(&a)), (least > 0.0, least > 0.0), "{a}");
+            }
+            let upper = SMatrix::<f64, 4, 4>::from_fn(|i, j| if i <= j { a[(i, j)] } else { 9.0 });
+            assert_eq!(cholesky(&upper), factor);
+            definite += usize::from(factor.is_some());
+        }
+        assert!((200..1800).contains(&definite), "{definite}");
     }
 
     #[test]

@@ -187,8 +187,10 @@ mod tests {
 
     use proptest::{prelude::*, test_runner::RngSeed};
 
+    use num_traits::Zero;
+
     use super::{LARGEST_ANGLE, Pair};
-    use crate::{Jet2, Scalar};
+    use crate::{Jet2, Lanes, Scalar};
 
     /// A formula with every function, as long as its arguments are near 1.
     fn everything<S: Scalar>(x: S) -> S {
@@ -276,6 +278,45 @@ mod tests {
             let angle = f64::from(quarter) * FRAC_PI_2;
             compare(angle, -angle.next_up());
         }
+    }
+
+    /// Which of the two places a number stands in makes no difference.
+    #[test]
+    fn exchanged_numbers_have_exchanged_results() {
+        let numbers = [1e7, -1e15, LARGEST_ANGLE, f64::INFINITY, f64::NAN, 0.5, -0.7, 0.0];
+        for (x, y) in numbers.into_iter().flat_map(|x| numbers.map(|y| (x, y))) {
+            let (pair, back) = (Pair::new(x, y), Pair::new(y, x));
+            let results = |pair: Pair| {
+                let (sin, cos) = pair.sin_cos();
+                let (sinh, cosh) = pair.sinh_cosh();
+                let [ln, exp] = [pair.ln(), pair.exp()];
+                let (tan, atan, tanh) = (pair.tan(), pair.atan(), pair.tanh());
+                let (root, power) = (pair.sqrt(), pair.powi(-3));
+                [sin, cos, sinh, cosh, ln, exp, tan, atan, tanh, root, power].map(Pair::both)
+            };
+            for ([a, b], [c, d]) in results(pair).into_iter().zip(results(back)) {
+                // By their bits, since NaN is not itself.
+                assert_eq!(bits([a, b]), bits([d, c]), "{x} {y}");
+            }
+            for (lane, number) in [x, y].into_iter().enumerate() {
+                assert_eq!(pair.lane(lane).to_bits(), number.to_bits());
+            }
+        }
+    }
+
+    /// One of the two that differs is enough, whichever it is; NaN differs from itself.
+    #[test]
+    fn pairs_are_equal_and_hold_if_both_do() {
+        let pair = Pair::new(1.0, 2.0);
+        assert_eq!(pair, Pair::new(1.0, 2.0));
+        for other in [Pair::new(1.0, 3.0), Pair::new(0.0, 2.0), Pair::new(2.0, 1.0)] {
+            assert_ne!(pair, other);
+        }
+        assert!(!Pair::new(0.0, 1.0).is_zero() && !Pair::new(1.0, 0.0).is_zero());
+        assert!(Pair::new(0.0, -0.0).is_zero() && Pair::new(f64::NAN, 0.0) != Pair::zero());
+        assert!(pair.all(|x| x > 0.0));
+        assert!(!pair.all(|x| x > 1.0) && !pair.all(|x| x < 2.0) && !pair.all(|x| x > 2.0));
+        assert!(1.0_f64.all(|x| x > 0.0) && !1.0_f64.all(|x| x > 1.0));
     }
 
     /// The one beside a number out of the range is none the worse for it.

@@ -3,14 +3,14 @@
 
 use std::f64::consts::PI;
 
-use astro_float::{Consts, RoundingMode};
+use astro_float::{BigFloat, Consts, RoundingMode};
 use tautline_scalar::{
-    Enclosure, Fast, FastInterval, Interval, IntervalError, Kernel, Rigorous, Scalar,
+    Enclosure, Fast, FastInterval, Interval, IntervalError, Jet2, Kernel, Pair, Rigorous, Scalar,
 };
 
 mod reference;
 
-use reference::holds;
+use reference::{Reference, holds};
 
 const MAX: f64 = f64::MAX;
 const INFINITY: f64 = f64::INFINITY;
@@ -287,4 +287,109 @@ fn intersections_hulls_and_sizes() {
     assert_eq!((x.magnitude(), x.mignitude(), (-y - 1.0).mignitude()), (3.0, 0.0, 1.0));
     assert!(x.contains_interval(interval(-1.0, 0.5)) && !x.contains_interval(y));
     assert!(!Interval::REALS.contains(INFINITY));
+}
+
+/// `−2³¹` has no absolute value among the exponents, and is even: one more than the odd `2³¹ − 1`.
+#[test]
+fn the_least_exponent_is_an_even_one() {
+    let almost = (-1.0_f64).next_up();
+    for n in [i32::MIN, i32::MIN + 2] {
+        assert_eq!(ends(Interval::point(-1.0).powi(n)), (1.0, 1.0));
+        assert_eq!(ends(Interval::point(-2.0).powi(n)), (0.0, LEAST));
+        assert_eq!(ends(Interval::point(-0.5).powi(n)), (MAX, INFINITY));
+        assert!(interval(-1.0, 1.0).powi(n).is_undefined());
+        assert_eq!((-1.0_f64).powi(n), Scalar::powi(-1.0_f64, n));
+        assert_eq!(Pair::new(-1.0, 2.0).powi(n), Pair::new(1.0, 0.0));
+        assert_eq!(Pair::new(-0.5, 1.0).powi(n), Pair::new(INFINITY, 1.0));
+    }
+    for n in [i32::MIN + 1, i32::MAX] {
+        assert_eq!(ends(Interval::point(-1.0).powi(n)), (-1.0, -1.0));
+        assert_eq!(Pair::new(-1.0, 1.0).powi(n), Pair::new(-1.0, 1.0));
+    }
+    // (1 − 2⁻⁵³)ⁿ = exp(−2⁻⁵³ n) to 2⁻⁷⁵, for n = −2³¹: 1 + 2⁻²² + 2⁻⁴⁵.
+    let power = Interval::point(almost).powi(i32::MIN);
+    let expected = 1.0 + 2.0_f64.powi(-22) + 2.0_f64.powi(-45);
+    assert!(power.contains(expected), "{power:?}");
+    // The reciprocal is 2⁻⁵² wide, and each of the 31 squares doubles that and adds two roundings:
+    // 2³¹ (2⁻⁵² + 2 · 2⁻⁵²).
+    assert!(power.width() < 2.0_f64.powi(-19), "{power:?}");
+}
+
+/// The derivatives of `xⁿ` at 1 are `n` and `n (n − 1)`, for the exponents at both ends of their
+/// range, whose products are none.
+#[test]
+fn the_largest_exponents_have_derivatives() {
+    for n in [i32::MIN, i32::MIN + 1, i32::MIN + 2, -46_341, 46_342, i32::MAX - 1, i32::MAX] {
+        let k = f64::from(n);
+        let [x] = Jet2::variables(&[1.0]);
+        let power = x.powi(n);
+        assert_eq!((power.value(), power.first(0)), (1.0, k), "{n}");
+        // Two roundings of a product of 62 bits.
+        assert!((power.second(0, 0) / (k * (k - 1.0)) - 1.0).abs() <= 2.0 * f64::EPSILON, "{n}");
+        let [x] = Jet2::variables(&[Interval::point(1.0)]);
+        let power = x.powi(n);
+        assert!(power.first(0).contains(k), "{n}: {power:?}");
+        assert!(power.second(0, 0).contains(k * (k - 1.0)), "{n}: {power:?}");
+    }
+}
+
+/// Halves of odd subnormals are rounded, and the larger half of a side is not always the upper one.
+#[test]
+fn sizes_of_intervals_are_rounded_up() {
+    let (one, next) = (1.0, 1.0_f64.next_up());
+    for x in [
+        interval(one, next),
+        interval(-next, -one),
+        interval(0.0, LEAST),
+        interval(-LEAST, 0.0),
+        interval(LEAST, LEAST * 2.0),
+        interval(-1e-30, 1.0),
+        interval(-1.0, 1e-30),
+        interval(0.1, 0.3),
+        interval(-0.3, 0.7),
+        interval(1.0, 1e300),
+        interval(-MAX, MAX),
+    ] {
+        let (centre, radius) = (x.midpoint(), x.radius());
+        // Compared exactly: both ends are within the radius, both are within the width.
+        let big = |x: f64| Reference::big(x);
+        let apart = |a: f64, b: f64| big(a).sub(&big(b), 4096, RoundingMode::None);
+        let within = |distance: BigFloat, bound: f64| {
+            bound == INFINITY || distance.cmp(&big(bound)).is_some_and(|order| order <= 0)
+        };
+        assert!(within(apart(x.hi(), centre), radius), "{x:?} {radius:e}");
+        assert!(within(apart(centre, x.lo()), radius), "{x:?} {radius:e}");
+        assert!(within(apart(x.hi(), x.lo()), x.width()), "{x:?} {:e}", x.width());
+        // And no larger than by a rounding of each step.
+        let most = x.hi() * 0.5 - x.lo() * 0.5;
+        assert!(radius <= most * (1.0 + 1e-15) + f64::EPSILON * x.magnitude() + LEAST, "{x:?}");
+    }
+}
+
+/// Ends belong to an interval, and decide alone.
+#[test]
+fn the_ends_of_an_interval_belong_to_it() {
+    let x = interval(-1.0, 2.0);
+    assert!(x.contains(-1.0) && x.contains(2.0));
+    assert!(!x.contains((-1.0_f64).next_down()) && !x.contains(2.0_f64.next_up()));
+    assert!(x.contains_interval(x));
+    for outside in [interval(-1.5, 0.0), interval(0.0, 2.5), interval(-1.5, 2.5)] {
+        assert!(!x.contains_interval(outside), "{outside:?}");
+    }
+    // One common point is common.
+    assert_eq!(x.intersection(interval(2.0, 3.0)).map(ends), Some((2.0, 2.0)));
+    assert_eq!(interval(2.0, 3.0).intersection(x).map(ends), Some((2.0, 2.0)));
+    assert_eq!(ends(x.hull(interval(-3.0, 1.0))), (-3.0, 2.0));
+    assert_eq!(ends(x.hull(interval(0.0, 3.0))), (-1.0, 3.0));
+    assert_eq!(ends(interval(-3.0, 3.0).hull(x)), (-3.0, 3.0));
+    assert_eq!((x.magnitude(), interval(-2.0, 1.0).magnitude()), (2.0, 2.0));
+    assert_eq!((interval(0.0, 3.0).mignitude(), interval(-3.0, 0.0).mignitude()), (0.0, 0.0));
+    assert_eq!((interval(2.0, 3.0).mignitude(), interval(-3.0, -2.0).mignitude()), (2.0, 2.0));
+    for half in [interval(1.0, INFINITY), interval(-INFINITY, 1.0), Interval::REALS] {
+        assert!(!half.is_finite() && !half.is_undefined());
+    }
+    // Undefined wins over anything, in either place.
+    let none = Interval::UNDEFINED;
+    assert!(x.intersection(none).is_some_and(Interval::is_undefined));
+    assert!(none.intersection(x).is_some_and(Interval::is_undefined));
 }

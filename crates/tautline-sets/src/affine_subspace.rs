@@ -153,8 +153,9 @@ mod tests {
     use crate::exact::{Exact, meets_line, reaches_subspace};
     use crate::laws::{Case, check, scale, vector_in};
     use crate::{ClosedSet, SetError};
-    use nalgebra::{DMatrix, Matrix3, SVector, vector};
+    use nalgebra::{DMatrix, Matrix2, Matrix3, SVector, vector};
     use proptest::prelude::*;
+    use tautline_scalar::Interval;
 
     /// The directions as columns.
     fn matrix<const D: usize>(directions: &[SVector<f64, D>]) -> DMatrix<f64> {
@@ -231,6 +232,32 @@ mod tests {
         let all = AffineSubspace::new([3.0, 4.0], [[1.0, 2.0], [0.1, 0.3]]).expect("two");
         assert_eq!(all.project(&vector![0.1, 0.7]), vector![0.1, 0.7]);
         assert_eq!(all.radius(), None);
+        assert_eq!(all.projection_derivative(&vector![0.1, 0.7]), Matrix2::identity());
+    }
+
+    /// Axes and slanted directions, in either order: coordinates are free where all of them are axes,
+    /// and nowhere else.
+    #[test]
+    fn affine_subspace_takes_no_slanted_direction_for_an_axis() {
+        let x = vector![1.0, 2.0, 3.0];
+        let near = |directions: [[f64; 3]; 2]| {
+            let plane = AffineSubspace::new([0.0, 0.5, 0.25], directions).expect("independent");
+            plane.member_near(&x).expect("a member")
+        };
+        let (first, third) = ([2.0, 0.0, 0.0], [0.0, 0.0, -0.3]);
+        for axes in [[first, third], [third, first]] {
+            assert_eq!(near(axes), vector![1.0, 0.5, 3.0].map(Interval::point));
+        }
+        // t (1, 1) from (½, ¼) is nearest to (2, 3) at t = (1.5 + 2.75)/2.
+        let slanted = [0.0, 1.0, 1.0];
+        for mixed in [[first, slanted], [slanted, first]] {
+            let [one, two, three] = near(mixed).into();
+            for (found, exact) in [(one, 1.0), (two, 2.625), (three, 2.375)] {
+                // A few roundings of numbers below 4.
+                let off = (found.lo() - exact).abs().max((found.hi() - exact).abs());
+                assert!(off <= 16.0 * f64::EPSILON, "{found:?} for {exact}");
+            }
+        }
     }
 
     #[test]

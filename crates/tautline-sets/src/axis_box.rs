@@ -111,7 +111,7 @@ impl<const D: usize> ClosedSet<D> for AxisBox<D> {
 #[cfg(test)]
 mod tests {
     use super::AxisBox;
-    use crate::laws::{Case, check, extent, scale, vector_in};
+    use crate::laws::{Case, check, check_edges, extent, scale, vector_in};
     use crate::{ClosedSet, SetError};
     use nalgebra::{Matrix2, SVector, vector};
     use proptest::prelude::*;
@@ -144,6 +144,13 @@ mod tests {
     }
 
     #[test]
+    fn the_faces_of_a_box_belong_to_it() {
+        check_edges(case::<1>());
+        check_edges(case::<2>());
+        check_edges(case::<5>());
+    }
+
+    #[test]
     fn axis_box_tells_face_edge_and_corner_apart() {
         let unit = AxisBox::from_corners([0.0, 0.0], [1.0, 1.0]).expect("ordered");
         let inside = unit.projection_derivative(&vector![0.5, 1.0]);
@@ -160,6 +167,20 @@ mod tests {
         let derivative = line.projection_derivative(&vector![2.0, 0.0]);
         assert_eq!(derivative, Matrix2::new(0.0, 0.0, 0.0, 1.0));
         assert_eq!(line.project(&vector![5.0, 0.25]), vector![2.0, 0.25]);
+    }
+
+    #[test]
+    fn axis_box_refusals_name_the_first_index() {
+        assert_eq!(
+            AxisBox::new([0.0; 3], [1.0, -2.0, -3.0]),
+            Err(SetError::NegativeHalfWidth { index: 1, half_width: -2.0 })
+        );
+        assert_eq!(
+            AxisBox::from_corners([0.0, 2.0, 3.0], [1.0; 3]),
+            Err(SetError::CrossedCorners { index: 1, lower: 2.0, upper: 1.0 })
+        );
+        // No width is none too small, and a zero is one with either sign.
+        assert!(AxisBox::new([1.0, 2.0], [0.0, -0.0]).is_ok());
     }
 
     #[test]

@@ -89,9 +89,10 @@ impl<const D: usize> ClosedSet<D> for Ball<D> {
 mod tests {
     use super::Ball;
     use crate::exact::{square, squared_distances};
-    use crate::laws::{Case, check, extent, scale, vector_in};
+    use crate::laws::{Case, check, check_inside, extent, scale, vector_in};
+    use crate::norm::on_axis;
     use crate::{ClosedSet, SetError};
-    use nalgebra::{Matrix2, vector};
+    use nalgebra::{Matrix2, Matrix3, vector};
     use proptest::prelude::*;
 
     fn case<const D: usize>() -> impl Strategy<Value = Case<D>> {
@@ -119,12 +120,36 @@ mod tests {
     }
 
     #[test]
+    fn the_inside_of_a_ball_stays_its_boundary_included() {
+        check_inside(case::<1>());
+        check_inside(case::<2>());
+        check_inside(case::<5>());
+    }
+
+    #[test]
     fn ball_boundary_counts_as_inside() {
         let ball = Ball::new([1.0, 0.0], 2.0).expect("finite");
         assert_eq!(ball.projection_derivative(&vector![3.0, 0.0]), Matrix2::identity());
         assert_eq!(ball.project(&vector![3.0, 0.0]), vector![3.0, 0.0]);
         let outside = ball.projection_derivative(&vector![5.0, 0.0]);
         assert_eq!(outside, Matrix2::new(0.0, 0.0, 0.0, 0.5));
+    }
+
+    /// Both poles on every axis: nothing rounds.
+    #[test]
+    fn ball_poles_belong_to_it() {
+        let centre = vector![0.5, -3.0, 2.25];
+        let ball = Ball::new(centre, 1.75).expect("finite");
+        for (i, sign) in (0..3).flat_map(|i| [(i, 1.0), (i, -1.0)]) {
+            let pole = centre + on_axis(i, 1.75 * sign);
+            assert_eq!(ball.project(&pole), pole);
+            assert_eq!(ball.projection_derivative(&pole), Matrix3::identity());
+            let beyond = centre + on_axis(i, 3.5 * sign);
+            assert_eq!(ball.project(&beyond), pole);
+            let halved = Matrix3::identity() * 0.5
+                - Matrix3::from_fn(|j, k| if (j, k) == (i, i) { 0.5 } else { 0.0 });
+            assert_eq!(ball.projection_derivative(&beyond), halved);
+        }
     }
 
     #[test]

@@ -169,6 +169,7 @@ mod tests {
     use std::sync::Arc;
 
     use nalgebra::{SMatrix, SVector, vector};
+    use tautline_scalar::Interval;
 
     use crate::{
         AffineSubspace, AxisBox, Ball, ClosedSet, FiniteSet, HalfSpace, Point, Segment, SetError,
@@ -208,6 +209,50 @@ mod tests {
             assert!(union.radius().is_some_and(f64::is_nan));
             assert!(union.enclosing_ball().is_some_and(|(_, radius)| radius.is_nan()));
         }
+    }
+
+    /// Nothing is lost behind a pointer: the pieces, the seeds and the ball of a set are its own.
+    #[test]
+    fn a_shared_set_says_what_the_set_says() -> Result<(), SetError> {
+        let sphere: Arc<dyn ClosedSet<2>> = Arc::new(Sphere::new([3.0, 4.0], 0.5)?);
+        let point: Arc<dyn ClosedSet<2>> = Arc::new(Point::new([9.0, 4.0])?);
+        let union = Union::new(vec![Arc::clone(&sphere), point])?;
+        let shared: Arc<dyn ClosedSet<2>> = Arc::new(Arc::new(union.clone()));
+        let x = vector![4.0, 4.0];
+        assert_eq!(shared.project(&x), vector![3.5, 4.0]);
+        assert_eq!(shared.projection_derivative(&x), union.projection_derivative(&x));
+        assert_eq!(shared.radius(), union.radius());
+        assert_eq!(shared.enclosing_ball(), union.enclosing_ball());
+        assert_ne!(shared.enclosing_ball(), Anything { radius: union.radius() }.enclosing_ball());
+        assert_eq!(shared.member_near(&x), Some(vector![3.5, 4.0].map(Interval::point)));
+        assert_eq!(shared.pieces().len(), 2);
+        assert_eq!(shared.seeds(), sphere.seeds());
+        assert_eq!(shared.seeds().len(), 4);
+        assert!(!shared.is_convex() && Arc::new(Point::new([1.0, 2.0])?).is_convex());
+        // A union of one piece is dissolved like any other.
+        let one = Union::new(vec![Arc::new(Union::new(vec![sphere])?)])?;
+        assert!(one.pieces().iter().all(|piece| piece.pieces().is_empty()));
+        Ok(())
+    }
+
+    /// A side of one ulp has no double in the middle: the ball reaches to both ends all the same.
+    #[test]
+    fn enclosing_balls_of_one_ulp_hold_both_ends() -> Result<(), SetError> {
+        for low in [1.0, 1.0_f64.next_up(), -1.0, -(1.0_f64.next_up()), 0.0, -5e-324] {
+            let high = low.next_up();
+            let sides: [Arc<dyn ClosedSet<1>>; 3] = [
+                Arc::new(AxisBox::from_corners([low], [high])?),
+                Arc::new(Segment::new([low], [high])?),
+                Arc::new(Segment::new([high], [low])?),
+            ];
+            for side in sides {
+                let (centre, radius) = side.enclosing_ball().expect("bounded");
+                for end in [low, high] {
+                    assert!((end - centre[0]).abs() <= radius, "{side:?}: {centre:?}, {radius:e}");
+                }
+            }
+        }
+        Ok(())
     }
 
     /// Those of the sets themselves, not those about the origin.

@@ -238,6 +238,44 @@ mod tests {
         assert_eq!(common_point(&a, &apart), None);
     }
 
+    /// What is found depends neither on which set is named first nor on the unit.
+    #[test]
+    fn common_point_is_found_in_either_order_and_every_unit() {
+        for unit in [1e-200, 1.0, 1e200] {
+            let ring = |x: f64, r: f64| Sphere::new([x * unit, 0.0], r * unit).expect("finite");
+            // The origin is the centre of the first and goes to its far side: seeds are needed.
+            let crossing = (ring(0.0, 1.0), ring(-1.5, 1.0));
+            // A small ball beside a wide plane, in a direction of its own.
+            let ball = Ball::new([3.0 * unit, 4.0 * unit], 2.0 * unit).expect("finite");
+            let plane = |b: f64| HalfSpace::new([0.6, 0.8], b * unit).expect("a normal");
+            let pairs: [(&dyn ClosedSet<2>, &dyn ClosedSet<2>, bool); 4] = [
+                (&crossing.0, &crossing.1, true),
+                (&ring(0.0, 0.5), &ring(-1.5, 0.5), false),
+                (&ball, &plane(3.0), true),
+                (&ball, &plane(3.0 - 1e-9), false),
+            ];
+            for (a, b, meet) in pairs {
+                assert_eq!(common_point(a, b).is_some(), meet, "{a:?} {b:?}");
+                assert_eq!(common_point(b, a).is_some(), meet, "{b:?} {a:?}");
+            }
+        }
+    }
+
+    /// A coordinate of `x` is compared for either set, whichever misses.
+    #[test]
+    fn a_point_lies_in_both_only_if_no_coordinate_of_either_misses() {
+        let x = vector![1.0, 2.0];
+        let here = Point::new(x).expect("finite");
+        assert!(lies_in_both(&here, &here, &x));
+        for beside in [vector![1.0 + 1e-12, 2.0], vector![1.0, 2.0 + 1e-12]] {
+            let beside = Point::new(beside).expect("finite");
+            assert!(!lies_in_both(&here, &beside, &x) && !lies_in_both(&beside, &here, &x));
+        }
+        // Also where all numbers are small.
+        let tiny = Point::new(x * 1e-20).expect("finite");
+        assert!(!lies_in_both(&tiny, &tiny, &(x * 2e-20)));
+    }
+
     #[test]
     fn common_point_survives_the_largest_and_smallest_numbers() {
         for scale in [1e-300, 1e300] {

@@ -115,6 +115,7 @@ mod tests {
     use std::sync::Arc;
 
     use super::Ends;
+    use crate::norm::on_axis;
     use crate::{AffineSubspace, Ball, ClosedSet, FiniteSet, HalfSpace, Point, SetError, Union};
     use nalgebra::{SMatrix, SVector, vector};
 
@@ -237,6 +238,38 @@ mod tests {
         for radius in [f64::NAN, f64::INFINITY] {
             let ends = Ends::new(Wrong { radius, below: 0.0 }, wall());
             assert_eq!(ends.unwrap_err(), SetError::BothUnbounded);
+        }
+    }
+
+    /// A set that has a nearest point to all places but one.
+    #[derive(Clone, Debug)]
+    struct Hole(SVector<f64, 3>);
+
+    impl ClosedSet<3> for Hole {
+        fn project(&self, x: &SVector<f64, 3>) -> SVector<f64, 3> {
+            if *x == self.0 { vector![1.0, f64::INFINITY, f64::NAN] } else { SVector::zeros() }
+        }
+
+        fn projection_derivative(&self, _: &SVector<f64, 3>) -> SMatrix<f64, 3, 3> {
+            SMatrix::zeros()
+        }
+
+        fn radius(&self) -> Option<f64> {
+            Some(0.0)
+        }
+    }
+
+    /// The origin, and one step from it along every axis, both ways: of either end.
+    #[test]
+    fn every_place_that_is_said_to_be_tried_is_tried() {
+        let point = Point::new([0.0; 3]).expect("finite");
+        let steps = (0..3).flat_map(|i| [1.0, -1.0].map(|sign| on_axis(i, sign)));
+        for place in steps.chain([SVector::zeros()]) {
+            let refused = |end| SetError::NoNearestPoint { end, index: 1, value: f64::INFINITY };
+            let first = Ends::new(Hole(place), point).expect_err("a hole");
+            assert_eq!(first, refused("first"), "{place:?}");
+            let second = Ends::new(point, Hole(place)).expect_err("a hole");
+            assert_eq!(second, refused("second"), "{place:?}");
         }
     }
 

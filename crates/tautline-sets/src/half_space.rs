@@ -146,9 +146,10 @@ impl<const D: usize> ClosedSet<D> for HalfSpace<D> {
 mod tests {
     use super::HalfSpace;
     use crate::exact::{Exact, least_product};
-    use crate::laws::{Case, check, scale, vector_in};
+    use crate::laws::{Case, check, check_inside, scale, vector_in};
+    use crate::norm::on_axis;
     use crate::{ClosedSet, SetError};
-    use nalgebra::{Matrix2, vector};
+    use nalgebra::{Matrix2, Matrix3, vector};
     use proptest::prelude::*;
 
     fn case<const D: usize>() -> impl Strategy<Value = Case<D>> {
@@ -179,12 +180,54 @@ mod tests {
     }
 
     #[test]
+    fn the_inside_of_a_half_space_stays_its_boundary_included() {
+        check_inside(case::<1>());
+        check_inside(case::<2>());
+        check_inside(case::<5>());
+    }
+
+    #[test]
     fn half_space_boundary_counts_as_inside() {
         let wall = HalfSpace::new([-1.0, 0.0], -2.0).expect("a normal");
         assert_eq!(wall.projection_derivative(&vector![2.0, 5.0]), Matrix2::identity());
         let outside = wall.projection_derivative(&vector![1.0, 5.0]);
         assert_eq!(outside, Matrix2::new(0.0, 0.0, 0.0, 1.0));
         assert_eq!(HalfSpace::at_least([1.0, 0.0], 2.0), Ok(wall));
+    }
+
+    /// Every axis, in both directions: nothing rounds.
+    #[test]
+    fn half_space_faces_belong_to_it() {
+        for (i, sign) in (0..3).flat_map(|i| [(i, 1.0), (i, -1.0)]) {
+            let wall = HalfSpace::new(on_axis::<3>(i, sign), 0.75 * sign).expect("a normal");
+            let mut x = vector![-4.5, 2.25, 8.0];
+            x[i] = 0.75;
+            assert_eq!(wall.projection_derivative(&x), Matrix3::identity());
+            assert_eq!(wall.project(&x), x);
+            x[i] += sign * f64::EPSILON;
+            assert_eq!(wall.projection_derivative(&x)[(i, i)], 0.0);
+            x[i] = 0.75;
+            assert_eq!(wall.project(&(x + on_axis(i, 2.0 * sign))), x);
+        }
+    }
+
+    #[test]
+    fn half_spaces_differ_in_the_normal_or_in_the_offset() {
+        let wall = |normal: [f64; 2], offset| HalfSpace::new(normal, offset).expect("a normal");
+        assert_eq!(wall([1.0, 0.0], 1.0), wall([4.0, 0.0], 4.0));
+        assert_ne!(wall([1.0, 0.0], 1.0), wall([1.0, 0.0], 2.0));
+        assert_ne!(wall([1.0, 0.0], 1.0), wall([0.0, 1.0], 1.0));
+        assert_ne!(wall([1.0, 0.0], 0.0), wall([-1.0, 0.0], 0.0));
+    }
+
+    /// `x₁ + x₂ ≤ 1`, whose offset by the length of the normal is `1/√2`.
+    #[test]
+    fn half_space_offset_is_in_the_unit_of_the_normal() {
+        for unit in [1e-300, 1.0, 1e300, f64::MAX] {
+            let wall = HalfSpace::new([unit, unit], unit).expect("a normal");
+            // Three roundings.
+            assert!((wall.offset() - 0.5_f64.sqrt()).abs() <= 2.0 * f64::EPSILON, "{wall:?}");
+        }
     }
 
     #[test]
@@ -196,6 +239,14 @@ mod tests {
         let slant = HalfSpace::new([0.6, 0.8], 2.0).expect("a normal");
         let p = slant.project(&vector![6.123e9, 8.164e9]);
         assert!((slant.normal().dot(&p) - 2.0).abs() <= 4.0 * f64::EPSILON * p.norm());
+        // And what is proved is as near as that.
+        for (wall, x) in [(axis, vector![1e20, 3.0]), (slant, vector![6.123e9, 8.164e9])] {
+            let (near, p) = (wall.member_near(&x).expect("a member"), wall.project(&x));
+            for i in 0..2 {
+                let far = (near[i].lo() - p[i]).abs().max((near[i].hi() - p[i]).abs());
+                assert!(far <= 16.0 * f64::EPSILON * p.norm(), "{near:?} for {p:?}");
+            }
+        }
     }
 
     #[test]

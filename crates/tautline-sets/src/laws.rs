@@ -131,6 +131,35 @@ pub(crate) fn check<const D: usize>(cases: impl Strategy<Value = Case<D>>) {
     }));
 }
 
+/// Checks that the edges of a set belong to it: at a member, where `P` has a kink or not, the
+/// derivative keeps the directions in which the set goes on. For convex sets whose edges are met
+/// without rounding.
+pub(crate) fn check_edges<const D: usize>(cases: impl Strategy<Value = Case<D>>) {
+    let samples = (cases, vector_in::<D>(8.0), vector_in::<D>(1.0));
+    unwrap(runner().run(&samples, |(case, x, w)| {
+        let p = case.project(&x);
+        let along = (case.member)(&w) - p;
+        // The member is off by ROUNDING, the product by D roundings of numbers up to SIZE.
+        let off = (case.derivative(&p) * along - along).amax();
+        prop_assert!(off <= 2.0 * ROUNDING, "DP({p:?}) moves {along:?} by {off:e}");
+        Ok(())
+    }));
+}
+
+/// Checks that what the derivative takes for inside stays where it is, to the last bit: `P` agrees
+/// with `DP` on the boundary, on which `P(x)` lies as often as not. For sets with an interior in
+/// which nothing rounds.
+pub(crate) fn check_inside<const D: usize>(cases: impl Strategy<Value = Case<D>>) {
+    unwrap(runner().run(&(cases, vector_in::<D>(8.0)), |(case, x)| {
+        for y in [x, case.project(&x), case.project(&case.project(&x))] {
+            if case.derivative(&y) == SMatrix::<f64, D, D>::identity() {
+                prop_assert_eq!(y, case.project(&y), "inside, but moved");
+            }
+        }
+        Ok(())
+    }));
+}
+
 /// `P(x)` is a member, stays where it is, and no member is nearer.
 fn nearest<const D: usize>(
     case: &Case<D>,

@@ -111,14 +111,60 @@ mod tests {
         }
     }
 
+    /// Squares that lie between the same two doubles, where the ends of intervals do not tell which
+    /// is larger: neither order is proved, whichever is true.
+    #[test]
+    fn distances_that_differ_by_less_than_a_rounding_prove_nothing() {
+        let little = |n: i32| 2.0_f64.powi(-n);
+        let origin = vector![0.0, 0.0, 0.0];
+        // 1 + 2⁻⁸⁰ > 1: above a double that is r² exactly.
+        assert!(!distance(&vector![1.0, little(40), 0.0], &origin).at_most(1.0));
+        // r² = 1 + 2⁻³⁹ + 2⁻⁸⁰, and 1 + 2⁻³⁹ + 2⁻⁸⁰ + 2⁻⁷⁰ beside it.
+        let r = 1.0 + little(40);
+        assert!(!distance(&vector![r, little(35), 0.0], &origin).at_most(r));
+        // The other way round 1 + 2⁻³⁹ is exact, and less: but r is not the distance.
+        let away = distance(&vector![1.0, little(20), little(20)], &origin);
+        assert!(away.at_most(r) && !away.is(r));
+        // 1 − 0.48 · 2⁻⁵², of which 1 is the nearest bound above: not 1 either.
+        let (u, v) = (1.0 - 431.0 * little(26), 61_571_941.0 * little(34));
+        assert!(!distance(&vector![u, v, 0.0], &origin).is(1.0));
+        // Of (r, 0, 0) that it is r is not proved, since r² rounds.
+        assert!(!distance(&vector![r, 0.0, 0.0], &origin).is(r));
+    }
+
+    /// In one dimension the sphere is `c ± r`: on the outer side the box ends where that sum does,
+    /// although the offset from the centre rounds.
+    #[test]
+    fn no_box_reaches_farther_from_the_centre_than_the_sphere() {
+        for case in 1..2000 {
+            let x = 1e3 * f64::from(case).sin();
+            let (c, r) = (0.1, 0.7);
+            let [near]: [Interval; 1] =
+                on_sphere(&vector![x], &vector![c], r).expect("finite").into();
+            let [lower, upper] = [-r, r].map(|r| Interval::point(r) + c);
+            let pole = if x < c { lower } else { upper };
+            assert!(lower.lo() <= near.lo() && near.hi() <= upper.hi(), "{near:?} for {x}");
+            assert!(near.intersection(pole).is_some(), "{near:?} for {x}");
+        }
+    }
+
     #[test]
     fn nothing_is_proved_beyond_f64() {
         let (x, c) = (vector![f64::MAX], vector![-f64::MAX]);
         let away = distance(&x, &c);
         assert!(!away.at_most(f64::MAX) && !away.is(f64::MAX));
         assert!(on_sphere(&x, &c, 1.0).is_none());
+        // A sphere of no radius is its centre, however far from there.
+        let near = vector![-4e307];
+        assert_eq!(on_sphere(&x, &near, 0.0), Some(point(&near)));
         assert!(on_sphere(&vector![f64::INFINITY], &c, 1.0).is_none());
         assert!(finite(vector![Interval::REALS]).is_none());
+        let one = Interval::point(1.0);
+        for (i, side) in (0..3).zip([Interval::REALS, Interval::UNDEFINED, Interval::REALS]) {
+            let mut member = vector![one, one, one];
+            member[i] = side;
+            assert!(finite(member).is_none(), "{member:?}");
+        }
         assert_eq!(finite(point(&c)), Some(point(&c)));
     }
 }

@@ -22,6 +22,8 @@ pub struct Segment<const D: usize> {
     end: SVector<f64, D>,
     /// `v`; zero if `a = b`.
     direction: SVector<f64, D>,
+    /// `L = v·(b − a)`, by the operations that find `s` of a point: at `b` itself `s = L`, to the
+    /// last bit, and the end belongs to the segment.
     length: f64,
 }
 
@@ -38,7 +40,8 @@ impl<const D: usize> Segment<D> {
         let start = finite_vector("the start of the segment", start)?;
         let end = finite_vector("the end of the segment", end)?;
         let (length, direction) = polar(&(end - start)).unwrap_or((0.0, SVector::zeros()));
-        let length = finite("length of the segment", length)?;
+        finite("length of the segment", length)?;
+        let length = direction.dot(&(end - start));
         Ok(Segment { start, end, direction, length })
     }
 
@@ -116,10 +119,11 @@ impl<const D: usize> ClosedSet<D> for Segment<D> {
 mod tests {
     use super::Segment;
     use crate::exact::{difference, meets_line};
-    use crate::laws::{Case, check, scale, vector_in};
+    use crate::laws::{Case, check, check_edges, scale, vector_in};
     use crate::{ClosedSet, SetError};
     use nalgebra::{Matrix2, SVector, vector};
     use proptest::prelude::*;
+    use tautline_scalar::Interval;
 
     /// Membership without the projection formula: `|x − a| + |x − b| = L` on the segment alone.
     ///
@@ -162,12 +166,20 @@ mod tests {
     }
 
     #[test]
+    fn the_ends_of_a_segment_belong_to_it() {
+        check_edges(case::<1>());
+        check_edges(case::<2>());
+        check_edges(case::<4>());
+    }
+
+    #[test]
     fn segment_ends_are_met_exactly_and_count_as_inside() {
         let (a, b) = (vector![0.1, 0.2], vector![0.7, -0.4]);
         let segment = Segment::new(a, b).expect("finite");
         assert_eq!(segment.project(&vector![-5.0, 5.0]), a);
         assert_eq!(segment.project(&vector![5.0, -5.0]), b);
         assert_ne!(segment.projection_derivative(&a), Matrix2::zeros());
+        assert_ne!(segment.projection_derivative(&b), Matrix2::zeros());
         assert_eq!(segment.projection_derivative(&vector![5.0, -5.0]), Matrix2::zeros());
     }
 
@@ -176,6 +188,15 @@ mod tests {
         let point = Segment::new([1.0, 2.0], [1.0, 2.0]).expect("closed");
         assert_eq!(point.project(&vector![7.0, 7.0]), vector![1.0, 2.0]);
         assert_eq!(point.projection_derivative(&vector![1.0, 2.0]), Matrix2::zeros());
+    }
+
+    /// The offset overflows, and nothing is known of `s`: no end is taken instead.
+    #[test]
+    fn segment_proves_nothing_beyond_f64() {
+        let low = Segment::new([0.0, 0.0, -f64::MAX], [3.0, 4.0, -f64::MAX]).expect("length 5");
+        assert_eq!(low.member_near(&vector![0.0, 0.0, f64::MAX]), None);
+        let end = low.member_near(&vector![30.0, 40.0, 0.0]).expect("past the end");
+        assert_eq!(end, low.end().map(Interval::point));
     }
 
     #[test]

@@ -132,6 +132,7 @@ mod tests {
     use crate::{Ball, ClosedSet, FiniteSet, HalfSpace, Point, SetError, Sphere};
     use nalgebra::{SVector, vector};
     use proptest::prelude::*;
+    use tautline_scalar::Interval;
 
     /// A ball and a sphere, by their formulas.
     fn case<const D: usize>() -> impl Strategy<Value = Case<D>> {
@@ -203,6 +204,18 @@ mod tests {
     }
 
     #[test]
+    fn union_proves_the_first_member_on_a_tie() {
+        let at = |x: f64| Arc::new(Point::new([x, 0.0]).expect("finite"));
+        let union = Union::new(vec![at(3.0), at(1.0), at(-1.0)]).expect("three");
+        let near = union.member_near(&vector![0.0, 0.0]).expect("points");
+        assert_eq!(near, vector![1.0, 0.0].map(Interval::point));
+        // The nearest in all coordinates together.
+        let union = Union::new(vec![Arc::new(Point::new([0.0, 9.0]).expect("finite")), at(2.0)]);
+        let near = union.expect("two").member_near(&vector![0.0, 0.0]).expect("points");
+        assert_eq!(near, vector![2.0, 0.0].map(Interval::point));
+    }
+
+    #[test]
     fn union_with_an_unbounded_member_is_unbounded() {
         let ball = Ball::new([0.0, 0.0], 1.0).expect("finite");
         let wall = HalfSpace::new([1.0, 0.0], -3.0).expect("a normal");
@@ -210,6 +223,8 @@ mod tests {
         let one = Union::new(vec![Arc::new(ball)]).expect("one");
         assert_eq!(one.radius(), Some(1.0));
         assert!(one.is_convex());
+        let hollow = Sphere::new([0.0, 0.0], 1.0).expect("finite");
+        assert!(!Union::new(vec![Arc::new(hollow)]).expect("one").is_convex());
     }
 
     #[test]
