@@ -146,7 +146,7 @@ pub(super) fn claim<M: Bounded<D>, const D: usize>(
 ) -> LawResult {
     Ok(match search(case, constant)? {
         None => Tried::cases(0).with_note("not claimed"),
-        Some(Found { cases, slack }) => Tried { cases, slack, note: None },
+        Some(Found { cases, slack }) => Tried { cases, idle: 0, slack, note: None },
     })
 }
 

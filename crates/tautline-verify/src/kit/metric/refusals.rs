@@ -75,7 +75,7 @@ pub(super) fn lie<M: Bounded<D>, const D: usize>(
 /// Judges the search for a lie: it has to end with that lie.
 fn verdict(truth: Found, search: Result<Option<Found>, Fault>) -> Result<Tried, Fault> {
     match search {
-        Err(Fault::Lie(_)) => Ok(Tried { cases: truth.cases, slack: truth.slack, note: None }),
+        Err(Fault::Lie(_)) => Ok(Tried { slack: truth.slack, ..Tried::cases(truth.cases) }),
         _ => Err(Fault::NotRefused { what: "a wrong constant" }),
     }
 }
