@@ -34,6 +34,12 @@ impl WayOut {
         Self { length, assumed: Some("c₁ ≤ λ_min(H) everywhere") }
     }
 
+    /// Returns whether all ways out are longer than `length`, in `m`.
+    #[must_use]
+    pub fn exceeds(self, length: f64) -> bool {
+        self.length > length
+    }
+
     /// Adds the hypothesis that no way out is as short as `length`, in `m`.
     pub(super) fn given_longer(self, evidence: Evidence, [length, granted]: [f64; 2]) -> Evidence {
         let claim = "no way out is shorter than d";
