@@ -7,9 +7,10 @@ use crate::{Inequality, Source, Statement, Unit, VerifyError};
 pub struct Evidence {
     /// The statement.
     pub statement: Statement,
-    /// The clauses on which it rests, as far as the case lets them be checked. That a
-    /// minimiser is global is not among them: no finite number of evaluations shows it.
+    /// The clauses on which it rests, as far as the case lets them be checked.
     pub hypotheses: Vec<Inequality>,
+    /// The clauses on which it rests as well and of which the case shows nothing.
+    pub assumed: Vec<&'static str>,
     /// What it claims, and sharper companions.
     pub conclusions: Vec<Inequality>,
 }
@@ -29,7 +30,7 @@ impl Evidence {
     /// Begins the evidence for a statement.
     #[must_use]
     pub fn of(statement: Statement) -> Self {
-        Self { statement, hypotheses: Vec::new(), conclusions: Vec::new() }
+        Self { statement, hypotheses: Vec::new(), assumed: Vec::new(), conclusions: Vec::new() }
     }
 
     /// Adds a hypothesis `observed ≤ bound`.
@@ -43,6 +44,16 @@ impl Evidence {
     ) -> Self {
         let source = Source::Stated;
         self.hypotheses.push(Inequality { claim, source, unit, observed, bound, granted });
+        self
+    }
+
+    /// Adds a clause on which the statement rests and of which nothing is seen: that a minimiser is
+    /// global, say, which no finite number of evaluations shows.
+    #[must_use]
+    pub fn assumed(mut self, claim: &'static str) -> Self {
+        if !self.assumed.contains(&claim) {
+            self.assumed.push(claim);
+        }
         self
     }
 
@@ -75,6 +86,23 @@ impl Evidence {
         self
     }
 
+    /// Adds that two ways to write one formula agree, each no more than the other: a check of the
+    /// program, and [none](Source::Identity) of the statement.
+    #[must_use]
+    pub fn identity(
+        mut self,
+        claims: [&'static str; 2],
+        unit: Unit,
+        [one, other]: [f64; 2],
+        granted: f64,
+    ) -> Self {
+        let source = Source::Identity;
+        for (claim, [observed, bound]) in claims.into_iter().zip([[one, other], [other, one]]) {
+            self.conclusions.push(Inequality { claim, source, unit, observed, bound, granted });
+        }
+        self
+    }
+
     /// Returns the evidence without the hypothesis of this claim: of a statement that lacks it as
     /// printed.
     #[must_use]
@@ -93,6 +121,14 @@ impl Evidence {
             Some(failed) => Finding::Violated(failed),
             None => Finding::Holds,
         }
+    }
+
+    /// Returns whether the numbers of the case could have contradicted the statement: one of the
+    /// stated conclusions [could fail](Inequality::could_fail).
+    #[must_use]
+    pub fn could_fail(&self) -> bool {
+        let mut stated = self.conclusions.iter().filter(|claim| claim.source == Source::Stated);
+        stated.any(Inequality::could_fail)
     }
 
     /// Returns the least slack of the stated conclusions, a pure number; `∞` if none of
@@ -158,5 +194,54 @@ impl Evidence {
     pub fn conclusion(&self, claim: &str) -> &Inequality {
         let found = self.conclusions.iter().find(|conclusion| conclusion.claim == claim);
         found.unwrap_or_else(|| panic!("{} does not claim {claim}", self.statement))
+    }
+}
+
+/// A line for each clause and conclusion, with its numbers.
+impl std::fmt::Display for Evidence {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}", self.statement)?;
+        self.hypotheses.iter().try_for_each(|clause| write!(f, "\n  given {clause}"))?;
+        self.assumed.iter().try_for_each(|clause| write!(f, "\n  assumed: {clause}"))?;
+        self.conclusions.iter().try_for_each(|claim| match claim.source {
+            Source::Stated => write!(f, "\n  stated {claim}"),
+            Source::Sharper => write!(f, "\n  sharper {claim}"),
+            Source::Identity => write!(f, "\n  identity {claim}"),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Evidence;
+    use crate::{Finding, Statement, Unit};
+
+    fn evidence() -> Evidence {
+        Evidence::of(Statement::Theorem1_1)
+            .given("a", Unit::NONE, [1.0, 2.0], 0.0)
+            .assumed("b")
+            .assumed("b")
+            .stated("c", Unit::NONE, [1.0, 2.0], 0.0)
+    }
+
+    #[test]
+    fn what_is_assumed_is_named_once_and_shown() {
+        let shown = evidence().to_string();
+        assert!(shown.contains("\n  given a: 1") && shown.contains("\n  stated c: 1"), "{shown}");
+        assert_eq!(shown.matches("\n  assumed: b").count(), 1, "{shown}");
+    }
+
+    #[test]
+    fn an_identity_is_judged_and_has_no_slack() {
+        let equal = |one, other| {
+            let begun = Evidence::of(Statement::Theorem1_1);
+            begun.identity(["a ≤ b", "b ≤ a"], Unit::NONE, [one, other], 1e-9)
+        };
+        assert_eq!(equal(1.0, 1.0).finding(), Finding::Holds);
+        assert_eq!(equal(1.0, 1.0).slack(), f64::INFINITY);
+        assert!(!equal(1.0, 1.0).could_fail() && evidence().could_fail());
+        for (one, other) in [(1.0, 1.1), (1.1, 1.0)] {
+            assert!(matches!(equal(one, other).finding(), Finding::Violated(_)));
+        }
     }
 }

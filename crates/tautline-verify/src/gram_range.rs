@@ -76,7 +76,8 @@ impl GramRange {
 }
 
 impl Evidence {
-    /// Adds the three clauses on `c₁`, `c₂` and `L_H` of Theorem 1.1 as hypotheses.
+    /// Adds the three clauses on `c₁`, `c₂` and `L_H` of Theorem 1.1 as hypotheses: where `H` was
+    /// seen. That they hold elsewhere is assumed.
     #[must_use]
     pub fn given_constants(self, constants: Constants, seen: &GramRange) -> Self {
         // A dozen roundings an entry, and D entries a row of which D ≤ 10 or so.
@@ -89,6 +90,7 @@ impl Evidence {
                 [seen.slope, constants.l_h()],
                 seen.slope_rounding,
             )
+            .assumed("c₁, c₂ and L_H hold elsewhere")
     }
 
     /// Adds the clause on `M_H`, in `m²/ℓ⁴`, by the greatest second derivative that was seen.
@@ -96,7 +98,8 @@ impl Evidence {
     pub fn given_curvature(self, seen: f64, m_h: f64) -> Self {
         // Where a second derivative is attained, its terms may cancel to some digits.
         let claim = "|uᵀ D²H[u, u] u| ≤ M_H";
-        self.given(claim, Unit::GRAM_CURVATURE, [seen, m_h], 1e-9 * m_h)
+        let seen = self.given(claim, Unit::GRAM_CURVATURE, [seen, m_h], 1e-9 * m_h);
+        seen.assumed("M_H holds elsewhere")
     }
 }
 

@@ -43,6 +43,9 @@ pub enum Source {
     /// A sharper form that the statement does not have: a companion, which a wrong program has
     /// more trouble to satisfy.
     Sharper,
+    /// Two ways to write one formula. No case can contradict it, only a slip of the program: it is
+    /// judged as the others are, but is no evidence of the statement, nor of its sharpness.
+    Identity,
 }
 
 /// `observed ≤ bound`, for one case.
@@ -67,6 +70,17 @@ impl Inequality {
     #[must_use]
     pub fn holds(&self) -> bool {
         self.observed <= self.bound + self.granted
+    }
+
+    /// Returns whether the numbers could have contradicted the claim: the bound is finite, what is
+    /// observed can be told from 0, and the two sides are not the same formula.
+    ///
+    /// A gap that vanishes identically, as that of a length does where every curve has the same,
+    /// is at most any bound.
+    #[must_use]
+    pub fn could_fail(&self) -> bool {
+        let told = self.observed.abs() > self.granted;
+        self.source != Source::Identity && self.bound < f64::INFINITY && told
     }
 
     /// Returns the slack `bound / observed`, a pure number: 1 where the bound is attained, less
@@ -121,6 +135,15 @@ mod tests {
         assert_eq!(inequality(2.0, 3.0).slack(), 1.5);
         assert_eq!(inequality(0.09, 3.0).slack(), f64::INFINITY);
         assert_eq!(inequality(-2.0, 3.0).slack(), f64::INFINITY);
+    }
+
+    /// Of NaN nothing is told, but it does not hold either.
+    #[test]
+    fn what_cannot_be_told_from_zero_or_has_no_bound_could_not_fail() {
+        assert!(inequality(0.5, 1.0).could_fail() && inequality(-0.5, 0.0).could_fail());
+        assert!(!inequality(1e-3, 1.0).could_fail() && !inequality(-1e-4, 0.0).could_fail());
+        assert!(!inequality(0.5, f64::INFINITY).could_fail());
+        assert!(!Inequality { source: Source::Identity, ..inequality(0.5, 0.5) }.could_fail());
     }
 
     #[test]

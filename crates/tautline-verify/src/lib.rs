@@ -1,7 +1,8 @@
 //! Every statement of the paper as one function, and a kit that tests what you bring.
 //!
 //! A statement is evaluated on a case, and returns [`Evidence`]: the hypotheses that could be
-//! checked, and its inequalities, each with the number that was observed and its bound.
+//! checked and those that are assumed, and its inequalities, each with the number that was observed
+//! and its bound.
 //!
 //! ```
 //! use tautline::{PointSequence, gallery::Valleys};

@@ -12,5 +12,5 @@ super::checks! {
     the_discrete_minimum_is_not_above_sampled_curves
     c_tra_is_its_formula_and_c_tra_sharp_bounds_it
     c_tra_is_homogeneous
-    c_tra_sharp_is_attained_at_one_subinterval
+    c_tra_sharp_is_approached_as_k2_tends_to_0
 }

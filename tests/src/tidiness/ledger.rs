@@ -159,3 +159,43 @@ fn every_sharper_statement_is_proved_and_what_its_proof_names_exists() {
     }
     assert!(count > 40, "{count} names");
 }
+
+/// What no case could have contradicted is no evidence: at least a thousand cases of each statement
+/// could fail, and most of what is drawn. The exception is a definition, two ways to write one formula,
+/// which has no slack either.
+#[test]
+fn most_cases_of_every_statement_could_fail() {
+    let text = read(&root().join("paper/tables/statements.csv"));
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
+    let heads = reader.headers().expect("a header").clone();
+    let column = |name: &str| heads.iter().position(|head| head == name).expect("the column");
+    let [label, cases, could_fail, slack, witness] =
+        ["label", "cases", "could_fail", "worst_slack", "witness_slack"].map(column);
+    for record in reader.records() {
+        let record = record.expect("a row");
+        let number = |column: usize| record[column].parse::<u64>().expect("a number");
+        if &record[label] == "C_tra(N)" {
+            assert_eq!((number(could_fail), &record[slack], &record[witness]), (0, "", ""));
+            continue;
+        }
+        let [all, telling] = [cases, could_fail].map(number);
+        assert!(telling >= 1000 && 2 * telling > all, "{}: {telling} of {all}", &record[label]);
+    }
+}
+
+/// A hypothesis is a number that is computed, or named as assumed: no statement takes a yes or no,
+/// and none is handed an infinite length.
+#[test]
+fn no_hypothesis_is_handed_in_as_a_promise() {
+    for path in files(&root().join("crates/tautline-verify/src"), "rs") {
+        let text = read(&path);
+        let is_a_statement = path.components().any(|part| part.as_os_str() == "statements");
+        for line in text.lines() {
+            let yes_or_no = is_a_statement && line.ends_with(": bool,");
+            let names = ["prop_", "lemma_", "theorem_", "way_out"];
+            let infinite =
+                line.contains("f64::INFINITY") && names.into_iter().any(|name| line.contains(name));
+            assert!(!yes_or_no && !infinite, "{}: {line}", path.display());
+        }
+    }
+}

@@ -156,7 +156,7 @@ fn claim_fails_without(hypothesis: &str, claim: &str, evidence: Evidence) -> Out
 
 /// The closed set `{x₂ ≥ e^{−x₁}}` in the plane, by Newton's method for its nearest points.
 #[derive(Debug)]
-struct AboveExponential;
+pub(super) struct AboveExponential;
 
 impl ClosedSet<2> for AboveExponential {
     fn project(&self, x: &SVector<f64, 2>) -> SVector<f64, 2> {

@@ -3,7 +3,10 @@
 //!
 //! Here `c₁`, `c₂`, `L_H` and `d` are not put in: they come from the metric and from the solver.
 
-use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
+use std::{
+    f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2},
+    num::NonZeroUsize,
+};
 
 use nalgebra::{SMatrix, SVector};
 use tautline::{
@@ -18,8 +21,8 @@ use super::{Check, Failure, Kind, Outcome, Trial, close::close};
 use crate::{
     Statement,
     Statement::{
-        ConstantC1_1, ConstantC1_3, ConstantCTraSharp, ConstantK1, ConstantK2, ConstantK3Bar,
-        ConstantK4Bar, Theorem1_1, Theorem1_3,
+        ConstantC1_1, ConstantC1_3, ConstantCTra, ConstantCTraSharp, ConstantK1, ConstantK2,
+        ConstantK3Bar, ConstantK4Bar, Theorem1_1, Theorem1_3,
     },
     Subject, VerifyError,
 };
@@ -27,6 +30,7 @@ use crate::{
 const CONSTANTS: &[Statement] = &[
     ConstantK1,
     ConstantK2,
+    ConstantCTra,
     ConstantCTraSharp,
     ConstantK3Bar,
     ConstantC1_1,
@@ -58,6 +62,8 @@ struct Golden {
     d: f64,
     k1: f64,
     k2: f64,
+    /// `C_tra(12)`.
+    c_tra_of_12: f64,
     c_tra_sharp: f64,
     k3_bar: f64,
     theorem_1_1: f64,
@@ -73,6 +79,7 @@ const IDENTITY: Golden = Golden {
     d: 5.0,
     k1: 5.0,
     k2: 0.0,
+    c_tra_of_12: 0.0,
     c_tra_sharp: 0.0,
     k3_bar: 5.0,
     theorem_1_1: 0.0,
@@ -88,6 +95,7 @@ const OBLIQUE: Golden = Golden {
     d: 8.60232526704262677173,
     k1: 8.60232526704262677173,
     k2: 0.0,
+    c_tra_of_12: 0.0,
     c_tra_sharp: 0.0,
     k3_bar: 8.60232526704262677173,
     theorem_1_1: 0.0,
@@ -103,6 +111,7 @@ const OBLIQUE_FROM_BALL: Golden = Golden {
     d: 3.06186217847897262275,
     k1: 3.06186217847897262275,
     k2: 0.0,
+    c_tra_of_12: 0.0,
     c_tra_sharp: 0.0,
     k3_bar: 3.06186217847897262275,
     theorem_1_1: 0.0,
@@ -118,6 +127,7 @@ const ALONG_VALLEYS: Golden = Golden {
     d: 25.1327412287183459077,
     k1: 25.1327412287183459077,
     k2: 16689.5906426164055344,
+    c_tra_of_12: 78637090.0930164601071,
     c_tra_sharp: 10135545463.1137973013,
     k3_bar: 100675.449314957015348,
     theorem_1_1: 1123386942089022.93376,
@@ -133,6 +143,7 @@ const ACROSS_VALLEYS: Golden = Golden {
     d: 3.78176205466152140008,
     k1: 3.78176205466152140008,
     k2: 377.880398806113958128,
+    c_tra_of_12: 43971.8969517543065726,
     c_tra_sharp: 5239851.42488268681215,
     k3_bar: 2289.07529946197376941,
     theorem_1_1: 13210135110.5917445348,
@@ -148,6 +159,7 @@ const VALLEYS_FROM_BALL: Golden = Golden {
     d: 5.33830553054433577817,
     k1: 5.33830553054433577817,
     k2: 752.961582069136101581,
+    c_tra_of_12: 169600.872772693672439,
     c_tra_sharp: 20744598.2276501846371,
     k3_bar: 4554.62695784804335246,
     theorem_1_1: 104039861025.494548766,
@@ -163,6 +175,7 @@ const ELLIPTIC: Golden = Golden {
     d: 2.99629471775761329468,
     k1: 2.99629471775761329468,
     k2: 26.9333461069865265431,
+    c_tra_of_12: 115.371426194937802355,
     c_tra_sharp: 6704.0947528099130508,
     k3_bar: 81.9333420217042972923,
     theorem_1_1: 75457.1532545614073315,
@@ -178,6 +191,7 @@ const SHEARED: Golden = Golden {
     d: 3.64516374533277156203,
     k1: 4.66863972250296583235,
     k2: 119.923313695680812856,
+    c_tra_of_12: 1209.72996813983554231,
     c_tra_sharp: 101018.592246393430246,
     k3_bar: 407.101342692377162805,
     theorem_1_1: 9530170.31177448533165,
@@ -198,6 +212,8 @@ fn check(
     let constants = subject.constants(metric);
     let setting = Setting::new(constants, distance, 2).map_err(VerifyError::from)?;
     let (k1, k2) = (subject.k1_g(setting), subject.k2_g(setting));
+    // No power of 2, so that no two terms round alike.
+    let twelve = NonZeroUsize::new(12).expect("positive");
     for (name, value, expected) in [
         ("c₁", constants.c1(), golden.c1),
         ("c₂", constants.c2(), golden.c2),
@@ -205,6 +221,7 @@ fn check(
         ("d", distance, golden.d),
         ("K_{1,g}", k1, golden.k1),
         ("K_{2,g}", k2, golden.k2),
+        ("C_tra(12)", subject.c_tra(constants, k1, k2, twelve), golden.c_tra_of_12),
         ("C_tra♯", subject.c_tra_sharp(constants, k1, k2), golden.c_tra_sharp),
         ("K̄_{3,g}", subject.k3_bar_g(setting), golden.k3_bar),
         ("C of Theorem 1.1", subject.theorem_1_1_constant(setting), golden.theorem_1_1),

@@ -10,14 +10,18 @@ pub struct Entry {
     pub statement: Statement,
     /// On how many random cases it was evaluated.
     pub cases: u64,
+    /// How many of these could have failed: the others hold whatever the bound is.
+    pub could_fail: u64,
     /// The least slack of these, a pure number; `∞` if none was seen.
     pub worst_slack: f64,
     /// The least slack of its witnesses, a pure number.
     pub witness_slack: f64,
-    /// On how many cases it was evaluated with numbers that are proved.
+    /// On how many cases that could have failed it was evaluated with numbers that are proved.
     pub proved: u64,
     /// The hypotheses that were evaluated on the random cases, by their claims.
     pub hypotheses: Vec<&'static str>,
+    /// The hypotheses that were assumed of the random cases.
+    pub assumed: Vec<&'static str>,
     /// The names of the checks that are about it.
     pub checks: Vec<&'static str>,
 }
@@ -57,10 +61,12 @@ pub fn ledger() -> Result<Vec<Entry>, Failure> {
         Entry {
             statement,
             cases: random.of(statement).map_or(0, |count| count.cases),
+            could_fail: random.of(statement).map_or(0, |count| count.could_fail),
             worst_slack: slack(&random),
             witness_slack: slack(&witnesses),
-            proved: proved.of(statement).map_or(0, |count| count.cases),
+            proved: proved.of(statement).map_or(0, |count| count.could_fail),
             hypotheses: random.hypotheses(statement).collect(),
+            assumed: random.assumed(statement).collect(),
             checks: about.map(|check| check.name).collect(),
         }
     };

@@ -96,7 +96,8 @@ fn subintervals() -> impl Strategy<Value = NonZeroUsize> {
 fn smooth<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     fn dimension<S: Subject, const D: usize>(trial: &Trial<'_, S>, seed: u64) -> Outcome {
         let cases = (smooth_curve::<D>(2.0), times(), subintervals());
-        trial.for_all(seed, 384, cases, |_, (curve, times, n)| evidence(&curve, times, n))
+        // A curve in five is straight, and then there is nothing to Proposition 7.4.
+        trial.for_all(seed, 448, cases, |_, (curve, times, n)| evidence(&curve, times, n))
     }
     all([
         dimension::<S, 1>(trial, 7201),

@@ -41,4 +41,9 @@ impl<const D: usize> KnownGeodesics<D> for Hyperbolic {
         }
         ray * ((1.0 - x.norm_squared()) * radius.atanh() / radius)
     }
+
+    /// `2 artanh 1 − 2 artanh |x|`, the way to the rim of the ball, which is `∞`.
+    fn normal_radius(&self, x: &SVector<f64, D>) -> f64 {
+        2.0 * (1_f64.atanh() - x.norm().atanh())
+    }
 }

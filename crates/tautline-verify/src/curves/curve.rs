@@ -58,19 +58,10 @@ pub trait BoundedCurve<const D: usize>: Curve<D> {
     /// Sums over coefficients, not samples: they are what pointwise statements may use, and the
     /// size of the numbers that are rounded on the way to [`motion`](Curve::motion).
     fn suprema(&self) -> [f64; 3];
-
-    /// Returns the largest jump of `γ̇`, in `ℓ`: 0 exactly if `γ` is in `H²`.
-    fn largest_jump(&self) -> f64 {
-        0.0
-    }
 }
 
 impl<const D: usize, C: BoundedCurve<D>> BoundedCurve<D> for &C {
     fn suprema(&self) -> [f64; 3] {
         (**self).suprema()
-    }
-
-    fn largest_jump(&self) -> f64 {
-        (**self).largest_jump()
     }
 }

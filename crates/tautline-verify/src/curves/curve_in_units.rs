@@ -31,8 +31,4 @@ impl<const D: usize, C: BoundedCurve<D>> BoundedCurve<D> for CurveInUnits<C> {
     fn suprema(&self) -> [f64; 3] {
         self.curve.suprema().map(|bound| bound * self.ell)
     }
-
-    fn largest_jump(&self) -> f64 {
-        self.curve.largest_jump() * self.ell
-    }
 }

@@ -19,10 +19,8 @@ pub trait KnownGeodesics<const D: usize>: KnownDistance<D> {
     fn logarithm(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> SVector<f64, D>;
 
     /// Returns a radius in `m` such that all geodesics from `x` that are shorter exist, are
-    /// minimal, and end in different points. `∞` for a flat metric and for hyperbolic space.
-    fn normal_radius(&self, _x: &SVector<f64, D>) -> f64 {
-        f64::INFINITY
-    }
+    /// minimal, and end in different points.
+    fn normal_radius(&self, x: &SVector<f64, D>) -> f64;
 }
 
 /// A geodesic over `[0, 1]`.
@@ -95,6 +93,11 @@ impl<const D: usize> KnownGeodesics<D> for Constant<D> {
     fn logarithm(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> SVector<f64, D> {
         y - x
     }
+
+    /// It is `√c₁ r` at least to leave the ball of radius `r`: the limit of that.
+    fn normal_radius(&self, _: &SVector<f64, D>) -> f64 {
+        self.constants().c1().sqrt() * f64::INFINITY
+    }
 }
 
 impl KnownGeodesics<2> for Shear {
@@ -109,6 +112,12 @@ impl KnownGeodesics<2> for Shear {
     fn logarithm(&self, x: &SVector<f64, 2>, y: &SVector<f64, 2>) -> SVector<f64, 2> {
         let (from, to) = (self.flatten(x), self.flatten(y));
         self.unflatten(&line(&from, &(to - from), 0.0)).map(|x| x.first(0))
+    }
+
+    /// By the flat coordinates, which take `R²` to all of itself, it is `√c₁ r` at least to leave the
+    /// ball of radius `r`: the limit of that.
+    fn normal_radius(&self, _: &SVector<f64, 2>) -> f64 {
+        self.constants().c1().sqrt() * f64::INFINITY
     }
 }
 
@@ -132,6 +141,12 @@ impl<const D: usize> KnownGeodesics<D> for Separable<D> {
         let jet = self.flatten(&line(x, &SVector::repeat(1.0), 0.0));
         let to = self.flatten(y);
         SVector::from_fn(|i, _| (to[i] - jet[i].value()) / jet[i].first(0))
+    }
+
+    /// By the flat coordinates, which take `R^D` to all of itself, it is `√c₁ r` at least to leave the
+    /// ball of radius `r`: the limit of that.
+    fn normal_radius(&self, _: &SVector<f64, D>) -> f64 {
+        self.constants().c1().sqrt() * f64::INFINITY
     }
 }
 

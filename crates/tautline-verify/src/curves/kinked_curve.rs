@@ -76,11 +76,6 @@ impl<const D: usize> BoundedCurve<D> for KinkedCurve<D> {
         let velocity = largest(&mut self.velocities().map(|velocity| velocity.norm()));
         [position, velocity, 0.0]
     }
-
-    fn largest_jump(&self) -> f64 {
-        let after = self.velocities().skip(1);
-        self.velocities().zip(after).map(|(v, w)| (w - v).norm()).fold(0.0, f64::max)
-    }
 }
 
 #[cfg(test)]
@@ -93,7 +88,7 @@ mod tests {
         assert_eq!(modulus.motion(0.25).derivatives().map(|x| x[0]), [0.25, -1.0, 0.0]);
         assert_eq!(modulus.motion(0.5).derivatives().map(|x| x[0]), [0.0, 1.0, 0.0]);
         assert_eq!(modulus.motion(1.0).derivatives().map(|x| x[0]), [0.5, 1.0, 0.0]);
-        assert_eq!((modulus.kinks(), modulus.largest_jump()), (&[0.5][..], 2.0));
+        assert_eq!(modulus.kinks(), [0.5]);
         assert_eq!(modulus.suprema(), [0.5, 1.0, 0.0]);
         assert!(KinkedCurve::new([0.0], [(1.0, [0.0].into())], [0.0]).is_err());
     }

@@ -13,6 +13,10 @@ pub struct Outcome {
     pub law: &'static str,
     /// How many cases were looked at.
     pub cases: u64,
+    /// How many of these could have broken the law. Of a statement of the paper some could not: a
+    /// gap that vanishes, as that of a length does on the line, is at most any bound, and a formula
+    /// is at most itself.
+    pub could_fail: u64,
     /// The least slack `bound / observed`, a pure number: 1 where a bound is attained, below 1
     /// where it is violated; `∞` if nothing was seen beyond rounding.
     pub slack: f64,
@@ -41,6 +45,8 @@ pub struct Failure {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Tried {
     pub(crate) cases: u64,
+    /// How many of these could not have broken the law.
+    pub(crate) idle: u64,
     pub(crate) slack: f64,
     pub(crate) standings: Vec<Standing>,
     pub(crate) note: Option<String>,
@@ -49,7 +55,7 @@ pub(crate) struct Tried {
 impl Tried {
     /// This many cases, none of which came near anything.
     pub(crate) fn cases(cases: u64) -> Self {
-        Self { cases, slack: f64::INFINITY, standings: Vec::new(), note: None }
+        Self { cases, idle: 0, slack: f64::INFINITY, standings: Vec::new(), note: None }
     }
 
     pub(crate) fn with_note(self, note: impl Into<String>) -> Self {
@@ -60,6 +66,7 @@ impl Tried {
         self.standings.extend(other.standings);
         Self {
             cases: self.cases + other.cases,
+            idle: self.idle + other.idle,
             slack: self.slack.min(other.slack),
             standings: self.standings,
             note: self.note.or(other.note),
@@ -73,12 +80,14 @@ pub(crate) type LawResult = Result<Tried, Failure>;
 impl Outcome {
     pub(crate) fn new(id: &'static str, law: &'static str, result: LawResult) -> Self {
         match result {
-            Ok(Tried { cases, slack, standings, note }) => {
-                Self { id, law, cases, slack, standings, note, failure: None }
+            Ok(Tried { cases, idle, slack, standings, note }) => {
+                let could_fail = cases - idle;
+                Self { id, law, cases, could_fail, slack, standings, note, failure: None }
             }
             Err(failure) => {
+                let (cases, could_fail, slack, note) = (0, 0, f64::NAN, None);
                 let (standings, failure) = (Vec::new(), Some(failure));
-                Self { id, law, cases: 0, slack: f64::NAN, standings, note: None, failure }
+                Self { id, law, cases, could_fail, slack, standings, note, failure }
             }
         }
     }
@@ -110,7 +119,8 @@ impl fmt::Display for Outcome {
             slack => format!("{slack:.1e}"),
         };
         let mark = if self.holds() { "ok" } else { "FAILS" };
-        write!(f, "{:<48} {mark:<5} {:>7} {slack:>10}  {}", self.id, self.cases, self.law)?;
+        let Self { id, law, cases, could_fail, .. } = self;
+        write!(f, "{id:<48} {mark:<5} {cases:>7} {could_fail:>10} {slack:>10}  {law}")?;
         if !self.standings.is_empty() {
             write!(f, "; {}", standing::line(&self.standings))?;
         }
@@ -163,7 +173,11 @@ impl Report {
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "{:<48} {:<5} {:>7} {:>10}  says", "law", "", "cases", "slack")?;
+        writeln!(
+            f,
+            "{:<48} {:<5} {:>7} {:>10} {:>10}  says",
+            "law", "", "cases", "could fail", "slack"
+        )?;
         self.outcomes.iter().try_for_each(|outcome| writeln!(f, "{outcome}"))
     }
 }
@@ -181,7 +195,8 @@ mod tests {
             standing(Claim::LH, Proof::NotDecided),
             standing(Claim::MH, Proof::NotTried),
         ];
-        let good = Tried { cases: 7, slack: 1.5, standings, note: Some("and more".to_owned()) };
+        let good =
+            Tried { cases: 7, idle: 3, slack: 1.5, standings, note: None }.with_note("and more");
         let lie = Lie {
             constant: Claim::LH,
             claimed: 0.5,
@@ -209,11 +224,11 @@ mod tests {
         let text = report.to_string();
         let lines: Vec<&str> = text.lines().map(str::trim_end).collect();
         let row = |id: &str, rest: &str| format!("{id:<48} {rest}");
-        assert_eq!(lines[0], row("law", "        cases      slack  says"));
+        assert_eq!(lines[0], row("law", "        cases could fail      slack  says"));
         let standings = "c1 proved, c2 right to 0.0 %, L_H not decided, M_H not tried";
-        let good = format!("ok          7     1.5000  a ≤ b; {standings}; and more");
+        let good = format!("ok          7          4     1.5000  a ≤ b; {standings}; and more");
         assert_eq!(lines[1], row("good", &good));
-        assert_eq!(lines[2], row("bad", "FAILS       0             c ≤ d"));
+        assert_eq!(lines[2], row("bad", "FAILS       0          0             c ≤ d"));
         assert_eq!(
             lines[3],
             "    the metric claims L_H = 0.5, but ‖DH(x)[w]‖ = 1 at x = [0.25, 0.0] in the \
@@ -223,7 +238,7 @@ mod tests {
             lines[4..6],
             ["    smallest random sample that breaks it: smaller", "    seed 3"]
         );
-        assert_eq!(lines[6], row("far", "ok          2          -  e ≤ f"));
+        assert_eq!(lines[6], row("far", "ok          2          2          -  e ≤ f"));
     }
 
     #[test]

@@ -18,7 +18,10 @@ pub(crate) const CHEAP: u32 = 4096;
 /// The same, where a case is a number of solves: seconds for a metric on which the solver stalls.
 pub(crate) const COSTLY: u32 = 5;
 
-/// Checks a law, which returns its slack, on `cases` random values.
+/// What a law returns for a value that could not have broken it; no slack.
+pub(crate) const IDLE: f64 = f64::NAN;
+
+/// Checks a law, which returns its slack, or [`IDLE`], on `cases` random values.
 ///
 /// A sample that breaks it is made smaller, unless that costs solves and the fault is one of the
 /// metric, for which there are cheaper laws with smaller samples.
@@ -52,7 +55,7 @@ where
     // Only the samples are proptest's. Its runner would catch the panics of a formula, say on
     // stderr when it stops shrinking, and remember seeds in the folder of somebody else.
     let mut runner = TestRunner::new(config);
-    let mut slack = f64::INFINITY;
+    let (mut slack, mut idle) = (f64::INFINITY, 0);
     for _ in 0..cases {
         let mut tree = values.new_tree(&mut runner).map_err(|reason| {
             let fault = Fault::NoSample { why: reason.to_string() };
@@ -60,6 +63,7 @@ where
         })?;
         let value = tree.current();
         match law(&value) {
+            Ok(found) if found.is_nan() => idle += 1,
             Ok(found) => slack = slack.min(found),
             Err(fault) => {
                 let shrinks =
@@ -70,7 +74,7 @@ where
             }
         }
     }
-    Ok(Tried { slack, ..Tried::cases(cases.into()) })
+    Ok(Tried { idle, slack, ..Tried::cases(cases.into()) })
 }
 
 /// The smallest of the next samples that break the law, and how.
@@ -102,7 +106,7 @@ mod tests {
 
     use tautline::MetricError;
 
-    use super::{CHEAP, COSTLY, for_all};
+    use super::{CHEAP, COSTLY, IDLE, for_all};
     use crate::kit::{Effort, Failure, Fault};
 
     /// What a law says that fails from 700 on, and how many samples it was asked.
@@ -148,5 +152,15 @@ mod tests {
         });
         let tried = tried.expect("it holds");
         assert_eq!((tried.cases, tried.slack), (64, 1000.0 / f64::from(largest.get())));
+    }
+
+    #[test]
+    fn values_that_could_not_have_broken_a_law_are_counted_apart() {
+        let tried = for_all(&Effort::default(), 64, CHEAP, 0..1000_u32, |&k| {
+            Ok(if k % 2 == 0 { IDLE } else { 3.0 })
+        });
+        let tried = tried.expect("it holds");
+        assert!(tried.idle > 0 && tried.idle < 64, "{tried:?}");
+        assert_eq!((tried.cases, tried.slack), (64, 3.0));
     }
 }

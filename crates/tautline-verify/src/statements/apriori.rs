@@ -66,7 +66,7 @@ impl Instant {
 ///
 /// Slack: none where `H = c₁` in the direction of `γ̇`.
 ///
-/// Companions: `c₁ K_{1,g}²` is `d²`.
+/// Identity: `c₁ K_{1,g}²` is `d²`.
 ///
 /// # Errors
 ///
@@ -88,8 +88,7 @@ pub fn constant_k1<const D: usize>(
     Ok(instant
         .evidence
         .stated("|γ̇(t)| ≤ K₁", Unit::COORDINATE, [instant.speed, k1], instant.granted[0])
-        .sharper("c₁K₁² ≤ d²", Unit::ENERGY, [energy, d2], rounding)
-        .sharper("d² ≤ c₁K₁²", Unit::ENERGY, [d2, energy], rounding))
+        .identity(["c₁K₁² ≤ d²", "d² ≤ c₁K₁²"], Unit::ENERGY, [energy, d2], rounding))
 }
 
 /// Evaluates `K_{2,g} = 3 L_H D² K_{1,g}²/2c₁` on a minimal geodesic at the time `t`:
@@ -99,9 +98,8 @@ pub fn constant_k1<const D: usize>(
 ///
 /// Slack: `D²` at best for `D ≥ 2`, and 3 on the line, see the companion.
 ///
-/// Companions: `|γ̈| ≤ ω (L_H/c₁) K_{1,g}²` with `ω = 3/2`, and `½` for an isotropic metric and on the
-/// line (Lemma S.1); and `K_{2,g}` is what
-/// it is defined to be.
+/// Companion: `|γ̈| ≤ ω (L_H/c₁) K_{1,g}²` with `ω = 3/2`, and `½` for an isotropic metric and on the
+/// line (Lemma S.1). Identity: `K_{2,g}` is what it is defined to be.
 ///
 /// # Errors
 ///
@@ -132,8 +130,12 @@ pub fn constant_k2<const D: usize>(
             [found, subject.k2_sharp(without_m_h(instant.setting)?)],
             granted + rounding,
         )
-        .sharper("K₂ ≤ 3L_H D² d²/2c₁²", Unit::COORDINATE, [k2, defined], rounding)
-        .sharper("3L_H D² d²/2c₁² ≤ K₂", Unit::COORDINATE, [defined, k2], rounding))
+        .identity(
+            ["K₂ ≤ 3L_H D² d²/2c₁²", "3L_H D² d²/2c₁² ≤ K₂"],
+            Unit::COORDINATE,
+            [k2, defined],
+            rounding,
+        ))
 }
 
 /// Evaluates Lemma S.1 on a minimal geodesic at the time `t`.

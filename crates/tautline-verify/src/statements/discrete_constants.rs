@@ -146,8 +146,12 @@ impl Excess {
         evidence
             .stated("E(γᵖˡ) − d² ≤ by parts", Unit::ENERGY, [excess, self.by_parts], seen.granted)
             .sharper("by parts ≤ C/√N", Unit::ENERGY, [self.by_parts, bound], rounding)
-            .sharper("C ≤ the sum of its parts", Unit::ENERGY, [self.constant, self.sum], rounding)
-            .sharper("the sum of its parts ≤ C", Unit::ENERGY, [self.sum, self.constant], rounding)
+            .identity(
+                ["C ≤ the sum of its parts", "the sum of its parts ≤ C"],
+                Unit::ENERGY,
+                [self.constant, self.sum],
+                rounding,
+            )
             .sharper("E(γᵖˡ) − d² = O(1/N)", Unit::ENERGY, [excess, self.first_order], seen.granted)
     }
 }

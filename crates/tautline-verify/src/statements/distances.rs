@@ -36,6 +36,7 @@ pub fn prop_3_3<M: Bounded<D>, const D: usize>(
     Ok(Evidence::of(Statement::Proposition3_3)
         .given("c₁ ≤ λ_min(H)", Unit::GRAM, [c1, seen.low], rounding)
         .given("λ_max(H) ≤ c₂", Unit::GRAM, [seen.high, c2], rounding)
+        .assumed("c₁ and c₂ hold elsewhere")
         .stated("c₁|x − y|² ≤ d²", Unit::ENERGY, [c1 * euclidean, d2], granted)
         .stated("d² ≤ c₂|x − y|²", Unit::ENERGY, [d2, c2 * euclidean], granted)
         .sharper(

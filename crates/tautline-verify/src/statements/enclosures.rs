@@ -6,7 +6,7 @@ use tautline::{
     bounds::{BetweenPoints, Computed, DiscreteMinimum},
 };
 
-use super::section_1::admitted;
+use super::section_1::{GLOBAL, admitted};
 use crate::{
     Evidence, GramRange, PaperRule, Reconstruction, Statement, Subject, Unit, VerifyError,
     discrete_energy, reconstruction::nodes,
@@ -44,7 +44,7 @@ pub fn prop_s_6<const D: usize>(
     let assumed = subject.enclose(constants, D, &computed(DiscreteMinimum::Assumed))?;
     let unknown = subject.enclose(constants, D, &computed(DiscreteMinimum::Unknown))?;
     let (d2, granted) = (seen.distance_squared, seen.granted);
-    let mut evidence = admitted(Evidence::of(Statement::PropositionS6), seen);
+    let mut evidence = admitted(Evidence::of(Statement::PropositionS6), seen).assumed(GLOBAL);
     if let (Some(m_h), PaperRule::Trapezoidal) = (constants.m_h(), seen.rule) {
         evidence = evidence.given_curvature(seen.curvature, m_h);
     }

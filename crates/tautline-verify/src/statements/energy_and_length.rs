@@ -3,9 +3,9 @@
 use nalgebra::SVector;
 use tautline::{Metric, MetricError};
 
-use super::geodesics::{given_complete, off_sets};
+use super::{geodesics::off_sets, way_out::WayOut};
 use crate::{
-    Evidence, Known, Reconstruction, Statement, Subject, Unit,
+    Evidence, Known, Statement, Subject, Unit,
     curves::{Curve, Measured, Residual, largest},
 };
 
@@ -65,17 +65,16 @@ fn given_points<M, const D: usize>(
 /// γ ∈ C(x⁰, x¹),    L(γ)² ≤ d²,    E(γ) ≤ d²
 /// ```
 ///
-/// Needs: that there is a minimal geodesic, as in a complete space; `way_out` is that of
-/// [`prop_3_2`](super::prop_3_2).
+/// Needs: that there is a minimal geodesic, as in a complete space, out of which there is no way.
 #[doc(alias = "prop:geodesic_len_and_energy")]
 pub fn prop_6_1_attained<M, const D: usize>(
     subject: &impl Subject,
     known: &Known<M, D>,
     seen: &Measured<D>,
-    way_out: f64,
+    way_out: WayOut,
 ) -> Evidence {
     let evidence = given_points(Evidence::of(Statement::Proposition6_1), subject, known);
-    is_attained(given_complete(evidence, way_out), subject, known, seen)
+    is_attained(evidence, subject, known, seen, way_out)
 }
 
 /// Evaluates that the minima of Proposition 6.3 are attained, as [`prop_6_1_attained`] does.
@@ -88,10 +87,9 @@ pub fn prop_6_3_attained<M, const D: usize>(
     subject: &impl Subject,
     known: &Known<M, D>,
     seen: &Measured<D>,
-    way_out: f64,
+    way_out: WayOut,
 ) -> Evidence {
-    let evidence = given_complete(Evidence::of(Statement::Proposition6_3), way_out);
-    is_attained(evidence, subject, known, seen)
+    is_attained(Evidence::of(Statement::Proposition6_3), subject, known, seen, way_out)
 }
 
 fn is_attained<M, const D: usize>(
@@ -99,11 +97,13 @@ fn is_attained<M, const D: usize>(
     subject: &impl Subject,
     known: &Known<M, D>,
     seen: &Measured<D>,
+    way_out: WayOut,
 ) -> Evidence {
     let (off, rounding) = off_sets(subject, known, seen);
     let d2 = known.distance.powi(2);
     let granted = seen.granted_energy() + 2.0 * known.distance * known.distance_error;
-    evidence
+    way_out
+        .given_longer(evidence, [known.distance, known.distance_error])
         .stated("γ joins the sets", Unit::COORDINATE, [off, 0.0], rounding)
         .stated("L(γ)² ≤ d²", Unit::ENERGY, [seen.length_squared(), d2], granted)
         .stated("E(γ) ≤ d²", Unit::ENERGY, [seen.energy.value, d2], granted)
@@ -162,98 +162,4 @@ pub fn prop_6_1_minimiser<M: Metric<D>, const D: usize>(
         .stated("L(γ) ≤ d", Unit::LENGTH, [seen.length.value, known.distance], length)
         .stated("d ≤ L(γ)", Unit::LENGTH, [known.distance, seen.length.value], length)
         .stated("γ̈ = −Γ(γ̇, γ̇)", Unit::COORDINATE, [residual.value, 0.0], residual.granted))
-}
-
-/// A pair of points of two sets, said to be a nearest one.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NearestPair<const D: usize> {
-    /// The two points, in `ℓ`.
-    pub points: [SVector<f64, D>; 2],
-    /// Their distance, in `m`.
-    pub apart: f64,
-    /// The distance of the two sets, in `m`.
-    pub distance: f64,
-    /// How much larger than the square of that the square of the pair's may be, in `m²`.
-    pub excess: f64,
-    /// How far the points are from their sets, in `ℓ`.
-    pub off_sets: f64,
-    /// `sup |x|` over a bounded one of the two sets, in `ℓ`; `None` if neither is bounded.
-    pub radius: Option<f64>,
-    /// The least distance of other pairs of points of the two sets, in `m`; `∞` if none was tried.
-    pub sampled: f64,
-    /// Whether both sets contain the limits of their sequences, as a
-    /// [`ClosedSet`](tautline::ClosedSet) does.
-    pub closed: bool,
-    /// The length of the shortest curve from one of the points that leaves every compact set, in
-    /// `m`; `∞` if and only if the space is complete.
-    pub way_out: f64,
-    /// What is granted, in `m²`.
-    pub granted: f64,
-}
-
-impl<const D: usize> NearestPair<D> {
-    /// Returns the ends of a computed minimiser of the trapezoidal rule, whose distance is `apart`:
-    /// no more than the length of the curve that joins them, so that `excess` is of order `1/N`.
-    /// `sampled` is the least distance of other pairs. The metric has a `c₁ > 0`, so that the space
-    /// is complete (Proposition 3.3).
-    #[must_use]
-    pub fn of<M>(
-        subject: &impl Subject,
-        known: &Known<M, D>,
-        seen: &Reconstruction<D>,
-        apart: f64,
-        sampled: f64,
-    ) -> Self {
-        let sequence = &seen.minimum.sequence;
-        let sets = [known.ends.first(), known.ends.second()];
-        Self {
-            points: [*sequence.first(), *sequence.last()],
-            apart,
-            distance: known.distance,
-            excess: subject.theorem_a_excess(seen.setting, seen.rule, seen.n),
-            off_sets: seen.off_sets,
-            radius: sets.iter().filter_map(|set| set.radius()).reduce(f64::min),
-            sampled,
-            closed: true,
-            way_out: f64::INFINITY,
-            granted: seen.granted,
-        }
-    }
-}
-
-/// Evaluates Proposition 6.2 on a pair: that it is a nearest one, and that it lies where the
-/// nearest pairs are confined to, within `d/√c₁` of the bounded set.
-///
-/// Needs: closed sets, a bounded one, a complete space. `c1` is a lower bound of `H` at the two
-/// points; where it is one everywhere, the space is complete (Proposition 3.3).
-#[doc(alias = "prop:bounded_2sets_min")]
-#[must_use]
-pub fn prop_6_2<const D: usize>(pair: &NearestPair<D>, c1: f64) -> Evidence {
-    let unbounded = if pair.radius.is_some() { 0.0 } else { 1.0 };
-    let size = largest(pair.points.iter().map(|x| x.norm()));
-    let d2 = pair.distance.powi(2) + pair.excess;
-    let reach = (d2 / c1).sqrt();
-    let room = pair.radius.map_or(f64::INFINITY, |radius| radius + reach);
-    // The sets may touch, and then there is no reach to be rounded.
-    let moved = if reach > 0.0 { 0.5 * pair.granted / (c1 * reach) } else { 0.0 };
-    let granted = 1e-13 * size + moved;
-    let open = if pair.closed { 0.0 } else { 1.0 };
-    given_complete(Evidence::of(Statement::Proposition6_2), pair.way_out)
-        .given("one of the sets is bounded", Unit::NONE, [unbounded, 0.0], 0.0)
-        .given("the sets are closed", Unit::NONE, [open, 0.0], 0.0)
-        .given("x ∈ X⁽⁰⁾ and y ∈ X⁽¹⁾", Unit::COORDINATE, [pair.off_sets, 0.0], 1e-13 * size)
-        .stated("d(x, y)² ≤ d(X⁽⁰⁾, X⁽¹⁾)²", Unit::ENERGY, [pair.apart.powi(2), d2], pair.granted)
-        .stated("|x|, |y| ≤ R + d/√c₁", Unit::COORDINATE, [size, room], granted)
-        .sharper(
-            "d(X⁽⁰⁾, X⁽¹⁾)² ≤ d(x, y)²",
-            Unit::ENERGY,
-            [pair.distance.powi(2), pair.apart.powi(2)],
-            pair.granted,
-        )
-        .sharper(
-            "d(X⁽⁰⁾, X⁽¹⁾)² ≤ d(x′, y′)² for other pairs",
-            Unit::ENERGY,
-            [pair.distance.powi(2), pair.sampled.powi(2)],
-            pair.granted + 1e-13 * pair.distance.powi(2),
-        )
 }

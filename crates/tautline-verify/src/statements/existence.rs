@@ -66,6 +66,7 @@ pub fn prop_7_1<const D: usize>(
         .given("one of the sets is bounded", Unit::NONE, [unbounded, 0.0], 0.0)
         .given("both sequences have the same N", Unit::NONE, [differ, 0.0], 0.0)
         .given("c₁ ≤ λ_min(H)", Unit::GRAM, [c1, gram.low], 1e-14 * gram.high)
+        .assumed("c₁ holds elsewhere")
         .given(
             "the ends lie in X⁽⁰⁾ and X⁽¹⁾",
             Unit::COORDINATE,

@@ -3,6 +3,7 @@
 
 use tautline::{KnownDistance, Metric, MetricError};
 
+use super::way_out::WayOut;
 use crate::{
     Evidence, Known, Statement, Subject, Unit,
     curves::{Curve, Measured, Residual, largest},
@@ -35,9 +36,8 @@ pub fn prop_3_1<const D: usize>(
 /// Evaluates what can be observed of Proposition 3.2 (Hopf and Rinow): that the curve which is
 /// shown is a minimal geodesic between the two points.
 ///
-/// `way_out` is the length in `m` of the shortest curve from one of the points that leaves every
-/// compact set. A space is complete if and only if there is none, and this is `∞`; where `H ≥ c₁ >
-/// 0` on all of `R^D`, Proposition 3.3 says so.
+/// `way_out` is that from one of the points. A space is complete if and only if there is none; where
+/// `H ≥ c₁ > 0` on all of `R^D`, Proposition 3.3 says so.
 ///
 /// That there is one between *any* two points, no finite number of curves shows. For a computed
 /// curve, Theorem 1.2 says how much longer than `d` it may be.
@@ -50,24 +50,19 @@ pub fn prop_3_2<M: KnownDistance<D>, const D: usize>(
     subject: &impl Subject,
     known: &Known<M, D>,
     curve: &impl Curve<D>,
-    way_out: f64,
+    way_out: WayOut,
 ) -> Result<Evidence, MetricError> {
     let residual = Residual::of(subject, &known.metric, curve)?;
     let seen = Measured::of(&known.metric, curve);
     let granted = seen.granted_length() + known.distance_error;
     let (off, rounding) = off_sets(subject, known, &seen);
-    Ok(given_complete(Evidence::of(Statement::Proposition3_2), way_out)
+    let evidence = Evidence::of(Statement::Proposition3_2);
+    Ok(way_out
+        .given_longer(evidence, [known.distance, known.distance_error])
         .stated("γ joins the points", Unit::COORDINATE, [off, 0.0], rounding)
         .stated("γ̈ = −Γ(γ̇, γ̇)", Unit::COORDINATE, [residual.value, 0.0], residual.granted)
         .stated("L(γ) ≤ d", Unit::LENGTH, [seen.length.value, known.distance], granted)
         .sharper("d ≤ L(γ)", Unit::LENGTH, [known.distance, seen.length.value], granted))
-}
-
-/// Adds the hypothesis that the space is complete: `way_out` is the length in `m` of the shortest
-/// curve from a point that leaves every compact set, and `∞` if and only if there is none.
-pub(super) fn given_complete(evidence: Evidence, way_out: f64) -> Evidence {
-    let inverse = Unit { ell: 0, m: -1 };
-    evidence.given("1/(length of the shortest way out) = 0", inverse, [way_out.recip(), 0.0], 0.0)
 }
 
 /// How far the ends of a curve are from their sets, and what is granted, both in `ℓ`.

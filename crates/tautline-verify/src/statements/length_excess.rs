@@ -1,7 +1,7 @@
 //! Section 9: from energies to lengths, and the rate that is left open.
 
 use super::geodesics::off_sets;
-use super::section_1::admitted;
+use super::section_1::{GLOBAL, admitted};
 use crate::{Evidence, Known, Reconstruction, Statement, Subject, Unit, curves::Measured};
 
 /// Evaluates Proposition 9.1, repaired, on a curve `γ` and a minimiser `γ*`:
@@ -76,7 +76,7 @@ fn excess<M, const D: usize>(
 pub fn remark_9_2<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
     let above = Gaps::of(subject, seen).above;
     let (over, granted) = (seen.discrete_energy - seen.distance_squared, seen.granted);
-    let evidence = admitted(Evidence::of(Statement::Remark9_2), seen);
+    let evidence = admitted(Evidence::of(Statement::Remark9_2), seen).assumed(GLOBAL);
     curve_and_minimum(evidence, subject, seen).stated(
         "E_N − d² = O(1/N)",
         Unit::ENERGY,

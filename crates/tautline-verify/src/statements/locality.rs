@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 use tautline::{Bounded, LocalError, PointSequence};
 
-use super::section_1::begin;
+use super::section_1::{GLOBAL, begin};
 use crate::{
     Evidence, GramRange, Known, PaperRule, Reconstruction, Statement, Subject, Unit, VerifyError,
     reconstruction::nodes,
@@ -58,6 +58,7 @@ pub fn prop_s_8<M: Bounded<D>, const D: usize>(
     }
     let premise = d2 + ceiling;
     let mut evidence = begin(Statement::PropositionS8, seen, rule, premise)
+        .assumed(GLOBAL)
         .stated("|xₙ − x| ≤ R", Unit::COORDINATE, [farthest, radius], rounding)
         .stated("d ≤ √c₁ R", Unit::LENGTH, [distance, root * radius], of_lengths)
         .stated(

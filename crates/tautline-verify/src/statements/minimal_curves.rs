@@ -104,7 +104,8 @@ fn lengths<M: Metric<D>, const D: usize>(metric: &M, curve: &impl Curve<D>) -> V
 }
 
 /// Evaluates the other half of Proposition 4.2 on any curve `γ`: if it is minimal, then
-/// `γ(t) = γ**(φ(t))` with `φ(t)` its length up to `t`, divided by `d`. Looked at at 16 times.
+/// `γ(t) = γ**(φ(t))` with `φ(t)` its length up to `t`, divided by `d`. Looked at at 16 times, as
+/// points and by how far the two sides go, which are two more inequalities of slack 1.
 ///
 /// `γ**` has to be *the* minimal geodesic, the only one. With `d = 0` it is constant, as `γ` is.
 #[doc(alias = "prop:geodesic_min_path_min")]
@@ -123,6 +124,8 @@ pub fn prop_4_2_converse<M: Metric<D>, const D: usize>(
     let granted = seen.granted_length() + known.distance_error;
     let (mut before, mut travelled) = (0.0, 0.0);
     let (mut apart, mut rate) = (0.0, 0.0_f64);
+    let start = curve.motion(0.0).position;
+    let mut away = [0.0; 2];
     for k in 1..=16 {
         let t = f64::from(k) / 16.0;
         travelled += integrate(speed, before, t, 20.0 * f64::EPSILON).value;
@@ -130,15 +133,23 @@ pub fn prop_4_2_converse<M: Metric<D>, const D: usize>(
         let (reading, per_length) =
             if d == 0.0 { (0.0, 0.0) } else { ((travelled / d).min(1.0), 1.0 / d) };
         let other = geodesic.motion(reading);
-        apart = largest([apart, (curve.motion(t).position - other.position).norm()]);
+        let here = curve.motion(t).position;
+        apart = largest([apart, (here - other.position).norm()]);
+        let [one, two] = [here, other.position].map(|x| (x - start).norm());
+        away = [largest([away[0], one]), largest([away[1], two])];
         // What an error of a length is in coordinates.
         rate = rate.max(other.velocity.norm() * per_length);
     }
     let (off, rounding) = off_sets(subject, known, &seen);
+    let moved = 4.0 * granted * rate + rounding;
+    let [one, two] = away;
     Evidence::of(Statement::Proposition4_2)
         .given("γ joins the points", Unit::COORDINATE, [off, 0.0], rounding)
         .given("L(γ) ≤ d", Unit::LENGTH, [seen.length.value, d], granted)
-        .stated("γ = γ** ∘ φ", Unit::COORDINATE, [apart, 0.0], 4.0 * granted * rate + rounding)
+        .assumed("γ** is the only minimal geodesic")
+        .stated("γ = γ** ∘ φ", Unit::COORDINATE, [apart, 0.0], moved)
+        .stated("max |γ − γ(0)| ≤ max |γ** ∘ φ − γ(0)|", Unit::COORDINATE, [one, two], moved)
+        .stated("max |γ** ∘ φ − γ(0)| ≤ max |γ − γ(0)|", Unit::COORDINATE, [two, one], moved)
 }
 
 /// Evaluates Propositions 4.1 and 4.2 with "monotone increasing" read strictly: a minimal curve

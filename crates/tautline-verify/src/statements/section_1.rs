@@ -19,6 +19,9 @@
 
 use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};
 
+/// What no finite number of evaluations shows.
+pub(super) const GLOBAL: &str = "γᵖ is a global minimiser";
+
 /// What the theorems need: the clauses on the metric, ends in their sets, the rule, the premise.
 pub(super) fn begin<const D: usize>(
     statement: Statement,
@@ -90,6 +93,7 @@ pub fn theorem_1_1<const D: usize>(subject: &impl Subject, seen: &Reconstruction
     let ceiling = subject.theorem_a_minimum_gap(setting, seen.rule, n);
     let first_order = subject.theorem_a_polyline_gap(setting, seen.rule, n);
     begin(Statement::Theorem1_1, seen, PaperRule::Trapezoidal, premise)
+        .assumed(GLOBAL)
         .stated("E(γᵖˡ) − E_tra,N ≤ C/√N", Unit::ENERGY, [gap, constant / count.sqrt()], granted)
         .stated(
             "E_tra,N − d² ≤ C/N",
@@ -152,6 +156,7 @@ pub fn theorem_1_3<const D: usize>(subject: &impl Subject, seen: &Reconstruction
     let ceiling = subject.theorem_a_minimum_gap(setting, seen.rule, n);
     let first_order = subject.theorem_a_polyline_gap(setting, seen.rule, n);
     begin(Statement::Theorem1_3, seen, PaperRule::LeftEndpoint, premise)
+        .assumed(GLOBAL)
         .stated("E(γᵖˡ) − E_l,N ≤ C/√N", Unit::ENERGY, [gap, bound], granted)
         .stated("E_l,N − d² ≤ C/√N", Unit::ENERGY, [discrete_energy - d2, bound], granted)
         .stated("d² ≤ E(γᵖˡ)", Unit::ENERGY, [d2 - seen.energy.value, 0.0], granted)

@@ -4,7 +4,7 @@
 //! energy is no more than what Lemma S.4 has for the minimum is the *premise*, a hypothesis of
 //! Theorems A to D; where it holds, they hold for the very sequence that was found.
 
-use super::section_1::{admitted, begin};
+use super::section_1::{GLOBAL, admitted, begin};
 use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};
 
 /// Evaluates Lemma S.4 on a computed minimiser.
@@ -24,7 +24,7 @@ pub fn lemma_s_4<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D
     let &Reconstruction { setting, rule, n, granted, .. } = seen;
     let surplus = seen.discrete_energy - seen.distance_squared;
     let first = subject.theorem_a_minimum_gap(setting, rule, n);
-    let mut evidence = admitted(Evidence::of(Statement::LemmaS4), seen).stated(
+    let mut evidence = admitted(Evidence::of(Statement::LemmaS4), seen).assumed(GLOBAL).stated(
         "E_N − d² ≤ d² (e − 1)",
         Unit::ENERGY,
         [surplus, first],

@@ -187,7 +187,8 @@ fn dropped_monotone() -> Outcome {
     if !((ratio - 2.0).abs() <= 1e-13) {
         return Err(Failure::new(format!("{ratio} times d")));
     }
-    let local = prop_4_1(&Library, &known, &geodesic, &clock, f64::INFINITY);
+    let radius = known.metric.normal_radius(&ends(&known)[0]);
+    let local = prop_4_1(&Library, &known, &geodesic, &clock, radius);
     all([
         fails_without(&["∫|φ′| ≤ 1"], length),
         fails_without(&["∫|φ′| ≤ 1"], local.map_err(VerifyError::from)?),
@@ -221,7 +222,8 @@ fn detour() -> Outcome {
 /// Both propositions for a curve `γ**` between the ends of [`sheared`], without a clause.
 fn without_a_clause(clause: &str, curve: &impl Curve<2>, clock: &Clock) -> Outcome {
     let (known, _) = sheared();
-    let local = prop_4_1(&Library, &known, curve, clock, f64::INFINITY);
+    let radius = known.metric.normal_radius(&ends(&known)[0]);
+    let local = prop_4_1(&Library, &known, curve, clock, radius);
     let global = prop_4_2(&Library, &known, curve, clock);
     all([
         fails_without(&[clause], local.map_err(VerifyError::from)?),

@@ -7,7 +7,7 @@ use crate::{
     Evidence, Known, Library, PaperRule, Reconstruction, Subject, VerifyError,
     curves::Measured,
     discrete_energy,
-    kit::{Fault, report::LawResult},
+    kit::{Fault, report::LawResult, sampling::IDLE},
     statements::{self, NearestPair},
 };
 
@@ -25,7 +25,8 @@ pub(super) fn prop_6_2<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -
             .and_then(|distance| distance(metric, detour.first(), detour.last()))
             .unwrap_or_else(|| Measured::of_sequence(&Library, metric, &detour).length.value);
         let apart = seen.length_squared.value.sqrt();
-        let pair = NearestPair::of(&Library, minimiser.known, seen, apart, other);
+        let pair = NearestPair::of(&Library, minimiser.known, seen, apart);
+        let pair = pair.map_err(VerifyError::from)?.beside(other);
         judge(&statements::prop_6_2(&pair, metric.constants().c1()))
     })
 }
@@ -34,7 +35,7 @@ pub(super) fn prop_6_2<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -
 pub(super) fn prop_6_3<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
     case.of_solutions(PaperRule::Trapezoidal, &|minimiser| {
         [&minimiser.seen.minimum.sequence, &minimiser.detour()?].into_iter().try_fold(
-            f64::INFINITY,
+            IDLE,
             |slack: f64, sequence| {
                 let curve = Measured::of_sequence(&Library, &case.metric, sequence);
                 Ok(slack.min(judge(&statements::prop_6_3(&Library, minimiser.known, &curve))?))
@@ -53,7 +54,7 @@ pub(super) fn prop_7_1<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -
     case.of_both_rules(&|minimiser| {
         let (rule, metric, sets) = (minimiser.seen.rule, &case.metric, minimiser.sets());
         let others = [minimiser.detour()?, minimiser.moved()?];
-        others.into_iter().try_fold(f64::INFINITY, |slack: f64, other| {
+        others.into_iter().try_fold(IDLE, |slack: f64, other| {
             let less =
                 discrete_energy(&Library, rule, metric, &other) < minimiser.seen.discrete_energy;
             let again = if less { Some(minimiser.again(&other)?) } else { None };
@@ -105,9 +106,10 @@ pub(super) fn c_tra_sharp<const D: usize>(
 mod tests {
     use std::num::NonZeroUsize;
 
-    use nalgebra::SVector;
+    use nalgebra::{SMatrix, SVector};
     use tautline::{
-        Constants, Metric, PointSequence, Rule, bounds, energy_gradient, gallery::Shear,
+        Constants, Metric, PointSequence, Rule, bounds, energy_gradient,
+        gallery::{Constant, Shear},
     };
 
     use super::{critical_point, judge};
@@ -169,6 +171,26 @@ mod tests {
             violated(of(|_, seen| minimisers::c_tra_sharp(&Off, seen))),
             "C_tra(N) ≤ C_tra♯/N"
         );
+    }
+
+    /// Under a constant metric every length is that of a straight line, and `C_tra(N)` is always what
+    /// it is defined to be.
+    #[test]
+    fn cases_that_could_not_fail_are_counted_apart() {
+        let rule = PaperRule::Trapezoidal;
+        let flat = Constant::<2>::new(SMatrix::identity()).expect("positive definite");
+        let Effort { problems, subintervals, .. } = case().effort;
+        let effort = Effort { problems, subintervals, ..Effort::default() };
+        let flat = MetricCase::new(flat, Region::cell([0.0, 0.0], [6.0, 6.0]), effort);
+        let of_flat = flat.of_minimisers(rule, statements::theorem_1_2).expect("it holds");
+        let of_shear = case().of_minimisers(rule, statements::theorem_1_2).expect("it holds");
+        assert_eq!(of_flat.idle, of_flat.cases);
+        assert!(
+            of_flat.cases == of_shear.cases && 2 * of_shear.idle < of_shear.cases,
+            "{of_shear:?}"
+        );
+        let identity = case().of_constants(rule, minimisers::c_tra, None).expect("it holds");
+        assert_eq!((identity.idle, identity.slack), (identity.cases, f64::INFINITY));
     }
 
     #[test]

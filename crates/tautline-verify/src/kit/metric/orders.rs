@@ -14,7 +14,7 @@ use crate::{
         Failure, Fault,
         order::{median, order},
         report::{LawResult, Tried},
-        sampling::{COSTLY, for_all},
+        sampling::{COSTLY, IDLE, for_all},
     },
 };
 
@@ -134,7 +134,7 @@ pub(super) fn distances<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) 
     let pairs = (case.ends.uniform(), case.ends.uniform());
     for_all(&case.effort, case.effort.problems, COSTLY, pairs, |(a, b)| {
         let (Some(d), Some(back)) = (distance(metric, a, b), distance(metric, b, a)) else {
-            return Ok(f64::INFINITY);
+            return Ok(IDLE);
         };
         let point: Vec<f64> = a.iter().chain(b).copied().collect();
         // As in `Known::between`.
@@ -150,7 +150,7 @@ pub(super) fn distances<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) 
             match estimated(metric, Posed::between(*a, *b).ends().map_err(VerifyError::from)?, &[])
             {
                 Ok(known) => known,
-                Err(VerifyError::NotConverged { .. }) => return Ok(f64::INFINITY),
+                Err(VerifyError::NotConverged { .. }) => return Ok(IDLE),
                 Err(error) => return Err(error.into()),
             };
         let granted = granted + known.distance_error;

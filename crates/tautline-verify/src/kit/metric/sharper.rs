@@ -5,7 +5,7 @@ use tautline::Bounded;
 use super::{MetricCase, solutions::Minimiser, statements::judge};
 use crate::{
     Evidence, Library, PaperRule,
-    kit::{Fault, report::LawResult},
+    kit::{Fault, report::LawResult, sampling::IDLE},
     statements::{
         lemma_s_2, lemma_s_3, lemma_s_4, lemma_s_5, prop_s_6, prop_s_8, theorem_a, theorem_b,
         theorem_c, theorem_d,
@@ -14,7 +14,7 @@ use crate::{
 
 /// The least slack of several evidences.
 fn judge_all(evidence: impl IntoIterator<Item = Evidence>) -> Result<f64, Fault> {
-    evidence.into_iter().try_fold(f64::INFINITY, |slack, one| Ok(slack.min(judge(&one)?)))
+    evidence.into_iter().try_fold(IDLE, |slack: f64, one| Ok(slack.min(judge(&one)?)))
 }
 
 /// Lemmas S.2 and S.3.

@@ -19,7 +19,7 @@ use crate::{
     kit::{
         Effort, Failure, Fault,
         report::{LawResult, Tried},
-        sampling::{COSTLY, for_all},
+        sampling::{COSTLY, IDLE, for_all},
     },
 };
 
@@ -107,8 +107,9 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
     ) -> LawResult {
         self.of_solutions(rule, &|minimiser| {
             let evidence = statement(&Library, minimiser.seen);
-            judge(&evidence)?;
-            Ok(shown.map_or(f64::INFINITY, |claim| evidence.conclusion(claim).slack()))
+            let found = judge(&evidence)?;
+            let shown = || shown.map_or(f64::INFINITY, |claim| evidence.conclusion(claim).slack());
+            Ok(if found.is_nan() { IDLE } else { shown() })
         })
     }
 
@@ -133,7 +134,7 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
     ) -> LawResult {
         self.solvable()?;
         let cases = self.effort.problems.div_ceil(Kind::ALL.len() as u32);
-        let failed = Cell::new(0_u64);
+        let (failed, idle) = (Cell::new(0_u64), Cell::new(0_u64));
         let last: RefCell<Option<VerifyError>> = RefCell::default();
         let mut tried = Tried::cases(0);
         for (offset, kind) in Kind::ALL.into_iter().enumerate() {
@@ -144,16 +145,18 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
                 match self.solution(rule, posed) {
                     Ok(solution) => {
                         let known = &self.with_distance(posed, solution.distance)?;
-                        solution.minimisers.iter().try_fold(f64::INFINITY, |slack: f64, seen| {
+                        solution.minimisers.iter().try_fold(IDLE, |slack: f64, seen| {
                             let found = law(&Minimiser { posed, known, seen });
                             let points = seen.minimum.sequence.points();
-                            Ok(slack.min(found.map_err(|fault| self.explained(fault, points))?))
+                            let found = found.map_err(|fault| self.explained(fault, points))?;
+                            idle.set(idle.get() + u64::from(found.is_nan()));
+                            Ok(slack.min(found))
                         })
                     }
                     Err(error @ VerifyError::NotConverged { .. }) => {
                         failed.set(failed.get() + 1);
                         last.replace(Some(error));
-                        Ok(f64::INFINITY)
+                        Ok(IDLE)
                     }
                     Err(error) => Err(error.into()),
                 }
@@ -166,7 +169,9 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
             enough(failed, tried.cases, error).map_err(failure)?;
             tried = tried.with_note(format!("{failed} problems without a minimum"));
         }
+        // Not of problems, but of minimisers.
         tried.cases = (tried.cases - failed) * self.effort.subintervals.len() as u64;
+        tried.idle = idle.get();
         Ok(tried)
     }
 

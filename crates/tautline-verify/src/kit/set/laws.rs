@@ -10,7 +10,7 @@ use crate::{
         Failure, Fault,
         region::directions,
         report::{LawResult, Tried},
-        sampling::{CHEAP, for_all},
+        sampling::{CHEAP, IDLE, for_all},
     },
 };
 
@@ -193,7 +193,7 @@ pub(super) fn derivative<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, 
             h[j] = step;
             let (right, left) = (case.set.project(&(x + h)), case.set.project(&(x - h)));
             if !(((right - p) - (p - left)).norm() <= SMOOTH * step) {
-                return Ok(f64::INFINITY);
+                return Ok(IDLE);
             }
             columns.push((right - left) / (2.0 * step));
         }
@@ -233,7 +233,7 @@ pub(super) fn seeds_and_pieces<S: ClosedSet<D>, const D: usize>(
         let nearest =
             pieces.map(|piece| (piece.project(x) - x).norm()).fold(f64::INFINITY, f64::min);
         if nearest == f64::INFINITY {
-            return Ok(nearest);
+            return Ok(IDLE);
         }
         let law = "the nearest piece is as near as the union";
         let off = (nearest - (p - x).norm()).abs();

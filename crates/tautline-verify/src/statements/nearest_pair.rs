@@ -1,0 +1,220 @@
+//! Proposition 6.2: two closed sets, one of them bounded, have a nearest pair.
+
+use nalgebra::SVector;
+use tautline::{Bounded, ClosedSet, Metric, MetricError};
+
+use super::way_out::WayOut;
+use crate::{
+    Evidence, GramRange, Known, Reconstruction, Statement, Subject, Unit, curves::largest,
+};
+
+/// A pair of points of two sets, said to be a nearest one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NearestPair<const D: usize> {
+    points: [SVector<f64, D>; 2],
+    /// The distance of the two points and that of the two sets, in `m`.
+    lengths: [f64; 2],
+    /// How much larger than the square of that the square of the pair's may be, in `m²`.
+    excess: f64,
+    /// How far the points are from their sets, in `ℓ`.
+    off_sets: f64,
+    /// How far limits of points of a set are from it, in `ℓ`.
+    off_limits: f64,
+    /// `sup |x|` over a bounded one of the two sets, in `ℓ`; `None` if neither is bounded.
+    radius: Option<f64>,
+    /// The least eigenvalue of `H` at the two points, in `m²/ℓ²`.
+    lowest: f64,
+    way_out: WayOut,
+    /// The least distance of other pairs of points of the two sets, in `m`, if one was tried.
+    other: Option<f64>,
+    granted: f64,
+}
+
+impl<const D: usize> NearestPair<D> {
+    /// Returns two points of two sets with the distance of the points and that of the sets, in `m`;
+    /// what else is asked of them is read off the metric and the sets. `granted` is in `m²`.
+    ///
+    /// # Errors
+    ///
+    /// [`MetricError`] where `H` is not finite, symmetric and positive definite.
+    pub fn between(
+        subject: &impl Subject,
+        metric: &impl Metric<D>,
+        sets: [&dyn ClosedSet<D>; 2],
+        points: [SVector<f64, D>; 2],
+        lengths: [f64; 2],
+        (way_out, granted): (WayOut, f64),
+    ) -> Result<Self, MetricError> {
+        let [x, y] = points;
+        let off = sets.into_iter().zip(&points).map(|(set, x)| (set.project(x) - x).norm());
+        let limits = [(sets[0], &y), (sets[1], &x)];
+        let limits = limits.map(|(set, outside)| off_limits(subject, set, outside));
+        let radii = sets.iter().filter_map(|set| set.radius()).filter(|radius| radius.is_finite());
+        Ok(Self {
+            points,
+            lengths,
+            excess: 0.0,
+            off_sets: largest(off),
+            off_limits: largest(limits),
+            radius: radii.reduce(f64::min),
+            lowest: GramRange::along(metric, points)?.low,
+            way_out,
+            other: None,
+            granted,
+        })
+    }
+
+    /// Returns the ends of a computed minimiser of the trapezoidal rule, whose distance is `apart`:
+    /// no more than the length of the curve that joins them, so that the excess is of order `1/N`.
+    /// That the `c₁` of the metric holds everywhere, and so that the space is complete (Proposition
+    /// 3.3), is assumed.
+    ///
+    /// # Errors
+    ///
+    /// As [`between`](Self::between).
+    pub fn of<M: Bounded<D>>(
+        subject: &impl Subject,
+        known: &Known<M, D>,
+        seen: &Reconstruction<D>,
+        apart: f64,
+    ) -> Result<Self, MetricError> {
+        let sequence = &seen.minimum.sequence;
+        let pair = Self::between(
+            subject,
+            &known.metric,
+            [&**known.ends.first(), &**known.ends.second()],
+            [*sequence.first(), *sequence.last()],
+            [apart, known.distance],
+            (WayOut::by_c1(subject.constants(&known.metric)), seen.granted),
+        )?;
+        Ok(Self { excess: subject.theorem_a_excess(seen.setting, seen.rule, seen.n), ..pair })
+    }
+
+    /// Returns the pair beside the least distance of other pairs, in `m`.
+    #[must_use]
+    pub fn beside(self, other: f64) -> Self {
+        Self { other: Some(other), ..self }
+    }
+}
+
+/// How far a limit of points of a set is from it, in `ℓ`: 0 for a closed set, up to rounding.
+///
+/// On the segment to its nearest point, as the set says, from a point outside, bisection finds two
+/// neighbours, one a member and the other sent elsewhere. A sequence of members tends to that other
+/// one, so that a closed set has a point as near to it as the first.
+fn off_limits<const D: usize>(
+    subject: &impl Subject,
+    set: &dyn ClosedSet<D>,
+    outside: &SVector<f64, D>,
+) -> f64 {
+    let (mut beyond, mut member) = (*outside, subject.project(set, outside));
+    // Each step takes a bit of every coordinate.
+    for _ in 0..128 {
+        let middle = (beyond + member) * 0.5;
+        if middle == beyond || middle == member {
+            break;
+        }
+        let inside = subject.project(set, &middle) == middle;
+        *(if inside { &mut member } else { &mut beyond }) = middle;
+    }
+    let gap = (subject.project(set, &beyond) - beyond).norm();
+    // NaN is kept: it is no distance.
+    let off = gap - (member - beyond).norm();
+    if off <= 0.0 { 0.0 } else { off }
+}
+
+/// Evaluates Proposition 6.2 on a pair: that it is a nearest one, and that it lies where the
+/// nearest pairs are confined to, within `d/√c₁` of the bounded set.
+///
+/// Needs: closed sets, a bounded one, a complete space. `c1` is a lower bound of `H`; where it is
+/// one everywhere, the space is complete (Proposition 3.3).
+#[doc(alias = "prop:bounded_2sets_min")]
+#[must_use]
+pub fn prop_6_2<const D: usize>(pair: &NearestPair<D>, c1: f64) -> Evidence {
+    let unbounded = if pair.radius.is_some() { 0.0 } else { 1.0 };
+    let size = largest(pair.points.iter().map(|x| x.norm()));
+    let [apart, distance] = pair.lengths;
+    let d2 = distance.powi(2) + pair.excess;
+    let reach = (d2 / c1).sqrt();
+    let room = pair.radius.map_or(f64::INFINITY, |radius| radius + reach);
+    // The sets may touch, and then there is no reach to be rounded.
+    let moved = if reach > 0.0 { 0.5 * pair.granted / (c1 * reach) } else { 0.0 };
+    let granted = 1e-13 * size + moved;
+    let long = if apart > 0.0 { pair.granted / apart } else { pair.granted.sqrt() };
+    let evidence = Evidence::of(Statement::Proposition6_2);
+    let mut evidence = pair
+        .way_out
+        .given_longer(evidence, [apart, long])
+        .given("one of the sets is bounded", Unit::NONE, [unbounded, 0.0], 0.0)
+        .given("the sets are closed", Unit::COORDINATE, [pair.off_limits, 0.0], 1e-13 * size)
+        .given("c₁ ≤ λ_min(H) at x and y", Unit::GRAM, [c1, pair.lowest], 1e-14 * pair.lowest)
+        .given("x ∈ X⁽⁰⁾ and y ∈ X⁽¹⁾", Unit::COORDINATE, [pair.off_sets, 0.0], 1e-13 * size)
+        .stated("d(x, y)² ≤ d(X⁽⁰⁾, X⁽¹⁾)²", Unit::ENERGY, [apart.powi(2), d2], pair.granted)
+        .stated("|x|, |y| ≤ R + d/√c₁", Unit::COORDINATE, [size, room], granted)
+        .sharper(
+            "d(X⁽⁰⁾, X⁽¹⁾)² ≤ d(x, y)²",
+            Unit::ENERGY,
+            [distance.powi(2), apart.powi(2)],
+            pair.granted,
+        );
+    if let Some(other) = pair.other {
+        evidence = evidence.sharper(
+            "d(X⁽⁰⁾, X⁽¹⁾)² ≤ d(x′, y′)² for another pair",
+            Unit::ENERGY,
+            [distance.powi(2), other.powi(2)],
+            pair.granted + 1e-13 * distance.powi(2),
+        );
+    }
+    evidence
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SMatrix, SVector};
+    use tautline::{Ball, ClosedSet, FiniteSet, HalfSpace};
+
+    use super::off_limits;
+    use crate::Library;
+
+    /// `{0 ≤ x₁ < 1}` on the line, which sends what it has no nearest point for to the middle.
+    #[derive(Debug)]
+    struct HalfOpen;
+
+    impl ClosedSet<1> for HalfOpen {
+        fn project(&self, x: &SVector<f64, 1>) -> SVector<f64, 1> {
+            SVector::from([if x[0] >= 1.0 { 0.5 } else { x[0].max(0.0) }])
+        }
+
+        fn projection_derivative(&self, _: &SVector<f64, 1>) -> SMatrix<f64, 1, 1> {
+            SMatrix::identity()
+        }
+
+        fn radius(&self) -> Option<f64> {
+            Some(1.0)
+        }
+    }
+
+    #[test]
+    fn a_limit_that_a_set_does_not_contain_is_found() {
+        let seen = |x: f64| off_limits(&Library, &HalfOpen, &SVector::from([x]));
+        // The members tend to 1, which is ½ from the point that it is sent to.
+        assert!((seen(3.0) - 0.5).abs() <= 1e-15, "{}", seen(3.0));
+        // At 0 the set is closed.
+        assert_eq!(seen(-2.0), 0.0);
+    }
+
+    #[test]
+    fn closed_sets_contain_their_limits() {
+        let ball = Ball::new([1.0, 0.5], 0.25).expect("a radius");
+        let wall = HalfSpace::at_least([0.3, 1.0], 2.0).expect("a normal");
+        let points = FiniteSet::new([[1.0, 2.0], [-1.0, 0.0]]).expect("not empty");
+        let sets: [&dyn ClosedSet<2>; 3] = [&ball, &wall, &points];
+        for set in sets {
+            for outside in [[0.1, -3.0], [7.0, 0.2], [1.0, 0.6]] {
+                let off = off_limits(&Library, set, &SVector::from(outside));
+                // A projection of some ten roundings of coordinates up to 7.
+                assert!(off <= 1e-14, "{set:?} from {outside:?}: {off:e}");
+            }
+        }
+    }
+}

@@ -1,0 +1,121 @@
+//! `WayOut`: how far it is to leave a space, which is as far as it is complete.
+
+use nalgebra::SVector;
+use tautline::Constants;
+
+use crate::{Evidence, Unit, curves::KnownGeodesics};
+
+/// The length of the shortest way out of a space: of the curves from a point that leave every
+/// compact set.
+///
+/// A space is complete if and only if there is none of finite length (Hopf and Rinow). Less will do
+/// for two points that are nearer than that: the closed balls of their distance are compact, and
+/// there is a minimal geodesic between the two.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WayOut {
+    /// In `m`; no way out is shorter.
+    length: f64,
+    /// What that rests on besides.
+    assumed: Option<&'static str>,
+}
+
+impl WayOut {
+    /// Returns the length from a point by what the metric knows of its geodesics: all that are
+    /// shorter than its [normal radius](KnownGeodesics::normal_radius) can be continued.
+    pub fn from<const D: usize>(metric: &impl KnownGeodesics<D>, x: &SVector<f64, D>) -> Self {
+        Self { length: metric.normal_radius(x), assumed: None }
+    }
+
+    /// Returns the limit of `√c₁ r` as `r → ∞`, by which it is to leave the ball of radius `r`, if
+    /// `c₁ ≤ H` everywhere. That is assumed.
+    #[must_use]
+    pub fn by_c1(constants: Constants) -> Self {
+        let length = constants.c1().sqrt() * f64::INFINITY;
+        Self { length, assumed: Some("c₁ ≤ λ_min(H) everywhere") }
+    }
+
+    /// Returns whether all ways out are longer than `length`, in `m`.
+    #[must_use]
+    pub fn exceeds(self, length: f64) -> bool {
+        self.length > length
+    }
+
+    /// Adds the hypothesis that no way out is as short as `length`, in `m`.
+    pub(super) fn given_longer(self, evidence: Evidence, [length, granted]: [f64; 2]) -> Evidence {
+        let claim = "no way out is shorter than d";
+        let evidence = evidence.given(claim, Unit::LENGTH, [length, self.length], granted);
+        match self.assumed {
+            Some(claim) => evidence.assumed(claim),
+            None => evidence,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::SVector;
+    use tautline::gallery::{Constant, Hyperbolic, Separable, Shear, Sphere};
+
+    use super::WayOut;
+    use crate::{
+        Evidence, Finding, Statement,
+        curves::{Curve, Geodesic, KnownGeodesics},
+    };
+
+    /// Whether a way out is longer than `length`.
+    fn longer(way_out: WayOut, length: f64) -> bool {
+        let evidence = Evidence::of(Statement::Proposition3_2);
+        way_out.given_longer(evidence, [length, 0.0]).finding() == Finding::Holds
+    }
+
+    /// From `x` to all sides geodesics of the lengths 1, 4 and 16 are there, and none is a detour.
+    fn goes_on<M: KnownGeodesics<2> + Copy>(metric: M, x: [f64; 2]) {
+        let x = SVector::from(x);
+        assert!(longer(WayOut::from(&metric, &x), f64::MAX));
+        for k in 0..8 {
+            let (sin, cos) = (f64::from(k) * 0.8).sin_cos();
+            let direction = SVector::from([cos, sin]);
+            let unit = direction / metric.norm_squared(&x, &direction).sqrt();
+            for length in [1.0, 4.0, 16.0] {
+                let geodesic = Geodesic::leaving(metric, x, unit * length);
+                let end = geodesic.motion(1.0).position;
+                let distance = metric.distance(&x, &end).expect("known");
+                // In the ball a point at the distance 16 is 4e−7 from the rim, to 1e−16.
+                assert!((distance - length).abs() <= 1e-8 * length, "{length}: {distance}");
+            }
+        }
+    }
+
+    #[test]
+    fn geodesics_go_on_where_no_way_out_is_finite() {
+        goes_on(
+            Constant::new(nalgebra::Matrix2::new(2.0, 1.0, 1.0, 2.0)).expect("definite"),
+            [1.0, 0.0],
+        );
+        goes_on(Shear::new(0.5, 1.0).expect("a wave number"), [1.0, -2.0]);
+        goes_on(Separable::new([0.3, -0.5], [1.0, 2.0]).expect("below one"), [0.3, 0.7]);
+        goes_on(Hyperbolic, [0.1, -0.3]);
+    }
+
+    /// To the missing point it is `π − 2 arctan |x|`.
+    #[test]
+    fn the_way_out_of_the_sphere_is_that_to_the_missing_point() {
+        let way_out = WayOut::from(&Sphere, &SVector::from([0.0, 1.0]));
+        let half = std::f64::consts::FRAC_PI_2;
+        assert!(longer(way_out, half - 1e-15) && !longer(way_out, half + 1e-15));
+        // On the equator H = I, and 10⁻⁶ short of the missing point |x| = cot(½ 10⁻⁶).
+        let v = SVector::from([0.0, half - 1e-6]);
+        let far = Geodesic::leaving(Sphere, SVector::from([0.0, 1.0]), v);
+        let end = far.motion(1.0).position.norm();
+        assert!((end - 2e6).abs() <= 1e-3 * end, "{end}");
+    }
+
+    #[test]
+    fn that_c1_holds_everywhere_is_assumed() {
+        let constants = tautline::Constants::new(0.5, 1.0, 1.0).expect("in order");
+        let begun = Evidence::of(Statement::Proposition6_2);
+        let evidence = WayOut::by_c1(constants).given_longer(begun, [3.0, 0.0]);
+        assert_eq!(evidence.assumed, ["c₁ ≤ λ_min(H) everywhere"]);
+        assert_eq!(evidence.hypotheses[0].bound, f64::INFINITY);
+    }
+}
