@@ -17,6 +17,7 @@ mod leading_constants;
 mod ledger;
 mod orders;
 mod point_sequences;
+mod promotion;
 mod proved_numbers;
 mod quick;
 mod random_problems;
@@ -39,6 +40,7 @@ mod trial;
 
 pub use check::{Check, Kind};
 pub use ledger::{Entry, kills, ledger, suite};
+pub use promotion::{Case, Given};
 pub use tally::{Count, Tally};
 pub use trial::{Failure, Outcome, Scope, Trial};
 

@@ -46,7 +46,7 @@ impl<Q> Problems<Q> {
         family: impl Strategy<Value = Known<M, D>>,
     ) -> Outcome
     where
-        M: Bounded<D> + Clone + Debug,
+        M: Bounded<D> + Clone + Debug + 'static,
         Q: Question<S>,
     {
         let cases = cases / self.one_in;
@@ -130,7 +130,7 @@ impl<Q> Problems<Q> {
         family: impl Strategy<Value = Known<M, D>>,
     ) -> Outcome
     where
-        M: Bounded<D> + Clone + Debug,
+        M: Bounded<D> + Clone + Debug + 'static,
         Q: Question<S>,
     {
         let cases = (family, subintervals());
