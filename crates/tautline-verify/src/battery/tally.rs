@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::fingerprint::Fingerprint;
 use crate::{Evidence, Source, Statement};
 
 /// For each statement, the number of cases on which it was evaluated, the least slack, and the
@@ -10,6 +11,7 @@ use crate::{Evidence, Source, Statement};
 pub struct Tally {
     counts: BTreeMap<Statement, Count>,
     hypotheses: BTreeMap<Statement, BTreeSet<&'static str>>,
+    compared: Fingerprint,
 }
 
 /// The cases of one statement.
@@ -29,6 +31,7 @@ impl Tally {
         self.add(evidence.statement, one);
         let claims = evidence.hypotheses.iter().map(|clause| clause.claim);
         self.hypotheses.entry(evidence.statement).or_default().extend(claims);
+        self.compared.see(evidence);
     }
 
     /// Adds all the cases of another tally.
@@ -39,6 +42,12 @@ impl Tally {
         for (&statement, claims) in &other.hypotheses {
             self.hypotheses.entry(statement).or_default().extend(claims);
         }
+        self.compared.extend(other.compared);
+    }
+
+    /// Returns what the paper's bounds compared.
+    pub(super) fn compared(&self) -> Fingerprint {
+        self.compared
     }
 
     /// Returns the count of a statement, if it was evaluated at all.
