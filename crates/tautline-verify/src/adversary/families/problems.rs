@@ -11,8 +11,8 @@ use super::{
     super::{Beyond, Family, Parameter},
     about_problems::AboutProblem,
     ranges::{
-        along, amplitude, beside, direction, n, on_the_ramp, part, phase, second_wave_number, step,
-        step_over_the_ramp, way,
+        along, amplitude, any_step, beside, direction, n, on_the_ramp, part, phase,
+        second_wave_number, share, shared, step, way,
     },
 };
 use crate::{
@@ -85,8 +85,8 @@ pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
         ["separable, D = 2", "separable, D = 2, left"],
         [AboutProblem::of_the_paper()],
         [
-            part("a1", 0.9),
-            part("a2", 0.9),
+            part("a", 0.9),
+            share(),
             second_wave_number(),
             phase("x1"),
             phase("k2x2"),
@@ -94,16 +94,21 @@ pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
             direction("phi"),
             n(),
         ],
-        |_, [a1, a2, k2, x1, phase, step, phi, n]| {
+        |_, [a, psi, k2, x1, phase, step, phi, n]| {
             let from = [x1, phase / k2];
-            between(Separable::new([a1, a2], [1.0, k2]).ok()?, from, beside(from, n * step, phi), n)
+            between(
+                Separable::new(shared(a, psi), [1.0, k2]).ok()?,
+                from,
+                beside(from, n * step, phi),
+                n,
+            )
         },
     ));
     all.extend(on(
         subject,
         ["ramp", "ramp, left"],
         [AboutProblem::of_the_paper(), AboutProblem::speeds()],
-        [part("a", 0.99), on_the_ramp("middle"), step_over_the_ramp(), way("way"), n()],
+        [part("a", 0.99), on_the_ramp("middle"), any_step(1e3), way("way"), n()],
         |_, [a, middle, step, way, n]| {
             // The nodes of a quadrature pass over a ramp near an end of a chord so long.
             if n > 1.0 && n * step > 300.0 {
@@ -132,8 +137,12 @@ pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
         subject,
         ["valleys", "valleys, left"],
         [AboutProblem::of_the_paper(), AboutProblem::second_order()],
-        [phase("x1"), step("step"), direction("phi"), n()],
+        [phase("x1"), any_step(4e3), direction("phi"), n()],
         |_, [x1, step, phi, n]| {
+            // Beyond so many valleys a quadrature gives up.
+            if n * step > 5e3 {
+                return None;
+            }
             let from = [x1, 0.0];
             between(Valleys, from, beside(from, n * step, phi), n)
         },

@@ -1,6 +1,6 @@
 //! The parameters that families share, and what lies beyond their ranges.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::super::{Beyond, Parameter};
 
@@ -16,12 +16,18 @@ pub(super) fn amplitude(name: &'static str, most: f64) -> Parameter {
 
 /// A relative amplitude: `H` is constant at 0, and degenerate at 1.
 pub(super) fn part(name: &'static str, most: f64) -> Parameter {
-    let (zero, one) = match name {
-        "a1" => ("a1 → 0", "a1 → 1"),
-        "a2" => ("a2 → 0", "a2 → 1"),
-        _ => ("a → 0", "a → 1"),
-    };
-    Parameter::fraction(name, 1e-4, most).with_ends(Beyond::Limit(zero), Beyond::Limit(one))
+    Parameter::fraction(name, 1e-4, most).with_ends(Beyond::Limit("a → 0"), Beyond::Limit("a → 1"))
+}
+
+/// How an amplitude is shared out between two axes, as an angle: all of it is the first one's at 0.
+pub(super) fn share() -> Parameter {
+    let beyond = Beyond::Nothing("H varies along one axis alone");
+    Parameter::linear("psi", 0.0, FRAC_PI_2).with_ends(beyond, beyond)
+}
+
+/// The amplitudes along the two axes.
+pub(super) fn shared(amplitude: f64, share: f64) -> [f64; 2] {
+    [amplitude * share.cos(), amplitude * share.sin()]
 }
 
 /// The second wave number, where the first one is 1: far from it, one of the two coordinates hardly
@@ -46,12 +52,17 @@ pub(super) fn step(name: &'static str) -> Parameter {
         "step1" => "step1 → 0",
         _ => "step2 → 0",
     };
-    Parameter::logarithmic(name, 1e-4, 4.0 * TAU).starting(Beyond::Limit(zero))
+    Parameter::logarithmic(name, SHORTEST, 4.0 * TAU).starting(Beyond::Limit(zero))
 }
 
-/// The same on a ramp, where a bound may tend to a number that a long step attains.
-pub(super) fn step_over_the_ramp() -> Parameter {
-    Parameter::logarithmic("step", 1e-4, 1e3)
+/// A step so short is one to the limit: what is left on the way is some hundreds of it, for the
+/// constants of the valleys.
+const SHORTEST: f64 = 1e-5;
+
+/// The same for a ramp, and for valleys with walls between them: a bound that is the ratio of `c₂` and
+/// `c₁` is attained by long steps.
+pub(super) fn any_step(longest: f64) -> Parameter {
+    Parameter::logarithmic("step", SHORTEST, longest)
         .with_ends(Beyond::Limit("step → 0"), Beyond::Limit("step → ∞"))
 }
 

@@ -9,7 +9,7 @@ use super::{
     super::{Family, Parameter},
     ranges::{
         along, amplitude, beside, direction, inside, on_the_ramp, part, phase, second_wave_number,
-        step, way,
+        share, shared, step, way,
     },
 };
 use crate::{
@@ -89,8 +89,8 @@ pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
         subject,
         "separable, D = 2",
         [
-            part("a1", MOST),
-            part("a2", MOST),
+            part("a", MOST),
+            share(),
             second_wave_number(),
             phase("x1"),
             phase("k2x2"),
@@ -98,10 +98,10 @@ pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
             direction("phi"),
             Parameter::subintervals(1),
         ],
-        |[a1, a2, k2, x1, phase, l, phi, _]| {
+        |[a, psi, k2, x1, phase, step, phi, _]| {
             let from = [x1, phase / k2];
-            let metric = Separable::new([a1, a2], [1.0, k2]).ok()?;
-            Some((metric, vec![from, beside(from, l, phi)]))
+            let metric = Separable::new(shared(a, psi), [1.0, k2]).ok()?;
+            Some((metric, vec![from, beside(from, step, phi)]))
         },
     ));
     all.extend(on(
