@@ -1,6 +1,7 @@
 //! `cargo xtask <task>`: what the repository can do, beyond building and testing one crate.
 
 mod bench;
+mod nightly;
 mod peers;
 
 use std::{
@@ -15,6 +16,9 @@ usage: cargo xtask <task>
   figures [ID …] [--check | --quick | --list]   recompute and redraw paper/figures and paper/data
   tables  [ID …] [--check | --quick | --list]   recompute paper/tables
   test    [ARG …]                               every test of the workspace
+  nightly [-p PACKAGE] [NAME] [-- ARG …]        everything random with a fresh seed, printed first,
+                                                and 100 times the cases; TAUTLINE_SEED and
+                                                TAUTLINE_CASES say otherwise
   bench   [P1 | … | P6 | N | batch | …] …       times the parts of a solve, and large problems:
                                                 paper/tables/speed.csv and scale.csv
   peers   [--problem ID | --n N | --distance] … other programs on the same problems, timed; needs
@@ -32,6 +36,7 @@ fn main() -> ExitCode {
         ["figures", rest @ ..] => paper("figures", rest),
         ["tables", rest @ ..] => paper("tables", rest),
         ["test", rest @ ..] => test(rest),
+        ["nightly", rest @ ..] => nightly::nightly(&root(), rest),
         ["bench", rest @ ..] => bench::bench(&root(), rest),
         ["peers", rest @ ..] => peers::peers(&root(), rest),
         ["ci"] => ci(),

@@ -3,7 +3,7 @@
 use std::num::NonZeroUsize;
 
 use approx::{assert_relative_eq, relative_eq};
-use proptest::{prelude::*, test_runner::RngSeed};
+use proptest::prelude::*;
 use tautline_bounds::{self as bounds, Constants, Setting};
 
 /// A function of the setting and of `N`, with the exponents that its formula has.
@@ -74,17 +74,8 @@ fn scaled(s: Setting, c1: f64, c2: f64, l_h: f64, d: f64) -> Setting {
 // evaluations and the comparison are below 250 · 2⁻⁵³ < 3e-14.
 const TOLERANCE: f64 = 1e-13;
 
-fn config() -> ProptestConfig {
-    ProptestConfig {
-        cases: 512,
-        rng_seed: RngSeed::Fixed(2),
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    }
-}
-
 proptest! {
-    #![proptest_config(config())]
+    #![proptest_config(tautline_chance::config(2, 512))]
 
     /// Measuring `ℓ` and `m` in other units moves a bound by its unit alone. A power dropped
     /// from a formula fails here at once.

@@ -3,7 +3,7 @@
 
 use nalgebra::{SMatrix, SVector};
 use num_dual::{Dual2SVec64, DualNum, hessian};
-use proptest::{prelude::*, test_runner::RngSeed};
+use proptest::prelude::*;
 use tautline_discretizations::{
     LeftEndpoint, PointSequence, QuadraticModel, Rule, Trapezoidal, TrueTrapezoid, energy_gradient,
 };
@@ -133,9 +133,7 @@ fn check_four<R: Rule>(rule: R, fraction: f64, v: [f64; 8]) -> Result<(), TestCa
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig {
-        rng_seed: RngSeed::Fixed(2), failure_persistence: None, cases: 64, ..ProptestConfig::default()
-    })]
+    #![proptest_config(tautline_chance::config(2, 64))]
 
     #[test]
     fn derivatives_of_every_rule_agree_with_num_dual(

@@ -1,7 +1,7 @@
 //! Random metrics, random ends, `N` from 1 to 200, both rules: what must hold in every case.
 
 use nalgebra::{SVector, vector};
-use proptest::{prelude::*, test_runner::RngSeed};
+use proptest::prelude::*;
 use tautline_discretizations::{Interpolation, LeftEndpoint, PointSequence, Rule, Trapezoidal};
 use tautline_metrics::{
     KnownDistance, Metric,
@@ -9,15 +9,6 @@ use tautline_metrics::{
 };
 use tautline_optimizers::{Minimum, Options, Starts, Stop, minimise};
 use tautline_sets::{AxisBox, Ball, ClosedSet, Ends, HalfSpace, Point, Segment, Sphere};
-
-fn config(cases: u32) -> ProptestConfig {
-    ProptestConfig {
-        cases,
-        rng_seed: RngSeed::Fixed(17),
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    }
-}
 
 fn vector<const D: usize>(size: f64) -> impl Strategy<Value = SVector<f64, D>> {
     proptest::array::uniform::<_, D>(-size..size).prop_map(SVector::from)
@@ -179,7 +170,7 @@ fn not_below<const D: usize>(
 }
 
 proptest! {
-    #![proptest_config(config(400))]
+    #![proptest_config(tautline_chance::config(17, 400))]
 
     #[test]
     fn shear(

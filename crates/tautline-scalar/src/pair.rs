@@ -185,7 +185,7 @@ impl Scalar for Pair {
 mod tests {
     use std::f64::consts::FRAC_PI_2;
 
-    use proptest::{prelude::*, test_runner::RngSeed};
+    use proptest::prelude::*;
 
     use num_traits::Zero;
 
@@ -204,9 +204,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig {
-            rng_seed: RngSeed::Fixed(4), failure_persistence: None, ..ProptestConfig::default()
-        })]
+        #![proptest_config(tautline_chance::config(4, 256))]
 
         #[test]
         fn arithmetic_is_that_of_f64_to_the_last_bit(

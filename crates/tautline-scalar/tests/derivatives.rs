@@ -4,7 +4,7 @@
 use approx::assert_relative_eq;
 use nalgebra::{SVector, vector};
 use num_dual::{Dual2SVec64, DualNum, hessian};
-use proptest::{prelude::*, test_runner::RngSeed};
+use proptest::prelude::*;
 use tautline_scalar::{Jet1, Jet2, MixedJet, Scalar};
 
 /// Every elementary function with its first and second derivative in closed form.
@@ -94,9 +94,7 @@ fn formula_in_num_dual(v: SVector<Dual2SVec64<3>, 3>) -> Dual2SVec64<3> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig {
-        rng_seed: RngSeed::Fixed(1), failure_persistence: None, ..ProptestConfig::default()
-    })]
+    #![proptest_config(tautline_chance::config(1, 256))]
 
     /// All first and second derivatives of one formula agree with `num-dual`.
     #[test]

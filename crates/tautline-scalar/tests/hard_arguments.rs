@@ -4,8 +4,9 @@
 mod reference;
 
 use reference::{FAMILIES, Function, Random, Reference, Widest, argument, attempt};
+use tautline_chance::{cases, seed};
 
-const EACH: usize = 10_000;
+const EACH: u32 = 10_000;
 
 /// Arguments of the circular functions next to multiples of `π/2`, up to the bound of the angles.
 fn near_quarters(random: &mut Random) -> f64 {
@@ -75,9 +76,9 @@ fn hard(family: &[Function], random: &mut Random) -> f64 {
 fn try_family(which: usize) {
     let family = FAMILIES[which];
     let mut reference = Reference::new();
-    let mut random = Random(20 + which as u64);
+    let mut random = Random(seed(20 + which as u64));
     let mut widest = vec![[Widest::default(); 2]; family.len()];
-    for i in 0..2 * EACH {
+    for i in 0..cases(2 * EACH) {
         let x = if i % 2 == 0 { hard(family, &mut random) } else { argument(family, &mut random) };
         attempt(family, x, &mut reference, &mut random, &mut widest);
     }

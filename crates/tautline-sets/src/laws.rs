@@ -4,7 +4,7 @@ use std::fmt;
 
 use nalgebra::{SMatrix, SVector};
 use proptest::prelude::*;
-use proptest::test_runner::{Config, RngSeed, TestError, TestRunner};
+use proptest::test_runner::{TestError, TestRunner};
 use tautline_scalar::Interval;
 
 use crate::ClosedSet;
@@ -96,14 +96,9 @@ pub(crate) fn scale() -> impl Strategy<Value = f64> {
     ]
 }
 
-/// A runner with a fixed seed, which writes no files.
+/// A runner with a fixed seed, unless the environment asks for another, which writes no files.
 pub(crate) fn runner() -> TestRunner {
-    TestRunner::new(Config {
-        cases: 512,
-        failure_persistence: None,
-        rng_seed: RngSeed::Fixed(SEED),
-        ..Config::default()
-    })
+    TestRunner::new(tautline_chance::config(SEED, 512))
 }
 
 /// Panics with the shrunk sample and the seed, if a run failed.

@@ -24,7 +24,10 @@ mod theorem_witnesses;
 
 use std::collections::BTreeSet;
 
-use tautline_verify::battery::{Scope, Trial, suite};
+use tautline_verify::{
+    battery::{Scope, Trial, suite},
+    kit::Chance,
+};
 
 /// Names the checks of one section; each becomes a test.
 macro_rules! checks {
@@ -46,9 +49,10 @@ use checks;
 fn passes(name: &str) {
     let check = suite().into_iter().find(|check| check.name == name);
     let check = check.unwrap_or_else(|| panic!("no check is called {name}"));
-    let trial = Trial { subject: &None, scope: Scope::Everything, cases: u32::MAX };
+    let chance = Chance::asked();
+    let trial = Trial { chance, ..Trial::new(&None, Scope::Everything, u32::MAX) };
     if let Err(failure) = check.run(&trial) {
-        panic!("{failure}");
+        panic!("{}", failure.of_check(name, chance));
     }
 }
 

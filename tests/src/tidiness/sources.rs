@@ -98,7 +98,12 @@ fn libraries_do_no_input_or_output() {
         "eprint!",
         "dbg!",
     ];
-    assert_absent(&library_sources(), "libraries read and write nothing", |line| {
+    // What asks the environment for seeds is no library but a part of tests, and one file.
+    let chance = root().join("crates/tautline-chance/src/lib.rs");
+    let (apart, sources): (Vec<_>, Vec<_>) =
+        library_sources().into_iter().partition(|path| *path == chance);
+    assert_eq!(apart, [chance]);
+    assert_absent(&sources, "libraries read and write nothing", |line| {
         forbidden.iter().any(|pattern| has_word(line, pattern))
     });
 }

@@ -3,18 +3,28 @@
 use super::{Manifest, manifests, read, root};
 
 /// For each library, the libraries below it.
-const BELOW: [(&str, &[&str]); 10] = [
+const BELOW: [(&str, &[&str]); 11] = [
     ("tautline-drawing", &[]),
-    ("tautline-scalar", &[]),
-    ("tautline-metrics", &["tautline-scalar"]),
-    ("tautline-sets", &["tautline-scalar"]),
-    ("tautline-bounds", &["tautline-metrics"]),
-    ("tautline-discretizations", &["tautline-metrics", "tautline-scalar"]),
+    ("tautline-chance", &[]),
+    ("tautline-scalar", &["tautline-chance"]),
+    ("tautline-metrics", &["tautline-chance", "tautline-scalar"]),
+    ("tautline-sets", &["tautline-chance", "tautline-scalar"]),
+    ("tautline-bounds", &["tautline-chance", "tautline-metrics"]),
+    ("tautline-discretizations", &["tautline-chance", "tautline-metrics", "tautline-scalar"]),
     (
         "tautline-certify",
-        &["tautline-discretizations", "tautline-metrics", "tautline-scalar", "tautline-sets"],
+        &[
+            "tautline-chance",
+            "tautline-discretizations",
+            "tautline-metrics",
+            "tautline-scalar",
+            "tautline-sets",
+        ],
     ),
-    ("tautline-optimizers", &["tautline-discretizations", "tautline-metrics", "tautline-sets"]),
+    (
+        "tautline-optimizers",
+        &["tautline-chance", "tautline-discretizations", "tautline-metrics", "tautline-sets"],
+    ),
     (
         "tautline",
         &[
@@ -27,7 +37,7 @@ const BELOW: [(&str, &[&str]); 10] = [
             "tautline-sets",
         ],
     ),
-    ("tautline-verify", &["tautline"]),
+    ("tautline-verify", &["tautline", "tautline-chance"]),
 ];
 
 fn libraries() -> Vec<Manifest> {
@@ -74,11 +84,22 @@ fn plotters_is_for_the_drawing_alone() {
 
 #[test]
 fn random_testing_is_for_verification_alone() {
-    for library in libraries().into_iter().filter(|library| library.name != "tautline-verify") {
+    // The second one is for tests only.
+    let verifies = |name: &str| ["tautline-verify", "tautline-chance"].contains(&name);
+    for library in libraries().into_iter().filter(|library| !verifies(&library.name)) {
         for name in ["proptest", "quickcheck"] {
             let depends = library.dependencies.iter().any(|found| found == name);
             assert!(!depends, "{} depends on {name} outside of its tests", library.name);
         }
+    }
+}
+
+/// It reads the environment, which no library does.
+#[test]
+fn chance_is_for_tests_alone() {
+    for manifest in manifests().into_iter().filter(|manifest| manifest.name != "tautline-verify") {
+        let depends = manifest.dependencies.iter().any(|found| found == "tautline-chance");
+        assert!(!depends, "{} depends on tautline-chance outside of its tests", manifest.name);
     }
 }
 

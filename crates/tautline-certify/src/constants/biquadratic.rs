@@ -72,11 +72,7 @@ impl<const D: usize> Vanishing<D> {
 #[cfg(test)]
 mod tests {
     use nalgebra::{DVector, SMatrix, SVector};
-    use proptest::{
-        prelude::*,
-        strategy::ValueTree,
-        test_runner::{RngSeed, TestRunner},
-    };
+    use proptest::{prelude::*, strategy::ValueTree, test_runner::TestRunner};
 
     use super::{Direction, Vanishing, flattened};
     use crate::constants::{eigenvalue_bound::eigen, second_derivative::maximum, spectral::form};
@@ -132,9 +128,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig {
-            rng_seed: RngSeed::Fixed(3), failure_persistence: None, ..ProptestConfig::default()
-        })]
+        #![proptest_config(tautline_chance::config(3, 256))]
         #[test]
         fn what_is_added_vanishes_on_products_in_the_plane(
             b in second::<2>(), c in second::<2>(), at in [unit(), unit(), unit(), unit()],

@@ -111,7 +111,7 @@ pub(crate) fn eigen(matrix: &DMatrix<f64>) -> Option<SymmetricEigen<f64, Dyn>> {
 #[cfg(test)]
 mod tests {
     use nalgebra::{DMatrix, dmatrix};
-    use proptest::{prelude::*, test_runner::RngSeed};
+    use proptest::prelude::*;
     use tautline_scalar::Interval;
 
     use super::{Enclosed, eigen, largest_eigenvalue, rayleigh};
@@ -141,9 +141,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig {
-            rng_seed: RngSeed::Fixed(1), failure_persistence: None, ..ProptestConfig::default()
-        })]
+        #![proptest_config(tautline_chance::config(1, 256))]
         #[test]
         fn no_eigenvalue_exceeds_the_bound(
             (a, b) in (1..5_usize).prop_flat_map(|n| (symmetric(n), symmetric(n))),

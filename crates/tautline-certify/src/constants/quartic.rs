@@ -171,11 +171,7 @@ impl<const D: usize> Vanishing<D> {
 #[cfg(test)]
 mod tests {
     use nalgebra::{DVector, SMatrix, SVector};
-    use proptest::{
-        prelude::*,
-        strategy::ValueTree,
-        test_runner::{RngSeed, TestRunner},
-    };
+    use proptest::{prelude::*, strategy::ValueTree, test_runner::TestRunner};
 
     use tautline_scalar::Interval;
 
@@ -249,9 +245,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig {
-            rng_seed: RngSeed::Fixed(2), failure_persistence: None, ..ProptestConfig::default()
-        })]
+        #![proptest_config(tautline_chance::config(2, 256))]
         #[test]
         fn what_is_added_vanishes_on_squares_in_the_plane(
             a in matrices::<2>(), b in matrices::<2>(), u in unit(), w in unit(),

@@ -3,7 +3,7 @@
 use std::f64::consts::SQRT_2;
 
 use nalgebra::{SVector, vector};
-use proptest::{prelude::*, test_runner::RngSeed};
+use proptest::prelude::*;
 use tautline_metrics::{
     Constants, HypothesisError, KnownDistance, LocalError, LocallyBounded,
     gallery::{GaussianFisher, Hyperbolic, Sphere},
@@ -126,10 +126,7 @@ fn balls_without_constants_are_refused() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig {
-        rng_seed: RngSeed::Fixed(108),
-        failure_persistence: None,
-        ..ProptestConfig::default() })]
+    #![proptest_config(tautline_chance::config(108, 256))]
 
     /// `√2` times the distance of the half-plane, `arcosh(1 + |Δz|²/2σσ′)`; the same after a change of
     /// the unit of the data.

@@ -1,16 +1,12 @@
 //! What a metric does, measured from its formula alone: `H`, its derivatives, their norms.
 
 use nalgebra::{DMatrix, SMatrix, SVector};
-use proptest::test_runner::{Config, RngSeed, TestRunner};
+use proptest::test_runner::TestRunner;
 use tautline_metrics::{Jet1, Jet2, Metric};
 
-/// Random cases that are the same in every run.
+/// Random cases that are the same in every run, unless the environment asks for others.
 pub(crate) fn runner(seed: u64) -> TestRunner {
-    TestRunner::new(Config {
-        rng_seed: RngSeed::Fixed(seed),
-        failure_persistence: None,
-        ..Config::default()
-    })
+    TestRunner::new(tautline_chance::config(seed, 256))
 }
 
 /// The least and the greatest eigenvalue.

@@ -213,7 +213,7 @@ impl<const D: usize> Factorization<D> {
 #[cfg(test)]
 mod tests {
     use nalgebra::{DMatrix, DVector, SMatrix, SVector};
-    use proptest::{prelude::*, test_runner::RngSeed};
+    use proptest::prelude::*;
     use tautline_discretizations::BlockTridiagonal;
 
     use super::{Factorization, Regulariser, Shifted};
@@ -258,9 +258,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig {
-            rng_seed: RngSeed::Fixed(3), failure_persistence: None, ..ProptestConfig::default()
-        })]
+        #![proptest_config(tautline_chance::config(3, 256))]
 
         #[test]
         fn solving_agrees_with_dense_algebra(

@@ -20,7 +20,9 @@ pub struct AnySetting {
 }
 
 impl AnySetting {
-    fn of((c1, ratio, l_h, distance, dimension, n): (u8, u8, u8, u8, u8, u8)) -> Self {
+    /// Returns the setting of six integers, in the order of the fields.
+    #[must_use]
+    pub fn of((c1, ratio, l_h, distance, dimension, n): (u8, u8, u8, u8, u8, u8)) -> Self {
         Self { c1, ratio, l_h, distance, dimension, n }
     }
 

@@ -7,6 +7,12 @@ use quickcheck::{Arbitrary, Gen};
 pub struct Nonnegatives(Vec<u16>);
 
 impl Nonnegatives {
+    /// Returns the numbers of so many sixteenths.
+    #[must_use]
+    pub fn of(sixteenths: Vec<u16>) -> Self {
+        Self(sixteenths)
+    }
+
     /// Returns the numbers.
     #[must_use]
     pub fn numbers(&self) -> Vec<f64> {

@@ -16,6 +16,14 @@ pub struct AnyTwoForms<const D: usize>(Vec<i8>);
 impl<const D: usize> AnyTwoForms<D> {
     const LENGTH: usize = 4 * D + 2 * D * D + 2;
 
+    /// Returns the data of so many eighths: `4D + 2D² + 2` integers; others than these are left
+    /// out, and those that are missing are 0.
+    #[must_use]
+    pub fn of(mut eighths: Vec<i8>) -> Self {
+        eighths.resize(Self::LENGTH, 0);
+        Self(eighths)
+    }
+
     /// Returns the data. The constants are the least that the matrices allow, or up to twice these.
     #[must_use]
     pub fn forms(&self) -> TwoForms<D> {

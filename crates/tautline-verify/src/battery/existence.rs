@@ -78,7 +78,7 @@ fn evidence<M: Bounded<D>, const D: usize>(
 }
 
 fn random<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn family<S: Subject, M: Bounded<D> + Debug, const D: usize>(
+    fn family<S: Subject, M: Bounded<D> + Debug + 'static, const D: usize>(
         trial: &Trial<'_, S>,
         seed: u64,
         problems: impl Strategy<Value = Known<M, D>>,

@@ -40,7 +40,7 @@ pub fn suite() -> Vec<Check<Option<Mutant>>> {
 ///
 /// The first check that fails, by its name.
 pub fn ledger() -> Result<Vec<Entry>, Failure> {
-    let trial = Trial { subject: &None, scope: Scope::Everything, cases: u32::MAX };
+    let trial = Trial::new(&None, Scope::Everything, u32::MAX);
     let checks = suite();
     let (mut random, mut witnesses, mut proved) =
         (Tally::default(), Tally::default(), Tally::default());
@@ -80,7 +80,7 @@ pub fn ledger() -> Result<Vec<Entry>, Failure> {
 /// that are named: the rest is not run.
 #[must_use]
 pub fn kills(mutant: Option<Mutant>, scope: Scope, cases: u32, most: usize) -> Vec<&'static str> {
-    let trial = Trial { subject: &mutant, scope, cases };
+    let trial = Trial::new(&mutant, scope, cases);
     let checks = suite();
     let failing = |check: &&Check<_>| check.is_in(scope) && check.run(&trial).is_err();
     checks.iter().filter(failing).map(|check| check.name).take(most).collect()

@@ -129,7 +129,7 @@ fn evidence<const D: usize>(
 }
 
 fn hold<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn family<S: Subject, M: Metric<D> + Debug, const D: usize>(
+    fn family<S: Subject, M: Metric<D> + Debug + 'static, const D: usize>(
         trial: &Trial<'_, S>,
         seed: u64,
         metrics: impl Strategy<Value = M>,

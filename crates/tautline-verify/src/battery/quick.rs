@@ -4,15 +4,15 @@ use std::fmt::Debug;
 
 use quickcheck::{Arbitrary, Gen};
 
-use super::{Failure, Outcome, Tally, Trial};
+use super::{Case, Failure, Outcome, Tally, Trial};
 use crate::{Evidence, VerifyError};
 
 /// Steps of shrinking, each to the first smaller case that fails too.
 const MAX_SHRINKS: usize = 1000;
 
 impl<S> Trial<'_, S> {
-    /// Evaluates statements on `cases` values of an [`Arbitrary`] type, always the same ones for
-    /// the same `seed`.
+    /// Evaluates statements on `cases` values of an [`Arbitrary`] type, as
+    /// [`for_all`](Trial::for_all) does.
     ///
     /// # Errors
     ///
@@ -28,9 +28,12 @@ impl<S> Trial<'_, S> {
         E: IntoIterator<Item = Evidence>,
     {
         let run = |value: &A| self.one(evidence(self.subject, value).map_err(Failure::from)?);
-        let mut source = Gen::from_size_and_seed(24, seed);
+        if let Some(given) = self.given {
+            return given.take(seed).map_or(Ok(Tally::default()), |value| run(&value));
+        }
+        let mut source = Gen::from_size_and_seed(24, self.chance.seed(seed));
         let mut tally = Tally::default();
-        for _ in 0..cases.min(self.cases) {
+        for _ in 0..self.chance.cases(cases).min(self.cases) {
             let mut value = A::arbitrary(&mut source);
             match run(&value) {
                 Ok(count) => tally.extend(&count),
@@ -41,7 +44,8 @@ impl<S> Trial<'_, S> {
                         let Some(found) = smaller else { break };
                         (failure, value) = found;
                     }
-                    return Err(Failure::new(format!("seed {seed}: {failure}, for {value:?}")));
+                    let message = format!("seed {seed}: {failure}, for {value:?}");
+                    return Err(Failure { message, case: Some(Case::new(seed, &value)) });
                 }
             }
         }
@@ -60,7 +64,7 @@ mod tests {
     /// "No number is above 100" fails, and for one number just above it at the end.
     #[test]
     fn a_false_claim_is_shrunk_to_its_smallest_case() {
-        let trial = Trial { subject: &Library, scope: Scope::Everything, cases: u32::MAX };
+        let trial = Trial::new(&Library, Scope::Everything, u32::MAX);
         let outcome = trial.quick(1, 100, |_, numbers: &Nonnegatives| {
             let largest = numbers.numbers().into_iter().fold(0.0, f64::max);
             let evidence = Evidence::of(Statement::Proposition7_8);

@@ -46,7 +46,7 @@ impl<Q> Problems<Q> {
         family: impl Strategy<Value = Known<M, D>>,
     ) -> Outcome
     where
-        M: Bounded<D> + Clone + Debug,
+        M: Bounded<D> + Clone + Debug + 'static,
         Q: Question<S>,
     {
         let cases = cases / self.one_in;
@@ -133,7 +133,7 @@ impl<Q> Problems<Q> {
         family: impl Strategy<Value = Known<M, D>>,
     ) -> Outcome
     where
-        M: Bounded<D> + Clone + Debug,
+        M: Bounded<D> + Clone + Debug + 'static,
         Q: Question<S>,
     {
         let cases = (family, subintervals());

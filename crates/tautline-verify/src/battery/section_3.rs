@@ -101,7 +101,7 @@ fn speeds<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         family: impl Strategy<Value = (M, [SVector<f64, D>; 2])>,
     ) -> Outcome
     where
-        M: KnownGeodesics<D> + Debug,
+        M: KnownGeodesics<D> + Debug + 'static,
     {
         trial.for_all(seed, 160, family, |subject, (metric, ends)| {
             Ok([prop_3_1(subject, &metric, &Geodesic::between(&metric, ends))?])
@@ -168,7 +168,7 @@ fn joins<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         family: impl Strategy<Value = (M, [SVector<f64, D>; 2])>,
     ) -> Outcome
     where
-        M: KnownGeodesics<D> + Debug,
+        M: KnownGeodesics<D> + Debug + 'static,
     {
         trial.for_all(seed, 224, family, |subject, (metric, ends)| {
             Ok([shown(subject, &metric, ends)?])
@@ -232,7 +232,7 @@ fn dropped_completeness() -> Outcome {
 }
 
 fn squeezed<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn family<S: Subject, M: Bounded<D> + Debug, const D: usize>(
+    fn family<S: Subject, M: Bounded<D> + Debug + 'static, const D: usize>(
         trial: &Trial<'_, S>,
         seed: u64,
         family: impl Strategy<Value = Known<M, D>>,

@@ -97,7 +97,7 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
 }
 
 /// One of the two propositions on random polygons, nobody's minimisers.
-fn family<S: Subject, M: Bounded<D> + Debug, const D: usize>(
+fn family<S: Subject, M: Bounded<D> + Debug + 'static, const D: usize>(
     trial: &Trial<'_, S>,
     seed: u64,
     family: impl Strategy<Value = Known<M, D>>,
@@ -140,7 +140,7 @@ fn clocks<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         family: impl Strategy<Value = (M, [SVector<f64, D>; 2])>,
     ) -> Outcome
     where
-        M: KnownGeodesics<D> + Debug,
+        M: KnownGeodesics<D> + Debug + 'static,
     {
         trial.for_all(seed, 128, (family, clock()), |subject, ((metric, ends), clock)| {
             let known = Known::joined(&metric, ends)?.expect("known");
@@ -185,7 +185,7 @@ fn attained<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         family: impl Strategy<Value = (M, [SVector<f64, D>; 2])>,
     ) -> Outcome
     where
-        M: KnownGeodesics<D> + Debug,
+        M: KnownGeodesics<D> + Debug + 'static,
     {
         trial.for_all(seed, 96, family, |subject, (metric, ends)| {
             let known = Known::joined(&metric, ends)?.expect("known");
@@ -256,7 +256,7 @@ fn pairs<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         family: impl Strategy<Value = Known<M, D>>,
     ) -> Outcome
     where
-        M: Bounded<D> + KnownDistance<D> + Debug,
+        M: Bounded<D> + KnownDistance<D> + Debug + 'static,
     {
         trial.for_all(seed, 160, (family, vector(4.0)), |subject, (known, probe)| {
             nearest(subject, &known, probe)

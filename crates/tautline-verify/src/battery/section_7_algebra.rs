@@ -43,7 +43,7 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
 }
 
 fn metrics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn family<S: Subject, M: Bounded<D> + Debug, const D: usize>(
+    fn family<S: Subject, M: Bounded<D> + Debug + 'static, const D: usize>(
         trial: &Trial<'_, S>,
         seed: u64,
         metrics: impl Strategy<Value = M>,

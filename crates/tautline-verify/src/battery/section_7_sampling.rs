@@ -98,7 +98,7 @@ fn evidence<const D: usize>(
 }
 
 fn smooth<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn metrics<S: Subject, M: Bounded<D> + Debug, const D: usize>(
+    fn metrics<S: Subject, M: Bounded<D> + Debug + 'static, const D: usize>(
         trial: &Trial<'_, S>,
         seed: u64,
         cases: u32,

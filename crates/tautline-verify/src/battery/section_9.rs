@@ -109,7 +109,7 @@ fn between<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         size: f64,
     ) -> Outcome
     where
-        M: KnownGeodesics<D> + Debug,
+        M: KnownGeodesics<D> + Debug + 'static,
     {
         trial.for_all(seed, 160, (family, sequence(size)), |subject, ((metric, ends), sequence)| {
             let sequence = admissible(&Library, &Ends::points(ends[0], ends[1])?, sequence)?;
@@ -188,7 +188,7 @@ fn rates<S: Subject, M, const D: usize>(
     family: impl Strategy<Value = Known<M, D>>,
 ) -> Outcome
 where
-    M: Bounded<D> + Clone + Debug,
+    M: Bounded<D> + Clone + Debug + 'static,
 {
     trial.for_all(seed, cases, (family, subintervals()), |subject, (known, n)| {
         both_rules(subject, &known, n)

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::fingerprint::Fingerprint;
 use crate::{Evidence, Source, Statement};
 
 /// For each statement, the number of cases on which it was evaluated, and of those that could have
@@ -11,6 +12,7 @@ pub struct Tally {
     counts: BTreeMap<Statement, Count>,
     hypotheses: BTreeMap<Statement, BTreeSet<&'static str>>,
     assumed: BTreeMap<Statement, BTreeSet<&'static str>>,
+    compared: Fingerprint,
 }
 
 /// The cases of one statement.
@@ -37,6 +39,7 @@ impl Tally {
         let claims = evidence.hypotheses.iter().map(|clause| clause.claim);
         self.hypotheses.entry(evidence.statement).or_default().extend(claims);
         self.assumed.entry(evidence.statement).or_default().extend(&evidence.assumed);
+        self.compared.see(evidence);
     }
 
     /// Adds all the cases of another tally.
@@ -50,6 +53,12 @@ impl Tally {
         for (&statement, claims) in &other.assumed {
             self.assumed.entry(statement).or_default().extend(claims);
         }
+        self.compared.extend(other.compared);
+    }
+
+    /// Returns what the paper's bounds compared.
+    pub(super) fn compared(&self) -> Fingerprint {
+        self.compared
     }
 
     /// Returns the count of a statement, if it was evaluated at all.

@@ -1,13 +1,17 @@
 //! `Trial`: one run of a check on a subject.
 
-use std::{cell::RefCell, fmt::Debug};
+use std::{any::Any, cell::RefCell, fmt::Debug};
 
 use proptest::{
     prelude::Strategy,
-    test_runner::{Config, RngSeed, TestCaseError, TestRunner},
+    test_runner::{TestCaseError, TestError, TestRunner},
 };
+use tautline_chance::Chance;
 
-use super::Tally;
+use super::{
+    Tally,
+    promotion::{Case, Given},
+};
 use crate::{Evidence, Finding, Source, Units, VerifyError};
 
 /// How much of the evidence is judged.
@@ -29,6 +33,10 @@ pub struct Trial<'a, S> {
     pub scope: Scope,
     /// At most so many random cases a family.
     pub cases: u32,
+    /// From which seeds, and by which factor more cases than a check asks for.
+    pub chance: Chance,
+    /// One case in place of all random ones.
+    pub given: Option<&'a Given>,
 }
 
 /// Why a check failed.
@@ -37,12 +45,30 @@ pub struct Trial<'a, S> {
 pub struct Failure {
     /// The two numbers, the claim, and the case (of a random case, the smallest one found).
     pub message: String,
+    /// That case, if it is a random one.
+    pub case: Option<Case>,
 }
 
 impl Failure {
     /// Returns a failure with this message.
     pub fn new(message: impl Into<String>) -> Self {
-        Self { message: message.into() }
+        Self { message: message.into(), case: None }
+    }
+
+    /// Returns all there is to say of it, by the name of the check: the numbers, the command that
+    /// draws the same cases, and a test that keeps the smallest of them.
+    #[must_use]
+    pub fn of_check(&self, name: &str, chance: Chance) -> String {
+        let again = format!("{self}\nagain: {chance}cargo test -p tests {name}");
+        match &self.case {
+            Some(case) => {
+                format!(
+                    "{again}\nto keep it, in tests/src/promoted_cases.rs:\n\n{}",
+                    case.as_test(name)
+                )
+            }
+            None => again,
+        }
     }
 }
 
@@ -55,8 +81,16 @@ impl From<VerifyError> for Failure {
 /// What a check says: its tally, or why it failed.
 pub type Outcome = Result<Tally, Failure>;
 
-impl<S> Trial<'_, S> {
-    /// Evaluates statements on `cases` random values, always the same ones for the same `seed`.
+impl<'a, S> Trial<'a, S> {
+    /// Returns the trial on the cases that are always the same, at most so many a family.
+    #[must_use]
+    pub const fn new(subject: &'a S, scope: Scope, cases: u32) -> Self {
+        Self { subject, scope, cases, chance: Chance::FIXED, given: None }
+    }
+
+    /// Evaluates statements on `cases` random values, always the same ones for the same `seed` and
+    /// [`chance`](Trial::chance); or on the one that is [given](Trial::given), if it is of this
+    /// family.
     ///
     /// # Errors
     ///
@@ -71,16 +105,17 @@ impl<S> Trial<'_, S> {
     ) -> Outcome
     where
         V: Strategy,
-        V::Value: Debug,
+        V::Value: Any + Debug,
         E: IntoIterator<Item = Evidence>,
     {
-        let config = Config {
-            cases: cases.min(self.cases),
-            rng_seed: RngSeed::Fixed(seed),
-            // Every run draws the same cases, so that there is nothing to remember.
-            failure_persistence: None,
-            ..Config::default()
-        };
+        if let Some(given) = self.given {
+            return match given.take(seed) {
+                Some(value) => self.one(evidence(self.subject, value)?),
+                None => Ok(Tally::default()),
+            };
+        }
+        let mut config = self.chance.config(seed, cases);
+        config.cases = config.cases.min(self.cases);
         let tally = RefCell::new(Tally::default());
         let outcome = TestRunner::new(config).run(&values, |value| {
             let found = evidence(self.subject, value)
@@ -93,7 +128,14 @@ impl<S> Trial<'_, S> {
         });
         match outcome {
             Ok(()) => Ok(tally.into_inner()),
-            Err(error) => Err(Failure::new(format!("seed {seed}: {error}"))),
+            Err(error) => {
+                let message = format!("seed {seed}: {error}");
+                let case = match &error {
+                    TestError::Fail(_, value) => Some(Case::new(seed, value)),
+                    TestError::Abort(_) => None,
+                };
+                Err(Failure { message, case })
+            }
         }
     }
 
@@ -116,7 +158,7 @@ impl<S> Trial<'_, S> {
     ) -> Outcome
     where
         V: Strategy,
-        V::Value: Debug + Clone,
+        V::Value: Any + Debug + Clone,
         E: IntoIterator<Item = Evidence>,
     {
         let units = (-3..4_i32, -3..4_i32)
@@ -212,9 +254,7 @@ mod tests {
 
     #[test]
     fn all_that_does_not_hold_fails_and_alone_the_bounds_of_the_paper() {
-        let judged = |scope, evidence: Evidence| {
-            Trial { subject: &(), scope, cases: 1 }.one([evidence]).is_ok()
-        };
+        let judged = |scope, evidence: Evidence| Trial::new(&(), scope, 1).one([evidence]).is_ok();
         let outcomes = |scope| {
             [evidence(0.5, 0.5, 0.5), evidence(2.0, 0.5, 0.5), evidence(0.5, 2.0, 0.5)]
                 .into_iter()

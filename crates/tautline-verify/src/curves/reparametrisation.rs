@@ -67,6 +67,18 @@ impl Clock {
         Some(Self { knots, pace })
     }
 
+    /// Returns the clock through these knots, each a time and what the clock shows then.
+    ///
+    /// `None` unless the times increase from 0 to 1, and the readings are in `[0, 1]`, the first 0
+    /// and the last 1.
+    #[must_use]
+    pub fn through(knots: &[[f64; 2]], pace: Pace) -> Option<Self> {
+        let ends = knots.first() == Some(&[0.0, 0.0]) && knots.last() == Some(&[1.0, 1.0]);
+        let valid = knots.windows(2).all(|pair| pair[0][0] < pair[1][0])
+            && knots.iter().all(|knot| (0.0..=1.0).contains(&knot[1]));
+        (ends && valid).then(|| Self { knots: knots.to_vec(), pace })
+    }
+
     /// Returns the clock that goes from 0 to 1 in one piece: `φ(t) = t` if the pace is even.
     #[must_use]
     pub fn plain(pace: Pace) -> Self {

@@ -1,8 +1,11 @@
 //! `Effort`: how long a kit looks.
 
+use tautline_chance::Chance;
+
 /// How many samples are drawn, how many problems solved, and the seed of all of them.
 ///
-/// The same effort draws the same samples in every run.
+/// The same effort draws the same samples in every run. The [default](Effort::default) is the same
+/// in every run too, unless the environment [asks for another](super::Chance::asked).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Effort {
     /// Random samples for each law.
@@ -26,7 +29,8 @@ impl Effort {
         if dimension <= 3 {
             return Self::default();
         }
-        Self { problems: 6, subintervals: &[1, 2, 8], ..Self::default() }
+        let problems = Chance::asked().cases(6);
+        Self { problems, subintervals: &[1, 2, 8], ..Self::default() }
     }
 
     /// Returns the effort with another seed.
@@ -39,7 +43,21 @@ impl Effort {
 impl Default for Effort {
     /// One or two seconds for a metric of two or three dimensions with `opt-level = 2`, and some 15
     /// in an unoptimised build: see [how to set it](crate::kit#test-a-metric-of-your-own).
+    ///
+    /// As many samples and problems as `TAUTLINE_CASES` says, and another seed where `TAUTLINE_SEED`
+    /// is set.
+    ///
+    /// # Panics
+    ///
+    /// If one of them is set to something else than a number.
     fn default() -> Self {
-        Self { cases: 256, ascents: 6, problems: 12, subintervals: &[1, 2, 3, 8, 32], seed: 1 }
+        let chance = Chance::asked();
+        Self {
+            cases: chance.cases(256),
+            ascents: 6,
+            problems: chance.cases(12),
+            subintervals: &[1, 2, 3, 8, 32],
+            seed: chance.seed(1),
+        }
     }
 }

@@ -135,7 +135,14 @@
 //! notes it: the bounds of the theorems are as loose as the constants.
 //!
 //! Samples are integers that are mapped to the [`Region`], so that the smallest sample that fails
-//! has short binary fractions of its edges. Seeds are fixed, nothing is written.
+//! has short binary fractions of its edges. Nothing is written, and every run draws the same
+//! samples, unless the environment asks for others, or for more:
+//!
+//! ```console
+//! $ TAUTLINE_SEED=7 TAUTLINE_CASES=100 cargo test egg
+//! ```
+//!
+//! Any number is a seed; what fails says which one it was. See [`Chance`].
 
 mod brought;
 mod difference_test;
@@ -162,3 +169,4 @@ pub use report::{Failure, Outcome, Report};
 pub use rule::{RuleCase, verify_rule};
 pub use set::{SetCase, verify_set};
 pub use standing::{Proof, Standing};
+pub use tautline_chance::{Chance, ChanceError};

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use tautline_chance::Chance;
+
 use super::{Fault, Standing, standing};
 
 /// What one law says.
@@ -140,7 +142,12 @@ impl fmt::Display for Failure {
         if let Some(sample) = &self.sample {
             write!(f, "\n    smallest random sample that breaks it: {sample}")?;
         }
-        write!(f, "\n    seed {}", self.seed)
+        write!(f, "\n    seed {}", self.seed)?;
+        // Nothing where the environment asks for nothing.
+        match Chance::asked().to_string() {
+            asked if asked.is_empty() => Ok(()),
+            asked => write!(f, "; again: {asked}cargo test"),
+        }
     }
 }
 

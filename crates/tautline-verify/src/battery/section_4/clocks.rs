@@ -118,7 +118,7 @@ fn clocks<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         family: impl Strategy<Value = (M, [SVector<f64, D>; 2])>,
     ) -> Outcome
     where
-        M: KnownGeodesics<D> + Debug,
+        M: KnownGeodesics<D> + Debug + 'static,
     {
         trial.for_all(seed, 160, (family, clock()), |subject, ((metric, ends), clock)| {
             // On the sphere not all pairs are near: the second evidence is for all of them.
@@ -141,7 +141,7 @@ fn clocks<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 /// Segments on rays of radial metrics, along the valleys and on the line are shortest curves; their
 /// clocks have nothing to do with the metric.
 fn minimal_segments<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn family<S: Subject, M: Metric<D> + Debug, const D: usize>(
+    fn family<S: Subject, M: Metric<D> + Debug + 'static, const D: usize>(
         trial: &Trial<'_, S>,
         seed: u64,
         family: impl Strategy<Value = Known<M, D>>,

@@ -96,7 +96,7 @@ fn even_curves<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         family: impl Strategy<Value = Known<M, D>>,
     ) -> Outcome
     where
-        M: KnownDistance<D> + Debug,
+        M: KnownDistance<D> + Debug + 'static,
     {
         trial.for_all(seed, 64, family, |subject, known| Ok([segment(subject, &known)?]))
     }
@@ -106,7 +106,7 @@ fn even_curves<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         family: impl Strategy<Value = (M, [SVector<f64, D>; 2])>,
     ) -> Outcome
     where
-        M: KnownGeodesics<D> + Debug,
+        M: KnownGeodesics<D> + Debug + 'static,
     {
         trial.for_all(seed, 192, family, |subject, (metric, ends)| {
             let known = Known::joined(&metric, ends)?.expect("known");

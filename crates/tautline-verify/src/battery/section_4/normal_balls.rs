@@ -72,7 +72,7 @@ fn tangent(reach: f64) -> impl Strategy<Value = (f64, SVector<f64, 2>, SVector<f
 }
 
 fn normal_balls<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn family<S: Subject, M: KnownGeodesics<D> + Debug, const D: usize>(
+    fn family<S: Subject, M: KnownGeodesics<D> + Debug + 'static, const D: usize>(
         trial: &Trial<'_, S>,
         seed: u64,
         metrics: impl Strategy<Value = M>,

@@ -93,7 +93,7 @@ fn of_sequence<const D: usize>(
 }
 
 fn sequences<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn family<S: Subject, M: Bounded<D> + Debug, const D: usize>(
+    fn family<S: Subject, M: Bounded<D> + Debug + 'static, const D: usize>(
         trial: &Trial<'_, S>,
         seed: u64,
         metrics: impl Strategy<Value = M>,
@@ -153,7 +153,7 @@ fn waves<const D: usize>() -> impl Strategy<Value = (usize, (usize, SVector<f64,
 }
 
 fn minimisers<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn family<S: Subject, M: Bounded<D> + Clone + Debug, const D: usize>(
+    fn family<S: Subject, M: Bounded<D> + Clone + Debug + 'static, const D: usize>(
         trial: &Trial<'_, S>,
         seed: u64,
         problems: impl Strategy<Value = Known<M, D>>,
