@@ -3,6 +3,7 @@
 //! | module | shows |
 //! | --- | --- |
 //! | `battery` | every check of the project's own suite, by its name |
+//! | `adversary` | what the search for the tightest cases finds |
 //! | `kit` | the kit on the whole gallery, all sets and rules, and on what has to be rejected |
 //! | `own` | a metric, a rule and a closed set of one's own, through the face |
 //! | `bad_input`, `touching_ends` | what is refused, and how; what is not |
@@ -12,6 +13,8 @@
 //!
 //! Nothing here is random: property tests have fixed seeds, which a failure names.
 
+#[cfg(test)]
+mod adversary;
 #[cfg(test)]
 mod bad_input;
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! Every check of the project's own suite as a test of its own name.
 
+mod coverage;
 mod dropped;
 mod existence;
 mod global_minima;
@@ -20,6 +21,7 @@ mod section_7_morrey;
 mod section_7_sampling;
 mod section_9;
 mod sharper;
+mod sight;
 mod theorem_witnesses;
 
 use std::collections::BTreeSet;

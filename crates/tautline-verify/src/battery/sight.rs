@@ -54,24 +54,3 @@ impl PaperAlone {
         sight
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{PaperAlone, Sight};
-    use crate::Mutant;
-
-    /// Half an energy is too small; `K̄_{4,g}` may be too small by much before a bound fails; and no
-    /// bound of the paper has Lemma S.3 or Proposition S.7 in it.
-    #[test]
-    fn a_mistake_is_killed_or_passes_or_is_not_seen_at_all() {
-        let paper = PaperAlone::new(4).expect("the library passes");
-        for (mutant, expected) in [
-            (Mutant::EnergyHalved, Sight::Killed),
-            (Mutant::K4IsK3, Sight::Passes),
-            (Mutant::StepHalved, Sight::Unseen),
-            (Mutant::SlopeForgotten, Sight::Unseen),
-        ] {
-            assert_eq!(paper.of(mutant), expected, "{mutant:?}");
-        }
-    }
-}

@@ -1,0 +1,133 @@
+//! What the adversary finds in the families of the project.
+
+use tautline_verify::{
+    Mutant, Source,
+    adversary::{AdversaryError, Search, families},
+};
+
+/// The least slack that the search finds; `∞` if none is told.
+#[track_caller]
+fn slack(number: &str, name: &str, source: Source) -> f64 {
+    let families = families(&None);
+    let family = families.iter().find(|family| family.is(number, name)).expect("listed");
+    let found = Search::default().tightest(family, source).expect("no violation");
+    found.map_or(f64::INFINITY, |found| found.slack)
+}
+
+/// Within one per cent above the infimum of the family, and not below it.
+#[track_caller]
+fn assert_found(number: &str, name: &str, source: Source, least: f64) {
+    let found = slack(number, name, source);
+    assert!(least - 1e-9 <= found && found <= 1.01 * least, "{number} on {name}: {found}");
+}
+
+#[test]
+fn equality_in_props_7_9_8_1_and_8_2_is_found() {
+    for source in [Source::Stated, Source::Sharper] {
+        assert_found("Proposition 7.9", "tent", source, 1.0);
+        assert_found("Proposition 8.1", "incline", source, 1.0);
+        assert_found("Proposition 8.2", "incline", source, 1.0);
+    }
+}
+
+/// A whole matrix `∂ₗH` is as large as `L_H` allows where a wave is steepest.
+#[test]
+fn equality_in_prop_7_10_is_found() {
+    for name in ["shear", "valleys"] {
+        assert_found("Proposition 7.10", name, Source::Sharper, 1.0);
+    }
+}
+
+/// With `δ = L_H d / c₁^{3/2} → 0` in dimension 1, `C = C_tra♯ + …` is `d² (δ + 6δ + δ/4)`, and a
+/// tent has the gap `d² δ/4`: the slack tends to 29.
+#[test]
+fn theorem_1_1_on_tents_tends_to_29() {
+    assert_found("Theorem 1.1", "tent", Source::Stated, 29.0);
+}
+
+/// On two routes both gaps add up, `d² δ/2` for the trapezoidal rule and `d² δ` for the left one:
+/// a slack of 14½ and 8 for the paper's bounds, as `δ → 0`, and of 1 for those of order `1/N`.
+#[test]
+fn theorems_1_2_and_1_4_on_two_routes_come_near_the_bounds_of_first_order() {
+    assert_found("Theorem 1.2", "two routes", Source::Stated, 14.5);
+    assert_found("Theorem 1.4", "two routes", Source::Stated, 8.0);
+    assert_found("Theorem 1.2", "two routes", Source::Sharper, 1.0);
+    assert_found("Theorem 1.4", "two routes", Source::Sharper, 1.0);
+}
+
+#[test]
+fn equality_in_lemma_s_2_is_found() {
+    for name in ["tent", "incline", "separable, D = 1", "valleys"] {
+        assert_found("Lemma S.2", name, Source::Stated, 1.0);
+    }
+}
+
+/// On a ridge and down an incline, as `δ → 0`; about a crest, as `μ → 0`.
+#[test]
+fn equality_in_lemma_s_4_is_found() {
+    for name in ["two routes", "two routes, left", "separable, D = 1, left", "two arcs"] {
+        assert_found("Lemma S.4", name, Source::Stated, 1.0);
+    }
+}
+
+/// On two routes for both rules, as `δ → 0`; on two arcs, as `μ → 0`.
+#[test]
+fn theorems_a_to_d_are_attained() {
+    for theorem in ["Theorem A", "Theorem C"] {
+        for name in ["two routes", "two routes, left"] {
+            assert_found(theorem, name, Source::Stated, 1.0);
+        }
+    }
+    for theorem in ["Theorem B", "Theorem D"] {
+        assert_found(theorem, "two arcs", Source::Stated, 1.0);
+    }
+}
+
+/// The tightest cases of these are at `a → 0` and at `N = 1`; no range is too short for them.
+#[test]
+fn a_search_that_ends_at_an_edge_is_not_cut_off() {
+    let families = families(&None);
+    let mut edges = 0;
+    for (number, name) in [
+        ("Theorem 1.1", "tent"),
+        ("Theorem 1.3", "incline"),
+        ("Theorem B", "two arcs"),
+        ("Proposition 7.9", "ramp"),
+        ("Proposition 7.11", "anisotropy"),
+    ] {
+        let family = families.iter().find(|family| family.is(number, name)).expect("listed");
+        let found = Search::default().tightest(family, Source::Stated).expect("no violation");
+        for edge in found.expect("a slack").edges {
+            assert!(!edge.is_cut_off(), "{number} on {name}: {edge}");
+            edges += 1;
+        }
+    }
+    assert!(edges > 0);
+}
+
+/// In dimension 1 one chord between two points has the length `d`.
+#[test]
+fn there_is_no_slack_to_tell_of_the_length_of_one_chord_on_the_line() {
+    assert_eq!(slack("Theorem 1.2", "tent", Source::Stated), f64::INFINITY);
+}
+
+#[test]
+fn the_same_search_finds_the_same_case() {
+    let families = families(&None);
+    let shear = families.iter().find(|family| family.is("Theorem 1.2", "shear"));
+    let shear = shear.expect("listed");
+    let search = Search { restarts: 1, samples: 20, climbs: 40, ..Search::default() };
+    let [first, second, other] = [search, search, Search { seed: 7, ..search }]
+        .map(|search| search.tightest(shear, Source::Sharper).expect("true").expect("told"));
+    assert_eq!(first, second);
+    assert_ne!(first.parameters, other.parameters);
+}
+
+/// With a quarter instead of a half in Proposition 8.2, which an incline attains.
+#[test]
+fn a_wrong_constant_is_found_out() {
+    let families = families(&Some(Mutant::HalfOfLeftGap));
+    let incline = families.iter().find(|family| family.is("Proposition 8.2", "incline"));
+    let found = Search::default().tightest(incline.expect("listed"), Source::Stated);
+    assert!(matches!(found, Err(AdversaryError::Violated { .. })), "{found:?}");
+}
