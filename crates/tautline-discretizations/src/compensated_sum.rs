@@ -96,6 +96,38 @@ mod tests {
         approx::assert_relative_eq!(one.value(), 3e-14, max_relative = 1e-12);
     }
 
+    /// Two-sum does not ask which of two numbers is the larger: what is lost is that of either.
+    #[test]
+    fn nothing_is_lost_in_any_order_of_large_and_small() {
+        let orders = [
+            [1.0, 1e100, 1.0, -1e100],
+            [1e100, 1.0, 1.0, -1e100],
+            [1.0, 1.0, 1e100, -1e100],
+            [1.0, -1e100, 1e100, 1.0],
+        ];
+        for order in orders {
+            assert_eq!(order.into_iter().collect::<CompensatedSum>().value(), 2.0, "{order:?}");
+        }
+    }
+
+    /// Neither of two sums need be the larger, and each may have lost something.
+    #[test]
+    fn sums_of_sums_lose_nothing() {
+        let sum = |terms: &[f64]| terms.iter().copied().collect::<CompensatedSum>();
+        let small = sum(&[1e-17]);
+        let mut whole = sum(&[1.0]);
+        for _ in 0..1000 {
+            whole += small;
+        }
+        assert_eq!(whole.value(), 1.0 + 1e-14);
+        let mut other = small;
+        other += sum(&[1.0, 1e-17]);
+        for _ in 2..1000 {
+            other += small;
+        }
+        assert_eq!(other.value(), 1.0 + 1e-14);
+    }
+
     #[test]
     fn overflow_is_infinite_and_nan_is_nan() {
         assert_eq!(

@@ -151,6 +151,20 @@ mod tests {
         approx::assert_relative_eq!(line.k3(), 0.61_f64.sqrt(), max_relative = 1e-14);
     }
 
+    /// `a + t (b − a)` would miss `b` by a rounding for one in five of these.
+    #[test]
+    fn straight_sequences_end_exactly_whatever_the_numbers() {
+        for k in 1..1000 {
+            let wave = |j: i32| (f64::from(k) * f64::from(j).sqrt()).sin();
+            let (a, b) = (vector![wave(2), 1e3 * wave(3)], vector![wave(5), 1e-3 * wave(7)]);
+            let line = PointSequence::straight(a, b, 1 + k as usize % 9).expect("finite");
+            assert_eq!((line.first(), line.last()), (&a, &b));
+        }
+        // The differences of these ends are beyond `f64`.
+        let wide = PointSequence::straight([-f64::MAX], [f64::MAX], 4).expect("finite");
+        assert_eq!(wide.points()[2], vector![0.0]);
+    }
+
     /// One jump: `β = N (b − a)` once, so `K₃ = √N |b − a|`.
     #[test]
     fn k3_of_one_jump_is_sqrt_n() {

@@ -77,6 +77,17 @@ fn nan_is_passed_on() {
     let line = PointSequence::straight([1.5], [-1.0], 4).expect("finite");
     assert!(Trapezoidal.energy(&Broken, &line).is_nan());
     assert!(Interpolation::new(&line).energy(&Broken).value.is_nan());
+    assert!(Interpolation::new(&line).length(&Broken).value.is_nan());
+    assert!(Trapezoidal.length(&Broken, &line).is_nan());
+    assert!(energy_gradient(Trapezoidal, &Broken, &line).0.is_nan());
+    assert!(QuadraticModel::new(Trapezoidal, &Broken, &line).energy.is_nan());
+    assert!(Trapezoidal.speeds(&Broken, &line).iter().any(|speed| speed.is_nan()));
+    // Where `ln x` is defined and negative there is an energy, and no length.
+    let line = PointSequence::straight([0.25], [0.75], 4).expect("finite");
+    assert!(Trapezoidal.energy(&Broken, &line) < 0.0);
+    assert!(Interpolation::new(&line).energy(&Broken).value < 0.0);
+    assert!(Interpolation::new(&line).length(&Broken).value.is_nan());
+    assert!(Trapezoidal.length(&Broken, &line).is_nan());
 }
 
 /// The speed of a chord is the root of the weighted mean, not the mean of the roots: from valley

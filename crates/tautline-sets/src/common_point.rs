@@ -150,8 +150,8 @@ fn lies_in_both<const D: usize>(
 #[cfg(test)]
 mod tests {
     use super::{common_point, lies_in_both};
-    use crate::laws::{runner, unwrap, vector_in};
-    use crate::{AxisBox, Ball, ClosedSet, HalfSpace, Point, Segment, Sphere};
+    use crate::laws::{runner, scale, unwrap, vector_in};
+    use crate::{AxisBox, Ball, ClosedSet, FiniteSet, HalfSpace, Point, Segment, Sphere};
     use nalgebra::{SMatrix, SVector, vector};
     use proptest::prelude::*;
 
@@ -181,19 +181,21 @@ mod tests {
     /// gap of some 1e-11.
     #[test]
     fn common_point_is_found_where_a_ball_touches_a_plane_a_ball_or_a_hollow_sphere() {
-        let strategy = (vector_in::<3>(3.0), 0.1..2.0_f64, vector_in::<3>(1.0), 0.1..2.0_f64);
-        let result = runner().run(&strategy, |(c, r, n, s)| {
+        let numbers = (vector_in::<3>(3.0), 0.1..2.0_f64, vector_in::<3>(1.0), 0.1..2.0_f64);
+        let result = runner().run(&(numbers, scale()), |((c, r, n, s), unit)| {
             prop_assume!(n.norm() > 0.1);
             let n = n.normalize();
-            let ball = Ball::new(c, r).expect("finite");
-            let plane = HalfSpace::at_least(n, n.dot(&c) + r).expect("a normal");
-            let outside = Ball::new(c + n * (r + s), s).expect("finite");
-            let around = Sphere::new(c - n * r, 2.0 * r).expect("finite");
+            let [at, size] = [c * unit, n * unit];
+            let ball = Ball::new(at, r * unit).expect("finite");
+            let plane = HalfSpace::at_least(n, n.dot(&at) + r * unit).expect("a normal");
+            let outside = Ball::new(at + size * (r + s), s * unit).expect("finite");
+            let around = Sphere::new(at - size * r, 2.0 * r * unit).expect("finite");
             let others: [&dyn ClosedSet<3>; 3] = [&plane, &outside, &around];
             for other in others {
                 let Some(x) = common_point(&ball, other) else {
                     return Err(TestCaseError::fail(format!("not found: {other:?}")));
                 };
+                let x = x / unit;
                 // A gap of D + 4 = 7 ε of the coordinates, at most 9, spans √(2 · 63 ε ρ) along
                 // sets which part like t²/2ρ, here with ρ ≤ 2 r ≤ 4: below 4e-7.
                 let beside = (x - (c + n * r)).norm();
@@ -276,6 +278,47 @@ mod tests {
         assert!(!lies_in_both(&tiny, &tiny, &(x * 2e-20)));
     }
 
+    /// Each kind of start has a pair that no other leads to the end of.
+    #[test]
+    fn common_point_needs_the_seeds_of_either_set_and_both_ways_from_the_origin() {
+        // The origin and its nearest point in the ball are the centre of the sphere: it answers with
+        // its far side, for ever. A ball has no seeds.
+        let sphere = Sphere::new([0.0, 0.0], 1.0).expect("finite");
+        let ball = Ball::new([-0.5, 0.0], 0.5).expect("finite");
+        assert_eq!(common_point(&sphere, &ball), Some(vector![-1.0, 0.0]));
+        assert_eq!(common_point(&ball, &sphere), Some(vector![-1.0, 0.0]));
+        // From the origin by the first set (1, 0), (2.5, 0), (1, 0) and so on, which is not common;
+        // by the second (0, 2), which is.
+        let a = FiniteSet::new([[1.0, 0.0], [0.0, 2.0]]).expect("finite");
+        let b = FiniteSet::new([[2.5, 0.0], [0.0, 2.0]]).expect("finite");
+        assert_eq!(common_point(&a, &b), Some(vector![0.0, 2.0]));
+        assert_eq!(common_point(&b, &a), Some(vector![0.0, 2.0]));
+    }
+
+    /// A small ball touches a huge one, a huge hollow sphere, and one from inside: up to a million
+    /// times as large, whichever is named first.
+    #[test]
+    fn common_point_of_a_small_set_and_a_huge_one() {
+        let (c, r, n) = (vector![1.0, 2.0], 0.25, vector![0.6, 0.8]);
+        let small = Ball::new(c, r).expect("finite");
+        for power in 0..=6 {
+            let s = 10.0_f64.powi(power);
+            let ball = Ball::new(c + n * (r + s), s).expect("finite");
+            let beside = Sphere::new(c + n * (r + s), s).expect("finite");
+            let around = Sphere::new(c + n * (r - s), s).expect("finite");
+            let others: [&dyn ClosedSet<2>; 3] = [&ball, &beside, &around];
+            for other in others {
+                for found in [common_point(&small, other), common_point(other, &small)] {
+                    let off = (found.expect("they touch") - (c + n * r)).norm();
+                    // Overlap or gap: δ = 6 ε of numbers up to s + 3, hence √(2 δ ρ) beside the
+                    // contact, with ρ ≤ r s/(s − r) ≤ 1/3 for the curvatures together.
+                    let allowed = 2.0 * (f64::EPSILON * (s + 3.0)).sqrt();
+                    assert!(off <= allowed, "{off:e} from the contact with {other:?}");
+                }
+            }
+        }
+    }
+
     #[test]
     fn common_point_survives_the_largest_and_smallest_numbers() {
         for scale in [1e-300, 1e300] {
@@ -302,6 +345,35 @@ mod tests {
 
         fn radius(&self) -> Option<f64> {
             Some(0.0)
+        }
+    }
+
+    /// A set whose nearest points are NaN in one coordinate, and otherwise where they are asked for.
+    #[derive(Debug)]
+    struct Half(usize);
+
+    impl ClosedSet<2> for Half {
+        fn project(&self, x: &SVector<f64, 2>) -> SVector<f64, 2> {
+            SVector::from_fn(|i, _| if i == self.0 { f64::NAN } else { x[i] })
+        }
+
+        fn projection_derivative(&self, _x: &SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
+            SMatrix::zeros()
+        }
+
+        fn radius(&self) -> Option<f64> {
+            Some(1.0)
+        }
+    }
+
+    #[test]
+    fn a_point_that_is_nan_in_one_coordinate_lies_nowhere() {
+        let all = AxisBox::new([0.0, 0.0], [1.0, 1.0]).expect("a box");
+        for half in [Half(0), Half(1)] {
+            for x in [vector![0.5, 0.5], vector![f64::NAN, 0.5], vector![0.5, f64::NAN]] {
+                assert!(!lies_in_both(&half, &all, &x) && !lies_in_both(&all, &half, &x), "{x}");
+            }
+            assert_eq!((common_point(&half, &all), common_point(&all, &half)), (None, None));
         }
     }
 
