@@ -55,9 +55,10 @@ fn main() -> ExitCode {
     }
 }
 
-/// Runs the package that computes and draws, always optimised.
+/// Runs the package that computes and draws, with the profile of the tests: what they have compiled
+/// is not compiled again.
 fn paper(what: &str, rest: &[&str]) -> Result<(), String> {
-    let run = ["run", "--release", "--package", "paper", "--", what];
+    let run = ["run", "--package", "paper", "--", what];
     cargo(&[&run, rest].concat(), &[])
 }
 
