@@ -40,6 +40,8 @@ mod certify_error;
 mod constants;
 mod curves;
 mod domain;
+#[cfg(test)]
+mod domain_laws;
 mod effort;
 mod formula;
 mod locally_certified;
