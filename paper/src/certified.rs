@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use tautline::{
     Bounded, CertifiedConstant, CertifyError, Constants, Domain, LocallyBounded, Metric, Quantity,
     SMatrix, SVector,
-    certify::{Cell, Effort, certify},
+    certify::{Accuracy, Cell, certify},
     gallery::{
         Bump, Checkerboard, Constant, Corrugated, CoupledCosines, EggCrate, GalleryError,
         GaussianFisher, GaussianFisherPatch, Hill, Hyperbolic, HyperbolicPatch, Lens, Obstacle,
@@ -43,7 +43,7 @@ pub struct Found {
     pub time: Duration,
 }
 
-type Search = Box<dyn Fn(Quantity, Effort) -> Result<Found, CertifyError>>;
+type Search = Box<dyn Fn(Quantity, Accuracy) -> Result<Found, CertifyError>>;
 
 impl Certified {
     /// Encloses a constant.
@@ -51,8 +51,8 @@ impl Certified {
     /// # Errors
     ///
     /// As [`certify`].
-    pub fn find(&self, quantity: Quantity, effort: Effort) -> Result<Found, CertifyError> {
-        (self.search)(quantity, effort)
+    pub fn find(&self, quantity: Quantity, accuracy: Accuracy) -> Result<Found, CertifyError> {
+        (self.search)(quantity, accuracy)
     }
 
     fn new<M: Metric<D> + 'static, const D: usize>(
@@ -64,10 +64,10 @@ impl Certified {
     ) -> Self {
         let c = constants;
         let values = [c.c1(), c.c2(), c.l_h(), c.m_h().unwrap_or(f64::NAN)];
-        let search = move |quantity, effort| {
+        let search = move |quantity, accuracy| {
             let begun = Instant::now();
             let CertifiedConstant { lower, upper, boxes, .. } =
-                certify(&metric, quantity, &domain, effort)?;
+                certify(&metric, quantity, &domain, accuracy)?;
             Ok(Found { lower, upper, boxes, time: begun.elapsed() })
         };
         let stated = std::array::from_fn(|i| (values[i], exact[i]));
@@ -117,11 +117,11 @@ const EIGENVALUES: [bool; 4] = [true, true, false, false];
 const DERIVATIVES: [bool; 4] = [false, false, true, true];
 const NONE: [bool; 4] = [false; 4];
 
-/// The effort that a constant is worth here: a thousandth, and a hundredth for `M_H`, which costs most.
+/// The accuracy that a constant is worth here: a thousandth, and a hundredth for `M_H`, which costs most.
 #[must_use]
-pub fn effort(quantity: Quantity) -> Effort {
+pub fn accuracy(quantity: Quantity) -> Accuracy {
     let tolerance = if quantity == Quantity::MH { 1e-2 } else { 1e-3 };
-    Effort { tolerance, ..Effort::default() }
+    Accuracy { tolerance, ..Accuracy::default() }
 }
 
 /// Returns the metric of a surface in space, decoded from a plane by two layers.

@@ -5,7 +5,7 @@ use std::{cmp::Ordering, collections::BinaryHeap};
 use nalgebra::SVector;
 use rayon::prelude::*;
 
-use crate::{Cell, Domain, Effort};
+use crate::{Accuracy, Cell, Domain};
 
 /// A function on `R^D` that can be bounded on a box.
 pub(crate) trait Bounded<const D: usize>: Sync {
@@ -74,14 +74,14 @@ struct Open<const D: usize> {
 pub(crate) fn maximise<const D: usize>(
     function: &dyn Bounded<D>,
     domain: &Domain<D>,
-    effort: Effort,
+    accuracy: Accuracy,
 ) -> Maximum<D> {
     let mut search = Search::default();
     let mut found =
         Maximum { upper: f64::INFINITY, at: None, refuted: None, boxes: 0, reached: false };
     // The boxes to look at next, and a bound of the function on them.
     let (mut next, mut unseen) = (vec![*domain.bounding_cell()], f64::INFINITY);
-    while !next.is_empty() && found.boxes + next.len() <= effort.budget {
+    while !next.is_empty() && found.boxes + next.len() <= accuracy.budget {
         let looked_at: Vec<_> = next
             .par_drain(..)
             .filter(|cell| !domain.misses(cell))
@@ -101,11 +101,11 @@ pub(crate) fn maximise<const D: usize>(
             }
             search.keep(cell, bound, found.boxes);
         }
-        (next, unseen) = search.cut(effort.tolerance);
+        (next, unseen) = search.cut(accuracy.tolerance);
     }
     found.at = search.at;
     found.upper = search.upper().max(if next.is_empty() { f64::NEG_INFINITY } else { unseen });
-    found.reached = found.upper <= search.goal(effort.tolerance);
+    found.reached = found.upper <= search.goal(accuracy.tolerance);
     found
 }
 
@@ -208,7 +208,7 @@ mod tests {
     use tautline_scalar::{Interval, Scalar};
 
     use super::{Bound, Bounded, maximise};
-    use crate::{Cell, Domain, Effort};
+    use crate::{Accuracy, Cell, Domain};
 
     /// `sin 3x₁ cos 2x₂ − (x₁² + x₂²)/10`, and what is wrong with it.
     #[derive(Default)]
@@ -251,7 +251,7 @@ mod tests {
         waves([x, 0.0])
     }
 
-    const EFFORT: Effort = Effort { tolerance: 1e-6, budget: 200_000 };
+    const EFFORT: Accuracy = Accuracy { tolerance: 1e-6, budget: 200_000 };
 
     #[test]
     fn the_maximum_is_enclosed_to_the_tolerance() {
@@ -307,7 +307,7 @@ mod tests {
     fn a_spent_budget_leaves_a_bound() {
         let mut last = f64::INFINITY;
         for budget in [0, 1, 2, 5, 50, 500, 5000] {
-            let found = maximise(&Waves::default(), &square(), Effort { budget, ..EFFORT });
+            let found = maximise(&Waves::default(), &square(), Accuracy { budget, ..EFFORT });
             assert!(found.boxes <= budget && !found.reached, "{found:?}");
             assert!(greatest() <= found.upper && found.upper <= last, "{found:?}");
             last = found.upper;
@@ -357,8 +357,8 @@ mod tests {
         let found = maximise(&Late { refuted: true }, &domain, EFFORT);
         assert!(found.refuted.is_some_and(|x| x[0] > 0.9) && !found.reached, "{found:?}");
         // Without a point that refutes it the budget is spent, and the values that were met count.
-        let effort = Effort { budget: 100, ..EFFORT };
-        let found = maximise(&Late { refuted: false }, &domain, effort);
+        let accuracy = Accuracy { budget: 100, ..EFFORT };
+        let found = maximise(&Late { refuted: false }, &domain, accuracy);
         assert!(found.boxes > 90 && found.at.is_some_and(|x| x[0] < 0.3), "{found:?}");
         assert!(found.upper == f64::INFINITY && !found.reached, "{found:?}");
     }

@@ -4,14 +4,14 @@ use nalgebra::{SMatrix, SVector};
 use tautline_metrics::{Bounded, Constants, Metric};
 use tautline_scalar::Scalar;
 
-use crate::{CertifiedConstants, CertifyError, Domain, Effort};
+use crate::{Accuracy, CertifiedConstants, CertifyError, Domain};
 
 /// A metric with the constants that its formula proves on all of `R^D`: for a metric whose author
 /// does not state any. They are those of `D` dimensions, whatever other dimensions the formula has.
 ///
 /// ```
 /// use nalgebra::{SMatrix, SVector, matrix};
-/// use tautline_certify::{Certified, Effort};
+/// use tautline_certify::{Certified, Accuracy};
 /// use tautline_metrics::{Bounded, Metric};
 /// use tautline_scalar::Scalar;
 ///
@@ -23,7 +23,7 @@ use crate::{CertifiedConstants, CertifyError, Domain, Effort};
 ///     }
 /// }
 ///
-/// let constants = Certified::new(Egg, Effort::default())?.constants();
+/// let constants = Certified::new(Egg, Accuracy::default())?.constants();
 /// // H is least at (π, 3π/2): 1 on the diagonal and 0.3 beside it.
 /// assert!(constants.c1() <= 0.7 && constants.c1() > 0.699);
 /// # Ok::<(), tautline_certify::CertifyError>(())
@@ -42,12 +42,12 @@ impl<M: Metric<D>, const D: usize> Certified<M, D> {
     /// [`CertifyError::NotAllOfSpace`] for a formula that is neither constant nor periodic along
     /// each coordinate: see [`Certified::settled`] and
     /// [`LocallyCertified`](crate::LocallyCertified). Else as [`CertifiedConstants::new`].
-    pub fn new(metric: M, effort: Effort) -> Result<Self, CertifyError> {
+    pub fn new(metric: M, accuracy: Accuracy) -> Result<Self, CertifyError> {
         let space = Domain::space(&metric);
         if !space.is_all_of_space() {
             return Err(CertifyError::NotAllOfSpace);
         }
-        let constants = CertifiedConstants::new(&metric, &space, effort)?.constants()?;
+        let constants = CertifiedConstants::new(&metric, &space, accuracy)?.constants()?;
         Ok(Self { metric, constants })
     }
 
@@ -57,9 +57,9 @@ impl<M: Metric<D>, const D: usize> Certified<M, D> {
     /// # Errors
     ///
     /// [`CertifyError::NotSettled`]; else as [`CertifiedConstants::new`].
-    pub fn settled(metric: M, effort: Effort) -> Result<Self, CertifyError> {
+    pub fn settled(metric: M, accuracy: Accuracy) -> Result<Self, CertifyError> {
         let space = Domain::settled_space(&metric)?;
-        let constants = CertifiedConstants::new(&metric, &space, effort)?.constants()?;
+        let constants = CertifiedConstants::new(&metric, &space, accuracy)?.constants()?;
         Ok(Self { metric, constants })
     }
 
@@ -101,11 +101,11 @@ mod tests {
     use tautline_scalar::Scalar;
 
     use super::Certified;
-    use crate::{CertifyError, Effort};
+    use crate::{Accuracy, CertifyError};
 
     #[test]
     fn a_periodic_metric_needs_no_word_of_its_author() {
-        let proved = Certified::<_, 2>::new(Valleys, Effort::default()).expect("constants");
+        let proved = Certified::<_, 2>::new(Valleys, Accuracy::default()).expect("constants");
         let (proved, stated) =
             (Bounded::<2>::constants(&proved), Bounded::<2>::constants(&Valleys));
         assert!(proved.c1() <= stated.c1() && proved.c2() >= stated.c2());
@@ -126,8 +126,8 @@ mod tests {
                 )
             }
         }
-        let line = Certified::<_, 1>::new(Growing, Effort::default()).expect("constants");
-        let plane = Certified::<_, 2>::new(Growing, Effort::default()).expect("constants");
+        let line = Certified::<_, 1>::new(Growing, Accuracy::default()).expect("constants");
+        let plane = Certified::<_, 2>::new(Growing, Accuracy::default()).expect("constants");
         assert!((3.0..3.01).contains(&line.constants().c2()));
         assert!((4.0..4.01).contains(&plane.constants().c2()));
         assert!(line.constants().is_isotropic() && !plane.constants().is_isotropic());
@@ -136,12 +136,12 @@ mod tests {
     #[test]
     fn what_is_not_periodic_is_declared_to_settle_or_refused() {
         let lens = Lens::new(1.0, 1.0).expect("a width");
-        let refused = Certified::<_, 2>::new(lens, Effort::default());
+        let refused = Certified::<_, 2>::new(lens, Accuracy::default());
         assert_eq!(refused, Err(CertifyError::NotAllOfSpace));
-        let settled = Certified::<_, 2>::settled(lens, Effort::default()).expect("constants");
+        let settled = Certified::<_, 2>::settled(lens, Accuracy::default()).expect("constants");
         let constants = Bounded::<2>::constants(&settled);
         assert!(!constants.is_local() && constants.c2() >= 2.0 && constants.c2() < 2.01);
-        let error = Certified::settled(GaussianFisher, Effort::default()).expect_err("it grows");
+        let error = Certified::settled(GaussianFisher, Accuracy::default()).expect_err("it grows");
         assert!(matches!(error, CertifyError::NotSettled { .. }), "{error}");
     }
 }

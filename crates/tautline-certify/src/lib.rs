@@ -9,12 +9,12 @@
 //!   that it proves, [`AdmissibleCurve`].
 //!
 //! ```
-//! use tautline_certify::{Domain, Effort, Quantity, certify};
+//! use tautline_certify::{Domain, Accuracy, Quantity, certify};
 //! use tautline_metrics::gallery::Shear;
 //!
 //! // The pullback by (x₁ + ½ sin x₂, x₂): L_H = √5/4.
 //! let shear = Shear::new(0.5, 1.0)?;
-//! let found = certify(&shear, Quantity::LH, &Domain::space(&shear), Effort::default())?;
+//! let found = certify(&shear, Quantity::LH, &Domain::space(&shear), Accuracy::default())?;
 //! assert!(found.contains(5.0_f64.sqrt() / 4.0) && found.looseness() < 1.001);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -33,6 +33,7 @@
 //! useless but not wrong. In particular no mathematical library, no linear algebra and no optimiser
 //! is part of it.
 
+mod accuracy;
 mod branch_and_bound;
 mod cell;
 mod certified;
@@ -42,15 +43,14 @@ mod curves;
 mod domain;
 #[cfg(test)]
 mod domain_laws;
-mod effort;
 mod formula;
 mod locally_certified;
 
+pub use accuracy::Accuracy;
 pub use cell::Cell;
 pub use certified::Certified;
 pub use certify_error::CertifyError;
 pub use constants::{CertifiedConstant, CertifiedConstants, Quantity, certify};
 pub use curves::{AdmissibleCurve, CurveError, Polygon};
 pub use domain::Domain;
-pub use effort::Effort;
 pub use locally_certified::LocallyCertified;

@@ -4,17 +4,17 @@ use nalgebra::{SMatrix, SVector};
 use tautline_metrics::{Constants, LocalError, LocallyBounded, Metric};
 use tautline_scalar::Scalar;
 
-use crate::{CertifiedConstants, Domain, Effort};
+use crate::{Accuracy, CertifiedConstants, Domain};
 
 /// A metric whose constants on a ball are proved from its formula when they are asked for: the
 /// constants that the competitors of a computed line need, for a metric that may have none on all
 /// of `R^D`.
 ///
 /// ```
-/// use tautline_certify::{Effort, LocallyCertified};
+/// use tautline_certify::{Accuracy, LocallyCertified};
 /// use tautline_metrics::{LocallyBounded, gallery::Sphere};
 ///
-/// let proved = LocallyCertified::new(Sphere, Effort::default());
+/// let proved = LocallyCertified::new(Sphere, Accuracy::default());
 /// let ball = proved.constants_within(&[0.0, 0.0].into(), 1.0)?;
 /// assert!(ball.c1() <= 1.0 && ball.c1() > 0.998 && ball.c2() >= 4.0 && ball.c2() < 4.01);
 /// # Ok::<(), tautline_metrics::LocalError>(())
@@ -22,14 +22,14 @@ use crate::{CertifiedConstants, Domain, Effort};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LocallyCertified<M> {
     metric: M,
-    effort: Effort,
+    accuracy: Accuracy,
 }
 
 impl<M> LocallyCertified<M> {
-    /// Takes a metric, and the effort that each ball is worth.
+    /// Takes a metric, and the accuracy that each ball is worth.
     #[must_use]
-    pub fn new(metric: M, effort: Effort) -> Self {
-        Self { metric, effort }
+    pub fn new(metric: M, accuracy: Accuracy) -> Self {
+        Self { metric, accuracy }
     }
 
     /// Returns the metric.
@@ -65,7 +65,7 @@ impl<M: Metric<D>, const D: usize> LocallyBounded<D> for LocallyCertified<M> {
     ) -> Result<Constants, LocalError> {
         LocalError::check_ball(centre, radius)?;
         let proved = Domain::ball(*centre, radius).and_then(|ball| {
-            CertifiedConstants::new(&self.metric, &ball, self.effort)?.constants()
+            CertifiedConstants::new(&self.metric, &ball, self.accuracy)?.constants()
         });
         // On a ball, whatever the formula shows of all of space.
         proved.map(Constants::on_a_region).map_err(|why| {
@@ -84,16 +84,16 @@ mod tests {
     };
 
     use super::LocallyCertified;
-    use crate::Effort;
+    use crate::Accuracy;
 
     /// On balls, where the constants are known in closed form.
     #[test]
     fn the_proved_constants_are_those_in_closed_form() {
         fn check(metric: impl LocallyBounded<2>, centre: [f64; 2], radius: f64) {
             let centre = centre.into();
-            let effort = Effort { tolerance: 1e-2, budget: 200_000 };
+            let accuracy = Accuracy { tolerance: 1e-2, budget: 200_000 };
             let known = metric.constants_within(&centre, radius).expect("closed form");
-            let proved = LocallyCertified::new(metric, effort);
+            let proved = LocallyCertified::new(metric, accuracy);
             let proved = proved.constants_within(&centre, radius).expect("proved");
             assert!(proved.is_local());
             // Closed forms on balls that are not about the origin may give away more than the
@@ -112,8 +112,8 @@ mod tests {
     /// All of the ball, and not a little less.
     #[test]
     fn the_constants_hold_up_to_the_rim() {
-        let (centre, effort) = (vector![0.0], Effort { tolerance: 1e-6, budget: 100_000 });
-        let proved = LocallyCertified::new(Hyperbolic, effort).constants_within(&centre, 0.5);
+        let (centre, accuracy) = (vector![0.0], Accuracy { tolerance: 1e-6, budget: 100_000 });
+        let proved = LocallyCertified::new(Hyperbolic, accuracy).constants_within(&centre, 0.5);
         let (proved, known) = (proved.expect("proved"), Hyperbolic.constants_within(&centre, 0.5));
         let known = known.expect("closed form");
         let within = |small: f64, large: f64| small <= large && large <= small * (1.0 + 2e-6);
@@ -125,7 +125,7 @@ mod tests {
     /// ball, the first that competitors ask for.
     #[test]
     fn the_constants_at_a_point_are_those_of_the_point() {
-        let proved = LocallyCertified::new(Sphere, Effort::default());
+        let proved = LocallyCertified::new(Sphere, Accuracy::default());
         let pole = proved.constants_within(&vector![0.0, 0.0], 0.0).expect("proved");
         assert_eq!(pole.l_h(), 0.0);
         // H = 4 there, by some roundings.
@@ -134,7 +134,7 @@ mod tests {
 
     #[test]
     fn a_ball_that_leaves_the_domain_has_no_constants() {
-        let proved = LocallyCertified::new(Hyperbolic, Effort::default());
+        let proved = LocallyCertified::new(Hyperbolic, Accuracy::default());
         let error = proved.constants_within(&vector![0.0, 0.0], 1.5).expect_err("it leaves");
         match error {
             LocalError::NotProved { radius: 1.5, reason } => {

@@ -1,7 +1,7 @@
 //! Constants that are known exactly: not even by a rounding do the bounds leave them out.
 
 use nalgebra::{SMatrix, SVector};
-use tautline_certify::{Cell, CertifiedConstants, CertifyError, Domain, Effort};
+use tautline_certify::{Accuracy, Cell, CertifiedConstants, CertifyError, Domain};
 use tautline_metrics::Metric;
 use tautline_scalar::Scalar;
 
@@ -20,10 +20,10 @@ impl Metric<3> for Incline {
 #[test]
 fn the_slope_of_an_incline_is_enclosed_to_the_last_digit() -> Result<(), CertifyError> {
     let cube = Domain::cell(Cell::new([0.0; 3], [1.0; 3])?);
-    let effort = Effort { tolerance: 1e-9, budget: 10_000 };
+    let accuracy = Accuracy { tolerance: 1e-9, budget: 10_000 };
     for (a, b, c) in (0..64).map(|k| (k % 4, k / 4 % 4, k / 16)) {
         let slopes = [a, b, -c].map(f64::from);
-        let proved = CertifiedConstants::new(&Incline(slopes), &cube, effort)?;
+        let proved = CertifiedConstants::new(&Incline(slopes), &cube, accuracy)?;
         let square = f64::from(a * a + b * b + c * c);
         // One rounding at the end, which keeps the sign.
         let beyond = |x: f64| x.mul_add(x, -square);
@@ -54,9 +54,9 @@ impl Metric<2> for Twisted {
 #[test]
 fn the_constants_of_a_twist_are_enclosed_to_the_last_digit() -> Result<(), CertifyError> {
     let cell = Domain::cell(Cell::new([0.0; 2], [1.0, 2.0])?);
-    let effort = Effort { tolerance: 1e-6, budget: 100_000 };
+    let accuracy = Accuracy { tolerance: 1e-6, budget: 100_000 };
     for (a, b) in [(8.0, 1.0), (7.0, -1.0), (1e3, 3.0), (5.5, 0.25)] {
-        let proved = CertifiedConstants::new(&Twisted([a, b]), &cell, effort)?;
+        let proved = CertifiedConstants::new(&Twisted([a, b]), &cell, accuracy)?;
         let off = f64::abs(b).max(b + 2.0);
         assert!(proved.c1().contains(a - off) && proved.c2().contains(a + off), "{proved:?}");
         let l_h = proved.l_h();

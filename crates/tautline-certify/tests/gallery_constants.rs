@@ -1,6 +1,6 @@
 //! The constants that the gallery states lie between the bounds that its formulas prove.
 
-use tautline_certify::{CertifyError, Domain, Effort, Quantity, certify};
+use tautline_certify::{Accuracy, CertifyError, Domain, Quantity, certify};
 use tautline_metrics::{
     Bounded,
     gallery::{
@@ -34,7 +34,7 @@ fn check<const D: usize>(
         constants.m_h().expect("the gallery states M_H"),
     ];
     for ((quantity, value), stated) in Quantity::ALL.into_iter().zip(values).zip(stated) {
-        let found = certify(&metric, quantity, &domain, Effort { tolerance, budget: 300_000 })?;
+        let found = certify(&metric, quantity, &domain, Accuracy { tolerance, budget: 300_000 })?;
         let holds = match (stated, quantity) {
             // The closed form itself is rounded, by some ε.
             (Exact, _) => {
@@ -133,7 +133,8 @@ stated_constants_are_proved!(
 fn a_lie_of_a_thousandth_is_seen() {
     let shear = Shear::new(0.7, 1.5).expect("a wave number");
     let stated = shear.constants().l_h();
-    let effort = Effort { tolerance: 1e-4, ..Effort::default() };
-    let found = certify(&shear, Quantity::LH, &Domain::space(&shear), effort).expect("a constant");
+    let accuracy = Accuracy { tolerance: 1e-4, ..Accuracy::default() };
+    let found =
+        certify(&shear, Quantity::LH, &Domain::space(&shear), accuracy).expect("a constant");
     assert!(found.contains(stated) && 0.999 * stated < found.lower, "{found:?}");
 }

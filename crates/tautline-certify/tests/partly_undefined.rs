@@ -3,7 +3,7 @@
 
 use nalgebra::{SMatrix, SVector, vector};
 use tautline_certify::{
-    Cell, CertifiedConstants, CertifyError, Domain, Effort, LocallyCertified, Quantity, certify,
+    Accuracy, Cell, CertifiedConstants, CertifyError, Domain, LocallyCertified, Quantity, certify,
 };
 use tautline_metrics::{LocalError, LocallyBounded, Metric};
 use tautline_scalar::Scalar;
@@ -35,17 +35,17 @@ fn assert_undefined<T: std::fmt::Debug>(found: Result<T, CertifyError>) {
 fn what_is_undefined_is_found_where_the_first_point_has_no_value() {
     let cell = Domain::cell(Cell::new([-2.0], [2.0]).expect("in order"));
     let ball = Domain::ball([0.0], 2.0).expect("a radius");
-    let effort = Effort { budget: 10_000, ..Effort::default() };
+    let accuracy = Accuracy { budget: 10_000, ..Accuracy::default() };
     for domain in [cell, ball] {
         assert!(domain.bounding_cell().midpoint()[0] == 0.0);
         for overflows in [false, true] {
             for quantity in Quantity::ALL {
-                assert_undefined(certify(&Partly { overflows }, quantity, &domain, effort));
+                assert_undefined(certify(&Partly { overflows }, quantity, &domain, accuracy));
             }
-            assert_undefined(CertifiedConstants::new(&Partly { overflows }, &domain, effort));
+            assert_undefined(CertifiedConstants::new(&Partly { overflows }, &domain, accuracy));
         }
     }
-    let local = LocallyCertified::new(Partly { overflows: true }, effort);
+    let local = LocallyCertified::new(Partly { overflows: true }, accuracy);
     match local.constants_within(&vector![0.0], 2.0) {
         Err(LocalError::NotProved { radius: 2.0, reason }) => {
             assert!(reason.contains("is not shown to be defined at"), "{reason}");
@@ -59,9 +59,9 @@ fn what_is_undefined_is_found_where_the_first_point_has_no_value() {
 #[test]
 fn without_anything_undefined_the_budget_ends_the_search() {
     let cell = Domain::cell(Cell::new([-0.5], [0.5]).expect("in order"));
-    let effort = Effort { budget: 500, ..Effort::default() };
+    let accuracy = Accuracy { budget: 500, ..Accuracy::default() };
     for quantity in [Quantity::LH, Quantity::MH] {
-        match certify(&Partly { overflows: false }, quantity, &cell, effort) {
+        match certify(&Partly { overflows: false }, quantity, &cell, accuracy) {
             Err(CertifyError::BudgetSpent { lower, upper, boxes, .. }) => {
                 assert!(boxes > 400 && upper == f64::INFINITY, "{boxes} boxes, {upper}");
                 // 1 + ½ (1 − ½)^{−1/2}, and ¼ (½)^{−3/2} or so, near the ends.

@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use tautline_bounds::{BoundError, Constants, Enclosure, LocalityError};
 use tautline_certify::{
-    AdmissibleCurve, CertifiedConstants, CertifyError, CurveError, Domain, Effort, LocallyCertified,
+    Accuracy, AdmissibleCurve, CertifiedConstants, CertifyError, CurveError, Domain,
+    LocallyCertified,
 };
 use tautline_metrics::{LocalError, Metric};
 use tautline_sets::Ball;
@@ -77,7 +78,7 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     ///
     /// let ends = Ends::points([-0.5, 0.2], [0.5, 0.2])?;
     /// let line = Problem::new(Dent, ends).solve(Trapezoidal, 512)?;
-    /// let proof = line.prove(certify::Effort::default())?;
+    /// let proof = line.prove(certify::Accuracy::default())?;
     /// let d_squared = proof.enclosure;
     /// assert!(d_squared.width() < 1e-2 * d_squared.upper && proof.within.is_some());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -86,8 +87,8 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     /// # Errors
     ///
     /// [`ProofError`], with what is missing.
-    pub fn prove(&self, effort: Effort) -> Result<Proof<'_, D>, ProofError> {
-        let effort = effort.checked()?;
+    pub fn prove(&self, accuracy: Accuracy) -> Result<Proof<'_, D>, ProofError> {
+        let accuracy = accuracy.checked()?;
         let curve = self.admissible_curve()?;
         let extent = Extent {
             energy: curve.energy().hi(),
@@ -96,11 +97,11 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
         };
         let space = Domain::space(self.metric());
         let (constants, within, enclosure) = if space.is_all_of_space() {
-            let proved = CertifiedConstants::new(self.metric(), &space, effort)?;
+            let proved = CertifiedConstants::new(self.metric(), &space, accuracy)?;
             let constants = proved.constants()?;
             (constants, None, self.enclosure_by(constants, extent)?)
         } else {
-            let metric = Arc::new(LocallyCertified::new(self.metric(), effort));
+            let metric = Arc::new(LocallyCertified::new(self.metric(), accuracy));
             let (ends, minimum) = (self.ends().clone(), self.minimum().clone());
             let line = TautLine::new(metric, self.rule(), ends, minimum);
             let competitors = line.competitors_by(extent)?;
@@ -115,7 +116,7 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
 #[cfg(test)]
 mod tests {
     use tautline_bounds::LocalityError;
-    use tautline_certify::{CurveError, Effort};
+    use tautline_certify::{Accuracy, CurveError};
     use tautline_metrics::gallery::{GaussianFisher, Hyperbolic, Shear, Sphere, Valleys};
     use tautline_metrics::{Bounded, KnownDistance, LocalError, Metric};
     use tautline_sets::{Ball, ClosedSet, Ends, HalfSpace};
@@ -130,7 +131,7 @@ mod tests {
             let d = metric.distance(&a.into(), &b.into()).expect("known");
             let ends = Ends::points(a, b).expect("finite");
             let line = Problem::new(metric, ends).solve(Trapezoidal, 256).expect("solved");
-            let proof = line.prove(Effort::default()).expect("proved");
+            let proof = line.prove(Accuracy::default()).expect("proved");
             let (lower, upper) = (proof.enclosure.lower, proof.enclosure.upper);
             assert!(lower <= d * d && d * d <= upper, "{lower} {} {upper}", d * d);
             assert!(upper - lower <= width * d * d, "{lower} {upper}");
@@ -152,7 +153,7 @@ mod tests {
         let wall = HalfSpace::at_least([1.0, 0.0], 3.0).expect("a normal");
         let ends = Ends::new(ball, wall).expect("bounded");
         let line = Problem::new(Valleys, ends).solve(Trapezoidal, 64).expect("solved");
-        let proof = line.prove(Effort::default()).expect("proved");
+        let proof = line.prove(Accuracy::default()).expect("proved");
         let length = line.length().value;
         assert!((proof.enclosure.upper / (length * length) - 1.0).abs() < 1e-12);
         assert_eq!(proof.enclosure.upper, proof.curve.distance_squared_at_most());
@@ -168,7 +169,7 @@ mod tests {
         let wall = HalfSpace::at_least([1.0, 0.0], 0.1).expect("a normal");
         let ends = Ends::new(pole, wall).expect("bounded");
         let line = Problem::new(Sphere, ends).solve(Trapezoidal, 64).expect("solved");
-        let proof = line.prove(Effort::default()).expect("proved");
+        let proof = line.prove(Accuracy::default()).expect("proved");
         let (lower, upper) = (proof.enclosure.lower, proof.enclosure.upper);
         // H = 4 / (1 + |x|²)², so d = 2 arctan 0.1, straight along x₁.
         let square = (2.0 * 0.1_f64.atan()).powi(2);
@@ -190,7 +191,7 @@ mod tests {
         }
         let ends = Ends::points([0.0], [1.0]).expect("finite");
         let line = Problem::new(Ridges, ends).solve(Trapezoidal, 2).expect("solved");
-        let proof = line.prove(Effort::default()).expect("proved");
+        let proof = line.prove(Accuracy::default()).expect("proved");
         let ball = proof.within.expect("no constants on all of space");
         let length = proof.curve.length().hi();
         assert!(line.discrete_energy() < 0.3 * length * length);
@@ -225,7 +226,7 @@ mod tests {
         let [first, second] = points;
         let ends = Ends::new(first, second).expect("bounded");
         let line = Problem::new(Sphere, ends).solve(Trapezoidal, 16).expect("solved");
-        let proof = line.prove(Effort::default()).expect("proved");
+        let proof = line.prove(Accuracy::default()).expect("proved");
         let (length, energy) = (proof.curve.length(), proof.curve.energy());
         assert!(length.hi() > 1.5 * length.lo() && length.contains(line.length().value));
         let upper = proof.enclosure.upper;
@@ -249,7 +250,7 @@ mod tests {
         }
         let ends = Ends::points([0.0], [1.0]).expect("finite");
         let line = Problem::new(Torn, ends).solve(Trapezoidal, 4).expect("solved");
-        let enclosure = line.prove(Effort::default()).expect("proved").enclosure;
+        let enclosure = line.prove(Accuracy::default()).expect("proved").enclosure;
         assert!(enclosure.lower <= 1.0 && 1.0 <= enclosure.upper, "{enclosure:?}");
         assert!(enclosure.width() < 1e-12, "{enclosure:?}");
     }
@@ -258,15 +259,17 @@ mod tests {
     fn what_cannot_be_proved_is_said() {
         let ends = Ends::points([0.1, 0.0], [0.2, 0.1]).expect("finite");
         let near = Problem::new(Sphere, ends).solve(Trapezoidal, 8).expect("solved");
-        let error = near.prove(Effort { budget: 0, ..Effort::default() }).expect_err("no boxes");
+        let error =
+            near.prove(Accuracy { budget: 0, ..Accuracy::default() }).expect_err("no boxes");
         assert!(error.to_string().contains("after 0 boxes"), "{error}");
-        let error = near.prove(Effort { tolerance: 0.0, ..Effort::default() }).expect_err("exact");
+        let error =
+            near.prove(Accuracy { tolerance: 0.0, ..Accuracy::default() }).expect_err("exact");
         assert!(error.to_string().contains("tolerance of 0"), "{error}");
         // Across the sphere: the competitors may pass through infinity.
         let ends = Ends::points([1.0, 0.0], [-1.5, 0.3]).expect("finite");
         let line = Problem::new(Sphere, ends).solve(Trapezoidal, 64).expect("solved");
-        let effort = Effort { budget: 2_000, ..Effort::default() };
-        let error = line.prove(effort).expect_err("no ball");
+        let accuracy = Accuracy { budget: 2_000, ..Accuracy::default() };
+        let error = line.prove(accuracy).expect_err("no ball");
         let expected = matches!(
             error,
             ProofError::Competitors(
@@ -285,7 +288,7 @@ mod tests {
         }
         let ends = Ends::points([0.0], [1.0]).expect("finite");
         let line = Problem::new(Left, ends).solve(Trapezoidal, 2).expect("solved");
-        let error = line.prove(effort).expect_err("undefined");
+        let error = line.prove(accuracy).expect_err("undefined");
         assert!(matches!(error, ProofError::Curve(CurveError::Undefined { .. })), "{error}");
     }
 }

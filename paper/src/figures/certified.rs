@@ -2,7 +2,7 @@
 
 use tautline::{
     Bounded, Domain, Metric, Quantity, SMatrix, SVector, Scalar,
-    certify::{Cell, Effort, certify},
+    certify::{Accuracy, Cell, certify},
     gallery::Swirl,
 };
 
@@ -101,8 +101,8 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
 /// The bounds on the safe side of the three quantities in a square of half side `step`.
 fn bounds(metric: &impl Metric<2>, [x, y]: [f64; 2], step: f64) -> Result<[f64; 3], Failure> {
     let domain = Domain::cell(Cell::new([x - step, y - step], [x + step, y + step])?);
-    let effort = Effort { tolerance: 0.01, ..Effort::default() };
-    let of = |quantity| certify(metric, quantity, &domain, effort);
+    let accuracy = Accuracy { tolerance: 0.01, ..Accuracy::default() };
+    let of = |quantity| certify(metric, quantity, &domain, accuracy);
     Ok([of(Quantity::C1)?.lower, of(Quantity::C2)?.upper, of(Quantity::LH)?.upper])
 }
 

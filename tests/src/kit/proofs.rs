@@ -23,7 +23,7 @@ impl Metric<2> for Formula {
 }
 
 fn proved() -> Certified<Formula, 2> {
-    Certified::new(Formula, certify::Effort::default()).expect("periodic")
+    Certified::new(Formula, certify::Accuracy::default()).expect("periodic")
 }
 
 metric_suite!(a_formula_alone: proved(), dimension 2, in period());

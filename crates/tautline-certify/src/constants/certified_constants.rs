@@ -3,7 +3,7 @@
 use tautline_metrics::{Constants, Metric};
 
 use super::{CertifiedConstant, Quantity, certify};
-use crate::{CertifyError, Domain, Effort, formula::is_isotropic};
+use crate::{Accuracy, CertifyError, Domain, formula::is_isotropic};
 
 /// The constants of a metric on a domain, each between two bounds, proved from its formula.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,11 +20,11 @@ impl<const D: usize> CertifiedConstants<D> {
     /// Encloses the four constants of `metric` on `domain`.
     ///
     /// ```
-    /// use tautline_certify::{CertifiedConstants, Domain, Effort};
+    /// use tautline_certify::{CertifiedConstants, Domain, Accuracy};
     /// use tautline_metrics::gallery::Valleys;
     ///
     /// let space = Domain::<2>::space(&Valleys);
-    /// let proved = CertifiedConstants::new(&Valleys, &space, Effort::default())?.constants()?;
+    /// let proved = CertifiedConstants::new(&Valleys, &space, Accuracy::default())?.constants()?;
     /// assert!(proved.c1() <= 1.0 && proved.c1() > 0.999);
     /// assert!(proved.l_h() >= 4.40366947504161167615 && proved.l_h() < 4.41);
     /// assert!(!proved.is_local());
@@ -40,9 +40,9 @@ impl<const D: usize> CertifiedConstants<D> {
     pub fn new(
         metric: &impl Metric<D>,
         domain: &Domain<D>,
-        effort: Effort,
+        accuracy: Accuracy,
     ) -> Result<Self, CertifyError> {
-        let of = |quantity| certify(metric, quantity, domain, effort);
+        let of = |quantity| certify(metric, quantity, domain, accuracy);
         Ok(Self {
             c1: of(Quantity::C1)?,
             c2: of(Quantity::C2)?,

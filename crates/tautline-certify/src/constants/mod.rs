@@ -30,7 +30,7 @@ use self::{
     spectral::{LargestEigenvalue, Spectral},
 };
 use crate::{
-    CertifyError, Domain, Effort,
+    Accuracy, CertifyError, Domain,
     branch_and_bound::{Maximum, maximise},
 };
 
@@ -82,30 +82,30 @@ pub fn certify<const D: usize>(
     metric: &impl Metric<D>,
     quantity: Quantity,
     domain: &Domain<D>,
-    effort: Effort,
+    accuracy: Accuracy,
 ) -> Result<CertifiedConstant<D>, CertifyError> {
     if D == 0 {
         return Err(CertifyError::NoDimension);
     }
-    let effort = effort.checked()?;
+    let accuracy = accuracy.checked()?;
     let gram = Gram::new(metric);
     let (found, lower, upper) = match quantity {
         Quantity::C1 => {
-            let (found, witness) = search(&Least(gram), domain, effort)?;
+            let (found, witness) = search(&Least(gram), domain, accuracy)?;
             (found, -found.upper, witness)
         }
         Quantity::C2 => {
-            let (found, witness) = search(&Greatest(gram), domain, effort)?;
+            let (found, witness) = search(&Greatest(gram), domain, accuracy)?;
             (found, witness, found.upper)
         }
         Quantity::LH => {
             // The square is to be twice as close in proportion.
-            let square = Effort { tolerance: 2.0 * effort.tolerance, ..effort };
+            let square = Accuracy { tolerance: 2.0 * accuracy.tolerance, ..accuracy };
             let (found, witness) = search(&FirstDerivative(gram), domain, square)?;
             (found, witness, Interval::point(found.upper.max(0.0)).sqrt().hi())
         }
         Quantity::MH => {
-            let (found, witness) = search(&SecondDerivative(gram), domain, effort)?;
+            let (found, witness) = search(&SecondDerivative(gram), domain, accuracy)?;
             (found, witness, found.upper.max(0.0))
         }
     };
@@ -125,9 +125,9 @@ pub fn certify<const D: usize>(
 fn search<S: Spectral<D>, const D: usize>(
     function: &S,
     domain: &Domain<D>,
-    effort: Effort,
+    accuracy: Accuracy,
 ) -> Result<(Maximum<D>, f64), CertifyError> {
-    let found = maximise(&LargestEigenvalue(function), domain, effort);
+    let found = maximise(&LargestEigenvalue(function), domain, accuracy);
     // The derivative of a constant is 0, be that constant NaN.
     let undefined = found.at.filter(|x| function.gram().is_undefined(x));
     if let Some(x) = found.refuted.or(undefined) {
@@ -151,9 +151,9 @@ mod tests {
     use tautline_scalar::Scalar;
 
     use super::{CertifiedConstant, CertifiedConstants, Quantity, certify};
-    use crate::{Cell, CertifyError, Domain, Effort};
+    use crate::{Accuracy, Cell, CertifyError, Domain};
 
-    const CLOSE: Effort = Effort { tolerance: 1e-6, budget: 100_000 };
+    const CLOSE: Accuracy = Accuracy { tolerance: 1e-6, budget: 100_000 };
 
     #[test]
     fn the_constants_of_the_valleys_to_six_digits() {
@@ -192,16 +192,16 @@ mod tests {
     #[test]
     fn in_three_dimensions_the_norm_of_the_derivative_is_nearly_exact() {
         let space = Domain::space(&CoupledCosines);
-        let effort = Effort { tolerance: 1e-2, budget: 50_000 };
-        let found = certify(&CoupledCosines, Quantity::LH, &space, effort).expect("a constant");
+        let accuracy = Accuracy { tolerance: 1e-2, budget: 50_000 };
+        let found = certify(&CoupledCosines, Quantity::LH, &space, accuracy).expect("a constant");
         assert!(found.contains(0.12_f64.sqrt()) && found.looseness() < 1.02, "{found:?}");
     }
 
     #[test]
     fn a_ball_has_constants_where_space_has_none() {
         let ball = Domain::<2>::ball([0.0, 0.0], 0.5).expect("a radius");
-        let effort = Effort { tolerance: 1e-3, budget: 100_000 };
-        let proved = CertifiedConstants::new(&Hyperbolic, &ball, effort).expect("constants");
+        let accuracy = Accuracy { tolerance: 1e-3, budget: 100_000 };
+        let proved = CertifiedConstants::new(&Hyperbolic, &ball, accuracy).expect("constants");
         // 4 / (1 − r²)²: 4 at the centre and 64/9 at the rim, where its slope 16 r / (1 − r²)³ is
         // 512/27.
         for (found, exact) in
@@ -215,7 +215,7 @@ mod tests {
     #[test]
     fn a_metric_that_is_not_defined_is_refused_with_the_point() {
         let ball = Domain::<2>::ball([0.0, 0.0], 1.5).expect("a radius");
-        match certify(&Hyperbolic, Quantity::C2, &ball, Effort::default()) {
+        match certify(&Hyperbolic, Quantity::C2, &ball, Accuracy::default()) {
             Err(CertifyError::Undefined { point }) => {
                 assert!(SVector::<f64, 2>::from_row_slice(&point).norm() >= 1.0, "{point:?}");
             }
@@ -230,7 +230,7 @@ mod tests {
         }
         let cell = Domain::cell(Cell::new([-1.0, 0.0], [3.0, 1.0]).expect("in order"));
         for quantity in Quantity::ALL {
-            match certify(&Root, quantity, &cell, Effort::default()) {
+            match certify(&Root, quantity, &cell, Accuracy::default()) {
                 Err(CertifyError::Undefined { point }) => assert!(point[0] < 0.0, "{point:?}"),
                 other => panic!("{quantity}: {other:?}"),
             }
@@ -264,18 +264,18 @@ mod tests {
     #[test]
     fn an_indefinite_metric_is_refused_with_a_point() {
         let cell = Domain::cell(Cell::new([-1.0, 0.0], [1.0, 1.0]).expect("in order"));
-        match certify(&Leaning(1.001), Quantity::C1, &cell, Effort::default()) {
+        match certify(&Leaning(1.001), Quantity::C1, &cell, Accuracy::default()) {
             Err(CertifyError::NotPositiveDefinite { point, eigenvalue }) => {
                 assert!(point[0].abs() > 1.0 / 1.001, "{point:?}");
                 assert!((1.0 - 1.001..=0.0).contains(&eigenvalue), "{eigenvalue}");
             }
             other => panic!("{other:?}"),
         }
-        let least = certify(&Leaning(0.999), Quantity::C1, &cell, Effort::default());
+        let least = certify(&Leaning(0.999), Quantity::C1, &cell, Accuracy::default());
         assert!(least.as_ref().is_ok_and(|c1| c1.contains(1.0 - 0.999)), "{least:?}");
         // Just singular: neither positive nor indefinite, and no end of cutting.
-        let effort = Effort { budget: 1000, ..Effort::default() };
-        match certify(&Leaning(1.0), Quantity::C1, &cell, effort) {
+        let accuracy = Accuracy { budget: 1000, ..Accuracy::default() };
+        match certify(&Leaning(1.0), Quantity::C1, &cell, accuracy) {
             Err(CertifyError::BudgetSpent { lower, upper, .. }) => {
                 assert!(lower <= 0.0 && 0.0 <= upper);
             }
@@ -293,14 +293,14 @@ mod tests {
             }
         }
         let space = Domain::space(&Growing);
-        let effort = Effort { budget: 10_000, ..Effort::default() };
+        let accuracy = Accuracy { budget: 10_000, ..Accuracy::default() };
         for quantity in [Quantity::C2, Quantity::LH, Quantity::MH] {
-            match certify(&Growing, quantity, &space, effort) {
+            match certify(&Growing, quantity, &space, accuracy) {
                 Err(CertifyError::BudgetSpent { upper, .. }) => assert_eq!(upper, f64::INFINITY),
                 other => panic!("{other:?}"),
             }
         }
-        assert!(certify(&Growing, Quantity::C1, &space, effort).is_ok_and(|c1| c1.contains(1.0)));
+        assert!(certify(&Growing, Quantity::C1, &space, accuracy).is_ok_and(|c1| c1.contains(1.0)));
     }
 
     /// Entries below the diagonal are not read: here they are of no use.
@@ -315,7 +315,7 @@ mod tests {
             }
         }
         let cell = Domain::cell(Cell::new([0.0, 0.0], [1.0, 1.0]).expect("in order"));
-        let of = |metric| CertifiedConstants::new(&metric, &cell, Effort::default());
+        let of = |metric| CertifiedConstants::new(&metric, &cell, Accuracy::default());
         assert_eq!(of(Half(0.0)), of(Half(1e3)));
         assert!(of(Half(0.0)).is_ok());
     }
@@ -338,7 +338,7 @@ mod tests {
     #[test]
     fn no_budget_and_no_tolerance_are_refused() {
         let space = Domain::<2>::space(&Valleys);
-        let none = Effort { budget: 0, ..Effort::default() };
+        let none = Accuracy { budget: 0, ..Accuracy::default() };
         match certify(&Valleys, Quantity::C1, &space, none) {
             Err(CertifyError::BudgetSpent { lower, upper, boxes: 0, .. }) => {
                 assert_eq!((lower, upper), (f64::NEG_INFINITY, f64::INFINITY));
@@ -346,7 +346,7 @@ mod tests {
             other => panic!("{other:?}"),
         }
         for tolerance in [0.0, 1.0, f64::NAN] {
-            let error = certify(&Valleys, Quantity::C1, &space, Effort { tolerance, budget: 10 });
+            let error = certify(&Valleys, Quantity::C1, &space, Accuracy { tolerance, budget: 10 });
             assert!(matches!(error, Err(CertifyError::NotATolerance { .. })));
         }
     }

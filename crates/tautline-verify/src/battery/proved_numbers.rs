@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use tautline::{
     CertifyError, Interval, Jet1, LeftEndpoint, Metric, PointSequence, Polygon, Quantity, Scalar,
     Trapezoidal,
-    certify::{Domain, Effort, certify},
+    certify::{Accuracy, Domain, certify},
     gallery::Valleys,
 };
 
@@ -50,8 +50,8 @@ fn constants<const D: usize>(metric: &impl Metric<D>) -> Result<[Interval; 3], V
     if !space.is_all_of_space() {
         return Err(CertifyError::NotAllOfSpace.into());
     }
-    let effort = Effort { tolerance: 1e-2, ..Effort::default() };
-    let of = |quantity| certify(metric, quantity, &space, effort);
+    let accuracy = Accuracy { tolerance: 1e-2, ..Accuracy::default() };
+    let of = |quantity| certify(metric, quantity, &space, accuracy);
     let (c1, c2, l_h) = (of(Quantity::C1)?, of(Quantity::C2)?, of(Quantity::LH)?);
     Ok([c1.lower, c2.upper, l_h.upper].map(Interval::point))
 }

@@ -1,17 +1,17 @@
-//! `Effort`: how close bounds are to come, and what that may cost.
+//! `Accuracy`: how close bounds are to come, and what that may cost.
 
 use crate::CertifyError;
 
 /// How close the bounds of a constant are to come, and how many boxes that may cost.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Effort {
+pub struct Accuracy {
     /// The relative distance of the bounds, between 0 and 1.
     pub tolerance: f64,
     /// The largest number of boxes.
     pub budget: usize,
 }
 
-impl Default for Effort {
+impl Default for Accuracy {
     /// Returns a tolerance of `10⁻³` and a budget of a million boxes, which take from a second to a
     /// minute or so.
     fn default() -> Self {
@@ -19,8 +19,8 @@ impl Default for Effort {
     }
 }
 
-impl Effort {
-    /// Returns the effort itself.
+impl Accuracy {
+    /// Returns the accuracy itself.
     ///
     /// # Errors
     ///
@@ -36,13 +36,16 @@ impl Effort {
 
 #[cfg(test)]
 mod tests {
-    use super::Effort;
+    use super::Accuracy;
 
     #[test]
     fn a_tolerance_lies_between_0_and_1() {
-        assert!(Effort::default().checked().is_ok());
+        assert!(Accuracy::default().checked().is_ok());
         for tolerance in [0.0, -1e-3, 1.0, f64::INFINITY, f64::NAN] {
-            assert!(Effort { tolerance, ..Effort::default() }.checked().is_err(), "{tolerance}");
+            assert!(
+                Accuracy { tolerance, ..Accuracy::default() }.checked().is_err(),
+                "{tolerance}"
+            );
         }
     }
 }
