@@ -278,6 +278,35 @@ mod tests {
         assert!(nearer.with_distance(-1.0).is_err());
     }
 
+    /// `κ − 1` of a metric that is nearly constant is a difference of doubles, which is exact; the
+    /// quotient `κ` is rounded first.
+    #[test]
+    fn a_kappa_near_one_keeps_its_digits() {
+        let constants = Constants::new(3.0, 3.0_f64.next_up(), 1.0).expect("in order");
+        let setting = Setting::new(constants, 1.0, 2).expect("valid");
+        // The doubles beside 3 are 2ε apart.
+        assert_eq!(setting.kappa_above_one(), 2.0 * f64::EPSILON / 3.0);
+    }
+
+    /// `G/d` is a number of the metric, however near or far the ends are.
+    #[test]
+    fn the_bend_is_proportional_to_the_distance() {
+        for (l_h, m_h) in [(8.0, 6.0), (8.0, 96.0), (1e-3, 5.0), (3.0, 1e-6)] {
+            let constants = Constants::new(4.0, 10.0, l_h).and_then(|c| c.with_m_h(m_h));
+            let constants = constants.expect("in order");
+            for constants in [constants, constants.isotropic(), constants.on_a_region()] {
+                for dimension in [1, 3] {
+                    let bend = |d| Setting::new(constants, d, dimension).expect("valid").bend();
+                    for power in [-480, -30, 1, 60] {
+                        // Powers of two round nothing, but that the root of μ needs its square.
+                        let ratio = bend(2.0_f64.powi(power)) / 2.0_f64.powi(power) / bend(1.0);
+                        assert!((ratio - 1.0).abs() < 1e-15, "{constants:?} 2^{power}: {ratio}");
+                    }
+                }
+            }
+        }
+    }
+
     #[test]
     fn what_was_put_in_comes_out() {
         let setting = Setting::new(constants(), 2.5, 3).expect("valid");

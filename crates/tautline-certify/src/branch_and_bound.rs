@@ -147,7 +147,12 @@ impl<const D: usize> Search<D> {
         }
     }
 
+    /// Boxes with larger bounds are to be cut: all of them, until a value is met.
     fn goal(&self, tolerance: f64) -> f64 {
+        // −∞ + ∞ would be NaN, which no bound exceeds.
+        if self.best == f64::NEG_INFINITY {
+            return self.best;
+        }
         self.best + tolerance * self.best.abs()
     }
 
@@ -328,6 +333,59 @@ mod tests {
         let found = maximise(&Nowhere, &domain, EFFORT);
         assert!(found.refuted.is_some_and(|x| x[0] > 0.7), "{found:?}");
         assert!(found.upper == f64::INFINITY && !found.reached);
+    }
+
+    /// A function without a value at the first few points, by overflow say, is looked at elsewhere.
+    #[test]
+    fn a_search_goes_on_until_a_value_is_met() {
+        struct Late {
+            refuted: bool,
+        }
+        impl Bounded<1> for Late {
+            fn bound(&self, cell: &Cell<1>) -> Bound {
+                let [x] = *cell.sides();
+                Bound { upper: if x.hi() > 0.25 { f64::INFINITY } else { x.hi() }, cut: 0 }
+            }
+            fn value(&self, x: &SVector<f64, 1>) -> f64 {
+                if x[0] < 0.3 { x[0] } else { f64::NAN }
+            }
+            fn is_refuted(&self, x: &SVector<f64, 1>, _: f64) -> bool {
+                self.refuted && x[0] > 0.9
+            }
+        }
+        let domain = Domain::cell(Cell::new([0.0], [1.0]).expect("in order"));
+        let found = maximise(&Late { refuted: true }, &domain, EFFORT);
+        assert!(found.refuted.is_some_and(|x| x[0] > 0.9) && !found.reached, "{found:?}");
+        // Without a point that refutes it the budget is spent, and the values that were met count.
+        let accuracy = Accuracy { budget: 100, ..EFFORT };
+        let found = maximise(&Late { refuted: false }, &domain, accuracy);
+        assert!(found.boxes > 90 && found.at.is_some_and(|x| x[0] < 0.3), "{found:?}");
+        assert!(found.upper == f64::INFINITY && !found.reached, "{found:?}");
+    }
+
+    /// Between two neighbouring doubles there is nothing to cut, and the bound of such a box counts
+    /// all the same: beside another one whose bound is met, and beside one that is cut first.
+    #[test]
+    fn a_box_that_is_too_small_to_be_cut_keeps_its_bound() {
+        /// 0 at all points, with a bound of 3 on boxes that reach beyond 1.
+        struct Spike;
+        impl Bounded<1> for Spike {
+            fn bound(&self, cell: &Cell<1>) -> Bound {
+                let [x] = *cell.sides();
+                Bound { upper: if x.hi() > 1.0 { 3.0 } else { 0.0 }, cut: 0 }
+            }
+            fn value(&self, _: &SVector<f64, 1>) -> f64 {
+                0.0
+            }
+            fn is_refuted(&self, _: &SVector<f64, 1>, _: f64) -> bool {
+                false
+            }
+        }
+        for lower in [1.0, 1.0 - 1e-12, 0.0] {
+            let cell = Cell::new([lower], [1.0_f64.next_up()]).expect("in order");
+            let found = maximise(&Spike, &Domain::cell(cell), EFFORT);
+            assert!(found.upper == 3.0 && !found.reached, "{lower}: {found:?}");
+        }
     }
 
     #[test]

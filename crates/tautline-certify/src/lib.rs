@@ -41,6 +41,8 @@ mod certify_error;
 mod constants;
 mod curves;
 mod domain;
+#[cfg(test)]
+mod domain_laws;
 mod formula;
 mod locally_certified;
 

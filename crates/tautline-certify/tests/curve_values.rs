@@ -169,6 +169,26 @@ fn the_difference_of_points_is_not_rounded() {
     assert!(energy.width() <= 1e-15 && length.width() <= 1e-15);
 }
 
+/// The least power there is, whose opposite is no `i32`: along `y = 1` and `y = −1` it is 1, and at
+/// the boundary of the domain undefined.
+#[test]
+fn the_least_power_is_a_power_too() {
+    struct Power;
+    impl Metric<2> for Power {
+        fn gram<S: tautline_scalar::Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            SMatrix::from_diagonal_element(x[1].powi(i32::MIN))
+        }
+    }
+    for (y, value) in [(1.0, 1.0), (-1.0, 1.0), (2.0, 0.0)] {
+        let sequence = line([0.0, y], [3.0, y]);
+        let (energy, length) = Polygon::new(&sequence).energy_and_length(&Power);
+        assert!(energy.contains(9.0 * value) && length.contains(3.0 * value), "{energy:?}");
+        assert!(energy.width() < 1e-10 && length.width() < 1e-10, "{energy:?} {length:?}");
+    }
+    let sequence = line([0.0, 0.0], [3.0, 0.0]);
+    assert!(Polygon::new(&sequence).energy(&Power).is_undefined());
+}
+
 /// `H = x⁴` is a polynomial of fourth order, whose remainder is a constant: nothing else than the
 /// coefficient 1/80 makes `∫₀¹ x⁴ = 1/5` out of it. And the weights and places of three rules.
 #[test]

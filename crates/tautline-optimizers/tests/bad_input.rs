@@ -85,6 +85,33 @@ fn no_start_is_an_error() {
     assert_eq!(result, Err(SolveError::NoStart));
 }
 
+/// Two starts that fail for two reasons: the first of them is told.
+#[test]
+fn of_two_starts_that_fail_the_first_says_why() {
+    let through = |y: f64| {
+        let points = [[0.0, 0.0], [0.5, y], [1.0, 0.0]].map(SVector::from).to_vec();
+        PointSequence::new(points).expect("finite")
+    };
+    /// No metric for `|x₂| > ½`.
+    struct Lane;
+    impl Metric<2> for Lane {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            SMatrix::from_diagonal_element((-x[1].sqr() + 0.25).sqrt() * 0.0 + 1.0)
+        }
+    }
+    for sign in [1.0, -1.0] {
+        let starts = Starts::Only(vec![through(2.0 * sign), through(-2.0 * sign)]);
+        let options = Options { starts, ..Options::default() };
+        let ends = points([0.0, 0.0], [1.0, 0.0]);
+        match minimise(&Lane, &ends, Trapezoidal, 4, &options) {
+            Err(SolveError::Metric(MetricError::NotFinite { point, .. })) => {
+                assert!(point[1] * sign > 0.5, "{point:?}");
+            }
+            other => panic!("{other:?}"),
+        }
+    }
+}
+
 /// `1 + √(1 − x₁²)`: NaN for `|x₁| > 1`, all the way up and down.
 struct Gorge;
 

@@ -3,7 +3,7 @@
 use tautline_discretizations::{LeftEndpoint, PointSequence, Rule, Trapezoidal};
 use tautline_metrics::{
     Metric,
-    gallery::{Shear, TwoChannels},
+    gallery::{Constant, Shear, TwoChannels},
 };
 use tautline_optimizers::{Minimum, Options, Starts, Stop, minimise};
 use tautline_sets::Ends;
@@ -54,4 +54,15 @@ fn a_result_tells_the_steps_of_its_own_search() {
     let of_many = of_many.expect("a metric");
     assert!(of_many.own_iterations >= of_many.levels.len());
     assert!(of_many.own_iterations < of_many.iterations);
+}
+
+/// A straight line under a constant metric is a minimiser as it stands: one look at each grid, which
+/// counts, and no more.
+#[test]
+fn a_look_at_a_grid_counts_as_one_step() {
+    let flat = Constant::new([[2.0, 0.5], [0.5, 1.0]].into()).expect("definite");
+    for n in [1, 2, 16, 64] {
+        let minimum = straight(&flat, Trapezoidal, [[0.0, 0.0], [3.0, 1.0]], n);
+        assert_eq!((minimum.iterations, minimum.own_iterations), (1, 1), "N = {n}");
+    }
 }

@@ -8,7 +8,7 @@ use tautline_metrics::{
     gallery::{Constant, Ramp, Sphere as RoundSphere, Valleys},
 };
 use tautline_optimizers::{Curvature, Minimum, Options, Stop, extrapolate, minimise};
-use tautline_sets::{AxisBox, Ball, ClosedSet, Ends, HalfSpace, Point, Segment, Sphere};
+use tautline_sets::{AxisBox, Ball, ClosedSet, Ends, FiniteSet, HalfSpace, Point, Segment, Sphere};
 
 #[track_caller]
 fn solve<const D: usize>(
@@ -218,5 +218,23 @@ fn one_dimension_has_sets_too() {
         let minimum = solve(&ramp, ends, Trapezoidal, 512);
         let d2 = extrapolate(&minimum.levels, 2).expect("several grids").value;
         assert_close(d2, *reference, 1e-9);
+    }
+}
+
+/// Of several pieces any two may touch: nothing need be searched, on whatever grid.
+#[test]
+fn pieces_that_touch_are_found_wherever_they_are() {
+    let far = [[9.0, 9.0], [-7.0, 3.0]];
+    for touching in [[[0.5, 0.0], far[0], far[1]], [far[0], far[1], [0.5, 0.0]]] {
+        let several = || FiniteSet::new(touching).expect("finite");
+        let ball = || Ball::new([0.0, 0.0], 1.0).expect("a radius");
+        for ends in [ends(several(), ball()), ends(ball(), several())] {
+            for n in [1, 100] {
+                let minimum = solve(&Valleys, &ends, Trapezoidal, n);
+                assert_eq!((minimum.stop, minimum.energy), (Stop::EndsTouch, 0.0));
+                assert_eq!((minimum.iterations, minimum.levels.len()), (0, 1));
+                assert!(minimum.sequence.points().iter().all(|x| *x == vector![0.5, 0.0]));
+            }
+        }
     }
 }

@@ -11,7 +11,7 @@ use tautline_metrics::{
     gallery::{Bump, CoupledCosines, Separable, SineProjection, SineProjections, Sphere, Valleys},
 };
 use tautline_optimizers::{Minimum, Options, SolveError, Starts, Workspace, minimise, newton_step};
-use tautline_sets::Ends;
+use tautline_sets::{Ends, HalfSpace, Point};
 
 fn from_the_line<const D: usize>(
     metric: &impl Metric<D>,
@@ -223,4 +223,36 @@ fn projections<const D: usize>() -> SineProjections<D> {
         direction: SVector::from_fn(|i, _| 0.5 * (1.3 * k * (i + 1) as f64).cos()),
     };
     SineProjections::new([1.0, 2.0, 3.0].map(term).to_vec()).expect("finite")
+}
+
+/// `H = (2 − cos x₁)² (3 + cos x₂) I`, and none for `|x₂ − c| < w`.
+struct Band {
+    c: f64,
+    w: f64,
+}
+
+impl Metric<2> for Band {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+        let outside = ((x[1] - self.c).sqr() - self.w * self.w).sqrt() * 0.0 + 1.0;
+        SMatrix::from_diagonal_element((-x[0].cos() + 2.0).sqr() * (x[1].cos() + 3.0) * outside)
+    }
+}
+
+/// Where the left-endpoint rule ends it reads no metric, and the end on a wall is elsewhere on every
+/// grid: that there is a metric at the last one has to be looked at.
+#[test]
+fn a_last_point_without_a_metric_is_named_though_no_rule_reads_it() {
+    let wall = HalfSpace::at_least([1.0, 0.2], 2.0).expect("a normal");
+    let ends = Ends::new(Point::new([0.0, 0.3]).expect("finite"), wall).expect("bounded");
+    let options = Options::default();
+    let solve = |c, w| minimise(&Band { c, w }, &ends, LeftEndpoint, 256, &options);
+    let free = solve(1e3, 1e-7).expect("a metric");
+    let [x, y] = [free.sequence.last()[0], free.sequence.last()[1]];
+    assert!(free.is_local_minimum() && free.levels.len() > 2);
+    match solve(y, 1e-7) {
+        Err(SolveError::Metric(MetricError::NotFinite { point, .. })) => {
+            assert!((point[0] - x).abs() < 1e-6 && (point[1] - y).abs() < 1e-6, "{point:?}");
+        }
+        other => panic!("{other:?}"),
+    }
 }

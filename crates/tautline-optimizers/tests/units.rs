@@ -197,6 +197,8 @@ fn the_residual_of_a_sequence_that_is_not_stationary() {
     let ends = Ends::new(origin, wall).expect("one bounded");
     let minimum = minimise(&flat, &ends, Trapezoidal, 2, &options).expect("a metric");
     assert_eq!(minimum.stop, Stop::IterationLimit);
+    // No minimiser has been met.
+    assert_eq!(minimum.local_minima, []);
     let expected = (8.0 / 2_f64.sqrt() + 2.0) / 8_f64.sqrt();
     // A dozen roundings of numbers of size 10.
     assert!((minimum.residual - expected).abs() < 1e-14, "{}", minimum.residual);

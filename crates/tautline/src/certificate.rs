@@ -188,13 +188,15 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
 
 #[cfg(test)]
 mod tests {
-    use tautline_bounds::{BoundError, Constants, FromBelow, PaperRule};
-    use tautline_metrics::gallery::{Constant, Shear, Valleys};
+    use std::sync::Arc;
+
+    use tautline_bounds::{BoundError, Constants, FromBelow, PaperRule, Setting, suggest_n};
+    use tautline_metrics::gallery::{Constant, Separable, Shear, Valleys};
     use tautline_metrics::{Bounded, KnownDistance, Metric};
     use tautline_sets::{Ball, Ends};
 
     use super::RuleOfThePaper;
-    use crate::{LeftEndpoint, Problem, SMatrix, SVector, Scalar, Trapezoidal};
+    use crate::{LeftEndpoint, Level, Problem, SMatrix, SVector, Scalar, TautLine, Trapezoidal};
 
     #[test]
     fn near_points_are_joined_by_a_line_that_is_known_to_be_the_shortest() {
@@ -257,6 +259,78 @@ mod tests {
         assert!((508..=516).contains(&again), "{again}");
         assert_eq!(coarse.suggest_n(0.0).expect("finite").expected, None);
         assert_eq!(coarse.suggest_n(f64::NAN).expect("finite").proven, None);
+    }
+
+    /// `f = 1 + a sin kx` on `[0, 1]` with waves that no quadrature sees, so that its error counts;
+    /// and as if the energies of two grids had been extrapolated to `excess` below the squared length,
+    /// with this `error`.
+    fn extrapolated(excess: f64, error: f64) -> TautLine<Separable<1>, Trapezoidal, 1> {
+        let metric = Separable::new([1e-3], [1e5]).expect("valid");
+        let ends = Ends::points([0.0], [1.0]).expect("finite");
+        let line = Problem::new(metric, ends.clone()).solve(Trapezoidal, 1).expect("one chord");
+        let mut minimum = line.minimum().clone();
+        // From N = 1 to N = 2 a third of the change is added once more.
+        let fine = line.length().value.powi(2) - excess + error;
+        minimum.levels =
+            [(1, fine + 3.0 * error), (2, fine)].map(|(n, energy)| Level { n, energy }).to_vec();
+        TautLine::new(Arc::new(metric), Trapezoidal, ends, minimum)
+    }
+
+    /// An excess is told from noise only if it is more than both errors together, each of which could
+    /// hide in it.
+    #[test]
+    fn both_errors_are_in_the_noise_of_an_expectation() {
+        let told = |excess: f64, error: f64| {
+            let line = extrapolated(excess, error);
+            let estimate = line.distance_squared_estimate().expect("two grids");
+            let length = line.length().value;
+            // Differences of numbers near 1, of which the least is 1e-7.
+            assert!((estimate.error / error - 1.0).abs() < 1e-6, "{estimate:?}");
+            assert!(((length * length - estimate.value) / excess - 1.0).abs() < 1e-6);
+            line.suggest_n(1e-9).expect("finite").expected.is_some()
+        };
+        let length = extrapolated(1.0, 1.0).length();
+        let of_length = 2.0 * length.value * length.error;
+        assert!(of_length > 1e-6, "{of_length:e}");
+        for ratio in [0.1, 1.0, 10.0] {
+            let error = ratio * of_length;
+            assert!(!told(0.98 * (error + of_length), error), "{ratio}");
+            assert!(told(1.02 * (error + of_length), error), "{ratio}");
+        }
+    }
+
+    /// The least `N` for which an excess that falls like `1/N²` is within the tolerance.
+    #[test]
+    fn an_expected_grid_is_enough_and_one_less_is_not() {
+        let excess = 0.1;
+        for parts in [1.5, 2.25, 6.4, 6.6, 1e3 + 0.3, 1e5 + 0.7] {
+            let tolerance = excess / (parts * parts);
+            let suggested = extrapolated(excess, 1e-6).suggest_n(tolerance).expect("finite");
+            let n = suggested.expected.expect("told").get() as f64;
+            assert_eq!(n, f64::ceil(parts));
+            assert!(excess / (n * n) <= tolerance && tolerance < excess / (n - 1.0).powi(2));
+        }
+    }
+
+    /// What is proven is so for the longest curve that this one may be: of the quadrature's error
+    /// included.
+    #[test]
+    fn the_error_of_the_length_is_in_the_proven_grid() {
+        let metric = Separable::new([0.5], [1e5]).expect("valid");
+        let ends = Ends::points([0.0], [1.0]).expect("finite");
+        let line = Problem::new(metric, ends).solve(Trapezoidal, 1).expect("one chord");
+        let length = line.length();
+        let proven = |d: f64, tolerance: f64| {
+            let setting = Setting::new(line.metric().constants(), d, 1).expect("a distance");
+            suggest_n(setting, PaperRule::Trapezoidal, tolerance)
+        };
+        for tolerance in [1.0, 1e-3] {
+            let longest = proven(length.value + length.error, tolerance);
+            assert_eq!(line.suggest_n(tolerance).expect("finite").proven, longest);
+            let [longest, shorter] =
+                [longest, proven(length.value, tolerance)].map(|n| n.expect("some").0);
+            assert!(longest > shorter, "{length:?}");
+        }
     }
 
     /// What is below the noise of the extrapolation is not told.

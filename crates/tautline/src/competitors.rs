@@ -246,6 +246,32 @@ mod tests {
         assert_eq!(still.enclosure_among(&own).expect("finite").width(), 0.0);
     }
 
+    /// A ball holds the competitors of a line by its centre, its radius and the size of the end that
+    /// it is about: with any of the three a little off it is refused.
+    #[test]
+    fn a_ball_that_is_a_little_off_is_refused() {
+        let ball = Ball::new([0.3, 0.2], 0.05).expect("a radius");
+        let wall = HalfSpace::at_least([1.0, 0.0], 0.45).expect("a normal");
+        for ends in [Ends::new(ball, wall), Ends::new(wall, ball)] {
+            let ends = ends.expect("one bounded");
+            let line = Problem::new(Sphere, ends).solve(Trapezoidal, 32).expect("solved");
+            let own = line.competitors().expect("near");
+            assert!(line.enclosure_among(&own).is_ok());
+            let with = |away: f64, larger: f64| {
+                let centre = own.within.centre() + SVector::from([0.0, away]);
+                let within = Ball::new(centre, own.within.r() + larger).expect("a radius");
+                line.enclosure_among(&Competitors { within, ..own })
+            };
+            // The radius is within one percent of the least, beside that of the end itself.
+            let slack = 0.015 * (own.within.r() - 0.05);
+            for refused in [with(0.0, -slack), with(0.0, -0.05), with(slack, 0.0), with(1.0, 0.0)] {
+                let error = refused.expect_err("a competitor may be outside");
+                assert!(matches!(error, BoundError::LeavesTheBall { .. }), "{error}");
+            }
+            assert!(with(0.5, 0.5 + slack).is_ok());
+        }
+    }
+
     #[test]
     fn ends_that_are_too_far_apart_are_refused() {
         let far = line(Sphere, [-0.5, 0.0], [0.5, 0.0], 64);

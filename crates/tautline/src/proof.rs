@@ -119,10 +119,10 @@ mod tests {
     use tautline_certify::{Accuracy, CurveError};
     use tautline_metrics::gallery::{GaussianFisher, Hyperbolic, Shear, Sphere, Valleys};
     use tautline_metrics::{Bounded, KnownDistance, LocalError, Metric};
-    use tautline_sets::{Ball, Ends, HalfSpace};
+    use tautline_sets::{Ball, ClosedSet, Ends, HalfSpace};
 
     use super::ProofError;
-    use crate::{Problem, SMatrix, SVector, Scalar, Trapezoidal};
+    use crate::{Interval, Problem, SMatrix, SVector, Scalar, Trapezoidal};
 
     /// Each distance is known, and lies between the bounds.
     #[test]
@@ -197,6 +197,42 @@ mod tests {
         assert!(line.discrete_energy() < 0.3 * length * length);
         assert!(ball.r() >= length / proof.constants.c1().sqrt(), "{ball:?} for {length}");
         assert_eq!(proof.enclosure.upper, proof.curve.distance_squared_at_most());
+    }
+
+    /// A set that knows its one point to a twentieth only: all that follows from the curve is said for
+    /// the longest of those that it may be.
+    #[test]
+    fn the_longest_curve_that_it_may_be_counts() {
+        #[derive(Debug)]
+        struct About(SVector<f64, 2>);
+        impl ClosedSet<2> for About {
+            fn project(&self, _: &SVector<f64, 2>) -> SVector<f64, 2> {
+                self.0
+            }
+            fn projection_derivative(&self, _: &SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
+                SMatrix::zeros()
+            }
+            fn radius(&self) -> Option<f64> {
+                Some(self.0.norm())
+            }
+            fn enclosing_ball(&self) -> Option<(SVector<f64, 2>, f64)> {
+                Some((self.0, 0.0))
+            }
+            fn member_near(&self, _: &SVector<f64, 2>) -> Option<SVector<Interval, 2>> {
+                Some(self.0.map(|c| Interval::new(c - 0.05, c + 0.05).expect("in order")))
+            }
+        }
+        let points = [[0.3, 0.1], [0.45, 0.1]].map(|x| About(x.into()));
+        let [first, second] = points;
+        let ends = Ends::new(first, second).expect("bounded");
+        let line = Problem::new(Sphere, ends).solve(Trapezoidal, 16).expect("solved");
+        let proof = line.prove(Accuracy::default()).expect("proved");
+        let (length, energy) = (proof.curve.length(), proof.curve.energy());
+        assert!(length.hi() > 1.5 * length.lo() && length.contains(line.length().value));
+        let upper = proof.enclosure.upper;
+        assert!(upper >= length.hi() * length.hi() * (1.0 - 1e-15) || upper >= energy.hi());
+        let ball = proof.within.expect("no constants on all of space");
+        assert!(ball.r() >= length.hi() / proof.constants.c1().sqrt(), "{ball:?} for {length:?}");
     }
 
     /// A metric whose two methods disagree: `H = 1`, but a squared norm of `4 u²`. What is proved is

@@ -3,10 +3,10 @@
 use std::f64::consts::PI;
 
 use tautline::{
-    Ends, KnownDistance, LeftEndpoint, Options, PointSequence, Problem, Rule, RuleOfThePaper,
-    Starts, TautLine, Trapezoidal,
+    Ball, Ends, HalfSpace, KnownDistance, LeftEndpoint, Options, PointSequence, Problem, Rule,
+    RuleOfThePaper, Starts, TautLine, Trapezoidal,
     bounds::{Enclosure, FromAbove, FromBelow},
-    gallery::{Constant, Separable, Shear},
+    gallery::{Constant, Separable, Shear, Valleys},
 };
 
 /// `f = 1 + a sin kx` on `[0, 1]`, with far more waves than a quadrature looks at.
@@ -100,4 +100,88 @@ fn a_line_that_is_not_optimised_has_its_residual_in_the_lower_bound() {
     let lost = converged.discrete_energy() - left.lower;
     assert!(line.discrete_energy() - lost > d2, "{enclosure:?}, {left:?}");
     assert!(enclosure.lower < left.lower, "{enclosure:?}, {left:?}");
+}
+
+/// The lines on which nothing was optimised, given by their points.
+fn given<M: tautline::Bounded<D>, const D: usize>(
+    metric: M,
+    ends: Ends<D>,
+    points: Vec<[f64; D]>,
+) -> TautLine<M, Trapezoidal, D> {
+    let n = points.len() - 1;
+    let start = PointSequence::new(points.into_iter().map(Into::into).collect()).expect("finite");
+    let options =
+        Options { starts: Starts::Only(vec![start]), iterations: 0, ..Options::default() };
+    Problem::new(metric, ends).solve_with(Trapezoidal, n, &options).expect("a metric")
+}
+
+/// The trapezoidal rule reads a line from either end alike, so what it tells of `d²` is the same of
+/// the way back: the longest chord counts wherever it is, and the residual at each inner point.
+#[test]
+fn the_way_back_is_enclosed_as_the_way_there() {
+    let wave = |k: usize| [0.1 * k as f64, 0.002 * (k * k % 7) as f64];
+    let mut lines = vec![(0..=12).map(wave).collect::<Vec<_>>()];
+    // One chord that is far longer than the others, as first, as last, or between.
+    for long in [0, 3, 7] {
+        let place = |k: usize| if k > long { 0.4 + 0.01 * k as f64 } else { 0.01 * k as f64 };
+        lines.push((0..=8).map(|k| [place(k), 0.3 * place(k)]).collect());
+    }
+    // One inner point that is off the line: the first, the last, or between.
+    for off in [1, 4, 7] {
+        let beside = |k: usize| if k == off { 0.003 } else { 0.0 };
+        lines.push((0..=8).map(|k| [0.01 * k as f64, beside(k)]).collect());
+    }
+    let shear = Shear::new(0.5, 1.0).expect("valid");
+    let mut assumed = [0, 0];
+    for points in lines {
+        let enclosure = |points: Vec<[f64; 2]>| {
+            let ends = Ends::points(points[0], points[points.len() - 1]).expect("finite");
+            given(shear, ends, points).enclosure().expect("finite")
+        };
+        let there = enclosure(points.clone());
+        let back = enclosure(points.into_iter().rev().collect());
+        // Sums of a dozen terms in another order, of which differences are a hundredth.
+        let close = |x: f64, y: f64| (x - y).abs() <= 1e-12 * x.abs();
+        assert!(close(there.lower, back.lower) && close(there.upper, back.upper), "{there:?}");
+        let flags = |x: &Enclosure| (x.from_below, x.assumes_global_minimum, x.is_not_global);
+        assert_eq!(flags(&there), flags(&back));
+        assumed[usize::from(there.assumes_global_minimum)] += 1;
+    }
+    assert!(assumed.iter().all(|&count| count > 0), "{assumed:?}");
+}
+
+/// Between sets the ends of a line need not be those that are nearest to each other: how far they
+/// are apart says nothing of `d²`, which is `4` here.
+#[test]
+fn the_gap_between_the_ends_of_a_line_is_not_that_of_its_sets() {
+    let flat = Constant::<2>::new([[1.0, 0.0], [0.0, 1.0]].into()).expect("definite");
+    let ball = Ball::new([0.0, 0.0], 1.0).expect("a radius");
+    let wall = HalfSpace::at_least([1.0, 0.0], 3.0).expect("a normal");
+    let ends = Ends::new(ball, wall).expect("one bounded");
+    let line = given(flat, ends, vec![[0.0, 1.0], [1.0, 2.0], [3.0, 5.0]]);
+    let enclosure = line.enclosure().expect("finite");
+    assert!(enclosure.upper > 24.0, "{enclosure:?}");
+    assert_ne!(enclosure.from_below, FromBelow::Euclidean);
+    assert!(enclosure.lower <= 4.0 || enclosure.assumes_global_minimum, "{enclosure:?}");
+    // Between two points it does.
+    let ends = Ends::points([0.0, 1.0], [3.0, 5.0]).expect("finite");
+    let line = given(flat, ends, vec![[0.0, 1.0], [1.0, 2.0], [3.0, 5.0]]);
+    assert!(line.enclosure().expect("finite").lower >= 25.0 * (1.0 - 1e-14));
+}
+
+/// Energies are extrapolated by the order of their rule: that of either comes to `d²` by far more
+/// digits than the energies themselves.
+#[test]
+fn each_rule_is_extrapolated_by_its_own_order() {
+    fn off<R: Rule>(rule: R) -> (f64, f64) {
+        let d2 = Valleys.distance(&[0.0].into(), &[2.5].into()).expect("known").powi(2);
+        let ends = Ends::points([0.0], [2.5]).expect("finite");
+        let line = Problem::new(Valleys, ends).solve(rule, 512).expect("solved");
+        let estimate = line.distance_squared_estimate().expect("four grids");
+        ((line.discrete_energy() / d2 - 1.0).abs(), (estimate.value / d2 - 1.0).abs())
+    }
+    for (energy, estimate) in [off(Trapezoidal), off(LeftEndpoint)] {
+        // Three grids before this one: 1e-3 for each would be more.
+        assert!(energy > 1e-7 && estimate < 1e-3 * energy, "{energy:e}, {estimate:e}");
+    }
 }

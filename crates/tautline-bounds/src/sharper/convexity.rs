@@ -243,6 +243,27 @@ mod tests {
         }
     }
 
+    /// The other way round: for near ends and the left-endpoint rule `√E + (L_H/c₁^{3/2}) E` is less
+    /// than the spread allows. It grows with the energy that the sequence has, not with its length.
+    #[test]
+    fn the_momentum_bounds_the_speeds_of_a_minimiser() {
+        for (energy, speed) in [(0.25_f64, 0.5 + 0.25 / 8.0), (0.2601, 0.51 + 0.2601 / 8.0)] {
+            let still = BetweenPoints {
+                rule: PaperRule::LeftEndpoint,
+                greatest_difference: 0.0,
+                discrete_energy: energy,
+                ..computed(0.5, 1.0)
+            };
+            let found = strict_convexity(constants(2.0), 2, &still).expect("convex");
+            let (b, angle) = (0.5 * speed, std::f64::consts::FRAC_PI_2 / 64.0);
+            let r = 1.0 / (128.0 * angle.sin());
+            let modulus = 4.0 - 2.0 * b * r - (b * r).powi(2);
+            let lost = 1.0 / (4.0 * modulus * (64.0 * angle.sin()).powi(2));
+            // Some twenty roundings of numbers up to 4, of a difference of 0.03.
+            assert!(((energy - found) / lost - 1.0).abs() < 1e-12, "{energy}: {found}, {lost}");
+        }
+    }
+
     /// With a speed of the computed sequence that is too large for the set it says nothing.
     #[test]
     fn both_sequences_have_to_lie_in_the_convex_set() {

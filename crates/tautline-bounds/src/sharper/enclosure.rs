@@ -243,6 +243,54 @@ mod tests {
         assert_eq!((nothing.lower, nothing.from_below), (0.0, FromBelow::Nothing));
     }
 
+    /// `c₁ |x − y|² = 16` is above what the minimum of 9 tells, and rests on nothing else: no
+    /// assumption is made where it is not needed. Whether the constants are those of a region is
+    /// said by whatever statement the lower end holds.
+    #[test]
+    fn where_the_euclidean_distance_is_the_better_bound_nothing_is_assumed() {
+        for minimum in
+            [DiscreteMinimum::Assumed, DiscreteMinimum::AtLeast(9.0), DiscreteMinimum::Unknown]
+        {
+            let far = Computed {
+                gap: 2.0,
+                energy: 20.0,
+                length_squared: 18.0,
+                ..computed(PaperRule::LeftEndpoint, minimum)
+            };
+            for (constants, local) in [(constants(), false), (constants().on_a_region(), true)] {
+                let found = enclose(constants, 2, &far).expect("valid");
+                assert_eq!((found.lower, found.from_below), (16.0, FromBelow::Euclidean));
+                assert!(!found.assumes_global_minimum && !found.is_not_global, "{found:?}");
+                assert_eq!(found.is_local, local);
+            }
+        }
+    }
+
+    /// The last double for which `d² e(d)` is at most the minimum, and not the one behind it.
+    #[test]
+    fn the_equation_of_the_ceiling_is_solved_from_below() {
+        let with_m_h = constants();
+        let without = Constants::new(4.0, 40.0, 8.0).expect("in order");
+        let mut solved = 0;
+        for constants in [with_m_h, without, with_m_h.isotropic(), with_m_h.on_a_region()] {
+            for (rule, count) in PaperRule::BOTH.into_iter().zip([7, 50]) {
+                let n = NonZeroUsize::new(count).expect("positive");
+                for k in 1..40 {
+                    let least = 0.37 * f64::from(k * k);
+                    let setting = |d| Setting::new(constants, d, 2).expect("valid");
+                    let d = super::distance_from_below(setting(0.0), rule, n, least);
+                    let energy = |d: f64| {
+                        super::product([d, d, 1.0 + super::ceiling::least(setting(d), rule, n)])
+                    };
+                    assert!(energy(d) <= least, "{d} for {least}");
+                    solved += usize::from(energy(d.next_up()) > least);
+                }
+            }
+        }
+        // Of two neighbours both may do, where the products round alike.
+        assert!(solved > 200, "{solved}");
+    }
+
     #[test]
     fn a_constant_metric_is_enclosed_by_one_number() {
         let flat = Constants::new(4.0, 5.0, 0.0).and_then(|c| c.with_m_h(0.0)).expect("valid");

@@ -164,6 +164,22 @@ mod tests {
         assert!((e.sqrt()..1.03 * e.sqrt()).contains(&tra.radius), "{tra:?}");
     }
 
+    /// Constants within a radius are those of a region, whoever returns them: of an isotropic metric
+    /// without `M_H` beyond it one chord may spend `1 + δ/4 + δ²/24`, where all of space would leave
+    /// `1 + δ/4` and less than that, as there is no incline without an end.
+    #[test]
+    fn constants_within_a_radius_are_not_taken_for_those_of_all_of_space() {
+        let incline = Constants::new(1.0, 1e6, 6.0).and_then(|c| c.with_m_h(0.0));
+        let incline = incline.expect("in order").isotropic();
+        for given in [incline, incline.on_a_region()] {
+            let within = |_| Ok::<_, Infallible>(given);
+            let region = competitors(2, TRA, NonZeroUsize::MIN, 1.0, within).expect("bounded");
+            // δ = 6: 1 + 3/2 + 3/2 by the first order, and 1 + 9·(16/12 + 6/√360) by the other.
+            assert!((2.0..1.03 * 2.0).contains(&region.radius), "{region:?}");
+            assert!(region.constants.is_local());
+        }
+    }
+
     #[test]
     fn a_metric_may_refuse_a_radius() {
         let disc = |radius: f64| {

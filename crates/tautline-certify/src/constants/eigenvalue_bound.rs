@@ -174,6 +174,31 @@ mod tests {
         assert!((0.0..1e-14).contains(&at_a_point), "{at_a_point:e}");
     }
 
+    /// Matrices of dyadic numbers with eigenvalues that are known exactly, by reflections along
+    /// `(±1, ±1, ±1, ±1)`: not even by a rounding is the bound below the largest, and the eigenvectors
+    /// that are used for it are orthonormal up to rounding only.
+    #[test]
+    fn no_bound_is_below_an_eigenvalue_that_is_known_exactly() {
+        let reflection = |signs: u32| {
+            let v = |i: usize| if signs >> i & 1 == 0 { 1.0 } else { -1.0 };
+            DMatrix::from_fn(4, 4, |i, j| f64::from(u8::from(i == j)) - 0.5 * v(i) * v(j))
+        };
+        for case in 0..400_u32 {
+            let digit = |k: u32| f64::from(case.wrapping_mul(2_654_435_761) >> (5 * k) & 31);
+            let shift = if case % 3 == 0 { -40.0 } else { -7.0 };
+            let eigenvalues: Vec<f64> = (0..4).map(|k| digit(k) + shift).collect();
+            let q = reflection(case % 8) * reflection(case / 8 % 8);
+            let diagonal = DMatrix::from_fn(4, 4, |i, j| if i == j { eigenvalues[i] } else { 0.0 });
+            let scale = 2.0_f64.powi(case as i32 % 90 - 45);
+            let a = &q * diagonal * q.transpose() * scale;
+            let most = eigenvalues.iter().copied().fold(f64::MIN, f64::max) * scale;
+            let size = eigenvalues.iter().fold(0.0_f64, |size, x| size.max(x.abs())) * scale;
+            let bound = largest_eigenvalue(&linear(&a, &a, 0.0));
+            // Above it by the margin of a double eigenvalue, which has no single eigenvector.
+            assert!(most <= bound && bound <= most + 1e-6 * size, "{case}: {most} {bound}");
+        }
+    }
+
     #[test]
     fn a_negative_eigenvalue_is_bounded_from_above_too() {
         let a = dmatrix![-2.0, 0.3; 0.3, -5.0];

@@ -207,6 +207,24 @@ mod tests {
         assert!(square.hi() <= bound && bound < 0.09 * (1.0 + 1e-14), "{bound}");
     }
 
+    /// On the line under `H = 1` the length of an increasing sequence is the difference of its ends,
+    /// and its square known to all digits: no bound is below it, by however little.
+    #[test]
+    fn no_rounding_puts_the_bound_below_the_square_of_the_length() {
+        let euclidean = Constant::new(SMatrix::<f64, 1, 1>::identity()).expect("definite");
+        for k in 1..200 {
+            let far = 0.1 * f64::from(k);
+            // Unequal chords, so that the energy does not decide.
+            let points = [0.0, 0.3 * far, far].map(|x| vector![x]).to_vec();
+            let curve = PointSequence::new(points).expect("finite");
+            let ends = Ends::points([0.0], [far]).expect("finite");
+            let curve = AdmissibleCurve::new(&euclidean, &curve, &ends).expect("proved");
+            let bound = curve.distance_squared_at_most();
+            // One rounding at the end, which keeps the sign.
+            assert!(far.mul_add(far, -bound) <= 0.0 && bound < far * far * (1.0 + 1e-14), "{far}");
+        }
+    }
+
     /// A ball that contains the first point: no rounding moves it, and the ends of a constant
     /// curve have distance zero.
     #[test]

@@ -8,6 +8,8 @@
 mod dependence;
 mod expression;
 mod invariance;
+#[cfg(test)]
+mod laws;
 mod operators;
 
 pub(crate) use dependence::{Along, Dependence};

@@ -343,11 +343,19 @@ mod tests {
     fn of_several_pieces_those_count_that_the_curve_joins() {
         let (a, b) = ([0.0, 0.0], [2.0, 1.5]);
         let points = Ends::points(a, b).expect("finite");
-        let several = FiniteSet::new([[9.0, 9.0], b, [-7.0, 3.0]]).expect("finite");
-        let several = Ends::new(Point::new(a).expect("finite"), several).expect("bounded");
+        let several = |x| FiniteSet::new([[9.0, 9.0], x, [-7.0, 3.0]]).expect("finite");
+        let [start, goal] = [a, b].map(|x| Point::new(x).expect("finite"));
         let minimum = solve(&Valleys, &points, Trapezoidal, 256);
-        let computed = |ends| leading_constants(&Valleys, ends, &minimum).expect("a minimum");
-        assert_eq!(computed(&several), computed(&points));
+        let computed =
+            |ends: &Ends<2>| leading_constants(&Valleys, ends, &minimum).expect("a minimum");
+        for ends in [
+            Ends::new(start, several(b)),
+            Ends::new(several(a), goal),
+            Ends::new(several(a), several(b)),
+        ] {
+            let ends = ends.expect("bounded");
+            assert_eq!(computed(&ends), computed(&points));
+        }
     }
 
     #[test]

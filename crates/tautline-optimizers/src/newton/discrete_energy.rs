@@ -120,9 +120,12 @@ impl<M: Metric<D>, R: Rule, const D: usize> DiscreteEnergy<D> for EnergyOf<'_, M
 mod tests {
     use nalgebra::{SMatrix, SVector, vector};
     use tautline_discretizations::{
-        LeftEndpoint, PointSequence, Rule, Trapezoidal, TrueTrapezoid, energy_gradient,
+        LeftEndpoint, Node, PointSequence, Rule, Trapezoidal, TrueTrapezoid, energy_gradient,
     };
-    use tautline_metrics::{Metric, Scalar, gallery::Shear};
+    use tautline_metrics::{
+        Metric, MetricError, Scalar,
+        gallery::{Constant, Shear},
+    };
 
     use super::{DiscreteEnergy, EnergyOf};
 
@@ -147,6 +150,66 @@ mod tests {
         assert_sum_of_chords(Trapezoidal, 2);
         assert_sum_of_chords(LeftEndpoint, 1);
         assert_sum_of_chords(TrueTrapezoid, 2);
+    }
+
+    /// A long chord, and so many short ones that each alone is rounded away beside it.
+    #[test]
+    fn the_energy_of_a_trial_keeps_what_a_plain_sum_loses() {
+        let flat = Constant::new(nalgebra::SMatrix::<f64, 1, 1>::identity()).expect("definite");
+        let energy: &dyn DiscreteEnergy<1> = &EnergyOf { rule: Trapezoidal, metric: &flat };
+        let n = (1 << 16) + 1;
+        let short = 2.0_f64.powi(-27);
+        let points: Vec<_> = (0..=n)
+            .map(|k| vector![if k == 0 { 0.0 } else { 1.0 + f64::from(k - 1) * short }])
+            .collect();
+        // All dyadic: 1 + 2¹⁶ 2⁻⁵⁴, times N.
+        let expected = f64::from(n) * (1.0 + 2.0_f64.powi(-38));
+        assert_eq!(energy.admissible(&points), Some(expected));
+        let sequence = PointSequence::new(points).expect("finite");
+        assert_eq!(energy.linear_model(&sequence).energy, expected);
+    }
+
+    /// Simpson's rule, with a node inside of each chord besides those at its ends.
+    #[derive(Clone, Copy, Debug)]
+    struct Simpson;
+
+    impl Rule for Simpson {
+        const NODES: &'static [Node] = &[
+            Node { fraction: 0.0, weight: 1.0 / 6.0 },
+            Node { fraction: 0.5, weight: 2.0 / 3.0 },
+            Node { fraction: 1.0, weight: 1.0 / 6.0 },
+        ];
+        const ERROR_EXPONENT: i32 = 2;
+    }
+
+    /// The metric is looked at in each node of each chord, the last ones included.
+    #[test]
+    fn a_node_without_a_metric_is_named_whichever_it_is() {
+        assert_sum_of_chords(Simpson, 2);
+        for chord in 0..3 {
+            for node in 0..3 {
+                let place = f64::from(chord) + 0.5 * f64::from(node);
+                // x₁ − place, which is no metric at one place, and squared one everywhere else.
+                struct Hole(f64);
+                impl Metric<1> for Hole {
+                    fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
+                        SMatrix::from_element((x[0] - self.0).sqr())
+                    }
+                }
+                let sequence = PointSequence::straight([0.0], [3.0], 3).expect("finite");
+                let hole = Hole(place);
+                let energy: &dyn DiscreteEnergy<1> = &EnergyOf { rule: Simpson, metric: &hole };
+                match energy.check_nodes(&sequence) {
+                    Err(MetricError::NotPositiveDefinite { point, .. }) => {
+                        assert_eq!(point, [place]);
+                    }
+                    other => panic!("{other:?}"),
+                }
+            }
+        }
+        let energy: &dyn DiscreteEnergy<2> = &EnergyOf { rule: Simpson, metric: &ToTheRight };
+        assert!(energy.check_at(&vector![1.0, 0.0]).is_ok());
+        assert!(energy.check_at(&vector![-1.0, 0.0]).is_err());
     }
 
     /// `H = x₁ I`, a metric to the right of 0 only.

@@ -34,3 +34,25 @@ impl Magnitude {
         1.0 / (2.0 * n as f64 * self.mean_gram)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Magnitude;
+
+    /// `c E` may be beyond the range of `f64`, or below it, where its root is not.
+    #[test]
+    fn a_momentum_in_range_is_found() {
+        for (energy, mean_gram, expected) in
+            [(9.0, 4.0, 6.0), (4e200, 1e200, 2e200), (1e-200, 4e-200, 2e-200), (0.0, 1.0, 0.0)]
+        {
+            let momentum = Magnitude { energy, mean_gram }.momentum();
+            assert!((momentum - expected).abs() <= 1e-15 * expected, "{momentum:e}");
+        }
+    }
+
+    #[test]
+    fn without_energy_there_is_nothing_to_shed() {
+        assert_eq!(Magnitude { energy: 0.0, mean_gram: 1.0 }.relative(0.0), 0.0);
+        assert_eq!(Magnitude { energy: 4.0, mean_gram: 1.0 }.relative(1.0), 0.25);
+    }
+}

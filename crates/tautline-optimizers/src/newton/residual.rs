@@ -76,7 +76,7 @@ mod tests {
     use nalgebra::{SMatrix, SVector};
     use tautline_discretizations::{PointSequence, QuadraticModel, Trapezoidal};
     use tautline_metrics::{Lanes, Pair, gallery::Constant};
-    use tautline_sets::Point;
+    use tautline_sets::{ClosedSet, HalfSpace, Point};
 
     use super::Residual;
     use crate::newton::magnitude::Magnitude;
@@ -103,6 +103,45 @@ mod tests {
         // The same roundings in every coordinate, summed in another order.
         for more in [over_the_floor::<3>(), over_the_floor::<8>(), over_the_floor::<32>()] {
             approx::assert_relative_eq!(more, plane, max_relative = 1e-9);
+        }
+    }
+
+    /// A line from wall to wall with the momentum `(3, 4)`, of which `4` is along one and `3` along
+    /// the other: the larger counts, at whichever end it is, and nothing of an end that is a point.
+    #[test]
+    fn of_both_ends_the_one_that_is_less_stationary_counts() {
+        let metric = Constant::new(SMatrix::<f64, 2, 2>::identity()).expect("definite");
+        let [a, b] = [[0.0, 0.0], [3.0, 4.0]].map(SVector::from);
+        let wall = |normal: [f64; 2], through: &SVector<f64, 2>| {
+            let normal = SVector::from(normal);
+            HalfSpace::new(normal, normal.dot(through)).expect("a normal")
+        };
+        let points = [a, b].map(|x| Point::new(x).expect("finite"));
+        // Outer normals: against the line at its begin, along it at its end.
+        let first = [wall([1.0, 0.0], &a), wall([0.0, 1.0], &a)];
+        let second = [wall([-1.0, 0.0], &b), wall([0.0, -1.0], &b)];
+        for n in [1, 2, 20] {
+            let line = PointSequence::straight(a, b, n).expect("finite");
+            let model = QuadraticModel::new(Trapezoidal, &metric, &line);
+            let magnitude = Magnitude::of(&model);
+            let mut residual = Residual::new(n, magnitude);
+            residual.push_all(&model.gradient);
+            let value = |one: &dyn ClosedSet<2>, other: &dyn ClosedSet<2>| {
+                residual.value([one, other], &line, magnitude).0
+            };
+            for (found, expected) in [
+                (value(&first[0], &second[1]), 0.8),
+                (value(&first[1], &second[0]), 0.8),
+                (value(&first[1], &second[1]), 0.6),
+                (value(&first[0], &points[1]), 0.8),
+                (value(&points[0], &second[0]), 0.8),
+                (value(&points[0], &second[1]), 0.6),
+                (value(&points[0], &points[1]), 0.0),
+            ] {
+                // Second differences of coordinates up to 4, times N².
+                let rounding = 8.0 * f64::EPSILON * (n * n) as f64;
+                assert!((found - expected).abs() <= rounding, "N = {n}: {found}, {expected}");
+            }
         }
     }
 

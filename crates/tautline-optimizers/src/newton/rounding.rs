@@ -62,7 +62,7 @@ mod tests {
     use tautline_discretizations::{PointSequence, QuadraticModel, Trapezoidal};
     use tautline_metrics::gallery::Valleys;
 
-    use super::{Magnitude, is_rounding, margin, negligible};
+    use super::{Magnitude, is_rounding, margin, negligible, rounding};
 
     #[test]
     fn near_the_origin_the_energy_decides_and_far_away_the_points() {
@@ -84,6 +84,28 @@ mod tests {
         let b = 1.0 + f64::EPSILON;
         let line = PointSequence::straight([1.0, 0.0], [b, 0.0], 4).expect("finite");
         assert!(is_rounding(&QuadraticModel::new(Trapezoidal, &Valleys, &line), &line));
+    }
+
+    /// Whichever point is far from the origin is rounded most.
+    #[test]
+    fn the_farthest_point_decides_wherever_it_is() {
+        for far in 0..4 {
+            let mut points = vec![nalgebra::vector![1.0, -1.0]; 4];
+            points[far][far % 2] = -1e6;
+            let bent = PointSequence::new(points).expect("finite");
+            assert_eq!(rounding(&bent), 3.0 * f64::EPSILON * 1e6);
+        }
+    }
+
+    /// From a point back to it, or nearly: a way there and back is no rounding.
+    #[test]
+    fn a_loop_is_not_rounding() {
+        let loop_of = |size: f64| {
+            let points = [[1.0, 0.0], [1.0, size], [1.0, 0.0]].map(nalgebra::SVector::from);
+            let line = PointSequence::new(points.to_vec()).expect("finite");
+            is_rounding(&QuadraticModel::new(Trapezoidal, &Valleys, &line), &line)
+        };
+        assert!(!loop_of(1.0) && !loop_of(1e-12) && loop_of(1e-16));
     }
 
     #[test]

@@ -128,7 +128,7 @@ pub(crate) fn lowest_first<const D: usize>(candidates: &mut Vec<Candidate<'_, D>
 mod tests {
     use tautline_discretizations::{LeftEndpoint, PointSequence, Rule, Trapezoidal};
     use tautline_metrics::gallery::Valleys;
-    use tautline_sets::Point;
+    use tautline_sets::{Ball, ClosedSet, Point};
 
     use super::{Candidate, lowest_first};
     use crate::{
@@ -140,7 +140,7 @@ mod tests {
     /// How far the start with 3200 chords is from the minimiser, after a search on these grids.
     fn distance<R: Rule>(rule: R, grids: &[usize]) -> f64 {
         let ends = [[0.0, 0.0], [2.0, 1.5]].map(|x| Point::new(x).expect("finite"));
-        let ends: [&dyn tautline_sets::ClosedSet<2>; 2] = [&ends[0], &ends[1]];
+        let ends: [&dyn ClosedSet<2>; 2] = [&ends[0], &ends[1]];
         let search = LocalSearch {
             energy: &EnergyOf { rule, metric: &Valleys },
             ends,
@@ -176,6 +176,26 @@ mod tests {
         }
     }
 
+    /// Points of a curved boundary, extrapolated, leave it: both ends are brought back.
+    #[test]
+    fn the_ends_of_an_extrapolated_start_lie_in_their_sets() {
+        let [a, b] = [[0.0, 0.3], [3.0, 1.5]].map(|x| Ball::new(x, 0.5).expect("a radius"));
+        let ends: [&dyn ClosedSet<2>; 2] = [&a, &b];
+        let energy = &EnergyOf { rule: LeftEndpoint, metric: &Valleys };
+        let search = LocalSearch { energy, ends, iterations: 50, threads: 1 };
+        let solve = |n| {
+            let line = PointSequence::straight([0.3, 0.3], [2.7, 1.5], n).expect("finite");
+            search.run(line).expect("a metric")
+        };
+        let candidate = Candidate::new(ends, solve(32)).refined(solve(64)).0;
+        let start = candidate.start(256, 1, Vec::new()).expect("finite");
+        for (set, x) in ends.into_iter().zip([start.first(), start.last()]) {
+            assert!((set.project(x) - x).amax() < 1e-15, "{x}");
+        }
+        // They have moved by far more than that.
+        assert!((start.last() - candidate.found.sequence.last()).amax() > 1e-6);
+    }
+
     /// A result with this energy, whatever it is of.
     fn found(n: usize, energy: f64) -> Found<2> {
         Found {
@@ -201,6 +221,30 @@ mod tests {
         assert_eq!((steady.leapt(), steady.coarser.len()), (false, 2));
         let (leapt, _) = coarse().refined(found(128, 2.0));
         assert_eq!((leapt.leapt(), leapt.coarser.len()), (true, 0));
+        // From one grid to the next: in many steps the energy may rise as far as it likes.
+        let rising = [1.4, 1.8, 2.2].map(|energy| (128, energy));
+        let risen = rising.into_iter().fold(coarse(), |c, (n, e)| c.refined(found(n, e)).0);
+        assert!(!risen.leapt() && risen.refined(found(256, 3.4)).0.leapt());
+    }
+
+    /// The energy of a search that did not end at a minimiser says nothing: it is the last, however
+    /// low, and no double of one that did.
+    #[test]
+    fn a_search_that_failed_comes_last_and_stands_for_no_other() {
+        let point = Point::new([0.0, 0.0]).expect("finite");
+        for stop in [Stop::Stalled, Stop::IterationLimit] {
+            let new = |energy, stop| {
+                Candidate::new([&point, &point], Found { stop, ..found(64, energy) })
+            };
+            let (good, touch) = (new(2.0, Stop::Converged), new(3.0, Stop::EndsTouch));
+            let mut candidates = vec![new(1.0, stop), touch, new(2.0, stop), good];
+            lowest_first(&mut candidates);
+            let order: Vec<_> = candidates.iter().map(|c| (c.found.energy, c.failed())).collect();
+            assert_eq!(order, [(2.0, false), (3.0, false), (1.0, true), (2.0, true)]);
+            let mut alike = vec![new(2.0, stop), new(2.0, Stop::Converged)];
+            lowest_first(&mut alike);
+            assert_eq!(alike.iter().map(Candidate::failed).collect::<Vec<_>>(), [false, true]);
+        }
     }
 
     #[test]

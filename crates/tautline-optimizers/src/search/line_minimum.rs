@@ -73,7 +73,7 @@ pub(crate) fn line_minimum<const D: usize>(
 #[cfg(test)]
 mod tests {
     use nalgebra::vector;
-    use tautline_discretizations::{LeftEndpoint, Trapezoidal};
+    use tautline_discretizations::{LeftEndpoint, Trapezoidal, TrueTrapezoid};
     use tautline_metrics::gallery::{Hyperbolic, Valleys};
 
     use super::line_minimum;
@@ -114,6 +114,30 @@ mod tests {
         let (a, b) = (vector![1.2, 0.0], vector![12.0, 0.0]);
         let line = line_minimum(&left(&Valleys), &a, &b, 4, 128).expect("finite");
         assert!(line.iter().any(|x| x[0] < 1.0), "{line:?}");
+    }
+
+    /// The grid goes on beyond both ends: with a rule that reads both ends of a chord alike, the way
+    /// back is the way there.
+    #[test]
+    fn a_leap_ends_with_a_step_back_too() {
+        let energy = EnergyOf { rule: TrueTrapezoid, metric: &Valleys };
+        let (a, b) = (vector![1.2, 0.0], vector![12.0, 0.0]);
+        let there = line_minimum(&energy, &a, &b, 4, 128).expect("finite");
+        let mut back = line_minimum(&energy, &b, &a, 4, 128).expect("finite");
+        back.reverse();
+        for line in [&there, &back] {
+            assert!(line.iter().any(|x| x[0] < 1.0), "{line:?}");
+        }
+        // Grid points of the two are off by rounding.
+        let distance = there.iter().zip(&back).map(|(x, y)| (x - y).amax()).fold(0.0, f64::max);
+        assert!(distance < 1e-13, "{there:?} {back:?}");
+    }
+
+    /// Of one chord there is no choice.
+    #[test]
+    fn one_chord_joins_the_ends() {
+        let (a, b) = (vector![1.2, 0.0], vector![12.0, 0.0]);
+        assert_eq!(line_minimum(&left(&Valleys), &a, &b, 1, 128), Some(vec![a, b]));
     }
 
     #[test]

@@ -64,3 +64,44 @@ impl<const D: usize> LocalSearch<'_, D> {
 fn extent<const D: usize>(points: &[SVector<f64, D>]) -> f64 {
     points.iter().map(|x| (x - points[0]).amax()).fold(0.0, f64::max)
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SMatrix, SVector};
+    use tautline_discretizations::{PointSequence, QuadraticModel, Trapezoidal};
+    use tautline_metrics::{Metric, Scalar, gallery::Bump};
+    use tautline_sets::Point;
+
+    use crate::{newton::discrete_energy::EnergyOf, search::local_search::LocalSearch};
+
+    /// A bump, and no metric where `sign · x₂ < −10⁻⁵`: a wall along the line over the bump.
+    struct Walled {
+        bump: Bump,
+        sign: f64,
+    }
+
+    impl Metric<2> for Walled {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            let inside = (x[1] * self.sign + 1e-5).sqrt() * 0.0 + 1.0;
+            self.bump.gram(x) * inside
+        }
+    }
+
+    /// Down leads to either side, and one of them is closed.
+    #[test]
+    fn a_saddle_is_left_to_the_side_that_is_open() {
+        let [a, b] = [[-1.5, 0.0], [1.5, 0.0]];
+        let line = PointSequence::straight(a, b, 32).expect("finite");
+        let [a, b] = [a, b].map(|x| Point::new(x).expect("finite"));
+        for sign in [1.0, -1.0] {
+            let metric = Walled { bump: Bump::new(4.0, 0.5).expect("a width"), sign };
+            let energy = &EnergyOf { rule: Trapezoidal, metric: &metric };
+            let search = LocalSearch { energy, ends: [&a, &b], iterations: 1, threads: 1 };
+            let model = QuadraticModel::new(Trapezoidal, &metric, &line);
+            let points = search.leave_saddle(&model, &line, 64.0).expect("a way down");
+            assert!(points[1..32].iter().all(|x| x[1] * sign > -1e-5), "{points:?}");
+            let lower = search.energy.admissible(&points).expect("inside");
+            assert!(lower < 0.999 * model.energy, "{lower} {}", model.energy);
+        }
+    }
+}

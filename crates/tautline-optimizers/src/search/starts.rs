@@ -171,6 +171,24 @@ mod tests {
         let point = Point::new([0.2, 0.1]).expect("finite");
         let starts = Starts::Automatic.between(&VALLEYS, [&sphere, &point], 16, 64);
         assert!(starts.len() >= 5 * 4, "the nearest point and four seeds, {}", starts.len());
+        // As the second set as well: the same lines, the other way round.
+        let back = Starts::Automatic.between(&VALLEYS, [&point, &sphere], 16, 64);
+        assert_eq!(back.len(), starts.len());
+        let near = |x: &PointSequence<2>, y: &PointSequence<2>| {
+            let pairs = x.points().iter().zip(y.points().iter().rev());
+            pairs.map(|(x, y)| (x - y).amax()).fold(0.0, f64::max) < 1e-9
+        };
+        let straight = |starts: &[PointSequence<2>]| -> Vec<_> {
+            let even = |x: &PointSequence<2>| {
+                let steps: Vec<_> = x.differences().collect();
+                steps.iter().all(|step| (step - steps[0]).amax() < 1e-9)
+            };
+            starts.iter().filter(|x| even(x)).cloned().collect()
+        };
+        assert!(straight(&starts).len() >= 5);
+        for line in straight(&starts) {
+            assert!(back.iter().any(|x| near(x, &line)), "{line:?}");
+        }
     }
 
     /// The nearest points of a ball and a half-space lie on the normal through the centre.

@@ -1,0 +1,73 @@
+//! Metrics that are not defined on a part of a domain, where the first point that is looked at has
+//! no value: what is undefined is found, and named by a point.
+
+use nalgebra::{SMatrix, SVector, vector};
+use tautline_certify::{
+    Accuracy, Cell, CertifiedConstants, CertifyError, Domain, LocallyCertified, Quantity, certify,
+};
+use tautline_metrics::{LocalError, LocallyBounded, Metric};
+use tautline_scalar::Scalar;
+
+/// `1 + √(1 + x)`, and beside it what has no value in doubles at 0: `|x|`, whose derivatives are
+/// `0/0` there, or `10³²⁰ e^{−200 x²}`.
+struct Partly {
+    overflows: bool,
+}
+
+impl Metric<1> for Partly {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
+        let square = x[0].sqr();
+        let beside =
+            if self.overflows { ((-square * 100.0).exp() * 1e160).sqr() } else { square.sqrt() };
+        SMatrix::from_element(beside + (x[0] + 1.0).sqrt() + 1.0)
+    }
+}
+
+#[track_caller]
+fn assert_undefined<T: std::fmt::Debug>(found: Result<T, CertifyError>) {
+    match found {
+        Err(CertifyError::Undefined { point }) => assert!(point[0] < -1.0, "{point:?}"),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn what_is_undefined_is_found_where_the_first_point_has_no_value() {
+    let cell = Domain::cell(Cell::new([-2.0], [2.0]).expect("in order"));
+    let ball = Domain::ball([0.0], 2.0).expect("a radius");
+    let accuracy = Accuracy { budget: 10_000, ..Accuracy::default() };
+    for domain in [cell, ball] {
+        assert!(domain.bounding_cell().midpoint()[0] == 0.0);
+        for overflows in [false, true] {
+            for quantity in Quantity::ALL {
+                assert_undefined(certify(&Partly { overflows }, quantity, &domain, accuracy));
+            }
+            assert_undefined(CertifiedConstants::new(&Partly { overflows }, &domain, accuracy));
+        }
+    }
+    let local = LocallyCertified::new(Partly { overflows: true }, accuracy);
+    match local.constants_within(&vector![0.0], 2.0) {
+        Err(LocalError::NotProved { radius: 2.0, reason }) => {
+            assert!(reason.contains("is not shown to be defined at"), "{reason}");
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
+/// Where it is defined everywhere, what it has beside the point without a value counts: `|x|` has a
+/// slope on both sides, and no second derivative that is bounded.
+#[test]
+fn without_anything_undefined_the_budget_ends_the_search() {
+    let cell = Domain::cell(Cell::new([-0.5], [0.5]).expect("in order"));
+    let accuracy = Accuracy { budget: 500, ..Accuracy::default() };
+    for quantity in [Quantity::LH, Quantity::MH] {
+        match certify(&Partly { overflows: false }, quantity, &cell, accuracy) {
+            Err(CertifyError::BudgetSpent { lower, upper, boxes, .. }) => {
+                assert!(boxes > 400 && upper == f64::INFINITY, "{boxes} boxes, {upper}");
+                // 1 + ½ (1 − ½)^{−1/2}, and ¼ (½)^{−3/2} or so, near the ends.
+                assert!(lower > 0.5, "{lower}");
+            }
+            other => panic!("{quantity}: {other:?}"),
+        }
+    }
+}
