@@ -154,6 +154,70 @@ mod tests {
         assert!(evaluations(1.0, 1.0 + 8.0 * f64::EPSILON) <= 7 * 15);
     }
 
+    /// How often `integrate` asks for a value.
+    fn evaluations(f: impl Fn(f64) -> f64, a: f64, b: f64, tolerance: f64) -> (Integral, usize) {
+        let count = std::cell::Cell::new(0);
+        let counted = |x: f64| {
+            count.set(count.get() + 1);
+            f(x)
+        };
+        (integrate(counted, a, b, tolerance), count.get())
+    }
+
+    /// The same values, and the same estimate of the same sign.
+    #[test]
+    fn backwards_an_integral_is_as_hard_and_as_good_as_forwards() {
+        for f in [f64::exp, |x: f64| (20.0 * x).cos(), |x: f64| 1.0 / (1.0 + x * x)] {
+            let (there, count) = evaluations(f, -1.0, 3.0, 1e-13);
+            let (back, again) = evaluations(f, 3.0, -1.0, 1e-13);
+            assert_eq!(count, again);
+            approx::assert_relative_eq!(back.value, -there.value, max_relative = 1e-13);
+            approx::assert_relative_eq!(back.error, there.error, max_relative = 1e-6);
+            assert!(there.error > 0.0);
+        }
+    }
+
+    /// Where the rules differ by rounding alone no halving helps, and where a value is NaN none does.
+    #[test]
+    fn nothing_is_halved_that_does_not_get_better() {
+        assert_eq!(evaluations(|_| 3.0, 0.0, 1.0, 0.0).1, 7);
+        assert!(evaluations(f64::exp, 0.0, 1.0, 0.0).1 <= 7 * 31);
+        assert_eq!(evaluations(|_| f64::NAN, 0.0, 1.0, 1e-12).1, 7);
+        let (half, count) = evaluations(|x| (x - 0.5).ln(), 0.0, 1.0, 1e-12);
+        assert!(half.value.is_nan() && count == 7, "{count}");
+    }
+
+    /// Rounding is an error too, of values of either sign: 2 ε of the integral of `|f|`.
+    #[test]
+    fn the_error_is_no_less_than_rounding() {
+        for f in [|_: f64| 3.0, |_: f64| -3.0] {
+            let (integral, magnitude) = super::kronrod(f, 0.0, 2.0);
+            approx::assert_relative_eq!(magnitude, 6.0, max_relative = 1e-14);
+            assert!(integral.error >= 1.9 * f64::EPSILON * 6.0, "{integral:?}");
+        }
+        // An odd function over both its halves: 0, of numbers that are not small.
+        let (integral, magnitude) = super::kronrod(|x| x, -2.0, 2.0);
+        assert!(
+            magnitude > 3.5 && integral.error >= 1.9 * f64::EPSILON * magnitude,
+            "{integral:?}"
+        );
+        assert!(integral.value.abs() <= integral.error);
+    }
+
+    /// Between neighbours there is no number to halve at, whichever of the two the mean rounds to.
+    #[test]
+    fn neighbours_are_not_halved() {
+        // Values at the two ends that no rule agrees about.
+        let jump = |x: f64| (x.to_bits() & 1) as f64;
+        let mut x = 1.0_f64;
+        for _ in 0..16 {
+            for (a, b) in [(x, x.next_up()), (x.next_up(), x), (-x, -x.next_up())] {
+                assert!(evaluations(jump, a, b, 1e-12).1 <= 7 * 2, "{a:e} {b:e}");
+            }
+            x = x.next_up();
+        }
+    }
+
     #[test]
     fn a_singular_integrand_ends_with_a_large_error() {
         let integral = integrate(|x| 1.0 / x, 0.0, 1.0, 1e-12);

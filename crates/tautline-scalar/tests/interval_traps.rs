@@ -298,7 +298,8 @@ fn the_least_exponent_is_an_even_one() {
         assert_eq!(ends(Interval::point(-2.0).powi(n)), (0.0, LEAST));
         assert_eq!(ends(Interval::point(-0.5).powi(n)), (MAX, INFINITY));
         assert!(interval(-1.0, 1.0).powi(n).is_undefined());
-        assert_eq!((-1.0_f64).powi(n), Scalar::powi(-1.0_f64, n));
+        let powers = [-1.0, 2.0, -0.5].map(|x: f64| Scalar::powi(x, n));
+        assert_eq!(powers, [1.0, 0.0, INFINITY]);
         assert_eq!(Pair::new(-1.0, 2.0).powi(n), Pair::new(1.0, 0.0));
         assert_eq!(Pair::new(-0.5, 1.0).powi(n), Pair::new(INFINITY, 1.0));
     }

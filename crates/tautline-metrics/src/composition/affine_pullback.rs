@@ -139,3 +139,38 @@ impl<M: KnownDistance<D>, const D: usize> KnownDistance<D> for AffinePullback<M,
         self.metric.distance(&self.image(x), &self.image(y))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SMatrix, matrix};
+
+    use super::stretches;
+
+    /// `[[a, b], [b, a]]` has the singular values `a + b` and `a − b`: exact for short `a > b`, on
+    /// either side of what is computed.
+    #[test]
+    fn stretches_are_bounds_on_both_sides() {
+        for (k, l) in (2..60).flat_map(|k| (1..k).map(move |l| (k, l))) {
+            let (a, b) = (1.0 + f64::from(k) / 64.0, f64::from(l) / 64.0);
+            let (low, high) = stretches(&matrix![a, b; b, a]);
+            assert!(low <= a - b && a + b <= high, "{a} {b}: {low} {high}");
+            // And hardly more: 2 · 16 D ulp of the norm.
+            let close = 64.0 * f64::EPSILON * (a + b);
+            assert!(a - b - low <= close && high - a - b <= close, "{a} {b}: {low} {high}");
+        }
+    }
+
+    /// The squares of these entries are beyond `f64`.
+    #[test]
+    fn stretches_scale_with_the_matrix() {
+        let map = matrix![0.3, -1.2; 2.0, 0.4];
+        let (low, high) = stretches(&map);
+        assert!(low > 0.0 && high.is_finite());
+        for unit in [2.0_f64.powi(-600), 2.0_f64.powi(-8), 2.0_f64.powi(600)] {
+            let (scaled_low, scaled_high) = stretches(&(map * unit));
+            assert!((scaled_low / unit - low).abs() <= 1e-15 * high, "{unit:e}");
+            assert!((scaled_high / unit - high).abs() <= 1e-15 * high, "{unit:e}");
+        }
+        assert_eq!(stretches(&SMatrix::<f64, 3, 3>::zeros()), (0.0, 0.0));
+    }
+}

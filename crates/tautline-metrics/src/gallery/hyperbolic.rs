@@ -55,3 +55,37 @@ impl<const D: usize> KnownDistance<D> for Hyperbolic {
         inside.then(|| 2.0 * ((x - y).norm() / (inner_x * inner_y).sqrt()).asinh())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::vector;
+
+    use super::Hyperbolic;
+    use crate::{KnownDistance, LocalError, LocallyBounded};
+
+    /// One point on the rim or beyond it is enough, and two are no better than one.
+    #[test]
+    fn there_is_no_distance_to_the_rim_or_beyond() {
+        let inside = vector![0.3, 0.4];
+        let outside = [vector![1.0, 0.0], vector![0.6, 0.9], vector![-2.0, 0.0], vector![0.0, 1e9]];
+        assert!(Hyperbolic.distance(&inside, &-inside).is_some());
+        for x in outside {
+            assert_eq!(Hyperbolic.distance(&x, &inside), None);
+            assert_eq!(Hyperbolic.distance(&inside, &x), None);
+            for y in outside {
+                assert_eq!(Hyperbolic.distance(&x, &y), None, "{x} {y}");
+            }
+        }
+    }
+
+    /// A ball that reaches the rim leaves the metric.
+    #[test]
+    fn a_ball_up_to_the_rim_has_no_constants() {
+        for (centre, radius) in [(vector![0.0, 0.0], 1.0), (vector![0.5, 0.0], 0.5)] {
+            let error = Hyperbolic.constants_within(&centre, radius).expect_err("the rim");
+            let expected = LocalError::LeavesTheDomain { radius, reach: 1.0, limit: 1.0 };
+            assert_eq!(error, expected);
+            assert!(Hyperbolic.constants_within(&centre, radius * 0.999).is_ok());
+        }
+    }
+}

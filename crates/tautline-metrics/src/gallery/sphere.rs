@@ -71,4 +71,16 @@ mod tests {
         let d = Sphere.distance(&vector![0.5, 0.0], &vector![-2.0, 0.0]).expect("always known");
         assert_relative_eq!(d, std::f64::consts::PI, max_relative = 1e-15);
     }
+
+    /// On one line through the origin `|x|²|y|² − (x·y)²` is zero, and in numbers as often below it.
+    #[test]
+    fn antipodes_on_any_line_are_pi_apart() {
+        for k in 1..2000 {
+            let x = vector![f64::from(k).sin(), 2.0 * (0.7 * f64::from(k)).cos()];
+            let y = -x / x.norm_squared();
+            let d = Sphere.distance(&x, &y).expect("always known");
+            // The denominator is the root of rounding, some √(4 ε) of |x − y| ≥ 2.
+            assert!((d - std::f64::consts::PI).abs() <= 1e-7, "{x}: {d}");
+        }
+    }
 }

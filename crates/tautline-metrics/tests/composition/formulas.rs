@@ -6,13 +6,15 @@ use proptest::{array::uniform, prelude::*};
 use tautline_metrics::{
     Jet2, KnownDistance, Metric,
     composition::{AffinePullback, Product, Scaled, Sum},
-    gallery::{Lens, Ramp, Separable, Shear, SineProjections, Sphere, TwoLinkArm, Valleys},
+    gallery::{
+        Lens, Ramp, Separable, Shear, SineProjections, Sphere, TanhDecoder, TwoLinkArm, Valleys,
+    },
     quadrature::integrate,
 };
 
 use crate::measure::runner;
 
-/// `uᵀHu` is overridden for speed; it and its derivatives are those of the matrix.
+/// `uᵀHu` and `Hu` are overridden for speed; they and their derivatives are those of the matrix.
 fn one_quadratic_form<const D: usize>(
     g: &impl Metric<D>,
     x: &SVector<f64, D>,
@@ -36,6 +38,22 @@ fn one_quadratic_form<const D: usize>(
         close(form.first(k), &|jet| jet.first(k))?;
         for l in 0..D {
             close(form.second(k, l), &|jet| jet.second(k, l))?;
+        }
+    }
+    let momentum = g.momentum(&variables, u);
+    let row_is = |i: usize, found: f64, part: &dyn Fn(&Jet2<f64, D>) -> f64| {
+        let size = h.map(|entry| part(&entry)).amax() * u.norm();
+        let b: f64 = (0..D).map(|j| part(&h[(i, j)]) * u[j]).sum();
+        prop_assert!(
+            (found - b).abs() <= 1e-13 * (D * D) as f64 * size + 1e-13,
+            "{i}: {found} {b}"
+        );
+        Ok(())
+    };
+    for i in 0..D {
+        row_is(i, momentum[i].value(), &Jet2::value)?;
+        for k in 0..D {
+            row_is(i, momentum[i].first(k), &|jet| jet.first(k))?;
         }
     }
     Ok(())
@@ -64,6 +82,17 @@ fn each_has_one_quadratic_form() {
     let x = SVector::<f64, 8>::from_fn(|i, _| 0.3 * i as f64 - 1.1);
     let u = SVector::<f64, 8>::from_fn(|i, _| 1.0 - 0.4 * i as f64);
     one_quadratic_form(&Sum::new(&part, &part), &x, &u).expect("one form");
+    let wave = |i: usize, j: usize| (1.0 + 1.7 * i as f64 - 2.9 * j as f64).sin();
+    let decoder = TanhDecoder::<2, 3, 4>::new(
+        SMatrix::from_fn(wave),
+        SMatrix::from_fn(|i, j| wave(j + 5, i)),
+        0.3,
+    );
+    let decoder = decoder.expect("finite");
+    let (x, u) = (vector![0.3, -0.8], vector![1.2, -0.5]);
+    one_quadratic_form(&decoder, &x, &u).expect("one form");
+    one_quadratic_form(&AffinePullback::new(decoder, map, [0.1, 0.2]).expect("invertible"), &x, &u)
+        .expect("one form");
 }
 
 #[test]

@@ -6,6 +6,7 @@ mod attained;
 mod balls;
 mod decoder;
 mod distances;
+mod flags;
 mod full_matrices;
 mod hold;
 mod interval;
