@@ -127,7 +127,9 @@ mod tests {
 
     use nalgebra::{SMatrix, SVector};
     use tautline::{
-        Bounded, Certified, CertifyError, Metric, Scalar, certify::Accuracy, gallery::{Shear, Valleys},
+        Bounded, Certified, CertifyError, Metric, Scalar,
+        certify::Accuracy,
+        gallery::{Shear, Valleys},
     };
 
     use super::{Bring, Brought};
