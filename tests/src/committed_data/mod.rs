@@ -14,7 +14,6 @@ mod quantities;
 mod rates;
 mod slack;
 mod speeds;
-mod tightness;
 
 use std::collections::HashMap;
 

@@ -84,12 +84,12 @@ fn minimisers_refuse_a_hundredth_of_l_h() {
     assert!(!hypothesis && found.claim.contains("qₙ − qₙ₋₁"), "{found}");
 }
 
-/// `H = I` with `c₁ = c₂ = 100`: the second set would have to be ten times nearer to the first.
+/// `H = I` with `c₁ = c₂ = 100`: at both points of the nearest pair the least eigenvalue is 1.
 #[test]
 fn prop_6_2_refuses_a_c1_of_a_hundred() {
     let metric = Constant::<2>::new(SMatrix::identity()).expect("positive definite");
     let lie = [100.0, 100.0, 0.0];
     let (statement, hypothesis, found) = said(metric::prop_6_2, metric, cube(2.0), lie);
-    assert_eq!((statement, hypothesis), (Statement::Proposition6_2, false));
-    assert_eq!(found.claim, "|x|, |y| ≤ R + d/√c₁");
+    assert_eq!((statement, hypothesis), (Statement::Proposition6_2, true));
+    assert_eq!(found.claim, "c₁ ≤ λ_min(H) at x and y");
 }

@@ -88,13 +88,9 @@ macro_rules! __metric_tests {
             $(
                 #[test]
                 fn $id() {
-                    match case() {
-                        ::std::result::Result::Ok(case) => {
-                            $crate::kit::metric::$id(case).assert();
-                        }
-                        ::std::result::Result::Err(_) => {
-                            ::std::eprintln!("not tried: the_metric_has_constants fails");
-                        }
+                    // Else there is nothing to try, which `the_metric_has_constants` tells.
+                    if let ::std::result::Result::Ok(case) = case() {
+                        $crate::kit::metric::$id(case).assert();
                     }
                 }
             )*
