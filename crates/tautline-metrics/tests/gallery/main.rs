@@ -10,6 +10,7 @@ mod flags;
 mod full_matrices;
 mod hold;
 mod interval;
+mod known;
 mod laws;
 mod lines;
 mod measure;

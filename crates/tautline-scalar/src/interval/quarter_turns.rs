@@ -72,3 +72,40 @@ impl QuarterTurns {
 
 /// `2⁻¹³⁵`.
 const SMALL: f64 = f64::from_bits((1023 - 135) << 52);
+
+#[cfg(test)]
+mod tests {
+    use astro_float::{BigFloat, Consts, RoundingMode};
+
+    use super::{LARGEST_ANGLE, QuarterTurns};
+
+    const P: usize = 320;
+    const RM: RoundingMode = RoundingMode::None;
+
+    /// The remainder against one in high precision: within the stated error, and not by far.
+    #[test]
+    fn errors_of_the_remainder_are_as_stated() {
+        let mut constants = Consts::new().expect("memory");
+        let big = |x: f64| BigFloat::from_f64(x, P);
+        let half_pi = constants.pi(P, RM).mul(&big(0.5), P, RM);
+        let at_most = |a: &BigFloat, b: &BigFloat| a.cmp(b).is_some_and(|order| order <= 0);
+        for end in [3.0, 1e3, LARGEST_ANGLE] {
+            let mut reached = false;
+            for case in 1..4000 {
+                let x = end * (1.7 * f64::from(case)).sin();
+                let angle = QuarterTurns::of(x);
+                let QuarterTurns { turns, head, tail, error } = angle;
+                assert!(head.abs() < 0.7855 && tail.abs() <= f64::EPSILON / 2.0 * head.abs());
+                let rest = big(x).sub(&half_pi.mul(&big(f64::from(turns)), P, RM), P, RM);
+                let sum = big(head).add(&big(tail), P, RM);
+                let made = rest.sub(&sum, P, RM).abs();
+                assert!(at_most(&made, &big(error)), "{x}: {angle:?} is off by {made}");
+                reached |= error > 0.0 && at_most(&big(0.02 * error), &made);
+                let floor = (x * std::f64::consts::FRAC_2_PI).floor() as i32;
+                let (below, above) = angle.floor();
+                assert!(below <= floor && floor <= above, "{x}: {angle:?}");
+            }
+            assert!(reached, "no error reaches 0.02 of its bound up to {end}");
+        }
+    }
+}
