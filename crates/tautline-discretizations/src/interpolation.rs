@@ -1,8 +1,10 @@
 //! `Interpolation`: the curve `γᵖˡ` that joins a point sequence by straight lines.
 
+use std::cell::{Cell, RefCell};
+
 use nalgebra::SVector;
 use tautline_metrics::{
-    Metric,
+    Metric, MetricError, check_gram,
     quadrature::{Integral, integrate},
 };
 
@@ -11,6 +13,12 @@ use crate::{PointSequence, compensated_sum::CompensatedSum};
 /// Relative tolerance of the quadrature on each chord: a few roundings, so that the error of
 /// `E(γᵖˡ) − d²` stays that of `d²` itself.
 const TOLERANCE: f64 = 4.0 * f64::EPSILON;
+
+/// So many chords are [checked](Interpolation::check), as the quadrature reads the metric there until it
+/// has been read at so many points; and from then on, at the seven with which the quadrature begins.
+const CHECKED: usize = 512;
+const LOOKS: usize = 1 << 17;
+const FIRST: usize = 7;
 
 /// The linear interpolation `γᵖˡ` of a point sequence: the reconstructed curve.
 #[derive(Clone, Copy, Debug)]
@@ -54,6 +62,44 @@ impl<'a, const D: usize> Interpolation<'a, D> {
         self.quadrature(|x, d| metric.norm_squared(x, d).sqrt())
     }
 
+    /// Checks that the Gram matrix is finite, symmetric and positive definite along the curve.
+    ///
+    /// Where [`length`](Interpolation::length) reads the metric, at most some 131 072 points in all, and for
+    /// `N > 512` on every `⌈N/512⌉`-th chord and the last: the nodes of a rule are as close as that
+    /// anyway. Not a proof, which `tautline-certify` has.
+    ///
+    /// # Errors
+    ///
+    /// [`MetricError`], with the first point from which the metric is none.
+    pub fn check(&self, metric: &impl Metric<D>) -> Result<(), MetricError> {
+        let n = self.sequence.n().get();
+        let (defect, mut left) = (RefCell::new(None), LOOKS);
+        for k in (0..n).step_by(n.div_ceil(CHECKED)).chain([n - 1]) {
+            let (x, d) = self.sequence.chord(k);
+            let (looks, most) = (Cell::new(0), left.max(FIRST));
+            let speed = |s: f64| {
+                looks.set(looks.get() + 1);
+                if looks.get() > most {
+                    return f64::NAN;
+                }
+                check_gram(metric, &(x + d * s)).map_or_else(
+                    |error| {
+                        defect.borrow_mut().get_or_insert(error);
+                        f64::NAN
+                    },
+                    |h| d.dot(&(h * d)).sqrt(),
+                )
+            };
+            // It ends at the first value that is NaN.
+            integrate(speed, 0.0, 1.0, TOLERANCE);
+            if let Some(error) = defect.take() {
+                return Err(error);
+            }
+            left = left.saturating_sub(looks.get());
+        }
+        Ok(())
+    }
+
     /// `Σ ∫₀¹ f(x + s d, d) ds` over the chords.
     fn quadrature(&self, f: impl Fn(&SVector<f64, D>, &SVector<f64, D>) -> f64) -> Integral {
         let (mut value, mut error) = (CompensatedSum::default(), 0.0);
@@ -68,9 +114,11 @@ impl<'a, const D: usize> Interpolation<'a, D> {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
     use approx::assert_relative_eq;
-    use nalgebra::vector;
-    use tautline_metrics::gallery::Valleys;
+    use nalgebra::{SMatrix, SVector, vector};
+    use tautline_metrics::{Metric, MetricError, Scalar, gallery::Valleys};
 
     use super::Interpolation;
     use crate::PointSequence;
@@ -92,6 +140,64 @@ mod tests {
         let relative = computed.error / energy;
         assert!((f64::EPSILON..=1e-13).contains(&relative), "estimate {relative:e}");
         assert_relative_eq!(curve.length(&Valleys).value, f1(7.0), max_relative = 1e-14);
+    }
+
+    /// The identity, counting how often it is asked; `NaN` to the right of a place.
+    struct Counted {
+        asked: AtomicUsize,
+        end: f64,
+    }
+
+    impl Metric<1> for Counted {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
+            self.asked.fetch_add(1, Ordering::Relaxed);
+            SMatrix::from_element((self.end - x[0]).sqrt() * 0.0 + 1.0)
+        }
+    }
+
+    /// How often the check of a straight line asks, and what it says.
+    fn check(n: usize, end: f64) -> (usize, Result<(), MetricError>) {
+        let line = PointSequence::straight([0.0], [1.0], n).expect("finite");
+        let metric = Counted { asked: AtomicUsize::new(0), end };
+        let result = Interpolation::new(&line).check(&metric);
+        (metric.asked.into_inner(), result)
+    }
+
+    /// Seven points on each chord, of half a thousand chords at most and the last.
+    #[test]
+    fn the_check_costs_no_more_on_fine_grids() {
+        for (n, chords) in [(1, 1), (3, 3), (512, 512), (513, 257), (1_000_000, 512)] {
+            let (asked, result) = check(n, 2.0);
+            assert_eq!(result, Ok(()));
+            // One of them twice, where the last is one of those.
+            assert!((7 * chords..=7 * (chords + 1)).contains(&asked), "N = {n}: {asked}");
+        }
+        // Of a formula that no number of points resolves, four chords or five, and seven on the others.
+        struct Noise(AtomicUsize);
+        impl Metric<1> for Noise {
+            fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
+                self.0.fetch_add(1, Ordering::Relaxed);
+                SMatrix::from_element(2.0 + (x[0] * 1e12).sin())
+            }
+        }
+        let noise = Noise(AtomicUsize::new(0));
+        let line = PointSequence::straight([0.0], [1.0], 10).expect("finite");
+        assert_eq!(Interpolation::new(&line).check(&noise), Ok(()));
+        let asked = noise.0.into_inner();
+        assert!((1 << 17..=(1 << 17) + 7 * 11).contains(&asked), "{asked}");
+    }
+
+    #[test]
+    fn the_last_chord_is_checked_on_every_grid() {
+        for n in [1, 2, 511, 1000, 100_000] {
+            let (_, result) = check(n, 1.0 - 1e-3 / n as f64);
+            let Ok(()) = result else {
+                panic!("0.0197 of a chord before its end is the last look")
+            };
+            let (_, result) = check(n, 1.0 - 0.03 / n as f64);
+            let Err(MetricError::NotFinite { point, .. }) = result else { panic!("N = {n}") };
+            assert!(point[0] > 1.0 - 0.03 / n as f64);
+        }
     }
 
     #[test]

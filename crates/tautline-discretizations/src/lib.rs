@@ -49,7 +49,7 @@ pub use compensated_sum::CompensatedSum;
 pub use interpolation::Interpolation;
 pub use left_endpoint::LeftEndpoint;
 pub use linear_model::{LinearModel, energy_gradient};
-pub use point_sequence::{PointSequence, SequenceError};
+pub use point_sequence::{LARGEST_N, PointSequence, SequenceError};
 pub use quadratic_model::QuadraticModel;
 pub use rule::{Node, Rule};
 pub use tautline_metrics::quadrature::Integral;

@@ -6,9 +6,15 @@ use nalgebra::SVector;
 
 use crate::compensated_sum::CompensatedSum;
 
+/// The largest `N` of a point sequence: `2²⁶ = ε^(−1/2)`.
+///
+/// A coordinate is rounded by `ε`, and so a chord by `εN`, relatively. With more chords that is more
+/// than `1/N`, the relative error of a rule of the first order: no finer grid brings the result nearer.
+pub const LARGEST_N: usize = 1 << 26;
+
 /// A sequence of `N + 1` points of `R^D`, at the times `tₙ = n/N`.
 ///
-/// Invariant: at least two points, all finite.
+/// Invariant: at least two points and at most [`LARGEST_N`] chords, all points finite.
 #[derive(Clone, Debug, PartialEq)]
 #[doc(alias = "polyline")]
 pub struct PointSequence<const D: usize> {
@@ -25,6 +31,23 @@ pub enum SequenceError {
         /// How many points were given.
         points: usize,
     },
+    /// More than [`LARGEST_N`] subintervals.
+    #[error(
+        "N = {n} is too many subintervals: beyond {} rounding outweighs what they gain",
+        LARGEST_N
+    )]
+    TooManySubintervals {
+        /// The number of subintervals.
+        n: usize,
+    },
+    /// The system has no memory for the points.
+    #[error("N = {n}: there is no memory for {bytes} bytes of points")]
+    OutOfMemory {
+        /// The number of subintervals.
+        n: usize,
+        /// What the points take.
+        bytes: usize,
+    },
     /// A coordinate is NaN or infinite.
     #[error("coordinate {coordinate} of point {index} is {value}: it must be finite")]
     NotFinite {
@@ -38,7 +61,8 @@ pub enum SequenceError {
 }
 
 impl<const D: usize> PointSequence<D> {
-    /// Checks that there are at least two points and that all are finite.
+    /// Checks that there are at least two points, at most [`LARGEST_N`] chords, and that all points are
+    /// finite.
     ///
     /// # Errors
     ///
@@ -46,6 +70,9 @@ impl<const D: usize> PointSequence<D> {
     pub fn new(points: Vec<SVector<f64, D>>) -> Result<Self, SequenceError> {
         if points.len() < 2 {
             return Err(SequenceError::NoSubinterval { points: points.len() });
+        }
+        if points.len() - 1 > LARGEST_N {
+            return Err(SequenceError::TooManySubintervals { n: points.len() - 1 });
         }
         for (index, point) in points.iter().enumerate() {
             if let Some(coordinate) = point.iter().position(|x| !x.is_finite()) {
@@ -60,7 +87,8 @@ impl<const D: usize> PointSequence<D> {
     ///
     /// # Errors
     ///
-    /// As [`PointSequence::new`].
+    /// As [`PointSequence::new`], and [`SequenceError::OutOfMemory`]. Too many points are refused before
+    /// any memory is taken.
     pub fn straight(
         a: impl Into<SVector<f64, D>>,
         b: impl Into<SVector<f64, D>>,
@@ -70,12 +98,21 @@ impl<const D: usize> PointSequence<D> {
         if n == 0 {
             return Err(SequenceError::NoSubinterval { points: 1 });
         }
+        if n > LARGEST_N {
+            return Err(SequenceError::TooManySubintervals { n });
+        }
+        let mut points: Vec<SVector<f64, D>> = Vec::new();
+        if points.try_reserve_exact(n + 1).is_err() {
+            let bytes = (n + 1).saturating_mul(size_of::<SVector<f64, D>>());
+            return Err(SequenceError::OutOfMemory { n, bytes });
+        }
         let at = |k: usize| {
             let t = k as f64 / n as f64;
             // Exact at both ends, which a + t (b − a) is not.
             a * (1.0 - t) + b * t
         };
-        Self::new((0..=n).map(at).collect())
+        points.extend((0..=n).map(at));
+        Self::new(points)
     }
 
     /// Returns `N`, the number of subintervals.
@@ -139,7 +176,9 @@ impl<const D: usize> PointSequence<D> {
 mod tests {
     use nalgebra::vector;
 
-    use super::{PointSequence, SequenceError};
+    use nalgebra::SVector;
+
+    use super::{LARGEST_N, PointSequence, SequenceError};
 
     #[test]
     fn a_straight_sequence_is_equidistant_and_ends_exactly() {
@@ -173,6 +212,22 @@ mod tests {
         let jump = PointSequence::new(points).expect("finite");
         assert_eq!(jump.k3(), 6.0);
         assert_eq!(jump.clone().into_points(), jump.points());
+    }
+
+    /// In no dimension at all points take no memory, however many there are.
+    #[test]
+    fn more_chords_than_rounding_allows_are_refused() {
+        let too_many = |n| Err(SequenceError::TooManySubintervals { n });
+        let points = |n: usize| PointSequence::new(vec![SVector::<f64, 0>::zeros(); n + 1]);
+        assert_eq!(points(LARGEST_N).map(|line| line.n().get()), Ok(LARGEST_N));
+        assert_eq!(points(LARGEST_N + 1).map(|_| ()), too_many(LARGEST_N + 1));
+        // At 8 and 512 bytes a point, without a byte of them.
+        for n in [LARGEST_N + 1, 1_000_000_000, usize::MAX - 1, usize::MAX] {
+            assert_eq!(PointSequence::straight([0.0], [1.0], n).map(|_| ()), too_many(n));
+            let line = PointSequence::straight([0.0; 64], [1.0; 64], n);
+            assert_eq!(line.map(|_| ()), too_many(n));
+        }
+        assert_eq!(LARGEST_N as f64, f64::EPSILON.powf(-0.5));
     }
 
     #[test]

@@ -15,6 +15,29 @@ use crate::Constants;
 /// `x` alone. Two threads may ask at once.
 pub trait Metric<const D: usize>: Sync {
     /// Returns the Gram matrix `H(x)`, in `m²/ℓ²`, shape `D × D`.
+    ///
+    /// The formula is written once for every number type; numbers in it are `f64`, on either side of an
+    /// operator, and what else there is are the methods of [`Scalar`]. Where an entry is a number only, it is
+    /// `S::constant(2.0)`, `S::zero()` or `S::one()`.
+    ///
+    /// ```
+    /// use nalgebra::{SMatrix, SVector, matrix, vector};
+    /// use tautline_metrics::{Metric, Scalar, check_gram};
+    ///
+    /// struct Sheet {
+    ///     height: f64,
+    /// }
+    ///
+    /// impl Metric<2> for Sheet {
+    ///     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+    ///         let wave = 2.0 - self.height * x[0].cos();
+    ///         let well = 1.0 + 3.0 / (1.0 + x[1].sqr());
+    ///         matrix![wave.sqr(), 0.5 * x[0].sin();
+    ///                 0.5 * x[0].sin(), well + S::constant(0.25)]
+    ///     }
+    /// }
+    /// assert!(check_gram(&Sheet { height: 0.9 }, &vector![0.3, 1.0]).is_ok());
+    /// ```
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D>;
 
     /// Returns `g_x(u, u) = uᵀ H(x) u`, in `m²`, for a vector `u` that does not depend on `x`.

@@ -9,7 +9,7 @@
 //! use tautline_scalar::{Jet2, Scalar};
 //!
 //! fn valley<S: Scalar>(x: S) -> S {
-//!     (-x.cos() + 2.0).sqr()
+//!     (2.0 - x.cos()).sqr()
 //! }
 //!
 //! assert_eq!(valley(0.0), 1.0);
@@ -23,14 +23,13 @@
 //!
 //! # What a formula may use
 //!
-//! `+ − × ÷` between scalars and with an `f64` on the right, and the methods of [`Scalar`].
+//! `+ − × ÷` between scalars and with an `f64` on either side, and the methods of [`Scalar`].
 //! There is no ordering, no absolute value and no branching on purpose: a formula that
 //! compiles is smooth wherever it is defined, and a number type that stands for a whole
 //! range of values (an interval) can evaluate it too. The jets are generic over the number
 //! they are built on for the same reason.
 //!
-//! A decimal in a formula means the `f64` nearest to it. `2.0 - x` cannot be written for a
-//! type of our own; write `-x + 2.0`.
+//! A decimal in a formula means the `f64` nearest to it.
 //!
 //! # Two at a time
 //!
@@ -48,7 +47,7 @@
 //!
 //! // The slope of (2 − cos x)² is 2 (2 − cos x) sin x: at most 6 in absolute value.
 //! let [x] = Jet1::variables(&[Interval::new(0.0, 3.0).expect("ordered")]);
-//! let slope = (-x.cos() + 2.0).sqr().first(0);
+//! let slope = (2.0 - x.cos()).sqr().first(0);
 //! assert!(slope.lo() <= 0.0 && 3.5 < slope.hi() && slope.hi() < 6.001);
 //!
 //! // Not defined at one point of the range: no finite bound, whatever comes after.
@@ -78,6 +77,7 @@
 //! No mathematical library is trusted. A [`FastInterval`] trusts one in addition: that the
 //! functions of `pxfm` are never off by more than one unit in the last place.
 
+mod f64_on_the_left;
 mod float;
 mod interval;
 mod jet1;

@@ -41,6 +41,8 @@ macro_rules! jet_is_scalar {
                 self.map(|a| a / c)
             }
         }
+        $crate::f64_on_the_left!([T: Scalar, const D: usize] $jet<T, D>);
+
         impl<T: Scalar, const D: usize> AddAssign for $jet<T, D> {
             #[inline]
             fn add_assign(&mut self, other: Self) {

@@ -86,6 +86,7 @@ operator!(Add add AddAssign add_assign);
 operator!(Sub sub SubAssign sub_assign);
 operator!(Mul mul MulAssign mul_assign);
 operator!(Div div DivAssign div_assign);
+crate::f64_on_the_left!([] Pair);
 
 impl Neg for Pair {
     type Output = Self;

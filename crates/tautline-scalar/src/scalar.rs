@@ -7,13 +7,33 @@ use std::{
 
 use num_traits::{One, Zero};
 
+use crate::f64_on_the_left::Beside;
+
 /// A number in which a smooth formula can be evaluated.
+///
+/// A formula is a function generic over `S: Scalar`, and reads as in mathematics. Numbers are `f64`
+/// and may stand on either side; `2 * x` with an integer does not compile, `2.0 * x` does.
+///
+/// ```
+/// use tautline_scalar::Scalar;
+///
+/// fn formula<S: Scalar>(x: S, y: S) -> S {
+///     1.0 + 2.0 * x - (2.0 - x.cos()).sqr() / (3.0 + y) + 2.0 / y.exp()
+/// }
+/// assert_eq!(formula(0.0, 0.0), 1.0 - 1.0 / 3.0 + 2.0);
+/// ```
+///
+/// Where a scalar is asked for and there is a number only, write [`S::constant(2.0)`](Scalar::constant),
+/// `S::zero()` or `S::one()`.
 ///
 /// # Laws
 ///
 /// Every operation is the restriction of a smooth function to its domain; outside the
 /// domain (`ln` of a negative number, division by zero) the result is NaN or infinite, and
 /// stays so. No operation panics.
+///
+/// For a number type of your own, the operators with an `f64` on the left are written by
+/// [`f64_on_the_left!`](crate::f64_on_the_left).
 pub trait Scalar:
     Copy
     + Debug
@@ -36,6 +56,20 @@ pub trait Scalar:
     + SubAssign
     + MulAssign
     + DivAssign
+    // A number on the left. By value and by reference: if the compiler knew of one of them alone, it
+    // would take it for the meaning of every `f64 - …` in a formula.
+    + Beside<f64, Is = f64>
+    + Beside<
+        f64,
+        Is: Add<Self, Output = Self>
+                + Sub<Self, Output = Self>
+                + Mul<Self, Output = Self>
+                + Div<Self, Output = Self>
+                + for<'x> Add<&'x Self, Output = Self>
+                + for<'x> Sub<&'x Self, Output = Self>
+                + for<'x> Mul<&'x Self, Output = Self>
+                + for<'x> Div<&'x Self, Output = Self>,
+    >
 {
     /// Returns the number `value`, exactly.
     fn constant(value: f64) -> Self;

@@ -12,7 +12,7 @@ struct Sheet;
 
 impl Metric<2> for Sheet {
     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-        let first = x[0].sin().sqr() * 0.5 + 1.0;
+        let first = 1.0 + 0.5 * x[0].sin().sqr();
         SMatrix::from_diagonal(&SVector::from([first, S::constant(2.0)]))
     }
 }

@@ -11,7 +11,7 @@
 //! struct Valleys; // f² I with f = 2 − cos x₁
 //! impl Metric<2> for Valleys {
 //!     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-//!         SMatrix::from_diagonal_element((-x[0].cos() + 2.0).sqr())
+//!         SMatrix::from_diagonal_element((2.0 - x[0].cos()).sqr())
 //!     }
 //! }
 //!
@@ -20,6 +20,9 @@
 //! assert!((line.length().value - 5.338305).abs() < 1e-6); // 5 − sin 3 + sin ½
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! A formula reads as in mathematics, with `f64` on either side: `2.0 - x`, `2.0 / x`, `2.0 * x`,
+//! `1.0 + x`. What else it may use is on the page of [`Scalar`].
 //!
 //! # By question
 //!
@@ -72,8 +75,8 @@ pub use tautline_certify::{
     CertifyError, CurveError, Domain, LocallyCertified, Polygon, Quantity,
 };
 pub use tautline_discretizations::{
-    Integral, Interpolation, LeftEndpoint, Node, PointSequence, Rule, SequenceError, Trapezoidal,
-    TrueTrapezoid, energy_gradient,
+    Integral, Interpolation, LARGEST_N, LeftEndpoint, Node, PointSequence, Rule, SequenceError,
+    Trapezoidal, TrueTrapezoid, energy_gradient,
 };
 pub use tautline_metrics::{
     Bounded, Constants, HypothesisError, KnownDistance, LocalError, LocallyBounded, Metric,

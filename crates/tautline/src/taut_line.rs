@@ -88,7 +88,9 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
     }
 
     /// Returns an estimate of `d²`, in `m²`, by Richardson extrapolation over the grids on the
-    /// way here; `None` for `N` so small that there was one grid only. Not a bound.
+    /// way here; `None` where there was one grid only: for `N ≤ 32`, for `N ≤ 64` with starts of your own
+    /// alone, where a grid of up to 512 chords led to another minimiser than the coarser ones, and where
+    /// the ends touch. Not a bound.
     #[must_use]
     pub fn distance_squared_estimate(&self) -> Option<Estimate> {
         extrapolate(&self.minimum.levels, R::ERROR_EXPONENT)

@@ -4,8 +4,10 @@ mod metrics;
 mod outcome;
 mod sets;
 
+use std::{hint::black_box, time::Instant};
+
 use tautline::{
-    LeftEndpoint, Options, PointSequence, Problem, SVector, SolveError, Starts, Trapezoidal,
+    Ends, LeftEndpoint, Options, PointSequence, Problem, SVector, SolveError, Starts, Trapezoidal,
 };
 use tautline_verify::adversary::SplitMix;
 
@@ -33,6 +35,32 @@ pub fn corpus(count: usize) -> Vec<Case> {
 pub struct Case {
     index: usize,
     seed: u64,
+}
+
+/// What is drawn.
+struct Drawing<const D: usize> {
+    metric: Drawn<D>,
+    ends: Ends<D>,
+    kinds: [Kind; 2],
+    n: usize,
+    trapezoidal: bool,
+}
+
+/// Calls a function for the dimension that is drawn first.
+macro_rules! in_its_dimension {
+    ($case:ident.$function:ident($($argument:expr),*)) => {{
+        let mut random = SplitMix::new($case.seed);
+        match random.below(8) {
+            0 => $case.$function::<1>(random, $($argument),*),
+            1 => $case.$function::<2>(random, $($argument),*),
+            2 => $case.$function::<3>(random, $($argument),*),
+            3 => $case.$function::<4>(random, $($argument),*),
+            4 => $case.$function::<5>(random, $($argument),*),
+            5 => $case.$function::<6>(random, $($argument),*),
+            6 => $case.$function::<7>(random, $($argument),*),
+            _ => $case.$function::<8>(random, $($argument),*),
+        }
+    }};
 }
 
 /// What a problem is, and how the searches for its solution ended.
@@ -66,26 +94,57 @@ impl Case {
     ///
     /// None: what is drawn is admissible. That the solver refuses is part of the outcome.
     pub fn outcome(self) -> Result<Outcome, Failure> {
-        let mut random = SplitMix::new(self.seed);
-        match random.below(8) {
-            0 => self.of_dimension::<1>(random),
-            1 => self.of_dimension::<2>(random),
-            2 => self.of_dimension::<3>(random),
-            3 => self.of_dimension::<4>(random),
-            4 => self.of_dimension::<5>(random),
-            5 => self.of_dimension::<6>(random),
-            6 => self.of_dimension::<7>(random),
-            _ => self.of_dimension::<8>(random),
-        }
+        in_its_dimension!(self.outcome_in())
     }
 
-    fn of_dimension<const D: usize>(self, mut random: SplitMix) -> Result<Outcome, Failure> {
+    /// Draws the problem and times its solution from the default starts, on one thread and in memory
+    /// that is kept, with each of these numbers of subintervals in place of its own: the least time of so
+    /// many runs, in seconds.
+    ///
+    /// # Errors
+    ///
+    /// None: the parameters are admissible. A solver that refuses is timed as well.
+    pub fn seconds(self, ns: &[usize], runs: usize) -> Result<Vec<f64>, Failure> {
+        in_its_dimension!(self.seconds_in(ns, runs))
+    }
+
+    fn draw<const D: usize>(self, mut random: SplitMix) -> Result<Drawing<D>, Failure> {
         let (metric, reach) = Drawn::<D>::new(&mut random)?;
         let Pair { ends, kinds } = Pair::<D>::new(&mut random, reach)?;
         // An octave, then a number of it: by integers, which are the same on every machine.
         let octave = 1 << random.below(LARGEST.ilog2() as usize);
         let n = octave + random.below(octave + 1);
         let trapezoidal = random.below(2) == 0;
+        Ok(Drawing { metric, ends, kinds, n, trapezoidal })
+    }
+
+    fn seconds_in<const D: usize>(
+        self,
+        random: SplitMix,
+        ns: &[usize],
+        runs: usize,
+    ) -> Result<Vec<f64>, Failure> {
+        let Drawing { metric, ends, trapezoidal, .. } = self.draw::<D>(random)?;
+        let problem = Problem::new(metric, ends);
+        let options = Options { threads: 1, ..Options::default() };
+        let mut least = vec![f64::INFINITY; ns.len()];
+        // In turn, so that what else the machine does hits all alike.
+        for _ in 0..runs {
+            for (least, &n) in least.iter_mut().zip(ns) {
+                let begin = Instant::now();
+                if trapezoidal {
+                    let _ = black_box(problem.solve_with(Trapezoidal, n, &options));
+                } else {
+                    let _ = black_box(problem.solve_with(LeftEndpoint, n, &options));
+                }
+                *least = least.min(begin.elapsed().as_secs_f64());
+            }
+        }
+        Ok(least)
+    }
+
+    fn outcome_in<const D: usize>(self, random: SplitMix) -> Result<Outcome, Failure> {
+        let Drawing { metric, ends, kinds, n, trapezoidal } = self.draw::<D>(random)?;
         let name = metric.name();
         let first = ends.first().project(&SVector::zeros());
         let straight = PointSequence::straight(first, ends.second().project(&first), n)?;

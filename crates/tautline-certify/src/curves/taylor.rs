@@ -174,6 +174,8 @@ impl<T: Scalar, const M: usize> Div<f64> for Taylor<T, M> {
     }
 }
 
+tautline_scalar::f64_on_the_left!([T: Scalar, const M: usize] Taylor<T, M>);
+
 impl<T: Scalar, const M: usize> AddAssign for Taylor<T, M> {
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;

@@ -2,7 +2,7 @@
 
 /// Implements, for a type that has `+ × ÷`, `−x` and
 /// [`Scalar::constant`](tautline_scalar::Scalar::constant), the difference, the operators with an
-/// `f64` on the right and those that assign, `0` and `1`.
+/// `f64` on either side and those that assign, `0` and `1`.
 macro_rules! operators_follow {
     ([$($generics:tt)*] $number:ty) => {
         impl<$($generics)*> Sub for $number {
@@ -15,6 +15,7 @@ macro_rules! operators_follow {
         operators_follow!(@with [$($generics)*] $number, Sub, sub, SubAssign, sub_assign);
         operators_follow!(@with [$($generics)*] $number, Mul, mul, MulAssign, mul_assign);
         operators_follow!(@with [$($generics)*] $number, Div, div, DivAssign, div_assign);
+        tautline_scalar::f64_on_the_left!([$($generics)*] $number);
         impl<$($generics)*> One for $number {
             fn one() -> Self {
                 Self::constant(1.0)

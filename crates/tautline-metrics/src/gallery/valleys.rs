@@ -27,7 +27,7 @@ fn primitive(x: f64) -> f64 {
 impl<const D: usize> Metric<D> for Valleys {
     #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
-        SMatrix::from_diagonal_element((-x[0].cos() + 2.0).sqr())
+        SMatrix::from_diagonal_element((2.0 - x[0].cos()).sqr())
     }
 }
 

@@ -1,7 +1,9 @@
 //! `DiscreteEnergy`: the energy that a rule makes of a metric, as a search sees it.
 
 use nalgebra::SVector;
-use tautline_discretizations::{CompensatedSum, LinearModel, PointSequence, QuadraticModel, Rule};
+use tautline_discretizations::{
+    CompensatedSum, Interpolation, LinearModel, PointSequence, QuadraticModel, Rule,
+};
 use tautline_metrics::{Metric, MetricError, check_gram};
 use tautline_sets::ClosedSet;
 
@@ -47,6 +49,9 @@ pub(crate) trait DiscreteEnergy<const D: usize> {
 
     /// Whether it is so at every node.
     fn check_nodes(&self, sequence: &PointSequence<D>) -> Result<(), MetricError>;
+
+    /// Whether it is so between them too, as far as [`Interpolation::check`] looks.
+    fn check_between(&self, sequence: &PointSequence<D>) -> Result<(), MetricError>;
 }
 
 /// The energy of this rule under this metric.
@@ -113,6 +118,10 @@ impl<M: Metric<D>, R: Rule, const D: usize> DiscreteEnergy<D> for EnergyOf<'_, M
             }
         }
         Ok(())
+    }
+
+    fn check_between(&self, sequence: &PointSequence<D>) -> Result<(), MetricError> {
+        Interpolation::new(sequence).check(self.metric)
     }
 }
 

@@ -11,6 +11,7 @@ pub(crate) mod newton_pass;
 pub(crate) mod newton_step;
 pub(crate) mod reduced_system;
 pub(crate) mod residual;
+pub(crate) mod room;
 pub(crate) mod rounding;
 pub(crate) mod stationarity;
 pub(crate) mod sweep;

@@ -25,7 +25,7 @@ pub struct NewtonStep<const D: usize> {
 
 /// Returns one undamped Newton step from `sequence`, whose ends are to lie in the sets `ends`;
 /// `None` if the Hessian, confined to the active faces of the sets, is not positive definite beyond
-/// rounding.
+/// rounding, or if the system has no memory for a step, `16D² + 16D` bytes a point.
 ///
 /// What [`minimise`](crate::minimise) repeats on fine grids, where nothing need be damped: assembly
 /// and factorisation in one pass over the chords, `O(N D³)`, in the memory of `workspace`, on one thread.
@@ -36,6 +36,7 @@ pub fn newton_step<const D: usize, R: Rule>(
     rule: R,
     sequence: &PointSequence<D>,
 ) -> Option<NewtonStep<D>> {
+    workspace.check_room(sequence.n().get(), Workspace::<D>::UNDAMPED).ok()?;
     // A scale, of what is taken for rounding and of the step by which the active faces of the sets
     // are found: as at the ends and in the middle.
     let points = sequence.points();

@@ -35,6 +35,12 @@ impl<const D: usize> TwistedFactorization<D> {
         (self.middle, self.last) = (None, None);
     }
 
+    /// The memory that is kept, in bytes.
+    pub(crate) fn bytes(&self) -> usize {
+        let sides: usize = self.sides.iter().map(Vec::capacity).sum();
+        self.pairs.capacity() * size_of::<Pivot<D, Pair>>() + sides * size_of::<Pivot<D>>()
+    }
+
     /// For how many blocks there is room.
     pub(crate) fn capacity(&self) -> usize {
         2 * self.pairs.capacity() + self.sides.iter().map(Vec::capacity).sum::<usize>()

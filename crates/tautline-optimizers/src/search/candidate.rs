@@ -61,6 +61,13 @@ impl<'a, const D: usize> Candidate<'a, D> {
         matches!(self.levels[..], [.., coarse, fine] if fine.energy > LEAP * coarse.energy)
     }
 
+    /// Whether the energy differs by this fraction or more from that on the coarser grid; written so
+    /// that NaN does.
+    pub(crate) fn has_changed_by(&self, fraction: f64) -> bool {
+        let [.., coarse, fine] = self.levels[..] else { return false };
+        !((fine.energy - coarse.energy).abs() < fraction * coarse.energy)
+    }
+
     pub(crate) fn failed(&self) -> bool {
         matches!(self.found.stop, Stop::Stalled | Stop::IterationLimit)
     }
@@ -245,6 +252,19 @@ mod tests {
             lowest_first(&mut alike);
             assert_eq!(alike.iter().map(Candidate::failed).collect::<Vec<_>>(), [false, true]);
         }
+    }
+
+    #[test]
+    fn a_change_is_relative_to_the_coarser_grid_and_in_either_direction() {
+        let point = Point::new([0.0, 0.0]).expect("finite");
+        let one = || Candidate::new([&point, &point], found(32, 8.0));
+        assert!(!one().has_changed_by(0.0));
+        let changed = |energy, by| one().refined(found(64, energy)).0.has_changed_by(by);
+        // By 1/8 exactly.
+        for energy in [7.0, 9.0] {
+            assert!(changed(energy, 0.125) && !changed(energy, 0.1250001), "{energy}");
+        }
+        assert!(changed(f64::NAN, 1.0));
     }
 
     #[test]

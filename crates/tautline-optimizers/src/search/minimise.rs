@@ -1,6 +1,6 @@
 //! The search for a discrete minimiser: several starts on a coarse grid, then finer grids.
 
-use tautline_discretizations::Rule;
+use tautline_discretizations::{LARGEST_N, PointSequence, Rule};
 use tautline_metrics::Metric;
 use tautline_sets::{ClosedSet, Ends, common_point};
 
@@ -9,6 +9,7 @@ use crate::{
     newton::discrete_energy::{DiscreteEnergy, EnergyOf},
     search::{
         candidate::{Candidate, lowest_first},
+        grids::{SMALL, grids},
         local_search::{Found, LocalSearch},
     },
 };
@@ -39,23 +40,14 @@ impl<const D: usize> Default for Options<D> {
     }
 }
 
-/// Up to so many chords everything is tried on the grid itself: there a discrete minimiser
-/// may leap over a ridge, and which leaps save energy depends on the grid.
-const DIRECT: usize = 64;
+/// Intervals of the line on which leaps are looked for. The chords between all pairs of its points are
+/// as many evaluations as a search with a few thousand chords makes; with more intervals a solve with few
+/// chords would take longer than one with many, and finds no other minimisers.
+const LINE: usize = 48;
 
-/// Otherwise the coarsest grid has at most this many chords: enough to tell the ways round an
-/// obstacle apart, and few enough that a dozen starts cost less than one pass over a fine grid.
-const COARSEST: usize = 32;
-
-/// Intervals of the line on which leaps are looked for: on a grid that is refined later they
-/// need not be known as well, since few survive.
-const LINE_DIRECT: usize = 128;
-const LINE_COARSE: usize = 48;
-
-/// From one grid to the next, `N` grows at most by this factor: by the later ones on fine grids,
-/// where what is prolonged is nearer.
-const REFINEMENT: [usize; 3] = [4, 8, 16];
-const FINER: [usize; 2] = [4096, 65_536];
+/// Where the least energy on a small grid differs by so much from that on the grid of half as many
+/// chords, relatively, a minimiser leaps over ridges, or did: leaps are looked for once more.
+const UNSETTLED: f64 = 0.05;
 
 /// How many different local minimisers of the coarsest grid are followed to the next ones,
 /// where their order may change, and the grid beyond which only the lowest is.
@@ -67,12 +59,12 @@ const FINE: usize = 64;
 
 /// Returns the lowest discrete minimiser of `rule` between the sets `ends` that was found.
 ///
-/// Every pair of pieces of the sets is tried from every start on the coarsest grid, which is the
-/// only one for `n ≤ 64`; the best are carried to `n` chords over grids that refine by 4 to 16, two or
-/// three Newton steps each, and none on the finest if the data are smooth and `n D²` is 32 768 or
-/// more: the start is a minimiser to rounding there. Where
-/// the energy rises by half from one of the coarse grids to the next, all starts are tried again. A
-/// rule without nodes does not compile.
+/// Every pair of pieces of the sets is tried from every start on the coarsest grid, which is the only one
+/// for `n ≤ 32`, and for `n ≤ 64` with starts of your own alone. The best are carried to `n` chords over
+/// grids that refine by 2 up to `n = 64` and by 4 to 16 beyond, two or three Newton steps each, and none on
+/// the finest if the data are smooth and `n D²` is 32 768 or more: the start is a minimiser to rounding
+/// there. Where the energy rises by half from one of the coarse grids to the next, all starts are tried
+/// again. A rule without nodes does not compile.
 ///
 /// # Memory
 ///
@@ -84,10 +76,12 @@ const FINE: usize = 64;
 ///
 /// # Errors
 ///
-/// [`SolveError::NoSubinterval`] if `n` is 0; [`SolveError::TooManySubintervals`] if no memory has
-/// room for `n + 1` points; [`SolveError::Metric`] if the metric is not finite, symmetric and positive
-/// definite at the nodes and both ends of every start, or of the result; [`SolveError::NoStart`] if
-/// there is nothing to start from, [`SolveError::Sequence`] if points become infinite on the way,
+/// [`SolveError::NoSubinterval`] if `n` is 0; [`SolveError::TooManySubintervals`] if it is more than
+/// [`LARGEST_N`]; [`SolveError::OutOfMemory`] if the system has no room for the points or a Newton step,
+/// as far as it tells beforehand; [`SolveError::Metric`] if the metric is not finite, symmetric and
+/// positive definite at the nodes and both ends of every start, or there and
+/// [between](tautline_discretizations::Interpolation::check) along every result, of which the lowest
+/// that passes is returned; [`SolveError::NoStart`] if there is nothing to start from, [`SolveError::Sequence`] if points become infinite on the way,
 /// [`SolveError::Energy`] if the energy of every curve that was found is beyond the range of `f64`.
 pub fn minimise<const D: usize, R: Rule>(
     metric: &impl Metric<D>,
@@ -129,10 +123,10 @@ fn lowest<const D: usize>(
     if n == 0 {
         return Err(SolveError::NoSubinterval);
     }
-    // An allocation has at most isize::MAX bytes; a Newton step takes 2D² + 2D numbers a point.
-    if n >= isize::MAX as usize / (8 * (2 * D * D + 2 * D).max(1)) {
+    if n > LARGEST_N {
         return Err(SolveError::TooManySubintervals { n });
     }
+    workspace.check_room(n, D)?;
     let pairs: Vec<_> = ends.pairs().collect();
     let pairs: Vec<_> = pairs.iter().map(|(first, second)| [&**first, &**second]).collect();
     for pair in &pairs {
@@ -144,15 +138,27 @@ fn lowest<const D: usize>(
     let mut search = Search { workspace, energy, options, iterations: 0, refused: None };
     let mut candidates: Vec<Candidate<'_, D>> = Vec::new();
     let mut local_minima: Option<Vec<f64>> = None;
-    for grid in grids(n) {
+    let in_detail = n <= SMALL && matches!(options.starts, Starts::Only(_));
+    for grid in if in_detail { vec![n] } else { grids(n) } {
+        if grid > SETTLED && candidates.len() > 1 {
+            // Only one of them is followed: one along which there is a metric.
+            let passes = |c: &Candidate<'_, D>| energy.check_between(&c.found.sequence).is_ok();
+            let place = candidates.iter().position(passes).unwrap_or(0);
+            candidates.swap(0, place);
+        }
         candidates.truncate(if grid > SETTLED { 1 } else { FOLLOWED });
         candidates = candidates.into_iter().filter_map(|c| search.follow(c, grid)).collect();
         lowest_first(&mut candidates);
         let unresolved = grid <= SETTLED && candidates.first().is_none_or(Candidate::leapt);
         if local_minima.is_none() || unresolved {
-            let intervals = if n <= DIRECT { LINE_DIRECT } else { LINE_COARSE };
             for &pair in &pairs {
-                search.try_starts(pair, grid, intervals, &mut candidates);
+                search.try_starts(pair, grid, &mut candidates);
+            }
+            lowest_first(&mut candidates);
+        } else if grid == n && n <= SMALL {
+            let leaps = candidates[0].has_changed_by(UNSETTLED).then_some(LINE);
+            for &pair in &pairs {
+                search.try_in_detail(pair, grid, leaps, &mut candidates);
             }
             lowest_first(&mut candidates);
         }
@@ -160,8 +166,15 @@ fn lowest<const D: usize>(
             candidates.iter().filter(|c| !c.failed()).map(|c| c.found.energy).collect()
         });
     }
-    let Search { iterations, refused, .. } = search;
-    let Some(candidate) = candidates.into_iter().next() else {
+    let Search { iterations, mut refused, .. } = search;
+    let mut defect = None;
+    let candidate = candidates.into_iter().find(|candidate| {
+        let between = energy.check_between(&candidate.found.sequence);
+        between.map_err(|error| defect.get_or_insert(error)).is_ok()
+    });
+    let Some(candidate) = candidate else {
+        // That of the lowest result tells more than that of a start.
+        refused = defect.map(SolveError::Metric).or(refused);
         return Err(refused.unwrap_or(SolveError::NoStart));
     };
     let Candidate { found, levels, iterations: own_iterations, .. } = candidate;
@@ -224,6 +237,7 @@ impl<'a, const D: usize> Search<'a, D> {
         });
         let found = refined.flatten().map_or_else(
             || {
+                self.workspace.check_room(grid, Workspace::<D>::DAMPED)?;
                 let found = search.run(start(Vec::new())?)?;
                 Ok(Found { iterations: in_vain + found.iterations, ..found })
             },
@@ -239,30 +253,44 @@ impl<'a, const D: usize> Search<'a, D> {
         &mut self,
         ends: [&'e dyn ClosedSet<D>; 2],
         grid: usize,
-        intervals: usize,
+        candidates: &mut Vec<Candidate<'e, D>>,
+    ) where
+        'a: 'e,
+    {
+        let starts = self.options.starts.between(self.energy, ends, grid, LINE);
+        self.search_from(starts, ends, candidates);
+    }
+
+    /// Searches from what a coarser grid does not stand for, with the best leaps on lines of so many
+    /// intervals.
+    fn try_in_detail<'e>(
+        &mut self,
+        ends: [&'e dyn ClosedSet<D>; 2],
+        grid: usize,
+        leaps: Option<usize>,
+        candidates: &mut Vec<Candidate<'e, D>>,
+    ) where
+        'a: 'e,
+    {
+        let starts = self.options.starts.in_detail(self.energy, ends, grid, leaps);
+        self.search_from(starts, ends, candidates);
+    }
+
+    fn search_from<'e>(
+        &mut self,
+        starts: Vec<PointSequence<D>>,
+        ends: [&'e dyn ClosedSet<D>; 2],
         candidates: &mut Vec<Candidate<'e, D>>,
     ) where
         'a: 'e,
     {
         let search = self.between(ends);
-        for start in self.options.starts.between(self.energy, ends, grid, intervals) {
+        for start in starts {
             let found = search.check(&start).and_then(|()| search.run(start));
             let found = self.accept(found.map_err(SolveError::Metric));
             candidates.extend(found.map(|found| Candidate::new(ends, found)));
         }
     }
-}
-
-/// The grids on the way to `n`, coarsest first.
-fn grids(n: usize) -> Vec<usize> {
-    let mut grids = vec![n];
-    let mut grid = n;
-    while n > DIRECT && grid > COARSEST {
-        grid = grid.div_ceil(REFINEMENT[FINER.iter().filter(|&&finer| grid >= finer).count()]);
-        grids.push(grid);
-    }
-    grids.reverse();
-    grids
 }
 
 #[cfg(test)]
@@ -272,7 +300,7 @@ mod tests {
     use tautline_metrics::gallery::{Constant, Separable};
     use tautline_sets::{ClosedSet, Ends, Point};
 
-    use super::{Candidate, Options, Search, grids, minimise};
+    use super::{Candidate, Options, Search, minimise};
     use crate::{SolveError, Workspace, newton::discrete_energy::EnergyOf};
 
     #[test]
@@ -318,15 +346,5 @@ mod tests {
         let candidate = search.follow(coarse(), 129).expect("a metric");
         assert_eq!(candidate.found.iterations, in_vain + damped);
         assert_eq!(search.iterations, in_vain + damped);
-    }
-
-    #[test]
-    fn grids_end_at_n_and_begin_coarse() {
-        assert_eq!(grids(1), [1]);
-        assert_eq!(grids(64), [64]);
-        assert_eq!(grids(65), [17, 65]);
-        assert_eq!(grids(1000), [16, 63, 250, 1000]);
-        assert_eq!(grids(10_000), [20, 79, 313, 1250, 10_000]);
-        assert_eq!(grids(100_000), [13, 49, 196, 782, 6250, 100_000]);
     }
 }

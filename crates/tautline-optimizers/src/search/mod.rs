@@ -2,6 +2,7 @@
 
 pub(crate) mod candidate;
 pub(crate) mod damping;
+pub(crate) mod grids;
 pub(crate) mod lengthening;
 pub(crate) mod line_minimum;
 pub(crate) mod local_search;

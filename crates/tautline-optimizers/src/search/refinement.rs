@@ -33,7 +33,8 @@ impl<const D: usize> LocalSearch<'_, D> {
     /// nothing. On the finest grids both are so at the start.
     ///
     /// `None` where that does not do: the Hessian is not positive definite, a step promises too
-    /// much, or not far less than the one before, or the metric is none at the result.
+    /// much, or not far less than the one before, or the metric is none at the result, or there is no
+    /// memory for a step.
     ///
     /// `coarser` is the result on the next coarser grid; `passes` is set to how many were begun.
     pub(crate) fn refine(
@@ -55,6 +56,7 @@ impl<const D: usize> LocalSearch<'_, D> {
                 return self.found(start, at, 1, at.decrement);
             }
         }
+        workspace.check_room(n, Workspace::<D>::UNDAMPED).ok()?;
         let (mut here, mut allowed, mut from) = (start, NEAR, None);
         for iteration in 1..=STEPS {
             *passes = iteration;

@@ -1,6 +1,6 @@
 //! `SolveError`: why no minimiser was searched, or none could be.
 
-use tautline_discretizations::SequenceError;
+use tautline_discretizations::{LARGEST_N, SequenceError};
 use tautline_metrics::MetricError;
 
 /// Why there is no result.
@@ -10,11 +10,22 @@ pub enum SolveError {
     /// `N = 0`.
     #[error("N = 0: a point sequence has at least one subinterval")]
     NoSubinterval,
-    /// More subintervals than any memory has room for.
-    #[error("N = {n}: no memory has room for so many points")]
+    /// More than [`LARGEST_N`] subintervals.
+    #[error(
+        "N = {n} is too many subintervals: beyond {} rounding outweighs what they gain",
+        LARGEST_N
+    )]
     TooManySubintervals {
         /// The number of subintervals.
         n: usize,
+    },
+    /// The system has no memory for a grid on the way to the result, or for the result.
+    #[error("N = {n}: there is no memory for the {bytes} bytes that this grid takes")]
+    OutOfMemory {
+        /// The number of subintervals of the grid.
+        n: usize,
+        /// What its points or a Newton step on it would take.
+        bytes: usize,
     },
     /// The metric is not one along the curves that were tried.
     #[error(transparent)]

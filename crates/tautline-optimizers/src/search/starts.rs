@@ -19,7 +19,8 @@ pub enum Starts<const D: usize> {
     #[default]
     Automatic,
     /// These sequences and no others, on any grid; their ends are moved to the nearest
-    /// points of the sets.
+    /// points of the sets. Up to `N = 64` the search begins with them on the grid of `N` chords, in all
+    /// detail, and beyond on a coarse one.
     Only(Vec<PointSequence<D>>),
     /// These sequences besides the automatic ones.
     Also(Vec<PointSequence<D>>),
@@ -42,23 +43,53 @@ impl<const D: usize> Starts<D> {
         n: usize,
         intervals: usize,
     ) -> Vec<PointSequence<D>> {
-        let mut starts = Vec::new();
-        if let Starts::Only(given) | Starts::Also(given) = self {
-            starts.extend(given.iter().map(|sequence| {
-                let mut points = prolong(sequence, n);
-                points[0] = first.project(&points[0]);
-                points[n] = second.project(&points[n]);
-                points
-            }));
-        }
+        let mut starts = self.given([first, second], n);
         if !matches!(self, Starts::Only(_)) {
             for (a, b) in end_points(first, second) {
                 starts.extend(bent_lines(&a, &b, n));
                 starts.extend(line_minimum(energy, &a, &b, n, intervals));
             }
         }
-        starts.into_iter().filter_map(|points| PointSequence::new(points).ok()).collect()
+        finite(starts)
     }
+
+    /// The given ones.
+    fn given(
+        &self,
+        [first, second]: [&dyn ClosedSet<D>; 2],
+        n: usize,
+    ) -> Vec<Vec<SVector<f64, D>>> {
+        let (Starts::Only(given) | Starts::Also(given)) = self else { return Vec::new() };
+        let on_the_grid = |sequence| {
+            let mut points = prolong(sequence, n);
+            points[0] = first.project(&points[0]);
+            points[n] = second.project(&points[n]);
+            points
+        };
+        given.iter().map(on_the_grid).collect()
+    }
+
+    /// Those that a coarser grid does not stand for: the given ones, and if asked for the best sequences
+    /// on the lines, as [`between`](Starts::between).
+    pub(crate) fn in_detail(
+        &self,
+        energy: &dyn DiscreteEnergy<D>,
+        ends: [&dyn ClosedSet<D>; 2],
+        n: usize,
+        intervals: Option<usize>,
+    ) -> Vec<PointSequence<D>> {
+        let mut starts = self.given(ends, n);
+        if let Some(intervals) = intervals {
+            let lines = end_points(ends[0], ends[1]).into_iter();
+            starts.extend(lines.filter_map(|(a, b)| line_minimum(energy, &a, &b, n, intervals)));
+        }
+        finite(starts)
+    }
+}
+
+/// The sequences among them.
+fn finite<const D: usize>(starts: Vec<Vec<SVector<f64, D>>>) -> Vec<PointSequence<D>> {
+    starts.into_iter().filter_map(|points| PointSequence::new(points).ok()).collect()
 }
 
 /// Pairs of end points: nearest points, seen from every seed of either set.

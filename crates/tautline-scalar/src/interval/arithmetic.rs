@@ -143,6 +143,8 @@ with_a_number! {
     Div div, DivAssign div_assign;
 }
 
+crate::f64_on_the_left!([K: Kernel] Enclosure<K>);
+
 impl<K: Kernel> Zero for Enclosure<K> {
     fn zero() -> Self {
         Self::enclosing(0.0, 0.0)

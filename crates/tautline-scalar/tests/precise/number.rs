@@ -146,6 +146,8 @@ operators_follow! {
     Div div, DivAssign div_assign;
 }
 
+tautline_scalar::f64_on_the_left!([] Precise);
+
 impl Zero for Precise {
     fn zero() -> Self {
         Self::constant(0.0)

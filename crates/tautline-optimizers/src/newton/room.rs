@@ -1,0 +1,67 @@
+//! Whether there is memory for a step, asked before it is taken.
+
+use std::hint::black_box;
+
+use crate::{SolveError, Workspace};
+
+/// So much is there, or the next small list fails as well.
+const SMALL: usize = 1 << 28;
+
+/// Whether the system would give so many bytes at once. None of them is touched: a system that promises
+/// more than it has would find them only then, and end the process.
+fn is_there(bytes: usize) -> bool {
+    let mut memory = Vec::<u8>::new();
+    // Seen from outside, so that the compiler cannot do without it.
+    bytes < SMALL || black_box(&mut memory).try_reserve_exact(bytes).is_ok()
+}
+
+impl<const D: usize> Workspace<D> {
+    /// Checks that there is memory for so many numbers at each point of `n` chords, counting what is
+    /// kept from earlier searches.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError::OutOfMemory`].
+    pub(crate) fn check_room(&self, n: usize, numbers: usize) -> Result<(), SolveError> {
+        let bytes = n.saturating_add(1).saturating_mul(numbers.saturating_mul(8));
+        if is_there(bytes.saturating_sub(self.factorization.bytes())) {
+            Ok(())
+        } else {
+            Err(SolveError::OutOfMemory { n, bytes })
+        }
+    }
+
+    /// The numbers a point that an undamped Newton step takes, the points among them.
+    pub(crate) const UNDAMPED: usize = 2 * D * D + 2 * D;
+
+    /// The numbers a point that a damped one takes: matrices that are summed up, shifted and factorised
+    /// one after the other.
+    pub(crate) const DAMPED: usize = 4 * Self::UNDAMPED;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{SMALL, is_there};
+    use crate::{SolveError, Workspace};
+
+    /// Addresses have 57 bits at most on today's processors, and 2⁶³ bytes are more than Rust asks for.
+    #[test]
+    fn more_bytes_than_addresses_are_not_there() {
+        assert!(is_there(0) && is_there(SMALL - 1) && is_there(SMALL));
+        for bytes in [1 << 58, isize::MAX as usize, usize::MAX] {
+            assert!(!is_there(bytes), "{bytes}");
+        }
+    }
+
+    #[test]
+    fn the_error_has_both_numbers() {
+        let workspace = Workspace::<64>::default();
+        let n = 1 << 44;
+        let bytes = (n + 1) * (2 * 64 * 64 + 2 * 64) * 8;
+        let found = workspace.check_room(n, Workspace::<64>::UNDAMPED);
+        assert_eq!(found, Err(SolveError::OutOfMemory { n, bytes }));
+        let all = workspace.check_room(usize::MAX, Workspace::<64>::DAMPED);
+        assert_eq!(all, Err(SolveError::OutOfMemory { n: usize::MAX, bytes: usize::MAX }));
+        assert_eq!(workspace.check_room(100, Workspace::<64>::DAMPED), Ok(()));
+    }
+}

@@ -1,0 +1,48 @@
+//! The grids of a search, from coarse to fine.
+
+/// Up to so many chords everything is tried on the grid itself: there a discrete minimiser
+/// may leap over a ridge, and which leaps save energy depends on the grid.
+///
+/// On finer ones the coarsest grid has at most so many: enough to tell the ways round an
+/// obstacle apart, and few enough that a dozen starts cost less than one pass over a fine grid.
+const COARSEST: usize = 32;
+
+/// Up to so many chords the coarsest grid has half as many, so that a solve costs no more than on a finer
+/// grid, which begins there too. Leaps may still pay, and are looked for once more if the energies tell so.
+pub(crate) const SMALL: usize = 64;
+const DOUBLED: usize = 2;
+
+/// From one grid to the next, `N` grows at most by this factor: by the later ones on fine grids,
+/// where what is prolonged is nearer.
+const REFINEMENT: [usize; 3] = [4, 8, 16];
+const FINER: [usize; 2] = [4096, 65_536];
+
+/// The grids on the way to `n`, coarsest first.
+pub(crate) fn grids(n: usize) -> Vec<usize> {
+    let mut grids = vec![n];
+    let mut grid = n;
+    while grid > COARSEST {
+        let later = REFINEMENT[FINER.iter().filter(|&&finer| grid >= finer).count()];
+        grid = grid.div_ceil(if n <= SMALL { DOUBLED } else { later });
+        grids.push(grid);
+    }
+    grids.reverse();
+    grids
+}
+
+#[cfg(test)]
+mod tests {
+    use super::grids;
+
+    #[test]
+    fn grids_end_at_n_and_begin_coarse() {
+        assert_eq!(grids(1), [1]);
+        assert_eq!(grids(32), [32]);
+        assert_eq!(grids(33), [17, 33]);
+        assert_eq!(grids(64), [32, 64]);
+        assert_eq!(grids(65), [17, 65]);
+        assert_eq!(grids(1000), [16, 63, 250, 1000]);
+        assert_eq!(grids(10_000), [20, 79, 313, 1250, 10_000]);
+        assert_eq!(grids(100_000), [13, 49, 196, 782, 6250, 100_000]);
+    }
+}

@@ -1,0 +1,135 @@
+//! A metric that is none between the nodes of a rule: the curve that is returned passes there.
+
+use nalgebra::{SMatrix, SVector};
+use tautline_discretizations::{Interpolation, LeftEndpoint, PointSequence, Rule, Trapezoidal};
+use tautline_metrics::{Metric, MetricError, Scalar};
+use tautline_optimizers::{Options, SolveError, Starts, minimise};
+use tautline_sets::{AxisBox, Ball, Ends, FiniteSet, HalfSpace, Point};
+
+/// The identity but for the last entry, `1 − (3/2) e^{−|P(x − c)|²/w²}`: negative within `0.6 w` of `c`
+/// and 1 to rounding from `6 w` on. `P` takes the first coordinate alone, or all of them.
+struct Dip<const D: usize> {
+    centre: SVector<f64, D>,
+    width: f64,
+    of_all: bool,
+}
+
+impl<const D: usize> Metric<D> for Dip<D> {
+    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
+        let square = |i: usize| ((x[i] - self.centre[i]) / self.width).sqr();
+        let distance = (1..D).filter(|_| self.of_all).map(square).fold(square(0), |a, b| a + b);
+        let mut h = SMatrix::identity();
+        h[(D - 1, D - 1)] = 1.0 - 1.5 * (-distance).exp();
+        h
+    }
+}
+
+/// Where on a chord the seven points of the quadrature lie that are not at its middle.
+const PLACES: [f64; 6] = [
+    0.019_754_365_645_989_85,
+    0.112_701_665_379_258_3,
+    0.282_878_125_326_598_7,
+    0.717_121_874_673_401_3,
+    0.887_298_334_620_741_7,
+    0.980_245_634_354_010_2,
+];
+
+const N: usize = 4;
+
+/// The first axis at `x`.
+fn on_the_axis<const D: usize>(x: f64) -> SVector<f64, D> {
+    SVector::from_fn(|i, _| if i == 0 { x } else { 0.0 })
+}
+
+/// The straight line along the first axis, from 0 to 1, with a dip at the fraction `place` of this
+/// chord, too narrow for a node to see: it has to be refused, and for that place.
+#[track_caller]
+fn assert_refused<R: Rule, const D: usize>(rule: R, ends: &Ends<D>, chord: usize, place: f64) {
+    let x = (chord as f64 + place) / N as f64;
+    let dip = Dip::<D> { centre: on_the_axis(x), width: 3e-4, of_all: false };
+    let line = PointSequence::straight(on_the_axis(0.0), on_the_axis(1.0), N).expect("finite");
+    let options = Options { starts: Starts::Only(vec![line.clone()]), ..Options::default() };
+    // The nodes see nothing: the discrete energy is that of the straight line.
+    assert_eq!(rule.energy(&dip, &line), 1.0);
+    let error = minimise(&dip, ends, rule, N, &options).expect_err("no metric");
+    let SolveError::Metric(MetricError::NotPositiveDefinite { point, eigenvalue }) = &error else {
+        panic!("{error}");
+    };
+    // 1 − 3/2, to some roundings of the place over the width: (1e-16/3e-4)².
+    assert!((point[0] - x).abs() < 1e-14 && (eigenvalue + 0.5).abs() < 1e-12, "{error}");
+    assert!(point[1..].iter().all(|&y| y == 0.0));
+    // That is what the message says.
+    assert!(error.to_string().contains("is not positive definite"), "{error}");
+}
+
+fn assert_refused_everywhere<R: Rule, const D: usize>(rule: R) {
+    let corner = SVector::<f64, D>::from_fn(|i, _| if i == 0 { -0.5 } else { 0.0 });
+    let ball = || Ball::new(corner, 0.5).expect("a radius");
+    let wall = || HalfSpace::at_least(on_the_axis::<D>(1.0), 1.0).expect("a normal");
+    let cube = || AxisBox::new(on_the_axis::<D>(2.0), SVector::repeat(1.0)).expect("not empty");
+    let between = [
+        Ends::points(on_the_axis::<D>(0.0), on_the_axis(1.0)).expect("finite"),
+        Ends::new(ball(), wall()).expect("bounded"),
+        Ends::new(ball(), cube()).expect("bounded"),
+    ];
+    for ends in &between {
+        for chord in 0..N {
+            PLACES.iter().for_each(|&place| assert_refused(rule, ends, chord, place));
+        }
+    }
+}
+
+#[test]
+fn a_metric_that_is_none_between_nodes_is_named_with_the_point() {
+    assert_refused_everywhere::<_, 1>(Trapezoidal);
+    assert_refused_everywhere::<_, 2>(Trapezoidal);
+    assert_refused_everywhere::<_, 3>(LeftEndpoint);
+    assert_refused_everywhere::<_, 5>(LeftEndpoint);
+}
+
+/// From all starts, and where nodes may go and see it: on every grid, what is returned has a length.
+#[test]
+fn a_result_has_a_length() {
+    let mut refused = 0;
+    for width in [0.001, 0.01, 0.1] {
+        for n in [1, 2, 3, 5, 8, 16, 33, 64, 100, 300] {
+            let dip = Dip::<1> { centre: on_the_axis(0.4), width, of_all: false };
+            let ends = Ends::points([0.0], [1.0]).expect("finite");
+            match minimise(&dip, &ends, Trapezoidal, n, &Options::default()) {
+                Ok(minimum) => {
+                    let curve = Interpolation::new(&minimum.sequence);
+                    let length = curve.length(&dip).value;
+                    assert!(
+                        length > 0.0,
+                        "width {width}, N = {n}: {length}, {:?} {minimum:?}",
+                        curve.check(&dip)
+                    );
+                }
+                Err(SolveError::Metric(MetricError::NotPositiveDefinite { point, .. })) => {
+                    assert!((point[0] - 0.4).abs() < width, "width {width}, N = {n}: {point:?}");
+                    refused += 1;
+                }
+                Err(error) => panic!("{error}"),
+            }
+        }
+    }
+    // The wide ones on all grids, and the narrower ones where chords are no longer than some widths.
+    assert!(refused >= 15, "{refused}");
+}
+
+/// To the nearer of two points there is a dip on the way: on the only grid, or on one that is refined
+/// later, beyond which a single search is followed.
+#[test]
+fn the_lowest_result_with_a_metric_all_along_is_returned() {
+    for (n, of, chord, width) in [(N, N, 1, 3e-4), (600, 150, 75, 1e-5)] {
+        let centre = on_the_axis((chord as f64 + PLACES[1]) / of as f64);
+        let dip = Dip::<2> { centre, width, of_all: true };
+        let origin = Point::new([0.0, 0.0]).expect("finite");
+        let members = FiniteSet::new([[1.0, 0.0], [0.0, 1.2]]).expect("finite");
+        let ends = Ends::new(origin, members).expect("bounded");
+        let minimum = minimise(&dip, &ends, Trapezoidal, n, &Options::default()).expect("a way");
+        assert_eq!(*minimum.sequence.last(), SVector::from([0.0, 1.2]), "N = {n}");
+        // N squares of 1.2/N, each rounded.
+        assert!((minimum.energy - 1.44).abs() < 1e-13 && minimum.is_local_minimum());
+    }
+}

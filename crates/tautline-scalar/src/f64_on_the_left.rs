@@ -1,0 +1,127 @@
+//! `2.0 - x`: a number on the left of a scalar.
+
+/// `T`, as if it were a type of this one.
+///
+/// Rust takes over from a trait what it asks of the implementing type and of types that belong to
+/// it, but not a bound on another type such as `f64: Sub<Self>`: each function would have to repeat
+/// it. Here `f64` belongs to every type, so that [`Scalar`](crate::Scalar) can ask it of
+/// `Beside<f64>::Is`, which is `f64`, and `S: Scalar` is enough for `2.0 - x`.
+pub trait Beside<T> {
+    /// `T`.
+    type Is;
+}
+
+impl<T, U> Beside<T> for U {
+    type Is = T;
+}
+
+/// Implements `c + x`, `c - x`, `c * x` and `c / x` with an `f64` on the left for a number type of
+/// your own, which is half of what [`Scalar`](crate::Scalar) asks for; by the operators with an `f64`
+/// on the right, and `c / x` by [`Scalar::constant`](crate::Scalar::constant).
+///
+/// In brackets the generic parameters, none for a type without: `f64_on_the_left!([] MyNumber)`,
+/// `f64_on_the_left!([T: Scalar, const D: usize] MyJet<T, D>)`.
+#[macro_export]
+macro_rules! f64_on_the_left {
+    ([$($generics:tt)*] $scalar:ty) => {
+        $crate::f64_on_the_left!(@operator [$($generics)*] $scalar, Add add |c, x| x + c);
+        $crate::f64_on_the_left!(@operator [$($generics)*] $scalar, Sub sub |c, x| -x + c);
+        $crate::f64_on_the_left!(@operator [$($generics)*] $scalar, Mul mul |c, x| x * c);
+        $crate::f64_on_the_left!(
+            @operator [$($generics)*] $scalar,
+            Div div |c, x| <$scalar as $crate::Scalar>::constant(c) / x
+        );
+    };
+    (
+        @operator [$($generics:tt)*] $scalar:ty,
+        $operator:ident $method:ident |$c:ident, $x:ident| $value:expr
+    ) => {
+        impl<$($generics)*> ::std::ops::$operator<$scalar> for f64 {
+            type Output = $scalar;
+            #[inline]
+            fn $method(self, $x: $scalar) -> $scalar {
+                let $c = self;
+                $value
+            }
+        }
+        impl<'x, $($generics)*> ::std::ops::$operator<&'x $scalar> for f64 {
+            type Output = $scalar;
+            #[inline]
+            fn $method(self, x: &'x $scalar) -> $scalar {
+                ::std::ops::$operator::$method(self, *x)
+            }
+        }
+    };
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Interval, Jet1, Jet2, MixedJet, Pair, Scalar};
+
+    /// A number on the left, and the same formula with numbers on the right only.
+    fn formulas<S: Scalar>(x: S) -> [[S; 2]; 5] {
+        [
+            [1.0 + x, x + 1.0],
+            [2.0 - x.sin(), -x.sin() + 2.0],
+            [2.0 * x, x * 2.0],
+            [2.0 / x, S::constant(2.0) / x],
+            [3.0 - &x, -x + 3.0],
+        ]
+    }
+
+    #[track_caller]
+    fn assert_same<S: Scalar>(x: S) {
+        for [left, right] in formulas(x) {
+            assert_eq!(left, right);
+        }
+    }
+
+    #[test]
+    fn a_number_on_the_left_is_that_number_in_every_type() {
+        assert_same(0.75);
+        assert_same(Pair::new(0.75, -1.25));
+        let x = Interval::new(0.5, 0.75).expect("ordered");
+        assert_same(x);
+        assert_same(Jet1::variables(&[0.75])[0]);
+        assert_same(Jet2::variables(&[0.75, 2.0])[0]);
+        assert_same(Jet2::variables(&[x, x])[1]);
+        assert_same(MixedJet::<f64, 2>::constant(0.75));
+    }
+
+    /// Which, that is: the values of `f64` itself, and derivatives by hand.
+    #[test]
+    fn differences_and_quotients_are_not_turned_round() {
+        let [x] = Jet2::variables(&[0.5]);
+        let all = |y: Jet2<f64, 1>| [y.value(), y.first(0), y.second(0, 0)];
+        assert_eq!(all(2.0 - x), [1.5, -1.0, 0.0]);
+        // 2/x, −2/x², 4/x³.
+        assert_eq!(all(2.0 / x), [4.0, -8.0, 32.0]);
+        let x = Interval::new(0.5, 1.0).expect("ordered");
+        let ends = |y: Interval| [y.lo(), y.hi()];
+        assert_eq!([ends(2.0 - x), ends(2.0 / x)], [[1.0, 1.5], [2.0, 4.0]]);
+    }
+
+    /// Products and differences of numbers stay numbers where `S: Scalar` is in scope: what the
+    /// compiler knows of `f64 - S` must not make it take every `f64 - …` for that.
+    #[test]
+    fn numbers_among_themselves_are_not_taken_for_scalars() {
+        struct Wave {
+            height: f64,
+            numbers: [f64; 2],
+        }
+        impl Wave {
+            fn at<S: Scalar>(&self, x: S, u: &[f64]) -> S {
+                let k = 2.0 * self.height.powi(2) - 1.0 / self.height;
+                let mean = 0.5 * self.numbers.iter().sum::<f64>() - 1.0;
+                let largest = 1.0 - self.numbers.iter().copied().fold(0.0, f64::max);
+                let product: f64 = u.iter().zip(&self.numbers).map(|(u, k)| u * k).sum();
+                (1.0 - 2.0 * self.numbers[0] * x.cos()) * (2.0 * u[0] * u[1])
+                    + (k * mean - largest * product) * x
+            }
+        }
+        let wave = Wave { height: 2.0, numbers: [0.5, 3.0] };
+        // k = 7.5, the mean 0.75, 1 − 3 = −2, the product 3.5: (1 − 1) 4 + 12.625 · 0.
+        assert_eq!(wave.at(0.0, &[1.0, 2.0 / 2.0]), 0.0);
+        assert_eq!(wave.at(1.0, &[0.0, 1.0]), 7.5 * 0.75 + 2.0 * 3.0);
+    }
+}

@@ -1,0 +1,103 @@
+//! What a new user meets first: a formula as it is written on paper, and what is said of bad input.
+
+use tautline::{
+    Ends, LARGEST_N, LeftEndpoint, Metric, MetricError, Options, PointSequence, Problem, Rule,
+    SMatrix, SVector, Scalar, SequenceError, SolveError, Starts, Trapezoidal, gallery::Valleys,
+    solve_all,
+};
+
+/// `f² I` with `f = 2 − cos x₁`, as [`Valleys`] of the gallery, with numbers on the left.
+struct OnPaper;
+
+impl Metric<2> for OnPaper {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+        let f = 2.0 - x[0].cos();
+        // What cancels: by all four operators, and by reference.
+        let twice = 2.0 * f;
+        let again = 1.0 / (1.0 / twice);
+        SMatrix::from_diagonal_element((1.0 + (again - f) - 1.0 + 0.0 * &f).sqr())
+    }
+}
+
+#[test]
+fn a_formula_may_have_numbers_on_the_left() {
+    let ends = || Ends::points([0.0, 0.0], [2.0, 1.5]).expect("finite");
+    let energy = |n| {
+        let own = Problem::new(OnPaper, ends()).solve(Trapezoidal, n).expect("a metric");
+        let gallery = Problem::new(Valleys, ends()).solve(Trapezoidal, n).expect("a metric");
+        (own.discrete_energy(), gallery.discrete_energy())
+    };
+    for n in [8, 512] {
+        let (own, gallery) = energy(n);
+        // Some ten roundings of the formula, each at most 4 ε of f.
+        assert!((own / gallery - 1.0).abs() < 1e-14, "{own} {gallery}");
+    }
+}
+
+#[test]
+fn too_many_subintervals_are_an_error_and_not_the_end_of_the_process() {
+    fn refused<const D: usize>(n: usize) {
+        let flat = tautline::gallery::Constant::<D>::new(SMatrix::identity()).expect("definite");
+        let problem = Problem::new(flat, Ends::points([0.0; D], [1.0; D]).expect("finite"));
+        let too_many = SolveError::TooManySubintervals { n };
+        assert_eq!(problem.solve(Trapezoidal, n).map(|_| ()), Err(too_many.clone()));
+        let problems = vec![problem.clone(), problem];
+        for line in solve_all(&problems, LeftEndpoint, n, &Options::default()) {
+            assert_eq!(line.map(|_| ()), Err(too_many.clone()));
+        }
+        let line = PointSequence::straight([0.0; D], [1.0; D], n);
+        assert_eq!(line.map(|_| ()), Err(SequenceError::TooManySubintervals { n }));
+    }
+    for n in [1_000_000_000, usize::MAX] {
+        refused::<1>(n);
+        refused::<64>(n);
+    }
+    const { assert!(LARGEST_N < 1_000_000_000) };
+}
+
+#[test]
+fn sixty_four_chords_have_an_estimate_of_the_distance() {
+    let ends = Ends::points([0.0, 0.0], [2.0, 1.5]).expect("finite");
+    let problem = Problem::new(Valleys, ends);
+    let estimate = |n| {
+        let line = problem.solve(Trapezoidal, n).expect("a metric");
+        line.distance_squared_estimate().expect("several grids")
+    };
+    let (small, fine) = (estimate(64), estimate(2048));
+    // As good as it says, or better: of the error of the second order in 1/N nothing is left.
+    assert!((small.value - fine.value).abs() <= small.error, "{small:?} {fine:?}");
+    assert!((small.value - fine.value).abs() <= 1e-5 * fine.value, "{small:?} {fine:?}");
+}
+
+/// `1 − (3/2) e^{−((x₁ − c)/w)²}` times the identity: no metric within `0.6 w` of `c`.
+struct Dip {
+    centre: f64,
+}
+
+impl Metric<2> for Dip {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+        let distance = (x[0] - self.centre) / 0.02;
+        SMatrix::from_diagonal_element(1.0 - 1.5 * (-distance.sqr()).exp())
+    }
+}
+
+/// Four chords read the metric at 1/8, 3/8, … and not where it is negative; the length would be NaN.
+#[test]
+fn a_metric_that_is_negative_between_nodes_is_an_error_with_the_point() {
+    for centre in [0.22, 0.53, 0.97] {
+        let line = PointSequence::straight([0.0, 0.0], [1.0, 0.0], 4).expect("finite");
+        assert!((Trapezoidal.energy(&Dip { centre }, &line) - 1.0).abs() < 1e-15);
+        let ends = Ends::points([0.0, 0.0], [1.0, 0.0]).expect("finite");
+        let options = Options { starts: Starts::Only(vec![line]), ..Options::default() };
+        let problem = Problem::new(Dip { centre }, ends);
+        for result in [problem.solve_with(Trapezoidal, 4, &options), problem.solve(Trapezoidal, 4)]
+        {
+            match result.map(|line| line.length()) {
+                Err(SolveError::Metric(MetricError::NotPositiveDefinite { point, eigenvalue })) => {
+                    assert!((point[0] - centre).abs() < 0.02 && eigenvalue <= 0.0, "{point:?}");
+                }
+                other => panic!("{other:?}"),
+            }
+        }
+    }
+}
