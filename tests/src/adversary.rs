@@ -83,6 +83,28 @@ fn theorems_a_to_d_are_attained() {
     }
 }
 
+/// The tightest cases of these are at `a → 0` and at `N = 1`; no range is too short for them.
+#[test]
+fn a_search_that_ends_at_an_edge_is_not_cut_off() {
+    let families = families(&None);
+    let mut edges = 0;
+    for (number, name) in [
+        ("Theorem 1.1", "tent"),
+        ("Theorem 1.3", "incline"),
+        ("Theorem B", "two arcs"),
+        ("Proposition 7.9", "ramp"),
+        ("Proposition 7.11", "anisotropy"),
+    ] {
+        let family = families.iter().find(|family| family.is(number, name)).expect("listed");
+        let found = Search::default().tightest(family, Source::Stated).expect("no violation");
+        for edge in found.expect("a slack").edges {
+            assert!(!edge.is_cut_off(), "{number} on {name}: {edge}");
+            edges += 1;
+        }
+    }
+    assert!(edges > 0);
+}
+
 /// In dimension 1 one chord between two points has the length `d`.
 #[test]
 fn there_is_no_slack_to_tell_of_the_length_of_one_chord_on_the_line() {

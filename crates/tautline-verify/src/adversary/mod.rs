@@ -7,6 +7,9 @@
 //! slack that the statement really has, with the case that shows it. A conclusion that fails on
 //! the way is an error.
 //!
+//! A case at an [`Edge`] of its box says why: there is none beyond, or the range ends near a limit,
+//! and what is left on the way to it is measured.
+//!
 //! ```
 //! use tautline_verify::{Source, adversary::{Search, families}};
 //!
@@ -19,6 +22,7 @@
 //! ```
 
 mod adversary_error;
+mod edge;
 mod families;
 mod family;
 mod parameter;
@@ -27,6 +31,7 @@ mod split_mix;
 mod tightest;
 
 pub use adversary_error::AdversaryError;
+pub use edge::{Beyond, Edge, End};
 pub use families::families;
 pub use family::Family;
 pub use parameter::Parameter;

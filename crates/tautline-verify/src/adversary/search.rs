@@ -1,6 +1,6 @@
 //! `Search`: samples at random, then pattern search, on the logarithm of the slack.
 
-use super::{AdversaryError, Family, Tightest, split_mix::SplitMix};
+use super::{AdversaryError, Edge, Family, Tightest, split_mix::SplitMix};
 use crate::{Evidence, Finding, Inequality, Source, VerifyError};
 
 /// How long a search looks, and from which random numbers.
@@ -104,13 +104,14 @@ impl Search {
                 keep_the_tighter(&mut best, hunt.climb(start, self.climbs)?);
             }
         }
+        let Some(Place { places, found: Some((evidence, conclusion)) }) = best else {
+            return Ok(None);
+        };
+        let slack = conclusion.slack();
+        let edges = hunt.edges(&places, slack)?;
+        let parameters = family.named(&values(family, &places));
         let Hunt { evaluations, told, .. } = hunt;
-        Ok(best.and_then(|Place { places, found }| {
-            let (evidence, conclusion) = found?;
-            let parameters = family.named(&values(family, &places));
-            let slack = conclusion.slack();
-            Some(Tightest { parameters, evidence, conclusion, slack, evaluations, told })
-        }))
+        Ok(Some(Tightest { parameters, evidence, conclusion, slack, edges, evaluations, told }))
     }
 }
 
@@ -173,9 +174,10 @@ impl Hunt<'_, '_> {
             }
             // On in the direction that helped, as long as it does.
             loop {
-                let ahead = here.places.iter().zip(&before);
-                let ahead = ahead.map(|(new, old)| (2.0 * new - old).clamp(0.0, 1.0)).collect();
-                let place = self.look(ahead)?;
+                let steps = here.places.iter().zip(&before).map(|(new, old)| 2.0 * new - old);
+                let ahead = self.family.parameters.iter().zip(steps);
+                let ahead = ahead.map(|(parameter, place)| parameter.brought_back(place));
+                let place = self.look(ahead.collect())?;
                 if !(place.beats(&here) && self.evaluations < end) {
                     break;
                 }
@@ -183,6 +185,20 @@ impl Hunt<'_, '_> {
             }
         }
         Ok(here)
+    }
+
+    /// The parameters that are at an end of their ranges, each with what may be left beyond it.
+    fn edges(&mut self, places: &[f64], slack: f64) -> Result<Vec<Edge>, AdversaryError> {
+        let mut edges = Vec::new();
+        for (k, parameter) in self.family.parameters.iter().enumerate() {
+            let Some(end) = parameter.end(parameter.at(places[k])) else { continue };
+            let mut out = places.to_vec();
+            out[k] = parameter.half_way_out(places[k], end);
+            let left = (self.look(out)?.slack() / slack - 1.0).max(0.0);
+            let beyond = parameter.beyond(end);
+            edges.push(Edge { parameter: parameter.name, end, beyond, left });
+        }
+        Ok(edges)
     }
 
     /// Tries each parameter a step up and down, and keeps what is better.
@@ -209,7 +225,10 @@ impl Hunt<'_, '_> {
 
 #[cfg(test)]
 mod tests {
-    use super::{super::Parameter, AdversaryError, Family, Search, Source};
+    use super::{
+        super::{Beyond, End, Parameter},
+        AdversaryError, Family, Search, Source,
+    };
     use crate::{Evidence, Statement, Unit, VerifyError, statements::prop_7_8};
 
     /// `Σ xₙ³ ≤ (Σ xₙ²)^{3/2}` for `1, x, y` with the slack 1 at `x = y = 0`.
@@ -248,6 +267,40 @@ mod tests {
         });
         let found = Search::default().tightest(&edge, Source::Stated).expect("true");
         assert!(found.expect("told").slack <= 1.01);
+    }
+
+    /// The slack `1 + s x` on `[10⁻³, 1]` has `10⁻³ s` left on the way to 0, of about 1.
+    #[test]
+    fn a_case_at_an_edge_says_what_is_left_beyond_it() {
+        let side = || Parameter::logarithmic("x", 1e-3, 1.0);
+        let limit = side().with_ends(Beyond::Limit("x → 0"), Beyond::Nothing("x ≤ 1"));
+        let edges = |side: Parameter, s: f64| {
+            let family = Family::new("line", Statement::Proposition7_8, [side], |[x]| {
+                let evidence = Evidence::of(Statement::Proposition7_8);
+                Ok(Some(evidence.stated("1 ≤ 1 + s x", Unit::NONE, [1.0, 1.0 + s * x], 0.0)))
+            });
+            let found = Search::default().tightest(&family, Source::Stated).expect("true");
+            found.expect("told").edges
+        };
+        let [near, far, open, other] = [(limit, 1.0), (limit, 100.0), (side(), 1.0), (limit, -0.5)]
+            .map(|(side, s)| {
+                let found = edges(side, s);
+                let [edge] = found.as_slice() else { panic!("{found:?}") };
+                *edge
+            });
+        // (1 + 2·10⁻³ s)/(1 + 10⁻³ s) − 1, at a case that may be some last steps before the edge.
+        assert!((near.left - 1e-3 / 1.001).abs() <= 1e-5 && !near.is_cut_off(), "{near:?}");
+        assert!((far.left - 0.1 / 1.1).abs() <= 1e-3 && far.is_cut_off(), "{far:?}");
+        assert!(open.is_cut_off() && open.beyond.is_none(), "{open:?}");
+        assert_eq!((other.parameter, other.end), ("x", End::Most));
+        assert!(!other.is_cut_off(), "{other:?}");
+        let inside = Family::new("valley", Statement::Proposition7_8, [side()], |[x]| {
+            let slack = 1.0 + (x / 0.03).ln().powi(2);
+            let evidence = Evidence::of(Statement::Proposition7_8);
+            Ok(Some(evidence.stated("1 ≤ slack", Unit::NONE, [1.0, slack], 0.0)))
+        });
+        let found = Search::default().tightest(&inside, Source::Stated).expect("true");
+        assert_eq!(found.expect("told").edges, []);
     }
 
     #[test]

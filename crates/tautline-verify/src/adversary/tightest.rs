@@ -1,5 +1,6 @@
 //! `Tightest`: what a search found.
 
+use super::Edge;
 use crate::{Evidence, Inequality};
 
 /// The case of a family with the least slack that a search found.
@@ -13,6 +14,8 @@ pub struct Tightest {
     pub conclusion: Inequality,
     /// Its slack, a pure number.
     pub slack: f64,
+    /// The parameters that are at an end of their ranges.
+    pub edges: Vec<Edge>,
     /// How many cases were evaluated.
     pub evaluations: usize,
     /// In how many of them a slack could be told: the problem makes sense, the solver converged,

@@ -7,7 +7,8 @@
 //! | a metric and a point sequence | shear, separable, ramp, tent, incline, valleys | `sequences.rs` |
 //!
 //! Where a change of the units of coordinates or a reflection maps a family to itself, one
-//! parameter is left out: a wave number is then 1, and coordinates count in phases.
+//! parameter is left out: a wave number is then 1, and coordinates count in phases, which have no
+//! edges. Other ranges end near limits, or where there is no other case, and say so.
 //!
 //! The paper's statements are searched in all families of their kind but two arcs, ours in those in
 //! which they come nearest to equality, and on the sheared plane.
@@ -15,12 +16,14 @@
 mod about_problems;
 mod points;
 mod problems;
+mod ranges;
 mod sequences;
 
 use super::Family;
 use crate::Mutant;
 
-/// Returns all families, evaluated with the library or with a mutant, by statement and then by name as listed above.
+/// Returns all families, evaluated with the library or with a mutant, by statement and then by name
+/// as listed above.
 #[must_use]
 pub fn families(subject: &Option<Mutant>) -> Vec<Family<'_>> {
     let mut all = problems::families(subject);

@@ -1,11 +1,16 @@
 //! Families of points, for the statements about the derivatives of a metric.
 
+use std::f64::consts::PI;
+
 use tautline::{
     Bounded, MetricError, SVector,
     gallery::{CoupledCosines, RotatingAnisotropy, Shear, Valleys},
 };
 
-use super::super::{Family, Parameter};
+use super::{
+    super::{Beyond, Family, Parameter},
+    ranges::{amplitude, beside, direction, phase},
+};
 use crate::{
     Evidence, Statement, Subject,
     statements::{prop_7_10, prop_7_11},
@@ -36,30 +41,27 @@ fn on<'a, S: Subject, M: Bounded<D> + 'a, const D: usize, const P: usize>(
 }
 
 pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
-    let coordinate = |name| Parameter::linear(name, -3.0, 3.0);
-    let mut all = on(
-        subject,
-        "shear",
-        [Parameter::logarithmic("a", 1e-3, 0.8), coordinate("x2")],
-        |[a, x2]| Some((Shear::new(a, 1.0).ok()?, [0.0, x2])),
-    );
-    all.extend(on(subject, "valleys", [coordinate("x1")], |[x1]| Some((Valleys, [x1, 0.0]))));
-    all.extend(on(
-        subject,
-        "cosines",
-        [coordinate("x1"), coordinate("x2"), coordinate("x3")],
-        |x| Some((CoupledCosines, x)),
-    ));
-    // The unit of energies makes one eigenvalue 1, and that of coordinates k₁.
+    let mut all = on(subject, "shear", [amplitude("a", 1e4), phase("x2")], |[a, x2]| {
+        Some((Shear::new(a, 1.0).ok()?, [0.0, x2]))
+    });
+    all.extend(on(subject, "valleys", [phase("x1")], |[x1]| Some((Valleys, [x1, 0.0]))));
+    all.extend(on(subject, "cosines", [phase("x1"), phase("x2"), phase("x3")], |x| {
+        Some((CoupledCosines, x))
+    }));
+    // The unit of energies makes one eigenvalue 1, and that of coordinates |k|.
     all.extend(on(
         subject,
         "anisotropy",
         [
-            Parameter::logarithmic("ratio", 1.1, 100.0),
-            Parameter::linear("k2", -3.0, 3.0),
-            coordinate("x1"),
+            Parameter::logarithmic("ratio", 1.0001, 1e6)
+                .with_ends(Beyond::Limit("ratio → 1"), Beyond::Limit("ratio → ∞")),
+            direction("k"),
+            Parameter::periodic("theta", PI),
         ],
-        |[ratio, k2, x1]| Some((RotatingAnisotropy::new([ratio, 1.0], [1.0, k2]).ok()?, [x1, 0.0])),
+        |[ratio, direction, theta]| {
+            let k = beside([0.0, 0.0], 1.0, direction);
+            Some((RotatingAnisotropy::new([ratio, 1.0], k).ok()?, k.map(|k| theta * k)))
+        },
     ));
     all
 }

@@ -1,15 +1,19 @@
 //! Families of problems whose distance is known, for statements about discrete minimisers.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use tautline::{
-    Bounded, Ends, FiniteSet, KnownDistance, SVector,
+    Bounded, Ends, FiniteSet, KnownDistance,
     gallery::{Ramp, Separable, Shear, Valleys},
 };
 
 use super::{
-    super::{Family, Parameter},
+    super::{Beyond, Family, Parameter},
     about_problems::AboutProblem,
+    ranges::{
+        along, amplitude, anchor, anchored, any_step, beside, direction, n, on_the_ramp, part,
+        phase, ratio_of_waves, share, shared, step, wave_numbers, way,
+    },
 };
 use crate::{
     Known, PaperRule, Reconstruction, Subject,
@@ -36,8 +40,7 @@ fn on<'a, S: Subject, M: Bounded<D> + 'a, const D: usize, const P: usize>(
     statements.into_iter().flatten().map(family).collect()
 }
 
-/// Two points whose distance the metric knows, and `N`; at least a tenth of the unit of
-/// coordinates apart, so that what is observed is more than the rounding of the ends.
+/// Two points whose distance the metric knows, and `N`.
 fn between<M, const D: usize>(
     metric: M,
     a: [f64; D],
@@ -47,19 +50,10 @@ fn between<M, const D: usize>(
 where
     M: Bounded<D> + KnownDistance<D>,
 {
-    let apart = (SVector::from(a) - SVector::from(b)).norm();
-    let known = (apart >= 0.1).then(|| Known::between(metric, a, b).ok()).flatten();
-    Some((known??, n))
-}
-
-/// `N`: what is tight is so for few subintervals, since the bounds fall like `1/√N`.
-fn n() -> Parameter {
-    Parameter::whole("N", 1, 8)
+    Some((Known::between(metric, a, b).ok()??, n))
 }
 
 pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
-    let coordinate = |name| Parameter::linear(name, -3.0, 3.0);
-    let slope = || Parameter::logarithmic("L", 1e-3, 10.0);
     let mut all = on(
         subject,
         ["shear", "shear, left"],
@@ -71,75 +65,83 @@ pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
             AboutProblem::second_order(),
             AboutProblem::enclosure(),
         ],
-        [
-            Parameter::logarithmic("a", 1e-3, 0.8),
-            coordinate("x2"),
-            coordinate("y1"),
-            coordinate("y2"),
-            n(),
-        ],
-        |_, [a, x2, y1, y2, n]| between(Shear::new(a, 1.0).ok()?, [0.0, x2], [y1, y2], n),
+        [amplitude("a", 100.0), phase("x2"), step("step"), direction("phi"), n()],
+        |_, [a, x2, step, phi, n]| {
+            let from = [0.0, x2];
+            between(Shear::new(a, 1.0).ok()?, from, beside(from, n * step, phi), n)
+        },
     );
     all.extend(on(
         subject,
         ["separable, D = 1", "separable, D = 1, left"],
         [AboutProblem::of_the_paper(), AboutProblem::ceiling(), AboutProblem::second_order()],
-        [Parameter::logarithmic("a", 1e-3, 0.6), coordinate("x"), coordinate("y"), n()],
-        |_, [a, x, y, n]| between(Separable::new([a], [1.0]).ok()?, [x], [y], n),
+        [part("a", 0.9), phase("x"), step("step"), way("way"), n()],
+        |_, [a, x, step, way, n]| {
+            between(Separable::new([a], [1.0]).ok()?, [x], [x + along(n * step, way)], n)
+        },
     ));
     all.extend(on(
         subject,
         ["separable, D = 2", "separable, D = 2, left"],
         [AboutProblem::of_the_paper()],
         [
-            Parameter::logarithmic("a1", 1e-3, 0.6),
-            Parameter::logarithmic("a2", 1e-3, 0.6),
-            Parameter::logarithmic("k2", 0.5, 2.0),
-            coordinate("x1"),
-            coordinate("x2"),
-            coordinate("y1"),
-            coordinate("y2"),
+            part("a", 0.9),
+            share(),
+            ratio_of_waves(),
+            phase("k1x1"),
+            phase("k2x2"),
+            step("step"),
+            direction("phi"),
             n(),
         ],
-        |_, [a1, a2, k2, x1, x2, y1, y2, n]| {
-            between(Separable::new([a1, a2], [1.0, k2]).ok()?, [x1, x2], [y1, y2], n)
+        |_, [a, psi, ratio, phase1, phase2, step, phi, n]| {
+            let k = wave_numbers(ratio);
+            let from = [phase1 / k[0], phase2 / k[1]];
+            between(Separable::new(shared(a, psi), k).ok()?, from, beside(from, n * step, phi), n)
         },
     ));
     all.extend(on(
         subject,
         ["ramp", "ramp, left"],
         [AboutProblem::of_the_paper(), AboutProblem::speeds()],
-        [Parameter::logarithmic("a", 1e-3, 0.7), coordinate("x"), coordinate("y"), n()],
-        |_, [a, x, y, n]| between(Ramp::new(a, 1.0).ok()?, [x], [y], n),
+        [part("a", 0.99), on_the_ramp(), anchor(), any_step(1e3), way("way"), n()],
+        |_, [a, x, anchor, step, way, n]| {
+            // The nodes of a quadrature pass over a ramp near an end of a chord so long.
+            let seen = n * step <= 300.0 || (n == 1.0 && anchor.floor() == 1.0);
+            let [from, to] = anchored(x, anchor, n * step, way);
+            let metric = seen.then(|| Ramp::new(a, 1.0).ok())?;
+            between(metric?, [from], [to], n)
+        },
     ));
     // Kinked in the middle, where one chord reads it and two chords would search it.
     all.extend(on(
         subject,
         ["tent", "tent, left"],
         [AboutProblem::of_the_paper()],
-        [slope(), Parameter::subintervals(1)],
+        [amplitude("L", 1e4), Parameter::subintervals(1)],
         |_, [slope, n]| between(tent(1.0, slope)?, [0.0], [1.0], n),
     ));
     all.extend(on(
         subject,
         ["incline", "incline, left"],
         [AboutProblem::of_the_paper(), AboutProblem::first_order()],
-        [slope(), n()],
+        [amplitude("L", 1e4), n()],
         |_, [slope, n]| between(Incline::new(1.0, slope)?, [0.0], [1.0], n),
     ));
     all.extend(on(
         subject,
         ["valleys", "valleys, left"],
         [AboutProblem::of_the_paper(), AboutProblem::second_order()],
-        [
-            coordinate("x1"),
-            Parameter::linear("y1", -10.0, 10.0),
-            Parameter::linear("y2", 0.0, 3.0),
-            n(),
-        ],
-        |_, [x1, y1, y2, n]| between(Valleys, [x1, 0.0], [y1, y2], n),
+        [phase("x1"), any_step(1e2), direction("phi"), n()],
+        |_, [x1, step, phi, n]| {
+            // A quadrature gives up on a chord over more valleys.
+            if n * step > 130.0 {
+                return None;
+            }
+            let from = [x1, 0.0];
+            between(Valleys, from, beside(from, n * step, phi), n)
+        },
     ));
-    let turn = |name| Parameter::linear(name, -1.0, 1.0);
     all.extend(on(
         subject,
         ["two routes", "two routes, left"],
@@ -150,12 +152,12 @@ pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
             AboutProblem::enclosure(),
         ],
         [
-            slope(),
+            amplitude("L", 10.0),
             turn("a1"),
             turn("a2"),
             turn("b1"),
             turn("b2"),
-            Parameter::logarithmic("lead", 1e-9, 1e-1),
+            lead(1e-7),
             Parameter::subintervals(1),
         ],
         two_routes,
@@ -165,14 +167,27 @@ pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
         ["two arcs", "two arcs, left"],
         [AboutProblem::ceiling(), AboutProblem::second_order()],
         [
-            Parameter::logarithmic("a", 1e-4, 0.5),
-            Parameter::logarithmic("length", 0.1, 1.5),
-            Parameter::logarithmic("lead", 1e-8, 1e-1),
+            part("a", 0.9),
+            // Two arcs of this length, each about its point, would meet.
+            Parameter::logarithmic("length", 1e-2, PI)
+                .with_ends(Beyond::Limit("length → 0"), Beyond::Nothing("the arcs would meet")),
+            lead(1e-8),
             Parameter::subintervals(1),
         ],
         |_, values| two_arcs(values),
     ));
     all
+}
+
+/// A slope as a part of the steepest one.
+fn turn(name: &'static str) -> Parameter {
+    let beyond = Beyond::Nothing("|H′| ≤ L");
+    Parameter::linear(name, -1.0, 1.0).with_ends(beyond, beyond)
+}
+
+/// By which part the rule takes the wrong one of two for less.
+fn lead(least: f64) -> Parameter {
+    Parameter::logarithmic("lead", least, 0.5).starting(Beyond::Limit("lead → 0"))
 }
 
 /// Two arcs for one chord under `H = (1 + a sin x)²`: one about the crest, of this length, and one

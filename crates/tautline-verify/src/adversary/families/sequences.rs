@@ -5,7 +5,13 @@ use tautline::{
     gallery::{Ramp, Separable, Shear, Valleys},
 };
 
-use super::super::{Family, Parameter};
+use super::{
+    super::{Family, Parameter},
+    ranges::{
+        along, amplitude, beside, direction, inside, on_the_ramp, part, phase, ratio_of_waves,
+        share, shared, step, wave_numbers, way,
+    },
+};
 use crate::{
     Evidence, Statement, Subject,
     statements::{lemma_s_2, prop_7_9, prop_8_1, prop_8_2},
@@ -45,93 +51,107 @@ fn on<'a, S: Subject, M: Bounded<D> + 'a, const D: usize, const P: usize>(
 }
 
 pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
-    let coordinate = |name| Parameter::linear(name, -3.0, 3.0);
-    // The metrics of these two have their constants on [0, 1].
-    let inside = |name| Parameter::linear(name, 0.0, 1.0);
-    let slope = || Parameter::logarithmic("L", 1e-3, 10.0);
     // Enough for a step that rests.
     let two = || Parameter::subintervals(2);
     let mut all = on(
         subject,
         "shear",
         [
-            Parameter::logarithmic("a", 1e-3, 0.8),
-            coordinate("x2"),
-            coordinate("y1"),
-            coordinate("y2"),
-            coordinate("z1"),
-            coordinate("z2"),
+            amplitude("a", 1e4),
+            phase("x2"),
+            step("step1"),
+            direction("phi1"),
+            step("step2"),
+            direction("phi2"),
             two(),
         ],
-        |[a, x2, y1, y2, z1, z2, _]| {
-            Some((Shear::new(a, 1.0).ok()?, vec![[0.0, x2], [y1, y2], [z1, z2]]))
+        |[a, x2, l1, phi1, l2, phi2, _]| {
+            Some((Shear::new(a, 1.0).ok()?, two_steps([0.0, x2], [l1, phi1, l2, phi2])))
         },
     );
     all.extend(on(
         subject,
         "separable, D = 1",
         [
-            Parameter::logarithmic("a", 1e-3, 0.6),
-            coordinate("x"),
-            coordinate("y"),
-            coordinate("z"),
+            part("a", MOST),
+            phase("x"),
+            step("step1"),
+            way("way1"),
+            step("step2"),
+            way("way2"),
             two(),
         ],
-        |[a, x, y, z, _]| Some((Separable::new([a], [1.0]).ok()?, vec![[x], [y], [z]])),
+        |[a, x, l1, way1, l2, way2, _]| {
+            Some((Separable::new([a], [1.0]).ok()?, two_steps_on_the_line(x, [l1, way1, l2, way2])))
+        },
     ));
     all.extend(on(
         subject,
         "separable, D = 2",
         [
-            Parameter::logarithmic("a1", 1e-3, 0.6),
-            Parameter::logarithmic("a2", 1e-3, 0.6),
-            Parameter::logarithmic("k2", 0.5, 2.0),
-            coordinate("x1"),
-            coordinate("x2"),
-            coordinate("y1"),
-            coordinate("y2"),
+            part("a", MOST),
+            share(),
+            ratio_of_waves(),
+            phase("k1x1"),
+            phase("k2x2"),
+            step("step"),
+            direction("phi"),
             Parameter::subintervals(1),
         ],
-        |[a1, a2, k2, x1, x2, y1, y2, _]| {
-            Some((Separable::new([a1, a2], [1.0, k2]).ok()?, vec![[x1, x2], [y1, y2]]))
+        |[a, psi, ratio, phase1, phase2, step, phi, _]| {
+            let k = wave_numbers(ratio);
+            let from = [phase1 / k[0], phase2 / k[1]];
+            let metric = Separable::new(shared(a, psi), k).ok()?;
+            Some((metric, vec![from, beside(from, step, phi)]))
         },
     ));
     all.extend(on(
         subject,
         "ramp",
         [
-            Parameter::logarithmic("a", 1e-3, 0.7),
-            coordinate("x"),
-            coordinate("y"),
-            coordinate("z"),
+            part("a", MOST),
+            on_the_ramp(),
+            step("step1"),
+            way("way1"),
+            step("step2"),
+            way("way2"),
             two(),
         ],
-        |[a, x, y, z, _]| Some((Ramp::new(a, 1.0).ok()?, vec![[x], [y], [z]])),
+        |[a, x, l1, way1, l2, way2, _]| {
+            Some((Ramp::new(a, 1.0).ok()?, two_steps_on_the_line(x, [l1, way1, l2, way2])))
+        },
     ));
     all.extend(on(
         subject,
         "tent",
-        [slope(), inside("x"), inside("y"), inside("z"), two()],
+        [amplitude("L", 1e4), inside("x"), inside("y"), inside("z"), two()],
         |[slope, x, y, z, _]| Some((tent(1.0, slope)?, vec![[x], [y], [z]])),
     ));
     all.extend(on(
         subject,
         "incline",
-        [slope(), inside("x"), inside("y"), inside("z"), two()],
+        [amplitude("L", 1e4), inside("x"), inside("y"), inside("z"), two()],
         |[slope, x, y, z, _]| Some((Incline::new(1.0, slope)?, vec![[x], [y], [z]])),
     ));
     all.extend(on(
         subject,
         "valleys",
-        [
-            coordinate("x1"),
-            coordinate("y1"),
-            coordinate("y2"),
-            coordinate("z1"),
-            coordinate("z2"),
-            two(),
-        ],
-        |[x1, y1, y2, z1, z2, _]| Some((Valleys, vec![[x1, 0.0], [y1, y2], [z1, z2]])),
+        [phase("x1"), step("step1"), direction("phi1"), step("step2"), direction("phi2"), two()],
+        |[x1, l1, phi1, l2, phi2, _]| Some((Valleys, two_steps([x1, 0.0], [l1, phi1, l2, phi2]))),
     ));
     all
+}
+
+/// The largest relative amplitude: a rule divides by nothing that vanishes at 1.
+const MOST: f64 = 0.9999;
+
+/// Three points, from step to step.
+fn two_steps(from: [f64; 2], [l1, phi1, l2, phi2]: [f64; 4]) -> Vec<[f64; 2]> {
+    let middle = beside(from, l1, phi1);
+    vec![from, middle, beside(middle, l2, phi2)]
+}
+
+fn two_steps_on_the_line(from: f64, [l1, way1, l2, way2]: [f64; 4]) -> Vec<[f64; 1]> {
+    let middle = from + along(l1, way1);
+    vec![[from], [middle], [middle + along(l2, way2)]]
 }
