@@ -1,6 +1,9 @@
 //! Layers: metrics `f² I` whose `f ≥ 1` depends on one coordinate only, and Clairaut's relation.
 
-use crate::quadrature::integrate;
+use crate::quadrature::{Integral, integrate};
+
+/// An integral with a larger estimated error, as a part of it, is not known.
+const TRUSTED: f64 = 1e-8;
 
 /// Returns the distance of two points whose layered coordinates are the first and the last of
 /// `knots`, and whose other coordinates are `across ≥ 0` apart. `excess` is `f² − 1`, without
@@ -13,19 +16,25 @@ use crate::quadrature::integrate;
 /// `∫ p / √(f² − p²)` is their difference in `s` (Clairaut's relation).
 ///
 /// `None` if no such `p` exists (up to `1 − 10⁻¹²`): the minimal geodesic then turns round in the
-/// layered coordinate.
+/// layered coordinate. `None` too if there are so many layers between two knots that a quadrature
+/// ends without an answer.
 pub(super) fn across_layers(
     excess: impl Fn(f64) -> f64,
     knots: &[f64],
     across: f64,
 ) -> Option<f64> {
-    let sum = |f: &dyn Fn(f64) -> f64, tolerance: f64| -> f64 {
-        knots.windows(2).map(|ends| integrate(f, ends[0], ends[1], tolerance).value).sum()
+    let sum = |f: &dyn Fn(f64) -> f64, tolerance: f64| -> Integral {
+        let mut sum = Integral::default();
+        for ends in knots.windows(2) {
+            sum += integrate(f, ends[0], ends[1], tolerance);
+        }
+        sum
     };
     // In q = 1 − p, where f² − p² = (f² − 1) + q (2 − q) does not cancel: noise there would use up
     // the intervals of the quadrature.
     let root = |x: f64, q: f64| (excess(x) + q * (2.0 - q)).sqrt();
-    let reach = |q: f64| sum(&|x| (1.0 - q) / root(x, q), 1e-10);
+    let reach_of = |q: f64| sum(&|x| (1.0 - q) / root(x, q), 1e-10);
+    let reach = |q: f64| reach_of(q).value;
     let (mut high, mut low) = (1.0_f64, 1e-12_f64);
     if !(reach(low) >= across) {
         return None;
@@ -40,5 +49,9 @@ pub(super) fn across_layers(
         }
     }
     let climb = sum(&|x| root(x, high), 1e-15);
-    Some((1.0 - high) * across + climb)
+    // Both are some 1e-10 and some roundings off, unless there were too few intervals: then the
+    // number would be that of another p, or none at all.
+    let known = |found: Integral| found.error <= TRUSTED * found.value;
+    (known(climb) && (across == 0.0 || known(reach_of(high))))
+        .then_some((1.0 - high) * across + climb.value)
 }

@@ -1,6 +1,9 @@
 //! The valleys of Section 5: `H(x) = (2 − cos x₁)² I`.
 
-use std::f64::consts::SQRT_2;
+use std::{
+    f64::consts::{SQRT_2, TAU},
+    iter::once,
+};
 
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Scalar;
@@ -41,15 +44,22 @@ impl<const D: usize> Bounded<D> for Valleys {
 
 impl<const D: usize> KnownDistance<D> for Valleys {
     /// `F(b) − F(a)` with `F = 2x₁ − sin x₁` along `x₁`; else by Clairaut's relation, `None` if the
-    /// minimal geodesic turns round in `x₁`.
+    /// minimal geodesic turns round in `x₁`, or crosses more than ten thousand valleys.
     fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
         let (a, b) = (x[0].min(y[0]), x[0].max(y[0]));
         let across = (1..D).map(|i| (x[i] - y[i]).powi(2)).sum::<f64>().sqrt();
         if across == 0.0 {
             return Some(primitive(b) - primitive(a));
         }
+        // One quadrature has enough to do with one valley.
+        let (first, last) = ((a / TAU).floor() + 1.0, (b / TAU).ceil() - 1.0);
+        if !(last - first <= 1e4) {
+            return None;
+        }
+        let inside = (0..).map(|k| first + f64::from(k)).take_while(|&k| k <= last);
+        let knots: Vec<f64> = once(a).chain(inside.map(|k| k * TAU)).chain([b]).collect();
         // f² − 1 = (1 − cos x₁)(3 − cos x₁).
-        across_layers(|x1| 2.0 * (0.5 * x1).sin().powi(2) * (3.0 - x1.cos()), &[a, b], across)
+        across_layers(|x1| 2.0 * (0.5 * x1).sin().powi(2) * (3.0 - x1.cos()), &knots, across)
     }
 }
 
@@ -67,6 +77,25 @@ mod tests {
     fn the_distance_of_section_5_is_8_pi() {
         let d = Valleys.distance(&vector![0.0, 0.0], &vector![2.0 * TAU, 0.0]);
         assert_relative_eq!(d.expect("along x₁"), 4.0 * TAU, max_relative = 1e-15);
+    }
+
+    /// A geodesic over `m` valleys repeats itself: it is `m` times as long as over one. One quadrature
+    /// over all of them ends without an answer, and its number would be longer than the straight line.
+    #[test]
+    fn the_distance_over_many_valleys_is_so_many_times_that_over_one() {
+        let over = |valleys: f64, across: f64| {
+            let (x, y) = (vector![0.3, 0.0], vector![0.3 + valleys * TAU, valleys * across]);
+            Valleys.distance(&x, &y).expect("it does not turn round")
+        };
+        for across in [0.5, 3.0] {
+            let one = over(1.0, across);
+            assert!(one < TAU.hypot(across) * 3.0);
+            for valleys in [2.0, 25.0, 100.0] {
+                assert_relative_eq!(over(valleys, across), valleys * one, max_relative = 1e-12);
+            }
+        }
+        let far = Valleys.distance(&vector![0.0, 0.0], &vector![1e6, 1.0]);
+        assert_eq!(far, None);
     }
 
     /// `F(2) − F(0.3)`, from either side and wherever the others are.

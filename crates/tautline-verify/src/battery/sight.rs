@@ -68,6 +68,7 @@ mod tests {
         for (mutant, expected) in [
             (Mutant::EnergyHalved, Sight::Killed),
             (Mutant::K4IsK3, Sight::Passes),
+            (Mutant::OmegaHalved, Sight::Unseen),
             (Mutant::StepHalved, Sight::Unseen),
             (Mutant::SlopeForgotten, Sight::Unseen),
         ] {

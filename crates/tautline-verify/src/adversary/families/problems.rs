@@ -11,8 +11,8 @@ use super::{
     super::{Beyond, Family, Parameter},
     about_problems::AboutProblem,
     ranges::{
-        along, amplitude, any_step, beside, direction, n, on_the_ramp, part, phase,
-        second_wave_number, share, shared, step, way,
+        along, amplitude, anchor, anchored, any_step, beside, direction, n, on_the_ramp, part,
+        phase, ratio_of_waves, share, shared, step, wave_numbers, way,
     },
 };
 use crate::{
@@ -87,35 +87,30 @@ pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
         [
             part("a", 0.9),
             share(),
-            second_wave_number(),
-            phase("x1"),
+            ratio_of_waves(),
+            phase("k1x1"),
             phase("k2x2"),
             step("step"),
             direction("phi"),
             n(),
         ],
-        |_, [a, psi, k2, x1, phase, step, phi, n]| {
-            let from = [x1, phase / k2];
-            between(
-                Separable::new(shared(a, psi), [1.0, k2]).ok()?,
-                from,
-                beside(from, n * step, phi),
-                n,
-            )
+        |_, [a, psi, ratio, phase1, phase2, step, phi, n]| {
+            let k = wave_numbers(ratio);
+            let from = [phase1 / k[0], phase2 / k[1]];
+            between(Separable::new(shared(a, psi), k).ok()?, from, beside(from, n * step, phi), n)
         },
     ));
     all.extend(on(
         subject,
         ["ramp", "ramp, left"],
         [AboutProblem::of_the_paper(), AboutProblem::speeds()],
-        [part("a", 0.99), on_the_ramp("middle"), any_step(1e3), way("way"), n()],
-        |_, [a, middle, step, way, n]| {
+        [part("a", 0.99), on_the_ramp(), anchor(), any_step(1e3), way("way"), n()],
+        |_, [a, x, anchor, step, way, n]| {
             // The nodes of a quadrature pass over a ramp near an end of a chord so long.
-            if n > 1.0 && n * step > 300.0 {
-                return None;
-            }
-            let half = along(0.5 * n * step, way);
-            between(Ramp::new(a, 1.0).ok()?, [middle - half], [middle + half], n)
+            let seen = n * step <= 300.0 || (n == 1.0 && anchor.floor() == 1.0);
+            let [from, to] = anchored(x, anchor, n * step, way);
+            let metric = seen.then(|| Ramp::new(a, 1.0).ok())?;
+            between(metric?, [from], [to], n)
         },
     ));
     // Kinked in the middle, where one chord reads it and two chords would search it.
@@ -137,10 +132,10 @@ pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
         subject,
         ["valleys", "valleys, left"],
         [AboutProblem::of_the_paper(), AboutProblem::second_order()],
-        [phase("x1"), any_step(4e3), direction("phi"), n()],
+        [phase("x1"), any_step(1e2), direction("phi"), n()],
         |_, [x1, step, phi, n]| {
-            // Beyond so many valleys a quadrature gives up.
-            if n * step > 5e3 {
+            // A quadrature gives up on a chord over more valleys.
+            if n * step > 130.0 {
                 return None;
             }
             let from = [x1, 0.0];

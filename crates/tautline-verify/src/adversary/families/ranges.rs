@@ -30,11 +30,15 @@ pub(super) fn shared(amplitude: f64, share: f64) -> [f64; 2] {
     [amplitude * share.cos(), amplitude * share.sin()]
 }
 
-/// The second wave number, where the first one is 1: far from it, one of the two coordinates hardly
-/// changes the metric.
-pub(super) fn second_wave_number() -> Parameter {
-    Parameter::logarithmic("k2", 1e-2, 1e2)
-        .with_ends(Beyond::Limit("k2 → 0"), Beyond::Limit("k2 → ∞"))
+/// The ratio of two wave numbers: far from 1, one of the two coordinates hardly changes the metric.
+pub(super) fn ratio_of_waves() -> Parameter {
+    Parameter::logarithmic("k2/k1", 1e-2, 1e2)
+        .with_ends(Beyond::Limit("k2/k1 → 0"), Beyond::Limit("k2/k1 → ∞"))
+}
+
+/// Two wave numbers of this ratio, the larger of which is 1: a step is measured by the shorter wave.
+pub(super) fn wave_numbers(ratio: f64) -> [f64; 2] {
+    [1.0 / ratio.max(1.0), ratio.min(1.0)]
 }
 
 /// A coordinate in which the metric has the period `2π`.
@@ -76,6 +80,18 @@ pub(super) fn way(name: &'static str) -> Parameter {
     Parameter::periodic(name, 2.0)
 }
 
+/// Where the way between two points has its given coordinate, as a phase: at its beginning, in its
+/// middle, or at its end.
+pub(super) fn anchor() -> Parameter {
+    Parameter::periodic("anchor", 3.0)
+}
+
+/// Both ends of a way of this length, forward or back, that is at `x` where its anchor is.
+pub(super) fn anchored(x: f64, anchor: f64, length: f64, way: f64) -> [f64; 2] {
+    let from = x - 0.5 * anchor.floor() * along(length, way);
+    [from, from + along(length, way)]
+}
+
 /// The step of this length, forward or back.
 pub(super) fn along(length: f64, way: f64) -> f64 {
     if way < 1.0 { length } else { -length }
@@ -88,13 +104,8 @@ pub(super) fn beside([x, y]: [f64; 2], length: f64, direction: f64) -> [f64; 2] 
 }
 
 /// A point of the ramp, which is hardly one far away from the middle.
-pub(super) fn on_the_ramp(name: &'static str) -> Parameter {
-    let [far_left, far_right] = match name {
-        "x" => ["x → −∞", "x → ∞"],
-        _ => ["middle → −∞", "middle → ∞"],
-    };
-    Parameter::linear(name, -12.0, 12.0)
-        .with_ends(Beyond::Limit(far_left), Beyond::Limit(far_right))
+pub(super) fn on_the_ramp() -> Parameter {
+    Parameter::linear("x", -12.0, 12.0).with_ends(Beyond::Limit("x → −∞"), Beyond::Limit("x → ∞"))
 }
 
 /// A point of `[0, 1]`, where tents and inclines have their constants.
@@ -105,5 +116,5 @@ pub(super) fn inside(name: &'static str) -> Parameter {
 
 /// `N`: what is tight is so for few subintervals, since the bounds fall like `1/√N`.
 pub(super) fn n() -> Parameter {
-    Parameter::whole("N", 1, 16).with_ends(Beyond::Nothing("N ≥ 1"), Beyond::Limit("N → ∞"))
+    Parameter::whole("N", 1, 64).with_ends(Beyond::Nothing("N ≥ 1"), Beyond::Limit("N → ∞"))
 }

@@ -8,8 +8,8 @@ use tautline::{
 use super::{
     super::{Family, Parameter},
     ranges::{
-        along, amplitude, beside, direction, inside, on_the_ramp, part, phase, second_wave_number,
-        share, shared, step, way,
+        along, amplitude, beside, direction, inside, on_the_ramp, part, phase, ratio_of_waves,
+        share, shared, step, wave_numbers, way,
     },
 };
 use crate::{
@@ -91,16 +91,17 @@ pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
         [
             part("a", MOST),
             share(),
-            second_wave_number(),
-            phase("x1"),
+            ratio_of_waves(),
+            phase("k1x1"),
             phase("k2x2"),
             step("step"),
             direction("phi"),
             Parameter::subintervals(1),
         ],
-        |[a, psi, k2, x1, phase, step, phi, _]| {
-            let from = [x1, phase / k2];
-            let metric = Separable::new(shared(a, psi), [1.0, k2]).ok()?;
+        |[a, psi, ratio, phase1, phase2, step, phi, _]| {
+            let k = wave_numbers(ratio);
+            let from = [phase1 / k[0], phase2 / k[1]];
+            let metric = Separable::new(shared(a, psi), k).ok()?;
             Some((metric, vec![from, beside(from, step, phi)]))
         },
     ));
@@ -109,7 +110,7 @@ pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
         "ramp",
         [
             part("a", MOST),
-            on_the_ramp("x"),
+            on_the_ramp(),
             step("step1"),
             way("way1"),
             step("step2"),
