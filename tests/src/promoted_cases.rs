@@ -1,9 +1,10 @@
 //! Cases that caught a mistake: drawn at random, shrunk, and kept by name.
 //!
 //! The library passes each, and a program with that mistake does not. The random checks of the
-//! suite may come to draw other cases; these stay.
+//! suite may come to draw other cases; these stay. A check that fails on a random case prints a test
+//! of that case, to be pasted here as it is.
 
-use std::f64::consts::TAU;
+use std::{any::Any, f64::consts::TAU};
 
 use tautline::{
     Ball, Bounded, Constants, Ends, HalfSpace, PointSequence, SMatrix,
@@ -11,6 +12,8 @@ use tautline::{
 };
 use tautline_verify::{
     Evidence, Finding, Known, Mutant, PaperRule, Reconstruction, Units,
+    battery::{Given, Scope, Trial, suite},
+    kit::Chance,
     statements::{
         constant_c_tra, constant_k3_bar, critical_point, prop_7_9, section_5_left, theorem_1_1,
         theorem_1_2,
@@ -23,6 +26,20 @@ fn tells_apart(mutant: Mutant, case: impl Fn(&Option<Mutant>) -> Evidence) {
     assert_eq!(sound.finding(), Finding::Holds, "{sound:?}");
     let wrong = case(&Some(mutant));
     assert_ne!(wrong.finding(), Finding::Holds, "{mutant:?} passes: {wrong:?}");
+}
+
+/// Puts the library to a check with this case in place of the random ones of a family, which its
+/// seed names: what `cargo xtask nightly` prints.
+#[track_caller]
+fn holds(check: &str, family: u64, case: impl Any) {
+    let found = suite().into_iter().find(|known| known.name == check);
+    let given = Given::new(family, case);
+    let trial = Trial { given: Some(&given), ..Trial::new(&None, Scope::Everything, u32::MAX) };
+    let outcome = found.unwrap_or_else(|| panic!("no check is called {check}")).run(&trial);
+    assert!(given.was_taken(), "{check} draws no case of this type from the seed {family}");
+    if let Err(failure) = outcome {
+        panic!("{failure}");
+    }
 }
 
 /// What a subject's minimiser of a rule with `n` subintervals looks like.
@@ -168,4 +185,75 @@ fn one_node_of_a_chord_from_a_point_to_a_half_plane() {
     tells_apart(Mutant::QuadratureOfOneNode, |subject| {
         theorem_1_2(subject, &observe(subject, &known, PaperRule::Trapezoidal, 1))
     });
+}
+
+#[test]
+fn one_node_of_a_chord_on_a_shear_as_it_is_printed() {
+    use tautline::Ends;
+    use tautline::gallery::Shear;
+    use tautline_verify::Known;
+    let case: (Known<Shear, 2>, usize) = (
+        Known {
+            metric: Shear::new(0.577034596844456, 0.5).expect("drawn"),
+            ends: Ends::points([0.0, 0.0], [-1.782908291752968, 0.16601711201303204])
+                .expect("drawn"),
+            distance: 1.742988927412305,
+            distance_error: 7.345127415241092e-15,
+        },
+        1,
+    );
+    holds("theorems_1_1_and_1_2_hold_between_points", 1102, case);
+}
+
+#[test]
+fn a_sequence_that_stays_where_it_is_as_it_is_printed() {
+    use tautline::PointSequence;
+    use tautline::SVector;
+    use tautline::gallery::Shear;
+    let case: (Shear, PointSequence<2>) = (
+        Shear::new(0.12162467933478455, 0.5).expect("drawn"),
+        PointSequence::new(vec![
+            SVector::from([0.0, 1.3588237330161674]),
+            SVector::from([0.0, 1.3588237330161674]),
+        ])
+        .expect("drawn"),
+    );
+    holds("props_7_9_8_1_and_8_2_hold_for_random_sequences", 7901, case);
+}
+
+#[test]
+fn christoffel_symbols_twice_too_large_as_they_are_printed() {
+    use tautline::SVector;
+    use tautline::gallery::Shear;
+    let case: (Shear, SVector<f64, 2>) = (
+        Shear::new(-0.2300024275066365, 0.5).expect("drawn"),
+        SVector::from([0.0, 3.2172474783902647]),
+    );
+    holds("props_7_10_and_7_11_hold_for_random_metrics", 7101, case);
+}
+
+/// The three tests above are what the checks print of these mutants, but for line breaks and names:
+/// so it is seen that what is printed compiles, and is about the case that failed.
+#[test]
+fn what_a_failing_check_prints_stands_above() {
+    let words = |text: &str| {
+        let text: String = text.split_whitespace().collect();
+        text.replace(",)", ")").replace(",]", "]").replace(",}", "}")
+    };
+    let above = words(include_str!("promoted_cases.rs"));
+    for (mutant, check) in [
+        (Mutant::QuadratureOfOneNode, "theorems_1_1_and_1_2_hold_between_points"),
+        (Mutant::PowerOfK3Lost, "props_7_9_8_1_and_8_2_hold_for_random_sequences"),
+        (Mutant::ChristoffelDoubled, "props_7_10_and_7_11_hold_for_random_metrics"),
+    ] {
+        let subject = Some(mutant);
+        let trial = Trial::new(&subject, Scope::Everything, u32::MAX);
+        let found = suite().into_iter().find(|known| known.name == check).expect("listed");
+        let failure = found.run(&trial).expect_err("a mutant");
+        let said = failure.of_check(check, Chance::FIXED);
+        assert!(said.contains(&format!("again: cargo test -p tests {check}\n")), "{said}");
+        let (_, printed) = said.split_once("\n#[test]\n").expect("a random case");
+        let (_, body) = printed.split_once('{').expect("a function");
+        assert!(above.contains(&words(body)), "{mutant:?} prints\n{printed}");
+    }
 }

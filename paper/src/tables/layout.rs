@@ -6,7 +6,7 @@
 /// dollars, which both formats understand.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layout {
-    caption: &'static str,
+    caption: String,
     heads: Vec<&'static str>,
     rows: Vec<Vec<String>>,
     /// Rows before which a new group begins.
@@ -16,8 +16,8 @@ pub struct Layout {
 impl Layout {
     /// Begins a table.
     #[must_use]
-    pub fn new(caption: &'static str, heads: &[&'static str]) -> Layout {
-        Layout { caption, heads: heads.to_vec(), ..Layout::default() }
+    pub fn new(caption: impl Into<String>, heads: &[&'static str]) -> Layout {
+        Layout { caption: caption.into(), heads: heads.to_vec(), ..Layout::default() }
     }
 
     /// Adds a row.

@@ -2,7 +2,7 @@
 
 use tautline_verify::{
     Library, Source,
-    adversary::{Search, Tightest, families},
+    adversary::{Edge, Search, Tightest, families},
 };
 
 use super::{Layout, Seed, Table, layout::scientific, no_pages, statements::symbol};
@@ -18,7 +18,8 @@ const SEED: u64 = 1961;
 pub(super) const TABLE: Table = Table {
     id: "tightness",
     shows: "the least slack bound/observed that a search over metrics, ends and N finds for each \
-            statement in each family, by its own conclusions and by their sharper companions",
+            statement in each family, by its own conclusions and by their sharper companions; and why \
+            there is no tighter case beyond the edges of the search at which it was found",
     seed: Seed::One(SEED),
     data,
     layout,
@@ -40,6 +41,7 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
         ("n", Tolerance::Free),
         ("tightest_conclusion", Tolerance::Free),
         ("parameters", Tolerance::Free),
+        ("edges", Tolerance::Free),
     ]);
     let full = Search { seed: SEED, ..Search::default() };
     let search = if sweep.quick { Search { restarts: 1, ..full } } else { full };
@@ -57,6 +59,7 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
                 of(|found| found.parameter("N").map_or(String::new(), |n| n.to_string())),
                 of(|found| found.conclusion.claim.to_owned()),
                 of(case),
+                of(edges),
             ]);
         }
     }
@@ -70,6 +73,11 @@ fn case(found: &Tightest) -> String {
     cells.collect::<Vec<_>>().join("; ")
 }
 
+/// Why nothing tighter lies beyond the ends of the ranges at which the case is.
+fn edges(found: &Tightest) -> String {
+    found.edges.iter().map(Edge::to_string).collect::<Vec<_>>().join("; ")
+}
+
 fn three_digits(value: f64) -> String {
     let small = value != 0.0 && value.abs() < 1e-2;
     if small { format!("{value:.2e}") } else { format!("{:.3}", value + 0.0) }
@@ -78,10 +86,11 @@ fn three_digits(value: f64) -> String {
 fn layout(data: &Data) -> Result<Layout, Failure> {
     let mut layout = Layout::new(
         "The least slack bound/observed that the search finds, by the conclusions of the \
-         statements and by their sharper companions, with the case of the former. Families in \
-         which nothing but rounding is observed are left out: the length between two points of \
-         the line, and Proposition 7.9 where H is linear.",
-        &["statement", "family", "slack", "$N$", "sharper slack", "$N$", "case"],
+         statements and by their sharper companions, with the case of the former, and why nothing \
+         tighter lies beyond the edges of its search: there is no other case, or a limit to which \
+         at most 1 % of the slack is left. Families in which nothing but rounding is observed are left out, such as the length of one chord \
+         on the line, and Proposition 7.9 where H is linear.",
+        &["statement", "family", "slack", "$N$", "sharper slack", "$N$", "case", "at the edge"],
     );
     let rows: Vec<Row<'_>> = data.rows().collect();
     let mut before = "";
@@ -100,7 +109,7 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
         for row in [paper, sharper] {
             cells.extend([slack(row.number("slack")), or_dash(row.text("n"))]);
         }
-        cells.push(or_dash(paper.text("parameters")));
+        cells.extend([paper.text("parameters"), paper.text("edges")].map(or_dash));
         layout.push(cells);
     }
     Ok(layout)

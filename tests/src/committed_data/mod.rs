@@ -14,6 +14,7 @@ mod quantities;
 mod rates;
 mod slack;
 mod speeds;
+mod tightness;
 
 use std::collections::HashMap;
 

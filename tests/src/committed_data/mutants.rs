@@ -5,7 +5,7 @@ use tautline_verify::{
     battery::{Scope, Trial, suite},
 };
 
-use super::Table;
+use super::{Row, Table};
 
 /// As many random cases a family as the table was made with.
 const CASES: u32 = 32;
@@ -18,6 +18,52 @@ fn every_mutant_has_its_row() {
     assert_eq!(names, expected);
 }
 
+/// What the paper's bounds cannot see they cannot let pass: the claims count among the others.
+#[test]
+fn the_paper_s_bounds_are_blamed_for_what_they_could_see_alone() {
+    let table = Table::read("tables/mutants.csv");
+    let count = |seen: &str, killed: &str| {
+        let is = |row: &Row<'_>| {
+            row.text("seen_by_paper_bounds_alone") == seen
+                && row.text("killed_by_paper_bounds_alone") == killed
+        };
+        table.rows().filter(is).count()
+    };
+    let all = Mutant::ALL.len();
+    let (killed, pass, unseen) = (count("yes", "yes"), count("yes", "no"), count("no", "no"));
+    let seen = killed + pass;
+    // Nothing is killed unseen, and no answer is a third one.
+    assert_eq!(seen + unseen, all);
+    assert!(killed > 0 && pass > 0 && unseen > 0, "{killed}, {pass}, {unseen}");
+    for (file, claims) in [
+        (
+            "README.md",
+            vec![
+                format!("kills each of {all} deliberate mistakes"),
+                format!("could see {seen} of them, and would let {pass} of these pass"),
+            ],
+        ),
+        (
+            "docs/mutation-testing.md",
+            vec![
+                format!("for {seen} of the {all}"),
+                format!("of these {seen} they kill {killed}, and {pass} pass"),
+                format!("Of the other {unseen} they cannot know."),
+            ],
+        ),
+        (
+            "paper/tables/mutants.md",
+            vec![format!("for {seen} of the {all}, of which {killed} are killed and {pass} pass")],
+        ),
+    ] {
+        let path = format!("{}/../{file}", env!("CARGO_MANIFEST_DIR"));
+        let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
+        for claim in claims {
+            assert!(text.contains(&claim), "{file} does not say {claim:?}");
+        }
+    }
+}
+
 /// A check that was made too weak passes on the library, and on the mutant that it used to kill.
 #[test]
 fn the_first_check_that_kills_a_mutant_still_does() {
@@ -27,7 +73,8 @@ fn the_first_check_that_kills_a_mutant_still_does() {
         let name = row.text("killed_by").split("; ").next().expect("one at least");
         let check = suite.iter().find(|check| check.name == name);
         let check = check.unwrap_or_else(|| panic!("no check is called {name}"));
-        let trial = Trial { subject: &Some(mutant), scope: Scope::Everything, cases: CASES };
+        let subject = Some(mutant);
+        let trial = Trial::new(&subject, Scope::Everything, CASES);
         assert!(check.run(&trial).is_err(), "{name} does not kill {mutant:?} any more");
     }
 }
