@@ -13,6 +13,7 @@ fn a_mistake_is_killed_or_passes_or_is_not_seen_at_all() {
     for (mutant, expected) in [
         (Mutant::EnergyHalved, Sight::Killed),
         (Mutant::K4IsK3, Sight::Passes),
+        (Mutant::OmegaHalved, Sight::Unseen),
         (Mutant::StepHalved, Sight::Unseen),
         (Mutant::SlopeForgotten, Sight::Unseen),
     ] {

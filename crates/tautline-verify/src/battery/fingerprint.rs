@@ -3,7 +3,7 @@
 use crate::{Evidence, Source};
 
 /// A hash (FNV-1a, 64 bits) of the numbers that the paper's bounds compare, in the order of the
-/// cases: what is observed, the bound, and what is granted.
+/// cases: what is observed, and the bound. What is granted to rounding is ours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Fingerprint(u64);
 
@@ -20,7 +20,7 @@ impl Fingerprint {
         if evidence.statement.is_a_bound() {
             for claim in evidence.conclusions.iter().filter(|claim| claim.source == Source::Stated)
             {
-                for number in [claim.observed, claim.bound, claim.granted] {
+                for number in [claim.observed, claim.bound] {
                     self.add(number.to_bits());
                 }
             }
@@ -44,19 +44,19 @@ mod tests {
     use super::Fingerprint;
     use crate::{Evidence, Statement, Unit};
 
-    fn of(statement: Statement, stated: f64, companion: f64) -> Fingerprint {
+    fn of(statement: Statement, stated: f64, ours: f64) -> Fingerprint {
         let mut seen = Fingerprint::default();
         seen.see(
             &Evidence::of(statement)
-                .given("a hypothesis", Unit::NONE, [companion, 1.0], 0.0)
-                .stated("a bound", Unit::ENERGY, [0.5, stated], 0.0)
-                .sharper("a companion", Unit::ENERGY, [0.5, companion], 0.0),
+                .given("a hypothesis", Unit::NONE, [ours, 1.0], 0.0)
+                .stated("a bound", Unit::ENERGY, [0.5, stated], ours)
+                .sharper("a companion", Unit::ENERGY, [0.5, ours], 0.0),
         );
         seen
     }
 
-    /// The last bit of a stated bound is seen; a companion, a hypothesis, and a statement that is no
-    /// bound of the paper are not.
+    /// The last bit of a stated bound is seen; a companion, a hypothesis, what is granted, and a
+    /// statement that is no bound of the paper are not.
     #[test]
     fn the_paper_s_bounds_are_seen_and_nothing_else() {
         let bound = Statement::Theorem1_1;

@@ -187,7 +187,8 @@ fn turn(name: &'static str) -> Parameter {
 
 /// By which part the rule takes the wrong one of two for less.
 fn lead(least: f64) -> Parameter {
-    Parameter::logarithmic("lead", least, 0.5).starting(Beyond::Limit("lead → 0"))
+    Parameter::fraction("lead", least, 0.99)
+        .with_ends(Beyond::Limit("lead → 0"), Beyond::Limit("lead → 1"))
 }
 
 /// Two arcs for one chord under `H = (1 + a sin x)²`: one about the crest, of this length, and one
