@@ -6,11 +6,11 @@
 //! It panics at the first enclosure that misses, and prints for each metric how many were compared
 //! and the widest ones at points.
 
-#[path = "../tests/every_metric/mod.rs"]
+#[path = "../tests/it/every_metric/mod.rs"]
 mod every_metric;
-#[path = "../../tautline-scalar/tests/precise/mod.rs"]
+#[path = "../../tautline-scalar/tests/it/precise/mod.rs"]
 mod precise;
-#[path = "../../tautline-scalar/tests/reference/mod.rs"]
+#[path = "../../tautline-scalar/tests/it/reference/mod.rs"]
 mod reference;
 
 use std::thread;

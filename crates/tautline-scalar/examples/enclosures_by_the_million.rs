@@ -4,7 +4,7 @@
 //! `cargo run --release -p tautline-scalar --example enclosures_by_the_million [COUNT]`.
 //! It panics at the first enclosure that misses, and prints the widest ones.
 
-#[path = "../tests/reference/mod.rs"]
+#[path = "../tests/it/reference/mod.rs"]
 mod reference;
 
 use std::thread;

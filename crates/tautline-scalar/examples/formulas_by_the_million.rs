@@ -5,11 +5,11 @@
 //! `cargo run --release -p tautline-scalar --example formulas_by_the_million [COUNT] [SEED]`.
 //! It panics at the first enclosure that misses.
 
-#[path = "../tests/formulas/mod.rs"]
+#[path = "../tests/it/formulas/mod.rs"]
 mod formulas;
-#[path = "../tests/precise/mod.rs"]
+#[path = "../tests/it/precise/mod.rs"]
 mod precise;
-#[path = "../tests/reference/mod.rs"]
+#[path = "../tests/it/reference/mod.rs"]
 mod reference;
 
 use formulas::{Formula, attempt};

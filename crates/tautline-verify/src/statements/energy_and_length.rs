@@ -81,7 +81,7 @@ pub fn prop_6_1_attained<M, const D: usize>(
 ///
 /// Needs: a complete space, and that one of the sets is bounded. [`tautline::Ends`] sees to the
 /// second; without it there may be no nearest pair, and then no shortest curve: see
-/// [`prop_6_2`], and for the discrete energies [`prop_7_1`](super::prop_7_1).
+/// [`prop_6_2`](super::prop_6_2), and for the discrete energies [`prop_7_1`](super::prop_7_1).
 #[doc(alias = "prop:geodesic_len_and_energy_2")]
 pub fn prop_6_3_attained<M, const D: usize>(
     subject: &impl Subject,

@@ -6,10 +6,8 @@ use std::f64::consts::PI;
 use nalgebra::{SMatrix, vector};
 use tautline_metrics::gallery::Swirl;
 
-use crate::{
-    interval::{Interval, below},
-    measure::{first, second},
-};
+use super::interval::{Interval, below};
+use crate::measure::{first, second};
 
 /// `y`, `χ` and `ω` with `w = e^{iω}`. Neither `(w, z) ↦ (−w, z)` nor the reflection
 /// `(χ, ω) ↦ −(χ, ω)` changes the sums of squares: half-turns of both angles are enough.

@@ -11,7 +11,7 @@ use tautline_metrics::{
     quadrature::integrate,
 };
 
-use crate::distances::{chord, distance, is_bounded, is_distance, run};
+use super::distances::{chord, distance, is_bounded, is_distance, run};
 
 /// On a ray from the centre the distance is the length of the ray, hence additive; off it, it
 /// is not known. At points `e r` for a random direction `e`.

@@ -1,4 +1,4 @@
-//! Full matrices: their formulas, and their constants attained as in [`crate::attained`].
+//! Full matrices: their formulas, and their constants attained as in [`super::attained`].
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -11,10 +11,8 @@ use tautline_metrics::{
     },
 };
 
-use crate::{
-    attained::{curvature, high, low, slope},
-    measure::{extremes, first, norm, second},
-};
+use super::attained::{curvature, high, low, slope};
+use crate::measure::{extremes, first, norm, second};
 
 #[test]
 fn rotating_anisotropy_is_exact_everywhere() {

@@ -1,14 +1,10 @@
 //! Random formulas of all operations: no jet over intervals misses a derivative at a point of the
 //! box, computed to 192 bits with a bound of the error.
 
-mod formulas;
-mod precise;
-mod reference;
-
+use crate::formulas::{Formula, attempt};
+use crate::precise::{Precise, Tally, Value};
+use crate::reference::{FAMILIES, Function, Random, Reference, argument};
 use astro_float::{BigFloat, Consts, RoundingMode};
-use formulas::{Formula, attempt};
-use precise::{Precise, Tally, Value};
-use reference::{FAMILIES, Function, Random, Reference, argument};
 use tautline_chance::{cases, seed};
 use tautline_scalar::Scalar;
 

@@ -4,9 +4,7 @@ use astro_float::{BigFloat, RoundingMode};
 use tautline_chance::{cases, seed};
 use tautline_scalar::{Interval, Jet1, Jet2, MixedJet, Scalar};
 
-mod reference;
-
-use reference::{Random, Reference, holds};
+use crate::reference::{Random, Reference, holds};
 
 const P: usize = 320;
 const RM: RoundingMode = RoundingMode::None;
@@ -53,7 +51,7 @@ fn jets_enclose_derivatives_known_in_high_precision() {
     let mut reference = Reference::new();
     for _ in 0..cases(2000) {
         let (a, b) = (random.between(-3.0, 3.0), random.between(-3.0, 3.0));
-        let exp = &reference.values(reference::FAMILIES[0], b)[0];
+        let exp = &reference.values(crate::reference::FAMILIES[0], b)[0];
         let [q, q1, q2] = rational(a).map(|part| part.mul(exp, P, RM));
         for spread in [0.0, 1e-3, 0.5] {
             let x = interval(a - spread, a + spread);

@@ -1,7 +1,6 @@
 //! The metrics of the gallery: their constants hold and are attained, their distances are
 //! distances, and bad parameters are refused.
 
-mod about;
 mod attained;
 mod balls;
 mod decoder;
@@ -11,9 +10,7 @@ mod full_matrices;
 mod hold;
 mod interval;
 mod known;
-mod laws;
 mod lines;
-mod measure;
 mod patch_distances;
 mod patches;
 mod proven;

@@ -1,17 +1,11 @@
 //! No jet over intervals misses an entry of a metric of the gallery or of a composition, or of its
 //! derivatives, at a point of the box, computed to 192 bits with a bound of the error.
 
-mod every_metric;
-#[path = "../../tautline-scalar/tests/precise/mod.rs"]
-mod precise;
-#[path = "../../tautline-scalar/tests/reference/mod.rs"]
-mod reference;
-
 use std::collections::BTreeSet;
 
-use every_metric::{Trial, try_all};
-use precise::Tally;
-use reference::Random;
+use crate::every_metric::{Trial, try_all};
+use crate::precise::Tally;
+use crate::reference::Random;
 
 fn trial(seed: u64, comparisons: u64) -> Trial {
     let random = Random(tautline_chance::seed(seed));
@@ -40,7 +34,7 @@ fn no_enclosure_misses_a_metric_or_its_derivatives() {
 /// what the gallery exports.
 #[test]
 fn every_metric_of_the_gallery_is_tried() {
-    let gallery = include_str!("../../tautline-metrics/src/gallery/mod.rs");
+    let gallery = include_str!("../../../tautline-metrics/src/gallery/mod.rs");
     let rows = gallery.lines().filter_map(|line| line.strip_prefix("//! | [`"));
     let names: BTreeSet<&str> = rows.map(|row| row.split('`').next().expect("a name")).collect();
     let tried: BTreeSet<&str> = trial(42, 0).records.iter().map(|record| record.name).collect();

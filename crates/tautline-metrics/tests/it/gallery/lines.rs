@@ -15,7 +15,7 @@ use tautline_metrics::{
     quadrature::integrate,
 };
 
-use crate::distances::{chord, distance, is_bounded, is_distance, run};
+use super::distances::{chord, distance, is_bounded, is_distance, run};
 
 /// The length of the chord with the bulge `c₁ sin πt + c₂ sin 2πt + c₃ sin 3πt` across it.
 fn bulging(g: &impl Metric<2>, x: &Vector2<f64>, y: &Vector2<f64>, coefficients: [f64; 3]) -> f64 {

@@ -1,9 +1,7 @@
 //! Ten thousand arguments of each elementary function at which something is close: multiples of
 //! `π/2`, powers of two, the ends of the range, and as many ordinary ones.
 
-mod reference;
-
-use reference::{FAMILIES, Function, Random, Reference, Widest, argument, attempt};
+use crate::reference::{FAMILIES, Function, Random, Reference, Widest, argument, attempt};
 use tautline_chance::{cases, seed};
 
 const EACH: u32 = 10_000;

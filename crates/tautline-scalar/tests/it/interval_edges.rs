@@ -4,9 +4,7 @@
 use astro_float::{BigFloat, RoundingMode};
 use tautline_scalar::{Enclosure, Fast, Interval, Kernel, Rigorous, Scalar};
 
-mod reference;
-
-use reference::Reference;
+use crate::reference::Reference;
 
 const MAX: f64 = f64::MAX;
 const INFINITY: f64 = f64::INFINITY;

@@ -8,9 +8,11 @@ use tautline_metrics::{
     gallery::{GalleryError, TanhDecoder},
 };
 
-use crate::{
+use super::{
     attained::{curvature, high, low, slope},
     distances::run,
+};
+use crate::{
     laws::hold,
     measure::{extremes, first, norm, second},
 };

@@ -5,9 +5,7 @@ use astro_float::{BigFloat, RoundingMode};
 use tautline_chance::{cases, seed};
 use tautline_scalar::{Enclosure, Fast, Interval, Kernel, Rigorous, Scalar};
 
-mod reference;
-
-use reference::{Random, Reference, holds};
+use crate::reference::{Random, Reference, holds};
 
 const CASES: u32 = 100_000;
 const P: usize = 320;

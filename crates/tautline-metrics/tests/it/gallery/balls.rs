@@ -9,9 +9,9 @@ use tautline_metrics::{
     gallery::{GaussianFisher, Hyperbolic, Sphere},
 };
 
+use super::attained::{curvature, high, low, slope};
 use crate::{
     about::{About, in_ball},
-    attained::{curvature, high, low, slope},
     laws::{cube, hold},
 };
 

@@ -8,9 +8,7 @@ use tautline_scalar::{
     Enclosure, Fast, FastInterval, Interval, IntervalError, Jet2, Kernel, Pair, Rigorous, Scalar,
 };
 
-mod reference;
-
-use reference::holds;
+use crate::reference::holds;
 
 const MAX: f64 = f64::MAX;
 const INFINITY: f64 = f64::INFINITY;

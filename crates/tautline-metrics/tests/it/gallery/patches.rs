@@ -11,8 +11,8 @@ use tautline_metrics::{
     },
 };
 
+use super::attained::{curvature, high, low, slope};
 use crate::{
-    attained::{curvature, high, low, slope},
     laws::hold,
     measure::{first, norm, second},
 };

@@ -11,7 +11,7 @@ use tautline_metrics::{
     quadrature::integrate,
 };
 
-use crate::{
+use super::{
     distances::{chord, distance, is_bounded, is_distance, run},
     patches::{fisher, hyperbolic, sphere},
 };

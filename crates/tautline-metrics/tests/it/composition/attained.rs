@@ -14,10 +14,8 @@ use tautline_metrics::{
     gallery::{Lens, RotatingAnisotropy, Shear, Valleys},
 };
 
-use crate::{
-    conformal::Conformal,
-    measure::{extremes, first, norm, second},
-};
+use super::conformal::Conformal;
+use crate::measure::{extremes, first, norm, second};
 
 /// The four constants of `g`, measured at the four places where they should be attained: `c₁`,
 /// `c₂`, then `L_H` and `M_H` in a direction.

@@ -7,10 +7,8 @@ use tautline_metrics::{
     gallery::{Lens, Ramp, RotatingAnisotropy, Shear, TwoLinkArm},
 };
 
-use crate::{
-    conformal::Conformal,
-    laws::{cube, hold},
-};
+use super::conformal::Conformal;
+use crate::laws::{cube, hold};
 
 fn shear() -> impl Strategy<Value = Shear> {
     (-2.0..2.0_f64, 0.2..3.0_f64).prop_map(|(a, k)| Shear::new(a, k).expect("k > 0"))

@@ -1,0 +1,13 @@
+//! What is proved of a metric and of a curve, against exact values and high precision.
+
+mod curve_laws;
+mod curve_values;
+mod every_metric;
+mod exact_constants;
+mod gallery_constants;
+mod metrics_against_high_precision;
+mod partly_undefined;
+#[path = "../../../tautline-scalar/tests/it/precise/mod.rs"]
+mod precise;
+#[path = "../../../tautline-scalar/tests/it/reference/mod.rs"]
+mod reference;

@@ -1,0 +1,4 @@
+//! The rules against exact values and differences.
+
+mod derivatives;
+mod values;

@@ -1,0 +1,7 @@
+//! The metrics of the gallery and the ways to compose metrics: values, laws and proved constants.
+
+mod about;
+mod composition;
+mod gallery;
+mod laws;
+mod measure;

@@ -1,0 +1,13 @@
+//! The search for discrete minimisers: problems of every kind, bad input, and what may be said of the result.
+
+mod bad_input;
+mod benchmark_problems;
+mod between_nodes;
+mod damped_steps;
+mod degenerate;
+mod large_grids;
+mod pieces;
+mod random_cases;
+mod set_ends;
+mod small_grids;
+mod units;

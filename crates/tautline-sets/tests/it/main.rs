@@ -1,0 +1,3 @@
+//! What sets claim of themselves.
+
+mod claims;

@@ -1,0 +1,5 @@
+//! The front door: problems, batches and enclosures.
+
+mod batch;
+mod enclosure;
+mod front_door;
