@@ -62,8 +62,11 @@ fn paper(what: &str, rest: &[&str]) -> Result<(), String> {
     cargo(&[&run, rest].concat(), &[])
 }
 
+/// Unit and integration tests, then those of the documentation. That the examples compile is for the
+/// lints to see, which take them with all other targets, without a line of machine code.
 fn test(rest: &[&str]) -> Result<(), String> {
-    cargo(&[&["test", "--workspace"], rest].concat(), &[])
+    cargo(&[&["test", "--workspace", "--lib", "--bins", "--tests"], rest].concat(), &[])?;
+    cargo(&[&["test", "--workspace", "--doc"], rest].concat(), &[])
 }
 
 /// Formatting, lints, documentation, tests, and whether figures and tables are what the code

@@ -48,6 +48,6 @@ fn crates() -> Vec<PathBuf> {
 
 /// The manifests of all packages, those at the top included.
 fn manifests() -> Vec<Manifest> {
-    let top = ["paper", "tests", "xtask"].map(|name| root().join(name));
+    let top = ["benches", "paper", "tests", "xtask"].map(|name| root().join(name));
     crates().iter().chain(&top).map(|folder| Manifest::read(&folder.join("Cargo.toml"))).collect()
 }

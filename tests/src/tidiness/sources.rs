@@ -8,7 +8,7 @@ use super::{crates, files, read, root};
 const LONGEST: usize = 400;
 
 fn all_sources() -> Vec<PathBuf> {
-    let folders = ["crates", "paper", "peers", "tests", "xtask"];
+    let folders = ["benches", "crates", "paper", "peers", "tests", "xtask"];
     folders.iter().flat_map(|folder| files(&root().join(folder), "rs")).collect()
 }
 

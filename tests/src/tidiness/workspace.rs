@@ -41,7 +41,7 @@ const BELOW: [(&str, &[&str]); 11] = [
 ];
 
 fn libraries() -> Vec<Manifest> {
-    let top = ["paper", "tests", "xtask"];
+    let top = ["benches", "paper", "tests", "xtask"];
     manifests().into_iter().filter(|manifest| !top.contains(&manifest.name.as_str())).collect()
 }
 

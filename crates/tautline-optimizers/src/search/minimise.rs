@@ -40,10 +40,12 @@ impl<const D: usize> Default for Options<D> {
     }
 }
 
-/// Intervals of the line on which leaps are looked for. The chords between all pairs of its points are
-/// as many evaluations as a search with a few thousand chords makes; with more intervals a solve with few
-/// chords would take longer than one with many, and finds no other minimisers.
-const LINE: usize = 48;
+/// Intervals of the lines on which leaps are looked for. The chords between all pairs of points of a line
+/// are as many evaluations as a search with a few thousand chords makes; with more intervals a solve with
+/// few chords would take longer than one with many. Which of several leaps saves most is decided between
+/// points of the line: where no other grid follows, another line with other points is tried, and both
+/// together miss no more than one with twice as many intervals.
+const LINES: [usize; 2] = [48, 64];
 
 /// Where the least energy on a small grid differs by so much from that on the grid of half as many
 /// chords, relatively, a minimiser leaps over ridges, or did: leaps are looked for once more.
@@ -81,8 +83,9 @@ const FINE: usize = 64;
 /// as far as it tells beforehand; [`SolveError::Metric`] if the metric is not finite, symmetric and
 /// positive definite at the nodes and both ends of every start, or there and
 /// [between](tautline_discretizations::Interpolation::check) along every result, of which the lowest
-/// that passes is returned; [`SolveError::NoStart`] if there is nothing to start from, [`SolveError::Sequence`] if points become infinite on the way,
-/// [`SolveError::Energy`] if the energy of every curve that was found is beyond the range of `f64`.
+/// that passes is returned; [`SolveError::NoStart`] if there is nothing to start from,
+/// [`SolveError::Sequence`] if points become infinite on the way, [`SolveError::Energy`] if the energy of
+/// every curve that was found is beyond the range of `f64`.
 pub fn minimise<const D: usize, R: Rule>(
     metric: &impl Metric<D>,
     ends: &Ends<D>,
@@ -150,15 +153,16 @@ fn lowest<const D: usize>(
         candidates = candidates.into_iter().filter_map(|c| search.follow(c, grid)).collect();
         lowest_first(&mut candidates);
         let unresolved = grid <= SETTLED && candidates.first().is_none_or(Candidate::leapt);
+        let lines = if grid == n { &LINES[..] } else { &LINES[..1] };
         if local_minima.is_none() || unresolved {
             for &pair in &pairs {
-                search.try_starts(pair, grid, &mut candidates);
+                search.try_starts(pair, grid, lines, &mut candidates);
             }
             lowest_first(&mut candidates);
         } else if grid == n && n <= SMALL {
-            let leaps = candidates[0].has_changed_by(UNSETTLED).then_some(LINE);
+            let lines = if candidates[0].has_changed_by(UNSETTLED) { &LINES[..1] } else { &[] };
             for &pair in &pairs {
-                search.try_in_detail(pair, grid, leaps, &mut candidates);
+                search.try_in_detail(pair, grid, lines, &mut candidates);
             }
             lowest_first(&mut candidates);
         }
@@ -253,26 +257,27 @@ impl<'a, const D: usize> Search<'a, D> {
         &mut self,
         ends: [&'e dyn ClosedSet<D>; 2],
         grid: usize,
+        lines: &[usize],
         candidates: &mut Vec<Candidate<'e, D>>,
     ) where
         'a: 'e,
     {
-        let starts = self.options.starts.between(self.energy, ends, grid, LINE);
+        let starts = self.options.starts.between(self.energy, ends, grid, lines);
         self.search_from(starts, ends, candidates);
     }
 
     /// Searches from what a coarser grid does not stand for, with the best leaps on lines of so many
-    /// intervals.
+    /// intervals each.
     fn try_in_detail<'e>(
         &mut self,
         ends: [&'e dyn ClosedSet<D>; 2],
         grid: usize,
-        leaps: Option<usize>,
+        lines: &[usize],
         candidates: &mut Vec<Candidate<'e, D>>,
     ) where
         'a: 'e,
     {
-        let starts = self.options.starts.in_detail(self.energy, ends, grid, leaps);
+        let starts = self.options.starts.in_detail(self.energy, ends, grid, lines);
         self.search_from(starts, ends, candidates);
     }
 

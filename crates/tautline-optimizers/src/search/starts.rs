@@ -35,19 +35,19 @@ const PROJECTIONS: usize = 50;
 
 impl<const D: usize> Starts<D> {
     /// Returns the starts between two pieces, on the grid of `n` chords; the best sequence on
-    /// a line is looked for among points at this many intervals.
+    /// a line is looked for among points at each of these numbers of intervals.
     pub(crate) fn between(
         &self,
         energy: &dyn DiscreteEnergy<D>,
         [first, second]: [&dyn ClosedSet<D>; 2],
         n: usize,
-        intervals: usize,
+        lines: &[usize],
     ) -> Vec<PointSequence<D>> {
         let mut starts = self.given([first, second], n);
         if !matches!(self, Starts::Only(_)) {
             for (a, b) in end_points(first, second) {
                 starts.extend(bent_lines(&a, &b, n));
-                starts.extend(line_minimum(energy, &a, &b, n, intervals));
+                starts.extend(line_minima(energy, [&a, &b], n, lines));
             }
         }
         finite(starts)
@@ -69,22 +69,33 @@ impl<const D: usize> Starts<D> {
         given.iter().map(on_the_grid).collect()
     }
 
-    /// Those that a coarser grid does not stand for: the given ones, and if asked for the best sequences
-    /// on the lines, as [`between`](Starts::between).
+    /// Those that a coarser grid does not stand for: the given ones, and the best sequences on lines, as
+    /// [`between`](Starts::between).
     pub(crate) fn in_detail(
         &self,
         energy: &dyn DiscreteEnergy<D>,
         ends: [&dyn ClosedSet<D>; 2],
         n: usize,
-        intervals: Option<usize>,
+        lines: &[usize],
     ) -> Vec<PointSequence<D>> {
         let mut starts = self.given(ends, n);
-        if let Some(intervals) = intervals {
-            let lines = end_points(ends[0], ends[1]).into_iter();
-            starts.extend(lines.filter_map(|(a, b)| line_minimum(energy, &a, &b, n, intervals)));
+        if !lines.is_empty() {
+            for (a, b) in end_points(ends[0], ends[1]) {
+                starts.extend(line_minima(energy, [&a, &b], n, lines));
+            }
         }
         finite(starts)
     }
+}
+
+/// The best sequences on a line, among points at each of these numbers of intervals.
+fn line_minima<const D: usize>(
+    energy: &dyn DiscreteEnergy<D>,
+    [a, b]: [&SVector<f64, D>; 2],
+    n: usize,
+    lines: &[usize],
+) -> impl Iterator<Item = Vec<SVector<f64, D>>> {
+    lines.iter().filter_map(move |&intervals| line_minimum(energy, a, b, n, intervals))
 }
 
 /// The sequences among them.
@@ -166,7 +177,7 @@ mod tests {
         let ball = Ball::new([0.0, 2.0], 0.5).expect("positive radius");
         let wall = HalfSpace::new([-1.0, 0.0], -3.0).expect("not zero");
         let given = PointSequence::straight([0.0, 9.0], [9.0, 0.0], 3).expect("finite");
-        let starts = Starts::Also(vec![given]).between(&VALLEYS, [&ball, &wall], 16, 64);
+        let starts = Starts::Also(vec![given]).between(&VALLEYS, [&ball, &wall], 16, &[64]);
         assert_eq!(
             starts.len(),
             1 + 3 + 1,
@@ -186,7 +197,7 @@ mod tests {
         let a = Point::new([-1.0, 0.0, 0.0]).expect("finite");
         let b = Point::new([1.0, 0.0, 0.0]).expect("finite");
         let middles: Vec<_> = Starts::Automatic
-            .between(&VALLEYS, [&a, &b], 10, 64)
+            .between(&VALLEYS, [&a, &b], 10, &[64])
             .iter()
             .map(|start| {
                 let middle = start.points()[5];
@@ -200,10 +211,10 @@ mod tests {
     fn a_sphere_is_tried_from_all_sides() {
         let sphere = Sphere::new([0.0, 0.0], 1.0).expect("positive radius");
         let point = Point::new([0.2, 0.1]).expect("finite");
-        let starts = Starts::Automatic.between(&VALLEYS, [&sphere, &point], 16, 64);
+        let starts = Starts::Automatic.between(&VALLEYS, [&sphere, &point], 16, &[64]);
         assert!(starts.len() >= 5 * 4, "the nearest point and four seeds, {}", starts.len());
         // As the second set as well: the same lines, the other way round.
-        let back = Starts::Automatic.between(&VALLEYS, [&point, &sphere], 16, 64);
+        let back = Starts::Automatic.between(&VALLEYS, [&point, &sphere], 16, &[64]);
         assert_eq!(back.len(), starts.len());
         let near = |x: &PointSequence<2>, y: &PointSequence<2>| {
             let pairs = x.points().iter().zip(y.points().iter().rev());
@@ -227,7 +238,7 @@ mod tests {
     fn the_straight_start_joins_nearest_points() {
         let ball = Ball::new([0.0, 2.0], 1.0).expect("positive radius");
         let wall = HalfSpace::at_least([1.0, 1.0], 6.0).expect("not zero");
-        let starts = Starts::Automatic.between(&VALLEYS, [&ball, &wall], 4, 64);
+        let starts = Starts::Automatic.between(&VALLEYS, [&ball, &wall], 4, &[64]);
         let r = 0.5_f64.sqrt();
         // The alternating projections stop after 50 rounds, each of which at least halves what
         // is left: rounding.

@@ -269,7 +269,7 @@ mod tests {
         assert!(found.expect("told").slack <= 1.01);
     }
 
-    /// The slack `1 + s x` on `[10⁻³, 1]` has `10⁻³ s` left on the way to 0, of about 1.
+    /// The slack `2 (1 + s x)` on `[10⁻³, 1]` has the part `10⁻³ s` left on the way to 0.
     #[test]
     fn a_case_at_an_edge_says_what_is_left_beyond_it() {
         let side = || Parameter::logarithmic("x", 1e-3, 1.0);
@@ -277,7 +277,7 @@ mod tests {
         let edges = |side: Parameter, s: f64| {
             let family = Family::new("line", Statement::Proposition7_8, [side], |[x]| {
                 let evidence = Evidence::of(Statement::Proposition7_8);
-                Ok(Some(evidence.stated("1 ≤ 1 + s x", Unit::NONE, [1.0, 1.0 + s * x], 0.0)))
+                Ok(Some(evidence.stated("½ ≤ 1 + s x", Unit::NONE, [0.5, 1.0 + s * x], 0.0)))
             });
             let found = Search::default().tightest(&family, Source::Stated).expect("true");
             found.expect("told").edges
