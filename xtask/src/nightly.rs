@@ -51,7 +51,10 @@ fn arguments<'a>(rest: &[&'a str]) -> Vec<&'a str> {
         Some(at) => (&rest[..at], &rest[at + 1..]),
         None => (rest, &rest[..0]),
     };
-    let named = cargo.iter().any(|argument| *argument == "-p" || *argument == "--package");
+    // As `-p tests`, `-ptests`, `--package tests` and `--package=tests`.
+    let named = cargo
+        .iter()
+        .any(|argument| argument.starts_with("--package") || argument.starts_with("-p"));
     let scope = if named { None } else { Some("--workspace") };
     let skipped = SKIPPED.iter().flat_map(|name| ["--skip", *name]);
     let start = ["test", "--no-fail-fast", "--lib", "--tests"];
@@ -69,6 +72,10 @@ mod tests {
         let skipped = "--skip committed_data --skip tidiness";
         let start = "test --no-fail-fast --lib --tests";
         assert_eq!(line(&[]), format!("{start} --workspace -- {skipped}"));
+        for named in ["-ptests", "--package=tests", "--package tests"] {
+            let words: Vec<&str> = named.split(' ').collect();
+            assert_eq!(line(&words), format!("{start} {named} -- {skipped}"));
+        }
         assert_eq!(
             line(&["-p", "tests", "battery", "--", "--test-threads=1"]),
             format!("{start} -p tests battery -- {skipped} --test-threads=1")

@@ -12,7 +12,8 @@
 //! $ TAUTLINE_SEED=7 TAUTLINE_CASES=100 cargo test -p tautline-bounds
 //! ```
 //!
-//! This is for tests: [`Chance::asked`] reads the environment, and nothing else here does.
+//! This is for tests: [`Chance::asked`] reads the environment, and so does proptest for the settings
+//! that are not set here (`PROPTEST_…`).
 
 use std::{env, fmt};
 

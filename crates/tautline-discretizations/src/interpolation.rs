@@ -70,7 +70,7 @@ impl<'a, const D: usize> Interpolation<'a, D> {
     ///
     /// # Errors
     ///
-    /// [`MetricError`], with the first point from which the metric is none.
+    /// [`MetricError`], with a point at which the metric is none.
     pub fn check(&self, metric: &impl Metric<D>) -> Result<(), MetricError> {
         let n = self.sequence.n().get();
         let (defect, mut left) = (RefCell::new(None), LOOKS);
@@ -79,7 +79,8 @@ impl<'a, const D: usize> Interpolation<'a, D> {
             let (looks, most) = (Cell::new(0), left.max(FIRST));
             let speed = |s: f64| {
                 looks.set(looks.get() + 1);
-                if looks.get() > most {
+                // NaN ends the subdivision.
+                if looks.get() > most || defect.borrow().is_some() {
                     return f64::NAN;
                 }
                 check_gram(metric, &(x + d * s)).map_or_else(
@@ -90,7 +91,6 @@ impl<'a, const D: usize> Interpolation<'a, D> {
                     |h| d.dot(&(h * d)).sqrt(),
                 )
             };
-            // It ends at the first value that is NaN.
             integrate(speed, 0.0, 1.0, TOLERANCE);
             if let Some(error) = defect.take() {
                 return Err(error);
@@ -172,7 +172,8 @@ mod tests {
             // One of them twice, where the last is one of those.
             assert!((7 * chords..=7 * (chords + 1)).contains(&asked), "N = {n}: {asked}");
         }
-        // Of a formula that no number of points resolves, four chords or five, and seven on the others.
+        // Of a formula that no number of points resolves, a few chords, and seven points on each of the
+        // others, the last of which is one of those: more than half of the ten.
         struct Noise(AtomicUsize);
         impl Metric<1> for Noise {
             fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
@@ -184,7 +185,7 @@ mod tests {
         let line = PointSequence::straight([0.0], [1.0], 10).expect("finite");
         assert_eq!(Interpolation::new(&line).check(&noise), Ok(()));
         let asked = noise.0.into_inner();
-        assert!((1 << 17..=(1 << 17) + 7 * 11).contains(&asked), "{asked}");
+        assert!(((1 << 17) + 7 * 5..=(1 << 17) + 7 * 11).contains(&asked), "{asked}");
     }
 
     #[test]

@@ -45,7 +45,8 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     /// metric is not finite, symmetric and positive definite along all curves that were tried, with the
     /// point; and where numbers leave the range of `f64`, all as [`minimise`](crate::minimise) says. Along
     /// the result the metric is checked wherever [`TautLine::length`] reads it, between the nodes of the
-    /// rule too, and for `N > 512` on some 512 of the chords: see
+    /// rule too, up to some 131 072 points and for
+    /// `N > 512` on some 512 of the chords: see
     /// [`Interpolation::check`](crate::Interpolation::check). A search that does not converge is no error: the result
     /// says how it stopped.
     pub fn solve<R: Rule>(&self, rule: R, n: usize) -> Result<TautLine<M, R, D>, SolveError> {

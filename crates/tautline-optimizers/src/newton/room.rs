@@ -15,15 +15,30 @@ fn is_there(bytes: usize) -> bool {
     bytes < SMALL || black_box(&mut memory).try_reserve_exact(bytes).is_ok()
 }
 
+/// What so many numbers at each point of `n` chords take.
+fn bytes(n: usize, numbers: usize) -> usize {
+    n.saturating_add(1).saturating_mul(numbers.saturating_mul(8))
+}
+
 impl<const D: usize> Workspace<D> {
-    /// Checks that there is memory for so many numbers at each point of `n` chords, counting what is
-    /// kept from earlier searches.
+    /// Checks that there is memory for the points of `n` chords.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError::OutOfMemory`].
+    pub(crate) fn check_points(n: usize) -> Result<(), SolveError> {
+        let bytes = bytes(n, D);
+        if is_there(bytes) { Ok(()) } else { Err(SolveError::OutOfMemory { n, bytes }) }
+    }
+
+    /// Checks that there is memory for a step, of so many numbers at each point of `n` chords, counting
+    /// the factorisation that is kept from earlier searches.
     ///
     /// # Errors
     ///
     /// [`SolveError::OutOfMemory`].
     pub(crate) fn check_room(&self, n: usize, numbers: usize) -> Result<(), SolveError> {
-        let bytes = n.saturating_add(1).saturating_mul(numbers.saturating_mul(8));
+        let bytes = bytes(n, numbers);
         if is_there(bytes.saturating_sub(self.factorization.bytes())) {
             Ok(())
         } else {
@@ -63,5 +78,10 @@ mod tests {
         let all = workspace.check_room(usize::MAX, Workspace::<64>::DAMPED);
         assert_eq!(all, Err(SolveError::OutOfMemory { n: usize::MAX, bytes: usize::MAX }));
         assert_eq!(workspace.check_room(100, Workspace::<64>::DAMPED), Ok(()));
+        let bytes = (n + 1) * 64 * 8 * (1 << 10);
+        let points = Workspace::<64>::check_points((n + 1) * (1 << 10) - 1);
+        let n = (n + 1) * (1 << 10) - 1;
+        assert_eq!(points, Err(SolveError::OutOfMemory { n, bytes }));
+        assert_eq!(Workspace::<64>::check_points(100), Ok(()));
     }
 }

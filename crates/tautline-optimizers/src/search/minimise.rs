@@ -129,7 +129,7 @@ fn lowest<const D: usize>(
     if n > LARGEST_N {
         return Err(SolveError::TooManySubintervals { n });
     }
-    workspace.check_room(n, D)?;
+    Workspace::<D>::check_points(n)?;
     let pairs: Vec<_> = ends.pairs().collect();
     let pairs: Vec<_> = pairs.iter().map(|(first, second)| [&**first, &**second]).collect();
     for pair in &pairs {
@@ -204,7 +204,7 @@ struct Search<'a, const D: usize> {
     options: &'a Options<D>,
     /// Newton steps of all searches so far.
     iterations: usize,
-    /// Why the first one that failed did.
+    /// Why the first one that failed did; one for which there was no memory goes before the others.
     refused: Option<SolveError>,
 }
 
@@ -224,7 +224,14 @@ impl<'a, const D: usize> Search<'a, D> {
             let energy = found.energy;
             if energy.is_finite() { Ok(found) } else { Err(SolveError::Energy { energy }) }
         });
-        found.map_err(|error| self.refused.get_or_insert(error)).ok()
+        let refuse = |error| {
+            if matches!(error, SolveError::OutOfMemory { .. }) {
+                self.refused = Some(error);
+            } else {
+                self.refused.get_or_insert(error);
+            }
+        };
+        found.map_err(refuse).ok()
     }
 
     /// Follows a local minimiser to a finer grid.

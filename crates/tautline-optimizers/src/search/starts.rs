@@ -192,6 +192,28 @@ mod tests {
         }
     }
 
+    /// What a coarser grid does not stand for: what is given, and one sequence for each line and pair of
+    /// end points.
+    #[test]
+    fn what_is_given_and_the_lines_are_tried_in_detail() {
+        let ball = Ball::new([0.0, 2.0], 0.5).expect("positive radius");
+        let wall = HalfSpace::new([-1.0, 0.0], -3.0).expect("not zero");
+        let given = PointSequence::straight([0.0, 9.0], [9.0, 0.0], 3).expect("finite");
+        let also = Starts::Also(vec![given]);
+        let tried = |starts: &Starts<2>, lines: &[usize]| {
+            starts.in_detail(&VALLEYS, [&ball, &wall], 16, lines)
+        };
+        let [start] = tried(&also, &[]).try_into().expect("the given one");
+        assert_eq!(start.n().get(), 16);
+        assert!((start.first() - nalgebra::vector![0.0, 2.5]).amax() < 1e-15);
+        assert_eq!(start.last()[0], 9.0);
+        assert_eq!((tried(&also, &[48]).len(), tried(&also, &[48, 64]).len()), (2, 3));
+        assert_eq!(
+            (tried(&Starts::Automatic, &[]).len(), tried(&Starts::Automatic, &[48]).len()),
+            (0, 1)
+        );
+    }
+
     #[test]
     fn lines_are_bent_to_both_sides_of_every_axis_but_their_own() {
         let a = Point::new([-1.0, 0.0, 0.0]).expect("finite");

@@ -194,7 +194,9 @@ impl Hunt<'_, '_> {
             let Some(end) = parameter.end(parameter.at(places[k])) else { continue };
             let mut out = places.to_vec();
             out[k] = parameter.half_way_out(places[k], end);
-            let left = (self.look(out)?.slack() / slack - 1.0).max(0.0);
+            let left = self.look(out)?.slack() / slack - 1.0;
+            // NaN stays, and is cut off.
+            let left = if left < 0.0 { 0.0 } else { left };
             let beyond = parameter.beyond(end);
             edges.push(Edge { parameter: parameter.name, end, beyond, left });
         }

@@ -114,6 +114,18 @@ impl Brought {
     }
 }
 
+/// The test of a suite's case.
+///
+/// # Panics
+///
+/// If it could not be made, with the reason: nothing else fails then, since no law is tried.
+#[track_caller]
+pub fn assert_made<C>(case: Result<C, &str>) {
+    if let Err(reason) = case {
+        panic!("no law of this suite is tried: {reason}");
+    }
+}
+
 /// The message of a panic.
 fn message(panic: &(dyn Any + Send)) -> String {
     let text = panic.downcast_ref::<String>().map(String::as_str);
@@ -193,6 +205,17 @@ mod tests {
         let said = reason(Err(CertifyError::NotAllOfSpace));
         assert!(said.contains("Certified::settled") && said.contains("within radius"), "{said}");
         assert_eq!(reason(Err(CertifyError::NoDimension)), "D = 0: there is no dimension");
+        let few = Accuracy { budget: 1, tolerance: 1e-9, ..Accuracy::default() };
+        let error = Certified::<_, 2>::new(Valleys, few).map(|_| ()).expect_err("one box");
+        assert!(matches!(error, CertifyError::BudgetSpent { .. }), "{error}");
+        let said = reason(Err(error));
+        assert!(said.contains("after 1 boxes") && said.contains("Ask for less"), "{said}");
+    }
+
+    #[test]
+    #[should_panic(expected = "no law of this suite is tried: indefinite at 0")]
+    fn a_case_that_could_not_be_made_fails_its_test() {
+        super::assert_made(Err::<(), _>("indefinite at 0"));
     }
 
     #[test]

@@ -159,7 +159,7 @@ pub mod set;
 mod standing;
 mod suites;
 
-pub use brought::{Attempt, Bring, Brought, Itself};
+pub use brought::{Attempt, Bring, Brought, Itself, assert_made};
 pub use effort::Effort;
 pub use fault::Fault;
 pub use lie::{Claim, Lie};

@@ -40,7 +40,8 @@ impl WayOut {
         self.length > length
     }
 
-    /// Adds the hypothesis that no way out is as short as `length`, in `m`.
+    /// Adds the hypothesis that no way out is shorter than `length`, in `m`. The theorems ask for longer
+    /// ones; equality is let through, as what is granted for rounding is.
     pub(super) fn given_longer(self, evidence: Evidence, [length, granted]: [f64; 2]) -> Evidence {
         let claim = "no way out is shorter than d";
         let evidence = evidence.given(claim, Unit::LENGTH, [length, self.length], granted);
