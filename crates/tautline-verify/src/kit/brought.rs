@@ -205,7 +205,7 @@ mod tests {
         let said = reason(Err(CertifyError::NotAllOfSpace));
         assert!(said.contains("Certified::settled") && said.contains("within radius"), "{said}");
         assert_eq!(reason(Err(CertifyError::NoDimension)), "D = 0: there is no dimension");
-        let few = Accuracy { budget: 1, tolerance: 1e-9, ..Accuracy::default() };
+        let few = Accuracy { budget: 1, tolerance: 1e-9 };
         let error = Certified::<_, 2>::new(Valleys, few).map(|_| ()).expect_err("one box");
         assert!(matches!(error, CertifyError::BudgetSpent { .. }), "{error}");
         let said = reason(Err(error));
