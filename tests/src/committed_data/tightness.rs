@@ -30,8 +30,13 @@ fn a_case_at_an_edge_of_its_search_says_why() {
             let parameter = family.parameters.iter().find(|parameter| parameter.name == name);
             let parameter = parameter.unwrap_or_else(|| panic!("{place}: no parameter {name}"));
             let Some(end) = parameter.end(value) else { continue };
-            let beyond = parameter.beyond(end);
-            let beyond = beyond.unwrap_or_else(|| panic!("{place}: {name} = {value} is cut off"));
+            let Some(beyond) = parameter.beyond(end) else {
+                assert!(
+                    reasons.contains(&format!("cut off at an end of {name}").as_str()),
+                    "{place}"
+                );
+                continue;
+            };
             let (Beyond::Nothing(reason) | Beyond::Limit(reason)) = beyond;
             assert!(reasons.contains(&reason), "{place}: {name} = {value} without its reason");
             seen += 1;
@@ -40,13 +45,18 @@ fn a_case_at_an_edge_of_its_search_says_why() {
     assert!(seen > 0, "no case is at an edge");
 }
 
+/// Sums of two waves with a wave number far below the other's: the sharper bound of the length gives
+/// away the less the longer the steps are, up to the longest that are tried, four periods.
+const CUT_OFF: [[&str; 4]; 1] =
+    [["Theorem 1.2", "separable, D = 2", "sharper", "cut off at an end of step"]];
+
 /// What a range leaves on the way to a limit is measured where the table is made.
 #[test]
-fn no_search_is_cut_off() {
+fn one_search_is_cut_off_and_says_so() {
     let table = Table::read("tables/tightness.csv");
-    for row in table.rows() {
-        let (statement, family) = (row.text("statement"), row.text("family"));
-        let edges = row.text("edges");
-        assert!(!edges.contains("cut off"), "{statement} on {family}: {edges}");
-    }
+    let cells = |row: Row<'_>| {
+        ["statement", "family", "conclusions", "edges"].map(|name| row.text(name).to_owned())
+    };
+    let cut_off = table.rows().map(cells).filter(|[.., edges]| edges.contains("cut off"));
+    assert_eq!(cut_off.collect::<Vec<_>>(), CUT_OFF);
 }
