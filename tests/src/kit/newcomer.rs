@@ -10,7 +10,7 @@ use tautline_verify::prelude::*;
 struct Egg; // H(x) = diag(2 + cos x₁, 3 + sin x₂)
 impl Metric<2> for Egg {
     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-        SMatrix::from_diagonal(&[x[0].cos() + 2.0, x[1].sin() + 3.0].into())
+        SMatrix::from_diagonal(&[2.0 + x[0].cos(), 3.0 + x[1].sin()].into())
     }
 }
 impl Bounded<2> for Egg {

@@ -40,7 +40,7 @@
 //! struct Egg; // H(x) = diag(2 + cos x₁, 3 + sin x₂)
 //! impl Metric<2> for Egg {
 //!     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-//!         SMatrix::from_diagonal(&[x[0].cos() + 2.0, x[1].sin() + 3.0].into())
+//!         SMatrix::from_diagonal(&[2.0 + x[0].cos(), 3.0 + x[1].sin()].into())
 //!     }
 //! }
 //! impl Bounded<2> for Egg {
@@ -55,7 +55,7 @@
 //! # assert!(report.holds(), "{report}");
 //! ```
 //!
-//! An `S: Scalar` has `+ - * /` with another `S` and with an `f64` on the right (`x[0] * 2.0 + 1.0`,
+//! An `S: Scalar` has `+ - * /` with another `S` and with an `f64` on either side (`1.0 + 2.0 * x[0]`,
 //! and `S::constant(2.0)` to begin with), `sqr`, `powi`, `recip`, `sqrt`, `exp`, `ln`, `sin`, `cos`,
 //! `tan`, `atan`, `sinh`, `cosh` and `tanh`; it has no `abs`, no `powf`, and no order, since a formula
 //! has to be smooth.
@@ -70,7 +70,7 @@
 //! # struct Egg;
 //! # impl Metric<2> for Egg {
 //! #     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-//! #         SMatrix::from_diagonal(&[x[0].cos() + 2.0, x[1].sin() + 3.0].into())
+//! #         SMatrix::from_diagonal(&[2.0 + x[0].cos(), 3.0 + x[1].sin()].into())
 //! #     }
 //! # }
 //! let constants = Constants::new(1.0, 4.0, 0.5)?;
@@ -95,7 +95,7 @@
 //! struct Tray; // H(x) = (2 + cos x₁ sin x₂) I
 //! impl Metric<2> for Tray {
 //!     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-//!         SMatrix::from_diagonal_element(x[0].cos() * x[1].sin() + 2.0)
+//!         SMatrix::from_diagonal_element(2.0 + x[0].cos() * x[1].sin())
 //!     }
 //! }
 //! metric_suite!(
