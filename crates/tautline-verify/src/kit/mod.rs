@@ -21,8 +21,8 @@
 //!
 //! # Test a metric of your own
 //!
-//! The crate is not published: your `Cargo.toml` names where it lies, and has the tests optimised,
-//! which unoptimised take ten times as long.
+//! The crate is not published: your `Cargo.toml` names where it lies, and has this library optimised:
+//! unoptimised, the tests take ten times as long.
 //!
 //! ```toml
 //! [dev-dependencies]
@@ -30,6 +30,11 @@
 //!
 //! [profile.dev]
 //! opt-level = 2
+//!
+//! [profile.dev.package.egg] # your crate, whose tests take longer to compile than to run
+//! opt-level = 0
+//! debug = false
+//! codegen-units = 16
 //! ```
 //!
 //! A file `tests/egg.rs`, all of it, which is a formula and twelve lines:
