@@ -86,13 +86,8 @@ fn ci() -> Result<(), String> {
 fn check(what: &str) -> Result<(), String> {
     let program = env::current_exe().map_err(|error| format!("this program's place: {error}"))?;
     let program = program.with_file_name(format!("paper{}", env::consts::EXE_SUFFIX));
-    eprintln!("$ {} {what} --check", program.display());
-    let status = Command::new(&program).args([what, "--check"]).current_dir(root()).status();
-    match status {
-        Ok(status) if status.success() => Ok(()),
-        Ok(status) => Err(format!("`{} {what} --check` failed: {status}", program.display())),
-        Err(error) => Err(format!("`{}` did not start: {error}", program.display())),
-    }
+    let line = format!("{} {what} --check", program.display());
+    run(Command::new(&program).args([what, "--check"]), &line)
 }
 
 /// The root of the workspace.
@@ -101,19 +96,20 @@ fn root() -> PathBuf {
     xtask.parent().unwrap_or(xtask).to_owned()
 }
 
-/// Runs cargo in the root of the workspace, and echoes the command, so that a failure can be
-/// pasted and run again.
+/// Runs cargo in the root of the workspace.
 fn cargo(arguments: &[&str], environment: &[(&str, &str)]) -> Result<(), String> {
     let set: String =
         environment.iter().map(|(name, value)| format!("{name}='{value}' ")).collect();
     let line = format!("{set}cargo {}", arguments.join(" "));
+    let mut command = Command::new(env!("CARGO"));
+    run(command.args(arguments).envs(environment.iter().copied()), &line)
+}
+
+/// Runs a command in the root of the workspace, and echoes it as this line, so that a failure can be
+/// pasted and run again.
+fn run(command: &mut Command, line: &str) -> Result<(), String> {
     eprintln!("$ {line}");
-    let status = Command::new(env!("CARGO"))
-        .args(arguments)
-        .envs(environment.iter().copied())
-        .current_dir(root())
-        .status();
-    match status {
+    match command.current_dir(root()).status() {
         Ok(status) if status.success() => Ok(()),
         Ok(status) => Err(format!("`{line}` failed: {status}")),
         Err(error) => Err(format!("`{line}` did not start: {error}")),

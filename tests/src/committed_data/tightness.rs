@@ -45,8 +45,7 @@ fn a_case_at_an_edge_of_its_search_says_why() {
     assert!(seen > 0, "no case is at an edge");
 }
 
-/// Sums of two waves with a wave number far below the other's: the sharper bound of the length gives
-/// away the less the longer the steps are, up to the longest that are tried, four periods.
+/// This search ends at its longest step, four periods; whether longer ones give away less is open.
 const CUT_OFF: [[&str; 4]; 1] =
     [["Theorem 1.2", "separable, D = 2", "sharper", "cut off at an end of step"]];
 
