@@ -13,11 +13,11 @@
 //! ```
 //!
 //! This is for tests: [`Chance::asked`] reads the environment, and so does proptest for the settings
-//! that are not set here (`PROPTEST_…`).
+//! that are not set here (`PROPTEST_…`): not for seeds, cases, and what is drawn.
 
 use std::{env, fmt};
 
-use proptest::test_runner::{Config, RngSeed};
+use proptest::test_runner::{Config, RngAlgorithm, RngSeed};
 
 /// The variable that is mixed with every seed.
 const SEED: &str = "TAUTLINE_SEED";
@@ -99,6 +99,7 @@ impl Chance {
     pub fn config(self, seed: u64, cases: u32) -> Config {
         Config {
             cases: self.cases(cases),
+            rng_algorithm: RngAlgorithm::ChaCha,
             rng_seed: RngSeed::Fixed(self.seed(seed)),
             max_global_rejects: self.cases(REFUSED),
             failure_persistence: None,
@@ -175,11 +176,15 @@ fn mixed(number: u64) -> u64 {
 
 #[cfg(test)]
 mod tests {
-    use std::collections::BTreeSet;
+    use std::{
+        collections::BTreeSet,
+        env,
+        process::{Command, Output},
+    };
 
-    use proptest::test_runner::RngSeed;
+    use proptest::test_runner::{RngAlgorithm, RngSeed};
 
-    use super::{Chance, ChanceError};
+    use super::{Chance, ChanceError, cases, config, seed};
 
     fn asked(seed: Option<&str>, cases: Option<&str>) -> Chance {
         Chance::new(seed, cases).expect("numbers")
@@ -196,6 +201,52 @@ mod tests {
         let config = chance.config(3, 64);
         assert_eq!((config.rng_seed, config.cases), (RngSeed::Fixed(3), 64));
         assert!(config.failure_persistence.is_none());
+    }
+
+    /// Set in a process whose environment asks for something, to what it is to draw.
+    const DRAWN: &str = "TAUTLINE_TESTS_DRAWN";
+
+    /// Runs the next test in a process in which these variables are set, and which is to draw what this
+    /// one asks for.
+    fn in_environment(variables: &[(&str, &str)], asked: Chance) -> Output {
+        let of_config = RngSeed::Fixed(asked.seed(3));
+        let drawn = (asked.seed(7), asked.cases(5), of_config, asked.cases(64), asked.cases(1024));
+        Command::new(env::current_exe().expect("this program"))
+            .args(["--exact", "tests::the_environment_is_asked_under_these_names", "--nocapture"])
+            .env_remove("TAUTLINE_SEED")
+            .env_remove("TAUTLINE_CASES")
+            .envs(variables.iter().copied())
+            .env(DRAWN, format!("{drawn:?}"))
+            .output()
+            .expect("it starts")
+    }
+
+    #[test]
+    fn the_environment_is_asked_under_these_names() {
+        if let Some(asked) = env::var_os(DRAWN) {
+            let of = config(3, 64);
+            assert_eq!(of.rng_algorithm, RngAlgorithm::ChaCha);
+            let drawn = (seed(7), cases(5), of.rng_seed, of.cases, of.max_global_rejects);
+            return assert_eq!(asked.to_string_lossy(), format!("{drawn:?}"));
+        }
+        for (variables, seed, cases) in [
+            (&[][..], None, None),
+            (&[("TAUTLINE_SEED", "7")], Some("7"), None),
+            (&[("TAUTLINE_CASES", "100")], None, Some("100")),
+            (&[("TAUTLINE_SEED", "9"), ("TAUTLINE_CASES", "2")], Some("9"), Some("2")),
+            // proptest has variables of its own.
+            (&[("PROPTEST_RNG_ALGORITHM", "xs"), ("PROPTEST_CASES", "1")], None, None),
+            (&[("PROPTEST_RNG_SEED", "1"), ("PROPTEST_MAX_GLOBAL_REJECTS", "1")], None, None),
+        ] {
+            let output = in_environment(variables, asked(seed, cases));
+            let said = String::from_utf8_lossy(&output.stderr);
+            assert!(output.status.success(), "{variables:?}: {said}");
+            let again = format!("seed 7; to draw the same cases: {}cargo test", asked(seed, cases));
+            assert!(said.contains(&again), "{said}");
+        }
+        let output = in_environment(&[("TAUTLINE_CASES", "many")], Chance::FIXED);
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(!output.status.success() && said.contains("TAUTLINE_CASES is \"many\""), "{said}");
     }
 
     /// Neither two tests nor two runs share their cases, and a run can be had again.

@@ -7,6 +7,7 @@ mod lies;
 mod lying_sets;
 mod newcomer;
 mod proofs;
+mod proved;
 mod rules;
 mod sets;
 mod statement_lies;

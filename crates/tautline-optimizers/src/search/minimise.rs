@@ -156,13 +156,16 @@ fn lowest<const D: usize>(
         let lines = if grid == n { &LINES[..] } else { &LINES[..1] };
         if local_minima.is_none() || unresolved {
             for &pair in &pairs {
-                search.try_starts(pair, grid, lines, &mut candidates);
+                let starts = options.starts.between(energy, pair, grid, lines);
+                search.search_from(starts, pair, &mut candidates);
             }
             lowest_first(&mut candidates);
         } else if grid == n && n <= SMALL {
             let lines = if candidates[0].has_changed_by(UNSETTLED) { &LINES[..1] } else { &[] };
             for &pair in &pairs {
-                search.try_in_detail(pair, grid, lines, &mut candidates);
+                // What a coarser grid does not stand for.
+                let starts = options.starts.in_detail(energy, pair, grid, lines);
+                search.search_from(starts, pair, &mut candidates);
             }
             lowest_first(&mut candidates);
         }
@@ -259,35 +262,7 @@ impl<'a, const D: usize> Search<'a, D> {
         Some(candidate)
     }
 
-    /// Searches from every start between two pieces of the sets.
-    fn try_starts<'e>(
-        &mut self,
-        ends: [&'e dyn ClosedSet<D>; 2],
-        grid: usize,
-        lines: &[usize],
-        candidates: &mut Vec<Candidate<'e, D>>,
-    ) where
-        'a: 'e,
-    {
-        let starts = self.options.starts.between(self.energy, ends, grid, lines);
-        self.search_from(starts, ends, candidates);
-    }
-
-    /// Searches from what a coarser grid does not stand for, with the best leaps on lines of so many
-    /// intervals each.
-    fn try_in_detail<'e>(
-        &mut self,
-        ends: [&'e dyn ClosedSet<D>; 2],
-        grid: usize,
-        lines: &[usize],
-        candidates: &mut Vec<Candidate<'e, D>>,
-    ) where
-        'a: 'e,
-    {
-        let starts = self.options.starts.in_detail(self.energy, ends, grid, lines);
-        self.search_from(starts, ends, candidates);
-    }
-
+    /// Searches from these starts between two pieces of the sets.
     fn search_from<'e>(
         &mut self,
         starts: Vec<PointSequence<D>>,

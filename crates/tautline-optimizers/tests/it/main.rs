@@ -6,6 +6,7 @@ mod between_nodes;
 mod damped_steps;
 mod degenerate;
 mod large_grids;
+mod little_memory;
 mod nasty_metrics;
 mod pieces;
 mod random_cases;

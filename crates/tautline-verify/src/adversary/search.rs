@@ -168,17 +168,17 @@ impl Hunt<'_, '_> {
         let end = self.evaluations + budget;
         while step >= last && self.evaluations < end {
             let before = here.places.clone();
-            if !self.explore(&mut here, step)? {
+            if !self.explore(&mut here, step, end)? {
                 step *= 0.5;
                 continue;
             }
             // On in the direction that helped, as long as it does.
-            loop {
+            while self.evaluations < end {
                 let steps = here.places.iter().zip(&before).map(|(new, old)| 2.0 * new - old);
                 let ahead = self.family.parameters.iter().zip(steps);
                 let ahead = ahead.map(|(parameter, place)| parameter.brought_back(place));
                 let place = self.look(ahead.collect())?;
-                if !(place.beats(&here) && self.evaluations < end) {
+                if !place.beats(&here) {
                     break;
                 }
                 here = place;
@@ -203,14 +203,15 @@ impl Hunt<'_, '_> {
         Ok(edges)
     }
 
-    /// Tries each parameter a step up and down, and keeps what is better.
-    fn explore(&mut self, here: &mut Place, step: f64) -> Result<bool, AdversaryError> {
+    /// Tries each parameter a step up and down, and keeps what is better, until `end` cases were
+    /// evaluated.
+    fn explore(&mut self, here: &mut Place, step: f64, end: usize) -> Result<bool, AdversaryError> {
         let mut improved = false;
         for (k, parameter) in self.family.parameters.iter().enumerate() {
             for step in [step, -step] {
                 let mut places = here.places.clone();
                 places[k] = parameter.moved(places[k], step);
-                if places[k] == here.places[k] {
+                if places[k] == here.places[k] || self.evaluations == end {
                     continue;
                 }
                 let place = self.look(places)?;
@@ -227,9 +228,11 @@ impl Hunt<'_, '_> {
 
 #[cfg(test)]
 mod tests {
+    use std::cell::RefCell;
+
     use super::{
         super::{Beyond, End, Parameter},
-        AdversaryError, Family, Search, Source,
+        AdversaryError, Family, GAIN, Search, Source,
     };
     use crate::{Evidence, Statement, Unit, VerifyError, statements::prop_7_8};
 
@@ -251,6 +254,28 @@ mod tests {
         assert_eq!(found.conclusion.claim, "Σ xₙ³ ≤ (Σ xₙ²)^{3/2}");
         assert_eq!(found.parameter("y"), Some(found.parameters[1].1));
         assert!(found.told == found.evaluations && found.parameter("z").is_none());
+    }
+
+    /// Wherever the budget ends, on the way of one parameter or on that of all.
+    #[test]
+    fn an_ascent_keeps_to_its_budget_and_returns_the_tightest_of_all_cases() {
+        let side = |name| Parameter::linear(name, 0.0, 1.0);
+        for climbs in 0..60 {
+            let seen = RefCell::new(Vec::new());
+            let parameters = [side("x"), side("y")];
+            let family = Family::new("bowl", Statement::Proposition7_8, parameters, |[x, y]| {
+                let slack = 1.0 + (x - 0.6).powi(2) + (y - 0.3).powi(2);
+                seen.borrow_mut().push(slack);
+                let evidence = Evidence::of(Statement::Proposition7_8);
+                Ok(Some(evidence.stated("1 ≤ slack", Unit::NONE, [1.0, slack], 0.0)))
+            });
+            let search = Search { seed: 5, restarts: 1, samples: 3, climbs };
+            let found = search.tightest(&family, Source::Stated).expect("true").expect("told");
+            let seen = seen.take();
+            assert!(found.edges.is_empty() && found.evaluations == seen.len());
+            assert!(seen.len() <= 3 + climbs, "{} for {climbs}", seen.len());
+            assert!(seen.iter().all(|slack| found.slack <= slack * (1.0 + GAIN)), "{climbs}");
+        }
     }
 
     #[test]

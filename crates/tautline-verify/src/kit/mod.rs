@@ -154,6 +154,7 @@ mod difference_test;
 mod effort;
 mod fault;
 mod lie;
+mod met;
 pub mod metric;
 mod order;
 mod region;

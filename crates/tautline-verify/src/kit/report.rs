@@ -4,7 +4,7 @@ use std::fmt;
 
 use tautline_chance::Chance;
 
-use super::{Fault, Standing, standing};
+use super::{Fault, Standing, met::merge, standing};
 
 /// What one law says.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,6 +25,9 @@ pub struct Outcome {
     /// What bounds over the whole region say of each constant; empty for a law that looks at
     /// points.
     pub standings: Vec<Standing>,
+    /// The hypotheses that were assumed in some case: what no number stands for, such as that a local
+    /// minimiser is the global one.
+    pub assumed: Vec<&'static str>,
     /// What is worth knowing besides.
     pub note: Option<String>,
     /// Why the law does not hold, if it does not.
@@ -51,13 +54,15 @@ pub(crate) struct Tried {
     pub(crate) idle: u64,
     pub(crate) slack: f64,
     pub(crate) standings: Vec<Standing>,
+    pub(crate) assumed: Vec<&'static str>,
     pub(crate) note: Option<String>,
 }
 
 impl Tried {
     /// This many cases, none of which came near anything.
     pub(crate) fn cases(cases: u64) -> Self {
-        Self { cases, idle: 0, slack: f64::INFINITY, standings: Vec::new(), note: None }
+        let (standings, assumed, note) = (Vec::new(), Vec::new(), None);
+        Self { cases, idle: 0, slack: f64::INFINITY, standings, assumed, note }
     }
 
     pub(crate) fn with_note(self, note: impl Into<String>) -> Self {
@@ -66,11 +71,13 @@ impl Tried {
 
     pub(crate) fn and(mut self, other: Tried) -> Self {
         self.standings.extend(other.standings);
+        merge(&mut self.assumed, &other.assumed);
         Self {
             cases: self.cases + other.cases,
             idle: self.idle + other.idle,
             slack: self.slack.min(other.slack),
             standings: self.standings,
+            assumed: self.assumed,
             note: self.note.or(other.note),
         }
     }
@@ -82,14 +89,14 @@ pub(crate) type LawResult = Result<Tried, Failure>;
 impl Outcome {
     pub(crate) fn new(id: &'static str, law: &'static str, result: LawResult) -> Self {
         match result {
-            Ok(Tried { cases, idle, slack, standings, note }) => {
+            Ok(Tried { cases, idle, slack, standings, assumed, note }) => {
                 let could_fail = cases - idle;
-                Self { id, law, cases, could_fail, slack, standings, note, failure: None }
+                Self { id, law, cases, could_fail, slack, standings, assumed, note, failure: None }
             }
             Err(failure) => {
-                let (cases, could_fail, slack, note) = (0, 0, f64::NAN, None);
-                let (standings, failure) = (Vec::new(), Some(failure));
-                Self { id, law, cases, could_fail, slack, standings, note, failure }
+                let Tried { standings, assumed, note, .. } = Tried::cases(0);
+                let (cases, could_fail, slack, failure) = (0, 0, f64::NAN, Some(failure));
+                Self { id, law, cases, could_fail, slack, standings, assumed, note, failure }
             }
         }
     }
@@ -125,6 +132,9 @@ impl fmt::Display for Outcome {
         write!(f, "{id:<48} {mark:<5} {cases:>7} {could_fail:>10} {slack:>10}  {law}")?;
         if !self.standings.is_empty() {
             write!(f, "; {}", standing::line(&self.standings))?;
+        }
+        if !self.assumed.is_empty() {
+            write!(f, "; assumed: {}", self.assumed.join(", "))?;
         }
         if let Some(note) = &self.note {
             write!(f, "; {note}")?;
@@ -203,7 +213,7 @@ mod tests {
             standing(Claim::MH, Proof::NotTried),
         ];
         let good =
-            Tried { cases: 7, idle: 3, slack: 1.5, standings, note: None }.with_note("and more");
+            Tried { idle: 3, slack: 1.5, standings, assumed: vec!["b", "d"], ..Tried::cases(7) };
         let lie = Lie {
             constant: Claim::LH,
             claimed: 0.5,
@@ -215,7 +225,7 @@ mod tests {
         let sample = Some("smaller".to_owned());
         let failure = Failure { fault: Fault::Lie(lie), sample, seed: 3 };
         let outcomes = vec![
-            Outcome::new("good", "a ≤ b", Ok(good)),
+            Outcome::new("good", "a ≤ b", Ok(good.with_note("and more"))),
             Outcome::new("bad", "c ≤ d", Err(failure)),
             Outcome::new("far", "e ≤ f", Ok(Tried::cases(2))),
         ];
@@ -233,7 +243,9 @@ mod tests {
         let row = |id: &str, rest: &str| format!("{id:<48} {rest}");
         assert_eq!(lines[0], row("law", "        cases could fail      slack  says"));
         let standings = "c1 proved, c2 right to 0.0 %, L_H not decided, M_H not tried";
-        let good = format!("ok          7          4     1.5000  a ≤ b; {standings}; and more");
+        let good = format!(
+            "ok          7          4     1.5000  a ≤ b; {standings}; assumed: b, d; and more"
+        );
         assert_eq!(lines[1], row("good", &good));
         assert_eq!(lines[2], row("bad", "FAILS       0          0             c ≤ d"));
         assert_eq!(

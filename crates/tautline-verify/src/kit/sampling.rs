@@ -4,11 +4,12 @@ use std::fmt::Debug;
 
 use proptest::{
     strategy::{Strategy, ValueTree},
-    test_runner::{Config, RngSeed, TestRunner},
+    test_runner::{Config, RngAlgorithm, RngSeed, TestRunner},
 };
 
 use super::{
     Effort, Failure, Fault,
+    met::{Met, merge},
     report::{LawResult, Tried},
 };
 
@@ -18,25 +19,23 @@ pub(crate) const CHEAP: u32 = 4096;
 /// The same, where a case is a number of solves: seconds for a metric on which the solver stalls.
 pub(crate) const COSTLY: u32 = 5;
 
-/// What a law returns for a value that could not have broken it; no slack.
-pub(crate) const IDLE: f64 = f64::NAN;
-
-/// Checks a law, which returns its slack, or [`IDLE`], on `cases` random values.
+/// Checks a law, which returns what it meets, on `cases` random values.
 ///
 /// A sample that breaks it is made smaller, unless that costs solves and the fault is one of the
 /// metric, for which there are cheaper laws with smaller samples.
-pub(crate) fn for_all<V>(
+pub(crate) fn for_all<V, W>(
     effort: &Effort,
     cases: u32,
     shrinks: u32,
     values: V,
-    law: impl Fn(&V::Value) -> Result<f64, Fault>,
+    law: impl Fn(&V::Value) -> Result<W, Fault>,
 ) -> LawResult
 where
     V: Strategy,
     V::Value: Debug,
+    W: Into<Met>,
 {
-    drawn(effort, cases, shrinks, &values, &law)
+    drawn(effort, cases, shrinks, &values, &|value| law(value).map(W::into))
 }
 
 /// Compiled once for each kind of samples, and not for each law.
@@ -45,17 +44,18 @@ fn drawn<V>(
     cases: u32,
     shrinks: u32,
     values: &V,
-    law: &dyn Fn(&V::Value) -> Result<f64, Fault>,
+    law: &dyn Fn(&V::Value) -> Result<Met, Fault>,
 ) -> LawResult
 where
     V: Strategy,
     V::Value: Debug,
 {
-    let config = Config { rng_seed: RngSeed::Fixed(effort.seed), ..Config::default() };
+    let (rng_algorithm, rng_seed) = (RngAlgorithm::ChaCha, RngSeed::Fixed(effort.seed));
+    let config = Config { rng_algorithm, rng_seed, ..Config::default() };
     // Only the samples are proptest's. Its runner would catch the panics of a formula, say on
     // stderr when it stops shrinking, and remember seeds in the folder of somebody else.
     let mut runner = TestRunner::new(config);
-    let (mut slack, mut idle) = (f64::INFINITY, 0);
+    let mut tried = Tried::cases(cases.into());
     for _ in 0..cases {
         let mut tree = values.new_tree(&mut runner).map_err(|reason| {
             let fault = Fault::NoSample { why: reason.to_string() };
@@ -63,8 +63,12 @@ where
         })?;
         let value = tree.current();
         match law(&value) {
-            Ok(found) if found.is_nan() => idle += 1,
-            Ok(found) => slack = slack.min(found),
+            Ok(met) => {
+                tried.idle += u64::from(met.is_idle());
+                // NaN is less than nothing.
+                tried.slack = tried.slack.min(met.slack);
+                merge(&mut tried.assumed, &met.assumed);
+            }
             Err(fault) => {
                 let shrinks =
                     if shrinks <= COSTLY && fault.is_of_the_metric() { 0 } else { shrinks };
@@ -74,7 +78,7 @@ where
             }
         }
     }
-    Ok(Tried { idle, slack, ..Tried::cases(cases.into()) })
+    Ok(tried)
 }
 
 /// The smallest of the next samples that break the law, and how.
@@ -82,7 +86,7 @@ fn shrink<T: ValueTree>(
     tree: &mut T,
     shrinks: u32,
     mut smallest: (Fault, T::Value),
-    law: &dyn Fn(&T::Value) -> Result<f64, Fault>,
+    law: &dyn Fn(&T::Value) -> Result<Met, Fault>,
 ) -> (Fault, T::Value) {
     let mut left = shrinks;
     let mut changed = left > 0 && tree.simplify();
@@ -106,8 +110,11 @@ mod tests {
 
     use tautline::MetricError;
 
-    use super::{CHEAP, COSTLY, IDLE, for_all};
-    use crate::kit::{Effort, Failure, Fault};
+    use super::{CHEAP, COSTLY, for_all};
+    use crate::kit::{
+        Effort, Failure, Fault,
+        met::{IDLE, Met},
+    };
 
     /// What a law says that fails from 700 on, and how many samples it was asked.
     fn from_700(shrinks: u32, fault: fn(f64) -> Fault) -> (Failure, u32) {
@@ -162,5 +169,16 @@ mod tests {
         let tried = tried.expect("it holds");
         assert!(tried.idle > 0 && tried.idle < 64, "{tried:?}");
         assert_eq!((tried.cases, tried.slack), (64, 3.0));
+    }
+
+    #[test]
+    fn what_is_assumed_of_some_sample_is_said_of_the_law() {
+        let tried = for_all(&Effort::default(), 64, CHEAP, 0..1000_u32, |&k| {
+            let assumed = if k % 2 == 0 { vec!["even"] } else { vec!["odd", "small"] };
+            Ok(Met { slack: if k < 500 { 2.0 } else { IDLE }, assumed })
+        });
+        let mut assumed = tried.expect("it holds").assumed;
+        assumed.sort_unstable();
+        assert_eq!(assumed, ["even", "odd", "small"]);
     }
 }

@@ -53,14 +53,15 @@ pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
         subject,
         "anisotropy",
         [
-            Parameter::logarithmic("ratio", 1.0001, 1e6)
+            // Where there is none, `H` is constant.
+            Parameter::logarithmic("ratio − 1", 1e-4, 1e6)
                 .with_ends(Beyond::Limit("ratio → 1"), Beyond::Limit("ratio → ∞")),
             direction("k"),
             Parameter::periodic("theta", PI),
         ],
-        |[ratio, direction, theta]| {
+        |[excess, direction, theta]| {
             let k = beside([0.0, 0.0], 1.0, direction);
-            Some((RotatingAnisotropy::new([ratio, 1.0], k).ok()?, k.map(|k| theta * k)))
+            Some((RotatingAnisotropy::new([1.0 + excess, 1.0], k).ok()?, k.map(|k| theta * k)))
         },
     ));
     all

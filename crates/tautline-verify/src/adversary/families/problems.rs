@@ -12,7 +12,7 @@ use super::{
     about_problems::AboutProblem,
     ranges::{
         along, amplitude, anchor, anchored, any_step, beside, direction, n, on_the_ramp, part,
-        phase, ratio_of_waves, share, shared, step, wave_numbers, way,
+        phase, ratio_of_waves, share, shared, step, step_of_waves, wave_numbers, way,
     },
 };
 use crate::{
@@ -90,7 +90,7 @@ pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
             ratio_of_waves(),
             phase("k1x1"),
             phase("k2x2"),
-            step("step"),
+            step_of_waves(),
             direction("phi"),
             n(),
         ],

@@ -32,9 +32,12 @@ pub(super) fn shared(amplitude: f64, share: f64) -> [f64; 2] {
 
 /// The ratio of two wave numbers: far from 1, one of the two coordinates hardly changes the metric.
 pub(super) fn ratio_of_waves() -> Parameter {
-    Parameter::logarithmic("k2/k1", 1e-2, 1e2)
+    Parameter::logarithmic("k2/k1", MOST_RATIO.recip(), MOST_RATIO)
         .with_ends(Beyond::Limit("k2/k1 → 0"), Beyond::Limit("k2/k1 → ∞"))
 }
+
+/// The ratio to which two wave numbers go.
+const MOST_RATIO: f64 = 1e2;
 
 /// Two wave numbers of this ratio, the larger of which is 1: a step is measured by the shorter wave.
 pub(super) fn wave_numbers(ratio: f64) -> [f64; 2] {
@@ -57,6 +60,12 @@ pub(super) fn step(name: &'static str) -> Parameter {
         _ => "step2 → 0",
     };
     Parameter::logarithmic(name, SHORTEST, 4.0 * TAU).starting(Beyond::Limit(zero))
+}
+
+/// The same among two waves of any ratio: to four periods of the longer one.
+pub(super) fn step_of_waves() -> Parameter {
+    Parameter::logarithmic("step", SHORTEST, 4.0 * TAU * MOST_RATIO)
+        .starting(Beyond::Limit("step → 0"))
 }
 
 /// A step so short is one to the limit: what is left on the way is some hundreds of it, for the

@@ -7,7 +7,7 @@ use crate::{
     Evidence, Known, Library, PaperRule, Reconstruction, Subject, VerifyError,
     curves::Measured,
     discrete_energy,
-    kit::{Fault, report::LawResult, sampling::IDLE},
+    kit::{Fault, met::Met, report::LawResult},
     statements::{self, NearestPair},
 };
 
@@ -35,10 +35,10 @@ pub(super) fn prop_6_2<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -
 pub(super) fn prop_6_3<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
     case.of_solutions(PaperRule::Trapezoidal, &|minimiser| {
         [&minimiser.seen.minimum.sequence, &minimiser.detour()?].into_iter().try_fold(
-            IDLE,
-            |slack: f64, sequence| {
+            Met::nothing(),
+            |all, sequence| {
                 let curve = Measured::of_sequence(&Library, &case.metric, sequence);
-                Ok(slack.min(judge(&statements::prop_6_3(&Library, minimiser.known, &curve))?))
+                Ok(all.and(judge(&statements::prop_6_3(&Library, minimiser.known, &curve))?))
             },
         )
     })
@@ -54,13 +54,13 @@ pub(super) fn prop_7_1<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -
     case.of_both_rules(&|minimiser| {
         let (rule, metric, sets) = (minimiser.seen.rule, &case.metric, minimiser.sets());
         let others = [minimiser.detour()?, minimiser.moved()?];
-        others.into_iter().try_fold(IDLE, |slack: f64, other| {
+        others.into_iter().try_fold(Met::nothing(), |all, other| {
             let less =
                 discrete_energy(&Library, rule, metric, &other) < minimiser.seen.discrete_energy;
             let again = if less { Some(minimiser.again(&other)?) } else { None };
             let found = again.as_ref().unwrap_or(&minimiser.seen.minimum.sequence);
             let evidence = statements::prop_7_1(&Library, rule, metric, sets, [found, &other])?;
-            Ok(slack.min(judge(&evidence)?))
+            Ok(all.and(judge(&evidence)?))
         })
     })
 }
@@ -75,7 +75,7 @@ pub(super) fn critical_points<M: Bounded<D>, const D: usize>(case: &MetricCase<M
 fn critical_point<M: Bounded<D>, const D: usize>(
     subject: &impl Subject,
     minimiser: &Minimiser<'_, M, D>,
-) -> Result<f64, Fault> {
+) -> Result<Met, Fault> {
     let sequence = &minimiser.seen.minimum.sequence;
     let ends = minimiser.posed.ends_near([*sequence.first(), *sequence.last()]);
     let known = Known { ends: ends.map_err(VerifyError::from)?, ..minimiser.known.clone() };

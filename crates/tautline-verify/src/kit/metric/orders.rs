@@ -12,9 +12,10 @@ use crate::{
     Library, PaperRule, Reconstruction, VerifyError,
     kit::{
         Failure, Fault,
+        met::IDLE,
         order::{median, order},
         report::{LawResult, Tried},
-        sampling::{COSTLY, IDLE, for_all},
+        sampling::{COSTLY, for_all},
     },
 };
 

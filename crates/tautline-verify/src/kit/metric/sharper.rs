@@ -5,16 +5,16 @@ use tautline::Bounded;
 use super::{MetricCase, solutions::Minimiser, statements::judge};
 use crate::{
     Evidence, Library, PaperRule,
-    kit::{Fault, report::LawResult, sampling::IDLE},
+    kit::{Fault, met::Met, report::LawResult},
     statements::{
         lemma_s_2, lemma_s_3, lemma_s_4, lemma_s_5, prop_s_6, prop_s_8, theorem_a, theorem_b,
         theorem_c, theorem_d,
     },
 };
 
-/// The least slack of several evidences.
-fn judge_all(evidence: impl IntoIterator<Item = Evidence>) -> Result<f64, Fault> {
-    evidence.into_iter().try_fold(IDLE, |slack: f64, one| Ok(slack.min(judge(&one)?)))
+/// What is met in several evidences.
+fn judge_all(evidence: impl IntoIterator<Item = Evidence>) -> Result<Met, Fault> {
+    evidence.into_iter().try_fold(Met::nothing(), |all, one| Ok(all.and(judge(&one)?)))
 }
 
 /// Lemmas S.2 and S.3.

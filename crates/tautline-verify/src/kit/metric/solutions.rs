@@ -18,8 +18,9 @@ use crate::{
     Evidence, Known, Library, PaperRule, Reconstruction, VerifyError,
     kit::{
         Effort, Failure, Fault,
+        met::Met,
         report::{LawResult, Tried},
-        sampling::{COSTLY, IDLE, for_all},
+        sampling::{COSTLY, for_all},
     },
 };
 
@@ -107,16 +108,16 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
     ) -> LawResult {
         self.of_solutions(rule, &|minimiser| {
             let evidence = statement(&Library, minimiser.seen);
-            let found = judge(&evidence)?;
+            let met = judge(&evidence)?;
             let shown = || shown.map_or(f64::INFINITY, |claim| evidence.conclusion(claim).slack());
-            Ok(if found.is_nan() { IDLE } else { shown() })
+            Ok(if met.is_idle() { met } else { Met { slack: shown(), ..met } })
         })
     }
 
     /// Tries a law on the minimisers of both rules.
     pub(super) fn of_both_rules(
         &self,
-        law: &dyn Fn(&Minimiser<'_, M, D>) -> Result<f64, Fault>,
+        law: &dyn Fn(&Minimiser<'_, M, D>) -> Result<Met, Fault>,
     ) -> LawResult {
         let of = |rule| self.of_solutions(rule, law);
         Ok(of(PaperRule::Trapezoidal)?.and(of(PaperRule::LeftEndpoint)?))
@@ -130,7 +131,7 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
     pub(super) fn of_solutions(
         &self,
         rule: PaperRule,
-        law: &dyn Fn(&Minimiser<'_, M, D>) -> Result<f64, Fault>,
+        law: &dyn Fn(&Minimiser<'_, M, D>) -> Result<Met, Fault>,
     ) -> LawResult {
         self.solvable()?;
         let cases = self.effort.problems.div_ceil(Kind::ALL.len() as u32);
@@ -145,18 +146,18 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
                 match self.solution(rule, posed) {
                     Ok(solution) => {
                         let known = &self.with_distance(posed, solution.distance)?;
-                        solution.minimisers.iter().try_fold(IDLE, |slack: f64, seen| {
-                            let found = law(&Minimiser { posed, known, seen });
+                        solution.minimisers.iter().try_fold(Met::nothing(), |all, seen| {
+                            let met = law(&Minimiser { posed, known, seen });
                             let points = seen.minimum.sequence.points();
-                            let found = found.map_err(|fault| self.explained(fault, points))?;
-                            idle.set(idle.get() + u64::from(found.is_nan()));
-                            Ok(slack.min(found))
+                            let met = met.map_err(|fault| self.explained(fault, points))?;
+                            idle.set(idle.get() + u64::from(met.is_idle()));
+                            Ok(all.and(met))
                         })
                     }
                     Err(error @ VerifyError::NotConverged { .. }) => {
                         failed.set(failed.get() + 1);
                         last.replace(Some(error));
-                        Ok(IDLE)
+                        Ok(Met::nothing())
                     }
                     Err(error) => Err(error.into()),
                 }

@@ -13,20 +13,22 @@ use crate::{
     Evidence, Finding, Known, Library, Source, VerifyError,
     kit::{
         Failure, Fault,
+        met::{IDLE, Met},
         region::directions,
         report::{LawResult, Tried},
-        sampling::{CHEAP, IDLE, for_all},
+        sampling::{CHEAP, for_all},
     },
     statements::{self, TwoForms},
 };
 
-/// The slack of an evidence, [`IDLE`] if it could not have contradicted the statement, or what of it
-/// does not hold. Where there are companions alone, it is these that are tried.
-pub(super) fn judge(evidence: &Evidence) -> Result<f64, Fault> {
+/// What a law meets in an evidence, which is idle if it could not have contradicted the statement, or
+/// what of it does not hold. Where there are companions alone, it is these that are tried.
+pub(super) fn judge(evidence: &Evidence) -> Result<Met, Fault> {
     let companions = evidence.conclusions.iter().all(|claim| claim.source == Source::Sharper);
+    let met = |slack| Ok(Met { slack, assumed: evidence.assumed.clone() });
     let (inequality, hypothesis) = match evidence.finding() {
-        Finding::Holds if companions || evidence.could_fail() => return Ok(evidence.slack()),
-        Finding::Holds => return Ok(IDLE),
+        Finding::Holds if companions || evidence.could_fail() => return met(evidence.slack()),
+        Finding::Holds => return met(IDLE),
         Finding::Inapplicable(clause) => (*clause, true),
         Finding::Violated(claim) => (*claim, false),
     };
@@ -124,7 +126,7 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
         let Some(distance) = self.distance else { return Ok(tried) };
         let pairs = (ends.uniform(), ends.uniform(), inner());
         Ok(tried.and(for_all(effort, cases, CHEAP, pairs, |(a, b, inner)| {
-            let Some(distance) = distance(&self.metric, a, b) else { return Ok(IDLE) };
+            let Some(distance) = distance(&self.metric, a, b) else { return Ok(Met::nothing()) };
             let ends = Ends::points(*a, *b).map_err(VerifyError::from)?;
             judge(&statement(&Library, &self.told([*a, *b], ends, distance), inner)?)
         })?))

@@ -8,9 +8,10 @@ use crate::{
     extreme_eigenvalues,
     kit::{
         Failure, Fault,
+        met::IDLE,
         region::directions,
         report::{LawResult, Tried},
-        sampling::{CHEAP, IDLE, for_all},
+        sampling::{CHEAP, for_all},
     },
 };
 

@@ -1,0 +1,79 @@
+//! Where the system has no memory left, a solve ends with an error and not with the process.
+#![cfg(target_os = "linux")]
+
+use std::{env, process::Command};
+
+use nalgebra::SVector;
+use tautline_discretizations::{LARGEST_N, LeftEndpoint, PointSequence, Trapezoidal};
+use tautline_metrics::gallery::Separable;
+use tautline_optimizers::{Options, SolveError, Workspace, minimise, newton_step};
+use tautline_sets::Ends;
+
+/// The step on this grid takes 302 MB for its `2D² + 2D` numbers a point, and its points 17 MB.
+const N: usize = 1 << 18;
+const D: usize = 8;
+
+/// Set in a process of little memory.
+const HERE: &str = "TAUTLINE_TESTS_LITTLE_MEMORY";
+
+/// Runs what a test says in a process of its own, which may have so many megabytes.
+fn with_megabytes(megabytes: u32, test: &str, run: fn()) {
+    if env::var_os(HERE).is_some() {
+        return run();
+    }
+    let limited = format!("ulimit -v {} && exec \"$0\" \"$@\"", megabytes * 1024);
+    let output = Command::new("sh")
+        .args(["-c", &limited])
+        .arg(env::current_exe().expect("this program"))
+        .args(["--exact", &format!("little_memory::{test}"), "--nocapture"])
+        .env(HERE, "")
+        .output()
+        .expect("there is a shell");
+    let said = String::from_utf8_lossy(&output.stderr);
+    let passed = String::from_utf8_lossy(&output.stdout).contains("1 passed");
+    assert!(output.status.success() && passed, "{}: {said}", output.status);
+}
+
+/// Four hundred radians of a wave in all directions: so many that the finest grid needs a step.
+fn metric() -> Separable<D> {
+    Separable::new([0.3; D], [400.0; D]).expect("a metric")
+}
+
+#[test]
+fn a_step_without_memory_is_none() {
+    with_megabytes(300, "a_step_without_memory_is_none", || {
+        let ends = Ends::points([0.0; D], [1.0; D]).expect("finite");
+        let pieces = [&**ends.first(), &**ends.second()];
+        let line = |n: usize| {
+            let points = (0..=n).map(|k| SVector::repeat(k as f64 / n as f64));
+            PointSequence::new(points.collect()).expect("finite")
+        };
+        let flat = Separable::new([0.1; D], [1.0; D]).expect("a metric");
+        let mut workspace = Workspace::default();
+        let mut step = |n| newton_step(&mut workspace, &flat, pieces, Trapezoidal, &line(n));
+        assert!(step(1024).is_some());
+        assert!(step(N).is_none());
+    });
+}
+
+#[test]
+fn a_grid_without_memory_is_named() {
+    with_megabytes(300, "a_grid_without_memory_is_named", || {
+        let ends = Ends::points([0.0; D], [1.0; D]).expect("finite");
+        let error = minimise(&metric(), &ends, LeftEndpoint, N, &Options::default());
+        let error = error.map(|minimum| minimum.sequence.n()).expect_err("no memory");
+        assert!(matches!(error, SolveError::OutOfMemory { n: N, .. }), "{error:?}");
+    });
+}
+
+#[test]
+fn points_without_memory_are_named_before_any_search() {
+    with_megabytes(500, "points_without_memory_are_named_before_any_search", || {
+        let wave = Separable::new([0.1], [1.0]).expect("a metric");
+        let ends = Ends::points([0.0], [1.0]).expect("finite");
+        let error = minimise(&wave, &ends, Trapezoidal, LARGEST_N, &Options::default());
+        let error = error.map(|minimum| minimum.sequence.n()).expect_err("no memory");
+        let bytes = 8 * (LARGEST_N + 1);
+        assert_eq!(error, SolveError::OutOfMemory { n: LARGEST_N, bytes });
+    });
+}
