@@ -183,6 +183,14 @@ mod tests {
         }
     }
 
+    /// The two halves of an indefinite matrix differ by a rounding of the entry, not of the diagonal.
+    #[test]
+    fn a_rounding_of_a_large_entry_is_no_asymmetry() {
+        let error = |below| check_gram(&Matrix([[1e-20, 1.0], [below, 1e-20]]), &vector![0.0, 0.0]);
+        assert!(matches!(error(1.0 + 1e-14), Err(MetricError::NotPositiveDefinite { .. })));
+        assert!(matches!(error(1.0 + 1e-11), Err(MetricError::NotSymmetric { .. })));
+    }
+
     #[test]
     fn each_defect_is_named_with_its_number() {
         let x = vector![1.0, 2.0];
