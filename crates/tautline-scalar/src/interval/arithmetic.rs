@@ -53,8 +53,6 @@ impl<K: Kernel> Mul for Enclosure<K> {
             return Self::UNDEFINED;
         }
         let ((a, b), (c, d)) = ((self.lo(), self.hi()), (other.lo(), other.hi()));
-        // 0 · ∞ is NaN, which `enclosing` takes for no bound; so `least` and `greatest` must
-        // not drop it.
         let (lo, hi) = if a >= 0.0 {
             if c >= 0.0 {
                 (mul_down(a, c), mul_up(b, d))
@@ -76,22 +74,12 @@ impl<K: Kernel> Mul for Enclosure<K> {
         } else if d <= 0.0 {
             (mul_down(b, c), mul_up(a, c))
         } else {
-            (least(mul_down(a, d), mul_down(b, c)), greatest(mul_up(a, c), mul_up(b, d)))
+            // No end is 0 here, so that no product is NaN, which `min` and `max` would drop.
+            (mul_down(a, d).min(mul_down(b, c)), mul_up(a, c).max(mul_up(b, d)))
         };
+        // 0 · ∞ is NaN.
         if lo.is_nan() || hi.is_nan() { Self::REALS } else { Self::enclosing(lo, hi) }
     }
-}
-
-/// The smaller of two bounds; NaN if either is.
-#[inline]
-fn least(a: f64, b: f64) -> f64 {
-    if a.is_nan() || a < b { a } else { b }
-}
-
-/// The larger of two bounds; NaN if either is.
-#[inline]
-fn greatest(a: f64, b: f64) -> f64 {
-    if a.is_nan() || a > b { a } else { b }
 }
 
 impl<K: Kernel> Div for Enclosure<K> {
@@ -112,8 +100,8 @@ impl<K: Kernel> Div for Enclosure<K> {
         } else {
             return Self::UNDEFINED;
         };
-        // ∞ / ∞ is NaN.
-        if lo.is_nan() || hi.is_nan() { Self::REALS } else { Self::enclosing(lo, hi) }
+        // Never ∞ / ∞: an infinite end of the divisor divides the end nearer to 0, which is finite.
+        Self::enclosing(lo, hi)
     }
 }
 
