@@ -252,6 +252,10 @@ fn what_a_failing_check_prints_stands_above() {
         let failure = found.run(&trial).expect_err("a mutant");
         let said = failure.of_check(check, Chance::FIXED);
         assert!(said.contains(&format!("again: cargo test -p tests {check}\n")), "{said}");
+        let asked = Chance::new(Some("7"), Some("2")).expect("numbers");
+        let again =
+            format!("again: TAUTLINE_SEED=7 TAUTLINE_CASES=2 cargo test -p tests {check}\n");
+        assert!(failure.of_check(check, asked).contains(&again));
         let (_, printed) = said.split_once("\n#[test]\n").expect("a random case");
         let (_, body) = printed.split_once('{').expect("a function");
         assert!(above.contains(&words(body)), "{mutant:?} prints\n{printed}");

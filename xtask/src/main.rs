@@ -62,10 +62,11 @@ fn paper(what: &str, rest: &[&str]) -> Result<(), String> {
     cargo(&[&run, rest].concat(), &[])
 }
 
-/// Unit and integration tests, then those of the documentation. That the examples compile is for the
+/// Unit and integration tests, then those of the documentation. `--tests` takes the libraries and programs
+/// that have unit tests too; `--lib` would take those that have none, and compile them once more. That the examples compile is for the
 /// lints to see, which take them with all other targets, without a line of machine code.
 fn test(rest: &[&str]) -> Result<(), String> {
-    cargo(&[&["test", "--workspace", "--lib", "--bins", "--tests"], rest].concat(), &[])?;
+    cargo(&[&["test", "--workspace", "--tests"], rest].concat(), &[])?;
     cargo(&[&["test", "--workspace", "--doc"], rest].concat(), &[])
 }
 

@@ -19,9 +19,7 @@ const SKIPPED: [&str; 2] = ["committed_data", "tidiness"];
 /// environment; `rest` goes to `cargo test`. All of it is run, whatever fails.
 pub(crate) fn nightly(root: &Path, rest: &[&str]) -> Result<(), String> {
     let clock = SystemTime::now().duration_since(UNIX_EPOCH).map_or(1, |since| since.as_secs());
-    let [seed, cases] = VARIABLES;
-    let chosen =
-        [(seed, chosen(seed, clock.to_string())), (cases, chosen(cases, CASES.to_owned()))];
+    let chosen = chosen(|name| std::env::var(name).ok(), clock);
     let arguments = arguments(rest);
     let set: String = chosen.iter().map(|(name, value)| format!("{name}={value} ")).collect();
     let line = format!("{set}cargo {}", arguments.join(" "));
@@ -39,9 +37,11 @@ pub(crate) fn nightly(root: &Path, rest: &[&str]) -> Result<(), String> {
     }
 }
 
-/// What the environment says, or else this.
-fn chosen(name: &str, otherwise: String) -> String {
-    std::env::var(name).unwrap_or(otherwise)
+/// The variables: as the environment has them, or else the clock and a hundred times the cases.
+fn chosen(set: impl Fn(&str) -> Option<String>, clock: u64) -> [(&'static str, String); 2] {
+    let [seed, cases] = VARIABLES;
+    let or = |name, otherwise: String| (name, set(name).unwrap_or(otherwise));
+    [or(seed, clock.to_string()), or(cases, CASES.to_owned())]
 }
 
 /// The arguments for cargo: the whole workspace, unless packages are named; and behind `--` what
@@ -57,20 +57,31 @@ fn arguments<'a>(rest: &[&'a str]) -> Vec<&'a str> {
         .any(|argument| argument.starts_with("--package") || argument.starts_with("-p"));
     let scope = if named { None } else { Some("--workspace") };
     let skipped = SKIPPED.iter().flat_map(|name| ["--skip", *name]);
-    let start = ["test", "--no-fail-fast", "--lib", "--tests"];
+    let start = ["test", "--no-fail-fast", "--tests"];
     let start = start.into_iter().chain(scope).chain(cargo.iter().copied());
     start.chain(["--"]).chain(skipped).chain(test.iter().copied()).collect()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::arguments;
+    use super::{arguments, chosen};
+
+    #[test]
+    fn what_the_environment_says_goes_before_the_clock() {
+        let values = |given: &'static str| {
+            let set = move |name: &str| (name == given).then(|| "3".to_owned());
+            chosen(set, 1700).map(|(name, value)| format!("{name}={value}"))
+        };
+        assert_eq!(values(""), ["TAUTLINE_SEED=1700", "TAUTLINE_CASES=100"]);
+        assert_eq!(values("TAUTLINE_SEED"), ["TAUTLINE_SEED=3", "TAUTLINE_CASES=100"]);
+        assert_eq!(values("TAUTLINE_CASES"), ["TAUTLINE_SEED=1700", "TAUTLINE_CASES=3"]);
+    }
 
     #[test]
     fn packages_and_names_go_to_their_places() {
         let line = |rest: &[&str]| arguments(rest).join(" ");
         let skipped = "--skip committed_data --skip tidiness";
-        let start = "test --no-fail-fast --lib --tests";
+        let start = "test --no-fail-fast --tests";
         assert_eq!(line(&[]), format!("{start} --workspace -- {skipped}"));
         for named in ["-ptests", "--package=tests", "--package tests"] {
             let words: Vec<&str> = named.split(' ').collect();

@@ -64,9 +64,17 @@ impl Chance {
     /// nothing sensible fail, each with the [`ChanceError`].
     #[must_use]
     pub fn asked() -> Self {
+        Self::read().unwrap_or_else(|error| panic!("{error}"))
+    }
+
+    /// Returns what the environment asks for.
+    ///
+    /// # Errors
+    ///
+    /// [`ChanceError`] if a variable is set to something else than a number.
+    pub fn read() -> Result<Self, ChanceError> {
         let value = |name| env::var_os(name).map(|value| value.to_string_lossy().into_owned());
         Self::new(value(SEED).as_deref(), value(CASES).as_deref())
-            .unwrap_or_else(|error| panic!("{error}"))
     }
 
     /// Returns what these values of `TAUTLINE_SEED` and `TAUTLINE_CASES` ask for.

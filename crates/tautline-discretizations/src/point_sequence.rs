@@ -219,6 +219,9 @@ mod tests {
     fn more_chords_than_rounding_allows_are_refused() {
         let too_many = |n| Err(SequenceError::TooManySubintervals { n });
         let points = |n: usize| PointSequence::new(vec![SVector::<f64, 0>::zeros(); n + 1]);
+        let exactly =
+            PointSequence::straight([0.0], [1.0], 5).map(|line| line.into_points().capacity());
+        assert_eq!(exactly, Ok(6));
         assert_eq!(points(LARGEST_N).map(|line| line.n().get()), Ok(LARGEST_N));
         assert_eq!(points(LARGEST_N + 1).map(|_| ()), too_many(LARGEST_N + 1));
         // At 8 and 512 bytes a point, without a byte of them.

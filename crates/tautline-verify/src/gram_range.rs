@@ -120,3 +120,16 @@ pub fn operator_norm<const D: usize>(matrix: &SMatrix<f64, D, D>) -> f64 {
     let (low, high) = extreme_eigenvalues(matrix);
     high.abs().max(low.abs())
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::{Evidence, Statement};
+
+    #[test]
+    fn what_was_seen_somewhere_is_assumed_elsewhere() {
+        let evidence = Evidence::of(Statement::Theorem1_1);
+        let evidence = evidence.given_curvature(1.0, 2.0);
+        assert_eq!((evidence.hypotheses.len(), evidence.assumed.len()), (1, 1));
+        assert_eq!(evidence.assumed, ["M_H holds elsewhere"]);
+    }
+}

@@ -44,9 +44,9 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     /// [`SolveError`] for `n = 0` and for more subintervals than rounding or memory allows; where the
     /// metric is not finite, symmetric and positive definite along all curves that were tried, with the
     /// point; and where numbers leave the range of `f64`, all as [`minimise`](crate::minimise) says. Along
-    /// the result the metric is checked wherever [`TautLine::length`] reads it, between the nodes of the
-    /// rule too, up to some 131 072 points and for
-    /// `N > 512` on some 512 of the chords: see
+    /// the result the Gram matrix is checked between the nodes of the rule too, at the points at which a
+    /// quadrature of the length would read it, up to some 131 072 of them and for `N > 512` on some 512 of
+    /// the chords: see
     /// [`Interpolation::check`](crate::Interpolation::check). A search that does not converge is no error: the result
     /// says how it stopped.
     pub fn solve<R: Rule>(&self, rule: R, n: usize) -> Result<TautLine<M, R, D>, SolveError> {

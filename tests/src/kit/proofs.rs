@@ -80,6 +80,41 @@ fn what_is_not_decided_and_what_is_not_tried_are_not_said_to_be_proved() {
     let quilt = MetricCase::new(metric, period(), Effort::default());
     assert_eq!(proof(&quilt, Claim::MH), Proof::NotDecided);
 
+    // What the boxes have reached refutes smaller claims, and proves larger ones.
+    let of = |m_h: f64| {
+        let constants = Constants::new(1.499, 2.501, 20.02).and_then(|known| known.with_m_h(m_h));
+        let metric = WithConstants { metric: Quilt, constants: constants.expect("in order") };
+        MetricCase::new(metric, period(), Effort::default())
+    };
+    assert_eq!(proof(&of(1e4), Claim::MH), Proof::Proved);
+    let outcome = metric::no_constant_is_refuted(&of(100.0));
+    let Some(Fault::Refuted { claim: Claim::MH, claimed: 100.0, bound }) =
+        outcome.failure.as_ref().map(|failure| failure.fault.clone())
+    else {
+        panic!("{outcome}")
+    };
+    assert!(bound > 100.0 && bound <= 801.0, "{outcome}");
+    assert!(outcome.to_string().contains("claims M_H = 100, but it is proved to be at least"));
+
+    // And of c₁: with w = cos 200x₁ cos 200x₂ is 2 + (w² + w)/2 ≥ 15/8, attained in forty thousand
+    // places, where an interval that holds all of w says 3/2.
+    struct Fine;
+    impl Metric<2> for Fine {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            let [u, v] = [x[0] * 200.0, x[1] * 200.0];
+            let wave = u.cos() * v.cos();
+            SMatrix::from_diagonal_element((wave.sqr() + wave) * 0.5 + 2.0)
+        }
+    }
+    let of = |c1: f64| {
+        let constants = Constants::new(c1, 1e3, 1e4).expect("in order");
+        MetricCase::new(WithConstants { metric: Fine, constants }, period(), Effort::default())
+    };
+    let below = [1.4, 1.7].map(|c1| proof(&of(c1), Claim::C1));
+    assert_eq!(below, [Proof::Proved, Proof::NotDecided]);
+    let refuted = metric::no_constant_is_refuted(&of(1.9)).failure.map(|failure| failure.fault);
+    assert!(matches!(refuted, Some(Fault::Refuted { claim: Claim::C1, .. })), "{refuted:?}");
+
     let region = Region::cell([-1.5; 8], [1.5; 8]);
     let many = MetricCase::new(SineProjections::benchmark(), region, Effort::default());
     for claim in [Claim::C1, Claim::C2, Claim::LH] {

@@ -83,6 +83,26 @@ fn no_test_is_ignored() {
     assert_absent(&all_sources(), "every test is run", |line| line.contains(attribute));
 }
 
+/// Or else `TAUTLINE_SEED` would not change what a test draws.
+#[test]
+fn seeds_are_asked_of_the_environment() {
+    let chance = root().join("crates/tautline-chance");
+    let is_drawn = |path: &PathBuf| {
+        !path.starts_with(&chance)
+            && path.iter().all(|part| part != "examples" && part != "benches")
+    };
+    let sources: Vec<PathBuf> = all_sources().into_iter().filter(is_drawn).collect();
+    let constructors = ["RngSeed::Fixed(", "Random(", "from_size_and_seed(24, ", "Random::new("];
+    assert_absent(&sources, "seeds come from tautline_chance", |line| {
+        let fixed = constructors.iter().any(|constructor| {
+            let mut ends = line.match_indices(constructor).map(|(at, _)| at + constructor.len());
+            ends.any(|end| line[end..].starts_with(|c: char| c.is_ascii_digit()))
+        });
+        // In two parts, since this file is looked at too.
+        fixed || line.contains(concat!("TestRunner::", "deterministic"))
+    });
+}
+
 #[test]
 fn libraries_do_no_input_or_output() {
     let forbidden = [

@@ -3,7 +3,7 @@
 
 use std::num::NonZeroUsize;
 
-use proptest::{prelude::*, test_runner::RngSeed};
+use proptest::prelude::*;
 use tautline_bounds::{self as bounds, Constants, PaperRule, Setting, Theorem};
 
 const TRA: PaperRule = PaperRule::Trapezoidal;
@@ -95,17 +95,8 @@ fn subintervals() -> impl Strategy<Value = NonZeroUsize> {
 // keep a hundredth of them.
 const TOLERANCE: f64 = 1e-11;
 
-fn config() -> ProptestConfig {
-    ProptestConfig {
-        cases: 512,
-        rng_seed: RngSeed::Fixed(4),
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    }
-}
-
 proptest! {
-    #![proptest_config(config())]
+    #![proptest_config(tautline_chance::config(4, 512))]
 
     /// Measuring `ℓ` and `m` in other units moves a bound by its unit alone.
     #[test]

@@ -36,7 +36,7 @@ pub fn newton_step<const D: usize, R: Rule>(
     rule: R,
     sequence: &PointSequence<D>,
 ) -> Option<NewtonStep<D>> {
-    workspace.check_room(sequence.n().get(), Workspace::<D>::UNDAMPED).ok()?;
+    workspace.check_undamped(sequence.n().get()).ok()?;
     // A scale, of what is taken for rounding and of the step by which the active faces of the sets
     // are found: as at the ends and in the middle.
     let points = sequence.points();

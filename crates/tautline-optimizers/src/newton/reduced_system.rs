@@ -226,6 +226,19 @@ mod tests {
         assert!((decrement / shed - 1.0).abs() < 1e-7, "{decrement} {shed}");
     }
 
+    #[test]
+    fn the_flattest_direction_moves_no_point_at_either_end() {
+        let metric = Constant::new(oblique()).expect("definite");
+        let points = vec![vector![0.0, 0.0], vector![1.0, -1.0], vector![2.0, 1.0]];
+        let ends = [&points[0], &points[2]].map(|x| Point::new(*x).expect("finite"));
+        let sequence = PointSequence::new(points.clone()).expect("finite");
+        let model = QuadraticModel::new(Trapezoidal, &metric, &sequence);
+        let system = ReducedSystem::new(&model, [&ends[0], &ends[1]], &points, 0.0);
+        let v = system.flattest_direction(&system.factorize().expect("definite"));
+        assert_eq!((v[0], v[2]), (vector![0.0, 0.0], vector![0.0, 0.0]));
+        assert!(v[1].amax() > 0.0, "{}", v[1]);
+    }
+
     /// Either end lies inside of its box and is pulled across a face: it moves to the face, and
     /// in the same step along it and the other points with it.
     #[test]

@@ -31,27 +31,31 @@ impl<const D: usize> Workspace<D> {
         if is_there(bytes) { Ok(()) } else { Err(SolveError::OutOfMemory { n, bytes }) }
     }
 
-    /// Checks that there is memory for a step, of so many numbers at each point of `n` chords, counting
-    /// the factorisation that is kept from earlier searches.
+    /// Checks that there is memory for an undamped step on `n` chords, which writes over the factorisation
+    /// that is kept from earlier searches.
     ///
     /// # Errors
     ///
     /// [`SolveError::OutOfMemory`].
-    pub(crate) fn check_room(&self, n: usize, numbers: usize) -> Result<(), SolveError> {
-        let bytes = bytes(n, numbers);
-        if is_there(bytes.saturating_sub(self.factorization.bytes())) {
-            Ok(())
-        } else {
-            Err(SolveError::OutOfMemory { n, bytes })
-        }
+    pub(crate) fn check_undamped(&self, n: usize) -> Result<(), SolveError> {
+        let bytes = bytes(n, Self::UNDAMPED);
+        let new = bytes.saturating_sub(self.factorization.bytes());
+        if is_there(new) { Ok(()) } else { Err(SolveError::OutOfMemory { n, bytes }) }
     }
 
-    /// The numbers a point that an undamped Newton step takes, the points among them.
-    pub(crate) const UNDAMPED: usize = 2 * D * D + 2 * D;
+    /// Checks that there is memory for damped steps on `n` chords, which keep nothing here.
+    ///
+    /// # Errors
+    ///
+    /// [`SolveError::OutOfMemory`].
+    pub(crate) fn check_damped(n: usize) -> Result<(), SolveError> {
+        let bytes = bytes(n, 4 * Self::UNDAMPED);
+        if is_there(bytes) { Ok(()) } else { Err(SolveError::OutOfMemory { n, bytes }) }
+    }
 
-    /// The numbers a point that a damped one takes: matrices that are summed up, shifted and factorised
-    /// one after the other.
-    pub(crate) const DAMPED: usize = 4 * Self::UNDAMPED;
+    /// The numbers a point that an undamped Newton step takes, the points among them; four times as many
+    /// a damped one, whose matrices are summed up, shifted and factorised one after the other.
+    const UNDAMPED: usize = 2 * D * D + 2 * D;
 }
 
 #[cfg(test)]
@@ -73,11 +77,15 @@ mod tests {
         let workspace = Workspace::<64>::default();
         let n = 1 << 44;
         let bytes = (n + 1) * (2 * 64 * 64 + 2 * 64) * 8;
-        let found = workspace.check_room(n, Workspace::<64>::UNDAMPED);
-        assert_eq!(found, Err(SolveError::OutOfMemory { n, bytes }));
-        let all = workspace.check_room(usize::MAX, Workspace::<64>::DAMPED);
+        assert_eq!(workspace.check_undamped(n), Err(SolveError::OutOfMemory { n, bytes }));
+        let damped = Workspace::<64>::check_damped(n);
+        assert_eq!(damped, Err(SolveError::OutOfMemory { n, bytes: 4 * bytes }));
+        let all = Workspace::<64>::check_damped(usize::MAX);
         assert_eq!(all, Err(SolveError::OutOfMemory { n: usize::MAX, bytes: usize::MAX }));
-        assert_eq!(workspace.check_room(100, Workspace::<64>::DAMPED), Ok(()));
+        assert_eq!(
+            (workspace.check_undamped(100), Workspace::<64>::check_damped(100)),
+            (Ok(()), Ok(()))
+        );
         let bytes = (n + 1) * 64 * 8 * (1 << 10);
         let points = Workspace::<64>::check_points((n + 1) * (1 << 10) - 1);
         let n = (n + 1) * (1 << 10) - 1;

@@ -128,3 +128,22 @@ fn substitute<'a, const D: usize>(
         *z = x;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::TwistedFactorization;
+
+    /// Side by side or each by itself, so many blocks take as much memory.
+    #[test]
+    fn a_pair_takes_as_much_as_two() {
+        let memory = |pairs, on_each_side| {
+            let mut factorization = TwistedFactorization::<2>::default();
+            factorization.clear(pairs, on_each_side);
+            (factorization.bytes(), factorization.capacity())
+        };
+        let (bytes, capacity) = memory(10, 0);
+        assert_eq!(memory(0, 10), (bytes, capacity));
+        assert_eq!(memory(20, 0), (2 * bytes, 2 * capacity));
+        assert_eq!((capacity, memory(0, 0)), (20, (0, 0)));
+    }
+}

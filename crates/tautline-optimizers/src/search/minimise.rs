@@ -82,8 +82,8 @@ const FINE: usize = 64;
 /// [`LARGEST_N`]; [`SolveError::OutOfMemory`] if the system has no room for the points or a Newton step,
 /// as far as it tells beforehand; [`SolveError::Metric`] if the metric is not finite, symmetric and
 /// positive definite at the nodes and both ends of every start, or there and
-/// [between](tautline_discretizations::Interpolation::check) along every result, of which the lowest
-/// that passes is returned; [`SolveError::NoStart`] if there is nothing to start from,
+/// [between](tautline_discretizations::Interpolation::check) along every result that was followed, one for
+/// `n > 512`, of which the lowest that passes is returned; [`SolveError::NoStart`] if there is nothing to start from,
 /// [`SolveError::Sequence`] if points become infinite on the way, [`SolveError::Energy`] if the energy of
 /// every curve that was found is beyond the range of `f64`.
 pub fn minimise<const D: usize, R: Rule>(
@@ -251,7 +251,9 @@ impl<'a, const D: usize> Search<'a, D> {
         });
         let found = refined.flatten().map_or_else(
             || {
-                self.workspace.check_room(grid, Workspace::<D>::DAMPED)?;
+                // What would do for steps without damping is the number to tell, where that is missing.
+                self.workspace.check_undamped(grid)?;
+                Workspace::<D>::check_damped(grid)?;
                 let found = search.run(start(Vec::new())?)?;
                 Ok(Found { iterations: in_vain + found.iterations, ..found })
             },

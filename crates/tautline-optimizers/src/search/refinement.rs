@@ -56,7 +56,7 @@ impl<const D: usize> LocalSearch<'_, D> {
                 return self.found(start, at, 1, at.decrement);
             }
         }
-        workspace.check_room(n, Workspace::<D>::UNDAMPED).ok()?;
+        workspace.check_undamped(n).ok()?;
         let (mut here, mut allowed, mut from) = (start, NEAR, None);
         for iteration in 1..=STEPS {
             *passes = iteration;

@@ -117,6 +117,28 @@ fn a_result_has_a_length() {
     assert!(refused >= 15, "{refused}");
 }
 
+/// On both of two ways there is a dip, where the quadrature looks on a chord and the rule does not.
+#[test]
+fn of_two_defects_that_of_the_lowest_result_is_told() {
+    struct TwoDips;
+    impl Metric<2> for TwoDips {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            let dip = |place: f64| (((x[0] - place) * 3e3).sqr() * -1.0).exp() * 2.0;
+            let [near, far] = [16.0 + PLACES[4], 17.0 + PLACES[4]].map(|chords| chords / 40.0);
+            SMatrix::from_diagonal_element(1.0 - dip(near) - dip(-1.2 * far))
+        }
+    }
+    for members in [[[-1.2, 0.0], [1.0, 0.0]], [[1.0, 0.0], [-1.2, 0.0]]] {
+        let origin = Point::new([0.0, 0.0]).expect("finite");
+        let ends = Ends::new(origin, FiniteSet::new(members).expect("finite")).expect("bounded");
+        let error = minimise(&TwoDips, &ends, Trapezoidal, 40, &Options::default());
+        let Err(SolveError::Metric(MetricError::NotPositiveDefinite { point, .. })) = error else {
+            panic!("{error:?}")
+        };
+        assert!((point[0] - 0.422).abs() < 1e-3, "{point:?}");
+    }
+}
+
 /// To the nearer of two points there is a dip on the way: on the only grid, or on one that is refined
 /// later, beyond which a single search is followed.
 #[test]

@@ -43,6 +43,18 @@ mod tests {
     use super::*;
     use crate::interval::{arctangent, circular, even_odd, exponential, logarithm};
 
+    /// The tail is far above the error, and `tail ∓ error` is rounded to the tail.
+    #[test]
+    fn bounds_hold_where_the_error_is_rounded_away() {
+        for (head, tail) in [(0.0, 1.0), (0.0, -1.0), (1.0, 2.0_f64.powi(-54)), (-1.0, -0.25)] {
+            let (lo, hi) = Approximation { head, tail, error: 2.0_f64.powi(-120) }.bounds();
+            let (exact, rest) = super::super::directed::two_sum(head, tail);
+            // Strictly on either side of head + tail, by less than a double can tell.
+            assert!(lo < exact || (lo == exact && rest > 0.0), "{head} {tail}: {lo:e}");
+            assert!(hi > exact || (hi == exact && rest < 0.0), "{head} {tail}: {hi:e}");
+        }
+    }
+
     const P: usize = 256;
     const RM: RoundingMode = RoundingMode::None;
     const CASES: usize = 4_000;

@@ -5,7 +5,7 @@
 
 use super::{
     circular::{TINY, a_little_less, a_little_more},
-    directed::{add_down, add_up, div_down, div_up},
+    enclosure::Interval,
     even_odd::{even, odd},
     exponential::{exp, exp_times_power},
 };
@@ -24,7 +24,8 @@ pub(super) fn sinh(x: f64) -> (f64, f64) {
         let (lo, hi) = exp_times_power(size, -1);
         if size <= 40.0 {
             // (eˣ − 1/eˣ)/2, where the quarter of the reciprocal of eˣ/2 is e⁻ˣ/2.
-            (add_down(lo, -div_up(0.25, lo)), add_up(hi, -div_down(0.25, hi)))
+            let half = Interval::enclosing(lo, hi);
+            ends(half - 0.25 / half)
         } else if size <= 711.0 {
             // e⁻ˣ/2 is less than 2⁻¹⁰⁰ of eˣ/2.
             (lo.next_down(), hi)
@@ -49,7 +50,8 @@ pub(super) fn cosh(x: f64) -> (f64, f64) {
     }
     let (lo, hi) = exp_times_power(size, -1);
     if size <= 40.0 {
-        (add_down(lo, div_down(0.25, hi)), add_up(hi, div_up(0.25, lo)))
+        let half = Interval::enclosing(lo, hi);
+        ends(half + 0.25 / half)
     } else {
         (lo, hi.next_up())
     }
@@ -64,16 +66,36 @@ pub(super) fn tanh(x: f64) -> (f64, f64) {
         return a_little_less(x);
     }
     let (lo, hi) = if size <= 1.0 {
-        let (s, c) = (sinh(size), cosh(size));
-        (div_down(s.0, c.1), div_up(s.1, c.0))
+        let [sinh, cosh] = [sinh(size), cosh(size)].map(|(lo, hi)| Interval::enclosing(lo, hi));
+        ends(sinh / cosh)
     } else if size < 20.0 {
         // 1 − 2/(e²ˣ + 1); the double of x is exact.
         let (lo, hi) = exp(2.0 * size);
-        let (less, least) = (div_up(2.0, add_down(lo, 1.0)), div_down(2.0, add_up(hi, 1.0)));
-        (add_down(1.0, -less), add_up(1.0, -least))
+        ends(1.0 - 2.0 / (Interval::enclosing(lo, hi) + 1.0))
     } else {
         // 2 e⁻⁴⁰ < 2⁻⁵³.
         (1.0_f64.next_down(), 1.0)
     };
     if x < 0.0 { (-hi, -lo) } else { (lo, hi) }
+}
+
+fn ends(x: Interval) -> (f64, f64) {
+    (x.lo(), x.hi())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{cosh, exp_times_power, sinh};
+
+    /// `sinh x < eˣ/2 < cosh x`, and a bound of the middle may be as near to it as it likes.
+    #[test]
+    fn large_arguments_keep_to_their_side_of_the_exponential() {
+        for k in 0..2700 {
+            let x = 40.5 + 0.25 * f64::from(k);
+            let (lo, hi) = exp_times_power(x, -1);
+            if hi < f64::INFINITY {
+                assert!(sinh(x).0 < lo && sinh(-x).1 > -lo && cosh(x).1 > hi, "{x}");
+            }
+        }
+    }
 }

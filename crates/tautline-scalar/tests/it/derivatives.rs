@@ -4,6 +4,7 @@
 use approx::assert_relative_eq;
 use nalgebra::{SVector, vector};
 use num_dual::{Dual2SVec64, DualNum, hessian};
+use num_traits::Zero;
 use proptest::prelude::*;
 use tautline_scalar::{Jet1, Jet2, MixedJet, Scalar};
 
@@ -137,6 +138,20 @@ fn powers_at_zero_are_polynomials() {
         let y = x.powi(i32::try_from(n).expect("a small exponent"));
         assert_eq!((y.value(), y.first(0), y.second(0, 0)), (value, first, second), "x^{n}");
     }
+}
+
+/// Two jets are one if values and both derivatives are; one that passes through 0 is not 0.
+#[test]
+fn jets_are_equal_with_all_their_derivatives() {
+    let [x] = Jet2::<f64, 1>::variables(&[0.0]);
+    let one = Jet2::constant(1.0);
+    // 1 + x, 1 + 2x, 1 + x + x², 2 + x.
+    for other in [one + x * 2.0, one + x + x.sqr(), one + x + 1.0] {
+        assert!(other != one + x && other == other * 1.0, "{other:?}");
+    }
+    assert!(!x.is_zero() && !x.sqr().is_zero() && (x - x).is_zero());
+    let [x] = Jet1::<f64, 1>::variables(&[0.0]);
+    assert!(!x.is_zero() && x != x * 2.0 && x == x * 1.0);
 }
 
 /// Outside the domain of a function everything is NaN, derivatives too.

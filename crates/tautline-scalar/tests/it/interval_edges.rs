@@ -132,6 +132,22 @@ fn an_exponential_beyond_the_doubles_is_bounded_by_the_largest() {
     }
 }
 
+fn tangents<K: Kernel>() {
+    for x in [17.0, 19.0, 19.1, 20.0, 25.0, 300.0, 1e4] {
+        let y = Enclosure::<K>::point(x).tanh();
+        assert!(y.lo() < 1.0 && y.hi() <= 1.0, "{x}: {y:?}");
+        let y = Enclosure::<K>::point(-x).tanh();
+        assert!(y.lo() >= -1.0 && y.hi() > -1.0, "{x}: {y:?}");
+    }
+}
+
+/// Where the value is 1 to rounding, it is less.
+#[test]
+fn hyperbolic_tangents_never_reach_one() {
+    tangents::<Rigorous>();
+    tangents::<Fast>();
+}
+
 /// Next to a crest, where the value is 1 to rounding, on both sides and for both waves.
 #[test]
 fn waves_never_leave_one() {

@@ -316,6 +316,13 @@ fn the_least_exponent_is_an_even_one() {
 
 /// The derivatives of `xⁿ` at 1 are `n` and `n (n − 1)`, for the exponents at both ends of their
 /// range, whose products are none.
+/// A square is not the product of two that happen to be the same.
+#[test]
+fn the_second_power_of_a_jet_is_a_square() {
+    let [x] = Jet2::variables(&[Interval::new(-1.0, 2.0).expect("ordered ends")]);
+    assert_eq!(ends(x.powi(2).value()), (0.0, 4.0));
+}
+
 #[test]
 fn the_largest_exponents_have_derivatives() {
     for n in [i32::MIN, i32::MIN + 1, i32::MIN + 2, -46_341, 46_342, i32::MAX - 1, i32::MAX] {
@@ -325,6 +332,16 @@ fn the_largest_exponents_have_derivatives() {
         assert_eq!((power.value(), power.first(0)), (1.0, k), "{n}");
         // Two roundings of a product of 62 bits.
         assert!((power.second(0, 0) / (k * (k - 1.0)) - 1.0).abs() <= 2.0 * f64::EPSILON, "{n}");
+        if n <= i32::MIN + 1 {
+            // There the derivatives are n y/x and n (n − 1) y/x²: beside 1 the divisions tell.
+            let place = 1.0 + 0.5 / k;
+            let [x] = Jet2::variables(&[place]);
+            let power = x.powi(n);
+            let first = k * power.value() / place;
+            let second = (k - 1.0) * first / place;
+            let close = |found: f64, expected: f64| (found / expected - 1.0).abs() <= 1e-15;
+            assert!(close(power.first(0), first) && close(power.second(0, 0), second), "{n}");
+        }
         let [x] = Jet2::variables(&[Interval::point(1.0)]);
         let power = x.powi(n);
         assert!(power.first(0).contains(k), "{n}: {power:?}");

@@ -157,7 +157,7 @@ impl Parameter {
     }
 
     /// Returns the place of a value twice as far from the limit at this end: twice as large near
-    /// 0, half as large near `∞`, and twice as far from 1 near 1.
+    /// 0, half as large near `∞`, and twice as far from 1 near 1. The limits of a linear range are `±∞`.
     #[must_use]
     pub(super) fn half_way_out(&self, place: f64, end: End) -> f64 {
         let value = self.at(place);

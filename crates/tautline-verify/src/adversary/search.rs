@@ -194,8 +194,9 @@ impl Hunt<'_, '_> {
             let Some(end) = parameter.end(parameter.at(places[k])) else { continue };
             let mut out = places.to_vec();
             out[k] = parameter.half_way_out(places[k], end);
-            let left = self.look(out)?.slack() / slack - 1.0;
-            // NaN stays, and is cut off.
+            // NaN, which is cut off, where there is no other case to compare with.
+            let moved = out[k] != places[k];
+            let left = if moved { self.look(out)?.slack() / slack - 1.0 } else { f64::NAN };
             let left = if left < 0.0 { 0.0 } else { left };
             let beyond = parameter.beyond(end);
             edges.push(Edge { parameter: parameter.name, end, beyond, left });
@@ -309,17 +310,21 @@ mod tests {
             let found = Search::default().tightest(&family, Source::Stated).expect("true");
             found.expect("told").edges
         };
-        let [near, far, open, other] = [(limit, 1.0), (limit, 100.0), (side(), 1.0), (limit, -0.5)]
-            .map(|(side, s)| {
-                let found = edges(side, s);
-                let [edge] = found.as_slice() else { panic!("{found:?}") };
-                *edge
-            });
+        let linear = Parameter::linear("x", 0.0, 1.0)
+            .with_ends(Beyond::Limit("x → 0"), Beyond::Nothing("x ≤ 1"));
+        let cases = [(limit, 1.0), (limit, 100.0), (side(), 1.0), (limit, -0.5), (linear, 1.0)];
+        let [near, far, open, other, unmoved] = cases.map(|(side, s)| {
+            let found = edges(side, s);
+            let [edge] = found.as_slice() else { panic!("{found:?}") };
+            *edge
+        });
         // (1 + 2·10⁻³ s)/(1 + 10⁻³ s) − 1, at a case that may be some last steps before the edge.
         assert!((near.left - 1e-3 / 1.001).abs() <= 1e-5 && !near.is_cut_off(), "{near:?}");
         assert!((far.left - 0.1 / 1.1).abs() <= 1e-3 && far.is_cut_off(), "{far:?}");
         assert!(open.is_cut_off() && open.beyond.is_none(), "{open:?}");
         assert_eq!((other.parameter, other.end), ("x", End::Most));
+        // Half of 0 is 0: nothing is measured.
+        assert!(unmoved.left.is_nan() && unmoved.is_cut_off(), "{unmoved:?}");
         assert!(!other.is_cut_off(), "{other:?}");
         let inside = Family::new("valley", Statement::Proposition7_8, [side()], |[x]| {
             let slack = 1.0 + (x / 0.03).ln().powi(2);

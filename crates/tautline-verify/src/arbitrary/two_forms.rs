@@ -84,7 +84,7 @@ mod tests {
             let mut all = forms.shrink().take(20).chain([forms.clone()]);
             all.all(|case| matches!(prop_7_5(&case.forms()).finding(), Finding::Holds))
         }
-        let source = Gen::from_size_and_seed(24, 751);
+        let source = Gen::from_size_and_seed(24, tautline_chance::seed(751));
         QuickCheck::new().rng(source).tests(200).quickcheck(law as fn(AnyTwoForms<2>) -> bool);
     }
 }

@@ -51,7 +51,12 @@ impl Default for Effort {
     ///
     /// If one of them is set to something else than a number.
     fn default() -> Self {
-        let chance = Chance::asked();
+        Self::drawn_by(Chance::asked())
+    }
+}
+
+impl Effort {
+    fn drawn_by(chance: Chance) -> Self {
         Self {
             cases: chance.cases(256),
             ascents: 6,
@@ -59,5 +64,20 @@ impl Default for Effort {
             subintervals: &[1, 2, 3, 8, 32],
             seed: chance.seed(1),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Chance, Effort};
+
+    #[test]
+    fn seed_and_cases_are_those_that_were_asked_for() {
+        let fixed = Effort::drawn_by(Chance::FIXED);
+        assert_eq!((fixed.cases, fixed.problems, fixed.seed), (256, 12, 1));
+        let chance = Chance::new(Some("7"), Some("3")).expect("numbers");
+        let asked = Effort::drawn_by(chance);
+        assert_eq!((asked.cases, asked.problems, asked.seed), (768, 36, chance.seed(1)));
+        assert!(asked.seed != fixed.seed && asked.ascents == fixed.ascents);
     }
 }

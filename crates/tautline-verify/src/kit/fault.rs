@@ -2,7 +2,7 @@
 
 use tautline::{CertifyError, MetricError};
 
-use super::Lie;
+use super::{Claim, Lie};
 use crate::{Inequality, Statement, VerifyError};
 
 /// Why a metric, a set or a rule is rejected.
@@ -18,6 +18,16 @@ pub enum Fault {
     /// A claimed constant does not hold.
     #[error(transparent)]
     Lie(#[from] Lie),
+    /// A claimed constant does not hold somewhere in the region: where, the bounds do not say.
+    #[error("the metric claims {claim} = {claimed}, but it is proved to be {} {bound}", claim.side())]
+    Refuted {
+        /// Which constant.
+        claim: Claim,
+        /// The number that the metric claims.
+        claimed: f64,
+        /// At most so much `c₁` can be, and at least so much another constant, in its unit.
+        bound: f64,
+    },
     /// An inequality of a law does not hold at a point.
     #[error(
         "{law}{}: {left:e} is not at most {right:e}, with {granted:e} granted",
@@ -119,6 +129,7 @@ impl Fault {
             self,
             Fault::Metric(_)
                 | Fault::Lie(_)
+                | Fault::Refuted { .. }
                 | Fault::NotTried { .. }
                 | Fault::Statement { hypothesis: true, .. }
                 | Fault::Unevaluated(VerifyError::Metric(_))

@@ -28,6 +28,14 @@ impl Claim {
         }
     }
 
+    /// On which side of the best one a constant is that holds, in words.
+    pub(crate) fn side(self) -> &'static str {
+        match self {
+            Claim::C1 => "at most",
+            _ => "at least",
+        }
+    }
+
     /// Returns the formula of what is found at a point `x` in a unit direction `w`.
     #[must_use]
     pub fn formula(self) -> &'static str {

@@ -153,10 +153,10 @@ impl fmt::Display for Failure {
             write!(f, "\n    smallest random sample that breaks it: {sample}")?;
         }
         write!(f, "\n    seed {}", self.seed)?;
-        // Nothing where the environment asks for nothing.
-        match Chance::asked().to_string() {
-            asked if asked.is_empty() => Ok(()),
-            asked => write!(f, "; again: {asked}cargo test"),
+        // Nothing where the environment asks for nothing, or for nothing that makes sense.
+        match Chance::read().map(|chance| chance.to_string()) {
+            Ok(asked) if !asked.is_empty() => write!(f, "; with {}in the environment", asked),
+            _ => Ok(()),
         }
     }
 }
@@ -258,6 +258,21 @@ mod tests {
             ["    smallest random sample that breaks it: smaller", "    seed 3"]
         );
         assert_eq!(lines[6], row("far", "ok          2          2          -  e ≤ f"));
+    }
+
+    #[test]
+    fn two_parts_of_a_law_are_counted_together() {
+        let part = |cases, idle, slack, assumed: &[&'static str]| Tried {
+            idle,
+            slack,
+            assumed: assumed.to_vec(),
+            ..Tried::cases(cases)
+        };
+        let all = part(7, 3, 1.5, &["a"]).and(part(5, 2, 2.5, &["b", "a"]));
+        assert_eq!(all, part(12, 5, 1.5, &["a", "b"]));
+        let [one, other] =
+            [part(1, 0, 2.0, &[]).with_note("m"), part(1, 0, 1.0, &[]).with_note("n")];
+        assert_eq!(one.and(other), part(2, 0, 1.0, &[]).with_note("m"));
     }
 
     #[test]

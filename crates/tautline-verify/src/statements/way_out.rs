@@ -21,9 +21,11 @@ pub struct WayOut {
 
 impl WayOut {
     /// Returns the length from a point by what the metric knows of its geodesics: all that are
-    /// shorter than its [normal radius](KnownGeodesics::normal_radius) can be continued.
+    /// shorter than its [normal radius](KnownGeodesics::normal_radius) can be continued. That all can, where
+    /// it is infinite, is assumed: no number stands for it.
     pub fn from<const D: usize>(metric: &impl KnownGeodesics<D>, x: &SVector<f64, D>) -> Self {
-        Self { length: metric.normal_radius(x), assumed: None }
+        let length = metric.normal_radius(x);
+        Self { length, assumed: (length == f64::INFINITY).then_some("geodesics never end") }
     }
 
     /// Returns the limit of `√c₁ r` as `r → ∞`, by which it is to leave the ball of radius `r`, if
@@ -40,14 +42,15 @@ impl WayOut {
         self.length > length
     }
 
-    /// Adds the hypothesis that no way out is shorter than `length`, in `m`. The theorems ask for longer
-    /// ones; equality is let through, as what is granted for rounding is.
+    /// Adds the hypothesis that no way out is shorter than `length`, in `m`, or what is assumed in its
+    /// place. The theorems ask for longer ones; equality is let through, as what is granted for rounding is.
     pub(super) fn given_longer(self, evidence: Evidence, [length, granted]: [f64; 2]) -> Evidence {
-        let claim = "no way out is shorter than d";
-        let evidence = evidence.given(claim, Unit::LENGTH, [length, self.length], granted);
         match self.assumed {
             Some(claim) => evidence.assumed(claim),
-            None => evidence,
+            None => {
+                let claim = "no way out is shorter than d";
+                evidence.given(claim, Unit::LENGTH, [length, self.length], granted)
+            }
         }
     }
 }
@@ -117,6 +120,6 @@ mod tests {
         let begun = Evidence::of(Statement::Proposition6_2);
         let evidence = WayOut::by_c1(constants).given_longer(begun, [3.0, 0.0]);
         assert_eq!(evidence.assumed, ["c₁ ≤ λ_min(H) everywhere"]);
-        assert_eq!(evidence.hypotheses[0].bound, f64::INFINITY);
+        assert!(evidence.hypotheses.is_empty());
     }
 }

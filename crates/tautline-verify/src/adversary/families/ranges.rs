@@ -127,3 +127,13 @@ pub(super) fn inside(name: &'static str) -> Parameter {
 pub(super) fn n() -> Parameter {
     Parameter::whole("N", 1, 64).with_ends(Beyond::Nothing("N ≥ 1"), Beyond::Limit("N → ∞"))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::wave_numbers;
+
+    #[test]
+    fn wave_numbers_have_their_ratio_and_the_larger_is_one() {
+        assert_eq!([4.0, 1.0, 0.25].map(wave_numbers), [[0.25, 1.0], [1.0, 1.0], [1.0, 0.25]]);
+    }
+}

@@ -220,7 +220,7 @@ mod tests {
     use nalgebra::{SMatrix, SVector};
     use tautline::{
         AxisBox, Ball, Constants, Ends, FiniteSet, HalfSpace, PointSequence,
-        gallery::{Constant, Separable, Shear, Valleys},
+        gallery::{Bump, Constant, Hill, Lens, Ramp, Separable, Shear, Valleys},
     };
 
     use super::super::Case;
@@ -252,6 +252,10 @@ mod tests {
                 (SVector::from([1.0, 2.0]), SMatrix::from([[1.0, 2.0], [3.0, 4.0]]));
             [SVector<f64, 1>; 2] = [SVector::from([1.0]), SVector::from([2.0])];
             Shear = Shear::new(0.5, 2.0).expect("drawn");
+            Ramp = Ramp::new(0.5, 2.0).expect("drawn");
+            Bump = Bump::new(0.5, 2.0).expect("drawn");
+            Lens = Lens::new(0.5, 2.0).expect("drawn");
+            Hill = Hill::new(0.5, 2.0).expect("drawn");
             Separable<2> = Separable::new([0.5, 0.25], [1.0, 2.0]).expect("drawn");
             Constant<2> = Constant::new(SMatrix::from([[2.0, 0.0], [0.0, 1.0]])).expect("drawn");
             PointSequence<1> =

@@ -59,8 +59,9 @@ impl Claim {
 ///
 /// A claim that the bounds contradict is refused with the point, from where an ascent makes the
 /// most of it. Where the claim is on the right side of both bounds it is proved; between them, it
-/// is right as far as they are apart. Where the boxes do not suffice nothing is decided, and in more
-/// than three dimensions nothing is tried: the standing of each constant says which.
+/// is right as far as they are apart. Where the boxes do not suffice the bounds that were reached still
+/// prove or refute, without a point, and between them nothing is decided; in more than three dimensions
+/// nothing is tried: the standing of each constant says which.
 pub(super) fn constants<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
     let (metric, region) = (&case.metric, &case.region);
     let constants = metric.constants();
@@ -79,7 +80,13 @@ pub(super) fn constants<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) 
         let found = match certify(metric, claim.quantity(), &domain, claim.accuracy(D)) {
             Ok(found) => found,
             Err(CertifyError::BudgetSpent { lower, upper, .. }) => {
-                let proved = if claim == Claim::C1 { claimed <= lower } else { upper <= claimed };
+                let (proved, refuted, bound) = match claim {
+                    Claim::C1 => (claimed <= lower, claimed > upper, upper),
+                    _ => (upper <= claimed, claimed < lower, lower),
+                };
+                if refuted {
+                    return Err(failure(Fault::Refuted { claim, claimed, bound }));
+                }
                 let proof = if proved { Proof::Proved } else { Proof::NotDecided };
                 tried.standings.push(Standing { claim, proof });
                 continue;

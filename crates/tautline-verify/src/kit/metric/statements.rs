@@ -10,7 +10,7 @@ use super::{
     problems::{Kind, Posed},
 };
 use crate::{
-    Evidence, Finding, Known, Library, Source, VerifyError,
+    Evidence, Finding, Inequality, Known, Library, Source, VerifyError,
     kit::{
         Failure, Fault,
         met::{IDLE, Met},
@@ -24,10 +24,14 @@ use crate::{
 /// What a law meets in an evidence, which is idle if it could not have contradicted the statement, or
 /// what of it does not hold. Where there are companions alone, it is these that are tried.
 pub(super) fn judge(evidence: &Evidence) -> Result<Met, Fault> {
-    let companions = evidence.conclusions.iter().all(|claim| claim.source == Source::Sharper);
+    let stated = evidence.conclusions.iter().any(|claim| claim.source == Source::Stated);
+    let could_fail = match stated {
+        true => evidence.could_fail(),
+        false => evidence.conclusions.iter().any(Inequality::could_fail),
+    };
     let met = |slack| Ok(Met { slack, assumed: evidence.assumed.clone() });
     let (inequality, hypothesis) = match evidence.finding() {
-        Finding::Holds if companions || evidence.could_fail() => return met(evidence.slack()),
+        Finding::Holds if could_fail => return met(evidence.slack()),
         Finding::Holds => return met(IDLE),
         Finding::Inapplicable(clause) => (*clause, true),
         Finding::Violated(claim) => (*claim, false),
