@@ -154,6 +154,19 @@ fn jets_are_equal_with_all_their_derivatives() {
     assert!(!x.is_zero() && x != x * 2.0 && x == x * 1.0);
 }
 
+/// Where `tanh x` is 1 to rounding, `1 − tanh² x` would be nothing but rounding.
+#[test]
+fn the_derivative_of_a_saturated_tangent_keeps_its_digits() {
+    for x in [5.0_f64, 15.0, 25.0, -40.0] {
+        let [jet] = Jet2::variables(&[x]);
+        // 4 e^{−2|x|}/(1 + e^{−2|x|})², and −2 tanh x times it.
+        let e = (-2.0 * x.abs()).exp();
+        let slope = 4.0 * e / (1.0 + e).powi(2);
+        assert_relative_eq!(jet.tanh().first(0), slope, max_relative = 1e-13);
+        assert_relative_eq!(jet.tanh().second(0, 0), -2.0 * x.tanh() * slope, max_relative = 1e-13);
+    }
+}
+
 /// Outside the domain of a function everything is NaN, derivatives too.
 #[test]
 fn outside_the_domain_is_nan() {
