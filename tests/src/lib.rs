@@ -11,7 +11,8 @@
 //! | `committed_data` | what the project claims of the data in its repository |
 //! | `tidiness` | the shape of the workspace |
 //!
-//! Nothing here is random: property tests have fixed seeds, which a failure names.
+//! Random cases are the same in every run, unless `TAUTLINE_SEED` or `TAUTLINE_CASES` is set
+//! (`docs/testing.md`); a failure names its seed.
 
 #[cfg(test)]
 mod adversary;

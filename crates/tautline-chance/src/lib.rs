@@ -1,6 +1,6 @@
 //! What chance decides in a test: the seed of its random cases, and how many there are.
 //!
-//! Every test has a seed of its own, so that it draws the same cases in every run. Two environment
+//! Every test has a seed of its own, the laws of one suite of the kit have one together, so that it draws the same cases in every run. Two environment
 //! variables change that for all of them, here and in the kit of `tautline-verify`:
 //!
 //! | variable | a whole number that | default |

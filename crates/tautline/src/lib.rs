@@ -38,11 +38,11 @@
 //!
 //! | number | is |
 //! | --- | --- |
-//! | [`TautLine::energy`], [`TautLine::length`] | of an actual curve between the sets, hence upper bounds of `d²` and `d`, up to a stated quadrature error |
+//! | [`TautLine::energy`], [`TautLine::length`] | of an actual curve between the sets, hence upper bounds of `d²` and `d`, up to a quadrature error, which is estimated |
 //! | [`TautLine::discrete_energy`] | may lie on either side of `d²` |
 //! | [`TautLine::distance_squared_estimate`] | extrapolated: an estimate, not a bound |
-//! | [`TautLine::enclosure`], [`TautLine::enclosure_among`] | `d²` between two proven bounds, with the assumption they need, if any |
-//! | [`TautLine::prove`] | the same with constants that are proved from the formula, and an upper bound with outward rounding |
+//! | [`TautLine::enclosure`], [`TautLine::enclosure_among`] | `d²` between two bounds by theorems, up to an estimated quadrature error, and whether a global minimum had to be assumed (between sets always) |
+//! | [`TautLine::prove`] | the same with constants that are proved from the formula, and the upper bound with outward rounding |
 //! | [`leading_constants`] | limits of the errors times `N` or `N²` on smooth data: computed, not proven |
 //! | [`bounds`] | proven, for global minimisers of the discrete energy |
 //!

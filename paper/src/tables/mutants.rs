@@ -90,9 +90,9 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
     let (seen, killed) = (seen.count(), data.rows().filter(is(KILLED, "yes")).count());
     let caption = format!(
         "{all} deliberately wrong variants: the first check that kills each, and what the paper's \
-         bounds alone, observed ≤ bound on random cases, say of it. They compare other numbers than \
-         those of the library for {seen} of the {all}, of which {killed} are killed and {passed} pass; \
-         of the other {unseen} they cannot know (–).",
+         bounds alone, observed ≤ bound on random cases, say of it. Only {seen} of the {all} change a \
+         number that is compared there, of which {killed} are killed and {passed} pass; the other \
+         {unseen} cannot be seen that way (–).",
         passed = seen - killed,
         unseen = all - seen,
     );

@@ -145,6 +145,9 @@ Every numbered statement, both claims of Section 5 and every displayed constant,
 *Slack* is the bound divided by what is observed: 1 where a statement is attained.
 A case *could fail* if the bound is finite and what is observed can be told from 0: where a gap vanishes identically, as that of the length does on the line, the case holds whatever the bound is.
 What is *assumed* is a hypothesis of which no case shows anything.
+A *witness* is a case made by hand to come as near to equality as we can.
+*Holds* is what these tests found and no proof: no case contradicts the statement as it is printed. *Cited* is a known theorem, of which we test what can be observed. Of a *refuted* one a witness contradicts the printed form, and the repaired form is what is tested. *Proved here* has its proof in SHARPER.md.
+`γᵖ` is the point sequence and `γᵖˡ` the polygon through it; the other symbols are those of the paper and of the first section of SHARPER.md.
 
 "
     .to_owned();

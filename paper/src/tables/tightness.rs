@@ -85,11 +85,13 @@ fn three_digits(value: f64) -> String {
 
 fn layout(data: &Data) -> Result<Layout, Failure> {
     let mut layout = Layout::new(
-        "The least slack bound/observed that the search finds, by the conclusions of the \
-         statements and by their sharper companions, with the case of the former, and why nothing \
-         tighter lies beyond the edges of its search: there is no other case, or a limit to which \
-         at most 1 % of the slack is left. Families in which nothing but rounding is observed are left out, such as the length of one chord \
-         on the line, and Proposition 7.9 where H is linear.",
+        "For each statement and each family of problems the least slack bound/observed that a \
+         search finds: of the bound as it is stated, and of its sharper companion, each with its N. The case is that of the former: \
+         step is the distance of the ends over N, phi or way the direction, a or L the amplitude of the \
+         metric. At the edge are the parameters that end at an end of their range, and why the search ends \
+         there: nothing lies beyond, or a limit, on the way to which the slack falls by 1 % at most. \
+         Families in which nothing but rounding is observed are left out, such as the length of one \
+         chord on the line, and Proposition 7.9 where H is linear.",
         &["statement", "family", "slack", "$N$", "sharper slack", "$N$", "case", "at the edge"],
     );
     let rows: Vec<Row<'_>> = data.rows().collect();

@@ -21,12 +21,13 @@
 //!
 //! # Test a metric of your own
 //!
-//! The crate is not published: your `Cargo.toml` names where it lies, and has this library optimised:
-//! unoptimised, the tests take ten times as long.
+//! The crate is not published: the `Cargo.toml` of your package, here `egg` beside the clone, names where
+//! it lies, and has this library optimised: unoptimised, the tests take ten times as long.
 //!
 //! ```toml
 //! [dev-dependencies]
-//! tautline-verify = { path = "../tautline/crates/tautline-verify" } # or git = "…"
+//! tautline-verify = { path = "../tautline/crates/tautline-verify" }
+//! tautline = { path = "../tautline/crates/tautline" } # for the gallery, and to solve problems
 //!
 //! [profile.dev]
 //! opt-level = 2
@@ -61,7 +62,7 @@
 //! ```
 //!
 //! An `S: Scalar` has `+ - * /` with another `S` and with an `f64` on either side (`1.0 + 2.0 * x[0]`,
-//! and `S::constant(2.0)` to begin with), `sqr`, `powi`, `recip`, `sqrt`, `exp`, `ln`, `sin`, `cos`,
+//! and `S::constant(2.0)` where an entry is a number alone), `sqr`, `powi`, `recip`, `sqrt`, `exp`, `ln`, `sin`, `cos`,
 //! `tan`, `atan`, `sinh`, `cosh` and `tanh`; it has no `abs`, no `powf`, and no order, since a formula
 //! has to be smooth.
 //!
@@ -69,7 +70,7 @@
 //! is wrong is named with its numbers; here with `L_H = 1/2` in place of 1:
 //!
 //! ```
-//! # use tautline_verify::kit::{Claim, Fault, MetricCase, metric};
+//! use tautline_verify::kit::{Claim, Fault, MetricCase, metric};
 //! # use tautline_verify::prelude::*;
 //! # #[derive(Clone, Copy, Debug)]
 //! # struct Egg;
@@ -92,7 +93,11 @@
 //! A metric that knows its distances says `with distances` at the end of the line, and
 //! [`MetricCase::with_known_distance`] where functions are called. A metric that claims nothing is
 //! given claims by [`WithConstants`](crate::WithConstants), or proved ones by
-//! [`Certified`](tautline::Certified): then the formula is all that there is to write.
+//! [`Certified`](tautline::Certified) if its formula is constant or periodic along each coordinate: then
+//! the formula is all that there is to write. One that goes over into a constant one far away takes
+//! [`Certified::settled`](tautline::Certified::settled), and any other one constants that are proved in a
+//! ball: `metric_suite!(dent: LocallyCertified::new(Dent, Accuracy::default()), dimension 2, within 0.5,
+//! of [0.1, 0.2]);`.
 //!
 //! ```
 //! use tautline_verify::prelude::*;
@@ -111,9 +116,9 @@
 //! # assert!(constants.c1() <= 1.0 && constants.c1() > 0.99 && constants.c2() < 3.01);
 //! ```
 //!
-//! The constants are proved once for all laws. Where they cannot be, because `H` is indefinite
-//! somewhere, say, the test `tray::the_metric_has_constants` fails with the point and with what may
-//! be done about it, and no law is tried. A metric that has constants on balls only
+//! The constants are proved once for all laws. Where they cannot be, because the formula is not periodic
+//! or `H` is indefinite somewhere, the test `tray::the_metric_has_constants` fails with the reason, with
+//! the point if there is one, and with what may be done about it, and no law is tried. A metric that has constants on balls only
 //! is tested in one of them, `within 0.5, of [0.1, 0.2]` in place of `in Region::cell(…)`.
 //!
 //! # How the laws look
@@ -126,8 +131,8 @@
 //! a law that holds is evidence, not a proof.
 //!
 //! One is a proof, up to three dimensions: `no_constant_is_refuted` bounds the constants in all of the
-//! region by intervals, and refuses a claim that they contradict, and a metric that is indefinite
-//! somewhere, with the point. That it passes does not mean that all is proved: its
+//! region by intervals, and refuses a claim that they contradict, with the point unless the boxes ran
+//! out, and a metric that is indefinite somewhere, with the point. That it passes does not mean that all is proved: its
 //! [`standings`](Outcome::standings) say of each constant whether it is proved, right to so many
 //! percent (as a claim that is attained can be only), not decided by the boxes, or not tried.
 //!
@@ -135,6 +140,10 @@
 //! `x/|x|`, `1/r` and angles break, and uniform samples are never there. Where a law of the formula
 //! itself fails, or `H` jumps, the laws that would solve problems say `not tried` with the name of
 //! that law, which is the one to mend first.
+//!
+//! A suite is silent about what holds. A test of your own prints the table of slacks and standings, and
+//! may look longer: `println!("{}", verify_metric(&Egg, &region, &Effort { ascents: 12,
+//! ..Effort::default() }))`, with `cargo test -- --nocapture`.
 //!
 //! A claim may be loose. The slack of each law is in the [`Report`], and `refuses_a_smaller_l_h`
 //! notes it: the bounds of the theorems are as loose as the constants.
@@ -147,7 +156,7 @@
 //! $ TAUTLINE_SEED=7 TAUTLINE_CASES=100 cargo test egg
 //! ```
 //!
-//! Any number is a seed; what fails says which one it was. See [`Chance`].
+//! A seed is a whole number of 64 bits; what fails says with which variables it was drawn. See [`Chance`].
 
 mod brought;
 mod difference_test;
