@@ -46,14 +46,17 @@ fn the_paper_s_bounds_are_blamed_for_what_they_could_see_alone() {
         (
             "docs/mutation-testing.md",
             vec![
-                format!("for {seen} of the {all}"),
-                format!("of these {seen} they kill {killed}, and {pass} pass"),
-                format!("Of the other {unseen} they cannot know."),
+                format!("Only {seen} of the {all} mistakes"),
+                format!("of these {seen} the inequalities alone kill {killed}, and {pass} pass"),
+                format!("The other {unseen} they cannot see."),
             ],
         ),
         (
             "paper/tables/mutants.md",
-            vec![format!("for {seen} of the {all}, of which {killed} are killed and {pass} pass")],
+            vec![
+                format!("Only {seen} of the {all} change a number that is compared there"),
+                format!("of which {killed} are killed and {pass} pass"),
+            ],
         ),
     ] {
         let path = format!("{}/../{file}", env!("CARGO_MANIFEST_DIR"));
