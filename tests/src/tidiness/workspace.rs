@@ -3,11 +3,12 @@
 use super::{Manifest, manifests, read, root};
 
 /// For each library, the libraries below it.
-const BELOW: [(&str, &[&str]); 11] = [
+const BELOW: [(&str, &[&str]); 12] = [
     ("tautline-drawing", &[]),
     ("tautline-chance", &[]),
     ("tautline-scalar", &["tautline-chance"]),
     ("tautline-metrics", &["tautline-chance", "tautline-scalar"]),
+    ("tautline-formula", &["tautline-chance", "tautline-metrics", "tautline-scalar"]),
     ("tautline-sets", &["tautline-chance", "tautline-scalar"]),
     ("tautline-bounds", &["tautline-chance", "tautline-metrics"]),
     ("tautline-discretizations", &["tautline-chance", "tautline-metrics", "tautline-scalar"]),

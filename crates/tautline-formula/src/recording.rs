@@ -1,0 +1,260 @@
+//! `Recording`: a tape that is being written, and `Symbol`, the number that writes it.
+
+use std::{
+    cell::RefCell,
+    collections::HashMap,
+    ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign},
+};
+
+use num_traits::{One, Zero};
+use tautline_scalar::Scalar;
+
+use crate::{
+    LONGEST, RecordError,
+    operation::{Arithmetic, Function, Number, Operation, Pair, Step},
+};
+
+/// A tape that is being written. Identical steps are written once; nothing else is changed.
+#[derive(Debug, Default)]
+pub(crate) struct Recording {
+    pub(crate) operations: Vec<Operation>,
+    known: HashMap<Operation, Step>,
+    /// Why the tape does not stand for the formula, if it does not: the first reason.
+    pub(crate) failed: Option<RecordError>,
+}
+
+impl Recording {
+    /// A tape on which the coordinates are.
+    pub(crate) fn new(dimension: usize) -> Self {
+        let mut recording = Self::default();
+        for i in 0..dimension {
+            recording.write(Operation::Coordinate(i as u32));
+        }
+        recording
+    }
+
+    fn fail(&mut self, error: RecordError) {
+        self.failed.get_or_insert(error);
+    }
+
+    /// Returns the step of an operation, which is written if it is new.
+    fn write(&mut self, operation: Operation) -> Step {
+        let end = self.operations.len();
+        // A number that was kept from another recording.
+        if operation.reads(0).into_iter().flatten().any(|step| step as usize >= end) {
+            self.fail(RecordError::Foreign);
+            return 0;
+        }
+        if let Some(&step) = self.known.get(&operation) {
+            return step;
+        }
+        // Two, since a pair is never parted.
+        if end + 2 > LONGEST {
+            self.fail(RecordError::TooLong { most: LONGEST });
+            return 0;
+        }
+        let step = end as Step;
+        self.operations.push(operation);
+        self.known.insert(operation, step);
+        if matches!(operation, Operation::First(..)) {
+            self.operations.push(Operation::Second);
+        }
+        step
+    }
+
+    fn constant(&self, symbol: Symbol) -> Option<f64> {
+        match self.operations.get(symbol.0 as usize) {
+            Some(Operation::Constant(number)) => Some(number.value()),
+            _ => None,
+        }
+    }
+}
+
+thread_local! {
+    /// What is being recorded on this thread.
+    static RECORDING: RefCell<Option<Recording>> = const { RefCell::new(None) };
+}
+
+/// Puts a recording in the place of what was being recorded, which is brought back at the end: also where
+/// a formula panics.
+struct Outer(Option<Recording>);
+
+impl Drop for Outer {
+    fn drop(&mut self) {
+        RECORDING.set(self.0.take());
+    }
+}
+
+/// Returns what `formula` makes of the coordinates, and the tape.
+pub(crate) fn record<T>(dimension: usize, formula: impl FnOnce(&[Symbol]) -> T) -> (T, Recording) {
+    let outer = Outer(RECORDING.replace(Some(Recording::new(dimension))));
+    let coordinates: Vec<Symbol> = (0..dimension).map(|i| Symbol(i as Step)).collect();
+    let result = formula(&coordinates);
+    let recording = RECORDING.take().unwrap_or_default();
+    drop(outer);
+    (result, recording)
+}
+
+/// A number that writes down what is asked of it: a step of the tape of this thread.
+///
+/// A formula is written once for all numbers, and has no other way to meet this one than to be recorded.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Symbol(pub(crate) Step);
+
+/// No step of any tape.
+const NOWHERE: Step = Step::MAX;
+
+/// Without a recording, on a thread of the formula's own say, there is nothing to write to: what comes out
+/// is `otherwise`.
+fn with<T>(otherwise: T, write: impl FnOnce(&mut Recording) -> T) -> T {
+    RECORDING.with_borrow_mut(|recording| recording.as_mut().map(write).unwrap_or(otherwise))
+}
+
+impl Symbol {
+    fn write(operation: Operation) -> Self {
+        Self(with(NOWHERE, |recording| recording.write(operation)))
+    }
+
+    fn of(self, function: Function) -> Self {
+        Self::write(Operation::Of(function, self.0))
+    }
+
+    fn both(self, pair: Pair) -> (Self, Self) {
+        let first = Self::write(Operation::First(pair, self.0)).0;
+        (Self(first), Self(first.saturating_add(1)))
+    }
+}
+
+impl PartialEq for Symbol {
+    /// Of two numbers the formula knows the answer. Of all else it would be that at one point: the tape
+    /// would be the formula of one branch.
+    fn eq(&self, other: &Self) -> bool {
+        with(false, |recording| match (recording.constant(*self), recording.constant(*other)) {
+            (Some(a), Some(b)) => a == b,
+            _ => {
+                recording.fail(RecordError::Compares);
+                false
+            }
+        })
+    }
+}
+
+macro_rules! arithmetic {
+    ($($operator:ident $method:ident, $assign:ident $assign_method:ident;)*) => {$(
+        impl $operator for Symbol {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                Self::write(Operation::Binary(Arithmetic::$operator, self.0, other.0))
+            }
+        }
+        impl $operator<f64> for Symbol {
+            type Output = Self;
+            fn $method(self, c: f64) -> Self {
+                Self::write(Operation::WithNumber(Arithmetic::$operator, self.0, Number::of(c)))
+            }
+        }
+        impl $assign for Symbol {
+            fn $assign_method(&mut self, other: Self) {
+                *self = self.$method(other);
+            }
+        }
+    )*};
+}
+
+arithmetic! {
+    Add add, AddAssign add_assign;
+    Sub sub, SubAssign sub_assign;
+    Mul mul, MulAssign mul_assign;
+    Div div, DivAssign div_assign;
+}
+
+tautline_scalar::f64_on_the_left!([] Symbol);
+
+impl Neg for Symbol {
+    type Output = Self;
+    fn neg(self) -> Self {
+        self.of(Function::Neg)
+    }
+}
+
+impl Zero for Symbol {
+    fn zero() -> Self {
+        Self::constant(0.0)
+    }
+
+    fn is_zero(&self) -> bool {
+        *self == Self::zero()
+    }
+}
+
+impl One for Symbol {
+    fn one() -> Self {
+        Self::constant(1.0)
+    }
+}
+
+impl Scalar for Symbol {
+    fn constant(value: f64) -> Self {
+        Self::write(Operation::Constant(Number::of(value)))
+    }
+
+    fn sqr(self) -> Self {
+        self.of(Function::Sqr)
+    }
+
+    fn powi(self, n: i32) -> Self {
+        Self::write(Operation::Powi(self.0, n))
+    }
+
+    fn recip(self) -> Self {
+        self.of(Function::Recip)
+    }
+
+    fn sqrt(self) -> Self {
+        self.of(Function::Sqrt)
+    }
+
+    fn exp(self) -> Self {
+        self.of(Function::Exp)
+    }
+
+    fn ln(self) -> Self {
+        self.of(Function::Ln)
+    }
+
+    fn sin_cos(self) -> (Self, Self) {
+        self.both(Pair::SinCos)
+    }
+
+    fn tan(self) -> Self {
+        self.of(Function::Tan)
+    }
+
+    fn atan(self) -> Self {
+        self.of(Function::Atan)
+    }
+
+    fn sinh_cosh(self) -> (Self, Self) {
+        self.both(Pair::SinhCosh)
+    }
+
+    fn tanh(self) -> Self {
+        self.of(Function::Tanh)
+    }
+
+    fn sin(self) -> Self {
+        self.of(Function::Sin)
+    }
+
+    fn cos(self) -> Self {
+        self.of(Function::Cos)
+    }
+
+    fn sinh(self) -> Self {
+        self.of(Function::Sinh)
+    }
+
+    fn cosh(self) -> Self {
+        self.of(Function::Cosh)
+    }
+}

@@ -1,0 +1,4 @@
+//! Formulas as text.
+
+mod broken_text;
+mod text;
