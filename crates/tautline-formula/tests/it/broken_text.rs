@@ -3,6 +3,8 @@
 use tautline_chance::{cases, seed};
 use tautline_formula::{Formula, Problem, TextError};
 
+use crate::random::Random;
+
 fn error(text: &str) -> TextError {
     Formula::<2>::parse(text, &[("a", 1.5)]).expect_err(text)
 }
@@ -68,18 +70,6 @@ fn brackets_without_end_take_no_stack() {
     // Signs are no brackets.
     let signs = format!("{}x1 I", "-".repeat(100_000));
     assert!(Formula::<2>::parse(&signs, &[]).is_ok());
-}
-
-/// The last step of SplitMix64.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, n: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 33) as usize % n
-    }
 }
 
 /// Either a formula that is read back, or an error whose place is in the text.

@@ -1,4 +1,6 @@
-//! Formulas as text.
+//! Formulas as data: recorded, printed, and read from text.
 
 mod broken_text;
+mod random;
+mod random_formulas;
 mod text;
