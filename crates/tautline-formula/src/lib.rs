@@ -23,6 +23,8 @@
 //! ```
 
 mod formula;
+#[cfg(test)]
+mod functions;
 mod operation;
 mod record_error;
 mod recording;
