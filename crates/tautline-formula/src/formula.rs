@@ -6,7 +6,7 @@ use tautline_scalar::Scalar;
 
 use crate::{
     RecordError,
-    operation::{Arithmetic, Function, Operation, Pair, Step},
+    operation::{Arithmetic, Operation, Pair, Step},
     recording::{Recording, Symbol, record},
 };
 
@@ -92,7 +92,7 @@ impl<const D: usize> Formula<D> {
                     Arithmetic::Div => at(a) / number.value(),
                 },
                 Operation::Powi(a, n) => at(a).powi(n),
-                Operation::Of(function, a) => of(function, at(a)),
+                Operation::Of(function, a) => function.of(at(a)),
                 Operation::First(pair, a) => {
                     let (first, other) = match pair {
                         Pair::SinCos => at(a).sin_cos(),
@@ -107,24 +107,6 @@ impl<const D: usize> Formula<D> {
             values.push(value);
         }
         values
-    }
-}
-
-fn of<S: Scalar>(function: Function, x: S) -> S {
-    match function {
-        Function::Neg => -x,
-        Function::Sqr => x.sqr(),
-        Function::Recip => x.recip(),
-        Function::Sqrt => x.sqrt(),
-        Function::Exp => x.exp(),
-        Function::Ln => x.ln(),
-        Function::Sin => x.sin(),
-        Function::Cos => x.cos(),
-        Function::Tan => x.tan(),
-        Function::Atan => x.atan(),
-        Function::Sinh => x.sinh(),
-        Function::Cosh => x.cosh(),
-        Function::Tanh => x.tanh(),
     }
 }
 

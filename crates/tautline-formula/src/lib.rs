@@ -22,15 +22,19 @@
 //! # Ok::<(), tautline_formula::RecordError>(())
 //! ```
 
+mod batch;
 mod formula;
-#[cfg(test)]
 mod functions;
+mod graph;
 mod operation;
+mod program;
 mod record_error;
 mod recording;
 mod text;
 
+pub use batch::{Batch, Batches, Evaluate, Kind, Layout, Programs};
 pub use formula::Formula;
+pub use program::{InstructionSet, Register, Registers, WIDTH};
 pub use operation::{Arithmetic, Function, Number, Operation, Pair, Step};
 pub use record_error::RecordError;
 pub use text::{Problem, TextError};

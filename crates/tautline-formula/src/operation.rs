@@ -1,5 +1,7 @@
 //! `Operation`: one step of a recorded formula.
 
+use tautline_scalar::Scalar;
+
 /// The place of a step on its tape. A step reads earlier ones only.
 pub type Step = u32;
 
@@ -63,6 +65,27 @@ pub enum Function {
     Cosh,
     /// `tanh x`.
     Tanh,
+}
+
+impl Function {
+    /// Returns the value.
+    pub(crate) fn of<S: Scalar>(self, x: S) -> S {
+    match self {
+        Function::Neg => -x,
+        Function::Sqr => x.sqr(),
+        Function::Recip => x.recip(),
+        Function::Sqrt => x.sqrt(),
+        Function::Exp => x.exp(),
+        Function::Ln => x.ln(),
+        Function::Sin => x.sin(),
+        Function::Cos => x.cos(),
+        Function::Tan => x.tan(),
+        Function::Atan => x.atan(),
+        Function::Sinh => x.sinh(),
+        Function::Cosh => x.cosh(),
+        Function::Tanh => x.tanh(),
+    }
+}
 }
 
 /// Two functions of one number that are evaluated together.

@@ -1,6 +1,6 @@
-//! The hyperbolic tangent.
+//! The hyperbolic tangent and cosine.
 
-use super::exponential;
+use super::{all, exponential};
 
 /// `(tanh x − x)/x³` for `|x| ≤ 5/8`, a quotient (Moshier's Cephes).
 const ABOVE: [f64; 3] = [
@@ -37,13 +37,33 @@ fn lane(x: f64) -> f64 {
     if size >= 0.625 { far } else { near }.copysign(x)
 }
 
+/// Up to here neither the exponential nor its reciprocal leaves the normal numbers.
+const LARGEST: f64 = 700.0;
+
+/// Fills `y` with `cosh x`.
+#[inline(always)]
+pub(crate) fn cosh<const B: usize>(y: &mut [f64; B], x: &[f64; B]) {
+    for i in 0..B {
+        let power = exponential::lane(x[i].abs());
+        y[i] = 0.5 * power + 0.5 / power;
+    }
+    if !all(x, |x| x.abs() <= LARGEST) {
+        for i in 0..B {
+            // NaN too.
+            if !(x[i].abs() <= LARGEST) {
+                y[i] = x[i].cosh();
+            }
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use astro_float::{BigFloat, Consts, RoundingMode};
 
     use super::{
         super::tests::{assert_within, even, geometric, single},
-        tanh,
+        cosh, tanh,
     };
 
     fn of(x: f64) -> f64 {
@@ -68,5 +88,19 @@ mod tests {
         }
         assert!(of(f64::NAN).is_nan());
         assert_eq!([of(0.0), of(-0.0)].map(f64::to_bits), [0.0, -0.0].map(f64::to_bits));
+    }
+
+    #[test]
+    fn errors_of_the_hyperbolic_cosine_are_as_stated() {
+        let of = |x: f64| single(x, |y, x| cosh(y, x), |y, x| cosh(y, x));
+        let value = |x: &BigFloat, constants: &mut Consts| {
+            x.cosh(192, RoundingMode::None, constants)
+        };
+        assert_within(2.0, 0.0, even(-4.0, 4.0), of, value);
+        assert_within(2.0, 0.0, even(-700.0, 700.0), of, value);
+        for x in [700.5, -800.0, f64::INFINITY, f64::NAN] {
+            assert_eq!(of(x).to_bits(), x.cosh().to_bits(), "{x}");
+        }
+        assert_eq!((of(0.0), of(-0.0)), (1.0, 1.0));
     }
 }

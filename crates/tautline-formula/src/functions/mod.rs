@@ -10,6 +10,7 @@
 //! | exponential | 1 | `−708 ≤ x ≤ 709` |
 //! | logarithm | 1 | normal numbers |
 //! | hyperbolic tangent | 2 | all |
+//! | hyperbolic cosine | 2 | `|x| ≤ 700` |
 //! | arctangent | 1 | all |
 
 mod arctangent;
@@ -21,7 +22,7 @@ mod logarithm;
 pub(crate) use arctangent::atan;
 pub(crate) use circular::sin_cos;
 pub(crate) use exponential::exp;
-pub(crate) use hyperbolic::tanh;
+pub(crate) use hyperbolic::{cosh, tanh};
 pub(crate) use logarithm::ln;
 
 /// Added and taken off again it rounds to a whole number, ties to even; the sum has that number in its

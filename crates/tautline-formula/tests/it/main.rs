@@ -1,6 +1,7 @@
 //! Formulas as data: recorded, printed, and read from text.
 
 mod broken_text;
+mod programs;
 mod random;
 mod random_formulas;
 mod text;

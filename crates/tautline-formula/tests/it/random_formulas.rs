@@ -103,7 +103,13 @@ impl Tree {
 }
 
 /// `[[t, u], [u, t]]`: each of the two is a whole tree.
-struct Trees([Tree; 2]);
+pub(crate) struct Trees([Tree; 2]);
+
+impl Trees {
+    pub(crate) fn random(random: &mut Random, depth: usize) -> Self {
+        Self([(); 2].map(|()| Tree::random(random, depth)))
+    }
+}
 
 impl Metric<2> for Trees {
     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {

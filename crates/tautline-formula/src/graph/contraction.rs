@@ -1,0 +1,246 @@
+//! The Gram matrix and its derivatives, contracted with a chord `d`.
+//!
+//! Derivation: with `H = C₀ + Σₘ bₘ(x) Cₘ`, where the matrices are constant, `sₘ = dᵀCₘd` and `vₘ = Cₘd`,
+//!
+//! ```text
+//! Gₖ = dᵀ ∂ₖH d = Σₘ sₘ ∂ₖbₘ,   Pᵢₖ = (∂ₖH d)ᵢ = Σₘ (vₘ)ᵢ ∂ₖbₘ,   Qₖₗ = dᵀ ∂ₖ∂ₗH d = Σₘ sₘ ∂ₖ∂ₗbₘ.
+//! ```
+//!
+//! Only the `bₘ` are differentiated. Where `Cₘ = ± a aᵀ`, `vₘ = ± a (aᵀd)` and `sₘ = ± (aᵀd)²`.
+
+use crate::{
+    Formula,
+    graph::{
+        Graph,
+        derivative::{Derivatives, Order},
+        linear::Linear,
+    },
+    operation::{Function, Step},
+};
+
+/// What is contracted of a formula. Where there are two ways to sum up, both.
+#[derive(Debug)]
+pub(crate) struct Contracted {
+    pub(crate) graph: Graph,
+    /// The entries `i ≤ j` of `H`, row by row.
+    pub(crate) gram: Vec<Step>,
+    /// The pairs of entries `(i, j)` and `(j, i)` that are not the same by the formula, with their places.
+    pub(crate) halves: Vec<(usize, usize, [Step; 2])>,
+    /// What is positive and finite where `H` is positive definite and finite.
+    pub(crate) pivots: Vec<Step>,
+    /// `dᵀHd`, by the entries of `H` and by its parts.
+    pub(crate) square: [Step; 2],
+    /// `Hd`.
+    pub(crate) momentum: [Vec<Step>; 2],
+    /// `G`.
+    pub(crate) slope: Vec<Step>,
+    /// `P`, row by row.
+    pub(crate) turn: Vec<Step>,
+    /// The entries `k ≤ l` of `Q`, row by row.
+    pub(crate) bend: Vec<Step>,
+}
+
+impl Contracted {
+    /// The entries on the diagonal of `H`.
+    pub(crate) fn diagonal(&self) -> Vec<Step> {
+        let dimension = self.slope.len();
+        let place = |i: usize| i * dimension - i * (i + 1) / 2 + i;
+        (0..dimension).map(|i| self.gram[place(i)]).collect()
+    }
+}
+
+/// Contracts a formula with a chord, with its derivatives up to this order.
+pub(crate) fn contract<const D: usize>(formula: &Formula<D>, order: Order) -> Contracted {
+    let (mut graph, entries) = Graph::of(formula);
+    let upper = || (0..D).flat_map(|i| (i..D).map(move |j| (i, j)));
+    let gram: Vec<Step> = upper().map(|(i, j)| entries[i * D + j]).collect();
+    let halves = upper()
+        .map(|(i, j)| (i, j, [entries[i * D + j], entries[j * D + i]]))
+        .filter(|(_, _, [one, other])| one != other)
+        .collect();
+    let at = |i: usize, j: usize| entries[i.min(j) * D + i.max(j)];
+    let pivots = graph.pivots(D, at);
+    let (constant, parts) = parts(&graph, &gram, D);
+    graph.be_free();
+    let d: Vec<Step> = (0..D).map(|i| graph.coordinate(D + i)).collect();
+    let bases: Vec<Step> = parts.iter().map(|part| part.base).collect();
+    let derivatives = graph.derivatives(&bases, D, order);
+    let momenta: Vec<Momentum> = parts.iter().map(|part| graph.momentum(&part.matrix, &d)).collect();
+    let weighted = |graph: &mut Graph, of: &dyn Fn(&Derivatives) -> Option<Step>, factor: &dyn Fn(&Momentum) -> Step| {
+        let terms: Vec<Step> = derivatives
+            .iter()
+            .zip(&momenta)
+            .filter_map(|(derivatives, momentum)| {
+                of(derivatives).map(|derivative| graph.mul(factor(momentum), derivative))
+            })
+            .collect();
+        graph.sum(terms)
+    };
+    let slope: Vec<Step> = (0..D)
+        .map(|k| weighted(&mut graph, &|of| of.first.get(&k).copied(), &|m| m.square))
+        .collect();
+    let (mut turn, mut bend) = (Vec::new(), Vec::new());
+    if order == Order::Second {
+        for i in 0..D {
+            for k in 0..D {
+                turn.push(weighted(&mut graph, &|of| of.first.get(&k).copied(), &|m| m.vector[i]));
+            }
+        }
+        for place in upper() {
+            bend.push(weighted(&mut graph, &|of| of.second.get(&place).copied(), &|m| m.square));
+        }
+    }
+    let by_entries: Vec<Step> = (0..D)
+        .map(|i| {
+            let terms: Vec<Step> = (0..D).map(|j| graph.mul(at(i, j), d[j])).collect();
+            graph.sum(terms)
+        })
+        .collect();
+    let rest = graph.momentum(&constant, &d);
+    let by_parts: Vec<Step> = (0..D)
+        .map(|i| {
+            let terms = parts.iter().zip(&momenta);
+            let terms: Vec<Step> =
+                terms.map(|(part, momentum)| graph.mul(momentum.vector[i], part.base)).collect();
+            let sum = graph.sum(terms);
+            graph.add(rest.vector[i], sum)
+        })
+        .collect();
+    let terms: Vec<Step> = by_entries.iter().zip(&d).map(|(&one, &other)| graph.mul(one, other)).collect();
+    let square_by_entries = graph.sum(terms);
+    let terms = parts.iter().zip(&momenta);
+    let terms: Vec<Step> = terms.map(|(part, momentum)| graph.mul(momentum.square, part.base)).collect();
+    let sum = graph.sum(terms);
+    let square_by_parts = graph.add(rest.square, sum);
+    Contracted {
+        graph,
+        gram,
+        halves,
+        pivots,
+        square: [square_by_entries, square_by_parts],
+        momentum: [by_entries, by_parts],
+        slope,
+        turn,
+        bend,
+    }
+}
+
+/// One `bₘ` with its matrix, row by row.
+#[derive(Debug)]
+struct Part {
+    base: Step,
+    matrix: Vec<f64>,
+}
+
+/// Returns `C₀` and the parts of `H`: by linear combinations of the entries `i ≤ j`, or the entries
+/// themselves where these are fewer.
+fn parts(graph: &Graph, gram: &[Step], dimension: usize) -> (Vec<f64>, Vec<Part>) {
+    let mut own: Vec<Step> =
+        gram.iter().copied().filter(|&entry| graph.value(entry).is_none()).collect();
+    own.sort_unstable();
+    own.dedup();
+    let linear = graph.linear(gram);
+    let mut bases: Vec<Step> =
+        linear.iter().flat_map(|linear| linear.terms.iter().map(|term| term.0)).collect();
+    bases.sort_unstable();
+    bases.dedup();
+    let linear = if bases.len() <= own.len() {
+        linear
+    } else {
+        bases = own;
+        let by_itself = |&entry: &Step| match graph.value(entry) {
+            Some(constant) => Linear { constant, ..Linear::default() },
+            None => Linear::step(entry),
+        };
+        gram.iter().map(by_itself).collect()
+    };
+    let matrix = || vec![0.0; dimension * dimension];
+    let mut constant = matrix();
+    let mut parts: Vec<Part> =
+        bases.iter().map(|&base| Part { base, matrix: matrix() }).collect();
+    let upper = (0..dimension).flat_map(|i| (i..dimension).map(move |j| (i, j)));
+    for ((i, j), linear) in upper.zip(&linear) {
+        for place in [i * dimension + j, j * dimension + i] {
+            constant[place] = linear.constant;
+            for &(base, factor) in &linear.terms {
+                if let Ok(part) = bases.binary_search(&base) {
+                    parts[part].matrix[place] = factor;
+                }
+            }
+        }
+    }
+    (constant, parts)
+}
+
+/// `Cd` and `dᵀCd` for a constant matrix.
+#[derive(Debug)]
+struct Momentum {
+    vector: Vec<Step>,
+    square: Step,
+}
+
+impl Graph {
+    fn momentum(&mut self, c: &[f64], d: &[Step]) -> Momentum {
+        let dimension = d.len();
+        if let Some((a, sign)) = rank_one(c, dimension) {
+            let terms: Vec<Step> = a.iter().zip(d).map(|(&a, &d)| self.times(d, a)).collect();
+            let along = self.sum(terms);
+            let vector = a.iter().map(|&a| self.times(along, sign * a)).collect();
+            let square = self.mul(along, along);
+            return Momentum { vector, square: self.times(square, sign) };
+        }
+        let row = |graph: &mut Self, i: usize| {
+            let terms: Vec<Step> =
+                (0..dimension).map(|j| graph.times(d[j], c[i * dimension + j])).collect();
+            graph.sum(terms)
+        };
+        let vector: Vec<Step> = (0..dimension).map(|i| row(self, i)).collect();
+        let terms: Vec<Step> = vector.iter().zip(d).map(|(&v, &d)| self.mul(v, d)).collect();
+        Momentum { square: self.sum(terms), vector }
+    }
+
+    /// The pivots of a symmetric matrix with these entries `i ≤ j`, each once.
+    fn pivots(&mut self, dimension: usize, at: impl Fn(usize, usize) -> Step) -> Vec<Step> {
+        let mut a: Vec<Step> =
+            (0..dimension * dimension).map(|n| at(n / dimension, n % dimension)).collect();
+        let mut pivots = Vec::new();
+        for k in 0..dimension {
+            let row: Vec<Step> = a[k * dimension..(k + 1) * dimension].to_vec();
+            pivots.push(row[k]);
+            let beside: Vec<usize> = (k + 1..dimension).filter(|&j| !self.is_zero(row[j])).collect();
+            if beside.is_empty() {
+                continue;
+            }
+            let reciprocal = self.apply(Function::Recip, row[k]);
+            for (place, &i) in beside.iter().enumerate() {
+                let factor = self.mul(row[i], reciprocal);
+                for &j in &beside[place..] {
+                    let eliminated = self.mul(factor, row[j]);
+                    a[i * dimension + j] = self.sub(a[i * dimension + j], eliminated);
+                }
+            }
+        }
+        pivots.sort_unstable();
+        pivots.dedup();
+        pivots
+    }
+}
+
+/// `a` and `±1` with `C = ± a aᵀ` to rounding, from three dimensions on, where that saves operations.
+fn rank_one(c: &[f64], dimension: usize) -> Option<(Vec<f64>, f64)> {
+    let diagonal = |i: usize| c[i * dimension + i];
+    let top = (0..dimension).max_by(|&i, &j| diagonal(i).abs().total_cmp(&diagonal(j).abs()))?;
+    let pivot = diagonal(top);
+    let scale = pivot.abs().sqrt();
+    if dimension < 3 || !(pivot / scale).is_normal() {
+        return None;
+    }
+    let row = &c[top * dimension..(top + 1) * dimension];
+    let is_product = |n: usize| {
+        let product = row[n / dimension] * (row[n % dimension] / pivot);
+        (c[n] - product).abs() <= 4.0 * f64::EPSILON * c[n].abs()
+    };
+    (0..c.len())
+        .all(is_product)
+        .then(|| (row.iter().map(|&entry| entry / scale).collect(), pivot.signum()))
+}

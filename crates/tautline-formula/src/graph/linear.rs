@@ -1,0 +1,110 @@
+//! Expressions as linear combinations of others.
+
+use std::collections::HashMap;
+
+use crate::{
+    graph::Graph,
+    operation::{Arithmetic, Function, Operation, Step},
+};
+
+/// `c + Σ cₘ bₘ`; the steps `bₘ` ascend.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Linear {
+    pub(crate) constant: f64,
+    pub(crate) terms: Vec<(Step, f64)>,
+}
+
+impl Linear {
+    /// The step by itself.
+    pub(crate) fn step(step: Step) -> Self {
+        Self { constant: 0.0, terms: vec![(step, 1.0)] }
+    }
+
+    fn plus(&self, other: &Self, sign: f64) -> Self {
+        let mut terms = Vec::with_capacity(self.terms.len() + other.terms.len());
+        let (mut mine, mut others) = (self.terms.iter().peekable(), other.terms.iter().peekable());
+        loop {
+            let (a, b) = (mine.peek().map(|term| term.0), others.peek().map(|term| term.0));
+            let (from_mine, from_others) = match (a, b) {
+                (None, None) => break,
+                (Some(a), Some(b)) => (a <= b, b <= a),
+                (a, b) => (a.is_some(), b.is_some()),
+            };
+            let a = if from_mine { mine.next() } else { None };
+            let b = if from_others { others.next() } else { None };
+            let step = a.or(b).map_or(0, |term| term.0);
+            let factor = a.map_or(0.0, |term| term.1) + b.map_or(0.0, |term| sign * term.1);
+            if factor != 0.0 {
+                terms.push((step, factor));
+            }
+        }
+        Self { constant: self.constant + sign * other.constant, terms }
+    }
+
+    /// `None` where a factor is lost.
+    fn times(&self, c: f64) -> Option<Self> {
+        let mut scaled = self.clone();
+        scaled.constant *= c;
+        for (_, factor) in &mut scaled.terms {
+            *factor *= c;
+            if !factor.is_normal() {
+                return None;
+            }
+        }
+        Some(scaled)
+    }
+}
+
+/// More terms than entries of any matrix that gains by it.
+const MOST_TERMS: usize = 64;
+
+impl Graph {
+    /// Returns these steps as linear combinations of steps that are no linear combinations themselves.
+    pub(crate) fn linear(&self, roots: &[Step]) -> Vec<Linear> {
+        let mut known = HashMap::<Step, Linear>::new();
+        let end = roots.iter().max().map_or(0, |&root| root as usize + 1);
+        let mut is_needed = vec![false; end];
+        for &root in roots {
+            is_needed[root as usize] = true;
+        }
+        for step in (0..end).rev() {
+            if is_needed[step] && is_linear(self.operations()[step]) {
+                for read in self.operations()[step].reads(step as Step).into_iter().flatten() {
+                    is_needed[read as usize] = true;
+                }
+            }
+        }
+        for step in (0..end).filter(|&step| is_needed[step]) {
+            let operation = self.operations()[step];
+            let step = step as Step;
+            let of = |a: Step| known.get(&a).cloned().unwrap_or_else(|| Linear::step(a));
+            let combination = match operation {
+                Operation::Constant(c) => {
+                    Some(Linear { constant: c.value(), ..Linear::default() })
+                }
+                Operation::Binary(Arithmetic::Add, a, b) => Some(of(a).plus(&of(b), 1.0)),
+                Operation::Binary(Arithmetic::Sub, a, b) => Some(of(a).plus(&of(b), -1.0)),
+                Operation::WithNumber(Arithmetic::Add, a, c) => {
+                    let of_a = of(a);
+                    Some(Linear { constant: of_a.constant + c.value(), ..of_a })
+                }
+                Operation::WithNumber(Arithmetic::Mul, a, c) => of(a).times(c.value()),
+                Operation::WithNumber(Arithmetic::Div, a, c) => of(a).times(c.value().recip()),
+                Operation::Of(Function::Neg, a) => of(a).times(-1.0),
+                _ => None,
+            };
+            let combination = combination.filter(|linear| linear.terms.len() <= MOST_TERMS);
+            known.insert(step, combination.unwrap_or_else(|| Linear::step(step)));
+        }
+        roots.iter().map(|root| known.get(root).cloned().unwrap_or_default()).collect()
+    }
+}
+
+fn is_linear(operation: Operation) -> bool {
+    matches!(
+        operation,
+        Operation::Binary(Arithmetic::Add | Arithmetic::Sub, ..)
+            | Operation::WithNumber(..)
+            | Operation::Of(Function::Neg, _)
+    )
+}

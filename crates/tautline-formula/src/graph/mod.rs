@@ -1,0 +1,314 @@
+//! `Graph`: expressions that share what they have in common, simplified as they are made.
+
+mod contraction;
+mod derivative;
+mod linear;
+mod neck;
+
+use std::collections::HashMap;
+
+pub(crate) use contraction::{Contracted, contract};
+pub(crate) use derivative::Order;
+
+use crate::{
+    Formula,
+    operation::{Arithmetic, Function, Number, Operation, Pair, Step},
+};
+
+/// What an expression may be replaced by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Identities {
+    /// By one of the same value wherever that is a number: `1 x` by `x`, `x x` by `x²`, but not `0 x` by 0.
+    Exact,
+    /// By one that is the same in real numbers: for derivatives, in which most terms vanish.
+    Free,
+}
+
+/// A list of operations as in a [`Formula`], of which none is there twice.
+///
+/// Of the operations of a tape it has no pairs, no difference with a number, and no powers but squares. The
+/// coordinates are those of the point, then those of the chord.
+#[derive(Debug)]
+pub(crate) struct Graph {
+    operations: Vec<Operation>,
+    known: HashMap<Operation, Step>,
+    identities: Identities,
+}
+
+impl Graph {
+    /// A graph on which a formula is, and its entries `(i, j)` by `[i D + j]`.
+    pub(crate) fn of<const D: usize>(formula: &Formula<D>) -> (Self, Vec<Step>) {
+        let mut graph = Self {
+            operations: Vec::new(),
+            known: HashMap::new(),
+            identities: Identities::Exact,
+        };
+        let mut made: Vec<Step> = Vec::with_capacity(formula.operations().len());
+        for (place, &operation) in formula.operations().iter().enumerate() {
+            let at = |step: Step| made[step as usize];
+            let step = match operation {
+                Operation::Coordinate(_) => graph.node(operation),
+                Operation::Constant(number) => graph.constant(number.value()),
+                Operation::Binary(Arithmetic::Add, a, b) => graph.add(at(a), at(b)),
+                Operation::Binary(Arithmetic::Sub, a, b) => graph.sub(at(a), at(b)),
+                Operation::Binary(Arithmetic::Mul, a, b) => graph.mul(at(a), at(b)),
+                Operation::Binary(Arithmetic::Div, a, b) => graph.div(at(a), at(b)),
+                Operation::WithNumber(Arithmetic::Add, a, c) => graph.plus(at(a), c.value()),
+                Operation::WithNumber(Arithmetic::Sub, a, c) => graph.plus(at(a), -c.value()),
+                Operation::WithNumber(Arithmetic::Mul, a, c) => graph.times(at(a), c.value()),
+                Operation::WithNumber(Arithmetic::Div, a, c) => graph.over(at(a), c.value()),
+                Operation::Powi(a, n) => graph.power(at(a), n),
+                Operation::Of(function, a) => graph.apply(function, at(a)),
+                Operation::First(Pair::SinCos, a) => graph.apply(Function::Sin, at(a)),
+                Operation::First(Pair::SinhCosh, a) => graph.apply(Function::Sinh, at(a)),
+                // After its first one, always.
+                Operation::Second => match place.checked_sub(1).map(|p| formula.operations()[p]) {
+                    Some(Operation::First(Pair::SinCos, a)) => graph.apply(Function::Cos, at(a)),
+                    Some(Operation::First(Pair::SinhCosh, a)) => {
+                        graph.apply(Function::Cosh, at(a))
+                    }
+                    _ => unreachable!("a second of a pair without its first"),
+                },
+            };
+            made.push(step);
+        }
+        let entry = |place: usize| made[formula.entry(place / D, place % D) as usize];
+        (graph, (0..D * D).map(entry).collect())
+    }
+
+    /// Returns the operations.
+    pub(crate) fn operations(&self) -> &[Operation] {
+        &self.operations
+    }
+
+    /// Returns an operation.
+    pub(crate) fn operation(&self, step: Step) -> Operation {
+        self.operations[step as usize]
+    }
+
+    fn node(&mut self, operation: Operation) -> Step {
+        let Self { operations, known, .. } = self;
+        *known.entry(operation).or_insert_with(|| {
+            operations.push(operation);
+            (operations.len() - 1) as Step
+        })
+    }
+
+    fn is_free(&self) -> bool {
+        self.identities == Identities::Free
+    }
+
+    /// Returns the number that a step is, if it is one.
+    pub(crate) fn value(&self, a: Step) -> Option<f64> {
+        match self.operation(a) {
+            Operation::Constant(number) => Some(number.value()),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn is_zero(&self, a: Step) -> bool {
+        self.value(a) == Some(0.0)
+    }
+
+    pub(crate) fn constant(&mut self, value: f64) -> Step {
+        self.node(Operation::Constant(Number::of(value)))
+    }
+
+    /// The coordinate `xᵢ`, or `dᵢ₋D` from `D` on.
+    pub(crate) fn coordinate(&mut self, i: usize) -> Step {
+        self.node(Operation::Coordinate(i as u32))
+    }
+
+    /// `(x, c)` with the value `c x`.
+    fn scaled(&self, a: Step) -> (Step, f64) {
+        match self.operation(a) {
+            Operation::WithNumber(Arithmetic::Mul, x, c) => (x, c.value()),
+            Operation::Of(Function::Neg, x) => (x, -1.0),
+            _ => (a, 1.0),
+        }
+    }
+
+    fn negated(&self, a: Step) -> Option<Step> {
+        match self.operation(a) {
+            Operation::Of(Function::Neg, x) => Some(x),
+            _ => None,
+        }
+    }
+
+    /// `a + b`.
+    pub(crate) fn add(&mut self, a: Step, b: Step) -> Step {
+        match (self.value(a), self.value(b)) {
+            (Some(x), Some(y)) => return self.constant(x + y),
+            (Some(x), None) => return self.plus(b, x),
+            (None, Some(y)) => return self.plus(a, y),
+            (None, None) => {}
+        }
+        if self.is_free() {
+            let ((x, c), (y, d)) = (self.scaled(a), self.scaled(b));
+            if x == y {
+                return self.times(x, c + d);
+            }
+            if c == d && c.abs() != 1.0 {
+                let sum = self.add(x, y);
+                return self.times(sum, c);
+            }
+            if c == -d && c.abs() != 1.0 {
+                let difference = self.sub(x, y);
+                return self.times(difference, c);
+            }
+        }
+        match (self.negated(a), self.negated(b)) {
+            (_, Some(y)) => self.node(Operation::Binary(Arithmetic::Sub, a, y)),
+            (Some(x), None) => self.node(Operation::Binary(Arithmetic::Sub, b, x)),
+            (None, None) => self.node(Operation::Binary(Arithmetic::Add, a.min(b), a.max(b))),
+        }
+    }
+
+    /// `a − b`.
+    pub(crate) fn sub(&mut self, a: Step, b: Step) -> Step {
+        if self.is_free() && a == b {
+            return self.constant(0.0);
+        }
+        if self.is_free() || self.value(a).is_some() || self.value(b).is_some() {
+            let minus = self.neg(b);
+            return self.add(a, minus);
+        }
+        match self.negated(b) {
+            Some(y) => self.add(a, y),
+            None => self.node(Operation::Binary(Arithmetic::Sub, a, b)),
+        }
+    }
+
+    /// `−a`.
+    pub(crate) fn neg(&mut self, a: Step) -> Step {
+        match self.operation(a) {
+            Operation::Constant(c) => self.constant(-c.value()),
+            Operation::Of(Function::Neg, x) => x,
+            Operation::Binary(Arithmetic::Sub, x, y) => {
+                self.node(Operation::Binary(Arithmetic::Sub, y, x))
+            }
+            Operation::WithNumber(Arithmetic::Mul, x, c) => self.times(x, -c.value()),
+            _ => self.node(Operation::Of(Function::Neg, a)),
+        }
+    }
+
+    /// `a + c`.
+    pub(crate) fn plus(&mut self, a: Step, c: f64) -> Step {
+        match self.value(a) {
+            Some(x) => self.constant(x + c),
+            None if c == 0.0 => a,
+            None => self.node(Operation::WithNumber(Arithmetic::Add, a, Number::of(c))),
+        }
+    }
+
+    /// `a c`.
+    pub(crate) fn times(&mut self, a: Step, c: f64) -> Step {
+        if let Some(x) = self.value(a) {
+            return self.constant(x * c);
+        }
+        if self.is_free() {
+            if c == 0.0 {
+                return self.constant(0.0);
+            }
+            // A product that is too small or too large would lose what the two numbers keep.
+            let (x, d) = self.scaled(a);
+            if d != 1.0 && (c * d).is_normal() {
+                return self.times(x, c * d);
+            }
+        }
+        if c == 1.0 {
+            a
+        } else if c == -1.0 {
+            self.neg(a)
+        } else if let Some(x) = self.negated(a) {
+            self.times(x, -c)
+        } else {
+            self.node(Operation::WithNumber(Arithmetic::Mul, a, Number::of(c)))
+        }
+    }
+
+    /// `a b`.
+    pub(crate) fn mul(&mut self, a: Step, b: Step) -> Step {
+        if let Some(x) = self.value(a) {
+            return self.times(b, x);
+        }
+        if let Some(y) = self.value(b) {
+            return self.times(a, y);
+        }
+        if self.is_free() {
+            let ((x, c), (y, d)) = (self.scaled(a), self.scaled(b));
+            if (c, d) != (1.0, 1.0) && (c * d).is_normal() {
+                let product = self.mul(x, y);
+                return self.times(product, c * d);
+            }
+        }
+        if a == b {
+            self.node(Operation::Of(Function::Sqr, a))
+        } else {
+            self.node(Operation::Binary(Arithmetic::Mul, a.min(b), a.max(b)))
+        }
+    }
+
+    /// `a / b`.
+    pub(crate) fn div(&mut self, a: Step, b: Step) -> Step {
+        match (self.value(a), self.value(b)) {
+            (_, Some(y)) => self.over(a, y),
+            (Some(1.0), None) => self.apply(Function::Recip, b),
+            (Some(0.0), None) if self.is_free() => a,
+            _ => self.node(Operation::Binary(Arithmetic::Div, a, b)),
+        }
+    }
+
+    /// `a / c`.
+    pub(crate) fn over(&mut self, a: Step, c: f64) -> Step {
+        if let Some(x) = self.value(a) {
+            self.constant(x / c)
+        } else if self.is_free() && c.recip().is_normal() {
+            self.times(a, c.recip())
+        } else {
+            self.node(Operation::WithNumber(Arithmetic::Div, a, Number::of(c)))
+        }
+    }
+
+    /// `aⁿ`, by squaring.
+    pub(crate) fn power(&mut self, a: Step, n: i32) -> Step {
+        let (mut power, mut square, mut left) = (None, a, n.unsigned_abs());
+        while left > 0 {
+            if left & 1 == 1 {
+                power = Some(power.map_or(square, |power| self.mul(power, square)));
+            }
+            left >>= 1;
+            if left > 0 {
+                square = self.mul(square, square);
+            }
+        }
+        match power {
+            None => self.constant(1.0),
+            Some(power) if n < 0 => self.apply(Function::Recip, power),
+            Some(power) => power,
+        }
+    }
+
+    /// `f(a)`.
+    pub(crate) fn apply(&mut self, function: Function, a: Step) -> Step {
+        match (function, self.value(a)) {
+            (Function::Neg, _) => self.neg(a),
+            (Function::Sqr, _) => self.mul(a, a),
+            (_, Some(x)) => self.constant(function.of(x)),
+            (_, None) => self.node(Operation::Of(function, a)),
+        }
+    }
+
+    /// The sum of these.
+    pub(crate) fn sum(&mut self, terms: impl IntoIterator<Item = Step>) -> Step {
+        terms
+            .into_iter()
+            .reduce(|sum, term| self.add(sum, term))
+            .unwrap_or_else(|| self.constant(0.0))
+    }
+
+    /// From here on identities are free.
+    pub(crate) fn be_free(&mut self) {
+        self.identities = Identities::Free;
+    }
+}

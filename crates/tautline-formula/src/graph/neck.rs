@@ -1,0 +1,39 @@
+//! The one number through which an expression depends on its coordinates.
+
+use crate::{
+    graph::Graph,
+    operation::{Operation, Step},
+};
+
+impl Graph {
+    /// Returns the first step `u`, in the order of evaluation, with `root = F(u)` for a function `F` of one
+    /// variable; `None` if there is none but the root itself.
+    pub(crate) fn neck(&self, root: Step) -> Option<Step> {
+        let mut is_open = vec![false; root as usize + 1];
+        is_open[root as usize] = true;
+        // How many of the open ones depend on a coordinate.
+        let (mut open, mut neck) = (1, None);
+        for step in (0..=root).rev() {
+            if !is_open[step as usize] {
+                continue;
+            }
+            let operation = self.operation(step);
+            match operation {
+                // Whoever depends on a coordinate by itself has no neck behind.
+                Operation::Coordinate(_) => return neck,
+                Operation::Constant(_) => continue,
+                _ if open == 1 && step != root => neck = Some(step),
+                _ => {}
+            }
+            open -= 1;
+            for read in operation.reads(step).into_iter().flatten() {
+                if !std::mem::replace(&mut is_open[read as usize], true)
+                    && self.value(read).is_none()
+                {
+                    open += 1;
+                }
+            }
+        }
+        neck
+    }
+}

@@ -1,0 +1,369 @@
+//! From a graph to a program.
+
+use crate::{
+    graph::Graph,
+    operation::{Arithmetic, Function, Operation, Step},
+    program::{Instruction, Program, Register},
+};
+
+/// A term of a sum.
+#[derive(Clone, Copy, Debug)]
+enum Term {
+    /// `c x`.
+    Linear(f64, Step),
+    /// `c (a b)`.
+    Product(f64, [Step; 2]),
+}
+
+/// What is known of a graph where it is compiled for some outputs.
+struct Compiler<'g> {
+    graph: &'g Graph,
+    /// How often a step is read; twice more, if it is an output.
+    uses: Vec<u32>,
+}
+
+impl Program {
+    /// Compiles the expressions of these steps, in which the first `inputs` registers are the coordinates;
+    /// `None` if there are more registers than can be counted.
+    pub(crate) fn new(graph: &Graph, inputs: usize, outputs: &[Step]) -> Option<Self> {
+        let compiler = Compiler::new(graph, outputs);
+        compiler.compile(inputs, outputs)
+    }
+}
+
+impl<'g> Compiler<'g> {
+    fn new(graph: &'g Graph, outputs: &[Step]) -> Self {
+        let mut uses = vec![0_u32; graph.operations().len()];
+        for &output in outputs {
+            uses[output as usize] = 2;
+        }
+        for (step, operation) in graph.operations().iter().enumerate().rev() {
+            if uses[step] > 0 {
+                for read in operation.reads(step as Step).into_iter().flatten() {
+                    uses[read as usize] = uses[read as usize].saturating_add(1);
+                }
+            }
+        }
+        Self { graph, uses }
+    }
+
+    /// Whether a step is needed for one other only, of which it may become a part.
+    fn is_part(&self, step: Step) -> bool {
+        self.uses[step as usize] == 1
+    }
+
+    fn is_sum(&self, step: Step) -> bool {
+        let operation = self.graph.operation(step);
+        let is_sum =
+            matches!(operation, Operation::Binary(Arithmetic::Add | Arithmetic::Sub, ..));
+        is_sum && self.is_part(step)
+    }
+
+    fn product(&self, step: Step) -> Option<[Step; 2]> {
+        match self.graph.operation(step) {
+            Operation::Binary(Arithmetic::Mul, a, b) => Some([a, b]),
+            Operation::Of(Function::Sqr, a) => Some([a, a]),
+            _ => None,
+        }
+    }
+
+    fn term(&self, step: Step, sign: f64) -> Term {
+        let part = |step: Step| self.is_part(step).then_some(step);
+        let Some(own) = part(step) else { return Term::Linear(sign, step) };
+        if let Some(factors) = self.product(own) {
+            return Term::Product(sign, factors);
+        }
+        match self.graph.operation(own) {
+            Operation::WithNumber(Arithmetic::Mul, x, c) => {
+                let c = sign * c.value();
+                match part(x).and_then(|x| self.product(x)) {
+                    Some(factors) => Term::Product(c, factors),
+                    None => Term::Linear(c, x),
+                }
+            }
+            Operation::Of(Function::Neg, x) => Term::Linear(-sign, x),
+            _ => Term::Linear(sign, own),
+        }
+    }
+
+    /// The terms of a step, in the order in which they are added; none, if it is no sum.
+    ///
+    /// `a + (b + c)` is `(b + c) + a`, but `(a + b) + (c + d)` has a second sum for a term.
+    fn terms(&self, step: Step) -> Vec<Term> {
+        let mut terms = Vec::new();
+        let mut next = Some(step);
+        while let Some(step) = next {
+            let (a, b, sign) = match self.graph.operation(step) {
+                Operation::Binary(Arithmetic::Add, a, b) if !self.is_sum(a) && self.is_sum(b) => {
+                    (b, a, 1.0)
+                }
+                Operation::Binary(Arithmetic::Add, a, b) => (a, b, 1.0),
+                Operation::Binary(Arithmetic::Sub, a, b) => (a, b, -1.0),
+                _ => return terms,
+            };
+            terms.push(self.term(b, sign));
+            next = self.is_sum(a).then_some(a);
+            if next.is_none() {
+                terms.push(self.term(a, 1.0));
+            }
+        }
+        terms.reverse();
+        terms
+    }
+
+    /// A step as one instruction or as a sum: its terms, or none, and what it reads.
+    fn unit(&self, step: Step) -> (Vec<Term>, Vec<Step>) {
+        let operation = self.graph.operation(step);
+        let mut terms = match operation {
+            Operation::Binary(Arithmetic::Add | Arithmetic::Sub, ..) => self.terms(step),
+            _ => Vec::new(),
+        };
+        if let Operation::WithNumber(Arithmetic::Mul, x, c) = operation
+            && self.is_part(x)
+            && let Some(factors) = self.product(x)
+        {
+            terms = vec![Term::Product(c.value(), factors)];
+        }
+        let mut reads = Vec::new();
+        if let Some(x) = self.taken_from(operation) {
+            reads.push(x);
+        } else if terms.is_empty() {
+            reads.extend(operation.reads(step).into_iter().flatten());
+        }
+        for term in &terms {
+            match *term {
+                Term::Linear(_, x) => reads.push(x),
+                Term::Product(_, factors) => reads.extend(factors),
+            }
+        }
+        (terms, reads)
+    }
+
+    /// The `x` of `c − x`.
+    fn taken_from(&self, operation: Operation) -> Option<Step> {
+        match operation {
+            Operation::WithNumber(Arithmetic::Add, a, _) if self.is_part(a) => {
+                match self.graph.operation(a) {
+                    Operation::Of(Function::Neg, x) => Some(x),
+                    _ => None,
+                }
+            }
+            _ => None,
+        }
+    }
+
+    /// The steps that are computed, each after what it reads.
+    fn order(&self, outputs: &[Step]) -> Vec<Step> {
+        let mut is_open = vec![false; self.graph.operations().len()];
+        let mut order = Vec::new();
+        // A step is met before and after what it reads.
+        let mut stack: Vec<(Step, bool)> = outputs.iter().rev().map(|&step| (step, false)).collect();
+        while let Some((step, is_after)) = stack.pop() {
+            if is_after {
+                order.push(step);
+                continue;
+            }
+            if std::mem::replace(&mut is_open[step as usize], true) {
+                continue;
+            }
+            stack.push((step, true));
+            let reads = self.unit(step).1;
+            stack.extend(reads.into_iter().rev().filter(|&read| !is_open[read as usize]).map(|read| (read, false)));
+        }
+        order
+    }
+
+    fn compile(&self, inputs: usize, outputs: &[Step]) -> Option<Program> {
+        let order = self.order(outputs);
+        let mut allocation = Allocation::new(self, inputs, outputs, &order);
+        let mut program = Program {
+            instructions: Vec::with_capacity(order.len()),
+            count: inputs,
+            constants: Vec::new(),
+            outputs: Vec::new(),
+        };
+        // They stay, so that they are in nobody's place.
+        for &step in &order {
+            match self.graph.operation(step) {
+                Operation::Coordinate(i) => allocation.place[step as usize] = Some(Register::try_from(i).ok()?),
+                Operation::Constant(c) => {
+                    let register = allocation.fresh()?;
+                    allocation.place[step as usize] = Some(register);
+                    program.constants.push((register, c.value()));
+                }
+                _ => {}
+            }
+        }
+        for (time, &step) in order.iter().enumerate() {
+            if allocation.place[step as usize].is_none() {
+                self.emit(step, time, &mut allocation, &mut program.instructions)?;
+            }
+        }
+        program.outputs =
+            outputs.iter().map(|&output| allocation.place[output as usize]).collect::<Option<_>>()?;
+        program.count = allocation.count;
+        Some(program)
+    }
+
+    fn emit(
+        &self,
+        step: Step,
+        time: usize,
+        allocation: &mut Allocation,
+        instructions: &mut Vec<Instruction>,
+    ) -> Option<()> {
+        let (terms, reads) = self.unit(step);
+        let operation = self.graph.operation(step);
+        let places: Option<Vec<Register>> =
+            reads.iter().map(|&read| allocation.place[read as usize]).collect();
+        let places = places?;
+        let at = |step: Step| reads.iter().position(|&read| read == step).map_or(0, |n| places[n]);
+        // Results are made in a spare: they may go where an operand was.
+        allocation.release(&reads, time);
+        let to = allocation.take()?;
+        allocation.place[step as usize] = Some(to);
+        if !terms.is_empty() {
+            sum(&terms, to, at, instructions);
+            return Some(());
+        }
+        let instruction = match operation {
+            Operation::Binary(Arithmetic::Mul, a, b) => Instruction::Mul(to, [at(a), at(b)]),
+            Operation::Binary(Arithmetic::Div, a, b) => Instruction::Div(to, [at(a), at(b)]),
+            Operation::WithNumber(Arithmetic::Add, a, c) => match self.taken_from(operation) {
+                Some(x) => Instruction::From(to, at(x), c.value()),
+                None => Instruction::Plus(to, at(a), c.value()),
+            },
+            Operation::WithNumber(Arithmetic::Mul, a, c) => {
+                Instruction::Times(to, at(a), c.value())
+            }
+            Operation::WithNumber(Arithmetic::Div, a, c) => Instruction::Over(to, at(a), c.value()),
+            Operation::Of(Function::Sin | Function::Cos, a) => {
+                let (function, other) = match operation {
+                    Operation::Of(Function::Sin, _) => (Function::Sin, Function::Cos),
+                    _ => (Function::Cos, Function::Sin),
+                };
+                let partner = allocation.waits(Operation::Of(other, a));
+                let beside = allocation.take()?;
+                let both = if function == Function::Sin { [to, beside] } else { [beside, to] };
+                match partner {
+                    Some(partner) => allocation.place[partner as usize] = Some(beside),
+                    None => allocation.free.push(beside),
+                }
+                Instruction::SinCos(both, at(a))
+            }
+            Operation::Of(function, a) => Instruction::Of(function, to, at(a)),
+            // Sums have terms, coordinates and constants places, and there is nothing else in a graph.
+            _ => return None,
+        };
+        instructions.push(instruction);
+        Some(())
+    }
+}
+
+/// Which step is where.
+struct Allocation {
+    place: Vec<Option<Register>>,
+    /// When a step is read for the last time; never, if it stays.
+    last: Vec<usize>,
+    free: Vec<Register>,
+    count: usize,
+    /// The sines and cosines that are computed.
+    waves: std::collections::HashMap<Operation, Step>,
+}
+
+impl Allocation {
+    fn new(compiler: &Compiler<'_>, inputs: usize, outputs: &[Step], order: &[Step]) -> Self {
+        let operations = compiler.graph.operations();
+        let mut last = vec![usize::MAX; operations.len()];
+        let mut waves = std::collections::HashMap::new();
+        for (time, &step) in order.iter().enumerate() {
+            for read in compiler.unit(step).1 {
+                last[read as usize] = time;
+            }
+            if let operation @ Operation::Of(Function::Sin | Function::Cos, _) = operations[step as usize] {
+                waves.insert(operation, step);
+            }
+        }
+        for (step, operation) in operations.iter().enumerate() {
+            if matches!(operation, Operation::Coordinate(_) | Operation::Constant(_)) {
+                last[step] = usize::MAX;
+            }
+        }
+        for &output in outputs {
+            last[output as usize] = usize::MAX;
+        }
+        Self { place: vec![None; operations.len()], last, free: Vec::new(), count: inputs, waves }
+    }
+
+    fn fresh(&mut self) -> Option<Register> {
+        let register = Register::try_from(self.count).ok()?;
+        self.count += 1;
+        Some(register)
+    }
+
+    fn take(&mut self) -> Option<Register> {
+        self.free.pop().or_else(|| self.fresh())
+    }
+
+    /// What is read here for the last time gives its register away.
+    fn release(&mut self, reads: &[Step], time: usize) {
+        let mut dying: Vec<Step> =
+            reads.iter().copied().filter(|&read| self.last[read as usize] == time).collect();
+        dying.sort_unstable();
+        dying.dedup();
+        self.free.extend(dying.into_iter().filter_map(|read| self.place[read as usize]));
+    }
+
+    /// A wave that is needed and has no place yet.
+    fn waits(&self, wave: Operation) -> Option<Step> {
+        self.waves.get(&wave).copied().filter(|&step| self.place[step as usize].is_none())
+    }
+}
+
+/// Writes a sum: its terms in their order.
+fn sum(terms: &[Term], to: Register, at: impl Fn(Step) -> Register, instructions: &mut Vec<Instruction>) {
+    let product = |[a, b]: [Step; 2]| [at(a), at(b)];
+    match *terms {
+        [Term::Linear(1.0, a), Term::Linear(1.0, b)] => {
+            return instructions.push(Instruction::Add(to, [at(a), at(b)]));
+        }
+        [Term::Linear(1.0, a), Term::Linear(-1.0, b)] => {
+            return instructions.push(Instruction::Sub(to, [at(a), at(b)]));
+        }
+        [Term::Linear(c, x), Term::Product(d, factors)]
+        | [Term::Product(d, factors), Term::Linear(c, x)] => {
+            let [a, b] = product(factors);
+            return instructions.push(Instruction::Mixed(to, [at(x), a, b], [c, d]));
+        }
+        _ => {}
+    }
+    let mut rest = terms;
+    while let [first, ..] = *rest {
+        let begins = rest.len() == terms.len();
+        let (instruction, used) = match first {
+            Term::Linear(..) => {
+                let (mut x, mut c, mut count) = ([0; 4], [0.0; 4], 0);
+                while count < 4
+                    && let Some(&Term::Linear(factor, step)) = rest.get(count)
+                {
+                    (x[count], c[count]) = (at(step), factor);
+                    count += 1;
+                }
+                (Instruction::Linear { begins, count: count as u8, x, c }, count)
+            }
+            Term::Product(..) => {
+                let (mut a, mut b, mut c, mut count) = ([0; 2], [0; 2], [0.0; 2], 0);
+                while count < 2
+                    && let Some(&Term::Product(factor, factors)) = rest.get(count)
+                {
+                    ([a[count], b[count]], c[count]) = (product(factors), factor);
+                    count += 1;
+                }
+                (Instruction::Products { begins, count: count as u8, a, b, c }, count)
+            }
+        };
+        instructions.push(instruction);
+        rest = &rest[used..];
+    }
+    instructions.push(Instruction::Done(to));
+}

@@ -1,0 +1,39 @@
+//! `Instruction`: what is done to whole registers at once.
+
+use crate::{operation::Function, program::Register};
+
+/// One instruction: where the result goes, from where the operands come.
+///
+/// What is fused is rounded as if it were not: there is no multiplication with an addition in one
+/// rounding, which not every processor has.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Instruction {
+    /// `a + b`.
+    Add(Register, [Register; 2]),
+    /// `a − b`.
+    Sub(Register, [Register; 2]),
+    /// `a b`.
+    Mul(Register, [Register; 2]),
+    /// `a / b`.
+    Div(Register, [Register; 2]),
+    /// `a + c`.
+    Plus(Register, Register, f64),
+    /// `c − a`.
+    From(Register, Register, f64),
+    /// `c a`.
+    Times(Register, Register, f64),
+    /// `a / c`.
+    Over(Register, Register, f64),
+    /// `f(a)`.
+    Of(Function, Register, Register),
+    /// The sine and the cosine of a number.
+    SinCos([Register; 2], Register),
+    /// `c x + d (a b)`.
+    Mixed(Register, [Register; 3], [f64; 2]),
+    /// Begins a sum of up to four `c x`, or adds them to what is begun.
+    Linear { begins: bool, count: u8, x: [Register; 4], c: [f64; 4] },
+    /// Begins a sum of up to two `c (a b)`, or adds them to what is begun.
+    Products { begins: bool, count: u8, a: [Register; 2], b: [Register; 2], c: [f64; 2] },
+    /// Ends a sum.
+    Done(Register),
+}

@@ -1,0 +1,37 @@
+//! Programs: expressions as instructions over registers, of which each holds the numbers of many lanes.
+
+mod compiler;
+mod instruction;
+mod registers;
+
+pub(crate) use instruction::Instruction;
+pub use registers::{InstructionSet, Registers, WIDTH};
+
+/// The place of a register.
+pub type Register = u16;
+
+/// Instructions that fill registers with the values of some expressions.
+///
+/// The first registers are the coordinates, which stay as they are.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Program {
+    instructions: Vec<Instruction>,
+    /// How many registers there are.
+    count: usize,
+    /// What is in a register from the beginning on, and stays.
+    constants: Vec<(Register, f64)>,
+    /// Where the values are.
+    pub(crate) outputs: Vec<Register>,
+}
+
+impl Program {
+    /// Returns the number of instructions.
+    pub(crate) fn len(&self) -> usize {
+        self.instructions.len()
+    }
+
+    /// Returns the number of registers.
+    pub(crate) fn registers(&self) -> usize {
+        self.count
+    }
+}

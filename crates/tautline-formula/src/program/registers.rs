@@ -1,0 +1,264 @@
+//! `Registers`: the memory of a program, and how it runs.
+
+use crate::{
+    functions,
+    operation::Function,
+    program::{Instruction, Program, Register},
+};
+
+/// So many lanes are worked on in one go. The number of lanes is a multiple of it.
+pub const WIDTH: usize = 8;
+
+type Chunk = [f64; WIDTH];
+
+/// Which instructions of the processor are used. The results are the same to the bit.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum InstructionSet {
+    /// Those that every processor of the kind has.
+    Baseline,
+    /// The widest ones that this processor has.
+    #[default]
+    Widest,
+}
+
+/// Registers of some lanes each.
+#[derive(Clone, Debug)]
+pub struct Registers {
+    rows: Vec<Box<[Chunk]>>,
+    /// Where results are made, before they change places with what was in a register.
+    spare: [Box<[Chunk]>; 2],
+    /// How many chunks are worked on.
+    used: usize,
+    instruction_set: InstructionSet,
+}
+
+impl Registers {
+    /// Registers for a program, of so many lanes or as many more as make the [`WIDTH`] full.
+    pub(crate) fn new(program: &Program, lanes: usize, instruction_set: InstructionSet) -> Self {
+        let chunks = lanes.div_ceil(WIDTH).max(1);
+        let row = |value: f64| vec![[value; WIDTH]; chunks].into_boxed_slice();
+        let mut rows: Vec<_> = (0..program.registers()).map(|_| row(0.0)).collect();
+        for &(register, value) in &program.constants {
+            rows[register as usize] = row(value);
+        }
+        Self { rows, spare: [row(0.0), row(0.0)], used: chunks, instruction_set }
+    }
+
+    /// Returns the greatest number of lanes.
+    #[must_use]
+    pub fn lanes(&self) -> usize {
+        self.spare[0].len() * WIDTH
+    }
+
+    /// Returns the numbers in a register.
+    #[must_use]
+    #[inline]
+    pub fn row(&self, register: Register) -> &[f64] {
+        self.rows[register as usize].as_flattened()
+    }
+
+    /// Returns the first registers: those of the place and those of the vector.
+    #[inline]
+    pub(crate) fn inputs<const D: usize>(&mut self) -> [[&mut [f64]; D]; 2] {
+        let (place, rest) = self.rows.split_first_chunk_mut::<D>().expect("2 D registers");
+        let (vector, _) = rest.split_first_chunk_mut::<D>().expect("2 D registers");
+        [place, vector].map(|rows| rows.each_mut().map(|row| row.as_flattened_mut()))
+    }
+
+    /// Works on the first `lanes` only, or on some more that fill the [`WIDTH`]; returns on how many.
+    pub(crate) fn set_used(&mut self, lanes: usize) -> usize {
+        self.used = lanes.div_ceil(WIDTH).clamp(1, self.spare[0].len());
+        self.used * WIDTH
+    }
+
+    /// Runs a program, for which the registers were made.
+    pub(crate) fn run(&mut self, program: &Program) {
+        match self.instruction_set {
+            InstructionSet::Baseline => run_baseline(self, program),
+            InstructionSet::Widest => run_widest(self, program),
+        }
+    }
+
+    #[inline(always)]
+    fn run_inline(&mut self, program: &Program) {
+        let Self { rows, spare: [out, other], used, .. } = self;
+        let used = *used;
+        for instruction in &program.instructions {
+            macro_rules! row {
+                ($register:expr) => {
+                    &rows[$register as usize][..used]
+                };
+            }
+            macro_rules! done {
+                ($register:expr) => {
+                    std::mem::swap(&mut rows[$register as usize], out)
+                };
+            }
+            macro_rules! unary {
+                ($to:expr, $a:expr, $f:expr) => {{
+                    unary(&mut out[..used], row!($a), $f);
+                    done!($to)
+                }};
+            }
+            macro_rules! binary {
+                ($to:expr, $operands:expr, $f:expr) => {{
+                    binary(&mut out[..used], row!($operands[0]), row!($operands[1]), $f);
+                    done!($to)
+                }};
+            }
+            macro_rules! function {
+                ($to:expr, $a:expr, $f:path) => {{
+                    for (y, x) in out[..used].iter_mut().zip(row!($a)) {
+                        $f(y, x);
+                    }
+                    done!($to)
+                }};
+            }
+            match *instruction {
+                Instruction::Add(to, ab) => binary!(to, ab, |a, b| a + b),
+                Instruction::Sub(to, ab) => binary!(to, ab, |a, b| a - b),
+                Instruction::Mul(to, ab) => binary!(to, ab, |a, b| a * b),
+                Instruction::Div(to, ab) => binary!(to, ab, |a, b| a / b),
+                Instruction::Plus(to, a, c) => unary!(to, a, |a| a + c),
+                Instruction::From(to, a, c) => unary!(to, a, |a| c - a),
+                Instruction::Times(to, a, c) => unary!(to, a, |a| a * c),
+                Instruction::Over(to, a, c) => unary!(to, a, |a| a / c),
+                Instruction::Of(Function::Neg, to, a) => unary!(to, a, |a| -a),
+                Instruction::Of(Function::Sqr, to, a) => unary!(to, a, |a| a * a),
+                Instruction::Of(Function::Recip, to, a) => unary!(to, a, |a| 1.0 / a),
+                Instruction::Of(Function::Sqrt, to, a) => unary!(to, a, f64::sqrt),
+                Instruction::Of(Function::Exp, to, a) => function!(to, a, functions::exp),
+                Instruction::Of(Function::Ln, to, a) => function!(to, a, functions::ln),
+                Instruction::Of(Function::Tanh, to, a) => function!(to, a, functions::tanh),
+                Instruction::Of(Function::Cosh, to, a) => function!(to, a, functions::cosh),
+                Instruction::Of(Function::Atan, to, a) => function!(to, a, functions::atan),
+                Instruction::Of(function, to, a) => {
+                    for (y, x) in out[..used].iter_mut().zip(row!(a)) {
+                        one_by_one(function, y, x);
+                    }
+                    done!(to)
+                }
+                Instruction::SinCos([sin, cos], a) => {
+                    let both = out[..used].iter_mut().zip(&mut other[..used]);
+                    for ((sin, cos), x) in both.zip(row!(a)) {
+                        functions::sin_cos(sin, cos, x);
+                    }
+                    done!(sin);
+                    std::mem::swap(&mut rows[cos as usize], other);
+                }
+                Instruction::Mixed(to, [x, a, b], [c, d]) => {
+                    let out = &mut out[..used];
+                    for (((y, x), a), b) in out.iter_mut().zip(row!(x)).zip(row!(a)).zip(row!(b)) {
+                        for i in 0..WIDTH {
+                            y[i] = c * x[i] + d * (a[i] * b[i]);
+                        }
+                    }
+                    done!(to)
+                }
+                Instruction::Linear { begins, count, x, c } => {
+                    let x = [row!(x[0]), row!(x[1]), row!(x[2]), row!(x[3])];
+                    let out = &mut out[..used];
+                    match (count, begins) {
+                        (1, true) => linear::<1, true>(out, x, c),
+                        (1, false) => linear::<1, false>(out, x, c),
+                        (2, true) => linear::<2, true>(out, x, c),
+                        (2, false) => linear::<2, false>(out, x, c),
+                        (3, true) => linear::<3, true>(out, x, c),
+                        (3, false) => linear::<3, false>(out, x, c),
+                        (_, true) => linear::<4, true>(out, x, c),
+                        (_, false) => linear::<4, false>(out, x, c),
+                    }
+                }
+                Instruction::Products { begins, count, a, b, c } => {
+                    let a = [row!(a[0]), row!(a[1])];
+                    let b = [row!(b[0]), row!(b[1])];
+                    let out = &mut out[..used];
+                    match (count, begins) {
+                        (1, true) => products::<1, true>(out, a, b, c),
+                        (1, false) => products::<1, false>(out, a, b, c),
+                        (_, true) => products::<2, true>(out, a, b, c),
+                        (_, false) => products::<2, false>(out, a, b, c),
+                    }
+                }
+                Instruction::Done(to) => done!(to),
+            }
+        }
+    }
+}
+
+#[inline(never)]
+fn run_baseline(registers: &mut Registers, program: &Program) {
+    registers.run_inline(program);
+}
+
+#[multiversion::multiversion(targets("x86_64+avx2"))]
+fn run_widest(registers: &mut Registers, program: &Program) {
+    registers.run_inline(program);
+}
+
+#[inline(always)]
+fn unary(y: &mut [Chunk], a: &[Chunk], f: impl Fn(f64) -> f64) {
+    for (y, a) in y.iter_mut().zip(a) {
+        for i in 0..WIDTH {
+            y[i] = f(a[i]);
+        }
+    }
+}
+
+#[inline(always)]
+fn binary(y: &mut [Chunk], a: &[Chunk], b: &[Chunk], f: impl Fn(f64, f64) -> f64) {
+    for ((y, a), b) in y.iter_mut().zip(a).zip(b) {
+        for i in 0..WIDTH {
+            y[i] = f(a[i], b[i]);
+        }
+    }
+}
+
+/// `c₀ x₀ + c₁ x₁ + …`, from left to right; after what is there, unless it begins.
+#[inline(always)]
+fn linear<const COUNT: usize, const BEGINS: bool>(y: &mut [Chunk], x: [&[Chunk]; 4], c: [f64; 4]) {
+    let rows = x[0].iter().zip(x[1]).zip(x[2]).zip(x[3]);
+    for (y, (((x0, x1), x2), x3)) in y.iter_mut().zip(rows) {
+        let x = [x0, x1, x2, x3];
+        for i in 0..WIDTH {
+            let mut sum = c[0] * x[0][i];
+            if !BEGINS {
+                sum = y[i] + sum;
+            }
+            for k in 1..COUNT {
+                sum += c[k] * x[k][i];
+            }
+            y[i] = sum;
+        }
+    }
+}
+
+/// `c₀ a₀ b₀ + c₁ a₁ b₁`, in the same way.
+#[inline(always)]
+fn products<const COUNT: usize, const BEGINS: bool>(
+    y: &mut [Chunk],
+    a: [&[Chunk]; 2],
+    b: [&[Chunk]; 2],
+    c: [f64; 2],
+) {
+    let rows = a[0].iter().zip(a[1]).zip(b[0].iter().zip(b[1]));
+    for (y, ((a0, a1), (b0, b1))) in y.iter_mut().zip(rows) {
+        for i in 0..WIDTH {
+            let mut sum = c[0] * (a0[i] * b0[i]);
+            if !BEGINS {
+                sum = y[i] + sum;
+            }
+            if COUNT == 2 {
+                sum += c[1] * (a1[i] * b1[i]);
+            }
+            y[i] = sum;
+        }
+    }
+}
+
+#[inline(never)]
+fn one_by_one(function: Function, y: &mut Chunk, x: &Chunk) {
+    for (y, &x) in y.iter_mut().zip(x) {
+        *y = function.of(x);
+    }
+}

@@ -1,0 +1,195 @@
+//! What the programs of a formula compute, against jets of intervals through the formula itself.
+
+use nalgebra::{SMatrix, SVector};
+use tautline_chance::{cases, seed};
+use tautline_formula::{Batches, Formula, InstructionSet, Kind, Programs};
+use tautline_metrics::{Metric, gallery, is_gram};
+use tautline_scalar::{Interval, Jet2};
+
+use crate::{random::Random, random_formulas::Trees};
+
+/// A program rounds in another order than the formula. Places are enclosed together with their neighbours,
+/// so many units in the last place to either side: what a result moves by between them it may be off by.
+const NEIGHBOURS: f64 = 16.0;
+
+fn nearby(x: f64) -> Interval {
+    let reach = NEIGHBOURS * f64::EPSILON * x.abs();
+    Interval::new(x - reach, x + reach).expect("ordered ends")
+}
+
+/// `H`, `Hd`, `dᵀHd`, `G`, `P` and `Q` at a place, enclosed.
+struct Enclosed<const D: usize> {
+    gram: SMatrix<Interval, D, D>,
+    momentum: SVector<Interval, D>,
+    square: Interval,
+    slope: SVector<Interval, D>,
+    turn: SMatrix<Interval, D, D>,
+    bend: SMatrix<Interval, D, D>,
+}
+
+impl<const D: usize> Enclosed<D> {
+    fn new(metric: &impl Metric<D>, x: &SVector<f64, D>, d: &SVector<f64, D>) -> Self {
+        let places: [Interval; D] = std::array::from_fn(|i| nearby(x[i]));
+        let d = d.map(nearby);
+        let jets = metric.gram(&SVector::from(Jet2::variables(&places)));
+        let gram = jets.map(|jet| jet.value());
+        let along = |h: SMatrix<Interval, D, D>| h * d;
+        let first = |k: usize| along(jets.map(|jet| jet.first(k)));
+        Self {
+            gram,
+            momentum: along(gram),
+            square: d.dot(&along(gram)),
+            slope: SVector::from_fn(|k, _| d.dot(&first(k))),
+            turn: SMatrix::from_fn(|i, k| first(k)[i]),
+            bend: SMatrix::from_fn(|k, l| d.dot(&along(jets.map(|jet| jet.second(k, l))))),
+        }
+    }
+}
+
+/// Whether a number is where it must be. Where nothing is known, it may be anything.
+fn is_near(found: f64, expected: Interval) -> bool {
+    let width = expected.hi() - expected.lo();
+    let slack = width + f64::MIN_POSITIVE;
+    !width.is_finite() || (expected.lo() - slack <= found && found <= expected.hi() + slack)
+}
+
+type Place<const D: usize> = (SVector<f64, D>, SVector<f64, D>);
+
+/// Compares all rows of all lanes; returns how many numbers were known at all.
+fn compare<const D: usize>(metric: &impl Metric<D>, places: &[Place<D>]) -> usize {
+    let formula = Formula::record(metric).expect("no comparison");
+    let programs = Programs::new(formula);
+    let enclosed: Vec<Enclosed<D>> =
+        places.iter().map(|(x, d)| Enclosed::new(metric, x, d)).collect();
+    let mut known = 0;
+    let mut same = |found: f64, expected: Interval, what: &str, lane: usize| {
+        let text = programs.formula();
+        let (x, d) = places[lane];
+        assert!(is_near(found, expected), "{what} {found:e} not in {expected:?} at {x:?} along {d:?}: {text}");
+        known += usize::from((expected.hi() - expected.lo()).is_finite());
+    };
+    for kind in [Kind::Square, Kind::Momentum, Kind::Contraction] {
+        let mut batch = programs.batch(kind);
+        for (block, places) in places.chunks(batch.lanes()).enumerate() {
+            let first = block * batch.lanes();
+            let is_metric = batch.evaluate(places.iter().copied());
+            let layout = batch.layout();
+            let grams: Vec<SMatrix<f64, D, D>> = places.iter().map(|(x, _)| metric.gram(x)).collect();
+            if kind != Kind::Square {
+                assert_eq!(is_metric, grams.iter().all(is_gram), "{}", programs.formula());
+            }
+            for lane in 0..places.len() {
+                let expected = &enclosed[first + lane];
+                let at = |register: u16| batch.row(register)[lane];
+                for &register in &layout.square {
+                    same(at(register), expected.square, "dᵀHd", first + lane);
+                }
+                let vectors = [
+                    (&layout.momentum, &expected.momentum, "Hd"),
+                    (&layout.slope, &expected.slope, "G"),
+                ];
+                for (registers, expected, what) in vectors {
+                    for (i, &register) in registers.iter().enumerate() {
+                        same(at(register), expected[i], what, first + lane);
+                    }
+                }
+                let matrices = [
+                    (&layout.gram, &expected.gram, "H"),
+                    (&layout.turn, &expected.turn, "P"),
+                    (&layout.bend, &expected.bend, "Q"),
+                ];
+                for (registers, expected, what) in matrices {
+                    for (n, &register) in registers.iter().enumerate() {
+                        same(at(register), expected[(n / D, n % D)], what, first + lane);
+                    }
+                }
+            }
+        }
+    }
+    known
+}
+
+fn places<const D: usize>(count: usize) -> Vec<Place<D>> {
+    let at = |k: usize, i: usize| ((k as f64 + 0.5) * (0.618 + 0.755 * i as f64)).fract() - 0.5;
+    (0..count)
+        .map(|k| {
+            (SVector::from_fn(|i, _| 2.0 * at(k, i)), SVector::from_fn(|i, _| at(k + 7, i + 3)))
+        })
+        .collect()
+}
+
+/// All numbers, three kinds of them: `dᵀHd`, then that with `Hd` and `G`, then `H`, `G`, `P` and `Q`.
+#[track_caller]
+fn all<const D: usize>(metric: &impl Metric<D>) {
+    let known = compare(metric, &places(100));
+    assert_eq!(known, 100 * (1 + 1 + 2 * D + D + 3 * D * D));
+}
+
+#[test]
+fn the_gallery_is_contracted_by_programs() {
+    all::<1>(&gallery::Valleys);
+    all::<2>(&gallery::Valleys);
+    all(&gallery::Shear::new(0.5, 1.0).expect("a wave number"));
+    all::<2>(&gallery::Bump::new(0.5, 1.0).expect("positive"));
+    all::<2>(&gallery::Lens::new(0.5, 1.0).expect("positive"));
+    all::<2>(&gallery::Hill::new(0.5, 1.0).expect("positive"));
+    all(&gallery::Ramp::new(0.5, 1.0).expect("below one"));
+    all(&gallery::Separable::new([0.3, -0.5, 0.7], [1.0, 2.0, 3.0]).expect("below one"));
+    all(&gallery::CoupledCosines);
+    all(&gallery::RotatingAnisotropy::new([4.0, 1.0], [1.0, 0.5]).expect("positive"));
+    all(&gallery::SineProjections::benchmark());
+    all::<2>(&gallery::Sphere);
+    all(&gallery::Constant::<3>::new(SMatrix::identity()).expect("definite"));
+}
+
+#[test]
+fn random_formulas_are_contracted_by_programs() {
+    let mut random = Random(seed(2711));
+    let mut known = 0;
+    for _ in 0..cases(2000) {
+        let trees = Trees::random(&mut random, 4);
+        let places: Vec<Place<2>> = (0..3)
+            .map(|_| [(); 2].map(|()| SVector::from_fn(|_, _| random.number() / 2.0)))
+            .map(|[x, d]| (x, d))
+            .collect();
+        known += compare(&trees, &places);
+    }
+    assert!(known > 0);
+    println!("{known} numbers were known");
+}
+
+/// For every size of a block and every instruction set.
+#[test]
+fn neither_the_block_nor_the_processor_changes_a_bit() {
+    fn bits<const D: usize>(programs: &Programs<D>, places: &[Place<D>]) -> Vec<u64> {
+        let mut all = Vec::new();
+        for kind in [Kind::Square, Kind::Momentum, Kind::Contraction] {
+            let mut batch = programs.batch(kind);
+            let layout = batch.layout().clone();
+            let rows = [layout.square, layout.momentum, layout.slope, layout.gram, layout.turn, layout.bend];
+            for places in places.chunks(batch.lanes()) {
+                batch.evaluate(places.iter().copied());
+                for lane in 0..places.len() {
+                    let registers = rows.iter().flatten();
+                    all.extend(registers.map(|&register| batch.row(register)[lane].to_bits()));
+                }
+            }
+        }
+        all
+    }
+    fn same<const D: usize>(metric: &impl Metric<D>) {
+        let formula = Formula::record(metric).expect("no comparison");
+        let places = places::<D>(131);
+        let expected = bits(&Programs::new(formula.clone()), &places);
+        for lanes in [8, 16, 40, 64, 128] {
+            for instruction_set in [InstructionSet::Baseline, InstructionSet::Widest] {
+                let programs = Programs::with(formula.clone(), instruction_set, lanes);
+                assert!(bits(&programs, &places) == expected, "{lanes} lanes, {instruction_set:?}");
+            }
+        }
+    }
+    same::<2>(&gallery::Valleys);
+    same(&gallery::SineProjections::benchmark());
+    same(&gallery::RotatingAnisotropy::new([4.0, 1.0], [1.0, 0.5]).expect("positive"));
+    same(&gallery::CoupledCosines);
+}
