@@ -107,9 +107,20 @@ impl<T: Scalar, const D: usize> ChordModel<D, T> {
         rest.iter().map(&node).fold(node(first), Self::plus)
     }
 
+    /// The sum over the nodes, of which each has its number.
+    #[inline(always)]
+    pub(crate) fn over(nodes: &[Node], node: impl Fn(usize, &Node) -> Self) -> Self {
+        let [first, rest @ ..] = nodes else { return Self::zero() };
+        let mut sum = node(0, first);
+        for (place, next) in rest.iter().enumerate() {
+            sum = sum.plus(node(place + 1, next));
+        }
+        sum
+    }
+
     /// The part of one node, of the weight `w`, at the fraction `far` of the chord.
     #[inline(always)]
-    fn at_node(contraction: Contraction<D, T>, d: &SVector<T, D>, far: T, w: f64) -> Self {
+    pub(crate) fn at_node(contraction: Contraction<D, T>, d: &SVector<T, D>, far: T, w: f64) -> Self {
         let near = T::one() - far;
         let Contraction { h, g, p, q, is_metric } = contraction;
         // Each with its weight, and twice where twice is wanted.

@@ -31,6 +31,7 @@
 //! ```
 
 mod block_tridiagonal;
+mod chord_batch;
 mod chord_model;
 mod compensated_sum;
 mod contraction;
@@ -44,6 +45,7 @@ mod trapezoidal;
 mod true_trapezoid;
 
 pub use block_tridiagonal::BlockTridiagonal;
+pub use chord_batch::{ChordBatch, Rows};
 pub use chord_model::ChordModel;
 pub use compensated_sum::CompensatedSum;
 pub use interpolation::Interpolation;

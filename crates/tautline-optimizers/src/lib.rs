@@ -34,7 +34,7 @@
 //! shortened; a saddle is left along the direction of its most negative curvature.
 
 mod asymptotics;
-mod newton;
+pub mod newton;
 mod search;
 
 pub use asymptotics::{

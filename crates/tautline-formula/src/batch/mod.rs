@@ -48,26 +48,24 @@ impl<const D: usize> Batch<'_, D> {
         self.registers.lanes()
     }
 
-    /// Puts places and vectors into the lanes, one after the other, of which there must not be more than
-    /// [`lanes`](Self::lanes) and at least one, and evaluates.
-    ///
-    /// Returns whether `H` is finite, symmetric and positive definite at each of them.
+    /// Returns the places and vectors of the lanes, to be written.
     #[inline]
-    pub fn evaluate(
-        &mut self,
-        places: impl ExactSizeIterator<Item = (SVector<f64, D>, SVector<f64, D>)>,
-    ) -> bool {
-        let count = places.len();
+    pub fn inputs(&mut self) -> Inputs<'_, D> {
+        let [x, d] = self.registers.inputs();
+        Inputs { x, d }
+    }
+
+    /// Evaluates at the first `count` lanes. Returns whether `H` is finite, symmetric and positive definite
+    /// at each of them.
+    ///
+    /// # Panics
+    ///
+    /// If that is no lane, or more than [`lanes`](Self::lanes).
+    pub fn evaluate(&mut self, count: usize) -> bool {
         assert!(count > 0 && count <= self.lanes(), "{count} of {} lanes", self.lanes());
         let used = self.registers.set_used(count);
-        let [x, d] = self.registers.inputs::<D>();
-        for (lane, (place, vector)) in places.enumerate() {
-            for i in 0..D {
-                x[i][lane] = place[i];
-                d[i][lane] = vector[i];
-            }
-        }
         // The others are the last once more: no place where there is nothing.
+        let Inputs { x, d } = self.inputs();
         for row in x.into_iter().chain(d) {
             let last = row[count - 1];
             row[count..used].fill(last);
@@ -87,5 +85,26 @@ impl<const D: usize> Batch<'_, D> {
     #[inline]
     pub fn row(&self, register: Register) -> &[f64] {
         self.registers.row(register)
+    }
+}
+
+/// The places `x` and the vectors `d` of the lanes, coordinate by coordinate.
+pub struct Inputs<'b, const D: usize> {
+    x: [&'b mut [f64]; D],
+    d: [&'b mut [f64]; D],
+}
+
+impl<const D: usize> Inputs<'_, D> {
+    /// Sets the place and the vector of a lane.
+    ///
+    /// # Panics
+    ///
+    /// If there is no such lane.
+    #[inline(always)]
+    pub fn set(&mut self, lane: usize, x: &SVector<f64, D>, d: &SVector<f64, D>) {
+        for i in 0..D {
+            self.x[i][lane] = x[i];
+            self.d[i][lane] = d[i];
+        }
     }
 }

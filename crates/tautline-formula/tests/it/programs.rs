@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 use tautline_chance::{cases, seed};
-use tautline_formula::{Batches, Formula, InstructionSet, Kind, Programs};
+use tautline_formula::{Batch, Batches, Formula, InstructionSet, Kind, Programs};
 use tautline_metrics::{Metric, gallery, is_gram};
 use tautline_scalar::{Interval, Jet2};
 
@@ -55,6 +55,14 @@ fn is_near(found: f64, expected: Interval) -> bool {
 
 type Place<const D: usize> = (SVector<f64, D>, SVector<f64, D>);
 
+fn evaluate<const D: usize>(batch: &mut Batch<'_, D>, places: &[Place<D>]) -> bool {
+    let mut inputs = batch.inputs();
+    for (lane, (x, d)) in places.iter().enumerate() {
+        inputs.set(lane, x, d);
+    }
+    batch.evaluate(places.len())
+}
+
 /// Compares all rows of all lanes; returns how many numbers were known at all.
 fn compare<const D: usize>(metric: &impl Metric<D>, places: &[Place<D>]) -> usize {
     let formula = Formula::record(metric).expect("no comparison");
@@ -72,7 +80,7 @@ fn compare<const D: usize>(metric: &impl Metric<D>, places: &[Place<D>]) -> usiz
         let mut batch = programs.batch(kind);
         for (block, places) in places.chunks(batch.lanes()).enumerate() {
             let first = block * batch.lanes();
-            let is_metric = batch.evaluate(places.iter().copied());
+            let is_metric = evaluate(&mut batch, places);
             let layout = batch.layout();
             let grams: Vec<SMatrix<f64, D, D>> = places.iter().map(|(x, _)| metric.gram(x)).collect();
             if kind != Kind::Square {
@@ -168,7 +176,7 @@ fn neither_the_block_nor_the_processor_changes_a_bit() {
             let layout = batch.layout().clone();
             let rows = [layout.square, layout.momentum, layout.slope, layout.gram, layout.turn, layout.bend];
             for places in places.chunks(batch.lanes()) {
-                batch.evaluate(places.iter().copied());
+                evaluate(&mut batch, places);
                 for lane in 0..places.len() {
                     let registers = rows.iter().flatten();
                     all.extend(registers.map(|&register| batch.row(register)[lane].to_bits()));

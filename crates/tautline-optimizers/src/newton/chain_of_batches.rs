@@ -1,0 +1,145 @@
+//! `Chain`: the chords of a point sequence, in the order of an elimination from both ends.
+
+use nalgebra::SVector;
+use tautline_discretizations::{ChordBatch, Node, PointSequence};
+use tautline_formula::Batches;
+use tautline_metrics::{Lanes, Pair};
+use tautline_sets::ClosedSet;
+
+use crate::newton::{
+    chain::{Memory, Side},
+    end_frame::EndFrame,
+    factorization::{Pivot, Regulariser},
+    front::Front,
+    residual::Residual,
+    twisted_factorization::TwistedFactorization,
+    two_threads::join,
+};
+
+/// A point sequence, and all that an elimination reads on the way.
+pub(crate) struct ChainOfBatches<'a, const D: usize> {
+    pub(crate) nodes: &'static [Node],
+    pub(crate) metric: &'a dyn Batches<D>,
+    pub(crate) ends: [&'a dyn ClosedSet<D>; 2],
+    pub(crate) sequence: &'a PointSequence<D>,
+    pub(crate) regulariser: Regulariser,
+    /// The `τ` of the frames at the ends.
+    pub(crate) tau: f64,
+    pub(crate) residual: &'a Residual<D>,
+}
+
+
+
+/// Where one side writes.
+type MemoryOfSide<'m, const D: usize> = Option<(&'m mut Vec<Pivot<D>>, &'m mut [SVector<f64, D>])>;
+
+impl<const D: usize> ChainOfBatches<'_, D> {
+    fn n(&self) -> usize {
+        self.sequence.n().get()
+    }
+
+    /// How many chords each side takes; with an odd number, there is one more in the middle.
+    pub(crate) fn half(&self) -> usize {
+        self.n() / 2
+    }
+
+    /// The chord with the number `k`, as counted from an end.
+    #[inline(always)]
+    fn chord(&self, end: usize, k: usize) -> (&SVector<f64, D>, SVector<f64, D>) {
+        self.sequence.chord(if end == 0 { k } else { self.n() - 1 - k })
+    }
+
+    /// The coordinates at an end, by the gradient there.
+    pub(crate) fn frame(&self, end: usize, gradient: &SVector<f64, D>) -> EndFrame<D> {
+        let x = if end == 0 { self.sequence.first() } else { self.sequence.last() };
+        EndFrame::new(self.ends[end], x, gradient, self.tau)
+    }
+
+    /// Eliminates both sides, a block of each at a time; `None` if the Hessian is not positive
+    /// definite.
+    #[inline(always)]
+    pub(crate) fn side_by_side(&self, mut memory: Memory<'_, D>) -> Option<[Side<D>; 2]> {
+        let n = self.n();
+        let mut frames = [None, None];
+        let mut both = Front::<D, Pair>::new(self.regulariser);
+        let mut batch = ChordBatch::new(self.metric, self.nodes, n as f64);
+        let room = (batch.room() / 2).max(1);
+        for begin in (0..self.half()).step_by(room) {
+            let end = (begin + room).min(self.half());
+            batch.face((begin..end).map(|k| [self.chord(0, k), self.chord(1, k)]));
+            let rows = batch.pairs();
+            for k in begin..end {
+                let chord = rows.model(k - begin, |theta| Pair::new(theta, 1.0 - theta));
+                let mut ahead = both.add(&chord, self.regulariser);
+                if k == 0 {
+                    let fronts = both.apart();
+                    let [first, last] =
+                        [0, 1].map(|end| self.frame(end, &fronts[end].row.gradient));
+                    both.enter([&first, &last], &mut ahead, self.tau);
+                    frames = [Some(first), Some(last)];
+                } else {
+                    both.count(self.residual);
+                }
+                let (pivot, z) = both.advance(ahead)?;
+                if let Some((factorization, eliminated)) = &mut memory {
+                    factorization.pairs.push(pivot);
+                    eliminated[k] = z.map(|z| z.lane(0));
+                    eliminated[n - k] = z.map(|z| z.lane(1));
+                }
+            }
+        }
+        both.is_metric = batch.is_metric;
+        let [first, last] = frames;
+        let [front, back] = both.apart();
+        Some([Side { front, frame: first }, Side { front: back, frame: last }])
+    }
+
+    /// Eliminates one side and the other, or both `at_once`; `None` if the Hessian is not positive
+    /// definite.
+    pub(crate) fn side_and_side(
+        &self,
+        memory: Memory<'_, D>,
+        at_once: bool,
+    ) -> Option<[Side<D>; 2]> {
+        let half = self.half();
+        let [one, other] = match memory {
+            Some((TwistedFactorization { sides: [one, other], .. }, eliminated)) => {
+                let (first, last) = eliminated.split_at_mut(self.n() + 1 - half);
+                [Some((one, &mut first[..half])), Some((other, last))]
+            }
+            None => [None, None],
+        };
+        join(at_once, || self.side(0, one), || self.side(1, other))
+    }
+
+    /// Eliminates the side of one end.
+    fn side(&self, end: usize, mut memory: MemoryOfSide<'_, D>) -> Option<Side<D>> {
+        let (n, half) = (self.n() as f64, self.half());
+        let mut side = Side { front: Front::new(self.regulariser), frame: None };
+        let Side { front, frame } = &mut side;
+        let mut batch = ChordBatch::new(self.metric, self.nodes, n);
+        let room = batch.room().max(1);
+        for begin in (0..half).step_by(room) {
+            let stop = (begin + room).min(half);
+            batch.see(end, (begin..stop).map(|k| self.chord(end, k)));
+            let rows = batch.singles();
+            for k in begin..stop {
+                let chord = rows.model(k - begin, |theta| if end == 0 { theta } else { 1.0 - theta });
+                let mut ahead = front.add(&chord, self.regulariser);
+                if k == 0 {
+                    let frame = frame.insert(self.frame(end, &front.row.gradient));
+                    front.enter(frame, &mut ahead, self.tau);
+                } else {
+                    front.count(self.residual);
+                }
+                let (pivot, z) = front.advance(ahead)?;
+                if let Some((pivots, eliminated)) = &mut memory {
+                    pivots.push(pivot);
+                    eliminated[if end == 0 { k } else { half - 1 - k }] = z;
+                }
+            }
+        }
+        front.is_metric = batch.is_metric;
+        Some(side)
+    }
+}
