@@ -1,43 +1,50 @@
-//! `ChordBatch`: the models of many chords at once.
+//! `ChordBatch`: many chords at once.
 
 use nalgebra::{SMatrix, SVector};
-use tautline_formula::{Batch, Batches, Kind};
+use tautline_formula::{Batch, Batches, Kind, Layout, Register};
 use tautline_metrics::{Lanes, Pair};
 
-use crate::{ChordModel, Node, contraction::Contraction};
+use crate::{ChordModel, Node, chord_model::Contraction};
 
-/// What many chords add to a discrete energy, to second order: the [`ChordModel`]s of as many as there are
-/// lanes for.
+/// The Gram matrix at the nodes of many chords at once, contracted with them.
 pub struct ChordBatch<'f, const D: usize> {
     batch: Batch<'f, D>,
     nodes: &'static [Node],
     n: f64,
-    /// Whether the Gram matrix is one at every node so far.
+    /// Whether the Gram matrix is finite, symmetric and positive definite at every node so far.
     pub is_metric: bool,
 }
 
-/// A chord `(x, d)`.
+/// A chord `(x, d)`, from `x` to `x + d`.
 type Chord<'p, const D: usize> = (&'p SVector<f64, D>, SVector<f64, D>);
 
 impl<'f, const D: usize> ChordBatch<'f, D> {
-    /// For a rule with these nodes on `n` subintervals.
-    pub fn new(metric: &'f dyn Batches<D>, nodes: &'static [Node], n: f64) -> Self {
-        Self { batch: metric.batch(Kind::Contraction), nodes, n, is_metric: true }
+    /// Memory for what this kind has, for a rule with these nodes on `n` subintervals, and for no more than
+    /// `chords` at once.
+    #[must_use]
+    pub fn new(
+        metric: &'f dyn Batches<D>,
+        kind: Kind,
+        nodes: &'static [Node],
+        n: f64,
+        chords: usize,
+    ) -> Self {
+        // A chord has one lane at least, two chords that face each other are not parted.
+        let unit = 2 * nodes.len().max(1);
+        let batch = Batch::new(metric, kind, unit, chords.div_ceil(2));
+        Self { batch, nodes, n, is_metric: true }
     }
 
-    /// How many chords there is room for.
+    /// Returns how many chords there is room for: two at least.
     #[must_use]
     pub fn room(&self) -> usize {
         self.batch.lanes() / self.nodes.len().max(1)
     }
 
-    /// Evaluates pairs of chords, the second of each seen from its end 1.
+    /// Evaluates pairs of chords, the second of each as seen from its end `x + d`: it leads back to `x`.
     #[inline]
     pub fn face<'p>(&mut self, pairs: impl ExactSizeIterator<Item = [Chord<'p, D>; 2]>) {
         let count = 2 * pairs.len() * self.nodes.len();
-        if count == 0 {
-            return;
-        }
         let mut inputs = self.batch.inputs();
         let mut lane = 0;
         for [(x, d), (other_x, other_d)] in pairs {
@@ -47,16 +54,13 @@ impl<'f, const D: usize> ChordBatch<'f, D> {
                 lane += 2;
             }
         }
-        self.is_metric &= self.batch.evaluate(count);
+        self.evaluate(count);
     }
 
-    /// Evaluates chords as seen from one of their ends.
+    /// Evaluates chords as seen from their end 0, `x`, or 1, `x + d`: from the latter they lead back.
     #[inline]
     pub fn see<'p>(&mut self, end: usize, chords: impl ExactSizeIterator<Item = Chord<'p, D>>) {
         let count = chords.len() * self.nodes.len();
-        if count == 0 {
-            return;
-        }
         let mut inputs = self.batch.inputs();
         let mut lane = 0;
         for (x, d) in chords {
@@ -66,95 +70,359 @@ impl<'f, const D: usize> ChordBatch<'f, D> {
                 lane += 1;
             }
         }
-        self.is_metric &= self.batch.evaluate(count);
+        self.evaluate(count);
     }
 
-    /// Returns the rows in which the contractions of what was evaluated last are.
-    #[inline]
-    pub fn pairs(&self) -> Rows<'_, Pair, D> {
-        Rows::new(&self.batch, self.nodes, self.n, |row| row.as_chunks::<2>().0)
+    fn evaluate(&mut self, count: usize) {
+        if count > 0 {
+            self.is_metric &= self.batch.evaluate(count);
+        }
     }
 
-    /// The same, for chords that were seen one by one.
+    /// Returns the models of the pairs of chords that face each other.
+    #[must_use]
     #[inline]
-    pub fn singles(&self) -> Rows<'_, f64, D> {
-        Rows::new(&self.batch, self.nodes, self.n, |row| row)
+    pub fn pairs(&self) -> Contractions<'_, Pair, D> {
+        self.contractions(|row| row.as_chunks::<2>().0)
+    }
+
+    /// Returns the models of the chords that were seen one by one.
+    #[must_use]
+    #[inline]
+    pub fn singles(&self) -> Contractions<'_, f64, D> {
+        self.contractions(|row| row)
+    }
+
+    #[inline]
+    fn contractions<'b, T: Entry>(
+        &'b self,
+        split: impl Fn(&'b [f64]) -> &'b [T::Row],
+    ) -> Contractions<'b, T, D> {
+        let Layout { slope, gram, turn, bend, .. } = self.batch.layout();
+        let row = |register: Register| split(self.batch.row(register));
+        let matrix = |registers: &[Register]| {
+            std::array::from_fn(|i| std::array::from_fn(|j| row(registers[i * D + j])))
+        };
+        Contractions {
+            d: std::array::from_fn(|i| row((D + i) as Register)),
+            slope: std::array::from_fn(|i| row(slope[i])),
+            gram: matrix(gram),
+            turn: matrix(turn),
+            bend: matrix(bend),
+            nodes: self.nodes,
+            n: self.n,
+        }
+    }
+
+    /// Returns what chord `k` of those that were seen adds to the energy, node by node: `N w dᵀHd`.
+    #[inline]
+    pub fn energies(&self, k: usize) -> impl Iterator<Item = f64> {
+        let squares = self.batch.row(self.batch.layout().square[0]);
+        let lanes = squares[k * self.nodes.len()..].iter();
+        self.nodes.iter().zip(lanes).map(|(node, square)| self.n * node.weight * square)
+    }
+
+    /// Adds the gradients of what chord `k` adds to the energy, by its points `x` and `x + d`, to these.
+    #[inline]
+    pub fn add_gradients(&self, k: usize, gradients: &mut [SVector<f64, D>; 2]) {
+        let Layout { momentum, slope, .. } = self.batch.layout();
+        for (place, node) in self.nodes.iter().enumerate() {
+            let lane = k * self.nodes.len() + place;
+            let w = self.n * node.weight;
+            for i in 0..D {
+                let twice = 2.0 * self.batch.row(momentum[i])[lane];
+                let g = self.batch.row(slope[i])[lane];
+                gradients[0][i] += w * (g * (1.0 - node.fraction) - twice);
+                gradients[1][i] += w * (g * node.fraction + twice);
+            }
+        }
     }
 }
 
 /// A number of each of some lanes that stand side by side.
-pub trait Row: Lanes {
-    type Entry: Copy;
-    fn of(entry: Self::Entry) -> Self;
+pub trait Entry: Lanes {
+    /// How they stand in a row.
+    type Row: Copy;
+
+    /// Returns them as one number.
+    fn of(row: Self::Row) -> Self;
+
+    /// Returns the fraction of a chord as seen from where these lanes see it, and so its far point.
+    fn far(fraction: f64) -> Self;
 }
 
-impl Row for f64 {
-    type Entry = f64;
+impl Entry for f64 {
+    type Row = f64;
+
     #[inline(always)]
-    fn of(entry: f64) -> Self {
-        entry
+    fn of(row: f64) -> Self {
+        row
+    }
+
+    #[inline(always)]
+    fn far(fraction: f64) -> Self {
+        fraction
     }
 }
 
-impl Row for Pair {
-    type Entry = [f64; 2];
+impl Entry for Pair {
+    type Row = [f64; 2];
+
     #[inline(always)]
     fn of([one, other]: [f64; 2]) -> Self {
         Self::new(one, other)
     }
+
+    #[inline(always)]
+    fn far(fraction: f64) -> Self {
+        Self::new(fraction, 1.0 - fraction)
+    }
 }
 
-/// Contractions of chords, row by row.
-pub struct Rows<'b, T: Row, const D: usize> {
-    d: [&'b [T::Entry]; D],
-    slope: [&'b [T::Entry]; D],
-    gram: [[&'b [T::Entry]; D]; D],
-    turn: [[&'b [T::Entry]; D]; D],
-    bend: [[&'b [T::Entry]; D]; D],
+/// What makes the models of chords, row by row.
+pub struct Contractions<'b, T: Entry, const D: usize> {
+    d: [&'b [T::Row]; D],
+    slope: [&'b [T::Row]; D],
+    gram: [[&'b [T::Row]; D]; D],
+    turn: [[&'b [T::Row]; D]; D],
+    bend: [[&'b [T::Row]; D]; D],
     nodes: &'static [Node],
     n: f64,
 }
 
-impl<'b, T: Row, const D: usize> Rows<'b, T, D> {
-    #[inline]
-    fn new(
-        batch: &'b Batch<'_, D>,
-        nodes: &'static [Node],
+impl<T: Entry, const D: usize> Contractions<'_, T, D> {
+    /// Returns the model of the chord, or of the pair of chords, with this number.
+    #[inline(always)]
+    #[must_use]
+    pub fn model(&self, k: usize) -> ChordModel<D, T> {
+        self.seen(k, T::far)
+    }
+
+    /// Returns the model of a chord that was seen from its end 0 or 1.
+    #[inline(always)]
+    fn seen(&self, k: usize, far: impl Fn(f64) -> T) -> ChordModel<D, T> {
+        let first = k * self.nodes.len();
+        ChordModel::over(self.nodes, |place, node| {
+            let lane = first + place;
+            let matrix = |rows: &[[&[T::Row]; D]; D]| {
+                SMatrix::<T, D, D>::from_fn(|i, j| T::of(rows[i][j][lane]))
+            };
+            let contraction = Contraction {
+                h: matrix(&self.gram),
+                g: SVector::from_fn(|i, _| T::of(self.slope[i][lane])),
+                p: matrix(&self.turn),
+                q: matrix(&self.bend),
+            };
+            let d = SVector::from_fn(|i, _| T::of(self.d[i][lane]));
+            ChordModel::at_node(contraction, &d, far(node.fraction), node.weight * self.n)
+        })
+    }
+}
+
+impl<const D: usize> Contractions<'_, f64, D> {
+    /// Returns the model of the chord with this number, which was seen from its end 0 or 1.
+    #[inline(always)]
+    #[must_use]
+    pub fn model_from(&self, end: usize, k: usize) -> ChordModel<D> {
+        self.seen(k, |fraction| if end == 0 { fraction } else { 1.0 - fraction })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SMatrix, SVector, vector};
+    use tautline_formula::{Batches, Kind, Plain};
+    use tautline_metrics::{Lanes, Metric, Pair, Scalar, gallery::Swirl};
+
+    use super::ChordBatch;
+    use crate::{
+        ChordModel, LeftEndpoint, LinearModel, Node, PointSequence, Rule, Trapezoidal,
+        TrueTrapezoid,
+    };
+
+    type Chord<'p, const D: usize> = (&'p SVector<f64, D>, SVector<f64, D>);
+
+    fn batch<R: Rule, const D: usize>(
+        _rule: R,
+        metric: &dyn Batches<D>,
         n: f64,
-        split: impl Fn(&'b [f64]) -> &'b [T::Entry],
-    ) -> Self {
-        let layout = batch.layout();
-        let row = |register: u16| split(batch.row(register));
-        let square = |registers: &[u16]| {
-            std::array::from_fn(|i| std::array::from_fn(|j| row(registers[i * D + j])))
-        };
-        Self {
-            d: std::array::from_fn(|i| row((D + i) as u16)),
-            slope: std::array::from_fn(|i| row(layout.slope[i])),
-            gram: square(&layout.gram),
-            turn: square(&layout.turn),
-            bend: square(&layout.bend),
-            nodes,
-            n,
+    ) -> ChordBatch<'_, D> {
+        ChordBatch::new(metric, Kind::Contraction, R::NODES, n, 2)
+    }
+
+    /// One chord, as seen from one of its ends, and whether the metric is one at its nodes.
+    fn seen<R: Rule, const D: usize>(
+        end: usize,
+        rule: R,
+        metric: &impl Metric<D>,
+        chord: Chord<'_, D>,
+        n: f64,
+    ) -> (ChordModel<D>, bool) {
+        let metric = Plain::new(metric);
+        let mut batch = batch(rule, &metric, n);
+        batch.see(end, [chord].into_iter());
+        (batch.singles().model_from(end, 0), batch.is_metric)
+    }
+
+    /// Two that face each other.
+    fn facing<R: Rule, const D: usize>(
+        rule: R,
+        metric: &impl Metric<D>,
+        chords: [Chord<'_, D>; 2],
+        n: f64,
+    ) -> (ChordModel<D, Pair>, bool) {
+        let metric = Plain::new(metric);
+        let mut batch = batch(rule, &metric, n);
+        batch.face([chords].into_iter());
+        (batch.pairs().model(0), batch.is_metric)
+    }
+
+    /// Nothing in it looks the same from both ends.
+    #[derive(Clone, Copy, Debug)]
+    struct Lopsided;
+    impl Rule for Lopsided {
+        const NODES: &'static [Node] =
+            &[Node { fraction: 0.25, weight: 0.75 }, Node { fraction: 0.5, weight: 0.25 }];
+        const ERROR_EXPONENT: i32 = 1;
+    }
+
+    /// Some hundred operations on numbers below 100, of which 3e-14 is two roundings.
+    const SMALL: f64 = 1e-12;
+
+    /// That `one`, seen from the end `end`, is `other`, seen from the near one.
+    #[track_caller]
+    fn is_seen<const D: usize>(end: usize, one: &ChordModel<D>, other: &ChordModel<D>) {
+        assert!((one.energy - other.energy).abs() <= SMALL);
+        assert!((one.trace - other.trace).abs() <= SMALL);
+        for place in [0, 1] {
+            let seen = place ^ end;
+            assert!((one.gradient[seen] - other.gradient[place]).amax() <= SMALL);
+            assert!((one.hessian[seen] - other.hessian[place]).amax() <= SMALL);
+        }
+        let coupling = if end == 0 { other.coupling } else { other.coupling.transpose() };
+        assert!((one.coupling - coupling).amax() <= SMALL);
+    }
+
+    #[track_caller]
+    fn compare<R: Rule>(rule: R) {
+        let metric = Swirl::new(0.5, 1.0).expect("a width");
+        let chords =
+            [(vector![0.3, -0.2], vector![0.5, 0.25]), (vector![-0.6, 0.1], vector![0.2, -0.7])];
+        let chords = chords.each_ref().map(|(x, d)| (x, *d));
+        let (facing, is_metric) = facing(rule, &metric, chords, 8.0);
+        assert!(is_metric);
+        for (end, chord) in chords.into_iter().enumerate() {
+            let (near, is_metric) = seen(0, rule, &metric, chord, 8.0);
+            assert!(is_metric);
+            let lane = ChordModel {
+                energy: facing.energy.lane(end),
+                trace: facing.trace.lane(end),
+                gradient: facing.gradient.map(|g| g.map(|x| x.lane(end))),
+                hessian: facing.hessian.map(|h| h.map(|x| x.lane(end))),
+                coupling: facing.coupling.map(|x| x.lane(end)),
+            };
+            is_seen(end, &lane, &near);
+            is_seen(end, &seen(end, rule, &metric, chord, 8.0).0, &near);
         }
     }
 
-    /// The model of the chord, or pair of chords, with this number.
-    #[inline(always)]
-    pub fn model(&self, k: usize, far: impl Fn(f64) -> T) -> ChordModel<D, T> {
-        let count = self.nodes.len();
-        let first = k * count;
-        ChordModel::over(self.nodes, |place, node| {
-            let lane = first + place;
-            let d = SVector::from_fn(|i, _| T::of(self.d[i][lane]));
-            let contraction = Contraction {
-                h: SMatrix::from_fn(|i, j| T::of(self.gram[i][j][lane])),
-                g: SVector::from_fn(|i, _| T::of(self.slope[i][lane])),
-                p: SMatrix::from_fn(|i, j| T::of(self.turn[i][j][lane])),
-                q: SMatrix::from_fn(|i, j| T::of(self.bend[i][j][lane])),
-                is_metric: true,
-            };
-            ChordModel::at_node(contraction, &d, far(node.fraction), node.weight * self.n)
-        })
+    #[test]
+    fn a_chord_seen_from_its_far_end_leads_back() {
+        compare(Trapezoidal);
+        compare(LeftEndpoint);
+        compare(TrueTrapezoid);
+        compare(Lopsided);
+    }
+
+    /// `x₂ I`: none from the axis down.
+    struct Above;
+    impl Metric<2> for Above {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            SMatrix::from_diagonal_element(x[1])
+        }
+    }
+
+    /// Below the axis at one node of one chord, of two nodes and two chords: each is enough, for a
+    /// pair of chords, for one chord, and for all of a sequence.
+    #[test]
+    fn one_node_without_a_metric_is_enough() {
+        // At the nodes 0 and 1 the heights are those of the two ends.
+        let chord = |from: f64, to: f64| (vector![0.0, from], vector![1.0, to - from]);
+        let heights = [1.0, 2.0, 3.0, 4.0];
+        for below in 0..=heights.len() {
+            let height = |place: usize| if place == below { -1.0 } else { heights[place] };
+            let chords = [chord(height(0), height(1)), chord(height(2), height(3))];
+            let [first, second] =
+                chords.map(|(x, d)| seen(0, TrueTrapezoid, &Above, (&x, d), 1.0).1);
+            assert_eq!([first, second], [below >= 2, !(2..4).contains(&below)], "{below}");
+            let both = chords.each_ref().map(|(x, d)| (x, *d));
+            let (_, is_metric) = facing(TrueTrapezoid, &Above, both, 1.0);
+            assert_eq!(is_metric, below == heights.len(), "{below}");
+            let points = (0..4).map(|place| vector![place as f64, height(place)]).collect();
+            let sequence = PointSequence::new(points).expect("finite");
+            let linear = LinearModel::new(TrueTrapezoid, &Above, &sequence);
+            assert_eq!(linear.is_metric, below == heights.len(), "{below}");
+        }
+    }
+
+    /// The identity, but for one entry.
+    struct Spoilt {
+        place: (usize, usize),
+        entry: f64,
+    }
+    impl<const D: usize> Metric<D> for Spoilt {
+        fn gram<S: Scalar>(&self, _: &SVector<S, D>) -> SMatrix<S, D, D> {
+            let mut h = SMatrix::<S, D, D>::identity();
+            h[self.place] = S::constant(self.entry);
+            h
+        }
+    }
+
+    /// In every way in which derivatives are taken: halves that differ, whichever is the spoilt one,
+    /// an entry of the diagonal that is not positive, the last as well, and infinity.
+    #[track_caller]
+    fn spoilt_matrices_are_seen<const D: usize>() {
+        let defects = [
+            ((0, 1), 0.25),
+            ((1, 0), 0.25),
+            ((D - 1, 0), 0.25),
+            ((D - 2, D - 1), 0.25),
+            ((0, 0), -1.0),
+            ((D - 1, D - 1), 0.0),
+            ((D - 1, D - 1), f64::INFINITY),
+            ((0, D - 1), f64::NAN),
+        ];
+        let whole = ((0, 0), 1.0);
+        let (x, d) = (SVector::<f64, D>::zeros(), SVector::<f64, D>::repeat(0.5));
+        let sequence = PointSequence::new(vec![x, x + d]).expect("finite");
+        for (place, entry) in defects.into_iter().chain([whole]) {
+            let metric = Spoilt { place, entry };
+            let expected = (place, entry) == whole;
+            let (_, is_metric) = seen(0, Trapezoidal, &metric, (&x, d), 1.0);
+            assert_eq!(is_metric, expected, "{entry} at {place:?} of {D}");
+            let linear = LinearModel::new(Trapezoidal, &metric, &sequence);
+            assert_eq!(linear.is_metric, expected, "{entry} at {place:?} of {D}");
+            let (_, is_metric) = facing(Trapezoidal, &metric, [(&x, d), (&x, d)], 1.0);
+            assert_eq!(is_metric, expected, "{entry} at {place:?} of {D}");
+        }
+    }
+
+    #[test]
+    fn a_matrix_that_is_no_metric_is_seen_in_every_dimension() {
+        spoilt_matrices_are_seen::<2>();
+        spoilt_matrices_are_seen::<3>();
+        spoilt_matrices_are_seen::<4>();
+        spoilt_matrices_are_seen::<9>();
+        spoilt_matrices_are_seen::<25>();
+    }
+
+    #[test]
+    fn one_place_without_a_metric_is_enough() {
+        let (above, below) = (vector![0.0, 1.0], vector![0.0, -1.0]);
+        let d = vector![1.0, 0.25];
+        for places in [[&above, &below], [&below, &above], [&above, &above]] {
+            let (_, is_metric) = facing(Trapezoidal, &Above, places.map(|x| (x, d)), 1.0);
+            assert_eq!(is_metric, places == [&above, &above]);
+        }
     }
 }

@@ -2,9 +2,9 @@
 
 use std::cell::{Cell, RefCell};
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 use tautline_metrics::{
-    Metric, MetricError, check_gram,
+    Metric, MetricError, check_matrix,
     quadrature::{Integral, integrate},
 };
 
@@ -73,6 +73,18 @@ impl<'a, const D: usize> Interpolation<'a, D> {
     ///
     /// [`MetricError`], with a point at which the metric is none.
     pub fn check(&self, metric: &impl Metric<D>) -> Result<(), MetricError> {
+        self.check_by(&|x| metric.gram(x))
+    }
+
+    /// The same for a Gram matrix behind a pointer.
+    ///
+    /// # Errors
+    ///
+    /// [`MetricError`], with a point at which it is none.
+    pub fn check_by(
+        &self,
+        gram: &dyn Fn(&SVector<f64, D>) -> SMatrix<f64, D, D>,
+    ) -> Result<(), MetricError> {
         let n = self.sequence.n().get();
         let (defect, mut left) = (RefCell::new(None), LOOKS);
         for k in (0..n).step_by(n.div_ceil(CHECKED)).chain([n - 1]) {
@@ -84,7 +96,8 @@ impl<'a, const D: usize> Interpolation<'a, D> {
                 if looks.get() > most || defect.borrow().is_some() {
                     return f64::NAN;
                 }
-                check_gram(metric, &(x + d * s)).map_or_else(
+                let at = x + d * s;
+                check_matrix(gram(&at), &at).map_or_else(
                     |error| {
                         defect.borrow_mut().get_or_insert(error);
                         f64::NAN

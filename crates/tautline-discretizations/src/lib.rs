@@ -34,7 +34,6 @@ mod block_tridiagonal;
 mod chord_batch;
 mod chord_model;
 mod compensated_sum;
-mod contraction;
 mod interpolation;
 mod left_endpoint;
 mod linear_model;
@@ -45,7 +44,7 @@ mod trapezoidal;
 mod true_trapezoid;
 
 pub use block_tridiagonal::BlockTridiagonal;
-pub use chord_batch::{ChordBatch, Rows};
+pub use chord_batch::{ChordBatch, Contractions, Entry};
 pub use chord_model::ChordModel;
 pub use compensated_sum::CompensatedSum;
 pub use interpolation::Interpolation;

@@ -1,9 +1,10 @@
 //! A discrete energy to first order: value and gradient.
 
 use nalgebra::SVector;
-use tautline_metrics::{Metric, is_gram};
+use tautline_formula::{Batches, Kind, Plain};
+use tautline_metrics::Metric;
 
-use crate::{PointSequence, Rule, compensated_sum::CompensatedSum, contraction::momentum};
+use crate::{ChordBatch, Node, PointSequence, Rule, compensated_sum::CompensatedSum};
 
 /// The discrete energy of a point sequence with its first derivatives by the `N + 1` points.
 ///
@@ -22,27 +23,33 @@ impl<const D: usize> LinearModel<D> {
     /// Expands the discrete energy of `rule` about `sequence`. NaN where the metric is.
     #[must_use]
     pub fn new<R: Rule>(_rule: R, metric: &impl Metric<D>, sequence: &PointSequence<D>) -> Self {
+        Self::by_batches(R::NODES, &Plain::new(metric), sequence)
+    }
+
+    /// Expands the discrete energy of the rule with these nodes about `sequence`. NaN where the metric is.
+    #[must_use]
+    pub fn by_batches(
+        nodes: &'static [Node],
+        metric: &dyn Batches<D>,
+        sequence: &PointSequence<D>,
+    ) -> Self {
         let mut gradient = Vec::with_capacity(sequence.points().len());
-        let n = sequence.n().get() as f64;
+        let n = sequence.n().get();
         let mut energy = CompensatedSum::default();
-        let mut is_metric = true;
-        let mut carried = SVector::<f64, D>::zeros();
-        for (x, d) in sequence.chords() {
-            let mut near = carried;
-            carried = SVector::zeros();
-            for node in R::NODES {
-                let w = node.weight * n;
-                let (h, g) = momentum(metric, &(x + d * node.fraction), &d);
-                is_metric &= is_gram(&h);
-                let hd = h * d;
-                energy.add(w * d.dot(&hd));
-                near += (g * (1.0 - node.fraction) - hd * 2.0) * w;
-                carried += (g * node.fraction + hd * 2.0) * w;
+        let mut batch = ChordBatch::new(metric, Kind::Momentum, nodes, n as f64, n);
+        let mut ends = [SVector::<f64, D>::zeros(); 2];
+        for begin in (0..n).step_by(batch.room()) {
+            let chords = begin..n.min(begin + batch.room());
+            batch.see(0, chords.clone().map(|k| sequence.chord(k)));
+            for k in 0..chords.len() {
+                batch.energies(k).for_each(|term| energy.add(term));
+                batch.add_gradients(k, &mut ends);
+                gradient.push(ends[0]);
+                ends = [ends[1], SVector::zeros()];
             }
-            gradient.push(near);
         }
-        gradient.push(carried);
-        Self { energy: energy.value(), gradient, is_metric }
+        gradient.push(ends[0]);
+        Self { energy: energy.value(), gradient, is_metric: batch.is_metric }
     }
 }
 

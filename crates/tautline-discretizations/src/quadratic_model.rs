@@ -1,12 +1,15 @@
 //! A discrete energy to second order: value, gradient and block-tridiagonal Hessian.
 
 use nalgebra::{SMatrix, SVector};
+use tautline_formula::{Batches, Kind, Plain};
 use tautline_metrics::Metric;
 
-use crate::{BlockTridiagonal, ChordModel, PointSequence, Rule, compensated_sum::CompensatedSum};
+use crate::{
+    BlockTridiagonal, ChordBatch, Node, PointSequence, Rule, compensated_sum::CompensatedSum,
+};
 
 /// The discrete energy of a point sequence with its first and second derivatives by the
-/// `N + 1` points: the sum of the [`ChordModel`]s.
+/// `N + 1` points: the sum of the [`ChordModel`](crate::ChordModel)s.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct QuadraticModel<const D: usize> {
     /// The discrete energy, in `m²`.
@@ -31,8 +34,18 @@ impl<const D: usize> QuadraticModel<D> {
     /// Expands another time, in the memory of this model: everything in it is overwritten.
     pub fn expand<R: Rule>(
         &mut self,
-        rule: R,
+        _rule: R,
         metric: &impl Metric<D>,
+        sequence: &PointSequence<D>,
+    ) {
+        self.expand_by_batches(R::NODES, &Plain::new(metric), sequence);
+    }
+
+    /// Expands the discrete energy of the rule with these nodes, in the memory of this model.
+    pub fn expand_by_batches(
+        &mut self,
+        nodes: &'static [Node],
+        metric: &dyn Batches<D>,
         sequence: &PointSequence<D>,
     ) {
         let n = sequence.n().get();
@@ -44,15 +57,20 @@ impl<const D: usize> QuadraticModel<D> {
         upper.resize(n, SMatrix::zeros());
         // What the chord before has left for the point between.
         let mut carried = (SVector::<f64, D>::zeros(), SMatrix::<f64, D, D>::zeros());
-        let places = gradient.iter_mut().zip(diagonal.iter_mut()).zip(upper.iter_mut());
-        for ((x, d), ((gradient, diagonal), upper)) in sequence.chords().zip(places) {
-            let chord = ChordModel::new(rule, metric, x, &d, factor);
-            energy.add(chord.energy);
-            trace += chord.trace;
-            *gradient = carried.0 + chord.gradient[0];
-            *diagonal = carried.1 + chord.hessian[0];
-            *upper = chord.coupling;
-            carried = (chord.gradient[1], chord.hessian[1]);
+        let mut batch = ChordBatch::new(metric, Kind::Contraction, nodes, factor, n);
+        for begin in (0..n).step_by(batch.room()) {
+            let chords = begin..n.min(begin + batch.room());
+            batch.see(0, chords.clone().map(|k| sequence.chord(k)));
+            let models = batch.singles();
+            for k in chords {
+                let chord = models.model(k - begin);
+                energy.add(chord.energy);
+                trace += chord.trace;
+                gradient[k] = carried.0 + chord.gradient[0];
+                diagonal[k] = carried.1 + chord.hessian[0];
+                upper[k] = chord.coupling;
+                carried = (chord.gradient[1], chord.hessian[1]);
+            }
         }
         (gradient[n], diagonal[n]) = carried;
         self.energy = energy.value();

@@ -32,7 +32,7 @@ mod record_error;
 mod recording;
 mod text;
 
-pub use batch::{Batch, Batches, Evaluate, Inputs, Kind, Layout, Programs};
+pub use batch::{Batch, Batches, Inputs, Kind, Layout, Plain, Prepared, Programs};
 pub use formula::Formula;
 pub use program::{InstructionSet, Register, Registers, WIDTH};
 pub use operation::{Arithmetic, Function, Number, Operation, Pair, Step};

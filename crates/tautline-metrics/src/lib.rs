@@ -53,5 +53,5 @@ pub use christoffel::christoffel;
 pub use constants::{Constants, HypothesisError};
 pub use locally_bounded::{LocalError, LocallyBounded};
 pub use metric::{Bounded, KnownDistance, Metric};
-pub use positive_definite::{MetricError, check_gram, cholesky, is_gram};
+pub use positive_definite::{MetricError, check_gram, check_matrix, cholesky, is_gram};
 pub use tautline_scalar::{Jet1, Jet2, Lanes, MixedJet, Pair, Scalar};

@@ -104,7 +104,18 @@ pub fn check_gram<const D: usize>(
     metric: &impl Metric<D>,
     x: &SVector<f64, D>,
 ) -> Result<SMatrix<f64, D, D>, MetricError> {
-    let h: SMatrix<f64, D, D> = metric.gram(x);
+    check_matrix(metric.gram(x), x)
+}
+
+/// Returns the matrix `h`, which was found at `x`, if it is finite, symmetric and positive definite.
+///
+/// # Errors
+///
+/// [`MetricError`] with the point and the offending number.
+pub fn check_matrix<const D: usize>(
+    h: SMatrix<f64, D, D>,
+    x: &SVector<f64, D>,
+) -> Result<SMatrix<f64, D, D>, MetricError> {
     let point = || x.iter().copied().collect();
     for (row, column) in (0..D).flat_map(|i| (0..D).map(move |j| (i, j))) {
         let entry = h[(row, column)];

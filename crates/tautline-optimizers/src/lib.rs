@@ -34,7 +34,7 @@
 //! shortened; a saddle is left along the direction of its most negative curvature.
 
 mod asymptotics;
-pub mod newton;
+mod newton;
 mod search;
 
 pub use asymptotics::{
@@ -47,7 +47,7 @@ pub use newton::{
     workspace::Workspace,
 };
 pub use search::{
-    minimise::{Options, minimise, minimise_in},
+    minimise::{Options, minimise, minimise_by_batches, minimise_in},
     minimum::{Curvature, Level, Minimum, Stop},
     solve_error::SolveError,
     starts::Starts,

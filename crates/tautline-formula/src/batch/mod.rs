@@ -1,47 +1,52 @@
 //! `Batch`: a metric at many places at once.
 
+mod contraction;
 mod layout;
+mod plain;
+mod prepared;
 mod programs;
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 
 pub use layout::{Kind, Layout};
+pub use plain::Plain;
+pub use prepared::Prepared;
 pub use programs::Programs;
 
 use crate::program::{Register, Registers};
 
-/// What fills the rows of a [`Batch`]: behind a pointer, once for all lanes.
-pub trait Evaluate: Sync {
-    /// Returns where the rows are.
-    fn layout(&self) -> &Layout;
-
-    /// Returns registers in which the rows will be, for at most so many lanes.
-    fn registers(&self) -> Registers;
-
-    /// Fills the rows of the lanes in use by the places and chords in the first registers.
-    fn evaluate(&self, registers: &mut Registers);
-}
-
-/// A metric by batches: what a discrete energy needs of it.
+/// A metric by batches of places: all that a discrete energy asks of it, behind a pointer.
 pub trait Batches<const D: usize>: Sync {
-    /// Returns what fills the rows of this kind.
-    fn evaluator(&self, kind: Kind) -> &dyn Evaluate;
+    /// Returns `H(x)`.
+    fn gram(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D>;
 
-    /// Returns memory for a batch of this kind.
-    fn batch(&self, kind: Kind) -> Batch<'_, D> {
-        let how = self.evaluator(kind);
-        Batch { registers: how.registers(), how }
-    }
+    /// Returns where the rows of a kind are.
+    fn layout(&self, kind: Kind) -> &Layout;
+
+    /// Returns registers in which the rows of a kind will be, for as many lanes as are best worked on at
+    /// once, but no more than `units` times `unit`, and no fewer than `unit`.
+    fn registers(&self, kind: Kind, unit: usize, units: usize) -> Registers;
+
+    /// Fills the rows by the places and vectors in the first registers.
+    fn evaluate(&self, kind: Kind, registers: &mut Registers);
 }
 
 /// The Gram matrix `H` at many places `x` at once, with its derivatives contracted with a vector `d` at
 /// each: a lane for each place.
 pub struct Batch<'f, const D: usize> {
     registers: Registers,
-    how: &'f dyn Evaluate,
+    metric: &'f dyn Batches<D>,
+    kind: Kind,
 }
 
-impl<const D: usize> Batch<'_, D> {
+impl<'f, const D: usize> Batch<'f, D> {
+    /// Memory for a batch of this kind, in which `unit` places are not to be parted, and of which there are
+    /// no more than so many `units`.
+    #[must_use]
+    pub fn new(metric: &'f dyn Batches<D>, kind: Kind, unit: usize, units: usize) -> Self {
+        Self { registers: metric.registers(kind, unit, units), metric, kind }
+    }
+
     /// Returns the greatest number of lanes.
     #[must_use]
     pub fn lanes(&self) -> usize {
@@ -70,14 +75,14 @@ impl<const D: usize> Batch<'_, D> {
             let last = row[count - 1];
             row[count..used].fill(last);
         }
-        self.how.evaluate(&mut self.registers);
-        self.how.layout().is_metric(&self.registers, count)
+        self.metric.evaluate(self.kind, &mut self.registers);
+        self.layout().is_metric(&self.registers, count)
     }
 
     /// Returns where the rows are.
     #[must_use]
-    pub fn layout(&self) -> &Layout {
-        self.how.layout()
+    pub fn layout(&self) -> &'f Layout {
+        self.metric.layout(self.kind)
     }
 
     /// Returns the numbers of a row, lane by lane.

@@ -2,9 +2,12 @@
 
 use std::sync::OnceLock;
 
+use nalgebra::{SMatrix, SVector};
+use tautline_metrics::Metric;
+
 use crate::{
     Formula,
-    batch::{Batches, Evaluate, Kind, Layout},
+    batch::{Batches, Kind, Layout},
     graph::{Contracted, Order, contract},
     program::{InstructionSet, Program, Register, Registers},
 };
@@ -45,7 +48,7 @@ impl<const D: usize> Programs<D> {
 
     fn kernel(&self, kind: Kind) -> &Kernel {
         let place = &self.kinds[kind as usize];
-        place.get_or_init(|| Kernel::new(&self.formula, kind, self.instruction_set, self.lanes))
+        place.get_or_init(|| Kernel::new(&self.formula, kind, self.lanes))
     }
 
     /// Returns the number of instructions and of registers of a program.
@@ -57,8 +60,22 @@ impl<const D: usize> Programs<D> {
 }
 
 impl<const D: usize> Batches<D> for Programs<D> {
-    fn evaluator(&self, kind: Kind) -> &dyn Evaluate {
-        self.kernel(kind)
+    fn gram(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
+        Metric::gram(&self.formula, x)
+    }
+
+    fn layout(&self, kind: Kind) -> &Layout {
+        &self.kernel(kind).layout
+    }
+
+    fn registers(&self, kind: Kind, unit: usize, units: usize) -> Registers {
+        let Kernel { program, lanes, .. } = self.kernel(kind);
+        let lanes = unit.saturating_mul(units).clamp(unit, unit.max(*lanes));
+        Registers::new(program, lanes, self.instruction_set)
+    }
+
+    fn evaluate(&self, kind: Kind, registers: &mut Registers) {
+        registers.run(&self.kernel(kind).program);
     }
 }
 
@@ -67,7 +84,6 @@ impl<const D: usize> Batches<D> for Programs<D> {
 struct Kernel {
     program: Program,
     layout: Layout,
-    instruction_set: InstructionSet,
     lanes: usize,
 }
 
@@ -75,7 +91,6 @@ impl Kernel {
     fn new<const D: usize>(
         formula: &Formula<D>,
         kind: Kind,
-        instruction_set: InstructionSet,
         lanes: usize,
     ) -> Self {
         let order = if kind == Kind::Contraction { Order::Second } else { Order::First };
@@ -121,7 +136,7 @@ impl Kernel {
         };
         let layout = layout(kind, D, &program.outputs, &contracted);
         let fit = (NUMBERS_IN_CACHE / program.registers()).next_power_of_two();
-        Self { program, layout, instruction_set, lanes: lanes.min(fit.max(crate::WIDTH)) }
+        Self { program, layout, lanes: lanes.min(fit.max(crate::WIDTH)) }
     }
 }
 
@@ -184,18 +199,4 @@ fn layout(kind: Kind, dimension: usize, outputs: &[Register], contracted: &Contr
         layout.halves.push([half[0], half[1], diagonal[*i], diagonal[*j]]);
     }
     layout
-}
-
-impl Evaluate for Kernel {
-    fn layout(&self) -> &Layout {
-        &self.layout
-    }
-
-    fn registers(&self) -> Registers {
-        Registers::new(&self.program, self.lanes, self.instruction_set)
-    }
-
-    fn evaluate(&self, registers: &mut Registers) {
-        registers.run(&self.program);
-    }
 }

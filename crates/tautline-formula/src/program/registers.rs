@@ -1,5 +1,7 @@
 //! `Registers`: the memory of a program, and how it runs.
 
+use nalgebra::SVector;
+
 use crate::{
     functions,
     operation::Function,
@@ -27,8 +29,9 @@ pub struct Registers {
     rows: Vec<Box<[Chunk]>>,
     /// Where results are made, before they change places with what was in a register.
     spare: [Box<[Chunk]>; 2],
-    /// How many chunks are worked on.
+    /// How many chunks are worked on, and how many lanes are asked for.
     used: usize,
+    count: usize,
     instruction_set: InstructionSet,
 }
 
@@ -41,7 +44,35 @@ impl Registers {
         for &(register, value) in &program.constants {
             rows[register as usize] = row(value);
         }
-        Self { rows, spare: [row(0.0), row(0.0)], used: chunks, instruction_set }
+        Self {
+            rows,
+            spare: [row(0.0), row(0.0)],
+            used: chunks,
+            count: chunks * WIDTH,
+            instruction_set,
+        }
+    }
+
+    /// Registers without a program: so many rows.
+    pub(crate) fn empty(rows: usize, lanes: usize) -> Self {
+        let none = Program { instructions: Vec::new(), count: rows, constants: Vec::new(), outputs: Vec::new() };
+        Self::new(&none, lanes, InstructionSet::Baseline)
+    }
+
+    /// Returns how many lanes are asked for.
+    pub(crate) fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Returns the place and the vector of a lane.
+    pub(crate) fn input<const D: usize>(&self, lane: usize) -> (SVector<f64, D>, SVector<f64, D>) {
+        let row = |i: usize| self.rows[i].as_flattened()[lane];
+        (SVector::from_fn(|i, _| row(i)), SVector::from_fn(|i, _| row(D + i)))
+    }
+
+    /// Sets a number.
+    pub(crate) fn set(&mut self, register: Register, lane: usize, value: f64) {
+        self.rows[register as usize].as_flattened_mut()[lane] = value;
     }
 
     /// Returns the greatest number of lanes.
@@ -68,6 +99,7 @@ impl Registers {
     /// Works on the first `lanes` only, or on some more that fill the [`WIDTH`]; returns on how many.
     pub(crate) fn set_used(&mut self, lanes: usize) -> usize {
         self.used = lanes.div_ceil(WIDTH).clamp(1, self.spare[0].len());
+        self.count = lanes;
         self.used * WIDTH
     }
 

@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 use tautline_chance::{cases, seed};
-use tautline_formula::{Batch, Batches, Formula, InstructionSet, Kind, Programs};
+use tautline_formula::{Batch, Batches, Formula, InstructionSet, Kind, Plain, Programs};
 use tautline_metrics::{Metric, gallery, is_gram};
 use tautline_scalar::{Interval, Jet2};
 
@@ -63,28 +63,39 @@ fn evaluate<const D: usize>(batch: &mut Batch<'_, D>, places: &[Place<D>]) -> bo
     batch.evaluate(places.len())
 }
 
-/// Compares all rows of all lanes; returns how many numbers were known at all.
+/// Compares all rows of all lanes, of the programs and of the formula as it is compiled; returns how many
+/// numbers were known at all.
 fn compare<const D: usize>(metric: &impl Metric<D>, places: &[Place<D>]) -> usize {
     let formula = Formula::record(metric).expect("no comparison");
-    let programs = Programs::new(formula);
+    let text = formula.to_string();
+    let known = compare_one(metric, &Programs::new(formula), places, &text);
+    assert_eq!(compare_one(metric, &Plain::new(metric), places, &text), known);
+    known
+}
+
+fn compare_one<const D: usize>(
+    metric: &impl Metric<D>,
+    batches: &dyn Batches<D>,
+    places: &[Place<D>],
+    text: &str,
+) -> usize {
     let enclosed: Vec<Enclosed<D>> =
         places.iter().map(|(x, d)| Enclosed::new(metric, x, d)).collect();
     let mut known = 0;
     let mut same = |found: f64, expected: Interval, what: &str, lane: usize| {
-        let text = programs.formula();
         let (x, d) = places[lane];
         assert!(is_near(found, expected), "{what} {found:e} not in {expected:?} at {x:?} along {d:?}: {text}");
         known += usize::from((expected.hi() - expected.lo()).is_finite());
     };
     for kind in [Kind::Square, Kind::Momentum, Kind::Contraction] {
-        let mut batch = programs.batch(kind);
+        let mut batch = Batch::new(batches, kind, 1, usize::MAX);
         for (block, places) in places.chunks(batch.lanes()).enumerate() {
             let first = block * batch.lanes();
             let is_metric = evaluate(&mut batch, places);
             let layout = batch.layout();
             let grams: Vec<SMatrix<f64, D, D>> = places.iter().map(|(x, _)| metric.gram(x)).collect();
             if kind != Kind::Square {
-                assert_eq!(is_metric, grams.iter().all(is_gram), "{}", programs.formula());
+                assert_eq!(is_metric, grams.iter().all(is_gram), "{text}");
             }
             for lane in 0..places.len() {
                 let expected = &enclosed[first + lane];
@@ -172,7 +183,7 @@ fn neither_the_block_nor_the_processor_changes_a_bit() {
     fn bits<const D: usize>(programs: &Programs<D>, places: &[Place<D>]) -> Vec<u64> {
         let mut all = Vec::new();
         for kind in [Kind::Square, Kind::Momentum, Kind::Contraction] {
-            let mut batch = programs.batch(kind);
+            let mut batch = Batch::new(programs, kind, 1, usize::MAX);
             let layout = batch.layout().clone();
             let rows = [layout.square, layout.momentum, layout.slope, layout.gram, layout.turn, layout.bend];
             for places in places.chunks(batch.lanes()) {

@@ -1,8 +1,9 @@
 //! `Chain`: the chords of a point sequence, in the order of an elimination from both ends.
 
 use nalgebra::SVector;
-use tautline_discretizations::{ChordModel, PointSequence, Rule};
-use tautline_metrics::{Lanes, Metric, Pair};
+use tautline_discretizations::{ChordBatch, Node, PointSequence};
+use tautline_formula::{Batches, Kind};
+use tautline_metrics::{Lanes, Pair};
 use tautline_sets::ClosedSet;
 
 use crate::newton::{
@@ -14,10 +15,16 @@ use crate::newton::{
     two_threads::join,
 };
 
+/// Up to three dimensions two chords at a time take less time than one after the other: their matrices are in
+/// registers.
+pub(crate) const fn is_side_by_side(dimension: usize) -> bool {
+    dimension < 4
+}
+
 /// A point sequence, and all that an elimination reads on the way.
-pub(crate) struct Chain<'a, M, R, const D: usize> {
-    pub(crate) rule: R,
-    pub(crate) metric: &'a M,
+pub(crate) struct Chain<'a, const D: usize> {
+    pub(crate) nodes: &'static [Node],
+    pub(crate) metric: &'a dyn Batches<D>,
     pub(crate) ends: [&'a dyn ClosedSet<D>; 2],
     pub(crate) sequence: &'a PointSequence<D>,
     pub(crate) regulariser: Regulariser,
@@ -40,7 +47,7 @@ pub(crate) type Memory<'m, const D: usize> =
 /// Where one side writes.
 type MemoryOfSide<'m, const D: usize> = Option<(&'m mut Vec<Pivot<D>>, &'m mut [SVector<f64, D>])>;
 
-impl<M: Metric<D>, R: Rule, const D: usize> Chain<'_, M, R, D> {
+impl<const D: usize> Chain<'_, D> {
     fn n(&self) -> usize {
         self.sequence.n().get()
     }
@@ -56,6 +63,11 @@ impl<M: Metric<D>, R: Rule, const D: usize> Chain<'_, M, R, D> {
         self.sequence.chord(if end == 0 { k } else { self.n() - 1 - k })
     }
 
+    /// Memory for the models of so many chords.
+    pub(crate) fn batch(&self, chords: usize) -> ChordBatch<'_, D> {
+        ChordBatch::new(self.metric, Kind::Contraction, self.nodes, self.n() as f64, chords)
+    }
+
     /// The coordinates at an end, by the gradient there.
     pub(crate) fn frame(&self, end: usize, gradient: &SVector<f64, D>) -> EndFrame<D> {
         let x = if end == 0 { self.sequence.first() } else { self.sequence.last() };
@@ -69,25 +81,33 @@ impl<M: Metric<D>, R: Rule, const D: usize> Chain<'_, M, R, D> {
         let n = self.n();
         let mut frames = [None, None];
         let mut both = Front::<D, Pair>::new(self.regulariser);
-        for k in 0..self.half() {
-            let chords = [self.chord(0, k), self.chord(1, k)];
-            let chord = ChordModel::facing(self.rule, self.metric, chords, n as f64);
-            let mut ahead = both.add(&chord, self.regulariser);
-            if k == 0 {
-                let fronts = both.apart();
-                let [first, last] = [0, 1].map(|end| self.frame(end, &fronts[end].row.gradient));
-                both.enter([&first, &last], &mut ahead, self.tau);
-                frames = [Some(first), Some(last)];
-            } else {
-                both.count(self.residual);
-            }
-            let (pivot, z) = both.advance(ahead)?;
-            if let Some((factorization, eliminated)) = &mut memory {
-                factorization.pairs.push(pivot);
-                eliminated[k] = z.map(|z| z.lane(0));
-                eliminated[n - k] = z.map(|z| z.lane(1));
+        let mut batch = self.batch(n);
+        let room = batch.room() / 2;
+        for begin in (0..self.half()).step_by(room) {
+            let end = (begin + room).min(self.half());
+            batch.face((begin..end).map(|k| [self.chord(0, k), self.chord(1, k)]));
+            let models = batch.pairs();
+            for k in begin..end {
+                let chord = models.model(k - begin);
+                let mut ahead = both.add(&chord, self.regulariser);
+                if k == 0 {
+                    let fronts = both.apart();
+                    let [first, last] =
+                        [0, 1].map(|end| self.frame(end, &fronts[end].row.gradient));
+                    both.enter([&first, &last], &mut ahead, self.tau);
+                    frames = [Some(first), Some(last)];
+                } else {
+                    both.count(self.residual);
+                }
+                let (pivot, z) = both.advance(ahead)?;
+                if let Some((factorization, eliminated)) = &mut memory {
+                    factorization.pairs.push(pivot);
+                    eliminated[k] = z.map(|z| z.lane(0));
+                    eliminated[n - k] = z.map(|z| z.lane(1));
+                }
             }
         }
+        both.is_metric = batch.is_metric;
         let [first, last] = frames;
         let [front, back] = both.apart();
         Some([Side { front, frame: first }, Side { front: back, frame: last }])
@@ -113,25 +133,32 @@ impl<M: Metric<D>, R: Rule, const D: usize> Chain<'_, M, R, D> {
 
     /// Eliminates the side of one end.
     fn side(&self, end: usize, mut memory: MemoryOfSide<'_, D>) -> Option<Side<D>> {
-        let (n, half) = (self.n() as f64, self.half());
+        let half = self.half();
         let mut side = Side { front: Front::new(self.regulariser), frame: None };
         let Side { front, frame } = &mut side;
-        for k in 0..half {
-            let chord = self.chord(end, k);
-            let chord = ChordModel::seen_from(end, self.rule, self.metric, chord, n);
-            let mut ahead = front.add(&chord, self.regulariser);
-            if k == 0 {
-                let frame = frame.insert(self.frame(end, &front.row.gradient));
-                front.enter(frame, &mut ahead, self.tau);
-            } else {
-                front.count(self.residual);
-            }
-            let (pivot, z) = front.advance(ahead)?;
-            if let Some((pivots, eliminated)) = &mut memory {
-                pivots.push(pivot);
-                eliminated[if end == 0 { k } else { half - 1 - k }] = z;
+        let mut batch = self.batch(half);
+        let room = batch.room();
+        for begin in (0..half).step_by(room) {
+            let stop = (begin + room).min(half);
+            batch.see(end, (begin..stop).map(|k| self.chord(end, k)));
+            let models = batch.singles();
+            for k in begin..stop {
+                let chord = models.model_from(end, k - begin);
+                let mut ahead = front.add(&chord, self.regulariser);
+                if k == 0 {
+                    let frame = frame.insert(self.frame(end, &front.row.gradient));
+                    front.enter(frame, &mut ahead, self.tau);
+                } else {
+                    front.count(self.residual);
+                }
+                let (pivot, z) = front.advance(ahead)?;
+                if let Some((pivots, eliminated)) = &mut memory {
+                    pivots.push(pivot);
+                    eliminated[if end == 0 { k } else { half - 1 - k }] = z;
+                }
             }
         }
+        front.is_metric = batch.is_metric;
         Some(side)
     }
 }

@@ -2,9 +2,11 @@
 
 use nalgebra::SVector;
 use tautline_discretizations::{
-    CompensatedSum, Interpolation, LinearModel, PointSequence, QuadraticModel, Rule,
+    ChordBatch, CompensatedSum, Interpolation, LinearModel, Node, PointSequence, QuadraticModel,
+    Rule,
 };
-use tautline_metrics::{Metric, MetricError, check_gram};
+use tautline_formula::{Batches, Kind};
+use tautline_metrics::{MetricError, check_matrix};
 use tautline_sets::ClosedSet;
 
 use crate::newton::{
@@ -15,88 +17,66 @@ use crate::newton::{
 /// A function of point sequences, `E_N(x) = N Σₖ Σⱼ wⱼ g(xₖ + tⱼ dₖ)(dₖ, dₖ)` with `dₖ = xₖ₊₁ − xₖ`,
 /// and its derivatives.
 ///
-/// A search calls it through a pointer: all that has to be compiled once more for a formula is behind
-/// these functions. What is done for every chord of a fine grid is a loop inside of one of them.
-pub(crate) trait DiscreteEnergy<const D: usize> {
+/// The metric is behind a pointer, which is followed once for many chords: nothing here is compiled once
+/// more for a formula or a rule.
+#[derive(Clone, Copy)]
+pub(crate) struct DiscreteEnergy<'m, const D: usize> {
+    nodes: &'static [Node],
     /// The `q` of the error `N⁻ᑫ` of the rule.
-    fn error_exponent(&self) -> i32;
+    pub(crate) error_exponent: i32,
+    metric: &'m dyn Batches<D>,
+}
 
-    /// The energy of one chord `d` from `x`, without the factor `N`: `Σⱼ wⱼ g(x + tⱼ d)(d, d)`.
-    fn of_chord(&self, x: &SVector<f64, D>, d: &SVector<f64, D>) -> f64;
+impl<'m, const D: usize> DiscreteEnergy<'m, D> {
+    /// The energy of this rule under this metric.
+    pub(crate) fn new<R: Rule>(_rule: R, metric: &'m dyn Batches<D>) -> Self {
+        Self { nodes: R::NODES, error_exponent: R::ERROR_EXPONENT, metric }
+    }
+
+    /// The energies of the chords from `x` to `y`, each without the factor `N`: `Σⱼ wⱼ g(x + tⱼ d)(d, d)`.
+    pub(crate) fn of_chords(&self, chords: &[[&SVector<f64, D>; 2]]) -> Vec<f64> {
+        let mut batch = ChordBatch::new(self.metric, Kind::Square, self.nodes, 1.0, chords.len());
+        let mut energies = Vec::with_capacity(chords.len());
+        for some in chords.chunks(batch.room()) {
+            batch.see(0, some.iter().map(|[x, y]| (*x, *y - *x)));
+            energies.extend((0..some.len()).map(|k| batch.energies(k).sum::<f64>()));
+        }
+        energies
+    }
 
     /// The energy of a trial; `None` if it is not finite or a chord has a negative one at a node, that
     /// is, if the step left the region where the metric is one.
-    fn admissible(&self, points: &[SVector<f64, D>]) -> Option<f64>;
-
-    /// Value and gradient.
-    fn linear_model(&self, sequence: &PointSequence<D>) -> LinearModel<D>;
-
-    /// Value, gradient and Hessian.
-    fn expand(&self, sequence: &PointSequence<D>, model: &mut QuadraticModel<D>);
-
-    /// One [`sweep`] between two sets.
-    fn sweep(
-        &self,
-        ends: [&dyn ClosedSet<D>; 2],
-        sequence: &PointSequence<D>,
-        about: Magnitude,
-        at_once: bool,
-        memory: MemoryOfSweep<'_, D>,
-    ) -> Option<Sweep<D>>;
-
-    /// Whether the Gram matrix is finite, symmetric and positive definite at a point.
-    fn check_at(&self, x: &SVector<f64, D>) -> Result<(), MetricError>;
-
-    /// Whether it is so at every node.
-    fn check_nodes(&self, sequence: &PointSequence<D>) -> Result<(), MetricError>;
-
-    /// Whether it is so between them too, as far as [`Interpolation::check`] looks.
-    fn check_between(&self, sequence: &PointSequence<D>) -> Result<(), MetricError>;
-}
-
-/// The energy of this rule under this metric.
-pub(crate) struct EnergyOf<'a, M, R> {
-    pub(crate) rule: R,
-    pub(crate) metric: &'a M,
-}
-
-impl<M: Metric<D>, R: Rule, const D: usize> DiscreteEnergy<D> for EnergyOf<'_, M, R> {
-    fn error_exponent(&self) -> i32 {
-        R::ERROR_EXPONENT
-    }
-
-    fn of_chord(&self, x: &SVector<f64, D>, d: &SVector<f64, D>) -> f64 {
-        let square = |fraction: f64| self.metric.norm_squared(&(x + d * fraction), d);
-        R::NODES.iter().map(|node| node.weight * square(node.fraction)).sum()
-    }
-
-    fn admissible(&self, points: &[SVector<f64, D>]) -> Option<f64> {
+    pub(crate) fn admissible(&self, points: &[SVector<f64, D>]) -> Option<f64> {
         let n = points.len() - 1;
         let mut energy = CompensatedSum::default();
-        for pair in points.windows(2) {
-            let chord = pair[1] - pair[0];
-            for node in R::NODES {
-                let square = self.metric.norm_squared(&(pair[0] + chord * node.fraction), &chord);
+        let mut batch = ChordBatch::new(self.metric, Kind::Square, self.nodes, 1.0, n);
+        for begin in (0..n).step_by(batch.room()) {
+            let chords = begin..n.min(begin + batch.room());
+            batch.see(0, chords.clone().map(|k| (&points[k], points[k + 1] - points[k])));
+            for square in (0..chords.len()).flat_map(|k| batch.energies(k)) {
                 // Written so that NaN fails.
                 if !(square >= 0.0) {
                     return None;
                 }
-                energy.add(node.weight * square);
+                energy.add(square);
             }
         }
         let energy = energy.value() * n as f64;
         energy.is_finite().then_some(energy)
     }
 
-    fn linear_model(&self, sequence: &PointSequence<D>) -> LinearModel<D> {
-        LinearModel::new(self.rule, self.metric, sequence)
+    /// Value and gradient.
+    pub(crate) fn linear_model(&self, sequence: &PointSequence<D>) -> LinearModel<D> {
+        LinearModel::by_batches(self.nodes, self.metric, sequence)
     }
 
-    fn expand(&self, sequence: &PointSequence<D>, model: &mut QuadraticModel<D>) {
-        model.expand(self.rule, self.metric, sequence);
+    /// Value, gradient and Hessian.
+    pub(crate) fn expand(&self, sequence: &PointSequence<D>, model: &mut QuadraticModel<D>) {
+        model.expand_by_batches(self.nodes, self.metric, sequence);
     }
 
-    fn sweep(
+    /// One [`sweep`] between two sets.
+    pub(crate) fn sweep(
         &self,
         ends: [&dyn ClosedSet<D>; 2],
         sequence: &PointSequence<D>,
@@ -104,24 +84,27 @@ impl<M: Metric<D>, R: Rule, const D: usize> DiscreteEnergy<D> for EnergyOf<'_, M
         at_once: bool,
         memory: MemoryOfSweep<'_, D>,
     ) -> Option<Sweep<D>> {
-        sweep(self.rule, self.metric, ends, sequence, about, at_once, memory)
+        sweep(self.nodes, self.metric, ends, sequence, about, at_once, memory)
     }
 
-    fn check_at(&self, x: &SVector<f64, D>) -> Result<(), MetricError> {
-        check_gram(self.metric, x).map(|_| ())
+    /// Whether the Gram matrix is finite, symmetric and positive definite at a point.
+    pub(crate) fn check_at(&self, x: &SVector<f64, D>) -> Result<(), MetricError> {
+        check_matrix(self.metric.gram(x), x).map(|_| ())
     }
 
-    fn check_nodes(&self, sequence: &PointSequence<D>) -> Result<(), MetricError> {
+    /// Whether it is so at every node.
+    pub(crate) fn check_nodes(&self, sequence: &PointSequence<D>) -> Result<(), MetricError> {
         for (x, chord) in sequence.chords() {
-            for node in R::NODES {
-                check_gram(self.metric, &(x + chord * node.fraction))?;
+            for node in self.nodes {
+                self.check_at(&(x + chord * node.fraction))?;
             }
         }
         Ok(())
     }
 
-    fn check_between(&self, sequence: &PointSequence<D>) -> Result<(), MetricError> {
-        Interpolation::new(sequence).check(self.metric)
+    /// Whether it is so between them too, as far as [`Interpolation::check`] looks.
+    pub(crate) fn check_between(&self, sequence: &PointSequence<D>) -> Result<(), MetricError> {
+        Interpolation::new(sequence).check_by(&|x| self.metric.gram(x))
     }
 }
 
@@ -131,27 +114,30 @@ mod tests {
     use tautline_discretizations::{
         LeftEndpoint, Node, PointSequence, Rule, Trapezoidal, TrueTrapezoid, energy_gradient,
     };
+    use tautline_formula::Plain;
     use tautline_metrics::{
         Metric, MetricError, Scalar,
         gallery::{Constant, Shear},
     };
 
-    use super::{DiscreteEnergy, EnergyOf};
+    use super::DiscreteEnergy;
 
     #[track_caller]
     fn assert_sum_of_chords<R: Rule>(rule: R, exponent: i32) {
         let shear = Shear::new(0.5, 1.0).expect("a wave number");
         let points = vec![vector![0.0, 0.3], vector![1.0, -0.2], vector![1.5, 0.8]];
         let sequence = PointSequence::new(points).expect("finite");
-        let energy: &dyn DiscreteEnergy<2> = &EnergyOf { rule, metric: &shear };
+        let metric = Plain::new(&shear);
+        let energy = DiscreteEnergy::<2>::new(rule, &metric);
         let expected = energy_gradient(rule, &shear, &sequence).0;
-        let chords: f64 = sequence.chords().map(|(x, d)| energy.of_chord(x, &d)).sum();
+        let pairs: Vec<_> = sequence.points().windows(2).map(|pair| [&pair[0], &pair[1]]).collect();
+        let chords: f64 = energy.of_chords(&pairs).iter().sum();
         // Two chords, two nodes each at most, some ten operations for each: below 1e-14.
         let close = |found: f64| (found - expected).abs() <= 1e-14 * expected;
         assert!(close(2.0 * chords), "{chords} {expected}");
         assert!(energy.admissible(sequence.points()).is_some_and(close));
         assert!(close(energy.linear_model(&sequence).energy));
-        assert_eq!(energy.error_exponent(), exponent);
+        assert_eq!(energy.error_exponent, exponent);
     }
 
     #[test]
@@ -165,7 +151,8 @@ mod tests {
     #[test]
     fn the_energy_of_a_trial_keeps_what_a_plain_sum_loses() {
         let flat = Constant::new(nalgebra::SMatrix::<f64, 1, 1>::identity()).expect("definite");
-        let energy: &dyn DiscreteEnergy<1> = &EnergyOf { rule: Trapezoidal, metric: &flat };
+        let metric = Plain::new(&flat);
+                let energy = DiscreteEnergy::<1>::new(Trapezoidal, &metric);
         let n = (1 << 16) + 1;
         let short = 2.0_f64.powi(-27);
         let points: Vec<_> = (0..=n)
@@ -207,7 +194,8 @@ mod tests {
                 }
                 let sequence = PointSequence::straight([0.0], [3.0], 3).expect("finite");
                 let hole = Hole(place);
-                let energy: &dyn DiscreteEnergy<1> = &EnergyOf { rule: Simpson, metric: &hole };
+                let metric = Plain::new(&hole);
+                let energy = DiscreteEnergy::<1>::new(Simpson, &metric);
                 match energy.check_nodes(&sequence) {
                     Err(MetricError::NotPositiveDefinite { point, .. }) => {
                         assert_eq!(point, [place]);
@@ -216,7 +204,8 @@ mod tests {
                 }
             }
         }
-        let energy: &dyn DiscreteEnergy<2> = &EnergyOf { rule: Simpson, metric: &ToTheRight };
+        let metric = Plain::new(&ToTheRight);
+                let energy = DiscreteEnergy::<2>::new(Simpson, &metric);
         assert!(energy.check_at(&vector![1.0, 0.0]).is_ok());
         assert!(energy.check_at(&vector![-1.0, 0.0]).is_err());
     }
@@ -232,7 +221,8 @@ mod tests {
 
     #[test]
     fn a_trial_with_one_negative_chord_has_no_energy() {
-        let energy: &dyn DiscreteEnergy<2> = &EnergyOf { rule: Trapezoidal, metric: &ToTheRight };
+        let metric = Plain::new(&ToTheRight);
+                let energy = DiscreteEnergy::<2>::new(Trapezoidal, &metric);
         let over = |lowest: f64| {
             energy.admissible(&[vector![8.0, 0.0], vector![lowest, 0.0], vector![lowest, 0.5]])
         };

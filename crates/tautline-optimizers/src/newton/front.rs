@@ -76,7 +76,6 @@ impl<T: Lanes, const D: usize> Front<D, T> {
         self.row.gradient += near;
         self.energy.add(chord.energy);
         self.trace += chord.trace;
-        self.is_metric &= chord.is_metric;
         let row = Row { block: chord.hessian[1] + own, right: -far, gradient: far };
         Ahead { row, lower: chord.coupling.transpose() + diagonal(regulariser.upper()) }
     }

@@ -1,14 +1,12 @@
 //! Newton steps: one look at a point sequence, and where it leads.
 
 pub(crate) mod chain;
-pub(crate) mod chain_of_batches;
 pub(crate) mod discrete_energy;
 pub(crate) mod end_frame;
 pub(crate) mod factorization;
 pub(crate) mod front;
 pub(crate) mod ldl;
 pub(crate) mod magnitude;
-pub mod measure;
 pub(crate) mod newton_pass;
 pub(crate) mod newton_step;
 pub(crate) mod reduced_system;
@@ -17,7 +15,6 @@ pub(crate) mod room;
 pub(crate) mod rounding;
 pub(crate) mod stationarity;
 pub(crate) mod sweep;
-pub(crate) mod sweep_batches;
 pub(crate) mod twisted_factorization;
 pub(crate) mod two_threads;
 pub(crate) mod workspace;

@@ -27,7 +27,7 @@ impl<'a, const D: usize> NewtonPass<'a, D> {
     /// Sweeps; `None` where the [sweep](DiscreteEnergy::sweep) is. The factorisation in `workspace`
     /// is overwritten.
     pub(crate) fn new(
-        energy: &dyn DiscreteEnergy<D>,
+        energy: &DiscreteEnergy<'_, D>,
         ends: [&dyn ClosedSet<D>; 2],
         sequence: &PointSequence<D>,
         about: Magnitude,
@@ -70,7 +70,7 @@ impl<'a, const D: usize> NewtonPass<'a, D> {
     /// fraction of the price of a sweep.
     pub(crate) fn stationarity_at(
         &self,
-        energy: &dyn DiscreteEnergy<D>,
+        energy: &DiscreteEnergy<'_, D>,
         ends: [&dyn ClosedSet<D>; 2],
         sequence: &PointSequence<D>,
     ) -> Stationarity {
@@ -100,6 +100,7 @@ mod tests {
         LeftEndpoint, PointSequence, QuadraticModel, Rule, Trapezoidal, TrueTrapezoid,
         energy_gradient,
     };
+    use tautline_formula::Prepared;
     use tautline_metrics::{
         Metric,
         gallery::{SineProjection, SineProjections, Swirl},
@@ -110,7 +111,7 @@ mod tests {
     use crate::{
         Workspace,
         newton::{
-            discrete_energy::EnergyOf,
+            discrete_energy::DiscreteEnergy,
             reduced_system::{ReducedSystem, Step},
         },
     };
@@ -153,7 +154,8 @@ mod tests {
         let factorization = system.factorize().expect("definite");
         let Step { step, decrement } = system.newton_step(&factorization);
         let magnitude = Magnitude { energy: model.energy, mean_gram: model.mean_gram };
-        let functional = &EnergyOf { rule, metric };
+        let batches = Prepared::new(metric);
+        let functional = &DiscreteEnergy::new(rule, &batches);
         let pass = NewtonPass::new(functional, ends, &sequence, magnitude, at_once, memory);
         let mut pass = pass.expect("definite");
         // The condition of the system is 100 at most, its entries some 10: some thousand roundings.

@@ -2,12 +2,12 @@
 
 use nalgebra::SVector;
 use tautline_discretizations::{PointSequence, Rule};
-use tautline_metrics::Metric;
+use tautline_formula::Batches;
 use tautline_sets::ClosedSet;
 
 use crate::{
     Workspace,
-    newton::{discrete_energy::EnergyOf, magnitude::Magnitude, newton_pass::NewtonPass},
+    newton::{discrete_energy::DiscreteEnergy, magnitude::Magnitude, newton_pass::NewtonPass},
 };
 
 /// A Newton step from a point sequence, and what it promises.
@@ -31,7 +31,7 @@ pub struct NewtonStep<const D: usize> {
 /// and factorisation in one pass over the chords, `O(N D³)`, in the memory of `workspace`, on one thread.
 pub fn newton_step<const D: usize, R: Rule>(
     workspace: &mut Workspace<D>,
-    metric: &impl Metric<D>,
+    metric: &dyn Batches<D>,
     ends: [&dyn ClosedSet<D>; 2],
     rule: R,
     sequence: &PointSequence<D>,
@@ -45,8 +45,9 @@ pub fn newton_step<const D: usize, R: Rule>(
     let mean_gram = traces.iter().sum::<f64>() / 3.0;
     let energy = mean_gram * (sequence.last() - sequence.first()).norm_squared();
     let about = Magnitude { energy, mean_gram };
+    let energy = &DiscreteEnergy::new(rule, metric);
     let mut pass =
-        NewtonPass::new(&EnergyOf { rule, metric }, ends, sequence, about, false, workspace)?;
+        NewtonPass::new(energy, ends, sequence, about, false, workspace)?;
     let at = pass.stationarity();
     Some(NewtonStep {
         step: pass.take_step(),
@@ -59,6 +60,7 @@ pub fn newton_step<const D: usize, R: Rule>(
 mod tests {
     use nalgebra::vector;
     use tautline_discretizations::{PointSequence, Trapezoidal};
+    use tautline_formula::Prepared;
     use tautline_metrics::gallery::{Bump, Constant};
     use tautline_sets::Point;
 
@@ -70,6 +72,7 @@ mod tests {
     #[test]
     fn one_step_straightens_a_chain() {
         let metric = Constant::new(nalgebra::SMatrix::identity()).expect("positive definite");
+        let metric = Prepared::new(metric);
         let ends = [[0.0, 0.0], [1.0, 2.0]].map(|x| Point::new(x).expect("finite"));
         let bent = [vector![0.0, 0.0], vector![3.0, -1.0], vector![0.5, 0.5], vector![1.0, 2.0]];
         let bent = PointSequence::new(bent.to_vec()).expect("finite");
@@ -92,7 +95,7 @@ mod tests {
 
     #[test]
     fn over_a_bump_there_is_none() {
-        let bump = Bump::new(4.0, 0.5).expect("a width");
+        let bump = Prepared::new(Bump::new(4.0, 0.5).expect("a width"));
         let ends = [[-1.5, 0.0], [1.5, 0.0]].map(|x| Point::new(x).expect("finite"));
         let line = PointSequence::straight([-1.5, 0.0], [1.5, 0.0], 32).expect("finite");
         let ends: [&dyn tautline_sets::ClosedSet<2>; 2] = [&ends[0], &ends[1]];

@@ -1,12 +1,12 @@
 //! `Sweep`: a look at a point sequence, by elimination from both of its ends.
 
 use nalgebra::SVector;
-use tautline_discretizations::{ChordModel, PointSequence, Rule};
-use tautline_metrics::{Metric, Pair};
+use tautline_discretizations::{Node, PointSequence};
+use tautline_formula::Batches;
 use tautline_sets::ClosedSet;
 
 use crate::newton::{
-    chain::Chain, end_frame::EndFrame, factorization::Regulariser, magnitude::Magnitude,
+    chain::{Chain, is_side_by_side}, end_frame::EndFrame, factorization::Regulariser, magnitude::Magnitude,
     residual::Residual, rounding::margin, stationarity::Stationarity,
     twisted_factorization::TwistedFactorization,
 };
@@ -22,9 +22,6 @@ pub(crate) struct Sweep<const D: usize> {
 }
 
 /// Where a sweep writes, if anywhere: the factorisation, and the right hand side after elimination.
-///
-/// Not a generic parameter of [`sweep`]: where a formula is compiled once more, it is no longer
-/// inlined.
 pub(crate) type MemoryOfSweep<'m, const D: usize> =
     Option<(&'m mut TwistedFactorization<D>, &'m mut Vec<SVector<f64, D>>)>;
 
@@ -37,12 +34,12 @@ pub(crate) type MemoryOfSweep<'m, const D: usize> =
 /// there is some. `about` is what is known of the magnitude beforehand: it scales the margin and what
 /// is taken for a chord at the ends.
 ///
-/// Up to three dimensions the two sides go side by side, [two chords at a time](ChordModel::PAYS). From
+/// Up to three dimensions the two sides go [side by side](is_side_by_side). From
 /// four on they go one after the other, or both `at_once`, on two threads, which does not change a bit
 /// of the result.
-pub(crate) fn sweep<R: Rule, const D: usize>(
-    rule: R,
-    metric: &impl Metric<D>,
+pub(crate) fn sweep<const D: usize>(
+    nodes: &'static [Node],
+    metric: &dyn Batches<D>,
     ends: [&dyn ClosedSet<D>; 2],
     sequence: &PointSequence<D>,
     about: Magnitude,
@@ -54,17 +51,17 @@ pub(crate) fn sweep<R: Rule, const D: usize>(
     let tau = about.tau(count);
     let regulariser = Regulariser { n, weight: -margin(count) * about.mean_gram };
     let mut residual = Residual::new(count, about);
-    let chain = Chain { rule, metric, ends, sequence, regulariser, tau, residual: &residual };
+    let chain = Chain { nodes, metric, ends, sequence, regulariser, tau, residual: &residual };
     let half = chain.half();
     if let Some((factorization, eliminated)) = &mut memory {
         let (pairs, on_each_side) =
-            if const { ChordModel::<D, Pair>::PAYS } { (half, 0) } else { (0, half) };
+            if const { is_side_by_side(D) } { (half, 0) } else { (0, half) };
         factorization.clear(pairs, on_each_side);
         eliminated.clear();
         eliminated.resize(count + 1, SVector::zeros());
     }
     let kept = memory.as_mut().map(|(pivots, eliminated)| (&mut **pivots, &mut eliminated[..]));
-    let [one, other] = if const { ChordModel::<D, Pair>::PAYS } {
+    let [one, other] = if const { is_side_by_side(D) } {
         chain.side_by_side(kept)?
     } else {
         chain.side_and_side(kept, at_once)?
@@ -72,7 +69,10 @@ pub(crate) fn sweep<R: Rule, const D: usize>(
     let (mut front, mut frames, back) = (one.front, [one.frame, other.frame], other.front);
     if count > 2 * half {
         let (x, d) = sequence.chord(half);
-        let mut ahead = front.add(&ChordModel::new(rule, metric, x, &d, n), regulariser);
+        let mut batch = chain.batch(1);
+        batch.see(0, std::iter::once((x, d)));
+        let mut ahead = front.add(&batch.singles().model(0), regulariser);
+        front.is_metric &= batch.is_metric;
         ahead.row.join(&back.row);
         if half > 0 {
             front.count(&residual);

@@ -2,8 +2,7 @@
 
 use std::{panic::resume_unwind, thread};
 
-use tautline_discretizations::ChordModel;
-use tautline_metrics::Pair;
+use crate::newton::chain::is_side_by_side;
 
 /// The stack of the second thread, in bytes: in many dimensions matrices of jets are on it, 8 MB at
 /// `D = 64`. Only what is used of it becomes memory.
@@ -17,7 +16,7 @@ const WORTH_A_THREAD: usize = 65_536;
 /// sides go side by side, which two threads, with one side each, do not catch up with.
 pub(crate) fn share<const D: usize>(threads: usize, n: usize) -> bool {
     let processors = || thread::available_parallelism().map_or(1, usize::from);
-    let worth = const { !ChordModel::<D, Pair>::PAYS } && n * D * D >= WORTH_A_THREAD;
+    let worth = const { !is_side_by_side(D) } && n * D * D >= WORTH_A_THREAD;
     worth && threads > 1 && processors() > 1
 }
 

@@ -134,13 +134,14 @@ pub(crate) fn lowest_first<const D: usize>(candidates: &mut Vec<Candidate<'_, D>
 #[cfg(test)]
 mod tests {
     use tautline_discretizations::{LeftEndpoint, PointSequence, Rule, Trapezoidal};
+    use tautline_formula::Prepared;
     use tautline_metrics::gallery::Valleys;
     use tautline_sets::{Ball, ClosedSet, Point};
 
     use super::{Candidate, lowest_first};
     use crate::{
         Curvature, Stop,
-        newton::discrete_energy::EnergyOf,
+        newton::discrete_energy::DiscreteEnergy,
         search::local_search::{Found, LocalSearch},
     };
 
@@ -148,8 +149,9 @@ mod tests {
     fn distance<R: Rule>(rule: R, grids: &[usize]) -> f64 {
         let ends = [[0.0, 0.0], [2.0, 1.5]].map(|x| Point::new(x).expect("finite"));
         let ends: [&dyn ClosedSet<2>; 2] = [&ends[0], &ends[1]];
+        let batches = Prepared::new(&Valleys);
         let search = LocalSearch {
-            energy: &EnergyOf { rule, metric: &Valleys },
+            energy: &DiscreteEnergy::new(rule, &batches),
             ends,
             iterations: 50,
             threads: 1,
@@ -188,7 +190,8 @@ mod tests {
     fn the_ends_of_an_extrapolated_start_lie_in_their_sets() {
         let [a, b] = [[0.0, 0.3], [3.0, 1.5]].map(|x| Ball::new(x, 0.5).expect("a radius"));
         let ends: [&dyn ClosedSet<2>; 2] = [&a, &b];
-        let energy = &EnergyOf { rule: LeftEndpoint, metric: &Valleys };
+        let batches = Prepared::new(&Valleys);
+        let energy = &DiscreteEnergy::new(LeftEndpoint, &batches);
         let search = LocalSearch { energy, ends, iterations: 50, threads: 1 };
         let solve = |n| {
             let line = PointSequence::straight([0.3, 0.3], [2.7, 1.5], n).expect("finite");

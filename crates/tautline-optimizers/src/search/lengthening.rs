@@ -41,10 +41,11 @@ impl<const D: usize> LocalSearch<'_, D> {
 mod tests {
     use nalgebra::{SMatrix, SVector, vector};
     use tautline_discretizations::{PointSequence, Trapezoidal};
+    use tautline_formula::Prepared;
     use tautline_metrics::gallery::Constant;
     use tautline_sets::Point;
 
-    use crate::{newton::discrete_energy::EnergyOf, search::local_search::LocalSearch};
+    use crate::{newton::discrete_energy::DiscreteEnergy, search::local_search::LocalSearch};
 
     /// From `x` to the minimiser `x + p` the energy of a constant metric is quadratic: with the
     /// step `p/12`, `κ = δ/12`, so that 1, 2 and 4 steps shed at least `(2 − 4/12) δt` and are
@@ -53,8 +54,9 @@ mod tests {
     fn a_twelfth_of_a_newton_step_is_taken_eight_times() {
         let metric = Constant::<2>::new(SMatrix::identity()).expect("definite");
         let [a, b] = [[0.0, 0.0], [2.0, 0.0]].map(|x| Point::new(x).expect("finite"));
+        let batches = Prepared::new(&metric);
         let search = LocalSearch {
-            energy: &EnergyOf { rule: Trapezoidal, metric: &metric },
+            energy: &DiscreteEnergy::new(Trapezoidal, &batches),
             ends: [&a, &b],
             iterations: 1,
             threads: 1,

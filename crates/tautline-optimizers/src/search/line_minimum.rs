@@ -18,7 +18,7 @@ const OVERSHOOT: f64 = 0.1;
 /// start for the local search. With `c(x, y)` the energy of one chord, the least energy
 /// `Vₙ(y)` of `n` chords from `a` to `y` obeys `Vₙ₊₁(y) = minₓ Vₙ(x) + c(x, y)`.
 pub(crate) fn line_minimum<const D: usize>(
-    energy: &dyn DiscreteEnergy<D>,
+    energy: &DiscreteEnergy<'_, D>,
     a: &SVector<f64, D>,
     b: &SVector<f64, D>,
     n: usize,
@@ -31,18 +31,21 @@ pub(crate) fn line_minimum<const D: usize>(
         a * (1.0 - t) + b * t
     };
     let points: Vec<SVector<f64, D>> = (0..=last).map(at).collect();
-    let chord = |x: usize, y: usize| {
-        let cost = energy.of_chord(&points[x], &(points[y] - points[x]));
+    let costs = |chords: &[[usize; 2]]| {
+        let chords: Vec<_> = chords.iter().map(|chord| chord.map(|k| &points[k])).collect();
         // Where the metric is none, no sequence passes.
-        if cost >= 0.0 { cost } else { f64::INFINITY }
+        let cost = |energy: f64| if energy >= 0.0 { energy } else { f64::INFINITY };
+        energy.of_chords(&chords).into_iter().map(cost).collect::<Vec<f64>>()
     };
     // What some sequence costs: no chord of the best costs more. Where many steps are to be made, that
     // leaves few of the long ones.
     let step = |k: usize| start + (k * intervals + n / 2) / n;
-    let affordable: f64 = (0..n).map(|k| chord(step(k), step(k + 1))).sum();
+    let steps: Vec<[usize; 2]> = (0..n).map(|k| [step(k), step(k + 1)]).collect();
+    let affordable: f64 = costs(&steps).iter().sum();
     // Row y holds the chords that arrive in y, by where they come from.
     let row = |y: usize| -> Vec<(usize, f64)> {
-        let costs = (0..=last).map(|x| (x, chord(x, y)));
+        let arriving: Vec<[usize; 2]> = (0..=last).map(|x| [x, y]).collect();
+        let costs = costs(&arriving).into_iter().enumerate();
         costs.filter(|(_, cost)| *cost <= affordable).collect()
     };
     let rows: Vec<_> = (0..=last).map(row).collect();
@@ -72,15 +75,21 @@ pub(crate) fn line_minimum<const D: usize>(
 
 #[cfg(test)]
 mod tests {
+    use std::sync::LazyLock;
+
     use nalgebra::vector;
-    use tautline_discretizations::{LeftEndpoint, Trapezoidal, TrueTrapezoid};
+    use tautline_discretizations::{LeftEndpoint, Rule, Trapezoidal, TrueTrapezoid};
+    use tautline_formula::Prepared;
     use tautline_metrics::gallery::{Hyperbolic, Valleys};
 
     use super::line_minimum;
-    use crate::newton::discrete_energy::EnergyOf;
+    use crate::newton::discrete_energy::DiscreteEnergy;
 
-    fn left<M>(metric: &M) -> EnergyOf<'_, M, LeftEndpoint> {
-        EnergyOf { rule: LeftEndpoint, metric }
+    /// The energy of a rule over the valleys.
+    fn valleys(rule: impl Rule) -> DiscreteEnergy<'static, 2> {
+        static METRIC: LazyLock<Prepared<Valleys, 2>> =
+            LazyLock::new(|| Prepared::new(Valleys));
+        DiscreteEnergy::new(rule, &*METRIC)
     }
 
     /// Two chords of the left rule from valley to valley over two ridges: one leap, `32 π²`,
@@ -88,7 +97,7 @@ mod tests {
     #[test]
     fn the_left_rule_steps_from_valley_to_valley() {
         let (a, b) = (vector![0.0, 1.0], vector![4.0 * std::f64::consts::PI, 1.0]);
-        let line = line_minimum(&left(&Valleys), &a, &b, 2, 64).expect("finite");
+        let line = line_minimum(&valleys(LeftEndpoint), &a, &b, 2, 64).expect("finite");
         assert_eq!((line[0], line[2]), (a, b));
         assert!((line[1] - (a + b) * 0.5).norm() < 1e-14, "{}", line[1]);
     }
@@ -98,7 +107,7 @@ mod tests {
     fn a_flat_metric_has_equal_chords() {
         let flat = tautline_metrics::gallery::Constant::new(nalgebra::matrix![2.0]).expect("2 > 0");
         let line = line_minimum(
-            &EnergyOf { rule: Trapezoidal, metric: &flat },
+            &DiscreteEnergy::new(Trapezoidal, &Prepared::new(flat)),
             &vector![0.0],
             &vector![8.0],
             16,
@@ -112,7 +121,7 @@ mod tests {
     #[test]
     fn a_leap_begins_with_a_step_back() {
         let (a, b) = (vector![1.2, 0.0], vector![12.0, 0.0]);
-        let line = line_minimum(&left(&Valleys), &a, &b, 4, 128).expect("finite");
+        let line = line_minimum(&valleys(LeftEndpoint), &a, &b, 4, 128).expect("finite");
         assert!(line.iter().any(|x| x[0] < 1.0), "{line:?}");
     }
 
@@ -120,7 +129,7 @@ mod tests {
     /// back is the way there.
     #[test]
     fn a_leap_ends_with_a_step_back_too() {
-        let energy = EnergyOf { rule: TrueTrapezoid, metric: &Valleys };
+        let energy = valleys(TrueTrapezoid);
         let (a, b) = (vector![1.2, 0.0], vector![12.0, 0.0]);
         let there = line_minimum(&energy, &a, &b, 4, 128).expect("finite");
         let mut back = line_minimum(&energy, &b, &a, 4, 128).expect("finite");
@@ -137,12 +146,12 @@ mod tests {
     #[test]
     fn one_chord_joins_the_ends() {
         let (a, b) = (vector![1.2, 0.0], vector![12.0, 0.0]);
-        assert_eq!(line_minimum(&left(&Valleys), &a, &b, 1, 128), Some(vec![a, b]));
+        assert_eq!(line_minimum(&valleys(LeftEndpoint), &a, &b, 1, 128), Some(vec![a, b]));
     }
 
     #[test]
     fn no_sequence_leaves_the_domain() {
         let (inside, outside) = (vector![0.9, 0.0], vector![1.5, 0.0]);
-        assert_eq!(line_minimum(&left(&Hyperbolic), &outside, &inside, 3, 64), None);
+        assert_eq!(line_minimum(&DiscreteEnergy::new(LeftEndpoint, &Prepared::new(Hyperbolic)), &outside, &inside, 3, 64), None);
     }
 }

@@ -41,7 +41,7 @@ const PATIENCE: usize = 5;
 /// One problem on one grid.
 #[derive(Clone, Copy)]
 pub(crate) struct LocalSearch<'a, const D: usize> {
-    pub(crate) energy: &'a dyn DiscreteEnergy<D>,
+    pub(crate) energy: &'a DiscreteEnergy<'a, D>,
     pub(crate) ends: [&'a dyn ClosedSet<D>; 2],
     pub(crate) iterations: usize,
     pub(crate) threads: usize,

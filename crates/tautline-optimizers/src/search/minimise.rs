@@ -1,12 +1,13 @@
 //! The search for a discrete minimiser: several starts on a coarse grid, then finer grids.
 
 use tautline_discretizations::{LARGEST_N, PointSequence, Rule};
+use tautline_formula::{Batches, Prepared};
 use tautline_metrics::Metric;
 use tautline_sets::{ClosedSet, Ends, common_point};
 
 use crate::{
     Minimum, SolveError, Starts, Workspace,
-    newton::discrete_energy::{DiscreteEnergy, EnergyOf},
+    newton::discrete_energy::DiscreteEnergy,
     search::{
         candidate::{Candidate, lowest_first},
         grids::{SMALL, grids},
@@ -111,14 +112,30 @@ pub fn minimise_in<const D: usize, R: Rule>(
     n: usize,
     options: &Options<D>,
 ) -> Result<Minimum<D>, SolveError> {
+    minimise_by_batches(workspace, &Prepared::new(metric), ends, rule, n, options)
+}
+
+/// As [`minimise_in`], for a metric by batches of places.
+///
+/// # Errors
+///
+/// As [`minimise`].
+pub fn minimise_by_batches<const D: usize, R: Rule>(
+    workspace: &mut Workspace<D>,
+    metric: &dyn Batches<D>,
+    ends: &Ends<D>,
+    rule: R,
+    n: usize,
+    options: &Options<D>,
+) -> Result<Minimum<D>, SolveError> {
     const { assert!(!R::NODES.is_empty(), "a rule reads the metric somewhere") };
-    lowest(workspace, &EnergyOf { rule, metric }, ends, n, options)
+    lowest(workspace, &DiscreteEnergy::new(rule, metric), ends, n, options)
 }
 
 /// Returns the lowest minimiser of an energy between the sets `ends` that was found.
 fn lowest<const D: usize>(
     workspace: &mut Workspace<D>,
-    energy: &dyn DiscreteEnergy<D>,
+    energy: &DiscreteEnergy<'_, D>,
     ends: &Ends<D>,
     n: usize,
     options: &Options<D>,
@@ -203,7 +220,7 @@ fn lowest<const D: usize>(
 /// What all local searches have in common.
 struct Search<'a, const D: usize> {
     workspace: &'a mut Workspace<D>,
-    energy: &'a dyn DiscreteEnergy<D>,
+    energy: &'a DiscreteEnergy<'a, D>,
     options: &'a Options<D>,
     /// Newton steps of all searches so far.
     iterations: usize,
@@ -243,7 +260,7 @@ impl<'a, const D: usize> Search<'a, D> {
         'a: 'e,
     {
         let search = self.between(candidate.ends);
-        let start = |memory| candidate.start(grid, search.energy.error_exponent(), memory);
+        let start = |memory| candidate.start(grid, search.energy.error_exponent, memory);
         let mut in_vain = 0;
         let refined = (grid >= FINE).then(|| {
             let start = start(self.workspace.spare.take(grid + 1)).ok()?;
@@ -286,11 +303,12 @@ impl<'a, const D: usize> Search<'a, D> {
 mod tests {
     use nalgebra::{SMatrix, vector};
     use tautline_discretizations::{PointSequence, Rule, Trapezoidal};
+    use tautline_formula::Prepared;
     use tautline_metrics::gallery::{Constant, Separable};
     use tautline_sets::{ClosedSet, Ends, Point};
 
     use super::{Candidate, Options, Search, minimise};
-    use crate::{SolveError, Workspace, newton::discrete_energy::EnergyOf};
+    use crate::{SolveError, Workspace, newton::discrete_energy::DiscreteEnergy};
 
     #[test]
     fn an_energy_beyond_the_range_of_f64_is_an_error() {
@@ -317,7 +335,8 @@ mod tests {
         let [a, b] = line.map(|x| Point::new(x).expect("finite"));
         let ends: [&dyn ClosedSet<3>; 2] = [&a, &b];
         let (workspace, options) = (&mut Workspace::default(), &Options::default());
-        let energy = &EnergyOf { rule: Trapezoidal, metric: &ridges };
+        let batches = Prepared::new(&ridges);
+        let energy = &DiscreteEnergy::new(Trapezoidal, &batches);
         let mut search = Search { workspace, energy, options, iterations: 0, refused: None };
         let local = search.between(ends);
         let coarse = || {

@@ -1,12 +1,11 @@
 //! The search on a fine grid, from a start so near that no Newton step needs damping.
 
-use tautline_discretizations::{ChordModel, PointSequence};
-use tautline_metrics::Pair;
+use tautline_discretizations::PointSequence;
 
 use crate::{
     Curvature, Stop, Workspace,
     newton::{
-        newton_pass::NewtonPass, rounding::margin, stationarity::Stationarity, two_threads::share,
+        chain::is_side_by_side, newton_pass::NewtonPass, rounding::margin, stationarity::Stationarity, two_threads::share,
     },
     search::local_search::{Found, LocalSearch},
 };
@@ -81,7 +80,7 @@ impl<const D: usize> LocalSearch<'_, D> {
             // than the margin by which it is definite, so that the factorisation from here still
             // tells. Two chords at a time, a sweep costs no more than a gradient does.
             if at.decrement <= margin(n).powi(2) * about.energy {
-                let there = if const { ChordModel::<D, Pair>::PAYS } {
+                let there = if const { is_side_by_side(D) } {
                     energy.sweep(ends, &trial, about, false, None)?.stationarity
                 } else {
                     pass.stationarity_at(energy, ends, &trial)

@@ -69,10 +69,11 @@ fn extent<const D: usize>(points: &[SVector<f64, D>]) -> f64 {
 mod tests {
     use nalgebra::{SMatrix, SVector};
     use tautline_discretizations::{PointSequence, QuadraticModel, Trapezoidal};
+    use tautline_formula::Prepared;
     use tautline_metrics::{Metric, Scalar, gallery::Bump};
     use tautline_sets::Point;
 
-    use crate::{newton::discrete_energy::EnergyOf, search::local_search::LocalSearch};
+    use crate::{newton::discrete_energy::DiscreteEnergy, search::local_search::LocalSearch};
 
     /// A bump, and no metric where `sign · x₂ < −10⁻⁵`: a wall along the line over the bump.
     struct Walled {
@@ -95,7 +96,8 @@ mod tests {
         let [a, b] = [a, b].map(|x| Point::new(x).expect("finite"));
         for sign in [1.0, -1.0] {
             let metric = Walled { bump: Bump::new(4.0, 0.5).expect("a width"), sign };
-            let energy = &EnergyOf { rule: Trapezoidal, metric: &metric };
+            let batches = Prepared::new(&metric);
+            let energy = &DiscreteEnergy::new(Trapezoidal, &batches);
             let search = LocalSearch { energy, ends: [&a, &b], iterations: 1, threads: 1 };
             let model = QuadraticModel::new(Trapezoidal, &metric, &line);
             let points = search.leave_saddle(&model, &line, 64.0).expect("a way down");

@@ -38,7 +38,7 @@ impl<const D: usize> Starts<D> {
     /// a line is looked for among points at each of these numbers of intervals.
     pub(crate) fn between(
         &self,
-        energy: &dyn DiscreteEnergy<D>,
+        energy: &DiscreteEnergy<'_, D>,
         [first, second]: [&dyn ClosedSet<D>; 2],
         n: usize,
         lines: &[usize],
@@ -73,7 +73,7 @@ impl<const D: usize> Starts<D> {
     /// [`between`](Starts::between).
     pub(crate) fn in_detail(
         &self,
-        energy: &dyn DiscreteEnergy<D>,
+        energy: &DiscreteEnergy<'_, D>,
         ends: [&dyn ClosedSet<D>; 2],
         n: usize,
         lines: &[usize],
@@ -90,7 +90,7 @@ impl<const D: usize> Starts<D> {
 
 /// The best sequences on a line, among points at each of these numbers of intervals.
 fn line_minima<const D: usize>(
-    energy: &dyn DiscreteEnergy<D>,
+    energy: &DiscreteEnergy<'_, D>,
     [a, b]: [&SVector<f64, D>; 2],
     n: usize,
     lines: &[usize],
@@ -162,22 +162,29 @@ fn bent_lines<const D: usize>(
 
 #[cfg(test)]
 mod tests {
+    use std::sync::LazyLock;
+
     use tautline_discretizations::{PointSequence, Trapezoidal};
+    use tautline_formula::Prepared;
     use tautline_metrics::gallery::Valleys;
     use tautline_sets::{Ball, HalfSpace, Point, Sphere};
 
     use super::{BEND, Starts};
-    use crate::newton::discrete_energy::EnergyOf;
+    use crate::newton::discrete_energy::DiscreteEnergy;
 
-    const VALLEYS: EnergyOf<'_, Valleys, Trapezoidal> =
-        EnergyOf { rule: Trapezoidal, metric: &Valleys };
+    /// The energy over the valleys.
+    fn valleys() -> DiscreteEnergy<'static, 2> {
+        static METRIC: LazyLock<Prepared<Valleys, 2>> =
+            LazyLock::new(|| Prepared::new(Valleys));
+        DiscreteEnergy::new(Trapezoidal, &*METRIC)
+    }
 
     #[test]
     fn every_start_ends_in_its_sets() {
         let ball = Ball::new([0.0, 2.0], 0.5).expect("positive radius");
         let wall = HalfSpace::new([-1.0, 0.0], -3.0).expect("not zero");
         let given = PointSequence::straight([0.0, 9.0], [9.0, 0.0], 3).expect("finite");
-        let starts = Starts::Also(vec![given]).between(&VALLEYS, [&ball, &wall], 16, &[64]);
+        let starts = Starts::Also(vec![given]).between(&valleys(), [&ball, &wall], 16, &[64]);
         assert_eq!(
             starts.len(),
             1 + 3 + 1,
@@ -201,7 +208,7 @@ mod tests {
         let given = PointSequence::straight([0.0, 9.0], [9.0, 0.0], 3).expect("finite");
         let also = Starts::Also(vec![given]);
         let tried = |starts: &Starts<2>, lines: &[usize]| {
-            starts.in_detail(&VALLEYS, [&ball, &wall], 16, lines)
+            starts.in_detail(&valleys(), [&ball, &wall], 16, lines)
         };
         let [start] = tried(&also, &[]).try_into().expect("the given one");
         assert_eq!(start.n().get(), 16);
@@ -219,7 +226,7 @@ mod tests {
         let a = Point::new([-1.0, 0.0, 0.0]).expect("finite");
         let b = Point::new([1.0, 0.0, 0.0]).expect("finite");
         let middles: Vec<_> = Starts::Automatic
-            .between(&VALLEYS, [&a, &b], 10, &[64])
+            .between(&DiscreteEnergy::new(Trapezoidal, &Prepared::new(Valleys)), [&a, &b], 10, &[64])
             .iter()
             .map(|start| {
                 let middle = start.points()[5];
@@ -233,10 +240,10 @@ mod tests {
     fn a_sphere_is_tried_from_all_sides() {
         let sphere = Sphere::new([0.0, 0.0], 1.0).expect("positive radius");
         let point = Point::new([0.2, 0.1]).expect("finite");
-        let starts = Starts::Automatic.between(&VALLEYS, [&sphere, &point], 16, &[64]);
+        let starts = Starts::Automatic.between(&valleys(), [&sphere, &point], 16, &[64]);
         assert!(starts.len() >= 5 * 4, "the nearest point and four seeds, {}", starts.len());
         // As the second set as well: the same lines, the other way round.
-        let back = Starts::Automatic.between(&VALLEYS, [&point, &sphere], 16, &[64]);
+        let back = Starts::Automatic.between(&valleys(), [&point, &sphere], 16, &[64]);
         assert_eq!(back.len(), starts.len());
         let near = |x: &PointSequence<2>, y: &PointSequence<2>| {
             let pairs = x.points().iter().zip(y.points().iter().rev());
@@ -260,7 +267,7 @@ mod tests {
     fn the_straight_start_joins_nearest_points() {
         let ball = Ball::new([0.0, 2.0], 1.0).expect("positive radius");
         let wall = HalfSpace::at_least([1.0, 1.0], 6.0).expect("not zero");
-        let starts = Starts::Automatic.between(&VALLEYS, [&ball, &wall], 4, &[64]);
+        let starts = Starts::Automatic.between(&valleys(), [&ball, &wall], 4, &[64]);
         let r = 0.5_f64.sqrt();
         // The alternating projections stop after 50 rounds, each of which at least halves what
         // is left: rounding.

@@ -6,6 +6,7 @@ use std::{collections::HashSet, f64::consts::PI, sync::Mutex, thread};
 
 use nalgebra::{SMatrix, SVector, vector};
 use tautline_discretizations::{LeftEndpoint, PointSequence, Rule, Trapezoidal, energy_gradient};
+use tautline_formula::Prepared;
 use tautline_metrics::{
     Metric, MetricError, Scalar,
     gallery::{Bump, CoupledCosines, Separable, SineProjection, SineProjections, Sphere, Valleys},
@@ -66,7 +67,8 @@ fn assert_true<R: Rule, const D: usize>(
     assert!(minimum.residual <= 2.0 * floor, "N = {n}: {:e} {floor:e}", minimum.residual);
     let [a, b] = line.map(|x| tautline_sets::Point::new(x).expect("finite"));
     let mut workspace = Workspace::default();
-    let step = newton_step(&mut workspace, metric, [&a, &b], rule, &minimum.sequence);
+    let batches = Prepared::new(metric);
+    let step = newton_step(&mut workspace, &batches, [&a, &b], rule, &minimum.sequence);
     let decrement = step.expect("positive definite").decrement / energy;
     // Of the order of rounding both, and negligible.
     let range = 0.3 * decrement..=3.0 * decrement + 1e-28;

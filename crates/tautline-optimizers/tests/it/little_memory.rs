@@ -5,6 +5,7 @@ use std::{env, process::Command};
 
 use nalgebra::{SMatrix, SVector};
 use tautline_discretizations::{LARGEST_N, LeftEndpoint, PointSequence, Trapezoidal};
+use tautline_formula::Prepared;
 use tautline_metrics::{Metric, Scalar, gallery::Separable};
 use tautline_optimizers::{Options, SolveError, Starts, Workspace, minimise, newton_step};
 use tautline_sets::{Ends, Sphere};
@@ -48,7 +49,7 @@ fn a_step_without_memory_is_none() {
             let points = (0..=n).map(|k| SVector::repeat(k as f64 / n as f64));
             PointSequence::new(points.collect()).expect("finite")
         };
-        let flat = Separable::new([0.1; D], [1.0; D]).expect("a metric");
+        let flat = Prepared::new(Separable::new([0.1; D], [1.0; D]).expect("a metric"));
         let mut workspace = Workspace::default();
         let mut step = |n| newton_step(&mut workspace, &flat, pieces, Trapezoidal, &line(n));
         assert!(step(1024).is_some());

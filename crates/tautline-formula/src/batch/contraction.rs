@@ -1,20 +1,20 @@
 //! `Contraction`: the derivatives of `H` at a point, contracted with a chord.
 
 use nalgebra::{SMatrix, SVector};
-use tautline_metrics::{Jet1, Jet2, Lanes, Metric, MixedJet, Pair, Scalar, is_gram};
+use tautline_metrics::{Metric, is_gram};
+use tautline_scalar::{Jet1, Jet2, MixedJet, Scalar};
 
-/// The derivatives of `H` at a point, contracted with a chord `d` as soon as they are known; with
-/// pairs of numbers, at two points with two chords.
+/// The derivatives of `H` at a point, contracted with a chord `d` as soon as they are known.
 #[derive(Clone, Debug)]
-pub(crate) struct Contraction<const D: usize, T = f64> {
+pub(crate) struct Contraction<const D: usize> {
     /// `H`.
-    pub(crate) h: SMatrix<T, D, D>,
+    pub(crate) h: SMatrix<f64, D, D>,
     /// `Gₖ = dᵀ ∂ₖH d`.
-    pub(crate) g: SVector<T, D>,
+    pub(crate) g: SVector<f64, D>,
     /// `Pᵢₖ = (∂ₖH d)ᵢ`.
-    pub(crate) p: SMatrix<T, D, D>,
+    pub(crate) p: SMatrix<f64, D, D>,
     /// `Qₖₗ = dᵀ ∂ₖ∂ₗH d`.
-    pub(crate) q: SMatrix<T, D, D>,
+    pub(crate) q: SMatrix<f64, D, D>,
     /// Whether `H`, with both halves as the metric has them, is finite, symmetric and positive
     /// definite.
     pub(crate) is_metric: bool,
@@ -35,11 +35,11 @@ pub(crate) const SPLIT: usize = 4;
 const CHUNKED: usize = 24;
 const CHUNK: usize = 8;
 
-impl<T: Lanes, const D: usize> Contraction<D, T> {
+impl<const D: usize> Contraction<D> {
     /// With all derivatives of all entries at once. All sums begin with their first term: a zero to
     /// begin with costs an addition for each.
     #[inline(always)]
-    fn together(metric: &impl Metric<D>, y: &SVector<T, D>, d: &SVector<T, D>) -> Self {
+    fn together(metric: &impl Metric<D>, y: &SVector<f64, D>, d: &SVector<f64, D>) -> Self {
         let jets = metric.gram(&SVector::from(Jet2::variables(&(*y).into())));
         let mut contraction = Self::first_order(&jets, d, Jet2::value, Jet2::first);
         for k in 0..D {
@@ -59,32 +59,18 @@ impl<T: Lanes, const D: usize> Contraction<D, T> {
     #[inline(always)]
     fn first_order<J>(
         jets: &SMatrix<J, D, D>,
-        d: &SVector<T, D>,
-        value: impl Fn(&J) -> T,
-        first: impl Fn(&J, usize) -> T,
+        d: &SVector<f64, D>,
+        value: impl Fn(&J) -> f64,
+        first: impl Fn(&J, usize) -> f64,
     ) -> Self {
         let jet = |i: usize, j: usize| &jets[(i.min(j), i.max(j))];
-        let h = SMatrix::<T, D, D>::from_fn(|i, j| value(jet(i, j)));
-        let p = SMatrix::<T, D, D>::from_fn(|i, k| {
+        let h = SMatrix::<f64, D, D>::from_fn(|i, j| value(jet(i, j)));
+        let p = SMatrix::<f64, D, D>::from_fn(|i, k| {
             let term = |j: usize| first(jet(i, j), k) * d[j];
             (1..D).fold(term(0), |sum, j| sum + term(j))
         });
-        let is_metric = is_gram(&SMatrix::<T, D, D>::from_fn(|i, j| value(&jets[(i, j)])));
+        let is_metric = is_gram(&SMatrix::<f64, D, D>::from_fn(|i, j| value(&jets[(i, j)])));
         Self { h, g: p.tr_mul(d), p, q: SMatrix::zeros(), is_metric }
-    }
-}
-
-impl<const D: usize> Contraction<D, Pair> {
-    /// Differentiates at two places.
-    #[inline(always)]
-    pub(crate) fn of_pair(
-        metric: &impl Metric<D>,
-        y: &SVector<Pair, D>,
-        d: &SVector<Pair, D>,
-    ) -> Self {
-        let mut contraction = Self::together(metric, y, d);
-        contraction.q.fill_lower_triangle_with_upper_triangle();
-        contraction
     }
 }
 

@@ -1,0 +1,128 @@
+//! `Plain`: a metric by batches, lane by lane through its formula as it is compiled.
+
+use std::sync::OnceLock;
+
+use nalgebra::{SMatrix, SVector};
+use tautline_metrics::{Metric, is_gram};
+
+use crate::{
+    batch::{
+        Batches, Kind, Layout,
+        contraction::{Contraction, momentum},
+    },
+    program::{Register, Registers},
+};
+
+/// A metric by batches, one place after the other: for what cannot be recorded, and for comparison.
+#[derive(Debug)]
+pub struct Plain<M, const D: usize> {
+    metric: M,
+    layouts: [OnceLock<Layout>; 3],
+}
+
+impl<M: Metric<D>, const D: usize> Plain<M, D> {
+    /// The metric as it is.
+    #[must_use]
+    pub fn new(metric: M) -> Self {
+        Self { metric, layouts: Default::default() }
+    }
+
+    /// Returns the metric.
+    #[must_use]
+    pub fn metric(&self) -> &M {
+        &self.metric
+    }
+}
+
+/// The rows of a kind one after the other, the last of which is whether `H` is a Gram matrix.
+fn layout(kind: Kind, dimension: usize) -> Layout {
+    let mut next = 2 * dimension;
+    let mut take = |count: usize| -> Vec<Register> {
+        let rows = next..next + count;
+        next = rows.end;
+        rows.map(|row| row as Register).collect()
+    };
+    let square = dimension * dimension;
+    let mut layout = Layout::default();
+    match kind {
+        Kind::Square => layout.square = take(1),
+        Kind::Momentum => {
+            layout.square = take(1);
+            layout.momentum = take(dimension);
+            layout.slope = take(dimension);
+            layout.positive = take(1);
+        }
+        Kind::Contraction => {
+            layout.gram = take(square);
+            layout.slope = take(dimension);
+            layout.turn = take(square);
+            layout.bend = take(square);
+            layout.positive = take(1);
+        }
+    }
+    layout
+}
+
+/// The number of rows of a layout, with the places and the vectors.
+fn rows(layout: &Layout, dimension: usize) -> usize {
+    let Layout { square, momentum, slope, gram, turn, bend, positive, .. } = layout;
+    let all = [square, momentum, slope, gram, turn, bend, positive];
+    2 * dimension + all.into_iter().map(Vec::len).sum::<usize>()
+}
+
+/// As many as have the arrays of one lane of many dimensions in a cache, and a chord in one pass.
+const LANES: usize = 16;
+
+impl<M: Metric<D>, const D: usize> Batches<D> for Plain<M, D> {
+    fn gram(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
+        self.metric.gram(x)
+    }
+
+    fn layout(&self, kind: Kind) -> &Layout {
+        self.layouts[kind as usize].get_or_init(|| layout(kind, D))
+    }
+
+    fn registers(&self, kind: Kind, unit: usize, units: usize) -> Registers {
+        let lanes = unit.saturating_mul(units).clamp(unit, unit.max(LANES));
+        Registers::empty(rows(self.layout(kind), D), lanes)
+    }
+
+    fn evaluate(&self, kind: Kind, registers: &mut Registers) {
+        let layout = self.layout(kind);
+        for lane in 0..registers.count() {
+            let (x, d) = registers.input::<D>(lane);
+            let write = |registers: &mut Registers, to: &[Register], values: &[f64]| {
+                for (&to, &value) in to.iter().zip(values) {
+                    registers.set(to, lane, value);
+                }
+            };
+            let sign = |registers: &mut Registers, is_metric: bool| {
+                write(registers, &layout.positive, &[if is_metric { 1.0 } else { -1.0 }]);
+            };
+            match kind {
+                Kind::Square => {
+                    let square = self.metric.norm_squared(&x, &d);
+                    write(registers, &layout.square, &[square]);
+                }
+                Kind::Momentum => {
+                    let (h, g) = momentum(&self.metric, &x, &d);
+                    let hd = h * d;
+                    write(registers, &layout.square, &[d.dot(&hd)]);
+                    write(registers, &layout.momentum, hd.as_slice());
+                    write(registers, &layout.slope, g.as_slice());
+                    sign(registers, is_gram(&h));
+                }
+                Kind::Contraction => {
+                    let Contraction { h, g, p, q, is_metric } =
+                        Contraction::new(&self.metric, &x, &d);
+                    write(registers, &layout.gram, h.as_slice());
+                    write(registers, &layout.slope, g.as_slice());
+                    // Row by row.
+                    write(registers, &layout.turn, p.transpose().as_slice());
+                    write(registers, &layout.bend, q.as_slice());
+                    sign(registers, is_metric);
+                }
+            }
+        }
+    }
+}
