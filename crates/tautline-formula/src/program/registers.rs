@@ -59,8 +59,9 @@ impl Registers {
         Self::new(&none, lanes, InstructionSet::Baseline)
     }
 
-    /// Returns how many lanes are asked for.
-    pub(crate) fn count(&self) -> usize {
+    /// Returns how many lanes are asked for; some more may be filled.
+    #[must_use]
+    pub fn count(&self) -> usize {
         self.count
     }
 

@@ -6,12 +6,14 @@ use std::{collections::HashSet, f64::consts::PI, sync::Mutex, thread};
 
 use nalgebra::{SMatrix, SVector, vector};
 use tautline_discretizations::{LeftEndpoint, PointSequence, Rule, Trapezoidal, energy_gradient};
-use tautline_formula::Prepared;
+use tautline_formula::{Batches, Kind, Layout, Plain, Prepared, Registers};
 use tautline_metrics::{
     Metric, MetricError, Scalar,
     gallery::{Bump, CoupledCosines, Separable, SineProjection, SineProjections, Sphere, Valleys},
 };
-use tautline_optimizers::{Minimum, Options, SolveError, Starts, Workspace, minimise, newton_step};
+use tautline_optimizers::{
+    Minimum, Options, SolveError, Starts, Workspace, minimise, minimise_by_batches, newton_step,
+};
 use tautline_sets::{Ends, HalfSpace, Point};
 
 fn from_the_line<const D: usize>(
@@ -20,19 +22,20 @@ fn from_the_line<const D: usize>(
     [a, b]: [[f64; D]; 2],
     n: usize,
 ) -> Result<Minimum<D>, SolveError> {
-    on_threads(1, metric, rule, [a, b], n)
+    on_threads(1, &Prepared::new(metric), rule, [a, b], n)
 }
 
 fn on_threads<const D: usize>(
     threads: usize,
-    metric: &impl Metric<D>,
+    metric: &dyn Batches<D>,
     rule: impl Rule,
     [a, b]: [[f64; D]; 2],
     n: usize,
 ) -> Result<Minimum<D>, SolveError> {
     let line = PointSequence::straight(a, b, 1).expect("finite");
     let options = Options { starts: Starts::Only(vec![line]), threads, ..Options::default() };
-    minimise(metric, &Ends::points(a, b).expect("finite"), rule, n, &options)
+    let ends = Ends::points(a, b).expect("finite");
+    minimise_by_batches(&mut Workspace::default(), metric, &ends, rule, n, &options)
 }
 
 /// Energy, residual and decrement, computed once more from the points.
@@ -131,18 +134,41 @@ fn where_the_minima_of_a_coarse_grid_leap_the_starts_are_tried_again() {
 }
 
 /// Knows who has asked.
-struct Asked<M>(M, Mutex<HashSet<thread::ThreadId>>);
+struct Asked<'m, const D: usize>(&'m dyn Batches<D>, Mutex<HashSet<thread::ThreadId>>);
 
-impl<M: Metric<D>, const D: usize> Metric<D> for Asked<M> {
-    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
-        self.1.lock().expect("nobody panics").insert(thread::current().id());
+impl<const D: usize> Batches<D> for Asked<'_, D> {
+    fn gram(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
         self.0.gram(x)
+    }
+    fn layout(&self, kind: Kind) -> &Layout {
+        self.0.layout(kind)
+    }
+    fn registers(&self, kind: Kind, unit: usize, units: usize) -> Registers {
+        self.0.registers(kind, unit, units)
+    }
+    fn evaluate(&self, kind: Kind, registers: &mut Registers) {
+        self.1.lock().expect("nobody panics").insert(thread::current().id());
+        self.0.evaluate(kind, registers);
     }
 }
 
 #[track_caller]
 fn assert_same_on_two_threads<const D: usize>(
     metric: impl Metric<D> + Copy,
+    rule: impl Rule,
+    line: [[f64; D]; 2],
+    n: usize,
+) {
+    let (prepared, plain) = (Prepared::new(metric), Plain::new(metric));
+    for way in [&prepared as &dyn Batches<D>, &plain] {
+        assert_same_by(way, rule, line, n);
+    }
+}
+
+/// In one of the two ways to evaluate a metric.
+#[track_caller]
+fn assert_same_by<const D: usize>(
+    metric: &dyn Batches<D>,
     rule: impl Rule,
     line: [[f64; D]; 2],
     n: usize,
@@ -212,7 +238,7 @@ fn a_node_where_the_metric_is_none_is_seen_on_either_side() {
         let coarse = from_the_line(&torn, Trapezoidal, line, 750).expect("a metric at the nodes");
         assert!(coarse.is_local_minimum());
         for threads in [1, 2] {
-            let fine = on_threads(threads, &torn, Trapezoidal, line, n);
+            let fine = on_threads(threads, &Prepared::new(&torn), Trapezoidal, line, n);
             let refused = matches!(fine, Err(SolveError::Metric(MetricError::NotSymmetric { .. })));
             assert!(refused, "{k}: {:?}", fine.map(|minimum| minimum.residual));
         }

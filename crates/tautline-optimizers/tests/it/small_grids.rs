@@ -7,38 +7,44 @@ use std::{
 
 use nalgebra::{SMatrix, SVector};
 use tautline_discretizations::{LeftEndpoint, PointSequence, Rule, Trapezoidal};
+use tautline_formula::{Batches, Kind, Layout, Prepared, Registers};
 use tautline_metrics::{
-    Metric, Scalar,
+    Metric,
     gallery::{
         Bump, Constant, CoupledCosines, Hill, Ramp, Separable, SineProjections, Sphere, Valleys,
     },
 };
-use tautline_optimizers::{Options, Starts, extrapolate, minimise};
+use tautline_optimizers::{
+    Options, Starts, Workspace, extrapolate, minimise, minimise_by_batches,
+};
 use tautline_sets::{Ball, Ends, FiniteSet, HalfSpace, Point};
 
-/// A metric that counts the numbers in which it is evaluated: one for a value, a dozen for a value
-/// with its derivatives.
-struct Counted<M> {
-    metric: M,
+/// A metric that counts the numbers for which it is asked: one for a value, a dozen for a value with its
+/// derivatives.
+struct Counted<M, const D: usize> {
+    metric: Prepared<M, D>,
     numbers: AtomicUsize,
 }
 
-impl<M> Counted<M> {
-    fn count<S>(&self) -> &M {
-        self.numbers.fetch_add(size_of::<S>() / size_of::<f64>(), Ordering::Relaxed);
-        &self.metric
+impl<M: Metric<D>, const D: usize> Batches<D> for Counted<M, D> {
+    fn gram(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
+        self.numbers.fetch_add(1, Ordering::Relaxed);
+        self.metric.gram(x)
     }
-}
-
-impl<M: Metric<D>, const D: usize> Metric<D> for Counted<M> {
-    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
-        self.count::<S>().gram(x)
+    fn layout(&self, kind: Kind) -> &Layout {
+        self.metric.layout(kind)
     }
-    fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
-        self.count::<S>().norm_squared(x, u)
+    fn registers(&self, kind: Kind, unit: usize, units: usize) -> Registers {
+        self.metric.registers(kind, unit, units)
     }
-    fn momentum<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> SVector<S, D> {
-        self.count::<S>().momentum(x, u)
+    fn evaluate(&self, kind: Kind, registers: &mut Registers) {
+        let numbers = match kind {
+            Kind::Square => 1,
+            Kind::Momentum => 1 + D,
+            Kind::Contraction => 1 + D + D * (D + 1) / 2,
+        };
+        self.numbers.fetch_add(registers.count() * numbers, Ordering::Relaxed);
+        self.metric.evaluate(kind, registers);
     }
 }
 
@@ -49,9 +55,10 @@ fn work<M: Metric<D>, const D: usize>(
     rule: impl Rule,
     n: usize,
 ) -> usize {
-    let counted = Counted { metric, numbers: AtomicUsize::new(0) };
+    let counted = Counted { metric: Prepared::new(metric), numbers: AtomicUsize::new(0) };
     let options = Options { threads: 1, ..Options::default() };
-    minimise(&counted, ends, rule, n, &options).expect("a metric");
+    let memory = &mut Workspace::default();
+    minimise_by_batches(memory, &counted, ends, rule, n, &options).expect("a metric");
     counted.numbers.into_inner()
 }
 
