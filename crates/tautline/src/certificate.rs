@@ -191,6 +191,7 @@ mod tests {
     use std::sync::Arc;
 
     use tautline_bounds::{BoundError, Constants, FromBelow, PaperRule, Setting, suggest_n};
+    use tautline_formula::Prepared;
     use tautline_metrics::gallery::{Constant, Separable, Shear, Valleys};
     use tautline_metrics::{Bounded, KnownDistance, Metric};
     use tautline_sets::{Ball, Ends};
@@ -273,7 +274,7 @@ mod tests {
         let fine = line.length().value.powi(2) - excess + error;
         minimum.levels =
             [(1, fine + 3.0 * error), (2, fine)].map(|(n, energy)| Level { n, energy }).to_vec();
-        TautLine::new(Arc::new(metric), Trapezoidal, ends, minimum)
+        TautLine::new(Arc::new(Prepared::new(metric)), Trapezoidal, ends, minimum)
     }
 
     /// An excess is told from noise only if it is more than both errors together, each of which could

@@ -78,14 +78,17 @@ pub use tautline_discretizations::{
     Integral, Interpolation, LARGEST_N, LeftEndpoint, Node, PointSequence, Rule, SequenceError,
     Trapezoidal, TrueTrapezoid, energy_gradient,
 };
+pub use tautline_formula::{
+    Batch, Batches, Formula, Kind, Plain, Prepared, Programs, RecordError, TextError,
+};
 pub use tautline_metrics::{
     Bounded, Constants, HypothesisError, KnownDistance, LocalError, LocallyBounded, Metric,
     MetricError, check_gram, christoffel, composition, gallery, quadrature,
 };
 pub use tautline_optimizers::{
     AsymptoticsError, Curvature, Estimate, LeadingConstants, Level, Minimum, NewtonStep, Options,
-    SolveError, Starts, Stop, Workspace, extrapolate, leading_constants, minimise, minimise_in,
-    newton_step,
+    SolveError, Starts, Stop, Workspace, extrapolate, leading_constants, minimise,
+    minimise_by_batches, minimise_in, newton_step,
 };
 pub use tautline_scalar::{FastInterval, Interval, Jet1, Jet2, MixedJet, Scalar};
 pub use tautline_sets::{

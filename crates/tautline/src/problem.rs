@@ -3,8 +3,9 @@
 use std::sync::{Arc, Mutex};
 
 use tautline_discretizations::Rule;
+use tautline_formula::Prepared;
 use tautline_metrics::Metric;
-use tautline_optimizers::{Options, SolveError, Workspace, minimise_in};
+use tautline_optimizers::{Options, SolveError, Workspace, minimise_by_batches};
 use tautline_sets::Ends;
 
 use crate::TautLine;
@@ -16,20 +17,23 @@ use crate::TautLine;
 /// [`minimise_in`](crate::minimise_in) share it instead.
 #[derive(Clone, Debug)]
 pub struct Problem<M, const D: usize> {
-    metric: Arc<M>,
+    metric: Arc<Prepared<M, D>>,
     ends: Ends<D>,
     workspace: Arc<Mutex<Workspace<D>>>,
 }
 
 impl<M: Metric<D>, const D: usize> Problem<M, D> {
-    /// Poses the problem. Nothing is computed yet.
+    /// Poses the problem.
+    ///
+    /// The formula of the metric is recorded; nothing else is computed yet. A formula that compares numbers,
+    /// or is very long, is taken as it is compiled: with the same results to rounding, and slower.
     pub fn new(metric: M, ends: Ends<D>) -> Self {
-        Self { metric: Arc::new(metric), ends, workspace: Arc::default() }
+        Self { metric: Arc::new(Prepared::new(metric)), ends, workspace: Arc::default() }
     }
 
     /// Returns the metric.
     pub fn metric(&self) -> &M {
-        &self.metric
+        self.metric.metric()
     }
 
     /// Returns the sets.
@@ -79,7 +83,7 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
         n: usize,
         options: &Options<D>,
     ) -> Result<TautLine<M, R, D>, SolveError> {
-        let minimum = minimise_in(workspace, &*self.metric, &self.ends, rule, n, options)?;
+        let minimum = minimise_by_batches(workspace, &*self.metric, &self.ends, rule, n, options)?;
         Ok(TautLine::new(Arc::clone(&self.metric), rule, self.ends.clone(), minimum))
     }
 }

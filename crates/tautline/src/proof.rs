@@ -7,6 +7,7 @@ use tautline_certify::{
     Accuracy, AdmissibleCurve, CertifiedConstants, CertifyError, CurveError, Domain,
     LocallyCertified,
 };
+use tautline_formula::Prepared;
 use tautline_metrics::{LocalError, Metric};
 use tautline_sets::Ball;
 
@@ -101,7 +102,8 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
             let constants = proved.constants()?;
             (constants, None, self.enclosure_by(constants, extent)?)
         } else {
-            let metric = Arc::new(LocallyCertified::new(self.metric(), accuracy));
+            let metric = LocallyCertified::new(self.metric(), accuracy);
+            let metric = Arc::new(Prepared::new(metric));
             let (ends, minimum) = (self.ends().clone(), self.minimum().clone());
             let line = TautLine::new(metric, self.rule(), ends, minimum);
             let competitors = line.competitors_by(extent)?;

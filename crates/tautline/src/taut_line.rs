@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use tautline_discretizations::{Integral, Interpolation, PointSequence, Rule};
+use tautline_formula::Prepared;
 use tautline_metrics::Metric;
 use tautline_optimizers::{Estimate, Minimum, extrapolate};
 use tautline_sets::Ends;
@@ -10,21 +11,21 @@ use tautline_sets::Ends;
 /// A computed discrete minimiser and the curve `γᵖˡ` that it reconstructs.
 #[derive(Clone, Debug)]
 pub struct TautLine<M, R, const D: usize> {
-    metric: Arc<M>,
+    metric: Arc<Prepared<M, D>>,
     rule: R,
     ends: Ends<D>,
     minimum: Minimum<D>,
 }
 
 impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
-    pub(crate) fn new(metric: Arc<M>, rule: R, ends: Ends<D>, minimum: Minimum<D>) -> Self {
+    pub(crate) fn new(metric: Arc<Prepared<M, D>>, rule: R, ends: Ends<D>, minimum: Minimum<D>) -> Self {
         Self { metric, rule, ends, minimum }
     }
 
     /// Returns the metric.
     #[must_use]
     pub fn metric(&self) -> &M {
-        &self.metric
+        self.metric.metric()
     }
 
     /// Returns the rule.
@@ -66,19 +67,19 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
     /// estimate.
     #[must_use]
     pub fn energy(&self) -> Integral {
-        self.curve().energy(&*self.metric)
+        self.curve().energy(self.metric())
     }
 
     /// Returns the length `L(γᵖˡ) ≥ d` of the curve, in `m`, by quadrature with an error estimate.
     #[must_use]
     pub fn length(&self) -> Integral {
-        self.curve().length(&*self.metric)
+        self.curve().length(self.metric())
     }
 
     /// Returns the speeds of the chords, in `m`: nearly equal for a minimiser.
     #[must_use]
     pub fn speeds(&self) -> Vec<f64> {
-        self.rule.speeds(&*self.metric, self.sequence())
+        self.rule.speeds(self.metric(), self.sequence())
     }
 
     /// Returns the relative residual of the discrete geodesic equation (see [`Minimum`]).

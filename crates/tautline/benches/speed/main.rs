@@ -17,7 +17,7 @@ use limit_space::Space;
 use problems::{Peer, pose};
 use race::Race;
 use tautline::{
-    Ends, Metric, Options, PointSequence, Problem, Rule, SVector, Starts, Trapezoidal, Workspace,
+    Ends, Metric, Options, PointSequence, Prepared, Problem, Rule, SVector, Starts, Trapezoidal, Workspace,
     energy_gradient, newton_step,
 };
 use tautline_discretizations::QuadraticModel;
@@ -48,6 +48,7 @@ impl Peer for Timing {
             Options { starts: Starts::Only(vec![start]), threads: 1, ..Options::default() };
         let problem = Problem::new(metric, ends);
         let metric = problem.metric();
+        let prepared = Prepared::new(metric);
         let line = bent(problem.solve_with(Trapezoidal, n, &options)?.sequence())?;
         let (first, second) = problem.ends().pairs().next().ok_or("ends have pieces")?;
         let (mut model, mut workspace) = (QuadraticModel::default(), Workspace::default());
@@ -61,7 +62,7 @@ impl Peer for Timing {
         });
         race.add("newton step", || {
             let ends = [&*first, &*second];
-            let step = newton_step(&mut workspace, metric, ends, Trapezoidal, black_box(&line));
+            let step = newton_step(&mut workspace, &prepared, ends, Trapezoidal, black_box(&line));
             step.expect("the Hessian is positive definite near a minimiser")
         });
         race.add("solve", || problem.solve_with(Trapezoidal, black_box(n), &options));
