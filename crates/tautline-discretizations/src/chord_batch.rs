@@ -1,10 +1,13 @@
 //! `ChordBatch`: many chords at once.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::SVector;
 use tautline_formula::{Batch, Batches, Kind, Layout, Register};
-use tautline_metrics::{Lanes, Pair};
+use tautline_metrics::Pair;
 
-use crate::{ChordModel, Node, chord_model::Contraction};
+use crate::{
+    Node,
+    contractions::{Contractions, Entry},
+};
 
 /// The Gram matrix at the nodes of many chords at once, contracted with them.
 pub struct ChordBatch<'f, const D: usize> {
@@ -136,95 +139,6 @@ impl<'f, const D: usize> ChordBatch<'f, D> {
                 gradients[1][i] += w * (g * node.fraction + twice);
             }
         }
-    }
-}
-
-/// A number of each of some lanes that stand side by side.
-pub trait Entry: Lanes {
-    /// How they stand in a row.
-    type Row: Copy;
-
-    /// Returns them as one number.
-    fn of(row: Self::Row) -> Self;
-
-    /// Returns the fraction of a chord as seen from where these lanes see it, and so its far point.
-    fn far(fraction: f64) -> Self;
-}
-
-impl Entry for f64 {
-    type Row = f64;
-
-    #[inline(always)]
-    fn of(row: f64) -> Self {
-        row
-    }
-
-    #[inline(always)]
-    fn far(fraction: f64) -> Self {
-        fraction
-    }
-}
-
-impl Entry for Pair {
-    type Row = [f64; 2];
-
-    #[inline(always)]
-    fn of([one, other]: [f64; 2]) -> Self {
-        Self::new(one, other)
-    }
-
-    #[inline(always)]
-    fn far(fraction: f64) -> Self {
-        Self::new(fraction, 1.0 - fraction)
-    }
-}
-
-/// What makes the models of chords, row by row.
-pub struct Contractions<'b, T: Entry, const D: usize> {
-    d: [&'b [T::Row]; D],
-    slope: [&'b [T::Row]; D],
-    gram: [[&'b [T::Row]; D]; D],
-    turn: [[&'b [T::Row]; D]; D],
-    bend: [[&'b [T::Row]; D]; D],
-    nodes: &'static [Node],
-    n: f64,
-}
-
-impl<T: Entry, const D: usize> Contractions<'_, T, D> {
-    /// Returns the model of the chord, or of the pair of chords, with this number.
-    #[inline(always)]
-    #[must_use]
-    pub fn model(&self, k: usize) -> ChordModel<D, T> {
-        self.seen(k, T::far)
-    }
-
-    /// Returns the model of a chord that was seen from its end 0 or 1.
-    #[inline(always)]
-    fn seen(&self, k: usize, far: impl Fn(f64) -> T) -> ChordModel<D, T> {
-        let first = k * self.nodes.len();
-        ChordModel::over(self.nodes, |place, node| {
-            let lane = first + place;
-            let matrix = |rows: &[[&[T::Row]; D]; D]| {
-                SMatrix::<T, D, D>::from_fn(|i, j| T::of(rows[i][j][lane]))
-            };
-            let contraction = Contraction {
-                h: matrix(&self.gram),
-                g: SVector::from_fn(|i, _| T::of(self.slope[i][lane])),
-                p: matrix(&self.turn),
-                q: matrix(&self.bend),
-            };
-            let d = SVector::from_fn(|i, _| T::of(self.d[i][lane]));
-            ChordModel::at_node(contraction, &d, far(node.fraction), node.weight * self.n)
-        })
-    }
-}
-
-impl<const D: usize> Contractions<'_, f64, D> {
-    /// Returns the model of the chord with this number, which was seen from its end 0 or 1.
-    #[inline(always)]
-    #[must_use]
-    pub fn model_from(&self, end: usize, k: usize) -> ChordModel<D> {
-        self.seen(k, |fraction| if end == 0 { fraction } else { 1.0 - fraction })
     }
 }
 

@@ -60,7 +60,12 @@ impl<T: Scalar, const D: usize> ChordModel<D, T> {
 
     /// The part of one node, of the weight `w`, at the fraction `far` of the chord.
     #[inline(always)]
-    pub(crate) fn at_node(contraction: Contraction<D, T>, d: &SVector<T, D>, far: T, w: f64) -> Self {
+    pub(crate) fn at_node(
+        contraction: Contraction<D, T>,
+        d: &SVector<T, D>,
+        far: T,
+        w: f64,
+    ) -> Self {
         let near = T::one() - far;
         let Contraction { h, g, p, q } = contraction;
         // Each with its weight, and twice where twice is wanted.

@@ -32,10 +32,10 @@ mod record_error;
 mod recording;
 mod text;
 
-pub use batch::{Batch, Batches, Inputs, Kind, Layout, Plain, Prepared, Programs};
+pub use batch::{Batch, Batches, Inputs, Kind, Layout, Plain, Prepared};
 pub use formula::Formula;
-pub use program::{InstructionSet, Register, Registers, WIDTH};
 pub use operation::{Arithmetic, Function, Number, Operation, Pair, Step};
+pub use program::{InstructionSet, Register, Registers, WIDTH};
 pub use record_error::RecordError;
 pub use text::{Problem, TextError};
 

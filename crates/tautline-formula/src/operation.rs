@@ -70,22 +70,22 @@ pub enum Function {
 impl Function {
     /// Returns the value.
     pub(crate) fn of<S: Scalar>(self, x: S) -> S {
-    match self {
-        Function::Neg => -x,
-        Function::Sqr => x.sqr(),
-        Function::Recip => x.recip(),
-        Function::Sqrt => x.sqrt(),
-        Function::Exp => x.exp(),
-        Function::Ln => x.ln(),
-        Function::Sin => x.sin(),
-        Function::Cos => x.cos(),
-        Function::Tan => x.tan(),
-        Function::Atan => x.atan(),
-        Function::Sinh => x.sinh(),
-        Function::Cosh => x.cosh(),
-        Function::Tanh => x.tanh(),
+        match self {
+            Function::Neg => -x,
+            Function::Sqr => x.sqr(),
+            Function::Recip => x.recip(),
+            Function::Sqrt => x.sqrt(),
+            Function::Exp => x.exp(),
+            Function::Ln => x.ln(),
+            Function::Sin => x.sin(),
+            Function::Cos => x.cos(),
+            Function::Tan => x.tan(),
+            Function::Atan => x.atan(),
+            Function::Sinh => x.sinh(),
+            Function::Cosh => x.cosh(),
+            Function::Tanh => x.tanh(),
+        }
     }
-}
 }
 
 /// Two functions of one number that are evaluated together.

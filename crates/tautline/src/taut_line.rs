@@ -18,7 +18,12 @@ pub struct TautLine<M, R, const D: usize> {
 }
 
 impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
-    pub(crate) fn new(metric: Arc<Prepared<M, D>>, rule: R, ends: Ends<D>, minimum: Minimum<D>) -> Self {
+    pub(crate) fn new(
+        metric: Arc<Prepared<M, D>>,
+        rule: R,
+        ends: Ends<D>,
+        minimum: Minimum<D>,
+    ) -> Self {
         Self { metric, rule, ends, minimum }
     }
 

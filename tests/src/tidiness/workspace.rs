@@ -11,7 +11,10 @@ const BELOW: [(&str, &[&str]); 12] = [
     ("tautline-formula", &["tautline-chance", "tautline-metrics", "tautline-scalar"]),
     ("tautline-sets", &["tautline-chance", "tautline-scalar"]),
     ("tautline-bounds", &["tautline-chance", "tautline-metrics"]),
-    ("tautline-discretizations", &["tautline-chance", "tautline-metrics", "tautline-scalar"]),
+    (
+        "tautline-discretizations",
+        &["tautline-chance", "tautline-formula", "tautline-metrics", "tautline-scalar"],
+    ),
     (
         "tautline-certify",
         &[
@@ -24,7 +27,13 @@ const BELOW: [(&str, &[&str]); 12] = [
     ),
     (
         "tautline-optimizers",
-        &["tautline-chance", "tautline-discretizations", "tautline-metrics", "tautline-sets"],
+        &[
+            "tautline-chance",
+            "tautline-discretizations",
+            "tautline-formula",
+            "tautline-metrics",
+            "tautline-sets",
+        ],
     ),
     (
         "tautline",
@@ -32,6 +41,7 @@ const BELOW: [(&str, &[&str]); 12] = [
             "tautline-bounds",
             "tautline-certify",
             "tautline-discretizations",
+            "tautline-formula",
             "tautline-metrics",
             "tautline-optimizers",
             "tautline-scalar",

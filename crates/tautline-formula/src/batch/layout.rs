@@ -47,9 +47,8 @@ impl Layout {
         !is_bad
             && self.halves.iter().all(|halves| {
                 let [above, below, one, other] = halves.map(|register| registers.row(register));
-                (0..count).all(|lane| {
-                    is_symmetric([above[lane], below[lane]], [one[lane], other[lane]])
-                })
+                (0..count)
+                    .all(|lane| is_symmetric([above[lane], below[lane]], [one[lane], other[lane]]))
             })
     }
 }

@@ -1,17 +1,16 @@
 //! `Batch`: a metric at many places at once.
 
 mod contraction;
+mod kernel;
 mod layout;
 mod plain;
 mod prepared;
-mod programs;
 
 use nalgebra::{SMatrix, SVector};
 
 pub use layout::{Kind, Layout};
 pub use plain::Plain;
 pub use prepared::Prepared;
-pub use programs::Programs;
 
 use crate::program::{Register, Registers};
 

@@ -1,32 +1,47 @@
 //! `Prepared`: a metric by batches, in the way that is fastest for it.
 
+use std::sync::OnceLock;
+
 use nalgebra::{SMatrix, SVector};
 use tautline_metrics::Metric;
 
 use crate::{
     Formula,
-    batch::{Batches, Kind, Layout, Plain, Programs},
-    program::Registers,
+    batch::{Batches, Kind, Layout, Plain, kernel::Kernel},
+    program::{InstructionSet, Registers},
 };
 
-/// A metric, ready to be evaluated at many places: by the programs of its formula, where it can be recorded
-/// and is not too long; by the formula as it is compiled elsewhere.
+/// A metric, ready to be evaluated at many places at once.
+///
+/// By programs, which are derived from its formula when they are needed for the first time. A formula that
+/// compares numbers cannot be recorded, and one of very many steps has longer programs than it is worth:
+/// then as the formula is compiled, place by place, with the same results to rounding.
 #[derive(Debug)]
 pub struct Prepared<M, const D: usize> {
     plain: Plain<M, D>,
-    programs: Option<Programs<D>>,
+    formula: Option<Formula<D>>,
+    kernels: [OnceLock<Option<Kernel>>; 3],
+    instruction_set: InstructionSet,
+    lanes: usize,
 }
 
-/// The longest formula that is differentiated.
-const LONGEST: usize = 1 << 14;
+/// The greatest number of lanes.
+const LANES: usize = 64;
 
 impl<M: Metric<D>, const D: usize> Prepared<M, D> {
-    /// Records the formula of a metric, if that is possible.
+    /// Records the formula of a metric.
     #[must_use]
     pub fn new(metric: M) -> Self {
+        Self::with(metric, InstructionSet::Widest, LANES)
+    }
+
+    /// The same, to be evaluated by these instructions, at so many places at once, or fewer where they would
+    /// not fit into a cache. The results are the same to the bit.
+    #[must_use]
+    pub fn with(metric: M, instruction_set: InstructionSet, lanes: usize) -> Self {
         let formula = Formula::record(&metric).ok();
-        let formula = formula.filter(|formula| formula.operations().len() <= LONGEST);
-        Self { plain: Plain::new(metric), programs: formula.map(Programs::new) }
+        let (plain, kernels) = (Plain::new(metric), Default::default());
+        Self { plain, formula, kernels, instruction_set, lanes }
     }
 
     /// Returns the metric.
@@ -35,17 +50,21 @@ impl<M: Metric<D>, const D: usize> Prepared<M, D> {
         self.plain.metric()
     }
 
-    /// Returns the programs of its formula, if it has some.
+    /// Returns its formula; `None` if it could not be recorded.
     #[must_use]
-    pub fn programs(&self) -> Option<&Programs<D>> {
-        self.programs.as_ref()
+    pub fn formula(&self) -> Option<&Formula<D>> {
+        self.formula.as_ref()
     }
 
-    fn way(&self) -> &dyn Batches<D> {
-        match &self.programs {
-            Some(programs) => programs,
-            None => &self.plain,
-        }
+    /// Returns the number of instructions and of registers of a program; `None` if there is none.
+    #[must_use]
+    pub fn size(&self, kind: Kind) -> Option<[usize; 2]> {
+        self.kernel(kind).map(Kernel::size)
+    }
+
+    fn kernel(&self, kind: Kind) -> Option<&Kernel> {
+        let derive = || Kernel::new(self.formula.as_ref()?, kind);
+        self.kernels[kind as usize].get_or_init(derive).as_ref()
     }
 }
 
@@ -55,14 +74,21 @@ impl<M: Metric<D>, const D: usize> Batches<D> for Prepared<M, D> {
     }
 
     fn layout(&self, kind: Kind) -> &Layout {
-        self.way().layout(kind)
+        self.kernel(kind).map_or_else(|| self.plain.layout(kind), Kernel::layout)
     }
 
     fn registers(&self, kind: Kind, unit: usize, units: usize) -> Registers {
-        self.way().registers(kind, unit, units)
+        let Some(kernel) = self.kernel(kind) else {
+            return self.plain.registers(kind, unit, units);
+        };
+        let lanes = unit.saturating_mul(units).min(self.lanes).min(kernel.lanes()).max(unit);
+        Registers::new(kernel.program(), lanes, self.instruction_set)
     }
 
     fn evaluate(&self, kind: Kind, registers: &mut Registers) {
-        self.way().evaluate(kind, registers);
+        match self.kernel(kind) {
+            Some(kernel) => registers.run(kernel.program()),
+            None => self.plain.evaluate(kind, registers),
+        }
     }
 }

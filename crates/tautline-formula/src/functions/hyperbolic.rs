@@ -93,9 +93,8 @@ mod tests {
     #[test]
     fn errors_of_the_hyperbolic_cosine_are_as_stated() {
         let of = |x: f64| single(x, |y, x| cosh(y, x), |y, x| cosh(y, x));
-        let value = |x: &BigFloat, constants: &mut Consts| {
-            x.cosh(192, RoundingMode::None, constants)
-        };
+        let value =
+            |x: &BigFloat, constants: &mut Consts| x.cosh(192, RoundingMode::None, constants);
         assert_within(2.0, 0.0, even(-4.0, 4.0), of, value);
         assert_within(2.0, 0.0, even(-700.0, 700.0), of, value);
         for x in [700.5, -800.0, f64::INFINITY, f64::NAN] {

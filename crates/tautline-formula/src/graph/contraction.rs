@@ -18,20 +18,20 @@ use crate::{
     operation::{Function, Step},
 };
 
-/// What is contracted of a formula. Where there are two ways to sum up, both.
+/// What is contracted of a formula.
 #[derive(Debug)]
 pub(crate) struct Contracted {
     pub(crate) graph: Graph,
     /// The entries `i ≤ j` of `H`, row by row.
     pub(crate) gram: Vec<Step>,
-    /// The pairs of entries `(i, j)` and `(j, i)` that are not the same by the formula, with their places.
-    pub(crate) halves: Vec<(usize, usize, [Step; 2])>,
+    /// Where the two halves of `H` are not the same by the formula.
+    pub(crate) halves: Vec<Half>,
     /// What is positive and finite where `H` is positive definite and finite.
     pub(crate) pivots: Vec<Step>,
-    /// `dᵀHd`, by the entries of `H` and by its parts.
-    pub(crate) square: [Step; 2],
+    /// `dᵀHd`.
+    pub(crate) square: Step,
     /// `Hd`.
-    pub(crate) momentum: [Vec<Step>; 2],
+    pub(crate) momentum: Vec<Step>,
     /// `G`.
     pub(crate) slope: Vec<Step>,
     /// `P`, row by row.
@@ -40,23 +40,27 @@ pub(crate) struct Contracted {
     pub(crate) bend: Vec<Step>,
 }
 
-impl Contracted {
-    /// The entries on the diagonal of `H`.
-    pub(crate) fn diagonal(&self) -> Vec<Step> {
-        let dimension = self.slope.len();
-        let place = |i: usize| i * dimension - i * (i + 1) / 2 + i;
-        (0..dimension).map(|i| self.gram[place(i)]).collect()
-    }
+/// Two entries that have to have the same value, and those on the diagonal in their row and column.
+#[derive(Debug)]
+pub(crate) struct Half {
+    /// `(i, j)` and `(j, i)`.
+    pub(crate) entries: [Step; 2],
+    /// `(i, i)` and `(j, j)`.
+    pub(crate) diagonal: [Step; 2],
 }
 
-/// Contracts a formula with a chord, with its derivatives up to this order.
-pub(crate) fn contract<const D: usize>(formula: &Formula<D>, order: Order) -> Contracted {
+/// Contracts a formula with a chord, with its derivatives up to this order; `None` if that takes more
+/// operations than are worth it.
+pub(crate) fn contract<const D: usize>(formula: &Formula<D>, order: Order) -> Option<Contracted> {
     let (mut graph, entries) = Graph::of(formula);
     let upper = || (0..D).flat_map(|i| (i..D).map(move |j| (i, j)));
     let gram: Vec<Step> = upper().map(|(i, j)| entries[i * D + j]).collect();
     let halves = upper()
-        .map(|(i, j)| (i, j, [entries[i * D + j], entries[j * D + i]]))
-        .filter(|(_, _, [one, other])| one != other)
+        .filter(|(i, j)| entries[i * D + j] != entries[j * D + i])
+        .map(|(i, j)| Half {
+            entries: [entries[i * D + j], entries[j * D + i]],
+            diagonal: [i, j].map(|i| entries[i * D + i]),
+        })
         .collect();
     let at = |i: usize, j: usize| entries[i.min(j) * D + i.max(j)];
     let pivots = graph.pivots(D, at);
@@ -65,8 +69,11 @@ pub(crate) fn contract<const D: usize>(formula: &Formula<D>, order: Order) -> Co
     let d: Vec<Step> = (0..D).map(|i| graph.coordinate(D + i)).collect();
     let bases: Vec<Step> = parts.iter().map(|part| part.base).collect();
     let derivatives = graph.derivatives(&bases, D, order);
-    let momenta: Vec<Momentum> = parts.iter().map(|part| graph.momentum(&part.matrix, &d)).collect();
-    let weighted = |graph: &mut Graph, of: &dyn Fn(&Derivatives) -> Option<Step>, factor: &dyn Fn(&Momentum) -> Step| {
+    let momenta: Vec<Momentum> =
+        parts.iter().map(|part| graph.momentum(&part.matrix, &d)).collect();
+    let weighted = |graph: &mut Graph,
+                    of: &dyn Fn(&Derivatives) -> Option<Step>,
+                    factor: &dyn Fn(&Momentum) -> Step| {
         let terms: Vec<Step> = derivatives
             .iter()
             .zip(&momenta)
@@ -90,39 +97,45 @@ pub(crate) fn contract<const D: usize>(formula: &Formula<D>, order: Order) -> Co
             bend.push(weighted(&mut graph, &|of| of.second.get(&place).copied(), &|m| m.square));
         }
     }
-    let by_entries: Vec<Step> = (0..D)
-        .map(|i| {
-            let terms: Vec<Step> = (0..D).map(|j| graph.mul(at(i, j), d[j])).collect();
-            graph.sum(terms)
-        })
-        .collect();
-    let rest = graph.momentum(&constant, &d);
-    let by_parts: Vec<Step> = (0..D)
-        .map(|i| {
+    // By the parts unless they are more than the entries. Not by the number of operations: other units
+    // have some more of them, and are to have the same roundings.
+    let (momentum, square) = if parts.len() <= own_entries(&graph, &gram).len() {
+        let rest = graph.momentum(&constant, &d);
+        let momentum = (0..D).map(|i| {
             let terms = parts.iter().zip(&momenta);
             let terms: Vec<Step> =
                 terms.map(|(part, momentum)| graph.mul(momentum.vector[i], part.base)).collect();
             let sum = graph.sum(terms);
             graph.add(rest.vector[i], sum)
-        })
-        .collect();
-    let terms: Vec<Step> = by_entries.iter().zip(&d).map(|(&one, &other)| graph.mul(one, other)).collect();
-    let square_by_entries = graph.sum(terms);
-    let terms = parts.iter().zip(&momenta);
-    let terms: Vec<Step> = terms.map(|(part, momentum)| graph.mul(momentum.square, part.base)).collect();
-    let sum = graph.sum(terms);
-    let square_by_parts = graph.add(rest.square, sum);
-    Contracted {
+        });
+        let momentum: Vec<Step> = momentum.collect();
+        let terms = parts.iter().zip(&momenta);
+        let terms: Vec<Step> =
+            terms.map(|(part, momentum)| graph.mul(momentum.square, part.base)).collect();
+        let sum = graph.sum(terms);
+        (momentum, graph.add(rest.square, sum))
+    } else {
+        let momentum = (0..D).map(|i| {
+            let terms: Vec<Step> = (0..D).map(|j| graph.mul(at(i, j), d[j])).collect();
+            graph.sum(terms)
+        });
+        let momentum: Vec<Step> = momentum.collect();
+        let terms: Vec<Step> =
+            momentum.iter().zip(&d).map(|(&one, &other)| graph.mul(one, other)).collect();
+        (momentum, graph.sum(terms))
+    };
+    let is_full = graph.is_full();
+    (!is_full).then_some(Contracted {
         graph,
         gram,
         halves,
         pivots,
-        square: [square_by_entries, square_by_parts],
-        momentum: [by_entries, by_parts],
+        square,
+        momentum,
         slope,
         turn,
         bend,
-    }
+    })
 }
 
 /// One `bₘ` with its matrix, row by row.
@@ -132,13 +145,19 @@ struct Part {
     matrix: Vec<f64>,
 }
 
-/// Returns `C₀` and the parts of `H`: by linear combinations of the entries `i ≤ j`, or the entries
-/// themselves where these are fewer.
-fn parts(graph: &Graph, gram: &[Step], dimension: usize) -> (Vec<f64>, Vec<Part>) {
+/// The entries that depend on the place, each once.
+fn own_entries(graph: &Graph, gram: &[Step]) -> Vec<Step> {
     let mut own: Vec<Step> =
         gram.iter().copied().filter(|&entry| graph.value(entry).is_none()).collect();
     own.sort_unstable();
     own.dedup();
+    own
+}
+
+/// Returns `C₀` and the parts of `H`: by linear combinations of the entries `i ≤ j`, or the entries
+/// themselves where these are fewer.
+fn parts(graph: &Graph, gram: &[Step], dimension: usize) -> (Vec<f64>, Vec<Part>) {
+    let own = own_entries(graph, gram);
     let linear = graph.linear(gram);
     let mut bases: Vec<Step> =
         linear.iter().flat_map(|linear| linear.terms.iter().map(|term| term.0)).collect();
@@ -156,8 +175,7 @@ fn parts(graph: &Graph, gram: &[Step], dimension: usize) -> (Vec<f64>, Vec<Part>
     };
     let matrix = || vec![0.0; dimension * dimension];
     let mut constant = matrix();
-    let mut parts: Vec<Part> =
-        bases.iter().map(|&base| Part { base, matrix: matrix() }).collect();
+    let mut parts: Vec<Part> = bases.iter().map(|&base| Part { base, matrix: matrix() }).collect();
     let upper = (0..dimension).flat_map(|i| (i..dimension).map(move |j| (i, j)));
     for ((i, j), linear) in upper.zip(&linear) {
         for place in [i * dimension + j, j * dimension + i] {
@@ -207,7 +225,8 @@ impl Graph {
         for k in 0..dimension {
             let row: Vec<Step> = a[k * dimension..(k + 1) * dimension].to_vec();
             pivots.push(row[k]);
-            let beside: Vec<usize> = (k + 1..dimension).filter(|&j| !self.is_zero(row[j])).collect();
+            let beside: Vec<usize> =
+                (k + 1..dimension).filter(|&j| !self.is_zero(row[j])).collect();
             if beside.is_empty() {
                 continue;
             }

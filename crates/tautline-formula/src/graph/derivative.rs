@@ -163,9 +163,7 @@ impl Graph {
         match operation {
             Operation::Binary(Arithmetic::Add, a, b) => self.combine([of(a), of(b)], [1.0, 1.0]),
             Operation::Binary(Arithmetic::Sub, a, b) => self.combine([of(a), of(b)], [1.0, -1.0]),
-            Operation::Binary(Arithmetic::Mul, a, b) => {
-                self.product([of(a), of(b)], [a, b], order)
-            }
+            Operation::Binary(Arithmetic::Mul, a, b) => self.product([of(a), of(b)], [a, b], order),
             Operation::Binary(Arithmetic::Div, a, b) => self.quotient([of(a), of(b)], v, b, order),
             Operation::WithNumber(Arithmetic::Mul, a, c) => {
                 self.combine([of(a), &none], [c.value(), 0.0])

@@ -79,9 +79,7 @@ impl Graph {
             let step = step as Step;
             let of = |a: Step| known.get(&a).cloned().unwrap_or_else(|| Linear::step(a));
             let combination = match operation {
-                Operation::Constant(c) => {
-                    Some(Linear { constant: c.value(), ..Linear::default() })
-                }
+                Operation::Constant(c) => Some(Linear { constant: c.value(), ..Linear::default() }),
                 Operation::Binary(Arithmetic::Add, a, b) => Some(of(a).plus(&of(b), 1.0)),
                 Operation::Binary(Arithmetic::Sub, a, b) => Some(of(a).plus(&of(b), -1.0)),
                 Operation::WithNumber(Arithmetic::Add, a, c) => {

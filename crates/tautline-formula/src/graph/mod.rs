@@ -33,7 +33,13 @@ pub(crate) struct Graph {
     operations: Vec<Operation>,
     known: HashMap<Operation, Step>,
     identities: Identities,
+    /// Whether there was no room for an operation: what was made since is meaningless.
+    is_full: bool,
 }
+
+/// The most operations. Twice as many take twice the time to derive; from here on they take longer to run,
+/// too, than the formula as it is compiled.
+const MOST: usize = 1 << 17;
 
 impl Graph {
     /// A graph on which a formula is, and its entries `(i, j)` by `[i D + j]`.
@@ -42,6 +48,7 @@ impl Graph {
             operations: Vec::new(),
             known: HashMap::new(),
             identities: Identities::Exact,
+            is_full: false,
         };
         let mut made: Vec<Step> = Vec::with_capacity(formula.operations().len());
         for (place, &operation) in formula.operations().iter().enumerate() {
@@ -64,9 +71,7 @@ impl Graph {
                 // After its first one, always.
                 Operation::Second => match place.checked_sub(1).map(|p| formula.operations()[p]) {
                     Some(Operation::First(Pair::SinCos, a)) => graph.apply(Function::Cos, at(a)),
-                    Some(Operation::First(Pair::SinhCosh, a)) => {
-                        graph.apply(Function::Cosh, at(a))
-                    }
+                    Some(Operation::First(Pair::SinhCosh, a)) => graph.apply(Function::Cosh, at(a)),
                     _ => unreachable!("a second of a pair without its first"),
                 },
             };
@@ -87,11 +92,23 @@ impl Graph {
     }
 
     fn node(&mut self, operation: Operation) -> Step {
-        let Self { operations, known, .. } = self;
-        *known.entry(operation).or_insert_with(|| {
-            operations.push(operation);
-            (operations.len() - 1) as Step
-        })
+        let Self { operations, known, is_full, .. } = self;
+        if let Some(&step) = known.get(&operation) {
+            return step;
+        }
+        if operations.len() >= MOST {
+            *is_full = true;
+            return 0;
+        }
+        let step = operations.len() as Step;
+        operations.push(operation);
+        known.insert(operation, step);
+        step
+    }
+
+    /// Whether there was no room for an operation.
+    pub(crate) fn is_full(&self) -> bool {
+        self.is_full
     }
 
     fn is_free(&self) -> bool {

@@ -2,12 +2,14 @@
 
 use crate::{
     graph::Graph,
-    operation::{Operation, Step},
+    operation::{Arithmetic, Function, Operation, Step},
 };
 
 impl Graph {
     /// Returns the first step `u`, in the order of evaluation, with `root = F(u)` for a function `F` of one
     /// variable; `None` if there is none but the root itself.
+    ///
+    /// A mere multiple is none: `x/2`, a coordinate in other units, would change what is rounded.
     pub(crate) fn neck(&self, root: Step) -> Option<Step> {
         let mut is_open = vec![false; root as usize + 1];
         is_open[root as usize] = true;
@@ -22,7 +24,7 @@ impl Graph {
                 // Whoever depends on a coordinate by itself has no neck behind.
                 Operation::Coordinate(_) => return neck,
                 Operation::Constant(_) => continue,
-                _ if open == 1 && step != root => neck = Some(step),
+                _ if open == 1 && step != root && !is_multiple(operation) => neck = Some(step),
                 _ => {}
             }
             open -= 1;
@@ -36,4 +38,13 @@ impl Graph {
         }
         neck
     }
+}
+
+/// Whether an operation is `c x` or `x/c`.
+fn is_multiple(operation: Operation) -> bool {
+    matches!(
+        operation,
+        Operation::WithNumber(Arithmetic::Mul | Arithmetic::Div, ..)
+            | Operation::Of(Function::Neg, _)
+    )
 }

@@ -54,8 +54,7 @@ impl<'g> Compiler<'g> {
 
     fn is_sum(&self, step: Step) -> bool {
         let operation = self.graph.operation(step);
-        let is_sum =
-            matches!(operation, Operation::Binary(Arithmetic::Add | Arithmetic::Sub, ..));
+        let is_sum = matches!(operation, Operation::Binary(Arithmetic::Add | Arithmetic::Sub, ..));
         is_sum && self.is_part(step)
     }
 
@@ -157,7 +156,8 @@ impl<'g> Compiler<'g> {
         let mut is_open = vec![false; self.graph.operations().len()];
         let mut order = Vec::new();
         // A step is met before and after what it reads.
-        let mut stack: Vec<(Step, bool)> = outputs.iter().rev().map(|&step| (step, false)).collect();
+        let mut stack: Vec<(Step, bool)> =
+            outputs.iter().rev().map(|&step| (step, false)).collect();
         while let Some((step, is_after)) = stack.pop() {
             if is_after {
                 order.push(step);
@@ -168,7 +168,13 @@ impl<'g> Compiler<'g> {
             }
             stack.push((step, true));
             let reads = self.unit(step).1;
-            stack.extend(reads.into_iter().rev().filter(|&read| !is_open[read as usize]).map(|read| (read, false)));
+            stack.extend(
+                reads
+                    .into_iter()
+                    .rev()
+                    .filter(|&read| !is_open[read as usize])
+                    .map(|read| (read, false)),
+            );
         }
         order
     }
@@ -185,7 +191,9 @@ impl<'g> Compiler<'g> {
         // They stay, so that they are in nobody's place.
         for &step in &order {
             match self.graph.operation(step) {
-                Operation::Coordinate(i) => allocation.place[step as usize] = Some(Register::try_from(i).ok()?),
+                Operation::Coordinate(i) => {
+                    allocation.place[step as usize] = Some(Register::try_from(i).ok()?)
+                }
                 Operation::Constant(c) => {
                     let register = allocation.fresh()?;
                     allocation.place[step as usize] = Some(register);
@@ -199,8 +207,10 @@ impl<'g> Compiler<'g> {
                 self.emit(step, time, &mut allocation, &mut program.instructions)?;
             }
         }
-        program.outputs =
-            outputs.iter().map(|&output| allocation.place[output as usize]).collect::<Option<_>>()?;
+        program.outputs = outputs
+            .iter()
+            .map(|&output| allocation.place[output as usize])
+            .collect::<Option<_>>()?;
         program.count = allocation.count;
         Some(program)
     }
@@ -280,7 +290,9 @@ impl Allocation {
             for read in compiler.unit(step).1 {
                 last[read as usize] = time;
             }
-            if let operation @ Operation::Of(Function::Sin | Function::Cos, _) = operations[step as usize] {
+            if let operation @ Operation::Of(Function::Sin | Function::Cos, _) =
+                operations[step as usize]
+            {
                 waves.insert(operation, step);
             }
         }
@@ -321,7 +333,12 @@ impl Allocation {
 }
 
 /// Writes a sum: its terms in their order.
-fn sum(terms: &[Term], to: Register, at: impl Fn(Step) -> Register, instructions: &mut Vec<Instruction>) {
+fn sum(
+    terms: &[Term],
+    to: Register,
+    at: impl Fn(Step) -> Register,
+    instructions: &mut Vec<Instruction>,
+) {
     let product = |[a, b]: [Step; 2]| [at(a), at(b)];
     match *terms {
         [Term::Linear(1.0, a), Term::Linear(1.0, b)] => {

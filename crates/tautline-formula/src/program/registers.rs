@@ -55,7 +55,12 @@ impl Registers {
 
     /// Registers without a program: so many rows.
     pub(crate) fn empty(rows: usize, lanes: usize) -> Self {
-        let none = Program { instructions: Vec::new(), count: rows, constants: Vec::new(), outputs: Vec::new() };
+        let none = Program {
+            instructions: Vec::new(),
+            count: rows,
+            constants: Vec::new(),
+            outputs: Vec::new(),
+        };
         Self::new(&none, lanes, InstructionSet::Baseline)
     }
 

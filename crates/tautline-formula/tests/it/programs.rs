@@ -2,9 +2,9 @@
 
 use nalgebra::{SMatrix, SVector};
 use tautline_chance::{cases, seed};
-use tautline_formula::{Batch, Batches, Formula, InstructionSet, Kind, Plain, Programs};
+use tautline_formula::{Batch, Batches, Formula, InstructionSet, Kind, Plain, Prepared};
 use tautline_metrics::{Metric, gallery, is_gram};
-use tautline_scalar::{Interval, Jet2};
+use tautline_scalar::{Interval, Jet2, Scalar};
 
 use crate::{random::Random, random_formulas::Trees};
 
@@ -68,7 +68,9 @@ fn evaluate<const D: usize>(batch: &mut Batch<'_, D>, places: &[Place<D>]) -> bo
 fn compare<const D: usize>(metric: &impl Metric<D>, places: &[Place<D>]) -> usize {
     let formula = Formula::record(metric).expect("no comparison");
     let text = formula.to_string();
-    let known = compare_one(metric, &Programs::new(formula), places, &text);
+    let prepared = Prepared::new(&formula);
+    assert!(prepared.size(Kind::Contraction).is_some());
+    let known = compare_one(metric, &prepared, places, &text);
     assert_eq!(compare_one(metric, &Plain::new(metric), places, &text), known);
     known
 }
@@ -84,7 +86,10 @@ fn compare_one<const D: usize>(
     let mut known = 0;
     let mut same = |found: f64, expected: Interval, what: &str, lane: usize| {
         let (x, d) = places[lane];
-        assert!(is_near(found, expected), "{what} {found:e} not in {expected:?} at {x:?} along {d:?}: {text}");
+        assert!(
+            is_near(found, expected),
+            "{what} {found:e} not in {expected:?} at {x:?} along {d:?}: {text}"
+        );
         known += usize::from((expected.hi() - expected.lo()).is_finite());
     };
     for kind in [Kind::Square, Kind::Momentum, Kind::Contraction] {
@@ -93,7 +98,8 @@ fn compare_one<const D: usize>(
             let first = block * batch.lanes();
             let is_metric = evaluate(&mut batch, places);
             let layout = batch.layout();
-            let grams: Vec<SMatrix<f64, D, D>> = places.iter().map(|(x, _)| metric.gram(x)).collect();
+            let grams: Vec<SMatrix<f64, D, D>> =
+                places.iter().map(|(x, _)| metric.gram(x)).collect();
             if kind != Kind::Square {
                 assert_eq!(is_metric, grams.iter().all(is_gram), "{text}");
             }
@@ -180,12 +186,19 @@ fn random_formulas_are_contracted_by_programs() {
 /// For every size of a block and every instruction set.
 #[test]
 fn neither_the_block_nor_the_processor_changes_a_bit() {
-    fn bits<const D: usize>(programs: &Programs<D>, places: &[Place<D>]) -> Vec<u64> {
+    fn bits<const D: usize>(programs: &dyn Batches<D>, places: &[Place<D>]) -> Vec<u64> {
         let mut all = Vec::new();
         for kind in [Kind::Square, Kind::Momentum, Kind::Contraction] {
             let mut batch = Batch::new(programs, kind, 1, usize::MAX);
             let layout = batch.layout().clone();
-            let rows = [layout.square, layout.momentum, layout.slope, layout.gram, layout.turn, layout.bend];
+            let rows = [
+                layout.square,
+                layout.momentum,
+                layout.slope,
+                layout.gram,
+                layout.turn,
+                layout.bend,
+            ];
             for places in places.chunks(batch.lanes()) {
                 evaluate(&mut batch, places);
                 for lane in 0..places.len() {
@@ -199,10 +212,10 @@ fn neither_the_block_nor_the_processor_changes_a_bit() {
     fn same<const D: usize>(metric: &impl Metric<D>) {
         let formula = Formula::record(metric).expect("no comparison");
         let places = places::<D>(131);
-        let expected = bits(&Programs::new(formula.clone()), &places);
+        let expected = bits(&Prepared::new(&formula), &places);
         for lanes in [8, 16, 40, 64, 128] {
             for instruction_set in [InstructionSet::Baseline, InstructionSet::Widest] {
-                let programs = Programs::with(formula.clone(), instruction_set, lanes);
+                let programs = Prepared::with(&formula, instruction_set, lanes);
                 assert!(bits(&programs, &places) == expected, "{lanes} lanes, {instruction_set:?}");
             }
         }
@@ -211,4 +224,71 @@ fn neither_the_block_nor_the_processor_changes_a_bit() {
     same(&gallery::SineProjections::benchmark());
     same(&gallery::RotatingAnisotropy::new([4.0, 1.0], [1.0, 0.5]).expect("positive"));
     same(&gallery::CoupledCosines);
+}
+
+/// `H′(x) = (m/ℓ)² H(x/ℓ)`: the same metric in other units.
+struct InUnits<M> {
+    metric: M,
+    ell: f64,
+    m: f64,
+}
+
+impl<M: Metric<D>, const D: usize> Metric<D> for InUnits<M> {
+    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
+        let factor = (self.m / self.ell).powi(2);
+        self.metric.gram(&x.map(|x| x / self.ell)).map(|entry| entry * factor)
+    }
+}
+
+/// Units that are powers of two change the exponents of all numbers, and nothing else.
+#[test]
+fn powers_of_two_change_no_bit() {
+    fn rows<const D: usize>(metric: &impl Metric<D>, ell: f64, m: f64) -> Vec<[f64; 2]> {
+        let prepared = Prepared::new(metric);
+        let mut rows = Vec::new();
+        let places: Vec<Place<D>> =
+            places::<D>(40).into_iter().map(|(x, d)| (x * ell, d * ell)).collect();
+        for kind in [Kind::Square, Kind::Momentum, Kind::Contraction] {
+            let mut batch = Batch::new(&prepared, kind, 40, 1);
+            evaluate(&mut batch, &places);
+            let layout = batch.layout();
+            // What each row is measured in.
+            let units = [
+                (&layout.square, m * m),
+                (&layout.momentum, m * m / ell),
+                (&layout.slope, m * m / ell),
+                (&layout.gram, m * m / ell / ell),
+                (&layout.turn, m * m / ell / ell),
+                (&layout.bend, m * m / ell / ell),
+            ];
+            for (registers, unit) in units {
+                for &register in registers {
+                    rows.extend(batch.row(register)[..40].iter().map(|&value| [value, unit]));
+                }
+            }
+        }
+        rows
+    }
+    #[track_caller]
+    fn same<const D: usize>(metric: &impl Metric<D>) {
+        let text = Formula::record(metric).expect("no comparison");
+        let here = rows(metric, 1.0, 1.0);
+        for (ell, m) in [(0.5, 1.0), (2.0, 0.25), (1024.0, 1024.0), (0.125, 4.0)] {
+            let there = rows(&InUnits { metric, ell, m }, ell, m);
+            for ([here, _], [there, unit]) in here.iter().zip(&there) {
+                let same = here * unit == *there || here.is_nan() && there.is_nan();
+                assert!(same, "ℓ = {ell}, m = {m}: {here:e} {unit} {there:e}: {text}");
+            }
+        }
+    }
+    same::<2>(&gallery::Valleys);
+    same(&gallery::Shear::new(0.3, 1.1).expect("a wave number"));
+    same::<2>(&gallery::Bump::new(0.3, 1.3).expect("positive"));
+    same::<2>(&gallery::Hill::new(0.3, 0.7).expect("positive"));
+    same(&gallery::Separable::new([0.3, -0.5, 0.0], [1.1, 2.3, 3.7]).expect("below one"));
+    same(&gallery::RotatingAnisotropy::new([4.0, 1.0], [1.1, 0.3]).expect("positive"));
+    same(&gallery::SineProjections::benchmark());
+    same(&gallery::CoupledCosines);
+    same::<3>(&gallery::Hyperbolic);
+    same::<2>(&gallery::Sphere);
 }

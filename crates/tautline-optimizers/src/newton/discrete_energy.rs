@@ -152,7 +152,7 @@ mod tests {
     fn the_energy_of_a_trial_keeps_what_a_plain_sum_loses() {
         let flat = Constant::new(nalgebra::SMatrix::<f64, 1, 1>::identity()).expect("definite");
         let metric = Plain::new(&flat);
-                let energy = DiscreteEnergy::<1>::new(Trapezoidal, &metric);
+        let energy = DiscreteEnergy::<1>::new(Trapezoidal, &metric);
         let n = (1 << 16) + 1;
         let short = 2.0_f64.powi(-27);
         let points: Vec<_> = (0..=n)
@@ -205,7 +205,7 @@ mod tests {
             }
         }
         let metric = Plain::new(&ToTheRight);
-                let energy = DiscreteEnergy::<2>::new(Simpson, &metric);
+        let energy = DiscreteEnergy::<2>::new(Simpson, &metric);
         assert!(energy.check_at(&vector![1.0, 0.0]).is_ok());
         assert!(energy.check_at(&vector![-1.0, 0.0]).is_err());
     }
@@ -222,7 +222,7 @@ mod tests {
     #[test]
     fn a_trial_with_one_negative_chord_has_no_energy() {
         let metric = Plain::new(&ToTheRight);
-                let energy = DiscreteEnergy::<2>::new(Trapezoidal, &metric);
+        let energy = DiscreteEnergy::<2>::new(Trapezoidal, &metric);
         let over = |lowest: f64| {
             energy.admissible(&[vector![8.0, 0.0], vector![lowest, 0.0], vector![lowest, 0.5]])
         };

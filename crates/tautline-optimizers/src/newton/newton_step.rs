@@ -46,8 +46,7 @@ pub fn newton_step<const D: usize, R: Rule>(
     let energy = mean_gram * (sequence.last() - sequence.first()).norm_squared();
     let about = Magnitude { energy, mean_gram };
     let energy = &DiscreteEnergy::new(rule, metric);
-    let mut pass =
-        NewtonPass::new(energy, ends, sequence, about, false, workspace)?;
+    let mut pass = NewtonPass::new(energy, ends, sequence, about, false, workspace)?;
     let at = pass.stationarity();
     Some(NewtonStep {
         step: pass.take_step(),

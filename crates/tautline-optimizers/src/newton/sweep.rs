@@ -6,8 +6,13 @@ use tautline_formula::Batches;
 use tautline_sets::ClosedSet;
 
 use crate::newton::{
-    chain::{Chain, is_side_by_side}, end_frame::EndFrame, factorization::Regulariser, magnitude::Magnitude,
-    residual::Residual, rounding::margin, stationarity::Stationarity,
+    chain::{Chain, is_side_by_side},
+    end_frame::EndFrame,
+    factorization::Regulariser,
+    magnitude::Magnitude,
+    residual::Residual,
+    rounding::margin,
+    stationarity::Stationarity,
     twisted_factorization::TwistedFactorization,
 };
 

@@ -87,8 +87,7 @@ mod tests {
 
     /// The energy of a rule over the valleys.
     fn valleys(rule: impl Rule) -> DiscreteEnergy<'static, 2> {
-        static METRIC: LazyLock<Prepared<Valleys, 2>> =
-            LazyLock::new(|| Prepared::new(Valleys));
+        static METRIC: LazyLock<Prepared<Valleys, 2>> = LazyLock::new(|| Prepared::new(Valleys));
         DiscreteEnergy::new(rule, &*METRIC)
     }
 
@@ -152,6 +151,15 @@ mod tests {
     #[test]
     fn no_sequence_leaves_the_domain() {
         let (inside, outside) = (vector![0.9, 0.0], vector![1.5, 0.0]);
-        assert_eq!(line_minimum(&DiscreteEnergy::new(LeftEndpoint, &Prepared::new(Hyperbolic)), &outside, &inside, 3, 64), None);
+        assert_eq!(
+            line_minimum(
+                &DiscreteEnergy::new(LeftEndpoint, &Prepared::new(Hyperbolic)),
+                &outside,
+                &inside,
+                3,
+                64
+            ),
+            None
+        );
     }
 }

@@ -5,7 +5,8 @@ use tautline_discretizations::PointSequence;
 use crate::{
     Curvature, Stop, Workspace,
     newton::{
-        chain::is_side_by_side, newton_pass::NewtonPass, rounding::margin, stationarity::Stationarity, two_threads::share,
+        chain::is_side_by_side, newton_pass::NewtonPass, rounding::margin,
+        stationarity::Stationarity, two_threads::share,
     },
     search::local_search::{Found, LocalSearch},
 };

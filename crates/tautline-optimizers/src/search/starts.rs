@@ -174,8 +174,7 @@ mod tests {
 
     /// The energy over the valleys.
     fn valleys() -> DiscreteEnergy<'static, 2> {
-        static METRIC: LazyLock<Prepared<Valleys, 2>> =
-            LazyLock::new(|| Prepared::new(Valleys));
+        static METRIC: LazyLock<Prepared<Valleys, 2>> = LazyLock::new(|| Prepared::new(Valleys));
         DiscreteEnergy::new(Trapezoidal, &*METRIC)
     }
 
@@ -226,7 +225,12 @@ mod tests {
         let a = Point::new([-1.0, 0.0, 0.0]).expect("finite");
         let b = Point::new([1.0, 0.0, 0.0]).expect("finite");
         let middles: Vec<_> = Starts::Automatic
-            .between(&DiscreteEnergy::new(Trapezoidal, &Prepared::new(Valleys)), [&a, &b], 10, &[64])
+            .between(
+                &DiscreteEnergy::new(Trapezoidal, &Prepared::new(Valleys)),
+                [&a, &b],
+                10,
+                &[64],
+            )
             .iter()
             .map(|start| {
                 let middle = start.points()[5];

@@ -14,9 +14,7 @@ use tautline_metrics::{
         Bump, Constant, CoupledCosines, Hill, Ramp, Separable, SineProjections, Sphere, Valleys,
     },
 };
-use tautline_optimizers::{
-    Options, Starts, Workspace, extrapolate, minimise, minimise_by_batches,
-};
+use tautline_optimizers::{Options, Starts, Workspace, extrapolate, minimise, minimise_by_batches};
 use tautline_sets::{Ball, Ends, FiniteSet, HalfSpace, Point};
 
 /// A metric that counts the numbers for which it is asked: one for a value, a dozen for a value with its

@@ -17,8 +17,8 @@ use limit_space::Space;
 use problems::{Peer, pose};
 use race::Race;
 use tautline::{
-    Ends, Metric, Options, PointSequence, Prepared, Problem, Rule, SVector, Starts, Trapezoidal, Workspace,
-    energy_gradient, newton_step,
+    Ends, Metric, Options, PointSequence, Prepared, Problem, Rule, SVector, Starts, Trapezoidal,
+    Workspace, energy_gradient, newton_step,
 };
 use tautline_discretizations::QuadraticModel;
 

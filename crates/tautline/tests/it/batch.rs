@@ -102,12 +102,13 @@ fn without_chords_every_problem_is_refused_and_without_problems_nothing_is() {
     assert!(on_threads(2, &problems[..0], Trapezoidal, 10).is_empty());
 }
 
-/// The Euclidean metric; knows who has asked.
+/// The Euclidean metric; knows who has asked, for it compares numbers and so is not recorded.
 #[derive(Default)]
 struct Asked(Mutex<HashSet<thread::ThreadId>>);
 
 impl Metric<4> for Asked {
-    fn gram<S: Scalar>(&self, _: &SVector<S, 4>) -> SMatrix<S, 4, 4> {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 4>) -> SMatrix<S, 4, 4> {
+        let _ = x[0] == x[1];
         self.0.lock().expect("nobody panics").insert(thread::current().id());
         SMatrix::identity()
     }

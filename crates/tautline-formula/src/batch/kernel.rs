@@ -1,0 +1,112 @@
+//! `Kernel`: the program that fills the rows of a batch.
+
+use crate::{
+    Formula,
+    batch::{Kind, Layout},
+    graph::{Contracted, Order, contract},
+    operation::Step,
+    program::{Program, Register, WIDTH},
+};
+
+/// So many numbers are in a cache of the first level, with something left.
+const NUMBERS_IN_CACHE: usize = 3072;
+
+/// A program and where its results are.
+#[derive(Debug)]
+pub(crate) struct Kernel {
+    program: Program,
+    layout: Layout,
+}
+
+impl Kernel {
+    /// Derives the program of a kind; `None` where it would be too long.
+    pub(crate) fn new<const D: usize>(formula: &Formula<D>, kind: Kind) -> Option<Self> {
+        let order = if kind == Kind::Contraction { Order::Second } else { Order::First };
+        let contracted = contract(formula, order)?;
+        let Contracted { graph, square, momentum, gram, slope, turn, bend, .. } = &contracted;
+        let mut steps: Vec<Step> = Vec::new();
+        match kind {
+            Kind::Square => steps.push(*square),
+            Kind::Momentum => {
+                steps.push(*square);
+                steps.extend(momentum.iter().chain(slope));
+            }
+            Kind::Contraction => steps.extend(gram.iter().chain(slope).chain(turn).chain(bend)),
+        }
+        if kind != Kind::Square {
+            steps.extend(&contracted.pivots);
+            steps.extend(contracted.halves.iter().flat_map(|half| half.entries));
+            steps.extend(contracted.halves.iter().flat_map(|half| half.diagonal));
+        }
+        let program = Program::new(graph, 2 * D, &steps)?;
+        let layout = Reader(&program.outputs).layout(&contracted, kind, D);
+        Some(Self { program, layout })
+    }
+
+    pub(crate) fn program(&self) -> &Program {
+        &self.program
+    }
+
+    pub(crate) fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
+    /// As many lanes as let all registers be in a cache.
+    pub(crate) fn lanes(&self) -> usize {
+        (NUMBERS_IN_CACHE / self.program.registers()).next_power_of_two().max(WIDTH)
+    }
+
+    /// The number of instructions and of registers.
+    pub(crate) fn size(&self) -> [usize; 2] {
+        [self.program.len(), self.program.registers()]
+    }
+}
+
+/// Registers that are read in the order in which the steps were written.
+struct Reader<'p>(&'p [Register]);
+
+impl Reader<'_> {
+    fn take(&mut self, count: usize) -> Vec<Register> {
+        let (taken, rest) = self.0.split_at(count);
+        self.0 = rest;
+        taken.to_vec()
+    }
+
+    /// A symmetric matrix, of which the entries `i ≤ j` are there.
+    fn symmetric(&mut self, dimension: usize) -> Vec<Register> {
+        let upper = self.take(dimension * (dimension + 1) / 2);
+        let place = |i: usize, j: usize| i * dimension - i * (i + 1) / 2 + j;
+        let entry = |n: usize| {
+            let (i, j) = (n / dimension, n % dimension);
+            upper[place(i.min(j), i.max(j))]
+        };
+        (0..dimension * dimension).map(entry).collect()
+    }
+
+    fn layout(mut self, contracted: &Contracted, kind: Kind, dimension: usize) -> Layout {
+        let mut layout = Layout::default();
+        match kind {
+            Kind::Square => {
+                layout.square = self.take(1);
+                return layout;
+            }
+            Kind::Momentum => {
+                layout.square = self.take(1);
+                layout.momentum = self.take(dimension);
+                layout.slope = self.take(dimension);
+            }
+            Kind::Contraction => {
+                layout.gram = self.symmetric(dimension);
+                layout.slope = self.take(dimension);
+                layout.turn = self.take(dimension * dimension);
+                layout.bend = self.symmetric(dimension);
+            }
+        }
+        layout.positive = self.take(contracted.pivots.len());
+        let halves = 2 * contracted.halves.len();
+        let (entries, diagonal) = (self.take(halves), self.take(halves));
+        let pairs = entries.chunks_exact(2).zip(diagonal.chunks_exact(2));
+        layout.halves = pairs.map(|(a, b)| [a[0], a[1], b[0], b[1]]).collect();
+        layout
+    }
+}
