@@ -60,7 +60,7 @@ mod tests {
     };
 
     fn of(x: f64) -> f64 {
-        single(x, |y, x| atan(y, x), |y, x| atan(y, x))
+        single(x, atan, atan)
     }
 
     fn value(x: &BigFloat, constants: &mut Consts) -> BigFloat {

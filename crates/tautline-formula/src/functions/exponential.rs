@@ -27,7 +27,7 @@ pub(crate) fn exp<const B: usize>(y: &mut [f64; B], x: &[f64; B]) {
 
 #[inline(always)]
 fn is_within(x: f64) -> bool {
-    RANGE[0] <= x && x <= RANGE[1]
+    (RANGE[0]..=RANGE[1]).contains(&x)
 }
 
 /// `eˣ` for `x` in the range; anything for another one.
@@ -71,7 +71,7 @@ mod tests {
     };
 
     fn of(x: f64) -> f64 {
-        single(x, |y, x| exp(y, x), |y, x| exp(y, x))
+        single(x, exp, exp)
     }
 
     #[test]

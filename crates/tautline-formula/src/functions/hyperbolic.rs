@@ -67,7 +67,7 @@ mod tests {
     };
 
     fn of(x: f64) -> f64 {
-        single(x, |y, x| tanh(y, x), |y, x| tanh(y, x))
+        single(x, tanh, tanh)
     }
 
     fn value(x: &BigFloat, constants: &mut Consts) -> BigFloat {
@@ -92,7 +92,7 @@ mod tests {
 
     #[test]
     fn errors_of_the_hyperbolic_cosine_are_as_stated() {
-        let of = |x: f64| single(x, |y, x| cosh(y, x), |y, x| cosh(y, x));
+        let of = |x: f64| single(x, cosh, cosh);
         let value =
             |x: &BigFloat, constants: &mut Consts| x.cosh(192, RoundingMode::None, constants);
         assert_within(2.0, 0.0, even(-4.0, 4.0), of, value);

@@ -33,7 +33,7 @@ pub(crate) fn ln<const B: usize>(y: &mut [f64; B], x: &[f64; B]) {
 
 #[inline(always)]
 fn is_within(x: f64) -> bool {
-    f64::MIN_POSITIVE <= x && x <= f64::MAX
+    (f64::MIN_POSITIVE..=f64::MAX).contains(&x)
 }
 
 #[inline(always)]
@@ -66,7 +66,7 @@ mod tests {
     };
 
     fn of(x: f64) -> f64 {
-        single(x, |y, x| ln(y, x), |y, x| ln(y, x))
+        single(x, ln, ln)
     }
 
     fn value(x: &BigFloat, constants: &mut astro_float::Consts) -> BigFloat {

@@ -10,11 +10,7 @@
 
 use crate::{
     Formula,
-    graph::{
-        Graph,
-        derivative::{Derivatives, Order},
-        linear::Linear,
-    },
+    graph::{Graph, derivative::Order, linear::Linear},
     operation::{Function, Step},
 };
 
@@ -54,16 +50,13 @@ pub(crate) struct Half {
 pub(crate) fn contract<const D: usize>(formula: &Formula<D>, order: Order) -> Option<Contracted> {
     let (mut graph, entries) = Graph::of(formula);
     let upper = || (0..D).flat_map(|i| (i..D).map(move |j| (i, j)));
-    let gram: Vec<Step> = upper().map(|(i, j)| entries[i * D + j]).collect();
+    let at = |i: usize, j: usize| entries[i * D + j];
+    let gram: Vec<Step> = upper().map(|(i, j)| at(i, j)).collect();
     let halves = upper()
-        .filter(|(i, j)| entries[i * D + j] != entries[j * D + i])
-        .map(|(i, j)| Half {
-            entries: [entries[i * D + j], entries[j * D + i]],
-            diagonal: [i, j].map(|i| entries[i * D + i]),
-        })
+        .filter(|&(i, j)| at(i, j) != at(j, i))
+        .map(|(i, j)| Half { entries: [at(i, j), at(j, i)], diagonal: [at(i, i), at(j, j)] })
         .collect();
-    let at = |i: usize, j: usize| entries[i.min(j) * D + i.max(j)];
-    let pivots = graph.pivots(D, at);
+    let pivots = graph.pivots(D, |i, j| at(i.min(j), i.max(j)));
     let (constant, parts) = parts(&graph, &gram, D);
     graph.be_free();
     let d: Vec<Step> = (0..D).map(|i| graph.coordinate(D + i)).collect();
@@ -71,71 +64,37 @@ pub(crate) fn contract<const D: usize>(formula: &Formula<D>, order: Order) -> Op
     let derivatives = graph.derivatives(&bases, D, order);
     let momenta: Vec<Momentum> =
         parts.iter().map(|part| graph.momentum(&part.matrix, &d)).collect();
-    let weighted = |graph: &mut Graph,
-                    of: &dyn Fn(&Derivatives) -> Option<Step>,
-                    factor: &dyn Fn(&Momentum) -> Step| {
-        let terms: Vec<Step> = derivatives
-            .iter()
-            .zip(&momenta)
-            .filter_map(|(derivatives, momentum)| {
-                of(derivatives).map(|derivative| graph.mul(factor(momentum), derivative))
-            })
-            .collect();
-        graph.sum(terms)
-    };
-    let slope: Vec<Step> = (0..D)
-        .map(|k| weighted(&mut graph, &|of| of.first.get(&k).copied(), &|m| m.square))
-        .collect();
+    let squares: Vec<Step> = momenta.iter().map(|momentum| momentum.square).collect();
+    let first = |k: usize| derivatives.iter().map(move |of| of.first.get(&k).copied());
+    let slope: Vec<Step> = (0..D).map(|k| graph.weighted(&squares, first(k))).collect();
     let (mut turn, mut bend) = (Vec::new(), Vec::new());
     if order == Order::Second {
         for i in 0..D {
-            for k in 0..D {
-                turn.push(weighted(&mut graph, &|of| of.first.get(&k).copied(), &|m| m.vector[i]));
-            }
+            let along: Vec<Step> = momenta.iter().map(|momentum| momentum.vector[i]).collect();
+            turn.extend((0..D).map(|k| graph.weighted(&along, first(k))));
         }
         for place in upper() {
-            bend.push(weighted(&mut graph, &|of| of.second.get(&place).copied(), &|m| m.square));
+            let second = derivatives.iter().map(|of| of.second.get(&place).copied());
+            bend.push(graph.weighted(&squares, second));
         }
     }
     // By the parts unless they are more than the entries. Not by the number of operations: other units
     // have some more of them, and are to have the same roundings.
-    let (momentum, square) = if parts.len() <= own_entries(&graph, &gram).len() {
+    let Momentum { vector: momentum, square } = if parts.len() <= own_entries(&graph, &gram).len() {
         let rest = graph.momentum(&constant, &d);
-        let momentum = (0..D).map(|i| {
-            let terms = parts.iter().zip(&momenta);
-            let terms: Vec<Step> =
-                terms.map(|(part, momentum)| graph.mul(momentum.vector[i], part.base)).collect();
-            let sum = graph.sum(terms);
-            graph.add(rest.vector[i], sum)
-        });
-        let momentum: Vec<Step> = momentum.collect();
-        let terms = parts.iter().zip(&momenta);
-        let terms: Vec<Step> =
-            terms.map(|(part, momentum)| graph.mul(momentum.square, part.base)).collect();
-        let sum = graph.sum(terms);
-        (momentum, graph.add(rest.square, sum))
+        graph.sum_of_parts(rest, &bases, &momenta)
     } else {
-        let momentum = (0..D).map(|i| {
-            let terms: Vec<Step> = (0..D).map(|j| graph.mul(at(i, j), d[j])).collect();
-            graph.sum(terms)
-        });
-        let momentum: Vec<Step> = momentum.collect();
-        let terms: Vec<Step> =
-            momentum.iter().zip(&d).map(|(&one, &other)| graph.mul(one, other)).collect();
-        (momentum, graph.sum(terms))
+        let matrix: Vec<Step> = (0..D * D).map(|n| gram_at(&gram, D, n / D, n % D)).collect();
+        graph.matrix_times(&matrix, &d)
     };
-    let is_full = graph.is_full();
-    (!is_full).then_some(Contracted {
-        graph,
-        gram,
-        halves,
-        pivots,
-        square,
-        momentum,
-        slope,
-        turn,
-        bend,
-    })
+    let whole = Contracted { graph, gram, halves, pivots, square, momentum, slope, turn, bend };
+    (!whole.graph.is_full()).then_some(whole)
+}
+
+/// The entry `(i, j)` of a symmetric matrix with these entries `i ≤ j`, row by row.
+fn gram_at(gram: &[Step], dimension: usize, i: usize, j: usize) -> Step {
+    let (i, j) = (i.min(j), i.max(j));
+    gram[i * dimension - i * (i + 1) / 2 + j]
 }
 
 /// One `bₘ` with its matrix, row by row.
@@ -190,7 +149,7 @@ fn parts(graph: &Graph, gram: &[Step], dimension: usize) -> (Vec<f64>, Vec<Part>
     (constant, parts)
 }
 
-/// `Cd` and `dᵀCd` for a constant matrix.
+/// A matrix times `d`, and `d` times that.
 #[derive(Debug)]
 struct Momentum {
     vector: Vec<Step>,
@@ -198,6 +157,34 @@ struct Momentum {
 }
 
 impl Graph {
+    /// The sum of these, each with its factor; those that are 0 are not there.
+    fn weighted(&mut self, factors: &[Step], terms: impl Iterator<Item = Option<Step>>) -> Step {
+        let there = factors.iter().zip(terms).filter_map(|(&factor, term)| Some((factor, term?)));
+        let products: Vec<Step> = there.map(|(factor, term)| self.mul(factor, term)).collect();
+        self.sum(products)
+    }
+
+    /// `Hd` and `dᵀHd` by the parts of `H`.
+    fn sum_of_parts(&mut self, rest: Momentum, bases: &[Step], momenta: &[Momentum]) -> Momentum {
+        let mut add = |rest: Step, of: &dyn Fn(&Momentum) -> Step| {
+            let factors: Vec<Step> = momenta.iter().map(of).collect();
+            let sum = self.weighted(&factors, bases.iter().copied().map(Some));
+            self.add(rest, sum)
+        };
+        let vector = rest.vector.iter().enumerate();
+        let vector = vector.map(|(i, &rest)| add(rest, &|of| of.vector[i])).collect();
+        Momentum { vector, square: add(rest.square, &|of| of.square) }
+    }
+
+    /// `Hd` and `dᵀHd` by the entries of `H`, row by row.
+    fn matrix_times(&mut self, matrix: &[Step], d: &[Step]) -> Momentum {
+        let mut dot = |a: &[Step], b: &[Step]| self.weighted(a, b.iter().copied().map(Some));
+        let vector: Vec<Step> = matrix.chunks_exact(d.len()).map(|row| dot(row, d)).collect();
+        let square = dot(&vector, d);
+        Momentum { vector, square }
+    }
+
+    /// `Cd` and `dᵀCd`.
     fn momentum(&mut self, c: &[f64], d: &[Step]) -> Momentum {
         let dimension = d.len();
         if let Some((a, sign)) = rank_one(c, dimension) {

@@ -261,7 +261,7 @@ fn linear<const COUNT: usize, const BEGINS: bool>(y: &mut [Chunk], x: [&[Chunk];
         for i in 0..WIDTH {
             let mut sum = c[0] * x[0][i];
             if !BEGINS {
-                sum = y[i] + sum;
+                sum += y[i];
             }
             for k in 1..COUNT {
                 sum += c[k] * x[k][i];
@@ -284,7 +284,7 @@ fn products<const COUNT: usize, const BEGINS: bool>(
         for i in 0..WIDTH {
             let mut sum = c[0] * (a0[i] * b0[i]);
             if !BEGINS {
-                sum = y[i] + sum;
+                sum += y[i];
             }
             if COUNT == 2 {
                 sum += c[1] * (a1[i] * b1[i]);

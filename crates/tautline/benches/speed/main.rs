@@ -18,9 +18,9 @@ use problems::{Peer, pose};
 use race::Race;
 use tautline::{
     Ends, Metric, Options, PointSequence, Prepared, Problem, Rule, SVector, Starts, Trapezoidal,
-    Workspace, energy_gradient, newton_step,
+    Workspace, newton_step,
 };
-use tautline_discretizations::QuadraticModel;
+use tautline_discretizations::{LinearModel, QuadraticModel};
 
 const PROBLEMS: [&str; 6] = ["P1", "P2", "P3", "P4", "P5", "P6"];
 const SIZES: [usize; 4] = [1_000, 10_000, 100_000, 1_000_000];
@@ -55,9 +55,11 @@ impl Peer for Timing {
         let mut race = Race::default();
         by_hand(self.name, &mut race, line.points());
         race.add("energy", || Trapezoidal.energy(metric, black_box(&line)));
-        race.add("gradient", || energy_gradient(Trapezoidal, metric, black_box(&line)));
+        race.add("gradient", || {
+            LinearModel::by_batches(Trapezoidal::NODES, &prepared, black_box(&line))
+        });
         race.add("assembly", || {
-            model.expand(Trapezoidal, metric, black_box(&line));
+            model.expand_by_batches(Trapezoidal::NODES, &prepared, black_box(&line));
             model.energy
         });
         race.add("newton step", || {
