@@ -1,4 +1,4 @@
-//! Formulas of metrics as data.
+//! Formulas of metrics as data, and metrics at many places at once.
 //!
 //! A metric is written as one formula, a function that is generic in its numbers. Evaluated once in a
 //! number that writes down what it is asked for, the function becomes a list of operations: a [`Formula`],
@@ -20,6 +20,27 @@
 //! assert_eq!(formula.gram(&x), Wave.gram(&x));
 //! assert_eq!(formula, Formula::record(&formula)?);
 //! # Ok::<(), tautline_formula::RecordError>(())
+//! ```
+//!
+//! A search asks for `H` and its derivatives along thousands of chords. [`Prepared`] derives a program from
+//! the formula and runs it over a [`Batch`] of them, faster than the formula as it is compiled; what cannot
+//! be recorded takes the same way as it is ([`Plain`]).
+//!
+//! ```
+//! use nalgebra::vector;
+//! use tautline_formula::{Batch, Formula, Kind, Prepared};
+//!
+//! let formula = Formula::<2>::parse("phi = 2 - cos(x1); [phi^2, 0; 0, phi^2]", &[])?;
+//! let metric = Prepared::new(formula);
+//! let mut batch = Batch::new(&metric, Kind::Square, 1, 2);
+//! let mut places = batch.inputs();
+//! places.set(0, &vector![0.0, 0.0], &vector![1.0, 0.0]);
+//! places.set(1, &vector![std::f64::consts::PI, 0.0], &vector![1.0, 2.0]);
+//! batch.evaluate(2);
+//! let square = batch.layout().square[0];
+//! // dᵀHd: φ = 1 where x₁ is 0, and 3 where it is π.
+//! assert_eq!(batch.row(square)[..2], [1.0, 45.0]);
+//! # Ok::<(), tautline_formula::TextError>(())
 //! ```
 
 mod batch;

@@ -37,9 +37,9 @@ pub(crate) struct Graph {
     is_full: bool,
 }
 
-/// The most operations. Twice as many take twice the time to derive; from here on they take longer to run,
-/// too, than the formula as it is compiled.
-const MOST: usize = 1 << 17;
+/// The most operations: what takes more than these, some tenth of a second to derive, is left to the formula
+/// as it is compiled.
+const MOST: usize = 1 << 18;
 
 impl Graph {
     /// A graph on which a formula is, and its entries `(i, j)` by `[i D + j]`.

@@ -30,6 +30,14 @@ impl Program {
         self.instructions.len()
     }
 
+    /// Returns the number of registers but for the values that were asked for.
+    pub(crate) fn intermediates(&self) -> usize {
+        let mut outputs = self.outputs.clone();
+        outputs.sort_unstable();
+        outputs.dedup();
+        self.count - outputs.len()
+    }
+
     /// Returns the number of registers.
     pub(crate) fn registers(&self) -> usize {
         self.count

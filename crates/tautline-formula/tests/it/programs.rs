@@ -292,3 +292,62 @@ fn powers_of_two_change_no_bit() {
     same::<3>(&gallery::Hyperbolic);
     same::<2>(&gallery::Sphere);
 }
+
+/// `H = Σₖ (cₖ tanh(wₖ·x))² I`, a sum of so many terms, none of which is a multiple of another.
+struct Sum(usize);
+
+impl Metric<3> for Sum {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 3>) -> SMatrix<S, 3, 3> {
+        let mut h = SMatrix::<S, 3, 3>::identity();
+        for k in 0..self.0 {
+            let w = |i: usize| (1.3 * k as f64 + 0.7 * i as f64).sin();
+            let t = (x[0] * w(0) + x[1] * w(1) + x[2] * w(2)).tanh();
+            for i in 0..3 {
+                for j in i..3 {
+                    let term = (t * w(i + 3)) * (x[i] * t * w(j + 3) + 1.0) * (x[j] + w(k));
+                    h[(i, j)] += term * 1e-3;
+                    h[(j, i)] = h[(i, j)];
+                }
+            }
+        }
+        h
+    }
+}
+
+/// What is long has more intermediate results than a cache has room for: it is left to the compiled formula,
+/// whose results are the same.
+#[test]
+fn a_long_formula_is_evaluated_as_it_is_compiled() {
+    let (short, long) = (Prepared::new(Sum(3)), Prepared::new(Sum(400)));
+    assert!(short.size(Kind::Contraction).is_some());
+    assert!(long.formula().is_some() && long.size(Kind::Contraction).is_none());
+    let places = places::<3>(20);
+    let plain = Plain::new(Sum(400));
+    let [found, expected] = [&long as &dyn Batches<3>, &plain].map(|metric| {
+        let mut batch = Batch::new(metric, Kind::Contraction, 20, 1);
+        assert!(evaluate(&mut batch, &places));
+        let layout = batch.layout();
+        let rows = [&layout.gram, &layout.slope, &layout.turn, &layout.bend];
+        let registers = rows.into_iter().flatten();
+        registers.flat_map(|&register| batch.row(register)[..20].to_vec()).collect::<Vec<f64>>()
+    });
+    assert_eq!(found, expected);
+}
+
+/// Which of two numbers is larger cannot be asked, whether they are the same can: it has no formula.
+#[test]
+fn what_cannot_be_recorded_is_evaluated_as_it_is_compiled() {
+    struct Compares;
+    impl Metric<2> for Compares {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            let factor = if x[0] == S::zero() { S::constant(5.0) } else { x[0].sqr() + 1.0 };
+            SMatrix::from_diagonal_element(factor)
+        }
+    }
+    let prepared = Prepared::new(Compares);
+    assert!(prepared.formula().is_none() && prepared.size(Kind::Square).is_none());
+    let mut batch = Batch::new(&prepared, Kind::Square, 1, 2);
+    let one = SVector::from([1.0, 0.0]);
+    evaluate(&mut batch, &[(SVector::from([0.0, 0.0]), one), (SVector::from([1.0, 0.0]), one)]);
+    assert_eq!(batch.row(batch.layout().square[0])[..2], [5.0, 2.0]);
+}
