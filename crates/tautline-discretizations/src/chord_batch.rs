@@ -145,7 +145,7 @@ impl<'f, const D: usize> ChordBatch<'f, D> {
 #[cfg(test)]
 mod tests {
     use nalgebra::{SMatrix, SVector, vector};
-    use tautline_formula::{Batches, Kind, Plain};
+    use tautline_formula::{Batches, Kind, Plain, Prepared};
     use tautline_metrics::{Lanes, Metric, Pair, Scalar, gallery::Swirl};
 
     use super::ChordBatch;
@@ -164,7 +164,7 @@ mod tests {
         ChordBatch::new(metric, Kind::Contraction, R::NODES, n, 2)
     }
 
-    /// One chord, as seen from one of its ends, and whether the metric is one at its nodes.
+    /// One chord, as seen from one of its ends, in both ways to evaluate a metric, and whether the metric is one at its nodes.
     fn seen<R: Rule, const D: usize>(
         end: usize,
         rule: R,
@@ -172,10 +172,17 @@ mod tests {
         chord: Chord<'_, D>,
         n: f64,
     ) -> (ChordModel<D>, bool) {
-        let metric = Plain::new(metric);
-        let mut batch = batch(rule, &metric, n);
-        batch.see(end, [chord].into_iter());
-        (batch.singles().model_from(end, 0), batch.is_metric)
+        let (plain, prepared) = (Plain::new(metric), Prepared::new(metric));
+        let [one, other] = [&plain as &dyn Batches<D>, &prepared].map(|metric| {
+            let mut batch = batch(rule, metric, n);
+            batch.see(end, [chord].into_iter());
+            (batch.singles().model_from(end, 0), batch.is_metric)
+        });
+        assert_eq!(one.1, other.1);
+        if one.1 {
+            is_seen(0, &one.0, &other.0);
+        }
+        one
     }
 
     /// Two that face each other.
@@ -185,10 +192,14 @@ mod tests {
         chords: [Chord<'_, D>; 2],
         n: f64,
     ) -> (ChordModel<D, Pair>, bool) {
-        let metric = Plain::new(metric);
-        let mut batch = batch(rule, &metric, n);
-        batch.face([chords].into_iter());
-        (batch.pairs().model(0), batch.is_metric)
+        let (plain, prepared) = (Plain::new(metric), Prepared::new(metric));
+        let [one, other] = [&plain as &dyn Batches<D>, &prepared].map(|metric| {
+            let mut batch = batch(rule, metric, n);
+            batch.face([chords].into_iter());
+            (batch.pairs().model(0), batch.is_metric)
+        });
+        assert_eq!(one.1, other.1);
+        one
     }
 
     /// Nothing in it looks the same from both ends.

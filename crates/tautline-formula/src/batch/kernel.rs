@@ -26,7 +26,11 @@ pub(crate) struct Kernel {
 impl Kernel {
     /// Derives the program of a kind; `None` where the formula as it is compiled takes less time.
     pub(crate) fn new<const D: usize>(formula: &Formula<D>, kind: Kind) -> Option<Self> {
-        let order = if kind == Kind::Contraction { Order::Second } else { Order::First };
+        let order = match kind {
+            Kind::Square => Order::Zero,
+            Kind::Momentum => Order::First,
+            Kind::Contraction => Order::Second,
+        };
         let contracted = contract(formula, order)?;
         let Contracted { graph, square, momentum, gram, slope, turn, bend, .. } = &contracted;
         let mut steps: Vec<Step> = Vec::new();

@@ -115,9 +115,10 @@ impl<M: Metric<D>, const D: usize> Batches<D> for Plain<M, D> {
                 Kind::Contraction => {
                     let Contraction { h, g, p, q, is_metric } =
                         Contraction::new(&self.metric, &x, &d);
+                    // Of its halves, which are the same up to rounding, the upper one, row by row.
+                    let h = SMatrix::<f64, D, D>::from_fn(|i, j| h[(i.min(j), i.max(j))]);
                     write(registers, &layout.gram, h.as_slice());
                     write(registers, &layout.slope, g.as_slice());
-                    // Row by row.
                     write(registers, &layout.turn, p.transpose().as_slice());
                     write(registers, &layout.bend, q.as_slice());
                     sign(registers, is_metric);

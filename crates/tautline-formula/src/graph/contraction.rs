@@ -49,6 +49,9 @@ pub(crate) struct Half {
 /// operations than are worth it.
 pub(crate) fn contract<const D: usize>(formula: &Formula<D>, order: Order) -> Option<Contracted> {
     let (mut graph, entries) = Graph::of(formula);
+    if graph.is_full() {
+        return None;
+    }
     let upper = || (0..D).flat_map(|i| (i..D).map(move |j| (i, j)));
     let at = |i: usize, j: usize| entries[i * D + j];
     let gram: Vec<Step> = upper().map(|(i, j)| at(i, j)).collect();

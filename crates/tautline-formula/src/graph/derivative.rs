@@ -1,4 +1,4 @@
-//! Derivatives of expressions, by the rules that [`Jet2`](tautline_scalar::Jet2) has.
+//! Derivatives of expressions.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -37,6 +37,9 @@ impl Graph {
         dimension: usize,
         order: Order,
     ) -> Vec<Derivatives> {
+        if order == Order::Zero {
+            return vec![Derivatives::default(); roots.len()];
+        }
         let necks: Vec<Option<Step>> = roots.iter().map(|&root| self.neck(root)).collect();
         let inner: Vec<Step> =
             roots.iter().zip(&necks).map(|(&root, neck)| neck.unwrap_or(root)).collect();
@@ -129,6 +132,10 @@ impl Graph {
         }
         let mut known = HashMap::<Step, Derivatives>::new();
         for step in (0..end).filter(|&step| is_needed[step]) {
+            // What is made from here on means nothing.
+            if self.is_full() {
+                break;
+            }
             let of_step = match (self.operations()[step], variables) {
                 (_, Variables::Step(by)) if by as usize == step => self.variable(0),
                 (Operation::Coordinate(k), Variables::Coordinates(dimension))
@@ -163,8 +170,12 @@ impl Graph {
         match operation {
             Operation::Binary(Arithmetic::Add, a, b) => self.combine([of(a), of(b)], [1.0, 1.0]),
             Operation::Binary(Arithmetic::Sub, a, b) => self.combine([of(a), of(b)], [1.0, -1.0]),
-            Operation::Binary(Arithmetic::Mul, a, b) => self.product([of(a), of(b)], [a, b], order),
-            Operation::Binary(Arithmetic::Div, a, b) => self.quotient([of(a), of(b)], v, b, order),
+            Operation::Binary(Arithmetic::Mul, a, b) => {
+                self.product_rule([of(a), of(b)], [a, b], order)
+            }
+            Operation::Binary(Arithmetic::Div, a, b) => {
+                self.quotient_rule([of(a), of(b)], v, b, order)
+            }
             Operation::WithNumber(Arithmetic::Mul, a, c) => {
                 self.combine([of(a), &none], [c.value(), 0.0])
             }
@@ -206,7 +217,12 @@ impl Graph {
         sum
     }
 
-    fn product(&mut self, of: [&Derivatives; 2], [a, b]: [Step; 2], order: Order) -> Derivatives {
+    fn product_rule(
+        &mut self,
+        of: [&Derivatives; 2],
+        [a, b]: [Step; 2],
+        order: Order,
+    ) -> Derivatives {
         let [of_a, of_b] = of;
         let mut product = Derivatives::default();
         for (of, other) in [(of_a, b), (of_b, a)] {
@@ -248,7 +264,7 @@ impl Graph {
     }
 
     /// Of `v = a / b`: `∂v = (∂a − v ∂b)/b`, and `∂∂v = (∂∂a − v ∂∂b − ∂v ∂b − ∂b ∂v)/b`.
-    fn quotient(
+    fn quotient_rule(
         &mut self,
         [of_a, of_b]: [&Derivatives; 2],
         v: Step,
@@ -340,6 +356,7 @@ impl Graph {
 /// Up to which derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Order {
+    Zero,
     First,
     Second,
 }

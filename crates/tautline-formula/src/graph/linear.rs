@@ -20,7 +20,8 @@ impl Linear {
         Self { constant: 0.0, terms: vec![(step, 1.0)] }
     }
 
-    fn plus(&self, other: &Self, sign: f64) -> Self {
+    /// `None` where a term vanishes: what is undefined stays so when it is taken from itself.
+    fn plus(&self, other: &Self, sign: f64) -> Option<Self> {
         let mut terms = Vec::with_capacity(self.terms.len() + other.terms.len());
         let (mut mine, mut others) = (self.terms.iter().peekable(), other.terms.iter().peekable());
         loop {
@@ -34,24 +35,23 @@ impl Linear {
             let b = if from_others { others.next() } else { None };
             let step = a.or(b).map_or(0, |term| term.0);
             let factor = a.map_or(0.0, |term| term.1) + b.map_or(0.0, |term| sign * term.1);
-            if factor != 0.0 {
-                terms.push((step, factor));
-            }
+            terms.push((step, factor));
         }
-        Self { constant: self.constant + sign * other.constant, terms }
+        Self { constant: self.constant + sign * other.constant, terms }.checked()
     }
 
     /// `None` where a factor is lost.
     fn times(&self, c: f64) -> Option<Self> {
         let mut scaled = self.clone();
         scaled.constant *= c;
-        for (_, factor) in &mut scaled.terms {
-            *factor *= c;
-            if !factor.is_normal() {
-                return None;
-            }
-        }
-        Some(scaled)
+        scaled.terms.iter_mut().for_each(|(_, factor)| *factor *= c);
+        scaled.checked()
+    }
+
+    fn checked(self) -> Option<Self> {
+        let is_sound =
+            self.constant.is_finite() && self.terms.iter().all(|term| term.1.is_normal());
+        is_sound.then_some(self)
     }
 }
 
@@ -80,18 +80,25 @@ impl Graph {
             let of = |a: Step| known.get(&a).cloned().unwrap_or_else(|| Linear::step(a));
             let combination = match operation {
                 Operation::Constant(c) => Some(Linear { constant: c.value(), ..Linear::default() }),
-                Operation::Binary(Arithmetic::Add, a, b) => Some(of(a).plus(&of(b), 1.0)),
-                Operation::Binary(Arithmetic::Sub, a, b) => Some(of(a).plus(&of(b), -1.0)),
+                Operation::Binary(Arithmetic::Add, a, b) => of(a).plus(&of(b), 1.0),
+                Operation::Binary(Arithmetic::Sub, a, b) => of(a).plus(&of(b), -1.0),
                 Operation::WithNumber(Arithmetic::Add, a, c) => {
                     let of_a = of(a);
-                    Some(Linear { constant: of_a.constant + c.value(), ..of_a })
+                    Linear { constant: of_a.constant + c.value(), ..of_a }.checked()
                 }
                 Operation::WithNumber(Arithmetic::Mul, a, c) => of(a).times(c.value()),
                 Operation::WithNumber(Arithmetic::Div, a, c) => of(a).times(c.value().recip()),
                 Operation::Of(Function::Neg, a) => of(a).times(-1.0),
                 _ => None,
             };
-            let combination = combination.filter(|linear| linear.terms.len() <= MOST_TERMS);
+            // A difference of coordinates and numbers is exact where it is small: it is not taken apart.
+            let is_affine = |linear: &Linear| {
+                let is_coordinate =
+                    |term: &(Step, f64)| matches!(self.operation(term.0), Operation::Coordinate(_));
+                linear.terms.iter().any(is_coordinate)
+            };
+            let combination =
+                combination.filter(|linear| linear.terms.len() <= MOST_TERMS && !is_affine(linear));
             known.insert(step, combination.unwrap_or_else(|| Linear::step(step)));
         }
         roots.iter().map(|root| known.get(root).cloned().unwrap_or_default()).collect()

@@ -18,7 +18,8 @@ use crate::{
 /// What an expression may be replaced by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Identities {
-    /// By one of the same value wherever that is a number: `1 x` by `x`, `x x` by `x²`, but not `0 x` by 0.
+    /// By one of the same value wherever that is a number, but for the sign of a zero: `1 x` by `x`, `x x` by
+    /// `x²`, but not `0 x` by 0.
     Exact,
     /// By one that is the same in real numbers: for derivatives, in which most terms vanish.
     Free,
@@ -136,12 +137,21 @@ impl Graph {
         self.node(Operation::Coordinate(i as u32))
     }
 
-    /// `(x, c)` with the value `c x`.
+    /// `(x, c)` with the value `c x`, where `x` is no multiple of anything, unless `c` would leave the normal
+    /// numbers.
     fn scaled(&self, a: Step) -> (Step, f64) {
-        match self.operation(a) {
-            Operation::WithNumber(Arithmetic::Mul, x, c) => (x, c.value()),
-            Operation::Of(Function::Neg, x) => (x, -1.0),
-            _ => (a, 1.0),
+        // A loop: a formula may multiply by one number after the other, as often as it likes.
+        let (mut x, mut factor) = (a, 1.0);
+        loop {
+            let (inner, c) = match self.operation(x) {
+                Operation::WithNumber(Arithmetic::Mul, inner, c) => (inner, c.value()),
+                Operation::Of(Function::Neg, inner) => (inner, -1.0),
+                _ => return (x, factor),
+            };
+            if !(factor * c).is_normal() {
+                return (x, factor);
+            }
+            (x, factor) = (inner, factor * c);
         }
     }
 
@@ -204,7 +214,7 @@ impl Graph {
             Operation::Binary(Arithmetic::Sub, x, y) => {
                 self.node(Operation::Binary(Arithmetic::Sub, y, x))
             }
-            Operation::WithNumber(Arithmetic::Mul, x, c) => self.times(x, -c.value()),
+            Operation::WithNumber(Arithmetic::Mul, x, c) => self.multiple(x, -c.value()),
             _ => self.node(Operation::Of(Function::Neg, a)),
         }
     }
@@ -229,16 +239,21 @@ impl Graph {
             }
             // A product that is too small or too large would lose what the two numbers keep.
             let (x, d) = self.scaled(a);
-            if d != 1.0 && (c * d).is_normal() {
-                return self.times(x, c * d);
+            if x != a && (c * d).is_normal() {
+                return self.multiple(x, c * d);
             }
         }
+        self.multiple(a, c)
+    }
+
+    /// `a c`, as it is.
+    fn multiple(&mut self, a: Step, c: f64) -> Step {
         if c == 1.0 {
             a
         } else if c == -1.0 {
             self.neg(a)
         } else if let Some(x) = self.negated(a) {
-            self.times(x, -c)
+            self.node(Operation::WithNumber(Arithmetic::Mul, x, Number::of(-c)))
         } else {
             self.node(Operation::WithNumber(Arithmetic::Mul, a, Number::of(c)))
         }
@@ -255,10 +270,15 @@ impl Graph {
         if self.is_free() {
             let ((x, c), (y, d)) = (self.scaled(a), self.scaled(b));
             if (c, d) != (1.0, 1.0) && (c * d).is_normal() {
-                let product = self.mul(x, y);
-                return self.times(product, c * d);
+                let product = self.product(x, y);
+                return self.multiple(product, c * d);
             }
         }
+        self.product(a, b)
+    }
+
+    /// `a b`, as it is.
+    fn product(&mut self, a: Step, b: Step) -> Step {
         if a == b {
             self.node(Operation::Of(Function::Sqr, a))
         } else {

@@ -15,6 +15,9 @@ enum Term {
     Product(f64, [Step; 2]),
 }
 
+/// The most terms of a sum that is made in one go.
+const MOST_TERMS: usize = 8;
+
 /// What is known of a graph where it is compiled for some outputs.
 struct Compiler<'g> {
     graph: &'g Graph,
@@ -101,7 +104,8 @@ impl<'g> Compiler<'g> {
                 _ => return terms,
             };
             terms.push(self.term(b, sign));
-            next = self.is_sum(a).then_some(a);
+            // The rest is a sum of its own: its terms need not be there all at once.
+            next = (terms.len() < MOST_TERMS && self.is_sum(a)).then_some(a);
             if next.is_none() {
                 terms.push(self.term(a, 1.0));
             }
@@ -205,6 +209,9 @@ impl<'g> Compiler<'g> {
         for (time, &step) in order.iter().enumerate() {
             if allocation.place[step as usize].is_none() {
                 self.emit(step, time, &mut allocation, &mut program.instructions)?;
+            } else {
+                // Made together with its sine or cosine.
+                allocation.release(&self.unit(step).1, time);
             }
         }
         program.outputs = outputs
@@ -224,19 +231,46 @@ impl<'g> Compiler<'g> {
     ) -> Option<()> {
         let (terms, reads) = self.unit(step);
         let operation = self.graph.operation(step);
-        let places: Option<Vec<Register>> =
-            reads.iter().map(|&read| allocation.place[read as usize]).collect();
-        let places = places?;
-        let at = |step: Step| reads.iter().position(|&read| read == step).map_or(0, |n| places[n]);
         // Results are made in a spare: they may go where an operand was.
         allocation.release(&reads, time);
         let to = allocation.take()?;
-        allocation.place[step as usize] = Some(to);
-        if !terms.is_empty() {
+        let wave = match operation {
+            Operation::Of(Function::Sin, a) => Some((Operation::Of(Function::Cos, a), true)),
+            Operation::Of(Function::Cos, a) => Some((Operation::Of(Function::Sin, a), false)),
+            _ => None,
+        };
+        let pair = match wave {
+            Some((other, is_sine)) => {
+                let beside = allocation.take()?;
+                match allocation.waits(other) {
+                    Some(partner) => allocation.place[partner as usize] = Some(beside),
+                    None => allocation.free.push(beside),
+                }
+                Some(if is_sine { [to, beside] } else { [beside, to] })
+            }
+            None => None,
+        };
+        // Where the operands were, which nobody has written over yet.
+        let place = &allocation.place;
+        let at = |step: Step| place[step as usize].unwrap_or_default();
+        if terms.is_empty() {
+            instructions.push(self.single(operation, to, pair, at)?);
+        } else {
             sum(&terms, to, at, instructions);
-            return Some(());
         }
-        let instruction = match operation {
+        allocation.place[step as usize] = Some(to);
+        Some(())
+    }
+
+    /// A step that is no sum as one instruction.
+    fn single(
+        &self,
+        operation: Operation,
+        to: Register,
+        pair: Option<[Register; 2]>,
+        at: impl Fn(Step) -> Register,
+    ) -> Option<Instruction> {
+        Some(match operation {
             Operation::Binary(Arithmetic::Mul, a, b) => Instruction::Mul(to, [at(a), at(b)]),
             Operation::Binary(Arithmetic::Div, a, b) => Instruction::Div(to, [at(a), at(b)]),
             Operation::WithNumber(Arithmetic::Add, a, c) => match self.taken_from(operation) {
@@ -247,26 +281,13 @@ impl<'g> Compiler<'g> {
                 Instruction::Times(to, at(a), c.value())
             }
             Operation::WithNumber(Arithmetic::Div, a, c) => Instruction::Over(to, at(a), c.value()),
-            Operation::Of(Function::Sin | Function::Cos, a) => {
-                let (function, other) = match operation {
-                    Operation::Of(Function::Sin, _) => (Function::Sin, Function::Cos),
-                    _ => (Function::Cos, Function::Sin),
-                };
-                let partner = allocation.waits(Operation::Of(other, a));
-                let beside = allocation.take()?;
-                let both = if function == Function::Sin { [to, beside] } else { [beside, to] };
-                match partner {
-                    Some(partner) => allocation.place[partner as usize] = Some(beside),
-                    None => allocation.free.push(beside),
-                }
-                Instruction::SinCos(both, at(a))
-            }
-            Operation::Of(function, a) => Instruction::Of(function, to, at(a)),
+            Operation::Of(function, a) => match pair {
+                Some(pair) => Instruction::SinCos(pair, at(a)),
+                None => Instruction::Of(function, to, at(a)),
+            },
             // Sums have terms, coordinates and constants places, and there is nothing else in a graph.
             _ => return None,
-        };
-        instructions.push(instruction);
-        Some(())
+        })
     }
 }
 

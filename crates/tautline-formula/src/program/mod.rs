@@ -8,7 +8,7 @@ pub(crate) use instruction::Instruction;
 pub use registers::{InstructionSet, Registers, WIDTH};
 
 /// The place of a register.
-pub type Register = u16;
+pub type Register = u32;
 
 /// Instructions that fill registers with the values of some expressions.
 ///
