@@ -1,6 +1,7 @@
 //! Formulas as data: recorded, printed, and read from text.
 
 mod broken_text;
+mod edges_of_programs;
 mod programs;
 mod random;
 mod random_formulas;
