@@ -3,7 +3,7 @@
 use crate::{
     graph::Graph,
     operation::{Arithmetic, Function, Operation, Step},
-    program::{Instruction, Program, Register},
+    program::{Instruction, Program, Register, allocation::Allocation},
 };
 
 /// A term of a sum.
@@ -185,7 +185,10 @@ impl<'g> Compiler<'g> {
 
     fn compile(&self, inputs: usize, outputs: &[Step]) -> Option<Program> {
         let order = self.order(outputs);
-        let mut allocation = Allocation::new(self, inputs, outputs, &order);
+        let mut allocation =
+            Allocation::new(self.graph.operations(), inputs, outputs, &order, |step| {
+                self.unit(step).1
+            });
         let mut program = Program {
             instructions: Vec::with_capacity(order.len()),
             count: inputs,
@@ -288,68 +291,6 @@ impl<'g> Compiler<'g> {
             // Sums have terms, coordinates and constants places, and there is nothing else in a graph.
             _ => return None,
         })
-    }
-}
-
-/// Which step is where.
-struct Allocation {
-    place: Vec<Option<Register>>,
-    /// When a step is read for the last time; never, if it stays.
-    last: Vec<usize>,
-    free: Vec<Register>,
-    count: usize,
-    /// The sines and cosines that are computed.
-    waves: std::collections::HashMap<Operation, Step>,
-}
-
-impl Allocation {
-    fn new(compiler: &Compiler<'_>, inputs: usize, outputs: &[Step], order: &[Step]) -> Self {
-        let operations = compiler.graph.operations();
-        let mut last = vec![usize::MAX; operations.len()];
-        let mut waves = std::collections::HashMap::new();
-        for (time, &step) in order.iter().enumerate() {
-            for read in compiler.unit(step).1 {
-                last[read as usize] = time;
-            }
-            if let operation @ Operation::Of(Function::Sin | Function::Cos, _) =
-                operations[step as usize]
-            {
-                waves.insert(operation, step);
-            }
-        }
-        for (step, operation) in operations.iter().enumerate() {
-            if matches!(operation, Operation::Coordinate(_) | Operation::Constant(_)) {
-                last[step] = usize::MAX;
-            }
-        }
-        for &output in outputs {
-            last[output as usize] = usize::MAX;
-        }
-        Self { place: vec![None; operations.len()], last, free: Vec::new(), count: inputs, waves }
-    }
-
-    fn fresh(&mut self) -> Option<Register> {
-        let register = Register::try_from(self.count).ok()?;
-        self.count += 1;
-        Some(register)
-    }
-
-    fn take(&mut self) -> Option<Register> {
-        self.free.pop().or_else(|| self.fresh())
-    }
-
-    /// What is read here for the last time gives its register away.
-    fn release(&mut self, reads: &[Step], time: usize) {
-        let mut dying: Vec<Step> =
-            reads.iter().copied().filter(|&read| self.last[read as usize] == time).collect();
-        dying.sort_unstable();
-        dying.dedup();
-        self.free.extend(dying.into_iter().filter_map(|read| self.place[read as usize]));
-    }
-
-    /// A wave that is needed and has no place yet.
-    fn waits(&self, wave: Operation) -> Option<Step> {
-        self.waves.get(&wave).copied().filter(|&step| self.place[step as usize].is_none())
     }
 }
 

@@ -1,5 +1,6 @@
 //! Programs: expressions as instructions over registers, of which each holds the numbers of many lanes.
 
+mod allocation;
 mod compiler;
 mod instruction;
 mod registers;
