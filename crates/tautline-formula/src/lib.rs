@@ -43,6 +43,7 @@
 //! # Ok::<(), tautline_formula::TextError>(())
 //! ```
 
+mod any_metric;
 mod batch;
 mod formula;
 mod functions;
@@ -53,6 +54,7 @@ mod record_error;
 mod recording;
 mod text;
 
+pub use any_metric::AnyMetric;
 pub use batch::{Batch, Batches, Inputs, Kind, Layout, Plain, Prepared};
 pub use formula::Formula;
 pub use operation::{Arithmetic, Function, Number, Operation, Pair, Step};

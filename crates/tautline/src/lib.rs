@@ -79,7 +79,7 @@ pub use tautline_discretizations::{
     Trapezoidal, TrueTrapezoid, energy_gradient,
 };
 pub use tautline_formula::{
-    Batch, Batches, Formula, Kind, Plain, Prepared, RecordError, TextError,
+    AnyMetric, Batch, Batches, Formula, Kind, Plain, Prepared, RecordError, TextError,
 };
 pub use tautline_metrics::{
     Bounded, Constants, HypothesisError, KnownDistance, LocalError, LocallyBounded, Metric,

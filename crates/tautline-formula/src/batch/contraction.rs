@@ -33,7 +33,7 @@ pub(crate) const SPLIT: usize = 4;
 /// at 24 and 0.3 times at 32. A sum of few terms of rank one, whose jets are small, pays for it: with
 /// 4 terms it takes 3.1, 3.7 and 3.4 times as long, with `D` terms 3.5, 4.8 and 5.3 times.
 const CHUNKED: usize = 24;
-const CHUNK: usize = 8;
+pub(crate) const CHUNK: usize = 8;
 
 impl<const D: usize> Contraction<D> {
     /// With all derivatives of all entries at once. All sums begin with their first term: a zero to

@@ -8,6 +8,7 @@ mod prepared;
 
 use nalgebra::{SMatrix, SVector};
 
+pub(crate) use contraction::CHUNK;
 pub use layout::{Kind, Layout};
 pub use plain::Plain;
 pub use prepared::Prepared;

@@ -5,6 +5,7 @@
 //! shows which check kills which.
 
 mod admissible;
+mod any_strategy;
 mod check;
 mod close;
 mod dropped;

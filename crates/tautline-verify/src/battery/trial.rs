@@ -4,12 +4,13 @@ use std::{any::Any, cell::RefCell, fmt::Debug};
 
 use proptest::{
     prelude::Strategy,
-    test_runner::{TestCaseError, TestError, TestRunner},
+    test_runner::{Config, TestCaseError, TestError, TestRunner},
 };
 use tautline_chance::Chance;
 
 use super::{
     Tally,
+    any_strategy::{AnyStrategy, AnyValue, downcast},
     promotion::{Case, Given},
 };
 use crate::{Evidence, Finding, Source, Units, VerifyError};
@@ -116,27 +117,18 @@ impl<'a, S> Trial<'a, S> {
         }
         let mut config = self.chance.config(seed, cases);
         config.cases = config.cases.min(self.cases);
-        let tally = RefCell::new(Tally::default());
-        let outcome = TestRunner::new(config).run(&values, |value| {
-            let found = evidence(self.subject, value)
-                .map_err(|error| TestCaseError::fail(error.to_string()))?;
-            for evidence in found {
-                self.judge(&evidence).map_err(TestCaseError::fail)?;
-                tally.borrow_mut().count(&evidence);
-            }
-            Ok(())
-        });
-        match outcome {
-            Ok(()) => Ok(tally.into_inner()),
-            Err(error) => {
-                let message = format!("seed {seed}: {error}");
-                let case = match &error {
-                    TestError::Fail(_, value) => Some(Case::new(seed, value)),
-                    TestError::Abort(_) => None,
-                };
-                Err(Failure { message, case })
-            }
-        }
+        let evidence = |value| {
+            let found = evidence(self.subject, downcast(value))?;
+            Ok(found.into_iter().collect())
+        };
+        self.scope.run(config, AnyStrategy::new(&values), &evidence).map_err(|error| {
+            let message = format!("seed {seed}: {error}");
+            let case = match &error {
+                TestError::Fail(_, value) => Some(Case::of_type::<V::Value>(seed, value)),
+                TestError::Abort(_) => None,
+            };
+            Failure { message, case }
+        })
     }
 
     /// Evaluates statements on `cases` random values twice, in two systems of units, and compares:
@@ -166,10 +158,7 @@ impl<'a, S> Trial<'a, S> {
         self.for_all(seed, cases, (values, units), |subject, (value, units)| {
             let here: Vec<_> = evidence(subject, value.clone(), Units::ONE)?.into_iter().collect();
             let there: Vec<_> = evidence(subject, value, units)?.into_iter().collect();
-            assert_eq!(here.len(), there.len(), "as much evidence in other units");
-            for (here, there) in here.iter().zip(&there) {
-                scales(here, there, units)?;
-            }
+            all_scale(&here, &there, units)?;
             Ok(here)
         })
     }
@@ -182,14 +171,35 @@ impl<'a, S> Trial<'a, S> {
     pub fn one(&self, evidence: impl IntoIterator<Item = Evidence>) -> Outcome {
         let mut tally = Tally::default();
         for evidence in evidence {
-            self.judge(&evidence).map_err(Failure::new)?;
+            self.scope.judge(&evidence).map_err(Failure::new)?;
             tally.count(&evidence);
         }
         Ok(tally)
     }
+}
 
-    fn judge(&self, evidence: &Evidence) -> Result<(), String> {
-        let failed = match self.scope {
+impl Scope {
+    /// Judges the evidence of random values: compiled once, whatever is drawn.
+    fn run(
+        self,
+        config: Config,
+        values: AnyStrategy<'_>,
+        evidence: &dyn Fn(Box<dyn AnyValue>) -> Result<Vec<Evidence>, VerifyError>,
+    ) -> Result<Tally, TestError<Box<dyn AnyValue>>> {
+        let tally = RefCell::new(Tally::default());
+        TestRunner::new(config).run(&values, |value| {
+            let found = evidence(value).map_err(|error| TestCaseError::fail(error.to_string()))?;
+            for evidence in found {
+                self.judge(&evidence).map_err(TestCaseError::fail)?;
+                tally.borrow_mut().count(&evidence);
+            }
+            Ok(())
+        })?;
+        Ok(tally.into_inner())
+    }
+
+    fn judge(self, evidence: &Evidence) -> Result<(), String> {
+        let failed = match self {
             Scope::PaperAlone => evidence
                 .conclusions
                 .iter()
@@ -207,6 +217,12 @@ impl<'a, S> Trial<'a, S> {
             Some((how, number)) => Err(format!("{} {how}: {number}", evidence.statement)),
         }
     }
+}
+
+/// Compares all evidence of the same case in two systems of units.
+fn all_scale(here: &[Evidence], there: &[Evidence], units: Units) -> Result<(), VerifyError> {
+    assert_eq!(here.len(), there.len(), "as much evidence in other units");
+    here.iter().zip(there).try_for_each(|(here, there)| scales(here, there, units))
 }
 
 /// Compares all numbers of the same case in two systems of units.

@@ -56,7 +56,15 @@ pub struct Case {
 
 impl Case {
     pub(super) fn new<V: Debug>(family: u64, value: &V) -> Self {
-        let kind = RustType::of::<V>();
+        Self::of_type::<V>(family, value)
+    }
+
+    /// Keeps a value, of the type `V`, of which no more is known than how it is shown.
+    pub(super) fn of_type<V>(family: u64, value: &dyn Debug) -> Self {
+        Self::of(family, RustType::of::<V>(), value)
+    }
+
+    fn of(family: u64, kind: RustType, value: &dyn Debug) -> Self {
         // What cannot be read is shown as it is: the test then does not compile, and says why.
         let text = format!("{value:?}");
         let code = Drawn::read(&text).map_or(text, |drawn| source::expression(&drawn, &kind));

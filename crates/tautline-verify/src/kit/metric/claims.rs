@@ -3,10 +3,10 @@
 use std::cell::RefCell;
 
 use nalgebra::{SMatrix, SVector};
-use tautline::{Bounded, Constants};
+use tautline::{Bounded, Constants, Metric};
 
 use super::{
-    MetricCase,
+    Case,
     extreme::{Extreme, norm},
 };
 use crate::kit::{
@@ -60,17 +60,14 @@ pub(super) struct Found {
 }
 
 /// Looks for the extreme value of one constant; `Ok(None)` if it is not claimed.
-pub(super) fn search<M: Bounded<D>, const D: usize>(
-    case: &MetricCase<M, D>,
+pub(super) fn search<const D: usize>(
+    case: &Case<'_, D>,
     constant: Claim,
 ) -> Result<Option<Found>, Failure> {
     case.solved.extremes.recall(&constant, || look(case, constant))
 }
 
-fn look<M: Bounded<D>, const D: usize>(
-    case: &MetricCase<M, D>,
-    constant: Claim,
-) -> Result<Option<Found>, Failure> {
+fn look<const D: usize>(case: &Case<'_, D>, constant: Claim) -> Result<Option<Found>, Failure> {
     let (metric, region, effort) = (&case.metric, &case.region, &case.effort);
     let constants = metric.constants();
     let Some(claimed) = constant.of(&constants) else { return Ok(None) };
@@ -140,10 +137,7 @@ fn lie<const D: usize>(constant: Claim, claimed: f64, found: &Extreme<D>) -> Lie
 }
 
 /// Looks for a point where one constant does not hold.
-pub(super) fn claim<M: Bounded<D>, const D: usize>(
-    case: &MetricCase<M, D>,
-    constant: Claim,
-) -> LawResult {
+pub(super) fn claim<const D: usize>(case: &Case<'_, D>, constant: Claim) -> LawResult {
     Ok(match search(case, constant)? {
         None => Tried::cases(0).with_note("not claimed"),
         Some(Found { cases, slack }) => Tried { slack, ..Tried::cases(cases) },
@@ -158,7 +152,7 @@ const HALVINGS: i32 = 18;
 ///
 /// The quotient of a chord is no more than the larger one of its halves, so that it never falls
 /// where that half is taken: it climbs to a slope, or, where `H` jumps, without end.
-pub(super) fn lipschitz<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
+pub(super) fn lipschitz<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let constants = case.metric.constants();
     let effort = &case.effort;
     // The roundings of H(x) and of H(y), see above.

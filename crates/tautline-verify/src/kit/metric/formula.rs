@@ -1,10 +1,10 @@
 //! The laws of every metric: `H` is a metric, and all that follows from its formula agrees.
 
 use nalgebra::{SMatrix, SVector};
-use tautline::{Bounded, Jet1, Jet2, MetricError, check_gram};
+use tautline::{Bounded, Jet1, Jet2, Metric, MetricError, check_gram};
 
 use super::{
-    MetricCase,
+    Case,
     extreme::{first, norm, second},
 };
 use crate::kit::{
@@ -16,9 +16,7 @@ use crate::kit::{
 };
 
 /// `H(x)` is finite, and its two halves agree to rounding.
-pub(super) fn finite_and_symmetric<M: Bounded<D>, const D: usize>(
-    case: &MetricCase<M, D>,
-) -> LawResult {
+pub(super) fn finite_and_symmetric<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let effort = &case.effort;
     for_all(effort, effort.cases, CHEAP, case.region.points(), |x| {
         match check_gram(&case.metric, x) {
@@ -30,9 +28,7 @@ pub(super) fn finite_and_symmetric<M: Bounded<D>, const D: usize>(
 }
 
 /// `H(x)` is positive definite at random points, and where its least eigenvalue descends to.
-pub(super) fn positive_definite<M: Bounded<D>, const D: usize>(
-    case: &MetricCase<M, D>,
-) -> LawResult {
+pub(super) fn positive_definite<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let (metric, effort) = (&case.metric, &case.effort);
     let axis = SVector::from_fn(|i, _| if i == 0 { 1.0 } else { 0.0 });
     let tried = for_all(effort, effort.cases, CHEAP, case.region.points(), |x| {
@@ -54,7 +50,7 @@ pub(super) fn positive_definite<M: Bounded<D>, const D: usize>(
 }
 
 /// `H(x)` is a multiple of the identity, if the constants say so.
-pub(super) fn isotropic<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
+pub(super) fn isotropic<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let (metric, effort) = (&case.metric, &case.effort);
     let constants = metric.constants();
     if !constants.is_isotropic() {
@@ -78,7 +74,7 @@ pub(super) fn winding(i: usize) -> f64 {
 }
 
 /// `norm_squared` is `uᵀHu` and `momentum` is `Hu`: values, gradients, and the Hessian of the first.
-pub(super) fn norm_squared<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
+pub(super) fn norm_squared<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let effort = &case.effort;
     for_all(effort, effort.cases, CHEAP, (case.region.points(), directions::<D>()), |(x, u)| {
         let jets: SVector<Jet2<f64, D>, D> = Jet2::variables(&(*x).into()).into();
@@ -131,7 +127,7 @@ pub(super) fn norm_squared<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D
 }
 
 /// First and second derivatives by jets are those of central differences.
-pub(super) fn jets<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
+pub(super) fn jets<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let (metric, effort) = (&case.metric, &case.effort);
     let samples = (case.region.points(), directions::<D>(), directions::<D>());
     for_all(effort, effort.cases, CHEAP, samples, |(x, u, w)| {

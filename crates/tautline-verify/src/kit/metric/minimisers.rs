@@ -2,7 +2,7 @@
 
 use tautline::Bounded;
 
-use super::{MetricCase, solutions::Minimiser, statements::judge};
+use super::{Case, solutions::Minimiser, statements::judge};
 use crate::{
     Evidence, Known, Library, PaperRule, Reconstruction, Subject, VerifyError,
     curves::Measured,
@@ -16,13 +16,14 @@ use crate::{
 /// Their distance is no more than the length of the reconstruction; that of another pair is known,
 /// or no more than the length of the detour. What is refused of a length is a shorter one, so that
 /// neither has to be exact.
-pub(super) fn prop_6_2<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
+pub(super) fn prop_6_2<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.of_solutions(PaperRule::Trapezoidal, &|minimiser| {
         let detour = minimiser.detour()?;
         let (metric, seen) = (&case.metric, minimiser.seen);
         let other = case
             .distance
-            .and_then(|distance| distance(metric, detour.first(), detour.last()))
+            .as_ref()
+            .and_then(|distance| distance(detour.first(), detour.last()))
             .unwrap_or_else(|| Measured::of_sequence(&Library, metric, &detour).length.value);
         let apart = seen.length_squared.value.sqrt();
         let pair = NearestPair::of(&Library, minimiser.known, seen, apart);
@@ -32,7 +33,7 @@ pub(super) fn prop_6_2<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -
 }
 
 /// Proposition 6.3, on the reconstructions of the trapezoidal rule, and on ways around.
-pub(super) fn prop_6_3<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
+pub(super) fn prop_6_3<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.of_solutions(PaperRule::Trapezoidal, &|minimiser| {
         [&minimiser.seen.minimum.sequence, &minimiser.detour()?].into_iter().try_fold(
             Met::nothing(),
@@ -50,7 +51,7 @@ pub(super) fn prop_6_3<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -
 /// A search may end at a local minimum, or where the energy is flat to second order, and there may be
 /// less energy nearby. Then it is begun again, at the better one of the two as well; above that it
 /// must not end.
-pub(super) fn prop_7_1<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
+pub(super) fn prop_7_1<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.of_both_rules(&|minimiser| {
         let (rule, metric, sets) = (minimiser.seen.rule, &case.metric, minimiser.sets());
         let others = [minimiser.detour()?, minimiser.moved()?];
@@ -66,15 +67,15 @@ pub(super) fn prop_7_1<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -
 }
 
 /// What the minimisers of Proposition 7.1 are besides: critical points, of nearly constant speed.
-pub(super) fn critical_points<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
+pub(super) fn critical_points<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.of_both_rules(&|minimiser| critical_point(&Library, minimiser))
 }
 
 /// The step by which the statement tries the ends is not small beside the gaps of a finite set, so
 /// that each member of one is put alone.
-fn critical_point<M: Bounded<D>, const D: usize>(
+fn critical_point<const D: usize>(
     subject: &impl Subject,
-    minimiser: &Minimiser<'_, M, D>,
+    minimiser: &Minimiser<'_, D>,
 ) -> Result<Met, Fault> {
     let sequence = &minimiser.seen.minimum.sequence;
     let ends = minimiser.posed.ends_near([*sequence.first(), *sequence.last()]);
@@ -83,7 +84,7 @@ fn critical_point<M: Bounded<D>, const D: usize>(
 }
 
 /// Remark 9.2, on the minimisers of both rules.
-pub(super) fn remark_9_2<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
+pub(super) fn remark_9_2<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.of_both_rules(&|minimiser| judge(&statements::remark_9_2(&Library, minimiser.seen)))
 }
 
@@ -108,7 +109,7 @@ mod tests {
 
     use nalgebra::{SMatrix, SVector};
     use tautline::{
-        Constants, Metric, PointSequence, Rule, bounds, energy_gradient,
+        Bounded, Constants, Metric, PointSequence, Rule, bounds, energy_gradient,
         gallery::{Constant, Shear},
     };
 
@@ -116,8 +117,8 @@ mod tests {
     use crate::{
         Library, PaperRule, Subject, VerifyError,
         kit::{
-            Effort, Fault, MetricCase, Region,
-            metric::{minimisers, solutions::Minimiser},
+            Effort, Fault, Region,
+            metric::{case::Case, minimisers, solutions::Minimiser},
             report::LawResult,
         },
         statements,
@@ -142,13 +143,16 @@ mod tests {
         }
     }
 
-    fn case() -> MetricCase<Shear, 2> {
-        let shear = Shear::new(0.5, 1.0).expect("a wave number");
-        let effort = Effort { problems: 6, subintervals: &[1, 3], ..Effort::default() };
-        MetricCase::new(shear, Region::cell([0.0, 0.0], [6.0, 6.0]), effort)
+    fn shear() -> Shear {
+        Shear::new(0.5, 1.0).expect("a wave number")
     }
 
-    type Way = fn(&Minimiser<'_, Shear, 2>) -> Result<PointSequence<2>, VerifyError>;
+    fn case(metric: &impl Bounded<2>) -> Case<'_, 2> {
+        let effort = Effort { problems: 6, subintervals: &[1, 3], ..Effort::default() };
+        Case::new(metric, Region::cell([0.0, 0.0], [6.0, 6.0]), effort)
+    }
+
+    type Way = fn(&Minimiser<'_, 2>) -> Result<PointSequence<2>, VerifyError>;
 
     /// The claim that does not hold.
     #[track_caller]
@@ -161,7 +165,7 @@ mod tests {
 
     #[test]
     fn constants_that_are_off_by_a_millionth_are_refused() {
-        let of = |statement| case().of_constants(PaperRule::Trapezoidal, statement, None);
+        let of = |statement| case(&shear()).of_constants(PaperRule::Trapezoidal, statement, None);
         assert!(of(minimisers::c_tra).is_ok() && of(minimisers::c_tra_sharp).is_ok());
         assert_eq!(
             violated(of(|_, seen| minimisers::c_tra(&Off, seen))),
@@ -179,31 +183,34 @@ mod tests {
     fn cases_that_could_not_fail_are_counted_apart() {
         let rule = PaperRule::Trapezoidal;
         let flat = Constant::<2>::new(SMatrix::identity()).expect("positive definite");
-        let Effort { problems, subintervals, .. } = case().effort;
-        let effort = Effort { problems, subintervals, ..Effort::default() };
-        let flat = MetricCase::new(flat, Region::cell([0.0, 0.0], [6.0, 6.0]), effort);
-        let of_flat = flat.of_minimisers(rule, statements::theorem_1_2).expect("it holds");
-        let of_shear = case().of_minimisers(rule, statements::theorem_1_2).expect("it holds");
+        let of_flat = case(&flat).of_minimisers(rule, statements::theorem_1_2).expect("it holds");
+        let of_shear =
+            case(&shear()).of_minimisers(rule, statements::theorem_1_2).expect("it holds");
         assert_eq!(of_flat.idle, of_flat.cases);
         assert!(
             of_flat.cases == of_shear.cases && 2 * of_shear.idle < of_shear.cases,
             "{of_shear:?}"
         );
-        let identity = case().of_constants(rule, minimisers::c_tra, None).expect("it holds");
+        let identity =
+            case(&shear()).of_constants(rule, minimisers::c_tra, None).expect("it holds");
         assert_eq!((identity.idle, identity.slack), (identity.cases, f64::INFINITY));
     }
 
     #[test]
     fn gradients_that_are_off_by_a_millionth_are_refused() {
-        assert!(case().of_both_rules(&|minimiser| critical_point(&Library, minimiser)).is_ok());
-        let claim = violated(case().of_both_rules(&|minimiser| critical_point(&Off, minimiser)));
+        assert!(
+            case(&shear()).of_both_rules(&|minimiser| critical_point(&Library, minimiser)).is_ok()
+        );
+        let claim =
+            violated(case(&shear()).of_both_rules(&|minimiser| critical_point(&Off, minimiser)));
         assert!(claim.contains("ρₙ") || claim.contains("∂E"), "{claim}");
     }
 
     /// What a minimiser is compared with has more energy, by more than is granted.
     #[test]
     fn a_minimiser_that_is_moved_is_none() {
-        let case = case();
+        let shear = shear();
+        let case = case(&shear);
         let ways: [Way; 2] = [|minimiser| minimiser.moved(), |minimiser| minimiser.detour()];
         for way in ways {
             let swapped = case.of_both_rules(&|minimiser| {

@@ -7,6 +7,7 @@
 //! and the constants `K_{1,g}` and `K_{2,g}` are about minimal geodesics, which nobody brings;
 //! Section 5 is about the valleys, Propositions 7.2 to 7.4 and 7.8 about no metric at all.
 
+mod case;
 mod claims;
 mod extreme;
 mod formula;
@@ -30,6 +31,7 @@ use tautline::{Bounded, KnownDistance, LocalError, LocallyBounded, bounds::Local
 
 use super::{Claim, Effort, Outcome, Region, Report};
 use crate::{PaperRule, curves::Measured, statements as of_the_paper};
+use case::Case;
 use memory::Solved;
 use statements::joined;
 
@@ -74,6 +76,17 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
         M: KnownDistance<D>,
     {
         self.with_known_distance()
+    }
+}
+
+impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
+    /// The case as the laws see it.
+    fn behind_a_pointer(&self) -> Case<'_, D> {
+        let Self { metric, region, ends, effort, distance, solved } = self;
+        let distance =
+            distance.map(|distance| Box::new(move |x: &_, y: &_| distance(metric, x, y)) as _);
+        let solved = Arc::clone(solved);
+        Case { ends: *ends, distance, solved, ..Case::new(metric, *region, *effort) }
     }
 }
 
@@ -219,8 +232,8 @@ macro_rules! functions {
         $(
             #[doc = concat!("Tries the law `", stringify!($id), "`: `", $law, "`.")]
             pub fn $id<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Outcome {
-                let run: fn(&MetricCase<M, D>) -> super::report::LawResult = $run;
-                Outcome::new(stringify!($id), $law, run(case))
+                let run: fn(&Case<'_, D>) -> super::report::LawResult = $run;
+                Outcome::new(stringify!($id), $law, run(&case.behind_a_pointer()))
             }
         )*
 

@@ -4,7 +4,7 @@ use nalgebra::SVector;
 use tautline::Bounded;
 
 use super::{
-    MetricCase,
+    Case,
     formula::winding,
     problems::{Posed, estimated},
 };
@@ -41,11 +41,7 @@ const fn window_and_problems(dimension: usize) -> (&'static [usize], usize) {
 type Errors = [Vec<(usize, f64)>; 2];
 
 /// Fits `|E_N − d²|` and `E(γᵖˡ) − d²` for the rule, and compares with their orders.
-pub(super) fn orders<M: Bounded<D>, const D: usize>(
-    case: &MetricCase<M, D>,
-    rule: PaperRule,
-    least: f64,
-) -> LawResult {
+pub(super) fn orders<const D: usize>(case: &Case<'_, D>, rule: PaperRule, least: f64) -> LawResult {
     case.solvable()?;
     let (window, problems) = window_and_problems(D);
     let failure = |fault: Fault| Failure { fault, sample: None, seed: case.effort.seed };
@@ -101,8 +97,8 @@ fn observed(
 }
 
 /// Solves the `k`-th problem, between two points of an irrational winding through the region.
-fn errors<M: Bounded<D>, const D: usize>(
-    case: &MetricCase<M, D>,
+fn errors<const D: usize>(
+    case: &Case<'_, D>,
     rule: PaperRule,
     k: usize,
 ) -> Result<Errors, VerifyError> {
@@ -126,15 +122,15 @@ fn errors<M: Bounded<D>, const D: usize>(
 }
 
 /// `d^g` is zero from a point to itself, symmetric, and the limit of the minimal discrete energies.
-pub(super) fn distances<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
-    let Some(distance) = case.distance else {
+pub(super) fn distances<const D: usize>(case: &Case<'_, D>) -> LawResult {
+    let Some(distance) = &case.distance else {
         return Ok(Tried::cases(0).with_note("no distance is known"));
     };
     case.solvable()?;
     let metric = &case.metric;
     let pairs = (case.ends.uniform(), case.ends.uniform());
     for_all(&case.effort, case.effort.problems, COSTLY, pairs, |(a, b)| {
-        let (Some(d), Some(back)) = (distance(metric, a, b), distance(metric, b, a)) else {
+        let (Some(d), Some(back)) = (distance(a, b), distance(b, a)) else {
             return Ok(IDLE);
         };
         let point: Vec<f64> = a.iter().chain(b).copied().collect();
@@ -142,7 +138,7 @@ pub(super) fn distances<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) 
         let size = (a.norm() + b.norm()) * metric.constants().c2().sqrt();
         let granted = 32.0 * f64::EPSILON * size;
         Fault::unless_at_most("|d(x, y) − d(y, x)| = 0", [(d - back).abs(), 0.0], granted, &point)?;
-        let own = distance(metric, a, a).unwrap_or(0.0);
+        let own = distance(a, a).unwrap_or(0.0);
         Fault::unless_at_most("d(x, x) = 0", [own.abs(), 0.0], granted, &point)?;
         if (b - a).norm() < case.ends.size() / 64.0 {
             return Ok(f64::INFINITY);

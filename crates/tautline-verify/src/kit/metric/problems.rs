@@ -7,7 +7,7 @@ use tautline::{
     Trapezoidal, extrapolate, minimise,
 };
 
-use super::MetricCase;
+use super::case::{Case, Claimed};
 use crate::{Known, Reconstruction, VerifyError, kit::Region};
 
 /// The grid from which a distance is extrapolated, over 8, 32 and 128.
@@ -118,7 +118,7 @@ impl<const D: usize> Posed<D> {
     }
 }
 
-impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
+impl<'m, const D: usize> Case<'m, D> {
     /// The problem with its distance: the exact one where the metric knows it, else one that is
     /// extrapolated from a fine grid.
     ///
@@ -129,10 +129,10 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
         &self,
         posed: &Posed<D>,
         shorter: &[Reconstruction<D>],
-    ) -> Result<Known<&M, D>, VerifyError> {
+    ) -> Result<Known<&Claimed<'m, D>, D>, VerifyError> {
         let metric = &self.metric;
-        if let (Some(distance), Some([a, b])) = (self.distance, posed.points())
-            && let Some(distance) = distance(metric, &a, &b)
+        if let (Some(distance), Some([a, b])) = (&self.distance, posed.points())
+            && let Some(distance) = distance(&a, &b)
         {
             return Ok(self.told([a, b], posed.ends()?, distance));
         }
@@ -151,19 +151,19 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
         &self,
         posed: &Posed<D>,
         [distance, distance_error]: [f64; 2],
-    ) -> Result<Known<&M, D>, VerifyError> {
+    ) -> Result<Known<&Claimed<'m, D>, D>, VerifyError> {
         Ok(Known { metric: &self.metric, ends: posed.ends()?, distance, distance_error })
     }
 }
 
-impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
+impl<'m, const D: usize> Case<'m, D> {
     /// Two points with the distance that the metric says, as in [`Known::between`].
     pub(super) fn told(
         &self,
         [a, b]: [SVector<f64, D>; 2],
         ends: Ends<D>,
         distance: f64,
-    ) -> Known<&M, D> {
+    ) -> Known<&Claimed<'m, D>, D> {
         let metric = &self.metric;
         let size = (a.norm() + b.norm()) * metric.constants().c2().sqrt();
         Known { metric, ends, distance, distance_error: 16.0 * f64::EPSILON * size }
@@ -171,7 +171,7 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
 }
 
 /// The problem with a distance that is extrapolated from a fine grid, as for
-/// [`MetricCase::known`].
+/// [`Case::known`].
 pub(super) fn estimated<M: Bounded<D>, const D: usize>(
     metric: M,
     ends: Ends<D>,

@@ -6,7 +6,7 @@ use tautline::{
     certify::{Accuracy, Cell, certify},
 };
 
-use super::{MetricCase, claims::judge, extreme::Extreme};
+use super::{Case, claims::judge, extreme::Extreme};
 use crate::kit::{
     Claim, Failure, Fault, Proof, Standing,
     report::{LawResult, Tried},
@@ -62,7 +62,7 @@ impl Claim {
 /// is right as far as they are apart. Where the boxes do not suffice the bounds that were reached still
 /// prove or refute, without a point, and between them nothing is decided; in more than three dimensions
 /// nothing is tried: the standing of each constant says which.
-pub(super) fn constants<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
+pub(super) fn constants<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let (metric, region) = (&case.metric, &case.region);
     let constants = metric.constants();
     let claimed = |claim: Claim| Some((claim, claim.of(&constants)?));

@@ -9,16 +9,13 @@ use tautline::{
 };
 
 use super::{
-    MetricCase,
+    case::{Case, Claimed},
     claims::{Found, search},
     problems::Posed,
 };
-use crate::{
-    WithConstants,
-    kit::{
-        Claim, Failure, Fault,
-        report::{LawResult, Tried},
-    },
+use crate::kit::{
+    Claim, Failure, Fault,
+    report::{LawResult, Tried},
 };
 
 impl Claim {
@@ -37,10 +34,7 @@ impl Claim {
 ///
 /// If the claim itself is looser than the lie, the lie is true in this region, and there is
 /// nothing to refuse; the looseness is noted.
-pub(super) fn lie<M: Bounded<D>, const D: usize>(
-    case: &MetricCase<M, D>,
-    constant: Claim,
-) -> LawResult {
+pub(super) fn lie<const D: usize>(case: &Case<'_, D>, constant: Claim) -> LawResult {
     let found = match search(case, constant) {
         Ok(Some(found)) => found,
         Ok(None) => return Ok(Tried::cases(0).with_note("not claimed")),
@@ -64,10 +58,9 @@ pub(super) fn lie<M: Bounded<D>, const D: usize>(
     let Some(constants) = constant.scaled(&case.metric.constants(), factor) else {
         return Ok(Tried::cases(0).with_note("the lie contradicts c1 ≤ c2"));
     };
-    let lying = WithConstants { metric: &case.metric, constants };
     // Other samples than those by which the claim was found to be sharp.
     let effort = case.effort.with_seed(case.effort.seed.wrapping_add(1));
-    let liar = MetricCase::new(lying, case.region, effort);
+    let liar = case.claiming(constants, effort);
     verdict(found, search(&liar, constant).map_err(|failure| failure.fault))
         .map_err(|fault| Failure { fault, sample: None, seed: case.effort.seed })
 }
@@ -81,11 +74,7 @@ fn verdict(truth: Found, search: Result<Option<Found>, Fault>) -> Result<Tried, 
 }
 
 /// Counts the refusals, and fails at the first thing that is not refused.
-fn refused<M, const D: usize>(
-    case: &MetricCase<M, D>,
-    what: &'static str,
-    refusals: &[bool],
-) -> LawResult {
+fn refused<const D: usize>(case: &Case<'_, D>, what: &'static str, refusals: &[bool]) -> LawResult {
     if refusals.iter().all(|&refused| refused) {
         Ok(Tried::cases(refusals.len() as u64))
     } else {
@@ -95,7 +84,7 @@ fn refused<M, const D: usize>(
 }
 
 /// Points and curves with a coordinate that is no number.
-pub(super) fn nan_points<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
+pub(super) fn nan_points<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let good = case.region.at(&SVector::repeat(0.5));
     let refusals: Vec<bool> = (0..D)
         .flat_map(|i| [f64::NAN, f64::INFINITY, f64::NEG_INFINITY].map(|value| (i, value)))
@@ -111,7 +100,7 @@ pub(super) fn nan_points<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>)
 }
 
 /// `N = 0`.
-pub(super) fn no_subinterval<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
+pub(super) fn no_subinterval<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let [a, b] = [0.25, 0.75].map(|fraction| case.region.at(&SVector::repeat(fraction)));
     let ends = Posed::between(a, b).ends();
     let solved = ends
@@ -121,9 +110,7 @@ pub(super) fn no_subinterval<M: Bounded<D>, const D: usize>(case: &MetricCase<M,
 }
 
 /// Two half-spaces: Proposition 7.1 wants one of the sets bounded.
-pub(super) fn two_unbounded_sets<M: Bounded<D>, const D: usize>(
-    case: &MetricCase<M, D>,
-) -> LawResult {
+pub(super) fn two_unbounded_sets<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let half_space = |sign: f64| -> Result<HalfSpace<D>, SetError> {
         let normal = SVector::from_fn(|i, _| if i == 0 { sign } else { 0.0 });
         HalfSpace::at_least(normal, case.region.size())
@@ -151,7 +138,7 @@ impl<const D: usize> ClosedSet<D> for Empty {
 }
 
 /// A problem to which one of the sets is empty.
-pub(super) fn empty_set<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
+pub(super) fn empty_set<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let point = || Point::new(case.region.at(&SVector::repeat(0.5)));
     let refusals = [
         point().and_then(|point| Ends::new(Empty, point)).is_err(),
@@ -162,12 +149,12 @@ pub(super) fn empty_set<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) 
 
 /// `H` with an entry that is NaN on one side of the middle of the region.
 #[derive(Clone, Copy, Debug)]
-struct Torn<'a, M, const D: usize> {
-    metric: &'a M,
+struct Torn<'a, const D: usize> {
+    metric: &'a Claimed<'a, D>,
     from: f64,
 }
 
-impl<M: tautline::Metric<D>, const D: usize> tautline::Metric<D> for Torn<'_, M, D> {
+impl<const D: usize> tautline::Metric<D> for Torn<'_, D> {
     fn gram<S: tautline::Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         let mut h = self.metric.gram(x);
         // √ of a negative number right of the middle; 0 · √ elsewhere.
@@ -176,16 +163,17 @@ impl<M: tautline::Metric<D>, const D: usize> tautline::Metric<D> for Torn<'_, M,
     }
 }
 
-impl<M: Bounded<D>, const D: usize> Bounded<D> for Torn<'_, M, D> {
+impl<const D: usize> Bounded<D> for Torn<'_, D> {
     fn constants(&self) -> tautline::Constants {
         self.metric.constants()
     }
 }
 
 /// The same formula where half of the region is outside of its domain.
-pub(super) fn nan_metric<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
+pub(super) fn nan_metric<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let from = case.region.at(&SVector::repeat(0.5))[0];
-    let torn = MetricCase::new(Torn { metric: &case.metric, from }, case.region, case.effort);
+    let torn = Torn { metric: &case.metric, from };
+    let torn = Case::new(&torn, case.region, case.effort);
     let found = Cell::new(false);
     if let Err(Failure { fault: Fault::Metric(_), .. }) =
         super::formula::finite_and_symmetric(&torn)
@@ -202,11 +190,11 @@ mod tests {
     use super::{Found, lie, refused, verdict};
     use crate::{
         WithConstants,
-        kit::{Claim, Effort, Fault, Lie, MetricCase, Region},
+        kit::{Claim, Effort, Fault, Lie, Region, metric::Case},
     };
 
-    fn case<M: tautline::Bounded<2>>(metric: M) -> MetricCase<M, 2> {
-        MetricCase::new(metric, Region::cell([0.0, 0.0], [6.3, 6.3]), Effort::default())
+    fn case(metric: &impl tautline::Bounded<2>) -> Case<'_, 2> {
+        Case::new(metric, Region::cell([0.0, 0.0], [6.3, 6.3]), Effort::default())
     }
 
     #[test]
@@ -230,8 +218,8 @@ mod tests {
 
     #[test]
     fn one_thing_that_is_not_refused_is_a_fault() {
-        assert!(refused(&case(Valleys), "it", &[true, true]).is_ok_and(|tried| tried.cases == 2));
-        let failure = refused(&case(Valleys), "it", &[true, false, true]).expect_err("the second");
+        assert!(refused(&case(&Valleys), "it", &[true, true]).is_ok_and(|tried| tried.cases == 2));
+        let failure = refused(&case(&Valleys), "it", &[true, false, true]).expect_err("the second");
         assert_eq!(failure.fault, Fault::NotRefused { what: "it" });
     }
 
@@ -240,7 +228,7 @@ mod tests {
     fn no_lie_is_told_of_a_claim_that_does_not_hold() {
         let claimed = tautline::Bounded::<2>::constants(&Valleys);
         let constants = Claim::LH.scaled(&claimed, 0.5).expect("in order");
-        let tried = lie(&case(WithConstants { metric: Valleys, constants }), Claim::LH);
+        let tried = lie(&case(&WithConstants { metric: Valleys, constants }), Claim::LH);
         let note = tried.expect("a note").note;
         assert_eq!(note.as_deref(), Some("the claim itself does not hold"));
     }

@@ -4,9 +4,8 @@ use std::num::NonZeroUsize;
 
 use nalgebra::SVector;
 use proptest::prelude::*;
-use tautline::Bounded;
 
-use super::{MetricCase, statements::judge};
+use super::{Case, statements::judge};
 use crate::{
     Library,
     curves::SmoothCurve,
@@ -44,7 +43,7 @@ fn curves<const D: usize>(
     )
 }
 
-impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
+impl<const D: usize> Case<'_, D> {
     /// Evaluates Proposition 7.6 on smooth curves, with `N` from 1 to 8.
     pub(super) fn of_curves(&self) -> LawResult {
         self.solvable()?;

@@ -1,8 +1,6 @@
 //! The sharper statements as laws of a metric.
 
-use tautline::Bounded;
-
-use super::{MetricCase, solutions::Minimiser, statements::judge};
+use super::{Case, solutions::Minimiser, statements::judge};
 use crate::{
     Evidence, Library, PaperRule,
     kit::{Fault, met::Met, report::LawResult},
@@ -18,7 +16,7 @@ fn judge_all(evidence: impl IntoIterator<Item = Evidence>) -> Result<Met, Fault>
 }
 
 /// Lemmas S.2 and S.3.
-pub(super) fn of_sequences<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
+pub(super) fn of_sequences<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let gaps = case.of_point_sequences(lemma_s_2)?;
     let trapezoidal = case
         .of_point_sequences(|s, m, sequence| lemma_s_3(s, m, PaperRule::Trapezoidal, sequence))?;
@@ -28,8 +26,8 @@ pub(super) fn of_sequences<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D
 }
 
 /// Lemmas S.4 and S.5. Between ends that touch there is no speed to compare with.
-pub(super) fn of_minima<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
-    case.of_both_rules(&|minimiser: &Minimiser<'_, M, D>| {
+pub(super) fn of_minima<const D: usize>(case: &Case<'_, D>) -> LawResult {
+    case.of_both_rules(&|minimiser: &Minimiser<'_, D>| {
         let seen = minimiser.seen;
         let speeds = (seen.distance_squared > 0.0).then(|| lemma_s_5(&Library, seen));
         judge_all([lemma_s_4(&Library, seen)].into_iter().chain(speeds))
@@ -37,8 +35,8 @@ pub(super) fn of_minima<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) 
 }
 
 /// Theorems A to D.
-pub(super) fn theorems<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
-    case.of_both_rules(&|minimiser: &Minimiser<'_, M, D>| {
+pub(super) fn theorems<const D: usize>(case: &Case<'_, D>) -> LawResult {
+    case.of_both_rules(&|minimiser: &Minimiser<'_, D>| {
         let seen = minimiser.seen;
         let first_order = [theorem_a(&Library, seen), theorem_c(&Library, seen)];
         let second_order = [theorem_b(&Library, seen), theorem_d(&Library, seen)];
@@ -47,15 +45,15 @@ pub(super) fn theorems<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -
 }
 
 /// Proposition S.6.
-pub(super) fn enclosures<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
-    case.of_both_rules(&|minimiser: &Minimiser<'_, M, D>| {
+pub(super) fn enclosures<const D: usize>(case: &Case<'_, D>) -> LawResult {
+    case.of_both_rules(&|minimiser: &Minimiser<'_, D>| {
         judge(&prop_s_6(&Library, minimiser.seen, 0.0)?)
     })
 }
 
 /// Proposition S.8.
-pub(super) fn localities<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> LawResult {
-    case.of_both_rules(&|minimiser: &Minimiser<'_, M, D>| {
+pub(super) fn localities<const D: usize>(case: &Case<'_, D>) -> LawResult {
+    case.of_both_rules(&|minimiser: &Minimiser<'_, D>| {
         judge(&prop_s_8(&Library, minimiser.known, minimiser.seen)?)
     })
 }

@@ -3,12 +3,10 @@
 use std::cell::{Cell, RefCell};
 
 use nalgebra::SVector;
-use tautline::{
-    Bounded, ClosedSet, LeftEndpoint, Options, PointSequence, Starts, Trapezoidal, minimise,
-};
+use tautline::{ClosedSet, LeftEndpoint, Options, PointSequence, Starts, Trapezoidal, minimise};
 
 use super::{
-    MetricCase,
+    case::{Case, Claimed},
     formula::winding,
     memory::{Solution, Solutions},
     problems::{Kind, Posed},
@@ -28,13 +26,13 @@ use crate::{
 type OfMinimisers<const D: usize> = fn(&Library, &Reconstruction<D>) -> Evidence;
 
 /// One minimiser of a solved problem.
-pub(super) struct Minimiser<'a, M, const D: usize> {
+pub(super) struct Minimiser<'a, const D: usize> {
     pub(super) posed: &'a Posed<D>,
-    pub(super) known: &'a Known<&'a M, D>,
+    pub(super) known: &'a Known<&'a Claimed<'a, D>, D>,
     pub(super) seen: &'a Reconstruction<D>,
 }
 
-impl<M: Bounded<D>, const D: usize> Minimiser<'_, M, D> {
+impl<const D: usize> Minimiser<'_, D> {
     /// Another way from the one set to the other with as many subintervals: by a third point, from
     /// the member of the first set that is nearest to it, to that of the second.
     pub(super) fn detour(&self) -> Result<PointSequence<D>, VerifyError> {
@@ -91,7 +89,7 @@ fn enough(failed: u64, tried: u64, error: VerifyError) -> Result<(), Fault> {
     if 2 * failed > tried { Err(Fault::NotSolved { failed, tried, error }) } else { Ok(()) }
 }
 
-impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
+impl<const D: usize> Case<'_, D> {
     /// Evaluates a statement about minimisers of a rule.
     pub(super) fn of_minimisers(&self, rule: PaperRule, statement: OfMinimisers<D>) -> LawResult {
         self.of_solutions(rule, &|minimiser| judge(&statement(&Library, minimiser.seen)))
@@ -117,7 +115,7 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
     /// Tries a law on the minimisers of both rules.
     pub(super) fn of_both_rules(
         &self,
-        law: &dyn Fn(&Minimiser<'_, M, D>) -> Result<Met, Fault>,
+        law: &dyn Fn(&Minimiser<'_, D>) -> Result<Met, Fault>,
     ) -> LawResult {
         let of = |rule| self.of_solutions(rule, law);
         Ok(of(PaperRule::Trapezoidal)?.and(of(PaperRule::LeftEndpoint)?))
@@ -131,7 +129,7 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
     pub(super) fn of_solutions(
         &self,
         rule: PaperRule,
-        law: &dyn Fn(&Minimiser<'_, M, D>) -> Result<Met, Fault>,
+        law: &dyn Fn(&Minimiser<'_, D>) -> Result<Met, Fault>,
     ) -> LawResult {
         self.solvable()?;
         let cases = self.effort.problems.div_ceil(Kind::ALL.len() as u32);
@@ -186,7 +184,7 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
     }
 
     fn solve(&self, rule: PaperRule, posed: &Posed<D>) -> Result<Solution<D>, VerifyError> {
-        let observe = |known: Known<&M, D>| {
+        let observe = |known: Known<&Claimed<'_, D>, D>| {
             let numbers = self.effort.subintervals.iter();
             let seen = numbers.map(|&n| Reconstruction::observe(&Library, &known, rule, n));
             let minimisers = seen.collect::<Result<Vec<_>, _>>()?;

@@ -3,10 +3,10 @@
 use std::cell::RefCell;
 
 use nalgebra::SVector;
-use tautline::{Bounded, Ends, MetricError, PointSequence};
+use tautline::{Ends, MetricError, PointSequence};
 
 use super::{
-    MetricCase,
+    case::{Case, Claimed},
     problems::{Kind, Posed},
 };
 use crate::{
@@ -40,12 +40,13 @@ pub(super) fn judge(evidence: &Evidence) -> Result<Met, Fault> {
 }
 
 /// What a statement says of a metric and something `T` besides.
-type About<M, T> = fn(&Library, &M, &T) -> Result<Evidence, MetricError>;
+type About<'m, T, const D: usize> =
+    fn(&Library, &Claimed<'m, D>, &T) -> Result<Evidence, MetricError>;
 
 /// What a statement says of two points with their distance, and of the inner points of a sequence
 /// between them.
-type OfKnown<M, const D: usize> =
-    fn(&Library, &Known<&M, D>, &[SVector<f64, D>]) -> Result<Evidence, VerifyError>;
+type OfKnown<'m, const D: usize> =
+    fn(&Library, &Known<&Claimed<'m, D>, D>, &[SVector<f64, D>]) -> Result<Evidence, VerifyError>;
 
 /// The point sequence from one point over others to another.
 pub(super) fn joined<M, const D: usize>(
@@ -58,11 +59,11 @@ pub(super) fn joined<M, const D: usize>(
     Ok(PointSequence::new(points)?)
 }
 
-impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
+impl<'m, const D: usize> Case<'m, D> {
     /// Evaluates a statement about the metric at a point.
     ///
     /// None is special: the statements step to all sides, and some claims hold in the region alone.
-    pub(super) fn of_points(&self, statement: About<M, SVector<f64, D>>) -> LawResult {
+    pub(super) fn of_points(&self, statement: About<'m, SVector<f64, D>, D>) -> LawResult {
         let effort = &self.effort;
         for_all(effort, effort.cases, CHEAP, self.region.uniform(), |x| {
             judge(&statement(&Library, &self.metric, x).map_err(VerifyError::from)?)
@@ -86,7 +87,10 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
 
     /// Evaluates a statement about any point sequence, with `N` from 1 to 8: the bounds are
     /// sharpest for few subintervals.
-    pub(super) fn of_point_sequences(&self, statement: About<M, PointSequence<D>>) -> LawResult {
+    pub(super) fn of_point_sequences(
+        &self,
+        statement: About<'m, PointSequence<D>, D>,
+    ) -> LawResult {
         let effort = &self.effort;
         let points = proptest::collection::vec(self.region.points(), 2..=9);
         for_all(effort, effort.cases, CHEAP, points, |points| {
@@ -101,7 +105,7 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
     ///
     /// The two points are those of the problems of the theorems, and besides, if the metric knows
     /// distances, random pairs. Each of both has half of the samples.
-    pub(super) fn of_known(&self, statement: OfKnown<M, D>) -> LawResult {
+    pub(super) fn of_known(&self, statement: OfKnown<'m, D>) -> LawResult {
         self.solvable()?;
         let (ends, effort) = (&self.ends, &self.effort);
         let inner = || proptest::collection::vec(self.region.points(), 0..=7);
@@ -127,10 +131,10 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
                     judge(&statement(&Library, &known, inner)?)
                 })?);
         }
-        let Some(distance) = self.distance else { return Ok(tried) };
+        let Some(distance) = &self.distance else { return Ok(tried) };
         let pairs = (ends.uniform(), ends.uniform(), inner());
         Ok(tried.and(for_all(effort, cases, CHEAP, pairs, |(a, b, inner)| {
-            let Some(distance) = distance(&self.metric, a, b) else { return Ok(Met::nothing()) };
+            let Some(distance) = distance(a, b) else { return Ok(Met::nothing()) };
             let ends = Ends::points(*a, *b).map_err(VerifyError::from)?;
             judge(&statement(&Library, &self.told([*a, *b], ends, distance), inner)?)
         })?))
