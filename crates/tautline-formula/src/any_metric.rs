@@ -11,9 +11,10 @@ use crate::{Formula, batch::CHUNK};
 /// A metric behind a pointer: what is done with it is compiled once for each dimension, and not for each
 /// metric.
 ///
-/// In `f64` and in jets over it the metric's own formula is evaluated as it is compiled; in all other numbers
-/// what was recorded of it, which gives the same bits. A formula that cannot be recorded is not a number
-/// there.
+/// In `f64` and in [`Jet2`] over it the metric's own formula is evaluated as it is compiled; in all other
+/// numbers what was recorded of it, which gives the same bits. Of a formula that cannot be recorded, jets of
+/// other kinds over `f64` are the same to rounding, and what else there is, such as an
+/// [`Interval`](tautline_scalar::Interval), is undefined: it would be frozen on one branch.
 ///
 /// ```
 /// use nalgebra::vector;
@@ -56,26 +57,11 @@ impl<const D: usize> std::fmt::Debug for AnyMetric<'_, D> {
     }
 }
 
-/// Asks in the type of numbers that `S` is, or else the formula.
-macro_rules! ask {
-    ($self:ident.$method:ident($x:ident $(, $u:ident)?), else $missing:expr) => {{
-        let compiled = $self.compiled;
-        ask!(compiled.numbers().$method($x $(, $u)?));
-        ask!(compiled.jets().$method($x $(, $u)?));
-        ask!(compiled.second_jets().$method($x $(, $u)?));
-        ask!(compiled.jets_along().$method($x $(, $u)?));
-        ask!(compiled.second_jets_along().$method($x $(, $u)?));
-        ask!(compiled.chunks().$method($x $(, $u)?));
-        ask!(compiled.mixed_chunks().$method($x $(, $u)?));
-        match $self.formula() {
-            Some(formula) => Metric::$method(formula, $x $(, $u)?),
-            None => $missing,
-        }
-    }};
-    ($compiled:ident.$numbers:ident().$method:ident($x:ident $(, $u:ident)?)) => {
-        // Decided when it is compiled: of the types of two numbers, nothing is left to be looked at.
+/// Returns the value of `$over`, if its numbers are those of `$x`: which is decided when it is compiled.
+macro_rules! if_same_numbers {
+    ($over:expr, $method:ident($x:ident $(, $u:ident)?)) => {
         if let Some(x) = ($x as &dyn Any).downcast_ref() {
-            let value = $compiled.$numbers().$method(x $(, $u)?);
+            let value = $over.$method(x $(, $u)?);
             if let Some(&value) = (&value as &dyn Any).downcast_ref() {
                 return value;
             }
@@ -85,56 +71,80 @@ macro_rules! ask {
 
 impl<const D: usize> Metric<D> for AnyMetric<'_, D> {
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
-        ask!(self.gram(x), else SMatrix::from_element(S::constant(f64::NAN)))
+        if_same_numbers!(self.compiled.numbers(), gram(x));
+        if_same_numbers!(self.compiled.jets(), gram(x));
+        match self.formula() {
+            Some(formula) => Metric::gram(formula, x),
+            None => self.expanded(x),
+        }
     }
 
     fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
-        ask!(self.norm_squared(x, u), else S::constant(f64::NAN))
+        if_same_numbers!(self.compiled.numbers(), norm_squared(x, u));
+        if_same_numbers!(self.compiled.jets(), norm_squared(x, u));
+        Metric::norm_squared(&ByGram(self), x, u)
     }
 
     fn momentum<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> SVector<S, D> {
-        ask!(self.momentum(x, u), else SVector::from_element(S::constant(f64::NAN)))
+        if_same_numbers!(self.compiled.numbers(), momentum(x, u));
+        if_same_numbers!(self.compiled.jets(), momentum(x, u));
+        Metric::momentum(&ByGram(self), x, u)
     }
 }
 
-/// A formula as it is compiled, in the numbers that a search asks for thousands of times.
+impl<const D: usize> AnyMetric<'_, D> {
+    /// `H` in jets of another kind, of which three factors that are 0 at `x` have the product 0: to the
+    /// second order it is all of `H`.
+    fn expanded<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
+        let places: Option<Vec<f64>> = x.iter().map(value::<S, D>).collect();
+        let Some(places) = places else { return SMatrix::from_element(S::constant(f64::NAN)) };
+        let place = SVector::<f64, D>::from_iterator(places);
+        let jets = self.compiled.jets().gram(&SVector::from(Jet2::variables(&place.into())));
+        let step = |k: usize| x[k] - place[k];
+        jets.map(|jet| {
+            (0..D).fold(S::constant(jet.value()), |sum, k| {
+                let turned = (0..D).fold(S::constant(jet.first(k)), |sum, l| {
+                    sum + step(l) * (0.5 * jet.second(k.min(l), k.max(l)))
+                });
+                sum + step(k) * turned
+            })
+        })
+    }
+}
+
+/// The number that a jet over `f64` is at its place; `None` for other numbers.
+fn value<S: Scalar, const D: usize>(x: &S) -> Option<f64> {
+    let x: &dyn Any = x;
+    let first = || Some(x.downcast_ref::<Jet1<f64, D>>()?.value());
+    let along = || Some(x.downcast_ref::<Jet1<f64, 1>>()?.value());
+    let twice_along = || Some(x.downcast_ref::<Jet2<f64, 1>>()?.value());
+    let chunk = || Some(x.downcast_ref::<Jet1<f64, CHUNK>>()?.value());
+    let mixed = || Some(x.downcast_ref::<MixedJet<f64, CHUNK>>()?.value());
+    first().or_else(along).or_else(twice_along).or_else(chunk).or_else(mixed)
+}
+
+/// What follows from the Gram matrix alone.
+struct ByGram<'a, 'm, const D: usize>(&'a AnyMetric<'m, D>);
+
+impl<const D: usize> Metric<D> for ByGram<'_, '_, D> {
+    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
+        Metric::gram(self.0, x)
+    }
+}
+
+/// A formula as it is compiled, in `f64` and in jets over it.
 trait Compiled<const D: usize>: Sync {
-    fn numbers(&self) -> &dyn Over<f64, D>;
-    fn jets(&self) -> &dyn Over<Jet1<f64, D>, D>;
-    fn second_jets(&self) -> &dyn Over<Jet2<f64, D>, D>;
-    fn jets_along(&self) -> &dyn Over<Jet1<f64, 1>, D>;
-    fn second_jets_along(&self) -> &dyn Over<Jet2<f64, 1>, D>;
-    fn chunks(&self) -> &dyn Over<Jet1<f64, CHUNK>, D>;
-    fn mixed_chunks(&self) -> &dyn Over<MixedJet<f64, CHUNK>, D>;
+    fn numbers(&self) -> &dyn Forms<f64, D>;
+    fn jets(&self) -> &dyn Forms<Jet2<f64, D>, D>;
     fn record(&self) -> Option<Formula<D>>;
 }
 
 impl<M: Metric<D>, const D: usize> Compiled<D> for M {
-    fn numbers(&self) -> &dyn Over<f64, D> {
+    fn numbers(&self) -> &dyn Forms<f64, D> {
         self
     }
 
-    fn jets(&self) -> &dyn Over<Jet1<f64, D>, D> {
-        self
-    }
-
-    fn second_jets(&self) -> &dyn Over<Jet2<f64, D>, D> {
-        self
-    }
-
-    fn jets_along(&self) -> &dyn Over<Jet1<f64, 1>, D> {
-        self
-    }
-
-    fn second_jets_along(&self) -> &dyn Over<Jet2<f64, 1>, D> {
-        self
-    }
-
-    fn chunks(&self) -> &dyn Over<Jet1<f64, CHUNK>, D> {
-        self
-    }
-
-    fn mixed_chunks(&self) -> &dyn Over<MixedJet<f64, CHUNK>, D> {
+    fn jets(&self) -> &dyn Forms<Jet2<f64, D>, D> {
         self
     }
 
@@ -144,13 +154,13 @@ impl<M: Metric<D>, const D: usize> Compiled<D> for M {
 }
 
 /// A metric in one type of numbers.
-trait Over<S, const D: usize> {
+trait Forms<S, const D: usize> {
     fn gram(&self, x: &SVector<S, D>) -> SMatrix<S, D, D>;
     fn norm_squared(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S;
     fn momentum(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> SVector<S, D>;
 }
 
-impl<M: Metric<D>, S: Scalar, const D: usize> Over<S, D> for M {
+impl<M: Metric<D>, S: Scalar, const D: usize> Forms<S, D> for M {
     fn gram(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         Metric::gram(self, x)
     }

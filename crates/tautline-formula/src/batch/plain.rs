@@ -88,41 +88,78 @@ impl<M: Metric<D>, const D: usize> Batches<D> for Plain<M, D> {
     }
 
     fn evaluate(&self, kind: Kind, registers: &mut Registers) {
-        let layout = self.layout(kind);
-        for lane in 0..registers.count() {
-            let (x, d) = registers.input::<D>(lane);
-            let write = |registers: &mut Registers, to: &[Register], values: &[f64]| {
-                for (&to, &value) in to.iter().zip(values) {
-                    registers.set(to, lane, value);
-                }
-            };
-            let sign = |registers: &mut Registers, is_metric: bool| {
-                write(registers, &layout.positive, &[if is_metric { 1.0 } else { -1.0 }]);
-            };
-            match kind {
-                Kind::Square => {
-                    let square = self.metric.norm_squared(&x, &d);
-                    write(registers, &layout.square, &[square]);
-                }
-                Kind::Momentum => {
-                    let (h, g) = momentum(&self.metric, &x, &d);
-                    let hd = h * d;
-                    write(registers, &layout.square, &[d.dot(&hd)]);
-                    write(registers, &layout.momentum, hd.as_slice());
-                    write(registers, &layout.slope, g.as_slice());
-                    sign(registers, is_gram(&h));
-                }
-                Kind::Contraction => {
-                    let Contraction { h, g, p, q, is_metric } =
-                        Contraction::new(&self.metric, &x, &d);
-                    // Of its halves, which are the same up to rounding, the upper one, row by row.
-                    let h = SMatrix::<f64, D, D>::from_fn(|i, j| h[(i.min(j), i.max(j))]);
-                    write(registers, &layout.gram, h.as_slice());
-                    write(registers, &layout.slope, g.as_slice());
-                    write(registers, &layout.turn, p.transpose().as_slice());
-                    write(registers, &layout.bend, q.as_slice());
-                    sign(registers, is_metric);
-                }
+        evaluate(&self.metric, self.layout(kind), kind, registers);
+    }
+}
+
+/// What a row of each kind is made of, at one place.
+trait AtPlace<const D: usize> {
+    fn square(&self, x: &SVector<f64, D>, d: &SVector<f64, D>) -> f64;
+    fn momentum(
+        &self,
+        x: &SVector<f64, D>,
+        d: &SVector<f64, D>,
+    ) -> (SMatrix<f64, D, D>, SVector<f64, D>);
+    fn contraction(&self, x: &SVector<f64, D>, d: &SVector<f64, D>) -> Contraction<D>;
+}
+
+impl<M: Metric<D>, const D: usize> AtPlace<D> for M {
+    fn square(&self, x: &SVector<f64, D>, d: &SVector<f64, D>) -> f64 {
+        self.norm_squared(x, d)
+    }
+
+    fn momentum(
+        &self,
+        x: &SVector<f64, D>,
+        d: &SVector<f64, D>,
+    ) -> (SMatrix<f64, D, D>, SVector<f64, D>) {
+        momentum(self, x, d)
+    }
+
+    fn contraction(&self, x: &SVector<f64, D>, d: &SVector<f64, D>) -> Contraction<D> {
+        Contraction::new(self, x, d)
+    }
+}
+
+/// Compiled once for each dimension.
+fn evaluate<const D: usize>(
+    metric: &dyn AtPlace<D>,
+    layout: &Layout,
+    kind: Kind,
+    registers: &mut Registers,
+) {
+    for lane in 0..registers.count() {
+        let (x, d) = registers.input::<D>(lane);
+        let write = |registers: &mut Registers, to: &[Register], values: &[f64]| {
+            for (&to, &value) in to.iter().zip(values) {
+                registers.set(to, lane, value);
+            }
+        };
+        let sign = |registers: &mut Registers, is_metric: bool| {
+            write(registers, &layout.positive, &[if is_metric { 1.0 } else { -1.0 }]);
+        };
+        match kind {
+            Kind::Square => {
+                let square = metric.square(&x, &d);
+                write(registers, &layout.square, &[square]);
+            }
+            Kind::Momentum => {
+                let (h, g) = metric.momentum(&x, &d);
+                let hd = h * d;
+                write(registers, &layout.square, &[d.dot(&hd)]);
+                write(registers, &layout.momentum, hd.as_slice());
+                write(registers, &layout.slope, g.as_slice());
+                sign(registers, is_gram(&h));
+            }
+            Kind::Contraction => {
+                let Contraction { h, g, p, q, is_metric } = metric.contraction(&x, &d);
+                // Of its halves, which are the same up to rounding, the upper one, row by row.
+                let h = SMatrix::<f64, D, D>::from_fn(|i, j| h[(i.min(j), i.max(j))]);
+                write(registers, &layout.gram, h.as_slice());
+                write(registers, &layout.slope, g.as_slice());
+                write(registers, &layout.turn, p.transpose().as_slice());
+                write(registers, &layout.bend, q.as_slice());
+                sign(registers, is_metric);
             }
         }
     }
