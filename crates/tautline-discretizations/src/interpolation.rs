@@ -3,6 +3,7 @@
 use std::cell::{Cell, RefCell};
 
 use nalgebra::{SMatrix, SVector};
+use tautline_formula::AnyMetric;
 use tautline_metrics::{
     Metric, MetricError, check_matrix,
     quadrature::{Integral, integrate},
@@ -52,6 +53,7 @@ impl<'a, const D: usize> Interpolation<'a, D> {
     /// see, such as a step of the metric in the last hundredth of a chord. NaN where the metric is.
     #[must_use]
     pub fn energy(&self, metric: &impl Metric<D>) -> Integral {
+        let metric = AnyMetric::new(metric);
         let sum = self.quadrature(|x, d| metric.norm_squared(x, d));
         let n = self.sequence.n().get() as f64;
         Integral { value: n * sum.value, error: n * sum.error }
@@ -60,6 +62,7 @@ impl<'a, const D: usize> Interpolation<'a, D> {
     /// Returns the length `L(γᵖˡ) = ∫₀¹ (γ̇ᵀ H(γ) γ̇)^{1/2} dt`, in `m`; error as for the energy.
     #[must_use]
     pub fn length(&self, metric: &impl Metric<D>) -> Integral {
+        let metric = AnyMetric::new(metric);
         self.quadrature(|x, d| metric.norm_squared(x, d).sqrt())
     }
 

@@ -1,6 +1,7 @@
 //! `Rule`: where on each chord the metric is read.
 
 use nalgebra::SVector;
+use tautline_formula::AnyMetric;
 use tautline_metrics::Metric;
 
 use crate::{PointSequence, compensated_sum::CompensatedSum};
@@ -48,14 +49,15 @@ pub trait Rule: Copy + std::fmt::Debug + Send + Sync {
     /// NaN where the metric is.
     fn energy<const D: usize>(&self, metric: &impl Metric<D>, sequence: &PointSequence<D>) -> f64 {
         // βᵀHβ / N = N dᵀHd with the chord d.
-        sequence.n().get() as f64 * sum::<Self, D>(metric, sequence, |square| square)
+        sequence.n().get() as f64
+            * sum(Self::NODES, &AnyMetric::new(metric), sequence, |square| square)
     }
 
     /// Returns the discrete length `L_N = (1/N) Σₙ Σᵢ wᵢ (βₙᵀ H βₙ)^{1/2}`, in `m`.
     ///
     /// Its minimum does not converge to the distance (Section 5): minimise the energy.
     fn length<const D: usize>(&self, metric: &impl Metric<D>, sequence: &PointSequence<D>) -> f64 {
-        sum::<Self, D>(metric, sequence, f64::sqrt)
+        sum(Self::NODES, &AnyMetric::new(metric), sequence, f64::sqrt)
     }
 
     /// Returns the discrete speeds `(Σᵢ wᵢ βₙᵀ H βₙ)^{1/2}`, in `m`, for `n = 0, …, N − 1`.
@@ -67,32 +69,40 @@ pub trait Rule: Copy + std::fmt::Debug + Send + Sync {
         metric: &impl Metric<D>,
         sequence: &PointSequence<D>,
     ) -> Vec<f64> {
-        let n = sequence.n().get() as f64;
-        sequence
-            .chords()
-            .map(|(x, d)| n * chord_sum::<Self, D>(metric, x, &d, |square| square).sqrt())
-            .collect()
+        speeds(Self::NODES, &AnyMetric::new(metric), sequence)
     }
 }
 
+/// A pure function of `dᵀHd`.
+type OfSquare = fn(f64) -> f64;
+
 /// `Σᵢ wᵢ f(dᵀ H(x + θᵢ d) d)` for one chord.
-fn chord_sum<R: Rule, const D: usize>(
-    metric: &impl Metric<D>,
+fn chord_sum<const D: usize>(
+    nodes: &[Node],
+    metric: &AnyMetric<'_, D>,
     x: &SVector<f64, D>,
     d: &SVector<f64, D>,
-    f: impl Fn(f64) -> f64,
+    f: OfSquare,
 ) -> f64 {
-    R::NODES
-        .iter()
-        .map(|node| node.weight * f(metric.norm_squared(&(x + d * node.fraction), d)))
-        .sum()
+    nodes.iter().map(|node| node.weight * f(metric.norm_squared(&(x + d * node.fraction), d))).sum()
 }
 
-fn sum<R: Rule, const D: usize>(
-    metric: &impl Metric<D>,
+fn sum<const D: usize>(
+    nodes: &[Node],
+    metric: &AnyMetric<'_, D>,
     sequence: &PointSequence<D>,
-    f: impl Fn(f64) -> f64 + Copy,
+    f: OfSquare,
 ) -> f64 {
-    let terms = sequence.chords().map(|(x, d)| chord_sum::<R, D>(metric, x, &d, f));
+    let terms = sequence.chords().map(|(x, d)| chord_sum(nodes, metric, x, &d, f));
     terms.collect::<CompensatedSum>().value()
+}
+
+fn speeds<const D: usize>(
+    nodes: &[Node],
+    metric: &AnyMetric<'_, D>,
+    sequence: &PointSequence<D>,
+) -> Vec<f64> {
+    let n = sequence.n().get() as f64;
+    let square = |(x, d)| chord_sum(nodes, metric, x, &d, |square| square);
+    sequence.chords().map(|chord| n * square(chord).sqrt()).collect()
 }
