@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 use num_traits::{One, Zero};
+use tautline_formula::AnyMetric;
 use tautline_metrics::Metric;
 use tautline_scalar::{Interval, Jet2, Scalar};
 
@@ -93,6 +94,7 @@ impl<const D: usize> Domain<D> {
     /// ```
     #[must_use]
     pub fn space(metric: &impl Metric<D>) -> Self {
+        let metric = &AnyMetric::new(metric);
         let mut along = Dependence::of(metric);
         if is_radial(metric) {
             // A ray: constants do not depend on the direction.
@@ -139,6 +141,7 @@ impl<const D: usize> Domain<D> {
     ///
     /// [`CertifyError::NotSettled`] with the coordinate along which the check fails.
     pub fn settled_space(metric: &impl Metric<D>) -> Result<Self, CertifyError> {
+        let metric = &AnyMetric::new(metric);
         let space = Self::space(metric);
         let far = |side: &Interval| side.hi() == Self::REACH;
         for coordinate in (0..D).filter(|&k| far(&space.cell.sides()[k])) {

@@ -20,6 +20,7 @@ const BELOW: [(&str, &[&str]); 12] = [
         &[
             "tautline-chance",
             "tautline-discretizations",
+            "tautline-formula",
             "tautline-metrics",
             "tautline-scalar",
             "tautline-sets",

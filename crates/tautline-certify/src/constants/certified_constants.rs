@@ -1,5 +1,6 @@
 //! `CertifiedConstants`: the four constants of a metric, enclosed.
 
+use tautline_formula::AnyMetric;
 use tautline_metrics::{Constants, Metric};
 
 use super::{CertifiedConstant, Quantity, certify};
@@ -42,6 +43,7 @@ impl<const D: usize> CertifiedConstants<D> {
         domain: &Domain<D>,
         accuracy: Accuracy,
     ) -> Result<Self, CertifyError> {
+        let metric = &AnyMetric::new(metric);
         let of = |quantity| certify(metric, quantity, domain, accuracy);
         Ok(Self {
             c1: of(Quantity::C1)?,

@@ -1,11 +1,11 @@
 //! `c₁` and `c₂`: the least and the greatest eigenvalue of `H`.
 
 use nalgebra::{DMatrix, DVector, SVector};
-use tautline_scalar::Interval;
+use tautline_scalar::{Interval, Scalar};
 
 use super::{
     eigenvalue_bound::eigen,
-    gram::{Gram, Number},
+    gram::Gram,
     spectral::{Spectral, form, square},
 };
 
@@ -24,7 +24,7 @@ impl<const D: usize> Spectral<D> for Least<'_, D> {
 
     fn choice(&self, _: &SVector<f64, D>) {}
 
-    fn matrices<T: Number<D>>(&self, x: &SVector<T, D>, _: &()) -> Vec<DMatrix<T>> {
+    fn matrices<T: Scalar>(&self, x: &SVector<T, D>, _: &()) -> Vec<DMatrix<T>> {
         vec![block(self.0, x).map(|entry| -entry)]
     }
 
@@ -52,7 +52,7 @@ impl<const D: usize> Spectral<D> for Greatest<'_, D> {
 
     fn choice(&self, _: &SVector<f64, D>) {}
 
-    fn matrices<T: Number<D>>(&self, x: &SVector<T, D>, _: &()) -> Vec<DMatrix<T>> {
+    fn matrices<T: Scalar>(&self, x: &SVector<T, D>, _: &()) -> Vec<DMatrix<T>> {
         vec![block(self.0, x)]
     }
 
@@ -66,7 +66,7 @@ impl<const D: usize> Spectral<D> for Greatest<'_, D> {
 }
 
 /// `H(x)`, or `φ(x)` if that is all.
-fn block<T: Number<D>, const D: usize>(gram: Gram<'_, D>, x: &SVector<T, D>) -> DMatrix<T> {
+fn block<T: Scalar, const D: usize>(gram: Gram<'_, D>, x: &SVector<T, D>) -> DMatrix<T> {
     let h = gram.at(x);
     if gram.isotropic { h.view((0, 0), (1, 1)).into_owned() } else { h }
 }

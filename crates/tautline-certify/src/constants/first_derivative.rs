@@ -5,7 +5,7 @@ use num_traits::Zero;
 use tautline_scalar::{Interval, Scalar};
 
 use super::{
-    gram::{Gram, Number},
+    gram::Gram,
     quartic::{Vanishing, flattened},
     spectral::{Direction, Spectral, TURNS, extreme, form, square, starts},
 };
@@ -54,7 +54,7 @@ impl<const D: usize> Spectral<D> for FirstDerivative<'_, D> {
         Some(guess.improved(&flattened(&a), found.norm * found.norm))
     }
 
-    fn matrices<T: Number<D>>(
+    fn matrices<T: Scalar>(
         &self,
         x: &SVector<T, D>,
         choice: &Option<Vanishing<D>>,

@@ -19,6 +19,7 @@ pub use certified_constants::CertifiedConstants;
 pub use quantity::Quantity;
 
 use nalgebra::SVector;
+use tautline_formula::AnyMetric;
 use tautline_metrics::Metric;
 use tautline_scalar::{Interval, Scalar};
 
@@ -88,7 +89,8 @@ pub fn certify<const D: usize>(
         return Err(CertifyError::NoDimension);
     }
     let accuracy = accuracy.checked()?;
-    let gram = Gram::new(metric);
+    let metric = AnyMetric::new(metric);
+    let gram = Gram::new(&metric);
     let (found, lower, upper) = match quantity {
         Quantity::C1 => {
             let (found, witness) = search(&Least(gram), domain, accuracy)?;

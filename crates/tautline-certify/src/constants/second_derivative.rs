@@ -1,12 +1,12 @@
 //! `M_H`: the largest `‖D²H(x)[v, v]‖` over unit vectors `v`.
 
 use nalgebra::{DMatrix, SMatrix, SVector};
-use tautline_scalar::Interval;
+use tautline_scalar::{Interval, Scalar};
 
 use super::{
     biquadratic::{Vanishing, flattened},
     eigenvalue_bound::eigen,
-    gram::{Gram, Number},
+    gram::Gram,
     spectral::{Direction, Spectral, TURNS, form, greatest, square, starts},
 };
 
@@ -59,7 +59,7 @@ impl<const D: usize> Spectral<D> for SecondDerivative<'_, D> {
         })
     }
 
-    fn matrices<T: Number<D>>(&self, x: &SVector<T, D>, choice: &Self::Choice) -> Vec<DMatrix<T>> {
+    fn matrices<T: Scalar>(&self, x: &SVector<T, D>, choice: &Self::Choice) -> Vec<DMatrix<T>> {
         let b = self.0.second(x);
         if self.0.isotropic {
             let hessian = DMatrix::from_fn(D, D, |k, l| b[k][l][(0, 0)]);

@@ -7,7 +7,7 @@ use tautline_scalar::{Interval, Jet1, Scalar};
 
 use super::{
     eigenvalue_bound::{Enclosed, eigen, largest_eigenvalue},
-    gram::{Gram, Number},
+    gram::Gram,
 };
 use crate::{
     Cell,
@@ -27,7 +27,7 @@ pub(super) trait Spectral<const D: usize>: Sync {
     fn choice(&self, x: &SVector<f64, D>) -> Self::Choice;
 
     /// Returns the matrices, all of the same size.
-    fn matrices<T: Number<D>>(&self, x: &SVector<T, D>, choice: &Self::Choice) -> Vec<DMatrix<T>>;
+    fn matrices<T: Scalar>(&self, x: &SVector<T, D>, choice: &Self::Choice) -> Vec<DMatrix<T>>;
 
     /// Returns the wanted number at `x`, in the unit of the eigenvalue, up to rounding.
     fn wanted(&self, x: &SVector<f64, D>) -> f64;
