@@ -1,7 +1,7 @@
 //! `GramRange`: what a metric was seen to do at a number of points.
 
 use nalgebra::{DMatrix, SMatrix, SVector};
-use tautline::{Constants, Metric, MetricError, check_gram};
+use tautline::{AnyMetric, Constants, Metric, MetricError, check_gram};
 
 use crate::{Evidence, Unit};
 
@@ -28,6 +28,13 @@ impl GramRange {
     pub fn along<const D: usize>(
         metric: &impl Metric<D>,
         points: impl IntoIterator<Item = SVector<f64, D>>,
+    ) -> Result<Self, MetricError> {
+        Self::behind_pointers(&AnyMetric::new(metric), &mut points.into_iter())
+    }
+
+    fn behind_pointers<const D: usize>(
+        metric: &AnyMetric<'_, D>,
+        points: &mut dyn Iterator<Item = SVector<f64, D>>,
     ) -> Result<Self, MetricError> {
         let mut range = Self { low: f64::INFINITY, high: 0.0, slope: 0.0, slope_rounding: 0.0 };
         let mut before: Option<(SVector<f64, D>, SMatrix<f64, D, D>)> = None;

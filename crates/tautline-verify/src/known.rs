@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 use tautline::{Bounded, Ends, KnownDistance, SetError, bounds::Setting};
 
-use crate::VerifyError;
+use crate::{AnyBounded, VerifyError};
 
 /// A metric, two sets, and the distance between them: what the theorems of Section 1 compare with.
 #[derive(Clone, Debug)]
@@ -42,6 +42,12 @@ impl<M: Bounded<D>, const D: usize> Known<M, D> {
         let Some(distance) = metric.distance(&a, &b) else { return Ok(None) };
         let size = (a.norm() + b.norm()) * metric.constants().c2().sqrt();
         Ok(Some(Self { metric, ends, distance, distance_error: 16.0 * f64::EPSILON * size }))
+    }
+
+    /// The same problem, with the metric behind a pointer.
+    pub(crate) fn behind_a_pointer(&self) -> Known<AnyBounded<'_, D>, D> {
+        let Self { ref metric, ref ends, distance, distance_error } = *self;
+        Known { metric: AnyBounded::of(metric), ends: ends.clone(), distance, distance_error }
     }
 
     /// Returns the numbers by which the theorems know the problem.

@@ -57,4 +57,4 @@ pub use tautline::bounds::PaperRule;
 pub use units::{InUnits, Units};
 pub use verdict::Verdict;
 pub use verify_error::VerifyError;
-pub use with_constants::WithConstants;
+pub use with_constants::{AnyBounded, WithConstants};

@@ -4,12 +4,12 @@ use std::num::NonZeroUsize;
 
 use nalgebra::SVector;
 use tautline::{
-    Bounded, Curvature, Integral, Jet2, LeftEndpoint, Metric, Minimum, PointSequence, Stop,
-    Trapezoidal,
+    AnyMetric, Bounded, Curvature, Integral, Jet2, LeftEndpoint, Metric, Minimum, PointSequence,
+    Stop, Trapezoidal,
     bounds::{PaperRule, Setting},
 };
 
-use crate::{GramRange, Known, Subject, VerifyError};
+use crate::{AnyBounded, GramRange, Known, Subject, VerifyError};
 
 /// Returns the discrete energy of a sequence by a rule of the paper, in `m²`.
 pub fn discrete_energy<const D: usize>(
@@ -72,6 +72,7 @@ impl<const D: usize> Reconstruction<D> {
         rule: PaperRule,
         n: usize,
     ) -> Result<Self, VerifyError> {
+        let known = &known.behind_a_pointer();
         let (metric, ends) = (&known.metric, &known.ends);
         let minimum = match rule {
             PaperRule::Trapezoidal => subject.minimise(Trapezoidal, metric, ends, n)?,
@@ -83,7 +84,7 @@ impl<const D: usize> Reconstruction<D> {
             let (stop, curvature) = (minimum.stop, minimum.curvature);
             return Err(VerifyError::NotConverged { n, stop, curvature });
         }
-        Self::read(subject, known, rule, minimum)
+        Self::behind_a_pointer(subject, known, rule, minimum)
     }
 
     /// Reads off the numbers of a sequence that was found in another way: what the theorems say
@@ -95,6 +96,15 @@ impl<const D: usize> Reconstruction<D> {
     pub fn read<M: Bounded<D>>(
         subject: &impl Subject,
         known: &Known<M, D>,
+        rule: PaperRule,
+        minimum: Minimum<D>,
+    ) -> Result<Self, VerifyError> {
+        Self::behind_a_pointer(subject, &known.behind_a_pointer(), rule, minimum)
+    }
+
+    fn behind_a_pointer(
+        subject: &impl Subject,
+        known: &Known<AnyBounded<'_, D>, D>,
         rule: PaperRule,
         minimum: Minimum<D>,
     ) -> Result<Self, VerifyError> {
@@ -154,6 +164,7 @@ pub fn curvature_along<const D: usize>(
     metric: &impl Metric<D>,
     sequence: &PointSequence<D>,
 ) -> f64 {
+    let metric = &AnyMetric::new(metric);
     let mut greatest = 0.0_f64;
     for (x, chord) in sequence.chords() {
         for fraction in [0.0, 0.5, 1.0] {

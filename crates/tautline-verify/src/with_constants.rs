@@ -1,7 +1,7 @@
 //! `WithConstants`: a metric with constants that are only claimed of it.
 
 use nalgebra::{SMatrix, SVector};
-use tautline::{Bounded, Constants, KnownDistance, Metric, Scalar};
+use tautline::{AnyMetric, Bounded, Constants, KnownDistance, Metric, Scalar};
 
 /// A metric with constants put beside it, true or not: for a metric without claims of its own, for
 /// the lies that a kit has to refuse, and for what is left of a statement where its hypotheses on
@@ -12,6 +12,18 @@ pub struct WithConstants<M> {
     pub metric: M,
     /// What is claimed of it.
     pub constants: Constants,
+}
+
+/// A metric behind a pointer, with the constants that it claims: what is done with it is compiled once
+/// for each dimension.
+pub type AnyBounded<'m, const D: usize> = WithConstants<AnyMetric<'m, D>>;
+
+impl<'m, const D: usize> AnyBounded<'m, D> {
+    /// Points to a metric.
+    #[must_use]
+    pub fn of(metric: &'m impl Bounded<D>) -> Self {
+        Self { metric: AnyMetric::new(metric), constants: metric.constants() }
+    }
 }
 
 impl<M: Metric<D>, const D: usize> Metric<D> for WithConstants<M> {

@@ -1,7 +1,7 @@
 //! `Measured`: length and energy of a curve, and where it ends.
 
 use nalgebra::SVector;
-use tautline::{Integral, Metric, PointSequence, quadrature::integrate};
+use tautline::{AnyMetric, Integral, Metric, PointSequence, quadrature::integrate};
 
 use super::Curve;
 use crate::Subject;
@@ -24,6 +24,10 @@ pub struct Measured<const D: usize> {
 impl<const D: usize> Measured<D> {
     /// Measures a curve, piece by piece.
     pub fn of(metric: &impl Metric<D>, curve: &impl Curve<D>) -> Self {
+        Self::behind_pointers(&AnyMetric::new(metric), curve)
+    }
+
+    fn behind_pointers(metric: &AnyMetric<'_, D>, curve: &dyn Curve<D>) -> Self {
         let square = |t: f64| {
             let motion = curve.motion(t);
             metric.norm_squared(&motion.position, &motion.velocity)
@@ -50,6 +54,7 @@ impl<const D: usize> Measured<D> {
         metric: &impl Metric<D>,
         sequence: &PointSequence<D>,
     ) -> Self {
+        let metric = &AnyMetric::new(metric);
         let (mut speeds, mut size) = ([f64::INFINITY, 0.0_f64], 0.0_f64);
         for ((x, _), beta) in sequence.chords().zip(sequence.differences()) {
             let speed = metric.norm_squared(x, &beta).sqrt();

@@ -1,7 +1,7 @@
 //! `Motion`: where a curve is, how fast, and how its velocity changes.
 
 use nalgebra::SVector;
-use tautline::{Jet2, Metric, MetricError};
+use tautline::{AnyMetric, Jet2, Metric, MetricError};
 
 use super::Curve;
 use crate::Subject;
@@ -80,6 +80,14 @@ impl Residual {
         subject: &impl Subject,
         metric: &impl Metric<D>,
         curve: &impl Curve<D>,
+    ) -> Result<Self, MetricError> {
+        Self::behind_pointers(subject, &AnyMetric::new(metric), curve)
+    }
+
+    fn behind_pointers<const D: usize>(
+        subject: &impl Subject,
+        metric: &AnyMetric<'_, D>,
+        curve: &dyn Curve<D>,
     ) -> Result<Self, MetricError> {
         let mut found = Self { value: 0.0, acceleration: 0.0, bending: 0.0, granted: 0.0 };
         for t in curve.times() {

@@ -3,17 +3,13 @@
 use std::sync::Arc;
 
 use nalgebra::SVector;
-use tautline::{AnyMetric, Bounded, Constants};
+use tautline::{Bounded, Constants};
 
 use super::memory::Solved;
 use crate::{
-    WithConstants,
+    AnyBounded, WithConstants,
     kit::{Effort, Region},
 };
-
-/// A metric behind a pointer, with the constants that it claims: the laws are compiled once for each
-/// dimension, and not for each metric.
-pub(super) type Claimed<'m, const D: usize> = WithConstants<AnyMetric<'m, D>>;
 
 /// The distance of two points, where a metric knows it, in `m`.
 type Distance<'m, const D: usize> =
@@ -21,7 +17,7 @@ type Distance<'m, const D: usize> =
 
 /// A metric behind a pointer, where to look, and for how long.
 pub(super) struct Case<'m, const D: usize> {
-    pub(super) metric: Claimed<'m, D>,
+    pub(super) metric: AnyBounded<'m, D>,
     pub(super) region: Region<D>,
     /// Where the ends of problems are.
     pub(super) ends: Region<D>,
@@ -34,21 +30,16 @@ pub(super) struct Case<'m, const D: usize> {
 impl<'m, const D: usize> Case<'m, D> {
     /// Points to a metric.
     pub(super) fn new(metric: &'m impl Bounded<D>, region: Region<D>, effort: Effort) -> Self {
-        Self::of(AnyMetric::new(metric), metric.constants(), region, effort)
+        Self::of(AnyBounded::of(metric), region, effort)
     }
 
     /// The same metric, of which other constants are claimed.
     pub(super) fn claiming(&self, constants: Constants, effort: Effort) -> Self {
-        Self::of(self.metric.metric.clone(), constants, self.region, effort)
+        let metric = WithConstants { metric: self.metric.metric.clone(), constants };
+        Self::of(metric, self.region, effort)
     }
 
-    fn of(
-        metric: AnyMetric<'m, D>,
-        constants: Constants,
-        region: Region<D>,
-        effort: Effort,
-    ) -> Self {
-        let metric = WithConstants { metric, constants };
+    fn of(metric: AnyBounded<'m, D>, region: Region<D>, effort: Effort) -> Self {
         Self { metric, region, ends: region, effort, distance: None, solved: Arc::default() }
     }
 }

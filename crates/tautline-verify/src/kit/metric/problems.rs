@@ -7,8 +7,8 @@ use tautline::{
     Trapezoidal, extrapolate, minimise,
 };
 
-use super::case::{Case, Claimed};
-use crate::{Known, Reconstruction, VerifyError, kit::Region};
+use super::case::Case;
+use crate::{AnyBounded, Known, Reconstruction, VerifyError, kit::Region};
 
 /// The grid from which a distance is extrapolated, over 8, 32 and 128.
 const REFERENCE: usize = 512;
@@ -129,7 +129,7 @@ impl<'m, const D: usize> Case<'m, D> {
         &self,
         posed: &Posed<D>,
         shorter: &[Reconstruction<D>],
-    ) -> Result<Known<&Claimed<'m, D>, D>, VerifyError> {
+    ) -> Result<Known<&AnyBounded<'m, D>, D>, VerifyError> {
         let metric = &self.metric;
         if let (Some(distance), Some([a, b])) = (&self.distance, posed.points())
             && let Some(distance) = distance(&a, &b)
@@ -151,7 +151,7 @@ impl<'m, const D: usize> Case<'m, D> {
         &self,
         posed: &Posed<D>,
         [distance, distance_error]: [f64; 2],
-    ) -> Result<Known<&Claimed<'m, D>, D>, VerifyError> {
+    ) -> Result<Known<&AnyBounded<'m, D>, D>, VerifyError> {
         Ok(Known { metric: &self.metric, ends: posed.ends()?, distance, distance_error })
     }
 }
@@ -163,7 +163,7 @@ impl<'m, const D: usize> Case<'m, D> {
         [a, b]: [SVector<f64, D>; 2],
         ends: Ends<D>,
         distance: f64,
-    ) -> Known<&Claimed<'m, D>, D> {
+    ) -> Known<&AnyBounded<'m, D>, D> {
         let metric = &self.metric;
         let size = (a.norm() + b.norm()) * metric.constants().c2().sqrt();
         Known { metric, ends, distance, distance_error: 16.0 * f64::EPSILON * size }

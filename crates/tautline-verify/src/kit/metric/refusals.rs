@@ -9,13 +9,16 @@ use tautline::{
 };
 
 use super::{
-    case::{Case, Claimed},
+    case::Case,
     claims::{Found, search},
     problems::Posed,
 };
-use crate::kit::{
-    Claim, Failure, Fault,
-    report::{LawResult, Tried},
+use crate::{
+    AnyBounded,
+    kit::{
+        Claim, Failure, Fault,
+        report::{LawResult, Tried},
+    },
 };
 
 impl Claim {
@@ -150,7 +153,7 @@ pub(super) fn empty_set<const D: usize>(case: &Case<'_, D>) -> LawResult {
 /// `H` with an entry that is NaN on one side of the middle of the region.
 #[derive(Clone, Copy, Debug)]
 struct Torn<'a, const D: usize> {
-    metric: &'a Claimed<'a, D>,
+    metric: &'a AnyBounded<'a, D>,
     from: f64,
 }
 

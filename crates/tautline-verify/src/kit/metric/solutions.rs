@@ -6,14 +6,14 @@ use nalgebra::SVector;
 use tautline::{ClosedSet, LeftEndpoint, Options, PointSequence, Starts, Trapezoidal, minimise};
 
 use super::{
-    case::{Case, Claimed},
+    case::Case,
     formula::winding,
     memory::{Solution, Solutions},
     problems::{Kind, Posed},
     statements::judge,
 };
 use crate::{
-    Evidence, Known, Library, PaperRule, Reconstruction, VerifyError,
+    AnyBounded, Evidence, Known, Library, PaperRule, Reconstruction, VerifyError,
     kit::{
         Effort, Failure, Fault,
         met::Met,
@@ -28,7 +28,7 @@ type OfMinimisers<const D: usize> = fn(&Library, &Reconstruction<D>) -> Evidence
 /// One minimiser of a solved problem.
 pub(super) struct Minimiser<'a, const D: usize> {
     pub(super) posed: &'a Posed<D>,
-    pub(super) known: &'a Known<&'a Claimed<'a, D>, D>,
+    pub(super) known: &'a Known<&'a AnyBounded<'a, D>, D>,
     pub(super) seen: &'a Reconstruction<D>,
 }
 
@@ -184,7 +184,7 @@ impl<const D: usize> Case<'_, D> {
     }
 
     fn solve(&self, rule: PaperRule, posed: &Posed<D>) -> Result<Solution<D>, VerifyError> {
-        let observe = |known: Known<&Claimed<'_, D>, D>| {
+        let observe = |known: Known<&AnyBounded<'_, D>, D>| {
             let numbers = self.effort.subintervals.iter();
             let seen = numbers.map(|&n| Reconstruction::observe(&Library, &known, rule, n));
             let minimisers = seen.collect::<Result<Vec<_>, _>>()?;

@@ -6,11 +6,11 @@ use nalgebra::SVector;
 use tautline::{Ends, MetricError, PointSequence};
 
 use super::{
-    case::{Case, Claimed},
+    case::Case,
     problems::{Kind, Posed},
 };
 use crate::{
-    Evidence, Finding, Inequality, Known, Library, Source, VerifyError,
+    AnyBounded, Evidence, Finding, Inequality, Known, Library, Source, VerifyError,
     kit::{
         Failure, Fault,
         met::{IDLE, Met},
@@ -41,12 +41,15 @@ pub(super) fn judge(evidence: &Evidence) -> Result<Met, Fault> {
 
 /// What a statement says of a metric and something `T` besides.
 type About<'m, T, const D: usize> =
-    fn(&Library, &Claimed<'m, D>, &T) -> Result<Evidence, MetricError>;
+    fn(&Library, &AnyBounded<'m, D>, &T) -> Result<Evidence, MetricError>;
 
 /// What a statement says of two points with their distance, and of the inner points of a sequence
 /// between them.
-type OfKnown<'m, const D: usize> =
-    fn(&Library, &Known<&Claimed<'m, D>, D>, &[SVector<f64, D>]) -> Result<Evidence, VerifyError>;
+type OfKnown<'m, const D: usize> = fn(
+    &Library,
+    &Known<&AnyBounded<'m, D>, D>,
+    &[SVector<f64, D>],
+) -> Result<Evidence, VerifyError>;
 
 /// The point sequence from one point over others to another.
 pub(super) fn joined<M, const D: usize>(
