@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use tautline::{
-    AsymptoticsError, CertifyError, LocalError, SequenceError, SetError, SolveError,
+    AsymptoticsError, CertifyError, LocalError, RecordError, SequenceError, SetError, SolveError,
     bounds::BoundError, gallery::GalleryError,
 };
 
@@ -24,6 +24,9 @@ pub enum Failure {
     /// A metric.
     #[error(transparent)]
     Gallery(#[from] GalleryError),
+    /// A formula that cannot be recorded.
+    #[error(transparent)]
+    Record(#[from] RecordError),
     /// Constants on a ball.
     #[error(transparent)]
     Local(#[from] LocalError),

@@ -1,15 +1,17 @@
 //! `Drawn`: a metric of the gallery with random parameters, in any dimension.
 
 use tautline::{
-    Metric, SMatrix, SVector, Scalar,
+    Formula, Metric, SMatrix, SVector, Scalar,
     gallery::{
-        Bump, Checkerboard, Constant, Corrugated, CoupledCosines, EggCrate, GalleryError,
-        GaussianFisherPatch, Hill, HyperbolicPatch, Lens, Link, Obstacle, Ramp, RotatingAnisotropy,
-        Separable, Shear, SineProjection, SineProjections, SoftObstacles, SpherePatch, Swirl,
-        TanhDecoder, TwoChannels, TwoLinkArm, Valleys,
+        Bump, Checkerboard, Constant, Corrugated, CoupledCosines, EggCrate, GaussianFisherPatch,
+        Hill, HyperbolicPatch, Lens, Link, Obstacle, Ramp, RotatingAnisotropy, Separable, Shear,
+        SineProjection, SineProjections, SoftObstacles, SpherePatch, Swirl, TanhDecoder,
+        TwoChannels, TwoLinkArm, Valleys,
     },
 };
 use tautline_verify::adversary::SplitMix;
+
+use crate::Failure;
 
 /// A metric of `R^K` for the first coordinates, and the Euclidean one for the others.
 #[derive(Clone, Copy, Debug)]
@@ -29,79 +31,14 @@ impl<M: Metric<K>, const K: usize, const D: usize> Metric<D> for Beside<M, K> {
     }
 }
 
-/// Makes the enumeration of metrics, which is one itself.
-macro_rules! drawn {
-    ($($name:ident($metric:ty)),* $(,)?) => {
-        /// A metric of the gallery: those of a fixed dimension `K` [beside](Beside) a Euclidean
-        /// one if `D > K`.
-        #[derive(Clone, Debug)]
-        #[expect(missing_docs, reason = "each is the metric of its name in the gallery")]
-        pub enum Drawn<const D: usize> {
-            $($name($metric)),*
-        }
-
-        impl<const D: usize> Drawn<D> {
-            /// Returns the name of the metric in the gallery.
-            #[must_use]
-            pub fn name(&self) -> &'static str {
-                match self {
-                    $(Self::$name(_) => stringify!($name)),*
-                }
-            }
-        }
-
-        impl<const D: usize> Metric<D> for Drawn<D> {
-            #[inline(never)]
-            fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
-                match self {
-                    $(Self::$name(metric) => metric.gram(x)),*
-                }
-            }
-
-            #[inline(never)]
-            fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
-                match self {
-                    $(Self::$name(metric) => metric.norm_squared(x, u)),*
-                }
-            }
-
-            #[inline(never)]
-            fn momentum<S: Scalar>(
-                &self,
-                x: &SVector<S, D>,
-                u: &SVector<f64, D>,
-            ) -> SVector<S, D> {
-                match self {
-                    $(Self::$name(metric) => metric.momentum(x, u)),*
-                }
-            }
-        }
-    };
-}
-
-drawn! {
-    Constant(Constant<D>),
-    Valleys(Valleys),
-    Separable(Separable<D>),
-    Lens(Lens),
-    Bump(Bump),
-    Hill(Hill),
-    SoftObstacles(SoftObstacles<D>),
-    Corrugated(Corrugated),
-    SineProjections(SineProjections<D>),
-    SpherePatch(SpherePatch),
-    HyperbolicPatch(HyperbolicPatch),
-    TanhDecoder(TanhDecoder<D, 4, 3>),
-    Ramp(Beside<Ramp, 1>),
-    Shear(Beside<Shear, 2>),
-    Swirl(Beside<Swirl, 2>),
-    EggCrate(Beside<EggCrate, 2>),
-    Checkerboard(Beside<Checkerboard, 2>),
-    TwoChannels(Beside<TwoChannels, 2>),
-    RotatingAnisotropy(Beside<RotatingAnisotropy, 2>),
-    TwoLinkArm(Beside<TwoLinkArm, 2>),
-    GaussianFisherPatch(Beside<GaussianFisherPatch, 2>),
-    CoupledCosines(Beside<CoupledCosines, 3>),
+/// A metric of the gallery, by its formula: those of a fixed dimension `K` [beside](Beside) a Euclidean one
+/// if `D > K`.
+#[derive(Clone, Debug)]
+pub struct Drawn<const D: usize> {
+    /// The name of the metric in the gallery.
+    pub name: &'static str,
+    /// What it does with its numbers.
+    pub formula: Formula<D>,
 }
 
 /// Half the side of the cube about the origin in which ends lie, in `ℓ`, where a metric has no
@@ -114,6 +51,10 @@ pub(super) fn vector<const D: usize>(random: &mut SplitMix, size: f64) -> SVecto
 }
 
 impl<const D: usize> Drawn<D> {
+    fn of(name: &'static str, metric: &impl Metric<D>) -> Result<Self, Failure> {
+        Ok(Self { name, formula: Formula::record(metric)? })
+    }
+
     /// Returns a metric, and half the side of the cube about the origin in which it is worth
     /// having ends, in `ℓ`: about the radius of a patch, 3 for all others.
     ///
@@ -125,8 +66,8 @@ impl<const D: usize> Drawn<D> {
     ///
     /// # Errors
     ///
-    /// None: the parameters are admissible.
-    pub fn new(random: &mut SplitMix) -> Result<(Self, f64), GalleryError> {
+    /// None: the parameters are admissible, and no formula compares numbers.
+    pub fn new(random: &mut SplitMix) -> Result<(Self, f64), Failure> {
         let known = match D {
             1 => 13,
             2 => 21,
@@ -139,17 +80,17 @@ impl<const D: usize> Drawn<D> {
             0 => {
                 let m: SMatrix<f64, D, D> = SMatrix::from_fn(|_, _| between(-1.0, 1.0));
                 let square: SMatrix<f64, D, D> = m.tr_mul(&m) + SMatrix::identity() * 0.25;
-                Self::Constant(Constant::new((square + square.transpose()) * 0.5)?)
+                Self::of("Constant", &Constant::new((square + square.transpose()) * 0.5)?)
             }
-            1 => Self::Valleys(Valleys),
+            1 => Self::of("Valleys", &Valleys),
             2 => {
                 let amplitudes = vector::<D>(random, 0.8);
                 let wave_numbers = SVector::<f64, D>::from_fn(|_, _| random.between(0.3, 2.0));
-                Self::Separable(Separable::new(amplitudes, wave_numbers)?)
+                Self::of("Separable", &Separable::new(amplitudes, wave_numbers)?)
             }
-            3 => Self::Lens(Lens::new(between(0.0, 8.0), between(0.3, 1.5))?),
-            4 => Self::Bump(Bump::new(between(0.0, 4.0), between(0.3, 1.5))?),
-            5 => Self::Hill(Hill::new(between(-2.0, 2.0), between(0.5, 1.5))?),
+            3 => Self::of("Lens", &Lens::new(between(0.0, 8.0), between(0.3, 1.5))?),
+            4 => Self::of("Bump", &Bump::new(between(0.0, 4.0), between(0.3, 1.5))?),
+            5 => Self::of("Hill", &Hill::new(between(-2.0, 2.0), between(0.5, 1.5))?),
             6 => {
                 let count = 1 + random.below(6);
                 let obstacle = |_| Obstacle {
@@ -157,46 +98,57 @@ impl<const D: usize> Drawn<D> {
                     height: random.between(0.0, 6.0),
                     width: random.between(0.4, 1.5),
                 };
-                Self::SoftObstacles(SoftObstacles::new((0..count).map(obstacle).collect())?)
+                Self::of("SoftObstacles", &SoftObstacles::new((0..count).map(obstacle).collect())?)
             }
-            7 => Self::Corrugated(Corrugated::new(between(-1.0, 1.0), between(0.5, 3.0))?),
+            7 => Self::of("Corrugated", &Corrugated::new(between(-1.0, 1.0), between(0.5, 3.0))?),
             8 => {
                 let count = 1 + random.below(8);
                 let term = |_| SineProjection {
                     wave_vector: vector(random, 1.5),
                     direction: vector(random, 0.7),
                 };
-                Self::SineProjections(SineProjections::new((0..count).map(term).collect())?)
+                Self::of("SineProjections", &SineProjections::new((0..count).map(term).collect())?)
             }
             9 => {
                 reach = between(0.5, 2.0);
-                Self::SpherePatch(SpherePatch::new(reach)?)
+                Self::of("SpherePatch", &SpherePatch::new(reach)?)
             }
             10 => {
                 reach = between(0.3, 0.85);
-                Self::HyperbolicPatch(HyperbolicPatch::new(reach)?)
+                Self::of("HyperbolicPatch", &HyperbolicPatch::new(reach)?)
             }
             11 => {
                 let inner = SMatrix::from_fn(|_, _| between(-1.5, 1.5));
                 let outer = SMatrix::from_fn(|_, _| between(-1.5, 1.5));
-                Self::TanhDecoder(TanhDecoder::new(inner, outer, between(0.05, 1.0))?)
+                Self::of(
+                    "TanhDecoder",
+                    &TanhDecoder::<D, 4, 3>::new(inner, outer, between(0.05, 1.0))?,
+                )
             }
-            12 => Self::Ramp(Beside(Ramp::new(between(-0.9, 0.9), between(0.3, 3.0))?)),
-            13 => Self::Shear(Beside(Shear::new(between(-1.0, 1.0), between(0.3, 2.0))?)),
-            14 => Self::Swirl(Beside(Swirl::new(between(-2.5, 2.5), between(0.5, 2.0))?)),
-            15 => Self::EggCrate(Beside(EggCrate::new(between(-0.7, 0.7), between(0.5, 2.0))?)),
+            12 => Self::of("Ramp", &Beside(Ramp::new(between(-0.9, 0.9), between(0.3, 3.0))?)),
+            13 => Self::of("Shear", &Beside(Shear::new(between(-1.0, 1.0), between(0.3, 2.0))?)),
+            14 => Self::of("Swirl", &Beside(Swirl::new(between(-2.5, 2.5), between(0.5, 2.0))?)),
+            15 => {
+                Self::of("EggCrate", &Beside(EggCrate::new(between(-0.7, 0.7), between(0.5, 2.0))?))
+            }
             16 => {
                 let checkerboard = Checkerboard::new(between(0.0, 4.0), between(0.7, 3.0))?;
-                Self::Checkerboard(Beside(checkerboard))
+                Self::of("Checkerboard", &Beside(checkerboard))
             }
             17 => {
                 let (height, offset) = (between(0.0, 8.0), between(0.3, 2.0));
-                Self::TwoChannels(Beside(TwoChannels::new(height, offset, between(0.2, 1.0))?))
+                Self::of(
+                    "TwoChannels",
+                    &Beside(TwoChannels::new(height, offset, between(0.2, 1.0))?),
+                )
             }
             18 => {
                 let eigenvalues = [between(0.2, 4.0), between(0.2, 4.0)];
                 let wave_vector = vector::<2>(random, 1.5);
-                Self::RotatingAnisotropy(Beside(RotatingAnisotropy::new(eigenvalues, wave_vector)?))
+                Self::of(
+                    "RotatingAnisotropy",
+                    &Beside(RotatingAnisotropy::new(eigenvalues, wave_vector)?),
+                )
             }
             19 => {
                 let mut link = || {
@@ -204,14 +156,14 @@ impl<const D: usize> Drawn<D> {
                     let (centre, inertia) = (length * between(0.2, 0.8), between(0.05, 0.5));
                     Link { mass, length, centre, inertia }
                 };
-                Self::TwoLinkArm(Beside(TwoLinkArm::from_links(link(), link())?))
+                Self::of("TwoLinkArm", &Beside(TwoLinkArm::from_links(link(), link())?))
             }
             20 => {
                 reach = between(0.3, 1.5);
-                Self::GaussianFisherPatch(Beside(GaussianFisherPatch::new(reach)?))
+                Self::of("GaussianFisherPatch", &Beside(GaussianFisherPatch::new(reach)?))
             }
-            _ => Self::CoupledCosines(Beside(CoupledCosines)),
+            _ => Self::of("CoupledCosines", &Beside(CoupledCosines)),
         };
-        Ok((metric, reach))
+        Ok((metric?, reach))
     }
 }

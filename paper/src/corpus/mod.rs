@@ -125,7 +125,7 @@ impl Case {
         runs: usize,
     ) -> Result<Vec<f64>, Failure> {
         let Drawing { metric, ends, trapezoidal, .. } = self.draw::<D>(random)?;
-        let problem = Problem::new(metric, ends);
+        let problem = Problem::new(metric.formula, ends);
         let options = Options { threads: 1, ..Options::default() };
         let mut least = vec![f64::INFINITY; ns.len()];
         // In turn, so that what else the machine does hits all alike.
@@ -145,10 +145,10 @@ impl Case {
 
     fn outcome_in<const D: usize>(self, random: SplitMix) -> Result<Outcome, Failure> {
         let Drawing { metric, ends, kinds, n, trapezoidal } = self.draw::<D>(random)?;
-        let name = metric.name();
+        let name = metric.name;
         let first = ends.first().project(&SVector::zeros());
         let straight = PointSequence::straight(first, ends.second().project(&first), n)?;
-        let problem = Problem::new(metric, ends);
+        let problem = Problem::new(metric.formula, ends);
         let search = |starts| -> Result<Search, SolveError> {
             let options = Options { starts, threads: 1, ..Options::default() };
             Ok(if trapezoidal {
