@@ -1,6 +1,7 @@
 //! `Certified`: a metric with the constants that its formula proves.
 
 use nalgebra::{SMatrix, SVector};
+use tautline_formula::AnyMetric;
 use tautline_metrics::{Bounded, Constants, Metric};
 use tautline_scalar::Scalar;
 
@@ -43,6 +44,7 @@ impl<M: Metric<D>, const D: usize> Certified<M, D> {
     /// each coordinate: see [`Certified::settled`] and
     /// [`LocallyCertified`](crate::LocallyCertified). Else as [`CertifiedConstants::new`].
     pub fn new(metric: M, accuracy: Accuracy) -> Result<Self, CertifyError> {
+        AnyMetric::new(&metric).formula().map_err(CertifyError::NotRecorded)?;
         let space = Domain::space(&metric);
         if !space.is_all_of_space() {
             return Err(CertifyError::NotAllOfSpace);
@@ -101,7 +103,9 @@ mod tests {
     use tautline_scalar::Scalar;
 
     use super::Certified;
-    use crate::{Accuracy, CertifyError};
+    use tautline_formula::RecordError;
+
+    use crate::{Accuracy, CertifyError, Domain, Quantity, certify};
 
     #[test]
     fn a_periodic_metric_needs_no_word_of_its_author() {
@@ -131,6 +135,27 @@ mod tests {
         assert!((3.0..3.01).contains(&line.constants().c2()));
         assert!((4.0..4.01).contains(&plane.constants().c2()));
         assert!(line.constants().is_isotropic() && !plane.constants().is_isotropic());
+    }
+
+    /// Intervals would follow one of the branches.
+    #[test]
+    fn nothing_is_proved_of_a_formula_with_branches() {
+        struct Branch;
+        impl Metric<1> for Branch {
+            fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
+                let wave = x[0].sin();
+                SMatrix::from_element(if wave == S::zero() { S::one() } else { wave + 3.0 })
+            }
+        }
+        let why = CertifyError::NotRecorded(RecordError::Compares);
+        let accuracy = Accuracy::default();
+        let refused = [Certified::new(Branch, accuracy), Certified::settled(Branch, accuracy)];
+        for refused in refused {
+            assert_eq!(refused.map(|_| ()), Err(why.clone()));
+        }
+        let space = Domain::space(&Branch);
+        assert!(!space.is_all_of_space() && space.bounding_cell().sides()[0].width() > 1.0);
+        assert_eq!(certify(&Branch, Quantity::C2, &space, accuracy), Err(why));
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Why nothing could be proved.
 
+use tautline_formula::RecordError;
 use tautline_metrics::HypothesisError;
 use tautline_scalar::IntervalError;
 use thiserror::Error;
@@ -52,6 +53,10 @@ pub enum CertifyError {
         /// The tolerance.
         tolerance: f64,
     },
+    /// The formula cannot be recorded: proofs read it from its record, since intervals would follow one
+    /// branch of several.
+    #[error("nothing is proved of a formula that cannot be recorded: {0}")]
+    NotRecorded(#[source] RecordError),
     /// There is no dimension.
     #[error("D = 0: there is no dimension")]
     NoDimension,

@@ -95,16 +95,7 @@ impl<const D: usize> Domain<D> {
     #[must_use]
     pub fn space(metric: &impl Metric<D>) -> Self {
         let metric = &AnyMetric::new(metric);
-        let mut along = Dependence::of(metric);
-        if is_radial(metric) {
-            // A ray: constants do not depend on the direction.
-            along.iter_mut().skip(1).for_each(|along| *along = Along::Constant);
-        }
-        for (along, superfluous) in along.iter_mut().zip(superfluous(metric)) {
-            if superfluous {
-                *along = Along::Constant;
-            }
-        }
+        let along = along(metric);
         let sides = along.map(|along| match along {
             Along::Constant => Interval::zero(),
             // Four right angles, each arctan ∞ = 2 arctan 1, by the kernel of the intervals.
@@ -139,9 +130,11 @@ impl<const D: usize> Domain<D> {
     ///
     /// # Errors
     ///
-    /// [`CertifyError::NotSettled`] with the coordinate along which the check fails.
+    /// [`CertifyError::NotSettled`] with the coordinate along which the check fails;
+    /// [`CertifyError::NotRecorded`].
     pub fn settled_space(metric: &impl Metric<D>) -> Result<Self, CertifyError> {
         let metric = &AnyMetric::new(metric);
+        metric.formula().map_err(CertifyError::NotRecorded)?;
         let space = Self::space(metric);
         let far = |side: &Interval| side.hi() == Self::REACH;
         for coordinate in (0..D).filter(|&k| far(&space.cell.sides()[k])) {
@@ -207,6 +200,24 @@ impl<const D: usize> Domain<D> {
         let pulled = centre + away * (radius / away.norm() * (1.0 - 4.0 * f64::EPSILON));
         [cell.nearest(&pulled), cell.nearest(&centre)].into_iter().find(|x| inside(x))
     }
+}
+
+/// How the metric depends on each coordinate, up to motions that change nothing.
+fn along<const D: usize>(metric: &AnyMetric<'_, D>) -> [Along; D] {
+    if metric.formula().is_err() {
+        return [Along::Unknown; D];
+    }
+    let mut along = Dependence::of(metric);
+    if is_radial(metric) {
+        // A ray: constants do not depend on the direction.
+        along.iter_mut().skip(1).for_each(|along| *along = Along::Constant);
+    }
+    for (along, superfluous) in along.iter_mut().zip(superfluous(metric)) {
+        if superfluous {
+            *along = Along::Constant;
+        }
+    }
+    along
 }
 
 /// The largest of `R |∂ₖHᵢⱼ|` and `R² |∂ₖ∂ₗHᵢⱼ|` on a box, over the least diagonal entry, for the

@@ -26,8 +26,8 @@
 //! IEEE 754 demands, that the compiler and the processor do what they say, and that the derivations
 //! in the comments of the intervals are right; that jets, Gershgorin's and Collatz and Wielandt's
 //! theorems, Taylor's formula and the search are implemented as they are described here; that the
-//! formula of the metric is the one that is meant, its decimals read as doubles, and gives the same
-//! operations each time it is evaluated; and, where a metric is [declared to
+//! formula of the metric is the one that is meant, its decimals read as doubles, asks the same of all
+//! numbers, and is recorded and evaluated from its record as it is written; and, where a metric is [declared to
 //! settle](Domain::settled_space), that word. Nothing that is computed in plain doubles is
 //! believed: eigenvectors, choices and the best points found are guesses, which a bad one makes
 //! useless but not wrong. In particular no mathematical library, no linear algebra and no optimiser

@@ -1,20 +1,31 @@
 //! `AnyMetric`: a metric of which only the dimension is known when a program is compiled.
 
-use std::{any::Any, sync::OnceLock};
+use std::{
+    any::{Any, TypeId},
+    sync::OnceLock,
+};
 
 use nalgebra::{SMatrix, SVector};
 use tautline_metrics::Metric;
 use tautline_scalar::{Jet1, Jet2, MixedJet, Scalar};
 
-use crate::{Formula, batch::CHUNK};
+use crate::{
+    Formula, RecordError,
+    batch::CHUNK,
+    recording::{self, Symbol},
+};
 
 /// A metric behind a pointer: what is done with it is compiled once for each dimension, and not for each
 /// metric.
 ///
-/// In `f64` and in [`Jet2`] over it the metric's own formula is evaluated as it is compiled; in all other
-/// numbers what was recorded of it, which gives the same bits. Of a formula that cannot be recorded, jets of
-/// other kinds over `f64` are the same to rounding, and what else there is, such as an
-/// [`Interval`](tautline_scalar::Interval), is undefined: it would be frozen on one branch.
+/// In `f64`, and in fewer than 24 dimensions in [`Jet1`] and [`Jet2`] over it with all coordinates for
+/// variables, the metric's own methods are called. In all other numbers `H` is evaluated as it was recorded,
+/// to the same bits, and the forms follow from it.
+///
+/// Of a formula that cannot be recorded there are besides, in fewer than 24 dimensions and to rounding, the
+/// jets over `f64` along a line and those of which a search in many dimensions is made, expanded to the second
+/// order. In any other numbers, such as an [`Interval`](tautline_scalar::Interval), it is NaN: intervals
+/// would follow one branch of several.
 ///
 /// ```
 /// use nalgebra::vector;
@@ -28,7 +39,7 @@ use crate::{Formula, batch::CHUNK};
 /// ```
 pub struct AnyMetric<'m, const D: usize> {
     compiled: &'m dyn Compiled<D>,
-    formula: OnceLock<Option<Formula<D>>>,
+    formula: OnceLock<Result<Formula<D>, RecordError>>,
 }
 
 impl<'m, const D: usize> AnyMetric<'m, D> {
@@ -38,10 +49,13 @@ impl<'m, const D: usize> AnyMetric<'m, D> {
         Self { compiled: metric, formula: OnceLock::new() }
     }
 
-    /// Returns its formula; `None` if it cannot be recorded.
-    #[must_use]
-    pub fn formula(&self) -> Option<&Formula<D>> {
-        self.formula.get_or_init(|| self.compiled.record()).as_ref()
+    /// Returns its formula, which is recorded when it is needed for the first time.
+    ///
+    /// # Errors
+    ///
+    /// As [`Formula::record`].
+    pub fn formula(&self) -> Result<&Formula<D>, RecordError> {
+        self.formula.get_or_init(|| self.compiled.record()).as_ref().map_err(|&error| error)
     }
 }
 
@@ -57,49 +71,98 @@ impl<const D: usize> std::fmt::Debug for AnyMetric<'_, D> {
     }
 }
 
-/// Returns the value of `$over`, if its numbers are those of `$x`: which is decided when it is compiled.
-macro_rules! if_same_numbers {
-    ($over:expr, $method:ident($x:ident $(, $u:ident)?)) => {
-        if let Some(x) = ($x as &dyn Any).downcast_ref() {
-            let value = $over.$method(x $(, $u)?);
-            if let Some(&value) = (&value as &dyn Any).downcast_ref() {
-                return value;
-            }
+/// Asks the metric itself, if its numbers are those of `x`; else goes on. What is decided here is known where
+/// it is compiled.
+macro_rules! ask_itself {
+    ($self:ident, $of:ident($x:ident $(, $u:ident)?)) => {
+        if TypeId::of::<S>() == TypeId::of::<f64>()
+            && let Some(value) = $of($self.compiled.numbers(), $x $(, $u)?)
+        {
+            return value;
+        }
+        if TypeId::of::<S>() == TypeId::of::<Jet1<f64, D>>()
+            && let Some(value) = $self.compiled.first_jets().and_then(|jets| $of(jets, $x $(, $u)?))
+        {
+            return value;
+        }
+        if TypeId::of::<S>() == TypeId::of::<Jet2<f64, D>>()
+            && let Some(value) = $self.compiled.second_jets().and_then(|jets| $of(jets, $x $(, $u)?))
+        {
+            return value;
         }
     };
 }
 
 impl<const D: usize> Metric<D> for AnyMetric<'_, D> {
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
-        if_same_numbers!(self.compiled.numbers(), gram(x));
-        if_same_numbers!(self.compiled.jets(), gram(x));
+        ask_itself!(self, gram(x));
         match self.formula() {
-            Some(formula) => Metric::gram(formula, x),
-            None => self.expanded(x),
+            Ok(formula) => Metric::gram(formula, x),
+            Err(error) => self.expanded(x, error),
         }
     }
 
     fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
-        if_same_numbers!(self.compiled.numbers(), norm_squared(x, u));
-        if_same_numbers!(self.compiled.jets(), norm_squared(x, u));
+        ask_itself!(self, norm_squared(x, u));
         Metric::norm_squared(&ByGram(self), x, u)
     }
 
     fn momentum<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> SVector<S, D> {
-        if_same_numbers!(self.compiled.numbers(), momentum(x, u));
-        if_same_numbers!(self.compiled.jets(), momentum(x, u));
+        ask_itself!(self, momentum(x, u));
         Metric::momentum(&ByGram(self), x, u)
     }
+}
+
+// Functions of their own: unoptimised, a matrix of jets would be on the stack of whoever asks for numbers.
+
+#[inline]
+fn gram<T: Scalar, S: Scalar, const D: usize>(
+    metric: &dyn Forms<T, D>,
+    x: &SVector<S, D>,
+) -> Option<SMatrix<S, D, D>> {
+    same(&metric.gram(same(x)?)).copied()
+}
+
+#[inline]
+fn norm_squared<T: Scalar, S: Scalar, const D: usize>(
+    metric: &dyn Forms<T, D>,
+    x: &SVector<S, D>,
+    u: &SVector<f64, D>,
+) -> Option<S> {
+    same(&metric.norm_squared(same(x)?, u)).copied()
+}
+
+#[inline]
+fn momentum<T: Scalar, S: Scalar, const D: usize>(
+    metric: &dyn Forms<T, D>,
+    x: &SVector<S, D>,
+    u: &SVector<f64, D>,
+) -> Option<SVector<S, D>> {
+    same(&metric.momentum(same(x)?, u)).copied()
+}
+
+/// The value as what it is.
+#[inline]
+fn same<T: Any, S: Any>(value: &T) -> Option<&S> {
+    (value as &dyn Any).downcast_ref()
 }
 
 impl<const D: usize> AnyMetric<'_, D> {
     /// `H` in jets of another kind, of which three factors that are 0 at `x` have the product 0: to the
     /// second order it is all of `H`.
-    fn expanded<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
+    fn expanded<S: Scalar>(&self, x: &SVector<S, D>, error: RecordError) -> SMatrix<S, D, D> {
         let places: Option<Vec<f64>> = x.iter().map(value::<S, D>).collect();
-        let Some(places) = places else { return SMatrix::from_element(S::constant(f64::NAN)) };
+        let Some(places) = places else {
+            if (x as &dyn Any).is::<SVector<Symbol, D>>() {
+                recording::fail(error);
+            }
+            return SMatrix::from_element(S::constant(f64::NAN));
+        };
         let place = SVector::<f64, D>::from_iterator(places);
-        let jets = self.compiled.jets().gram(&SVector::from(Jet2::variables(&place.into())));
+        let Some(jets) = self.compiled.second_jets() else {
+            return SMatrix::from_element(S::constant(f64::NAN));
+        };
+        let jets = jets.gram(&SVector::from(Jet2::variables(&place.into())));
         let step = |k: usize| x[k] - place[k];
         jets.map(|jet| {
             (0..D).fold(S::constant(jet.value()), |sum, k| {
@@ -132,11 +195,15 @@ impl<const D: usize> Metric<D> for ByGram<'_, '_, D> {
     }
 }
 
-/// A formula as it is compiled, in `f64` and in jets over it.
+/// In this many dimensions and more, matrices of jets in all coordinates do not fit on a stack.
+const MANY: usize = 24;
+
+/// A metric as it is compiled, in `f64` and in jets over it.
 trait Compiled<const D: usize>: Sync {
     fn numbers(&self) -> &dyn Forms<f64, D>;
-    fn jets(&self) -> &dyn Forms<Jet2<f64, D>, D>;
-    fn record(&self) -> Option<Formula<D>>;
+    fn first_jets(&self) -> Option<&dyn Forms<Jet1<f64, D>, D>>;
+    fn second_jets(&self) -> Option<&dyn Forms<Jet2<f64, D>, D>>;
+    fn record(&self) -> Result<Formula<D>, RecordError>;
 }
 
 impl<M: Metric<D>, const D: usize> Compiled<D> for M {
@@ -144,12 +211,17 @@ impl<M: Metric<D>, const D: usize> Compiled<D> for M {
         self
     }
 
-    fn jets(&self) -> &dyn Forms<Jet2<f64, D>, D> {
-        self
+    fn first_jets(&self) -> Option<&dyn Forms<Jet1<f64, D>, D>> {
+        // A constant, so that nothing is compiled that is not asked for.
+        if const { D < MANY } { Some(self) } else { None }
     }
 
-    fn record(&self) -> Option<Formula<D>> {
-        Formula::record(self).ok()
+    fn second_jets(&self) -> Option<&dyn Forms<Jet2<f64, D>, D>> {
+        if const { D < MANY } { Some(self) } else { None }
+    }
+
+    fn record(&self) -> Result<Formula<D>, RecordError> {
+        Formula::record(self)
     }
 }
 

@@ -95,6 +95,11 @@ pub(crate) fn record<T>(dimension: usize, formula: impl FnOnce(&[Symbol]) -> T) 
     (result, recording)
 }
 
+/// Says of what is being recorded on this thread that its tape does not stand for the formula.
+pub(crate) fn fail(error: RecordError) {
+    with((), |recording| recording.fail(error));
+}
+
 /// A number that writes down what is asked of it: a step of the tape of this thread.
 ///
 /// A formula is written once for all numbers, and has no other way to meet this one than to be recorded.

@@ -99,7 +99,8 @@ impl Case {
 
     /// Draws the problem and times its solution from the default starts, on one thread and in memory
     /// that is kept, with each of these numbers of subintervals in place of its own: the least time of so
-    /// many runs, in seconds.
+    /// many runs, in seconds. The metric is a recorded formula, which takes longer at a single point than
+    /// one that is compiled.
     ///
     /// # Errors
     ///

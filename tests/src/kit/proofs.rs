@@ -122,6 +122,28 @@ fn what_is_not_decided_and_what_is_not_tried_are_not_said_to_be_proved() {
     }
 }
 
+/// `2 + (sin x₁)/x₁`, with a branch for 0, where the quotient is not defined: no tape stands for both.
+#[test]
+fn a_formula_with_branches_is_tested_and_nothing_is_proved_of_it() {
+    struct Sinc;
+    impl Metric<2> for Sinc {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            let wave = if x[0].is_zero() { S::one() } else { x[0].sin() / x[0] };
+            SMatrix::from_diagonal_element(wave + 2.0)
+        }
+    }
+    let constants = Constants::new(1.78, 3.0, 0.4362).and_then(|known| known.with_m_h(0.334));
+    let metric = WithConstants { metric: Sinc, constants: constants.expect("in order") };
+    let region = Region::cell([0.5, 0.5], [3.5, 3.5]);
+    let effort = Effort { cases: 32, problems: 1, subintervals: &[1, 4], ..Effort::default() };
+    let report = verify_metric(&metric, &region, &effort);
+    assert!(report.holds(), "{report}");
+    let case = MetricCase::new(metric, region, effort);
+    for claim in Claim::ALL {
+        assert_eq!(proof(&case, claim), Proof::NotTried);
+    }
+}
+
 /// Indefinite in a strip of width 0.04, where few samples are, and refused all the same.
 #[test]
 fn a_metric_that_is_indefinite_in_a_corner_is_refused_with_a_point() {

@@ -74,7 +74,7 @@ impl<const D: usize> CertifiedConstant<D> {
 ///
 /// # Errors
 ///
-/// [`CertifyError::NoDimension`], [`CertifyError::NotATolerance`];
+/// [`CertifyError::NoDimension`], [`CertifyError::NotATolerance`], [`CertifyError::NotRecorded`];
 /// [`CertifyError::NotPositiveDefinite`] with a point where that is certain;
 /// [`CertifyError::Undefined`] with a point where the formula, evaluated with bounds, is not shown
 /// to be defined; [`CertifyError::BudgetSpent`] with the bounds so far if they are not within the
@@ -90,6 +90,7 @@ pub fn certify<const D: usize>(
     }
     let accuracy = accuracy.checked()?;
     let metric = AnyMetric::new(metric);
+    metric.formula().map_err(CertifyError::NotRecorded)?;
     let gram = Gram::new(&metric);
     let (found, lower, upper) = match quantity {
         Quantity::C1 => {

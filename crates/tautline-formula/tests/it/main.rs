@@ -1,5 +1,6 @@
 //! Formulas as data: recorded, printed, and read from text.
 
+mod any_metric;
 mod broken_text;
 mod edges_of_programs;
 mod programs;

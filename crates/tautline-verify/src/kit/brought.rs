@@ -65,6 +65,7 @@ fn advice(error: &CertifyError) -> Option<&'static str> {
              Certified::settled(metric, accuracy); or test it in a ball: \
              LocallyCertified::new(metric, accuracy), …, within radius, of centre",
         ),
+        CertifyError::NotRecorded(_) => Some("State the constants (Bounded)"),
         CertifyError::BudgetSpent { .. } => Some(
             "Ask for less, Accuracy { tolerance: 1e-2, ..Accuracy::default() }, or for more boxes; \
              or state the constants (Bounded)",

@@ -26,7 +26,7 @@ pub enum Proof {
     },
     /// The boxes did not suffice: the claim may be wrong.
     NotDecided,
-    /// Nothing was tried: the dimension is above three.
+    /// Nothing was tried: the dimension is above three, or the formula cannot be recorded.
     NotTried,
 }
 

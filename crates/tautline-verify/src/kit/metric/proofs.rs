@@ -60,16 +60,21 @@ impl Claim {
 /// A claim that the bounds contradict is refused with the point, from where an ascent makes the
 /// most of it. Where the claim is on the right side of both bounds it is proved; between them, it
 /// is right as far as they are apart. Where the boxes do not suffice the bounds that were reached still
-/// prove or refute, without a point, and between them nothing is decided; in more than three dimensions
-/// nothing is tried: the standing of each constant says which.
+/// prove or refute, without a point, and between them nothing is decided; in more than three dimensions,
+/// and of a formula that cannot be recorded, nothing is tried: the standing of each constant says which.
 pub(super) fn constants<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let (metric, region) = (&case.metric, &case.region);
     let constants = metric.constants();
     let claimed = |claim: Claim| Some((claim, claim.of(&constants)?));
     let claims = Claim::ALL.into_iter().filter_map(claimed);
-    if D > 3 {
+    let unrecorded = metric.metric.formula().err();
+    if D > 3 || unrecorded.is_some() {
         let standings = claims.map(|(claim, _)| Standing { claim, proof: Proof::NotTried });
-        return Ok(Tried { standings: standings.collect(), ..Tried::cases(0) });
+        let tried = match unrecorded {
+            Some(error) => Tried::cases(0).with_note(error.to_string()),
+            None => Tried::cases(0),
+        };
+        return Ok(Tried { standings: standings.collect(), ..tried });
     }
     let failure = |fault| Failure { fault, sample: None, seed: case.effort.seed };
     let corner = |share| region.at(&SVector::repeat(share));

@@ -1,0 +1,131 @@
+//! A metric behind a pointer is the metric itself.
+
+use nalgebra::{SMatrix, SVector};
+use tautline_formula::{AnyMetric, Formula, RecordError};
+use tautline_metrics::{Metric, gallery};
+use tautline_scalar::{Interval, Jet1, Jet2, MixedJet, Scalar};
+
+use crate::random::Random;
+
+/// As text: NaN is NaN, and `−0` is not `0`.
+fn same<S: Scalar, const D: usize>(metric: &impl Metric<D>, x: &SVector<S, D>) {
+    let any = AnyMetric::new(metric);
+    assert_eq!(format!("{:?}", any.gram(x)), format!("{:?}", metric.gram(x)), "at {x:?}");
+}
+
+fn is_itself<const D: usize>(metric: &impl Metric<D>) {
+    let mut random = Random(11);
+    for _ in 0..16 {
+        let x: [f64; D] = std::array::from_fn(|_| random.number() / 8.0);
+        let [s] = Jet2::<f64, 1>::variables(&[0.0]);
+        let [t] = Jet1::<f64, 1>::variables(&[0.0]);
+        let boxes = x.map(|x| Interval::new(x, x + 0.125).expect("ordered ends"));
+        same(metric, &SVector::from(x));
+        same(metric, &SVector::from(Jet1::variables(&x)));
+        same(metric, &SVector::from(Jet2::variables(&x)));
+        same(metric, &SVector::from(x.map(|x| t * 0.5 + x)));
+        same(metric, &SVector::from(x.map(|x| s * 0.5 + x)));
+        same(metric, &SVector::from(boxes));
+        same(metric, &SVector::from(Jet2::variables(&boxes)));
+    }
+}
+
+#[test]
+fn a_metric_behind_a_pointer_gives_the_same_bits_in_all_numbers() {
+    is_itself::<1>(&gallery::Ramp::new(0.5, 1.0).expect("below one"));
+    is_itself::<2>(&gallery::Valleys);
+    is_itself(&gallery::Shear::new(0.5, 1.0).expect("a wave number"));
+    is_itself(&gallery::GaussianFisher);
+    is_itself::<3>(&gallery::Hyperbolic);
+    is_itself(&gallery::SineProjections::benchmark());
+}
+
+/// What a metric says of its own of `uᵀHu` and `Hu` is asked for, and not what would follow from `H`.
+#[test]
+fn the_forms_in_numbers_and_jets_are_those_of_the_metric() {
+    struct Wrong;
+    impl Metric<2> for Wrong {
+        fn gram<S: Scalar>(&self, _: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+            SMatrix::identity()
+        }
+        fn norm_squared<S: Scalar>(&self, x: &SVector<S, 2>, _: &SVector<f64, 2>) -> S {
+            x[0] + 7.0
+        }
+        fn momentum<S: Scalar>(&self, x: &SVector<S, 2>, _: &SVector<f64, 2>) -> SVector<S, 2> {
+            SVector::from_element(x[1] + 5.0)
+        }
+    }
+    let (any, u) = (AnyMetric::new(&Wrong), SVector::from([1.0, 2.0]));
+    let x = [0.5, 0.25];
+    assert_eq!(any.norm_squared(&SVector::from(x), &u), 7.5);
+    assert_eq!(any.momentum(&SVector::from(x), &u)[1], 5.25);
+    let jets = SVector::from(Jet1::variables(&x));
+    assert_eq!(any.norm_squared(&jets, &u).first(0), 1.0);
+    assert_eq!(any.momentum(&jets, &u)[0].first(1), 1.0);
+    let jets = SVector::from(Jet2::variables(&x));
+    let (square, momentum) = (any.norm_squared(&jets, &u), any.momentum(&jets, &u));
+    assert_eq!((square.value(), square.first(0)), (7.5, 1.0));
+    assert_eq!((momentum[0].value(), momentum[0].first(1)), (5.25, 1.0));
+}
+
+/// `eˣ cos y + (sin x)/x` with a branch at 0, beside a metric without one: the same where `x ≠ 0`.
+struct Branches(bool);
+
+impl Metric<2> for Branches {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+        let wave = if self.0 && x[0].is_zero() { S::one() } else { x[0].sin() / x[0] };
+        let bump = x[0].exp() * x[1].cos();
+        SMatrix::from_column_slice(&[wave + 3.0, bump, bump, x[1].powi(3) + 2.0])
+    }
+}
+
+/// All parts of a jet, as numbers.
+fn agree<S: Scalar>(x: &SVector<S, 2>, parts: fn(&S) -> Vec<f64>) {
+    let found = AnyMetric::new(&Branches(true)).gram(x);
+    let expected = Branches(false).gram(x);
+    for (found, expected) in found.iter().zip(&expected) {
+        for (found, expected) in parts(found).into_iter().zip(parts(expected)) {
+            // Derivatives of some dozen operations on numbers below 10, and differences of them.
+            assert!((found - expected).abs() <= 1e-13, "{found} and {expected} at {x:?}");
+        }
+    }
+}
+
+#[test]
+fn of_a_formula_with_branches_jets_of_all_kinds_are_known() {
+    let any = AnyMetric::new(&Branches(true));
+    assert_eq!(any.formula(), Err(RecordError::Compares));
+    let mut random = Random(12);
+    for _ in 0..64 {
+        let x = [random.number() / 4.0 + 1.125, random.number() / 4.0];
+        let [s] = Jet2::<f64, 1>::variables(&[0.0]);
+        let [t] = Jet1::<f64, 1>::variables(&[0.0]);
+        agree(&SVector::from(x), |x| vec![*x]);
+        agree(&SVector::from(Jet1::variables(&x)), |x| vec![x.value(), x.first(0), x.first(1)]);
+        agree(&SVector::from(Jet2::variables(&x)), |x| {
+            vec![x.value(), x.first(0), x.first(1), x.second(0, 0), x.second(0, 1), x.second(1, 1)]
+        });
+        agree(&SVector::from([t * 0.5 + x[0], t * -2.0 + x[1]]), |x| vec![x.value(), x.first(0)]);
+        // A curve that bends.
+        agree(&SVector::from([s * 0.5 + s * s + x[0], s * -2.0 + x[1]]), |x| {
+            vec![x.value(), x.first(0), x.second(0, 0)]
+        });
+        let chunk = Jet1::<f64, 8>::variables(&[x[0], x[1], 0., 0., 0., 0., 0., 0.]);
+        agree(&SVector::from([chunk[0], chunk[1]]), |x| vec![x.value(), x.first(0), x.first(1)]);
+        let chunk = |k: usize| MixedJet::<f64, 8>::variable(x[k], Some(k), Some(1 - k));
+        agree(&SVector::from([chunk(0), chunk(1)]), |x| {
+            vec![x.value(), x.mixed(0, 0), x.mixed(0, 1), x.mixed(1, 0)]
+        });
+    }
+}
+
+/// One branch of several would be no bound of all.
+#[test]
+fn of_a_formula_with_branches_nothing_is_known_in_intervals() {
+    let any = AnyMetric::new(&Branches(true));
+    let boxes = [1.0, 2.0].map(|x| Interval::new(x, x + 0.5).expect("ordered ends"));
+    assert!(any.gram(&SVector::from(boxes)).iter().all(|entry| entry.is_undefined()));
+    let jets = any.gram(&SVector::from(Jet2::variables(&boxes)));
+    assert!(jets.iter().all(|entry| entry.value().is_undefined()));
+    assert_eq!(Formula::record(&any), Err(RecordError::Compares));
+}
