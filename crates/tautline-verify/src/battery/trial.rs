@@ -282,6 +282,17 @@ mod tests {
         assert_eq!(outcomes(Scope::PaperAlone), [true, true, false, true, false]);
     }
 
+    #[test]
+    fn the_smallest_case_that_fails_is_found_and_kept_by_its_type() {
+        let trial = Trial::new(&(), Scope::Everything, 256);
+        let bounded = |(): &(), k: u32| Ok([evidence(0.5, f64::from(k) / 699.0, 0.5)]);
+        let failure = trial.for_all(7, 256, 0..1000_u32, bounded).expect_err("some are beyond");
+        let case = failure.case.expect("a random case");
+        assert_eq!((case.family, case.code), (7, ["u32", "700"].map(str::to_owned)));
+        let tally = trial.for_all(7, 64, 0..700_u32, bounded).expect("none is beyond");
+        assert_eq!(tally.of(Statement::Theorem1_1).map(|count| count.cases), Some(64));
+    }
+
     /// Lengths in units of 1/2 are twice as large, and energies four times.
     #[test]
     fn every_number_has_to_scale_by_its_unit() {
