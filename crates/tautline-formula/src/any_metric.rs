@@ -11,7 +11,7 @@ use tautline_scalar::{Jet1, Jet2, MixedJet, Scalar};
 
 use crate::{
     Formula, RecordError,
-    batch::CHUNK,
+    batch::{CHUNK, CHUNKED},
     recording::{self, Symbol},
 };
 
@@ -71,8 +71,8 @@ impl<const D: usize> std::fmt::Debug for AnyMetric<'_, D> {
     }
 }
 
-/// Asks the metric itself, if its numbers are those of `x`; else goes on. What is decided here is known where
-/// it is compiled.
+/// Returns what the metric itself computes, if `S` is one of its compiled number types. The compiler decides
+/// the comparisons of types.
 macro_rules! ask_itself {
     ($self:ident, $of:ident($x:ident $(, $u:ident)?)) => {
         if TypeId::of::<S>() == TypeId::of::<f64>()
@@ -113,7 +113,8 @@ impl<const D: usize> Metric<D> for AnyMetric<'_, D> {
     }
 }
 
-// Functions of their own: unoptimised, a matrix of jets would be on the stack of whoever asks for numbers.
+// Separate functions: in an unoptimised build the caller, which may want numbers only, would reserve stack for
+// the matrix of jets.
 
 #[inline]
 fn gram<T: Scalar, S: Scalar, const D: usize>(
@@ -195,9 +196,6 @@ impl<const D: usize> Metric<D> for ByGram<'_, '_, D> {
     }
 }
 
-/// In this many dimensions and more, matrices of jets in all coordinates do not fit on a stack.
-const MANY: usize = 24;
-
 /// A metric as it is compiled, in `f64` and in jets over it.
 trait Compiled<const D: usize>: Sync {
     fn numbers(&self) -> &dyn Forms<f64, D>;
@@ -212,12 +210,12 @@ impl<M: Metric<D>, const D: usize> Compiled<D> for M {
     }
 
     fn first_jets(&self) -> Option<&dyn Forms<Jet1<f64, D>, D>> {
-        // A constant, so that nothing is compiled that is not asked for.
-        if const { D < MANY } { Some(self) } else { None }
+        // A constant: larger matrices of jets, which would not fit on the stack, are not compiled.
+        if const { D < CHUNKED } { Some(self) } else { None }
     }
 
     fn second_jets(&self) -> Option<&dyn Forms<Jet2<f64, D>, D>> {
-        if const { D < MANY } { Some(self) } else { None }
+        if const { D < CHUNKED } { Some(self) } else { None }
     }
 
     fn record(&self) -> Result<Formula<D>, RecordError> {

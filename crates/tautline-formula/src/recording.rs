@@ -95,12 +95,12 @@ pub(crate) fn record<T>(dimension: usize, formula: impl FnOnce(&[Symbol]) -> T) 
     (result, recording)
 }
 
-/// Says of what is being recorded on this thread that its tape does not stand for the formula.
+/// Marks the recording of the current thread as failed: its tape does not stand for the formula.
 pub(crate) fn fail(error: RecordError) {
     with((), |recording| recording.fail(error));
 }
 
-/// A number that writes down what is asked of it: a step of the tape of this thread.
+/// A number that records its operations: the index of a step on the tape of the current thread.
 ///
 /// A formula is written once for all numbers, and has no other way to meet this one than to be recorded.
 #[derive(Clone, Copy, Debug)]
@@ -109,8 +109,8 @@ pub(crate) struct Symbol(pub(crate) Step);
 /// No step of any tape.
 const NOWHERE: Step = Step::MAX;
 
-/// Without a recording, on a thread of the formula's own say, there is nothing to write to: what comes out
-/// is `otherwise`.
+/// Writes to the tape of the current thread. Where there is none, as on a thread that the formula itself
+/// started, returns `otherwise`.
 fn with<T>(otherwise: T, write: impl FnOnce(&mut Recording) -> T) -> T {
     RECORDING.with_borrow_mut(|recording| recording.as_mut().map(write).unwrap_or(otherwise))
 }

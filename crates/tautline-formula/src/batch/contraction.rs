@@ -32,7 +32,7 @@ pub(crate) const SPLIT: usize = 4;
 /// expansion of the energy with chunks of 8: there it takes 0.5 times as long at `D = 16`, 1.2 times
 /// at 24 and 0.3 times at 32. A sum of few terms of rank one, whose jets are small, pays for it: with
 /// 4 terms it takes 3.1, 3.7 and 3.4 times as long, with `D` terms 3.5, 4.8 and 5.3 times.
-const CHUNKED: usize = 24;
+pub(crate) const CHUNKED: usize = 24;
 pub(crate) const CHUNK: usize = 8;
 
 impl<const D: usize> Contraction<D> {

@@ -1,8 +1,8 @@
 //! Elementary functions of whole blocks of numbers.
 //!
 //! By `+ − × ÷` and bits alone, in the order that is written, without branches: the same bits for every
-//! size of a block and every width of a register, and loops that a compiler turns into vector code. What
-//! is out of the range of a polynomial is asked of the standard library, number by number.
+//! size of a block and every width of a register, and loops that a compiler turns into vector code. Numbers
+//! out of the range of a polynomial go to the standard library, one by one.
 //!
 //! | function | error, in units of the last place | range |
 //! | --- | --- | --- |

@@ -130,11 +130,12 @@
 //! and both numbers. What ascents from [`Effort::ascents`] starts do not reach is not seen:
 //! a law that holds is evidence, not a proof.
 //!
-//! One is a proof, up to three dimensions: `no_constant_is_refuted` bounds the constants in all of the
-//! region by intervals, and refuses a claim that they contradict, with the point unless the boxes ran
-//! out, and a metric that is indefinite somewhere, with the point. That it passes does not mean that all is proved: its
-//! [`standings`](Outcome::standings) say of each constant whether it is proved, right to so many
-//! percent (as a claim that is attained can be only), not decided by the boxes, or not tried.
+//! One is a proof, up to three dimensions and of a formula without branches: `no_constant_is_refuted`
+//! bounds the constants in all of the region by intervals, and refuses a claim that they contradict, with
+//! the point unless the boxes ran out, and a metric that is indefinite somewhere, with the point. That it
+//! passes does not mean that all is proved: its [`standings`](Outcome::standings) say of each constant
+//! whether it is proved, right to so many percent (as a claim that is attained can be only), not decided by
+//! the boxes, or not tried.
 //!
 //! One sample in eight is moved to the ends, the quarters or the middle of the edges, or to 0: there
 //! `x/|x|`, `1/r` and angles break, and uniform samples are never there. Where a law of the formula
