@@ -12,8 +12,9 @@ const BENCHES: [(&str, &str); 2] = [
     (
         "speed",
         "the least time of each part of a solve on one thread, of many runs in turn, and its ratio \
-         to the same written by hand: of assembly to assembly, of all else to one Newton step; none \
-         where nothing is written by hand, on P4 to P6",
+         to the same written by hand: of assembly to assembly, of a solve of the formula as text to one \
+         of the formula in Rust, of all else to one Newton step; none where nothing is written by \
+         hand, on P4 to P6",
     ),
     (
         "scale",
@@ -26,9 +27,9 @@ const BENCHES: [(&str, &str); 2] = [
 ];
 
 /// The parts that can be asked for: problems, numbers of chords, and rows of the second table.
-const PARTS: [&str; 13] = [
-    "P1", "P2", "P3", "P4", "P5", "P6", "1000", "10000", "100000", "1000000", "batch", "by terms",
-    "by gram",
+const PARTS: [&str; 14] = [
+    "P1", "P2", "P3", "P4", "P5", "P6", "64", "1000", "10000", "100000", "1000000", "batch",
+    "by terms", "by gram",
 ];
 
 /// Runs the benchmarks; all of each is written to `paper/tables`, a part only to the terminal.

@@ -77,11 +77,12 @@ impl<M: Metric<D>, const D: usize> LocallyBounded<D> for LocallyCertified<M> {
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::vector;
+    use nalgebra::{SMatrix, SVector, vector};
     use tautline_metrics::{
-        LocalError, LocallyBounded,
+        LocalError, LocallyBounded, Metric,
         gallery::{GaussianFisher, Hyperbolic, Sphere},
     };
+    use tautline_scalar::Scalar;
 
     use super::LocallyCertified;
     use crate::Accuracy;
@@ -144,5 +145,22 @@ mod tests {
         }
         let error = proved.constants_within(&vector![0.0, 0.0], -1.0).expect_err("no radius");
         assert_eq!(error, LocalError::NotARadius { radius: -1.0 });
+    }
+    /// Intervals would follow one of the branches.
+    #[test]
+    fn a_formula_with_branches_has_no_constants() {
+        struct Branch;
+        impl Metric<1> for Branch {
+            fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
+                SMatrix::from_element(if x[0].is_zero() { S::one() } else { x[0].cos() + 3.0 })
+            }
+        }
+        let proved = LocallyCertified::new(Branch, Accuracy::default());
+        match proved.constants_within(&vector![0.3], 0.1) {
+            Err(LocalError::NotProved { radius: 0.1, reason }) => {
+                assert!(reason.contains("cannot be recorded"), "{reason}");
+            }
+            other => panic!("{other:?}"),
+        }
     }
 }

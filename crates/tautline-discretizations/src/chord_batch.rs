@@ -7,6 +7,7 @@ use tautline_metrics::Pair;
 use crate::{
     Node,
     contractions::{Contractions, Entry},
+    momenta::{Energies, Momenta},
 };
 
 /// The Gram matrix at the nodes of many chords at once, contracted with them.
@@ -48,13 +49,13 @@ impl<'f, const D: usize> ChordBatch<'f, D> {
     #[inline]
     pub fn face<'p>(&mut self, pairs: impl ExactSizeIterator<Item = [Chord<'p, D>; 2]>) {
         let count = 2 * pairs.len() * self.nodes.len();
-        let mut inputs = self.batch.inputs();
+        let mut inputs = self.batch.inputs(count);
         let mut lane = 0;
         for [(x, d), (other_x, other_d)] in pairs {
             for node in self.nodes {
-                inputs.set(lane, &(x + d * node.fraction), &d);
-                inputs.set(lane + 1, &(other_x + other_d * node.fraction), &-other_d);
-                lane += 2;
+                let place = [x + d * node.fraction, other_x + other_d * node.fraction];
+                inputs.set_pair(lane, &place, &[d, -other_d]);
+                lane += 1;
             }
         }
         self.evaluate(count);
@@ -64,7 +65,7 @@ impl<'f, const D: usize> ChordBatch<'f, D> {
     #[inline]
     pub fn see<'p>(&mut self, end: usize, chords: impl ExactSizeIterator<Item = Chord<'p, D>>) {
         let count = chords.len() * self.nodes.len();
-        let mut inputs = self.batch.inputs();
+        let mut inputs = self.batch.inputs(count);
         let mut lane = 0;
         for (x, d) in chords {
             let seen = if end == 0 { d } else { -d };
@@ -117,28 +118,22 @@ impl<'f, const D: usize> ChordBatch<'f, D> {
         }
     }
 
-    /// Returns what chord `k` of those that were seen adds to the energy, node by node: `N w dᵀHd`.
+    /// Returns what the chords that were seen add to the energy.
+    #[must_use]
     #[inline]
-    pub fn energies(&self, k: usize) -> impl Iterator<Item = f64> {
-        let squares = self.batch.row(self.batch.layout().square[0]);
-        let lanes = squares[k * self.nodes.len()..].iter();
-        self.nodes.iter().zip(lanes).map(|(node, square)| self.n * node.weight * square)
+    pub fn energies(&self) -> Energies<'_> {
+        let square = self.batch.row(self.batch.layout().square[0]);
+        Energies { square, nodes: self.nodes, n: self.n }
     }
 
-    /// Adds the gradients of what chord `k` adds to the energy, by its points `x` and `x + d`, to these.
+    /// Returns what makes the gradients of the chords that were seen.
+    #[must_use]
     #[inline]
-    pub fn add_gradients(&self, k: usize, gradients: &mut [SVector<f64, D>; 2]) {
+    pub fn momenta(&self) -> Momenta<'_, D> {
         let Layout { momentum, slope, .. } = self.batch.layout();
-        for (place, node) in self.nodes.iter().enumerate() {
-            let lane = k * self.nodes.len() + place;
-            let w = self.n * node.weight;
-            for i in 0..D {
-                let twice = 2.0 * self.batch.row(momentum[i])[lane];
-                let g = self.batch.row(slope[i])[lane];
-                gradients[0][i] += w * (g * (1.0 - node.fraction) - twice);
-                gradients[1][i] += w * (g * node.fraction + twice);
-            }
-        }
+        let rows = |registers: &[Register]| std::array::from_fn(|i| self.batch.row(registers[i]));
+        let (momentum, slope) = (rows(momentum), rows(slope));
+        Momenta { momentum, slope, nodes: self.nodes, n: self.n }
     }
 }
 

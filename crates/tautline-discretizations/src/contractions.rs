@@ -46,6 +46,7 @@ impl Entry for Pair {
 }
 
 /// What makes the models of chords, row by row.
+#[derive(Clone, Copy)]
 pub struct Contractions<'b, T: Entry, const D: usize> {
     pub(crate) d: [&'b [T::Row]; D],
     pub(crate) slope: [&'b [T::Row]; D],
@@ -57,6 +58,44 @@ pub struct Contractions<'b, T: Entry, const D: usize> {
 }
 
 impl<T: Entry, const D: usize> Contractions<'_, T, D> {
+    /// Returns those of the first `count` chords, or pairs of chords.
+    ///
+    /// # Panics
+    ///
+    /// If there are fewer.
+    #[inline(always)]
+    #[must_use]
+    pub fn first(mut self, count: usize) -> Self {
+        // A compiler then knows that all rows are of one length, and compares with it once.
+        let lanes = count * self.nodes.len();
+        for i in 0..D {
+            self.d[i] = &self.d[i][..lanes];
+            self.slope[i] = &self.slope[i][..lanes];
+            for j in 0..D {
+                self.gram[i][j] = &self.gram[i][j][..lanes];
+                self.turn[i][j] = &self.turn[i][j][..lanes];
+                self.bend[i][j] = &self.bend[i][j][..lanes];
+            }
+        }
+        self
+    }
+
+    /// Returns whether the rule has one node, in the middle of a chord, as the trapezoidal rule has:
+    /// [`model_by_middle`](Self::model_by_middle) is then the model, in less time.
+    #[must_use]
+    pub fn is_by_middle(&self) -> bool {
+        matches!(self.nodes, [Node { fraction: 0.5, .. }])
+    }
+
+    /// Returns the model of the chord, or of the pair of chords, with this number, under a rule with one node
+    /// in its middle. It is the same from both ends.
+    #[inline(always)]
+    #[must_use]
+    pub fn model_by_middle(&self, k: usize) -> ChordModel<D, T> {
+        // A constant, of which products are known when this is compiled.
+        self.at_node(k, self.nodes[0].weight, T::constant(0.5))
+    }
+
     /// Returns the model of the chord, or of the pair of chords, with this number.
     #[inline(always)]
     #[must_use]
@@ -69,19 +108,41 @@ impl<T: Entry, const D: usize> Contractions<'_, T, D> {
     fn seen(&self, k: usize, far: impl Fn(f64) -> T) -> ChordModel<D, T> {
         let first = k * self.nodes.len();
         ChordModel::over(self.nodes, |place, node| {
-            let lane = first + place;
-            let matrix = |rows: &[[&[T::Row]; D]; D]| {
-                SMatrix::<T, D, D>::from_fn(|i, j| T::of(rows[i][j][lane]))
-            };
-            let contraction = Contraction {
-                h: matrix(&self.gram),
-                g: SVector::from_fn(|i, _| T::of(self.slope[i][lane])),
-                p: matrix(&self.turn),
-                q: matrix(&self.bend),
-            };
-            let d = SVector::from_fn(|i, _| T::of(self.d[i][lane]));
-            ChordModel::at_node(contraction, &d, far(node.fraction), node.weight * self.n)
+            self.at_node(first + place, node.weight, far(node.fraction))
         })
+    }
+
+    /// Returns the part of the node of this weight that was evaluated in this lane, or pair of lanes.
+    #[inline(always)]
+    fn at_node(&self, lane: usize, weight: f64, far: T) -> ChordModel<D, T> {
+        // Plain loops: closures that are called for each entry are not all inlined.
+        let matrix = |rows: &[[&[T::Row]; D]; D], is_symmetric: bool| {
+            let mut matrix = SMatrix::<T, D, D>::zeros();
+            for j in 0..D {
+                for i in 0..D {
+                    matrix[(i, j)] = if is_symmetric && i < j {
+                        matrix[(j, i)]
+                    } else {
+                        T::of(rows[i][j][lane])
+                    };
+                }
+            }
+            matrix
+        };
+        let vector = |rows: &[&[T::Row]; D]| {
+            let mut vector = SVector::<T, D>::zeros();
+            for i in 0..D {
+                vector[i] = T::of(rows[i][lane]);
+            }
+            vector
+        };
+        let contraction = Contraction {
+            h: matrix(&self.gram, true),
+            g: vector(&self.slope),
+            p: matrix(&self.turn, false),
+            q: matrix(&self.bend, true),
+        };
+        ChordModel::at_node(contraction, &vector(&self.d), far, weight * self.n)
     }
 }
 

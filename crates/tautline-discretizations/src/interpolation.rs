@@ -5,7 +5,7 @@ use std::cell::{Cell, RefCell};
 use nalgebra::{SMatrix, SVector};
 use tautline_formula::AnyMetric;
 use tautline_metrics::{
-    Metric, MetricError, check_matrix,
+    Metric, MetricError, check_matrix, is_gram,
     quadrature::{Integral, integrate},
 };
 
@@ -100,13 +100,14 @@ impl<'a, const D: usize> Interpolation<'a, D> {
                     return f64::NAN;
                 }
                 let at = x + d * s;
-                check_matrix(gram(&at), &at).map_or_else(
-                    |error| {
-                        defect.borrow_mut().get_or_insert(error);
-                        f64::NAN
-                    },
-                    |h| d.dot(&(h * d)).sqrt(),
-                )
+                let h = gram(&at);
+                if !is_gram(&h)
+                    && let Err(error) = check_matrix(h, &at)
+                {
+                    defect.borrow_mut().get_or_insert(error);
+                    return f64::NAN;
+                }
+                d.dot(&(h * d)).sqrt()
             };
             integrate(speed, 0.0, 1.0, TOLERANCE);
             if let Some(error) = defect.take() {

@@ -30,6 +30,7 @@
 //! # Ok::<(), tautline_discretizations::SequenceError>(())
 //! ```
 
+mod admissible_energy;
 mod block_tridiagonal;
 mod chord_batch;
 mod chord_model;
@@ -38,12 +39,14 @@ mod contractions;
 mod interpolation;
 mod left_endpoint;
 mod linear_model;
+mod momenta;
 mod point_sequence;
 mod quadratic_model;
 mod rule;
 mod trapezoidal;
 mod true_trapezoid;
 
+pub use admissible_energy::admissible_energy;
 pub use block_tridiagonal::BlockTridiagonal;
 pub use chord_batch::ChordBatch;
 pub use chord_model::ChordModel;
@@ -52,6 +55,7 @@ pub use contractions::{Contractions, Entry};
 pub use interpolation::Interpolation;
 pub use left_endpoint::LeftEndpoint;
 pub use linear_model::{LinearModel, energy_gradient};
+pub use momenta::{Energies, Momenta};
 pub use point_sequence::{LARGEST_N, PointSequence, SequenceError};
 pub use quadratic_model::QuadraticModel;
 pub use rule::{Node, Rule};

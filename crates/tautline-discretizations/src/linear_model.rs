@@ -41,9 +41,10 @@ impl<const D: usize> LinearModel<D> {
         for begin in (0..n).step_by(batch.room()) {
             let chords = begin..n.min(begin + batch.room());
             batch.see(0, chords.clone().map(|k| sequence.chord(k)));
+            batch.energies().of_first(chords.len()).for_each(|term| energy.add(term));
+            let momenta = batch.momenta().first(chords.len());
             for k in 0..chords.len() {
-                batch.energies(k).for_each(|term| energy.add(term));
-                batch.add_gradients(k, &mut ends);
+                momenta.add(k, &mut ends);
                 gradient.push(ends[0]);
                 ends = [ends[1], SVector::zeros()];
             }

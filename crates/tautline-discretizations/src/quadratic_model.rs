@@ -61,9 +61,12 @@ impl<const D: usize> QuadraticModel<D> {
         for begin in (0..n).step_by(batch.room()) {
             let chords = begin..n.min(begin + batch.room());
             batch.see(0, chords.clone().map(|k| sequence.chord(k)));
-            let models = batch.singles();
+            let models = batch.singles().first(chords.len());
+            let is_by_middle = models.is_by_middle();
             for k in chords {
-                let chord = models.model(k - begin);
+                let lane = k - begin;
+                let chord =
+                    if is_by_middle { models.model_by_middle(lane) } else { models.model(lane) };
                 energy.add(chord.energy);
                 trace += chord.trace;
                 gradient[k] = carried.0 + chord.gradient[0];

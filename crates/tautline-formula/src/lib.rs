@@ -33,7 +33,7 @@
 //! let formula = Formula::<2>::parse("phi = 2 - cos(x1); [phi^2, 0; 0, phi^2]", &[])?;
 //! let metric = Prepared::new(formula);
 //! let mut batch = Batch::new(&metric, Kind::Square, 1, 2);
-//! let mut places = batch.inputs();
+//! let mut places = batch.inputs(2);
 //! places.set(0, &vector![0.0, 0.0], &vector![1.0, 0.0]);
 //! places.set(1, &vector![std::f64::consts::PI, 0.0], &vector![1.0, 2.0]);
 //! batch.evaluate(2);

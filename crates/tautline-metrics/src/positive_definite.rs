@@ -67,7 +67,7 @@ fn is_definite<T: Lanes, const D: usize>(mut a: SMatrix<T, D, D>) -> bool {
     for k in 0..D {
         let pivot = a[(k, k)];
         // NaN and +∞ fail here too.
-        if !pivot.all(|pivot| pivot > 0.0 && pivot <= f64::MAX) {
+        if !pivot.are_positive() {
             return false;
         }
         if k + 1 < D {

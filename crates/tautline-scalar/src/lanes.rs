@@ -17,6 +17,10 @@ pub trait Lanes: Scalar {
     fn all(self, holds: impl Fn(f64) -> bool) -> bool {
         (0..Self::LANES).all(|lane| holds(self.lane(lane)))
     }
+
+    /// Returns whether each is positive and finite.
+    #[must_use]
+    fn are_positive(self) -> bool;
 }
 
 impl Lanes for f64 {
@@ -26,6 +30,11 @@ impl Lanes for f64 {
     fn lane(self, _lane: usize) -> f64 {
         self
     }
+
+    #[inline(always)]
+    fn are_positive(self) -> bool {
+        self > 0.0 && self <= f64::MAX
+    }
 }
 
 impl Lanes for Pair {
@@ -34,5 +43,10 @@ impl Lanes for Pair {
     #[inline(always)]
     fn lane(self, lane: usize) -> f64 {
         self.both()[lane]
+    }
+
+    #[inline(always)]
+    fn are_positive(self) -> bool {
+        self.are_between(0.0, f64::MAX)
     }
 }

@@ -41,6 +41,13 @@ impl Pair {
         Self::new(f(first), f(second))
     }
 
+    /// Whether both are greater than one number and not greater than another.
+    #[inline(always)]
+    pub(crate) fn are_between(self, above: f64, most: f64) -> bool {
+        let (above, most) = (f64x2::splat(above), f64x2::splat(most));
+        (self.0.simd_gt(above) & self.0.simd_le(most)).all()
+    }
+
     /// Whether both are of a size up to this; NaN is not.
     #[inline]
     fn are_within(self, largest: f64) -> bool {

@@ -55,8 +55,8 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     /// # Errors
     ///
     /// [`CurveError`]: a set of your own that does not implement
-    /// [`ClosedSet::member_near`](crate::ClosedSet::member_near), and a metric that is undefined on
-    /// the curve.
+    /// [`ClosedSet::member_near`](crate::ClosedSet::member_near), a metric that is undefined on the curve,
+    /// and one whose formula cannot be recorded.
     pub fn admissible_curve(&self) -> Result<AdmissibleCurve<'_, D>, CurveError> {
         AdmissibleCurve::new(self.metric(), self.sequence(), self.ends())
     }
@@ -87,7 +87,8 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     ///
     /// # Errors
     ///
-    /// [`ProofError`], with what is missing.
+    /// [`ProofError`], with what is missing. Nothing is proved of a formula that cannot be
+    /// [recorded](tautline_formula::Formula::record).
     pub fn prove(&self, accuracy: Accuracy) -> Result<Proof<'_, D>, ProofError> {
         let accuracy = accuracy.checked()?;
         let curve = self.admissible_curve()?;
@@ -119,6 +120,7 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
 mod tests {
     use tautline_bounds::LocalityError;
     use tautline_certify::{Accuracy, CurveError};
+    use tautline_formula::RecordError;
     use tautline_metrics::gallery::{GaussianFisher, Hyperbolic, Shear, Sphere, Valleys};
     use tautline_metrics::{Bounded, KnownDistance, LocalError, Metric};
     use tautline_sets::{Ball, ClosedSet, Ends, HalfSpace};
@@ -294,5 +296,19 @@ mod tests {
         let line = Problem::new(Left, ends).solve(Trapezoidal, 2).expect("solved");
         let error = line.prove(accuracy).expect_err("undefined");
         assert!(matches!(error, ProofError::Curve(CurveError::Undefined { .. })), "{error}");
+    }
+    /// The formula is read where the line is, and in intervals one branch of several would be followed.
+    #[test]
+    fn nothing_is_proved_of_a_formula_with_branches() {
+        struct Branch;
+        impl Metric<1> for Branch {
+            fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
+                SMatrix::from_element(if x[0].is_zero() { S::one() } else { x[0].cos() + 3.0 })
+            }
+        }
+        let ends = Ends::points([0.1], [1.0]).expect("finite");
+        let line = Problem::new(Branch, ends).solve(Trapezoidal, 8).expect("solved");
+        let refused = ProofError::Curve(CurveError::NotRecorded(RecordError::Compares));
+        assert_eq!(line.prove(Accuracy::default()).map(|_| ()), Err(refused));
     }
 }

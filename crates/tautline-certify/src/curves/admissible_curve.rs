@@ -1,12 +1,13 @@
 //! `AdmissibleCurve`: a curve from set to set, and what it proves of their distance.
 
 use tautline_discretizations::PointSequence;
+use tautline_formula::RecordError;
 use tautline_metrics::Metric;
 use tautline_scalar::{Interval, Scalar};
 use tautline_sets::{ClosedSet, Ends};
 use thiserror::Error;
 
-use super::Polygon;
+use super::{Polygon, polygon::NotEnclosed};
 
 /// A polygon that certainly runs from the first end set to the second, with its energy and length.
 ///
@@ -58,6 +59,9 @@ pub enum CurveError {
         /// How many there are.
         chords: usize,
     },
+    /// The formula of the metric cannot be recorded: intervals would follow one branch of several.
+    #[error("nothing is proved of a formula that cannot be recorded: {0}")]
+    NotRecorded(#[source] RecordError),
 }
 
 impl<'a, const D: usize> AdmissibleCurve<'a, D> {
@@ -70,7 +74,7 @@ impl<'a, const D: usize> AdmissibleCurve<'a, D> {
     /// # Errors
     ///
     /// [`CurveError::NoMember`] if a set can prove nothing, as sets of the user's own by default;
-    /// [`CurveError::Undefined`].
+    /// [`CurveError::Undefined`]; [`CurveError::NotRecorded`].
     pub fn new(
         metric: &impl Metric<D>,
         sequence: &'a PointSequence<D>,
@@ -84,8 +88,10 @@ impl<'a, const D: usize> AdmissibleCurve<'a, D> {
         let last = member("second", &**ends.second(), sequence.last())?;
         let polygon = Polygon::new(sequence).with_ends(first, last);
         let chords = sequence.n().get();
-        let (energy, length) =
-            polygon.enclosures(metric).map_err(|chord| CurveError::Undefined { chord, chords })?;
+        let (energy, length) = polygon.enclosures(metric).map_err(|why| match why {
+            NotEnclosed::NotRecorded(error) => CurveError::NotRecorded(error),
+            NotEnclosed::Undefined { chord } => CurveError::Undefined { chord, chords },
+        })?;
         Ok(Self { polygon, energy, length })
     }
 
@@ -123,12 +129,16 @@ impl<'a, const D: usize> AdmissibleCurve<'a, D> {
 #[cfg(test)]
 mod tests {
     use nalgebra::{SMatrix, SVector, vector};
-    use tautline_discretizations::PointSequence;
-    use tautline_metrics::gallery::{Constant, Hyperbolic, Valleys};
+    use tautline_discretizations::{LeftEndpoint, PointSequence};
+    use tautline_formula::RecordError;
+    use tautline_metrics::{
+        Metric,
+        gallery::{Constant, Hyperbolic, Valleys},
+    };
     use tautline_scalar::{Interval, Scalar};
     use tautline_sets::{Ball, ClosedSet, Ends, HalfSpace, Point, Sphere};
 
-    use super::{AdmissibleCurve, CurveError};
+    use super::{AdmissibleCurve, CurveError, Polygon};
 
     /// A set of the user's own, which proves nothing.
     #[derive(Debug)]
@@ -169,6 +179,28 @@ mod tests {
         let error = AdmissibleCurve::new(&Hyperbolic, &curve, &ends).expect_err("leaves the ball");
         // The boundary is at 1, where the second chord ends.
         assert_eq!(error, CurveError::Undefined { chord: 1, chords: 4 });
+    }
+
+    /// A ridge of height 100 across the way, which a formula in intervals never climbs: they are not equal to
+    /// one half, so that they follow the branch beside it.
+    #[test]
+    fn a_formula_with_branches_encloses_nothing() {
+        struct Ridge;
+        impl Metric<1> for Ridge {
+            fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
+                let at_the_ridge = x[0] == S::constant(0.5);
+                SMatrix::from_element(if at_the_ridge { S::constant(100.0) } else { S::one() })
+            }
+        }
+        let ends = Ends::points([0.0], [1.0]).expect("finite");
+        let curve = PointSequence::straight([0.0], [1.0], 4).expect("finite");
+        let error = AdmissibleCurve::new(&Ridge, &curve, &ends).expect_err("nothing proved");
+        assert_eq!(error, CurveError::NotRecorded(RecordError::Compares));
+        let polygon = Polygon::new(&curve);
+        let (energy, length) = polygon.energy_and_length(&Ridge);
+        assert!(energy.is_undefined() && length.is_undefined(), "{energy:?} {length:?}");
+        let discrete = polygon.discrete_energy(LeftEndpoint, &Ridge);
+        assert!(discrete.is_undefined(), "{discrete:?}");
     }
 
     /// The ends of the sequence are not members, or not known to be: those of the polygon are.

@@ -185,3 +185,41 @@ impl<K: Kernel> Integrals<K> {
         self.square.is_undefined() || self.root.is_undefined()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+
+    use nalgebra::{SMatrix, SVector, vector};
+    use tautline_metrics::{
+        Metric,
+        gallery::{EggCrate, Valleys},
+    };
+    use tautline_scalar::{Interval, Scalar};
+
+    use super::Chord;
+
+    /// Where a box at an end makes the enclosure wide, bisecting would not help, and is not tried;
+    /// where the metric varies too fast, it ends.
+    #[test]
+    fn bisecting_stops_where_it_does_not_help() {
+        struct Counted<M>(M, AtomicUsize);
+        impl<M: Metric<2>> Metric<2> for Counted<M> {
+            fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+                self.1.fetch_add(1, Relaxed);
+                self.0.gram(x)
+            }
+        }
+        let near = |c: f64| Interval::new(c - 1e-3, c + 1e-3).expect("ordered");
+        let (from, to) = (SVector::zeros(), vector![0.5, 0.25]);
+        let counted = Counted(Valleys, AtomicUsize::new(0));
+        let boxes = Chord::between(&from, &to.map(near)).integrals(&counted);
+        assert!(boxes.square.is_finite());
+        // At the midpoint and on the whole chord.
+        assert_eq!(counted.1.load(Relaxed), 2);
+        let fast = Counted(EggCrate::new(1e-6, 1e6).expect("positive"), AtomicUsize::new(0));
+        let energy = Chord::between(&from, &to.map(Interval::point)).integrals(&fast).square;
+        assert!(energy.is_finite() && energy.width() > 0.01 * energy.lo(), "{energy:?}");
+        assert!((8192..=2 * 8192).contains(&fast.1.load(Relaxed)), "{}", fast.1.load(Relaxed));
+    }
+}

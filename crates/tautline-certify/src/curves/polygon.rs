@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 use tautline_discretizations::{PointSequence, Rule};
+use tautline_formula::{AnyMetric, RecordError};
 use tautline_metrics::Metric;
 use tautline_scalar::{Enclosure, Interval, Kernel, Rigorous};
 
@@ -30,6 +31,14 @@ pub struct Polygon<'a, const D: usize, K = Rigorous> {
     sequence: &'a PointSequence<D>,
     first: SVector<Enclosure<K>, D>,
     last: SVector<Enclosure<K>, D>,
+}
+
+/// Why nothing is enclosed.
+pub(super) enum NotEnclosed {
+    /// The formula has branches, say.
+    NotRecorded(RecordError),
+    /// The metric is undefined somewhere on this chord, from 0.
+    Undefined { chord: usize },
 }
 
 /// The point as a box.
@@ -77,8 +86,9 @@ impl<'a, const D: usize, K: Kernel> Polygon<'a, D, K> {
 
     /// Encloses the continuous energy `E(γᵖˡ) = N Σ ∫₀¹ dᵀ H(x + s d) d ds`, in `m²`.
     ///
-    /// Undefined if the metric is so anywhere on the curve, or if it gives a negative square
-    /// there; infinite where a number overflows. The lower end is never negative.
+    /// Undefined if the metric is so anywhere on the curve, if it gives a negative square there, or if its
+    /// formula cannot be [recorded](tautline_formula::Formula::record): intervals would follow one branch of
+    /// several. Infinite where a number overflows. The lower end is never negative.
     ///
     /// On each chord by Taylor's formula at the midpoint, with the remainder of fourth order over
     /// the whole chord; where that is too wide, on its halves and so on, 8192 of them at most and
@@ -104,17 +114,18 @@ impl<'a, const D: usize, K: Kernel> Polygon<'a, D, K> {
         self.enclosures(metric).unwrap_or((Enclosure::UNDEFINED, Enclosure::UNDEFINED))
     }
 
-    /// Energy and length; the number of the first, from 0, on which the metric is
-    /// undefined.
+    /// Energy and length, or why there are none.
     pub(super) fn enclosures(
         &self,
         metric: &impl Metric<D>,
-    ) -> Result<(Enclosure<K>, Enclosure<K>), usize> {
+    ) -> Result<(Enclosure<K>, Enclosure<K>), NotEnclosed> {
+        let metric = AnyMetric::new(metric);
+        metric.formula().map_err(NotEnclosed::NotRecorded)?;
         let (mut square, mut root) = (PairwiseSum::new(), PairwiseSum::new());
         for (n, chord) in self.chords().enumerate() {
-            let integrals = chord.integrals(metric);
+            let integrals = chord.integrals(&metric);
             if integrals.is_undefined() {
-                return Err(n);
+                return Err(NotEnclosed::Undefined { chord: n });
             }
             square.add(integrals.square);
             root.add(integrals.root);
@@ -125,13 +136,14 @@ impl<'a, const D: usize, K: Kernel> Polygon<'a, D, K> {
     /// Encloses the discrete energy `E_N = N Σ Σᵢ wᵢ dᵀ H(x + θᵢ d) d` of a rule, in `m²`.
     ///
     /// The weights and fractions are the doubles that the rule gives. Undefined if the metric is
-    /// so at one of the points where the rule reads it.
+    /// so at one of the points where the rule reads it, or if its formula cannot be recorded.
     #[must_use]
     pub fn discrete_energy<R: Rule>(&self, _rule: R, metric: &impl Metric<D>) -> Enclosure<K> {
+        let metric = AnyMetric::new(metric);
         let mut sum = PairwiseSum::new();
         for chord in self.chords() {
             for node in R::NODES {
-                sum.add(chord.square_at(metric, node.fraction) * node.weight);
+                sum.add(chord.square_at(&metric, node.fraction) * node.weight);
             }
         }
         sum.value() * self.n()

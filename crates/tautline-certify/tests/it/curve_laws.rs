@@ -1,7 +1,5 @@
 //! What holds of the enclosures for every polygon and every metric.
 
-use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
-
 use nalgebra::{SMatrix, SVector, vector};
 use tautline_certify::Polygon;
 use tautline_discretizations::{
@@ -124,31 +122,6 @@ fn a_thousand_chords_have_twelve_digits() {
         }
     }
     gallery(&mut Narrow);
-}
-
-/// Where a box at an end makes the enclosure wide, bisecting would not help, and is not tried;
-/// where the metric varies too fast, it ends.
-#[test]
-fn bisecting_stops_where_it_does_not_help() {
-    struct Counted<M>(M, AtomicUsize);
-    impl<M: Metric<2>> Metric<2> for Counted<M> {
-        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-            self.1.fetch_add(1, Relaxed);
-            self.0.gram(x)
-        }
-    }
-    let sequence = PointSequence::straight([0.0, 0.0], [0.5, 0.25], 1).expect("finite");
-    let near = |c: f64| Interval::new(c - 1e-3, c + 1e-3).expect("ordered");
-    let polygon = Polygon::new(&sequence);
-    let counted = Counted(Valleys, AtomicUsize::new(0));
-    let boxes = polygon.with_ends(*polygon.first(), vector![near(0.5), near(0.25)]);
-    assert!(boxes.energy(&counted).is_finite());
-    // At the midpoint and on the whole chord.
-    assert_eq!(counted.1.load(Relaxed), 2);
-    let fast = Counted(EggCrate::new(1e-6, 1e6).expect("positive"), AtomicUsize::new(0));
-    let energy = polygon.energy(&fast);
-    assert!(energy.is_finite() && energy.width() > 0.01 * energy.lo(), "{energy:?}");
-    assert!((8192..=2 * 8192).contains(&fast.1.load(Relaxed)), "{}", fast.1.load(Relaxed));
 }
 
 /// With boxes for ends, all polygons with ends in the boxes are enclosed.

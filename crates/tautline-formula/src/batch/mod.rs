@@ -53,10 +53,19 @@ impl<'f, const D: usize> Batch<'f, D> {
         self.registers.lanes()
     }
 
-    /// Returns the places and vectors of the lanes, to be written.
-    #[inline]
-    pub fn inputs(&mut self) -> Inputs<'_, D> {
-        let [x, d] = self.registers.inputs();
+    /// Returns the places and vectors of the first `count` lanes, to be written.
+    ///
+    /// # Panics
+    ///
+    /// If there are more than [`lanes`](Self::lanes) of them.
+    #[inline(always)]
+    pub fn inputs(&mut self, count: usize) -> Inputs<'_, D> {
+        let [mut x, mut d] = self.registers.inputs();
+        // A compiler then knows that all rows are of one length.
+        for i in 0..D {
+            x[i] = &mut std::mem::take(&mut x[i])[..count];
+            d[i] = &mut std::mem::take(&mut d[i])[..count];
+        }
         Inputs { x, d }
     }
 
@@ -70,7 +79,7 @@ impl<'f, const D: usize> Batch<'f, D> {
         assert!(count > 0 && count <= self.lanes(), "{count} of {} lanes", self.lanes());
         let used = self.registers.set_used(count);
         // The others are the last once more: no place where there is nothing.
-        let Inputs { x, d } = self.inputs();
+        let Inputs { x, d } = self.inputs(used);
         for row in x.into_iter().chain(d) {
             let last = row[count - 1];
             row[count..used].fill(last);
@@ -110,6 +119,19 @@ impl<const D: usize> Inputs<'_, D> {
         for i in 0..D {
             self.x[i][lane] = x[i];
             self.d[i][lane] = d[i];
+        }
+    }
+
+    /// Sets the places and vectors of lanes `2 pair` and `2 pair + 1`.
+    ///
+    /// # Panics
+    ///
+    /// If there are no such lanes.
+    #[inline(always)]
+    pub fn set_pair(&mut self, pair: usize, x: &[SVector<f64, D>; 2], d: &[SVector<f64, D>; 2]) {
+        for i in 0..D {
+            self.x[i].as_chunks_mut().0[pair] = [x[0][i], x[1][i]];
+            self.d[i].as_chunks_mut().0[pair] = [d[0][i], d[1][i]];
         }
     }
 }

@@ -26,7 +26,7 @@ pub struct Prepared<M, const D: usize> {
 }
 
 /// The greatest number of lanes.
-const LANES: usize = 64;
+const LANES: usize = 128;
 
 impl<M: Metric<D>, const D: usize> Prepared<M, D> {
     /// Records the formula of a metric.

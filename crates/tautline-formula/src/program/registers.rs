@@ -124,7 +124,7 @@ impl Registers {
         for instruction in &program.instructions {
             macro_rules! row {
                 ($register:expr) => {
-                    &rows[$register as usize][..used]
+                    &rows[$register as usize][..]
                 };
             }
             macro_rules! done {
@@ -134,19 +134,19 @@ impl Registers {
             }
             macro_rules! unary {
                 ($to:expr, $a:expr, $f:expr) => {{
-                    unary(&mut out[..used], row!($a), $f);
+                    unary(out, used, row!($a), $f);
                     done!($to)
                 }};
             }
             macro_rules! binary {
                 ($to:expr, $operands:expr, $f:expr) => {{
-                    binary(&mut out[..used], row!($operands[0]), row!($operands[1]), $f);
+                    binary(out, used, [row!($operands[0]), row!($operands[1])], $f);
                     done!($to)
                 }};
             }
             macro_rules! function {
                 ($to:expr, $a:expr, $f:path) => {{
-                    for (y, x) in out[..used].iter_mut().zip(row!($a)) {
+                    for (y, x) in out[..used].iter_mut().zip(&row!($a)[..used]) {
                         $f(y, x);
                     }
                     done!($to)
@@ -171,51 +171,60 @@ impl Registers {
                 Instruction::Of(Function::Cosh, to, a) => function!(to, a, functions::cosh),
                 Instruction::Of(Function::Atan, to, a) => function!(to, a, functions::atan),
                 Instruction::Of(function, to, a) => {
-                    for (y, x) in out[..used].iter_mut().zip(row!(a)) {
+                    for (y, x) in out[..used].iter_mut().zip(&row!(a)[..used]) {
                         one_by_one(function, y, x);
                     }
                     done!(to)
                 }
                 Instruction::SinCos([sin, cos], a) => {
                     let both = out[..used].iter_mut().zip(&mut other[..used]);
-                    for ((sin, cos), x) in both.zip(row!(a)) {
+                    for ((sin, cos), x) in both.zip(&row!(a)[..used]) {
                         functions::sin_cos(sin, cos, x);
                     }
                     done!(sin);
                     std::mem::swap(&mut rows[cos as usize], other);
                 }
                 Instruction::Mixed(to, [x, a, b], [c, d]) => {
-                    let out = &mut out[..used];
-                    for (((y, x), a), b) in out.iter_mut().zip(row!(x)).zip(row!(a)).zip(row!(b)) {
-                        for i in 0..WIDTH {
-                            y[i] = c * x[i] + d * (a[i] * b[i]);
-                        }
+                    let [x, a, b] = [row!(x), row!(a), row!(b)];
+                    for k in (0..used).map(std::hint::black_box) {
+                        let [x, a, b] = [&x[k], &a[k], &b[k]];
+                        chunk(&mut out[k], |i| c * x[i] + d * (a[i] * b[i]));
                     }
                     done!(to)
                 }
                 Instruction::Linear { begins, count, x, c } => {
-                    let x = [row!(x[0]), row!(x[1]), row!(x[2]), row!(x[3])];
-                    let out = &mut out[..used];
-                    match (count, begins) {
-                        (1, true) => linear::<1, true>(out, x, c),
-                        (1, false) => linear::<1, false>(out, x, c),
-                        (2, true) => linear::<2, true>(out, x, c),
-                        (2, false) => linear::<2, false>(out, x, c),
-                        (3, true) => linear::<3, true>(out, x, c),
-                        (3, false) => linear::<3, false>(out, x, c),
-                        (_, true) => linear::<4, true>(out, x, c),
-                        (_, false) => linear::<4, false>(out, x, c),
+                    macro_rules! linear {
+                        ($count:literal) => {{
+                            let x: [_; $count] = std::array::from_fn(|k| row!(x[k]));
+                            if begins {
+                                linear::<$count, true>(out, used, x, c);
+                            } else {
+                                linear::<$count, false>(out, used, x, c);
+                            }
+                        }};
+                    }
+                    match count {
+                        1 => linear!(1),
+                        2 => linear!(2),
+                        3 => linear!(3),
+                        _ => linear!(4),
                     }
                 }
                 Instruction::Products { begins, count, a, b, c } => {
-                    let a = [row!(a[0]), row!(a[1])];
-                    let b = [row!(b[0]), row!(b[1])];
-                    let out = &mut out[..used];
-                    match (count, begins) {
-                        (1, true) => products::<1, true>(out, a, b, c),
-                        (1, false) => products::<1, false>(out, a, b, c),
-                        (_, true) => products::<2, true>(out, a, b, c),
-                        (_, false) => products::<2, false>(out, a, b, c),
+                    macro_rules! products {
+                        ($count:literal) => {{
+                            let a: [[_; $count]; 2] =
+                                [a, b].map(|a| std::array::from_fn(|k| row!(a[k])));
+                            if begins {
+                                products::<$count, true>(out, used, a, c);
+                            } else {
+                                products::<$count, false>(out, used, a, c);
+                            }
+                        }};
+                    }
+                    match count {
+                        1 => products!(1),
+                        _ => products!(2),
                     }
                 }
                 Instruction::Done(to) => done!(to),
@@ -234,40 +243,59 @@ fn run_widest(registers: &mut Registers, program: &Program) {
     registers.run_inline(program);
 }
 
+/// Makes each chunk of the numbers of its lanes.
+///
+/// Beside the registers, and only then written into one: a compiler that cannot tell that an operand is in
+/// another would go lane by lane.
 #[inline(always)]
-fn unary(y: &mut [Chunk], a: &[Chunk], f: impl Fn(f64) -> f64) {
-    for (y, a) in y.iter_mut().zip(a) {
-        for i in 0..WIDTH {
-            y[i] = f(a[i]);
-        }
+fn chunk(y: &mut Chunk, of: impl Fn(usize) -> f64) {
+    let mut made = [0.0; WIDTH];
+    for i in 0..WIDTH {
+        made[i] = of(i);
+    }
+    *y = made;
+}
+
+// Rows are indexed chunk by chunk, and longer than a compiler can tell: it would else work on several chunks
+// at once, a lane of each.
+
+#[inline(always)]
+fn unary(y: &mut [Chunk], used: usize, a: &[Chunk], f: impl Fn(f64) -> f64) {
+    for k in (0..used).map(std::hint::black_box) {
+        let a = &a[k];
+        chunk(&mut y[k], |i| f(a[i]));
     }
 }
 
 #[inline(always)]
-fn binary(y: &mut [Chunk], a: &[Chunk], b: &[Chunk], f: impl Fn(f64, f64) -> f64) {
-    for ((y, a), b) in y.iter_mut().zip(a).zip(b) {
-        for i in 0..WIDTH {
-            y[i] = f(a[i], b[i]);
-        }
+fn binary(y: &mut [Chunk], used: usize, [a, b]: [&[Chunk]; 2], f: impl Fn(f64, f64) -> f64) {
+    for k in (0..used).map(std::hint::black_box) {
+        let [a, b] = [&a[k], &b[k]];
+        chunk(&mut y[k], |i| f(a[i], b[i]));
     }
 }
 
 /// `c₀ x₀ + c₁ x₁ + …`, from left to right; after what is there, unless it begins.
 #[inline(always)]
-fn linear<const COUNT: usize, const BEGINS: bool>(y: &mut [Chunk], x: [&[Chunk]; 4], c: [f64; 4]) {
-    let rows = x[0].iter().zip(x[1]).zip(x[2]).zip(x[3]);
-    for (y, (((x0, x1), x2), x3)) in y.iter_mut().zip(rows) {
-        let x = [x0, x1, x2, x3];
-        for i in 0..WIDTH {
+fn linear<const COUNT: usize, const BEGINS: bool>(
+    y: &mut [Chunk],
+    used: usize,
+    x: [&[Chunk]; COUNT],
+    c: [f64; 4],
+) {
+    for k in (0..used).map(std::hint::black_box) {
+        let x = x.map(|x| &x[k]);
+        let before = y[k];
+        chunk(&mut y[k], |i| {
             let mut sum = c[0] * x[0][i];
             if !BEGINS {
-                sum += y[i];
+                sum += before[i];
             }
             for k in 1..COUNT {
                 sum += c[k] * x[k][i];
             }
-            y[i] = sum;
-        }
+            sum
+        });
     }
 }
 
@@ -275,22 +303,23 @@ fn linear<const COUNT: usize, const BEGINS: bool>(y: &mut [Chunk], x: [&[Chunk];
 #[inline(always)]
 fn products<const COUNT: usize, const BEGINS: bool>(
     y: &mut [Chunk],
-    a: [&[Chunk]; 2],
-    b: [&[Chunk]; 2],
+    used: usize,
+    [a, b]: [[&[Chunk]; COUNT]; 2],
     c: [f64; 2],
 ) {
-    let rows = a[0].iter().zip(a[1]).zip(b[0].iter().zip(b[1]));
-    for (y, ((a0, a1), (b0, b1))) in y.iter_mut().zip(rows) {
-        for i in 0..WIDTH {
-            let mut sum = c[0] * (a0[i] * b0[i]);
+    for k in (0..used).map(std::hint::black_box) {
+        let [a, b] = [a, b].map(|rows| rows.map(|row| &row[k]));
+        let before = y[k];
+        chunk(&mut y[k], |i| {
+            let mut sum = c[0] * (a[0][i] * b[0][i]);
             if !BEGINS {
-                sum += y[i];
+                sum += before[i];
             }
-            if COUNT == 2 {
-                sum += c[1] * (a1[i] * b1[i]);
+            for k in 1..COUNT {
+                sum += c[k] * (a[k][i] * b[k][i]);
             }
-            y[i] = sum;
-        }
+            sum
+        });
     }
 }
 

@@ -56,7 +56,7 @@ fn is_near(found: f64, expected: Interval) -> bool {
 pub(crate) type Place<const D: usize> = (SVector<f64, D>, SVector<f64, D>);
 
 pub(crate) fn evaluate<const D: usize>(batch: &mut Batch<'_, D>, places: &[Place<D>]) -> bool {
-    let mut inputs = batch.inputs();
+    let mut inputs = batch.inputs(places.len());
     for (lane, (x, d)) in places.iter().enumerate() {
         inputs.set(lane, x, d);
     }

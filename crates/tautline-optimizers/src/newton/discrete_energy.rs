@@ -2,8 +2,8 @@
 
 use nalgebra::SVector;
 use tautline_discretizations::{
-    ChordBatch, CompensatedSum, Interpolation, LinearModel, Node, PointSequence, QuadraticModel,
-    Rule,
+    ChordBatch, Interpolation, LinearModel, Node, PointSequence, QuadraticModel, Rule,
+    admissible_energy,
 };
 use tautline_formula::{Batches, Kind};
 use tautline_metrics::{MetricError, check_matrix};
@@ -39,7 +39,10 @@ impl<'m, const D: usize> DiscreteEnergy<'m, D> {
         let mut energies = Vec::with_capacity(chords.len());
         for some in chords.chunks(batch.room()) {
             batch.see(0, some.iter().map(|[x, y]| (*x, *y - *x)));
-            energies.extend((0..some.len()).map(|k| batch.energies(k).sum::<f64>()));
+            let terms: Vec<f64> = batch.energies().of_first(some.len()).collect();
+            energies.extend(
+                terms.chunks(self.nodes.len().max(1)).map(|terms| terms.iter().sum::<f64>()),
+            );
         }
         energies
     }
@@ -47,22 +50,7 @@ impl<'m, const D: usize> DiscreteEnergy<'m, D> {
     /// The energy of a trial; `None` if it is not finite or a chord has a negative one at a node, that
     /// is, if the step left the region where the metric is one.
     pub(crate) fn admissible(&self, points: &[SVector<f64, D>]) -> Option<f64> {
-        let n = points.len() - 1;
-        let mut energy = CompensatedSum::default();
-        let mut batch = ChordBatch::new(self.metric, Kind::Square, self.nodes, 1.0, n);
-        for begin in (0..n).step_by(batch.room()) {
-            let chords = begin..n.min(begin + batch.room());
-            batch.see(0, chords.clone().map(|k| (&points[k], points[k + 1] - points[k])));
-            for square in (0..chords.len()).flat_map(|k| batch.energies(k)) {
-                // Written so that NaN fails.
-                if !(square >= 0.0) {
-                    return None;
-                }
-                energy.add(square);
-            }
-        }
-        let energy = energy.value() * n as f64;
-        energy.is_finite().then_some(energy)
+        admissible_energy(self.nodes, self.metric, points)
     }
 
     /// Value and gradient.

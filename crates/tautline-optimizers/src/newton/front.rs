@@ -69,15 +69,20 @@ impl<T: Lanes, const D: usize> Front<D, T> {
         chord: &ChordModel<D, T>,
         regulariser: Regulariser,
     ) -> Ahead<D, T> {
-        let diagonal = |x: f64| SMatrix::<T, D, D>::from_diagonal_element(T::constant(x));
-        let ([near, far], own) = (chord.gradient, diagonal(regulariser.of_chord()));
-        self.row.block += chord.hessian[0] + own;
+        let shifted = |mut matrix: SMatrix<T, D, D>, shift: f64| {
+            for i in 0..D {
+                matrix[(i, i)] += T::constant(shift);
+            }
+            matrix
+        };
+        let ([near, far], own) = (chord.gradient, regulariser.of_chord());
+        self.row.block += shifted(chord.hessian[0], own);
         self.row.right -= near;
         self.row.gradient += near;
         self.energy.add(chord.energy);
         self.trace += chord.trace;
-        let row = Row { block: chord.hessian[1] + own, right: -far, gradient: far };
-        Ahead { row, lower: chord.coupling.transpose() + diagonal(regulariser.upper()) }
+        let row = Row { block: shifted(chord.hessian[1], own), right: -far, gradient: far };
+        Ahead { row, lower: shifted(chord.coupling.transpose(), regulariser.upper()) }
     }
 
     /// Counts the point that it has come to as an inner one.

@@ -20,7 +20,7 @@ impl<T: Lanes, const D: usize> Ldl<D, T> {
         for j in 0..D {
             let pivot = factors[(j, j)];
             // NaN and +∞ fail here too.
-            if !pivot.all(|pivot| pivot > 0.0 && pivot <= f64::MAX) {
+            if !pivot.are_positive() {
                 return None;
             }
             let reciprocal = pivot.recip();

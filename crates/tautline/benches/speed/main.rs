@@ -20,10 +20,14 @@ use tautline::{
     Ends, Metric, Options, PointSequence, Prepared, Problem, Rule, SVector, Starts, Trapezoidal,
     Workspace, newton_step,
 };
-use tautline_discretizations::{LinearModel, QuadraticModel};
+use tautline_discretizations::{LinearModel, QuadraticModel, admissible_energy};
+use tautline_formula::{Formula, InstructionSet};
+
+/// As many places at once as [`Prepared::new`] takes.
+const LANES: usize = 128;
 
 const PROBLEMS: [&str; 6] = ["P1", "P2", "P3", "P4", "P5", "P6"];
-const SIZES: [usize; 4] = [1_000, 10_000, 100_000, 1_000_000];
+const SIZES: [usize; 5] = [64, 1_000, 10_000, 100_000, 1_000_000];
 
 /// A gigabyte, in numbers: larger models are left out.
 const LARGEST: usize = 1 << 27;
@@ -52,9 +56,16 @@ impl Peer for Timing {
         let line = bent(problem.solve_with(Trapezoidal, n, &options)?.sequence())?;
         let (first, second) = problem.ends().pairs().next().ok_or("ends have pieces")?;
         let (mut model, mut workspace) = (QuadraticModel::default(), Workspace::default());
+        // As on a processor that has nothing else.
+        let baseline = Prepared::with(metric, InstructionSet::Baseline, LANES);
+        let mut other_workspace = Workspace::default();
+        let text = prepared.formula().ok_or("the formula has branches")?.to_string();
+        let from_text = Problem::new(Formula::parse(&text, &[])?, problem.ends().clone());
         let mut race = Race::default();
         by_hand(self.name, &mut race, line.points());
-        race.add("energy", || Trapezoidal.energy(metric, black_box(&line)));
+        race.add("energy", || {
+            admissible_energy(Trapezoidal::NODES, &prepared, black_box(&line).points())
+        });
         race.add("gradient", || {
             LinearModel::by_batches(Trapezoidal::NODES, &prepared, black_box(&line))
         });
@@ -67,11 +78,22 @@ impl Peer for Timing {
             let step = newton_step(&mut workspace, &prepared, ends, Trapezoidal, black_box(&line));
             step.expect("the Hessian is positive definite near a minimiser")
         });
+        race.add("newton step by the instructions that all processors have", || {
+            let (ends, line) = ([&*first, &*second], black_box(&line));
+            let step = newton_step(&mut other_workspace, &baseline, ends, Trapezoidal, line);
+            step.expect("the Hessian is positive definite near a minimiser")
+        });
         race.add("solve", || problem.solve_with(Trapezoidal, black_box(n), &options));
+        race.add("solve of the formula as text", || {
+            from_text.solve_with(Trapezoidal, black_box(n), &options)
+        });
         let times = race.run();
         for (what, time) in &times {
-            let limit =
-                if *what == "assembly" { "assembly by hand" } else { "newton step by hand" };
+            let limit = match *what {
+                "assembly" => "assembly by hand",
+                "solve of the formula as text" => "solve",
+                _ => "newton step by hand",
+            };
             let limit = times.iter().find(|(what, _)| *what == limit);
             let ratio = limit.map_or(String::new(), |(_, limit)| {
                 format!("{:.2}", time.as_secs_f64() / limit.as_secs_f64())

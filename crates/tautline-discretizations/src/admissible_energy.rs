@@ -1,0 +1,36 @@
+//! The discrete energy alone, by batches of chords.
+
+use nalgebra::SVector;
+use tautline_formula::{Batches, Kind};
+
+use crate::{ChordBatch, CompensatedSum, Node};
+
+/// Returns the discrete energy of the rule with these nodes, in `m²`; `None` if it is not finite or a chord
+/// has a negative one at a node: then the points leave the region where the metric is one.
+///
+/// # Panics
+///
+/// If there is no point.
+#[must_use]
+pub fn admissible_energy<const D: usize>(
+    nodes: &'static [Node],
+    metric: &dyn Batches<D>,
+    points: &[SVector<f64, D>],
+) -> Option<f64> {
+    let n = points.len() - 1;
+    let mut energy = CompensatedSum::default();
+    let mut batch = ChordBatch::new(metric, Kind::Square, nodes, 1.0, n);
+    for begin in (0..n).step_by(batch.room()) {
+        let chords = begin..n.min(begin + batch.room());
+        batch.see(0, chords.clone().map(|k| (&points[k], points[k + 1] - points[k])));
+        for square in batch.energies().of_first(chords.len()) {
+            // Written so that NaN fails.
+            if !(square >= 0.0) {
+                return None;
+            }
+            energy.add(square);
+        }
+    }
+    let energy = energy.value() * n as f64;
+    energy.is_finite().then_some(energy)
+}
