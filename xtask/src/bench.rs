@@ -8,7 +8,7 @@ use std::{
 };
 
 /// Each benchmark of the solver, and what its table shows.
-const BENCHES: [(&str, &str); 2] = [
+const BENCHES: [(&str, &str); 3] = [
     (
         "speed",
         "the least time of each part of a solve on one thread, of many runs in turn, and its ratio \
@@ -23,6 +23,13 @@ const BENCHES: [(&str, &str); 2] = [
          and the most memory in use at a time in the first, by the nodes of all problems; the mean \
          of the Newton steps of all searches on all grids, and the largest residual over its \
          floor; efficiency is the rate over that of one thread times their number",
+    ),
+    (
+        "programs",
+        "the steps of each recorded formula, and what there is before the first chord of a search: \
+         the least time of up to five runs to record it, and to record it and derive the program of \
+         H and its contracted derivatives, the most memory in use at a time for that, and the \
+         registers of each thread; a formula of very many steps is evaluated as it is compiled",
     ),
 ];
 
