@@ -69,7 +69,8 @@ pub enum Function {
 
 impl Function {
     /// Returns the value.
-    pub(crate) fn of<S: Scalar>(self, x: S) -> S {
+    #[must_use]
+    pub fn of<S: Scalar>(self, x: S) -> S {
         match self {
             Function::Neg => -x,
             Function::Sqr => x.sqr(),

@@ -100,6 +100,11 @@ pub(crate) fn fail(error: RecordError) {
     with((), |recording| recording.fail(error));
 }
 
+/// Returns the steps that the recording of the current thread has so far.
+pub(crate) fn operations() -> Vec<Operation> {
+    with(Vec::new(), |recording| recording.operations.clone())
+}
+
 /// A number that records its operations: the index of a step on the tape of the current thread.
 ///
 /// A formula is written once for all numbers, and has no other way to meet this one than to be recorded.

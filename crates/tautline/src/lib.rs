@@ -79,7 +79,8 @@ pub use tautline_discretizations::{
     Trapezoidal, TrueTrapezoid, energy_gradient,
 };
 pub use tautline_formula::{
-    AnyMetric, Batch, Batches, Formula, Kind, Plain, Prepared, RecordError, TextError,
+    self as formula, AnyMetric, Batch, Batches, Formula, Kind, Plain, Prepared, RecordError,
+    TextError,
 };
 pub use tautline_metrics::{
     Bounded, Constants, HypothesisError, KnownDistance, LocalError, LocallyBounded, Metric,

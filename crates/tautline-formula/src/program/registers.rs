@@ -76,8 +76,12 @@ impl Registers {
         (SVector::from_fn(|i, _| row(i)), SVector::from_fn(|i, _| row(D + i)))
     }
 
-    /// Sets a number.
-    pub(crate) fn set(&mut self, register: Register, lane: usize, value: f64) {
+    /// Sets the number of a lane.
+    ///
+    /// # Panics
+    ///
+    /// If there is no such register or lane.
+    pub fn set(&mut self, register: Register, lane: usize, value: f64) {
         self.rows[register as usize].as_flattened_mut()[lane] = value;
     }
 

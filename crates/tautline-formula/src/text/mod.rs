@@ -1,5 +1,7 @@
 //! Formulas as text: read and printed.
 
+mod form;
+mod gradient;
 mod parser;
 mod print;
 mod text_error;

@@ -6,6 +6,7 @@ use tautline_scalar::Scalar;
 
 use super::{
     Problem, TextError,
+    form::{Form, form},
     token::{Token, Tokens},
     value::{Value, function},
 };
@@ -21,8 +22,9 @@ impl<const D: usize> Formula<D> {
     /// Reads a formula, with numbers for the names of these parameters.
     ///
     /// ```text
-    /// metric = { definition ";" } ( matrix | expr "I" )
+    /// metric = { definition ";" } ( matrix | expr "I" | form "(" row ")" )
     /// matrix = "[" row { ";" row } "]"          row = expr { "," expr }
+    /// form   = "pullback" | "graph" | "phi" | "speed" | "diag"
     /// expr   = term { ( "+" | "-" ) term }      term = factor { ( "*" | "/" ) factor }
     /// factor = "-" factor | atom [ ( "^" | "**" ) [ "-" ] integer ]
     /// atom   = number | name | function "(" expr ")" | "(" expr ")"
@@ -31,18 +33,31 @@ impl<const D: usize> Formula<D> {
     ///
     /// Names are `x1` to `xD`, `pi`, those of parameters, and those that are defined, each once. Functions
     /// are `sqr`, `recip`, `sqrt`, `exp`, `ln`, `sin`, `cos`, `tan`, `atan`, `sinh`, `cosh`, `tanh`, and
-    /// `number`, which makes a step of a number. What stands left is evaluated first, and numbers among
+    /// `number`, which makes a step of a number.
+    ///
+    /// A form makes the matrix of functions, of which it takes the derivatives where it needs them:
+    /// `pullback(Φ₁, …, Φₘ)` is `JᵀJ` with the derivative `J` of the map `Φ`, `m ≥ D`; `graph(f)` is
+    /// `I + ∇f ∇fᵀ`; `phi(φ)` is `φ I`; `speed(f)` is `f² I`, under which a curve is `∫ f |γ'| dt` long; and
+    /// `diag(a₁, …, a_D)` is the diagonal matrix.
+    ///
+    /// What stands left is evaluated first, and numbers among
     /// themselves are evaluated as `f64`. A text does what the same formula does in Rust: the tapes are
     /// equal where the definitions stand in the order of the lets.
     ///
     /// ```
     /// use tautline_formula::Formula;
+    /// use tautline_metrics::Metric;
     ///
     /// let valleys = Formula::<2>::parse("(a - cos(x1))^2 I", &[("a", 2.0)])?;
     /// assert_eq!(Formula::parse(&valleys.to_string(), &[]), Ok(valleys));
     /// let error = Formula::<2>::parse("(2 - cos(x3))^2 I", &[]).unwrap_err();
     /// assert_eq!(error.to_string(), "at byte 9: there is no x3 in dimension 2");
     /// assert_eq!(error.at, 9..11);
+    ///
+    /// let hill = Formula::<2>::parse("graph(h*exp(-(x1^2 + x2^2)/2))", &[("h", 2.0)])?;
+    /// let text = "g = 2*exp(-(x1^2 + x2^2)/2); [1 + (x1*g)^2, x1*x2*g^2; x1*x2*g^2, 1 + (x2*g)^2]";
+    /// let (x, by_hand) = ([0.5, -1.0].into(), Formula::<2>::parse(text, &[])?);
+    /// assert!((hill.gram(&x) - by_hand.gram(&x)).amax() < 1e-15);
     /// # Ok::<(), tautline_formula::TextError>(())
     /// ```
     ///
@@ -111,7 +126,12 @@ impl<'a> Parser<'a> {
         while self.is_definition()? {
             self.definition()?;
         }
-        let entries = if self.is('[') { self.matrix()? } else { self.multiple_of_identity()? };
+        let form = self.named_form()?;
+        let entries = match form {
+            _ if self.is('[') => self.matrix()?,
+            Some(form) => self.form(form)?,
+            None => self.multiple_of_identity()?,
+        };
         match self.ahead.0 {
             Token::End => Ok(entries),
             _ => self.unexpected("the end"),
@@ -209,6 +229,36 @@ impl<'a> Parser<'a> {
             return Err(TextError { at: at.start..end, problem });
         }
         Ok((0..dimension).flat_map(|j| rows.iter().map(move |row| row[j])).collect())
+    }
+
+    /// The form of which the name and a bracket stand next. A text may give its name to something else.
+    fn named_form(&self) -> Result<Option<Form>, TextError> {
+        let Token::Name(name) = self.ahead.0 else { return Ok(None) };
+        let (next, _) = self.tokens.clone().word()?;
+        let is_form = next == Token::Sign('(') && !self.names.contains_key(name);
+        Ok(form(name).filter(|_| is_form))
+    }
+
+    /// A matrix of functions, which stand in brackets behind its name.
+    fn form(&mut self, form: Form) -> Result<Vec<Symbol>, TextError> {
+        let at = self.advance()?.1;
+        self.sign('(', "(")?;
+        let mut functions = vec![self.expression()?];
+        while self.is(',') {
+            self.advance()?;
+            functions.push(self.expression()?);
+        }
+        if !self.is(')') {
+            return self.unexpected("an operator, a comma or )");
+        }
+        let end = self.advance()?.1.end;
+        let dimension = self.x.len();
+        if !form.takes(functions.len(), dimension) {
+            let (found, what) = (functions.len(), form.what());
+            let problem = Problem::Shape { found, what, dimension };
+            return Err(TextError { at: at.start..end, problem });
+        }
+        Ok(form.entries(&functions, dimension))
     }
 
     fn multiple_of_identity(&mut self) -> Result<Vec<Symbol>, TextError> {

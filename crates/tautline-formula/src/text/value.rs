@@ -22,6 +22,19 @@ impl Value {
         }
     }
 
+    /// Whether it is this number, and no step.
+    pub(super) fn is(self, number: f64) -> bool {
+        matches!(self, Value::Number(value) if value == number)
+    }
+
+    /// The square.
+    pub(super) fn squared(self) -> Self {
+        match self {
+            Value::Number(a) => Value::Number(a * a),
+            Value::Symbol(a) => Value::Symbol(a.sqr()),
+        }
+    }
+
     /// The power; of a number in `f64`.
     pub(super) fn powi(self, n: i32) -> Self {
         match self {

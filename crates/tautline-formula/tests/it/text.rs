@@ -1,8 +1,12 @@
 //! What is typed is what is written in Rust, and what is printed is read again.
 
 use nalgebra::{SMatrix, SVector, matrix, vector};
+use tautline_chance::seed;
 use tautline_formula::Formula;
 use tautline_metrics::{Metric, Scalar, gallery};
+use tautline_scalar::Jet1;
+
+use crate::random::Random;
 
 #[track_caller]
 fn reads_back<const D: usize>(metric: &impl Metric<D>) {
@@ -95,4 +99,99 @@ fn operators_bind_as_in_mathematics() {
             assert_eq!(value(text), expected, "{text}");
         }
     }
+}
+
+/// Each form at random places, beside the metric of the gallery that has it.
+#[test]
+fn forms_are_the_metrics_of_the_gallery() {
+    #[track_caller]
+    fn check<const D: usize>(text: &str, metric: &impl Metric<D>) {
+        let form = Formula::<D>::parse(text, &[]).expect("a formula");
+        let mut random = Random(seed(1907));
+        for _ in 0..200 {
+            let x = SVector::from_fn(|_, _| 0.5 * random.number());
+            let (found, expected) = (form.gram(&x), metric.gram(&x));
+            // Some ten operations on numbers of the size of the entries.
+            let off = (found - expected).amax() / expected.amax();
+            assert!(off < 2e-14, "{text} at {x:?}: {found} for {expected}");
+        }
+    }
+    let shear = gallery::Shear::new(0.7, 1.3).expect("a wave number");
+    check("pullback(x1 + 0.7*sin(1.3*x2), x2)", &shear);
+    check(
+        "turn = 1.3*exp(-(x1^2 + x2^2)/(2*0.6^2)); s, c = sin_cos(turn);
+        pullback(c*x1 - s*x2, s*x1 + c*x2)",
+        &gallery::Swirl::new(1.3, 0.6).expect("a width"),
+    );
+    let hill = gallery::Hill::new(0.7, 0.6).expect("a width");
+    check::<2>("graph(0.7*exp(-(x1^2 + x2^2)/(2*0.6^2)))", &hill);
+    check::<3>("graph(0.7*exp(-(x1^2 + x2^2 + x3^2)/(2*0.6^2)))", &hill);
+    check::<2>("speed(2 - cos(x1))", &gallery::Valleys);
+    check::<2>("phi((2 - cos(x1))^2)", &gallery::Valleys);
+    let separable = gallery::Separable::new([0.3, -0.4], [1.1, 1.7]).expect("below one");
+    check("diag((1 + 0.3*sin(1.1*x1))^2, (1 - 0.4*sin(1.7*x2))^2)", &separable);
+}
+
+/// Each rule of differentiation, as jets have it.
+#[test]
+fn the_gradient_of_a_graph_is_that_of_jets() {
+    let functions = [
+        "x1 + x2",
+        "x1 - x2*x2",
+        "x1*x2",
+        "x1/(x2^2 + 1)",
+        "x1*0.3 - x2/7",
+        "(x1 + 3)^-3*x2",
+        "(x1*x2)^5",
+        "x1^1 + x2^0",
+        "-x1*x2",
+        "sqr(x1 - x2)",
+        "recip(x1*x1 + 2)*x2",
+        "sqrt(x1^2 + x2^2 + 1)",
+        "exp(x1*x2/4)",
+        "ln(x1^2 + 2)*x2",
+        "sin(x1*x2)",
+        "cos(x1 - 2*x2)",
+        "tan(x1/4)*x2",
+        "atan(x1*x2)",
+        "sinh(x1 - x2)",
+        "cosh(x1*x2/3)",
+        "tanh(x1 + x2)",
+        "5",
+    ];
+    let pairs = [("sin_cos", "s*x1 + c^2*x2"), ("sinh_cosh", "s*x1/c + c*x2")];
+    let of_one = functions.map(|f| (String::new(), f.to_owned()));
+    let of_pairs = pairs.map(|(pair, f)| (format!("s, c = {pair}(x1*x2 - x1);"), f.to_owned()));
+    let mut random = Random(seed(1908));
+    for (definitions, f) in of_one.into_iter().chain(of_pairs) {
+        let graph = Formula::<2>::parse(&format!("{definitions} graph({f})"), &[]);
+        let itself = Formula::<2>::parse(&format!("{definitions} phi({f})"), &[]);
+        let (graph, itself) = (graph.expect("a formula"), itself.expect("a formula"));
+        for _ in 0..50 {
+            let x = SVector::from_fn(|_, _| 0.375 * random.number());
+            let jet = itself.gram(&SVector::from(Jet1::variables(&[x[0], x[1]])))[(0, 0)];
+            let g = SVector::from(*jet.gradient());
+            let expected = SMatrix::identity() + g * g.transpose();
+            let off = (graph.gram(&x) - expected).amax() / expected.amax();
+            assert!(off < 1e-14, "{f} at {x:?}: off by {off:e}");
+        }
+    }
+}
+
+#[test]
+fn forms_say_what_they_take_and_leave_their_names() {
+    let error = |text: &str| Formula::<2>::parse(text, &[]).expect_err("refused").to_string();
+    assert_eq!(
+        error("pullback(x1)"),
+        "at byte 0: 1 functions of a pullback, which has as many as coordinates at least, in dimension 2"
+    );
+    assert_eq!(error(" diag(1, 2, x1)"), "at byte 1: 3 entries of a diagonal in dimension 2");
+    assert_eq!(
+        error("graph(x1, x2)"),
+        "at byte 0: 2 functions of a graph, which has one, in dimension 2"
+    );
+    assert_eq!(error("speed(2 x1)"), "at byte 8: found x1, expected an operator, a comma or )");
+    assert_eq!(error("graph(x1) I"), "at byte 10: found I, expected the end");
+    let named = Formula::<2>::parse("phi = 2 - cos(x1); speed(phi)", &[]);
+    assert_eq!(named, Formula::parse("graph = 2 - cos(x1); sqr(graph) I", &[]));
 }

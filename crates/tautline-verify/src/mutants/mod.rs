@@ -1,6 +1,7 @@
 //! Mutants: deliberately wrong variants of the library, to which the suite is put.
 
 mod enclosures;
+mod formula;
 mod mistakes;
 mod mutant;
 mod mutations;

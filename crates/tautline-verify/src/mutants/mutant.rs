@@ -42,6 +42,26 @@ pub enum Mutant {
     NotRefined,
     /// The solver returns the local minimum nearest to the straight line.
     LocalForGlobal,
+    /// The search reads `b ∘ a` for `a ∘ b` in the recorded formula.
+    OperandsSwapped,
+    /// The search takes constants of the recorded formula for one that differ by less than a quarter.
+    ConstantsMerged,
+    /// The search keeps constants of the recorded formula to single precision.
+    ConstantsShortened,
+    /// The search reads the first of two functions that are evaluated together for the second.
+    SineForCosine,
+    /// The search reads `x` for `x²` in the recorded formula, and so on.
+    PowerOfStepLost,
+    /// The search reads the step beside one of the recorded formula.
+    StepBesideRead,
+    /// The search takes the entries of `H` off the diagonal for zeros of its structure.
+    EntryTakenForZero,
+    /// The derivation of `dᵀ ∂ₖH d` has half of the product rule.
+    ProductRuleHalved,
+    /// The last place of a batch has the rows of the one before.
+    LaneLost,
+    /// The first place of a batch has the rows of the batch before.
+    RegisterStale,
     /// `L_H` is claimed 10 % too small.
     LipschitzTooSmall,
     /// `L_H` is claimed twice too large: nothing is wrong then, but the bounds are loosened.
@@ -143,8 +163,8 @@ pub enum Mutant {
 }
 
 impl Mutant {
-    /// All of them: discretizations, sets, solver, constants, bounds, sharper bounds.
-    pub const ALL: [Mutant; 68] = [
+    /// All of them: discretizations, sets, solver, recorded formulas, constants, bounds, sharper bounds.
+    pub const ALL: [Mutant; 78] = [
         Mutant::RulesExchanged,
         Mutant::TrueTrapezoid,
         Mutant::EnergyHalved,
@@ -164,6 +184,16 @@ impl Mutant {
         Mutant::NotOptimised,
         Mutant::NotRefined,
         Mutant::LocalForGlobal,
+        Mutant::OperandsSwapped,
+        Mutant::ConstantsMerged,
+        Mutant::ConstantsShortened,
+        Mutant::SineForCosine,
+        Mutant::PowerOfStepLost,
+        Mutant::StepBesideRead,
+        Mutant::EntryTakenForZero,
+        Mutant::ProductRuleHalved,
+        Mutant::LaneLost,
+        Mutant::RegisterStale,
         Mutant::LipschitzTooSmall,
         Mutant::LipschitzDoubled,
         Mutant::ConstantsExchanged,
@@ -238,6 +268,16 @@ impl Mutant {
             Mutant::NotOptimised => "the straight line for a minimiser",
             Mutant::NotRefined => "the minimiser of half as many chords",
             Mutant::LocalForGlobal => "a local minimum for the global one",
+            Mutant::OperandsSwapped => "operands of a recorded step swapped",
+            Mutant::ConstantsMerged => "constants of a recorded formula merged",
+            Mutant::ConstantsShortened => "recorded constants in single precision",
+            Mutant::SineForCosine => "the sine of a recorded pair for the cosine",
+            Mutant::PowerOfStepLost => "a power of a recorded step lost",
+            Mutant::StepBesideRead => "the step beside a recorded one read",
+            Mutant::EntryTakenForZero => "entries of H taken for zeros of its structure",
+            Mutant::ProductRuleHalved => "half of the product rule in dᵀ ∂ₖH d",
+            Mutant::LaneLost => "the last lane of a batch lost",
+            Mutant::RegisterStale => "registers of the batch before",
             Mutant::LipschitzTooSmall => "L_H 10 % too small",
             Mutant::LipschitzDoubled => "L_H twice too large",
             Mutant::ConstantsExchanged => "c₁ and c₂ exchanged in K_{1,g}",

@@ -5,7 +5,7 @@ use tautline::{
     SolveError, Starts, Stop, Trapezoidal, TrueTrapezoid,
 };
 
-use super::Mutant;
+use super::{Mutant, formula};
 use crate::{Library, Subject};
 
 /// Whether `R` reads the metric as the trapezoidal rule of the paper does.
@@ -66,7 +66,11 @@ pub(super) fn minimise_with<R: Rule, const D: usize>(
             let moved = first_point_moved(&minimum.sequence, 1e-6);
             Ok(with(minimum, moved))
         }
-        _ => genuine(n),
+        Some(mutant) => {
+            let misread = formula::minimise(mutant, rule, metric, ends, n, options);
+            misread.unwrap_or_else(|| genuine(n))
+        }
+        None => genuine(n),
     }
 }
 

@@ -1,0 +1,182 @@
+//! The mistakes of the mutants that are about recorded formulas and their programs.
+
+use nalgebra::{SMatrix, SVector};
+use tautline::{
+    Batches, Ends, Formula, Kind, Metric, Minimum, Options, Prepared, Rule, Scalar, SolveError,
+    Workspace,
+    formula::{Arithmetic, Function, Layout, Operation, Pair, Register, Registers, Step},
+    minimise_by_batches,
+};
+
+use super::Mutant;
+
+/// The minimiser that a search finds if the formula of the metric is recorded, derived or run with a mistake;
+/// `None` where the mutant has none there, or where the formula cannot be recorded.
+pub(super) fn minimise<R: Rule, const D: usize>(
+    mutant: Mutant,
+    rule: R,
+    metric: &impl Metric<D>,
+    ends: &Ends<D>,
+    n: usize,
+    options: &Options<D>,
+) -> Option<Result<Minimum<D>, SolveError>> {
+    let search = |metric: &dyn Batches<D>| {
+        minimise_by_batches(&mut Workspace::default(), metric, ends, rule, n, options)
+    };
+    match mutant {
+        Mutant::OperandsSwapped
+        | Mutant::ConstantsMerged
+        | Mutant::ConstantsShortened
+        | Mutant::SineForCosine
+        | Mutant::PowerOfStepLost
+        | Mutant::StepBesideRead
+        | Mutant::EntryTakenForZero => {
+            let formula = Formula::record(metric).ok()?;
+            Some(search(&Prepared::new(Misread { formula, mutant })))
+        }
+        Mutant::ProductRuleHalved | Mutant::LaneLost | Mutant::RegisterStale => {
+            let prepared = Prepared::new(Formula::record(metric).ok()?);
+            Some(search(&Misrun { prepared, mutant }))
+        }
+        _ => None,
+    }
+}
+
+/// A formula that is read with a mistake.
+struct Misread<const D: usize> {
+    formula: Formula<D>,
+    mutant: Mutant,
+}
+
+impl<const D: usize> Misread<D> {
+    fn number(&self, number: f64) -> f64 {
+        match self.mutant {
+            // As if numbers were the same that differ by less than a quarter.
+            Mutant::ConstantsMerged => (number * 4.0).round() / 4.0,
+            Mutant::ConstantsShortened => f64::from(number as f32),
+            _ => number,
+        }
+    }
+
+    fn binary<S: Scalar>(&self, how: Arithmetic, a: S, b: S) -> S {
+        let swapped = self.mutant == Mutant::OperandsSwapped;
+        let (a, b) = if swapped { (b, a) } else { (a, b) };
+        match how {
+            Arithmetic::Add => a + b,
+            Arithmetic::Sub => a - b,
+            Arithmetic::Mul => a * b,
+            Arithmetic::Div => a / b,
+        }
+    }
+
+    /// The step of which the value is read for that of a step.
+    fn read(&self, step: Step, place: usize) -> usize {
+        let step = step as usize;
+        let beside = self.mutant == Mutant::StepBesideRead && step >= D && step + 1 < place;
+        step + usize::from(beside)
+    }
+}
+
+impl<const D: usize> Metric<D> for Misread<D> {
+    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
+        let mut values: Vec<S> = Vec::new();
+        for (place, &operation) in self.formula.operations().iter().enumerate() {
+            let at = |step: Step| values[self.read(step, place)];
+            let value = match operation {
+                Operation::Coordinate(i) => x[i as usize],
+                Operation::Constant(number) => S::constant(self.number(number.value())),
+                Operation::Binary(how, a, b) => self.binary(how, at(a), at(b)),
+                Operation::WithNumber(how, a, number) => {
+                    self.binary(how, at(a), S::constant(self.number(number.value())))
+                }
+                Operation::Powi(a, n) if self.mutant == Mutant::PowerOfStepLost => {
+                    at(a).powi(n - n.signum())
+                }
+                Operation::Powi(a, n) => at(a).powi(n),
+                Operation::Of(Function::Sqr, a) if self.mutant == Mutant::PowerOfStepLost => at(a),
+                Operation::Of(function, a) => function.of(at(a)),
+                Operation::First(Pair::SinCos, a) => at(a).sin(),
+                Operation::First(Pair::SinhCosh, a) => at(a).sinh(),
+                Operation::Second => self.second(place, &values),
+            };
+            values.push(value);
+        }
+        SMatrix::from_fn(|i, j| {
+            if i != j && self.mutant == Mutant::EntryTakenForZero {
+                S::zero()
+            } else {
+                values[self.formula.entry(i, j) as usize]
+            }
+        })
+    }
+}
+
+impl<const D: usize> Misread<D> {
+    /// The second of a pair of functions.
+    fn second<S: Scalar>(&self, place: usize, values: &[S]) -> S {
+        match self.formula.operations()[place - 1] {
+            Operation::First(..) if self.mutant == Mutant::SineForCosine => values[place - 1],
+            Operation::First(Pair::SinCos, a) => values[a as usize].cos(),
+            Operation::First(Pair::SinhCosh, a) => values[a as usize].cosh(),
+            _ => unreachable!("the second of a pair follows the first"),
+        }
+    }
+}
+
+/// Programs that are derived or run with a mistake.
+struct Misrun<const D: usize> {
+    prepared: Prepared<Formula<D>, D>,
+    mutant: Mutant,
+}
+
+/// All rows that a batch has.
+fn rows(layout: &Layout) -> impl Iterator<Item = Register> {
+    let Layout { square, momentum, slope, gram, turn, bend, .. } = layout;
+    [square, momentum, slope, gram, turn, bend].into_iter().flatten().copied()
+}
+
+impl<const D: usize> Batches<D> for Misrun<D> {
+    fn gram(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
+        self.prepared.gram(x)
+    }
+
+    fn layout(&self, kind: Kind) -> &Layout {
+        self.prepared.layout(kind)
+    }
+
+    fn registers(&self, kind: Kind, unit: usize, units: usize) -> Registers {
+        self.prepared.registers(kind, unit, units)
+    }
+
+    fn evaluate(&self, kind: Kind, registers: &mut Registers) {
+        let layout = self.layout(kind);
+        let of_first_lane = |registers: &Registers| -> Vec<f64> {
+            rows(layout).map(|row| registers.row(row)[0]).collect()
+        };
+        let before = of_first_lane(registers);
+        self.prepared.evaluate(kind, registers);
+        let last = registers.count() - 1;
+        match self.mutant {
+            Mutant::ProductRuleHalved => {
+                for &row in &layout.slope {
+                    for lane in 0..=last {
+                        registers.set(row, lane, 0.5 * registers.row(row)[lane]);
+                    }
+                }
+            }
+            // The rows of a place are taken for those of the next.
+            Mutant::LaneLost if last > 0 => {
+                for row in rows(layout) {
+                    registers.set(row, last, registers.row(row)[last - 1]);
+                }
+            }
+            // Registers are empty before they are used for the first time.
+            Mutant::RegisterStale if before.iter().any(|&value| value != 0.0) => {
+                for (row, value) in rows(layout).zip(before) {
+                    registers.set(row, 0, value);
+                }
+            }
+            _ => {}
+        }
+    }
+}
