@@ -8,6 +8,7 @@ use crate::{
     drawing::{pdf, png, svg},
     figures::{FIGURES, Figure},
     output::Output,
+    parallel,
     sweep::Sweep,
     tables::{Seed, TABLES, Table},
 };
@@ -74,26 +75,21 @@ pub fn run(arguments: impl IntoIterator<Item = String>) -> Result<(), Failure> {
         return Err(usage(format!("none of the {kind} is called {id}: {}", known.join(", "))));
     }
     let chosen = artefacts.iter().filter(|a| ids.is_empty() || ids.iter().any(|id| id == a.id()));
-    for artefact in chosen {
-        if mode == Mode::List {
-            println!("{:24} {}", artefact.id(), artefact.shows());
-            continue;
-        }
-        let begun = Instant::now();
-        let (file, _) = artefact.data_file();
-        if mode == Mode::Check && !artefact.repeatable() {
-            eprintln!("not checked: paper/{file}, which has times in it");
-            continue;
-        }
-        artefact.make(mode)?;
-        let done = match mode {
-            Mode::Check => format!("checked paper/{file}"),
-            Mode::Quick => format!("wrote target/quick/{file}"),
-            _ => format!("wrote paper/{file}"),
-        };
-        eprintln!("{done} in {:.1} s", begun.elapsed().as_secs_f64());
+    if mode == Mode::List {
+        chosen.for_each(|artefact| println!("{:24} {}", artefact.id(), artefact.shows()));
+        return Ok(());
     }
-    Ok(())
+    // Those with times in them by themselves, when all others are done.
+    let (others, timed): (Vec<_>, Vec<_>) = chosen.partition(|artefact| artefact.repeatable());
+    let results = parallel::map(&others, |artefact| artefact.make_and_tell(mode));
+    results.into_iter().collect::<Result<(), Failure>>()?;
+    timed.into_iter().try_for_each(|artefact| {
+        if mode == Mode::Check {
+            eprintln!("not checked: paper/{}, which has times in it", artefact.data_file().0);
+            return Ok(());
+        }
+        artefact.make_and_tell(mode)
+    })
 }
 
 /// A figure or a table.
@@ -172,6 +168,20 @@ impl Artefact {
                 Ok(files)
             }
         }
+    }
+
+    fn make_and_tell(&self, mode: Mode) -> Result<(), Failure> {
+        let begun = Instant::now();
+        // Said at once: others go on meanwhile, and may fail as well.
+        self.make(mode).inspect_err(|failure| eprintln!("{}: {failure}", self.id()))?;
+        let (file, _) = self.data_file();
+        let done = match mode {
+            Mode::Check => format!("checked paper/{file}"),
+            Mode::Quick => format!("wrote target/quick/{file}"),
+            _ => format!("wrote paper/{file}"),
+        };
+        eprintln!("{done} in {:.1} s", begun.elapsed().as_secs_f64());
+        Ok(())
     }
 
     fn make(&self, mode: Mode) -> Result<(), Failure> {

@@ -13,8 +13,8 @@ const BENCHES: [(&str, &str); 3] = [
         "speed",
         "the least time of each part of a solve on one thread, of many runs in turn, and its ratio \
          to the same written by hand: of assembly to assembly, of a solve of the formula as text to one \
-         of the formula in Rust, of all else to one Newton step; none where nothing is written by \
-         hand, on P4 to P6",
+         of the formula in Rust, of all else to one Newton step; none of these where nothing is \
+         written by hand, on P4 to P6",
     ),
     (
         "scale",
@@ -34,9 +34,9 @@ const BENCHES: [(&str, &str); 3] = [
 ];
 
 /// The parts that can be asked for: problems, numbers of chords, and rows of the second table.
-const PARTS: [&str; 14] = [
+const PARTS: [&str; 15] = [
     "P1", "P2", "P3", "P4", "P5", "P6", "64", "1000", "10000", "100000", "1000000", "batch",
-    "by terms", "by gram",
+    "by terms", "by gram", "programs",
 ];
 
 /// Runs the benchmarks; all of each is written to `paper/tables`, a part only to the terminal.

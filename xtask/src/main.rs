@@ -20,7 +20,7 @@ usage: cargo xtask <task>
                                                 and 100 times the cases; TAUTLINE_SEED and
                                                 TAUTLINE_CASES say otherwise
   bench   [P1 | … | P6 | N | batch | …] …       times the parts of a solve, and large problems:
-                                                paper/tables/speed.csv and scale.csv
+                                                paper/tables/speed.csv, scale.csv, programs.csv
   peers   [--problem ID | --n N | --distance] … other programs on the same problems, timed; needs
                                                 Python 3 and downloads what docs/comparison.md lists
   ci                                            what continuous integration runs

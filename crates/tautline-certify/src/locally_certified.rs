@@ -146,6 +146,7 @@ mod tests {
         let error = proved.constants_within(&vector![0.0, 0.0], -1.0).expect_err("no radius");
         assert_eq!(error, LocalError::NotARadius { radius: -1.0 });
     }
+
     /// Intervals would follow one of the branches.
     #[test]
     fn a_formula_with_branches_has_no_constants() {

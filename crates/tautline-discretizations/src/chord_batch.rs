@@ -246,6 +246,30 @@ mod tests {
         }
     }
 
+    /// The model that is compiled for a node in the middle is that for any node, to the bit.
+    #[test]
+    fn the_model_by_the_middle_is_the_model() {
+        let metric = Prepared::new(Swirl::new(0.5, 1.0).expect("a width"));
+        let x = [vector![0.3, -0.2], vector![-0.6, 0.1], vector![0.4, 0.9]];
+        let chords = x.each_ref().map(|x| (x, vector![0.5, 0.25] - x));
+        let mut batch = ChordBatch::new(&metric, Kind::Contraction, Trapezoidal::NODES, 8.0, 4);
+        batch.see(0, chords.into_iter());
+        let models = batch.singles().first(3);
+        assert!(models.is_by_middle());
+        for k in 0..3 {
+            assert_eq!(models.model_by_middle(k), models.model(k));
+        }
+        batch.face([[chords[0], chords[1]], [chords[2], chords[0]]].into_iter());
+        let models = batch.pairs().first(2);
+        for k in 0..2 {
+            assert_eq!(models.model_by_middle(k), models.model(k));
+        }
+        for nodes in [LeftEndpoint::NODES, TrueTrapezoid::NODES, Lopsided::NODES, &[]] {
+            let batch = ChordBatch::new(&metric, Kind::Contraction, nodes, 8.0, 2);
+            assert!(!batch.singles().is_by_middle(), "{nodes:?}");
+        }
+    }
+
     #[test]
     fn a_chord_seen_from_its_far_end_leads_back() {
         compare(Trapezoidal);

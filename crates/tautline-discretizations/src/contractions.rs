@@ -89,9 +89,14 @@ impl<T: Entry, const D: usize> Contractions<'_, T, D> {
 
     /// Returns the model of the chord, or of the pair of chords, with this number, under a rule with one node
     /// in its middle. It is the same from both ends.
+    ///
+    /// # Panics
+    ///
+    /// If there is no such chord. Under another rule it is the model of none, which debug builds refuse.
     #[inline(always)]
     #[must_use]
     pub fn model_by_middle(&self, k: usize) -> ChordModel<D, T> {
+        debug_assert!(self.is_by_middle(), "a rule with one node, in the middle");
         // A constant, of which products are known when this is compiled.
         self.at_node(k, self.nodes[0].weight, T::constant(0.5))
     }

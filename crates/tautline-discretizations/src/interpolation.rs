@@ -101,6 +101,7 @@ impl<'a, const D: usize> Interpolation<'a, D> {
                 }
                 let at = x + d * s;
                 let h = gram(&at);
+                // Judged as at the nodes, by pivots without roots, and the reason found where it fails.
                 if !is_gram(&h)
                     && let Err(error) = check_matrix(h, &at)
                 {

@@ -105,6 +105,11 @@ pub(crate) fn operations() -> Vec<Operation> {
     with(Vec::new(), |recording| recording.operations.clone())
 }
 
+/// Returns whether the recording of the current thread has failed.
+pub(crate) fn has_failed() -> bool {
+    with(false, |recording| recording.failed.is_some())
+}
+
 /// A number that records its operations: the index of a step on the tape of the current thread.
 ///
 /// A formula is written once for all numbers, and has no other way to meet this one than to be recorded.

@@ -11,13 +11,6 @@ pub trait Lanes: Scalar {
     #[must_use]
     fn lane(self, lane: usize) -> f64;
 
-    /// Returns whether this holds of each.
-    #[must_use]
-    #[inline(always)]
-    fn all(self, holds: impl Fn(f64) -> bool) -> bool {
-        (0..Self::LANES).all(|lane| holds(self.lane(lane)))
-    }
-
     /// Returns whether each is positive and finite.
     #[must_use]
     fn are_positive(self) -> bool;

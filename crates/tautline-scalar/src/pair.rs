@@ -320,9 +320,11 @@ mod tests {
         }
         assert!(!Pair::new(0.0, 1.0).is_zero() && !Pair::new(1.0, 0.0).is_zero());
         assert!(Pair::new(0.0, -0.0).is_zero() && Pair::new(f64::NAN, 0.0) != Pair::zero());
-        assert!(pair.all(|x| x > 0.0));
-        assert!(!pair.all(|x| x > 1.0) && !pair.all(|x| x < 2.0) && !pair.all(|x| x > 2.0));
-        assert!(1.0_f64.all(|x| x > 0.0) && !1.0_f64.all(|x| x > 1.0));
+        assert!(pair.are_positive() && f64::MAX.are_positive() && 5e-324.are_positive());
+        for none in [0.0, -0.0, -1.0, f64::INFINITY, f64::NAN] {
+            let pairs = [Pair::new(none, 1.0), Pair::new(1.0, none), Pair::new(none, none)];
+            assert!(!none.are_positive() && !pairs.into_iter().any(Lanes::are_positive), "{none}");
+        }
     }
 
     /// The one beside a number out of the range is none the worse for it.

@@ -297,6 +297,7 @@ mod tests {
         let error = line.prove(accuracy).expect_err("undefined");
         assert!(matches!(error, ProofError::Curve(CurveError::Undefined { .. })), "{error}");
     }
+
     /// The formula is read where the line is, and in intervals one branch of several would be followed.
     #[test]
     fn nothing_is_proved_of_a_formula_with_branches() {

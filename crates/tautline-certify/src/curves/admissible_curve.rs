@@ -59,7 +59,8 @@ pub enum CurveError {
         /// How many there are.
         chords: usize,
     },
-    /// The formula of the metric cannot be recorded: intervals would follow one branch of several.
+    /// The formula of the metric cannot be recorded: it has branches, of which intervals would follow one, or
+    /// too many steps.
     #[error("nothing is proved of a formula that cannot be recorded: {0}")]
     NotRecorded(#[source] RecordError),
 }

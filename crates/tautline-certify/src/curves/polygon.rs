@@ -35,7 +35,7 @@ pub struct Polygon<'a, const D: usize, K = Rigorous> {
 
 /// Why nothing is enclosed.
 pub(super) enum NotEnclosed {
-    /// The formula has branches, say.
+    /// The formula has branches or too many steps.
     NotRecorded(RecordError),
     /// The metric is undefined somewhere on this chord, from 0.
     Undefined { chord: usize },
@@ -87,8 +87,8 @@ impl<'a, const D: usize, K: Kernel> Polygon<'a, D, K> {
     /// Encloses the continuous energy `E(γᵖˡ) = N Σ ∫₀¹ dᵀ H(x + s d) d ds`, in `m²`.
     ///
     /// Undefined if the metric is so anywhere on the curve, if it gives a negative square there, or if its
-    /// formula cannot be [recorded](tautline_formula::Formula::record): intervals would follow one branch of
-    /// several. Infinite where a number overflows. The lower end is never negative.
+    /// formula cannot be [recorded](tautline_formula::Formula::record), as one with branches, of which intervals
+    /// would follow one. Infinite where a number overflows. The lower end is never negative.
     ///
     /// On each chord by Taylor's formula at the midpoint, with the remainder of fourth order over
     /// the whole chord; where that is too wide, on its halves and so on, 8192 of them at most and

@@ -76,7 +76,8 @@ impl Registers {
         (SVector::from_fn(|i, _| row(i)), SVector::from_fn(|i, _| row(D + i)))
     }
 
-    /// Sets the number of a lane.
+    /// Sets the number of a lane in a row of results, until the program runs the next time. In another
+    /// register, such as one of its constants, the program would read it.
     ///
     /// # Panics
     ///

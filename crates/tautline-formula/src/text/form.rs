@@ -1,7 +1,7 @@
 //! `Form`: a Gram matrix that a text makes of functions.
 
 use super::{
-    gradient::{gradient, sum, times},
+    gradient::{along, gradients, sum},
     value::Value,
 };
 use crate::recording::Symbol;
@@ -43,14 +43,18 @@ impl Form {
         }
     }
 
-    /// Returns what it takes, as an error says it.
-    pub(super) fn what(self) -> &'static str {
+    /// Returns its name and what it takes in this dimension, as an error says it.
+    pub(super) fn takes_what(self, dimension: usize) -> (&'static str, String) {
+        let count = |count: usize| match count {
+            1 => "one function".to_owned(),
+            _ => format!("{count} functions"),
+        };
         match self {
-            Form::Pullback => "functions of a pullback, which has as many as coordinates at least,",
-            Form::Graph => "functions of a graph, which has one,",
-            Form::Phi => "factors of the identity, which has one,",
-            Form::Speed => "speeds, of which there is one,",
-            Form::Diag => "entries of a diagonal",
+            Form::Pullback => ("pullback", format!("{} or more", count(dimension))),
+            Form::Graph => ("graph", count(1)),
+            Form::Phi => ("phi", count(1)),
+            Form::Speed => ("speed", count(1)),
+            Form::Diag => ("diag", count(dimension)),
         }
     }
 
@@ -58,9 +62,7 @@ impl Form {
     pub(super) fn entries(self, functions: &[Value], dimension: usize) -> Vec<Symbol> {
         let one = |is_diagonal: bool| Value::Number(f64::from(u8::from(is_diagonal)));
         let derivatives: Vec<Vec<Value>> = match self {
-            Form::Pullback | Form::Graph => {
-                functions.iter().map(|&function| gradient(function, dimension)).collect()
-            }
+            Form::Pullback | Form::Graph => gradients(functions, dimension),
             Form::Phi | Form::Speed | Form::Diag => Vec::new(),
         };
         let entry = |i: usize, j: usize| {
@@ -68,19 +70,24 @@ impl Form {
             match self {
                 Form::Pullback | Form::Graph => {
                     // A square as such: in intervals it is not negative.
-                    let product = |row: &Vec<Value>| {
-                        if i == j { row[i].squared() } else { times(row[i], row[j]) }
+                    let term = |row: &Vec<Value>| {
+                        if i == j { row[i].squared() } else { product(row[i], row[j]) }
                     };
-                    let products = derivatives.iter().map(product);
+                    let products = derivatives.iter().map(term);
                     products.fold(begin, sum)
                 }
-                Form::Phi => times(begin, functions[0]),
-                Form::Speed => times(begin, functions[0].squared()),
-                Form::Diag => times(begin, functions[i]),
+                Form::Phi => along(begin, functions[0]),
+                Form::Speed => along(begin, functions[0].squared()),
+                Form::Diag => along(begin, functions[i]),
             }
         };
         let places = (0..dimension).flat_map(|j| (0..dimension).map(move |i| (i, j)));
         // The halves are the same steps.
         places.map(|(i, j)| entry(i.min(j), i.max(j)).symbol()).collect()
     }
+}
+
+/// The product of two derivatives, of which 0 is one that is known to be so.
+fn product(a: Value, b: Value) -> Value {
+    if b.is(0.0) { b } else { along(a, b) }
 }

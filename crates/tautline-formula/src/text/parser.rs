@@ -38,7 +38,7 @@ impl<const D: usize> Formula<D> {
     /// A form makes the matrix of functions, of which it takes the derivatives where it needs them:
     /// `pullback(Φ₁, …, Φₘ)` is `JᵀJ` with the derivative `J` of the map `Φ`, `m ≥ D`; `graph(f)` is
     /// `I + ∇f ∇fᵀ`; `phi(φ)` is `φ I`; `speed(f)` is `f² I`, under which a curve is `∫ f |γ'| dt` long; and
-    /// `diag(a₁, …, a_D)` is the diagonal matrix.
+    /// `diag(a₁, …, a_D)` is the diagonal matrix. A text may give their names to something else.
     ///
     /// What stands left is evaluated first, and numbers among
     /// themselves are evaluated as `f64`. A text does what the same formula does in Rust: the tapes are
@@ -126,11 +126,12 @@ impl<'a> Parser<'a> {
         while self.is_definition()? {
             self.definition()?;
         }
-        let form = self.named_form()?;
-        let entries = match form {
-            _ if self.is('[') => self.matrix()?,
-            Some(form) => self.form(form)?,
-            None => self.multiple_of_identity()?,
+        let entries = if self.is('[') {
+            self.matrix()?
+        } else if let Some(form) = self.named_form()? {
+            self.form(form)?
+        } else {
+            self.multiple_of_identity()?
         };
         match self.ahead.0 {
             Token::End => Ok(entries),
@@ -231,7 +232,7 @@ impl<'a> Parser<'a> {
         Ok((0..dimension).flat_map(|j| rows.iter().map(move |row| row[j])).collect())
     }
 
-    /// The form of which the name and a bracket stand next. A text may give its name to something else.
+    /// The form of which the name and a bracket stand next.
     fn named_form(&self) -> Result<Option<Form>, TextError> {
         let Token::Name(name) = self.ahead.0 else { return Ok(None) };
         let (next, _) = self.tokens.clone().word()?;
@@ -254,8 +255,8 @@ impl<'a> Parser<'a> {
         let end = self.advance()?.1.end;
         let dimension = self.x.len();
         if !form.takes(functions.len(), dimension) {
-            let (found, what) = (functions.len(), form.what());
-            let problem = Problem::Shape { found, what, dimension };
+            let (found, (form, takes)) = (functions.len(), form.takes_what(dimension));
+            let problem = Problem::Functions { form, takes, found, dimension };
             return Err(TextError { at: at.start..end, problem });
         }
         Ok(form.entries(&functions, dimension))

@@ -68,6 +68,18 @@ pub enum Problem {
         /// How many there have to be.
         dimension: usize,
     },
+    /// A form of too few functions, or too many.
+    #[error("{form} takes {takes} in dimension {dimension}, and here is {found}")]
+    Functions {
+        /// The name of the form.
+        form: &'static str,
+        /// How many it takes.
+        takes: String,
+        /// How many there are.
+        found: usize,
+        /// The number of coordinates.
+        dimension: usize,
+    },
     /// Brackets within brackets, deeper than anybody writes.
     #[error("more than {most} levels of brackets")]
     TooDeep {

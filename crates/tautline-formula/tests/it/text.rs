@@ -2,9 +2,9 @@
 
 use nalgebra::{SMatrix, SVector, matrix, vector};
 use tautline_chance::seed;
-use tautline_formula::Formula;
+use tautline_formula::{Formula, Problem, RecordError};
 use tautline_metrics::{Metric, Scalar, gallery};
-use tautline_scalar::Jet1;
+use tautline_scalar::{Interval, Jet1};
 
 use crate::random::Random;
 
@@ -181,17 +181,85 @@ fn the_gradient_of_a_graph_is_that_of_jets() {
 #[test]
 fn forms_say_what_they_take_and_leave_their_names() {
     let error = |text: &str| Formula::<2>::parse(text, &[]).expect_err("refused").to_string();
+    let few = "at byte 0: pullback takes 2 functions or more in dimension 2, and here is 1";
+    assert_eq!(error("pullback(x1)"), few);
     assert_eq!(
-        error("pullback(x1)"),
-        "at byte 0: 1 functions of a pullback, which has as many as coordinates at least, in dimension 2"
+        error(" diag(1, 2, x1)"),
+        "at byte 1: diag takes 2 functions in dimension 2, and here is 3"
     );
-    assert_eq!(error(" diag(1, 2, x1)"), "at byte 1: 3 entries of a diagonal in dimension 2");
     assert_eq!(
         error("graph(x1, x2)"),
-        "at byte 0: 2 functions of a graph, which has one, in dimension 2"
+        "at byte 0: graph takes one function in dimension 2, and here is 2"
     );
     assert_eq!(error("speed(2 x1)"), "at byte 8: found x1, expected an operator, a comma or )");
     assert_eq!(error("graph(x1) I"), "at byte 10: found I, expected the end");
     let named = Formula::<2>::parse("phi = 2 - cos(x1); speed(phi)", &[]);
     assert_eq!(named, Formula::parse("graph = 2 - cos(x1); sqr(graph) I", &[]));
+}
+
+/// Into a space of more dimensions: the sphere in three, and a curve in the plane.
+#[test]
+fn a_pullback_sums_over_all_functions() {
+    let sphere = "s, c = sin_cos(x1); t, d = sin_cos(x2); pullback(s*d, s*t, c)";
+    let sphere = Formula::<2>::parse(sphere, &[]).expect("a formula");
+    let helix = Formula::<1>::parse("pullback(sin(2*x1), cos(2*x1), x1)", &[]).expect("a formula");
+    for x in [0.3, 1.0, -2.0] {
+        let expected = matrix![1.0, 0.0; 0.0, f64::sin(x).powi(2)];
+        assert!((sphere.gram(&vector![x, 0.7]) - expected).amax() < 1e-15);
+        assert!((helix.gram(&vector![x])[(0, 0)] - 5.0).abs() < 2e-15);
+    }
+}
+
+/// A logarithm has the derivative `1/a` also where there is no logarithm.
+#[test]
+fn where_a_function_is_undefined_so_is_its_metric() {
+    let undefined = [
+        "graph(ln(x1))",
+        "graph(0*ln(x1) + x2)",
+        "pullback(ln(x1), x2)",
+        "graph(ln(x1)^0)",
+        "graph(ln(x1)/(1/0) + x2)",
+        "graph(x2 + 0/0)",
+        "graph(ln(-1))",
+        "speed(ln(x1))",
+    ];
+    for text in undefined {
+        let formula = Formula::<2>::parse(text, &[]).expect("a formula");
+        let trace = formula.gram(&vector![-1.0, 0.5]).trace();
+        assert!(trace.is_nan(), "{text}: {trace}");
+        let over = vector![Interval::new(-2.0, -1.0).expect("ordered"), Interval::point(0.5)];
+        assert!(formula.gram(&over).trace().is_undefined(), "{text}");
+    }
+    let defined = Formula::<2>::parse("graph(ln(x1))", &[]).expect("a formula");
+    let slope = defined.gram(&vector![Interval::point(0.5), Interval::point(0.0)])[(0, 0)];
+    assert!(slope.contains(5.0) && slope.width() < 1e-13, "{slope:?}");
+}
+
+#[test]
+fn powers_at_the_ends_of_the_range_have_their_derivatives() {
+    let x = 1.0 + 1e-9;
+    for n in [i32::MIN, i32::MIN + 1, -1, 1, i32::MAX] {
+        let graph = Formula::<1>::parse(&format!("graph(x1^{n})"), &[]).expect("a formula");
+        // n x^{n−1}, by logarithms: 1e-9 is rounded by 1e-16, times n.
+        let expected =
+            1.0 + (f64::from(n) * ((f64::from(n) - 1.0) * 1e-9_f64.ln_1p()).exp()).powi(2);
+        let found = graph.gram(&vector![x])[(0, 0)];
+        assert!((found / expected - 1.0).abs() < 1e-5, "{n}: {found} for {expected}");
+    }
+}
+
+/// The same function many times, and a tape that becomes too long by its derivatives.
+#[test]
+fn long_lists_of_functions_are_read_in_one_pass() {
+    let chain = |length: usize| {
+        let step = |k: usize| format!("a{} = sin(a{k}*x2 + 0.25);", k + 1);
+        format!("a0 = x1; {}", (0..length).map(step).collect::<String>())
+    };
+    let text = format!("{} pullback({})", chain(1000), ["a1000"; 20_000].join(", "));
+    assert!(Formula::<2>::parse(&text, &[]).is_ok());
+    // Three steps each, and six more for the derivatives.
+    let text = format!("{} graph(a130000)", chain(130_000));
+    let problem = Formula::<2>::parse(&text, &[]).err().map(|error| error.problem);
+    assert!(matches!(problem, Some(Problem::Record(RecordError::TooLong { .. }))), "{problem:?}");
+    assert!(Formula::<2>::parse(&text.replace("graph", "phi"), &[]).is_ok());
 }

@@ -40,9 +40,7 @@ impl<'m, const D: usize> DiscreteEnergy<'m, D> {
         for some in chords.chunks(batch.room()) {
             batch.see(0, some.iter().map(|[x, y]| (*x, *y - *x)));
             let terms: Vec<f64> = batch.energies().of_first(some.len()).collect();
-            energies.extend(
-                terms.chunks(self.nodes.len().max(1)).map(|terms| terms.iter().sum::<f64>()),
-            );
+            energies.extend(terms.chunks(self.nodes.len()).map(|terms| terms.iter().sum::<f64>()));
         }
         energies
     }

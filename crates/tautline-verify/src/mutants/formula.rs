@@ -1,5 +1,7 @@
 //! The mistakes of the mutants that are about recorded formulas and their programs.
 
+use std::collections::BTreeSet;
+
 use nalgebra::{SMatrix, SVector};
 use tautline::{
     Batches, Ends, Formula, Kind, Metric, Minimum, Options, Prepared, Rule, Scalar, SolveError,
@@ -51,7 +53,6 @@ struct Misread<const D: usize> {
 impl<const D: usize> Misread<D> {
     fn number(&self, number: f64) -> f64 {
         match self.mutant {
-            // As if numbers were the same that differ by less than a quarter.
             Mutant::ConstantsMerged => (number * 4.0).round() / 4.0,
             Mutant::ConstantsShortened => f64::from(number as f32),
             _ => number,
@@ -94,6 +95,9 @@ impl<const D: usize> Metric<D> for Misread<D> {
                 }
                 Operation::Powi(a, n) => at(a).powi(n),
                 Operation::Of(Function::Sqr, a) if self.mutant == Mutant::PowerOfStepLost => at(a),
+                Operation::Of(Function::Cos, a) if self.mutant == Mutant::SineForCosine => {
+                    at(a).sin()
+                }
                 Operation::Of(function, a) => function.of(at(a)),
                 Operation::First(Pair::SinCos, a) => at(a).sin(),
                 Operation::First(Pair::SinhCosh, a) => at(a).sinh(),
@@ -129,7 +133,7 @@ struct Misrun<const D: usize> {
     mutant: Mutant,
 }
 
-/// All rows that a batch has.
+/// All rows of numbers that a batch has; those that only judge `H` are left.
 fn rows(layout: &Layout) -> impl Iterator<Item = Register> {
     let Layout { square, momentum, slope, gram, turn, bend, .. } = layout;
     [square, momentum, slope, gram, turn, bend].into_iter().flatten().copied()
@@ -154,11 +158,16 @@ impl<const D: usize> Batches<D> for Misrun<D> {
             rows(layout).map(|row| registers.row(row)[0]).collect()
         };
         let before = of_first_lane(registers);
+        let is_stale = |now: &[f64]| {
+            before.iter().zip(now).any(|(&before, &now)| before != 0.0 && before != now)
+        };
         self.prepared.evaluate(kind, registers);
         let last = registers.count() - 1;
         match self.mutant {
             Mutant::ProductRuleHalved => {
-                for &row in &layout.slope {
+                // Slopes that are one step are in one register.
+                let slopes: BTreeSet<Register> = layout.slope.iter().copied().collect();
+                for row in slopes {
                     for lane in 0..=last {
                         registers.set(row, lane, 0.5 * registers.row(row)[lane]);
                     }
@@ -170,9 +179,9 @@ impl<const D: usize> Batches<D> for Misrun<D> {
                     registers.set(row, last, registers.row(row)[last - 1]);
                 }
             }
-            // Registers are empty before they are used for the first time.
-            Mutant::RegisterStale if before.iter().any(|&value| value != 0.0) => {
-                for (row, value) in rows(layout).zip(before) {
+            // Registers of results are empty before they are used for the first time.
+            Mutant::RegisterStale if is_stale(&of_first_lane(registers)) => {
+                for (row, &value) in rows(layout).zip(&before) {
                     registers.set(row, 0, value);
                 }
             }

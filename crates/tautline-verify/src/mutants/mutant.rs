@@ -44,11 +44,11 @@ pub enum Mutant {
     LocalForGlobal,
     /// The search reads `b ∘ a` for `a ∘ b` in the recorded formula.
     OperandsSwapped,
-    /// The search takes constants of the recorded formula for one that differ by less than a quarter.
+    /// The search rounds the constants of the recorded formula to quarters, so that near ones are one.
     ConstantsMerged,
     /// The search keeps constants of the recorded formula to single precision.
     ConstantsShortened,
-    /// The search reads the first of two functions that are evaluated together for the second.
+    /// The search evaluates the sine where the recorded formula has the cosine.
     SineForCosine,
     /// The search reads `x` for `x²` in the recorded formula, and so on.
     PowerOfStepLost,
@@ -271,7 +271,7 @@ impl Mutant {
             Mutant::OperandsSwapped => "operands of a recorded step swapped",
             Mutant::ConstantsMerged => "constants of a recorded formula merged",
             Mutant::ConstantsShortened => "recorded constants in single precision",
-            Mutant::SineForCosine => "the sine of a recorded pair for the cosine",
+            Mutant::SineForCosine => "the sine for a recorded cosine",
             Mutant::PowerOfStepLost => "a power of a recorded step lost",
             Mutant::StepBesideRead => "the step beside a recorded one read",
             Mutant::EntryTakenForZero => "entries of H taken for zeros of its structure",

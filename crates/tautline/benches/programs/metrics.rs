@@ -36,10 +36,10 @@ pub(crate) fn every_metric(visitor: &mut impl Visitor) -> Result<(), Box<dyn Err
     visitor.visit::<2>("HyperbolicPatch", &HyperbolicPatch::new(0.6)?);
     visitor.visit("GaussianFisherPatch", &GaussianFisherPatch::new(0.7)?);
     visitor.visit("SineProjections", &SineProjections::benchmark());
-    visitor.visit("SineProjections, 4 terms", &projections::<24>(4)?);
-    visitor.visit("SineProjections, 4 terms", &projections::<64>(4)?);
-    visitor.visit("TanhDecoder, 8 units and 16 outputs", &*decoder::<8, 16>()?);
-    visitor.visit("TanhDecoder, 64 units and 784 outputs", &*decoder::<64, 784>()?);
+    visitor.visit("SineProjections of 4 terms", &projections::<24>(4)?);
+    visitor.visit("SineProjections of 4 terms", &projections::<64>(4)?);
+    visitor.visit("TanhDecoder with 8 units and 16 outputs", &*decoder::<8, 16>()?);
+    visitor.visit("TanhDecoder with 64 units and 784 outputs", &*decoder::<64, 784>()?);
     Ok(())
 }
 
