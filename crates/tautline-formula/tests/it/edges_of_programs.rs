@@ -2,7 +2,10 @@
 
 use nalgebra::{SMatrix, SVector};
 use tautline_formula::{Batch, Batches, Kind, Plain, Prepared};
-use tautline_metrics::Metric;
+use tautline_metrics::{
+    Metric,
+    gallery::{SineProjection, SineProjections},
+};
 use tautline_scalar::Scalar;
 
 use crate::programs::{all, compare_one, evaluate, places};
@@ -46,6 +49,36 @@ fn a_long_formula_is_evaluated_as_it_is_compiled() {
         registers.flat_map(|&register| batch.row(register)[..20].to_vec()).collect::<Vec<f64>>()
     });
     assert_eq!(found, expected);
+}
+
+/// In many dimensions a program is taken at any length: compiled, the derivatives of one formula are taken over
+/// and over, a few directions at a time. The numbers are those of the compiled forms of the metric.
+#[test]
+fn from_24_coordinates_on_there_is_a_program_of_any_length() {
+    let vector = |seed: usize| {
+        SVector::<f64, 32>::from_fn(|i, _| (1.0 + 1.7 * (32 * seed + i) as f64).sin())
+    };
+    let term =
+        |k: usize| SineProjection { wave_vector: vector(2 * k), direction: vector(2 * k + 1) };
+    let metric = SineProjections::new((0..8).map(term).collect()).expect("finite");
+    let (plain, prepared) = (Plain::new(&metric), Prepared::new(&metric));
+    assert!(prepared.size(Kind::Contraction).is_some_and(|[length, _]| length > 10_000));
+    let places = places::<32>(6);
+    let [found, expected] = [&prepared as &dyn Batches<32>, &plain].map(|metric| {
+        let mut batch = Batch::new(metric, Kind::Contraction, 6, 1);
+        assert!(evaluate(&mut batch, &places));
+        let layout = batch.layout();
+        let rows = [&layout.gram, &layout.slope, &layout.turn, &layout.bend];
+        rows.map(|rows| {
+            rows.iter().flat_map(|&row| batch.row(row)[..6].to_vec()).collect::<Vec<f64>>()
+        })
+    });
+    for (found, expected) in found.iter().zip(&expected) {
+        // Sums of 8 · 32 products, with phases of the size 10 whose rounding is that of the sines.
+        let size = expected.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+        let off = found.iter().zip(expected).fold(0.0_f64, |off, (a, b)| off.max((a - b).abs()));
+        assert!(off < 1e-12 * size, "{off:e} of {size}");
+    }
 }
 
 /// Which of two numbers is larger cannot be asked, whether they are the same can: it has no formula.
