@@ -40,9 +40,9 @@ impl<const D: usize> Formula<D> {
     /// `I + ∇f ∇fᵀ`; `phi(φ)` is `φ I`; `speed(f)` is `f² I`, under which a curve is `∫ f |γ'| dt` long; and
     /// `diag(a₁, …, a_D)` is the diagonal matrix. A text may give their names to something else.
     ///
-    /// What stands left is evaluated first, and numbers among
-    /// themselves are evaluated as `f64`. A text does what the same formula does in Rust: the tapes are
-    /// equal where the definitions stand in the order of the lets.
+    /// What stands left is evaluated first, and numbers among themselves are evaluated as `f64`. A text does
+    /// what the same formula does in Rust: the tapes are equal where the definitions stand in the order of
+    /// the lets.
     ///
     /// ```
     /// use tautline_formula::Formula;
