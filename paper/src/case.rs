@@ -9,7 +9,7 @@ use tautline::{
 };
 pub use tautline_verify::PaperRule;
 use tautline_verify::{
-    Finding, Known, Library, Reconstruction, mean_power,
+    Finding, Known, LIBRARY, Reconstruction, mean_power,
     statements::{
         lemma_s_4, prop_s_6, theorem_1_1, theorem_1_2, theorem_1_3, theorem_1_4, theorem_a,
         theorem_b, theorem_c, theorem_d,
@@ -163,15 +163,15 @@ fn observe<M: Bounded<D>, const D: usize>(
     rule: PaperRule,
     n: usize,
 ) -> Result<Observation, Failure> {
-    let seen = Reconstruction::observe(&Library, known, rule, n)?;
+    let seen = Reconstruction::observe(&LIBRARY, known, rule, n)?;
     let of_the_paper = match rule {
-        PaperRule::Trapezoidal => [theorem_1_1(&Library, &seen), theorem_1_2(&Library, &seen)],
-        PaperRule::LeftEndpoint => [theorem_1_3(&Library, &seen), theorem_1_4(&Library, &seen)],
+        PaperRule::Trapezoidal => [theorem_1_1(&LIBRARY, &seen), theorem_1_2(&LIBRARY, &seen)],
+        PaperRule::LeftEndpoint => [theorem_1_3(&LIBRARY, &seen), theorem_1_4(&LIBRARY, &seen)],
     };
     let first_order =
-        [lemma_s_4(&Library, &seen), theorem_a(&Library, &seen), theorem_c(&Library, &seen)];
-    let second_order = [theorem_b(&Library, &seen), theorem_d(&Library, &seen)];
-    let enclosure = prop_s_6(&Library, &seen, 0.0)?;
+        [lemma_s_4(&LIBRARY, &seen), theorem_a(&LIBRARY, &seen), theorem_c(&LIBRARY, &seen)];
+    let second_order = [theorem_b(&LIBRARY, &seen), theorem_d(&LIBRARY, &seen)];
+    let enclosure = prop_s_6(&LIBRARY, &seen, 0.0)?;
     let sharper = first_order.into_iter().chain(second_order.into_iter().flatten());
     for theorem in of_the_paper.into_iter().chain(sharper).chain([enclosure]) {
         match theorem.finding() {

@@ -1,14 +1,14 @@
 //! What the adversary finds in the families of the project.
 
 use tautline_verify::{
-    Mutant, Source,
+    LIBRARY, Mutant, Source,
     adversary::{AdversaryError, Search, families},
 };
 
 /// The least slack that the search finds; `∞` if none is told.
 #[track_caller]
 fn slack(number: &str, name: &str, source: Source) -> f64 {
-    let families = families(&None);
+    let families = families(&LIBRARY);
     let family = families.iter().find(|family| family.is(number, name)).expect("listed");
     let found = Search::default().tightest(family, source).expect("no violation");
     found.map_or(f64::INFINITY, |found| found.slack)
@@ -86,7 +86,7 @@ fn theorems_a_to_d_are_attained() {
 /// The tightest cases of these are at `a → 0` and at `N = 1`; no range is too short for them.
 #[test]
 fn a_search_that_ends_at_an_edge_is_not_cut_off() {
-    let families = families(&None);
+    let families = families(&LIBRARY);
     let mut edges = 0;
     for (number, name) in [
         ("Theorem 1.1", "tent"),
@@ -113,7 +113,7 @@ fn there_is_no_slack_to_tell_of_the_length_of_one_chord_on_the_line() {
 
 #[test]
 fn the_same_search_finds_the_same_case() {
-    let families = families(&None);
+    let families = families(&LIBRARY);
     let shear = families.iter().find(|family| family.is("Theorem 1.2", "shear"));
     let shear = shear.expect("listed");
     let search = Search { restarts: 1, samples: 20, climbs: 40, ..Search::default() };
@@ -126,7 +126,8 @@ fn the_same_search_finds_the_same_case() {
 /// With a quarter instead of a half in Proposition 8.2, which an incline attains.
 #[test]
 fn a_wrong_constant_is_found_out() {
-    let families = families(&Some(Mutant::HalfOfLeftGap));
+    let wrong = Mutant::HalfOfLeftGap.into();
+    let families = families(&wrong);
     let incline = families.iter().find(|family| family.is("Proposition 8.2", "incline"));
     let found = Search::default().tightest(incline.expect("listed"), Source::Stated);
     assert!(matches!(found, Err(AdversaryError::Violated { .. })), "{found:?}");

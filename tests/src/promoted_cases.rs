@@ -11,7 +11,7 @@ use tautline::{
     gallery::{Constant, Shear},
 };
 use tautline_verify::{
-    Evidence, Finding, Known, Mutant, PaperRule, Reconstruction, Units,
+    Evidence, Finding, Known, LIBRARY, Mutant, PaperRule, Reconstruction, Subject, Units,
     battery::{Given, Scope, Trial, suite},
     kit::Chance,
     statements::{
@@ -21,10 +21,10 @@ use tautline_verify::{
 };
 
 /// Evaluates the case with the library and with a mistake.
-fn tells_apart(mutant: Mutant, case: impl Fn(&Option<Mutant>) -> Evidence) {
-    let sound = case(&None);
+fn tells_apart(mutant: Mutant, case: impl Fn(&Subject) -> Evidence) {
+    let sound = case(&LIBRARY);
     assert_eq!(sound.finding(), Finding::Holds, "{sound:?}");
-    let wrong = case(&Some(mutant));
+    let wrong = case(&mutant.into());
     assert_ne!(wrong.finding(), Finding::Holds, "{mutant:?} passes: {wrong:?}");
 }
 
@@ -34,7 +34,7 @@ fn tells_apart(mutant: Mutant, case: impl Fn(&Option<Mutant>) -> Evidence) {
 fn holds(check: &str, family: u64, case: impl Any) {
     let found = suite().into_iter().find(|known| known.name == check);
     let given = Given::new(family, case);
-    let trial = Trial { given: Some(&given), ..Trial::new(&None, Scope::Everything, u32::MAX) };
+    let trial = Trial { given: Some(&given), ..Trial::new(&LIBRARY, Scope::Everything, u32::MAX) };
     let outcome = found.unwrap_or_else(|| panic!("no check is called {check}")).run(&trial);
     assert!(given.was_taken(), "{check} draws no case of this type from the seed {family}");
     if let Err(failure) = outcome {
@@ -44,7 +44,7 @@ fn holds(check: &str, family: u64, case: impl Any) {
 
 /// What a subject's minimiser of a rule with `n` subintervals looks like.
 fn observe<M: Bounded<D>, const D: usize>(
-    subject: &Option<Mutant>,
+    subject: &Subject,
     known: &Known<M, D>,
     rule: PaperRule,
     n: usize,
@@ -246,7 +246,7 @@ fn what_a_failing_check_prints_stands_above() {
         (Mutant::PowerOfK3Lost, "props_7_9_8_1_and_8_2_hold_for_random_sequences"),
         (Mutant::ChristoffelDoubled, "props_7_10_and_7_11_hold_for_random_metrics"),
     ] {
-        let subject = Some(mutant);
+        let subject = mutant.into();
         let trial = Trial::new(&subject, Scope::Everything, u32::MAX);
         let found = suite().into_iter().find(|known| known.name == check).expect("listed");
         let failure = found.run(&trial).expect_err("a mutant");

@@ -6,7 +6,7 @@ use nalgebra::{SMatrix, SVector};
 use tautline::gallery::Constant;
 
 use crate::{
-    Evidence, Finding, Inequality, Known, Library, Source, Statement, VerifyError,
+    Evidence, Finding, Inequality, Known, LIBRARY, Source, Statement, VerifyError,
     curves::{Clock, Geodesic, KinkedCurve, Measured, Pace, Reparametrised, SmoothCurve},
     statements::{
         TwoForms, prop_7_2_as_printed, prop_7_3_as_printed, prop_7_4, prop_7_5_as_printed,
@@ -78,12 +78,12 @@ pub fn errata() -> Result<Vec<Erratum>, VerifyError> {
             "Proposition 7.6, where H is a metric and so positive",
         )?,
         erratum(
-            prop_7_6_as_printed(&Library, &flat, &modulus, [1.0, 0.1], one)?,
+            prop_7_6_as_printed(&LIBRARY, &flat, &modulus, [1.0, 0.1], one)?,
             "γ(t) = |t − 1/2| with H = 1, N = 1, K₁ = 1 and K₂ = 1/10: E = 1 and E_tra,N = 0",
             "Proposition 7.7 and Theorem 1.1, for minimal geodesics, which are smooth",
         )?,
         erratum(
-            prop_7_7(&Library, &ridge()?, &[fast_start(17)?], seventeen())?,
+            prop_7_7(&LIBRARY, &ridge()?, &[fast_start(17)?], seventeen())?,
             "from 0 to 1 in the time 1/N over a ridge, then at rest; any N ≥ 17, here 17",
             "Theorem 1.1, for minimal geodesics, which are smooth",
         )?,
@@ -120,7 +120,7 @@ fn late_minimiser() -> Result<Evidence, VerifyError> {
     let known = Known::joined(metric, ends)?
         .ok_or(VerifyError::NotRefuted { statement: Statement::Proposition9_1 })?;
     let [on_time, late] = [Measured::of(&metric, &on_time), Measured::of(&metric, &late)];
-    Ok(prop_9_1_as_printed(&Library, &known, &on_time, &late))
+    Ok(prop_9_1_as_printed(&LIBRARY, &known, &on_time, &late))
 }
 
 #[cfg(test)]

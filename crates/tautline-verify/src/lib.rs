@@ -6,11 +6,11 @@
 //!
 //! ```
 //! use tautline::{PointSequence, gallery::Valleys};
-//! use tautline_verify::{Finding, Library, statements::prop_7_9};
+//! use tautline_verify::{Finding, LIBRARY, statements::prop_7_9};
 //!
 //! // |E(γᵖˡ) − E_tra,N| ≤ L_H K₃³ / 4√N for four points over a ridge
 //! let sequence = PointSequence::straight([0.0, 0.0], [6.0, 1.0], 3)?;
-//! let evidence = prop_7_9(&Library, &Valleys, &sequence)?;
+//! let evidence = prop_7_9(&LIBRARY, &Valleys, &sequence)?;
 //! assert_eq!(evidence.finding(), Finding::Holds);
 //! assert!(evidence.slack() > 1.0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -52,7 +52,7 @@ pub use mutants::Mutant;
 pub use reconstruction::{Reconstruction, curvature_along, discrete_energy, mean_power, nodes};
 pub use slope::slope;
 pub use statement::Statement;
-pub use subject::{Library, Subject};
+pub use subject::{Bounds, LIBRARY, Subject};
 pub use tautline::bounds::PaperRule;
 pub use units::{InUnits, Units};
 pub use verdict::Verdict;

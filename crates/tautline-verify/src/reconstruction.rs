@@ -13,7 +13,7 @@ use crate::{AnyBounded, GramRange, Known, Subject, VerifyError};
 
 /// Returns the discrete energy of a sequence by a rule of the paper, in `m²`.
 pub fn discrete_energy<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     rule: PaperRule,
     metric: &impl Metric<D>,
     sequence: &PointSequence<D>,
@@ -67,7 +67,7 @@ impl<const D: usize> Reconstruction<D> {
     ///
     /// If the solver refuses the problem, or does not converge to a local minimum.
     pub fn observe<M: Bounded<D>>(
-        subject: &impl Subject,
+        subject: &Subject,
         known: &Known<M, D>,
         rule: PaperRule,
         n: usize,
@@ -94,7 +94,7 @@ impl<const D: usize> Reconstruction<D> {
     ///
     /// [`VerifyError::Metric`] where `H` is not finite, symmetric and positive definite.
     pub fn read<M: Bounded<D>>(
-        subject: &impl Subject,
+        subject: &Subject,
         known: &Known<M, D>,
         rule: PaperRule,
         minimum: Minimum<D>,
@@ -103,7 +103,7 @@ impl<const D: usize> Reconstruction<D> {
     }
 
     fn behind_a_pointer(
-        subject: &impl Subject,
+        subject: &Subject,
         known: &Known<AnyBounded<'_, D>, D>,
         rule: PaperRule,
         minimum: Minimum<D>,

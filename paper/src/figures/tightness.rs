@@ -4,7 +4,7 @@ use std::num::NonZeroUsize;
 
 use tautline::gallery::Shear;
 use tautline_verify::{
-    Finding, Known, Library, PaperRule, Reconstruction, statements::theorem_1_2,
+    Finding, Known, LIBRARY, PaperRule, Reconstruction, statements::theorem_1_2,
 };
 
 use super::Figure;
@@ -56,8 +56,8 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
         for a in EXPONENTS.all().map(|exponent| 10_f64.powf(exponent)) {
             let known = Known::between(Shear::new(a, k)?, FROM, TO)?
                 .ok_or(Failure::NoReference("a shear"))?;
-            let seen = Reconstruction::observe(&Library, &known, PaperRule::Trapezoidal, N.get())?;
-            let evidence = theorem_1_2(&Library, &seen);
+            let seen = Reconstruction::observe(&LIBRARY, &known, PaperRule::Trapezoidal, N.get())?;
+            let evidence = theorem_1_2(&LIBRARY, &seen);
             if evidence.finding() != Finding::Holds {
                 return Err(Failure::Violated(format!("a = {a}, k = {k}: {evidence:?}")));
             }

@@ -2,7 +2,7 @@
 
 use tautline_verify::{
     Mutant,
-    battery::{PaperAlone, Scope, Sight, kills},
+    battery::{Examination, Scope, Sight},
 };
 
 use super::{Layout, Seed, Table, no_pages};
@@ -50,15 +50,12 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
     ]);
     let (cases, alone) = if sweep.quick { (8, 32) } else { (CASES, CASES_ALONE) };
     // Nothing is worth anything if the suite kills the library itself.
-    let healthy = kills(None, Scope::Everything, cases, usize::MAX);
-    if !healthy.is_empty() {
-        return Err(Failure::Violated(format!("the library fails {}", healthy.join(", "))));
-    }
-    let paper = PaperAlone::new(alone).map_err(|failure| Failure::Violated(failure.message))?;
-    let killed = parallel::map(&Mutant::ALL, |mutant| {
-        let by_all = kills(Some(*mutant), Scope::Everything, cases, NAMED);
-        (by_all, paper.of(*mutant))
-    });
+    let put = |scope, cases| {
+        Examination::new(scope, cases).map_err(|failure| Failure::Violated(failure.message))
+    };
+    let (suite, paper) = (put(Scope::Everything, cases)?, put(Scope::PaperAlone, alone)?);
+    let killed =
+        parallel::map(&Mutant::ALL, |&mutant| (suite.kills(mutant, NAMED), paper.sight(mutant)));
     let mut survivors = Vec::new();
     for (mutant, (by_all, sight)) in Mutant::ALL.into_iter().zip(killed) {
         if by_all.is_empty() {

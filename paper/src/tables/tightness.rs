@@ -1,7 +1,7 @@
 //! The tightest cases that the adversary finds, statement by statement and family by family.
 
 use tautline_verify::{
-    Source,
+    LIBRARY, Source,
     adversary::{Edge, Search, Tightest, families},
 };
 
@@ -45,7 +45,7 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
     ]);
     let full = Search { seed: SEED, ..Search::default() };
     let search = if sweep.quick { Search { restarts: 1, ..full } } else { full };
-    for family in families(&None) {
+    for family in families(&LIBRARY) {
         for (source, name) in [(Source::Stated, "stated"), (Source::Sharper, "sharper")] {
             // Where a bound is never seen to be used at all, as that of the length on the line,
             // where every reconstruction has the length d, there is no slack to tell.

@@ -2,6 +2,7 @@
 
 mod coverage;
 mod dropped;
+mod examination;
 mod existence;
 mod global_minima;
 mod golden;
@@ -21,12 +22,12 @@ mod section_7_morrey;
 mod section_7_sampling;
 mod section_9;
 mod sharper;
-mod sight;
 mod theorem_witnesses;
 
 use std::collections::BTreeSet;
 
 use tautline_verify::{
+    LIBRARY,
     battery::{Scope, Trial, suite},
     kit::Chance,
 };
@@ -52,7 +53,7 @@ fn passes(name: &str) {
     let check = suite().into_iter().find(|check| check.name == name);
     let check = check.unwrap_or_else(|| panic!("no check is called {name}"));
     let chance = Chance::asked();
-    let trial = Trial { chance, ..Trial::new(&None, Scope::Everything, u32::MAX) };
+    let trial = Trial { chance, ..Trial::new(&LIBRARY, Scope::Everything, u32::MAX) };
     if let Err(failure) = check.run(&trial) {
         panic!("{}", failure.of_check(name, chance));
     }

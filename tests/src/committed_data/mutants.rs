@@ -76,7 +76,7 @@ fn the_first_check_that_kills_a_mutant_still_does() {
         let name = row.text("killed_by").split("; ").next().expect("one at least");
         let check = suite.iter().find(|check| check.name == name);
         let check = check.unwrap_or_else(|| panic!("no check is called {name}"));
-        let subject = Some(mutant);
+        let subject = mutant.into();
         let trial = Trial::new(&subject, Scope::Everything, CASES);
         assert!(check.run(&trial).is_err(), "{name} does not kill {mutant:?} any more");
     }

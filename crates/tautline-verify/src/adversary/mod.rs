@@ -11,10 +11,10 @@
 //! and what is left on the way to it is measured.
 //!
 //! ```
-//! use tautline_verify::{Source, adversary::{Search, families}};
+//! use tautline_verify::{LIBRARY, Source, adversary::{Search, families}};
 //!
 //! // Proposition 7.9 is attained by a step over the valley of a tent, and the search finds it.
-//! let families = families(&None);
+//! let families = families(&LIBRARY);
 //! let tent = families.iter().find(|family| family.is("Proposition 7.9", "tent"));
 //! let found = Search::default().tightest(tent.expect("listed"), Source::Stated)?;
 //! assert!(found.is_some_and(|tightest| tightest.slack < 1.01));

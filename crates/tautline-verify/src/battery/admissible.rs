@@ -6,7 +6,7 @@ use crate::{Subject, VerifyError};
 
 /// Returns the sequence with its ends moved to nearest points of their sets.
 pub(super) fn admissible<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     ends: &Ends<D>,
     sequence: PointSequence<D>,
 ) -> Result<PointSequence<D>, VerifyError> {

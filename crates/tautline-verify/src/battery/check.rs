@@ -27,23 +27,23 @@ pub enum Kind {
 
 /// One named test.
 #[derive(Clone, Copy, Debug)]
-pub struct Check<S> {
+pub struct Check {
     /// The name of the test, which says what it shows.
     pub name: &'static str,
     /// What it shows.
     pub kind: Kind,
     /// The statements that it is about.
     pub statements: &'static [Statement],
-    run: fn(&Trial<'_, S>) -> Outcome,
+    run: fn(&Trial<'_>) -> Outcome,
 }
 
-impl<S> Check<S> {
+impl Check {
     /// Names a test.
     pub const fn new(
         name: &'static str,
         kind: Kind,
         statements: &'static [Statement],
-        run: fn(&Trial<'_, S>) -> Outcome,
+        run: fn(&Trial<'_>) -> Outcome,
     ) -> Self {
         Self { name, kind, statements, run }
     }
@@ -53,7 +53,7 @@ impl<S> Check<S> {
     /// # Errors
     ///
     /// [`Failure`](super::Failure) with the two numbers that show it.
-    pub fn run(&self, trial: &Trial<'_, S>) -> Outcome {
+    pub fn run(&self, trial: &Trial<'_>) -> Outcome {
         (self.run)(trial)
     }
 

@@ -14,7 +14,7 @@ use super::{
     failing::fails_without,
 };
 use crate::{
-    Evidence, Known, Library, PaperRule, Reconstruction, Statement,
+    Evidence, Known, LIBRARY, PaperRule, Reconstruction, Statement,
     Statement::Proposition7_1,
     Subject, VerifyError, WithConstants,
     statements::{critical_point, prop_7_1},
@@ -27,7 +27,7 @@ use crate::{
 
 const STATEMENT: &[Statement] = &[Proposition7_1];
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     vec![
         Check::new(
             "prop_7_1_holds_and_minimisers_are_critical_points",
@@ -62,7 +62,7 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
 
 /// Both rules, each with its computed minimiser and a random sequence; and both critical points.
 fn evidence<M: Bounded<D>, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     known: &Known<M, D>,
     other: &PointSequence<D>,
 ) -> Result<Vec<Evidence>, VerifyError> {
@@ -77,9 +77,9 @@ fn evidence<M: Bounded<D>, const D: usize>(
     Ok(found)
 }
 
-fn random<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn family<S: Subject, M: Bounded<D> + Debug + 'static, const D: usize>(
-        trial: &Trial<'_, S>,
+fn random(trial: &Trial<'_>) -> Outcome {
+    fn family<M: Bounded<D> + Debug + 'static, const D: usize>(
+        trial: &Trial<'_>,
         seed: u64,
         problems: impl Strategy<Value = Known<M, D>>,
     ) -> Outcome {
@@ -97,7 +97,7 @@ fn random<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     ])
 }
 
-fn homogeneous<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn homogeneous(trial: &Trial<'_>) -> Outcome {
     let problems = (shear_ball_half_plane(), sequence(3.0));
     trial.homogeneous(7110, 64, problems, |subject, (known, other), units| {
         let known = units.known(known)?;
@@ -108,7 +108,7 @@ fn homogeneous<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 
 /// From the ball of radius 1 along its outer normal, in equal steps under `H = c₁ I`: then
 /// `|x_N − X| = Σ |xₙ₊₁ − xₙ| = √(R/c₁)`, and nothing is less energetic.
-fn attained<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn attained(trial: &Trial<'_>) -> Outcome {
     let metric = gallery::Constant::<3>::new(SMatrix::identity() * 4.0).expect("positive definite");
     let ball = tautline::Ball::new([1.0, 0.0, 0.0], 1.0).map_err(VerifyError::from)?;
     let wall = HalfSpace::at_least([1.0, 0.0, 0.0], 5.0).map_err(VerifyError::from)?;
@@ -134,7 +134,7 @@ fn attained<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 
 /// The computed minimiser of a rule.
 fn minimiser<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     rule: PaperRule,
     metric: &impl Metric<D>,
     ends: &Ends<D>,
@@ -202,7 +202,7 @@ fn both_unbounded() -> Outcome {
         let (best, better) = (best.map_err(VerifyError::from)?, better.map_err(VerifyError::from)?);
         for rule in PaperRule::BOTH {
             let evidence =
-                prop_7_1(&Library, rule, &metric, [&floor, &AboveExponential], [&best, &better])?;
+                prop_7_1(&LIBRARY, rule, &metric, [&floor, &AboveExponential], [&best, &better])?;
             claim_fails_without("bounded", "E_N(γ*) ≤ E_N(γᵖ)", evidence)?;
         }
     }
@@ -226,7 +226,7 @@ fn on_the_sphere() -> Outcome {
     for r in [1e2, 1e3, 1e4] {
         let sequence = out(r).map_err(VerifyError::from)?;
         let rule = PaperRule::Trapezoidal;
-        let evidence = prop_7_1(&Library, rule, &metric, sets, [&sequence, &sequence])?;
+        let evidence = prop_7_1(&LIBRARY, rule, &metric, sets, [&sequence, &sequence])?;
         let energy = evidence.conclusion("E_N(γ*) ≤ E_N(γᵖ)").bound;
         claim_fails_without("c₁ ≤ λ_min(H)", "|xₙ − X| ≤ √(R/c₁)", evidence)?;
         if !(energy < before) {
@@ -245,19 +245,19 @@ fn another_number_or_other_ends() -> Outcome {
     let sets: [&dyn ClosedSet<1>; 2] = [&**ends.first(), &**ends.second()];
     let least = "E_N(γ*) ≤ E_N(γᵖ)";
     let rule = PaperRule::Trapezoidal;
-    let [one, eight] = [1, 8].map(|n| minimiser(&Library, rule, &ridge, &ends, n));
+    let [one, eight] = [1, 8].map(|n| minimiser(&LIBRARY, rule, &ridge, &ends, n));
     let (one, eight) = (one?, eight?);
     let half = PointSequence::straight([0.0], [0.5], 8).map_err(VerifyError::from)?;
     all([
         claim_fails_without(
             "the same N",
             least,
-            prop_7_1(&Library, rule, &ridge, sets, [&one, &eight])?,
+            prop_7_1(&LIBRARY, rule, &ridge, sets, [&one, &eight])?,
         ),
         claim_fails_without(
             "the ends lie",
             least,
-            prop_7_1(&Library, rule, &ridge, sets, [&eight, &half])?,
+            prop_7_1(&LIBRARY, rule, &ridge, sets, [&eight, &half])?,
         ),
     ])
 }

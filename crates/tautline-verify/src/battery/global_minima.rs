@@ -10,13 +10,13 @@ use super::{Check, Failure, Kind, Outcome, Trial, check::all};
 use crate::{
     GridLine, Statement,
     Statement::{Proposition7_1, Theorem1_1, Theorem1_3},
-    Subject, VerifyError,
+    VerifyError,
 };
 
 const TRAPEZOIDAL: &[Statement] = &[Theorem1_1, Proposition7_1];
 const LEFT: &[Statement] = &[Theorem1_3, Proposition7_1];
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     vec![
         Check::new(
             "section_5_the_solver_finds_the_global_minimum_of_the_trapezoidal_energy",
@@ -50,8 +50,8 @@ const GRIDS: [usize; 16] = [1, 2, 3, 4, 6, 8, 10, 12, 16, 18, 24, 33, 48, 64, 96
 /// - `E_N ≥` the minimum on the grid less the grid's error, as it must.
 ///
 /// All grids are tried before the check fails, so that its message has all that were missed.
-fn is_global<S: Subject, M: Metric<D>, R: Rule, const D: usize>(
-    trial: &Trial<'_, S>,
+fn is_global<M: Metric<D>, R: Rule, const D: usize>(
+    trial: &Trial<'_>,
     (metric, ends): (&M, &Ends<D>),
     rule: R,
     line: &GridLine<'_>,
@@ -98,7 +98,7 @@ fn is_global<S: Subject, M: Metric<D>, R: Rule, const D: usize>(
     }
 }
 
-fn over_the_valleys<S: Subject>(trial: &Trial<'_, S>, rule: impl Rule, theta: f64) -> Outcome {
+fn over_the_valleys(trial: &Trial<'_>, rule: impl Rule, theta: f64) -> Outcome {
     let line = GridLine::over_the_valleys(theta);
     let ends = Ends::points([line.ends[0], 0.0], [line.ends[1], 0.0]).map_err(VerifyError::from)?;
     is_global(trial, (&Valleys, &ends), rule, &line, |x| SVector::from([x, 0.0]))
@@ -106,7 +106,7 @@ fn over_the_valleys<S: Subject>(trial: &Trial<'_, S>, rule: impl Rule, theta: f6
 
 /// The same on the line, where the metric is monotone and nothing is gained by jumps, both up
 /// and down the ramp.
-fn on_a_ramp<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn on_a_ramp(trial: &Trial<'_>) -> Outcome {
     all([0.5, -0.7].map(|amplitude| {
         let ramp = Ramp::new(amplitude, 1.5).expect("valid");
         let gram = |x: f64| ramp.gram(&SVector::from([x]))[(0, 0)];

@@ -38,7 +38,7 @@ const CONSTANTS: &[Statement] = &[
     ConstantC1_3,
 ];
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     let constants = |name, run| Check::new(name, Kind::Reference, CONSTANTS, run);
     vec![
         constants("golden_constants_of_constant_metrics", constant_metrics),
@@ -204,7 +204,7 @@ const SHEARED: Golden = Golden {
 /// Up to `1e-12`, relatively: `d` is known to some `1e-15`, and enters the last constant, a product
 /// of cubes of sums of cubes, with the power 18 at most. `C = 0` is exact.
 fn check(
-    subject: &impl Subject,
+    subject: &Subject,
     golden: &Golden,
     metric: &impl Bounded<2>,
     distance: f64,
@@ -234,7 +234,7 @@ fn check(
 }
 
 fn between(
-    subject: &impl Subject,
+    subject: &Subject,
     golden: &Golden,
     metric: &(impl Bounded<2> + KnownDistance<2>),
     b: [f64; 2],
@@ -245,7 +245,7 @@ fn between(
 
 /// Solves from the ball of radius ½ to `{x₁ ≥ 3}`, where the reference distances have no formula
 /// in the library.
-fn from_ball(subject: &impl Subject, metric: &impl Metric<2>) -> Result<f64, VerifyError> {
+fn from_ball(subject: &Subject, metric: &impl Metric<2>) -> Result<f64, VerifyError> {
     let ball = Ball::new([0.0, 0.0], 0.5)?;
     let wall = HalfSpace::at_least([1.0, 0.0], 3.0)?;
     let line = subject.minimise(Trapezoidal, metric, &Ends::new(ball, wall)?, 1024)?;
@@ -261,7 +261,7 @@ fn shear() -> Shear {
     Shear::new(0.5, 1.0).expect("valid")
 }
 
-fn constant_metrics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn constant_metrics(trial: &Trial<'_>) -> Outcome {
     let flat = Constant::new(SMatrix::<f64, 2, 2>::identity()).expect("positive definite");
     between(trial.subject, &IDENTITY, &flat, [3.0, 4.0])?;
     between(trial.subject, &OBLIQUE, &oblique(), [3.0, 4.0])?;
@@ -270,7 +270,7 @@ fn constant_metrics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     Ok(Default::default())
 }
 
-fn valleys<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn valleys(trial: &Trial<'_>) -> Outcome {
     between(trial.subject, &ALONG_VALLEYS, &Valleys, [4.0 * std::f64::consts::PI, 0.0])?;
     between(trial.subject, &ACROSS_VALLEYS, &Valleys, [2.0, 1.5])?;
     let distance = from_ball(trial.subject, &Valleys)?;
@@ -278,7 +278,7 @@ fn valleys<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     Ok(Default::default())
 }
 
-fn sheared<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn sheared(trial: &Trial<'_>) -> Outcome {
     between(trial.subject, &SHEARED, &shear(), [2.0, 3.0])?;
     Ok(Default::default())
 }
@@ -292,7 +292,7 @@ pub(super) fn corrugated_beside_line() -> (impl Bounded<2> + KnownDistance<2>, [
 }
 
 /// The distance is solved for and extrapolated; and the metric knows it, up to some roundings.
-fn corrugated<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn corrugated(trial: &Trial<'_>) -> Outcome {
     let (metric, [a, b]) = corrugated_beside_line();
     let distance = extrapolated(trial.subject, Trapezoidal, &metric, [a, b], 1000)?;
     check(trial.subject, &ELLIPTIC, &metric, distance)?;
@@ -302,7 +302,7 @@ fn corrugated<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 }
 
 fn extrapolated<R: Rule>(
-    subject: &impl Subject,
+    subject: &Subject,
     rule: R,
     metric: &impl Metric<2>,
     [a, b]: [[f64; 2]; 2],
@@ -318,9 +318,9 @@ fn extrapolated<R: Rule>(
 ///
 /// Grids 8, 32, 128, 512 and 2048: what is left are terms of `N⁻¹⁰` and of `N⁻⁵` at the product of
 /// the grids, with constants up to 10³, and rounding.
-fn distances<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn distances(trial: &Trial<'_>) -> Outcome {
     fn one(
-        subject: &impl Subject,
+        subject: &Subject,
         golden: &Golden,
         metric: &impl Metric<2>,
         points: [[f64; 2]; 2],

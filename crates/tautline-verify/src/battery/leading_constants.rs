@@ -26,7 +26,7 @@ use crate::{
 
 const ALL: &[Statement] = &[Theorem1_1, Theorem1_2, Theorem1_3, Theorem1_4];
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     vec![
         Check::new("leading_constants_on_a_shear", Kind::Order, ALL, on_a_shear),
         Check::new("leading_constants_over_the_valleys", Kind::Order, ALL, over_the_valleys),
@@ -49,7 +49,7 @@ struct Case<M, const D: usize> {
 /// `N^q (E_N − d²)`, `N² (E(γᵖˡ) − d²)` and `N² (L(γᵖˡ)² − d²)`, with the order `q` of the rule;
 /// and how far the last two are moved by what is left to minimise.
 fn scaled_errors<M: Metric<D>, R: Rule, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     case: &Case<M, D>,
     rule: R,
     n: usize,
@@ -73,7 +73,7 @@ fn scaled_errors<M: Metric<D>, R: Rule, const D: usize>(
     Ok((errors, count * count * 2.0 * (left_over * excess.max(0.0)).sqrt()))
 }
 
-fn check<M: Metric<D>, const D: usize>(subject: &impl Subject, case: &Case<M, D>) -> Outcome {
+fn check<M: Metric<D>, const D: usize>(subject: &Subject, case: &Case<M, D>) -> Outcome {
     const NAMES: [&str; 3] = ["N^q (E_N − d²)", "N² (E(γᵖˡ) − d²)", "N² (L(γᵖˡ)² − d²)"];
     let trapezoidal = |n| scaled_errors(subject, case, Trapezoidal, n);
     let left = |n| scaled_errors(subject, case, LeftEndpoint, n);
@@ -106,7 +106,7 @@ fn check<M: Metric<D>, const D: usize>(subject: &impl Subject, case: &Case<M, D>
 
 /// `H = [[1, s], [s, 1 + s²]]`, `s = ½ cos x₂`, from `(0, 0)` to `(2, 3)`. For example
 /// `γ̈ = (9/2 sin 3t, 0)`, so `(1/12) ∫ γ̈ᵀHγ̈ = (27/16) (½ − sin 6/12) = 0.883043…`.
-fn on_a_shear<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn on_a_shear(trial: &Trial<'_>) -> Outcome {
     let case = Case {
         metric: Shear::new(0.5, 1.0).expect("valid"),
         ends: [[0.0, 0.0], [2.0, 3.0]],
@@ -119,7 +119,7 @@ fn on_a_shear<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 }
 
 /// The limit for the left rule is `−½ d² log (f(2)²/f(0)²)`, as for every conformal metric.
-fn over_the_valleys<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn over_the_valleys(trial: &Trial<'_>) -> Outcome {
     let d2 = 14.3017242380777319739;
     let case = Case {
         metric: Valleys,
@@ -132,7 +132,7 @@ fn over_the_valleys<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     check(trial.subject, &case)
 }
 
-fn corrugated<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn corrugated(trial: &Trial<'_>) -> Outcome {
     let (metric, ends) = corrugated_beside_line();
     let case = Case {
         metric,

@@ -1,7 +1,7 @@
 //! The ledger: what the whole suite says of each statement.
 
-use super::{Check, Failure, Kind, Scope, Tally, Trial, battery};
-use crate::{Mutant, Statement};
+use super::{Failure, Kind, Scope, Tally, Trial, suite};
+use crate::{LIBRARY, Statement};
 
 /// One statement, and what the suite says of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,21 +26,13 @@ pub struct Entry {
     pub checks: Vec<&'static str>,
 }
 
-/// Returns the suite for the library, which is no mutant, and for the mutants.
-///
-/// The same checks as [`battery`] gives for any subject, but compiled once, with this crate.
-#[must_use]
-pub fn suite() -> Vec<Check<Option<Mutant>>> {
-    battery()
-}
-
 /// Runs the whole suite on the library, and returns an entry for each statement.
 ///
 /// # Errors
 ///
 /// The first check that fails, by its name.
 pub fn ledger() -> Result<Vec<Entry>, Failure> {
-    let trial = Trial::new(&None, Scope::Everything, u32::MAX);
+    let trial = Trial::new(&LIBRARY, Scope::Everything, u32::MAX);
     let checks = suite();
     let (mut random, mut witnesses, mut proved) =
         (Tally::default(), Tally::default(), Tally::default());
@@ -71,17 +63,4 @@ pub fn ledger() -> Result<Vec<Entry>, Failure> {
         }
     };
     Ok(Statement::ALL.map(entry).to_vec())
-}
-
-/// Returns the names of the checks which a mutant fails, in the suite's order; without a mutant,
-/// those which the library fails.
-///
-/// `cases` limits the random cases a family, `scope` what is judged of them, and `most` the checks
-/// that are named: the rest is not run.
-#[must_use]
-pub fn kills(mutant: Option<Mutant>, scope: Scope, cases: u32, most: usize) -> Vec<&'static str> {
-    let trial = Trial::new(&mutant, scope, cases);
-    let checks = suite();
-    let failing = |check: &&Check<_>| check.is_in(scope) && check.run(&trial).is_err();
-    checks.iter().filter(failing).map(|check| check.name).take(most).collect()
 }

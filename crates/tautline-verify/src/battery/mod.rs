@@ -1,7 +1,7 @@
 //! The project's own suite: named checks, to which the library and any variant of it can be put.
 //!
-//! A check is generic over its [`Subject`]. The tests of the workspace run all of them on
-//! [`Library`](crate::Library); the table of mutants runs them on deliberately wrong variants, and
+//! A check is run on a [`Subject`](crate::Subject). The tests of the workspace run all of them on
+//! [`LIBRARY`](crate::LIBRARY); the table of mutants runs them on deliberately wrong variants, and
 //! shows which check kills which.
 
 mod admissible;
@@ -9,6 +9,7 @@ mod any_strategy;
 mod check;
 mod close;
 mod dropped;
+mod examination;
 mod existence;
 mod failing;
 mod fingerprint;
@@ -35,24 +36,21 @@ mod section_7_sampling;
 mod section_9;
 mod sharper;
 mod sheared;
-mod sight;
 mod slope;
 mod tally;
 mod theorem_witnesses;
 mod trial;
 
 pub use check::{Check, Kind};
-pub use ledger::{Entry, kills, ledger, suite};
+pub use examination::{Examination, Sight};
+pub use ledger::{Entry, ledger};
 pub use promotion::{Case, Given};
-pub use sight::{PaperAlone, Sight};
 pub use tally::{Count, Tally};
 pub use trial::{Failure, Outcome, Scope, Trial};
 
-use crate::Subject;
-
 /// Returns all checks, in the paper's order.
 #[must_use]
-pub fn battery<S: Subject>() -> Vec<Check<S>> {
+pub fn suite() -> Vec<Check> {
     let sections = [
         section_1::checks(),
         theorem_witnesses::checks(),

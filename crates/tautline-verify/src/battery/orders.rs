@@ -18,7 +18,7 @@ use crate::{
 
 const BOTH: &[Statement] = &[Theorem1_1, Theorem1_3];
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     vec![
         Check::new("orders_on_a_shear", Kind::Order, BOTH, |trial| {
             let metric = Shear::new(0.5, 1.0).expect("valid");
@@ -56,7 +56,7 @@ const TILT: f64 = 0.05;
 type Errors = [Vec<(f64, f64)>; 2];
 
 fn errors<M, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     metric: &M,
     [a, b]: [[f64; D]; 2],
     rule: impl Rule,
@@ -80,8 +80,8 @@ fn have_orders(what: &str, [discrete, curve]: &Errors, orders: [f64; 2]) -> Resu
     has_slope(&format!("{what}: E(γᵖˡ) − d²"), curve, -orders[1], TILT)
 }
 
-fn orders<S: Subject, M, const D: usize>(
-    trial: &Trial<'_, S>,
+fn orders<M, const D: usize>(
+    trial: &Trial<'_>,
     name: &str,
     metric: &M,
     ends: [[f64; D]; 2],
@@ -97,7 +97,7 @@ where
 }
 
 /// Along the axis of Section 5 the first order of the left rule is zero by symmetry.
-fn even<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn even(trial: &Trial<'_>) -> Outcome {
     let ends = [[0.0, 0.0], [4.0 * std::f64::consts::PI, 0.0]];
     let found = errors(trial.subject, &Valleys, ends, LeftEndpoint)?;
     have_orders("valleys, even, left", &found, [2.0, 2.0])?;

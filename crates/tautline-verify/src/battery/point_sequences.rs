@@ -11,7 +11,7 @@ use tautline::{
 
 use super::{Check, Failure, Kind, Outcome, Trial, check::all, failing::fails_without};
 use crate::{
-    Evidence, Library, Statement,
+    Evidence, LIBRARY, Statement,
     Statement::{Proposition7_9, Proposition8_1, Proposition8_2},
     Subject, VerifyError,
     statements::{prop_7_9, prop_8_1, prop_8_2},
@@ -21,7 +21,7 @@ use crate::{
 
 const ALL: &[Statement] = &[Proposition7_9, Proposition8_1, Proposition8_2];
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     vec![
         Check::new("props_7_9_8_1_and_8_2_hold_for_random_sequences", Kind::Random, ALL, random),
         Check::new("props_7_9_8_1_and_8_2_are_homogeneous", Kind::Homogeneous, ALL, homogeneous),
@@ -50,7 +50,7 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
 }
 
 fn evidence<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     metric: &impl Bounded<D>,
     sequence: &PointSequence<D>,
 ) -> Result<[Evidence; 3], VerifyError> {
@@ -61,9 +61,9 @@ fn evidence<const D: usize>(
     ])
 }
 
-fn random<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn family<S: Subject, M: Bounded<D> + Debug + 'static, const D: usize>(
-        trial: &Trial<'_, S>,
+fn random(trial: &Trial<'_>) -> Outcome {
+    fn family<M: Bounded<D> + Debug + 'static, const D: usize>(
+        trial: &Trial<'_>,
         seed: u64,
         metrics: impl Strategy<Value = M>,
     ) -> Outcome {
@@ -76,11 +76,11 @@ fn random<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         family(trial, 7902, separable::<1>()),
         family(trial, 7903, separable::<3>()),
         family(trial, 7904, ramp()),
-        family::<_, _, 2>(trial, 7905, Just(Valleys)),
+        family::<_, 2>(trial, 7905, Just(Valleys)),
     ])
 }
 
-fn homogeneous<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn homogeneous(trial: &Trial<'_>) -> Outcome {
     trial.homogeneous(7920, 128, (shear(), sequence(3.0)), |subject, (metric, sequence), units| {
         evidence(subject, &units.metric(metric), &units.sequence(&sequence)?)
     })
@@ -93,7 +93,7 @@ fn steps() -> impl Strategy<Value = (PointSequence<1>, f64)> {
 }
 
 /// One step over the valley of a tent, for every `N`: `E(γᵖˡ) = N (2 + L/4)`, `E_tra,N = 2N`.
-fn attained_by_the_tent<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn attained_by_the_tent(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7910, 256, steps(), |subject, (sequence, slope)| {
         let metric = tent(2.0, slope).expect("positive");
         Ok([prop_7_9(subject, &metric, &sequence)?.attained()?])
@@ -101,7 +101,7 @@ fn attained_by_the_tent<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 }
 
 /// One step up an incline, for every `N`: `E_l,N = 2N`, the others are `N (2 + L/2)`.
-fn attained_by_the_incline<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn attained_by_the_incline(trial: &Trial<'_>) -> Outcome {
     trial.for_all(8110, 256, steps(), |subject, (sequence, slope)| {
         let metric = Incline::new(2.0, slope).expect("positive");
         Ok([
@@ -113,7 +113,7 @@ fn attained_by_the_incline<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 
 /// The left rule is not symmetric: backwards over an incline it is as much too large as it was too
 /// small, and the trapezoidal rule is the same both ways. All are small integers.
-fn left_is_left<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn left_is_left(trial: &Trial<'_>) -> Outcome {
     let metric = Incline::new(2.0, 4.0).expect("positive");
     let up = one_step(3, 1);
     let mut points = up.clone().into_points();
@@ -152,6 +152,6 @@ impl Bounded<1> for Jump {
 /// above what a Lipschitz constant of 1 would allow, 0.054 and twice 0.108.
 fn dropped_lipschitz() -> Outcome {
     let sequence = PointSequence::straight([0.0], [0.6], 1).map_err(VerifyError::from)?;
-    let evidence = evidence(&Library, &Jump, &sequence)?;
+    let evidence = evidence(&LIBRARY, &Jump, &sequence)?;
     all(evidence.map(|evidence| fails_without(&["‖H(x) − H(y)‖/|x − y| ≤ L_H"], evidence)))
 }

@@ -19,11 +19,11 @@ use crate::{
         Proposition3_3, Proposition6_1, Proposition7_9, Proposition7_10, Proposition8_1,
         Proposition8_2,
     },
-    Subject, Unit, VerifyError,
+    Unit, VerifyError,
     strategies::{separable, sequence, shear},
 };
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     const ABOUT: &[Statement] = &[
         Proposition3_3,
         Proposition6_1,
@@ -128,9 +128,9 @@ fn evidence<const D: usize>(
     Ok(found)
 }
 
-fn hold<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn family<S: Subject, M: Metric<D> + Debug + 'static, const D: usize>(
-        trial: &Trial<'_, S>,
+fn hold(trial: &Trial<'_>) -> Outcome {
+    fn family<M: Metric<D> + Debug + 'static, const D: usize>(
+        trial: &Trial<'_>,
         seed: u64,
         metrics: impl Strategy<Value = M>,
     ) -> Outcome {
@@ -141,14 +141,14 @@ fn hold<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     all([
         family(trial, 3301, shear()),
         family(trial, 3302, separable::<2>()),
-        family::<_, _, 1>(trial, 3303, Just(Valleys)),
-        family::<_, _, 3>(trial, 3304, Just(Valleys)),
+        family::<_, 1>(trial, 3303, Just(Valleys)),
+        family::<_, 3>(trial, 3304, Just(Valleys)),
     ])
 }
 
 /// What is computed in doubles lies between the bounds, up to its own error: so it is the discrete
 /// energy, the energy and the length, and nothing that is only near.
-fn lie_between<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn lie_between(trial: &Trial<'_>) -> Outcome {
     trial.for_all(3311, 64, (shear(), sequence::<2>(3.0)), |subject, (metric, points)| {
         let polygon = Polygon::new(&points);
         let (energy, length) = polygon.energy_and_length(&metric);

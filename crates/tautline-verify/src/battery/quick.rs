@@ -5,12 +5,12 @@ use std::fmt::Debug;
 use quickcheck::{Arbitrary, Gen};
 
 use super::{Case, Failure, Outcome, Tally, Trial};
-use crate::{Evidence, VerifyError};
+use crate::{Evidence, Subject, VerifyError};
 
 /// Steps of shrinking, each to the first smaller case that fails too.
 const MAX_SHRINKS: usize = 1000;
 
-impl<S> Trial<'_, S> {
+impl Trial<'_> {
     /// Evaluates statements on `cases` values of an [`Arbitrary`] type, as
     /// [`for_all`](Trial::for_all) does.
     ///
@@ -21,7 +21,7 @@ impl<S> Trial<'_, S> {
         &self,
         seed: u64,
         cases: u32,
-        evidence: impl Fn(&S, &A) -> Result<E, VerifyError>,
+        evidence: impl Fn(&Subject, &A) -> Result<E, VerifyError>,
     ) -> Outcome
     where
         A: Arbitrary + Debug,
@@ -56,7 +56,7 @@ impl<S> Trial<'_, S> {
 #[cfg(test)]
 mod tests {
     use crate::{
-        Evidence, Library, Statement, Unit,
+        Evidence, LIBRARY, Statement, Unit,
         arbitrary::Nonnegatives,
         battery::{Scope, Trial},
     };
@@ -64,7 +64,7 @@ mod tests {
     /// "No number is above 100" fails, and for one number just above it at the end.
     #[test]
     fn a_false_claim_is_shrunk_to_its_smallest_case() {
-        let trial = Trial::new(&Library, Scope::Everything, u32::MAX);
+        let trial = Trial::new(&LIBRARY, Scope::Everything, u32::MAX);
         let outcome = trial.quick(1, 100, |_, numbers: &Nonnegatives| {
             let largest = numbers.numbers().into_iter().fold(0.0, f64::max);
             let evidence = Evidence::of(Statement::Proposition7_8);

@@ -17,11 +17,11 @@ use crate::{
 };
 
 /// What is asked of one computed minimiser, in any dimension.
-pub(super) trait Question<S: Subject>: Copy {
+pub(super) trait Question: Copy {
     /// Evaluates statements on it.
     fn evidence<M: Bounded<D>, const D: usize>(
         self,
-        subject: &S,
+        subject: &Subject,
         known: &Known<M, D>,
         seen: &Reconstruction<D>,
     ) -> Result<Vec<Evidence>, VerifyError>;
@@ -38,16 +38,16 @@ pub(super) struct Problems<Q> {
 }
 
 impl<Q> Problems<Q> {
-    fn family<S: Subject, M, const D: usize>(
+    fn family<M, const D: usize>(
         self,
-        trial: &Trial<'_, S>,
+        trial: &Trial<'_>,
         k: u64,
         cases: u32,
         family: impl Strategy<Value = Known<M, D>>,
     ) -> Outcome
     where
         M: Bounded<D> + Clone + Debug + 'static,
-        Q: Question<S>,
+        Q: Question,
     {
         let cases = cases / self.one_in;
         trial.for_all(self.seed + k, cases, (family, subintervals()), |subject, (known, n)| {
@@ -60,9 +60,9 @@ impl<Q> Problems<Q> {
     ///
     /// On the line, along the valleys and under a constant metric all curves that do not turn back
     /// have the same length: there Theorems 1.2 and 1.4 cannot fail, so that these are few.
-    pub(super) fn between_points<S: Subject>(self, trial: &Trial<'_, S>) -> Outcome
+    pub(super) fn between_points(self, trial: &Trial<'_>) -> Outcome
     where
-        Q: Question<S>,
+        Q: Question,
     {
         all([
             self.family(trial, 0, 64, points(constant::<2>())),
@@ -80,9 +80,9 @@ impl<Q> Problems<Q> {
     }
 
     /// From set to set; as between points, few where the way leads along an axis.
-    pub(super) fn between_sets<S: Subject>(self, trial: &Trial<'_, S>) -> Outcome
+    pub(super) fn between_sets(self, trial: &Trial<'_>) -> Outcome
     where
-        Q: Question<S>,
+        Q: Question,
     {
         all([
             self.family(trial, 0, 64, constant_ball_half_space::<2>()),
@@ -100,9 +100,9 @@ impl<Q> Problems<Q> {
     }
 
     /// Between two points near each other, with the constants of a ball that holds all competitors.
-    pub(super) fn on_balls<S: Subject>(self, trial: &Trial<'_, S>) -> Outcome
+    pub(super) fn on_balls(self, trial: &Trial<'_>) -> Outcome
     where
-        Q: Question<S>,
+        Q: Question,
     {
         all([
             self.family(trial, 0, 128, sphere_nearby::<1>()),
@@ -114,9 +114,9 @@ impl<Q> Problems<Q> {
     }
 
     /// In two systems of units each.
-    pub(super) fn homogeneous<S: Subject>(self, trial: &Trial<'_, S>) -> Outcome
+    pub(super) fn homogeneous(self, trial: &Trial<'_>) -> Outcome
     where
-        Q: Question<S>,
+        Q: Question,
     {
         all([
             self.in_units(trial, 0, shear_ball_half_plane()),
@@ -126,15 +126,15 @@ impl<Q> Problems<Q> {
         ])
     }
 
-    fn in_units<S: Subject, M, const D: usize>(
+    fn in_units<M, const D: usize>(
         self,
-        trial: &Trial<'_, S>,
+        trial: &Trial<'_>,
         k: u64,
         family: impl Strategy<Value = Known<M, D>>,
     ) -> Outcome
     where
         M: Bounded<D> + Clone + Debug + 'static,
-        Q: Question<S>,
+        Q: Question,
     {
         let cases = (family, subintervals());
         trial.homogeneous(self.seed + k, 64, cases, |subject, (known, n), units| {

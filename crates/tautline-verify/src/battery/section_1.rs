@@ -23,7 +23,7 @@ use crate::{
 const TRAPEZOIDAL: &[Statement] = &[Theorem1_1, Theorem1_2, ConstantK3Bar, ConstantC1_1];
 const LEFT: &[Statement] = &[Theorem1_3, Theorem1_4, ConstantK4Bar, ConstantC1_3];
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     vec![
         Check::new(
             "theorems_1_1_and_1_2_hold_between_points",
@@ -57,7 +57,7 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
 
 /// Both theorems of a rule, and the constants in them, on one minimiser.
 pub(super) fn evidence<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     seen: &Reconstruction<D>,
 ) -> [Evidence; 4] {
     match seen.rule {
@@ -86,10 +86,10 @@ impl PaperTheorems {
     }
 }
 
-impl<S: Subject> Question<S> for PaperTheorems {
+impl Question for PaperTheorems {
     fn evidence<M: Bounded<D>, const D: usize>(
         self,
-        subject: &S,
+        subject: &Subject,
         _: &Known<M, D>,
         seen: &Reconstruction<D>,
     ) -> Result<Vec<Evidence>, VerifyError> {

@@ -13,7 +13,7 @@ use super::{
     Check, Failure, Kind, Outcome, Trial, check::all, close::close, failing::fails_without,
 };
 use crate::{
-    Evidence, Known, Library,
+    Evidence, Known, LIBRARY,
     Statement::{Proposition3_1, Proposition3_2, Proposition3_3},
     Subject, VerifyError, WithConstants,
     curves::{Clock, Curve, Geodesic, KnownGeodesics, Motion, Pace, Reparametrised},
@@ -24,7 +24,7 @@ use crate::{
     },
 };
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     vec![
         Check::new("prop_3_1_holds_for_geodesics", Kind::Random, &[Proposition3_1], speeds),
         Check::new("prop_3_1_is_homogeneous", Kind::Homogeneous, &[Proposition3_1], |trial| {
@@ -94,9 +94,9 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
     ]
 }
 
-fn speeds<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn family<S: Subject, M, const D: usize>(
-        trial: &Trial<'_, S>,
+fn speeds(trial: &Trial<'_>) -> Outcome {
+    fn family<M, const D: usize>(
+        trial: &Trial<'_>,
         seed: u64,
         family: impl Strategy<Value = (M, [SVector<f64, D>; 2])>,
     ) -> Outcome
@@ -121,7 +121,7 @@ fn speeds<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 
 /// Great circles of lengths up to `2π`, tilted by less than `45°` against the equator `|x| = 1`, so
 /// that they keep their distance from the missing point.
-fn long_great_circles<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn long_great_circles(trial: &Trial<'_>) -> Outcome {
     let circles = (0.0..TAU, 0.5..TAU, -0.7..0.7);
     trial.for_all(3130, 256, circles, |subject, (from, length, tilt): (f64, f64, f64)| {
         let start = SVector::from([from.cos(), from.sin()]);
@@ -146,13 +146,13 @@ fn dropped_equation() -> Outcome {
     let geodesic = Geodesic::between(shear, [[0.0, 0.0].into(), [2.0, 3.0].into()]);
     let clock = Clock::plain(Pace::Accelerating);
     let late = Reparametrised { curve: &geodesic, clock: &clock };
-    fails_without(&["γ̈ = −Γ"], prop_3_1(&Library, &Valleys, &Line).map_err(VerifyError::from)?)?;
-    fails_without(&["γ̈ = −Γ"], prop_3_1(&Library, &shear, &late).map_err(VerifyError::from)?)
+    fails_without(&["γ̈ = −Γ"], prop_3_1(&LIBRARY, &Valleys, &Line).map_err(VerifyError::from)?)?;
+    fails_without(&["γ̈ = −Γ"], prop_3_1(&LIBRARY, &shear, &late).map_err(VerifyError::from)?)
 }
 
 /// Evidence for the known geodesic between two points of a complete space.
 fn shown<M: KnownGeodesics<D>, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     metric: &M,
     ends: [SVector<f64, D>; 2],
 ) -> Result<Evidence, VerifyError> {
@@ -161,9 +161,9 @@ fn shown<M: KnownGeodesics<D>, const D: usize>(
     Ok(prop_3_2(subject, &known, &Geodesic::between(metric, ends), way_out)?)
 }
 
-fn joins<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn family<S: Subject, M, const D: usize>(
-        trial: &Trial<'_, S>,
+fn joins(trial: &Trial<'_>) -> Outcome {
+    fn family<M, const D: usize>(
+        trial: &Trial<'_>,
         seed: u64,
         family: impl Strategy<Value = (M, [SVector<f64, D>; 2])>,
     ) -> Outcome
@@ -219,7 +219,7 @@ fn dropped_completeness() -> Outcome {
     for r in [10.0, 100.0, 1000.0] {
         let (known, arcs, way_out) = round_the_missing_point(r)?;
         close("d", known.distance, 4.0 * 0.5_f64.atan(), 1e-15)?;
-        let evidence = prop_3_2(&Library, &known, &arcs, way_out).map_err(VerifyError::from)?;
+        let evidence = prop_3_2(&LIBRARY, &known, &arcs, way_out).map_err(VerifyError::from)?;
         let excess = evidence.conclusion("L(γ) ≤ d").observed - known.distance;
         // On the sphere of radius 1, a triangle of small height 2/r over the missing point.
         if !(excess > 0.0 && excess * 90.0 < longer) {
@@ -231,9 +231,9 @@ fn dropped_completeness() -> Outcome {
     Ok(Default::default())
 }
 
-fn squeezed<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn family<S: Subject, M: Bounded<D> + Debug + 'static, const D: usize>(
-        trial: &Trial<'_, S>,
+fn squeezed(trial: &Trial<'_>) -> Outcome {
+    fn family<M: Bounded<D> + Debug + 'static, const D: usize>(
+        trial: &Trial<'_>,
         seed: u64,
         family: impl Strategy<Value = Known<M, D>>,
     ) -> Outcome {
@@ -251,7 +251,7 @@ fn squeezed<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 }
 
 /// `H = diag(λ, μ)` with `λ ≤ μ`: along the first axis `d² = c₁ |x − y|²`, along the second `c₂`.
-fn attained_by_constant_metrics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn attained_by_constant_metrics(trial: &Trial<'_>) -> Outcome {
     let cases = (0.1..1.0, 1.0..10.0, vector::<2>(3.0), 0.1..3.0, 0..2_usize);
     trial.for_all(3310, 256, cases, |subject, (low, high, x, step, axis): (_, _, _, f64, _)| {
         let matrix = SMatrix::from_diagonal(&SVector::from([low, high]));
@@ -284,7 +284,7 @@ fn dropped_constants() -> Outcome {
             Known::joined(&metric, ends)?.expect("known");
         let constants = Constants::new(constants[0], constants[1], 1e6)?;
         let metric = WithConstants { metric, constants };
-        Ok(prop_3_3(&Library, &Known { metric, ends, distance, distance_error })?)
+        Ok(prop_3_3(&LIBRARY, &Known { metric, ends, distance, distance_error })?)
     }
     fails_without(&["c₂"], case(Hyperbolic, [4.0, 5.0], 0.99)?)?;
     fails_without(&["c₁"], case(Sphere, [0.5, 4.0], 10.0)?)

@@ -12,7 +12,7 @@ use super::{
     failing::fails_without,
 };
 use crate::{
-    Evidence, Library, Statement,
+    Evidence, LIBRARY, Statement,
     Statement::{Section5Left, Section5Trapezoidal, Theorem1_1, Theorem1_3},
     Subject, Units, VerifyError,
     statements::{section_5_left, section_5_trapezoidal},
@@ -22,7 +22,7 @@ use crate::{
 
 const BOTH: &[Statement] = &[Section5Left, Section5Trapezoidal];
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     vec![
         Check::new(
             "section_5_no_sequence_has_a_discrete_length_below_4_pi",
@@ -61,7 +61,7 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
 }
 
 fn evidence(
-    subject: &impl Subject,
+    subject: &Subject,
     units: Units,
     sequence: &PointSequence<2>,
 ) -> Result<[Evidence; 2], VerifyError> {
@@ -73,13 +73,13 @@ fn evidence(
 }
 
 /// Sequences with detours, and such as a minimiser of a length: from valley to valley.
-fn random<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn random(trial: &Trial<'_>) -> Outcome {
     all([
         trial.for_all(5101, 768, sequence::<2>(15.0), |subject, sequence| {
-            evidence(subject, Units::ONE, &admissible(&Library, &valleys()?, sequence)?)
+            evidence(subject, Units::ONE, &admissible(&LIBRARY, &valleys()?, sequence)?)
         }),
         trial.for_all(5102, 512, near_valleys(), |subject, sequence| {
-            evidence(subject, Units::ONE, &admissible(&Library, &valleys()?, sequence)?)
+            evidence(subject, Units::ONE, &admissible(&LIBRARY, &valleys()?, sequence)?)
         }),
     ])
 }
@@ -94,14 +94,14 @@ fn near_valleys() -> impl Strategy<Value = PointSequence<2>> {
     })
 }
 
-fn homogeneous<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn homogeneous(trial: &Trial<'_>) -> Outcome {
     trial.homogeneous(5110, 128, sequence::<2>(15.0), |subject, sequence, units| {
-        evidence(subject, units, &admissible(&Library, &valleys()?, sequence)?)
+        evidence(subject, units, &admissible(&LIBRARY, &valleys()?, sequence)?)
     })
 }
 
 /// All minimisers of both lengths: `4π` by the rule, and `8π` along the curve.
-fn attained<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn attained(trial: &Trial<'_>) -> Outcome {
     let ends = [SVector::zeros(), SVector::from([2.0 * TAU, 0.0])];
     let distance = Valleys.distance(&ends[0], &ends[1]);
     // Two roundings of a number of size 25.
@@ -133,7 +133,7 @@ fn attained<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 /// All sequences on a grid with detours, steps back and both sides of the ends: exactly
 /// `N (N + 1)/2` attain `4π` by the left rule and exactly `N` by the trapezoidal rule, the
 /// constructed ones.
-fn counted<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn counted(trial: &Trial<'_>) -> Outcome {
     let grid: Vec<SVector<f64, 2>> = (-3..=15)
         .flat_map(|k| [0.0, 0.5].map(|x2| SVector::from([f64::from(k) * PI / 3.0, x2])))
         .collect();
@@ -161,7 +161,7 @@ fn counted<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 /// From a valley up to a ridge and back, `0, π` and `π, 0`: `π` and `3π` by the left rule, and
 /// `π f(π/2) = 2π` both ways by the trapezoidal rule. The minima alone do not tell the left end of
 /// a chord from its right one.
-fn left_is_left<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn left_is_left(trial: &Trial<'_>) -> Outcome {
     for ([a, b], left, trapezoidal) in [([0.0, PI], PI, 2.0 * PI), ([PI, 0.0], 3.0 * PI, 2.0 * PI)]
     {
         let line = PointSequence::straight([a, 0.0], [b, 0.0], 1).map_err(VerifyError::from)?;
@@ -184,7 +184,7 @@ fn other_ends() -> Outcome {
     ] {
         let line = PointSequence::straight([a, 0.0], [b, 0.0], 1).map_err(VerifyError::from)?;
         let claims = ["4π ≤ L_l,N(γᵖ)", "4π ≤ L_tra,N(γᵖ)"];
-        let seen = evidence(&Library, Units::ONE, &line)?;
+        let seen = evidence(&LIBRARY, Units::ONE, &line)?;
         for ((evidence, claim), length) in seen.into_iter().zip(claims).zip(lengths) {
             close(claim, evidence.conclusion(claim).bound, length, 1e-14)?;
             outcomes.push(fails_without(&[clause], evidence));
@@ -199,7 +199,7 @@ fn valleys() -> Result<Ends<2>, VerifyError> {
 
 /// One jump has the discrete energy `16π²N`, which is less than `d² = 64π²` for `N ≤ 3`, while the
 /// curve has `72π²N`: at small `N` the minima of the discrete energies undershoot too.
-fn one_jump<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn one_jump(trial: &Trial<'_>) -> Outcome {
     let (subject, d2) = (trial.subject, 64.0 * PI * PI);
     for n in 1..=8 {
         let jump = valley_jump(n, 1, 1);
@@ -230,7 +230,7 @@ fn one_jump<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 /// (1/12) ∫ γ̈ᵀHγ̈ dt = (d³/12) ∫ f′²/f³ dx = (d³/24) ∫ f″/f² dx = d³ π/18√3
 /// N² (E_tra,N − d²) → −(d³/12) ∫ f″/f² dx = −d³ π/9√3,   ∫ cos x/(2 − cos x)² dx = 4π/3√3 on [0, 4π]
 /// ```
-fn roots_converge<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn roots_converge(trial: &Trial<'_>) -> Outcome {
     let (subject, ends, d2) = (trial.subject, valleys()?, 64.0 * PI * PI);
     let scaled = |n: usize| -> Result<[f64; 2], VerifyError> {
         let line = subject.minimise(Trapezoidal, &Valleys, &ends, n)?.sequence;

@@ -8,7 +8,7 @@ use tautline::{Bounded, KnownDistance, PointSequence};
 
 use super::{Check, Kind, Outcome, Trial, admissible::admissible, check::all};
 use crate::{
-    Evidence, Known, Library, PaperRule, Reconstruction,
+    Evidence, Known, LIBRARY, PaperRule, Reconstruction,
     Statement::{Proposition6_1, Proposition6_2, Proposition6_3},
     Subject, VerifyError,
     curves::{Geodesic, KnownGeodesics, Measured, Reparametrised},
@@ -23,7 +23,7 @@ use crate::{
     },
 };
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     vec![
         Check::new("prop_6_1_holds_for_random_polygons", Kind::Random, &[Proposition6_1], polygons),
         Check::new(
@@ -35,7 +35,7 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
         Check::new("prop_6_1_is_homogeneous", Kind::Homogeneous, &[Proposition6_1], |trial| {
             let cases = (points(shear()), sequence(4.0));
             trial.homogeneous(6120, 96, cases, |subject, (known, sequence), units| {
-                let sequence = units.sequence(&admissible(&Library, &known.ends, sequence)?)?;
+                let sequence = units.sequence(&admissible(&LIBRARY, &known.ends, sequence)?)?;
                 let known = units.known(known)?;
                 let seen = Measured::of_sequence(subject, &known.metric, &sequence);
                 Ok([prop_6_1(subject, &known, &seen)])
@@ -81,7 +81,7 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
         Check::new("prop_6_3_is_homogeneous", Kind::Homogeneous, &[Proposition6_3], |trial| {
             let cases = (shear_ball_half_plane(), sequence(4.0));
             trial.homogeneous(6320, 96, cases, |subject, (known, sequence), units| {
-                let sequence = units.sequence(&admissible(&Library, &known.ends, sequence)?)?;
+                let sequence = units.sequence(&admissible(&LIBRARY, &known.ends, sequence)?)?;
                 let known = units.known(known)?;
                 let seen = Measured::of_sequence(subject, &known.metric, &sequence);
                 Ok([prop_6_3(subject, &known, &seen)])
@@ -97,20 +97,20 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
 }
 
 /// One of the two propositions on random polygons, nobody's minimisers.
-fn family<S: Subject, M: Bounded<D> + Debug + 'static, const D: usize>(
-    trial: &Trial<'_, S>,
+fn family<M: Bounded<D> + Debug + 'static, const D: usize>(
+    trial: &Trial<'_>,
     seed: u64,
     family: impl Strategy<Value = Known<M, D>>,
-    statement: fn(&S, &Known<M, D>, &Measured<D>) -> Evidence,
+    statement: fn(&Subject, &Known<M, D>, &Measured<D>) -> Evidence,
 ) -> Outcome {
     trial.for_all(seed, 192, (family, sequence(4.0)), |subject, (known, sequence)| {
-        let sequence = admissible(&Library, &known.ends, sequence)?;
+        let sequence = admissible(&LIBRARY, &known.ends, sequence)?;
         let seen = Measured::of_sequence(subject, &known.metric, &sequence);
         Ok([statement(subject, &known, &seen)])
     })
 }
 
-fn polygons<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn polygons(trial: &Trial<'_>) -> Outcome {
     all([
         family(trial, 6101, points(constant::<3>()), prop_6_1),
         family(trial, 6102, points(shear()), prop_6_1),
@@ -121,7 +121,7 @@ fn polygons<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     ])
 }
 
-fn set_polygons<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn set_polygons(trial: &Trial<'_>) -> Outcome {
     all([
         family(trial, 6301, constant_ball_half_space::<3>(), prop_6_3),
         family(trial, 6302, constant_finite_sets(), prop_6_3),
@@ -133,9 +133,9 @@ fn set_polygons<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 }
 
 /// `E(γ** ∘ φ) = d² ∫φ′²`, and that is at least `d²`.
-fn clocks<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn family<S: Subject, M, const D: usize>(
-        trial: &Trial<'_, S>,
+fn clocks(trial: &Trial<'_>) -> Outcome {
+    fn family<M, const D: usize>(
+        trial: &Trial<'_>,
         seed: u64,
         family: impl Strategy<Value = (M, [SVector<f64, D>; 2])>,
     ) -> Outcome
@@ -178,9 +178,9 @@ fn both_attained(evidence: Evidence) -> Result<Evidence, VerifyError> {
     }
 }
 
-fn attained<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn family<S: Subject, M, const D: usize>(
-        trial: &Trial<'_, S>,
+fn attained(trial: &Trial<'_>) -> Outcome {
+    fn family<M, const D: usize>(
+        trial: &Trial<'_>,
         seed: u64,
         family: impl Strategy<Value = (M, [SVector<f64, D>; 2])>,
     ) -> Outcome
@@ -213,7 +213,7 @@ fn attained<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 }
 
 /// Straight lines, cut into equal chords.
-fn straight_lines<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn straight_lines(trial: &Trial<'_>) -> Outcome {
     let cases = (points(constant::<3>()), 1..40_usize);
     trial.for_all(6140, 96, cases, |subject, (known, n)| {
         let origin = SVector::zeros();
@@ -227,7 +227,7 @@ fn straight_lines<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 /// Proposition 6.2 for the ends of the trapezoidal minimiser with `N = 8`, and for the projections
 /// of one more point to both sets.
 fn nearest<M, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     known: &Known<M, D>,
     probe: SVector<f64, D>,
 ) -> Result<[Evidence; 1], VerifyError>
@@ -249,9 +249,9 @@ where
     Ok([prop_6_2(&pair, subject.constants(metric).c1())])
 }
 
-fn pairs<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn family<S: Subject, M, const D: usize>(
-        trial: &Trial<'_, S>,
+fn pairs(trial: &Trial<'_>) -> Outcome {
+    fn family<M, const D: usize>(
+        trial: &Trial<'_>,
         seed: u64,
         family: impl Strategy<Value = Known<M, D>>,
     ) -> Outcome
@@ -274,7 +274,7 @@ fn pairs<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 }
 
 /// Under a constant metric the trapezoidal minimiser is the straight line of a nearest pair.
-fn nearest_lines<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn nearest_lines(trial: &Trial<'_>) -> Outcome {
     trial.for_all(6330, 128, constant_ball_half_space::<3>(), |subject, known| {
         let seen = Reconstruction::observe(subject, &known, PaperRule::Trapezoidal, 2)?;
         let line = Measured::of_sequence(subject, &known.metric, &seen.minimum.sequence);

@@ -14,7 +14,6 @@ use super::{
 use crate::{
     Evidence,
     Statement::{self, Proposition7_5, Proposition7_8},
-    Subject,
     arbitrary::{AnyTwoForms, Nonnegatives},
     statements::{TwoForms, prop_7_5, prop_7_5_as_printed, prop_7_8},
     strategies::{separable, shear, vector},
@@ -23,7 +22,7 @@ use crate::{
 const P75: &[Statement] = &[Proposition7_5];
 const P78: &[Statement] = &[Proposition7_8];
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     vec![
         Check::new("prop_7_5_holds_for_random_metrics", Kind::Random, P75, metrics),
         Check::new("prop_7_5_holds_for_random_matrices", Kind::Random, P75, matrices),
@@ -42,9 +41,9 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
     ]
 }
 
-fn metrics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn family<S: Subject, M: Bounded<D> + Debug + 'static, const D: usize>(
-        trial: &Trial<'_, S>,
+fn metrics(trial: &Trial<'_>) -> Outcome {
+    fn family<M: Bounded<D> + Debug + 'static, const D: usize>(
+        trial: &Trial<'_>,
         seed: u64,
         metrics: impl Strategy<Value = M>,
     ) -> Outcome {
@@ -58,11 +57,11 @@ fn metrics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         family(trial, 7501, shear()),
         family(trial, 7502, separable::<1>()),
         family(trial, 7503, separable::<3>()),
-        family::<_, _, 2>(trial, 7504, Just(Valleys)),
+        family::<_, 2>(trial, 7504, Just(Valleys)),
     ])
 }
 
-fn matrices<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn matrices(trial: &Trial<'_>) -> Outcome {
     all([
         trial.quick(7511, 512, |_, any: &AnyTwoForms<1>| Ok([prop_7_5(&any.forms())])),
         trial.quick(7512, 512, |_, any: &AnyTwoForms<2>| Ok([prop_7_5(&any.forms())])),
@@ -70,7 +69,7 @@ fn matrices<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     ])
 }
 
-fn homogeneous_forms<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn homogeneous_forms(trial: &Trial<'_>) -> Outcome {
     let pair = |size| (vector::<2>(size), vector::<2>(size));
     let cases = (shear(), pair(3.0), pair(2.0));
     trial.homogeneous(7520, 128, cases, |subject, (metric, (x1, x2), (u1, u2)), units| {
@@ -88,7 +87,7 @@ fn on_the_line(x: [f64; 2], u: [f64; 2], h: [f64; 2], c2: f64, l_h: f64) -> TwoF
 /// `H(x₂) = c₂`, `H(x₁) = c₂ − L_H |x₁ − x₂|` and `u₂ > u₁ > 0`: both sides are
 /// `c₂ (u₂² − u₁²) + L_H |x₁ − x₂| u₁²`, and none of the three terms on the right is less than a
 /// hundredth of the whole.
-fn attained_forms<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn attained_forms(trial: &Trial<'_>) -> Outcome {
     let cases = (0.5..4.0, 0.3..1.0, 0.5..2.0, 0.5..2.0, -3.0..3.0);
     trial.for_all(7530, 256, cases, |_, (c2, drop, u1, more, x)| {
         let step = 0.5;
@@ -127,14 +126,14 @@ fn refuted_by_a_negative_form() -> Outcome {
     )
 }
 
-fn numbers<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn numbers(trial: &Trial<'_>) -> Outcome {
     all([
         trial.quick(7801, 768, |_, any: &Nonnegatives| Ok([prop_7_8(&any.numbers())])),
         trial.for_all(7802, 512, vec(0.0..10.0, 0..40), |_, numbers| Ok([prop_7_8(&numbers)])),
     ])
 }
 
-fn homogeneous_numbers<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn homogeneous_numbers(trial: &Trial<'_>) -> Outcome {
     trial.homogeneous(7820, 128, vec(0.0..10.0, 0..40), |_, numbers, units| {
         let numbers: Vec<f64> = numbers.into_iter().map(|x| x * units.ell).collect();
         Ok([prop_7_8(&numbers)])
@@ -143,7 +142,7 @@ fn homogeneous_numbers<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 
 /// Equality exactly if all numbers are 0, or all but one, which is positive: two equal numbers
 /// already have the slack `√2`.
-fn attained_numbers<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn attained_numbers(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7830, 256, (1..40_usize, 0..40_usize, 0.1..10.0), |_, (n, k, x)| {
         let mut numbers = vec![0.0; n];
         numbers[k % n] = x;
@@ -156,7 +155,7 @@ fn attained_numbers<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 /// No counterexample is there to be found without `xₙ ≥ 0`: turning a sign makes the left side
 /// smaller and leaves the right side, so that the hypothesis is not needed. Only the case of
 /// equality is lost: `−1` alone has `−1 < 1`.
-fn negative_numbers<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn negative_numbers(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7840, 512, vec(-10.0..10.0_f64, 0..40), |_, numbers| {
         let evidence = prop_7_8(&numbers);
         // The conclusions alone.

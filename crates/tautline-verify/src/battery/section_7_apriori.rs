@@ -23,7 +23,7 @@ use crate::{
 const POINTWISE: &[Statement] = &[Proposition7_10, Proposition7_11];
 const APRIORI: &[Statement] = &[ConstantK1, ConstantK2, Proposition7_12];
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     let p710 = &POINTWISE[..1];
     let p711 = &POINTWISE[1..];
     let bend: &[Statement] = &APRIORI[1..];
@@ -59,9 +59,9 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
 /// What a slack may be above the best one that is known, for the limits that are taken below.
 const NEAR: f64 = 1.01;
 
-fn metrics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn family<S: Subject, M: Bounded<D> + Debug + 'static, const D: usize>(
-        trial: &Trial<'_, S>,
+fn metrics(trial: &Trial<'_>) -> Outcome {
+    fn family<M: Bounded<D> + Debug + 'static, const D: usize>(
+        trial: &Trial<'_>,
         seed: u64,
         metrics: impl Strategy<Value = M>,
     ) -> Outcome {
@@ -75,11 +75,11 @@ fn metrics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         family(trial, 7103, separable::<3>()),
         family(trial, 7104, ramp()),
         family(trial, 7105, constant::<2>()),
-        family::<_, _, 2>(trial, 7106, Just(Valleys)),
+        family::<_, 2>(trial, 7106, Just(Valleys)),
     ])
 }
 
-fn homogeneous_metrics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn homogeneous_metrics(trial: &Trial<'_>) -> Outcome {
     trial.homogeneous(7120, 128, (shear(), vector(4.0)), |subject, (metric, x), units| {
         let (metric, x) = (units.metric(metric), units.vector(x));
         Ok([prop_7_10(subject, &metric, &x)?, prop_7_11(subject, &metric, &x)?])
@@ -87,9 +87,9 @@ fn homogeneous_metrics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 }
 
 /// `∂ₗ Hᵢⱼ = L` at 0, for every entry and every axis.
-fn ripples<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn ripples(trial: &Trial<'_>) -> Outcome {
     fn one<const D: usize>(
-        subject: &impl Subject,
+        subject: &Subject,
         ([i, j, l], base, slope): ([usize; 3], f64, f64),
     ) -> Result<Evidence, VerifyError> {
         let ripple = Ripple::<D>::new(base, slope, [i, j], l)?;
@@ -103,9 +103,9 @@ fn ripples<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 
 /// `Γ²₁₁ = 3L/2c` at 0, where `c₁ = c − LR` for an `R` as small as one likes: the companion is
 /// attained, and what the paper gives away is `√D`.
-fn twists<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn twists(trial: &Trial<'_>) -> Outcome {
     fn one<const D: usize>(
-        subject: &impl Subject,
+        subject: &Subject,
         (base, slope): (f64, f64),
     ) -> Result<Evidence, VerifyError> {
         let twist = Twist::<D>::new(base, slope, 2e-3 * base / slope)?;
@@ -119,7 +119,7 @@ fn twists<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 }
 
 /// `Γ = H′/2H` is `L/2c₁` at the foot of an incline.
-fn inclines<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn inclines(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7132, 128, (0.3..3.0, 0.1..10.0), |subject, (foot, slope)| {
         let incline = Incline::new(foot, slope).expect("positive");
         let evidence = prop_7_11(subject, &incline, &[0.0].into())?;
@@ -128,7 +128,7 @@ fn inclines<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 }
 
 fn evidence<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     metric: &impl Bounded<D>,
     curve: &impl BoundedCurve<D>,
     distance: f64,
@@ -141,8 +141,8 @@ fn evidence<const D: usize>(
     ])
 }
 
-fn geodesics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn separables<S: Subject, const D: usize>(trial: &Trial<'_, S>, seed: u64) -> Outcome {
+fn geodesics(trial: &Trial<'_>) -> Outcome {
+    fn separables<const D: usize>(trial: &Trial<'_>, seed: u64) -> Outcome {
         let cases = (separable::<D>(), two_points(2.5), 0.0..1.0);
         trial.for_all(seed, 192, cases, |subject, (metric, ends, t): (Separable<D>, _, _)| {
             let curve = Geodesic::between(metric, ends);
@@ -150,7 +150,7 @@ fn geodesics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
             evidence(subject, &metric, &curve, distance, t)
         })
     }
-    fn constants<S: Subject, const D: usize>(trial: &Trial<'_, S>, seed: u64) -> Outcome {
+    fn constants<const D: usize>(trial: &Trial<'_>, seed: u64) -> Outcome {
         let cases = (constant::<D>(), two_points(2.5), 0.0..1.0);
         trial.for_all(seed, 128, cases, |subject, (metric, [a, b], t): (Constant<D>, _, _)| {
             let distance = metric.distance(&a, &b).expect("known");
@@ -168,15 +168,15 @@ fn geodesics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
                 evidence(subject, &metric, &curve, distance, t)
             },
         ),
-        separables::<S, 1>(trial, 7141),
-        separables::<S, 2>(trial, 7142),
-        separables::<S, 3>(trial, 7143),
-        constants::<S, 2>(trial, 7144),
-        constants::<S, 4>(trial, 7145),
+        separables::<1>(trial, 7141),
+        separables::<2>(trial, 7142),
+        separables::<3>(trial, 7143),
+        constants::<2>(trial, 7144),
+        constants::<4>(trial, 7145),
     ])
 }
 
-fn homogeneous_geodesics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn homogeneous_geodesics(trial: &Trial<'_>) -> Outcome {
     let cases = (shear(), two_points(2.5), 0.0..1.0);
     trial.homogeneous(7150, 128, cases, |subject, (metric, ends, t), units| {
         let curve = Geodesic::between(metric, ends);
@@ -186,7 +186,7 @@ fn homogeneous_geodesics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 }
 
 /// `H = c I`: a straight line has the speed `|b − a| = d/√c₁` everywhere.
-fn attained_k1<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn attained_k1(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7160, 128, (0.1..10.0, two_points::<3>(2.5)), |subject, (c, [a, b])| {
         let metric = Constant::new(SMatrix::<f64, 3, 3>::from_diagonal_element(c));
         let metric = metric.expect("positive");
@@ -199,7 +199,7 @@ fn attained_k1<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 
 /// A short geodesic through the centre of a twist: `|γ̈|` is nearly `3L_H K₁²/2c₁` all along it,
 /// and the paper gives away `D² = 4`. It is minimal, being short, and `d` is its speed.
-fn bent_by_a_twist<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn bent_by_a_twist(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7161, 64, (0.3..3.0, 0.1..10.0), |subject, (base, slope)| {
         let twist = Twist::<2>::new(base, slope, 2e-3 * base / slope)?;
         let speed = 1e-5 * base / slope;
@@ -217,7 +217,7 @@ fn bent_by_a_twist<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 }
 
 /// A short geodesic at the foot of an incline: `|γ̈|` is nearly `L_H K₁²/2c₁`.
-fn bent_by_an_incline<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn bent_by_an_incline(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7162, 64, (0.3..3.0, 0.1..2.0), |subject, (foot, slope)| {
         let incline = Incline::new(foot, slope).expect("positive");
         let curve = InclineGeodesic::new(foot, slope, 2e-3 * foot / slope)?;

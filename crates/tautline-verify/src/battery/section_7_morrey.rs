@@ -13,7 +13,7 @@ use super::{
 use crate::{
     Evidence,
     Statement::{self, Proposition7_2, Proposition7_3, Proposition7_4},
-    Subject, VerifyError,
+    VerifyError,
     curves::{BoundedCurve, KinkedCurve, SmoothCurve},
     statements::{prop_7_2, prop_7_2_as_printed, prop_7_3, prop_7_3_as_printed, prop_7_4},
     strategies::{kinked_curve, smooth_curve, times},
@@ -21,7 +21,7 @@ use crate::{
 
 const ALL: &[Statement] = &[Proposition7_2, Proposition7_3, Proposition7_4];
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     let only_7_2: &[Statement] = &ALL[..1];
     let only_7_3: &[Statement] = &ALL[1..2];
     let only_7_4: &[Statement] = &ALL[2..];
@@ -93,20 +93,16 @@ fn subintervals() -> impl Strategy<Value = NonZeroUsize> {
     (1..50_usize).prop_map(|n| NonZeroUsize::new(n).expect("positive"))
 }
 
-fn smooth<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn dimension<S: Subject, const D: usize>(trial: &Trial<'_, S>, seed: u64) -> Outcome {
+fn smooth(trial: &Trial<'_>) -> Outcome {
+    fn dimension<const D: usize>(trial: &Trial<'_>, seed: u64) -> Outcome {
         let cases = (smooth_curve::<D>(2.0), times(), subintervals());
         // A curve in five is straight, and then there is nothing to Proposition 7.4.
         trial.for_all(seed, 448, cases, |_, (curve, times, n)| evidence(&curve, times, n))
     }
-    all([
-        dimension::<S, 1>(trial, 7201),
-        dimension::<S, 2>(trial, 7202),
-        dimension::<S, 3>(trial, 7203),
-    ])
+    all([dimension::<1>(trial, 7201), dimension::<2>(trial, 7202), dimension::<3>(trial, 7203)])
 }
 
-fn kinked<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn kinked(trial: &Trial<'_>) -> Outcome {
     all([
         trial.for_all(7211, 512, (kinked_curve::<1>(2.0), times()), |_, (curve, times)| {
             Ok([prop_7_2(&curve, times)?])
@@ -117,7 +113,7 @@ fn kinked<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     ])
 }
 
-fn homogeneous<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn homogeneous(trial: &Trial<'_>) -> Outcome {
     let cases = (smooth_curve::<2>(2.0), times(), subintervals());
     trial.homogeneous(7220, 128, cases, |_, (curve, times, n), units| {
         evidence(&units.curve(curve), times, n)
@@ -132,7 +128,7 @@ fn lines() -> impl Strategy<Value = (SmoothCurve<2>, [f64; 3])> {
     })
 }
 
-fn constant_velocity<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn constant_velocity(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7230, 256, lines(), |_, (line, times)| {
         let first = "|γ(s₂) − γ(s₁)| ≤ √l ‖γ̇‖";
         Ok([prop_7_2(&line, times)?.claim_is_attained(first, 1.0 + 1e-9)?])
@@ -143,7 +139,7 @@ fn constant_velocity<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 /// above `‖γ‖/√l` by `ε/3`, but for `O(ε²)`, and `√(l/3) ‖γ̇‖ = ε/3`. A constant is its own norm
 /// over `√l`, so that the other factor is the best too: a smaller one leaves a gap where the bound
 /// is 0.
-fn best_constants_of_7_2<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn best_constants_of_7_2(trial: &Trial<'_>) -> Outcome {
     let second = "|γ(s)| − ‖γ‖/√l ≤ √(l/3) ‖γ̇‖";
     let intervals = (0.0..0.5_f64, 0.1..1.0_f64);
     trial.for_all(7231, 128, intervals, |_, (s1, length)| {
@@ -178,7 +174,7 @@ fn refuted_by_a_constant_curve() -> Outcome {
     refuted(&evidence, "|γ(s)| − ‖γ‖ ≤ 2‖γ̇‖", [0.5, 0.0])
 }
 
-fn attained_7_3<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn attained_7_3(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7330, 256, lines(), |_, (line, [s1, _, s2])| {
         Ok([prop_7_3(&line, [s1, s2])?.attained()?])
     })
@@ -186,7 +182,7 @@ fn attained_7_3<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 
 /// `γ̇ = 1 + ε w` with the `w` of Proposition 7.2: on a short interval at 0 the mean speed is above
 /// the norm over `[0, 1]` by `ε/3` but for `ε l/2`.
-fn best_constant_of_7_3<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn best_constant_of_7_3(trial: &Trial<'_>) -> Outcome {
     let epsilon = 1e-3;
     let powers = [0.0, 1.0, -0.5 * epsilon, epsilon / 6.0];
     let curve = SmoothCurve::polynomial(powers.map(|power| SVector::from([power])));
@@ -220,7 +216,7 @@ fn kink_of_7_3() -> Outcome {
 
 /// `(tₖ₊₁ − t)³` on the subinterval `k` of `N`, at `tₖ`: with `h = 1`, `|−1 + 3| = 2 = ‖γ̈‖/√3`.
 /// The paper's bound is `2√3` times that.
-fn attained_by_a_cube<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn attained_by_a_cube(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7430, 128, (subintervals(), 0.0..1.0), |_, (n, at)| {
         let count = n.get() as f64;
         let k = (at * count) as usize;
@@ -235,7 +231,7 @@ fn attained_by_a_cube<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 }
 
 /// `γ̇ = cos Nπt` on each subinterval, whose mean is 0.
-fn attained_by_half_a_cosine<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn attained_by_half_a_cosine(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7431, 64, (1..12_usize, 0.0..1.0), |_, (n, at)| {
         let mut waves = vec![[SVector::zeros(), SVector::zeros()]; n];
         waves[n - 1][1] = SVector::from([1.0]);

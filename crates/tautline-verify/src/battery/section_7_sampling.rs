@@ -15,7 +15,7 @@ use super::{
     failing::{fails_without, refuted},
 };
 use crate::{
-    Evidence, Library,
+    Evidence, LIBRARY,
     Statement::{self, ConstantCTra, ConstantCTraSharp, Proposition7_6, Proposition7_7},
     Subject, Unit, VerifyError, WithConstants,
     arbitrary::AnySetting,
@@ -30,7 +30,7 @@ const P76: &[Statement] = &[Proposition7_6];
 const P77: &[Statement] = &[Proposition7_7];
 const CONSTANTS: &[Statement] = &[ConstantCTra, ConstantCTraSharp];
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     vec![
         Check::new("props_7_6_and_7_7_hold_for_smooth_curves", Kind::Random, CURVES, smooth),
         Check::new("prop_7_6_holds_for_minimal_geodesics", Kind::Random, P76, geodesics),
@@ -89,7 +89,7 @@ fn family<const D: usize>() -> impl Strategy<Value = [SmoothCurve<D>; 3]> {
 }
 
 fn evidence<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     metric: &impl Bounded<D>,
     curves: &[impl BoundedCurve<D>; 3],
     n: NonZeroUsize,
@@ -97,9 +97,9 @@ fn evidence<const D: usize>(
     Ok([prop_7_6(subject, metric, &curves[0], n)?, prop_7_7(subject, metric, curves, n)?])
 }
 
-fn smooth<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn metrics<S: Subject, M: Bounded<D> + Debug + 'static, const D: usize>(
-        trial: &Trial<'_, S>,
+fn smooth(trial: &Trial<'_>) -> Outcome {
+    fn metrics<M: Bounded<D> + Debug + 'static, const D: usize>(
+        trial: &Trial<'_>,
         seed: u64,
         cases: u32,
         metrics: impl Strategy<Value = M>,
@@ -116,13 +116,13 @@ fn smooth<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         metrics(trial, 7604, 192, ramp()),
         // The least energy is that of the straight line, and of its samples.
         metrics(trial, 7605, 64, constant::<2>()),
-        metrics::<_, _, 2>(trial, 7606, 192, Just(Valleys)),
+        metrics::<_, 2>(trial, 7606, 192, Just(Valleys)),
     ])
 }
 
 /// Where `E = d²`: the pointwise companions are `d² (1 + δ/4N + δ²/8N²)` for the trapezoidal rule
 /// and `d² (1 + δ/2N)` for the left-endpoint rule, with `δ = L_H d/c₁^{3/2}`.
-fn geodesics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn geodesics(trial: &Trial<'_>) -> Outcome {
     all([
         trial.for_all(
             7611,
@@ -144,7 +144,7 @@ fn geodesics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     ])
 }
 
-fn homogeneous<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn homogeneous(trial: &Trial<'_>) -> Outcome {
     let cases = (shear(), family::<2>(), subintervals());
     trial.homogeneous(7620, 96, cases, |subject, (metric, curves, n), units| {
         let curves = curves.map(|curve| units.curve(curve));
@@ -154,7 +154,7 @@ fn homogeneous<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 
 /// The straight line from 0 to 1 with a valley or a ridge at each midpoint: `|E − E_tra,N| =
 /// L_H/4N`, against `L_H/N`. So the slack of the paper is 4, and the pointwise form is attained.
-fn valleys_at_midpoints<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn valleys_at_midpoints(trial: &Trial<'_>) -> Outcome {
     let line = SmoothCurve::straight([0.0], [1.0]);
     trial.for_all(7630, 96, (1..60_usize, 0.2..1.5), |subject, (n, slope)| {
         let metric = |slope| Zigzag::new(2.0, slope, n).expect("positive");
@@ -175,7 +175,7 @@ fn valleys_at_midpoints<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 
 /// `γ̇ = 1 + a cos Nπt` under a constant metric: `β = 1`, and `E − E_tra,N = c a²/2` is all of
 /// `c K₂²/π²N²`.
-fn half_a_cosine<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn half_a_cosine(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7631, 96, (1..16_usize, 0.2..2.0, 0.3..3.0), |subject, (n, a, c)| {
         let metric = Constant::<1>::new(SMatrix::from_diagonal_element(c)).expect("positive");
         let mut waves = vec![[SVector::zeros(); 2]; n];
@@ -189,7 +189,7 @@ fn half_a_cosine<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 
 /// `|t − ½|` with `H = 1` and `N = 1`: `E = 1` and `E_tra = 0`, and `C_tra(1) = 0.44` with `K₁ = 1`
 /// and `K₂ = 0.1`.
-fn refuted_by_a_kink<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn refuted_by_a_kink(trial: &Trial<'_>) -> Outcome {
     let modulus = KinkedCurve::new([0.5], [(0.5, [0.0].into())], [0.5])?;
     let metric = Constant::<1>::new(SMatrix::from_diagonal_element(1.0)).expect("positive");
     let n = NonZeroUsize::MIN;
@@ -215,16 +215,16 @@ fn false_constants() -> Outcome {
     let curve = SmoothCurve::new(vec![SVector::zeros(), SVector::from([1.0])], vec![sine]);
     let lipschitz = "‖H(x) − H(y)‖/|x − y| ≤ L_H";
     all([
-        fails_without(&[lipschitz], prop_7_6(&Library, &ridge, &line, n)?),
-        fails_without(&[lipschitz], prop_7_7(&Library, &ridge, &[&line], n)?),
-        fails_without(&["λ_max(H) ≤ c₂"], prop_7_6(&Library, &flat, &curve, n)?),
+        fails_without(&[lipschitz], prop_7_6(&LIBRARY, &ridge, &line, n)?),
+        fails_without(&[lipschitz], prop_7_7(&LIBRARY, &ridge, &[&line], n)?),
+        fails_without(&["λ_max(H) ≤ c₂"], prop_7_6(&LIBRARY, &flat, &curve, n)?),
     ])
 }
 
 /// From 0 to 1 in the time `1/N`, over the ridge `H = c + L (½ − |x − ½|)`, then at rest: `E_tra,N
 /// − E = NL/4`, while `K₁ = √N` and `K₂ = 0` make `C_tra(N) = L √N`. For `N ≥ 17` the first is
 /// larger, and a small `K₂ > 0` changes nothing. Without a kink it is at most `L K₁³/2N = ½ L √N`.
-fn refuted_by_a_fast_start<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn refuted_by_a_fast_start(trial: &Trial<'_>) -> Outcome {
     let mut outcomes = Vec::new();
     for n in [17, 18, 32, 100, 1000_u16] {
         let metric = tent(2.0, -1.5).expect("positive");
@@ -241,7 +241,7 @@ fn refuted_by_a_fast_start<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 }
 
 /// The infimum over all curves between two points, sampled, is a minimum over all point sequences.
-fn discrete_minimum<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn discrete_minimum(trial: &Trial<'_>) -> Outcome {
     let cases = (shear(), two_points(2.5), smooth_curve::<2>(0.5), subintervals());
     trial.for_all(7641, 192, cases, |subject, (metric, [a, b], curve, n)| {
         let ends = Ends::points(a, b)?;
@@ -276,7 +276,7 @@ fn discrete_minimum<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     })
 }
 
-fn c_tra<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn c_tra(trial: &Trial<'_>) -> Outcome {
     all([
         trial.quick(7651, 1024, |subject, any: &AnySetting| {
             let (setting, n) = (any.setting(), any.n());
@@ -304,7 +304,7 @@ fn cases_of_c_tra() -> impl Strategy<Value = (Constants, [f64; 2], NonZeroUsize)
     })
 }
 
-fn homogeneous_c_tra<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn homogeneous_c_tra(trial: &Trial<'_>) -> Outcome {
     trial.homogeneous(7660, 128, cases_of_c_tra(), |subject, (constants, norms, n), units| {
         let (constants, norms) = (units.constants(constants)?, norms.map(|k| k * units.ell));
         Ok([
@@ -316,7 +316,7 @@ fn homogeneous_c_tra<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 
 /// With `K₂ = 10⁻³ K₁` the term of second order is a thousandth of the others at most, and is all
 /// that differs. `N = 1` is no witness: there the two sides are the same formula.
-fn approached_c_tra_sharp<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn approached_c_tra_sharp(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7670, 256, cases_of_c_tra(), |subject, (constants, [k1, _], n)| {
         let norms = [k1 + 0.1, 1e-3 * (k1 + 0.1)];
         let one = constant_c_tra_sharp(subject, constants, norms, NonZeroUsize::MIN);

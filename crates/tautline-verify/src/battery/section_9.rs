@@ -13,7 +13,7 @@ use super::{
     Check, Failure, Kind, Outcome, Trial, admissible::admissible, check::all, failing::refuted,
 };
 use crate::{
-    Evidence, Known, Library, PaperRule, Reconstruction,
+    Evidence, Known, LIBRARY, PaperRule, Reconstruction,
     Statement::{Proposition9_1, Remark9_2},
     Subject, VerifyError,
     curves::{Clock, Geodesic, KnownGeodesics, Measured, Pace, Reparametrised},
@@ -26,7 +26,7 @@ use crate::{
     witnesses::{Polygonal, Washboard, two_routes},
 };
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     vec![
         Check::new(
             "prop_9_1_repaired_holds_between_points",
@@ -44,7 +44,7 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
             let cases = (joined(shear()), sequence(3.0));
             trial.homogeneous(9120, 96, cases, |subject, ((metric, ends), sequence), units| {
                 let sequence = units.sequence(&admissible(
-                    &Library,
+                    &LIBRARY,
                     &Ends::points(ends[0], ends[1])?,
                     sequence,
                 )?)?;
@@ -90,7 +90,7 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
 
 /// Proposition 9.1 for a polygon and the known minimal geodesic between its ends.
 fn against_geodesic<M: KnownGeodesics<D>, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     metric: &M,
     ends: [SVector<f64, D>; 2],
     sequence: &PointSequence<D>,
@@ -101,9 +101,9 @@ fn against_geodesic<M: KnownGeodesics<D>, const D: usize>(
     Ok(prop_9_1(subject, &known, &curve, &minimiser))
 }
 
-fn between<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn family<S: Subject, M, const D: usize>(
-        trial: &Trial<'_, S>,
+fn between(trial: &Trial<'_>) -> Outcome {
+    fn family<M, const D: usize>(
+        trial: &Trial<'_>,
         seed: u64,
         family: impl Strategy<Value = (M, [SVector<f64, D>; 2])>,
         size: f64,
@@ -112,7 +112,7 @@ fn between<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         M: KnownGeodesics<D> + Debug + 'static,
     {
         trial.for_all(seed, 160, (family, sequence(size)), |subject, ((metric, ends), sequence)| {
-            let sequence = admissible(&Library, &Ends::points(ends[0], ends[1])?, sequence)?;
+            let sequence = admissible(&LIBRARY, &Ends::points(ends[0], ends[1])?, sequence)?;
             Ok([against_geodesic(subject, &metric, ends, &sequence)?])
         })
     }
@@ -128,16 +128,16 @@ fn between<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 }
 
 /// Under a constant metric the computed minimiser has the energy `d²`, to rounding.
-fn sets<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn family<S: Subject, const D: usize>(
-        trial: &Trial<'_, S>,
+fn sets(trial: &Trial<'_>) -> Outcome {
+    fn family<const D: usize>(
+        trial: &Trial<'_>,
         seed: u64,
         family: impl Strategy<Value = Known<Constant<D>, D>>,
     ) -> Outcome {
         trial.for_all(seed, 192, (family, sequence(3.0)), |subject, (known, sequence)| {
             let seen = Reconstruction::observe(subject, &known, PaperRule::Trapezoidal, 3)?;
             let minimiser = Measured::of_sequence(subject, &known.metric, &seen.minimum.sequence);
-            let sequence = admissible(&Library, &known.ends, sequence)?;
+            let sequence = admissible(&LIBRARY, &known.ends, sequence)?;
             let curve = Measured::of_sequence(subject, &known.metric, &sequence);
             Ok([prop_9_1(subject, &known, &curve, &minimiser)])
         })
@@ -150,7 +150,7 @@ fn sets<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 }
 
 /// The two equal legs of a triangle, under a multiple of the Euclidean metric.
-fn equal_legs<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn equal_legs(trial: &Trial<'_>) -> Outcome {
     let cases = (0.1..10.0, vector::<2>(2.0), vector::<2>(1.0), 0.1..3.0)
         .prop_filter("a base", |(_, _, half, _)| half.norm() >= 0.1);
     trial.for_all(9130, 128, cases, |subject, (factor, top, half, height): (f64, _, _, f64)| {
@@ -176,13 +176,13 @@ pub(super) fn late() -> Result<(Known<Constant<1>, 1>, Measured<1>, Measured<1>)
 /// `0 ≤ 1 − 4/3`.
 fn refuted_by_a_late_minimiser() -> Outcome {
     let (known, on_time, late) = late()?;
-    let evidence = prop_9_1_as_printed(&Library, &known, &on_time, &late);
+    let evidence = prop_9_1_as_printed(&LIBRARY, &known, &on_time, &late);
     refuted(&evidence, "L(γ)² − L(γ*)² ≤ E(γ) − E(γ*)", [0.0, -1.0 / 3.0])
 }
 
 /// The answer to Remark 9.2, for both rules on random problems of one family.
-fn rates<S: Subject, M, const D: usize>(
-    trial: &Trial<'_, S>,
+fn rates<M, const D: usize>(
+    trial: &Trial<'_>,
     seed: u64,
     cases: u32,
     family: impl Strategy<Value = Known<M, D>>,
@@ -196,7 +196,7 @@ where
 }
 
 fn both_rules<M: Bounded<D>, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     known: &Known<M, D>,
     n: usize,
 ) -> Result<[Evidence; 2], VerifyError> {
@@ -205,7 +205,7 @@ fn both_rules<M: Bounded<D>, const D: usize>(
     Ok([remark_9_2(subject, &trapezoidal?), remark_9_2(subject, &left?)])
 }
 
-fn rates_between<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn rates_between(trial: &Trial<'_>) -> Outcome {
     all([
         rates(trial, 9201, 128, points(shear())),
         rates(trial, 9202, 96, points(separable::<1>())),
@@ -215,7 +215,7 @@ fn rates_between<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     ])
 }
 
-fn rates_of_sets<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn rates_of_sets(trial: &Trial<'_>) -> Outcome {
     all([
         rates(trial, 9211, 96, shear_ball_half_plane()),
         rates(trial, 9212, 64, separable_boxes::<2>()),
@@ -228,7 +228,7 @@ fn rates_of_sets<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 /// and `d² δ` for the left one, and that is the bound.
 ///
 /// The ratio of the excess to those was computed elsewhere for slopes of 1, 0.1, 0.01 and 0.001.
-fn attained_by_two_routes<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn attained_by_two_routes(trial: &Trial<'_>) -> Outcome {
     let tents = |l: f64, hair: f64| {
         let (top, low) = (1.0 + 0.5 * l, 1.0 + 0.5 * l - hair);
         let ridge = [[0.0, 1.0], [0.5, top], [1.0, 1.0]];
@@ -253,8 +253,8 @@ fn attained_by_two_routes<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 }
 
 /// One pair of routes, with the ratio of the excess to `d² δ` times the leading constant.
-fn route_with_excess<S: Subject>(
-    trial: &Trial<'_, S>,
+fn route_with_excess(
+    trial: &Trial<'_>,
     known: Known<Polygonal, 1>,
     rule: PaperRule,
     slope: f64,
@@ -292,7 +292,7 @@ pub(super) fn washboard(
 /// A washboard for each `N`: `N (E(γᵖˡ) − d²) = L/2π − Nη` does not fall, though `c₁`, `L_H` and
 /// `d` hardly change. As `δ → 0` the bound is `π` times as large; for these, a percent more, and
 /// what the switch adds to `L_H`.
-fn the_rate_is_the_best<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn the_rate_is_the_best(trial: &Trial<'_>) -> Outcome {
     let slope = 0.01;
     all([1, 2, 3, 5, 8, 17, 64, 200].map(|n: u32| {
         let (metric, known) = washboard(n, slope)?;

@@ -95,7 +95,7 @@ mod tests {
 
     use super::Tally;
     use crate::{
-        Evidence, Known, Library, PaperRule, Reconstruction, Statement, Unit,
+        Evidence, Known, LIBRARY, PaperRule, Reconstruction, Statement, Unit,
         statements::{theorem_1_1, theorem_1_2, theorem_1_3, theorem_1_4},
     };
 
@@ -106,13 +106,13 @@ mod tests {
     ) -> [[u64; 2]; 4] {
         let mut tally = Tally::default();
         for rule in PaperRule::BOTH {
-            let seen = Reconstruction::observe(&Library, known, rule, 4).expect("a minimum");
+            let seen = Reconstruction::observe(&LIBRARY, known, rule, 4).expect("a minimum");
             let [energy, length] = match rule {
                 PaperRule::Trapezoidal => {
-                    [theorem_1_1(&Library, &seen), theorem_1_2(&Library, &seen)]
+                    [theorem_1_1(&LIBRARY, &seen), theorem_1_2(&LIBRARY, &seen)]
                 }
                 PaperRule::LeftEndpoint => {
-                    [theorem_1_3(&Library, &seen), theorem_1_4(&Library, &seen)]
+                    [theorem_1_3(&LIBRARY, &seen), theorem_1_4(&LIBRARY, &seen)]
                 }
             };
             tally.count(&energy);

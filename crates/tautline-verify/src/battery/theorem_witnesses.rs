@@ -35,7 +35,7 @@ use crate::{
     witnesses::{Polygonal, two_routes},
 };
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     vec![
         Check::new(
             "theorems_1_1_and_1_2_on_tents_have_the_best_slack_known",
@@ -103,7 +103,7 @@ pub(super) fn level(length: f64) -> Knots {
 
 /// Observes the minimiser of the one chord from set to set.
 pub(super) fn routes(
-    subject: &impl Subject,
+    subject: &Subject,
     rule: PaperRule,
     [first, second]: [Knots; 2],
 ) -> Result<Reconstruction<1>, VerifyError> {
@@ -113,7 +113,7 @@ pub(super) fn routes(
 
 /// The same between two points.
 pub(super) fn route(
-    subject: &impl Subject,
+    subject: &Subject,
     rule: PaperRule,
     knots: Knots,
 ) -> Result<Reconstruction<1>, VerifyError> {
@@ -122,7 +122,7 @@ pub(super) fn route(
     Reconstruction::observe(subject, &known.expect("between the knots"), rule, 1)
 }
 
-fn tents<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn tents(trial: &Trial<'_>) -> Outcome {
     let (subject, rule) = (trial.subject, PaperRule::Trapezoidal);
     let over_valley = route(subject, rule, valley(1.0))?;
     let over_ridge = route(subject, rule, ridge(1.0))?;
@@ -151,7 +151,7 @@ fn tents<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     ])
 }
 
-fn inclines<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn inclines(trial: &Trial<'_>) -> Outcome {
     let (subject, rule) = (trial.subject, PaperRule::LeftEndpoint);
     let up = route(subject, rule, upwards(1.0))?;
     let down = route(subject, rule, downwards(1.0))?;
@@ -181,7 +181,7 @@ fn inclines<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 }
 
 /// `H = 4 I`: `C_tra♯ = 0` and `K₃ = d/√c₁`, for every `N`.
-fn flat<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn flat(trial: &Trial<'_>) -> Outcome {
     let metric =
         gallery::Constant::<2>::new([[4.0, 0.0], [0.0, 4.0]].into()).expect("positive definite");
     let known =

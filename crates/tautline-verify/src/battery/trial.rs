@@ -13,7 +13,7 @@ use super::{
     any_strategy::{AnyStrategy, AnyValue, downcast},
     promotion::{Case, Given},
 };
-use crate::{Evidence, Finding, Source, Units, VerifyError};
+use crate::{Evidence, Finding, Source, Subject, Units, VerifyError};
 
 /// How much of the evidence is judged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,9 +27,9 @@ pub enum Scope {
 
 /// What a check may use: the subject, how much of the evidence counts, and how many cases.
 #[derive(Clone, Copy, Debug)]
-pub struct Trial<'a, S> {
+pub struct Trial<'a> {
     /// What the statements are computed with.
-    pub subject: &'a S,
+    pub subject: &'a Subject,
     /// How much of the evidence is judged.
     pub scope: Scope,
     /// At most so many random cases a family.
@@ -82,10 +82,10 @@ impl From<VerifyError> for Failure {
 /// What a check says: its tally, or why it failed.
 pub type Outcome = Result<Tally, Failure>;
 
-impl<'a, S> Trial<'a, S> {
+impl<'a> Trial<'a> {
     /// Returns the trial on the cases that are always the same, at most so many a family.
     #[must_use]
-    pub const fn new(subject: &'a S, scope: Scope, cases: u32) -> Self {
+    pub const fn new(subject: &'a Subject, scope: Scope, cases: u32) -> Self {
         Self { subject, scope, cases, chance: Chance::FIXED, given: None }
     }
 
@@ -102,7 +102,7 @@ impl<'a, S> Trial<'a, S> {
         seed: u64,
         cases: u32,
         values: V,
-        evidence: impl Fn(&S, V::Value) -> Result<E, VerifyError>,
+        evidence: impl Fn(&Subject, V::Value) -> Result<E, VerifyError>,
     ) -> Outcome
     where
         V: Strategy,
@@ -146,7 +146,7 @@ impl<'a, S> Trial<'a, S> {
         seed: u64,
         cases: u32,
         values: V,
-        evidence: impl Fn(&S, V::Value, Units) -> Result<E, VerifyError>,
+        evidence: impl Fn(&Subject, V::Value, Units) -> Result<E, VerifyError>,
     ) -> Outcome
     where
         V: Strategy,
@@ -258,7 +258,7 @@ fn scales(here: &Evidence, there: &Evidence, units: Units) -> Result<(), VerifyE
 #[cfg(test)]
 mod tests {
     use super::{Scope, Trial, scales};
-    use crate::{Evidence, Statement, Unit, Units};
+    use crate::{Evidence, LIBRARY, Statement, Subject, Unit, Units};
 
     /// One hypothesis and one conclusion of Theorem 1.1, and a companion of it.
     fn evidence(given: f64, paper: f64, sharper: f64) -> Evidence {
@@ -270,7 +270,8 @@ mod tests {
 
     #[test]
     fn all_that_does_not_hold_fails_and_alone_the_bounds_of_the_paper() {
-        let judged = |scope, evidence: Evidence| Trial::new(&(), scope, 1).one([evidence]).is_ok();
+        let judged =
+            |scope, evidence: Evidence| Trial::new(&LIBRARY, scope, 1).one([evidence]).is_ok();
         let outcomes = |scope| {
             [evidence(0.5, 0.5, 0.5), evidence(2.0, 0.5, 0.5), evidence(0.5, 2.0, 0.5)]
                 .into_iter()
@@ -284,8 +285,8 @@ mod tests {
 
     #[test]
     fn the_smallest_case_that_fails_is_found_and_kept_by_its_type() {
-        let trial = Trial::new(&(), Scope::Everything, 256);
-        let bounded = |(): &(), k: u32| Ok([evidence(0.5, f64::from(k) / 699.0, 0.5)]);
+        let trial = Trial::new(&LIBRARY, Scope::Everything, 256);
+        let bounded = |_: &Subject, k: u32| Ok([evidence(0.5, f64::from(k) / 699.0, 0.5)]);
         let failure = trial.for_all(7, 256, 0..1000_u32, bounded).expect_err("some are beyond");
         let case = failure.case.expect("a random case");
         assert_eq!((case.family, case.code), (7, ["u32", "700"].map(str::to_owned)));

@@ -50,7 +50,7 @@ impl<const D: usize> Measured<D> {
 
     /// Measures the interpolation of a point sequence.
     pub fn of_sequence(
-        subject: &impl Subject,
+        subject: &Subject,
         metric: &impl Metric<D>,
         sequence: &PointSequence<D>,
     ) -> Self {

@@ -77,7 +77,7 @@ impl Residual {
     ///
     /// [`MetricError`] where `H` is not finite, symmetric and positive definite.
     pub fn of<const D: usize>(
-        subject: &impl Subject,
+        subject: &Subject,
         metric: &impl Metric<D>,
         curve: &impl Curve<D>,
     ) -> Result<Self, MetricError> {
@@ -85,7 +85,7 @@ impl Residual {
     }
 
     fn behind_pointers<const D: usize>(
-        subject: &impl Subject,
+        subject: &Subject,
         metric: &AnyMetric<'_, D>,
         curve: &dyn Curve<D>,
     ) -> Result<Self, MetricError> {

@@ -1,81 +1,66 @@
-//! The mistakes of the mutants in Propositions S.6 to S.8.
+//! The mistakes of the mutants in Propositions S.6 and S.7.
 
-use std::{f64::consts::FRAC_PI_2, num::NonZeroUsize};
+use std::f64::consts::FRAC_PI_2;
 
 use tautline::{
     Constants,
-    bounds::{BetweenPoints, BoundError, Computed, Enclosure, PaperRule, Region},
+    bounds::{self, BetweenPoints, Enclosure},
 };
 
-use super::{Mutant, mutations};
-use crate::{Library, Subject};
+use super::{Mutant, with_l_h};
+use crate::subject::Bounds;
 
-pub(super) fn enclose(
-    mutant: Option<Mutant>,
-    constants: Constants,
-    dimension: usize,
-    computed: &Computed,
-) -> Result<Enclosure, BoundError> {
-    let genuine = Library.enclose(constants, dimension, computed)?;
-    Ok(match mutant {
-        Some(Mutant::CeilingForgotten) if genuine.assumes_global_minimum => {
-            Enclosure { lower: computed.discrete_energy, ..genuine }
-        }
-        _ => genuine,
-    })
-}
-
-pub(super) fn convexity_modulus(
-    mutant: Option<Mutant>,
-    constants: Constants,
-    rule: PaperRule,
-    greatest: f64,
-    n: NonZeroUsize,
-) -> Option<f64> {
-    Library.convexity_modulus(believed(mutant, constants), rule, greatest, n)
-}
-
-pub(super) fn strict_convexity(
-    mutant: Option<Mutant>,
-    constants: Constants,
-    dimension: usize,
-    computed: &BetweenPoints,
-) -> Option<f64> {
-    let genuine = Library.strict_convexity(believed(mutant, constants), dimension, computed);
-    let &BetweenPoints { rule, n, discrete_energy, residual, greatest_difference, .. } = computed;
-    let count = n.get() as f64;
-    let wave = count * (FRAC_PI_2 / count).sin();
+pub(super) fn replace(mutant: Mutant, table: &mut Bounds) {
     match mutant {
-        Some(Mutant::CompetitorsForgotten) => {
-            let modulus = Library.convexity_modulus(constants, rule, greatest_difference, n)?;
-            let left = (residual / wave).powi(2) / (4.0 * modulus);
-            (modulus > 0.0).then_some(discrete_energy - left)
+        Mutant::CeilingForgotten => {
+            table.enclose = |constants, dimension, computed| {
+                let genuine = bounds::enclose(constants, dimension, computed)?;
+                let assumes = genuine.assumes_global_minimum;
+                let lower = if assumes { computed.discrete_energy } else { genuine.lower };
+                Ok(Enclosure { lower, ..genuine })
+            };
         }
-        Some(Mutant::PoincareOfCurves) => {
-            let left = discrete_energy - genuine?;
-            Some(discrete_energy - left * (wave / FRAC_PI_2).powi(2))
+        Mutant::SlopeForgotten => {
+            table.convexity_modulus = |constants, rule, greatest, n| {
+                bounds::convexity_modulus(with_l_h(constants, 0.0), rule, greatest, n)
+            };
+            table.strict_convexity = |constants, dimension, computed| {
+                bounds::strict_convexity(with_l_h(constants, 0.0), dimension, computed)
+            };
         }
-        _ => genuine,
+        Mutant::CurvatureOfConvexityForgotten => {
+            table.convexity_modulus = |constants, rule, greatest, n| {
+                bounds::convexity_modulus(without_m_h(constants), rule, greatest, n)
+            };
+            table.strict_convexity = |constants, dimension, computed| {
+                bounds::strict_convexity(without_m_h(constants), dimension, computed)
+            };
+        }
+        Mutant::CompetitorsForgotten => {
+            table.strict_convexity = |constants, _, computed| {
+                let &BetweenPoints { rule, n, greatest_difference, .. } = computed;
+                let modulus = bounds::convexity_modulus(constants, rule, greatest_difference, n)?;
+                let left = (computed.residual / wave(computed)).powi(2) / (4.0 * modulus);
+                (modulus > 0.0).then_some(computed.discrete_energy - left)
+            };
+        }
+        Mutant::PoincareOfCurves => {
+            table.strict_convexity = |constants, dimension, computed| {
+                let genuine = bounds::strict_convexity(constants, dimension, computed)?;
+                let left = computed.discrete_energy - genuine;
+                Some(computed.discrete_energy - left * (wave(computed) / FRAC_PI_2).powi(2))
+            };
+        }
+        _ => {}
     }
 }
 
-pub(super) fn region(mutant: Option<Mutant>, genuine: Region) -> Region {
-    let constants = genuine.constants;
-    match mutant {
-        Some(Mutant::RegionOfC2) => {
-            Region { radius: genuine.radius * (constants.c1() / constants.c2()).sqrt(), ..genuine }
-        }
-        _ => genuine,
-    }
+/// `N sin(π/2N)`.
+fn wave(computed: &BetweenPoints) -> f64 {
+    let count = computed.n.get() as f64;
+    count * (FRAC_PI_2 / count).sin()
 }
 
-/// The constants of which convexity knows.
-fn believed(mutant: Option<Mutant>, constants: Constants) -> Constants {
-    match mutant {
-        Some(Mutant::SlopeForgotten) => mutations::with_l_h(constants, 0.0),
-        Some(Mutant::CurvatureOfConvexityForgotten) => {
-            constants.times([1.0, 1.0, 1.0, 0.0]).expect("a multiple of a finite constant")
-        }
-        _ => constants,
-    }
+fn without_m_h(constants: Constants) -> Constants {
+    constants.times([1.0, 1.0, 1.0, 0.0]).expect("a multiple of a finite constant")
 }

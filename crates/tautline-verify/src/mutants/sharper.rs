@@ -2,125 +2,80 @@
 
 use std::num::NonZeroUsize;
 
-use tautline::{
-    Constants,
-    bounds::{PaperRule, Setting, Spread},
-};
+use tautline::bounds::{self, PaperRule, Spread};
 
 use super::Mutant;
-use crate::{Library, Subject};
+use crate::subject::Bounds;
 
-pub(super) fn k2_sharp(mutant: Option<Mutant>, setting: Setting) -> f64 {
-    let genuine = Library.k2_sharp(setting);
-    match mutant {
-        Some(Mutant::OmegaHalved) => genuine * 0.5 / setting.omega(),
-        _ => genuine,
-    }
+/// Puts a mistake on both spreads. It is a macro, since a function in the table captures nothing.
+macro_rules! replace_moments {
+    ($table:ident, $mistake:path) => {{
+        $table.spread = |setting, rule, n, surplus| {
+            $mistake(Spread::of_first_order(setting, rule, n, surplus), n, surplus)
+        };
+        $table.sharp_spread = |setting, n, surplus| {
+            Some($mistake(Spread::of_second_order(setting, n, surplus)?, n, surplus))
+        };
+    }};
 }
 
-pub(super) fn cubic_gap(
-    mutant: Option<Mutant>,
-    constants: Constants,
-    rule: PaperRule,
-    cube: f64,
-    n: NonZeroUsize,
-) -> f64 {
-    let rule = match mutant {
-        Some(Mutant::LeftCubeHalved) => PaperRule::Trapezoidal,
-        _ => rule,
-    };
-    Library.cubic_gap(constants, rule, cube, n)
-}
-
-pub(super) fn quartic_gap(
-    mutant: Option<Mutant>,
-    constants: Constants,
-    fourth: f64,
-    n: NonZeroUsize,
-) -> Option<f64> {
-    let genuine = Library.quartic_gap(constants, fourth, n);
+pub(super) fn replace(mutant: Mutant, table: &mut Bounds) {
     match mutant {
-        Some(Mutant::CurvatureGapHalved) => genuine.map(|gap| 0.5 * gap),
-        _ => genuine,
-    }
-}
-
-pub(super) fn greatest_speed(
-    mutant: Option<Mutant>,
-    constants: Constants,
-    energy: f64,
-    rho: f64,
-    n: NonZeroUsize,
-) -> f64 {
-    match mutant {
-        Some(Mutant::ResidualForgotten) => Library.greatest_speed(constants, energy, 0.0, n),
-        Some(Mutant::SpeedChangeForgotten) => energy.sqrt() + rho / constants.c1().sqrt(),
-        _ => Library.greatest_speed(constants, energy, rho, n),
-    }
-}
-
-pub(super) fn greatest_difference(
-    mutant: Option<Mutant>,
-    constants: Constants,
-    k3: f64,
-    rho: f64,
-) -> f64 {
-    let genuine = Library.greatest_difference(constants, k3, rho);
-    match mutant {
-        Some(Mutant::MomentumGrowthHalved) => {
-            genuine - 0.25 * constants.l_h() * k3 * k3 / constants.c1()
+        Mutant::OmegaHalved => {
+            table.k2_sharp = |setting| bounds::k2_sharp(setting) * 0.5 / setting.omega();
         }
-        _ => genuine,
+        Mutant::LeftCubeHalved => {
+            table.cubic_gap = |constants, _, cube, n| {
+                bounds::cubic_gap(constants, PaperRule::Trapezoidal, cube, n)
+            };
+        }
+        Mutant::CurvatureGapHalved => {
+            table.quartic_gap = |constants, fourth, n| {
+                bounds::quartic_gap(constants, fourth, n).map(|gap| 0.5 * gap)
+            };
+        }
+        Mutant::ResidualForgotten => {
+            table.greatest_speed =
+                |constants, energy, _, n| bounds::greatest_speed(constants, energy, 0.0, n);
+        }
+        Mutant::SpeedChangeForgotten => {
+            table.greatest_speed =
+                |constants, energy, rho, _| energy.sqrt() + rho / constants.c1().sqrt();
+        }
+        Mutant::MomentumGrowthHalved => {
+            table.greatest_difference = |constants, k3, rho| {
+                let lost = 0.25 * constants.l_h() * k3 * k3 / constants.c1();
+                bounds::greatest_difference(constants, k3, rho) - lost
+            };
+        }
+        Mutant::StepHalved => {
+            table.difference_step =
+                |constants, greatest, n| 0.5 * bounds::difference_step(constants, greatest, n);
+        }
+        Mutant::LengthGapHalved => {
+            table.squared_length =
+                |constants, rule, e, n| 0.5 * (bounds::squared_length(constants, rule, e, n) + e);
+        }
+        Mutant::VarianceHalved => replace_moments!(table, half_the_variance),
+        Mutant::SkewnessForgotten => replace_moments!(table, without_skewness),
+        Mutant::KurtosisForgotten => replace_moments!(table, without_kurtosis),
+        _ => {}
     }
 }
 
-pub(super) fn squared_length(
-    mutant: Option<Mutant>,
-    constants: Constants,
-    rule: PaperRule,
-    e: f64,
-    n: NonZeroUsize,
-) -> f64 {
-    let genuine = Library.squared_length(constants, rule, e, n);
-    match mutant {
-        Some(Mutant::LengthGapHalved) => 0.5 * (genuine + e),
-        _ => genuine,
-    }
+fn half_the_variance(genuine: Spread, _: NonZeroUsize, _: f64) -> Spread {
+    Spread { variance: 0.5 * genuine.variance, ..genuine }
 }
 
-pub(super) fn spread(
-    mutant: Option<Mutant>,
-    setting: Setting,
-    rule: PaperRule,
-    n: NonZeroUsize,
-    surplus: f64,
-) -> Spread {
-    moments(mutant, Library.spread(setting, rule, n, surplus), n, surplus)
+fn without_skewness(genuine: Spread, _: NonZeroUsize, surplus: f64) -> Spread {
+    let e = 1.0 + surplus;
+    let cube = e.powf(1.5) + 1.5 * e.sqrt() * genuine.variance;
+    Spread { cube: cube.min(genuine.cube), ..genuine }
 }
 
-pub(super) fn sharp_spread(
-    mutant: Option<Mutant>,
-    setting: Setting,
-    n: NonZeroUsize,
-    surplus: f64,
-) -> Option<Spread> {
-    Some(moments(mutant, Library.sharp_spread(setting, n, surplus)?, n, surplus))
-}
-
-/// The mistakes in the moments.
-fn moments(mutant: Option<Mutant>, genuine: Spread, n: NonZeroUsize, surplus: f64) -> Spread {
+fn without_kurtosis(genuine: Spread, n: NonZeroUsize, surplus: f64) -> Spread {
     let Spread { variance, deviation, .. } = genuine;
     let (e, count) = (1.0 + surplus, n.get() as f64);
-    match mutant {
-        Some(Mutant::VarianceHalved) => Spread { variance: 0.5 * variance, ..genuine },
-        Some(Mutant::SkewnessForgotten) => {
-            let cube = e.powf(1.5) + 1.5 * e.sqrt() * variance;
-            Spread { cube: cube.min(genuine.cube), ..genuine }
-        }
-        Some(Mutant::KurtosisForgotten) => {
-            let fourth = e * e + 4.0 * e * variance + 4.0 * e.sqrt() * deviation * variance;
-            Spread { fourth: fourth.min(count * e * e), ..genuine }
-        }
-        _ => genuine,
-    }
+    let fourth = e * e + 4.0 * e * variance + 4.0 * e.sqrt() * deviation * variance;
+    Spread { fourth: fourth.min(count * e * e), ..genuine }
 }

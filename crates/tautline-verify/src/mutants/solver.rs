@@ -2,26 +2,20 @@
 
 use tautline::{
     Curvature, Ends, Interpolation, LeftEndpoint, Metric, Minimum, Options, PointSequence, Rule,
-    SolveError, Starts, Stop, Trapezoidal, TrueTrapezoid,
+    SolveError, Starts, Stop, Trapezoidal, TrueTrapezoid, minimise,
 };
 
-use super::{Mutant, formula};
-use crate::{Library, Subject};
+use super::{Mutant, formula, programs::is_trapezoidal};
 
-/// Whether `R` reads the metric as the trapezoidal rule of the paper does.
-pub(super) fn is_trapezoidal<R: Rule>() -> bool {
-    R::NODES == Trapezoidal::NODES
-}
-
-pub(super) fn minimise_with<R: Rule, const D: usize>(
-    mutant: Option<Mutant>,
+pub(crate) fn minimise_with<R: Rule, const D: usize>(
+    mutant: Mutant,
     rule: R,
     metric: &impl Metric<D>,
     ends: &Ends<D>,
     n: usize,
     options: &Options<D>,
 ) -> Result<Minimum<D>, SolveError> {
-    let genuine = |n| Library.minimise_with(rule, metric, ends, n, options);
+    let genuine = |n| minimise(metric, ends, rule, n, options);
     let believed = |mut minimum: Minimum<D>| {
         (minimum.stop, minimum.curvature) = (Stop::Converged, Curvature::PositiveDefinite);
         minimum
@@ -33,44 +27,41 @@ pub(super) fn minimise_with<R: Rule, const D: usize>(
         minimum
     };
     match mutant {
-        Some(Mutant::RulesExchanged) if is_trapezoidal::<R>() => {
-            Library.minimise_with(LeftEndpoint, metric, ends, n, options)
+        Mutant::RulesExchanged if is_trapezoidal::<R>() => {
+            minimise(metric, ends, LeftEndpoint, n, options)
         }
-        Some(Mutant::RulesExchanged) => {
-            Library.minimise_with(Trapezoidal, metric, ends, n, options)
+        Mutant::RulesExchanged => minimise(metric, ends, Trapezoidal, n, options),
+        Mutant::TrueTrapezoid if is_trapezoidal::<R>() => {
+            minimise(metric, ends, TrueTrapezoid, n, options)
         }
-        Some(Mutant::TrueTrapezoid) if is_trapezoidal::<R>() => {
-            Library.minimise_with(TrueTrapezoid, metric, ends, n, options)
-        }
-        Some(Mutant::StopsEarly) => {
+        Mutant::StopsEarly => {
             let once = Options { iterations: 1, ..options.clone() };
-            Library.minimise_with(rule, metric, ends, n, &once).map(believed)
+            minimise(metric, ends, rule, n, &once).map(believed)
         }
-        Some(Mutant::NotOptimised) => {
+        Mutant::NotOptimised => {
             let minimum = genuine(n)?;
             let straight = straightened(&minimum.sequence);
             Ok(with(minimum, straight))
         }
-        Some(Mutant::NotRefined) => {
+        Mutant::NotRefined => {
             let minimum = genuine(n.div_ceil(2))?;
             let finer = resampled(&minimum.sequence, n);
             Ok(with(minimum, finer))
         }
-        Some(Mutant::LocalForGlobal) => {
+        Mutant::LocalForGlobal => {
             let straight = straightened(&genuine(n)?.sequence);
             let one = Options { starts: Starts::Only(vec![straight]), ..options.clone() };
-            Library.minimise_with(rule, metric, ends, n, &one).map(believed)
+            minimise(metric, ends, rule, n, &one).map(believed)
         }
-        Some(Mutant::EndRelaxed) => {
+        Mutant::EndRelaxed => {
             let minimum = genuine(n)?;
             let moved = first_point_moved(&minimum.sequence, 1e-6);
             Ok(with(minimum, moved))
         }
-        Some(mutant) => {
+        _ => {
             let misread = formula::minimise(mutant, rule, metric, ends, n, options);
             misread.unwrap_or_else(|| genuine(n))
         }
-        None => genuine(n),
     }
 }
 

@@ -24,7 +24,7 @@ impl Instant {
     /// Checks that `γ` has the speed `d` at the time `t` and satisfies the geodesic equation there.
     fn of<const D: usize>(
         statement: Statement,
-        subject: &impl Subject,
+        subject: &Subject,
         metric: &impl Bounded<D>,
         curve: &impl BoundedCurve<D>,
         distance: f64,
@@ -74,7 +74,7 @@ impl Instant {
 /// is no distance.
 #[doc(alias = "K_{1,g}")]
 pub fn constant_k1<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     metric: &impl Bounded<D>,
     curve: &impl BoundedCurve<D>,
     distance: f64,
@@ -106,7 +106,7 @@ pub fn constant_k1<const D: usize>(
 /// As [`constant_k1`].
 #[doc(alias = "K_{2,g}")]
 pub fn constant_k2<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     metric: &impl Bounded<D>,
     curve: &impl BoundedCurve<D>,
     distance: f64,
@@ -155,7 +155,7 @@ pub fn constant_k2<const D: usize>(
 ///
 /// As [`constant_k1`].
 pub fn lemma_s_1<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     metric: &impl Bounded<D>,
     curve: &impl BoundedCurve<D>,
     distance: f64,
@@ -198,7 +198,7 @@ pub fn lemma_s_1<const D: usize>(
 /// As [`constant_k1`].
 #[doc(alias = "prop:apriori_estuimate_geodesic")]
 pub fn prop_7_12<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     metric: &impl Bounded<D>,
     curve: &impl BoundedCurve<D>,
     distance: f64,

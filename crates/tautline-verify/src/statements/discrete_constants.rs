@@ -16,10 +16,7 @@ use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};
 /// Once as it is, and once as a gap, `c₁K₃² − d² ≤ c₁K̄²_{3,g} − d²`, in which `C_tra♯` is seen.
 #[doc(alias = "overline K_{3,g}")]
 #[must_use]
-pub fn constant_k3_bar<const D: usize>(
-    subject: &impl Subject,
-    seen: &Reconstruction<D>,
-) -> Evidence {
+pub fn constant_k3_bar<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let premise = premise_trapezoidal(subject, seen);
     let bar = subject.k3_bar_g(seen.setting);
     let begun = begin(Statement::ConstantK3Bar, seen, PaperRule::Trapezoidal, premise);
@@ -35,10 +32,7 @@ pub fn constant_k3_bar<const D: usize>(
 /// Once as it is, and once as a gap, `c₁K₃² − d² ≤ c₁K̄²_{4,g} − d²`.
 #[doc(alias = "overline K_{4,g}")]
 #[must_use]
-pub fn constant_k4_bar<const D: usize>(
-    subject: &impl Subject,
-    seen: &Reconstruction<D>,
-) -> Evidence {
+pub fn constant_k4_bar<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let premise = premise_left(subject, seen);
     let bar = subject.k4_bar_g(seen.setting);
     let begun = begin(Statement::ConstantK4Bar, seen, PaperRule::LeftEndpoint, premise);
@@ -76,10 +70,7 @@ fn speed<const D: usize>(
 /// Companion: the excess is of order `1/N`.
 #[doc(alias = "C (Theorem 1.1)")]
 #[must_use]
-pub fn constant_c_1_1<const D: usize>(
-    subject: &impl Subject,
-    seen: &Reconstruction<D>,
-) -> Evidence {
+pub fn constant_c_1_1<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let (setting, n) = (seen.setting, seen.n);
     let (k1, k2) = (subject.k1_g(setting), subject.k2_g(setting));
     let sharp = subject.c_tra_sharp(setting.constants(), k1, k2);
@@ -107,10 +98,7 @@ pub fn constant_c_1_1<const D: usize>(
 /// `1/N`.
 #[doc(alias = "C (Theorem 1.3)")]
 #[must_use]
-pub fn constant_c_1_3<const D: usize>(
-    subject: &impl Subject,
-    seen: &Reconstruction<D>,
-) -> Evidence {
+pub fn constant_c_1_3<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let (setting, n) = (seen.setting, seen.n);
     let (k1, k2) = (subject.k1_g(setting), subject.k2_g(setting));
     let sharp = subject.c_tra_sharp(setting.constants(), k1, k2);

@@ -17,7 +17,7 @@ use crate::{Evidence, GramRange, Known, Statement, Subject, Unit};
 /// [`MetricError`] where `H` is not finite, symmetric and positive definite.
 #[doc(alias = "prop:bounded_g_completeness")]
 pub fn prop_3_3<M: Bounded<D>, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     known: &Known<M, D>,
 ) -> Result<Evidence, MetricError> {
     let sets = [known.ends.first(), known.ends.second()];

@@ -27,7 +27,7 @@ use crate::{
 ///
 /// [`VerifyError::Bound`] if an energy is none.
 pub fn prop_s_6<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     seen: &Reconstruction<D>,
     gap: f64,
 ) -> Result<Evidence, VerifyError> {
@@ -76,7 +76,7 @@ pub fn prop_s_6<const D: usize>(
 ///
 /// [`VerifyError`] where `H` is not positive definite, or the middle is no sequence.
 pub fn prop_s_7<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     metric: &impl Bounded<D>,
     rule: PaperRule,
     [x, y]: [&PointSequence<D>; 2],
@@ -138,7 +138,7 @@ pub fn prop_s_7<const D: usize>(
 
 /// `((1/N) Σ |ρₙ|²)^{1/2}` over the inner points, in `m²/ℓ`.
 fn residual<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     metric: &impl Bounded<D>,
     rule: PaperRule,
     sequence: &PointSequence<D>,

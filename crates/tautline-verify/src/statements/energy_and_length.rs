@@ -15,7 +15,7 @@ use crate::{
 /// minima are attained: [`prop_6_1_attained`].
 #[doc(alias = "prop:geodesic_len_and_energy")]
 pub fn prop_6_1<M, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     known: &Known<M, D>,
     seen: &Measured<D>,
 ) -> Evidence {
@@ -40,7 +40,7 @@ pub fn prop_6_1<M, const D: usize>(
 /// A set without a radius is not bounded, and no point.
 fn given_points<M, const D: usize>(
     evidence: Evidence,
-    subject: &impl Subject,
+    subject: &Subject,
     known: &Known<M, D>,
 ) -> Evidence {
     let spread = [known.ends.first(), known.ends.second()].map(|set| {
@@ -68,7 +68,7 @@ fn given_points<M, const D: usize>(
 /// Needs: that there is a minimal geodesic, as in a complete space, out of which there is no way.
 #[doc(alias = "prop:geodesic_len_and_energy")]
 pub fn prop_6_1_attained<M, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     known: &Known<M, D>,
     seen: &Measured<D>,
     way_out: WayOut,
@@ -84,7 +84,7 @@ pub fn prop_6_1_attained<M, const D: usize>(
 /// [`prop_6_2`](super::prop_6_2), and for the discrete energies [`prop_7_1`](super::prop_7_1).
 #[doc(alias = "prop:geodesic_len_and_energy_2")]
 pub fn prop_6_3_attained<M, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     known: &Known<M, D>,
     seen: &Measured<D>,
     way_out: WayOut,
@@ -94,7 +94,7 @@ pub fn prop_6_3_attained<M, const D: usize>(
 
 fn is_attained<M, const D: usize>(
     evidence: Evidence,
-    subject: &impl Subject,
+    subject: &Subject,
     known: &Known<M, D>,
     seen: &Measured<D>,
     way_out: WayOut,
@@ -115,7 +115,7 @@ fn is_attained<M, const D: usize>(
 /// [`prop_6_3_attained`].
 #[doc(alias = "prop:geodesic_len_and_energy_2")]
 pub fn prop_6_3<M, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     known: &Known<M, D>,
     seen: &Measured<D>,
 ) -> Evidence {
@@ -125,7 +125,7 @@ pub fn prop_6_3<M, const D: usize>(
 
 fn no_curve_is_shorter<M, const D: usize>(
     evidence: Evidence,
-    subject: &impl Subject,
+    subject: &Subject,
     known: &Known<M, D>,
     seen: &Measured<D>,
 ) -> Evidence {
@@ -147,7 +147,7 @@ fn no_curve_is_shorter<M, const D: usize>(
 /// [`MetricError`] where `H` is not finite, symmetric and positive definite.
 #[doc(alias = "prop:geodesic_len_and_energy")]
 pub fn prop_6_1_minimiser<M: Metric<D>, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     known: &Known<M, D>,
     curve: &impl Curve<D>,
 ) -> Result<Evidence, MetricError> {

@@ -25,7 +25,7 @@ use crate::{
 /// [`VerifyError::Metric`] where `H` is not finite, symmetric and positive definite.
 #[doc(alias = "prop:existence_discrete_minimizers")]
 pub fn prop_7_1<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     rule: PaperRule,
     metric: &impl Bounded<D>,
     sets: [&dyn ClosedSet<D>; 2],
@@ -97,7 +97,7 @@ pub fn prop_7_1<const D: usize>(
 /// times.
 #[must_use]
 pub fn critical_point<M: Bounded<D>, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     known: &crate::Known<M, D>,
     seen: &Reconstruction<D>,
 ) -> Evidence {

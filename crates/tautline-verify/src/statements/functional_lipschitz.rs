@@ -29,7 +29,7 @@ impl<const D: usize> TwoForms<D> {
     ///
     /// [`MetricError`] where `H` is not finite, symmetric and positive definite.
     pub fn of(
-        subject: &impl Subject,
+        subject: &Subject,
         metric: &impl Bounded<D>,
         points: [SVector<f64, D>; 2],
         vectors: [SVector<f64, D>; 2],

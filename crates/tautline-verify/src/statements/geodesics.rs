@@ -19,7 +19,7 @@ use crate::{
 /// [`MetricError`] where `H` is not finite, symmetric and positive definite.
 #[doc(alias = "prop:metric_geodesic_constant")]
 pub fn prop_3_1<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     metric: &impl Metric<D>,
     curve: &impl Curve<D>,
 ) -> Result<Evidence, MetricError> {
@@ -47,7 +47,7 @@ pub fn prop_3_1<const D: usize>(
 /// [`MetricError`] where `H` is not finite, symmetric and positive definite.
 #[doc(alias = "prop:Hopf-Rinow-theorem")]
 pub fn prop_3_2<M: KnownDistance<D>, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     known: &Known<M, D>,
     curve: &impl Curve<D>,
     way_out: WayOut,
@@ -67,7 +67,7 @@ pub fn prop_3_2<M: KnownDistance<D>, const D: usize>(
 
 /// How far the ends of a curve are from their sets, and what is granted, both in `ℓ`.
 pub(super) fn off_sets<M, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     known: &Known<M, D>,
     seen: &Measured<D>,
 ) -> (f64, f64) {

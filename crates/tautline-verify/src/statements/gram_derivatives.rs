@@ -18,7 +18,7 @@ use crate::{Evidence, GramRange, Statement, Subject, Unit, operator_norm};
 /// [`MetricError`] where `H` is not finite, symmetric and positive definite.
 #[doc(alias = "prop:estimate_derivation_g")]
 pub fn prop_7_10<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     metric: &impl Bounded<D>,
     x: &SVector<f64, D>,
 ) -> Result<Evidence, MetricError> {
@@ -54,7 +54,7 @@ pub fn prop_7_10<const D: usize>(
 /// [`MetricError`] where `H` is not finite, symmetric and positive definite.
 #[doc(alias = "prop:Christoffel_symbol_estimate")]
 pub fn prop_7_11<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     metric: &impl Bounded<D>,
     x: &SVector<f64, D>,
 ) -> Result<Evidence, MetricError> {

@@ -14,10 +14,7 @@ use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};
 ///
 /// Slack: that of Theorems C and D.
 #[must_use]
-pub fn least_length_bound<const D: usize>(
-    subject: &impl Subject,
-    seen: &Reconstruction<D>,
-) -> Evidence {
+pub fn least_length_bound<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let &Reconstruction { setting, rule, n, distance_squared: d2, granted, .. } = seen;
     let sharp = subject.theorem_d_minimum_gap(setting, n);
     let (statement, above) = match sharp.filter(|_| rule == PaperRule::Trapezoidal) {

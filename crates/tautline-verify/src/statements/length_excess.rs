@@ -14,7 +14,7 @@ use crate::{Evidence, Known, Reconstruction, Statement, Subject, Unit, curves::M
 /// Equality: `γ` of constant speed.
 #[doc(alias = "prop:length_energy_estimation")]
 pub fn prop_9_1<M, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     known: &Known<M, D>,
     curve: &Measured<D>,
     minimiser: &Measured<D>,
@@ -28,7 +28,7 @@ pub fn prop_9_1<M, const D: usize>(
 /// curve of least length may have any larger energy.
 #[doc(alias = "prop:length_energy_estimation")]
 pub fn prop_9_1_as_printed<M, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     known: &Known<M, D>,
     curve: &Measured<D>,
     minimiser: &Measured<D>,
@@ -37,7 +37,7 @@ pub fn prop_9_1_as_printed<M, const D: usize>(
 }
 
 fn excess<M, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     known: &Known<M, D>,
     curve: &Measured<D>,
     minimiser: &Measured<D>,
@@ -73,7 +73,7 @@ fn excess<M, const D: usize>(
 /// at `N = 1`, as `δ → 0`, and others keep `N (E(γᵖˡ) − d²)` from falling for all `N`.
 #[doc(alias = "Remark 9.2")]
 #[must_use]
-pub fn remark_9_2<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
+pub fn remark_9_2<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let above = Gaps::of(subject, seen).above;
     let (over, granted) = (seen.discrete_energy - seen.distance_squared, seen.granted);
     let evidence = admitted(Evidence::of(Statement::Remark9_2), seen).assumed(GLOBAL);
@@ -98,7 +98,7 @@ pub fn remark_9_2<const D: usize>(subject: &impl Subject, seen: &Reconstruction<
 #[doc(alias = "Remark 9.2")]
 #[must_use]
 pub fn remark_9_2_for_any_sequence<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     seen: &Reconstruction<D>,
 ) -> Evidence {
     let least = seen.distance_squared + Gaps::of(subject, seen).above;
@@ -122,7 +122,7 @@ struct Gaps {
 }
 
 impl Gaps {
-    fn of<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Self {
+    fn of<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Self {
         let &Reconstruction { setting, n, .. } = seen;
         Self {
             excess: subject.theorem_a_excess(setting, seen.rule, n),
@@ -135,7 +135,7 @@ impl Gaps {
 /// Adds what is claimed of the curve, and that the discrete energy is not far below `d²`.
 fn curve_and_minimum<const D: usize>(
     evidence: Evidence,
-    subject: &impl Subject,
+    subject: &Subject,
     seen: &Reconstruction<D>,
 ) -> Evidence {
     let &Reconstruction { distance_squared: d2, granted, .. } = seen;

@@ -33,7 +33,7 @@ const WAY: usize = 4;
 /// [`VerifyError::Locality`] if no radius is found, [`VerifyError::Metric`] where `H` is not positive
 /// definite.
 pub fn prop_s_8<M: Bounded<D>, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     known: &Known<M, D>,
     seen: &Reconstruction<D>,
 ) -> Result<Evidence, VerifyError> {

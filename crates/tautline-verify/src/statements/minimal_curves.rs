@@ -5,7 +5,7 @@ use tautline::{Metric, MetricError, quadrature::integrate};
 
 use super::geodesics::off_sets;
 use crate::{
-    Evidence, Known, Library, Statement, Subject, Unit,
+    Evidence, Known, LIBRARY, Statement, Subject, Unit,
     curves::{Clock, Curve, Geodesic, KnownGeodesics, Measured, Reparametrised, Residual, largest},
 };
 
@@ -19,7 +19,7 @@ use crate::{
 /// [`MetricError`] where `H` is not finite, symmetric and positive definite.
 #[doc(alias = "prop:geodesic_min_loc_path_min")]
 pub fn prop_4_1<M: Metric<D>, C: Curve<D>, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     known: &Known<M, D>,
     geodesic: &C,
     clock: &Clock,
@@ -48,7 +48,7 @@ pub fn prop_4_1<M: Metric<D>, C: Curve<D>, const D: usize>(
 /// [`MetricError`] where `H` is not finite, symmetric and positive definite.
 #[doc(alias = "prop:geodesic_min_path_min")]
 pub fn prop_4_2<M: Metric<D>, C: Curve<D>, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     known: &Known<M, D>,
     geodesic: &C,
     clock: &Clock,
@@ -59,7 +59,7 @@ pub fn prop_4_2<M: Metric<D>, C: Curve<D>, const D: usize>(
 
 fn reparametrised<M: Metric<D>, C: Curve<D>, const D: usize>(
     evidence: Evidence,
-    subject: &impl Subject,
+    subject: &Subject,
     known: &Known<M, D>,
     geodesic: &C,
     clock: &Clock,
@@ -110,7 +110,7 @@ fn lengths<M: Metric<D>, const D: usize>(metric: &M, curve: &impl Curve<D>) -> V
 /// `γ**` has to be *the* minimal geodesic, the only one. With `d = 0` it is constant, as `γ` is.
 #[doc(alias = "prop:geodesic_min_path_min")]
 pub fn prop_4_2_converse<M: Metric<D>, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     known: &Known<M, D>,
     curve: &impl Curve<D>,
     geodesic: &impl Curve<D>,
@@ -163,7 +163,7 @@ pub fn prop_4_2_read_strictly<M: Metric<D>, C: Curve<D>, const D: usize>(
     let seen = Measured::of(&known.metric, &Reparametrised { curve: geodesic, clock });
     let granted = seen.granted_length() + known.distance_error;
     // Points, of whose projections there is nothing to be tested.
-    let (off, rounding) = off_sets(&Library, known, &seen);
+    let (off, rounding) = off_sets(&LIBRARY, known, &seen);
     Evidence::of(Statement::Proposition4_2)
         .given("γ joins the points", Unit::COORDINATE, [off, 0.0], rounding)
         .given("L(γ) ≤ d", Unit::LENGTH, [seen.length.value, known.distance], granted)
@@ -183,7 +183,7 @@ pub fn prop_4_2_read_strictly<M: Metric<D>, C: Curve<D>, const D: usize>(
 /// [`MetricError`] where `H` is not finite, symmetric and positive definite.
 #[doc(alias = "prop:uniformal_normal_radius")]
 pub fn prop_4_3<M: KnownGeodesics<D>, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     metric: &M,
     [x, v]: [&SVector<f64, D>; 2],
     ball: f64,
@@ -225,7 +225,7 @@ pub fn prop_4_3<M: KnownGeodesics<D>, const D: usize>(
 /// [`MetricError`] where `H` is not finite, symmetric and positive definite.
 #[doc(alias = "lem:minimal_constant_speed_geodesic")]
 pub fn lemma_4_4<M: Metric<D>, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     known: &Known<M, D>,
     curve: &impl Curve<D>,
 ) -> Result<Evidence, MetricError> {

@@ -38,7 +38,7 @@ impl<const D: usize> NearestPair<D> {
     ///
     /// [`MetricError`] where `H` is not finite, symmetric and positive definite.
     pub fn between(
-        subject: &impl Subject,
+        subject: &Subject,
         metric: &impl Metric<D>,
         sets: [&dyn ClosedSet<D>; 2],
         points: [SVector<f64, D>; 2],
@@ -73,7 +73,7 @@ impl<const D: usize> NearestPair<D> {
     ///
     /// As [`between`](Self::between).
     pub fn of<M: Bounded<D>>(
-        subject: &impl Subject,
+        subject: &Subject,
         known: &Known<M, D>,
         seen: &Reconstruction<D>,
         apart: f64,
@@ -103,7 +103,7 @@ impl<const D: usize> NearestPair<D> {
 /// neighbours, one a member and the other sent elsewhere. A sequence of members tends to that other
 /// one, so that a closed set has a point as near to it as the first.
 fn off_limits<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     set: &dyn ClosedSet<D>,
     outside: &SVector<f64, D>,
 ) -> f64 {
@@ -174,7 +174,7 @@ mod tests {
     use tautline::{Ball, ClosedSet, FiniteSet, HalfSpace};
 
     use super::off_limits;
-    use crate::Library;
+    use crate::LIBRARY;
 
     /// `{0 ≤ x₁ < 1}` on the line, which sends what it has no nearest point for to the middle.
     #[derive(Debug)]
@@ -196,7 +196,7 @@ mod tests {
 
     #[test]
     fn a_limit_that_a_set_does_not_contain_is_found() {
-        let seen = |x: f64| off_limits(&Library, &HalfOpen, &SVector::from([x]));
+        let seen = |x: f64| off_limits(&LIBRARY, &HalfOpen, &SVector::from([x]));
         // The members tend to 1, which is ½ from the point that it is sent to.
         assert!((seen(3.0) - 0.5).abs() <= 1e-15, "{}", seen(3.0));
         // At 0 the set is closed.
@@ -211,7 +211,7 @@ mod tests {
         let sets: [&dyn ClosedSet<2>; 3] = [&ball, &wall, &points];
         for set in sets {
             for outside in [[0.1, -3.0], [7.0, 0.2], [1.0, 0.6]] {
-                let off = off_limits(&Library, set, &SVector::from(outside));
+                let off = off_limits(&LIBRARY, set, &SVector::from(outside));
                 // A projection of some ten roundings of coordinates up to 7.
                 assert!(off <= 1e-14, "{set:?} from {outside:?}: {off:e}");
             }

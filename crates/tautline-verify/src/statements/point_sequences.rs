@@ -40,7 +40,7 @@ struct Energies {
 
 impl Energies {
     fn of<const D: usize>(
-        subject: &impl Subject,
+        subject: &Subject,
         metric: &impl Bounded<D>,
         sequence: &PointSequence<D>,
     ) -> Result<Self, MetricError> {
@@ -71,7 +71,7 @@ impl Energies {
 /// [`MetricError`] where `H` is not finite, symmetric and positive definite.
 #[doc(alias = "prop:approx_numerical_integral_pts")]
 pub fn prop_7_9<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     metric: &impl Bounded<D>,
     sequence: &PointSequence<D>,
 ) -> Result<Evidence, MetricError> {
@@ -104,7 +104,7 @@ pub fn prop_7_9<const D: usize>(
 /// [`MetricError`] where `H` is not finite, symmetric and positive definite.
 #[doc(alias = "prop:left_trapezoidal_fomula")]
 pub fn prop_8_1<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     metric: &impl Bounded<D>,
     sequence: &PointSequence<D>,
 ) -> Result<Evidence, MetricError> {
@@ -134,7 +134,7 @@ pub fn prop_8_1<const D: usize>(
 /// [`MetricError`] where `H` is not finite, symmetric and positive definite.
 #[doc(alias = "prop:approx_numerical_integral_pts_left")]
 pub fn prop_8_2<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     metric: &impl Bounded<D>,
     sequence: &PointSequence<D>,
 ) -> Result<Evidence, MetricError> {
@@ -172,7 +172,7 @@ pub fn prop_8_2<const D: usize>(
 ///
 /// [`MetricError`] where `H` is not finite, symmetric and positive definite.
 pub fn lemma_s_2<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     metric: &impl Bounded<D>,
     sequence: &PointSequence<D>,
 ) -> Result<Evidence, MetricError> {

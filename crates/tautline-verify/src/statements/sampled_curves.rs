@@ -29,7 +29,7 @@ struct Sampled {
 
 impl Sampled {
     fn of<const D: usize>(
-        subject: &impl Subject,
+        subject: &Subject,
         metric: &impl Bounded<D>,
         curve: &impl BoundedCurve<D>,
         n: NonZeroUsize,
@@ -84,7 +84,7 @@ impl Sampled {
 /// [`VerifyError::Metric`] where `H` is not finite, symmetric and positive definite.
 #[doc(alias = "prop:approx_numerical_integral")]
 pub fn prop_7_6<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     metric: &impl Bounded<D>,
     curve: &impl BoundedCurve<D>,
     n: NonZeroUsize,
@@ -143,7 +143,7 @@ pub fn prop_7_6<const D: usize>(
 ///
 /// As [`prop_7_6`].
 pub fn prop_7_6_as_printed<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     metric: &impl Bounded<D>,
     curve: &impl BoundedCurve<D>,
     [k1, k2]: [f64; 2],
@@ -176,7 +176,7 @@ pub fn prop_7_6_as_printed<const D: usize>(
 /// As [`prop_7_6`].
 #[doc(alias = "prop:approx_numerical_integral_set")]
 pub fn prop_7_7<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     metric: &impl Bounded<D>,
     curves: &[impl BoundedCurve<D>],
     n: NonZeroUsize,
@@ -221,7 +221,7 @@ pub fn prop_7_7<const D: usize>(
 #[doc(alias = "C_tra(N)")]
 #[must_use]
 pub fn constant_c_tra(
-    subject: &impl Subject,
+    subject: &Subject,
     constants: Constants,
     [k1, k2]: [f64; 2],
     n: NonZeroUsize,
@@ -252,7 +252,7 @@ pub fn constant_c_tra(
 #[doc(alias = "C_tra^sharp")]
 #[must_use]
 pub fn constant_c_tra_sharp(
-    subject: &impl Subject,
+    subject: &Subject,
     constants: Constants,
     [k1, k2]: [f64; 2],
     n: NonZeroUsize,

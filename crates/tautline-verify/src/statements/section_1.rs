@@ -58,7 +58,7 @@ pub(super) fn admitted<const D: usize>(evidence: Evidence, seen: &Reconstruction
 
 /// `d² + C_tra♯`, which the proof of Theorem 1.1 has for `min E_tra,N`.
 pub(super) fn premise_trapezoidal<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     seen: &Reconstruction<D>,
 ) -> f64 {
     let (k1, k2) = (subject.k1_g(seen.setting), subject.k2_g(seen.setting));
@@ -66,10 +66,7 @@ pub(super) fn premise_trapezoidal<const D: usize>(
 }
 
 /// `d² + C_tra♯ + ½ L_H K̄_{3,g}³`, which the proof of Theorem 1.3 has for `min E_l,N`.
-pub(super) fn premise_left<const D: usize>(
-    subject: &impl Subject,
-    seen: &Reconstruction<D>,
-) -> f64 {
+pub(super) fn premise_left<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> f64 {
     let cube = subject.k3_bar_g(seen.setting).powi(3);
     premise_trapezoidal(subject, seen) + 0.5 * seen.setting.constants().l_h() * cube
 }
@@ -84,7 +81,7 @@ pub(super) fn premise_left<const D: usize>(
 /// are of order `1/N` ([`tautline::bounds::theorem_a_excess`] and its parts).
 #[doc(alias = "theo:approx_numerical_integral_trapezoidal")]
 #[must_use]
-pub fn theorem_1_1<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
+pub fn theorem_1_1<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let &Reconstruction { setting, n, distance_squared: d2, discrete_energy, granted, .. } = seen;
     let (constant, count) = (subject.theorem_1_1_constant(setting), n.get() as f64);
     let gap = seen.energy.value - discrete_energy;
@@ -128,7 +125,7 @@ pub fn theorem_1_1<const D: usize>(subject: &impl Subject, seen: &Reconstruction
 /// ([`tautline::bounds::theorem_a_excess`]).
 #[doc(alias = "theo:approx_numerical_integral_trapezoidal_length")]
 #[must_use]
-pub fn theorem_1_2<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
+pub fn theorem_1_2<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let constant = subject.theorem_1_1_constant(seen.setting);
     let first_order = subject.theorem_a_excess(seen.setting, seen.rule, seen.n);
     let premise = premise_trapezoidal(subject, seen);
@@ -146,7 +143,7 @@ pub fn theorem_1_2<const D: usize>(subject: &impl Subject, seen: &Reconstruction
 /// are of order `1/N` ([`tautline::bounds::theorem_a_excess`] and its parts).
 #[doc(alias = "theo:approx_numerical_integral_left")]
 #[must_use]
-pub fn theorem_1_3<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
+pub fn theorem_1_3<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let &Reconstruction { setting, n, distance_squared: d2, discrete_energy, granted, .. } = seen;
     let count = n.get() as f64;
     let bound = subject.theorem_1_3_constant(setting) / count.sqrt();
@@ -180,7 +177,7 @@ pub fn theorem_1_3<const D: usize>(subject: &impl Subject, seen: &Reconstruction
 /// Companion: `L(γᵖˡ)² − d²` is of order `1/N` ([`tautline::bounds::theorem_a_excess`]).
 #[doc(alias = "theo:approx_numerical_integral_left_length")]
 #[must_use]
-pub fn theorem_1_4<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
+pub fn theorem_1_4<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let constant = subject.theorem_1_3_constant(seen.setting);
     let first_order = subject.theorem_a_excess(seen.setting, seen.rule, seen.n);
     let premise = premise_left(subject, seen);

@@ -22,7 +22,7 @@ use crate::{Evidence, Statement, Subject, Unit, Units, VerifyError, witnesses::v
 /// If coordinates overflow in these units.
 #[doc(alias = "eq:length-left-point-min")]
 pub fn section_5_left(
-    subject: &impl Subject,
+    subject: &Subject,
     units: Units,
     sequence: &PointSequence<2>,
 ) -> Result<Evidence, VerifyError> {
@@ -42,7 +42,7 @@ pub fn section_5_left(
 /// If coordinates overflow in these units.
 #[doc(alias = "eq:length-tra-point-min")]
 pub fn section_5_trapezoidal(
-    subject: &impl Subject,
+    subject: &Subject,
     units: Units,
     sequence: &PointSequence<2>,
 ) -> Result<Evidence, VerifyError> {
@@ -55,7 +55,7 @@ pub fn section_5_trapezoidal(
 
 fn evaluate(
     evidence: Evidence,
-    subject: &impl Subject,
+    subject: &Subject,
     rule: impl Rule,
     units: Units,
     [sequence, minimiser]: [&PointSequence<2>; 2],

@@ -20,7 +20,7 @@ use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};
 /// Slack: none as `δ → 0`, at `N = 1` over a ridge (trapezoidal) and down an incline (left
 /// endpoint).
 #[must_use]
-pub fn lemma_s_4<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
+pub fn lemma_s_4<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let &Reconstruction { setting, rule, n, granted, .. } = seen;
     let surplus = seen.discrete_energy - seen.distance_squared;
     let first = subject.theorem_a_minimum_gap(setting, rule, n);
@@ -91,7 +91,7 @@ impl Gaps {
 ///
 /// Slack: none as `δ → 0`, at `N = 1` on two routes.
 #[must_use]
-pub fn theorem_a<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
+pub fn theorem_a<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let polyline = subject.theorem_a_polyline_gap(seen.setting, seen.rule, seen.n);
     let above = subject.theorem_a_minimum_gap(seen.setting, seen.rule, seen.n);
     let length = above + polyline;
@@ -111,10 +111,7 @@ pub fn theorem_a<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D
 ///
 /// Slack: none as `μ → 0`, at `N = 1` on two routes along parabolas.
 #[must_use]
-pub fn theorem_b<const D: usize>(
-    subject: &impl Subject,
-    seen: &Reconstruction<D>,
-) -> Option<Evidence> {
+pub fn theorem_b<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Option<Evidence> {
     let polyline = subject.theorem_b_polyline_gap(seen.setting, seen.n)?;
     let above = subject.theorem_b_minimum_gap(seen.setting, seen.n)?;
     let length = above + polyline;
@@ -133,7 +130,7 @@ pub fn theorem_b<const D: usize>(
 ///
 /// Slack: none as `δ → 0`, on two routes, for every `N`.
 #[must_use]
-pub fn theorem_c<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
+pub fn theorem_c<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let &Reconstruction { setting, rule, n, .. } = seen;
     let gaps = Gaps {
         above: subject.theorem_a_minimum_gap(setting, rule, n),
@@ -155,10 +152,7 @@ pub fn theorem_c<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D
 ///
 /// Slack: none as `μ → 0`, at `N = 1` on two routes along parabolas.
 #[must_use]
-pub fn theorem_d<const D: usize>(
-    subject: &impl Subject,
-    seen: &Reconstruction<D>,
-) -> Option<Evidence> {
+pub fn theorem_d<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Option<Evidence> {
     let gaps = Gaps {
         above: subject.theorem_d_minimum_gap(seen.setting, seen.n)?,
         below: subject.theorem_d_deficit(seen.setting, seen.n)?,

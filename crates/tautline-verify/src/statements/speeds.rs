@@ -24,7 +24,7 @@ use crate::{
 ///
 /// [`MetricError`] where `H` is not finite, symmetric and positive definite.
 pub fn lemma_s_3<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     metric: &impl Bounded<D>,
     rule: PaperRule,
     sequence: &PointSequence<D>,
@@ -94,7 +94,7 @@ pub fn lemma_s_3<const D: usize>(
 ///
 /// Slack: none in the last two as `δ → 0` and `μ → 0`, at `N = 1` over a valley and along a parabola.
 #[must_use]
-pub fn lemma_s_5<const D: usize>(subject: &impl Subject, seen: &Reconstruction<D>) -> Evidence {
+pub fn lemma_s_5<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let &Reconstruction {
         setting, rule, n, discrete_energy, distance_squared: d2, granted, ..
     } = seen;

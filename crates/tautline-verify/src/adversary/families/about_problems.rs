@@ -12,27 +12,27 @@ use crate::{
 };
 
 /// What a statement says of the minimiser of one problem; `None` where it says nothing.
-type OfMinimiser<S, M, const D: usize> =
-    fn(&S, &Known<M, D>, &Reconstruction<D>) -> Result<Option<Evidence>, VerifyError>;
+type OfMinimiser<M, const D: usize> =
+    fn(&Subject, &Known<M, D>, &Reconstruction<D>) -> Result<Option<Evidence>, VerifyError>;
 
 /// A statement about the discrete minimisers of one rule.
-pub(super) struct AboutProblem<S, M, const D: usize> {
+pub(super) struct AboutProblem<M, const D: usize> {
     pub(super) statement: Statement,
     pub(super) rule: PaperRule,
     /// Whether the statement is about both rules, of which this is the left-endpoint one.
     pub(super) is_second: bool,
-    pub(super) evidence: OfMinimiser<S, M, D>,
+    pub(super) evidence: OfMinimiser<M, D>,
 }
 
 const TRA: PaperRule = PaperRule::Trapezoidal;
 const LEFT: PaperRule = PaperRule::LeftEndpoint;
 
-impl<S: Subject, M: Bounded<D>, const D: usize> AboutProblem<S, M, D> {
-    fn one(statement: Statement, rule: PaperRule, evidence: OfMinimiser<S, M, D>) -> Self {
+impl<M: Bounded<D>, const D: usize> AboutProblem<M, D> {
+    fn one(statement: Statement, rule: PaperRule, evidence: OfMinimiser<M, D>) -> Self {
         Self { statement, rule, is_second: false, evidence }
     }
 
-    fn both(statement: Statement, evidence: OfMinimiser<S, M, D>) -> [Self; 2] {
+    fn both(statement: Statement, evidence: OfMinimiser<M, D>) -> [Self; 2] {
         PaperRule::BOTH.map(|rule| Self { statement, rule, is_second: rule == LEFT, evidence })
     }
 

@@ -20,12 +20,12 @@ mod ranges;
 mod sequences;
 
 use super::Family;
-use crate::Mutant;
+use crate::Subject;
 
-/// Returns all families, evaluated with the library or with a mutant, by statement and then by name
+/// Returns all families, evaluated with the library or a variant of it, by statement and then by name
 /// as listed above.
 #[must_use]
-pub fn families(subject: &Option<Mutant>) -> Vec<Family<'_>> {
+pub fn families(subject: &Subject) -> Vec<Family<'_>> {
     let mut all = problems::families(subject);
     all.extend(sequences::families(subject));
     all.extend(points::families(subject));

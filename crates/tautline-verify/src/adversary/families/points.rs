@@ -17,21 +17,22 @@ use crate::{
 };
 
 /// A statement about a metric at a point.
-type AtPoint<S, M, const D: usize> = fn(&S, &M, &SVector<f64, D>) -> Result<Evidence, MetricError>;
+type AtPoint<M, const D: usize> =
+    fn(&Subject, &M, &SVector<f64, D>) -> Result<Evidence, MetricError>;
 
 /// The statements; another one is one line more.
-fn statements<S: Subject, M: Bounded<D>, const D: usize>() -> Vec<(Statement, AtPoint<S, M, D>)> {
+fn statements<M: Bounded<D>, const D: usize>() -> Vec<(Statement, AtPoint<M, D>)> {
     vec![(Statement::Proposition7_10, prop_7_10), (Statement::Proposition7_11, prop_7_11)]
 }
 
 /// All statements on one box.
-fn on<'a, S: Subject, M: Bounded<D> + 'a, const D: usize, const P: usize>(
-    subject: &'a S,
+fn on<'a, M: Bounded<D> + 'a, const D: usize, const P: usize>(
+    subject: &'a Subject,
     name: &'static str,
     parameters: [Parameter; P],
     case: impl Fn([f64; P]) -> Option<(M, [f64; D])> + Copy + 'a,
 ) -> Vec<Family<'a>> {
-    let family = |(statement, evidence): (_, AtPoint<S, M, D>)| {
+    let family = |(statement, evidence): (_, AtPoint<M, D>)| {
         Family::new(name, statement, parameters, move |values| {
             let Some((metric, x)) = case(values) else { return Ok(None) };
             Ok(Some(evidence(subject, &metric, &x.into())?))
@@ -40,7 +41,7 @@ fn on<'a, S: Subject, M: Bounded<D> + 'a, const D: usize, const P: usize>(
     statements().into_iter().map(family).collect()
 }
 
-pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
+pub(super) fn families(subject: &Subject) -> Vec<Family<'_>> {
     let mut all = on(subject, "shear", [amplitude("a", 1e4), phase("x2")], |[a, x2]| {
         Some((Shear::new(a, 1.0).ok()?, [0.0, x2]))
     });

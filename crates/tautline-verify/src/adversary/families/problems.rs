@@ -22,14 +22,14 @@ use crate::{
 
 /// Statements on one box; `problem` takes the rule too, since what misleads a rule depends on where
 /// it reads. What a statement about both rules says of the left-endpoint one has the second name.
-fn on<'a, S: Subject, M: Bounded<D> + 'a, const D: usize, const P: usize>(
-    subject: &'a S,
+fn on<'a, M: Bounded<D> + 'a, const D: usize, const P: usize>(
+    subject: &'a Subject,
     [name, left]: [&'static str; 2],
-    statements: impl IntoIterator<Item = Vec<AboutProblem<S, M, D>>>,
+    statements: impl IntoIterator<Item = Vec<AboutProblem<M, D>>>,
     parameters: [Parameter; P],
     problem: impl Fn(PaperRule, [f64; P]) -> Option<(Known<M, D>, f64)> + Copy + 'a,
 ) -> Vec<Family<'a>> {
-    let family = |about: AboutProblem<S, M, D>| {
+    let family = |about: AboutProblem<M, D>| {
         let AboutProblem { statement, rule, is_second, evidence } = about;
         Family::new(if is_second { left } else { name }, statement, parameters, move |values| {
             let Some((known, n)) = problem(rule, values) else { return Ok(None) };
@@ -53,7 +53,7 @@ where
     Some((Known::between(metric, a, b).ok()??, n))
 }
 
-pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
+pub(super) fn families(subject: &Subject) -> Vec<Family<'_>> {
     let mut all = on(
         subject,
         ["shear", "shear, left"],

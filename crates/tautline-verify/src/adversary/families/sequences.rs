@@ -19,12 +19,11 @@ use crate::{
 };
 
 /// A statement about a metric and a point sequence.
-type OfSequence<S, M, const D: usize> =
-    fn(&S, &M, &PointSequence<D>) -> Result<Evidence, MetricError>;
+type OfSequence<M, const D: usize> =
+    fn(&Subject, &M, &PointSequence<D>) -> Result<Evidence, MetricError>;
 
 /// The statements; another one is one line more.
-fn statements<S: Subject, M: Bounded<D>, const D: usize>() -> Vec<(Statement, OfSequence<S, M, D>)>
-{
+fn statements<M: Bounded<D>, const D: usize>() -> Vec<(Statement, OfSequence<M, D>)> {
     vec![
         (Statement::Proposition7_9, prop_7_9),
         (Statement::Proposition8_1, prop_8_1),
@@ -34,13 +33,13 @@ fn statements<S: Subject, M: Bounded<D>, const D: usize>() -> Vec<(Statement, Of
 }
 
 /// All statements on one box.
-fn on<'a, S: Subject, M: Bounded<D> + 'a, const D: usize, const P: usize>(
-    subject: &'a S,
+fn on<'a, M: Bounded<D> + 'a, const D: usize, const P: usize>(
+    subject: &'a Subject,
     name: &'static str,
     parameters: [Parameter; P],
     case: impl Fn([f64; P]) -> Option<(M, Vec<[f64; D]>)> + Copy + 'a,
 ) -> Vec<Family<'a>> {
-    let family = |(statement, evidence): (_, OfSequence<S, M, D>)| {
+    let family = |(statement, evidence): (_, OfSequence<M, D>)| {
         Family::new(name, statement, parameters, move |values| {
             let Some((metric, points)) = case(values) else { return Ok(None) };
             let points = points.into_iter().map(SVector::from).collect();
@@ -50,7 +49,7 @@ fn on<'a, S: Subject, M: Bounded<D> + 'a, const D: usize, const P: usize>(
     statements().into_iter().map(family).collect()
 }
 
-pub(super) fn families<S: Subject>(subject: &S) -> Vec<Family<'_>> {
+pub(super) fn families(subject: &Subject) -> Vec<Family<'_>> {
     // Enough for a step that rests.
     let two = || Parameter::subintervals(2);
     let mut all = on(

@@ -11,9 +11,9 @@ use super::super::{
     failing::{fails_without, holds_without},
 };
 use crate::{
-    Library, Statement,
+    LIBRARY, Statement,
     Statement::{ConstantK1, ConstantK2, Proposition7_10, Proposition7_11, Proposition7_12},
-    Subject, VerifyError, WithConstants,
+    VerifyError, WithConstants,
     curves::SmoothCurve,
     statements::{constant_k1, constant_k2, prop_7_10, prop_7_11, prop_7_12},
     witnesses::{Incline, InclineGeodesic},
@@ -26,7 +26,7 @@ const LIPSCHITZ: &str = "‖H(x) − H(y)‖/|x − y| ≤ L_H";
 const BELOW: &str = "c₁ ≤ λ_min(H)";
 const ABOVE: &str = "λ_max(H) ≤ c₂";
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     vec![
         Check::new(
             "props_7_10_and_7_11_fail_with_false_constants",
@@ -63,10 +63,10 @@ fn flat<const D: usize>(c1: f64) -> WithConstants<Constant<D>> {
 fn false_constants() -> Outcome {
     let origin = SVector::from([0.0]);
     let derivatives = |foot, constants| {
-        prop_7_10(&Library, &incline(foot, constants), &origin).map_err(VerifyError::from)
+        prop_7_10(&LIBRARY, &incline(foot, constants), &origin).map_err(VerifyError::from)
     };
     let symbols = |foot, constants| {
-        prop_7_11(&Library, &incline(foot, constants), &origin).map_err(VerifyError::from)
+        prop_7_11(&LIBRARY, &incline(foot, constants), &origin).map_err(VerifyError::from)
     };
     all([
         fails_without(&[LIPSCHITZ], derivatives(1.0, [1.0, 10.0, 0.25])?),
@@ -92,11 +92,11 @@ fn speed() -> Outcome {
     let line = SmoothCurve::straight([0.0], [1.0]);
     let short = InclineGeodesic::new(1.0, 1.0, 0.5)?;
     let of =
-        |constants| constant_k1(&Library, &incline(1.0, constants), &short, short.distance(), 0.0);
+        |constants| constant_k1(&LIBRARY, &incline(1.0, constants), &short, short.distance(), 0.0);
     all([
-        fails_without(&[SPEED], constant_k1(&Library, &flat(1.0), &line, 0.5, 0.0)?),
-        fails_without(&[BELOW], constant_k1(&Library, &flat(4.0), &line, 1.0, 0.0)?),
-        holds_without(&[EQUATION], constant_k1(&Library, &flat(1.0), &circle(), 1.0, 0.3)?),
+        fails_without(&[SPEED], constant_k1(&LIBRARY, &flat(1.0), &line, 0.5, 0.0)?),
+        fails_without(&[BELOW], constant_k1(&LIBRARY, &flat(4.0), &line, 1.0, 0.0)?),
+        holds_without(&[EQUATION], constant_k1(&LIBRARY, &flat(1.0), &circle(), 1.0, 0.3)?),
         holds_without(&[ABOVE], of([0.5, 0.75, 1.0])?),
     ])
 }
@@ -107,13 +107,13 @@ fn speed() -> Outcome {
 fn bend() -> Outcome {
     let short = InclineGeodesic::new(1.0, 1.0, 2e-3)?;
     let of = |constants, part: f64| {
-        constant_k2(&Library, &incline(1.0, constants), &short, part * short.distance(), 0.0)
+        constant_k2(&LIBRARY, &incline(1.0, constants), &short, part * short.distance(), 0.0)
     };
     all([
         fails_without(&[SPEED], of([1.0, 2.0, 1.0], 0.5)?),
         fails_without(&[BELOW], of([4.0, 4.0, 1.0], 1.0)?),
         fails_without(&[LIPSCHITZ], of([1.0, 2.0, 0.01], 1.0)?),
-        fails_without(&[EQUATION], constant_k2(&Library, &flat(1.0), &circle(), 1.0, 0.3)?),
+        fails_without(&[EQUATION], constant_k2(&LIBRARY, &flat(1.0), &circle(), 1.0, 0.3)?),
         holds_without(&[ABOVE], of([0.5, 0.75, 1.0], 1.0)?),
     ])
 }
@@ -127,10 +127,10 @@ fn dropped_minimality() -> Outcome {
     );
     let line = SmoothCurve::straight([0.0], [1.0]);
     let bent = InclineGeodesic::new(1.0, 1.0, 1.0)?;
-    let of = |constants| prop_7_12(&Library, &incline(1.0, constants), &bent, bent.distance());
+    let of = |constants| prop_7_12(&LIBRARY, &incline(1.0, constants), &bent, bent.distance());
     all([
-        fails_without(&["E(γ) ≤ d²"], prop_7_12(&Library, &flat(1.0), &wave, 1.0)?),
-        fails_without(&[BELOW], prop_7_12(&Library, &flat(4.0), &line, 1.0)?),
+        fails_without(&["E(γ) ≤ d²"], prop_7_12(&LIBRARY, &flat(1.0), &wave, 1.0)?),
+        fails_without(&[BELOW], prop_7_12(&LIBRARY, &flat(4.0), &line, 1.0)?),
         fails_without(&[LIPSCHITZ], of([1.0, 2.0, 0.01])?),
         holds_without(&[ABOVE], of([0.5, 0.75, 1.0])?),
     ])

@@ -17,9 +17,9 @@ use super::super::{
     sheared::sheared,
 };
 use crate::{
-    Known, Library,
+    Known, LIBRARY,
     Statement::{Proposition6_1, Proposition6_2, Proposition6_3, Proposition9_1},
-    Subject, VerifyError,
+    VerifyError,
     curves::{Clock, Geodesic, KnownGeodesics, Measured, Pace, Reparametrised, SmoothCurve},
     statements::{
         NearestPair, WayOut, prop_6_1, prop_6_1_attained, prop_6_1_minimiser, prop_6_2, prop_6_3,
@@ -27,7 +27,7 @@ use crate::{
     },
 };
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     vec![
         Check::new(
             "prop_6_1_fails_for_a_curve_that_stops_short",
@@ -83,7 +83,7 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
             &[Proposition9_1],
             |_| {
                 let (known, on_time, late) = late()?;
-                fails_without(&["E(γ*) ≤ d²"], prop_9_1(&Library, &known, &on_time, &late))
+                fails_without(&["E(γ*) ≤ d²"], prop_9_1(&LIBRARY, &known, &on_time, &late))
             },
         ),
         Check::new(
@@ -109,9 +109,9 @@ fn stops_short() -> Outcome {
     let seen = Measured::of(&known.metric, &short);
     let whole = Measured::of(&known.metric, &geodesic);
     close("E/d²", seen.energy.value / whole.energy.value, 0.81, 1e-13)?;
-    let minimiser = prop_6_1_minimiser(&Library, &known, &short).map_err(VerifyError::from)?;
+    let minimiser = prop_6_1_minimiser(&LIBRARY, &known, &short).map_err(VerifyError::from)?;
     all([
-        fails_without(&["the ends lie"], prop_6_1(&Library, &known, &seen)),
+        fails_without(&["the ends lie"], prop_6_1(&LIBRARY, &known, &seen)),
         fails_without(&["the ends lie"], minimiser),
     ])
 }
@@ -121,7 +121,7 @@ fn runs_late() -> Outcome {
     let (known, geodesic) = sheared();
     let clock = Clock::plain(Pace::Accelerating);
     let curve = Reparametrised { curve: &geodesic, clock: &clock };
-    let evidence = prop_6_1_minimiser(&Library, &known, &curve).map_err(VerifyError::from)?;
+    let evidence = prop_6_1_minimiser(&LIBRARY, &known, &curve).map_err(VerifyError::from)?;
     fails_without(&["E(γ) ≤ d²"], evidence)
 }
 
@@ -144,7 +144,7 @@ fn segments() -> Outcome {
         let known = Known { metric, ends, distance, distance_error: 1e-15 * distance };
         let line = Measured::of(&metric, &SmoothCurve::straight(from, to));
         let clause = "the two sets are points";
-        outcomes.push(fails_without(&[clause], prop_6_1(&Library, &known, &line)));
+        outcomes.push(fails_without(&[clause], prop_6_1(&LIBRARY, &known, &line)));
     }
     all(outcomes)
 }
@@ -160,7 +160,7 @@ fn not_attained() -> Outcome {
         }
         longer = seen.energy.value;
         for statement in [prop_6_1_attained, prop_6_3_attained] {
-            let evidence = statement(&Library, &known, &seen, way_out);
+            let evidence = statement(&LIBRARY, &known, &seen, way_out);
             outcomes.push(fails_without(&["no way out"], evidence));
         }
     }
@@ -178,7 +178,7 @@ fn pair(
     let points = points.map(SVector::from);
     let way_out = WayOut::from(&metric, &points[0]);
     let lengths = [(points[1] - points[0]).norm(), distance];
-    Ok(NearestPair::between(&Library, &metric, sets, points, lengths, (way_out, 0.0))?)
+    Ok(NearestPair::between(&LIBRARY, &metric, sets, points, lengths, (way_out, 0.0))?)
 }
 
 /// `X⁽⁰⁾ = {x₂ ≤ 0}` and `X⁽¹⁾ = {x₂ ≥ exp(−x₁)}` in the plane: `(t, 0)` and `(t, e⁻ᵗ)` come as
@@ -211,7 +211,7 @@ fn nearest_at_the_missing_point() -> Outcome {
         let sets: [&dyn ClosedSet<2>; 2] = [&first, &half];
         let granted = (WayOut::from(&Sphere, &from), 1e-14);
         let lengths = [apart, nearest];
-        let pair = NearestPair::between(&Library, &Sphere, sets, [from, to], lengths, granted);
+        let pair = NearestPair::between(&LIBRARY, &Sphere, sets, [from, to], lengths, granted);
         let pair = pair.map_err(VerifyError::from)?.beside(sampled);
         let c1 = 4.0 / (1.0 + t.max(3.0).powi(2)).powi(2);
         fails_without(&["no way out"], prop_6_2(&pair, c1))
@@ -262,8 +262,8 @@ fn outside() -> Outcome {
     let ends = ends.map_err(VerifyError::from)?;
     let known = Known { metric, ends, distance: 2.0, distance_error: 0.0 };
     let line = PointSequence::straight([1.5, 0.0], [3.0, 0.0], 2).map_err(VerifyError::from)?;
-    let seen = Measured::of_sequence(&Library, &known.metric, &line);
-    fails_without(&["the ends lie"], prop_6_3(&Library, &known, &seen))
+    let seen = Measured::of_sequence(&LIBRARY, &known.metric, &line);
+    fails_without(&["the ends lie"], prop_6_3(&LIBRARY, &known, &seen))
 }
 
 /// On the line with `H = 1`, from 0 to 1, with `γ = t`.
@@ -279,8 +279,8 @@ fn other_minimisers() -> Outcome {
     let back = Reparametrised { curve: &line, clock: &clock };
     let [half, back] = [Measured::of(&known.metric, &half), Measured::of(&known.metric, &back)];
     all([
-        fails_without(&["γ* joins"], prop_9_1(&Library, &known, &on_time, &half)),
-        fails_without(&["L(γ*) ≤ d", "E(γ*) ≤ d²"], prop_9_1(&Library, &known, &on_time, &back)),
+        fails_without(&["γ* joins"], prop_9_1(&LIBRARY, &known, &on_time, &half)),
+        fails_without(&["L(γ*) ≤ d", "E(γ*) ≤ d²"], prop_9_1(&LIBRARY, &known, &on_time, &back)),
     ])
 }
 
@@ -289,5 +289,5 @@ fn joins_nothing() -> Outcome {
     let (known, minimiser, _) = late()?;
     let uneven = SmoothCurve::polynomial([3.0, 0.0, 0.5].map(|x| SVector::from([x])));
     let seen = Measured::of(&known.metric, &uneven);
-    holds_without(&["γ joins"], prop_9_1(&Library, &known, &seen, &minimiser))
+    holds_without(&["γ joins"], prop_9_1(&LIBRARY, &known, &seen, &minimiser))
 }

@@ -7,9 +7,8 @@ pub(super) mod theorems;
 mod unneeded;
 
 use super::Check;
-use crate::Subject;
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     let parts = [
         theorems::checks(),
         energy_and_length::checks(),

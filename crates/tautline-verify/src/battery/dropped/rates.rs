@@ -15,13 +15,13 @@ use super::{
     theorems::{beyond_the_end, cheap_second_route, claimed, longer_way, steep},
 };
 use crate::{
-    Evidence, Known, Library, PaperRule, Reconstruction,
+    Evidence, Known, LIBRARY, PaperRule, Reconstruction,
     Statement::Remark9_2,
-    Subject, VerifyError, WithConstants,
+    VerifyError, WithConstants,
     statements::{critical_point, remark_9_2, remark_9_2_for_any_sequence},
 };
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     vec![
         Check::new(
             "remark_9_2_fails_for_a_slope_that_is_not_admitted",
@@ -57,8 +57,8 @@ fn understated_l_h() -> Outcome {
     let constants = Constants::new(1.0, 2.0, 1e-3).map_err(VerifyError::from)?;
     let metric = WithConstants { metric, constants };
     let known = Known { metric, ends, distance, distance_error };
-    let seen = Reconstruction::observe(&Library, &known, PaperRule::Trapezoidal, 8)?;
-    fails_without(&["‖H(x) − H(y)‖/|x − y| ≤ L_H"], remark_9_2(&Library, &seen))
+    let seen = Reconstruction::observe(&LIBRARY, &known, PaperRule::Trapezoidal, 8)?;
+    fails_without(&["‖H(x) − H(y)‖/|x − y| ≤ L_H"], remark_9_2(&LIBRARY, &seen))
 }
 
 /// With `c₁ = 100` the excess 0.02 or more of a route that seems cheap would be 10⁻⁴ at most. With
@@ -67,9 +67,9 @@ fn false_bounds() -> Outcome {
     let mut outcomes = Vec::new();
     for (rule, first) in PaperRule::BOTH.into_iter().zip([ridge(1.0), downwards(1.0)]) {
         let cheap = cheap_second_route(rule, [100.0, 100.0, 0.1])?;
-        outcomes.push(fails_without(&["c₁ ≤ λ_min(H)"], remark_9_2(&Library, &cheap)));
+        outcomes.push(fails_without(&["c₁ ≤ λ_min(H)"], remark_9_2(&LIBRARY, &cheap)));
         let dear = claimed(rule, [steep(first), level(2.0)], [1.0, 1.0, 0.1])?;
-        outcomes.push(fails_without(&["λ_max(H) ≤ c₂"], remark_9_2(&Library, &dear)));
+        outcomes.push(fails_without(&["λ_max(H) ≤ c₂"], remark_9_2(&LIBRARY, &dear)));
     }
     all(outcomes)
 }
@@ -78,7 +78,7 @@ fn false_bounds() -> Outcome {
 fn other_ends() -> Outcome {
     all(PaperRule::BOTH.map(|rule| {
         let seen = beyond_the_end(rule, 16)?;
-        fails_without(&["the ends lie"], remark_9_2(&Library, &seen))
+        fails_without(&["the ends lie"], remark_9_2(&LIBRARY, &seen))
     }))
 }
 
@@ -86,7 +86,7 @@ fn other_ends() -> Outcome {
 fn not_global() -> Outcome {
     all(PaperRule::BOTH.map(|rule| {
         let (_, seen) = longer_way(rule, 8)?;
-        fails_without(&["E_N ≤ d² e"], remark_9_2_for_any_sequence(&Library, &seen))
+        fails_without(&["E_N ≤ d² e"], remark_9_2_for_any_sequence(&LIBRARY, &seen))
     }))
 }
 
@@ -99,10 +99,10 @@ fn not_stationary() -> Outcome {
         for rule in PaperRule::BOTH {
             let minimum = match rule {
                 PaperRule::Trapezoidal => {
-                    Library.minimise(Trapezoidal, &known.metric, &known.ends, n)
+                    LIBRARY.minimise(Trapezoidal, &known.metric, &known.ends, n)
                 }
                 PaperRule::LeftEndpoint => {
-                    Library.minimise(LeftEndpoint, &known.metric, &known.ends, n)
+                    LIBRARY.minimise(LeftEndpoint, &known.metric, &known.ends, n)
                 }
             };
             let mut minimum = minimum.map_err(VerifyError::from)?;
@@ -115,10 +115,10 @@ fn not_stationary() -> Outcome {
                     *point += SVector::from([sin, cos]) * size;
                 }
                 minimum.sequence = PointSequence::new(points).map_err(VerifyError::from)?;
-                let seen = Reconstruction::read(&Library, &known, rule, minimum.clone())?;
-                let evidence = remark_9_2_for_any_sequence(&Library, &seen);
+                let seen = Reconstruction::read(&LIBRARY, &known, rule, minimum.clone())?;
+                let evidence = remark_9_2_for_any_sequence(&LIBRARY, &seen);
                 if evidence.hypotheses.iter().all(|clause| clause.holds()) {
-                    found = Some(stationary(evidence, &critical_point(&Library, &known, &seen)));
+                    found = Some(stationary(evidence, &critical_point(&LIBRARY, &known, &seen)));
                     break;
                 }
             }

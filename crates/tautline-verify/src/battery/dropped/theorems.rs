@@ -15,12 +15,12 @@ use super::super::{
     theorem_witnesses::{Knots, MARGIN, SLOPE, downwards, level, ridge, upwards, valley},
 };
 use crate::{
-    Known, Library, PaperRule, Reconstruction, Statement,
+    Known, LIBRARY, PaperRule, Reconstruction, Statement,
     Statement::{
         ConstantC1_1, ConstantC1_3, ConstantK3Bar, ConstantK4Bar, Theorem1_1, Theorem1_2,
         Theorem1_3, Theorem1_4,
     },
-    Subject, VerifyError, WithConstants,
+    VerifyError, WithConstants,
     statements::{theorem_1_1, theorem_1_2, theorem_1_3, theorem_1_4},
     witnesses::{Incline, Polygonal, one_step, tent, two_routes},
 };
@@ -39,7 +39,7 @@ const ALL: &[Statement] = &[
 /// A part of the claim that the minimiser is global, as far as it is needed.
 const PREMISE: &str = "E_N ≤ what the proof has";
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     vec![
         Check::new("theorems_1_1_to_1_4_fail_where_l_h_is_understated", Kind::Dropped, ALL, |_| {
             understated_l_h()
@@ -86,7 +86,7 @@ pub(in super::super) fn claimed(
         two_routes(&first, &second).expect("apart");
     let known =
         Known { metric: WithConstants { metric, constants }, ends, distance, distance_error };
-    Reconstruction::observe(&Library, &known, rule, 1)
+    Reconstruction::observe(&LIBRARY, &known, rule, 1)
 }
 
 /// A level route with `d² = 1.005`, and a second one on which the rule reads `H = 1`, though its
@@ -115,10 +115,10 @@ fn understated_l_h() -> Outcome {
         (PaperRule::LeftEndpoint, downwards(1.0), [[0.0, 1.0], [0.52, 1.005], [1.04, 1.01]]),
     ] {
         let [theorem, on_length, _, constant] =
-            evidence(&Library, &cheap_second_route(rule, constants)?);
+            evidence(&LIBRARY, &cheap_second_route(rule, constants)?);
         outcomes.extend([theorem, on_length, constant].map(|e| fails_without(&[clause], e)));
         let seen = claimed(rule, [steep(first), second], constants)?;
-        let [_, _, speed, _] = evidence(&Library, &seen);
+        let [_, _, speed, _] = evidence(&LIBRARY, &seen);
         outcomes.push(fails_without(&[clause, PREMISE], speed));
     }
     all(outcomes)
@@ -129,7 +129,7 @@ fn overstated_c1() -> Outcome {
     let mut outcomes = Vec::new();
     for rule in PaperRule::BOTH {
         let seen = cheap_second_route(rule, [100.0, 100.0, 0.1])?;
-        let evidence = evidence(&Library, &seen);
+        let evidence = evidence(&LIBRARY, &seen);
         outcomes.extend(evidence.map(|evidence| fails_without(&["c₁ ≤ λ_min(H)"], evidence)));
     }
     all(outcomes)
@@ -143,7 +143,7 @@ fn understated_c2() -> Outcome {
         (PaperRule::LeftEndpoint, downwards(1.0), upwards(1.0 + SLOPE - MARGIN)),
     ] {
         let seen = claimed(rule, [steep(first), steep(second)], [1.0, 1.0, 0.1])?;
-        let evidence = evidence(&Library, &seen);
+        let evidence = evidence(&LIBRARY, &seen);
         outcomes.extend(evidence.map(|evidence| holds_without(&["λ_max(H) ≤ c₂"], evidence)));
     }
     all(outcomes)
@@ -157,8 +157,8 @@ pub(super) fn minimum(
     n: usize,
 ) -> Result<Minimum<1>, VerifyError> {
     Ok(match rule {
-        PaperRule::Trapezoidal => Library.minimise(Trapezoidal, metric, ends, n)?,
-        PaperRule::LeftEndpoint => Library.minimise(LeftEndpoint, metric, ends, n)?,
+        PaperRule::Trapezoidal => LIBRARY.minimise(Trapezoidal, metric, ends, n)?,
+        PaperRule::LeftEndpoint => LIBRARY.minimise(LeftEndpoint, metric, ends, n)?,
     })
 }
 
@@ -175,7 +175,7 @@ pub(in super::super) fn longer_way(
     )?;
     let known = Known { metric, ends, distance: 1.0, distance_error: 0.0 };
     let far = minimum(&metric, &Ends::points([10.0], [12.0])?, rule, n)?;
-    let seen = Reconstruction::read(&Library, &known, rule, far)?;
+    let seen = Reconstruction::read(&LIBRARY, &known, rule, far)?;
     Ok((known, seen))
 }
 
@@ -183,7 +183,7 @@ fn not_global() -> Outcome {
     let mut outcomes = Vec::new();
     for n in [1, 8] {
         for rule in PaperRule::BOTH {
-            let evidence = evidence(&Library, &longer_way(rule, n)?.1);
+            let evidence = evidence(&LIBRARY, &longer_way(rule, n)?.1);
             outcomes.extend(evidence.map(|evidence| fails_without(&[PREMISE], evidence)));
         }
     }
@@ -195,7 +195,7 @@ pub(super) fn beyond_the_end(rule: PaperRule, n: usize) -> Result<Reconstruction
     let metric = Polygonal::new(&[[0.0, 1.0], [1.0, 1.1], [2.0, 1.2]]).expect("in order");
     let beyond = minimum(&metric, &Ends::points([0.0], [1.1])?, rule, n)?;
     let known = Known::between(metric, [0.0], [1.0])?.expect("between the knots");
-    Reconstruction::read(&Library, &known, rule, beyond)
+    Reconstruction::read(&LIBRARY, &known, rule, beyond)
 }
 
 /// For `N = 256`, `C/√N` is less than 0.1, and `C_tra♯` in the premise more than 1. The claim on
@@ -203,7 +203,7 @@ pub(super) fn beyond_the_end(rule: PaperRule, n: usize) -> Result<Reconstruction
 fn other_ends() -> Outcome {
     let mut outcomes = Vec::new();
     for rule in PaperRule::BOTH {
-        let [theorem, on_length, speed, constant] = evidence(&Library, &beyond_the_end(rule, 256)?);
+        let [theorem, on_length, speed, constant] = evidence(&LIBRARY, &beyond_the_end(rule, 256)?);
         outcomes
             .extend([theorem, on_length, constant].map(|e| fails_without(&["the ends lie"], e)));
         outcomes.push(holds_without(&["the ends lie"], speed));
@@ -220,10 +220,10 @@ fn other_rule() -> Outcome {
             let seen = claimed(rule, slopes.map(steep), [1.0, 1.25, 0.1])?;
             let other = match rule {
                 PaperRule::Trapezoidal => {
-                    [theorem_1_3(&Library, &seen), theorem_1_4(&Library, &seen)]
+                    [theorem_1_3(&LIBRARY, &seen), theorem_1_4(&LIBRARY, &seen)]
                 }
                 PaperRule::LeftEndpoint => {
-                    [theorem_1_1(&Library, &seen), theorem_1_2(&Library, &seen)]
+                    [theorem_1_1(&LIBRARY, &seen), theorem_1_2(&LIBRARY, &seen)]
                 }
             };
             outcomes.extend(other.map(|e| holds_without(&["the rule is"], e)));
@@ -242,7 +242,7 @@ fn length_minimiser() -> Outcome {
     let (n, slope) = (16, 1e-2);
     let tent = tent(1.0, slope).expect("positive");
     let sequence = one_step(n, n / 2);
-    let length = Library.discrete_length(Trapezoidal, &tent, &sequence);
+    let length = LIBRARY.discrete_length(Trapezoidal, &tent, &sequence);
     // The tip is rounded off over 10⁻¹², where H is larger by as much times the slope.
     close("the discrete length", length, 1.0, 1e-12 * slope)?;
     let incline = Incline::new(1.0, slope).expect("positive");
@@ -262,6 +262,6 @@ fn fails_for<M: tautline::Bounded<1>>(
 ) -> Outcome {
     let mut minimum = minimum(&known.metric, &known.ends, rule, sequence.n().get())?;
     minimum.sequence = sequence.clone();
-    let [theorem, ..] = evidence(&Library, &Reconstruction::read(&Library, known, rule, minimum)?);
+    let [theorem, ..] = evidence(&LIBRARY, &Reconstruction::read(&LIBRARY, known, rule, minimum)?);
     fails_without(&[PREMISE], theorem)
 }

@@ -10,9 +10,9 @@ use tautline::{Constants, PointSequence};
 
 use super::super::{Check, Kind, Outcome, check::all, failing::holds_without};
 use crate::{
-    Evidence, Library, Statement,
+    Evidence, LIBRARY, Statement,
     Statement::{Proposition7_6, Proposition7_7, Proposition7_9, Proposition8_1, Proposition8_2},
-    Subject, VerifyError, WithConstants,
+    VerifyError, WithConstants,
     curves::SmoothCurve,
     statements::{prop_7_6, prop_7_7, prop_7_9, prop_8_1, prop_8_2},
     witnesses::Incline,
@@ -23,7 +23,7 @@ const SEQUENCES: &[Statement] = &[Proposition7_9, Proposition8_1, Proposition8_2
 const BELOW: &str = "c₁ ≤ λ_min(H)";
 const ABOVE: &str = "λ_max(H) ≤ c₂";
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     vec![
         Check::new("prop_7_6_does_not_need_c1_nor_prop_7_7_c2", Kind::Dropped, SAMPLED, |_| {
             curves()
@@ -53,9 +53,9 @@ fn sequences() -> Outcome {
     let mut outcomes = Vec::new();
     for (clause, metric) in inclines()? {
         let evidence: [Evidence; 3] = [
-            prop_7_9(&Library, &metric, &sequence).map_err(VerifyError::from)?,
-            prop_8_1(&Library, &metric, &sequence).map_err(VerifyError::from)?,
-            prop_8_2(&Library, &metric, &sequence).map_err(VerifyError::from)?,
+            prop_7_9(&LIBRARY, &metric, &sequence).map_err(VerifyError::from)?,
+            prop_8_1(&LIBRARY, &metric, &sequence).map_err(VerifyError::from)?,
+            prop_8_2(&LIBRARY, &metric, &sequence).map_err(VerifyError::from)?,
         ];
         outcomes.extend(evidence.map(|evidence| holds_without(&[clause], evidence)));
     }
@@ -71,9 +71,9 @@ fn curves() -> Outcome {
     for n in [1, 2, 7].map(|n| NonZeroUsize::new(n).expect("positive")) {
         for curve in [&line, &late] {
             outcomes.extend([
-                holds_without(&[below], prop_7_6(&Library, &overstated, curve, n)?),
-                holds_without(&[below], prop_7_7(&Library, &overstated, &[curve], n)?),
-                holds_without(&[above], prop_7_7(&Library, &understated, &[curve], n)?),
+                holds_without(&[below], prop_7_6(&LIBRARY, &overstated, curve, n)?),
+                holds_without(&[below], prop_7_7(&LIBRARY, &overstated, &[curve], n)?),
+                holds_without(&[above], prop_7_7(&LIBRARY, &understated, &[curve], n)?),
             ]);
         }
     }

@@ -19,7 +19,7 @@ use super::{
     Segment, ends,
 };
 use crate::{
-    Evidence, Known, Library, Statement,
+    Evidence, Known, LIBRARY, Statement,
     Statement::{Proposition4_1, Proposition4_2},
     Subject, VerifyError,
     curves::{Clock, Curve, EvenSegment, Geodesic, KnownGeodesics, Pace, Reparametrised},
@@ -32,7 +32,7 @@ use crate::{
 
 const BOTH: &[Statement] = &[Proposition4_1, Proposition4_2];
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     vec![
         Check::new("props_4_1_and_4_2_hold_for_every_clock", Kind::Random, BOTH, clocks),
         Check::new(
@@ -97,7 +97,7 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
 
 /// Both propositions for the known geodesic between two points.
 fn both<M: KnownGeodesics<D>, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     metric: &M,
     ends: [SVector<f64, D>; 2],
     clock: &Clock,
@@ -111,9 +111,9 @@ fn both<M: KnownGeodesics<D>, const D: usize>(
     ])
 }
 
-fn clocks<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn family<S: Subject, M, const D: usize>(
-        trial: &Trial<'_, S>,
+fn clocks(trial: &Trial<'_>) -> Outcome {
+    fn family<M, const D: usize>(
+        trial: &Trial<'_>,
         seed: u64,
         family: impl Strategy<Value = (M, [SVector<f64, D>; 2])>,
     ) -> Outcome
@@ -140,9 +140,9 @@ fn clocks<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 
 /// Segments on rays of radial metrics, along the valleys and on the line are shortest curves; their
 /// clocks have nothing to do with the metric.
-fn minimal_segments<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn family<S: Subject, M: Metric<D> + Debug + 'static, const D: usize>(
-        trial: &Trial<'_, S>,
+fn minimal_segments(trial: &Trial<'_>) -> Outcome {
+    fn family<M: Metric<D> + Debug + 'static, const D: usize>(
+        trial: &Trial<'_>,
         seed: u64,
         family: impl Strategy<Value = Known<M, D>>,
     ) -> Outcome {
@@ -169,7 +169,7 @@ fn refuted_by_a_pause() -> Outcome {
 }
 
 /// From a point to itself: a constant curve, and any clock.
-fn points_alone<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn points_alone(trial: &Trial<'_>) -> Outcome {
     trial.for_all(4140, 64, (shear(), vector(2.5), clock()), |subject, (metric, a, clock)| {
         let known = Known::joined(&metric, [a, a])?.expect("known");
         let still = Geodesic::between(&metric, [a, a]);
@@ -182,13 +182,13 @@ fn points_alone<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 fn dropped_monotone() -> Outcome {
     let (known, geodesic) = sheared();
     let clock = Clock::turning_back();
-    let length = prop_4_2(&Library, &known, &geodesic, &clock).map_err(VerifyError::from)?;
+    let length = prop_4_2(&LIBRARY, &known, &geodesic, &clock).map_err(VerifyError::from)?;
     let ratio = length.conclusion("L(γ** ∘ φ) ≤ d").observed / known.distance;
     if !((ratio - 2.0).abs() <= 1e-13) {
         return Err(Failure::new(format!("{ratio} times d")));
     }
     let radius = known.metric.normal_radius(&ends(&known)[0]);
-    let local = prop_4_1(&Library, &known, &geodesic, &clock, radius);
+    let local = prop_4_1(&LIBRARY, &known, &geodesic, &clock, radius);
     all([
         fails_without(&["∫|φ′| ≤ 1"], length),
         fails_without(&["∫|φ′| ≤ 1"], local.map_err(VerifyError::from)?),
@@ -204,8 +204,8 @@ fn dropped_minimal() -> Outcome {
     let geodesic = Geodesic::leaving(Sphere, ends[0], way_round);
     let clock = Clock::plain(Pace::Even);
     let radius = Sphere.normal_radius(&ends[0]);
-    let local = prop_4_1(&Library, &known, &geodesic, &clock, radius);
-    let global = prop_4_2(&Library, &known, &geodesic, &clock);
+    let local = prop_4_1(&LIBRARY, &known, &geodesic, &clock, radius);
+    let global = prop_4_2(&LIBRARY, &known, &geodesic, &clock);
     all([
         fails_without(&["L(γ**) ≤ d"], local.map_err(VerifyError::from)?),
         fails_without(&["L(γ**) ≤ d"], global.map_err(VerifyError::from)?),
@@ -216,15 +216,15 @@ fn dropped_minimal() -> Outcome {
 fn detour() -> Outcome {
     let (known, geodesic) = sheared();
     let segment = Segment(ends(&known));
-    fails_without(&["L(γ) ≤ d"], prop_4_2_converse(&Library, &known, &segment, &geodesic))
+    fails_without(&["L(γ) ≤ d"], prop_4_2_converse(&LIBRARY, &known, &segment, &geodesic))
 }
 
 /// Both propositions for a curve `γ**` between the ends of [`sheared`], without a clause.
 fn without_a_clause(clause: &str, curve: &impl Curve<2>, clock: &Clock) -> Outcome {
     let (known, _) = sheared();
     let radius = known.metric.normal_radius(&ends(&known)[0]);
-    let local = prop_4_1(&Library, &known, curve, clock, radius);
-    let global = prop_4_2(&Library, &known, curve, clock);
+    let local = prop_4_1(&LIBRARY, &known, curve, clock, radius);
+    let global = prop_4_2(&LIBRARY, &known, curve, clock);
     all([
         fails_without(&[clause], local.map_err(VerifyError::from)?),
         fails_without(&[clause], global.map_err(VerifyError::from)?),
@@ -241,7 +241,7 @@ fn dropped_ends() -> Outcome {
     let elsewhere = Segment([[0.0, 0.0].into(), [0.0, 1.0].into()]);
     all([
         without_a_clause("γ** joins", &short, &Clock::plain(Pace::Smooth)),
-        fails_without(&["γ joins"], prop_4_2_converse(&Library, &known, &elsewhere, &geodesic)),
+        fails_without(&["γ joins"], prop_4_2_converse(&LIBRARY, &known, &elsewhere, &geodesic)),
     ])
 }
 
@@ -258,6 +258,6 @@ fn dropped_equation() -> Outcome {
 /// is without it.
 fn far_apart() -> Outcome {
     let (known, geodesic) = sheared();
-    let local = prop_4_1(&Library, &known, &geodesic, &Clock::pausing(), 0.5 * known.distance);
+    let local = prop_4_1(&LIBRARY, &known, &geodesic, &Clock::pausing(), 0.5 * known.distance);
     holds_without(&["d < ε"], local.map_err(VerifyError::from)?)
 }

@@ -16,7 +16,7 @@ use super::{
     ends,
 };
 use crate::{
-    Evidence, Known, Library,
+    Evidence, Known, LIBRARY,
     Statement::Lemma4_4,
     Subject, VerifyError,
     curves::{Clock, Curve, EvenSegment, Geodesic, KnownGeodesics, Motion, Pace, Reparametrised},
@@ -27,7 +27,7 @@ use crate::{
     },
 };
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     vec![
         Check::new("lemma_4_4_holds_for_minimal_curves", Kind::Random, &[Lemma4_4], even_curves),
         Check::new("lemma_4_4_is_homogeneous", Kind::Homogeneous, &[Lemma4_4], |trial| {
@@ -68,14 +68,14 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
 
 /// Lemma 4.4 for the segment between two points, at constant speed.
 fn segment<M: Metric<D>, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     known: &Known<M, D>,
 ) -> Result<Evidence, VerifyError> {
     Ok(lemma_4_4(subject, known, &EvenSegment::new(&known.metric, ends(known)))?)
 }
 
 /// Two equal sizes, which are two inequalities of slack 1 wherever there is something to be seen.
-fn attained<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn attained(trial: &Trial<'_>) -> Outcome {
     let bent = Cell::new(0);
     let tally = trial.for_all(4430, 64, points(ramp()), |subject, known| {
         // The acceleration may vanish to rounding where the ramp is flat.
@@ -89,9 +89,9 @@ fn attained<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     if bent.get() > 0 { Ok(tally) } else { Err(Failure::new("all segments are flat")) }
 }
 
-fn even_curves<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn segments<S: Subject, M, const D: usize>(
-        trial: &Trial<'_, S>,
+fn even_curves(trial: &Trial<'_>) -> Outcome {
+    fn segments<M, const D: usize>(
+        trial: &Trial<'_>,
         seed: u64,
         family: impl Strategy<Value = Known<M, D>>,
     ) -> Outcome
@@ -100,8 +100,8 @@ fn even_curves<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     {
         trial.for_all(seed, 64, family, |subject, known| Ok([segment(subject, &known)?]))
     }
-    fn geodesics<S: Subject, M, const D: usize>(
-        trial: &Trial<'_, S>,
+    fn geodesics<M, const D: usize>(
+        trial: &Trial<'_>,
         seed: u64,
         family: impl Strategy<Value = (M, [SVector<f64, D>; 2])>,
     ) -> Outcome
@@ -133,7 +133,7 @@ fn dropped_speed() -> Outcome {
     let (known, geodesic) = sheared();
     let clock = Clock::plain(Pace::Accelerating);
     let curve = Reparametrised { curve: &geodesic, clock: &clock };
-    let evidence = lemma_4_4(&Library, &known, &curve).map_err(VerifyError::from)?;
+    let evidence = lemma_4_4(&LIBRARY, &known, &curve).map_err(VerifyError::from)?;
     fails_without(&["speed is constant"], evidence)
 }
 
@@ -155,7 +155,7 @@ impl Curve<2> for Arc {
 fn dropped_least_length() -> Outcome {
     let ends = [[0.5, 0.0].into(), [0.0, 0.5].into()];
     let known = Known::joined(Sphere, ends).map_err(VerifyError::from)?.expect("known");
-    let quarter = lemma_4_4(&Library, &known, &Arc(FRAC_PI_2)).map_err(VerifyError::from)?;
+    let quarter = lemma_4_4(&LIBRARY, &known, &Arc(FRAC_PI_2)).map_err(VerifyError::from)?;
     fails_without(&["L(γ) ≤ d"], quarter)
 }
 
@@ -165,7 +165,7 @@ fn dropped_ends() -> Outcome {
         let ends = [[0.5, 0.0].into(), [0.0, 0.5].into()];
         let known = Known::joined(metric, ends).map_err(VerifyError::from)?.expect("known");
         let arc = Arc(0.5 * FRAC_PI_2);
-        let evidence = lemma_4_4(&Library, &known, &arc).map_err(VerifyError::from)?;
+        let evidence = lemma_4_4(&LIBRARY, &known, &arc).map_err(VerifyError::from)?;
         fails_without(&["γ joins the points"], evidence)
     }
     all([eighth(Constant::new(SMatrix::identity()).expect("positive definite")), eighth(Sphere)])

@@ -9,11 +9,11 @@ use nalgebra::SVector;
 
 use super::Check;
 use crate::{
-    Known, Subject,
+    Known,
     curves::{Curve, Motion},
 };
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     let parts = [clocks::checks(), normal_balls::checks(), constant_speed::checks()];
     parts.into_iter().flatten().collect()
 }

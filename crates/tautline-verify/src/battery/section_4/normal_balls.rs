@@ -11,15 +11,15 @@ use tautline::{
 
 use super::super::{Check, Failure, Kind, Outcome, Trial, check::all, failing::fails_without};
 use crate::{
-    Evidence, Library,
+    Evidence, LIBRARY,
     Statement::Proposition4_3,
-    Subject, VerifyError,
+    VerifyError,
     curves::KnownGeodesics,
     statements::prop_4_3,
     strategies::{constant, separable, shear, vector},
 };
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     vec![
         Check::new("prop_4_3_holds_on_balls", Kind::Random, &[Proposition4_3], normal_balls),
         Check::new("prop_4_3_is_homogeneous", Kind::Homogeneous, &[Proposition4_3], |trial| {
@@ -71,9 +71,9 @@ fn tangent(reach: f64) -> impl Strategy<Value = (f64, SVector<f64, 2>, SVector<f
     )
 }
 
-fn normal_balls<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn family<S: Subject, M: KnownGeodesics<D> + Debug + 'static, const D: usize>(
-        trial: &Trial<'_, S>,
+fn normal_balls(trial: &Trial<'_>) -> Outcome {
+    fn family<M: KnownGeodesics<D> + Debug + 'static, const D: usize>(
+        trial: &Trial<'_>,
         seed: u64,
         metrics: impl Strategy<Value = M>,
         size: f64,
@@ -94,12 +94,12 @@ fn normal_balls<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         family(trial, 4302, shear(), 2.5),
         family(trial, 4303, separable::<3>(), 2.5),
         family(trial, 4304, constant::<4>(), 2.5),
-        family::<_, _, 2>(trial, 4305, Just(Hyperbolic), 0.25),
+        family::<_, 2>(trial, 4305, Just(Hyperbolic), 0.25),
     ])
 }
 
 /// Along the equator by an angle between `π` and `2π`: `d = 2π − |v|`.
-fn beyond_the_radius<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn beyond_the_radius(trial: &Trial<'_>) -> Outcome {
     let x = SVector::from([1.0, 0.0]);
     for angle in [3.2, 4.0, 5.0, 6.0] {
         let v = SVector::from([0.0, angle]);
@@ -120,7 +120,7 @@ fn beyond_the_radius<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 fn far_out() -> Outcome {
     let of = |x: f64, ball: f64, epsilon: f64| -> Result<Evidence, VerifyError> {
         let (x, v) = (SVector::from([x, 0.0]), SVector::from([0.0, 0.1]));
-        Ok(prop_4_3(&Library, &Sphere, [&x, &v], ball, epsilon)?)
+        Ok(prop_4_3(&LIBRARY, &Sphere, [&x, &v], ball, epsilon)?)
     };
     let mut outcomes = Vec::new();
     for epsilon in [1.0, 0.1, 1e-3] {

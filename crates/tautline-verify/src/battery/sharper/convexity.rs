@@ -14,13 +14,13 @@ use super::{
     witnesses::NEAR,
 };
 use crate::{
-    Evidence, Known, Library, PaperRule, Reconstruction, Statement, Statement::PropositionS7,
-    Subject, Unit, VerifyError, WithConstants, statements::prop_s_7, witnesses::Polygonal,
+    Evidence, Known, LIBRARY, PaperRule, Reconstruction, Statement, Statement::PropositionS7, Unit,
+    VerifyError, WithConstants, statements::prop_s_7, witnesses::Polygonal,
 };
 
 const S7: &[Statement] = &[PropositionS7];
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     let witness = Kind::Witness;
     vec![
         Check::new(
@@ -64,7 +64,7 @@ pub(super) fn slopes(claimed: [f64; 3]) -> Result<(Claimed, [PointSequence<1>; 2
 /// A polygon with constants that hold where it is read.
 type Claimed = WithConstants<Polygonal>;
 
-fn opposite_slopes<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn opposite_slopes(trial: &Trial<'_>) -> Outcome {
     let (metric, [x, y]) = slopes([1.0 - 1.1e-3, 1.0 + 1.1e-3, 1.0])?;
     let rule = PaperRule::Trapezoidal;
     let evidence = prop_s_7(trial.subject, &metric, rule, [&x, &y], 1.0)?;
@@ -74,7 +74,7 @@ fn opposite_slopes<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 /// Under `H = 4` the energy is quadratic, and a straight line with half a sine wave added is off its
 /// minimum by `R²/(4σN² sin²(π/2N))` for both rules: the wave is what Poincaré's inequality is sharp
 /// for.
-fn wave<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn wave(trial: &Trial<'_>) -> Outcome {
     let metric = Constant::<1>::new([[4.0]].into()).expect("positive");
     let mut evidence = Vec::new();
     for n in [2_usize, 5, 32] {
@@ -100,7 +100,7 @@ fn wave<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 /// the convexity `H − ½ M_H B²r²` half is left where `ak² = 8`, and `2L_H B r` is `4/k`. With four
 /// times the height the crests are no minimum: to either side of them there is less energy, and
 /// nothing may be said.
-fn crests<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn crests(trial: &Trial<'_>) -> Outcome {
     let k = 4.0 * PI * 320.0;
     let first = FRAC_PI_2 / k - 0.25;
     let through = |by: f64| {
@@ -121,7 +121,7 @@ fn crests<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 /// In the trough of `H = (1 + 0.3 sin x)²` the minimiser goes faster than the straight line: the
 /// convex set has to hold both, and its `σ`, which a residual tells, is no more than that of their
 /// `B`.
-fn competitors<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn competitors(trial: &Trial<'_>) -> Outcome {
     let metric = Separable::new([0.3], [1.0]).map_err(VerifyError::from)?;
     let ([a, b], n) = ([-1.6, -1.0], 16);
     let known = Known::between(metric, [a], [b]).map_err(VerifyError::from)?.expect("known");
@@ -146,7 +146,7 @@ fn competitors<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         let least = trial.subject.strict_convexity(constants, 1, &computed).ok_or_else(silent)?;
         let wave = n as f64 * (FRAC_PI_2 / n as f64).sin();
         let modulus = 1.0 / (4.0 * wave * wave * (energy - least));
-        let covering = Library.convexity_modulus(constants, rule, greatest, seen.n);
+        let covering = LIBRARY.convexity_modulus(constants, rule, greatest, seen.n);
         let covering = covering.ok_or_else(silent)?;
         evidence.push(
             Evidence::of(PropositionS7)

@@ -18,12 +18,12 @@ use super::{
     witnesses::{CREST, crest},
 };
 use crate::{
-    Known, Library, PaperRule, Reconstruction,
+    Known, LIBRARY, PaperRule, Reconstruction,
     Statement::{
         LemmaS1, LemmaS2, LemmaS3, LemmaS4, LemmaS5, PropositionS6, PropositionS7, PropositionS8,
         TheoremA, TheoremB, TheoremC, TheoremD,
     },
-    Subject, VerifyError, WithConstants,
+    VerifyError, WithConstants,
     statements::{
         lemma_s_1, lemma_s_2, lemma_s_3, lemma_s_4, lemma_s_5, prop_s_6, prop_s_7, prop_s_8,
         theorem_a, theorem_b, theorem_c, theorem_d,
@@ -35,7 +35,7 @@ const L_H: &[&str] = &["‖H(x) − H(y)‖/|x − y| ≤ L_H"];
 const M_H: &[&str] = &["|uᵀ D²H[u, u] u| ≤ M_H"];
 const PREMISE: &[&str] = &["E_N ≤ what the proof has"];
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     let dropped = Kind::Dropped;
     vec![
         Check::new(
@@ -84,14 +84,14 @@ fn lemmas_without_l_h() -> Outcome {
     let ramp = Polygonal::new(&[[0.0, 1.0], [1.0, 2.0]]).expect("in order");
     let constants = Constants::new(0.99, 2.01, 1e-9).map_err(VerifyError::from)?;
     let ends = Ends::points([0.0], [1.0]).map_err(VerifyError::from)?;
-    let minimum = Library.minimise(Trapezoidal, &ramp, &ends, 2).map_err(VerifyError::from)?;
+    let minimum = LIBRARY.minimise(Trapezoidal, &ramp, &ends, 2).map_err(VerifyError::from)?;
     let flat = WithConstants { metric: ramp, constants };
-    let speeds = lemma_s_3(&Library, &flat, PaperRule::Trapezoidal, &minimum.sequence);
+    let speeds = lemma_s_3(&LIBRARY, &flat, PaperRule::Trapezoidal, &minimum.sequence);
     all([
-        fails_without(L_H, lemma_s_1(&Library, &bent, &curve, 1e-5, 0.0)?),
+        fails_without(L_H, lemma_s_1(&LIBRARY, &bent, &curve, 1e-5, 0.0)?),
         fails_without(
             L_H,
-            lemma_s_2(&Library, &shallow, &one_step(3, 1)).map_err(VerifyError::from)?,
+            lemma_s_2(&LIBRARY, &shallow, &one_step(3, 1)).map_err(VerifyError::from)?,
         ),
         fails_without(L_H, speeds.map_err(VerifyError::from)?),
     ])
@@ -104,13 +104,13 @@ fn theorems_without_l_h() -> Outcome {
     let mut outcomes = Vec::new();
     for rule in PaperRule::BOTH {
         let cheap = cheap_second_route(rule, constants)?;
-        outcomes.push(fails_without(L_H, theorem_a(&Library, &cheap)));
-        outcomes.push(fails_without(L_H, theorem_c(&Library, &cheap)));
-        outcomes.push(fails_without(L_H, lemma_s_5(&Library, &cheap)));
+        outcomes.push(fails_without(L_H, theorem_a(&LIBRARY, &cheap)));
+        outcomes.push(fails_without(L_H, theorem_c(&LIBRARY, &cheap)));
+        outcomes.push(fails_without(L_H, lemma_s_5(&LIBRARY, &cheap)));
     }
     let dear = dear_ridge(constants)?;
-    outcomes.push(fails_without(L_H, lemma_s_4(&Library, &dear)));
-    outcomes.push(fails_without(L_H, prop_s_6(&Library, &dear, 0.0)?));
+    outcomes.push(fails_without(L_H, lemma_s_4(&LIBRARY, &dear)));
+    outcomes.push(fails_without(L_H, prop_s_6(&LIBRARY, &dear, 0.0)?));
     all(outcomes)
 }
 
@@ -127,7 +127,7 @@ fn without_m_h() -> Outcome {
     let constants = constants.map_err(VerifyError::from)?;
     let chord = PointSequence::straight([CREST - 0.25], [CREST + 0.25], 1);
     let chord = chord.map_err(VerifyError::from)?;
-    let crest = lemma_s_2(&Library, &WithConstants { metric, constants }, &chord);
+    let crest = lemma_s_2(&LIBRARY, &WithConstants { metric, constants }, &chord);
     let valley = Polygonal::new(&[[0.0, 1.05], [0.5, 1.0], [1.0, 1.05]]).expect("in order");
     let constants = Constants::new(0.9, 1.1, 0.1).and_then(|constants| constants.with_m_h(1e-6));
     let known = Known::between(valley, [0.0], [1.0]).map_err(VerifyError::from)?.expect("known");
@@ -135,8 +135,8 @@ fn without_m_h() -> Outcome {
     let constants = constants.map_err(VerifyError::from)?;
     let metric = WithConstants { metric, constants };
     let known = Known { metric, ends, distance, distance_error };
-    let seen = Reconstruction::observe(&Library, &known, PaperRule::Trapezoidal, 1)?;
-    let theorems = [theorem_b(&Library, &seen), theorem_d(&Library, &seen)];
+    let seen = Reconstruction::observe(&LIBRARY, &known, PaperRule::Trapezoidal, 1)?;
+    let theorems = [theorem_b(&LIBRARY, &seen), theorem_d(&LIBRARY, &seen)];
     let mut outcomes = vec![fails_without(M_H, crest.map_err(VerifyError::from)?)];
     outcomes.extend(theorems.map(|theorem| fails_without(M_H, theorem.expect("M_H is claimed"))));
     all(outcomes)
@@ -145,13 +145,13 @@ fn without_m_h() -> Outcome {
 /// With `κ = 1` there would be no `E_N` above `d²`.
 fn without_c2() -> Outcome {
     let dear = dear_ridge([1.0, 1.0, 0.1])?;
-    fails_without(&["λ_max(H) ≤ c₂"], lemma_s_4(&Library, &dear))
+    fails_without(&["λ_max(H) ≤ c₂"], lemma_s_4(&LIBRARY, &dear))
 }
 
 /// The two slopes with half as much again for `c₁`.
 fn without_c1() -> Outcome {
     let (metric, [x, y]) = slopes([1.5, 1.6, 1.0])?;
-    let evidence = prop_s_7(&Library, &metric, PaperRule::Trapezoidal, [&x, &y], 1.0)?;
+    let evidence = prop_s_7(&LIBRARY, &metric, PaperRule::Trapezoidal, [&x, &y], 1.0)?;
     fails_without(&["c₁ ≤ λ_min(H)"], evidence)
 }
 
@@ -160,9 +160,9 @@ fn not_global() -> Outcome {
     let mut outcomes = Vec::new();
     for rule in PaperRule::BOTH {
         let (known, longer) = longer_way(rule, 8)?;
-        outcomes.push(fails_without(PREMISE, theorem_a(&Library, &longer)));
-        outcomes.push(fails_without(PREMISE, theorem_c(&Library, &longer)));
-        outcomes.push(fails_without(PREMISE, prop_s_8(&Library, &known, &longer)?));
+        outcomes.push(fails_without(PREMISE, theorem_a(&LIBRARY, &longer)));
+        outcomes.push(fails_without(PREMISE, theorem_c(&LIBRARY, &longer)));
+        outcomes.push(fails_without(PREMISE, prop_s_8(&LIBRARY, &known, &longer)?));
     }
     all(outcomes)
 }

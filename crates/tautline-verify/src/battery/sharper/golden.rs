@@ -18,7 +18,7 @@ use crate::{
 
 const ALL: &[Statement] = &[LemmaS1, LemmaS4, LemmaS5, TheoremA, TheoremB, TheoremC, TheoremD];
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     vec![Check::new("golden_bounds_of_theorems_a_to_d", Kind::Reference, ALL, bounds)]
 }
 
@@ -106,7 +106,7 @@ const SHEARED: Golden = Golden {
 
 /// The setting of two points under a metric of which it is not known that it is isotropic.
 pub(super) fn setting(
-    subject: &impl Subject,
+    subject: &Subject,
     metric: &(impl Bounded<2> + KnownDistance<2>),
     to: [f64; 2],
 ) -> Result<Setting, VerifyError> {
@@ -120,8 +120,8 @@ pub(super) fn setting(
 /// Compares what follows from the constants of `metric` and the distance of two points.
 ///
 /// Up to `10⁻¹²`, relatively: `d` is known to some `10⁻¹⁵`, and enters with powers up to 7.
-fn between<S: Subject>(
-    trial: &Trial<'_, S>,
+fn between(
+    trial: &Trial<'_>,
     golden: &Golden,
     metric: &(impl Bounded<2> + KnownDistance<2>),
     to: [f64; 2],
@@ -170,7 +170,7 @@ fn between<S: Subject>(
     Ok(())
 }
 
-fn bounds<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn bounds(trial: &Trial<'_>) -> Outcome {
     between(trial, &ALONG_VALLEYS, &Valleys, [4.0 * PI, 0.0])?;
     between(trial, &ACROSS_VALLEYS, &Valleys, [2.0, 1.5])?;
     let shear = Shear::new(0.5, 1.0).map_err(VerifyError::from)?;

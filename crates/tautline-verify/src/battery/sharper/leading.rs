@@ -17,7 +17,7 @@ use crate::{
     Subject, VerifyError,
 };
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     vec![Check::new(
         "bounds_of_theorems_a_to_d_have_the_leading_terms_that_are_stated",
         Kind::Order,
@@ -30,7 +30,7 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
 /// `δ` here, of which the largest is 111.
 const NEXT: f64 = 1e-4;
 
-fn leading<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn leading(trial: &Trial<'_>) -> Outcome {
     let shear = Shear::new(0.5, 1.0).map_err(VerifyError::from)?;
     for setting in [
         setting(trial.subject, &Valleys, [4.0 * PI, 0.0])?,
@@ -54,7 +54,7 @@ fn agree(pairs: &[(&str, f64, f64)]) -> Result<(), Failure> {
 }
 
 /// `N` times the bounds over `d²`.
-fn of_first_order(subject: &impl Subject, setting: Setting) -> Result<(), Failure> {
+fn of_first_order(subject: &Subject, setting: Setting) -> Result<(), Failure> {
     let (n, count) = huge();
     let (delta, scale) = (setting.delta(), count / setting.distance().powi(2));
     for rule in PaperRule::BOTH {
@@ -79,7 +79,7 @@ fn of_first_order(subject: &impl Subject, setting: Setting) -> Result<(), Failur
 }
 
 /// `N²` times the bounds over `d²`.
-fn of_second_order(subject: &impl Subject, setting: Setting) -> Result<(), Failure> {
+fn of_second_order(subject: &Subject, setting: Setting) -> Result<(), Failure> {
     let (n, count) = huge();
     let scale = count * count / setting.distance().powi(2);
     let (delta, bend, mu) = (setting.delta(), setting.bend(), setting.mu().unwrap_or(f64::NAN));

@@ -23,7 +23,7 @@ use crate::{
 
 const SEQUENCES: &[Statement] = &[LemmaS2, LemmaS3];
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     vec![
         Check::new("lemma_s_1_holds_for_minimal_geodesics", Kind::Random, &[LemmaS1], geodesics),
         Check::new("lemma_s_1_is_homogeneous", Kind::Homogeneous, &[LemmaS1], geodesics_in_units),
@@ -49,8 +49,8 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
     ]
 }
 
-fn geodesics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn separables<S: Subject, const D: usize>(trial: &Trial<'_, S>, seed: u64) -> Outcome {
+fn geodesics(trial: &Trial<'_>) -> Outcome {
+    fn separables<const D: usize>(trial: &Trial<'_>, seed: u64) -> Outcome {
         let cases = (separable::<D>(), two_points(2.5), 0.0..1.0);
         trial.for_all(seed, 256, cases, |subject, (metric, ends, t): (Separable<D>, _, _)| {
             let curve = Geodesic::between(metric, ends);
@@ -65,12 +65,12 @@ fn geodesics<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
             let distance = metric.distance(&ends[0], &ends[1]).expect("known");
             Ok([lemma_s_1(subject, &metric, &curve, distance, t)?])
         }),
-        separables::<S, 1>(trial, 2701),
-        separables::<S, 3>(trial, 2702),
+        separables::<1>(trial, 2701),
+        separables::<3>(trial, 2702),
     ])
 }
 
-fn geodesics_in_units<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn geodesics_in_units(trial: &Trial<'_>) -> Outcome {
     let cases = (shear(), two_points(2.5), 0.0..1.0);
     trial.homogeneous(2710, 128, cases, |subject, (metric, ends, t), units| {
         let curve = Geodesic::between(metric, ends);
@@ -81,7 +81,7 @@ fn geodesics_in_units<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 }
 
 fn of_sequence<const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     metric: &impl Bounded<D>,
     sequence: &PointSequence<D>,
 ) -> Result<[Evidence; 3], VerifyError> {
@@ -92,9 +92,9 @@ fn of_sequence<const D: usize>(
     ])
 }
 
-fn sequences<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn family<S: Subject, M: Bounded<D> + Debug + 'static, const D: usize>(
-        trial: &Trial<'_, S>,
+fn sequences(trial: &Trial<'_>) -> Outcome {
+    fn family<M: Bounded<D> + Debug + 'static, const D: usize>(
+        trial: &Trial<'_>,
         seed: u64,
         metrics: impl Strategy<Value = M>,
     ) -> Outcome {
@@ -107,13 +107,13 @@ fn sequences<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
         family(trial, 2721, separable::<1>()),
         family(trial, 2722, separable::<3>()),
         family(trial, 2723, ramp()),
-        family::<_, _, 2>(trial, 2724, Just(Valleys)),
+        family::<_, 2>(trial, 2724, Just(Valleys)),
         // Without L_H the residual alone is left.
         family(trial, 2725, constant::<2>()),
     ])
 }
 
-fn sequences_in_units<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn sequences_in_units(trial: &Trial<'_>) -> Outcome {
     trial.homogeneous(2730, 128, (shear(), sequence(3.0)), |subject, (metric, sequence), units| {
         of_sequence(subject, &units.metric(metric), &units.sequence(&sequence)?)
     })
@@ -121,7 +121,7 @@ fn sequences_in_units<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 
 /// A minimiser between two points, and the same with a wave added that vanishes at the ends.
 fn beside<M: Bounded<D>, const D: usize>(
-    subject: &impl Subject,
+    subject: &Subject,
     known: &Known<M, D>,
     rule: PaperRule,
     n: usize,
@@ -152,9 +152,9 @@ fn waves<const D: usize>() -> impl Strategy<Value = (usize, (usize, SVector<f64,
     })
 }
 
-fn minimisers<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
-    fn family<S: Subject, M: Bounded<D> + Clone + Debug + 'static, const D: usize>(
-        trial: &Trial<'_, S>,
+fn minimisers(trial: &Trial<'_>) -> Outcome {
+    fn family<M: Bounded<D> + Clone + Debug + 'static, const D: usize>(
+        trial: &Trial<'_>,
         seed: u64,
         problems: impl Strategy<Value = Known<M, D>>,
     ) -> Outcome {
@@ -172,7 +172,7 @@ fn minimisers<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
     ])
 }
 
-fn minimisers_in_units<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn minimisers_in_units(trial: &Trial<'_>) -> Outcome {
     let cases = (points(shear()), waves::<2>());
     trial.homogeneous(2750, 64, cases, |subject, (known, (n, (wave, by))), units| {
         let known = units.known(known)?;

@@ -7,9 +7,9 @@ use tautline::{
 
 use super::super::{Check, Kind, Outcome, Trial, failing::fails_without};
 use crate::{
-    Known, Library, PaperRule, Reconstruction,
+    Known, LIBRARY, PaperRule, Reconstruction,
     Statement::{self, PropositionS8},
-    Subject, VerifyError, WithConstants,
+    VerifyError, WithConstants,
     statements::prop_s_8,
 };
 
@@ -18,7 +18,7 @@ const LOCALITY: &[Statement] = &[PropositionS8];
 /// The radius is given away by a percent: `1.01 (1 + 10⁻⁵)`, and what a small ball changes.
 const PERCENT: f64 = 1.0102;
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     let witness = Kind::Witness;
     vec![
         Check::new("prop_s_8_is_attained_where_the_metric_is_constant", witness, LOCALITY, flat),
@@ -34,7 +34,7 @@ fn on_the_plane(factor: f64) -> Result<Constant<2>, VerifyError> {
 }
 
 /// `H = 4 I`: from a point, and to a ball from a half-plane, whose bounded end is the last.
-fn flat<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn flat(trial: &Trial<'_>) -> Outcome {
     let metric = on_the_plane(4.0)?;
     let points = Known::between(metric, [1.0, 0.0], [4.0, 4.0]).map_err(VerifyError::from)?;
     let wall = HalfSpace::at_least([1.0, 0.0], 3.0).map_err(VerifyError::from)?;
@@ -59,7 +59,7 @@ fn flat<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 }
 
 /// Two points of the sphere so near each other that it is flat between them.
-fn small<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn small(trial: &Trial<'_>) -> Outcome {
     let (a, b) = ([0.5, 0.0], [0.500_006, 0.000_008]);
     let constants = Sphere.constants_within(&a.into(), 1.02e-5).map_err(VerifyError::from)?;
     let metric = WithConstants { metric: Sphere, constants };
@@ -83,6 +83,6 @@ fn without_c1() -> Outcome {
     let metric = WithConstants { metric: on_the_plane(1.0)?, constants };
     let ends = Ends::points([0.0, 0.0], [1.0, 0.0]).map_err(VerifyError::from)?;
     let known = Known { metric, ends, distance: 1.0, distance_error: 0.0 };
-    let seen = Reconstruction::observe(&Library, &known, PaperRule::Trapezoidal, 4)?;
-    fails_without(&["c₁ ≤ λ_min(H)"], prop_s_8(&Library, &known, &seen)?)
+    let seen = Reconstruction::observe(&LIBRARY, &known, PaperRule::Trapezoidal, 4)?;
+    fails_without(&["c₁ ≤ λ_min(H)"], prop_s_8(&LIBRARY, &known, &seen)?)
 }

@@ -11,9 +11,8 @@ mod theorems;
 mod witnesses;
 
 use super::Check;
-use crate::Subject;
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     let parts = [
         lemmas::checks(),
         theorems::checks(),

@@ -9,13 +9,13 @@ use super::{
 use crate::{
     PaperRule,
     Statement::LemmaS3,
-    Subject, VerifyError,
+    VerifyError,
     curves::Curve,
     statements::lemma_s_3,
     witnesses::{Polygonal, Twist},
 };
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     vec![
         Check::new(
             "lemma_s_3_is_attained_from_chord_to_chord_over_a_twist",
@@ -33,7 +33,7 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
 }
 
 /// Two chords of the geodesic that attains Lemma S.1.
-fn twist<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn twist(trial: &Trial<'_>) -> Outcome {
     let metric = Twist::<2>::new(1.0, 1.0, 2e-3)?;
     let sequence = metric.short_geodesic(1e-5).sample(2).map_err(VerifyError::from)?;
     let mut evidence = Vec::new();
@@ -53,7 +53,7 @@ fn twist<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 /// With `sₙ = hβₙ/4`, which is 0.14 at last, `Σ (sₙ² + sₙ₋₁²)` is the last `s` less the first. What
 /// the lemma loses is a part `s` of its second term, and its first, `K₃`, which is
 /// `(2Ns)^{−1/2}` of the greatest difference.
-fn runaway<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn runaway(trial: &Trial<'_>) -> Outcome {
     let n = 200;
     let mut last = 0.14_f64;
     let mut chords = vec![4.0 * last];

@@ -35,7 +35,7 @@ const TRAPEZOIDAL: &[Statement] = &[
 const LEFT: &[Statement] =
     &[LemmaS2, LemmaS3, LemmaS4, LemmaS5, TheoremA, TheoremC, PropositionS6, PropositionS8];
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     vec![
         Check::new("theorems_a_to_d_hold_between_points", Kind::Random, TRAPEZOIDAL, |trial| {
             SharperTheorems::of(PaperRule::Trapezoidal, 2100).between_points(trial)
@@ -68,8 +68,8 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
 }
 
 /// All that the sharper statements say of one minimiser, and of a problem whose distance is known.
-pub(super) fn evidence<S: Subject, M: Bounded<D>, const D: usize>(
-    subject: &S,
+pub(super) fn evidence<M: Bounded<D>, const D: usize>(
+    subject: &Subject,
     known: &Known<M, D>,
     seen: &Reconstruction<D>,
 ) -> Result<Vec<Evidence>, VerifyError> {
@@ -103,10 +103,10 @@ impl SharperTheorems {
     }
 }
 
-impl<S: Subject> Question<S> for SharperTheorems {
+impl Question for SharperTheorems {
     fn evidence<M: Bounded<D>, const D: usize>(
         self,
-        subject: &S,
+        subject: &Subject,
         known: &Known<M, D>,
         seen: &Reconstruction<D>,
     ) -> Result<Vec<Evidence>, VerifyError> {

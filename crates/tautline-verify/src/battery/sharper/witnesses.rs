@@ -24,7 +24,7 @@ use crate::{
     witnesses::{Incline, InclineGeodesic, Twist, one_step, tent, two_routes},
 };
 
-pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
+pub(super) fn checks() -> Vec<Check> {
     let witness = Kind::Witness;
     vec![
         Check::new("lemma_s_1_is_attained_by_a_twist_and_an_incline", witness, &[LemmaS1], bent),
@@ -74,9 +74,9 @@ pub(super) fn checks<S: Subject>() -> Vec<Check<S>> {
 pub(super) const NEAR: f64 = 1.01;
 
 /// A short geodesic through the centre of a twist, and one at the foot of an incline.
-fn bent<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn bent(trial: &Trial<'_>) -> Outcome {
     fn attained<const D: usize>(
-        subject: &impl Subject,
+        subject: &Subject,
         metric: &impl tautline::Bounded<D>,
         curve: &impl BoundedCurve<D>,
         distance: f64,
@@ -99,7 +99,7 @@ fn bent<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 }
 
 /// One step over a valley and up an incline, for every `N`.
-fn steps<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn steps(trial: &Trial<'_>) -> Outcome {
     let cases = (1..300_usize, 0.0..1.0, 0.1..10.0);
     trial.for_all(2801, 128, cases, |subject, (n, at, slope): (usize, f64, f64)| {
         let sequence = one_step(n, (at * n as f64) as usize);
@@ -124,7 +124,7 @@ pub(super) fn crest() -> Result<Separable<1>, VerifyError> {
 /// Where `sin kx = 1`.
 pub(super) const CREST: f64 = std::f64::consts::FRAC_PI_2 / 0.3;
 
-fn parabola<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn parabola(trial: &Trial<'_>) -> Outcome {
     let metric = crest()?;
     let mut evidence = Vec::new();
     for n in [1, 2, 9] {
@@ -141,7 +141,7 @@ fn parabola<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 }
 
 /// `H = 4 I`: all speeds are `d`, and `d² = E_N`.
-fn flat<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn flat(trial: &Trial<'_>) -> Outcome {
     let metric = Constant::<2>::new([[4.0, 0.0], [0.0, 4.0]].into()).expect("positive definite");
     let known =
         Known::between(metric, [1.0, 0.0], [4.0, 4.0]).map_err(VerifyError::from)?.expect("known");
@@ -170,7 +170,7 @@ fn flat<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 
 /// `N = 1` along one route, in the limit `δ → 0`: on a ridge and down an incline the rule reads too
 /// much, over a valley and up an incline too little.
-fn one_route<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn one_route(trial: &Trial<'_>) -> Outcome {
     let (tra, left) = (PaperRule::Trapezoidal, PaperRule::LeftEndpoint);
     let seen = |rule, knots| route(trial.subject, rule, knots);
     let above = "E_N − d² ≤ d² (e − 1)";
@@ -186,7 +186,7 @@ fn one_route<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 
 /// Up `H = 1 + x/100`, where `M_H = 0` and the force is `δ/2` of `d²` all the way, to a few `δ`: only
 /// the second variation is left, `d²δ²/48N²`.
-fn second_variation<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn second_variation(trial: &Trial<'_>) -> Outcome {
     let slope = 1e-2;
     let metric = Incline::new(1.0, slope).expect("positive");
     let constants = Constants::new(1.0, 1.0 + slope, slope).and_then(|c| c.with_m_h(0.0));
@@ -210,7 +210,7 @@ fn second_variation<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 /// With `N = 100`, one speed of 8 times the mean and `v = 49/99` the moments lose what `√(s − v)` is
 /// above its tangent, and `N − 2` and `N² − 3N + 3` are below `N − 1` and `(N − 1)²`: 6.200 for 5.914,
 /// and 46.39 for 41.70.
-fn one_long_chord<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn one_long_chord(trial: &Trial<'_>) -> Outcome {
     let metric = Constant::<1>::new([[4.0]].into()).expect("positive");
     let known = Known::between(metric, [0.0], [3.0]).map_err(VerifyError::from)?.expect("known");
     let mut evidence = Vec::new();
@@ -243,7 +243,7 @@ fn one_long_chord<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 }
 
 /// Two routes, of which the wrong one seems shorter by a hair; and one with all of `d² − E_N`.
-fn two_ways<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn two_ways(trial: &Trial<'_>) -> Outcome {
     let subject = trial.subject;
     let mut evidence = Vec::new();
     for (rule, first, second) in [
@@ -272,7 +272,7 @@ fn theorem_is_attained(evidence: Evidence, limit: f64) -> Result<Evidence, Verif
 
 /// `n` equal chords over ridges, and over valleys that seem lower by a hair; or down an incline, and
 /// up one. In the excess the next order is `δ` of it, or `√N` times that, and the hair a thousandth.
-fn many_chords<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn many_chords(trial: &Trial<'_>) -> Outcome {
     let mut evidence = Vec::new();
     for n in [2_u32, 5, 16] {
         let l = SLOPE / f64::from(n);
@@ -304,7 +304,7 @@ fn many_chords<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
 ///
 /// `M_H d²/c₁²` is `2a(1 + 3a)k²`, nine parts in `10⁵`; of it the crest and the trough differ by `2a`, a
 /// chord by `k²/80`, and the hair is `10⁻⁸`.
-fn two_arcs<S: Subject>(trial: &Trial<'_, S>) -> Outcome {
+fn two_arcs(trial: &Trial<'_>) -> Outcome {
     let metric = crest()?;
     let trough = 3.0 * CREST;
     let [top, bottom] = [1.001_f64, 0.999];

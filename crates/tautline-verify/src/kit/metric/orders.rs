@@ -9,7 +9,7 @@ use super::{
     problems::{Posed, estimated},
 };
 use crate::{
-    Library, PaperRule, Reconstruction, VerifyError,
+    LIBRARY, PaperRule, Reconstruction, VerifyError,
     kit::{
         Failure, Fault,
         met::IDLE,
@@ -108,7 +108,7 @@ fn errors<const D: usize>(
     let known = case.known(&posed, &[])?;
     let mut errors = [Vec::new(), Vec::new()];
     for &n in window_and_problems(D).0 {
-        let seen = Reconstruction::observe(&Library, &known, rule, n)?;
+        let seen = Reconstruction::observe(&LIBRARY, &known, rule, n)?;
         let pair = [seen.discrete_energy, seen.energy.value];
         for (errors, energy) in errors.iter_mut().zip(pair) {
             let error = (energy - seen.distance_squared).abs();

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 
 use super::{Case, statements::judge};
 use crate::{
-    Library,
+    LIBRARY,
     curves::SmoothCurve,
     kit::{
         Region,
@@ -49,7 +49,7 @@ impl<const D: usize> Case<'_, D> {
         self.solvable()?;
         let samples = (curves(&self.region), subintervals());
         for_all(&self.effort, self.effort.cases.div_ceil(FEWER), CHEAP, samples, |(curves, n)| {
-            judge(&statements::prop_7_6(&Library, &self.metric, &curves[0], *n)?)
+            judge(&statements::prop_7_6(&LIBRARY, &self.metric, &curves[0], *n)?)
         })
     }
 
@@ -58,7 +58,7 @@ impl<const D: usize> Case<'_, D> {
         self.solvable()?;
         let samples = (curves(&self.region), subintervals());
         for_all(&self.effort, self.effort.cases.div_ceil(FEWER), CHEAP, samples, |(curves, n)| {
-            judge(&statements::prop_7_7(&Library, &self.metric, curves, *n)?)
+            judge(&statements::prop_7_7(&LIBRARY, &self.metric, curves, *n)?)
         })
     }
 }

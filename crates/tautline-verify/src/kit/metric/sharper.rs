@@ -2,7 +2,7 @@
 
 use super::{Case, solutions::Minimiser, statements::judge};
 use crate::{
-    Evidence, Library, PaperRule,
+    Evidence, LIBRARY, PaperRule,
     kit::{Fault, met::Met, report::LawResult},
     statements::{
         lemma_s_2, lemma_s_3, lemma_s_4, lemma_s_5, prop_s_6, prop_s_8, theorem_a, theorem_b,
@@ -29,8 +29,8 @@ pub(super) fn of_sequences<const D: usize>(case: &Case<'_, D>) -> LawResult {
 pub(super) fn of_minima<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.of_both_rules(&|minimiser: &Minimiser<'_, D>| {
         let seen = minimiser.seen;
-        let speeds = (seen.distance_squared > 0.0).then(|| lemma_s_5(&Library, seen));
-        judge_all([lemma_s_4(&Library, seen)].into_iter().chain(speeds))
+        let speeds = (seen.distance_squared > 0.0).then(|| lemma_s_5(&LIBRARY, seen));
+        judge_all([lemma_s_4(&LIBRARY, seen)].into_iter().chain(speeds))
     })
 }
 
@@ -38,8 +38,8 @@ pub(super) fn of_minima<const D: usize>(case: &Case<'_, D>) -> LawResult {
 pub(super) fn theorems<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.of_both_rules(&|minimiser: &Minimiser<'_, D>| {
         let seen = minimiser.seen;
-        let first_order = [theorem_a(&Library, seen), theorem_c(&Library, seen)];
-        let second_order = [theorem_b(&Library, seen), theorem_d(&Library, seen)];
+        let first_order = [theorem_a(&LIBRARY, seen), theorem_c(&LIBRARY, seen)];
+        let second_order = [theorem_b(&LIBRARY, seen), theorem_d(&LIBRARY, seen)];
         judge_all(first_order.into_iter().chain(second_order.into_iter().flatten()))
     })
 }
@@ -47,13 +47,13 @@ pub(super) fn theorems<const D: usize>(case: &Case<'_, D>) -> LawResult {
 /// Proposition S.6.
 pub(super) fn enclosures<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.of_both_rules(&|minimiser: &Minimiser<'_, D>| {
-        judge(&prop_s_6(&Library, minimiser.seen, 0.0)?)
+        judge(&prop_s_6(&LIBRARY, minimiser.seen, 0.0)?)
     })
 }
 
 /// Proposition S.8.
 pub(super) fn localities<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.of_both_rules(&|minimiser: &Minimiser<'_, D>| {
-        judge(&prop_s_8(&Library, minimiser.known, minimiser.seen)?)
+        judge(&prop_s_8(&LIBRARY, minimiser.known, minimiser.seen)?)
     })
 }

@@ -13,7 +13,7 @@ use super::{
     statements::judge,
 };
 use crate::{
-    AnyBounded, Evidence, Known, Library, PaperRule, Reconstruction, VerifyError,
+    AnyBounded, Evidence, Known, LIBRARY, PaperRule, Reconstruction, Subject, VerifyError,
     kit::{
         Effort, Failure, Fault,
         met::Met,
@@ -23,7 +23,7 @@ use crate::{
 };
 
 /// What a statement says of a minimiser.
-type OfMinimisers<const D: usize> = fn(&Library, &Reconstruction<D>) -> Evidence;
+type OfMinimisers<const D: usize> = fn(&Subject, &Reconstruction<D>) -> Evidence;
 
 /// One minimiser of a solved problem.
 pub(super) struct Minimiser<'a, const D: usize> {
@@ -92,7 +92,7 @@ fn enough(failed: u64, tried: u64, error: VerifyError) -> Result<(), Fault> {
 impl<const D: usize> Case<'_, D> {
     /// Evaluates a statement about minimisers of a rule.
     pub(super) fn of_minimisers(&self, rule: PaperRule, statement: OfMinimisers<D>) -> LawResult {
-        self.of_solutions(rule, &|minimiser| judge(&statement(&Library, minimiser.seen)))
+        self.of_solutions(rule, &|minimiser| judge(&statement(&LIBRARY, minimiser.seen)))
     }
 
     /// Evaluates a statement about minimisers of a rule, some of whose claims are attained for every
@@ -105,7 +105,7 @@ impl<const D: usize> Case<'_, D> {
         shown: Option<&'static str>,
     ) -> LawResult {
         self.of_solutions(rule, &|minimiser| {
-            let evidence = statement(&Library, minimiser.seen);
+            let evidence = statement(&LIBRARY, minimiser.seen);
             let met = judge(&evidence)?;
             let shown = || shown.map_or(f64::INFINITY, |claim| evidence.conclusion(claim).slack());
             Ok(if met.is_idle() { met } else { Met { slack: shown(), ..met } })
@@ -186,7 +186,7 @@ impl<const D: usize> Case<'_, D> {
     fn solve(&self, rule: PaperRule, posed: &Posed<D>) -> Result<Solution<D>, VerifyError> {
         let observe = |known: Known<&AnyBounded<'_, D>, D>| {
             let numbers = self.effort.subintervals.iter();
-            let seen = numbers.map(|&n| Reconstruction::observe(&Library, &known, rule, n));
+            let seen = numbers.map(|&n| Reconstruction::observe(&LIBRARY, &known, rule, n));
             let minimisers = seen.collect::<Result<Vec<_>, _>>()?;
             Ok(Solution { distance: [known.distance, known.distance_error], minimisers })
         };

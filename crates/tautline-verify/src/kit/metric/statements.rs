@@ -10,7 +10,7 @@ use super::{
     problems::{Kind, Posed},
 };
 use crate::{
-    AnyBounded, Evidence, Finding, Inequality, Known, Library, Source, VerifyError,
+    AnyBounded, Evidence, Finding, Inequality, Known, LIBRARY, Source, Subject, VerifyError,
     kit::{
         Failure, Fault,
         met::{IDLE, Met},
@@ -41,12 +41,12 @@ pub(super) fn judge(evidence: &Evidence) -> Result<Met, Fault> {
 
 /// What a statement says of a metric and something `T` besides.
 type About<'m, T, const D: usize> =
-    fn(&Library, &AnyBounded<'m, D>, &T) -> Result<Evidence, MetricError>;
+    fn(&Subject, &AnyBounded<'m, D>, &T) -> Result<Evidence, MetricError>;
 
 /// What a statement says of two points with their distance, and of the inner points of a sequence
 /// between them.
 type OfKnown<'m, const D: usize> = fn(
-    &Library,
+    &Subject,
     &Known<&AnyBounded<'m, D>, D>,
     &[SVector<f64, D>],
 ) -> Result<Evidence, VerifyError>;
@@ -69,7 +69,7 @@ impl<'m, const D: usize> Case<'m, D> {
     pub(super) fn of_points(&self, statement: About<'m, SVector<f64, D>, D>) -> LawResult {
         let effort = &self.effort;
         for_all(effort, effort.cases, CHEAP, self.region.uniform(), |x| {
-            judge(&statement(&Library, &self.metric, x).map_err(VerifyError::from)?)
+            judge(&statement(&LIBRARY, &self.metric, x).map_err(VerifyError::from)?)
         })
     }
 
@@ -83,7 +83,7 @@ impl<'m, const D: usize> Case<'m, D> {
         let samples = (self.region.pairs(), directions::<D>(), directions::<D>(), -2..=12_i32);
         for_all(effort, effort.cases, CHEAP, samples, |(points, u, w, halvings)| {
             let vectors = [*u, u + w * 0.5_f64.powi(*halvings)];
-            let forms = TwoForms::of(&Library, &self.metric, *points, vectors);
+            let forms = TwoForms::of(&LIBRARY, &self.metric, *points, vectors);
             judge(&statements::prop_7_5(&forms.map_err(VerifyError::from)?))
         })
     }
@@ -98,7 +98,7 @@ impl<'m, const D: usize> Case<'m, D> {
         let points = proptest::collection::vec(self.region.points(), 2..=9);
         for_all(effort, effort.cases, CHEAP, points, |points| {
             let sequence = PointSequence::new(points.clone()).map_err(VerifyError::from)?;
-            judge(&statement(&Library, &self.metric, &sequence).map_err(VerifyError::from)?)
+            judge(&statement(&LIBRARY, &self.metric, &sequence).map_err(VerifyError::from)?)
                 .map_err(|fault| self.explained(fault, points))
         })
     }
@@ -131,7 +131,7 @@ impl<'m, const D: usize> Case<'m, D> {
             };
             tried =
                 tried.and(for_all(effort, cases.div_ceil(problems), CHEAP, inner(), |inner| {
-                    judge(&statement(&Library, &known, inner)?)
+                    judge(&statement(&LIBRARY, &known, inner)?)
                 })?);
         }
         let Some(distance) = &self.distance else { return Ok(tried) };
@@ -139,7 +139,7 @@ impl<'m, const D: usize> Case<'m, D> {
         Ok(tried.and(for_all(effort, cases, CHEAP, pairs, |(a, b, inner)| {
             let Some(distance) = distance(a, b) else { return Ok(Met::nothing()) };
             let ends = Ends::points(*a, *b).map_err(VerifyError::from)?;
-            judge(&statement(&Library, &self.told([*a, *b], ends, distance), inner)?)
+            judge(&statement(&LIBRARY, &self.told([*a, *b], ends, distance), inner)?)
         })?))
     }
 }

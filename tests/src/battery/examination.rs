@@ -2,14 +2,14 @@
 
 use tautline_verify::{
     Mutant,
-    battery::{PaperAlone, Sight},
+    battery::{Examination, Scope, Sight},
 };
 
 /// Half an energy is too small; `K̄_{4,g}` may be too small by much before a bound fails; and no
 /// bound of the paper has Lemma S.3 or Proposition S.7 in it.
 #[test]
 fn a_mistake_is_killed_or_passes_or_is_not_seen_at_all() {
-    let paper = PaperAlone::new(4).expect("the library passes");
+    let paper = Examination::new(Scope::PaperAlone, 4).expect("the library passes");
     for (mutant, expected) in [
         (Mutant::EnergyHalved, Sight::Killed),
         (Mutant::K4IsK3, Sight::Passes),
@@ -17,6 +17,6 @@ fn a_mistake_is_killed_or_passes_or_is_not_seen_at_all() {
         (Mutant::StepHalved, Sight::Unseen),
         (Mutant::SlopeForgotten, Sight::Unseen),
     ] {
-        assert_eq!(paper.of(mutant), expected, "{mutant:?}");
+        assert_eq!(paper.sight(mutant), expected, "{mutant:?}");
     }
 }
