@@ -7,13 +7,10 @@ use tautline::{
     bounds::{Computed, DiscreteMinimum, Enclosure, Setting, enclose},
     gallery::{Bump, Ramp, Separable, Shear, Valleys},
 };
-pub use tautline_verify::PaperRule;
-use tautline_verify::{
-    Finding, Known, LIBRARY, Reconstruction, mean_power,
-    statements::{
-        lemma_s_4, prop_s_6, theorem_1_1, theorem_1_2, theorem_1_3, theorem_1_4, theorem_a,
-        theorem_b, theorem_c, theorem_d,
-    },
+pub use tautline_statements::PaperRule;
+use tautline_statements::{
+    Finding, Known, LIBRARY, Reconstruction, lemma_s_4, mean_power, prop_s_6, theorem_1_1,
+    theorem_1_2, theorem_1_3, theorem_1_4, theorem_a, theorem_b, theorem_c, theorem_d,
 };
 
 use crate::{Failure, observation::Observation};

@@ -11,7 +11,7 @@ use tautline::{
         theorem_1_4_length_excess,
     },
 };
-use tautline_verify::slope;
+use tautline_statements::slope;
 
 use crate::{
     Failure,

@@ -6,8 +6,8 @@ use tautline::{
     AsymptoticsError, CertifyError, LocalError, RecordError, SequenceError, SetError, SolveError,
     bounds::BoundError, gallery::GalleryError,
 };
-
-use tautline_verify::{VerifyError, adversary::AdversaryError};
+use tautline_adversary::AdversaryError;
+use tautline_statements::VerifyError;
 
 use crate::drawing::DrawingError;
 
@@ -62,7 +62,7 @@ pub enum Failure {
     Violated(String),
     /// A check of the project's own suite.
     #[error("a check fails: {0}")]
-    Check(#[from] tautline_verify::battery::Failure),
+    Check(#[from] tautline_suite::battery::Failure),
     /// A file.
     #[error("{}: {source}", path.display())]
     File {

@@ -1,9 +1,7 @@
 //! What the adversary finds in the families of the project.
 
-use tautline_verify::{
-    LIBRARY, Mutant, Source,
-    adversary::{AdversaryError, Search, families},
-};
+use tautline_adversary::{AdversaryError, Search, families};
+use tautline_statements::{LIBRARY, Mutant, Source};
 
 /// The least slack that the search finds; `∞` if none is told.
 #[track_caller]

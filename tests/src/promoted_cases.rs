@@ -10,15 +10,13 @@ use tautline::{
     Ball, Bounded, Constants, Ends, HalfSpace, PointSequence, SMatrix,
     gallery::{Constant, Shear},
 };
-use tautline_verify::{
+use tautline_kit::Chance;
+use tautline_statements::{
     Evidence, Finding, Known, LIBRARY, Mutant, PaperRule, Reconstruction, Subject, Units,
-    battery::{Given, Scope, Trial, suite},
-    kit::Chance,
-    statements::{
-        constant_c_tra, constant_k3_bar, critical_point, prop_7_9, section_5_left, theorem_1_1,
-        theorem_1_2,
-    },
+    constant_c_tra, constant_k3_bar, critical_point, prop_7_9, section_5_left, theorem_1_1,
+    theorem_1_2,
 };
+use tautline_suite::battery::{Given, Scope, Trial, suite};
 
 /// Evaluates the case with the library and with a mistake.
 fn tells_apart(mutant: Mutant, case: impl Fn(&Subject) -> Evidence) {
@@ -191,7 +189,7 @@ fn one_node_of_a_chord_from_a_point_to_a_half_plane() {
 fn one_node_of_a_chord_on_a_shear_as_it_is_printed() {
     use tautline::Ends;
     use tautline::gallery::Shear;
-    use tautline_verify::Known;
+    use tautline_statements::Known;
     let case: (Known<Shear, 2>, usize) = (
         Known {
             metric: Shear::new(0.577034596844456, 0.5).expect("drawn"),

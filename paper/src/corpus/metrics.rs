@@ -9,7 +9,7 @@ use tautline::{
         TwoChannels, TwoLinkArm, Valleys,
     },
 };
-use tautline_verify::adversary::SplitMix;
+use tautline_adversary::SplitMix;
 
 use crate::Failure;
 

@@ -9,7 +9,7 @@ use std::{hint::black_box, time::Instant};
 use tautline::{
     Ends, LeftEndpoint, Options, PointSequence, Problem, SVector, SolveError, Starts, Trapezoidal,
 };
-use tautline_verify::adversary::SplitMix;
+use tautline_adversary::SplitMix;
 
 use crate::Failure;
 

@@ -11,7 +11,7 @@ use tautline::{
     },
     gallery::{GalleryError, Separable},
 };
-use tautline_verify::slope;
+use tautline_statements::slope;
 
 use super::Figure;
 use crate::{

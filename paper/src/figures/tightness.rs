@@ -3,9 +3,7 @@
 use std::num::NonZeroUsize;
 
 use tautline::gallery::Shear;
-use tautline_verify::{
-    Finding, Known, LIBRARY, PaperRule, Reconstruction, statements::theorem_1_2,
-};
+use tautline_statements::{Finding, Known, LIBRARY, PaperRule, Reconstruction, theorem_1_2};
 
 use super::Figure;
 use crate::{

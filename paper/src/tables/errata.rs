@@ -1,6 +1,6 @@
 //! What is false in the paper as printed: witness, repair, and who relies on it.
 
-use tautline_verify::{Statement, Verdict, errata};
+use tautline_statements::{Statement, Verdict, errata};
 
 use super::{Layout, Seed, Table, layout::scientific};
 use crate::{

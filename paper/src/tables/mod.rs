@@ -55,7 +55,7 @@ impl std::fmt::Display for Seed {
         match self {
             Seed::None => f.write_str("none: nothing is random"),
             Seed::One(seed) => write!(f, "{seed}"),
-            Seed::Suite => f.write_str("one for each check, in the sources of tautline-verify"),
+            Seed::Suite => f.write_str("one for each check, in the sources of tautline-suite"),
         }
     }
 }

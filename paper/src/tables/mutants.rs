@@ -1,9 +1,7 @@
 //! Deliberately wrong variants of the library, and which checks kill them.
 
-use tautline_verify::{
-    Mutant,
-    battery::{Examination, Scope, Sight},
-};
+use tautline_statements::Mutant;
+use tautline_suite::battery::{Examination, Scope, Sight};
 
 use super::{Layout, Seed, Table, no_pages};
 use crate::{

@@ -1,6 +1,6 @@
 //! Proven and observed rates: the comparison of the paper's Table 1, continued.
 
-use tautline_verify::slope;
+use tautline_statements::slope;
 
 use super::{Layout, Seed, Table, no_pages};
 use crate::{

@@ -1,7 +1,8 @@
 //! The ledger: every statement of the paper and every sharper one, our verdict, and what the suite
 //! says of it.
 
-use tautline_verify::{Statement, Verdict, battery::ledger};
+use tautline_statements::{Statement, Verdict};
+use tautline_suite::battery::ledger;
 
 use super::{Layout, Seed, Table};
 use crate::{
@@ -187,7 +188,7 @@ fn section(row: &Row<'_>, statement: Statement) -> String {
         }
     };
     format!(
-        "## {}\n\n{}.\n\n- label: `{}`\n- code: `tautline_verify::statements::{}`\n- verdict: \
+        "## {}\n\n{}.\n\n- label: `{}`\n- code: `tautline_statements::{}`\n- verdict: \
          **{verdict}**\n- hypotheses evaluated: {hypotheses}\n{assumed}- random cases: {}, of which {} \
          could fail, least slack {}\n- slack of the best witness: {}\n{proved}- \
          tests: {}\n\n",

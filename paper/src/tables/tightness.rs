@@ -1,9 +1,7 @@
 //! The tightest cases that the adversary finds, statement by statement and family by family.
 
-use tautline_verify::{
-    LIBRARY, Source,
-    adversary::{Edge, Search, Tightest, families},
-};
+use tautline_adversary::{Edge, Search, Tightest, families};
+use tautline_statements::{LIBRARY, Source};
 
 use super::{Layout, Seed, Table, layout::scientific, no_pages, statements::symbol};
 use crate::{

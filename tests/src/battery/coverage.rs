@@ -1,9 +1,7 @@
 //! That every statement is checked in each of the ways it should be.
 
-use tautline_verify::{
-    Statement, Verdict,
-    battery::{Kind, suite},
-};
+use tautline_statements::{Statement, Verdict};
+use tautline_suite::battery::{Kind, suite};
 
 /// The statements without a check in which a hypothesis is dropped, and why there is none.
 const NOTHING_TO_DROP: [(Statement, &str); 5] = [

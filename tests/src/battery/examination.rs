@@ -1,9 +1,7 @@
 //! Which mistakes the bounds of the paper could see.
 
-use tautline_verify::{
-    Mutant,
-    battery::{Examination, Scope, Sight},
-};
+use tautline_statements::Mutant;
+use tautline_suite::battery::{Examination, Scope, Sight};
 
 /// Half an energy is too small; `K̄_{4,g}` may be too small by much before a bound fails; and no
 /// bound of the paper has Lemma S.3 or Proposition S.7 in it.

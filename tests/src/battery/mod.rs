@@ -26,11 +26,9 @@ mod theorem_witnesses;
 
 use std::collections::BTreeSet;
 
-use tautline_verify::{
-    LIBRARY,
-    battery::{Scope, Trial, suite},
-    kit::Chance,
-};
+use tautline_kit::Chance;
+use tautline_statements::LIBRARY;
+use tautline_suite::battery::{Scope, Trial, suite};
 
 /// Names the checks of one section; each becomes a test.
 macro_rules! checks {

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
-use tautline_verify::slope;
+use tautline_statements::slope;
 
 use super::{Row, Table};
 

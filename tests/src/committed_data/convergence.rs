@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use tautline_verify::slope;
+use tautline_statements::slope;
 
 use super::{Row, Table};
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use tautline_verify::GridLine;
+use tautline_suite::GridLine;
 
 use super::Table;
 

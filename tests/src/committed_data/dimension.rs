@@ -1,6 +1,6 @@
 //! `paper/data/dimension.csv`: the paper's bound grows with the dimension, the sharper ones do not.
 
-use tautline_verify::slope;
+use tautline_statements::slope;
 
 use super::{Row, Table};
 

@@ -1,9 +1,7 @@
 //! The table of the mutants: what it says kills a mutant still does.
 
-use tautline_verify::{
-    Mutant,
-    battery::{Scope, Trial, suite},
-};
+use tautline_statements::Mutant;
+use tautline_suite::battery::{Scope, Trial, suite};
 
 use super::{Row, Table};
 

@@ -1,9 +1,7 @@
 //! The table of the tightest cases: a search that stopped at an edge of its box says why.
 
-use tautline_verify::{
-    LIBRARY,
-    adversary::{Beyond, Family, families},
-};
+use tautline_adversary::{Beyond, Family, families};
+use tautline_statements::LIBRARY;
 
 use super::{Row, Table};
 

@@ -6,7 +6,7 @@ use tautline::{
     composition::{AffinePullback, Product, Scaled, Sum},
     gallery::{EggCrate, Hill, Lens, Shear},
 };
-use tautline_verify::prelude::*;
+use tautline_kit::prelude::*;
 
 use super::gallery::{cube, egg_crate, hill, lens, period, shear};
 

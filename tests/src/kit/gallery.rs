@@ -11,7 +11,7 @@ use tautline::gallery::{
     HyperbolicPatch, Lens, Obstacle, Ramp, RotatingAnisotropy, Separable, Shear, SineProjections,
     SoftObstacles, SpherePatch, Swirl, TanhDecoder, TwoChannels, TwoLinkArm, Valleys,
 };
-use tautline_verify::prelude::*;
+use tautline_kit::prelude::*;
 
 /// The cube `[−size, size]^D`.
 pub(super) fn cube<const D: usize>(size: f64) -> Region<D> {

@@ -77,7 +77,7 @@ fn a_newcomer_writes_twelve_lines_besides_the_formula() {
 
 #[test]
 fn the_page_of_the_kit_shows_the_lines_of_the_newcomer() {
-    let page = read(&crates().join("tautline-verify/src/kit/mod.rs"));
+    let page = read(&crates().join("tautline-kit/src/lib.rs"));
     let page: Vec<&str> = page.lines().filter_map(|line| line.strip_prefix("//! ")).collect();
     let lines = newcomer();
     let shown = |from: usize| {

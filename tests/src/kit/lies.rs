@@ -1,11 +1,9 @@
 //! Constants that are not those of the metric, on the whole gallery.
 
+use Claim::{C1, C2, LH, MH};
 use tautline::gallery::{CoupledCosines, SineProjections, Valleys};
-use tautline_verify::{
-    WithConstants,
-    kit::{Claim, Fault, MetricCase, Outcome, metric},
-    prelude::*,
-};
+use tautline_kit::{Claim, Fault, MetricCase, Outcome, metric, prelude::*};
+use tautline_statements::WithConstants;
 
 use super::{
     composition::{beside, product, pullback, scaled, sum},
@@ -14,8 +12,6 @@ use super::{
         fisher, hill, hyperbolic_patch, lens, period, ramp, separable, shear, sphere_patch, swirl,
     },
 };
-
-use Claim::{C1, C2, LH, MH};
 
 /// A lie of this size about an attained constant is refused. Measured: one of `10⁻⁶` is, for every
 /// constant below.

@@ -1,10 +1,7 @@
 //! Closed sets that lie: each is rejected, by the law that it breaks, with the numbers.
 
 use tautline::{Ball, Interval, Sphere};
-use tautline_verify::{
-    kit::{Fault, SetCase, set},
-    prelude::*,
-};
+use tautline_kit::{Fault, SetCase, prelude::*, set};
 
 fn region() -> Region<2> {
     Region::cell([-4.0, -4.0], [4.0, 4.0])

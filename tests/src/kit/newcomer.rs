@@ -5,7 +5,7 @@
 //! `gram`: imports, heads and closing braces are counted, and what says nothing to the compiler
 //! is not.
 
-use tautline_verify::prelude::*;
+use tautline_kit::prelude::*;
 
 struct Egg; // H(x) = diag(2 + cos x₁, 3 + sin x₂)
 impl Metric<2> for Egg {

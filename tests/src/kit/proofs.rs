@@ -1,11 +1,8 @@
 //! Constants proved from the formula: where none are stated, and where they are wrong.
 
 use tautline::gallery::{Shear, SineProjections, Valleys};
-use tautline_verify::{
-    WithConstants,
-    kit::{Claim, Fault, MetricCase, Proof, metric},
-    prelude::*,
-};
+use tautline_kit::{Claim, Fault, MetricCase, Proof, metric, prelude::*};
+use tautline_statements::WithConstants;
 
 use super::gallery::period;
 
@@ -50,7 +47,7 @@ fn a_lie_of_a_thousandth_is_refused_with_its_witness() {
 fn proof<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>, claim: Claim) -> Proof {
     let outcome = metric::no_constant_is_refuted(case);
     outcome.assert();
-    let of = |standing: &&tautline_verify::kit::Standing| standing.claim == claim;
+    let of = |standing: &&tautline_kit::Standing| standing.claim == claim;
     outcome.standings.iter().find(of).expect("a claim").proof
 }
 

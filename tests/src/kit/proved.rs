@@ -2,7 +2,7 @@
 
 use std::{env, process::Command};
 
-use tautline_verify::prelude::*;
+use tautline_kit::prelude::*;
 
 /// Set in the process in which the formula is indefinite.
 const INDEFINITE: &str = "TAUTLINE_TESTS_INDEFINITE";

@@ -1,10 +1,7 @@
 //! The rules of the project, one line each, and one of one's own.
 
 use tautline::{LeftEndpoint, Trapezoidal, TrueTrapezoid};
-use tautline_verify::{
-    kit::{Fault, RuleCase, rule},
-    prelude::*,
-};
+use tautline_kit::{Fault, RuleCase, prelude::*, rule};
 
 rule_suite!(trapezoidal: Trapezoidal);
 rule_suite!(left_endpoint: LeftEndpoint);

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use tautline::{
     AffineSubspace, AxisBox, Ball, FiniteSet, HalfSpace, Point, Segment, Sphere, Union,
 };
-use tautline_verify::prelude::*;
+use tautline_kit::prelude::*;
 
 use crate::own::Ellipse;
 

@@ -2,11 +2,8 @@
 //! them: each is refused, by the hypothesis or by the conclusion in which it stands.
 
 use tautline::gallery::{Constant, Valleys};
-use tautline_verify::{
-    Inequality, Statement, WithConstants,
-    kit::{Fault, MetricCase, metric},
-    prelude::*,
-};
+use tautline_kit::{Fault, MetricCase, metric, prelude::*};
+use tautline_statements::{Inequality, Statement, WithConstants};
 
 use super::gallery::{cube, period};
 

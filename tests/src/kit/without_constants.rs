@@ -8,10 +8,7 @@ use tautline::{
     bounds::LocalityError,
     gallery::{GaussianFisher, Hyperbolic, Sphere},
 };
-use tautline_verify::{
-    kit::{MetricCase, metric},
-    prelude::*,
-};
+use tautline_kit::{MetricCase, metric, prelude::*};
 
 metric_suite!(sphere: Sphere, dimension 2, within 0.3, of [0.5, 0.5], with distances);
 metric_suite!(hyperbolic: Hyperbolic, dimension 3, within 0.2, of [0.3, 0.3, 0.3], with distances);

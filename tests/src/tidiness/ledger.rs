@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use tautline_verify::{Statement, Verdict};
+use tautline_statements::{Statement, Verdict};
 
 use super::{files, read, root};
 
@@ -94,7 +94,7 @@ fn every_statement_has_its_row() {
 
 #[test]
 fn every_function_that_the_ledger_names_exists() {
-    let statements = sources("crates/tautline-verify/src/statements");
+    let statements = sources("crates/tautline-statements/src/statements");
     let page = read(&root().join("paper/STATEMENTS.md"));
     for statement in Statement::ALL {
         let (name, head) = (statement.function(), format!("\n## {}\n", statement.number()));
@@ -143,7 +143,7 @@ fn every_sharper_statement_is_proved_and_what_its_proof_names_exists() {
         assert!(code.contains(&format!("`{}`", statement.function())), "{statement}: {code}");
     }
     let sources = sources("crates/tautline-bounds/src")
-        + &sources("crates/tautline-verify/src/statements")
+        + &sources("crates/tautline-statements/src/statements")
         + &read(&root().join("tests/src/battery/sharper.rs"))
         + &read(&root().join("tests/src/battery/section_9.rs"));
     let lines = page
@@ -187,7 +187,9 @@ fn most_cases_of_every_statement_could_fail() {
 /// and none is handed an infinite length.
 #[test]
 fn no_hypothesis_is_handed_in_as_a_promise() {
-    for path in files(&root().join("crates/tautline-verify/src"), "rs") {
+    let crates = ["statements", "kit", "suite", "adversary"];
+    let sources = crates.map(|name| root().join(format!("crates/tautline-{name}/src")));
+    for path in sources.iter().flat_map(|source| files(source, "rs")) {
         let text = read(&path);
         let is_a_statement = path.components().any(|part| part.as_os_str() == "statements");
         for line in text.lines() {

@@ -3,7 +3,7 @@
 use super::{Manifest, manifests, read, root};
 
 /// For each library, the libraries below it.
-const BELOW: [(&str, &[&str]); 12] = [
+const BELOW: [(&str, &[&str]); 15] = [
     ("tautline-drawing", &[]),
     ("tautline-chance", &[]),
     ("tautline-scalar", &["tautline-chance"]),
@@ -49,7 +49,10 @@ const BELOW: [(&str, &[&str]); 12] = [
             "tautline-sets",
         ],
     ),
-    ("tautline-verify", &["tautline", "tautline-chance"]),
+    ("tautline-statements", &["tautline"]),
+    ("tautline-kit", &["tautline", "tautline-chance", "tautline-statements"]),
+    ("tautline-suite", &["tautline", "tautline-chance", "tautline-statements"]),
+    ("tautline-adversary", &["tautline", "tautline-statements"]),
 ];
 
 fn libraries() -> Vec<Manifest> {
@@ -97,7 +100,8 @@ fn plotters_is_for_the_drawing_alone() {
 #[test]
 fn random_testing_is_for_verification_alone() {
     // The second one is for tests only.
-    let verifies = |name: &str| ["tautline-verify", "tautline-chance"].contains(&name);
+    let verifies =
+        |name: &str| ["tautline-chance", "tautline-kit", "tautline-suite"].contains(&name);
     for library in libraries().into_iter().filter(|library| !verifies(&library.name)) {
         for name in ["proptest", "quickcheck"] {
             let depends = library.dependencies.iter().any(|found| found == name);
@@ -109,7 +113,8 @@ fn random_testing_is_for_verification_alone() {
 /// It reads the environment, which no library does.
 #[test]
 fn chance_is_for_tests_alone() {
-    for manifest in manifests().into_iter().filter(|manifest| manifest.name != "tautline-verify") {
+    let draws = |name: &str| ["tautline-kit", "tautline-suite"].contains(&name);
+    for manifest in manifests().into_iter().filter(|manifest| !draws(&manifest.name)) {
         let depends = manifest.dependencies.iter().any(|found| found == "tautline-chance");
         assert!(!depends, "{} depends on tautline-chance outside of its tests", manifest.name);
     }

@@ -1,11 +1,8 @@
 //! The newcomer's metric with one mistake in it: what is found, and how it is told.
 
 use tautline::MetricError;
-use tautline_verify::{
-    WithConstants,
-    kit::{Claim, Fault, MetricCase, Outcome, metric},
-    prelude::*,
-};
+use tautline_kit::{Claim, Fault, MetricCase, Outcome, metric, prelude::*};
+use tautline_statements::WithConstants;
 
 use super::Egg;
 

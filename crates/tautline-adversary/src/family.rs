@@ -1,0 +1,63 @@
+//! `Family`: a statement on a box of cases.
+
+use tautline_statements::{Evidence, Statement, VerifyError};
+
+use super::Parameter;
+
+/// The evidence at the values of the parameters; `None` where there is no such case.
+type AtValues<'a> = Box<dyn Fn(&[f64]) -> Result<Option<Evidence>, VerifyError> + 'a>;
+
+/// One statement on the cases of a box of parameters.
+pub struct Family<'a> {
+    /// The name, as in tables.
+    pub name: &'static str,
+    /// The statement.
+    pub statement: Statement,
+    /// The sides of the box.
+    pub parameters: Vec<Parameter>,
+    evidence: AtValues<'a>,
+}
+
+impl<'a> Family<'a> {
+    /// Names a box of `P` parameters, with the evidence at each of its points; `None` where there
+    /// is no such case.
+    pub fn new<const P: usize>(
+        name: &'static str,
+        statement: Statement,
+        parameters: [Parameter; P],
+        evidence: impl Fn([f64; P]) -> Result<Option<Evidence>, VerifyError> + 'a,
+    ) -> Self {
+        let evidence = move |values: &[f64]| match <[f64; P]>::try_from(values) {
+            Ok(values) => evidence(values),
+            Err(_) => Ok(None),
+        };
+        Self { name, statement, parameters: parameters.to_vec(), evidence: Box::new(evidence) }
+    }
+
+    /// Returns whether it is about the statement of this number and has this name.
+    #[must_use]
+    pub fn is(&self, number: &str, name: &str) -> bool {
+        self.statement.number() == number && self.name == name
+    }
+
+    /// Returns the evidence at the values of the parameters; `None` where there is no such case.
+    ///
+    /// # Errors
+    ///
+    /// Those of the statement.
+    pub fn evidence(&self, values: &[f64]) -> Result<Option<Evidence>, VerifyError> {
+        (self.evidence)(values)
+    }
+
+    /// Returns values with the names of their parameters.
+    #[must_use]
+    pub(super) fn named(&self, values: &[f64]) -> Vec<(&'static str, f64)> {
+        self.parameters.iter().map(|parameter| parameter.name).zip(values.iter().copied()).collect()
+    }
+}
+
+impl std::fmt::Debug for Family<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} on {}{:?}", self.statement, self.name, self.parameters)
+    }
+}

@@ -1,0 +1,41 @@
+//! The adversary: a search for the case in which a statement gives away the least.
+//!
+//! A [`Family`] is a box of parameters (of a metric, of two sets or a point sequence, and `N`) with
+//! a function from its points to the [`Evidence`](tautline_statements::Evidence) for one statement. A [`Search`]
+//! makes the least slack of that evidence as small as it can: samples at random, then a local
+//! ascent that needs no derivatives, several times. What it returns is an upper bound of the
+//! slack that the statement really has, with the case that shows it. A conclusion that fails on
+//! the way is an error.
+//!
+//! A case at an [`Edge`] of its box says why: there is none beyond, or the range ends near a limit,
+//! and what is left on the way to it is measured.
+//!
+//! ```
+//! use tautline_statements::{LIBRARY, Source};
+//! use tautline_adversary::{Search, families};
+//!
+//! // Proposition 7.9 is attained by a step over the valley of a tent, and the search finds it.
+//! let families = families(&LIBRARY);
+//! let tent = families.iter().find(|family| family.is("Proposition 7.9", "tent"));
+//! let found = Search::default().tightest(tent.expect("listed"), Source::Stated)?;
+//! assert!(found.is_some_and(|tightest| tightest.slack < 1.01));
+//! # Ok::<(), tautline_adversary::AdversaryError>(())
+//! ```
+
+mod adversary_error;
+mod edge;
+mod families;
+mod family;
+mod parameter;
+mod search;
+mod split_mix;
+mod tightest;
+
+pub use adversary_error::AdversaryError;
+pub use edge::{Beyond, Edge, End};
+pub use families::families;
+pub use family::Family;
+pub use parameter::Parameter;
+pub use search::Search;
+pub use split_mix::SplitMix;
+pub use tightest::Tightest;

@@ -1,0 +1,215 @@
+//! The statements of the paper about minimisers, on the solved problems of one metric.
+
+use tautline::Bounded;
+use tautline_statements::{
+    self as statements, self, Evidence, Known, LIBRARY, NearestPair, PaperRule, Reconstruction,
+    Subject, VerifyError, curves::Measured, discrete_energy,
+};
+
+use super::{Case, solutions::Minimiser, statements::judge};
+use crate::{Fault, met::Met, report::LawResult};
+
+/// Proposition 6.2, on the ends of the minimisers of the trapezoidal rule.
+///
+/// Their distance is no more than the length of the reconstruction; that of another pair is known,
+/// or no more than the length of the detour. What is refused of a length is a shorter one, so that
+/// neither has to be exact.
+pub(super) fn prop_6_2<const D: usize>(case: &Case<'_, D>) -> LawResult {
+    case.of_solutions(PaperRule::Trapezoidal, &|minimiser| {
+        let detour = minimiser.detour()?;
+        let (metric, seen) = (&case.metric, minimiser.seen);
+        let other = case
+            .distance
+            .as_ref()
+            .and_then(|distance| distance(detour.first(), detour.last()))
+            .unwrap_or_else(|| Measured::of_sequence(&LIBRARY, metric, &detour).length.value);
+        let apart = seen.length_squared.value.sqrt();
+        let pair = NearestPair::of(&LIBRARY, minimiser.known, seen, apart);
+        let pair = pair.map_err(VerifyError::from)?.beside(other);
+        judge(&statements::prop_6_2(&pair, metric.constants().c1()))
+    })
+}
+
+/// Proposition 6.3, on the reconstructions of the trapezoidal rule, and on ways around.
+pub(super) fn prop_6_3<const D: usize>(case: &Case<'_, D>) -> LawResult {
+    case.of_solutions(PaperRule::Trapezoidal, &|minimiser| {
+        [&minimiser.seen.minimum.sequence, &minimiser.detour()?].into_iter().try_fold(
+            Met::nothing(),
+            |all, sequence| {
+                let curve = Measured::of_sequence(&LIBRARY, &case.metric, sequence);
+                Ok(all.and(judge(&statements::prop_6_3(&LIBRARY, minimiser.known, &curve))?))
+            },
+        )
+    })
+}
+
+/// Proposition 7.1, on the minimisers of both rules: each against a way around, and against what it
+/// becomes where its points are moved.
+///
+/// A search may end at a local minimum, or where the energy is flat to second order, and there may be
+/// less energy nearby. Then it is begun again, at the better one of the two as well; above that it
+/// must not end.
+pub(super) fn prop_7_1<const D: usize>(case: &Case<'_, D>) -> LawResult {
+    case.of_both_rules(&|minimiser| {
+        let (rule, metric, sets) = (minimiser.seen.rule, &case.metric, minimiser.sets());
+        let others = [minimiser.detour()?, minimiser.moved()?];
+        others.into_iter().try_fold(Met::nothing(), |all, other| {
+            let less =
+                discrete_energy(&LIBRARY, rule, metric, &other) < minimiser.seen.discrete_energy;
+            let again = if less { Some(minimiser.again(&other)?) } else { None };
+            let found = again.as_ref().unwrap_or(&minimiser.seen.minimum.sequence);
+            let evidence = statements::prop_7_1(&LIBRARY, rule, metric, sets, [found, &other])?;
+            Ok(all.and(judge(&evidence)?))
+        })
+    })
+}
+
+/// What the minimisers of Proposition 7.1 are besides: critical points, of nearly constant speed.
+pub(super) fn critical_points<const D: usize>(case: &Case<'_, D>) -> LawResult {
+    case.of_both_rules(&|minimiser| critical_point(&LIBRARY, minimiser))
+}
+
+/// The step by which the statement tries the ends is not small beside the gaps of a finite set, so
+/// that each member of one is put alone.
+fn critical_point<const D: usize>(
+    subject: &Subject,
+    minimiser: &Minimiser<'_, D>,
+) -> Result<Met, Fault> {
+    let sequence = &minimiser.seen.minimum.sequence;
+    let ends = minimiser.posed.ends_near([*sequence.first(), *sequence.last()]);
+    let known = Known { ends: ends.map_err(VerifyError::from)?, ..minimiser.known.clone() };
+    judge(&statements::critical_point(subject, &known, minimiser.seen))
+}
+
+/// Remark 9.2, on the minimisers of both rules.
+pub(super) fn remark_9_2<const D: usize>(case: &Case<'_, D>) -> LawResult {
+    case.of_both_rules(&|minimiser| judge(&statements::remark_9_2(&LIBRARY, minimiser.seen)))
+}
+
+/// `C_tra(N)` with the `K_{1,g}` and `K_{2,g}` of a problem, as the proof of Theorem 1.1 has it.
+pub(super) fn c_tra<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
+    let norms = [subject.k1_g(seen.setting), subject.k2_g(seen.setting)];
+    statements::constant_c_tra(subject, seen.setting.constants(), norms, seen.n)
+}
+
+/// `C_tra♯` with the `K_{1,g}` and `K_{2,g}` of a problem, as the proof of Theorem 1.1 has it.
+pub(super) fn c_tra_sharp<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
+    let norms = [subject.k1_g(seen.setting), subject.k2_g(seen.setting)];
+    statements::constant_c_tra_sharp(subject, seen.setting.constants(), norms, seen.n)
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::SMatrix;
+    use tautline::{
+        Bounded, PointSequence, bounds,
+        gallery::{Constant, Shear},
+    };
+    use tautline_statements::{
+        self as statements, Bounds, LIBRARY, PaperRule, Subject, VerifyError,
+    };
+
+    use super::{critical_point, judge};
+    use crate::{
+        Effort, Fault, Region,
+        metric::{case::Case, minimisers, solutions::Minimiser},
+        report::LawResult,
+    };
+
+    /// The library with `C_tra(N)` off by one part in a million.
+    fn off() -> Subject {
+        let c_tra = |constants, k1, k2, n| bounds::c_tra(constants, k1, k2, n) * (1.0 + 1e-6);
+        Subject::with(Bounds { c_tra, ..Bounds::LIBRARY })
+    }
+
+    fn shear() -> Shear {
+        Shear::new(0.5, 1.0).expect("a wave number")
+    }
+
+    fn case(metric: &impl Bounded<2>) -> Case<'_, 2> {
+        let effort = Effort { problems: 6, subintervals: &[1, 3], ..Effort::default() };
+        Case::new(metric, Region::cell([0.0, 0.0], [6.0, 6.0]), effort)
+    }
+
+    type Way = fn(&Minimiser<'_, 2>) -> Result<PointSequence<2>, VerifyError>;
+
+    /// The claim that does not hold.
+    #[track_caller]
+    fn violated(result: LawResult) -> &'static str {
+        match result.expect_err("it is off").fault {
+            Fault::Statement { hypothesis: false, inequality, .. } => inequality.claim,
+            fault => panic!("{fault}"),
+        }
+    }
+
+    #[test]
+    fn constants_that_are_off_by_a_millionth_are_refused() {
+        let of = |statement| case(&shear()).of_constants(PaperRule::Trapezoidal, statement, None);
+        assert!(of(minimisers::c_tra).is_ok() && of(minimisers::c_tra_sharp).is_ok());
+        assert_eq!(
+            violated(of(|_, seen| minimisers::c_tra(&off(), seen))),
+            "C_tra(N) ≤ its definition"
+        );
+        assert_eq!(
+            violated(of(|_, seen| minimisers::c_tra_sharp(&off(), seen))),
+            "C_tra(N) ≤ C_tra♯/N"
+        );
+    }
+
+    /// Under a constant metric every length is that of a straight line, and `C_tra(N)` is always what
+    /// it is defined to be.
+    #[test]
+    fn cases_that_could_not_fail_are_counted_apart() {
+        let rule = PaperRule::Trapezoidal;
+        let flat = Constant::<2>::new(SMatrix::identity()).expect("positive definite");
+        let of_flat = case(&flat).of_minimisers(rule, statements::theorem_1_2).expect("it holds");
+        let of_shear =
+            case(&shear()).of_minimisers(rule, statements::theorem_1_2).expect("it holds");
+        assert_eq!(of_flat.idle, of_flat.cases);
+        assert!(
+            of_flat.cases == of_shear.cases && 2 * of_shear.idle < of_shear.cases,
+            "{of_shear:?}"
+        );
+        let identity =
+            case(&shear()).of_constants(rule, minimisers::c_tra, None).expect("it holds");
+        assert_eq!((identity.idle, identity.slack), (identity.cases, f64::INFINITY));
+    }
+
+    /// One point is moved so far that the gradient there, whose derivative is about `4N H`, is off by a
+    /// millionth.
+    #[test]
+    fn gradients_that_are_off_by_a_millionth_are_refused() {
+        assert!(
+            case(&shear()).of_both_rules(&|minimiser| critical_point(&LIBRARY, minimiser)).is_ok()
+        );
+        let moved = case(&shear()).of_both_rules(&|minimiser| {
+            let mut seen = minimiser.seen.clone();
+            let mut points = seen.minimum.sequence.points().to_vec();
+            let n = points.len() - 1;
+            if n > 1 {
+                points[n / 2].add_scalar_mut(1e-6 / (4.0 * n as f64));
+            }
+            seen.minimum.sequence = PointSequence::new(points).expect("finite");
+            critical_point(&LIBRARY, &Minimiser { seen: &seen, ..*minimiser })
+        });
+        let claim = violated(moved);
+        assert!(claim.contains("ρₙ") || claim.contains("∂E"), "{claim}");
+    }
+
+    /// What a minimiser is compared with has more energy, by more than is granted.
+    #[test]
+    fn a_minimiser_that_is_moved_is_none() {
+        let shear = shear();
+        let case = case(&shear);
+        let ways: [Way; 2] = [|minimiser| minimiser.moved(), |minimiser| minimiser.detour()];
+        for way in ways {
+            let swapped = case.of_both_rules(&|minimiser| {
+                let (rule, found) = (minimiser.seen.rule, &minimiser.seen.minimum.sequence);
+                let (metric, sets) = (&case.metric, minimiser.sets());
+                let pair = [&way(minimiser)?, found];
+                judge(&statements::prop_7_1(&LIBRARY, rule, metric, sets, pair)?)
+            });
+            assert_eq!(violated(swapped), "E_N(γ*) ≤ E_N(γᵖ)");
+        }
+    }
+}

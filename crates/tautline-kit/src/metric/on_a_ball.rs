@@ -1,0 +1,64 @@
+//! A metric with constants on balls only, as a case on one of them.
+
+use std::num::NonZeroUsize;
+
+use nalgebra::SVector;
+use tautline::{
+    Constants, LocalError, LocallyBounded,
+    bounds::{LocalityError, competitors},
+};
+use tautline_statements::{PaperRule, WithConstants};
+
+use super::MetricCase;
+use crate::{Effort, Region};
+
+impl<M: LocallyBounded<D>, const D: usize> MetricCase<WithConstants<M>, D> {
+    /// A metric with constants on balls, in one of them: all laws are tried with the constants of the
+    /// ball, on samples of the largest cube in it, and on problems whose ends are so near to
+    /// its centre that no competitor leaves it (Proposition S.8).
+    ///
+    /// # Errors
+    ///
+    /// [`LocalityError`] if the metric has no constants in the ball, or if these let competitors go so
+    /// far that no ends are near enough.
+    pub fn within(
+        metric: M,
+        centre: impl Into<SVector<f64, D>>,
+        radius: f64,
+        effort: Effort,
+    ) -> Result<Self, LocalityError<LocalError>> {
+        let centre = centre.into();
+        let refused = |reason| LocalityError::NoConstants { radius, reason };
+        let constants = metric.constants_within(&centre, radius).map_err(refused)?;
+        let cube = |half: f64| {
+            let edge = SVector::repeat(half);
+            let cube = Region::new(centre - edge, centre + edge);
+            // Without edges, or beyond the largest number.
+            cube.map_err(|_| LocalityError::Escapes { radius, reach: radius })
+        };
+        let half = radius / (D as f64).sqrt();
+        // Halved until the ends are near enough; if 2⁻¹⁰ of the ball is too much, so is all of it.
+        let mut shares = (0..=10).map(|k| 0.5_f64.powi(k));
+        let Some(share) = shares.find(|share| reach(constants, D, share * half) <= radius) else {
+            let reach = reach(constants, D, half * 0.5_f64.powi(10));
+            return Err(LocalityError::Escapes { radius, reach });
+        };
+        let case = Self::new(WithConstants { metric, constants }, cube(half)?, effort);
+        Ok(Self { ends: cube(share * half)?, ..case })
+    }
+}
+
+/// How far a competitor may come from the centre of a cube of this half-width that holds the ends.
+fn reach(constants: Constants, dimension: usize, half: f64) -> f64 {
+    let diagonal = half * (dimension as f64).sqrt();
+    // The farthest point of a bounded set: the mirror image of one end in the other.
+    let end = 3.0 * diagonal;
+    let upper = constants.c2().sqrt() * 2.0 * diagonal;
+    let from_end = PaperRule::BOTH.map(|rule| {
+        // What a sequence may spend falls with N.
+        let everywhere = |_| Ok::<_, LocalError>(constants);
+        let region = competitors(dimension, rule, NonZeroUsize::MIN, upper, everywhere);
+        region.map_or(f64::INFINITY, |region| region.radius)
+    });
+    end + from_end[0].max(from_end[1])
+}

@@ -1,0 +1,57 @@
+//! The sharper statements as laws of a metric.
+
+use tautline_statements::{
+    Evidence, LIBRARY, PaperRule, lemma_s_2, lemma_s_3, lemma_s_4, lemma_s_5, prop_s_6, prop_s_8,
+    theorem_a, theorem_b, theorem_c, theorem_d,
+};
+
+use super::{Case, solutions::Minimiser, statements::judge};
+use crate::{Fault, met::Met, report::LawResult};
+
+/// What is met in several evidences.
+fn judge_all(evidence: impl IntoIterator<Item = Evidence>) -> Result<Met, Fault> {
+    evidence.into_iter().try_fold(Met::nothing(), |all, one| Ok(all.and(judge(&one)?)))
+}
+
+/// Lemmas S.2 and S.3.
+pub(super) fn of_sequences<const D: usize>(case: &Case<'_, D>) -> LawResult {
+    let gaps = case.of_point_sequences(lemma_s_2)?;
+    let trapezoidal = case
+        .of_point_sequences(|s, m, sequence| lemma_s_3(s, m, PaperRule::Trapezoidal, sequence))?;
+    let left = case
+        .of_point_sequences(|s, m, sequence| lemma_s_3(s, m, PaperRule::LeftEndpoint, sequence))?;
+    Ok(gaps.and(trapezoidal).and(left))
+}
+
+/// Lemmas S.4 and S.5. Between ends that touch there is no speed to compare with.
+pub(super) fn of_minima<const D: usize>(case: &Case<'_, D>) -> LawResult {
+    case.of_both_rules(&|minimiser: &Minimiser<'_, D>| {
+        let seen = minimiser.seen;
+        let speeds = (seen.distance_squared > 0.0).then(|| lemma_s_5(&LIBRARY, seen));
+        judge_all([lemma_s_4(&LIBRARY, seen)].into_iter().chain(speeds))
+    })
+}
+
+/// Theorems A to D.
+pub(super) fn theorems<const D: usize>(case: &Case<'_, D>) -> LawResult {
+    case.of_both_rules(&|minimiser: &Minimiser<'_, D>| {
+        let seen = minimiser.seen;
+        let first_order = [theorem_a(&LIBRARY, seen), theorem_c(&LIBRARY, seen)];
+        let second_order = [theorem_b(&LIBRARY, seen), theorem_d(&LIBRARY, seen)];
+        judge_all(first_order.into_iter().chain(second_order.into_iter().flatten()))
+    })
+}
+
+/// Proposition S.6.
+pub(super) fn enclosures<const D: usize>(case: &Case<'_, D>) -> LawResult {
+    case.of_both_rules(&|minimiser: &Minimiser<'_, D>| {
+        judge(&prop_s_6(&LIBRARY, minimiser.seen, 0.0)?)
+    })
+}
+
+/// Proposition S.8.
+pub(super) fn localities<const D: usize>(case: &Case<'_, D>) -> LawResult {
+    case.of_both_rules(&|minimiser: &Minimiser<'_, D>| {
+        judge(&prop_s_8(&LIBRARY, minimiser.known, minimiser.seen)?)
+    })
+}

@@ -1,0 +1,14 @@
+//! What a test of a metric, a closed set or a rule of one's own needs, in one line.
+//!
+//! What it is for: the page of the [`crate`].
+
+pub use tautline::{
+    Bounded, Certified, ClosedSet, Constants, KnownDistance, LocallyBounded, LocallyCertified,
+    Metric, Node, Rule, SMatrix, SVector, Scalar, certify::Accuracy,
+};
+pub use tautline_statements::WithConstants;
+
+pub use crate::{
+    Effort, Outcome, Region, Report, metric_suite, rule_suite, set_suite, verify_metric,
+    verify_rule, verify_set,
+};

@@ -1,0 +1,113 @@
+//! Rules that lie: what the laws have to refuse.
+
+use tautline::{LeftEndpoint, Metric, Node, PointSequence, Rule};
+
+use super::{RuleCase, laws};
+use crate::{
+    Fault,
+    report::{LawResult, Tried},
+};
+
+/// The left-endpoint rule with an exponent of 2.
+#[derive(Clone, Copy, Debug)]
+struct Boaster;
+
+impl Rule for Boaster {
+    const NODES: &'static [Node] = LeftEndpoint::NODES;
+    const ERROR_EXPONENT: i32 = 2;
+}
+
+/// Weights that add up to 0.9.
+#[derive(Clone, Copy, Debug)]
+struct Light;
+
+impl Rule for Light {
+    const NODES: &'static [Node] = &[Node { fraction: 0.5, weight: 0.9 }];
+    const ERROR_EXPONENT: i32 = 2;
+}
+
+/// A node beyond the end of the chord.
+#[derive(Clone, Copy, Debug)]
+struct Beyond;
+
+impl Rule for Beyond {
+    const NODES: &'static [Node] =
+        &[Node { fraction: -0.5, weight: 0.5 }, Node { fraction: 1.5, weight: 0.5 }];
+    const ERROR_EXPONENT: i32 = 2;
+}
+
+/// A rule whose energy is not the one that its nodes say.
+#[derive(Clone, Copy, Debug)]
+struct Other<R>(R);
+
+impl<R: Rule> Rule for Other<R> {
+    const NODES: &'static [Node] = R::NODES;
+    const ERROR_EXPONENT: i32 = R::ERROR_EXPONENT;
+
+    fn energy<const D: usize>(&self, metric: &impl Metric<D>, sequence: &PointSequence<D>) -> f64 {
+        1.001 * self.0.energy(metric, sequence)
+    }
+}
+
+/// Fails if a law lets a rule pass that breaks it.
+fn refused<R: Rule, W: Rule>(
+    case: &RuleCase<R>,
+    wrong: W,
+    law: fn(&RuleCase<W>) -> LawResult,
+    what: &'static str,
+) -> LawResult {
+    match law(&RuleCase { rule: wrong, effort: case.effort }) {
+        Err(_) => Ok(Tried::cases(1)),
+        Ok(_) => Err(laws::failure(case, Fault::NotRefused { what })),
+    }
+}
+
+/// Weights that add up to 0.9, and nodes off the chord.
+pub(super) fn wrong_nodes<R: Rule>(case: &RuleCase<R>) -> LawResult {
+    Ok(refused(case, Light, laws::weights, "weights that add up to 0.9")?
+        .and(refused(case, Light, laws::constant_metrics, "weights that add up to 0.9")?)
+        .and(refused(case, Beyond, laws::nodes, "a node off the chord")?))
+}
+
+/// An exponent of 2 for the left-endpoint rule.
+pub(super) fn boast<R: Rule>(case: &RuleCase<R>) -> LawResult {
+    refused(case, Boaster, laws::exponent, "an exponent of 2 for the left-endpoint rule")
+}
+
+/// The rule itself, with an energy that is not that of its nodes.
+pub(super) fn another_energy<R: Rule>(case: &RuleCase<R>) -> LawResult {
+    let what = "an energy that is not that of the nodes";
+    refused(case, Other(case.rule), laws::gradient, what)
+}
+
+#[cfg(test)]
+mod tests {
+    use tautline::Trapezoidal;
+
+    use super::{Beyond, Boaster, Light, refused};
+    use crate::{Effort, Fault, RuleCase, report::LawResult, rule::laws};
+
+    fn case() -> RuleCase<Trapezoidal> {
+        RuleCase::new(Trapezoidal, Effort::default())
+    }
+
+    /// A rule that a law has nothing to say against is not refused by it.
+    #[test]
+    fn what_passes_is_a_fault() {
+        let passes = |result: LawResult| {
+            let fault = result.expect_err("it passes").fault;
+            assert_eq!(fault, Fault::NotRefused { what: "it" });
+        };
+        passes(refused(&case(), Trapezoidal, laws::weights, "it"));
+        passes(refused(&case(), Beyond, laws::weights, "it"));
+        passes(refused(&case(), Light, laws::nodes, "it"));
+        passes(refused(&case(), Boaster, laws::gradient, "it"));
+        passes(refused(&case(), Trapezoidal, laws::exponent, "it"));
+    }
+
+    #[test]
+    fn what_is_refused_is_none() {
+        assert!(refused(&case(), Light, laws::weights, "it").is_ok());
+        assert!(refused(&case(), Beyond, laws::nodes, "it").is_ok());
+    }
+}

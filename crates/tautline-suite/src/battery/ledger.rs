@@ -1,0 +1,67 @@
+//! The ledger: what the whole suite says of each statement.
+
+use tautline_statements::{LIBRARY, Statement};
+
+use super::{Failure, Kind, Scope, Tally, Trial, suite};
+
+/// One statement, and what the suite says of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entry {
+    /// The statement.
+    pub statement: Statement,
+    /// On how many random cases it was evaluated.
+    pub cases: u64,
+    /// How many of these could have failed: the others hold whatever the bound is.
+    pub could_fail: u64,
+    /// The least slack of these, a pure number; `∞` if none was seen.
+    pub worst_slack: f64,
+    /// The least slack of its witnesses, a pure number.
+    pub witness_slack: f64,
+    /// On how many cases that could have failed it was evaluated with numbers that are proved.
+    pub proved: u64,
+    /// The hypotheses that were evaluated on the random cases, by their claims.
+    pub hypotheses: Vec<&'static str>,
+    /// The hypotheses that were assumed of the random cases.
+    pub assumed: Vec<&'static str>,
+    /// The names of the checks that are about it.
+    pub checks: Vec<&'static str>,
+}
+
+/// Runs the whole suite on the library, and returns an entry for each statement.
+///
+/// # Errors
+///
+/// The first check that fails, by its name.
+pub fn ledger() -> Result<Vec<Entry>, Failure> {
+    let trial = Trial::new(&LIBRARY, Scope::Everything, u32::MAX);
+    let checks = suite();
+    let (mut random, mut witnesses, mut proved) =
+        (Tally::default(), Tally::default(), Tally::default());
+    for check in &checks {
+        let tally = check
+            .run(&trial)
+            .map_err(|failure| Failure::new(format!("{}: {failure}", check.name)))?;
+        match check.kind {
+            Kind::Random => random.extend(&tally),
+            Kind::Witness => witnesses.extend(&tally),
+            Kind::Proved => proved.extend(&tally),
+            _ => {}
+        }
+    }
+    let entry = |statement: Statement| {
+        let about = checks.iter().filter(|check| check.statements.contains(&statement));
+        let slack = |tally: &Tally| tally.of(statement).map_or(f64::INFINITY, |count| count.slack);
+        Entry {
+            statement,
+            cases: random.of(statement).map_or(0, |count| count.cases),
+            could_fail: random.of(statement).map_or(0, |count| count.could_fail),
+            worst_slack: slack(&random),
+            witness_slack: slack(&witnesses),
+            proved: proved.of(statement).map_or(0, |count| count.could_fail),
+            hypotheses: random.hypotheses(statement).collect(),
+            assumed: random.assumed(statement).collect(),
+            checks: about.map(|check| check.name).collect(),
+        }
+    };
+    Ok(Statement::ALL.map(entry).to_vec())
+}

@@ -1,0 +1,181 @@
+//! Lemmas S.1 to S.3 and Proposition S.7: minimal geodesics and point sequences at random.
+
+use std::fmt::Debug;
+
+use nalgebra::SVector;
+use proptest::prelude::*;
+use tautline::{
+    Bounded, KnownDistance, PointSequence,
+    gallery::{Separable, Valleys},
+};
+use tautline_statements::{
+    Evidence, Known, PaperRule, Reconstruction, Statement,
+    Statement::{LemmaS1, LemmaS2, LemmaS3, PropositionS7},
+    Subject, VerifyError,
+    curves::Geodesic,
+    lemma_s_1, lemma_s_2, lemma_s_3, prop_s_7,
+};
+
+use super::super::{Check, Kind, Outcome, Trial, check::all};
+use crate::strategies::{
+    constant, points, ramp, separable, sequence, shear, two_points, valleys_along, vector,
+};
+
+const SEQUENCES: &[Statement] = &[LemmaS2, LemmaS3];
+
+pub(super) fn checks() -> Vec<Check> {
+    vec![
+        Check::new("lemma_s_1_holds_for_minimal_geodesics", Kind::Random, &[LemmaS1], geodesics),
+        Check::new("lemma_s_1_is_homogeneous", Kind::Homogeneous, &[LemmaS1], geodesics_in_units),
+        Check::new(
+            "lemmas_s_2_and_s_3_hold_for_random_sequences",
+            Kind::Random,
+            SEQUENCES,
+            sequences,
+        ),
+        Check::new(
+            "lemmas_s_2_and_s_3_are_homogeneous",
+            Kind::Homogeneous,
+            SEQUENCES,
+            sequences_in_units,
+        ),
+        Check::new("prop_s_7_holds_beside_minimisers", Kind::Random, &[PropositionS7], minimisers),
+        Check::new(
+            "prop_s_7_is_homogeneous",
+            Kind::Homogeneous,
+            &[PropositionS7],
+            minimisers_in_units,
+        ),
+    ]
+}
+
+fn geodesics(trial: &Trial<'_>) -> Outcome {
+    fn separables<const D: usize>(trial: &Trial<'_>, seed: u64) -> Outcome {
+        let cases = (separable::<D>(), two_points(2.5), 0.0..1.0);
+        trial.for_all(seed, 256, cases, |subject, (metric, ends, t): (Separable<D>, _, _)| {
+            let curve = Geodesic::between(metric, ends);
+            let distance = metric.distance(&ends[0], &ends[1]).expect("known");
+            Ok([lemma_s_1(subject, &metric, &curve, distance, t)?])
+        })
+    }
+    let cases = (shear(), two_points(2.5), 0.0..1.0);
+    all([
+        trial.for_all(2700, 512, cases, |subject, (metric, ends, t)| {
+            let curve = Geodesic::between(metric, ends);
+            let distance = metric.distance(&ends[0], &ends[1]).expect("known");
+            Ok([lemma_s_1(subject, &metric, &curve, distance, t)?])
+        }),
+        separables::<1>(trial, 2701),
+        separables::<3>(trial, 2702),
+    ])
+}
+
+fn geodesics_in_units(trial: &Trial<'_>) -> Outcome {
+    let cases = (shear(), two_points(2.5), 0.0..1.0);
+    trial.homogeneous(2710, 128, cases, |subject, (metric, ends, t), units| {
+        let curve = Geodesic::between(metric, ends);
+        let distance = metric.distance(&ends[0], &ends[1]).expect("known") * units.m;
+        let (metric, curve) = (units.metric(metric), units.curve(curve));
+        Ok([lemma_s_1(subject, &metric, &curve, distance, t)?])
+    })
+}
+
+fn of_sequence<const D: usize>(
+    subject: &Subject,
+    metric: &impl Bounded<D>,
+    sequence: &PointSequence<D>,
+) -> Result<[Evidence; 3], VerifyError> {
+    Ok([
+        lemma_s_2(subject, metric, sequence)?,
+        lemma_s_3(subject, metric, PaperRule::Trapezoidal, sequence)?,
+        lemma_s_3(subject, metric, PaperRule::LeftEndpoint, sequence)?,
+    ])
+}
+
+fn sequences(trial: &Trial<'_>) -> Outcome {
+    fn family<M: Bounded<D> + Debug + 'static, const D: usize>(
+        trial: &Trial<'_>,
+        seed: u64,
+        metrics: impl Strategy<Value = M>,
+    ) -> Outcome {
+        trial.for_all(seed, 192, (metrics, sequence(3.0)), |subject, (metric, sequence)| {
+            of_sequence(subject, &metric, &sequence)
+        })
+    }
+    all([
+        family(trial, 2720, shear()),
+        family(trial, 2721, separable::<1>()),
+        family(trial, 2722, separable::<3>()),
+        family(trial, 2723, ramp()),
+        family::<_, 2>(trial, 2724, Just(Valleys)),
+        // Without L_H the residual alone is left.
+        family(trial, 2725, constant::<2>()),
+    ])
+}
+
+fn sequences_in_units(trial: &Trial<'_>) -> Outcome {
+    trial.homogeneous(2730, 128, (shear(), sequence(3.0)), |subject, (metric, sequence), units| {
+        of_sequence(subject, &units.metric(metric), &units.sequence(&sequence)?)
+    })
+}
+
+/// A minimiser between two points, and the same with a wave added that vanishes at the ends.
+fn beside<M: Bounded<D>, const D: usize>(
+    subject: &Subject,
+    known: &Known<M, D>,
+    rule: PaperRule,
+    n: usize,
+    (wave, by): (usize, SVector<f64, D>),
+) -> Result<[Evidence; 2], VerifyError> {
+    let seen = Reconstruction::observe(subject, known, rule, n)?;
+    let x = &seen.minimum.sequence;
+    let at = |k: usize| {
+        let turn = std::f64::consts::PI * (wave * k) as f64 / n as f64;
+        // Exactly 0 at both ends, where the sine is not.
+        if k == 0 || k == n { 0.0 } else { turn.sin() }
+    };
+    let moved = x.points().iter().enumerate().map(|(k, x)| x + by * at(k));
+    let y = PointSequence::new(moved.collect())?;
+    let [of_x, of_y] = [x, &y].map(|sequence| subject.curve_length(&known.metric, sequence).value);
+    Ok([
+        prop_s_7(subject, &known.metric, rule, [x, &y], of_x)?,
+        prop_s_7(subject, &known.metric, rule, [&y, x], of_y)?,
+    ])
+}
+
+/// The number of subintervals, the number of half waves, and their amplitude: short and slow ones
+/// too, so that some of the energies are convex.
+fn waves<const D: usize>() -> impl Strategy<Value = (usize, (usize, SVector<f64, D>))> {
+    let amplitude = (-3.0..0.0_f64, vector::<D>(1.0));
+    (2..40_usize, 1..4_usize, amplitude).prop_map(|(n, wave, (power, by))| {
+        (n, (wave.min(n - 1), (by + by.map(|_| 1e-3)) * 10_f64.powf(power)))
+    })
+}
+
+fn minimisers(trial: &Trial<'_>) -> Outcome {
+    fn family<M: Bounded<D> + Clone + Debug + 'static, const D: usize>(
+        trial: &Trial<'_>,
+        seed: u64,
+        problems: impl Strategy<Value = Known<M, D>>,
+    ) -> Outcome {
+        trial.for_all(seed, 96, (problems, waves::<D>()), |subject, (known, (n, wave))| {
+            let [one, two] = PaperRule::BOTH.map(|rule| beside(subject, &known, rule, n, wave));
+            Ok(one?.into_iter().chain(two?))
+        })
+    }
+    all([
+        family(trial, 2740, points(shear())),
+        family(trial, 2741, points(separable::<1>())),
+        family(trial, 2742, points(separable::<3>())),
+        family(trial, 2743, points(ramp())),
+        family(trial, 2744, valleys_along()),
+    ])
+}
+
+fn minimisers_in_units(trial: &Trial<'_>) -> Outcome {
+    let cases = (points(shear()), waves::<2>());
+    trial.homogeneous(2750, 64, cases, |subject, (known, (n, (wave, by))), units| {
+        let known = units.known(known)?;
+        beside(subject, &known, PaperRule::Trapezoidal, n, (wave, units.vector(by)))
+    })
+}

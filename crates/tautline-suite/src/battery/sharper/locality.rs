@@ -1,0 +1,87 @@
+//! Proposition S.8 where it loses nothing but what it gives away, and where it fails.
+
+use tautline::{
+    Ball, Constants, Ends, HalfSpace, LocallyBounded,
+    gallery::{Constant, Sphere},
+};
+use tautline_statements::{
+    Known, LIBRARY, PaperRule, Reconstruction,
+    Statement::{self, PropositionS8},
+    VerifyError, WithConstants, prop_s_8,
+};
+
+use super::super::{Check, Kind, Outcome, Trial, failing::fails_without};
+
+const LOCALITY: &[Statement] = &[PropositionS8];
+
+/// The radius is given away by a percent: `1.01 (1 + 10⁻⁵)`, and what a small ball changes.
+const PERCENT: f64 = 1.0102;
+
+pub(super) fn checks() -> Vec<Check> {
+    let witness = Kind::Witness;
+    vec![
+        Check::new("prop_s_8_is_attained_where_the_metric_is_constant", witness, LOCALITY, flat),
+        Check::new("prop_s_8_is_attained_in_a_small_ball", witness, LOCALITY, small),
+        Check::new("prop_s_8_fails_where_c1_is_overstated", Kind::Dropped, LOCALITY, |_| {
+            without_c1()
+        }),
+    ]
+}
+
+fn on_the_plane(factor: f64) -> Result<Constant<2>, VerifyError> {
+    Ok(Constant::new([[factor, 0.0], [0.0, factor]].into())?)
+}
+
+/// `H = 4 I`: from a point, and to a ball from a half-plane, whose bounded end is the last.
+fn flat(trial: &Trial<'_>) -> Outcome {
+    let metric = on_the_plane(4.0)?;
+    let points = Known::between(metric, [1.0, 0.0], [4.0, 4.0]).map_err(VerifyError::from)?;
+    let wall = HalfSpace::at_least([1.0, 0.0], 3.0).map_err(VerifyError::from)?;
+    let ball = Ball::new([0.0, 0.0], 1.0).map_err(VerifyError::from)?;
+    let ends = Ends::new(wall, ball).map_err(VerifyError::from)?;
+    let sets = Known { metric, ends, distance: 4.0, distance_error: 0.0 };
+    let mut evidence = Vec::new();
+    for known in [points.expect("known"), sets] {
+        for rule in PaperRule::BOTH {
+            for n in [1, 2, 7, 100] {
+                let seen = Reconstruction::observe(trial.subject, &known, rule, n)?;
+                evidence.push(
+                    prop_s_8(trial.subject, &known, &seen)?
+                        .claim_is_attained("|xₙ − x| ≤ R", PERCENT)?
+                        .claim_is_attained("d ≤ √c₁ R", PERCENT)?
+                        .claim_is_attained("√c₁ R ≤ L(γ) on the way out", 1.0 + 1e-12)?,
+                );
+            }
+        }
+    }
+    trial.one(evidence)
+}
+
+/// Two points of the sphere so near each other that it is flat between them.
+fn small(trial: &Trial<'_>) -> Outcome {
+    let (a, b) = ([0.5, 0.0], [0.500_006, 0.000_008]);
+    let constants = Sphere.constants_within(&a.into(), 1.02e-5).map_err(VerifyError::from)?;
+    let metric = WithConstants { metric: Sphere, constants };
+    let known = Known::between(metric, a, b).map_err(VerifyError::from)?.expect("known");
+    let mut evidence = Vec::new();
+    for rule in PaperRule::BOTH {
+        let seen = Reconstruction::observe(trial.subject, &known, rule, 4)?;
+        evidence.push(
+            prop_s_8(trial.subject, &known, &seen)?
+                .claim_is_attained("|xₙ − x| ≤ R", PERCENT)?
+                .claim_is_attained("d ≤ √c₁ R", PERCENT)?
+                .claim_is_attained("√c₁ R ≤ L(γ) on the way out", PERCENT)?,
+        );
+    }
+    trial.one(evidence)
+}
+
+/// `H = I` with twice its `c₁`: the other end is `√2/1.01` times as far away as the radius.
+fn without_c1() -> Outcome {
+    let constants = Constants::new(2.0, 2.0, 0.0).map_err(VerifyError::from)?;
+    let metric = WithConstants { metric: on_the_plane(1.0)?, constants };
+    let ends = Ends::points([0.0, 0.0], [1.0, 0.0]).map_err(VerifyError::from)?;
+    let known = Known { metric, ends, distance: 1.0, distance_error: 0.0 };
+    let seen = Reconstruction::observe(&LIBRARY, &known, PaperRule::Trapezoidal, 4)?;
+    fails_without(&["c₁ ≤ λ_min(H)"], prop_s_8(&LIBRARY, &known, &seen)?)
+}

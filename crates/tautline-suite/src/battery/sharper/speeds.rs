@@ -1,0 +1,81 @@
+//! Lemma S.3 where it loses little: sequences that bend as fast as they can, and that run away.
+
+use tautline::PointSequence;
+use tautline_statements::{
+    PaperRule,
+    Statement::LemmaS3,
+    VerifyError,
+    curves::Curve,
+    lemma_s_3,
+    witnesses::{Polygonal, Twist},
+};
+
+use super::{
+    super::{Check, Kind, Outcome, Trial},
+    witnesses::NEAR,
+};
+
+pub(super) fn checks() -> Vec<Check> {
+    vec![
+        Check::new(
+            "lemma_s_3_is_attained_from_chord_to_chord_over_a_twist",
+            Kind::Witness,
+            &[LemmaS3],
+            twist,
+        ),
+        Check::new(
+            "lemma_s_3_is_nearly_attained_by_a_sequence_that_runs_away",
+            Kind::Witness,
+            &[LemmaS3],
+            runaway,
+        ),
+    ]
+}
+
+/// Two chords of the geodesic that attains Lemma S.1.
+fn twist(trial: &Trial<'_>) -> Outcome {
+    let metric = Twist::<2>::new(1.0, 1.0, 2e-3)?;
+    let sequence = metric.short_geodesic(1e-5).sample(2).map_err(VerifyError::from)?;
+    let mut evidence = Vec::new();
+    for rule in PaperRule::BOTH {
+        let found =
+            lemma_s_3(trial.subject, &metric, rule, &sequence).map_err(VerifyError::from)?;
+        let claim = "|βₙ − βₙ₋₁| ≤ 3L_H B²/2Nc₁ + |ρₙ|/Nc₁";
+        evidence.push(found.claim_is_attained(claim, NEAR)?);
+    }
+    trial.one(evidence)
+}
+
+/// Every chord has the slope `L_H = 1` at its middle, and between two of them `H` falls back to 1: so
+/// the momentum grows all the way, `βₙ − βₙ₋₁ = (h/4)(βₙ² + βₙ₋₁²)`, like `1/(c − t/2)`. The sequence
+/// is followed back from its last chord.
+///
+/// With `sₙ = hβₙ/4`, which is 0.14 at last, `Σ (sₙ² + sₙ₋₁²)` is the last `s` less the first. What
+/// the lemma loses is a part `s` of its second term, and its first, `K₃`, which is
+/// `(2Ns)^{−1/2}` of the greatest difference.
+fn runaway(trial: &Trial<'_>) -> Outcome {
+    let n = 200;
+    let mut last = 0.14_f64;
+    let mut chords = vec![4.0 * last];
+    while chords.len() < n {
+        // s + s² = r with the next one's r = s − s².
+        let right = last * (1.0 - last);
+        last = 2.0 * right / (1.0 + (1.0 + 4.0 * right).sqrt());
+        chords.push(4.0 * last);
+    }
+    chords.reverse();
+    let mut points = vec![0.0];
+    for chord in &chords {
+        points.push(points[points.len() - 1] + chord);
+    }
+    // Half the width of a slope, a thousandth of the shortest chord.
+    let w = 1e-3 * chords[0];
+    let middles = points.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
+    let knots: Vec<[f64; 2]> = middles.flat_map(|x| [[x - w, 1.0 - w], [x + w, 1.0 + w]]).collect();
+    let metric = Polygonal::new(&knots).expect("in order");
+    let sequence = PointSequence::new(points.into_iter().map(|x| [x].into()).collect());
+    let sequence = sequence.map_err(VerifyError::from)?;
+    let found = lemma_s_3(trial.subject, &metric, PaperRule::Trapezoidal, &sequence);
+    let claim = "max|βₙ| ≤ (c₂K₃ + ½L_H K₃² + mean|ρ|)/c₁";
+    trial.one([found.map_err(VerifyError::from)?.claim_is_attained(claim, 1.28)?])
+}
