@@ -37,8 +37,9 @@ impl Metric<2> for Formula {
     }
 }
 
-/// The number of boxes to a side.
+/// The number of boxes to a side, and if quick.
 const COUNT: usize = 31;
+const QUICK: usize = 7;
 
 /// The metrics by their names, each on a square about the origin, with half its side.
 const SQUARES: [(&str, &str, f64); 3] = [
@@ -53,13 +54,13 @@ const QUANTITIES: [(Quantity, &str, &str); 3] = [
     (Quantity::LH, "derivative", "$‖DH(x)‖$"),
 ];
 
-/// The centres of the boxes.
-fn centres(half: f64) -> Lines {
-    let step = 2.0 * half / COUNT as f64;
-    Lines { from: -half + 0.5 * step, to: half - 0.5 * step, count: COUNT }
+/// The centres of so many boxes to a side.
+fn centres(half: f64, count: usize) -> Lines {
+    let step = 2.0 * half / count as f64;
+    Lines { from: -half + 0.5 * step, to: half - 0.5 * step, count }
 }
 
-fn data(_sweep: Sweep) -> Result<Data, Failure> {
+fn data(sweep: Sweep) -> Result<Data, Failure> {
     // Each to two percent: what another library of elementary functions may make of it.
     let bound = Tolerance::Close { relative: 0.02, absolute: 0.0 };
     let mut columns =
@@ -69,7 +70,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
     let (swirl, decoder) = (Swirl::new(1.0, 1.0)?, decoder()?);
     let stated = [None, Some(swirl.constants()), Some(Bounded::<2>::constants(&decoder))];
     for ((name, _, half), stated) in SQUARES.into_iter().zip(stated) {
-        let lines = centres(half);
+        let lines = centres(half, if sweep.quick { QUICK } else { COUNT });
         let places: Vec<[f64; 2]> =
             lines.all().flat_map(|y| lines.all().map(move |x| [x, y])).collect();
         let step = 0.5 * (lines.all().nth(1).unwrap_or(half) - lines.from);
@@ -112,14 +113,12 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
         let mut panels = Vec::new();
         for (k, (_, column, symbol)) in QUANTITIES.into_iter().enumerate() {
             let values = data.rows().filter(|row| row.text("metric") == name);
-            let grid = Grid::new(
-                centres(half),
-                centres(half),
-                values.map(|row| row.number(column)).collect(),
-            )?;
+            let values: Vec<f64> = values.map(|row| row.number(column)).collect();
+            let lines = centres(half, values.len().isqrt());
+            let grid = Grid::new(lines, lines, values)?;
             let title =
                 format!("({}) {title}: {symbol}", char::from(b'a' + (3 * rows.len() + k) as u8));
-            panels.push(panel(&grid, half, &title, symbol)?);
+            panels.push(panel(&grid, lines, &title, symbol)?);
         }
         rows.push(panels);
     }
@@ -127,8 +126,7 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
     Ok(drawing::Figure::new(1100.0, title, rows).draw()?)
 }
 
-fn panel(grid: &Grid, half: f64, title: &str, symbol: &str) -> Result<Panel, DrawingError> {
-    let lines = centres(half);
+fn panel(grid: &Grid, lines: Lines, title: &str, symbol: &str) -> Result<Panel, DrawingError> {
     let range = (lines.from, lines.to);
     let all = || lines.all().flat_map(|y| lines.all().map(move |x| grid.at(x, y)));
     let (least, most) = (all().fold(f64::INFINITY, f64::min), all().fold(0.0, f64::max));

@@ -1,7 +1,7 @@
 //! Which mistakes the bounds of the paper could see.
 
-use tautline_statements::Mutant;
-use tautline_suite::battery::{Examination, Scope, Sight};
+use tautline_statements::{LIBRARY, Mutant, Subject};
+use tautline_suite::battery::{Check, Examination, Scope, Sight, Trial, suite};
 
 /// Half an energy is too small; `K̄_{4,g}` may be too small by much before a bound fails; and no
 /// bound of the paper has Lemma S.3 or Proposition S.7 in it.
@@ -16,5 +16,24 @@ fn a_mistake_is_killed_or_passes_or_is_not_seen_at_all() {
         (Mutant::SlopeForgotten, Sight::Unseen),
     ] {
         assert_eq!(paper.sight(mutant), expected, "{mutant:?}");
+    }
+}
+
+/// Few cases of each check will do: what is asked does not depend on how many there are.
+#[test]
+fn a_check_that_is_not_run_computes_what_it_computed_for_the_library() {
+    let (scope, cases) = (Scope::PaperAlone, 2);
+    let examination = Examination::new(scope, cases).expect("the library passes");
+    let suite: Vec<Check> = suite().into_iter().filter(|check| check.is_in(scope)).collect();
+    for mutant in [Mutant::DistanceForgotten, Mutant::RootLost, Mutant::HalfOfRuleGap] {
+        let wrong = Subject::from(mutant);
+        let asking: Vec<&str> = examination.asking_for(mutant).map(|check| check.name).collect();
+        let left = suite.iter().filter(|check| !asking.contains(&check.name));
+        for check in left.clone() {
+            let [genuine, wrong] = [&LIBRARY, &wrong]
+                .map(|subject| check.run(&Trial::new(subject, scope, cases)).expect("it passes"));
+            assert_eq!(genuine, wrong, "{mutant:?}: {}", check.name);
+        }
+        assert!(!asking.is_empty() && left.count() > 0, "{mutant:?}: {asking:?}");
     }
 }

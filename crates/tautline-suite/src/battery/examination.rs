@@ -85,37 +85,13 @@ impl Examination {
         sight
     }
 
-    /// The checks that ask a subject for what is not the library's.
-    fn that_see(&self, subject: &Subject) -> impl Iterator<Item = &Passed> {
+    /// Returns the checks that ask for what is wrong with a mutant.
+    pub fn asking_for(&self, mutant: Mutant) -> impl Iterator<Item = &Check> {
+        self.that_see(&Subject::from(mutant)).map(|passed| &passed.check)
+    }
+
+    fn that_see(&self, subject: &Subject) -> impl Iterator<Item = &Passed> + use<'_> {
         let replaced = subject.replaced();
         self.checks.iter().filter(move |passed| passed.asked.meets(replaced))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use tautline_statements::Mutant;
-
-    use super::{Examination, Scope, Subject, Trial};
-
-    /// Few cases of each check will do: what is asked does not depend on how many there are.
-    #[test]
-    fn a_check_that_is_not_run_computes_what_it_computed_for_the_library() {
-        let examination = Examination::new(Scope::Everything, 2).expect("the library passes");
-        for mutant in [Mutant::DistanceForgotten, Mutant::ChristoffelSign, Mutant::RegionOfC2] {
-            let subject = Subject::from(mutant);
-            let trial = Trial::new(&subject, Scope::Everything, 2);
-            let (mut run, mut left) = (0, 0);
-            for passed in &examination.checks {
-                if passed.asked.meets(subject.replaced()) {
-                    run += 1;
-                } else {
-                    let tally = passed.check.run(&trial).expect("as the library");
-                    assert_eq!(tally.compared(), passed.compared, "{mutant:?}");
-                    left += 1;
-                }
-            }
-            assert!(0 < run && run < left, "{mutant:?}: {run} and {left}");
-        }
     }
 }
