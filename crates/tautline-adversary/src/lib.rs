@@ -11,8 +11,8 @@
 //! and what is left on the way to it is measured.
 //!
 //! ```
-//! use tautline_statements::{LIBRARY, Source};
 //! use tautline_adversary::{Search, families};
+//! use tautline_statements::{LIBRARY, Source};
 //!
 //! // Proposition 7.9 is attained by a step over the valley of a tent, and the search finds it.
 //! let families = families(&LIBRARY);

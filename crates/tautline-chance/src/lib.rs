@@ -1,7 +1,8 @@
 //! What chance decides in a test: the seed of its random cases, and how many there are.
 //!
-//! Every test has a seed of its own, the laws of one suite of the kit have one together, so that it draws the same cases in every run. Two environment
-//! variables change that for all of them, here and in `tautline-kit`:
+//! Every test has a seed of its own, and the laws of one suite of the kit have one together, so that it draws
+//! the same cases in every run. Two environment variables change that for all of them, in the tests of this
+//! workspace and in those that `tautline-kit` makes:
 //!
 //! | variable | a whole number that | default |
 //! | --- | --- | --- |

@@ -1,6 +1,6 @@
 //! What a test of a metric, a closed set or a rule of one's own needs, in one line.
 //!
-//! What it is for: the page of the [`crate`].
+//! See the page of the [kit](crate).
 
 pub use tautline::{
     Bounded, Certified, ClosedSet, Constants, KnownDistance, LocallyBounded, LocallyCertified,

@@ -44,7 +44,7 @@ impl<M: Bounded<D>, const D: usize> Known<M, D> {
         Ok(Some(Self { metric, ends, distance, distance_error: 16.0 * f64::EPSILON * size }))
     }
 
-    /// The same problem, with the metric behind a pointer.
+    /// Returns the same problem, with the metric behind a pointer.
     #[must_use]
     pub fn behind_a_pointer(&self) -> Known<AnyBounded<'_, D>, D> {
         let Self { ref metric, ref ends, distance, distance_error } = *self;

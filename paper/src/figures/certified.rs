@@ -37,8 +37,10 @@ impl Metric<2> for Formula {
     }
 }
 
-/// The number of boxes to a side, and if quick.
+/// The number of boxes to a side.
 const COUNT: usize = 31;
+
+/// The same for a quick run.
 const QUICK: usize = 7;
 
 /// The metrics by their names, each on a square about the origin, with half its side.

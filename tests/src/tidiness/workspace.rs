@@ -99,7 +99,7 @@ fn plotters_is_for_the_drawing_alone() {
 
 #[test]
 fn random_testing_is_for_verification_alone() {
-    // The second one is for tests only.
+    // The first one is for tests only.
     let verifies =
         |name: &str| ["tautline-chance", "tautline-kit", "tautline-suite"].contains(&name);
     for library in libraries().into_iter().filter(|library| !verifies(&library.name)) {

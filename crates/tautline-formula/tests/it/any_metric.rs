@@ -29,6 +29,8 @@ fn is_itself<const D: usize>(metric: &impl Metric<D>) {
         same(metric, &SVector::from(boxes));
         same(metric, &SVector::from(Jet2::variables(&boxes)));
     }
+    // A recording of what is recorded already.
+    assert_eq!(Formula::record(&AnyMetric::new(metric)), Formula::record(metric));
 }
 
 #[test]

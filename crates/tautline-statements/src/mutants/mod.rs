@@ -13,12 +13,12 @@ use tautline::Constants;
 
 pub use mutant::Mutant;
 
-use crate::subject::{Bounds, Program};
+use crate::subject::{Bounds, GENUINE, Program};
 
 impl Mutant {
     /// Returns the bounds and constants with its mistake, if it is one of theirs.
     pub(crate) fn bounds(self) -> Bounds {
-        let mut bounds = Bounds::LIBRARY;
+        let mut bounds = GENUINE;
         paper::replace(self, &mut bounds);
         sharper::replace(self, &mut bounds);
         theorems::replace(self, &mut bounds);

@@ -1,23 +1,4 @@
 //! The statements, each as one function that returns [`Evidence`](crate::Evidence).
-//!
-//! | section | takes | functions |
-//! | --- | --- | --- |
-//! | 1, main results | a [`Reconstruction`](crate::Reconstruction) | [`theorem_1_1`] to [`theorem_1_4`] |
-//! | 3, geodesics and distances | a curve, or two points | [`prop_3_1`], [`prop_3_2`], [`prop_3_3`] |
-//! | 4, minimal curves | a geodesic and a clock, a tangent vector, or a curve | [`prop_4_1`], [`prop_4_2`], [`prop_4_3`], [`lemma_4_4`] |
-//! | 5, the counterexample | a point sequence over the valleys | [`section_5_left`], [`section_5_trapezoidal`] |
-//! | 6, energy and length | a curve between points or sets | [`prop_6_1`], [`prop_6_2`], [`prop_6_3`] |
-//! | 7, existence | two sets and two point sequences | [`prop_7_1`], and [`critical_point`] of a minimiser |
-//! | 7, curves | a [`BoundedCurve`](crate::curves::BoundedCurve) | [`prop_7_2`] to [`prop_7_4`] |
-//! | 7, matrices | [`TwoForms`] | [`prop_7_5`] |
-//! | 7, sampled curves | a metric, curves and `N` | [`prop_7_6`], [`prop_7_7`] |
-//! | | constants, `K₁`, `K₂` and `N` | [`constant_c_tra`], [`constant_c_tra_sharp`] |
-//! | 7, derivatives | a metric and a point | [`prop_7_10`], [`prop_7_11`] |
-//! | 7, a priori | a metric and a minimal geodesic | [`constant_k1`], [`constant_k2`], [`prop_7_12`] |
-//! | 7 and 8, any point sequence | a metric and a point sequence | [`prop_7_8`], [`prop_7_9`], [`prop_8_1`], [`prop_8_2`] |
-//! | 7 and 8, constants of the theorems | a [`Reconstruction`](crate::Reconstruction) | [`constant_k3_bar`], [`constant_c_1_1`], [`constant_k4_bar`], [`constant_c_1_3`] |
-//! | sharper | as the statement needs | [`lemma_s_1`] to [`lemma_s_5`], [`theorem_a`] to [`theorem_d`], [`prop_s_6`] to [`prop_s_8`] |
-//! | 9, excess of length | two curves, or a [`Reconstruction`](crate::Reconstruction) | [`prop_9_1`], [`remark_9_2`] |
 
 mod apriori;
 mod discrete_constants;

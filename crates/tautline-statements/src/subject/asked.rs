@@ -6,16 +6,16 @@ use super::Program;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Asked(pub(super) u64);
 
-/// So many bits are those of [`Program`]s; the entries of [`Bounds`](super::Bounds) follow.
-const PROGRAMS: usize = 16;
-
 impl Asked {
+    /// So many bits are those of [`Program`]s; the entries of [`Bounds`](super::Bounds) follow.
+    pub(super) const PROGRAMS: usize = 12;
+
     pub(crate) const fn add(&mut self, program: Program) {
         self.0 |= 1 << program as usize;
     }
 
     pub(super) const fn add_bound(&mut self, entry: usize) {
-        self.0 |= 1 << (PROGRAMS + entry);
+        self.0 |= 1 << (Self::PROGRAMS + entry);
     }
 
     /// Returns whether a program is in both sets.

@@ -35,18 +35,21 @@ macro_rules! table {
             /// Those of the library.
             pub const LIBRARY: Self = Self { $($entry: $genuine,)* };
 
-            /// The entries that are not the library's. Functions are compared by their addresses: two of
-            /// one address compute the same.
+            /// The entries that are not those of [`GENUINE`], by their addresses: two functions of one
+            /// address compute the same.
             pub(super) fn replaced(&self) -> Asked {
                 let mut replaced = Asked::default();
                 $(
-                    if self.$entry as usize != Self::LIBRARY.$entry as usize {
+                    if self.$entry as usize != GENUINE.$entry as usize {
                         replaced.add_bound(Entry::$entry as usize);
                     }
                 )*
                 replaced
             }
         }
+
+        const ENTRIES: usize = [$(Entry::$entry),*].len();
+        const _: () = assert!(Asked::PROGRAMS + ENTRIES <= u64::BITS as usize);
 
         impl Subject {
             $(
@@ -59,6 +62,9 @@ macro_rules! table {
         }
     };
 }
+
+/// Those of the library, each with one address: a constant may be compiled more than once.
+pub(crate) static GENUINE: Bounds = Bounds::LIBRARY;
 
 table! {
     /// Returns `K_{1,g}`, in `ℓ`.

@@ -16,6 +16,7 @@ use tautline::{
 
 pub use asked::Asked;
 pub use bounds::Bounds;
+pub(crate) use bounds::GENUINE;
 
 use crate::mutants::{Mutant, programs, solver};
 
@@ -23,8 +24,8 @@ use crate::mutants::{Mutant, programs, solver};
 /// constants and bounds.
 ///
 /// It is [the library](LIBRARY), or the library with one thing changed: what a suite of tests says of such
-/// a variant shows what the suite is worth. Bounds and constants are a [table](Bounds), of which an entry
-/// is replaced; programs that are generic in the dimension make the mistake of a [`Mutant`].
+/// a variant shows what the suite is worth. Bounds and constants are a [table](Bounds), of which entries
+/// are replaced; programs that are generic in the dimension make the mistake of a [`Mutant`].
 ///
 /// Units: those of the functions that are called.
 #[derive(Debug)]
@@ -56,6 +57,8 @@ pub(crate) enum Program {
     Competitors,
 }
 
+const _: () = assert!((Program::Competitors as usize) < Asked::PROGRAMS);
+
 impl Subject {
     /// Returns the library with these bounds and constants.
     #[must_use]
@@ -82,7 +85,10 @@ impl Subject {
     fn note(&self, add: impl Fn(&mut Asked)) {
         let mut asked = Asked::default();
         add(&mut asked);
-        self.asked.fetch_or(asked.0, Ordering::Relaxed);
+        // Threads that share the library would wait for each other's writes.
+        if self.asked.load(Ordering::Relaxed) & asked.0 == 0 {
+            self.asked.fetch_or(asked.0, Ordering::Relaxed);
+        }
     }
 
     /// The mistake in this program, if there is one.
@@ -277,5 +283,33 @@ impl Subject {
             None => genuine,
             Some(_) => programs::region_of_c2(genuine),
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Asked, Subject};
+    use crate::Mutant;
+
+    /// An entry too many would put a mutant to checks that cannot see it; one too few, a mutant that is the
+    /// library.
+    #[test]
+    fn a_mutant_replaces_what_it_is_wrong_in_and_nothing_else() {
+        for mutant in Mutant::ALL {
+            let programs = mutant.programs();
+            let entries = match mutant {
+                _ if !programs.is_empty() => programs.len(),
+                Mutant::CrossTermLost
+                | Mutant::VarianceHalved
+                | Mutant::SkewnessForgotten
+                | Mutant::KurtosisForgotten
+                | Mutant::SlopeForgotten
+                | Mutant::CurvatureOfConvexityForgotten => 2,
+                _ => 1,
+            };
+            let Asked(replaced) = Subject::from(mutant).replaced();
+            assert_eq!(replaced.count_ones() as usize, entries, "{mutant:?}");
+        }
+        assert_eq!(Subject::with(super::GENUINE).replaced(), Asked::default());
     }
 }

@@ -1,8 +1,8 @@
-//! The project's own suite: named checks, to which the library and any variant of it can be put.
+//! The project's own suite: named checks that run against the library or a wrong variant of it.
 //!
 //! A check is run on a [`Subject`](tautline_statements::Subject). The tests of the workspace run all of them on
-//! [`LIBRARY`](tautline_statements::LIBRARY); the table of mutants runs them on deliberately wrong variants, and
-//! shows which check kills which.
+//! [`LIBRARY`](tautline_statements::LIBRARY); the table of mutants runs on deliberately wrong variants those that can
+//! see what is wrong, and shows which check kills which.
 
 mod admissible;
 mod any_strategy;

@@ -8,7 +8,7 @@ use tautline::{Bounded, KnownDistance, PointSequence};
 use tautline_statements::{
     Evidence, Known, LIBRARY, NearestPair, PaperRule, Reconstruction,
     Statement::{Proposition6_1, Proposition6_2, Proposition6_3},
-    Subject, VerifyError, WayOut,
+    Subject, Unit, VerifyError, WayOut,
     curves::{Geodesic, KnownGeodesics, Measured, Reparametrised},
     prop_6_1, prop_6_1_attained, prop_6_1_minimiser, prop_6_2, prop_6_3, prop_6_3_attained,
 };
@@ -147,7 +147,7 @@ fn clocks(trial: &Trial<'_>) -> Outcome {
             let granted = seen.granted_energy()
                 + 2.0 * known.distance * known.distance_error * clock.energy();
             let off = (seen.energy.value - exact).abs();
-            let unit = tautline_statements::Unit::ENERGY;
+            let unit = Unit::ENERGY;
             Ok([prop_6_1(subject, &known, &seen).sharper(
                 "|E(γ** ∘ φ) − d² ∫φ′²| = 0",
                 unit,

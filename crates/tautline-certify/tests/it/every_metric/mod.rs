@@ -6,6 +6,7 @@
 use std::any::type_name;
 
 use nalgebra::{SMatrix, SVector};
+use tautline_formula::Formula;
 use tautline_metrics::{Metric, composition::*, gallery::*};
 use tautline_scalar::{Fast, FastInterval, Interval, Jet1, Jet2, Rigorous, Scalar};
 
@@ -45,16 +46,18 @@ pub(crate) struct Trial {
 }
 
 impl Trial {
-    /// Tries a metric that changes with coordinates of about the size `reach`.
+    /// Tries a metric that changes with coordinates of about the size `reach`, by its formula: recorded, it
+    /// gives the bits of the compiled one, and what tries it is compiled once a dimension.
     #[track_caller]
     fn metric<M: Metric<D>, const D: usize>(&mut self, metric: &M, reach: f64) {
         let path = type_name::<M>().split('<').next().expect("a first part");
         let name = path.rsplit("::").next().expect("a last part");
         let mut record = Record { name, dimension: D, tally: Tally::default(), widest: [0.0; 3] };
+        let formula = Formula::record(metric).expect("no metric of the gallery compares");
         // Four boxes at least, and an end for a metric with nothing to compare.
         let mut boxes = 0_u32;
         while boxes < 4 || (record.tally.compared < self.comparisons && boxes < 1_000_000) {
-            attempt(metric, reach, &mut self.random, &mut record);
+            attempt(&formula, reach, &mut self.random, &mut record);
             boxes += 1;
         }
         self.records.push(record);
@@ -64,7 +67,7 @@ impl Trial {
 /// The entries of `H`, then those of its first and of its second derivatives.
 type Orders<S> = [Vec<S>; 3];
 
-fn second_order<S: Scalar, const D: usize>(metric: &impl Metric<D>, x: [S; D]) -> Orders<S> {
+fn second_order<S: Scalar, const D: usize>(metric: &Formula<D>, x: [S; D]) -> Orders<S> {
     let h = metric.gram(&SVector::from(Jet2::variables(&x)));
     let first = h.iter().flat_map(|entry| *entry.gradient());
     let second = h.iter().flat_map(|entry| pairs::<D>().map(|(k, l)| entry.second(k, l)));
@@ -72,7 +75,7 @@ fn second_order<S: Scalar, const D: usize>(metric: &impl Metric<D>, x: [S; D]) -
 }
 
 /// The same by first derivatives of first derivatives.
-fn nested<S: Scalar, const D: usize>(metric: &impl Metric<D>, x: [S; D]) -> Orders<S> {
+fn nested<S: Scalar, const D: usize>(metric: &Formula<D>, x: [S; D]) -> Orders<S> {
     let h = metric.gram(&SVector::from(Jet1::variables(&Jet1::<S, D>::variables(&x))));
     let first = h.iter().flat_map(|entry| *entry.value().gradient());
     let second = h.iter().flat_map(|entry| pairs::<D>().map(|(k, l)| entry.first(k).first(l)));
@@ -87,7 +90,7 @@ fn pairs<const D: usize>() -> impl Iterator<Item = (usize, usize)> {
 /// length of a vector by both kernels.
 #[track_caller]
 fn attempt<const D: usize>(
-    metric: &impl Metric<D>,
+    metric: &Formula<D>,
     reach: f64,
     random: &mut Random,
     record: &mut Record,

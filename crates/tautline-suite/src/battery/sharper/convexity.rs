@@ -10,7 +10,7 @@ use tautline::{
 };
 use tautline_statements::{
     Evidence, Known, LIBRARY, PaperRule, Reconstruction, Statement, Statement::PropositionS7, Unit,
-    VerifyError, WithConstants, prop_s_7, witnesses::Polygonal,
+    VerifyError, WithConstants, discrete_energy, prop_s_7, witnesses::Polygonal,
 };
 
 use super::{
@@ -131,8 +131,7 @@ fn competitors(trial: &Trial<'_>) -> Outcome {
         let seen = Reconstruction::observe(trial.subject, &known, rule, n)?;
         let speeds = seen.minimum.sequence.differences().map(|beta| beta.norm());
         let greatest = speeds.fold(0.0, f64::max);
-        let energy =
-            tautline_statements::discrete_energy(trial.subject, rule, &known.metric, &straight);
+        let energy = discrete_energy(trial.subject, rule, &known.metric, &straight);
         let constants = known.metric.constants();
         let computed = BetweenPoints {
             rule,
