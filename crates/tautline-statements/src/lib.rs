@@ -18,7 +18,7 @@
 //!
 //! | section | takes | functions |
 //! | --- | --- | --- |
-//! | 1, main results | a [`Reconstruction`](Reconstruction) | [`theorem_1_1`] to [`theorem_1_4`] |
+//! | 1, main results | a [`Reconstruction`] | [`theorem_1_1`] to [`theorem_1_4`] |
 //! | 3, geodesics and distances | a curve, or two points | [`prop_3_1`], [`prop_3_2`], [`prop_3_3`] |
 //! | 4, minimal curves | a geodesic and a clock, a tangent vector, or a curve | [`prop_4_1`], [`prop_4_2`], [`prop_4_3`], [`lemma_4_4`] |
 //! | 5, the counterexample | a point sequence over the valleys | [`section_5_left`], [`section_5_trapezoidal`] |
@@ -31,9 +31,9 @@
 //! | 7, derivatives | a metric and a point | [`prop_7_10`], [`prop_7_11`] |
 //! | 7, a priori | a metric and a minimal geodesic | [`constant_k1`], [`constant_k2`], [`prop_7_12`] |
 //! | 7 and 8, any point sequence | a metric and a point sequence | [`prop_7_8`], [`prop_7_9`], [`prop_8_1`], [`prop_8_2`] |
-//! | 7 and 8, constants of the theorems | a [`Reconstruction`](Reconstruction) | [`constant_k3_bar`], [`constant_c_1_1`], [`constant_k4_bar`], [`constant_c_1_3`] |
+//! | 7 and 8, constants of the theorems | a [`Reconstruction`] | [`constant_k3_bar`], [`constant_c_1_1`], [`constant_k4_bar`], [`constant_c_1_3`] |
 //! | sharper | as the statement needs | [`lemma_s_1`] to [`lemma_s_5`], [`theorem_a`] to [`theorem_d`], [`prop_s_6`] to [`prop_s_8`] |
-//! | 9, excess of length | two curves, or a [`Reconstruction`](Reconstruction) | [`prop_9_1`], [`remark_9_2`] |
+//! | 9, excess of length | two curves, or a [`Reconstruction`] | [`prop_9_1`], [`remark_9_2`] |
 //!
 //! A statement is computed with a [`Subject`]: [`LIBRARY`], or the library with the mistake of a [`Mutant`].
 //! [`curves`] has what Sections 3, 4, 6 and 7 are about, [`witnesses`] the cases near equality.
