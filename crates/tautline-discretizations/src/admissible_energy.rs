@@ -18,17 +18,18 @@ pub fn admissible_energy<const D: usize>(
     points: &[SVector<f64, D>],
 ) -> Option<f64> {
     let n = points.len() - 1;
-    let mut energy = CompensatedSum::default();
+    let (mut energy, mut is_admissible) = (CompensatedSum::default(), true);
     let mut batch = ChordBatch::new(metric, Kind::Square, nodes, 1.0, n);
     for begin in (0..n).step_by(batch.room()) {
         let chords = begin..n.min(begin + batch.room());
         batch.see(0, chords.clone().map(|k| (&points[k], points[k + 1] - points[k])));
-        for square in batch.energies().of_first(chords.len()) {
+        batch.energies().for_first(chords.len(), |square| {
             // Written so that NaN fails.
-            if !(square >= 0.0) {
-                return None;
-            }
+            is_admissible &= square >= 0.0;
             energy.add(square);
+        });
+        if !is_admissible {
+            return None;
         }
     }
     let energy = energy.value() * n as f64;

@@ -50,12 +50,17 @@ impl<'f, const D: usize> ChordBatch<'f, D> {
     pub fn face<'p>(&mut self, pairs: impl ExactSizeIterator<Item = [Chord<'p, D>; 2]>) {
         let count = 2 * pairs.len() * self.nodes.len();
         let mut inputs = self.batch.inputs(count);
-        let mut lane = 0;
-        for [(x, d), (other_x, other_d)] in pairs {
-            for node in self.nodes {
-                let place = [x + d * node.fraction, other_x + other_d * node.fraction];
-                inputs.set_pair(lane, &place, &[d, -other_d]);
-                lane += 1;
+        let place = |[(x, d), (other_x, other_d)]: &[Chord<'p, D>; 2], node: &Node| {
+            [*x + d * node.fraction, *other_x + other_d * node.fraction]
+        };
+        if let [node] = self.nodes {
+            for (lane, pair) in (0..count / 2).zip(pairs) {
+                inputs.set_pair(lane, &place(&pair, node), &[pair[0].1, -pair[1].1]);
+            }
+        } else {
+            let nodes = pairs.flat_map(|pair| self.nodes.iter().map(move |node| (pair, node)));
+            for (lane, (pair, node)) in (0..count / 2).zip(nodes) {
+                inputs.set_pair(lane, &place(&pair, node), &[pair[0].1, -pair[1].1]);
             }
         }
         self.evaluate(count);
@@ -66,12 +71,15 @@ impl<'f, const D: usize> ChordBatch<'f, D> {
     pub fn see<'p>(&mut self, end: usize, chords: impl ExactSizeIterator<Item = Chord<'p, D>>) {
         let count = chords.len() * self.nodes.len();
         let mut inputs = self.batch.inputs(count);
-        let mut lane = 0;
-        for (x, d) in chords {
-            let seen = if end == 0 { d } else { -d };
-            for node in self.nodes {
-                inputs.set(lane, &(x + d * node.fraction), &seen);
-                lane += 1;
+        let seen = |d: SVector<f64, D>| if end == 0 { d } else { -d };
+        if let [node] = self.nodes {
+            for (lane, (x, d)) in (0..count).zip(chords) {
+                inputs.set(lane, &(x + d * node.fraction), &seen(d));
+            }
+        } else {
+            let nodes = chords.flat_map(|chord| self.nodes.iter().map(move |node| (chord, node)));
+            for (lane, ((x, d), node)) in (0..count).zip(nodes) {
+                inputs.set(lane, &(x + d * node.fraction), &seen(d));
             }
         }
         self.evaluate(count);

@@ -3,8 +3,6 @@
 use nalgebra::{SMatrix, SVector};
 use tautline_metrics::Scalar;
 
-use crate::Node;
-
 /// The part of one chord in a discrete energy, with its first and second derivatives by the two
 /// points that it joins.
 ///
@@ -33,71 +31,10 @@ pub struct ChordModel<const D: usize, T = f64> {
     pub coupling: SMatrix<T, D, D>,
 }
 
-/// The derivatives of `H` at a place, contracted with a chord `d`.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Contraction<const D: usize, T> {
-    /// `H`.
-    pub(crate) h: SMatrix<T, D, D>,
-    /// `Gₖ = dᵀ ∂ₖH d`.
-    pub(crate) g: SVector<T, D>,
-    /// `Pᵢₖ = (∂ₖH d)ᵢ`.
-    pub(crate) p: SMatrix<T, D, D>,
-    /// `Qₖₗ = dᵀ ∂ₖ∂ₗH d`.
-    pub(crate) q: SMatrix<T, D, D>,
-}
-
 impl<T: Scalar, const D: usize> ChordModel<D, T> {
-    /// The sum over the nodes, of which each has its number.
+    /// That of a rule without nodes.
     #[inline(always)]
-    pub(crate) fn over(nodes: &[Node], node: impl Fn(usize, &Node) -> Self) -> Self {
-        let [first, rest @ ..] = nodes else { return Self::zero() };
-        let mut sum = node(0, first);
-        for (place, next) in rest.iter().enumerate() {
-            sum = sum.plus(node(place + 1, next));
-        }
-        sum
-    }
-
-    /// The part of one node, of the weight `w`, at the fraction `far` of the chord.
-    #[inline(always)]
-    pub(crate) fn at_node(
-        contraction: Contraction<D, T>,
-        d: &SVector<T, D>,
-        far: T,
-        w: f64,
-    ) -> Self {
-        let near = T::one() - far;
-        let Contraction { h, g, p, q } = contraction;
-        // Each with its weight, and twice where twice is wanted.
-        let (once, twice) = (T::constant(w), T::constant(2.0 * w));
-        let (h, g, p, q) = (h * twice, g * once, p * twice, q * once);
-        let (hd, transposed) = (h * d, p.transpose());
-        let symmetric = p + transposed;
-        Self {
-            energy: d.dot(&hd) * 0.5,
-            trace: h.trace() * 0.5,
-            gradient: [g * near - hd, g * far + hd],
-            hessian: [
-                h - symmetric * near + q * (near * near),
-                h + symmetric * far + q * (far * far),
-            ],
-            coupling: q * (near * far) - h - p * far + transposed * near,
-        }
-    }
-
-    /// The sum of two parts.
-    fn plus(self, other: Self) -> Self {
-        Self {
-            energy: self.energy + other.energy,
-            trace: self.trace + other.trace,
-            gradient: [0, 1].map(|end| self.gradient[end] + other.gradient[end]),
-            hessian: [0, 1].map(|end| self.hessian[end] + other.hessian[end]),
-            coupling: self.coupling + other.coupling,
-        }
-    }
-
-    /// What a rule without nodes has.
-    fn zero() -> Self {
+    pub(crate) fn zero() -> Self {
         Self {
             energy: T::zero(),
             trace: T::zero(),
@@ -105,5 +42,17 @@ impl<T: Scalar, const D: usize> ChordModel<D, T> {
             hessian: [SMatrix::zeros(); 2],
             coupling: SMatrix::zeros(),
         }
+    }
+
+    /// Adds the part of another node.
+    #[inline(always)]
+    pub(crate) fn add(&mut self, other: &Self) {
+        self.energy += other.energy;
+        self.trace += other.trace;
+        for end in 0..2 {
+            self.gradient[end] += other.gradient[end];
+            self.hessian[end] += other.hessian[end];
+        }
+        self.coupling += other.coupling;
     }
 }

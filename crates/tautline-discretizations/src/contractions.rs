@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 use tautline_metrics::{Lanes, Pair};
 
-use crate::{ChordModel, Node, chord_model::Contraction};
+use crate::{ChordModel, Node};
 
 /// A number of each of some lanes that stand side by side.
 pub trait Entry: Lanes {
@@ -111,43 +111,65 @@ impl<T: Entry, const D: usize> Contractions<'_, T, D> {
     /// Returns the model of a chord that was seen from its end 0 or 1.
     #[inline(always)]
     fn seen(&self, k: usize, far: impl Fn(f64) -> T) -> ChordModel<D, T> {
-        let first = k * self.nodes.len();
-        ChordModel::over(self.nodes, |place, node| {
-            self.at_node(first + place, node.weight, far(node.fraction))
-        })
+        let [first, rest @ ..] = self.nodes else { return ChordModel::zero() };
+        let lane = k * self.nodes.len();
+        let mut model = self.at_node(lane, first.weight, far(first.fraction));
+        for (place, node) in rest.iter().enumerate() {
+            model.add(&self.at_node(lane + 1 + place, node.weight, far(node.fraction)));
+        }
+        model
     }
 
-    /// Returns the part of the node of this weight that was evaluated in this lane, or pair of lanes.
+    /// Returns the part of the node of this weight, at the fraction `far` of the chord, that was evaluated in
+    /// this lane, or pair of lanes.
+    ///
+    /// Plain loops over entries: matrices that are made one after the other are copied, and closures that are
+    /// called for each entry are not all inlined.
     #[inline(always)]
     fn at_node(&self, lane: usize, weight: f64, far: T) -> ChordModel<D, T> {
-        // Plain loops: closures that are called for each entry are not all inlined.
-        let matrix = |rows: &[[&[T::Row]; D]; D], is_symmetric: bool| {
-            let mut matrix = SMatrix::<T, D, D>::zeros();
-            for j in 0..D {
-                for i in 0..D {
-                    matrix[(i, j)] = if is_symmetric && i < j {
-                        matrix[(j, i)]
-                    } else {
-                        T::of(rows[i][j][lane])
-                    };
+        let weight = weight * self.n;
+        // Each with its weight, and twice where twice is wanted.
+        let (once, twice) = (T::constant(weight), T::constant(2.0 * weight));
+        let near = T::one() - far;
+        let (near_near, near_far, far_far) = (near * near, near * far, far * far);
+        let mut model = ChordModel::zero();
+        let mut h = SMatrix::<T, D, D>::zeros();
+        let [mut d, mut hd] = [SVector::<T, D>::zeros(); 2];
+        for j in 0..D {
+            for i in j..D {
+                let h_ij = T::of(self.gram[i][j][lane]) * twice;
+                let q = T::of(self.bend[i][j][lane]) * once;
+                let [p, transposed] =
+                    [self.turn[i][j], self.turn[j][i]].map(|row| T::of(row[lane]) * twice);
+                let (symmetric, mixed) = (p + transposed, q * near_far - h_ij);
+                let hessian = [
+                    h_ij - symmetric * near + q * near_near,
+                    h_ij + symmetric * far + q * far_far,
+                ];
+                (h[(i, j)], h[(j, i)]) = (h_ij, h_ij);
+                for end in 0..2 {
+                    model.hessian[end][(i, j)] = hessian[end];
+                    model.hessian[end][(j, i)] = hessian[end];
                 }
+                model.coupling[(j, i)] = mixed - transposed * far + p * near;
+                model.coupling[(i, j)] = mixed - p * far + transposed * near;
             }
-            matrix
-        };
-        let vector = |rows: &[&[T::Row]; D]| {
-            let mut vector = SVector::<T, D>::zeros();
+            d[j] = T::of(self.d[j][lane]);
+        }
+        for j in 0..D {
             for i in 0..D {
-                vector[i] = T::of(rows[i][lane]);
+                hd[i] += h[(i, j)] * d[j];
             }
-            vector
-        };
-        let contraction = Contraction {
-            h: matrix(&self.gram, true),
-            g: vector(&self.slope),
-            p: matrix(&self.turn, false),
-            q: matrix(&self.bend, true),
-        };
-        ChordModel::at_node(contraction, &vector(&self.d), far, weight * self.n)
+            model.trace += h[(j, j)];
+        }
+        for i in 0..D {
+            let g = T::of(self.slope[i][lane]) * once;
+            model.gradient[0][i] = g * near - hd[i];
+            model.gradient[1][i] = g * far + hd[i];
+        }
+        model.energy = d.dot(&hd) * 0.5;
+        model.trace *= T::constant(0.5);
+        model
     }
 }
 

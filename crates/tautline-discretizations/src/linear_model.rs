@@ -41,7 +41,7 @@ impl<const D: usize> LinearModel<D> {
         for begin in (0..n).step_by(batch.room()) {
             let chords = begin..n.min(begin + batch.room());
             batch.see(0, chords.clone().map(|k| sequence.chord(k)));
-            batch.energies().of_first(chords.len()).for_each(|term| energy.add(term));
+            batch.energies().for_first(chords.len(), |term| energy.add(term));
             let momenta = batch.momenta().first(chords.len());
             for k in 0..chords.len() {
                 momenta.add(k, &mut ends);

@@ -13,13 +13,21 @@ pub struct Energies<'b> {
 }
 
 impl Energies<'_> {
-    /// Returns what the first chords add, node by node and chord by chord: `N w dᵀHd`.
+    /// Hands over what the first chords add, node by node and chord by chord: `N w dᵀHd`.
     #[inline]
-    pub fn of_first(self, chords: usize) -> impl Iterator<Item = f64> {
-        let chords = self.square.chunks_exact(self.nodes.len().max(1)).take(chords);
-        chords.flat_map(move |squares| {
-            self.nodes.iter().zip(squares).map(move |(node, square)| self.n * node.weight * square)
-        })
+    pub fn for_first(self, chords: usize, mut take: impl FnMut(f64)) {
+        let squares = &self.square[..chords * self.nodes.len()];
+        if let [node] = self.nodes {
+            for square in squares {
+                take(self.n * node.weight * square);
+            }
+        } else {
+            for squares in squares.chunks_exact(self.nodes.len().max(1)) {
+                for (node, square) in self.nodes.iter().zip(squares) {
+                    take(self.n * node.weight * square);
+                }
+            }
+        }
     }
 }
 

@@ -19,6 +19,7 @@ pub const LARGEST_N: usize = 1 << 26;
 #[doc(alias = "polyline")]
 pub struct PointSequence<const D: usize> {
     points: Vec<SVector<f64, D>>,
+    extent: f64,
 }
 
 /// Why points are no point sequence.
@@ -74,13 +75,11 @@ impl<const D: usize> PointSequence<D> {
         if points.len() - 1 > LARGEST_N {
             return Err(SequenceError::TooManySubintervals { n: points.len() - 1 });
         }
-        for (index, point) in points.iter().enumerate() {
-            if let Some(coordinate) = point.iter().position(|x| !x.is_finite()) {
-                let value = point[coordinate];
-                return Err(SequenceError::NotFinite { index, coordinate, value });
-            }
+        let extent = extent(&points);
+        if !extent.is_finite() {
+            return Err(not_finite(&points));
         }
-        Ok(Self { points })
+        Ok(Self { points, extent })
     }
 
     /// Returns `N + 1` equidistant points on the segment from `a` to `b`.
@@ -127,6 +126,13 @@ impl<const D: usize> PointSequence<D> {
         &self.points
     }
 
+    /// Returns the largest coordinate of any point in absolute value, in `ℓ`: what coordinates are rounded
+    /// by is `ε` times as much at most.
+    #[must_use]
+    pub fn extent(&self) -> f64 {
+        self.extent
+    }
+
     /// Returns the first point.
     #[must_use]
     pub fn first(&self) -> &SVector<f64, D> {
@@ -170,6 +176,34 @@ impl<const D: usize> PointSequence<D> {
     pub fn into_points(self) -> Vec<SVector<f64, D>> {
         self.points
     }
+}
+
+/// The largest coordinate in absolute value; infinite or NaN if one is.
+fn extent<const D: usize>(points: &[SVector<f64, D>]) -> f64 {
+    // Two at a time, so that none waits for the one before.
+    let (many, rest) = points.as_chunks::<2>();
+    let mut largest = [SVector::<f64, D>::zeros(); 2];
+    let mut undefined = largest;
+    for points in many {
+        for k in 0..2 {
+            for i in 0..D {
+                let size = points[k][i].abs();
+                largest[k][i] = if size > largest[k][i] { size } else { largest[k][i] };
+                // NaN for infinity and NaN.
+                undefined[k][i] += size * 0.0;
+            }
+        }
+    }
+    let all = largest.iter().chain(rest).flat_map(|x| x.iter()).fold(0.0, |a: f64, x| a.max(x.abs()));
+    undefined.iter().chain(rest).flat_map(|x| x.iter()).fold(all, |sum, x| sum + x * 0.0)
+}
+
+/// The first coordinate that is NaN or infinite, of which there is one.
+fn not_finite<const D: usize>(points: &[SVector<f64, D>]) -> SequenceError {
+    let all = points.iter().flat_map(|point| point.iter());
+    let place = all.clone().position(|x| !x.is_finite()).expect("one that is not finite");
+    let (index, coordinate) = (place / D, place % D);
+    SequenceError::NotFinite { index, coordinate, value: points[index][coordinate] }
 }
 
 #[cfg(test)]

@@ -39,7 +39,8 @@ impl<'m, const D: usize> DiscreteEnergy<'m, D> {
         let mut energies = Vec::with_capacity(chords.len());
         for some in chords.chunks(batch.room()) {
             batch.see(0, some.iter().map(|[x, y]| (*x, *y - *x)));
-            let terms: Vec<f64> = batch.energies().of_first(some.len()).collect();
+            let mut terms = Vec::with_capacity(some.len() * self.nodes.len());
+            batch.energies().for_first(some.len(), |term| terms.push(term));
             energies.extend(terms.chunks(self.nodes.len()).map(|terms| terms.iter().sum::<f64>()));
         }
         energies

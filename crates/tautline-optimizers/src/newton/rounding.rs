@@ -1,6 +1,5 @@
 //! What rounding does to a search: how small a decrement, a chord or an eigenvalue still counts.
 
-use nalgebra::SVector;
 use tautline_discretizations::{PointSequence, QuadraticModel};
 
 use crate::newton::magnitude::Magnitude;
@@ -11,7 +10,7 @@ const CONVERGED: f64 = 1e-18;
 
 /// What rounding of the points does to a difference `βₙ`, in `ℓ`: `N ε max |x|`.
 pub(crate) fn rounding<const D: usize>(sequence: &PointSequence<D>) -> f64 {
-    sequence.n().get() as f64 * f64::EPSILON * extent_from_origin(sequence.points())
+    sequence.n().get() as f64 * f64::EPSILON * sequence.extent()
 }
 
 /// The decrement, in `m²`, that cannot be lowered in `f64`.
@@ -37,11 +36,6 @@ pub(crate) fn is_rounding<const D: usize>(
     let beta = 4.0 * rounding(sequence);
     (sequence.last() - sequence.first()).amax() * n <= beta
         && model.energy <= model.mean_gram * beta.powi(2)
-}
-
-/// The largest coordinate of any point.
-fn extent_from_origin<const D: usize>(points: &[SVector<f64, D>]) -> f64 {
-    points.iter().map(|x| x.amax()).fold(0.0, f64::max)
 }
 
 /// How far the computed eigenvalues of the Hessian may be off, as a multiple of the

@@ -30,7 +30,6 @@ pub(crate) fn prolong_into<const D: usize>(
     let points = sequence.points();
     let coarse = points.len() - 1;
     let count = points.len().min(POINTS);
-    let fraction = 1.0 / n as f64;
     fine.clear();
     fine.reserve_exact(n + 1);
     // Where the next point is on the coarse grid: whole + rest / n, without rounding.
@@ -41,21 +40,60 @@ pub(crate) fn prolong_into<const D: usize>(
         let place = whole - first;
         // Of a length that the compiler knows, where it is the usual one.
         let usual: Result<&[_; POINTS], _> = near.try_into();
-        let [_, a, b, c, d, e, f, g] =
+        let mut coefficients =
             usual.map_or_else(|_| coefficients(near, place), |near| coefficients(near, place));
-        let start = points[whole];
-        while rest < n {
-            let s = rest as f64 * fraction;
-            let tail = ((g * s + f) * s + e) * s + d;
-            fine.push(start + (((tail * s + c) * s + b) * s + a) * s);
-            rest += coarse;
-        }
+        coefficients[0] = points[whole];
+        let inside = (n - rest).div_ceil(coarse);
+        follow(&coefficients, [rest, coarse, n], inside, &mut fine);
+        rest += inside * coarse;
         // Beyond a finer grid than this, several intervals on.
         whole += rest / n;
         rest %= n;
     }
     fine.push(points[coarse]);
     fine
+}
+
+/// So many points are evaluated at once, coordinate by coordinate.
+const LANES: usize = 8;
+
+/// Adds the values of a polynomial at `s = rest/n, (rest + step)/n, …`, so many of them.
+#[multiversion::multiversion(targets("x86_64+avx2"))]
+fn follow<const D: usize>(
+    coefficients: &[SVector<f64, D>; POINTS],
+    [rest, step, n]: [usize; 3],
+    count: usize,
+    fine: &mut Vec<SVector<f64, D>>,
+) {
+    let fraction = 1.0 / n as f64;
+    for begin in (0..count).step_by(LANES) {
+        let mut s = [0.0; LANES];
+        for lane in 0..LANES {
+            s[lane] = (rest + (begin + lane) * step) as f64 * fraction;
+        }
+        let mut values = [[0.0; LANES]; D];
+        for i in 0..D {
+            let mut value = [coefficients[POINTS - 1][i]; LANES];
+            for coefficient in coefficients[..POINTS - 1].iter().rev() {
+                for lane in 0..LANES {
+                    value[lane] = value[lane] * s[lane] + coefficient[i];
+                }
+            }
+            values[i] = value;
+        }
+        let mut points = [SVector::zeros(); LANES];
+        for lane in 0..LANES {
+            for i in 0..D {
+                points[lane][i] = values[i][lane];
+            }
+        }
+        if count - begin >= LANES {
+            // Of a length that the compiler knows: no call.
+            fine.extend_from_slice(&points);
+        } else {
+            fine.extend_from_slice(&points[..count - begin]);
+        }
+    }
 }
 
 /// The coefficients, of `1, s, s², …`, of the polynomial through points at
