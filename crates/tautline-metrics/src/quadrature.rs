@@ -20,17 +20,45 @@ impl AddAssign for Integral {
     }
 }
 
-/// Nodes of the 7-point Kronrod rule on `[−1, 1]` that are not negative, with the weights
-/// of the Kronrod rule and of the 3-point Gauss rule that shares every second node.
+/// The nodes of the 7-point Kronrod rule on `[−1, 1]`.
 ///
-/// A. S. Kronrod, *Nodes and Weights of Quadrature Formulas*, 1965; exact for polynomials
-/// of degree 11 and 5.
-const RULE: [(f64, f64, f64); 4] = [
-    (0.0, 0.450_916_538_658_474_14, 8.0 / 9.0),
-    (0.434_243_749_346_802_56, 0.401_397_414_775_962_2, 0.0),
-    (0.774_596_669_241_483_4, 0.268_488_089_868_333_44, 5.0 / 9.0),
-    (0.960_491_268_708_020_3, 0.104_656_226_026_467_27, 0.0),
-];
+/// A. S. Kronrod, *Nodes and Weights of Quadrature Formulas*, 1965; exact for polynomials of degree 11.
+const PLACES: [f64; 7] = [0.0, -INNER, INNER, -MIDDLE, MIDDLE, -OUTER, OUTER];
+const INNER: f64 = 0.434_243_749_346_802_56;
+const MIDDLE: f64 = 0.774_596_669_241_483_4;
+const OUTER: f64 = 0.960_491_268_708_020_3;
+
+/// The weights of the nodes, and those of the 3-point Gauss rule that shares some of them, which is exact
+/// for polynomials of degree 5.
+const WEIGHTS: [(f64, f64); 7] = {
+    let (centre, inner) = ((0.450_916_538_658_474_14, 8.0 / 9.0), (0.401_397_414_775_962_2, 0.0));
+    let (middle, outer) = ((0.268_488_089_868_333_44, 5.0 / 9.0), (0.104_656_226_026_467_27, 0.0));
+    [centre, inner, inner, middle, middle, outer, outer]
+};
+
+/// Where on `[0, 1]` [`integrate`] reads an integrand first.
+pub const FIRST_NODES: [f64; 7] = {
+    let mut nodes = PLACES;
+    let mut k = 0;
+    while k < nodes.len() {
+        nodes[k] = 0.5 + 0.5 * PLACES[k];
+        k += 1;
+    }
+    nodes
+};
+
+/// Returns whether [`integrate`] would not halve an interval, by the values of the integrand where it reads
+/// them first on it. NaN ends the subdivision.
+#[must_use]
+pub fn is_integrated(values: &[f64; 7], tolerance: f64) -> bool {
+    let (integral, magnitude) = by_values(values, 1.0);
+    is_enough(integral, magnitude, tolerance) || integral.value.is_nan()
+}
+
+/// Below `4 ε |f|` the two rules differ by their rounding alone.
+fn is_enough(integral: Integral, magnitude: f64, tolerance: f64) -> bool {
+    integral.error <= tolerance.max(4.0 * f64::EPSILON) * magnitude
+}
 
 /// No integrand here needs more than this many intervals unless it is singular.
 const MAX_INTERVALS: usize = 4096;
@@ -54,8 +82,7 @@ fn adaptive(f: &dyn Fn(f64) -> f64, a: f64, b: f64, tolerance: f64) -> Integral 
     while let Some((a, b)) = next {
         let (integral, magnitude) = kronrod(f, a, b);
         intervals += 1;
-        // Below 4 ε |f| the two rules differ by their rounding alone.
-        let enough = integral.error <= tolerance.max(4.0 * f64::EPSILON) * magnitude;
+        let enough = is_enough(integral, magnitude, tolerance);
         let middle = 0.5 * (a + b);
         let exhausted = intervals + pending.len() >= MAX_INTERVALS || middle == a || middle == b;
         if enough || exhausted || integral.value.is_nan() {
@@ -72,25 +99,26 @@ fn adaptive(f: &dyn Fn(f64) -> f64, a: f64, b: f64, tolerance: f64) -> Integral 
 /// One application of the rule: the integral with its error, and the integral of `|f|`.
 fn kronrod(f: &dyn Fn(f64) -> f64, a: f64, b: f64) -> (Integral, f64) {
     let (centre, half) = (0.5 * (a + b), 0.5 * (b - a));
+    by_values(&PLACES.map(|place| f(centre + half * place)), half)
+}
+
+/// The same by the values at the [`PLACES`].
+fn by_values(values: &[f64; 7], half: f64) -> (Integral, f64) {
     let (mut kronrod, mut gauss, mut magnitude) = (0.0, 0.0, 0.0);
-    let mut values = [(0.0, 0.0); 7];
-    for (i, &(node, weight, gauss_weight)) in RULE.iter().enumerate() {
-        let sides: &[f64] = if node == 0.0 { &[0.0] } else { &[-1.0, 1.0] };
-        for (k, side) in sides.iter().enumerate() {
-            let y = f(centre + side * half * node);
-            kronrod += weight * y;
-            gauss += gauss_weight * y;
-            magnitude += weight * y.abs();
-            values[2 * i - usize::from(i > 0) + k] = (weight, y);
-        }
+    for (y, (weight, gauss_weight)) in values.iter().zip(WEIGHTS) {
+        kronrod += weight * y;
+        gauss += gauss_weight * y;
+        magnitude += weight * y.abs();
     }
     // QUADPACK's sharpening: the difference is the error of the Gauss rule, and the Kronrod
     // rule is better by the factor (200 × relative difference)^{1/2} where that is small.
     let mean = 0.5 * kronrod;
-    let spread: f64 = values.iter().map(|(weight, y)| weight * (y - mean).abs()).sum();
+    let terms = values.iter().zip(WEIGHTS);
+    let spread: f64 = terms.map(|(y, (weight, _))| weight * (y - mean).abs()).sum();
     let difference = (kronrod - gauss).abs();
     let error = if spread > 0.0 {
-        spread * (200.0 * difference / spread).powf(1.5).min(1.0)
+        let relative = 200.0 * difference / spread;
+        spread * (relative * relative.sqrt()).min(1.0)
     } else {
         difference
     };

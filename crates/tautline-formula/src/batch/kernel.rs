@@ -32,7 +32,7 @@ impl Kernel {
     /// Derives the program of a kind; `None` where the formula as it is compiled takes less time.
     pub(crate) fn new<const D: usize>(formula: &Formula<D>, kind: Kind) -> Option<Self> {
         let order = match kind {
-            Kind::Square => Order::Zero,
+            Kind::Square | Kind::Checked => Order::Zero,
             Kind::Momentum => Order::First,
             Kind::Contraction => Order::Second,
         };
@@ -40,7 +40,7 @@ impl Kernel {
         let Contracted { graph, square, momentum, gram, slope, turn, bend, .. } = &contracted;
         let mut steps: Vec<Step> = Vec::new();
         match kind {
-            Kind::Square => steps.push(*square),
+            Kind::Square | Kind::Checked => steps.push(*square),
             Kind::Momentum => {
                 steps.push(*square);
                 steps.extend(momentum.iter().chain(slope));
@@ -107,6 +107,7 @@ impl Reader<'_> {
                 layout.square = self.take(1);
                 return layout;
             }
+            Kind::Checked => layout.square = self.take(1),
             Kind::Momentum => {
                 layout.square = self.take(1);
                 layout.momentum = self.take(dimension);

@@ -7,6 +7,8 @@ use crate::program::{Register, Registers};
 pub enum Kind {
     /// `dᵀHd`.
     Square,
+    /// `dᵀHd`, and whether `H` is finite, symmetric and positive definite.
+    Checked,
     /// `dᵀHd`, `Hd` and `Gₖ = dᵀ ∂ₖH d`.
     Momentum,
     /// `H`, `Gₖ`, `Pᵢₖ = (∂ₖH d)ᵢ` and `Qₖₗ = dᵀ ∂ₖ∂ₗH d`.

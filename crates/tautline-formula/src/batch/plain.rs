@@ -17,7 +17,7 @@ use crate::{
 #[derive(Debug)]
 pub struct Plain<M, const D: usize> {
     metric: M,
-    layouts: [OnceLock<Layout>; 3],
+    layouts: [OnceLock<Layout>; 4],
 }
 
 impl<M: Metric<D>, const D: usize> Plain<M, D> {
@@ -46,6 +46,10 @@ fn layout(kind: Kind, dimension: usize) -> Layout {
     let mut layout = Layout::default();
     match kind {
         Kind::Square => layout.square = take(1),
+        Kind::Checked => {
+            layout.square = take(1);
+            layout.positive = take(1);
+        }
         Kind::Momentum => {
             layout.square = take(1);
             layout.momentum = take(dimension);
@@ -95,6 +99,7 @@ impl<M: Metric<D>, const D: usize> Batches<D> for Plain<M, D> {
 /// What a row of each kind is made of, at one place.
 trait AtPlace<const D: usize> {
     fn square(&self, x: &SVector<f64, D>, d: &SVector<f64, D>) -> f64;
+    fn gram(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D>;
     fn momentum(
         &self,
         x: &SVector<f64, D>,
@@ -106,6 +111,10 @@ trait AtPlace<const D: usize> {
 impl<M: Metric<D>, const D: usize> AtPlace<D> for M {
     fn square(&self, x: &SVector<f64, D>, d: &SVector<f64, D>) -> f64 {
         self.norm_squared(x, d)
+    }
+
+    fn gram(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
+        Metric::gram(self, x)
     }
 
     fn momentum(
@@ -142,6 +151,11 @@ fn evaluate<const D: usize>(
             Kind::Square => {
                 let square = metric.square(&x, &d);
                 write(registers, &layout.square, &[square]);
+            }
+            Kind::Checked => {
+                let h = metric.gram(&x);
+                write(registers, &layout.square, &[d.dot(&(h * d))]);
+                sign(registers, is_gram(&h));
             }
             Kind::Momentum => {
                 let (h, g) = metric.momentum(&x, &d);

@@ -20,7 +20,7 @@ use crate::{
 pub struct Prepared<M, const D: usize> {
     plain: Plain<M, D>,
     formula: Option<Formula<D>>,
-    kernels: [OnceLock<Option<Kernel>>; 3],
+    kernels: [OnceLock<Option<Kernel>>; 4],
     instruction_set: InstructionSet,
     lanes: usize,
 }

@@ -91,7 +91,7 @@ impl<'m, const D: usize> DiscreteEnergy<'m, D> {
 
     /// Whether it is so between them too, as far as [`Interpolation::check`] looks.
     pub(crate) fn check_between(&self, sequence: &PointSequence<D>) -> Result<(), MetricError> {
-        Interpolation::new(sequence).check_by(&|x| self.metric.gram(x))
+        Interpolation::new(sequence).check_by_batches(self.metric)
     }
 }
 

@@ -37,7 +37,7 @@ impl<M: Metric<D>, const D: usize> Batches<D> for Counted<M, D> {
     }
     fn evaluate(&self, kind: Kind, registers: &mut Registers) {
         let numbers = match kind {
-            Kind::Square => 1,
+            Kind::Square | Kind::Checked => 1,
             Kind::Momentum => 1 + D,
             Kind::Contraction => 1 + D + D * (D + 1) / 2,
         };
