@@ -142,10 +142,8 @@ impl<T: Entry, const D: usize> Contractions<'_, T, D> {
                 let [p, transposed] =
                     [self.turn[i][j], self.turn[j][i]].map(|row| T::of(row[lane]) * twice);
                 let (symmetric, mixed) = (p + transposed, q * near_far - h_ij);
-                let hessian = [
-                    h_ij - symmetric * near + q * near_near,
-                    h_ij + symmetric * far + q * far_far,
-                ];
+                let hessian =
+                    [h_ij - symmetric * near + q * near_near, h_ij + symmetric * far + q * far_far];
                 (h[(i, j)], h[(j, i)]) = (h_ij, h_ij);
                 for end in 0..2 {
                     model.hessian[end][(i, j)] = hessian[end];

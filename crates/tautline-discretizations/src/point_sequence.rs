@@ -194,7 +194,8 @@ fn extent<const D: usize>(points: &[SVector<f64, D>]) -> f64 {
             }
         }
     }
-    let all = largest.iter().chain(rest).flat_map(|x| x.iter()).fold(0.0, |a: f64, x| a.max(x.abs()));
+    let all =
+        largest.iter().chain(rest).flat_map(|x| x.iter()).fold(0.0, |a: f64, x| a.max(x.abs()));
     undefined.iter().chain(rest).flat_map(|x| x.iter()).fold(all, |sum, x| sum + x * 0.0)
 }
 

@@ -13,7 +13,7 @@ pub use layout::{Kind, Layout};
 pub use plain::Plain;
 pub use prepared::Prepared;
 
-use crate::program::{Register, Registers};
+use crate::program::{InstructionSet, Register, Registers};
 
 /// A metric by batches of places: all that a discrete energy asks of it, behind a pointer.
 pub trait Batches<const D: usize>: Sync {
@@ -26,6 +26,11 @@ pub trait Batches<const D: usize>: Sync {
     /// Returns registers in which the rows of a kind will be, for as many lanes as are best worked on at
     /// once, but no more than `units` times `unit`, and no fewer than `unit`.
     fn registers(&self, kind: Kind, unit: usize, units: usize) -> Registers;
+
+    /// Returns by which instructions whoever asks is to work on.
+    fn instruction_set(&self) -> InstructionSet {
+        InstructionSet::default()
+    }
 
     /// Fills the rows by the places and vectors in the first registers.
     fn evaluate(&self, kind: Kind, registers: &mut Registers);

@@ -85,6 +85,10 @@ impl<M: Metric<D>, const D: usize> Batches<D> for Prepared<M, D> {
         Registers::new(kernel.program(), lanes, self.instruction_set)
     }
 
+    fn instruction_set(&self) -> InstructionSet {
+        self.instruction_set
+    }
+
     fn evaluate(&self, kind: Kind, registers: &mut Registers) {
         match self.kernel(kind) {
             Some(kernel) => registers.run(kernel.program()),

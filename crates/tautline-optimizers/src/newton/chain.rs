@@ -1,17 +1,16 @@
 //! `Chain`: the chords of a point sequence, in the order of an elimination from both ends.
 
-use std::ops::Range;
-
 use nalgebra::SVector;
-use tautline_discretizations::{ChordBatch, Contractions, Node, PointSequence};
+use tautline_discretizations::{ChordBatch, Node, PointSequence};
 use tautline_formula::{Batches, Kind};
-use tautline_metrics::{Lanes, Pair};
+use tautline_metrics::Pair;
 use tautline_sets::ClosedSet;
 
 use crate::newton::{
     end_frame::EndFrame,
     factorization::{Pivot, Regulariser},
-    front::{Ahead, Front},
+    front::Front,
+    pairs::{Kept, Rest, eliminate},
     residual::Residual,
     twisted_factorization::TwistedFactorization,
     two_threads::join,
@@ -87,63 +86,37 @@ impl<const D: usize> Chain<'_, D> {
             let end = (begin + room).min(self.half());
             batch.face((begin..end).map(|k| [self.chord(0, k), self.chord(1, k)]));
             let models = batch.pairs();
+            let mut kept = memory.as_mut().map(|(factorization, eliminated)| {
+                let (first, last) = eliminated.split_at_mut(self.half());
+                let from_the_end = last.len() - end..last.len() - begin;
+                Kept {
+                    pivots: &mut factorization.pairs[begin..end],
+                    first: &mut first[begin..end],
+                    last: &mut last[from_the_end],
+                }
+            });
+            let mut pairs = 0..end - begin;
             if begin == 0 {
                 let mut ahead = both.add(&models.model(0), self.regulariser);
                 let fronts = both.apart();
                 let [first, last] = [0, 1].map(|end| self.frame(end, &fronts[end].row.gradient));
                 both.enter([&first, &last], &mut ahead, self.tau);
                 frames = [Some(first), Some(last)];
-                self.eliminate_pair(0, &mut both, ahead, &mut memory)?;
+                let (pivot, z) = both.advance(ahead)?;
+                if let Some(kept) = &mut kept {
+                    kept.keep(0, pivot, &z);
+                }
+                // The points of the first pair are the ends.
+                pairs.start = 1;
             }
-            both = if models.is_by_middle() {
-                self.eliminate_pairs::<true>(begin..end, &models, both, &mut memory)?
-            } else {
-                self.eliminate_pairs::<false>(begin..end, &models, both, &mut memory)?
-            };
+            let rest = Rest { regulariser: self.regulariser, residual: self.residual };
+            let instructions = self.metric.instruction_set();
+            both = eliminate(instructions, &models, pairs, both, rest, kept)?;
         }
         both.is_metric = batch.is_metric;
         let [first, last] = frames;
         let [front, back] = both.apart();
         Some([Side { front, frame: first }, Side { front: back, frame: last }])
-    }
-
-    /// Eliminates the inner points of the pairs of which these are the models.
-    ///
-    /// A function of its own, with nothing else in it: the fronts stay in registers.
-    #[inline(never)]
-    fn eliminate_pairs<const BY_MIDDLE: bool>(
-        &self,
-        pairs: Range<usize>,
-        models: &Contractions<'_, Pair, D>,
-        mut both: Front<D, Pair>,
-        memory: &mut Memory<'_, D>,
-    ) -> Option<Front<D, Pair>> {
-        let models = models.first(pairs.len());
-        // The points of the first pair are the ends.
-        for k in usize::from(pairs.start == 0)..pairs.len() {
-            let model = if BY_MIDDLE { models.model_by_middle(k) } else { models.model(k) };
-            let ahead = both.add(&model, self.regulariser);
-            both.count(self.residual);
-            self.eliminate_pair(pairs.start + k, &mut both, ahead, memory)?;
-        }
-        Some(both)
-    }
-
-    #[inline(always)]
-    fn eliminate_pair(
-        &self,
-        k: usize,
-        both: &mut Front<D, Pair>,
-        ahead: Ahead<D, Pair>,
-        memory: &mut Memory<'_, D>,
-    ) -> Option<()> {
-        let (pivot, z) = both.advance(ahead)?;
-        if let Some((factorization, eliminated)) = memory {
-            factorization.pairs.push(pivot);
-            eliminated[k] = z.map(|z| z.lane(0));
-            eliminated[self.n() - k] = z.map(|z| z.lane(1));
-        }
-        Some(())
     }
 
     /// Eliminates one side and the other, or both `at_once`; `None` if the Hessian is not positive

@@ -129,6 +129,11 @@ pub(crate) struct Pivot<const D: usize, T = f64> {
 }
 
 impl<T: Lanes, const D: usize> Pivot<D, T> {
+    /// What is written over.
+    pub(crate) fn zero() -> Self {
+        Self { diagonal: Ldl::zero(), lower: SMatrix::zeros() }
+    }
+
     /// Eliminates `Sₙ` with the block `Uₙᵀ` below it, and makes `Sₙ₊₁` of the next block `Aₙ₊₁`;
     /// `None` if `Sₙ` is not positive definite. Of all three symmetric ones, the entries `i ≥ j`.
     #[inline(always)]

@@ -12,6 +12,11 @@ pub(crate) struct Ldl<const D: usize, T = f64> {
 }
 
 impl<T: Lanes, const D: usize> Ldl<D, T> {
+    /// What is written over.
+    pub(crate) fn zero() -> Self {
+        Self { factors: SMatrix::zeros() }
+    }
+
     /// Factorises `A`, reading its entries `i ≥ j`; `None` if it is not positive definite (or not
     /// finite): each of them, where several stand side by side.
     #[inline(always)]

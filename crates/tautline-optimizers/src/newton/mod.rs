@@ -9,6 +9,7 @@ pub(crate) mod ldl;
 pub(crate) mod magnitude;
 pub(crate) mod newton_pass;
 pub(crate) mod newton_step;
+pub(crate) mod pairs;
 pub(crate) mod reduced_system;
 pub(crate) mod residual;
 pub(crate) mod room;

@@ -24,10 +24,11 @@ pub(crate) struct TwistedFactorization<const D: usize> {
 }
 
 impl<const D: usize> TwistedFactorization<D> {
-    /// Forgets everything but the memory, and makes room for so many pairs, and so many on each side.
+    /// Makes room for so many pairs, which are there to be written over, and for so many on each side.
     pub(crate) fn clear(&mut self, pairs: usize, on_each_side: usize) {
-        self.pairs.clear();
-        self.pairs.reserve_exact(pairs);
+        self.pairs.truncate(pairs);
+        self.pairs.reserve_exact(pairs - self.pairs.len());
+        self.pairs.resize(pairs, Pivot::zero());
         for side in &mut self.sides {
             side.clear();
             side.reserve_exact(on_each_side);

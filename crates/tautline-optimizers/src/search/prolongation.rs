@@ -57,9 +57,20 @@ pub(crate) fn prolong_into<const D: usize>(
 /// So many points are evaluated at once, coordinate by coordinate.
 const LANES: usize = 8;
 
-/// Adds the values of a polynomial at `s = rest/n, (rest + step)/n, …`, so many of them.
+/// Adds the values of a polynomial at `s = rest/n, (rest + step)/n, …`, so many of them: by the widest
+/// instructions of the processor, to the same bits.
 #[multiversion::multiversion(targets("x86_64+avx2"))]
 fn follow<const D: usize>(
+    coefficients: &[SVector<f64, D>; POINTS],
+    steps: [usize; 3],
+    count: usize,
+    fine: &mut Vec<SVector<f64, D>>,
+) {
+    follow_inline(coefficients, steps, count, fine);
+}
+
+#[inline(always)]
+fn follow_inline<const D: usize>(
     coefficients: &[SVector<f64, D>; POINTS],
     [rest, step, n]: [usize; 3],
     count: usize,
@@ -81,17 +92,12 @@ fn follow<const D: usize>(
             }
             values[i] = value;
         }
-        let mut points = [SVector::zeros(); LANES];
-        for lane in 0..LANES {
+        for lane in 0..LANES.min(count - begin) {
+            let mut point = SVector::zeros();
             for i in 0..D {
-                points[lane][i] = values[i][lane];
+                point[i] = values[i][lane];
             }
-        }
-        if count - begin >= LANES {
-            // Of a length that the compiler knows: no call.
-            fine.extend_from_slice(&points);
-        } else {
-            fine.extend_from_slice(&points[..count - begin]);
+            fine.push(point);
         }
     }
 }
@@ -128,7 +134,7 @@ mod tests {
     use nalgebra::vector;
     use tautline_discretizations::PointSequence;
 
-    use super::prolong;
+    use super::{follow, follow_inline, prolong};
 
     #[test]
     fn curves_of_the_seventh_degree_are_followed_exactly() {
@@ -158,6 +164,19 @@ mod tests {
         for (k, point) in found.iter().enumerate() {
             // Three weights up to 1, coordinates up to 2.
             assert!((point - parabola(k as f64 / 7.0)).amax() < 4e-15);
+        }
+    }
+
+    /// Full batches, and parts of one.
+    #[test]
+    fn wider_instructions_make_the_same_points() {
+        let coefficients =
+            std::array::from_fn(|k| vector![(k as f64).sin(), 1.0 / (1.0 + k as f64)]);
+        for (count, n) in [(1, 3), (7, 20), (8, 9), (16, 17), (21, 100)] {
+            let [mut widest, mut plain] = [Vec::new(), Vec::new()];
+            follow(&coefficients, [1, 3, n], count, &mut widest);
+            follow_inline(&coefficients, [1, 3, n], count, &mut plain);
+            assert_eq!((&widest, widest.len()), (&plain, count));
         }
     }
 

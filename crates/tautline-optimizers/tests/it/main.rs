@@ -10,6 +10,7 @@ mod little_memory;
 mod nasty_metrics;
 mod pieces;
 mod random_cases;
+mod same_bits;
 mod set_ends;
 mod small_grids;
 mod units;

@@ -1,0 +1,110 @@
+//! The inner loop of an elimination from both ends: pairs of chords, one from each side.
+
+use std::ops::Range;
+
+use nalgebra::SVector;
+use tautline_discretizations::Contractions;
+use tautline_formula::InstructionSet;
+use tautline_metrics::{Lanes, Pair};
+
+use crate::newton::{
+    factorization::{Pivot, Regulariser},
+    front::Front,
+    residual::Residual,
+};
+
+/// What an elimination adds to every pair of chords.
+#[derive(Clone, Copy)]
+pub(crate) struct Rest<'a, const D: usize> {
+    pub(crate) regulariser: Regulariser,
+    pub(crate) residual: &'a Residual<D>,
+}
+
+/// Where the pivots of some pairs and the right hand sides after elimination are kept, those of the last
+/// side from back to front.
+pub(crate) struct Kept<'m, const D: usize> {
+    pub(crate) pivots: &'m mut [Pivot<D, Pair>],
+    pub(crate) first: &'m mut [SVector<f64, D>],
+    pub(crate) last: &'m mut [SVector<f64, D>],
+}
+
+impl<const D: usize> Kept<'_, D> {
+    #[inline(always)]
+    pub(crate) fn keep(&mut self, k: usize, pivot: Pivot<D, Pair>, z: &SVector<Pair, D>) {
+        self.pivots[k] = pivot;
+        self.first[k] = z.map(|z| z.lane(0));
+        let from_the_end = self.last.len() - 1 - k;
+        self.last[from_the_end] = z.map(|z| z.lane(1));
+    }
+}
+
+/// Eliminates the inner points of these pairs, from the front that has come to the first of them; returns the
+/// front behind the last. `None` if the Hessian is not positive definite.
+pub(crate) fn eliminate<const D: usize>(
+    instruction_set: InstructionSet,
+    models: &Contractions<'_, Pair, D>,
+    pairs: Range<usize>,
+    front: Front<D, Pair>,
+    rest: Rest<'_, D>,
+    kept: Option<Kept<'_, D>>,
+) -> Option<Front<D, Pair>> {
+    let keeps = kept.is_some();
+    let kept = kept.unwrap_or(Kept { pivots: &mut [], first: &mut [], last: &mut [] });
+    let run = match (instruction_set, models.is_by_middle(), keeps) {
+        (InstructionSet::Baseline, false, false) => baseline::<false, false, D>,
+        (InstructionSet::Baseline, false, true) => baseline::<false, true, D>,
+        (InstructionSet::Baseline, true, false) => baseline::<true, false, D>,
+        (InstructionSet::Baseline, true, true) => baseline::<true, true, D>,
+        (InstructionSet::Widest, false, false) => widest::<false, false, D>,
+        (InstructionSet::Widest, false, true) => widest::<false, true, D>,
+        (InstructionSet::Widest, true, false) => widest::<true, false, D>,
+        (InstructionSet::Widest, true, true) => widest::<true, true, D>,
+    };
+    run(models, pairs, front, rest, kept)
+}
+
+#[inline(never)]
+fn baseline<const BY_MIDDLE: bool, const KEEPS: bool, const D: usize>(
+    models: &Contractions<'_, Pair, D>,
+    pairs: Range<usize>,
+    front: Front<D, Pair>,
+    rest: Rest<'_, D>,
+    kept: Kept<'_, D>,
+) -> Option<Front<D, Pair>> {
+    inline::<BY_MIDDLE, KEEPS, D>(models, pairs, front, rest, kept)
+}
+
+/// Its instructions have a place for the result, so that operands need not be copied.
+#[multiversion::multiversion(targets("x86_64+avx2"))]
+fn widest<const BY_MIDDLE: bool, const KEEPS: bool, const D: usize>(
+    models: &Contractions<'_, Pair, D>,
+    pairs: Range<usize>,
+    front: Front<D, Pair>,
+    rest: Rest<'_, D>,
+    kept: Kept<'_, D>,
+) -> Option<Front<D, Pair>> {
+    inline::<BY_MIDDLE, KEEPS, D>(models, pairs, front, rest, kept)
+}
+
+/// Nothing else is in this loop, and nothing is called: the front stays in registers.
+#[inline(always)]
+fn inline<const BY_MIDDLE: bool, const KEEPS: bool, const D: usize>(
+    models: &Contractions<'_, Pair, D>,
+    pairs: Range<usize>,
+    mut front: Front<D, Pair>,
+    rest: Rest<'_, D>,
+    mut kept: Kept<'_, D>,
+) -> Option<Front<D, Pair>> {
+    let Rest { regulariser, residual } = rest;
+    let models = models.first(pairs.end);
+    for k in pairs {
+        let model = if BY_MIDDLE { models.model_by_middle(k) } else { models.model(k) };
+        let ahead = front.add(&model, regulariser);
+        front.count(residual);
+        let (pivot, z) = front.advance(ahead)?;
+        if KEEPS {
+            kept.keep(k, pivot, &z);
+        }
+    }
+    Some(front)
+}

@@ -1,0 +1,72 @@
+//! A result has the same bits whatever the processor, the number of threads and the room for chords.
+
+use nalgebra::{SMatrix, SVector};
+use tautline_discretizations::{LeftEndpoint, Rule, Trapezoidal, TrueTrapezoid};
+use tautline_formula::{InstructionSet, Prepared};
+use tautline_metrics::{Metric, Scalar};
+use tautline_optimizers::{Minimum, Options, Workspace, minimise_by_batches};
+use tautline_sets::{Ball, Ends};
+
+/// Waves along each coordinate, and between neighbours.
+struct Waves;
+impl<const D: usize> Metric<D> for Waves {
+    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
+        let mut h = SMatrix::identity() * S::constant(3.0);
+        for i in 0..D {
+            h[(i, i)] += 0.5 * x[i].sin() + 0.25 * (x[(i + 1) % D].sqr() * -1.0).exp();
+            if i + 1 < D {
+                h[(i, i + 1)] = 0.5 * (x[i] - x[i + 1]).cos();
+                h[(i + 1, i)] = h[(i, i + 1)];
+            }
+        }
+        h
+    }
+}
+
+/// All that a result says, and the bits of its points.
+fn said<const D: usize>(minimum: &Minimum<D>) -> (String, Vec<u64>) {
+    let points = minimum.sequence.points().iter().flat_map(|x| x.iter());
+    let bits = points.map(|x| x.to_bits()).collect();
+    let Minimum { energy, decrement, residual, iterations, levels, .. } = minimum;
+    (format!("{energy:e} {decrement:e} {residual:e} {iterations} {levels:?}"), bits)
+}
+
+/// On a grid with a middle chord and on one without; large enough for two threads where they are used.
+fn compare<R: Rule, const D: usize>(rule: R) {
+    let at = |x: f64| SVector::<f64, D>::from_fn(|i, _| x + 0.3 * (i as f64).sin());
+    let ball = |x: f64| Ball::new(at(x), 0.25).expect("a radius");
+    for ends in [
+        Ends::points(at(-1.0), at(1.0)).expect("finite"),
+        Ends::new(ball(-1.0), ball(1.0)).expect("bounded"),
+    ] {
+        for n in [300, 65_536 / (D * D) + 1] {
+            let solve = |instruction_set, lanes, threads| {
+                let metric = Prepared::with(Waves, instruction_set, lanes);
+                let options = Options { threads, ..Options::default() };
+                let workspace = &mut Workspace::default();
+                let minimum = minimise_by_batches(workspace, &metric, &ends, rule, n, &options);
+                said(&minimum.expect("a minimum"))
+            };
+            let expected = solve(InstructionSet::Baseline, 128, 1);
+            for (instruction_set, lanes, threads) in [
+                (InstructionSet::Widest, 128, 1),
+                (InstructionSet::Widest, 8, 2),
+                (InstructionSet::Baseline, 24, 2),
+            ] {
+                let found = solve(instruction_set, lanes, threads);
+                assert_eq!(found.0, expected.0, "{rule:?} {n} {instruction_set:?} {lanes}");
+                assert!(found.1 == expected.1, "{rule:?} {n} {instruction_set:?} {lanes}");
+            }
+        }
+    }
+}
+
+#[test]
+fn instructions_lanes_and_threads_change_no_bit_of_a_result() {
+    compare::<_, 1>(Trapezoidal);
+    compare::<_, 2>(Trapezoidal);
+    compare::<_, 2>(LeftEndpoint);
+    compare::<_, 3>(TrueTrapezoid);
+    compare::<_, 4>(Trapezoidal);
+    compare::<_, 8>(LeftEndpoint);
+}
