@@ -81,6 +81,16 @@ impl<'m, const D: usize> DiscreteEnergy<'m, D> {
 
     /// Whether it is so at every node.
     pub(crate) fn check_nodes(&self, sequence: &PointSequence<D>) -> Result<(), MetricError> {
+        let n = sequence.n().get();
+        let mut batch = ChordBatch::new(self.metric, Kind::Checked, self.nodes, 1.0, n);
+        for begin in (0..n).step_by(batch.room()) {
+            let chords = (begin..n.min(begin + batch.room())).map(|k| sequence.chord(k));
+            batch.see(0, chords);
+        }
+        if batch.is_metric {
+            return Ok(());
+        }
+        // One by one: which of them is none, and why.
         for (x, chord) in sequence.chords() {
             for node in self.nodes {
                 self.check_at(&(x + chord * node.fraction))?;
