@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 use tautline_formula::{Batches, Kind};
 
-use crate::{ChordBatch, CompensatedSum, Node};
+use crate::{ChordBatch, CompensatedSum, Node, point_sequence::chords as chords_of};
 
 /// Returns the discrete energy of the rule with these nodes, in `m²`; `None` if it is not finite or a chord
 /// has a negative one at a node: then the points leave the region where the metric is one.
@@ -22,7 +22,7 @@ pub fn admissible_energy<const D: usize>(
     let mut batch = ChordBatch::new(metric, Kind::Square, nodes, 1.0, n);
     for begin in (0..n).step_by(batch.room()) {
         let chords = begin..n.min(begin + batch.room());
-        batch.see(0, chords.clone().map(|k| (&points[k], points[k + 1] - points[k])));
+        batch.see(0, chords_of(&points[chords.start..=chords.end]));
         batch.energies().for_first(chords.len(), |square| {
             // Written so that NaN fails.
             is_admissible &= square >= 0.0;

@@ -54,12 +54,12 @@ impl<'f, const D: usize> ChordBatch<'f, D> {
             [*x + d * node.fraction, *other_x + other_d * node.fraction]
         };
         if let [node] = self.nodes {
-            for (lane, pair) in (0..count / 2).zip(pairs) {
+            for (lane, pair) in pairs.enumerate() {
                 inputs.set_pair(lane, &place(&pair, node), &[pair[0].1, -pair[1].1]);
             }
         } else {
             let nodes = pairs.flat_map(|pair| self.nodes.iter().map(move |node| (pair, node)));
-            for (lane, (pair, node)) in (0..count / 2).zip(nodes) {
+            for (lane, (pair, node)) in nodes.enumerate() {
                 inputs.set_pair(lane, &place(&pair, node), &[pair[0].1, -pair[1].1]);
             }
         }
@@ -73,12 +73,12 @@ impl<'f, const D: usize> ChordBatch<'f, D> {
         let mut inputs = self.batch.inputs(count);
         let seen = |d: SVector<f64, D>| if end == 0 { d } else { -d };
         if let [node] = self.nodes {
-            for (lane, (x, d)) in (0..count).zip(chords) {
+            for (lane, (x, d)) in chords.enumerate() {
                 inputs.set(lane, &(x + d * node.fraction), &seen(d));
             }
         } else {
             let nodes = chords.flat_map(|chord| self.nodes.iter().map(move |node| (chord, node)));
-            for (lane, ((x, d), node)) in (0..count).zip(nodes) {
+            for (lane, ((x, d), node)) in nodes.enumerate() {
                 inputs.set(lane, &(x + d * node.fraction), &seen(d));
             }
         }

@@ -40,7 +40,7 @@ impl<const D: usize> LinearModel<D> {
         let mut ends = [SVector::<f64, D>::zeros(); 2];
         for begin in (0..n).step_by(batch.room()) {
             let chords = begin..n.min(begin + batch.room());
-            batch.see(0, chords.clone().map(|k| sequence.chord(k)));
+            batch.see(0, sequence.chords_in(chords.clone()));
             batch.energies().for_first(chords.len(), |term| energy.add(term));
             let momenta = batch.momenta().first(chords.len());
             for k in 0..chords.len() {

@@ -1,6 +1,6 @@
 //! `PointSequence`: the `N + 1` points `γᵖ(t₀), …, γᵖ(t_N)`.
 
-use std::num::NonZeroUsize;
+use std::{num::NonZeroUsize, ops::Range};
 
 use nalgebra::SVector;
 
@@ -147,7 +147,21 @@ impl<const D: usize> PointSequence<D> {
 
     /// Returns the `N` chords, each as its first point and the vector to the next, in `ℓ`.
     pub fn chords(&self) -> impl ExactSizeIterator<Item = (&SVector<f64, D>, SVector<f64, D>)> {
-        (0..self.points.len() - 1).map(|n| self.chord(n))
+        chords(&self.points)
+    }
+
+    /// Returns the chords with these numbers, in their order or, from behind, in the opposite one.
+    ///
+    /// # Panics
+    ///
+    /// If there are no such chords.
+    #[inline]
+    pub fn chords_in(
+        &self,
+        numbers: Range<usize>,
+    ) -> impl DoubleEndedIterator<Item = (&SVector<f64, D>, SVector<f64, D>)> + ExactSizeIterator
+    {
+        chords(&self.points[numbers.start..=numbers.end])
     }
 
     /// Returns the chord with the number `n < N`: its first point and the vector to the next, in `ℓ`.
@@ -176,6 +190,14 @@ impl<const D: usize> PointSequence<D> {
     pub fn into_points(self) -> Vec<SVector<f64, D>> {
         self.points
     }
+}
+
+/// The chords between points that follow each other.
+#[inline]
+pub(crate) fn chords<const D: usize>(
+    points: &[SVector<f64, D>],
+) -> impl DoubleEndedIterator<Item = (&SVector<f64, D>, SVector<f64, D>)> + ExactSizeIterator {
+    points.array_windows().map(|[x, y]| (x, y - x))
 }
 
 /// The largest coordinate in absolute value; infinite or NaN if one is.

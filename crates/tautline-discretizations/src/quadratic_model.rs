@@ -60,7 +60,7 @@ impl<const D: usize> QuadraticModel<D> {
         let mut batch = ChordBatch::new(metric, Kind::Contraction, nodes, factor, n);
         for begin in (0..n).step_by(batch.room()) {
             let chords = begin..n.min(begin + batch.room());
-            batch.see(0, chords.clone().map(|k| sequence.chord(k)));
+            batch.see(0, sequence.chords_in(chords.clone()));
             let models = batch.singles().first(chords.len());
             let is_by_middle = models.is_by_middle();
             for k in chords {

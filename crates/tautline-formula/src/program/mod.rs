@@ -6,6 +6,7 @@ mod instruction;
 mod registers;
 
 pub(crate) use instruction::Instruction;
+pub(crate) use registers::whole;
 pub use registers::{InstructionSet, Registers, WIDTH};
 
 /// The place of a register.

@@ -13,6 +13,11 @@ pub const WIDTH: usize = 8;
 
 type Chunk = [f64; WIDTH];
 
+/// Returns so many lanes, or as many more as make the [`WIDTH`] full.
+pub(crate) fn whole(lanes: usize) -> usize {
+    lanes.max(1).next_multiple_of(WIDTH)
+}
+
 /// Which instructions of the processor are used. The results are the same to the bit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum InstructionSet {
@@ -23,8 +28,8 @@ pub enum InstructionSet {
     Widest,
 }
 
-/// Registers of some lanes each.
-#[derive(Clone, Debug)]
+/// Registers of some lanes each; none by default.
+#[derive(Clone, Debug, Default)]
 pub struct Registers {
     rows: Vec<Box<[Chunk]>>,
     /// Where results are made, before they change places with what was in a register.
@@ -38,7 +43,7 @@ pub struct Registers {
 impl Registers {
     /// Registers for a program, of so many lanes or as many more as make the [`WIDTH`] full.
     pub(crate) fn new(program: &Program, lanes: usize, instruction_set: InstructionSet) -> Self {
-        let chunks = lanes.div_ceil(WIDTH).max(1);
+        let chunks = whole(lanes) / WIDTH;
         let row = |value: f64| vec![[value; WIDTH]; chunks].into_boxed_slice();
         let mut rows: Vec<_> = (0..program.registers()).map(|_| row(0.0)).collect();
         for &(register, value) in &program.constants {

@@ -1,5 +1,7 @@
 //! `Chain`: the chords of a point sequence, in the order of an elimination from both ends.
 
+use std::ops::Range;
+
 use nalgebra::SVector;
 use tautline_discretizations::{ChordBatch, Node, PointSequence};
 use tautline_formula::{Batches, Kind};
@@ -58,10 +60,9 @@ impl<const D: usize> Chain<'_, D> {
         self.n() / 2
     }
 
-    /// The chord with the number `k`, as counted from an end.
-    #[inline(always)]
-    fn chord(&self, end: usize, k: usize) -> (&SVector<f64, D>, SVector<f64, D>) {
-        self.sequence.chord(if end == 0 { k } else { self.n() - 1 - k })
+    /// The numbers of the chords that have these, as counted from an end.
+    fn numbers(&self, end: usize, counted: Range<usize>) -> Range<usize> {
+        if end == 0 { counted } else { self.n() - counted.end..self.n() - counted.start }
     }
 
     /// Memory for the models of so many chords.
@@ -84,7 +85,9 @@ impl<const D: usize> Chain<'_, D> {
         let room = batch.room() / 2;
         for begin in (0..self.half()).step_by(room) {
             let end = (begin + room).min(self.half());
-            batch.face((begin..end).map(|k| [self.chord(0, k), self.chord(1, k)]));
+            let [first, last] = [0, 1].map(|side| self.numbers(side, begin..end));
+            let pairs = self.sequence.chords_in(first).zip(self.sequence.chords_in(last).rev());
+            batch.face(pairs.map(|(first, last)| [first, last]));
             let models = batch.pairs();
             let mut kept = memory.as_mut().map(|(factorization, eliminated)| {
                 let (first, last) = eliminated.split_at_mut(self.half());
@@ -146,7 +149,12 @@ impl<const D: usize> Chain<'_, D> {
         let room = batch.room();
         for begin in (0..half).step_by(room) {
             let stop = (begin + room).min(half);
-            batch.see(end, (begin..stop).map(|k| self.chord(end, k)));
+            let chords = self.sequence.chords_in(self.numbers(end, begin..stop));
+            if end == 0 {
+                batch.see(end, chords);
+            } else {
+                batch.see(end, chords.rev());
+            }
             let models = batch.singles();
             for k in begin..stop {
                 let chord = models.model_from(end, k - begin);

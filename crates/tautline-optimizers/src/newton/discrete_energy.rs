@@ -84,8 +84,7 @@ impl<'m, const D: usize> DiscreteEnergy<'m, D> {
         let n = sequence.n().get();
         let mut batch = ChordBatch::new(self.metric, Kind::Checked, self.nodes, 1.0, n);
         for begin in (0..n).step_by(batch.room()) {
-            let chords = (begin..n.min(begin + batch.room())).map(|k| sequence.chord(k));
-            batch.see(0, chords);
+            batch.see(0, sequence.chords_in(begin..n.min(begin + batch.room())));
         }
         if batch.is_metric {
             return Ok(());

@@ -75,7 +75,8 @@ const FINE: usize = 64;
 /// without damping, four times as much if it has to be damped, and some tenth of that for coarser
 /// ones. Where the finest, of `32 768/D²` chords or more, needs none, its points are all that it has:
 /// together less than 30 bytes a point for `D = 2` at `N = 10⁵`, and less than 20 at `N = 10⁷`, both
-/// measured on smooth metrics.
+/// measured on smooth metrics. Besides, some 1 kB for each [register](tautline_formula::Prepared::size) of a
+/// program, which stays with the prepared metric.
 ///
 /// # Errors
 ///
