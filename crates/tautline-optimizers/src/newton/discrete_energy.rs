@@ -5,7 +5,7 @@ use tautline_discretizations::{
     ChordBatch, Interpolation, LinearModel, Node, PointSequence, QuadraticModel, Rule,
     admissible_energy,
 };
-use tautline_formula::{Batches, Kind};
+use tautline_formula::{Batches, InstructionSet, Kind};
 use tautline_metrics::{MetricError, check_matrix};
 use tautline_sets::ClosedSet;
 
@@ -31,6 +31,11 @@ impl<'m, const D: usize> DiscreteEnergy<'m, D> {
     /// The energy of this rule under this metric.
     pub(crate) fn new<R: Rule>(_rule: R, metric: &'m dyn Batches<D>) -> Self {
         Self { nodes: R::NODES, error_exponent: R::ERROR_EXPONENT, metric }
+    }
+
+    /// By which instructions to work on.
+    pub(crate) fn instruction_set(&self) -> InstructionSet {
+        self.metric.instruction_set()
     }
 
     /// The energies of the chords from `x` to `y`, each without the factor `N`: `Σⱼ wⱼ g(x + tⱼ d)(d, d)`.

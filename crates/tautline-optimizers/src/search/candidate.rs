@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 use tautline_discretizations::{PointSequence, SequenceError};
+use tautline_formula::InstructionSet;
 use tautline_sets::ClosedSet;
 
 use crate::{
@@ -81,6 +82,7 @@ impl<'a, const D: usize> Candidate<'a, D> {
         &self,
         n: usize,
         exponent: i32,
+        instruction_set: InstructionSet,
         memory: Vec<SVector<f64, D>>,
     ) -> Result<PointSequence<D>, SequenceError> {
         let sequence = &self.found.sequence;
@@ -88,7 +90,7 @@ impl<'a, const D: usize> Candidate<'a, D> {
         let fine_enough = |coarser: &&PointSequence<D>| coarser.n().get() >= COARSE;
         let coarser: Vec<_> = self.coarser.iter().filter(fine_enough).collect();
         if coarser.is_empty() {
-            return PointSequence::new(prolong_into(sequence, n, memory));
+            return PointSequence::new(prolong_into(sequence, n, instruction_set, memory));
         }
         let power = |n: usize| (n as f64).powi(-exponent);
         // The weight of each in the polynomial of Lagrange through all.
@@ -106,7 +108,8 @@ impl<'a, const D: usize> Candidate<'a, D> {
         }
         points[0] = self.ends[0].project(&points[0]);
         points[here] = self.ends[1].project(&points[here]);
-        PointSequence::new(prolong_into(&PointSequence::new(points)?, n, memory))
+        let sequence = PointSequence::new(points)?;
+        PointSequence::new(prolong_into(&sequence, n, instruction_set, memory))
     }
 }
 
@@ -134,7 +137,7 @@ pub(crate) fn lowest_first<const D: usize>(candidates: &mut Vec<Candidate<'_, D>
 #[cfg(test)]
 mod tests {
     use tautline_discretizations::{LeftEndpoint, PointSequence, Rule, Trapezoidal};
-    use tautline_formula::Prepared;
+    use tautline_formula::{InstructionSet, Prepared};
     use tautline_metrics::gallery::Valleys;
     use tautline_sets::{Ball, ClosedSet, Point};
 
@@ -162,7 +165,9 @@ mod tests {
         };
         let candidate = Candidate::new(ends, solve(grids[0]));
         let candidate = grids[1..].iter().fold(candidate, |c, &n| c.refined(solve(n)).0);
-        let start = candidate.start(3200, R::ERROR_EXPONENT, Vec::new()).expect("finite");
+        let start = candidate
+            .start(3200, R::ERROR_EXPONENT, InstructionSet::Widest, Vec::new())
+            .expect("finite");
         let fine = solve(3200).sequence;
         let pairs = start.points().iter().zip(fine.points());
         pairs.map(|(x, y)| (x - y).amax()).fold(0.0, f64::max)
@@ -198,7 +203,7 @@ mod tests {
             search.run(line).expect("a metric")
         };
         let candidate = Candidate::new(ends, solve(32)).refined(solve(64)).0;
-        let start = candidate.start(256, 1, Vec::new()).expect("finite");
+        let start = candidate.start(256, 1, InstructionSet::Widest, Vec::new()).expect("finite");
         for (set, x) in ends.into_iter().zip([start.first(), start.last()]) {
             assert!((set.project(x) - x).amax() < 1e-15, "{x}");
         }

@@ -261,7 +261,10 @@ impl<'a, const D: usize> Search<'a, D> {
         'a: 'e,
     {
         let search = self.between(candidate.ends);
-        let start = |memory| candidate.start(grid, search.energy.error_exponent, memory);
+        let start = |memory| {
+            let DiscreteEnergy { error_exponent, .. } = search.energy;
+            candidate.start(grid, *error_exponent, search.energy.instruction_set(), memory)
+        };
         let mut in_vain = 0;
         let refined = (grid >= FINE).then(|| {
             let start = start(self.workspace.spare.take(grid + 1)).ok()?;
@@ -304,7 +307,7 @@ impl<'a, const D: usize> Search<'a, D> {
 mod tests {
     use nalgebra::{SMatrix, vector};
     use tautline_discretizations::{PointSequence, Rule, Trapezoidal};
-    use tautline_formula::Prepared;
+    use tautline_formula::{InstructionSet, Prepared};
     use tautline_metrics::gallery::{Constant, Separable};
     use tautline_sets::{ClosedSet, Ends, Point};
 
@@ -346,7 +349,7 @@ mod tests {
         };
         let start = || {
             let exponent = <Trapezoidal as Rule>::ERROR_EXPONENT;
-            coarse().start(129, exponent, Vec::new()).expect("finite")
+            coarse().start(129, exponent, InstructionSet::Widest, Vec::new()).expect("finite")
         };
         let mut in_vain = 0;
         let undamped = local.refine(start(), &coarse().found, search.workspace, &mut in_vain);

@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 use tautline_discretizations::PointSequence;
+use tautline_formula::InstructionSet;
 
 /// So many points a polynomial goes through.
 const POINTS: usize = 8;
@@ -18,13 +19,14 @@ pub(crate) fn prolong<const D: usize>(
     sequence: &PointSequence<D>,
     n: usize,
 ) -> Vec<SVector<f64, D>> {
-    prolong_into(sequence, n, Vec::new())
+    prolong_into(sequence, n, InstructionSet::default(), Vec::new())
 }
 
-/// The same in memory that is there.
+/// The same by these instructions, to the same bits, and in memory that is there.
 pub(crate) fn prolong_into<const D: usize>(
     sequence: &PointSequence<D>,
     n: usize,
+    instruction_set: InstructionSet,
     mut fine: Vec<SVector<f64, D>>,
 ) -> Vec<SVector<f64, D>> {
     let points = sequence.points();
@@ -44,7 +46,11 @@ pub(crate) fn prolong_into<const D: usize>(
             usual.map_or_else(|_| coefficients(near, place), |near| coefficients(near, place));
         coefficients[0] = points[whole];
         let inside = (n - rest).div_ceil(coarse);
-        follow(&coefficients, [rest, coarse, n], inside, &mut fine);
+        let steps = [rest, coarse, n];
+        match instruction_set {
+            InstructionSet::Baseline => follow_inline(&coefficients, steps, inside, &mut fine),
+            InstructionSet::Widest => follow_widest(&coefficients, steps, inside, &mut fine),
+        }
         rest += inside * coarse;
         // Beyond a finer grid than this, several intervals on.
         whole += rest / n;
@@ -57,10 +63,8 @@ pub(crate) fn prolong_into<const D: usize>(
 /// So many points are evaluated at once, coordinate by coordinate.
 const LANES: usize = 8;
 
-/// Adds the values of a polynomial at `s = rest/n, (rest + step)/n, …`, so many of them: by the widest
-/// instructions of the processor, to the same bits.
 #[multiversion::multiversion(targets("x86_64+avx2"))]
-fn follow<const D: usize>(
+fn follow_widest<const D: usize>(
     coefficients: &[SVector<f64, D>; POINTS],
     steps: [usize; 3],
     count: usize,
@@ -69,6 +73,7 @@ fn follow<const D: usize>(
     follow_inline(coefficients, steps, count, fine);
 }
 
+/// Adds the values of a polynomial at `s = rest/n, (rest + step)/n, …`, so many of them.
 #[inline(always)]
 fn follow_inline<const D: usize>(
     coefficients: &[SVector<f64, D>; POINTS],
@@ -134,7 +139,7 @@ mod tests {
     use nalgebra::vector;
     use tautline_discretizations::PointSequence;
 
-    use super::{follow, follow_inline, prolong};
+    use super::{InstructionSet, prolong, prolong_into};
 
     #[test]
     fn curves_of_the_seventh_degree_are_followed_exactly() {
@@ -170,13 +175,12 @@ mod tests {
     /// Full batches, and parts of one.
     #[test]
     fn wider_instructions_make_the_same_points() {
-        let coefficients =
-            std::array::from_fn(|k| vector![(k as f64).sin(), 1.0 / (1.0 + k as f64)]);
-        for (count, n) in [(1, 3), (7, 20), (8, 9), (16, 17), (21, 100)] {
-            let [mut widest, mut plain] = [Vec::new(), Vec::new()];
-            follow(&coefficients, [1, 3, n], count, &mut widest);
-            follow_inline(&coefficients, [1, 3, n], count, &mut plain);
-            assert_eq!((&widest, widest.len()), (&plain, count));
+        let curve = |k: usize| vector![(k as f64).sin(), 1.0 / (1.0 + k as f64)];
+        for (coarse, n) in [(9, 3), (9, 20), (10, 90), (17, 136), (40, 1000)] {
+            let sequence = PointSequence::new((0..=coarse).map(curve).collect()).expect("finite");
+            let [baseline, widest] = [InstructionSet::Baseline, InstructionSet::Widest]
+                .map(|instruction_set| prolong_into(&sequence, n, instruction_set, Vec::new()));
+            assert_eq!((&widest, widest.len()), (&baseline, n + 1));
         }
     }
 

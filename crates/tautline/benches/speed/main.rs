@@ -22,6 +22,7 @@ use tautline::{
 };
 use tautline_discretizations::{LinearModel, QuadraticModel, admissible_energy};
 use tautline_formula::{Formula, InstructionSet};
+use tautline_optimizers::minimise_by_batches;
 
 /// As many places at once as [`Prepared::new`] takes.
 const LANES: usize = 128;
@@ -84,6 +85,10 @@ impl Peer for Timing {
             step.expect("the Hessian is positive definite near a minimiser")
         });
         race.add("solve", || problem.solve_with(Trapezoidal, black_box(n), &options));
+        race.add("solve by the instructions that all processors have", || {
+            let (workspace, ends) = (&mut Workspace::default(), problem.ends());
+            minimise_by_batches(workspace, &baseline, ends, Trapezoidal, black_box(n), &options)
+        });
         race.add("solve of the formula as text", || {
             from_text.solve_with(Trapezoidal, black_box(n), &options)
         });
