@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 use tautline_formula::{AnyMetric, Batch, Batches, Kind, Plain};
 use tautline_metrics::{
-    Metric, MetricError, check_matrix,
+    Metric, MetricError, check_matrix, norm_squared,
     quadrature::{FIRST_NODES, Integral, integrate, is_integrated},
 };
 
@@ -79,7 +79,7 @@ impl<'a, const D: usize> Interpolation<'a, D> {
     #[must_use]
     pub fn energy(&self, metric: &impl Metric<D>) -> Integral {
         let metric = AnyMetric::new(metric);
-        let sum = self.quadrature(|x, d| metric.norm_squared(x, d));
+        let sum = self.quadrature(|x, d| norm_squared(&metric, x, d));
         let n = self.sequence.n().get() as f64;
         Integral { value: n * sum.value, error: n * sum.error }
     }
@@ -88,7 +88,7 @@ impl<'a, const D: usize> Interpolation<'a, D> {
     #[must_use]
     pub fn length(&self, metric: &impl Metric<D>) -> Integral {
         let metric = AnyMetric::new(metric);
-        self.quadrature(|x, d| metric.norm_squared(x, d).sqrt())
+        self.quadrature(|x, d| norm_squared(&metric, x, d).sqrt())
     }
 
     /// Checks that the Gram matrix is finite, symmetric and positive definite along the curve.

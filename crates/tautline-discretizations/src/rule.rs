@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 use tautline_formula::AnyMetric;
-use tautline_metrics::Metric;
+use tautline_metrics::{Metric, norm_squared};
 
 use crate::{PointSequence, compensated_sum::CompensatedSum};
 
@@ -84,7 +84,10 @@ fn chord_sum<const D: usize>(
     d: &SVector<f64, D>,
     f: OfSquare,
 ) -> f64 {
-    nodes.iter().map(|node| node.weight * f(metric.norm_squared(&(x + d * node.fraction), d))).sum()
+    nodes
+        .iter()
+        .map(|node| node.weight * f(norm_squared(metric, &(x + d * node.fraction), d)))
+        .sum()
 }
 
 fn sum<const D: usize>(

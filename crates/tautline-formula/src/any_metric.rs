@@ -7,11 +7,11 @@ use std::{
 
 use nalgebra::{SMatrix, SVector};
 use tautline_metrics::Metric;
-use tautline_scalar::{Jet1, Jet2, MixedJet, Scalar};
+use tautline_scalar::{Jet1, Jet2, Scalar};
 
 use crate::{
     Formula, RecordError,
-    batch::{CHUNK, CHUNKED},
+    batch::CHUNKED,
     recording::{self, Symbol},
 };
 
@@ -19,12 +19,11 @@ use crate::{
 /// metric.
 ///
 /// In `f64`, and in fewer than 24 dimensions in [`Jet1`] and [`Jet2`] over it with all coordinates for
-/// variables, the metric's own methods are called. In all other numbers `H` is evaluated as it was recorded,
-/// to the same bits, and the forms follow from it.
+/// variables, the metric's own `H` is called. In all other numbers it is evaluated as it was recorded, to the
+/// same bits.
 ///
 /// Of a formula that cannot be recorded there are besides, in fewer than 24 dimensions and to rounding, the
-/// jets over `f64` along a line and those of which a search in many dimensions is made, expanded to the second
-/// order. In any other numbers, such as an [`Interval`](tautline_scalar::Interval), it is NaN: intervals
+/// jets over `f64` along a line, expanded to the second order. In any other numbers, such as an [`Interval`](tautline_scalar::Interval), it is NaN: intervals
 /// would follow one branch of several.
 ///
 /// ```
@@ -71,75 +70,39 @@ impl<const D: usize> std::fmt::Debug for AnyMetric<'_, D> {
     }
 }
 
-/// Returns what the metric itself computes, if `S` is one of its compiled number types. The compiler decides
-/// the comparisons of types.
-macro_rules! ask_itself {
-    ($self:ident, $of:ident($x:ident $(, $u:ident)?)) => {
-        if TypeId::of::<S>() == TypeId::of::<f64>()
-            && let Some(value) = $of($self.compiled.numbers(), $x $(, $u)?)
-        {
-            return value;
-        }
-        if TypeId::of::<S>() == TypeId::of::<Jet1<f64, D>>()
-            && let Some(value) = $self.compiled.first_jets().and_then(|jets| $of(jets, $x $(, $u)?))
-        {
-            return value;
-        }
-        if TypeId::of::<S>() == TypeId::of::<Jet2<f64, D>>()
-            && let Some(value) = $self.compiled.second_jets().and_then(|jets| $of(jets, $x $(, $u)?))
-        {
-            return value;
-        }
-    };
-}
-
 impl<const D: usize> Metric<D> for AnyMetric<'_, D> {
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
-        ask_itself!(self, gram(x));
+        // The compiler decides the comparisons of types.
+        if TypeId::of::<S>() == TypeId::of::<f64>()
+            && let Some(h) = gram(self.compiled.numbers(), x)
+        {
+            return h;
+        }
+        if TypeId::of::<S>() == TypeId::of::<Jet1<f64, D>>()
+            && let Some(h) = self.compiled.first_jets().and_then(|jets| gram(jets, x))
+        {
+            return h;
+        }
+        if TypeId::of::<S>() == TypeId::of::<Jet2<f64, D>>()
+            && let Some(h) = self.compiled.second_jets().and_then(|jets| gram(jets, x))
+        {
+            return h;
+        }
         match self.formula() {
             Ok(formula) => Metric::gram(formula, x),
             Err(error) => self.expanded(x, error),
         }
     }
-
-    fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
-        ask_itself!(self, norm_squared(x, u));
-        Metric::norm_squared(&ByGram(self), x, u)
-    }
-
-    fn momentum<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> SVector<S, D> {
-        ask_itself!(self, momentum(x, u));
-        Metric::momentum(&ByGram(self), x, u)
-    }
 }
 
-// Separate functions: in an unoptimised build the caller, which may want numbers only, would reserve stack for
-// the matrix of jets.
-
+// A separate function: in an unoptimised build the caller, which may want numbers only, would reserve stack
+// for the matrix of jets.
 #[inline]
 fn gram<T: Scalar, S: Scalar, const D: usize>(
-    metric: &dyn Forms<T, D>,
+    metric: &dyn Gram<T, D>,
     x: &SVector<S, D>,
 ) -> Option<SMatrix<S, D, D>> {
     same(&metric.gram(same(x)?)).copied()
-}
-
-#[inline]
-fn norm_squared<T: Scalar, S: Scalar, const D: usize>(
-    metric: &dyn Forms<T, D>,
-    x: &SVector<S, D>,
-    u: &SVector<f64, D>,
-) -> Option<S> {
-    same(&metric.norm_squared(same(x)?, u)).copied()
-}
-
-#[inline]
-fn momentum<T: Scalar, S: Scalar, const D: usize>(
-    metric: &dyn Forms<T, D>,
-    x: &SVector<S, D>,
-    u: &SVector<f64, D>,
-) -> Option<SVector<S, D>> {
-    same(&metric.momentum(same(x)?, u)).copied()
 }
 
 /// The value as what it is.
@@ -182,39 +145,28 @@ fn value<S: Scalar, const D: usize>(x: &S) -> Option<f64> {
     let first = || Some(x.downcast_ref::<Jet1<f64, D>>()?.value());
     let along = || Some(x.downcast_ref::<Jet1<f64, 1>>()?.value());
     let twice_along = || Some(x.downcast_ref::<Jet2<f64, 1>>()?.value());
-    let chunk = || Some(x.downcast_ref::<Jet1<f64, CHUNK>>()?.value());
-    let mixed = || Some(x.downcast_ref::<MixedJet<f64, CHUNK>>()?.value());
-    first().or_else(along).or_else(twice_along).or_else(chunk).or_else(mixed)
-}
-
-/// What follows from the Gram matrix alone.
-struct ByGram<'a, 'm, const D: usize>(&'a AnyMetric<'m, D>);
-
-impl<const D: usize> Metric<D> for ByGram<'_, '_, D> {
-    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
-        Metric::gram(self.0, x)
-    }
+    first().or_else(along).or_else(twice_along)
 }
 
 /// A metric as it is compiled, in `f64` and in jets over it.
 trait Compiled<const D: usize>: Sync {
-    fn numbers(&self) -> &dyn Forms<f64, D>;
-    fn first_jets(&self) -> Option<&dyn Forms<Jet1<f64, D>, D>>;
-    fn second_jets(&self) -> Option<&dyn Forms<Jet2<f64, D>, D>>;
+    fn numbers(&self) -> &dyn Gram<f64, D>;
+    fn first_jets(&self) -> Option<&dyn Gram<Jet1<f64, D>, D>>;
+    fn second_jets(&self) -> Option<&dyn Gram<Jet2<f64, D>, D>>;
     fn record(&self) -> Result<Formula<D>, RecordError>;
 }
 
 impl<M: Metric<D>, const D: usize> Compiled<D> for M {
-    fn numbers(&self) -> &dyn Forms<f64, D> {
+    fn numbers(&self) -> &dyn Gram<f64, D> {
         self
     }
 
-    fn first_jets(&self) -> Option<&dyn Forms<Jet1<f64, D>, D>> {
+    fn first_jets(&self) -> Option<&dyn Gram<Jet1<f64, D>, D>> {
         // A constant: larger matrices of jets, which would not fit on the stack, are not compiled.
         if const { D < CHUNKED } { Some(self) } else { None }
     }
 
-    fn second_jets(&self) -> Option<&dyn Forms<Jet2<f64, D>, D>> {
+    fn second_jets(&self) -> Option<&dyn Gram<Jet2<f64, D>, D>> {
         if const { D < CHUNKED } { Some(self) } else { None }
     }
 
@@ -224,22 +176,12 @@ impl<M: Metric<D>, const D: usize> Compiled<D> for M {
 }
 
 /// A metric in one type of numbers.
-trait Forms<S, const D: usize> {
+trait Gram<S, const D: usize> {
     fn gram(&self, x: &SVector<S, D>) -> SMatrix<S, D, D>;
-    fn norm_squared(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S;
-    fn momentum(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> SVector<S, D>;
 }
 
-impl<M: Metric<D>, S: Scalar, const D: usize> Forms<S, D> for M {
+impl<M: Metric<D>, S: Scalar, const D: usize> Gram<S, D> for M {
     fn gram(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         Metric::gram(self, x)
-    }
-
-    fn norm_squared(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
-        Metric::norm_squared(self, x, u)
-    }
-
-    fn momentum(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> SVector<S, D> {
-        Metric::momentum(self, x, u)
     }
 }

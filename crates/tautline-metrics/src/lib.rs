@@ -6,7 +6,7 @@
 //!
 //! ```
 //! use nalgebra::{SMatrix, SVector, vector};
-//! use tautline_metrics::{Metric, Scalar, christoffel};
+//! use tautline_metrics::{Metric, Scalar, christoffel, norm_squared};
 //!
 //! /// `H(x) = e^{x₁} I`, a metric of our own.
 //! struct Slope;
@@ -17,7 +17,7 @@
 //! }
 //!
 //! let origin = vector![0.0, 0.0];
-//! assert_eq!(Slope.norm_squared(&origin, &vector![3.0, 4.0]), 25.0);
+//! assert_eq!(norm_squared(&Slope, &origin, &vector![3.0, 4.0]), 25.0);
 //! // Γ¹₁₁ = ½ ∂₁ log φ = ½
 //! assert_eq!(christoffel(&Slope, &origin).unwrap()[0][(0, 0)], 0.5);
 //! ```
@@ -52,6 +52,6 @@ pub mod quadrature;
 pub use christoffel::christoffel;
 pub use constants::{Constants, HypothesisError};
 pub use locally_bounded::{LocalError, LocallyBounded};
-pub use metric::{Bounded, KnownDistance, Metric};
+pub use metric::{Bounded, KnownDistance, Metric, norm_squared};
 pub use positive_definite::{MetricError, check_gram, check_matrix, cholesky, is_gram};
-pub use tautline_scalar::{Jet1, Jet2, Lanes, MixedJet, Pair, Scalar};
+pub use tautline_scalar::{Jet1, Jet2, Lanes, Pair, Scalar};

@@ -11,8 +11,8 @@ use crate::Constants;
 ///
 /// `H(x)` is symmetric and positive definite at every `x` where the metric is defined, and
 /// not finite (NaN or infinite) where it is not. It is twice continuously differentiable.
-/// No method panics on finite input; none reads a clock, a file or a random number: values depend on
-/// `x` alone. Two threads may ask at once.
+/// It does not panic on finite input, and reads no clock, no file and no random number: values depend
+/// on `x` alone. Two threads may ask at once.
 pub trait Metric<const D: usize>: Sync {
     /// Returns the Gram matrix `H(x)`, in `m²/ℓ²`, shape `D × D`.
     ///
@@ -39,35 +39,6 @@ pub trait Metric<const D: usize>: Sync {
     /// assert!(check_gram(&Sheet { height: 0.9 }, &vector![0.3, 1.0]).is_ok());
     /// ```
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D>;
-
-    /// Returns `g_x(u, u) = uᵀ H(x) u`, in `m²`, for a vector `u` that does not depend on `x`.
-    ///
-    /// Follows from [`gram`](Metric::gram). Worth overriding where it is much cheaper than the
-    /// `D²` entries of `H(x)`, as for a sum of few terms of rank one in many dimensions; both
-    /// must agree to rounding.
-    #[inline]
-    fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
-        let h = self.gram(x);
-        let mut sum = S::zero();
-        for i in 0..D {
-            sum += h[(i, i)] * (u[i] * u[i]);
-            for j in i + 1..D {
-                sum += h[(i, j)] * (2.0 * u[i] * u[j]);
-            }
-        }
-        sum
-    }
-
-    /// Returns `H(x) u`, in `m²/ℓ`, shape `D`: the momentum of a velocity `u` that does not depend on
-    /// `x`.
-    ///
-    /// Follows from [`gram`](Metric::gram). Worth overriding where
-    /// [`norm_squared`](Metric::norm_squared) is; both must agree to rounding.
-    #[inline]
-    fn momentum<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> SVector<S, D> {
-        let h = self.gram(x);
-        SVector::from_fn(|i, _| (1..D).fold(h[(i, 0)] * u[0], |sum, j| sum + h[(i, j)] * u[j]))
-    }
 }
 
 impl<const D: usize, M: Metric<D>> Metric<D> for &M {
@@ -75,16 +46,24 @@ impl<const D: usize, M: Metric<D>> Metric<D> for &M {
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         (**self).gram(x)
     }
+}
 
-    #[inline]
-    fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
-        (**self).norm_squared(x, u)
+/// Returns `g_x(u, u) = uᵀ H(x) u`, in `m²`, for a vector `u` that does not depend on `x`.
+#[inline]
+pub fn norm_squared<S: Scalar, const D: usize>(
+    metric: &impl Metric<D>,
+    x: &SVector<S, D>,
+    u: &SVector<f64, D>,
+) -> S {
+    let h = metric.gram(x);
+    let mut sum = S::zero();
+    for i in 0..D {
+        sum += h[(i, i)] * (u[i] * u[i]);
+        for j in i + 1..D {
+            sum += h[(i, j)] * (2.0 * u[i] * u[j]);
+        }
     }
-
-    #[inline]
-    fn momentum<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> SVector<S, D> {
-        (**self).momentum(x, u)
-    }
+    sum
 }
 
 /// A metric which knows the constants of Theorem 1.1.

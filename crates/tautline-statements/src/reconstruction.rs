@@ -7,6 +7,7 @@ use tautline::{
     AnyMetric, Bounded, Curvature, Integral, Jet2, LeftEndpoint, Metric, Minimum, PointSequence,
     Stop, Trapezoidal,
     bounds::{PaperRule, Setting},
+    norm_squared,
 };
 
 use crate::{AnyBounded, GramRange, Known, Subject, VerifyError};
@@ -190,7 +191,7 @@ pub(crate) fn curvature_at<const D: usize>(
     let u = direction / length;
     let [s] = Jet2::<f64, 1>::variables(&[0.0]);
     let along = SVector::<_, D>::from_fn(|i, _| s * u[i] + x[i]);
-    metric.norm_squared(&along, &u).second(0, 0).abs()
+    norm_squared(metric, &along, &u).second(0, 0).abs()
 }
 
 /// Returns the points of a sequence and the midpoints of its chords, in the order of the curve:

@@ -100,17 +100,6 @@ impl<M: Metric<D>, const D: usize> Metric<D> for InUnits<M> {
         let Units { ell, m } = self.units;
         self.metric.gram(&x.map(|xi| xi * ell.recip())).map(|entry| entry * (m / ell).powi(2))
     }
-
-    fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
-        let Units { ell, m } = self.units;
-        self.metric.norm_squared(&x.map(|xi| xi * ell.recip()), u) * (m / ell).powi(2)
-    }
-
-    fn momentum<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> SVector<S, D> {
-        let Units { ell, m } = self.units;
-        let momentum = self.metric.momentum(&x.map(|xi| xi * ell.recip()), u);
-        momentum.map(|entry| entry * (m / ell).powi(2))
-    }
 }
 
 impl<M: Bounded<D>, const D: usize> Bounded<D> for InUnits<M> {

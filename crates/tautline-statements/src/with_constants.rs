@@ -30,14 +30,6 @@ impl<M: Metric<D>, const D: usize> Metric<D> for WithConstants<M> {
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         self.metric.gram(x)
     }
-
-    fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
-        self.metric.norm_squared(x, u)
-    }
-
-    fn momentum<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> SVector<S, D> {
-        self.metric.momentum(x, u)
-    }
 }
 
 impl<M: Metric<D>, const D: usize> Bounded<D> for WithConstants<M> {

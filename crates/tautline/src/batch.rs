@@ -36,16 +36,17 @@ use crate::{Problem, TautLine};
 ///
 /// # Stack
 ///
-/// In many dimensions matrices of jets are on the stack, and threads other than the first have less
-/// of it: 2 MB by default. What is needed, in MB, as measured with optimisation:
+/// In many dimensions matrices are on the stack, of jets where a formula is evaluated as it is compiled, and
+/// threads other than the first have less of it: 2 MB by default. What is needed, in MB, as measured with
+/// optimisation:
 ///
 /// | `D` | 16 | 23 | 32 | 64 |
 /// | --- | --- | --- | --- | --- |
-/// | by [`gram`](Metric::gram) alone | 2 | 8 | 3 | 8 |
-/// | [`norm_squared`](Metric::norm_squared) and [`momentum`](Metric::momentum) of few terms | – | ¼ | 1 | 3 |
+/// | by programs | ⅛ | ¼ | ½ | 2 |
+/// | as compiled: a formula with branches, or one of very many steps | 2 | 8 | 3 | 12 |
 ///
-/// From `D = 24` on derivatives are taken by blocks of directions, which need less. From `D = 16` on,
-/// give the threads more: rayon's `ThreadPoolBuilder::stack_size`.
+/// From `D = 24` on derivatives are taken by eight directions at a time, which need less. Where it is not
+/// enough, give the threads more: rayon's `ThreadPoolBuilder::stack_size`.
 ///
 /// # Errors
 ///

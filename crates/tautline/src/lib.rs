@@ -84,14 +84,14 @@ pub use tautline_formula::{
 };
 pub use tautline_metrics::{
     Bounded, Constants, HypothesisError, KnownDistance, LocalError, LocallyBounded, Metric,
-    MetricError, check_gram, christoffel, composition, gallery, quadrature,
+    MetricError, check_gram, christoffel, composition, gallery, norm_squared, quadrature,
 };
 pub use tautline_optimizers::{
     AsymptoticsError, Curvature, Estimate, LeadingConstants, Level, Minimum, NewtonStep, Options,
     SolveError, Starts, Stop, Workspace, extrapolate, leading_constants, minimise,
     minimise_by_batches, minimise_in, newton_step,
 };
-pub use tautline_scalar::{FastInterval, Interval, Jet1, Jet2, MixedJet, Scalar};
+pub use tautline_scalar::{FastInterval, Interval, Jet1, Jet2, Scalar};
 pub use tautline_sets::{
     AffineSubspace, AxisBox, Ball, ClosedSet, Ends, FiniteSet, HalfSpace, Point, Segment, SetError,
     Sphere, Union,

@@ -239,26 +239,6 @@ mod tests {
         assert!(ball.r() >= length.hi() / proof.constants.c1().sqrt(), "{ball:?} for {length:?}");
     }
 
-    /// A metric whose two methods disagree: `H = 1`, but a squared norm of `4 u²`. What is proved is
-    /// the matrix.
-    #[test]
-    fn a_metric_is_what_its_matrix_says() {
-        struct Torn;
-        impl Metric<1> for Torn {
-            fn gram<S: Scalar>(&self, _: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
-                SMatrix::from_element(S::one())
-            }
-            fn norm_squared<S: Scalar>(&self, _: &SVector<S, 1>, u: &SVector<f64, 1>) -> S {
-                S::constant(4.0 * u[0] * u[0])
-            }
-        }
-        let ends = Ends::points([0.0], [1.0]).expect("finite");
-        let line = Problem::new(Torn, ends).solve(Trapezoidal, 4).expect("solved");
-        let enclosure = line.prove(Accuracy::default()).expect("proved").enclosure;
-        assert!(enclosure.lower <= 1.0 && 1.0 <= enclosure.upper, "{enclosure:?}");
-        assert!(enclosure.width() < 1e-12, "{enclosure:?}");
-    }
-
     #[test]
     fn what_cannot_be_proved_is_said() {
         let ends = Ends::points([0.1, 0.0], [0.2, 0.1]).expect("finite");

@@ -3,13 +3,12 @@
 use std::thread;
 
 use tautline::{
-    Bounded, Constants, Ends, KnownDistance, Metric, Options, PointSequence, Problem, SMatrix,
-    SVector, Scalar, Starts, Trapezoidal,
+    Bounded, Ends, KnownDistance, Options, PointSequence, Problem, SVector, Starts, Trapezoidal,
     bounds::{
         Setting, theorem_1_2_length_excess, theorem_a_excess, theorem_b_excess, theorem_c_excess,
         theorem_d_excess,
     },
-    gallery::{GalleryError, Separable},
+    gallery::Separable,
 };
 use tautline_statements::slope;
 
@@ -48,38 +47,6 @@ const ALL_STARTS: usize = 32;
 /// terms, and what a converged search may leave, which is less.
 const SAME: f64 = 1e-13;
 
-/// The same wave along each axis: a [`Separable`] whose `uᵀ H u` is a sum of `D` terms, and not of
-/// `D²`.
-#[derive(Clone, Debug)]
-struct Waves<const D: usize>(Separable<D>);
-
-impl<const D: usize> Waves<D> {
-    fn new() -> Result<Self, GalleryError> {
-        let all = |value: f64| SVector::<f64, D>::repeat(value);
-        Ok(Self(Separable::new(all(AMPLITUDE), all(WAVE_NUMBER))?))
-    }
-}
-
-impl<const D: usize> Metric<D> for Waves<D> {
-    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
-        self.0.gram(x)
-    }
-
-    fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
-        let mut sum = S::zero();
-        for i in 0..D {
-            sum += ((x[i] * WAVE_NUMBER).sin() * AMPLITUDE + 1.0).sqr() * (u[i] * u[i]);
-        }
-        sum
-    }
-}
-
-impl<const D: usize> Bounded<D> for Waves<D> {
-    fn constants(&self) -> Constants {
-        self.0.constants()
-    }
-}
-
 /// The distances from the origin to a point of the line, and the excesses that were observed.
 struct Observed {
     setting: Setting,
@@ -89,7 +56,8 @@ struct Observed {
 
 /// Solves along an axis and along the diagonal, at the same distance.
 fn observe<const D: usize>() -> Result<Observed, Failure> {
-    let metric = Waves::<D>::new()?;
+    let all = SVector::<f64, D>::repeat;
+    let metric = Separable::<D>::new(all(AMPLITUDE), all(WAVE_NUMBER))?;
     let line = Separable::<1>::new([AMPLITUDE], [WAVE_NUMBER])?;
     let reach = |x: f64| line.flatten(&SVector::from([x]))[0];
     let distance = reach(END);
@@ -107,8 +75,8 @@ fn observe<const D: usize>() -> Result<Observed, Failure> {
     let mut axis = origin;
     axis[0] = END;
     let excess = |end: SVector<f64, D>| -> Result<f64, Failure> {
-        let found = metric.0.distance(&origin, &end).ok_or(Failure::NoReference("waves"))?;
-        let problem = Problem::new(metric.clone(), Ends::points(origin, end)?);
+        let found = metric.distance(&origin, &end).ok_or(Failure::NoReference("waves"))?;
+        let problem = Problem::new(metric, Ends::points(origin, end)?);
         let straight = PointSequence::straight(origin, end, N)?;
         let starts = Starts::Only(vec![straight]);
         let options = Options { starts, ..Options::default() };

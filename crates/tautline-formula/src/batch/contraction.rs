@@ -2,10 +2,10 @@
 
 use nalgebra::{SMatrix, SVector};
 use tautline_metrics::{Metric, is_gram};
-use tautline_scalar::{Jet1, Jet2, MixedJet, Scalar};
+use tautline_scalar::{Jet1, Jet2, Scalar};
 
 /// The derivatives of `H` at a point, contracted with a chord `d` as soon as they are known.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Contraction<const D: usize> {
     /// `H`.
     pub(crate) h: SMatrix<f64, D, D>,
@@ -20,152 +20,123 @@ pub(crate) struct Contraction<const D: usize> {
     pub(crate) is_metric: bool,
 }
 
-/// From this dimension on `dᵀHd` is differentiated twice apart from the rest, as one scalar:
-/// second-order jets of all `D²` entries of `H` would cost `D⁴`, and a metric of low rank
-/// evaluates `dᵀHd` far cheaper. Below it, one evaluation for all is faster.
-pub(crate) const SPLIT: usize = 4;
-
-/// From this dimension on derivatives are taken by so many directions at once.
+/// From this dimension on second derivatives are taken by so many directions at a time.
 ///
-/// At once, `dᵀHd` would need second-order jets of all `D²` entries of `H` where it follows from
-/// them: `D⁴/2` numbers, 1.3 MB at `D = 24`, which leave the cache and then the stack. Measured on an
-/// expansion of the energy with chunks of 8: there it takes 0.5 times as long at `D = 16`, 1.2 times
-/// at 24 and 0.3 times at 32. A sum of few terms of rank one, whose jets are small, pays for it: with
-/// 4 terms it takes 3.1, 3.7 and 3.4 times as long, with `D` terms 3.5, 4.8 and 5.3 times.
+/// At once, the jets of all `D²` entries of `H` are `D⁴` numbers: 2.8 MB at `D = 24`, which leave the cache and
+/// then the stack.
 pub(crate) const CHUNKED: usize = 24;
-pub(crate) const CHUNK: usize = 8;
-
-impl<const D: usize> Contraction<D> {
-    /// With all derivatives of all entries at once. All sums begin with their first term: a zero to
-    /// begin with costs an addition for each.
-    #[inline(always)]
-    fn together(metric: &impl Metric<D>, y: &SVector<f64, D>, d: &SVector<f64, D>) -> Self {
-        let jets = metric.gram(&SVector::from(Jet2::variables(&(*y).into())));
-        let mut contraction = Self::first_order(&jets, d, Jet2::value, Jet2::first);
-        for k in 0..D {
-            for l in k..D {
-                let second = |i: usize, j: usize| jets[(i, j)].second(k, l);
-                let row = |i: usize| {
-                    let beside = (i + 1..D).map(|j| second(i, j) * (d[j] * 2.0));
-                    beside.fold(second(i, i) * d[i], |sum, term| sum + term) * d[i]
-                };
-                contraction.q[(k, l)] = (1..D).fold(row(0), |sum, i| sum + row(i));
-            }
-        }
-        contraction
-    }
-
-    /// `H`, `P` and `G` from the jets of the entries `i ≤ j` of `H`.
-    #[inline(always)]
-    fn first_order<J>(
-        jets: &SMatrix<J, D, D>,
-        d: &SVector<f64, D>,
-        value: impl Fn(&J) -> f64,
-        first: impl Fn(&J, usize) -> f64,
-    ) -> Self {
-        let jet = |i: usize, j: usize| &jets[(i.min(j), i.max(j))];
-        let h = SMatrix::<f64, D, D>::from_fn(|i, j| value(jet(i, j)));
-        let p = SMatrix::<f64, D, D>::from_fn(|i, k| {
-            let term = |j: usize| first(jet(i, j), k) * d[j];
-            (1..D).fold(term(0), |sum, j| sum + term(j))
-        });
-        let is_metric = is_gram(&SMatrix::<f64, D, D>::from_fn(|i, j| value(&jets[(i, j)])));
-        Self { h, g: p.tr_mul(d), p, q: SMatrix::zeros(), is_metric }
-    }
-}
+const CHUNK: usize = 8;
 
 impl<const D: usize> Contraction<D> {
     /// Differentiates at `y`.
     #[inline(always)]
     pub(crate) fn new(metric: &impl Metric<D>, y: &SVector<f64, D>, d: &SVector<f64, D>) -> Self {
-        // Constants, so that of the three only one is compiled for each metric.
-        let mut contraction = if const { D < SPLIT } {
-            Self::together(metric, y, d)
-        } else if const { D < CHUNKED } {
-            Self::apart(metric, y, d)
+        // A constant, so that of the two only one is compiled for each metric.
+        if const { D < CHUNKED } {
+            Self::at_once(metric, y, d)
         } else {
             Self::by_chunks(metric, y, d)
-        };
-        contraction.q.fill_lower_triangle_with_upper_triangle();
+        }
+    }
+
+    #[inline(always)]
+    fn at_once(metric: &impl Metric<D>, y: &SVector<f64, D>, d: &SVector<f64, D>) -> Self {
+        let jets = metric.gram(&SVector::from(Jet2::variables(&(*y).into())));
+        let mut contraction = Self::of(&jets.map(|jet| jet.value()));
+        contraction.differentiate(&jets, d, std::array::from_fn(|k| k));
         contraction
     }
 
-    /// With `H`, the derivatives of `H d` and the second derivatives of `dᵀHd` apart.
-    #[inline(always)]
-    fn apart(metric: &impl Metric<D>, y: &SVector<f64, D>, d: &SVector<f64, D>) -> Self {
-        let h = metric.gram(y);
-        let momentum = metric.momentum(&SVector::from(Jet1::variables(&(*y).into())), d);
-        let square = metric.norm_squared(&SVector::from(Jet2::variables(&(*y).into())), d);
-        let mut q = SMatrix::<f64, D, D>::zeros();
-        for k in 0..D {
-            for l in k..D {
-                q[(k, l)] = square.second(k, l);
-            }
-        }
-        Self {
-            h,
-            g: SVector::from(*square.gradient()),
-            p: SMatrix::from_fn(|i, k| momentum[i].first(k)),
-            q,
-            is_metric: is_gram(&h),
-        }
-    }
-
-    /// With the first derivatives by one chunk of directions at a time, and the second by all
-    /// pairs of chunks `a ≤ b`.
+    /// Every two halves of a chunk together, so that any two coordinates are in one of them.
     fn by_chunks(metric: &impl Metric<D>, y: &SVector<f64, D>, d: &SVector<f64, D>) -> Self {
-        let mut h = SMatrix::<f64, D, D>::zeros();
-        let mut p = SMatrix::<f64, D, D>::zeros();
-        let mut q = SMatrix::<f64, D, D>::zeros();
-        let mut is_metric = false;
-        for a in (0..D).step_by(CHUNK) {
-            let jets = metric.gram(&chunk_of_variables(y, a));
-            if a == 0 {
-                is_metric = is_gram(&jets.map(|jet| jet.value()));
+        const HALF: usize = CHUNK / 2;
+        let mut contraction = Self::of(&metric.gram(y));
+        for a in (0..D).step_by(HALF) {
+            for b in (a + HALF..D).step_by(HALF) {
+                let directions: [usize; CHUNK] =
+                    std::array::from_fn(|k| if k < HALF { a + k } else { b + k - HALF });
+                let jets = metric.gram(&variables(y, directions));
+                contraction.differentiate(&jets, d, directions);
             }
-            for j in 0..D {
-                for i in 0..=j {
-                    let jet = &jets[(i, j)];
-                    h[(i, j)] = jet.value();
-                    h[(j, i)] = jet.value();
-                    for k in a..D.min(a + CHUNK) {
-                        p[(i, k)] += jet.first(k - a) * d[j];
-                        if i != j {
-                            p[(j, k)] += jet.first(k - a) * d[i];
-                        }
+        }
+        contraction
+    }
+
+    fn of(gram: &SMatrix<f64, D, D>) -> Self {
+        Self {
+            h: SMatrix::from_fn(|i, j| gram[(i.min(j), i.max(j))]),
+            g: SVector::zeros(),
+            p: SMatrix::zeros(),
+            q: SMatrix::zeros(),
+            is_metric: is_gram(gram),
+        }
+    }
+
+    /// Sets `G`, `P` and `Q` in the directions of the jets, of which those from `D` on are none.
+    #[inline(always)]
+    fn differentiate<const B: usize>(
+        &mut self,
+        jets: &SMatrix<Jet2<f64, B>, D, D>,
+        d: &SVector<f64, D>,
+        directions: [usize; B],
+    ) {
+        let mut p = SMatrix::<f64, D, B>::zeros();
+        let mut q = SMatrix::<f64, B, B>::zeros();
+        for i in 0..D {
+            for j in i..D {
+                let (jet, weight) = (&jets[(i, j)], weight(d, i, j));
+                for k in 0..B {
+                    p[(i, k)] += jet.first(k) * d[j];
+                    if i != j {
+                        p[(j, k)] += jet.first(k) * d[i];
                     }
-                }
-            }
-            for b in (a..D).step_by(CHUNK) {
-                let variables = SVector::<_, D>::from_fn(|i, _| {
-                    MixedJet::<f64, CHUNK>::variable(y[i], place(i, a), place(i, b))
-                });
-                let square = metric.norm_squared(&variables, d);
-                for k in a..D.min(a + CHUNK) {
-                    for l in b..D.min(b + CHUNK) {
-                        q[(k, l)] = square.mixed(k - a, l - b);
+                    for l in k..B {
+                        q[(k, l)] += jet.second(k, l) * weight;
                     }
                 }
             }
         }
-        Self { h, g: p.tr_mul(d), p, q, is_metric }
+        let g = slope(jets, d, Jet2::gradient);
+        let places = || directions.into_iter().enumerate().filter(|&(_, k)| k < D);
+        for (a, k) in places() {
+            self.g[k] = g[a];
+            self.p.set_column(k, &p.column(a));
+            places().for_each(|(b, l)| self.q[(k, l)] = q[(a.min(b), a.max(b))]);
+        }
     }
 }
 
-/// Where in the chunk that begins with `start` the coordinate `i` is.
-fn place(i: usize, start: usize) -> Option<usize> {
-    i.checked_sub(start).filter(|&place| place < CHUNK)
+/// By how much the entries `(i, j)` and `(j, i)` of `H` count in `dᵀHd`.
+#[inline(always)]
+fn weight<const D: usize>(d: &SVector<f64, D>, i: usize, j: usize) -> f64 {
+    if i == j { d[i] * d[i] } else { 2.0 * d[i] * d[j] }
 }
 
-/// The coordinates as functions of those in the chunk that begins with `start`.
-fn chunk_of_variables<const D: usize>(
+/// `G` in the directions of the jets of the entries `i ≤ j` of `H`.
+#[inline(always)]
+fn slope<J, const B: usize, const D: usize>(
+    jets: &SMatrix<J, D, D>,
+    d: &SVector<f64, D>,
+    gradient: impl Fn(&J) -> &[f64; B],
+) -> SVector<f64, B> {
+    let mut g = SVector::zeros();
+    for i in 0..D {
+        for j in i..D {
+            g += SVector::from(*gradient(&jets[(i, j)])) * weight(d, i, j);
+        }
+    }
+    g
+}
+
+/// The coordinates as functions of those in these directions.
+fn variables<const B: usize, const D: usize>(
     y: &SVector<f64, D>,
-    start: usize,
-) -> SVector<Jet1<f64, CHUNK>, D> {
+    directions: [usize; B],
+) -> SVector<Jet2<f64, B>, D> {
     // Beyond the last coordinate stand variables on which nothing depends.
-    let values = std::array::from_fn(|k| y.get(start + k).copied().unwrap_or(0.0));
-    let chunk = Jet1::variables(&values);
-    SVector::from_fn(|i, _| place(i, start).map_or(Jet1::constant(y[i]), |k| chunk[k]))
+    let variables = Jet2::variables(&directions.map(|k| y.get(k).copied().unwrap_or(0.0)));
+    let place = |i: usize| directions.iter().position(|&k| k == i);
+    SVector::from_fn(|i, _| place(i).map_or(Jet2::constant(y[i]), |place| variables[place]))
 }
 
 /// `H`, both halves as the metric has them, and `Gₖ = dᵀ ∂ₖH d` at `y`.
@@ -175,26 +146,8 @@ pub(crate) fn momentum<const D: usize>(
     y: &SVector<f64, D>,
     d: &SVector<f64, D>,
 ) -> (SMatrix<f64, D, D>, SVector<f64, D>) {
-    let variables = || SVector::from(Jet1::variables(&(*y).into()));
-    if const { D < SPLIT } {
-        let jets = metric.gram(&variables());
-        let contraction = Contraction::first_order(&jets, d, Jet1::value, Jet1::first);
-        return (jets.map(|jet| jet.value()), contraction.g);
-    }
-    let h: SMatrix<f64, D, D> = metric.gram(y);
-    let gradient = if const { D < CHUNKED } {
-        SVector::from(*metric.norm_squared(&variables(), d).gradient())
-    } else {
-        let mut gradient = SVector::zeros();
-        for start in (0..D).step_by(CHUNK) {
-            let square = metric.norm_squared(&chunk_of_variables(y, start), d);
-            for k in start..D.min(start + CHUNK) {
-                gradient[k] = square.first(k - start);
-            }
-        }
-        gradient
-    };
-    (h, gradient)
+    let jets = metric.gram(&SVector::from(Jet1::variables(&(*y).into())));
+    (jets.map(|jet| jet.value()), slope(&jets, d, Jet1::gradient))
 }
 
 #[cfg(test)]
@@ -204,49 +157,46 @@ mod tests {
 
     use super::{CHUNK, CHUNKED, Contraction, momentum};
 
-    /// Chunked and not, between 8 waves in every coordinate at once.
-    #[track_caller]
-    fn compare<const D: usize>() {
+    /// Between 8 waves in every coordinate at once.
+    fn expand<const D: usize>(
+        by: fn(&SineProjections<D>, &SVector<f64, D>, &SVector<f64, D>) -> Contraction<D>,
+    ) -> Contraction<D> {
         let wave = |k: usize, i: usize| (0.7 * k as f64 + 1.9 * i as f64).sin();
         let term = |k: usize| SineProjection {
             wave_vector: SVector::from_fn(|i, _| wave(k, i)),
             direction: SVector::from_fn(|i, _| 0.5 * wave(k + 1, i + 1)),
         };
-        let metric = SineProjections::<D>::new((1..=8).map(term).collect()).expect("finite");
+        let terms: Vec<_> = (1..=8).map(term).collect();
+        let metric = SineProjections::new(terms.clone()).expect("finite");
         let y = SVector::<f64, D>::from_fn(|i, _| 0.3 * wave(3, 2 * i));
         let d = SVector::<f64, D>::from_fn(|i, _| 0.25 * wave(5, i));
-        let mut whole = Contraction::apart(&metric, &y, &d);
-        let mut chunked = Contraction::by_chunks(&metric, &y, &d);
-        whole.q.fill_lower_triangle_with_upper_triangle();
-        chunked.q.fill_lower_triangle_with_upper_triangle();
-        // ∂ₖHᵢⱼ is a sum of 8 terms below 1/8, P of D terms below 1/4 in either order, and G of D
-        // terms below D/16. A sum of D terms is known to D ε/2 times the sum of their sizes, so
-        // that P differs by D² ε/4 at most. G inherits D³ ε/16 of that, and has as much from its own
-        // two sums: 4.4e-13 for D = 25. Every entry of H and of Q comes from the same operations
-        // either way.
-        let close = 4.5e-13;
-        assert_eq!(whole.h, chunked.h);
-        assert_eq!(whole.q, chunked.q);
-        assert!((whole.p - chunked.p).amax() <= close);
-        assert!((whole.g - chunked.g).amax() <= close);
-        let (h, g) = momentum(&metric, &y, &d);
-        assert!((h - whole.h).amax() <= close && (g - whole.g).amax() <= close);
+        let contraction = by(&metric, &y, &d);
+        assert_eq!(momentum(&metric, &y, &d), (contraction.h, contraction.g));
+        // Σ cos(2 w·y) (a·d)² w wᵀ, and ½ Σ sin(2 w·y) (a·d) a wᵀ.
+        let (mut p, mut q) = (contraction.p, contraction.q);
+        for SineProjection { wave_vector: w, direction: a } in terms {
+            let (sin, cos) = (2.0 * w.dot(&y)).sin_cos();
+            p -= a * w.transpose() * (0.5 * sin * a.dot(&d));
+            q -= w * w.transpose() * (cos * a.dot(&d).powi(2));
+        }
+        // Roundings of hundreds of terms below 1: they come to 1e-14 at D = 25.
+        assert!(p.amax() <= 1e-12 && q.amax() <= 1e-12, "{} {}", p.amax(), q.amax());
         // None of which is small by itself.
-        assert!(whole.p.amax() > 1e-2 && whole.g.amax() > 1e-2 && whole.q.amax() > 1e-2);
-        assert_eq!(
-            Contraction::new(&metric, &y, &d).q,
-            if D < CHUNKED { whole.q } else { chunked.q }
-        );
+        let Contraction { g, p, q, .. } = &contraction;
+        assert!(p.amax() > 1e-2 && g.amax() > 1e-2 && q.amax() > 1e-2);
+        contraction
     }
 
-    /// With two, three and four chunks, of which the last is full or not.
+    /// With an even and an odd number of halves of a chunk, of which the last is full or not.
     #[test]
     fn derivatives_by_chunks_are_those_of_all_at_once() {
-        const { assert!(CHUNK == 8 && CHUNKED > 16) };
-        compare::<13>();
-        compare::<16>();
-        compare::<{ CHUNKED - 1 }>();
-        compare::<CHUNKED>();
-        compare::<{ CHUNKED + 1 }>();
+        const { assert!(CHUNK == 8 && CHUNKED > 13) };
+        // To the bit, since every derivative comes from the same operations.
+        assert_eq!(expand::<7>(Contraction::by_chunks), expand(Contraction::new));
+        assert_eq!(expand::<8>(Contraction::by_chunks), expand(Contraction::new));
+        assert_eq!(expand::<12>(Contraction::by_chunks), expand(Contraction::new));
+        assert_eq!(expand::<13>(Contraction::by_chunks), expand(Contraction::new));
+        expand::<CHUNKED>(Contraction::new);
+        expand::<{ CHUNKED + 1 }>(Contraction::new);
     }
 }

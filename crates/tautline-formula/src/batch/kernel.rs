@@ -17,8 +17,7 @@ use crate::{
 ///
 /// From 24 coordinates on it is worth it at any length: compiled, derivatives are taken by a few directions at
 /// a time, all of the formula for each. For sums of 4 to 32 matrices of rank one on 24, 32 and 64 coordinates,
-/// with 340 to 2200 intermediate registers, a program takes 0.001 to 0.005 of that time, and 0.03 to 0.05
-/// of the time of a metric that overrides its forms.
+/// with 340 to 2200 intermediate registers, a program takes 0.001 to 0.005 of that time.
 const NUMBERS_IN_CACHE: usize = 3072;
 
 /// A program and where its results are.

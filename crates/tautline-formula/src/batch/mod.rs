@@ -8,7 +8,7 @@ mod prepared;
 
 use nalgebra::{SMatrix, SVector};
 
-pub(crate) use contraction::{CHUNK, CHUNKED};
+pub(crate) use contraction::CHUNKED;
 pub use layout::{Kind, Layout};
 pub use plain::Plain;
 pub use prepared::Prepared;

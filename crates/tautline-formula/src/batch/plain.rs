@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use nalgebra::{SMatrix, SVector};
-use tautline_metrics::{Metric, is_gram};
+use tautline_metrics::{Metric, is_gram, norm_squared};
 
 use crate::{
     batch::{
@@ -110,7 +110,7 @@ trait AtPlace<const D: usize> {
 
 impl<M: Metric<D>, const D: usize> AtPlace<D> for M {
     fn square(&self, x: &SVector<f64, D>, d: &SVector<f64, D>) -> f64 {
-        self.norm_squared(x, d)
+        norm_squared(self, x, d)
     }
 
     fn gram(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {

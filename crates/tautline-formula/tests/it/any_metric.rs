@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 use tautline_chance::{cases, seed};
 use tautline_formula::{AnyMetric, Formula, RecordError};
 use tautline_metrics::{Metric, gallery};
-use tautline_scalar::{Interval, Jet1, Jet2, MixedJet, Scalar};
+use tautline_scalar::{Interval, Jet1, Jet2, Scalar};
 
 use crate::random::Random;
 
@@ -41,34 +41,6 @@ fn a_metric_behind_a_pointer_gives_the_same_bits_in_all_numbers() {
     is_itself(&gallery::GaussianFisher);
     is_itself::<3>(&gallery::Hyperbolic);
     is_itself(&gallery::SineProjections::benchmark());
-}
-
-/// What a metric says of its own of `uᵀHu` and `Hu` is asked for, and not what would follow from `H`.
-#[test]
-fn the_forms_in_numbers_and_jets_are_those_of_the_metric() {
-    struct Wrong;
-    impl Metric<2> for Wrong {
-        fn gram<S: Scalar>(&self, _: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-            SMatrix::identity()
-        }
-        fn norm_squared<S: Scalar>(&self, x: &SVector<S, 2>, _: &SVector<f64, 2>) -> S {
-            x[0] + 7.0
-        }
-        fn momentum<S: Scalar>(&self, x: &SVector<S, 2>, _: &SVector<f64, 2>) -> SVector<S, 2> {
-            SVector::from_element(x[1] + 5.0)
-        }
-    }
-    let (any, u) = (AnyMetric::new(&Wrong), SVector::from([1.0, 2.0]));
-    let x = [0.5, 0.25];
-    assert_eq!(any.norm_squared(&SVector::from(x), &u), 7.5);
-    assert_eq!(any.momentum(&SVector::from(x), &u)[1], 5.25);
-    let jets = SVector::from(Jet1::variables(&x));
-    assert_eq!(any.norm_squared(&jets, &u).first(0), 1.0);
-    assert_eq!(any.momentum(&jets, &u)[0].first(1), 1.0);
-    let jets = SVector::from(Jet2::variables(&x));
-    let (square, momentum) = (any.norm_squared(&jets, &u), any.momentum(&jets, &u));
-    assert_eq!((square.value(), square.first(0)), (7.5, 1.0));
-    assert_eq!((momentum[0].value(), momentum[0].first(1)), (5.25, 1.0));
 }
 
 /// `eˣ cos y + (sin x)/x` with a branch at 0, beside a metric without one: the same where `x ≠ 0`.
@@ -112,12 +84,6 @@ fn of_a_formula_with_branches_jets_of_all_kinds_are_known() {
         // A curve that bends.
         agree(&SVector::from([s * 0.5 + s * s + x[0], s * -2.0 + x[1]]), |x| {
             vec![x.value(), x.first(0), x.second(0, 0)]
-        });
-        let chunk = Jet1::<f64, 8>::variables(&[x[0], x[1], 0., 0., 0., 0., 0., 0.]);
-        agree(&SVector::from([chunk[0], chunk[1]]), |x| vec![x.value(), x.first(0), x.first(1)]);
-        let chunk = |k: usize| MixedJet::<f64, 8>::variable(x[k], Some(k), Some(1 - k));
-        agree(&SVector::from([chunk(0), chunk(1)]), |x| {
-            vec![x.value(), x.mixed(0, 0), x.mixed(0, 1), x.mixed(1, 0)]
         });
     }
 }

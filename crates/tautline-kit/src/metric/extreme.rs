@@ -1,7 +1,7 @@
 //! The extreme values of a metric in a region: what its claimed constants are compared with.
 
 use nalgebra::{DMatrix, SMatrix, SVector};
-use tautline::{Jet1, Jet2, Metric};
+use tautline::{Jet1, Jet2, Metric, norm_squared};
 use tautline_statements::extreme_eigenvalues;
 
 use crate::{Claim, Region};
@@ -61,7 +61,7 @@ impl Claim {
                 w,
                 |w| first(metric, x, w),
                 |u| {
-                    let jet = metric.norm_squared(&Jet1::variables(&(*x).into()).into(), u);
+                    let jet = norm_squared(metric, &Jet1::variables(&(*x).into()).into(), u);
                     let gradient = SVector::<f64, D>::from(*jet.gradient());
                     gradient.try_normalize(0.0)
                 },
@@ -71,7 +71,7 @@ impl Claim {
                 w,
                 |w| second(metric, x, w),
                 |u| {
-                    let jet = metric.norm_squared(&Jet2::variables(&(*x).into()).into(), u);
+                    let jet = norm_squared(metric, &Jet2::variables(&(*x).into()).into(), u);
                     let hessian = SMatrix::from_fn(|k, l| jet.second(k, l));
                     Some(largest(&hessian).1)
                 },

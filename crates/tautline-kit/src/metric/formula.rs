@@ -1,7 +1,7 @@
 //! The laws of every metric: `H` is a metric, and all that follows from its formula agrees.
 
 use nalgebra::{SMatrix, SVector};
-use tautline::{Bounded, Jet1, Jet2, Metric, MetricError, check_gram};
+use tautline::{Bounded, Jet1, Metric, MetricError, check_gram, norm_squared};
 
 use super::{
     Case,
@@ -73,59 +73,6 @@ pub(super) fn winding(i: usize) -> f64 {
     PRIMES[i % PRIMES.len()].sqrt().fract()
 }
 
-/// `norm_squared` is `uᵀHu` and `momentum` is `Hu`: values, gradients, and the Hessian of the first.
-pub(super) fn norm_squared<const D: usize>(case: &Case<'_, D>) -> LawResult {
-    let effort = &case.effort;
-    for_all(effort, effort.cases, CHEAP, (case.region.points(), directions::<D>()), |(x, u)| {
-        let jets: SVector<Jet2<f64, D>, D> = Jet2::variables(&(*x).into()).into();
-        let square = case.metric.norm_squared(&jets, u);
-        let momentum = case.metric.momentum(&jets, u);
-        let entries = case.metric.gram(&jets);
-        // `vᵀHu` for one part of the jets, and the sum of the sizes of its terms.
-        let sum = |v: &SVector<f64, D>, part: &dyn Fn(&Jet2<f64, D>) -> f64| {
-            let terms = (0..D * D).map(|k| (k / D, k % D));
-            terms.fold((0.0, 0.0), |(sum, size), (i, j)| {
-                let term = v[i] * u[j] * part(&entries[(i.min(j), i.max(j))]);
-                (sum + term, size + term.abs())
-            })
-        };
-        let unit = |i: usize| SVector::from_fn(|j, _| if i == j { 1.0 } else { 0.0 });
-        // |(Hu)ᵢ| ≤ √(Hᵢᵢ uᵀHu), even where its terms are zero.
-        let most = |i: usize| (entries[(i, i)].value() * square.value()).sqrt();
-        let compare = |law, part: &dyn Fn(&Jet2<f64, D>) -> f64, size: f64| {
-            let sides = momentum.iter().enumerate().map(|(i, entry)| (unit(i), entry, most(i)));
-            for (v, jet, most) in std::iter::once((*u, &square, 0.0)).chain(sides) {
-                let (sum, terms) = sum(&v, part);
-                // Two formulas for one number: as in `check_gram`, relative to its terms.
-                let granted = 1e-12 * (terms + size + most);
-                let off = (part(jet) - sum).abs();
-                Fault::unless_at_most(law, [off, 0.0], granted, x.as_slice())?;
-            }
-            Ok::<(), Fault>(())
-        };
-        // A derivative may be a difference of terms that a sum of other terms never sees.
-        let constants = case.metric.constants();
-        compare(
-            "norm_squared(x, u) = uᵀ H(x) u, momentum(x, u) = H(x) u",
-            &|jet| jet.value(),
-            0.0,
-        )?;
-        for k in 0..D {
-            let size = constants.l_h();
-            let law = "∂ₖ norm_squared(x, u) = uᵀ ∂ₖH(x) u, ∂ₖ momentum(x, u) = ∂ₖH(x) u";
-            compare(law, &|jet| jet.first(k), size)?;
-            for l in k..D {
-                // D²H is of some size even where no M_H is claimed.
-                let size = constants.m_h().unwrap_or(0.0) + sum(u, &|jet| jet.second(k, k)).1;
-                let law =
-                    "∂ₖ∂ₗ norm_squared(x, u) = uᵀ ∂ₖ∂ₗH(x) u, ∂ₖ∂ₗ momentum(x, u) = ∂ₖ∂ₗH(x) u";
-                compare(law, &|jet| jet.second(k, l), size)?;
-            }
-        }
-        Ok(f64::INFINITY)
-    })
-}
-
 /// First and second derivatives by jets are those of central differences.
 pub(super) fn jets<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let (metric, effort) = (&case.metric, &case.effort);
@@ -133,7 +80,7 @@ pub(super) fn jets<const D: usize>(case: &Case<'_, D>) -> LawResult {
     for_all(effort, effort.cases, CHEAP, samples, |(x, u, w)| {
         // DH may be small as a difference of terms that are as large as it is elsewhere.
         let terms = metric.constants().l_h();
-        let form = |t: f64| [metric.norm_squared(&(x + w * t), u)];
+        let form = |t: f64| [norm_squared(metric, &(x + w * t), u)];
         let slope = |t: f64| {
             let matrix = first(metric, &(x + w * t), w);
             [u.dot(&(matrix * u))]
@@ -165,7 +112,7 @@ pub(super) fn jets<const D: usize>(case: &Case<'_, D>) -> LawResult {
             Fault::Broken { law, left, right, granted: off.granted, point: point(), other: None }
         })?;
         // The gradient, which is another number type than the derivative along a line.
-        let jet = metric.norm_squared(&Jet1::variables(&(*x).into()).into(), u);
+        let jet = norm_squared(metric, &Jet1::variables(&(*x).into()).into(), u);
         let along = SVector::<f64, D>::from(*jet.gradient()).dot(w);
         // D terms of the size of the derivatives, or of what they are differences of.
         let sizes = jet.gradient().iter().map(|g| g.abs()).sum::<f64>() + claimed.abs();

@@ -107,9 +107,6 @@ macro_rules! __metric_laws {
                 formula::finite_and_symmetric;
             is_positive_definite, "H(x) is positive definite",
                 formula::positive_definite;
-            norm_squared_agrees_with_gram,
-                "norm_squared(x, u) = uᵀ H(x) u and momentum(x, u) = H(x) u, with both derivatives",
-                formula::norm_squared;
             jets_agree_with_differences, "DH and D²H are the limits of central differences",
                 formula::jets;
             is_isotropic_if_it_says_so, "H(x) is a multiple of I, if the constants say so",

@@ -89,21 +89,6 @@ impl<M: Metric<D>, const D: usize> Metric<D> for AffinePullback<M, D> {
         pulled.fill_lower_triangle_with_upper_triangle();
         pulled
     }
-
-    /// `(A u)ᵀ H (A u)`: where `A u` is a vector of numbers, no matrix is conjugated.
-    #[inline]
-    fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
-        self.metric.norm_squared(&self.image(x), &(self.matrix * u))
-    }
-
-    /// `Aᵀ H (A u)`.
-    #[inline]
-    fn momentum<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> SVector<S, D> {
-        let image = self.metric.momentum(&self.image(x), &(self.matrix * u));
-        SVector::from_fn(|i, _| {
-            (0..D).fold(S::zero(), |sum, k| sum + image[k] * self.matrix[(k, i)])
-        })
-    }
 }
 
 impl<M: Bounded<D>, const D: usize> Bounded<D> for AffinePullback<M, D> {

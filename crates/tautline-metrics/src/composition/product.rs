@@ -59,20 +59,6 @@ where
             _ => S::zero(),
         })
     }
-
-    /// `uᵀ H(x) u + vᵀ H′(y) v`, without the blocks of zeros.
-    #[inline]
-    fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
-        let ((x, y), (u, v)) = (split(x), split(u));
-        self.first.norm_squared(&x, &u) + self.second.norm_squared(&y, &v)
-    }
-
-    #[inline]
-    fn momentum<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> SVector<S, D> {
-        let ((x, y), (u, v)) = (split(x), split(u));
-        let (p, q) = (self.first.momentum(&x, &u), self.second.momentum(&y, &v));
-        SVector::from_fn(|i, _| if i < D1 { p[i] } else { q[i - D1] })
-    }
 }
 
 impl<A, B, const D1: usize, const D2: usize, const D: usize> Bounded<D> for Product<A, B, D1, D2>

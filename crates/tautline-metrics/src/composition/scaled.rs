@@ -34,16 +34,6 @@ impl<M: Metric<D>, const D: usize> Metric<D> for Scaled<M> {
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         self.metric.gram(x).map(|entry| entry * self.factor)
     }
-
-    #[inline]
-    fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
-        self.metric.norm_squared(x, u) * self.factor
-    }
-
-    #[inline]
-    fn momentum<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> SVector<S, D> {
-        self.metric.momentum(x, u).map(|entry| entry * self.factor)
-    }
 }
 
 impl<M: Bounded<D>, const D: usize> Bounded<D> for Scaled<M> {

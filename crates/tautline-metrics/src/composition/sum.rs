@@ -28,16 +28,6 @@ impl<A: Metric<D>, B: Metric<D>, const D: usize> Metric<D> for Sum<A, B> {
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         self.first.gram(x) + self.second.gram(x)
     }
-
-    #[inline]
-    fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
-        self.first.norm_squared(x, u) + self.second.norm_squared(x, u)
-    }
-
-    #[inline]
-    fn momentum<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> SVector<S, D> {
-        self.first.momentum(x, u) + self.second.momentum(x, u)
-    }
 }
 
 impl<A: Bounded<D>, B: Bounded<D>, const D: usize> Bounded<D> for Sum<A, B> {

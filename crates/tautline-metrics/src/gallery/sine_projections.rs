@@ -72,7 +72,7 @@ impl SineProjections<8> {
 fn phase<S: Scalar, const D: usize>(w: &SVector<f64, D>, x: &SVector<S, D>) -> S {
     let mut phase = S::zero();
     for i in 0..D {
-        phase.axpy(w[i], &x[i]);
+        phase += x[i] * w[i];
     }
     phase
 }
@@ -86,37 +86,12 @@ impl<const D: usize> Metric<D> for SineProjections<D> {
             let weight = phase.sin().sqr() * 0.5;
             for j in 0..D {
                 for i in 0..=j {
-                    h[(i, j)].axpy(a[i] * a[j], &weight);
+                    h[(i, j)] += weight * (a[i] * a[j]);
                 }
             }
         }
         h.fill_lower_triangle_with_upper_triangle();
         h
-    }
-
-    /// `|u|² + ½ Σₖ sin²(wₖ·x) (aₖ·u)²`: as many scalars as there are terms, where `H(x)` has
-    /// `D²` entries of them.
-    #[inline]
-    fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
-        let mut sum = S::constant(u.norm_squared());
-        for SineProjection { wave_vector: w, direction: a } in &self.terms {
-            sum.axpy(0.5 * a.dot(u).powi(2), &phase(w, x).sin().sqr());
-        }
-        sum
-    }
-
-    /// `u + ½ Σₖ sin²(wₖ·x) (aₖ·u) aₖ`.
-    #[inline]
-    fn momentum<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> SVector<S, D> {
-        let mut momentum = u.map(S::constant);
-        for SineProjection { wave_vector: w, direction: a } in &self.terms {
-            let phase = phase(w, x);
-            let weight = phase.sin().sqr() * (0.5 * a.dot(u));
-            for i in 0..D {
-                momentum[i].axpy(a[i], &weight);
-            }
-        }
-        momentum
     }
 }
 

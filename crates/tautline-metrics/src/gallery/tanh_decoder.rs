@@ -114,36 +114,6 @@ impl<const D: usize, const HIDDEN: usize, const OUT: usize> Metric<D>
         h.fill_lower_triangle_with_upper_triangle();
         h
     }
-
-    /// `|J u|² + μ |u|²`, without the `D²` entries of `JᵀJ`.
-    #[inline]
-    fn norm_squared<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> S {
-        let (slopes, hidden) = (self.slopes(x), self.inner * u);
-        (0..OUT).fold(S::constant(self.floor * u.norm_squared()), |sum, o| {
-            let image = (0..HIDDEN)
-                .fold(S::zero(), |image, k| image + slopes[k] * (self.outer[(o, k)] * hidden[k]));
-            sum + image.sqr()
-        })
-    }
-
-    /// `Jᵀ (J u) + μ u`.
-    #[inline]
-    fn momentum<S: Scalar>(&self, x: &SVector<S, D>, u: &SVector<f64, D>) -> SVector<S, D> {
-        let (slopes, hidden) = (self.slopes(x), self.inner * u);
-        let mut back = SVector::<S, HIDDEN>::zeros();
-        for o in 0..OUT {
-            let image = (0..HIDDEN)
-                .fold(S::zero(), |image, k| image + slopes[k] * (self.outer[(o, k)] * hidden[k]));
-            for k in 0..HIDDEN {
-                back[k] += image * self.outer[(o, k)];
-            }
-        }
-        let back = back.component_mul(&slopes);
-        SVector::from_fn(|i, _| {
-            (0..HIDDEN)
-                .fold(S::constant(self.floor * u[i]), |sum, k| sum + back[k] * self.inner[(k, i)])
-        })
-    }
 }
 
 impl<const D: usize, const HIDDEN: usize, const OUT: usize> Bounded<D>

@@ -1,7 +1,7 @@
 //! `GeodesicMeans`: how a geodesic bends, and how the metric changes along it, on average.
 
 use nalgebra::SVector;
-use tautline_metrics::{Jet2, Metric, MetricError, christoffel};
+use tautline_metrics::{Jet2, Metric, MetricError, christoffel, norm_squared};
 
 use crate::Minimum;
 
@@ -38,9 +38,9 @@ impl GeodesicMeans {
             // The metric along the line through the chord, as a function of time.
             let [t] = Jet2::variables(&[0.0]);
             let line = SVector::<_, D>::from_fn(|i, _| t * velocity[i] + middle[i]);
-            let square: Jet2<f64, 1> = metric.norm_squared(&line, &velocity);
+            let square: Jet2<f64, 1> = norm_squared(metric, &line, &velocity);
             let growth = square.first(0);
-            let bending: f64 = metric.norm_squared(&middle, &acceleration);
+            let bending: f64 = norm_squared(metric, &middle, &acceleration);
             means.bending += weight * bending;
             // Not d² but the square on this chord: the difference is a square then, and vanishes
             // where the curve does not turn.

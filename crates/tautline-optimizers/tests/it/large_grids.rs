@@ -200,7 +200,7 @@ fn two_threads_find_the_same_bit_by_bit() {
 }
 
 /// A metric whose Gram matrix is not symmetric within some 10⁻⁵ of a hyperplane, in an entry that moves
-/// nothing along a line in `x₅ = 0`; what is differentiated is in order.
+/// nothing along a line in `x₅ = 0`.
 struct Torn<'a> {
     metric: &'a SineProjections<5>,
     at: f64,
@@ -211,14 +211,6 @@ impl Metric<5> for Torn<'_> {
         let mut h: SMatrix<S, 5, 5> = self.metric.gram(x);
         h[(1, 4)] += (-((x[0] - self.at) * 1e5).sqr()).exp() * 1e-6;
         h
-    }
-
-    fn norm_squared<S: Scalar>(&self, x: &SVector<S, 5>, u: &SVector<f64, 5>) -> S {
-        self.metric.norm_squared(x, u)
-    }
-
-    fn momentum<S: Scalar>(&self, x: &SVector<S, 5>, u: &SVector<f64, 5>) -> SVector<S, 5> {
-        self.metric.momentum(x, u)
     }
 }
 

@@ -1,6 +1,6 @@
 //! The energy of a curve under a metric.
 
-use tautline::{Integral, Metric, quadrature::integrate};
+use tautline::{Integral, Metric, norm_squared, quadrature::integrate};
 
 use super::{Curve, Motion};
 
@@ -15,7 +15,7 @@ pub fn curve_energy<const D: usize>(
 ) -> Integral {
     let speed = |t: f64| {
         let Motion { position, velocity, .. } = curve.motion(t);
-        metric.norm_squared(&position, &velocity)
+        norm_squared(metric, &position, &velocity)
     };
     let grid = (1..pieces.max(1)).map(|k| k as f64 / pieces as f64);
     let mut ends: Vec<f64> = grid.chain(curve.corners()).chain([1.0]).collect();

@@ -4,6 +4,7 @@ use nalgebra::SVector;
 use tautline::{
     Bounded, Jet2, KnownDistance, Scalar, SetError,
     gallery::{Constant, Separable, Shear},
+    norm_squared,
 };
 
 use super::{BoundedCurve, Curve, Motion};
@@ -45,7 +46,7 @@ impl<M: KnownGeodesics<D>, const D: usize> Geodesic<M, D> {
 
     /// Returns its constant speed, which is its length, in `m`.
     pub fn speed(&self) -> f64 {
-        self.metric.norm_squared(&self.start, &self.velocity).sqrt()
+        norm_squared(&self.metric, &self.start, &self.velocity).sqrt()
     }
 }
 
@@ -78,7 +79,7 @@ impl<M: KnownGeodesics<D>, const D: usize> Known<M, D> {
     pub fn joined(metric: M, [a, b]: [SVector<f64, D>; 2]) -> Result<Option<Self>, SetError> {
         let ends = tautline::Ends::points(a, b)?;
         let Some(distance) = metric.distance(&a, &b) else { return Ok(None) };
-        let size = [a, b].map(|x| metric.norm_squared(&x, &x).sqrt()).iter().sum::<f64>();
+        let size = [a, b].map(|x| norm_squared(&metric, &x, &x).sqrt()).iter().sum::<f64>();
         let distance_error = 64.0 * f64::EPSILON * (size + distance);
         Ok(Some(Self { metric, ends, distance, distance_error }))
     }

@@ -1,7 +1,7 @@
 //! `Measured`: length and energy of a curve, and where it ends.
 
 use nalgebra::SVector;
-use tautline::{AnyMetric, Integral, Metric, PointSequence, quadrature::integrate};
+use tautline::{AnyMetric, Integral, Metric, PointSequence, norm_squared, quadrature::integrate};
 
 use super::Curve;
 use crate::Subject;
@@ -30,7 +30,7 @@ impl<const D: usize> Measured<D> {
     fn behind_pointers(metric: &AnyMetric<'_, D>, curve: &dyn Curve<D>) -> Self {
         let square = |t: f64| {
             let motion = curve.motion(t);
-            metric.norm_squared(&motion.position, &motion.velocity)
+            norm_squared(metric, &motion.position, &motion.velocity)
         };
         let (mut length, mut energy) = (Integral::default(), Integral::default());
         for [from, to] in curve.pieces() {
@@ -41,7 +41,7 @@ impl<const D: usize> Measured<D> {
         for t in curve.times() {
             let (speed, at) = (square(t).sqrt(), curve.motion(t).position);
             speeds = [speeds[0].min(speed), speeds[1].max(speed)];
-            size = size.max(metric.norm_squared(&at, &at).sqrt());
+            size = size.max(norm_squared(metric, &at, &at).sqrt());
         }
         let ends = [curve.motion(0.0).position, curve.motion(1.0).position];
         let rounding = rounding(size, length.value);
@@ -57,9 +57,9 @@ impl<const D: usize> Measured<D> {
         let metric = &AnyMetric::new(metric);
         let (mut speeds, mut size) = ([f64::INFINITY, 0.0_f64], 0.0_f64);
         for ((x, _), beta) in sequence.chords().zip(sequence.differences()) {
-            let speed = metric.norm_squared(x, &beta).sqrt();
+            let speed = norm_squared(metric, x, &beta).sqrt();
             speeds = [speeds[0].min(speed), speeds[1].max(speed)];
-            size = size.max(metric.norm_squared(x, x).sqrt());
+            size = size.max(norm_squared(metric, x, x).sqrt());
         }
         let length = subject.curve_length(metric, sequence);
         Self {

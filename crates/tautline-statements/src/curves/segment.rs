@@ -1,7 +1,7 @@
 //! `EvenSegment`: a straight segment, run through at constant Riemannian speed.
 
 use nalgebra::SVector;
-use tautline::{Jet1, Metric, quadrature::integrate};
+use tautline::{Jet1, Metric, norm_squared, quadrature::integrate};
 
 use super::{Curve, Motion};
 
@@ -27,7 +27,8 @@ impl<'a, M: Metric<D>, const D: usize> EvenSegment<'a, M, D> {
 
     /// The length between two fractions of the chord, in `m`.
     fn travelled(&self, from: f64, to: f64) -> f64 {
-        let speed = |s: f64| self.metric.norm_squared(&(self.start + self.chord * s), &self.chord);
+        let speed =
+            |s: f64| norm_squared(&self.metric, &(self.start + self.chord * s), &self.chord);
         integrate(|s| speed(s).sqrt(), from, to, 1e-15).value
     }
 }
@@ -67,7 +68,7 @@ impl<M: Metric<D>, const D: usize> EvenSegment<'_, M, D> {
     fn rates(&self, s: f64) -> [f64; 2] {
         let [s] = Jet1::<f64, 1>::variables(&[s]);
         let x = SVector::<Jet1<f64, 1>, D>::from_fn(|i, _| s * self.chord[i] + self.start[i]);
-        let square = self.metric.norm_squared(&x, &self.chord);
+        let square = norm_squared(&self.metric, &x, &self.chord);
         [square.value(), square.first(0)]
     }
 }

@@ -2,7 +2,7 @@
 //! bends.
 
 use nalgebra::SVector;
-use tautline::{Bounded, Constants, MetricError, bounds::Setting};
+use tautline::{Bounded, Constants, MetricError, bounds::Setting, norm_squared};
 
 use crate::{
     Evidence, GramRange, Statement, Subject, Unit, VerifyError,
@@ -36,7 +36,7 @@ impl Instant {
         let symbols = subject.christoffel(metric, &position)?;
         let expected = SVector::<f64, D>::from_fn(|k, _| -velocity.dot(&(symbols[k] * velocity)));
         let residual = (acceleration - expected).norm();
-        let speed_squared = metric.norm_squared(&position, &velocity);
+        let speed_squared = norm_squared(metric, &position, &velocity);
         let [size, a1, a2] = curve.suprema();
         let natural = constants.l_h() / constants.c1();
         let condition = constants.c2() / constants.c1();
@@ -165,7 +165,7 @@ pub fn lemma_s_1<const D: usize>(
     let setting = instant.setting;
     let bound = subject.k2_sharp(setting);
     let [position, velocity, acceleration] = curve.motion(t).derivatives();
-    let force = metric.norm_squared(&position, &acceleration);
+    let force = norm_squared(metric, &position, &acceleration);
     let force_bound = setting.constants().c1() * bound * bound;
     let granted = instant.granted[1] + 16.0 * f64::EPSILON * bound;
     let momentum = 2.0 * (setting.constants().c2() * force_bound.max(force)).sqrt();

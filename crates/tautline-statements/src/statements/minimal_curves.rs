@@ -1,7 +1,7 @@
 //! Section 4: minimal curves are minimal geodesics, run through by a clock that may pause.
 
 use nalgebra::SVector;
-use tautline::{Metric, MetricError, quadrature::integrate};
+use tautline::{Metric, MetricError, norm_squared, quadrature::integrate};
 
 use super::geodesics::off_sets;
 use crate::{
@@ -93,7 +93,7 @@ fn reparametrised<M: Metric<D>, C: Curve<D>, const D: usize>(
 fn lengths<M: Metric<D>, const D: usize>(metric: &M, curve: &impl Curve<D>) -> Vec<(f64, f64)> {
     let speed = |t: f64| {
         let motion = curve.motion(t);
-        metric.norm_squared(&motion.position, &motion.velocity).sqrt()
+        norm_squared(metric, &motion.position, &motion.velocity).sqrt()
     };
     let mut sum = 0.0;
     let up_to = |[from, to]: [f64; 2]| {
@@ -119,7 +119,7 @@ pub fn prop_4_2_converse<M: Metric<D>, const D: usize>(
     let seen = Measured::of(metric, curve);
     let speed = |t: f64| {
         let motion = curve.motion(t);
-        metric.norm_squared(&motion.position, &motion.velocity).sqrt()
+        norm_squared(metric, &motion.position, &motion.velocity).sqrt()
     };
     let granted = seen.granted_length() + known.distance_error;
     let (mut before, mut travelled) = (0.0, 0.0);
@@ -191,7 +191,7 @@ pub fn prop_4_3<M: KnownGeodesics<D>, const D: usize>(
 ) -> Result<Evidence, MetricError> {
     let curve = Geodesic::leaving(metric, *x, *v);
     let end = curve.motion(1.0).position;
-    let radius = metric.norm_squared(x, v).sqrt();
+    let radius = norm_squared(metric, x, v).sqrt();
     let distance = metric.distance(x, &end).unwrap_or(f64::NAN);
     let back = (metric.logarithm(x, &end) - v).norm();
     let residual = Residual::of(subject, metric, &curve)?;

@@ -58,7 +58,10 @@ impl WayOut {
 #[cfg(test)]
 mod tests {
     use nalgebra::SVector;
-    use tautline::gallery::{Constant, Hyperbolic, Separable, Shear, Sphere};
+    use tautline::{
+        gallery::{Constant, Hyperbolic, Separable, Shear, Sphere},
+        norm_squared,
+    };
 
     use super::WayOut;
     use crate::{
@@ -79,7 +82,7 @@ mod tests {
         for k in 0..8 {
             let (sin, cos) = (f64::from(k) * 0.8).sin_cos();
             let direction = SVector::from([cos, sin]);
-            let unit = direction / metric.norm_squared(&x, &direction).sqrt();
+            let unit = direction / norm_squared(&metric, &x, &direction).sqrt();
             for length in [1.0, 4.0, 16.0] {
                 let geodesic = Geodesic::leaving(metric, x, unit * length);
                 let end = geodesic.motion(1.0).position;

@@ -6,6 +6,7 @@ use proptest::{prelude::*, sample::select};
 use tautline::{
     KnownDistance, SVector,
     gallery::{Hyperbolic, Sphere},
+    norm_squared,
 };
 use tautline_statements::{
     Known,
@@ -81,6 +82,6 @@ fn segment<M: KnownDistance<D>, const D: usize>(
     let ends = tautline::Ends::points(a, b).expect("finite");
     let distance = metric.distance(&a, &b)?;
     // Quadratures to 1e-15 of each of a few pieces.
-    let distance_error = 1e-14 * (distance + metric.norm_squared(&a, &a).sqrt());
+    let distance_error = 1e-14 * (distance + norm_squared(&metric, &a, &a).sqrt());
     Some(Known { metric, ends, distance, distance_error })
 }

@@ -4,96 +4,14 @@ use approx::assert_relative_eq;
 use nalgebra::{SMatrix, SVector, matrix, vector};
 use proptest::{array::uniform, prelude::*};
 use tautline_metrics::{
-    Jet2, KnownDistance, Metric,
+    KnownDistance, Metric,
     composition::{AffinePullback, Product, Scaled, Sum},
-    gallery::{
-        Lens, Ramp, Separable, Shear, SineProjections, Sphere, TanhDecoder, TwoLinkArm, Valleys,
-    },
+    gallery::{Lens, Ramp, Separable, Shear, Sphere, TwoLinkArm, Valleys},
+    norm_squared,
     quadrature::integrate,
 };
 
 use crate::measure::runner;
-
-/// `uᵀHu` and `Hu` are overridden for speed; they and their derivatives are those of the matrix.
-fn one_quadratic_form<const D: usize>(
-    g: &impl Metric<D>,
-    x: &SVector<f64, D>,
-    u: &SVector<f64, D>,
-) -> Result<(), TestCaseError> {
-    let variables = SVector::from(Jet2::variables(&(*x).into()));
-    let form = g.norm_squared(&variables, u);
-    let h = g.gram(&variables);
-    let sum = |part: &dyn Fn(&Jet2<f64, D>) -> f64| -> f64 {
-        u.dot(&(SMatrix::from_fn(|i, j| part(&h[(i, j)])) * u))
-    };
-    // D² terms, each with some ten roundings; the largest bounds the rest.
-    let close = |a: f64, part: &dyn Fn(&Jet2<f64, D>) -> f64| {
-        let size = h.map(|entry| part(&entry)).amax() * u.norm_squared();
-        let b = sum(part);
-        prop_assert!((a - b).abs() <= 1e-13 * (D * D) as f64 * size + 1e-13, "{a} {b}");
-        Ok(())
-    };
-    close(form.value(), &Jet2::value)?;
-    for k in 0..D {
-        close(form.first(k), &|jet| jet.first(k))?;
-        for l in 0..D {
-            close(form.second(k, l), &|jet| jet.second(k, l))?;
-        }
-    }
-    let momentum = g.momentum(&variables, u);
-    let row_is = |i: usize, found: f64, part: &dyn Fn(&Jet2<f64, D>) -> f64| {
-        let size = h.map(|entry| part(&entry)).amax() * u.norm();
-        let b: f64 = (0..D).map(|j| part(&h[(i, j)]) * u[j]).sum();
-        prop_assert!(
-            (found - b).abs() <= 1e-13 * (D * D) as f64 * size + 1e-13,
-            "{i}: {found} {b}"
-        );
-        Ok(())
-    };
-    for i in 0..D {
-        row_is(i, momentum[i].value(), &Jet2::value)?;
-        for k in 0..D {
-            row_is(i, momentum[i].first(k), &|jet| jet.first(k))?;
-        }
-    }
-    Ok(())
-}
-
-#[test]
-fn each_has_one_quadratic_form() {
-    let shear = Shear::new(0.7, 1.3).expect("k > 0");
-    let arm = TwoLinkArm::new(4.0, 0.8, 1.0).expect("3 > B²");
-    let map = matrix![0.3, -1.2; 2.0, 0.4];
-    let triple = uniform::<_, 3>(-2.0..2.0_f64).prop_map(SVector::from);
-    let outcome = runner(71).run(&(triple.clone(), triple), |(x, u)| {
-        let (x2, u2) = (x.fixed_rows::<2>(0).into_owned(), u.fixed_rows::<2>(0).into_owned());
-        let scaled = Scaled::new(shear, 2.5).expect("positive");
-        one_quadratic_form(&scaled, &x2, &u2)?;
-        one_quadratic_form(&Sum::new(arm, scaled), &x2, &u2)?;
-        one_quadratic_form(&Product::<_, _, 1, 2>::new(Valleys, arm), &x, &u)?;
-        let pulled = AffinePullback::new(arm, map, [0.5, -0.5]).expect("invertible");
-        one_quadratic_form(&pulled, &x2, &u2)
-    });
-    if let Err(error) = outcome {
-        panic!("{error}");
-    }
-    // A part with a form of its own.
-    let part = SineProjections::benchmark();
-    let x = SVector::<f64, 8>::from_fn(|i, _| 0.3 * i as f64 - 1.1);
-    let u = SVector::<f64, 8>::from_fn(|i, _| 1.0 - 0.4 * i as f64);
-    one_quadratic_form(&Sum::new(&part, &part), &x, &u).expect("one form");
-    let wave = |i: usize, j: usize| (1.0 + 1.7 * i as f64 - 2.9 * j as f64).sin();
-    let decoder = TanhDecoder::<2, 3, 4>::new(
-        SMatrix::from_fn(wave),
-        SMatrix::from_fn(|i, j| wave(j + 5, i)),
-        0.3,
-    );
-    let decoder = decoder.expect("finite");
-    let (x, u) = (vector![0.3, -0.8], vector![1.2, -0.5]);
-    one_quadratic_form(&decoder, &x, &u).expect("one form");
-    one_quadratic_form(&AffinePullback::new(decoder, map, [0.1, 0.2]).expect("invertible"), &x, &u)
-        .expect("one form");
-}
 
 #[test]
 fn each_is_its_matrix() {
@@ -180,7 +98,7 @@ fn a_product_is_a_metric_whose_distance_is_known_otherwise() {
         let (d, known) = (d.expect("all pairs"), known.expect("all pairs"));
         prop_assert!((d - known).abs() <= 1e-14 * (1.0 + known), "{d} {known}");
         let v = y - x;
-        let chord = |t: f64| product.norm_squared(&(x + v * t), &v).sqrt();
+        let chord = |t: f64| norm_squared(&product, &(x + v * t), &v).sqrt();
         prop_assert!(d <= integrate(chord, 0.0, 1.0, 1e-13).value * (1.0 + 1e-12));
         Ok(())
     });

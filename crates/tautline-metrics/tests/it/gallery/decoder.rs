@@ -65,29 +65,6 @@ fn tanh_decoder_is_the_metric_of_its_image() {
     }
 }
 
-/// `uᵀHu` is overridden for speed; it and its derivatives are those of the matrix.
-#[test]
-fn tanh_decoder_has_one_quadratic_form() {
-    let g = decoder();
-    let cases = (uniform::<_, 2>(-3.0..3.0_f64), uniform::<_, 2>(-2.0..2.0_f64));
-    run(104, cases, |(x, u)| {
-        let (x, u) = (SVector::from(Jet2::<f64, 2>::variables(&x)), SVector::from(u));
-        let (form, h) = (g.norm_squared(&x, &u), g.gram(&x));
-        let sum =
-            h[(0, 0)] * (u[0] * u[0]) + h[(0, 1)] * (2.0 * u[0] * u[1]) + h[(1, 1)] * (u[1] * u[1]);
-        let off = form - sum;
-        // Terms up to 10 · 8, their second derivatives up to 20 times as large.
-        prop_assert!(off.value().abs() < 1e-12);
-        for k in 0..2 {
-            prop_assert!(off.first(k).abs() < 1e-12);
-            for l in 0..2 {
-                prop_assert!(off.second(k, l).abs() < 1e-11);
-            }
-        }
-        Ok(())
-    });
-}
-
 /// One neuron, with two outputs: `H = μ I + |W₂|² cosh⁻⁴(w·x) w wᵀ`.
 #[test]
 fn one_neuron_attains_all() {

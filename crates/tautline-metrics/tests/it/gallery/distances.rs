@@ -12,6 +12,7 @@ use tautline_metrics::{
         Bump, Constant, Corrugated, Hill, Hyperbolic, Lens, Ramp, Separable, Shear, Sphere, Swirl,
         TwoChannels, Valleys,
     },
+    norm_squared,
     quadrature::integrate,
 };
 
@@ -32,7 +33,7 @@ pub(crate) fn chord<const D: usize>(
     y: &SVector<f64, D>,
 ) -> f64 {
     let v = y - x;
-    integrate(|t| g.norm_squared(&(x + v * t), &v).sqrt(), 0.0, 1.0, 1e-14).value
+    integrate(|t| norm_squared(g, &(x + v * t), &v).sqrt(), 0.0, 1.0, 1e-14).value
 }
 
 /// `d(x, y) = d(y, x)`, `d(x, x) = 0`, the triangle inequality, and no more than the chord.
@@ -189,7 +190,7 @@ fn golden_distances() {
 /// The next term is `O(ε)` times the first, some 1/64 at the left end: it changes the slope
 /// over 6 octaves by less than 0.02. Rounding, `2 · 10⁻¹⁶ / ε`, is a billion times smaller.
 fn is_local<const D: usize>(g: &impl KnownDistance<D>, x: SVector<f64, D>, v: SVector<f64, D>) {
-    let speed2 = g.norm_squared(&x, &v);
+    let speed2 = norm_squared(g, &x, &v);
     let error = |octave: i32| {
         let eps = 0.5_f64.powi(octave);
         ((distance(g, &x, &(x + v * eps)) / eps).powi(2) - speed2).abs()

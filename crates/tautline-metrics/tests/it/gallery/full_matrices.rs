@@ -5,10 +5,11 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use approx::assert_relative_eq;
 use nalgebra::{SMatrix, SVector, vector};
 use tautline_metrics::{
-    Bounded, Jet2, Metric,
+    Bounded, Metric,
     gallery::{
         CoupledCosines, Link, RotatingAnisotropy, SineProjection, SineProjections, TwoLinkArm,
     },
+    norm_squared,
 };
 
 use super::attained::{curvature, high, low, slope};
@@ -60,7 +61,7 @@ fn two_link_arm_has_the_kinetic_energy_of_its_links() {
         + upper.mass * (upper.centre * turn).powi(2)
         + lower.inertia * total * total
         + lower.mass * speed2;
-    assert_relative_eq!(g.norm_squared(&q, &v), twice, max_relative = 1e-14);
+    assert_relative_eq!(norm_squared(&g, &q, &v), twice, max_relative = 1e-14);
 }
 
 #[test]
@@ -139,31 +140,5 @@ fn many_sine_projections_are_near_their_bounds() {
     let bounds = [constants.c2(), constants.l_h(), constants.m_h().expect("known")];
     for ((most, bound), least) in most.into_iter().zip(bounds).zip([0.97, 0.79, 0.68]) {
         assert!((least..1.0).contains(&(most / bound)), "{most} of {bound}");
-    }
-}
-
-/// `uᵀHu` is overridden for speed; it and its derivatives are those of the matrix.
-#[test]
-fn sine_projections_have_one_quadratic_form() {
-    let g = SineProjections::benchmark();
-    let x = SVector::<f64, 8>::from_fn(|i, _| 0.3 * i as f64 - 1.1);
-    let u = SVector::<f64, 8>::from_fn(|i, _| 1.0 - 0.4 * i as f64);
-    let variables = SVector::from(Jet2::variables(&x.into()));
-    let form = g.norm_squared(&variables, &u);
-    let jets = g.gram(&variables);
-    // Entries up to 3 and their derivatives up to 20, with weights up to 3: rounding of 1e-13.
-    let sum = |part: &dyn Fn(&Jet2<f64, 8>) -> f64| -> f64 {
-        (0..8)
-            .flat_map(|i| (0..8).map(move |j| (i, j)))
-            .map(|(i, j)| part(&jets[(i, j)]) * u[i] * u[j])
-            .sum()
-    };
-    assert!((form.value() - sum(&Jet2::value)).abs() < 1e-12);
-    assert!((form.value() - g.norm_squared(&x, &u)).abs() < 1e-12);
-    for k in 0..8 {
-        assert!((form.first(k) - sum(&|jet| jet.first(k))).abs() < 1e-12);
-        for l in 0..8 {
-            assert!((form.second(k, l) - sum(&|jet| jet.second(k, l))).abs() < 1e-12);
-        }
     }
 }

@@ -5,8 +5,8 @@ use std::{f64::consts::TAU, fmt::Debug};
 use nalgebra::SVector;
 use proptest::prelude::*;
 use tautline::{
-    Metric,
     gallery::{Hyperbolic, Sphere},
+    norm_squared,
 };
 use tautline_statements::{
     Evidence, LIBRARY, Statement::Proposition4_3, VerifyError, curves::KnownGeodesics, prop_4_3,
@@ -60,7 +60,7 @@ fn tangent(reach: f64) -> impl Strategy<Value = (f64, SVector<f64, 2>, SVector<f
             let x = SVector::from([at.cos(), at.sin()]) * (ball * part);
             let epsilon = Sphere.normal_radius(&SVector::from([ball, 0.0]));
             let direction = SVector::from([towards.cos(), towards.sin()]);
-            let unit = Sphere.norm_squared(&x, &direction).sqrt();
+            let unit = norm_squared(&Sphere, &x, &direction).sqrt();
             // Short of π, where the inverse is ill-conditioned.
             (ball, x, direction * ((epsilon * fraction * reach).min(2.8) / unit), epsilon)
         },
@@ -79,7 +79,7 @@ fn normal_balls(trial: &Trial<'_>) -> Outcome {
         trial.for_all(seed, 160, cases, |subject, (metric, x, v)| {
             let ball = x.norm().max(1.0);
             // Any radius will do in these spaces.
-            let epsilon = 2.0 * metric.norm_squared(&x, &v).sqrt();
+            let epsilon = 2.0 * norm_squared(&metric, &x, &v).sqrt();
             Ok([prop_4_3(subject, &metric, [&x, &v], ball, epsilon)?])
         })
     }
