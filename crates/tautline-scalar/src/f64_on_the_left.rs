@@ -56,7 +56,7 @@ macro_rules! f64_on_the_left {
 
 #[cfg(test)]
 mod tests {
-    use crate::{Interval, Jet1, Jet2, MixedJet, Pair, Scalar};
+    use crate::{Interval, Jet1, Jet2, Pair, Scalar};
 
     /// A number on the left, and the same formula with numbers on the right only.
     fn formulas<S: Scalar>(x: S) -> [[S; 2]; 5] {
@@ -85,7 +85,6 @@ mod tests {
         assert_same(Jet1::variables(&[0.75])[0]);
         assert_same(Jet2::variables(&[0.75, 2.0])[0]);
         assert_same(Jet2::variables(&[x, x])[1]);
-        assert_same(MixedJet::<f64, 2>::constant(0.75));
     }
 
     /// Which, that is: the values of `f64` itself, and derivatives by hand.

@@ -2,8 +2,7 @@
 //!
 //! A metric is written once, generic over [`Scalar`]. Evaluated in `f64` it gives values,
 //! in [`Jet1`] values and gradients, in [`Jet2`] values, gradients and second derivatives:
-//! exact up to rounding, and nobody differentiates by hand. In many variables [`MixedJet`] gives
-//! the second derivatives block by block.
+//! exact up to rounding, and nobody differentiates by hand.
 //!
 //! ```
 //! use tautline_scalar::{Jet2, Scalar};
@@ -83,7 +82,6 @@ mod interval;
 mod jet1;
 mod jet2;
 mod lanes;
-mod mixed_jet;
 mod operators;
 mod pair;
 mod scalar;
@@ -92,6 +90,5 @@ pub use interval::{Enclosure, Fast, FastInterval, Interval, IntervalError, Kerne
 pub use jet1::Jet1;
 pub use jet2::Jet2;
 pub use lanes::Lanes;
-pub use mixed_jet::MixedJet;
 pub use pair::Pair;
 pub use scalar::Scalar;

@@ -91,11 +91,6 @@ macro_rules! jet_is_scalar {
             }
 
             #[inline]
-            fn axpy(&mut self, a: f64, x: &Self) {
-                self.zip(x, |sum, x| *sum += x * a);
-            }
-
-            #[inline]
             fn sqr(self) -> Self {
                 let x = self.value();
                 self.chain(x.sqr(), x * 2.0, T::constant(2.0))

@@ -121,12 +121,6 @@ pub trait Scalar:
     #[must_use]
     fn tanh(self) -> Self;
 
-    /// Adds `a x`; for derivatives cheaper than the product and the sum.
-    #[inline]
-    fn axpy(&mut self, a: f64, x: &Self) {
-        *self += *x * a;
-    }
-
     /// Returns `sin x`, `x` in radians.
     #[must_use]
     #[inline]
