@@ -34,9 +34,9 @@ const BENCHES: [(&str, &str); 3] = [
 ];
 
 /// The parts that can be asked for: problems, numbers of chords, and rows of the second table.
-const PARTS: [&str; 15] = [
+const PARTS: [&str; 14] = [
     "P1", "P2", "P3", "P4", "P5", "P6", "64", "1000", "10000", "100000", "1000000", "batch",
-    "by terms", "by gram", "programs",
+    "by gram", "programs",
 ];
 
 /// Runs the benchmarks; all of each is written to `paper/tables`, a part only to the terminal.

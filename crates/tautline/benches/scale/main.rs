@@ -4,14 +4,12 @@
 //! `cargo bench --package tautline --bench scale -- P1 batch` for some of them; all of it is
 //! `paper/tables/scale.csv`, which `cargo xtask bench` writes.
 
-mod by_gram;
 mod cost;
 #[path = "../../examples/peers/problems.rs"]
 mod problems;
 
 use std::{error::Error, thread};
 
-use by_gram::ByGram;
 use cost::{Cost, cost};
 use problems::{Peer, pose};
 use rayon::ThreadPoolBuilder;
@@ -22,15 +20,13 @@ use tautline::{
     solve_all,
 };
 
-/// Subintervals of the long problems, of the wide ones, of the one whose formula costs most, and of
-/// those in the batch.
+/// Subintervals of the long problems, of the wide one, of the widest, and of those in the batch.
 const LONG: usize = 10_000_000;
 const WIDE: usize = 1000;
 const WIDEST: usize = 100;
 const SHORT: usize = 64;
 
 /// The wide problems by name.
-const BY_TERMS: &str = "by terms";
 const BY_GRAM: &str = "by gram";
 
 /// Bytes of stack for them.
@@ -118,8 +114,7 @@ impl Peer for Single {
     }
 }
 
-/// From `0` to `(1, …, 1)` under a metric of four terms, by its own formula for `dᵀHd` or by all
-/// entries of `H`.
+/// From `0` to `(1, …, 1)` under a metric of four terms, by all entries of `H`.
 fn wide<const D: usize>(problem: &'static str, n: usize) -> Result<(), Box<dyn Error>> {
     // As in P5.
     let term = |k: f64| SineProjection {
@@ -131,11 +126,7 @@ fn wide<const D: usize>(problem: &'static str, n: usize) -> Result<(), Box<dyn E
     let start = PointSequence::straight(from, to, START)?;
     let threads = processors().min(2);
     let (single, ends) = (Single { problem, n, threads }, Ends::points(from, to)?);
-    if problem == BY_GRAM {
-        single.solve(ByGram(metric), ends, start)
-    } else {
-        single.solve(metric, ends, start)
-    }
+    single.solve(metric, ends, start)
 }
 
 /// The metric of P2 between points spread over the square about it, from the automatic starts.
@@ -172,11 +163,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     // Matrices of jets of this size are on the stack.
     let wide = || -> Result<(), String> {
-        for (problem, widest) in [(BY_TERMS, WIDE), (BY_GRAM, WIDEST)] {
-            if wanted(problem) {
-                wide::<32>(problem, WIDE).map_err(|error| error.to_string())?;
-                wide::<64>(problem, widest).map_err(|error| error.to_string())?;
-            }
+        if wanted(BY_GRAM) {
+            wide::<32>(BY_GRAM, WIDE).map_err(|error| error.to_string())?;
+            wide::<64>(BY_GRAM, WIDEST).map_err(|error| error.to_string())?;
         }
         Ok(())
     };
