@@ -6,7 +6,6 @@ use tautline::{
     AsymptoticsError, CertifyError, LocalError, RecordError, SequenceError, SetError, SolveError,
     bounds::BoundError, gallery::GalleryError,
 };
-use tautline_adversary::AdversaryError;
 use tautline_statements::VerifyError;
 
 use crate::drawing::DrawingError;
@@ -49,8 +48,9 @@ pub enum Failure {
     #[error(transparent)]
     Verify(#[from] VerifyError),
     /// A search that met a violated statement.
+    #[cfg(feature = "tables")]
     #[error(transparent)]
-    Adversary(#[from] AdversaryError),
+    Adversary(#[from] tautline_adversary::AdversaryError),
     /// A drawing.
     #[error(transparent)]
     Drawing(#[from] DrawingError),
@@ -61,6 +61,7 @@ pub enum Failure {
     #[error("{0}")]
     Violated(String),
     /// A check of the project's own suite.
+    #[cfg(feature = "tables")]
     #[error("a check fails: {0}")]
     Check(#[from] tautline_suite::battery::Failure),
     /// A file.

@@ -33,8 +33,8 @@ fn main() -> ExitCode {
     let arguments: Vec<String> = env::args().skip(1).collect();
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let result = match arguments.as_slice() {
-        ["figures", rest @ ..] => paper("figures", rest),
-        ["tables", rest @ ..] => paper("tables", rest),
+        ["figures", rest @ ..] => paper(&["--no-default-features", "--", "figures"], rest),
+        ["tables", rest @ ..] => paper(&["--", "tables"], rest),
         ["test", rest @ ..] => test(rest),
         ["nightly", rest @ ..] => nightly::nightly(&root(), rest),
         ["bench", rest @ ..] => bench::bench(&root(), rest),
@@ -56,10 +56,10 @@ fn main() -> ExitCode {
 }
 
 /// Runs the package that computes and draws, with the profile of the tests: little of what they have
-/// compiled is compiled again.
-fn paper(what: &str, rest: &[&str]) -> Result<(), String> {
-    let run = ["run", "--package", "paper", "--", what];
-    cargo(&[&run, rest].concat(), &[])
+/// compiled is compiled again. The figures go without its feature `tables`, and so without what would take
+/// longer to compile than all that they need.
+fn paper(what: &[&str], rest: &[&str]) -> Result<(), String> {
+    cargo(&[&["run", "--package", "paper"], what, rest].concat(), &[])
 }
 
 /// Unit and integration tests, then those of the documentation. `--tests` takes the libraries and programs

@@ -12,7 +12,13 @@ mod speeds;
 mod tightness;
 mod valleys;
 
-use crate::{Failure, data::Data, drawing::Scene, sweep::Sweep};
+use crate::{
+    Failure,
+    artefact::Artefact,
+    data::Data,
+    drawing::{Scene, pdf, png, svg},
+    sweep::Sweep,
+};
 
 /// A figure: its data and its drawing.
 #[derive(Clone, Copy, Debug)]
@@ -41,3 +47,31 @@ pub const FIGURES: [Figure; 11] = [
     tightness::FIGURE,
     certified::FIGURE,
 ];
+
+impl Artefact for Figure {
+    fn id(&self) -> &'static str {
+        self.id
+    }
+
+    fn shows(&self) -> &'static str {
+        self.shows
+    }
+
+    fn data_file(&self) -> (String, &'static str) {
+        (format!("data/{}.csv", self.id), "figures")
+    }
+
+    fn compute(&self, sweep: Sweep) -> Result<Data, Failure> {
+        (self.data)(sweep)
+    }
+
+    fn files(&self, data: &Data) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+        let scene = (self.draw)(data)?;
+        let file = |ending: &str| format!("figures/{}.{ending}", self.id);
+        Ok(vec![
+            (file("svg"), svg(&scene)),
+            (file("png"), png(&scene)?),
+            (file("pdf"), pdf(&scene)),
+        ])
+    }
+}

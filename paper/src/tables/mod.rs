@@ -17,7 +17,7 @@ mod tightness;
 
 pub use layout::Layout;
 
-use crate::{Failure, data::Data, sweep::Sweep};
+use crate::{Failure, artefact::Artefact, data::Data, sweep::Sweep};
 
 /// A table: its data and how it is set.
 #[derive(Clone, Copy, Debug)]
@@ -81,3 +81,41 @@ pub const TABLES: [Table; 13] = [
     statements::TABLE,
     tightness::TABLE,
 ];
+
+impl Artefact for Table {
+    fn id(&self) -> &'static str {
+        self.id
+    }
+
+    fn shows(&self) -> &'static str {
+        self.shows
+    }
+
+    fn data_file(&self) -> (String, &'static str) {
+        (format!("tables/{}.csv", self.id), "tables")
+    }
+
+    fn repeatable(&self) -> bool {
+        self.repeatable
+    }
+
+    fn seed(&self) -> String {
+        self.seed.to_string()
+    }
+
+    fn compute(&self, sweep: Sweep) -> Result<Data, Failure> {
+        (self.data)(sweep)
+    }
+
+    fn files(&self, data: &Data) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+        let layout = (self.layout)(data)?;
+        let file = |ending: &str| format!("tables/{}.{ending}", self.id);
+        let mut files = vec![
+            (file("md"), layout.markdown().into_bytes()),
+            (file("tex"), layout.latex().into_bytes()),
+        ];
+        let pages = (self.pages)(data).into_iter();
+        files.extend(pages.map(|(name, text)| (name.to_owned(), text.into_bytes())));
+        Ok(files)
+    }
+}
