@@ -41,15 +41,12 @@ impl<const D: usize> Formula<D> {
 
     /// The formula of these entries, column by column.
     pub(crate) fn of(entries: &[Symbol], recording: &Recording) -> Result<Self, RecordError> {
-        if let Some(error) = recording.failed {
-            return Err(error);
-        }
-        let entries: Vec<Step> = entries.iter().map(|entry| entry.0).collect();
-        if entries.iter().any(|&entry| entry as usize >= recording.operations.len()) {
-            return Err(RecordError::Foreign);
-        }
-        let (operations, entries) = without_idle(&recording.operations, &entries, D);
+        let (operations, entries) = needed(entries, recording, D)?;
         Ok(Self { operations, entries })
+    }
+
+    pub(crate) fn tape(&self) -> Tape<'_> {
+        Tape { dimension: D, operations: &self.operations, entries: &self.entries }
     }
 
     /// Returns the steps.
@@ -68,13 +65,24 @@ impl<const D: usize> Formula<D> {
         assert!(row < D && column < D, "entry ({row}, {column}) of {D} × {D}");
         self.entries[column * D + row]
     }
+}
 
+/// A formula whose dimension is a number: what is done with it is compiled once for all dimensions.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tape<'f> {
+    pub(crate) dimension: usize,
+    pub(crate) operations: &'f [Operation],
+    /// Column by column.
+    pub(crate) entries: &'f [Step],
+}
+
+impl Tape<'_> {
     /// The values of all steps at `x`.
-    fn values<S: Scalar>(&self, x: &SVector<S, D>) -> Vec<S> {
+    fn values<S: Scalar>(self, x: &[S]) -> Vec<S> {
         let mut values: Vec<S> = Vec::with_capacity(self.operations.len());
         // The second of the pair that was evaluated last.
         let mut second = None;
-        for &operation in &self.operations {
+        for &operation in self.operations {
             let at = |step: Step| values[step as usize];
             let value = match operation {
                 Operation::Coordinate(i) => x[i as usize],
@@ -112,9 +120,25 @@ impl<const D: usize> Formula<D> {
 
 impl<const D: usize> Metric<D> for Formula<D> {
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
-        let values = self.values(x);
+        let values = self.tape().values(x.as_slice());
         SMatrix::from_fn(|i, j| values[self.entries[j * D + i] as usize])
     }
+}
+
+/// The steps of a recording that are needed for these entries, and the entries.
+fn needed(
+    entries: &[Symbol],
+    recording: &Recording,
+    dimension: usize,
+) -> Result<(Vec<Operation>, Vec<Step>), RecordError> {
+    if let Some(error) = recording.failed {
+        return Err(error);
+    }
+    let entries: Vec<Step> = entries.iter().map(|entry| entry.0).collect();
+    if entries.iter().any(|&entry| entry as usize >= recording.operations.len()) {
+        return Err(RecordError::Foreign);
+    }
+    Ok(without_idle(&recording.operations, &entries, dimension))
 }
 
 /// The coordinates and the steps that are needed for these entries, in the order in which they were.

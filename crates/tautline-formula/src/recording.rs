@@ -87,12 +87,20 @@ impl Drop for Outer {
 
 /// Returns what `formula` makes of the coordinates, and the tape.
 pub(crate) fn record<T>(dimension: usize, formula: impl FnOnce(&[Symbol]) -> T) -> (T, Recording) {
-    let outer = Outer(RECORDING.replace(Some(Recording::new(dimension))));
-    let coordinates: Vec<Symbol> = (0..dimension).map(|i| Symbol(i as Step)).collect();
+    let (outer, coordinates) = begin(dimension);
     let result = formula(&coordinates);
+    (result, end(outer))
+}
+
+fn begin(dimension: usize) -> (Outer, Vec<Symbol>) {
+    let outer = Outer(RECORDING.replace(Some(Recording::new(dimension))));
+    (outer, (0..dimension).map(|i| Symbol(i as Step)).collect())
+}
+
+fn end(outer: Outer) -> Recording {
     let recording = RECORDING.take().unwrap_or_default();
     drop(outer);
-    (result, recording)
+    recording
 }
 
 /// Marks the recording of the current thread as failed: its tape does not stand for the formula.

@@ -1,8 +1,8 @@
 //! `Kernel`: the program that fills the rows of a batch.
 
 use crate::{
-    Formula,
     batch::{CHUNKED, Kind, Layout},
+    formula::Tape,
     graph::{Contracted, Order, contract},
     operation::Step,
     program::{Program, Register, WIDTH},
@@ -29,7 +29,7 @@ pub(crate) struct Kernel {
 
 impl Kernel {
     /// Derives the program of a kind; `None` where the formula as it is compiled takes less time.
-    pub(crate) fn new<const D: usize>(formula: &Formula<D>, kind: Kind) -> Option<Self> {
+    pub(crate) fn new(formula: Tape<'_>, kind: Kind) -> Option<Self> {
         let order = match kind {
             Kind::Square | Kind::Checked => Order::Zero,
             Kind::Momentum => Order::First,
@@ -51,11 +51,11 @@ impl Kernel {
             steps.extend(contracted.halves.iter().flat_map(|half| half.entries));
             steps.extend(contracted.halves.iter().flat_map(|half| half.diagonal));
         }
-        let program = Program::new(graph, 2 * D, &steps)?;
-        if D < CHUNKED && WIDTH * program.intermediates() > NUMBERS_IN_CACHE {
+        let program = Program::new(graph, 2 * formula.dimension, &steps)?;
+        if formula.dimension < CHUNKED && WIDTH * program.intermediates() > NUMBERS_IN_CACHE {
             return None;
         }
-        let layout = Reader(&program.outputs).layout(&contracted, kind, D);
+        let layout = Reader(&program.outputs).layout(&contracted, kind, formula.dimension);
         Some(Self { program, layout })
     }
 

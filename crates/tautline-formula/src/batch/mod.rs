@@ -86,12 +86,8 @@ impl<'f, const D: usize> Batch<'f, D> {
     pub fn evaluate(&mut self, count: usize) -> bool {
         assert!(count > 0 && count <= self.lanes(), "{count} of {} lanes", self.lanes());
         let used = self.registers.set_used(count);
-        // The others are the last once more: no place where there is nothing.
-        let Inputs { x, d } = self.inputs(used);
-        for row in x.into_iter().chain(d) {
-            let last = row[count - 1];
-            row[count..used].fill(last);
-        }
+        // No place where there is nothing.
+        self.registers.repeat(2 * D, count, used);
         self.metric.evaluate(self.kind, &mut self.registers);
         self.layout().is_metric(&self.registers, count)
     }

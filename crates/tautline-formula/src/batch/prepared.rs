@@ -69,7 +69,7 @@ impl<M: Metric<D>, const D: usize> Prepared<M, D> {
     }
 
     fn kernel(&self, kind: Kind) -> Option<&Kernel> {
-        let derive = || Kernel::new(self.formula.as_ref()?, kind);
+        let derive = || Kernel::new(self.formula.as_ref()?.tape(), kind);
         self.kernels[kind as usize].get_or_init(derive).as_ref()
     }
 }

@@ -9,7 +9,7 @@
 //! Only the `bₘ` are differentiated. Where `Cₘ = ± a aᵀ`, `vₘ = ± a (aᵀd)` and `sₘ = ± (aᵀd)²`.
 
 use crate::{
-    Formula,
+    formula::Tape,
     graph::{Graph, derivative::Order, linear::Linear},
     operation::{Function, Step},
 };
@@ -47,34 +47,35 @@ pub(crate) struct Half {
 
 /// Contracts a formula with a chord, with its derivatives up to this order; `None` if that takes more
 /// operations than are worth it.
-pub(crate) fn contract<const D: usize>(formula: &Formula<D>, order: Order) -> Option<Contracted> {
+pub(crate) fn contract(formula: Tape<'_>, order: Order) -> Option<Contracted> {
+    let dimension = formula.dimension;
     let (mut graph, entries) = Graph::of(formula);
     if graph.is_full() {
         return None;
     }
-    let upper = || (0..D).flat_map(|i| (i..D).map(move |j| (i, j)));
-    let at = |i: usize, j: usize| entries[i * D + j];
+    let upper = || (0..dimension).flat_map(|i| (i..dimension).map(move |j| (i, j)));
+    let at = |i: usize, j: usize| entries[i * dimension + j];
     let gram: Vec<Step> = upper().map(|(i, j)| at(i, j)).collect();
     let halves = upper()
         .filter(|&(i, j)| at(i, j) != at(j, i))
         .map(|(i, j)| Half { entries: [at(i, j), at(j, i)], diagonal: [at(i, i), at(j, j)] })
         .collect();
-    let pivots = graph.pivots(D, |i, j| at(i.min(j), i.max(j)));
-    let (constant, parts) = parts(&graph, &gram, D);
+    let pivots = graph.pivots(dimension, |i, j| at(i.min(j), i.max(j)));
+    let (constant, parts) = parts(&graph, &gram, dimension);
     graph.be_free();
-    let d: Vec<Step> = (0..D).map(|i| graph.coordinate(D + i)).collect();
+    let d: Vec<Step> = (0..dimension).map(|i| graph.coordinate(dimension + i)).collect();
     let bases: Vec<Step> = parts.iter().map(|part| part.base).collect();
-    let derivatives = graph.derivatives(&bases, D, order);
+    let derivatives = graph.derivatives(&bases, dimension, order);
     let momenta: Vec<Momentum> =
         parts.iter().map(|part| graph.momentum(&part.matrix, &d)).collect();
     let squares: Vec<Step> = momenta.iter().map(|momentum| momentum.square).collect();
     let first = |k: usize| derivatives.iter().map(move |of| of.first.get(&k).copied());
-    let slope: Vec<Step> = (0..D).map(|k| graph.weighted(&squares, first(k))).collect();
+    let slope: Vec<Step> = (0..dimension).map(|k| graph.weighted(&squares, first(k))).collect();
     let (mut turn, mut bend) = (Vec::new(), Vec::new());
     if order == Order::Second {
-        for i in 0..D {
+        for i in 0..dimension {
             let along: Vec<Step> = momenta.iter().map(|momentum| momentum.vector[i]).collect();
-            turn.extend((0..D).map(|k| graph.weighted(&along, first(k))));
+            turn.extend((0..dimension).map(|k| graph.weighted(&along, first(k))));
         }
         for place in upper() {
             let second = derivatives.iter().map(|of| of.second.get(&place).copied());
@@ -87,7 +88,9 @@ pub(crate) fn contract<const D: usize>(formula: &Formula<D>, order: Order) -> Op
         let rest = graph.momentum(&constant, &d);
         graph.sum_of_parts(rest, &bases, &momenta)
     } else {
-        let matrix: Vec<Step> = (0..D * D).map(|n| gram_at(&gram, D, n / D, n % D)).collect();
+        let matrix: Vec<Step> = (0..dimension * dimension)
+            .map(|n| gram_at(&gram, dimension, n / dimension, n % dimension))
+            .collect();
         graph.matrix_times(&matrix, &d)
     };
     let whole = Contracted { graph, gram, halves, pivots, square, momentum, slope, turn, bend };

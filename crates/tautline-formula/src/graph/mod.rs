@@ -11,7 +11,7 @@ pub(crate) use contraction::{Contracted, contract};
 pub(crate) use derivative::Order;
 
 use crate::{
-    Formula,
+    formula::Tape,
     operation::{Arithmetic, Function, Number, Operation, Pair, Step},
 };
 
@@ -25,7 +25,7 @@ pub(crate) enum Identities {
     Free,
 }
 
-/// A list of operations as in a [`Formula`], of which none is there twice.
+/// A list of operations as in a [`Formula`](crate::Formula), of which none is there twice.
 ///
 /// Of the operations of a tape it has no pairs, no difference with a number, and no powers but squares. The
 /// coordinates are those of the point, then those of the chord.
@@ -44,15 +44,15 @@ const MOST: usize = 1 << 18;
 
 impl Graph {
     /// A graph on which a formula is, and its entries `(i, j)` by `[i D + j]`.
-    pub(crate) fn of<const D: usize>(formula: &Formula<D>) -> (Self, Vec<Step>) {
+    pub(crate) fn of(formula: Tape<'_>) -> (Self, Vec<Step>) {
         let mut graph = Self {
             operations: Vec::new(),
             known: HashMap::new(),
             identities: Identities::Exact,
             is_full: false,
         };
-        let mut made: Vec<Step> = Vec::with_capacity(formula.operations().len());
-        for (place, &operation) in formula.operations().iter().enumerate() {
+        let mut made: Vec<Step> = Vec::with_capacity(formula.operations.len());
+        for (place, &operation) in formula.operations.iter().enumerate() {
             let at = |step: Step| made[step as usize];
             let step = match operation {
                 Operation::Coordinate(_) => graph.node(operation),
@@ -70,7 +70,7 @@ impl Graph {
                 Operation::First(Pair::SinCos, a) => graph.apply(Function::Sin, at(a)),
                 Operation::First(Pair::SinhCosh, a) => graph.apply(Function::Sinh, at(a)),
                 // After its first one, always.
-                Operation::Second => match place.checked_sub(1).map(|p| formula.operations()[p]) {
+                Operation::Second => match place.checked_sub(1).map(|p| formula.operations[p]) {
                     Some(Operation::First(Pair::SinCos, a)) => graph.apply(Function::Cos, at(a)),
                     Some(Operation::First(Pair::SinhCosh, a)) => graph.apply(Function::Cosh, at(a)),
                     _ => unreachable!("a second of a pair without its first"),
@@ -78,8 +78,9 @@ impl Graph {
             };
             made.push(step);
         }
-        let entry = |place: usize| made[formula.entry(place / D, place % D) as usize];
-        (graph, (0..D * D).map(entry).collect())
+        let d = formula.dimension;
+        let entry = |place: usize| made[formula.entries[place % d * d + place / d] as usize];
+        (graph, (0..d * d).map(entry).collect())
     }
 
     /// Returns the operations.

@@ -119,6 +119,15 @@ impl Registers {
         self.used * WIDTH
     }
 
+    /// Copies lane `count − 1` of the first registers, so many of them, to all lanes from `count` to `used`.
+    pub(crate) fn repeat(&mut self, registers: usize, count: usize, used: usize) {
+        for row in &mut self.rows[..registers] {
+            let row = row.as_flattened_mut();
+            let last = row[count - 1];
+            row[count..used].fill(last);
+        }
+    }
+
     /// Runs a program, for which the registers were made.
     pub(crate) fn run(&mut self, program: &Program) {
         match self.instruction_set {
