@@ -117,13 +117,22 @@ fn level<const D: usize>(found: &Found<D>) -> Level {
     Level { n: found.sequence.n().get(), energy: found.energy }
 }
 
+/// The places of these, sorted; those of equals as they were. To sort places takes code of one type, and to sort
+/// candidates some for each dimension.
+fn by_key(keys: &[(bool, f64)]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..keys.len()).collect();
+    order.sort_by(|&a, &b| keys[a].0.cmp(&keys[b].0).then(keys[a].1.total_cmp(&keys[b].1)));
+    order
+}
+
 /// Sorts by energy, and keeps one of those that are the same but for `10⁻⁹`: that which has most grids
 /// behind it to extrapolate from, or the lower one. A search that did not converge counts behind all
 /// that did: its energy is that of no minimiser.
 pub(crate) fn lowest_first<const D: usize>(candidates: &mut Vec<Candidate<'_, D>>) {
-    candidates.sort_by(|a, b| {
-        a.failed().cmp(&b.failed()).then(a.found.energy.total_cmp(&b.found.energy))
-    });
+    let keys: Vec<_> = candidates.iter().map(|c| (c.failed(), c.found.energy)).collect();
+    let order = by_key(&keys);
+    let mut unsorted: Vec<_> = candidates.drain(..).map(Some).collect();
+    candidates.extend(order.into_iter().filter_map(|place| unsorted[place].take()));
     candidates.dedup_by(|b, a| {
         let same = a.failed() == b.failed()
             && (b.found.energy - a.found.energy).abs() <= DIFFERENT * a.found.energy.abs();

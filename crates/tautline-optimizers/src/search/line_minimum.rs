@@ -25,7 +25,7 @@ pub(crate) fn line_minimum<const D: usize>(
     intervals: usize,
 ) -> Option<Vec<SVector<f64, D>>> {
     let start = (OVERSHOOT * intervals as f64) as usize;
-    let (end, last) = (start + intervals, 2 * start + intervals);
+    let last = 2 * start + intervals;
     let at = |k: usize| {
         let t = (k as f64 - start as f64) / intervals as f64;
         a * (1.0 - t) + b * t
@@ -37,6 +37,19 @@ pub(crate) fn line_minimum<const D: usize>(
         let cost = |energy: f64| if energy >= 0.0 { energy } else { f64::INFINITY };
         energy.of_chords(&chords).into_iter().map(cost).collect::<Vec<f64>>()
     };
+    let best = best_path(start, intervals, n, &costs)?;
+    Some(best.into_iter().map(|k| points[k]).collect())
+}
+
+/// The places of the best sequence of `n` chords from the place `start` to that so many intervals further, by
+/// what chords between places cost. A function of places: it is compiled once for all dimensions.
+fn best_path(
+    start: usize,
+    intervals: usize,
+    n: usize,
+    costs: &dyn Fn(&[[usize; 2]]) -> Vec<f64>,
+) -> Option<Vec<usize>> {
+    let (end, last) = (start + intervals, 2 * start + intervals);
     // What some sequence costs: no chord of the best costs more. Where many steps are to be made, that
     // leaves few of the long ones.
     let step = |k: usize| start + (k * intervals + n / 2) / n;
@@ -70,7 +83,8 @@ pub(crate) fn line_minimum<const D: usize>(
     for from in came_from.iter().rev() {
         sequence.push(from[sequence[sequence.len() - 1]]);
     }
-    Some(sequence.into_iter().rev().map(|k| points[k]).collect())
+    sequence.reverse();
+    Some(sequence)
 }
 
 #[cfg(test)]
