@@ -18,9 +18,9 @@ use crate::newton::{
     two_threads::join,
 };
 
-/// Up to three dimensions two chords at a time take less time than one after the other: their matrices are in
-/// registers.
-pub(crate) const fn is_side_by_side(dimension: usize) -> bool {
+/// Whether the two sides of an elimination share the lanes of a register, one chord of each at a time. Up to
+/// three dimensions that takes less time than one side after the other: the matrices stay in registers.
+pub(crate) const fn goes_in_lanes(dimension: usize) -> bool {
     dimension < 4
 }
 
@@ -78,7 +78,7 @@ impl<const D: usize> Chain<'_, D> {
 
     /// Eliminates both sides, a block of each at a time; `None` if the Hessian is not positive
     /// definite.
-    pub(crate) fn side_by_side(&self, mut memory: Memory<'_, D>) -> Option<[Side<D>; 2]> {
+    pub(crate) fn in_lanes(&self, mut memory: Memory<'_, D>) -> Option<[Side<D>; 2]> {
         let mut frames = [None, None];
         let mut both = Front::<D, Pair>::new(self.regulariser);
         let mut batch = self.batch(self.n());
@@ -124,11 +124,7 @@ impl<const D: usize> Chain<'_, D> {
 
     /// Eliminates one side and the other, or both `at_once`; `None` if the Hessian is not positive
     /// definite.
-    pub(crate) fn side_and_side(
-        &self,
-        memory: Memory<'_, D>,
-        at_once: bool,
-    ) -> Option<[Side<D>; 2]> {
+    pub(crate) fn in_turn(&self, memory: Memory<'_, D>, at_once: bool) -> Option<[Side<D>; 2]> {
         let half = self.half();
         let [one, other] = match memory {
             Some((TwistedFactorization { sides: [one, other], .. }, eliminated)) => {

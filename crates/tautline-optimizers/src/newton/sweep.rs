@@ -6,7 +6,7 @@ use tautline_formula::Batches;
 use tautline_sets::ClosedSet;
 
 use crate::newton::{
-    chain::{Chain, is_side_by_side},
+    chain::{Chain, goes_in_lanes},
     end_frame::EndFrame,
     factorization::Regulariser,
     magnitude::Magnitude,
@@ -39,9 +39,8 @@ pub(crate) type MemoryOfSweep<'m, const D: usize> =
 /// there is some. `about` is what is known of the magnitude beforehand: it scales the margin and what
 /// is taken for a chord at the ends.
 ///
-/// Up to three dimensions the two sides go [side by side](is_side_by_side). From
-/// four on they go one after the other, or both `at_once`, on two threads, which does not change a bit
-/// of the result.
+/// Up to three dimensions the two sides [share the lanes of a register](goes_in_lanes). From four on they
+/// take turns, or run `at_once` on two threads, which does not change a bit of the result.
 pub(crate) fn sweep<const D: usize>(
     nodes: &'static [Node],
     metric: &dyn Batches<D>,
@@ -59,17 +58,16 @@ pub(crate) fn sweep<const D: usize>(
     let chain = Chain { nodes, metric, ends, sequence, regulariser, tau, residual: &residual };
     let half = chain.half();
     if let Some((factorization, eliminated)) = &mut memory {
-        let (pairs, on_each_side) =
-            if const { is_side_by_side(D) } { (half, 0) } else { (0, half) };
+        let (pairs, on_each_side) = if const { goes_in_lanes(D) } { (half, 0) } else { (0, half) };
         factorization.clear(pairs, on_each_side);
         eliminated.clear();
         eliminated.resize(count + 1, SVector::zeros());
     }
     let kept = memory.as_mut().map(|(pivots, eliminated)| (&mut **pivots, &mut eliminated[..]));
-    let [one, other] = if const { is_side_by_side(D) } {
-        chain.side_by_side(kept)?
+    let [one, other] = if const { goes_in_lanes(D) } {
+        chain.in_lanes(kept)?
     } else {
-        chain.side_and_side(kept, at_once)?
+        chain.in_turn(kept, at_once)?
     };
     let (mut front, mut frames, back) = (one.front, [one.frame, other.frame], other.front);
     if count > 2 * half {

@@ -2,7 +2,7 @@
 
 use std::{panic::resume_unwind, thread};
 
-use crate::newton::chain::is_side_by_side;
+use crate::newton::chain::goes_in_lanes;
 
 /// The stack of the second thread, in bytes: in many dimensions matrices of jets are on it, 8 MB at
 /// `D = 64`. Only what is used of it becomes memory.
@@ -12,11 +12,11 @@ const STACK: usize = 32 << 20;
 /// a thread takes to begin and end.
 const WORTH_A_THREAD: usize = 65_536;
 
-/// Whether two of `threads` had better share a pass over `n` chords, one from each end: not where both
-/// sides go side by side, which two threads, with one side each, do not catch up with.
+/// Whether two of `threads` should share a pass over `n` chords, one from each end. Not where both sides share
+/// the lanes of a register: two threads with one side each are slower.
 pub(crate) fn share<const D: usize>(threads: usize, n: usize) -> bool {
     let processors = || thread::available_parallelism().map_or(1, usize::from);
-    let worth = const { !is_side_by_side(D) } && n * D * D >= WORTH_A_THREAD;
+    let worth = const { !goes_in_lanes(D) } && n * D * D >= WORTH_A_THREAD;
     worth && threads > 1 && processors() > 1
 }
 

@@ -5,7 +5,7 @@ use tautline_discretizations::PointSequence;
 use crate::{
     Curvature, Stop, Workspace,
     newton::{
-        chain::is_side_by_side, newton_pass::NewtonPass, rounding::margin,
+        chain::goes_in_lanes, newton_pass::NewtonPass, rounding::margin,
         stationarity::Stationarity, two_threads::share,
     },
     search::local_search::{Found, LocalSearch},
@@ -81,7 +81,7 @@ impl<const D: usize> LocalSearch<'_, D> {
             // than the margin by which it is definite, so that the factorisation from here still
             // tells. Two chords at a time, a sweep costs no more than a gradient does.
             if at.decrement <= margin(n).powi(2) * about.energy {
-                let there = if const { is_side_by_side(D) } {
+                let there = if const { goes_in_lanes(D) } {
                     energy.sweep(ends, &trial, about, false, None)?.stationarity
                 } else {
                     pass.stationarity_at(energy, ends, &trial)

@@ -1,4 +1,4 @@
-//! `Subject`: what the statements are computed with.
+//! `Subject`: the implementation under test, the library's or a mutant's.
 
 mod asked;
 mod bounds;

@@ -1,4 +1,4 @@
-//! `Check`: one named test, which any subject can be put to.
+//! `Check`: a named test that runs against the library or a mutant.
 
 use tautline_statements::Statement;
 

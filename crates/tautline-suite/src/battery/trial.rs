@@ -28,7 +28,7 @@ pub enum Scope {
 /// What a check may use: the subject, how much of the evidence counts, and how many cases.
 #[derive(Clone, Copy, Debug)]
 pub struct Trial<'a> {
-    /// What the statements are computed with.
+    /// The implementation under test.
     pub subject: &'a Subject,
     /// How much of the evidence is judged.
     pub scope: Scope,
