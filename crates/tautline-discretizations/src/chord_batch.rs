@@ -354,6 +354,11 @@ mod tests {
             assert_eq!(is_metric, expected, "{entry} at {place:?} of {D}");
             let linear = LinearModel::new(Trapezoidal, &metric, &sequence);
             assert_eq!(linear.is_metric, expected, "{entry} at {place:?} of {D}");
+            for metric in [&Plain::new(&metric) as &dyn Batches<D>, &Prepared::new(&metric)] {
+                let mut batch = ChordBatch::new(metric, Kind::Checked, Trapezoidal::NODES, 1.0, 1);
+                batch.see(0, sequence.chords());
+                assert_eq!(batch.is_metric, expected, "{entry} at {place:?} of {D}");
+            }
             let (_, is_metric) = facing(Trapezoidal, &metric, [(&x, d), (&x, d)], 1.0);
             assert_eq!(is_metric, expected, "{entry} at {place:?} of {D}");
         }

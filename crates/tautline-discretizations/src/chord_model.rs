@@ -32,7 +32,7 @@ pub struct ChordModel<const D: usize, T = f64> {
 }
 
 impl<T: Scalar, const D: usize> ChordModel<D, T> {
-    /// That of a rule without nodes.
+    /// The model of a rule without nodes: all zeros.
     #[inline(always)]
     pub(crate) fn zero() -> Self {
         Self {

@@ -13,8 +13,8 @@ use crate::{PointSequence, compensated_sum::CompensatedSum};
 /// `E(γᵖˡ) − d²` stays that of `d²` itself.
 const TOLERANCE: f64 = 4.0 * f64::EPSILON;
 
-/// So many chords are [checked](Interpolation::check), at so many points at most: at the seven with which a
-/// quadrature begins on a chord, and then where it would go on.
+/// So many chords and the last are [checked](Interpolation::check), at so many points in all: level by level
+/// where a quadrature would go on, from the seven points with which it begins on a chord.
 const CHECKED: usize = 512;
 const LOOKS: usize = 1 << 17;
 const FIRST: usize = FIRST_NODES.len();
@@ -93,9 +93,9 @@ impl<'a, const D: usize> Interpolation<'a, D> {
 
     /// Checks that the Gram matrix is finite, symmetric and positive definite along the curve.
     ///
-    /// Where [`length`](Interpolation::length) reads the metric, at most some 131 072 points in all, and for
-    /// `N > 512` on every `⌈N/512⌉`-th chord and the last: the nodes of a rule are as close as that
-    /// anyway. Not a proof, which `tautline-certify` has.
+    /// On every `⌈N/512⌉`-th chord and the last, at no more than 131 072 points in all: first where
+    /// [`length`](Interpolation::length) reads the metric first, then where it would read it next, level by
+    /// level. Not a proof, which `tautline-certify` has.
     ///
     /// # Errors
     ///

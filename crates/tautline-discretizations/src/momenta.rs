@@ -17,6 +17,7 @@ impl Energies<'_> {
     #[inline]
     pub fn for_first(self, chords: usize, mut take: impl FnMut(f64)) {
         let squares = &self.square[..chords * self.nodes.len()];
+        // A rule with one node takes two thirds of the time without the inner loop.
         if let [node] = self.nodes {
             for square in squares {
                 take(self.n * node.weight * square);

@@ -291,6 +291,18 @@ mod tests {
     }
 
     #[test]
+    fn the_extent_is_that_of_the_farthest_coordinate_wherever_it_is() {
+        for count in 2..=5 {
+            for (index, coordinate) in (0..count).flat_map(|i| (0..2).map(move |j| (i, j))) {
+                let mut points = vec![vector![1.0, -2.0]; count];
+                points[index][coordinate] = -3.0;
+                let extent = PointSequence::new(points).map(|sequence| sequence.extent());
+                assert_eq!(extent, Ok(3.0), "{index} of {count}");
+            }
+        }
+    }
+
+    #[test]
     fn bad_points_are_named() {
         assert_eq!(
             PointSequence::straight([0.0], [1.0], 0),
@@ -306,6 +318,21 @@ mod tests {
         let one = PointSequence::new(vec![vector![1.0]]);
         assert_eq!(one, Err(SequenceError::NoSubinterval { points: 1 }));
         assert!(PointSequence::new(vec![vector![1.0]; 2]).is_ok());
+        // Each by itself, wherever it is, of an even and of an odd number of points.
+        for count in 2..=5 {
+            for (index, coordinate) in (0..count).flat_map(|i| (0..3).map(move |j| (i, j))) {
+                for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+                    let mut points = vec![vector![1.0, -2.0, 3.0]; count];
+                    points[index][coordinate] = bad;
+                    let Err(SequenceError::NotFinite { index: i, coordinate: j, value }) =
+                        PointSequence::new(points)
+                    else {
+                        panic!("{bad} at {index}")
+                    };
+                    assert_eq!((i, j, value.to_bits()), (index, coordinate, bad.to_bits()));
+                }
+            }
+        }
         // Of several the first, at the ends of the sequence and of the point too.
         let bad = f64::NEG_INFINITY;
         for (index, coordinate) in (0..3).flat_map(|i| (0..3).map(move |j| (i, j))) {

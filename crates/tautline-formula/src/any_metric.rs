@@ -23,8 +23,8 @@ use crate::{
 /// same bits.
 ///
 /// Of a formula that cannot be recorded there are besides, in fewer than 24 dimensions and to rounding, the
-/// jets over `f64` along a line, expanded to the second order. In any other numbers, such as an [`Interval`](tautline_scalar::Interval), it is NaN: intervals
-/// would follow one branch of several.
+/// jets over `f64` along a line, expanded to the second order. In any other numbers, such as an
+/// [`Interval`](tautline_scalar::Interval), it is NaN: intervals would follow one branch of several.
 ///
 /// ```
 /// use nalgebra::vector;

@@ -130,7 +130,7 @@ fn by_values(values: &[f64; 7], half: f64) -> (Integral, f64) {
 
 #[cfg(test)]
 mod tests {
-    use super::{Integral, integrate};
+    use super::{FIRST_NODES, Integral, integrate, is_integrated};
 
     /// The rule is exact for degree 11: a mistyped node or weight fails here.
     #[test]
@@ -208,6 +208,24 @@ mod tests {
             approx::assert_relative_eq!(back.error, there.error, max_relative = 1e-6);
             assert!(there.error > 0.0);
         }
+    }
+
+    /// By the first values alone it is known whether others are asked for.
+    #[test]
+    fn an_integral_is_done_if_its_first_values_say_so() {
+        let steep: fn(f64) -> f64 = |x| (30.0 * x).sin();
+        let functions: [fn(f64) -> f64; 6] =
+            [f64::exp, |_| 0.0, |_| -3.0, |x| x.powi(11), |x| (x - 0.3).abs(), |_| f64::NAN];
+        let mut done = [0, 0];
+        for f in functions.into_iter().chain([steep]) {
+            for tolerance in [0.0, 1e-12, 1e-3, 2.0] {
+                let says = is_integrated(&FIRST_NODES.map(f), tolerance);
+                let (_, count) = evaluations(f, 0.0, 1.0, tolerance);
+                assert_eq!(says, count == 7, "{tolerance} {count}");
+                done[usize::from(says)] += 1;
+            }
+        }
+        assert!(done.iter().all(|&count| count >= 5), "{done:?}");
     }
 
     /// Where the rules differ by rounding alone no halving helps, and where a value is NaN none does.

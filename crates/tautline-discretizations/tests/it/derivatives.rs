@@ -80,7 +80,7 @@ fn check<R: Rule>(rule: R, fractions: &[f64], coordinates: [f64; 8]) -> Result<(
     Ok(())
 }
 
-/// A full matrix in four dimensions, where `dᵀHd` is differentiated apart.
+/// A full matrix in four dimensions.
 struct Woven;
 
 impl Metric<4> for Woven {

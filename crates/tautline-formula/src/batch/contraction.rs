@@ -20,7 +20,7 @@ pub(crate) struct Contraction<const D: usize> {
     pub(crate) is_metric: bool,
 }
 
-/// From this dimension on second derivatives are taken by so many directions at a time.
+/// From this dimension on derivatives are taken by so many directions at a time.
 ///
 /// At once, the jets of all `D²` entries of `H` are `D⁴` numbers: 2.8 MB at `D = 24`, which leave the cache and
 /// then the stack.
@@ -55,7 +55,7 @@ impl<const D: usize> Contraction<D> {
             for b in (a + HALF..D).step_by(HALF) {
                 let directions: [usize; CHUNK] =
                     std::array::from_fn(|k| if k < HALF { a + k } else { b + k - HALF });
-                let jets = metric.gram(&variables(y, directions));
+                let jets = metric.gram(&variables(y, directions, Jet2::variables, Jet2::constant));
                 contraction.differentiate(&jets, d, directions);
             }
         }
@@ -129,14 +129,16 @@ fn slope<J, const B: usize, const D: usize>(
 }
 
 /// The coordinates as functions of those in these directions.
-fn variables<const B: usize, const D: usize>(
+fn variables<J: Scalar, const B: usize, const D: usize>(
     y: &SVector<f64, D>,
     directions: [usize; B],
-) -> SVector<Jet2<f64, B>, D> {
+    variables: impl Fn(&[f64; B]) -> [J; B],
+    constant: impl Fn(f64) -> J,
+) -> SVector<J, D> {
     // Beyond the last coordinate stand variables on which nothing depends.
-    let variables = Jet2::variables(&directions.map(|k| y.get(k).copied().unwrap_or(0.0)));
+    let variables = variables(&directions.map(|k| y.get(k).copied().unwrap_or(0.0)));
     let place = |i: usize| directions.iter().position(|&k| k == i);
-    SVector::from_fn(|i, _| place(i).map_or(Jet2::constant(y[i]), |place| variables[place]))
+    SVector::from_fn(|i, _| place(i).map_or(constant(y[i]), |place| variables[place]))
 }
 
 /// `H`, both halves as the metric has them, and `Gₖ = dᵀ ∂ₖH d` at `y`.
@@ -146,8 +148,29 @@ pub(crate) fn momentum<const D: usize>(
     y: &SVector<f64, D>,
     d: &SVector<f64, D>,
 ) -> (SMatrix<f64, D, D>, SVector<f64, D>) {
-    let jets = metric.gram(&SVector::from(Jet1::variables(&(*y).into())));
-    (jets.map(|jet| jet.value()), slope(&jets, d, Jet1::gradient))
+    if const { D < CHUNKED } {
+        let jets = metric.gram(&SVector::from(Jet1::variables(&(*y).into())));
+        (jets.map(|jet| jet.value()), slope(&jets, d, Jet1::gradient))
+    } else {
+        (metric.gram(y), slope_by_chunks(metric, y, d))
+    }
+}
+
+fn slope_by_chunks<const D: usize>(
+    metric: &impl Metric<D>,
+    y: &SVector<f64, D>,
+    d: &SVector<f64, D>,
+) -> SVector<f64, D> {
+    let mut g = SVector::zeros();
+    for start in (0..D).step_by(CHUNK) {
+        let directions: [usize; CHUNK] = std::array::from_fn(|k| start + k);
+        let jets = metric.gram(&variables(y, directions, Jet1::variables, Jet1::constant));
+        let part = slope(&jets, d, Jet1::gradient);
+        for k in start..D.min(start + CHUNK) {
+            g[k] = part[k - start];
+        }
+    }
+    g
 }
 
 #[cfg(test)]
@@ -155,7 +178,7 @@ mod tests {
     use nalgebra::SVector;
     use tautline_metrics::gallery::{SineProjection, SineProjections};
 
-    use super::{CHUNK, CHUNKED, Contraction, momentum};
+    use super::{CHUNK, CHUNKED, Contraction, momentum, slope_by_chunks};
 
     /// Between 8 waves in every coordinate at once.
     fn expand<const D: usize>(
@@ -172,8 +195,10 @@ mod tests {
         let d = SVector::<f64, D>::from_fn(|i, _| 0.25 * wave(5, i));
         let contraction = by(&metric, &y, &d);
         assert_eq!(momentum(&metric, &y, &d), (contraction.h, contraction.g));
-        // Σ cos(2 w·y) (a·d)² w wᵀ, and ½ Σ sin(2 w·y) (a·d) a wᵀ.
+        assert_eq!(slope_by_chunks(&metric, &y, &d), contraction.g);
+        // Σ cos(2 w·y) (a·d)² w wᵀ, ½ Σ sin(2 w·y) (a·d) a wᵀ, and G = Pᵀd.
         let (mut p, mut q) = (contraction.p, contraction.q);
+        let g = contraction.g - p.tr_mul(&d);
         for SineProjection { wave_vector: w, direction: a } in terms {
             let (sin, cos) = (2.0 * w.dot(&y)).sin_cos();
             p -= a * w.transpose() * (0.5 * sin * a.dot(&d));
@@ -181,6 +206,7 @@ mod tests {
         }
         // Roundings of hundreds of terms below 1: they come to 1e-14 at D = 25.
         assert!(p.amax() <= 1e-12 && q.amax() <= 1e-12, "{} {}", p.amax(), q.amax());
+        assert!(g.amax() <= 1e-12, "{}", g.amax());
         // None of which is small by itself.
         let Contraction { g, p, q, .. } = &contraction;
         assert!(p.amax() > 1e-2 && g.amax() > 1e-2 && q.amax() > 1e-2);
@@ -190,12 +216,16 @@ mod tests {
     /// With an even and an odd number of halves of a chunk, of which the last is full or not.
     #[test]
     fn derivatives_by_chunks_are_those_of_all_at_once() {
-        const { assert!(CHUNK == 8 && CHUNKED > 13) };
+        const { assert!(CHUNK == 8 && CHUNKED == 24) };
         // To the bit, since every derivative comes from the same operations.
         assert_eq!(expand::<7>(Contraction::by_chunks), expand(Contraction::new));
         assert_eq!(expand::<8>(Contraction::by_chunks), expand(Contraction::new));
         assert_eq!(expand::<12>(Contraction::by_chunks), expand(Contraction::new));
         assert_eq!(expand::<13>(Contraction::by_chunks), expand(Contraction::new));
+        // The last number of dimensions that is differentiated at once, with jets of several megabytes.
+        let all = || assert_eq!(expand::<23>(Contraction::by_chunks), expand(Contraction::new));
+        let thread = std::thread::Builder::new().stack_size(64 << 20).spawn(all);
+        thread.expect("a thread").join().expect("the same derivatives");
         expand::<CHUNKED>(Contraction::new);
         expand::<{ CHUNKED + 1 }>(Contraction::new);
     }

@@ -27,10 +27,7 @@ pub trait Batches<const D: usize>: Sync {
     /// once, but no more than `units` times `unit`, and no fewer than `unit`.
     fn registers(&self, kind: Kind, unit: usize, units: usize) -> Registers;
 
-    /// Takes registers back that are not needed any more, for the next that asks.
-    fn take_back(&self, _kind: Kind, _registers: Registers) {}
-
-    /// Returns by which instructions whoever asks is to work on.
+    /// Returns the instructions that callers should use for loops of their own.
     fn instruction_set(&self) -> InstructionSet {
         InstructionSet::default()
     }
@@ -103,12 +100,6 @@ impl<'f, const D: usize> Batch<'f, D> {
     #[inline]
     pub fn row(&self, register: Register) -> &[f64] {
         self.registers.row(register)
-    }
-}
-
-impl<const D: usize> Drop for Batch<'_, D> {
-    fn drop(&mut self) {
-        self.metric.take_back(self.kind, std::mem::take(&mut self.registers));
     }
 }
 

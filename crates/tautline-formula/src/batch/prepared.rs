@@ -1,6 +1,6 @@
 //! `Prepared`: a metric by batches, in the way that is fastest for it.
 
-use std::sync::{Mutex, OnceLock};
+use std::sync::OnceLock;
 
 use nalgebra::{SMatrix, SVector};
 use tautline_metrics::Metric;
@@ -8,7 +8,7 @@ use tautline_metrics::Metric;
 use crate::{
     Formula,
     batch::{Batches, Kind, Layout, Plain, kernel::Kernel},
-    program::{InstructionSet, Registers, whole},
+    program::{InstructionSet, Registers},
 };
 
 /// A metric, ready to be evaluated at many places at once.
@@ -23,16 +23,10 @@ pub struct Prepared<M, const D: usize> {
     kernels: [OnceLock<Option<Kernel>>; 4],
     instruction_set: InstructionSet,
     lanes: usize,
-    /// Registers of each kind that were used before: to make new ones takes as long as to evaluate a hundred
-    /// places.
-    spare: [Mutex<Vec<Registers>>; 4],
 }
 
 /// The greatest number of lanes.
 const LANES: usize = 128;
-
-/// So many registers of a kind are kept: one for each of some threads.
-const KEPT: usize = 8;
 
 impl<M: Metric<D>, const D: usize> Prepared<M, D> {
     /// Records the formula of a metric.
@@ -46,8 +40,8 @@ impl<M: Metric<D>, const D: usize> Prepared<M, D> {
     #[must_use]
     pub fn with(metric: M, instruction_set: InstructionSet, lanes: usize) -> Self {
         let formula = Formula::record(&metric).ok();
-        let (plain, kernels, spare) = (Plain::new(metric), Default::default(), Default::default());
-        Self { plain, formula, kernels, instruction_set, lanes, spare }
+        let (plain, kernels) = (Plain::new(metric), Default::default());
+        Self { plain, formula, kernels, instruction_set, lanes }
     }
 
     /// Returns the metric.
@@ -88,21 +82,7 @@ impl<M: Metric<D>, const D: usize> Batches<D> for Prepared<M, D> {
             return self.plain.registers(kind, unit, units);
         };
         let lanes = unit.saturating_mul(units).min(self.lanes).min(kernel.lanes()).max(unit);
-        let spare = self.spare[kind as usize].lock().ok().and_then(|mut spare| {
-            let place = spare.iter().position(|spare| spare.lanes() == whole(lanes))?;
-            Some(spare.swap_remove(place))
-        });
-        spare.unwrap_or_else(|| Registers::new(kernel.program(), lanes, self.instruction_set))
-    }
-
-    fn take_back(&self, kind: Kind, registers: Registers) {
-        let spare = self.spare[kind as usize].lock();
-        if let Ok(mut spare) = spare
-            && spare.len() < KEPT
-            && self.kernel(kind).is_some()
-        {
-            spare.push(registers);
-        }
+        Registers::new(kernel.program(), lanes, self.instruction_set)
     }
 
     fn instruction_set(&self) -> InstructionSet {

@@ -4,9 +4,9 @@ mod allocation;
 mod compiler;
 mod instruction;
 mod registers;
+mod row;
 
 pub(crate) use instruction::Instruction;
-pub(crate) use registers::whole;
 pub use registers::{InstructionSet, Registers, WIDTH};
 
 /// The place of a register.

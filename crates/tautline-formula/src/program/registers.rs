@@ -5,18 +5,14 @@ use nalgebra::SVector;
 use crate::{
     functions,
     operation::Function,
-    program::{Instruction, Program, Register},
+    program::{
+        Instruction, Program, Register,
+        row::{Chunk, Row},
+    },
 };
 
 /// So many lanes are worked on in one go. The number of lanes is a multiple of it.
 pub const WIDTH: usize = 8;
-
-type Chunk = [f64; WIDTH];
-
-/// Returns so many lanes, or as many more as make the [`WIDTH`] full.
-pub(crate) fn whole(lanes: usize) -> usize {
-    lanes.max(1).next_multiple_of(WIDTH)
-}
 
 /// Which instructions of the processor are used. The results are the same to the bit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -28,12 +24,12 @@ pub enum InstructionSet {
     Widest,
 }
 
-/// Registers of some lanes each; none by default.
-#[derive(Clone, Debug, Default)]
+/// Registers of some lanes each.
+#[derive(Clone, Debug)]
 pub struct Registers {
-    rows: Vec<Box<[Chunk]>>,
+    rows: Vec<Row>,
     /// Where results are made, before they change places with what was in a register.
-    spare: [Box<[Chunk]>; 2],
+    spare: [Row; 2],
     /// How many chunks are worked on, and how many lanes are asked for.
     used: usize,
     count: usize,
@@ -43,15 +39,14 @@ pub struct Registers {
 impl Registers {
     /// Registers for a program, of so many lanes or as many more as make the [`WIDTH`] full.
     pub(crate) fn new(program: &Program, lanes: usize, instruction_set: InstructionSet) -> Self {
-        let chunks = whole(lanes) / WIDTH;
-        let row = |value: f64| vec![[value; WIDTH]; chunks].into_boxed_slice();
-        let mut rows: Vec<_> = (0..program.registers()).map(|_| row(0.0)).collect();
+        let chunks = lanes.div_ceil(WIDTH).max(1);
+        let mut rows: Vec<_> = (0..program.registers()).map(|_| Row::new(chunks)).collect();
         for &(register, value) in &program.constants {
-            rows[register as usize] = row(value);
+            rows[register as usize] = Row::filled(chunks, value);
         }
         Self {
             rows,
-            spare: [row(0.0), row(0.0)],
+            spare: [Row::new(chunks), Row::new(chunks)],
             used: chunks,
             count: chunks * WIDTH,
             instruction_set,

@@ -115,7 +115,7 @@ mod tests {
     use tautline_discretizations::{
         LeftEndpoint, Node, PointSequence, Rule, Trapezoidal, TrueTrapezoid, energy_gradient,
     };
-    use tautline_formula::Plain;
+    use tautline_formula::{Batches, Plain, Prepared};
     use tautline_metrics::{
         Metric, MetricError, Scalar,
         gallery::{Constant, Shear},
@@ -193,15 +193,22 @@ mod tests {
                         SMatrix::from_element((x[0] - self.0).sqr())
                     }
                 }
-                let sequence = PointSequence::straight([0.0], [3.0], 3).expect("finite");
                 let hole = Hole(place);
-                let metric = Plain::new(&hole);
-                let energy = DiscreteEnergy::<1>::new(Simpson, &metric);
-                match energy.check_nodes(&sequence) {
-                    Err(MetricError::NotPositiveDefinite { point, .. }) => {
-                        assert_eq!(point, [place]);
+                let (plain, prepared) = (Plain::new(&hole), Prepared::new(&hole));
+                // In one batch and in several, of which the hole is in the first or the last but one.
+                for (n, from) in [(3, 0.0), (100, 0.0), (100, -96.0)] {
+                    // Whole numbers, so that the nodes are exactly there.
+                    let points = (0..=n).map(|k| vector![from + f64::from(k)]).collect();
+                    let sequence = PointSequence::new(points).expect("finite");
+                    for metric in [&plain as &dyn Batches<1>, &prepared] {
+                        let energy = DiscreteEnergy::new(Simpson, metric);
+                        match energy.check_nodes(&sequence) {
+                            Err(MetricError::NotPositiveDefinite { point, .. }) => {
+                                assert_eq!(point, [place]);
+                            }
+                            other => panic!("{other:?}"),
+                        }
                     }
-                    other => panic!("{other:?}"),
                 }
             }
         }

@@ -129,7 +129,7 @@ pub(crate) struct Pivot<const D: usize, T = f64> {
 }
 
 impl<T: Lanes, const D: usize> Pivot<D, T> {
-    /// What is written over.
+    /// A placeholder: every entry is overwritten.
     pub(crate) fn zero() -> Self {
         Self { diagonal: Ldl::zero(), lower: SMatrix::zeros() }
     }

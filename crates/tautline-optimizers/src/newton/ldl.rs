@@ -12,7 +12,7 @@ pub(crate) struct Ldl<const D: usize, T = f64> {
 }
 
 impl<T: Lanes, const D: usize> Ldl<D, T> {
-    /// What is written over.
+    /// A placeholder: every entry is overwritten.
     pub(crate) fn zero() -> Self {
         Self { factors: SMatrix::zeros() }
     }

@@ -74,7 +74,7 @@ fn baseline<const BY_MIDDLE: bool, const KEEPS: bool, const D: usize>(
     inline::<BY_MIDDLE, KEEPS, D>(models, pairs, front, rest, kept)
 }
 
-/// Its instructions have a place for the result, so that operands need not be copied.
+/// AVX instructions write to a third register, so that operands need no copies.
 #[multiversion::multiversion(targets("x86_64+avx2"))]
 fn widest<const BY_MIDDLE: bool, const KEEPS: bool, const D: usize>(
     models: &Contractions<'_, Pair, D>,

@@ -10,7 +10,7 @@ use crate::newton::{factorization::Pivot, ldl::Ldl};
 /// then the one or two blocks between them. Also known as two-sided elimination, and as burning at
 /// both ends.
 ///
-/// The two sides are eliminated side by side, as `pairs`, or each by itself, as `sides`.
+/// The two sides are eliminated in the lanes of a register, as `pairs`, or each by itself, as `sides`.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct TwistedFactorization<const D: usize> {
     /// Of the blocks `n` and `N − n`, from the ends on.
@@ -26,8 +26,7 @@ pub(crate) struct TwistedFactorization<const D: usize> {
 impl<const D: usize> TwistedFactorization<D> {
     /// Makes room for so many pairs, which are there to be written over, and for so many on each side.
     pub(crate) fn clear(&mut self, pairs: usize, on_each_side: usize) {
-        self.pairs.truncate(pairs);
-        self.pairs.reserve_exact(pairs - self.pairs.len());
+        self.pairs.reserve_exact(pairs.saturating_sub(self.pairs.len()));
         self.pairs.resize(pairs, Pivot::zero());
         for side in &mut self.sides {
             side.clear();

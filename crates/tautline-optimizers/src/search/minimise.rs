@@ -76,7 +76,7 @@ const FINE: usize = 64;
 /// ones. Where the finest, of `32 768/D²` chords or more, needs none, its points are all that it has:
 /// together less than 30 bytes a point for `D = 2` at `N = 10⁵`, and less than 20 at `N = 10⁷`, both
 /// measured on smooth metrics. Besides, some 1 kB for each [register](tautline_formula::Prepared::size) of a
-/// program, which stays with the prepared metric.
+/// program, which the thread keeps for the next.
 ///
 /// # Errors
 ///

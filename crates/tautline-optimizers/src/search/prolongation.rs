@@ -172,6 +172,18 @@ mod tests {
         }
     }
 
+    /// Where a fine point is a coarse one, to the bit.
+    #[test]
+    fn points_of_both_grids_are_kept() {
+        let curve = |k: usize| vector![(7 * k) as f64 + (k as f64).sin(), 1.0 / (1.0 + k as f64)];
+        let sequence = PointSequence::new((0..=20).map(curve).collect()).expect("finite");
+        for by in [1, 2, 9, 16] {
+            let fine = prolong(&sequence, 20 * by);
+            let kept: Vec<_> = fine.iter().step_by(by).copied().collect();
+            assert_eq!(kept, sequence.points());
+        }
+    }
+
     /// Full batches, and parts of one.
     #[test]
     fn wider_instructions_make_the_same_points() {

@@ -39,7 +39,7 @@ fn compare<R: Rule, const D: usize>(rule: R) {
         Ends::points(at(-1.0), at(1.0)).expect("finite"),
         Ends::new(ball(-1.0), ball(1.0)).expect("bounded"),
     ] {
-        for n in [300, 65_536 / (D * D) + 1] {
+        for n in [300, (65_537 / (D * D)) | 1] {
             let solve = |instruction_set, lanes, threads| {
                 let metric = Prepared::with(Waves, instruction_set, lanes);
                 let options = Options { threads, ..Options::default() };
