@@ -6,11 +6,12 @@
 //! Gₖ = dᵀ ∂ₖH d = Σₘ sₘ ∂ₖbₘ,   Pᵢₖ = (∂ₖH d)ᵢ = Σₘ (vₘ)ᵢ ∂ₖbₘ,   Qₖₗ = dᵀ ∂ₖ∂ₗH d = Σₘ sₘ ∂ₖ∂ₗbₘ.
 //! ```
 //!
-//! Only the `bₘ` are differentiated. Where `Cₘ = ± a aᵀ`, `vₘ = ± a (aᵀd)` and `sₘ = ± (aᵀd)²`.
+//! Only the `bₘ` are differentiated. Where `Cₘ = ± a aᵀ`, `vₘ = ± a (aᵀd)` and `sₘ = ± (aᵀd)²`. Squares of
+//! vectors `a(x)` may be apart from that sum.
 
 use crate::{
     formula::Tape,
-    graph::{Graph, derivative::Order, linear::Linear},
+    graph::{Graph, derivative::Order, linear::Linear, squares::Sums},
     operation::{Function, Step},
 };
 
@@ -61,16 +62,25 @@ pub(crate) fn contract(formula: Tape<'_>, order: Order) -> Option<Contracted> {
         .map(|(i, j)| Half { entries: [at(i, j), at(j, i)], diagonal: [at(i, i), at(j, j)] })
         .collect();
     let pivots = graph.pivots(dimension, |i, j| at(i.min(j), i.max(j)));
-    let (constant, parts) = parts(&graph, &gram, dimension);
+    let own = own_entries(&graph, &gram);
+    let mut split = split(&graph, &gram, &own, dimension);
+    let squares = graph.squares(&gram, dimension, &bases(&split.1));
+    if let Some((rest, _)) = &squares {
+        split = by_bases(rest, dimension);
+    }
+    let (constant, parts) = split;
     graph.be_free();
     let d: Vec<Step> = (0..dimension).map(|i| graph.coordinate(dimension + i)).collect();
-    let bases: Vec<Step> = parts.iter().map(|part| part.base).collect();
-    let derivatives = graph.derivatives(&bases, dimension, order);
+    let bases = bases(&parts);
+    let functions = squares.iter().flat_map(|(_, squares)| &squares.functions);
+    let differentiated: Vec<Step> = bases.iter().chain(functions).copied().collect();
+    let derivatives = graph.derivatives(&differentiated, dimension, order);
+    let (derivatives, of_functions) = derivatives.split_at(bases.len());
     let momenta: Vec<Momentum> =
         parts.iter().map(|part| graph.momentum(&part.matrix, &d)).collect();
-    let squares: Vec<Step> = momenta.iter().map(|momentum| momentum.square).collect();
     let first = |k: usize| derivatives.iter().map(move |of| of.first.get(&k).copied());
-    let slope: Vec<Step> = (0..dimension).map(|k| graph.weighted(&squares, first(k))).collect();
+    let along: Vec<Step> = momenta.iter().map(|momentum| momentum.square).collect();
+    let slope: Vec<Step> = (0..dimension).map(|k| graph.weighted(&along, first(k))).collect();
     let (mut turn, mut bend) = (Vec::new(), Vec::new());
     if order == Order::Second {
         for i in 0..dimension {
@@ -79,12 +89,12 @@ pub(crate) fn contract(formula: Tape<'_>, order: Order) -> Option<Contracted> {
         }
         for place in upper() {
             let second = derivatives.iter().map(|of| of.second.get(&place).copied());
-            bend.push(graph.weighted(&squares, second));
+            bend.push(graph.weighted(&along, second));
         }
     }
     // By the parts unless they are more than the entries. Not by the number of operations: other units
     // have some more of them, and are to have the same roundings.
-    let Momentum { vector: momentum, square } = if parts.len() <= own_entries(&graph, &gram).len() {
+    let Momentum { vector: momentum, square } = if squares.is_some() || parts.len() <= own.len() {
         let rest = graph.momentum(&constant, &d);
         graph.sum_of_parts(rest, &bases, &momenta)
     } else {
@@ -93,6 +103,11 @@ pub(crate) fn contract(formula: Tape<'_>, order: Order) -> Option<Contracted> {
             .collect();
         graph.matrix_times(&matrix, &d)
     };
+    let mut sums = Sums { square, momentum, slope, turn, bend };
+    if let Some((_, squares)) = &squares {
+        graph.add_squares(squares, of_functions, order, &d, &mut sums);
+    }
+    let Sums { square, momentum, slope, turn, bend } = sums;
     let whole = Contracted { graph, gram, halves, pivots, square, momentum, slope, turn, bend };
     (!whole.graph.is_full()).then_some(whole)
 }
@@ -121,28 +136,30 @@ fn own_entries(graph: &Graph, gram: &[Step]) -> Vec<Step> {
 
 /// Returns `C₀` and the parts of `H`: by linear combinations of the entries `i ≤ j`, or the entries
 /// themselves where these are fewer.
-fn parts(graph: &Graph, gram: &[Step], dimension: usize) -> (Vec<f64>, Vec<Part>) {
-    let own = own_entries(graph, gram);
-    let linear = graph.linear(gram);
+fn split(graph: &Graph, gram: &[Step], own: &[Step], dimension: usize) -> (Vec<f64>, Vec<Part>) {
+    let (constant, parts) = by_bases(&graph.linear(gram), dimension);
+    if parts.len() <= own.len() {
+        return (constant, parts);
+    }
+    let by_itself = |&entry: &Step| match graph.value(entry) {
+        Some(constant) => Linear { constant, ..Linear::default() },
+        None => Linear::step(entry),
+    };
+    let entries: Vec<Linear> = gram.iter().map(by_itself).collect();
+    by_bases(&entries, dimension)
+}
+
+/// Returns `C₀` and the parts of a matrix with these entries `i ≤ j`.
+fn by_bases(entries: &[Linear], dimension: usize) -> (Vec<f64>, Vec<Part>) {
     let mut bases: Vec<Step> =
-        linear.iter().flat_map(|linear| linear.terms.iter().map(|term| term.0)).collect();
+        entries.iter().flat_map(|linear| linear.terms.iter().map(|term| term.0)).collect();
     bases.sort_unstable();
     bases.dedup();
-    let linear = if bases.len() <= own.len() {
-        linear
-    } else {
-        bases = own;
-        let by_itself = |&entry: &Step| match graph.value(entry) {
-            Some(constant) => Linear { constant, ..Linear::default() },
-            None => Linear::step(entry),
-        };
-        gram.iter().map(by_itself).collect()
-    };
     let matrix = || vec![0.0; dimension * dimension];
     let mut constant = matrix();
     let mut parts: Vec<Part> = bases.iter().map(|&base| Part { base, matrix: matrix() }).collect();
     let upper = (0..dimension).flat_map(|i| (i..dimension).map(move |j| (i, j)));
-    for ((i, j), linear) in upper.zip(&linear) {
+    for ((i, j), linear) in upper.zip(entries) {
         for place in [i * dimension + j, j * dimension + i] {
             constant[place] = linear.constant;
             for &(base, factor) in &linear.terms {
@@ -155,6 +172,10 @@ fn parts(graph: &Graph, gram: &[Step], dimension: usize) -> (Vec<f64>, Vec<Part>
     (constant, parts)
 }
 
+fn bases(parts: &[Part]) -> Vec<Step> {
+    parts.iter().map(|part| part.base).collect()
+}
+
 /// A matrix times `d`, and `d` times that.
 #[derive(Debug)]
 struct Momentum {
@@ -164,7 +185,11 @@ struct Momentum {
 
 impl Graph {
     /// The sum of these, each with its factor; those that are 0 are not there.
-    fn weighted(&mut self, factors: &[Step], terms: impl Iterator<Item = Option<Step>>) -> Step {
+    pub(super) fn weighted(
+        &mut self,
+        factors: &[Step],
+        terms: impl Iterator<Item = Option<Step>>,
+    ) -> Step {
         let there = factors.iter().zip(terms).filter_map(|(&factor, term)| Some((factor, term?)));
         let products: Vec<Step> = there.map(|(factor, term)| self.mul(factor, term)).collect();
         self.sum(products)

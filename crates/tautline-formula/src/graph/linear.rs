@@ -1,6 +1,6 @@
 //! Expressions as linear combinations of others.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 use crate::{
     graph::Graph,
@@ -103,9 +103,53 @@ impl Graph {
         }
         roots.iter().map(|root| known.get(root).cloned().unwrap_or_default()).collect()
     }
+
+    /// Returns one step as a linear combination, of any length; `None` where a term vanishes or a factor is
+    /// lost, or more than these steps would be looked at, of which those that were are taken.
+    ///
+    /// From the sum to its terms, so that a long sum takes no longer than it is.
+    pub(super) fn flat(&self, root: Step, left: &mut usize) -> Option<Linear> {
+        let mut open = BTreeMap::from([(root, 1.0_f64)]);
+        let mut flat = Linear::default();
+        // Whoever reads a step comes before it.
+        while let Some((step, factor)) = open.pop_last() {
+            *left = left.checked_sub(1)?;
+            if !factor.is_normal() {
+                return None;
+            }
+            let mut add = |step: Step, factor: f64| *open.entry(step).or_default() += factor;
+            match self.operation(step) {
+                Operation::Constant(c) => flat.constant += factor * c.value(),
+                operation if self.is_atom(operation, step) => flat.terms.push((step, factor)),
+                Operation::Binary(how, a, b) => {
+                    add(a, factor);
+                    add(b, if how == Arithmetic::Sub { -factor } else { factor });
+                }
+                Operation::WithNumber(Arithmetic::Add, a, c) => {
+                    flat.constant += factor * c.value();
+                    add(a, factor);
+                }
+                Operation::WithNumber(Arithmetic::Mul, a, c) => add(a, factor * c.value()),
+                Operation::WithNumber(Arithmetic::Div, a, c) => add(a, factor * c.value().recip()),
+                Operation::Of(Function::Neg, a) => add(a, -factor),
+                _ => flat.terms.push((step, factor)),
+            }
+        }
+        flat.terms.reverse();
+        flat.checked()
+    }
+
+    /// Whether an operation is not linear, or is not taken apart: it has a coordinate for a term, or a factor by
+    /// which its term would be lost.
+    fn is_atom(&self, operation: Operation, step: Step) -> bool {
+        let is_coordinate = |read| matches!(self.operation(read), Operation::Coordinate(_));
+        !is_linear(operation)
+            || matches!(operation, Operation::WithNumber(Arithmetic::Mul, _, c) if !c.value().is_normal())
+            || operation.reads(step).into_iter().flatten().any(is_coordinate)
+    }
 }
 
-fn is_linear(operation: Operation) -> bool {
+pub(super) fn is_linear(operation: Operation) -> bool {
     matches!(
         operation,
         Operation::Binary(Arithmetic::Add | Arithmetic::Sub, ..)

@@ -4,6 +4,7 @@ mod contraction;
 mod derivative;
 mod linear;
 mod neck;
+mod squares;
 
 use std::collections::HashMap;
 

@@ -55,6 +55,12 @@ fn a_long_formula_is_evaluated_as_it_is_compiled() {
 /// and over, a few directions at a time. The numbers are those of the compiled forms of the metric.
 #[test]
 fn from_24_coordinates_on_there_is_a_program_of_any_length() {
+    // Matrices of 32 · 32 jets, by value: compiled for tests they take two megabytes of a stack, more or less.
+    let thread = std::thread::Builder::new().stack_size(1 << 23).spawn(compare_in_32_coordinates);
+    thread.expect("a thread").join().expect("the same numbers");
+}
+
+fn compare_in_32_coordinates() {
     let vector = |seed: usize| {
         SVector::<f64, 32>::from_fn(|i, _| (1.0 + 1.7 * (32 * seed + i) as f64).sin())
     };

@@ -6,4 +6,5 @@ mod edges_of_programs;
 mod programs;
 mod random;
 mod random_formulas;
+mod squares;
 mod text;

@@ -6,7 +6,7 @@ use tautline_formula::{Batch, Batches, Formula, InstructionSet, Kind, Plain, Pre
 use tautline_metrics::{Metric, gallery, is_gram};
 use tautline_scalar::{Interval, Jet2, Scalar};
 
-use crate::{random::Random, random_formulas::Trees};
+use crate::{random::Random, random_formulas::Trees, squares::decoder};
 
 /// A program rounds in another order than the formula. Places are enclosed together with their neighbours,
 /// so many units in the last place to either side: what a result moves by between them it may be off by.
@@ -289,6 +289,8 @@ fn powers_of_two_change_no_bit() {
     same(&gallery::RotatingAnisotropy::new([4.0, 1.0], [1.1, 0.3]).expect("positive"));
     same(&gallery::SineProjections::benchmark());
     same(&gallery::CoupledCosines);
+    same(&decoder::<2, 6, 4>());
+    same(&decoder::<4, 6, 4>());
     same::<3>(&gallery::Hyperbolic);
     same::<2>(&gallery::Sphere);
 }

@@ -1,0 +1,132 @@
+//! Metrics that are sums of squares of vectors, and those that nearly are.
+
+use nalgebra::{SMatrix, SVector};
+use tautline_formula::{Kind, Prepared};
+use tautline_metrics::{Metric, gallery::TanhDecoder};
+use tautline_scalar::Scalar;
+
+use crate::programs::{all, compare_one, places};
+
+/// Numbers without a pattern, all of them different.
+fn number(k: usize) -> f64 {
+    (1.0 + 1.7 * k as f64).sin()
+}
+
+pub(crate) fn decoder<const D: usize, const HIDDEN: usize, const OUT: usize>()
+-> TanhDecoder<D, HIDDEN, OUT> {
+    let inner = SMatrix::from_fn(|a, i| number(D * a + i) / 2.0);
+    // No unit is without a zero: it is a term of no vector.
+    let outer = SMatrix::from_fn(|o, a| if o == a { 0.0 } else { number(50 + HIDDEN * o + a) });
+    TanhDecoder::new(inner, outer, 0.5).expect("finite")
+}
+
+#[test]
+fn decoders_are_contracted_by_programs() {
+    all(&decoder::<1, 6, 4>());
+    all(&decoder::<2, 6, 4>());
+    all(&decoder::<2, 16, 16>());
+    all(&decoder::<3, 5, 7>());
+    all(&decoder::<4, 16, 16>());
+}
+
+/// The entries themselves, differentiated, would make a program that is longer than it is worth.
+#[test]
+fn a_decoder_of_8_coordinates_has_a_program() {
+    let metric = decoder::<8, 16, 16>();
+    let prepared = Prepared::new(&metric);
+    assert!(prepared.size(Kind::Contraction).is_some());
+    let known = compare_one(&metric, &prepared, &places(20), "");
+    assert_eq!(known, 20 * (1 + 1 + 3 * 8 + 3 * 8 * 8));
+}
+
+/// `8 I + diag(sin x₀, 0, 0) + Σₒ wₒ aₒ aₒᵀ` in three coordinates, with something wrong with it.
+struct Vectors(Wrong);
+
+#[derive(Clone, Copy, PartialEq)]
+enum Wrong {
+    Nothing,
+    /// One product counts more than the others of its vector.
+    Factor,
+    /// One product of a vector is not there.
+    Missing,
+    /// The product is that of two pairs.
+    Ambiguous,
+    /// The weight is no constant.
+    Weight,
+}
+
+impl Metric<3> for Vectors {
+    fn gram<S: Scalar>(&self, x: &SVector<S, 3>) -> SMatrix<S, 3, 3> {
+        let wave = |k: usize| {
+            let w = |i: usize| number(3 * k + i);
+            (x[0] * w(0) + x[1] * w(1) + x[2] * w(2)).sin()
+        };
+        let waves: [S; 4] = std::array::from_fn(wave);
+        let entry = |o: usize, i: usize| {
+            let terms = waves.iter().enumerate();
+            let sum =
+                terms.fold(S::zero(), |sum, (a, &s)| sum + s * number(20 + 12 * o + 3 * a + i));
+            sum * 0.5 + 0.25 * (i + o) as f64
+        };
+        let mut vectors: [[S; 3]; 5] =
+            std::array::from_fn(|o| std::array::from_fn(|i| entry(o, i)));
+        // A zero, a constant, and a lone function.
+        vectors[1][2] = S::zero();
+        vectors[2][0] = S::constant(0.75);
+        vectors[3] = [waves[0], x[1].sin(), x[2] + 0.5];
+        if self.0 == Wrong::Ambiguous {
+            vectors[4] = [vectors[0][1], vectors[0][0], vectors[0][2]];
+        }
+        let mut h = SMatrix::<S, 3, 3>::from_diagonal_element(S::constant(8.0));
+        h[(0, 0)] += x[0].sin();
+        for (o, a) in vectors.iter().enumerate() {
+            for i in 0..3 {
+                for j in i..3 {
+                    let product = a[i] * a[j];
+                    let weight = [1.0, 0.5, 0.25, -0.125, 1.0][o];
+                    let is_here = o == 0 && (i, j) == (0, 2);
+                    let term = match self.0 {
+                        Wrong::Factor if is_here => product * (1.0 + 1e-3),
+                        Wrong::Missing if is_here => S::zero(),
+                        Wrong::Weight if o == 0 => product * (x[1].cos() + 2.0),
+                        _ => product * weight,
+                    };
+                    h[(i, j)] += term;
+                }
+            }
+        }
+        h.fill_lower_triangle_with_upper_triangle();
+        h
+    }
+}
+
+#[test]
+fn vectors_with_zeros_constants_and_weights_are_contracted() {
+    all(&Vectors(Wrong::Nothing));
+}
+
+#[test]
+fn what_is_nearly_a_square_is_none() {
+    all(&Vectors(Wrong::Factor));
+    all(&Vectors(Wrong::Missing));
+    all(&Vectors(Wrong::Ambiguous));
+    all(&Vectors(Wrong::Weight));
+}
+
+/// `I + ∇f ∇fᵀ`: one vector, whose squares are those of lone functions in some coordinates.
+#[test]
+fn graphs_of_functions_are_contracted() {
+    struct Graph;
+    impl Metric<4> for Graph {
+        fn gram<S: Scalar>(&self, x: &SVector<S, 4>) -> SMatrix<S, 4, 4> {
+            let (shared, own) = ((x[0] + x[1] * 0.5 - x[2]).cos(), (x[3] * x[0]).sin());
+            let slope = [shared + own * x[3], shared * 0.5, -shared, own * x[0]];
+            let mut h = SMatrix::<S, 4, 4>::from_fn(|i, j| slope[i.min(j)] * slope[i.max(j)]);
+            for i in 0..4 {
+                h[(i, i)] += S::one();
+            }
+            h
+        }
+    }
+    all(&Graph);
+}
