@@ -35,6 +35,8 @@ pub(crate) struct Contracted {
     pub(crate) turn: Vec<Step>,
     /// The entries `k ≤ l` of `Q`, row by row.
     pub(crate) bend: Vec<Step>,
+    /// Whether squares of vectors are contracted apart from the rest.
+    pub(crate) is_by_squares: bool,
 }
 
 /// Two entries that have to have the same value, and those on the diagonal in their row and column.
@@ -48,7 +50,10 @@ pub(crate) struct Half {
 
 /// Contracts a formula with a chord, with its derivatives up to this order; `None` if that takes more
 /// operations than are worth it.
-pub(crate) fn contract(formula: Tape<'_>, order: Order) -> Option<Contracted> {
+///
+/// With `needs_gram` the entries of `H` are computed anyway: `dᵀHd` alone takes less by them than by vectors
+/// whose squares are in them.
+pub(crate) fn contract(formula: Tape<'_>, order: Order, needs_gram: bool) -> Option<Contracted> {
     let dimension = formula.dimension;
     let (mut graph, entries) = Graph::of(formula);
     if graph.is_full() {
@@ -64,7 +69,11 @@ pub(crate) fn contract(formula: Tape<'_>, order: Order) -> Option<Contracted> {
     let pivots = graph.pivots(dimension, |i, j| at(i.min(j), i.max(j)));
     let own = own_entries(&graph, &gram);
     let mut split = split(&graph, &gram, &own, dimension);
-    let squares = graph.squares(&gram, dimension, &bases(&split.1));
+    let squares = if needs_gram && order == Order::Zero {
+        None
+    } else {
+        graph.squares(&gram, dimension, &bases(&split.1))
+    };
     if let Some((rest, _)) = &squares {
         split = by_bases(rest, dimension);
     }
@@ -108,7 +117,19 @@ pub(crate) fn contract(formula: Tape<'_>, order: Order) -> Option<Contracted> {
         graph.add_squares(squares, of_functions, order, &d, &mut sums);
     }
     let Sums { square, momentum, slope, turn, bend } = sums;
-    let whole = Contracted { graph, gram, halves, pivots, square, momentum, slope, turn, bend };
+    let is_by_squares = squares.is_some();
+    let whole = Contracted {
+        graph,
+        gram,
+        halves,
+        pivots,
+        square,
+        momentum,
+        slope,
+        turn,
+        bend,
+        is_by_squares,
+    };
     (!whole.graph.is_full()).then_some(whole)
 }
 
