@@ -15,7 +15,7 @@ fn number(k: usize) -> f64 {
 pub(crate) fn decoder<const D: usize, const HIDDEN: usize, const OUT: usize>()
 -> TanhDecoder<D, HIDDEN, OUT> {
     let inner = SMatrix::from_fn(|a, i| number(D * a + i) / 2.0);
-    // No unit is without a zero: it is a term of no vector.
+    // Terms that vanish stay what they are: undefined where their unit is.
     let outer = SMatrix::from_fn(|o, a| if o == a { 0.0 } else { number(50 + HIDDEN * o + a) });
     TanhDecoder::new(inner, outer, 0.5).expect("finite")
 }
