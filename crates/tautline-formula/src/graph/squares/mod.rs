@@ -16,12 +16,15 @@
 //! Only the `σₐ` are differentiated. The Jacobian of a network has `cₒₐ = fₒₐ gₐ` with one form `gₐ` for each
 //! hidden unit: then `eₒₐ = fₒₐ (gₐᵀd)`, and sums over `o` and `a` have `fₒₐ` alone for factors.
 
+mod contraction;
+
 use std::collections::{BTreeMap, HashMap};
+
+pub(super) use contraction::Sums;
 
 use crate::{
     graph::{
         Graph,
-        derivative::{Derivatives, Order},
         linear::{Linear, is_linear},
     },
     operation::{Arithmetic, Function, Operation, Step},
@@ -51,16 +54,6 @@ struct Vector {
     entries: Vec<(usize, Step)>,
     /// `f` by forms: the vector of a form times `f` is `cₒₐ`.
     factors: Vec<(usize, f64)>,
-}
-
-/// What is contracted, as in [`Contracted`](super::Contracted).
-#[derive(Debug)]
-pub(super) struct Sums {
-    pub(super) square: Step,
-    pub(super) momentum: Vec<Step>,
-    pub(super) slope: Vec<Step>,
-    pub(super) turn: Vec<Step>,
-    pub(super) bend: Vec<Step>,
 }
 
 /// An entry of a vector, of which the square is in an entry on the diagonal.
@@ -195,170 +188,6 @@ impl Graph {
             }
         }
         count
-    }
-
-    /// Adds what is contracted of the squares, by the derivatives of their functions.
-    pub(super) fn add_squares(
-        &mut self,
-        squares: &Squares,
-        derivatives: &[Derivatives],
-        order: Order,
-        d: &[Step],
-        sums: &mut Sums,
-    ) {
-        let Squares { forms, vectors, .. } = squares;
-        // `vₒ` and `wₒ vₒ`.
-        let (mut along, mut weighted) = (Vec::new(), Vec::new());
-        for vector in vectors {
-            let terms: Vec<Step> = vector.entries.iter().map(|&(i, a)| self.mul(a, d[i])).collect();
-            let sum = self.sum(terms);
-            along.push(sum);
-            weighted.push(self.times(sum, vector.weight));
-        }
-        let square = self.weighted(&weighted, along.into_iter().map(Some));
-        sums.square = self.add(sums.square, square);
-        for (vector, &weighted) in vectors.iter().zip(&weighted) {
-            for &(i, a) in &vector.entries {
-                let term = self.mul(a, weighted);
-                sums.momentum[i] = self.add(sums.momentum[i], term);
-            }
-        }
-        if order == Order::Zero {
-            return;
-        }
-        // `gᵀd` of each form, and `Σₒ wₒ vₒ f`, which is what the form counts in the sum of all `wₒ vₒ aₒ`.
-        let mut forms_along = Vec::new();
-        for form in forms {
-            let terms: Vec<Step> =
-                form.vector.iter().zip(d).map(|(&c, &d)| self.times(d, c)).collect();
-            forms_along.push(self.sum(terms));
-        }
-        let mut terms = vec![Vec::new(); forms.len()];
-        for (vector, &weighted) in vectors.iter().zip(&weighted) {
-            for &(form, factor) in &vector.factors {
-                terms[form].push(self.times(weighted, factor));
-            }
-        }
-        let counts: Vec<Step> = terms.into_iter().map(|terms| self.sum(terms)).collect();
-        // `2 hₐ`.
-        let mut terms = vec![Vec::new(); squares.functions.len()];
-        for (form, (&along, &count)) in forms.iter().zip(forms_along.iter().zip(&counts)) {
-            terms[form.function].push(self.mul(along, count));
-        }
-        let mut doubled = Vec::new();
-        for terms in terms {
-            let sum = self.sum(terms);
-            doubled.push(self.times(sum, 2.0));
-        }
-        for (k, slope) in sums.slope.iter_mut().enumerate() {
-            let first = derivatives.iter().map(|of| of.first.get(&k).copied());
-            let sum = self.weighted(&doubled, first);
-            *slope = self.add(*slope, sum);
-        }
-        if order == Order::Second {
-            let slopes = self.slopes_along(squares, derivatives, &forms_along, d.len());
-            self.add_turn(squares, derivatives, &slopes, &counts, &mut sums.turn);
-            self.add_bend(squares, derivatives, &slopes, &doubled, &mut sums.bend);
-        }
-    }
-
-    /// `∂ₖvₒ` by `[k][o]`.
-    fn slopes_along(
-        &mut self,
-        squares: &Squares,
-        derivatives: &[Derivatives],
-        forms_along: &[Step],
-        dimension: usize,
-    ) -> Vec<Vec<Step>> {
-        let mut slopes = Vec::with_capacity(dimension);
-        for k in 0..dimension {
-            let of_forms = self.times_slopes(squares, derivatives, forms_along, k);
-            let mut of_vectors = Vec::with_capacity(squares.vectors.len());
-            for vector in &squares.vectors {
-                let terms: Vec<Step> = vector
-                    .factors
-                    .iter()
-                    .filter_map(|&(form, factor)| Some(self.times(of_forms[form]?, factor)))
-                    .collect();
-                of_vectors.push(self.sum(terms));
-            }
-            slopes.push(of_vectors);
-        }
-        slopes
-    }
-
-    /// A number of each form times `∂ₖ` of its function; `None` is 0.
-    fn times_slopes(
-        &mut self,
-        squares: &Squares,
-        derivatives: &[Derivatives],
-        of_forms: &[Step],
-        k: usize,
-    ) -> Vec<Option<Step>> {
-        let pairs = squares.forms.iter().zip(of_forms);
-        pairs
-            .map(|(form, &number)| {
-                let &slope = derivatives[form.function].first.get(&k)?;
-                Some(self.mul(number, slope))
-            })
-            .collect()
-    }
-
-    fn add_turn(
-        &mut self,
-        squares: &Squares,
-        derivatives: &[Derivatives],
-        slopes: &[Vec<Step>],
-        counts: &[Step],
-        turn: &mut [Step],
-    ) {
-        let dimension = slopes.len();
-        for (k, slopes) in slopes.iter().enumerate() {
-            let of_forms = self.times_slopes(squares, derivatives, counts, k);
-            let mut terms = vec![Vec::new(); dimension];
-            for (vector, &slope) in squares.vectors.iter().zip(slopes) {
-                for &(i, a) in &vector.entries {
-                    let product = self.mul(a, slope);
-                    terms[i].push(self.times(product, vector.weight));
-                }
-            }
-            for (i, mut terms) in terms.into_iter().enumerate() {
-                for (form, number) in squares.forms.iter().zip(&of_forms) {
-                    if let Some(number) = *number
-                        && form.vector[i] != 0.0
-                    {
-                        terms.push(self.times(number, form.vector[i]));
-                    }
-                }
-                let sum = self.sum(terms);
-                let place = i * dimension + k;
-                turn[place] = self.add(turn[place], sum);
-            }
-        }
-    }
-
-    fn add_bend(
-        &mut self,
-        squares: &Squares,
-        derivatives: &[Derivatives],
-        slopes: &[Vec<Step>],
-        doubled: &[Step],
-        bend: &mut [Step],
-    ) {
-        let upper = (0..slopes.len()).flat_map(|k| (k..slopes.len()).map(move |l| (k, l)));
-        for (place, bend) in upper.zip(bend) {
-            let pairs = slopes[place.0].iter().zip(&slopes[place.1]);
-            let mut terms = Vec::with_capacity(squares.vectors.len());
-            for ((&one, &other), vector) in pairs.zip(&squares.vectors) {
-                let product = self.mul(one, other);
-                terms.push(self.times(product, 2.0 * vector.weight));
-            }
-            let of_slopes = self.sum(terms);
-            let second = derivatives.iter().map(|of| of.second.get(&place).copied());
-            let of_functions = self.weighted(doubled, second);
-            let sum = self.add(of_slopes, of_functions);
-            *bend = self.add(*bend, sum);
-        }
     }
 }
 
