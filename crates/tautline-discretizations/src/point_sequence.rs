@@ -150,11 +150,11 @@ impl<const D: usize> PointSequence<D> {
         chords(&self.points)
     }
 
-    /// Returns the chords with these numbers, in their order or, from behind, in the opposite one.
+    /// Returns the chords with these numbers, as an iterator from either end.
     ///
     /// # Panics
     ///
-    /// If there are no such chords.
+    /// If the numbers go beyond `N`.
     #[inline]
     pub fn chords_in(
         &self,

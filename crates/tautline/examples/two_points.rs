@@ -17,6 +17,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let middle = line.curve().at(0.5);
     println!("half way at            ({:.4}, {:.4})", middle[0], middle[1]);
     println!("a local minimum?       {}", line.minimum().is_local_minimum());
-    println!("energies of the local minima that were met: {:.4?}", line.minimum().local_minima);
+    println!(
+        "energies of the local minima on the coarsest grid: {:.4?}",
+        line.minimum().local_minima
+    );
     Ok(())
 }

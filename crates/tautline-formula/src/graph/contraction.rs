@@ -51,8 +51,8 @@ pub(crate) struct Half {
 /// Contracts a formula with a chord, with its derivatives up to this order; `None` if that takes more
 /// operations than are worth it.
 ///
-/// With `needs_gram` the entries of `H` are computed anyway: `dᵀHd` alone takes less by them than by vectors
-/// whose squares are in them.
+/// With `needs_gram` the entries of `H` are computed anyway, and `dᵀHd` alone is then cheaper from them than from
+/// squares of vectors.
 pub(crate) fn contract(formula: Tape<'_>, order: Order, needs_gram: bool) -> Option<Contracted> {
     let dimension = formula.dimension;
     let (mut graph, entries) = Graph::of(formula);

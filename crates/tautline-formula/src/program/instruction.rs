@@ -4,8 +4,8 @@ use crate::{operation::Function, program::Register};
 
 /// One instruction: where the result goes, from where the operands come.
 ///
-/// What is fused is rounded as if it were not: there is no multiplication with an addition in one
-/// rounding, which not every processor has.
+/// A fused instruction rounds after each operation, as separate ones would: it needs no multiplication with
+/// addition in one rounding, which not every processor has.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Instruction {
     /// `a + b`.

@@ -163,7 +163,7 @@ impl<'a> Parser<'a> {
             let value = self.expression()?;
             self.names.insert(first, value);
         }
-        self.sign(';', ";")
+        self.sign(';', "an operator or ;")
     }
 
     fn new_name(&mut self) -> Result<String, TextError> {
@@ -210,6 +210,9 @@ impl<'a> Parser<'a> {
                 self.advance()?;
                 row.push(self.expression()?.symbol());
             }
+            if !self.is(';') && !self.is(']') {
+                return self.unexpected("an operator, a comma, ; or ]");
+            }
             if row.len() != dimension {
                 let problem =
                     Problem::Shape { found: row.len(), what: "entries in a row", dimension };
@@ -220,9 +223,6 @@ impl<'a> Parser<'a> {
                 break;
             }
             self.advance()?;
-        }
-        if !self.is(']') {
-            return self.unexpected("an operator, a comma, ; or ]");
         }
         let end = self.advance()?.1.end;
         if rows.len() != dimension {

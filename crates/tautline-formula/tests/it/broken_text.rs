@@ -27,7 +27,7 @@ fn each_mistake_is_shown_where_it_is() {
         ("a = 2; a I", "a", "at byte 0: a has a meaning already"),
         ("sin = 2; 1 I", "sin", "at byte 0: sin has a meaning already"),
         ("b = 2; b = 3; 1 I", "b", "at byte 7: b has a meaning already"),
-        ("b = 2 1 I", "1", "at byte 6: found 1, expected ;"),
+        ("b = 2 1 I", "1", "at byte 6: found 1, expected an operator or ;"),
         ("s, c = cos(x1); 1 I", "cos", "at byte 7: found cos, expected sin_cos or sinh_cosh"),
         (
             "x1^0.5 I",

@@ -193,6 +193,12 @@ fn forms_say_what_they_take_and_leave_their_names() {
     );
     assert_eq!(error("speed(2 x1)"), "at byte 8: found x1, expected an operator, a comma or )");
     assert_eq!(error("graph(x1) I"), "at byte 10: found I, expected the end");
+    // A factor without its sign, wherever it stands.
+    assert_eq!(
+        error("[2 x1, 0; 0, 1]"),
+        "at byte 3: found x1, expected an operator, a comma, ; or ]"
+    );
+    assert_eq!(error("a = 3 exp(x1); a I"), "at byte 6: found exp, expected an operator or ;");
     let named = Formula::<2>::parse("phi = 2 - cos(x1); speed(phi)", &[]);
     assert_eq!(named, Formula::parse("graph = 2 - cos(x1); sqr(graph) I", &[]));
 }
