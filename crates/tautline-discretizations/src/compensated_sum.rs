@@ -96,7 +96,7 @@ mod tests {
         approx::assert_relative_eq!(one.value(), 3e-14, max_relative = 1e-12);
     }
 
-    /// Two-sum does not ask which of two numbers is the larger: what is lost is that of either.
+    /// Two-sum recovers the rounding error whichever operand is larger.
     #[test]
     fn nothing_is_lost_in_any_order_of_large_and_small() {
         let orders = [

@@ -112,8 +112,8 @@ fn same<T: Any, S: Any>(value: &T) -> Option<&S> {
 }
 
 impl<const D: usize> AnyMetric<'_, D> {
-    /// `H` in jets of another kind, of which three factors that are 0 at `x` have the product 0: to the
-    /// second order it is all of `H`.
+    /// `H` in another kind of jet, from its second-order Taylor expansion. Exact for jets of order at most two,
+    /// in which a product of three increments vanishes.
     fn expanded<S: Scalar>(&self, x: &SVector<S, D>, error: RecordError) -> SMatrix<S, D, D> {
         let places: Option<Vec<f64>> = x.iter().map(value::<S, D>).collect();
         let Some(places) = places else {

@@ -55,7 +55,7 @@ impl Layout {
     }
 }
 
-/// Whether two entries are the same up to rounding, as [`is_gram`](tautline_metrics::is_gram) has it.
+/// Whether two mirrored entries agree to the tolerance of [`is_gram`](tautline_metrics::is_gram).
 fn is_symmetric([above, below]: [f64; 2], [one, other]: [f64; 2]) -> bool {
     let scale = one.abs().sqrt() * other.abs().sqrt();
     above == below || (above - below).abs() <= 1e-12 * scale.max(above.abs())

@@ -134,8 +134,8 @@ impl<T: Lanes, const D: usize> Pivot<D, T> {
         Self { diagonal: Ldl::zero(), lower: SMatrix::zeros() }
     }
 
-    /// Eliminates `Sₙ` with the block `Uₙᵀ` below it, and makes `Sₙ₊₁` of the next block `Aₙ₊₁`;
-    /// `None` if `Sₙ` is not positive definite. Of all three symmetric ones, the entries `i ≥ j`.
+    /// Eliminates `Sₙ`, and updates the next diagonal block from `Aₙ₊₁` to `Sₙ₊₁`; `lower` is `Uₙᵀ`. `None` if
+    /// `Sₙ` is not positive definite. Symmetric blocks are held by their lower triangles, `i ≥ j`.
     #[inline(always)]
     pub(crate) fn new(
         schur: &SMatrix<T, D, D>,

@@ -238,7 +238,8 @@ impl<'a, const D: usize> Search<'a, D> {
         LocalSearch { energy: self.energy, ends, iterations, threads }
     }
 
-    /// Counts what a search has taken, and keeps what it has found, if its energy is a number.
+    /// Adds the steps of a search to the total, and returns its result if the energy is finite; else remembers
+    /// why there is none.
     fn accept(&mut self, found: Result<Found<D>, SolveError>) -> Option<Found<D>> {
         let found = found.and_then(|found| {
             self.iterations += found.iterations;
