@@ -3,19 +3,19 @@
 use tautline_adversary::{AdversaryError, Search, families};
 use tautline_statements::{LIBRARY, Mutant, Source};
 
-/// The least slack that the search finds; `∞` if none is told.
+/// The least overestimation that the search finds; `∞` if none is told.
 #[track_caller]
-fn slack(number: &str, name: &str, source: Source) -> f64 {
+fn overestimation(number: &str, name: &str, source: Source) -> f64 {
     let families = families(&LIBRARY);
     let family = families.iter().find(|family| family.is(number, name)).expect("listed");
     let found = Search::default().tightest(family, source).expect("no violation");
-    found.map_or(f64::INFINITY, |found| found.slack)
+    found.map_or(f64::INFINITY, |found| found.overestimation)
 }
 
 /// Within one per cent above the infimum of the family, and not below it.
 #[track_caller]
 fn assert_found(number: &str, name: &str, source: Source, least: f64) {
-    let found = slack(number, name, source);
+    let found = overestimation(number, name, source);
     assert!(least - 1e-9 <= found && found <= 1.01 * least, "{number} on {name}: {found}");
 }
 
@@ -37,14 +37,15 @@ fn equality_in_prop_7_10_is_found() {
 }
 
 /// With `δ = L_H d / c₁^{3/2} → 0` in dimension 1, `C = C_tra♯ + …` is `d² (δ + 6δ + δ/4)`, and a
-/// tent has the gap `d² δ/4`: the slack tends to 29.
+/// tent has the gap `d² δ/4`: the overestimation tends to 29.
 #[test]
 fn theorem_1_1_on_tents_tends_to_29() {
     assert_found("Theorem 1.1", "tent", Source::Stated, 29.0);
 }
 
 /// On two routes both gaps add up, `d² δ/2` for the trapezoidal rule and `d² δ` for the left one:
-/// a slack of 14½ and 8 for the paper's bounds, as `δ → 0`, and of 1 for those of order `1/N`.
+/// an overestimation of 14½ and 8 for the paper's bounds, as `δ → 0`, and of 1 for those of order
+/// `1/N`.
 #[test]
 fn theorems_1_2_and_1_4_on_two_routes_come_near_the_bounds_of_first_order() {
     assert_found("Theorem 1.2", "two routes", Source::Stated, 14.5);
@@ -95,7 +96,7 @@ fn a_search_that_ends_at_an_edge_is_not_cut_off() {
     ] {
         let family = families.iter().find(|family| family.is(number, name)).expect("listed");
         let found = Search::default().tightest(family, Source::Stated).expect("no violation");
-        for edge in found.expect("a slack").edges {
+        for edge in found.expect("an overestimation").edges {
             assert!(!edge.is_cut_off(), "{number} on {name}: {edge}");
             edges += 1;
         }
@@ -105,8 +106,8 @@ fn a_search_that_ends_at_an_edge_is_not_cut_off() {
 
 /// In dimension 1 one chord between two points has the length `d`.
 #[test]
-fn there_is_no_slack_to_tell_of_the_length_of_one_chord_on_the_line() {
-    assert_eq!(slack("Theorem 1.2", "tent", Source::Stated), f64::INFINITY);
+fn there_is_no_overestimation_to_tell_of_the_length_of_one_chord_on_the_line() {
+    assert_eq!(overestimation("Theorem 1.2", "tent", Source::Stated), f64::INFINITY);
 }
 
 #[test]

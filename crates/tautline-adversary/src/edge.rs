@@ -30,21 +30,22 @@ pub struct Edge {
     pub end: End,
     /// What lies beyond it, if that was said.
     pub beyond: Option<Beyond>,
-    /// By which part of the slack it is larger in the case that is twice as far from the limit and
-    /// otherwise the same.
+    /// By which part of the overestimation it is larger in the case that is twice as far from the
+    /// limit and otherwise the same.
     ///
-    /// A slack that tends to its limit at least linearly, `s(a) − s(0) ≤ (s(2a) − s(0))/2`, has at
-    /// most so much left beyond the edge: `s(a) − s(0) ≤ s(2a) − s(a)`.
+    /// An overestimation that tends to its limit at least linearly,
+    /// `s(a) − s(0) ≤ (s(2a) − s(0))/2`, has at most so much left beyond the edge:
+    /// `s(a) − s(0) ≤ s(2a) − s(a)`.
     pub left: f64,
 }
 
 impl Edge {
-    /// At most this part of a slack may be left beyond an edge, or the range is too short: the
-    /// tolerance to which slacks are compared.
+    /// At most this part of an overestimation may be left beyond an edge, or the range is too
+    /// short: the tolerance to which overestimations are compared.
     pub const LEFT: f64 = 1e-2;
 
     /// Whether the range cuts the search off: nothing was said of what lies beyond, or more than
-    /// [`LEFT`](Edge::LEFT) of the slack is left on the way to the limit.
+    /// [`LEFT`](Edge::LEFT) of the overestimation is left on the way to the limit.
     #[must_use]
     pub fn is_cut_off(&self) -> bool {
         match self.beyond {

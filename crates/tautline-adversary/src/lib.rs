@@ -1,11 +1,11 @@
 //! The adversary: a search for the case in which a statement gives away the least.
 //!
 //! A [`Family`] is a box of parameters (of a metric, of two sets or a point sequence, and `N`) with
-//! a function from its points to the [`Evidence`](tautline_statements::Evidence) for one statement. A [`Search`]
-//! makes the least slack of that evidence as small as it can: samples at random, then a local
-//! ascent that needs no derivatives, several times. What it returns is an upper bound of the
-//! slack that the statement really has, with the case that shows it. A conclusion that fails on
-//! the way is an error.
+//! a function from its points to the [`Evidence`](tautline_statements::Evidence) for one statement.
+//! A [`Search`] makes the least overestimation of that evidence as small as it can: samples at
+//! random, then a local ascent that needs no derivatives, several times. What it returns is an
+//! upper bound of the overestimation that the statement really has, with the case that shows it. A
+//! conclusion that fails on the way is an error.
 //!
 //! A case at an [`Edge`] of its box says why: there is none beyond, or the range ends near a limit,
 //! and what is left on the way to it is measured.
@@ -18,7 +18,7 @@
 //! let families = families(&LIBRARY);
 //! let tent = families.iter().find(|family| family.is("Proposition 7.9", "tent"));
 //! let found = Search::default().tightest(tent.expect("listed"), Source::Stated)?;
-//! assert!(found.is_some_and(|tightest| tightest.slack < 1.01));
+//! assert!(found.is_some_and(|tightest| tightest.overestimation < 1.01));
 //! # Ok::<(), tautline_adversary::AdversaryError>(())
 //! ```
 

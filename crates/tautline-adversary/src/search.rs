@@ -1,4 +1,4 @@
-//! `Search`: samples at random, then pattern search, on the logarithm of the slack.
+//! `Search`: samples at random, then pattern search, on the logarithm of the overestimation.
 
 use tautline_statements::{Evidence, Finding, Inequality, Source, VerifyError};
 
@@ -29,16 +29,16 @@ impl Default for Search {
     }
 }
 
-/// The first step of an ascent, as a part of each side of the box, and the last one: slacks that
-/// vary by a factor of 10⁶ over a side vary by 10⁻³ over the last step.
+/// The first step of an ascent, as a part of each side of the box, and the last one:
+/// overestimations that vary by a factor of 10⁶ over a side vary by 10⁻³ over the last step.
 const STEPS: [f64; 2] = [0.25, 1e-4];
 
-/// What may be granted of an observed number, as a part of it: a search for the least slack would
-/// find the largest rounding otherwise.
+/// What may be granted of an observed number, as a part of it: a search for the least
+/// overestimation would find the largest rounding otherwise.
 const SEEN: f64 = 1e-4;
 
-/// A slack is better where it is less by this part: the last bits, which differ between machines,
-/// do not turn a search.
+/// An overestimation is better where it is less by this part: the last bits, which differ between
+/// machines, do not turn a search.
 const GAIN: f64 = 1e-6;
 
 /// A point of the unit cube with what was found there.
@@ -49,14 +49,14 @@ struct Place {
 }
 
 impl Place {
-    /// The slack; `∞` where none is told.
-    fn slack(&self) -> f64 {
-        self.found.as_ref().map_or(f64::INFINITY, |(_, conclusion)| conclusion.slack())
+    /// The overestimation; `∞` where none is told.
+    fn overestimation(&self) -> f64 {
+        self.found.as_ref().map_or(f64::INFINITY, |(_, conclusion)| conclusion.overestimation())
     }
 
-    /// Whether it is tighter than another one; two without a slack are not.
+    /// Whether it is tighter than another one; two without an overestimation are not.
     fn beats(&self, other: &Place) -> bool {
-        self.slack() < (1.0 - GAIN) * other.slack()
+        self.overestimation() < (1.0 - GAIN) * other.overestimation()
     }
 }
 
@@ -64,8 +64,8 @@ impl Place {
 fn tightest(evidence: &Evidence, source: Source) -> Option<Inequality> {
     let of_source = evidence.conclusions.iter().filter(|claim| claim.source == source);
     let seen = of_source.filter(|claim| claim.granted <= SEEN * claim.observed);
-    let told = seen.filter(|claim| claim.slack() < f64::INFINITY);
-    told.min_by(|a, b| a.slack().total_cmp(&b.slack())).copied()
+    let told = seen.filter(|claim| claim.overestimation() < f64::INFINITY);
+    told.min_by(|a, b| a.overestimation().total_cmp(&b.overestimation())).copied()
 }
 
 /// A family under search.
@@ -77,8 +77,9 @@ struct Hunt<'a, 'f> {
 }
 
 impl Search {
-    /// Returns the tightest case that was found of one family, by the least slack of the paper's
-    /// conclusions or of their sharper companions; `None` if no case tells a slack.
+    /// Returns the tightest case that was found of one family, by the least overestimation of the
+    /// paper's conclusions or of their sharper companions; `None` if no case tells an
+    /// overestimation.
     ///
     /// The same search of the same family returns the same case.
     ///
@@ -101,18 +102,26 @@ impl Search {
                 let place = hunt.look(family.parameters.iter().map(|_| random.unit()).collect())?;
                 keep_the_tighter(&mut start, place);
             }
-            if let Some(start) = start.filter(|start| start.slack().is_finite()) {
+            if let Some(start) = start.filter(|start| start.overestimation().is_finite()) {
                 keep_the_tighter(&mut best, hunt.climb(start, self.climbs)?);
             }
         }
         let Some(Place { places, found: Some((evidence, conclusion)) }) = best else {
             return Ok(None);
         };
-        let slack = conclusion.slack();
-        let edges = hunt.edges(&places, slack)?;
+        let overestimation = conclusion.overestimation();
+        let edges = hunt.edges(&places, overestimation)?;
         let parameters = family.named(&values(family, &places));
         let Hunt { evaluations, told, .. } = hunt;
-        Ok(Some(Tightest { parameters, evidence, conclusion, slack, edges, evaluations, told }))
+        Ok(Some(Tightest {
+            parameters,
+            evidence,
+            conclusion,
+            overestimation,
+            edges,
+            evaluations,
+            told,
+        }))
     }
 }
 
@@ -189,7 +198,7 @@ impl Hunt<'_, '_> {
     }
 
     /// The parameters that are at an end of their ranges, each with what may be left beyond it.
-    fn edges(&mut self, places: &[f64], slack: f64) -> Result<Vec<Edge>, AdversaryError> {
+    fn edges(&mut self, places: &[f64], overestimation: f64) -> Result<Vec<Edge>, AdversaryError> {
         let mut edges = Vec::new();
         for (k, parameter) in self.family.parameters.iter().enumerate() {
             let Some(end) = parameter.end(parameter.at(places[k])) else { continue };
@@ -197,7 +206,11 @@ impl Hunt<'_, '_> {
             out[k] = parameter.half_way_out(places[k], end);
             // NaN, which is cut off, where there is no other case to compare with.
             let moved = out[k] != places[k];
-            let left = if moved { self.look(out)?.slack() / slack - 1.0 } else { f64::NAN };
+            let left = if moved {
+                self.look(out)?.overestimation() / overestimation - 1.0
+            } else {
+                f64::NAN
+            };
             let left = if left < 0.0 { 0.0 } else { left };
             let beyond = parameter.beyond(end);
             edges.push(Edge { parameter: parameter.name, end, beyond, left });
@@ -239,7 +252,7 @@ mod tests {
         AdversaryError, Family, GAIN, Search, Source,
     };
 
-    /// `Σ xₙ³ ≤ (Σ xₙ²)^{3/2}` for `1, x, y` with the slack 1 at `x = y = 0`.
+    /// `Σ xₙ³ ≤ (Σ xₙ²)^{3/2}` for `1, x, y` with the overestimation 1 at `x = y = 0`.
     fn cubes<'a>() -> Family<'a> {
         let number = |name| Parameter::linear(name, 0.0, 3.0);
         let parameters = [number("x"), number("y")];
@@ -252,8 +265,8 @@ mod tests {
     fn the_corner_of_equality_is_found() {
         let found = Search::default().tightest(&cubes(), Source::Stated).expect("true");
         let found = found.expect("told everywhere");
-        assert!(found.slack <= 1.000_001, "{found:?}");
-        assert_eq!(found.slack, found.evidence.slack());
+        assert!(found.overestimation <= 1.000_001, "{found:?}");
+        assert_eq!(found.overestimation, found.evidence.overestimation());
         assert_eq!(found.conclusion.claim, "Σ xₙ³ ≤ (Σ xₙ²)^{3/2}");
         assert_eq!(found.parameter("y"), Some(found.parameters[1].1));
         assert!(found.told == found.evaluations && found.parameter("z").is_none());
@@ -267,39 +280,48 @@ mod tests {
             let seen = RefCell::new(Vec::new());
             let parameters = [side("x"), side("y")];
             let family = Family::new("bowl", Statement::Proposition7_8, parameters, |[x, y]| {
-                let slack = 1.0 + (x - 0.6).powi(2) + (y - 0.3).powi(2);
-                seen.borrow_mut().push(slack);
+                let overestimation = 1.0 + (x - 0.6).powi(2) + (y - 0.3).powi(2);
+                seen.borrow_mut().push(overestimation);
                 let evidence = Evidence::of(Statement::Proposition7_8);
-                Ok(Some(evidence.stated("1 ≤ slack", Unit::NONE, [1.0, slack], 0.0)))
+                Ok(Some(evidence.stated(
+                    "1 ≤ overestimation",
+                    Unit::NONE,
+                    [1.0, overestimation],
+                    0.0,
+                )))
             });
             let search = Search { seed: 5, restarts: 1, samples: 3, climbs };
             let found = search.tightest(&family, Source::Stated).expect("true").expect("told");
             let seen = seen.take();
             assert!(found.edges.is_empty() && found.evaluations == seen.len());
             assert!(seen.len() <= 3 + climbs, "{} for {climbs}", seen.len());
-            assert!(seen.iter().all(|slack| found.slack <= slack * (1.0 + GAIN)), "{climbs}");
+            assert!(
+                seen.iter()
+                    .all(|overestimation| found.overestimation <= overestimation * (1.0 + GAIN)),
+                "{climbs}"
+            );
         }
     }
 
     #[test]
     fn a_narrow_minimum_inside_is_found() {
-        // The slack 1 + |x − y| + (y − 0.7)² has an edge along the diagonal.
+        // The overestimation 1 + |x − y| + (y − 0.7)² has an edge along the diagonal.
         let side = |name| Parameter::linear(name, 0.0, 1.0);
         let parameters = [side("x"), side("y")];
         let edge = Family::new("edge", Statement::Proposition7_8, parameters, |[x, y]| {
-            let slack = 1.0 + (x - y).abs() + (y - 0.7).powi(2);
+            let overestimation = 1.0 + (x - y).abs() + (y - 0.7).powi(2);
             Ok(Some(Evidence::of(Statement::Proposition7_8).stated(
-                "1 ≤ slack",
+                "1 ≤ overestimation",
                 Unit::NONE,
-                [1.0, slack],
+                [1.0, overestimation],
                 0.0,
             )))
         });
         let found = Search::default().tightest(&edge, Source::Stated).expect("true");
-        assert!(found.expect("told").slack <= 1.01);
+        assert!(found.expect("told").overestimation <= 1.01);
     }
 
-    /// The slack `2 (1 + s x)` on `[10⁻³, 1]` has the part `10⁻³ s` left on the way to 0.
+    /// The overestimation `2 (1 + s x)` on `[10⁻³, 1]` has the part `10⁻³ s` left on the way to 0.
     #[test]
     fn a_case_at_an_edge_says_what_is_left_beyond_it() {
         let side = || Parameter::logarithmic("x", 1e-3, 1.0);
@@ -329,9 +351,9 @@ mod tests {
         assert!(unmoved.left.is_nan() && unmoved.is_cut_off(), "{unmoved:?}");
         assert!(!other.is_cut_off(), "{other:?}");
         let inside = Family::new("valley", Statement::Proposition7_8, [side()], |[x]| {
-            let slack = 1.0 + (x / 0.03).ln().powi(2);
+            let overestimation = 1.0 + (x / 0.03).ln().powi(2);
             let evidence = Evidence::of(Statement::Proposition7_8);
-            Ok(Some(evidence.stated("1 ≤ slack", Unit::NONE, [1.0, slack], 0.0)))
+            Ok(Some(evidence.stated("1 ≤ overestimation", Unit::NONE, [1.0, overestimation], 0.0)))
         });
         let found = Search::default().tightest(&inside, Source::Stated).expect("true");
         assert_eq!(found.expect("told").edges, []);

@@ -4,7 +4,7 @@ use tautline_statements::{Evidence, Inequality};
 
 use super::Edge;
 
-/// The case of a family with the least slack that a search found.
+/// The case of a family with the least overestimation that a search found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tightest {
     /// The case: the names of the parameters, and their values.
@@ -13,14 +13,14 @@ pub struct Tightest {
     pub evidence: Evidence,
     /// The tightest of the conclusions that were looked at.
     pub conclusion: Inequality,
-    /// Its slack, a pure number.
-    pub slack: f64,
+    /// Its overestimation, a pure number.
+    pub overestimation: f64,
     /// The parameters that are at an end of their ranges.
     pub edges: Vec<Edge>,
     /// How many cases were evaluated.
     pub evaluations: usize,
-    /// In how many of them a slack could be told: the problem makes sense, the solver converged,
-    /// the hypotheses hold, and what is observed is more than rounding.
+    /// In how many of them an overestimation could be told: the problem makes sense, the solver
+    /// converged, the hypotheses hold, and what is observed is more than rounding.
     pub told: usize,
 }
 

@@ -63,10 +63,10 @@ impl Stretch {
     /// Returns whether a value lies on it; the ends do, also after rounding.
     #[must_use]
     pub fn holds(&self, value: f64) -> bool {
-        let slack = 1e-9 * (self.to - self.from);
+        let margin = 1e-9 * (self.to - self.from);
         let low =
-            if self.scale.is_logarithmic() { self.from * (1.0 - 1e-9) } else { self.from - slack };
-        low <= value && value <= self.to + slack
+            if self.scale.is_logarithmic() { self.from * (1.0 - 1e-9) } else { self.from - margin };
+        low <= value && value <= self.to + margin
     }
 
     /// Returns whether a value has a place on the scale, inside the range or not.

@@ -147,10 +147,11 @@ impl Fault {
         }
     }
 
-    /// Returns `Ok` with the slack `right / left` if `left ≤ right + granted`; NaN on either side
-    /// is a fault.
+    /// Returns `Ok` with the overestimation `right / left` if `left ≤ right + granted`; NaN on
+    /// either side is a fault.
     ///
-    /// The slack is `∞` where `left` is not positive or cannot be told from what is granted.
+    /// The overestimation is `∞` where `left` is not positive or cannot be told from what is
+    /// granted.
     pub(crate) fn unless_at_most(
         law: &'static str,
         [left, right]: [f64; 2],

@@ -21,8 +21,8 @@
 //!
 //! # Test a metric of your own
 //!
-//! The crate is not published: the `Cargo.toml` of your package, here `egg` beside the clone, names where
-//! it lies, and has this library optimised: unoptimised, the tests take ten times as long.
+//! The crate is not published: the `Cargo.toml` of your package, here `egg` beside the clone, names
+//! where it lies, and has this library optimised: unoptimised, the tests take ten times as long.
 //!
 //! ```toml
 //! [dev-dependencies]
@@ -61,10 +61,10 @@
 //! # assert!(report.holds(), "{report}");
 //! ```
 //!
-//! An `S: Scalar` has `+ - * /` with another `S` and with an `f64` on either side (`1.0 + 2.0 * x[0]`,
-//! and `S::constant(2.0)` where an entry is a number alone), `sqr`, `powi`, `recip`, `sqrt`, `exp`, `ln`, `sin`, `cos`,
-//! `tan`, `atan`, `sinh`, `cosh` and `tanh`; it has no `abs`, no `powf`, and no order, since a formula
-//! has to be smooth.
+//! An `S: Scalar` has `+ - * /` with another `S` and with an `f64` on either side
+//! (`1.0 + 2.0 * x[0]`, and `S::constant(2.0)` where an entry is a number alone), `sqr`, `powi`,
+//! `recip`, `sqrt`, `exp`, `ln`, `sin`, `cos`, `tan`, `atan`, `sinh`, `cosh` and `tanh`; it has no
+//! `abs`, no `powf`, and no order, since a formula has to be smooth.
 //!
 //! `cargo test egg` then runs `egg::l_h_bounds_the_derivative`, `egg::theorem_1_1` and so on. What
 //! is wrong is named with its numbers; here with `L_H = 1/2` in place of 1:
@@ -93,11 +93,11 @@
 //! A metric that knows its distances says `with distances` at the end of the line, and
 //! [`MetricCase::with_known_distance`] where functions are called. A metric that claims nothing is
 //! given claims by [`WithConstants`](tautline_statements::WithConstants), or proved ones by
-//! [`Certified`](tautline::Certified) if its formula is constant or periodic along each coordinate: then
-//! the formula is all that there is to write. One that goes over into a constant one far away takes
-//! [`Certified::settled`](tautline::Certified::settled), and any other one constants that are proved in a
-//! ball: `metric_suite!(dent: LocallyCertified::new(Dent, Accuracy::default()), dimension 2, within 0.5,
-//! of [0.1, 0.2]);`.
+//! [`Certified`](tautline::Certified) if its formula is constant or periodic along each coordinate:
+//! then the formula is all that there is to write. One that goes over into a constant one far away
+//! takes [`Certified::settled`](tautline::Certified::settled), and any other one constants that are
+//! proved in a ball:
+//! `metric_suite!(dent: LocallyCertified::new(Dent, Accuracy::default()), dimension 2, within 0.5, of [0.1, 0.2]);`.
 //!
 //! ```
 //! use tautline_kit::prelude::*;
@@ -116,10 +116,11 @@
 //! # assert!(constants.c1() <= 1.0 && constants.c1() > 0.99 && constants.c2() < 3.01);
 //! ```
 //!
-//! The constants are proved once for all laws. Where they cannot be, because the formula is not periodic
-//! or `H` is indefinite somewhere, the test `tray::the_metric_has_constants` fails with the reason, with
-//! the point if there is one, and with what may be done about it, and no law is tried. A metric that has constants on balls only
-//! is tested in one of them, `within 0.5, of [0.1, 0.2]` in place of `in Region::cell(…)`.
+//! The constants are proved once for all laws. Where they cannot be, because the formula is not
+//! periodic or `H` is indefinite somewhere, the test `tray::the_metric_has_constants` fails with
+//! the reason, with the point if there is one, and with what may be done about it, and no law is
+//! tried. A metric that has constants on balls only is tested in one of them,
+//! `within 0.5, of [0.1, 0.2]` in place of `in Region::cell(…)`.
 //!
 //! # How the laws look
 //!
@@ -130,24 +131,25 @@
 //! and both numbers. What ascents from [`Effort::ascents`] starts do not reach is not seen:
 //! a law that holds is evidence, not a proof.
 //!
-//! One is a proof, up to three dimensions and of a formula without branches: `no_constant_is_refuted`
-//! bounds the constants in all of the region by intervals, and refuses a claim that they contradict, with
-//! the point unless the boxes ran out, and a metric that is indefinite somewhere, with the point. That it
-//! passes does not mean that all is proved: its [`standings`](Outcome::standings) say of each constant
-//! whether it is proved, right to so many percent (as a claim that is attained can be only), not decided by
-//! the boxes, or not tried.
+//! One is a proof, up to three dimensions and of a formula without branches:
+//! `no_constant_is_refuted` bounds the constants in all of the region by intervals, and refuses a
+//! claim that they contradict, with the point unless the boxes ran out, and a metric that is
+//! indefinite somewhere, with the point. That it passes does not mean that all is proved: its
+//! [`standings`](Outcome::standings) say of each constant whether it is proved, right to so many
+//! percent (as a claim that is attained can be only), not decided by the boxes, or not tried.
 //!
-//! One sample in eight is moved to the ends, the quarters or the middle of the edges, or to 0: there
-//! `x/|x|`, `1/r` and angles break, and uniform samples are never there. Where a law of the formula
-//! itself fails, or `H` jumps, the laws that would solve problems say `not tried` with the name of
-//! that law, which is the one to mend first.
+//! One sample in eight is moved to the ends, the quarters or the middle of the edges, or to 0:
+//! there `x/|x|`, `1/r` and angles break, and uniform samples are never there. Where a law of the
+//! formula itself fails, or `H` jumps, the laws that would solve problems say `not tried` with the
+//! name of that law, which is the one to mend first.
 //!
-//! A suite is silent about what holds. A test of your own prints the table of slacks and standings, and
-//! may look longer: `println!("{}", verify_metric(&Egg, &region, &Effort { ascents: 12,
-//! ..Effort::default() }))`, with `cargo test -- --nocapture`.
+//! A suite is silent about what holds. A test of your own prints the table of overestimations and
+//! standings, and may look longer:
+//! `println!("{}", verify_metric(&Egg, &region, &Effort { ascents: 12, ..Effort::default() }))`,
+//! with `cargo test -- --nocapture`.
 //!
-//! A claim may be loose. The slack of each law is in the [`Report`], and `refuses_a_smaller_l_h`
-//! notes it: the bounds of the theorems are as loose as the constants.
+//! A claim may be loose. The overestimation of each law is in the [`Report`], and
+//! `refuses_a_smaller_l_h` notes it: the bounds of the theorems are as loose as the constants.
 //!
 //! Samples are integers that are mapped to the [`Region`], so that the smallest sample that fails
 //! has short binary fractions of its edges. Nothing is written, and every run draws the same
@@ -157,7 +159,8 @@
 //! $ TAUTLINE_SEED=7 TAUTLINE_CASES=100 cargo test egg
 //! ```
 //!
-//! A seed is a whole number of 64 bits; what fails says with which variables it was drawn. See [`Chance`].
+//! A seed is a whole number of 64 bits; what fails says with which variables it was drawn. See
+//! [`Chance`].
 
 mod brought;
 mod difference_test;

@@ -3,13 +3,13 @@
 /// How near a sample came to breaking a law, and what was assumed of it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Met {
-    /// The slack; NaN if the sample could not have broken the law.
-    pub(crate) slack: f64,
+    /// The overestimation; NaN if the sample could not have broken the law.
+    pub(crate) overestimation: f64,
     /// The hypotheses that nobody looked at, each once.
     pub(crate) assumed: Vec<&'static str>,
 }
 
-/// The slack of a sample that could not have broken a law.
+/// The overestimation of a sample that could not have broken a law.
 pub(crate) const IDLE: f64 = f64::NAN;
 
 impl Met {
@@ -20,21 +20,21 @@ impl Met {
 
     /// Whether the sample could not have broken the law.
     pub(crate) fn is_idle(&self) -> bool {
-        self.slack.is_nan()
+        self.overestimation.is_nan()
     }
 
-    /// What two of one sample are together: the lesser slack, and the hypotheses of both.
+    /// What two of one sample are together: the lesser overestimation, and the hypotheses of both.
     pub(crate) fn and(mut self, other: Self) -> Self {
         merge(&mut self.assumed, &other.assumed);
         // A number before NaN: one that could fail is enough.
-        Self { slack: self.slack.min(other.slack), ..self }
+        Self { overestimation: self.overestimation.min(other.overestimation), ..self }
     }
 }
 
 impl From<f64> for Met {
-    /// A slack of which nothing is assumed.
-    fn from(slack: f64) -> Self {
-        Self { slack, assumed: Vec::new() }
+    /// An overestimation of which nothing is assumed.
+    fn from(overestimation: f64) -> Self {
+        Self { overestimation, assumed: Vec::new() }
     }
 }
 
@@ -52,8 +52,11 @@ mod tests {
     use super::{IDLE, Met};
 
     #[test]
-    fn two_of_one_sample_have_the_lesser_slack_and_all_that_is_assumed() {
-        let met = |slack, assumed: &[&'static str]| Met { slack, assumed: assumed.to_vec() };
+    fn two_of_one_sample_have_the_lesser_overestimation_and_all_that_is_assumed() {
+        let met = |overestimation, assumed: &[&'static str]| Met {
+            overestimation,
+            assumed: assumed.to_vec(),
+        };
         let both = met(3.0, &["a", "b"]).and(met(2.0, &["b", "c"]));
         assert_eq!(both, met(2.0, &["a", "b", "c"]));
         for (one, other) in [(IDLE, 2.0), (2.0, IDLE)] {

@@ -19,14 +19,14 @@ pub struct Outcome {
     /// gap that vanishes, as that of a length does on the line, is at most any bound, and a formula
     /// is at most itself.
     pub could_fail: u64,
-    /// The least slack `bound / observed`, a pure number: 1 where a bound is attained, below 1
-    /// where it is violated; `∞` if nothing was seen beyond rounding.
-    pub slack: f64,
+    /// The least overestimation `bound / observed`, a pure number: 1 where a bound is attained,
+    /// below 1 where it is violated; `∞` if nothing was seen beyond rounding.
+    pub overestimation: f64,
     /// What bounds over the whole region say of each constant; empty for a law that looks at
     /// points.
     pub standings: Vec<Standing>,
-    /// The hypotheses that were assumed in some case: what no number stands for, such as that a local
-    /// minimiser is the global one.
+    /// The hypotheses that were assumed in some case: what no number stands for, such as that a
+    /// local minimiser is the global one.
     pub assumed: Vec<&'static str>,
     /// What is worth knowing besides.
     pub note: Option<String>,
@@ -52,7 +52,7 @@ pub(crate) struct Tried {
     pub(crate) cases: u64,
     /// How many of these could not have broken the law.
     pub(crate) idle: u64,
-    pub(crate) slack: f64,
+    pub(crate) overestimation: f64,
     pub(crate) standings: Vec<Standing>,
     pub(crate) assumed: Vec<&'static str>,
     pub(crate) note: Option<String>,
@@ -62,7 +62,7 @@ impl Tried {
     /// This many cases, none of which came near anything.
     pub(crate) fn cases(cases: u64) -> Self {
         let (standings, assumed, note) = (Vec::new(), Vec::new(), None);
-        Self { cases, idle: 0, slack: f64::INFINITY, standings, assumed, note }
+        Self { cases, idle: 0, overestimation: f64::INFINITY, standings, assumed, note }
     }
 
     pub(crate) fn with_note(self, note: impl Into<String>) -> Self {
@@ -75,7 +75,7 @@ impl Tried {
         Self {
             cases: self.cases + other.cases,
             idle: self.idle + other.idle,
-            slack: self.slack.min(other.slack),
+            overestimation: self.overestimation.min(other.overestimation),
             standings: self.standings,
             assumed: self.assumed,
             note: self.note.or(other.note),
@@ -89,14 +89,34 @@ pub(crate) type LawResult = Result<Tried, Failure>;
 impl Outcome {
     pub(crate) fn new(id: &'static str, law: &'static str, result: LawResult) -> Self {
         match result {
-            Ok(Tried { cases, idle, slack, standings, assumed, note }) => {
+            Ok(Tried { cases, idle, overestimation, standings, assumed, note }) => {
                 let could_fail = cases - idle;
-                Self { id, law, cases, could_fail, slack, standings, assumed, note, failure: None }
+                Self {
+                    id,
+                    law,
+                    cases,
+                    could_fail,
+                    overestimation,
+                    standings,
+                    assumed,
+                    note,
+                    failure: None,
+                }
             }
             Err(failure) => {
                 let Tried { standings, assumed, note, .. } = Tried::cases(0);
-                let (cases, could_fail, slack, failure) = (0, 0, f64::NAN, Some(failure));
-                Self { id, law, cases, could_fail, slack, standings, assumed, note, failure }
+                let (cases, could_fail, overestimation, failure) = (0, 0, f64::NAN, Some(failure));
+                Self {
+                    id,
+                    law,
+                    cases,
+                    could_fail,
+                    overestimation,
+                    standings,
+                    assumed,
+                    note,
+                    failure,
+                }
             }
         }
     }
@@ -120,16 +140,16 @@ impl Outcome {
 
 impl fmt::Display for Outcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let slack = match self.slack {
-            slack if slack.is_nan() => String::new(),
+        let overestimation = match self.overestimation {
+            overestimation if overestimation.is_nan() => String::new(),
             f64::INFINITY => "-".to_owned(),
             // An attained constant may miss by a rounding; more than that is a failure.
-            slack if slack < 1e4 => format!("{slack:.4}"),
-            slack => format!("{slack:.1e}"),
+            overestimation if overestimation < 1e4 => format!("{overestimation:.4}"),
+            overestimation => format!("{overestimation:.1e}"),
         };
         let mark = if self.holds() { "ok" } else { "FAILS" };
         let Self { id, law, cases, could_fail, .. } = self;
-        write!(f, "{id:<48} {mark:<5} {cases:>7} {could_fail:>10} {slack:>10}  {law}")?;
+        write!(f, "{id:<48} {mark:<5} {cases:>7} {could_fail:>10} {overestimation:>10}  {law}")?;
         if !self.standings.is_empty() {
             write!(f, "; {}", standing::line(&self.standings))?;
         }
@@ -193,7 +213,7 @@ impl fmt::Display for Report {
         writeln!(
             f,
             "{:<48} {:<5} {:>7} {:>10} {:>10}  says",
-            "law", "", "cases", "could fail", "slack"
+            "law", "", "cases", "could fail", "overestimation"
         )?;
         self.outcomes.iter().try_for_each(|outcome| writeln!(f, "{outcome}"))
     }
@@ -212,8 +232,13 @@ mod tests {
             standing(Claim::LH, Proof::NotDecided),
             standing(Claim::MH, Proof::NotTried),
         ];
-        let good =
-            Tried { idle: 3, slack: 1.5, standings, assumed: vec!["b", "d"], ..Tried::cases(7) };
+        let good = Tried {
+            idle: 3,
+            overestimation: 1.5,
+            standings,
+            assumed: vec!["b", "d"],
+            ..Tried::cases(7)
+        };
         let lie = Lie {
             constant: Claim::LH,
             claimed: 0.5,
@@ -241,7 +266,7 @@ mod tests {
         let text = report.to_string();
         let lines: Vec<&str> = text.lines().map(str::trim_end).collect();
         let row = |id: &str, rest: &str| format!("{id:<48} {rest}");
-        assert_eq!(lines[0], row("law", "        cases could fail      slack  says"));
+        assert_eq!(lines[0], row("law", "        cases could fail      overestimation  says"));
         let standings = "c1 proved, c2 right to 0.0 %, L_H not decided, M_H not tried";
         let good = format!(
             "ok          7          4     1.5000  a ≤ b; {standings}; assumed: b, d; and more"
@@ -262,9 +287,9 @@ mod tests {
 
     #[test]
     fn two_parts_of_a_law_are_counted_together() {
-        let part = |cases, idle, slack, assumed: &[&'static str]| Tried {
+        let part = |cases, idle, overestimation, assumed: &[&'static str]| Tried {
             idle,
-            slack,
+            overestimation,
             assumed: assumed.to_vec(),
             ..Tried::cases(cases)
         };

@@ -66,7 +66,7 @@ where
             Ok(met) => {
                 tried.idle += u64::from(met.is_idle());
                 // NaN is less than nothing.
-                tried.slack = tried.slack.min(met.slack);
+                tried.overestimation = tried.overestimation.min(met.overestimation);
                 merge(&mut tried.assumed, &met.assumed);
             }
             Err(fault) => {
@@ -151,14 +151,14 @@ mod tests {
     }
 
     #[test]
-    fn the_least_slack_is_that_of_the_largest_sample() {
+    fn the_least_overestimation_is_that_of_the_largest_sample() {
         let largest = Cell::new(0);
         let tried = for_all(&Effort::default(), 64, CHEAP, 1..1000_u32, |&k| {
             largest.set(largest.get().max(k));
             Ok(1000.0 / f64::from(k))
         });
         let tried = tried.expect("it holds");
-        assert_eq!((tried.cases, tried.slack), (64, 1000.0 / f64::from(largest.get())));
+        assert_eq!((tried.cases, tried.overestimation), (64, 1000.0 / f64::from(largest.get())));
     }
 
     #[test]
@@ -168,14 +168,14 @@ mod tests {
         });
         let tried = tried.expect("it holds");
         assert!(tried.idle > 0 && tried.idle < 64, "{tried:?}");
-        assert_eq!((tried.cases, tried.slack), (64, 3.0));
+        assert_eq!((tried.cases, tried.overestimation), (64, 3.0));
     }
 
     #[test]
     fn what_is_assumed_of_some_sample_is_said_of_the_law() {
         let tried = for_all(&Effort::default(), 64, CHEAP, 0..1000_u32, |&k| {
             let assumed = if k % 2 == 0 { vec!["even"] } else { vec!["odd", "small"] };
-            Ok(Met { slack: if k < 500 { 2.0 } else { IDLE }, assumed })
+            Ok(Met { overestimation: if k < 500 { 2.0 } else { IDLE }, assumed })
         });
         let mut assumed = tried.expect("it holds").assumed;
         assumed.sort_unstable();

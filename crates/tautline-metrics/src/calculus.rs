@@ -9,7 +9,7 @@ use crate::{Constants, HypothesisError};
 impl Constants {
     /// Returns the constants of `s H`: all of them times `s`. It is isotropic if `H` is.
     ///
-    /// Slack: none.
+    /// Overestimation: none.
     ///
     /// # Errors
     ///
@@ -28,8 +28,8 @@ impl Constants {
     ///
     /// `M_H` is known if both are; the sum is isotropic if both are.
     ///
-    /// Slack: none where both metrics attain a constant at the same point in the same directions,
-    /// as `H` and `s H` do; else as much as they miss that.
+    /// Overestimation: none where both metrics attain a constant at the same point in the same
+    /// directions, as `H` and `s H` do; else as much as they miss that.
     ///
     /// # Errors
     ///
@@ -51,7 +51,7 @@ impl Constants {
     /// of its larger block, and `DH[w]` and `D²H[w, w]` are largest for a `w` that moves one point
     /// alone.
     ///
-    /// Slack: none.
+    /// Overestimation: none.
     #[doc(alias = "product")]
     #[must_use]
     pub fn beside(self, other: Constants) -> Constants {
@@ -75,8 +75,8 @@ impl Constants {
     ///   in `1/ℓ²`, for a `φ` without unit. `M_H` is known if both are. `φ H` is isotropic if `H`
     ///   is.
     ///
-    /// Slack: none if `φ` or `H` is constant. Otherwise `L_H` is not attained by a smooth `φ`,
-    /// which has no slope where it has its maximum; two tents with one tip come as near as one
+    /// Overestimation: none if `φ` or `H` is constant. Otherwise `L_H` is not attained by a smooth
+    /// `φ`, which has no slope where it has its maximum; two tents with one tip come as near as one
     /// likes.
     ///
     /// # Errors
@@ -105,8 +105,9 @@ impl Constants {
     ///   per new one. `A` need not be square, but `σ_min` must bound `|A u| / |u|` for every `u`.
     ///   If they are the same, the pullback is isotropic where `H` is.
     ///
-    /// Slack: none if `A` is a multiple of an isometry; for other `A`, none if the direction that
-    /// `A` stretches most (for `c₁`: least) is mapped to one where `H` attains its constants.
+    /// Overestimation: none if `A` is a multiple of an isometry; for other `A`, none if the
+    /// direction that `A` stretches most (for `c₁`: least) is mapped to one where `H` attains its
+    /// constants.
     ///
     /// # Errors
     ///
@@ -128,8 +129,8 @@ impl Constants {
         .with_known(m_h, self.is_isotropic() && smin == smax, self.is_local())
     }
 
-    /// Returns the constants times these factors, in the order `c₁`, `c₂`, `L_H`, `M_H`; what else is
-    /// known stays: in other units, or for a claim that is put to the test.
+    /// Returns the constants times these factors, in the order `c₁`, `c₂`, `L_H`, `M_H`; what else
+    /// is known stays: in other units, or for a claim that is put to the test.
     ///
     /// # Errors
     ///

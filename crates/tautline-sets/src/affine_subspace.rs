@@ -179,7 +179,7 @@ mod tests {
     fn case<const D: usize>() -> impl Strategy<Value = Case<D>> {
         let directions = proptest::collection::vec(vector_in::<D>(1.0), 0..=D);
         // Two ways to the same span differ by the condition of the directions: with singular
-        // values of 0.2 to 2 a factor 10 at worst, which the laws' slack has to spare.
+        // values of 0.2 to 2 a factor 10 at worst, which the laws' overestimation has to spare.
         let steep = directions.prop_filter("the directions are independent", |directions| {
             directions.is_empty() || matrix(directions).singular_values().min() >= 0.2
         });
@@ -235,8 +235,8 @@ mod tests {
         assert_eq!(all.projection_derivative(&vector![0.1, 0.7]), Matrix2::identity());
     }
 
-    /// Axes and slanted directions, in either order: coordinates are free where all of them are axes,
-    /// and nowhere else.
+    /// Axes and slanted directions, in either order: coordinates are free where all of them are
+    /// axes, and nowhere else.
     #[test]
     fn affine_subspace_takes_no_slanted_direction_for_an_axis() {
         let x = vector![1.0, 2.0, 3.0];

@@ -131,56 +131,56 @@ impl Evidence {
         stated.any(Inequality::could_fail)
     }
 
-    /// Returns the least slack of the stated conclusions, a pure number; `∞` if none of
+    /// Returns the least overestimation of the stated conclusions, a pure number; `∞` if none of
     /// them can be told from rounding.
     #[must_use]
-    pub fn slack(&self) -> f64 {
+    pub fn overestimation(&self) -> f64 {
         let stated = self.conclusions.iter().filter(|claim| claim.source == Source::Stated);
-        stated.map(Inequality::slack).fold(f64::INFINITY, f64::min)
+        stated.map(Inequality::overestimation).fold(f64::INFINITY, f64::min)
     }
 
-    /// Returns the evidence again if one of the stated conclusions is attained: its slack is at
-    /// most 1.01.
+    /// Returns the evidence again if one of the stated conclusions is attained: its overestimation
+    /// is at most 1.01.
     ///
     /// # Errors
     ///
-    /// [`VerifyError::NotAttained`] with the least slack.
+    /// [`VerifyError::NotAttained`] with the least overestimation.
     pub fn attained(self) -> Result<Self, VerifyError> {
-        self.slack_is_at_most(1.01)
+        self.overestimates_at_most(1.01)
     }
 
-    /// Returns the evidence again if the least slack of the stated conclusions is at most `known`,
-    /// the best slack that is known. A loosened formula fails here.
+    /// Returns the evidence again if the least overestimation of the stated conclusions is at most
+    /// `known`, the least overestimation that is known. A loosened formula fails here.
     ///
     /// # Errors
     ///
-    /// [`VerifyError::NotAttained`] with the least slack.
-    pub fn slack_is_at_most(self, known: f64) -> Result<Self, VerifyError> {
-        let (statement, slack) = (self.statement, self.slack());
-        if slack <= known {
+    /// [`VerifyError::NotAttained`] with the least overestimation.
+    pub fn overestimates_at_most(self, known: f64) -> Result<Self, VerifyError> {
+        let (statement, overestimation) = (self.statement, self.overestimation());
+        if overestimation <= known {
             Ok(self)
         } else {
-            Err(VerifyError::NotAttained { statement, slack, known })
+            Err(VerifyError::NotAttained { statement, overestimation, known })
         }
     }
 
-    /// Returns the evidence again if the slack of the conclusion `claim`, stated or a
+    /// Returns the evidence again if the overestimation of the conclusion `claim`, stated or a
     /// companion, is at most `known`.
     ///
     /// # Errors
     ///
-    /// [`VerifyError::NotAttained`] with its slack.
+    /// [`VerifyError::NotAttained`] with its overestimation.
     ///
     /// # Panics
     ///
     /// If there is no conclusion of this claim.
     #[track_caller]
     pub fn claim_is_attained(self, claim: &str, known: f64) -> Result<Self, VerifyError> {
-        let (statement, slack) = (self.statement, self.conclusion(claim).slack());
-        if slack <= known {
+        let (statement, overestimation) = (self.statement, self.conclusion(claim).overestimation());
+        if overestimation <= known {
             Ok(self)
         } else {
-            Err(VerifyError::NotAttained { statement, slack, known })
+            Err(VerifyError::NotAttained { statement, overestimation, known })
         }
     }
 
@@ -232,13 +232,13 @@ mod tests {
     }
 
     #[test]
-    fn an_identity_is_judged_and_has_no_slack() {
+    fn an_identity_is_judged_and_has_no_overestimation() {
         let equal = |one, other| {
             let begun = Evidence::of(Statement::Theorem1_1);
             begun.identity(["a ≤ b", "b ≤ a"], Unit::NONE, [one, other], 1e-9)
         };
         assert_eq!(equal(1.0, 1.0).finding(), Finding::Holds);
-        assert_eq!(equal(1.0, 1.0).slack(), f64::INFINITY);
+        assert_eq!(equal(1.0, 1.0).overestimation(), f64::INFINITY);
         assert!(!equal(1.0, 1.0).could_fail() && evidence().could_fail());
         for (one, other) in [(1.0, 1.1), (1.1, 1.0)] {
             assert!(matches!(equal(one, other).finding(), Finding::Violated(_)));

@@ -83,13 +83,13 @@ impl Inequality {
         self.source != Source::Identity && self.bound < f64::INFINITY && told
     }
 
-    /// Returns the slack `bound / observed`, a pure number: 1 where the bound is attained, less
-    /// where it is violated.
+    /// Returns the overestimation `bound / observed`, a pure number: 1 where the bound is attained,
+    /// less where it is violated.
     ///
     /// `∞` where nothing can be told: the observed number is negative, zero, or so small that
     /// what is granted is a percent of it.
     #[must_use]
-    pub fn slack(&self) -> f64 {
+    pub fn overestimation(&self) -> f64 {
         if self.observed > 0.0 && self.granted <= 0.01 * self.observed {
             self.bound / self.observed
         } else {
@@ -131,10 +131,10 @@ mod tests {
     }
 
     #[test]
-    fn slack_is_told_only_of_what_is_seen() {
-        assert_eq!(inequality(2.0, 3.0).slack(), 1.5);
-        assert_eq!(inequality(0.09, 3.0).slack(), f64::INFINITY);
-        assert_eq!(inequality(-2.0, 3.0).slack(), f64::INFINITY);
+    fn overestimation_is_told_only_of_what_is_seen() {
+        assert_eq!(inequality(2.0, 3.0).overestimation(), 1.5);
+        assert_eq!(inequality(0.09, 3.0).overestimation(), f64::INFINITY);
+        assert_eq!(inequality(-2.0, 3.0).overestimation(), f64::INFINITY);
     }
 
     /// Of NaN nothing is told, but it does not hold either.

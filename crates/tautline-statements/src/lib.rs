@@ -12,7 +12,7 @@
 //! let sequence = PointSequence::straight([0.0, 0.0], [6.0, 1.0], 3)?;
 //! let evidence = prop_7_9(&LIBRARY, &Valleys, &sequence)?;
 //! assert_eq!(evidence.finding(), Finding::Holds);
-//! assert!(evidence.slack() > 1.0);
+//! assert!(evidence.overestimation() > 1.0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -35,8 +35,9 @@
 //! | sharper | as the statement needs | [`lemma_s_1`] to [`lemma_s_5`], [`theorem_a`] to [`theorem_d`], [`prop_s_6`] to [`prop_s_8`] |
 //! | 9, excess of length | two curves, or a [`Reconstruction`] | [`prop_9_1`], [`remark_9_2`] |
 //!
-//! A statement is computed with a [`Subject`]: [`LIBRARY`], or the library with the mistake of a [`Mutant`].
-//! [`curves`] has what Sections 3, 4, 6 and 7 are about, [`witnesses`] the cases near equality.
+//! A statement is computed with a [`Subject`]: [`LIBRARY`], or the library with the mistake of a
+//! [`Mutant`]. [`curves`] has what Sections 3, 4, 6 and 7 are about, [`witnesses`] the cases near
+//! equality.
 
 mod catalogue;
 pub mod curves;

@@ -60,13 +60,15 @@ pub enum VerifyError {
         found: [f64; 2],
     },
     /// A witness does not come as near equality as it should.
-    #[error("{statement}: the slack of the witness is {slack}, not at most {known}")]
+    #[error(
+        "{statement}: the overestimation of the witness is {overestimation}, not at most {known}"
+    )]
     NotAttained {
         /// The statement.
         statement: Statement,
-        /// The least slack of the paper's conclusions, a pure number.
-        slack: f64,
-        /// The best slack that is known.
+        /// The least overestimation of the paper's conclusions, a pure number.
+        overestimation: f64,
+        /// The least overestimation that is known.
         known: f64,
     },
     /// A witness against the printed form of a statement does not refute it.

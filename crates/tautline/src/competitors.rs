@@ -68,9 +68,9 @@ impl<M: LocallyBounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> 
     /// ```
     ///
     /// Needs: that the metric is what its constants say; the length is computed with a quadrature
-    /// whose error is estimated. Slack: a competitor comes no farther than `√(d̄² e/c₁)` from its
-    /// end, with the length of this line for `d̄` and `e` of Lemma S.4; the constants of the ball
-    /// are taken, and its radius to one percent.
+    /// whose error is estimated. Overestimation: a competitor comes no farther than `√(d̄² e/c₁)`
+    /// from its end, with the length of this line for `d̄` and `e` of Lemma S.4; the constants of
+    /// the ball are taken, and its radius to one percent.
     ///
     /// # Errors
     ///
@@ -246,8 +246,8 @@ mod tests {
         assert_eq!(still.enclosure_among(&own).expect("finite").width(), 0.0);
     }
 
-    /// A ball holds the competitors of a line by its centre, its radius and the size of the end that
-    /// it is about: with any of the three a little off it is refused.
+    /// A ball holds the competitors of a line by its centre, its radius and the size of the end
+    /// that it is about: with any of the three a little off it is refused.
     #[test]
     fn a_ball_that_is_a_little_off_is_refused() {
         let ball = Ball::new([0.3, 0.2], 0.05).expect("a radius");
@@ -263,12 +263,17 @@ mod tests {
                 line.enclosure_among(&Competitors { within, ..own })
             };
             // The radius is within one percent of the least, beside that of the end itself.
-            let slack = 0.015 * (own.within.r() - 0.05);
-            for refused in [with(0.0, -slack), with(0.0, -0.05), with(slack, 0.0), with(1.0, 0.0)] {
+            let margin = 0.015 * (own.within.r() - 0.05);
+            for refused in [
+                with(0.0, -margin),
+                with(0.0, -0.05),
+                with(margin, 0.0),
+                with(1.0, 0.0),
+            ] {
                 let error = refused.expect_err("a competitor may be outside");
                 assert!(matches!(error, BoundError::LeavesTheBall { .. }), "{error}");
             }
-            assert!(with(0.5, 0.5 + slack).is_ok());
+            assert!(with(0.5, 0.5 + margin).is_ok());
         }
     }
 

@@ -6,8 +6,8 @@ mod convergence;
 mod dimension;
 mod length_versus_energy;
 mod losses;
+mod overestimation;
 mod quantities;
-mod slack;
 mod speeds;
 mod tightness;
 mod valleys;
@@ -38,7 +38,7 @@ pub const FIGURES: [Figure; 11] = [
     convergence::FIGURE,
     quantities::FIGURE,
     asymptotics::FIGURE,
-    slack::FIGURE,
+    overestimation::FIGURE,
     losses::FIGURE,
     dimension::FIGURE,
     valleys::FIGURE,

@@ -86,7 +86,8 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
         let grid = Grid::new(EXPONENTS, WAVE_NUMBERS, data.rows().map(decades).collect())?;
         panels.push(panel(&grid, title, k == 0)?);
     }
-    let title = "Slack of the bounds on the length of the reconstruction, on sheared planes";
+    let title =
+        "Overestimation of the bounds on the length of the reconstruction, on sheared planes";
     Ok(drawing::Figure::new(960.0, title, vec![panels]).draw()?)
 }
 
@@ -99,7 +100,8 @@ fn panel(grid: &Grid, title: &str, first: bool) -> Result<Panel, DrawingError> {
     let place = (amplitude(exponent), wave_number);
     let all = WAVE_NUMBERS.all().flat_map(|k| EXPONENTS.all().map(move |e| (e, k)));
     let most = all.map(|(e, k)| grid.at(e, k)).fold(least, f64::max);
-    // Bands of a quarter of a decade, and a numbered line at every whole one, or at every other one.
+    // Bands of a quarter of a decade, and a numbered line at every whole one, or at every other
+    // one.
     let stride = if most - least > 6.0 { 2 } else { 1 };
     let low = least.floor() as i32 / stride * stride;
     let levels = (4 * low..=4 * most.ceil() as i32).map(|k| 0.25 * f64::from(k)).collect();

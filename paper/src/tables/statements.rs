@@ -14,8 +14,8 @@ use crate::{
 pub(super) const TABLE: Table = Table {
     id: "statements",
     shows: "every statement of the paper and every sharper one with our verdict, the number of \
-            random cases and of those that could fail, their least slack (bound / observed), the \
-            slack of the best witness, the tests, the hypotheses that are evaluated with it and \
+            random cases and of those that could fail, their least overestimation (bound / observed), the \
+            overestimation of the best witness, the tests, the hypotheses that are evaluated with it and \
             those that are assumed, and the number of cases in which every number is proved with \
             outward rounding",
     seed: Seed::Suite,
@@ -32,10 +32,11 @@ const CASES: u64 = 1000;
 /// fail; what it defines is tested with the others.
 const DEFINITION: Statement = Statement::ConstantCTra;
 
-/// Slacks are printed with few digits: they depend on where the solver stops.
-const SLACK: Tolerance = Tolerance::Close { relative: 0.02, absolute: 0.0 };
+/// Overestimations are printed with few digits: they depend on where the solver stops.
+const OVERESTIMATION: Tolerance = Tolerance::Close { relative: 0.02, absolute: 0.0 };
 
-/// Whether a number can be told from 0 is decided by its last digits in a case of a hundred at most.
+/// Whether a number can be told from 0 is decided by its last digits in a case of a hundred at
+/// most.
 const TOLD: Tolerance = Tolerance::Close { relative: 0.01, absolute: 0.0 };
 
 fn data(_sweep: Sweep) -> Result<Data, Failure> {
@@ -45,8 +46,8 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
         ("verdict", Tolerance::Exact),
         ("cases", Tolerance::Exact),
         ("could_fail", TOLD),
-        ("worst_slack", SLACK),
-        ("witness_slack", SLACK),
+        ("least_overestimation", OVERESTIMATION),
+        ("witness_overestimation", OVERESTIMATION),
         ("tests", Tolerance::Exact),
         ("hypotheses", Tolerance::Exact),
         ("assumed", Tolerance::Exact),
@@ -57,16 +58,16 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
         let statement = entry.statement;
         let enough = match statement {
             DEFINITION => entry.cases >= CASES && entry.could_fail == 0,
-            _ => entry.could_fail >= CASES && entry.witness_slack.is_finite(),
+            _ => entry.could_fail >= CASES && entry.witness_overestimation.is_finite(),
         };
         if !enough {
             missing.push(format!(
-                "{statement}: {} cases of which {} could fail, witness of slack {}",
-                entry.cases, entry.could_fail, entry.witness_slack
+                "{statement}: {} cases of which {} could fail, witness of overestimation {}",
+                entry.cases, entry.could_fail, entry.witness_overestimation
             ));
         }
-        let slack = |slack: f64| {
-            if slack.is_finite() { format!("{slack:.3e}") } else { String::new() }
+        let overestimation = |overestimation: f64| {
+            if overestimation.is_finite() { format!("{overestimation:.3e}") } else { String::new() }
         };
         data.push(vec![
             statement.label().to_owned(),
@@ -74,8 +75,8 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
             statement.verdict().name().to_owned(),
             entry.cases.to_string(),
             entry.could_fail.to_string(),
-            slack(entry.worst_slack),
-            slack(entry.witness_slack),
+            overestimation(entry.least_overestimation),
+            overestimation(entry.witness_overestimation),
             entry.checks.join("; "),
             entry.hypotheses.join("; "),
             entry.assumed.join("; "),
@@ -91,14 +92,14 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
 fn layout(data: &Data) -> Result<Layout, Failure> {
     let mut layout = Layout::new(
         "The statements of the paper, and sharper ones: our verdict, random cases and those of them \
-         that could fail, and slack (bound / observed) at random and at the best witness.",
+         that could fail, and overestimation (bound / observed) at random and at the best witness.",
         &[
             "statement",
             "verdict",
             "cases",
             "could fail",
-            "least slack at random",
-            "slack of the witness",
+            "least overestimation at random",
+            "overestimation of the witness",
         ],
     );
     for row in data.rows() {
@@ -107,8 +108,8 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
             row.text("verdict").to_owned(),
             row.text("cases").to_owned(),
             row.text("could_fail").to_owned(),
-            slack(&row, "worst_slack"),
-            slack(&row, "witness_slack"),
+            overestimation(&row, "least_overestimation"),
+            overestimation(&row, "witness_overestimation"),
         ]);
     }
     Ok(layout)
@@ -127,7 +128,7 @@ pub(super) fn symbol(number: &str) -> String {
     }
 }
 
-fn slack(row: &Row<'_>, column: &str) -> String {
+fn overestimation(row: &Row<'_>, column: &str) -> String {
     let value = row.number(column);
     match value {
         value if value.is_nan() => "–".to_owned(),
@@ -143,7 +144,7 @@ fn pages(data: &Data) -> Vec<(&'static str, String)> {
 
 Every numbered statement, both claims of Section 5 and every displayed constant, and after them the statements of [SHARPER.md](SHARPER.md): what it claims, the function that evaluates it, our verdict, and the tests.
 `cargo xtask tables statements` writes this page together with `tables/statements.csv`.
-*Slack* is the bound divided by what is observed: 1 where a statement is attained.
+*Overestimation* is the bound divided by what is observed: 1 where a statement is attained.
 A case *could fail* if the bound is finite and what is observed can be told from 0: where a gap vanishes identically, as that of the length does on the line, the case holds whatever the bound is.
 What is *assumed* is a hypothesis of which no case shows anything.
 A *witness* is a case made by hand to come as near to equality as we can.
@@ -174,10 +175,10 @@ fn section(row: &Row<'_>, statement: Statement) -> String {
         "" => String::new(),
         claims => format!("- assumed: {}\n", claims.replace('|', "∣")),
     };
-    let slack = |column: &str| match row.text(column) {
+    let overestimation = |column: &str| match row.text(column) {
         "" if statement == DEFINITION => "none, of two ways to write one formula".to_owned(),
         "" => "not to be told from rounding".to_owned(),
-        slack => slack.to_owned(),
+        overestimation => overestimation.to_owned(),
     };
     let proved = match row.text("proved") {
         "0" => String::new(),
@@ -190,7 +191,7 @@ fn section(row: &Row<'_>, statement: Statement) -> String {
     format!(
         "## {}\n\n{}.\n\n- label: `{}`\n- code: `tautline_statements::{}`\n- verdict: \
          **{verdict}**\n- hypotheses evaluated: {hypotheses}\n{assumed}- random cases: {}, of which {} \
-         could fail, least slack {}\n- slack of the best witness: {}\n{proved}- \
+         could fail, least overestimation {}\n- overestimation of the best witness: {}\n{proved}- \
          tests: {}\n\n",
         statement.number(),
         statement.claim(),
@@ -198,8 +199,8 @@ fn section(row: &Row<'_>, statement: Statement) -> String {
         statement.function(),
         row.text("cases"),
         row.text("could_fail"),
-        slack("worst_slack"),
-        slack("witness_slack"),
+        overestimation("least_overestimation"),
+        overestimation("witness_overestimation"),
         tests.join(", "),
     )
 }

@@ -15,7 +15,7 @@ const SEED: u64 = 1961;
 
 pub(super) const TABLE: Table = Table {
     id: "tightness",
-    shows: "the least slack bound/observed that a search over metrics, ends and N finds for each \
+    shows: "the least overestimation bound/observed that a search over metrics, ends and N finds for each \
             statement in each family, by its own conclusions and by their sharper companions; and why \
             there is no tighter case beyond the edges of the search at which it was found",
     seed: Seed::One(SEED),
@@ -25,17 +25,17 @@ pub(super) const TABLE: Table = Table {
     pages: no_pages,
 };
 
-/// One per cent: the search stops where a step changes the slack by a tenth of that.
-const SLACK: Tolerance = Tolerance::Close { relative: 1e-2, absolute: 0.0 };
+/// One per cent: the search stops where a step changes the overestimation by a tenth of that.
+const OVERESTIMATION: Tolerance = Tolerance::Close { relative: 1e-2, absolute: 0.0 };
 
 fn data(sweep: Sweep) -> Result<Data, Failure> {
     // Where a minimum is flat, or two conclusions or two cases tie, the last bits of elementary
-    // functions decide which one is found: only the slack is compared.
+    // functions decide which one is found: only the overestimation is compared.
     let mut data = Data::new(&[
         ("statement", Tolerance::Exact),
         ("family", Tolerance::Exact),
         ("conclusions", Tolerance::Exact),
-        ("slack", SLACK),
+        ("overestimation", OVERESTIMATION),
         ("n", Tolerance::Free),
         ("tightest_conclusion", Tolerance::Free),
         ("parameters", Tolerance::Free),
@@ -46,14 +46,14 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
     for family in families(&LIBRARY) {
         for (source, name) in [(Source::Stated, "stated"), (Source::Sharper, "sharper")] {
             // Where a bound is never seen to be used at all, as that of the length on the line,
-            // where every reconstruction has the length d, there is no slack to tell.
+            // where every reconstruction has the length d, there is no overestimation to tell.
             let found = search.tightest(&family, source)?;
             let of = |cell: fn(&Tightest) -> String| found.as_ref().map_or(String::new(), cell);
             data.push(vec![
                 family.statement.number().to_owned(),
                 family.name.to_owned(),
                 name.to_owned(),
-                of(|found| format!("{:.4e}", found.slack)),
+                of(|found| format!("{:.4e}", found.overestimation)),
                 of(|found| found.parameter("N").map_or(String::new(), |n| n.to_string())),
                 of(|found| found.conclusion.claim.to_owned()),
                 of(case),
@@ -83,14 +83,23 @@ fn three_digits(value: f64) -> String {
 
 fn layout(data: &Data) -> Result<Layout, Failure> {
     let mut layout = Layout::new(
-        "For each statement and each family of problems the least slack bound/observed that a \
+        "For each statement and each family of problems the least overestimation bound/observed that a \
          search finds: of the bound as it is stated, and of its sharper companion, each with its N. The case is that of the former: \
          step is the distance of the ends over N, phi or way the direction, a or L the amplitude of the \
          metric. At the edge are the parameters that end at an end of their range, and why the search ends \
-         there: nothing lies beyond, or a limit, on the way to which the slack falls by 1 % at most. \
+         there: nothing lies beyond, or a limit, on the way to which the overestimation falls by 1 % at most. \
          Families in which nothing but rounding is observed are left out, such as the length of one \
          chord on the line, and Proposition 7.9 where H is linear.",
-        &["statement", "family", "slack", "$N$", "sharper slack", "$N$", "case", "at the edge"],
+        &[
+            "statement",
+            "family",
+            "overestimation",
+            "$N$",
+            "sharper overestimation",
+            "$N$",
+            "case",
+            "at the edge",
+        ],
     );
     let rows: Vec<Row<'_>> = data.rows().collect();
     let mut before = "";
@@ -98,7 +107,7 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
         let [paper, sharper] = pair else {
             return Err(Failure::Data("a family without its second row".to_owned()));
         };
-        if paper.text("slack").is_empty() && sharper.text("slack").is_empty() {
+        if paper.text("overestimation").is_empty() && sharper.text("overestimation").is_empty() {
             continue;
         }
         if paper.text("statement") != before {
@@ -107,7 +116,7 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
         }
         let mut cells = vec![symbol(before), paper.text("family").to_owned()];
         for row in [paper, sharper] {
-            cells.extend([slack(row.number("slack")), or_dash(row.text("n"))]);
+            cells.extend([overestimation(row.number("overestimation")), or_dash(row.text("n"))]);
         }
         cells.extend([paper.text("parameters"), paper.text("edges")].map(or_dash));
         layout.push(cells);
@@ -116,7 +125,7 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
 }
 
 /// Four or five digits.
-fn slack(value: f64) -> String {
+fn overestimation(value: f64) -> String {
     match value {
         1e4.. => scientific(value, 2),
         100.0.. => format!("${value:.1}$"),

@@ -70,7 +70,7 @@ fn convergence_stays_within_the_theorems_in_every_row() {
             ["d_squared", "discrete_energy", "energy", "length_squared", "paper_bound"]
                 .map(|column| row.number(column));
         // The excess is printed with 7 digits.
-        let slack = row.number("quadrature_error") + 2.0 * PRINTED * (d2 + energy);
+        let tolerance = row.number("quadrature_error") + 2.0 * PRINTED * (d2 + energy);
         let excess = row.number("excess");
         let minimum_gap = match row.text("rule") {
             "trapezoidal" => bound / row.number("n").sqrt(),
@@ -79,11 +79,11 @@ fn convergence_stays_within_the_theorems_in_every_row() {
         for (holds, inequality) in [
             (excess >= 0.0, "0 ≤ E(γᵖˡ) − d²"),
             (excess <= bound, "E(γᵖˡ) − d² ≤ C/√N"),
-            ((excess - (energy - d2)).abs() <= slack + 1e-6 * excess, "excess = E(γᵖˡ) − d²"),
-            (energy - bound <= discrete + slack, "E(γᵖˡ) − C/√N ≤ E_N"),
-            (discrete <= d2 + minimum_gap + slack, "E_N ≤ d² + C/N, or C/√N for the left rule"),
-            (d2 <= length2 + slack, "d² ≤ L(γᵖˡ)²"),
-            (length2 <= energy + slack, "L(γᵖˡ)² ≤ E(γᵖˡ)"),
+            ((excess - (energy - d2)).abs() <= tolerance + 1e-6 * excess, "excess = E(γᵖˡ) − d²"),
+            (energy - bound <= discrete + tolerance, "E(γᵖˡ) − C/√N ≤ E_N"),
+            (discrete <= d2 + minimum_gap + tolerance, "E_N ≤ d² + C/N, or C/√N for the left rule"),
+            (d2 <= length2 + tolerance, "d² ≤ L(γᵖˡ)²"),
+            (length2 <= energy + tolerance, "L(γᵖˡ)² ≤ E(γᵖˡ)"),
             (length2 - d2 <= bound, "L(γᵖˡ)² − d² ≤ C/√N"),
         ] {
             assert!(holds, "not {inequality} in {:?}", row.record);

@@ -10,9 +10,9 @@ mod counterexample;
 mod dimension;
 mod losses;
 mod mutants;
+mod overestimation;
 mod quantities;
 mod rates;
-mod slack;
 mod speeds;
 mod tightness;
 

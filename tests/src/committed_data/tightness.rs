@@ -23,7 +23,7 @@ fn a_case_at_an_edge_of_its_search_says_why() {
     let table = Table::read("tables/tightness.csv");
     let families = families(&LIBRARY);
     let mut seen = 0;
-    for row in table.rows().filter(|row| !row.text("slack").is_empty()) {
+    for row in table.rows().filter(|row| !row.text("overestimation").is_empty()) {
         let place = format!("{} on {}", row.text("statement"), row.text("family"));
         let family = family(&families, row);
         let reasons: Vec<&str> = row.text("edges").split("; ").collect();

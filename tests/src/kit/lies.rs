@@ -52,7 +52,7 @@ fn liars_are_refused<M: Bounded<D>, const D: usize>(
         let looseness = known.map_or(1.0, |(_, looseness)| *looseness);
         let truth = put(metric, region, constant, 1.0);
         // The looseness is known to its last printed digit.
-        assert!((truth.slack - looseness).abs() <= 1e-3, "{truth}");
+        assert!((truth.overestimation - looseness).abs() <= 1e-3, "{truth}");
         let size = looseness * (1.0 + SMALL + 1e-3 * f64::from(u8::from(known.is_some())));
         let factor = if constant == C1 { size } else { 1.0 / size };
         let outcome = put(metric, region, constant, factor);

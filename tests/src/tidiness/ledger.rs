@@ -161,21 +161,25 @@ fn every_sharper_statement_is_proved_and_what_its_proof_names_exists() {
 }
 
 /// What no case could have contradicted is no evidence: at least a thousand cases of each statement
-/// could fail, and most of what is drawn. The exception is a definition, two ways to write one formula,
-/// which has no slack either.
+/// could fail, and most of what is drawn. The exception is a definition, two ways to write one
+/// formula, which has no overestimation either.
 #[test]
 fn most_cases_of_every_statement_could_fail() {
     let text = read(&root().join("paper/tables/statements.csv"));
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
     let heads = reader.headers().expect("a header").clone();
     let column = |name: &str| heads.iter().position(|head| head == name).expect("the column");
-    let [label, cases, could_fail, slack, witness] =
-        ["label", "cases", "could_fail", "worst_slack", "witness_slack"].map(column);
+    let [label, cases, could_fail, overestimation, witness] =
+        ["label", "cases", "could_fail", "least_overestimation", "witness_overestimation"]
+            .map(column);
     for record in reader.records() {
         let record = record.expect("a row");
         let number = |column: usize| record[column].parse::<u64>().expect("a number");
         if &record[label] == "C_tra(N)" {
-            assert_eq!((number(could_fail), &record[slack], &record[witness]), (0, "", ""));
+            assert_eq!(
+                (number(could_fail), &record[overestimation], &record[witness]),
+                (0, "", "")
+            );
             continue;
         }
         let [all, telling] = [cases, could_fail].map(number);

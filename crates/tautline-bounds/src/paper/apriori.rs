@@ -11,8 +11,8 @@ use crate::{Setting, product::product};
 /// Needs: `H ≥ c₁`, and a minimiser of `E` among the curves between the ends. `c₂`, `L_H` and
 /// `D` do not enter.
 ///
-/// Slack: none where `H = c₁` in the direction of the geodesic, all along it. The bound holds
-/// at every single time too, since a minimiser has constant Riemannian speed.
+/// Overestimation: none where `H = c₁` in the direction of the geodesic, all along it. The bound
+/// holds at every single time too, since a minimiser has constant Riemannian speed.
 #[doc(alias = "K_{1,g}")]
 #[doc(alias = "prop:apriori_estuimate_geodesic")]
 #[must_use]
@@ -29,8 +29,8 @@ pub fn k1_g(setting: Setting) -> f64 {
 /// Needs: `H ≥ c₁`, `H` Lipschitz with `L_H`, and a minimiser of `E` among the curves between
 /// the ends. `c₂` does not enter.
 ///
-/// Slack: the proof sums over the Christoffel symbols one at a time, which costs the factor
-/// `D²`; estimating the geodesic equation as one equation of vectors gives the same bound
+/// Overestimation: the proof sums over the Christoffel symbols one at a time, which costs the
+/// factor `D²`; estimating the geodesic equation as one equation of vectors gives the same bound
 /// without it.
 #[doc(alias = "K_{2,g}")]
 #[doc(alias = "prop:apriori_estuimate_geodesic")]

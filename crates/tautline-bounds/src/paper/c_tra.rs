@@ -21,9 +21,9 @@ use crate::{Setting, k1_g, k2_g, product::product};
 /// is not allowed even if `γ̈` vanishes on both sides of it: `γ(t) = |t − ½|` with `H = 1` and
 /// `N = 1` has `E = 1`, `E_tra = 0`, and a bound of 0.
 ///
-/// Slack: `β` is the mean of `γ̇` over its subinterval, so the cross term `4 c₂ K₁ K₂ / N` of the
-/// proof integrates to 0, and the last term could be `c₂ K₂² / (π N)²`. In the first, half would
-/// do: the distance to the midpoint of the chord is half a step, not a whole one.
+/// Overestimation: `β` is the mean of `γ̇` over its subinterval, so the cross term `4 c₂ K₁ K₂ / N`
+/// of the proof integrates to 0, and the last term could be `c₂ K₂² / (π N)²`. In the first, half
+/// would do: the distance to the midpoint of the chord is half a step, not a whole one.
 ///
 /// Returns `+∞` on overflow, never NaN; `K = ∞` stands for an overflow further up.
 ///
@@ -48,8 +48,8 @@ pub fn c_tra(constants: Constants, k1: f64, k2: f64, n: NonZeroUsize) -> f64 {
 ///
 /// Arguments and needs are those of [`c_tra`].
 ///
-/// Slack: none at `N = 1`, where it is `C_tra(1)`; beyond, the last term falls like `1/N²` and
-/// is kept at `1/N`.
+/// Overestimation: none at `N = 1`, where it is `C_tra(1)`; beyond, the last term falls like `1/N²`
+/// and is kept at `1/N`.
 ///
 /// Returns `+∞` on overflow, never NaN; `K = ∞` stands for an overflow further up.
 ///
@@ -65,7 +65,7 @@ pub fn c_tra_sharp(constants: Constants, k1: f64, k2: f64) -> f64 {
 /// Bounds `min E_tra,N − min E` between the ends of a setting, in `m²` (Section 7, proof of
 /// Theorem 1.1): [`c_tra`] at `K_{1,g}` and `K_{2,g}`.
 ///
-/// Needs: the setting of Theorem 1.1. Slack: that of [`c_tra`] and of [`k2_g`]; it is one
+/// Needs: the setting of Theorem 1.1. Overestimation: that of [`c_tra`] and of [`k2_g`]; it is one
 /// sided, and says nothing on how far `E_tra,N` can fall below `min E`.
 #[doc(alias = "eq:approx_numerical_integral_lower_bound_revised")]
 #[must_use]
@@ -82,7 +82,7 @@ pub fn c_tra_g(setting: Setting, n: NonZeroUsize) -> f64 {
 /// C_tra♯  =  d² (δ + 3 D² δ² + 6 κ D² δ + 9 κ D⁴ δ²)
 /// ```
 ///
-/// Needs: the setting of Theorem 1.1. Slack: that of [`c_tra_g`] and of [`c_tra_sharp`].
+/// Needs: the setting of Theorem 1.1. Overestimation: that of [`c_tra_g`] and of [`c_tra_sharp`].
 #[doc(alias = "C_tra^sharp")]
 #[must_use]
 pub fn c_tra_sharp_g(setting: Setting) -> f64 {

@@ -12,8 +12,9 @@ use crate::{Setting, c_tra_sharp_g, k3_bar_g, k4_bar_g, paper::polyline_gap::l_h
 ///
 /// Needs: the setting of Theorem 1.1.
 ///
-/// Slack: larger than that of [`theorem_1_1_constant`](crate::theorem_1_1_constant), since the
-/// proof goes through the trapezoidal rule: `C_tra♯` enters to the power 9/4 through `K̄_{4,g}`.
+/// Overestimation: larger than that of [`theorem_1_1_constant`](crate::theorem_1_1_constant), since
+/// the proof goes through the trapezoidal rule: `C_tra♯` enters to the power 9/4 through
+/// `K̄_{4,g}`.
 #[doc(alias = "theo:approx_numerical_integral_left")]
 #[doc(alias = "theo:approx_numerical_integral_left_length")]
 #[must_use]
@@ -30,8 +31,9 @@ pub fn theorem_1_3_constant(setting: Setting) -> f64 {
 ///
 /// Needs: the setting of Theorem 1.1, and a *global* minimiser.
 ///
-/// Slack: the proof has `C_tra♯ / N` and [`rule_gap`](crate::rule_gap) at `K̄_{3,g}` in its
-/// place, without `K̄_{4,g}`. The left rule sampled on a minimal geodesic errs by `O(1/N)` only.
+/// Overestimation: the proof has `C_tra♯ / N` and [`rule_gap`](crate::rule_gap) at `K̄_{3,g}` in
+/// its place, without `K̄_{4,g}`. The left rule sampled on a minimal geodesic errs by `O(1/N)`
+/// only.
 #[doc(alias = "theo:approx_numerical_integral_left")]
 #[doc(alias = "eq:left_upper_bound_revised")]
 #[must_use]
@@ -48,8 +50,9 @@ pub fn theorem_1_3_minimum_gap(setting: Setting, n: NonZeroUsize) -> f64 {
 ///
 /// Needs: the setting of Theorem 1.1, and a *global* minimiser.
 ///
-/// Slack: the proof has [`polyline_gap_left`](crate::polyline_gap_left) at `K̄_{4,g}` in its
-/// place. With the speed of the sequence itself in place of `K̄_{4,g}` that bound is far smaller.
+/// Overestimation: the proof has [`polyline_gap_left`](crate::polyline_gap_left) at `K̄_{4,g}` in
+/// its place. With the speed of the sequence itself in place of `K̄_{4,g}` that bound is far
+/// smaller.
 #[doc(alias = "theo:approx_numerical_integral_left")]
 #[must_use]
 pub fn theorem_1_3_polyline_gap(setting: Setting, n: NonZeroUsize) -> f64 {
@@ -68,7 +71,7 @@ pub fn theorem_1_3_polyline_gap(setting: Setting, n: NonZeroUsize) -> f64 {
 ///
 /// Needs: the setting of Theorem 1.1, and a *global* minimiser.
 ///
-/// Slack: that of [`theorem_1_3_constant`]. Equal to `C / √N` at `N = 1`.
+/// Overestimation: that of [`theorem_1_3_constant`]. Equal to `C / √N` at `N = 1`.
 #[doc(alias = "theo:approx_numerical_integral_left")]
 #[must_use]
 pub fn theorem_1_3_excess(setting: Setting, n: NonZeroUsize) -> f64 {
@@ -88,7 +91,7 @@ pub fn theorem_1_3_excess(setting: Setting, n: NonZeroUsize) -> f64 {
 /// Needs: the setting of Theorem 1.1, and a *global* minimiser of the discrete energy (a
 /// minimiser of the discrete length will not do: Section 5).
 ///
-/// Slack: `L(γᵖˡ)²` is at most `E(γᵖˡ)`, and [`theorem_1_3_excess`] bounds that.
+/// Overestimation: `L(γᵖˡ)²` is at most `E(γᵖˡ)`, and [`theorem_1_3_excess`] bounds that.
 #[doc(alias = "theo:approx_numerical_integral_left_length")]
 #[must_use]
 pub fn theorem_1_4_length_excess(setting: Setting, n: NonZeroUsize) -> f64 {

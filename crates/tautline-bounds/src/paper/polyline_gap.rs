@@ -19,9 +19,9 @@ use crate::product::product;
 /// Needs: `H` Lipschitz on the segments of `γᵖˡ`. Needs neither `c₁` nor `c₂`, and `γᵖ` need not
 /// be a minimiser.
 ///
-/// Slack: the proof passes from `Σ ‖β‖³` to `(Σ ‖β‖²)^{3/2}`, which gives away a factor `√N` when
-/// the speeds are equal. It is attained for every `N`, by a sequence that moves in one step only,
-/// if `H` has a ridge or a valley at the middle of that step.
+/// Overestimation: the proof passes from `Σ ‖β‖³` to `(Σ ‖β‖²)^{3/2}`, which gives away a factor
+/// `√N` when the speeds are equal. It is attained for every `N`, by a sequence that moves in one
+/// step only, if `H` has a ridge or a valley at the middle of that step.
 ///
 /// Returns `+∞` on overflow, never NaN; `K₃ = ∞` stands for an overflow further up.
 ///
@@ -43,7 +43,8 @@ pub fn polyline_gap_trapezoidal(constants: Constants, k3: f64, n: NonZeroUsize) 
 /// Arguments and needs are those of [`polyline_gap_trapezoidal`]; twice its value, since the
 /// left endpoint of a chord is on average twice as far as the midpoint.
 ///
-/// Slack: as in [`polyline_gap_trapezoidal`]; attained if `H` is linear along the one step.
+/// Overestimation: as in [`polyline_gap_trapezoidal`]; attained if `H` is linear along the one
+/// step.
 ///
 /// Returns `+∞` on overflow, never NaN; `K₃ = ∞` stands for an overflow further up.
 ///
@@ -65,7 +66,8 @@ pub fn polyline_gap_left(constants: Constants, k3: f64, n: NonZeroUsize) -> f64 
 /// Arguments and needs are those of [`polyline_gap_trapezoidal`]. `H` need only be Lipschitz
 /// from the left endpoint of each chord to its midpoint.
 ///
-/// Slack: as in [`polyline_gap_trapezoidal`]; attained if `H` is linear along the one step.
+/// Overestimation: as in [`polyline_gap_trapezoidal`]; attained if `H` is linear along the one
+/// step.
 ///
 /// Returns `+∞` on overflow, never NaN; `K₃ = ∞` stands for an overflow further up.
 ///

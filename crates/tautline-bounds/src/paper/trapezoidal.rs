@@ -12,8 +12,8 @@ use crate::{Setting, c_tra_sharp_g, k3_bar_g, paper::polyline_gap::l_h_k_cubed};
 ///
 /// Needs: the setting of Theorem 1.1.
 ///
-/// Slack: large. `C_tra♯` enters to the power 3/2 through `K̄_{3,g}`, and with it `D⁶`; on smooth
-/// metrics the observed errors fall like `1/N²`, not like `1/√N`.
+/// Overestimation: large. `C_tra♯` enters to the power 3/2 through `K̄_{3,g}`, and with it `D⁶`; on
+/// smooth metrics the observed errors fall like `1/N²`, not like `1/√N`.
 #[doc(alias = "theo:approx_numerical_integral_trapezoidal")]
 #[doc(alias = "theo:approx_numerical_integral_trapezoidal_length")]
 #[must_use]
@@ -30,8 +30,8 @@ pub fn theorem_1_1_constant(setting: Setting) -> f64 {
 ///
 /// Needs: the setting of Theorem 1.1, and a *global* minimiser.
 ///
-/// Slack: the proof has [`c_tra_g`](crate::c_tra_g) in its place; the second part of `C` is not
-/// needed here.
+/// Overestimation: the proof has [`c_tra_g`](crate::c_tra_g) in its place; the second part of `C`
+/// is not needed here.
 #[doc(alias = "theo:approx_numerical_integral_trapezoidal")]
 #[must_use]
 pub fn theorem_1_1_minimum_gap(setting: Setting, n: NonZeroUsize) -> f64 {
@@ -47,7 +47,7 @@ pub fn theorem_1_1_minimum_gap(setting: Setting, n: NonZeroUsize) -> f64 {
 ///
 /// Needs: the setting of Theorem 1.1, and a *global* minimiser.
 ///
-/// Slack: the proof has [`polyline_gap_trapezoidal`](crate::polyline_gap_trapezoidal) at
+/// Overestimation: the proof has [`polyline_gap_trapezoidal`](crate::polyline_gap_trapezoidal) at
 /// `K̄_{3,g}` in its place; the first part of `C` is not needed here. With the speed of the
 /// sequence itself in place of `K̄_{3,g}` that bound is far smaller.
 #[doc(alias = "theo:approx_numerical_integral_trapezoidal")]
@@ -68,7 +68,7 @@ pub fn theorem_1_1_polyline_gap(setting: Setting, n: NonZeroUsize) -> f64 {
 ///
 /// Needs: the setting of Theorem 1.1, and a *global* minimiser.
 ///
-/// Slack: that of [`theorem_1_1_constant`]. Equal to `C / √N` at `N = 1`.
+/// Overestimation: that of [`theorem_1_1_constant`]. Equal to `C / √N` at `N = 1`.
 #[doc(alias = "theo:approx_numerical_integral_trapezoidal")]
 #[must_use]
 pub fn theorem_1_1_excess(setting: Setting, n: NonZeroUsize) -> f64 {
@@ -89,7 +89,7 @@ pub fn theorem_1_1_excess(setting: Setting, n: NonZeroUsize) -> f64 {
 /// Needs: the setting of Theorem 1.1, and a *global* minimiser of the discrete energy (a
 /// minimiser of the discrete length will not do: Section 5).
 ///
-/// Slack: `L(γᵖˡ)²` is at most `E(γᵖˡ)`, and [`theorem_1_1_excess`] bounds that.
+/// Overestimation: `L(γᵖˡ)²` is at most `E(γᵖˡ)`, and [`theorem_1_1_excess`] bounds that.
 #[doc(alias = "theo:approx_numerical_integral_trapezoidal_length")]
 #[must_use]
 pub fn theorem_1_2_length_excess(setting: Setting, n: NonZeroUsize) -> f64 {

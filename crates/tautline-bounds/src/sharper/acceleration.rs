@@ -12,14 +12,14 @@ use crate::{Setting, product::product};
 ///
 /// with the [`G`](Setting::bend) of the setting.
 ///
-/// The geodesic equation is `H γ̈ = −r`, where `r = DH[γ̇] γ̇ − ½ ∇(vᵀHv)` has norm `ω L_H |γ̇|²` at
-/// most: estimated as one vector, not one Christoffel symbol at a time, so that the `D²` of
+/// The geodesic equation is `H γ̈ = −r`, where `r = DH[γ̇] γ̇ − ½ ∇(vᵀHv)` has norm `ω L_H |γ̇|²`
+/// at most: estimated as one vector, not one Christoffel symbol at a time, so that the `D²` of
 /// `K_{2,g}` is not needed.
 ///
-/// Needs: `H ≥ c₁`, `H` Lipschitz with `L_H`, and a minimiser of the energy; for an isotropic metric
-/// with `M_H`, that too, everywhere. Neither `c₂` nor the dimension.
+/// Needs: `H ≥ c₁`, `H` Lipschitz with `L_H`, and a minimiser of the energy; for an isotropic
+/// metric with `M_H`, that too, everywhere. Neither `c₂` nor the dimension.
 ///
-/// Slack: none for every `D ≥ 2`, at one point of a geodesic and in the limit `c₂ → c₁`.
+/// Overestimation: none for every `D ≥ 2`, at one point of a geodesic and in the limit `c₂ → c₁`.
 #[doc(alias = "K_{2,g}")]
 #[must_use]
 pub fn k2_sharp(setting: Setting) -> f64 {
@@ -32,10 +32,10 @@ pub fn k2_sharp(setting: Setting) -> f64 {
 /// |Γᵏ_ij|  ≤  3 L_H/2c₁,      on the line  L_H/2c₁
 /// ```
 ///
-/// `Γᵏ_ij` is an entry of `H⁻¹ r` with `r = ½ (DH[eᵢ] eⱼ + DH[eⱼ] eᵢ − ∇(eᵢᵀ H eⱼ))`, three vectors of
-/// norm `L_H` at most.
+/// `Γᵏ_ij` is an entry of `H⁻¹ r` with `r = ½ (DH[eᵢ] eⱼ + DH[eⱼ] eᵢ − ∇(eᵢᵀ H eⱼ))`, three vectors
+/// of norm `L_H` at most.
 ///
-/// Needs: `H ≥ c₁`, and `H` Lipschitz with `L_H`. Slack: none.
+/// Needs: `H ≥ c₁`, and `H` Lipschitz with `L_H`. Overestimation: none.
 ///
 /// # Panics
 ///

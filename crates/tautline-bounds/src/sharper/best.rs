@@ -83,8 +83,8 @@ pub fn least_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> Bound
     }
 }
 
-/// Returns the least bound of `L(γᵖˡ)² − d²` for a *global* minimiser: that of Theorem C or D for the
-/// length, or the one of [`least_excess`].
+/// Returns the least bound of `L(γᵖˡ)² − d²` for a *global* minimiser: that of Theorem C or D for
+/// the length, or the one of [`least_excess`].
 #[must_use]
 pub fn least_length_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> Bound {
     let first = least_excess(setting, rule, n)
@@ -95,17 +95,17 @@ pub fn least_length_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -
     }
 }
 
-/// Returns an `N` for which [`least_length_excess`] is at most `tolerance`, and `N − 1` is not enough;
-/// with the theorem by which it is. `None` if no power of 2 up to `2⁴⁰` is enough, or the tolerance
-/// is NaN.
+/// Returns an `N` for which [`least_length_excess`] is at most `tolerance`, and `N − 1` is not
+/// enough; with the theorem by which it is. `None` if no power of 2 up to `2⁴⁰` is enough, or the
+/// tolerance is NaN.
 ///
 /// - `tolerance`: of `L(γᵖˡ)² − d²`, in `m²`.
 ///
 /// Found by doubling and bisection. The bounds fall with `N` wherever we looked; if one did not,
 /// the `N` returned would still do, and might not be the least.
 ///
-/// Slack: that of the bound, in powers: where it is `r` times the excess and falls like `1/N²`, a
-/// solve with `N/√r` subintervals is as good.
+/// Overestimation: that of the bound, in powers: where it is `r` times the excess and falls like
+/// `1/N²`, a solve with `N/√r` subintervals is as good.
 #[must_use]
 pub fn suggest_n(
     setting: Setting,

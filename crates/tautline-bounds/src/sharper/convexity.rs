@@ -21,10 +21,12 @@ use crate::{PaperRule, Setting, product::product};
 ///
 /// - `greatest`: `B`, in `ℓ`.
 ///
-/// Needs: `c₁`, `L_H` and `M_H` on the convex hull of such sequences; fixed ends. Slack: none for
-/// the trapezoidal rule with `N = 2`, over a metric with the slopes `±L_H` at the two midpoints.
+/// Needs: `c₁`, `L_H` and `M_H` on the convex hull of such sequences; fixed ends. Overestimation:
+/// none for the trapezoidal rule with `N = 2`, over a metric with the slopes `±L_H` at the two
+/// midpoints.
 ///
-/// Returns `None` if `M_H` is not known; `−∞` on overflow. At `N = 1` nothing can vary, and `σ = c₁`.
+/// Returns `None` if `M_H` is not known; `−∞` on overflow. At `N = 1` nothing can vary, and
+/// `σ = c₁`.
 ///
 /// # Panics
 ///
@@ -82,8 +84,8 @@ pub struct BetweenPoints {
 /// ```
 ///
 /// `B` covers the computed sequence and, by Lemmas S.3 and S.5, every global minimiser; both lie in
-/// one convex set on which the energy is strictly convex. So the computed minimum is the global one,
-/// up to what the residual leaves.
+/// one convex set on which the energy is strictly convex. So the computed minimum is the global
+/// one, up to what the residual leaves.
 ///
 /// Needs: the setting of Theorem 1.1 with `M_H`, both ends points. Nothing is assumed of the
 /// computed sequence.
@@ -212,8 +214,8 @@ mod tests {
         assert_eq!(strict_convexity(unknown, 2, &computed(0.5, 0.0)), None);
     }
 
-    /// A computed sequence of nine times the least energy and without a speed: it is the spread of the
-    /// speeds that bounds those of a minimiser, by the lesser of both ways.
+    /// A computed sequence of nine times the least energy and without a speed: it is the spread of
+    /// the speeds that bounds those of a minimiser, by the lesser of both ways.
     #[test]
     fn the_spread_of_the_speeds_bounds_those_of_a_minimiser() {
         let setting = Setting::new(constants(2.0), 0.5, 2).expect("valid");
@@ -243,8 +245,9 @@ mod tests {
         }
     }
 
-    /// The other way round: for near ends and the left-endpoint rule `√E + (L_H/c₁^{3/2}) E` is less
-    /// than the spread allows. It grows with the energy that the sequence has, not with its length.
+    /// The other way round: for near ends and the left-endpoint rule `√E + (L_H/c₁^{3/2}) E` is
+    /// less than the spread allows. It grows with the energy that the sequence has, not with its
+    /// length.
     #[test]
     fn the_momentum_bounds_the_speeds_of_a_minimiser() {
         for (energy, speed) in [(0.25_f64, 0.5 + 0.25 / 8.0), (0.2601, 0.51 + 0.2601 / 8.0)] {

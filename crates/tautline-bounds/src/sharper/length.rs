@@ -13,16 +13,17 @@ use crate::{PaperRule, product::product};
 /// L(γᵖˡ)²  ≤  E_tra,N + (M_H/24c₁²N²) E_tra,N²
 /// ```
 ///
-/// the lesser of the two, if `M_H` is known and the rule is the trapezoidal one. On a chord the mean
-/// of `βᵀHβ` is at most `s + c s^{3/2}`, or `s + c s²`, with `s = q²`; the roots of both are concave.
+/// the lesser of the two, if `M_H` is known and the rule is the trapezoidal one. On a chord the
+/// mean of `βᵀHβ` is at most `s + c s^{3/2}`, or `s + c s²`, with `s = q²`; the roots of both are
+/// concave.
 ///
 /// - `discrete_energy`: `E_N`, in `m²`, or an upper bound of it.
 ///
 /// Needs: `H ≥ c₁`, Lipschitz with `L_H`, `DH` with `M_H`. No minimiser: the squared length of a
 /// curve through the points is at most its energy, and this is an upper bound of `d²` from `E_N`.
 ///
-/// Slack: none as `L_H → 0`, for equal chords over valleys, or up an incline; nor as `M_H → 0` along a
-/// parabola.
+/// Overestimation: none as `L_H → 0`, for equal chords over valleys, or up an incline; nor as
+/// `M_H → 0` along a parabola.
 ///
 /// # Panics
 ///

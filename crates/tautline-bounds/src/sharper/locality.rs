@@ -1,4 +1,5 @@
-//! Proposition S.8: a ball that contains every competitor, for metrics with constants on balls only.
+//! Proposition S.8: a ball that contains every competitor, for metrics with constants on balls
+//! only.
 
 use std::num::NonZeroUsize;
 
@@ -45,11 +46,11 @@ pub enum LocalityError<E> {
     Bound(BoundError),
 }
 
-/// Finds a region outside of which no competitor comes (Proposition S.8): neither a minimal geodesic,
-/// nor a sequence with `E_N ≤ d² e`.
+/// Finds a region outside of which no competitor comes (Proposition S.8): neither a minimal
+/// geodesic, nor a sequence with `E_N ≤ d² e`.
 ///
-/// As long as it is inside, a curve or a sequence with the energy `E` is no further from the bounded
-/// end than `√(E/c₁)`. So a radius `R` will do if, with the constants on that region,
+/// As long as it is inside, a curve or a sequence with the energy `E` is no further from the
+/// bounded end than `√(E/c₁)`. So a radius `R` will do if, with the constants on that region,
 ///
 /// ```text
 /// d̄ √e  <  √c₁ R,        e = e(d̄) of Lemma S.4
@@ -62,9 +63,9 @@ pub enum LocalityError<E> {
 /// - `constants_within`: the constants on the convex hull of the points within a distance of the
 ///   bounded end, which may refuse.
 ///
-/// Needs: constants that are no better on a larger region. Slack: the radius is within 1 % of the
-/// least that will do, if `√c₁ R` has no flat piece there; radii up to 1 % larger than that are asked
-/// for. If `upper` is 0, the region is that of the radius 0.
+/// Needs: constants that are no better on a larger region. Overestimation: the radius is within 1 %
+/// of the least that will do, if `√c₁ R` has no flat piece there; radii up to 1 % larger than that
+/// are asked for. If `upper` is 0, the region is that of the radius 0.
 ///
 /// # Errors
 ///
@@ -78,8 +79,8 @@ pub fn competitors<E>(
     mut constants_within: impl FnMut(f64) -> Result<Constants, E>,
 ) -> Result<Region, LocalityError<E>> {
     let (mut radius, mut first, mut last) = (0.0_f64, f64::INFINITY, 0.0_f64);
-    // Each round is 1 % larger than the last at least. Nine decades beyond the reach at the end itself
-    // c₁ has fallen by eighteen, and what is left of the bounds is worth nothing.
+    // Each round is 1 % larger than the last at least. Nine decades beyond the reach at the end
+    // itself c₁ has fallen by eighteen, and what is left of the bounds is worth nothing.
     while radius <= 1e9 * first {
         let constants = constants_within(radius)
             .map_err(|reason| LocalityError::NoConstants { radius, reason })?
@@ -100,10 +101,10 @@ pub fn competitors<E>(
     Err(LocalityError::Escapes { radius, reach: last })
 }
 
-/// Returns how far from the bounded end a competitor can be, in `ℓ`, if the constants hold that far and
-/// further (Proposition S.8): `d̄ √e/√c₁`, with the distance of `setting` for `d̄`.
+/// Returns how far from the bounded end a competitor can be, in `ℓ`, if the constants hold that far
+/// and further (Proposition S.8): `d̄ √e/√c₁`, with the distance of `setting` for `d̄`.
 ///
-/// Slack: none as `H → c₁ I`.
+/// Overestimation: none as `H → c₁ I`.
 #[must_use]
 pub fn reach(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let surplus = ceiling::least(setting, rule, n);
@@ -145,8 +146,9 @@ mod tests {
         assert!(matches!(error, LocalityError::Escapes { reach, .. } if reach > 1.0), "{error}");
     }
 
-    /// With one chord `e` counts: `H ≥ 1` with `L_H = 2` and `d̄ = 1` has `δ = 2`, so that a competitor
-    /// may go as far as `√2` by `1 + δ/2`, `M_H` or not, and as far as `√2` by `1 + δ/4 + δ²/8`.
+    /// With one chord `e` counts: `H ≥ 1` with `L_H = 2` and `d̄ = 1` has `δ = 2`, so that a
+    /// competitor may go as far as `√2` by `1 + δ/2`, `M_H` or not, and as far as `√2` by
+    /// `1 + δ/4 + δ²/8`.
     #[test]
     fn what_a_sequence_may_spend_counts() {
         let flat = Constants::new(1.0, 100.0, 2.0).and_then(|c| c.with_m_h(0.0)).expect("in order");
@@ -164,9 +166,9 @@ mod tests {
         assert!((e.sqrt()..1.03 * e.sqrt()).contains(&tra.radius), "{tra:?}");
     }
 
-    /// Constants within a radius are those of a region, whoever returns them: of an isotropic metric
-    /// without `M_H` beyond it one chord may spend `1 + δ/4 + δ²/24`, where all of space would leave
-    /// `1 + δ/4` and less than that, as there is no incline without an end.
+    /// Constants within a radius are those of a region, whoever returns them: of an isotropic
+    /// metric without `M_H` beyond it one chord may spend `1 + δ/4 + δ²/24`, where all of space
+    /// would leave `1 + δ/4` and less than that, as there is no incline without an end.
     #[test]
     fn constants_within_a_radius_are_not_taken_for_those_of_all_of_space() {
         let incline = Constants::new(1.0, 1e6, 6.0).and_then(|c| c.with_m_h(0.0));

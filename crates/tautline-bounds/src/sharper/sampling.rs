@@ -16,7 +16,8 @@ use crate::{PaperRule, product::product};
 ///   middle. The paper has 2.
 /// - `acceleration`: `‖γ̈‖` in L² of the subinterval, in `ℓ`.
 ///
-/// Needs: `γ̇` absolutely continuous. Slack: none for every `θ`; at `θ = 0` for `γ = (tₙ₊₁ − t)³`.
+/// Needs: `γ̇` absolutely continuous. Overestimation: none for every `θ`; at `θ = 0` for
+/// `γ = (tₙ₊₁ − t)³`.
 ///
 /// # Panics
 ///
@@ -30,8 +31,8 @@ pub fn velocity_error(acceleration: f64, theta: f64, n: NonZeroUsize) -> f64 {
     (cubes / (3.0 * n.get() as f64)).sqrt() * acceleration
 }
 
-/// Bounds `E_tra,N(γ) − E(γ)`, in `m²`, for a curve with `‖γ̇‖ ≤ K₁` and `‖γ̈‖ ≤ K₂`: Proposition 7.6
-/// from above.
+/// Bounds `E_tra,N(γ) − E(γ)`, in `m²`, for a curve with `‖γ̇‖ ≤ K₁` and `‖γ̈‖ ≤ K₂`: Proposition
+/// 7.6 from above.
 ///
 /// ```text
 /// E_tra,N − E  ≤  (L_H/2N) K₁² (K₁ + K₂/√3)
@@ -53,8 +54,8 @@ pub fn sampling_rise(constants: Constants, k1: f64, k2: f64, n: NonZeroUsize) ->
     product([0.5, constants.l_h(), k1, k1, speed]) / n.get() as f64
 }
 
-/// Bounds `E(γ) − E_tra,N(γ)`, in `m²`, for a curve with `‖γ̇‖ ≤ K₁` and `‖γ̈‖ ≤ K₂`: Proposition 7.6
-/// from below.
+/// Bounds `E(γ) − E_tra,N(γ)`, in `m²`, for a curve with `‖γ̇‖ ≤ K₁` and `‖γ̈‖ ≤ K₂`: Proposition
+/// 7.6 from below.
 ///
 /// ```text
 /// E − E_tra,N  ≤  (L_H/2N) K₁² (K₁ + K₂/√3) + c₂ K₂²/π²N²
@@ -62,8 +63,8 @@ pub fn sampling_rise(constants: Constants, k1: f64, k2: f64, n: NonZeroUsize) ->
 ///
 /// The cross term of the paper's proof integrates to 0; the square is that of Wirtinger.
 ///
-/// Needs: `0 ≤ H ≤ c₂`, Lipschitz with `L_H`; `γ̇` absolutely continuous. Slack: none for a constant
-/// metric and a cosine.
+/// Needs: `0 ≤ H ≤ c₂`, Lipschitz with `L_H`; `γ̇` absolutely continuous. Overestimation: none for
+/// a constant metric and a cosine.
 ///
 /// # Panics
 ///
@@ -82,8 +83,8 @@ pub fn sampling_fall(constants: Constants, k1: f64, k2: f64, n: NonZeroUsize) ->
 /// E_tra,N − E  ≤  L_H A₁² (A₁/4N + A₂/12N²),      E_l,N − E  ≤  L_H A₁³/2N
 /// ```
 ///
-/// Needs: as [`sampling_rise`]; for the left-endpoint rule no `γ̈`. Slack: none in the first terms,
-/// for a straight line over a tent at the middle of each chord, and down a slope.
+/// Needs: as [`sampling_rise`]; for the left-endpoint rule no `γ̈`. Overestimation: none in the
+/// first terms, for a straight line over a tent at the middle of each chord, and down a slope.
 ///
 /// # Panics
 ///

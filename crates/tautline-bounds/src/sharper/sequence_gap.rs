@@ -17,8 +17,8 @@ use crate::{PaperRule, product::product};
 ///
 /// - `mean_cube`: `(1/N) Σ |βₙ|³`, in `ℓ³`, or an upper bound of it.
 ///
-/// Needs: `H` Lipschitz along the chords; no `c₁`, no `c₂`, no minimiser. Slack: none for a valley
-/// at the middle of each chord, and for `H` linear along each chord (left endpoint).
+/// Needs: `H` Lipschitz along the chords; no `c₁`, no `c₂`, no minimiser. Overestimation: none for
+/// a valley at the middle of each chord, and for `H` linear along each chord (left endpoint).
 ///
 /// # Panics
 ///
@@ -33,7 +33,8 @@ pub fn cubic_gap(constants: Constants, rule: PaperRule, mean_cube: f64, n: NonZe
 
 /// Bounds `|E_l,N(γᵖ) − E_tra,N(γᵖ)|`, in `m²`, by `(L_H/2N) mean |β|³` (Lemma S.2).
 ///
-/// Arguments, needs and slack as in [`cubic_gap`]: the two rules read `H` half a chord apart.
+/// Arguments, needs and overestimation as in [`cubic_gap`]: the two rules read `H` half a chord
+/// apart.
 ///
 /// # Panics
 ///
@@ -54,7 +55,7 @@ pub fn cubic_rule_gap(constants: Constants, mean_cube: f64, n: NonZeroUsize) -> 
 ///
 /// - `mean_fourth`: `(1/N) Σ |βₙ|⁴`, in `ℓ⁴`, or an upper bound of it.
 ///
-/// Needs: `DH` Lipschitz along the chords. Slack: none for `H` quadratic along each chord.
+/// Needs: `DH` Lipschitz along the chords. Overestimation: none for `H` quadratic along each chord.
 ///
 /// Returns `None` if `M_H` is not known.
 ///

@@ -23,7 +23,7 @@ use crate::product::product;
 /// Needs: `H ≥ c₁`, Lipschitz with `L_H`; either rule of the paper. No minimiser: local minima and
 /// saddles are included, and the ends may be anywhere.
 ///
-/// Slack: 2 at best as far as is known, in the second term.
+/// Overestimation: 2 at best as far as is known, in the second term.
 ///
 /// # Panics
 ///
@@ -54,7 +54,7 @@ pub fn greatest_speed(
 /// - `k3`: root mean square `K₃` of the differences, in `ℓ`; `mean_residual` as in
 ///   [`greatest_speed`].
 ///
-/// Needs: as there, and `H ≤ c₂`. Slack: none for a constant metric with `c₁ = c₂`.
+/// Needs: as there, and `H ≤ c₂`. Overestimation: none for a constant metric with `c₁ = c₂`.
 ///
 /// # Panics
 ///

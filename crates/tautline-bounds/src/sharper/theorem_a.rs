@@ -1,7 +1,7 @@
 //! Theorem A: order `1/N`, for sequences that are stationary in their inner points.
 //!
-//! With `δ = L_H d / c₁^{3/2}`, the [`G`](Setting::bend) of Lemma S.1 and `κ = c₂/c₁`, pure numbers,
-//! and `k = ¼` for the trapezoidal rule, `k = ½` for the left-endpoint rule:
+//! With `δ = L_H d / c₁^{3/2}`, the [`G`](Setting::bend) of Lemma S.1 and `κ = c₂/c₁`, pure
+//! numbers, and `k = ¼` for the trapezoidal rule, `k = ½` for the left-endpoint rule:
 //!
 //! 1. *From above* (Lemma S.4). A minimal geodesic, sampled at `tₙ = n/N`, is admissible, and gives
 //!    `min E_N ≤ d² e` with
@@ -28,8 +28,8 @@ use crate::{PaperRule, Setting, product::product, sharper::ceiling};
 /// first entry of the minimum, and `D` only where it is 1. Where `M_H` is given and the metric is
 /// isotropic, [`G`](Setting::bend) rests on it.
 ///
-/// Slack: neither `δ/4` nor `δ/2` can be improved for all metrics with these constants; on one
-/// smooth metric the gap of the trapezoidal rule is of order `1/N²`.
+/// Overestimation: neither `δ/4` nor `δ/2` can be improved for all metrics with these constants; on
+/// one smooth metric the gap of the trapezoidal rule is of order `1/N²`.
 #[must_use]
 pub fn theorem_a_minimum_gap(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let d = setting.distance();
@@ -41,7 +41,7 @@ pub fn theorem_a_minimum_gap(setting: Setting, rule: PaperRule, n: NonZeroUsize)
 /// Needs: the setting of Theorem 1.1, and a sequence that is stationary in its inner points with
 /// `E_N ≤ d² e`, as a *global* minimiser is. `e` and `Q` are those of the module's derivation.
 ///
-/// Slack: attained at `N = 1` by a tent (trapezoidal) and by an incline (left endpoint).
+/// Overestimation: attained at `N = 1` by a tent (trapezoidal) and by an incline (left endpoint).
 #[must_use]
 pub fn theorem_a_polyline_gap(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let (delta, d) = (setting.delta(), setting.distance());
@@ -50,10 +50,10 @@ pub fn theorem_a_polyline_gap(setting: Setting, rule: PaperRule, n: NonZeroUsize
     product([d, d, rule.mean_distance(), delta, e, greatest]) / n.get() as f64
 }
 
-/// Bounds `E(γᵖˡ) − d²`, and `L(γᵖˡ)² − d²`, for the minimiser of `E_N`, in `m²`: the sum of the two
-/// gaps above, `O(1/N)` where the paper proves `O(1/√N)`.
+/// Bounds `E(γᵖˡ) − d²`, and `L(γᵖˡ)² − d²`, for the minimiser of `E_N`, in `m²`: the sum of the
+/// two gaps above, `O(1/N)` where the paper proves `O(1/√N)`.
 ///
-/// Needs and slack: those of the two gaps.
+/// Needs and overestimation: those of the two gaps.
 #[must_use]
 pub fn theorem_a_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     theorem_a_minimum_gap(setting, rule, n) + theorem_a_polyline_gap(setting, rule, n)

@@ -18,7 +18,7 @@ use crate::{PaperRule, Setting, product::product, sharper::ceiling};
 ///
 /// Needs: as Theorem A, and `DH` Lipschitz with `M_H`; a *global* minimiser.
 ///
-/// Slack: as `N → ∞` a factor of `(Gδ/3 + μ/24)/(G²/12 + μ/24)` is lost, which
+/// Overestimation: as `N → ∞` a factor of `(Gδ/3 + μ/24)/(G²/12 + μ/24)` is lost, which
 /// [`theorem_d_minimum_gap`](crate::theorem_d_minimum_gap) does not lose.
 #[must_use]
 pub fn theorem_b_minimum_gap(setting: Setting, n: NonZeroUsize) -> Option<f64> {
@@ -26,11 +26,11 @@ pub fn theorem_b_minimum_gap(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     Some(product([d, d, ceiling::second_order(setting, n)?]))
 }
 
-/// Bounds `|E(γᵖˡ) − E_tra,N(γᵖ)|`, and `d² − E_tra,N(γᵖ)`, in `m²`, by `d² (μ/24N²) e₂ Q² = O(1/N²)`;
-/// `None` if `M_H` is not known.
+/// Bounds `|E(γᵖˡ) − E_tra,N(γᵖ)|`, and `d² − E_tra,N(γᵖ)`, in `m²`, by
+/// `d² (μ/24N²) e₂ Q² = O(1/N²)`; `None` if `M_H` is not known.
 ///
 /// Needs: a sequence that is stationary in its inner points with `E_tra,N ≤ d² e₂`, as a *global*
-/// minimiser is. Slack: attained at `N = 1` by a metric that is quadratic along the chord.
+/// minimiser is. Overestimation: attained at `N = 1` by a metric that is quadratic along the chord.
 #[must_use]
 pub fn theorem_b_polyline_gap(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     let (mu, d) = (setting.mu()?, setting.distance());
@@ -40,10 +40,10 @@ pub fn theorem_b_polyline_gap(setting: Setting, n: NonZeroUsize) -> Option<f64> 
     Some(product([d, d, mu, e, greatest, greatest]) / (24.0 * count * count))
 }
 
-/// Bounds `E(γᵖˡ) − d²`, and `L(γᵖˡ)² − d²`, for the minimiser of `E_tra,N`, in `m²`: the sum of the
-/// two gaps above, `O(1/N²)`; `None` if `M_H` is not known.
+/// Bounds `E(γᵖˡ) − d²`, and `L(γᵖˡ)² − d²`, for the minimiser of `E_tra,N`, in `m²`: the sum of
+/// the two gaps above, `O(1/N²)`; `None` if `M_H` is not known.
 ///
-/// Needs and slack: those of the two gaps.
+/// Needs and overestimation: those of the two gaps.
 #[must_use]
 pub fn theorem_b_excess(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     Some(theorem_b_minimum_gap(setting, n)? + theorem_b_polyline_gap(setting, n)?)

@@ -25,8 +25,8 @@ use crate::{PaperRule, Setting, product::product, theorem_a_minimum_gap};
 /// Needs: `H ≥ c₁`, Lipschitz with `L_H`; ends in their sets. No minimiser, and no `c₂`: a discrete
 /// energy can undershoot no further.
 ///
-/// Slack: none as `δ → 0`, for every `N`, over valleys in the middle of the chords (trapezoidal) and
-/// up an incline (left endpoint).
+/// Overestimation: none as `δ → 0`, for every `N`, over valleys in the middle of the chords
+/// (trapezoidal) and up an incline (left endpoint).
 #[must_use]
 pub fn theorem_c_deficit(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let d = setting.distance();
@@ -52,7 +52,7 @@ fn root(a: f64) -> f64 {
 /// Bounds `|E(γᵖˡ) − E_N(γᵖ)|`, in `m²`, by `d² (kδ/N) m₃ = O(1/N)`, where `E_N(γᵖ) ≤ d² e`.
 ///
 /// Needs: as [`theorem_c_deficit`], and an energy of at most `d² e`, with the `e` of Theorem A; a
-/// *global* minimiser has it, and need not be stationary. Slack: as
+/// *global* minimiser has it, and need not be stationary. Overestimation: as
 /// [`theorem_a_polyline_gap`](crate::theorem_a_polyline_gap) at `N = 1`; where that grows with `δ`
 /// like `δ²/N`, this grows like `δ/N`, and it is never larger.
 #[must_use]
@@ -70,7 +70,7 @@ pub fn theorem_c_polyline_gap(setting: Setting, rule: PaperRule, n: NonZeroUsize
 /// E(γᵖˡ) − d²  ≤  d² [e − 1 + (kδ/N) m₃]  ~  d² δ/2N (trapezoidal),  d² δ/N (left endpoint)
 /// ```
 ///
-/// Needs: as [`theorem_c_polyline_gap`]. Slack: none as `δ → 0`, for every `N`.
+/// Needs: as [`theorem_c_polyline_gap`]. Overestimation: none as `δ → 0`, for every `N`.
 #[must_use]
 pub fn theorem_c_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     theorem_a_minimum_gap(setting, rule, n) + theorem_c_polyline_gap(setting, rule, n)
@@ -82,7 +82,7 @@ pub fn theorem_c_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f
 /// L(γᵖˡ)² − d²  ≤  d² [e − 1 + (kδ/N) e^{3/2}]
 /// ```
 ///
-/// Needs: as [`theorem_c_excess`], which is no smaller. Slack: as there.
+/// Needs: as [`theorem_c_excess`], which is no smaller. Overestimation: as there.
 #[must_use]
 pub fn theorem_c_length_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let (delta, d) = (setting.delta(), setting.distance());

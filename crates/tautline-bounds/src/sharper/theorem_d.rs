@@ -22,8 +22,8 @@ use crate::{Setting, product::product};
 ///
 /// Needs: as Theorem B, and a *global* minimiser.
 ///
-/// Slack: as `N → ∞` it is `d² (G²/12 + μ/24)/N²`, which is the leading term of the gap of a
-/// single metric with its two integrals estimated by suprema.
+/// Overestimation: as `N → ∞` it is `d² (G²/12 + μ/24)/N²`, which is the leading term of the gap of
+/// a single metric with its two integrals estimated by suprema.
 #[must_use]
 pub fn theorem_d_minimum_gap(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     let d = setting.distance();
@@ -40,7 +40,7 @@ pub fn theorem_d_minimum_gap(setting: Setting, n: NonZeroUsize) -> Option<f64> {
 /// `s + (μ/24N²) s² ≥ 1` for `s = E_tra,N/d²`, since `d ≤ L(γᵖˡ)`.
 ///
 /// Needs: `H ≥ c₁`, `DH` Lipschitz with `M_H`; ends in their sets. No minimiser, and no `L_H`.
-/// Slack: none as `μ → 0`, at `N = 1` over a metric that is quadratic along the chord.
+/// Overestimation: none as `μ → 0`, at `N = 1` over a metric that is quadratic along the chord.
 #[must_use]
 pub fn theorem_d_deficit(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     let (mu, d) = (setting.mu()?, setting.distance());
@@ -56,8 +56,8 @@ pub fn theorem_d_deficit(setting: Setting, n: NonZeroUsize) -> Option<f64> {
 /// `E_tra,N(γᵖ) ≤ d² ε`; `None` if `M_H` is not known.
 ///
 /// Needs: as [`theorem_d_deficit`], and an energy of at most `d² ε`; a *global* minimiser has it,
-/// and need not be stationary. Slack: none at `N = 1`, for a metric that is quadratic along the
-/// chord.
+/// and need not be stationary. Overestimation: none at `N = 1`, for a metric that is quadratic
+/// along the chord.
 #[must_use]
 pub fn theorem_d_polyline_gap(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     let (mu, d) = (setting.mu()?, setting.distance());
@@ -74,7 +74,7 @@ pub fn theorem_d_polyline_gap(setting: Setting, n: NonZeroUsize) -> Option<f64> 
 /// E(γᵖˡ) − d²  ≤  d² [ε − 1 + (μ/24N²) m₄]  ~  (d²/N²) (G²/12 + μ/12)
 /// ```
 ///
-/// Needs: as [`theorem_d_polyline_gap`]. Slack: `μ/12` cannot be improved at `N = 1`.
+/// Needs: as [`theorem_d_polyline_gap`]. Overestimation: `μ/12` cannot be improved at `N = 1`.
 #[must_use]
 pub fn theorem_d_excess(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     Some(theorem_d_minimum_gap(setting, n)? + theorem_d_polyline_gap(setting, n)?)
@@ -87,7 +87,7 @@ pub fn theorem_d_excess(setting: Setting, n: NonZeroUsize) -> Option<f64> {
 /// L(γᵖˡ)² − d²  ≤  d² [ε − 1 + (μ/24N²) ε²]
 /// ```
 ///
-/// Needs: as [`theorem_d_excess`], which is no smaller. Slack: as there.
+/// Needs: as [`theorem_d_excess`], which is no smaller. Overestimation: as there.
 #[must_use]
 pub fn theorem_d_length_excess(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     let (mu, d) = (setting.mu()?, setting.distance());

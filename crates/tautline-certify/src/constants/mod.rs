@@ -65,7 +65,7 @@ impl<const D: usize> CertifiedConstant<D> {
 
 /// Encloses a constant of `metric` on `domain`.
 ///
-/// Slack: none but the tolerance for `c₁` and `c₂`, for a metric that is a multiple of the
+/// Overestimation: none but the tolerance for `c₁` and `c₂`, for a metric that is a multiple of the
 /// identity, and in one and two dimensions. Otherwise `L_H` and `M_H` are replaced by numbers that
 /// are at most `√D` and `D` times larger, and that come within the tolerance;
 /// [`looseness`](CertifiedConstant::looseness) shows what they give away, as a rule some percent.

@@ -59,8 +59,8 @@ pub enum CurveError {
         /// How many there are.
         chords: usize,
     },
-    /// The formula of the metric cannot be recorded: it has branches, of which intervals would follow one, or
-    /// too many steps.
+    /// The formula of the metric cannot be recorded: it has branches, of which intervals would
+    /// follow one, or too many steps.
     #[error("nothing is proved of a formula that cannot be recorded: {0}")]
     NotRecorded(#[source] RecordError),
 }
@@ -119,8 +119,8 @@ impl<'a, const D: usize> AdmissibleCurve<'a, D> {
     ///
     /// Needs: nothing but that the formula of the metric is the one that is meant.
     ///
-    /// Slack: the rounding, and what the curve is longer than a minimal geodesic. In real numbers
-    /// `L² ≤ E`, so the energy decides only if the length is enclosed less sharply.
+    /// Overestimation: the rounding, and what the curve is longer than a minimal geodesic. In real
+    /// numbers `L² ≤ E`, so the energy decides only if the length is enclosed less sharply.
     #[must_use]
     pub fn distance_squared_at_most(&self) -> f64 {
         self.energy.hi().min(self.length.sqr().hi())
@@ -182,8 +182,8 @@ mod tests {
         assert_eq!(error, CurveError::Undefined { chord: 1, chords: 4 });
     }
 
-    /// A ridge of height 100 across the way, which a formula in intervals never climbs: they are not equal to
-    /// one half, so that they follow the branch beside it.
+    /// A ridge of height 100 across the way, which a formula in intervals never climbs: they are
+    /// not equal to one half, so that they follow the branch beside it.
     #[test]
     fn a_formula_with_branches_encloses_nothing() {
         struct Ridge;
@@ -240,8 +240,8 @@ mod tests {
         assert!(square.hi() <= bound && bound < 0.09 * (1.0 + 1e-14), "{bound}");
     }
 
-    /// On the line under `H = 1` the length of an increasing sequence is the difference of its ends,
-    /// and its square known to all digits: no bound is below it, by however little.
+    /// On the line under `H = 1` the length of an increasing sequence is the difference of its
+    /// ends, and its square known to all digits: no bound is below it, by however little.
     #[test]
     fn no_rounding_puts_the_bound_below_the_square_of_the_length() {
         let euclidean = Constant::new(SMatrix::<f64, 1, 1>::identity()).expect("definite");

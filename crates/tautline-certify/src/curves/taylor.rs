@@ -350,8 +350,8 @@ mod tests {
                 let size = jets.iter().fold(1.0_f64, |size, c| size.max(c.abs()));
                 for k in 0..5 {
                     let error = (taylor.coefficient(k) - jets[k]).abs();
-                    let slack = 128.0 * f64::EPSILON * size;
-                    assert!(error <= slack, "{name} at {x}, coefficient {k}: {error:e}");
+                    let tolerance = 128.0 * f64::EPSILON * size;
+                    assert!(error <= tolerance, "{name} at {x}, coefficient {k}: {error:e}");
                 }
             }
         }

@@ -26,13 +26,13 @@ fn holds<K: Kernel>(x: Enclosure<K>, y: &BigFloat) -> bool {
     below(&big(x.lo()), y) && below(y, &big(x.hi()))
 }
 
-/// Whether the enclosure contains the decimal, and no more than `slack` of it beside.
+/// Whether the enclosure contains the decimal, and no more than `margin` of it beside.
 #[track_caller]
-fn check<K: Kernel>(x: Enclosure<K>, decimal: &str, slack: f64) {
+fn check<K: Kernel>(x: Enclosure<K>, decimal: &str, margin: f64) {
     let mut consts = Consts::new().expect("memory for the constants");
     let y = BigFloat::parse(decimal, Radix::Dec, P, RM, &mut consts);
     assert!(holds(x, &y), "{x:?} misses {decimal}");
-    assert!(x.width() <= slack * x.lo(), "{x:?} is wide: {:e}", x.width() / x.lo());
+    assert!(x.width() <= margin * x.lo(), "{x:?} is wide: {:e}", x.width() / x.lo());
 }
 
 /// What a chord is bisected down to, and the rounding of a few chords.

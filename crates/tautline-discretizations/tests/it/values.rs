@@ -50,16 +50,17 @@ fn energy_is_at_least_length_squared() {
     let points =
         vec![vector![-0.5, 0.2], vector![0.1, 0.4], vector![0.11, 0.41], vector![1.4, 0.3]];
     let sequence = PointSequence::new(points).expect("finite");
-    let slack = |energy: f64, length: f64| energy / (length * length) - 1.0;
+    let excess = |energy: f64, length: f64| energy / (length * length) - 1.0;
     assert!(
-        slack(Trapezoidal.energy(&Sphere, &sequence), Trapezoidal.length(&Sphere, &sequence)) > 0.1
+        excess(Trapezoidal.energy(&Sphere, &sequence), Trapezoidal.length(&Sphere, &sequence))
+            > 0.1
     );
     assert!(
-        slack(LeftEndpoint.energy(&Sphere, &sequence), LeftEndpoint.length(&Sphere, &sequence))
+        excess(LeftEndpoint.energy(&Sphere, &sequence), LeftEndpoint.length(&Sphere, &sequence))
             > 0.1
     );
     let curve = Interpolation::new(&sequence);
-    assert!(slack(curve.energy(&Sphere).value, curve.length(&Sphere).value) > 0.1);
+    assert!(excess(curve.energy(&Sphere).value, curve.length(&Sphere).value) > 0.1);
 }
 
 /// Where the metric is NaN the energy is, and nothing panics.

@@ -8,8 +8,9 @@ use tautline_scalar::{Interval, Jet2, Scalar};
 
 use crate::{random::Random, random_formulas::Trees, squares::decoder};
 
-/// A program rounds in another order than the formula. Places are enclosed together with their neighbours,
-/// so many units in the last place to either side: what a result moves by between them it may be off by.
+/// A program rounds in another order than the formula. Places are enclosed together with their
+/// neighbours, so many units in the last place to either side: what a result moves by between them
+/// it may be off by.
 const NEIGHBOURS: f64 = 16.0;
 
 fn nearby(x: f64) -> Interval {
@@ -49,8 +50,8 @@ impl<const D: usize> Enclosed<D> {
 /// Whether a number is where it must be. Where nothing is known, it may be anything.
 fn is_near(found: f64, expected: Interval) -> bool {
     let width = expected.hi() - expected.lo();
-    let slack = width + f64::MIN_POSITIVE;
-    !width.is_finite() || (expected.lo() - slack <= found && found <= expected.hi() + slack)
+    let margin = width + f64::MIN_POSITIVE;
+    !width.is_finite() || (expected.lo() - margin <= found && found <= expected.hi() + margin)
 }
 
 pub(crate) type Place<const D: usize> = (SVector<f64, D>, SVector<f64, D>);
@@ -63,8 +64,8 @@ pub(crate) fn evaluate<const D: usize>(batch: &mut Batch<'_, D>, places: &[Place
     batch.evaluate(places.len())
 }
 
-/// Compares all rows of all lanes, of the programs and of the formula as it is compiled; returns how many
-/// numbers were known at all.
+/// Compares all rows of all lanes, of the programs and of the formula as it is compiled; returns
+/// how many numbers were known at all.
 fn compare<const D: usize>(metric: &impl Metric<D>, places: &[Place<D>]) -> usize {
     let formula = Formula::record(metric).expect("no comparison");
     let text = formula.to_string();
@@ -143,7 +144,8 @@ pub(crate) fn places<const D: usize>(count: usize) -> Vec<Place<D>> {
         .collect()
 }
 
-/// All numbers, three kinds of them: `dᵀHd`, then that with `Hd` and `G`, then `H`, `G`, `P` and `Q`.
+/// All numbers, three kinds of them: `dᵀHd`, then that with `Hd` and `G`, then `H`, `G`, `P` and
+/// `Q`.
 #[track_caller]
 pub(crate) fn all<const D: usize>(metric: &impl Metric<D>) {
     let known = compare(metric, &places(100));

@@ -54,9 +54,9 @@ type Place<const D: usize> = (SVector<f64, D>, SMatrix<f64, D, D>);
 pub(super) struct Found {
     /// How often the metric was measured at a sample.
     pub(super) cases: u64,
-    /// The slack `claimed / found` (of `c₁`, `found / claimed`), a pure number; `∞` if the
+    /// The overestimation `claimed / found` (of `c₁`, `found / claimed`), a pure number; `∞` if the
     /// metric was not seen to change at all.
-    pub(super) slack: f64,
+    pub(super) overestimation: f64,
 }
 
 /// Looks for the extreme value of one constant; `Ok(None)` if it is not claimed.
@@ -88,9 +88,14 @@ fn look<const D: usize>(case: &Case<'_, D>, constant: Claim) -> Result<Option<Fo
     let tops = starts.into_iter().map(|start| constant.climb(metric, region, start));
     let worst = tops.reduce(|a, b| if constant.worse(b.value, a.value) { b } else { a });
     match (random, worst) {
-        (Ok(tried), None) => Ok(Some(Found { cases: tried.cases, slack: tried.slack })),
+        (Ok(tried), None) => {
+            Ok(Some(Found { cases: tried.cases, overestimation: tried.overestimation }))
+        }
         (Ok(tried), Some(worst)) => match judge(&worst) {
-            Ok(top) => Ok(Some(Found { cases: tried.cases, slack: tried.slack.min(top) })),
+            Ok(top) => Ok(Some(Found {
+                cases: tried.cases,
+                overestimation: tried.overestimation.min(top),
+            })),
             Err(lie) => Err(Failure { fault: lie.into(), sample: None, seed: effort.seed }),
         },
         (Err(failure), None) => Err(failure),
@@ -102,7 +107,7 @@ fn look<const D: usize>(case: &Case<'_, D>, constant: Claim) -> Result<Option<Fo
     }
 }
 
-/// Returns the slack of a claim where something was found, or that it is a lie.
+/// Returns the overestimation of a claim where something was found, or that it is a lie.
 pub(super) fn judge<const D: usize>(
     constant: Claim,
     constants: &Constants,
@@ -115,13 +120,13 @@ pub(super) fn judge<const D: usize>(
         _ => found.value <= claimed + granted,
     };
     if holds {
-        Ok(slack(constant, claimed, found.value))
+        Ok(overestimation(constant, claimed, found.value))
     } else {
         Err(lie(constant, claimed, found))
     }
 }
 
-fn slack(constant: Claim, claimed: f64, found: f64) -> f64 {
+fn overestimation(constant: Claim, claimed: f64, found: f64) -> f64 {
     match constant {
         Claim::C1 => found / claimed,
         // 0 / 0 for a constant metric.
@@ -140,7 +145,7 @@ fn lie<const D: usize>(constant: Claim, claimed: f64, found: &Extreme<D>) -> Lie
 pub(super) fn claim<const D: usize>(case: &Case<'_, D>, constant: Claim) -> LawResult {
     Ok(match search(case, constant)? {
         None => Tried::cases(0).with_note("not claimed"),
-        Some(Found { cases, slack }) => Tried { slack, ..Tried::cases(cases) },
+        Some(Found { cases, overestimation }) => Tried { overestimation, ..Tried::cases(cases) },
     })
 }
 
@@ -161,7 +166,7 @@ pub(super) fn lipschitz<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let gram = |x: &SVector<f64, D>| case.metric.gram::<f64>(x);
     let quotient = |[x, y]: [&Place<D>; 2]| norm(&(x.1 - y.1)) / (x.0 - y.0).norm();
     for_all(effort, effort.cases, CHEAP, case.region.pairs(), |pair| {
-        let mut slack = f64::INFINITY;
+        let mut overestimation = f64::INFINITY;
         let mut worst: Option<Lie> = None;
         let [mut x, mut y] = pair.map(|x| (x, gram(&x)));
         for _ in 0..=HALVINGS {
@@ -179,7 +184,7 @@ pub(super) fn lipschitz<const D: usize>(case: &Case<'_, D>) -> LawResult {
                     });
                 }
             } else if granted <= 0.01 * found * step {
-                slack = slack.min(constants.l_h() / found);
+                overestimation = overestimation.min(constants.l_h() / found);
             }
             if step <= 2.0 * shortest || found.is_nan() {
                 break;
@@ -192,6 +197,6 @@ pub(super) fn lipschitz<const D: usize>(case: &Case<'_, D>) -> LawResult {
                 x = middle;
             }
         }
-        worst.map_or(Ok(slack), |lie| Err(lie.into()))
+        worst.map_or(Ok(overestimation), |lie| Err(lie.into()))
     })
 }

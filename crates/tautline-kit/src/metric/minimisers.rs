@@ -46,9 +46,9 @@ pub(super) fn prop_6_3<const D: usize>(case: &Case<'_, D>) -> LawResult {
 /// Proposition 7.1, on the minimisers of both rules: each against a way around, and against what it
 /// becomes where its points are moved.
 ///
-/// A search may end at a local minimum, or where the energy is flat to second order, and there may be
-/// less energy nearby. Then it is begun again, at the better one of the two as well; above that it
-/// must not end.
+/// A search may end at a local minimum, or where the energy is flat to second order, and there may
+/// be less energy nearby. Then it is begun again, at the better one of the two as well; above that
+/// it must not end.
 pub(super) fn prop_7_1<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.of_both_rules(&|minimiser| {
         let (rule, metric, sets) = (minimiser.seen.rule, &case.metric, minimiser.sets());
@@ -156,8 +156,8 @@ mod tests {
         );
     }
 
-    /// Under a constant metric every length is that of a straight line, and `C_tra(N)` is always what
-    /// it is defined to be.
+    /// Under a constant metric every length is that of a straight line, and `C_tra(N)` is always
+    /// what it is defined to be.
     #[test]
     fn cases_that_could_not_fail_are_counted_apart() {
         let rule = PaperRule::Trapezoidal;
@@ -172,11 +172,11 @@ mod tests {
         );
         let identity =
             case(&shear()).of_constants(rule, minimisers::c_tra, None).expect("it holds");
-        assert_eq!((identity.idle, identity.slack), (identity.cases, f64::INFINITY));
+        assert_eq!((identity.idle, identity.overestimation), (identity.cases, f64::INFINITY));
     }
 
-    /// One point is moved so far that the gradient there, whose derivative is about `4N H`, is off by a
-    /// millionth.
+    /// One point is moved so far that the gradient there, whose derivative is about `4N H`, is off
+    /// by a millionth.
     #[test]
     fn gradients_that_are_off_by_a_millionth_are_refused() {
         assert!(

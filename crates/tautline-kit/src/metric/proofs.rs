@@ -59,9 +59,10 @@ impl Claim {
 ///
 /// A claim that the bounds contradict is refused with the point, from where an ascent makes the
 /// most of it. Where the claim is on the right side of both bounds it is proved; between them, it
-/// is right as far as they are apart. Where the boxes do not suffice the bounds that were reached still
-/// prove or refute, without a point, and between them nothing is decided; in more than three dimensions,
-/// and of a formula that cannot be recorded, nothing is tried: the standing of each constant says which.
+/// is right as far as they are apart. Where the boxes do not suffice the bounds that were reached
+/// still prove or refute, without a point, and between them nothing is decided; in more than three
+/// dimensions, and of a formula that cannot be recorded, nothing is tried: the standing of each
+/// constant says which.
 pub(super) fn constants<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let (metric, region) = (&case.metric, &case.region);
     let constants = metric.constants();
@@ -103,9 +104,10 @@ pub(super) fn constants<const D: usize>(case: &Case<'_, D>) -> LawResult {
             _ => (found.lower, found.upper <= claimed),
         };
         let top = claim.climb(metric, region, claim.at(metric, &found.at, attained));
-        let slack = judge(claim, &constants, claimed, &top).map_err(|lie| failure(lie.into()))?;
+        let overestimation =
+            judge(claim, &constants, claimed, &top).map_err(|lie| failure(lie.into()))?;
         tried.cases += found.boxes as u64;
-        tried.slack = tried.slack.min(slack);
+        tried.overestimation = tried.overestimation.min(overestimation);
         let percent = 100.0 * (found.looseness() - 1.0);
         let proof = if proved { Proof::Proved } else { Proof::RightTo { percent } };
         tried.standings.push(Standing { claim, proof });

@@ -48,10 +48,10 @@ pub(super) fn lie<const D: usize>(case: &Case<'_, D>, constant: Claim) -> LawRes
     let factor = constant.lie();
     let looseness = factor.max(1.0 / factor);
     // Beyond this the lie would have to be noticed by its last digits.
-    if !(found.slack < 1.0 + 0.9 * (looseness - 1.0)) {
-        let slack = found.slack;
-        return Ok(Tried::cases(0).with_note(if slack.is_finite() {
-            format!("not sharp in this region: looseness {slack:.3}")
+    if !(found.overestimation < 1.0 + 0.9 * (looseness - 1.0)) {
+        let overestimation = found.overestimation;
+        return Ok(Tried::cases(0).with_note(if overestimation.is_finite() {
+            format!("not sharp in this region: looseness {overestimation:.3}")
         } else {
             "constant here: there is no lie to tell".to_owned()
         }));
@@ -69,7 +69,9 @@ pub(super) fn lie<const D: usize>(case: &Case<'_, D>, constant: Claim) -> LawRes
 /// Judges the search for a lie: it has to end with that lie.
 fn verdict(truth: Found, search: Result<Option<Found>, Fault>) -> Result<Tried, Fault> {
     match search {
-        Err(Fault::Lie(_)) => Ok(Tried { slack: truth.slack, ..Tried::cases(truth.cases) }),
+        Err(Fault::Lie(_)) => {
+            Ok(Tried { overestimation: truth.overestimation, ..Tried::cases(truth.cases) })
+        }
         _ => Err(Fault::NotRefused { what: "a wrong constant" }),
     }
 }
@@ -198,7 +200,7 @@ mod tests {
 
     #[test]
     fn a_lie_that_nobody_notices_is_a_fault() {
-        let found = || Found { cases: 7, slack: 1.0 };
+        let found = || Found { cases: 7, overestimation: 1.0 };
         let lie = Lie {
             constant: Claim::C2,
             claimed: 1.0,

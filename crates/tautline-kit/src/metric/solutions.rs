@@ -95,9 +95,9 @@ impl<const D: usize> Case<'_, D> {
         self.of_solutions(rule, &|minimiser| judge(&statement(&LIBRARY, minimiser.seen)))
     }
 
-    /// Evaluates a statement about minimisers of a rule, some of whose claims are attained for every
-    /// metric: equalities of constants, and what is equal at `N = 1`. A report shows the slack of
-    /// another claim, or none.
+    /// Evaluates a statement about minimisers of a rule, some of whose claims are attained for
+    /// every metric: equalities of constants, and what is equal at `N = 1`. A report shows the
+    /// overestimation of another claim, or none.
     pub(super) fn of_constants(
         &self,
         rule: PaperRule,
@@ -107,8 +107,9 @@ impl<const D: usize> Case<'_, D> {
         self.of_solutions(rule, &|minimiser| {
             let evidence = statement(&LIBRARY, minimiser.seen);
             let met = judge(&evidence)?;
-            let shown = || shown.map_or(f64::INFINITY, |claim| evidence.conclusion(claim).slack());
-            Ok(if met.is_idle() { met } else { Met { slack: shown(), ..met } })
+            let shown =
+                || shown.map_or(f64::INFINITY, |claim| evidence.conclusion(claim).overestimation());
+            Ok(if met.is_idle() { met } else { Met { overestimation: shown(), ..met } })
         })
     }
 

@@ -21,17 +21,17 @@ use crate::{
     sampling::{CHEAP, for_all},
 };
 
-/// What a law meets in an evidence, which is idle if it could not have contradicted the statement, or
-/// what of it does not hold. Where there are companions alone, it is these that are tried.
+/// What a law meets in an evidence, which is idle if it could not have contradicted the statement,
+/// or what of it does not hold. Where there are companions alone, it is these that are tried.
 pub(super) fn judge(evidence: &Evidence) -> Result<Met, Fault> {
     let stated = evidence.conclusions.iter().any(|claim| claim.source == Source::Stated);
     let could_fail = match stated {
         true => evidence.could_fail(),
         false => evidence.conclusions.iter().any(Inequality::could_fail),
     };
-    let met = |slack| Ok(Met { slack, assumed: evidence.assumed.clone() });
+    let met = |overestimation| Ok(Met { overestimation, assumed: evidence.assumed.clone() });
     let (inequality, hypothesis) = match evidence.finding() {
-        Finding::Holds if could_fail => return met(evidence.slack()),
+        Finding::Holds if could_fail => return met(evidence.overestimation()),
         Finding::Holds => return met(IDLE),
         Finding::Inapplicable(clause) => (*clause, true),
         Finding::Violated(claim) => (*claim, false),

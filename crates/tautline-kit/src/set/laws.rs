@@ -82,14 +82,17 @@ pub(super) fn nearest<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>)
         let p = case.set.project(x);
         let step = case.region.size() * 0.5_f64.powi(*halvings);
         let others = [*y, x + w * step, p + w * step, (x + p) * 0.5 + w * step];
-        others.iter().chain(&case.set.seeds()).try_fold(f64::INFINITY, |slack: f64, other| {
-            let q = case.set.project(other);
-            let pair = [(x - p).norm(), (x - q).norm()];
-            let granted = rounding(case, &[x, &p, &q]);
-            let law = "|x − P(x)| ≤ |x − member|";
-            let found = Fault::unless_at_most(law, pair, granted, x.as_slice());
-            Ok(slack.min(found.map_err(|fault| fault.with_member(q.as_slice()))?))
-        })
+        others.iter().chain(&case.set.seeds()).try_fold(
+            f64::INFINITY,
+            |overestimation: f64, other| {
+                let q = case.set.project(other);
+                let pair = [(x - p).norm(), (x - q).norm()];
+                let granted = rounding(case, &[x, &p, &q]);
+                let law = "|x − P(x)| ≤ |x − member|";
+                let found = Fault::unless_at_most(law, pair, granted, x.as_slice());
+                Ok(overestimation.min(found.map_err(|fault| fault.with_member(q.as_slice()))?))
+            },
+        )
     })
 }
 
@@ -134,7 +137,8 @@ fn members<S: ClosedSet<D>, const D: usize>(
 }
 
 /// A set that says it is convex: `P` does not expand, `x − P(x)` and the set make obtuse angles,
-/// the middle of two members is a member, `DP` has its eigenvalues in `[0, 1]`, and there are no seeds.
+/// the middle of two members is a member, `DP` has its eigenvalues in `[0, 1]`, and there are no
+/// seeds.
 pub(super) fn convex<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> LawResult {
     let effort = &case.effort;
     if !case.set.is_convex() {
@@ -155,7 +159,8 @@ pub(super) fn convex<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) 
         let (p, q) = (case.set.project(x), case.set.project(y));
         let granted = rounding(case, &[x, y, &p, &q]);
         let pair = [(p - q).norm(), (x - y).norm()];
-        let slack = Fault::unless_at_most("|P(x) − P(y)| ≤ |x − y|", pair, granted, x.as_slice())?;
+        let overestimation =
+            Fault::unless_at_most("|P(x) − P(y)| ≤ |x − y|", pair, granted, x.as_slice())?;
         let angle = (x - p).dot(&(q - p));
         // Each factor is off by the rounding, the other one of the size of the lengths.
         let lengths = (x - p).norm() + (q - p).norm();
@@ -171,7 +176,7 @@ pub(super) fn convex<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) 
         let granted = 64.0 * (D * D) as f64 * f64::EPSILON;
         Fault::unless_at_most("0 ≤ eigenvalues of DP(x)", [-low, 0.0], granted, x.as_slice())?;
         Fault::unless_at_most("eigenvalues of DP(x) ≤ 1", [high, 1.0], granted, x.as_slice())?;
-        Ok(slack)
+        Ok(overestimation)
     })
 }
 
@@ -241,8 +246,8 @@ pub(super) fn seeds_and_pieces<S: ClosedSet<D>, const D: usize>(
 }
 
 /// The box that is said to contain a member is as small as rounding, lies in the set up to
-/// rounding, and as near to `x` as `P(x)`. That a member lies in it is the author's proof: no sample
-/// decides that.
+/// rounding, and as near to `x` as `P(x)`. That a member lies in it is the author's proof: no
+/// sample decides that.
 pub(super) fn proved_members<S: ClosedSet<D>, const D: usize>(
     case: &SetCase<'_, S, D>,
 ) -> LawResult {

@@ -173,11 +173,11 @@ fn small<'a, S: ClosedSet<D>, const D: usize>(
         // It has a law of its own.
         return Ok(Tried::cases(0).with_note("the claim itself does not hold"));
     };
-    if !(tried.slack < 1.05) {
+    if !(tried.overestimation < 1.05) {
         let note = match said {
             None => "unbounded, it says".to_owned(),
-            Some(_) if tried.slack == f64::INFINITY => "the radius is 0".to_owned(),
-            Some(_) => format!("not attained: looseness {:.3}", tried.slack),
+            Some(_) if tried.overestimation == f64::INFINITY => "the radius is 0".to_owned(),
+            Some(_) => format!("not attained: looseness {:.3}", tried.overestimation),
         };
         return Ok(Tried::cases(0).with_note(note));
     }

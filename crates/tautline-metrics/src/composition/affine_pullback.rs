@@ -67,8 +67,8 @@ fn stretches<const D: usize>(matrix: &SMatrix<f64, D, D>) -> (f64, f64) {
     }
     let singular_values = DMatrix::from_fn(D, D, |i, j| matrix[(i, j)] / scale).singular_values();
     let (low, high) = (singular_values.min(), singular_values.max());
-    let slack = 16.0 * D as f64 * f64::EPSILON * high;
-    ((low - slack) * scale, (high + slack) * scale)
+    let overestimation = 16.0 * D as f64 * f64::EPSILON * high;
+    ((low - overestimation) * scale, (high + overestimation) * scale)
 }
 
 impl<M: Metric<D>, const D: usize> Metric<D> for AffinePullback<M, D> {
@@ -106,7 +106,8 @@ impl<M: Bounded<D>, const D: usize> Bounded<D> for AffinePullback<M, D> {
 }
 
 impl<M: LocallyBounded<D>, const D: usize> LocallyBounded<D> for AffinePullback<M, D> {
-    /// The image of a ball lies in a ball of `σ_max` times its radius about the image of its centre.
+    /// The image of a ball lies in a ball of `σ_max` times its radius about the image of its
+    /// centre.
     fn constants_within(
         &self,
         centre: &SVector<f64, D>,

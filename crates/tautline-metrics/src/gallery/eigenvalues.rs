@@ -11,6 +11,6 @@ use nalgebra::{DMatrix, SMatrix};
 pub(super) fn eigenvalue_bounds<const D: usize>(a: &SMatrix<f64, D, D>) -> (f64, f64) {
     let eigenvalues = DMatrix::from_fn(D, D, |i, j| a[(i, j)]).symmetric_eigenvalues();
     let (low, high) = (eigenvalues.min(), eigenvalues.max());
-    let slack = 16.0 * D as f64 * f64::EPSILON * low.abs().max(high.abs());
-    (low - slack, high + slack)
+    let overestimation = 16.0 * D as f64 * f64::EPSILON * low.abs().max(high.abs());
+    (low - overestimation, high + overestimation)
 }

@@ -41,9 +41,9 @@ fn hold_at<const D: usize>(
     prop_assert_eq!(h, h.transpose());
     let (low, high) = extremes(&h);
     // An entry has some ten roundings of terms of size c₂, an eigenvalue D times as many.
-    let slack = 1e-14 * constants.c2() * D as f64;
-    prop_assert!(constants.c1() <= low + slack, "c1 {} > {low}", constants.c1());
-    prop_assert!(high <= constants.c2() + slack, "c2 {} < {high}", constants.c2());
+    let overestimation = 1e-14 * constants.c2() * D as f64;
+    prop_assert!(constants.c1() <= low + overestimation, "c1 {} > {low}", constants.c1());
+    prop_assert!(high <= constants.c2() + overestimation, "c2 {} < {high}", constants.c2());
     // The terms of the derivatives that a formula adds up are of the size of the constants.
     let slope = norm(&first(g, x, w));
     let bound = constants.l_h() * w.norm();
@@ -63,7 +63,7 @@ fn lipschitz<const D: usize>(
     let difference = norm(&(g.gram(x) - g.gram::<f64>(y)));
     let bound = constants.l_h() * (x - y).norm();
     // As above: the roundings of H(x) and H(y).
-    let slack = 2e-14 * constants.c2() * D as f64;
-    prop_assert!(difference <= bound + slack, "L_H |x - y| {bound} < {difference}");
+    let overestimation = 2e-14 * constants.c2() * D as f64;
+    prop_assert!(difference <= bound + overestimation, "L_H |x - y| {bound} < {difference}");
     Ok(())
 }

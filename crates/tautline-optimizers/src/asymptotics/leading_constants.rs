@@ -81,9 +81,9 @@ const STATIONARY: f64 = 1e-10;
 /// a smooth face of their set, or fixed by a force that does not vanish. The derivation is formal:
 /// the limits are computed and agree with what is measured, they are not proved.
 ///
-/// Slack: none in the limits; the numbers are of second order, off by `(c/N)²` of the size of the
-/// two integrals, with a `c` of the size of the curve over the scale of the metric. For a sum that
-/// cancels, as `left` by symmetry, that is what is left of it.
+/// Overestimation: none in the limits; the numbers are of second order, off by `(c/N)²` of the size
+/// of the two integrals, with a `c` of the size of the curve over the scale of the metric. For a
+/// sum that cancels, as `left` by symmetry, that is what is left of it.
 ///
 /// All are 0 if the sets touch.
 ///

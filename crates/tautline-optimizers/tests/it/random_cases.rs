@@ -163,8 +163,8 @@ fn not_below<const D: usize>(
         stops_well(&minimum)?;
         let energy = Interpolation::new(&minimum.sequence).energy(metric);
         // The primitives, up to 10, have an error of some 4e-15 each; so has the sum of squares.
-        let slack = energy.error + 2e-14 * d + 1e-13 * d * d;
-        prop_assert!(d * d <= energy.value + slack, "{} below {}", energy.value, d * d);
+        let overestimation = energy.error + 2e-14 * d + 1e-13 * d * d;
+        prop_assert!(d * d <= energy.value + overestimation, "{} below {}", energy.value, d * d);
     }
     Ok(())
 }

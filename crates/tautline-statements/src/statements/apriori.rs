@@ -64,7 +64,7 @@ impl Instant {
 /// That the geodesic is minimal is in `distance`: its speed has to be the distance `d` of its ends.
 /// Of the geodesic equation, and of `c₂` and `L_H`, no use is made.
 ///
-/// Slack: none where `H = c₁` in the direction of `γ̇`.
+/// Overestimation: none where `H = c₁` in the direction of `γ̇`.
 ///
 /// Identity: `c₁ K_{1,g}²` is `d²`.
 ///
@@ -96,10 +96,10 @@ pub fn constant_k1<const D: usize>(
 ///
 /// Needs: as [`constant_k1`], the geodesic equation, and `H` Lipschitz; no `c₂`.
 ///
-/// Slack: `D²` at best for `D ≥ 2`, and 3 on the line, see the companion.
+/// Overestimation: `D²` at best for `D ≥ 2`, and 3 on the line, see the companion.
 ///
-/// Companion: `|γ̈| ≤ ω (L_H/c₁) K_{1,g}²` with `ω = 3/2`, and `½` for an isotropic metric and on the
-/// line (Lemma S.1). Identity: `K_{2,g}` is what it is defined to be.
+/// Companion: `|γ̈| ≤ ω (L_H/c₁) K_{1,g}²` with `ω = 3/2`, and `½` for an isotropic metric and on
+/// the line (Lemma S.1). Identity: `K_{2,g}` is what it is defined to be.
 ///
 /// # Errors
 ///
@@ -144,12 +144,13 @@ pub fn constant_k2<const D: usize>(
 /// |γ̈(t)|  ≤  G d/√c₁,        γ̈ᵀ H(γ) γ̈  ≤  G² d²
 /// ```
 ///
-/// with the [`G`](Setting::bend) of the setting: `ωδ` with `ω = 3/2`, and `½` for an isotropic metric
-/// and on the line; for these less, if `M_H` is known.
+/// with the [`G`](Setting::bend) of the setting: `ωδ` with `ω = 3/2`, and `½` for an isotropic
+/// metric and on the line; for these less, if `M_H` is known.
 ///
 /// Needs: as [`constant_k2`], and what `G` rests on.
 ///
-/// Slack: none in either, at 0 over a twist for `D ≥ 2`, and at the foot of an incline for `ω = ½`.
+/// Overestimation: none in either, at 0 over a twist for `D ≥ 2`, and at the foot of an incline for
+/// `ω = ½`.
 ///
 /// # Errors
 ///
@@ -188,8 +189,8 @@ pub fn lemma_s_1<const D: usize>(
 /// Needs: `H ≥ c₁`, `H` Lipschitz, and `E(γ) ≤ d²`, which is what a minimiser is. Neither `c₂` nor
 /// closed sets are needed.
 ///
-/// Slack: none in the first where `H = c₁` in the direction of the geodesic; in the second that of
-/// [`constant_k2`].
+/// Overestimation: none in the first where `H = c₁` in the direction of the geodesic; in the second
+/// that of [`constant_k2`].
 ///
 /// Companion: `‖γ̈‖ ≤ ω (L_H/c₁) K_{1,g}²` with the `ω` of Lemma S.1.
 ///

@@ -1,5 +1,5 @@
-//! Propositions S.6 and S.7: the distance from one computed sequence, and a discrete minimum that is
-//! global.
+//! Propositions S.6 and S.7: the distance from one computed sequence, and a discrete minimum that
+//! is global.
 
 use tautline::{
     Bounded, PointSequence,
@@ -21,7 +21,7 @@ use crate::{
 ///
 /// Needs: the setting of Theorem 1.1; a *global* minimiser, from below.
 ///
-/// Slack: none where the metric is constant.
+/// Overestimation: none where the metric is constant.
 ///
 /// # Errors
 ///
@@ -69,8 +69,8 @@ pub fn prop_s_6<const D: usize>(
 ///
 /// Needs: `c₁ ≤ H`, `H` Lipschitz with `L_H`, `DH` with `M_H`; the same ends and the same `N`.
 ///
-/// Slack: none in the first for the trapezoidal rule with `N = 2`, where `H` has the slopes `±L_H`
-/// at the two midpoints.
+/// Overestimation: none in the first for the trapezoidal rule with `N = 2`, where `H` has the
+/// slopes `±L_H` at the two midpoints.
 ///
 /// # Errors
 ///

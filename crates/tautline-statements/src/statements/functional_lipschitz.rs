@@ -98,8 +98,8 @@ impl<const D: usize> TwoForms<D> {
 ///
 /// Needs: `0 ≤ H(x₂) ≤ c₂` and `‖H(x₁) − H(x₂)‖ ≤ L_H |x₁ − x₂|`. Of `H(x₁)` nothing more is asked.
 ///
-/// Slack: none in dimension 1 for `u₂ > u₁ > 0`, `H(x₂) = c₂` and `H(x₁) = c₂ − L_H |x₁ − x₂|`,
-/// where all three terms are needed.
+/// Overestimation: none in dimension 1 for `u₂ > u₁ > 0`, `H(x₂) = c₂` and
+/// `H(x₁) = c₂ − L_H |x₁ − x₂|`, where all three terms are needed.
 #[doc(alias = "prop:functional_lipschitz_estimate")]
 #[must_use]
 pub fn prop_7_5<const D: usize>(forms: &TwoForms<D>) -> Evidence {

@@ -12,7 +12,7 @@ use crate::{
 /// Evaluates Proposition 3.1 on a curve: if it satisfies the geodesic equation (3.2), then
 /// `g(γ̇, γ̇) = L(γ)²` at all times, which is two inequalities.
 ///
-/// An equality: the slack is 1 on every geodesic.
+/// An equality: the overestimation is 1 on every geodesic.
 ///
 /// # Errors
 ///
@@ -36,8 +36,8 @@ pub fn prop_3_1<const D: usize>(
 /// Evaluates what can be observed of Proposition 3.2 (Hopf and Rinow): that the curve which is
 /// shown is a minimal geodesic between the two points.
 ///
-/// `way_out` is that from one of the points. A space is complete if and only if there is none; where
-/// `H ≥ c₁ > 0` on all of `R^D`, Proposition 3.3 says so.
+/// `way_out` is that from one of the points. A space is complete if and only if there is none;
+/// where `H ≥ c₁ > 0` on all of `R^D`, Proposition 3.3 says so.
 ///
 /// That there is one between *any* two points, no finite number of curves shows. For a computed
 /// curve, Theorem 1.2 says how much longer than `d` it may be.

@@ -7,8 +7,8 @@ use crate::{Evidence, GramRange, Statement, Subject, Unit, operator_norm};
 
 /// Evaluates Proposition 7.10 at a point: `|∂ₗ Hᵢⱼ| ≤ L_H` for all `i`, `j` and `l`.
 ///
-/// Needs: `H` Lipschitz; `c₁ ≤ H ≤ c₂` is checked, but not needed. Slack: none for a wave in one
-/// pair of entries along one axis.
+/// Needs: `H` Lipschitz; `c₁ ≤ H ≤ c₂` is checked, but not needed. Overestimation: none for a wave
+/// in one pair of entries along one axis.
 ///
 /// Companion: the whole matrices `∂ₗ H`, and the derivative along the diagonal, `Σ ∂ₗ H/√D`, have
 /// operator norms up to `L_H`.
@@ -43,7 +43,7 @@ pub fn prop_7_10<const D: usize>(
 
 /// Evaluates Proposition 7.11 at a point: `|Γᵏᵢⱼ| ≤ 3 L_H √D/2c₁`.
 ///
-/// Needs: `H ≥ c₁`, `H` Lipschitz, and no `c₂`. Slack: `√D` at best, see the companion.
+/// Needs: `H ≥ c₁`, `H` Lipschitz, and no `c₂`. Overestimation: `√D` at best, see the companion.
 ///
 /// Companion: `Γᵏᵢⱼ` is the product of row `k` of `H⁻¹`, whose norm is at most `1/c₁`, and half of
 /// the vector `(∂ᵢHⱼ + ∂ⱼHᵢ − ∇Hᵢⱼ)`, each term of which has the norm `L_H` at most. So `√D` may

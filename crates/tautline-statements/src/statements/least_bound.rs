@@ -12,7 +12,7 @@ use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};
 /// Needs: what the theorems need, of which stationary inner points; the premise with the least
 /// ceiling of Lemma S.4.
 ///
-/// Slack: that of Theorems C and D.
+/// Overestimation: that of Theorems C and D.
 #[must_use]
 pub fn least_length_bound<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let &Reconstruction { setting, rule, n, distance_squared: d2, granted, .. } = seen;

@@ -22,16 +22,16 @@ const WAY: usize = 4;
 /// √c₁ R  ≤  L(γ)        for segments γ from x to the distance R along axes
 /// ```
 ///
-/// Needs: the setting of Theorem 1.1 within `R` of the end; a *global* minimiser among the sequences
-/// there.
+/// Needs: the setting of Theorem 1.1 within `R` of the end; a *global* minimiser among the
+/// sequences there.
 ///
-/// Slack: the radius is one percent larger than it need be, which is one percent in the first two and
-/// two in the third; none in the last where the metric is `c₁ I`.
+/// Overestimation: the radius is one percent larger than it need be, which is one percent in the
+/// first two and two in the third; none in the last where the metric is `c₁ I`.
 ///
 /// # Errors
 ///
-/// [`VerifyError::Locality`] if no radius is found, [`VerifyError::Metric`] where `H` is not positive
-/// definite.
+/// [`VerifyError::Locality`] if no radius is found, [`VerifyError::Metric`] where `H` is not
+/// positive definite.
 pub fn prop_s_8<M: Bounded<D>, const D: usize>(
     subject: &Subject,
     known: &Known<M, D>,

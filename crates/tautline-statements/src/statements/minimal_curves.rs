@@ -41,7 +41,7 @@ pub fn prop_4_1<M: Metric<D>, C: Curve<D>, const D: usize>(
 /// here are constant, and any `φ` will do. For a minimal curve that is given otherwise, see
 /// [`prop_4_2_converse`].
 ///
-/// Equality: the slack is 1 on every reparametrised minimal geodesic.
+/// Equality: the overestimation is 1 on every reparametrised minimal geodesic.
 ///
 /// # Errors
 ///
@@ -105,7 +105,7 @@ fn lengths<M: Metric<D>, const D: usize>(metric: &M, curve: &impl Curve<D>) -> V
 
 /// Evaluates the other half of Proposition 4.2 on any curve `γ`: if it is minimal, then
 /// `γ(t) = γ**(φ(t))` with `φ(t)` its length up to `t`, divided by `d`. Looked at at 16 times, as
-/// points and by how far the two sides go, which are two more inequalities of slack 1.
+/// points and by how far the two sides go, which are two more inequalities of overestimation 1.
 ///
 /// `γ**` has to be *the* minimal geodesic, the only one. With `d = 0` it is constant, as `γ` is.
 #[doc(alias = "prop:geodesic_min_path_min")]
@@ -218,7 +218,7 @@ pub fn prop_4_3<M: KnownGeodesics<D>, const D: usize>(
 /// satisfies the geodesic equation.
 ///
 /// The equation is compared as a vector, and by the sizes of its two sides, which are two more
-/// inequalities of slack 1. With `d = 0` the curve is constant, and a geodesic.
+/// inequalities of overestimation 1. With `d = 0` the curve is constant, and a geodesic.
 ///
 /// # Errors
 ///

@@ -216,8 +216,8 @@ pub fn prop_7_3_as_printed<const D: usize>(
 /// |βₖ − γ̇(t)|  ≤  2 ‖γ̈‖/√N      with the norm over [tₖ, tₖ₊₁]
 /// ```
 ///
-/// Needs that `γ̇` does not jump, which the paper does not say. Slack: `2√3` at best, see the
-/// companions.
+/// Needs that `γ̇` does not jump, which the paper does not say. Overestimation: `2√3` at best, see
+/// the companions.
 ///
 /// Companions: `βₖ` is the mean of `γ̇`, so that Proposition 7.2 has the factor `(h/3)^{1/2}` at
 /// its worst, `θ = 0`, and `((θ³ + (1 − θ)³) h/3)^{1/2}` elsewhere, both attained by

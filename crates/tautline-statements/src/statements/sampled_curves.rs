@@ -65,8 +65,8 @@ impl Sampled {
 ///
 /// Needs: `0 ≤ H ≤ c₂`, `H` Lipschitz, and that `γ̇` does not jump, which the paper does not say.
 ///
-/// Slack: 4 at best as far as we know, for a straight line over a valley at the middle of each
-/// chord; the companions are attained.
+/// Overestimation: 4 at best as far as we know, for a straight line over a valley at the middle of
+/// each chord; the companions are attained.
 ///
 /// Companions: `β` is the mean of `γ̇` over its subinterval, so that the cross term of the proof
 /// integrates to 0 and the square is that of Wirtinger; upwards there is no `c₂` at all (Jensen).
@@ -168,8 +168,8 @@ pub fn prop_7_6_as_printed<const D: usize>(
 /// min E_tra,N  ≤  min E + C_tra(N)      over Ξ
 /// ```
 ///
-/// Needs: as [`prop_7_6`], for every curve, but no `c₂`. Slack: as there; half of the first term of
-/// `C_tra(N)`, and none of the others, would do, which is the companion.
+/// Needs: as [`prop_7_6`], for every curve, but no `c₂`. Overestimation: as there; half of the
+/// first term of `C_tra(N)`, and none of the others, would do, which is the companion.
 ///
 /// # Errors
 ///
@@ -244,7 +244,8 @@ pub fn constant_c_tra(
 
 /// Evaluates `C_tra(N) ≤ C_tra♯/N`. Needs: nothing.
 ///
-/// Slack: none as `K₂ → 0`. At `N = 1` and where `K₂ = 0` the two are the same formula, an identity.
+/// Overestimation: none as `K₂ → 0`. At `N = 1` and where `K₂ = 0` the two are the same formula, an
+/// identity.
 ///
 /// # Panics
 ///

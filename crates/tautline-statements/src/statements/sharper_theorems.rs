@@ -1,7 +1,8 @@
-//! Lemma S.4 and Theorems A to D: the excess of a discrete minimiser, to the order `1/N` and `1/N²`.
+//! Lemma S.4 and Theorems A to D: the excess of a discrete minimiser, to the order `1/N` and
+//! `1/N²`.
 //!
-//! As in Section 1, a solver finds a local minimiser, and the theorems speak of a global one. That its
-//! energy is no more than what Lemma S.4 has for the minimum is the *premise*, a hypothesis of
+//! As in Section 1, a solver finds a local minimiser, and the theorems speak of a global one. That
+//! its energy is no more than what Lemma S.4 has for the minimum is the *premise*, a hypothesis of
 //! Theorems A to D; where it holds, they hold for the very sequence that was found.
 
 use super::section_1::{GLOBAL, admitted, begin};
@@ -17,7 +18,7 @@ use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};
 /// Needs: the setting of Theorem 1.1, where `M_H` is used `DH` Lipschitz too, and a *global*
 /// minimiser, which no evaluation shows: a sequence with more energy is a worse local minimiser.
 ///
-/// Slack: none as `δ → 0`, at `N = 1` over a ridge (trapezoidal) and down an incline (left
+/// Overestimation: none as `δ → 0`, at `N = 1` over a ridge (trapezoidal) and down an incline (left
 /// endpoint).
 #[must_use]
 pub fn lemma_s_4<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
@@ -86,10 +87,10 @@ impl Gaps {
 /// L(γᵖˡ)² − d²  ≤  E(γᵖˡ) − d²  ≤  d² [e − 1 + (kδ/N) e Q]
 /// ```
 ///
-/// Needs: the setting of Theorem 1.1, and the premise `E_N ≤ d² e`. Stationarity, of which the proof
-/// makes use, is not needed, since Theorem C is no weaker.
+/// Needs: the setting of Theorem 1.1, and the premise `E_N ≤ d² e`. Stationarity, of which the
+/// proof makes use, is not needed, since Theorem C is no weaker.
 ///
-/// Slack: none as `δ → 0`, at `N = 1` on two routes.
+/// Overestimation: none as `δ → 0`, at `N = 1` on two routes.
 #[must_use]
 pub fn theorem_a<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let polyline = subject.theorem_a_polyline_gap(seen.setting, seen.rule, seen.n);
@@ -109,7 +110,7 @@ pub fn theorem_a<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) ->
 /// Needs: the setting of Theorem 1.1, the premise `E_tra,N ≤ d² e₂`, `DH` Lipschitz with `M_H`, and
 /// inner points that are stationary, as a converged minimiser has them.
 ///
-/// Slack: none as `μ → 0`, at `N = 1` on two routes along parabolas.
+/// Overestimation: none as `μ → 0`, at `N = 1` on two routes along parabolas.
 #[must_use]
 pub fn theorem_b<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Option<Evidence> {
     let polyline = subject.theorem_b_polyline_gap(seen.setting, seen.n)?;
@@ -128,7 +129,7 @@ pub fn theorem_b<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) ->
 /// Needs: the setting of Theorem 1.1, and the premise; neither a minimiser nor a stationary
 /// sequence.
 ///
-/// Slack: none as `δ → 0`, on two routes, for every `N`.
+/// Overestimation: none as `δ → 0`, on two routes, for every `N`.
 #[must_use]
 pub fn theorem_c<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let &Reconstruction { setting, rule, n, .. } = seen;
@@ -150,7 +151,7 @@ pub fn theorem_c<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) ->
 ///
 /// Needs: as [`theorem_c`], and `DH` Lipschitz with `M_H`.
 ///
-/// Slack: none as `μ → 0`, at `N = 1` on two routes along parabolas.
+/// Overestimation: none as `μ → 0`, at `N = 1` on two routes along parabolas.
 #[must_use]
 pub fn theorem_d<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Option<Evidence> {
     let gaps = Gaps {

@@ -16,8 +16,8 @@ use crate::{
 ///
 /// Needs: `c₁ ≤ H`, `H` Lipschitz; the second `H ≤ c₂`.
 ///
-/// Slack: none in both for a constant metric; nor in what `L_H` adds to the second, in the limit of
-/// sequences that run away. Companion: with the largest difference `B`,
+/// Overestimation: none in both for a constant metric; nor in what `L_H` adds to the second, in the
+/// limit of sequences that run away. Companion: with the largest difference `B`,
 /// `|βₙ − βₙ₋₁| ≤ (3L_H/2Nc₁) B² + |ρₙ|/Nc₁`, which is attained over a twist.
 ///
 /// # Errors
@@ -92,7 +92,8 @@ pub fn lemma_s_3<const D: usize>(
 ///
 /// Needs: `c₁ ≤ H`, `H` Lipschitz, where `M_H` is used `DH` too; ends in their sets. No minimiser.
 ///
-/// Slack: none in the last two as `δ → 0` and `μ → 0`, at `N = 1` over a valley and along a parabola.
+/// Overestimation: none in the last two as `δ → 0` and `μ → 0`, at `N = 1` over a valley and along
+/// a parabola.
 #[must_use]
 pub fn lemma_s_5<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let &Reconstruction {

@@ -11,7 +11,7 @@ pub enum Kind {
     Random,
     /// Both sides scale by their unit where coordinates and lengths are measured in others.
     Homogeneous,
-    /// A case comes near equality, or its slack is the best one known.
+    /// A case comes near equality, or its overestimation is the best one known.
     Witness,
     /// Without one of its hypotheses a statement fails; or holds all the same, and the hypothesis
     /// is not needed.

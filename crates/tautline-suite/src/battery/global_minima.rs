@@ -72,18 +72,18 @@ fn is_global<M: Metric<D>, R: Rule, const D: usize>(
         let points = best.sequence.iter().map(|&x| embed(x)).collect();
         let start = PointSequence::new(points).map_err(VerifyError::from)?;
         // Energies are sums of up to 128 terms, a dozen roundings each; converged to 1e-15.
-        let slack = 1e-13 * energy;
+        let tolerance = 1e-13 * energy;
         let on_grid = subject.discrete_energy(rule, metric, &start);
         let options = Options { starts: Starts::Only(vec![start]), ..Options::default() };
         let near = subject.minimise_with(rule, metric, ends, n, &options);
         let near = near.map_err(VerifyError::from)?.sequence;
         let near = subject.discrete_energy(rule, metric, &near);
         let lower = best.energy - best.grid_error;
-        let same = (on_grid - best.energy).abs() <= slack;
+        let same = (on_grid - best.energy).abs() <= tolerance;
         if !(same
-            && energy <= best.energy + slack
-            && energy <= near + slack
-            && energy >= lower - slack)
+            && energy <= best.energy + tolerance
+            && energy <= near + tolerance
+            && energy >= lower - tolerance)
         {
             missed.push(format!(
                 "N = {n}: {energy} was found, but there are {} (by the rule {on_grid}) on the grid \

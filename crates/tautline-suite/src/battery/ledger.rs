@@ -13,10 +13,10 @@ pub struct Entry {
     pub cases: u64,
     /// How many of these could have failed: the others hold whatever the bound is.
     pub could_fail: u64,
-    /// The least slack of these, a pure number; `∞` if none was seen.
-    pub worst_slack: f64,
-    /// The least slack of its witnesses, a pure number.
-    pub witness_slack: f64,
+    /// The least overestimation of these, a pure number; `∞` if none was seen.
+    pub least_overestimation: f64,
+    /// The least overestimation of its witnesses, a pure number.
+    pub witness_overestimation: f64,
     /// On how many cases that could have failed it was evaluated with numbers that are proved.
     pub proved: u64,
     /// The hypotheses that were evaluated on the random cases, by their claims.
@@ -50,13 +50,14 @@ pub fn ledger() -> Result<Vec<Entry>, Failure> {
     }
     let entry = |statement: Statement| {
         let about = checks.iter().filter(|check| check.statements.contains(&statement));
-        let slack = |tally: &Tally| tally.of(statement).map_or(f64::INFINITY, |count| count.slack);
+        let overestimation =
+            |tally: &Tally| tally.of(statement).map_or(f64::INFINITY, |count| count.overestimation);
         Entry {
             statement,
             cases: random.of(statement).map_or(0, |count| count.cases),
             could_fail: random.of(statement).map_or(0, |count| count.could_fail),
-            worst_slack: slack(&random),
-            witness_slack: slack(&witnesses),
+            least_overestimation: overestimation(&random),
+            witness_overestimation: overestimation(&witnesses),
             proved: proved.of(statement).map_or(0, |count| count.could_fail),
             hypotheses: random.hypotheses(statement).collect(),
             assumed: random.assumed(statement).collect(),

@@ -261,10 +261,10 @@ fn attained_by_constant_metrics(trial: &Trial<'_>) -> Outcome {
         let known = Known::between(metric, x, y)?.expect("known");
         let evidence = prop_3_3(subject, &known)?;
         let claim = ["c₁|x − y|² ≤ d²", "d² ≤ c₂|x − y|²"][axis];
-        let slack = evidence.conclusion(claim).slack();
-        if !(slack <= 1.01) {
+        let overestimation = evidence.conclusion(claim).overestimation();
+        if !(overestimation <= 1.01) {
             let statement = Proposition3_3;
-            return Err(VerifyError::NotAttained { statement, slack, known: 1.01 });
+            return Err(VerifyError::NotAttained { statement, overestimation, known: 1.01 });
         }
         Ok([evidence])
     })

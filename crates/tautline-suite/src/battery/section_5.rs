@@ -107,7 +107,7 @@ fn attained(trial: &Trial<'_>) -> Outcome {
     if !distance.is_some_and(|d| (d - 8.0 * PI).abs() <= 1e-14) {
         return Err(Failure::new(format!("the distance is {distance:?}, not 8π")));
     }
-    // As a slack: up to rounding, and far below the next longer sequences.
+    // As an overestimation: up to rounding, and far below the next longer sequences.
     const ONE: f64 = 1.0 + 1e-12;
     let mut found = Vec::new();
     for n in [1, 2, 3, 4, 7, 30] {
@@ -120,8 +120,8 @@ fn attained(trial: &Trial<'_>) -> Outcome {
                         .claim_is_attained("8π ≤ L(γᵖˡ)", ONE)?,
                 );
                 if leave == arrive {
-                    let slack = trapezoidal.claim_is_attained("4π ≤ L_tra,N(γᵖ)", ONE)?;
-                    found.push(slack.claim_is_attained("8π ≤ L(γᵖˡ)", ONE)?);
+                    let overestimation = trapezoidal.claim_is_attained("4π ≤ L_tra,N(γᵖ)", ONE)?;
+                    found.push(overestimation.claim_is_attained("8π ≤ L(γᵖˡ)", ONE)?);
                 }
             }
         }

@@ -166,12 +166,13 @@ fn clocks(trial: &Trial<'_>) -> Outcome {
 
 /// Asks that each of the two inequalities is attained, not only the better of them.
 fn both_attained(evidence: Evidence) -> Result<Evidence, VerifyError> {
-    let slack = evidence.conclusions.iter().map(|claim| claim.slack()).fold(0.0, f64::max);
+    let overestimation =
+        evidence.conclusions.iter().map(|claim| claim.overestimation()).fold(0.0, f64::max);
     let statement = evidence.statement;
-    if slack <= 1.01 {
+    if overestimation <= 1.01 {
         Ok(evidence)
     } else {
-        Err(VerifyError::NotAttained { statement, slack, known: 1.01 })
+        Err(VerifyError::NotAttained { statement, overestimation, known: 1.01 })
     }
 }
 

@@ -95,7 +95,7 @@ fn attained_forms(trial: &Trial<'_>) -> Outcome {
         let step = 0.5;
         let forms =
             on_the_line([x + step, x], [u1, u1 + more], [c2 - drop * c2, c2], c2, drop * c2 / step);
-        Ok([prop_7_5(&forms).slack_is_at_most(1.0 + 1e-9)?])
+        Ok([prop_7_5(&forms).overestimates_at_most(1.0 + 1e-9)?])
     })
 }
 
@@ -143,13 +143,13 @@ fn homogeneous_numbers(trial: &Trial<'_>) -> Outcome {
 }
 
 /// Equality exactly if all numbers are 0, or all but one, which is positive: two equal numbers
-/// already have the slack `√2`.
+/// already have the overestimation `√2`.
 fn attained_numbers(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7830, 256, (1..40_usize, 0..40_usize, 0.1..10.0), |_, (n, k, x)| {
         let mut numbers = vec![0.0; n];
         numbers[k % n] = x;
-        let one = prop_7_8(&numbers).slack_is_at_most(1.0 + 1e-9)?;
-        let two = prop_7_8(&[x, x]).slack_is_at_most(2_f64.sqrt() * (1.0 + 1e-9))?;
+        let one = prop_7_8(&numbers).overestimates_at_most(1.0 + 1e-9)?;
+        let two = prop_7_8(&[x, x]).overestimates_at_most(2_f64.sqrt() * (1.0 + 1e-9))?;
         Ok([one, two, prop_7_8(&vec![0.0; n])])
     })
 }

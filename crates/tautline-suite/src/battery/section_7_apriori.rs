@@ -56,7 +56,8 @@ pub(super) fn checks() -> Vec<Check> {
     ]
 }
 
-/// What a slack may be above the best one that is known, for the limits that are taken below.
+/// What an overestimation may be above the best one that is known, for the limits that are taken
+/// below.
 const NEAR: f64 = 1.01;
 
 fn metrics(trial: &Trial<'_>) -> Outcome {
@@ -111,7 +112,7 @@ fn twists(trial: &Trial<'_>) -> Outcome {
         let twist = Twist::<D>::new(base, slope, 2e-3 * base / slope)?;
         prop_7_11(subject, &twist, &SVector::zeros())?
             .claim_is_attained("|Γᵏᵢⱼ| ≤ 3 L_H/2c₁", NEAR)?
-            .slack_is_at_most((D as f64).sqrt() * NEAR)
+            .overestimates_at_most((D as f64).sqrt() * NEAR)
     }
     trial.for_all(7131, 128, (0.3..3.0, 0.1..10.0), |subject, case| {
         Ok([one::<2>(subject, case)?, one::<3>(subject, case)?, one::<5>(subject, case)?])
@@ -123,7 +124,9 @@ fn inclines(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7132, 128, (0.3..3.0, 0.1..10.0), |subject, (foot, slope)| {
         let incline = Incline::new(foot, slope).expect("positive");
         let evidence = prop_7_11(subject, &incline, &[0.0].into())?;
-        Ok([evidence.claim_is_attained("|Γ| ≤ L_H/2c₁", NEAR)?.slack_is_at_most(3.0 * NEAR)?])
+        Ok([evidence
+            .claim_is_attained("|Γ| ≤ L_H/2c₁", NEAR)?
+            .overestimates_at_most(3.0 * NEAR)?])
     })
 }
 
@@ -208,7 +211,7 @@ fn bent_by_a_twist(trial: &Trial<'_>) -> Outcome {
         let (sharp, known) = (NEAR, 4.0 * NEAR);
         Ok([
             k1,
-            k2.claim_is_attained("|γ̈(t)| ≤ ω L_H K₁²/c₁", sharp)?.slack_is_at_most(known)?,
+            k2.claim_is_attained("|γ̈(t)| ≤ ω L_H K₁²/c₁", sharp)?.overestimates_at_most(known)?,
             apriori
                 .claim_is_attained("‖γ̈‖ ≤ ω L_H K₁²/c₁", sharp)?
                 .claim_is_attained("‖γ̈‖ ≤ K₂", known)?,
@@ -225,7 +228,7 @@ fn bent_by_an_incline(trial: &Trial<'_>) -> Outcome {
         let (sharp, known) = (NEAR, 3.0 * NEAR);
         Ok([
             k1,
-            k2.claim_is_attained("|γ̈(t)| ≤ ω L_H K₁²/c₁", sharp)?.slack_is_at_most(known)?,
+            k2.claim_is_attained("|γ̈(t)| ≤ ω L_H K₁²/c₁", sharp)?.overestimates_at_most(known)?,
             apriori
                 .claim_is_attained("‖γ̈‖ ≤ ω L_H K₁²/c₁", sharp)?
                 .claim_is_attained("‖γ̈‖ ≤ K₂", known)?,

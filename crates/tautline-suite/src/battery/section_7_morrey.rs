@@ -226,7 +226,7 @@ fn attained_by_a_cube(trial: &Trial<'_>) -> Outcome {
         let cube = SmoothCurve::polynomial(powers.map(|power| SVector::from([power])));
         let evidence = prop_7_4(&cube, n, k, 0.0)?;
         let evidence = evidence.claim_is_attained("|β − γ̇(t)| ≤ (h/3)^{1/2} ‖γ̈‖", 1.0 + 1e-6)?;
-        Ok([evidence.slack_is_at_most(12_f64.sqrt() * (1.0 + 1e-6))?])
+        Ok([evidence.overestimates_at_most(12_f64.sqrt() * (1.0 + 1e-6))?])
     })
 }
 

@@ -154,8 +154,9 @@ fn homogeneous(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// The straight line from 0 to 1 with a valley or a ridge at each midpoint: `|E − E_tra,N| =
-/// L_H/4N`, against `L_H/N`. So the slack of the paper is 4, and the pointwise form is attained.
+/// The straight line from 0 to 1 with a valley or a ridge at each midpoint:
+/// `|E − E_tra,N| = L_H/4N`, against `L_H/N`. So the overestimation of the paper is 4, and the
+/// pointwise form is attained.
 fn valleys_at_midpoints(trial: &Trial<'_>) -> Outcome {
     let line = SmoothCurve::straight([0.0], [1.0]);
     trial.for_all(7630, 96, (1..60_usize, 0.2..1.5), |subject, (n, slope)| {
@@ -166,11 +167,11 @@ fn valleys_at_midpoints(trial: &Trial<'_>) -> Outcome {
         let ridge = prop_7_6(subject, &ridge, &line, positive(n))?;
         let up = "E_tra,N − E ≤ L_H A₁²(A₁/4N + A₂/12N²)";
         let down = "E − E_tra,N ≤ L_H A₁²(A₁/4N + A₂/12N²) + c₂A₂²/12N²";
-        let slack = 4.0 * (1.0 + 1e-6);
+        let overestimation = 4.0 * (1.0 + 1e-6);
         Ok([
-            valley.slack_is_at_most(slack)?.claim_is_attained(down, 1.0 + 1e-6)?,
-            ridge.slack_is_at_most(slack)?.claim_is_attained(up, 1.0 + 1e-6)?,
-            sampled.slack_is_at_most(slack)?,
+            valley.overestimates_at_most(overestimation)?.claim_is_attained(down, 1.0 + 1e-6)?,
+            ridge.overestimates_at_most(overestimation)?.claim_is_attained(up, 1.0 + 1e-6)?,
+            sampled.overestimates_at_most(overestimation)?,
         ])
     })
 }
@@ -324,6 +325,6 @@ fn approached_c_tra_sharp(trial: &Trial<'_>) -> Outcome {
         let one = constant_c_tra_sharp(subject, constants, norms, NonZeroUsize::MIN);
         let more = constant_c_tra_sharp(subject, constants, norms, n.saturating_add(1));
         let defined = constant_c_tra(subject, constants, norms, n);
-        Ok([one, more.slack_is_at_most(1.0 + 1e-3)?, defined])
+        Ok([one, more.overestimates_at_most(1.0 + 1e-3)?, defined])
     })
 }

@@ -303,7 +303,7 @@ fn the_rate_is_the_best(trial: &Trial<'_>) -> Outcome {
         if !((excess - exact).abs() <= seen.granted) {
             return Err(Failure::new(format!("N = {n}: {excess} is not {exact}")));
         }
-        let slack = seen.setting.constants().l_h() / slope * PI;
-        trial.one([remark_9_2(trial.subject, &seen).slack_is_at_most(1.01 * slack)?])
+        let overestimation = seen.setting.constants().l_h() / slope * PI;
+        trial.one([remark_9_2(trial.subject, &seen).overestimates_at_most(1.01 * overestimation)?])
     }))
 }

@@ -7,7 +7,8 @@ use tautline_statements::{Evidence, Source, Statement};
 use super::fingerprint::Fingerprint;
 
 /// For each statement, the number of cases on which it was evaluated, and of those that could have
-/// failed, the least slack, the hypotheses that were looked at, and those that were assumed.
+/// failed, the least overestimation, the hypotheses that were looked at, and those that were
+/// assumed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tally {
     counts: BTreeMap<Statement, Count>,
@@ -23,8 +24,8 @@ pub struct Count {
     pub cases: u64,
     /// How many of them [could have failed](Evidence::could_fail).
     pub could_fail: u64,
-    /// The least slack of the stated conclusions, a pure number; `∞` if none was seen.
-    pub slack: f64,
+    /// The least overestimation of the stated conclusions, a pure number; `∞` if none was seen.
+    pub overestimation: f64,
 }
 
 impl Tally {
@@ -34,7 +35,7 @@ impl Tally {
         let one = Count {
             cases: u64::from(stated),
             could_fail: u64::from(evidence.could_fail()),
-            slack: evidence.slack(),
+            overestimation: evidence.overestimation(),
         };
         self.add(evidence.statement, one);
         let claims = evidence.hypotheses.iter().map(|clause| clause.claim);
@@ -79,11 +80,11 @@ impl Tally {
     }
 
     fn add(&mut self, statement: Statement, more: Count) {
-        let none = Count { cases: 0, could_fail: 0, slack: f64::INFINITY };
+        let none = Count { cases: 0, could_fail: 0, overestimation: f64::INFINITY };
         let count = self.counts.entry(statement).or_insert(none);
         count.cases += more.cases;
         count.could_fail += more.could_fail;
-        count.slack = count.slack.min(more.slack);
+        count.overestimation = count.overestimation.min(more.overestimation);
     }
 }
 
@@ -152,7 +153,7 @@ mod tests {
         other.count(&evidence(0.0, "c"));
         one.extend(&other);
         let count = one.of(Statement::Theorem1_1).expect("counted");
-        assert_eq!((count.cases, count.could_fail, count.slack), (2, 1, 2.0));
+        assert_eq!((count.cases, count.could_fail, count.overestimation), (2, 1, 2.0));
         assert_eq!(one.assumed(Statement::Theorem1_1).collect::<Vec<_>>(), ["b", "c"]);
     }
 
@@ -162,6 +163,6 @@ mod tests {
         let begun = Evidence::of(Statement::ConstantCTra);
         tally.count(&begun.identity(["a ≤ b", "b ≤ a"], Unit::NONE, [1.0, 1.0], 0.0));
         let count = tally.of(Statement::ConstantCTra).expect("counted");
-        assert_eq!((count.cases, count.could_fail, count.slack), (1, 0, f64::INFINITY));
+        assert_eq!((count.cases, count.could_fail, count.overestimation), (1, 0, f64::INFINITY));
     }
 }

@@ -1,13 +1,13 @@
 //! Theorems 1.1 to 1.4 and their constants: how near equality they come.
 //!
-//! # The best slack known
+//! # The least overestimation known
 //!
 //! With `δ = L_H d/c₁^{3/2}` and `κ = c₂/c₁`, on the line, `C_tra♯ = d² (δ + 3δ² + 6κδ + 9κδ²)`. As
 //! `δ → 0` and `κ → 1` that is `7 d²δ`, so that `C = 7¼ d²δ` for the trapezoidal rule and `8 d²δ`
 //! for the left one; larger `D`, `κ` or `δ` only add to it. No gap is larger at `N = 1` than in the
 //! sharper companions, which are attained in the same limit:
 //!
-//! | gap | at most, of `d²δ` | witness | slack of the paper's bound |
+//! | gap | at most, of `d²δ` | witness | overestimation of the paper's bound |
 //! | --- | --- | --- | --- |
 //! | `E(γᵖˡ) − E_tra` | ¼ | one valley | 29 |
 //! | `E_tra − d²` | ¼ | one ridge | 29 |
@@ -35,13 +35,13 @@ use super::{Check, Kind, Outcome, Trial};
 pub(super) fn checks() -> Vec<Check> {
     vec![
         Check::new(
-            "theorems_1_1_and_1_2_on_tents_have_the_best_slack_known",
+            "theorems_1_1_and_1_2_on_tents_have_the_least_overestimation_known",
             Kind::Witness,
             &[Theorem1_1, Theorem1_2, ConstantK3Bar, ConstantC1_1],
             tents,
         ),
         Check::new(
-            "theorems_1_3_and_1_4_on_inclines_have_the_best_slack_known",
+            "theorems_1_3_and_1_4_on_inclines_have_the_least_overestimation_known",
             Kind::Witness,
             &[Theorem1_3, Theorem1_4, ConstantK4Bar, ConstantC1_3],
             inclines,
@@ -137,7 +137,7 @@ fn tents(trial: &Trial<'_>) -> Outcome {
             .claim_is_attained("E_tra,N − d² ≤ C/N", 29.0 * LIMIT)?
             .claim_is_attained("E_tra,N − d² ≤ d² (e − 1)", LIMIT)?,
         theorem_1_2(subject, &both)
-            .slack_is_at_most(14.5 * LIMIT)?
+            .overestimates_at_most(14.5 * LIMIT)?
             .claim_is_attained("L(γᵖˡ)² − d² = O(1/N)", LIMIT)?,
         constant_c_1_1(subject, &both)
             .claim_is_attained("E(γᵖˡ) − d² ≤ by parts", 14.5 * LIMIT)?
@@ -166,7 +166,7 @@ fn inclines(trial: &Trial<'_>) -> Outcome {
             .claim_is_attained("E_l,N − d² ≤ C/√N", 16.0 * LIMIT)?
             .claim_is_attained("E_l,N − d² ≤ d² (e − 1)", LIMIT)?,
         theorem_1_4(subject, &both)
-            .slack_is_at_most(8.0 * LIMIT)?
+            .overestimates_at_most(8.0 * LIMIT)?
             .claim_is_attained("L(γᵖˡ)² − d² = O(1/N)", LIMIT)?,
         constant_c_1_3(subject, &both)
             .claim_is_attained("E(γᵖˡ) − d² ≤ by parts", 8.0 * LIMIT)?

@@ -74,13 +74,14 @@ fn segment<M: Metric<D>, const D: usize>(
     Ok(lemma_4_4(subject, known, &EvenSegment::new(&known.metric, ends(known)))?)
 }
 
-/// Two equal sizes, which are two inequalities of slack 1 wherever there is something to be seen.
+/// Two equal sizes, which are two inequalities of overestimation 1 wherever there is something to
+/// be seen.
 fn attained(trial: &Trial<'_>) -> Outcome {
     let bent = Cell::new(0);
     let tally = trial.for_all(4430, 64, points(ramp()), |subject, known| {
         // The acceleration may vanish to rounding where the ramp is flat.
         let evidence = segment(subject, &known)?;
-        if !evidence.slack().is_finite() {
+        if !evidence.overestimation().is_finite() {
             return Ok([evidence]);
         }
         bent.set(bent.get() + 1);

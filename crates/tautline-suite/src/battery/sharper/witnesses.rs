@@ -68,7 +68,7 @@ pub(super) fn checks() -> Vec<Check> {
     ]
 }
 
-/// What a slack may be above 1 where a limit is taken.
+/// What an overestimation may be above 1 where a limit is taken.
 pub(super) const NEAR: f64 = 1.01;
 
 /// A short geodesic through the centre of a twist, and one at the foot of an incline.
@@ -113,8 +113,8 @@ fn steps(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// `H = (1 + a sin kx)²` is a parabola near its crest, of the curvature `2a(1 + a)k² = M_H`; along a
-/// chord of the length `l` the curvature changes by `(kl)²/2` of itself.
+/// `H = (1 + a sin kx)²` is a parabola near its crest, of the curvature `2a(1 + a)k² = M_H`; along
+/// a chord of the length `l` the curvature changes by `(kl)²/2` of itself.
 pub(super) fn crest() -> Result<Separable<1>, VerifyError> {
     Ok(Separable::new([1e-3], [0.3])?)
 }
@@ -182,8 +182,8 @@ fn one_route(trial: &Trial<'_>) -> Outcome {
     ])
 }
 
-/// Up `H = 1 + x/100`, where `M_H = 0` and the force is `δ/2` of `d²` all the way, to a few `δ`: only
-/// the second variation is left, `d²δ²/48N²`.
+/// Up `H = 1 + x/100`, where `M_H = 0` and the force is `δ/2` of `d²` all the way, to a few `δ`:
+/// only the second variation is left, `d²δ²/48N²`.
 fn second_variation(trial: &Trial<'_>) -> Outcome {
     let slope = 1e-2;
     let metric = Incline::new(1.0, slope).expect("positive");
@@ -202,12 +202,12 @@ fn second_variation(trial: &Trial<'_>) -> Outcome {
     trial.one(evidence)
 }
 
-/// A straight line under a constant metric: `mean u = 1`, so that `v = ε − 1` is the variance; and of
-/// chords that are equal but for one, that one is as far from the mean as it can be.
+/// A straight line under a constant metric: `mean u = 1`, so that `v = ε − 1` is the variance; and
+/// of chords that are equal but for one, that one is as far from the mean as it can be.
 ///
-/// With `N = 100`, one speed of 8 times the mean and `v = 49/99` the moments lose what `√(s − v)` is
-/// above its tangent, and `N − 2` and `N² − 3N + 3` are below `N − 1` and `(N − 1)²`: 6.200 for 5.914,
-/// and 46.39 for 41.70.
+/// With `N = 100`, one speed of 8 times the mean and `v = 49/99` the moments lose what `√(s − v)`
+/// is above its tangent, and `N − 2` and `N² − 3N + 3` are below `N − 1` and `(N − 1)²`: 6.200 for
+/// 5.914, and 46.39 for 41.70.
 fn one_long_chord(trial: &Trial<'_>) -> Outcome {
     let metric = Constant::<1>::new([[4.0]].into()).expect("positive");
     let known = Known::between(metric, [0.0], [3.0]).map_err(VerifyError::from)?.expect("known");
@@ -250,7 +250,7 @@ fn two_ways(trial: &Trial<'_>) -> Outcome {
     ] {
         let (both, alone) =
             (routes(subject, rule, [first, second])?, route(subject, rule, second)?);
-        evidence.push(least_length_bound(subject, &both).slack_is_at_most(LIMIT)?);
+        evidence.push(least_length_bound(subject, &both).overestimates_at_most(LIMIT)?);
         for theorem in [theorem_a, theorem_c] {
             evidence.push(theorem_is_attained(theorem(subject, &both), LIMIT)?);
             evidence
@@ -268,8 +268,9 @@ fn theorem_is_attained(evidence: Evidence, limit: f64) -> Result<Evidence, Verif
         .claim_is_attained("L(γᵖˡ)² − d² ≤ its bound", limit)
 }
 
-/// `n` equal chords over ridges, and over valleys that seem lower by a hair; or down an incline, and
-/// up one. In the excess the next order is `δ` of it, or `√N` times that, and the hair a thousandth.
+/// `n` equal chords over ridges, and over valleys that seem lower by a hair; or down an incline,
+/// and up one. In the excess the next order is `δ` of it, or `√N` times that, and the hair a
+/// thousandth.
 fn many_chords(trial: &Trial<'_>) -> Outcome {
     let mut evidence = Vec::new();
     for n in [2_u32, 5, 16] {
@@ -297,11 +298,12 @@ fn many_chords(trial: &Trial<'_>) -> Outcome {
     trial.one(evidence)
 }
 
-/// From crest to trough of `H = (1 + a sin kx)²` there is as much to lose as two parabolas have: one
-/// chord about the crest, of the length 1, and one about the trough that seems shorter by a hair.
+/// From crest to trough of `H = (1 + a sin kx)²` there is as much to lose as two parabolas have:
+/// one chord about the crest, of the length 1, and one about the trough that seems shorter by a
+/// hair.
 ///
-/// `M_H d²/c₁²` is `2a(1 + 3a)k²`, nine parts in `10⁵`; of it the crest and the trough differ by `2a`, a
-/// chord by `k²/80`, and the hair is `10⁻⁸`.
+/// `M_H d²/c₁²` is `2a(1 + 3a)k²`, nine parts in `10⁵`; of it the crest and the trough differ by
+/// `2a`, a chord by `k²/80`, and the hair is `10⁻⁸`.
 fn two_arcs(trial: &Trial<'_>) -> Outcome {
     let metric = crest()?;
     let trough = 3.0 * CREST;
@@ -325,7 +327,7 @@ fn two_arcs(trial: &Trial<'_>) -> Outcome {
     for theorem in theorems {
         evidence.push(theorem_is_attained(theorem.expect("M_H is known"), 1.03)?);
     }
-    evidence.push(least_length_bound(trial.subject, &seen).slack_is_at_most(1.03)?);
+    evidence.push(least_length_bound(trial.subject, &seen).overestimates_at_most(1.03)?);
     // The trough alone: d² − E_tra.
     let ends = [[trough - 0.5], [trough + 0.5]];
     let alone = Known::between(metric, ends[0], ends[1]).map_err(VerifyError::from)?;

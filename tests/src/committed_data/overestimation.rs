@@ -1,4 +1,4 @@
-//! `paper/data/slack.csv`: every bound is one, and those that use more are less.
+//! `paper/data/overestimation.csv`: every bound is one, and those that use more are less.
 
 use std::collections::BTreeSet;
 
@@ -8,8 +8,8 @@ const BOUNDS: [&str; 6] =
     ["paper", "theorem_a", "theorem_c", "theorem_b", "theorem_d", "a_posteriori"];
 
 #[test]
-fn slack_is_that_of_bounds_in_every_row() {
-    let table = Table::read("data/slack.csv");
+fn overestimations_are_those_of_bounds_in_every_row() {
+    let table = Table::read("data/overestimation.csv");
     table.assert_columns(&BOUNDS);
     let cases: BTreeSet<&str> = table.rows().map(|row| row.text("case")).collect();
     assert!(cases.contains("valleys_points") && cases.contains("shear_points"), "{cases:?}");
@@ -29,8 +29,8 @@ fn slack_is_that_of_bounds_in_every_row() {
 
 /// Theorem D and the observed excess are of one order: their quotient settles.
 #[test]
-fn slack_of_theorem_d_does_not_grow() {
-    let table = Table::read("data/slack.csv");
+fn the_overestimation_of_theorem_d_does_not_grow() {
+    let table = Table::read("data/overestimation.csv");
     let at = |case: &str, n: usize| {
         let row = table.rows().find(|row| row.text("case") == case && row.n() == n);
         let row = row.unwrap_or_else(|| panic!("{case} at N = {n}"));

@@ -16,7 +16,7 @@ use crate::{
 };
 
 pub(super) const FIGURE: Figure = Figure {
-    id: "slack",
+    id: "overestimation",
     shows: "the bounds of the paper, of Theorems A to D and of one computed sequence for the \
             excess E - d^2 of the curve reconstructed from the trapezoidal minimiser, divided by \
             the observed excess, against N",
