@@ -39,7 +39,6 @@
 //! [`Mutant`]. [`curves`] has what Sections 3, 4, 6 and 7 are about, [`witnesses`] the cases near
 //! equality.
 
-mod catalogue;
 pub mod curves;
 mod errata;
 mod evidence;
@@ -48,6 +47,7 @@ mod inequality;
 mod known;
 mod mutants;
 mod reconstruction;
+mod refutations;
 mod slope;
 mod statement;
 mod statements;

@@ -264,12 +264,8 @@ mod tests {
             };
             // The radius is within one percent of the least, beside that of the end itself.
             let margin = 0.015 * (own.within.r() - 0.05);
-            for refused in [
-                with(0.0, -margin),
-                with(0.0, -0.05),
-                with(margin, 0.0),
-                with(1.0, 0.0),
-            ] {
+            for refused in [with(0.0, -margin), with(0.0, -0.05), with(margin, 0.0), with(1.0, 0.0)]
+            {
                 let error = refused.expect_err("a competitor may be outside");
                 assert!(matches!(error, BoundError::LeavesTheBall { .. }), "{error}");
             }

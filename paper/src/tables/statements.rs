@@ -1,6 +1,8 @@
 //! The ledger: every statement of the paper and every sharper one, our verdict, and what the suite
 //! says of it.
 
+use std::collections::BTreeSet;
+
 use tautline_statements::{Statement, Verdict};
 use tautline_suite::battery::ledger;
 
@@ -66,6 +68,15 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
                 entry.cases, entry.could_fail, entry.witness_overestimation
             ));
         }
+        for (what, found, stated) in [
+            ("hypotheses", &entry.hypotheses, statement.hypotheses().collect::<Vec<_>>()),
+            ("assumptions", &entry.assumed, statement.assumed().collect()),
+        ] {
+            let [seen, row] = [found, &stated].map(|list| list.iter().collect::<BTreeSet<_>>());
+            if seen != row {
+                missing.push(format!("{statement}: {what} {seen:?}, but its row has {row:?}"));
+            }
+        }
         let overestimation = |overestimation: f64| {
             if overestimation.is_finite() { format!("{overestimation:.3e}") } else { String::new() }
         };
@@ -78,13 +89,13 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
             overestimation(entry.least_overestimation),
             overestimation(entry.witness_overestimation),
             entry.checks.join("; "),
-            entry.hypotheses.join("; "),
-            entry.assumed.join("; "),
+            statement.hypotheses().collect::<Vec<_>>().join("; "),
+            statement.assumed().collect::<Vec<_>>().join("; "),
             entry.proved.to_string(),
         ]);
     }
     if !missing.is_empty() {
-        return Err(Failure::Violated(format!("not enough tests:\n{}", missing.join("\n"))));
+        return Err(Failure::Violated(format!("the ledger has gaps:\n{}", missing.join("\n"))));
     }
     Ok(data)
 }

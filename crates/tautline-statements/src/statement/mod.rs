@@ -1,0 +1,114 @@
+//! `Statement`: the statements of the paper, and the sharper ones, by number, label and claim.
+
+mod row;
+mod table;
+
+use row::Refutation;
+pub use table::Statement;
+
+use crate::Verdict;
+
+impl Statement {
+    /// Returns the number, as in prose: "Proposition 7.9", "Section 5, left-endpoint rule".
+    #[must_use]
+    pub fn number(self) -> &'static str {
+        self.row().number
+    }
+
+    /// Returns the TeX label in the paper; of a displayed constant, its symbol; of a statement of
+    /// ours, `sharper:` and its subject.
+    #[must_use]
+    pub fn label(self) -> &'static str {
+        self.row().label
+    }
+
+    /// Returns what it claims, in a line.
+    #[must_use]
+    pub fn claim(self) -> &'static str {
+        self.row().claim
+    }
+
+    /// Returns the hypotheses that are evaluated with every case.
+    pub fn hypotheses(self) -> impl Iterator<Item = &'static str> {
+        self.row().needs.iter().flat_map(|needs| needs.checked).copied()
+    }
+
+    /// Returns the hypotheses that are assumed, since no finite number of evaluations shows them.
+    pub fn assumed(self) -> impl Iterator<Item = &'static str> {
+        self.row().needs.iter().flat_map(|needs| needs.assumed).copied()
+    }
+
+    /// Returns our verdict.
+    #[must_use]
+    pub fn verdict(self) -> Verdict {
+        self.row().verdict
+    }
+
+    /// Returns whether it is one of the paper's, and not of ours.
+    #[must_use]
+    pub fn is_of_the_paper(self) -> bool {
+        self.verdict() != Verdict::ProvedHere
+    }
+
+    /// Returns whether it is one of the paper's and bounds an error, a speed or a derivative by the
+    /// constants of the metric: Theorems 1.1 to 1.4, Propositions 7.4, 7.6, 7.7, 7.9 to 7.12, 8.1 and 8.2, and what the
+    /// displayed constants bound.
+    ///
+    /// The others say that something exists, or that two numbers are equal, as a definition does.
+    #[must_use]
+    pub fn is_a_bound(self) -> bool {
+        self.row().is_a_bound
+    }
+
+    /// Returns the name of the function of this crate that evaluates it.
+    #[must_use]
+    pub fn function(self) -> &'static str {
+        self.row().function
+    }
+
+    /// Returns why it is false as printed, if it is.
+    pub(crate) fn refuted_by(self) -> Option<&'static Refutation> {
+        self.row().refuted_by.as_ref()
+    }
+}
+
+impl std::fmt::Display for Statement {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.number())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Statement;
+
+    #[test]
+    fn labels_and_numbers_are_different_and_in_order() {
+        for (k, statement) in Statement::ALL.into_iter().enumerate() {
+            assert_eq!(statement as usize, k);
+            for other in &Statement::ALL[..k] {
+                assert_ne!(statement.label(), other.label());
+                assert_ne!(statement.number(), other.number());
+            }
+        }
+        let numbered = |statement: &&Statement| {
+            ["Theorem", "Proposition", "Lemma", "Remark"]
+                .iter()
+                .any(|kind| statement.number().starts_with(kind))
+        };
+        let of_the_paper = || Statement::ALL.iter().filter(|statement| statement.is_of_the_paper());
+        assert_eq!(of_the_paper().filter(numbered).count(), 30);
+        assert_eq!(of_the_paper().count(), 40);
+        // The paper's come first.
+        assert!(Statement::ALL[..40].iter().all(|statement| statement.is_of_the_paper()));
+    }
+
+    /// What the suite of the paper's bounds alone asserts is the paper's.
+    #[test]
+    fn the_sharper_statements_are_not_among_the_bounds_of_the_paper() {
+        for statement in Statement::ALL.into_iter().filter(|statement| !statement.is_of_the_paper())
+        {
+            assert!(!statement.is_a_bound(), "{statement}");
+        }
+    }
+}
