@@ -57,49 +57,47 @@ impl Evidence {
         self
     }
 
-    /// Adds a conclusion `observed ≤ bound` that the statement makes; one of the paper, perhaps,
-    /// only if it is repaired.
+    /// Adds a conclusion `observed ≤ bound` that the statement makes, in its repaired form if it needs
+    /// one.
     #[must_use]
-    pub fn stated(
-        mut self,
-        claim: &'static str,
-        unit: Unit,
-        [observed, bound]: [f64; 2],
-        granted: f64,
-    ) -> Self {
-        let source = Source::Stated;
-        self.conclusions.push(Inequality { claim, source, unit, observed, bound, granted });
-        self
+    pub fn stated(self, claim: &'static str, unit: Unit, numbers: [f64; 2], granted: f64) -> Self {
+        self.concluded(Source::Stated, claim, unit, numbers, granted)
     }
 
     /// Adds a sharper companion `observed ≤ bound`.
     #[must_use]
-    pub fn sharper(
+    pub fn sharper(self, claim: &'static str, unit: Unit, numbers: [f64; 2], granted: f64) -> Self {
+        self.concluded(Source::Sharper, claim, unit, numbers, granted)
+    }
+
+    /// Adds that two ways to write one formula agree, each no more than the other: it checks the
+    /// program, and is [no evidence](Source::Identity) for the statement.
+    #[must_use]
+    pub fn identity(
+        self,
+        [claim, reverse]: [&'static str; 2],
+        unit: Unit,
+        [one, other]: [f64; 2],
+        granted: f64,
+    ) -> Self {
+        self.concluded(Source::Identity, claim, unit, [one, other], granted).concluded(
+            Source::Identity,
+            reverse,
+            unit,
+            [other, one],
+            granted,
+        )
+    }
+
+    fn concluded(
         mut self,
+        source: Source,
         claim: &'static str,
         unit: Unit,
         [observed, bound]: [f64; 2],
         granted: f64,
     ) -> Self {
-        let source = Source::Sharper;
         self.conclusions.push(Inequality { claim, source, unit, observed, bound, granted });
-        self
-    }
-
-    /// Adds that two ways to write one formula agree, each no more than the other: a check of the
-    /// program, and [none](Source::Identity) of the statement.
-    #[must_use]
-    pub fn identity(
-        mut self,
-        claims: [&'static str; 2],
-        unit: Unit,
-        [one, other]: [f64; 2],
-        granted: f64,
-    ) -> Self {
-        let source = Source::Identity;
-        for (claim, [observed, bound]) in claims.into_iter().zip([[one, other], [other, one]]) {
-            self.conclusions.push(Inequality { claim, source, unit, observed, bound, granted });
-        }
         self
     }
 
@@ -156,12 +154,8 @@ impl Evidence {
     ///
     /// [`VerifyError::NotAttained`] with the least overestimation.
     pub fn overestimates_at_most(self, known: f64) -> Result<Self, VerifyError> {
-        let (statement, overestimation) = (self.statement, self.overestimation());
-        if overestimation <= known {
-            Ok(self)
-        } else {
-            Err(VerifyError::NotAttained { statement, overestimation, known })
-        }
+        let overestimation = self.overestimation();
+        self.at_most(overestimation, known)
     }
 
     /// Returns the evidence again if the overestimation of the conclusion `claim`, stated or a
@@ -176,12 +170,15 @@ impl Evidence {
     /// If there is no conclusion of this claim.
     #[track_caller]
     pub fn claim_is_attained(self, claim: &str, known: f64) -> Result<Self, VerifyError> {
-        let (statement, overestimation) = (self.statement, self.conclusion(claim).overestimation());
+        let overestimation = self.conclusion(claim).overestimation();
+        self.at_most(overestimation, known)
+    }
+
+    fn at_most(self, overestimation: f64, known: f64) -> Result<Self, VerifyError> {
         if overestimation <= known {
-            Ok(self)
-        } else {
-            Err(VerifyError::NotAttained { statement, overestimation, known })
+            return Ok(self);
         }
+        Err(VerifyError::NotAttained { statement: self.statement, overestimation, known })
     }
 
     /// Returns a conclusion by its claim.

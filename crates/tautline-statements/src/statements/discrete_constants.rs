@@ -4,7 +4,7 @@
 //! What is needed of the minimiser is the premise of Theorems 1.1 to 1.4, an upper bound of its
 //! discrete energy; it is a hypothesis here too.
 
-use super::section_1::{begin, premise_left, premise_trapezoidal};
+use super::section_1::begin_in_the_paper;
 use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};
 
 /// Evaluates `K̄_{3,g}` on a computed minimiser of the trapezoidal rule.
@@ -17,9 +17,8 @@ use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};
 #[doc(alias = "overline K_{3,g}")]
 #[must_use]
 pub fn constant_k3_bar<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
-    let premise = premise_trapezoidal(subject, seen);
     let bar = subject.k3_bar_g(seen.setting);
-    let begun = begin(Statement::ConstantK3Bar, seen, PaperRule::Trapezoidal, premise);
+    let begun = begin_in_the_paper(Statement::ConstantK3Bar, subject, seen, PaperRule::Trapezoidal);
     speed(begun, seen, bar, ["K₃ ≤ K̄_{3,g}", "c₁K₃² − d² ≤ c₁K̄²_{3,g} − d²"])
 }
 
@@ -33,9 +32,9 @@ pub fn constant_k3_bar<const D: usize>(subject: &Subject, seen: &Reconstruction<
 #[doc(alias = "overline K_{4,g}")]
 #[must_use]
 pub fn constant_k4_bar<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
-    let premise = premise_left(subject, seen);
     let bar = subject.k4_bar_g(seen.setting);
-    let begun = begin(Statement::ConstantK4Bar, seen, PaperRule::LeftEndpoint, premise);
+    let begun =
+        begin_in_the_paper(Statement::ConstantK4Bar, subject, seen, PaperRule::LeftEndpoint);
     speed(begun, seen, bar, ["K₃ ≤ K̄_{4,g}", "c₁K₃² − d² ≤ c₁K̄²_{4,g} − d²"])
 }
 
@@ -81,8 +80,7 @@ pub fn constant_c_1_1<const D: usize>(subject: &Subject, seen: &Reconstruction<D
         sum: sharp + 0.25 * cube,
         first_order: subject.theorem_a_excess(setting, PaperRule::Trapezoidal, n),
     };
-    let premise = premise_trapezoidal(subject, seen);
-    let begun = begin(Statement::ConstantC1_1, seen, PaperRule::Trapezoidal, premise);
+    let begun = begin_in_the_paper(Statement::ConstantC1_1, subject, seen, PaperRule::Trapezoidal);
     total.conclude(begun, seen)
 }
 
@@ -109,8 +107,7 @@ pub fn constant_c_1_3<const D: usize>(subject: &Subject, seen: &Reconstruction<D
         sum: sharp + 0.5 * setting.constants().l_h() * cubes,
         first_order: subject.theorem_a_excess(setting, PaperRule::LeftEndpoint, n),
     };
-    let premise = premise_left(subject, seen);
-    let begun = begin(Statement::ConstantC1_3, seen, PaperRule::LeftEndpoint, premise);
+    let begun = begin_in_the_paper(Statement::ConstantC1_3, subject, seen, PaperRule::LeftEndpoint);
     total.conclude(begun, seen)
 }
 

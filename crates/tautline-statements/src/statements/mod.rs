@@ -3,15 +3,12 @@
 mod apriori;
 mod discrete_constants;
 mod distances;
-mod enclosures;
 mod energy_and_length;
 mod existence;
 mod functional_lipschitz;
 mod geodesics;
 mod gram_derivatives;
-mod least_bound;
 mod length_excess;
-mod locality;
 mod minimal_curves;
 mod morrey;
 mod nearest_pair;
@@ -19,14 +16,12 @@ mod point_sequences;
 mod sampled_curves;
 mod section_1;
 mod section_5;
-mod sharper_theorems;
-mod speeds;
+mod sharper;
 mod way_out;
 
 pub use apriori::{constant_k1, constant_k2, lemma_s_1, prop_7_12};
 pub use discrete_constants::{constant_c_1_1, constant_c_1_3, constant_k3_bar, constant_k4_bar};
 pub use distances::prop_3_3;
-pub use enclosures::{prop_s_6, prop_s_7};
 pub use energy_and_length::{
     prop_6_1, prop_6_1_attained, prop_6_1_minimiser, prop_6_3, prop_6_3_attained,
 };
@@ -34,9 +29,7 @@ pub use existence::{critical_point, prop_7_1};
 pub use functional_lipschitz::{TwoForms, prop_7_5, prop_7_5_as_printed};
 pub use geodesics::{prop_3_1, prop_3_2};
 pub use gram_derivatives::{prop_7_10, prop_7_11};
-pub use least_bound::least_length_bound;
 pub use length_excess::{prop_9_1, prop_9_1_as_printed, remark_9_2, remark_9_2_for_any_sequence};
-pub use locality::prop_s_8;
 pub use minimal_curves::{
     lemma_4_4, prop_4_1, prop_4_2, prop_4_2_converse, prop_4_2_read_strictly, prop_4_3,
 };
@@ -48,6 +41,8 @@ pub use sampled_curves::{
 };
 pub use section_1::{theorem_1_1, theorem_1_2, theorem_1_3, theorem_1_4};
 pub use section_5::{section_5_left, section_5_trapezoidal};
-pub use sharper_theorems::{lemma_s_4, theorem_a, theorem_b, theorem_c, theorem_d};
-pub use speeds::{lemma_s_3, lemma_s_5};
+pub use sharper::{
+    least_length_bound, lemma_s_3, lemma_s_4, lemma_s_5, prop_s_6, prop_s_7, prop_s_8, theorem_a,
+    theorem_b, theorem_c, theorem_d,
+};
 pub use way_out::WayOut;

@@ -1,6 +1,6 @@
 //! Propositions 7.8, 7.9, 8.1 and 8.2: any point sequence, minimiser or not.
 
-use tautline::{Bounded, LeftEndpoint, MetricError, PointSequence, Trapezoidal};
+use tautline::{Bounded, Constants, LeftEndpoint, MetricError, PointSequence, Trapezoidal};
 
 use crate::{
     Evidence, GramRange, PaperRule, Statement, Subject, Unit,
@@ -58,6 +58,21 @@ impl Energies {
             granted: curve.error + 1e-14 * (trapezoidal + left + curve.value),
         })
     }
+
+    /// Compares the gap of two of the energies with the bound by `K₃`, and with that by the mean cube.
+    fn gap(
+        &self,
+        statement: Statement,
+        constants: Constants,
+        [one, other]: [f64; 2],
+        [stated, sharper]: [(&'static str, f64); 2],
+    ) -> Evidence {
+        let gap = (one - other).abs();
+        Evidence::of(statement)
+            .given_constants(constants, &self.gram)
+            .stated(stated.0, Unit::ENERGY, [gap, stated.1], self.granted)
+            .sharper(sharper.0, Unit::ENERGY, [gap, sharper.1], self.granted)
+    }
 }
 
 /// Evaluates Proposition 7.9: `|E(γᵖˡ) − E_tra,N(γᵖ)| ≤ L_H K₃³ / (4√N)`.
@@ -76,21 +91,18 @@ pub fn prop_7_9<const D: usize>(
     sequence: &PointSequence<D>,
 ) -> Result<Evidence, MetricError> {
     let seen = Energies::of(subject, metric, sequence)?;
-    let constants = subject.constants(metric);
-    let bound = subject.polyline_gap_trapezoidal(constants, subject.k3(sequence), sequence.n());
-    let gap = (seen.curve - seen.trapezoidal).abs();
-    Ok(Evidence::of(Statement::Proposition7_9)
-        .given_constants(constants, &seen.gram)
-        .stated("|E(γᵖˡ) − E_tra,N| ≤ L_H K₃³/4√N", Unit::ENERGY, [gap, bound], seen.granted)
-        .sharper(
+    let (constants, n) = (subject.constants(metric), sequence.n());
+    let bounds = [
+        (
+            "|E(γᵖˡ) − E_tra,N| ≤ L_H K₃³/4√N",
+            subject.polyline_gap_trapezoidal(constants, subject.k3(sequence), n),
+        ),
+        (
             "|E(γᵖˡ) − E_tra,N| ≤ L_H mean|β|³/4N",
-            Unit::ENERGY,
-            [
-                gap,
-                subject.cubic_gap(constants, PaperRule::Trapezoidal, seen.mean_cube, sequence.n()),
-            ],
-            seen.granted,
-        ))
+            subject.cubic_gap(constants, PaperRule::Trapezoidal, seen.mean_cube, n),
+        ),
+    ];
+    Ok(seen.gap(Statement::Proposition7_9, constants, [seen.curve, seen.trapezoidal], bounds))
 }
 
 /// Evaluates Proposition 8.1: `|E_l,N(γᵖ) − E_tra,N(γᵖ)| ≤ L_H K₃³ / (2√N)`.
@@ -109,18 +121,15 @@ pub fn prop_8_1<const D: usize>(
     sequence: &PointSequence<D>,
 ) -> Result<Evidence, MetricError> {
     let seen = Energies::of(subject, metric, sequence)?;
-    let constants = subject.constants(metric);
-    let bound = subject.rule_gap(constants, subject.k3(sequence), sequence.n());
-    let gap = (seen.left - seen.trapezoidal).abs();
-    Ok(Evidence::of(Statement::Proposition8_1)
-        .given_constants(constants, &seen.gram)
-        .stated("|E_l,N − E_tra,N| ≤ L_H K₃³/2√N", Unit::ENERGY, [gap, bound], seen.granted)
-        .sharper(
+    let (constants, n) = (subject.constants(metric), sequence.n());
+    let bounds = [
+        ("|E_l,N − E_tra,N| ≤ L_H K₃³/2√N", subject.rule_gap(constants, subject.k3(sequence), n)),
+        (
             "|E_l,N − E_tra,N| ≤ L_H mean|β|³/2N",
-            Unit::ENERGY,
-            [gap, subject.cubic_rule_gap(constants, seen.mean_cube, sequence.n())],
-            seen.granted,
-        ))
+            subject.cubic_rule_gap(constants, seen.mean_cube, n),
+        ),
+    ];
+    Ok(seen.gap(Statement::Proposition8_1, constants, [seen.left, seen.trapezoidal], bounds))
 }
 
 /// Evaluates Proposition 8.2: `|E(γᵖˡ) − E_l,N(γᵖ)| ≤ L_H K₃³ / (2√N)`.
@@ -139,21 +148,18 @@ pub fn prop_8_2<const D: usize>(
     sequence: &PointSequence<D>,
 ) -> Result<Evidence, MetricError> {
     let seen = Energies::of(subject, metric, sequence)?;
-    let constants = subject.constants(metric);
-    let bound = subject.polyline_gap_left(constants, subject.k3(sequence), sequence.n());
-    let gap = (seen.curve - seen.left).abs();
-    Ok(Evidence::of(Statement::Proposition8_2)
-        .given_constants(constants, &seen.gram)
-        .stated("|E(γᵖˡ) − E_l,N| ≤ L_H K₃³/2√N", Unit::ENERGY, [gap, bound], seen.granted)
-        .sharper(
+    let (constants, n) = (subject.constants(metric), sequence.n());
+    let bounds = [
+        (
+            "|E(γᵖˡ) − E_l,N| ≤ L_H K₃³/2√N",
+            subject.polyline_gap_left(constants, subject.k3(sequence), n),
+        ),
+        (
             "|E(γᵖˡ) − E_l,N| ≤ L_H mean|β|³/2N",
-            Unit::ENERGY,
-            [
-                gap,
-                subject.cubic_gap(constants, PaperRule::LeftEndpoint, seen.mean_cube, sequence.n()),
-            ],
-            seen.granted,
-        ))
+            subject.cubic_gap(constants, PaperRule::LeftEndpoint, seen.mean_cube, n),
+        ),
+    ];
+    Ok(seen.gap(Statement::Proposition8_2, constants, [seen.curve, seen.left], bounds))
 }
 
 /// Evaluates Lemma S.2 on any point sequence.

@@ -56,19 +56,28 @@ pub(super) fn admitted<const D: usize>(evidence: Evidence, seen: &Reconstruction
     )
 }
 
-/// `d² + C_tra♯`, which the proof of Theorem 1.1 has for `min E_tra,N`.
-pub(super) fn premise_trapezoidal<const D: usize>(
-    subject: &Subject,
-    seen: &Reconstruction<D>,
-) -> f64 {
-    let (k1, k2) = (subject.k1_g(seen.setting), subject.k2_g(seen.setting));
-    seen.distance_squared + subject.c_tra_sharp(seen.setting.constants(), k1, k2)
+/// What the proof has for the minimum: `d² + C_tra♯` of `E_tra,N` (Theorem 1.1), and
+/// `d² + C_tra♯ + ½ L_H K̄_{3,g}³` of `E_l,N` (Theorem 1.3).
+fn premise<const D: usize>(subject: &Subject, seen: &Reconstruction<D>, rule: PaperRule) -> f64 {
+    let (setting, constants) = (seen.setting, seen.setting.constants());
+    let (k1, k2) = (subject.k1_g(setting), subject.k2_g(setting));
+    let trapezoidal = seen.distance_squared + subject.c_tra_sharp(constants, k1, k2);
+    match rule {
+        PaperRule::Trapezoidal => trapezoidal,
+        PaperRule::LeftEndpoint => {
+            trapezoidal + 0.5 * constants.l_h() * subject.k3_bar_g(setting).powi(3)
+        }
+    }
 }
 
-/// `d² + C_tra♯ + ½ L_H K̄_{3,g}³`, which the proof of Theorem 1.3 has for `min E_l,N`.
-pub(super) fn premise_left<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> f64 {
-    let cube = subject.k3_bar_g(seen.setting).powi(3);
-    premise_trapezoidal(subject, seen) + 0.5 * seen.setting.constants().l_h() * cube
+/// [`begin`] with the premise of the paper.
+pub(super) fn begin_in_the_paper<const D: usize>(
+    statement: Statement,
+    subject: &Subject,
+    seen: &Reconstruction<D>,
+    rule: PaperRule,
+) -> Evidence {
+    begin(statement, seen, rule, premise(subject, seen, rule))
 }
 
 /// Evaluates Theorem 1.1 on a computed minimiser of the trapezoidal rule.
@@ -82,37 +91,18 @@ pub(super) fn premise_left<const D: usize>(subject: &Subject, seen: &Reconstruct
 #[doc(alias = "theo:approx_numerical_integral_trapezoidal")]
 #[must_use]
 pub fn theorem_1_1<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
-    let &Reconstruction { setting, n, distance_squared: d2, discrete_energy, granted, .. } = seen;
-    let (constant, count) = (subject.theorem_1_1_constant(setting), n.get() as f64);
-    let gap = seen.energy.value - discrete_energy;
-    let premise = premise_trapezoidal(subject, seen);
-    let mean_cube = subject.cubic_gap(setting.constants(), seen.rule, seen.mean_cube, n);
-    let ceiling = subject.theorem_a_minimum_gap(setting, seen.rule, n);
-    let first_order = subject.theorem_a_polyline_gap(setting, seen.rule, n);
-    begin(Statement::Theorem1_1, seen, PaperRule::Trapezoidal, premise)
-        .assumed(GLOBAL)
-        .stated("E(γᵖˡ) − E_tra,N ≤ C/√N", Unit::ENERGY, [gap, constant / count.sqrt()], granted)
-        .stated(
-            "E_tra,N − d² ≤ C/N",
-            Unit::ENERGY,
-            [discrete_energy - d2, constant / count],
-            granted,
-        )
-        .stated("d² ≤ E(γᵖˡ)", Unit::ENERGY, [d2 - seen.energy.value, 0.0], granted)
-        .sharper("E(γᵖˡ) − E_tra,N ≤ L_H mean|β|³/4N", Unit::ENERGY, [gap, mean_cube], granted)
-        .sharper(
+    let (constant, count) = (subject.theorem_1_1_constant(seen.setting), seen.n.get() as f64);
+    let claims = Claims {
+        polyline: ("E(γᵖˡ) − E_tra,N ≤ C/√N", constant / count.sqrt()),
+        minimum: ("E_tra,N − d² ≤ C/N", constant / count),
+        sharper: [
+            "E(γᵖˡ) − E_tra,N ≤ L_H mean|β|³/4N",
             "E_tra,N − d² ≤ d² (e − 1)",
-            Unit::ENERGY,
-            [discrete_energy - d2, ceiling],
-            granted,
-        )
-        .sharper("E(γᵖˡ) − E_tra,N ≤ d² (δ/4N) e Q", Unit::ENERGY, [gap, first_order], granted)
-        .sharper(
+            "E(γᵖˡ) − E_tra,N ≤ d² (δ/4N) e Q",
             "d² − E_tra,N ≤ d² (δ/4N) e Q",
-            Unit::ENERGY,
-            [d2 - discrete_energy, first_order],
-            granted,
-        )
+        ],
+    };
+    claims.conclude(Statement::Theorem1_1, subject, seen, PaperRule::Trapezoidal)
 }
 
 /// Evaluates Theorem 1.2 on a computed minimiser of the trapezoidal rule.
@@ -127,10 +117,7 @@ pub fn theorem_1_1<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) 
 #[must_use]
 pub fn theorem_1_2<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let constant = subject.theorem_1_1_constant(seen.setting);
-    let first_order = subject.theorem_a_excess(seen.setting, seen.rule, seen.n);
-    let premise = premise_trapezoidal(subject, seen);
-    let evidence = begin(Statement::Theorem1_2, seen, PaperRule::Trapezoidal, premise);
-    length_excess(evidence, seen, constant, first_order)
+    length_excess(Statement::Theorem1_2, subject, seen, PaperRule::Trapezoidal, constant)
 }
 
 /// Evaluates Theorem 1.3 on a computed minimiser of the left-endpoint rule.
@@ -144,28 +131,53 @@ pub fn theorem_1_2<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) 
 #[doc(alias = "theo:approx_numerical_integral_left")]
 #[must_use]
 pub fn theorem_1_3<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
-    let &Reconstruction { setting, n, distance_squared: d2, discrete_energy, granted, .. } = seen;
-    let count = n.get() as f64;
-    let bound = subject.theorem_1_3_constant(setting) / count.sqrt();
-    let gap = seen.energy.value - discrete_energy;
-    let premise = premise_left(subject, seen);
-    let mean_cube = subject.cubic_gap(setting.constants(), seen.rule, seen.mean_cube, n);
-    let ceiling = subject.theorem_a_minimum_gap(setting, seen.rule, n);
-    let first_order = subject.theorem_a_polyline_gap(setting, seen.rule, n);
-    begin(Statement::Theorem1_3, seen, PaperRule::LeftEndpoint, premise)
-        .assumed(GLOBAL)
-        .stated("E(γᵖˡ) − E_l,N ≤ C/√N", Unit::ENERGY, [gap, bound], granted)
-        .stated("E_l,N − d² ≤ C/√N", Unit::ENERGY, [discrete_energy - d2, bound], granted)
-        .stated("d² ≤ E(γᵖˡ)", Unit::ENERGY, [d2 - seen.energy.value, 0.0], granted)
-        .sharper("E(γᵖˡ) − E_l,N ≤ L_H mean|β|³/2N", Unit::ENERGY, [gap, mean_cube], granted)
-        .sharper("E_l,N − d² ≤ d² (e − 1)", Unit::ENERGY, [discrete_energy - d2, ceiling], granted)
-        .sharper("E(γᵖˡ) − E_l,N ≤ d² (δ/2N) e Q", Unit::ENERGY, [gap, first_order], granted)
-        .sharper(
+    let bound = subject.theorem_1_3_constant(seen.setting) / (seen.n.get() as f64).sqrt();
+    let claims = Claims {
+        polyline: ("E(γᵖˡ) − E_l,N ≤ C/√N", bound),
+        minimum: ("E_l,N − d² ≤ C/√N", bound),
+        sharper: [
+            "E(γᵖˡ) − E_l,N ≤ L_H mean|β|³/2N",
+            "E_l,N − d² ≤ d² (e − 1)",
+            "E(γᵖˡ) − E_l,N ≤ d² (δ/2N) e Q",
             "d² − E_l,N ≤ d² (δ/2N) e Q",
-            Unit::ENERGY,
-            [d2 - discrete_energy, first_order],
-            granted,
-        )
+        ],
+    };
+    claims.conclude(Statement::Theorem1_3, subject, seen, PaperRule::LeftEndpoint)
+}
+
+/// What Theorems 1.1 and 1.3 claim, each with its bound, and the names of their companions.
+struct Claims {
+    polyline: (&'static str, f64),
+    minimum: (&'static str, f64),
+    /// By the mean cube; of the minimum, of the polyline and from below by Theorem A.
+    sharper: [&'static str; 4],
+}
+
+impl Claims {
+    fn conclude<const D: usize>(
+        self,
+        statement: Statement,
+        subject: &Subject,
+        seen: &Reconstruction<D>,
+        rule: PaperRule,
+    ) -> Evidence {
+        let &Reconstruction { setting, n, distance_squared: d2, discrete_energy, .. } = seen;
+        let granted = seen.granted;
+        let gap = seen.energy.value - discrete_energy;
+        let mean_cube = subject.cubic_gap(setting.constants(), seen.rule, seen.mean_cube, n);
+        let ceiling = subject.theorem_a_minimum_gap(setting, seen.rule, n);
+        let first_order = subject.theorem_a_polyline_gap(setting, seen.rule, n);
+        let [by_cube, of_minimum, of_polyline, from_below] = self.sharper;
+        begin_in_the_paper(statement, subject, seen, rule)
+            .assumed(GLOBAL)
+            .stated(self.polyline.0, Unit::ENERGY, [gap, self.polyline.1], granted)
+            .stated(self.minimum.0, Unit::ENERGY, [discrete_energy - d2, self.minimum.1], granted)
+            .stated("d² ≤ E(γᵖˡ)", Unit::ENERGY, [d2 - seen.energy.value, 0.0], granted)
+            .sharper(by_cube, Unit::ENERGY, [gap, mean_cube], granted)
+            .sharper(of_minimum, Unit::ENERGY, [discrete_energy - d2, ceiling], granted)
+            .sharper(of_polyline, Unit::ENERGY, [gap, first_order], granted)
+            .sharper(from_below, Unit::ENERGY, [d2 - discrete_energy, first_order], granted)
+    }
 }
 
 /// Evaluates Theorem 1.4 on a computed minimiser of the left-endpoint rule.
@@ -179,22 +191,21 @@ pub fn theorem_1_3<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) 
 #[must_use]
 pub fn theorem_1_4<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let constant = subject.theorem_1_3_constant(seen.setting);
-    let first_order = subject.theorem_a_excess(seen.setting, seen.rule, seen.n);
-    let premise = premise_left(subject, seen);
-    let evidence = begin(Statement::Theorem1_4, seen, PaperRule::LeftEndpoint, premise);
-    length_excess(evidence, seen, constant, first_order)
+    length_excess(Statement::Theorem1_4, subject, seen, PaperRule::LeftEndpoint, constant)
 }
 
 /// What Theorems 1.2 and 1.4 claim alike.
 fn length_excess<const D: usize>(
-    evidence: Evidence,
+    statement: Statement,
+    subject: &Subject,
     seen: &Reconstruction<D>,
+    rule: PaperRule,
     constant: f64,
-    first_order: f64,
 ) -> Evidence {
     let (length2, d2) = (seen.length_squared.value, seen.distance_squared);
     let bound = constant / (seen.n.get() as f64).sqrt();
-    evidence
+    let first_order = subject.theorem_a_excess(seen.setting, seen.rule, seen.n);
+    begin_in_the_paper(statement, subject, seen, rule)
         .stated("L(γᵖˡ)² − d² ≤ C/√N", Unit::ENERGY, [length2 - d2, bound], seen.granted)
         .sharper("d² ≤ L(γᵖˡ)²", Unit::ENERGY, [d2 - length2, 0.0], seen.granted)
         .sharper("L(γᵖˡ)² ≤ E(γᵖˡ)", Unit::ENERGY, [length2 - seen.energy.value, 0.0], seen.granted)

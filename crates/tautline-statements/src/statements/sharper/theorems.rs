@@ -5,7 +5,7 @@
 //! its energy is no more than what Lemma S.4 has for the minimum is the *premise*, a hypothesis of
 //! Theorems A to D; where it holds, they hold for the very sequence that was found.
 
-use super::section_1::{GLOBAL, admitted, begin};
+use crate::statements::section_1::{GLOBAL, admitted, begin};
 use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};
 
 /// Evaluates Lemma S.4 on a computed minimiser.

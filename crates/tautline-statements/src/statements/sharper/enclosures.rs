@@ -6,7 +6,7 @@ use tautline::{
     bounds::{BetweenPoints, Computed, DiscreteMinimum},
 };
 
-use super::section_1::{GLOBAL, admitted};
+use crate::statements::section_1::{GLOBAL, admitted};
 use crate::{
     Evidence, GramRange, PaperRule, Reconstruction, Statement, Subject, Unit, VerifyError,
     discrete_energy, reconstruction::nodes,

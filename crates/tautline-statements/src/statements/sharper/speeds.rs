@@ -107,12 +107,11 @@ pub fn lemma_s_5<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) ->
     let variance = mean(&|u| (u - average).powi(2));
     let deviation = u.iter().map(|u| (u - average).abs()).fold(0.0, f64::max);
     let surplus = (discrete_energy / d2 - 1.0).max(0.0);
-    let mut evidence = super::section_1::admitted(Evidence::of(Statement::LemmaS5), seen).given(
-        "0 < d",
-        Unit::LENGTH,
-        [-d, 0.0],
-        0.0,
-    );
+    let mut evidence = crate::statements::section_1::admitted(
+        Evidence::of(Statement::LemmaS5),
+        seen,
+    )
+    .given("0 < d", Unit::LENGTH, [-d, 0.0], 0.0);
     let spreads = [
         Some(subject.spread(setting, rule, n, surplus)),
         subject.sharp_spread(setting, n, surplus).filter(|_| rule == PaperRule::Trapezoidal),

@@ -1,6 +1,6 @@
 //! The least of all bounds of the length: what a user of the theorems is told.
 
-use super::section_1::begin;
+use crate::statements::section_1::begin;
 use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};
 
 /// Evaluates the least bound of the length on a computed minimiser: of the paper's theorem, and of

@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 use tautline::{Bounded, LocalError, PointSequence};
 
-use super::section_1::{GLOBAL, begin};
+use crate::statements::section_1::{GLOBAL, begin};
 use crate::{
     Evidence, GramRange, Known, PaperRule, Reconstruction, Statement, Subject, Unit, VerifyError,
     reconstruction::nodes,
