@@ -7,8 +7,8 @@ mod locality;
 mod speeds;
 mod theorems;
 
-pub use enclosures::{prop_s_6, prop_s_7};
-pub use least_bound::least_length_bound;
-pub use locality::prop_s_8;
-pub use speeds::{lemma_s_3, lemma_s_5};
-pub use theorems::{lemma_s_4, theorem_a, theorem_b, theorem_c, theorem_d};
+pub use enclosures::*;
+pub use least_bound::*;
+pub use locality::*;
+pub use speeds::*;
+pub use theorems::*;
