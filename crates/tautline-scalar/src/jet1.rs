@@ -2,8 +2,6 @@
 
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use num_traits::{One, Zero};
-
 use crate::{Scalar, operators::jet_is_scalar};
 
 /// A first-order Taylor expansion `v + Σ gᵢ dxᵢ` in `D` variables.
@@ -77,24 +75,6 @@ impl<T: Scalar, const D: usize> Jet1<T, D> {
     #[inline]
     fn chain(self, value: T, first: T, _second: T) -> Self {
         Self { value, first: self.first.map(|g| g * first) }
-    }
-}
-
-impl<T: Scalar, const D: usize> Add for Jet1<T, D> {
-    type Output = Self;
-    #[inline]
-    fn add(mut self, other: Self) -> Self {
-        self.zip(&other, |a, b| *a += b);
-        self
-    }
-}
-
-impl<T: Scalar, const D: usize> Sub for Jet1<T, D> {
-    type Output = Self;
-    #[inline]
-    fn sub(mut self, other: Self) -> Self {
-        self.zip(&other, |a, b| *a -= b);
-        self
     }
 }
 

@@ -2,8 +2,6 @@
 
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use num_traits::{One, Zero};
-
 use crate::{Scalar, operators::jet_is_scalar};
 
 /// A second-order Taylor expansion `v + Σ gᵢ dxᵢ + ½ Σ hᵢⱼ dxᵢ dxⱼ` in `D` variables.
@@ -137,24 +135,6 @@ impl<T: Scalar, const D: usize> Jet2<T, D> {
             }),
             bent: true,
         }
-    }
-}
-
-impl<T: Scalar, const D: usize> Add for Jet2<T, D> {
-    type Output = Self;
-    #[inline]
-    fn add(mut self, other: Self) -> Self {
-        self.zip(&other, |a, b| *a += b);
-        self
-    }
-}
-
-impl<T: Scalar, const D: usize> Sub for Jet2<T, D> {
-    type Output = Self;
-    #[inline]
-    fn sub(mut self, other: Self) -> Self {
-        self.zip(&other, |a, b| *a -= b);
-        self
     }
 }
 

@@ -92,3 +92,6 @@ pub use jet2::Jet2;
 pub use lanes::Lanes;
 pub use pair::Pair;
 pub use scalar::Scalar;
+
+#[doc(hidden)]
+pub use num_traits;

@@ -1,11 +1,68 @@
-//! What the jets share: every operator that follows from `+`, `×`, a constant and the
-//! chain rule, and every elementary function as one line of the chain rule.
+//! The operators of every number type here: which of them follow from which.
 
-/// Implements [`Scalar`](crate::Scalar) and its operators for a jet type which has
-/// `+ − × ÷` with itself, `constant_part(T)`, `map(f: T → T)`, `shift(f64)`, `chain(f, f′, f″)` and
-/// `zip(other, f: (&mut T, T))`.
+/// Implements, for a number type with `+ − × ÷` and [`Scalar::constant`](crate::Scalar::constant),
+/// the operators that follow from these: with an `f64` on either side, assignment, `0` and `1`.
+///
+/// The generic parameters stand in brackets, as in [`f64_on_the_left!`](crate::f64_on_the_left):
+/// `operators_follow!([] MyNumber)`.
+#[macro_export]
+macro_rules! operators_follow {
+    ([$($generics:tt)*] $number:ty) => {
+        $crate::operators_follow!(@each [$($generics)*] $number, Add add AddAssign add_assign);
+        $crate::operators_follow!(@each [$($generics)*] $number, Sub sub SubAssign sub_assign);
+        $crate::operators_follow!(@each [$($generics)*] $number, Mul mul MulAssign mul_assign);
+        $crate::operators_follow!(@each [$($generics)*] $number, Div div DivAssign div_assign);
+        $crate::operators_follow!(@constants [$($generics)*] $number);
+        $crate::f64_on_the_left!([$($generics)*] $number);
+    };
+    (
+        @each [$($generics:tt)*] $number:ty,
+        $operator:ident $method:ident $assign:ident $assign_method:ident
+    ) => {
+        impl<$($generics)*> ::std::ops::$operator<f64> for $number {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, c: f64) -> Self {
+                ::std::ops::$operator::$method(self, <Self as $crate::Scalar>::constant(c))
+            }
+        }
+        impl<$($generics)*> ::std::ops::$assign for $number {
+            #[inline(always)]
+            fn $assign_method(&mut self, other: Self) {
+                *self = ::std::ops::$operator::$method(*self, other);
+            }
+        }
+    };
+    (@constants [$($generics:tt)*] $number:ty) => {
+        impl<$($generics)*> $crate::num_traits::Zero for $number {
+            #[inline(always)]
+            fn zero() -> Self {
+                <Self as $crate::Scalar>::constant(0.0)
+            }
+            #[inline]
+            fn is_zero(&self) -> bool {
+                *self == Self::zero()
+            }
+        }
+        impl<$($generics)*> $crate::num_traits::One for $number {
+            #[inline(always)]
+            fn one() -> Self {
+                <Self as $crate::Scalar>::constant(1.0)
+            }
+        }
+    };
+}
+
+/// Implements [`Scalar`](crate::Scalar) and its operators for a jet type that has `×` and `÷` with
+/// itself, `constant_part(T)`, `map(f: T → T)`, `shift(f64)`, `chain(f, f′, f″)` and
+/// `zip(&other, f: (&mut T, T))`. Each elementary function is one line of the chain rule.
 macro_rules! jet_is_scalar {
     ($jet:ident) => {
+        jet_is_scalar!(@sum $jet, Add add AddAssign add_assign);
+        jet_is_scalar!(@sum $jet, Sub sub SubAssign sub_assign);
+        jet_is_scalar!(@product $jet, Mul mul MulAssign mul_assign);
+        jet_is_scalar!(@product $jet, Div div DivAssign div_assign);
+
         impl<T: Scalar, const D: usize> Neg for $jet<T, D> {
             type Output = Self;
             #[inline]
@@ -27,62 +84,8 @@ macro_rules! jet_is_scalar {
                 self.shift(-c)
             }
         }
-        impl<T: Scalar, const D: usize> Mul<f64> for $jet<T, D> {
-            type Output = Self;
-            #[inline]
-            fn mul(self, c: f64) -> Self {
-                self.map(|a| a * c)
-            }
-        }
-        impl<T: Scalar, const D: usize> Div<f64> for $jet<T, D> {
-            type Output = Self;
-            #[inline]
-            fn div(self, c: f64) -> Self {
-                self.map(|a| a / c)
-            }
-        }
         $crate::f64_on_the_left!([T: Scalar, const D: usize] $jet<T, D>);
-
-        impl<T: Scalar, const D: usize> AddAssign for $jet<T, D> {
-            #[inline]
-            fn add_assign(&mut self, other: Self) {
-                self.zip(&other, |a, b| *a += b);
-            }
-        }
-        impl<T: Scalar, const D: usize> SubAssign for $jet<T, D> {
-            #[inline]
-            fn sub_assign(&mut self, other: Self) {
-                self.zip(&other, |a, b| *a -= b);
-            }
-        }
-        impl<T: Scalar, const D: usize> MulAssign for $jet<T, D> {
-            #[inline]
-            fn mul_assign(&mut self, other: Self) {
-                *self = *self * other;
-            }
-        }
-        impl<T: Scalar, const D: usize> DivAssign for $jet<T, D> {
-            #[inline]
-            fn div_assign(&mut self, other: Self) {
-                *self = *self / other;
-            }
-        }
-        impl<T: Scalar, const D: usize> Zero for $jet<T, D> {
-            #[inline]
-            fn zero() -> Self {
-                Self::constant_part(T::zero())
-            }
-            #[inline]
-            fn is_zero(&self) -> bool {
-                *self == Self::zero()
-            }
-        }
-        impl<T: Scalar, const D: usize> One for $jet<T, D> {
-            #[inline]
-            fn one() -> Self {
-                Self::constant_part(T::one())
-            }
-        }
+        $crate::operators_follow!(@constants [T: Scalar, const D: usize] $jet<T, D>);
 
         impl<T: Scalar, const D: usize> Scalar for $jet<T, D> {
             #[inline]
@@ -180,6 +183,42 @@ macro_rules! jet_is_scalar {
                 // 1/cosh², not 1 − tanh²: the latter cancels where tanh is near ±1.
                 let first = x.cosh().sqr().recip();
                 self.chain(t, first, -t * first * 2.0)
+            }
+        }
+    };
+    (
+        @sum $jet:ident, $operator:ident $method:ident $assign:ident $assign_method:ident
+    ) => {
+        impl<T: Scalar, const D: usize> $operator for $jet<T, D> {
+            type Output = Self;
+            #[inline]
+            fn $method(mut self, other: Self) -> Self {
+                $assign::$assign_method(&mut self, other);
+                self
+            }
+        }
+        impl<T: Scalar, const D: usize> $assign for $jet<T, D> {
+            #[inline]
+            fn $assign_method(&mut self, other: Self) {
+                self.zip(&other, $assign::$assign_method);
+            }
+        }
+    };
+    // The product and the quotient of two jets are written with the type.
+    (
+        @product $jet:ident, $operator:ident $method:ident $assign:ident $assign_method:ident
+    ) => {
+        impl<T: Scalar, const D: usize> $operator<f64> for $jet<T, D> {
+            type Output = Self;
+            #[inline]
+            fn $method(self, c: f64) -> Self {
+                self.map(|a| $operator::$method(a, c))
+            }
+        }
+        impl<T: Scalar, const D: usize> $assign for $jet<T, D> {
+            #[inline]
+            fn $assign_method(&mut self, other: Self) {
+                *self = $operator::$method(*self, other);
             }
         }
     };

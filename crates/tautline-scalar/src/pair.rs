@@ -1,8 +1,8 @@
 //! `Pair`: two numbers side by side, on which a processor works at once.
 
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use num_traits::{One, Zero};
+use num_traits::One;
 use wide::f64x2;
 
 use crate::Scalar;
@@ -63,9 +63,8 @@ impl PartialEq for Pair {
     }
 }
 
-/// An operator, with a pair and with one number for both.
-macro_rules! operator {
-    ($operator:ident $method:ident $assign:ident $assign_method:ident) => {
+macro_rules! operators {
+    ($($operator:ident $method:ident)*) => {$(
         impl $operator for Pair {
             type Output = Self;
             #[inline(always)]
@@ -73,52 +72,17 @@ macro_rules! operator {
                 Self(self.0.$method(other.0))
             }
         }
-        impl $operator<f64> for Pair {
-            type Output = Self;
-            #[inline(always)]
-            fn $method(self, other: f64) -> Self {
-                Self(self.0.$method(f64x2::splat(other)))
-            }
-        }
-        impl $assign for Pair {
-            #[inline(always)]
-            fn $assign_method(&mut self, other: Self) {
-                self.0 = self.0.$method(other.0);
-            }
-        }
-    };
+    )*};
 }
 
-operator!(Add add AddAssign add_assign);
-operator!(Sub sub SubAssign sub_assign);
-operator!(Mul mul MulAssign mul_assign);
-operator!(Div div DivAssign div_assign);
-crate::f64_on_the_left!([] Pair);
+operators!(Add add Sub sub Mul mul Div div);
+crate::operators_follow!([] Pair);
 
 impl Neg for Pair {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
         Self(-self.0)
-    }
-}
-
-impl Zero for Pair {
-    #[inline(always)]
-    fn zero() -> Self {
-        Self(f64x2::ZERO)
-    }
-
-    #[inline]
-    fn is_zero(&self) -> bool {
-        *self == Self::zero()
-    }
-}
-
-impl One for Pair {
-    #[inline(always)]
-    fn one() -> Self {
-        Self(f64x2::ONE)
     }
 }
 

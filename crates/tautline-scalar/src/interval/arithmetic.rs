@@ -5,9 +5,7 @@
 //! it a bound. So the result is the smallest interval that contains all values, except where a
 //! product or quotient nearly under- or overflows, there it may be one double wider at each end.
 
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
-
-use num_traits::{One, Zero};
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::{
     Enclosure,
@@ -105,45 +103,4 @@ impl<K: Kernel> Div for Enclosure<K> {
     }
 }
 
-/// The operators with a number on the right, which is the interval of that one number.
-macro_rules! with_a_number {
-    ($($operator:ident $method:ident, $assign:ident $assign_method:ident;)*) => {$(
-        impl<K: Kernel> $operator<f64> for Enclosure<K> {
-            type Output = Self;
-            #[inline]
-            fn $method(self, c: f64) -> Self {
-                self.$method(Self::point(c))
-            }
-        }
-        impl<K: Kernel> $assign for Enclosure<K> {
-            #[inline]
-            fn $assign_method(&mut self, other: Self) {
-                *self = self.$method(other);
-            }
-        }
-    )*};
-}
-
-with_a_number! {
-    Add add, AddAssign add_assign;
-    Sub sub, SubAssign sub_assign;
-    Mul mul, MulAssign mul_assign;
-    Div div, DivAssign div_assign;
-}
-
-crate::f64_on_the_left!([K: Kernel] Enclosure<K>);
-
-impl<K: Kernel> Zero for Enclosure<K> {
-    fn zero() -> Self {
-        Self::enclosing(0.0, 0.0)
-    }
-    fn is_zero(&self) -> bool {
-        *self == Self::zero()
-    }
-}
-
-impl<K: Kernel> One for Enclosure<K> {
-    fn one() -> Self {
-        Self::enclosing(1.0, 1.0)
-    }
-}
+crate::operators_follow!([K: Kernel] Enclosure<K>);

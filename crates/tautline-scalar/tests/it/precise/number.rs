@@ -3,10 +3,10 @@
 use std::{
     cell::RefCell,
     fmt,
-    ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign},
+    ops::{Add, Div, Mul, Neg, Sub},
 };
 
-use num_traits::{One, Zero};
+use num_traits::One;
 use tautline_scalar::Scalar;
 
 use super::ball::{Ball, P, Value};
@@ -122,46 +122,7 @@ impl Div for Precise {
     }
 }
 
-/// The operators with a number on the right, and those that assign.
-macro_rules! operators_follow {
-    ($($operator:ident $method:ident, $assign:ident $assign_method:ident;)*) => {$(
-        impl $operator<f64> for Precise {
-            type Output = Self;
-            fn $method(self, c: f64) -> Self {
-                self.$method(Self::constant(c))
-            }
-        }
-        impl $assign for Precise {
-            fn $assign_method(&mut self, other: Self) {
-                *self = self.$method(other);
-            }
-        }
-    )*};
-}
-
-operators_follow! {
-    Add add, AddAssign add_assign;
-    Sub sub, SubAssign sub_assign;
-    Mul mul, MulAssign mul_assign;
-    Div div, DivAssign div_assign;
-}
-
-tautline_scalar::f64_on_the_left!([] Precise);
-
-impl Zero for Precise {
-    fn zero() -> Self {
-        Self::constant(0.0)
-    }
-    fn is_zero(&self) -> bool {
-        matches!(self.value(), Value::Within(x) if x.is_zero())
-    }
-}
-
-impl One for Precise {
-    fn one() -> Self {
-        Self::constant(1.0)
-    }
-}
+tautline_scalar::operators_follow!([] Precise);
 
 impl Scalar for Precise {
     /// The number itself; undefined unless it is finite.
