@@ -1,45 +1,49 @@
-//! What chance decides in a test: the seed of its random cases, and how many there are.
+//! Seeds and numbers of random cases for the tests of this workspace.
 //!
-//! Every test has a seed of its own, and the laws of one suite of the kit have one together, so that it draws
-//! the same cases in every run. Two environment variables change that for all of them, in the tests of this
-//! workspace and in those that `tautline-kit` makes:
+//! Every test has its own fixed seed, so each run draws the same cases; the laws of one suite of
+//! `tautline-kit` share a seed. Two environment variables change that for all tests, including those
+//! that `tautline-kit` makes:
 //!
 //! | variable | a whole number that | default |
 //! | --- | --- | --- |
-//! | `TAUTLINE_SEED` | is mixed with the seed of each test: other cases, and again the same ones for the same number | the seed of the test |
+//! | `TAUTLINE_SEED` | is mixed with the seed of each test: new cases, the same for the same number | the seed of the test |
 //! | `TAUTLINE_CASES` | multiplies the number of cases of each test | 1 |
 //!
 //! ```console
 //! $ TAUTLINE_SEED=7 TAUTLINE_CASES=100 cargo test -p tautline-bounds
 //! ```
 //!
-//! This is for tests: [`Chance::asked`] reads the environment, and so does proptest for the settings
-//! that are not set here (`PROPTEST_…`): not for seeds, cases, and what is drawn.
+//! Only for tests: [`Chance::asked`] reads the environment. So does proptest, for those of its
+//! settings (`PROPTEST_…`) that are not set here; seeds, cases and the generator are.
+
+mod random;
 
 use std::{env, fmt};
 
 use proptest::test_runner::{Config, RngAlgorithm, RngSeed};
 
+pub use random::Random;
+
 /// The variable that is mixed with every seed.
 const SEED: &str = "TAUTLINE_SEED";
 
-/// The variable by which every number of cases is multiplied.
+/// The variable that multiplies every number of cases.
 const CASES: &str = "TAUTLINE_CASES";
 
-/// proptest's own number of samples that may be refused, for the number of cases as it is written.
-const REFUSED: u32 = 1024;
+/// How many samples proptest may reject by default, before [`CASES`] multiplies it.
+const REJECTED: u32 = 1024;
 
-/// The seed and the number of cases that were asked for.
+/// The seed and the factor on the number of cases that a run asks for.
 ///
-/// Printed, it is what has to stand before a command so that it draws the same cases, with a blank
-/// after it; nothing if seeds and numbers are as they are written.
+/// Displays as the variables, with a space after each, to put before a command that should draw the
+/// same cases; as nothing if the run changes nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Chance {
     seed: Option<u64>,
     factor: u32,
 }
 
-/// A variable that does not say what it should.
+/// An environment variable without a valid number.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{variable} is {value:?}, not a whole number from {least} to {most}")]
 pub struct ChanceError {
@@ -47,22 +51,21 @@ pub struct ChanceError {
     pub variable: &'static str,
     /// Its value.
     pub value: String,
-    /// The least number that it may be.
+    /// The least valid number.
     pub least: u64,
-    /// The largest number that it may be.
+    /// The greatest valid number.
     pub most: u64,
 }
 
 impl Chance {
-    /// Seeds and numbers of cases as they are written.
+    /// Keeps seeds and numbers of cases as they are in the code.
     pub const FIXED: Self = Self { seed: None, factor: 1 };
 
     /// Returns what the environment asks for.
     ///
     /// # Panics
     ///
-    /// If a variable is set to something else than a number: the tests of a command that asks for
-    /// nothing sensible fail, each with the [`ChanceError`].
+    /// With the [`ChanceError`] if a variable has no valid number, so that every test fails.
     #[must_use]
     pub fn asked() -> Self {
         Self::read().unwrap_or_else(|error| panic!("{error}"))
@@ -72,7 +75,7 @@ impl Chance {
     ///
     /// # Errors
     ///
-    /// [`ChanceError`] if a variable is set to something else than a number.
+    /// [`ChanceError`] if a variable has no valid number.
     pub fn read() -> Result<Self, ChanceError> {
         let value = |name| env::var_os(name).map(|value| value.to_string_lossy().into_owned());
         Self::new(value(SEED).as_deref(), value(CASES).as_deref())
@@ -82,7 +85,7 @@ impl Chance {
     ///
     /// # Errors
     ///
-    /// [`ChanceError`] unless the first is a number of 64 bits, and the second one from 1 on of 32.
+    /// [`ChanceError`] unless `seed` is a `u64` and `cases` a positive `u32`.
     pub fn new(seed: Option<&str>, cases: Option<&str>) -> Result<Self, ChanceError> {
         let most = u64::from(u32::MAX);
         let seed = seed.map(|value| number(SEED, value, 0, u64::MAX)).transpose()?;
@@ -90,58 +93,60 @@ impl Chance {
         Ok(Self { seed, factor: u32::try_from(factor).unwrap_or(u32::MAX) })
     }
 
-    /// Returns the seed for a test whose own seed is this one: different for different tests.
+    /// Returns the seed for the test with the seed `fixed`. Tests with different seeds keep different
+    /// seeds.
     #[must_use]
     pub fn seed(self, fixed: u64) -> u64 {
+        let mixed = |number| Random(number).bits();
         self.seed.map_or(fixed, |seed| mixed(seed ^ mixed(fixed)))
     }
 
-    /// Returns the number of cases for a test that draws so many by itself.
+    /// Returns the number of cases for a test that has `fixed` cases by default.
     #[must_use]
     pub fn cases(self, fixed: u32) -> u32 {
         fixed.saturating_mul(self.factor)
     }
 
-    /// Returns the configuration of a property test with this seed and so many cases, which writes
-    /// no files.
+    /// Returns the configuration of a property test with this seed and number of cases. It writes no
+    /// files.
     #[must_use]
     pub fn config(self, seed: u64, cases: u32) -> Config {
         Config {
             cases: self.cases(cases),
             rng_algorithm: RngAlgorithm::ChaCha,
             rng_seed: RngSeed::Fixed(self.seed(seed)),
-            max_global_rejects: self.cases(REFUSED),
+            max_global_rejects: self.cases(REJECTED),
             failure_persistence: None,
             ..Config::default()
         }
     }
 }
 
-/// Returns the configuration of a property test with this seed and so many cases, or what the
-/// environment asks for instead; it writes no files.
+/// Returns the configuration of a property test with this seed and number of cases, changed as the
+/// environment asks. It writes no files.
 ///
-/// Says on stderr how to draw the same cases, which the test harness shows where the test fails.
+/// Prints to stderr how to draw the same cases; the test harness shows that where the test fails.
 ///
 /// # Panics
 ///
 /// As [`Chance::asked`].
 #[must_use]
 pub fn config(seed: u64, cases: u32) -> Config {
-    said(seed).config(seed, cases)
+    announced(seed).config(seed, cases)
 }
 
-/// Returns the seed of a test that draws by itself, or what the environment asks for instead; says
-/// so, as [`config`] does.
+/// Returns the seed of a test that draws its own cases, changed as the environment asks. Prints as
+/// [`config`] does.
 ///
 /// # Panics
 ///
 /// As [`Chance::asked`].
 #[must_use]
 pub fn seed(fixed: u64) -> u64 {
-    said(fixed).seed(fixed)
+    announced(fixed).seed(fixed)
 }
 
-/// Returns how many cases a test draws that draws by itself, or what the environment asks for.
+/// Returns the number of cases of a test that draws its own, changed as the environment asks.
 ///
 /// # Panics
 ///
@@ -151,7 +156,7 @@ pub fn cases(fixed: u32) -> u32 {
     Chance::asked().cases(fixed)
 }
 
-fn said(seed: u64) -> Chance {
+fn announced(seed: u64) -> Chance {
     let chance = Chance::asked();
     eprintln!("seed {seed}; to draw the same cases: {chance}cargo test");
     chance
@@ -174,15 +179,6 @@ fn number(variable: &'static str, value: &str, least: u64, most: u64) -> Result<
     number.ok_or_else(|| ChanceError { variable, value: value.to_owned(), least, most })
 }
 
-/// A permutation of the numbers of 64 bits in which neighbours have nothing in common: the last step
-/// of SplitMix64 (Steele, Lea and Flood, 2014), after an odd number that keeps 0 from staying 0.
-fn mixed(number: u64) -> u64 {
-    let mut z = number.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
-}
-
 #[cfg(test)]
 mod tests {
     use std::{
@@ -200,28 +196,26 @@ mod tests {
     }
 
     #[test]
-    fn without_variables_everything_is_as_it_is_written() {
+    fn without_variables_nothing_changes() {
         let chance = asked(None, None);
         assert_eq!(chance, Chance::FIXED);
-        assert_eq!(
-            (chance.seed(7101), chance.cases(256), chance.to_string()),
-            (7101, 256, "".into())
-        );
+        assert_eq!((chance.seed(7101), chance.cases(256)), (7101, 256));
+        assert_eq!(chance.to_string(), "");
         let config = chance.config(3, 64);
         assert_eq!((config.rng_seed, config.cases), (RngSeed::Fixed(3), 64));
         assert!(config.failure_persistence.is_none());
     }
 
-    /// Set in a process whose environment asks for something, to what it is to draw.
+    /// Tells the test in a child process what to expect.
     const DRAWN: &str = "TAUTLINE_TESTS_DRAWN";
 
-    /// Runs the next test in a process in which these variables are set, and which is to draw what this
-    /// one asks for.
+    /// Runs the next test in a child process with these variables, which should have the effect of
+    /// `asked`.
     fn in_environment(variables: &[(&str, &str)], asked: Chance) -> Output {
         let of_config = RngSeed::Fixed(asked.seed(3));
         let drawn = (asked.seed(7), asked.cases(5), of_config, asked.cases(64), asked.cases(1024));
         Command::new(env::current_exe().expect("this program"))
-            .args(["--exact", "tests::the_environment_is_asked_under_these_names", "--nocapture"])
+            .args(["--exact", "tests::the_environment_variables_have_these_names", "--nocapture"])
             .env_remove("TAUTLINE_SEED")
             .env_remove("TAUTLINE_CASES")
             .envs(variables.iter().copied())
@@ -231,7 +225,7 @@ mod tests {
     }
 
     #[test]
-    fn the_environment_is_asked_under_these_names() {
+    fn the_environment_variables_have_these_names() {
         if let Some(asked) = env::var_os(DRAWN) {
             let of = config(3, 64);
             assert_eq!(of.rng_algorithm, RngAlgorithm::ChaCha);
@@ -243,24 +237,25 @@ mod tests {
             (&[("TAUTLINE_SEED", "7")], Some("7"), None),
             (&[("TAUTLINE_CASES", "100")], None, Some("100")),
             (&[("TAUTLINE_SEED", "9"), ("TAUTLINE_CASES", "2")], Some("9"), Some("2")),
-            // proptest has variables of its own.
+            // The variables of proptest change nothing.
             (&[("PROPTEST_RNG_ALGORITHM", "xs"), ("PROPTEST_CASES", "1")], None, None),
             (&[("PROPTEST_RNG_SEED", "1"), ("PROPTEST_MAX_GLOBAL_REJECTS", "1")], None, None),
         ] {
             let output = in_environment(variables, asked(seed, cases));
-            let said = String::from_utf8_lossy(&output.stderr);
-            assert!(output.status.success(), "{variables:?}: {said}");
+            let printed = String::from_utf8_lossy(&output.stderr);
+            assert!(output.status.success(), "{variables:?}: {printed}");
             let again = format!("seed 7; to draw the same cases: {}cargo test", asked(seed, cases));
-            assert!(said.contains(&again), "{said}");
+            assert!(printed.contains(&again), "{printed}");
         }
         let output = in_environment(&[("TAUTLINE_CASES", "many")], Chance::FIXED);
-        let said = String::from_utf8_lossy(&output.stderr);
-        assert!(!output.status.success() && said.contains("TAUTLINE_CASES is \"many\""), "{said}");
+        let printed = String::from_utf8_lossy(&output.stderr);
+        assert!(!output.status.success(), "{printed}");
+        assert!(printed.contains("TAUTLINE_CASES is \"many\""), "{printed}");
     }
 
-    /// Neither two tests nor two runs share their cases, and a run can be had again.
+    /// No two tests and no two runs share their cases, and a run can be repeated.
     #[test]
-    fn a_seed_gives_every_test_another_one() {
+    fn seeds_are_distinct_and_reproducible() {
         let seeds = |asked: u64| {
             (0..1000).map(move |fixed| {
                 Chance::new(Some(&asked.to_string()), None).expect("a number").seed(fixed)
@@ -272,23 +267,21 @@ mod tests {
     }
 
     #[test]
-    fn numbers_of_cases_are_multiplied_and_so_is_what_may_be_refused() {
+    fn numbers_of_cases_and_of_rejects_are_multiplied() {
         let chance = asked(None, Some("100"));
         assert_eq!((chance.seed(5), chance.cases(64), chance.cases(u32::MAX)), (5, 6400, u32::MAX));
         assert_eq!(chance.config(3, 64).max_global_rejects, 102_400);
     }
 
     #[test]
-    fn it_prints_as_what_stands_before_a_command() {
-        assert_eq!(
-            asked(Some("7"), Some("100")).to_string(),
-            "TAUTLINE_SEED=7 TAUTLINE_CASES=100 "
-        );
+    fn it_displays_as_variables_before_a_command() {
+        let both = asked(Some("7"), Some("100"));
+        assert_eq!(both.to_string(), "TAUTLINE_SEED=7 TAUTLINE_CASES=100 ");
         assert_eq!(asked(None, Some("2")).to_string(), "TAUTLINE_CASES=2 ");
     }
 
     #[test]
-    fn what_is_no_number_is_refused_with_its_name() {
+    fn invalid_numbers_are_errors_that_name_the_variable() {
         let error = |variable, value: &str, least, most| {
             Err(ChanceError { variable, value: value.to_owned(), least, most })
         };
