@@ -1,11 +1,10 @@
 //! `2.0 - x`: a number on the left of a scalar.
 
-/// `T`, as if it were a type of this one.
+/// `T`, as an associated type of every type.
 ///
-/// Rust takes over from a trait what it asks of the implementing type and of types that belong to
-/// it, but not a bound on another type such as `f64: Sub<Self>`: each function would have to repeat
-/// it. Here `f64` belongs to every type, so that [`Scalar`](crate::Scalar) can ask it of
-/// `Beside<f64>::Is`, which is `f64`, and `S: Scalar` is enough for `2.0 - x`.
+/// A trait implies its bounds on `Self` and on associated types, but not a bound on another type
+/// such as `f64: Sub<Self>`: each function would have to repeat it. Since `Beside<f64>::Is` is `f64`,
+/// [`Scalar`](crate::Scalar) can put the bound there, and `S: Scalar` is enough for `2.0 - x`.
 pub trait Beside<T> {
     /// `T`.
     type Is;
@@ -15,11 +14,11 @@ impl<T, U> Beside<T> for U {
     type Is = T;
 }
 
-/// Implements `c + x`, `c - x`, `c * x` and `c / x` with an `f64` on the left for a number type of
-/// your own, which is half of what [`Scalar`](crate::Scalar) asks for; by the operators with an `f64`
-/// on the right, and `c / x` by [`Scalar::constant`](crate::Scalar::constant).
+/// Implements `c + x`, `c - x`, `c * x` and `c / x` with an `f64` on the left for your number type,
+/// by the operators with an `f64` on the right; `c / x` by
+/// [`Scalar::constant`](crate::Scalar::constant).
 ///
-/// In brackets the generic parameters, none for a type without: `f64_on_the_left!([] MyNumber)`,
+/// The generic parameters come first, in brackets: `f64_on_the_left!([] MyNumber)`,
 /// `f64_on_the_left!([T: Scalar, const D: usize] MyJet<T, D>)`.
 #[macro_export]
 macro_rules! f64_on_the_left {
@@ -58,7 +57,7 @@ macro_rules! f64_on_the_left {
 mod tests {
     use crate::{Interval, Jet1, Jet2, Pair, Scalar};
 
-    /// A number on the left, and the same formula with numbers on the right only.
+    /// Formulas with a number on the left, and the same with it on the right.
     fn formulas<S: Scalar>(x: S) -> [[S; 2]; 5] {
         [
             [1.0 + x, x + 1.0],
@@ -77,7 +76,7 @@ mod tests {
     }
 
     #[test]
-    fn a_number_on_the_left_is_that_number_in_every_type() {
+    fn a_number_may_be_on_the_left_in_every_type() {
         assert_same(0.75);
         assert_same(Pair::new(0.75, -1.25));
         let x = Interval::new(0.5, 0.75).expect("ordered");
@@ -87,9 +86,8 @@ mod tests {
         assert_same(Jet2::variables(&[x, x])[1]);
     }
 
-    /// Which, that is: the values of `f64` itself, and derivatives by hand.
     #[test]
-    fn differences_and_quotients_are_not_turned_round() {
+    fn differences_and_quotients_are_not_reversed() {
         let [x] = Jet2::variables(&[0.5]);
         let all = |y: Jet2<f64, 1>| [y.value(), y.first(0), y.second(0, 0)];
         assert_eq!(all(2.0 - x), [1.5, -1.0, 0.0]);
@@ -100,10 +98,9 @@ mod tests {
         assert_eq!([ends(2.0 - x), ends(2.0 / x)], [[1.0, 1.5], [2.0, 4.0]]);
     }
 
-    /// Products and differences of numbers stay numbers where `S: Scalar` is in scope: what the
-    /// compiler knows of `f64 - S` must not make it take every `f64 - …` for that.
+    /// Where `S: Scalar` is in scope, its bound on `f64 - S` must not capture `f64 - f64`.
     #[test]
-    fn numbers_among_themselves_are_not_taken_for_scalars() {
+    fn arithmetic_of_numbers_is_not_taken_for_that_of_scalars() {
         struct Wave {
             height: f64,
             numbers: [f64; 2],

@@ -6,8 +6,8 @@ use crate::{Scalar, operators::jet_is_scalar};
 
 /// A first-order Taylor expansion `v + Σ gᵢ dxᵢ` in `D` variables.
 ///
-/// Arithmetic on expansions is arithmetic on functions, cut after first order. The value
-/// follows the same operations, in the same order, as the formula in `T` itself.
+/// Arithmetic on expansions is arithmetic on functions, truncated after first order. The value is
+/// computed by the same operations, in the same order, as the formula in `T` itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[doc(alias = "dual number")]
 pub struct Jet1<T, const D: usize> {
@@ -33,7 +33,7 @@ impl<T: Scalar, const D: usize> Jet1<T, D> {
         self.value
     }
 
-    /// Returns the derivative by variable `i < D`.
+    /// Returns the derivative with respect to variable `i < D`.
     #[must_use]
     #[inline]
     pub fn first(&self, i: usize) -> T {
@@ -57,7 +57,7 @@ impl<T: Scalar, const D: usize> Jet1<T, D> {
         Self { value: f(self.value), first: self.first.map(f) }
     }
 
-    /// Changes every number by the one in its place.
+    /// Applies `f` to corresponding numbers.
     #[inline]
     fn zip(&mut self, other: &Self, f: impl Fn(&mut T, T)) {
         f(&mut self.value, other.value);

@@ -6,18 +6,18 @@ use crate::{Scalar, operators::jet_is_scalar};
 
 /// A second-order Taylor expansion `v + Σ gᵢ dxᵢ + ½ Σ hᵢⱼ dxᵢ dxⱼ` in `D` variables.
 ///
-/// Arithmetic on expansions is arithmetic on functions, cut after second order. The value
-/// follows the same operations, in the same order, as the formula in `T` itself.
+/// Arithmetic on expansions is arithmetic on functions, truncated after second order. The value is
+/// computed by the same operations, in the same order, as the formula in `T` itself.
 #[derive(Clone, Copy, Debug)]
 #[doc(alias = "hyper-dual number")]
 pub struct Jet2<T, const D: usize> {
     value: T,
     first: [T; D],
-    // Invariant: only the entries j ≥ i are computed; those below the diagonal stay zero.
+    // Invariant: entries below the diagonal stay zero.
     second: [[T; D]; D],
-    // Whether `second` may be other than zero. Coordinates and their linear combinations are
-    // straight, and most formulas begin with some: of 45 numbers for D = 8 these need 9. Where a
-    // formula is inlined, nothing is left of the question.
+    // Whether `second` may be nonzero. Coordinates and their linear combinations are straight, and
+    // most formulas begin with some: for D = 8 these need 9 of 45 numbers. Where a formula is
+    // inlined, the branch disappears.
     bent: bool,
 }
 
@@ -47,7 +47,7 @@ impl<T: Scalar, const D: usize> Jet2<T, D> {
         self.value
     }
 
-    /// Returns the derivative by variable `i < D`.
+    /// Returns the derivative with respect to variable `i < D`.
     #[must_use]
     #[inline]
     pub fn first(&self, i: usize) -> T {
@@ -61,7 +61,7 @@ impl<T: Scalar, const D: usize> Jet2<T, D> {
         &self.first
     }
 
-    /// Returns the second derivative by variables `i, j < D`, in either order.
+    /// Returns the second derivative with respect to variables `i, j < D`, in either order.
     #[must_use]
     #[inline]
     pub fn second(&self, i: usize, j: usize) -> T {
@@ -95,7 +95,7 @@ impl<T: Scalar, const D: usize> Jet2<T, D> {
         }
     }
 
-    /// Changes every number by the one in its place, unless that is zero anyway.
+    /// Applies `f` to corresponding numbers, except where that of `other` is zero.
     #[inline]
     fn zip(&mut self, other: &Self, f: impl Fn(&mut T, T)) {
         f(&mut self.value, other.value);
@@ -125,7 +125,7 @@ impl<T: Scalar, const D: usize> Jet2<T, D> {
             value,
             first: g.map(|gi| gi * first),
             second: Self::upper(|i, j| {
-                // A square has no negative part, where numbers are ranges.
+                // The square of an interval is tighter than its product with itself.
                 let product = if i == j { g[i].sqr() } else { g[i] * g[j] };
                 if self.bent {
                     self.second[i][j] * first + product * second

@@ -1,17 +1,17 @@
-//! `Lanes`: how many plain numbers a number stands for.
+//! `Lanes`: scalars of one or more `f64` side by side.
 
 use crate::{Pair, Scalar};
 
-/// One or more `f64` side by side, on which every operation works at once.
+/// A scalar of one or more `f64`, to each of which every operation applies.
 pub trait Lanes: Scalar {
-    /// How many numbers stand side by side.
+    /// The number of lanes.
     const LANES: usize;
 
-    /// Returns the one with the number `lane`, from 0.
+    /// Returns lane `lane < LANES`.
     #[must_use]
     fn lane(self, lane: usize) -> f64;
 
-    /// Returns whether each is positive and finite.
+    /// Returns whether every lane is positive and finite.
     #[must_use]
     fn are_positive(self) -> bool;
 }

@@ -1,8 +1,8 @@
-//! The number types in which one formula is evaluated.
+//! Number types in which one formula is evaluated: floats, jets and intervals.
 //!
-//! A metric is written once, generic over [`Scalar`]. Evaluated in `f64` it gives values,
-//! in [`Jet1`] values and gradients, in [`Jet2`] values, gradients and second derivatives:
-//! exact up to rounding, and nobody differentiates by hand.
+//! A metric is written once, generic over [`Scalar`]. Evaluated in `f64` it gives values, in [`Jet1`]
+//! also gradients, in [`Jet2`] also second derivatives: exact up to rounding, without differentiating
+//! by hand.
 //!
 //! ```
 //! use tautline_scalar::{Jet2, Scalar};
@@ -23,23 +23,21 @@
 //! # What a formula may use
 //!
 //! `+ − × ÷` between scalars and with an `f64` on either side, and the methods of [`Scalar`].
-//! There is no ordering, no absolute value and no branching on purpose: a formula that
-//! compiles is smooth wherever it is defined, and a number type that stands for a whole
-//! range of values (an interval) can evaluate it too. The jets are generic over the number
-//! they are built on for the same reason.
+//! There is deliberately no order, no absolute value and no branching: a formula that compiles is
+//! smooth wherever it is defined, and intervals can evaluate it. For the same reason jets are generic
+//! in the number type of their coefficients.
 //!
 //! A decimal in a formula means the `f64` nearest to it.
 //!
 //! # Two at a time
 //!
-//! A [`Pair`] is two `f64` in one vector register. A formula evaluated in `Jet2<Pair, D>` is expanded
-//! at two places, and all arithmetic of both is done at once: that is how the chords of a fine grid
-//! are gone through.
+//! A [`Pair`] is two `f64` in one vector register. `Jet2<Pair, D>` expands a formula at two points at
+//! once.
 //!
 //! # Intervals
 //!
-//! Evaluated in [`Interval`] a formula gives bounds of its values on a whole range, in
-//! `Jet2<Interval, D>` bounds of its derivatives too.
+//! Evaluated in [`Interval`] a formula gives bounds on its values over a box, in `Jet2<Interval, D>`
+//! also on its derivatives.
 //!
 //! ```
 //! use tautline_scalar::{Interval, Jet1, Scalar};
@@ -49,7 +47,7 @@
 //! let slope = (2.0 - x.cos()).sqr().first(0);
 //! assert!(slope.lo() <= 0.0 && 3.5 < slope.hi() && slope.hi() < 6.001);
 //!
-//! // Not defined at one point of the range: no finite bound, whatever comes after.
+//! // Undefined at one point of the range: no finite bound, whatever comes after.
 //! let x = Interval::new(-1.0, 1.0).expect("ordered");
 //! assert!(x.recip().atan().is_undefined());
 //! # Ok::<(), tautline_scalar::IntervalError>(())
@@ -57,24 +55,24 @@
 //!
 //! # Trust base
 //!
-//! An [`Interval`] contains what it says if all of this holds:
+//! The enclosures of an [`Interval`] are valid if all of this holds:
 //!
-//! * `+ − × ÷ √` of `f64` are rounded to nearest, ties to even, with gradual underflow, as IEEE
-//!   754 and the Rust reference demand: no fused or reordered operations, no flushing of
-//!   subnormals, no other rounding mode set by foreign code in the process.
-//! * The compiler and the processor do what they say, and the compiler evaluates constant
-//!   quotients (`1/3!` and the like) as the processor would.
-//! * The derivations in the comments of the kernel are right. They are also tested: against
-//!   `astro-float` at 192 bits, with twenty thousand arguments of each function in every run of the
-//!   tests and with a million by the example `enclosures_by_the_million`; random formulas with
-//!   their jets likewise, by `formulas_by_the_million`, and the metrics of the gallery by
-//!   `metrics_by_the_million` of `tautline-certify`. A test is no proof.
-//! * The constants `π/2`, `ln 2` and the arctangents of eighths are what they should be to the
-//!   stated error: a test compares each with a computation at 320 bits.
-//! * The formula is the one that is meant, decimals included.
+//! * `+ − × ÷ √` of `f64` round to nearest, ties to even, with gradual underflow, as IEEE 754 and the
+//!   Rust reference demand: no fused or reordered operations, no flushing of subnormals, no other
+//!   rounding mode set by foreign code in the process.
+//! * The compiler and the processor are correct, and the compiler evaluates constant quotients
+//!   (`1/3!`) as the processor would.
+//! * The derivations in the comments of the kernel are correct. The tests also compare them with
+//!   `astro-float` at 192 bits: twenty thousand arguments of each function in every run, a million in
+//!   the example `enclosures_by_the_million`; random formulas with their jets in
+//!   `formulas_by_the_million`, and the metrics of the gallery in `metrics_by_the_million` of
+//!   `tautline-certify`. A test is no proof.
+//! * The constants `π/2`, `ln 2` and the arctangents of eighths have the stated errors: a test
+//!   compares each with a computation at 320 bits.
+//! * The formula is the intended one, decimals included.
 //!
-//! No mathematical library is trusted. A [`FastInterval`] trusts one in addition: that the
-//! functions of `pxfm` are never off by more than one unit in the last place.
+//! No mathematical library is trusted. A [`FastInterval`] also trusts that the functions of `pxfm`
+//! are never off by more than one unit in the last place.
 
 mod f64_on_the_left;
 mod float;

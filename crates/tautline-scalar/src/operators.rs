@@ -3,8 +3,7 @@
 /// Implements, for a number type with `+ − × ÷` and [`Scalar::constant`](crate::Scalar::constant),
 /// the operators that follow from these: with an `f64` on either side, assignment, `0` and `1`.
 ///
-/// The generic parameters stand in brackets, as in [`f64_on_the_left!`](crate::f64_on_the_left):
-/// `operators_follow!([] MyNumber)`.
+/// The generic parameters come first, in brackets: `operators_follow!([] MyNumber)`.
 #[macro_export]
 macro_rules! operators_follow {
     ([$($generics:tt)*] $number:ty) => {
@@ -103,12 +102,12 @@ macro_rules! jet_is_scalar {
             fn powi(self, n: i32) -> Self {
                 let x = self.value();
                 match n {
-                    // Apart, since n xⁿ⁻¹ would be 0 · ∞ at x = 0. Zero times what comes in, and
-                    // not zero, so that what is not defined stays so.
+                    // Not by the general case, where n xⁿ⁻¹ is 0 · ∞ at x = 0. `chain` multiplies
+                    // by these zeros, so what is undefined stays undefined.
                     0 => self.chain(x.powi(0), T::zero(), T::zero()),
                     1 => self,
                     2 => self.sqr(),
-                    // The exponents of the derivatives are none.
+                    // n − 2 overflows.
                     ..=-2_147_483_647 => {
                         let (power, k) = (x.powi(n), f64::from(n));
                         let first = power / x * k;

@@ -1,4 +1,4 @@
-//! `Pair`: two numbers side by side, on which a processor works at once.
+//! `Pair`: two `f64` in one vector register.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -7,16 +7,16 @@ use wide::f64x2;
 
 use crate::Scalar;
 
-/// Two `f64` in one vector register: a formula evaluated in it is evaluated at two places at once.
+/// Two `f64` in one vector register, to evaluate a formula at two points at once.
 ///
-/// `+ − × ÷ √` are those of `f64`, to the last bit. `sin` and `cos` are computed for both at once as
-/// well, and are off by at most `2 ε` of the larger of the result and `ε max(1, |x|)`; every other
-/// function is that of `f64`, of one after the other.
+/// `+ − × ÷ √` give the same bits as `f64`. `sin` and `cos` are vectorised too, with an error of at
+/// most `2 ε` times the larger of the result and `ε max(1, |x|)`. Every other function calls that of
+/// `f64` for each lane.
 #[derive(Clone, Copy, Debug)]
 pub struct Pair(f64x2);
 
-/// Up to here [`f64x2::sin_cos`] subtracts multiples of `π/2` as if by a `π/2` with an error of some
-/// `ε²`: the first two parts of it have 25 bits, and are multiplied exactly by fewer than `2²⁰`.
+/// Up to here [`f64x2::sin_cos`] reduces angles as if by a `π/2` with an error of about `ε²`: the
+/// first two parts of its `π/2` have 25 bits, so their multiples by less than `2²⁰` are exact.
 const LARGEST_ANGLE: f64 = 1e6;
 
 impl Pair {
@@ -34,21 +34,21 @@ impl Pair {
         self.0.to_array()
     }
 
-    /// One after the other.
+    /// Applies `f` to each lane.
     #[inline]
     fn each(self, f: impl Fn(f64) -> f64) -> Self {
         let [first, second] = self.both();
         Self::new(f(first), f(second))
     }
 
-    /// Whether both are greater than one number and not greater than another.
+    /// Whether both lanes are in `(above, most]`.
     #[inline(always)]
     pub(crate) fn are_between(self, above: f64, most: f64) -> bool {
         let (above, most) = (f64x2::splat(above), f64x2::splat(most));
         (self.0.simd_gt(above) & self.0.simd_le(most)).all()
     }
 
-    /// Whether both are of a size up to this; NaN is not.
+    /// Whether both lanes are at most `largest` in absolute value; false for NaN.
     #[inline]
     fn are_within(self, largest: f64) -> bool {
         let [first, second] = self.both();
@@ -86,6 +86,15 @@ impl Neg for Pair {
     }
 }
 
+macro_rules! by_lane {
+    ($($function:ident)*) => {$(
+        #[inline]
+        fn $function(self) -> Self {
+            self.each(f64::$function)
+        }
+    )*};
+}
+
 impl Scalar for Pair {
     #[inline(always)]
     fn constant(value: f64) -> Self {
@@ -96,6 +105,8 @@ impl Scalar for Pair {
     fn sqr(self) -> Self {
         self * self
     }
+
+    by_lane!(exp ln tan atan tanh);
 
     #[inline]
     fn powi(self, n: i32) -> Self {
@@ -113,16 +124,6 @@ impl Scalar for Pair {
     }
 
     #[inline]
-    fn exp(self) -> Self {
-        self.each(f64::exp)
-    }
-
-    #[inline]
-    fn ln(self) -> Self {
-        self.each(f64::ln)
-    }
-
-    #[inline]
     fn sin_cos(self) -> (Self, Self) {
         if self.are_within(LARGEST_ANGLE) {
             let (sin, cos) = self.0.sin_cos();
@@ -133,23 +134,8 @@ impl Scalar for Pair {
     }
 
     #[inline]
-    fn tan(self) -> Self {
-        self.each(f64::tan)
-    }
-
-    #[inline]
-    fn atan(self) -> Self {
-        self.each(f64::atan)
-    }
-
-    #[inline]
     fn sinh_cosh(self) -> (Self, Self) {
         (self.each(f64::sinh), self.each(f64::cosh))
-    }
-
-    #[inline]
-    fn tanh(self) -> Self {
-        self.each(f64::tanh)
     }
 }
 
@@ -164,7 +150,7 @@ mod tests {
     use super::{LARGEST_ANGLE, Pair};
     use crate::{Jet2, Lanes, Scalar};
 
-    /// A formula with every function, as long as its arguments are near 1.
+    /// A formula of all functions, for arguments near 1.
     fn everything<S: Scalar>(x: S) -> S {
         let (sinh, cosh) = (x * 0.1).sinh_cosh();
         let far = (x + 2.5).powi(-3) + (x + 2.0).ln() + (x * 0.2).tan() + x.atan() * sinh + cosh;
@@ -179,7 +165,7 @@ mod tests {
         #![proptest_config(tautline_chance::config(4, 256))]
 
         #[test]
-        fn arithmetic_is_that_of_f64_to_the_last_bit(
+        fn arithmetic_gives_the_bits_of_f64(
             [a, b] in prop::array::uniform2(-1e3..1e3_f64),
             [c, d] in prop::array::uniform2(-1e3..1e3_f64),
         ) {
@@ -203,7 +189,7 @@ mod tests {
         }
 
         #[test]
-        fn sine_and_cosine_are_those_of_f64_to_rounding(
+        fn sine_and_cosine_agree_with_f64_to_rounding(
             angle in -LARGEST_ANGLE..LARGEST_ANGLE,
             small in -10.0..10.0_f64,
         ) {
@@ -211,7 +197,7 @@ mod tests {
         }
 
         #[test]
-        fn a_formula_has_the_values_and_derivatives_that_it_has_one_by_one(
+        fn a_formula_has_the_same_values_and_derivatives_in_pairs_and_in_f64(
             [a, b] in prop::array::uniform2(-1.5..1.5_f64),
         ) {
             let [pair] = Jet2::variables(&[Pair::new(a, b)]);
@@ -228,7 +214,7 @@ mod tests {
         }
     }
 
-    /// As documented; the most in four million random ones was 1.42 ε.
+    /// The documented error; the largest among four million random angles was 1.42 ε.
     #[track_caller]
     fn compare(a: f64, b: f64) {
         let (sin, cos) = Pair::new(a, b).sin_cos();
@@ -241,18 +227,17 @@ mod tests {
         }
     }
 
-    /// Where sine or cosine is nothing but the rounding of the angle.
+    /// There sine or cosine is the rounding error of the angle.
     #[test]
-    fn next_to_the_zeros_too() {
+    fn sine_and_cosine_are_accurate_next_to_their_zeros() {
         for quarter in 0..600_000 {
             let angle = f64::from(quarter) * FRAC_PI_2;
             compare(angle, -angle.next_up());
         }
     }
 
-    /// Which of the two places a number stands in makes no difference.
     #[test]
-    fn exchanged_numbers_have_exchanged_results() {
+    fn swapped_lanes_have_swapped_results() {
         let numbers = [1e7, -1e15, LARGEST_ANGLE, f64::INFINITY, f64::NAN, 0.5, -0.7, 0.0];
         for (x, y) in numbers.into_iter().flat_map(|x| numbers.map(|y| (x, y))) {
             let (pair, back) = (Pair::new(x, y), Pair::new(y, x));
@@ -265,7 +250,7 @@ mod tests {
                 [sin, cos, sinh, cosh, ln, exp, tan, atan, tanh, root, power].map(Pair::both)
             };
             for ([a, b], [c, d]) in results(pair).into_iter().zip(results(back)) {
-                // By their bits, since NaN is not itself.
+                // Bits, since NaN is not equal to itself.
                 assert_eq!(bits([a, b]), bits([d, c]), "{x} {y}");
             }
             for (lane, number) in [x, y].into_iter().enumerate() {
@@ -274,9 +259,8 @@ mod tests {
         }
     }
 
-    /// One of the two that differs is enough, whichever it is; NaN differs from itself.
     #[test]
-    fn pairs_are_equal_and_hold_if_both_do() {
+    fn comparisons_need_both_lanes() {
         let pair = Pair::new(1.0, 2.0);
         assert_eq!(pair, Pair::new(1.0, 2.0));
         for other in [Pair::new(1.0, 3.0), Pair::new(0.0, 2.0), Pair::new(2.0, 1.0)] {
@@ -291,7 +275,7 @@ mod tests {
         }
     }
 
-    /// The one beside a number out of the range is none the worse for it.
+    /// And the other lane keeps its accuracy.
     #[test]
     fn huge_angles_infinities_and_nan_are_as_in_f64() {
         for x in [1e7, -1e15, 1e300, f64::INFINITY, f64::NEG_INFINITY, f64::NAN, 0.0, -0.0] {

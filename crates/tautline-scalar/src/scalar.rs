@@ -1,4 +1,4 @@
-//! `Scalar`: what a formula may ask of a number.
+//! `Scalar`: the operations that a formula may use.
 
 use std::{
     fmt::Debug,
@@ -11,8 +11,8 @@ use crate::f64_on_the_left::Beside;
 
 /// A number in which a smooth formula can be evaluated.
 ///
-/// A formula is a function generic over `S: Scalar`, and reads as in mathematics. Numbers are `f64`
-/// and may stand on either side; `2 * x` with an integer does not compile, `2.0 * x` does.
+/// A formula is a function generic over `S: Scalar`, and reads as in mathematics. An `f64` may be
+/// on either side of an operator: `2.0 * x` compiles, `2 * x` does not.
 ///
 /// ```
 /// use tautline_scalar::Scalar;
@@ -23,17 +23,17 @@ use crate::f64_on_the_left::Beside;
 /// assert_eq!(formula(0.0, 0.0), 1.0 - 1.0 / 3.0 + 2.0);
 /// ```
 ///
-/// Where a scalar is asked for and there is a number only, write [`S::constant(2.0)`](Scalar::constant),
-/// `S::zero()` or `S::one()`.
+/// To turn a number into a scalar, write [`S::constant(2.0)`](Scalar::constant), `S::zero()` or
+/// `S::one()`.
 ///
 /// # Laws
 ///
-/// Every operation is the restriction of a smooth function to its domain; outside the
-/// domain (`ln` of a negative number, division by zero) the result is NaN or infinite, and
-/// stays so. No operation panics.
+/// Every operation is smooth on its domain. Outside the domain (`ln` of a negative number, division
+/// by zero) the result is NaN or infinite, and so is everything computed from it. No operation
+/// panics.
 ///
-/// For a number type of your own, the operators with an `f64` on the left are written by
-/// [`f64_on_the_left!`](crate::f64_on_the_left).
+/// For a number type of your own, [`operators_follow!`](crate::operators_follow) writes most of the
+/// operators.
 pub trait Scalar:
     Copy
     + Debug
@@ -56,8 +56,8 @@ pub trait Scalar:
     + SubAssign
     + MulAssign
     + DivAssign
-    // A number on the left. By value and by reference: if the compiler knew of one of them alone, it
-    // would take it for the meaning of every `f64 - …` in a formula.
+    // A number on the left, by value and by reference: with one of these bounds alone, type inference
+    // would resolve every `f64 - …` in a formula to it.
     + Beside<f64, Is = f64>
     + Beside<
         f64,
@@ -76,8 +76,8 @@ pub trait Scalar:
 
     /// Returns `x²`.
     ///
-    /// Not the same as `x * x` for a type that stands for a range: the square of a range
-    /// around zero has no negative part.
+    /// For intervals this is tighter than `x * x`: the square of an interval around zero has no
+    /// negative part.
     #[must_use]
     fn sqr(self) -> Self;
 
@@ -101,7 +101,7 @@ pub trait Scalar:
     #[must_use]
     fn ln(self) -> Self;
 
-    /// Returns `(sin x, cos x)`, `x` in radians; cheaper than both apart.
+    /// Returns `(sin x, cos x)`, `x` in radians; cheaper than two calls.
     #[must_use]
     fn sin_cos(self) -> (Self, Self);
 
@@ -113,7 +113,7 @@ pub trait Scalar:
     #[must_use]
     fn atan(self) -> Self;
 
-    /// Returns `(sinh x, cosh x)`; cheaper than both apart.
+    /// Returns `(sinh x, cosh x)`; cheaper than two calls.
     #[must_use]
     fn sinh_cosh(self) -> (Self, Self);
 

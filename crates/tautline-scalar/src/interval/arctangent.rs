@@ -12,7 +12,7 @@ use super::{
 const COEFFICIENTS: [f64; 7] =
     [1.0 / 3.0, 1.0 / 5.0, 1.0 / 7.0, 1.0 / 9.0, 1.0 / 11.0, 1.0 / 13.0, 1.0 / 15.0];
 
-/// Bounds of `arctan x`.
+/// Bounds on `arctan x`.
 #[inline]
 pub(super) fn atan(x: f64) -> (f64, f64) {
     if x.abs() < TINY {
@@ -25,25 +25,25 @@ pub(super) fn atan(x: f64) -> (f64, f64) {
 
 /// `arctan x` for `x ≥ 2⁻²⁶`, infinity included.
 ///
-/// `arctan x = arctan c + arctan τ` with `τ = (x − c)/(1 + x c)` and `c` the eighth next to `x`,
-/// for `x ≤ 1`; and `arctan x = (π/2 − arctan c) + arctan τ` with `τ = (c x − 1)/(x + c)` and `c`
-/// the eighth next to `1/x`, for `x > 1`. Either way `|τ| ≤ 1/16 + 2⁻⁵⁰`. The series `arctan τ = τ
-/// − τ w p(−w)`, `w = τ²`, with `p(−w) = Σ (−w)ʲ/(2j+3)`, is in units of `u |τ w|` off by: Horner
-/// with `q = 0.004`, at most `0.68`; `w` and the two products, `1.01`; the terms left out, `w⁷/17`,
-/// at most `0.01`. Together less than `2 u |τ w|`, relatively `0.008 u`.
+/// For `x ≤ 1`, `arctan x = arctan c + arctan τ` with `τ = (x − c)/(1 + x c)` and `c` the eighth
+/// nearest to `x`. For `x > 1`, `arctan x = (π/2 − arctan c) + arctan τ` with `τ = (c x − 1)/(x + c)`
+/// and `c` the eighth nearest to `1/x`. Either way `|τ| ≤ 1/16 + 2⁻⁵⁰`. The series is
+/// `arctan τ = τ − τ w p(−w)`, with `w = τ²` and `p(−w) = Σ (−w)ʲ/(2j+3)`. Its errors in units of
+/// `u |τ w|`: Horner with `q = 0.004`, at most `0.68`; `w` and the two products, `1.01`; truncation,
+/// `w⁷/17`, at most `0.01`. Together less than `2 u |τ w|`, relatively `0.008 u`.
 ///
 /// * `c = 0`, `x ≤ 1`: `τ = x` is exact, and the tail is one number. The error is at most
 ///   `2 u |x| w`.
 /// * `c > 0`, `x ≤ 1`: `x − c` is exact, as `c/2 ≤ x ≤ 2 c`; `1 + x c` has two roundings and the
-///   quotient one, so `τ` is off by `3.01 u |τ|`.
-/// * `x > 1`: `c x ≤ 2` is off by at most `u` (and is exact for `c = 0`), `c x − 1` is exact or
-///   zero's neighbour (`1/2 ≤ c x ≤ 2` unless `c = 0`), the divisor and the quotient are
-///   off by `u` each; as `x + c > 3/2`, `τ` is off by `2.01 u |τ| + 0.67 u`. For `x` near the
-///   largest double `τ` may be subnormal, and off by `2⁻¹⁰⁷⁵`.
+///   quotient one, so the error of `τ` is `3.01 u |τ|`.
+/// * `x > 1`: the error of `c x ≤ 2` is at most `u` (0 for `c = 0`), `c x − 1` is exact
+///   (`1/2 ≤ c x ≤ 2` unless `c = 0`), divisor and quotient have an error of `u` each; as
+///   `x + c > 3/2`, the error of `τ` is `2.01 u |τ| + 0.67 u`. For `x` near the largest double `τ`
+///   may be subnormal, with an error of `2⁻¹⁰⁷⁵`.
 ///
 /// In the last two cases the sum of the tail is rounded twice, at most
-/// `2 u (|τ w|/3 · 1.01 + 3 u) ≤ 0.003 u |τ| + 6 u²`, and the constant is off by `2⁻¹⁰⁶`: together
-/// at most `4 u |τ| + 2⁻¹⁰²`, and `0.67 u` more for `x > 1`, `c > 0`.
+/// `2 u (|τ w|/3 · 1.01 + 3 u) ≤ 0.003 u |τ| + 6 u²`, and the error of the constant is `2⁻¹⁰⁶`:
+/// together at most `4 u |τ| + 2⁻¹⁰²`, and `0.67 u` more for `x > 1`, `c > 0`.
 #[inline]
 pub(super) fn of_positive(x: f64) -> Approximation {
     let (tau, (head, low), error) = if x <= 1.0 {
@@ -59,7 +59,7 @@ pub(super) fn of_positive(x: f64) -> Approximation {
         let j = (8.0 / x).round();
         let c = j / 8.0;
         let more = if j == 0.0 { SMALL } else { 0.75 * U };
-        // Infinity only as the limit.
+        // For x = ∞ the limit.
         let tau = if c == 0.0 { -(1.0 / x) } else { (c * x - 1.0) / (x + c) };
         (tau, ARCCOT_OF_EIGHTHS[index(j)], more)
     };
@@ -69,7 +69,7 @@ pub(super) fn of_positive(x: f64) -> Approximation {
     Approximation { head, tail, error: 4.0 * U * tau.abs() + error }
 }
 
-/// An eighth, by its numerator.
+/// The index of the eighth with numerator `j`.
 #[inline]
 fn index(j: f64) -> usize {
     j as usize

@@ -10,10 +10,10 @@ use super::{
 /// Below this, `2⁻²⁶`, a function with `f(x) = x + O(x³)` differs from `x` by less than a place.
 pub(super) const TINY: f64 = f64::from_bits((1023 - 26) << 52);
 
-/// Bounds of a function of which `|x| − |x|³/2 ≤ |f(x)| ≤ |x|` is known, for `|x| < 2⁻²⁶`.
+/// Bounds on an odd function with `|x| − |x|³/2 ≤ |f(x)| ≤ |x|`, for `|x| < 2⁻²⁶`.
 ///
-/// `|x|³/2 < 2⁻⁵³ |x|`, and the neighbour of `x` is at least as far as that, also below a power of
-/// two; a subnormal has neighbours farther away still.
+/// `|x|³/2 < 2⁻⁵³ |x|`, and the neighbours of `x` are at least that far away, also below a power of
+/// two; those of a subnormal are farther.
 #[inline]
 pub(super) fn a_little_less(x: f64) -> (f64, f64) {
     if x == 0.0 {
@@ -25,7 +25,7 @@ pub(super) fn a_little_less(x: f64) -> (f64, f64) {
     }
 }
 
-/// Bounds of a function of which `|x| ≤ |f(x)| ≤ |x| + |x|³/2` is known, for `|x| < 2⁻²⁶`.
+/// Bounds on an odd function with `|x| ≤ |f(x)| ≤ |x| + |x|³/2`, for `|x| < 2⁻²⁶`.
 #[inline]
 pub(super) fn a_little_more(x: f64) -> (f64, f64) {
     if x == 0.0 {
@@ -37,14 +37,14 @@ pub(super) fn a_little_more(x: f64) -> (f64, f64) {
     }
 }
 
-/// Bounds between `−1` and `1`.
+/// Bounds on `y`, which is known to lie in `[−1, 1]`.
 #[inline]
 fn clipped(y: Approximation) -> (f64, f64) {
     let (lo, hi) = y.bounds();
     (lo.max(-1.0), hi.min(1.0))
 }
 
-/// Sine and cosine of an angle, not near zero.
+/// Sine and cosine, for `|x| ≥ 2⁻²⁶`.
 #[inline]
 pub(super) fn approximations(x: f64) -> (Approximation, Approximation) {
     let angle = QuarterTurns::of(x);
@@ -58,7 +58,7 @@ pub(super) fn approximations(x: f64) -> (Approximation, Approximation) {
     }
 }
 
-/// Bounds of `sin x` and of `cos x`, for `|x| ≤ 2²⁰`.
+/// Bounds on `sin x` and on `cos x`, for `|x| ≤ 2²⁰`.
 #[inline]
 pub(super) fn sin_cos(x: f64) -> ((f64, f64), (f64, f64)) {
     if x.abs() < TINY {
@@ -70,19 +70,19 @@ pub(super) fn sin_cos(x: f64) -> ((f64, f64), (f64, f64)) {
     (clipped(s), clipped(c))
 }
 
-/// Bounds of `sin x`, for `|x| ≤ 2²⁰`.
+/// Bounds on `sin x`, for `|x| ≤ 2²⁰`.
 #[inline]
 pub(super) fn sin(x: f64) -> (f64, f64) {
     if x.abs() < TINY { a_little_less(x) } else { clipped(one(x, 0)) }
 }
 
-/// Bounds of `cos x`, for `|x| ≤ 2²⁰`.
+/// Bounds on `cos x`, for `|x| ≤ 2²⁰`.
 #[inline]
 pub(super) fn cos(x: f64) -> (f64, f64) {
     if x.abs() < TINY { sin_cos(x).1 } else { clipped(one(x, 1)) }
 }
 
-/// The sine of `x` and so many quarter turns.
+/// The sine of `x + more π/2`.
 #[inline]
 fn one(x: f64, more: i32) -> Approximation {
     let angle = QuarterTurns::of(x);
@@ -95,7 +95,7 @@ fn one(x: f64, more: i32) -> Approximation {
     }
 }
 
-/// Bounds of `tan x`, for `|x| ≤ 2²⁰`: those of the sine by those of the cosine.
+/// Bounds on `tan x`, for `|x| ≤ 2²⁰`: the quotient of those on sine and cosine.
 #[inline]
 pub(super) fn tan(x: f64) -> (f64, f64) {
     if x.abs() < TINY {
@@ -105,7 +105,7 @@ pub(super) fn tan(x: f64) -> (f64, f64) {
     let (s, c) = approximations(x);
     let ((s0, s1), (c0, c1)) = (s.bounds(), c.bounds());
     let quotient = Interval::enclosing(s0, s1) / Interval::enclosing(c0, c1);
-    // Undefined only if the cosine were not separated from zero; then there is no bound.
+    // Undefined only if the cosine is not separated from zero.
     if quotient.is_undefined() {
         return (f64::NEG_INFINITY, f64::INFINITY);
     }

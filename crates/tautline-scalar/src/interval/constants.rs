@@ -1,5 +1,5 @@
-//! Constants that are not doubles: `π/2`, `ln 2` and the arctangents of eighths, each as a sum of
-//! doubles, by their bits. The tests compare every one with a computation in high precision.
+//! `π/2`, `ln 2` and the arctangents of eighths, each as a sum of doubles given by their bits. The
+//! tests compare each with a computation in high precision.
 
 /// `π/2 = P₀ + P₁ + P₂ + P₃ + ε` with `0 ≤ P₀ … P₂` of at most 33 bits, multiples of `2⁻³²`, `2⁻⁶⁶`
 /// and `2⁻¹⁰¹`; `P₁ < 2⁻³³`, `P₂ < 2⁻⁶⁸`, `P₃ < 2⁻¹⁰³`, and `|ε| ≤ 2⁻¹⁵⁶`.
@@ -14,7 +14,7 @@ pub(super) const HALF_PI: [f64; 4] = [
 pub(super) const LN_2: [f64; 2] =
     [f64::from_bits(0x3fe6_2e42_fefa_3800), f64::from_bits(0x3d2e_f357_93c7_6730)];
 
-/// A double, and the rest to `2⁻¹⁰⁶`.
+/// A double, and a second one for the remainder.
 const fn pair(head: u64, tail: u64) -> (f64, f64) {
     (f64::from_bits(head), f64::from_bits(tail))
 }
@@ -47,24 +47,16 @@ pub(super) const ARCCOT_OF_EIGHTHS: [(f64, f64); 9] = [
 
 #[cfg(test)]
 mod tests {
-    use astro_float::{BigFloat, Consts, RoundingMode};
+    use astro_float::BigFloat;
 
     use super::*;
-
-    const P: usize = 320;
-    const RM: RoundingMode = RoundingMode::None;
-
-    fn big(x: f64) -> BigFloat {
-        BigFloat::from_f64(x, P)
-    }
+    use crate::interval::high_precision::{P, RM, at_most, big, constants, error_of_sum, half_pi};
 
     /// Fails unless the parts add up to the value with an error of at most `2ⁿ`.
     #[track_caller]
     fn assert_sum(parts: &[f64], value: &BigFloat, n: i32) {
-        let sum = parts.iter().fold(big(0.0), |sum, &part| sum.add(&big(part), P, RM));
-        let error = value.sub(&sum, P, RM).abs();
-        let within = error.cmp(&big(2.0_f64.powi(n))).is_some_and(|order| order <= 0);
-        assert!(within, "{parts:?} miss {value} by {error}");
+        let error = error_of_sum(parts, value);
+        assert!(at_most(&error, &big(2.0_f64.powi(n))), "{parts:?} miss {value} by {error}");
     }
 
     fn is_multiple(x: f64, n: i32) -> bool {
@@ -73,9 +65,7 @@ mod tests {
 
     #[test]
     fn half_pi_is_the_sum_of_its_parts() {
-        let mut constants = Consts::new().expect("memory");
-        let half_pi = constants.pi(P, RM).mul(&big(0.5), P, RM);
-        assert_sum(&HALF_PI, &half_pi, -156);
+        assert_sum(&HALF_PI, &half_pi(), -156);
         let [p0, p1, p2, p3] = HALF_PI;
         assert!(is_multiple(p0, -32) && is_multiple(p1, -66) && is_multiple(p2, -101));
         assert!(0.0 < p1 && p1 < 2.0_f64.powi(-33));
@@ -85,15 +75,13 @@ mod tests {
 
     #[test]
     fn ln_2_is_the_sum_of_its_parts() {
-        let mut constants = Consts::new().expect("memory");
-        assert_sum(&LN_2, &constants.ln_2(P, RM), -96);
+        assert_sum(&LN_2, &constants().ln_2(P, RM), -96);
         assert!(is_multiple(LN_2[0], -42) && 0.0 < LN_2[1] && LN_2[1] < 2.0_f64.powi(-42));
     }
 
     #[test]
     fn arctangents_of_eighths_are_the_sums_of_their_parts() {
-        let mut constants = Consts::new().expect("memory");
-        let half_pi = constants.pi(P, RM).mul(&big(0.5), P, RM);
+        let (mut constants, half_pi) = (constants(), half_pi());
         for j in 0..=8 {
             let angle = big(j as f64 / 8.0).atan(P, RM, &mut constants);
             let (head, tail) = ARCTAN_OF_EIGHTHS[j];

@@ -1,26 +1,27 @@
-//! The four operations and the square root, rounded down and rounded up.
+//! The four operations and the square root, rounded down and up.
 //!
-//! Each value `v = fl(a ∘ b)` is the number nearest to the true one, so the true one lies between
-//! the neighbours of `v`. The sign of the residual `a ∘ b − v` says on which side, and whether
-//! `v` is the true value itself: then neither bound moves.
+//! `v = fl(a ∘ b)` is the double nearest to the true value, which therefore lies between the
+//! neighbours of `v`. The sign of the residual `a ∘ b − v` says on which side; if it is zero, `v` is
+//! exact and both bounds.
 //!
-//! For sums the residual is itself a double and Knuth's sum of two numbers finds it exactly. For
-//! products Dekker's does, without a fused multiply-add, as long as nothing overflows and no part
-//! of the product falls below the smallest subnormal; the residuals `a − q b` of a quotient and
-//! `a − s²` of a root are doubles too, for `q` and `s` the rounded results. Outside these ranges
-//! nothing is asked of the residual: the bound goes to the neighbour, which is always right.
+//! The residual of a sum is a double, and Knuth's TwoSum computes it exactly. For products Dekker's
+//! algorithm does, without a fused multiply-add, if nothing overflows and no part of the product
+//! falls below the smallest subnormal. The residuals `a − q b` of a quotient and `a − s²` of a root
+//! are doubles too, for the rounded results `q` and `s`. Outside these ranges the bound is the
+//! neighbour, which is always valid.
 
-/// Which of the two bounds is asked for.
+/// Which bound.
 #[derive(Clone, Copy, PartialEq)]
 enum Side {
     Below,
     Above,
 }
 
-/// The bound for a true value whose nearest double is `value`, given a number with the sign of
-/// the residual: NaN stands for a residual that is not known.
+/// A bound on a number with the nearest double `value`, given a number with the sign of the residual;
+/// NaN for an unknown residual.
 ///
-/// A zero keeps the sign of what underflowed to it, so it is itself the bound on the other side.
+/// A zero has the sign of the number that underflowed to it, so it is itself a bound: `+0` from below,
+/// `−0` from above.
 #[inline]
 fn beside(value: f64, residual: f64, side: Side) -> f64 {
     match side {
@@ -33,8 +34,8 @@ fn beside(value: f64, residual: f64, side: Side) -> f64 {
 
 /// `(s, e)` with `s = fl(a + b)` and `s + e = a + b` exactly, unless the sum overflows.
 ///
-/// Knuth's TwoSum. A sum of doubles never underflows, and the intermediate values are no larger
-/// than `2 max(|a|, |b|)`.
+/// Knuth's TwoSum. A sum of doubles never underflows, and the intermediate values are at most
+/// `2 max(|a|, |b|)`.
 #[inline]
 pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let s = a + b;
@@ -43,13 +44,13 @@ pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (s, (a - from_a) + (b - from_b))
 }
 
-/// `(p, e)` with `p = fl(a b)` and `p + e = a b` exactly; `e` is NaN where that is not certain.
+/// `(p, e)` with `p = fl(a b)` and `p + e = a b` exactly; `e` is NaN where that is not guaranteed.
 ///
-/// Dekker's product, on halves of 26 bits by Veltkamp. The splitting multiplies by `2²⁷ + 1`, which
+/// Dekker's product, on Veltkamp's halves of 26 bits. The splitting multiplies by `2²⁷ + 1`, which
 /// overflows only beyond `2⁹⁹⁶`; the product of the upper halves is at most `(1 + 2⁻²⁵) |a b|`. The
 /// residual is a multiple of the product of the last places of `a` and `b`, which is at least
-/// `2⁻¹⁰⁶ |p|`: above the smallest subnormal, `2⁻¹⁰⁷⁴`, if `|p| ≥ 2⁻⁹⁶⁰`; and no partial product
-/// then has places below it either.
+/// `2⁻¹⁰⁶ |p|`: above the smallest subnormal, `2⁻¹⁰⁷⁴`, if `|p| ≥ 2⁻⁹⁶⁰`. Then no partial product has
+/// places below it either.
 #[inline]
 pub(super) fn two_product(a: f64, b: f64) -> (f64, f64) {
     const LARGE: f64 = f64::from_bits((1023 + 990) << 52);
@@ -66,7 +67,7 @@ pub(super) fn two_product(a: f64, b: f64) -> (f64, f64) {
     (p, ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2)
 }
 
-/// `a = a₁ + a₂`, neither with more than 26 bits.
+/// `a = a₁ + a₂` with at most 26 bits each.
 #[inline]
 fn halves(a: f64) -> (f64, f64) {
     let c = a * 134_217_729.0;
@@ -95,9 +96,9 @@ fn div(a: f64, b: f64, side: Side) -> f64 {
     if a == 0.0 && b != 0.0 && !b.is_nan() {
         return q;
     }
-    // a − q b is a double (of at most 53 bits, by the rounding of q), so is a − fl(q b), and their
-    // computed values are exact if the residual of the product is known. The quotient lies above q
-    // if the residual has the sign of b. A quotient that underflowed is left to its neighbours.
+    // a − q b is a double (of at most 53 bits, by the rounding of q), so is a − fl(q b), and both are
+    // computed exactly if the residual of the product is known. The quotient lies above q if the
+    // residual has the sign of b. For a quotient that underflowed, the neighbours are the bounds.
     let (p, e) = two_product(q, b);
     let residual = if q.abs() >= f64::MIN_POSITIVE && a.is_finite() && b.is_finite() {
         (a - p) - e
@@ -117,50 +118,25 @@ fn sqrt(a: f64, side: Side) -> f64 {
     beside(s, (a - p) - e, side)
 }
 
-/// A lower bound of `a + b`.
-#[inline]
-pub(super) fn add_down(a: f64, b: f64) -> f64 {
-    add(a, b, Side::Below)
+macro_rules! on_either_side {
+    ($($operation:ident, $down:ident, $up:ident ($($x:ident),*): $of:literal;)*) => {$(
+        #[doc = concat!("A lower bound on ", $of)]
+        #[inline]
+        pub(super) fn $down($($x: f64),*) -> f64 {
+            $operation($($x,)* Side::Below)
+        }
+
+        #[doc = concat!("An upper bound on ", $of)]
+        #[inline]
+        pub(super) fn $up($($x: f64),*) -> f64 {
+            $operation($($x,)* Side::Above)
+        }
+    )*};
 }
 
-/// An upper bound of `a + b`.
-#[inline]
-pub(super) fn add_up(a: f64, b: f64) -> f64 {
-    add(a, b, Side::Above)
-}
-
-/// A lower bound of `a b`; NaN for `0 · ∞`.
-#[inline]
-pub(super) fn mul_down(a: f64, b: f64) -> f64 {
-    mul(a, b, Side::Below)
-}
-
-/// An upper bound of `a b`; NaN for `0 · ∞`.
-#[inline]
-pub(super) fn mul_up(a: f64, b: f64) -> f64 {
-    mul(a, b, Side::Above)
-}
-
-/// A lower bound of `a / b`, for `b ≠ 0`; NaN for `∞ / ∞`.
-#[inline]
-pub(super) fn div_down(a: f64, b: f64) -> f64 {
-    div(a, b, Side::Below)
-}
-
-/// An upper bound of `a / b`, for `b ≠ 0`; NaN for `∞ / ∞`.
-#[inline]
-pub(super) fn div_up(a: f64, b: f64) -> f64 {
-    div(a, b, Side::Above)
-}
-
-/// A lower bound of `√a`, for `a ≥ 0`.
-#[inline]
-pub(super) fn sqrt_down(a: f64) -> f64 {
-    sqrt(a, Side::Below)
-}
-
-/// An upper bound of `√a`, for `a ≥ 0`.
-#[inline]
-pub(super) fn sqrt_up(a: f64) -> f64 {
-    sqrt(a, Side::Above)
+on_either_side! {
+    add, add_down, add_up(a, b): "`a + b`.";
+    mul, mul_down, mul_up(a, b): "`a b`; NaN for `0 · ∞`.";
+    div, div_down, div_up(a, b): "`a / b`, for `b ≠ 0`; NaN for `∞ / ∞`.";
+    sqrt, sqrt_down, sqrt_up(a): "`√a`, for `a ≥ 0`.";
 }

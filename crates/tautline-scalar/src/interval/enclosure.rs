@@ -1,4 +1,4 @@
-//! `Enclosure`: a closed interval of real numbers, or the mark that a formula is not defined.
+//! `Enclosure`: a closed interval of real numbers, or *undefined*.
 
 use std::{fmt, marker::PhantomData};
 
@@ -8,35 +8,32 @@ use super::{
     kernel::{Kernel, Rigorous},
 };
 
-/// An interval whose elementary functions trust nothing but IEEE `+ − × ÷ √`.
+/// An interval whose elementary functions rely on IEEE `+ − × ÷ √` only.
 pub type Interval = Enclosure<Rigorous>;
 
 /// A closed interval `[lo, hi]` of real numbers, or *undefined*.
 ///
-/// Every operation returns an interval that contains all values of the operation on the real
-/// numbers in its arguments. The ends are doubles; `lo = −∞` and `hi = ∞` are allowed and mean
-/// that there is no bound on that side: an infinite end is not a value. The type parameter says
-/// how the elementary functions are evaluated: see [`Interval`] and
+/// Every operation returns an interval that contains all its values on real numbers in the
+/// arguments. The ends are doubles; `lo = −∞` or `hi = ∞` means that there is no bound on that side.
+/// The type parameter is the kernel of the elementary functions: see [`Interval`] and
 /// [`FastInterval`](super::FastInterval).
 ///
 /// # Undefined
 ///
-/// The quotient by an interval that contains zero, the root of one that reaches below zero, the
-/// logarithm of one that reaches to zero, the tangent of one that may contain a pole, and anything
-/// made from a NaN or from an infinite number are *undefined*: both ends are NaN. Every operation
-/// on an undefined interval is undefined, multiplication by zero and `x⁰` included, so a formula
-/// that is undefined at one point of a box is undefined on the box and never gets a finite
-/// enclosure. The whole line would not do as the mark, since the arctangent of it is finite. Code
-/// that compares ends must be written so that NaN fails: discard a box only
+/// *Undefined*, with NaN for both ends, are: a quotient whose divisor contains zero, a root or a
+/// logarithm whose argument contains a number outside the domain, a tangent whose argument may
+/// contain a pole, and anything made from NaN or an infinite number. Every operation on an undefined
+/// interval is undefined, including multiplication by zero and `x⁰`. So a formula that is undefined
+/// at one point of a box is undefined on the box, and never gets a finite enclosure. (The whole line
+/// would not do: its arctangent is finite.) Compare ends so that NaN fails: discard a box only
 /// `if x.hi() <= best { … }`.
 ///
-/// An interval may also be infinite, where a number overflows: the real value is defined, and
-/// the enclosure says so.
+/// Where a number overflows, the interval is infinite but defined.
 ///
 /// # Equality
 ///
-/// Two intervals are equal if their ends are; an undefined one equals nothing, itself included.
-/// There is no order.
+/// Intervals are equal if their ends are; an undefined one equals nothing, not even itself. There is
+/// no order.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Enclosure<K> {
     // Invariant: lo ≤ hi, lo < ∞ and hi > −∞; or both are NaN.
@@ -49,7 +46,7 @@ impl<K: Kernel> Enclosure<K> {
     /// The real line.
     pub const REALS: Self = Self { lo: f64::NEG_INFINITY, hi: f64::INFINITY, kernel: PhantomData };
 
-    /// The mark that a formula is not defined.
+    /// The undefined interval.
     pub const UNDEFINED: Self = Self { lo: f64::NAN, hi: f64::NAN, kernel: PhantomData };
 
     /// Returns `[lo, hi]`.
@@ -69,16 +66,16 @@ impl<K: Kernel> Enclosure<K> {
         }
     }
 
-    /// Returns the interval that contains the one number `x`; undefined unless `x` is finite.
+    /// Returns `[x, x]`; undefined unless `x` is finite.
     #[must_use]
     pub fn point(x: f64) -> Self {
         if x.is_finite() { Self::enclosing(x, x) } else { Self::UNDEFINED }
     }
 
-    /// Bounds from below and above of something that is defined: a bound that is NaN or the wrong
-    /// infinity is no bound, and becomes the right infinity.
+    /// Returns `[lo, hi]`, where a NaN or an infinity of the wrong sign becomes the infinity of the
+    /// right sign: no bound.
     ///
-    /// Needs: `lo ≤ hi` where both are numbers.
+    /// Needs: `lo ≤ hi` unless one is NaN.
     #[inline]
     pub(super) fn enclosing(lo: f64, hi: f64) -> Self {
         debug_assert!(!(lo > hi), "{lo} > {hi}");
@@ -89,7 +86,7 @@ impl<K: Kernel> Enclosure<K> {
         }
     }
 
-    /// Returns the same numbers, for evaluation by another kernel.
+    /// Returns the same interval with another kernel.
     #[must_use]
     pub fn with_kernel<L: Kernel>(self) -> Enclosure<L> {
         Enclosure { lo: self.lo, hi: self.hi, kernel: PhantomData }
@@ -109,14 +106,14 @@ impl<K: Kernel> Enclosure<K> {
         self.hi
     }
 
-    /// Returns whether this is the mark that a formula is not defined.
+    /// Returns whether the interval is undefined.
     #[must_use]
     #[inline]
     pub fn is_undefined(self) -> bool {
         self.lo.is_nan()
     }
 
-    /// Returns whether both ends are finite numbers.
+    /// Returns whether both ends are finite.
     #[must_use]
     pub fn is_finite(self) -> bool {
         self.lo.is_finite() && self.hi.is_finite()
@@ -128,14 +125,14 @@ impl<K: Kernel> Enclosure<K> {
         add_up(self.hi, -self.lo)
     }
 
-    /// Returns a finite number inside, the centre up to rounding where both ends are finite, and
-    /// the largest double where only the upper end is infinite; NaN if undefined.
+    /// Returns a finite number in the interval: the centre up to rounding if both ends are finite,
+    /// otherwise `±f64::MAX` or 0; NaN if undefined.
     #[must_use]
     #[doc(alias = "centre")]
     pub fn midpoint(self) -> f64 {
         match (self.lo.is_finite(), self.hi.is_finite()) {
-            // Halves, so that the sum does not overflow. The half of a subnormal rounds, and the
-            // sum of the halves may then lie outside: hence the clamp.
+            // Halves, so that the sum does not overflow. Half a subnormal rounds, and the sum may
+            // then lie outside: hence the clamp.
             (true, true) => (0.5 * self.lo + 0.5 * self.hi).clamp(self.lo, self.hi),
             (true, false) => f64::MAX,
             (false, true) => f64::MIN,
@@ -144,7 +141,7 @@ impl<K: Kernel> Enclosure<K> {
         }
     }
 
-    /// Returns the largest `|x|` of all `x` in the interval; NaN if undefined.
+    /// Returns the largest `|x|` in the interval; NaN if undefined.
     #[must_use]
     #[doc(alias = "mag")]
     pub fn magnitude(self) -> f64 {
@@ -152,7 +149,7 @@ impl<K: Kernel> Enclosure<K> {
         self.lo.abs().max(self.hi.abs())
     }
 
-    /// Returns the smallest `|x|` of all `x` in the interval; NaN if undefined.
+    /// Returns the smallest `|x|` in the interval; NaN if undefined.
     #[must_use]
     #[doc(alias = "mig")]
     pub fn mignitude(self) -> f64 {
@@ -166,13 +163,13 @@ impl<K: Kernel> Enclosure<K> {
         x.is_finite() && self.lo <= x && x <= self.hi
     }
 
-    /// Returns whether every number of `other` lies in the interval; false if either is undefined.
+    /// Returns whether `other` lies in the interval; false if either is undefined.
     #[must_use]
     pub fn contains_interval(self, other: Self) -> bool {
         self.lo <= other.lo && other.hi <= self.hi
     }
 
-    /// Returns the numbers in both; `None` if there are none. Undefined if either is.
+    /// Returns the intersection; `None` if it is empty, undefined if either interval is.
     #[must_use]
     pub fn intersection(self, other: Self) -> Option<Self> {
         if self.is_undefined() || other.is_undefined() {
@@ -182,7 +179,7 @@ impl<K: Kernel> Enclosure<K> {
         (lo <= hi).then(|| Self::enclosing(lo, hi))
     }
 
-    /// Returns the smallest interval that contains both; undefined if either is.
+    /// Returns the smallest interval that contains both; undefined if either interval is.
     #[must_use]
     pub fn hull(self, other: Self) -> Self {
         if self.is_undefined() || other.is_undefined() {
@@ -191,7 +188,7 @@ impl<K: Kernel> Enclosure<K> {
         Self::enclosing(self.lo.min(other.lo), self.hi.max(other.hi))
     }
 
-    /// Returns the distance of the midpoint to the farther end, rounded up; NaN if undefined.
+    /// Returns the distance from the midpoint to the farther end, rounded up; NaN if undefined.
     #[must_use]
     pub fn radius(self) -> f64 {
         let centre = self.midpoint();

@@ -1,4 +1,4 @@
-//! `Fast`: elementary functions of a library that rounds them correctly.
+//! `Fast`: elementary functions by a library that claims to round correctly.
 
 use super::{Enclosure, kernel::Kernel};
 
@@ -7,13 +7,12 @@ pub type FastInterval = Enclosure<Fast>;
 
 /// The functions of `pxfm`, widened by one double on either side.
 ///
-/// The library states an error of half a unit in the last place, a claim and not a proof;
-/// a whole neighbour on either side holds even if the error is up to one unit. Values that a
-/// function takes exactly, and the bounds it never crosses, are kept.
+/// The library claims, without proof, an error of half a unit in the last place; one double on either
+/// side is enough for a whole unit. Exact values stay exact, and bounds such as `|sin x| ≤ 1` hold.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fast;
 
-/// The neighbours of `y`, but nothing outside `[least, greatest]`.
+/// The neighbours of `y`, clamped to `[least, greatest]`.
 #[inline]
 fn around(y: f64, least: f64, greatest: f64) -> (f64, f64) {
     if y.is_nan() {
@@ -22,7 +21,7 @@ fn around(y: f64, least: f64, greatest: f64) -> (f64, f64) {
     (y.next_down().clamp(least, greatest), y.next_up().clamp(least, greatest))
 }
 
-/// As [`around`], for a function whose value at zero is `at_zero` exactly.
+/// As [`around`], for a function with the exact value `at_zero` at zero.
 #[inline]
 fn with_exact(x: f64, at_zero: f64, y: f64, least: f64, greatest: f64) -> (f64, f64) {
     if x == 0.0 { (at_zero, at_zero) } else { around(y, least, greatest) }
@@ -30,6 +29,15 @@ fn with_exact(x: f64, at_zero: f64, y: f64, least: f64, greatest: f64) -> (f64, 
 
 const MAX: f64 = f64::INFINITY;
 const MIN: f64 = f64::NEG_INFINITY;
+
+macro_rules! with_exact {
+    ($($function:ident: $by:ident, $at_zero:literal, [$least:expr, $greatest:expr];)*) => {$(
+        #[inline]
+        fn $function(x: f64) -> (f64, f64) {
+            with_exact(x, $at_zero, pxfm::$by(x), $least, $greatest)
+        }
+    )*};
+}
 
 impl Kernel for Fast {
     #[inline]
@@ -48,32 +56,13 @@ impl Kernel for Fast {
         let (s, c) = pxfm::f_sincos(x);
         (with_exact(x, 0.0, s, -1.0, 1.0), with_exact(x, 1.0, c, -1.0, 1.0))
     }
-    #[inline]
-    fn sin(x: f64) -> (f64, f64) {
-        with_exact(x, 0.0, pxfm::f_sin(x), -1.0, 1.0)
-    }
-    #[inline]
-    fn cos(x: f64) -> (f64, f64) {
-        with_exact(x, 1.0, pxfm::f_cos(x), -1.0, 1.0)
-    }
-    #[inline]
-    fn tan(x: f64) -> (f64, f64) {
-        with_exact(x, 0.0, pxfm::f_tan(x), MIN, MAX)
-    }
-    #[inline]
-    fn atan(x: f64) -> (f64, f64) {
-        with_exact(x, 0.0, pxfm::f_atan(x), MIN, MAX)
-    }
-    #[inline]
-    fn sinh(x: f64) -> (f64, f64) {
-        with_exact(x, 0.0, pxfm::f_sinh(x), MIN, MAX)
-    }
-    #[inline]
-    fn cosh(x: f64) -> (f64, f64) {
-        with_exact(x, 1.0, pxfm::f_cosh(x), 1.0, MAX)
-    }
-    #[inline]
-    fn tanh(x: f64) -> (f64, f64) {
-        with_exact(x, 0.0, pxfm::f_tanh(x), -1.0, 1.0)
+    with_exact! {
+        sin: f_sin, 0.0, [-1.0, 1.0];
+        cos: f_cos, 1.0, [-1.0, 1.0];
+        tan: f_tan, 0.0, [MIN, MAX];
+        atan: f_atan, 0.0, [MIN, MAX];
+        sinh: f_sinh, 0.0, [MIN, MAX];
+        cosh: f_cosh, 1.0, [1.0, MAX];
+        tanh: f_tanh, 0.0, [-1.0, 1.0];
     }
 }

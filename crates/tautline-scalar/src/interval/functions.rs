@@ -1,4 +1,4 @@
-//! Intervals as numbers of a formula.
+//! Elementary functions of intervals: `Enclosure` as a [`Scalar`].
 
 use num_traits::One;
 
@@ -10,7 +10,7 @@ use super::{
 use crate::Scalar;
 
 impl<K: Kernel> Enclosure<K> {
-    /// The image under an increasing function, given its bounds at a double.
+    /// The image under an increasing function, given bounds on it at a double.
     #[inline]
     fn increasing(self, f: impl Fn(f64) -> (f64, f64)) -> Self {
         if self.is_undefined() {
@@ -29,8 +29,8 @@ impl<K: Kernel> Enclosure<K> {
         Self::enclosing(K::cosh(self.mignitude()).0, K::cosh(self.magnitude()).1)
     }
 
-    /// Integers `j ≤ k` such that the multiples `n π/2` in the interval, its lower end aside,
-    /// all have `j < n ≤ k`; `None` if the ends are too large to tell, or undefined.
+    /// Integers `j ≤ k` with `j < n ≤ k` for every multiple `n π/2` in the interval above its lower
+    /// end; `None` if an end is too large or undefined.
     #[inline]
     fn quarters(self) -> Option<(i32, i32)> {
         if !(self.magnitude() <= LARGEST_ANGLE) {
@@ -40,15 +40,15 @@ impl<K: Kernel> Enclosure<K> {
         Some((lo.floor().0, hi.floor().1))
     }
 
-    /// The image under sine (`shift = 1`) or cosine (`shift = 0`), given the bounds at both ends.
+    /// The image under sine (`shift = 1`) or cosine (`shift = 0`), given bounds at both ends.
     ///
-    /// The function takes its extremes at the ends or at a multiple `n π/2` with `n + shift`
-    /// even: there it is `1` if that is a multiple of 4 for the cosine, and so on round.
+    /// The function takes its extremes at the ends or at multiples `n π/2` with `n − shift` even:
+    /// there it is `1` if `n − shift` is a multiple of 4, otherwise `−1`.
     #[inline]
     fn wave(ends: [(f64, f64); 2], (j, k): (i32, i32), shift: i32) -> Self {
         let [(a, b), (c, d)] = ends;
         let (mut lo, mut hi) = (a.min(c), b.max(d));
-        // More than four quarters hold every case.
+        // Four consecutive n include both extremes.
         for n in (j + 1)..=k.min(j + 5) {
             match (n - shift) & 3 {
                 0 => hi = 1.0,
@@ -59,13 +59,13 @@ impl<K: Kernel> Enclosure<K> {
         Self::enclosing(lo, hi)
     }
 
-    /// What is known of the sine and the cosine of any number.
+    /// The bounds on sine and cosine at an unknown angle.
     fn any_wave(self) -> Self {
         if self.is_undefined() { self } else { Self::enclosing(-1.0, 1.0) }
     }
 }
 
-/// Both ends through `f`, once if they are the same.
+/// `f` at both ends, evaluated once if they are equal.
 #[inline]
 fn at_ends<T: Copy>(lo: f64, hi: f64, f: impl Fn(f64) -> T) -> [T; 2] {
     let first = f(lo);
@@ -73,7 +73,7 @@ fn at_ends<T: Copy>(lo: f64, hi: f64, f: impl Fn(f64) -> T) -> [T; 2] {
 }
 
 impl<K: Kernel> Scalar for Enclosure<K> {
-    /// Returns the interval of the one number; undefined unless it is finite.
+    /// Returns `[value, value]`; undefined unless `value` is finite.
     #[inline]
     fn constant(value: f64) -> Self {
         Self::point(value)
@@ -84,8 +84,8 @@ impl<K: Kernel> Scalar for Enclosure<K> {
         self.square()
     }
 
-    /// Returns `xⁿ`. Even powers have no negative part; negative ones are undefined if zero is
-    /// inside, and so is every power of the undefined, `x⁰` included.
+    /// Returns `xⁿ`. Even powers have no negative part. Undefined if `x` is, also for `n = 0`, and for
+    /// `n < 0` if zero is inside.
     #[inline]
     fn powi(self, n: i32) -> Self {
         self.power(n)
@@ -124,8 +124,7 @@ impl<K: Kernel> Scalar for Enclosure<K> {
         (Self::wave([s0, s1], quarters, 1), Self::wave([c0, c1], quarters, 0))
     }
 
-    /// Returns `tan x`; undefined if a pole may be inside, which is not excluded where an end is
-    /// beyond `2²⁰`.
+    /// Returns `tan x`; undefined if a pole may be inside, as always where an end is beyond `2²⁰`.
     #[inline]
     fn tan(self) -> Self {
         let Some((j, k)) = self.quarters() else {
@@ -153,7 +152,7 @@ impl<K: Kernel> Scalar for Enclosure<K> {
         self.increasing(K::tanh)
     }
 
-    // The four below drop the half that is not asked for.
+    // The four below compute one half of a pair only.
 
     #[inline]
     fn sin(self) -> Self {

@@ -1,7 +1,7 @@
 //! Hyperbolic sine, cosine and tangent by IEEE operations.
 //!
 //! Up to `|x| = 1` by the series of the circular functions with the other sign, so that nothing
-//! cancels near zero; beyond by the exponential function.
+//! cancels near zero; beyond that by the exponential function.
 
 use super::{
     circular::{TINY, a_little_less, a_little_more},
@@ -10,7 +10,7 @@ use super::{
     exponential::{exp, exp_times_power},
 };
 
-/// Bounds of `sinh x`.
+/// Bounds on `sinh x`.
 #[inline]
 pub(super) fn sinh(x: f64) -> (f64, f64) {
     let size = x.abs();
@@ -30,14 +30,14 @@ pub(super) fn sinh(x: f64) -> (f64, f64) {
             // e⁻ˣ/2 is less than 2⁻¹⁰⁰ of eˣ/2.
             (lo.next_down(), hi)
         } else {
-            // Beyond 2¹⁰²⁴ by far.
+            // Far beyond 2¹⁰²⁴.
             (lo, hi)
         }
     };
     if x < 0.0 { (-hi, -lo) } else { (lo, hi) }
 }
 
-/// Bounds of `cosh x`.
+/// Bounds on `cosh x`.
 #[inline]
 pub(super) fn cosh(x: f64) -> (f64, f64) {
     let size = x.abs();
@@ -57,19 +57,19 @@ pub(super) fn cosh(x: f64) -> (f64, f64) {
     }
 }
 
-/// Bounds of `tanh x`.
+/// Bounds on `tanh x`.
 #[inline]
 pub(super) fn tanh(x: f64) -> (f64, f64) {
     let size = x.abs();
     if size < TINY {
-        // |x| − |x|³/3 and more.
+        // tanh x ≥ x − x³/3.
         return a_little_less(x);
     }
     let (lo, hi) = if size <= 1.0 {
         let [sinh, cosh] = [sinh(size), cosh(size)].map(|(lo, hi)| Interval::enclosing(lo, hi));
         ends(sinh / cosh)
     } else if size < 20.0 {
-        // 1 − 2/(e²ˣ + 1); the double of x is exact.
+        // 1 − 2/(e²ˣ + 1); 2x is exact.
         let (lo, hi) = exp(2.0 * size);
         ends(1.0 - 2.0 / (Interval::enclosing(lo, hi) + 1.0))
     } else {
@@ -87,9 +87,9 @@ fn ends(x: Interval) -> (f64, f64) {
 mod tests {
     use super::{cosh, exp_times_power, sinh};
 
-    /// `sinh x < eˣ/2 < cosh x`, and a bound of the middle may be as near to it as it likes.
+    /// `sinh x < eˣ/2 < cosh x`, however tight the bounds on `eˣ/2` are.
     #[test]
-    fn large_arguments_keep_to_their_side_of_the_exponential() {
+    fn sinh_and_cosh_of_large_arguments_are_on_either_side_of_the_exponential() {
         for k in 0..2700 {
             let x = 40.5 + 0.25 * f64::from(k);
             let (lo, hi) = exp_times_power(x, -1);

@@ -1,8 +1,8 @@
-//! What can be wrong with the ends of an interval.
+//! `IntervalError`: invalid ends of an interval.
 
 use thiserror::Error;
 
-/// Two numbers that are not the ends of an interval.
+/// Why two numbers are not the ends of an interval.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum IntervalError {
@@ -22,7 +22,7 @@ pub enum IntervalError {
         /// The upper end.
         hi: f64,
     },
-    /// Both ends are `+∞`, or both are `−∞`: no real number lies between.
+    /// Both ends are `+∞`, or both are `−∞`.
     #[error("no real number lies between {lo} and {hi}")]
     NoRealNumber {
         /// The lower end.

@@ -12,82 +12,67 @@ mod sealed {
 
 /// How the elementary functions are enclosed at one double: [`Rigorous`] or [`Fast`].
 ///
-/// Sealed, since the intervals rely on what each method promises: two numbers, the first at most
-/// and the second at least the true value, or the limit at an infinite argument.
+/// Each method returns a lower and an upper bound on the true value; at an infinite argument, on the
+/// limit. Sealed, since intervals rely on that.
 ///
 /// [`Fast`]: super::Fast
 pub trait Kernel: sealed::Sealed + Copy + Debug + PartialEq + Send + Sync + 'static {
-    /// Returns bounds of `eˣ`.
+    /// Returns bounds on `eˣ`.
     fn exp(x: f64) -> (f64, f64);
-    /// Returns bounds of `ln x`, for `x > 0`.
+    /// Returns bounds on `ln x`, for `x > 0`.
     fn ln(x: f64) -> (f64, f64);
-    /// Returns bounds of `sin x` and of `cos x`, for `|x| ≤ 2²⁰`.
+    /// Returns bounds on `sin x` and on `cos x`, for `|x| ≤ 2²⁰`.
     fn sin_cos(x: f64) -> ((f64, f64), (f64, f64));
-    /// Returns bounds of `sin x`, for `|x| ≤ 2²⁰`.
+    /// Returns bounds on `sin x`, for `|x| ≤ 2²⁰`.
     fn sin(x: f64) -> (f64, f64);
-    /// Returns bounds of `cos x`, for `|x| ≤ 2²⁰`.
+    /// Returns bounds on `cos x`, for `|x| ≤ 2²⁰`.
     fn cos(x: f64) -> (f64, f64);
-    /// Returns bounds of `tan x`, for `|x| ≤ 2²⁰`.
+    /// Returns bounds on `tan x`, for `|x| ≤ 2²⁰`.
     fn tan(x: f64) -> (f64, f64);
-    /// Returns bounds of `arctan x`.
+    /// Returns bounds on `arctan x`.
     fn atan(x: f64) -> (f64, f64);
-    /// Returns bounds of `sinh x`.
+    /// Returns bounds on `sinh x`.
     fn sinh(x: f64) -> (f64, f64);
-    /// Returns bounds of `cosh x`.
+    /// Returns bounds on `cosh x`.
     fn cosh(x: f64) -> (f64, f64);
-    /// Returns bounds of `tanh x`.
+    /// Returns bounds on `tanh x`.
     fn tanh(x: f64) -> (f64, f64);
 }
 
-/// Series with bounded remainders and bounded roundings: nothing is trusted but that `+ − × ÷ √`
-/// of doubles are rounded to nearest.
+/// Series with bounds on truncation and rounding: relies only on `+ − × ÷ √` of doubles being rounded
+/// to nearest.
 ///
-/// The widest enclosures of points among a million for each function, in units of `2⁻⁵²` of the
-/// value (which is a place or half of one): 2.2 for `exp`, 4.4 for `ln`, 2.9 for `sin` and
+/// The widest enclosures among a million points for each function, in units of `2⁻⁵²` of the value
+/// (one unit in the last place, or half of one): 2.2 for `exp`, 4.4 for `ln`, 2.9 for `sin` and
 /// `cos`, 7 for `tan`, 5 for `atan`, 4.1 for `sinh`, 3.6 for `cosh`, 6.7 for `tanh`. They are
-/// relative to the value near its zeros too: nothing cancels.
+/// relative near zeros too: nothing cancels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rigorous;
 
+macro_rules! by_module {
+    ($($module:ident::$function:ident;)*) => {$(
+        #[inline]
+        fn $function(x: f64) -> (f64, f64) {
+            $module::$function(x)
+        }
+    )*};
+}
+
 impl Kernel for Rigorous {
-    #[inline]
-    fn exp(x: f64) -> (f64, f64) {
-        exponential::exp(x)
+    by_module! {
+        exponential::exp;
+        logarithm::ln;
+        circular::sin;
+        circular::cos;
+        circular::tan;
+        arctangent::atan;
+        hyperbolic::sinh;
+        hyperbolic::cosh;
+        hyperbolic::tanh;
     }
-    #[inline]
-    fn ln(x: f64) -> (f64, f64) {
-        logarithm::ln(x)
-    }
+
     #[inline]
     fn sin_cos(x: f64) -> ((f64, f64), (f64, f64)) {
         circular::sin_cos(x)
-    }
-    #[inline]
-    fn sin(x: f64) -> (f64, f64) {
-        circular::sin(x)
-    }
-    #[inline]
-    fn cos(x: f64) -> (f64, f64) {
-        circular::cos(x)
-    }
-    #[inline]
-    fn tan(x: f64) -> (f64, f64) {
-        circular::tan(x)
-    }
-    #[inline]
-    fn atan(x: f64) -> (f64, f64) {
-        arctangent::atan(x)
-    }
-    #[inline]
-    fn sinh(x: f64) -> (f64, f64) {
-        hyperbolic::sinh(x)
-    }
-    #[inline]
-    fn cosh(x: f64) -> (f64, f64) {
-        hyperbolic::cosh(x)
-    }
-    #[inline]
-    fn tanh(x: f64) -> (f64, f64) {
-        hyperbolic::tanh(x)
     }
 }

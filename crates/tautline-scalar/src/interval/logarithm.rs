@@ -21,7 +21,7 @@ const COEFFICIENTS: [f64; 10] = [
     2.0 / 21.0,
 ];
 
-/// Bounds of `ln x`, for `x > 0`.
+/// Bounds on `ln x`, for `x > 0`.
 #[inline]
 pub(super) fn ln(x: f64) -> (f64, f64) {
     if x == 1.0 {
@@ -36,13 +36,13 @@ pub(super) fn ln(x: f64) -> (f64, f64) {
 /// `ln(1 + f) = 2 artanh s = f − s (f − R)`, `R = Σ 2 s²ʲ/(2j + 1)` over `j ≥ 1`, since
 /// `2 s = f − s f`. Here `|s| ≤ 0.5859 |f|` and `s² ≤ 0.02945`.
 ///
-/// **Without a power of two the error is at most `4 u f²`.** In units of `u f²`, for `c = −s (f −
-/// R)`: `s` has three roundings less one, relatively `2.01 u`, which add `1.3`; `R` is off by
-/// Horner with `q = 0.0295`, its product, and the `5.1 u` of `s²`, together
-/// `5.8 u s² ≤ 2 u f²`, which adds `0.5`; the rounding of `f − R` adds `0.65`, that of the
-/// product `0.65`, the terms left out, `|s| · 2 s²²/23` and less, `0.02`. Together `3.12`.
+/// **For `k = 0` the error is at most `4 u f²`.** In units of `u f²`, for `c = −s (f −
+/// R)`: `s` has a relative error of `2.01 u`, which adds `1.3`; Horner with `q = 0.0295`, its product
+/// and the `5.1 u` of `s²` give `R` an error of `5.8 u s² ≤ 2 u f²`, which adds `0.5`; the rounding of
+/// `f − R` adds `0.65`, that of the product `0.65`, truncation, `|s| · 2 s²²/23` and less, `0.02`.
+/// Together `3.12`.
 ///
-/// **With one it is at most `6 u f² + 2⁻⁸²`.** `k L₀` has 53 bits and is exact, `k L₁` is
+/// **Otherwise it is at most `6 u f² + 2⁻⁸²`.** `k L₀` has 53 bits and is exact, `k L₁` is
 /// rounded by at most `2⁻⁸⁵`, and `|k ε| ≤ 2⁻⁸⁵`. The tail, with `t` of `k L₀ + f`, takes two
 /// roundings, at most `2 u (|c| + |k L₁| + |t|) ≤ 1.3 u f² + 2⁻⁸³`.
 #[inline]
@@ -64,7 +64,7 @@ pub(super) fn of_positive(x: f64) -> Approximation {
 fn split(x: f64) -> (f64, f64) {
     const MANTISSA: u64 = (1 << 52) - 1;
     const SQRT_2: u64 = std::f64::consts::SQRT_2.to_bits() & MANTISSA;
-    // A subnormal becomes normal by 2⁵⁴.
+    // 2⁵⁴ makes a subnormal normal.
     let subnormal = x < f64::MIN_POSITIVE;
     let bits = if subnormal { x * 18_014_398_509_481_984.0 } else { x }.to_bits();
     let mantissa = bits & MANTISSA;

@@ -1,11 +1,11 @@
-//! Intervals: a formula evaluated at all points of a box at once.
+//! Intervals: bounds on a formula over a whole box.
 //!
-//! One object a file: the type ([`Enclosure`]), its arithmetic, powers and functions; below them
-//! the operations of doubles rounded in a direction (`directed`), a number with a bound of its
-//! error (`approximation`), Horner's scheme with a bound of its error (`series`), and an elementary
-//! function each. Every bound is derived where it is used, in units of `u = 2⁻⁵³`, and is taken
-//! larger than derived, by a tenth or more where rounding is concerned. The higher orders of `u`,
-//! less than `10⁻¹⁴` of the first, go into that margin.
+//! The type is [`Enclosure`], with arithmetic, powers and functions. Below it are the operations of
+//! doubles with directed rounding (`directed`), a number with an error bound (`approximation`),
+//! Horner's scheme with an error bound (`series`), and one file for each elementary function. Every
+//! error bound is derived where it is used, in units of `u = 2⁻⁵³`. For rounding errors it is at
+//! least a tenth larger than derived: that margin covers the higher orders of `u`, which are less
+//! than `10⁻¹⁴` of the first.
 
 mod approximation;
 mod arctangent;
@@ -18,6 +18,8 @@ mod even_odd;
 mod exponential;
 mod fast;
 mod functions;
+#[cfg(test)]
+mod high_precision;
 mod hyperbolic;
 mod interval_error;
 mod kernel;

@@ -19,7 +19,7 @@ impl<K: Kernel> Enclosure<K> {
         Self::enclosing(mul_down(near, near), mul_up(far, far))
     }
 
-    /// `xⁿ`; `1` for `n = 0`, also at zero; undefined for `n < 0` if zero is inside.
+    /// `xⁿ`; `1` for `n = 0`; undefined for `n < 0` if zero is inside.
     pub(super) fn power(self, n: i32) -> Self {
         if self.is_undefined() {
             return self;
@@ -32,12 +32,12 @@ impl<K: Kernel> Enclosure<K> {
             1 => x,
             2 => x.square(),
             _ if x.is_undefined() => x,
-            // Even powers grow with |x|.
+            // Increasing in |x|.
             _ if n.is_multiple_of(2) => Self::enclosing(
                 power_of_positive(x.mignitude(), n, mul_down),
                 power_of_positive(x.magnitude(), n, mul_up),
             ),
-            // Odd ones with x.
+            // Increasing in x.
             _ => {
                 let lo = if x.lo() >= 0.0 {
                     power_of_positive(x.lo(), n, mul_down)
@@ -54,7 +54,7 @@ impl<K: Kernel> Enclosure<K> {
         }
     }
 
-    /// `√x`; undefined if the interval reaches below zero.
+    /// `√x`; undefined if a negative number is inside.
     #[inline]
     pub(super) fn square_root(self) -> Self {
         if !(self.lo() >= 0.0) {
@@ -64,9 +64,8 @@ impl<K: Kernel> Enclosure<K> {
     }
 }
 
-/// A bound of `xⁿ` for `x ≥ 0` and `n ≥ 1`, by products that are bounds on the same side: they
-/// grow with each factor, and none is negative, since a zero is a lower bound of what underflows
-/// to it.
+/// A bound on `xⁿ` for `x ≥ 0` and `n ≥ 1`, on the side to which `mul` rounds: products of nonnegative
+/// numbers are increasing in each factor.
 fn power_of_positive(x: f64, mut n: u32, mul: impl Fn(f64, f64) -> f64) -> f64 {
     let mut square = x;
     let mut result: Option<f64> = None;

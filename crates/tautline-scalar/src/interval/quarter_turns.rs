@@ -1,4 +1,4 @@
-//! Angles as quarter turns and a remainder.
+//! `QuarterTurns`: an angle reduced modulo `π/2`.
 
 use super::{constants::HALF_PI, directed::two_sum};
 
@@ -20,18 +20,18 @@ impl QuarterTurns {
     ///
     /// Needs: `|x| ≤ 2²⁰`.
     ///
-    /// Let `k` be the integer nearest to the rounded `x · (2/π)`; whatever it is, the splitting
-    /// is right. `|k| ≤ 667 545 < 2²⁰`, and the product is off by less than `2⁻³¹`, so the
-    /// remainder is less than `π/4 + 2⁻³⁰ < 0.7855`.
+    /// Let `k` be the integer nearest to the rounded `x · (2/π)`; the splitting is valid for any
+    /// `k`. `|k| ≤ 667 545 < 2²⁰`, and the error of the product is below `2⁻³¹`, so the remainder is
+    /// below `π/4 + 2⁻³⁰ < 0.7855`.
     ///
-    /// * `x − k P₀` is exact: `k P₀` has 33 + 20 bits; for `k ≠ 0` is `|x| > 0.78`, so both are
+    /// * `x − k P₀` is exact: `k P₀` has 33 + 20 bits; for `k ≠ 0` we have `|x| > 0.78`, so both are
     ///   multiples of `2⁻⁵³`, and so is the difference, which is less than
     ///   `0.7855 + 2²⁰ · 2⁻³³ < 1`.
-    /// * `k P₁` and `k P₂` have 53 bits as well, and two sums take them off exactly.
+    /// * `k P₁` and `k P₂` have 53 bits as well, and two exact sums subtract them.
     /// * `k P₃` is rounded, by at most `u |k P₃|`, and `k ε ≤ 2²⁰⁻¹⁵⁶ = 2⁻¹³⁶`.
-    /// * What remains is the sum of three small numbers `b`, `c`, `d`: two roundings, each at
-    ///   most `u (|b| + |c| + |d|)(1 + u)`, so all roundings together, that of `k P₃` included,
-    ///   are less than `4 u (|b| + |c| + |d|)`, itself computed to 3 `u`.
+    /// * The rest is a sum of three small numbers `b`, `c`, `d`: two roundings of at most
+    ///   `u (|b| + |c| + |d|)(1 + u)` each. Together with that of `k P₃` they are below
+    ///   `4 u (|b| + |c| + |d|)`, itself computed to 3 `u`.
     #[inline]
     pub(super) fn of(x: f64) -> Self {
         let k = (x * std::f64::consts::FRAC_2_PI).round_ties_even();
@@ -47,16 +47,16 @@ impl QuarterTurns {
         Self { turns: k as i32, head, tail, error }
     }
 
-    /// Returns `k mod 4`, the number of quarter turns that matters.
+    /// Returns `k mod 4`.
     #[inline]
     pub(super) fn quadrant(self) -> i32 {
         self.turns & 3
     }
 
-    /// Returns two integers between which `⌊x / (π/2)⌋` lies.
+    /// Returns bounds on `⌊x / (π/2)⌋`.
     ///
-    /// It is `k` or `k − 1`, by the sign of the remainder. No double but 0 is known to be so close
-    /// to a multiple of `π/2` that the sign is in doubt, but nothing depends on that.
+    /// It is `k` or `k − 1`, by the sign of the remainder. No double but 0 is known so close to a
+    /// multiple of `π/2` that the sign is in doubt, but nothing depends on that.
     #[inline]
     pub(super) fn floor(self) -> (i32, i32) {
         // head + tail has the sign of the head, and more than half its size.
@@ -75,20 +75,13 @@ const SMALL: f64 = f64::from_bits((1023 - 135) << 52);
 
 #[cfg(test)]
 mod tests {
-    use astro_float::{BigFloat, Consts, RoundingMode};
-
     use super::{LARGEST_ANGLE, QuarterTurns};
+    use crate::interval::high_precision::{P, RM, at_most, big, error_of_sum, half_pi};
 
-    const P: usize = 320;
-    const RM: RoundingMode = RoundingMode::None;
-
-    /// The remainder against one in high precision: within the stated error, and not by far.
+    /// Within the stated error, which is not far too large.
     #[test]
     fn errors_of_the_remainder_are_as_stated() {
-        let mut constants = Consts::new().expect("memory");
-        let big = |x: f64| BigFloat::from_f64(x, P);
-        let half_pi = constants.pi(P, RM).mul(&big(0.5), P, RM);
-        let at_most = |a: &BigFloat, b: &BigFloat| a.cmp(b).is_some_and(|order| order <= 0);
+        let half_pi = half_pi();
         for end in [3.0, 1e3, LARGEST_ANGLE] {
             let mut reached = false;
             for case in 1..4000 {
@@ -97,10 +90,9 @@ mod tests {
                 let QuarterTurns { turns, head, tail, error } = angle;
                 assert!(head.abs() < 0.7855 && tail.abs() <= f64::EPSILON / 2.0 * head.abs());
                 let rest = big(x).sub(&half_pi.mul(&big(f64::from(turns)), P, RM), P, RM);
-                let sum = big(head).add(&big(tail), P, RM);
-                let made = rest.sub(&sum, P, RM).abs();
-                assert!(at_most(&made, &big(error)), "{x}: {angle:?} is off by {made}");
-                reached |= error > 0.0 && at_most(&big(0.02 * error), &made);
+                let found = error_of_sum(&[head, tail], &rest);
+                assert!(at_most(&found, &big(error)), "{x}: {angle:?} is off by {found}");
+                reached |= error > 0.0 && at_most(&big(0.02 * error), &found);
                 let floor = (x * std::f64::consts::FRAC_2_PI).floor() as i32;
                 let (below, above) = angle.floor();
                 assert!(below <= floor && floor <= above, "{x}: {angle:?}");

@@ -1,4 +1,4 @@
-//! Horner's scheme, with a bound of its error.
+//! Horner's scheme, with an error bound.
 
 /// The unit roundoff `u = 2⁻⁵³`: `fl(a ∘ b) = (a ∘ b)(1 + δ)` with `|δ| ≤ u` for each of the
 /// operations, unless it under- or overflows.
@@ -7,8 +7,8 @@ pub(super) const U: f64 = f64::EPSILON / 2.0;
 /// The value of `Σ cⱼ wʲ` by Horner's scheme.
 ///
 /// Needs: `cⱼ > 0`, each coefficient correctly rounded, `|w cⱼ₊₁| ≤ q cⱼ` for all `j` with a
-/// `q < 1`, and no underflow, that is `w = 0` or `|w| > 2⁻²⁰⁰` here. The number `w` is taken as
-/// it is: the caller answers for its rounding, and for the terms left out.
+/// `q < 1`, and no underflow, that is `w = 0` or `|w| > 2⁻²⁰⁰` here. The caller accounts for the
+/// rounding of `w` and for truncation.
 ///
 /// **The error is at most `2.01 u c₀ / (1 − q)²`.** Let `sⱼ = Σ_{i≥j} cᵢ wⁱ⁻ʲ`, so
 /// `|sⱼ| ≤ cⱼ / (1 − q)`. The computed one is `fl(ĉⱼ + fl(w ŝⱼ₊₁))`, so to first order in `u` its
@@ -17,8 +17,7 @@ pub(super) const U: f64 = f64::EPSILON / 2.0;
 /// `Eⱼ ≤ |w| Eⱼ₊₁ + u |w sⱼ₊₁| + u |sⱼ| + u cⱼ ≤ |w| Eⱼ₊₁ + u cⱼ (q/(1−q) + 1/(1−q) + 1)`,
 ///
 /// where the bracket is `2/(1 − q)`. With `|w|ʲ cⱼ ≤ qʲ c₀` the sum over `j` gives
-/// `E₀ ≤ 2 u c₀ / (1 − q)²`, and the higher orders, less than `(1 + u)⁴⁰` in total, go into
-/// the 2.01.
+/// `E₀ ≤ 2 u c₀ / (1 − q)²`; the 2.01 covers the higher orders, less than `(1 + u)⁴⁰` in total.
 #[inline]
 pub(super) fn horner<const N: usize>(w: f64, coefficients: &[f64; N]) -> f64 {
     let mut s = coefficients[N - 1];
