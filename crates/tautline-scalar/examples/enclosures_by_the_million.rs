@@ -1,8 +1,8 @@
-//! A million arguments of each elementary function, both kernels, against high precision.
+//! A million arguments of each elementary function, with both kernels, against high precision.
 //!
-//! The tests try twenty thousand; this takes some minutes:
+//! The tests try twenty thousand. This takes some minutes:
 //! `cargo run --release -p tautline-scalar --example enclosures_by_the_million [COUNT]`.
-//! It panics at the first enclosure that misses, and prints the widest ones.
+//! Panics at the first enclosure that misses a value, and prints the greatest widths.
 
 #[path = "../tests/it/reference/mod.rs"]
 mod reference;

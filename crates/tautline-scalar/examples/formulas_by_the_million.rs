@@ -1,9 +1,9 @@
-//! A million comparisons of random formulas and their derivatives over boxes with their values in
-//! high precision.
+//! A million comparisons of random formulas and their derivatives over boxes with values in high
+//! precision.
 //!
-//! The tests make a hundred thousand; this takes ten seconds:
+//! The tests make a hundred thousand. This takes ten seconds:
 //! `cargo run --release -p tautline-scalar --example formulas_by_the_million [COUNT] [SEED]`.
-//! It panics at the first enclosure that misses.
+//! Panics at the first enclosure that misses a value.
 
 #[path = "../tests/it/formulas/mod.rs"]
 mod formulas;

@@ -3,8 +3,9 @@
 /// `T`, as an associated type of every type.
 ///
 /// A trait implies its bounds on `Self` and on associated types, but not a bound on another type
-/// such as `f64: Sub<Self>`: each function would have to repeat it. Since `Beside<f64>::Is` is `f64`,
-/// [`Scalar`](crate::Scalar) can put the bound there, and `S: Scalar` is enough for `2.0 - x`.
+/// such as `f64: Sub<Self>`: each function would have to repeat it. Since `Beside<f64>::Is` is
+/// `f64`, [`Scalar`](crate::Scalar) can put the bound there, and `S: Scalar` is enough for
+/// `2.0 - x`.
 pub trait Beside<T> {
     /// `T`.
     type Is;

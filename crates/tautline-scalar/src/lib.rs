@@ -1,8 +1,8 @@
 //! Number types in which one formula is evaluated: floats, jets and intervals.
 //!
-//! A metric is written once, generic over [`Scalar`]. Evaluated in `f64` it gives values, in [`Jet1`]
-//! also gradients, in [`Jet2`] also second derivatives: exact up to rounding, without differentiating
-//! by hand.
+//! A metric is written once, generic over [`Scalar`]. Evaluated in `f64` it gives values, in
+//! [`Jet1`] also gradients, in [`Jet2`] also second derivatives: exact up to rounding, without
+//! differentiating by hand.
 //!
 //! ```
 //! use tautline_scalar::{Jet2, Scalar};
@@ -22,22 +22,22 @@
 //!
 //! # What a formula may use
 //!
-//! `+ − × ÷` between scalars and with an `f64` on either side, and the methods of [`Scalar`].
-//! There is deliberately no order, no absolute value and no branching: a formula that compiles is
-//! smooth wherever it is defined, and intervals can evaluate it. For the same reason jets are generic
-//! in the number type of their coefficients.
+//! `+ − × ÷` between scalars and with an `f64` on either side, and the methods of [`Scalar`]. There
+//! is deliberately no order, no absolute value and no branching: a formula that compiles is smooth
+//! wherever it is defined, and intervals can evaluate it. For the same reason jets are generic in
+//! the number type of their coefficients.
 //!
 //! A decimal in a formula means the `f64` nearest to it.
 //!
 //! # Two at a time
 //!
-//! A [`Pair`] is two `f64` in one vector register. `Jet2<Pair, D>` expands a formula at two points at
-//! once.
+//! A [`Pair`] is two `f64` in one vector register. `Jet2<Pair, D>` expands a formula at two points
+//! at once.
 //!
 //! # Intervals
 //!
-//! Evaluated in [`Interval`] a formula gives bounds on its values over a box, in `Jet2<Interval, D>`
-//! also on its derivatives.
+//! Evaluated in [`Interval`] a formula gives bounds on its values over a box, in
+//! `Jet2<Interval, D>` also on its derivatives.
 //!
 //! ```
 //! use tautline_scalar::{Interval, Jet1, Scalar};

@@ -10,8 +10,8 @@ use crate::Scalar;
 /// Two `f64` in one vector register, to evaluate a formula at two points at once.
 ///
 /// `+ − × ÷ √` give the same bits as `f64`. `sin` and `cos` are vectorised too, with an error of at
-/// most `2 ε` times the larger of the result and `ε max(1, |x|)`. Every other function calls that of
-/// `f64` for each lane.
+/// most `2 ε` times the larger of the result and `ε max(1, |x|)`. Every other function calls that
+/// of `f64` for each lane.
 #[derive(Clone, Copy, Debug)]
 pub struct Pair(f64x2);
 

@@ -56,8 +56,8 @@ pub trait Scalar:
     + SubAssign
     + MulAssign
     + DivAssign
-    // A number on the left, by value and by reference: with one of these bounds alone, type inference
-    // would resolve every `f64 - …` in a formula to it.
+    // A number on the left, by value and by reference: with one of these bounds alone, type
+    // inference would resolve every `f64 - …` in a formula to it.
     + Beside<f64, Is = f64>
     + Beside<
         f64,

@@ -26,11 +26,11 @@ pub(super) fn atan(x: f64) -> (f64, f64) {
 /// `arctan x` for `x ≥ 2⁻²⁶`, infinity included.
 ///
 /// For `x ≤ 1`, `arctan x = arctan c + arctan τ` with `τ = (x − c)/(1 + x c)` and `c` the eighth
-/// nearest to `x`. For `x > 1`, `arctan x = (π/2 − arctan c) + arctan τ` with `τ = (c x − 1)/(x + c)`
-/// and `c` the eighth nearest to `1/x`. Either way `|τ| ≤ 1/16 + 2⁻⁵⁰`. The series is
-/// `arctan τ = τ − τ w p(−w)`, with `w = τ²` and `p(−w) = Σ (−w)ʲ/(2j+3)`. Its errors in units of
-/// `u |τ w|`: Horner with `q = 0.004`, at most `0.68`; `w` and the two products, `1.01`; truncation,
-/// `w⁷/17`, at most `0.01`. Together less than `2 u |τ w|`, relatively `0.008 u`.
+/// nearest to `x`. For `x > 1`, `arctan x = (π/2 − arctan c) + arctan τ` with
+/// `τ = (c x − 1)/(x + c)` and `c` the eighth nearest to `1/x`. Either way `|τ| ≤ 1/16 + 2⁻⁵⁰`. The
+/// series is `arctan τ = τ − τ w p(−w)`, with `w = τ²` and `p(−w) = Σ (−w)ʲ/(2j+3)`. Its errors in
+/// units of `u |τ w|`: Horner with `q = 0.004`, at most `0.68`; `w` and the two products, `1.01`;
+/// truncation, `w⁷/17`, at most `0.01`. Together less than `2 u |τ w|`, relatively `0.008 u`.
 ///
 /// * `c = 0`, `x ≤ 1`: `τ = x` is exact, and the tail is one number. The error is at most
 ///   `2 u |x| w`.

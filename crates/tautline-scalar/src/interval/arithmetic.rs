@@ -1,9 +1,9 @@
 //! `+ − × ÷` of intervals.
 //!
 //! On real intervals each operation takes its extremes at end points, and the signs decide which.
-//! Each extreme is one operation of doubles, rounded outward. So the result is the smallest interval
-//! that contains all values; where a product or quotient nearly under- or overflows, it may be one
-//! double wider at each end.
+//! Each extreme is one operation of doubles, rounded outward. So the result is the smallest
+//! interval that contains all values; where a product or quotient nearly under- or overflows, it
+//! may be one double wider at each end.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -98,7 +98,8 @@ impl<K: Kernel> Div for Enclosure<K> {
         } else {
             return Self::UNDEFINED;
         };
-        // Never ∞ / ∞: an infinite end of the divisor divides the end of `self` nearer to 0, which is finite.
+        // Never ∞ / ∞: an infinite end of the divisor divides the end of `self` nearer to 0, which
+        // is finite.
         Self::enclosing(lo, hi)
     }
 }

@@ -1,8 +1,8 @@
 //! The four operations and the square root, rounded down and up.
 //!
 //! `v = fl(a ∘ b)` is the double nearest to the true value, which therefore lies between the
-//! neighbours of `v`. The sign of the residual `a ∘ b − v` says on which side; if it is zero, `v` is
-//! exact and both bounds.
+//! neighbours of `v`. The sign of the residual `a ∘ b − v` says on which side; if it is zero, `v`
+//! is exact and both bounds.
 //!
 //! The residual of a sum is a double, and Knuth's TwoSum computes it exactly. For products Dekker's
 //! algorithm does, without a fused multiply-add, if nothing overflows and no part of the product
@@ -17,11 +17,11 @@ enum Side {
     Above,
 }
 
-/// A bound on a number with the nearest double `value`, given a number with the sign of the residual;
-/// NaN for an unknown residual.
+/// A bound on a number with the nearest double `value`, given a number with the sign of the
+/// residual; NaN for an unknown residual.
 ///
-/// A zero has the sign of the number that underflowed to it, so it is itself a bound: `+0` from below,
-/// `−0` from above.
+/// A zero has the sign of the number that underflowed to it, so it is itself a bound: `+0` from
+/// below, `−0` from above.
 #[inline]
 fn beside(value: f64, residual: f64, side: Side) -> f64 {
     match side {
@@ -49,8 +49,8 @@ pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
 /// Dekker's product, on Veltkamp's halves of 26 bits. The splitting multiplies by `2²⁷ + 1`, which
 /// overflows only beyond `2⁹⁹⁶`; the product of the upper halves is at most `(1 + 2⁻²⁵) |a b|`. The
 /// residual is a multiple of the product of the last places of `a` and `b`, which is at least
-/// `2⁻¹⁰⁶ |p|`: above the smallest subnormal, `2⁻¹⁰⁷⁴`, if `|p| ≥ 2⁻⁹⁶⁰`. Then no partial product has
-/// places below it either.
+/// `2⁻¹⁰⁶ |p|`: above the smallest subnormal, `2⁻¹⁰⁷⁴`, if `|p| ≥ 2⁻⁹⁶⁰`. Then no partial product
+/// has places below it either.
 #[inline]
 pub(super) fn two_product(a: f64, b: f64) -> (f64, f64) {
     const LARGE: f64 = f64::from_bits((1023 + 990) << 52);
@@ -96,9 +96,10 @@ fn div(a: f64, b: f64, side: Side) -> f64 {
     if a == 0.0 && b != 0.0 && !b.is_nan() {
         return q;
     }
-    // a − q b is a double (of at most 53 bits, by the rounding of q), so is a − fl(q b), and both are
-    // computed exactly if the residual of the product is known. The quotient lies above q if the
-    // residual has the sign of b. For a quotient that underflowed, the neighbours are the bounds.
+    // a − q b is a double (of at most 53 bits, by the rounding of q), so is a − fl(q b), and both
+    // are computed exactly if the residual of the product is known. The quotient lies above q if
+    // the residual has the sign of b. For a quotient that underflowed, the neighbours are the
+    // bounds.
     let (p, e) = two_product(q, b);
     let residual = if q.abs() >= f64::MIN_POSITIVE && a.is_finite() && b.is_finite() {
         (a - p) - e

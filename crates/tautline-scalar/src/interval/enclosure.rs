@@ -14,26 +14,26 @@ pub type Interval = Enclosure<Rigorous>;
 /// A closed interval `[lo, hi]` of real numbers, or *undefined*.
 ///
 /// Every operation returns an interval that contains all its values on real numbers in the
-/// arguments. The ends are doubles; `lo = −∞` or `hi = ∞` means that there is no bound on that side.
-/// The type parameter is the kernel of the elementary functions: see [`Interval`] and
+/// arguments. The ends are doubles; `lo = −∞` or `hi = ∞` means that there is no bound on that
+/// side. The type parameter is the kernel of the elementary functions: see [`Interval`] and
 /// [`FastInterval`](super::FastInterval).
 ///
 /// # Undefined
 ///
 /// *Undefined*, with NaN for both ends, are: a quotient whose divisor contains zero, a root or a
 /// logarithm whose argument contains a number outside the domain, a tangent whose argument may
-/// contain a pole, and anything made from NaN or an infinite number. Every operation on an undefined
-/// interval is undefined, including multiplication by zero and `x⁰`. So a formula that is undefined
-/// at one point of a box is undefined on the box, and never gets a finite enclosure. (The whole line
-/// would not do: its arctangent is finite.) Compare ends so that NaN fails: discard a box only
-/// `if x.hi() <= best { … }`.
+/// contain a pole, and anything made from NaN or an infinite number. Every operation on an
+/// undefined interval is undefined, including multiplication by zero and `x⁰`. So a formula that is
+/// undefined at one point of a box is undefined on the box, and never gets a finite enclosure. (The
+/// whole line would not do: its arctangent is finite.) Compare ends so that NaN fails: discard a
+/// box only `if x.hi() <= best { … }`.
 ///
 /// Where a number overflows, the interval is infinite but defined.
 ///
 /// # Equality
 ///
-/// Intervals are equal if their ends are; an undefined one equals nothing, not even itself. There is
-/// no order.
+/// Intervals are equal if their ends are; an undefined one equals nothing, not even itself. There
+/// is no order.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Enclosure<K> {
     // Invariant: lo ≤ hi, lo < ∞ and hi > −∞; or both are NaN.

@@ -54,20 +54,20 @@ pub(super) fn exp_times_power(x: f64, n: i32) -> (f64, f64) {
 ///
 /// Needs: `|x| ≤ 746`.
 ///
-/// Let `k` be the integer nearest to the rounded `x / ln 2`. The splitting `x = k ln 2 + r` is valid
-/// for any `k`, and `|r| ≤ 0.3466` since the error of the quotient is below `2⁻⁴⁰`. `k L₀` is exact
-/// (42 + 11 bits), and so is `x − k L₀`: for `k ≠ 0` we have `|x| > 0.346`, both are multiples of
-/// `2⁻⁵⁴`, and the difference is less than `0.5`. The product `k L₁` is rounded by at most
-/// `u · 2¹¹⁻⁴²`, and `|k ε| ≤ 2¹¹⁻⁹⁶`: together at most `e = 2⁻⁸³`. So `r = h + t + δ` with
+/// Let `k` be the integer nearest to the rounded `x / ln 2`. The splitting `x = k ln 2 + r` is
+/// valid for any `k`, and `|r| ≤ 0.3466` since the error of the quotient is below `2⁻⁴⁰`. `k L₀` is
+/// exact (42 + 11 bits), and so is `x − k L₀`: for `k ≠ 0` we have `|x| > 0.346`, both are
+/// multiples of `2⁻⁵⁴`, and the difference is less than `0.5`. The product `k L₁` is rounded by at
+/// most `u · 2¹¹⁻⁴²`, and `|k ε| ≤ 2¹¹⁻⁹⁶`: together at most `e = 2⁻⁸³`. So `r = h + t + δ` with
 /// `|t| ≤ u |h|` and `|δ| ≤ e`.
 ///
 /// **The error is at most `6 u h² + 2⁻¹⁰² + 1.5 e`.** Let `p(h) = (eʰ − 1 − h)/h²`. In units of
-/// `u h²`: Horner with `q = |h|/3 ≤ 0.116` contributes `2.01/2/0.884² ≤ 1.29`; `p ≤ 0.564`, so the two
-/// products add `1.13`; truncation, `1.04 |h|¹²/14!`, adds `0.33`. The part of `t`:
-/// `eʰ⁺ᵗ − eʰ = t exp ξ`, and `1 + h` differs from `exp ξ` by `0.6 h² + 1.5 |t|`: at most `0.21`, and
-/// `1.5 u² h²`. `1 + h` is split exactly into a head and a part of the tail, at most `u`. The tail is
-/// summed with three roundings: `3 · 0.564`, and `9 u²`. Together `4.7 u h²` and `12 u²`. The
-/// derivative is at most `1.42`, so `δ` contributes `1.5 e`.
+/// `u h²`: Horner with `q = |h|/3 ≤ 0.116` contributes `2.01/2/0.884² ≤ 1.29`; `p ≤ 0.564`, so the
+/// two products add `1.13`; truncation, `1.04 |h|¹²/14!`, adds `0.33`. The part of `t`:
+/// `eʰ⁺ᵗ − eʰ = t exp ξ`, and `1 + h` differs from `exp ξ` by `0.6 h² + 1.5 |t|`: at most `0.21`,
+/// and `1.5 u² h²`. `1 + h` is split exactly into a head and a part of the tail, at most `u`. The
+/// tail is summed with three roundings: `3 · 0.564`, and `9 u²`. Together `4.7 u h²` and `12 u²`.
+/// The derivative is at most `1.42`, so `δ` contributes `1.5 e`.
 #[inline]
 pub(super) fn reduced(x: f64) -> (i32, Approximation) {
     let k = (x * std::f64::consts::LOG2_E).round_ties_even();
@@ -89,8 +89,8 @@ fn power_of_two(n: i32) -> f64 {
 /// A bound on `2ᵏ y` for `0.5 < y < 2`; `step` goes to the neighbour on the side of the bound.
 ///
 /// Multiplying by the first half of the power gives a normal number, so it is exact. The second is
-/// exact unless the result is subnormal or overflows; `∞` is an upper bound, and for the lower bound
-/// the caller clamps it to the largest double.
+/// exact unless the result is subnormal or overflows; `∞` is an upper bound, and for the lower
+/// bound the caller clamps it to the largest double.
 #[inline]
 fn scaled(y: f64, k: i32, step: impl Fn(f64) -> f64) -> f64 {
     let half = k / 2;

@@ -7,8 +7,9 @@ pub type FastInterval = Enclosure<Fast>;
 
 /// The functions of `pxfm`, widened by one double on either side.
 ///
-/// The library claims, without proof, an error of half a unit in the last place; one double on either
-/// side is enough for a whole unit. Exact values stay exact, and bounds such as `|sin x| ≤ 1` hold.
+/// The library claims, without proof, an error of half a unit in the last place; one double on
+/// either side is enough for a whole unit. Exact values stay exact, and bounds such as
+/// `|sin x| ≤ 1` hold.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fast;
 

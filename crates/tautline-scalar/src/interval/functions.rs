@@ -84,8 +84,8 @@ impl<K: Kernel> Scalar for Enclosure<K> {
         self.square()
     }
 
-    /// Returns `xⁿ`. Even powers have no negative part. Undefined if `x` is, also for `n = 0`, and for
-    /// `n < 0` if zero is inside.
+    /// Returns `xⁿ`. Even powers have no negative part. Undefined if `x` is, also for `n = 0`, and
+    /// for `n < 0` if zero is inside.
     #[inline]
     fn powi(self, n: i32) -> Self {
         self.power(n)

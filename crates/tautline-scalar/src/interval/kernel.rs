@@ -12,8 +12,8 @@ mod sealed {
 
 /// How the elementary functions are enclosed at one double: [`Rigorous`] or [`Fast`].
 ///
-/// Each method returns a lower and an upper bound on the true value; at an infinite argument, on the
-/// limit. Sealed, since intervals rely on that.
+/// Each method returns a lower and an upper bound on the true value; at an infinite argument, on
+/// the limit. Sealed, since intervals rely on that.
 ///
 /// [`Fast`]: super::Fast
 pub trait Kernel: sealed::Sealed + Copy + Debug + PartialEq + Send + Sync + 'static {
@@ -39,8 +39,8 @@ pub trait Kernel: sealed::Sealed + Copy + Debug + PartialEq + Send + Sync + 'sta
     fn tanh(x: f64) -> (f64, f64);
 }
 
-/// Series with bounds on truncation and rounding: relies only on `+ − × ÷ √` of doubles being rounded
-/// to nearest.
+/// Series with bounds on truncation and rounding: relies only on `+ − × ÷ √` of doubles being
+/// rounded to nearest.
 ///
 /// The widest enclosures among a million points for each function, in units of `2⁻⁵²` of the value
 /// (one unit in the last place, or half of one): 2.2 for `exp`, 4.4 for `ln`, 2.9 for `sin` and

@@ -64,8 +64,8 @@ impl<K: Kernel> Enclosure<K> {
     }
 }
 
-/// A bound on `xⁿ` for `x ≥ 0` and `n ≥ 1`, on the side to which `mul` rounds: products of nonnegative
-/// numbers are increasing in each factor.
+/// A bound on `xⁿ` for `x ≥ 0` and `n ≥ 1`, on the side to which `mul` rounds: products of
+/// nonnegative numbers are increasing in each factor.
 fn power_of_positive(x: f64, mut n: u32, mul: impl Fn(f64, f64) -> f64) -> f64 {
     let mut square = x;
     let mut result: Option<f64> = None;

@@ -21,8 +21,8 @@ impl QuarterTurns {
     /// Needs: `|x| ≤ 2²⁰`.
     ///
     /// Let `k` be the integer nearest to the rounded `x · (2/π)`; the splitting is valid for any
-    /// `k`. `|k| ≤ 667 545 < 2²⁰`, and the error of the product is below `2⁻³¹`, so the remainder is
-    /// below `π/4 + 2⁻³⁰ < 0.7855`.
+    /// `k`. `|k| ≤ 667 545 < 2²⁰`, and the error of the product is below `2⁻³¹`, so the remainder
+    /// is below `π/4 + 2⁻³⁰ < 0.7855`.
     ///
     /// * `x − k P₀` is exact: `k P₀` has 33 + 20 bits; for `k ≠ 0` we have `|x| > 0.78`, so both are
     ///   multiples of `2⁻⁵³`, and so is the difference, which is less than

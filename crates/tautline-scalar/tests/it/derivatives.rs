@@ -1,5 +1,5 @@
-//! Jets against derivatives that somebody else worked out: closed forms, and the
-//! automatic differentiation of `num-dual`, which shares no code with ours.
+//! Jets against closed forms, and against the automatic differentiation of `num-dual`, which shares
+//! no code with ours.
 
 use approx::assert_relative_eq;
 use nalgebra::{SVector, vector};
@@ -8,7 +8,7 @@ use num_traits::Zero;
 use proptest::prelude::*;
 use tautline_scalar::{Jet1, Jet2, Scalar};
 
-/// Every elementary function with its first and second derivative in closed form.
+/// Tests functions against their first and second derivatives in closed form.
 macro_rules! closed_forms {
     ($($name:ident, $at:expr, |$x:ident| $f:expr, $first:expr, $second:expr;)*) => {$(
         #[test]
@@ -21,8 +21,7 @@ macro_rules! closed_forms {
                 let f = |$x: f64| $f;
                 assert_eq!(y.value(), f($x), "value at {}", $x);
                 assert_eq!(z.value(), f($x), "value at {}", $x);
-                // A handful of roundings on either side; 1e-13 leaves room for 400 ulp,
-                // and a wrong factor misses it by twelve decades.
+                // A few roundings on either side; 1e-13 is 400 ulps.
                 assert_relative_eq!(y.first(0), $first, max_relative = 1e-13);
                 assert_relative_eq!(z.first(0), $first, max_relative = 1e-13);
                 assert_relative_eq!(y.second(0, 0), $second, max_relative = 1e-13);
@@ -55,7 +54,7 @@ closed_forms! {
         2.0 * (x * x * x + 15.0 * x * x - 3.0 * x - 5.0) / (1.0 + x * x).powi(3);
 }
 
-/// A formula in three variables that uses every operation, in our number types.
+/// A formula in three variables that uses every operation.
 fn formula<S: Scalar>([x, y, z]: [S; 3]) -> S {
     let (s, c) = (x * y).sin_cos();
     let (sh, ch) = (z - x).sinh_cosh();
@@ -63,7 +62,7 @@ fn formula<S: Scalar>([x, y, z]: [S; 3]) -> S {
     sum += (-(z.sqr()) - y).exp() / (ch + sh.tanh());
     sum -= (x * 0.3).tan() * z.powi(3) + (y + z).atan().powi(-2);
     sum *= (x - y + 4.0).recip() - 0.25;
-    // What is straight and what is bent, in either order.
+    // Straight and bent jets, in either order.
     sum += (x - y * 2.0) / (z + 9.0) + x * z.sqr() - z.sqr() * y + x * y;
     sum -= (x * z) / (y + 7.0) + (x - 8.0) / (y.sqr() + 1.0) + (z.sqr() - y) - (y - z.sqr());
     let mut line = x * 2.0;
@@ -125,9 +124,9 @@ fn powers_at_zero_are_polynomials() {
     }
 }
 
-/// Two jets are one if values and both derivatives are; one that passes through 0 is not 0.
+/// A jet with the value 0 and a nonzero derivative is not 0.
 #[test]
-fn jets_are_equal_with_all_their_derivatives() {
+fn jets_are_equal_if_value_and_derivatives_are() {
     let [x] = Jet2::<f64, 1>::variables(&[0.0]);
     let one = Jet2::constant(1.0);
     // 1 + x, 1 + 2x, 1 + x + x², 2 + x.
@@ -139,9 +138,9 @@ fn jets_are_equal_with_all_their_derivatives() {
     assert!(!x.is_zero() && x != x * 2.0 && x == x * 1.0);
 }
 
-/// Where `tanh x` is 1 to rounding, `1 − tanh² x` would be nothing but rounding.
+/// Where `tanh x` rounds to 1, `1 − tanh² x` would be rounding error.
 #[test]
-fn the_derivative_of_a_saturated_tangent_keeps_its_digits() {
+fn the_derivative_of_a_saturated_tanh_keeps_its_digits() {
     for x in [5.0_f64, 15.0, 25.0, -40.0] {
         let [jet] = Jet2::variables(&[x]);
         // 4 e^{−2|x|}/(1 + e^{−2|x|})², and −2 tanh x times it.
@@ -161,8 +160,7 @@ fn outside_the_domain_is_nan() {
     }
 }
 
-/// A jet over jets differentiates twice by differentiating once, twice over: the types are
-/// generic in the number below, as an interval will need.
+/// A first-order jet over first-order jets has second derivatives.
 #[test]
 fn jets_nest() {
     let [inner] = Jet1::variables(&[0.7_f64]);

@@ -1,12 +1,12 @@
-//! Ten thousand arguments of each elementary function at which something is close: multiples of
-//! `π/2`, powers of two, the ends of the range, and as many ordinary ones.
+//! Ten thousand hard arguments of each elementary function (next to multiples of `π/2`, to powers
+//! of two and to the ends of the range), and as many ordinary ones.
 
 use crate::reference::{FAMILIES, Function, Random, Reference, Widest, argument, attempt};
 use tautline_chance::{cases, seed};
 
 const EACH: u32 = 10_000;
 
-/// Arguments of the circular functions next to multiples of `π/2`, up to the bound of the angles.
+/// Angles next to multiples of `π/2`, up to the largest angle.
 fn near_quarters(random: &mut Random) -> f64 {
     let k = match random.bits() % 3 {
         0 => 1 + random.bits() % 64,
@@ -20,11 +20,11 @@ fn near_quarters(random: &mut Random) -> f64 {
     for _ in 0..random.bits() % 4 {
         x = x.next_up();
     }
-    // Quarters of π too, where the splitting changes its integer.
+    // Odd multiples of π/4 too, where the integer of the reduction changes.
     if random.bits().is_multiple_of(8) { random.sign() * x / 2.0 } else { random.sign() * x }
 }
 
-/// Numbers around which a case distinction, a rounding or a range changes.
+/// Numbers next to a boundary between cases, roundings or ranges.
 fn special(family: &[Function], random: &mut Random) -> f64 {
     let powers = || (-40..=20).map(|e| 2.0_f64.powi(e));
     let common: Vec<f64> = match family[0] {
@@ -63,7 +63,7 @@ fn hard(family: &[Function], random: &mut Random) -> f64 {
     match random.bits() % 8 {
         // Subnormal numbers.
         0 if family[0] == Function::Ln => f64::from_bits(1 + random.bits() % (1 << 52)),
-        // Near one, where the logarithm is near zero.
+        // Near one, the zero of the logarithm.
         1 | 2 if family[0] == Function::Ln => 1.0 + random.sign() * random.with_exponent(-53, -2),
         0 | 1 if family[0] == Function::Exp => random.sign() * random.between(690.0, 750.0),
         0..=3 if family[0] == Function::Sin => near_quarters(random),
@@ -82,14 +82,13 @@ fn try_family(which: usize) {
     }
     for (f, [rigorous, fast]) in family.iter().zip(&widest) {
         println!("{f:?}: rigorous {rigorous:?}, fast {fast:?}");
-        // In units of 2⁻⁵²: of 1 for sine and cosine, which near their zeros are not asked for
-        // more; of the value for the others.
+        // In units of 2⁻⁵²: absolute for sine and cosine, relative for the others.
         let width = match f {
             Function::Sin | Function::Cos => rigorous.absolute,
             _ => rigorous.relative,
         };
         assert!(width <= 8.0, "{f:?}: {width}");
-        // One neighbour on either side is at most two places, each at most 2⁻⁵² of the value.
+        // One neighbour on either side is at most two ulps.
         assert!(fast.relative <= 2.0, "{f:?}: {fast:?}");
     }
 }

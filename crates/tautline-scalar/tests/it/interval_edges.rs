@@ -1,26 +1,10 @@
-//! The edges of intervals: whether ends belong, sizes that are rounded up, and where angles become
-//! too large.
+//! Edge cases of intervals: ends, rounding of sizes, exact values and the largest angles.
 
 use astro_float::{BigFloat, RoundingMode};
 use tautline_scalar::{Enclosure, Fast, Interval, Kernel, Rigorous, Scalar};
 
-use crate::reference::Reference;
+use crate::{INFINITY, LEAST, MAX, ends, interval, reference::Reference};
 
-const MAX: f64 = f64::MAX;
-const INFINITY: f64 = f64::INFINITY;
-/// The smallest positive double.
-const LEAST: f64 = 5e-324;
-
-#[track_caller]
-fn interval(lo: f64, hi: f64) -> Interval {
-    Interval::new(lo, hi).expect("ordered ends")
-}
-
-fn ends(x: Interval) -> (f64, f64) {
-    (x.lo(), x.hi())
-}
-
-/// Halves of odd subnormals are rounded, and the larger half of a side is not always the upper one.
 #[test]
 fn sizes_of_intervals_are_rounded_up() {
     let (one, next) = (1.0, 1.0_f64.next_up());
@@ -38,7 +22,7 @@ fn sizes_of_intervals_are_rounded_up() {
         interval(-MAX, MAX),
     ] {
         let (centre, radius) = (x.midpoint(), x.radius());
-        // Compared exactly: both ends are within the radius, both are within the width.
+        // The comparison is exact.
         let big = |x: f64| Reference::big(x);
         let apart = |a: f64, b: f64| big(a).sub(&big(b), 4096, RoundingMode::None);
         let within = |distance: BigFloat, bound: f64| {
@@ -47,13 +31,12 @@ fn sizes_of_intervals_are_rounded_up() {
         assert!(within(apart(x.hi(), centre), radius), "{x:?} {radius:e}");
         assert!(within(apart(centre, x.lo()), radius), "{x:?} {radius:e}");
         assert!(within(apart(x.hi(), x.lo()), x.width()), "{x:?} {:e}", x.width());
-        // And no larger than by a rounding of each step.
+        // Up to one rounding of each step.
         let most = x.hi() * 0.5 - x.lo() * 0.5;
         assert!(radius <= most * (1.0 + 1e-15) + f64::EPSILON * x.magnitude() + LEAST, "{x:?}");
     }
 }
 
-/// Ends belong to an interval, and decide alone.
 #[test]
 fn the_ends_of_an_interval_belong_to_it() {
     let x = interval(-1.0, 2.0);
@@ -63,7 +46,7 @@ fn the_ends_of_an_interval_belong_to_it() {
     for outside in [interval(-1.5, 0.0), interval(0.0, 2.5), interval(-1.5, 2.5)] {
         assert!(!x.contains_interval(outside), "{outside:?}");
     }
-    // One common point is common.
+    // One common point is enough.
     assert_eq!(x.intersection(interval(2.0, 3.0)).map(ends), Some((2.0, 2.0)));
     assert_eq!(interval(2.0, 3.0).intersection(x).map(ends), Some((2.0, 2.0)));
     assert_eq!(ends(x.hull(interval(-3.0, 1.0))), (-3.0, 2.0));
@@ -75,15 +58,15 @@ fn the_ends_of_an_interval_belong_to_it() {
     for half in [interval(1.0, INFINITY), interval(-INFINITY, 1.0), Interval::REALS] {
         assert!(!half.is_finite() && !half.is_undefined());
     }
-    // Undefined wins over anything, in either place.
+    // Undefined in either place gives undefined.
     let none = Interval::UNDEFINED;
     assert!(x.intersection(none).is_some_and(Interval::is_undefined));
     assert!(none.intersection(x).is_some_and(Interval::is_undefined));
 }
 
-/// Angles up to `2²⁰` on either side, that one included; one end beyond is enough.
+/// Up to `2²⁰`, inclusive, of either sign; one larger end is enough to know nothing.
 #[test]
-fn angles_are_too_large_from_the_same_size_on_either_side() {
+fn angles_of_either_sign_have_the_same_limit() {
     const LARGEST: f64 = 1_048_576.0;
     let (last, beyond) = (LARGEST, LARGEST.next_up());
     for sign in [1.0, -1.0] {
@@ -101,7 +84,6 @@ fn angles_are_too_large_from_the_same_size_on_either_side() {
     }
 }
 
-/// What a function takes exactly is exact.
 fn exact_values<K: Kernel>() {
     let point = Enclosure::<K>::point;
     for zero in [0.0, -0.0].map(point) {
@@ -121,7 +103,7 @@ fn exact_values_stay_exact() {
     exact_values::<Fast>();
 }
 
-/// `e⁷¹⁰` is beyond the doubles, by less than the argument from which nothing is computed.
+/// On either side of 711 and −746, beyond which nothing is computed.
 #[test]
 fn an_exponential_beyond_the_doubles_is_bounded_by_the_largest() {
     for x in [709.8, 710.0, 711.0, 711.0_f64.next_up(), 1e300] {
@@ -132,7 +114,7 @@ fn an_exponential_beyond_the_doubles_is_bounded_by_the_largest() {
     }
 }
 
-fn tangents<K: Kernel>() {
+fn hyperbolic_tangents<K: Kernel>() {
     for x in [17.0, 19.0, 19.1, 20.0, 25.0, 300.0, 1e4] {
         let y = Enclosure::<K>::point(x).tanh();
         assert!(y.lo() < 1.0 && y.hi() <= 1.0, "{x}: {y:?}");
@@ -141,16 +123,15 @@ fn tangents<K: Kernel>() {
     }
 }
 
-/// Where the value is 1 to rounding, it is less.
 #[test]
 fn hyperbolic_tangents_never_reach_one() {
-    tangents::<Rigorous>();
-    tangents::<Fast>();
+    hyperbolic_tangents::<Rigorous>();
+    hyperbolic_tangents::<Fast>();
 }
 
-/// Next to a crest, where the value is 1 to rounding, on both sides and for both waves.
+/// Next to multiples of `π/2`, where a value is ±1 to rounding.
 #[test]
-fn waves_never_leave_one() {
+fn enclosures_of_waves_stay_within_one() {
     for quarter in -3000..3000 {
         let mut angle = f64::from(quarter) * std::f64::consts::FRAC_PI_2;
         for _ in 0..3 {

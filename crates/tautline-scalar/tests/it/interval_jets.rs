@@ -1,22 +1,16 @@
-//! Jets over intervals: bounds of the derivatives of a formula on a box.
+//! Jets over intervals: bounds on the derivatives of a formula over a box.
 
 use astro_float::{BigFloat, RoundingMode};
 use tautline_chance::{cases, seed};
 use tautline_scalar::{Interval, Jet1, Jet2, Scalar};
 
-use crate::reference::{Random, Reference, holds};
+use crate::{
+    ends, interval,
+    reference::{FAMILIES, Random, Reference, holds},
+};
 
 const P: usize = 320;
 const RM: RoundingMode = RoundingMode::None;
-
-#[track_caller]
-fn interval(lo: f64, hi: f64) -> Interval {
-    Interval::new(lo, hi).expect("ordered ends")
-}
-
-fn ends(x: Interval) -> (f64, f64) {
-    (x.lo(), x.hi())
-}
 
 /// A formula of two variables that uses most operations.
 fn formula<S: Scalar>([x, y]: [S; 2]) -> S {
@@ -26,8 +20,7 @@ fn formula<S: Scalar>([x, y]: [S; 2]) -> S {
         + (x.sinh() * 0.1 + y).powi(3)
 }
 
-/// The derivatives of the sheet `(x + 2)² e^y / (1 + x²)` by hand, in high precision, with the
-/// exponential factor left out.
+/// `q = (x + 2)²/(1 + x²)` with its first two derivatives, in high precision.
 fn rational(x: f64) -> [BigFloat; 3] {
     let big = Reference::big;
     let (mul, add) = (
@@ -35,7 +28,7 @@ fn rational(x: f64) -> [BigFloat; 3] {
         |a: &BigFloat, b: &BigFloat| a.add(b, P, RM),
     );
     let x = big(x);
-    // q = n/d with n = (x + 2)², d = 1 + x²: q' = (n' − q d')/d, q'' = (n'' − 2 q' d' − q d'')/d.
+    // q = n/d: q' = (n' − q d')/d, q'' = (n'' − 2 q' d' − q d'')/d.
     let (root, d) = (add(&x, &big(2.0)), add(&big(1.0), &mul(&x, &x)));
     let q = mul(&root, &root).div(&d, P, RM);
     let (n1, d1) = (mul(&big(2.0), &root), mul(&big(2.0), &x));
@@ -51,7 +44,7 @@ fn jets_enclose_derivatives_known_in_high_precision() {
     let mut reference = Reference::new();
     for _ in 0..cases(2000) {
         let (a, b) = (random.between(-3.0, 3.0), random.between(-3.0, 3.0));
-        let exp = &reference.values(crate::reference::FAMILIES[0], b)[0];
+        let exp = &reference.values(FAMILIES[0], b)[0];
         let [q, q1, q2] = rational(a).map(|part| part.mul(exp, P, RM));
         for spread in [0.0, 1e-3, 0.5] {
             let x = interval(a - spread, a + spread);
@@ -61,7 +54,7 @@ fn jets_enclose_derivatives_known_in_high_precision() {
             assert!(holds(z.second(0, 0), &q2) && holds(z.second(0, 1), &q1));
             assert!(holds(z.second(1, 1), &q));
             if spread == 0.0 {
-                // A dozen operations, each a place or two, with cancellation in q''.
+                // A dozen operations of one or two ulps each, with cancellation in q''.
                 assert!(z.second(0, 0).width() < 1e-11, "{z:?}");
             }
         }
@@ -79,12 +72,9 @@ fn jets_at_points_meet_jets_over_boxes() {
         for _ in 0..5 {
             let p = centre.map(|c| random.between(c - size, c + size));
             let at = formula(Jet2::variables(&p.map(Interval::point)));
-            // The point may be rounded out of the box only by the test; here it is inside.
             let meets = |x: Interval, y: Interval| x.intersection(y).is_some() && y.is_finite();
-            let near = |x: Interval, y: f64| {
-                // Hundreds of places of the largest intermediate value, about 10.
-                (x.midpoint() - y).abs() < 1e-11
-            };
+            // Hundreds of ulps of the largest intermediate value, about 10.
+            let near = |x: Interval, y: f64| (x.midpoint() - y).abs() < 1e-11;
             let plain = formula(Jet2::variables(&p));
             assert!(meets(second.value(), at.value()) && near(at.value(), plain.value()));
             for i in 0..2 {
@@ -106,7 +96,7 @@ fn jets_of_the_undefined_are_undefined() {
         assert!(y.value().is_undefined() && y.first(0).is_undefined());
         assert!(y.second(0, 0).is_undefined());
     }
-    // The root is defined at zero, its slope is not.
+    // At zero the root is defined, its slope is not.
     let [x] = Jet1::variables(&[interval(0.0, 1.0)]);
     assert!(x.sqrt().value().is_finite() && x.sqrt().first(0).is_undefined());
     // x⁰ is 1 at zero, with slope 0.
@@ -114,7 +104,7 @@ fn jets_of_the_undefined_are_undefined() {
 }
 
 #[test]
-fn second_derivatives_take_squares_of_slopes() {
+fn second_derivatives_square_the_slopes() {
     // (x²)² has the second derivative 12 x², computed as 2 (2x)² + 2 x² · 2: never negative.
     let [x] = Jet2::variables(&[interval(-1.0, 1.0)]);
     assert_eq!(ends(x.sqr().sqr().second(0, 0)), (0.0, 12.0));

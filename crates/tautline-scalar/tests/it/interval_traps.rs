@@ -1,4 +1,4 @@
-//! Where interval arithmetic goes wrong: underflow, infinities, NaN, poles, and ends that are no
+//! Where interval arithmetic usually goes wrong: underflow, infinities, NaN, poles and invalid
 //! ends.
 
 use std::f64::consts::PI;
@@ -8,24 +8,10 @@ use tautline_scalar::{
     Enclosure, Fast, FastInterval, Interval, IntervalError, Jet2, Kernel, Pair, Rigorous, Scalar,
 };
 
-use crate::reference::holds;
-
-const MAX: f64 = f64::MAX;
-const INFINITY: f64 = f64::INFINITY;
-/// The smallest positive double.
-const LEAST: f64 = 5e-324;
-
-#[track_caller]
-fn interval(lo: f64, hi: f64) -> Interval {
-    Interval::new(lo, hi).expect("ordered ends")
-}
-
-fn ends(x: Interval) -> (f64, f64) {
-    (x.lo(), x.hi())
-}
+use crate::{INFINITY, LEAST, MAX, ends, interval, reference::holds};
 
 #[test]
-fn bad_ends_are_refused() {
+fn invalid_ends_are_errors() {
     assert_eq!(Interval::new(2.0, 1.0), Err(IntervalError::Inverted { lo: 2.0, hi: 1.0 }));
     for (lo, hi) in [(f64::NAN, 1.0), (1.0, f64::NAN)] {
         assert!(matches!(Interval::new(lo, hi), Err(IntervalError::NotANumber { .. })));
@@ -48,7 +34,7 @@ fn a_product_that_underflows_is_not_zero() {
     assert_eq!(ends((-tiny).powi(5)), (-LEAST, 0.0));
     assert_eq!(ends(tiny / 1e200), (0.0, LEAST));
     assert_eq!(ends(-tiny / 1e200), (-LEAST, 0.0));
-    // Not to zero, but to a subnormal that is not the product.
+    // A subnormal that is not the exact product.
     let product = Interval::point(3e-162) * 3e-162;
     assert!(product.lo() < product.hi());
 }
@@ -69,13 +55,13 @@ fn zero_times_infinity_is_not_zero() {
     assert_eq!(Interval::point(0.0) * unbounded, Interval::REALS);
     assert_eq!(unbounded * 0.0, Interval::REALS);
     assert_eq!(Interval::point(-0.0) * -unbounded, Interval::REALS);
-    // With zero as an end the other factors give an end already.
+    // 0 · ∞ is an end only if the other products do not decide it.
     assert_eq!(ends(interval(0.0, 1.0) * unbounded), (0.0, INFINITY));
     assert_eq!(interval(0.0, 0.0) * Interval::REALS, Interval::REALS);
 }
 
 #[test]
-fn overflow_is_an_infinite_end_and_no_infinite_value() {
+fn overflow_gives_one_infinite_end() {
     let x = Interval::point(MAX);
     assert_eq!(ends(x + x), (MAX, INFINITY));
     assert_eq!(ends(x * x), (MAX, INFINITY));
@@ -88,7 +74,7 @@ fn overflow_is_an_infinite_end_and_no_infinite_value() {
     assert_eq!(ends(Interval::point(-1e5).exp()), (0.0, LEAST));
     assert_eq!(ends(Interval::point(-1e5).sinh()), (-INFINITY, -MAX));
     assert_eq!(ends(Interval::point(-1e5).cosh()), (MAX, INFINITY));
-    // MAX + MAX − MAX is not known, and not NaN.
+    // Unbounded, not NaN.
     assert_eq!(ends(x + x - (x + x)), (-INFINITY, INFINITY));
     assert_eq!(ends((x * x) / (x * x)), (0.0, INFINITY));
 }
@@ -111,7 +97,7 @@ fn functions_of_unbounded_intervals_are_their_limits() {
     assert_eq!((fast.cosh().lo(), fast.sinh().hi()), (1.0, INFINITY));
 }
 
-/// Every operation on what is undefined, which has to be undefined.
+/// The result of every operation on undefined, which must be undefined.
 fn of_the_undefined<K: Kernel>() -> Vec<Enclosure<K>> {
     let x = Enclosure::<K>::UNDEFINED;
     let one = Enclosure::<K>::point(1.0);
@@ -227,13 +213,13 @@ fn a_tangent_across_a_pole_is_undefined() {
     assert!(interval(1.5, 1.6).tan().is_undefined());
     assert!(interval(-20.0, 20.0).tan().is_undefined());
     assert!(interval(4.7, 4.72).tan().is_undefined());
-    // The doubles next to π/2 lie on either side of the pole.
+    // The doubles nearest to π/2 lie on either side of the pole.
     let (below, above) = (PI / 2.0, (PI / 2.0).next_up());
     assert!(interval(below, above).tan().is_undefined());
     assert!(Interval::point(below).tan().lo() > 1e16);
     assert!(Interval::point(above).tan().hi() < -1e15);
     assert!(interval(-1.5, 1.5).tan().is_finite());
-    // Beyond the bound of the angles nothing is known.
+    // Beyond the largest angle nothing is known.
     assert!(Interval::point(1e10).tan().is_undefined());
 }
 
@@ -250,7 +236,7 @@ fn waves_reach_one_exactly_where_a_crest_is_inside() {
         assert!(x(1.6, 4.7).sin().hi() < 1.0 && x(1.6, 4.7).sin().lo() > -1.0);
         assert_eq!(ends(x(0.0, 7.0).sin()), (-1.0, 1.0));
     }
-    // Beyond the bound of the angles.
+    // Beyond the largest angle.
     assert_eq!(ends(Interval::point(1e22).sin()), (-1.0, 1.0));
     assert_eq!(ends(interval(0.0, 1e7).cos()), (-1.0, 1.0));
 }
@@ -287,9 +273,9 @@ fn intersections_hulls_and_sizes() {
     assert!(!Interval::REALS.contains(INFINITY));
 }
 
-/// `−2³¹` has no absolute value among the exponents, and is even: one more than the odd `2³¹ − 1`.
+/// `|−2³¹|` is not an `i32`; the exponent is even, unlike `2³¹ − 1`.
 #[test]
-fn the_least_exponent_is_an_even_one() {
+fn the_least_exponent_is_even() {
     let almost = (-1.0_f64).next_up();
     for n in [i32::MIN, i32::MIN + 2] {
         assert_eq!(ends(Interval::point(-1.0).powi(n)), (1.0, 1.0));
@@ -309,20 +295,19 @@ fn the_least_exponent_is_an_even_one() {
     let power = Interval::point(almost).powi(i32::MIN);
     let expected = 1.0 + 2.0_f64.powi(-22) + 2.0_f64.powi(-45);
     assert!(power.contains(expected), "{power:?}");
-    // The reciprocal is 2⁻⁵² wide, and each of the 31 squares doubles that and adds two roundings:
-    // 2³¹ (2⁻⁵² + 2 · 2⁻⁵²).
+    // The reciprocal has a width of 2⁻⁵², and each of the 31 squares doubles that and adds two
+    // roundings: 2³¹ (2⁻⁵² + 2 · 2⁻⁵²).
     assert!(power.width() < 2.0_f64.powi(-19), "{power:?}");
 }
 
-/// The derivatives of `xⁿ` at 1 are `n` and `n (n − 1)`, for the exponents at both ends of their
-/// range, whose products are none.
-/// A square is not the product of two that happen to be the same.
 #[test]
 fn the_second_power_of_a_jet_is_a_square() {
-    let [x] = Jet2::variables(&[Interval::new(-1.0, 2.0).expect("ordered ends")]);
+    let [x] = Jet2::variables(&[interval(-1.0, 2.0)]);
     assert_eq!(ends(x.powi(2).value()), (0.0, 4.0));
 }
 
+/// The derivatives of `xⁿ` at 1 are `n` and `n (n − 1)`, which is no `i32` for the largest
+/// exponents.
 #[test]
 fn the_largest_exponents_have_derivatives() {
     for n in [i32::MIN, i32::MIN + 1, i32::MIN + 2, -46_341, 46_342, i32::MAX - 1, i32::MAX] {
@@ -333,7 +318,7 @@ fn the_largest_exponents_have_derivatives() {
         // Two roundings of a product of 62 bits.
         assert!((power.second(0, 0) / (k * (k - 1.0)) - 1.0).abs() <= 2.0 * f64::EPSILON, "{n}");
         if n <= i32::MIN + 1 {
-            // There the derivatives are n y/x and n (n − 1) y/x²: beside 1 the divisions tell.
+            // These use n y/x and n (n − 1) y/x², and beside 1 the divisions matter.
             let place = 1.0 + 0.5 / k;
             let [x] = Jet2::variables(&[place]);
             let power = x.powi(n);

@@ -1,5 +1,7 @@
 //! Numbers, intervals and jets, against arbitrary precision and an independent implementation.
 
+use tautline_scalar::Interval;
+
 mod derivatives;
 mod formulas;
 mod hard_arguments;
@@ -10,3 +12,17 @@ mod interval_traps;
 mod precise;
 mod random_formulas;
 mod reference;
+
+const MAX: f64 = f64::MAX;
+const INFINITY: f64 = f64::INFINITY;
+/// The smallest positive double.
+const LEAST: f64 = 5e-324;
+
+#[track_caller]
+fn interval(lo: f64, hi: f64) -> Interval {
+    Interval::new(lo, hi).expect("ordered ends")
+}
+
+fn ends(x: Interval) -> (f64, f64) {
+    (x.lo(), x.hi())
+}

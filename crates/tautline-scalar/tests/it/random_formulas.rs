@@ -1,5 +1,5 @@
-//! Random formulas of all operations: no jet over intervals misses a derivative at a point of the
-//! box, computed to 192 bits with a bound of the error.
+//! Random formulas of all operations: jets over intervals contain the derivatives at points of the
+//! box, computed to 192 bits with an error bound.
 
 use crate::formulas::{Formula, attempt};
 use crate::precise::{Precise, Tally, Value};
@@ -8,7 +8,7 @@ use astro_float::{BigFloat, Consts, RoundingMode};
 use tautline_chance::{cases, seed};
 use tautline_scalar::Scalar;
 
-/// With 16 points and 19 enclosures each.
+/// Each with 16 points and 19 enclosures.
 const FORMULAS: u32 = 800;
 
 #[test]
@@ -26,7 +26,7 @@ fn no_enclosure_misses_a_random_formula() {
     assert!(tally.unknown < tally.total() / 100, "{tally:?}");
 }
 
-/// To twice the precision, where the value that the ball must hold is off by nothing that matters.
+/// The value with twice the precision.
 fn twice_as_precise(f: Function, x: f64, constants: &mut Consts) -> BigFloat {
     const P: usize = 384;
     const RM: RoundingMode = RoundingMode::ToEven;
@@ -45,7 +45,7 @@ fn twice_as_precise(f: Function, x: f64, constants: &mut Consts) -> BigFloat {
 }
 
 #[test]
-fn the_balls_hold_values_to_twice_the_precision() {
+fn balls_contain_values_of_twice_the_precision() {
     const RM: RoundingMode = RoundingMode::None;
     let mut random = Random(seed(32));
     let mut constants = Consts::new().expect("memory for the constants");
@@ -61,7 +61,7 @@ fn the_balls_hold_values_to_twice_the_precision() {
                 let error = value.sub(&ball.centre, 384, RM).abs();
                 let within = |bound: &BigFloat| error.cmp(bound).is_some_and(|order| order <= 0);
                 assert!(within(&ball.radius), "{f:?}({x:e}) = {value}, off by {error}");
-                // And not because it is wide.
+                // And the ball is narrow.
                 let narrow = value.abs().mul(&Reference::big(2.0_f64.powi(-180)), 64, RM);
                 assert!(ball.radius.cmp(&narrow).is_some_and(|order| order <= 0), "{f:?}({x:e})");
             }
@@ -74,19 +74,19 @@ fn is_undefined(x: Precise) -> bool {
 }
 
 #[test]
-fn what_is_undefined_stays_so_and_what_cancels_is_unknown() {
+fn undefined_stays_undefined_and_cancellation_is_unknown() {
     let [zero, two] = [0.0, 2.0].map(Precise::constant);
     for x in [zero.recip(), zero.ln(), (-two).ln(), (-two).sqrt(), two / zero, zero.powi(-3)] {
         assert!(is_undefined(x) && is_undefined(x.atan() * 0.0) && is_undefined(x.powi(0)));
     }
     assert!(is_undefined(Precise::constant(f64::NAN)));
     assert!(is_undefined(Precise::constant(f64::INFINITY) - Precise::constant(f64::INFINITY)));
-    // An exact difference is zero for certain, a rounded one is not.
+    // An exact difference is known to be zero, a rounded one is not.
     assert!(is_undefined((two * 0.1 - Precise::constant(0.1) * 2.0).recip()));
     let third = two / 3.0;
     assert!(matches!((third - third).recip().value(), Value::Unknown));
     assert!(is_undefined((third - third).recip() + zero.recip()));
-    // 1 − tanh 70 = 2⁻²⁰⁰·⁹ is beyond the precision, tanh 70 is not.
+    // 1 − tanh 70 = 2⁻²⁰⁰·⁹ is below the precision of tanh 70.
     let rest = -(two * 35.0).tanh() + 1.0;
     assert!(matches!(rest.ln().value(), Value::Unknown));
     assert!(matches!(rest.exp().value(), Value::Within(_)));

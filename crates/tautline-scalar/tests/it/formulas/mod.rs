@@ -1,4 +1,4 @@
-//! `Formula`: random formulas of two variables over every operation that a formula may use.
+//! `Formula`: random formulas in two variables, with every operation of `Scalar`.
 
 #![allow(dead_code, reason = "each test that shares this uses a part of it")]
 
@@ -15,14 +15,14 @@ pub(crate) enum Formula {
     Variable(usize),
     Constant(f64),
     Binary(char, Box<Formula>, Box<Formula>),
-    /// The operator with a number on its right.
+    /// An operator with a number on its right.
     WithNumber(char, Box<Formula>, f64),
     Negative(Box<Formula>),
     Square(Box<Formula>),
     Power(Box<Formula>, i32),
     Reciprocal(Box<Formula>),
     Root(Box<Formula>),
-    /// `½ s² + c` of sine and cosine evaluated together, or of their hyperbolic sisters.
+    /// `½ s² + c` of sine and cosine evaluated together (`true`), or of `sinh` and `cosh`.
     Pair(bool, Box<Formula>),
     Of(Function, Box<Formula>),
 }
@@ -31,20 +31,8 @@ use Formula::{
     Binary, Constant, Negative, Of, Pair, Power, Reciprocal, Root, Square, Variable, WithNumber,
 };
 
-const FUNCTIONS: [Function; 9] = [
-    Function::Exp,
-    Function::Ln,
-    Function::Sin,
-    Function::Cos,
-    Function::Tan,
-    Function::Atan,
-    Function::Sinh,
-    Function::Cosh,
-    Function::Tanh,
-];
-
 impl Formula {
-    /// A formula of at most the given depth.
+    /// A formula of at most this depth.
     pub(crate) fn random(depth: u32, random: &mut Random) -> Self {
         if depth == 0 || random.bits().is_multiple_of(16) {
             return match random.bits() % 4 {
@@ -75,7 +63,7 @@ impl Formula {
             11 => Root(Box::new(Self::domain(depth - 1, random))),
             12 => Pair(random.bits() & 1 == 0, part(random)),
             _ => {
-                let f = FUNCTIONS[random.bits() as usize % FUNCTIONS.len()];
+                let f = Function::ALL[random.bits() as usize % Function::ALL.len()];
                 let argument = if f == Function::Ln {
                     Box::new(Self::domain(depth - 1, random))
                 } else {
@@ -86,8 +74,7 @@ impl Formula {
         }
     }
 
-    /// One that may be divided by or have its root taken: three times in four `f² + c` with a
-    /// positive `c`, else anything.
+    /// A divisor or radicand: three times in four `f² + c` with `c > 0`, otherwise anything.
     fn domain(depth: u32, random: &mut Random) -> Self {
         let part = Self::random(depth.saturating_sub(1), random);
         if random.bits().is_multiple_of(4) {
@@ -123,7 +110,7 @@ impl Formula {
     }
 }
 
-/// A constant: short, a decimal, or anything between; not zero.
+/// A nonzero constant: a multiple of ½, a decimal or any number.
 fn number(random: &mut Random) -> f64 {
     match random.bits() % 3 {
         0 => (random.bits() % 8 + 1) as f64 * random.sign() * 0.5,
@@ -137,7 +124,7 @@ fn second_order<S: Scalar>(formula: &Formula, x: [S; 2]) -> [S; 6] {
     [y.value(), y.first(0), y.first(1), y.second(0, 0), y.second(0, 1), y.second(1, 1)]
 }
 
-/// The same by first derivatives of first derivatives.
+/// The same by nested first derivatives.
 fn nested<S: Scalar>(formula: &Formula, x: [S; 2]) -> [S; 6] {
     let inner = Jet1::<S, 2>::variables(&x);
     let y = formula.of(&Jet1::<Jet1<S, 2>, 2>::variables(&inner));
@@ -146,7 +133,7 @@ fn nested<S: Scalar>(formula: &Formula, x: [S; 2]) -> [S; 6] {
     [value.value(), value.first(0), value.first(1), second(0, 0), second(0, 1), second(1, 1)]
 }
 
-/// Compares the value and the derivatives of one formula on eight boxes, at two points of each.
+/// Compares value and derivatives of a formula over eight boxes with those at two points of each.
 #[track_caller]
 pub(crate) fn attempt(formula: &Formula, random: &mut Random, tally: &mut Tally) {
     for _ in 0..8 {
@@ -165,7 +152,7 @@ pub(crate) fn attempt(formula: &Formula, random: &mut Random, tally: &mut Tally)
                 });
             };
             compare("plain", 0, tally.compare(plain, at[0]));
-            // Nor may what forgets its argument forget that there is none.
+            // Operations that ignore the value of their argument must keep it undefined.
             if matches!(at[0].value(), Value::Undefined) {
                 for (k, x) in [plain.powi(0), plain * 0.0, plain.atan()].into_iter().enumerate() {
                     compare("after the undefined", k, tally.compare(x, at[0]));

@@ -1,26 +1,26 @@
-//! Whether an enclosure holds what is known of a value.
+//! `Tally`: comparisons of enclosures with values.
 
 use tautline_scalar::{Enclosure, Kernel};
 
 use super::{Precise, Value};
 
-/// How many comparisons there were, and what they could say.
+/// How many comparisons there were, by outcome.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Tally {
-    /// A value, and bounds of it of which at least one is finite.
+    /// A value, and an enclosure with at least one finite end.
     pub(crate) compared: u64,
-    /// Zero, and bounds that are both zero: the derivatives of constants, mostly.
+    /// Zero, and the enclosure `[0, 0]`: mostly derivatives of constants.
     pub(crate) zeros: u64,
-    /// No value, and none claimed.
+    /// No value, and an undefined enclosure.
     pub(crate) undefined: u64,
-    /// A value, but the enclosure is undefined or the whole line: right, and of no use.
+    /// A value, but the enclosure is undefined or the whole line: valid but useless.
     pub(crate) useless: u64,
-    /// Nothing known of the value.
+    /// An unknown value.
     pub(crate) unknown: u64,
 }
 
 impl Tally {
-    /// Compares an enclosure over a box with the value at a point of it.
+    /// Compares an enclosure over a box with the value at a point of the box.
     ///
     /// # Errors
     ///
@@ -51,7 +51,7 @@ impl Tally {
         Ok(())
     }
 
-    /// Everything that was looked at.
+    /// The number of comparisons.
     pub(crate) fn total(&self) -> u64 {
         self.compared + self.zeros + self.undefined + self.useless + self.unknown
     }

@@ -1,7 +1,7 @@
-//! `Value`: a real number to 192 bits with a bound of the error, or the mark that there is none.
+//! `Value`: a real number to 192 bits with an error bound, or *undefined*.
 //!
-//! Without the bound a formula that cancels would be blamed on the enclosure: `1 − tanh 70` is
-//! `2⁻²⁰⁰`, of which 192 bits of the hyperbolic tangent know nothing.
+//! Without the bound, cancellation in the reference would look like an error of the enclosure:
+//! `1 − tanh 70` is `2⁻²⁰⁰`, which 192 bits of `tanh` do not resolve.
 
 use std::cell::RefCell;
 
@@ -9,28 +9,29 @@ use astro_float::{BigFloat, Consts, RoundingMode};
 
 use crate::reference::Reference;
 
-/// The precision of the centre, in bits; that of the radius is enough to round it up.
+/// The precision of the centre in bits.
 pub(super) const P: usize = 192;
+/// The precision of the radius, which is rounded up.
 const COARSE: usize = 64;
 const EVEN: RoundingMode = RoundingMode::ToEven;
 const UP: RoundingMode = RoundingMode::Up;
 
-/// The real numbers at a distance of at most `radius` from `centre`.
+/// The real numbers within `radius` of `centre`.
 #[derive(Clone, Debug)]
 pub(crate) struct Ball {
     pub(crate) centre: BigFloat,
     pub(crate) radius: BigFloat,
 }
 
-/// What is known of the value of a formula at a point.
+/// What is known about the value of a formula at a point.
 #[derive(Clone, Debug)]
 pub(crate) enum Value {
     /// It lies in the ball.
     Within(Ball),
-    /// There is none: a zero divides, a negative number has a root taken of it, and so on.
+    /// There is none: a division by zero, the root of a negative number and so on.
     Undefined,
-    /// The precision does not tell: a ball that reaches over the edge of a domain or has hardly a
-    /// digit, or a number beyond the exponents of the library.
+    /// The precision does not suffice: the ball crosses the boundary of a domain or has hardly a
+    /// correct digit, or a number exceeds the exponent range of the library.
     Unknown,
 }
 
@@ -44,17 +45,17 @@ fn zero() -> BigFloat {
     BigFloat::new(COARSE)
 }
 
-/// The least binary exponent; that of the library is `−2³¹`.
+/// The least binary exponent in use; that of the library is `−2³¹`.
 const LEAST: i32 = -(1 << 26);
 
-/// `2ⁿ` with an `n` somewhat above [`LEAST`], which bounds every smaller number.
+/// `2ⁿ` with an `n` slightly above [`LEAST`].
 fn hardly_anything() -> BigFloat {
     let mut bound = BigFloat::from_word(1, COARSE);
     bound.set_exponent(LEAST + 2);
     bound
 }
 
-/// Whether `a ≤ b`; not if either is NaN.
+/// Whether `a ≤ b`; false for NaN.
 pub(super) fn at_most(a: &BigFloat, b: &BigFloat) -> bool {
     a.cmp(b).is_some_and(|order| order <= 0)
 }
@@ -82,13 +83,13 @@ impl Ball {
         self.radius.is_zero()
     }
 
-    /// Whether zero is the only number in it.
+    /// Whether it is the number 0.
     pub(crate) fn is_zero(&self) -> bool {
         self.centre.is_zero() && self.is_exact()
     }
 
-    /// Whether it has the sign of its centre throughout, with twenty bits to spare: then the terms
-    /// of higher order of the radii below are less than half of those of the first.
+    /// Whether all its numbers have the same sign, with twenty bits to spare: then the terms of
+    /// higher order in the radii below are less than half of those of first order.
     fn is_clear(&self) -> bool {
         !self.centre.is_zero() && at_most(&scaled(&self.radius, 20), &self.centre.abs())
     }
@@ -103,9 +104,10 @@ impl Ball {
         self.centre.exponent().is_none_or(|e| e > n)
     }
 
-    /// The result of an operation: the computed centre, rounded unless it is marked as exact, and
-    /// what becomes of the radii of the operands. Rounded to nearest the centre is off by `2⁻¹⁹²`
-    /// of it; `2⁻¹⁸⁸` forgives the library fifteen units, and the higher orders of the radii.
+    /// The result of an operation, given the computed centre, rounded unless it is marked as exact,
+    /// and the radius that follows from those of the operands. Rounding to nearest has a relative
+    /// error of `2⁻¹⁹²`; `2⁻¹⁸⁸` allows the library fifteen units, and covers higher orders of the
+    /// radii.
     fn result(mut centre: BigFloat, radius: BigFloat) -> Value {
         let exponents =
             [&centre, &radius].map(|x| if x.is_zero() { Some(0) } else { x.exponent() });
@@ -116,7 +118,7 @@ impl Ball {
             return Unknown;
         }
         if of_centre < LEAST || of_radius < LEAST {
-            // Far from the end of the exponents, where something might become zero.
+            // Well before the library underflows to zero.
             let centre = if of_centre < LEAST { BigFloat::new(P) } else { centre };
             return Self::result(centre, plus(&radius, &hardly_anything()));
         }
@@ -126,7 +128,7 @@ impl Ball {
         Within(Self { radius: plus(&radius, &unit), centre })
     }
 
-    /// The result of a function that does not say whether it is exact: then it is not.
+    /// The result of a function that does not report exactness.
     fn approximate(mut centre: BigFloat, radius: BigFloat) -> Value {
         centre.set_inexact(true);
         Self::result(centre, radius)
@@ -231,8 +233,8 @@ impl Ball {
         (Self::approximate(s, radius.clone()), Self::approximate(c, radius))
     }
 
-    /// Neither is steeper than 1, nor larger: which is all that is said of the numbers beyond the
-    /// doubles, where the library would need `π` to as many places as the number has.
+    /// Neither is steeper than 1, nor larger, which is all that is used beyond the range of
+    /// doubles: there the library would need as many digits of `π` as the number has.
     pub(super) fn sin_cos(&self) -> (Value, Value) {
         if self.is_zero() {
             return (Within(self.clone()), Within(Self::exact(Reference::big(1.0))));
@@ -269,7 +271,7 @@ impl Ball {
 }
 
 impl Value {
-    /// The function of it, if there is a value. What is undefined stays so.
+    /// Applies `f` if there is a value.
     pub(super) fn then(&self, f: impl FnOnce(&Ball) -> Value) -> Self {
         match self {
             Within(x) => f(x),
@@ -277,7 +279,7 @@ impl Value {
         }
     }
 
-    /// The operation, if there are values. With the unknown the undefined is undefined.
+    /// Applies `f` if there are two values. Undefined and unknown give undefined.
     pub(super) fn with(&self, other: &Self, f: impl FnOnce(&Ball, &Ball) -> Value) -> Self {
         match (self, other) {
             (Within(x), Within(y)) => f(x, y),

@@ -1,20 +1,20 @@
-//! `Cell`: a random box, and points of it.
+//! `Cell`: a random box and its points.
 
 use tautline_scalar::{Enclosure, Kernel, Scalar};
 
 use super::Precise;
 use crate::reference::Random;
 
-/// A box, by the ends of its sides.
+/// A box, given by the ends of its sides.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Cell<const D: usize> {
     sides: [(f64, f64); D],
 }
 
 impl<const D: usize> Cell<D> {
-    /// A box of one of many sizes, from a point to a few units, with its centre in `[−reach,
-    /// reach]^D`; one in eight at numbers of any size, and as large, and one in eight with a
-    /// side that is a point or begins at zero.
+    /// A box of any size from a point to a few units, with its centre in `[−reach, reach]^D`. One
+    /// in eight has its centre, and its size, at any scale; one in eight has a side that is a point
+    /// or begins at zero.
     pub(crate) fn random(reach: f64, random: &mut Random) -> Self {
         let far = random.bits().is_multiple_of(8);
         let size = match random.bits() % 6 {
@@ -31,7 +31,7 @@ impl<const D: usize> Cell<D> {
             } else {
                 random.between(-reach, reach)
             };
-            // Relative to the number where it is a rounding, to the region where it is not.
+            // Small sizes are relative to the number, large ones to the region.
             let unit = if far || size < 1e-9 { centre.abs() } else { reach };
             let (less, more) = (random.unit() * size * unit, random.unit() * size * unit);
             let (lo, hi) = (centre - less, centre + more);
@@ -44,7 +44,7 @@ impl<const D: usize> Cell<D> {
         Self { sides }
     }
 
-    /// Whether it is one point.
+    /// Whether it is a point.
     pub(crate) fn is_point(&self) -> bool {
         self.sides.iter().all(|(lo, hi)| lo == hi)
     }
@@ -58,7 +58,7 @@ impl<const D: usize> Cell<D> {
         self.sides.map(|(lo, hi)| Enclosure::new(lo, hi).expect("ordered ends"))
     }
 
-    /// A point of it: a corner, one with doubles for coordinates, or any.
+    /// A point of the box: a corner, one whose coordinates are doubles, or any.
     pub(crate) fn point(&self, random: &mut Random) -> [Precise; D] {
         let kind = random.bits() % 3;
         self.sides.map(|(lo, hi)| match kind {

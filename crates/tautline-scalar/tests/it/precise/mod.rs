@@ -1,7 +1,7 @@
-//! `Precise`: formulas at real points, in high precision and with a bound of the error, to hold
-//! enclosures against.
+//! `Precise`: formulas at real points in high precision with an error bound, to compare enclosures
+//! with.
 //!
-//! Whoever shares this declares `mod reference;` beside it.
+//! Users of this file declare `mod reference;` beside it.
 
 #![allow(dead_code, reason = "each test that shares this uses a part of it")]
 

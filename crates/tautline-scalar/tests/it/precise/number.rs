@@ -1,4 +1,4 @@
-//! `Precise`: a value in high precision, as a number of a formula.
+//! `Precise`: a value in high precision, as a [`Scalar`].
 
 use std::{
     cell::RefCell,
@@ -13,11 +13,11 @@ use super::ball::{Ball, P, Value};
 use crate::reference::Reference;
 
 thread_local! {
-    /// Every value since the last [`Precise::forget_all`].
+    /// All values since the last [`Precise::forget_all`].
     static VALUES: RefCell<Vec<Value>> = RefCell::default();
 }
 
-/// A value by its number among those of the thread, since a [`Scalar`] is copied.
+/// The index of a value of this thread, since a [`Scalar`] is [`Copy`].
 #[derive(Clone, Copy)]
 pub(crate) struct Precise(u32);
 
@@ -29,7 +29,7 @@ impl Precise {
         })
     }
 
-    /// Gives back the memory. No number from before may be used again.
+    /// Frees the memory. No earlier number may be used again.
     pub(crate) fn forget_all() {
         VALUES.with_borrow_mut(Vec::clear);
     }
@@ -38,8 +38,7 @@ impl Precise {
         VALUES.with_borrow(|values| values[self.0 as usize].clone())
     }
 
-    /// The number at the fraction `t` of the way from `lo` to `hi`, to 192 bits: hardly ever a
-    /// double. It lies between them, since rounding is monotone.
+    /// The number `lo + t (hi − lo)`, to 192 bits: hardly ever a double.
     ///
     /// Needs: `lo ≤ hi`, `0 ≤ t ≤ 1`.
     pub(crate) fn between(lo: f64, hi: f64, t: f64) -> Self {
@@ -77,7 +76,7 @@ impl fmt::Debug for Precise {
     }
 }
 
-/// Equal if both are the same number for certain.
+/// Equal if both are known to be the same number.
 impl PartialEq for Precise {
     fn eq(&self, other: &Self) -> bool {
         match (*self - *other).value() {
@@ -125,7 +124,7 @@ impl Div for Precise {
 tautline_scalar::operators_follow!([] Precise);
 
 impl Scalar for Precise {
-    /// The number itself; undefined unless it is finite.
+    /// Undefined unless `value` is finite.
     fn constant(value: f64) -> Self {
         Self::new(if value.is_finite() {
             Value::Within(Ball::exact(Reference::big(value)))
@@ -138,7 +137,7 @@ impl Scalar for Precise {
         self * self
     }
 
-    /// By squaring. Undefined for `n < 0` at zero, and wherever `x` is, `x⁰` included.
+    /// By squaring. Undefined for `n < 0` at zero, and wherever `x` is, also for `n = 0`.
     fn powi(self, n: i32) -> Self {
         let mut power = self.map(|_| Value::Within(Ball::exact(Reference::big(1.0))));
         for place in (0..n.unsigned_abs().checked_ilog2().map_or(0, |k| k + 1)).rev() {

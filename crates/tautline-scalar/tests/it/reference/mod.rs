@@ -1,51 +1,19 @@
-//! Elementary functions to 192 bits by `astro-float`, which shares no code with ours, and the
-//! comparison of an enclosure with them.
+//! Elementary functions to 192 bits by `astro-float`, which shares no code with ours, and
+//! comparisons of enclosures with them.
 
 #![allow(dead_code, reason = "each test that shares this uses a part of it")]
+
+pub(crate) use tautline_chance::Random;
 
 use astro_float::{BigFloat, Consts, RoundingMode};
 use tautline_scalar::{Enclosure, Fast, Kernel, Rigorous, Scalar};
 
-/// The precision, in bits. What the library is off by, some units of the last of these places, is
-/// less than `10⁻⁴⁰` of a double's place.
+/// The precision in bits. The error of the library, some units in the last place, is less than
+/// `10⁻⁴⁰` ulps of a double.
 const P: usize = 192;
 const RM: RoundingMode = RoundingMode::None;
 
-/// Reproducible numbers: Steele, Lea and Flood's SplitMix64.
-#[derive(Debug)]
-pub(crate) struct Random(pub(crate) u64);
-
-impl Random {
-    pub(crate) fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// In `[0, 1)`.
-    pub(crate) fn unit(&mut self) -> f64 {
-        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    pub(crate) fn between(&mut self, lo: f64, hi: f64) -> f64 {
-        lo + (hi - lo) * self.unit()
-    }
-
-    /// A positive number with an exponent between the two, evenly.
-    pub(crate) fn with_exponent(&mut self, least: i32, most: i32) -> f64 {
-        let e = least + (self.bits() % u64::from((most - least).unsigned_abs() + 1)) as i32;
-        let m = 1.0 + self.unit();
-        // In two steps, since 2^e alone may underflow where the product does not.
-        m * 2.0_f64.powi(e / 2) * 2.0_f64.powi(e - e / 2)
-    }
-
-    pub(crate) fn sign(&mut self) -> f64 {
-        if self.bits() & 1 == 0 { 1.0 } else { -1.0 }
-    }
-}
-
-/// One elementary function, with the range in which it is tried.
+/// An elementary function.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Function {
     Exp,
@@ -61,11 +29,13 @@ pub(crate) enum Function {
 
 use Function::{Atan, Cos, Cosh, Exp, Ln, Sin, Sinh, Tan, Tanh};
 
-/// The functions that share one computation in high precision.
+/// Functions that share one computation in high precision.
 pub(crate) const FAMILIES: [&[Function]; 4] =
     [&[Exp, Sinh, Cosh, Tanh], &[Ln], &[Sin, Cos, Tan], &[Atan]];
 
 impl Function {
+    pub(crate) const ALL: [Self; 9] = [Exp, Ln, Sin, Cos, Tan, Atan, Sinh, Cosh, Tanh];
+
     pub(crate) fn of<S: Scalar>(self, x: S) -> S {
         match self {
             Exp => x.exp(),
@@ -81,7 +51,7 @@ impl Function {
     }
 }
 
-/// An argument of the family: half in the range where it is used, half with any exponent.
+/// An argument for the family: half of them of moderate size, half with any exponent.
 pub(crate) fn argument(family: &[Function], random: &mut Random) -> f64 {
     let moderate = random.bits() & 1 == 0;
     let sign = random.sign();
@@ -97,7 +67,7 @@ pub(crate) fn argument(family: &[Function], random: &mut Random) -> f64 {
     }
 }
 
-/// The values of a family at an argument, in high precision.
+/// The reference values.
 pub(crate) struct Reference(Consts);
 
 impl Reference {
@@ -105,8 +75,8 @@ impl Reference {
         Self(Consts::new().expect("memory for the constants"))
     }
 
-    /// The number `x`, exactly. Not at once where it is subnormal: version 0.9.6 of the library is
-    /// then wrong by a factor of two.
+    /// The number `x`, exactly. In two steps if it is subnormal: version 0.9.6 of the library would
+    /// be wrong by a factor of two.
     pub(crate) fn big(x: f64) -> BigFloat {
         if x.abs() >= f64::MIN_POSITIVE || x == 0.0 {
             return BigFloat::from_f64(x, P);
@@ -117,9 +87,9 @@ impl Reference {
 
     /// The values of the family at `x`.
     ///
-    /// Where a value is closer to a double than `2⁻¹⁵⁰` of it, 192 bits may not tell on which side
-    /// it is. But the side is known, and no other double is near: the number at `2⁻¹⁵⁰` of the
-    /// double on that side is then as good, since it lies in the same intervals.
+    /// Where the relative distance of a value from a double is less than `2⁻¹⁵⁰`, 192 bits may not
+    /// decide on which side it is. Theory does, and no other double is near: the number at the
+    /// relative distance `2⁻¹⁵⁰` on that side lies in the same intervals, and takes its place.
     pub(crate) fn values(&mut self, family: &[Function], x: f64) -> Vec<BigFloat> {
         let little = 2.0_f64.powi(-150);
         let beside = |y: f64, side: f64| {
@@ -127,7 +97,8 @@ impl Reference {
             Self::big(y).add(&part, P, RM)
         };
         if x != 0.0 && x.abs() < 2.0_f64.powi(-75) {
-            // Signs of the first terms left out: x³, or x for `exp`, or x².
+            // By the sign of the next term of the series: x for exp, x² for even functions, x³ for
+            // odd ones.
             let (less, more) = (beside(x, -1.0), beside(x, 1.0));
             return match family[0] {
                 Exp => vec![beside(1.0, x.signum()), more, beside(1.0, 1.0), less],
@@ -179,7 +150,7 @@ impl Reference {
     }
 }
 
-/// Whether the number lies between the ends; not if the interval is undefined.
+/// Whether `y` lies in `x`; false if `x` is undefined.
 pub(crate) fn holds<K: Kernel>(x: Enclosure<K>, y: &BigFloat) -> bool {
     let below = |a: &BigFloat, b: &BigFloat| a.cmp(b).is_some_and(|order| order <= 0);
     !x.is_undefined()
@@ -187,15 +158,15 @@ pub(crate) fn holds<K: Kernel>(x: Enclosure<K>, y: &BigFloat) -> bool {
         && (x.hi() == f64::INFINITY || below(y, &Reference::big(x.hi())))
 }
 
-/// The widest enclosures seen, in units of `2⁻⁵²` of the magnitude and absolutely.
+/// The greatest widths, in units of `2⁻⁵²`: relative to the magnitude, and absolute.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Widest {
     pub(crate) relative: f64,
     pub(crate) absolute: f64,
 }
 
-/// Tries one argument, as a point and within two intervals, with both kernels; returns the widths
-/// of the rigorous enclosures of the points.
+/// Checks the enclosures of a point and of two intervals around it, with both kernels; records in
+/// `widest` the widths at the point.
 pub(crate) fn attempt(
     family: &[Function],
     x: f64,
@@ -208,7 +179,7 @@ pub(crate) fn attempt(
         let spread = if random.bits() & 1 == 0 { 1e-15 } else { 3.0 };
         let size = x.abs() * spread;
         let lo = x - size * random.unit();
-        // A logarithm of a negative number is undefined, so nothing to compare with.
+        // The logarithm of an interval with a negative number is undefined.
         let lo = if f == Ln && !(lo > 0.0) { x } else { lo };
         (lo, (x + size * random.unit()).min(f64::MAX))
     };
@@ -225,7 +196,7 @@ pub(crate) fn attempt(
 
 fn record<K: Kernel>(widest: &mut Widest, y: Enclosure<K>) {
     let size = y.magnitude();
-    // Overflow and subnormals apart: there a place is not relative.
+    // Without overflow and subnormals, which have no relative precision.
     if y.is_finite() && size > 1e-290 {
         widest.relative = widest.relative.max(y.width() / size / f64::EPSILON);
         widest.absolute = widest.absolute.max(y.width() / f64::EPSILON);
@@ -236,8 +207,8 @@ fn record<K: Kernel>(widest: &mut Widest, y: Enclosure<K>) {
 fn check<K: Kernel>(f: Function, lo: f64, hi: f64, x: f64, value: &BigFloat) {
     let argument = Enclosure::<K>::new(lo, hi).expect("ordered ends");
     let y = f.of(argument);
-    // The tangent may be undefined only beyond the bound of the angles, or if a pole is near, at
-    // about 1/|tan x|; never of a point.
+    // The tangent may be undefined only beyond the largest angle, or if a pole is near, at about
+    // 1/|tan x|; never at a point.
     if f == Tan && y.is_undefined() && argument.magnitude() > 1_048_576.0 {
         return;
     }
