@@ -1,19 +1,19 @@
-//! The explicit constants and right sides of the theorems: constants in, constants out.
+//! The explicit constants and right-hand sides of the theorems: constants in, numbers out.
 //!
-//! Nothing here sees a metric, a curve or a solver. What the theorems know of a metric are
-//! `c₁`, `c₂` and `L_H` ([`Constants`]); with the distance `d` of the ends and the dimension
-//! `D` they make a [`Setting`], and every bound is a function of that and of `N`.
+//! Nothing here sees a metric, a curve or a solver. The theorems use `c₁`, `c₂` and `L_H` of a
+//! metric ([`Constants`]). With the distance `d` of the ends and the dimension `D` these form a
+//! [`Setting`]; every bound is a function of a setting and of `N`.
 //!
 //! ```
 //! use std::num::NonZeroUsize;
 //! use tautline_bounds::{self as bounds, Constants, Setting};
 //!
-//! // A metric in the plane whose Gram matrix lies between I and 2 I, and ends 3 apart.
+//! // A metric in the plane with I ≤ H ≤ 2 I, and ends at distance 3.
 //! let setting = Setting::new(Constants::new(1.0, 2.0, 0.5)?, 3.0, 2)?;
 //! assert_eq!(bounds::k1_g(setting), 3.0);
 //! assert_eq!(bounds::k2_g(setting), 27.0);
 //!
-//! // How far the length of the reconstruction can be off at N = 1024, and at four times that.
+//! // The error of the squared length of the reconstruction at N = 1024, and at four times that.
 //! let at = |n| bounds::theorem_1_2_length_excess(setting, NonZeroUsize::new(n).unwrap());
 //! assert!(at(1024) > 0.0);
 //! assert_eq!(at(4096), at(1024) / 2.0);
@@ -44,8 +44,8 @@
 //! | | its constant `C` | [`theorem_1_3_constant`] |
 //! | Theorem 1.4 | `L(γᵖˡ)² − min L²` | [`theorem_1_4_length_excess`] |
 //!
-//! Sharper than the paper, with the same hypotheses or with `M_H` besides; the proofs are in
-//! `paper/SHARPER.md`:
+//! Sharper than the paper, under the same hypotheses, some also with `M_H`. The proofs are in
+//! `paper/SHARPER.md`.
 //!
 //! | statement | bounds | by |
 //! | --- | --- | --- |
@@ -53,44 +53,48 @@
 //! | Lemma S.2 | the energies of one sequence | [`cubic_gap`], [`cubic_rule_gap`], [`quartic_gap`] |
 //! | Lemma S.3 | speeds of a stationary sequence | [`greatest_speed`], [`greatest_difference`], [`difference_step`] |
 //! | Lemma S.4 | `min E_N − d²` | [`theorem_a_minimum_gap`], [`theorem_b_minimum_gap`], [`theorem_d_minimum_gap`] |
-//! | Lemma S.5 | `L(γᵖˡ)²` by `E_N`, and the spread of the speeds | [`squared_length`], [`Spread`] |
+//! | Lemma S.5 | `L(γᵖˡ)²` from `E_N`, and the spread of the speeds | [`squared_length`], [`Spread`] |
 //! | Theorem A | `E(γᵖˡ) − d²`, order `1/N`, by stationarity | [`theorem_a_excess`] |
 //! | Theorem B | the same, order `1/N²`, trapezoidal | [`theorem_b_excess`] |
 //! | Theorem C | order `1/N`, by the energy alone | [`theorem_c_excess`], [`theorem_c_length_excess`], [`theorem_c_deficit`] |
 //! | Theorem D | order `1/N²`, by the energy alone | [`theorem_d_excess`], [`theorem_d_length_excess`], [`theorem_d_deficit`] |
-//! | Proposition S.6 | `d²` from one computed sequence | [`enclose`] |
-//! | Proposition S.7 | the discrete minimum from below | [`strict_convexity`] |
-//! | Proposition S.8 | where all competitors are | [`competitors`], [`reach`] |
+//! | Proposition S.6 | `d²`, from one computed sequence | [`enclose`] |
+//! | Proposition S.7 | the discrete minimum, from below | [`strict_convexity`] |
+//! | Proposition S.8 | the region of all competitors | [`competitors`], [`reach`] |
 //! | Propositions 7.4, 7.6, 7.11 | as there | [`velocity_error`], [`sampling_rise`], [`sampling_fall`], [`christoffel_bound`] |
 //!
-//! [`least_excess`] is the least of all bounds of `E(γᵖˡ) − d²`, [`least_length_excess`] of
-//! `L(γᵖˡ)² − d²`, and [`suggest_n`] the `N` that a tolerance asks for.
+//! [`least_excess`] is the least of all bounds on `E(γᵖˡ) − d²`, [`least_length_excess`] on
+//! `L(γᵖˡ)² − d²`; [`suggest_n`] returns an `N` for a tolerance.
 //!
-//! The minimum of `E` is `d²`, and that of `L²` too. `γᵖˡ` is the linear interpolation of a
-//! point sequence; in the theorems, of a *global* minimiser of the discrete energy.
+//! `d²` is the minimum of both `E` and `L²`. `γᵖˡ` is the linear interpolation of a point sequence
+//! `γᵖ`; in the theorems, of a *global* minimiser of the discrete energy.
 //!
 //! # Units
 //!
-//! Coordinates are in `ℓ`, Riemannian length in `m`, and `t ∈ [0, 1]` is a pure number. Hence
-//! `c₁` and `c₂` are in `m²/ℓ²`, `L_H` in `m²/ℓ³`, `d` in `m`; every `K` is in `ℓ`, and every
-//! `C` and every bound of an energy in `m²`. `δ = L_H d/c₁^{3/2}` and `μ = M_H d²/c₁²` are pure numbers.
+//! Coordinates are in `ℓ`, Riemannian length in `m`, and `t ∈ [0, 1]` is a pure number. Hence `c₁`
+//! and `c₂` are in `m²/ℓ²`, `L_H` in `m²/ℓ³`, `d` in `m`, every `K` in `ℓ`, every `C` and every
+//! bound on an energy in `m²`. `δ = L_H d/c₁^{3/2}` and `μ = M_H d²/c₁²` are pure numbers.
 //!
 //! # Rounding
 //!
-//! Values are computed in `f64` and rounded to nearest, to a relative error below `10⁻¹³` short
-//! of underflow: good for comparing and drawing, not a certificate in the last digits. What
-//! exceeds the range of `f64` is `+∞`. Where `L_H = M_H = 0`, every bound of an error of a
-//! minimiser's energy is the exact `0`, and where `d = 0` it is, however large the rest. No bound
-//! is NaN, and none of an error is negative.
+//! Values are computed in `f64`, rounded to nearest, with a relative error below `10⁻¹³` unless
+//! they underflow: good for comparing and drawing, not a certificate in the last digits. On
+//! overflow the result is `+∞`, and an argument may be the `+∞` of an earlier overflow. If
+//! `L_H = M_H = 0` or `d = 0`, every bound on an error of a minimiser's energy is exactly `0`,
+//! whatever the other inputs. No bound is NaN, and no bound on an error is negative.
 
+mod bound_error;
+#[cfg(test)]
+mod by_hand;
 mod paper;
 mod paper_rule;
 mod product;
 mod setting;
 mod sharper;
 
+pub use bound_error::BoundError;
 pub use paper::*;
 pub use paper_rule::PaperRule;
-pub use setting::{BoundError, Setting};
+pub use setting::Setting;
 pub use sharper::*;
 pub use tautline_metrics::Constants;

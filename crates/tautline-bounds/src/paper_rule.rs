@@ -11,10 +11,10 @@ pub enum PaperRule {
 }
 
 impl PaperRule {
-    /// Both, in the paper's order.
+    /// Both rules, in the paper's order.
     pub const BOTH: [PaperRule; 2] = [PaperRule::Trapezoidal, PaperRule::LeftEndpoint];
 
-    /// Returns the name, as in data files.
+    /// Returns the name in data files.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -23,8 +23,8 @@ impl PaperRule {
         }
     }
 
-    /// Returns how far the points of a chord are in the mean from where the rule reads `H`, in
-    /// chords: `k = ¼` from the middle, `k = ½` from an end.
+    /// Returns the mean distance of the points of a chord from where the rule reads `H`, in chord
+    /// lengths: `k = ¼` from the middle, `k = ½` from an end.
     #[must_use]
     pub fn mean_distance(self) -> f64 {
         match self {
@@ -38,7 +38,7 @@ impl PaperRule {
 mod tests {
     use super::PaperRule;
 
-    /// Data files are read by these names.
+    /// Data files use these names.
     #[test]
     fn the_names_are_those_of_data_files() {
         assert_eq!(PaperRule::BOTH.map(PaperRule::name), ["trapezoidal", "left_endpoint"]);

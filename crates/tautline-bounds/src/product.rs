@@ -1,10 +1,10 @@
-//! The product of nonnegative factors, in which an exact zero wins over an overflow.
+//! The product of nonnegative factors, without spurious overflow.
 
-/// Returns the product of `factors`, each in `[0, ∞]`; `0` if one of them is `0`, even beside
-/// an infinite one, which stands for a finite number too large for `f64`.
+/// Returns the product of `factors`, each in `[0, ∞]`; `0` if one of them is `0`, even if another
+/// is infinite: that is a finite number too large for `f64`.
 ///
-/// Overflows or underflows only where the whole product does, whatever the order of the
-/// factors. Each of them contributes one rounding.
+/// Overflows or underflows only if the whole product does, in any order of the factors. Each factor
+/// contributes one rounding.
 pub(crate) fn product<const K: usize>(mut factors: [f64; K]) -> f64 {
     if factors.contains(&0.0) {
         return 0.0;
@@ -12,8 +12,8 @@ pub(crate) fn product<const K: usize>(mut factors: [f64; K]) -> f64 {
     factors.sort_unstable_by(f64::total_cmp);
     let mut left = factors.as_slice();
     let mut value = 1.0;
-    // Above 1 the smallest factor that is left pulls the value down; if even that one is
-    // above 1, all are, and the value rises to the end. Below 1 the same with the largest.
+    // Above 1, multiply by the smallest factor left; if that is above 1 too, all are, and the value
+    // increases to the end. Below 1, likewise with the largest.
     while let Some((smallest, others)) = left.split_first() {
         if value > 1.0 {
             value *= smallest;
@@ -31,7 +31,7 @@ mod tests {
     use super::product;
 
     #[test]
-    fn zero_wins() {
+    fn zero_times_infinity_is_zero() {
         assert_eq!(product([0.0, f64::INFINITY]), 0.0);
         assert_eq!(product([f64::INFINITY, 1e-300, -0.0]).to_bits(), 0);
         assert_eq!(product([f64::INFINITY, 5e-324]), f64::INFINITY);
@@ -39,7 +39,7 @@ mod tests {
     }
 
     #[test]
-    fn the_way_to_a_finite_product_stays_finite() {
+    fn partial_products_of_a_finite_product_stay_finite() {
         // From the left these would pass through ∞ or 0.
         let close = |product: f64, expected: f64| {
             // At most eight roundings, 2⁻⁵³ each, and those of the eight decimals.

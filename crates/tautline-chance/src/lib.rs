@@ -1,8 +1,8 @@
 //! Seeds and numbers of random cases for the tests of this workspace.
 //!
 //! Every test has its own fixed seed, so each run draws the same cases; the laws of one suite of
-//! `tautline-kit` share a seed. Two environment variables change that for all tests, including those
-//! that `tautline-kit` makes:
+//! `tautline-kit` share a seed. Two environment variables change that for all tests, including
+//! those that `tautline-kit` makes:
 //!
 //! | variable | a whole number that | default |
 //! | --- | --- | --- |
@@ -93,8 +93,8 @@ impl Chance {
         Ok(Self { seed, factor: u32::try_from(factor).unwrap_or(u32::MAX) })
     }
 
-    /// Returns the seed for the test with the seed `fixed`. Tests with different seeds keep different
-    /// seeds.
+    /// Returns the seed for the test with the seed `fixed`. Tests with different seeds keep
+    /// different seeds.
     #[must_use]
     pub fn seed(self, fixed: u64) -> u64 {
         let mixed = |number| Random(number).bits();
@@ -107,8 +107,8 @@ impl Chance {
         fixed.saturating_mul(self.factor)
     }
 
-    /// Returns the configuration of a property test with this seed and number of cases. It writes no
-    /// files.
+    /// Returns the configuration of a property test with this seed and number of cases. It writes
+    /// no files.
     #[must_use]
     pub fn config(self, seed: u64, cases: u32) -> Config {
         Config {

@@ -1,18 +1,18 @@
-//! `K_{1,g}` and `K_{2,g}`: how fast a minimal geodesic can go, and how much it can bend.
+//! `K_{1,g}` and `K_{2,g}`: bounds on speed and acceleration of a minimal geodesic.
 
 use crate::{Setting, product::product};
 
-/// Bounds the speed `‖γ̇‖_{L²}` of every energy minimiser, in `ℓ` (Proposition 7.12).
+/// Bounds the speed `‖γ̇‖_{L²}` of every minimiser of the energy, in `ℓ` (Proposition 7.12).
 ///
 /// ```text
 /// K_{1,g}  =  d / √c₁
 /// ```
 ///
-/// Needs: `H ≥ c₁`, and a minimiser of `E` among the curves between the ends. `c₂`, `L_H` and
-/// `D` do not enter.
+/// Needs: `H ≥ c₁`, and a minimiser of `E` among the curves between the ends. `c₂`, `L_H` and `D`
+/// do not enter.
 ///
-/// Overestimation: none where `H = c₁` in the direction of the geodesic, all along it. The bound
-/// holds at every single time too, since a minimiser has constant Riemannian speed.
+/// Overestimation: attained if `H = c₁` in the direction of the geodesic, all along it. The bound
+/// also holds at every time, since a minimiser has constant Riemannian speed.
 #[doc(alias = "K_{1,g}")]
 #[doc(alias = "prop:apriori_estuimate_geodesic")]
 #[must_use]
@@ -20,25 +20,24 @@ pub fn k1_g(setting: Setting) -> f64 {
     setting.distance() / setting.constants().c1().sqrt()
 }
 
-/// Bounds the acceleration `‖γ̈‖_{L²}` of every energy minimiser, in `ℓ` (Proposition 7.12).
+/// Bounds the acceleration `‖γ̈‖_{L²}` of every minimiser of the energy, in `ℓ` (Proposition 7.12).
 ///
 /// ```text
 /// K_{2,g}  =  (3 L_H D² / (2 c₁)) K_{1,g}²
 /// ```
 ///
-/// Needs: `H ≥ c₁`, `H` Lipschitz with `L_H`, and a minimiser of `E` among the curves between
-/// the ends. `c₂` does not enter.
+/// Needs: `H ≥ c₁`, `H` Lipschitz with `L_H`, and a minimiser of `E` among the curves between the
+/// ends. `c₂` does not enter.
 ///
-/// Overestimation: the proof sums over the Christoffel symbols one at a time, which costs the
-/// factor `D²`; estimating the geodesic equation as one equation of vectors gives the same bound
-/// without it.
+/// Overestimation: the proof sums over the Christoffel symbols, which costs the factor `D²`;
+/// estimating the geodesic equation as a vector ([`k2_sharp`](crate::k2_sharp)) avoids it.
 #[doc(alias = "K_{2,g}")]
 #[doc(alias = "prop:apriori_estuimate_geodesic")]
 #[must_use]
 pub fn k2_g(setting: Setting) -> f64 {
     let constants = setting.constants();
     let (l_h, k1, d) = (constants.l_h(), k1_g(setting), setting.dimension() as f64);
-    // 1/c₁ in two factors, since it may overflow where its root does not.
+    // 1/c₁ may overflow, its root does not.
     let root = 1.0 / constants.c1().sqrt();
     product([1.5, l_h, d, d, root, root, k1, k1])
 }

@@ -1,20 +1,19 @@
 //! Theorems 1.3 and 1.4: the left-endpoint rule.
+//!
+//! All need the setting of Theorem 1.1 and, for `γᵖ`, a *global* minimiser of `E_l,N`.
 
 use std::num::NonZeroUsize;
 
 use crate::{Setting, c_tra_sharp_g, k3_bar_g, k4_bar_g, paper::polyline_gap::l_h_k_cubed};
 
-/// Returns the constant `C` of Theorem 1.3, which is that of Theorem 1.4 too, in `m²`.
+/// Returns the constant `C` of Theorems 1.3 and 1.4, in `m²`.
 ///
 /// ```text
 /// C  =  C_tra♯ + L_H K̄_{3,g}³ / 2 + L_H K̄_{4,g}³ / 2
 /// ```
 ///
-/// Needs: the setting of Theorem 1.1.
-///
 /// Overestimation: larger than that of [`theorem_1_1_constant`](crate::theorem_1_1_constant), since
-/// the proof goes through the trapezoidal rule: `C_tra♯` enters to the power 9/4 through
-/// `K̄_{4,g}`.
+/// the proof uses the trapezoidal rule: `C_tra♯` enters with the power 9/4 by way of `K̄_{4,g}`.
 #[doc(alias = "theo:approx_numerical_integral_left")]
 #[doc(alias = "theo:approx_numerical_integral_left_length")]
 #[must_use]
@@ -22,18 +21,14 @@ pub fn theorem_1_3_constant(setting: Setting) -> f64 {
     c_tra_sharp_g(setting) + cubes(setting)
 }
 
-/// Bounds `E_l,N(γᵖ) − min E` for the minimiser `γᵖ` of `E_l,N`, in `m²` (Theorem 1.3, the last
-/// inequality).
+/// Bounds `E_l,N(γᵖ) − min E`, in `m²` (Theorem 1.3, last inequality).
 ///
 /// ```text
 /// E_l,N(γᵖ)  ≤  min E + C / √N
 /// ```
 ///
-/// Needs: the setting of Theorem 1.1, and a *global* minimiser.
-///
-/// Overestimation: the proof has `C_tra♯ / N` and [`rule_gap`](crate::rule_gap) at `K̄_{3,g}` in
-/// its place, without `K̄_{4,g}`. The left rule sampled on a minimal geodesic errs by `O(1/N)`
-/// only.
+/// Overestimation: the proof has `C_tra♯ / N` plus [`rule_gap`](crate::rule_gap) at `K̄_{3,g}`,
+/// without `K̄_{4,g}`. On a minimal geodesic the left rule errs by `O(1/N)` only.
 #[doc(alias = "theo:approx_numerical_integral_left")]
 #[doc(alias = "eq:left_upper_bound_revised")]
 #[must_use]
@@ -41,57 +36,49 @@ pub fn theorem_1_3_minimum_gap(setting: Setting, n: NonZeroUsize) -> f64 {
     theorem_1_3_constant(setting) / (n.get() as f64).sqrt()
 }
 
-/// Bounds `E(γᵖˡ) − E_l,N(γᵖ)` for the minimiser `γᵖ` of `E_l,N`, in `m²` (Theorem 1.3, the
-/// second inequality); hence also `min E − E_l,N(γᵖ)`, since `min E ≤ E(γᵖˡ)`.
+/// Bounds `E(γᵖˡ) − E_l,N(γᵖ)`, in `m²` (Theorem 1.3, second inequality); hence also
+/// `min E − E_l,N(γᵖ)`, since `min E ≤ E(γᵖˡ)`.
 ///
 /// ```text
 /// E(γᵖˡ) − C / √N  ≤  E_l,N(γᵖ)
 /// ```
 ///
-/// Needs: the setting of Theorem 1.1, and a *global* minimiser.
-///
-/// Overestimation: the proof has [`polyline_gap_left`](crate::polyline_gap_left) at `K̄_{4,g}` in
-/// its place. With the speed of the sequence itself in place of `K̄_{4,g}` that bound is far
-/// smaller.
+/// Overestimation: the proof has [`polyline_gap_left`](crate::polyline_gap_left) at `K̄_{4,g}`; at
+/// the speed of the sequence itself that is far smaller.
 #[doc(alias = "theo:approx_numerical_integral_left")]
 #[must_use]
 pub fn theorem_1_3_polyline_gap(setting: Setting, n: NonZeroUsize) -> f64 {
     theorem_1_3_constant(setting) / (n.get() as f64).sqrt()
 }
 
-/// Bounds `E(γᵖˡ) − min E` for the minimiser `γᵖ` of `E_l,N`, in `m²` (from the proof of Theorem
-/// 1.3, before `C` is named).
+/// Bounds `E(γᵖˡ) − min E`, in `m²` (from the proof of Theorem 1.3).
 ///
 /// ```text
 /// E(γᵖˡ) − min E  ≤  C_tra♯ / N + L_H (K̄_{3,g}³ + K̄_{4,g}³) / (2 √N)  ≤  C / √N
 /// ```
 ///
-/// The theorem's own inequalities, added, give `2 C/√N` here. Theorem 1.4 rests on this finer
-/// form: it has the same `C`, not twice as much.
-///
-/// Needs: the setting of Theorem 1.1, and a *global* minimiser.
+/// The sum of the theorem's inequalities is `2 C/√N`. Theorem 1.4 follows from this finer form,
+/// with the same `C`.
 ///
 /// Overestimation: that of [`theorem_1_3_constant`]. Equal to `C / √N` at `N = 1`.
 #[doc(alias = "theo:approx_numerical_integral_left")]
 #[must_use]
 pub fn theorem_1_3_excess(setting: Setting, n: NonZeroUsize) -> f64 {
     let root = (n.get() as f64).sqrt();
-    // One division by √N after the sum: then the second inequality holds in `f64` too.
+    // Divided by √N after the sum, so that the second inequality holds in `f64` too.
     (c_tra_sharp_g(setting) / root + cubes(setting)) / root
 }
 
-/// Bounds `L(γᵖˡ)² − min L²` for the minimiser `γᵖ` of `E_l,N`, in `m²` (Theorem 1.4).
+/// Bounds `L(γᵖˡ)² − min L²`, in `m²` (Theorem 1.4).
 ///
 /// ```text
 /// L(γᵖˡ)² − min L²  ≤  C / √N
 /// ```
 ///
-/// with the `C` of [`theorem_1_3_constant`].
+/// with the `C` of [`theorem_1_3_constant`]. A minimiser of the discrete *length* does not obey it
+/// (Section 5).
 ///
-/// Needs: the setting of Theorem 1.1, and a *global* minimiser of the discrete energy (a
-/// minimiser of the discrete length will not do: Section 5).
-///
-/// Overestimation: `L(γᵖˡ)²` is at most `E(γᵖˡ)`, and [`theorem_1_3_excess`] bounds that.
+/// Overestimation: `L(γᵖˡ)² ≤ E(γᵖˡ)`, which [`theorem_1_3_excess`] bounds.
 #[doc(alias = "theo:approx_numerical_integral_left_length")]
 #[must_use]
 pub fn theorem_1_4_length_excess(setting: Setting, n: NonZeroUsize) -> f64 {

@@ -1,4 +1,4 @@
-//! The constants and bounds of the paper, one file a display or a pair of theorems.
+//! The constants and bounds of the paper.
 
 mod apriori;
 mod c_tra;

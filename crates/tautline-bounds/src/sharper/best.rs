@@ -1,5 +1,5 @@
-//! The least of all bounds of `E(γᵖˡ) − d²` and of `L(γᵖˡ)² − d²`, and the number of subintervals
-//! that a tolerance asks for.
+//! The least of all bounds on `E(γᵖˡ) − d²` and on `L(γᵖˡ)² − d²`, and the number of subintervals
+//! for a tolerance.
 
 use std::num::NonZeroUsize;
 
@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{PaperRule, Setting, theorem_1_1_excess, theorem_1_3_excess};
 
-/// By which theorem a bound holds.
+/// The theorem of a bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Theorem {
     /// Theorem 1.1 (trapezoidal) or 1.3 (left endpoint) of the paper.
@@ -24,12 +24,12 @@ pub enum Theorem {
     D,
 }
 
-/// A bound, in `m²`, and the theorem by which it holds.
+/// A bound and its theorem.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bound {
     /// The bound, in `m²`.
     pub value: f64,
-    /// The theorem.
+    /// The theorem that proves it.
     pub by: Theorem,
 }
 
@@ -60,31 +60,29 @@ pub fn second_order_excess(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     Some(theorem_b_excess(setting, n)?.min(theorem_d_excess(setting, n)?))
 }
 
-/// Returns the least bound of `E(γᵖˡ) − d²`, and of `L(γᵖˡ)² − d²`, that the paper's theorem and
-/// Theorems A to D have for a *global* minimiser.
+/// Returns the least bound on `E(γᵖˡ) − d²`, and on `L(γᵖˡ)² − d²`, of the paper's theorem and of
+/// Theorems A to D for a *global* minimiser.
 ///
-/// Of equal bounds the one of the weaker theorem is returned, in the order of [`Theorem`].
+/// Among equal bounds, the theorem that comes first in [`Theorem`] is named.
 #[must_use]
 pub fn least_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> Bound {
-    let paper = match rule {
-        PaperRule::Trapezoidal => theorem_1_1_excess(setting, n),
-        PaperRule::LeftEndpoint => theorem_1_3_excess(setting, n),
+    let (paper, b, d) = match rule {
+        PaperRule::Trapezoidal => (
+            theorem_1_1_excess(setting, n),
+            theorem_b_excess(setting, n),
+            theorem_d_excess(setting, n),
+        ),
+        PaperRule::LeftEndpoint => (theorem_1_3_excess(setting, n), None, None),
     };
-    let first_order = Bound { value: paper, by: Theorem::Paper }
-        .or(Some(theorem_a_excess(setting, rule, n)), Theorem::A);
-    let second_order = match rule {
-        PaperRule::Trapezoidal => first_order.or(theorem_b_excess(setting, n), Theorem::B),
-        PaperRule::LeftEndpoint => first_order,
-    };
-    let from_energy = second_order.or(Some(theorem_c_excess(setting, rule, n)), Theorem::C);
-    match rule {
-        PaperRule::Trapezoidal => from_energy.or(theorem_d_excess(setting, n), Theorem::D),
-        PaperRule::LeftEndpoint => from_energy,
-    }
+    Bound { value: paper, by: Theorem::Paper }
+        .or(Some(theorem_a_excess(setting, rule, n)), Theorem::A)
+        .or(b, Theorem::B)
+        .or(Some(theorem_c_excess(setting, rule, n)), Theorem::C)
+        .or(d, Theorem::D)
 }
 
-/// Returns the least bound of `L(γᵖˡ)² − d²` for a *global* minimiser: that of Theorem C or D for
-/// the length, or the one of [`least_excess`].
+/// Returns the least bound on `L(γᵖˡ)² − d²` for a *global* minimiser: [`least_excess`], or that of
+/// Theorem C or D for the length.
 #[must_use]
 pub fn least_length_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> Bound {
     let first = least_excess(setting, rule, n)
@@ -95,17 +93,17 @@ pub fn least_length_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -
     }
 }
 
-/// Returns an `N` for which [`least_length_excess`] is at most `tolerance`, and `N − 1` is not
-/// enough; with the theorem by which it is. `None` if no power of 2 up to `2⁴⁰` is enough, or the
+/// Returns an `N` for which [`least_length_excess`] is at most `tolerance`, such that `N − 1` is
+/// not enough, with the theorem of the bound. `None` if no power of 2 up to `2⁴⁰` is enough, or the
 /// tolerance is NaN.
 ///
 /// - `tolerance`: of `L(γᵖˡ)² − d²`, in `m²`.
 ///
-/// Found by doubling and bisection. The bounds fall with `N` wherever we looked; if one did not,
-/// the `N` returned would still do, and might not be the least.
+/// Found by doubling and bisection. The bounds decreased with `N` in every case we tried; if one
+/// did not, the returned `N` would still be enough, but perhaps not the least.
 ///
-/// Overestimation: that of the bound, in powers: where it is `r` times the excess and falls like
-/// `1/N²`, a solve with `N/√r` subintervals is as good.
+/// Overestimation: if the bound is `r` times the excess and falls like `1/N²`, `N/√r` subintervals
+/// are enough.
 #[must_use]
 pub fn suggest_n(
     setting: Setting,
@@ -136,22 +134,20 @@ mod tests {
         Theorem, first_order_excess, least_excess, least_length_excess, second_order_excess,
         suggest_n,
     };
-    use crate::{Constants, PaperRule, Setting};
-    use crate::{theorem_c_length_excess, theorem_d_length_excess};
-    use std::num::NonZeroUsize;
-
-    fn n(n: usize) -> NonZeroUsize {
-        NonZeroUsize::new(n).expect("positive")
-    }
+    use crate::{
+        PaperRule, Setting,
+        by_hand::{constants, n},
+        theorem_c_length_excess, theorem_d_length_excess,
+    };
 
     fn setting(m_h: Option<f64>) -> Setting {
-        let constants = Constants::new(1.0, 9.0, 4.0).expect("in order");
+        let constants = constants(1.0, 9.0, 4.0);
         let constants = m_h.map_or(constants, |m_h| constants.with_m_h(m_h).expect("valid"));
         Setting::new(constants, 5.0, 2).expect("valid")
     }
 
     #[test]
-    fn the_least_is_that_of_its_theorem() {
+    fn the_least_bound_names_its_theorem() {
         let smooth = setting(Some(6.0));
         let bound = least_excess(smooth, PaperRule::Trapezoidal, n(4096));
         assert_eq!(bound.by, Theorem::D);
@@ -163,16 +159,15 @@ mod tests {
         // M_H does not help the left-endpoint rule.
         let bound = least_excess(smooth, PaperRule::LeftEndpoint, n(4096));
         assert_eq!(bound.by, Theorem::C);
-        // Of the length.
         let bound = least_length_excess(smooth, PaperRule::LeftEndpoint, n(4096));
         let expected = theorem_c_length_excess(smooth, PaperRule::LeftEndpoint, n(4096));
         assert_eq!((bound.value, bound.by), (expected, Theorem::C));
         let bound = least_length_excess(smooth, PaperRule::Trapezoidal, n(4096));
         let expected = theorem_d_length_excess(smooth, n(4096)).expect("M_H");
         assert_eq!((bound.value, bound.by), (expected, Theorem::D));
-        // A constant metric has no error, and the paper says so.
-        let flat = Setting::new(Constants::new(1.0, 2.0, 0.0).expect("in order"), 5.0, 2);
-        let bound = least_excess(flat.expect("valid"), PaperRule::LeftEndpoint, n(1));
+        // For a constant metric the bound of the paper is 0.
+        let flat = Setting::new(constants(1.0, 2.0, 0.0), 5.0, 2).expect("valid");
+        let bound = least_excess(flat, PaperRule::LeftEndpoint, n(1));
         assert_eq!((bound.value, bound.by), (0.0, Theorem::Paper));
     }
 
@@ -192,11 +187,11 @@ mod tests {
     }
 
     #[test]
-    fn out_of_reach_is_none() {
+    fn an_unreachable_tolerance_gives_none() {
         for rule in PaperRule::BOTH {
-            assert_eq!(suggest_n(setting(Some(6.0)), rule, 0.0), None);
-            assert_eq!(suggest_n(setting(Some(6.0)), rule, f64::NAN), None);
-            assert_eq!(suggest_n(setting(Some(6.0)), rule, -1.0), None);
+            for tolerance in [0.0, -1.0, f64::NAN] {
+                assert_eq!(suggest_n(setting(Some(6.0)), rule, tolerance), None, "{tolerance}");
+            }
         }
         let (first, _) = suggest_n(setting(None), PaperRule::Trapezoidal, 1e30).expect("any N");
         assert_eq!(first.get(), 1);

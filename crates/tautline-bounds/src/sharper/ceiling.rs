@@ -1,25 +1,24 @@
-//! Lemma S.4: the discrete minimum from above, by a minimal geodesic that is sampled.
+//! Lemma S.4: upper bounds `min E_N ≤ d² e`, by sampling a minimal geodesic.
 //!
-//! `min E_N ≤ d² e`. The functions return the surplus `e − 1`, without the cancellation.
+//! The functions return the surplus `e − 1`, without cancellation.
 
 use std::num::NonZeroUsize;
 
 use crate::{PaperRule, Setting, product::product};
 
-/// `e − 1` with `e = min(κ, 1 + δ/4N + Gδ/12N²)` (trapezoidal), `min(κ, 1 + δ/2N)` (left
-/// endpoint): the chord of the geodesic, or its points.
+/// `e − 1` with `e = min(κ, 1 + δ/4N + Gδ/12N²)` (trapezoidal) or `min(κ, 1 + δ/2N)` (left
+/// endpoint): by the chord of the ends, or by points of the geodesic.
 pub(crate) fn first_order(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let (delta, n) = (setting.delta(), n.get() as f64);
     let sampled = match rule {
-        // One division by N after the sum.
         PaperRule::Trapezoidal => (0.25 * delta + product([setting.bend() / 12.0, delta]) / n) / n,
         PaperRule::LeftEndpoint => 0.5 * delta / n,
     };
     sampled.min(setting.kappa_above_one())
 }
 
-/// `e₂ − 1` for the trapezoidal rule: the least of the above and `(Gδ/3 + μ/24)/N²`; `None` if
-/// `M_H` is not known.
+/// `e₂ − 1` for the trapezoidal rule: the lesser of the above and `(Gδ/3 + μ/24)/N²`; `None` if
+/// `M_H` is unknown.
 pub(crate) fn second_order(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     let (delta, mu) = (setting.delta(), setting.mu()?);
     let leading = product([setting.bend() / 3.0, delta]) + mu / 24.0;
@@ -27,13 +26,13 @@ pub(crate) fn second_order(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     Some((leading / count / count).min(first_order(setting, PaperRule::Trapezoidal, n)))
 }
 
-/// The least of the above and `ê − 1`, where
+/// The lesser of the above and `ê − 1`, where
 ///
 /// ```text
 /// ê − 1 = (1/N²) [G² (min(κ, (1 + δ/2N)²)/12 + δ/(√360 N) + μ/240N²) + μ/24]
 /// ```
 ///
-/// is what the second variation of the energy at the geodesic leaves.
+/// follows from the second variation of the energy at the geodesic.
 pub(crate) fn second_variation(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     let (delta, mu, bend) = (setting.delta(), setting.mu()?, setting.bend());
     let count = n.get() as f64;
@@ -45,7 +44,7 @@ pub(crate) fn second_variation(setting: Setting, n: NonZeroUsize) -> Option<f64>
     Some(surplus.min(second_order(setting, n)?))
 }
 
-/// The least of all, for either rule.
+/// The least of these surpluses for a rule.
 pub(crate) fn least(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     match rule {
         PaperRule::Trapezoidal => {
@@ -58,45 +57,42 @@ pub(crate) fn least(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::{first_order, second_order, second_variation};
-    use crate::{Constants, PaperRule, Setting};
-    use std::num::NonZeroUsize;
+    use crate::{
+        PaperRule, Setting,
+        by_hand::{close, constants, n, with_m_h},
+    };
 
-    fn n(n: usize) -> NonZeroUsize {
-        NonZeroUsize::new(n).expect("positive")
-    }
+    /// Some ten roundings.
+    const TOLERANCE: f64 = 4e-15;
 
     /// `c₁ = 4`, `L_H = 8`, `M_H = 32`, `d = 3`: `δ = 3` and `μ = 18`, on a region.
     fn setting(c2: f64, dimension: usize) -> Setting {
-        let constants = Constants::new(4.0, c2, 8.0).and_then(|c| c.with_m_h(32.0));
-        Setting::new(constants.expect("in order").on_a_region(), 3.0, dimension).expect("valid")
+        Setting::new(with_m_h(4.0, c2, 8.0, 32.0).on_a_region(), 3.0, dimension).expect("valid")
     }
 
     #[test]
     fn by_hand() {
-        let close = |value: f64, expected: f64| {
-            // Some ten roundings.
-            assert!((value / expected - 1.0).abs() < 4e-15, "{value} is not {expected}");
-        };
         let (plane, line) = (setting(4e6, 2), setting(4e6, 1));
         // 3/4N + 9/8N² and 3/4N + 9/24N²; 3/2N.
-        close(first_order(plane, PaperRule::Trapezoidal, n(6)), 0.125 + 0.03125);
-        close(first_order(line, PaperRule::Trapezoidal, n(6)), 0.125 + 0.375 / 36.0);
-        close(first_order(plane, PaperRule::LeftEndpoint, n(6)), 0.25);
+        let first = first_order(plane, PaperRule::Trapezoidal, n(6));
+        close(first, 0.125 + 0.03125, TOLERANCE);
+        let first = first_order(line, PaperRule::Trapezoidal, n(6));
+        close(first, 0.125 + 0.375 / 36.0, TOLERANCE);
+        close(first_order(plane, PaperRule::LeftEndpoint, n(6)), 0.25, TOLERANCE);
         // (9/2 + 3/4)/N² and (3/2 + 3/4)/N².
-        close(second_order(plane, n(6)).expect("M_H"), 5.25 / 36.0);
-        close(second_order(line, n(6)).expect("M_H"), 2.25 / 36.0);
+        close(second_order(plane, n(6)), 5.25 / 36.0, TOLERANCE);
+        close(second_order(line, n(6)), 2.25 / 36.0, TOLERANCE);
         // At N = 3 with ω = 1/2: (9/4)((3/2)²/12 + 1/√360 + 18/2160) + 3/4 over 9.
         let factor = 2.25 / 12.0 + 1.0 / 360_f64.sqrt() + 1.0 / 120.0;
-        close(second_variation(line, n(3)).expect("M_H"), (2.25 * factor + 0.75) / 9.0);
+        close(second_variation(line, n(3)), (2.25 * factor + 0.75) / 9.0, TOLERANCE);
     }
 
     #[test]
     fn the_least_is_taken() {
         // In the second variation κ = 1.2 is less than (1 + 3/2N)².
-        let capped = second_variation(setting(4.8, 2), n(9)).expect("M_H");
         let factor = 0.1 + 1.0 / 3.0 / 360_f64.sqrt() + 18.0 / 19440.0;
-        let expected = (20.25 * factor + 0.75) / 81.0;
-        assert!((capped / expected - 1.0).abs() < 4e-15, "{capped} is not {expected}");
+        let capped = second_variation(setting(4.8, 2), n(9));
+        close(capped, (20.25 * factor + 0.75) / 81.0, TOLERANCE);
         // κ − 1 = 1/8.
         let tame = setting(4.5, 2);
         assert_eq!(first_order(tame, PaperRule::Trapezoidal, n(2)), 0.125);
@@ -106,7 +102,7 @@ mod tests {
         // N = 1 and ω = 3/2: 3/4 + 9/8 is less than 9/2 + 3/4, and that than (81/4)(25/48 + …).
         let plane = setting(4e6, 2);
         assert_eq!(second_variation(plane, n(1)), Some(1.875));
-        // At N = 1000 all fall back to their leading terms, and the last is the least.
+        // At N = 1000 the leading terms dominate, and the last is the least.
         let at = |bound: Option<f64>| bound.expect("M_H") * 1e6;
         assert!(at(second_order(plane, n(1000))) > 5.2);
         let sharp = at(second_variation(plane, n(1000)));
@@ -115,8 +111,7 @@ mod tests {
 
     #[test]
     fn there_is_no_second_order_without_m_h() {
-        let constants = Constants::new(1.0, 2.0, 1.0).expect("in order");
-        let setting = Setting::new(constants, 1.0, 2).expect("valid");
+        let setting = Setting::new(constants(1.0, 2.0, 1.0), 1.0, 2).expect("valid");
         assert_eq!(second_order(setting, n(8)), None);
         assert_eq!(second_variation(setting, n(8)), None);
     }

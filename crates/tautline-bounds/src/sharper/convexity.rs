@@ -1,5 +1,4 @@
-//! Proposition S.7: a discrete energy that is strictly convex where its minimisers are, and has no
-//! other minimum there.
+//! Proposition S.7: where the discrete energy between two points is strictly convex.
 
 use std::{f64::consts::FRAC_PI_2, num::NonZeroUsize};
 
@@ -8,25 +7,24 @@ use tautline_metrics::Constants;
 use super::{ceiling, speeds::greatest_speed, spread::Spread};
 use crate::{PaperRule, Setting, product::product};
 
-/// Returns `σ`, in `m²/ℓ²`: where it is positive, the discrete energy between two *points* is
-/// strictly convex on the sequences with `|βₙ| ≤ B` (Proposition S.7).
+/// Returns `σ`, in `m²/ℓ²`: if it is positive, the discrete energy between two *points* is strictly
+/// convex on the sequences with `|βₙ| ≤ B` (Proposition S.7).
 ///
 /// ```text
 /// σ = c₁ − 2 L_H B r − ½ M_H B² r²,     r = 1/(2N tan(π/2N)) (trapezoidal), 1/(2N sin(π/2N)) (left)
 /// ```
 ///
-/// A variation `y` that vanishes at both ends moves the points where `H` is read by `r` times what
-/// it moves the differences at most, in the mean square: the discrete inequality of Poincaré. The
-/// second variation in its direction is at least `2σ` times the mean square of its differences.
+/// By a discrete Poincaré inequality, a variation that vanishes at both ends moves the nodes by at
+/// most `r` times as much as the differences, in mean square. The second variation is at least `2σ`
+/// times the mean square of the differences.
 ///
 /// - `greatest`: `B`, in `ℓ`.
 ///
 /// Needs: `c₁`, `L_H` and `M_H` on the convex hull of such sequences; fixed ends. Overestimation:
-/// none for the trapezoidal rule with `N = 2`, over a metric with the slopes `±L_H` at the two
+/// attained by the trapezoidal rule with `N = 2`, for a metric with the slopes `±L_H` at the two
 /// midpoints.
 ///
-/// Returns `None` if `M_H` is not known; `−∞` on overflow. At `N = 1` nothing can vary, and
-/// `σ = c₁`.
+/// Returns `None` if `M_H` is unknown; `−∞` on overflow. At `N = 1` nothing varies, and `σ = c₁`.
 ///
 /// # Panics
 ///
@@ -38,7 +36,7 @@ pub fn convexity_modulus(
     greatest: f64,
     n: NonZeroUsize,
 ) -> Option<f64> {
-    assert!(greatest >= 0.0, "a greatest norm, got {greatest}");
+    assert!(greatest >= 0.0, "the greatest difference must be nonnegative, got {greatest}");
     let m_h = constants.m_h()?;
     let r = poincare(rule, n);
     Some(
@@ -48,8 +46,8 @@ pub fn convexity_modulus(
     )
 }
 
-/// The greatest ratio of the mean squares of what moves where `H` is read, and of the differences,
-/// for variations that vanish at both ends; 0 at `N = 1`, where there are none.
+/// The greatest ratio of the root mean squares at the nodes and of the differences, for variations
+/// that vanish at both ends; 0 at `N = 1`, where there are none.
 fn poincare(rule: PaperRule, n: NonZeroUsize) -> f64 {
     let count = n.get() as f64;
     match rule {
@@ -59,7 +57,7 @@ fn poincare(rule: PaperRule, n: NonZeroUsize) -> f64 {
     }
 }
 
-/// What was computed of a sequence between two points.
+/// Computed quantities of a sequence between two points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BetweenPoints {
     /// The rule of the discrete energy.
@@ -68,7 +66,7 @@ pub struct BetweenPoints {
     pub n: NonZeroUsize,
     /// `E_N`, in `m²`.
     pub discrete_energy: f64,
-    /// `L(γᵖˡ)`, in `m`, or another upper bound of the distance.
+    /// `L(γᵖˡ)`, in `m`, or another upper bound on the distance.
     pub length: f64,
     /// `max |βₙ|`, in `ℓ`.
     pub greatest_difference: f64,
@@ -76,22 +74,22 @@ pub struct BetweenPoints {
     pub residual: f64,
 }
 
-/// Returns a lower bound of the minimum of `E_N` over *all* sequences between the two points, in
-/// `m²`, if the energy is strictly convex where they can be (Proposition S.7).
+/// Returns a lower bound on the minimum of `E_N` over *all* sequences between the two points, in
+/// `m²`, if the energy is strictly convex where minimisers can be (Proposition S.7).
 ///
 /// ```text
 /// min E_N  ≥  E_N(x) − R²/(4σ N² sin²(π/2N)),      R² = (1/N) Σ |ρₙ|²
 /// ```
 ///
-/// `B` covers the computed sequence and, by Lemmas S.3 and S.5, every global minimiser; both lie in
-/// one convex set on which the energy is strictly convex. So the computed minimum is the global
-/// one, up to what the residual leaves.
+/// With `B` large enough for the computed sequence and, by Lemmas S.3 and S.5, for every global
+/// minimiser, all of them lie in one convex set on which the energy is strictly convex. So the
+/// computed minimum is global, up to the error from the residual.
 ///
-/// Needs: the setting of Theorem 1.1 with `M_H`, both ends points. Nothing is assumed of the
+/// Needs: the setting of Theorem 1.1 with `M_H`, and points as ends. Nothing is assumed about the
 /// computed sequence.
 ///
-/// Returns `None` if `M_H` is not known, if `σ ≤ 0`, or if a number of `computed` is negative,
-/// infinite or NaN: then nothing is said.
+/// Returns `None` if `M_H` is unknown, if `σ ≤ 0`, or if a number in `computed` is negative,
+/// infinite or NaN.
 #[must_use]
 pub fn strict_convexity(
     constants: Constants,
@@ -105,7 +103,7 @@ pub fn strict_convexity(
         return None;
     }
     let setting = Setting::new(constants, length, dimension).ok()?;
-    // Of a minimiser: stationary, with no more energy than the computed sequence, and d² e at most.
+    // A minimiser is stationary, and has at most the energy of the computed sequence and d² e.
     let by_momentum = greatest_speed(constants, discrete_energy, 0.0, n);
     let by_spread = length * greatest_ratio(setting, rule, n);
     let minimisers = by_momentum.min(by_spread) / constants.c1().sqrt();
@@ -121,7 +119,7 @@ pub fn strict_convexity(
     }
 }
 
-/// Bounds `max qₙ/d` of a minimiser: `√ε + R`, with the spread of its speeds.
+/// Bounds `max qₙ/d` of a minimiser by `√ε + R`, from the spread of its speeds.
 fn greatest_ratio(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let spread = |surplus: f64, spread: Spread| (1.0 + surplus).sqrt() + spread.deviation;
     let surplus = ceiling::first_order(setting, rule, n);
@@ -139,39 +137,36 @@ fn greatest_ratio(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
 mod tests {
     use super::{BetweenPoints, convexity_modulus, poincare, strict_convexity};
     use crate::{
-        Constants, PaperRule, Setting, Spread, theorem_a_minimum_gap, theorem_d_minimum_gap,
+        Constants, PaperRule, Setting, Spread,
+        by_hand::{self, n, with_m_h},
+        theorem_a_minimum_gap, theorem_d_minimum_gap,
     };
-    use std::num::NonZeroUsize;
 
-    fn n(n: usize) -> NonZeroUsize {
-        NonZeroUsize::new(n).expect("positive")
+    fn constants() -> Constants {
+        with_m_h(4.0, 9.0, 1.0, 2.0)
     }
 
-    fn constants(m_h: f64) -> Constants {
-        Constants::new(4.0, 9.0, 1.0).and_then(|c| c.with_m_h(m_h)).expect("in order")
+    fn without_m_h() -> Constants {
+        by_hand::constants(4.0, 9.0, 1.0)
     }
 
     #[test]
     fn the_modulus_by_hand() {
         // N = 2: r = 1/(4 tan 45°) = 1/4, and 1/(4 sin 45°) = √2/4.
-        let close = |value: Option<f64>, expected: f64| {
-            let value = value.expect("M_H");
-            assert!((value - expected).abs() < 4e-15, "{value} is not {expected}");
-        };
-        close(
-            convexity_modulus(constants(2.0), PaperRule::Trapezoidal, 4.0, n(2)),
-            4.0 - 2.0 - 1.0,
-        );
-        let left = 4.0 - 2.0 * 2_f64.sqrt() - 2.0;
-        close(convexity_modulus(constants(2.0), PaperRule::LeftEndpoint, 4.0, n(2)), left);
-        close(convexity_modulus(constants(2.0), PaperRule::LeftEndpoint, 4.0, n(1)), 4.0);
-        let unknown = Constants::new(4.0, 9.0, 1.0).expect("in order");
-        assert_eq!(convexity_modulus(unknown, PaperRule::LeftEndpoint, 4.0, n(2)), None);
+        for (rule, count, expected) in [
+            (PaperRule::Trapezoidal, 2, 4.0 - 2.0 - 1.0),
+            (PaperRule::LeftEndpoint, 2, 4.0 - 2.0 * 2_f64.sqrt() - 2.0),
+            (PaperRule::LeftEndpoint, 1, 4.0),
+        ] {
+            let value = convexity_modulus(constants(), rule, 4.0, n(count)).expect("M_H");
+            assert!((value - expected).abs() < 4e-15, "{rule:?}: {value} is not {expected}");
+        }
+        assert_eq!(convexity_modulus(without_m_h(), PaperRule::LeftEndpoint, 4.0, n(2)), None);
     }
 
-    /// `y_n = sin(nπ/N)` attains it; `1/π` in the limit.
+    /// `yₙ = sin(nπ/N)`; the constant tends to `1/π`.
     #[test]
-    fn the_inequality_of_poincare_is_attained_by_a_sine() {
+    fn the_poincare_inequality_is_attained_by_a_sine() {
         for count in [2, 3, 8, 50] {
             let y = |k: usize| (std::f64::consts::PI * k as f64 / count as f64).sin();
             let sum = |f: &dyn Fn(usize) -> f64| (0..count).map(|k| f(k).powi(2)).sum::<f64>();
@@ -202,23 +197,22 @@ mod tests {
     }
 
     #[test]
-    fn where_the_ends_are_near_the_computed_minimum_is_global() {
-        let exact = strict_convexity(constants(2.0), 2, &computed(0.5, 0.0));
+    fn for_near_ends_the_computed_minimum_is_global() {
+        let exact = strict_convexity(constants(), 2, &computed(0.5, 0.0));
         assert_eq!(exact, Some(0.25));
-        let left = strict_convexity(constants(2.0), 2, &computed(0.5, 0.1)).expect("convex");
+        let left = strict_convexity(constants(), 2, &computed(0.5, 0.1)).expect("convex");
         let lost = 0.25 - left;
         // σ = 4 − 0.6 r − 0.09 r² with r = 1/π, and 0.01/(4σ (π/2)²).
         assert!((lost / 2.6665e-4 - 1.0).abs() < 1e-3, "{lost}");
-        assert_eq!(strict_convexity(constants(2.0), 2, &computed(50.0, 0.0)), None);
-        let unknown = Constants::new(4.0, 9.0, 1.0).expect("in order");
-        assert_eq!(strict_convexity(unknown, 2, &computed(0.5, 0.0)), None);
+        assert_eq!(strict_convexity(constants(), 2, &computed(50.0, 0.0)), None);
+        assert_eq!(strict_convexity(without_m_h(), 2, &computed(0.5, 0.0)), None);
     }
 
-    /// A computed sequence of nine times the least energy and without a speed: it is the spread of
-    /// the speeds that bounds those of a minimiser, by the lesser of both ways.
+    /// For a computed sequence with nine times the least energy and no speed, the spread of the
+    /// speeds, by the lesser of two bounds, is better than the momentum.
     #[test]
-    fn the_spread_of_the_speeds_bounds_those_of_a_minimiser() {
-        let setting = Setting::new(constants(2.0), 0.5, 2).expect("valid");
+    fn the_spread_bounds_the_speeds_of_a_minimiser() {
+        let setting = Setting::new(constants(), 0.5, 2).expect("valid");
         let ratio = |gap: f64, spread: &dyn Fn(f64) -> Spread| {
             let surplus = gap / 0.25;
             (1.0 + surplus).sqrt() + spread(surplus).deviation
@@ -234,10 +228,10 @@ mod tests {
                 PaperRule::LeftEndpoint => first,
             };
             let greatest = 0.5 * least / 2.0;
-            let modulus = convexity_modulus(constants(2.0), rule, greatest, n(64)).expect("M_H");
+            let modulus = convexity_modulus(constants(), rule, greatest, n(64)).expect("M_H");
             let slow = BetweenPoints { rule, discrete_energy: 2.25, ..computed(0.5, 1.0) };
             let slow = BetweenPoints { greatest_difference: 0.0, ..slow };
-            let found = strict_convexity(constants(2.0), 2, &slow).expect("convex");
+            let found = strict_convexity(constants(), 2, &slow).expect("convex");
             let wave = 64.0 * (std::f64::consts::FRAC_PI_2 / 64.0).sin();
             let lost = 1.0 / (4.0 * modulus * wave * wave);
             // Some twenty roundings of numbers up to 4, of a difference of 0.03.
@@ -245,9 +239,8 @@ mod tests {
         }
     }
 
-    /// The other way round: for near ends and the left-endpoint rule `√E + (L_H/c₁^{3/2}) E` is
-    /// less than the spread allows. It grows with the energy that the sequence has, not with its
-    /// length.
+    /// For near ends and the left-endpoint rule `√E + (L_H/c₁^{3/2}) E` is better than the spread.
+    /// It depends on the energy of the sequence, not on its length.
     #[test]
     fn the_momentum_bounds_the_speeds_of_a_minimiser() {
         for (energy, speed) in [(0.25_f64, 0.5 + 0.25 / 8.0), (0.2601, 0.51 + 0.2601 / 8.0)] {
@@ -257,7 +250,7 @@ mod tests {
                 discrete_energy: energy,
                 ..computed(0.5, 1.0)
             };
-            let found = strict_convexity(constants(2.0), 2, &still).expect("convex");
+            let found = strict_convexity(constants(), 2, &still).expect("convex");
             let (b, angle) = (0.5 * speed, std::f64::consts::FRAC_PI_2 / 64.0);
             let r = 1.0 / (128.0 * angle.sin());
             let modulus = 4.0 - 2.0 * b * r - (b * r).powi(2);
@@ -267,18 +260,17 @@ mod tests {
         }
     }
 
-    /// With a speed of the computed sequence that is too large for the set it says nothing.
     #[test]
-    fn both_sequences_have_to_lie_in_the_convex_set() {
+    fn both_sequences_must_lie_in_the_convex_set() {
         let wild = BetweenPoints { greatest_difference: 100.0, ..computed(0.5, 0.0) };
-        assert_eq!(strict_convexity(constants(2.0), 2, &wild), None);
-        // A minimiser of that energy may be fast, even where the computed sequence is not.
+        assert_eq!(strict_convexity(constants(), 2, &wild), None);
+        // The computed sequence is slow, but a minimiser may be fast.
         let far = BetweenPoints { greatest_difference: 0.1, ..computed(50.0, 0.0) };
-        assert_eq!(strict_convexity(constants(2.0), 2, &far), None);
+        assert_eq!(strict_convexity(constants(), 2, &far), None);
     }
 
     #[test]
-    fn numbers_that_are_none_say_nothing() {
+    fn invalid_numbers_give_none() {
         for bad in [-1.0, f64::NAN, f64::INFINITY] {
             let good = computed(0.5, 0.0);
             for computed in [
@@ -287,14 +279,8 @@ mod tests {
                 BetweenPoints { greatest_difference: bad, ..good },
                 BetweenPoints { residual: bad, ..good },
             ] {
-                assert_eq!(strict_convexity(constants(2.0), 2, &computed), None);
+                assert_eq!(strict_convexity(constants(), 2, &computed), None);
             }
         }
-    }
-
-    #[test]
-    #[should_panic(expected = "a greatest norm, got NaN")]
-    fn a_norm_that_is_no_number_is_a_mistake() {
-        let _ = convexity_modulus(constants(2.0), PaperRule::Trapezoidal, f64::NAN, n(2));
     }
 }

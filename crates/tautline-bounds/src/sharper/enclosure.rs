@@ -1,47 +1,16 @@
-//! Proposition S.6: from one computed sequence, two numbers between which `d²` lies.
+//! `Enclosure`: bounds on `d²` from one computed sequence (Proposition S.6).
 
 use std::num::NonZeroUsize;
 
 use tautline_metrics::Constants;
 
-use super::ceiling;
+use super::{Computed, DiscreteMinimum, ceiling};
 use crate::{BoundError, PaperRule, Setting, product::product};
 
-/// What is known of the minimum of a discrete energy.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum DiscreteMinimum {
-    /// That the computed energy is the minimum over all admissible sequences: assumed, since a
-    /// solver shows no more than a local minimum.
-    Assumed,
-    /// That it is at least this, in `m²`; see [`strict_convexity`](crate::strict_convexity).
-    AtLeast(f64),
-    /// Nothing.
-    Unknown,
-}
-
-/// What was computed of one admissible sequence.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Computed {
-    /// The rule of the discrete energy.
-    pub rule: PaperRule,
-    /// The number of subintervals.
-    pub n: NonZeroUsize,
-    /// `E_N`, in `m²`.
-    pub discrete_energy: f64,
-    /// `E(γᵖˡ)`, in `m²`.
-    pub energy: f64,
-    /// `L(γᵖˡ)²`, in `m²`.
-    pub length_squared: f64,
-    /// What is known of the minimum of `E_N`.
-    pub minimum: DiscreteMinimum,
-    /// The Euclidean distance of the two sets, in `ℓ`; 0 if it is not known.
-    pub gap: f64,
-}
-
-/// By which statement `d²` is at least a number.
+/// The statement behind a lower bound on `d²`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum FromBelow {
-    /// It is a square.
+    /// `d² ≥ 0`.
     Nothing,
     /// Proposition 3.3: `c₁ |x − y|² ≤ d²`.
     Euclidean,
@@ -49,38 +18,38 @@ pub enum FromBelow {
     Minimum,
 }
 
-/// By which number `d²` is bounded from above.
+/// The number that bounds `d²` from above.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum FromAbove {
     /// `L(γᵖˡ)²`, the squared length of a curve between the sets.
     Length,
-    /// `E(γᵖˡ)`, its energy, if that came out less: equal but for rounding.
+    /// `E(γᵖˡ)`, its energy, if that is less by rounding.
     Energy,
 }
 
-/// Two numbers between which `d²` lies, by which statements, and on which assumption.
+/// Bounds on `d²`, with their statements and assumptions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Enclosure {
-    /// `d²` is at least this, in `m²`.
+    /// The lower bound, in `m²`.
     pub lower: f64,
-    /// `d²` is at most this, in `m²`.
+    /// The upper bound, in `m²`.
     pub upper: f64,
-    /// What `lower` rests on.
+    /// The statement behind `lower`.
     pub from_below: FromBelow,
-    /// What `upper` rests on.
+    /// The number behind `upper`.
     pub from_above: FromAbove,
-    /// Whether `lower` needs that the computed energy is the global minimum.
+    /// Whether `lower` assumes that the computed energy is the global minimum.
     pub assumes_global_minimum: bool,
-    /// Whether the numbers show that it is not: then there is a sequence with less discrete energy,
-    /// and nothing was concluded from the assumption.
+    /// Whether the numbers refute that assumption: some sequence has less discrete energy. Then
+    /// `lower` does not use it.
     pub is_not_global: bool,
-    /// Whether the constants hold on a region only. Then a global minimum is one among the sequences
-    /// in the region (Proposition S.8).
+    /// Whether the constants hold on a region only. Then "global" means among the sequences in the
+    /// region (Proposition S.8).
     pub is_local: bool,
 }
 
 impl Enclosure {
-    /// Returns `upper − lower`, in `m²`: a bound of `L(γᵖˡ)² − d²`, computed from the sequence alone.
+    /// Returns `upper − lower`, in `m²`: a bound on `L(γᵖˡ)² − d²` from the sequence alone.
     #[must_use]
     pub fn width(&self) -> f64 {
         self.upper - self.lower
@@ -89,22 +58,21 @@ impl Enclosure {
 
 /// Encloses `d²` by one computed sequence (Proposition S.6).
 ///
-/// - *From above*, without any assumption: `d² ≤ L(γᵖˡ)² ≤ E(γᵖˡ)`.
-/// - *From below*: `min E_N ≤ d² e` with the least `e` of Lemma S.4, which grows with `d`; solved for
-///   `d`. No upper bound of `d` is needed. And `c₁ |x − y|² ≤ d²`.
+/// - *From above*, without assumptions: `d² ≤ L(γᵖˡ)² ≤ E(γᵖˡ)`.
+/// - *From below*: `min E_N ≤ d² e` with the least `e` of Lemma S.4, which increases with `d`; solved for
+///   `d`. No upper bound on `d` is needed. Besides, `c₁ |x − y|² ≤ d²`.
 ///
-/// Needs: the setting of Theorem 1.1 with `constants`, in `dimension` dimensions, on the region
-/// that matters (Proposition S.8), and ends in their sets; from below what
-/// [`DiscreteMinimum`] says.
+/// Needs: the setting of Theorem 1.1, with `constants` on the region of the competitors
+/// (Proposition S.8); ends in their sets; for the lower bound, what [`DiscreteMinimum`] says.
 ///
-/// The numbers are rounded to nearest, and `energy` and `length_squared` are taken as they are:
-/// the enclosure is computed, not certified to its last digits.
+/// The computation rounds to nearest and takes `energy` and `length_squared` as exact: the last
+/// digits are not certified.
 ///
 /// # Errors
 ///
 /// [`BoundError::NotAnEnergy`] if an energy is negative, infinite or NaN;
 /// [`BoundError::NotADistance`] if `gap` is; [`BoundError::NoDimension`];
-/// [`BoundError::Contradiction`] if the minimum is said to be at least what this sequence disproves.
+/// [`BoundError::Contradiction`] if the sequence refutes the lower bound on the minimum.
 pub fn enclose(
     constants: Constants,
     dimension: usize,
@@ -129,7 +97,7 @@ pub fn enclose(
     let least = match minimum {
         DiscreteMinimum::Assumed => discrete_energy,
         DiscreteMinimum::AtLeast(least) => {
-            // A bound of a nonnegative number may be negative, and then says nothing.
+            // A negative lower bound says nothing.
             let least = if least < 0.0 { 0.0 } else { least };
             BoundError::check_energy(least)?;
             least
@@ -137,7 +105,7 @@ pub fn enclose(
         DiscreteMinimum::Unknown => 0.0,
     };
     let solved = distance_from_below(zero, rule, n, least).powi(2);
-    // min E_N ≤ F(d) ≤ F(upper): a minimum above that is none, unless by rounding.
+    // The solution is at most d² ≤ upper, up to rounding, unless the minimum is wrong.
     let contradicts = solved > upper * (1.0 + 1e-12);
     if contradicts && matches!(minimum, DiscreteMinimum::AtLeast(_)) {
         return Err(BoundError::Contradiction { lower: solved, upper });
@@ -159,8 +127,8 @@ pub fn enclose(
     })
 }
 
-/// Returns a `d` for which `d² e(d) ≤ least`, in `m`, as large as bisection finds it: the distance
-/// of the ends is at least that, if `min E_N ≥ least`.
+/// Returns the largest `d` with `d² e(d) ≤ least` that bisection finds, in `m`: a lower bound on
+/// the distance of the ends if `min E_N ≥ least`.
 fn distance_from_below(setting: Setting, rule: PaperRule, n: NonZeroUsize, least: f64) -> f64 {
     let at_most = |d: f64| {
         setting.with_distance(d).is_ok_and(|setting| {
@@ -186,18 +154,19 @@ fn distance_from_below(setting: Setting, rule: PaperRule, n: NonZeroUsize, least
 mod tests {
     use super::{Computed, DiscreteMinimum, FromAbove, FromBelow, enclose};
     use crate::{
-        BoundError, Constants, PaperRule, Setting, theorem_a_minimum_gap, theorem_d_minimum_gap,
+        BoundError, Constants, PaperRule, Setting,
+        by_hand::{self, n, with_m_h},
+        theorem_a_minimum_gap, theorem_d_minimum_gap,
     };
-    use std::num::NonZeroUsize;
 
     fn constants() -> Constants {
-        Constants::new(4.0, 4e6, 8.0).and_then(|c| c.with_m_h(32.0)).expect("in order")
+        with_m_h(4.0, 4e6, 8.0, 32.0)
     }
 
     fn computed(rule: PaperRule, minimum: DiscreteMinimum) -> Computed {
         Computed {
             rule,
-            n: NonZeroUsize::new(50).expect("positive"),
+            n: n(50),
             discrete_energy: 9.0,
             energy: 10.0,
             length_squared: 9.5,
@@ -207,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn the_lower_end_solves_the_ceiling() {
+    fn the_lower_bound_solves_the_equation_of_the_ceiling() {
         for rule in PaperRule::BOTH {
             let computed = computed(rule, DiscreteMinimum::Assumed);
             let found = enclose(constants(), 2, &computed).expect("valid");
@@ -219,14 +188,14 @@ mod tests {
                 PaperRule::Trapezoidal => theorem_d_minimum_gap(setting, computed.n).expect("M_H"),
                 PaperRule::LeftEndpoint => theorem_a_minimum_gap(setting, rule, computed.n),
             };
-            // Some twenty roundings, and that of the bisection.
+            // Some twenty roundings and that of the bisection.
             assert!((found.lower + ceiling - 9.0).abs() < 1e-13, "{found:?}");
             assert!(found.lower < 9.0 && found.width() > 0.5);
         }
     }
 
     #[test]
-    fn without_the_assumption_the_minimum_has_to_be_known() {
+    fn without_the_assumption_the_minimum_must_be_known() {
         let known = computed(PaperRule::Trapezoidal, DiscreteMinimum::AtLeast(9.0));
         let known = enclose(constants(), 2, &known).expect("valid");
         assert!(known.from_below == FromBelow::Minimum && !known.assumes_global_minimum);
@@ -243,11 +212,9 @@ mod tests {
         assert_eq!((nothing.lower, nothing.from_below), (0.0, FromBelow::Nothing));
     }
 
-    /// `c₁ |x − y|² = 16` is above what the minimum of 9 tells, and rests on nothing else: no
-    /// assumption is made where it is not needed. Whether the constants are those of a region is
-    /// said by whatever statement the lower end holds.
+    /// `c₁ |x − y|² = 16` is better than the bound from a minimum of 9, and needs no assumption.
     #[test]
-    fn where_the_euclidean_distance_is_the_better_bound_nothing_is_assumed() {
+    fn where_the_euclidean_bound_is_better_nothing_is_assumed() {
         for minimum in
             [DiscreteMinimum::Assumed, DiscreteMinimum::AtLeast(9.0), DiscreteMinimum::Unknown]
         {
@@ -266,15 +233,15 @@ mod tests {
         }
     }
 
-    /// The last double for which `d² e(d)` is at most the minimum, and not the one behind it.
+    /// It holds for the result, and for the next double only by rounding.
     #[test]
     fn the_equation_of_the_ceiling_is_solved_from_below() {
         let with_m_h = constants();
-        let without = Constants::new(4.0, 40.0, 8.0).expect("in order");
+        let without = by_hand::constants(4.0, 40.0, 8.0);
         let mut solved = 0;
         for constants in [with_m_h, without, with_m_h.isotropic(), with_m_h.on_a_region()] {
             for (rule, count) in PaperRule::BOTH.into_iter().zip([7, 50]) {
-                let n = NonZeroUsize::new(count).expect("positive");
+                let n = n(count);
                 for k in 1..40 {
                     let least = 0.37 * f64::from(k * k);
                     let setting = |d| Setting::new(constants, d, 2).expect("valid");
@@ -287,13 +254,13 @@ mod tests {
                 }
             }
         }
-        // Of two neighbours both may do, where the products round alike.
+        // Two neighbours may have equal rounded products.
         assert!(solved > 200, "{solved}");
     }
 
     #[test]
-    fn a_constant_metric_is_enclosed_by_one_number() {
-        let flat = Constants::new(4.0, 5.0, 0.0).and_then(|c| c.with_m_h(0.0)).expect("valid");
+    fn for_a_constant_metric_the_bounds_agree() {
+        let flat = with_m_h(4.0, 5.0, 0.0, 0.0);
         let exact = Computed {
             energy: 9.0,
             length_squared: 9.0,
@@ -303,15 +270,15 @@ mod tests {
         assert_eq!((found.lower, found.upper, found.from_above), (9.0, 9.0, FromAbove::Length));
         let local = enclose(flat.on_a_region(), 2, &exact).expect("valid");
         assert!(local.is_local && !found.is_local && local.lower == found.lower);
-        // What came out less is taken, by whatever rounding.
+        // The lesser of length and energy is taken.
         let energy = Computed { energy: 8.999, ..exact };
         let found = enclose(flat, 2, &energy).expect("valid");
         assert_eq!((found.upper, found.from_above), (8.999, FromAbove::Energy));
     }
 
-    /// A discrete energy of 9 where the length is 1: some sequence has less.
+    /// A discrete energy of 9 with a length of 1 is not the minimum.
     #[test]
-    fn an_assumption_that_the_numbers_disprove_is_not_used() {
+    fn a_refuted_assumption_is_not_used() {
         let good = computed(PaperRule::Trapezoidal, DiscreteMinimum::Assumed);
         let bad = Computed { length_squared: 1.0, ..good };
         let found = enclose(constants(), 2, &bad).expect("valid");
@@ -323,17 +290,17 @@ mod tests {
             matches!(error, BoundError::Contradiction { lower, upper: 1.0 } if lower > 1.0),
             "{error}"
         );
-        let flat = Constants::new(4.0, 5.0, 0.0).expect("in order");
+        let flat = by_hand::constants(4.0, 5.0, 0.0);
         let worse = Computed { length_squared: 8.5, ..bad };
         assert!(enclose(flat, 2, &worse).expect("valid").is_not_global);
-        // A rounding is no disproof.
+        // A rounding error refutes nothing.
         let rounded = Computed { length_squared: 9.0 * (1.0 - 1e-15), ..bad };
         let found = enclose(flat, 2, &rounded).expect("valid");
         assert!(!found.is_not_global && found.width() == 0.0, "{found:?}");
     }
 
     #[test]
-    fn what_is_no_energy_is_refused() {
+    fn invalid_numbers_are_errors() {
         let good = computed(PaperRule::Trapezoidal, DiscreteMinimum::Assumed);
         for bad in [-1.0, f64::NAN, f64::INFINITY] {
             for computed in [

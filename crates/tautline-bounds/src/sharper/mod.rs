@@ -1,9 +1,10 @@
-//! Sharper than the paper: order `1/N` and `1/N²`, without the dimension, and from one computed
-//! sequence. The proofs are in `paper/SHARPER.md`.
+//! Bounds sharper than those of the paper: of order `1/N` and `1/N²`, without the dimension, and
+//! from one computed sequence. The proofs are in `paper/SHARPER.md`.
 
 mod acceleration;
 mod best;
 mod ceiling;
+mod computed;
 mod convexity;
 mod enclosure;
 mod length;
@@ -22,8 +23,9 @@ pub use best::{
     Bound, Theorem, first_order_excess, least_excess, least_length_excess, second_order_excess,
     suggest_n,
 };
+pub use computed::{Computed, DiscreteMinimum};
 pub use convexity::{BetweenPoints, convexity_modulus, strict_convexity};
-pub use enclosure::{Computed, DiscreteMinimum, Enclosure, FromAbove, FromBelow, enclose};
+pub use enclosure::{Enclosure, FromAbove, FromBelow, enclose};
 pub use length::squared_length;
 pub use locality::{LocalityError, Region, competitors, reach};
 pub use sampling::{pointwise_fall, pointwise_rise, sampling_fall, sampling_rise, velocity_error};

@@ -1,4 +1,5 @@
-//! Lemma S.2: how far the energies of one point sequence lie apart, by the moments of its speeds.
+//! Lemma S.2: bounds on the differences of the energies of one point sequence, by moments of its
+//! speeds.
 
 use std::num::NonZeroUsize;
 
@@ -12,13 +13,14 @@ use crate::{PaperRule, product::product};
 /// |E(γᵖˡ) − E_N(γᵖ)|  ≤  (k L_H/N) mean |β|³,      k = ¼ (trapezoidal), ½ (left endpoint)
 /// ```
 ///
-/// On a chord `H` differs from what the rule reads by `L_H` times the distance at most, `kh|β|` in
-/// the mean. Propositions 7.9 and 8.2 go on to `mean |β|³ ≤ √N K₃³`, which this does not.
+/// On a chord `H` differs from its value at the node by at most `L_H` times the distance, whose
+/// mean is `kh|β|`. Propositions 7.9 and 8.2 go on to estimate `mean |β|³ ≤ √N K₃³`.
 ///
-/// - `mean_cube`: `(1/N) Σ |βₙ|³`, in `ℓ³`, or an upper bound of it.
+/// - `mean_cube`: `(1/N) Σ |βₙ|³`, in `ℓ³`, or an upper bound on it.
 ///
-/// Needs: `H` Lipschitz along the chords; no `c₁`, no `c₂`, no minimiser. Overestimation: none for
-/// a valley at the middle of each chord, and for `H` linear along each chord (left endpoint).
+/// Needs: `H` Lipschitz along the chords; no `c₁`, no `c₂`, no minimiser. Overestimation: attained
+/// by a valley at the middle of each chord (trapezoidal), by `H` linear along each chord (left
+/// endpoint).
 ///
 /// # Panics
 ///
@@ -27,14 +29,14 @@ use crate::{PaperRule, product::product};
 #[doc(alias = "prop:approx_numerical_integral_pts_left")]
 #[must_use]
 pub fn cubic_gap(constants: Constants, rule: PaperRule, mean_cube: f64, n: NonZeroUsize) -> f64 {
-    assert!(mean_cube >= 0.0, "a mean of cubes of norms, got {mean_cube}");
+    assert!(mean_cube >= 0.0, "the mean cube must be nonnegative, got {mean_cube}");
     product([rule.mean_distance(), constants.l_h(), mean_cube]) / n.get() as f64
 }
 
 /// Bounds `|E_l,N(γᵖ) − E_tra,N(γᵖ)|`, in `m²`, by `(L_H/2N) mean |β|³` (Lemma S.2).
 ///
-/// Arguments, needs and overestimation as in [`cubic_gap`]: the two rules read `H` half a chord
-/// apart.
+/// Arguments, needs and overestimation: as for [`cubic_gap`]; the nodes of the rules are half a
+/// chord apart.
 ///
 /// # Panics
 ///
@@ -45,26 +47,25 @@ pub fn cubic_rule_gap(constants: Constants, mean_cube: f64, n: NonZeroUsize) -> 
     cubic_gap(constants, PaperRule::LeftEndpoint, mean_cube, n)
 }
 
-/// Bounds `|E(γᵖˡ) − E_tra,N(γᵖ)|`, in `m²`, where `M_H` is known (Lemma S.2).
+/// Bounds `|E(γᵖˡ) − E_tra,N(γᵖ)|`, in `m²` (Lemma S.2); `None` if `M_H` is unknown.
 ///
 /// ```text
 /// |E(γᵖˡ) − E_tra,N(γᵖ)|  ≤  (M_H/24N²) mean |β|⁴
 /// ```
 ///
-/// The linear part of `H` about the middle of a chord is odd, and its mean vanishes.
+/// The linear part of `H` about the middle of a chord is odd, so its mean vanishes.
 ///
-/// - `mean_fourth`: `(1/N) Σ |βₙ|⁴`, in `ℓ⁴`, or an upper bound of it.
+/// - `mean_fourth`: `(1/N) Σ |βₙ|⁴`, in `ℓ⁴`, or an upper bound on it.
 ///
-/// Needs: `DH` Lipschitz along the chords. Overestimation: none for `H` quadratic along each chord.
-///
-/// Returns `None` if `M_H` is not known.
+/// Needs: `DH` Lipschitz along the chords. Overestimation: attained by `H` quadratic along each
+/// chord.
 ///
 /// # Panics
 ///
 /// If `mean_fourth` is negative or NaN.
 #[must_use]
 pub fn quartic_gap(constants: Constants, mean_fourth: f64, n: NonZeroUsize) -> Option<f64> {
-    assert!(mean_fourth >= 0.0, "a mean of fourth powers of norms, got {mean_fourth}");
+    assert!(mean_fourth >= 0.0, "the mean fourth power must be nonnegative, got {mean_fourth}");
     let n = n.get() as f64;
     constants.m_h().map(|m_h| product([m_h, mean_fourth]) / (24.0 * n * n))
 }
@@ -72,38 +73,24 @@ pub fn quartic_gap(constants: Constants, mean_fourth: f64, n: NonZeroUsize) -> O
 #[cfg(test)]
 mod tests {
     use super::{cubic_gap, cubic_rule_gap, quartic_gap};
-    use crate::{Constants, PaperRule};
-    use std::num::NonZeroUsize;
-
-    const TWO: NonZeroUsize = NonZeroUsize::new(2).expect("positive");
+    use crate::{
+        PaperRule,
+        by_hand::{constants, n},
+    };
 
     /// One chord of length 4 over `H = 1 + 3|x − 2|`, `1 + 3x` and `1 + 3(x − 2)²`, and one of
     /// length 0: `β` is 8 and 0, `mean |β|³ = 256` and `mean |β|⁴ = 2048`.
     #[test]
     fn attained_by_a_valley_a_slope_and_a_parabola() {
-        let constants = Constants::new(1.0, 13.0, 3.0).expect("in order");
+        let (constants, two) = (constants(1.0, 13.0, 3.0), n(2));
         // ½·64 (mean H − H(node)), where the mean of |x − 2| is 1, of x is 2, of (x − 2)² is 4/3.
-        let trapezoidal = cubic_gap(constants, PaperRule::Trapezoidal, 256.0, TWO);
+        let trapezoidal = cubic_gap(constants, PaperRule::Trapezoidal, 256.0, two);
         assert_eq!(trapezoidal, 32.0 * 3.0);
-        assert_eq!(cubic_gap(constants, PaperRule::LeftEndpoint, 256.0, TWO), 32.0 * 6.0);
-        assert_eq!(cubic_rule_gap(constants, 256.0, TWO), 32.0 * 6.0);
-        assert_eq!(quartic_gap(constants, 2048.0, TWO), None);
+        assert_eq!(cubic_gap(constants, PaperRule::LeftEndpoint, 256.0, two), 32.0 * 6.0);
+        assert_eq!(cubic_rule_gap(constants, 256.0, two), 32.0 * 6.0);
+        assert_eq!(quartic_gap(constants, 2048.0, two), None);
         // D²H = 6.
         let smooth = constants.with_m_h(6.0).expect("nonnegative");
-        assert_eq!(quartic_gap(smooth, 2048.0, TWO), Some(32.0 * 4.0));
-    }
-
-    #[test]
-    #[should_panic(expected = "a mean of cubes of norms, got NaN")]
-    fn a_mean_that_is_no_number_is_a_mistake() {
-        let constants = Constants::new(1.0, 13.0, 3.0).expect("in order");
-        let _ = cubic_gap(constants, PaperRule::Trapezoidal, f64::NAN, TWO);
-    }
-
-    #[test]
-    #[should_panic(expected = "a mean of fourth powers of norms, got -1")]
-    fn a_negative_mean_is_a_mistake() {
-        let constants = Constants::new(1.0, 13.0, 3.0).expect("in order");
-        let _ = quartic_gap(constants, -1.0, TWO);
+        assert_eq!(quartic_gap(smooth, 2048.0, two), Some(32.0 * 4.0));
     }
 }

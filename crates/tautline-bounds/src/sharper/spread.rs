@@ -1,29 +1,29 @@
-//! Lemma S.5: how unequal the speeds of a sequence can be, from its energy alone.
+//! `Spread`: bounds on how unequal the speeds of a sequence are, from its energy alone (Lemma S.5).
 
 use std::num::NonZeroUsize;
 
 use crate::{PaperRule, Setting, product::product};
 
-/// How unequal the speeds `qₙ` of an admissible sequence can be whose energy is `E_N ≤ d² ε`: bounds
-/// of the moments of `uₙ = qₙ/d`, all pure numbers (Lemma S.5).
+/// Bounds on the moments of the relative speeds `uₙ = qₙ/d` of an admissible sequence with
+/// `E_N ≤ d² ε`, all pure numbers (Lemma S.5).
 ///
-/// The curve `γᵖˡ` is at least `d` long, and its length is nearly the mean of the speeds; the energy
-/// is the mean of their squares. Where the two almost agree, the speeds are almost equal:
+/// The length of `γᵖˡ` is at least `d` and nearly the mean speed; the energy is the mean square
+/// speed. If the two almost agree, the speeds are almost equal:
 ///
 /// ```text
 /// mean u ≥ 1 − x,    v = mean u² − (mean u)² ≤ ε − max(0, 1 − x)²,    |uₙ − mean u| ≤ R = √((N − 1) v)
 /// x = kδε/2N,  and for the trapezoidal rule  x = μ m₃/48N²
 /// ```
 ///
-/// Needs: `H ≥ c₁`, Lipschitz with `L_H`; ends in their sets. Neither a minimiser nor a stationary
-/// sequence.
+/// Needs: `H ≥ c₁`, Lipschitz with `L_H`; ends in their sets. The sequence need be neither a
+/// minimiser nor stationary.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
-    /// `x`: what is missing in `mean u ≥ 1 − x`.
+    /// `x` in `mean u ≥ 1 − x`.
     pub shortfall: f64,
-    /// `v`: the variance of the speeds.
+    /// `v`: the variance.
     pub variance: f64,
-    /// `R`: the greatest deviation of a speed from the mean.
+    /// `R`: the greatest deviation from the mean.
     pub deviation: f64,
     /// `m₃`: the mean of the cubes.
     pub cube: f64,
@@ -44,16 +44,16 @@ impl Spread {
         n: NonZeroUsize,
         surplus: f64,
     ) -> Self {
-        assert!(surplus >= 0.0, "a surplus of energy, got {surplus}");
+        assert!(surplus >= 0.0, "the surplus must be nonnegative, got {surplus}");
         let halved = 0.5 * rule.mean_distance() / n.get() as f64;
         Self::of_shortfall(product([halved, setting.delta(), 1.0 + surplus]), surplus, n)
     }
 
     /// Returns the spread by the lesser `x`, for the trapezoidal rule; `surplus` is `ε − 1 ≥ 0`.
-    /// `None` if `M_H` is not known.
+    /// `None` if `M_H` is unknown.
     ///
-    /// `x` bounds `v`, that `m₃`, and that `x`: the way round is taken 64 times, each time with
-    /// bounds that are true already.
+    /// `x` bounds `v`, which bounds `m₃`, which bounds `x`: a fixed-point iteration of 64 steps,
+    /// each of which gives valid bounds.
     ///
     /// # Panics
     ///
@@ -70,16 +70,17 @@ impl Spread {
         Some(spread)
     }
 
-    /// All that follows from `mean u ≥ 1 − x` and `mean u² ≤ 1 + surplus`.
+    /// The bounds that follow from `mean u ≥ 1 − x` and `mean u² ≤ 1 + surplus`.
     fn of_shortfall(shortfall: f64, surplus: f64, n: NonZeroUsize) -> Self {
         let (e, count) = (1.0 + surplus, n.get() as f64);
-        // ε − (1 − x)² without the cancellation.
+        // ε − (1 − x)², without cancellation.
         let variance = if shortfall < 1.0 { surplus + shortfall * (2.0 - shortfall) } else { e };
         let others = count - 1.0;
         let square = product([others, variance]);
         let deviation = square.sqrt();
         let root = e.sqrt();
-        // Of N nonnegative numbers with the mean square ε, one alone has the greatest moments.
+        // Among N nonnegative numbers with mean square ε, a single nonzero one has the greatest
+        // moments.
         let cube = (e * root + 1.5 * product([root, variance]) + product([deviation, variance]))
             .min(count.sqrt() * e * root);
         let fourth = (e * e
@@ -94,22 +95,19 @@ impl Spread {
 #[cfg(test)]
 mod tests {
     use super::Spread;
-    use crate::{Constants, PaperRule, Setting};
-    use std::num::NonZeroUsize;
-
-    fn n(n: usize) -> NonZeroUsize {
-        NonZeroUsize::new(n).expect("positive")
-    }
+    use crate::{
+        PaperRule, Setting,
+        by_hand::{self, constants, n, with_m_h},
+    };
 
     /// `c₁ = 4`, `L_H = 8`, `d = 3`: `δ = 3`, and `μ = 9 m_h/16`.
     fn setting(m_h: f64) -> Setting {
-        let constants = Constants::new(4.0, 4e6, 8.0).and_then(|c| c.with_m_h(m_h));
-        Setting::new(constants.expect("in order"), 3.0, 2).expect("valid")
+        Setting::new(with_m_h(4.0, 4e6, 8.0, m_h), 3.0, 2).expect("valid")
     }
 
     fn close(value: f64, expected: f64) {
         // Some ten roundings.
-        assert!((value / expected - 1.0).abs() < 4e-15, "{value} is not {expected}");
+        by_hand::close(value, expected, 4e-15);
     }
 
     #[test]
@@ -122,7 +120,7 @@ mod tests {
         let (e, v, r) = (10.0_f64 / 9.0, 39.0_f64 / 144.0, (39.0_f64 / 36.0).sqrt());
         close(spread.cube, e.powf(1.5) + 1.5 * e.sqrt() * v + r * v);
         close(spread.fourth, e * e + 4.0 * e * v + 4.0 * e.sqrt() * r * v + r * r * v);
-        // Twice that x for the left-endpoint rule.
+        // The left-endpoint rule has twice that x.
         let left = Spread::of_first_order(setting(32.0), PaperRule::LeftEndpoint, n(5), 1.0 / 9.0);
         close(left.shortfall, 1.0 / 6.0);
     }
@@ -135,22 +133,22 @@ mod tests {
         close(spread.fourth, 1.2_f64.powi(4));
     }
 
-    /// N = 1 once more, where `m₃` is 1 for ε = 1: `x = 48/48·μ`, with μ = 1/3.
+    /// At N = 1, ε = 1 we have `m₃ = 1`: `x = μ/48` with μ = 1/3.
     #[test]
     fn second_order_by_hand() {
         let spread = Spread::of_second_order(setting(16.0 / 27.0), n(1), 0.0).expect("M_H");
         close(spread.shortfall, 1.0 / 144.0);
         close(spread.variance, 1.0 / 72.0 - 1.0 / 144.0_f64.powi(2));
-        // A large μ does not make it worse than the first order.
+        // For large μ it falls back to the first order.
         let first = Spread::of_first_order(setting(1e9), PaperRule::Trapezoidal, n(9), 0.1);
         assert_eq!(Spread::of_second_order(setting(1e9), n(9), 0.1), Some(first));
-        let unknown = Setting::new(Constants::new(1.0, 2.0, 1.0).expect("in order"), 1.0, 2);
-        assert_eq!(Spread::of_second_order(unknown.expect("valid"), n(9), 0.1), None);
+        let unknown = Setting::new(constants(1.0, 2.0, 1.0), 1.0, 2).expect("valid");
+        assert_eq!(Spread::of_second_order(unknown, n(9), 0.1), None);
     }
 
-    /// `m₃ = x·48N²/μ` at the end: another way round changes nothing.
+    /// `x = μ m₃/48N²` at the end.
     #[test]
-    fn the_way_round_has_come_to_its_end() {
+    fn the_iteration_has_converged() {
         let (setting, n) = (setting(32.0), n(40));
         let spread = Spread::of_second_order(setting, n, 0.01).expect("M_H");
         close(spread.shortfall, 18.0 * spread.cube / (48.0 * 1600.0));
@@ -158,9 +156,9 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_nan_where_numbers_overflow() {
-        let constants = Constants::new(1e-200, 1e200, 1e300).and_then(|c| c.with_m_h(1e300));
-        let wild = Setting::new(constants.expect("in order"), 1e200, 2).expect("valid");
+    fn overflow_gives_no_nan() {
+        let wild = with_m_h(1e-200, 1e200, 1e300, 1e300);
+        let wild = Setting::new(wild, 1e200, 2).expect("valid");
         for count in [1, 2, 1000] {
             let spread = Spread::of_second_order(wild, n(count), f64::INFINITY).expect("M_H");
             for number in [spread.shortfall, spread.variance, spread.deviation, spread.cube] {

@@ -1,15 +1,15 @@
-//! Theorem A: order `1/N`, for sequences that are stationary in their inner points.
+//! Theorem A: bounds of order `1/N` for sequences that are stationary in their inner points.
 //!
-//! With `δ = L_H d / c₁^{3/2}`, the [`G`](Setting::bend) of Lemma S.1 and `κ = c₂/c₁`, pure
-//! numbers, and `k = ¼` for the trapezoidal rule, `k = ½` for the left-endpoint rule:
+//! With `δ = L_H d / c₁^{3/2}`, the [`G`](Setting::bend) of Lemma S.1, `κ = c₂/c₁`, and `k = ¼` for
+//! the trapezoidal rule, `k = ½` for the left-endpoint rule:
 //!
-//! 1. *From above* (Lemma S.4). A minimal geodesic, sampled at `tₙ = n/N`, is admissible, and gives
+//! 1. *From above* (Lemma S.4). A minimal geodesic sampled at `tₙ = n/N` is admissible, so
 //!    `min E_N ≤ d² e` with
 //!
 //!    ```text
 //!    e = min(κ, 1 + δ/4N + Gδ/12N²)  (trapezoidal),     e = min(κ, 1 + δ/2N)  (left endpoint)
 //!    ```
-//! 2. *Speeds* (Lemma S.3). Where the inner points are stationary, `max qₙ ≤ d Q` with
+//! 2. *Speeds* (Lemma S.3). If the inner points are stationary, `max qₙ ≤ d Q` with
 //!    `Q = min(√(Ne), √e + δe)`.
 //! 3. *The gap* (Lemma S.2). `|E(γᵖˡ) − E_N| ≤ (k L_H/N) mean |βₙ|³ ≤ (k L_H/N c₁^{3/2}) max qₙ · E_N`,
 //!    which is `d² (kδ/N) e Q`.
@@ -24,12 +24,11 @@ use crate::{PaperRule, Setting, product::product, sharper::ceiling};
 /// min E_tra,N − d²  ≤  d² min(κ − 1, δ/4N + Gδ/12N²),      min E_l,N − d²  ≤  d² min(κ − 1, δ/2N)
 /// ```
 ///
-/// Needs: the setting of Theorem 1.1, and a *global* minimiser. `c₂` is not needed but for the
-/// first entry of the minimum, and `D` only where it is 1. Where `M_H` is given and the metric is
-/// isotropic, [`G`](Setting::bend) rests on it.
+/// Needs: the setting of Theorem 1.1, and a *global* minimiser. `c₂` enters only by `κ`, and `D`
+/// only if it is 1. For an isotropic metric with `M_H`, [`G`](Setting::bend) uses it.
 ///
-/// Overestimation: neither `δ/4` nor `δ/2` can be improved for all metrics with these constants; on
-/// one smooth metric the gap of the trapezoidal rule is of order `1/N²`.
+/// Overestimation: neither `δ/4` nor `δ/2` can be improved for all metrics with these constants.
+/// For a fixed smooth metric the gap of the trapezoidal rule is of order `1/N²`.
 #[must_use]
 pub fn theorem_a_minimum_gap(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let d = setting.distance();
@@ -39,7 +38,7 @@ pub fn theorem_a_minimum_gap(setting: Setting, rule: PaperRule, n: NonZeroUsize)
 /// Bounds `E(γᵖˡ) − E_N(γᵖ)`, and `d² − E_N(γᵖ)`, in `m²`, by `d² (kδ/N) e Q = O(1/N)`.
 ///
 /// Needs: the setting of Theorem 1.1, and a sequence that is stationary in its inner points with
-/// `E_N ≤ d² e`, as a *global* minimiser is. `e` and `Q` are those of the module's derivation.
+/// `E_N ≤ d² e`, such as a *global* minimiser. `e` and `Q` are as in the derivation above.
 ///
 /// Overestimation: attained at `N = 1` by a tent (trapezoidal) and by an incline (left endpoint).
 #[must_use]
@@ -50,10 +49,10 @@ pub fn theorem_a_polyline_gap(setting: Setting, rule: PaperRule, n: NonZeroUsize
     product([d, d, rule.mean_distance(), delta, e, greatest]) / n.get() as f64
 }
 
-/// Bounds `E(γᵖˡ) − d²`, and `L(γᵖˡ)² − d²`, for the minimiser of `E_N`, in `m²`: the sum of the
-/// two gaps above, `O(1/N)` where the paper proves `O(1/√N)`.
+/// Bounds `E(γᵖˡ) − d²`, and `L(γᵖˡ)² − d²`, in `m²`: the sum of the two gaps, `O(1/N)` where the
+/// paper proves `O(1/√N)`.
 ///
-/// Needs and overestimation: those of the two gaps.
+/// Needs and overestimation: as for the two gaps.
 #[must_use]
 pub fn theorem_a_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     theorem_a_minimum_gap(setting, rule, n) + theorem_a_polyline_gap(setting, rule, n)
@@ -66,7 +65,7 @@ pub fn theorem_a_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f
 /// C₁ = d² [δ/2 + (δ/2) ē (√ē + δē)]             (left endpoint)
 /// ```
 ///
-/// Needs: as [`theorem_a_excess`], which is no larger than `C₁/N`.
+/// Needs: as for [`theorem_a_excess`], which is at most `C₁/N`.
 #[must_use]
 pub fn theorem_a_constant(setting: Setting, rule: PaperRule) -> f64 {
     let (delta, d, k) = (setting.delta(), setting.distance(), rule.mean_distance());
@@ -89,24 +88,22 @@ mod tests {
     use super::{
         theorem_a_constant, theorem_a_excess, theorem_a_minimum_gap, theorem_a_polyline_gap,
     };
-    use crate::{Constants, PaperRule, Setting};
-    use std::num::NonZeroUsize;
+    use crate::{
+        PaperRule, Setting,
+        by_hand::{self, constants, n},
+    };
 
     const TRA: PaperRule = PaperRule::Trapezoidal;
     const LEFT: PaperRule = PaperRule::LeftEndpoint;
 
-    fn n(n: usize) -> NonZeroUsize {
-        NonZeroUsize::new(n).expect("positive")
-    }
-
-    /// `c₁ = 4`, `L_H = 8`, `d = 3`: `δ = 3`, `d² = 9`, and `κ` out of the way.
+    /// `c₁ = 4`, `L_H = 8`, `d = 3`: `δ = 3`, `d² = 9`, and a large `κ`.
     fn setting() -> Setting {
-        Setting::new(Constants::new(4.0, 400.0, 8.0).expect("in order"), 3.0, 2).expect("valid")
+        Setting::new(constants(4.0, 400.0, 8.0), 3.0, 2).expect("valid")
     }
 
     fn close(value: f64, expected: f64) {
         // Some ten roundings.
-        assert!((value / expected - 1.0).abs() < 4e-15, "{value} is not {expected}");
+        by_hand::close(value, expected, 4e-15);
     }
 
     #[test]
@@ -142,15 +139,14 @@ mod tests {
 
     #[test]
     fn a_constant_metric_has_no_gap_and_kappa_caps_the_ceiling() {
-        let flat = Setting::new(Constants::new(1.0, 2.0, 0.0).expect("in order"), 3.0, 2);
-        assert_eq!(theorem_a_excess(flat.expect("valid"), TRA, n(3)), 0.0);
-        assert_eq!(theorem_a_constant(flat.expect("valid"), TRA), 0.0);
-        let steep = Setting::new(Constants::new(1.0, 2.0, 1e6).expect("in order"), 3.0, 2);
-        assert_eq!(theorem_a_minimum_gap(steep.expect("valid"), LEFT, n(3)), 9.0);
-        let steep = Setting::new(Constants::new(2.0, 3.0, 1e6).expect("in order"), 3.0, 2);
-        assert_eq!(theorem_a_minimum_gap(steep.expect("valid"), LEFT, n(3)), 4.5);
-        let touching = Setting::new(Constants::new(1.0, 2.0, 1e300).expect("in order"), 0.0, 2);
-        assert_eq!(theorem_a_excess(touching.expect("valid"), LEFT, n(3)), 0.0);
-        assert_eq!(theorem_a_constant(touching.expect("valid"), LEFT), 0.0);
+        let setting = |c1, c2, l_h, d| Setting::new(constants(c1, c2, l_h), d, 2).expect("valid");
+        let flat = setting(1.0, 2.0, 0.0, 3.0);
+        assert_eq!(theorem_a_excess(flat, TRA, n(3)), 0.0);
+        assert_eq!(theorem_a_constant(flat, TRA), 0.0);
+        assert_eq!(theorem_a_minimum_gap(setting(1.0, 2.0, 1e6, 3.0), LEFT, n(3)), 9.0);
+        assert_eq!(theorem_a_minimum_gap(setting(2.0, 3.0, 1e6, 3.0), LEFT, n(3)), 4.5);
+        let touching = setting(1.0, 2.0, 1e300, 0.0);
+        assert_eq!(theorem_a_excess(touching, LEFT, n(3)), 0.0);
+        assert_eq!(theorem_a_constant(touching, LEFT), 0.0);
     }
 }

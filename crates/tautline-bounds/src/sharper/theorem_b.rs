@@ -1,11 +1,11 @@
-//! Theorem B: order `1/N²` for the trapezoidal rule, for sequences that are stationary in their
-//! inner points, where `M_H` is known.
+//! Theorem B: bounds of order `1/N²` for the trapezoidal rule and sequences that are stationary in
+//! their inner points, by way of `M_H`.
 //!
-//! With `μ = M_H d²/c₁²` besides `δ` and `G`:
+//! All are `None` if `M_H` is unknown. With `μ = M_H d²/c₁²`:
 //!
-//! 1. *From above* (Lemma S.4). The geodesic that is sampled is looked at from the middle of each
-//!    subinterval, where terms of odd order cancel: `min E_tra,N ≤ d² e₂` with
-//!    `e₂ = min(e, 1 + (Gδ/3 + μ/24)/N²)`, and the `e` of Theorem A.
+//! 1. *From above* (Lemma S.4). Expanded about the middle of each subinterval, the sampled geodesic has
+//!    no terms of odd order: `min E_tra,N ≤ d² e₂` with `e₂ = min(e, 1 + (Gδ/3 + μ/24)/N²)` and the `e`
+//!    of Theorem A.
 //! 2. *The gap* (Lemma S.2). `|E(γᵖˡ) − E_tra,N| ≤ (M_H/24N²) mean |β|⁴ ≤ d² (μ/24N²) e₂ Q²` with
 //!    `Q = min(√(Ne₂), √e₂ + δe₂)` by Lemma S.3.
 
@@ -14,12 +14,12 @@ use std::num::NonZeroUsize;
 use super::theorem_a::greatest_speed;
 use crate::{PaperRule, Setting, product::product, sharper::ceiling};
 
-/// Bounds `min E_tra,N − d²`, in `m²`, by `d² (e₂ − 1) = O(1/N²)`; `None` if `M_H` is not known.
+/// Bounds `min E_tra,N − d²`, in `m²`, by `d² (e₂ − 1) = O(1/N²)`.
 ///
-/// Needs: as Theorem A, and `DH` Lipschitz with `M_H`; a *global* minimiser.
+/// Needs: as for Theorem A, and `DH` Lipschitz with `M_H`; a *global* minimiser.
 ///
-/// Overestimation: as `N → ∞` a factor of `(Gδ/3 + μ/24)/(G²/12 + μ/24)` is lost, which
-/// [`theorem_d_minimum_gap`](crate::theorem_d_minimum_gap) does not lose.
+/// Overestimation: as `N → ∞`, by the factor `(Gδ/3 + μ/24)/(G²/12 + μ/24)` compared with
+/// [`theorem_d_minimum_gap`](crate::theorem_d_minimum_gap).
 #[must_use]
 pub fn theorem_b_minimum_gap(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     let d = setting.distance();
@@ -27,10 +27,11 @@ pub fn theorem_b_minimum_gap(setting: Setting, n: NonZeroUsize) -> Option<f64> {
 }
 
 /// Bounds `|E(γᵖˡ) − E_tra,N(γᵖ)|`, and `d² − E_tra,N(γᵖ)`, in `m²`, by
-/// `d² (μ/24N²) e₂ Q² = O(1/N²)`; `None` if `M_H` is not known.
+/// `d² (μ/24N²) e₂ Q² = O(1/N²)`.
 ///
-/// Needs: a sequence that is stationary in its inner points with `E_tra,N ≤ d² e₂`, as a *global*
-/// minimiser is. Overestimation: attained at `N = 1` by a metric that is quadratic along the chord.
+/// Needs: a sequence that is stationary in its inner points with `E_tra,N ≤ d² e₂`, such as a
+/// *global* minimiser. Overestimation: attained at `N = 1` by a metric that is quadratic along the
+/// chord.
 #[must_use]
 pub fn theorem_b_polyline_gap(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     let (mu, d) = (setting.mu()?, setting.distance());
@@ -40,22 +41,21 @@ pub fn theorem_b_polyline_gap(setting: Setting, n: NonZeroUsize) -> Option<f64> 
     Some(product([d, d, mu, e, greatest, greatest]) / (24.0 * count * count))
 }
 
-/// Bounds `E(γᵖˡ) − d²`, and `L(γᵖˡ)² − d²`, for the minimiser of `E_tra,N`, in `m²`: the sum of
-/// the two gaps above, `O(1/N²)`; `None` if `M_H` is not known.
+/// Bounds `E(γᵖˡ) − d²`, and `L(γᵖˡ)² − d²`, in `m²`: the sum of the two gaps, `O(1/N²)`.
 ///
-/// Needs and overestimation: those of the two gaps.
+/// Needs and overestimation: as for the two gaps.
 #[must_use]
 pub fn theorem_b_excess(setting: Setting, n: NonZeroUsize) -> Option<f64> {
     Some(theorem_b_minimum_gap(setting, n)? + theorem_b_polyline_gap(setting, n)?)
 }
 
-/// Returns `C₂`, in `m²`, with `E(γᵖˡ) − d² ≤ C₂/N²` for every `N`; `None` if `M_H` is not known.
+/// Returns `C₂`, in `m²`, with `E(γᵖˡ) − d² ≤ C₂/N²` for every `N`.
 ///
 /// ```text
 /// C₂ = d² [Gδ/3 + (μ/24) (1 + ē (√ē + δē)²)],      ē = min(κ, 1 + δ/4 + Gδ/12)
 /// ```
 ///
-/// Needs: as [`theorem_b_excess`], which is no larger than `C₂/N²`.
+/// Needs: as for [`theorem_b_excess`], which is at most `C₂/N²`.
 #[must_use]
 pub fn theorem_b_constant(setting: Setting) -> Option<f64> {
     let (delta, mu, d) = (setting.delta(), setting.mu()?, setting.distance());
@@ -71,23 +71,19 @@ mod tests {
     use super::{
         theorem_b_constant, theorem_b_excess, theorem_b_minimum_gap, theorem_b_polyline_gap,
     };
-    use crate::{Constants, Setting};
-    use std::num::NonZeroUsize;
-
-    fn n(n: usize) -> NonZeroUsize {
-        NonZeroUsize::new(n).expect("positive")
-    }
+    use crate::{
+        Setting,
+        by_hand::{self, constants, n, with_m_h},
+    };
 
     fn close(value: Option<f64>, expected: f64) {
-        let value = value.expect("M_H is known");
         // Some ten roundings.
-        assert!((value / expected - 1.0).abs() < 4e-15, "{value} is not {expected}");
+        by_hand::close(value, expected, 4e-15);
     }
 
     /// `c₁ = 4`, `L_H = 8`, `M_H = 32`, `d = 3`: `δ = 3`, `μ = 18`, `d² = 9`.
     fn setting() -> Setting {
-        let constants = Constants::new(4.0, 4e6, 8.0).and_then(|c| c.with_m_h(32.0));
-        Setting::new(constants.expect("in order"), 3.0, 2).expect("valid")
+        Setting::new(with_m_h(4.0, 4e6, 8.0, 32.0), 3.0, 2).expect("valid")
     }
 
     #[test]
@@ -107,15 +103,14 @@ mod tests {
     #[test]
     fn at_one_chord_the_ceiling_is_that_of_theorem_a() {
         // e = 23/8 is less than 1 + 5.25; Q = √e.
-        let gap = theorem_b_polyline_gap(setting(), n(1)).expect("M_H");
-        assert!((gap / (9.0 * 0.75 * 2.875 * 2.875) - 1.0).abs() < 4e-15);
+        let gap = 9.0 * 0.75 * 2.875 * 2.875;
+        close(theorem_b_polyline_gap(setting(), n(1)), gap);
         close(theorem_b_excess(setting(), n(1)), 9.0 * 1.875 + gap);
     }
 
     #[test]
     fn there_is_none_without_m_h() {
-        let constants = Constants::new(1.0, 2.0, 1.0).expect("in order");
-        let setting = Setting::new(constants, 1.0, 2).expect("valid");
+        let setting = Setting::new(constants(1.0, 2.0, 1.0), 1.0, 2).expect("valid");
         assert_eq!(theorem_b_minimum_gap(setting, n(8)), None);
         assert_eq!(theorem_b_polyline_gap(setting, n(8)), None);
         assert_eq!(theorem_b_excess(setting, n(8)), None);

@@ -1,11 +1,11 @@
-//! Theorem C: order `1/N` from the energy alone, stationary or not.
+//! Theorem C: bounds of order `1/N` from the energy alone, stationary or not.
 //!
 //! With `Λ = L_H/c₁^{3/2}`, `k = ¼` for the trapezoidal rule, `k = ½` for the left-endpoint rule:
 //!
 //! 1. *Length* (Lemma S.5). On a chord the mean of `βᵀHβ` is at most `q² + (kΛ/N) q³`, and the root is
 //!    concave; so is `√(s + c s^{3/2})`, hence `L(γᵖˡ)² ≤ E_N + (kΛ/N) E_N^{3/2}` for every sequence.
-//! 2. *From below*. `d ≤ L(γᵖˡ)` for every admissible sequence: solved for `E_N`.
-//! 3. *Speeds* (Lemma S.5). `mean q² ≤ d² e` leaves a variance of `O(1/N)` to the speeds, and
+//! 2. *From below*. `d ≤ L(γᵖˡ)` for every admissible sequence; solve for `E_N`.
+//! 3. *Speeds* (Lemma S.5). If `mean q² ≤ d² e`, the variance of the speeds is `O(1/N)`, and
 //!    `mean q³ ≤ d³ m₃` with `m₃ → 1`.
 //! 4. *The gap* (Lemma S.2). `|E(γᵖˡ) − E_N| ≤ (k L_H/N) mean |β|³ ≤ d² (kδ/N) m₃`.
 
@@ -20,24 +20,23 @@ use crate::{PaperRule, Setting, product::product, theorem_a_minimum_gap};
 /// E_N  ≥  d² s²,      s² + (kδ/N) s³ = 1,      k = ¼ (trapezoidal), ½ (left endpoint)
 /// ```
 ///
-/// which is `d² (1 − kδ/N)` at least.
+/// which is at least `d² (1 − kδ/N)`.
 ///
-/// Needs: `H ≥ c₁`, Lipschitz with `L_H`; ends in their sets. No minimiser, and no `c₂`: a discrete
-/// energy can undershoot no further.
+/// Needs: `H ≥ c₁`, Lipschitz with `L_H`; ends in their sets. Neither a minimiser nor `c₂`.
 ///
-/// Overestimation: none as `δ → 0`, for every `N`, over valleys in the middle of the chords
-/// (trapezoidal) and up an incline (left endpoint).
+/// Overestimation: attained for every `N` in the limit `δ → 0`, over valleys in the middle of the
+/// chords (trapezoidal) and up an incline (left endpoint).
 #[must_use]
 pub fn theorem_c_deficit(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let d = setting.distance();
     let a = product([rule.mean_distance(), setting.delta()]) / n.get() as f64;
-    // 1 − s² = a s³, without the cancellation; nothing is left where δ overflows.
+    // 1 − s² = a s³, without cancellation; s = 0 if δ overflows.
     let lost = if a.is_finite() { product([a, root(a).powi(3)]) } else { 1.0 };
     product([d, d, lost])
 }
 
 /// The positive root of `s² + a s³ = 1` for `a ≥ 0`, by Newton's method from above: the function is
-/// convex, so that every step stays above the root.
+/// convex, so the iterates stay above the root.
 fn root(a: f64) -> f64 {
     let mut s = a.powf(-1.0 / 3.0).min(1.0);
     loop {
@@ -49,12 +48,12 @@ fn root(a: f64) -> f64 {
     }
 }
 
-/// Bounds `|E(γᵖˡ) − E_N(γᵖ)|`, in `m²`, by `d² (kδ/N) m₃ = O(1/N)`, where `E_N(γᵖ) ≤ d² e`.
+/// Bounds `|E(γᵖˡ) − E_N(γᵖ)|`, in `m²`, by `d² (kδ/N) m₃ = O(1/N)`.
 ///
-/// Needs: as [`theorem_c_deficit`], and an energy of at most `d² e`, with the `e` of Theorem A; a
-/// *global* minimiser has it, and need not be stationary. Overestimation: as
-/// [`theorem_a_polyline_gap`](crate::theorem_a_polyline_gap) at `N = 1`; where that grows with `δ`
-/// like `δ²/N`, this grows like `δ/N`, and it is never larger.
+/// Needs: as for [`theorem_c_deficit`], and `E_N(γᵖ) ≤ d² e` with the `e` of Theorem A, which every
+/// *global* minimiser satisfies. Overestimation: at `N = 1` as for
+/// [`theorem_a_polyline_gap`](crate::theorem_a_polyline_gap). It is never larger than that:
+/// `O(δ/N)` instead of `O(δ²/N)` for large `δ`.
 #[must_use]
 pub fn theorem_c_polyline_gap(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let (delta, d) = (setting.delta(), setting.distance());
@@ -63,14 +62,14 @@ pub fn theorem_c_polyline_gap(setting: Setting, rule: PaperRule, n: NonZeroUsize
     product([d, d, rule.mean_distance(), delta, spread.cube]) / n.get() as f64
 }
 
-/// Bounds `E(γᵖˡ) − d²`, in `m²`, for every admissible sequence with `E_N ≤ d² e`: `d² (e − 1)` and
-/// the gap above, `O(1/N)`.
+/// Bounds `E(γᵖˡ) − d²`, in `m²`, for every admissible sequence with `E_N ≤ d² e`.
 ///
 /// ```text
 /// E(γᵖˡ) − d²  ≤  d² [e − 1 + (kδ/N) m₃]  ~  d² δ/2N (trapezoidal),  d² δ/N (left endpoint)
 /// ```
 ///
-/// Needs: as [`theorem_c_polyline_gap`]. Overestimation: none as `δ → 0`, for every `N`.
+/// Needs: as for [`theorem_c_polyline_gap`]. Overestimation: attained for every `N` in the limit
+/// `δ → 0`.
 #[must_use]
 pub fn theorem_c_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     theorem_a_minimum_gap(setting, rule, n) + theorem_c_polyline_gap(setting, rule, n)
@@ -82,7 +81,7 @@ pub fn theorem_c_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f
 /// L(γᵖˡ)² − d²  ≤  d² [e − 1 + (kδ/N) e^{3/2}]
 /// ```
 ///
-/// Needs: as [`theorem_c_excess`], which is no smaller. Overestimation: as there.
+/// Needs and overestimation: as for [`theorem_c_excess`], which is no smaller.
 #[must_use]
 pub fn theorem_c_length_excess(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let (delta, d) = (setting.delta(), setting.distance());
@@ -97,24 +96,23 @@ mod tests {
     use super::{
         root, theorem_c_deficit, theorem_c_excess, theorem_c_length_excess, theorem_c_polyline_gap,
     };
-    use crate::{Constants, PaperRule, Setting, theorem_a_excess};
-    use std::num::NonZeroUsize;
+    use crate::{
+        PaperRule, Setting,
+        by_hand::{self, constants, n},
+        theorem_a_excess,
+    };
 
     const TRA: PaperRule = PaperRule::Trapezoidal;
     const LEFT: PaperRule = PaperRule::LeftEndpoint;
 
-    fn n(n: usize) -> NonZeroUsize {
-        NonZeroUsize::new(n).expect("positive")
-    }
-
     fn close(value: f64, expected: f64) {
-        // Some twenty roundings, the first ones relative to a variance of a fortieth.
-        assert!((value / expected - 1.0).abs() < 4e-14, "{value} is not {expected}");
+        // Some twenty roundings, the first ones relative to a variance of 1/40.
+        by_hand::close(value, expected, 4e-14);
     }
 
-    /// `c₁ = 4`, `L_H = 8`, `d = 3`: `δ = 3`, `d² = 9`, and `κ` out of the way.
+    /// `c₁ = 4`, `L_H = 8`, `d = 3`: `δ = 3`, `d² = 9`.
     fn setting(c2: f64) -> Setting {
-        Setting::new(Constants::new(4.0, c2, 8.0).expect("in order"), 3.0, 2).expect("valid")
+        Setting::new(constants(4.0, c2, 8.0), 3.0, 2).expect("valid")
     }
 
     #[test]
@@ -147,14 +145,14 @@ mod tests {
         close(theorem_c_polyline_gap(tame, LEFT, n(1)), 9.0 * 1.5 * e.powf(1.5));
     }
 
-    /// `δ/2N` and `δ/N` as `N → ∞`, where Theorem A has `δ/4 + (δ/4)(1 + δ)` and twice that.
+    /// `δ/2N` and `δ/N` as `N → ∞`; for Theorem A `(δ/4 + (δ/4)(1 + δ))/N` and twice that.
     #[test]
     fn the_leading_constant_is_linear_in_delta() {
         let huge = 1 << 40;
         for (rule, leading, older) in [(TRA, 1.5, 3.75), (LEFT, 3.0, 7.5)] {
             let at = |bound: f64| bound / 9.0 * huge as f64;
             let new = at(theorem_c_excess(setting(400.0), rule, n(huge)));
-            // The next term is of the relative order N^{-1/2}.
+            // The next term is of relative order N^{-1/2}.
             assert!((new / leading - 1.0).abs() < 1e-5, "{new}");
             let old = at(theorem_a_excess(setting(400.0), rule, n(huge)));
             assert!((old / older - 1.0).abs() < 1e-5, "{old}");
@@ -162,14 +160,12 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_nan_and_no_more_than_all_is_lost() {
-        let wild = Setting::new(Constants::new(1e-300, 1.0, 1e300).expect("in order"), 1e4, 2);
-        let wild = wild.expect("valid");
+    fn overflow_gives_no_nan_and_no_more_than_d_squared_is_lost() {
+        let wild = Setting::new(constants(1e-300, 1.0, 1e300), 1e4, 2).expect("valid");
         assert_eq!(theorem_c_deficit(wild, TRA, n(7)), 1e8);
         assert_eq!(theorem_c_excess(wild, TRA, n(7)), f64::INFINITY);
         assert_eq!(theorem_c_length_excess(wild, TRA, n(7)), f64::INFINITY);
-        let touching = Setting::new(Constants::new(1.0, 2.0, 1e300).expect("in order"), 0.0, 2);
-        let touching = touching.expect("valid");
+        let touching = Setting::new(constants(1.0, 2.0, 1e300), 0.0, 2).expect("valid");
         assert_eq!(theorem_c_deficit(touching, LEFT, n(7)), 0.0);
         assert_eq!(theorem_c_excess(touching, LEFT, n(7)), 0.0);
         assert_eq!(theorem_c_length_excess(touching, LEFT, n(7)), 0.0);

@@ -5,11 +5,12 @@ use std::{collections::HashMap, num::NonZeroUsize};
 use csv::{Reader, ReaderBuilder};
 use tautline_bounds::{self as bounds, Constants, PaperRule, Setting};
 
-/// A table, how many rows it has, and how far off a value may be, relatively. A value of 0 is exact.
+/// A table, how many rows it has, and how far off a value may be, relatively. A value of 0 is
+/// exact.
 const TABLES: [(&str, &str, usize, f64); 3] = [
     // An input rounded to `f64` is off by 2⁻⁵³. The worst result, C of Theorem 1.3, moves like d⁹,
-    // L_H⁷ and c₁^−13 at most, and takes some 40 roundings: together below 70 · 2⁻⁵³ < 8e-15. A wrong
-    // factor misses by ten decades more than that.
+    // L_H⁷ and c₁^−13 at most, and takes some 40 roundings: together below 70 · 2⁻⁵³ < 8e-15. A
+    // wrong factor misses by ten decades more than that.
     ("paper.csv", include_str!("../golden/paper.csv"), 64, 2e-14),
     // The inputs are rounded, and enter with powers up to 9.
     ("theorems_a_and_b.csv", include_str!("../golden/theorems_a_and_b.csv"), 112, 1e-12),
@@ -59,10 +60,9 @@ fn problems() -> HashMap<String, Setting> {
 
 /// The quantity of a row; NaN where a bound is `None`.
 fn quantity(name: &str, rule: &str, n: Option<NonZeroUsize>, s: Setting) -> f64 {
-    let rule = || match rule {
-        "trapezoidal" => PaperRule::Trapezoidal,
-        "left-endpoint" => PaperRule::LeftEndpoint,
-        _ => panic!("{name} needs a rule, not {rule:?}"),
+    let rule = || {
+        let named = PaperRule::BOTH.into_iter().find(|paper_rule| paper_rule.name() == rule);
+        named.unwrap_or_else(|| panic!("{name} needs a rule, not {rule:?}"))
     };
     let n = || n.unwrap_or_else(|| panic!("{name} needs an N"));
     match name {

@@ -2,6 +2,7 @@
 
 mod bend;
 mod golden;
+mod panics;
 mod properties;
 mod properties_sharper;
 mod special_cases;

@@ -1,0 +1,62 @@
+//! `BoundError`: numbers for which there is no bound.
+
+/// A hypothesis that the given numbers violate.
+///
+/// Those on `c₁`, `c₂` and `L_H` are in [`HypothesisError`](tautline_metrics::HypothesisError).
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum BoundError {
+    /// The distance of the ends is negative, infinite or NaN.
+    #[error("d = {distance} must be nonnegative and finite: it is a distance (Theorem 1.1)")]
+    NotADistance {
+        /// The given number.
+        distance: f64,
+    },
+    /// A computed energy or squared length is negative, infinite or NaN.
+    #[error("the energy {energy} must be nonnegative and finite (Proposition S.6)")]
+    NotAnEnergy {
+        /// The given number.
+        energy: f64,
+    },
+    /// The constants hold on a region only, and nothing excludes competitors that leave it.
+    #[error(
+        "the constants hold on a region only: Proposition S.8 has to exclude competitors that leave it"
+    )]
+    LocalConstants,
+    /// By the lower bound on the discrete minimum, the distance exceeds the length of a curve.
+    #[error(
+        "d² is at least {lower} and at most {upper}: the constants or the lower bound on the \
+         minimum are wrong (Proposition S.6)"
+    )]
+    Contradiction {
+        /// The lower bound, in `m²`.
+        lower: f64,
+        /// The upper bound, in `m²`.
+        upper: f64,
+    },
+    /// Competitors may leave the ball in which the constants hold.
+    #[error(
+        "a competitor could be {reach} from the centre of a ball of radius {radius}, where the \
+         constants need not hold (Proposition S.8)"
+    )]
+    LeavesTheBall {
+        /// The greatest distance of a competitor from the centre, in `ℓ`.
+        reach: f64,
+        /// The radius of the ball, in `ℓ`.
+        radius: f64,
+    },
+    /// The dimension is 0.
+    #[error("D = 0 must be at least 1: it is the dimension of the space (Theorem 1.1)")]
+    NoDimension,
+}
+
+impl BoundError {
+    /// Checks that a computed energy is nonnegative and finite.
+    pub(crate) fn check_energy(energy: f64) -> Result<(), BoundError> {
+        if energy >= 0.0 && energy.is_finite() {
+            Ok(())
+        } else {
+            Err(BoundError::NotAnEnergy { energy })
+        }
+    }
+}
