@@ -1,10 +1,10 @@
-//! Lemma S.1: what its bound of the bend may use, on metrics whose geodesics are known.
+//! Lemma S.1 on metrics with known geodesics.
 
 use tautline_bounds::{Constants, Setting};
 
-/// `φ = 1 + x` on `[0, ∞)`: with `c₁ = L_H = 1` and `M_H = 0` there, a geodesic at 0 bends by
-/// `|φ′|/2φ^{3/2} = ½` for every unit of length, though no constant metric would. Constants on a
-/// region know nothing of where `φ` would have to become negative beyond it.
+/// `φ = 1 + x` on `[0, ∞)` has `c₁ = L_H = 1` and `M_H = 0`, and a geodesic at 0 has
+/// `|φ′|/2φ^{3/2} = ½` for every unit of length. On all of space `M_H = 0` would make the metric
+/// constant and `G = 0`; on a region it must not.
 #[test]
 fn on_a_region_an_incline_without_curvature_still_bends_geodesics() {
     let incline = Constants::new(1.0, 2.0, 1.0).and_then(|c| c.with_m_h(0.0)).expect("in order");
@@ -20,10 +20,10 @@ fn on_a_region_an_incline_without_curvature_still_bends_geodesics() {
     }
 }
 
-/// Along `φ = (2 − cos x)²` with its constants `1`, `L_H` and `6` geodesics of the line bend by
-/// `|φ′|/2φ^{3/2} = sin x/(2 − cos x)²`; the bound is `(2 · 6/27)^{1/2} = ⅔`, where `L_H/2` is 2.2.
+/// `φ = (2 − cos x)²` has `c₁ = 1`, `M_H = 6` and `|φ′|/2φ^{3/2} = sin x/(2 − cos x)²`. The bound
+/// is `(2 · 6/27)^{1/2} = ⅔`; without `M_H` it would be `L_H/2 = 2.2`.
 #[test]
-fn the_valleys_bend_geodesics_by_no_more_than_the_bound() {
+fn the_bend_over_the_valleys_is_within_the_bound() {
     let constants = Constants::new(1.0, 9.0, 4.403_669_475_041_612).and_then(|c| c.with_m_h(6.0));
     let constants = constants.expect("in order").isotropic();
     let bend = |x: f64| x.sin() / (2.0 - x.cos()).powi(2);

@@ -4,19 +4,21 @@ use std::num::NonZeroUsize;
 
 use approx::{assert_relative_eq, relative_eq};
 use proptest::prelude::*;
-use tautline_bounds::{self as bounds, Constants, Setting};
+use tautline_bounds::{self as bounds, Setting};
 
-/// A function of the setting and of `N`, with the exponents that its formula has.
+use crate::{decades, n, setting};
+
+/// A function of the setting and of `N`, with exponents of its formula.
 struct Entry {
     name: &'static str,
     value: fn(Setting, NonZeroUsize) -> f64,
     /// The unit is `ℓ^ell m^m`.
     ell: i32,
     m: i32,
-    /// The least exponent with which `d` occurs, and `L_H`.
+    /// The least exponents of `d` and of `L_H`.
     d: i32,
     l_h: i32,
-    /// The least and the largest exponent with which `1/N` occurs.
+    /// The least and the greatest exponent of `1/N`.
     fall: [f64; 2],
 }
 
@@ -40,100 +42,74 @@ const ENTRIES: [Entry; 16] = [
     Entry { name: "theorem_1_4_length_excess", value: bounds::theorem_1_4_length_excess, ell: 0, m: 2, d: 3, l_h: 1, fall: [0.5, 0.5] },
 ];
 
-/// `10^x` for `x` uniform in the range.
-fn decades(from: f64, to: f64) -> impl Strategy<Value = f64> {
-    (from..to).prop_map(|x| 10_f64.powf(x))
-}
-
-/// `c₁`, `κ = c₂ / c₁ ≥ 1`, `δ = L_H d / c₁^{3/2}`, `d` and `D`. With `δ` within a decade and a
-/// half of 1 every term of every formula is a visible part of the sum.
-fn setting() -> impl Strategy<Value = Setting> {
+/// `c₁`, `κ = c₂ / c₁ ≥ 1`, `δ = L_H d / c₁^{3/2}`, `d` and `D`. With `δ` within one and a half
+/// decades of 1, every term of every formula contributes.
+fn settings() -> impl Strategy<Value = Setting> {
     let numbers = (decades(-2.0, 2.0), decades(0.0, 1.5), decades(-1.5, 1.5), decades(-2.0, 2.0));
     (numbers, 1..5_usize).prop_map(|((c1, kappa, delta, d), dimension)| {
-        build(c1, kappa * c1, delta * c1.powf(1.5) / d, d, dimension)
+        setting(c1, kappa * c1, delta * c1.powf(1.5) / d, d, dimension)
     })
 }
 
 fn subintervals() -> impl Strategy<Value = NonZeroUsize> {
-    (1..5000_usize).prop_map(|n| NonZeroUsize::new(n).expect("positive"))
-}
-
-fn build(c1: f64, c2: f64, l_h: f64, d: f64, dimension: usize) -> Setting {
-    let constants = Constants::new(c1, c2, l_h).expect("in order");
-    Setting::new(constants, d, dimension).expect("a distance")
+    (1..5000_usize).prop_map(n)
 }
 
 /// The setting with `c₁`, `c₂`, `L_H` and `d` multiplied by these factors.
 fn scaled(s: Setting, c1: f64, c2: f64, l_h: f64, d: f64) -> Setting {
     let c = s.constants();
-    build(c.c1() * c1, c.c2() * c2, c.l_h() * l_h, s.distance() * d, s.dimension())
+    setting(c.c1() * c1, c.c2() * c2, c.l_h() * l_h, s.distance() * d, s.dimension())
 }
 
-// The factors of the inputs and the inputs themselves are rounded up to five times each, and the
-// worst result moves like d⁹, L_H⁷ and c₁^−13: 5 (9 + 7 + 13) + 2 · 40 roundings of the two
-// evaluations and the comparison are below 250 · 2⁻⁵³ < 3e-14.
+// Inputs and their factors are rounded up to five times each, and the worst result varies like d⁹,
+// L_H⁷ and c₁^−13: 5 (9 + 7 + 13) + 2 · 40 roundings are below 250 · 2⁻⁵³ < 3e-14.
 const TOLERANCE: f64 = 1e-13;
 
 proptest! {
     #![proptest_config(tautline_chance::config(2, 512))]
 
-    /// Measuring `ℓ` and `m` in other units moves a bound by its unit alone. A power dropped
-    /// from a formula fails here at once.
+    /// Changing the units of `ℓ` and `m` scales a bound by its unit.
     #[test]
     fn functions_of_a_setting_are_homogeneous(
-        s in setting(), n in subintervals(), ell in decades(-3.0, 3.0), m in decades(-3.0, 3.0)
+        s in settings(), n in subintervals(), ell in decades(-3.0, 3.0), m in decades(-3.0, 3.0)
     ) {
         let h = (m / ell).powi(2);
         let there = scaled(s, h, h, h / ell, m);
         for entry in &ENTRIES {
             let expected = (entry.value)(s, n) * ell.powi(entry.ell) * m.powi(entry.m);
             let value = (entry.value)(there, n);
-            prop_assert!(
-                relative_eq!(value, expected, max_relative = TOLERANCE),
-                "{}: {value:e}, expected {expected:e}", entry.name
-            );
+            let equal = relative_eq!(value, expected, max_relative = TOLERANCE);
+            prop_assert!(equal, "{}: {value:e}, expected {expected:e}", entry.name);
         }
     }
 
     /// The same for the functions that take `K₁`, `K₂`, `K₃` as arguments.
     #[test]
     fn functions_of_speeds_are_homogeneous(
-        s in setting(), n in subintervals(), ell in decades(-3.0, 3.0), m in decades(-3.0, 3.0),
+        s in settings(), n in subintervals(), ell in decades(-3.0, 3.0), m in decades(-3.0, 3.0),
         k in decades(-1.0, 1.0), k2 in decades(-1.0, 1.0)
     ) {
         let h = (m / ell).powi(2);
         let (here, there) = (s.constants(), scaled(s, h, h, h / ell, m).constants());
-        for (name, value, expected) in [
-            ("c_tra", bounds::c_tra(there, k * ell, k2 * ell, n), bounds::c_tra(here, k, k2, n)),
-            (
-                "c_tra_sharp",
-                bounds::c_tra_sharp(there, k * ell, k2 * ell),
-                bounds::c_tra_sharp(here, k, k2),
-            ),
-            (
-                "polyline_gap_trapezoidal",
-                bounds::polyline_gap_trapezoidal(there, k * ell, n),
-                bounds::polyline_gap_trapezoidal(here, k, n),
-            ),
-            (
-                "polyline_gap_left",
-                bounds::polyline_gap_left(there, k * ell, n),
-                bounds::polyline_gap_left(here, k, n),
-            ),
-            ("rule_gap", bounds::rule_gap(there, k * ell, n), bounds::rule_gap(here, k, n)),
-        ] {
-            let expected = m * m * expected;
-            prop_assert!(
-                relative_eq!(value, expected, max_relative = TOLERANCE),
-                "{name}: {value:e}, expected {expected:e}"
-            );
+        let all = |constants, k, k2| [
+            ("c_tra", bounds::c_tra(constants, k, k2, n)),
+            ("c_tra_sharp", bounds::c_tra_sharp(constants, k, k2)),
+            ("polyline_gap_trapezoidal", bounds::polyline_gap_trapezoidal(constants, k, n)),
+            ("polyline_gap_left", bounds::polyline_gap_left(constants, k, n)),
+            ("rule_gap", bounds::rule_gap(constants, k, n)),
+        ];
+        let values = all(there, k * ell, k2 * ell).into_iter().zip(all(here, k, k2));
+        for ((name, value), (_, here)) in values {
+            let expected = m * m * here;
+            let equal = relative_eq!(value, expected, max_relative = TOLERANCE);
+            prop_assert!(equal, "{name}: {value:e}, expected {expected:e}");
         }
     }
 
-    /// All are sums of powers of `d`, `L_H`, `c₂`, `1/c₁` and `1/N` (or roots of such), so they
-    /// grow with `d` and `L_H` at least like the least power, and with `c₂` and `1/c₁` at all.
+    /// All are sums of powers of `d`, `L_H`, `c₂`, `1/c₁` and `1/N`, or roots of such sums. So they
+    /// increase with `d` and `L_H` at least like the least power, and with `c₂` and `1/c₁`.
     #[test]
-    fn bounds_are_monotone(s in setting(), n in subintervals(), t in 1.01..10.0_f64) {
+    fn bounds_are_monotone(s in settings(), n in subintervals(), t in 1.01..10.0_f64) {
         for entry in &ENTRIES {
             let value = |s: Setting| (entry.value)(s, n);
             let here = value(s) * (1.0 - TOLERANCE);
@@ -143,17 +119,16 @@ proptest! {
                 value(scaled(s, 1.0, 1.0, t, 1.0)) >= here * t.powi(entry.l_h), "{name}, L_H"
             );
             prop_assert!(value(scaled(s, 1.0, t, 1.0, 1.0)) >= here, "{name}, c2");
-            // c₁ occurs at least as in K_{1,g}, or in an energy not at all.
             prop_assert!(value(scaled(s, 1.0 / t, 1.0, 1.0, 1.0)) >= here, "{name}, c1");
             let c = s.constants();
-            let higher = build(c.c1(), c.c2(), c.l_h(), s.distance(), s.dimension() + 1);
+            let higher = setting(c.c1(), c.c2(), c.l_h(), s.distance(), s.dimension() + 1);
             prop_assert!(value(higher) >= here, "{name}, D");
         }
     }
 
-    /// From `N` to `4 N` a bound falls between the two powers of 4 that its formula has.
+    /// From `N` to `4 N` a bound falls by a factor between the two powers of 4 in its formula.
     #[test]
-    fn bounds_fall_with_n(s in setting(), n in subintervals()) {
+    fn bounds_fall_with_n(s in settings(), n in subintervals()) {
         let four_n = NonZeroUsize::new(4 * n.get()).expect("positive");
         for entry in &ENTRIES {
             let ratio = (entry.value)(s, four_n) / (entry.value)(s, n);
@@ -168,7 +143,7 @@ proptest! {
     /// `C_tra(N) ≤ C_tra♯ / N`, with equality at `N = 1`, and the excesses of the proofs at most
     /// `C / √N`, again with equality at `N = 1`: exactly, since rounding is monotone.
     #[test]
-    fn merged_bounds_are_larger(s in setting(), n in subintervals()) {
+    fn merged_bounds_are_larger(s in settings(), n in subintervals()) {
         prop_assert!(bounds::c_tra_g(s, n) <= bounds::c_tra_sharp_g(s) / n.get() as f64);
         prop_assert!(bounds::theorem_1_1_excess(s, n) <= bounds::theorem_1_2_length_excess(s, n));
         prop_assert!(bounds::theorem_1_3_excess(s, n) <= bounds::theorem_1_4_length_excess(s, n));
@@ -181,7 +156,7 @@ proptest! {
     /// What the proofs use in place of `C / N` and `C / √N` is smaller: the constants contain
     /// their parts, at the speeds they were made for.
     #[test]
-    fn constants_contain_the_parts_of_their_proofs(s in setting(), n in subintervals()) {
+    fn constants_contain_the_parts_of_their_proofs(s in settings(), n in subintervals()) {
         let (constants, grant) = (s.constants(), 1.0 + TOLERANCE);
         let (k3, k4) = (bounds::k3_bar_g(s), bounds::k4_bar_g(s));
         prop_assert!(bounds::k1_g(s) <= k3 && k3 <= k4);
@@ -198,7 +173,7 @@ proptest! {
     /// neither `K_{1,g}` nor `K_{2,g}`, and `C` of Theorem 1.1 from it, in units with
     /// `c₁ = d = 1`, where `L_H = δ`.
     #[test]
-    fn constants_expand_in_delta_and_kappa(s in setting()) {
+    fn constants_expand_in_delta_and_kappa(s in settings()) {
         let (c, d) = (s.constants(), s.distance());
         let delta = c.l_h() * d / c.c1().powf(1.5);
         let (kappa, dim) = (c.c2() / c.c1(), s.dimension() as f64);
@@ -230,7 +205,7 @@ proptest! {
         // One case in eight has L_H = 0 and one d = 0.
         let l_h = if zero == 0 { 0.0 } else { l_h };
         let d = if zero == 1 { 0.0 } else { d };
-        let (s, n) = (build(c1, c2, l_h, d, dimension), NonZeroUsize::new(n).expect("positive"));
+        let (s, n) = (setting(c1, c2, l_h, d, dimension), NonZeroUsize::new(n).expect("positive"));
         for entry in &ENTRIES {
             let value = (entry.value)(s, n);
             prop_assert!(value >= 0.0, "{}: {value}", entry.name);

@@ -1,15 +1,17 @@
-//! Units, monotonicity and flags of the sharper bounds, from one table: what has to hold of each of
-//! them, with and without `M_H`, isotropic or not, on a region or on all of space.
+//! Units, monotonicity and flags of the sharper bounds, from one table: with and without `M_H`,
+//! isotropic or not, on a region or on all of space.
 
 use std::num::NonZeroUsize;
 
 use proptest::prelude::*;
 use tautline_bounds::{self as bounds, Constants, PaperRule, Setting, Theorem};
 
+use crate::{decades, n};
+
 const TRA: PaperRule = PaperRule::Trapezoidal;
 const LEFT: PaperRule = PaperRule::LeftEndpoint;
 
-/// A bound of an energy, in `m²`; `None` without `M_H`.
+/// A bound on an energy, in `m²`; `None` without `M_H`.
 type Energy = fn(Setting, NonZeroUsize) -> Option<f64>;
 
 #[rustfmt::skip]
@@ -36,7 +38,7 @@ const ENERGIES: [(&str, Energy); 20] = [
     ("D length", bounds::theorem_d_length_excess),
 ];
 
-/// The last eight ask for `M_H`.
+/// The number of entries that need `M_H`, at the end.
 const WITH_M_H: usize = 8;
 
 /// A setting in numbers.
@@ -60,19 +62,14 @@ impl Numbers {
         Setting::new(constants, d, self.dimension).expect("a distance")
     }
 
-    /// With these factors of `c₁`, `c₂`, `L_H`, `d` and `M_H`.
+    /// Scales `c₁`, `c₂`, `L_H`, `d` by `factors`, and `M_H` by `m_h`.
     fn times(self, factors: [f64; 4], m_h: f64) -> Self {
         let c = std::array::from_fn(|k| self.c[k] * factors[k]);
         Self { c, m_h: self.m_h.map(|m| m * m_h), ..self }
     }
 }
 
-fn decades(from: f64, to: f64) -> impl Strategy<Value = f64> {
-    (from..to).prop_map(|x| 10_f64.powf(x))
-}
-
-/// `δ` and `μ` from a hundredth to a hundred, so that each entry of each minimum is the least of
-/// them at times.
+/// `δ` and `μ` from 0.01 to 100, so that each entry of each minimum is the least in some cases.
 fn numbers() -> impl Strategy<Value = Numbers> {
     let numbers = (decades(-2.0, 2.0), decades(0.0, 3.0), decades(-2.0, 2.0), decades(-2.0, 2.0));
     let m_h = proptest::option::weighted(0.8, decades(-2.0, 2.0));
@@ -88,17 +85,17 @@ fn numbers() -> impl Strategy<Value = Numbers> {
 }
 
 fn subintervals() -> impl Strategy<Value = NonZeroUsize> {
-    prop_oneof![1..5_usize, 5..5000_usize].prop_map(|n| NonZeroUsize::new(n).expect("positive"))
+    prop_oneof![1..5_usize, 5..5000_usize].prop_map(n)
 }
 
-// Inputs are rounded a few times each and enter with powers up to 9, of numbers whose differences
-// keep a hundredth of them.
+// Inputs are rounded a few times each and enter with powers up to 9; differences lose at most two
+// digits.
 const TOLERANCE: f64 = 1e-11;
 
 proptest! {
     #![proptest_config(tautline_chance::config(4, 512))]
 
-    /// Measuring `ℓ` and `m` in other units moves a bound by its unit alone.
+    /// Changing the units of `ℓ` and `m` scales a bound by its unit.
     #[test]
     fn the_sharper_bounds_are_homogeneous(
         s in numbers(), n in subintervals(), ell in decades(-3.0, 3.0), m in decades(-3.0, 3.0)
@@ -120,9 +117,9 @@ proptest! {
         }
     }
 
-    /// Each grows with `d`, `c₂`, `L_H` and `M_H` and falls with `c₁`; it is not better on a region
-    /// than on all of space, nor for any metric than for an isotropic one, nor in the plane than on
-    /// the line.
+    /// Each increases with `d`, `c₂`, `L_H` and `M_H` and decreases with `c₁`. It is no better on a
+    /// region than on all of space, for a general metric than for an isotropic one, or in a higher
+    /// dimension.
     #[test]
     fn worse_constants_give_larger_bounds(
         s in numbers(), n in subintervals(), t in 1.0..10.0_f64
@@ -146,10 +143,10 @@ proptest! {
         }
     }
 
-    /// Without `M_H` those that need it say nothing and the others what they say on a region with
-    /// it, where it does not help geodesics to bend less.
+    /// Without `M_H` those that need it are `None`, and the others have the same values as with it
+    /// on a region, where `M_H` does not improve the bend.
     #[test]
-    fn m_h_is_asked_for_by_the_second_order_alone(s in numbers(), n in subintervals()) {
+    fn only_bounds_of_second_order_need_m_h(s in numbers(), n in subintervals()) {
         let unknown = Numbers { m_h: None, ..s }.setting();
         let known = Numbers { m_h: Some(s.m_h.unwrap_or(1.0)), local: true, ..s }.setting();
         for (k, (name, bound)) in ENERGIES.into_iter().enumerate() {
@@ -162,8 +159,8 @@ proptest! {
         prop_assert_eq!(bounds::second_order_excess(unknown, n), None);
     }
 
-    /// The least of all is not above any, and is that of the theorem that it names; the bounds for
-    /// every `N` are not below those for one.
+    /// The least bound is at most every bound, and equals that of its theorem; the constants for
+    /// all `N` are no less than the bounds for one.
     #[test]
     fn the_least_bound_is_the_least(s in numbers(), n in subintervals()) {
         let s = s.setting();
@@ -205,9 +202,8 @@ proptest! {
         prop_assert!(bounds::theorem_b_excess(s, n) <= constant);
     }
 
-    /// What a sequence may have above `d²` is what its competitors may reach.
     #[test]
-    fn the_reach_is_that_of_the_least_ceiling(s in numbers(), n in subintervals()) {
+    fn the_reach_follows_from_the_least_ceiling(s in numbers(), n in subintervals()) {
         let s = s.setting();
         let d2 = s.distance().powi(2);
         for rule in PaperRule::BOTH {
@@ -222,9 +218,9 @@ proptest! {
         }
     }
 
-    /// Ends that touch, and metrics that do not change: nothing is lost, exactly.
+    /// Exactly.
     #[test]
-    fn where_nothing_changes_nothing_is_lost(s in numbers(), n in subintervals()) {
+    fn bounds_are_zero_for_touching_ends_and_for_constant_metrics(s in numbers(), n in subintervals()) {
         let touching = s.times([1.0, 1.0, 1.0, 0.0], 1.0).setting();
         let constant = s.times([1.0, 1.0, 0.0, 1.0], 0.0).setting();
         for (name, bound) in ENERGIES {

@@ -1,8 +1,6 @@
-//! Settings whose bounds can be worked out by hand.
+//! Settings with bounds that can be computed by hand.
 
-use std::num::NonZeroUsize;
-
-use approx::assert_relative_eq;
+use approx::relative_eq;
 use tautline_bounds::{
     Constants, Setting, c_tra, c_tra_g, c_tra_sharp, c_tra_sharp_g, k1_g, k2_g, k3_bar_g, k4_bar_g,
     polyline_gap_left, polyline_gap_trapezoidal, rule_gap, theorem_1_1_constant,
@@ -11,16 +9,9 @@ use tautline_bounds::{
     theorem_1_3_polyline_gap, theorem_1_4_length_excess,
 };
 
-fn setting(c1: f64, c2: f64, l_h: f64, distance: f64, dimension: usize) -> Setting {
-    let constants = Constants::new(c1, c2, l_h).expect("in order");
-    Setting::new(constants, distance, dimension).expect("a distance")
-}
+use crate::{n, setting};
 
-fn n(n: usize) -> NonZeroUsize {
-    NonZeroUsize::new(n).expect("positive")
-}
-
-/// Every bound of an energy or of a squared length, at `N = 3`.
+/// Every bound on an energy or a squared length, at `N = 3`.
 fn energies(s: Setting) -> [f64; 13] {
     let (c, k1, k2, k3, k4) = (s.constants(), k1_g(s), k2_g(s), k3_bar_g(s), k4_bar_g(s));
     [
@@ -40,9 +31,9 @@ fn energies(s: Setting) -> [f64; 13] {
     ]
 }
 
-/// A constant metric: chords are minimal geodesics and the rules are exact, however far the ends.
+/// For a constant metric chords are minimal geodesics and the rules are exact.
 #[test]
-fn without_lipschitz_constant_nothing_is_lost() {
+fn for_a_constant_metric_every_bound_is_zero() {
     for (c1, distance) in [(4.0, 6.0), (4.0, 1e200), (1e-300, 1e300)] {
         let flat = setting(c1, 9.0, 0.0, distance, 3);
         assert_eq!(energies(flat), [0.0; 13]);
@@ -53,7 +44,7 @@ fn without_lipschitz_constant_nothing_is_lost() {
     assert_eq!(k1_g(setting(4.0, 9.0, 0.0, 6.0, 3)), 3.0);
 }
 
-/// Ends that touch: the minimiser rests, and so does everything else.
+/// The ends touch, and the minimiser is constant.
 #[test]
 fn at_distance_zero_everything_is_zero() {
     for (c1, l_h) in [(4.0, 5.0), (1e-300, 1e300)] {
@@ -64,20 +55,20 @@ fn at_distance_zero_everything_is_zero() {
     }
 }
 
-/// What does not fit in `f64` is `+∞`, and an infinite bound is still one.
+/// An infinite bound is still a bound.
 #[test]
 fn overflow_gives_infinity() {
     let far = setting(1e-300, 9.0, 5.0, 1e300, 3);
     assert_eq!(energies(far), [f64::INFINITY; 13]);
     assert_eq!([k1_g, k2_g, k3_bar_g, k4_bar_g].map(|k| k(far)), [f64::INFINITY; 4]);
-    // K_{1,g} and K_{2,g} fit, their products do not.
+    // K_{1,g} and K_{2,g} are finite, their products overflow.
     let bent = setting(1.0, 9.0, 5.0, 1e120, 3);
     assert_eq!(k1_g(bent), 1e120);
     assert!(k2_g(bent).is_finite());
     assert_eq!(energies(bent), [f64::INFINITY; 13]);
 }
 
-/// `c₁ = 4`, `c₂ = 5`, `L_H = 8`, `d = 2`, `D = 1`: dyadic numbers as long as no root is drawn.
+/// `c₁ = 4`, `c₂ = 5`, `L_H = 8`, `d = 2`, `D = 1`: dyadic numbers before the first root.
 #[test]
 fn by_hand_in_dimension_one() {
     let s = setting(4.0, 5.0, 8.0, 2.0, 1);
@@ -87,43 +78,34 @@ fn by_hand_in_dimension_one() {
     // 8 (1 + 2·3) + 4·5·3 = 116 and 4·5·9 = 180.
     assert_eq!(c_tra_sharp_g(s), 296.0);
     assert_eq!(c_tra_g(s, n(2)), 103.0);
-    // (4 + 296) / 4 = 75: K̄₃ = 5 √3 and K̄₃³ = 375 √3. From here on there are at most ten
-    // roundings of 2⁻⁵³ on either side.
-    let (tolerance, root) = (4e-15, 3_f64.sqrt());
-    assert_relative_eq!(k3_bar_g(s), 5.0 * root, max_relative = tolerance);
-    // 296 + 8 · 375 √3 / 4.
+    let (hundred, root) = (n(100), 3_f64.sqrt());
+    // 296 + 8 · 375 √3 / 4, for the K̄₃ below.
     let constant = 296.0 + 750.0 * root;
-    assert_relative_eq!(theorem_1_1_constant(s), constant, max_relative = tolerance);
-    assert_relative_eq!(
-        theorem_1_1_minimum_gap(s, n(100)),
-        constant / 100.0,
-        max_relative = tolerance
-    );
-    for bound in [theorem_1_1_polyline_gap, theorem_1_2_length_excess] {
-        assert_relative_eq!(bound(s, n(100)), constant / 10.0, max_relative = tolerance);
-    }
-    assert_relative_eq!(
-        theorem_1_1_excess(s, n(100)),
-        2.96 + 75.0 * root,
-        max_relative = tolerance
-    );
     // (4 + 296 + 8 · 375 √3 / 2) / 4 = 75 + 375 √3.
     let fourth = 75.0 + 375.0 * root;
-    assert_relative_eq!(k4_bar_g(s), fourth.sqrt(), max_relative = tolerance);
-    // 296 + 8 · 375 √3 / 2 + 8 K̄₄³ / 2.
+    // 8 · 375 √3 / 2 + 8 K̄₄³ / 2.
     let halves = 1500.0 * root + 4.0 * fourth * fourth.sqrt();
-    assert_relative_eq!(theorem_1_3_constant(s), 296.0 + halves, max_relative = tolerance);
-    for bound in [theorem_1_3_minimum_gap, theorem_1_3_polyline_gap, theorem_1_4_length_excess] {
-        assert_relative_eq!(bound(s, n(100)), (296.0 + halves) / 10.0, max_relative = tolerance);
+    for (name, value, expected) in [
+        // (4 + 296) / 4 = 75: K̄₃ = 5 √3 and K̄₃³ = 375 √3.
+        ("K̄₃", k3_bar_g(s), 5.0 * root),
+        ("C of 1.1", theorem_1_1_constant(s), constant),
+        ("minimum gap of 1.1", theorem_1_1_minimum_gap(s, hundred), constant / 100.0),
+        ("polyline gap of 1.1", theorem_1_1_polyline_gap(s, hundred), constant / 10.0),
+        ("length excess of 1.2", theorem_1_2_length_excess(s, hundred), constant / 10.0),
+        ("excess of 1.1", theorem_1_1_excess(s, hundred), 2.96 + 75.0 * root),
+        ("K̄₄", k4_bar_g(s), fourth.sqrt()),
+        ("C of 1.3", theorem_1_3_constant(s), 296.0 + halves),
+        ("minimum gap of 1.3", theorem_1_3_minimum_gap(s, hundred), (296.0 + halves) / 10.0),
+        ("polyline gap of 1.3", theorem_1_3_polyline_gap(s, hundred), (296.0 + halves) / 10.0),
+        ("length excess of 1.4", theorem_1_4_length_excess(s, hundred), (296.0 + halves) / 10.0),
+        ("excess of 1.3", theorem_1_3_excess(s, hundred), 2.96 + halves / 10.0),
+    ] {
+        // At most ten roundings of 2⁻⁵³ on either side.
+        assert!(relative_eq!(value, expected, max_relative = 4e-15), "{name}: {value}, {expected}");
     }
-    assert_relative_eq!(
-        theorem_1_3_excess(s, n(100)),
-        2.96 + halves / 10.0,
-        max_relative = tolerance
-    );
 }
 
-/// `K_{2,g}` is proportional to `D²`, and `K_{1,g}` does not know `D`.
+/// `K_{2,g}` is proportional to `D²`, and `K_{1,g}` independent of `D`.
 #[test]
 fn dimension_enters_k2_squared() {
     let at = |dimension| setting(4.0, 5.0, 8.0, 2.0, dimension);
@@ -134,14 +116,14 @@ fn dimension_enters_k2_squared() {
     }
 }
 
-/// `N · C_tra(N)` falls to the coefficient of `1/N`, with an error of `4 c₂ K₂² / N`.
+/// `N · C_tra(N)` tends to the coefficient of `1/N`, with an error of `4 c₂ K₂² / N`.
 #[test]
 fn n_times_c_tra_has_a_limit() {
-    // 344 / N + 180 / N²: see the unit test of `c_tra`, which works out the two coefficients.
+    // 344 / N + 180 / N², as in the unit test of `c_tra`.
     let constants = Constants::new(1.0, 5.0, 7.0).expect("in order");
     for power in 0..40 {
         let n = n(1 << power);
-        // N is a power of two, so all is exact as long as 180/N fits beside 344, up to N = 2⁴⁶.
+        // N is a power of two, so all is exact while 344 + 180/N is a double, up to N = 2⁴⁶.
         let rest = n.get() as f64 * c_tra(constants, 2.0, 3.0, n) - 344.0;
         assert_eq!(rest, 180.0 / n.get() as f64);
     }

@@ -1,24 +1,18 @@
-//! Lemma S.5: moments of speeds, given their mean and mean square.
+//! Lemma S.5: moments of given speeds against the bounds from their mean and mean square.
 
 use std::num::NonZeroUsize;
 
 use tautline_bounds::{Constants, PaperRule, Setting, Spread};
+use tautline_chance::{Random, cases, seed};
 
-/// Speeds with known moments obey the bounds that are drawn from their mean and mean square alone:
-/// equal ones but for one, which attain them, and others.
+/// Including speeds that are equal but for one, which attain the bounds.
 #[test]
-fn no_speeds_have_larger_moments_than_their_spread_allows() {
-    // Steele, Lea and Flood's SplitMix64.
-    let mut state = 5_u64;
-    let mut draw = || {
-        state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    };
-    for case in 0..4000 {
+fn moments_of_speeds_are_within_their_spread() {
+    let mut random = Random(seed(5));
+    let mut draw = || random.unit();
+    for case in 0..cases(4000) {
         let count = 1 + (draw() * 60.0) as usize;
-        // The last alone, or with others that are slower the higher the power.
+        // The higher the power, the slower all but the first.
         let power = if case % 4 == 0 { 60.0 } else { 8.0 * draw() };
         let mut u: Vec<f64> = (0..count).map(|_| draw().powf(power)).collect();
         u[0] = if case % 2 == 0 { 1.0 } else { u[0] };
@@ -27,7 +21,7 @@ fn no_speeds_have_larger_moments_than_their_spread_allows() {
         // Scaled to the mean square 1 + surplus.
         let scale = ((1.0 + surplus) / mean(2)).sqrt();
         let [m1, m2, m3, m4] = [1, 2, 3, 4].map(|p| scale.powi(p) * mean(p));
-        // A setting whose x is no less than 1 − m₁: δ = L_H for c₁ = d = 1.
+        // A setting with x ≥ 1 − m₁; δ = L_H for c₁ = d = 1.
         let missing = (1.0 - m1).max(0.0) * (1.0 + 1e-12);
         for (rule, k) in PaperRule::BOTH.into_iter().zip([0.25, 0.5]) {
             for wider in [1.0, 1.5, 40.0] {
@@ -36,7 +30,7 @@ fn no_speeds_have_larger_moments_than_their_spread_allows() {
                 let setting = Setting::new(constants, 1.0, 2).expect("a distance");
                 let n = NonZeroUsize::new(count).expect("positive");
                 let spread = Spread::of_first_order(setting, rule, n, surplus);
-                // Sums of 60 numbers, of which the variance is a difference.
+                // Rounding of sums of 60 numbers, and of a variance as a difference.
                 let grant = 1.0 + 1e-12;
                 let greatest = u.iter().map(|u| (scale * u - m1).abs()).fold(0.0, f64::max);
                 assert!(m2 - m1 * m1 <= spread.variance + 1e-13 * m2, "{case}: {spread:?}");
@@ -44,7 +38,7 @@ fn no_speeds_have_larger_moments_than_their_spread_allows() {
                 assert!(greatest.powi(2) <= square, "{case}: {greatest} {spread:?}");
                 assert!(m3 <= spread.cube * grant, "{case}: {m3} {spread:?}");
                 assert!(m4 <= spread.fourth * grant, "{case}: {m4} {spread:?}");
-                // One alone of N has the moments √N ε^{3/2} and N ε², beyond which none goes.
+                // A single nonzero speed has the greatest moments, √N ε^{3/2} and N ε².
                 let (e, n) = (1.0 + surplus, count as f64);
                 assert!(spread.cube <= n.sqrt() * e.powf(1.5) * grant, "{case}: {spread:?}");
                 assert!(spread.fourth <= n * e * e * grant, "{case}: {spread:?}");
