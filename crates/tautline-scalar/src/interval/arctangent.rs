@@ -5,12 +5,11 @@ use super::{
     circular::{TINY, a_little_less},
     constants::{ARCCOT_OF_EIGHTHS, ARCTAN_OF_EIGHTHS},
     directed::two_sum,
-    series::{U, horner},
+    series::{U, horner, over_odd_numbers},
 };
 
 /// `1/(2j+3)`.
-const COEFFICIENTS: [f64; 7] =
-    [1.0 / 3.0, 1.0 / 5.0, 1.0 / 7.0, 1.0 / 9.0, 1.0 / 11.0, 1.0 / 13.0, 1.0 / 15.0];
+const COEFFICIENTS: [f64; 7] = over_odd_numbers(1.0);
 
 /// Bounds on `arctan x`.
 #[inline]

@@ -6,32 +6,14 @@
 use super::{
     approximation::Approximation,
     directed::two_sum,
-    series::{U, horner},
+    series::{U, horner, reciprocals_of_factorials},
 };
 
-/// `1/(2j+3)!`; the factorials up to 22! are doubles, so each quotient is correctly rounded.
-const ODD: [f64; 8] = [
-    1.0 / 6.0,
-    1.0 / 120.0,
-    1.0 / 5_040.0,
-    1.0 / 362_880.0,
-    1.0 / 39_916_800.0,
-    1.0 / 6_227_020_800.0,
-    1.0 / 1_307_674_368_000.0,
-    1.0 / 355_687_428_096_000.0,
-];
+/// `1/(2j+3)!`.
+const ODD: [f64; 8] = reciprocals_of_factorials(3, 2);
 
-/// `1/(2j+4)!`, likewise.
-const EVEN: [f64; 8] = [
-    1.0 / 24.0,
-    1.0 / 720.0,
-    1.0 / 40_320.0,
-    1.0 / 3_628_800.0,
-    1.0 / 479_001_600.0,
-    1.0 / 87_178_291_200.0,
-    1.0 / 20_922_789_888_000.0,
-    1.0 / 6_402_373_705_728_000.0,
-];
+/// `1/(2j+4)!`.
+const EVEN: [f64; 8] = reciprocals_of_factorials(4, 2);
 
 /// `sin` (`sign = −1`) or `sinh` (`sign = 1`) of `h + t + δ`, `|δ| ≤ e`.
 ///

@@ -4,24 +4,11 @@ use super::{
     approximation::Approximation,
     constants::LN_2,
     directed::two_sum,
-    series::{U, horner},
+    series::{U, horner, reciprocals_of_factorials},
 };
 
-/// `1/(j+2)!`; the factorials up to 22! are doubles, so each quotient is correctly rounded.
-const COEFFICIENTS: [f64; 12] = [
-    1.0 / 2.0,
-    1.0 / 6.0,
-    1.0 / 24.0,
-    1.0 / 120.0,
-    1.0 / 720.0,
-    1.0 / 5_040.0,
-    1.0 / 40_320.0,
-    1.0 / 362_880.0,
-    1.0 / 3_628_800.0,
-    1.0 / 39_916_800.0,
-    1.0 / 479_001_600.0,
-    1.0 / 6_227_020_800.0,
-];
+/// `1/(j+2)!`.
+const COEFFICIENTS: [f64; 12] = reciprocals_of_factorials(2, 1);
 
 /// Bounds on `eˣ`.
 #[inline]

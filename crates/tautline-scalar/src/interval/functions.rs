@@ -4,6 +4,7 @@ use num_traits::One;
 
 use super::{
     Enclosure,
+    directed::{mul_down, mul_up, sqrt_down, sqrt_up},
     kernel::Kernel,
     quarter_turns::{LARGEST_ANGLE, QuarterTurns},
 };
@@ -18,15 +19,6 @@ impl<K: Kernel> Enclosure<K> {
         }
         let (lo, hi) = f(self.lo());
         Self::enclosing(lo, if self.lo() == self.hi() { hi } else { f(self.hi()).1 })
-    }
-
-    /// The image under `cosh`, which grows with `|x|`.
-    #[inline]
-    fn hyperbolic_cosine(self) -> Self {
-        if self.is_undefined() {
-            return self;
-        }
-        Self::enclosing(K::cosh(self.mignitude()).0, K::cosh(self.magnitude()).1)
     }
 
     /// Integers `j ≤ k` with `j < n ≤ k` for every multiple `n π/2` in the interval above its lower
@@ -81,7 +73,11 @@ impl<K: Kernel> Scalar for Enclosure<K> {
 
     #[inline]
     fn sqr(self) -> Self {
-        self.square()
+        if self.is_undefined() {
+            return self;
+        }
+        let (near, far) = (self.mignitude(), self.magnitude());
+        Self::enclosing(mul_down(near, near), mul_up(far, far))
     }
 
     /// Returns `xⁿ`. Even powers have no negative part. Undefined if `x` is, also for `n = 0`, and
@@ -100,7 +96,10 @@ impl<K: Kernel> Scalar for Enclosure<K> {
     /// Returns `√x`; undefined if the interval reaches below zero.
     #[inline]
     fn sqrt(self) -> Self {
-        self.square_root()
+        if !(self.lo() >= 0.0) {
+            return Self::UNDEFINED;
+        }
+        Self::enclosing(sqrt_down(self.lo()), sqrt_up(self.hi()))
     }
 
     #[inline]
@@ -177,6 +176,9 @@ impl<K: Kernel> Scalar for Enclosure<K> {
 
     #[inline]
     fn cosh(self) -> Self {
-        self.hyperbolic_cosine()
+        if self.is_undefined() {
+            return self;
+        }
+        Self::enclosing(K::cosh(self.mignitude()).0, K::cosh(self.magnitude()).1)
     }
 }

@@ -4,22 +4,11 @@ use super::{
     approximation::Approximation,
     constants::LN_2,
     directed::two_sum,
-    series::{U, horner},
+    series::{U, horner, over_odd_numbers},
 };
 
 /// `2/(2j+3)`.
-const COEFFICIENTS: [f64; 10] = [
-    2.0 / 3.0,
-    2.0 / 5.0,
-    2.0 / 7.0,
-    2.0 / 9.0,
-    2.0 / 11.0,
-    2.0 / 13.0,
-    2.0 / 15.0,
-    2.0 / 17.0,
-    2.0 / 19.0,
-    2.0 / 21.0,
-];
+const COEFFICIENTS: [f64; 10] = over_odd_numbers(2.0);
 
 /// Bounds on `ln x`, for `x > 0`.
 #[inline]
@@ -36,12 +25,11 @@ pub(super) fn ln(x: f64) -> (f64, f64) {
 /// `ln(1 + f) = 2 artanh s = f − s (f − R)`, `R = Σ 2 s²ʲ/(2j + 1)` over `j ≥ 1`, since
 /// `2 s = f − s f`. Here `|s| ≤ 0.5859 |f|` and `s² ≤ 0.02945`.
 ///
-/// **For `k = 0` the error is at most `4 u f²`.** In units of `u f²`, for `c = −s (f −
-/// R)`: `s` has a relative error of `2.01 u`, which adds `1.3`; Horner with `q =
-/// 0.0295`, its product and the `5.1 u` of `s²` give `R` an error of `5.8 u s² ≤ 2 u
-/// f²`, which adds `0.5`; the rounding of `f −
-/// R` adds `0.65`, that of the product `0.65`, truncation, `|s| · 2
-/// s²²/23` and less, `0.02`. Together `3.12`.
+/// **For `k = 0` the error is at most `4 u f²`.** In units of `u f²`, for `c = −s (f − R)`: `s` has a
+/// relative error of `2.01 u`, which adds `1.3`; Horner with `q = 0.0295`, its product and the
+/// `5.1 u` of `s²` give `R` an error of `5.8 u s² ≤ 2 u f²`, which adds `0.5`; the rounding of
+/// `f − R` adds `0.65`, that of the product `0.65`, truncation, `|s| · 2 s²²/23` and less, `0.02`.
+/// Together `3.12`.
 ///
 /// **Otherwise it is at most `6 u f² + 2⁻⁸²`.** `k L₀` has 53 bits and is exact, `k L₁` is
 /// rounded by at most `2⁻⁸⁵`, and `|k ε| ≤ 2⁻⁸⁵`. The tail, with `t` of `k L₀ + f`, takes two

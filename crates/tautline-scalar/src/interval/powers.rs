@@ -1,24 +1,15 @@
-//! Squares, integer powers, reciprocals and square roots of intervals.
+//! Integer powers of intervals.
 
 use num_traits::One;
 
 use super::{
     Enclosure,
-    directed::{mul_down, mul_up, sqrt_down, sqrt_up},
+    directed::{mul_down, mul_up},
     kernel::Kernel,
 };
+use crate::Scalar;
 
 impl<K: Kernel> Enclosure<K> {
-    /// `x²`, which has no negative part.
-    #[inline]
-    pub(super) fn square(self) -> Self {
-        if self.is_undefined() {
-            return self;
-        }
-        let (near, far) = (self.mignitude(), self.magnitude());
-        Self::enclosing(mul_down(near, near), mul_up(far, far))
-    }
-
     /// `xⁿ`; `1` for `n = 0`; undefined for `n < 0` if zero is inside.
     pub(super) fn power(self, n: i32) -> Self {
         if self.is_undefined() {
@@ -30,7 +21,7 @@ impl<K: Kernel> Enclosure<K> {
         match n {
             0 => Self::one(),
             1 => x,
-            2 => x.square(),
+            2 => x.sqr(),
             _ if x.is_undefined() => x,
             // Increasing in |x|.
             _ if n.is_multiple_of(2) => Self::enclosing(
@@ -52,15 +43,6 @@ impl<K: Kernel> Enclosure<K> {
                 Self::enclosing(lo, hi)
             }
         }
-    }
-
-    /// `√x`; undefined if a negative number is inside.
-    #[inline]
-    pub(super) fn square_root(self) -> Self {
-        if !(self.lo() >= 0.0) {
-            return Self::UNDEFINED;
-        }
-        Self::enclosing(sqrt_down(self.lo()), sqrt_up(self.hi()))
     }
 }
 

@@ -1,4 +1,4 @@
-//! Horner's scheme, with an error bound.
+//! Series: their coefficients, and Horner's scheme with an error bound.
 
 /// The unit roundoff `u = 2⁻⁵³`: `fl(a ∘ b) = (a ∘ b)(1 + δ)` with `|δ| ≤ u` for each of the
 /// operations, unless it under- or overflows.
@@ -25,4 +25,32 @@ pub(super) fn horner<const N: usize>(w: f64, coefficients: &[f64; N]) -> f64 {
         s = coefficients[j] + w * s;
     }
     s
+}
+
+/// `1/(first + step j)!` for `j < N`. The factorials up to 22! are doubles, so each quotient is
+/// correctly rounded.
+pub(super) const fn reciprocals_of_factorials<const N: usize>(first: u8, step: u8) -> [f64; N] {
+    let mut coefficients = [0.0; N];
+    let (mut n, mut factorial, mut j) = (1, 1.0, 0);
+    while j < N {
+        while n < first + step * j as u8 {
+            n += 1;
+            factorial *= n as f64;
+        }
+        assert!(n <= 22, "a factorial that is no double");
+        coefficients[j] = 1.0 / factorial;
+        j += 1;
+    }
+    coefficients
+}
+
+/// `numerator/(2j + 3)` for `j < N`, correctly rounded.
+pub(super) const fn over_odd_numbers<const N: usize>(numerator: f64) -> [f64; N] {
+    let mut coefficients = [0.0; N];
+    let mut j = 0;
+    while j < N {
+        coefficients[j] = numerator / (2 * j + 3) as f64;
+        j += 1;
+    }
+    coefficients
 }

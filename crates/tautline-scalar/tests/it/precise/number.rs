@@ -93,37 +93,37 @@ impl Neg for Precise {
     }
 }
 
-impl Add for Precise {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        self.zip(other, Ball::add)
-    }
+macro_rules! operators {
+    ($($operator:ident $method:ident: $of:expr;)*) => {$(
+        impl $operator for Precise {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                self.zip(other, $of)
+            }
+        }
+    )*};
 }
 
-impl Sub for Precise {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        self.zip(other, |x, y| x.add(&y.negative()))
-    }
-}
-
-impl Mul for Precise {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        self.zip(other, Ball::mul)
-    }
-}
-
-impl Div for Precise {
-    type Output = Self;
-    fn div(self, other: Self) -> Self {
-        self.zip(other, Ball::div)
-    }
+operators! {
+    Add add: Ball::add;
+    Sub sub: |x, y| x.add(&y.negative());
+    Mul mul: Ball::mul;
+    Div div: Ball::div;
 }
 
 tautline_scalar::operators_follow!([] Precise);
 
+macro_rules! by_ball {
+    ($($function:ident)*) => {$(
+        fn $function(self) -> Self {
+            self.map(Ball::$function)
+        }
+    )*};
+}
+
 impl Scalar for Precise {
+    by_ball!(sqrt exp ln atan);
+
     /// Undefined unless `value` is finite.
     fn constant(value: f64) -> Self {
         Self::new(if value.is_finite() {
@@ -153,18 +153,6 @@ impl Scalar for Precise {
         Self::one() / self
     }
 
-    fn sqrt(self) -> Self {
-        self.map(Ball::sqrt)
-    }
-
-    fn exp(self) -> Self {
-        self.map(Ball::exp)
-    }
-
-    fn ln(self) -> Self {
-        self.map(Ball::ln)
-    }
-
     fn sin_cos(self) -> (Self, Self) {
         self.map_two(Ball::sin_cos)
     }
@@ -172,10 +160,6 @@ impl Scalar for Precise {
     fn tan(self) -> Self {
         let (s, c) = self.sin_cos();
         s / c
-    }
-
-    fn atan(self) -> Self {
-        self.map(Ball::atan)
     }
 
     fn sinh_cosh(self) -> (Self, Self) {
