@@ -20,7 +20,8 @@ pub enum BoundError {
     },
     /// The constants hold on a region only, and nothing excludes competitors that leave it.
     #[error(
-        "the constants hold on a region only: Proposition S.8 has to exclude competitors that leave it"
+        "the constants hold on a region only: Proposition S.8 has to exclude competitors that leave \
+         it"
     )]
     LocalConstants,
     /// By the lower bound on the discrete minimum, the distance exceeds the length of a curve.

@@ -2,7 +2,7 @@
 
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use crate::{Scalar, operators::jet_is_scalar};
+use crate::{Scalar, operators::jet};
 
 /// A first-order Taylor expansion `v + Σ gᵢ dxᵢ` in `D` variables.
 ///
@@ -26,27 +26,6 @@ impl<T: Scalar, const D: usize> Jet1<T, D> {
         })
     }
 
-    /// Returns the value.
-    #[must_use]
-    #[inline]
-    pub fn value(&self) -> T {
-        self.value
-    }
-
-    /// Returns the derivative with respect to variable `i < D`.
-    #[must_use]
-    #[inline]
-    pub fn first(&self, i: usize) -> T {
-        self.first[i]
-    }
-
-    /// Returns the gradient.
-    #[must_use]
-    #[inline]
-    pub fn gradient(&self) -> &[T; D] {
-        &self.first
-    }
-
     #[inline]
     fn constant_part(value: T) -> Self {
         Self { value, first: [T::zero(); D] }
@@ -64,11 +43,6 @@ impl<T: Scalar, const D: usize> Jet1<T, D> {
         for i in 0..D {
             f(&mut self.first[i], other.first[i]);
         }
-    }
-
-    #[inline]
-    fn shift(self, c: f64) -> Self {
-        Self { value: self.value + c, ..self }
     }
 
     /// `f ∘ self`, where `f` has the given value and derivative there.
@@ -101,4 +75,4 @@ impl<T: Scalar, const D: usize> Div for Jet1<T, D> {
     }
 }
 
-jet_is_scalar!(Jet1);
+jet!(Jet1);

@@ -2,7 +2,7 @@
 
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use crate::{Scalar, operators::jet_is_scalar};
+use crate::{Scalar, operators::jet};
 
 /// A second-order Taylor expansion `v + Σ gᵢ dxᵢ + ½ Σ hᵢⱼ dxᵢ dxⱼ` in `D` variables.
 ///
@@ -38,27 +38,6 @@ impl<T: Scalar, const D: usize> Jet2<T, D> {
             jet.first[i] = T::one();
             jet
         })
-    }
-
-    /// Returns the value.
-    #[must_use]
-    #[inline]
-    pub fn value(&self) -> T {
-        self.value
-    }
-
-    /// Returns the derivative with respect to variable `i < D`.
-    #[must_use]
-    #[inline]
-    pub fn first(&self, i: usize) -> T {
-        self.first[i]
-    }
-
-    /// Returns the gradient.
-    #[must_use]
-    #[inline]
-    pub fn gradient(&self) -> &[T; D] {
-        &self.first
     }
 
     /// Returns the second derivative with respect to variables `i, j < D`, in either order.
@@ -110,11 +89,6 @@ impl<T: Scalar, const D: usize> Jet2<T, D> {
             }
         }
         self.bent |= other.bent;
-    }
-
-    #[inline]
-    fn shift(self, c: f64) -> Self {
-        Self { value: self.value + c, ..self }
     }
 
     /// `f ∘ self`, where `f` has the given value and derivatives there.
@@ -177,4 +151,4 @@ impl<T: Scalar, const D: usize> Div for Jet2<T, D> {
     }
 }
 
-jet_is_scalar!(Jet2);
+jet!(Jet2);

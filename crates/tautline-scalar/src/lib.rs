@@ -57,14 +57,14 @@
 //!
 //! The enclosures of an [`Interval`] are valid if all of this holds:
 //!
-//! * `+ − × ÷ √` of `f64` round to nearest, ties to even, with gradual underflow, as IEEE 754 and the
-//!   Rust reference demand: no fused or reordered operations, no flushing of subnormals, no other
-//!   rounding mode set by foreign code in the process.
+//! * `+ − × ÷ √` of `f64` round to nearest, ties to even, with gradual underflow, as IEEE 754 and
+//!   the Rust reference demand: no fused or reordered operations, no flushing of subnormals, no
+//!   other rounding mode set by foreign code in the process.
 //! * The compiler and the processor are correct, and the compiler evaluates constant quotients
 //!   (`1/3!`) as the processor would.
 //! * The derivations in the comments of the kernel are correct. The tests also compare them with
-//!   `astro-float` at 192 bits: twenty thousand arguments of each function in every run, a million in
-//!   the example `enclosures_by_the_million`; random formulas with their jets in
+//!   `astro-float` at 192 bits: twenty thousand arguments of each function in every run, a million
+//!   in the example `enclosures_by_the_million`; random formulas with their jets in
 //!   `formulas_by_the_million`, and the metrics of the gallery in `metrics_by_the_million` of
 //!   `tautline-certify`. A test is no proof.
 //! * The constants `π/2`, `ln 2` and the arctangents of eighths have the stated errors: a test

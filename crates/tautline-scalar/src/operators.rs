@@ -52,15 +52,39 @@ macro_rules! operators_follow {
     };
 }
 
-/// Implements [`Scalar`](crate::Scalar) and its operators for a jet type that has `×` and `÷` with
-/// itself, `constant_part(T)`, `map(f: T → T)`, `shift(f64)`, `chain(f, f′, f″)` and
-/// `zip(&other, f: (&mut T, T))`. Each elementary function is one line of the chain rule.
-macro_rules! jet_is_scalar {
+/// Implements [`Scalar`](crate::Scalar), its operators and the accessors of value and gradient for a
+/// jet type with the fields `value` and `first` that has `×` and `÷` with itself,
+/// `constant_part(T)`, `map(f: T → T)`, `zip(&other, f: (&mut T, T))` and `chain(f, f′, f″)`. Each
+/// elementary function is one line of the chain rule.
+macro_rules! jet {
     ($jet:ident) => {
-        jet_is_scalar!(@sum $jet, Add add AddAssign add_assign);
-        jet_is_scalar!(@sum $jet, Sub sub SubAssign sub_assign);
-        jet_is_scalar!(@product $jet, Mul mul MulAssign mul_assign);
-        jet_is_scalar!(@product $jet, Div div DivAssign div_assign);
+        jet!(@sum $jet, Add add AddAssign add_assign);
+        jet!(@sum $jet, Sub sub SubAssign sub_assign);
+        jet!(@product $jet, Mul mul MulAssign mul_assign);
+        jet!(@product $jet, Div div DivAssign div_assign);
+
+        impl<T: Scalar, const D: usize> $jet<T, D> {
+            /// Returns the value.
+            #[must_use]
+            #[inline]
+            pub fn value(&self) -> T {
+                self.value
+            }
+
+            /// Returns the derivative with respect to variable `i < D`.
+            #[must_use]
+            #[inline]
+            pub fn first(&self, i: usize) -> T {
+                self.first[i]
+            }
+
+            /// Returns the gradient.
+            #[must_use]
+            #[inline]
+            pub fn gradient(&self) -> &[T; D] {
+                &self.first
+            }
+        }
 
         impl<T: Scalar, const D: usize> Neg for $jet<T, D> {
             type Output = Self;
@@ -73,14 +97,14 @@ macro_rules! jet_is_scalar {
             type Output = Self;
             #[inline]
             fn add(self, c: f64) -> Self {
-                self.shift(c)
+                Self { value: self.value + c, ..self }
             }
         }
         impl<T: Scalar, const D: usize> Sub<f64> for $jet<T, D> {
             type Output = Self;
             #[inline]
             fn sub(self, c: f64) -> Self {
-                self.shift(-c)
+                self + -c
             }
         }
         $crate::f64_on_the_left!([T: Scalar, const D: usize] $jet<T, D>);
@@ -223,4 +247,4 @@ macro_rules! jet_is_scalar {
     };
 }
 
-pub(crate) use jet_is_scalar;
+pub(crate) use jet;

@@ -59,8 +59,8 @@ impl Enclosure {
 /// Encloses `d²` by one computed sequence (Proposition S.6).
 ///
 /// - *From above*, without assumptions: `d² ≤ L(γᵖˡ)² ≤ E(γᵖˡ)`.
-/// - *From below*: `min E_N ≤ d² e` with the least `e` of Lemma S.4, which increases with `d`; solved for
-///   `d`. No upper bound on `d` is needed. Besides, `c₁ |x − y|² ≤ d²`.
+/// - *From below*: `min E_N ≤ d² e` with the least `e` of Lemma S.4, which increases with `d`;
+///   solved for `d`. No upper bound on `d` is needed. Besides, `c₁ |x − y|² ≤ d²`.
 ///
 /// Needs: the setting of Theorem 1.1, with `constants` on the region of the competitors
 /// (Proposition S.8); ends in their sets; for the lower bound, what [`DiscreteMinimum`] says.

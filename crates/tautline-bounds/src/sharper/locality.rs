@@ -60,8 +60,8 @@ pub enum LocalityError<E> {
 /// minimisers of `E_N` among the sequences in the region.
 ///
 /// - `upper`: `d̄`, in `m`, the length of a curve between the ends, such as `γᵖˡ`.
-/// - `constants_within`: the constants on the convex hull of the points within a given distance of the
-///   bounded end, or an error.
+/// - `constants_within`: the constants on the convex hull of the points within a given distance of
+///   the bounded end, or an error.
 ///
 /// Needs: constants that are no better on a larger region. Overestimation: the radius is within 1 %
 /// of the least that is enough, if `√c₁ R` has no flat piece there; `constants_within` may be

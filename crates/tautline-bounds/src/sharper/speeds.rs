@@ -23,7 +23,7 @@ use crate::product::product;
 /// Needs: `H ≥ c₁`, Lipschitz with `L_H`; either rule of the paper. Not necessarily a minimiser:
 /// local minima and saddles are included, and the ends may be anywhere.
 ///
-/// Overestimation: of the second term, at best 2 as far as is known.
+/// Overestimation: the least known for the second term is 2.
 ///
 /// # Panics
 ///

@@ -11,8 +11,9 @@
 //!    ```
 //! 2. *Speeds* (Lemma S.3). If the inner points are stationary, `max qₙ ≤ d Q` with
 //!    `Q = min(√(Ne), √e + δe)`.
-//! 3. *The gap* (Lemma S.2). `|E(γᵖˡ) − E_N| ≤ (k L_H/N) mean |βₙ|³ ≤ (k L_H/N c₁^{3/2}) max qₙ · E_N`,
-//!    which is `d² (kδ/N) e Q`.
+//! 3. *The gap* (Lemma S.2).
+//!    `|E(γᵖˡ) − E_N| ≤ (k L_H/N) mean |βₙ|³ ≤ (k L_H/N c₁^{3/2}) max qₙ · E_N`, which is
+//!    `d² (kδ/N) e Q`.
 
 use std::num::NonZeroUsize;
 

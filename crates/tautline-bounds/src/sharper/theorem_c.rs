@@ -2,8 +2,9 @@
 //!
 //! With `Λ = L_H/c₁^{3/2}`, `k = ¼` for the trapezoidal rule, `k = ½` for the left-endpoint rule:
 //!
-//! 1. *Length* (Lemma S.5). On a chord the mean of `βᵀHβ` is at most `q² + (kΛ/N) q³`, and the root is
-//!    concave; so is `√(s + c s^{3/2})`, hence `L(γᵖˡ)² ≤ E_N + (kΛ/N) E_N^{3/2}` for every sequence.
+//! 1. *Length* (Lemma S.5). On a chord the mean of `βᵀHβ` is at most `q² + (kΛ/N) q³`, and the root
+//!    is concave; so is `√(s + c s^{3/2})`, hence `L(γᵖˡ)² ≤ E_N + (kΛ/N) E_N^{3/2}` for every
+//!    sequence.
 //! 2. *From below*. `d ≤ L(γᵖˡ)` for every admissible sequence; solve for `E_N`.
 //! 3. *Speeds* (Lemma S.5). If `mean q² ≤ d² e`, the variance of the speeds is `O(1/N)`, and
 //!    `mean q³ ≤ d³ m₃` with `m₃ → 1`.

@@ -12,8 +12,8 @@
 //!
 //!    and `ε` is the least of `ê` and the ceilings of Theorems A and B.
 //! 2. *Length* (Lemma S.5). `L(γᵖˡ)² ≤ E_tra,N + (M_H/24c₁²N²) E_tra,N²` for every sequence.
-//! 3. *Speeds* (Lemma S.5). By `d ≤ L(γᵖˡ) ≤ mean q + (M_H/48c₁²N²) mean q³` the variance of the speeds
-//!    is `O(1/N²)`, and `mean q⁴ ≤ d⁴ m₄` with `m₄ → 1`.
+//! 3. *Speeds* (Lemma S.5). By `d ≤ L(γᵖˡ) ≤ mean q + (M_H/48c₁²N²) mean q³` the variance of the
+//!    speeds is `O(1/N²)`, and `mean q⁴ ≤ d⁴ m₄` with `m₄ → 1`.
 //! 4. *The gap* (Lemma S.2). `|E(γᵖˡ) − E_tra,N| ≤ (M_H/24N²) mean |β|⁴ ≤ d² (μ/24N²) m₄`.
 
 use std::num::NonZeroUsize;

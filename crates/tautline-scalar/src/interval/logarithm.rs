@@ -25,8 +25,8 @@ pub(super) fn ln(x: f64) -> (f64, f64) {
 /// `ln(1 + f) = 2 artanh s = f − s (f − R)`, `R = Σ 2 s²ʲ/(2j + 1)` over `j ≥ 1`, since
 /// `2 s = f − s f`. Here `|s| ≤ 0.5859 |f|` and `s² ≤ 0.02945`.
 ///
-/// **For `k = 0` the error is at most `4 u f²`.** In units of `u f²`, for `c = −s (f − R)`: `s` has a
-/// relative error of `2.01 u`, which adds `1.3`; Horner with `q = 0.0295`, its product and the
+/// **For `k = 0` the error is at most `4 u f²`.** In units of `u f²`, for `c = −s (f − R)`: `s` has
+/// a relative error of `2.01 u`, which adds `1.3`; Horner with `q = 0.0295`, its product and the
 /// `5.1 u` of `s²` give `R` an error of `5.8 u s² ≤ 2 u f²`, which adds `0.5`; the rounding of
 /// `f − R` adds `0.65`, that of the product `0.65`, truncation, `|s| · 2 s²²/23` and less, `0.02`.
 /// Together `3.12`.

@@ -24,8 +24,8 @@ impl QuarterTurns {
     /// `k`. `|k| ≤ 667 545 < 2²⁰`, and the error of the product is below `2⁻³¹`, so the remainder
     /// is below `π/4 + 2⁻³⁰ < 0.7855`.
     ///
-    /// * `x − k P₀` is exact: `k P₀` has 33 + 20 bits; for `k ≠ 0` we have `|x| > 0.78`, so both are
-    ///   multiples of `2⁻⁵³`, and so is the difference, which is less than
+    /// * `x − k P₀` is exact: `k P₀` has 33 + 20 bits; for `k ≠ 0` we have `|x| > 0.78`, so both
+    ///   are multiples of `2⁻⁵³`, and so is the difference, which is less than
     ///   `0.7855 + 2²⁰ · 2⁻³³ < 1`.
     /// * `k P₁` and `k P₂` have 53 bits as well, and two exact sums subtract them.
     /// * `k P₃` is rounded, by at most `u |k P₃|`, and `k ε ≤ 2²⁰⁻¹⁵⁶ = 2⁻¹³⁶`.
