@@ -1,4 +1,4 @@
-//! Edge cases of intervals: ends, rounding of sizes, exact values and the largest angles.
+//! Intervals as sets: ends, sizes, intersections and hulls; exact values.
 
 use astro_float::{BigFloat, RoundingMode};
 use tautline_scalar::{Enclosure, Fast, Interval, Kernel, Rigorous, Scalar};
@@ -43,44 +43,47 @@ fn the_ends_of_an_interval_belong_to_it() {
     assert!(x.contains(-1.0) && x.contains(2.0));
     assert!(!x.contains((-1.0_f64).next_down()) && !x.contains(2.0_f64.next_up()));
     assert!(x.contains_interval(x));
+    assert!(x.contains_interval(interval(-1.0, 0.5)) && !Interval::REALS.contains(INFINITY));
     for outside in [interval(-1.5, 0.0), interval(0.0, 2.5), interval(-1.5, 2.5)] {
         assert!(!x.contains_interval(outside), "{outside:?}");
     }
-    // One common point is enough.
-    assert_eq!(x.intersection(interval(2.0, 3.0)).map(ends), Some((2.0, 2.0)));
-    assert_eq!(interval(2.0, 3.0).intersection(x).map(ends), Some((2.0, 2.0)));
-    assert_eq!(ends(x.hull(interval(-3.0, 1.0))), (-3.0, 2.0));
-    assert_eq!(ends(x.hull(interval(0.0, 3.0))), (-1.0, 3.0));
-    assert_eq!(ends(interval(-3.0, 3.0).hull(x)), (-3.0, 3.0));
-    assert_eq!((x.magnitude(), interval(-2.0, 1.0).magnitude()), (2.0, 2.0));
-    assert_eq!((interval(0.0, 3.0).mignitude(), interval(-3.0, 0.0).mignitude()), (0.0, 0.0));
-    assert_eq!((interval(2.0, 3.0).mignitude(), interval(-3.0, -2.0).mignitude()), (2.0, 2.0));
     for half in [interval(1.0, INFINITY), interval(-INFINITY, 1.0), Interval::REALS] {
         assert!(!half.is_finite() && !half.is_undefined());
     }
-    // Undefined in either place gives undefined.
-    let none = Interval::UNDEFINED;
-    assert!(x.intersection(none).is_some_and(Interval::is_undefined));
-    assert!(none.intersection(x).is_some_and(Interval::is_undefined));
 }
 
-/// Up to `2²⁰`, inclusive, of either sign; one larger end is enough to know nothing.
 #[test]
-fn angles_of_either_sign_have_the_same_limit() {
-    const LARGEST: f64 = 1_048_576.0;
-    let (last, beyond) = (LARGEST, LARGEST.next_up());
-    for sign in [1.0, -1.0] {
-        let x = Interval::point(sign * last);
-        for y in [x.sin(), x.cos(), x.sin_cos().0, x.sin_cos().1, x.tan()] {
-            assert!(y.width() < 1e-14, "{y:?}");
+fn intersections_hulls_and_sizes() {
+    for (x, y, both, hull) in [
+        (interval(-3.0, 1.0), interval(0.0, 2.0), Some((0.0, 1.0)), (-3.0, 2.0)),
+        (interval(-3.0, 1.0), interval(1.5, 2.0), None, (-3.0, 2.0)),
+        (interval(-3.0, 1.0), interval(5.0, 6.0), None, (-3.0, 6.0)),
+        (interval(-1.0, 2.0), interval(-3.0, 1.0), Some((-1.0, 1.0)), (-3.0, 2.0)),
+        (interval(-1.0, 2.0), interval(-3.0, 3.0), Some((-1.0, 2.0)), (-3.0, 3.0)),
+        (interval(-1.0, 2.0), interval(0.0, 3.0), Some((0.0, 2.0)), (-1.0, 3.0)),
+        // One common point is enough.
+        (interval(-1.0, 2.0), interval(2.0, 3.0), Some((2.0, 2.0)), (-1.0, 3.0)),
+    ] {
+        for (x, y) in [(x, y), (y, x)] {
+            assert_eq!(x.intersection(y).map(ends), both, "{x:?} and {y:?}");
+            assert_eq!(ends(x.hull(y)), hull, "{x:?} and {y:?}");
         }
-        let half = |far: f64| if sign > 0.0 { interval(0.0, far) } else { interval(-far, 0.0) };
-        for x in [Interval::point(sign * beyond), half(beyond), half(1e10), half(1e300)] {
-            for y in [x.sin(), x.cos(), x.sin_cos().0, x.sin_cos().1] {
-                assert_eq!(ends(y), (-1.0, 1.0), "{x:?}");
-            }
-            assert!(x.tan().is_undefined());
-        }
+        let none = Interval::UNDEFINED;
+        assert!(x.intersection(none).is_some_and(Interval::is_undefined));
+        assert!(none.intersection(x).is_some_and(Interval::is_undefined));
+    }
+    for (lo, hi, magnitude, mignitude) in [
+        (-3.0, 1.0, 3.0, 0.0),
+        (-1.0, 2.0, 2.0, 0.0),
+        (-2.0, 1.0, 2.0, 0.0),
+        (0.0, 3.0, 3.0, 0.0),
+        (-3.0, 0.0, 3.0, 0.0),
+        (2.0, 3.0, 3.0, 2.0),
+        (-3.0, -2.0, 3.0, 2.0),
+        (-3.0, -1.0, 3.0, 1.0),
+    ] {
+        let x = interval(lo, hi);
+        assert_eq!((x.magnitude(), x.mignitude()), (magnitude, mignitude), "{x:?}");
     }
 }
 
@@ -127,20 +130,4 @@ fn hyperbolic_tangents<K: Kernel>() {
 fn hyperbolic_tangents_never_reach_one() {
     hyperbolic_tangents::<Rigorous>();
     hyperbolic_tangents::<Fast>();
-}
-
-/// Next to multiples of `π/2`, where a value is ±1 to rounding.
-#[test]
-fn enclosures_of_waves_stay_within_one() {
-    for quarter in -3000..3000 {
-        let mut angle = f64::from(quarter) * std::f64::consts::FRAC_PI_2;
-        for _ in 0..3 {
-            let x = Interval::point(angle);
-            let (sin, cos) = x.sin_cos();
-            for y in [sin, cos, x.sin(), x.cos(), x.tanh()] {
-                assert!(-1.0 <= y.lo() && y.hi() <= 1.0, "{angle}: {y:?}");
-            }
-            angle = angle.next_up();
-        }
-    }
 }
