@@ -75,7 +75,7 @@ pub fn theorem_1_3_excess(setting: Setting, n: NonZeroUsize) -> f64 {
 /// L(γᵖˡ)² − min L²  ≤  C / √N
 /// ```
 ///
-/// with the `C` of [`theorem_1_3_constant`]. A minimiser of the discrete *length* does not obey it
+/// with the `C` of [`theorem_1_3_constant`]. A minimiser of the discrete *length* need not obey it
 /// (Section 5).
 ///
 /// Overestimation: `L(γᵖˡ)² ≤ E(γᵖˡ)`, which [`theorem_1_3_excess`] bounds.

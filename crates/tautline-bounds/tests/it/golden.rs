@@ -5,17 +5,14 @@ use std::{collections::HashMap, num::NonZeroUsize};
 use csv::{Reader, ReaderBuilder};
 use tautline_bounds::{self as bounds, Constants, PaperRule, Setting};
 
-/// A table, how many rows it has, and how far off a value may be, relatively. A value of 0 is
-/// exact.
+/// A table, its number of rows, and the relative tolerance; a reference value of 0 must be exact.
 const TABLES: [(&str, &str, usize, f64); 3] = [
-    // An input rounded to `f64` is off by 2⁻⁵³. The worst result, C of Theorem 1.3, moves like d⁹,
-    // L_H⁷ and c₁^−13 at most, and takes some 40 roundings: together below 70 · 2⁻⁵³ < 8e-15. A
-    // wrong factor misses by ten decades more than that.
+    // Rounding an input has a relative error of 2⁻⁵³. The worst result, C of Theorem 1.3, varies at
+    // most like d⁹, L_H⁷ and c₁^−13, and takes some 40 roundings: together below 70 · 2⁻⁵³ < 8e-15.
     ("paper.csv", include_str!("../golden/paper.csv"), 64, 2e-14),
-    // The inputs are rounded, and enter with powers up to 9.
+    // The inputs are rounded and enter with powers up to 9.
     ("theorems_a_and_b.csv", include_str!("../golden/theorems_a_and_b.csv"), 112, 1e-12),
-    // Some fifty roundings; a variance that is a difference of numbers near 1 is at least a
-    // thousandth.
+    // Some fifty roundings; a variance, a difference of numbers near 1, is at least 0.001.
     ("theorems_c_and_d.csv", include_str!("../golden/theorems_c_and_d.csv"), 247, 1e-13),
 ];
 
@@ -28,7 +25,7 @@ fn the_bounds_have_their_reference_values() {
     for (file, table, count, tolerance) in TABLES {
         let mut compared = 0;
         for row in reader(table).deserialize::<Row>() {
-            let row = row.expect("five columns");
+            let row = row.expect("a row of five columns");
             let (problem, name, rule, n, expected) = &row;
             let value = quantity(name, rule, *n, problems[problem]);
             let off = (value - expected).abs();
@@ -48,7 +45,7 @@ fn problems() -> HashMap<String, Setting> {
         .deserialize::<Problem>()
         .map(|row| {
             let (name, c1, c2, l_h, m_h, distance, dimension, isotropic, local) =
-                row.expect("nine columns");
+                row.expect("a row of nine columns");
             let constants = Constants::new(c1, c2, l_h).and_then(|c| c.with_m_h(m_h));
             let constants = constants.expect("in order");
             let constants = if isotropic { constants.isotropic() } else { constants };

@@ -64,7 +64,18 @@ fn at_ends<T: Copy>(lo: f64, hi: f64, f: impl Fn(f64) -> T) -> [T; 2] {
     [first, if lo == hi { first } else { f(hi) }]
 }
 
+macro_rules! increasing {
+    ($($function:ident)*) => {$(
+        #[inline]
+        fn $function(self) -> Self {
+            self.increasing(K::$function)
+        }
+    )*};
+}
+
 impl<K: Kernel> Scalar for Enclosure<K> {
+    increasing!(exp atan sinh tanh);
+
     /// Returns `[value, value]`; undefined unless `value` is finite.
     #[inline]
     fn constant(value: f64) -> Self {
@@ -102,11 +113,6 @@ impl<K: Kernel> Scalar for Enclosure<K> {
         Self::enclosing(sqrt_down(self.lo()), sqrt_up(self.hi()))
     }
 
-    #[inline]
-    fn exp(self) -> Self {
-        self.increasing(K::exp)
-    }
-
     /// Returns the natural logarithm; undefined if the interval reaches to zero.
     #[inline]
     fn ln(self) -> Self {
@@ -137,22 +143,11 @@ impl<K: Kernel> Scalar for Enclosure<K> {
     }
 
     #[inline]
-    fn atan(self) -> Self {
-        self.increasing(K::atan)
-    }
-
-    #[inline]
     fn sinh_cosh(self) -> (Self, Self) {
         (self.sinh(), self.cosh())
     }
 
-    #[inline]
-    fn tanh(self) -> Self {
-        self.increasing(K::tanh)
-    }
-
-    // The four below compute one half of a pair only.
-
+    // `sin` and `cos` compute one half of `sin_cos` only.
     #[inline]
     fn sin(self) -> Self {
         let Some(quarters) = self.quarters() else {
@@ -167,11 +162,6 @@ impl<K: Kernel> Scalar for Enclosure<K> {
             return self.any_wave();
         };
         Self::wave(at_ends(self.lo(), self.hi(), K::cos), quarters, 0)
-    }
-
-    #[inline]
-    fn sinh(self) -> Self {
-        self.increasing(K::sinh)
     }
 
     #[inline]
