@@ -15,7 +15,7 @@ pub enum DrawingError {
         /// The label that asked for it.
         label: String,
     },
-    /// A label does not follow the syntax of [`typeset`](super::math_text::typeset).
+    /// A label does not follow the syntax of [`typeset`](crate::math_text::typeset).
     #[error("the label {label:?} is malformed: {problem}")]
     MalformedLabel {
         /// The label as it was given.

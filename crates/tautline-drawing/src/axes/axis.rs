@@ -1,0 +1,200 @@
+//! An axis: its scale, its range, perhaps a break, and its label.
+
+use super::{scale::Scale, stretch::Stretch};
+use crate::error::DrawingError;
+
+/// One axis of a panel.
+///
+/// Invariant: one stretch, or two with a gap between them; each is finite and increasing, and
+/// positive on a logarithmic scale. Names stand at `1, 2, …` on one linear stretch.
+#[derive(Clone, Debug, PartialEq)]
+#[must_use]
+pub struct Axis {
+    stretches: Vec<Stretch>,
+    names: Vec<String>,
+    label: String,
+    numbered: bool,
+}
+
+impl Axis {
+    /// Returns an axis from `from` to `to`.
+    ///
+    /// # Errors
+    ///
+    /// If the range is not finite and increasing, or not positive where it must be.
+    pub fn new(scale: Scale, from: f64, to: f64) -> Result<Axis, DrawingError> {
+        let stretches = vec![Stretch::new(scale, from, to)?];
+        Ok(Axis { stretches, names: Vec::new(), label: String::new(), numbered: true })
+    }
+
+    /// Returns an axis with names in place of numbers: the first at 1, the next at 2, and so on,
+    /// from ½ to half a unit beyond the last. The syntax of a name is that of
+    /// [`typeset`](crate::math_text::typeset).
+    ///
+    /// # Errors
+    ///
+    /// If there are no names.
+    pub fn of_names(
+        names: impl IntoIterator<Item = impl Into<String>>,
+    ) -> Result<Axis, DrawingError> {
+        let names: Vec<String> = names.into_iter().map(Into::into).collect();
+        let axis = Axis::new(Scale::Linear, 0.5, names.len() as f64 + 0.5)?;
+        Ok(Axis { names, ..axis })
+    }
+
+    /// Returns a logarithmic axis of whole decades around all positive values.
+    ///
+    /// If somewhere more than `break_over` decades hold no value, the widest such gap is left
+    /// out; `f64::INFINITY` never breaks. Zero and negative values have no place and are skipped.
+    ///
+    /// # Errors
+    ///
+    /// If no value is positive and finite.
+    pub fn decades_covering(
+        values: impl IntoIterator<Item = f64>,
+        break_over: f64,
+    ) -> Result<Axis, DrawingError> {
+        let mut exponents: Vec<f64> =
+            values.into_iter().map(f64::log10).filter(|e| e.is_finite()).collect();
+        exponents.sort_by(f64::total_cmp);
+        let (Some(low), Some(high)) = (exponents.first(), exponents.last()) else {
+            let want = "no positive value was given";
+            return Err(DrawingError::BadRange { from: f64::NAN, to: f64::NAN, want });
+        };
+        // A billionth of a decade: log10 of a power of ten may miss the whole number.
+        let floor = |e: f64| (e + 1e-9).floor();
+        let ceil = |e: f64| (e - 1e-9).ceil();
+        let (from, to) = (floor(*low), ceil(*high).max(floor(*low) + 1.0));
+        let axis = Axis::new(Scale::Decades, power(from), power(to))?;
+        let widest = exponents.windows(2).max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));
+        match widest {
+            Some(gap) if gap[1] - gap[0] > break_over => {
+                // A stretch needs some length even if all its values are one power of ten.
+                let below = ceil(gap[0]).max(from + 1.0);
+                let above = floor(gap[1]).min(to - 1.0);
+                axis.broken(power(below), power(above))
+            }
+            _ => Ok(axis),
+        }
+    }
+
+    /// Leaves out what lies between `below` and `above`.
+    ///
+    /// Both stretches keep one scale, so that slopes can be compared across the break.
+    ///
+    /// # Errors
+    ///
+    /// If the two do not lie inside the range in this order.
+    pub fn broken(mut self, below: f64, above: f64) -> Result<Axis, DrawingError> {
+        let (scale, from, to) = (self.scale(), self.from(), self.to());
+        if !(below < above) {
+            let want = "a break must leave something out";
+            return Err(DrawingError::BadRange { from: below, to: above, want });
+        }
+        self.stretches = vec![Stretch::new(scale, from, below)?, Stretch::new(scale, above, to)?];
+        Ok(self)
+    }
+
+    /// Sets the label, in the syntax of [`typeset`](crate::math_text::typeset).
+    pub fn labelled(mut self, label: impl Into<String>) -> Axis {
+        self.label = label.into();
+        self
+    }
+
+    /// Leaves out the numbers, for a panel that shares them with its neighbour.
+    pub fn unnumbered(mut self) -> Axis {
+        self.numbered = false;
+        self
+    }
+
+    /// Returns the pieces of the axis, the lowest first.
+    #[must_use]
+    pub fn stretches(&self) -> &[Stretch] {
+        &self.stretches
+    }
+
+    /// Returns the names along the axis; none if it has numbers.
+    #[must_use]
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// Returns the label; empty if there is none.
+    #[must_use]
+    pub fn label(&self) -> &str {
+        &self.label
+    }
+
+    /// Returns whether ticks carry numbers.
+    #[must_use]
+    pub fn is_numbered(&self) -> bool {
+        self.numbered
+    }
+
+    /// Returns the scale.
+    #[must_use]
+    pub fn scale(&self) -> Scale {
+        self.stretches[0].scale()
+    }
+
+    /// Returns the lower end.
+    #[must_use]
+    pub fn from(&self) -> f64 {
+        self.stretches[0].from()
+    }
+
+    /// Returns the upper end.
+    #[must_use]
+    pub fn to(&self) -> f64 {
+        self.stretches[self.stretches.len() - 1].to()
+    }
+}
+
+/// Ten to a whole power; `powi`, since `powf` need not hit powers of ten on every machine.
+fn power(exponent: f64) -> f64 {
+    10.0_f64.powi(exponent as i32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Axis, Scale};
+
+    #[test]
+    fn ranges_without_meaning_are_refused() {
+        for (scale, from, to) in [
+            (Scale::Linear, 1.0, 1.0),
+            (Scale::Linear, 2.0, 1.0),
+            (Scale::Linear, f64::NAN, 1.0),
+            (Scale::Linear, 0.0, f64::INFINITY),
+            (Scale::Decades, 0.0, 1.0),
+            (Scale::Octaves, -1.0, 1.0),
+        ] {
+            assert!(Axis::new(scale, from, to).is_err(), "{scale:?} {from} {to}");
+        }
+        assert!(Axis::decades_covering([0.0, -1.0], 6.0).is_err());
+        let axis = Axis::new(Scale::Decades, 1.0, 1e6).expect("a range");
+        assert!(axis.clone().broken(1e4, 1e2).is_err() && axis.broken(1e2, 1e4).is_ok());
+    }
+
+    #[test]
+    fn names_have_a_unit_each() {
+        let axis = Axis::of_names(["first", "second"]).expect("two names");
+        assert_eq!((axis.from(), axis.to(), axis.names().len()), (0.5, 2.5, 2));
+        assert!(Axis::of_names(Vec::<String>::new()).is_err());
+    }
+
+    #[test]
+    fn whole_decades_cover_the_values() {
+        let axis = Axis::decades_covering([3e-5, 0.0, 2.0], f64::INFINITY).expect("positive");
+        assert_eq!((axis.from(), axis.to()), (1e-5, 10.0));
+        assert_eq!(axis.stretches().len(), 1);
+    }
+
+    #[test]
+    fn a_wide_gap_breaks_the_axis() {
+        let values = [2e-8, 3e-3, 4e12, 5e14];
+        let axis = Axis::decades_covering(values, 6.0).expect("positive");
+        let ends: Vec<_> = axis.stretches().iter().map(|s| (s.from(), s.to())).collect();
+        assert_eq!(ends, [(1e-8, 1e-2), (1e12, 1e15)]);
+    }
+}

@@ -1,0 +1,175 @@
+//! Where an axis has ticks, and which of them carry a number.
+
+use super::{axis::Axis, scale::Scale, stretch::Stretch, tick_values::candidates};
+use crate::{
+    error::DrawingError,
+    math_text::{Align, TextBlock, typeset},
+    measures::SMALL,
+};
+
+/// A mark on an axis.
+#[derive(Clone, Debug)]
+pub(crate) struct Tick {
+    /// Where it stands.
+    pub value: f64,
+    /// Its number; a tick without one is drawn shorter.
+    pub label: Option<TextBlock>,
+}
+
+/// Along which direction labels must not meet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Direction {
+    /// An `x` axis.
+    Horizontal,
+    /// A `y` axis.
+    Vertical,
+}
+
+impl Direction {
+    /// How the labels of its ticks stand to them.
+    fn align(self) -> Align {
+        if self == Direction::Horizontal { Align::Centre } else { Align::Right }
+    }
+}
+
+/// Ticks closer than this, in px, are left out.
+const CROWDED: f64 = 2.5;
+
+/// Returns the ticks of a stretch that is `length` px long: the densest numbering that is airy.
+///
+/// # Errors
+///
+/// If a label cannot be set, which would be a defect of the font.
+pub(crate) fn ticks(
+    stretch: &Stretch,
+    length: f64,
+    direction: Direction,
+) -> Result<Vec<Tick>, DrawingError> {
+    let align = direction.align();
+    let mut chosen = Vec::new();
+    for set in candidates(stretch) {
+        let mut all = Vec::with_capacity(set.len());
+        for (value, label) in set {
+            let label = label.map(|label| typeset(&label, SMALL, align)).transpose()?;
+            all.push(Tick { value, label });
+        }
+        let fits = airy(&all, stretch, length, direction);
+        chosen = all;
+        if fits {
+            break;
+        }
+    }
+    let place = |tick: &Tick| stretch.place(tick.value, (0.0, length));
+    let crowded = chosen.windows(2).any(|pair| (place(&pair[1]) - place(&pair[0])).abs() < CROWDED);
+    if crowded {
+        // All or none: a few surviving ones would look like data. Unnumbered multiples go first.
+        chosen.retain(|tick| tick.label.is_some());
+    }
+    Ok(chosen)
+}
+
+/// Returns one tick for each name of an axis, whether they are airy or not.
+///
+/// # Errors
+///
+/// If a name cannot be set.
+pub(crate) fn named_ticks(axis: &Axis, direction: Direction) -> Result<Vec<Tick>, DrawingError> {
+    let align = direction.align();
+    let names = axis.names().iter().enumerate();
+    let tick = |(k, name): (usize, &String)| {
+        Ok(Tick { value: k as f64 + 1.0, label: Some(typeset(name, SMALL, align)?) })
+    };
+    names.map(tick).collect()
+}
+
+/// More labelled multiples of π than this, and fractions only repeat what whole ones say.
+const MOST_MULTIPLES: usize = 7;
+
+/// Returns whether neighbouring labels keep their distance.
+fn airy(ticks: &[Tick], stretch: &Stretch, length: f64, direction: Direction) -> bool {
+    let placed: Vec<(f64, f64)> = ticks
+        .iter()
+        .filter_map(|tick| {
+            let width = tick.label.as_ref()?.extent.width();
+            Some((stretch.place(tick.value, (0.0, length)), width))
+        })
+        .collect();
+    if stretch.scale() == Scale::MultiplesOfPi && placed.len() > MOST_MULTIPLES {
+        return false;
+    }
+    placed.windows(2).all(|pair| {
+        let ((a, wide_a), (b, wide_b)) = (pair[0], pair[1]);
+        let least = match direction {
+            Direction::Vertical => 2.1 * SMALL,
+            Direction::Horizontal if stretch.scale().is_logarithmic() => {
+                (wide_a + wide_b) / 2.0 + 0.9 * SMALL
+            }
+            // Short numbers could stand closer, but an axis is not a ruler.
+            Direction::Horizontal => ((wide_a + wide_b) / 2.0 + SMALL).max(44.0),
+        };
+        b - a >= least
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Direction, Scale, Stretch, Tick, ticks};
+
+    fn chosen(scale: Scale, from: f64, to: f64, length: f64, direction: Direction) -> Vec<Tick> {
+        let stretch = Stretch::new(scale, from, to).expect("a range");
+        ticks(&stretch, length, direction).expect("labels of digits")
+    }
+
+    fn labels(ticks: &[Tick]) -> Vec<String> {
+        ticks.iter().filter_map(|tick| Some(tick.label.as_ref()?.spoken.clone())).collect()
+    }
+
+    #[test]
+    fn labels_thin_out_until_they_fit() {
+        let all = chosen(Scale::Decades, 1e-4, 1.0, 300.0, Direction::Vertical);
+        assert_eq!(labels(&all), ["10^-4", "10^-3", "10^-2", "10^-1", "10^0"]);
+        assert_eq!(all.len(), 4 * 9 + 1, "ticks at 2 to 9 where there is space");
+        let few = chosen(Scale::Decades, 1e-12, 1e2, 300.0, Direction::Vertical);
+        assert_eq!(
+            labels(&few),
+            ["10^-12", "10^-10", "10^-8", "10^-6", "10^-4", "10^-2", "10^0", "10^2"]
+        );
+        assert_eq!(few.len(), 15, "unlabelled decades keep a short tick");
+    }
+
+    #[test]
+    fn neighbouring_labels_never_overlap() {
+        for length in [60.0, 100.0, 180.0, 300.0, 700.0] {
+            for (scale, from, to) in [
+                (Scale::Decades, 1e-20, 1e14),
+                (Scale::Decades, 1.0, 4096.0),
+                (Scale::Octaves, 1.0, 4096.0),
+                (Scale::Linear, -1.3, 27.0),
+                (Scale::MultiplesOfPi, -1.0, 14.0),
+            ] {
+                let stretch = Stretch::new(scale, from, to).expect("a range");
+                let all = chosen(scale, from, to, length, Direction::Horizontal);
+                let boxes: Vec<(f64, f64)> = all
+                    .iter()
+                    .filter_map(|tick| {
+                        let extent = tick.label.as_ref()?.extent;
+                        let x = stretch.place(tick.value, (0.0, length));
+                        Some((x + extent.left, x + extent.right))
+                    })
+                    .collect();
+                assert!(!boxes.is_empty(), "{scale:?} {length}");
+                assert!(boxes.windows(2).all(|w| w[0].1 < w[1].0), "{scale:?} {length}: {boxes:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn numbers_are_written_as_in_print() {
+        let n = chosen(Scale::Octaves, 1.0, 4096.0, 250.0, Direction::Horizontal);
+        assert_eq!(labels(&n), ["1", "4", "16", "64", "256", "1024", "4096"]);
+        let pi = chosen(Scale::MultiplesOfPi, -1.0, 13.6, 500.0, Direction::Horizontal);
+        assert_eq!(labels(&pi), ["0", "π", "2π", "3π", "4π"]);
+        let x = chosen(Scale::Linear, -2.0, 2.0, 200.0, Direction::Vertical);
+        assert_eq!(labels(&x), ["−2", "−1", "0", "1", "2"]);
+    }
+}

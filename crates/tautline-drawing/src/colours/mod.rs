@@ -1,0 +1,8 @@
+//! Colours, the palette of the house, and the ramp of heat-maps.
+
+mod colour;
+pub mod palette;
+mod ramp;
+
+pub use colour::Colour;
+pub use ramp::Ramp;

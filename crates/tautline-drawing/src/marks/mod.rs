@@ -1,0 +1,13 @@
+//! What a panel shows: curves, fields, notes and slope triangles. Data and looks, no place yet.
+
+mod curve;
+mod field;
+mod marker;
+mod note;
+mod slope_triangle;
+
+pub use curve::Curve;
+pub use field::Field;
+pub use marker::Marker;
+pub use note::Note;
+pub use slope_triangle::SlopeTriangle;

@@ -1,0 +1,14 @@
+//! Panels and figures: where everything goes, and drawing it.
+
+mod colour_bar;
+mod end_label;
+mod figure;
+mod frame;
+mod key;
+mod panel;
+mod plot;
+mod push_apart;
+mod remark;
+
+pub use figure::Figure;
+pub use panel::Panel;

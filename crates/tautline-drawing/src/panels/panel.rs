@@ -1,0 +1,96 @@
+//! One coordinate system with everything that is drawn in it.
+
+use crate::{
+    axes::Axis,
+    marks::{Curve, Field, Note, SlopeTriangle},
+};
+
+/// A panel of a figure: data only, no place yet.
+#[derive(Clone, Debug)]
+#[must_use]
+pub struct Panel {
+    pub(crate) x: Axis,
+    pub(crate) y: Axis,
+    pub(crate) title: String,
+    pub(crate) height: Height,
+    pub(crate) flush: bool,
+    pub(crate) field: Option<Field>,
+    pub(crate) curves: Vec<Curve>,
+    pub(crate) triangles: Vec<SlopeTriangle>,
+    pub(crate) notes: Vec<Note>,
+}
+
+/// How tall the frame of a panel is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Height {
+    Px(f64),
+    EqualUnits,
+}
+
+impl Panel {
+    /// Returns an empty panel, 300 px tall.
+    ///
+    /// The `x` axis is drawn in one piece; a break in it is ignored.
+    pub fn new(x: Axis, y: Axis) -> Panel {
+        Panel {
+            x,
+            y,
+            title: String::new(),
+            height: Height::Px(300.0),
+            flush: false,
+            field: None,
+            curves: Vec::new(),
+            triangles: Vec::new(),
+            notes: Vec::new(),
+        }
+    }
+
+    /// Sets the title above the frame, such as `"(a) valleys"`.
+    pub fn titled(mut self, title: impl Into<String>) -> Panel {
+        self.title = title.into();
+        self
+    }
+
+    /// Sets the height of the frame, in px.
+    pub fn tall(mut self, height: f64) -> Panel {
+        self.height = Height::Px(height);
+        self
+    }
+
+    /// Makes the height such that both axes have the same px to a unit.
+    pub fn equal_units(mut self) -> Panel {
+        self.height = Height::EqualUnits;
+        self
+    }
+
+    /// Lets the `x` axis reach to both sides of the frame, as over a heat-map: for a panel that
+    /// is stacked on one.
+    pub fn flush(mut self) -> Panel {
+        self.flush = true;
+        self
+    }
+
+    /// Puts a heat-map behind everything, with its colour bar on the right.
+    pub fn over(mut self, field: Field) -> Panel {
+        self.field = Some(field);
+        self
+    }
+
+    /// Adds a curve over those added before.
+    pub fn curve(mut self, curve: Curve) -> Panel {
+        self.curves.push(curve);
+        self
+    }
+
+    /// Adds a slope triangle.
+    pub fn triangle(mut self, triangle: SlopeTriangle) -> Panel {
+        self.triangles.push(triangle);
+        self
+    }
+
+    /// Adds a label at a point of the data.
+    pub fn note(mut self, note: Note) -> Panel {
+        self.notes.push(note);
+        self
+    }
+}
