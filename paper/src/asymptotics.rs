@@ -28,7 +28,7 @@ use crate::{
     sweep::Sweep,
 };
 
-/// The quantities and their orders in `1/N`: what of `E_tra,N`, `E_l,N`, and of both curves.
+/// The quantities and their orders in `1/N`: `E_tra,N`, `E_l,N`, and those of both curves.
 pub const QUANTITIES: [(&str, i32); 6] = [
     ("discrete_energy_trapezoidal", 2),
     ("discrete_energy_left", 1),
@@ -38,21 +38,21 @@ pub const QUANTITIES: [(&str, i32); 6] = [
     ("length_squared_left", 2),
 ];
 
-/// Chords of the finest measurement. What is left of the next order is some `(10/N)²` of the
-/// first, and rounding `N² ε d²`, both below `10⁻⁴`.
+/// Chords of the finest measurement. The next order is about `(10/N)²` of the first, and rounding is
+/// `N² ε d²`, both below `10⁻⁴`.
 const N: usize = 2048;
 
-/// Chords of the geodesics that the prediction reads, whose error is of second order: so two
-/// grids give it to fourth. From the coarser grids of the last `d²` is extrapolated where it is
-/// not known.
+/// Chords of the geodesics that the prediction reads. Their error is of second order, so two grids
+/// give the prediction to fourth order. Where `d²` is not known, it is extrapolated from the coarser
+/// grids of the last solve.
 const READ: [usize; 2] = [2048, 4096];
 
 /// Predicted and measured agree to three digits.
 pub const AGREEMENT: f64 = 5e-4;
 
-/// A prediction below this part of the largest of the six is 0, by symmetry or in one dimension,
-/// but for what two grids leave of sums that cancel, `(4π/4096)⁴` of their terms at most; then what
-/// is measured is compared with `d²`. No other prediction here is below `10⁻³` of the largest.
+/// A prediction below this part of the largest of the six counts as 0, by symmetry or in one
+/// dimension: two grids leave at most `(4π/4096)⁴` of the terms of a sum that cancels. The measured
+/// value is then compared with `d²`. No other prediction here is below `10⁻³` of the largest.
 const ZERO: f64 = 1e-8;
 
 /// A smooth problem with a unique minimiser, as far as known.
@@ -62,7 +62,7 @@ pub(crate) struct Smooth {
     energies: Computed<usize, [f64; 3]>,
 }
 
-/// What is known of a problem, whatever its metric and its dimension.
+/// A computation on a problem, with its metric and dimension hidden.
 type Computed<A, B> = Box<dyn Fn(A) -> Result<B, Failure> + Send + Sync>;
 
 /// The six constants, in `m²`, both ways.
@@ -74,7 +74,7 @@ pub(crate) struct Limits {
 }
 
 impl Limits {
-    /// Returns the predictions, with 0 for those that are it but for rounding.
+    /// Returns the predictions, with 0 for those that are 0 up to rounding.
     pub(crate) fn predictions(&self) -> [f64; 6] {
         let largest = self.predicted.iter().fold(0.0_f64, |size, value| size.max(value.abs()));
         self.predicted.map(|value| if value.abs() <= ZERO * largest { 0.0 } else { value })
@@ -256,16 +256,13 @@ pub(crate) fn smooth_problems() -> Result<Vec<Smooth>, Failure> {
 pub fn data(_sweep: Sweep) -> Result<Data, Failure> {
     let close = |absolute| Tolerance::Close { relative: 1e-6, absolute };
     let mut data = Data::new(&[
-        ("case", Tolerance::Exact),
-        ("quantity", Tolerance::Exact),
-        ("order", Tolerance::Exact),
-        ("n", Tolerance::Exact),
+        ("case quantity order n", Tolerance::Exact),
         ("predicted", close(0.0)),
         // N² times some ulp of a d² up to 632.
         ("measured", close(5e-6)),
         ("relative_difference", Tolerance::AtMost(AGREEMENT)),
         ("relative_to", Tolerance::Exact),
-        ("d_squared", Tolerance::Close { relative: 1e-11, absolute: 0.0 }),
+        ("d_squared", Tolerance::relative(1e-11)),
         ("reference", Tolerance::Exact),
     ]);
     let problems = smooth_problems()?;

@@ -1,16 +1,20 @@
 //! `Case`: a metric, two sets and the distance between them.
 
-use std::{f64::consts::PI, num::NonZeroUsize};
+use std::{f64::consts::PI, num::NonZeroUsize, rc::Rc};
 
 use tautline::{
     AxisBox, Ball, Bounded, Ends, HalfSpace, KnownDistance, Problem, SVector, Trapezoidal,
-    bounds::{Computed, DiscreteMinimum, Enclosure, Setting, enclose},
+    bounds::{
+        Computed, DiscreteMinimum, Enclosure, Setting, enclose, theorem_1_1_constant,
+        theorem_1_3_constant,
+    },
     gallery::{Bump, Ramp, Separable, Shear, Valleys},
 };
 pub use tautline_statements::PaperRule;
 use tautline_statements::{
-    Finding, Known, LIBRARY, Reconstruction, lemma_s_4, mean_power, prop_s_6, theorem_1_1,
-    theorem_1_2, theorem_1_3, theorem_1_4, theorem_a, theorem_b, theorem_c, theorem_d,
+    Evidence, Finding, Known, LIBRARY, Reconstruction, VerifyError, lemma_s_2, lemma_s_4, prop_7_9,
+    prop_s_6, theorem_1_1, theorem_1_2, theorem_1_3, theorem_1_4, theorem_a, theorem_b, theorem_c,
+    theorem_d,
 };
 
 use crate::{Failure, observation::Observation};
@@ -50,6 +54,7 @@ pub struct Case {
     /// The orders in `1/N` of `E_N − d²` for both rules; see [`Orders`].
     pub orders: Orders,
     solve: Solve,
+    gaps: Gaps,
 }
 
 /// The orders in `1/N` of `E_tra,N − d²` and of `E_l,N − d²`, where they can be observed.
@@ -57,8 +62,8 @@ pub struct Case {
 pub enum Orders {
     /// 2 and 1: the general case.
     General,
-    /// 2 for the trapezoidal rule; the first order of the left rule, `∫ DH[γ̇](γ̇, γ̇) dt`, is
-    /// zero by symmetry, or so small that the second order hides it on these grids.
+    /// 2 for the trapezoidal rule; the first-order coefficient of the left rule,
+    /// `∫ DH[γ̇](γ̇, γ̇) dt`, vanishes by symmetry, or the second order hides it on these grids.
     LeftHidden,
     /// Neither: the discrete energies attain `d²` exactly.
     Exact,
@@ -77,15 +82,16 @@ impl Orders {
 }
 
 type Solve = Box<dyn Fn(PaperRule, usize) -> Result<Observation, Failure>>;
+type Gaps = Box<dyn Fn(usize) -> Result<[Evidence; 2], Failure>>;
 
 impl Case {
-    /// Minimises the discrete energy of `rule` with `n` subintervals, and puts the result to
-    /// Theorems 1.1 and 1.2, or 1.3 and 1.4, and to the sharper theorems.
+    /// Minimises the discrete energy of `rule` with `n` subintervals, and checks Theorems 1.1 and
+    /// 1.2, or 1.3 and 1.4, and the sharper theorems on the result.
     ///
     /// # Errors
     ///
-    /// If the solver refuses the problem or does not converge to a local minimum; if a hypothesis
-    /// or an inequality of the theorems, or of their sharper companions, does not hold.
+    /// If the solver refuses the problem or does not converge to a local minimum; if a hypothesis or
+    /// an inequality of the theorems, or of their sharper companions, fails.
     pub fn solve(&self, rule: PaperRule, n: usize) -> Result<Observation, Failure> {
         (self.solve)(rule, n).map_err(|reason| {
             let (case, rule) = (self.name, rule.name());
@@ -93,12 +99,23 @@ impl Case {
         })
     }
 
-    /// Encloses `d²` by what was observed of one minimiser, taken for a global one, without using
-    /// the known distance (Proposition S.6).
+    /// Minimises the trapezoidal energy with `n` subintervals, and evaluates Proposition 7.9 and
+    /// Lemma S.2 on the result: the gap between the energy of the curve and the discrete one.
     ///
     /// # Errors
     ///
-    /// If an observed energy is none.
+    /// If the solver refuses the problem or does not converge to a local minimum, or if one of the
+    /// two fails.
+    pub fn gaps(&self, n: usize) -> Result<[Evidence; 2], Failure> {
+        (self.gaps)(n)
+    }
+
+    /// Encloses `d²` by one observed minimiser, taken for a global one, without the known distance
+    /// (Proposition S.6).
+    ///
+    /// # Errors
+    ///
+    /// If an observed energy is negative or not finite.
     pub fn enclose(&self, rule: PaperRule, seen: &Observation) -> Result<Enclosure, Failure> {
         let computed = Computed {
             rule,
@@ -135,8 +152,11 @@ impl Case {
         let distance = d2.sqrt();
         let known = Known { metric, ends, distance, distance_error: 0.5 * error / distance };
         let setting = known.setting()?;
+        let known = Rc::new(known);
+        let shared = Rc::clone(&known);
         let solve = Box::new(move |rule, n| observe(&known, rule, n));
-        Ok(Case { name, title, distance_squared: d2, reference, setting, orders, solve })
+        let gaps = Box::new(move |n| gaps(&shared, n));
+        Ok(Case { name, title, distance_squared: d2, reference, setting, orders, solve, gaps })
     }
 
     /// A case between two points whose distance the metric knows.
@@ -169,29 +189,15 @@ fn observe<M: Bounded<D>, const D: usize>(
         [lemma_s_4(&LIBRARY, &seen), theorem_a(&LIBRARY, &seen), theorem_c(&LIBRARY, &seen)];
     let second_order = [theorem_b(&LIBRARY, &seen), theorem_d(&LIBRARY, &seen)];
     let enclosure = prop_s_6(&LIBRARY, &seen, 0.0)?;
-    let sharper = first_order.into_iter().chain(second_order.into_iter().flatten());
-    for theorem in of_the_paper.into_iter().chain(sharper).chain([enclosure]) {
-        match theorem.finding() {
-            Finding::Holds => {}
-            Finding::Inapplicable(clause) => {
-                let statement = theorem.statement;
-                return Err(Failure::Violated(format!("{statement} does not apply: {clause}")));
-            }
-            Finding::Violated(claim) => {
-                let statement = theorem.statement;
-                return Err(Failure::Violated(format!("{statement} is violated: {claim}")));
-            }
-        }
-    }
+    let sharper: Vec<Evidence> =
+        first_order.into_iter().chain(second_order.into_iter().flatten()).collect();
+    of_the_paper.iter().chain(&sharper).chain([&enclosure]).try_for_each(holds)?;
     let minimum = &seen.minimum;
     Ok(Observation {
         n,
         discrete_energy: seen.discrete_energy,
         energy: seen.energy,
         length_squared: seen.length_squared,
-        k3: seen.k3,
-        mean_cube: seen.mean_cube,
-        mean_fourth: mean_power(&minimum.sequence, 4),
         decrement: minimum.decrement,
         residual: minimum.residual,
         residual_floor: minimum.residual_floor,
@@ -199,7 +205,48 @@ fn observe<M: Bounded<D>, const D: usize>(
     })
 }
 
-/// Returns `N ≥ 1` as the bounds want it.
+fn gaps<M: Bounded<D>, const D: usize>(
+    known: &Known<M, D>,
+    n: usize,
+) -> Result<[Evidence; 2], Failure> {
+    let seen = Reconstruction::observe(&LIBRARY, known, PaperRule::Trapezoidal, n)?;
+    let sequence = &seen.minimum.sequence;
+    let gaps = [
+        prop_7_9(&LIBRARY, &known.metric, sequence).map_err(VerifyError::from)?,
+        lemma_s_2(&LIBRARY, &known.metric, sequence).map_err(VerifyError::from)?,
+    ];
+    gaps.iter().try_for_each(holds)?;
+    Ok(gaps)
+}
+
+fn holds(evidence: &Evidence) -> Result<(), Failure> {
+    let statement = evidence.statement;
+    match evidence.finding() {
+        Finding::Holds => Ok(()),
+        Finding::Inapplicable(clause) => {
+            Err(Failure::Violated(format!("{statement} does not apply: {clause}")))
+        }
+        Finding::Violated(claim) => {
+            Err(Failure::Violated(format!("{statement} is violated: {claim}")))
+        }
+    }
+}
+
+/// Returns `C/√N`, in `m²`, with the `C` of Theorem 1.1, or of Theorem 1.3 for the left-endpoint
+/// rule.
+///
+/// By the proofs of these theorems it bounds `E(γᵖˡ) − d²`; by Theorems 1.2 and 1.4 it bounds
+/// `L(γᵖˡ)² − d²`.
+#[must_use]
+pub fn paper_bound(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
+    let constant = match rule {
+        PaperRule::Trapezoidal => theorem_1_1_constant(setting),
+        PaperRule::LeftEndpoint => theorem_1_3_constant(setting),
+    };
+    constant / (n.get() as f64).sqrt()
+}
+
+/// Returns `N ≥ 1` as the bounds take it.
 ///
 /// # Errors
 ///
@@ -227,7 +274,7 @@ pub fn cases_named(names: &[&str]) -> Result<Vec<Case>, Failure> {
 ///
 /// # Errors
 ///
-/// None in a correct build: every constructor is called with constants.
+/// None in a correct build: every constructor gets constants.
 pub fn cases() -> Result<Vec<Case>, Failure> {
     let shear = Shear::new(0.5, 1.0)?;
     let ball = Ball::new([0.0, 0.0], 0.5)?;

@@ -56,84 +56,80 @@ pub fn run(arguments: impl IntoIterator<Item = String>) -> Result<(), Failure> {
             other => return Err(usage(other.unexpected().to_string())),
         }
     }
-    let artefacts: Vec<&dyn Artefact> = match kind.as_deref() {
-        Some("figures") => FIGURES.iter().map(|figure| figure as &dyn Artefact).collect(),
+    let artefacts: &[Artefact] = match kind.as_deref() {
+        Some("figures") => &FIGURES,
         #[cfg(feature = "tables")]
-        Some("tables") => {
-            crate::tables::TABLES.iter().map(|table| table as &dyn Artefact).collect()
-        }
+        Some("tables") => &crate::tables::TABLES,
         #[cfg(not(feature = "tables"))]
         Some("tables") => return Err(usage("compiled without the feature `tables`".to_owned())),
         Some(other) => return Err(usage(format!("there is no command {other}"))),
         None => return Err(usage("figures or tables?".to_owned())),
     };
-    if let Some(id) = ids.iter().find(|id| artefacts.iter().all(|a| a.id() != id.as_str())) {
-        let known: Vec<&str> = artefacts.iter().map(|a| a.id()).collect();
+    if let Some(id) = ids.iter().find(|id| artefacts.iter().all(|a| a.id != id.as_str())) {
+        let known: Vec<&str> = artefacts.iter().map(|a| a.id).collect();
         let kind = kind.as_deref().unwrap_or_default();
-        return Err(usage(format!("none of the {kind} is called {id}: {}", known.join(", "))));
+        return Err(usage(format!("no {id} among the {kind}: {}", known.join(", "))));
     }
-    let chosen = artefacts.into_iter();
-    let chosen = chosen.filter(|a| ids.is_empty() || ids.iter().any(|id| id == a.id()));
+    let chosen =
+        artefacts.iter().filter(|a| ids.is_empty() || ids.iter().any(|id| id.as_str() == a.id));
     if mode == Mode::List {
-        chosen.for_each(|artefact| println!("{:24} {}", artefact.id(), artefact.shows()));
+        chosen.for_each(|artefact| println!("{:24} {}", artefact.id, artefact.shows));
         return Ok(());
     }
-    // Those with times in them by themselves, when all others are done.
-    let (others, timed): (Vec<_>, Vec<_>) = chosen.partition(|artefact| artefact.repeatable());
+    // Measured times alone on the machine, after all others.
+    let (timed, others): (Vec<_>, Vec<_>) = chosen.partition(|artefact| artefact.timed);
     let results = parallel::map(&others, |&artefact| make_and_tell(artefact, mode));
     results.into_iter().collect::<Result<(), Failure>>()?;
     timed.into_iter().try_for_each(|artefact| {
         if mode == Mode::Check {
-            eprintln!("not checked: paper/{}, which has times in it", artefact.data_file().0);
+            eprintln!("not checked: paper/{}, which contains times", artefact.data_file());
             return Ok(());
         }
         make_and_tell(artefact, mode)
     })
 }
 
-fn make_and_tell(artefact: &dyn Artefact, mode: Mode) -> Result<(), Failure> {
+fn make_and_tell(artefact: &Artefact, mode: Mode) -> Result<(), Failure> {
     let begun = Instant::now();
-    // Said at once: others go on meanwhile, and may fail as well.
-    make(artefact, mode).inspect_err(|failure| eprintln!("{}: {failure}", artefact.id()))?;
-    let (file, _) = artefact.data_file();
-    let done = match mode {
-        Mode::Check => format!("checked paper/{file}"),
-        Mode::Quick => format!("wrote target/quick/{file}"),
-        _ => format!("wrote paper/{file}"),
+    // Printed at once: others go on meanwhile, and may fail as well.
+    let files =
+        make(artefact, mode).inspect_err(|failure| eprintln!("{}: {failure}", artefact.id))?;
+    let (done, folder) = match mode {
+        Mode::Check => ("checked", "paper"),
+        Mode::Quick => ("wrote", "target/quick"),
+        _ => ("wrote", "paper"),
     };
-    eprintln!("{done} in {:.1} s", begun.elapsed().as_secs_f64());
+    let files: Vec<String> = files.iter().map(|file| format!("{folder}/{file}")).collect();
+    eprintln!("{done} {} in {:.1} s", files.join(", "), begun.elapsed().as_secs_f64());
     Ok(())
 }
 
-fn make(artefact: &dyn Artefact, mode: Mode) -> Result<(), Failure> {
+/// Writes or checks the files of an artefact, and returns their names.
+fn make(artefact: &Artefact, mode: Mode) -> Result<Vec<String>, Failure> {
     let quick = mode == Mode::Quick;
-    let data = artefact.compute(Sweep { quick })?;
-    let (data_file, command) = artefact.data_file();
-    let id = artefact.id();
-    let seed = artefact.seed();
-    let version = env!("CARGO_PKG_VERSION");
-    let comment = format!(
-        "{id}\n{}\ncommand: cargo xtask {command} {id}\nversion: {version}\nseed: {seed}",
-        artefact.shows()
-    );
-    let bytes = data.to_csv(&comment)?;
+    let data = (artefact.data)(Sweep { quick })?;
+    let (data_file, comment) = (artefact.data_file(), artefact.comment());
     let output = if quick { Output::quick() } else { Output::committed() };
-    if mode == Mode::Check {
+    let check = mode == Mode::Check;
+    let (printed, bytes) = if check {
         let old = output.read(&data_file)?;
         let header: String = comment.lines().map(|line| format!("# {line}\n")).collect();
         if !old.starts_with(header.as_bytes()) {
-            return Err(Failure::Differs(format!("{data_file}: its comment is another")));
+            return Err(Failure::Differs(format!("{data_file}: the comment differs")));
         }
         let committed = data.read(&old)?;
         let within = |error| Failure::Differs(format!("{data_file}: {error}"));
         data.compare(&committed).map_err(within)?;
-        for (file, bytes) in artefact.files(&committed)? {
-            output.compare(&file, &bytes)?;
-        }
-        return Ok(());
-    }
+        (committed, old)
+    } else {
+        let bytes = data.to_csv(&comment)?;
+        (data.read(&bytes)?, bytes)
+    };
     // Everything is made before anything is written.
-    let files = artefact.files(&data.read(&bytes)?)?;
-    output.write(&data_file, &bytes)?;
-    files.iter().try_for_each(|(file, bytes)| output.write(file, bytes))
+    let mut files = vec![(data_file, bytes)];
+    files.extend(artefact.files(&printed)?);
+    for (file, bytes) in &files {
+        if check { output.compare(file, bytes) } else { output.write(file, bytes) }?;
+    }
+    Ok(files.into_iter().map(|(file, _)| file).collect())
 }

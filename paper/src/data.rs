@@ -17,9 +17,17 @@ pub enum Tolerance {
     },
     /// Nothing but rounding: both nonnegative, and at most this.
     AtMost(f64),
-    /// Not compared: what belongs to another column that is, and may be another one with the same
-    /// right on another machine, such as the place of a flat minimum.
+    /// Not compared: what may differ on another machine without being wrong, such as the place of a
+    /// flat minimum.
     Free,
+}
+
+impl Tolerance {
+    /// `|a − b| ≤ relative · |b|`.
+    #[must_use]
+    pub const fn relative(relative: f64) -> Tolerance {
+        Tolerance::Close { relative, absolute: 0.0 }
+    }
 }
 
 /// A column: its name and its tolerance.
@@ -40,19 +48,22 @@ pub struct Data {
 }
 
 impl Data {
-    /// Begins an empty table.
+    /// Begins an empty table. Each entry names columns of one tolerance, separated by spaces.
     #[must_use]
     pub fn new(columns: &[(&'static str, Tolerance)]) -> Data {
-        let columns = columns.iter().map(|&(name, tolerance)| Column { name, tolerance }).collect();
-        Data { columns, rows: Vec::new() }
+        let named = |&(names, tolerance): &(&'static str, Tolerance)| {
+            names.split(' ').map(move |name| Column { name, tolerance })
+        };
+        Data { columns: columns.iter().flat_map(named).collect(), rows: Vec::new() }
     }
 
     /// Adds a row.
     ///
     /// # Panics
     ///
-    /// If it has not one cell for each column.
-    pub fn push(&mut self, row: Vec<String>) {
+    /// Unless it has one cell for each column.
+    pub fn push(&mut self, row: impl IntoIterator<Item = String>) {
+        let row: Vec<String> = row.into_iter().collect();
         assert_eq!(row.len(), self.columns.len(), "one cell for each column");
         self.rows.push(row);
     }
@@ -60,6 +71,17 @@ impl Data {
     /// Returns the rows.
     pub fn rows(&self) -> impl Iterator<Item = Row<'_>> {
         self.rows.iter().map(|cells| Row { columns: &self.columns, cells })
+    }
+
+    /// Returns the rows that have this text in a column.
+    pub fn rows_with<'a>(&'a self, column: &str, text: &str) -> impl Iterator<Item = Row<'a>> {
+        self.rows().filter(move |row| row.text(column) == text)
+    }
+
+    /// Returns the greatest number of a column, and 1 if there is none above.
+    #[must_use]
+    pub fn greatest(&self, column: &str) -> f64 {
+        self.rows().map(|row| row.number(column)).fold(1.0, f64::max)
     }
 
     /// Returns the file, under a comment of one line for each line of `comment`.
@@ -157,6 +179,26 @@ impl<'a> Row<'a> {
     pub fn text(&self, column: &str) -> &'a str {
         let index = self.columns.iter().position(|c| c.name == column);
         &self.cells[index.unwrap_or_else(|| panic!("no column {column}"))]
+    }
+
+    /// Returns the cells of several columns, separated by spaces.
+    ///
+    /// # Panics
+    ///
+    /// If one of them does not exist.
+    #[must_use]
+    pub fn texts(&self, columns: &str) -> Vec<String> {
+        columns.split(' ').map(|column| self.text(column).to_owned()).collect()
+    }
+
+    /// Returns the numbers of two columns, to be drawn.
+    ///
+    /// # Panics
+    ///
+    /// If one of them does not exist.
+    #[must_use]
+    pub fn point(&self, x: &str, y: &str) -> (f64, f64) {
+        (self.number(x), self.number(y))
     }
 
     /// Returns the number in the cell; NaN for an empty one.

@@ -1,9 +1,9 @@
 //! The figures and tables of the paper, computed, checked and drawn.
 //!
-//! `cargo xtask figures` and `cargo xtask tables` run [`command::run`]. A [`figures::Figure`]
-//! is two functions, from a sweep over `N` to [`data::Data`] and from the data to a scene; a table
-//! likewise, if the feature `tables` is on, as it is by default. The data carry the tolerance of each column,
-//! so that `--check` compares what was recomputed with what is committed.
+//! `cargo xtask figures` and `cargo xtask tables` run [`command::run`]. An [`artefact::Artefact`]
+//! is two functions: from a sweep over `N` to [`data::Data`], and from the data to a scene or a
+//! table. The data carry a tolerance for each column, by which `--check` compares recomputed with
+//! committed numbers. The tables need the feature `tables`, which is on by default.
 
 pub mod artefact;
 pub mod asymptotics;
@@ -17,6 +17,7 @@ pub mod data;
 pub mod failure;
 pub mod figures;
 pub mod grid;
+pub mod layout;
 pub mod observation;
 pub mod output;
 pub mod parallel;

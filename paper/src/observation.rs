@@ -13,12 +13,6 @@ pub struct Observation {
     pub energy: Integral,
     /// The squared length `L(γᵖˡ)²` of the curve, in `m²`.
     pub length_squared: Integral,
-    /// The root mean square `K₃` of the differences, in `ℓ`.
-    pub k3: f64,
-    /// The mean of the cubes of the differences, `(1/N) Σ |βₙ|³`, in `ℓ³`.
-    pub mean_cube: f64,
-    /// The mean of their fourth powers, in `ℓ⁴`.
-    pub mean_fourth: f64,
     /// The relative decrement of the last Newton step.
     pub decrement: f64,
     /// The relative residual of the discrete geodesic equation.

@@ -2,9 +2,9 @@
 
 use tautline::{Level, Rule, Trapezoidal, extrapolate};
 
-use super::Figure;
 use crate::{
     Failure,
+    artefact::Artefact,
     asymptotics::{Limits, Smooth, smooth_problems},
     case::Reference,
     data::{Data, Row, Tolerance},
@@ -15,16 +15,16 @@ use crate::{
     sweep::Sweep,
 };
 
-pub(super) const FIGURE: Figure = Figure {
-    id: "asymptotics",
-    shows: "N^2 (E_tra,N - d^2), N (E_l,N - d^2) and N^2 (E - d^2) of the trapezoidal minimiser's \
-            curve, divided by the constants predicted along a geodesic (or by d^2 where that \
-            constant is 0 by symmetry), with their distance from the limit, and the error of d^2 \
-            extrapolated from the last two (dashed) or three grids, against N; left out are points \
-            beyond an axis, and where rounding may be over a twentieth of what would be drawn",
+pub(super) const FIGURE: Artefact = Artefact::figure(
+    "asymptotics",
+    "N^2 (E_tra,N - d^2), N (E_l,N - d^2) and N^2 (E - d^2) of the trapezoidal minimiser's \
+     curve, divided by the constants predicted along a geodesic (or by d^2 where that \
+     constant is 0 by symmetry), with their distance from the limit, and the error of d^2 \
+     extrapolated from the last two (dashed) or three grids, against N; left out are points \
+     beyond an axis, and where rounding may be over a twentieth of what would be drawn",
     data,
     draw,
-};
+);
 
 /// Where both rules have their general order in the plane, with a curve that turns; on a sphere;
 /// an axis of symmetry; and both ends on curved sets.
@@ -45,9 +45,9 @@ const QUANTITIES: [(&str, &str, i32); 3] = [
 
 const N: usize = 2048;
 
-/// What an energy and `d²` may be off by, relative to `d²`: some roundings each.
+/// The error of an energy and of `d²`, relative to `d²`: some roundings each.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
-/// Drawn is what rounding changes by at most this part.
+/// A value is drawn if rounding changes it by at most this part.
 const NOISE: f64 = 0.05;
 
 /// How far a quotient may be from its limit at the largest `N`.
@@ -68,14 +68,15 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
     // Relative to d²: rounding times N², on values from 10⁻³ on.
     let scaled = Tolerance::Close { relative: 1e-6, absolute: (N * N) as f64 * 2.0 * ROUNDING };
     // Sums of second derivatives along 4096 chords, whose points are known to rounding times N².
-    let predicted = Tolerance::Close { relative: 1e-8, absolute: 0.0 };
+    let predicted = Tolerance::relative(1e-8);
     // Neville's weights for grids that double sum to at most 2 in absolute value.
     let extrapolated = Tolerance::Close { relative: 1e-6, absolute: 4.0 * ROUNDING };
-    let mut columns = vec![("case", Tolerance::Exact), ("n", Tolerance::Exact)];
-    columns.extend(QUANTITIES.map(|(column, ..)| (column, scaled)));
-    columns.extend(QUANTITIES.map(|(_, limit, _)| (limit, predicted)));
-    columns.extend([("two_grids", extrapolated), ("three_grids", extrapolated)]);
-    let mut data = Data::new(&columns);
+    let mut data = Data::new(&[
+        ("case n", Tolerance::Exact),
+        ("trapezoidal left energy", scaled),
+        ("limit_trapezoidal limit_left limit_energy", predicted),
+        ("two_grids three_grids", extrapolated),
+    ]);
     let mut problems = smooth_problems()?;
     problems.retain(|problem| CASES.iter().any(|(name, ..)| *name == problem.name));
     let numbers = sweep.powers_of_two(N);
@@ -122,12 +123,12 @@ fn rows(problem: &Smooth, numbers: &[usize]) -> Result<Vec<Vec<String>>, Failure
     Ok(rows)
 }
 
-/// The quotient by its limit minus 1, or the value itself if that is 0.
+/// The quotient by its limit minus 1, or the value itself if the limit is 0.
 fn from_limit(value: f64, limit: f64) -> f64 {
     if limit == 0.0 { value.abs() } else { (value / limit - 1.0).abs() }
 }
 
-/// What a row shows of a quantity, if rounding lets it: the quotient and its distance from 1.
+/// A quantity in a row, as quotient and as its distance from 1; NaN where rounding hides it.
 fn shown(row: &Row<'_>, (column, limit, order): (&str, &str, i32)) -> [(f64, f64); 2] {
     let (n, value, limit) = (row.number("n"), row.number(column), row.number(limit));
     let unit = if limit == 0.0 { 1.0 } else { limit };
@@ -137,10 +138,10 @@ fn shown(row: &Row<'_>, (column, limit, order): (&str, &str, i32)) -> [(f64, f64
 }
 
 fn draw(data: &Data) -> Result<Scene, Failure> {
-    let last = data.rows().map(|row| row.number("n")).fold(1.0, f64::max);
-    let below = |number: bool| -> Result<Axis, Failure> {
+    let last = data.greatest("n");
+    let below = |numbered: bool| {
         let x = Axis::new(Scale::Decades, 1.0, last)?;
-        Ok(if number { x.labelled("number of subintervals $N$") } else { x.unnumbered() })
+        Ok::<_, Failure>(x.labelled_if(numbered, "number of subintervals $N$"))
     };
     let titles = [
         ("(a) $N^2(E_\"tra\" - d^2)$ / predicted", 0.0, 2.0),
@@ -150,12 +151,10 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
     let mut quotients = Vec::new();
     let mut distances = Vec::new();
     let points = |name: &str, k: usize, which: usize| -> Vec<(f64, f64)> {
-        let rows = data.rows().filter(|row| row.text("case") == name);
-        rows.map(|row| shown(&row, QUANTITIES[k])[which]).collect()
+        data.rows_with("case", name).map(|row| shown(&row, QUANTITIES[k])[which]).collect()
     };
     for (k, (title, from, to)) in titles.into_iter().enumerate() {
-        let y = Axis::new(Scale::Linear, from, to)?;
-        let y = if k == 0 { y.labelled("quotient") } else { y };
+        let y = Axis::new(Scale::Linear, from, to)?.labelled(if k == 0 { "quotient" } else { "" });
         let mut panel = Panel::new(below(false)?, y).titled(title).tall(230.0);
         panel = panel.curve(Curve::level(1.0, palette::GREY));
         for (name, label, colour, marker) in CASES {
@@ -177,8 +176,8 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
         (0, "(d) distance of (a) from its limit", -2.0, 2e-4),
         (1, "(e) distance of (b) from its limit", -1.0, 4e-3),
     ] {
-        let y = Axis::decades_covering(values.iter().copied(), f64::INFINITY)?;
-        let y = if k == 0 { y.labelled("distance") } else { y.unnumbered() };
+        let y = Axis::decades_covering(values.iter().copied(), f64::INFINITY)?
+            .labelled_if(k == 0, "distance");
         let mut panel = Panel::new(below(true)?, y).titled(title).tall(230.0);
         for (name, label, colour, marker) in CASES {
             let curve = Curve::new(points(name, k, 1), colour).marked(marker);
@@ -195,13 +194,12 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
 /// The panel of the extrapolated `d²`: a full line from three grids, a dashed one from two.
 fn extrapolated(data: &Data, x: Axis) -> Result<Panel, Failure> {
     let points = |name: &str, column: &str| -> Vec<(f64, f64)> {
-        let rows = data.rows().filter(|row| row.text("case") == name);
         let error = |row: Row<'_>| (row.number("n"), row.number(column).abs());
         // Twice the rounding of one energy, by the weights.
         let heard = |(n, error): (f64, f64)| {
             (n, if 2.0 * ROUNDING <= NOISE * error { error } else { f64::NAN })
         };
-        rows.map(error).map(heard).collect()
+        data.rows_with("case", name).map(error).map(heard).collect()
     };
     let columns = ["two_grids", "three_grids"];
     let all = CASES.iter().flat_map(|(name, ..)| columns.map(|column| points(name, column)));

@@ -6,9 +6,9 @@ use tautline::{
     gallery::Swirl,
 };
 
-use super::Figure;
 use crate::{
     Failure,
+    artefact::Artefact,
     certified::decoder,
     data::{Data, Tolerance},
     drawing::{self, Axis, DrawingError, Field, Panel, Scale, Scene},
@@ -17,16 +17,16 @@ use crate::{
     sweep::Sweep,
 };
 
-pub(super) const FIGURE: Figure = Figure {
-    id: "certified",
-    shows: "bounds of the least and the greatest eigenvalue of H and of the norm of DH on each of \
-            31 x 31 small boxes, proved from the formulas of three metrics: one that states no \
-            constants, the stirred plane, and the pullback by a decoder",
+pub(super) const FIGURE: Artefact = Artefact::figure(
+    "certified",
+    "bounds of the least and the greatest eigenvalue of H and of the norm of DH on each of \
+     31 x 31 small boxes, proved from the formulas of three metrics: one that states no \
+     constants, the stirred plane, and the pullback by a decoder",
     data,
     draw,
-};
+);
 
-/// `[[2 + cos x₁, 0.3 sin(x₁ + x₂)], [·, 1.5 + 0.5 sin x₂]]`, and no word about constants.
+/// `[[2 + cos x₁, 0.3 sin(x₁ + x₂)], [·, 1.5 + 0.5 sin x₂]]`, without stated constants.
 #[derive(Clone, Copy, Debug)]
 struct Formula;
 
@@ -56,19 +56,19 @@ const QUANTITIES: [(Quantity, &str, &str); 3] = [
     (Quantity::LH, "derivative", "$‖DH(x)‖$"),
 ];
 
-/// The centres of so many boxes to a side.
+/// The centres of the boxes along a side.
 fn centres(half: f64, count: usize) -> Lines {
     let step = 2.0 * half / count as f64;
     Lines { from: -half + 0.5 * step, to: half - 0.5 * step, count }
 }
 
 fn data(sweep: Sweep) -> Result<Data, Failure> {
-    // Each to two percent: what another library of elementary functions may make of it.
-    let bound = Tolerance::Close { relative: 0.02, absolute: 0.0 };
-    let mut columns =
-        vec![("metric", Tolerance::Exact), ("x1", Tolerance::Exact), ("x2", Tolerance::Exact)];
-    columns.extend(QUANTITIES.map(|(_, name, _)| (name, bound)));
-    let mut data = Data::new(&columns);
+    // Two per cent: the bounds depend on the library of elementary functions.
+    let bound = Tolerance::relative(0.02);
+    let mut data = Data::new(&[
+        ("metric x1 x2", Tolerance::Exact),
+        ("least_eigenvalue greatest_eigenvalue derivative", bound),
+    ]);
     let (swirl, decoder) = (Swirl::new(1.0, 1.0)?, decoder()?);
     let stated = [None, Some(swirl.constants()), Some(Bounded::<2>::constants(&decoder))];
     for ((name, _, half), stated) in SQUARES.into_iter().zip(stated) {
@@ -83,7 +83,7 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
         });
         for (at, row) in places.into_iter().zip(rows) {
             let row = row?;
-            // No constant that is stated may be better than what is found in a box.
+            // No stated constant may be better than the bound in a box.
             if let Some(c) = stated {
                 let worse =
                     [c.c1() <= row[0] * 1.03, c.c2() >= row[1] * 0.97, c.l_h() >= row[2] * 0.97];
@@ -95,7 +95,7 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
             }
             let place = at.map(|x| format!("{x:.6}"));
             let numbers = row.map(|x| format!("{x:.6e}"));
-            data.push([name.to_owned()].into_iter().chain(place).chain(numbers).collect());
+            data.push([name.to_owned()].into_iter().chain(place).chain(numbers));
         }
     }
     Ok(data)
@@ -114,8 +114,8 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
     for (name, title, half) in SQUARES {
         let mut panels = Vec::new();
         for (k, (_, column, symbol)) in QUANTITIES.into_iter().enumerate() {
-            let values = data.rows().filter(|row| row.text("metric") == name);
-            let values: Vec<f64> = values.map(|row| row.number(column)).collect();
+            let values = data.rows_with("metric", name).map(|row| row.number(column));
+            let values: Vec<f64> = values.collect();
             let lines = centres(half, values.len().isqrt());
             let grid = Grid::new(lines, lines, values)?;
             let title =

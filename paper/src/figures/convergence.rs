@@ -1,23 +1,24 @@
 //! The observed errors of both rules under the proven bounds.
 
-use super::Figure;
+use super::triangle_below;
 use crate::{
     Failure,
+    artefact::Artefact,
     case::PaperRule,
     convergence::{data, series},
     data::Data,
-    drawing::{self, Axis, Curve, Marker, Panel, Scale, Scene, SlopeTriangle, palette},
+    drawing::{self, Axis, Curve, Marker, Panel, Scale, Scene, palette},
 };
 
-pub(super) const FIGURE: Figure = Figure {
-    id: "convergence",
-    shows: "the excess energy of the reconstructed curve for both rules under the bounds C/sqrt(N) \
-            of Theorems 1.1 and 1.3, the sharper ones of order 1/N and 1/N^2, and the width of the \
-            enclosure of d^2 by one computed sequence, for ten cases, of which the figure shows \
-            three whose distance is known exactly",
+pub(super) const FIGURE: Artefact = Artefact::figure(
+    "convergence",
+    "the excess energy of the reconstructed curve for both rules under the bounds C/sqrt(N) \
+     of Theorems 1.1 and 1.3, the sharper ones of order 1/N and 1/N^2, and the width of the \
+     enclosure of d^2 by one computed sequence, for ten cases, of which the figure shows \
+     three whose distance is known exactly",
     data,
     draw,
-};
+);
 
 /// One panel each: fixed points, sets, and three dimensions.
 const PANELS: [(&str, &str); 3] = [
@@ -30,20 +31,17 @@ const PANELS: [(&str, &str); 3] = [
 const DRAWN: [&str; 4] = ["excess", "paper_bound", "first_order_bound", "second_order_bound"];
 
 fn draw(data: &Data) -> Result<Scene, Failure> {
-    let shown =
-        |row: &crate::data::Row<'_>| PANELS.iter().any(|(case, _)| *case == row.text("case"));
-    let values: Vec<f64> = data
-        .rows()
-        .filter(shown)
+    let shown = PANELS.iter().flat_map(|(case, _)| data.rows_with("case", case));
+    let values: Vec<f64> = shown
         .flat_map(|row| DRAWN.map(|column| row.number(column)))
         .filter(|value| *value > 0.0)
         .collect();
-    let last = data.rows().map(|row| row.number("n")).fold(1.0, f64::max);
+    let last = data.greatest("n");
     let mut panels = Vec::new();
     for (k, (case, title)) in PANELS.into_iter().enumerate() {
         let x = Axis::new(Scale::Decades, 1.0, last)?.labelled("number of subintervals $N$");
-        let mut y = Axis::decades_covering(values.iter().copied(), 4.0)?;
-        y = if k == 0 { y.labelled("excess energy $E(γ^\"pl\") - d^2$") } else { y.unnumbered() };
+        let y = Axis::decades_covering(values.iter().copied(), 4.0)?
+            .labelled_if(k == 0, "excess energy $E(γ^\"pl\") - d^2$");
         let mut panel = Panel::new(x, y).titled(title).tall(340.0);
         for (rule, colour, marker, bound, sharper, observed) in [
             (
@@ -65,14 +63,13 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
         ] {
             let series = series(data, case, rule);
             let points = |column: &str| -> Vec<(f64, f64)> {
-                series.iter().map(|row| (row.number("n"), row.number(column))).collect()
+                series.iter().map(|row| row.point("n", column)).collect()
             };
             let (proven, seen) = (points("paper_bound"), points("excess"));
-            panel = if rule == PaperRule::Trapezoidal {
-                panel.triangle(below(&seen, -2.0)?)
-            } else {
-                panel.triangle(below(&proven, -0.5)?)
-            };
+            panel = panel.triangle(match rule {
+                PaperRule::Trapezoidal => triangle_below(&seen, -2.0)?,
+                PaperRule::LeftEndpoint => triangle_below(&proven, -0.5)?,
+            });
             panel = panel.curve(Curve::new(proven, colour).dashed(&[6.0, 3.0]).labelled(bound));
             let columns = ["first_order_bound", "second_order_bound"];
             let dashes: [&[f64]; 2] = [&[2.0, 2.0], &[8.0, 2.0, 2.0, 2.0]];
@@ -88,14 +85,4 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
     }
     let title = "Excess energy of both rules under the bounds of the paper and the sharper ones";
     Ok(drawing::Figure::new(960.0, title, vec![panels]).keyed().draw()?)
-}
-
-/// A triangle under the last third of a falling series.
-fn below(points: &[(f64, f64)], slope: f64) -> Result<SlopeTriangle, Failure> {
-    let from = points
-        .get(points.len() * 2 / 3)
-        .ok_or_else(|| Failure::Data("a series without points".to_owned()))?;
-    let (start, end) = (from.0 / 4.0, from.0);
-    // Half a decade below the series.
-    Ok(SlopeTriangle::below(slope, start, end, 0.3 * from.1 * (start / end).powf(slope)))
 }

@@ -4,31 +4,28 @@ use std::thread;
 
 use tautline::{
     Bounded, Ends, KnownDistance, Options, PointSequence, Problem, SVector, Starts, Trapezoidal,
-    bounds::{
-        Setting, theorem_1_2_length_excess, theorem_a_excess, theorem_b_excess, theorem_c_excess,
-        theorem_d_excess,
-    },
-    gallery::Separable,
+    bounds::Setting, gallery::Separable,
 };
 use tautline_statements::slope;
 
-use super::Figure;
+use super::excess_bounds::{COLUMNS, excess_bounds};
 use crate::{
     Failure,
-    case::{PaperRule, subintervals},
+    artefact::Artefact,
+    case::subintervals,
     data::{Data, Tolerance},
     drawing::{self, Align, Axis, Curve, Marker, Note, Panel, Scale, Scene, palette},
     sweep::Sweep,
 };
 
-pub(super) const FIGURE: Figure = Figure {
-    id: "dimension",
-    shows: "the bounds of the excess E - d^2 by Theorem 1.1, which grows like D^6, and by Theorems \
-            A to D, which are the same from D = 2 on, with the excess observed along an axis and \
-            along the diagonal of the same wave in every coordinate, at one distance and N = 16",
+pub(super) const FIGURE: Artefact = Artefact::figure(
+    "dimension",
+    "the bounds of the excess E - d^2 by Theorem 1.1, which grows like D^6, and by Theorems \
+     A to D, which are the same from D = 2 on, with the excess observed along an axis and \
+     along the diagonal of the same wave in every coordinate, at one distance and N = 16",
     data,
     draw,
-};
+);
 
 const N: usize = 16;
 /// The profile `f = 1 + a sin kxᵢ` of every coordinate.
@@ -37,17 +34,17 @@ const WAVE_NUMBER: f64 = 1.0;
 /// Where the curve along an axis ends, in `ℓ`; it begins at the origin.
 const END: f64 = 2.0;
 
-/// Up to this dimension the search has all its starts, some `2D`, and each must come to the
-/// minimiser to which the straight line leads; beyond, the straight line is the only one.
+/// Up to this dimension the search has all its starts, about `2D`, and each must lead to the same
+/// minimiser as the straight line; beyond, the straight line is the only start.
 ///
 /// The metric is flat, with one geodesic between two points. With all starts 64 dimensions alone
 /// take half a minute; from the straight line, a seventh of a second.
 const ALL_STARTS: usize = 32;
-/// The energies of two searches that ended at one minimiser, relatively: some roundings of the 16
-/// terms, and what a converged search may leave, which is less.
+/// The relative difference of the energies of two searches that reached one minimiser: some
+/// roundings of the 16 terms; what a converged search leaves is less.
 const SAME: f64 = 1e-13;
 
-/// The distances from the origin to a point of the line, and the excesses that were observed.
+/// The setting of one dimension, and the excesses observed at the same distance.
 struct Observed {
     setting: Setting,
     along_axis: f64,
@@ -118,35 +115,25 @@ const DIMENSIONS: [(usize, Observe); 11] = [
     (100, observe::<100>),
 ];
 
-/// In 100 dimensions a matrix of derivatives in 8 directions is 720 kB, and several of them are on
-/// the stack, which for a thread is 2 MB if nobody asks.
+/// In 100 dimensions a matrix of derivatives in 8 directions takes 720 kB, and several of them are
+/// on the stack, which is 2 MB for a thread by default.
 const STACK: usize = 1 << 26;
-
-const BOUNDS: [&str; 5] = ["paper", "theorem_a", "theorem_c", "theorem_b", "theorem_d"];
 
 fn data(sweep: Sweep) -> Result<Data, Failure> {
     // Differences of energies below 10, and closed forms.
     let seen = Tolerance::Close { relative: 1e-7, absolute: 2e-13 };
-    let proven = Tolerance::Close { relative: 1e-9, absolute: 0.0 };
-    let mut columns =
-        vec![("dimension", Tolerance::Exact), ("along_axis", seen), ("along_diagonal", seen)];
-    columns.extend(BOUNDS.map(|name| (name, proven)));
-    let mut data = Data::new(&columns);
-    let (n, rule) = (subintervals(N)?, PaperRule::Trapezoidal);
+    let proven = Tolerance::relative(1e-9);
+    let mut data = Data::new(&[
+        ("dimension", Tolerance::Exact),
+        ("along_axis along_diagonal", seen),
+        (COLUMNS, proven),
+    ]);
     let chosen = DIMENSIONS.into_iter().filter(|(dimension, _)| !sweep.quick || *dimension <= 8);
     for (dimension, observe) in chosen {
         let worker = thread::Builder::new().stack_size(STACK).spawn(observe);
         let worker = worker.map_err(|error| Failure::Data(error.to_string()))?;
         let seen = worker.join().map_err(|_| Failure::Data(format!("D = {dimension}")))??;
-        let setting = seen.setting;
-        let unknown = || Failure::Data("M_H is not known".to_owned());
-        let bounds = [
-            theorem_1_2_length_excess(setting, n),
-            theorem_a_excess(setting, rule, n),
-            theorem_c_excess(setting, rule, n),
-            theorem_b_excess(setting, n).ok_or_else(unknown)?,
-            theorem_d_excess(setting, n).ok_or_else(unknown)?,
-        ];
+        let bounds = excess_bounds(seen.setting, subintervals(N)?)?;
         let observed = [seen.along_axis, seen.along_diagonal];
         let most = observed[0].max(observed[1]);
         if let Some(bound) = bounds.iter().find(|bound| !(most <= **bound)) {
@@ -162,11 +149,11 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
 
 fn draw(data: &Data) -> Result<Scene, Failure> {
     let points = |column: &str| -> Vec<(f64, f64)> {
-        data.rows().map(|row| (row.number("dimension"), row.number(column))).collect()
+        data.rows().map(|row| row.point("dimension", column)).collect()
     };
     let columns = ["paper", "along_axis", "along_diagonal"];
     let values = columns.iter().flat_map(|column| points(column)).map(|point| point.1);
-    let last = data.rows().map(|row| row.number("dimension")).fold(1.0, f64::max);
+    let last = data.greatest("dimension");
     let x = Axis::new(Scale::Decades, 1.0, last)?.labelled("dimension $D$");
     let y = Axis::decades_covering(values, f64::INFINITY)?;
     let mut panel = Panel::new(x, y.labelled("$E(γ^\"pl\") - d^2$ and its bounds")).tall(380.0);
@@ -191,10 +178,7 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
         ),
     ] {
         let curve = Curve::new(points(column), colour).dashed(dash).labelled(label);
-        panel = panel.curve(match marker {
-            Some(marker) => curve.marked(marker),
-            None => curve,
-        });
+        panel = panel.curve(curve.marked(marker));
     }
     let note = Note::new(place, rate, palette::VERMILLION, Align::Right).shifted(-14.0, -14.0);
     let title = "Bounds of the excess energy and observed excess against the dimension";

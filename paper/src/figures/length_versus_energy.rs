@@ -4,33 +4,31 @@ use std::f64::consts::PI;
 
 use tautline::{Ends, LeftEndpoint, Problem, Rule, Trapezoidal, gallery::Valleys};
 
-use super::Figure;
 use crate::{
     Failure,
+    artefact::Artefact,
     data::{Data, Tolerance},
     drawing::{self, Axis, Curve, Marker, Panel, Scale, Scene, palette},
     section_5::{DISTANCE, ENDS, along_the_axis, left_minimisers, trapezoidal_minimisers},
     sweep::Sweep,
 };
 
-pub(super) const FIGURE: Figure = Figure {
-    id: "length_versus_energy",
-    shows: "the minima of the discrete lengths, 4 pi for every N, and the square roots of the \
-            minima of the discrete energies, which converge to the distance 8 pi (Section 5)",
+pub(super) const FIGURE: Artefact = Artefact::figure(
+    "length_versus_energy",
+    "the minima of the discrete lengths, 4 pi for every N, and the square roots of the \
+     minima of the discrete energies, which converge to the distance 8 pi (Section 5)",
     data,
     draw,
-};
+);
 
 /// Lengths up to 25, computed to rounding.
-const LENGTH: Tolerance = Tolerance::Close { relative: 1e-11, absolute: 0.0 };
+const LENGTH: Tolerance = Tolerance::relative(1e-11);
 
 fn data(sweep: Sweep) -> Result<Data, Failure> {
     let mut data = Data::new(&[
         ("n", Tolerance::Exact),
-        ("length_left", LENGTH),
-        ("length_trapezoidal", LENGTH),
-        ("root_energy_left", LENGTH),
-        ("root_energy_trapezoidal", LENGTH),
+        ("length_left length_trapezoidal", LENGTH),
+        ("root_energy_left root_energy_trapezoidal", LENGTH),
         ("reconstructed_length_trapezoidal", LENGTH),
     ]);
     let problem = Problem::new(Valleys, Ends::points(ENDS[0], ENDS[1])?);
@@ -50,16 +48,16 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
             trapezoidal.length().value,
         ];
         let cells = row.map(|value| format!("{value:.12e}"));
-        data.push(std::iter::once(n.to_string()).chain(cells).collect());
+        data.push(std::iter::once(n.to_string()).chain(cells));
     }
     Ok(data)
 }
 
 fn draw(data: &Data) -> Result<Scene, Failure> {
     let points = |column: &str| -> Vec<(f64, f64)> {
-        data.rows().map(|row| (row.number("n"), row.number(column))).collect()
+        data.rows().map(|row| row.point("n", column)).collect()
     };
-    let last = data.rows().map(|row| row.number("n")).fold(1.0, f64::max);
+    let last = data.greatest("n");
     let x = Axis::new(Scale::Octaves, 1.0, last)?.labelled("number of subintervals $N$");
     let y = Axis::new(Scale::MultiplesOfPi, 3.4 * PI, 8.6 * PI)?.labelled("length");
     let panel = Panel::new(x, y)

@@ -1,28 +1,29 @@
 //! Which step of a proof gives away how many decades.
 
 use tautline::bounds::{
-    c_tra, cubic_gap, k1_g, k2_sharp, polyline_gap_trapezoidal, quartic_gap, theorem_1_1_excess,
-    theorem_1_2_length_excess, theorem_d_excess, theorem_d_polyline_gap,
+    c_tra, k1_g, k2_sharp, polyline_gap_trapezoidal, theorem_1_1_excess, theorem_d_excess,
+    theorem_d_polyline_gap,
 };
+use tautline_statements::Evidence;
 
-use super::Figure;
 use crate::{
     Failure,
-    case::{Case, PaperRule, cases_named, subintervals},
-    data::{Data, Row, Tolerance},
+    artefact::Artefact,
+    case::{Case, PaperRule, cases_named, paper_bound, subintervals},
+    data::{Data, Tolerance},
     drawing::{self, Align, Axis, Colour, Curve, Note, Panel, Scale, Scene, palette},
     observation::Observation,
     sweep::Sweep,
 };
 
-pub(super) const FIGURE: Figure = Figure {
-    id: "losses",
-    shows: "the steps from the observed excess E - d^2 of the trapezoidal rule with N = 256 to \
-            the bound C/sqrt(N) of Theorem 1.1, and to that of Theorem D, each with the decades \
-            that it gives away",
+pub(super) const FIGURE: Artefact = Artefact::figure(
+    "losses",
+    "the steps from the observed excess E - d^2 of the trapezoidal rule with N = 256 to \
+     the bound C/sqrt(N) of Theorem 1.1, and to that of Theorem D, each with the decades \
+     that it gives away",
     data,
     draw,
-};
+);
 
 const N: usize = 256;
 
@@ -69,19 +70,16 @@ const CHAINS: [Chain; 2] = [
 
 fn data(_sweep: Sweep) -> Result<Data, Failure> {
     let mut data = Data::new(&[
-        ("case", Tolerance::Exact),
-        ("n", Tolerance::Exact),
-        ("chain", Tolerance::Exact),
-        ("step", Tolerance::Exact),
+        ("case n chain step", Tolerance::Exact),
         // The first steps are differences of energies up to 700, with an error of 1e-12 each.
         ("bound", Tolerance::Close { relative: 1e-6, absolute: 2e-10 }),
     ]);
     for case in cases_named(&CASES.map(|(name, _)| name))? {
         let seen = case.solve(PaperRule::Trapezoidal, N)?;
-        for (Chain { name: chain, steps, .. }, values) in
-            CHAINS.into_iter().zip([paper(&case, &seen)?, sharper(&case, &seen)?])
-        {
-            // Each step estimates the one before: what the proofs say, up to rounding.
+        let [prop_7_9, lemma_s_2] = case.gaps(N)?;
+        let chains = [paper(&case, &seen, &prop_7_9)?, sharper(&case, &seen, &lemma_s_2)?];
+        for (Chain { name: chain, steps, .. }, values) in CHAINS.into_iter().zip(chains) {
+            // By the proofs each step bounds the one before, up to rounding.
             if let Some(k) = (1..values.len()).find(|&k| !(values[k - 1] <= values[k] * 1.000_001))
             {
                 let (name, step) = (case.name, steps[k].0);
@@ -90,7 +88,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
             }
             for ((step, _), value) in steps.iter().zip(values) {
                 let names = [case.name, &N.to_string(), chain, step].map(str::to_owned);
-                data.push(names.into_iter().chain([format!("{value:.9e}")]).collect());
+                data.push(names.into_iter().chain([format!("{value:.9e}")]));
             }
         }
     }
@@ -100,10 +98,16 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
 /// The steps to Theorem 1.1, each a bound of `E(γᵖˡ) − d²`, in `m²`.
 ///
 /// `K₂` is that of Lemma S.1 until the paper's takes its place: that step has all of `D`.
-fn paper(case: &Case, seen: &Observation) -> Result<Vec<f64>, Failure> {
+///
+/// Proposition 7.9 is read where the sequence itself enters, and its bound where estimates of `K₃`
+/// replace that of the sequence.
+fn paper(case: &Case, seen: &Observation, prop_7_9: &Evidence) -> Result<Vec<f64>, Failure> {
     let (setting, constants, n) = (case.setting, case.setting.constants(), subintervals(seen.n)?);
     let minimum = seen.discrete_energy - case.distance_squared;
     let [k1, k2] = [k1_g(setting), k2_sharp(setting)];
+    let [cubes, of_k3] =
+        ["|E(γᵖˡ) − E_tra,N| ≤ L_H mean|β|³/4N", "|E(γᵖˡ) − E_tra,N| ≤ L_H K₃³/4√N"]
+            .map(|claim| prop_7_9.conclusion(claim).bound);
     let gap = |k3: f64| polyline_gap_trapezoidal(constants, k3, n);
     // K̄₃² = K₁² + C/c₁, where C bounds min E_N − d².
     let speed = |c: f64| (k1 * k1 + c / constants.c1()).sqrt();
@@ -111,18 +115,18 @@ fn paper(case: &Case, seen: &Observation) -> Result<Vec<f64>, Failure> {
     let uniform = c_tra(constants, k1, k2, subintervals(1)?);
     Ok(vec![
         seen.energy.value - case.distance_squared,
-        minimum + cubic_gap(constants, PaperRule::Trapezoidal, seen.mean_cube, n),
-        minimum + gap(seen.k3),
-        of_n + gap(seen.k3),
+        minimum + cubes,
+        minimum + of_k3,
+        of_n + of_k3,
         of_n + gap(speed(of_n)),
         uniform / seen.n as f64 + gap(speed(uniform)),
         theorem_1_1_excess(setting, n),
-        theorem_1_2_length_excess(setting, n),
+        paper_bound(setting, PaperRule::Trapezoidal, n),
     ])
 }
 
 /// The steps to Theorem D.
-fn sharper(case: &Case, seen: &Observation) -> Result<Vec<f64>, Failure> {
+fn sharper(case: &Case, seen: &Observation, lemma_s_2: &Evidence) -> Result<Vec<f64>, Failure> {
     let (setting, n) = (case.setting, subintervals(seen.n)?);
     let minimum = seen.discrete_energy - case.distance_squared;
     let known = |bound: Option<f64>| {
@@ -130,7 +134,7 @@ fn sharper(case: &Case, seen: &Observation) -> Result<Vec<f64>, Failure> {
     };
     Ok(vec![
         seen.energy.value - case.distance_squared,
-        minimum + known(quartic_gap(setting.constants(), seen.mean_fourth, n))?,
+        minimum + lemma_s_2.conclusion("|E(γᵖˡ) − E_tra,N| ≤ M_H mean|β|⁴/24N²").bound,
         minimum + known(theorem_d_polyline_gap(setting, n))?,
         known(theorem_d_excess(setting, n))?,
     ])
@@ -142,16 +146,11 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
     for Chain { name: chain, colour, steps } in CHAINS {
         let mut panels = Vec::new();
         for (k, (case, title)) in CASES.into_iter().enumerate() {
-            let of_case = |row: &Row<'_>| row.text("case") == case;
-            let all = data.rows().filter(of_case).map(|row| row.number("bound"));
-            let (least, most) = all.fold((f64::INFINITY, 0.0_f64), |(low, high), value| {
-                (low.min(value), high.max(value))
-            });
-            let values: Vec<f64> = data
-                .rows()
-                .filter(|row| of_case(row) && row.text("chain") == chain)
-                .map(|row| row.number("bound"))
-                .collect();
+            let of_case = || data.rows_with("case", case);
+            let all = || of_case().map(|row| row.number("bound"));
+            let (least, most) = (all().fold(f64::INFINITY, f64::min), all().fold(0.0, f64::max));
+            let of_chain = of_case().filter(|row| row.text("chain") == chain);
+            let values: Vec<f64> = of_chain.map(|row| row.number("bound")).collect();
             // A decade before the first bar, and room for a number after the last.
             let from = 10_f64.powi(decades(least).floor() as i32 - 1);
             let to = 10_f64.powi((decades(most) + 0.36 * decades(most / least)).ceil() as i32);
@@ -184,11 +183,8 @@ fn bars(mut panel: Panel, values: &[f64], from: f64, colour: Colour) -> Panel {
             let thread = Curve::new([(value, y), (value, height(k + 1))], palette::GREY);
             panel = panel.curve(thread.wide(0.8));
         }
-        let number = match k {
-            0 => String::new(),
-            _ => format!("$×10^{{{:.1}}}$", (value / before).log10()),
-        };
-        if !number.is_empty() {
+        if k > 0 {
+            let number = format!("$×10^{{{:.1}}}$", (value / before).log10());
             let note = Note::new((value, y), number, palette::INK, Align::Left);
             panel = panel.note(note.shifted(6.0, 0.0));
         }

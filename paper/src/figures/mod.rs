@@ -4,6 +4,7 @@ mod asymptotics;
 mod certified;
 mod convergence;
 mod dimension;
+mod excess_bounds;
 mod length_versus_energy;
 mod losses;
 mod overestimation;
@@ -12,29 +13,10 @@ mod speeds;
 mod tightness;
 mod valleys;
 
-use crate::{
-    Failure,
-    artefact::Artefact,
-    data::Data,
-    drawing::{Scene, pdf, png, svg},
-    sweep::Sweep,
-};
-
-/// A figure: its data and its drawing.
-#[derive(Clone, Copy, Debug)]
-pub struct Figure {
-    /// The name of its files.
-    pub id: &'static str,
-    /// What it shows, in a sentence.
-    pub shows: &'static str,
-    /// Computes and checks the data.
-    pub data: fn(Sweep) -> Result<Data, Failure>,
-    /// Draws the data, and nothing else.
-    pub draw: fn(&Data) -> Result<Scene, Failure>,
-}
+use crate::{Failure, artefact::Artefact, drawing::SlopeTriangle};
 
 /// All figures.
-pub const FIGURES: [Figure; 11] = [
+pub const FIGURES: [Artefact; 11] = [
     convergence::FIGURE,
     quantities::FIGURE,
     asymptotics::FIGURE,
@@ -48,30 +30,11 @@ pub const FIGURES: [Figure; 11] = [
     certified::FIGURE,
 ];
 
-impl Artefact for Figure {
-    fn id(&self) -> &'static str {
-        self.id
-    }
-
-    fn shows(&self) -> &'static str {
-        self.shows
-    }
-
-    fn data_file(&self) -> (String, &'static str) {
-        (format!("data/{}.csv", self.id), "figures")
-    }
-
-    fn compute(&self, sweep: Sweep) -> Result<Data, Failure> {
-        (self.data)(sweep)
-    }
-
-    fn files(&self, data: &Data) -> Result<Vec<(String, Vec<u8>)>, Failure> {
-        let scene = (self.draw)(data)?;
-        let file = |ending: &str| format!("figures/{}.{ending}", self.id);
-        Ok(vec![
-            (file("svg"), svg(&scene)),
-            (file("png"), png(&scene)?),
-            (file("pdf"), pdf(&scene)),
-        ])
-    }
+/// Returns a triangle under the last third of a falling series, half a decade below it.
+fn triangle_below(points: &[(f64, f64)], slope: f64) -> Result<SlopeTriangle, Failure> {
+    let at = points
+        .get(points.len() * 2 / 3)
+        .ok_or_else(|| Failure::Data("a series without points".to_owned()))?;
+    let (start, end) = (at.0 / 4.0, at.0);
+    Ok(SlopeTriangle::below(slope, start, end, 0.3 * at.1 * (start / end).powf(slope)))
 }

@@ -1,13 +1,9 @@
 //! How many times the observed excess each bound is, against `N`.
 
-use tautline::bounds::{
-    theorem_1_2_length_excess, theorem_a_excess, theorem_b_excess, theorem_c_excess,
-    theorem_d_excess,
-};
-
-use super::Figure;
+use super::excess_bounds::{COLUMNS, excess_bounds};
 use crate::{
     Failure,
+    artefact::Artefact,
     case::{Case, PaperRule, cases_named, subintervals},
     data::{Data, Row, Tolerance},
     drawing::{self, Axis, Colour, Curve, Marker, Panel, Scale, Scene, palette},
@@ -15,14 +11,14 @@ use crate::{
     sweep::Sweep,
 };
 
-pub(super) const FIGURE: Figure = Figure {
-    id: "overestimation",
-    shows: "the bounds of the paper, of Theorems A to D and of one computed sequence for the \
-            excess E - d^2 of the curve reconstructed from the trapezoidal minimiser, divided by \
-            the observed excess, against N",
+pub(super) const FIGURE: Artefact = Artefact::figure(
+    "overestimation",
+    "the bounds of the paper, of Theorems A to D and of one computed sequence for the \
+     excess E - d^2 of the curve reconstructed from the trapezoidal minimiser, divided by \
+     the observed excess, against N",
     data,
     draw,
-};
+);
 
 /// One panel each: the counterexample, a full matrix, sets, and three dimensions.
 const PANELS: [(&str, &str); 4] = [
@@ -48,13 +44,13 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
     // A difference of energies up to 700, with an error of 1e-12 each.
     let seen = Tolerance::Close { relative: 1e-6, absolute: 2e-10 };
     // Closed forms.
-    let proven = Tolerance::Close { relative: 1e-9, absolute: 0.0 };
-    let mut columns = vec![("case", Tolerance::Exact), ("n", Tolerance::Exact), ("excess", seen)];
-    columns.extend(BOUNDS.map(|(column, ..)| match column {
-        "a_posteriori" => (column, seen),
-        _ => (column, proven),
-    }));
-    let mut data = Data::new(&columns);
+    let proven = Tolerance::relative(1e-9);
+    let mut data = Data::new(&[
+        ("case n", Tolerance::Exact),
+        ("excess", seen),
+        (COLUMNS, proven),
+        ("a_posteriori", seen),
+    ]);
     for case in cases_named(&PANELS.map(|(name, _)| name))? {
         for n in sweep.powers_of_two(4096) {
             let observation = case.solve(PaperRule::Trapezoidal, n)?;
@@ -65,19 +61,9 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
 }
 
 fn row(case: &Case, seen: &Observation) -> Result<Vec<String>, Failure> {
-    let (n, setting) = (subintervals(seen.n)?, case.setting);
-    let rule = PaperRule::Trapezoidal;
-    let unknown = || Failure::Data(format!("{}: M_H is not known", case.name));
     // E(γᵖˡ) − d² is at most this, whatever d is.
-    let enclosure = case.enclose(rule, seen)?;
-    let a_posteriori = seen.energy.value - enclosure.lower;
-    let proven = [
-        theorem_1_2_length_excess(setting, n),
-        theorem_a_excess(setting, rule, n),
-        theorem_c_excess(setting, rule, n),
-        theorem_b_excess(setting, n).ok_or_else(unknown)?,
-        theorem_d_excess(setting, n).ok_or_else(unknown)?,
-    ];
+    let a_posteriori = seen.energy.value - case.enclose(PaperRule::Trapezoidal, seen)?.lower;
+    let proven = excess_bounds(case.setting, subintervals(seen.n)?)?;
     let excess = seen.energy.value - case.distance_squared;
     let mut row = vec![case.name.to_owned(), seen.n.to_string(), format!("{excess:.6e}")];
     row.extend(proven.map(|bound| format!("{bound:.11e}")));
@@ -89,23 +75,20 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
     let ratio = |row: &Row<'_>, bound: &str| row.number(bound) / row.number("excess");
     let ratios = data.rows().flat_map(|row| BOUNDS.map(|(column, ..)| ratio(&row, column)));
     let most = ratios.fold(1.0, f64::max);
-    let last = data.rows().map(|row| row.number("n")).fold(1.0, f64::max);
+    let last = data.greatest("n");
     let mut panels = Vec::new();
     for (k, (name, title)) in PANELS.into_iter().enumerate() {
-        let x = Axis::new(Scale::Decades, 1.0, last)?;
-        let x = if k < 2 { x.unnumbered() } else { x.labelled("number of subintervals $N$") };
-        let y = Axis::decades_covering([1.0, most], f64::INFINITY)?;
-        let y = if k % 2 == 0 { y.labelled("bound / excess") } else { y.unnumbered() };
+        let x =
+            Axis::new(Scale::Decades, 1.0, last)?.labelled_if(k >= 2, "number of subintervals $N$");
+        let y = Axis::decades_covering([1.0, most], f64::INFINITY)?
+            .labelled_if(k % 2 == 0, "bound / excess");
         let mut panel = Panel::new(x, y).titled(title).tall(240.0);
         panel = panel.curve(Curve::level(1.0, palette::GREY));
         for (column, label, colour, dash, marker) in BOUNDS {
-            let rows = data.rows().filter(|row| row.text("case") == name);
+            let rows = data.rows_with("case", name);
             let points = rows.map(|row| (row.number("n"), ratio(&row, column)));
-            let curve = Curve::new(points, colour).dashed(dash).labelled(label);
-            panel = panel.curve(match marker {
-                Some(marker) => curve.marked(marker),
-                None => curve,
-            });
+            let curve = Curve::new(points, colour).dashed(dash).marked(marker);
+            panel = panel.curve(curve.labelled(label));
         }
         panels.push(panel);
     }

@@ -1,22 +1,23 @@
 //! The three quantities that the theorems compare with `d²`, against `N`.
 
-use super::Figure;
+use super::triangle_below;
 use crate::{
     Failure,
+    artefact::Artefact,
     case::{PaperRule, cases_named},
     data::{Data, Row, Tolerance},
-    drawing::{self, Axis, Curve, Marker, Panel, Scale, Scene, SlopeTriangle, palette},
+    drawing::{self, Axis, Curve, Marker, Panel, Scale, Scene, palette},
     sweep::Sweep,
 };
 
-pub(super) const FIGURE: Figure = Figure {
-    id: "quantities",
-    shows: "the discrete energy, the energy and the squared length of the reconstructed curve \
-            minus d^2 against N, for both rules: where the left-endpoint rule shows its first \
-            order, and where the second hides it up to N = 1024",
+pub(super) const FIGURE: Artefact = Artefact::figure(
+    "quantities",
+    "the discrete energy, the energy and the squared length of the reconstructed curve \
+     minus d^2 against N, for both rules: where the left-endpoint rule shows its first \
+     order, and where the second hides it up to N = 1024",
     data,
     draw,
-};
+);
 
 /// One row of panels each: the general case, and one whose ends are nearly at one height of `H`.
 const CASES: [(&str, &str); 2] = [
@@ -29,12 +30,8 @@ const GAP: Tolerance = Tolerance::Close { relative: 1e-6, absolute: 2e-11 };
 
 fn data(sweep: Sweep) -> Result<Data, Failure> {
     let mut data = Data::new(&[
-        ("case", Tolerance::Exact),
-        ("rule", Tolerance::Exact),
-        ("n", Tolerance::Exact),
-        ("discrete_energy_gap", GAP),
-        ("energy_gap", GAP),
-        ("squared_length_gap", GAP),
+        ("case rule n", Tolerance::Exact),
+        ("discrete_energy_gap energy_gap squared_length_gap", GAP),
     ]);
     for case in cases_named(&CASES.map(|(name, _)| name))? {
         for rule in PaperRule::BOTH {
@@ -43,7 +40,7 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
                 let values = [seen.discrete_energy, seen.energy.value, seen.length_squared.value];
                 let names = [case.name.to_owned(), rule.name().to_owned(), n.to_string()];
                 let gaps = values.map(|value| format!("{:.6e}", value - case.distance_squared));
-                data.push(names.into_iter().chain(gaps).collect());
+                data.push(names.into_iter().chain(gaps));
             }
         }
     }
@@ -52,19 +49,19 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
 
 fn draw(data: &Data) -> Result<Scene, Failure> {
     let columns = ["discrete_energy_gap", "energy_gap", "squared_length_gap"];
-    let last = data.rows().map(|row| row.number("n")).fold(1.0, f64::max);
+    let last = data.greatest("n");
     let mut rows = Vec::new();
     for (k, (name, title)) in CASES.into_iter().enumerate() {
-        let of_case = || data.rows().filter(move |row| row.text("case") == name);
+        let of_case = || data.rows_with("case", name);
         let values = of_case().flat_map(|row| columns.map(|column| row.number(column).abs()));
         let values: Vec<f64> = values.collect();
         let mut panels = Vec::new();
         for rule in [PaperRule::Trapezoidal, PaperRule::LeftEndpoint] {
             let left = rule == PaperRule::LeftEndpoint;
-            let x = Axis::new(Scale::Decades, 1.0, last)?;
-            let x = if k == 0 { x.unnumbered() } else { x.labelled("number of subintervals $N$") };
-            let y = Axis::decades_covering(values.iter().copied(), f64::INFINITY)?;
-            let y = if left { y.unnumbered() } else { y.labelled("difference from $d^2$") };
+            let x = Axis::new(Scale::Decades, 1.0, last)?
+                .labelled_if(k > 0, "number of subintervals $N$");
+            let y = Axis::decades_covering(values.iter().copied(), f64::INFINITY)?
+                .labelled_if(!left, "difference from $d^2$");
             let series: Vec<Row<'_>> =
                 of_case().filter(|row| row.text("rule") == rule.name()).collect();
             let letter = ["(a)", "(b)", "(c)", "(d)"][2 * k + usize::from(left)];
@@ -87,11 +84,10 @@ fn curves(panel: Panel, series: &[Row<'_>], first_order: bool) -> Result<Panel, 
     let below = Curve::new(points("discrete_energy_gap", -1.0), palette::VERMILLION);
     let energy = points("energy_gap", 1.0);
     let length = points("squared_length_gap", 1.0);
-    let under = length.iter().map(|&(n, gap)| (n, 0.3 * gap)).collect::<Vec<_>>();
-    let mut panel = panel.triangle(triangle(&under, -2.0)?);
+    let mut panel = panel.triangle(triangle_below(&length, -2.0)?);
     if first_order {
-        let over = points("discrete_energy_gap", -0.3);
-        panel = panel.triangle(triangle(&over, -1.0)?);
+        let triangle = triangle_below(&points("discrete_energy_gap", -1.0), -1.0)?;
+        panel = panel.triangle(triangle);
     }
     // The energy is wide and beneath: where the speed is nearly constant the length lies over it.
     let energy = Curve::new(energy, palette::BLUE).wide(3.4).marked(Marker::Square);
@@ -101,13 +97,4 @@ fn curves(panel: Panel, series: &[Row<'_>], first_order: bool) -> Result<Panel, 
         .curve(length.labelled("$L(γ^\"pl\")^2 - d^2$"))
         .curve(above.marked(Marker::Disc).labelled("$E_N - d^2$, positive"))
         .curve(below.dashed(&[5.0, 3.0]).marked(Marker::Ring).labelled("$d^2 - E_N$, positive")))
-}
-
-/// A triangle whose hypotenuse ends at the last third of a falling series.
-fn triangle(points: &[(f64, f64)], slope: f64) -> Result<SlopeTriangle, Failure> {
-    let at = points
-        .get(points.len() * 2 / 3)
-        .ok_or_else(|| Failure::Data("a series without points".to_owned()))?;
-    let start = at.0 / 4.0;
-    Ok(SlopeTriangle::below(slope, start, at.0, at.1 * (start / at.0).powf(slope)))
 }

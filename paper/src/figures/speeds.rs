@@ -8,9 +8,9 @@ use tautline::{
     gallery::Valleys,
 };
 
-use super::Figure;
 use crate::{
     Failure,
+    artefact::Artefact,
     case::subintervals,
     data::{Data, Row, Tolerance},
     drawing::{self, Align, Axis, Curve, Marker, Note, Panel, Scale, Scene, palette},
@@ -18,14 +18,14 @@ use crate::{
     sweep::Sweep,
 };
 
-pub(super) const FIGURE: Figure = Figure {
-    id: "speeds",
-    shows: "the speeds of the chords of the minimisers of the trapezoidal energy and of the \
-            trapezoidal length between (0, 0) and (4 pi, 0) over the valleys, with the bound of \
-            Lemma S.3 and the spread of Lemma S.5",
+pub(super) const FIGURE: Artefact = Artefact::figure(
+    "speeds",
+    "the speeds of the chords of the minimisers of the trapezoidal energy and of the \
+     trapezoidal length between (0, 0) and (4 pi, 0) over the valleys, with the bound of \
+     Lemma S.3 and the spread of Lemma S.5",
     data,
     draw,
-};
+);
 
 const NUMBERS: [usize; 3] = [8, 32, 128];
 
@@ -33,13 +33,8 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
     // Speeds up to 2000; the minimisers are found to rounding times the condition N².
     let speed = Tolerance::Close { relative: 1e-7, absolute: 1e-6 };
     let mut data = Data::new(&[
-        ("n", Tolerance::Exact),
-        ("index", Tolerance::Exact),
-        ("least_energy", speed),
-        ("least_length", speed),
-        ("mean", speed),
-        ("greatest", speed),
-        ("deviation", speed),
+        ("n index", Tolerance::Exact),
+        ("least_energy least_length mean greatest deviation", speed),
     ]);
     let problem = Problem::new(Valleys, Ends::points(ENDS[0], ENDS[1])?);
     let constants = Bounded::<2>::constants(&Valleys);
@@ -74,7 +69,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
         for (index, (energy, length)) in energy.into_iter().zip(length).enumerate() {
             let cells = [energy, length, mean, greatest, deviation];
             let cells = cells.map(|value| format!("{value:.9e}"));
-            data.push([number.to_string(), index.to_string()].into_iter().chain(cells).collect());
+            data.push([number.to_string(), index.to_string()].into_iter().chain(cells));
         }
     }
     Ok(data)
@@ -87,19 +82,18 @@ fn speeds(sequence: &PointSequence<2>) -> Vec<f64> {
 
 fn draw(data: &Data) -> Result<Scene, Failure> {
     let mut panels = Vec::new();
-    let fastest = data.rows().map(|row| row.number("least_length")).fold(0.0, f64::max);
+    let fastest = data.greatest("least_length");
     let slowest = data.rows().map(|row| row.number("least_energy")).fold(f64::INFINITY, f64::min);
     let from = 10_f64.powi(slowest.log10().floor() as i32);
     for (k, number) in NUMBERS.into_iter().enumerate() {
-        let rows: Vec<Row<'_>> =
-            data.rows().filter(|row| row.text("n") == number.to_string()).collect();
+        let rows: Vec<Row<'_>> = data.rows_with("n", &number.to_string()).collect();
         let first = rows.first().ok_or_else(|| Failure::Data("no speeds".to_owned()))?;
         let [mean, greatest, deviation] =
             ["mean", "greatest", "deviation"].map(|column| first.number(column));
         let x = Axis::new(Scale::Linear, 0.0, 1.0)?.labelled("place $n/N$ of the chord");
         // Room for the name of the highest jump.
-        let y = Axis::new(Scale::Decades, from, 1.6 * fastest)?;
-        let y = if k == 0 { y.labelled("speed $|β_n|_g$") } else { y.unnumbered() };
+        let y =
+            Axis::new(Scale::Decades, from, 1.6 * fastest)?.labelled_if(k == 0, "speed $|β_n|_g$");
         let letter = ["a", "b", "c"][k];
         let mut panel = Panel::new(x, y).titled(format!("({letter}) $N = {number}$")).tall(260.0);
         let level = |value: f64| [(0.0, value), (1.0, value)];

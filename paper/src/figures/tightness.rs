@@ -5,10 +5,10 @@ use std::num::NonZeroUsize;
 use tautline::gallery::Shear;
 use tautline_statements::{Finding, Known, LIBRARY, PaperRule, Reconstruction, theorem_1_2};
 
-use super::Figure;
 use crate::{
     Failure,
-    data::{Data, Tolerance},
+    artefact::Artefact,
+    data::{Data, Row, Tolerance},
     drawing::{
         self, Align, Axis, Curve, DrawingError, Field, Marker, Note, Panel, Scale, Scene, palette,
     },
@@ -16,14 +16,14 @@ use crate::{
     sweep::Sweep,
 };
 
-pub(super) const FIGURE: Figure = Figure {
-    id: "tightness",
-    shows: "the bounds C/sqrt(N) of Theorem 1.2 and d^2 O(1/N) of first order, divided by the observed \
-            excess L^2 - d^2, over amplitude and wave number of a sheared plane, from (0, 0) to (1, 2) \
-            with N = 8",
+pub(super) const FIGURE: Artefact = Artefact::figure(
+    "tightness",
+    "the bounds C/sqrt(N) of Theorem 1.2 and d^2 O(1/N) of first order, divided by the observed \
+     excess L^2 - d^2, over amplitude and wave number of a sheared plane, from (0, 0) to (1, 2) \
+     with N = 8",
     data,
     draw,
-};
+);
 
 const FROM: [f64; 2] = [0.0, 0.0];
 const TO: [f64; 2] = [1.0, 2.0];
@@ -42,13 +42,12 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
     // of numbers up to 30.
     let seen = Tolerance::Close { relative: 1e-6, absolute: 3e-13 };
     // Closed forms.
-    let proven = Tolerance::Close { relative: 1e-9, absolute: 0.0 };
+    let proven = Tolerance::relative(1e-9);
     let mut data = Data::new(&[
         ("amplitude", proven),
         ("wave_number", Tolerance::Exact),
         ("excess", seen),
-        ("paper_bound", proven),
-        ("first_order_bound", proven),
+        ("paper_bound first_order_bound", proven),
     ]);
     for k in WAVE_NUMBERS.all() {
         for a in EXPONENTS.all().map(|exponent| 10_f64.powf(exponent)) {
@@ -81,8 +80,7 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
     .into_iter()
     .enumerate()
     {
-        let decades =
-            |row: crate::data::Row<'_>| (row.number(column) / row.number("excess")).log10();
+        let decades = |row: Row<'_>| (row.number(column) / row.number("excess")).log10();
         let grid = Grid::new(EXPONENTS, WAVE_NUMBERS, data.rows().map(decades).collect())?;
         panels.push(panel(&grid, title, k == 0)?);
     }
@@ -109,8 +107,7 @@ fn panel(grid: &Grid, title: &str, first: bool) -> Result<Panel, DrawingError> {
         .lined_every(4 * stride as usize)
         .labelled("$\"log\"_{10}$");
     let x_axis = Axis::new(Scale::Decades, x.0, x.1)?.labelled("amplitude $a$");
-    let y_axis = Axis::new(Scale::Linear, y.0, y.1)?;
-    let y_axis = if first { y_axis.labelled("wave number $k$") } else { y_axis.unnumbered() };
+    let y_axis = Axis::new(Scale::Linear, y.0, y.1)?.labelled_if(first, "wave number $k$");
     let star = Curve::new([place], palette::VERMILLION).marked(Marker::Star);
     let name = Note::new(place, power_of_ten(least), palette::INK, Align::Left);
     let mut panel = Panel::new(x_axis, y_axis)

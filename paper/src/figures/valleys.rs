@@ -4,36 +4,31 @@ use std::f64::consts::PI;
 
 use tautline::{Ends, Problem, Trapezoidal, gallery::Valleys};
 
-use super::Figure;
 use crate::{
     Failure,
+    artefact::Artefact,
     data::{Data, Tolerance},
     drawing::{self, Axis, Curve, Field, Marker, Panel, Scale, Scene, palette},
     section_5::{ENDS, left_minimisers, trapezoidal_minimisers},
     sweep::Sweep,
 };
 
-pub(super) const FIGURE: Figure = Figure {
-    id: "valleys",
-    shows: "the conformal factor f = 2 - cos x1 of Section 5 with the minimisers of the discrete \
-            lengths, which jump from valley to valley, and of the trapezoidal energy",
+pub(super) const FIGURE: Artefact = Artefact::figure(
+    "valleys",
+    "the conformal factor f = 2 - cos x1 of Section 5 with the minimisers of the discrete \
+     lengths, which jump from valley to valley, and of the trapezoidal energy",
     data,
     draw,
-};
+);
 
 fn data(_sweep: Sweep) -> Result<Data, Failure> {
     // Coordinates up to 4π; the minimisers are found to rounding times the condition N².
     let position = Tolerance::Close { relative: 0.0, absolute: 1e-7 };
-    let mut data = Data::new(&[
-        ("sequence", Tolerance::Exact),
-        ("index", Tolerance::Exact),
-        ("x1", position),
-        ("x2", position),
-    ]);
+    let mut data = Data::new(&[("sequence index", Tolerance::Exact), ("x1 x2", position)]);
     let mut push = |name: &str, points: Vec<(f64, f64)>| {
         for (index, (x1, x2)) in points.into_iter().enumerate() {
             let cells = [x1, x2].map(|x| format!("{:.9}", x + 0.0));
-            data.push([name.to_owned(), index.to_string()].into_iter().chain(cells).collect());
+            data.push([name.to_owned(), index.to_string()].into_iter().chain(cells));
         }
     };
     let n = 8;
@@ -101,7 +96,7 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
         ("energy_16", "$N = 16$", palette::VERMILLION, Some(Marker::Disc)),
         ("energy_64", "$N = 64$", palette::ORANGE, None),
     ] {
-        let rows: Vec<_> = data.rows().filter(|row| row.text("sequence") == name).collect();
+        let rows: Vec<_> = data.rows_with("sequence", name).collect();
         let last = (rows.len() - 1) as f64;
         let in_time = rows.iter().map(|row| (row.number("x1"), row.number("index") / last));
         let curve = Curve::new(in_time, colour).labelled(label);
@@ -111,7 +106,7 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
             None => curve.dashed(&[7.0, 7.0]).wide(2.0),
         });
         if name == "length_left" {
-            let in_plane = rows.iter().map(|row| (row.number("x1"), row.number("x2")));
+            let in_plane = rows.iter().map(|row| row.point("x1", "x2"));
             let squares = Curve::new(in_plane, colour).marked(Marker::Square);
             map = map.curve(squares.without_line().over_field());
         }

@@ -1,20 +1,22 @@
 //! The leading constants of the errors, predicted and measured.
 
-use super::{Layout, Seed, Table, layout::scientific, no_pages};
-use crate::{Failure, asymptotics::data, data::Data};
+use crate::{
+    Failure,
+    artefact::Artefact,
+    asymptotics::data,
+    data::Data,
+    layout::{Layout, scientific},
+};
 
-pub(super) const TABLE: Table = Table {
-    id: "asymptotics",
-    shows: "the leading constants of the errors of both rules, predicted along one geodesic and \
-            measured as Q(n) = n^order (error at N = n), for the left rule as 2 Q(n) - Q(n/2), with \
-            the difference relative to the prediction, or to d^2 where that is 0; d^2 in closed \
-            form, or extrapolated from N = 16, 64, ..., 4096",
-    seed: Seed::None,
+pub(super) const TABLE: Artefact = Artefact::table(
+    "asymptotics",
+    "the leading constants of the errors of both rules, predicted along one geodesic and \
+     measured as Q(n) = n^order (error at N = n), for the left rule as 2 Q(n) - Q(n/2), with \
+     the difference relative to the prediction, or to d^2 where that is 0; d^2 in closed \
+     form, or extrapolated from N = 16, 64, ..., 4096",
     data,
     layout,
-    repeatable: true,
-    pages: no_pages,
-};
+);
 
 fn symbol(quantity: &str) -> &'static str {
     match quantity {
@@ -32,20 +34,15 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
         "Leading constants of the errors in m², predicted and measured, with their difference \
          relative to the prediction, or to d² where the prediction is 0 (by symmetry, or in one \
          dimension); d² in closed form, or extrapolated where marked by a star.",
-        &["case", "limit of", "predicted", "measured", "difference"],
+        "case & limit of & predicted & measured & difference",
     );
-    let mut case = "";
     for row in data.rows() {
-        let mut name = String::new();
-        if row.text("case") != case {
-            case = row.text("case");
-            layout.group();
-            name = case.to_owned();
-            if row.text("reference") == "extrapolated" {
-                name += "*";
-            }
-        }
-        layout.push(vec![
+        let name = match (layout.group_by(row.text("case")), row.text("reference")) {
+            (false, _) => String::new(),
+            (true, "extrapolated") => format!("{}*", row.text("case")),
+            (true, _) => row.text("case").to_owned(),
+        };
+        layout.push([
             name,
             symbol(row.text("quantity")).to_owned(),
             scientific(row.number("predicted"), 4),

@@ -2,46 +2,40 @@
 
 use tautline::Quantity;
 
-use super::{Layout, Seed, Table, no_pages};
 use crate::{
     Failure,
+    artefact::Artefact,
     certified::{Certified, Found, accuracy, gallery},
     data::{Data, Tolerance},
+    layout::Layout,
     sweep::Sweep,
 };
 
-pub(super) const TABLE: Table = Table {
-    id: "certified_constants",
-    shows: "the constants of the gallery as stated, and between which bounds its formulas prove them \
-            to be; on all of space by periods or because the metric settles, or on a ball",
-    seed: Seed::None,
+pub(super) const TABLE: Artefact = Artefact::table(
+    "certified_constants",
+    "the constants of the gallery as stated, and between which bounds its formulas prove them \
+     to be; on all of space by periods or because the metric settles, or on a ball",
     data,
     layout,
-    repeatable: true,
-    pages: no_pages,
-};
+);
 
-/// Another library of elementary functions leads the search another way, to bounds that are as close.
-const BOUND: Tolerance = Tolerance::Close { relative: 1e-3, absolute: 0.0 };
+/// With another library of elementary functions the search takes another way, to bounds as close.
+const BOUND: Tolerance = Tolerance::relative(1e-3);
 const BOXES: Tolerance = Tolerance::Close { relative: 0.25, absolute: 20.0 };
 
 fn data(_sweep: Sweep) -> Result<Data, Failure> {
     let mut data = Data::new(&[
-        ("metric", Tolerance::Exact),
-        ("d", Tolerance::Exact),
-        ("quantity", Tolerance::Exact),
-        ("stated", Tolerance::Close { relative: 1e-12, absolute: 0.0 }),
-        ("certified_lower", BOUND),
-        ("certified_upper", BOUND),
+        ("metric d quantity", Tolerance::Exact),
+        ("stated", Tolerance::relative(1e-12)),
+        ("certified_lower certified_upper", BOUND),
         ("boxes", BOXES),
-        ("stated_is", Tolerance::Exact),
-        ("on", Tolerance::Exact),
+        ("stated_is on", Tolerance::Exact),
     ]);
     for metric in gallery()? {
         for (quantity, (stated, exact)) in Quantity::ALL.into_iter().zip(metric.stated) {
             let found = metric.find(quantity, accuracy(quantity))?;
             agrees(&metric, quantity, (stated, exact), &found)?;
-            data.push(vec![
+            data.push([
                 metric.metric.to_owned(),
                 metric.d.to_string(),
                 quantity.to_string(),
@@ -57,8 +51,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
     Ok(data)
 }
 
-/// Refuses a stated constant that is not between the bounds, or worse than it may be, and bounds that
-/// are too far apart.
+/// Refuses a stated constant that contradicts the bounds, and bounds that are too far apart.
 fn agrees(
     metric: &Certified,
     quantity: Quantity,
@@ -72,7 +65,7 @@ fn agrees(
         (false, Quantity::C1) => below <= found.upper,
         (false, _) => found.lower <= above,
     };
-    // L_H and M_H of a metric in three dimensions that is no multiple of the identity are replaced by
+    // In three dimensions, L_H and M_H of a metric that is no multiple of the identity are bounded by
     // something larger.
     let limit = match quantity {
         Quantity::C1 | Quantity::C2 => 1.0011,
@@ -94,11 +87,11 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
     let mut layout = Layout::new(
         "Constants of the gallery: as stated, and between which bounds the formula proves them to be. \
          A stated constant that is only a bound need not lie between.",
-        &["metric", "$D$", "constant", "stated", "", "proved from", "to", "boxes", "on"],
+        "metric & $D$ & constant & stated &  & proved from & to & boxes & on",
     );
     for row in data.rows() {
         let digits = |name: &str| format!("{:.6}", row.number(name));
-        layout.push(vec![
+        layout.push([
             row.text("metric").to_owned(),
             row.text("d").to_owned(),
             match row.text("quantity") {

@@ -10,36 +10,30 @@ use tautline::{
     gallery::{EggCrate, GaussianFisher, Valleys},
 };
 
-use super::{Layout, Seed, Table, layout::scientific, no_pages};
 use crate::{
     Failure,
+    artefact::Artefact,
     data::{Data, Tolerance},
+    layout::{Layout, scientific},
     sweep::Sweep,
 };
 
-pub(super) const TABLE: Table = Table {
-    id: "certified_curves",
-    shows: "how long it takes to enclose the energy and the length of a polygon, and its discrete \
-            energy, beside the same in doubles, on one thread of the machine that wrote the file",
-    seed: Seed::None,
+pub(super) const TABLE: Artefact = Artefact::table(
+    "certified_curves",
+    "how long it takes to enclose the energy and the length of a polygon, and its discrete \
+     energy, beside the same in doubles, on one thread of the machine that wrote the file",
     data,
     layout,
-    repeatable: false,
-    pages: no_pages,
-};
+)
+.timed();
 
-/// What is measured, in rounds of one after the other, and the least time taken of each.
+/// Rounds of all measurements in turn; the least time of each counts.
 const ROUNDS: usize = 3;
 
 fn data(sweep: Sweep) -> Result<Data, Failure> {
-    let time = Tolerance::Free;
     let mut data = Data::new(&[
-        ("metric", Tolerance::Exact),
-        ("n", Tolerance::Exact),
-        ("what", Tolerance::Exact),
-        ("nanoseconds_per_chord", time),
-        ("ratio_to_doubles", time),
-        ("ratio_to_discrete_energy", time),
+        ("metric n what", Tolerance::Exact),
+        ("nanoseconds_per_chord ratio_to_doubles ratio_to_discrete_energy", Tolerance::Free),
         ("relative_width", Tolerance::Close { relative: 0.5, absolute: 1e-12 }),
     ]);
     let most = if sweep.quick { 10_000 } else { 1_000_000 };
@@ -75,7 +69,7 @@ fn rows(data: &mut Data, name: &str, metric: &impl Metric<2>, n: usize) -> Resul
         let (quadratures, (integral, length)) =
             timed(|| (curve.energy(black_box(metric)), curve.length(black_box(metric))));
         let (proving, bounds) = timed(|| polygon.energy_and_length(black_box(metric)));
-        // The quadratures know their own errors only in part, and the values round.
+        // The quadratures know their own errors only in part, and the values are rounded.
         let near = |found: f64, error: f64, bounds: Interval| {
             let granted = 1e-12 * bounds.hi() + error;
             bounds.lo() - granted <= found && found <= bounds.hi() + granted
@@ -120,18 +114,13 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
     let mut layout = Layout::new(
         "Enclosing the energies of a polygon: nanoseconds a chord, the ratio to the same in doubles \
          and to one discrete energy in doubles, and the relative width.",
-        &["metric", "$N$", "what", "ns a chord", "to doubles", "to $E_{tra,N}$", "width"],
+        "metric & $N$ & what & ns a chord & to doubles & to $E_{tra,N}$ & width",
     );
     for row in data.rows() {
-        layout.push(vec![
-            row.text("metric").to_owned(),
-            row.text("n").to_owned(),
-            row.text("what").to_owned(),
-            row.text("nanoseconds_per_chord").to_owned(),
-            row.text("ratio_to_doubles").to_owned(),
-            row.text("ratio_to_discrete_energy").to_owned(),
-            scientific(row.number("relative_width"), 1),
-        ]);
+        let mut cells = row.texts("metric n what nanoseconds_per_chord");
+        cells.extend(row.texts("ratio_to_doubles ratio_to_discrete_energy"));
+        cells.push(scientific(row.number("relative_width"), 1));
+        layout.push(cells);
     }
     Ok(layout)
 }

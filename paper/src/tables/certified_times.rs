@@ -2,36 +2,28 @@
 
 use tautline::Quantity;
 
-use super::{Layout, Seed, Table, layout::scientific, no_pages};
 use crate::{
     Failure,
+    artefact::Artefact,
     certified::{accuracy, gallery},
     data::{Data, Tolerance},
+    layout::{Layout, scientific},
     sweep::Sweep,
 };
 
-pub(super) const TABLE: Table = Table {
-    id: "certified_times",
-    shows: "how long it takes to prove the constants of the gallery to the tolerance of \
-            certified_constants, on the machine that wrote the file",
-    seed: Seed::None,
+pub(super) const TABLE: Artefact = Artefact::table(
+    "certified_times",
+    "how long it takes to prove the constants of the gallery to the tolerance of \
+     certified_constants, on the machine that wrote the file",
     data,
     layout,
-    repeatable: false,
-    pages: no_pages,
-};
-
-const TIME: Tolerance = Tolerance::Free;
+)
+.timed();
 
 fn data(_sweep: Sweep) -> Result<Data, Failure> {
     let mut data = Data::new(&[
-        ("metric", Tolerance::Exact),
-        ("d", Tolerance::Exact),
-        ("quantity", Tolerance::Exact),
-        ("boxes", TIME),
-        ("seconds", TIME),
-        ("microseconds_per_box", TIME),
-        ("threads", TIME),
+        ("metric d quantity", Tolerance::Exact),
+        ("boxes seconds microseconds_per_box threads", Tolerance::Free),
     ]);
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     for metric in gallery()? {
@@ -55,17 +47,13 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
 fn layout(data: &Data) -> Result<Layout, Failure> {
     let mut layout = Layout::new(
         "Time to prove the constants of the gallery, in seconds and in microseconds for each box.",
-        &["metric", "$D$", "constant", "boxes", "seconds", "$\\mu$s a box"],
+        "metric & $D$ & constant & boxes & seconds & $\\mu$s a box",
     );
     for row in data.rows() {
-        layout.push(vec![
-            row.text("metric").to_owned(),
-            row.text("d").to_owned(),
-            row.text("quantity").to_owned(),
-            row.text("boxes").to_owned(),
-            scientific(row.number("seconds"), 2),
-            row.text("microseconds_per_box").to_owned(),
-        ]);
+        let mut cells = row.texts("metric d quantity boxes");
+        cells.push(scientific(row.number("seconds"), 2));
+        cells.extend(row.texts("microseconds_per_box"));
+        layout.push(cells);
     }
     Ok(layout)
 }

@@ -1,23 +1,21 @@
 //! Errors and observed orders of both rules on every case.
 
-use super::{Layout, Seed, Table, layout::scientific, no_pages};
 use crate::{
     Failure,
+    artefact::Artefact,
     case::{PaperRule, cases},
     convergence::{data, series},
     data::{Data, Row},
+    layout::{Layout, scientific},
 };
 
-pub(super) const TABLE: Table = Table {
-    id: "convergence",
-    shows: "the errors of discrete energy, reconstructed energy and squared length for both rules, \
-            with observed orders and the bound C/sqrt(N)",
-    seed: Seed::None,
+pub(super) const TABLE: Artefact = Artefact::table(
+    "convergence",
+    "the errors of discrete energy, reconstructed energy and squared length for both rules, \
+     with observed orders and the bound C/sqrt(N)",
     data,
     layout,
-    repeatable: true,
-    pages: no_pages,
-};
+);
 
 /// Every fourth power of two; the data file has all of them.
 const SHOWN: [usize; 5] = [1, 16, 256, 1024, 4096];
@@ -25,18 +23,8 @@ const SHOWN: [usize; 5] = [1, 16, 256, 1024, 4096];
 fn layout(data: &Data) -> Result<Layout, Failure> {
     let mut layout = Layout::new(
         "Errors in m², with the order observed between N/2 and N.",
-        &[
-            "case",
-            "rule",
-            "$N$",
-            "$E_N-d^2$",
-            "order",
-            "$E(\\gamma^{\\mathrm{pl}})-d^2$",
-            "order",
-            "$L(\\gamma^{\\mathrm{pl}})^2-d^2$",
-            "order",
-            "bound $C/\\sqrt N$",
-        ],
+        "case & rule & $N$ & $E_N-d^2$ & order & $E(\\gamma^{\\mathrm{pl}})-d^2$ & order & \
+         $L(\\gamma^{\\mathrm{pl}})^2-d^2$ & order & bound $C/\\sqrt N$",
     );
     for case in cases()? {
         for rule in PaperRule::BOTH {

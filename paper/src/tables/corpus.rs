@@ -1,38 +1,37 @@
 //! How far the solver goes: random problems over the gallery, and the Newton steps of each.
 
-use super::{Layout, Seed, Table, no_pages};
 use crate::{
     Failure,
+    artefact::{Artefact, Seed},
     corpus::{End, Kind, Outcome, SEED, Search, corpus},
     data::{Data, Tolerance},
+    layout::Layout,
     parallel,
     sweep::Sweep,
 };
 
-pub(super) const TABLE: Table = Table {
-    id: "corpus",
-    shows: "random problems over the gallery, by the Newton steps in all, over all grids, of the \
-            search that led to the result: from the default starts, of which 99.9 % must reach \
-            the goal within 60 steps, and from one straight line alone; touch: the sets have a \
-            point in common; above: it converged, but to a decrement above 1e-18 of the energy and \
-            a residual above twice its floor; stopped: it says that it did not converge, or to \
-            a saddle; refused: an error",
-    seed: Seed::One(SEED),
+pub(super) const TABLE: Artefact = Artefact::table(
+    "corpus",
+    "random problems over the gallery, by the Newton steps in all, over all grids, of the \
+     search that led to the result: from the default starts, of which 99.9 % must reach \
+     the goal within 60 steps, and from one straight line alone; touch: the sets have a \
+     point in common; above: it converged, but to a decrement above 1e-18 of the energy and \
+     a residual above twice its floor; stopped: it says that it did not converge, or to \
+     a saddle; refused: an error",
     data,
     layout,
-    repeatable: true,
-    pages: no_pages,
-};
+)
+.seeded(Seed::One(SEED));
 
 /// How many problems, and how many if quick.
 const PROBLEMS: usize = 2000;
 const QUICK: usize = 200;
 
-/// The goal: all but one in so many reach a minimiser within so many steps.
+/// The goal: all but one in `ONE_IN` problems reach a minimiser within `STEPS` steps.
 const ONE_IN: usize = 1000;
 const STEPS: usize = 60;
 
-/// So many may miss it, and each has a row: as many rows on every machine, whichever they are.
+/// So many may miss it. Each has a row, so that every machine has as many rows.
 const MISSES: usize = PROBLEMS / ONE_IN;
 
 /// The greatest number of steps of each column of the histogram, but the last.
@@ -58,21 +57,15 @@ const GROUPS: [Group; 10] = [
 /// column.
 const NUMBER: Tolerance = Tolerance::Close { relative: 0.05, absolute: 3.0 };
 
-const COLUMNS: [(&str, Tolerance); 15] = [
-    ("starts", Tolerance::Exact),
-    ("problems", Tolerance::Exact),
-    ("number", Tolerance::Exact),
-    ("touch", NUMBER),
-    ("steps_1_to_5", NUMBER),
-    ("steps_6_to_10", NUMBER),
-    ("steps_11_to_20", NUMBER),
-    ("steps_21_to_40", NUMBER),
-    ("steps_41_to_60", NUMBER),
-    ("steps_above_60", NUMBER),
-    ("above", NUMBER),
-    ("stopped", NUMBER),
-    ("refused", NUMBER),
-    // Of the hardest search of all, which takes a way of its own on another machine.
+/// The columns of the histogram: the sets touch, or the goal is reached within so many steps.
+const STEPS_TAKEN: &str = "touch steps_1_to_5 steps_6_to_10 steps_11_to_20 steps_21_to_40 \
+                           steps_41_to_60 steps_above_60";
+
+const COLUMNS: [(&str, Tolerance); 5] = [
+    ("starts problems number", Tolerance::Exact),
+    (STEPS_TAKEN, NUMBER),
+    ("above stopped refused", NUMBER),
+    // The hardest search of all takes another way on another machine.
     ("most_steps", Tolerance::Close { relative: 0.5, absolute: 3.0 }),
     // Which problem misses the goal, and how it ended.
     ("what", Tolerance::Free),
@@ -112,10 +105,11 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
         }
     }
     for k in 0..MISSES {
-        let mut row = vec![String::new(); COLUMNS.len()];
-        row[0] = "default".to_owned();
-        row[1] = format!("missed {}", k + 1);
-        row[COLUMNS.len() - 1] = missed.get(k).map_or("none".to_owned(), |o| describe(o));
+        let what = missed.get(k).map_or("none".to_owned(), |o| describe(o));
+        let mut row = vec!["default".to_owned(), format!("missed {}", k + 1)];
+        // No numbers: those of `histogram` but for the names.
+        row.extend(vec![String::new(); BANDS.len() + 7]);
+        row.push(what);
         data.push(row);
     }
     Ok(data)
@@ -172,35 +166,16 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
          line alone. The problems are drawn in `paper/src/corpus`. Ends touch: the sets have a point \
          in common. Not converged: the search gave up, ended at a saddle, or left both a decrement \
          above 1e-18 of the energy and a residual above twice its floor.",
-        &[
-            "starts",
-            "problems",
-            "number",
-            "ends touch",
-            "1–5",
-            "6–10",
-            "11–20",
-            "21–40",
-            "41–60",
-            "> 60",
-            "not converged",
-            "errors",
-            "most steps",
-        ],
+        "starts & problems & number & ends touch & 1–5 & 6–10 & 11–20 & 21–40 & 41–60 & > \
+         60 & not converged & errors & most steps",
     );
-    let mut starts = "";
     for row in data.rows().filter(|row| !row.text("number").is_empty()) {
-        let mut first = String::new();
-        if row.text("starts") != starts {
-            starts = row.text("starts");
-            first = starts.to_owned();
-            layout.group();
-        }
-        let mut cells = vec![first];
-        let copied = COLUMNS[1..10].iter().map(|(column, _)| row.text(column).to_owned());
-        cells.extend(copied);
+        let starts = row.text("starts");
+        let mut cells = vec![if layout.group_by(starts) { starts } else { "" }.to_owned()];
+        cells.extend(row.texts("problems number"));
+        cells.extend(row.texts(STEPS_TAKEN));
         cells.push(format!("{}", row.number("above") + row.number("stopped")));
-        cells.extend(["refused", "most_steps"].map(|column| row.text(column).to_owned()));
+        cells.extend(row.texts("refused most_steps"));
         layout.push(cells);
     }
     Ok(layout)

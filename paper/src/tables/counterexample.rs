@@ -2,10 +2,11 @@
 
 use tautline::{Ends, LeftEndpoint, PointSequence, Problem, Rule, Trapezoidal, gallery::Valleys};
 
-use super::{Layout, Seed, Table, layout::scientific, no_pages};
 use crate::{
     Failure,
+    artefact::Artefact,
     data::{Data, Tolerance},
+    layout::{Layout, scientific},
     section_5::{
         DISCRETE_LENGTH, DISTANCE, ENDS, along_the_axis, grid_sequences, left_minimisers,
         trapezoidal_minimisers,
@@ -13,20 +14,17 @@ use crate::{
     sweep::Sweep,
 };
 
-pub(super) const TABLE: Table = Table {
-    id: "counterexample",
-    shows: "the minima of the discrete lengths, 4 pi for every N, and of the square roots of the \
-            discrete energies, which converge to 8 pi (Section 5); minimisers counted by brute \
-            force on a grid for N up to 4",
-    seed: Seed::None,
+pub(super) const TABLE: Artefact = Artefact::table(
+    "counterexample",
+    "the minima of the discrete lengths, 4 pi for every N, and of the square roots of the \
+     discrete energies, which converge to 8 pi (Section 5); minimisers counted by brute \
+     force on a grid for N up to 4",
     data,
     layout,
-    repeatable: true,
-    pages: no_pages,
-};
+);
 
 /// Lengths up to 25, computed to rounding.
-const LENGTH: Tolerance = Tolerance::Close { relative: 1e-11, absolute: 0.0 };
+const LENGTH: Tolerance = Tolerance::relative(1e-11);
 
 /// The brute force takes `26^{N−1}` sequences.
 const COUNTED: usize = 4;
@@ -37,15 +35,10 @@ const ROUNDING: f64 = 1e-12;
 fn data(sweep: Sweep) -> Result<Data, Failure> {
     let mut data = Data::new(&[
         ("n", Tolerance::Exact),
-        ("min_length_left", LENGTH),
-        ("min_length_trapezoidal", LENGTH),
-        ("minimisers_left", Tolerance::Exact),
-        ("minimisers_trapezoidal", Tolerance::Exact),
-        ("counted_left", Tolerance::Exact),
-        ("counted_trapezoidal", Tolerance::Exact),
-        ("root_min_energy_left", LENGTH),
-        ("root_min_energy_trapezoidal", LENGTH),
-        ("distance", LENGTH),
+        ("min_length_left min_length_trapezoidal", LENGTH),
+        ("minimisers_left minimisers_trapezoidal", Tolerance::Exact),
+        ("counted_left counted_trapezoidal", Tolerance::Exact),
+        ("root_min_energy_left root_min_energy_trapezoidal distance", LENGTH),
     ]);
     let problem = Problem::new(Valleys, Ends::points(ENDS[0], ENDS[1])?);
     let mut grids = sweep.powers_of_two(1024);
@@ -115,16 +108,10 @@ fn count(n: usize) -> Result<(usize, usize), Failure> {
 fn layout(data: &Data) -> Result<Layout, Failure> {
     let mut layout = Layout::new(
         "Minimal discrete lengths and energies from (0, 0) to (4π, 0); the distance is 8π.",
-        &[
-            "$N$",
-            "$\\min L_{\\mathrm l,N}/\\pi$",
-            "$\\min L_{\\mathrm{tra},N}/\\pi$",
-            "minimisers (left)",
-            "minimisers (trap.)",
-            "$\\sqrt{\\min E_{\\mathrm l,N}}/\\pi$",
-            "$\\sqrt{\\min E_{\\mathrm{tra},N}}/\\pi$",
-            "$8-\\sqrt{\\min E_{\\mathrm{tra},N}}/\\pi$",
-        ],
+        "$N$ & $\\min L_{\\mathrm l,N}/\\pi$ & $\\min L_{\\mathrm{tra},N}/\\pi$ & \
+         minimisers (left) & minimisers (trap.) & $\\sqrt{\\min E_{\\mathrm l,N}}/\\pi$ & \
+         $\\sqrt{\\min E_{\\mathrm{tra},N}}/\\pi$ & $8-\\sqrt{\\min \
+         E_{\\mathrm{tra},N}}/\\pi$",
     );
     for row in data.rows() {
         let over_pi = |column: &str| row.number(column) / std::f64::consts::PI;

@@ -2,37 +2,31 @@
 
 use tautline_statements::{Statement, Verdict, errata};
 
-use super::{Layout, Seed, Table, layout::scientific};
 use crate::{
     Failure,
+    artefact::Artefact,
     data::{Data, Tolerance},
+    layout::{Layout, scientific},
     sweep::Sweep,
 };
 
-pub(super) const TABLE: Table = Table {
-    id: "errata",
-    shows: "the statements that are false as printed, each with a witness and its two numbers \
-            (observed above bound), the repaired form, and who relies on it",
-    seed: Seed::None,
+pub(super) const TABLE: Artefact = Artefact::table(
+    "errata",
+    "the statements that are false as printed, each with a witness and its two numbers \
+     (observed above bound), the repaired form, and who relies on it",
     data,
     layout,
-    repeatable: true,
-    pages,
-};
+)
+.with_pages(pages);
 
 /// The numbers are small fractions, evaluated by quadrature.
 const NUMBER: Tolerance = Tolerance::Close { relative: 1e-6, absolute: 1e-9 };
 
 fn data(_sweep: Sweep) -> Result<Data, Failure> {
     let mut data = Data::new(&[
-        ("number", Tolerance::Exact),
-        ("label", Tolerance::Exact),
-        ("printed", Tolerance::Exact),
-        ("witness", Tolerance::Exact),
-        ("observed", NUMBER),
-        ("bound", NUMBER),
-        ("repair", Tolerance::Exact),
-        ("relied_on_by", Tolerance::Exact),
+        ("number label printed witness", Tolerance::Exact),
+        ("observed bound", NUMBER),
+        ("repair relied_on_by", Tolerance::Exact),
     ]);
     for erratum in errata()? {
         let (statement, violated) = (erratum.statement, erratum.violated);
@@ -56,7 +50,7 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
     let mut layout = Layout::new(
         "Statements that are false as printed: a witness has the observed number where the printed \
          form allows at most the bound.",
-        &["statement", "observed", "bound"],
+        "statement & observed & bound",
     );
     for row in data.rows() {
         layout.push(vec![

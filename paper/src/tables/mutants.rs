@@ -3,30 +3,29 @@
 use tautline_statements::Mutant;
 use tautline_suite::battery::{Examination, Scope, Sight};
 
-use super::{Layout, Seed, Table, no_pages};
 use crate::{
     Failure,
+    artefact::{Artefact, Seed},
     data::{Data, Row, Tolerance},
+    layout::Layout,
     parallel,
     sweep::Sweep,
 };
 
-pub(super) const TABLE: Table = Table {
-    id: "mutants",
-    shows: "deliberately wrong variants of the library, the first checks that kill each of them, whether \
-            the paper's bounds alone, observed <= bound on random cases, compare any other number than \
-            those of the library, and whether they kill it",
-    seed: Seed::Suite,
+pub(super) const TABLE: Artefact = Artefact::table(
+    "mutants",
+    "deliberately wrong variants of the library, the first checks that kill each of them, whether \
+     the paper's bounds alone, observed <= bound on random cases, compare any other number than \
+     those of the library, and whether they kill it",
     data,
     layout,
-    repeatable: true,
-    pages: no_pages,
-};
+)
+.seeded(Seed::Suite);
 
-/// Random cases a family where a mutant is put to the whole suite: a mistake shows soon.
+/// Random cases a family where the whole suite runs against a mutant: a mistake shows soon.
 const CASES: u32 = 32;
 
-/// Random cases a family for the paper's bounds alone, which are asked more patiently.
+/// Random cases a family for the paper's bounds alone, which need more to see a mistake.
 const CASES_ALONE: u32 = 96;
 
 /// Whether the paper's bounds alone compare any other number than those of the library.
@@ -40,14 +39,12 @@ const NAMED: usize = 3;
 
 fn data(sweep: Sweep) -> Result<Data, Failure> {
     let mut data = Data::new(&[
-        ("mutant", Tolerance::Exact),
-        ("mistake", Tolerance::Exact),
-        ("killed_by", Tolerance::Exact),
+        ("mutant mistake killed_by", Tolerance::Exact),
         (SEEN, Tolerance::Exact),
         (KILLED, Tolerance::Exact),
     ]);
     let (cases, alone) = if sweep.quick { (8, 32) } else { (CASES, CASES_ALONE) };
-    // Nothing is worth anything if the suite kills the library itself.
+    // The kills mean nothing if the suite kills the library itself.
     let put = |scope, cases| {
         Examination::new(scope, cases).map_err(|failure| Failure::Violated(failure.message))
     };
@@ -91,7 +88,7 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
         passed = seen - killed,
         unseen = all - seen,
     );
-    let mut layout = Layout::new(caption, &["mistake", "killed by", "paper's bounds alone"]);
+    let mut layout = Layout::new(caption, "mistake & killed by & paper's bounds alone");
     for row in data.rows() {
         let killers: Vec<&str> = row.text("killed_by").split("; ").collect();
         layout.push(vec![

@@ -2,25 +2,23 @@
 
 use tautline_statements::slope;
 
-use super::{Layout, Seed, Table, no_pages};
 use crate::{
     Failure,
+    artefact::Artefact,
     case::{Case, PaperRule, cases},
     convergence,
     data::{Data, Row, Tolerance},
+    layout::{Layout, or_dash},
     sweep::Sweep,
 };
 
-pub(super) const TABLE: Table = Table {
-    id: "rates",
-    shows: "the proven orders in 1/N of the discrete minimum, of the energy and of the squared \
-            length of the reconstructed curve, with the observed ones, fitted from N = 256 on",
-    seed: Seed::None,
+pub(super) const TABLE: Artefact = Artefact::table(
+    "rates",
+    "the proven orders in 1/N of the discrete minimum, of the energy and of the squared \
+     length of the reconstructed curve, with the observed ones, fitted from N = 256 on",
     data,
     layout,
-    repeatable: true,
-    pages: no_pages,
-};
+);
 
 /// A quantity that is compared with `d²`.
 #[derive(Clone, Copy, PartialEq)]
@@ -51,8 +49,7 @@ impl Quantity {
     }
 }
 
-/// What a row claims: who, of which quantity, for which rules, under what, with which order, and on
-/// what the constant depends.
+/// One claim of a rate, as one row has it.
 struct Claim {
     statement: &'static str,
     quantity: Quantity,
@@ -64,8 +61,8 @@ struct Claim {
 
 const ALL: [Quantity; 3] = [Quantity::Minimum, Quantity::Energy, Quantity::Length];
 
-/// All claims; the first is that of the earlier work, as the paper's Table 1 has it, which does not
-/// say on what its constant depends.
+/// All claims. The first is from earlier work, as in the paper's Table 1, and does not say what its
+/// constant depends on.
 fn claims() -> Vec<Claim> {
     let earlier = Claim {
         statement: "Rumpf and Wirth (2015)",
@@ -125,14 +122,8 @@ const SHORT: f64 = 0.05;
 
 fn data(sweep: Sweep) -> Result<Data, Failure> {
     let mut data = Data::new(&[
-        ("statement", Tolerance::Exact),
-        ("quantity", Tolerance::Exact),
-        ("rule", Tolerance::Exact),
-        ("regularity", Tolerance::Exact),
-        ("proven_order", Tolerance::Exact),
-        ("depends_on", Tolerance::Exact),
-        ("least_observed_order", ORDER),
-        ("greatest_observed_order", ORDER),
+        ("statement quantity rule regularity proven_order depends_on", Tolerance::Exact),
+        ("least_observed_order greatest_observed_order", ORDER),
         ("cases", Tolerance::Exact),
     ]);
     let (solved, cases) = (convergence::data(sweep)?, cases()?);
@@ -190,30 +181,17 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
          term (that of the discrete minimum of the left-endpoint rule vanishes between ends at one \
          height of H). From above, Theorem 1.1 has the order 1 for the discrete minimum. Fixed \
          ends in the first row, sets in all others.",
-        &[
-            "statement",
-            "quantity",
-            "regularity",
-            "proven",
-            "constant depends on",
-            "observed, trapezoidal",
-            "cases",
-            "observed, left-endpoint",
-            "cases",
-        ],
+        "statement & quantity & regularity & proven & constant depends on & observed, \
+         trapezoidal & cases & observed, left-endpoint & cases",
     );
     let rows: Vec<Row<'_>> = data.rows().collect();
-    let mut before = "";
     // The two rules of one claim follow one another.
     let same = |a: &Row<'_>, b: &Row<'_>| {
         ["statement", "quantity"].iter().all(|column| a.text(column) == b.text(column))
     };
     for claim in rows.chunk_by(same) {
         let first = claim[0];
-        if first.text("regularity") != before {
-            before = first.text("regularity");
-            layout.group();
-        }
+        layout.group_by(first.text("regularity"));
         let quantity = ALL.into_iter().find(|q| q.names().0 == first.text("quantity"));
         let quantity = quantity.ok_or_else(|| Failure::Data("an unknown quantity".to_owned()))?;
         let mut cells = vec![
@@ -234,10 +212,6 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
         layout.push(cells);
     }
     Ok(layout)
-}
-
-fn or_dash(text: &str) -> String {
-    if text.is_empty() { "–".to_owned() } else { text.to_owned() }
 }
 
 /// `O(N^{-1/2})` as mathematics.

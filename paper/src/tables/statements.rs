@@ -6,26 +6,26 @@ use std::collections::BTreeSet;
 use tautline_statements::{Statement, Verdict};
 use tautline_suite::battery::ledger;
 
-use super::{Layout, Seed, Table};
 use crate::{
     Failure,
+    artefact::{Artefact, Seed},
     data::{Data, Row, Tolerance},
+    layout::{Layout, scientific},
     sweep::Sweep,
 };
 
-pub(super) const TABLE: Table = Table {
-    id: "statements",
-    shows: "every statement of the paper and every sharper one with our verdict, the number of \
-            random cases and of those that could fail, their least overestimation (bound / observed), the \
-            overestimation of the best witness, the tests, the hypotheses that are evaluated with it and \
-            those that are assumed, and the number of cases in which every number is proved with \
-            outward rounding",
-    seed: Seed::Suite,
+pub(super) const TABLE: Artefact = Artefact::table(
+    "statements",
+    "every statement of the paper and every sharper one with our verdict, the number of \
+     random cases and of those that could fail, their least overestimation (bound / observed), the \
+     overestimation of the best witness, the tests, the hypotheses that are evaluated with it and \
+     those that are assumed, and the number of cases in which every number is proved with \
+     outward rounding",
     data,
     layout,
-    repeatable: true,
-    pages,
-};
+)
+.seeded(Seed::Suite)
+.with_pages(pages);
 
 /// A statement that is tested at random is tested this often, on cases that could fail.
 const CASES: u64 = 1000;
@@ -35,24 +35,18 @@ const CASES: u64 = 1000;
 const DEFINITION: Statement = Statement::ConstantCTra;
 
 /// Overestimations are printed with few digits: they depend on where the solver stops.
-const OVERESTIMATION: Tolerance = Tolerance::Close { relative: 0.02, absolute: 0.0 };
+const OVERESTIMATION: Tolerance = Tolerance::relative(0.02);
 
 /// Whether a number can be told from 0 is decided by its last digits in a case of a hundred at
 /// most.
-const TOLD: Tolerance = Tolerance::Close { relative: 0.01, absolute: 0.0 };
+const TOLD: Tolerance = Tolerance::relative(0.01);
 
 fn data(_sweep: Sweep) -> Result<Data, Failure> {
     let mut data = Data::new(&[
-        ("label", Tolerance::Exact),
-        ("number", Tolerance::Exact),
-        ("verdict", Tolerance::Exact),
-        ("cases", Tolerance::Exact),
+        ("label number verdict cases", Tolerance::Exact),
         ("could_fail", TOLD),
-        ("least_overestimation", OVERESTIMATION),
-        ("witness_overestimation", OVERESTIMATION),
-        ("tests", Tolerance::Exact),
-        ("hypotheses", Tolerance::Exact),
-        ("assumed", Tolerance::Exact),
+        ("least_overestimation witness_overestimation", OVERESTIMATION),
+        ("tests hypotheses assumed", Tolerance::Exact),
         ("proved", TOLD),
     ]);
     let mut missing = Vec::new();
@@ -104,14 +98,8 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
     let mut layout = Layout::new(
         "The statements of the paper, and sharper ones: our verdict, random cases and those of them \
          that could fail, and overestimation (bound / observed) at random and at the best witness.",
-        &[
-            "statement",
-            "verdict",
-            "cases",
-            "could fail",
-            "least overestimation at random",
-            "overestimation of the witness",
-        ],
+        "statement & verdict & cases & could fail & least overestimation at random & \
+         overestimation of the witness",
     );
     for row in data.rows() {
         layout.push(vec![
@@ -144,7 +132,7 @@ fn overestimation(row: &Row<'_>, column: &str) -> String {
     match value {
         value if value.is_nan() => "–".to_owned(),
         value if value < 1000.0 => format!("${value:.3}$"),
-        value => super::layout::scientific(value, 1),
+        value => scientific(value, 1),
     }
 }
 

@@ -3,50 +3,45 @@
 use tautline_adversary::{Edge, Search, Tightest, families};
 use tautline_statements::{LIBRARY, Source};
 
-use super::{Layout, Seed, Table, layout::scientific, no_pages, statements::symbol};
+use super::statements::symbol;
 use crate::{
     Failure,
+    artefact::{Artefact, Seed},
     data::{Data, Row, Tolerance},
+    layout::{Layout, or_dash, scientific},
     sweep::Sweep,
 };
 
 /// The year of the pattern search of Hooke and Jeeves.
 const SEED: u64 = 1961;
 
-pub(super) const TABLE: Table = Table {
-    id: "tightness",
-    shows: "the least overestimation bound/observed that a search over metrics, ends and N finds for each \
-            statement in each family, by its own conclusions and by their sharper companions; and why \
-            there is no tighter case beyond the edges of the search at which it was found",
-    seed: Seed::One(SEED),
+pub(super) const TABLE: Artefact = Artefact::table(
+    "tightness",
+    "the least overestimation bound/observed that a search over metrics, ends and N finds for each \
+     statement in each family, by its own conclusions and by their sharper companions; and why \
+     there is no tighter case beyond the edges of the search at which it was found",
     data,
     layout,
-    repeatable: true,
-    pages: no_pages,
-};
+)
+.seeded(Seed::One(SEED));
 
 /// One per cent: the search stops where a step changes the overestimation by a tenth of that.
-const OVERESTIMATION: Tolerance = Tolerance::Close { relative: 1e-2, absolute: 0.0 };
+const OVERESTIMATION: Tolerance = Tolerance::relative(1e-2);
 
 fn data(sweep: Sweep) -> Result<Data, Failure> {
     // Where a minimum is flat, or two conclusions or two cases tie, the last bits of elementary
     // functions decide which one is found: only the overestimation is compared.
     let mut data = Data::new(&[
-        ("statement", Tolerance::Exact),
-        ("family", Tolerance::Exact),
-        ("conclusions", Tolerance::Exact),
+        ("statement family conclusions", Tolerance::Exact),
         ("overestimation", OVERESTIMATION),
-        ("n", Tolerance::Free),
-        ("tightest_conclusion", Tolerance::Free),
-        ("parameters", Tolerance::Free),
-        ("edges", Tolerance::Free),
+        ("n tightest_conclusion parameters edges", Tolerance::Free),
     ]);
     let full = Search { seed: SEED, ..Search::default() };
     let search = if sweep.quick { Search { restarts: 1, ..full } } else { full };
     for family in families(&LIBRARY) {
         for (source, name) in [(Source::Stated, "stated"), (Source::Sharper, "sharper")] {
-            // Where a bound is never seen to be used at all, as that of the length on the line,
-            // where every reconstruction has the length d, there is no overestimation to tell.
+            // Some families never use a bound, as that of the length on the line, where every
+            // reconstruction has the length d: they have no overestimation.
             let found = search.tightest(&family, source)?;
             let of = |cell: fn(&Tightest) -> String| found.as_ref().map_or(String::new(), cell);
             data.push(vec![
@@ -90,19 +85,10 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
          there: nothing lies beyond, or a limit, on the way to which the overestimation falls by 1 % at most. \
          Families in which nothing but rounding is observed are left out, such as the length of one \
          chord on the line, and Proposition 7.9 where H is linear.",
-        &[
-            "statement",
-            "family",
-            "overestimation",
-            "$N$",
-            "sharper overestimation",
-            "$N$",
-            "case",
-            "at the edge",
-        ],
+        "statement & family & overestimation & $N$ & sharper overestimation & $N$ & case & \
+         at the edge",
     );
     let rows: Vec<Row<'_>> = data.rows().collect();
-    let mut before = "";
     for pair in rows.chunks(2) {
         let [paper, sharper] = pair else {
             return Err(Failure::Data("a family without its second row".to_owned()));
@@ -110,11 +96,8 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
         if paper.text("overestimation").is_empty() && sharper.text("overestimation").is_empty() {
             continue;
         }
-        if paper.text("statement") != before {
-            before = paper.text("statement");
-            layout.group();
-        }
-        let mut cells = vec![symbol(before), paper.text("family").to_owned()];
+        layout.group_by(paper.text("statement"));
+        let mut cells = vec![symbol(paper.text("statement")), paper.text("family").to_owned()];
         for row in [paper, sharper] {
             cells.extend([overestimation(row.number("overestimation")), or_dash(row.text("n"))]);
         }
@@ -132,8 +115,4 @@ fn overestimation(value: f64) -> String {
         0.0.. => format!("${value:.3}$"),
         _ => "–".to_owned(),
     }
-}
-
-fn or_dash(text: &str) -> String {
-    if text.is_empty() { "–".to_owned() } else { text.to_owned() }
 }

@@ -107,6 +107,11 @@ impl Axis {
         self
     }
 
+    /// Sets the label, or leaves out the numbers if a neighbouring panel carries both.
+    pub fn labelled_if(self, carries: bool, label: &str) -> Axis {
+        if carries { self.labelled(label) } else { self.unnumbered() }
+    }
+
     /// Returns the pieces of the axis, the lowest first.
     #[must_use]
     pub fn stretches(&self) -> &[Stretch] {

@@ -47,9 +47,9 @@ impl Curve {
         Curve { course: Course::Level(y), width: 1.1, dash: vec![5.0, 3.5], ..empty }
     }
 
-    /// Puts a marker on every point.
-    pub fn marked(mut self, marker: Marker) -> Curve {
-        self.marker = Some(marker);
+    /// Puts a marker, if any, on every point.
+    pub fn marked(mut self, marker: impl Into<Option<Marker>>) -> Curve {
+        self.marker = marker.into();
         self
     }
 

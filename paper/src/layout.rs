@@ -2,8 +2,8 @@
 
 /// A table with heads and cells, ready to be set.
 ///
-/// Heads and cells are in a small common language: plain text, and mathematics between
-/// dollars, which both formats understand.
+/// Heads and cells are plain text with mathematics between dollar signs, which both formats
+/// understand.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layout {
     caption: String,
@@ -11,21 +11,25 @@ pub struct Layout {
     rows: Vec<Vec<String>>,
     /// Rows before which a new group begins.
     groups: Vec<usize>,
+    /// What the rows of the last group have in common.
+    key: String,
 }
 
 impl Layout {
-    /// Begins a table.
+    /// Begins a table; `heads` are separated by `" & "`.
     #[must_use]
-    pub fn new(caption: impl Into<String>, heads: &[&'static str]) -> Layout {
-        Layout { caption: caption.into(), heads: heads.to_vec(), ..Layout::default() }
+    pub fn new(caption: impl Into<String>, heads: &'static str) -> Layout {
+        let heads = heads.split(" & ").collect();
+        Layout { caption: caption.into(), heads, ..Layout::default() }
     }
 
     /// Adds a row.
     ///
     /// # Panics
     ///
-    /// If it has not one cell for each head.
-    pub fn push(&mut self, row: Vec<String>) {
+    /// Unless it has one cell for each head.
+    pub fn push(&mut self, row: impl IntoIterator<Item = String>) {
+        let row: Vec<String> = row.into_iter().collect();
         assert_eq!(row.len(), self.heads.len(), "one cell for each head");
         self.rows.push(row);
     }
@@ -35,6 +39,16 @@ impl Layout {
         if !self.rows.is_empty() {
             self.groups.push(self.rows.len());
         }
+    }
+
+    /// Begins a new group if `key` is not that of the rows before, and returns whether it did.
+    pub fn group_by(&mut self, key: &str) -> bool {
+        let new = self.key != key;
+        if new {
+            key.clone_into(&mut self.key);
+            self.group();
+        }
+        new
     }
 
     /// Returns the table in Markdown.
@@ -83,6 +97,12 @@ fn escape_latex(cell: &str) -> String {
             }
         })
         .collect()
+}
+
+/// Returns the text, or a dash if it is empty.
+#[must_use]
+pub fn or_dash(text: &str) -> String {
+    if text.is_empty() { "–" } else { text }.to_owned()
 }
 
 /// Returns a number as mathematics: `1.23e-4` becomes `$1.23\cdot 10^{-4}$`, an empty cell or
