@@ -1,8 +1,7 @@
-//! What it costs to enclose the energy and the length of a polygon of `N = 10⁴` chords, beside the
-//! same in floats. Expect some 2 to 8 µs a chord for both enclosures: fifteen to twenty times as
-//! much as for both quadratures, and some three hundred and fifty times as much as for one
-//! discrete energy, whose own enclosure takes thirty to fifty times as long as its value. The
-//! kernel matters little: the four operations are what takes the time.
+//! The cost of enclosing the energy and the length of a polygon of `N = 10⁴` chords, beside the
+//! same in floats. Expect 2 to 8 µs a chord for both enclosures: 15 to 20 times the cost of both
+//! quadratures, and about 350 times that of one discrete energy, whose enclosure takes 30 to 50
+//! times as long as its value. The kernel matters little: the four operations take the time.
 
 use std::hint::black_box;
 

@@ -1,8 +1,7 @@
-//! What an operation on intervals costs, beside the same on `f64`, for both kernels.
+//! The cost of operations on intervals, beside the same on `f64`, for both kernels.
 //!
-//! Each measurement is one pass over 1024 arguments or pairs of them, in `[0.1, 3]`; intervals
-//! have the width `10⁻³`, as in a subdivision that has come some way. Divide by 1024 for one
-//! operation.
+//! Each measurement is one pass over 1024 arguments, or pairs of them, in `[0.1, 3]`; intervals
+//! have the width `10⁻³`, as after some subdivision. Divide by 1024 for one operation.
 
 use std::hint::black_box;
 

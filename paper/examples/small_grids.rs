@@ -1,10 +1,10 @@
-//! Is a small grid cheaper than a fine one? The times with small `N` over that with `N = 512`, for each
-//! problem of the corpus.
+//! Is a small grid cheaper than a fine one? Times with small `N`, divided by the time with `N = 512`,
+//! for each problem of the corpus.
 //!
-//! `cargo run --release --package paper --example small_grids [problems] [runs]`: 2000 problems and the
-//! least of 3 runs unless said otherwise. What else the machine does makes a run longer, on either grid:
-//! where a ratio is above 1, so that it may be on the wrong side of 1.2, both are timed once more, with ten
-//! times as many runs.
+//! `cargo run --release --package paper --example small_grids [problems] [runs]`: by default 2000
+//! problems and the least of 3 runs. Other load on the machine makes runs longer, on either grid: where
+//! a ratio is above 1, and so may be on the wrong side of 1.2, both are timed again with ten times as
+//! many runs.
 
 use std::error::Error;
 
@@ -13,7 +13,7 @@ use paper::corpus::corpus;
 const SMALL: [usize; 5] = [4, 16, 32, 33, 64];
 const FINE: usize = 512;
 
-/// Above it a small grid is not cheaper; above the other one that is in doubt.
+/// Above `LIMIT` a small grid is not cheaper; above `IN_DOUBT` this may be so.
 const LIMIT: f64 = 1.2;
 const IN_DOUBT: f64 = 1.0;
 

@@ -38,13 +38,13 @@ pub const QUANTITIES: [(&str, i32); 6] = [
     ("length_squared_left", 2),
 ];
 
-/// Chords of the finest measurement. The next order is about `(10/N)²` of the first, and rounding is
-/// `N² ε d²`, both below `10⁻⁴`.
+/// Chords of the finest measurement. The next order is about `(10/N)²` of the first, and rounding
+/// is `N² ε d²`, both below `10⁻⁴`.
 const N: usize = 2048;
 
 /// Chords of the geodesics that the prediction reads. Their error is of second order, so two grids
-/// give the prediction to fourth order. Where `d²` is not known, it is extrapolated from the coarser
-/// grids of the last solve.
+/// give the prediction to fourth order. Where `d²` is not known, it is extrapolated from the
+/// coarser grids of the last solve.
 const READ: [usize; 2] = [2048, 4096];
 
 /// Predicted and measured agree to three digits.

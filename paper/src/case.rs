@@ -1,25 +1,23 @@
 //! `Case`: a metric, two sets and the distance between them.
 
-use std::{f64::consts::PI, num::NonZeroUsize, rc::Rc};
+use std::{num::NonZeroUsize, rc::Rc};
 
 use tautline::{
-    AxisBox, Ball, Bounded, Ends, HalfSpace, KnownDistance, Problem, SVector, Trapezoidal,
+    Bounded, Ends, KnownDistance, Problem, SVector, Trapezoidal,
     bounds::{
         Computed, DiscreteMinimum, Enclosure, Setting, enclose, theorem_1_1_constant,
         theorem_1_3_constant,
     },
-    gallery::{Bump, Ramp, Separable, Shear, Valleys},
 };
 pub use tautline_statements::PaperRule;
 use tautline_statements::{
-    Evidence, Finding, Known, LIBRARY, Reconstruction, VerifyError, lemma_s_2, lemma_s_4, prop_7_9,
-    prop_s_6, theorem_1_1, theorem_1_2, theorem_1_3, theorem_1_4, theorem_a, theorem_b, theorem_c,
-    theorem_d,
+    Evidence, Finding, Known, LIBRARY, Reconstruction, lemma_s_2, lemma_s_4, prop_7_9, prop_s_6,
+    theorem_1_1, theorem_1_2, theorem_1_3, theorem_1_4, theorem_a, theorem_b, theorem_c, theorem_d,
 };
 
 use crate::{Failure, observation::Observation};
 
-/// Where `d²` comes from.
+/// The source of `d²`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reference {
     /// A closed form, or a quadrature to rounding, with a proof of minimality.
@@ -47,9 +45,9 @@ pub struct Case {
     pub title: &'static str,
     /// The square of the distance, in `m²`.
     pub distance_squared: f64,
-    /// Where it comes from.
+    /// The source of this value.
     pub reference: Reference,
-    /// What the bounds depend on.
+    /// The data of the bounds.
     pub setting: Setting,
     /// The orders in `1/N` of `E_N − d²` for both rules; see [`Orders`].
     pub orders: Orders,
@@ -90,8 +88,8 @@ impl Case {
     ///
     /// # Errors
     ///
-    /// If the solver refuses the problem or does not converge to a local minimum; if a hypothesis or
-    /// an inequality of the theorems, or of their sharper companions, fails.
+    /// If the solver refuses the problem or does not converge to a local minimum; if a hypothesis
+    /// or an inequality of the theorems, or of their sharper companions, fails.
     pub fn solve(&self, rule: PaperRule, n: usize) -> Result<Observation, Failure> {
         (self.solve)(rule, n).map_err(|reason| {
             let (case, rule) = (self.name, rule.name());
@@ -129,7 +127,7 @@ impl Case {
         Ok(enclose(self.setting.constants(), self.setting.dimension(), &computed)?)
     }
 
-    fn new<M, const D: usize>(
+    pub(crate) fn new<M, const D: usize>(
         (name, title): (&'static str, &'static str),
         metric: M,
         ends: Ends<D>,
@@ -160,7 +158,7 @@ impl Case {
     }
 
     /// A case between two points whose distance the metric knows.
-    fn between<M, const D: usize>(
+    pub(crate) fn between<M, const D: usize>(
         names: (&'static str, &'static str),
         metric: M,
         [a, b]: [[f64; D]; 2],
@@ -212,8 +210,8 @@ fn gaps<M: Bounded<D>, const D: usize>(
     let seen = Reconstruction::observe(&LIBRARY, known, PaperRule::Trapezoidal, n)?;
     let sequence = &seen.minimum.sequence;
     let gaps = [
-        prop_7_9(&LIBRARY, &known.metric, sequence).map_err(VerifyError::from)?,
-        lemma_s_2(&LIBRARY, &known.metric, sequence).map_err(VerifyError::from)?,
+        prop_7_9(&LIBRARY, &known.metric, sequence)?,
+        lemma_s_2(&LIBRARY, &known.metric, sequence)?,
     ];
     gaps.iter().try_for_each(holds)?;
     Ok(gaps)
@@ -253,108 +251,4 @@ pub fn paper_bound(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
 /// [`Failure::Data`] for `N = 0`.
 pub fn subintervals(n: usize) -> Result<NonZeroUsize, Failure> {
     NonZeroUsize::new(n).ok_or_else(|| Failure::Data("N = 0".to_owned()))
-}
-
-/// Returns the cases of these names, in the order of the names.
-///
-/// # Errors
-///
-/// [`Failure::Data`] if there is no case of a name; those of [`cases`].
-pub fn cases_named(names: &[&str]) -> Result<Vec<Case>, Failure> {
-    let mut all = cases()?;
-    let take = |name: &&str| {
-        let place = all.iter().position(|case| case.name == *name);
-        let place = place.ok_or_else(|| Failure::Data(format!("no case is called {name}")))?;
-        Ok(all.swap_remove(place))
-    };
-    names.iter().map(take).collect()
-}
-
-/// Returns all cases.
-///
-/// # Errors
-///
-/// None in a correct build: every constructor gets constants.
-pub fn cases() -> Result<Vec<Case>, Failure> {
-    let shear = Shear::new(0.5, 1.0)?;
-    let ball = Ball::new([0.0, 0.0], 0.5)?;
-    let separable = || Separable::new([0.3, 0.5, -0.4], [1.0, 2.0, 1.5]);
-    // Flattening each coordinate maps a box and a half-space x₁ ≥ 4 to a box and a half-space.
-    let corner = separable()?.flatten(&SVector::from([0.5, 0.0, 0.0]))[0];
-    let wall = separable()?.flatten(&SVector::from([4.0, 0.0, 0.0]))[0];
-    Ok(vec![
-        Case::between(
-            ("valleys_points", "valleys, $(0,0)$ to $(4π,0)$"),
-            Valleys,
-            [[0.0, 0.0], [4.0 * PI, 0.0]],
-            // H is even about the middle of the curve.
-            Orders::LeftHidden,
-        )?,
-        Case::between(
-            ("valleys_oblique", "valleys, $(0,0)$ to $(2,3/2)$"),
-            Valleys,
-            [[0.0, 0.0], [2.0, 1.5]],
-            Orders::General,
-        )?,
-        Case::new(
-            ("valleys_ball", "valleys, ball to half-plane"),
-            Valleys,
-            Ends::new(ball, HalfSpace::at_least([1.0, 0.0], 3.0)?)?,
-            // |∇u| = f for u = 2x₁ − sin x₁, and the ball reaches to x₁ = ½.
-            Some(5.0 - 3_f64.sin() + 0.5_f64.sin()),
-            Orders::General,
-        )?,
-        Case::between(
-            ("shear_points", "shear, $(0,0)$ to $(2,3)$"),
-            shear,
-            [[0.0, 0.0], [2.0, 3.0]],
-            Orders::General,
-        )?,
-        Case::new(
-            ("shear_ball", "shear, ball to half-plane"),
-            shear,
-            Ends::new(ball, HalfSpace::at_least([0.0, 1.0], 3.0)?)?,
-            // Flattening keeps x₂, and the ball reaches to x₂ = ½.
-            Some(2.5),
-            // Both rules can follow β₁ = −½ cos(x₂) β₂ exactly, x₁ being free at the end.
-            Orders::Exact,
-        )?,
-        Case::between(
-            ("separable_points", "separable, $D = 3$"),
-            separable()?,
-            [[0.0, 0.0, 0.0], [2.0, 1.0, -1.5]],
-            Orders::General,
-        )?,
-        Case::new(
-            ("separable_box", "separable, box to half-space"),
-            separable()?,
-            Ends::new(
-                AxisBox::new([0.0, 0.0, 0.0], [0.5, 0.5, 0.5])?,
-                HalfSpace::at_least([1.0, 0.0, 0.0], 4.0)?,
-            )?,
-            Some(wall - corner),
-            Orders::General,
-        )?,
-        Case::between(
-            ("ramp", "ramp, $D = 1$"),
-            Ramp::new(0.5, 1.0)?,
-            [[-1.0], [2.0]],
-            Orders::General,
-        )?,
-        Case::new(
-            ("bump_points", "bump, passed on one side"),
-            Bump::new(4.0, 0.5)?,
-            Ends::points([-1.5, 0.05], [1.5, -0.1])?,
-            None,
-            // Both ends are at nearly the same distance from the bump.
-            Orders::LeftHidden,
-        )?,
-        Case::new(
-            ("bump_ball", "bump, ball to half-plane"),
-            Bump::new(4.0, 0.5)?,
-            Ends::new(Ball::new([-2.0, 0.0], 0.5)?, HalfSpace::at_least([1.0, 0.0], 2.0)?)?,
-            None,
-            Orders::General,
-        )?,
-    ])
 }

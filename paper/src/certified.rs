@@ -1,4 +1,4 @@
-//! The gallery with the constants that its formulas prove.
+//! The gallery, with a search for the constants that its formulas prove.
 
 use std::time::{Duration, Instant};
 
@@ -16,7 +16,7 @@ use tautline::{
 
 use crate::Failure;
 
-/// A metric of the gallery and what is stated of its constants.
+/// A metric of the gallery and its stated constants.
 pub struct Certified {
     /// Its name.
     pub metric: &'static str,
@@ -24,13 +24,12 @@ pub struct Certified {
     pub d: usize,
     /// Where its constants are proved.
     pub on: &'static str,
-    /// The four constants that are stated, in the order of [`Quantity::ALL`], and whether each is the
-    /// best one.
+    /// The stated constants in the order of [`Quantity::ALL`], and whether each is the best one.
     pub stated: [(f64, bool); 4],
     search: Search,
 }
 
-/// What a search found, but for the point.
+/// The result of a search, without its point.
 #[derive(Clone, Copy, Debug)]
 pub struct Found {
     /// The bound from below.
@@ -75,7 +74,7 @@ impl Certified {
     }
 }
 
-/// All of space, by periods or because the metric settles.
+/// All of space: a period, or a box outside of which the metric settles.
 fn space<const D: usize>(
     metric: &impl Metric<D>,
 ) -> Result<(&'static str, Domain<D>), CertifyError> {
@@ -117,8 +116,7 @@ const EIGENVALUES: [bool; 4] = [true, true, false, false];
 const DERIVATIVES: [bool; 4] = [false, false, true, true];
 const NONE: [bool; 4] = [false; 4];
 
-/// Returns the accuracy that is asked of a constant: a thousandth, and a hundredth for `M_H`, which
-/// costs most.
+/// Returns the accuracy of a search: a thousandth, and a hundredth for `M_H`, which costs most.
 #[must_use]
 pub fn accuracy(quantity: Quantity) -> Accuracy {
     let tolerance = if quantity == Quantity::MH { 1e-2 } else { 1e-3 };
@@ -129,7 +127,7 @@ pub fn accuracy(quantity: Quantity) -> Accuracy {
 ///
 /// # Errors
 ///
-/// If the floor is not positive: it is ½.
+/// None: the floor is positive.
 pub fn decoder() -> Result<TanhDecoder<2, 3, 3>, GalleryError> {
     let inner = SMatrix::<f64, 3, 2>::new(1.0, 0.2, -0.5, 0.8, 0.3, -1.0);
     let outer = SMatrix::<f64, 3, 3>::new(1.0, 0.0, 0.5, 0.0, 1.0, -0.5, 0.4, 0.3, 1.0);
@@ -140,7 +138,7 @@ pub fn decoder() -> Result<TanhDecoder<2, 3, 3>, GalleryError> {
 ///
 /// # Errors
 ///
-/// If a metric has no such parameters, or does not settle: none has.
+/// None: the parameters are admissible.
 pub fn gallery() -> Result<Vec<Certified>, Failure> {
     let matrix = SMatrix::<f64, 2, 2>::new(2.0, 1.0, 1.0, 2.0);
     let one = Obstacle { centre: [0.0, 0.0].into(), height: 2.0, width: 0.5 };

@@ -12,7 +12,8 @@ use tautline_statements::slope;
 
 use crate::{
     Failure,
-    case::{Case, PaperRule, cases, paper_bound, subintervals},
+    case::{Case, PaperRule, paper_bound, subintervals},
+    cases::cases,
     data::{Data, Row, Tolerance},
     observation::Observation,
     sweep::Sweep,

@@ -1,81 +1,68 @@
 //! `Failure`: why a figure or table could not be made, or was refused.
 
-use std::path::PathBuf;
+use std::{error::Error, path::PathBuf};
 
-use tautline::{
-    AsymptoticsError, CertifyError, LocalError, RecordError, SequenceError, SetError, SolveError,
-    bounds::BoundError, gallery::GalleryError,
-};
-use tautline_statements::VerifyError;
-
-use crate::drawing::DrawingError;
-
-/// What went wrong.
+/// The reason of a failure.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Failure {
-    /// The arguments of the command.
+    /// The arguments of the command are wrong.
     #[error("{0}")]
     Usage(String),
-    /// A set.
+    /// A library returned an error.
     #[error(transparent)]
-    Set(#[from] SetError),
-    /// A metric.
-    #[error(transparent)]
-    Gallery(#[from] GalleryError),
-    /// A formula that cannot be recorded.
-    #[error(transparent)]
-    Record(#[from] RecordError),
-    /// Constants on a ball.
-    #[error(transparent)]
-    Local(#[from] LocalError),
-    /// Constants that could not be proved.
-    #[error(transparent)]
-    Certify(#[from] CertifyError),
-    /// A point sequence.
-    #[error(transparent)]
-    Sequence(#[from] SequenceError),
-    /// A problem that the solver refuses.
-    #[error(transparent)]
-    Solve(#[from] SolveError),
-    /// Leading constants that do not exist, or cannot be told.
-    #[error(transparent)]
-    Asymptotics(#[from] AsymptoticsError),
-    /// A bound.
-    #[error(transparent)]
-    Bound(#[from] BoundError),
-    /// A statement that could not be evaluated.
-    #[error(transparent)]
-    Verify(#[from] VerifyError),
-    /// A search that met a violated statement.
-    #[cfg(feature = "tables")]
-    #[error(transparent)]
-    Adversary(#[from] tautline_adversary::AdversaryError),
-    /// A drawing.
-    #[error(transparent)]
-    Drawing(#[from] DrawingError),
-    /// A case without a reference value.
+    Library(Box<dyn Error + Send + Sync>),
+    /// The distance of a case is not known.
     #[error("{0}: the distance is not known")]
     NoReference(&'static str),
-    /// An inequality or an order that the observations violate.
+    /// Observations violate an inequality or an order.
     #[error("{0}")]
     Violated(String),
-    /// A check of the project's own suite.
+    /// A check of the project's own suite fails.
     #[cfg(feature = "tables")]
     #[error("a check fails: {0}")]
     Check(#[from] tautline_suite::battery::Failure),
-    /// A file.
+    /// A file cannot be read or written.
     #[error("{}: {source}", path.display())]
     File {
-        /// Which.
+        /// The file.
         path: PathBuf,
-        /// What the system said.
+        /// The error of the system.
         source: std::io::Error,
     },
-    /// A data file that cannot be read back.
+    /// Data cannot be read back, drawn or set.
     #[error("{0}")]
     Data(String),
     /// What is committed differs from what was computed.
     #[error("{0}")]
     Differs(String),
 }
+
+/// Makes `?` turn errors of the libraries into failures.
+macro_rules! from_libraries {
+    ($($error:ty),* $(,)?) => {$(
+        impl From<$error> for Failure {
+            fn from(error: $error) -> Failure {
+                Failure::Library(error.into())
+            }
+        }
+    )*};
+}
+
+from_libraries! {
+    tautline::AsymptoticsError,
+    tautline::CertifyError,
+    tautline::LocalError,
+    tautline::MetricError,
+    tautline::RecordError,
+    tautline::SequenceError,
+    tautline::SetError,
+    tautline::SolveError,
+    tautline::bounds::BoundError,
+    tautline::gallery::GalleryError,
+    tautline_drawing::DrawingError,
+    tautline_statements::VerifyError,
+}
+
+#[cfg(feature = "tables")]
+from_libraries!(tautline_adversary::AdversaryError);

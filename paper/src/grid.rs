@@ -14,30 +14,30 @@ pub struct Grid {
 /// Equidistant lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lines {
-    /// Where the first one is.
+    /// The first line.
     pub from: f64,
-    /// Where the last one is.
+    /// The last line.
     pub to: f64,
-    /// How many there are.
+    /// Their number.
     pub count: usize,
 }
 
 impl Lines {
-    /// Returns where the `k`-th one is.
+    /// Returns the place of the `k`-th line.
     #[must_use]
     pub fn at(&self, k: usize) -> f64 {
         self.from + (self.to - self.from) * k as f64 / (self.count - 1) as f64
     }
 
-    /// Returns all of them.
+    /// Returns all lines.
     pub fn all(self) -> impl Iterator<Item = f64> {
         (0..self.count).map(move |k| self.at(k))
     }
 
     /// Returns the first of the four lines about `place`, and the weights of the four.
     ///
-    /// Those of Lagrange's cubic, exact for polynomials of degree 3; near the edge, and a little
-    /// beyond it, it is the cubic through the last four.
+    /// The weights are those of Lagrange's cubic, exact for polynomials of degree 3; near the edge, and
+    /// a little beyond it, it is the cubic through the last four.
     fn weights(&self, place: f64) -> (usize, [f64; 4]) {
         let s = (place - self.from) / (self.to - self.from) * (self.count - 1) as f64;
         let first = (s.floor() - 1.0).clamp(0.0, (self.count - 4) as f64);
@@ -57,7 +57,8 @@ impl Grid {
     ///
     /// # Errors
     ///
-    /// [`Failure::Data`] unless there are four lines each way and one finite value at each crossing.
+    /// [`Failure::Data`] unless there are four lines each way and one finite value at each
+    /// crossing.
     pub fn new(x: Lines, y: Lines, values: Vec<f64>) -> Result<Grid, Failure> {
         let complete = x.count >= 4 && y.count >= 4 && values.len() == x.count * y.count;
         if complete && values.iter().all(|value| value.is_finite()) {

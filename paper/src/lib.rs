@@ -8,6 +8,7 @@
 pub mod artefact;
 pub mod asymptotics;
 pub mod case;
+pub mod cases;
 pub mod certified;
 pub mod command;
 pub mod convergence;

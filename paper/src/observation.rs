@@ -1,4 +1,4 @@
-//! `Observation`: what is measured of one computed minimiser.
+//! `Observation`: the measurements of one computed minimiser.
 
 use tautline::{Curvature, Integral};
 

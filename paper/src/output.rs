@@ -1,4 +1,4 @@
-//! Where files go, and how they get there whole.
+//! `Output`: a folder in which files are written whole or not at all.
 
 use std::{
     fs,
@@ -14,13 +14,13 @@ pub struct Output {
 }
 
 impl Output {
-    /// The committed place: the folder of this package.
+    /// The folder of this package, whose files are committed.
     #[must_use]
     pub fn committed() -> Output {
         Output { root: PathBuf::from(env!("CARGO_MANIFEST_DIR")) }
     }
 
-    /// The place of a quick run, which must not overwrite what is committed.
+    /// The folder of a quick run, which must not overwrite what is committed.
     #[must_use]
     pub fn quick() -> Output {
         Output { root: Path::new(env!("CARGO_MANIFEST_DIR")).join("../target/quick") }
@@ -47,7 +47,7 @@ impl Output {
             fs::rename(&temporary, &path)
         };
         attempt().map_err(|source| {
-            // Whatever is left of it: a failure to remove it adds nothing to the one reported.
+            // A failure to remove what is left adds nothing to the one reported.
             let _ = fs::remove_file(&temporary);
             Failure::File { path: path.clone(), source }
         })
@@ -57,21 +57,21 @@ impl Output {
     ///
     /// # Errors
     ///
-    /// If it is not there, or cannot be read.
+    /// If it does not exist or cannot be read.
     pub fn read(&self, file: &str) -> Result<Vec<u8>, Failure> {
         let path = self.root.join(file);
         fs::read(&path).map_err(|source| Failure::File { path, source })
     }
 
-    /// Compares a file with what was made anew.
+    /// Compares a file with its recomputed content.
     ///
     /// # Errors
     ///
-    /// If it is not there, or differs in a byte.
+    /// If it does not exist, or differs in a byte.
     pub fn compare(&self, file: &str, bytes: &[u8]) -> Result<(), Failure> {
         if self.read(file)? == bytes {
             return Ok(());
         }
-        Err(Failure::Differs(format!("{file} is not what its data give")))
+        Err(Failure::Differs(format!("{file} does not follow from its data")))
     }
 }

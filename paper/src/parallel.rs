@@ -1,4 +1,4 @@
-//! The same function of many values, on all cores, with the results in order.
+//! One function of many values, on all cores, with the results in order.
 
 use std::{
     sync::atomic::{AtomicUsize, Ordering},

@@ -1,9 +1,9 @@
-//! `Sweep`: over which numbers of subintervals the artefacts run.
+//! `Sweep`: the numbers of subintervals over which figures and tables run.
 
 /// The range of `N`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sweep {
-    /// Whether it is cut short, to look at something quickly.
+    /// Whether it is cut short, for a quick look.
     pub quick: bool,
 }
 

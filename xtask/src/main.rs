@@ -1,4 +1,4 @@
-//! `cargo xtask <task>`: what the repository can do, beyond building and testing one crate.
+//! `cargo xtask <task>`: the commands of the repository, beyond building and testing one crate.
 
 mod bench;
 mod nightly;
@@ -17,8 +17,8 @@ usage: cargo xtask <task>
   tables  [ID …] [--check | --quick | --list]   recompute paper/tables
   test    [ARG …]                               every test of the workspace
   nightly [-p PACKAGE] [NAME] [-- ARG …]        everything random with a fresh seed, printed first,
-                                                and 100 times the cases; TAUTLINE_SEED and
-                                                TAUTLINE_CASES say otherwise
+                                                and 100 times the cases, unless TAUTLINE_SEED and
+                                                TAUTLINE_CASES are set
   bench   [P1 | … | P6 | N | batch | …] …       times the parts of a solve, and large problems:
                                                 paper/tables/speed.csv, scale.csv, programs.csv
   peers   [--problem ID | --n N | --distance] … other programs on the same problems, timed; needs
@@ -55,23 +55,23 @@ fn main() -> ExitCode {
     }
 }
 
-/// Runs the package that computes and draws, with the profile of the tests: little of what they have
-/// compiled is compiled again. The figures go without its feature `tables`, and so without what would take
-/// longer to compile than all that they need.
+/// Runs the package that computes and draws, with the profile of the tests, so that little is
+/// compiled twice. The figures do without the feature `tables`, whose dependencies take longer to
+/// compile than everything the figures need.
 fn paper(what: &[&str], rest: &[&str]) -> Result<(), String> {
     cargo(&[&["run", "--package", "paper"], what, rest].concat(), &[])
 }
 
-/// Unit and integration tests, then those of the documentation. `--tests` takes the libraries and programs
-/// that have unit tests too; `--lib` would take those that have none, and compile them once more. That the examples compile is for the
-/// lints to see, which take them with all other targets, without a line of machine code.
+/// Unit and integration tests, then documentation tests. `--tests` includes the libraries and
+/// programs with unit tests; `--lib` would also compile those without any. That the examples
+/// compile is checked by the lints, which generate no machine code.
 fn test(rest: &[&str]) -> Result<(), String> {
     cargo(&[&["test", "--workspace", "--tests"], rest].concat(), &[])?;
     cargo(&[&["test", "--workspace", "--doc"], rest].concat(), &[])
 }
 
-/// Formatting, lints, documentation, tests, and whether figures and tables are what the code
-/// makes of them. The cheapest check comes first.
+/// Formatting, lints, documentation, tests, and whether the committed figures and tables are what
+/// the code computes. The cheapest check comes first.
 fn ci() -> Result<(), String> {
     cargo(&["fmt", "--all", "--check"], &[])?;
     let lints = ["clippy", "--workspace", "--all-targets", "--", "--deny", "warnings"];
@@ -82,10 +82,12 @@ fn ci() -> Result<(), String> {
     check("tables")
 }
 
-/// Has the program that the tests have built compare what is committed. `cargo run` would compile it and
-/// all its libraries once more, since dependencies of tests ask for more features of shared crates.
+/// Compares what is committed, with the program that the tests have built. `cargo run` would
+/// compile it and its libraries again, since test dependencies enable more features of shared
+/// crates.
 fn check(what: &str) -> Result<(), String> {
-    let program = env::current_exe().map_err(|error| format!("this program's place: {error}"))?;
+    let program =
+        env::current_exe().map_err(|error| format!("the path of this program: {error}"))?;
     let program = program.with_file_name(format!("paper{}", env::consts::EXE_SUFFIX));
     let line = format!("{} {what} --check", program.display());
     run(Command::new(&program).args([what, "--check"]), &line)
@@ -106,8 +108,8 @@ fn cargo(arguments: &[&str], environment: &[(&str, &str)]) -> Result<(), String>
     run(command.args(arguments).envs(environment.iter().copied()), &line)
 }
 
-/// Runs a command in the root of the workspace, and echoes it as this line, so that a failure can be
-/// pasted and run again.
+/// Runs a command in the root of the workspace, and first prints it as `line`, so that a failure
+/// can be pasted and run again.
 fn run(command: &mut Command, line: &str) -> Result<(), String> {
     eprintln!("$ {line}");
     match command.current_dir(root()).status() {

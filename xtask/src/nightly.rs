@@ -1,4 +1,4 @@
-//! `cargo xtask nightly`: everything random with other seeds and more cases.
+//! `cargo xtask nightly`: all random tests with another seed and more cases.
 
 use std::{
     path::Path,
@@ -6,52 +6,52 @@ use std::{
     time::{SystemTime, UNIX_EPOCH},
 };
 
-/// So many times the cases of a test.
+/// The factor for the cases of a test.
 const CASES: &str = "100";
 
 /// The variables that the tests read: see `crates/tautline-chance`.
 const VARIABLES: [&str; 2] = ["TAUTLINE_SEED", "TAUTLINE_CASES"];
 
-/// What no seed changes.
+/// Tests that no seed changes.
 const SKIPPED: [&str; 2] = ["committed_data", "tidiness"];
 
-/// Runs the tests with a seed from the clock and a hundred times the cases, or with those of the
-/// environment; `rest` goes to `cargo test`. All of it is run, whatever fails.
+/// Runs the tests with a seed from the clock and a hundred times the cases, unless the environment
+/// sets them; `rest` goes to `cargo test`. A failure does not stop the other tests.
 pub(crate) fn nightly(root: &Path, rest: &[&str]) -> Result<(), String> {
     let clock = SystemTime::now().duration_since(UNIX_EPOCH).map_or(1, |since| since.as_secs());
     let chosen = chosen(|name| std::env::var(name).ok(), clock);
     let arguments = arguments(rest);
     let set: String = chosen.iter().map(|(name, value)| format!("{name}={value} ")).collect();
     let line = format!("{set}cargo {}", arguments.join(" "));
-    // Before anything else, so that a night that ends early can be had again.
+    // Before anything else, so that an interrupted night can be repeated.
     println!("$ {line}");
     let status =
         Command::new(env!("CARGO")).args(&arguments).envs(chosen).current_dir(root).status();
     match status {
         Ok(status) if status.success() => Ok(()),
         Ok(status) => Err(format!(
-            "`{line}` failed: {status}\nEach failure above says how to draw its case again; the ones of \
-             the suite end with a test to paste."
+            "`{line}` failed: {status}\nEach failure above says how to draw its case again; those of the \
+             suite end with a test to paste."
         )),
         Err(error) => Err(format!("`{line}` did not start: {error}")),
     }
 }
 
-/// The variables: as the environment has them, or else the clock and a hundred times the cases.
+/// The variables with their values: from the environment, or else the clock and [`CASES`].
 fn chosen(set: impl Fn(&str) -> Option<String>, clock: u64) -> [(&'static str, String); 2] {
     let [seed, cases] = VARIABLES;
     let or = |name, otherwise: String| (name, set(name).unwrap_or(otherwise));
     [or(seed, clock.to_string()), or(cases, CASES.to_owned())]
 }
 
-/// The arguments for cargo: the whole workspace, unless packages are named; and behind `--` what
-/// is left out.
+/// The arguments for cargo: the whole workspace, unless packages are named; after `--` the skipped
+/// tests.
 fn arguments<'a>(rest: &[&'a str]) -> Vec<&'a str> {
     let (cargo, test) = match rest.iter().position(|argument| *argument == "--") {
         Some(at) => (&rest[..at], &rest[at + 1..]),
         None => (rest, &rest[..0]),
     };
-    // As `-p tests`, `-ptests`, `--package tests` and `--package=tests`.
+    // `-p tests`, `-ptests`, `--package tests` and `--package=tests` all name one.
     let named = cargo
         .iter()
         .any(|argument| argument.starts_with("--package") || argument.starts_with("-p"));

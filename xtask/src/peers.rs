@@ -1,24 +1,24 @@
-//! `cargo xtask peers`: Tautline beside what one would take instead.
+//! `cargo xtask peers`: Tautline beside its alternatives.
 //!
 //! Installs the Python packages into `target/peers`, compiles the peers in Rust, and leaves the
-//! rest to `peers/compare.py`. What cannot be installed is a row of the table that says so.
+//! rest to `peers/compare.py`. A peer that cannot be installed gets a row that says so.
 
 use std::{env, fs, path::Path, process::Command};
 
-/// The virtual environments: their folders below `target/peers`, and what they are to hold.
+/// The virtual environments: their folders below `target/peers`, and their requirements.
 const ENVIRONMENTS: [(&str, &str); 2] =
     [("main", "requirements.txt"), ("geomstats", "requirements-geomstats.txt")];
 
 /// Installs, compiles, compares. Arguments go to the comparison.
 pub(crate) fn peers(root: &Path, rest: &[&str]) -> Result<(), String> {
     let scripts = root.join("peers");
-    // All build output is below one folder, wherever cargo has been told to have it.
+    // All build output goes below the folder that cargo uses.
     let target = root.join(env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()));
     let folder = target.join("peers");
     let [python, geomstats] = ENVIRONMENTS.map(|(name, requirements)| {
         let environment = folder.join(name);
         if let Err(message) = install(&environment, &scripts.join(requirements)) {
-            eprintln!("{message}; peers that need it are rows that say so");
+            eprintln!("{message}; peers that need it get a row that says so");
         }
         environment.join("bin/python")
     });
@@ -30,7 +30,7 @@ pub(crate) fn peers(root: &Path, rest: &[&str]) -> Result<(), String> {
     let argmin = folder.join("argmin").display().to_string();
     let build = ["build", "--release", "--manifest-path", &manifest, "--target-dir", &argmin];
     if let Err(message) = super::cargo(&build, &[]) {
-        eprintln!("{message}; argmin is a row that says so");
+        eprintln!("{message}; argmin gets a row that says so");
     }
 
     // A part of the table does not replace the whole.
@@ -51,7 +51,7 @@ pub(crate) fn peers(root: &Path, rest: &[&str]) -> Result<(), String> {
     run(compare.args(rest).env("PYTHONDONTWRITEBYTECODE", "1"))
 }
 
-/// Makes a virtual environment, unless there is one, and installs what is listed.
+/// Makes a virtual environment, unless it exists, and installs the requirements.
 fn install(environment: &Path, requirements: &Path) -> Result<(), String> {
     let python = environment.join("bin/python");
     if !python.exists() {
@@ -63,7 +63,7 @@ fn install(environment: &Path, requirements: &Path) -> Result<(), String> {
         command
     };
     run(pip().arg("--requirement").arg(requirements)).or_else(|_| {
-        // Nothing is installed if one of them cannot be: so one at a time.
+        // One failure keeps pip from installing anything: so one at a time.
         let text = fs::read_to_string(requirements).map_err(|error| error.to_string())?;
         let missing = text
             .lines()
@@ -77,12 +77,7 @@ fn install(environment: &Path, requirements: &Path) -> Result<(), String> {
     })
 }
 
-/// Runs a command, echoed before.
 fn run(command: &mut Command) -> Result<(), String> {
-    eprintln!("$ {command:?}");
-    match command.status() {
-        Ok(status) if status.success() => Ok(()),
-        Ok(status) => Err(format!("`{command:?}` failed: {status}")),
-        Err(error) => Err(format!("`{command:?}` did not start: {error}")),
-    }
+    let line = format!("{command:?}");
+    super::run(command, &line)
 }

@@ -2,17 +2,16 @@
 
 /// A figure that cannot be drawn as asked.
 ///
-/// Each variant names the thing and carries the offending value, so that the message alone
-/// tells which label, range or number to change.
+/// Each message alone says which label, range or number to change.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DrawingError {
     /// The embedded font has no outline for a character; a blank would go unnoticed.
-    #[error("the figure font has no glyph for {character:?} (U+{:04X}), wanted by {label:?}", u32::from(*character))]
+    #[error("the figure font has no glyph for {character:?} (U+{:04X}), which {label:?} needs", u32::from(*character))]
     UnknownGlyph {
         /// The character without a glyph.
         character: char,
-        /// The label that asked for it.
+        /// The label that needs it.
         label: String,
     },
     /// A label does not follow the syntax of [`typeset`](crate::math_text::typeset).
@@ -33,7 +32,7 @@ pub enum DrawingError {
         /// The clause that failed.
         want: &'static str,
     },
-    /// A heat-map met a value that has no colour.
+    /// A heat-map has no colour for a value that is not finite.
     #[error("the field is {value} at ({x}, {y}); a heat-map needs finite values")]
     NotFinite {
         /// First coordinate of the sample.
@@ -52,7 +51,7 @@ pub enum DrawingError {
     /// The labels leave no room for the plots.
     #[error("a panel would be {left:.0} px wide; widen the figure or shorten its labels")]
     TooNarrow {
-        /// What is left for each plot, in px.
+        /// The width left for each plot, in px.
         left: f64,
     },
     /// Two labels of a finished scene overlap.
@@ -75,7 +74,7 @@ pub enum DrawingError {
         /// The label.
         label: String,
     },
-    /// A remark has its place outside its panel, where it would go unnoticed.
+    /// A remark lies outside its panel, where it would go unnoticed.
     #[error("{what} at ({x}, {y}) lies outside its panel")]
     Outside {
         /// The remark.
@@ -88,7 +87,7 @@ pub enum DrawingError {
     /// A figure without panels has no picture.
     #[error("a figure needs at least one panel, and equally many in each row")]
     NoPanels,
-    /// A library that draws or encodes refused; its own words follow.
+    /// A library that draws or encodes failed, with this message.
     #[error("drawing failed: {0}")]
     Backend(String),
 }

@@ -1,9 +1,9 @@
 //! Publication-quality figures: one drawing, written as SVG, PNG and PDF.
 //!
-//! A [`Figure`] is made of [`Panel`]s, a panel of two axes and data. Drawing it goes through
-//! plotters, which turns data into shapes; our own backend records them in a [`Scene`], and the
-//! three writers spell that one scene out. So the three files cannot disagree, and since nothing
-//! in them depends on a system font, a clock or an address, two runs give the same bytes.
+//! A [`Figure`] consists of [`Panel`]s, a panel of two axes and data. plotters turns data into
+//! shapes, our own backend records them in a [`Scene`], and three writers write that one scene, so
+//! the three files cannot disagree. Nothing in them depends on a system font, a clock or an
+//! address: two runs give the same bytes.
 //!
 //! ```
 //! use tautline_drawing::{Axis, Curve, Figure, Marker, Panel, Scale, palette, pdf, png, svg};
@@ -29,7 +29,7 @@ mod measures;
 mod panels;
 mod picture;
 
-pub use axes::{Axis, Scale, Stretch};
+pub use axes::{Axis, Scale};
 pub use colours::{Colour, Ramp, palette};
 pub use error::DrawingError;
 pub use geometry::{Extent, Path, Segment};

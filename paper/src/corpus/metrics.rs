@@ -31,18 +31,17 @@ impl<M: Metric<K>, const K: usize, const D: usize> Metric<D> for Beside<M, K> {
     }
 }
 
-/// A metric of the gallery, by its formula: those of a fixed dimension `K` [beside](Beside) a Euclidean one
-/// if `D > K`.
+/// A recorded metric of the gallery; one of a fixed dimension `K < D` is extended by [`Beside`].
 #[derive(Clone, Debug)]
 pub struct Drawn<const D: usize> {
     /// The name of the metric in the gallery.
     pub name: &'static str,
-    /// What it does with its numbers.
+    /// Its formula.
     pub formula: Formula<D>,
 }
 
-/// Half the side of the cube about the origin in which ends lie, in `ℓ`, where a metric has no
-/// radius of its own: a wave or two of most.
+/// Half the side of the cube about the origin that contains the ends, in `ℓ`, for metrics without a
+/// radius of their own: a wave or two of most.
 const REACH: f64 = 3.0;
 
 /// A vector of the cube `[−size, size]^D`.
@@ -55,14 +54,14 @@ impl<const D: usize> Drawn<D> {
         Ok(Self { name, formula: Formula::record(metric)? })
     }
 
-    /// Returns a metric, and half the side of the cube about the origin in which it is worth
-    /// having ends, in `ℓ`: about the radius of a patch, 3 for all others.
+    /// Returns a metric, and half the side of the cube about the origin in which its ends are drawn,
+    /// in `ℓ`: about the radius of a patch, 3 for all others.
     ///
-    /// All 13 metrics of every dimension are equally likely, from `D = 2` on with the 8 of the
-    /// plane, from `D = 3` on with the one of space. Each has `c₁ > 0` on all of `R^D`, so that a
-    /// discrete minimiser exists. Without, it need not: under the metric of the whole sphere one
-    /// chord over infinity costs nothing, and the metrics of hyperbolic space and of the normal
-    /// distributions are no different; their patches stand for these three.
+    /// All 13 metrics of every dimension are equally likely, for `D ≥ 2` also the 8 of the plane, and
+    /// for `D ≥ 3` the one of space. Each has `c₁ > 0` on all of `R^D`, so that a discrete minimiser
+    /// exists. Otherwise it may not: under the metric of the whole sphere one chord over infinity
+    /// costs nothing, and likewise for hyperbolic space and the normal distributions; their patches
+    /// represent these three.
     ///
     /// # Errors
     ///

@@ -1,4 +1,4 @@
-//! The corpus: random problems over the gallery, and how the solver ends on each.
+//! The corpus: random problems over the gallery, and the outcome of the solver on each.
 
 mod metrics;
 mod outcome;
@@ -7,7 +7,8 @@ mod sets;
 use std::{hint::black_box, time::Instant};
 
 use tautline::{
-    Ends, LeftEndpoint, Options, PointSequence, Problem, SVector, SolveError, Starts, Trapezoidal,
+    Ends, Formula, LeftEndpoint, Options, PointSequence, Problem, SVector, SolveError, Starts,
+    Trapezoidal,
 };
 use tautline_adversary::SplitMix;
 
@@ -23,21 +24,21 @@ pub const SEED: u64 = 6;
 /// The largest number of subintervals, a power of two.
 const LARGEST: usize = 4096;
 
-/// The first `count` problems of the corpus: more of them begin with the same.
+/// The first `count` problems of the corpus.
 #[must_use]
 pub fn corpus(count: usize) -> Vec<Case> {
     let mut seeds = SplitMix::new(SEED);
     (0..count).map(|index| Case { index, seed: seeds.bits() }).collect()
 }
 
-/// One of the problems, not drawn yet.
+/// One of the problems, before it is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Case {
     index: usize,
     seed: u64,
 }
 
-/// What is drawn.
+/// A drawn problem.
 struct Drawing<const D: usize> {
     metric: Drawn<D>,
     ends: Ends<D>,
@@ -46,7 +47,7 @@ struct Drawing<const D: usize> {
     trapezoidal: bool,
 }
 
-/// Calls a function for the dimension that is drawn first.
+/// Draws the dimension and calls a function for it.
 macro_rules! in_its_dimension {
     ($case:ident.$function:ident($($argument:expr),*)) => {{
         let mut random = SplitMix::new($case.seed);
@@ -63,7 +64,7 @@ macro_rules! in_its_dimension {
     }};
 }
 
-/// What a problem is, and how the searches for its solution ended.
+/// A problem, and how the searches for its solution ended.
 #[derive(Clone, Debug)]
 pub struct Outcome {
     /// The place of the problem in the corpus, from 0 on.
@@ -72,39 +73,40 @@ pub struct Outcome {
     pub metric: &'static str,
     /// The dimension `D`.
     pub dimension: usize,
-    /// What the two sets are.
+    /// The kinds of the two sets.
     pub ends: [Kind; 2],
-    /// Whether the rule is the trapezoidal one, and not the left-endpoint rule.
+    /// Whether the rule is the trapezoidal one; otherwise it is the left-endpoint rule.
     pub trapezoidal: bool,
     /// The number of subintervals `N`.
     pub n: usize,
-    /// The solution from the default starts.
+    /// The search from the default starts.
     pub default: Search,
-    /// That from one straight line alone, for each pair of pieces of the sets.
+    /// The search from one straight line alone, for each pair of pieces of the sets.
     pub straight: Search,
 }
 
 impl Case {
     /// Draws the problem and solves it.
     ///
-    /// `D` is one of 1 to 8 and equally often each, the rule either; `N` is log-uniform in
-    /// 1 to 4096.
+    /// `D` is uniform in 1 to 8, the rule is either with equal chance, and `N` is log-uniform in 1 to
+    /// 4096.
     ///
     /// # Errors
     ///
-    /// None: what is drawn is admissible. That the solver refuses is part of the outcome.
+    /// None: what is drawn is admissible, and a refusal of the solver is an outcome.
     pub fn outcome(self) -> Result<Outcome, Failure> {
         in_its_dimension!(self.outcome_in())
     }
 
-    /// Draws the problem and times its solution from the default starts, on one thread and in memory
-    /// that is kept, with each of these numbers of subintervals in place of its own: the least time of so
-    /// many runs, in seconds. The metric is a recorded formula, which takes longer at a single point than
-    /// one that is compiled.
+    /// Draws the problem and times its solution from the default starts with each of these numbers of
+    /// subintervals: the least time of several runs, in seconds.
+    ///
+    /// It runs on one thread and reuses memory. The metric is a recorded formula, which takes longer
+    /// at a single point than a compiled one.
     ///
     /// # Errors
     ///
-    /// None: the parameters are admissible. A solver that refuses is timed as well.
+    /// None: the parameters are admissible. A refusal of the solver is timed as well.
     pub fn seconds(self, ns: &[usize], runs: usize) -> Result<Vec<f64>, Failure> {
         in_its_dimension!(self.seconds_in(ns, runs))
     }
@@ -112,7 +114,7 @@ impl Case {
     fn draw<const D: usize>(self, mut random: SplitMix) -> Result<Drawing<D>, Failure> {
         let (metric, reach) = Drawn::<D>::new(&mut random)?;
         let Pair { ends, kinds } = Pair::<D>::new(&mut random, reach)?;
-        // An octave, then a number of it: by integers, which are the same on every machine.
+        // An octave, then a number in it: integers are the same on every machine.
         let octave = 1 << random.below(LARGEST.ilog2() as usize);
         let n = octave + random.below(octave + 1);
         let trapezoidal = random.below(2) == 0;
@@ -129,15 +131,11 @@ impl Case {
         let problem = Problem::new(metric.formula, ends);
         let options = Options { threads: 1, ..Options::default() };
         let mut least = vec![f64::INFINITY; ns.len()];
-        // In turn, so that what else the machine does hits all alike.
+        // In turn, so that other load on the machine affects all alike.
         for _ in 0..runs {
             for (least, &n) in least.iter_mut().zip(ns) {
                 let begin = Instant::now();
-                if trapezoidal {
-                    let _ = black_box(problem.solve_with(Trapezoidal, n, &options));
-                } else {
-                    let _ = black_box(problem.solve_with(LeftEndpoint, n, &options));
-                }
+                let _ = black_box(search(&problem, trapezoidal, n, &options));
                 *least = least.min(begin.elapsed().as_secs_f64());
             }
         }
@@ -150,13 +148,9 @@ impl Case {
         let first = ends.first().project(&SVector::zeros());
         let straight = PointSequence::straight(first, ends.second().project(&first), n)?;
         let problem = Problem::new(metric.formula, ends);
-        let search = |starts| -> Result<Search, SolveError> {
+        let from = |starts| {
             let options = Options { starts, threads: 1, ..Options::default() };
-            Ok(if trapezoidal {
-                Search::new(problem.solve_with(Trapezoidal, n, &options)?.minimum())
-            } else {
-                Search::new(problem.solve_with(LeftEndpoint, n, &options)?.minimum())
-            })
+            search(&problem, trapezoidal, n, &options).unwrap_or_else(Search::refused)
         };
         Ok(Outcome {
             index: self.index,
@@ -165,8 +159,21 @@ impl Case {
             ends: kinds,
             trapezoidal,
             n,
-            default: search(Starts::Automatic).unwrap_or_else(Search::refused),
-            straight: search(Starts::Only(vec![straight])).unwrap_or_else(Search::refused),
+            default: from(Starts::Automatic),
+            straight: from(Starts::Only(vec![straight])),
         })
     }
+}
+
+fn search<const D: usize>(
+    problem: &Problem<Formula<D>, D>,
+    trapezoidal: bool,
+    n: usize,
+    options: &Options<D>,
+) -> Result<Search, SolveError> {
+    Ok(if trapezoidal {
+        Search::new(problem.solve_with(Trapezoidal, n, options)?.minimum())
+    } else {
+        Search::new(problem.solve_with(LeftEndpoint, n, options)?.minimum())
+    })
 }

@@ -2,13 +2,13 @@
 
 use tautline::{Curvature, Minimum, SolveError, Stop};
 
-/// What the solver said of one problem.
+/// The outcome of one search.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Search {
     /// Whether it reached the goal, and if not, why.
     pub end: End,
-    /// The Newton steps of the search that led to the result, from its one start, over all
-    /// grids; the last look at each grid counts as one.
+    /// The Newton steps over all grids from the start that led to the result; the final check on each
+    /// grid counts as one.
     pub iterations: usize,
 }
 
@@ -17,45 +17,45 @@ pub struct Search {
 pub enum End {
     /// The sets have a point in common, and there is nothing to search for.
     Touch,
-    /// It converged, and rounding keeps it from doing better: see [`Search::new`].
+    /// It converged to rounding: see [`Search::new`].
     Reached,
-    /// It says that it converged, but neither is left of rounding alone: the decrement, relative
-    /// to the energy, and the residual as a multiple of its floor.
+    /// It reports convergence, but both of these exceed rounding: the decrement, relative to the
+    /// energy, and the residual as a multiple of its floor.
     Above {
         /// The decrement.
         decrement: f64,
         /// The residual over its floor.
         residual: f64,
     },
-    /// It converged to where so many eigenvalues of the Hessian are negative.
+    /// It converged to a saddle.
     Saddle {
-        /// Their number.
+        /// The number of negative eigenvalues of the Hessian.
         negative: usize,
     },
-    /// It says that it did not converge.
+    /// It reports that it did not converge.
     Stopped(Stop),
-    /// There is no result, but an error.
+    /// It returned an error.
     Refused(SolveError),
     /// A number of the result is NaN.
     NotANumber,
 }
 
-/// The relative decrement at which a search may stop, as [`Stop::Converged`] says: a hundredth of
+/// The relative decrement at which a search may stop, by [`Stop::Converged`]: a hundredth of
 /// the rounding of an energy in `f64`, so that the energy cannot tell the result from a minimiser.
 const DECREMENT: f64 = 1e-18;
 
-/// On fine grids rounding of the points alone leaves more than that, and shows in the residual.
+/// On fine grids rounding of the points alone leaves a larger decrement, and shows in the residual.
 ///
 /// A coordinate is rounded by `u/2` at most, `u ≤ ε max |x|`, with the variance `u²/12`. In
 /// `ρₙ = (N/2) ∂E/∂xₙ`, about `N² H (xₙ₋₁ − 2xₙ + xₙ₊₁)`, three of them have the variance
-/// `N⁴ c² u²/2`, and `D` coordinates `D` times as much: about the floor of the residual. Twice that is
-/// granted for matrices `H` with entries above their mean `c`.
+/// `N⁴ c² u²/2`, and `D` coordinates `D` times as much: about the floor of the residual. Twice that
+/// is granted for matrices `H` with entries above their mean `c`.
 const FLOORS: f64 = 2.0;
 
 impl Search {
-    /// Judges a result. The goal is reached if the search says that it converged, no eigenvalue of
-    /// the Hessian is negative beyond rounding, and the decrement is at most `10⁻¹⁸` of the energy
-    /// or the residual at most twice its floor.
+    /// Judges a result. It reaches the goal if the search reports convergence, no eigenvalue of the
+    /// Hessian is negative beyond rounding, and the decrement is at most `10⁻¹⁸` of the energy or the
+    /// residual at most twice its floor.
     #[must_use]
     pub fn new<const D: usize>(minimum: &Minimum<D>) -> Self {
         Self { end: End::of(minimum), iterations: minimum.own_iterations }

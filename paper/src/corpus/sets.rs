@@ -10,7 +10,7 @@ use tautline_adversary::SplitMix;
 
 use super::metrics::vector;
 
-/// What a set is.
+/// The kind of a set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[expect(missing_docs, reason = "each is the set of its name")]
 pub enum Kind {
@@ -39,26 +39,26 @@ impl Kind {
         Kind::AffineSubspace,
     ];
     const BOUNDED: usize = 7;
-    /// The first so many may be members of a union.
+    /// How many of them may be members of a union.
     const SIMPLE: usize = 6;
 }
 
-/// The two ends of a problem, and what they are.
+/// The two ends of a problem, and their kinds.
 #[derive(Clone, Debug)]
 pub struct Pair<const D: usize> {
     /// The ends.
     pub ends: Ends<D>,
-    /// What they are.
+    /// Their kinds.
     pub kinds: [Kind; 2],
 }
 
 impl<const D: usize> Pair<D> {
-    /// Returns two sets about random places of the cube `[−reach, reach]^D`, at most a third of
-    /// `reach` large: in one of four cases two points, else any bounded set and any set, in either
-    /// order.
+    /// Returns two sets about random places of the cube `[−reach, reach]^D`, with sizes up to a third
+    /// of `reach`: two points in a quarter of the cases, otherwise a bounded set and any set, in
+    /// either order.
     ///
-    /// A half-space lies beyond a place, as seen from the other set; the others may be disjoint or
-    /// not, as it comes.
+    /// A half-space lies beyond its place, as seen from the other set; the others may be disjoint or
+    /// not.
     ///
     /// # Errors
     ///

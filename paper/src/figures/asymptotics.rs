@@ -1,4 +1,4 @@
-//! The errors times their power of `N`, on the way to the predicted constants.
+//! The errors times their power of `N`, which converge to the predicted constants.
 
 use tautline::{Level, Rule, Trapezoidal, extrapolate};
 
@@ -26,8 +26,8 @@ pub(super) const FIGURE: Artefact = Artefact::figure(
     draw,
 );
 
-/// Where both rules have their general order in the plane, with a curve that turns; on a sphere;
-/// an axis of symmetry; and both ends on curved sets.
+/// Both rules with their general orders in the plane, with a curve that turns; on a sphere; both ends
+/// on curved sets; an axis of symmetry.
 const CASES: [(&str, &str, Colour, Marker); 5] = [
     ("valleys_oblique", "valleys", palette::VERMILLION, Marker::Disc),
     ("shear_points", "shear", palette::BLUE, Marker::Square),
@@ -69,7 +69,7 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
     let scaled = Tolerance::Close { relative: 1e-6, absolute: (N * N) as f64 * 2.0 * ROUNDING };
     // Sums of second derivatives along 4096 chords, whose points are known to rounding times N².
     let predicted = Tolerance::relative(1e-8);
-    // Neville's weights for grids that double sum to at most 2 in absolute value.
+    // The absolute values of Neville's weights for doubling grids sum to at most 2.
     let extrapolated = Tolerance::Close { relative: 1e-6, absolute: 4.0 * ROUNDING };
     let mut data = Data::new(&[
         ("case n", Tolerance::Exact),
@@ -86,7 +86,7 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
     Ok(data)
 }
 
-/// The rows of one problem. All is divided by `d²`, so that rounding is the same everywhere.
+/// The rows of one problem. Everything is divided by `d²`, so that rounding is the same everywhere.
 fn rows(problem: &Smooth, numbers: &[usize]) -> Result<Vec<Vec<String>>, Failure> {
     let limits: Limits = problem.limits()?;
     let d_squared = limits.d_squared;
@@ -110,7 +110,7 @@ fn rows(problem: &Smooth, numbers: &[usize]) -> Result<Vec<Vec<String>>, Failure
             row.push(format!("{value:.9e}"));
         }
         row.extend(limits_of.map(|limit| format!("{limit:.10e}")));
-        // Where d² is extrapolated itself there is nothing to compare with.
+        // An extrapolated d² is no reference.
         row.extend([2, 3].map(|grids| match levels.len().checked_sub(grids) {
             Some(from) if limits.reference == Reference::Exact => {
                 let estimate = extrapolate(&levels[from..], Trapezoidal::ERROR_EXPONENT);

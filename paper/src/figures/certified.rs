@@ -1,4 +1,4 @@
-//! What a formula proves of its constants from place to place.
+//! The constants that a formula proves from place to place.
 
 use tautline::{
     Bounded, Domain, Metric, Quantity, SMatrix, SVector, Scalar,
@@ -40,7 +40,7 @@ impl Metric<2> for Formula {
 /// The number of boxes to a side.
 const COUNT: usize = 31;
 
-/// The same for a quick run.
+/// The number in a quick run.
 const QUICK: usize = 7;
 
 /// The metrics by their names, each on a square about the origin, with half its side.
@@ -101,7 +101,7 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
     Ok(data)
 }
 
-/// The bounds on the safe side of the three quantities in a square of half side `step`.
+/// Safe bounds of the three quantities in a square of half side `step`.
 fn bounds(metric: &impl Metric<2>, [x, y]: [f64; 2], step: f64) -> Result<[f64; 3], Failure> {
     let domain = Domain::cell(Cell::new([x - step, y - step], [x + step, y + step])?);
     let accuracy = Accuracy { tolerance: 0.01, ..Accuracy::default() };
@@ -144,7 +144,7 @@ fn panel(grid: &Grid, lines: Lines, title: &str, symbol: &str) -> Result<Panel, 
         .over(field))
 }
 
-/// A round number of which some ten to twenty lie between the two.
+/// A round number of which ten to twenty multiples lie between the two.
 fn nice(least: f64, most: f64) -> f64 {
     let rough = (most - least) / 12.0;
     let power = 10_f64.powf(rough.log10().floor());

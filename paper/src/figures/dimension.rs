@@ -100,7 +100,7 @@ fn observe<const D: usize>() -> Result<Observed, Failure> {
 
 type Observe = fn() -> Result<Observed, Failure>;
 
-/// Each dimension is a type of its own.
+/// Each dimension is another type.
 const DIMENSIONS: [(usize, Observe); 11] = [
     (1, observe::<1>),
     (2, observe::<2>),

@@ -1,4 +1,4 @@
-//! Which step of a proof gives away how many decades.
+//! How many decades each step of a proof gives away.
 
 use tautline::bounds::{
     c_tra, k1_g, k2_sharp, polyline_gap_trapezoidal, theorem_1_1_excess, theorem_d_excess,
@@ -9,7 +9,8 @@ use tautline_statements::Evidence;
 use crate::{
     Failure,
     artefact::Artefact,
-    case::{Case, PaperRule, cases_named, paper_bound, subintervals},
+    case::{Case, PaperRule, paper_bound, subintervals},
+    cases::cases_named,
     data::{Data, Tolerance},
     drawing::{self, Align, Axis, Colour, Curve, Note, Panel, Scale, Scene, palette},
     observation::Observation,
@@ -97,7 +98,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
 
 /// The steps to Theorem 1.1, each a bound of `E(γᵖˡ) − d²`, in `m²`.
 ///
-/// `K₂` is that of Lemma S.1 until the paper's takes its place: that step has all of `D`.
+/// `K₂` is that of Lemma S.1 up to the step that replaces it by the paper's, which depends on `D`.
 ///
 /// Proposition 7.9 is read where the sequence itself enters, and its bound where estimates of `K₃`
 /// replace that of the sequence.

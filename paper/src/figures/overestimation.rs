@@ -1,10 +1,11 @@
-//! How many times the observed excess each bound is, against `N`.
+//! Bounds of the excess energy divided by the observed excess, against `N`.
 
 use super::excess_bounds::{COLUMNS, excess_bounds};
 use crate::{
     Failure,
     artefact::Artefact,
-    case::{Case, PaperRule, cases_named, subintervals},
+    case::{Case, PaperRule, subintervals},
+    cases::cases_named,
     data::{Data, Row, Tolerance},
     drawing::{self, Axis, Colour, Curve, Marker, Panel, Scale, Scene, palette},
     observation::Observation,
@@ -28,7 +29,7 @@ const PANELS: [(&str, &str); 4] = [
     ("separable_points", "(d) separable, $D = 3$"),
 ];
 
-/// A bound: its column, its name, and how it is drawn. Theorems of one order have one colour.
+/// A bound: its column, its name and its look. Theorems of one order share a colour.
 type Bound = (&'static str, &'static str, Colour, &'static [f64], Option<Marker>);
 
 const BOUNDS: [Bound; 6] = [

@@ -1,10 +1,11 @@
-//! The three quantities that the theorems compare with `d²`, against `N`.
+//! The three quantities compared with `d²` in the theorems, against `N`.
 
 use super::triangle_below;
 use crate::{
     Failure,
     artefact::Artefact,
-    case::{PaperRule, cases_named},
+    case::PaperRule,
+    cases::cases_named,
     data::{Data, Row, Tolerance},
     drawing::{self, Axis, Curve, Marker, Panel, Scale, Scene, palette},
     sweep::Sweep,
@@ -19,7 +20,7 @@ pub(super) const FIGURE: Artefact = Artefact::figure(
     draw,
 );
 
-/// One row of panels each: the general case, and one whose ends are nearly at one height of `H`.
+/// One row of panels each: the general case, and one with nearly the same `H` at both ends.
 const CASES: [(&str, &str); 2] = [
     ("valleys_oblique", "valleys, $(0,0)$ to $(2,3/2)$"),
     ("bump_points", "bump, passed on one side"),
@@ -89,7 +90,7 @@ fn curves(panel: Panel, series: &[Row<'_>], first_order: bool) -> Result<Panel, 
         let triangle = triangle_below(&points("discrete_energy_gap", -1.0), -1.0)?;
         panel = panel.triangle(triangle);
     }
-    // The energy is wide and beneath: where the speed is nearly constant the length lies over it.
+    // The energy is wide and beneath: where the speed is nearly constant, the length covers it.
     let energy = Curve::new(energy, palette::BLUE).wide(3.4).marked(Marker::Square);
     let length = Curve::new(length, palette::GREEN).marked(Marker::Diamond);
     Ok(panel

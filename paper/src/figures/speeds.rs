@@ -1,4 +1,4 @@
-//! How fast the minimisers of energy and of length are on each chord.
+//! The speeds of the minimisers of energy and of length on each chord.
 
 use std::f64::consts::PI;
 
@@ -55,7 +55,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
         let mean = energy.iter().sum::<f64>() / number as f64;
         let fastest = energy.iter().copied().fold(0.0, f64::max);
         let discrete = line.discrete_energy();
-        // What is left of the residual is no more than rounding, and √(N E_N) is the lesser here.
+        // The residual is rounding alone, and √(N E_N) is the smaller bound here.
         let greatest = greatest_speed(constants, discrete, 0.0, n);
         let surplus = (discrete / (DISTANCE * DISTANCE) - 1.0).max(0.0);
         let spread = Spread::of_second_order(setting, n, surplus)
@@ -109,7 +109,7 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
                     .labelled("mean + $R$ of Lemma S.5"),
             );
         let at = |row: &Row<'_>| (row.number("index") + 0.5) / number as f64;
-        // mean − R is negative for these N, and says nothing. What rests has no place on a
+        // mean − R is negative for these N, and says nothing. Chords at rest have no place on a
         // logarithmic axis: only the jump is drawn, as a stem.
         let jump = rows.iter().find(|row| row.number("least_length") > 0.0);
         let jump = jump.ok_or_else(|| Failure::Data("nothing jumps".to_owned()))?;

@@ -1,4 +1,4 @@
-//! How much the bounds of Theorem 1.2 give away on sheared planes.
+//! Overestimation of the bounds of Theorem 1.2 on sheared planes.
 
 use std::num::NonZeroUsize;
 
@@ -38,8 +38,8 @@ const PAPER: &str = "L(γᵖˡ)² − d² ≤ C/√N";
 const FIRST_ORDER: &str = "L(γᵖˡ)² − d² = O(1/N)";
 
 fn data(_sweep: Sweep) -> Result<Data, Failure> {
-    // An excess moves by the root of what is left to minimise, some 1e-8 of it, and is a difference
-    // of numbers up to 30.
+    // The root of the remaining decrement changes an excess by about 1e-8 of it, and it is a
+    // difference of numbers up to 30.
     let seen = Tolerance::Close { relative: 1e-6, absolute: 3e-13 };
     // Closed forms.
     let proven = Tolerance::relative(1e-9);
@@ -116,7 +116,7 @@ fn panel(grid: &Grid, title: &str, first: bool) -> Result<Panel, DrawingError> {
         .over(field)
         .curve(star.without_line().over_field())
         .note(name.shifted(10.0, 0.0));
-    // On a steep way to the corner where the lines are close, so that their numbers are not.
+    // On a steep line to the corner, where the contours are close but their numbers are not.
     let right_third = EXPONENTS.to - (EXPONENTS.to - EXPONENTS.from) / 3.0;
     let ends = [(right_third, WAVE_NUMBERS.from), (EXPONENTS.to, WAVE_NUMBERS.to)];
     let on_the_way = |s: f64| {

@@ -33,7 +33,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
     };
     let n = 8;
     let flat = |x1: &Vec<f64>| x1.iter().map(|&x| (x, 0.0)).collect();
-    // The one among the minimisers that rests in every valley equally long.
+    // The minimiser that rests equally long in every valley.
     let left = left_minimisers(n)
         .find(|x1| {
             x1.iter().filter(|&&x| x == 0.0).count() == 3
@@ -49,8 +49,8 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
     for n in [4, 8, 16, 64] {
         let line = problem.solve(Trapezoidal, n)?;
         let mut points: Vec<_> = line.sequence().points().iter().map(|x| (x[0], x[1])).collect();
-        // The mirror image x₁ → 4π − x₁, t → 1 − t of a minimiser is one too, and rounding decides
-        // between them: take the one that is ahead.
+        // The mirror image x₁ → 4π − x₁, t → 1 − t of a minimiser is one too, and rounding chooses:
+        // take the one that is ahead.
         if points.iter().map(|x| x.0 - 2.0 * PI).sum::<f64>() < 0.0 {
             points = points.into_iter().rev().map(|(x1, x2)| (4.0 * PI - x1, x2)).collect();
         }
@@ -102,7 +102,7 @@ fn draw(data: &Data) -> Result<Scene, Failure> {
         let curve = Curve::new(in_time, colour).labelled(label);
         time = time.curve(match marker {
             Some(marker) => curve.marked(marker),
-            // So many points, so close to the geodesic, that dashes over it show more.
+            // Its many points are close to the geodesic: dashes over it show more.
             None => curve.dashed(&[7.0, 7.0]).wide(2.0),
         });
         if name == "length_left" {

@@ -65,8 +65,8 @@ fn agrees(
         (false, Quantity::C1) => below <= found.upper,
         (false, _) => found.lower <= above,
     };
-    // In three dimensions, L_H and M_H of a metric that is no multiple of the identity are bounded by
-    // something larger.
+    // In three dimensions, L_H and M_H of a metric that is no multiple of the identity are bounded
+    // by something larger.
     let limit = match quantity {
         Quantity::C1 | Quantity::C2 => 1.0011,
         Quantity::LH => 1.0021,

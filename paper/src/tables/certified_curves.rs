@@ -1,4 +1,4 @@
-//! How long it takes to enclose the energy and the length of a curve, and how well.
+//! Time and width of enclosures of the energy and the length of a curve.
 
 use std::{
     hint::black_box,
@@ -45,7 +45,7 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
     Ok(data)
 }
 
-/// The time that a computation takes, together with what it returns.
+/// The time of a computation, and its result.
 fn timed<T>(compute: impl FnOnce() -> T) -> (Duration, T) {
     let begun = Instant::now();
     let result = black_box(compute());

@@ -1,4 +1,4 @@
-//! How long it takes to prove the constants of the gallery.
+//! Times to prove the constants of the gallery.
 
 use tautline::Quantity;
 

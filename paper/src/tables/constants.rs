@@ -7,7 +7,7 @@ use tautline::bounds::{
 use crate::{
     Failure,
     artefact::Artefact,
-    case::cases,
+    cases::cases,
     data::{Data, Tolerance},
     layout::{Layout, scientific},
     sweep::Sweep,

@@ -3,7 +3,8 @@
 use crate::{
     Failure,
     artefact::Artefact,
-    case::{PaperRule, cases},
+    case::PaperRule,
+    cases::cases,
     convergence::{data, series},
     data::{Data, Row},
     layout::{Layout, scientific},

@@ -23,7 +23,7 @@ pub(super) const TABLE: Artefact = Artefact::table(
 )
 .seeded(Seed::One(SEED));
 
-/// How many problems, and how many if quick.
+/// The number of problems, and that of a quick run.
 const PROBLEMS: usize = 2000;
 const QUICK: usize = 200;
 
@@ -37,7 +37,7 @@ const MISSES: usize = PROBLEMS / ONE_IN;
 /// The greatest number of steps of each column of the histogram, but the last.
 const BANDS: [usize; 5] = [5, 10, 20, 40, STEPS];
 
-/// What a group of problems is called, and which are in it.
+/// The name of a group of problems, and its members.
 type Group = (&'static str, fn(&Outcome) -> bool);
 
 const GROUPS: [Group; 10] = [
@@ -107,7 +107,7 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
     for k in 0..MISSES {
         let what = missed.get(k).map_or("none".to_owned(), |o| describe(o));
         let mut row = vec!["default".to_owned(), format!("missed {}", k + 1)];
-        // No numbers: those of `histogram` but for the names.
+        // The columns of numbers are empty.
         row.extend(vec![String::new(); BANDS.len() + 7]);
         row.push(what);
         data.push(row);
@@ -137,7 +137,7 @@ fn histogram(starts: &str, name: &str, searches: &[&Search]) -> Vec<String> {
     row
 }
 
-/// What a problem is, and how the search from the default starts ended.
+/// A problem, and how the search from the default starts ended.
 fn describe(outcome: &Outcome) -> String {
     let Outcome { index, metric, dimension, ends: [first, second], n, default, .. } = outcome;
     let rule = if outcome.trapezoidal { "trapezoidal" } else { "left-endpoint" };

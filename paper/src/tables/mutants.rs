@@ -34,7 +34,7 @@ const SEEN: &str = "seen_by_paper_bounds_alone";
 /// Whether one of them is violated.
 const KILLED: &str = "killed_by_paper_bounds_alone";
 
-/// So many checks are named; running the others would add nothing.
+/// The number of checks that are named; the others do not run.
 const NAMED: usize = 3;
 
 fn data(sweep: Sweep) -> Result<Data, Failure> {

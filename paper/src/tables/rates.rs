@@ -5,7 +5,8 @@ use tautline_statements::slope;
 use crate::{
     Failure,
     artefact::Artefact,
-    case::{Case, PaperRule, cases},
+    case::{Case, PaperRule},
+    cases::cases,
     convergence,
     data::{Data, Row, Tolerance},
     layout::{Layout, or_dash},
@@ -20,7 +21,7 @@ pub(super) const TABLE: Artefact = Artefact::table(
     layout,
 );
 
-/// A quantity that is compared with `d²`.
+/// A quantity compared with `d²`.
 #[derive(Clone, Copy, PartialEq)]
 enum Quantity {
     Minimum,
@@ -109,11 +110,11 @@ fn claims() -> Vec<Claim> {
     claims
 }
 
-/// Slopes are fitted to three values at least, with errors below 2e-3 each: see [`LEGIBLE`].
+/// Slopes are fitted to at least three values, with errors below 2e-3 each: see [`LEGIBLE`].
 const ORDER: Tolerance = Tolerance::Close { relative: 0.0, absolute: 5e-3 };
 
-/// A difference below this part of `d²` is not fitted: energies are printed with 13 digits, and
-/// the difference of two of them is off by up to `1e-12 d²`.
+/// Differences below this part of `d²` are not fitted: energies are printed with 13 digits, so a
+/// difference of two has an error of up to `1e-12 d²`.
 const LEGIBLE: f64 = 5e-10;
 
 /// How far a fitted order may fall short of the proven one: the next term of the expansion is a
@@ -157,9 +158,9 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
     Ok(data)
 }
 
-/// The order of a quantity in the last five grids of a case; `None` where there is none to see:
-/// where three values at least are not legible, as the length of a straight curve, or where the
-/// leading term of `E_N − d²` vanishes or is hidden.
+/// The order of a quantity in the last five grids of a case. `None` if fewer than three values are
+/// legible, as for the length of a straight curve, or the leading term of `E_N − d²` vanishes or is
+/// hidden.
 fn observed(solved: &Data, case: &Case, rule: PaperRule, quantity: Quantity) -> Option<f64> {
     if quantity == Quantity::Minimum {
         case.orders.of(rule)?;
@@ -185,7 +186,7 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
          trapezoidal & cases & observed, left-endpoint & cases",
     );
     let rows: Vec<Row<'_>> = data.rows().collect();
-    // The two rules of one claim follow one another.
+    // The rows of the two rules of a claim are adjacent.
     let same = |a: &Row<'_>, b: &Row<'_>| {
         ["statement", "quantity"].iter().all(|column| a.text(column) == b.text(column))
     };

@@ -27,18 +27,17 @@ pub(super) const TABLE: Artefact = Artefact::table(
 .seeded(Seed::Suite)
 .with_pages(pages);
 
-/// A statement that is tested at random is tested this often, on cases that could fail.
+/// The least number of random cases of a statement that could fail.
 const CASES: u64 = 1000;
 
-/// The definition among the statements. Its cases compare two ways to write it, none of which could
-/// fail; what it defines is tested with the others.
+/// The definition among the statements. Its cases compare two ways to write it and cannot fail; what
+/// it defines is tested with the other statements.
 const DEFINITION: Statement = Statement::ConstantCTra;
 
-/// Overestimations are printed with few digits: they depend on where the solver stops.
+/// Overestimations are compared loosely: they depend on where the solver stops.
 const OVERESTIMATION: Tolerance = Tolerance::relative(0.02);
 
-/// Whether a number can be told from 0 is decided by its last digits in a case of a hundred at
-/// most.
+/// In at most one case of a hundred, last digits decide whether a number is distinct from 0.
 const TOLD: Tolerance = Tolerance::relative(0.01);
 
 fn data(_sweep: Sweep) -> Result<Data, Failure> {

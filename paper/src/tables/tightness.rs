@@ -25,7 +25,7 @@ pub(super) const TABLE: Artefact = Artefact::table(
 )
 .seeded(Seed::One(SEED));
 
-/// One per cent: the search stops where a step changes the overestimation by a tenth of that.
+/// One per cent: the search stops when a step changes the overestimation by a tenth of that.
 const OVERESTIMATION: Tolerance = Tolerance::relative(1e-2);
 
 fn data(sweep: Sweep) -> Result<Data, Failure> {
@@ -66,7 +66,7 @@ fn case(found: &Tightest) -> String {
     cells.collect::<Vec<_>>().join("; ")
 }
 
-/// Why nothing tighter lies beyond the ends of the ranges at which the case is.
+/// Why there is nothing tighter beyond the ends of ranges that the case has reached.
 fn edges(found: &Tightest) -> String {
     found.edges.iter().map(Edge::to_string).collect::<Vec<_>>().join("; ")
 }

@@ -1,4 +1,4 @@
-//! What the commands refuse.
+//! Arguments that the commands refuse.
 
 use paper::Failure;
 use paper::command::run;

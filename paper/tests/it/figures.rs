@@ -1,11 +1,12 @@
-//! Every figure is legible, the three writers agree on it, and two runs give the same bytes.
+//! Every figure is legible, its three files agree, and two runs give the same bytes.
 
 use std::sync::OnceLock;
 
 use paper::{
     Failure,
+    artefact::{Artefact, Form},
     drawing::{Extent, Scene, Shape, pdf, png, svg},
-    figures::{FIGURES, Figure},
+    figures::FIGURES,
     parallel,
     sweep::Sweep,
 };
@@ -17,7 +18,10 @@ fn figures() -> &'static [(&'static str, Scene)] {
 }
 
 fn computed(sweep: Sweep) -> Result<Vec<(&'static str, Scene)>, Failure> {
-    let draw = |f: &Figure| Ok((f.id, (f.draw)(&(f.data)(sweep)?)?));
+    let draw = |figure: &Artefact| match figure.form {
+        Form::Figure(draw) => Ok((figure.id, draw(&(figure.data)(sweep)?)?)),
+        Form::Table(_) => Err(Failure::Data(format!("{} is a table", figure.id))),
+    };
     parallel::map(&FIGURES, draw).into_iter().collect()
 }
 
@@ -38,8 +42,7 @@ fn inked(scene: &Scene) -> Extent {
             extent.top = extent.top.clamp(clip.top, clip.bottom);
             extent.bottom = extent.bottom.clamp(clip.top, clip.bottom);
         }
-        let joined = all.unwrap_or(extent);
-        all = Some(joined.with(extent.left, extent.top).with(extent.right, extent.bottom));
+        all = Some(all.map_or(extent, |others| others.union(extent)));
     }
     all.expect("a figure has ink")
 }
@@ -53,7 +56,7 @@ fn labels_neither_overlap_nor_leave_the_canvas() {
     }
 }
 
-/// With fewer subintervals: that those of the full size are what is committed, `cargo xtask ci` checks.
+/// A quick run; `cargo xtask ci` compares the full figures with what is committed.
 #[test]
 fn two_runs_give_the_same_bytes() {
     let [first, second] = [(); 2].map(|()| computed(Sweep { quick: true }).expect("drawable"));
@@ -81,7 +84,7 @@ fn the_png_has_its_ink_where_the_scene_has_it() {
         let ink = inked(scene);
         let found = [left, top, right, bottom].map(|pixel| f64::from(pixel) / scale);
         for (found, wanted) in found.into_iter().zip([ink.left, ink.top, ink.right, ink.bottom]) {
-            // One pixel is a third of a px; a fainter one at an edge may be left out.
+            // One pixel is a third of a px; a faint one at an edge may be missing.
             assert!((found - wanted).abs() <= 0.7, "{name}: {found} for {wanted}");
         }
     }

@@ -1,4 +1,4 @@
-//! Values between the nodes of a grid, and the least of them.
+//! Values between the nodes of a grid, and the least value.
 
 use paper::grid::{Grid, Lines};
 

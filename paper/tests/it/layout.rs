@@ -1,10 +1,10 @@
 //! One table as Markdown and as LaTeX.
 
-use paper::tables::layout::{Layout, scientific};
+use paper::layout::{Layout, scientific};
 
 #[test]
 fn both_formats_hold_every_cell() {
-    let mut layout = Layout::new("A caption", &["case", "$|x|$"]);
+    let mut layout = Layout::new("A caption", "case & $|x|$");
     layout.push(vec!["a_b".to_owned(), scientific(1.5e-7, 1)]);
     layout.group();
     layout.push(vec!["c".to_owned(), scientific(f64::NAN, 1)]);

@@ -1,4 +1,4 @@
-//! The same function of many values, in their order.
+//! Results in the order of their values.
 
 use paper::parallel::map;
 

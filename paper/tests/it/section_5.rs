@@ -6,7 +6,7 @@ use paper::section_5::{
     DISCRETE_LENGTH, along_the_axis, grid_sequences, left_minimisers, trapezoidal_minimisers,
 };
 
-/// Section 5: the constructed sequences have the length `4π`, and there are as many as said.
+/// Section 5: the constructed sequences have length `4π` and the stated number.
 #[test]
 fn section_5_minimisers_have_length_4_pi() {
     for n in [1, 2, 3, 7, 20] {
@@ -24,8 +24,8 @@ fn section_5_minimisers_have_length_4_pi() {
     }
 }
 
-/// Section 5 by brute force, on a grid that holds every place where `f = 1`, ridges and
-/// detours: no sequence is shorter than `4π`, and as many attain it as were constructed.
+/// Section 5 by brute force, on a grid with every place where `f = 1`, ridges and detours: no
+/// sequence is shorter than `4π`, and as many attain it as were constructed.
 #[test]
 fn section_5_by_brute_force() {
     for n in 1..=4 {

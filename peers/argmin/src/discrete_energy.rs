@@ -1,4 +1,4 @@
-//! The discrete energy for argmin: value, gradient and Hessian, a product with vectors.
+//! The discrete energy for argmin: value, gradient, and Hessian as a product with vectors.
 
 use std::sync::Arc;
 
@@ -6,8 +6,7 @@ use argmin::core::{CostFunction, Error, Gradient, Hessian};
 use argmin_math::ArgminDot;
 use tautline::{Jet2, Metric, PointSequence, Rule, SMatrix, SVector, Trapezoidal, energy_gradient};
 
-/// The discrete energy of the points between two that are held, as a function of their
-/// coordinates.
+/// The discrete energy as a function of the inner points; both ends are fixed.
 pub(crate) struct DiscreteEnergy<M, const D: usize> {
     pub(crate) metric: M,
     pub(crate) start: PointSequence<D>,
@@ -40,7 +39,7 @@ impl<M: Metric<D>, const D: usize> Gradient for DiscreteEnergy<M, D> {
     }
 }
 
-/// The second derivatives of what one chord adds, in its first point and in its last.
+/// The second derivatives of the energy of one chord, in its first and last points.
 #[derive(Clone, Debug)]
 struct ChordHessian<const D: usize> {
     first: SMatrix<f64, D, D>,
@@ -49,7 +48,7 @@ struct ChordHessian<const D: usize> {
     last: SMatrix<f64, D, D>,
 }
 
-/// The Hessian as a product with vectors. Cheap to copy, which argmin does in each step.
+/// The Hessian as a product with vectors. Cheap to clone, which argmin does in each step.
 #[derive(Clone, Debug)]
 pub(crate) struct ChordHessians<const D: usize>(Arc<Vec<ChordHessian<D>>>);
 

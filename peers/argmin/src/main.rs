@@ -1,8 +1,8 @@
-//! argmin in the comparison with other programs: its trust region method with Steihaug's
-//! conjugate gradients, the only one of its methods that needs no dense matrix and arrives.
+//! argmin in the comparison with other programs: its trust region method with Steihaug's conjugate
+//! gradients, the only one of its methods that needs no dense matrix and converges.
 //!
-//! Called by `cargo xtask peers`, once for each problem and `N`. Metrics and their derivatives are
-//! those of Tautline.
+//! `cargo xtask peers` runs it once for each problem and `N`. Tautline supplies the metrics and
+//! their derivatives.
 
 mod discrete_energy;
 #[path = "../../../crates/tautline/examples/peers/measurement.rs"]
@@ -24,13 +24,13 @@ use measurement::{cpu_time, report, time};
 use problems::{Peer, pose};
 use tautline::{Ends, Metric, PointSequence};
 
-/// Steps of the trust region that are allowed; one that works takes less than 30.
+/// The limit on steps of the trust region; a search that converges takes fewer than 30.
 const ITERATIONS: u64 = 100;
 
 type Subproblem = Steihaug<Vec<f64>, f64>;
 type Iterate<const D: usize> = IterState<Vec<f64>, Vec<f64>, (), ChordHessians<D>, (), f64>;
 
-/// argmin's trust region, stopped where the gradient is small: by itself it does not stop.
+/// argmin's trust region, stopped when the gradient is small, which it does not do by itself.
 #[derive(Clone)]
 struct Stopping {
     inner: TrustRegion<Subproblem, f64>,
@@ -67,7 +67,7 @@ impl<M: Metric<D>, const D: usize> Solver<DiscreteEnergy<M, D>, Iterate<D>> for 
     }
 }
 
-/// argmin, told when to stop.
+/// argmin with a tolerance for the gradient.
 struct Argmin {
     tolerance: f64,
     points: PathBuf,
@@ -98,7 +98,7 @@ impl Peer for Argmin {
                 .run()
         });
         let state = timed.result.as_ref().map_err(ToString::to_string)?.state();
-        // The last one: by its energy, rounded, an earlier one may be as good.
+        // The last iterate, not the best: rounded energies cannot tell it from earlier ones.
         let last = state.get_param().ok_or("no iterate")?;
         let sequence = DiscreteEnergy { metric: &metric, start }.sequence(last)?;
         let stop = state.get_termination_status().to_string();

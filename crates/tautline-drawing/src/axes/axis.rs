@@ -6,14 +6,18 @@ use crate::error::DrawingError;
 /// One axis of a panel.
 ///
 /// Invariant: one stretch, or two with a gap between them; each is finite and increasing, and
-/// positive on a logarithmic scale. Names stand at `1, 2, …` on one linear stretch.
+/// positive on a logarithmic scale. Names are at `1, 2, …` on one linear stretch.
 #[derive(Clone, Debug, PartialEq)]
 #[must_use]
 pub struct Axis {
-    stretches: Vec<Stretch>,
-    names: Vec<String>,
-    label: String,
-    numbered: bool,
+    /// The pieces, the lowest first.
+    pub(crate) stretches: Vec<Stretch>,
+    /// The names along the axis; none if it has numbers.
+    pub(crate) names: Vec<String>,
+    /// The label; empty if there is none.
+    pub(crate) label: String,
+    /// Whether ticks carry numbers.
+    pub(crate) numbered: bool,
 }
 
 impl Axis {
@@ -44,8 +48,8 @@ impl Axis {
 
     /// Returns a logarithmic axis of whole decades around all positive values.
     ///
-    /// If somewhere more than `break_over` decades hold no value, the widest such gap is left
-    /// out; `f64::INFINITY` never breaks. Zero and negative values have no place and are skipped.
+    /// If the widest gap between two values exceeds `break_over` decades, the axis leaves it out;
+    /// `f64::INFINITY` never breaks. Zero and negative values have no place and are skipped.
     ///
     /// # Errors
     ///
@@ -84,7 +88,7 @@ impl Axis {
     ///
     /// # Errors
     ///
-    /// If the two do not lie inside the range in this order.
+    /// Unless `from < below < above < to`.
     pub fn broken(mut self, below: f64, above: f64) -> Result<Axis, DrawingError> {
         let (scale, from, to) = (self.scale(), self.from(), self.to());
         if !(below < above) {
@@ -112,50 +116,20 @@ impl Axis {
         if carries { self.labelled(label) } else { self.unnumbered() }
     }
 
-    /// Returns the pieces of the axis, the lowest first.
-    #[must_use]
-    pub fn stretches(&self) -> &[Stretch] {
-        &self.stretches
+    pub(crate) fn scale(&self) -> Scale {
+        self.stretches[0].scale
     }
 
-    /// Returns the names along the axis; none if it has numbers.
-    #[must_use]
-    pub fn names(&self) -> &[String] {
-        &self.names
+    pub(crate) fn from(&self) -> f64 {
+        self.stretches[0].from
     }
 
-    /// Returns the label; empty if there is none.
-    #[must_use]
-    pub fn label(&self) -> &str {
-        &self.label
-    }
-
-    /// Returns whether ticks carry numbers.
-    #[must_use]
-    pub fn is_numbered(&self) -> bool {
-        self.numbered
-    }
-
-    /// Returns the scale.
-    #[must_use]
-    pub fn scale(&self) -> Scale {
-        self.stretches[0].scale()
-    }
-
-    /// Returns the lower end.
-    #[must_use]
-    pub fn from(&self) -> f64 {
-        self.stretches[0].from()
-    }
-
-    /// Returns the upper end.
-    #[must_use]
-    pub fn to(&self) -> f64 {
-        self.stretches[self.stretches.len() - 1].to()
+    pub(crate) fn to(&self) -> f64 {
+        self.stretches[self.stretches.len() - 1].to
     }
 }
 
-/// Ten to a whole power; `powi`, since `powf` need not hit powers of ten on every machine.
+/// Ten to a whole power, by `powi`: `powf` may miss powers of ten on some machines.
 fn power(exponent: f64) -> f64 {
     10.0_f64.powi(exponent as i32)
 }
@@ -184,7 +158,7 @@ mod tests {
     #[test]
     fn names_have_a_unit_each() {
         let axis = Axis::of_names(["first", "second"]).expect("two names");
-        assert_eq!((axis.from(), axis.to(), axis.names().len()), (0.5, 2.5, 2));
+        assert_eq!((axis.from(), axis.to(), axis.names.len()), (0.5, 2.5, 2));
         assert!(Axis::of_names(Vec::<String>::new()).is_err());
     }
 
@@ -192,14 +166,14 @@ mod tests {
     fn whole_decades_cover_the_values() {
         let axis = Axis::decades_covering([3e-5, 0.0, 2.0], f64::INFINITY).expect("positive");
         assert_eq!((axis.from(), axis.to()), (1e-5, 10.0));
-        assert_eq!(axis.stretches().len(), 1);
+        assert_eq!(axis.stretches.len(), 1);
     }
 
     #[test]
     fn a_wide_gap_breaks_the_axis() {
         let values = [2e-8, 3e-3, 4e12, 5e14];
         let axis = Axis::decades_covering(values, 6.0).expect("positive");
-        let ends: Vec<_> = axis.stretches().iter().map(|s| (s.from(), s.to())).collect();
+        let ends: Vec<_> = axis.stretches.iter().map(|s| (s.from, s.to)).collect();
         assert_eq!(ends, [(1e-8, 1e-2), (1e12, 1e15)]);
     }
 }

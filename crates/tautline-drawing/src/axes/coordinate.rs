@@ -26,7 +26,7 @@ impl Ranged for Stretch {
     }
 
     fn range(&self) -> Range<f64> {
-        self.from()..self.to()
+        self.from..self.to
     }
 }
 

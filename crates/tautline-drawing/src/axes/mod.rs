@@ -9,5 +9,5 @@ mod tick_values;
 
 pub use axis::Axis;
 pub use scale::Scale;
-pub use stretch::Stretch;
+pub(crate) use stretch::Stretch;
 pub(crate) use tick::{Direction, Tick, named_ticks, ticks};

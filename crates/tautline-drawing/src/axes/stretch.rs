@@ -14,10 +14,10 @@ use crate::{
 
 /// A range on a scale; plotters maps it to px.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stretch {
-    scale: Scale,
-    from: f64,
-    to: f64,
+pub(crate) struct Stretch {
+    pub(crate) scale: Scale,
+    pub(crate) from: f64,
+    pub(crate) to: f64,
 }
 
 impl Stretch {
@@ -36,27 +36,8 @@ impl Stretch {
         Ok(Stretch { scale, from, to })
     }
 
-    /// Returns the scale.
-    #[must_use]
-    pub fn scale(&self) -> Scale {
-        self.scale
-    }
-
-    /// Returns the lower end.
-    #[must_use]
-    pub fn from(&self) -> f64 {
-        self.from
-    }
-
-    /// Returns the upper end.
-    #[must_use]
-    pub fn to(&self) -> f64 {
-        self.to
-    }
-
     /// Returns the length on the scale: a difference, or a number of decades.
-    #[must_use]
-    pub fn length(&self) -> f64 {
+    pub(crate) fn length(&self) -> f64 {
         if self.scale.is_logarithmic() {
             (self.to / self.from).log10()
         } else {
@@ -65,8 +46,7 @@ impl Stretch {
     }
 
     /// Returns whether the range contains a value, with a margin for rounding at its ends.
-    #[must_use]
-    pub fn holds(&self, value: f64) -> bool {
+    pub(crate) fn holds(&self, value: f64) -> bool {
         let margin = 1e-9 * (self.to - self.from);
         let low =
             if self.scale.is_logarithmic() { self.from * (1.0 - 1e-9) } else { self.from - margin };
@@ -74,14 +54,12 @@ impl Stretch {
     }
 
     /// Returns whether the scale has a place for a value, inside the range or not.
-    #[must_use]
-    pub fn can_place(&self, value: f64) -> bool {
+    pub(crate) fn can_place(&self, value: f64) -> bool {
         value.is_finite() && (value > 0.0 || !self.scale.is_logarithmic())
     }
 
     /// Returns the place of a value, in px, if the range covers `start` to `end`.
-    #[must_use]
-    pub fn place(&self, value: f64, (start, end): (f64, f64)) -> f64 {
+    pub(crate) fn place(&self, value: f64, (start, end): (f64, f64)) -> f64 {
         f64::from(self.place_in_units(value, (units(start), units(end)))) / UNITS
     }
 

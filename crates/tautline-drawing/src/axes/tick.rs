@@ -10,13 +10,13 @@ use crate::{
 /// A mark on an axis.
 #[derive(Clone, Debug)]
 pub(crate) struct Tick {
-    /// Where it stands.
+    /// Its value.
     pub value: f64,
     /// Its number; a tick without one is drawn shorter.
     pub label: Option<TextBlock>,
 }
 
-/// Along which direction labels must not meet.
+/// The direction of an axis, along which labels must not meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Direction {
     /// An `x` axis.
@@ -26,7 +26,7 @@ pub(crate) enum Direction {
 }
 
 impl Direction {
-    /// How the labels of its ticks stand to them.
+    /// The alignment of labels with their ticks.
     fn align(self) -> Align {
         if self == Direction::Horizontal { Align::Centre } else { Align::Right }
     }
@@ -35,11 +35,12 @@ impl Direction {
 /// Ticks closer than this, in px, are left out.
 const CROWDED: f64 = 2.5;
 
-/// Returns the ticks of a stretch that is `length` px long: the densest numbering that is airy.
+/// Returns the ticks of a stretch that is `length` px long: the densest numbering with enough
+/// space.
 ///
 /// # Errors
 ///
-/// If a label cannot be set, which would be a defect of the font.
+/// If a label cannot be set: a defect of the font.
 pub(crate) fn ticks(
     stretch: &Stretch,
     length: f64,
@@ -62,27 +63,27 @@ pub(crate) fn ticks(
     let place = |tick: &Tick| stretch.place(tick.value, (0.0, length));
     let crowded = chosen.windows(2).any(|pair| (place(&pair[1]) - place(&pair[0])).abs() < CROWDED);
     if crowded {
-        // All or none: a few surviving ones would look like data. Unnumbered multiples go first.
+        // All or none: a few unnumbered ticks would look like data.
         chosen.retain(|tick| tick.label.is_some());
     }
     Ok(chosen)
 }
 
-/// Returns one tick for each name of an axis, whether they are airy or not.
+/// Returns one tick for each name of an axis, even where they are crowded.
 ///
 /// # Errors
 ///
 /// If a name cannot be set.
 pub(crate) fn named_ticks(axis: &Axis, direction: Direction) -> Result<Vec<Tick>, DrawingError> {
     let align = direction.align();
-    let names = axis.names().iter().enumerate();
+    let names = axis.names.iter().enumerate();
     let tick = |(k, name): (usize, &String)| {
         Ok(Tick { value: k as f64 + 1.0, label: Some(typeset(name, SMALL, align)?) })
     };
     names.map(tick).collect()
 }
 
-/// More labelled multiples of π than this, and fractions only repeat what whole ones say.
+/// The most labelled multiples of π: beyond, whole multiples say the same as fractions.
 const MOST_MULTIPLES: usize = 7;
 
 /// Returns whether neighbouring labels keep their distance.
@@ -94,14 +95,14 @@ fn airy(ticks: &[Tick], stretch: &Stretch, length: f64, direction: Direction) ->
             Some((stretch.place(tick.value, (0.0, length)), width))
         })
         .collect();
-    if stretch.scale() == Scale::MultiplesOfPi && placed.len() > MOST_MULTIPLES {
+    if stretch.scale == Scale::MultiplesOfPi && placed.len() > MOST_MULTIPLES {
         return false;
     }
     placed.windows(2).all(|pair| {
         let ((a, wide_a), (b, wide_b)) = (pair[0], pair[1]);
         let least = match direction {
             Direction::Vertical => 2.1 * SMALL,
-            Direction::Horizontal if stretch.scale().is_logarithmic() => {
+            Direction::Horizontal if stretch.scale.is_logarithmic() => {
                 (wide_a + wide_b) / 2.0 + 0.9 * SMALL
             }
             // Short numbers could stand closer, but an axis is not a ruler.

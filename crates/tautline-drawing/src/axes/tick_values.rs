@@ -1,4 +1,4 @@
-//! At which values an axis may have ticks, and the numbers beside them.
+//! The values at which an axis may have ticks, and their numbers.
 
 use super::{scale::Scale, stretch::Stretch};
 
@@ -7,7 +7,7 @@ pub(super) type TickValues = Vec<(f64, Option<String>)>;
 
 /// Returns possible sets of ticks in increasing order, the one with most labels first.
 pub(super) fn candidates(stretch: &Stretch) -> Vec<TickValues> {
-    match stretch.scale() {
+    match stretch.scale {
         Scale::Decades => decades(stretch),
         Scale::Octaves => octaves(stretch),
         Scale::Linear => linear(stretch),
@@ -18,7 +18,7 @@ pub(super) fn candidates(stretch: &Stretch) -> Vec<TickValues> {
 const STRIDES: [i32; 13] = [1, 2, 3, 4, 5, 6, 8, 10, 15, 20, 30, 50, 100];
 
 fn decades(stretch: &Stretch) -> Vec<TickValues> {
-    let (from, to) = (stretch.from(), stretch.to());
+    let (from, to) = (stretch.from, stretch.to);
     let exponents = || from.log10().floor() as i32..=to.log10().ceil() as i32;
     // Few digits read better written out.
     let plain = to <= 1.001e4 && (from >= 0.99 || (stretch.length() < 2.0 && from >= 9.9e-4));
@@ -52,7 +52,7 @@ fn decades(stretch: &Stretch) -> Vec<TickValues> {
 }
 
 fn octaves(stretch: &Stretch) -> Vec<TickValues> {
-    let exponents = stretch.from().log2().floor() as i32..=stretch.to().log2().ceil() as i32;
+    let exponents = stretch.from.log2().floor() as i32..=stretch.to.log2().ceil() as i32;
     let number = |e: i32| match e {
         0..=16 => (1_u32 << e).to_string(),
         _ => format!("$2^{{{e}}}$"),
@@ -93,7 +93,7 @@ fn multiples_of_pi(stretch: &Stretch) -> Vec<TickValues> {
 /// Returns labelled multiples of `step`, and `parts − 1` unlabelled ticks between them.
 fn steps(stretch: &Stretch, step: f64, parts: i32, label: &dyn Fn(f64) -> String) -> TickValues {
     let small = step / f64::from(parts);
-    let (first, last) = ((stretch.from() / small).floor(), (stretch.to() / small).ceil());
+    let (first, last) = ((stretch.from / small).floor(), (stretch.to / small).ceil());
     let mut set = Vec::new();
     let mut k = first;
     while k <= last {

@@ -33,11 +33,11 @@ impl Colour {
 
     /// Returns the lightest shade of this hue that is legible as text on white.
     ///
-    /// WCAG asks 4.5:1 of text; this gives a little more, so that rounding cannot fall below.
+    /// WCAG requires 4.5:1 for text; the margin covers rounding.
     pub fn for_text(self) -> Colour {
         let [lightness, a, b] = self.oklab();
-        // Lightness decides the contrast and is monotone in it, so walking down suffices; the
-        // chroma shrinks along, which keeps dark shades inside sRGB.
+        // Contrast increases as lightness falls, so walking down suffices; the chroma shrinks too,
+        // which keeps dark shades inside sRGB.
         (0..=100)
             .map(|step| {
                 let keep = 1.0 - f64::from(step) / 100.0;

@@ -1,4 +1,4 @@
-//! Colours, the palette of the house, and the ramp of heat-maps.
+//! Colours, the palette of the figures, and the ramp of heat-maps.
 
 mod colour;
 pub mod palette;

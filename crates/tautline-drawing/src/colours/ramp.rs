@@ -18,7 +18,7 @@ pub struct Ramp {
 const KNOTS: usize = 512;
 
 impl Ramp {
-    /// Returns the ramp of the house.
+    /// Returns the ramp of all heat-maps.
     pub fn blue() -> Ramp {
         let mut knots: Vec<([f64; 3], f64)> = Vec::with_capacity(KNOTS + 1);
         for k in 0..=KNOTS {
@@ -83,7 +83,7 @@ mod tests {
         assert!(ramp.at(1.0).contrast(Colour::WHITE) >= 4.5);
     }
 
-    /// Clipping would bend the ramp: every channel must come back as it was asked for.
+    /// Clipping would bend the ramp: every colour must survive the conversion to sRGB.
     #[test]
     fn the_ramp_stays_inside_srgb() {
         for (lab, _) in &Ramp::blue().knots {

@@ -1,6 +1,6 @@
-//! A box with sides along the axes.
+//! A box with sides parallel to the axes.
 
-/// A rectangle with sides along the axes, in px, with `y` downwards.
+/// A rectangle with sides parallel to the axes, in px, with `y` downwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[must_use]
 pub struct Extent {

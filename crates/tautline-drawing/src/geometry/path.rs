@@ -73,7 +73,7 @@ impl Path {
         &self.segments
     }
 
-    /// Returns the image under an affine map (Bézier curves commute with those only).
+    /// Returns the image under a map, which must be affine: Bézier curves commute with no others.
     pub fn mapped(&self, map: impl Fn(f64, f64) -> (f64, f64)) -> Path {
         let segments = self.segments.iter().map(|segment| match *segment {
             Segment::Move(x, y) => {
@@ -114,7 +114,7 @@ impl Path {
 
     /// Returns the box around all points and control points; `None` if there are none.
     ///
-    /// Glyphs have their extrema on the outline, so that the box is theirs exactly.
+    /// For glyphs the box is exact: their extrema are points of the outline.
     #[must_use]
     pub fn extent(&self) -> Option<Extent> {
         let mut points = Vec::new();

@@ -1,4 +1,4 @@
-//! A curve or a set of points, with how it looks and what it is called.
+//! A curve or a set of points, with its look and its name.
 
 use super::marker::Marker;
 use crate::{axes::Axis, colours::Colour, measures::CURVE};
@@ -79,20 +79,20 @@ impl Curve {
         self
     }
 
-    /// Puts white round line and markers, so that they stand out from a heat-map.
+    /// Puts a white rim around line and markers, so that they stand out from a heat-map.
     pub fn over_field(mut self) -> Curve {
         self.halo = true;
         self
     }
 
-    /// Returns the runs of points that have a place on the axes.
+    /// Returns the runs of points with a place on the axes.
     pub(crate) fn runs(&self, x: &Axis, y: &Axis) -> Vec<Vec<(f64, f64)>> {
         let across = |level: f64| vec![(x.from(), level), (x.to(), level)];
         let points = match &self.course {
             Course::Through(points) => points.clone(),
             Course::Level(level) => across(*level),
         };
-        let (x, y) = (&x.stretches()[0], &y.stretches()[0]);
+        let (x, y) = (&x.stretches[0], &y.stretches[0]);
         points
             .split(|(a, b)| !(x.can_place(*a) && y.can_place(*b)))
             .filter(|run| !run.is_empty())

@@ -17,13 +17,13 @@ pub struct Field {
     step: (f64, f64),
     values: Vec<f64>,
     levels: Vec<f64>,
-    /// Whether `x` is sampled in decades: contours are smooth on a logarithmic axis then.
+    /// Whether `x` is sampled in decades, so that contours are smooth on a logarithmic axis.
     decades: bool,
     pub(crate) line_every: usize,
     pub(crate) label: String,
 }
 
-/// Cells along the longer side: contours are then smooth at three pixels to a px.
+/// Cells along the longer side: enough for smooth contours at three pixels to a px.
 const CELLS: f64 = 360.0;
 
 impl Field {
@@ -68,8 +68,7 @@ impl Field {
                 values.push(value);
             }
         }
-        let (line_every, label) = (0, String::new());
-        let decades = false;
+        let (decades, line_every, label) = (false, 0, String::new());
         Ok(Field { columns, rows, origin, step, values, levels, decades, line_every, label })
     }
 
@@ -118,7 +117,7 @@ impl Field {
     ///
     /// # Errors
     ///
-    /// If the contour library refuses, with its own words.
+    /// If the contour library fails, with its message.
     pub fn rings(&self, level: f64) -> Result<Vec<Vec<(f64, f64)>>, DrawingError> {
         let lines = ContourBuilder::new(self.columns, self.rows, true)
             .lines(&self.values, &[level])
@@ -135,8 +134,8 @@ impl Field {
     }
 }
 
-/// Drops the points that a straight piece passes anyway: a field of one variable has nothing
-/// but straight contours, with a point in each row of cells.
+/// Drops the inner points of straight pieces: a field of one variable has only straight contours,
+/// with a point in each row of cells.
 fn without_straight_points(ring: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut kept: Vec<(f64, f64)> = Vec::with_capacity(ring.len());
     for &point in ring {

@@ -24,7 +24,7 @@ pub enum Marker {
 impl Marker {
     /// Returns the corners about the centre, in px; `None` for the round ones.
     ///
-    /// The corners of the cross are those of its outline too, so that it takes a halo.
+    /// The cross is a polygon too, so that it can have a halo.
     pub(crate) fn corners(self) -> Option<Vec<(f64, f64)>> {
         let r = MARKER;
         // Sides that give the area π r² of the disc: √π r, and 2 √π / 3^{1/4} r.
@@ -40,7 +40,7 @@ impl Marker {
             }
             Marker::Triangle => {
                 let (side, height) = (2.694 * r, 2.333 * r);
-                // The centroid, at a third of the height, is what stands on the point.
+                // The centroid, at a third of the height, is on the point.
                 let (low, high) = (height / 3.0, -2.0 * height / 3.0);
                 Some(vec![(-side / 2.0, low), (0.0, high), (side / 2.0, low)])
             }

@@ -1,4 +1,4 @@
-//! What a panel shows: curves, fields, notes and slope triangles. Data and looks, no place yet.
+//! The contents of a panel: curves, fields, notes and slope triangles, as data.
 
 mod curve;
 mod field;

@@ -2,7 +2,7 @@
 
 use crate::{colours::Colour, math_text::Align};
 
-/// A remark inside a panel; it clears a little white round itself.
+/// A remark inside a panel, with a little white space around it.
 #[derive(Clone, Debug, PartialEq)]
 #[must_use]
 pub struct Note {

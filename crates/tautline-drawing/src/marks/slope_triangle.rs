@@ -13,7 +13,7 @@ pub struct SlopeTriangle {
 
 impl SlopeTriangle {
     /// Returns a triangle for `y ∝ x^slope` whose hypotenuse starts at `(from, y)` and ends at
-    /// `to`, with its right angle under the hypotenuse: to stand below a curve.
+    /// `to`, with its right angle under the hypotenuse, to go below a curve.
     ///
     /// # Panics
     ///
@@ -25,7 +25,7 @@ impl SlopeTriangle {
         SlopeTriangle { slope, from, to, y, above: false }
     }
 
-    /// Returns the same with its right angle over the hypotenuse: to stand above a curve.
+    /// Returns the same with its right angle over the hypotenuse, to go above a curve.
     ///
     /// # Panics
     ///

@@ -8,12 +8,12 @@ use crate::geometry::{Path, Segment};
 
 /// The font of all labels, a subset of New Computer Modern Math (see `font/NOTICE.md`).
 ///
-/// Lengths are in em, with `y` upwards, as type designers have it; only
-/// [`outline`](FigureFont::outline) turns to the px and downward `y` of a scene.
+/// Lengths are in em, with `y` upwards; only [`outline`](FigureFont::outline) converts to the px
+/// and downward `y` of a scene.
 pub(crate) struct FigureFont {
     face: Face<'static>,
     math: math::Table<'static>,
-    em: f64,
+    units_per_em: f64,
 }
 
 /// Where the `MATH` table puts scripts and radicals, in em of the surrounding size.
@@ -51,57 +51,52 @@ impl FigureFont {
             let data = include_bytes!("../../font/TautlineFigure.otf");
             let face = Face::parse(data, 0).expect("the committed font is a valid OpenType font");
             let math = face.tables().math.expect("the committed font has a MATH table");
-            let em = f64::from(face.units_per_em());
-            FigureFont { face, math, em }
+            let units_per_em = f64::from(face.units_per_em());
+            FigureFont { face, math, units_per_em }
         })
     }
 
     /// Returns the glyph of a character, `None` if the font has none.
-    #[must_use]
     pub(crate) fn glyph(&self, character: char) -> Option<GlyphId> {
         self.face.glyph_index(character)
     }
 
     /// Returns the advance width, in em.
-    #[must_use]
     pub(crate) fn advance(&self, glyph: GlyphId) -> f64 {
-        f64::from(self.face.glyph_hor_advance(glyph).unwrap_or(0)) / self.em
+        f64::from(self.face.glyph_hor_advance(glyph).unwrap_or(0)) / self.units_per_em
     }
 
     /// Returns bottom and top of the ink, in em above the baseline; zero for a blank.
-    #[must_use]
     pub(crate) fn vertical_ink(&self, glyph: GlyphId) -> (f64, f64) {
-        self.face.glyph_bounding_box(glyph).map_or((0.0, 0.0), |ink| {
-            (f64::from(ink.y_min) / self.em, f64::from(ink.y_max) / self.em)
-        })
+        let ink = self.face.glyph_bounding_box(glyph);
+        ink.map_or((0.0, 0.0), |ink| (self.em(ink.y_min), self.em(ink.y_max)))
     }
 
     /// Returns left and right of the ink, in em from the origin; zero for a blank.
-    #[must_use]
     pub(crate) fn horizontal_ink(&self, glyph: GlyphId) -> (f64, f64) {
-        self.face.glyph_bounding_box(glyph).map_or((0.0, 0.0), |ink| {
-            (f64::from(ink.x_min) / self.em, f64::from(ink.x_max) / self.em)
-        })
+        let ink = self.face.glyph_bounding_box(glyph);
+        ink.map_or((0.0, 0.0), |ink| (self.em(ink.x_min), self.em(ink.x_max)))
+    }
+
+    fn em(&self, units: i16) -> f64 {
+        f64::from(units) / self.units_per_em
     }
 
     /// Returns by how much a slanted letter leans over its advance at the top, in em.
-    #[must_use]
     pub(crate) fn italic_correction(&self, glyph: GlyphId) -> f64 {
         let corrections = self.math.glyph_info.and_then(|info| info.italic_corrections);
         let value = corrections.and_then(|table| table.get(glyph));
-        value.map_or(0.0, |value| f64::from(value.value) / self.em)
+        value.map_or(0.0, |value| self.em(value.value))
     }
 
     /// Returns where an accent is centred over a glyph, in em from its origin.
-    #[must_use]
     pub(crate) fn accent_centre(&self, glyph: GlyphId) -> f64 {
         let centres = self.math.glyph_info.and_then(|info| info.top_accent_attachments);
         let value = centres.and_then(|table| table.get(glyph));
-        value.map_or(self.advance(glyph) / 2.0, |value| f64::from(value.value) / self.em)
+        value.map_or(self.advance(glyph) / 2.0, |value| self.em(value.value))
     }
 
     /// Returns the smallest radical sign at least `height` em tall, or the tallest there is.
-    #[must_use]
     pub(crate) fn radical(&self, height: f64) -> Option<GlyphId> {
         let plain = self.glyph('√')?;
         let variants = self
@@ -119,10 +114,9 @@ impl FigureFont {
     }
 
     /// Returns the positions of the `MATH` table.
-    #[must_use]
     pub(crate) fn constants(&self) -> MathConstants {
         let table = self.math.constants.expect("the committed font has math constants");
-        let em = |value: math::MathValue<'_>| f64::from(value.value) / self.em;
+        let em = |value: math::MathValue<'_>| self.em(value.value);
         MathConstants {
             superscript_up: em(table.superscript_shift_up()),
             superscript_bottom_min: em(table.superscript_bottom_min()),
@@ -143,7 +137,7 @@ impl FigureFont {
 
     /// Appends the outline of a glyph at `size` px an em, with its origin at `(x, y)`.
     pub(crate) fn outline(&self, glyph: GlyphId, size: f64, (x, y): (f64, f64), path: &mut Path) {
-        let mut pen = Pen { path, scale: size / self.em, x, y, at: (0.0, 0.0) };
+        let mut pen = Pen { path, scale: size / self.units_per_em, x, y, at: (0.0, 0.0) };
         // `None` means a glyph without ink, such as the space.
         let _ = self.face.outline_glyph(glyph, &mut pen);
     }

@@ -22,11 +22,11 @@ pub(crate) enum Nucleus {
     Group(Vec<Atom>),
     /// A formula under a root.
     Radical(Vec<Atom>),
-    /// A thin space asked for by hand.
+    /// An explicit thin space.
     ThinSpace,
 }
 
-/// What an atom is in its formula; decides the white space beside it.
+/// The role of an atom in its formula, which decides the white space beside it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Class {
     Ordinary,
@@ -119,7 +119,7 @@ impl Reader {
         Ok(atoms)
     }
 
-    /// Reads what a script or a root applies to: a group in braces or one atom.
+    /// Reads the argument of a script or a root: a group in braces or one atom.
     fn argument(&mut self) -> Result<Vec<Atom>, &'static str> {
         while self.rest.get(self.at) == Some(&' ') {
             self.at += 1;
@@ -163,7 +163,7 @@ impl Atom {
     }
 }
 
-/// Makes a sign ordinary where nothing stands on its left or right: `−1`, `(−x)`, `C^{+}`.
+/// Makes a sign ordinary if it has no operand on its left or right: `−1`, `(−x)`, `C^{+}`.
 fn settle_signs(atoms: &mut [Atom]) {
     use Class::{Binary, Closing, Opening, Ordinary, Punctuation, Relation};
     for k in 0..atoms.len() {
@@ -201,7 +201,7 @@ fn class_of(c: char) -> Class {
 fn mathematical(c: char) -> char {
     let shifted = |first: u32, base: char| char::from_u32(first + u32::from(c) - u32::from(base));
     let slanted = match c {
-        // Unicode left a hole in the alphabet where the Planck constant already stood.
+        // Unicode has no slanted h in this alphabet: the Planck constant already existed.
         'h' => Some('ℎ'),
         'A'..='Z' => shifted(0x1D434, 'A'),
         'a'..='z' => shifted(0x1D44E, 'a'),

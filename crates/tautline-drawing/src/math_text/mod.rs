@@ -12,7 +12,7 @@ use crate::{
     geometry::{Extent, Path},
 };
 
-/// Where the origin of a label lies between its left and its right end.
+/// The place of a label's origin between its left and right ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Align {
     /// At the left end.
@@ -31,7 +31,7 @@ pub struct TextBlock {
     pub path: Path,
     /// The box of advance width and ink height; its corners are relative to the origin.
     pub extent: Extent,
-    /// The label in plain words, for those who cannot see the outlines.
+    /// The label in plain words, for screen readers.
     pub spoken: String,
 }
 
@@ -74,7 +74,7 @@ pub fn typeset(label: &str, size: f64, align: Align) -> Result<TextBlock, Drawin
     Ok(TextBlock { path, extent, spoken })
 }
 
-/// Returns half the height of a digit, in px: what centres a number on a tick.
+/// Returns half the height of a digit, in px, by which a number is lowered to centre it on a tick.
 #[must_use]
 pub fn half_digit(size: f64) -> f64 {
     let font = FigureFont::embedded();
@@ -83,7 +83,7 @@ pub fn half_digit(size: f64) -> f64 {
 }
 
 impl TextBlock {
-    /// Returns the label turned to read upwards, about its origin.
+    /// Returns the label turned about its origin, to be read upwards.
     pub fn upwards(&self) -> TextBlock {
         let Extent { left, top, right, bottom } = self.extent;
         TextBlock {
@@ -102,7 +102,7 @@ mod tests {
         typeset(label, 100.0, Align::Left).expect("well formed")
     }
 
-    /// The ink of `label` from the segment on at which that of its beginning would end.
+    /// The ink of `label` after that of its beginning.
     fn ink_after(beginning: &str, label: &str) -> Extent {
         ink_between(beginning, label, label)
     }

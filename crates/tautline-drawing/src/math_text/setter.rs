@@ -16,7 +16,7 @@ pub(super) struct Row {
     pub(super) width: f64,
     pub(super) height: f64,
     pub(super) depth: f64,
-    /// How far the last letter leans out of `width`; a superscript moves right by it.
+    /// How far the last letter leans out of `width`; a superscript moves right by as much.
     lean: f64,
 }
 
@@ -28,7 +28,7 @@ impl Row {
         self.lean = next.lean;
     }
 
-    /// Draws another row at `x` without taking its width.
+    /// Draws another row at `x`, raised by `up`, without adding its width.
     fn place(&mut self, other: &Row, x: f64, up: f64) {
         self.path.append(&other.path.moved(x, -up));
         self.height = self.height.max(other.height + up);
@@ -137,7 +137,7 @@ impl Setter<'_> {
         let wanted = radicand.height + radicand.depth + gap + rule;
         let sign = self.font.radical(wanted / em).ok_or_else(|| self.unknown('√'))?;
         let (bottom, top) = self.font.vertical_ink(sign);
-        // The sign may be taller than wanted; half of the surplus goes below the radicand.
+        // The sign may be too tall; half of the surplus goes below the radicand.
         let surplus = ((top - bottom) * em - wanted).max(0.0);
         let bar = radicand.height + gap + rule + surplus / 2.0;
         let mut row = Row { width: self.font.advance(sign) * em, ..Row::default() };
@@ -179,7 +179,7 @@ impl Setter<'_> {
     }
 
     fn word(&self, word: &str, em: f64) -> Result<Row, DrawingError> {
-        // Computer Modern's f runs into a following i or l unless they are one glyph.
+        // Computer Modern's f collides with a following i or l unless they are one glyph.
         let word = word.replace("ffi", "ﬃ").replace("ffl", "ﬄ").replace("ff", "ﬀ");
         let word = word.replace("fi", "ﬁ").replace("fl", "ﬂ").replace('\'', "’");
         let mut row = Row::default();

@@ -32,7 +32,7 @@ pub(crate) fn draw(scene: &mut Scene, field: &Field, frame: Extent) -> Result<()
     let bar = Extent { left, right: left + BAR, ..frame };
     let place = |value: f64| stretch.place(value, (bar.bottom, bar.top));
     for (k, level) in field.levels().iter().enumerate().take(field.levels().len() - 1) {
-        // Up to the top, for the next band to cover: no seams.
+        // Up to the top, under the bands to come, so that no seam opens between them.
         let band = Extent { bottom: place(*level), ..bar };
         scene.push(Shape::filled(Path::rectangle(band), field.colour(k)));
     }

@@ -1,4 +1,4 @@
-//! The names of curves beside their right ends.
+//! The names of curves, beside their right ends.
 
 use super::{panel::Panel, plot::Plot, push_apart::push_apart};
 use crate::{
@@ -36,7 +36,7 @@ impl EndLabel {
             let plot = plots
                 .iter()
                 .find(|plot| plot.y.holds(last.1))
-                .or_else(|| plots.iter().find(|plot| last.1 < plot.y.from()))
+                .or_else(|| plots.iter().find(|plot| last.1 < plot.y.from))
                 .or(plots.last());
             let Some(plot) = plot else { continue };
             let (x, y) = plot.place(last);
@@ -52,18 +52,17 @@ impl EndLabel {
         Ok(labels)
     }
 
-    /// Returns the width that these labels need to the right of the frame, and the gap before
-    /// them.
+    /// Returns the width that the labels need to the right of the frame, and the gap before them.
     pub(crate) fn width_and_gap(labels: &[EndLabel]) -> (f64, f64) {
         let widest = labels.iter().map(|label| label.text.extent.right).fold(0.0, f64::max);
         let gap = if labels.iter().any(EndLabel::is_far) { LEADER_GAP } else { END_GAP };
         if labels.is_empty() { (0.0, 0.0) } else { (widest + gap, gap) }
     }
 
-    /// Writes the label with its left end at `x`, and a leader if it stands away from its curve.
+    /// Writes the label with its left end at `x`, and a leader if it is away from its curve.
     pub(crate) fn draw(&self, scene: &mut Scene, x: f64) {
         let start = self.end.0 + MARKER + 2.5;
-        // Where one label of a panel needs a leader, all stand too far away to do without.
+        // Where one label of a panel needs a leader, all are far enough away to need one.
         if x - start > LEADER_GAP - MARKER {
             let leader = Path::polyline([(start, self.end.1), (x - 3.5, self.centre)], false);
             let mut stroke = Stroke::solid(self.colour, 0.7);
@@ -74,7 +73,7 @@ impl EndLabel {
         scene.write(&self.text, (x, self.centre - middle), self.colour.for_text());
     }
 
-    /// Half an em: from there on the eye no longer joins label and curve by itself.
+    /// Beyond half an em the eye no longer joins label and curve.
     fn is_far(&self) -> bool {
         (self.centre - self.end.1).abs() > 0.5 * TEXT
     }

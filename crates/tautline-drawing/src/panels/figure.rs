@@ -1,4 +1,4 @@
-//! A figure: panels in rows, laid out round their measured labels.
+//! A figure: panels in rows, laid out around their measured labels.
 
 use std::cell::RefCell;
 
@@ -29,13 +29,13 @@ pub struct Figure {
 
 /// Frames narrower than this, in px, hold no readable axis.
 const NARROWEST: f64 = 90.0;
-/// Height at which panels are measured whose own follows from their width later.
+/// The assumed height, in px, of panels whose height follows from their width.
 const GUESS: f64 = 200.0;
 
 impl Figure {
     /// Returns a figure of rows with equally many panels each, `width` px wide.
     ///
-    /// The title is for those who cannot see the picture; it is not drawn.
+    /// The title describes the picture to those who cannot see it; it is not drawn.
     pub fn new(width: f64, title: impl Into<String>, rows: Vec<Vec<Panel>>) -> Figure {
         Figure { width, title: title.into(), rows, keyed: false }
     }
@@ -50,8 +50,8 @@ impl Figure {
     ///
     /// # Errors
     ///
-    /// If a label cannot be set, if the labels leave no room for the panels, or if in the
-    /// finished drawing two labels overlap or one is cut.
+    /// If a label cannot be set, the labels leave no room for the panels, or in the finished
+    /// drawing two labels overlap or one is cut.
     pub fn draw(&self) -> Result<Scene, DrawingError> {
         let columns = self.rows.first().map_or(0, Vec::len);
         if columns == 0 || self.rows.iter().any(|row| row.len() != columns) {
@@ -147,7 +147,7 @@ impl Figure {
             if let Some(field) = &panel.field {
                 plot.field(field)?;
             }
-            // All markers over all lines: a line must not cross out another curve's point.
+            // All markers over all lines, so that no line crosses out a point.
             let runs: Vec<_> =
                 panel.curves.iter().map(|curve| curve.runs(&panel.x, &panel.y)).collect();
             for (curve, runs) in panel.curves.iter().zip(&runs) {

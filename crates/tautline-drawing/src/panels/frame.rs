@@ -16,7 +16,7 @@ use crate::{
     picture::{Scene, Shape, Stroke},
 };
 
-/// What a panel needs round its frame, in px.
+/// The space that a panel needs around its frame, in px.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Margins {
     pub(crate) left: f64,
@@ -27,18 +27,18 @@ pub(crate) struct Margins {
     pub(crate) end_gap: f64,
 }
 
-/// A label of the `y` axis stands upright if it is at most this wide, in px.
+/// A label of the `y` axis is horizontal if it is at most this wide, in px.
 const UPRIGHT: f64 = 26.0;
 /// From the frame to the title above it, in px.
 const TITLE_GAP: f64 = 10.0;
-/// How far the axis reaches into a break, in px: the number at its end must clear the mark.
+/// The length of the axis inside a break, in px: the number at its end must clear the mark.
 const BREAK_REACH: f64 = 10.0;
 
 /// Returns the pieces of a panel with this frame, the lowest first; all have one scale.
 pub(crate) fn plots<'a>(panel: &Panel, scene: &'a RefCell<Scene>, frame: Extent) -> Vec<Plot<'a>> {
     let inset = if panel.field.is_some() { 0.0 } else { INSET };
     let aside = if panel.flush { 0.0 } else { inset };
-    let stretches = panel.y.stretches();
+    let stretches = &panel.y.stretches;
     let total: f64 = stretches.iter().map(|stretch| stretch.length()).sum();
     let breaks = BREAK * (stretches.len() - 1) as f64;
     let unit = (frame.height() - 2.0 * inset - breaks) / total;
@@ -51,13 +51,13 @@ pub(crate) fn plots<'a>(panel: &Panel, scene: &'a RefCell<Scene>, frame: Extent)
         let top = if last { frame.top } else { up.1 - BREAK_REACH };
         let clip = Extent { top, bottom, ..frame };
         let across = (frame.left + aside, frame.right - aside);
-        plots.push(Plot { scene, x: panel.x.stretches()[0], y: *stretch, across, up, clip });
+        plots.push(Plot { scene, x: panel.x.stretches[0], y: *stretch, across, up, clip });
         low = up.1 - BREAK;
     }
     plots
 }
 
-/// Measures what a panel of this height needs round its frame.
+/// Measures the space that a panel needs around its frame.
 pub(crate) fn margins(
     panel: &Panel,
     plots: &[Plot<'_>],
@@ -66,7 +66,7 @@ pub(crate) fn margins(
 ) -> Result<Margins, DrawingError> {
     let outwards = outward_tick(panel);
     let mut margins = Margins { left: outwards, bottom: outwards, ..Margins::default() };
-    if panel.y.is_numbered() {
+    if panel.y.numbered {
         let numbers = y_ticks(panel, plots)?;
         margins.left += TICK_GAP + widest(numbers.iter().map(|(_, tick)| tick));
     }
@@ -74,14 +74,13 @@ pub(crate) fn margins(
         margins.left += LABEL_GAP + label.extent.width();
     }
     let mut half_number: f64 = 0.0;
-    if panel.x.is_numbered() {
+    if panel.x.numbered {
         let numbers = x_ticks(panel, plots)?;
-        let heights = numbers.iter().filter_map(|tick| Some(-tick.label.as_ref()?.extent.top));
-        margins.bottom += TICK_GAP + heights.fold(0.0, f64::max);
+        margins.bottom += TICK_GAP + tallest(&numbers);
         half_number = widest(numbers.iter()) / 2.0;
     }
-    if !panel.x.label().is_empty() {
-        let label = typeset(panel.x.label(), TEXT, Align::Centre)?;
+    if !panel.x.label.is_empty() {
+        let label = typeset(&panel.x.label, TEXT, Align::Centre)?;
         margins.bottom += LABEL_GAP + label.extent.height();
     }
     let (ends_width, gap) = EndLabel::width_and_gap(ends);
@@ -96,7 +95,7 @@ pub(crate) fn margins(
     Ok(margins)
 }
 
-/// Draws what lies behind the data.
+/// Draws the grid, behind the data.
 pub(crate) fn draw_grid(
     scene: &RefCell<Scene>,
     panel: &Panel,
@@ -127,25 +126,24 @@ pub(crate) fn draw_axes(
     let length = |tick: &Tick| inwards * if tick.label.is_some() { TICK } else { MINOR_TICK };
     for (y, tick) in y_ticks(panel, plots)? {
         draw_line(scene, [(frame.left, y), (frame.left + length(&tick), y)], INK, THIN);
-        if let Some(label) = tick.label.filter(|_| panel.y.is_numbered()) {
+        if let Some(label) = tick.label.filter(|_| panel.y.numbered) {
             scene.write(&label, (frame.left - outwards - TICK_GAP, y + half_digit(SMALL)), INK);
         }
     }
     let numbers = x_ticks(panel, plots)?;
     // All numbers share one baseline, as high as the tallest allows.
-    let heights = numbers.iter().filter_map(|tick| Some(-tick.label.as_ref()?.extent.top));
-    let baseline = frame.bottom + outwards + TICK_GAP + heights.fold(0.0, f64::max);
+    let baseline = frame.bottom + outwards + TICK_GAP + tallest(&numbers);
     for tick in numbers {
-        let x = plots[0].place((tick.value, plots[0].y.from())).0;
+        let x = plots[0].place((tick.value, plots[0].y.from)).0;
         draw_line(scene, [(x, frame.bottom), (x, frame.bottom - length(&tick))], INK, THIN);
-        if let Some(label) = tick.label.filter(|_| panel.x.is_numbered()) {
+        if let Some(label) = tick.label.filter(|_| panel.x.numbered) {
             scene.write(&label, (x, baseline), INK);
         }
     }
     draw_spines(scene, panel, plots, frame);
-    if !panel.x.label().is_empty() {
-        let label = typeset(panel.x.label(), TEXT, Align::Centre)?;
-        let below = if panel.x.is_numbered() { baseline } else { frame.bottom + outwards };
+    if !panel.x.label.is_empty() {
+        let label = typeset(&panel.x.label, TEXT, Align::Centre)?;
+        let below = if panel.x.numbered { baseline } else { frame.bottom + outwards };
         let x = (frame.left + frame.right) / 2.0;
         scene.write(&label, (x, below + LABEL_GAP - label.extent.top), INK);
     }
@@ -161,7 +159,7 @@ pub(crate) fn draw_axes(
     Ok(())
 }
 
-/// Draws the axis lines: open at the top and right for curves, closed round a heat-map.
+/// Draws the axis lines: open at the top and right for curves, closed around a heat-map.
 fn draw_spines(scene: &mut Scene, panel: &Panel, plots: &[Plot<'_>], frame: Extent) {
     if panel.field.is_some() {
         scene.push(Shape::stroked(Path::rectangle(frame), Stroke::solid(INK, FRAME)));
@@ -179,13 +177,13 @@ fn draw_spines(scene: &mut Scene, panel: &Panel, plots: &[Plot<'_>], frame: Exte
     }
 }
 
-/// Over a heat-map inward ticks would be lost.
+/// The length of outward ticks: over a heat-map inward ones would be lost.
 fn outward_tick(panel: &Panel) -> f64 {
     if panel.field.is_some() { TICK } else { 0.0 }
 }
 
 fn x_ticks(panel: &Panel, plots: &[Plot<'_>]) -> Result<Vec<Tick>, DrawingError> {
-    if !panel.x.names().is_empty() {
+    if !panel.x.names.is_empty() {
         return named_ticks(&panel.x, Direction::Horizontal);
     }
     let (from, to) = plots[0].across;
@@ -196,7 +194,7 @@ fn x_ticks(panel: &Panel, plots: &[Plot<'_>]) -> Result<Vec<Tick>, DrawingError>
 fn y_ticks(panel: &Panel, plots: &[Plot<'_>]) -> Result<Vec<(f64, Tick)>, DrawingError> {
     let mut all = Vec::new();
     for plot in plots {
-        let ticks = if panel.y.names().is_empty() {
+        let ticks = if panel.y.names.is_empty() {
             ticks(&plot.y, plot.up.0 - plot.up.1, Direction::Vertical)?
         } else {
             named_ticks(&panel.y, Direction::Vertical)?
@@ -210,11 +208,15 @@ fn widest<'t>(ticks: impl Iterator<Item = &'t Tick>) -> f64 {
     ticks.filter_map(|tick| Some(tick.label.as_ref()?.extent.width())).fold(0.0, f64::max)
 }
 
+fn tallest(ticks: &[Tick]) -> f64 {
+    ticks.iter().filter_map(|tick| Some(-tick.label.as_ref()?.extent.top)).fold(0.0, f64::max)
+}
+
 fn y_label(panel: &Panel) -> Result<Option<TextBlock>, DrawingError> {
-    if panel.y.label().is_empty() {
+    if panel.y.label.is_empty() {
         return Ok(None);
     }
-    let label = typeset(panel.y.label(), TEXT, Align::Centre)?;
+    let label = typeset(&panel.y.label, TEXT, Align::Centre)?;
     Ok(Some(if label.extent.width() <= UPRIGHT { label } else { label.upwards() }))
 }
 

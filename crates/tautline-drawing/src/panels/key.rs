@@ -13,7 +13,7 @@ use crate::{
     picture::Scene,
 };
 
-/// Names of curves above small multiples, where labels at their ends would repeat.
+/// The names of curves above several panels, where labels at their ends would repeat.
 pub(crate) struct Key {
     rows: Vec<Vec<(Curve, TextBlock)>>,
 }
@@ -24,7 +24,7 @@ const BETWEEN: f64 = 24.0;
 const PITCH: f64 = 24.0;
 
 impl Key {
-    /// Collects the named curves that differ, in order, in rows of at most `width` px.
+    /// Collects the named curves, each name once, in rows of at most `width` px.
     pub(crate) fn of_panels<'p>(
         panels: impl Iterator<Item = &'p Panel>,
         width: f64,

@@ -1,4 +1,4 @@
-//! Panels and figures: where everything goes, and drawing it.
+//! Panels and figures: layout and drawing.
 
 mod colour_bar;
 mod end_label;

@@ -1,11 +1,11 @@
-//! One coordinate system with everything that is drawn in it.
+//! One coordinate system and its contents.
 
 use crate::{
     axes::Axis,
     marks::{Curve, Field, Note, SlopeTriangle},
 };
 
-/// A panel of a figure: data only, no place yet.
+/// A panel of a figure, as data.
 #[derive(Clone, Debug)]
 #[must_use]
 pub struct Panel {
@@ -57,14 +57,14 @@ impl Panel {
         self
     }
 
-    /// Makes the height such that both axes have the same px to a unit.
+    /// Chooses the height so that both axes have the same scale.
     pub fn equal_units(mut self) -> Panel {
         self.height = Height::EqualUnits;
         self
     }
 
-    /// Lets the `x` axis reach to both sides of the frame, as over a heat-map: for a panel that
-    /// is stacked on one.
+    /// Extends the `x` axis to both sides of the frame, as over a heat-map: for a panel stacked
+    /// with one.
     pub fn flush(mut self) -> Panel {
         self.flush = true;
         self

@@ -190,7 +190,7 @@ mod tests {
         let scene = RefCell::new(Scene::new(120.0, 120.0, "test"));
         let clip = Extent { left: 10.0, top: 10.0, right: 110.0, bottom: 110.0 };
         let unit = Axis::new(Scale::Linear, 0.0, 1.0).expect("a range");
-        let stretch = unit.stretches()[0];
+        let stretch = unit.stretches[0];
         let (across, up) = ((10.0, 110.0), (110.0, 10.0));
         let plot = Plot { scene: &scene, x: stretch, y: stretch, across, up, clip };
         let levels = vec![0.0, 0.5, 1.0, 1.5];

@@ -1,18 +1,16 @@
 //! Moves labels along a line until none overlaps another.
 
-/// Returns places for boxes of these heights, as near to the wanted places as can be.
+/// Returns places for boxes, as near as possible to the wanted ones.
 ///
-/// Each entry of `wanted` is a centre and a height. Neighbours end up at least `gap` apart, and
-/// all lie between `low` and `high` if they fit there at all. The sum of the squared moves is
-/// least among all arrangements in the order of the wanted places, up to the two bounds: blocks
-/// of touching boxes sit at the mean of where their members would put them (the
-/// pool-adjacent-violators algorithm).
-#[must_use]
+/// Each entry of `wanted` is a centre and a height. Neighbours end up at least `gap` apart, and all
+/// lie between `low` and `high` if they fit. Up to these two bounds the sum of the squared moves is
+/// least among all arrangements in the order of the wanted places: a block of touching boxes is at
+/// the mean of the places that its members want (the pool-adjacent-violators algorithm).
 pub(crate) fn push_apart(wanted: &[(f64, f64)], gap: f64, low: f64, high: f64) -> Vec<f64> {
     let mut order: Vec<usize> = (0..wanted.len()).collect();
     order.sort_by(|a, b| wanted[*a].0.total_cmp(&wanted[*b].0));
-    // Subtracting the space that all earlier boxes need turns "at least so far apart" into
-    // "not decreasing".
+    // Subtracting the space of all earlier boxes turns "at least `gap` apart" into "not
+    // decreasing".
     let mut before = 0.0;
     let mut offsets = Vec::with_capacity(order.len());
     let mut blocks: Vec<(f64, usize)> = Vec::new();

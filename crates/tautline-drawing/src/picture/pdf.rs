@@ -12,7 +12,7 @@ const POINTS: f64 = 0.75;
 
 /// Returns the scene as a PDF document; the same scene gives the same bytes.
 ///
-/// Nothing in it depends on the day or the machine: no date, no identifier.
+/// It has no date and no identifier.
 #[must_use]
 pub fn pdf(scene: &Scene) -> Vec<u8> {
     let (catalog, pages, page) = (Ref::new(1), Ref::new(2), Ref::new(3));
@@ -60,7 +60,7 @@ fn opacities(scene: &Scene) -> Vec<f64> {
 /// Returns the drawing operators, uncompressed.
 fn content(scene: &Scene, opacities: &[f64]) -> Vec<u8> {
     let mut out = Content::new();
-    // From here on numbers are those of the scene: px, downwards.
+    // From here on coordinates are those of the scene: px, downwards.
     let points = POINTS as f32;
     out.transform([points, 0.0, 0.0, -points, 0.0, (scene.height * POINTS) as f32]);
     out.set_line_join(LineJoinStyle::RoundJoin);
@@ -139,7 +139,7 @@ mod tests {
         scene
     }
 
-    /// The coordinates of all points in order, whatever operators stand between them.
+    /// The coordinates of all points in order; other operators are skipped.
     fn coordinates(operators: &str, letters: &[&str]) -> Vec<f64> {
         let mut found = Vec::new();
         let mut pending = Vec::new();
@@ -174,7 +174,7 @@ mod tests {
         assert!(in_pdf.len() >= 8 + 4 + 26);
         assert_eq!(in_pdf.len(), in_svg.len());
         for (a, b) in in_pdf.iter().zip(&in_svg) {
-            // PDF numbers are f32: seven digits of at most some hundred px; and a tie between two
+            // PDF numbers are f32, with seven digits for a few hundred px; and a tie between two
             // hundredths may be rounded either way.
             assert!((a - b).abs() <= 0.0101, "{a} and {b}");
         }

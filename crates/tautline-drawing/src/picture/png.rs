@@ -10,14 +10,14 @@ use crate::{
     geometry::{Extent, Path, Segment},
 };
 
-/// Pixels to a px: 288 dots an inch at the size at which the text is 11 pt.
+/// Pixels to a px: 288 dots an inch where the text is 11 pt.
 pub(crate) const SCALE: f32 = 3.0;
 
 /// Returns the scene as an encoded PNG; the same scene gives the same bytes.
 ///
 /// # Errors
 ///
-/// If the canvas is empty, or too large to be held in memory.
+/// If the canvas is empty, or too large for memory.
 pub fn png(scene: &Scene) -> Result<Vec<u8>, DrawingError> {
     let failed = |what: &str| DrawingError::Backend(what.to_owned());
     let pixels = |length: f64| (length * f64::from(SCALE)).round() as u32;
@@ -26,7 +26,7 @@ pub fn png(scene: &Scene) -> Result<Vec<u8>, DrawingError> {
         Pixmap::new(width, height).ok_or_else(|| failed("the canvas has no possible size"))?;
     pixmap.fill(Color::WHITE);
     let scale = Transform::from_scale(SCALE, SCALE);
-    // Neighbouring shapes share their clip, and a mask is as large as the picture.
+    // A mask is as large as the picture, so neighbouring shapes with the same clip share it.
     let mut mask: Option<(Extent, Mask)> = None;
     for shape in scene.shapes() {
         let Some(path) = outline(&shape.path) else { continue };

@@ -17,7 +17,7 @@ use crate::{
 
 /// Canvas units of plotters in one px.
 ///
-/// plotters counts in whole units; at a hundredth of a px that rounding cannot be seen.
+/// plotters counts in whole units; rounding to a hundredth of a px is invisible.
 pub(crate) const UNITS: f64 = 100.0;
 
 /// Returns px in the canvas units of plotters.
@@ -27,8 +27,8 @@ pub(crate) fn units(px: f64) -> i32 {
 
 /// Records what plotters draws, with one clip and one dash pattern for all of it.
 ///
-/// plotters styles know colour and width only, so a layer that is clipped or dashed gets a
-/// recorder of its own; all recorders of a figure share its scene.
+/// Styles of plotters have only colour and width, so each clipped or dashed layer has its own
+/// recorder; all recorders of a figure share its scene.
 pub(crate) struct Recorder<'a> {
     scene: &'a RefCell<Scene>,
     clip: Option<Extent>,
@@ -72,7 +72,7 @@ impl DrawingBackend for Recorder<'_> {
 
     fn get_size(&self) -> (u32, u32) {
         let scene = self.scene.borrow();
-        // Canvases are some thousand px wide: the cast rounds up and cannot overflow.
+        // Canvases are a few thousand px wide: the cast cannot overflow.
         ((scene.width * UNITS).ceil() as u32, (scene.height * UNITS).ceil() as u32)
     }
 

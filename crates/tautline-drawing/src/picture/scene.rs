@@ -1,4 +1,4 @@
-//! What a figure consists of once it is drawn: shapes in px, in painting order.
+//! A finished drawing: shapes in px, in painting order.
 
 use crate::{
     colours::Colour,
@@ -7,9 +7,9 @@ use crate::{
     math_text::TextBlock,
 };
 
-/// A finished drawing, of which SVG, PNG and PDF are three spellings.
+/// A finished drawing, to be written as SVG, PNG or PDF.
 ///
-/// Units are px with `y` downwards; all lengths are exact, nothing is snapped to a grid.
+/// Units are px with `y` downwards; nothing is snapped to a grid.
 #[derive(Clone, Debug, PartialEq)]
 #[must_use]
 pub struct Scene {
@@ -34,7 +34,7 @@ pub struct Shape {
     pub stroke: Option<Stroke>,
     /// The shape is visible inside this box only.
     pub clip: Option<Extent>,
-    /// If the outline is a label: what it says, and its measured box.
+    /// For a label: its text and its measured box.
     pub label: Option<(String, Extent)>,
 }
 
@@ -92,7 +92,7 @@ impl Scene {
         scene
     }
 
-    /// Returns the shapes, the ones painted first in front.
+    /// Returns the shapes in painting order.
     pub fn shapes(&self) -> &[Shape] {
         &self.shapes
     }
@@ -111,7 +111,7 @@ impl Scene {
         self.push(shape);
     }
 
-    /// Clears the surroundings of a label, so that it reads over curves and colours.
+    /// Writes a label with a white rim, so that it is legible over curves and colours.
     pub fn write_with_halo(&mut self, text: &TextBlock, at: (f64, f64), colour: Colour) {
         let mut stroke = Stroke::solid(Colour::WHITE, 4.0);
         stroke.paint.opacity = 0.85;
@@ -142,7 +142,7 @@ impl Scene {
     ///
     /// Curves are the lines inside a panel that are at least 1 px wide; a grid or a contour line
     /// may pass behind a label. Drawing a figure does not check this, since a note with its white
-    /// surroundings may well lie on a curve.
+    /// rim may lie on a curve.
     ///
     /// # Errors
     ///

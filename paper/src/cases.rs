@@ -1,0 +1,117 @@
+//! The cases of the figures and tables.
+
+use std::f64::consts::PI;
+
+use tautline::{
+    AxisBox, Ball, Ends, HalfSpace, SVector,
+    gallery::{Bump, Ramp, Separable, Shear, Valleys},
+};
+
+use crate::{
+    Failure,
+    case::{Case, Orders},
+};
+
+/// Returns the cases with these names, in this order.
+///
+/// # Errors
+///
+/// [`Failure::Data`] for an unknown name, and as [`cases`].
+pub fn cases_named(names: &[&str]) -> Result<Vec<Case>, Failure> {
+    let mut all = cases()?;
+    let take = |name: &&str| {
+        let place = all.iter().position(|case| case.name == *name);
+        let place = place.ok_or_else(|| Failure::Data(format!("no case is called {name}")))?;
+        Ok(all.swap_remove(place))
+    };
+    names.iter().map(take).collect()
+}
+
+/// Returns all cases.
+///
+/// # Errors
+///
+/// None in a correct build: every constructor gets constants.
+pub fn cases() -> Result<Vec<Case>, Failure> {
+    let shear = Shear::new(0.5, 1.0)?;
+    let ball = Ball::new([0.0, 0.0], 0.5)?;
+    let separable = || Separable::new([0.3, 0.5, -0.4], [1.0, 2.0, 1.5]);
+    // Flattening each coordinate maps a box and a half-space x₁ ≥ 4 to a box and a half-space.
+    let corner = separable()?.flatten(&SVector::from([0.5, 0.0, 0.0]))[0];
+    let wall = separable()?.flatten(&SVector::from([4.0, 0.0, 0.0]))[0];
+    Ok(vec![
+        Case::between(
+            ("valleys_points", "valleys, $(0,0)$ to $(4π,0)$"),
+            Valleys,
+            [[0.0, 0.0], [4.0 * PI, 0.0]],
+            // H is even about the middle of the curve.
+            Orders::LeftHidden,
+        )?,
+        Case::between(
+            ("valleys_oblique", "valleys, $(0,0)$ to $(2,3/2)$"),
+            Valleys,
+            [[0.0, 0.0], [2.0, 1.5]],
+            Orders::General,
+        )?,
+        Case::new(
+            ("valleys_ball", "valleys, ball to half-plane"),
+            Valleys,
+            Ends::new(ball, HalfSpace::at_least([1.0, 0.0], 3.0)?)?,
+            // |∇u| = f for u = 2x₁ − sin x₁, and the ball reaches to x₁ = ½.
+            Some(5.0 - 3_f64.sin() + 0.5_f64.sin()),
+            Orders::General,
+        )?,
+        Case::between(
+            ("shear_points", "shear, $(0,0)$ to $(2,3)$"),
+            shear,
+            [[0.0, 0.0], [2.0, 3.0]],
+            Orders::General,
+        )?,
+        Case::new(
+            ("shear_ball", "shear, ball to half-plane"),
+            shear,
+            Ends::new(ball, HalfSpace::at_least([0.0, 1.0], 3.0)?)?,
+            // Flattening keeps x₂, and the ball reaches to x₂ = ½.
+            Some(2.5),
+            // Both rules can follow β₁ = −½ cos(x₂) β₂ exactly, x₁ being free at the end.
+            Orders::Exact,
+        )?,
+        Case::between(
+            ("separable_points", "separable, $D = 3$"),
+            separable()?,
+            [[0.0, 0.0, 0.0], [2.0, 1.0, -1.5]],
+            Orders::General,
+        )?,
+        Case::new(
+            ("separable_box", "separable, box to half-space"),
+            separable()?,
+            Ends::new(
+                AxisBox::new([0.0, 0.0, 0.0], [0.5, 0.5, 0.5])?,
+                HalfSpace::at_least([1.0, 0.0, 0.0], 4.0)?,
+            )?,
+            Some(wall - corner),
+            Orders::General,
+        )?,
+        Case::between(
+            ("ramp", "ramp, $D = 1$"),
+            Ramp::new(0.5, 1.0)?,
+            [[-1.0], [2.0]],
+            Orders::General,
+        )?,
+        Case::new(
+            ("bump_points", "bump, passed on one side"),
+            Bump::new(4.0, 0.5)?,
+            Ends::points([-1.5, 0.05], [1.5, -0.1])?,
+            None,
+            // Both ends are at nearly the same distance from the bump.
+            Orders::LeftHidden,
+        )?,
+        Case::new(
+            ("bump_ball", "bump, ball to half-plane"),
+            Bump::new(4.0, 0.5)?,
+            Ends::new(Ball::new([-2.0, 0.0], 0.5)?, HalfSpace::at_least([1.0, 0.0], 2.0)?)?,
+            None,
+            Orders::General,
+        )?,
+    ])
+}
