@@ -24,7 +24,7 @@ from table import Row, write
 
 
 def judge(problem: Problem, n: int, said: dict[str, str], points: np.ndarray | None) -> tuple:
-    """Energy, residual and whether it has converged, by one code for all peers."""
+    """Energy, residual and convergence, by the same code for all peers."""
     stop = said.get("stop", "")
     if points is None:
         value = float(said["energy"])
@@ -60,7 +60,7 @@ def compare(peer: str, problem: Problem, n: int, programs: Programs, limit: int)
 
 
 def machine() -> str:
-    """The class of the machine: the model of its processor, and how many there are."""
+    """The machine: the model of its processor, and the number of processors."""
     model = platform.processor() or platform.machine()
     try:
         lines = Path("/proc/cpuinfo").read_text().splitlines()
@@ -95,7 +95,7 @@ def main() -> None:
     if chosen.distance:
         return
     rows: list[Row] = []
-    # Who did not finish does not finish on a finer grid either.
+    # A peer that did not finish does not finish on a finer grid either.
     late: set[tuple[str, str]] = set()
     for n in sorted(chosen.n or (100, 1000, 10_000, 100_000)):
         for name in chosen.problem or PROBLEMS:

@@ -1,4 +1,4 @@
-"""How long the square of the distance takes to ten digits, on whatever grid is enough.
+"""The time for the square of the distance to ten digits, on whatever grid is enough.
 
 Tautline extrapolates the discrete minima of its grids; solve_bvp, of order four, has a mesh of its
 own.  Each has its loosest setting that is accurate enough: the least ``N`` of 96, 128, 192, 256,
@@ -16,10 +16,10 @@ from problems import PROBLEMS, Problem
 from programs import PEERS, Programs, number, run
 from table import write_csv, written
 
-# The relative error of the square of the distance that is granted.
+# The allowed relative error of the square of the distance.
 ERROR = 1e-10
 
-# With a reference of more digits, and points at both ends.
+# Problems with a reference of more digits, and points at both ends.
 PROBLEM_NAMES = ("P2", "P3", "P5", "P6")
 
 # Tautline goes first, since the others are divided by it.
@@ -39,12 +39,12 @@ COLUMNS = (
 
 
 def solve(peer: str, problem: Problem, programs: Programs, limit: int) -> tuple[dict, str]:
-    """Runs one peer; returns what it printed, and why it did not end well."""
+    """Runs one peer; returns what it printed, and why it failed."""
     reference = problem.distance_squared
     if peer == "tautline":
         command = [programs.tautline, problem.name, "distance", repr(reference), repr(ERROR)]
         return run(command, limit)
-    # It looks for the tolerance that is as accurate as a grid of N chords.
+    # solve_bvp searches for the tolerance that is as accurate as a grid of N chords.
     n = math.ceil(math.sqrt(abs(problem.discretisation) / (ERROR * reference)))
     with tempfile.TemporaryDirectory() as folder:
         file = str(Path(folder) / "points")
@@ -89,7 +89,7 @@ def compare(
 
 
 def verdict(said: dict[str, str], error: float | None) -> str:
-    """Whether it has got there, and with which setting."""
+    """Whether a peer reached the accuracy, and with which setting."""
     if error is None:
         return ""
     if abs(error) > 0.1:

@@ -1,4 +1,4 @@
-"""How long a solve takes, and the report that the comparison reads: one process, one solve."""
+"""The time of a solve, and the report for the comparison: one process, one solve."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import numpy as np
 
 from problems import Problem
 
-# A sample repeats the solve for at least so long, in seconds, as the peers in Rust do.
+# The least time of a sample, in seconds, over which a solve is repeated, as in the peers in Rust.
 SAMPLE = 0.2
 
 # A solve that takes longer than this, in seconds, is not repeated.
@@ -26,28 +26,28 @@ class NotApplicable(Exception):
 
 @dataclass
 class Solution:
-    """What a peer returns: points where they are on the grid, otherwise its own energy."""
+    """The result of a peer: points if they are on the grid, otherwise its own energy."""
 
     iterations: int
     stop: str
     points: np.ndarray | None = None
     energy: float | None = None
-    # Whether a peer off the grid says that it has converged.
+    # Whether a peer off the grid reports convergence.
     success: bool = True
 
 
 class Peer(Protocol):
-    """A module of this folder that solves."""
+    """A solver: a module of `solvers`."""
 
     def version(self) -> str:
-        """What is compared, with its version."""
+        """The name and version of the program."""
 
     def prepare(self, problem: Problem, n: int, tolerance: float) -> Callable[[], Solution]:
-        """Poses the problem, compiles what is to be compiled, and returns the solve."""
+        """Poses the problem, compiles what needs compiling, and returns the solve."""
 
 
 def limit(seconds: float) -> None:
-    """Lets the system end this process after so many more seconds on a processor."""
+    """Lets the system end this process after this many more seconds on a processor."""
     _, hard = resource.getrlimit(resource.RLIMIT_CPU)
     resource.setrlimit(resource.RLIMIT_CPU, (math.ceil(time.process_time() + seconds), hard))
 
@@ -55,7 +55,7 @@ def limit(seconds: float) -> None:
 def measure(
     peer: Peer, problem: Problem, n: int, tolerance: float, seconds: float, file: str
 ) -> None:
-    """Prepares, solves and reports, each with a limit of so many seconds on the processor."""
+    """Prepares, solves and reports, each with this limit in seconds on the processor."""
     print("phase=set-up", flush=True)
     limit(seconds)
     print(f"version={peer.version()}", flush=True)

@@ -48,7 +48,7 @@ class Problem:
     stop: tuple[float, ...]
     # The square of the distance, and (E_N - d^2) N^2 for the minimum E_N of the discrete energy:
     # closed forms for P1 and P6, by shooting (DOP853, to rounding) for P2, P3 and P5, extrapolated
-    # for P4; known to the digits that are given.
+    # for P4; known to the given digits.
     distance_squared: float
     discretisation: float
     first_set: Ball | None = None
@@ -65,7 +65,7 @@ class Problem:
         return self.first_set is None
 
     def line(self, n: int) -> np.ndarray:
-        """The straight line from which everybody starts, as N + 1 rows."""
+        """The straight line from which every peer starts, as N + 1 rows."""
         t = np.linspace(0.0, 1.0, n + 1)[:, None]
         return (1.0 - t) * np.array(self.start) + t * np.array(self.stop)
 
@@ -165,7 +165,7 @@ def gradient(problem: Problem, points: np.ndarray) -> np.ndarray:
 
 
 def residual(problem: Problem, points: np.ndarray) -> float:
-    """The largest component of the gradient in all directions that are free to move in.
+    """The largest component of the gradient in all free directions.
 
     In a set at its boundary, which is where the ends of P4 belong, these are the tangents.
     """
@@ -195,7 +195,7 @@ def tolerance(problem: Problem, n: int) -> float:
 
 
 def is_minimum(problem: Problem, n: int, value: float, on_grid: bool) -> bool:
-    """Whether an energy is that of the minimum, and not of another geodesic.
+    """Whether an energy belongs to the minimum, and not to another geodesic.
 
     The discretisation error may be three times what its leading term says, and a relative 10^-4
     is granted besides: other geodesics differ by much more.

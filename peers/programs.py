@@ -11,7 +11,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 
-# Nobody is faster for having more than one thread.
+# No peer is faster with more than one thread.
 ONE_THREAD = {
     "OMP_NUM_THREADS": "1",
     "OPENBLAS_NUM_THREADS": "1",
@@ -36,7 +36,7 @@ PEERS = {"tautline": RUST["tautline"], **PYTHON, "argmin": RUST["argmin"]}
 
 @dataclass(frozen=True)
 class Programs:
-    """Where the programs are that xtask has made."""
+    """The paths of the programs that xtask has built."""
 
     python: str
     geomstats: str
@@ -44,7 +44,7 @@ class Programs:
     argmin: str
 
     def command(self, peer: str, problem: str, n: int, stop: float, limit: int, file: str) -> list:
-        """What solves one problem by one peer."""
+        """The command that solves one problem by one peer."""
         if peer == "tautline":
             return [self.tautline, problem, str(n), file]
         if peer == "argmin":
@@ -55,16 +55,16 @@ class Programs:
 
 
 def on_one_processor(seconds: int, hard: int) -> None:
-    """Confines the process that is about to start: to one processor, and to so many seconds."""
+    """Confines the process that is about to start: to one processor, and to a time limit."""
     if hasattr(os, "sched_setaffinity"):
         os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
     resource.setrlimit(resource.RLIMIT_CPU, (seconds, hard))
 
 
 def run(command: list[str], limit: int) -> tuple[dict[str, str], str]:
-    """Runs a peer; returns what it printed, and why it did not end well."""
+    """Runs a peer; returns what it printed, and why it failed."""
     try:
-        # A peer in Python sets the softer limit by itself, for each solve.
+        # A peer in Python sets the soft limit itself, for each solve.
         done = subprocess.run(
             command,
             capture_output=True,
@@ -91,11 +91,11 @@ def run(command: list[str], limit: int) -> tuple[dict[str, str], str]:
 
 
 def parse(printed: str) -> dict[str, str]:
-    """Lines of ``key=value``; the last one of a key counts."""
+    """Lines of ``key=value``; the last value of a key counts."""
     pairs = (line.partition("=") for line in printed.splitlines())
     return {key: value for key, separator, value in pairs if separator}
 
 
 def number(said: dict[str, str], key: str) -> float | None:
-    """A number that was printed, if it was."""
+    """A number, if it was printed."""
     return float(said[key]) if key in said else None

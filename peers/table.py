@@ -67,7 +67,7 @@ def write_csv(
     columns: tuple[str, ...],
     rows: list[list[str]],
 ) -> None:
-    """Writes a table with what it shows and where it was measured above it."""
+    """Writes a table under a comment: what it shows, and where it was measured."""
     file.parent.mkdir(parents=True, exist_ok=True)
     with file.open("w", newline="") as output:
         output.write(f"# {file.stem}\n# {shows}\n# command: cargo xtask peers\n")
@@ -106,7 +106,7 @@ def page(rows: list[Row], machine: str) -> str:
 
 
 def cell(row: Row) -> str:
-    """A time, its ratio, and what is wrong with it."""
+    """A time, its ratio, and what is wrong with the result."""
     if row.seconds is None:
         return "–"
     text = written(row.seconds, ".1e")

@@ -29,7 +29,7 @@ use crate::{
 };
 
 /// The quantities and their orders in `1/N`: `E_tra,N`, `E_l,N`, and those of both curves.
-pub const QUANTITIES: [(&str, i32); 6] = [
+pub(crate) const QUANTITIES: [(&str, i32); 6] = [
     ("discrete_energy_trapezoidal", 2),
     ("discrete_energy_left", 1),
     ("energy_trapezoidal", 2),
@@ -48,7 +48,7 @@ const N: usize = 2048;
 const READ: [usize; 2] = [2048, 4096];
 
 /// Predicted and measured agree to three digits.
-pub const AGREEMENT: f64 = 5e-4;
+pub(crate) const AGREEMENT: f64 = 5e-4;
 
 /// A prediction below this part of the largest of the six counts as 0, by symmetry or in one
 /// dimension: two grids leave at most `(4π/4096)⁴` of the terms of a sum that cancels. The measured
@@ -248,12 +248,8 @@ pub(crate) fn smooth_problems() -> Result<Vec<Smooth>, Failure> {
     ])
 }
 
-/// Computes both sides for every problem, and compares them.
-///
-/// # Errors
-///
-/// If a solve fails, or predicted and measured do not [agree](AGREEMENT).
-pub fn data(_sweep: Sweep) -> Result<Data, Failure> {
+/// Computes both sides for every problem, and fails unless they [agree](AGREEMENT).
+pub(crate) fn data(_sweep: Sweep) -> Result<Data, Failure> {
     let close = |absolute| Tolerance::Close { relative: 1e-6, absolute };
     let mut data = Data::new(&[
         ("case quantity order n", Tolerance::Exact),

@@ -9,7 +9,7 @@ use tautline::{
         theorem_1_3_constant,
     },
 };
-pub use tautline_statements::PaperRule;
+pub(crate) use tautline_statements::PaperRule;
 use tautline_statements::{
     Evidence, Finding, Known, LIBRARY, Reconstruction, lemma_s_2, lemma_s_4, prop_7_9, prop_s_6,
     theorem_1_1, theorem_1_2, theorem_1_3, theorem_1_4, theorem_a, theorem_b, theorem_c, theorem_d,
@@ -19,7 +19,7 @@ use crate::{Failure, observation::Observation};
 
 /// The source of `d²`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reference {
+pub(crate) enum Reference {
     /// A closed form, or a quadrature to rounding, with a proof of minimality.
     Exact,
     /// Richardson extrapolation from grids up to 65 536 chords: an estimate.
@@ -28,8 +28,7 @@ pub enum Reference {
 
 impl Reference {
     /// Returns the name in the data files.
-    #[must_use]
-    pub fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Reference::Exact => "exact",
             Reference::Extrapolated => "extrapolated",
@@ -38,26 +37,24 @@ impl Reference {
 }
 
 /// A problem whose distance is known.
-pub struct Case {
+pub(crate) struct Case {
     /// The name in the data files.
-    pub name: &'static str,
-    /// The name in the figures and tables, in the syntax of labels.
-    pub title: &'static str,
+    pub(crate) name: &'static str,
     /// The square of the distance, in `m²`.
-    pub distance_squared: f64,
+    pub(crate) distance_squared: f64,
     /// The source of this value.
-    pub reference: Reference,
+    pub(crate) reference: Reference,
     /// The data of the bounds.
-    pub setting: Setting,
+    pub(crate) setting: Setting,
     /// The orders in `1/N` of `E_N − d²` for both rules; see [`Orders`].
-    pub orders: Orders,
+    pub(crate) orders: Orders,
     solve: Solve,
     gaps: Gaps,
 }
 
 /// The orders in `1/N` of `E_tra,N − d²` and of `E_l,N − d²`, where they can be observed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Orders {
+pub(crate) enum Orders {
     /// 2 and 1: the general case.
     General,
     /// 2 for the trapezoidal rule; the first-order coefficient of the left rule,
@@ -69,8 +66,7 @@ pub enum Orders {
 
 impl Orders {
     /// Returns the order for a rule; `None` if there is none to observe.
-    #[must_use]
-    pub fn of(self, rule: PaperRule) -> Option<f64> {
+    pub(crate) fn of(self, rule: PaperRule) -> Option<f64> {
         match (self, rule) {
             (Orders::Exact, _) | (Orders::LeftHidden, PaperRule::LeftEndpoint) => None,
             (_, PaperRule::Trapezoidal) => Some(2.0),
@@ -84,13 +80,9 @@ type Gaps = Box<dyn Fn(usize) -> Result<[Evidence; 2], Failure>>;
 
 impl Case {
     /// Minimises the discrete energy of `rule` with `n` subintervals, and checks Theorems 1.1 and
-    /// 1.2, or 1.3 and 1.4, and the sharper theorems on the result.
-    ///
-    /// # Errors
-    ///
-    /// If the solver refuses the problem or does not converge to a local minimum; if a hypothesis
-    /// or an inequality of the theorems, or of their sharper companions, fails.
-    pub fn solve(&self, rule: PaperRule, n: usize) -> Result<Observation, Failure> {
+    /// 1.2, or 1.3 and 1.4, and the sharper theorems on the result. It fails if the solver does not
+    /// converge to a local minimum, or if a hypothesis or an inequality fails.
+    pub(crate) fn solve(&self, rule: PaperRule, n: usize) -> Result<Observation, Failure> {
         (self.solve)(rule, n).map_err(|reason| {
             let (case, rule) = (self.name, rule.name());
             Failure::Violated(format!("{case}, {rule}, N = {n}: {reason}"))
@@ -98,23 +90,19 @@ impl Case {
     }
 
     /// Minimises the trapezoidal energy with `n` subintervals, and evaluates Proposition 7.9 and
-    /// Lemma S.2 on the result: the gap between the energy of the curve and the discrete one.
-    ///
-    /// # Errors
-    ///
-    /// If the solver refuses the problem or does not converge to a local minimum, or if one of the
-    /// two fails.
-    pub fn gaps(&self, n: usize) -> Result<[Evidence; 2], Failure> {
+    /// Lemma S.2 on the result: the gap between the energy of the curve and the discrete one. It fails
+    /// as [`solve`](Case::solve) does.
+    pub(crate) fn gaps(&self, n: usize) -> Result<[Evidence; 2], Failure> {
         (self.gaps)(n)
     }
 
     /// Encloses `d²` by one observed minimiser, taken for a global one, without the known distance
     /// (Proposition S.6).
-    ///
-    /// # Errors
-    ///
-    /// If an observed energy is negative or not finite.
-    pub fn enclose(&self, rule: PaperRule, seen: &Observation) -> Result<Enclosure, Failure> {
+    pub(crate) fn enclose(
+        &self,
+        rule: PaperRule,
+        seen: &Observation,
+    ) -> Result<Enclosure, Failure> {
         let computed = Computed {
             rule,
             n: subintervals(seen.n)?,
@@ -128,7 +116,7 @@ impl Case {
     }
 
     pub(crate) fn new<M, const D: usize>(
-        (name, title): (&'static str, &'static str),
+        name: &'static str,
         metric: M,
         ends: Ends<D>,
         distance: Option<f64>,
@@ -154,12 +142,12 @@ impl Case {
         let shared = Rc::clone(&known);
         let solve = Box::new(move |rule, n| observe(&known, rule, n));
         let gaps = Box::new(move |n| gaps(&shared, n));
-        Ok(Case { name, title, distance_squared: d2, reference, setting, orders, solve, gaps })
+        Ok(Case { name, distance_squared: d2, reference, setting, orders, solve, gaps })
     }
 
     /// A case between two points whose distance the metric knows.
     pub(crate) fn between<M, const D: usize>(
-        names: (&'static str, &'static str),
+        name: &'static str,
         metric: M,
         [a, b]: [[f64; D]; 2],
         orders: Orders,
@@ -168,8 +156,8 @@ impl Case {
         M: Bounded<D> + KnownDistance<D> + Clone + 'static,
     {
         let distance = metric.distance(&SVector::from(a), &SVector::from(b));
-        let distance = Some(distance.ok_or(Failure::NoReference(names.0))?);
-        Case::new(names, metric, Ends::points(a, b)?, distance, orders)
+        let distance = Some(distance.ok_or(Failure::NoReference(name))?);
+        Case::new(name, metric, Ends::points(a, b)?, distance, orders)
     }
 }
 
@@ -235,8 +223,7 @@ fn holds(evidence: &Evidence) -> Result<(), Failure> {
 ///
 /// By the proofs of these theorems it bounds `E(γᵖˡ) − d²`; by Theorems 1.2 and 1.4 it bounds
 /// `L(γᵖˡ)² − d²`.
-#[must_use]
-pub fn paper_bound(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
+pub(crate) fn paper_bound(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let constant = match rule {
         PaperRule::Trapezoidal => theorem_1_1_constant(setting),
         PaperRule::LeftEndpoint => theorem_1_3_constant(setting),
@@ -245,10 +232,6 @@ pub fn paper_bound(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
 }
 
 /// Returns `N ≥ 1` as the bounds take it.
-///
-/// # Errors
-///
-/// [`Failure::Data`] for `N = 0`.
-pub fn subintervals(n: usize) -> Result<NonZeroUsize, Failure> {
+pub(crate) fn subintervals(n: usize) -> Result<NonZeroUsize, Failure> {
     NonZeroUsize::new(n).ok_or_else(|| Failure::Data("N = 0".to_owned()))
 }

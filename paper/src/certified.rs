@@ -17,40 +17,40 @@ use tautline::{
 use crate::Failure;
 
 /// A metric of the gallery and its stated constants.
-pub struct Certified {
+pub(crate) struct Certified {
     /// Its name.
-    pub metric: &'static str,
+    pub(crate) metric: &'static str,
     /// The dimension.
-    pub d: usize,
+    pub(crate) d: usize,
     /// Where its constants are proved.
-    pub on: &'static str,
+    pub(crate) on: &'static str,
     /// The stated constants in the order of [`Quantity::ALL`], and whether each is the best one.
-    pub stated: [(f64, bool); 4],
+    pub(crate) stated: [(f64, bool); 4],
     search: Search,
 }
 
 /// The result of a search, without its point.
 #[derive(Clone, Copy, Debug)]
-pub struct Found {
+pub(crate) struct Found {
     /// The bound from below.
-    pub lower: f64,
+    pub(crate) lower: f64,
     /// The bound from above.
-    pub upper: f64,
+    pub(crate) upper: f64,
     /// The number of boxes.
-    pub boxes: usize,
+    pub(crate) boxes: usize,
     /// How long it took.
-    pub time: Duration,
+    pub(crate) time: Duration,
 }
 
 type Search = Box<dyn Fn(Quantity, Accuracy) -> Result<Found, CertifyError>>;
 
 impl Certified {
     /// Encloses a constant.
-    ///
-    /// # Errors
-    ///
-    /// As [`certify`].
-    pub fn find(&self, quantity: Quantity, accuracy: Accuracy) -> Result<Found, CertifyError> {
+    pub(crate) fn find(
+        &self,
+        quantity: Quantity,
+        accuracy: Accuracy,
+    ) -> Result<Found, CertifyError> {
         (self.search)(quantity, accuracy)
     }
 
@@ -117,29 +117,20 @@ const DERIVATIVES: [bool; 4] = [false, false, true, true];
 const NONE: [bool; 4] = [false; 4];
 
 /// Returns the accuracy of a search: a thousandth, and a hundredth for `M_H`, which costs most.
-#[must_use]
-pub fn accuracy(quantity: Quantity) -> Accuracy {
+pub(crate) fn accuracy(quantity: Quantity) -> Accuracy {
     let tolerance = if quantity == Quantity::MH { 1e-2 } else { 1e-3 };
     Accuracy { tolerance, ..Accuracy::default() }
 }
 
 /// Returns the metric of a surface in space, decoded from a plane by two layers.
-///
-/// # Errors
-///
-/// None: the floor is positive.
-pub fn decoder() -> Result<TanhDecoder<2, 3, 3>, GalleryError> {
+pub(crate) fn decoder() -> Result<TanhDecoder<2, 3, 3>, GalleryError> {
     let inner = SMatrix::<f64, 3, 2>::new(1.0, 0.2, -0.5, 0.8, 0.3, -1.0);
     let outer = SMatrix::<f64, 3, 3>::new(1.0, 0.0, 0.5, 0.0, 1.0, -0.5, 0.4, 0.3, 1.0);
     TanhDecoder::new(inner, outer, 0.5)
 }
 
 /// Returns the metrics of the gallery in at most three dimensions.
-///
-/// # Errors
-///
-/// None: the parameters are admissible.
-pub fn gallery() -> Result<Vec<Certified>, Failure> {
+pub(crate) fn gallery() -> Result<Vec<Certified>, Failure> {
     let matrix = SMatrix::<f64, 2, 2>::new(2.0, 1.0, 1.0, 2.0);
     let one = Obstacle { centre: [0.0, 0.0].into(), height: 2.0, width: 0.5 };
     let two = Obstacle { centre: [1.0, 1.0].into(), height: 1.0, width: 0.7 };

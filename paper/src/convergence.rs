@@ -31,12 +31,8 @@ const ASYMPTOTIC: usize = 256;
 /// How far a fitted order may be from the predicted one.
 const ORDER: f64 = 0.05;
 
-/// Runs all cases with both rules for `N = 1, 2, 4, …, 4096`, and checks what it finds.
-///
-/// # Errors
-///
-/// If a solve fails, or an observation violates a theorem or misses its order.
-pub fn data(sweep: Sweep) -> Result<Data, Failure> {
+/// Runs all cases with both rules for `N = 1, 2, 4, …, 4096`, and checks theorems and orders.
+pub(crate) fn data(sweep: Sweep) -> Result<Data, Failure> {
     let mut data = Data::new(&[
         ("case rule n", Tolerance::Exact),
         ("d_squared discrete_energy energy length_squared", ENERGY),
@@ -144,7 +140,6 @@ fn expect_order(
 }
 
 /// Returns the rows of one case and rule, by growing `N`.
-#[must_use]
-pub fn series<'a>(data: &'a Data, case: &str, rule: PaperRule) -> Vec<Row<'a>> {
+pub(crate) fn series<'a>(data: &'a Data, case: &str, rule: PaperRule) -> Vec<Row<'a>> {
     data.rows_with("case", case).filter(|row| row.text("rule") == rule.name()).collect()
 }

@@ -6,12 +6,12 @@
 //! committed numbers. The tables need the feature `tables`, which is on by default.
 
 pub mod artefact;
-pub mod asymptotics;
-pub mod case;
-pub mod cases;
-pub mod certified;
+mod asymptotics;
+mod case;
+mod cases;
+mod certified;
 pub mod command;
-pub mod convergence;
+mod convergence;
 #[cfg(feature = "tables")]
 pub mod corpus;
 pub mod data;
@@ -19,7 +19,7 @@ pub mod failure;
 pub mod figures;
 pub mod grid;
 pub mod layout;
-pub mod observation;
+mod observation;
 pub mod output;
 pub mod parallel;
 pub mod section_5;

@@ -4,21 +4,21 @@ use tautline::{Curvature, Integral};
 
 /// The numbers of one solve: one case, one rule, one `N`.
 #[derive(Clone, Copy, Debug)]
-pub struct Observation {
+pub(crate) struct Observation {
     /// The number of subintervals.
-    pub n: usize,
+    pub(crate) n: usize,
     /// The discrete energy, in `m²`.
-    pub discrete_energy: f64,
+    pub(crate) discrete_energy: f64,
     /// The energy `E(γᵖˡ)` of the curve, in `m²`.
-    pub energy: Integral,
+    pub(crate) energy: Integral,
     /// The squared length `L(γᵖˡ)²` of the curve, in `m²`.
-    pub length_squared: Integral,
+    pub(crate) length_squared: Integral,
     /// The relative decrement of the last Newton step.
-    pub decrement: f64,
+    pub(crate) decrement: f64,
     /// The relative residual of the discrete geodesic equation.
-    pub residual: f64,
+    pub(crate) residual: f64,
     /// The predicted rounding of the residual.
-    pub residual_floor: f64,
+    pub(crate) residual_floor: f64,
     /// The signature of the Hessian.
-    pub curvature: Curvature,
+    pub(crate) curvature: Curvature,
 }

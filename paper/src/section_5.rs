@@ -6,7 +6,9 @@
 
 use std::f64::consts::{PI, TAU};
 
-use tautline::{PointSequence, SVector, SequenceError};
+use tautline::{Ends, PointSequence, Problem, SVector, SequenceError, SetError, gallery::Valleys};
+
+use crate::data::Tolerance;
 
 /// The end points of the counterexample.
 pub const ENDS: [[f64; 2]; 2] = [[0.0, 0.0], [2.0 * TAU, 0.0]];
@@ -16,6 +18,14 @@ pub const DISTANCE: f64 = 8.0 * PI;
 
 /// The minimum `4π` of both discrete lengths, for every `N`.
 pub const DISCRETE_LENGTH: f64 = 4.0 * PI;
+
+/// Lengths up to 25, computed to rounding.
+pub(crate) const LENGTH: Tolerance = Tolerance::relative(1e-11);
+
+/// Returns the problem of the counterexample.
+pub(crate) fn problem() -> Result<Problem<Valleys, 2>, SetError> {
+    Ok(Problem::new(Valleys, Ends::points(ENDS[0], ENDS[1])?))
+}
 
 /// Returns all `N (N + 1) / 2` minimisers of the left-endpoint length: nondecreasing sequences
 /// of the valleys `0, 2π, 4π`, each given by where it leaves the first and the second.
@@ -31,7 +41,16 @@ pub fn left_minimisers(n: usize) -> impl Iterator<Item = Vec<f64>> {
 /// Returns all `N` minimisers of the trapezoidal length: one jump from `0` to `4π`, read in
 /// the valley at its middle.
 pub fn trapezoidal_minimisers(n: usize) -> impl Iterator<Item = Vec<f64>> {
-    (1..=n).map(move |at| (0..=n).map(|k| if k < at { 0.0 } else { 2.0 * TAU }).collect())
+    (1..=n).map(move |at| jump(n, at))
+}
+
+/// Returns the one that jumps in the middle.
+pub(crate) fn middle_jump(n: usize) -> Vec<f64> {
+    jump(n, n / 2 + 1)
+}
+
+fn jump(n: usize, at: usize) -> Vec<f64> {
+    (0..=n).map(|k| if k < at { 0.0 } else { 2.0 * TAU }).collect()
 }
 
 /// Returns the sequence with these `x₁`, and `x₂ = 0`.

@@ -8,6 +8,6 @@ from problems import Problem
 
 
 def chord_energy(problem: Problem, n: int) -> ca.Function:
-    """What one of n chords adds to the discrete energy, from both of its ends."""
+    """The term of one of n chords in the discrete energy, from both of its ends."""
     a, b = ca.SX.sym("a", problem.dimension), ca.SX.sym("b", problem.dimension)
     return ca.Function("chord", [a, b], [n * problem.square_speed((a + b) / 2, b - a, ca)])

@@ -16,7 +16,7 @@ from solvers import casadi_energy
 
 
 def version() -> str:
-    """CasADi, with the FATROP that it brings along."""
+    """CasADi with its bundled FATROP."""
     return f"casadi {ca.__version__}"
 
 
@@ -28,7 +28,7 @@ def prepare(problem: Problem, n: int, tolerance: float) -> Callable[[], Solution
     states, chords = stages[:d, :], stages[d:, :]
     following = ca.horzcat(states[:, 1:], last)
     gaps = following - states - chords
-    # The constraints of a stage stand behind its gap; only the first and the last have any.
+    # The constraints of a stage come after its gap; only the first and the last have any.
     if problem.first_set is None or problem.last_set is None:
         at_first, at_last = states[:, 0], last
         limits = [(value, value) for value in (*problem.start, *problem.stop)]

@@ -13,7 +13,7 @@ from solvers import casadi_energy
 
 
 def version() -> str:
-    """CasADi, with the IPOPT that it brings along."""
+    """CasADi with its bundled IPOPT."""
     return f"casadi {ca.__version__}"
 
 
@@ -26,7 +26,7 @@ def prepare(problem: Problem, n: int, tolerance: float) -> Callable[[], Solution
     low, high = np.full_like(line, -np.inf), np.full_like(line, np.inf)
     bounds = {}
     if problem.first_set is None or problem.last_set is None:
-        # IPOPT takes variables with equal bounds out of the problem.
+        # IPOPT removes variables with equal bounds from the problem.
         for end in (0, -1):
             low[end] = high[end] = line[end]
     else:

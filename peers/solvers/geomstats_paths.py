@@ -1,4 +1,4 @@
-"""Geomstats: discrete path straightening under a metric of one's own.
+"""Geomstats: discrete path straightening under a custom metric.
 
 Its own path energy reads the metric at the beginning of each chord; here it reads it at the
 middle, so that it minimises the discrete energy that the others minimise, up to a factor 1/2.
@@ -34,7 +34,7 @@ class Metric(RiemannianMetric):
         self.problem = problem
 
     def squared_norm(self, vector: Any, base_point: Any = None) -> Any:
-        """The square speed at many points: all that path straightening asks of a metric."""
+        """The square speed at many points: all that path straightening needs of a metric."""
         coordinates_first = (gs.transpose(array) for array in (base_point, vector))
         return self.problem.square_speed(*coordinates_first, gs)
 
@@ -43,7 +43,7 @@ class MidpointEnergy(UniformlySampledPathEnergy):
     """Half the discrete energy."""
 
     def energy_per_time(self, path: Any) -> Any:
-        """What each chord adds."""
+        """The term of each chord."""
         velocity = forward_difference(path, axis=-2)
         middles = (path[..., 1:, :] + path[..., :-1, :]) / 2
         return self._space.metric.squared_norm(velocity, middles) / (2 * (path.shape[-2] - 1))

@@ -1,4 +1,4 @@
-"""The discrete energy in JAX, shared by the peers that differentiate it so."""
+"""The discrete energy in JAX, shared by the peers that differentiate it."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ jax.config.update("jax_enable_x64", True)
 
 
 def chord_energy(problem: Problem, n: int) -> Callable[[jax.Array, jax.Array], jax.Array]:
-    """What one of n chords adds to the discrete energy."""
+    """The term of one of n chords in the discrete energy."""
     return lambda a, b: n * problem.square_speed((a + b) / 2, b - a, jnp)
 
 
-# A free end is written in coordinates of its own, in the place of the D of an inner point.  P4 has
+# A free end has its own coordinates, in place of the D of an inner point.  P4 has
 # its ends at the boundaries of both sets: the angle on the circle, the height on the line.  Which
 # boundary is active is put in by hand.
 
@@ -42,7 +42,7 @@ def last_point(problem: Problem) -> Callable[[jax.Array], jax.Array]:
 
 
 def idle(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
-    """Which coordinates of the first and of the last point do nothing, as ones."""
+    """Ones for the unused coordinates of the first and the last point."""
     if problem.fixed_ends:
         return np.ones(problem.dimension), np.ones(problem.dimension)
     return np.array([0.0, 1.0]), np.array([1.0, 0.0])

@@ -1,4 +1,4 @@
-"""JAX and a banded solver: what one writes by hand to be fast.
+"""JAX and a banded solver: a fast solver written by hand.
 
 Newton's method with the Hessians of the chords by JAX and a banded Cholesky factorisation by
 LAPACK; the Hessian is shifted until it is positive definite, and steps are shortened until the
@@ -87,7 +87,7 @@ def newton(
         if np.abs(gradient).max() <= tolerance:
             stop = "gradient small"
             break
-        # The lowest eigenvalues are some 1/N^2 of the entries on the diagonal.
+        # The lowest eigenvalues are about 1/N^2 of the entries on the diagonal.
         least = np.abs(band[-1]).mean() / len(start) ** 2
         while True:
             try:
@@ -100,7 +100,7 @@ def newton(
             except LinAlgError:
                 shift = max(4 * shift, least)
         slope, length = float((gradient * step).sum()), 1.0
-        # Rounding of the points, some 10^-16 of them, is N times that of a chord, and so of the
+        # Rounding of the points, about 10^-16 of them, is N times that of a chord, and so of the
         # energy: below that every step may be taken.
         while True:
             trial = z + length * step

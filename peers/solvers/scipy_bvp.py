@@ -20,7 +20,7 @@ from problems import Problem
 # Set before any array is made; JAX computes in single precision otherwise.
 jax.config.update("jax_enable_x64", True)
 
-# A straight line of so many points is the first mesh, and no mesh has more than so many.
+# The points of the first mesh, a straight line, and the most of any mesh.
 FIRST_MESH, LARGEST_MESH = 101, 100_000
 
 # From loose to strict; the first that is as accurate as the grid of N chords is timed.
@@ -87,7 +87,7 @@ def curve_energy(problem: Problem, found: Any) -> float:
 
 
 def prepare(problem: Problem, n: int, tolerance: float) -> Callable[[], Solution]:
-    """Compiles, and looks for the loosest tolerance that is as accurate as N chords are."""
+    """Compiles, and finds the loosest tolerance that is as accurate as N chords."""
     right, jacobian = equation(problem)
     ends = boundary(problem)
     t = np.linspace(0.0, 1.0, FIRST_MESH)

@@ -2,14 +2,16 @@
 
 use std::f64::consts::PI;
 
-use tautline::{Ends, LeftEndpoint, Problem, Rule, Trapezoidal, gallery::Valleys};
+use tautline::{LeftEndpoint, Rule, Trapezoidal, gallery::Valleys};
 
 use crate::{
     Failure,
     artefact::Artefact,
     data::{Data, Tolerance},
     drawing::{self, Axis, Curve, Marker, Panel, Scale, Scene, palette},
-    section_5::{DISTANCE, ENDS, along_the_axis, left_minimisers, trapezoidal_minimisers},
+    section_5::{
+        DISTANCE, LENGTH, along_the_axis, left_minimisers, problem, trapezoidal_minimisers,
+    },
     sweep::Sweep,
 };
 
@@ -21,9 +23,6 @@ pub(super) const FIGURE: Artefact = Artefact::figure(
     draw,
 );
 
-/// Lengths up to 25, computed to rounding.
-const LENGTH: Tolerance = Tolerance::relative(1e-11);
-
 fn data(sweep: Sweep) -> Result<Data, Failure> {
     let mut data = Data::new(&[
         ("n", Tolerance::Exact),
@@ -31,18 +30,16 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
         ("root_energy_left root_energy_trapezoidal", LENGTH),
         ("reconstructed_length_trapezoidal", LENGTH),
     ]);
-    let problem = Problem::new(Valleys, Ends::points(ENDS[0], ENDS[1])?);
+    let problem = problem()?;
     for n in sweep.powers_of_two(1024) {
         let trapezoidal = problem.solve(Trapezoidal, n)?;
         let left = problem.solve(LeftEndpoint, n)?;
         let none = || Failure::Data("N = 0".to_owned());
-        let left_minimiser = along_the_axis(&left_minimisers(n).next().ok_or_else(none)?)?;
-        let minimiser = along_the_axis(&trapezoidal_minimisers(n).next().ok_or_else(none)?)?;
-        let length_left = LeftEndpoint.length(&Valleys, &left_minimiser);
-        let length_trapezoidal = Trapezoidal.length(&Valleys, &minimiser);
+        let first_left = along_the_axis(&left_minimisers(n).next().ok_or_else(none)?)?;
+        let first = along_the_axis(&trapezoidal_minimisers(n).next().ok_or_else(none)?)?;
         let row = [
-            length_left,
-            length_trapezoidal,
+            LeftEndpoint.length(&Valleys, &first_left),
+            Trapezoidal.length(&Valleys, &first),
             left.discrete_energy().sqrt(),
             trapezoidal.discrete_energy().sqrt(),
             trapezoidal.length().value,

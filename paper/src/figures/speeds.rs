@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use tautline::{
-    Bounded, Ends, PointSequence, Problem, Rule, Trapezoidal,
+    Bounded, Rule, Trapezoidal,
     bounds::{Setting, Spread, greatest_speed},
     gallery::Valleys,
 };
@@ -14,7 +14,7 @@ use crate::{
     case::subintervals,
     data::{Data, Row, Tolerance},
     drawing::{self, Align, Axis, Curve, Marker, Note, Panel, Scale, Scene, palette},
-    section_5::{DISTANCE, ENDS, along_the_axis, trapezoidal_minimisers},
+    section_5::{DISTANCE, along_the_axis, middle_jump, problem},
     sweep::Sweep,
 };
 
@@ -36,7 +36,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
         ("n index", Tolerance::Exact),
         ("least_energy least_length mean greatest deviation", speed),
     ]);
-    let problem = Problem::new(Valleys, Ends::points(ENDS[0], ENDS[1])?);
+    let problem = problem()?;
     let constants = Bounded::<2>::constants(&Valleys);
     let setting = Setting::new(constants, DISTANCE, 2)?;
     for number in NUMBERS {
@@ -48,10 +48,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
         if ahead < 0.0 {
             energy.reverse();
         }
-        let jump = trapezoidal_minimisers(number)
-            .nth(number / 2)
-            .ok_or_else(|| Failure::Data("no minimiser jumps in the middle".to_owned()))?;
-        let length = speeds(&along_the_axis(&jump)?);
+        let length = Trapezoidal.speeds(&Valleys, &along_the_axis(&middle_jump(number))?);
         let mean = energy.iter().sum::<f64>() / number as f64;
         let fastest = energy.iter().copied().fold(0.0, f64::max);
         let discrete = line.discrete_energy();
@@ -73,11 +70,6 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
         }
     }
     Ok(data)
-}
-
-/// The speeds that the trapezoidal rule sees.
-fn speeds(sequence: &PointSequence<2>) -> Vec<f64> {
-    Trapezoidal.speeds(&Valleys, sequence)
 }
 
 fn draw(data: &Data) -> Result<Scene, Failure> {

@@ -2,14 +2,14 @@
 
 use std::f64::consts::PI;
 
-use tautline::{Ends, Problem, Trapezoidal, gallery::Valleys};
+use tautline::Trapezoidal;
 
 use crate::{
     Failure,
     artefact::Artefact,
     data::{Data, Tolerance},
     drawing::{self, Axis, Curve, Field, Marker, Panel, Scale, Scene, palette},
-    section_5::{ENDS, left_minimisers, trapezoidal_minimisers},
+    section_5::{left_minimisers, middle_jump, problem},
     sweep::Sweep,
 };
 
@@ -40,12 +40,9 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
                 && x1.iter().filter(|&&x| x > 7.0).count() == 3
         })
         .ok_or_else(|| Failure::Data("no minimiser rests in all valleys".to_owned()))?;
-    let trapezoidal = trapezoidal_minimisers(n)
-        .nth(n / 2)
-        .ok_or_else(|| Failure::Data("no minimiser jumps in the middle".to_owned()))?;
     push("length_left", flat(&left));
-    push("length_trapezoidal", flat(&trapezoidal));
-    let problem = Problem::new(Valleys, Ends::points(ENDS[0], ENDS[1])?);
+    push("length_trapezoidal", flat(&middle_jump(n)));
+    let problem = problem()?;
     for n in [4, 8, 16, 64] {
         let line = problem.solve(Trapezoidal, n)?;
         let mut points: Vec<_> = line.sequence().points().iter().map(|x| (x[0], x[1])).collect();

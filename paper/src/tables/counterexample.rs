@@ -1,6 +1,6 @@
 //! The counterexample of Section 5 in numbers, for every `N`.
 
-use tautline::{Ends, LeftEndpoint, PointSequence, Problem, Rule, Trapezoidal, gallery::Valleys};
+use tautline::{LeftEndpoint, PointSequence, Rule, Trapezoidal, gallery::Valleys};
 
 use crate::{
     Failure,
@@ -8,8 +8,8 @@ use crate::{
     data::{Data, Tolerance},
     layout::{Layout, scientific},
     section_5::{
-        DISCRETE_LENGTH, DISTANCE, ENDS, along_the_axis, grid_sequences, left_minimisers,
-        trapezoidal_minimisers,
+        DISCRETE_LENGTH, DISTANCE, LENGTH, along_the_axis, grid_sequences, left_minimisers,
+        problem, trapezoidal_minimisers,
     },
     sweep::Sweep,
 };
@@ -22,9 +22,6 @@ pub(super) const TABLE: Artefact = Artefact::table(
     data,
     layout,
 );
-
-/// Lengths up to 25, computed to rounding.
-const LENGTH: Tolerance = Tolerance::relative(1e-11);
 
 /// The brute force takes `26^{N−1}` sequences.
 const COUNTED: usize = 4;
@@ -40,7 +37,7 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
         ("counted_left counted_trapezoidal", Tolerance::Exact),
         ("root_min_energy_left root_min_energy_trapezoidal distance", LENGTH),
     ]);
-    let problem = Problem::new(Valleys, Ends::points(ENDS[0], ENDS[1])?);
+    let problem = problem()?;
     let mut grids = sweep.powers_of_two(1024);
     grids.insert(2, 3);
     for n in grids {

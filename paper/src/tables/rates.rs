@@ -50,64 +50,63 @@ impl Quantity {
     }
 }
 
-/// One claim of a rate, as one row has it.
+/// A claimed order, with the regularity that it needs.
+#[derive(Clone, Copy)]
 struct Claim {
     statement: &'static str,
-    quantity: Quantity,
     rules: &'static [PaperRule],
     regularity: &'static str,
     order: f64,
     depends_on: &'static str,
 }
 
+/// As in the paper's Table 1, which does not say what its constant depends on.
+const EARLIER: Claim = Claim {
+    statement: "Rumpf and Wirth (2015)",
+    rules: &PaperRule::BOTH,
+    regularity: "consistent discretization",
+    order: 1.0,
+    depends_on: "",
+};
+
+/// Claims of all three quantities.
+const THEOREMS: [Claim; 3] = [
+    Claim {
+        statement: "Theorems 1.1 and 1.3",
+        rules: &PaperRule::BOTH,
+        regularity: "$c_1\\le H\\le c_2$, $H$ Lipschitz",
+        order: 0.5,
+        depends_on: "$c_1,c_2,L_H,d,D$",
+    },
+    Claim {
+        statement: "Theorems A and C",
+        rules: &PaperRule::BOTH,
+        regularity: "$c_1\\le H$, $H\\in C^1$ Lipschitz",
+        order: 1.0,
+        depends_on: "$c_1,L_H,d$",
+    },
+    Claim {
+        statement: "Theorems B and D",
+        rules: &[PaperRule::Trapezoidal],
+        regularity: "$c_1\\le H$, $H$ and $DH$ Lipschitz",
+        order: 2.0,
+        depends_on: "$c_1,L_H,M_H,d$",
+    },
+];
+
 const ALL: [Quantity; 3] = [Quantity::Minimum, Quantity::Energy, Quantity::Length];
 
-/// All claims. The first is from earlier work, as in the paper's Table 1, and does not say what its
-/// constant depends on.
-fn claims() -> Vec<Claim> {
-    let earlier = Claim {
-        statement: "Rumpf and Wirth (2015)",
-        quantity: Quantity::Minimum,
-        rules: &PaperRule::BOTH,
-        regularity: "consistent discretization",
-        order: 1.0,
-        depends_on: "",
+/// Returns all claims with their quantities.
+fn claims() -> impl Iterator<Item = (Quantity, Claim)> {
+    let of_all = |claim: Claim| {
+        ALL.map(|quantity| match (quantity, claim.statement) {
+            (Quantity::Length, "Theorems 1.1 and 1.3") => {
+                (quantity, Claim { statement: "Theorems 1.2 and 1.4", ..claim })
+            }
+            _ => (quantity, claim),
+        })
     };
-    let mut claims = vec![earlier];
-    for quantity in ALL {
-        claims.push(Claim {
-            statement: match quantity {
-                Quantity::Length => "Theorems 1.2 and 1.4",
-                _ => "Theorems 1.1 and 1.3",
-            },
-            quantity,
-            rules: &PaperRule::BOTH,
-            regularity: "$c_1\\le H\\le c_2$, $H$ Lipschitz",
-            order: 0.5,
-            depends_on: "$c_1,c_2,L_H,d,D$",
-        });
-    }
-    for quantity in ALL {
-        claims.push(Claim {
-            statement: "Theorems A and C",
-            quantity,
-            rules: &PaperRule::BOTH,
-            regularity: "$c_1\\le H$, $H\\in C^1$ Lipschitz",
-            order: 1.0,
-            depends_on: "$c_1,L_H,d$",
-        });
-    }
-    for quantity in ALL {
-        claims.push(Claim {
-            statement: "Theorems B and D",
-            quantity,
-            rules: &[PaperRule::Trapezoidal],
-            regularity: "$c_1\\le H$, $H$ and $DH$ Lipschitz",
-            order: 2.0,
-            depends_on: "$c_1,L_H,M_H,d$",
-        });
-    }
-    claims
+    [(Quantity::Minimum, EARLIER)].into_iter().chain(THEOREMS.into_iter().flat_map(of_all))
 }
 
 /// Slopes are fitted to at least three values, with errors below 2e-3 each: see [`LEGIBLE`].
@@ -128,31 +127,22 @@ fn data(sweep: Sweep) -> Result<Data, Failure> {
         ("cases", Tolerance::Exact),
     ]);
     let (solved, cases) = (convergence::data(sweep)?, cases()?);
-    for claim in claims() {
-        for &rule in claim.rules {
-            let orders: Vec<f64> = cases
-                .iter()
-                .filter_map(|case| observed(&solved, case, rule, claim.quantity))
-                .collect();
+    for (quantity, claim) in claims() {
+        let Claim { statement, rules, regularity, order: proven, depends_on } = claim;
+        for &rule in rules {
+            let orders = cases.iter().filter_map(|case| observed(&solved, case, rule, quantity));
+            let orders: Vec<f64> = orders.collect();
             let least = orders.iter().copied().fold(f64::INFINITY, f64::min);
             let greatest = orders.iter().copied().fold(0.0, f64::max);
-            let (statement, quantity) = (claim.statement, claim.quantity.names().0);
-            if !(least >= claim.order - SHORT) {
-                let rule = rule.name();
+            let (quantity, rule) = (quantity.names().0, rule.name());
+            if !(least >= proven - SHORT) {
                 let claim = format!("{statement}, {quantity}, {rule}: order {least}");
                 return Err(Failure::Violated(claim));
             }
-            data.push(vec![
-                statement.to_owned(),
-                quantity.to_owned(),
-                rule.name().to_owned(),
-                claim.regularity.to_owned(),
-                claim.order.to_string(),
-                claim.depends_on.to_owned(),
-                format!("{least:.4}"),
-                format!("{greatest:.4}"),
-                orders.len().to_string(),
-            ]);
+            let texts = [statement, quantity, rule, regularity, &proven.to_string(), depends_on];
+            let orders =
+                [format!("{least:.4}"), format!("{greatest:.4}"), orders.len().to_string()];
+            data.push(texts.map(str::to_owned).into_iter().chain(orders));
         }
     }
     Ok(data)
