@@ -82,7 +82,7 @@ def compare(
             )
             print(",".join(rows[-1]), file=sys.stderr, flush=True)
     shows = (
-        "what the square of the distance costs to a relative 1e-10; reached: whether the error is that"
+        "the cost of the square of the distance to a relative 1e-10; reached: whether the error is that"
         " small, and the setting; another geodesic: off by more than a tenth"
     )
     write_csv(file, shows, machine, limit, COLUMNS, rows)

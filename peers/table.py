@@ -79,7 +79,7 @@ def write_csv(
 
 def write(rows: list[Row], file: Path, machine: str, limit: int) -> None:
     """Writes the table and, beside it, the page."""
-    shows = "what a solve costs, beside what one would take instead"
+    shows = "the cost of a solve, beside its alternatives"
     write_csv(file, shows, machine, limit, COLUMNS, [row.cells() for row in rows])
     file.with_suffix(".md").write_text(page(rows, machine))
 

@@ -11,25 +11,25 @@ use std::{
 const BENCHES: [(&str, &str); 3] = [
     (
         "speed",
-        "the least time of each part of a solve on one thread, of many runs in turn, and its ratio \
-         to the same written by hand: of assembly to assembly, of a solve of the formula as text to one \
-         of the formula in Rust, of all else to one Newton step; none of these where nothing is \
-         written by hand, on P4 to P6",
+        "the least time of each part of a solve on one thread, of many runs in turn, and its \
+         ratio to the same written by hand: of assembly to assembly, of a solve of the formula as \
+         text to one of the formula in Rust, of all else to one Newton step; no ratio where \
+         nothing is written by hand, on P4 to P6",
     ),
     (
         "scale",
         "whole solves of long and wide problems from the straight line, and of many from the \
          automatic starts; how many ended in a local minimum; the least time of up to five runs \
-         and the most memory in use at a time in the first, by the nodes of all problems; the mean \
-         of the Newton steps of all searches on all grids, and the largest residual over its \
-         floor; efficiency is the rate over that of one thread times their number",
+         and the peak memory of the first, by the nodes of all problems; the mean of the Newton \
+         steps of all searches on all grids, and the largest residual over its floor; efficiency \
+         is the rate over that of one thread times their number",
     ),
     (
         "programs",
-        "the steps of each recorded formula, and what there is before the first chord of a search: \
-         the least time of up to five runs to record it, and to record it and derive the program of \
-         H and its contracted derivatives, the most memory in use at a time for that, and the \
-         registers of each thread; a formula of very many steps is evaluated as it is compiled",
+        "the steps of each recorded formula, and the cost before the first chord of a search: the \
+         least time of up to five runs to record it, and to record it and derive the program of H \
+         and its contracted derivatives, the peak memory for that, and the registers of each \
+         thread; a formula of very many steps runs as compiled code",
     ),
 ];
 

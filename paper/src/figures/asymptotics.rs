@@ -17,11 +17,11 @@ use crate::{
 
 pub(super) const FIGURE: Artefact = Artefact::figure(
     "asymptotics",
-    "N^2 (E_tra,N - d^2), N (E_l,N - d^2) and N^2 (E - d^2) of the trapezoidal minimiser's \
-     curve, divided by the constants predicted along a geodesic (or by d^2 where that \
-     constant is 0 by symmetry), with their distance from the limit, and the error of d^2 \
-     extrapolated from the last two (dashed) or three grids, against N; left out are points \
-     beyond an axis, and where rounding may be over a twentieth of what would be drawn",
+    "N^2 (E_tra,N - d^2), N (E_l,N - d^2) and N^2 (E - d^2) of the trapezoidal minimiser's curve, \
+     divided by the constants predicted along a geodesic (or by d^2 where that constant is 0 by \
+     symmetry), with their distance from the limit, and the error of d^2 extrapolated from the \
+     last two (dashed) or three grids, against N; points beyond an axis are left out, and those \
+     where rounding may exceed a twentieth of the value",
     data,
     draw,
 );

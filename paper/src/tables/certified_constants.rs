@@ -13,8 +13,8 @@ use crate::{
 
 pub(super) const TABLE: Artefact = Artefact::table(
     "certified_constants",
-    "the constants of the gallery as stated, and between which bounds its formulas prove them \
-     to be; on all of space by periods or because the metric settles, or on a ball",
+    "the constants of the gallery, stated and with the bounds that its formulas prove; on all of \
+     space, by periods or because the metric settles, or on a ball",
     data,
     layout,
 );
@@ -85,8 +85,8 @@ fn agrees(
 
 fn layout(data: &Data) -> Result<Layout, Failure> {
     let mut layout = Layout::new(
-        "Constants of the gallery: as stated, and between which bounds the formula proves them to be. \
-         A stated constant that is only a bound need not lie between.",
+        "Constants of the gallery, stated and with the bounds that the formula proves. A stated \
+         constant that is only a bound need not lie between them.",
         "metric & $D$ & constant & stated &  & proved from & to & boxes & on",
     );
     for row in data.rows() {

@@ -20,8 +20,8 @@ use crate::{
 
 pub(super) const TABLE: Artefact = Artefact::table(
     "certified_curves",
-    "how long it takes to enclose the energy and the length of a polygon, and its discrete \
-     energy, beside the same in doubles, on one thread of the machine that wrote the file",
+    "the time to enclose the energy and the length of a polygon, and its discrete energy, beside \
+     the same in doubles, on one thread of the machine that wrote the file",
     data,
     layout,
 )

@@ -13,8 +13,8 @@ use crate::{
 
 pub(super) const TABLE: Artefact = Artefact::table(
     "certified_times",
-    "how long it takes to prove the constants of the gallery to the tolerance of \
-     certified_constants, on the machine that wrote the file",
+    "the time to prove the constants of the gallery to the tolerance of certified_constants, on \
+     the machine that wrote the file",
     data,
     layout,
 )

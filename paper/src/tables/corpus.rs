@@ -12,12 +12,11 @@ use crate::{
 
 pub(super) const TABLE: Artefact = Artefact::table(
     "corpus",
-    "random problems over the gallery, by the Newton steps in all, over all grids, of the \
-     search that led to the result: from the default starts, of which 99.9 % must reach \
-     the goal within 60 steps, and from one straight line alone; touch: the sets have a \
-     point in common; above: it converged, but to a decrement above 1e-18 of the energy and \
-     a residual above twice its floor; stopped: it says that it did not converge, or to \
-     a saddle; refused: an error",
+    "random problems over the gallery, by the Newton steps over all grids of the search that led \
+     to the result: from the default starts, with which 99.9 % must reach the goal within 60 \
+     steps, and from one straight line alone; touch: the sets have a point in common; above: it \
+     converged with a decrement above 1e-18 of the energy and a residual above twice its floor; \
+     stopped: it reports no convergence, or converged to a saddle; refused: an error",
     data,
     layout,
 )
@@ -161,11 +160,12 @@ fn describe(outcome: &Outcome) -> String {
 
 fn layout(data: &Data) -> Result<Layout, Failure> {
     let mut layout = Layout::new(
-        "Random problems by the Newton steps, over all grids, of the search that led to the result: \
-         from the default starts, of which 99.9 % must arrive within 60 steps, and from one straight \
-         line alone. The problems are drawn in `paper/src/corpus`. Ends touch: the sets have a point \
-         in common. Not converged: the search gave up, ended at a saddle, or left both a decrement \
-         above 1e-18 of the energy and a residual above twice its floor.",
+        "Random problems by the Newton steps, over all grids, of the search that led to the \
+         result: from the default starts, with which 99.9 % must reach the goal within 60 steps, \
+         and from one straight line alone. The problems are drawn in `paper/src/corpus`. Ends \
+         touch: the sets have a point in common. Not converged: the search gave up, ended at a \
+         saddle, or left both a decrement above 1e-18 of the energy and a residual above twice \
+         its floor.",
         "starts & problems & number & ends touch & 1–5 & 6–10 & 11–20 & 21–40 & 41–60 & > \
          60 & not converged & errors & most steps",
     );

@@ -12,8 +12,8 @@ use crate::{
 
 pub(super) const TABLE: Artefact = Artefact::table(
     "errata",
-    "the statements that are false as printed, each with a witness and its two numbers \
-     (observed above bound), the repaired form, and who relies on it",
+    "the statements that are false as printed, each with a witness and its two numbers (observed \
+     above bound), the repaired form, and the statements that rely on it",
     data,
     layout,
 )
@@ -93,7 +93,7 @@ fn pages(data: &Data) -> Vec<(&'static str, String)> {
     let mut text = "\
 # Errata
 
-What is false in the paper as it is printed, with the smallest witness that we know, the form that is true, and who relies on it.
+What is false in the paper as printed: the smallest witness that we know, the true form, and the statements that rely on it.
 No theorem falls: wherever a refuted statement is used, the case at hand is covered by its repaired form.
 `cargo xtask tables errata` evaluates every witness and writes this page together with `tables/errata.csv`.
 

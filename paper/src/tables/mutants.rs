@@ -15,8 +15,8 @@ use crate::{
 pub(super) const TABLE: Artefact = Artefact::table(
     "mutants",
     "deliberately wrong variants of the library, the first checks that kill each of them, whether \
-     the paper's bounds alone, observed <= bound on random cases, compare any other number than \
-     those of the library, and whether they kill it",
+     the paper's bounds alone (observed <= bound on random cases) see a number that differs from \
+     the library's, and whether they kill it",
     data,
     layout,
 )
@@ -81,10 +81,10 @@ fn layout(data: &Data) -> Result<Layout, Failure> {
     let (all, seen) = (data.rows().count(), data.rows().filter(is(SEEN, "yes")));
     let (seen, killed) = (seen.count(), data.rows().filter(is(KILLED, "yes")).count());
     let caption = format!(
-        "{all} deliberately wrong variants: the first check that kills each, and what the paper's \
-         bounds alone, observed ≤ bound on random cases, say of it. Only {seen} of the {all} change a \
-         number that is compared there, of which {killed} are killed and {passed} pass; the other \
-         {unseen} cannot be seen that way (–).",
+        "{all} deliberately wrong variants: the first check that kills each, and the verdict of the \
+         paper's bounds alone (observed ≤ bound on random cases). Only {seen} of the {all} change a \
+         number that these compare; {killed} of them are killed and {passed} pass. The other {unseen} \
+         are invisible to them (–).",
         passed = seen - killed,
         unseen = all - seen,
     );

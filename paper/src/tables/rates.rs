@@ -168,9 +168,9 @@ fn observed(solved: &Data, case: &Case, rule: PaperRule, quantity: Quantity) -> 
 fn layout(data: &Data) -> Result<Layout, Failure> {
     let mut layout = Layout::new(
         "Proven orders in 1/N, and those observed between N = 256 and 4096: the least and the \
-         greatest over the cases in which the quantity is more than rounding, and has a leading \
-         term (that of the discrete minimum of the left-endpoint rule vanishes between ends at one \
-         height of H). From above, Theorem 1.1 has the order 1 for the discrete minimum. Fixed \
+         greatest over the cases in which the quantity exceeds rounding and has a leading term \
+         (for the left-endpoint rule, that of the discrete minimum vanishes where H is the same \
+         at both ends). From above, Theorem 1.1 has the order 1 for the discrete minimum. Fixed \
          ends in the first row, sets in all others.",
         "statement & quantity & regularity & proven & constant depends on & observed, \
          trapezoidal & cases & observed, left-endpoint & cases",

@@ -143,10 +143,10 @@ fn pages(data: &Data) -> Vec<(&'static str, String)> {
 Every numbered statement, both claims of Section 5 and every displayed constant, and after them the statements of [SHARPER.md](SHARPER.md): what it claims, the function that evaluates it, our verdict, and the tests.
 `cargo xtask tables statements` writes this page together with `tables/statements.csv`.
 *Overestimation* is the bound divided by what is observed: 1 where a statement is attained.
-A case *could fail* if the bound is finite and what is observed can be told from 0: where a gap vanishes identically, as that of the length does on the line, the case holds whatever the bound is.
-What is *assumed* is a hypothesis of which no case shows anything.
-A *witness* is a case made by hand to come as near to equality as we can.
-*Holds* is what these tests found and no proof: no case contradicts the statement as it is printed. *Cited* is a known theorem, of which we test what can be observed. Of a *refuted* one a witness contradicts the printed form, and the repaired form is what is tested. *Proved here* has its proof in SHARPER.md.
+A case *could fail* if the bound is finite and the observed number is distinguishable from 0: where a gap vanishes identically, as that of the length does on the line, the case holds whatever the bound is.
+An *assumed* hypothesis is one that the cases cannot test.
+A *witness* is a case built by hand to come as near to equality as possible.
+*Holds* is a result of these tests and no proof: no case contradicts the statement as printed. A *cited* statement is a known theorem, of which the observable part is tested. The printed form of a *refuted* statement is contradicted by a witness, and its repaired form is tested. A statement *proved here* has its proof in SHARPER.md.
 `γᵖ` is the point sequence and `γᵖˡ` the polygon through it; the other symbols are those of the paper and of the first section of SHARPER.md.
 
 "
@@ -174,16 +174,14 @@ fn section(row: &Row<'_>, statement: Statement) -> String {
         claims => format!("- assumed: {}\n", claims.replace('|', "∣")),
     };
     let overestimation = |column: &str| match row.text(column) {
-        "" if statement == DEFINITION => "none, of two ways to write one formula".to_owned(),
-        "" => "not to be told from rounding".to_owned(),
+        "" if statement == DEFINITION => "none: these are two ways to write one formula".to_owned(),
+        "" => "indistinguishable from rounding".to_owned(),
         overestimation => overestimation.to_owned(),
     };
     let proved = match row.text("proved") {
         "0" => String::new(),
         cases => {
-            format!(
-                "- cases that could fail and in which every number is proved, by intervals: {cases}\n"
-            )
+            format!("- cases that could fail with every number proved by intervals: {cases}\n")
         }
     };
     format!(

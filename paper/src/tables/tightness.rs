@@ -17,9 +17,9 @@ const SEED: u64 = 1961;
 
 pub(super) const TABLE: Artefact = Artefact::table(
     "tightness",
-    "the least overestimation bound/observed that a search over metrics, ends and N finds for each \
-     statement in each family, by its own conclusions and by their sharper companions; and why \
-     there is no tighter case beyond the edges of the search at which it was found",
+    "the least overestimation bound/observed that a search over metrics, ends and N finds for \
+     each statement in each family, by its own conclusions and by their sharper companions; and, \
+     for a case at edges of the search, why there is no tighter one beyond",
     data,
     layout,
 )
@@ -78,13 +78,14 @@ fn three_digits(value: f64) -> String {
 
 fn layout(data: &Data) -> Result<Layout, Failure> {
     let mut layout = Layout::new(
-        "For each statement and each family of problems the least overestimation bound/observed that a \
-         search finds: of the bound as it is stated, and of its sharper companion, each with its N. The case is that of the former: \
-         step is the distance of the ends over N, phi or way the direction, a or L the amplitude of the \
-         metric. At the edge are the parameters that end at an end of their range, and why the search ends \
-         there: nothing lies beyond, or a limit, on the way to which the overestimation falls by 1 % at most. \
-         Families in which nothing but rounding is observed are left out, such as the length of one \
-         chord on the line, and Proposition 7.9 where H is linear.",
+        "For each statement and each family of problems the least overestimation bound/observed \
+         that a search finds: of the bound as stated and of its sharper companion, each with its \
+         N. The case belongs to the former: step is the distance of the ends over N, phi or way \
+         the direction, a or L the amplitude of the metric. At the edge are the parameters at an \
+         end of their range, and why the search ends there: nothing lies beyond, or a limit, \
+         towards which the overestimation falls by at most 1 %. Families in which only rounding \
+         is observed are left out, such as the length of one chord on the line, and Proposition \
+         7.9 where H is linear.",
         "statement & family & overestimation & $N$ & sharper overestimation & $N$ & case & \
          at the edge",
     );
