@@ -3,12 +3,14 @@
 mod bench;
 mod nightly;
 mod peers;
+mod run;
 
 use std::{
     env,
-    path::{Path, PathBuf},
     process::{Command, ExitCode},
 };
+
+use run::{cargo, root, run};
 
 const USAGE: &str = "\
 usage: cargo xtask <task>
@@ -91,30 +93,4 @@ fn check(what: &str) -> Result<(), String> {
     let program = program.with_file_name(format!("paper{}", env::consts::EXE_SUFFIX));
     let line = format!("{} {what} --check", program.display());
     run(Command::new(&program).args([what, "--check"]), &line)
-}
-
-/// The root of the workspace.
-fn root() -> PathBuf {
-    let xtask = Path::new(env!("CARGO_MANIFEST_DIR"));
-    xtask.parent().unwrap_or(xtask).to_owned()
-}
-
-/// Runs cargo in the root of the workspace.
-fn cargo(arguments: &[&str], environment: &[(&str, &str)]) -> Result<(), String> {
-    let set: String =
-        environment.iter().map(|(name, value)| format!("{name}='{value}' ")).collect();
-    let line = format!("{set}cargo {}", arguments.join(" "));
-    let mut command = Command::new(env!("CARGO"));
-    run(command.args(arguments).envs(environment.iter().copied()), &line)
-}
-
-/// Runs a command in the root of the workspace, and first prints it as `line`, so that a failure
-/// can be pasted and run again.
-fn run(command: &mut Command, line: &str) -> Result<(), String> {
-    eprintln!("$ {line}");
-    match command.current_dir(root()).status() {
-        Ok(status) if status.success() => Ok(()),
-        Ok(status) => Err(format!("`{line}` failed: {status}")),
-        Err(error) => Err(format!("`{line}` did not start: {error}")),
-    }
 }

@@ -5,6 +5,8 @@
 
 use std::{env, fs, path::Path, process::Command};
 
+use crate::run::{self, cargo};
+
 /// The virtual environments: their folders below `target/peers`, and their requirements.
 const ENVIRONMENTS: [(&str, &str); 2] =
     [("main", "requirements.txt"), ("geomstats", "requirements-geomstats.txt")];
@@ -24,12 +26,12 @@ pub(crate) fn peers(root: &Path, rest: &[&str]) -> Result<(), String> {
     });
 
     let example = ["build", "--release", "--package", "tautline", "--example", "peers"];
-    super::cargo(&example, &[])?;
+    cargo(&example, &[])?;
     // A workspace of its own, with a lock file and a folder of its own.
     let manifest = scripts.join("argmin/Cargo.toml").display().to_string();
     let argmin = folder.join("argmin").display().to_string();
     let build = ["build", "--release", "--manifest-path", &manifest, "--target-dir", &argmin];
-    if let Err(message) = super::cargo(&build, &[]) {
+    if let Err(message) = cargo(&build, &[]) {
         eprintln!("{message}; argmin gets a row that says so");
     }
 
@@ -77,7 +79,8 @@ fn install(environment: &Path, requirements: &Path) -> Result<(), String> {
     })
 }
 
+/// Runs a command, printed with its quotes.
 fn run(command: &mut Command) -> Result<(), String> {
     let line = format!("{command:?}");
-    super::run(command, &line)
+    run::run(command, &line)
 }

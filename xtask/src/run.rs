@@ -1,0 +1,33 @@
+//! Commands in the root of the workspace.
+
+use std::{
+    env,
+    path::{Path, PathBuf},
+    process::Command,
+};
+
+/// The root of the workspace.
+pub(crate) fn root() -> PathBuf {
+    let xtask = Path::new(env!("CARGO_MANIFEST_DIR"));
+    xtask.parent().unwrap_or(xtask).to_owned()
+}
+
+/// Runs cargo in the root of the workspace.
+pub(crate) fn cargo(arguments: &[&str], environment: &[(&str, &str)]) -> Result<(), String> {
+    let set: String =
+        environment.iter().map(|(name, value)| format!("{name}='{value}' ")).collect();
+    let line = format!("{set}cargo {}", arguments.join(" "));
+    let mut command = Command::new(env!("CARGO"));
+    run(command.args(arguments).envs(environment.iter().copied()), &line)
+}
+
+/// Runs a command in the root of the workspace, and first prints it as `line`, so that a failure
+/// can be pasted and run again.
+pub(crate) fn run(command: &mut Command, line: &str) -> Result<(), String> {
+    eprintln!("$ {line}");
+    match command.current_dir(root()).status() {
+        Ok(status) if status.success() => Ok(()),
+        Ok(status) => Err(format!("`{line}` failed: {status}")),
+        Err(error) => Err(format!("`{line}` did not start: {error}")),
+    }
+}
