@@ -19,7 +19,7 @@ use crate::{Failure, observation::Observation};
 
 /// The source of `d²`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Reference {
+pub enum Reference {
     /// A closed form, or a quadrature to rounding, with a proof of minimality.
     Exact,
     /// Richardson extrapolation from grids up to 65 536 chords: an estimate.
@@ -28,7 +28,7 @@ pub(crate) enum Reference {
 
 impl Reference {
     /// Returns the name in the data files.
-    pub(crate) fn name(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Reference::Exact => "exact",
             Reference::Extrapolated => "extrapolated",

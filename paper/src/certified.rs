@@ -7,14 +7,14 @@ use tautline::{
     SMatrix, SVector,
     certify::{Accuracy, Cell, certify},
     gallery::{
-        Bump, Checkerboard, Constant, Corrugated, CoupledCosines, EggCrate, GalleryError,
-        GaussianFisher, GaussianFisherPatch, Hill, Hyperbolic, HyperbolicPatch, Lens, Obstacle,
-        Ramp, RotatingAnisotropy, Separable, Shear, SineProjection, SineProjections, SoftObstacles,
-        Sphere, SpherePatch, Swirl, TanhDecoder, TwoChannels, TwoLinkArm, Valleys,
+        Bump, Checkerboard, Constant, Corrugated, CoupledCosines, EggCrate, GaussianFisher,
+        GaussianFisherPatch, Hill, Hyperbolic, HyperbolicPatch, Lens, Obstacle, Ramp,
+        RotatingAnisotropy, Separable, Shear, SineProjection, SineProjections, SoftObstacles,
+        Sphere, SpherePatch, Swirl, TwoChannels, TwoLinkArm, Valleys,
     },
 };
 
-use crate::Failure;
+use crate::{Failure, decoder::decoder};
 
 /// A metric of the gallery and its stated constants.
 pub(crate) struct Certified {
@@ -120,13 +120,6 @@ const NONE: [bool; 4] = [false; 4];
 pub(crate) fn accuracy(quantity: Quantity) -> Accuracy {
     let tolerance = if quantity == Quantity::MH { 1e-2 } else { 1e-3 };
     Accuracy { tolerance, ..Accuracy::default() }
-}
-
-/// Returns the metric of a surface in space, decoded from a plane by two layers.
-pub(crate) fn decoder() -> Result<TanhDecoder<2, 3, 3>, GalleryError> {
-    let inner = SMatrix::<f64, 3, 2>::new(1.0, 0.2, -0.5, 0.8, 0.3, -1.0);
-    let outer = SMatrix::<f64, 3, 3>::new(1.0, 0.0, 0.5, 0.0, 1.0, -0.5, 0.4, 0.3, 1.0);
-    TanhDecoder::new(inner, outer, 0.5)
 }
 
 /// Returns the metrics of the gallery in at most three dimensions.

@@ -6,15 +6,17 @@
 //! committed numbers. The tables need the feature `tables`, which is on by default.
 
 pub mod artefact;
-mod asymptotics;
-mod case;
+pub mod asymptotics;
+pub mod case;
 mod cases;
+#[cfg(feature = "tables")]
 mod certified;
 pub mod command;
 mod convergence;
 #[cfg(feature = "tables")]
 pub mod corpus;
 pub mod data;
+mod decoder;
 pub mod failure;
 pub mod figures;
 pub mod grid;

@@ -9,8 +9,8 @@ use tautline::{
 use crate::{
     Failure,
     artefact::Artefact,
-    certified::decoder,
     data::{Data, Tolerance},
+    decoder::decoder,
     drawing::{self, Axis, DrawingError, Field, Panel, Scale, Scene},
     grid::{Grid, Lines},
     parallel,

@@ -3,9 +3,11 @@
 use crate::{
     Failure,
     artefact::Artefact,
-    asymptotics::data,
-    data::Data,
+    asymptotics::{N, Smooth, smooth_problems},
+    data::{Data, Tolerance},
     layout::{Layout, scientific},
+    parallel,
+    sweep::Sweep,
 };
 
 pub(super) const TABLE: Artefact = Artefact::table(
@@ -17,6 +19,68 @@ pub(super) const TABLE: Artefact = Artefact::table(
     data,
     layout,
 );
+
+/// The quantities and their orders in `1/N`: `E_tra,N`, `E_l,N`, and those of both curves.
+const QUANTITIES: [(&str, i32); 6] = [
+    ("discrete_energy_trapezoidal", 2),
+    ("discrete_energy_left", 1),
+    ("energy_trapezoidal", 2),
+    ("length_squared_trapezoidal", 2),
+    ("energy_left", 2),
+    ("length_squared_left", 2),
+];
+
+/// Predicted and measured agree to three digits.
+const AGREEMENT: f64 = 5e-4;
+
+/// Computes both sides for every problem, and fails unless they [agree](AGREEMENT).
+fn data(_sweep: Sweep) -> Result<Data, Failure> {
+    let close = |absolute| Tolerance::Close { relative: 1e-6, absolute };
+    let mut data = Data::new(&[
+        ("case quantity order n", Tolerance::Exact),
+        ("predicted", close(0.0)),
+        // N² times some ulp of a d² up to 632.
+        ("measured", close(5e-6)),
+        ("relative_difference", Tolerance::AtMost(AGREEMENT)),
+        ("relative_to", Tolerance::Exact),
+        ("d_squared", Tolerance::relative(1e-11)),
+        ("reference", Tolerance::Exact),
+    ]);
+    let problems = smooth_problems()?;
+    let results = parallel::map(&problems, Smooth::limits);
+    for (Smooth { name, .. }, limits) in problems.iter().zip(results) {
+        let limits = limits?;
+        let predictions = limits.predictions();
+        for (k, (quantity, order)) in QUANTITIES.into_iter().enumerate() {
+            let (predicted, measured) = (predictions[k], limits.measured[k]);
+            let zero = predicted == 0.0;
+            let (predicted, scale, relative_to) = if zero {
+                (0.0, limits.d_squared, "d_squared")
+            } else {
+                (predicted, predicted.abs(), "predicted")
+            };
+            let difference = (measured - predicted).abs() / scale;
+            if !(difference <= AGREEMENT) {
+                return Err(Failure::Violated(format!(
+                    "{name}, {quantity}: predicted {predicted:.6e}, measured {measured:.6e}"
+                )));
+            }
+            data.push(vec![
+                (*name).to_owned(),
+                quantity.to_owned(),
+                order.to_string(),
+                N.to_string(),
+                if zero { "0".to_owned() } else { format!("{predicted:.6e}") },
+                format!("{measured:.6e}"),
+                format!("{difference:.1e}"),
+                relative_to.to_owned(),
+                format!("{:.12e}", limits.d_squared),
+                limits.reference.name().to_owned(),
+            ]);
+        }
+    }
+    Ok(data)
+}
 
 fn symbol(quantity: &str) -> &'static str {
     match quantity {
