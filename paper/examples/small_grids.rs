@@ -1,10 +1,10 @@
-//! Is a small grid cheaper than a fine one? Times with small `N`, divided by the time with `N = 512`,
-//! for each problem of the corpus.
+//! Is a small grid cheaper than a fine one? Times with small `N`, divided by the time with
+//! `N = 512`, for each problem of the corpus.
 //!
 //! `cargo run --release --package paper --example small_grids [problems] [runs]`: by default 2000
-//! problems and the least of 3 runs. Other load on the machine makes runs longer, on either grid: where
-//! a ratio is above 1, and so may be on the wrong side of 1.2, both are timed again with ten times as
-//! many runs.
+//! problems and the least of 3 runs. Other load on the machine makes runs longer, on either grid:
+//! where a ratio is above 1, and so may be on the wrong side of 1.2, both are timed again with ten
+//! times as many runs.
 
 use std::error::Error;
 

@@ -50,7 +50,8 @@ type Computed<A, B> = Box<dyn Fn(A) -> Result<B, Failure> + Send + Sync>;
 /// The six constants, in `m²`, both ways.
 pub struct Limits {
     predicted: [f64; 6],
-    /// Those measured: of `E_tra,N`, of `E_l,N`, and of `E(γᵖˡ)` and `L(γᵖˡ)²` for both rules in turn.
+    /// Those measured: of `E_tra,N`, of `E_l,N`, and of `E(γᵖˡ)` and `L(γᵖˡ)²` for both rules in
+    /// turn.
     pub measured: [f64; 6],
     /// The square of the distance.
     pub d_squared: f64,

@@ -90,8 +90,8 @@ impl Case {
     }
 
     /// Minimises the trapezoidal energy with `n` subintervals, and evaluates Proposition 7.9 and
-    /// Lemma S.2 on the result: the gap between the energy of the curve and the discrete one. It fails
-    /// as [`solve`](Case::solve) does.
+    /// Lemma S.2 on the result: the gap between the energy of the curve and the discrete one. It
+    /// fails as [`solve`](Case::solve) does.
     pub(crate) fn gaps(&self, n: usize) -> Result<[Evidence; 2], Failure> {
         (self.gaps)(n)
     }

@@ -36,8 +36,8 @@ impl Lines {
 
     /// Returns the first of the four lines about `place`, and the weights of the four.
     ///
-    /// The weights are those of Lagrange's cubic, exact for polynomials of degree 3; near the edge, and
-    /// a little beyond it, it is the cubic through the last four.
+    /// The weights are those of Lagrange's cubic, exact for polynomials of degree 3; near the edge,
+    /// and a little beyond it, it is the cubic through the last four.
     fn weights(&self, place: f64) -> (usize, [f64; 4]) {
         let s = (place - self.from) / (self.to - self.from) * (self.count - 1) as f64;
         let first = (s.floor() - 1.0).clamp(0.0, (self.count - 4) as f64);

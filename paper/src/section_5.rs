@@ -1,7 +1,7 @@
 //! The counterexample of Section 5: the valleys, from `(0, 0)` to `(4π, 0)`.
 //!
-//! `f = 2 − cos x₁ ≥ 1`, so every discrete length is at least `Σ |xₙ₊₁ − xₙ| ≥ 4π`, with equality if
-//! and only if the points run monotonically along `[0, 4π] × {0}` and the rule reads `f = 1` on
+//! `f = 2 − cos x₁ ≥ 1`, so every discrete length is at least `Σ |xₙ₊₁ − xₙ| ≥ 4π`, with equality
+//! if and only if the points run monotonically along `[0, 4π] × {0}` and the rule reads `f = 1` on
 //! every chord that is not zero.
 
 use std::f64::consts::{PI, TAU};

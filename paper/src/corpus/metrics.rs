@@ -54,14 +54,14 @@ impl<const D: usize> Drawn<D> {
         Ok(Self { name, formula: Formula::record(metric)? })
     }
 
-    /// Returns a metric, and half the side of the cube about the origin in which its ends are drawn,
-    /// in `ℓ`: about the radius of a patch, 3 for all others.
+    /// Returns a metric, and half the side of the cube about the origin in which its ends are
+    /// drawn, in `ℓ`: about the radius of a patch, 3 for all others.
     ///
-    /// All 13 metrics of every dimension are equally likely, for `D ≥ 2` also the 8 of the plane, and
-    /// for `D ≥ 3` the one of space. Each has `c₁ > 0` on all of `R^D`, so that a discrete minimiser
-    /// exists. Otherwise it may not: under the metric of the whole sphere one chord over infinity
-    /// costs nothing, and likewise for hyperbolic space and the normal distributions; their patches
-    /// represent these three.
+    /// All 13 metrics of every dimension are equally likely, for `D ≥ 2` also the 8 of the plane,
+    /// and for `D ≥ 3` the one of space. Each has `c₁ > 0` on all of `R^D`, so that a discrete
+    /// minimiser exists. Otherwise it may not: under the metric of the whole sphere one chord over
+    /// infinity costs nothing, and likewise for hyperbolic space and the normal distributions;
+    /// their patches represent these three.
     ///
     /// # Errors
     ///

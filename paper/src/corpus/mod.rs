@@ -88,7 +88,8 @@ pub struct Outcome {
 impl Case {
     /// Draws the problem and solves it.
     ///
-    /// `D` is uniform in 1 to 8, the rule is either with equal chance, and `N` is log-uniform in 1 to
+    /// `D` is uniform in 1 to 8, the rule is either with equal chance, and `N` is log-uniform in 1
+    /// to
     /// 4096.
     ///
     /// # Errors
@@ -98,11 +99,11 @@ impl Case {
         in_its_dimension!(self.outcome_in())
     }
 
-    /// Draws the problem and times its solution from the default starts with each of these numbers of
-    /// subintervals: the least time of several runs, in seconds.
+    /// Draws the problem and times its solution from the default starts with each of these numbers
+    /// of subintervals: the least time of several runs, in seconds.
     ///
-    /// It runs on one thread and reuses memory. The metric is a recorded formula, which takes longer
-    /// at a single point than a compiled one.
+    /// It runs on one thread and reuses memory. The metric is a recorded formula, which takes
+    /// longer at a single point than a compiled one.
     ///
     /// # Errors
     ///

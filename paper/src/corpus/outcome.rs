@@ -7,8 +7,8 @@ use tautline::{Curvature, Minimum, SolveError, Stop};
 pub struct Search {
     /// Whether it reached the goal, and if not, why.
     pub end: End,
-    /// The Newton steps over all grids from the start that led to the result; the final check on each
-    /// grid counts as one.
+    /// The Newton steps over all grids from the start that led to the result; the final check on
+    /// each grid counts as one.
     pub iterations: usize,
 }
 
@@ -54,8 +54,8 @@ const FLOORS: f64 = 2.0;
 
 impl Search {
     /// Judges a result. It reaches the goal if the search reports convergence, no eigenvalue of the
-    /// Hessian is negative beyond rounding, and the decrement is at most `10⁻¹⁸` of the energy or the
-    /// residual at most twice its floor.
+    /// Hessian is negative beyond rounding, and the decrement is at most `10⁻¹⁸` of the energy or
+    /// the residual at most twice its floor.
     #[must_use]
     pub fn new<const D: usize>(minimum: &Minimum<D>) -> Self {
         Self { end: End::of(minimum), iterations: minimum.own_iterations }

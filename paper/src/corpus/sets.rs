@@ -53,12 +53,12 @@ pub struct Pair<const D: usize> {
 }
 
 impl<const D: usize> Pair<D> {
-    /// Returns two sets about random places of the cube `[−reach, reach]^D`, with sizes up to a third
-    /// of `reach`: two points in a quarter of the cases, otherwise a bounded set and any set, in
-    /// either order.
+    /// Returns two sets about random places of the cube `[−reach, reach]^D`, with sizes up to a
+    /// third of `reach`: two points in a quarter of the cases, otherwise a bounded set and any set,
+    /// in either order.
     ///
-    /// A half-space lies beyond its place, as seen from the other set; the others may be disjoint or
-    /// not.
+    /// A half-space lies beyond its place, as seen from the other set; the others may be disjoint
+    /// or not.
     ///
     /// # Errors
     ///

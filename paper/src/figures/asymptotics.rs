@@ -26,8 +26,8 @@ pub(super) const FIGURE: Artefact = Artefact::figure(
     draw,
 );
 
-/// Both rules with their general orders in the plane, with a curve that turns; on a sphere; both ends
-/// on curved sets; an axis of symmetry.
+/// Both rules with their general orders in the plane, with a curve that turns; on a sphere; both
+/// ends on curved sets; an axis of symmetry.
 const CASES: [(&str, &str, Colour, Marker); 5] = [
     ("valleys_oblique", "valleys", palette::VERMILLION, Marker::Disc),
     ("shear_points", "shear", palette::BLUE, Marker::Square),

@@ -30,8 +30,8 @@ pub(super) const TABLE: Artefact = Artefact::table(
 /// The least number of random cases of a statement that could fail.
 const CASES: u64 = 1000;
 
-/// The definition among the statements. Its cases compare two ways to write it and cannot fail; what
-/// it defines is tested with the other statements.
+/// The definition among the statements. Its cases compare two ways to write it and cannot fail;
+/// what it defines is tested with the other statements.
 const DEFINITION: Statement = Statement::ConstantCTra;
 
 /// Overestimations are compared loosely: they depend on where the solver stops.
