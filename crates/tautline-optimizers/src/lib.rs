@@ -1,9 +1,9 @@
 //! Minimisers of the discrete energies.
 //!
-//! [`minimise`] looks for the point sequence with the least discrete energy among those that
-//! begin in one closed set and end in another. The Hessian of a discrete energy is block
-//! tridiagonal, so that a Newton step costs `O(N D³)`; a few steps on a coarse grid, two or
-//! three on each finer one and none on the finest are enough on smooth data.
+//! [`minimise`] seeks the point sequence of least discrete energy from one closed set to another.
+//! The Hessian of a discrete energy is block tridiagonal, so that a Newton step costs `O(N D³)`. On
+//! smooth data a few steps on a coarse grid, two or three on each finer one and none on the finest
+//! are enough.
 //!
 //! ```
 //! use tautline_discretizations::Trapezoidal;
@@ -20,34 +20,36 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! # What a result says, and what not
+//! The algorithm reads from top to bottom in `solver.rs`. A Newton step that would leave the region
+//! where the metric is finite and positive definite is shortened; a saddle is left along the
+//! direction of most negative curvature.
 //!
-//! A [`Minimum`] is a local minimiser as far as its Hessian and its residual show, and the
-//! lowest one that the starts led to. It carries how the search [stopped](Stop), the
-//! [signature of the Hessian](Curvature) and the energies of all the local minimisers that
-//! were met. That it is the global minimiser is not claimed.
+//! # What a result means
+//!
+//! A [`Minimum`] is the lowest local minimiser that the starts led to. It reports how the search
+//! [stopped](Stop), the [signature of the Hessian](Curvature), the residual, and the energies of
+//! all local minimisers that were found. It is not claimed to be the global minimiser.
 //!
 //! On smooth data [`leading_constants`] predicts, along a minimiser, how the errors of both rules
-//! fall: it needs the same factorisation for where the left rule has its points.
-//!
-//! A Newton step that would leave the region where the metric is finite and positive is
-//! shortened; a saddle is left along the direction of its most negative curvature.
+//! fall.
 
 mod asymptotics;
+mod minimise;
 mod newton;
 mod search;
+mod solver;
 
 pub use asymptotics::{
     asymptotics_error::AsymptoticsError,
     extrapolation::{Estimate, extrapolate},
     leading_constants::{LeadingConstants, leading_constants},
 };
+pub use minimise::{Options, minimise, minimise_by_batches, minimise_in};
 pub use newton::{
     newton_step::{NewtonStep, newton_step},
     workspace::Workspace,
 };
 pub use search::{
-    minimise::{Options, minimise, minimise_by_batches, minimise_in},
     minimum::{Curvature, Level, Minimum, Stop},
     solve_error::SolveError,
     starts::Starts,

@@ -2,24 +2,24 @@
 
 use crate::Level;
 
-/// A value that was extrapolated, and how far it may be trusted. Not a bound.
+/// An extrapolated value with an estimate of its error, not a bound.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
     /// The extrapolated value.
     pub value: f64,
-    /// The change by the last order of extrapolation, an estimate of the error.
+    /// The change by the last order of extrapolation.
     pub error: f64,
 }
 
-/// Returns an estimate of `d²`, in `m²`, from the minima on several grids; `None` for fewer
-/// than two grids.
+/// Returns an estimate of `d²`, in `m²`, from the minima on several grids; `None` for fewer than
+/// two.
 ///
 /// On smooth data `E_N = d² + c₁ N⁻ᑫ + c₂ N⁻²ᑫ + …` (see
 /// [`Rule::ERROR_EXPONENT`](tautline_discretizations::Rule::ERROR_EXPONENT)), a polynomial in
 /// `N⁻ᑫ`; Neville's scheme evaluates it at 0. All grids must follow the same minimiser.
 ///
-/// Of the entries of the scheme the one that changed least is taken: the coarsest grids may
-/// lie outside of the asymptotic range, and the finest carry rounding.
+/// The result is the entry of the scheme that changed least: the coarsest grids may lie outside the
+/// asymptotic range, and the finest carry rounding.
 #[must_use]
 pub fn extrapolate(levels: &[Level], exponent: i32) -> Option<Estimate> {
     let variable: Vec<f64> = levels.iter().map(|level| (level.n as f64).powi(-exponent)).collect();
@@ -63,9 +63,9 @@ mod tests {
         }
     }
 
-    /// A coarse grid outside of the asymptotic range is not allowed to spoil the others.
+    /// A coarse grid outside the asymptotic range does not spoil the others.
     #[test]
-    fn a_bad_coarse_grid_is_left_out() {
+    fn a_bad_coarse_grid_is_ignored() {
         let mut levels = levels(|n| 7.0 - 3.0 * n.powi(-2));
         levels[0].energy = 1.0;
         let estimate = extrapolate(&levels, 2).expect("four grids");
@@ -73,8 +73,8 @@ mod tests {
         assert!(estimate.error >= (estimate.value - 7.0).abs());
     }
 
-    /// Of two grids the one change, of three the last one: with `y = N⁻²` they are the first and
-    /// the second difference, at `y = 0`.
+    /// With `y = N⁻²`, the changes are the first difference for two grids and the second for three,
+    /// at `y = 0`.
     #[test]
     fn the_error_is_the_change_by_the_last_order() {
         let energy = |n: f64| 7.0 - 3.0 * n.powi(-2) + 5.0 * n.powi(-4);

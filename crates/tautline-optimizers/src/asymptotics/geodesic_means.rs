@@ -1,4 +1,4 @@
-//! `GeodesicMeans`: how a geodesic bends, and how the metric changes along it, on average.
+//! `GeodesicMeans`: averages of the bending of a geodesic and the change of the metric along it.
 
 use nalgebra::SVector;
 use tautline_metrics::{Jet2, Metric, MetricError, christoffel, norm_squared};
@@ -6,12 +6,12 @@ use tautline_metrics::{Jet2, Metric, MetricError, christoffel, norm_squared};
 use crate::Minimum;
 
 /// Integrals over `t ∈ [0, 1]` along a computed minimiser `γ`, in `m²` (the last in `m⁴`), with
-/// `w = DH[γ̇](γ̇, γ̇)`: by the midpoint rule on the chords, of second order.
+/// `w = DH[γ̇](γ̇, γ̇)`. The midpoint rule on the chords computes them to second order.
 #[derive(Default)]
 pub(crate) struct GeodesicMeans {
     /// `∫ γ̈ᵀHγ̈`.
     pub(crate) bending: f64,
-    /// `∫ (γ̈ᵀHγ̈ − w²/4γ̇ᵀHγ̇)`, the same of the part of `γ̈` across `γ̇`.
+    /// `∫ (γ̈ᵀHγ̈ − w²/4γ̇ᵀHγ̇)`, the bending by the component of `γ̈` across `γ̇`.
     pub(crate) turning: f64,
     /// `∫ D²H[γ̇, γ̇](γ̇, γ̇)`.
     pub(crate) second: f64,
@@ -22,7 +22,7 @@ pub(crate) struct GeodesicMeans {
 }
 
 impl GeodesicMeans {
-    /// Sums over the chords; fails if the metric is not one at the middle of a chord.
+    /// Sums over the chords; fails if the metric is not positive definite at the middle of one.
     pub(crate) fn along<const D: usize>(
         metric: &impl Metric<D>,
         minimum: &Minimum<D>,
@@ -31,7 +31,7 @@ impl GeodesicMeans {
         let mut means = Self::default();
         for (x, d) in minimum.sequence.chords() {
             let (middle, velocity) = (x + d * 0.5, d / weight);
-            // γ̈ by the geodesic equation: second differences would bring in rounding times N².
+            // γ̈ from the geodesic equation: second differences would multiply rounding by N².
             let gamma = christoffel(metric, &middle)?;
             let acceleration =
                 SVector::<f64, D>::from_fn(|k, _| -velocity.dot(&(gamma[k] * velocity)));
@@ -42,8 +42,8 @@ impl GeodesicMeans {
             let growth = square.first(0);
             let bending: f64 = norm_squared(metric, &middle, &acceleration);
             means.bending += weight * bending;
-            // Not d² but the square on this chord: the difference is a square then, and vanishes
-            // where the curve does not turn.
+            // The squared speed on this chord instead of d² makes the difference a square, which
+            // vanishes if the curve does not turn.
             means.turning += weight * (bending - growth * growth / (4.0 * square.value()));
             means.second += weight * square.second(0, 0);
             means.growth += weight * growth;

@@ -1,4 +1,4 @@
-//! `LeadingConstants`: how fast the errors of both rules fall on smooth data, predicted.
+//! `LeadingConstants`: the predicted leading errors of both rules on smooth data.
 
 use nalgebra::SVector;
 use tautline_discretizations::{
@@ -15,8 +15,8 @@ use crate::{
 
 /// The limits, as `N → ∞`, of the errors of the discrete minimisers times `N` or `N²`, in `m²`.
 ///
-/// With a minimal geodesic `γ` between the sets, `w = DH[γ̇](γ̇, γ̇) = −2 γ̇ᵀHγ̈` (the rate at
-/// which the metric grows along `γ`) and integrals over `t ∈ [0, 1]`:
+/// Here `γ` is a minimal geodesic between the sets, `w = DH[γ̇](γ̇, γ̇) = −2 γ̇ᵀHγ̈` the growth
+/// rate of the metric along it, and integrals are over `t ∈ [0, 1]`:
 ///
 /// | field | limit of | is |
 /// | --- | --- | --- |
@@ -27,21 +27,21 @@ use crate::{
 /// | `energy_left` | `N² (E(γᵖˡ) − d²)` | `(1/12) ∫ γ̈ᵀHγ̈ + ½ E″[η, η]` |
 /// | `length_left` | `N² (L(γᵖˡ)² − d²)` | `(1/12) ∫ (γ̈ᵀHγ̈ − w²/4d²) + ½ E″[η, η] − V` |
 ///
-/// Here `γ + η/N` is where the left rule has its points to first order: `η` minimises
-/// `½ E″[η, η] + F′[η]` with `F = −½ ∫ DH[γ̇](γ̇, γ̇)`, and `E″` is the second variation of the
-/// energy among the curves between the sets, the curvature of the sets included. The variance
-/// `V = (∫ w² − (∫ w)²) / 4d²` is the part of `½ E″[η, η]` that only shifts points along `γ`,
-/// which costs energy but no length.
+/// To first order, the points of the left rule lie on `γ + η/N`, where `η` minimises
+/// `½ E″[η, η] + F′[η]` with `F = −½ ∫ DH[γ̇](γ̇, γ̇)`. `E″` is the second variation of the energy
+/// among the curves between the sets, including the curvature of the sets. The variance
+/// `V = (∫ w² − (∫ w)²) / 4d²` is the part of `½ E″[η, η]` that shifts points along `γ`, at a cost
+/// of energy but not of length.
 ///
-/// [`leading_constants`] has the derivation. The limits are computed, not proved.
+/// For the derivation see [`leading_constants`]. The limits are computed, not proved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[doc(alias = "asymptotics")]
 #[non_exhaustive]
 pub struct LeadingConstants {
     /// The limit of `N² (E_tra,N − d²)`, of either sign.
     pub trapezoidal: f64,
-    /// The limit of `N (E_l,N − d²)`, of either sign; 0 where `w` has the mean 0, as by symmetry,
-    /// and `E_l,N − d²` is of second order then. For `H = φ I`, and in one dimension, it is
+    /// The limit of `N (E_l,N − d²)`, of either sign; 0 if `w` has mean 0, as by symmetry, where
+    /// `E_l,N − d²` is of second order. For `H = φ I`, and in one dimension, it is
     /// `−(d²/2) log (φ(γ(1))/φ(γ(0)))`.
     pub left: f64,
     /// The limit of `N² (E(γᵖˡ) − d²) ≥ 0` for the trapezoidal rule.
@@ -55,42 +55,41 @@ pub struct LeadingConstants {
     pub length_left: f64,
 }
 
-/// Relative decrement of the trapezoidal energy up to which a sequence counts as its minimiser:
-/// where the search calls it converged even if rounding stops it.
+/// Relative decrement of the trapezoidal energy up to which a sequence counts as its minimiser. A
+/// search has converged there even if rounding stops it.
 const STATIONARY: f64 = 1e-10;
 
 /// Returns the leading constants of the errors of both rules, in `m²`, along a minimiser of the
-/// [`Trapezoidal`] energy, which is to be computed with a large `N`.
+/// [`Trapezoidal`] energy, to be computed with a large `N`. All are 0 if the sets touch.
 ///
 /// - `ends`: the sets between which `minimum` was computed; only the constants of the left rule's
 ///   curve use them.
 ///
-/// Where they come from. The energies of the points of a smooth curve expand to
-/// `E_tra,N = E + N⁻² F₂ + …` and `E_l,N = E + N⁻¹ F + …`, and a minimum moves by the expansion
-/// at the minimiser itself: the first two limits, after integrations by parts and with the
-/// geodesic equation. The curve `γᵖˡ` misses the smooth one through its points by an
-/// `r` that vanishes at these, with `∫ ṙᵀHṙ = N⁻² (1/12) ∫ γ̈ᵀHγ̈`; the points of the trapezoidal
-/// rule are off by `N⁻²`, which does not count, those of the left rule by `η/N`.
-/// `E − L²` is the variance of the speed. For the trapezoidal rule the speed varies within a
-/// chord alone, by `w/2dN` from end to end. For the left rule `E + F/N` has the conserved quantity
-/// `γ̇ᵀHγ̇ − w/N`, so that the squared speed varies from chord to chord as well, as `w/N` does:
-/// that is `V`.
+/// # Derivation
 ///
-/// Needs: `H` three times continuously differentiable; the minimal geodesic is unique and not
-/// degenerate, else the limits hold for sequences near this one, or fail; ends that are free along
-/// a smooth face of their set, or fixed by a force that does not vanish. The derivation is formal:
-/// the limits are computed and agree with what is measured, they are not proved.
+/// The energies of the points of a smooth curve expand to `E_tra,N = E + N⁻² F₂ + …` and
+/// `E_l,N = E + N⁻¹ F + …`. To leading order a minimum changes by the value of the perturbation at
+/// the minimiser: this gives the first two limits, after integration by parts and with the geodesic
+/// equation. The curve `γᵖˡ` differs from the smooth curve through its points by an `r` that
+/// vanishes there, with `∫ ṙᵀHṙ = N⁻² (1/12) ∫ γ̈ᵀHγ̈`. The points of the trapezoidal rule are off
+/// by `N⁻²`, which is negligible, those of the left rule by `η/N`. `E − L²` is the variance of the
+/// speed. For the trapezoidal rule the speed varies only within a chord, by `w/2dN` from end to
+/// end. For the left rule `E + F/N` conserves `γ̇ᵀHγ̇ − w/N`, so that the squared speed also varies
+/// from chord to chord, like `w/N`: this is `V`.
 ///
-/// Overestimation: none in the limits; the numbers are of second order, off by `(c/N)²` of the size
-/// of the two integrals, with a `c` of the size of the curve over the scale of the metric. For a
-/// sum that cancels, as `left` by symmetry, that is what is left of it.
+/// Needs: `H` three times continuously differentiable; a unique, nondegenerate minimal geodesic
+/// (else the limits hold for sequences near this one, or fail); ends that are free along a smooth
+/// face of their set, or fixed by a nonzero force. The derivation is formal: the limits are
+/// computed and agree with measurements, they are not proved.
 ///
-/// All are 0 if the sets touch.
+/// Accuracy: second order, with an error of `(c/N)²` times the two integrals, where `c` is the size
+/// of the curve over the scale of the metric. If a sum cancels, as `left` by symmetry, only this
+/// error remains.
 ///
 /// # Errors
 ///
-/// [`AsymptoticsError`] if the metric is not one along the curve, or the sequence no
-/// nondegenerate minimiser of the trapezoidal energy between these sets.
+/// [`AsymptoticsError`] if the metric is not positive definite along the curve, or the sequence is
+/// not a nondegenerate minimiser of the trapezoidal energy between these sets.
 pub fn leading_constants<const D: usize>(
     metric: &impl Metric<D>,
     ends: &Ends<D>,
@@ -122,7 +121,7 @@ pub fn leading_constants<const D: usize>(
     })
 }
 
-/// The left rule looked at from the other end.
+/// The left-endpoint rule of the reversed curve.
 #[derive(Clone, Copy, Debug)]
 struct RightEndpoint;
 
@@ -132,8 +131,8 @@ impl Rule for RightEndpoint {
 }
 
 /// `½ E″[η, η]`, in `m²`: half the square of the Newton decrement of `E_tra,N + N⁻¹ F` at the
-/// minimiser of `E_tra,N`, times `N²`, where `(N/2) (E_l,N − E_r,N)` stands for `F`: unlike
-/// `N (E_l,N − E_tra,N)` it is so to second order.
+/// minimiser of `E_tra,N`, times `N²`. Here `(N/2) (E_l,N − E_r,N)` approximates `F` to second
+/// order, unlike `N (E_l,N − E_tra,N)`.
 fn displacement_energy<const D: usize>(
     metric: &impl Metric<D>,
     ends: &Ends<D>,
@@ -141,7 +140,7 @@ fn displacement_energy<const D: usize>(
 ) -> Result<f64, AsymptoticsError> {
     let sequence = &minimum.sequence;
     let (points, n) = (sequence.points(), sequence.n().get());
-    // Of the pieces of the sets those in which the curve begins and ends.
+    // The pieces of the sets in which the curve begins and ends.
     let gap = |set: &dyn ClosedSet<D>, x: &SVector<f64, D>| (set.project(x) - x).norm();
     let pairs = ends.pairs().map(|(first, second)| {
         (gap(&*first, sequence.first()) + gap(&*second, sequence.last()), [first, second])
@@ -149,7 +148,7 @@ fn displacement_energy<const D: usize>(
     let nearest = pairs.min_by(|a, b| a.0.total_cmp(&b.0));
     let (_, [first, second]) = nearest.ok_or(AsymptoticsError::Degenerate)?;
     let model = QuadraticModel::new(Trapezoidal, metric, sequence);
-    // The Hessian as it is: the system takes the margin off.
+    // The system subtracts the margin: with it as the shift, the Hessian is unchanged.
     let system = ReducedSystem::new(&model, [&*first, &*second], points, margin(n));
     let factorization = system.factorize().ok_or(AsymptoticsError::Degenerate)?;
     let decrement = system.newton_step(&factorization).decrement / model.energy;
@@ -182,7 +181,7 @@ mod tests {
 
     const N: usize = 4096;
 
-    /// `(c/N)²` with `c = 4π`, the longest of the curves here in units of the scale of its metric.
+    /// `(c/N)²` with `c = 4π`, the longest curve here in units of the scale of its metric.
     const SECOND_ORDER: f64 = 1e-5;
 
     fn solve<R: Rule, const D: usize>(
@@ -210,8 +209,7 @@ mod tests {
         ]
     }
 
-    /// Up to an error of second order relative to the largest of the six, which is what the sums
-    /// that cancel are made of.
+    /// Up to an error of second order relative to the largest of the six, since some sums cancel.
     #[track_caller]
     fn assert_values(computed: &LeadingConstants, expected: [f64; 6]) {
         let scale = expected.iter().fold(0.0_f64, |scale, value| scale.max(value.abs()));
@@ -238,8 +236,8 @@ mod tests {
     }
 
     /// With `φ = f²` and `dt = f dx/d`: `γ̈ = −f′ γ̇²/f`, so `∫ γ̈ᵀHγ̈ = d³ ∫ f′²/f³ dx`, and
-    /// `D²H[γ̇, γ̇](γ̇, γ̇) = 2 (f′² + f f″) γ̇⁴`, `w = 2d³ f′/f²`. What is reconstructed is the
-    /// segment itself.
+    /// `D²H[γ̇, γ̇](γ̇, γ̇) = 2 (f′² + f f″) γ̇⁴`, `w = 2d³ f′/f²`. The reconstruction is the
+    /// segment.
     #[test]
     fn in_one_dimension_everything_is_explicit() {
         let ramp = Ramp::new(0.5, 1.0).expect("a ramp");
@@ -256,20 +254,20 @@ mod tests {
         let computed = constants(&ramp, &Ends::points([a], [b]).expect("finite"));
         let expected = [-bent / 12.0, left, bending / 12.0, 0.0, energy_left, 0.0];
         assert_values(&computed, expected);
-        // From the other end the left rule errs to the other side.
+        // For the reversed curve the error of the left rule changes sign.
         let back = constants(&ramp, &Ends::points([b], [a]).expect("finite"));
         assert_values(&back, [-bent / 12.0, -left, bending / 12.0, 0.0, energy_left, 0.0]);
     }
 
-    /// `−(8π)³ π/9√3` and minus one half of it, by `∫₀^{2π} sin² x (2 − cos x)⁻³ dx = π/3√3`, and
-    /// `13` times the half for the left rule, with `∫ w = 0` by symmetry.
+    /// `−(8π)³ π/9√3` and minus half of it, by `∫₀^{2π} sin² x (2 − cos x)⁻³ dx = π/3√3`, and `13`
+    /// times that half for the left rule, with `∫ w = 0` by symmetry.
     #[test]
-    fn over_the_valleys_the_constants_are_those_of_section_5() {
+    fn over_the_valleys_the_constants_are_explicit() {
         let ends = Ends::points([0.0, 0.0], [4.0 * PI, 0.0]).expect("finite");
         let half = (8.0 * PI).powi(3) * PI / (18.0 * 3_f64.sqrt());
         let computed = constants(&Valleys, &ends);
         assert_values(&computed, [-2.0 * half, 0.0, half, 0.0, 13.0 * half, 0.0]);
-        // The three sums that vanish do so each for a reason of its own.
+        // Tighter for the sums that cancel.
         assert!(computed.left.abs() < 1e-9 && computed.length_trapezoidal.abs() < 1e-9);
     }
 
@@ -302,8 +300,8 @@ mod tests {
         assert_values(&computed, expected);
     }
 
-    /// Under `φ I` the left rule errs by `log φ` at the ends alone, hence to first order follows
-    /// the geodesic, if not at its speed.
+    /// Under `φ I` the error of the left rule depends on `log φ` at the ends only. To first order
+    /// it follows the geodesic, at another speed.
     #[test]
     fn under_a_conformal_metric_both_rules_have_the_same_length() {
         let (a, b) = ([0.0, 0.0], [2.0, 1.5]);
@@ -316,8 +314,8 @@ mod tests {
         assert_relative_eq!(computed.left, -0.5 * d * d * log, max_relative = SECOND_ORDER);
     }
 
-    /// Both ends of the left rule's curve slide along circles. Measured on grids of 512 and 1024
-    /// chords: two terms of the expansion in `1/N` are eliminated but for `(10/N)²`.
+    /// Both ends of the left rule's curve slide along circles. Grids of 512 and 1024 chords
+    /// eliminate two terms of the expansion in `1/N`, up to `(10/N)²`.
     #[test]
     fn between_curved_sets_the_left_curve_is_as_predicted() {
         let lens = Lens::new(1.0, 1.0).expect("a lens");
@@ -332,7 +330,7 @@ mod tests {
         let measured = 2.0 * scaled(1024) - scaled(512);
         let computed = leading_constants(&lens, &ends, &fine).expect("a minimum");
         assert_relative_eq!(computed.energy_left, measured, max_relative = 1e-4);
-        // With the ends held fast it would be another number.
+        // Fixed ends give another number.
         let line = &fine.sequence;
         let fixed = Ends::points(*line.first(), *line.last()).expect("finite");
         let fixed = leading_constants(&lens, &fixed, &fine).expect("a minimum");
@@ -340,7 +338,7 @@ mod tests {
     }
 
     #[test]
-    fn of_several_pieces_those_count_that_the_curve_joins() {
+    fn only_the_pieces_that_the_curve_joins_count() {
         let (a, b) = ([0.0, 0.0], [2.0, 1.5]);
         let points = Ends::points(a, b).expect("finite");
         let several = |x| FiniteSet::new([[9.0, 9.0], x, [-7.0, 3.0]]).expect("finite");
@@ -359,7 +357,7 @@ mod tests {
     }
 
     #[test]
-    fn the_minimiser_of_another_problem_is_refused() {
+    fn a_minimiser_of_another_problem_is_refused() {
         let ends = Ends::points([0.0, 0.0], [2.0, 1.5]).expect("finite");
         let elsewhere = Ends::points([0.1, 0.0], [2.0, 1.5]).expect("finite");
         let left = solve(&Valleys, &ends, LeftEndpoint, 256);
@@ -374,7 +372,7 @@ mod tests {
     }
 
     #[test]
-    fn one_of_a_continuum_of_minimisers_is_refused() {
+    fn a_minimiser_in_a_continuum_is_refused() {
         let metric = Constant::new(matrix![1.0, 0.0; 0.0, 1.0]).expect("definite");
         let sphere = |r: f64| Sphere::new([0.0, 0.0], r).expect("a radius");
         let ends = Ends::new(sphere(1.0), sphere(2.0)).expect("bounded");

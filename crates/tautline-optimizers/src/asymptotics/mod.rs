@@ -1,4 +1,4 @@
-//! What the minimisers of finer and finer grids tend to.
+//! The limit of the minimisers on finer and finer grids.
 
 pub(crate) mod asymptotics_error;
 pub(crate) mod extrapolation;

@@ -1,4 +1,4 @@
-//! `Chain`: the chords of a point sequence, in the order of an elimination from both ends.
+//! `Chain`: the chords of a point sequence, in the order of elimination from both ends.
 
 use std::ops::Range;
 
@@ -18,13 +18,14 @@ use crate::newton::{
     two_threads::join,
 };
 
-/// Whether the two sides of an elimination share the lanes of a register, one chord of each at a time. Up to
-/// three dimensions that takes less time than one side after the other: the matrices stay in registers.
+/// Whether both sides of an elimination share the lanes of a register, one chord of each at a time.
+/// Up to three dimensions the matrices stay in registers, and this is faster than one side after
+/// the other.
 pub(crate) const fn goes_in_lanes(dimension: usize) -> bool {
     dimension < 4
 }
 
-/// A point sequence, and all that an elimination reads on the way.
+/// A point sequence, and what its elimination reads.
 pub(crate) struct Chain<'a, const D: usize> {
     pub(crate) nodes: &'static [Node],
     pub(crate) metric: &'a dyn Batches<D>,
@@ -36,10 +37,10 @@ pub(crate) struct Chain<'a, const D: usize> {
     pub(crate) residual: &'a Residual<D>,
 }
 
-/// How far one side has come.
+/// The state of one side of an elimination.
 pub(crate) struct Side<const D: usize> {
     pub(crate) front: Front<D>,
-    /// The coordinates at its end, once that is eliminated.
+    /// The coordinates at its end, once the end is eliminated.
     pub(crate) frame: Option<EndFrame<D>>,
 }
 
@@ -55,22 +56,22 @@ impl<const D: usize> Chain<'_, D> {
         self.sequence.n().get()
     }
 
-    /// How many chords each side takes; with an odd number, there is one more in the middle.
+    /// The number of chords on each side; if `N` is odd, one more is in the middle.
     pub(crate) fn half(&self) -> usize {
         self.n() / 2
     }
 
-    /// The numbers of the chords that have these, as counted from an end.
+    /// The indices of chords that are counted from an end.
     fn numbers(&self, end: usize, counted: Range<usize>) -> Range<usize> {
         if end == 0 { counted } else { self.n() - counted.end..self.n() - counted.start }
     }
 
-    /// Memory for the models of so many chords.
+    /// Memory for the models of blocks of `chords`.
     pub(crate) fn batch(&self, chords: usize) -> ChordBatch<'_, D> {
         ChordBatch::new(self.metric, Kind::Contraction, self.nodes, self.n() as f64, chords)
     }
 
-    /// The coordinates at an end, by the gradient there.
+    /// The coordinates at an end, given the gradient there.
     pub(crate) fn frame(&self, end: usize, gradient: &SVector<f64, D>) -> EndFrame<D> {
         let x = if end == 0 { self.sequence.first() } else { self.sequence.last() };
         EndFrame::new(self.ends[end], x, gradient, self.tau)
@@ -122,8 +123,8 @@ impl<const D: usize> Chain<'_, D> {
         Some([Side { front, frame: first }, Side { front: back, frame: last }])
     }
 
-    /// Eliminates one side and the other, or both `at_once`; `None` if the Hessian is not positive
-    /// definite.
+    /// Eliminates one side after the other, or both `at_once`; `None` if the Hessian is not
+    /// positive definite.
     pub(crate) fn in_turn(&self, memory: Memory<'_, D>, at_once: bool) -> Option<[Side<D>; 2]> {
         let half = self.half();
         let [one, other] = match memory {

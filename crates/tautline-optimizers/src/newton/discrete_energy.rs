@@ -1,4 +1,4 @@
-//! `DiscreteEnergy`: the energy that a rule makes of a metric, as a search sees it.
+//! `DiscreteEnergy`: the discrete energy of a rule under a metric.
 
 use nalgebra::SVector;
 use tautline_discretizations::{
@@ -14,11 +14,11 @@ use crate::newton::{
     sweep::{MemoryOfSweep, Sweep, sweep},
 };
 
-/// A function of point sequences, `E_N(x) = N Σₖ Σⱼ wⱼ g(xₖ + tⱼ dₖ)(dₖ, dₖ)` with `dₖ = xₖ₊₁ − xₖ`,
-/// and its derivatives.
+/// A function of point sequences, `E_N(x) = N Σₖ Σⱼ wⱼ g(xₖ + tⱼ dₖ)(dₖ, dₖ)` with
+/// `dₖ = xₖ₊₁ − xₖ`, and its derivatives.
 ///
-/// The metric is behind a pointer, which is followed once for many chords: nothing here is compiled once
-/// more for a formula or a rule.
+/// The metric is behind a pointer, followed once for many chords: nothing is compiled again for
+/// another formula or rule.
 #[derive(Clone, Copy)]
 pub(crate) struct DiscreteEnergy<'m, const D: usize> {
     nodes: &'static [Node],
@@ -28,17 +28,17 @@ pub(crate) struct DiscreteEnergy<'m, const D: usize> {
 }
 
 impl<'m, const D: usize> DiscreteEnergy<'m, D> {
-    /// The energy of this rule under this metric.
     pub(crate) fn new<R: Rule>(_rule: R, metric: &'m dyn Batches<D>) -> Self {
         Self { nodes: R::NODES, error_exponent: R::ERROR_EXPONENT, metric }
     }
 
-    /// By which instructions to work on.
+    /// The processor instructions that the metric uses.
     pub(crate) fn instruction_set(&self) -> InstructionSet {
         self.metric.instruction_set()
     }
 
-    /// The energies of the chords from `x` to `y`, each without the factor `N`: `Σⱼ wⱼ g(x + tⱼ d)(d, d)`.
+    /// The energies of the chords from `x` to `y`, each without the factor `N`:
+    /// `Σⱼ wⱼ g(x + tⱼ d)(d, d)`.
     pub(crate) fn of_chords(&self, chords: &[[&SVector<f64, D>; 2]]) -> Vec<f64> {
         let mut batch = ChordBatch::new(self.metric, Kind::Square, self.nodes, 1.0, chords.len());
         let mut energies = Vec::with_capacity(chords.len());
@@ -51,8 +51,8 @@ impl<'m, const D: usize> DiscreteEnergy<'m, D> {
         energies
     }
 
-    /// The energy of a trial; `None` if it is not finite or a chord has a negative one at a node, that
-    /// is, if the step left the region where the metric is one.
+    /// The energy of a trial; `None` if it is not finite, or if a chord has negative energy at a
+    /// node: the step has left the region where the metric is positive.
     pub(crate) fn admissible(&self, points: &[SVector<f64, D>]) -> Option<f64> {
         admissible_energy(self.nodes, self.metric, points)
     }
@@ -79,12 +79,12 @@ impl<'m, const D: usize> DiscreteEnergy<'m, D> {
         sweep(self.nodes, self.metric, ends, sequence, about, at_once, memory)
     }
 
-    /// Whether the Gram matrix is finite, symmetric and positive definite at a point.
+    /// Checks that the Gram matrix is finite, symmetric and positive definite at a point.
     pub(crate) fn check_at(&self, x: &SVector<f64, D>) -> Result<(), MetricError> {
         check_matrix(self.metric.gram(x), x).map(|_| ())
     }
 
-    /// Whether it is so at every node.
+    /// Checks the Gram matrix at every node.
     pub(crate) fn check_nodes(&self, sequence: &PointSequence<D>) -> Result<(), MetricError> {
         let n = sequence.n().get();
         let mut batch = ChordBatch::new(self.metric, Kind::Checked, self.nodes, 1.0, n);
@@ -94,7 +94,7 @@ impl<'m, const D: usize> DiscreteEnergy<'m, D> {
         if batch.is_metric {
             return Ok(());
         }
-        // One by one: which of them is none, and why.
+        // One by one, to find the first defect.
         for (x, chord) in sequence.chords() {
             for node in self.nodes {
                 self.check_at(&(x + chord * node.fraction))?;
@@ -103,7 +103,7 @@ impl<'m, const D: usize> DiscreteEnergy<'m, D> {
         Ok(())
     }
 
-    /// Whether it is so between them too, as far as [`Interpolation::check`] looks.
+    /// Checks the Gram matrix between the nodes too, by [`Interpolation::check`].
     pub(crate) fn check_between(&self, sequence: &PointSequence<D>) -> Result<(), MetricError> {
         Interpolation::new(sequence).check_by_batches(self.metric)
     }
@@ -142,15 +142,15 @@ mod tests {
     }
 
     #[test]
-    fn the_energy_is_that_of_its_chords() {
+    fn the_energy_is_the_sum_over_chords() {
         assert_sum_of_chords(Trapezoidal, 2);
         assert_sum_of_chords(LeftEndpoint, 1);
         assert_sum_of_chords(TrueTrapezoid, 2);
     }
 
-    /// A long chord, and so many short ones that each alone is rounded away beside it.
+    /// A long chord, and short ones each of which would be rounded away beside it.
     #[test]
-    fn the_energy_of_a_trial_keeps_what_a_plain_sum_loses() {
+    fn the_energy_of_a_trial_is_summed_with_compensation() {
         let flat = Constant::new(nalgebra::SMatrix::<f64, 1, 1>::identity()).expect("definite");
         let metric = Plain::new(&flat);
         let energy = DiscreteEnergy::<1>::new(Trapezoidal, &metric);
@@ -166,7 +166,7 @@ mod tests {
         assert_eq!(energy.linear_model(&sequence).energy, expected);
     }
 
-    /// Simpson's rule, with a node inside of each chord besides those at its ends.
+    /// Simpson's rule: a node inside each chord, and one at either end.
     #[derive(Clone, Copy, Debug)]
     struct Simpson;
 
@@ -179,14 +179,14 @@ mod tests {
         const ERROR_EXPONENT: i32 = 2;
     }
 
-    /// The metric is looked at in each node of each chord, the last ones included.
+    /// Every node of every chord is checked, the last ones included.
     #[test]
-    fn a_node_without_a_metric_is_named_whichever_it_is() {
+    fn a_defect_is_reported_at_whichever_node_it_is() {
         assert_sum_of_chords(Simpson, 2);
         for chord in 0..3 {
             for node in 0..3 {
                 let place = f64::from(chord) + 0.5 * f64::from(node);
-                // x₁ − place, which is no metric at one place, and squared one everywhere else.
+                // (x₁ − place)²: a metric everywhere but at one place.
                 struct Hole(f64);
                 impl Metric<1> for Hole {
                     fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
@@ -195,9 +195,9 @@ mod tests {
                 }
                 let hole = Hole(place);
                 let (plain, prepared) = (Plain::new(&hole), Prepared::new(&hole));
-                // In one batch and in several, of which the hole is in the first or the last but one.
+                // In one batch, and in several, with the hole in the first or the last but one.
                 for (n, from) in [(3, 0.0), (100, 0.0), (100, -96.0)] {
-                    // Whole numbers, so that the nodes are exactly there.
+                    // Whole numbers: a node is exactly at the hole.
                     let points = (0..=n).map(|k| vector![from + f64::from(k)]).collect();
                     let sequence = PointSequence::new(points).expect("finite");
                     for metric in [&plain as &dyn Batches<1>, &prepared] {
@@ -218,7 +218,7 @@ mod tests {
         assert!(energy.check_at(&vector![-1.0, 0.0]).is_err());
     }
 
-    /// `H = x₁ I`, a metric to the right of 0 only.
+    /// `H = x₁ I`, a metric only to the right of 0.
     struct ToTheRight;
 
     impl Metric<2> for ToTheRight {
@@ -236,7 +236,7 @@ mod tests {
         };
         // 2 (9/2 · 7² + 1 · 1/4).
         assert_eq!(over(1.0), Some(441.5));
-        // As large a sum, less some for the second chord.
+        // The sum is positive, but the second chord is negative.
         assert_eq!(over(-1.0), None);
         assert_eq!(over(f64::NAN), None);
     }

@@ -1,28 +1,30 @@
-//! `EndFrame`: an end point in its set, as a Newton step sees it.
+//! `EndFrame`: the coordinates in which a Newton step moves an end point along its set.
 
 use nalgebra::{DMatrix, SMatrix, SVector};
 use tautline_sets::ClosedSet;
 
 /// Coordinates at an end point `x` of a closed set with the nearest-point map `P`.
 ///
-/// The end point is stationary if `x = P(z)` with `z = x − τ g`, where `g` is the gradient of
-/// the energy by `x`: the force `−g` then points out of the set, along a normal. One
-/// (semismooth) Newton step for this equation is
+/// With the gradient `g` of the energy by `x`, the end point is stationary if `x = P(z)` for
+/// `z = x − τ g`: the force `−g` points out of the set, along a normal. One semismooth Newton step
+/// for this equation is
 ///
 /// ```text
 /// F + δ − J (δ − τ A δ) = 0,     F = x − P(z),   J = P′(z),   A δ: the change of g
 /// ```
 ///
-/// In the eigenvectors of the symmetric `J`, with the eigenvalues `σ`, it falls apart:
-/// `σ = 0` (across the active face): `δ = −F`, the coordinate is *fixed*;
-/// `σ > 0` (along it): `A δ + (1−σ)/(σ τ) δ = −F/(σ τ)`, a Newton equation again, with a term
-/// for the curvature of the face (`σ = 1` on a flat one). So faces, edges, corners and
-/// curved boundaries are one case, and the system stays symmetric.
+/// The eigenvectors of the symmetric `J` decouple it, with eigenvalues `σ`:
+///
+/// - `σ = 0`, across the active face: `δ = −F`, the coordinate is *fixed*;
+/// - `σ > 0`, along the face: `A δ + (1−σ)/(σ τ) δ = −F/(σ τ)`, again a Newton equation, with a term
+///   for the curvature of the face (`σ = 1` if it is flat).
+///
+/// This treats faces, edges, corners and curved boundaries alike, and keeps the system symmetric.
 #[derive(Clone, Debug)]
 pub(crate) struct EndFrame<const D: usize> {
     /// The eigenvectors of `J`, as columns.
     pub(crate) basis: SMatrix<f64, D, D>,
-    /// For each column of the basis, how the end moves along it.
+    /// How the end moves along each column of the basis.
     pub(crate) coordinates: [Coordinate; D],
     /// `F / τ`, the projected gradient, in the coordinates of `R^D`.
     pub(crate) projected_gradient: SVector<f64, D>,
@@ -35,25 +37,25 @@ pub(crate) struct EndFrame<const D: usize> {
 pub(crate) struct EndRow<const D: usize> {
     /// The diagonal block.
     pub(crate) block: SMatrix<f64, D, D>,
-    /// The block beside it, as seen from the end: row `i` belongs to its coordinate `i`.
+    /// The block beside it, as seen from the end: row `i` belongs to coordinate `i` of the end.
     pub(crate) coupling: SMatrix<f64, D, D>,
     /// The right hand side.
     pub(crate) right: SVector<f64, D>,
-    /// That of the neighbour.
+    /// The right hand side of the neighbour.
     pub(crate) beside: SVector<f64, D>,
 }
 
 /// One coordinate of an end point.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Coordinate {
-    /// Across the active face: moves by this much, to lie on it.
+    /// Across the active face: `step` leads to the face.
     Fixed { step: f64 },
     /// Along the active face: `A δ + curvature · δ = force`.
     Free { curvature: f64, force: f64 },
 }
 
-/// Below this an eigenvalue of `J` counts as zero. A sphere of radius `r` at the distance
-/// `|z|` has `r/|z|`, so only a set of a size below `10⁻¹⁰` of a chord is mistaken for a point.
+/// Eigenvalues of `J` below this count as zero. A sphere of radius `r` at the distance `|z|` has
+/// `r/|z|`: only a set smaller than `10⁻¹⁰` of a chord is mistaken for a point.
 const FLAT: f64 = 1e-10;
 
 impl<const D: usize> EndFrame<D> {
@@ -98,9 +100,9 @@ impl<const D: usize> EndFrame<D> {
         Self { basis, coordinates, projected_gradient, gradient }
     }
 
-    /// Goes over to these coordinates in the row of a block system that belongs to the end point.
+    /// Transforms the row of the end point in a block system to these coordinates.
     ///
-    /// A fixed coordinate keeps its place, as an equation of its own that is already solved.
+    /// A fixed coordinate keeps its place, as a separate equation that is already solved.
     pub(crate) fn enter(&self, row: EndRow<D>, tau: f64) -> EndRow<D> {
         let EndRow { block, coupling, right, mut beside } = row;
         let mut block = self.basis.tr_mul(&(block * self.basis));
@@ -130,8 +132,8 @@ impl<const D: usize> EndFrame<D> {
         EndRow { block, coupling, right, beside }
     }
 
-    /// Returns the force on the end point, in the coordinates of `R^D`: along the active face
-    /// that of the Newton equation, across it the `step/τ` that would lead back to it.
+    /// Returns the force on the end point, in the coordinates of `R^D`: the right hand side of the
+    /// Newton equation along the active face, and `step/τ`, back to the face, across it.
     pub(crate) fn force(&self, tau: f64) -> SVector<f64, D> {
         let component = |coordinate: &Coordinate| match *coordinate {
             Coordinate::Free { force, .. } => force,
@@ -140,7 +142,7 @@ impl<const D: usize> EndFrame<D> {
         self.basis * SVector::from(self.coordinates.each_ref().map(component))
     }
 
-    /// The frame of an end that does not move.
+    /// Whether the end does not move.
     #[cfg(test)]
     pub(crate) fn is_fixed(&self) -> bool {
         self.coordinates.iter().all(|c| matches!(c, Coordinate::Fixed { .. }))
@@ -165,7 +167,7 @@ mod tests {
         assert_eq!(free(&frame([0.0, 0.0], [1.0, 1.0])), 2);
         assert_eq!(free(&frame([1.0, 0.0], [-1.0, 0.3])), 1);
         assert_eq!(free(&frame([1.0, 1.0], [-1.0, -1.0])), 0);
-        // A force that points inwards leaves the face again.
+        // A force that points inwards leaves the face.
         assert_eq!(free(&frame([1.0, 0.0], [1.0, 0.0])), 2);
     }
 
@@ -177,8 +179,8 @@ mod tests {
         assert_eq!(frame.projected_gradient.norm(), 0.0);
     }
 
-    /// On the boundary of a disc of radius `r` with the force `λ` outwards, the Lagrangian has
-    /// the second derivative `λ/r` along the boundary.
+    /// On the boundary of a disc of radius `r` under the outward force `λ`, the second derivative
+    /// of the Lagrangian along the boundary is `λ/r`.
     #[test]
     fn the_curvature_term_is_the_multiplier_over_the_radius() {
         let ball = Ball::new([0.0, 0.0], 0.5).expect("positive radius");
@@ -193,11 +195,11 @@ mod tests {
             .collect();
         assert_eq!(curvatures.len(), 1);
         approx::assert_relative_eq!(curvatures[0], 3.0 / 0.5, max_relative = 1e-12);
-        // On the set and normal: nothing is left of the gradient but rounding, 1e-16 / τ.
+        // On the set, with a normal force: the projected gradient is rounding, 1e-16 / τ.
         assert!(frame.projected_gradient.norm() < 1e-13);
     }
 
-    /// However small it is beside the chord: here the eigenvalue `r/|z|` is `10⁻⁶`.
+    /// The eigenvalue `r/|z|` is `10⁻⁶` here.
     #[test]
     fn a_small_disc_is_not_a_point() {
         let ball = Ball::new([0.0, 0.0], 1e-6).expect("positive radius");

@@ -1,4 +1,4 @@
-//! The factorisation of a block-tridiagonal matrix, which also tells its inertia.
+//! Factorisation and inertia of a block-tridiagonal matrix.
 
 use nalgebra::{DMatrix, SMatrix, SVector};
 use tautline_discretizations::BlockTridiagonal;
@@ -9,11 +9,11 @@ use crate::newton::ldl::Ldl;
 /// A symmetric block-tridiagonal matrix `A + μ R`, where `R` is the regulariser
 /// `s (N Λ + I/N)` with the path Laplacian `Λ`: the discrete `∫ s (|δ̇|² + |δ|²) dt`.
 ///
-/// Both parts of `R` scale with `N` as `A` does, so that a given `μ` damps the same on
-/// every grid, and for large `μ` the sum is positive definite whatever `A` is.
+/// Both parts of `R` scale with `N` as `A` does, so that a given `μ` damps equally on every grid.
+/// For large `μ` the sum is positive definite whatever `A` is.
 ///
-/// The blocks that touch an end point, the first and last of the diagonal and of the upper
-/// ones, may be replaced: they are what confines the ends to their sets.
+/// The blocks at the ends, the first and last diagonal and upper ones, can be replaced to confine
+/// the ends to their sets.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Shifted<'a, const D: usize> {
     matrix: &'a BlockTridiagonal<D>,
@@ -24,7 +24,7 @@ pub(crate) struct Shifted<'a, const D: usize> {
     pub(crate) end_upper: [SMatrix<f64, D, D>; 2],
 }
 
-/// `μ R`, by `N` and the product `μ s`.
+/// `μ R`, given `N` and the product `μ s`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Regulariser {
     pub(crate) n: f64,
@@ -32,18 +32,18 @@ pub(crate) struct Regulariser {
 }
 
 impl Regulariser {
-    /// The diagonal entries at a point with this many neighbours.
+    /// The diagonal entries at a point, with one neighbour or two.
     pub(crate) fn diagonal(self, neighbours: f64) -> f64 {
         self.weight * (neighbours * self.n + 1.0 / self.n)
     }
 
-    /// The part of the diagonal entries that a chord has at each of its points: twice that, or once
-    /// and [that of an end](Self::of_end), is all of them.
+    /// The contribution of a chord to the diagonal entries at each of its points. An inner point
+    /// has two; an end has one, and the remainder [`of_end`](Self::of_end).
     pub(crate) fn of_chord(self) -> f64 {
         self.weight * (self.n + 0.5 / self.n)
     }
 
-    /// The part at an end that its one chord has not.
+    /// The diagonal entries at an end, less the contribution of its only chord.
     pub(crate) fn of_end(self) -> f64 {
         self.weight * (0.5 / self.n)
     }
@@ -92,8 +92,8 @@ impl<'a, const D: usize> Shifted<'a, D> {
         }
     }
 
-    /// Returns how many eigenvalues are negative, by Sylvester's law: the sum over the
-    /// pivots of block elimination. Slow; for matrices that are not positive definite.
+    /// Returns the number of negative eigenvalues, summed over the pivots of block elimination
+    /// (Sylvester's law). Slow; for matrices that are not positive definite.
     pub(crate) fn negative_eigenvalues(&self) -> usize {
         let mut negative = 0;
         let mut schur = self.diagonal(0);
@@ -107,7 +107,7 @@ impl<'a, const D: usize> Shifted<'a, D> {
             let upper = self.upper(k);
             let upper = DMatrix::from_fn(D, D, |i, j| upper[(i, j)]);
             let rotated = eigen.eigenvectors.transpose() * upper;
-            // A pivot that is exactly zero is moved by less than rounding moves it.
+            // An exactly zero pivot is replaced by one within rounding.
             let smallest = f64::EPSILON * eigen.eigenvalues.amax().max(f64::MIN_POSITIVE);
             let weight = eigen
                 .eigenvalues
@@ -134,8 +134,9 @@ impl<T: Lanes, const D: usize> Pivot<D, T> {
         Self { diagonal: Ldl::zero(), lower: SMatrix::zeros() }
     }
 
-    /// Eliminates `Sₙ`, and updates the next diagonal block from `Aₙ₊₁` to `Sₙ₊₁`; `lower` is `Uₙᵀ`. `None` if
-    /// `Sₙ` is not positive definite. Symmetric blocks are held by their lower triangles, `i ≥ j`.
+    /// Eliminates `Sₙ`, and updates the next diagonal block from `Aₙ₊₁` to `Sₙ₊₁`; `lower` is
+    /// `Uₙᵀ`. `None` if `Sₙ` is not positive definite. Symmetric blocks are stored in their lower
+    /// triangles, `i ≥ j`.
     #[inline(always)]
     pub(crate) fn new(
         schur: &SMatrix<T, D, D>,
@@ -155,8 +156,8 @@ impl<T: Lanes, const D: usize> Pivot<D, T> {
         Some(Self { diagonal, lower: scaled })
     }
 
-    /// Eliminates the right hand side: subtracts `Wₙ Dₙ⁻¹ yₙ` from the next; returns `yₙ = Lₙ⁻¹ rₙ` and
-    /// `zₙ = Dₙ⁻¹ yₙ`.
+    /// Eliminates the right hand side `rₙ`: subtracts `Wₙ Dₙ⁻¹ yₙ` from `next`, and returns
+    /// `yₙ = Lₙ⁻¹ rₙ` and `zₙ = Dₙ⁻¹ yₙ`.
     #[inline(always)]
     pub(crate) fn forward(
         &self,
@@ -168,18 +169,18 @@ impl<T: Lanes, const D: usize> Pivot<D, T> {
         [y, z]
     }
 
-    /// Returns `xₙ = Lₙ⁻ᵀ (zₙ − Dₙ⁻¹ Wₙᵀ xₙ₊₁)`, by the next.
+    /// Returns `xₙ = Lₙ⁻ᵀ (zₙ − Dₙ⁻¹ Wₙᵀ xₙ₊₁)`, where `next` is `xₙ₊₁`.
     #[inline(always)]
     pub(crate) fn backward(&self, z: SVector<T, D>, next: &SVector<T, D>) -> SVector<T, D> {
         self.diagonal.backward(z - self.lower.tr_mul(next))
     }
 }
 
-/// The factorisation by blocks of a positive definite block-tridiagonal matrix, from the first block
-/// to the last.
+/// The block factorisation of a positive definite block-tridiagonal matrix, from the first block to
+/// the last, in `O(N D³)`.
 ///
-/// With the Schur complements `S₀ = A₀`, `Sₙ₊₁ = Aₙ₊₁ − Uₙᵀ Sₙ⁻¹ Uₙ`, each but the last a [`Pivot`]:
-/// `O(N D³)`.
+/// The Schur complements are `S₀ = A₀` and `Sₙ₊₁ = Aₙ₊₁ − Uₙᵀ Sₙ⁻¹ Uₙ`, each a [`Pivot`] but the
+/// last.
 #[derive(Clone, Debug)]
 pub(crate) struct Factorization<const D: usize> {
     pivots: Vec<Pivot<D>>,
@@ -225,7 +226,7 @@ mod tests {
 
     const N: usize = 4;
 
-    /// A random symmetric matrix with the structure, and itself as a full matrix.
+    /// A random block-tridiagonal matrix, and the same as a full matrix.
     fn matrix(entries: &[f64], diagonal: f64) -> (BlockTridiagonal<2>, DMatrix<f64>) {
         let mut blocks = BlockTridiagonal::<2>::zeros(N);
         let mut next = entries.iter().copied();

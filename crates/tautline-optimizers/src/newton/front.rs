@@ -1,4 +1,4 @@
-//! `Front`: how far an elimination from an end has come.
+//! `Front`: the state of an elimination from one end.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_discretizations::{ChordModel, CompensatedSum};
@@ -11,37 +11,38 @@ use crate::newton::{
     residual::Residual,
 };
 
-/// The block row of a point, as far as it is known.
+/// The block row of a point, as far as it is assembled.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Row<const D: usize, T = f64> {
-    /// The diagonal block; its entries `i ≥ j` count.
+    /// The diagonal block, in its lower triangle `i ≥ j`.
     block: SMatrix<T, D, D>,
     /// The right hand side.
     right: SVector<T, D>,
-    /// The gradient by the point, of which nothing is eliminated.
+    /// The gradient by the point, without elimination.
     pub(crate) gradient: SVector<T, D>,
 }
 
-/// The point that an elimination from an end has come to, and the sums on the way there. With pairs
-/// of numbers, of two eliminations side by side.
+/// The point that an elimination has reached, and the sums on the way there; for pairs of numbers,
+/// two eliminations side by side.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Front<const D: usize, T = f64> {
-    /// From the chord behind and from what is eliminated.
+    /// From the chord behind and the eliminated points.
     pub(crate) row: Row<D, T>,
-    /// Of the chords behind, in `m²`.
+    /// The energy of the chords behind, in `m²`.
     pub(crate) energy: CompensatedSum<T>,
     /// `N tr H` of the chords behind, in `m²/ℓ²`.
     pub(crate) trace: T,
-    /// `Σ yₙᵀ Dₙ⁻¹ yₙ` over what is eliminated, in `m²`.
+    /// `Σ yₙᵀ Dₙ⁻¹ yₙ` over the eliminated points, in `m²`.
     pub(crate) square: T,
-    /// `Σ |gₙ|²` over the inner points behind, divided by the square of the unit of the [`Residual`].
+    /// `Σ |gₙ|²` over the inner points behind, divided by the square of the unit of the
+    /// [`Residual`].
     pub(crate) inner: T,
-    /// Whether the metric is one at every node behind.
+    /// Whether the metric is positive definite at every node behind.
     pub(crate) is_metric: bool,
 }
 
-/// The point ahead, by the chord that leads there: its row, and the block in it that has the columns
-/// of the point behind.
+/// The contribution of a chord to the point ahead: its row, and the block in the columns of the
+/// point behind.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Ahead<const D: usize, T = f64> {
     pub(crate) row: Row<D, T>,
@@ -49,7 +50,7 @@ pub(crate) struct Ahead<const D: usize, T = f64> {
 }
 
 impl<T: Lanes, const D: usize> Front<D, T> {
-    /// At the end itself, where nothing is behind.
+    /// Begins at the end itself.
     pub(crate) fn new(regulariser: Regulariser) -> Self {
         let block = SMatrix::from_diagonal_element(T::constant(regulariser.of_end()));
         Self {
@@ -85,14 +86,14 @@ impl<T: Lanes, const D: usize> Front<D, T> {
         Ahead { row, lower: shifted(chord.coupling.transpose(), regulariser.upper()) }
     }
 
-    /// Counts the point that it has come to as an inner one.
+    /// Counts the current point as an inner one.
     #[inline(always)]
     pub(crate) fn count(&mut self, residual: &Residual<D>) {
         self.inner += residual.square(&self.row.gradient);
     }
 
-    /// Eliminates the row and goes ahead; returns the pivot and `zₙ`. `None` if the Hessian is not
-    /// positive definite.
+    /// Eliminates the row and moves to the point ahead; returns the pivot and `zₙ`. `None` if the
+    /// Hessian is not positive definite.
     #[inline(always)]
     pub(crate) fn advance(
         &mut self,
@@ -107,7 +108,7 @@ impl<T: Lanes, const D: usize> Front<D, T> {
 }
 
 impl<T: Lanes, const D: usize> Row<D, T> {
-    /// Adds what is known of the same point from its other side.
+    /// Adds the row of the same point from its other side.
     pub(crate) fn join(&mut self, other: &Self) {
         self.block += other.block;
         self.right += other.right;
@@ -124,7 +125,7 @@ impl<T: Lanes, const D: usize> Row<D, T> {
 }
 
 impl<const D: usize> Front<D> {
-    /// Goes over to the coordinates of the end at which it is.
+    /// Transforms the current point, an end, to the coordinates of its frame.
     pub(crate) fn enter(&mut self, frame: &EndFrame<D>, ahead: &mut Ahead<D>, tau: f64) {
         let mut coupling = ahead.lower.transpose();
         self.row.enter(frame, &mut coupling, &mut ahead.row.right, tau);
@@ -140,7 +141,7 @@ impl<const D: usize> Front<D> {
         self.is_metric &= other.is_metric;
     }
 
-    /// The last row; returns its pivot and `z`, and adds to the square.
+    /// Eliminates the last row; returns its pivot and `z`.
     pub(crate) fn finish(&mut self) -> Option<(Ldl<D>, SVector<f64, D>)> {
         let last = Ldl::new(&self.row.block)?;
         let [y, z] = last.forward(self.row.right);
@@ -150,15 +151,15 @@ impl<const D: usize> Front<D> {
 }
 
 impl<const D: usize> Ahead<D> {
-    /// Goes over to the coordinates of the end that is ahead.
+    /// Transforms the point ahead, an end, to the coordinates of its frame.
     pub(crate) fn enter(&mut self, frame: &EndFrame<D>, front: &mut Front<D>, tau: f64) {
         self.row.enter(frame, &mut self.lower, &mut front.row.right, tau);
     }
 }
 
 impl<const D: usize> Row<D> {
-    /// Goes over to the coordinates of the end to which it belongs; `coupling` has its rows, and
-    /// `beside` is the right hand side of the neighbour.
+    /// Transforms the row of an end to the coordinates of its frame. `coupling` has the rows of the
+    /// end, and `beside` is the right hand side of the neighbour.
     fn enter(
         &mut self,
         frame: &EndFrame<D>,
@@ -166,7 +167,7 @@ impl<const D: usize> Row<D> {
         beside: &mut SVector<f64, D>,
         tau: f64,
     ) {
-        // The frame has the force of the end itself; what a neighbour in a frame has added stays.
+        // The frame supplies the force at the end; what a fixed neighbour has added stays.
         let right = self.right + self.gradient;
         let row = EndRow { block: self.block, coupling: *coupling, right, beside: *beside };
         let row = frame.enter(row, tau);
@@ -175,7 +176,7 @@ impl<const D: usize> Row<D> {
     }
 }
 
-/// Two side by side.
+/// Two rows side by side.
 fn pair_rows<const D: usize>(rows: [&Row<D>; 2]) -> Row<D, Pair> {
     let [one, other] = rows;
     Row {
@@ -186,7 +187,7 @@ fn pair_rows<const D: usize>(rows: [&Row<D>; 2]) -> Row<D, Pair> {
 }
 
 impl<const D: usize> Front<D, Pair> {
-    /// Returns the two.
+    /// Returns the two eliminations separately.
     pub(crate) fn apart(&self) -> [Front<D>; 2] {
         let energies = self.energy.apart();
         [0, 1].map(|lane| Front {
@@ -199,7 +200,7 @@ impl<const D: usize> Front<D, Pair> {
         })
     }
 
-    /// Goes over to the coordinates of the two ends at which they are.
+    /// Transforms the current points, the two ends, to the coordinates of their frames.
     pub(crate) fn enter(
         &mut self,
         frames: [&EndFrame<D>; 2],

@@ -3,11 +3,11 @@
 use nalgebra::{SMatrix, SVector};
 use tautline_metrics::Lanes;
 
-/// `A = L D Lᵀ` with ones on the diagonal of `L`: a Cholesky factorisation without roots, since the
-/// chain of operations from one block to the next is what an elimination waits for.
+/// `A = L D Lᵀ` with ones on the diagonal of `L`: a Cholesky factorisation without roots, which
+/// would lengthen the chain of dependent operations from block to block.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Ldl<const D: usize, T = f64> {
-    /// `L` below the diagonal, and the reciprocals of `D` on it; above it, nothing that counts.
+    /// `L` below the diagonal, and the reciprocals of `D` on it; entries above it are arbitrary.
     factors: SMatrix<T, D, D>,
 }
 
@@ -17,8 +17,8 @@ impl<T: Lanes, const D: usize> Ldl<D, T> {
         Self { factors: SMatrix::zeros() }
     }
 
-    /// Factorises `A`, reading its entries `i ≥ j`; `None` if it is not positive definite (or not
-    /// finite): each of them, where several stand side by side.
+    /// Factorises `A`, reading its lower triangle `i ≥ j`; `None` if it is not positive definite
+    /// and finite, in every lane.
     #[inline(always)]
     pub(crate) fn new(a: &SMatrix<T, D, D>) -> Option<Self> {
         let mut factors = *a;
@@ -113,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn of_two_side_by_side_each_has_to_be_positive_definite() {
+    fn both_lanes_have_to_be_positive_definite() {
         let (definite, indefinite) = (matrix![2.0, 1.0; 1.0, 2.0], matrix![1.0, 2.0; 2.0, 1.0]);
         let pair = |a: &SMatrix<f64, 2, 2>, b: &SMatrix<f64, 2, 2>| a.zip_map(b, Pair::new);
         assert!(Ldl::new(&pair(&definite, &definite)).is_some());
@@ -121,9 +121,8 @@ mod tests {
         assert!(Ldl::new(&pair(&indefinite, &definite)).is_none());
     }
 
-    /// Only the lower half is read.
     #[test]
-    fn the_upper_half_does_not_matter() {
+    fn only_the_lower_triangle_is_read() {
         let solve = |a: &SMatrix<f64, 2, 2>| {
             let ldl = Ldl::new(a).expect("positive definite");
             ldl.backward(ldl.forward(vector![1.0, 3.0])[1])

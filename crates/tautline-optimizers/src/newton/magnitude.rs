@@ -1,8 +1,8 @@
-//! `Magnitude`: how large the numbers of a problem are.
+//! `Magnitude`: the scale of a problem.
 
 use tautline_discretizations::QuadraticModel;
 
-/// The energy of a curve and the size of the metric along it, which scale everything else.
+/// The energy of a curve and the size of the metric along it; both scale everything else.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Magnitude {
     /// The discrete energy, in `m²`.
@@ -12,19 +12,19 @@ pub(crate) struct Magnitude {
 }
 
 impl Magnitude {
-    /// Returns that of a curve whose energy has been expanded.
+    /// Returns the magnitude at the expansion point of a model.
     pub(crate) fn of<const D: usize>(model: &QuadraticModel<D>) -> Self {
         Self { energy: model.energy, mean_gram: model.mean_gram }
     }
 
-    /// Returns a decrement as a share of the energy; 0 where there is no energy to shed.
+    /// Returns a decrement relative to the energy; 0 if the energy is 0.
     pub(crate) fn relative(self, decrement: f64) -> f64 {
         if self.energy > 0.0 { decrement / self.energy } else { 0.0 }
     }
 
     /// Returns the momentum `(c E)^{1/2}`, in `m²/ℓ`.
     pub(crate) fn momentum(self) -> f64 {
-        // Roots first: the product may be beyond the range.
+        // Roots first: the product may overflow or underflow.
         self.mean_gram.sqrt() * self.energy.sqrt()
     }
 
@@ -39,9 +39,8 @@ impl Magnitude {
 mod tests {
     use super::Magnitude;
 
-    /// `c E` may be beyond the range of `f64`, or below it, where its root is not.
     #[test]
-    fn a_momentum_in_range_is_found() {
+    fn a_momentum_is_in_range_if_its_square_is_not() {
         for (energy, mean_gram, expected) in
             [(9.0, 4.0, 6.0), (4e200, 1e200, 2e200), (1e-200, 4e-200, 2e-200), (0.0, 1.0, 0.0)]
         {
@@ -51,7 +50,7 @@ mod tests {
     }
 
     #[test]
-    fn without_energy_there_is_nothing_to_shed() {
+    fn a_decrement_is_relative_to_a_positive_energy() {
         assert_eq!(Magnitude { energy: 0.0, mean_gram: 1.0 }.relative(0.0), 0.0);
         assert_eq!(Magnitude { energy: 4.0, mean_gram: 1.0 }.relative(1.0), 0.25);
     }

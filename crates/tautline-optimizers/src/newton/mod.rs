@@ -1,4 +1,4 @@
-//! Newton steps: one look at a point sequence, and where it leads.
+//! Newton steps: the energy and its derivatives, their factorisation, and the step.
 
 pub(crate) mod chain;
 pub(crate) mod discrete_energy;

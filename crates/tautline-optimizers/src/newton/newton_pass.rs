@@ -1,4 +1,4 @@
-//! `NewtonPass`: a Newton step in one pass over the chords, there and back.
+//! `NewtonPass`: a Newton step by one pass over the chords and back.
 
 use nalgebra::SVector;
 use tautline_discretizations::{LinearModel, PointSequence};
@@ -12,10 +12,10 @@ use crate::{
     },
 };
 
-/// A Newton step from a point sequence where the Hessian is positive definite.
+/// A Newton step from a point sequence with a positive definite Hessian.
 ///
-/// The same step as that of a [`ReducedSystem`](crate::newton::reduced_system::ReducedSystem) without
-/// shift, by one [sweep](DiscreteEnergy::sweep) there and a substitution back.
+/// It is the step of a [`ReducedSystem`](crate::newton::reduced_system::ReducedSystem) without
+/// shift, computed by one [sweep](DiscreteEnergy::sweep) and back substitution.
 pub(crate) struct NewtonPass<'a, const D: usize> {
     sweep: Sweep<D>,
     /// The right hand side after elimination.
@@ -24,8 +24,8 @@ pub(crate) struct NewtonPass<'a, const D: usize> {
 }
 
 impl<'a, const D: usize> NewtonPass<'a, D> {
-    /// Sweeps; `None` where the [sweep](DiscreteEnergy::sweep) is. The factorisation in `workspace`
-    /// is overwritten.
+    /// Sweeps; `None` if the Hessian is not positive definite. The factorisation in `workspace` is
+    /// overwritten.
     pub(crate) fn new(
         energy: &DiscreteEnergy<'_, D>,
         ends: [&dyn ClosedSet<D>; 2],
@@ -45,17 +45,17 @@ impl<'a, const D: usize> NewtonPass<'a, D> {
         }
     }
 
-    /// Returns what is known where the step begins.
+    /// Returns the stationarity before the step.
     pub(crate) fn stationarity(&self) -> Stationarity {
         self.sweep.stationarity
     }
 
-    /// Gives the memory of the step back, which is not taken.
+    /// Returns the memory to the workspace without taking the step.
     pub(crate) fn leave(self) {
         self.workspace.spare.give(self.eliminated);
     }
 
-    /// Returns by how much the Newton step moves each point.
+    /// Returns the displacement of each point by the Newton step.
     pub(crate) fn take_step(&mut self) -> Vec<SVector<f64, D>> {
         let mut step = std::mem::take(&mut self.eliminated);
         self.workspace.factorization.substitute_back(&mut step);
@@ -66,8 +66,8 @@ impl<'a, const D: usize> NewtonPass<'a, D> {
         step
     }
 
-    /// Looks at a sequence close by, with the factorisation from here: in many dimensions at a
-    /// fraction of the price of a sweep.
+    /// Returns the stationarity at a sequence nearby, with the factorisation from here. In many
+    /// dimensions this costs a fraction of a sweep.
     pub(crate) fn stationarity_at(
         &self,
         energy: &DiscreteEnergy<'_, D>,
@@ -116,7 +116,7 @@ mod tests {
         },
     };
 
-    /// The numbers of the pass and those of the system that is set up, factorised and solved.
+    /// Compares a pass, on one thread and on two, with the assembled system.
     #[track_caller]
     fn compare<R: Rule, const D: usize>(
         rule: R,
@@ -127,11 +127,10 @@ mod tests {
     ) {
         let once = |at_once| compare_once(rule, metric, ends, n, at_once, memory);
         let [one, other] = [false, true].map(once);
-        // Bit by bit.
-        assert_eq!(one, other);
+        assert_eq!(one, other, "bit by bit");
     }
 
-    /// The same in one of the two ways to go; returns all numbers of the pass.
+    /// Compares a pass with the assembled system; returns its results.
     #[track_caller]
     fn compare_once<R: Rule, const D: usize>(
         rule: R,
@@ -196,9 +195,9 @@ mod tests {
         let circle = Sphere::new([-1.5, 0.0], 0.4).expect("a radius");
         let ball_too = Ball::new([1.5, 0.3], 0.2).expect("a radius");
         let wall = HalfSpace::at_least([1.0, 0.5], 1.0).expect("a normal");
-        // Of one after the other, with odd and with even N, nothing is left behind.
+        // One workspace for odd and even N: nothing is left over from earlier passes.
         let mut memory = Workspace::default();
-        // A chord from point to point does not move: at least one end does.
+        // At least one end moves: with n = 1 nothing else can.
         for ends in
             [[&ball as &dyn ClosedSet<2>, &b], [&a, &wall], [&circle, &wall], [&ball, &ball_too]]
         {

@@ -1,4 +1,4 @@
-//! One Newton step by itself.
+//! `newton_step`: a single Newton step.
 
 use nalgebra::SVector;
 use tautline_discretizations::{PointSequence, Rule};
@@ -10,12 +10,12 @@ use crate::{
     newton::{discrete_energy::DiscreteEnergy, magnitude::Magnitude, newton_pass::NewtonPass},
 };
 
-/// A Newton step from a point sequence, and what it promises.
+/// A Newton step from a point sequence.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct NewtonStep<const D: usize> {
-    /// By how much each of the `N + 1` points moves, in `ℓ`. An end that moves is to be projected
-    /// back to its set.
+    /// The displacements of the `N + 1` points, in `ℓ`. A moved end has to be projected back to its
+    /// set.
     pub step: Vec<SVector<f64, D>>,
     /// The discrete energy before the step, in `m²`.
     pub energy: f64,
@@ -23,12 +23,13 @@ pub struct NewtonStep<const D: usize> {
     pub decrement: f64,
 }
 
-/// Returns one undamped Newton step from `sequence`, whose ends are to lie in the sets `ends`;
-/// `None` if the Hessian, confined to the active faces of the sets, is not positive definite beyond
-/// rounding, or if the system has no memory for a step, `16D² + 16D` bytes a point.
+/// Returns one undamped Newton step from `sequence`, with its ends in the sets `ends`; `None` if
+/// the Hessian, confined to the active faces of the sets, is not positive definite beyond rounding,
+/// or if the system has no memory for a step, `16D² + 16D` bytes a point.
 ///
-/// What [`minimise`](crate::minimise) repeats on fine grids, where nothing need be damped: assembly
-/// and factorisation in one pass over the chords, `O(N D³)`, in the memory of `workspace`, on one thread.
+/// [`minimise`](crate::minimise) repeats this step on fine grids, where it needs no damping.
+/// Assembly and factorisation take one pass over the chords, `O(N D³)`, in the memory of
+/// `workspace`, on one thread.
 pub fn newton_step<const D: usize, R: Rule>(
     workspace: &mut Workspace<D>,
     metric: &dyn Batches<D>,
@@ -37,8 +38,8 @@ pub fn newton_step<const D: usize, R: Rule>(
     sequence: &PointSequence<D>,
 ) -> Option<NewtonStep<D>> {
     workspace.check_undamped(sequence.n().get()).ok()?;
-    // A scale, of what is taken for rounding and of the step by which the active faces of the sets
-    // are found: as at the ends and in the middle.
+    // A scale for the rounding and for the step that finds the active faces of the sets, from three
+    // points.
     let points = sequence.points();
     let places = [0, points.len() / 2, points.len() - 1];
     let traces = places.map(|k| metric.gram(&points[k]).trace() / D as f64);
@@ -66,8 +67,8 @@ mod tests {
     use super::newton_step;
     use crate::Workspace;
 
-    /// Where the energy is quadratic, one step leads from any sequence to the straight line, and
-    /// keeps what it promises.
+    /// If the energy is quadratic, one step leads from any sequence to the straight line, and sheds
+    /// the decrement.
     #[test]
     fn one_step_straightens_a_chain() {
         let metric = Constant::new(nalgebra::SMatrix::identity()).expect("positive definite");
@@ -84,7 +85,7 @@ mod tests {
         )
         .expect("definite");
         for (k, (x, step)) in bent.points().iter().zip(&found.step).enumerate() {
-            // Less the margin of 1e-8 by which the Hessian has to be definite, of entries below 4.
+            // Up to the margin of 1e-8, with entries of the Hessian below 4.
             assert!((x + step - vector![1.0, 2.0] * (k as f64 / 3.0)).amax() < 1e-7);
         }
         // 3 (9 + 1 + 6.25 + 2.25 + 0.25 + 2.25), and 5 for the line.

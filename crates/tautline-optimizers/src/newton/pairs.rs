@@ -13,15 +13,15 @@ use crate::newton::{
     residual::Residual,
 };
 
-/// What an elimination adds to every pair of chords.
+/// What an elimination needs besides the pairs of chords.
 #[derive(Clone, Copy)]
 pub(crate) struct Rest<'a, const D: usize> {
     pub(crate) regulariser: Regulariser,
     pub(crate) residual: &'a Residual<D>,
 }
 
-/// Where the pivots of some pairs and the right hand sides after elimination are kept, those of the last
-/// side from back to front.
+/// Memory for the pivots of some pairs and the right hand sides after elimination; those of the
+/// last side are stored from back to front.
 pub(crate) struct Kept<'m, const D: usize> {
     pub(crate) pivots: &'m mut [Pivot<D, Pair>],
     pub(crate) first: &'m mut [SVector<f64, D>],
@@ -38,8 +38,8 @@ impl<const D: usize> Kept<'_, D> {
     }
 }
 
-/// Eliminates the inner points of these pairs, from the front that has come to the first of them; returns the
-/// front behind the last. `None` if the Hessian is not positive definite.
+/// Eliminates the inner points of `pairs`, with `front` at the first of them; returns the front
+/// behind the last. `None` if the Hessian is not positive definite.
 pub(crate) fn eliminate<const D: usize>(
     instruction_set: InstructionSet,
     models: &Contractions<'_, Pair, D>,
@@ -74,7 +74,7 @@ fn baseline<const BY_MIDDLE: bool, const KEEPS: bool, const D: usize>(
     inline::<BY_MIDDLE, KEEPS, D>(models, pairs, front, rest, kept)
 }
 
-/// AVX instructions write to a third register, so that operands need no copies.
+/// AVX instructions write to a third register: operands need no copies.
 #[multiversion::multiversion(targets("x86_64+avx2"))]
 fn widest<const BY_MIDDLE: bool, const KEEPS: bool, const D: usize>(
     models: &Contractions<'_, Pair, D>,
@@ -86,7 +86,7 @@ fn widest<const BY_MIDDLE: bool, const KEEPS: bool, const D: usize>(
     inline::<BY_MIDDLE, KEEPS, D>(models, pairs, front, rest, kept)
 }
 
-/// Nothing else is in this loop, and nothing is called: the front stays in registers.
+/// The loop does nothing else and calls nothing, so that the front stays in registers.
 #[inline(always)]
 fn inline<const BY_MIDDLE: bool, const KEEPS: bool, const D: usize>(
     models: &Contractions<'_, Pair, D>,

@@ -1,4 +1,4 @@
-//! The Newton system of a discrete energy, with the end points confined to their sets.
+//! `ReducedSystem`: the Newton system of a discrete energy, with the ends confined to their sets.
 
 use nalgebra::SVector;
 use tautline_discretizations::QuadraticModel;
@@ -12,9 +12,9 @@ use crate::newton::{
 
 /// The quadratic model of an energy in the coordinates of both [`EndFrame`]s.
 ///
-/// A fixed coordinate keeps its place in the system, as an equation of its own that is
-/// already solved. So the blocks stay `D × D` whatever face is active, and the system is
-/// positive definite if and only if it is so in the free coordinates.
+/// A fixed coordinate keeps its place in the system, as a separate equation that is already solved.
+/// Hence the blocks stay `D × D` whatever face is active, and the system is positive definite if
+/// and only if it is so in the free coordinates.
 pub(crate) struct ReducedSystem<'a, const D: usize> {
     matrix: Shifted<'a, D>,
     right: Vec<SVector<f64, D>>,
@@ -22,7 +22,7 @@ pub(crate) struct ReducedSystem<'a, const D: usize> {
     tau: f64,
 }
 
-/// A Newton step and what it promises.
+/// A Newton step.
 pub(crate) struct Step<const D: usize> {
     pub(crate) step: Vec<SVector<f64, D>>,
     /// The energy that the quadratic model sheds, half the square of the Newton decrement.
@@ -30,8 +30,8 @@ pub(crate) struct Step<const D: usize> {
 }
 
 impl<'a, const D: usize> ReducedSystem<'a, D> {
-    /// Sets up the system for the shift `mu` (see [`Shifted`]), less the [`margin`]: what is
-    /// definite is so beyond rounding.
+    /// Sets up the system for the shift `mu` (see [`Shifted`]), less the [`margin`]: if it is
+    /// definite, it is so beyond rounding.
     pub(crate) fn new(
         model: &'a QuadraticModel<D>,
         ends: [&dyn ClosedSet<D>; 2],
@@ -40,11 +40,11 @@ impl<'a, const D: usize> ReducedSystem<'a, D> {
     ) -> Self {
         let n = points.len() - 1;
         let regulariser = Regulariser { n: n as f64, weight: (mu - margin(n)) * model.mean_gram };
-        // The inverse of a typical diagonal block, so that z lies about a chord from x.
+        // The inverse of a typical diagonal block: z is about a chord away from x.
         let tau = 1.0 / (2.0 * n as f64 * model.mean_gram * (1.0 + mu));
         let frame = |set, k: usize| EndFrame::new(set, &points[k], &model.gradient[k], tau);
         let mut right: Vec<_> = model.gradient.iter().map(|g| -g).collect();
-        // The frames have the forces at the ends.
+        // The frames supply the forces at the ends.
         right[0].fill(0.0);
         right[n].fill(0.0);
         let mut system = Self {
@@ -58,7 +58,7 @@ impl<'a, const D: usize> ReducedSystem<'a, D> {
         system
     }
 
-    /// Goes over to the coordinates of one of the frames.
+    /// Transforms the row of an end to the coordinates of its frame.
     fn enter_frame(&mut self, end: usize) {
         let n = self.matrix.n();
         let (k, neighbour) = if end == 0 { (0, 1) } else { (n, n - 1) };
@@ -94,7 +94,7 @@ impl<'a, const D: usize> ReducedSystem<'a, D> {
         Step { step, decrement }
     }
 
-    /// Returns half the square of the Newton decrement at other points close by, with the
+    /// Returns half the square of the Newton decrement at other points nearby, with the
     /// factorisation from here.
     pub(crate) fn decrement_at(
         &self,
@@ -114,11 +114,11 @@ impl<'a, const D: usize> ReducedSystem<'a, D> {
         half_dot(&step, &right)
     }
 
-    /// Returns half the square of the Newton decrement of another functional with this
-    /// `gradient`, in the Hessian of the system: `½ gᵀA⁻¹g` over the free coordinates.
+    /// Returns half the square of the Newton decrement of another functional with the gradient `g`,
+    /// in the Hessian `A` of the system: `½ gᵀA⁻¹g` over the free coordinates.
     ///
-    /// Half of `δᵀAδ` for the shift `δ` of the minimiser under a small such functional, if the
-    /// energy itself is stationary here. Fixed coordinates stay, whatever pulls at them.
+    /// If the energy is stationary here and the functional is added as a small perturbation, it is
+    /// `½ δᵀAδ` for the shift `δ` of the minimiser. Fixed coordinates stay under any force.
     pub(crate) fn decrement_of(
         &self,
         factorization: &Factorization<D>,
@@ -138,13 +138,13 @@ impl<'a, const D: usize> ReducedSystem<'a, D> {
         half_dot(&step, &right)
     }
 
-    /// Returns the direction of the least eigenvalue, by inverse iteration: the most negative
-    /// curvature, if the shift is just large enough to make the system definite.
+    /// Returns the eigenvector of the least eigenvalue, by inverse iteration: the direction of most
+    /// negative curvature, if the shift is just large enough to make the system definite.
     pub(crate) fn flattest_direction(
         &self,
         factorization: &Factorization<D>,
     ) -> Vec<SVector<f64, D>> {
-        // A smooth start without the symmetries that a curve may have: no component of a low
+        // A smooth start without the symmetries of typical curves, so that no component along a low
         // eigenvector vanishes by accident.
         let n = self.matrix.n() as f64;
         let mut v: Vec<_> = (0..=self.matrix.n())
@@ -163,7 +163,7 @@ impl<'a, const D: usize> ReducedSystem<'a, D> {
             }
         }
         for _ in 0..20 {
-            // Not by the norm: the square of an inverse of a metric may be beyond `f64`.
+            // Not the norm: the square of an inverse of a metric may overflow.
             let largest = v.iter().map(|v| v.amax()).fold(0.0, f64::max);
             v.iter_mut().for_each(|v| *v /= largest);
             factorization.solve(&mut v);
@@ -192,8 +192,8 @@ mod tests {
 
     use super::ReducedSystem;
 
-    /// One Newton step from a crooked sequence under a constant oblique metric: the problem is
-    /// quadratic, so that the step leads to the minimum, but for the margin of `10⁻⁸`.
+    /// One Newton step from a crooked sequence under a constant oblique metric. The problem is
+    /// quadratic: the step leads to the minimum, up to the margin of `10⁻⁸`.
     fn step(
         h: SMatrix<f64, 2, 2>,
         ends: [&dyn ClosedSet<2>; 2],
@@ -217,7 +217,7 @@ mod tests {
     }
 
     #[test]
-    fn the_decrement_is_the_energy_that_the_step_sheds() {
+    fn the_decrement_is_the_energy_shed_by_the_step() {
         let (a, b) = (Point::new([0.0, 0.0]).expect("finite"), Point::new([2.0, 1.0]));
         let points =
             vec![vector![0.0, 0.0], vector![1.0, -1.0], vector![0.3, 0.9], vector![2.0, 1.0]];
@@ -239,10 +239,10 @@ mod tests {
         assert!(v[1].amax() > 0.0, "{}", v[1]);
     }
 
-    /// Either end lies inside of its box and is pulled across a face: it moves to the face, and
-    /// in the same step along it and the other points with it.
+    /// Either end lies inside its box and is pulled across a face. One step moves it to the face
+    /// and along it, and the other points with it.
     #[test]
-    fn one_step_goes_to_the_face_along_it_and_takes_the_curve_with_it() {
+    fn one_step_moves_to_the_face_and_along_it_with_the_whole_curve() {
         let origin = Point::new([0.0, 0.0]).expect("finite");
         let wide = AxisBox::from_corners([2.0, -9.0], [9.0, 9.0]).expect("in order");
         let (there, back) = ([2.05, 0.3], [0.0, 0.0]);

@@ -7,10 +7,10 @@ use tautline_sets::ClosedSet;
 
 use crate::newton::{end_frame::EndFrame, magnitude::Magnitude, rounding::rounding};
 
-/// The residual of [`Minimum`](crate::Minimum), from the gradients by all points.
+/// The [residual](crate::Minimum::residual), computed from the gradients by all points.
 pub(crate) struct Residual<const D: usize> {
-    /// About the momentum, in `m²/ℓ`: by which all is divided first, since a square may be beyond
-    /// the range of `f64`.
+    /// About the momentum, in `m²/ℓ`. Gradients are divided by it first, since their squares may
+    /// overflow.
     unit: f64,
     reciprocal: f64,
     last: usize,
@@ -21,14 +21,14 @@ pub(crate) struct Residual<const D: usize> {
 }
 
 impl<const D: usize> Residual<D> {
-    /// Begins, for `n` subintervals and about this magnitude.
+    /// Begins, for `n` subintervals and a magnitude near `about`.
     pub(crate) fn new(n: usize, about: Magnitude) -> Self {
-        // With a reciprocal that is finite.
+        // Its reciprocal has to be finite.
         let unit = about.momentum().max(f64::MIN_POSITIVE);
         Self { unit, reciprocal: 1.0 / unit, last: n, inner: 0.0, ends: [SVector::zeros(); 2] }
     }
 
-    /// Returns the square of the gradient by a point, divided by that of the unit.
+    /// Returns the squared gradient by a point, divided by the square of the unit.
     #[inline(always)]
     pub(crate) fn square<T: Lanes>(&self, gradient: &SVector<T, D>) -> T {
         let scaled = gradient * T::constant(self.reciprocal);
@@ -54,11 +54,11 @@ impl<const D: usize> Residual<D> {
         if !(momentum > 0.0) {
             return (0.0, 0.0);
         }
-        // A coordinate is rounded with the variance u²/12, u ≤ ε max |x|, and xₙ₋₁ − 2xₙ + xₙ₊₁ with
-        // u²/2: D of them, times N⁴ c².
+        // A coordinate is rounded with the variance u²/12, u ≤ ε max |x|, and xₙ₋₁ − 2xₙ + xₙ₊₁
+        // with u²/2: D of them, times N⁴ c².
         let dimensions = (D as f64 / 2.0).max(1.0).sqrt();
         let floor = dimensions * n * rounding(sequence) * (magnitude.mean_gram / momentum);
-        // Where the metric has no derivative.
+        // The metric may have no derivative.
         let infinite_if_nan = |x: f64| if x.is_nan() { f64::INFINITY } else { x };
         let root = (self.inner / n).sqrt() * (self.unit / momentum);
         let tau = magnitude.tau(self.last);
@@ -81,7 +81,7 @@ mod tests {
     use super::Residual;
     use crate::newton::magnitude::Magnitude;
 
-    /// The residual, over its floor, of a straight line that is rounded: all coordinates alike.
+    /// The residual over its floor, for a rounded straight line with equal coordinates.
     fn over_the_floor<const D: usize>() -> f64 {
         let (a, b) = (SVector::<f64, D>::repeat(-0.3), SVector::repeat(0.7));
         let metric = Constant::new(SMatrix::<f64, D, D>::identity()).expect("definite");
@@ -96,9 +96,9 @@ mod tests {
     }
 
     #[test]
-    fn the_floor_is_what_rounding_does_in_any_dimension() {
+    fn the_floor_predicts_rounding_in_any_dimension() {
         let plane = over_the_floor::<2>();
-        // Coordinates from −0.3 to 0.7 are rounded by a third of what those of 0.7 are, or so.
+        // Rounding of coordinates from −0.3 to 0.7 is about a third of that at 0.7.
         assert!((0.1..1.0).contains(&plane), "{plane}");
         // The same roundings in every coordinate, summed in another order.
         for more in [over_the_floor::<3>(), over_the_floor::<8>(), over_the_floor::<32>()] {
@@ -106,10 +106,11 @@ mod tests {
         }
     }
 
-    /// A line from wall to wall with the momentum `(3, 4)`, of which `4` is along one and `3` along
-    /// the other: the larger counts, at whichever end it is, and nothing of an end that is a point.
+    /// A line from wall to wall with momentum `(3, 4)`, with the component `4` along one wall and
+    /// `3` along the other. The larger counts, at either end; an end that is a point contributes
+    /// nothing.
     #[test]
-    fn of_both_ends_the_one_that_is_less_stationary_counts() {
+    fn the_less_stationary_end_counts() {
         let metric = Constant::new(SMatrix::<f64, 2, 2>::identity()).expect("definite");
         let [a, b] = [[0.0, 0.0], [3.0, 4.0]].map(SVector::from);
         let wall = |normal: [f64; 2], through: &SVector<f64, 2>| {
@@ -117,7 +118,7 @@ mod tests {
             HalfSpace::new(normal, normal.dot(through)).expect("a normal")
         };
         let points = [a, b].map(|x| Point::new(x).expect("finite"));
-        // Outer normals: against the line at its begin, along it at its end.
+        // Outer normals: against the line at its start, along it at its end.
         let first = [wall([1.0, 0.0], &a), wall([0.0, 1.0], &a)];
         let second = [wall([-1.0, 0.0], &b), wall([0.0, -1.0], &b)];
         for n in [1, 2, 20] {
@@ -146,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn of_two_points_side_by_side_each_has_its_square() {
+    fn each_lane_has_its_own_square() {
         let residual = Residual::<2>::new(3, Magnitude { energy: 2.0, mean_gram: 1.0 });
         let gradients = [[1.0, 2.0], [3.0, -4.0]].map(SVector::from);
         let squares = residual.square(&gradients[0].zip_map(&gradients[1], Pair::new));

@@ -1,21 +1,21 @@
-//! Whether there is memory for a step, asked before it is taken.
+//! Checks that there is memory for a step, before it is taken.
 
 use std::hint::black_box;
 
 use crate::{SolveError, Workspace};
 
-/// So much is there, or the next small list fails as well.
+/// Fewer bytes are assumed to be available: without them, the next small list would fail as well.
 const SMALL: usize = 1 << 28;
 
-/// Whether the system would give so many bytes at once. None of them is touched: a system that promises
-/// more than it has would find them only then, and end the process.
+/// Whether the system grants this many bytes at once. None of them is touched: a system that
+/// promises more than it has would notice only then, and end the process.
 fn is_there(bytes: usize) -> bool {
     let mut memory = Vec::<u8>::new();
-    // Seen from outside, so that the compiler cannot do without it.
+    // The compiler must not remove the allocation.
     bytes < SMALL || black_box(&mut memory).try_reserve_exact(bytes).is_ok()
 }
 
-/// What so many numbers at each point of `n` chords take.
+/// The size of so many `numbers` at each point of `n` chords.
 fn bytes(n: usize, numbers: usize) -> usize {
     n.saturating_add(1).saturating_mul(numbers.saturating_mul(8))
 }
@@ -31,8 +31,8 @@ impl<const D: usize> Workspace<D> {
         if is_there(bytes) { Ok(()) } else { Err(SolveError::OutOfMemory { n, bytes }) }
     }
 
-    /// Checks that there is memory for an undamped step on `n` chords, which writes over the factorisation
-    /// that is kept from earlier searches.
+    /// Checks that there is memory for an undamped step on `n` chords, which overwrites the
+    /// factorisation of earlier searches.
     ///
     /// # Errors
     ///
@@ -43,7 +43,7 @@ impl<const D: usize> Workspace<D> {
         if is_there(new) { Ok(()) } else { Err(SolveError::OutOfMemory { n, bytes }) }
     }
 
-    /// Checks that there is memory for damped steps on `n` chords, which keep nothing here.
+    /// Checks that there is memory for damped steps on `n` chords, which do not use the workspace.
     ///
     /// # Errors
     ///
@@ -53,8 +53,9 @@ impl<const D: usize> Workspace<D> {
         if is_there(bytes) { Ok(()) } else { Err(SolveError::OutOfMemory { n, bytes }) }
     }
 
-    /// The numbers a point that an undamped Newton step takes, the points among them; four times as many
-    /// a damped one, whose matrices are summed up, shifted and factorised one after the other.
+    /// The numbers that an undamped Newton step stores for each point, its coordinates included. A
+    /// damped step stores four times as many: it assembles, shifts and factorises one after the
+    /// other.
     const UNDAMPED: usize = 2 * D * D + 2 * D;
 }
 
@@ -63,9 +64,9 @@ mod tests {
     use super::{SMALL, is_there};
     use crate::{SolveError, Workspace};
 
-    /// Addresses have 57 bits at most on today's processors, and 2⁶³ bytes are more than Rust asks for.
+    /// Addresses have at most 57 bits on today's processors, and Rust never requests 2⁶³ bytes.
     #[test]
-    fn more_bytes_than_addresses_are_not_there() {
+    fn more_bytes_than_addresses_are_not_available() {
         assert!(is_there(0) && is_there(SMALL - 1) && is_there(SMALL));
         for bytes in [1 << 58, isize::MAX as usize, usize::MAX] {
             assert!(!is_there(bytes), "{bytes}");
@@ -73,7 +74,7 @@ mod tests {
     }
 
     #[test]
-    fn the_error_has_both_numbers() {
+    fn the_error_reports_chords_and_bytes() {
         let workspace = Workspace::<64>::default();
         let n = 1 << 44;
         let bytes = (n + 1) * (2 * 64 * 64 + 2 * 64) * 8;

@@ -1,24 +1,24 @@
-//! What rounding does to a search: how small a decrement, a chord or an eigenvalue still counts.
+//! The effect of rounding on a search: which decrements, chords and eigenvalues are negligible.
 
 use tautline_discretizations::{PointSequence, QuadraticModel};
 
 use crate::newton::magnitude::Magnitude;
 
-/// Relative decrement at which a search has converged: the energy cannot be lowered in `f64`
-/// from `10⁻¹⁵` on, but the points, off by the root of it, can be improved.
+/// Relative decrement at which a search has converged. Below `10⁻¹⁵` the energy cannot be lowered
+/// in `f64`, but the points, whose error is its root, can be improved.
 const CONVERGED: f64 = 1e-18;
 
-/// What rounding of the points does to a difference `βₙ`, in `ℓ`: `N ε max |x|`.
+/// The effect of rounding of the points on a difference `βₙ`, in `ℓ`: `N ε max |x|`.
 pub(crate) fn rounding<const D: usize>(sequence: &PointSequence<D>) -> f64 {
     sequence.n().get() as f64 * f64::EPSILON * sequence.extent()
 }
 
 /// The decrement, in `m²`, that cannot be lowered in `f64`.
 ///
-/// Coordinates are rounded by `u/2` at most, `u ≤ ε max |x|`, with the variance `u²/12`. The
-/// Hessian has the diagonal blocks `4N H`, so that this alone leaves a decrement of
-/// `½ Σₙ 4N tr H u²/12 = tr H (N u)²/6`; twelve times that is granted, for the chance of small
-/// `N` and for the end points, which projections round several times.
+/// Coordinates are rounded by at most `u/2`, `u ≤ ε max |x|`, with variance `u²/12`. With the
+/// diagonal blocks `4N H` of the Hessian, this alone leaves a decrement of
+/// `½ Σₙ 4N tr H u²/12 = tr H (N u)²/6`. Twelve times as much is allowed, for fluctuations at small
+/// `N` and for the ends, which projections round several times.
 pub(crate) fn negligible<const D: usize>(
     Magnitude { energy, mean_gram }: Magnitude,
     sequence: &PointSequence<D>,
@@ -27,7 +27,7 @@ pub(crate) fn negligible<const D: usize>(
     (CONVERGED * energy).max(2.0 * trace * rounding(sequence).powi(2))
 }
 
-/// Whether all chords are nothing but the rounding of their ends.
+/// Whether all chords are no longer than the rounding of their ends.
 pub(crate) fn is_rounding<const D: usize>(
     model: &QuadraticModel<D>,
     sequence: &PointSequence<D>,
@@ -38,15 +38,15 @@ pub(crate) fn is_rounding<const D: usize>(
         && model.energy <= model.mean_gram * beta.powi(2)
 }
 
-/// How far the computed eigenvalues of the Hessian may be off, as a multiple of the
-/// regulariser of [`Shifted`](crate::newton::factorization::Shifted): a Hessian that is definite by
-/// less is not told from one with an eigenvalue zero, as a continuum of minimisers has.
+/// The error of the computed eigenvalues of the Hessian, as a multiple of the regulariser of
+/// [`Shifted`](crate::newton::factorization::Shifted). A Hessian that is definite by less cannot be
+/// told from one with a zero eigenvalue, as in a continuum of minimisers.
 ///
-/// The blocks, of the size `4N`, are sums of rounded terms, and eliminated with as many
-/// roundings again: some `8 ε N`. The regulariser has at least `1/N`. Hence `8 ε N²`, doubled.
-/// On coarse grids the iterate counts more: a decrement of `10⁻¹⁸` may leave it, and with it
-/// the Hessian, off by `10⁻⁹` times what a metric varies. As a change of the Newton matrix the margin is harmless,
-/// and on huge grids it is kept so.
+/// The blocks, of size `4N`, are sums of rounded terms, and elimination rounds as often again:
+/// about `8 ε N`. The eigenvalues of the regulariser are at least `1/N`. Hence `8 ε N²`, doubled.
+/// On coarse grids the error of the iterate dominates: a decrement of `10⁻¹⁸` leaves it, and the
+/// Hessian, off by up to `10⁻⁹` of the variation of the metric. The upper limit keeps the margin
+/// harmless as a change of the Newton matrix on huge grids.
 pub(crate) fn margin(n: usize) -> f64 {
     (16.0 * f64::EPSILON * (n as f64).powi(2)).clamp(1e-8, 1e-3)
 }
@@ -80,9 +80,8 @@ mod tests {
         assert!(is_rounding(&QuadraticModel::new(Trapezoidal, &Valleys, &line), &line));
     }
 
-    /// Whichever point is far from the origin is rounded most.
     #[test]
-    fn the_farthest_point_decides_wherever_it_is() {
+    fn the_farthest_point_sets_the_rounding_wherever_it_is() {
         for far in 0..4 {
             let mut points = vec![nalgebra::vector![1.0, -1.0]; 4];
             points[far][far % 2] = -1e6;
@@ -91,7 +90,7 @@ mod tests {
         }
     }
 
-    /// From a point back to it, or nearly: a way there and back is no rounding.
+    /// The ends agree, but the chords are long.
     #[test]
     fn a_loop_is_not_rounding() {
         let loop_of = |size: f64| {

@@ -1,22 +1,21 @@
-//! `Stationarity`: how near a point sequence is to a discrete minimiser.
+//! `Stationarity`: how close a point sequence is to a discrete minimiser.
 
 use tautline_discretizations::PointSequence;
 
 use crate::newton::{magnitude::Magnitude, rounding::negligible};
 
-/// What first derivatives and a factorisation of the Hessian say about a point sequence.
+/// What first derivatives and a factorisation of the Hessian reveal about a point sequence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Stationarity {
-    /// The discrete energy, and the size of the metric.
     pub(crate) magnitude: Magnitude,
-    /// Whether the metric is one at every node.
+    /// Whether the metric is positive definite at every node.
     pub(crate) is_metric: bool,
     /// The energy that a Newton step promises to shed, half the square of the Newton decrement, in
     /// `m²`.
     pub(crate) decrement: f64,
     /// The [residual](crate::Minimum::residual).
     pub(crate) residual: f64,
-    /// What rounding alone does to it.
+    /// The residual from rounding alone.
     pub(crate) residual_floor: f64,
 }
 

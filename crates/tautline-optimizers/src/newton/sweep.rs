@@ -1,4 +1,4 @@
-//! `Sweep`: a look at a point sequence, by elimination from both of its ends.
+//! `Sweep`: assembly and elimination in one pass over the chords, from both ends.
 
 use nalgebra::SVector;
 use tautline_discretizations::{Node, PointSequence};
@@ -16,31 +16,30 @@ use crate::newton::{
     twisted_factorization::TwistedFactorization,
 };
 
-/// What one pass over the chords finds out where the Hessian is positive definite.
+/// The result of one pass over the chords, for a positive definite Hessian.
 #[derive(Clone, Debug)]
 pub(crate) struct Sweep<const D: usize> {
     pub(crate) stationarity: Stationarity,
-    /// The coordinates of the ends in which their blocks are eliminated.
+    /// The coordinates in which the blocks of the ends are eliminated.
     pub(crate) frames: [EndFrame<D>; 2],
-    /// That of the frames.
+    /// The `τ` of the frames.
     pub(crate) tau: f64,
 }
 
-/// Where a sweep writes, if anywhere: the factorisation, and the right hand side after elimination.
+/// Where a sweep writes, if at all: the factorisation, and the right hand side after elimination.
 pub(crate) type MemoryOfSweep<'m, const D: usize> =
     Option<(&'m mut TwistedFactorization<D>, &'m mut Vec<SVector<f64, D>>)>;
 
-/// Sums up and eliminates in one pass; `None` if the Hessian, less the [`margin`], is not positive
-/// definite or not finite.
+/// Assembles and eliminates in one pass; `None` if the Hessian, less the [`margin`], is not
+/// positive definite and finite.
 ///
-/// From both ends towards the middle. Each block is eliminated as soon as the chords on both sides of
-/// its point are known, so that neither gradient nor Hessian is ever stored. The pivots and the right
-/// hand side after elimination, which is all that a Newton step needs, are written to `memory`, if
-/// there is some. `about` is what is known of the magnitude beforehand: it scales the margin and what
-/// is taken for a chord at the ends.
+/// The pass goes from both ends towards the middle. It eliminates each block as soon as the chords
+/// on both sides of its point are known, and never stores a gradient or a Hessian. The pivots and
+/// the right hand side after elimination, all that a Newton step needs, are written to `memory` if
+/// it is given. `about` estimates the magnitude: it scales the margin and the frames of the ends.
 ///
-/// Up to three dimensions the two sides [share the lanes of a register](goes_in_lanes). From four on they
-/// take turns, or run `at_once` on two threads, which does not change a bit of the result.
+/// Up to three dimensions the two sides [share the lanes of a register](goes_in_lanes). From four
+/// on they take turns, or run `at_once` on two threads, with the same bits in the result.
 pub(crate) fn sweep<const D: usize>(
     nodes: &'static [Node],
     metric: &dyn Batches<D>,
@@ -80,7 +79,7 @@ pub(crate) fn sweep<const D: usize>(
         if half > 0 {
             front.count(&residual);
         } else {
-            // Both ends are at the one chord that there is.
+            // The only chord joins both ends.
             front.enter(frames[0].insert(chain.frame(0, &front.row.gradient)), &mut ahead, tau);
             ahead.enter(frames[1].insert(chain.frame(1, &ahead.row.gradient)), &mut front, tau);
         }
@@ -90,7 +89,7 @@ pub(crate) fn sweep<const D: usize>(
             eliminated[half] = z;
         }
     } else {
-        // Both have come to the same point.
+        // Both sides have reached the same point.
         front.row.join(&back.row);
     }
     front.add_sums(&back);

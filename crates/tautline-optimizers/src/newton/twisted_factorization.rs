@@ -1,30 +1,29 @@
-//! The factorisation of a block-tridiagonal matrix from both of its ends at once.
+//! `TwistedFactorization`: the factorisation of a block-tridiagonal matrix from both ends.
 
 use nalgebra::SVector;
 use tautline_metrics::{Lanes, Pair};
 
 use crate::newton::{factorization::Pivot, ldl::Ldl};
 
-/// The factorisation by blocks of a positive definite block-tridiagonal matrix, from both ends
-/// towards the middle: block `n` from the front and block `N − n` from the back, for `n < ⌊N/2⌋`, and
-/// then the one or two blocks between them. Also known as two-sided elimination, and as burning at
-/// both ends.
+/// The block factorisation of a positive definite block-tridiagonal matrix, from both ends towards
+/// the middle: block `n` from the front and block `N − n` from the back for `n < ⌊N/2⌋`, then the
+/// one or two blocks between them. Also known as two-sided elimination, or burning at both ends.
 ///
-/// The two sides are eliminated in the lanes of a register, as `pairs`, or each by itself, as `sides`.
+/// The two sides are eliminated in the lanes of a register, as `pairs`, or separately, as `sides`.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct TwistedFactorization<const D: usize> {
-    /// Of the blocks `n` and `N − n`, from the ends on.
+    /// The blocks `n` and `N − n`, from the ends on.
     pub(crate) pairs: Vec<Pivot<D, Pair>>,
-    /// Those from the front, and those from the back.
+    /// The blocks from the front, and those from the back.
     pub(crate) sides: [Vec<Pivot<D>>; 2],
-    /// Of the first of two blocks in the middle.
+    /// The first of two blocks in the middle.
     pub(crate) middle: Option<Pivot<D>>,
-    /// Of the block that is left.
+    /// The last block.
     pub(crate) last: Option<Ldl<D>>,
 }
 
 impl<const D: usize> TwistedFactorization<D> {
-    /// Makes room for so many pairs, which are there to be written over, and for so many on each side.
+    /// Provides `pairs`, to be overwritten, and empty `sides` with room for `on_each_side`.
     pub(crate) fn clear(&mut self, pairs: usize, on_each_side: usize) {
         self.pairs.reserve_exact(pairs.saturating_sub(self.pairs.len()));
         self.pairs.resize(pairs, Pivot::zero());
@@ -35,23 +34,23 @@ impl<const D: usize> TwistedFactorization<D> {
         (self.middle, self.last) = (None, None);
     }
 
-    /// The memory that is kept, in bytes.
+    /// The allocated memory, in bytes.
     pub(crate) fn bytes(&self) -> usize {
         let sides: usize = self.sides.iter().map(Vec::capacity).sum();
         self.pairs.capacity() * size_of::<Pivot<D, Pair>>() + sides * size_of::<Pivot<D>>()
     }
 
-    /// For how many blocks there is room.
+    /// The number of blocks for which there is memory.
     pub(crate) fn capacity(&self) -> usize {
         2 * self.pairs.capacity() + self.sides.iter().map(Vec::capacity).sum::<usize>()
     }
 
-    /// How many blocks are eliminated from each end, before those in the middle.
+    /// The number of blocks eliminated from each end, before those in the middle.
     fn half(&self) -> usize {
         self.pairs.len() + self.sides[0].len()
     }
 
-    /// Returns `½ bᵀ A⁻¹ b = ½ Σ yₙᵀ Dₙ⁻¹ yₙ`: nothing need be substituted back for it.
+    /// Returns `½ bᵀ A⁻¹ b = ½ Σ yₙᵀ Dₙ⁻¹ yₙ`, which needs no back substitution.
     pub(crate) fn half_square(&self, b: &[SVector<f64, D>]) -> f64 {
         let (half, end) = (self.half(), b.len() - 1);
         let [(front, left), (back, right)] = if self.sides[0].is_empty() {
@@ -76,7 +75,7 @@ impl<const D: usize> TwistedFactorization<D> {
         0.5 * square
     }
 
-    /// Overwrites the `zₙ` that elimination has made of a right hand side with the solution.
+    /// Overwrites `zₙ`, the right hand side after elimination, with the solution.
     pub(crate) fn substitute_back(&self, z: &mut [SVector<f64, D>]) {
         let (half, end) = (self.half(), z.len() - 1);
         if let Some(last) = &self.last {
@@ -99,8 +98,8 @@ impl<const D: usize> TwistedFactorization<D> {
     }
 }
 
-/// Eliminates the right hand sides of some blocks; returns `Σ yₙᵀ Dₙ⁻¹ yₙ` and what is added to the
-/// right hand side of the block behind them.
+/// Eliminates the right hand sides of some blocks; returns `Σ yₙᵀ Dₙ⁻¹ yₙ` and the contribution to
+/// the right hand side of the block behind them.
 fn eliminate<T: Lanes, const D: usize>(
     pivots: &[Pivot<D, T>],
     right: impl Fn(usize) -> SVector<T, D>,
@@ -115,8 +114,8 @@ fn eliminate<T: Lanes, const D: usize>(
     (square, carried)
 }
 
-/// Substitutes `behind`, the solution at the block behind the last, back to the first one; `z` are
-/// those of the blocks, the last first.
+/// Substitutes `behind`, the solution at the block behind the last, back to the first; `z` runs
+/// over the blocks from the last to the first.
 fn substitute<'a, const D: usize>(
     pivots: &[Pivot<D>],
     z: impl Iterator<Item = &'a mut SVector<f64, D>>,
@@ -133,9 +132,8 @@ fn substitute<'a, const D: usize>(
 mod tests {
     use super::TwistedFactorization;
 
-    /// Side by side or each by itself, so many blocks take as much memory.
     #[test]
-    fn a_pair_takes_as_much_as_two() {
+    fn a_pair_takes_as_much_memory_as_two_blocks() {
         let memory = |pairs, on_each_side| {
             let mut factorization = TwistedFactorization::<2>::default();
             factorization.clear(pairs, on_each_side);

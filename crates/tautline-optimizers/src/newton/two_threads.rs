@@ -1,27 +1,27 @@
-//! Two halves of a computation, one after the other or at once.
+//! Two halves of a computation, on one thread or on two.
 
 use std::{panic::resume_unwind, thread};
 
 use crate::newton::chain::goes_in_lanes;
 
-/// The stack of the second thread, in bytes: in many dimensions matrices of jets are on it, 8 MB at
-/// `D = 64`. Only what is used of it becomes memory.
+/// The stack of the second thread, in bytes. In many dimensions it holds matrices of jets, 8 MB at
+/// `D = 64`. Only the part that is used becomes memory.
 const STACK: usize = 32 << 20;
 
-/// Where the chords of a grid have so many second derivatives, half a sweep takes ten times as long as
-/// a thread takes to begin and end.
+/// With this many second derivatives in the chords of a grid, half a sweep takes ten times as long
+/// as starting and ending a thread.
 const WORTH_A_THREAD: usize = 65_536;
 
-/// Whether two of `threads` should share a pass over `n` chords, one from each end. Not where both sides share
-/// the lanes of a register: two threads with one side each are slower.
+/// Whether two of `threads` should share a pass over `n` chords, one from each end. If both sides
+/// share the lanes of a register, two threads with one side each are slower.
 pub(crate) fn share<const D: usize>(threads: usize, n: usize) -> bool {
     let processors = || thread::available_parallelism().map_or(1, usize::from);
     let worth = const { !goes_in_lanes(D) } && n * D * D >= WORTH_A_THREAD;
     worth && threads > 1 && processors() > 1
 }
 
-/// Returns both results, if there are both: one after the other, or `at_once`, the other half on a
-/// thread of its own, unless the system has none to give.
+/// Returns both results, if both exist: computed one after the other or, `at_once`, with the other
+/// half on a second thread, if the system grants one.
 pub(crate) fn join<T: Send>(
     at_once: bool,
     one: impl FnOnce() -> Option<T>,
@@ -43,7 +43,7 @@ fn on_two_threads<T: Send>(
         let done = thread.ok().map(|thread| thread.join().unwrap_or_else(|why| resume_unwind(why)));
         (one, done.flatten())
     });
-    // The other half is still here, if there was no thread to take it.
+    // If no thread took the other half, it is still here.
     let other = done.or_else(|| other.map(|other| other()));
     Some([one?, other.flatten()?])
 }
@@ -54,7 +54,7 @@ mod tests {
 
     use super::{STACK, join, on_two_threads, share};
 
-    /// Which half, and whether this thread has done it.
+    /// Which half, and whether this thread computed it.
     fn halves(stack: usize) -> [(i32, bool); 2] {
         let here = thread::current().id();
         let half = |which| Some((which, thread::current().id() == here));
@@ -62,14 +62,14 @@ mod tests {
     }
 
     #[test]
-    fn each_half_has_its_place_and_its_thread() {
+    fn the_halves_run_in_order_on_two_threads() {
         assert_eq!(halves(STACK), [(1, true), (2, false)]);
         assert_eq!(join(false, || Some(1), || Some(2)), Some([1, 2]));
     }
 
     #[test]
     fn without_a_second_thread_the_first_does_both() {
-        // No system has so much.
+        // No system has this much.
         assert_eq!(halves(1 << 60), [(1, true), (2, true)]);
     }
 
@@ -80,24 +80,24 @@ mod tests {
                 assert_eq!(join(at_once, || one, || other), None);
             }
         }
-        // One after the other, nobody begins in vain.
+        // One after the other, the second half does not begin in vain.
         let begun = join(false, || None::<()>, || panic!("begun"));
         assert_eq!(begun, None);
     }
 
     #[test]
     #[should_panic(expected = "the other half")]
-    fn a_panic_goes_on_where_it_is_waited_for() {
+    fn a_panic_reaches_the_waiting_thread() {
         join(true, || Some(()), || panic!("the other half"));
     }
 
     #[test]
-    fn threads_share_what_is_worth_it() {
+    fn threads_share_large_passes_only() {
         let two = thread::available_parallelism().is_ok_and(|processors| processors.get() > 1);
         assert_eq!([4095, 4096].map(|n| share::<4>(2, n)), [false, two]);
         assert_eq!([1023, 1024].map(|n| share::<8>(2, n)), [false, two]);
         assert_eq!([0, 1, 3].map(|threads| share::<8>(threads, 1024)), [false, false, two]);
-        // There one thread takes both sides at once.
+        // Up to three dimensions one thread takes both sides at once.
         assert!(!share::<3>(2, 1 << 20));
     }
 }

@@ -1,4 +1,4 @@
-//! `Workspace`: memory that one search leaves to the next.
+//! `Workspace`: memory that is reused from search to search.
 
 use std::fmt;
 
@@ -6,11 +6,10 @@ use nalgebra::SVector;
 
 use crate::newton::twisted_factorization::TwistedFactorization;
 
-/// Memory for searches, which grows with the largest of them and is kept for the next.
+/// Memory for searches. It grows with the largest of them and is reused by the next.
 ///
-/// What a search on a fine grid writes down, `2D² + 2D` numbers a point, is written and read
-/// once or twice: on fresh memory, which the system has to find and to clear first, that takes
-/// longer than to compute it.
+/// A search on a fine grid writes `2D² + 2D` numbers a point and reads them once or twice. In fresh
+/// memory, which the system has to find and clear first, this takes longer than computing them.
 #[derive(Clone)]
 pub struct Workspace<const D: usize> {
     pub(crate) factorization: TwistedFactorization<D>,
@@ -18,30 +17,30 @@ pub struct Workspace<const D: usize> {
 }
 
 impl<const D: usize> Default for Workspace<D> {
-    /// Returns a workspace without any memory yet.
+    /// Returns a workspace without memory.
     fn default() -> Self {
         Self { factorization: TwistedFactorization::default(), spare: Spare(Vec::new()) }
     }
 }
 
 impl<const D: usize> fmt::Debug for Workspace<D> {
-    /// For how many points there is room; what is in it means nothing.
+    /// Shows the number of points for which there is memory; its contents mean nothing.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let points = self.factorization.capacity();
         f.debug_struct("Workspace").field("points", &points).finish_non_exhaustive()
     }
 }
 
-/// Lists of points that are not needed any more.
+/// Lists of points that are no longer needed.
 #[derive(Clone)]
 pub(crate) struct Spare<const D: usize>(Vec<Vec<SVector<f64, D>>>);
 
-/// So many are kept: those of a grid, and those of the next coarser ones.
+/// The number of lists that are kept, of a grid and of the next coarser ones.
 const KEPT: usize = 8;
 
 impl<const D: usize> Spare<D> {
-    /// Returns an empty list with room for `count` points: one that is there, unless it is so large
-    /// that it had better be kept for a finer grid.
+    /// Returns an empty list with room for `count` points: a kept one, unless it is so large that a
+    /// finer grid needs it more.
     pub(crate) fn take(&mut self, count: usize) -> Vec<SVector<f64, D>> {
         let fits = |list: &Vec<_>| (count..=2 * count).contains(&list.capacity());
         match self.0.iter().position(fits) {
@@ -50,7 +49,7 @@ impl<const D: usize> Spare<D> {
         }
     }
 
-    /// Keeps a list, without its points.
+    /// Empties a list and keeps it.
     pub(crate) fn give(&mut self, mut list: Vec<SVector<f64, D>>) {
         list.clear();
         self.0.push(list);
@@ -65,7 +64,7 @@ mod tests {
     use super::{KEPT, Workspace};
 
     #[test]
-    fn a_list_comes_back_for_as_many_points_and_not_for_few() {
+    fn a_list_is_reused_unless_it_is_much_too_large() {
         let mut spare = Workspace::<2>::default().spare;
         spare.give(Vec::with_capacity(100));
         assert!(spare.take(49).capacity() < 100);

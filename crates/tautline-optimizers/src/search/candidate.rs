@@ -6,30 +6,30 @@ use tautline_formula::InstructionSet;
 use tautline_sets::ClosedSet;
 
 use crate::{
-    Level, Stop,
+    Level, Minimum, Stop,
     search::{
         local_search::Found,
         prolongation::{prolong, prolong_into},
     },
 };
 
-/// Where the least energy rises by this factor from one grid to the next, the discrete minimisers
-/// of the coarser one leapt over ridges that the finer one resolves, and need not lead to its lowest:
-/// the starts are tried again.
+/// If the least energy rises by this factor from one grid to the next, the minimisers of the
+/// coarser grid leapt over ridges that the finer one resolves. They need not lead to its lowest
+/// minimiser, and the starts are tried again.
 const LEAP: f64 = 1.5;
 
-/// From so many grids the points are extrapolated, and none of them coarser than this.
+/// The points are extrapolated from at most this many grids, none of them coarser than `COARSE`.
 const EXTRAPOLATED: usize = 3;
 const COARSE: usize = 32;
 
-/// Minima are different if their energies differ by more than this, relatively.
+/// Minima whose energies differ by a larger fraction are different.
 const DIFFERENT: f64 = 1e-9;
 
 /// A local minimiser, the pieces it runs between and its energies on coarser grids.
 pub(crate) struct Candidate<'a, const D: usize> {
     pub(crate) ends: [&'a dyn ClosedSet<D>; 2],
     pub(crate) found: Found<D>,
-    /// The sequences on coarser grids, the finest last, as far as they are needed.
+    /// The sequences on coarser grids that are still needed, the finest last.
     coarser: Vec<PointSequence<D>>,
     pub(crate) levels: Vec<Level>,
     /// Newton steps so far.
@@ -42,14 +42,14 @@ impl<'a, const D: usize> Candidate<'a, D> {
         Self { ends, levels, coarser: Vec::new(), iterations, found }
     }
 
-    /// Goes over to the minimiser on the next grid; returns points on a coarser one which are not
-    /// needed any more.
+    /// Moves on to the minimiser on the next grid; also returns a coarser sequence that is no
+    /// longer needed.
     pub(crate) fn refined(mut self, found: Found<D>) -> (Self, Option<PointSequence<D>>) {
         self.levels.push(level(&found));
         self.iterations += found.iterations;
         self.coarser.push(std::mem::replace(&mut self.found, found).sequence);
         if self.leapt() {
-            // They lead elsewhere.
+            // They lead to another minimiser.
             self.coarser.clear();
         }
         let unused = self.coarser.len() >= EXTRAPOLATED;
@@ -57,16 +57,34 @@ impl<'a, const D: usize> Candidate<'a, D> {
         (self, unused)
     }
 
-    /// Whether the energy has risen so much since the coarser grid that it was that of leaps.
+    /// Whether the minimiser on the coarser grid leapt: the energy has risen by [`LEAP`] since.
     pub(crate) fn leapt(&self) -> bool {
         matches!(self.levels[..], [.., coarse, fine] if fine.energy > LEAP * coarse.energy)
     }
 
-    /// Whether the energy differs by this fraction or more from that on the coarser grid; written so
-    /// that NaN does.
+    /// Whether the energy differs from that on the coarser grid by at least this fraction. NaN
+    /// does.
     pub(crate) fn has_changed_by(&self, fraction: f64) -> bool {
         let [.., coarse, fine] = self.levels[..] else { return false };
         !((fine.energy - coarse.energy).abs() < fraction * coarse.energy)
+    }
+
+    /// The result of the whole solve; `iterations` counts the steps of all searches.
+    pub(crate) fn into_minimum(self, iterations: usize, local_minima: Vec<f64>) -> Minimum<D> {
+        let Self { found, levels, iterations: own_iterations, .. } = self;
+        Minimum {
+            sequence: found.sequence,
+            energy: found.energy,
+            decrement: found.decrement,
+            residual: found.residual,
+            residual_floor: found.residual_floor,
+            stop: found.stop,
+            curvature: found.curvature,
+            iterations,
+            own_iterations,
+            levels,
+            local_minima,
+        }
     }
 
     pub(crate) fn failed(&self) -> bool {
@@ -75,9 +93,9 @@ impl<'a, const D: usize> Candidate<'a, D> {
 
     /// Where to start on the next grid of `n` chords.
     ///
-    /// The points obey `x_N = x + a N⁻ᑫ + b N⁻²ᑫ + …` as the energies do, so that three grids tell
-    /// where they go on the fourth, by a polynomial in `N⁻ᑫ`. What is left of the error is of the
-    /// order of rounding on fine grids, and no Newton step is needed there.
+    /// Like the energies, the points obey `x_N = x + a N⁻ᑫ + b N⁻²ᑫ + …`, so that a polynomial in
+    /// `N⁻ᑫ` through three grids predicts the fourth. On fine grids the remaining error is of the
+    /// order of rounding, and no Newton step is needed.
     pub(crate) fn start(
         &self,
         n: usize,
@@ -93,7 +111,7 @@ impl<'a, const D: usize> Candidate<'a, D> {
             return PointSequence::new(prolong_into(sequence, n, instruction_set, memory));
         }
         let power = |n: usize| (n as f64).powi(-exponent);
-        // The weight of each in the polynomial of Lagrange through all.
+        // The weights of Lagrange interpolation in N⁻ᑫ.
         let grids: Vec<_> = coarser.iter().map(|c| c.n().get()).chain([here]).map(power).collect();
         let weight = |own: usize| {
             let others = grids.iter().enumerate().filter(|(other, _)| *other != own);
@@ -117,17 +135,17 @@ fn level<const D: usize>(found: &Found<D>) -> Level {
     Level { n: found.sequence.n().get(), energy: found.energy }
 }
 
-/// The places of these, sorted; those of equals as they were. To sort places takes code of one type, and to sort
-/// candidates some for each dimension.
+/// The indices that sort the keys, stably. Sorting candidates instead would compile the sort once
+/// for each dimension.
 fn by_key(keys: &[(bool, f64)]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..keys.len()).collect();
     order.sort_by(|&a, &b| keys[a].0.cmp(&keys[b].0).then(keys[a].1.total_cmp(&keys[b].1)));
     order
 }
 
-/// Sorts by energy, and keeps one of those that are the same but for `10⁻⁹`: that which has most grids
-/// behind it to extrapolate from, or the lower one. A search that did not converge counts behind all
-/// that did: its energy is that of no minimiser.
+/// Sorts by energy, and merges candidates whose energies agree to `10⁻⁹`: the one with more grids
+/// to extrapolate from stays, or else the lower one. Searches that did not converge come last,
+/// since their energy is not that of a minimiser.
 pub(crate) fn lowest_first<const D: usize>(candidates: &mut Vec<Candidate<'_, D>>) {
     let keys: Vec<_> = candidates.iter().map(|c| (c.failed(), c.found.energy)).collect();
     let order = by_key(&keys);
@@ -182,9 +200,9 @@ mod tests {
         pairs.map(|(x, y)| (x - y).amax()).fold(0.0, f64::max)
     }
 
-    /// The first term of the error is of second order for one rule and of first for the other, and
-    /// the next of twice that: what is left is smaller by about the coarsest step or its square, for
-    /// each grid more. Without the right power, or with the wrong sign, as much is left as there was.
+    /// The leading error is of order 2 for one rule and 1 for the other, the next of twice that:
+    /// each additional grid divides the remainder by about the number of chords of the coarsest, or
+    /// its square. A wrong power or a wrong sign would leave the error as it was.
     #[test]
     fn the_points_are_extrapolated_to_the_next_grid() {
         let one_by_one = [[800].as_slice(), &[200, 800], &[100, 200, 800], &[100, 100, 200, 800]];
@@ -194,12 +212,12 @@ mod tests {
         ] {
             assert!(two < 0.1 * one, "{two:e} {one:e}");
             assert!(three < 0.1 * two, "{three:e} {two:e}");
-            // No more than three are kept.
+            // Only three are kept.
             assert_eq!(again, three);
         }
     }
 
-    /// Points of a curved boundary, extrapolated, leave it: both ends are brought back.
+    /// Extrapolation moves the ends off a curved boundary; both are projected back.
     #[test]
     fn the_ends_of_an_extrapolated_start_lie_in_their_sets() {
         let [a, b] = [[0.0, 0.3], [3.0, 1.5]].map(|x| Ball::new(x, 0.5).expect("a radius"));
@@ -216,11 +234,11 @@ mod tests {
         for (set, x) in ends.into_iter().zip([start.first(), start.last()]) {
             assert!((set.project(x) - x).amax() < 1e-15, "{x}");
         }
-        // They have moved by far more than that.
+        // The end has moved by far more.
         assert!((start.last() - candidate.found.sequence.last()).amax() > 1e-6);
     }
 
-    /// A result with this energy, whatever it is of.
+    /// A made-up result with this energy.
     fn found(n: usize, energy: f64) -> Found<2> {
         Found {
             sequence: PointSequence::straight([0.0, 0.0], [1.0, 0.0], n).expect("finite"),
@@ -245,16 +263,16 @@ mod tests {
         assert_eq!((steady.leapt(), steady.coarser.len()), (false, 2));
         let (leapt, _) = coarse().refined(found(128, 2.0));
         assert_eq!((leapt.leapt(), leapt.coarser.len()), (true, 0));
-        // From one grid to the next: in many steps the energy may rise as far as it likes.
+        // Only one grid counts: over several, the energy may rise further.
         let rising = [1.4, 1.8, 2.2].map(|energy| (128, energy));
         let risen = rising.into_iter().fold(coarse(), |c, (n, e)| c.refined(found(n, e)).0);
         assert!(!risen.leapt() && risen.refined(found(256, 3.4)).0.leapt());
     }
 
-    /// The energy of a search that did not end at a minimiser says nothing: it is the last, however
-    /// low, and no double of one that did.
+    /// The energy of a failed search means nothing: the search comes last, however low, and is
+    /// never merged with one that converged.
     #[test]
-    fn a_search_that_failed_comes_last_and_stands_for_no_other() {
+    fn a_failed_search_comes_last_and_replaces_none() {
         let point = Point::new([0.0, 0.0]).expect("finite");
         for stop in [Stop::Stalled, Stop::IterationLimit] {
             let new = |energy, stop| {
@@ -285,7 +303,7 @@ mod tests {
     }
 
     #[test]
-    fn of_two_that_are_the_same_the_one_from_more_grids_is_kept() {
+    fn of_two_equal_candidates_the_one_from_more_grids_is_kept() {
         let point = Point::new([0.0, 0.0]).expect("finite");
         let new = |energy| Candidate::new([&point, &point], found(64, energy));
         let followed =
@@ -293,7 +311,7 @@ mod tests {
         let lower = 1.0 - 1e-10;
         for mut candidates in [vec![new(lower), followed()], vec![followed(), new(lower)]] {
             lowest_first(&mut candidates);
-            let [Candidate { levels, .. }] = &candidates[..] else { panic!("one of them") };
+            let [Candidate { levels, .. }] = &candidates[..] else { panic!("not merged") };
             assert_eq!(levels.len(), 2);
         }
         let mut different = vec![followed(), new(1.0 - 1e-8)];

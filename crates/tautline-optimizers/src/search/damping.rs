@@ -1,16 +1,16 @@
-//! `Damping`: what a local search carries from one iterate to the next.
+//! `Damping`: the state that a local search carries from one iterate to the next.
 
-/// So many steps in a row without looking at the energy may promise as much as the one before:
-/// then it is rounding that they see, such as that of a projection along a soft direction.
+/// After this many unchecked steps in a row that promise as much as the one before, the promise is
+/// rounding, such as that of a projection along a soft direction.
 const STAGNANT: usize = 3;
 
-/// The first shift, and the factor between shifts; beyond the last, steps are so short that
-/// an energy that still does not fall will not.
+/// The first shift, and the factor between shifts. Beyond the last, steps are so short that an
+/// energy that has not fallen never will.
 const FIRST_SHIFT: f64 = 1e-2;
 pub(crate) const SHIFT_FACTOR: f64 = 8.0;
 pub(crate) const LAST_SHIFT: f64 = 1e12;
 
-/// What a search carries from one iterate to the next.
+/// How a search is damped, and what its last steps were like.
 #[derive(Default)]
 pub(crate) struct Damping {
     /// The factor `μ` of the regulariser.
@@ -19,8 +19,7 @@ pub(crate) struct Damping {
     pub(crate) indefinite: usize,
     /// Saddles that were left.
     pub(crate) escapes: usize,
-    /// What the last step that was taken without looking at the energy promised, and how
-    /// many in a row promised as much as the one before.
+    /// The decrement of the last unchecked step, and how many in a row did not fall.
     promised: f64,
     stagnant: usize,
 }
@@ -34,7 +33,7 @@ impl Damping {
         self.shift = if self.shift <= FIRST_SHIFT { 0.0 } else { self.shift / SHIFT_FACTOR };
     }
 
-    /// Notes what a step promises; returns whether such promises have ceased to fall.
+    /// Records the decrement of an unchecked step; returns whether decrements have stopped falling.
     pub(crate) fn stagnates(&mut self, decrement: f64) -> bool {
         let falls = self.promised == 0.0 || decrement <= 0.25 * self.promised;
         self.stagnant = if falls { 0 } else { self.stagnant + 1 };
@@ -60,10 +59,10 @@ mod tests {
     }
 
     #[test]
-    fn three_promises_that_do_not_fall_are_stagnation() {
+    fn three_decrements_that_do_not_fall_are_stagnation() {
         let mut damping = Damping::default();
-        let promises = [1e-11, 1e-12, 9e-13, 2e-13, 1.5e-13, 1.4e-13, 1.4e-13];
-        let stagnates = promises.map(|promise| damping.stagnates(promise));
+        let decrements = [1e-11, 1e-12, 9e-13, 2e-13, 1.5e-13, 1.4e-13, 1.4e-13];
+        let stagnates = decrements.map(|decrement| damping.stagnates(decrement));
         assert_eq!(stagnates, [false, false, false, false, false, false, true]);
     }
 }

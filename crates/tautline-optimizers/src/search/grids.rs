@@ -1,19 +1,20 @@
 //! The grids of a search, from coarse to fine.
 
-/// Up to so many chords everything is tried on the grid itself: there a discrete minimiser
-/// may leap over a ridge, and which leaps save energy depends on the grid.
+/// The most chords of a coarsest grid: enough to tell the ways round an obstacle apart, and few
+/// enough that a dozen starts cost less than one pass over a fine grid.
 ///
-/// On finer ones the coarsest grid has at most so many: enough to tell the ways round an
-/// obstacle apart, and few enough that a dozen starts cost less than one pass over a fine grid.
+/// A grid with no more chords is the only one. A discrete minimiser may leap over a ridge there,
+/// and which leaps save energy depends on the grid.
 const COARSEST: usize = 32;
 
-/// Up to so many chords the coarsest grid has half as many, so that a solve costs no more than on a finer
-/// grid, which begins there too. Leaps may still pay, and are looked for once more if the energies tell so.
+/// Up to this many chords the coarsest grid has half as many, so that a solve costs no more than
+/// one on a finer grid, which begins there too. Leaps may still save energy: if the energies
+/// suggest it, they are looked for once more.
 pub(crate) const SMALL: usize = 64;
 const DOUBLED: usize = 2;
 
-/// From one grid to the next, `N` grows at most by this factor: by the later ones on fine grids,
-/// where what is prolonged is nearer.
+/// The largest factor by which `N` grows from one grid to the next. It grows at each of the numbers
+/// of chords in `FINER`, since a finer grid predicts the next one better.
 const REFINEMENT: [usize; 3] = [4, 8, 16];
 const FINER: [usize; 2] = [4096, 65_536];
 

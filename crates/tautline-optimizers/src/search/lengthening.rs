@@ -1,22 +1,22 @@
-//! Longer steps where a shift has made them too short.
+//! Lengthening of steps that a shift has made too short.
 
 use nalgebra::SVector;
 use tautline_discretizations::PointSequence;
 
 use crate::search::local_search::LocalSearch;
 
-/// How much of twice the decrement a step has to shed to be called short: three quarters.
+/// A step is short if it sheds at least this many decrements, of the 2 that its slope promises.
 const SHORT: f64 = 1.5;
 
 impl<const D: usize> LocalSearch<'_, D> {
-    /// Doubles a step from `sequence` as long as that sheds more; `None` if it does not at once.
+    /// Doubles a step from `sequence` as long as that sheds more energy; `None` if even the first
+    /// doubling does not.
     ///
-    /// `energy` is that of the sequence, `reached` that after the step, and `decrement` is `δ`,
-    /// half the slope of the energy along the step. In `t` times the step the energy falls by
-    /// `2δt − κt²`. A shift larger than need be makes `κ` small, and the step too short by the
-    /// factor `δ/κ`: a search with such steps creeps along a curved valley. Where
-    /// `2δt − κt² ≥ 3/2 δt`, twice the step sheds more, since `κt ≤ δ/2 < 2δ/3`. It costs an
-    /// energy, and no factorisation.
+    /// `energy` and `reached` are the energies before and after the step; `decrement` is `δ`, half
+    /// the slope of the energy along the step. `t` times the step sheds `2δt − κt²`. A shift larger
+    /// than necessary makes `κ` small and the step too short by the factor `δ/κ`, and the search
+    /// creeps along a curved valley. If `2δt − κt² ≥ 3/2 δt`, twice the step sheds more, since
+    /// `κt ≤ δ/2 < 2δ/3`. Each doubling costs one energy and no factorisation.
     pub(crate) fn lengthen(
         &self,
         sequence: &PointSequence<D>,
@@ -47,9 +47,9 @@ mod tests {
 
     use crate::{newton::discrete_energy::DiscreteEnergy, search::local_search::LocalSearch};
 
-    /// From `x` to the minimiser `x + p` the energy of a constant metric is quadratic: with the
-    /// step `p/12`, `κ = δ/12`, so that 1, 2 and 4 steps shed at least `(2 − 4/12) δt` and are
-    /// short, and 8 steps, which shed `(2 − 8/12) δt`, are not.
+    /// The energy of a constant metric is quadratic from `x` to the minimiser `x + p`. The step
+    /// `p/12` has `κ = δ/12`: 1, 2 and 4 steps shed at least `(2 − 4/12) δt` and are short; 8 steps
+    /// shed `(2 − 8/12) δt` and are not.
     #[test]
     fn a_twelfth_of_a_newton_step_is_taken_eight_times() {
         let metric = Constant::<2>::new(SMatrix::identity()).expect("definite");

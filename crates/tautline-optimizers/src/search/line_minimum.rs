@@ -4,19 +4,18 @@ use nalgebra::SVector;
 
 use crate::newton::discrete_energy::DiscreteEnergy;
 
-/// The grid goes on at both sides of the ends for this fraction of their distance: the best
-/// sequence may begin with a step back into a valley.
+/// The grid extends beyond both ends by this fraction of their distance: the best sequence may
+/// begin with a step back into a valley.
 const OVERSHOOT: f64 = 0.1;
 
-/// Returns the sequence with the least discrete energy among all that begin in `a`, end in `b`
-/// and have their inner points on a grid of the straight line through both; `None` if no
-/// sequence has a finite energy. The grid divides the line between `a` and `b` into this many
-/// intervals.
+/// Returns the sequence of least discrete energy from `a` to `b` with its inner points on a grid of
+/// the straight line through both; `None` if no such sequence has a finite energy. The grid divides
+/// the line between `a` and `b` into `intervals`.
 ///
-/// On a coarse grid a minimiser may leap over what is dear between two nodes (Section 5), and
-/// there are as many local minimisers as ways to do it. Here none is missed, up to the grid: a
-/// start for the local search. With `c(x, y)` the energy of one chord, the least energy
-/// `Vₙ(y)` of `n` chords from `a` to `y` obeys `Vₙ₊₁(y) = minₓ Vₙ(x) + c(x, y)`.
+/// With few chords a minimiser may leap over an expensive region between two nodes (Section 5), in
+/// many ways, each a local minimiser. This start for the local search misses none, up to the grid.
+/// With `c(x, y)` the energy of one chord, the least energy `Vₙ(y)` of `n` chords from `a` to `y`
+/// obeys `Vₙ₊₁(y) = minₓ Vₙ(x) + c(x, y)`.
 pub(crate) fn line_minimum<const D: usize>(
     energy: &DiscreteEnergy<'_, D>,
     a: &SVector<f64, D>,
@@ -33,7 +32,7 @@ pub(crate) fn line_minimum<const D: usize>(
     let points: Vec<SVector<f64, D>> = (0..=last).map(at).collect();
     let costs = |chords: &[[usize; 2]]| {
         let chords: Vec<_> = chords.iter().map(|chord| chord.map(|k| &points[k])).collect();
-        // Where the metric is none, no sequence passes.
+        // No sequence passes where the metric is undefined.
         let cost = |energy: f64| if energy >= 0.0 { energy } else { f64::INFINITY };
         energy.of_chords(&chords).into_iter().map(cost).collect::<Vec<f64>>()
     };
@@ -41,8 +40,9 @@ pub(crate) fn line_minimum<const D: usize>(
     Some(best.into_iter().map(|k| points[k]).collect())
 }
 
-/// The places of the best sequence of `n` chords from the place `start` to that so many intervals further, by
-/// what chords between places cost. A function of places: it is compiled once for all dimensions.
+/// The indices of the best sequence of `n` chords from the index `start` to `start + intervals`,
+/// given the costs of chords between indices. It knows no points, and is compiled once for all
+/// dimensions.
 fn best_path(
     start: usize,
     intervals: usize,
@@ -50,12 +50,12 @@ fn best_path(
     costs: &dyn Fn(&[[usize; 2]]) -> Vec<f64>,
 ) -> Option<Vec<usize>> {
     let (end, last) = (start + intervals, 2 * start + intervals);
-    // What some sequence costs: no chord of the best costs more. Where many steps are to be made, that
-    // leaves few of the long ones.
+    // The cost of some sequence: no chord of the best one costs more. With many chords, this
+    // excludes most of the long ones.
     let step = |k: usize| start + (k * intervals + n / 2) / n;
     let steps: Vec<[usize; 2]> = (0..n).map(|k| [step(k), step(k + 1)]).collect();
     let affordable: f64 = costs(&steps).iter().sum();
-    // Row y holds the chords that arrive in y, by where they come from.
+    // Row y holds the chords that arrive at y, by their origin.
     let row = |y: usize| -> Vec<(usize, f64)> {
         let arriving: Vec<[usize; 2]> = (0..=last).map(|x| [x, y]).collect();
         let costs = costs(&arriving).into_iter().enumerate();
@@ -138,8 +138,8 @@ mod tests {
         assert!(line.iter().any(|x| x[0] < 1.0), "{line:?}");
     }
 
-    /// The grid goes on beyond both ends: with a rule that reads both ends of a chord alike, the way
-    /// back is the way there.
+    /// The grid extends beyond both ends. For a rule that treats both ends of a chord alike, the
+    /// way back is the way there.
     #[test]
     fn a_leap_ends_with_a_step_back_too() {
         let energy = valleys(TrueTrapezoid);
@@ -155,7 +155,6 @@ mod tests {
         assert!(distance < 1e-13, "{there:?} {back:?}");
     }
 
-    /// Of one chord there is no choice.
     #[test]
     fn one_chord_joins_the_ends() {
         let (a, b) = (vector![1.2, 0.0], vector![12.0, 0.0]);

@@ -18,24 +18,24 @@ use crate::{
     search::damping::{Damping, LAST_SHIFT},
 };
 
-/// Relative decrement below which Newton steps are taken without looking at the energy: the
-/// promised change, `10⁻¹⁰ E`, is real, but a few steps later it drowns in rounding.
+/// Relative decrement below which Newton steps are taken without checking the energy: the promised
+/// change, `10⁻¹⁰ E`, is real, but a few steps later it drowns in rounding.
 const QUADRATIC_ZONE: f64 = 1e-10;
 
-/// Relative decrement below which the Hessian at one end of a step also speaks for the other:
-/// the points move by the root of it, `10⁻⁸`, and with them the Hessian.
+/// Relative decrement below which the Hessian before a step also serves after it: the points move
+/// by its root, `10⁻⁸`, and the Hessian with them.
 const SAME_HESSIAN: f64 = 1e-16;
 
-/// Steps that promise less than this many times the [`negligible`] decrement are taken without
-/// looking at the energy too: rounding of the coordinates moves it as much.
+/// Steps that promise less than this multiple of the [`negligible`] decrement are not checked
+/// either: rounding of the coordinates changes the energy as much.
 const NOISE: f64 = 16.0;
 
-/// How often a search may leave a saddle at which it had come to rest.
+/// How often a search may leave a saddle at which it came to rest.
 const ESCAPES: usize = 8;
 
-/// After this many steps in a row with an indefinite Hessian, the search tries the direction
-/// of its most negative curvature: the shifted steps towards a saddle are slow, and on an
-/// axis of symmetry they have no component that leads away from it.
+/// After this many steps in a row with an indefinite Hessian, the search tries the direction of
+/// most negative curvature: shifted steps near a saddle are slow, and on an axis of symmetry no
+/// component of them leads away from it.
 const PATIENCE: usize = 5;
 
 /// One problem on one grid.
@@ -70,13 +70,13 @@ impl<const D: usize> Found<D> {
     }
 }
 
-/// What to do after looking at one iterate.
+/// What to do after an iterate.
 enum Next<const D: usize> {
     /// Go on from these points.
     Move(Vec<SVector<f64, D>>),
     /// End here.
     End { stop: Stop, curvature: Curvature, decrement: f64 },
-    /// End at these points, one small Newton step away from a positive definite Hessian.
+    /// End at these points, one small Newton step after a positive definite Hessian.
     EndAt {
         points: Vec<SVector<f64, D>>,
         energy: f64,
@@ -86,12 +86,12 @@ enum Next<const D: usize> {
 }
 
 impl<const D: usize> LocalSearch<'_, D> {
-    /// Searches from `start`, whose ends lie in their sets.
+    /// Searches from `start`, a sequence with its ends in their sets.
     ///
     /// # Errors
     ///
-    /// If the Gram matrix is not finite, symmetric and positive definite at a node or an end
-    /// of the result.
+    /// If the metric is not finite, symmetric and positive definite at a node or an end of the
+    /// result.
     pub(crate) fn run(&self, start: PointSequence<D>) -> Result<Found<D>, MetricError> {
         let mut sequence = start;
         let mut damping = Damping::default();
@@ -177,10 +177,10 @@ impl<const D: usize> LocalSearch<'_, D> {
                 damping.indefinite = 0;
             }
             let Step { step, decrement } = system.newton_step(&factorization);
-            // A shift makes promises as much smaller as it makes the Hessian larger.
+            // A shift divides the decrement by as much as it multiplies the Hessian.
             if decrement * (1.0 + damping.shift) <= negligible {
                 if damping.shift == 0.0 {
-                    // What is left of the residual costs one more gradient, and is worth it.
+                    // One more gradient removes what is left of the residual.
                     let trial = self.retract(sequence, &step, 1.0);
                     if finite(&trial)
                         && let last @ Next::EndAt { .. } =
@@ -196,8 +196,8 @@ impl<const D: usize> LocalSearch<'_, D> {
                     damping.shift = 0.0;
                     continue;
                 }
-                // Stationary, and not a minimum as far as the Hessian tells (or no step was
-                // any good): leave, if it leads down anywhere.
+                // Stationary, but the Hessian shows no minimum, or no step was accepted: leave, if
+                // there is a way down.
                 damping.escapes += 1;
                 let down = (!definite && damping.escapes <= ESCAPES)
                     .then(|| self.leave_saddle(model, sequence, damping.shift))
@@ -224,7 +224,7 @@ impl<const D: usize> LocalSearch<'_, D> {
                 damping.lower();
                 return Next::Move(trial);
             }
-            // A quarter of what the quadratic model sheds is enough to converge.
+            // A quarter of what the quadratic model sheds suffices for convergence.
             let sheds = |energy: &f64| model.energy - energy >= 0.25 * decrement;
             if let Some(reached) = self.energy.admissible(&trial).filter(sheds) {
                 let longer = (damping.shift > 0.0)
@@ -240,8 +240,8 @@ impl<const D: usize> LocalSearch<'_, D> {
         }
     }
 
-    /// Takes a step so small that the factorisation still tells the decrement behind it, at
-    /// the price of a gradient; ends there if that has converged.
+    /// Takes a step so small that the factorisation from before it still yields the decrement after
+    /// it, for one gradient; ends there if that decrement is negligible.
     fn polish(
         &self,
         system: &ReducedSystem<'_, D>,
@@ -260,7 +260,7 @@ impl<const D: usize> LocalSearch<'_, D> {
         }
     }
 
-    /// Moves the inner points by `scale · step`, and the ends likewise and back to their sets.
+    /// Moves all points by `scale · step`, and projects the ends back to their sets.
     pub(crate) fn retract(
         &self,
         sequence: &PointSequence<D>,
@@ -280,7 +280,7 @@ impl<const D: usize> LocalSearch<'_, D> {
         points[n] = self.ends[1].project(&points[n]);
     }
 
-    /// What to say when the steps are used up.
+    /// The end of a search that has used up its steps.
     fn give_up(&self, model: &QuadraticModel<D>, sequence: &PointSequence<D>) -> Next<D> {
         let system = ReducedSystem::new(model, self.ends, sequence.points(), 0.0);
         let decrement = system
@@ -302,7 +302,7 @@ impl<const D: usize> LocalSearch<'_, D> {
         }
     }
 
-    /// Checks the Gram matrix at every node, and at both ends, which may be none.
+    /// Checks the metric at every node, and at both ends, which need not be nodes.
     pub(crate) fn check(&self, sequence: &PointSequence<D>) -> Result<(), MetricError> {
         for x in [sequence.first(), sequence.last()] {
             self.energy.check_at(x)?;

@@ -1,4 +1,4 @@
-//! The search for a minimiser, over starts and grids.
+//! The parts of the search for a minimiser: starts, grids, local searches.
 
 pub(crate) mod candidate;
 pub(crate) mod damping;
@@ -6,7 +6,6 @@ pub(crate) mod grids;
 pub(crate) mod lengthening;
 pub(crate) mod line_minimum;
 pub(crate) mod local_search;
-pub(crate) mod minimise;
 pub(crate) mod minimum;
 pub(crate) mod prolongation;
 pub(crate) mod refinement;

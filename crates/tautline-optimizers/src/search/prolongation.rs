@@ -1,20 +1,20 @@
-//! A point sequence on another grid: interpolation of the seventh degree in time.
+//! Prolongation of a point sequence to another grid, by interpolation of degree seven in time.
 
 use nalgebra::SVector;
 use tautline_discretizations::PointSequence;
 use tautline_formula::InstructionSet;
 
-/// So many points a polynomial goes through.
+/// The number of points that a polynomial interpolates.
 const POINTS: usize = 8;
 
-/// Those of the order of a difference.
+/// The reciprocals of the orders of differences.
 const RECIPROCALS: [f64; POINTS] = [1.0, 1.0, 0.5, 1.0 / 3.0, 0.25, 0.2, 1.0 / 6.0, 1.0 / 7.0];
 
-/// Returns the sequence with `n ≥ 1` subintervals that follows `sequence`: on each of its
-/// subintervals the polynomial through the eight nearest points (all, if there are fewer).
+/// Returns `sequence` on a grid of `n ≥ 1` subintervals: each subinterval of `sequence` has the
+/// polynomial through its eight nearest points (all, if there are fewer).
 ///
-/// Keeps both ends exactly. The error on a smooth curve is `O(N⁻⁸)` of the coarser grid: on fine
-/// grids less than the points are rounded by, so that no Newton step is left.
+/// Both ends are kept exactly. With `N` chords in `sequence` the error on a smooth curve is
+/// `O(N⁻⁸)`: on fine grids it is below the rounding of the points, and no Newton step remains.
 pub(crate) fn prolong<const D: usize>(
     sequence: &PointSequence<D>,
     n: usize,
@@ -22,7 +22,7 @@ pub(crate) fn prolong<const D: usize>(
     prolong_into(sequence, n, InstructionSet::default(), Vec::new())
 }
 
-/// The same by these instructions, to the same bits, and in memory that is there.
+/// As [`prolong`], with the given instructions and memory; the result has the same bits.
 pub(crate) fn prolong_into<const D: usize>(
     sequence: &PointSequence<D>,
     n: usize,
@@ -34,13 +34,13 @@ pub(crate) fn prolong_into<const D: usize>(
     let count = points.len().min(POINTS);
     fine.clear();
     fine.reserve_exact(n + 1);
-    // Where the next point is on the coarse grid: whole + rest / n, without rounding.
+    // The place of the next point on the coarse grid, whole + rest / n, without rounding.
     let (mut whole, mut rest) = (0, 0);
     while whole < coarse {
         let first = whole.saturating_sub(POINTS / 2 - 1).min(points.len() - count);
         let near = &points[first..first + count];
         let place = whole - first;
-        // Of a length that the compiler knows, where it is the usual one.
+        // The usual length is a constant, which the compiler can use.
         let usual: Result<&[_; POINTS], _> = near.try_into();
         let mut coefficients =
             usual.map_or_else(|_| coefficients(near, place), |near| coefficients(near, place));
@@ -52,7 +52,7 @@ pub(crate) fn prolong_into<const D: usize>(
             InstructionSet::Widest => follow_widest(&coefficients, steps, inside, &mut fine),
         }
         rest += inside * coarse;
-        // Beyond a finer grid than this, several intervals on.
+        // On a coarser grid than that of `sequence`, several intervals on.
         whole += rest / n;
         rest %= n;
     }
@@ -60,7 +60,7 @@ pub(crate) fn prolong_into<const D: usize>(
     fine
 }
 
-/// So many points are evaluated at once, coordinate by coordinate.
+/// The number of points that are evaluated at once, coordinate by coordinate.
 const LANES: usize = 8;
 
 #[multiversion::multiversion(targets("x86_64+avx2"))]
@@ -73,7 +73,7 @@ fn follow_widest<const D: usize>(
     follow_inline(coefficients, steps, count, fine);
 }
 
-/// Adds the values of a polynomial at `s = rest/n, (rest + step)/n, …`, so many of them.
+/// Adds the `count` values of a polynomial at `s = rest/n, (rest + step)/n, …`.
 #[inline(always)]
 fn follow_inline<const D: usize>(
     coefficients: &[SVector<f64, D>; POINTS],
@@ -116,14 +116,13 @@ fn coefficients<const D: usize>(
 ) -> [SVector<f64, D>; POINTS] {
     let mut coefficients = [SVector::zeros(); POINTS];
     coefficients[..points.len()].copy_from_slice(points);
-    // Newton's, of the products 1, s − s₀, (s − s₀)(s − s₁), …: the differences of each order by
-    // its factorial.
+    // Newton's coefficients, of 1, s − s₀, (s − s₀)(s − s₁), …: differences over factorials.
     for order in 1..points.len() {
         for k in (order..points.len()).rev() {
             coefficients[k] = (coefficients[k] - coefficients[k - 1]) * RECIPROCALS[order];
         }
     }
-    // One factor after the other multiplied out.
+    // Multiply the factors out, one after the other.
     for factor in (0..points.len() - 1).rev() {
         let root = factor as f64 - place as f64;
         for k in factor..points.len() - 1 {
@@ -142,7 +141,7 @@ mod tests {
     use super::{InstructionSet, prolong, prolong_into};
 
     #[test]
-    fn curves_of_the_seventh_degree_are_followed_exactly() {
+    fn curves_of_degree_seven_are_interpolated_exactly() {
         let curve = |t: f64| vector![t.powi(7) - t, 2.0 - t.powi(6)];
         for (coarse, fine) in [(7, 20), (8, 8), (9, 11), (32, 45), (45, 32), (99, 7), (9, 1)] {
             let points = (0..=coarse).map(|k| curve(k as f64 / coarse as f64)).collect();
@@ -160,7 +159,7 @@ mod tests {
         }
     }
 
-    /// With fewer points, of a lower degree.
+    /// Fewer points have a lower degree.
     #[test]
     fn three_points_are_joined_by_a_parabola() {
         let parabola = |t: f64| vector![1.0 - 3.0 * t * t];
@@ -172,9 +171,8 @@ mod tests {
         }
     }
 
-    /// Where a fine point is a coarse one, to the bit.
     #[test]
-    fn points_of_both_grids_are_kept() {
+    fn points_of_both_grids_are_kept_bit_by_bit() {
         let curve = |k: usize| vector![(7 * k) as f64 + (k as f64).sin(), 1.0 / (1.0 + k as f64)];
         let sequence = PointSequence::new((0..=20).map(curve).collect()).expect("finite");
         for by in [1, 2, 9, 16] {
@@ -184,7 +182,7 @@ mod tests {
         }
     }
 
-    /// Full batches, and parts of one.
+    /// With full batches, and with a part of one.
     #[test]
     fn wider_instructions_make_the_same_points() {
         let curve = |k: usize| vector![(k as f64).sin(), 1.0 / (1.0 + k as f64)];

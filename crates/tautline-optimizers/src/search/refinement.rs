@@ -1,4 +1,4 @@
-//! The search on a fine grid, from a start so near that no Newton step needs damping.
+//! The search on a fine grid, from a start so near that Newton steps need no damping.
 
 use tautline_discretizations::PointSequence;
 
@@ -11,32 +11,33 @@ use crate::{
     search::local_search::{Found, LocalSearch},
 };
 
-/// So many steps are enough where each squares the decrement; a search that needs more is no such
-/// one.
+/// Quadratic convergence needs no more steps than this.
 const STEPS: usize = 4;
 
-/// Relative decrement above which a start is not near.
+/// Relative decrement above which a start is too far.
 const NEAR: f64 = 1e-4;
 
-/// By this factor at least the decrement has to fall from one step to the next.
+/// The decrement has to fall by this factor from one step to the next.
 const FALL: f64 = 0.01;
 
-/// On a grid whose chords have so many second derivatives, a start is only looked at first, if that
-/// on the coarser grid had at most this relative decrement: it will be a minimiser to rounding, and
-/// for that nothing need be written down, which takes about half as long again as the arithmetic.
+/// If the chords of a grid have at least `LARGE` second derivatives, and the start on the coarser
+/// grid had at most the relative decrement `FORESEEN`, the start is likely a minimiser to rounding.
+/// It is checked first without storing a factorisation, which takes half as long again as the
+/// arithmetic.
 const LARGE: usize = 32768;
 const FORESEEN: f64 = 1e-12;
 
 impl<const D: usize> LocalSearch<'_, D> {
-    /// Takes undamped Newton steps from `start`, each in one pass, until the decrement is negligible
-    /// and the residual is rounding, or the decrement alone is after a step that promised next to
-    /// nothing. On the finest grids both are so at the start.
+    /// Takes undamped Newton steps from `start`, each in one pass over the chords. Ends when the
+    /// decrement is negligible and the residual is rounding, on the finest grids at the start
+    /// itself; after a step that promised next to nothing, a negligible decrement is enough.
     ///
-    /// `None` where that does not do: the Hessian is not positive definite, a step promises too
-    /// much, or not far less than the one before, or the metric is none at the result, or there is no
-    /// memory for a step.
+    /// `None` if this fails: the Hessian is not positive definite, a step promises too much or not
+    /// far less than the one before, the metric is undefined at the result, or there is no memory
+    /// for a step.
     ///
-    /// `coarser` is the result on the next coarser grid; `passes` is set to how many were begun.
+    /// `coarser` is the result on the next coarser grid; `passes` is set to the number of passes
+    /// begun.
     pub(crate) fn refine(
         &self,
         start: PointSequence<D>,
@@ -77,9 +78,9 @@ impl<const D: usize> LocalSearch<'_, D> {
             points.iter_mut().zip(here.points()).for_each(|(step, x)| *step += x);
             self.project_ends(&mut points);
             let trial = PointSequence::new(points).ok()?;
-            // The points move by the root of what is promised, and with them the Hessian: by less
-            // than the margin by which it is definite, so that the factorisation from here still
-            // tells. Two chords at a time, a sweep costs no more than a gradient does.
+            // The points move by the root of the decrement, and the Hessian with them: by less than
+            // the margin by which it is definite, so that the factorisation from here still serves.
+            // In lanes, two chords at a time, a sweep costs no more than a gradient.
             if at.decrement <= margin(n).powi(2) * about.energy {
                 let there = if const { goes_in_lanes(D) } {
                     energy.sweep(ends, &trial, about, false, None)?.stationarity
@@ -95,7 +96,7 @@ impl<const D: usize> LocalSearch<'_, D> {
         None
     }
 
-    /// The result at a sequence with a positive definite Hessian, if the metric is one there.
+    /// The result at a sequence with a positive definite Hessian, if the metric is defined there.
     fn found(
         &self,
         sequence: PointSequence<D>,

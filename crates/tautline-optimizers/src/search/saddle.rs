@@ -16,8 +16,8 @@ impl<const D: usize> LocalSearch<'_, D> {
         sequence: &PointSequence<D>,
         shift: f64,
     ) -> Option<Vec<SVector<f64, D>>> {
-        // The smallest shift that makes the system definite, to 1 in 8: the direction which
-        // is flattest there is the one of most negative curvature.
+        // With the smallest shift that makes the system definite, to 1 in 8, the flattest direction
+        // is that of most negative curvature.
         let (mut low, mut high) = (0.0, shift);
         let factorized = |shift: f64| {
             let system = ReducedSystem::new(model, self.ends, sequence.points(), shift);
@@ -39,7 +39,7 @@ impl<const D: usize> LocalSearch<'_, D> {
         let largest = direction.iter().map(|v| v.amax()).fold(0.0, f64::max);
         direction.iter_mut().for_each(|v| *v *= size / largest);
         let mut best: Option<(f64, Vec<_>)> = None;
-        // From 1e-4 of the size of the curve on, as long as it leads down on one of both sides.
+        // From 1e-4 of the size of the curve on, as long as either side leads down.
         for exponent in 0..14 {
             let length = 1e-4 * f64::from(1 << exponent);
             let lower = [length, -length]
@@ -60,7 +60,7 @@ impl<const D: usize> LocalSearch<'_, D> {
     }
 }
 
-/// The largest distance, by a coordinate, from the first point.
+/// The largest distance from the first point, in the maximum norm.
 fn extent<const D: usize>(points: &[SVector<f64, D>]) -> f64 {
     points.iter().map(|x| (x - points[0]).amax()).fold(0.0, f64::max)
 }
@@ -75,7 +75,7 @@ mod tests {
 
     use crate::{newton::discrete_energy::DiscreteEnergy, search::local_search::LocalSearch};
 
-    /// A bump, and no metric where `sign · x₂ < −10⁻⁵`: a wall along the line over the bump.
+    /// A bump that is undefined where `sign · x₂ < −10⁻⁵`: a wall along the line over the bump.
     struct Walled {
         bump: Bump,
         sign: f64,
@@ -88,9 +88,9 @@ mod tests {
         }
     }
 
-    /// Down leads to either side, and one of them is closed.
+    /// Both sides lead down, but one of them is closed.
     #[test]
-    fn a_saddle_is_left_to_the_side_that_is_open() {
+    fn a_saddle_is_left_to_the_open_side() {
         let [a, b] = [[-1.5, 0.0], [1.5, 0.0]];
         let line = PointSequence::straight(a, b, 32).expect("finite");
         let [a, b] = [a, b].map(|x| Point::new(x).expect("finite"));

@@ -1,9 +1,9 @@
-//! `SolveError`: why no minimiser was searched, or none could be.
+//! `SolveError`: why there is no minimiser.
 
 use tautline_discretizations::{LARGEST_N, SequenceError};
 use tautline_metrics::MetricError;
 
-/// Why there is no result.
+/// Why there is no minimiser.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SolveError {
@@ -12,7 +12,7 @@ pub enum SolveError {
     NoSubinterval,
     /// More than [`LARGEST_N`] subintervals.
     #[error(
-        "N = {n} is too many subintervals: beyond {} rounding outweighs what they gain",
+        "N = {n} is too many subintervals: beyond {}, rounding outweighs the gain in accuracy",
         LARGEST_N
     )]
     TooManySubintervals {
@@ -20,26 +20,26 @@ pub enum SolveError {
         n: usize,
     },
     /// The system has no memory for a grid on the way to the result, or for the result.
-    #[error("N = {n}: there is no memory for the {bytes} bytes that this grid takes")]
+    #[error("N = {n}: no memory for the {bytes} bytes that this grid needs")]
     OutOfMemory {
         /// The number of subintervals of the grid.
         n: usize,
-        /// What its points or a Newton step on it would take.
+        /// The memory for its points or for a Newton step on it.
         bytes: usize,
     },
-    /// The metric is not one along the curves that were tried.
+    /// The metric is not finite, symmetric and positive definite along any of the curves.
     #[error(transparent)]
     Metric(#[from] MetricError),
     /// A point sequence became infinite on the way to a finer grid.
     #[error(transparent)]
     Sequence(#[from] SequenceError),
-    /// The discrete energy of what was found is beyond the range of `f64`.
+    /// The discrete energy of the result exceeds the range of `f64`.
     #[error("the energy is {energy}: the coordinates or the metric are too large for f64")]
     Energy {
-        /// The energy, in `m²`: infinite, or NaN for a difference of infinite numbers.
+        /// The energy, in `m²`: infinite, or NaN for a difference of infinities.
         energy: f64,
     },
-    /// There was no sequence to start from: none was given, or none has finite points.
+    /// No sequence to start from was given, or none has finite points.
     #[error("no sequence of finite points to start from")]
     NoStart,
 }

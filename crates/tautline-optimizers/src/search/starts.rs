@@ -9,33 +9,32 @@ use crate::{
     search::{line_minimum::line_minimum, prolongation::prolong},
 };
 
-/// Where to start the local searches.
+/// Where local searches start.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub enum Starts<const D: usize> {
-    /// The straight lines between nearest points of the sets (and between further points
-    /// of sets that are not convex), each also bent to every side; and the best of all
-    /// sequences on a grid of the straight line.
+    /// For nearest points of the sets, and for further points of nonconvex sets: the straight line,
+    /// the line bent to every side, and the best of all sequences on a grid of the line.
     #[default]
     Automatic,
-    /// These sequences and no others, on any grid; their ends are moved to the nearest
-    /// points of the sets. Up to `N = 64` the search begins with them on the grid of `N` chords, in all
-    /// detail, and beyond on a coarse one.
+    /// Only these sequences, on any grid; their ends are projected to the sets. The search begins
+    /// on the grid of `N` chords itself up to `N = 64`, and on a coarser one beyond.
     Only(Vec<PointSequence<D>>),
-    /// These sequences besides the automatic ones.
+    /// These sequences in addition to the automatic ones.
     Also(Vec<PointSequence<D>>),
 }
 
-/// How far a line is bent, relative to its length. About the height of a half circle over
-/// its diameter, one half: enough to pass an obstacle in the middle on either side.
+/// The height of a bent line, relative to its length. Near that of a half circle, ½: enough to pass
+/// an obstacle in the middle on either side.
 const BEND: f64 = 0.4;
 
-/// Alternating projections to find nearest points; only a start, so it need not converge.
+/// The number of alternating projections to find nearest points. They only provide a start, and
+/// need not converge.
 const PROJECTIONS: usize = 50;
 
 impl<const D: usize> Starts<D> {
-    /// Returns the starts between two pieces, on the grid of `n` chords; the best sequence on
-    /// a line is looked for among points at each of these numbers of intervals.
+    /// Returns the starts between two pieces, on the grid of `n` chords. The best sequence on a
+    /// line is computed for each of the numbers of intervals in `lines`.
     pub(crate) fn between(
         &self,
         energy: &DiscreteEnergy<'_, D>,
@@ -53,7 +52,7 @@ impl<const D: usize> Starts<D> {
         finite(starts)
     }
 
-    /// The given ones.
+    /// The given starts.
     fn given(
         &self,
         [first, second]: [&dyn ClosedSet<D>; 2],
@@ -69,8 +68,8 @@ impl<const D: usize> Starts<D> {
         given.iter().map(on_the_grid).collect()
     }
 
-    /// Those that a coarser grid does not stand for: the given ones, and the best sequences on lines, as
-    /// [`between`](Starts::between).
+    /// The starts that a coarser grid cannot replace: the given ones, and the best sequences on
+    /// lines, as in [`between`](Starts::between).
     pub(crate) fn in_detail(
         &self,
         energy: &DiscreteEnergy<'_, D>,
@@ -88,7 +87,7 @@ impl<const D: usize> Starts<D> {
     }
 }
 
-/// The best sequences on a line, among points at each of these numbers of intervals.
+/// The best sequences on a line, one for each of the numbers of intervals in `lines`.
 fn line_minima<const D: usize>(
     energy: &DiscreteEnergy<'_, D>,
     [a, b]: [&SVector<f64, D>; 2],
@@ -98,12 +97,12 @@ fn line_minima<const D: usize>(
     lines.iter().filter_map(move |&intervals| line_minimum(energy, a, b, n, intervals))
 }
 
-/// The sequences among them.
+/// The sequences whose points are finite.
 fn finite<const D: usize>(starts: Vec<Vec<SVector<f64, D>>>) -> Vec<PointSequence<D>> {
     starts.into_iter().filter_map(|points| PointSequence::new(points).ok()).collect()
 }
 
-/// Pairs of end points: nearest points, seen from every seed of either set.
+/// Pairs of end points: nearest points of the sets, and each seed with its nearest point.
 fn end_points<const D: usize>(
     first: &dyn ClosedSet<D>,
     second: &dyn ClosedSet<D>,
@@ -121,7 +120,7 @@ fn end_points<const D: usize>(
         (a, b)
     };
     let mut pairs = vec![nearest(first.project(&SVector::zeros()))];
-    // A seed stays where it is: projecting it again and again would lead all to one.
+    // A seed stays: repeated projection would move all seeds to the same point.
     pairs.extend(first.seeds().into_iter().map(|a| (a, second.project(&a))));
     pairs.extend(second.seeds().into_iter().map(|b| (first.project(&b), b)));
     pairs
@@ -138,7 +137,7 @@ fn bent_lines<const D: usize>(
         let at = |k: usize| {
             let t = k as f64 / n as f64;
             let along = a * (1.0 - t) + b * t;
-            // Exactly at the ends, where the sine would leave its rounding.
+            // The ends are exact; the sine would round.
             if k == 0 || k == n { along } else { along + bend * (std::f64::consts::PI * t).sin() }
         };
         (0..=n).map(at).collect()
@@ -149,7 +148,7 @@ fn bent_lines<const D: usize>(
             let mut bend = SVector::zeros();
             bend[axis] = 1.0;
             bend -= chord * (chord[axis] / chord.norm_squared());
-            // The axis that is nearest to the chord adds nothing that the others do not.
+            // The axis nearest to the chord adds nothing to the others.
             if !(bend.norm() > 0.5) {
                 continue;
             }
@@ -198,10 +197,9 @@ mod tests {
         }
     }
 
-    /// What a coarser grid does not stand for: what is given, and one sequence for each line and pair of
-    /// end points.
+    /// The given starts, and one sequence for each line and pair of end points.
     #[test]
-    fn what_is_given_and_the_lines_are_tried_in_detail() {
+    fn given_starts_and_lines_are_tried_in_detail() {
         let ball = Ball::new([0.0, 2.0], 0.5).expect("positive radius");
         let wall = HalfSpace::new([-1.0, 0.0], -3.0).expect("not zero");
         let given = PointSequence::straight([0.0, 9.0], [9.0, 0.0], 3).expect("finite");
@@ -246,7 +244,7 @@ mod tests {
         let point = Point::new([0.2, 0.1]).expect("finite");
         let starts = Starts::Automatic.between(&valleys(), [&sphere, &point], 16, &[64]);
         assert!(starts.len() >= 5 * 4, "the nearest point and four seeds, {}", starts.len());
-        // As the second set as well: the same lines, the other way round.
+        // As the second set too: the same lines, reversed.
         let back = Starts::Automatic.between(&valleys(), [&point, &sphere], 16, &[64]);
         assert_eq!(back.len(), starts.len());
         let near = |x: &PointSequence<2>, y: &PointSequence<2>| {
@@ -273,8 +271,8 @@ mod tests {
         let wall = HalfSpace::at_least([1.0, 1.0], 6.0).expect("not zero");
         let starts = Starts::Automatic.between(&valleys(), [&ball, &wall], 4, &[64]);
         let r = 0.5_f64.sqrt();
-        // The alternating projections stop after 50 rounds, each of which at least halves what
-        // is left: rounding.
+        // Each of the 50 rounds of alternating projections at least halves the error: only rounding
+        // remains.
         assert!((starts[0].first() - nalgebra::vector![r, 2.0 + r]).amax() < 1e-6);
     }
 }

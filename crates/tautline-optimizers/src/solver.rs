@@ -1,0 +1,284 @@
+//! The algorithm: how the lowest discrete minimiser between two sets is found.
+//!
+//! [`solve`] is all of it, in the order in which it happens; its parts follow in the same order.
+//! They build on `search/`: the [grids], the [starts](crate::Starts), Newton's method [with
+//! damping](LocalSearch::run) on coarse grids and [without](LocalSearch::refine) on fine ones, and
+//! a [candidate](Candidate) for each local minimiser that is followed from grid to grid.
+
+use tautline_discretizations::LARGEST_N;
+use tautline_sets::{ClosedSet, Ends, common_point};
+
+use crate::{
+    Minimum, Options, SolveError, Starts, Workspace,
+    newton::discrete_energy::DiscreteEnergy,
+    search::{
+        candidate::{Candidate, lowest_first},
+        grids::{SMALL, grids},
+        local_search::{Found, LocalSearch},
+    },
+};
+
+/// Returns the lowest minimiser that was found between the sets `ends`, on the grid of `n` chords.
+pub(crate) fn solve<const D: usize>(
+    workspace: &mut Workspace<D>,
+    energy: &DiscreteEnergy<'_, D>,
+    ends: &Ends<D>,
+    n: usize,
+    options: &Options<D>,
+) -> Result<Minimum<D>, SolveError> {
+    check_size::<D>(n)?;
+    let pieces: Vec<_> = ends.pairs().collect();
+    let pieces: Vec<Pieces<'_, D>> = pieces.iter().map(|(a, b)| [&**a, &**b]).collect();
+    if let Some(x) = pieces.iter().find_map(|[a, b]| common_point(*a, *b)) {
+        energy.check_at(&x)?;
+        return Ok(Minimum::at_common_point(x, n));
+    }
+
+    let mut search = Search { workspace, energy, options, n, iterations: 0, refused: None };
+    let mut candidates = Vec::new();
+    let mut local_minima = None;
+    for grid in search.grids() {
+        search.drop_the_highest(&mut candidates, grid);
+        search.follow_the_others(&mut candidates, grid);
+        search.try_new_starts(&mut candidates, &pieces, grid);
+        local_minima.get_or_insert_with(|| converged_energies(&candidates));
+    }
+    let lowest = search.lowest_with_a_metric(candidates)?;
+    Ok(lowest.into_minimum(search.iterations, local_minima.unwrap_or_default()))
+}
+
+/// A piece of each set; a curve runs from one to the other.
+type Pieces<'e, const D: usize> = [&'e dyn ClosedSet<D>; 2];
+
+/// Refuses an empty grid, and one that is too large.
+fn check_size<const D: usize>(n: usize) -> Result<(), SolveError> {
+    match n {
+        0 => Err(SolveError::NoSubinterval),
+        _ if n > LARGEST_N => Err(SolveError::TooManySubintervals { n }),
+        _ => Workspace::<D>::check_points(n),
+    }
+}
+
+/// The state that all local searches share.
+struct Search<'a, const D: usize> {
+    workspace: &'a mut Workspace<D>,
+    energy: &'a DiscreteEnergy<'a, D>,
+    options: &'a Options<D>,
+    /// The number of chords of the finest grid.
+    n: usize,
+    /// Newton steps of all searches so far.
+    iterations: usize,
+    /// Why the first failed search failed; a lack of memory takes precedence.
+    refused: Option<SolveError>,
+}
+
+/// Up to this grid the order of the local minimisers may change, and so many of them are followed;
+/// beyond it, only the lowest.
+const SETTLED: usize = 512;
+const FOLLOWED: usize = 8;
+
+/// From this grid on a search should need no damping, and runs without.
+const FINE: usize = 64;
+
+/// The numbers of intervals into which a line is divided to look for
+/// [leaps](crate::search::line_minimum). A line costs an energy for each pair of its points, as
+/// many evaluations as a search with a few thousand chords; more intervals would make small grids
+/// slower than large ones. Which of several leaps saves most depends on the points of the line: the
+/// finest grid also tries a second line, and both together miss no more than one with twice as many
+/// intervals.
+const LINES: [usize; 2] = [48, 64];
+
+/// If the least energy on a small grid differs by this fraction from that on half as many chords, a
+/// minimiser leaps over ridges, or did: leaps are looked for once more.
+const UNSETTLED: f64 = 0.05;
+
+impl<'a, const D: usize> Search<'a, D> {
+    /// The grids on the way to `n` chords; a small grid with given starts needs no other.
+    fn grids(&self) -> Vec<usize> {
+        let given = matches!(self.options.starts, Starts::Only(_));
+        if given && self.n <= SMALL { vec![self.n] } else { grids(self.n) }
+    }
+
+    /// Keeps the candidates that are followed to `grid`. If it is only one, the lowest along which
+    /// the metric is defined.
+    fn drop_the_highest(&self, candidates: &mut Vec<Candidate<'_, D>>, grid: usize) {
+        if grid > SETTLED && candidates.len() > 1 {
+            let passes =
+                |c: &Candidate<'_, D>| self.energy.check_between(&c.found.sequence).is_ok();
+            let place = candidates.iter().position(passes).unwrap_or(0);
+            candidates.swap(0, place);
+        }
+        candidates.truncate(if grid > SETTLED { 1 } else { FOLLOWED });
+    }
+
+    /// Follows all candidates to `grid`, and sorts them.
+    fn follow_the_others<'e>(&mut self, candidates: &mut Vec<Candidate<'e, D>>, grid: usize)
+    where
+        'a: 'e,
+    {
+        let coarser = std::mem::take(candidates).into_iter();
+        *candidates = coarser.filter_map(|candidate| self.follow(candidate, grid)).collect();
+        lowest_first(candidates);
+    }
+
+    /// Follows a local minimiser to a finer grid: on a fine one without damping, if that converges.
+    fn follow<'e>(&mut self, candidate: Candidate<'e, D>, grid: usize) -> Option<Candidate<'e, D>>
+    where
+        'a: 'e,
+    {
+        let search = self.between(candidate.ends);
+        let start = |memory| {
+            let DiscreteEnergy { error_exponent, .. } = search.energy;
+            candidate.start(grid, *error_exponent, search.energy.instruction_set(), memory)
+        };
+        let mut in_vain = 0;
+        let refined = (grid >= FINE).then(|| {
+            let start = start(self.workspace.spare.take(grid + 1)).ok()?;
+            search.refine(start, &candidate.found, self.workspace, &mut in_vain)
+        });
+        let found = refined.flatten().map_or_else(
+            || {
+                // If memory is short, the error tells what an undamped step needs.
+                self.workspace.check_undamped(grid)?;
+                Workspace::<D>::check_damped(grid)?;
+                let found = search.run(start(Vec::new())?)?;
+                Ok(Found { iterations: in_vain + found.iterations, ..found })
+            },
+            Ok,
+        );
+        let (candidate, unused) = candidate.refined(self.accept(found)?);
+        unused.into_iter().for_each(|x| self.workspace.spare.give(x.into_points()));
+        Some(candidate)
+    }
+
+    /// Searches from all starts on the coarsest grid, and again where the energy has risen as after
+    /// a leap. The finest grid, if it is small, adds the starts that a coarser grid cannot replace.
+    fn try_new_starts<'e>(
+        &mut self,
+        candidates: &mut Vec<Candidate<'e, D>>,
+        pieces: &[Pieces<'e, D>],
+        grid: usize,
+    ) where
+        'a: 'e,
+    {
+        let (finest, lowest) = (grid == self.n, candidates.first());
+        let all = grid <= SETTLED && lowest.is_none_or(Candidate::leapt);
+        if !all && !(finest && grid <= SMALL) {
+            return;
+        }
+        let unsettled = lowest.is_some_and(|candidate| candidate.has_changed_by(UNSETTLED));
+        let lines: &[usize] = match (all, finest) {
+            (true, true) => &LINES,
+            (true, false) => &LINES[..1],
+            (false, _) if unsettled => &LINES[..1],
+            (false, _) => &[],
+        };
+        for &ends in pieces {
+            let search = self.between(ends);
+            let starts = if all {
+                self.options.starts.between(self.energy, ends, grid, lines)
+            } else {
+                self.options.starts.in_detail(self.energy, ends, grid, lines)
+            };
+            for start in starts {
+                let found = search.check(&start).and_then(|()| search.run(start));
+                let found = self.accept(found.map_err(SolveError::Metric));
+                candidates.extend(found.map(|found| Candidate::new(ends, found)));
+            }
+        }
+        lowest_first(candidates);
+    }
+
+    fn between<'e>(&self, ends: Pieces<'e, D>) -> LocalSearch<'e, D>
+    where
+        'a: 'e,
+    {
+        let &Options { iterations, threads, .. } = self.options;
+        LocalSearch { energy: self.energy, ends, iterations, threads }
+    }
+
+    /// Counts the steps of a search. Returns its result if the energy is finite, and otherwise
+    /// keeps the error.
+    fn accept(&mut self, found: Result<Found<D>, SolveError>) -> Option<Found<D>> {
+        let found = found.and_then(|found| {
+            self.iterations += found.iterations;
+            let energy = found.energy;
+            if energy.is_finite() { Ok(found) } else { Err(SolveError::Energy { energy }) }
+        });
+        let refuse = |error| {
+            if matches!(error, SolveError::OutOfMemory { .. }) {
+                self.refused = Some(error);
+            } else {
+                self.refused.get_or_insert(error);
+            }
+        };
+        found.map_err(refuse).ok()
+    }
+
+    /// Returns the lowest candidate along which the metric is defined, between the nodes too. If
+    /// there is none, the defect of the lowest candidate is the error: it tells more than that of a
+    /// start.
+    fn lowest_with_a_metric<'e>(
+        &mut self,
+        candidates: Vec<Candidate<'e, D>>,
+    ) -> Result<Candidate<'e, D>, SolveError> {
+        let mut defect = None;
+        for candidate in candidates {
+            match self.energy.check_between(&candidate.found.sequence) {
+                Ok(()) => return Ok(candidate),
+                Err(error) => defect = defect.or(Some(error)),
+            }
+        }
+        let refused = defect.map(SolveError::Metric).or(self.refused.take());
+        Err(refused.unwrap_or(SolveError::NoStart))
+    }
+}
+
+/// The energies of the candidates whose search converged.
+fn converged_energies<const D: usize>(candidates: &[Candidate<'_, D>]) -> Vec<f64> {
+    candidates.iter().filter(|c| !c.failed()).map(|c| c.found.energy).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::vector;
+    use tautline_discretizations::{PointSequence, Rule, Trapezoidal};
+    use tautline_formula::{InstructionSet, Prepared};
+    use tautline_metrics::gallery::Separable;
+    use tautline_sets::{ClosedSet, Point};
+
+    use super::{Candidate, Options, Search};
+    use crate::{Workspace, newton::discrete_energy::DiscreteEnergy};
+
+    /// The minimiser with nine chords leaps over both ridges of this metric. From there, Newton's
+    /// method without damping fails on the next grid, and its steps count all the same.
+    #[test]
+    fn failed_undamped_steps_are_counted() {
+        let ridges = Separable::new(vector![0.788, 0.0, 0.0], vector![1.663, 1.0, 1.0]);
+        let ridges = ridges.expect("below one");
+        let line = [[-2.866, 0.0, 0.0], [3.0, 0.0, 0.0]];
+        let [a, b] = line.map(|x| Point::new(x).expect("finite"));
+        let ends: [&dyn ClosedSet<3>; 2] = [&a, &b];
+        let (workspace, options) = (&mut Workspace::default(), &Options::default());
+        let batches = Prepared::new(&ridges);
+        let energy = &DiscreteEnergy::new(Trapezoidal, &batches);
+        let mut search =
+            Search { workspace, energy, options, n: 129, iterations: 0, refused: None };
+        let local = search.between(ends);
+        let coarse = || {
+            let line = PointSequence::straight(line[0], line[1], 9).expect("finite");
+            Candidate::new(ends, local.run(line).expect("a metric"))
+        };
+        let start = || {
+            let exponent = <Trapezoidal as Rule>::ERROR_EXPONENT;
+            coarse().start(129, exponent, InstructionSet::Widest, Vec::new()).expect("finite")
+        };
+        let mut in_vain = 0;
+        let undamped = local.refine(start(), &coarse().found, search.workspace, &mut in_vain);
+        assert!(undamped.is_none() && in_vain > 0);
+        let damped = local.run(start()).expect("a metric").iterations;
+        let candidate = search.follow(coarse(), 129).expect("a metric");
+        assert_eq!(candidate.found.iterations, in_vain + damped);
+        assert_eq!(search.iterations, in_vain + damped);
+    }
+}
