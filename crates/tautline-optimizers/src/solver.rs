@@ -163,7 +163,8 @@ impl<'a, const D: usize> Search<'a, D> {
     {
         let (finest, lowest) = (grid == self.n, candidates.first());
         let all = grid <= SETTLED && lowest.is_none_or(Candidate::leapt);
-        if !all && !(finest && grid <= SMALL) {
+        let in_detail = finest && grid <= SMALL;
+        if !all && !in_detail {
             return;
         }
         let unsettled = lowest.is_some_and(|candidate| candidate.has_changed_by(UNSETTLED));

@@ -1,13 +1,15 @@
-//! Bad input: each defect gets an error that names it, and no search runs for ever.
+//! Bad input: every defect has its error, and every search ends.
 
 use nalgebra::{SMatrix, SVector, matrix, vector};
-use tautline_discretizations::{LARGEST_N, LeftEndpoint, PointSequence, Trapezoidal};
+use tautline_discretizations::{LARGEST_N, LeftEndpoint, Trapezoidal};
 use tautline_metrics::{
     Metric, MetricError, Scalar,
-    gallery::{Constant, Hyperbolic, Valleys},
+    gallery::{Hyperbolic, Valleys},
 };
 use tautline_optimizers::{Minimum, Options, SolveError, Starts, minimise};
-use tautline_sets::{Ball, Ends, FiniteSet, Point};
+use tautline_sets::{Ends, FiniteSet};
+
+use crate::setup::{ball, between, euclidean, from_to, lowest, only, point, sequence, straight};
 
 fn error<const D: usize>(metric: &impl Metric<D>, ends: &Ends<D>, n: usize) -> MetricError {
     let error = minimise(metric, ends, Trapezoidal, n, &Options::default()).expect_err("refused");
@@ -15,17 +17,13 @@ fn error<const D: usize>(metric: &impl Metric<D>, ends: &Ends<D>, n: usize) -> M
     error
 }
 
-fn points<const D: usize>(a: [f64; D], b: [f64; D]) -> Ends<D> {
-    Ends::points(a, b).expect("finite")
-}
-
 #[test]
 fn no_subinterval_is_refused() {
-    let ends = points([0.0], [1.0]);
+    let ends = from_to([0.0], [1.0]);
     let result = minimise(&Valleys, &ends, Trapezoidal, 0, &Options::default());
     assert_eq!(result, Err(SolveError::NoSubinterval));
-    // Before anything else, ends that touch included.
-    let touching = points([0.0], [0.0]);
+    // This check comes first, even if the ends touch.
+    let touching = from_to([0.0], [0.0]);
     let result = minimise(&Valleys, &touching, Trapezoidal, 0, &Options::default());
     assert_eq!(result.expect_err("refused").to_string(), SolveError::NoSubinterval.to_string());
 }
@@ -33,16 +31,17 @@ fn no_subinterval_is_refused() {
 #[test]
 fn more_chords_than_rounding_allows_are_refused() {
     fn refused<const D: usize>(to: f64, n: usize) {
-        let ends = points([0.0; D], [to; D]);
-        let flat = Constant::<D>::new(SMatrix::identity()).expect("definite");
+        let ends = from_to([0.0; D], [to; D]);
         let too_many = Err(SolveError::TooManySubintervals { n });
         for starts in [Starts::Automatic, Starts::Only(vec![])] {
             let options = Options { starts, ..Options::default() };
+            let flat = euclidean::<D>();
             assert_eq!(minimise(&flat, &ends, Trapezoidal, n, &options), too_many);
             assert_eq!(minimise(&flat, &ends, LeftEndpoint, n, &options), too_many);
         }
     }
-    // At 8 to 67 072 bytes a point, of which none is asked for; ends that touch need their points too.
+    // At 8 to 67 072 bytes a point, none of which is requested. Ends that touch need their points
+    // too.
     for n in [LARGEST_N + 1, 1_000_000_000, usize::MAX / 8, usize::MAX - 1, usize::MAX] {
         refused::<1>(1.0, n);
         refused::<1>(0.0, n);
@@ -53,15 +52,13 @@ fn more_chords_than_rounding_allows_are_refused() {
     assert!(error.contains("1000000000") && error.contains("67108864"), "{error}");
 }
 
-/// The squares of lengths of 10⁻¹⁷⁰ are 0, and 0/0 is no decrement.
+/// The square of a length of 10⁻¹⁷⁰ is 0; the decrement must not become 0/0.
 #[test]
 fn an_energy_below_the_range_of_f64_is_zero_and_not_nan() {
-    let identity = Constant::<2>::new(SMatrix::identity()).expect("definite");
     for n in [4, 100, 20_000] {
-        let ends = points([0.0, 0.0], [3e-170, 1e-170]);
-        let minimum = minimise(&identity, &ends, Trapezoidal, n, &Options::default());
-        let minimum = minimum.expect("a metric");
-        let Minimum { energy, decrement, residual, residual_floor, .. } = minimum;
+        let ends = from_to([0.0, 0.0], [3e-170, 1e-170]);
+        let Minimum { energy, decrement, residual, residual_floor, .. } =
+            lowest(&euclidean::<2>(), &ends, Trapezoidal, n);
         assert_eq!([energy, decrement, residual, residual_floor], [0.0; 4], "N = {n}");
     }
 }
@@ -79,14 +76,13 @@ impl Metric<2> for Gap {
     }
 }
 
-/// A node of 16 chords is where the metric is none, and of 64 and of 256 chords none is; nor does the
-/// quadrature along the result look nearer than 0.0197/256 to where its chords meet.
+/// With 16 chords a node lies in the gap, with 64 and 256 none does. The quadrature along the
+/// result stays 0.0197/256 away from the points.
 #[test]
-fn a_start_that_a_coarse_grid_refuses_is_tried_on_the_next() {
+fn a_start_refused_on_a_coarse_grid_is_tried_on_the_next() {
     let gap = Gap { c: 8.5 / 16.0, w: 5e-5 };
-    let line = PointSequence::straight([0.0, 0.0], [1.0, 0.0], 1).expect("finite");
-    let options = Options { starts: Starts::Only(vec![line]), ..Options::default() };
-    let solve = |n| minimise(&gap, &points([0.0, 0.0], [1.0, 0.0]), Trapezoidal, n, &options);
+    let options = only(straight([0.0, 0.0], [1.0, 0.0], 1));
+    let solve = |n| minimise(&gap, &from_to([0.0, 0.0], [1.0, 0.0]), Trapezoidal, n, &options);
     assert!(matches!(solve(16), Err(SolveError::Metric(_))));
     let minimum = solve(256).expect("no node in the gap");
     // 256 squares of 1/256, each rounded.
@@ -97,18 +93,15 @@ fn a_start_that_a_coarse_grid_refuses_is_tried_on_the_next() {
 #[test]
 fn no_start_is_an_error() {
     let options = Options { starts: Starts::Only(vec![]), ..Options::default() };
-    let result = minimise(&Valleys, &points([0.0], [1.0]), Trapezoidal, 4, &options);
+    let result = minimise(&Valleys, &from_to([0.0], [1.0]), Trapezoidal, 4, &options);
     assert_eq!(result, Err(SolveError::NoStart));
 }
 
-/// Two starts that fail for two reasons: the first of them is told.
+/// Two starts fail for different reasons.
 #[test]
-fn of_two_starts_that_fail_the_first_says_why() {
-    let through = |y: f64| {
-        let points = [[0.0, 0.0], [0.5, y], [1.0, 0.0]].map(SVector::from).to_vec();
-        PointSequence::new(points).expect("finite")
-    };
-    /// No metric for `|x₂| > ½`.
+fn of_two_failed_starts_the_first_gives_the_error() {
+    let through = |y: f64| sequence([[0.0, 0.0], [0.5, y], [1.0, 0.0]].map(SVector::from).to_vec());
+    /// Undefined for `|x₂| > ½`.
     struct Lane;
     impl Metric<2> for Lane {
         fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
@@ -118,7 +111,7 @@ fn of_two_starts_that_fail_the_first_says_why() {
     for sign in [1.0, -1.0] {
         let starts = Starts::Only(vec![through(2.0 * sign), through(-2.0 * sign)]);
         let options = Options { starts, ..Options::default() };
-        let ends = points([0.0, 0.0], [1.0, 0.0]);
+        let ends = from_to([0.0, 0.0], [1.0, 0.0]);
         match minimise(&Lane, &ends, Trapezoidal, 4, &options) {
             Err(SolveError::Metric(MetricError::NotFinite { point, .. })) => {
                 assert!(point[1] * sign > 0.5, "{point:?}");
@@ -138,24 +131,23 @@ impl Metric<2> for Gorge {
 }
 
 #[test]
-fn a_metric_that_is_nan_along_the_way_is_named() {
+fn a_metric_that_is_nan_along_the_way_is_an_error() {
     for n in [1, 2, 9, 100] {
-        // An end in the region, and the region between the ends, for a rule that reads there.
-        for ends in [points([0.0, 0.0], [1.5, 0.0]), points([0.0, 1.0], [9.0, 0.0])] {
+        // One end in the region; the region between the ends.
+        for ends in [from_to([0.0, 0.0], [1.5, 0.0]), from_to([0.0, 1.0], [9.0, 0.0])] {
             let MetricError::NotFinite { point, entry, .. } = error(&Gorge, &ends, n) else {
                 panic!("NaN is not finite");
             };
             assert!(entry.is_nan() && point[0] > 1.0, "{point:?}");
         }
     }
-    let inside =
-        minimise(&Gorge, &points([-0.9, 0.0], [0.9, 0.5]), Trapezoidal, 64, &Options::default());
-    assert!(inside.expect("a metric there").is_local_minimum());
+    let inside = from_to([-0.9, 0.0], [0.9, 0.5]);
+    assert!(lowest(&Gorge, &inside, Trapezoidal, 64).is_local_minimum());
 }
 
-/// A start that crosses the hole is refused; those round it are not.
+/// A start across the hole is refused, one round it is not.
 #[test]
-fn a_hole_in_the_metric_is_gone_round() {
+fn the_search_goes_round_a_hole_in_the_metric() {
     /// Infinite cost at the rim of the unit disc, NaN inside.
     struct Hole;
     impl Metric<2> for Hole {
@@ -164,17 +156,16 @@ fn a_hole_in_the_metric_is_gone_round() {
             SMatrix::from_diagonal_element((r2 - 1.0).sqrt().recip() + 1.0)
         }
     }
-    let ends = points([-3.0, 0.1], [3.0, -0.1]);
-    let straight = PointSequence::straight([-3.0, 0.1], [3.0, -0.1], 30).expect("finite");
-    let options = Options { starts: Starts::Only(vec![straight]), ..Options::default() };
-    // Alone, the straight line is no start; beside the bent ones it does no harm.
+    let ends = from_to([-3.0, 0.1], [3.0, -0.1]);
+    let options = only(straight([-3.0, 0.1], [3.0, -0.1], 30));
+    // Alone, the straight line fails; among the bent ones it does no harm.
     assert!(minimise(&Hole, &ends, Trapezoidal, 30, &options).is_err());
-    let minimum = minimise(&Hole, &ends, Trapezoidal, 200, &Options::default()).expect("round");
+    let minimum = lowest(&Hole, &ends, Trapezoidal, 200);
     assert!(minimum.is_local_minimum());
     assert!(minimum.sequence.points().iter().all(|x| x.norm() > 1.0));
 }
 
-/// A constant matrix, which need not be a metric.
+/// A constant matrix, not necessarily a metric.
 struct Matrix([[f64; 2]; 2]);
 
 impl Metric<2> for Matrix {
@@ -184,8 +175,8 @@ impl Metric<2> for Matrix {
 }
 
 #[test]
-fn matrices_that_are_no_metric_are_named() {
-    let ends = points([0.0, 0.0], [1.0, 1.0]);
+fn matrices_that_are_not_metrics_are_errors() {
+    let ends = from_to([0.0, 0.0], [1.0, 1.0]);
     for n in [1, 5, 80] {
         let refused = |h| error(&Matrix(h), &ends, n);
         assert!(matches!(
@@ -210,8 +201,8 @@ fn matrices_that_are_no_metric_are_named() {
     }
 }
 
-/// The identity, but for a strip about `x₁ = ½`, narrower than the chords of a coarse grid,
-/// where the lower half of the matrix differs: the search itself reads the upper one only.
+/// The identity, except in a strip about `x₁ = ½`, narrower than the chords of a coarse grid, where
+/// the lower triangle differs. The search itself reads the upper one only.
 struct Strip;
 
 impl Metric<2> for Strip {
@@ -222,12 +213,11 @@ impl Metric<2> for Strip {
 }
 
 #[test]
-fn a_defect_that_only_the_fine_grid_meets_is_named() {
-    let ends = points([0.0, 0.0], [1.0, 0.0]);
-    // The nodes nearest to the strip are 1/32 beside it, and points of the quadrature 0.0197/16:
+fn a_defect_that_only_the_fine_grid_meets_is_an_error() {
+    let ends = from_to([0.0, 0.0], [1.0, 0.0]);
+    // The nearest nodes are 1/32 away from the strip, and points of the quadrature 0.0197/16:
     // e^(−30).
-    let coarse = minimise(&Strip, &ends, Trapezoidal, 16, &Options::default());
-    assert!(coarse.expect("symmetric so far").is_local_minimum());
+    assert!(lowest(&Strip, &ends, Trapezoidal, 16).is_local_minimum());
     let MetricError::NotSymmetric { point, above, .. } = error(&Strip, &ends, 1024) else {
         panic!("finite and definite");
     };
@@ -244,26 +234,26 @@ impl Metric<2> for Flip {
 }
 
 #[test]
-fn a_metric_that_is_indefinite_along_the_way_is_named() {
+fn a_metric_that_is_indefinite_along_the_way_is_an_error() {
     for n in [2, 9, 64] {
-        let across = points([1.5, 0.0], [5.0, 0.3]);
+        let across = from_to([1.5, 0.0], [5.0, 0.3]);
         let MetricError::NotPositiveDefinite { point, eigenvalue } = error(&Flip, &across, n)
         else {
             panic!("the straight line crosses the strip");
         };
         assert!(eigenvalue <= 0.0 && (2.0..4.2).contains(&point[0]), "{point:?} {eigenvalue}");
     }
-    // Away from the strip it is a metric; a search that strays into it is held back.
-    let aside = points([-1.9, 0.0], [1.9, 2.0]);
-    let minimum = minimise(&Flip, &aside, Trapezoidal, 100, &Options::default()).expect("aside");
+    // Away from the strip it is a metric, and the search stays there.
+    let aside = from_to([-1.9, 0.0], [1.9, 2.0]);
+    let minimum = lowest(&Flip, &aside, Trapezoidal, 100);
     assert!(minimum.sequence.points().iter().all(|x| x[0].cos() > -0.5));
 }
 
 #[test]
-fn points_outside_the_hyperbolic_disc_are_named() {
+fn points_outside_the_hyperbolic_disc_are_errors() {
     for (a, b) in [([2.0, 0.0], [3.0, 0.0]), ([0.0, 0.0], [1.5, 0.0]), ([0.3, 0.0], [0.0, -1.2])] {
         for n in [1, 2, 33] {
-            for ends in [points(a, b), points(b, a)] {
+            for ends in [from_to(a, b), from_to(b, a)] {
                 let error = error(&Hyperbolic, &ends, n);
                 let MetricError::NotFinite { point, .. } = error else { panic!("{error}") };
                 assert!(vector![point[0], point[1]].norm() > 1.0, "{point:?}");
@@ -273,30 +263,27 @@ fn points_outside_the_hyperbolic_disc_are_named() {
             }
         }
     }
-    // Touching there is no better.
-    let touching = points([2.0, 0.0], [2.0, 0.0]);
+    // Ends that touch there.
+    let touching = from_to([2.0, 0.0], [2.0, 0.0]);
     assert!(matches!(error(&Hyperbolic, &touching, 3), MetricError::NotFinite { .. }));
-    // On the rim, where the metric is infinite.
+    // The rim, where the metric is infinite.
     assert!(matches!(
-        error(&Hyperbolic, &points([0.0, 0.0], [1.0, 0.0]), 4),
+        error(&Hyperbolic, &from_to([0.0, 0.0], [1.0, 0.0]), 4),
         MetricError::NotFinite { .. }
     ));
 }
 
-/// Of a finite set, the members outside of the disc are passed over; of a ball across its rim,
-/// the part inside is used.
+/// The members of a finite set outside the disc, and the part of a ball beyond its rim, are
+/// ignored.
 #[test]
-fn the_part_of_a_set_where_there_is_a_metric_is_used() {
+fn the_part_of_a_set_with_a_metric_is_used() {
     let set = FiniteSet::new([[3.0, 0.0], [0.0, 0.5], [0.0, -2.0]]).expect("finite");
-    let origin = Point::new([0.0, 0.0]).expect("finite");
-    let ends = Ends::new(origin, set).expect("bounded");
-    let options = Options::default();
-    let minimum = minimise(&Hyperbolic, &ends, Trapezoidal, 64, &options).expect("one inside");
+    let origin = point([0.0, 0.0]);
+    let minimum = lowest(&Hyperbolic, &between(origin, set), Trapezoidal, 64);
     assert!(minimum.is_local_minimum());
     assert_eq!(*minimum.sequence.last(), vector![0.0, 0.5]);
-    let ball = Ball::new([1.0, 0.0], 0.5).expect("a radius");
-    let ends = Ends::new(origin, ball).expect("bounded");
-    let minimum = minimise(&Hyperbolic, &ends, Trapezoidal, 64, &options).expect("inside");
+    let ends = between(origin, ball([1.0, 0.0], 0.5));
+    let minimum = lowest(&Hyperbolic, &ends, Trapezoidal, 64);
     assert!(minimum.is_local_minimum());
     assert!((minimum.sequence.last() - vector![0.5, 0.0]).norm() < 1e-9);
 }

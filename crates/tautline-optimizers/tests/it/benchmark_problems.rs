@@ -1,34 +1,25 @@
-//! Problems with known answers, at the sizes a user would choose.
+//! Problems with known answers, at realistic sizes.
 //!
-//! The references are closed forms, or agree between a boundary value solver and Richardson
-//! extrapolation to the digits that are quoted.
+//! The references are closed forms, or digits on which a boundary value solver and Richardson
+//! extrapolation agree.
 
 use std::f64::consts::PI;
 
-use tautline_discretizations::{PointSequence, Trapezoidal};
+use tautline_discretizations::Trapezoidal;
 use tautline_metrics::gallery::{Bump, CoupledCosines, SineProjections, Sphere, Valleys};
-use tautline_optimizers::{Curvature, Minimum, Options, Starts, Stop, extrapolate, minimise};
-use tautline_sets::{Ball, Ends, HalfSpace};
+use tautline_optimizers::{Curvature, Minimum, Options, Stop, minimise};
+use tautline_sets::HalfSpace;
 
-fn extrapolated<const D: usize>(minimum: &Minimum<D>) -> f64 {
-    extrapolate(&minimum.levels, 2).expect("several grids").value
-}
-
-#[track_caller]
-fn assert_close(value: f64, reference: f64, relative: f64) {
-    assert!(
-        (value / reference - 1.0).abs() <= relative,
-        "{value:.15e} is not {reference:.15e}: {:e}",
-        value / reference - 1.0
-    );
-}
+use crate::setup::{
+    assert_close, ball, between, bump, extrapolated, from_to, lowest, only, straight,
+};
 
 #[track_caller]
 fn assert_minimum<const D: usize>(minimum: &Minimum<D>) {
     assert_eq!((minimum.stop, minimum.curvature), (Stop::Converged, Curvature::PositiveDefinite));
     assert!(minimum.decrement <= 1e-18, "decrement {:e}", minimum.decrement);
-    // residual² = (N/4) |g|² / (c E), and |g|² ≤ ‖A‖ gᵀA⁻¹g = ‖A‖ 2 E decrement with the norm
-    // ‖A‖ of some 4N c: at most 2 N² times the decrement. The floor is a typical size.
+    // residual² = (N/4) |g|² / (c E), and |g|² ≤ ‖A‖ gᵀA⁻¹g = ‖A‖ 2 E decrement with ‖A‖ of about
+    // 4N c: at most 2 N² times the decrement. The floor is a typical size.
     let n = minimum.sequence.n().get() as f64;
     assert!(
         minimum.residual <= 8.0 * minimum.residual_floor + 2.0 * n * minimum.decrement.sqrt(),
@@ -40,8 +31,8 @@ fn assert_minimum<const D: usize>(minimum: &Minimum<D>) {
 
 #[test]
 fn valleys_over_two_ridges() {
-    let ends = Ends::points([0.0, 0.0], [4.0 * PI, 0.0]).expect("finite");
-    let minimum = minimise(&Valleys, &ends, Trapezoidal, 1000, &Options::default()).expect("ok");
+    let ends = from_to([0.0, 0.0], [4.0 * PI, 0.0]);
+    let minimum = lowest(&Valleys, &ends, Trapezoidal, 1000);
     assert_minimum(&minimum);
     // E_N − d² at N = 1000 is −3.2e-3.
     let d2 = 64.0 * PI * PI;
@@ -49,64 +40,61 @@ fn valleys_over_two_ridges() {
     assert_close(extrapolated(&minimum), d2, 1e-8);
 }
 
-/// From the straight line alone the search goes round the bump, and does not end in the
-/// geodesic over it with three times the energy, 64.07.
+/// From the straight line alone, the search goes round the bump, and avoids the geodesic over it
+/// with three times the energy, 64.07.
 #[test]
 fn the_straight_line_goes_round_the_bump() {
-    let bump = Bump::new(4.0, 0.5).expect("positive");
-    let ends = Ends::points([-1.5, 0.05], [1.5, -0.1]).expect("finite");
-    let straight = PointSequence::straight([-1.5, 0.05], [1.5, -0.1], 100).expect("finite");
+    let bump = bump();
+    let ends = from_to([-1.5, 0.05], [1.5, -0.1]);
+    let options = only(straight([-1.5, 0.05], [1.5, -0.1], 100));
     for n in [100, 1000] {
-        let options =
-            Options { starts: Starts::Only(vec![straight.clone()]), ..Options::default() };
         let minimum = minimise(&bump, &ends, Trapezoidal, n, &options).expect("ok");
         assert_minimum(&minimum);
         assert!((minimum.energy - 21.858_160_535).abs() < 24.0 / (n as f64).powi(2));
     }
-    let minimum = minimise(&bump, &ends, Trapezoidal, 1000, &Options::default()).expect("ok");
+    let minimum = lowest(&bump, &ends, Trapezoidal, 1000);
     assert_close(extrapolated(&minimum), 21.858_160_535, 1e-9);
 }
 
 #[test]
 fn three_coupled_dimensions() {
-    let ends = Ends::points([0.0; 3], [3.0, 2.0, -2.0]).expect("finite");
-    let minimum =
-        minimise(&CoupledCosines, &ends, Trapezoidal, 1000, &Options::default()).expect("ok");
+    let ends = from_to([0.0; 3], [3.0, 2.0, -2.0]);
+    let minimum = lowest(&CoupledCosines, &ends, Trapezoidal, 1000);
     assert_minimum(&minimum);
     assert_close(extrapolated(&minimum), 32.361_817_823_502_6, 1e-11);
 }
 
 #[test]
 fn eight_dimensions() {
-    let ends = Ends::points([0.0; 8], [1.0; 8]).expect("finite");
+    let ends = from_to([0.0; 8], [1.0; 8]);
     let metric = SineProjections::benchmark();
-    let minimum = minimise(&metric, &ends, Trapezoidal, 1000, &Options::default()).expect("ok");
+    let minimum = lowest(&metric, &ends, Trapezoidal, 1000);
     assert_minimum(&minimum);
     assert_close(extrapolated(&minimum), 8.849_588_854_249, 1e-11);
 }
 
-/// The sphere has no `c₁ > 0`, and jumps far out would lower the energy without bound. The
-/// local minimiser is the great circle.
+/// The sphere has no `c₁ > 0`: jumps far out would lower the energy without bound. The local
+/// minimiser is the great circle.
 #[test]
 fn a_great_circle() {
-    let ends = Ends::points([-0.8, 0.3], [1.1, 0.6]).expect("finite");
-    let minimum = minimise(&Sphere, &ends, Trapezoidal, 1000, &Options::default()).expect("ok");
+    let ends = from_to([-0.8, 0.3], [1.1, 0.6]);
+    let minimum = lowest(&Sphere, &ends, Trapezoidal, 1000);
     assert_minimum(&minimum);
     assert_close(extrapolated(&minimum), 5.278_323_900_279_761, 1e-11);
 }
 
-/// A ball and a half-space on either side of the bump. On the axis of symmetry the
-/// searches begin at a saddle, and must leave it; the ends lie in their sets to rounding.
+/// A ball and a half-space on either side of the bump. A search on the axis of symmetry begins at a
+/// saddle and must leave it; the ends lie in their sets to rounding.
 #[test]
 fn the_saddle_on_the_axis_is_left() {
-    let bump = Bump::new(4.0, 0.5).expect("positive");
-    let ball = Ball::new([-2.0, 0.0], 0.5).expect("positive radius");
+    let bump = bump();
+    let ball = ball([-2.0, 0.0], 0.5);
     let wall = HalfSpace::new([-1.0, 0.0], -2.0).expect("not zero");
-    let ends = Ends::new(ball, wall).expect("one bounded");
-    let axis = PointSequence::straight([-1.5, 0.0], [2.0, 0.0], 100).expect("finite");
-    let oblique = PointSequence::straight([-1.6, 0.3], [2.0, 0.3], 100).expect("finite");
+    let ends = between(ball, wall);
+    let axis = straight([-1.5, 0.0], [2.0, 0.0], 100);
+    let oblique = straight([-1.6, 0.3], [2.0, 0.3], 100);
     for start in [axis, oblique] {
-        let options = Options { starts: Starts::Only(vec![start]), ..Options::default() };
+        let options = only(start);
         let minimum = minimise(&bump, &ends, Trapezoidal, 1000, &options).expect("ok");
         assert_minimum(&minimum);
         // The value of the exactly parametrised problem at N = 1000.
@@ -120,27 +108,26 @@ fn the_saddle_on_the_axis_is_left() {
     }
 }
 
-/// Straight over the bump: a search that may not take a step says that the line is no minimum.
+/// Straight over the bump, without a single step.
 #[test]
-fn a_saddle_is_told_by_its_negative_eigenvalue() {
+fn a_saddle_has_a_negative_eigenvalue() {
     let bump = Bump::new(1.0, 0.5).expect("positive");
-    let ends = Ends::points([-2.0, 0.0], [2.0, 0.0]).expect("finite");
-    let axis = PointSequence::straight([-2.0, 0.0], [2.0, 0.0], 16).expect("finite");
-    let options = Options { starts: Starts::Only(vec![axis]), iterations: 0, ..Options::default() };
+    let ends = from_to([-2.0, 0.0], [2.0, 0.0]);
+    let axis = straight([-2.0, 0.0], [2.0, 0.0], 16);
+    let options = Options { iterations: 0, ..only(axis) };
     let minimum = minimise(&bump, &ends, Trapezoidal, 16, &options).expect("a metric");
     assert_eq!(minimum.stop, Stop::IterationLimit);
-    // Sideways, all the points to one side: there is one slope that goes down.
+    // Only one direction leads down: all points to one side.
     assert!(matches!(minimum.curvature, Curvature::Indefinite { negative: 1 }), "{minimum:?}");
     assert!(!minimum.is_local_minimum());
 }
 
-/// On 16, 63, 250 chords, and on two grids more.
+/// On the grids 16, 63, 250, and on two more.
 #[test]
 fn steps_on_all_grids_are_counted() {
-    let ends = Ends::points([0.0, 0.0], [2.0, 1.5]).expect("finite");
+    let ends = from_to([0.0, 0.0], [2.0, 1.5]);
     let of = |n| {
-        let minimum = minimise(&Valleys, &ends, Trapezoidal, n, &Options::default());
-        let minimum = minimum.expect("a metric");
+        let minimum = lowest(&Valleys, &ends, Trapezoidal, n);
         (minimum.levels.len(), minimum.iterations)
     };
     let ((three, few), (five, more)) = (of(250), of(4000));

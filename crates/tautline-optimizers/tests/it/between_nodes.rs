@@ -1,13 +1,15 @@
-//! A metric that is none between the nodes of a rule: the curve that is returned passes there.
+//! Metrics that are undefined between the nodes of a rule, where the resulting curve passes.
 
 use nalgebra::{SMatrix, SVector};
-use tautline_discretizations::{Interpolation, LeftEndpoint, PointSequence, Rule, Trapezoidal};
+use tautline_discretizations::{Interpolation, LeftEndpoint, Rule, Trapezoidal};
 use tautline_metrics::{Metric, MetricError, Scalar};
-use tautline_optimizers::{Options, SolveError, Starts, minimise};
-use tautline_sets::{AxisBox, Ball, Ends, FiniteSet, HalfSpace, Point};
+use tautline_optimizers::{Options, SolveError, minimise};
+use tautline_sets::{AxisBox, Ends, FiniteSet};
 
-/// The identity but for the last entry, `1 − (3/2) e^{−|P(x − c)|²/w²}`: negative within `0.6 w` of `c`
-/// and 1 to rounding from `6 w` on. `P` takes the first coordinate alone, or all of them.
+use crate::setup::{ball, between, from_to, half_space, lowest, only, point, straight};
+
+/// The identity with the last entry `1 − (3/2) e^{−|P(x − c)|²/w²}`: negative within `0.6 w` of
+/// `c`, and 1 to rounding from `6 w` on. `P` projects to the first coordinate, or is the identity.
 struct Dip<const D: usize> {
     centre: SVector<f64, D>,
     width: f64,
@@ -24,7 +26,7 @@ impl<const D: usize> Metric<D> for Dip<D> {
     }
 }
 
-/// Where on a chord the seven points of the quadrature lie that are not at its middle.
+/// The fractions of a chord at which the quadrature evaluates, besides its middle.
 const PLACES: [f64; 6] = [
     0.019_754_365_645_989_85,
     0.112_701_665_379_258_3,
@@ -41,36 +43,35 @@ fn on_the_axis<const D: usize>(x: f64) -> SVector<f64, D> {
     SVector::from_fn(|i, _| if i == 0 { x } else { 0.0 })
 }
 
-/// The straight line along the first axis, from 0 to 1, with a dip at the fraction `place` of this
-/// chord, too narrow for a node to see: it has to be refused, and for that place.
+/// A straight line from 0 to 1 along the first axis, with a dip at the fraction `place` of a chord,
+/// too narrow for the nodes. The error must name that place.
 #[track_caller]
 fn assert_refused<R: Rule, const D: usize>(rule: R, ends: &Ends<D>, chord: usize, place: f64) {
     let x = (chord as f64 + place) / N as f64;
     let dip = Dip::<D> { centre: on_the_axis(x), width: 3e-4, of_all: false };
-    let line = PointSequence::straight(on_the_axis(0.0), on_the_axis(1.0), N).expect("finite");
-    let options = Options { starts: Starts::Only(vec![line.clone()]), ..Options::default() };
-    // The nodes see nothing: the discrete energy is that of the straight line.
+    let line = straight(on_the_axis(0.0), on_the_axis(1.0), N);
+    let options = only(line.clone());
+    // The nodes miss the dip: the discrete energy is that of the straight line.
     assert_eq!(rule.energy(&dip, &line), 1.0);
     let error = minimise(&dip, ends, rule, N, &options).expect_err("no metric");
     let SolveError::Metric(MetricError::NotPositiveDefinite { point, eigenvalue }) = &error else {
         panic!("{error}");
     };
-    // 1 − 3/2, to some roundings of the place over the width: (1e-16/3e-4)².
+    // 1 − 3/2, up to rounding of the place over the width: (1e-16/3e-4)².
     assert!((point[0] - x).abs() < 1e-14 && (eigenvalue + 0.5).abs() < 1e-12, "{error}");
     assert!(point[1..].iter().all(|&y| y == 0.0));
-    // That is what the message says.
     assert!(error.to_string().contains("is not positive definite"), "{error}");
 }
 
 fn assert_refused_everywhere<R: Rule, const D: usize>(rule: R) {
     let corner = SVector::<f64, D>::from_fn(|i, _| if i == 0 { -0.5 } else { 0.0 });
-    let ball = || Ball::new(corner, 0.5).expect("a radius");
-    let wall = || HalfSpace::at_least(on_the_axis::<D>(1.0), 1.0).expect("a normal");
+    let ball = || ball(corner, 0.5);
+    let wall = || half_space(on_the_axis::<D>(1.0), 1.0);
     let cube = || AxisBox::new(on_the_axis::<D>(2.0), SVector::repeat(1.0)).expect("not empty");
     let between = [
-        Ends::points(on_the_axis::<D>(0.0), on_the_axis(1.0)).expect("finite"),
-        Ends::new(ball(), wall()).expect("bounded"),
-        Ends::new(ball(), cube()).expect("bounded"),
+        from_to(on_the_axis::<D>(0.0), on_the_axis(1.0)),
+        between(ball(), wall()),
+        between(ball(), cube()),
     ];
     for ends in &between {
         for chord in 0..N {
@@ -80,21 +81,21 @@ fn assert_refused_everywhere<R: Rule, const D: usize>(rule: R) {
 }
 
 #[test]
-fn a_metric_that_is_none_between_nodes_is_named_with_the_point() {
+fn a_defect_between_nodes_is_reported_with_its_point() {
     assert_refused_everywhere::<_, 1>(Trapezoidal);
     assert_refused_everywhere::<_, 2>(Trapezoidal);
     assert_refused_everywhere::<_, 3>(LeftEndpoint);
     assert_refused_everywhere::<_, 5>(LeftEndpoint);
 }
 
-/// From all starts, and where nodes may go and see it: on every grid, what is returned has a length.
+/// From all starts on every grid, where nodes may find the dip: every result has a length.
 #[test]
 fn a_result_has_a_length() {
     let mut refused = 0;
     for width in [0.001, 0.01, 0.1] {
         for n in [1, 2, 3, 5, 8, 16, 33, 64, 100, 300] {
             let dip = Dip::<1> { centre: on_the_axis(0.4), width, of_all: false };
-            let ends = Ends::points([0.0], [1.0]).expect("finite");
+            let ends = from_to([0.0], [1.0]);
             match minimise(&dip, &ends, Trapezoidal, n, &Options::default()) {
                 Ok(minimum) => {
                     let curve = Interpolation::new(&minimum.sequence);
@@ -113,13 +114,13 @@ fn a_result_has_a_length() {
             }
         }
     }
-    // The wide ones on all grids, and the narrower ones where chords are no longer than some widths.
+    // The widest on all grids, the narrower ones if the chords are short enough.
     assert!(refused >= 15, "{refused}");
 }
 
-/// On both of two ways there is a dip, where the quadrature looks on a chord and the rule does not.
+/// Both of two ways have a dip, which the quadrature finds and the rule misses.
 #[test]
-fn of_two_defects_that_of_the_lowest_result_is_told() {
+fn the_error_is_the_defect_of_the_lowest_result() {
     struct TwoDips;
     impl Metric<2> for TwoDips {
         fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
@@ -129,8 +130,7 @@ fn of_two_defects_that_of_the_lowest_result_is_told() {
         }
     }
     for members in [[[-1.2, 0.0], [1.0, 0.0]], [[1.0, 0.0], [-1.2, 0.0]]] {
-        let origin = Point::new([0.0, 0.0]).expect("finite");
-        let ends = Ends::new(origin, FiniteSet::new(members).expect("finite")).expect("bounded");
+        let ends = between(point([0.0, 0.0]), FiniteSet::new(members).expect("finite"));
         let error = minimise(&TwoDips, &ends, Trapezoidal, 40, &Options::default());
         let Err(SolveError::Metric(MetricError::NotPositiveDefinite { point, .. })) = error else {
             panic!("{error:?}")
@@ -139,17 +139,16 @@ fn of_two_defects_that_of_the_lowest_result_is_told() {
     }
 }
 
-/// To the nearer of two points there is a dip on the way: on the only grid, or on one that is refined
-/// later, beyond which a single search is followed.
+/// The way to the nearer of two points has a dip, on the only grid or on one that is refined later.
+/// On the finer one a single search is followed.
 #[test]
 fn the_lowest_result_with_a_metric_all_along_is_returned() {
     for (n, of, chord, width) in [(N, N, 1, 3e-4), (600, 150, 75, 1e-5)] {
         let centre = on_the_axis((chord as f64 + PLACES[1]) / of as f64);
         let dip = Dip::<2> { centre, width, of_all: true };
-        let origin = Point::new([0.0, 0.0]).expect("finite");
         let members = FiniteSet::new([[1.0, 0.0], [0.0, 1.2]]).expect("finite");
-        let ends = Ends::new(origin, members).expect("bounded");
-        let minimum = minimise(&dip, &ends, Trapezoidal, n, &Options::default()).expect("a way");
+        let ends = between(point([0.0, 0.0]), members);
+        let minimum = lowest(&dip, &ends, Trapezoidal, n);
         assert_eq!(*minimum.sequence.last(), SVector::from([0.0, 1.2]), "N = {n}");
         // N squares of 1.2/N, each rounded.
         assert!((minimum.energy - 1.44).abs() < 1e-13 && minimum.is_local_minimum());

@@ -1,28 +1,26 @@
-//! How many damped steps a search takes from far away.
+//! The number of damped steps that a search takes from far away.
 
-use tautline_discretizations::{LeftEndpoint, PointSequence, Rule, Trapezoidal};
+use tautline_discretizations::{LeftEndpoint, Rule, Trapezoidal};
 use tautline_metrics::{
     Metric,
     gallery::{Constant, Shear, TwoChannels},
 };
-use tautline_optimizers::{Minimum, Options, Starts, Stop, minimise};
-use tautline_sets::Ends;
+use tautline_optimizers::{Minimum, Stop, minimise};
+
+use crate::setup::{from_to, lowest, only, straight};
 
 /// The search from the straight line alone.
-fn straight(
+fn from_the_line(
     metric: &impl Metric<2>,
     rule: impl Rule,
     [a, b]: [[f64; 2]; 2],
     n: usize,
 ) -> Minimum<2> {
-    let line = PointSequence::straight(a, b, n).expect("finite");
-    let options = Options { starts: Starts::Only(vec![line]), ..Options::default() };
-    minimise(metric, &Ends::points(a, b).expect("finite"), rule, n, &options).expect("a metric")
+    minimise(metric, &from_to(a, b), rule, n, &only(straight(a, b, n))).expect("a metric")
 }
 
-/// Each bound is less than half of what the search took when it accepted every step of a shifted
-/// Hessian as it was: 200 steps without arriving, 227 and 235. With steps that are lengthened it
-/// takes 9, 80 and 65.
+/// Each bound is less than half of what the search took without lengthening: 200 steps without
+/// convergence, 227 and 235. With it, the search takes 9, 80 and 65.
 #[test]
 fn steps_that_a_shift_makes_too_short_are_lengthened() {
     let channels = TwoChannels::new(6.0, 1.0, 0.3).expect("widths");
@@ -30,9 +28,9 @@ fn steps_that_a_shift_makes_too_short_are_lengthened() {
     let shear = Shear::new(2.0, 3.0).expect("a wave number");
     let diagonal = [[-2.0, -2.0], [2.0, 2.0]];
     for (minimum, most) in [
-        (straight(&channels, Trapezoidal, across, 64), 100),
-        (straight(&channels, Trapezoidal, across, 250), 113),
-        (straight(&shear, LeftEndpoint, diagonal, 250), 117),
+        (from_the_line(&channels, Trapezoidal, across, 64), 100),
+        (from_the_line(&channels, Trapezoidal, across, 250), 113),
+        (from_the_line(&shear, LeftEndpoint, diagonal, 250), 117),
     ] {
         assert_eq!(minimum.stop, Stop::Converged);
         assert!(minimum.is_local_minimum(), "{:?}", minimum.curvature);
@@ -40,29 +38,26 @@ fn steps_that_a_shift_makes_too_short_are_lengthened() {
     }
 }
 
-/// One start, one search: all steps are its own. With more starts they are a part of all.
+/// With one start all steps are its own; with more, they are a part of all.
 #[test]
-fn a_result_tells_the_steps_of_its_own_search() {
+fn a_result_counts_the_steps_of_its_own_search() {
     let shear = Shear::new(0.5, 1.0).expect("a wave number");
     let ends = [[-2.0, -2.0], [2.0, 2.0]];
-    let alone = straight(&shear, Trapezoidal, ends, 250);
+    let alone = from_the_line(&shear, Trapezoidal, ends, 250);
     assert_eq!(alone.own_iterations, alone.iterations);
     // At least one on each grid.
     assert!(alone.own_iterations >= alone.levels.len());
-    let points = Ends::points(ends[0], ends[1]).expect("finite");
-    let of_many = minimise(&shear, &points, Trapezoidal, 250, &Options::default());
-    let of_many = of_many.expect("a metric");
+    let of_many = lowest(&shear, &from_to(ends[0], ends[1]), Trapezoidal, 250);
     assert!(of_many.own_iterations >= of_many.levels.len());
     assert!(of_many.own_iterations < of_many.iterations);
 }
 
-/// A straight line under a constant metric is a minimiser as it stands: one look at each grid, which
-/// counts, and no more.
+/// A straight line is a minimiser of a constant metric: it is evaluated once on each grid.
 #[test]
-fn a_look_at_a_grid_counts_as_one_step() {
+fn an_evaluation_on_a_grid_counts_as_one_step() {
     let flat = Constant::new([[2.0, 0.5], [0.5, 1.0]].into()).expect("definite");
     for n in [1, 2, 16, 64] {
-        let minimum = straight(&flat, Trapezoidal, [[0.0, 0.0], [3.0, 1.0]], n);
+        let minimum = from_the_line(&flat, Trapezoidal, [[0.0, 0.0], [3.0, 1.0]], n);
         assert_eq!((minimum.iterations, minimum.own_iterations), (1, 1), "N = {n}");
     }
 }

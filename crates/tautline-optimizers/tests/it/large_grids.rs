@@ -1,20 +1,21 @@
-//! Grids on which the points that are extrapolated from coarser ones are a minimiser to rounding, and
-//! are only looked at: what is said of them has to be true all the same. And the way there, over
-//! coarse grids that may know little of the metric.
+//! Grids on which the points extrapolated from coarser grids are a minimiser to rounding and are
+//! only evaluated: all claims must hold nevertheless. And the way there, over coarse grids that
+//! resolve little of the metric.
 
 use std::{collections::HashSet, f64::consts::PI, sync::Mutex, thread};
 
 use nalgebra::{SMatrix, SVector, vector};
-use tautline_discretizations::{LeftEndpoint, PointSequence, Rule, Trapezoidal, energy_gradient};
+use tautline_discretizations::{LeftEndpoint, Rule, Trapezoidal, energy_gradient};
 use tautline_formula::{Batches, Kind, Layout, Plain, Prepared, Registers};
 use tautline_metrics::{
     Metric, MetricError, Scalar,
     gallery::{Bump, CoupledCosines, Separable, SineProjection, SineProjections, Sphere, Valleys},
 };
 use tautline_optimizers::{
-    Minimum, Options, SolveError, Starts, Workspace, minimise, minimise_by_batches, newton_step,
+    Minimum, Options, SolveError, Workspace, minimise, minimise_by_batches, newton_step,
 };
-use tautline_sets::{Ends, HalfSpace, Point};
+
+use crate::setup::{between, bump, from_to, half_space, lowest, only, point, straight};
 
 fn from_the_line<const D: usize>(
     metric: &impl Metric<D>,
@@ -32,13 +33,11 @@ fn on_threads<const D: usize>(
     [a, b]: [[f64; D]; 2],
     n: usize,
 ) -> Result<Minimum<D>, SolveError> {
-    let line = PointSequence::straight(a, b, 1).expect("finite");
-    let options = Options { starts: Starts::Only(vec![line]), threads, ..Options::default() };
-    let ends = Ends::points(a, b).expect("finite");
-    minimise_by_batches(&mut Workspace::default(), metric, &ends, rule, n, &options)
+    let options = Options { threads, ..only(straight(a, b, 1)) };
+    minimise_by_batches(&mut Workspace::default(), metric, &from_to(a, b), rule, n, &options)
 }
 
-/// Energy, residual and decrement, computed once more from the points.
+/// Compares energy, residual and decrement with those computed from the points.
 #[track_caller]
 fn assert_true<R: Rule, const D: usize>(
     metric: &impl Metric<D>,
@@ -62,26 +61,25 @@ fn assert_true<R: Rule, const D: usize>(
     };
     let mean = minimum.sequence.chords().map(trace).sum::<f64>() / (n * D) as f64;
     let residual = 0.5 * n as f64 * root / (mean * energy).sqrt();
-    // What is left of the gradient are roundings: in another order, as sums of the same formula are
-    // taken, they differ by a few hundredths of what they are.
+    // The gradient is rounding: summed in another order, it differs by a few per cent.
     assert!((minimum.residual / residual - 1.0).abs() < 0.3, "{:e} {residual:e}", minimum.residual);
-    // Nothing but rounding, whether a step was taken or not.
+    // Only rounding, whether a step was taken or not.
     let floor = minimum.residual_floor;
     assert!(minimum.residual <= 2.0 * floor, "N = {n}: {:e} {floor:e}", minimum.residual);
-    let [a, b] = line.map(|x| tautline_sets::Point::new(x).expect("finite"));
+    let [a, b] = line.map(point);
     let mut workspace = Workspace::default();
     let batches = Prepared::new(metric);
     let step = newton_step(&mut workspace, &batches, [&a, &b], rule, &minimum.sequence);
     let decrement = step.expect("positive definite").decrement / energy;
-    // Of the order of rounding both, and negligible.
+    // Both of the order of rounding, and negligible.
     let range = 0.3 * decrement..=3.0 * decrement + 1e-28;
     assert!(range.contains(&minimum.decrement), "{:e} {decrement:e}", minimum.decrement);
     assert!(minimum.decrement <= 1e-18, "{:e}", minimum.decrement);
 }
 
 #[test]
-fn what_is_said_of_a_minimum_is_true_on_every_grid() {
-    let bump = Bump::new(4.0, 0.5).expect("a width");
+fn the_claims_of_a_minimum_hold_on_every_grid() {
+    let bump = bump();
     for n in [3_000, 10_000, 40_000, 70_000] {
         assert_true(&Valleys, Trapezoidal, [[0.0, 0.0], [4.0 * PI, 0.0]], n);
         assert_true(&bump, Trapezoidal, [[-1.5, 0.05], [1.5, -0.1]], n);
@@ -91,7 +89,7 @@ fn what_is_said_of_a_minimum_is_true_on_every_grid() {
     }
 }
 
-/// A bump whose Gram matrix is not symmetric within some 10⁻⁵ of `x₁ = 0.1001`.
+/// A bump with a Gram matrix that is not symmetric within about 10⁻⁵ of `x₁ = 0.1001`.
 struct Slit(Bump);
 
 impl Metric<2> for Slit {
@@ -102,10 +100,11 @@ impl Metric<2> for Slit {
     }
 }
 
-/// Coarser grids step over the slit, and the half of the matrix that a Newton step reads is in order.
+/// Coarser grids step over the slit, and the triangle of the matrix that a Newton step reads is
+/// correct.
 #[test]
-fn a_node_where_the_metric_is_none_is_seen_on_the_finest_grid() {
-    let slit = Slit(Bump::new(4.0, 0.5).expect("a width"));
+fn a_defect_at_a_node_is_found_on_the_finest_grid() {
+    let slit = Slit(bump());
     let line = [[-1.5, 0.05], [1.5, -0.1]];
     for n in [2_500, 5_000] {
         let coarse = from_the_line(&slit, Trapezoidal, line, n).expect("a metric at the nodes");
@@ -116,16 +115,15 @@ fn a_node_where_the_metric_is_none_is_seen_on_the_finest_grid() {
     assert!(refused, "{:?}", fine.map(|minimum| minimum.residual));
 }
 
-/// Nine chords leap over both ridges of this metric, with energies of 9.5 and 11. On the grids
-/// from there on, those minima become ones of energies 87 and 140, where the lowest has 33.15.
+/// Nine chords leap over both ridges of this metric, with energies of 9.5 and 11. On finer grids
+/// these minima rise to 87 and 140, while the lowest has 33.15.
 #[test]
-fn where_the_minima_of_a_coarse_grid_leap_the_starts_are_tried_again() {
+fn the_starts_are_tried_again_after_a_leap() {
     let ridges = Separable::new(vector![0.788, 0.0, 0.0], vector![1.663, 1.0, 1.0]);
     let ridges = ridges.expect("below one");
     let line = [[-2.866, 0.0, 0.0], [3.0, 0.0, 0.0]];
-    let ends = Ends::points(line[0], line[1]).expect("finite");
-    let automatic = minimise(&ridges, &ends, Trapezoidal, 129, &Options::default());
-    let automatic = automatic.expect("a metric");
+    let ends = from_to(line[0], line[1]);
+    let automatic = lowest(&ridges, &ends, Trapezoidal, 129);
     let alone = from_the_line(&ridges, Trapezoidal, line, 129).expect("a metric");
     for minimum in [automatic, alone] {
         assert!((minimum.energy - 33.15).abs() < 0.1, "{:?}", minimum.levels);
@@ -133,7 +131,7 @@ fn where_the_minima_of_a_coarse_grid_leap_the_starts_are_tried_again() {
     }
 }
 
-/// Knows who has asked.
+/// A metric that records the threads that evaluate it.
 struct Asked<'m, const D: usize>(&'m dyn Batches<D>, Mutex<HashSet<thread::ThreadId>>);
 
 impl<const D: usize> Batches<D> for Asked<'_, D> {
@@ -165,7 +163,7 @@ fn assert_same_on_two_threads<const D: usize>(
     }
 }
 
-/// In one of the two ways to evaluate a metric.
+/// Compares one thread with two for one way to evaluate a metric.
 #[track_caller]
 fn assert_same_by<const D: usize>(
     metric: &dyn Batches<D>,
@@ -177,14 +175,14 @@ fn assert_same_by<const D: usize>(
         let asked = Asked(metric, Mutex::default());
         let minimum = on_threads(threads, &asked, rule, line, n).expect("a metric");
         let more = asked.1.lock().expect("nobody panics").len() > 1;
-        assert_eq!(more, threads > 1 && there_are_processors());
+        assert_eq!(more, threads > 1 && has_two_processors());
         minimum
     });
     assert!(one == two, "{D} dimensions, N = {n}");
 }
 
-/// Two at least; on one, the tests below compare one thread with itself.
-fn there_are_processors() -> bool {
+/// With a single processor, the tests below compare one thread with itself.
+fn has_two_processors() -> bool {
     thread::available_parallelism().is_ok_and(|processors| processors.get() > 1)
 }
 
@@ -199,8 +197,8 @@ fn two_threads_find_the_same_bit_by_bit() {
     assert_same_on_two_threads(&projections::<4>(), Trapezoidal, [[0.0; 4], [1.0; 4]], 30_001);
 }
 
-/// A metric whose Gram matrix is not symmetric within some 10⁻⁵ of a hyperplane, in an entry that moves
-/// nothing along a line in `x₅ = 0`.
+/// A Gram matrix that is not symmetric within about 10⁻⁵ of a hyperplane, in an entry without
+/// effect along a line in `x₅ = 0`.
 struct Torn<'a> {
     metric: &'a SineProjections<5>,
     at: f64,
@@ -214,9 +212,9 @@ impl Metric<5> for Torn<'_> {
     }
 }
 
-/// At one node of the finest grid only, on the side of either end.
+/// The defect is at a single node of the finest grid, near either end.
 #[test]
-fn a_node_where_the_metric_is_none_is_seen_on_either_side() {
+fn a_defect_at_a_node_is_found_on_either_side() {
     let term = |k: f64| SineProjection {
         wave_vector: vector![k.sin(), 1.0, 0.5 * k, k.cos(), 0.0],
         direction: vector![0.5 * k.cos(), 0.3, -0.2, 0.1 * k, 0.0],
@@ -245,7 +243,7 @@ fn projections<const D: usize>() -> SineProjections<D> {
     SineProjections::new([1.0, 2.0, 3.0].map(term).to_vec()).expect("finite")
 }
 
-/// `H = (2 − cos x₁)² (3 + cos x₂) I`, and none for `|x₂ − c| < w`.
+/// `H = (2 − cos x₁)² (3 + cos x₂) I`, undefined for `|x₂ − c| < w`.
 struct Band {
     c: f64,
     w: f64,
@@ -258,12 +256,12 @@ impl Metric<2> for Band {
     }
 }
 
-/// Where the left-endpoint rule ends it reads no metric, and the end on a wall is elsewhere on every
-/// grid: that there is a metric at the last one has to be looked at.
+/// The left-endpoint rule does not evaluate the metric at the last point, which is elsewhere on
+/// every grid if it lies on a wall. The metric has to be checked there separately.
 #[test]
-fn a_last_point_without_a_metric_is_named_though_no_rule_reads_it() {
-    let wall = HalfSpace::at_least([1.0, 0.2], 2.0).expect("a normal");
-    let ends = Ends::new(Point::new([0.0, 0.3]).expect("finite"), wall).expect("bounded");
+fn a_last_point_without_a_metric_is_an_error_although_no_rule_reads_it() {
+    let wall = half_space([1.0, 0.2], 2.0);
+    let ends = between(point([0.0, 0.3]), wall);
     let options = Options::default();
     let solve = |c, w| minimise(&Band { c, w }, &ends, LeftEndpoint, 256, &options);
     let free = solve(1e3, 1e-7).expect("a metric");

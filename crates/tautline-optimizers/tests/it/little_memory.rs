@@ -1,23 +1,25 @@
-//! Where the system has no memory left, a solve ends with an error and not with the process.
+//! Without memory, a solve ends with an error and does not end the process.
 #![cfg(target_os = "linux")]
 
 use std::{env, process::Command};
 
 use nalgebra::{SMatrix, SVector};
-use tautline_discretizations::{LARGEST_N, LeftEndpoint, PointSequence, Trapezoidal};
+use tautline_discretizations::{LARGEST_N, LeftEndpoint, Trapezoidal};
 use tautline_formula::Prepared;
 use tautline_metrics::{Metric, Scalar, gallery::Separable};
 use tautline_optimizers::{Options, SolveError, Starts, Workspace, minimise, newton_step};
-use tautline_sets::{Ends, Sphere};
+use tautline_sets::Sphere;
 
-/// The step on this grid takes 302 MB for its `2D² + 2D` numbers a point, and its points 17 MB.
+use crate::setup::{between, from_to, sequence};
+
+/// A step on this grid takes 302 MB for its `2D² + 2D` numbers a point, and its points 17 MB.
 const N: usize = 1 << 18;
 const D: usize = 8;
 
-/// Set in a process of little memory.
+/// This variable is set in a process with little memory.
 const HERE: &str = "TAUTLINE_TESTS_LITTLE_MEMORY";
 
-/// Runs what a test says in a process of its own, which may have so many megabytes.
+/// Runs a test in a separate process that is limited to this many megabytes.
 fn with_megabytes(megabytes: u32, test: &str, run: fn()) {
     if env::var_os(HERE).is_some() {
         return run();
@@ -29,13 +31,13 @@ fn with_megabytes(megabytes: u32, test: &str, run: fn()) {
         .args(["--exact", &format!("little_memory::{test}"), "--nocapture"])
         .env(HERE, "")
         .output()
-        .expect("there is a shell");
+        .expect("a shell");
     let said = String::from_utf8_lossy(&output.stderr);
     let passed = String::from_utf8_lossy(&output.stdout).contains("1 passed");
     assert!(output.status.success() && passed, "{}: {said}", output.status);
 }
 
-/// Four hundred radians of a wave in all directions: so many that the finest grid needs a step.
+/// A wave with 400 radians in all directions: the finest grid needs a step.
 fn metric() -> Separable<D> {
     Separable::new([0.3; D], [400.0; D]).expect("a metric")
 }
@@ -43,11 +45,11 @@ fn metric() -> Separable<D> {
 #[test]
 fn a_step_without_memory_is_none() {
     with_megabytes(300, "a_step_without_memory_is_none", || {
-        let ends = Ends::points([0.0; D], [1.0; D]).expect("finite");
+        let ends = from_to([0.0; D], [1.0; D]);
         let pieces = [&**ends.first(), &**ends.second()];
         let line = |n: usize| {
             let points = (0..=n).map(|k| SVector::repeat(k as f64 / n as f64));
-            PointSequence::new(points.collect()).expect("finite")
+            sequence(points.collect())
         };
         let flat = Prepared::new(Separable::new([0.1; D], [1.0; D]).expect("a metric"));
         let mut workspace = Workspace::default();
@@ -58,22 +60,22 @@ fn a_step_without_memory_is_none() {
 }
 
 #[test]
-fn a_grid_without_memory_is_named() {
-    with_megabytes(300, "a_grid_without_memory_is_named", || {
-        let ends = Ends::points([0.0; D], [1.0; D]).expect("finite");
+fn a_grid_without_memory_is_an_error() {
+    with_megabytes(300, "a_grid_without_memory_is_an_error", || {
+        let ends = from_to([0.0; D], [1.0; D]);
         let error = minimise(&metric(), &ends, LeftEndpoint, N, &Options::default());
         let error = error.map(|minimum| minimum.sequence.n()).expect_err("no memory");
-        // Of a step without damping.
+        // The bytes of an undamped step.
         let bytes = (N + 1) * (2 * D * D + 2 * D) * 8;
         assert_eq!(error, SolveError::OutOfMemory { n: N, bytes });
     });
 }
 
 #[test]
-fn points_without_memory_are_named_before_any_search() {
-    with_megabytes(500, "points_without_memory_are_named_before_any_search", || {
+fn points_without_memory_are_an_error_before_any_search() {
+    with_megabytes(500, "points_without_memory_are_an_error_before_any_search", || {
         let wave = Separable::new([0.1], [1.0]).expect("a metric");
-        let ends = Ends::points([0.0], [1.0]).expect("finite");
+        let ends = from_to([0.0], [1.0]);
         let error = minimise(&wave, &ends, Trapezoidal, LARGEST_N, &Options::default());
         let error = error.map(|minimum| minimum.sequence.n()).expect_err("no memory");
         let bytes = 8 * (LARGEST_N + 1);
@@ -81,25 +83,22 @@ fn points_without_memory_are_named_before_any_search() {
     });
 }
 
-/// Between two spheres about one point the minimisers are a continuum, and no step does without damping;
-/// there is memory for one without. That one of the starts was refused before is not the reason.
+/// Between concentric spheres the minimisers form a continuum, and every step needs damping; there
+/// is memory for undamped steps only. The earlier error of a refused start is not reported.
 #[test]
-fn damped_steps_without_memory_are_named() {
+fn damped_steps_without_memory_are_an_error() {
     struct ToTheRight;
     impl Metric<D> for ToTheRight {
         fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
             SMatrix::from_diagonal_element((x[0] + 5.0).sqrt() * 0.0 + 1.0)
         }
     }
-    with_megabytes(450, "damped_steps_without_memory_are_named", || {
+    with_megabytes(450, "damped_steps_without_memory_are_an_error", || {
         let n = 1 << 17;
         let sphere = |r| Sphere::new([0.0; D], r).expect("a radius");
-        let ends = Ends::new(sphere(1.0), sphere(2.0)).expect("bounded");
+        let ends = between(sphere(1.0), sphere(2.0));
         let on_axis = |x: f64| SVector::<f64, D>::from_fn(|i, _| if i == 0 { x } else { 0.0 });
-        let through = |x: f64| {
-            let points = [1.0, x, 2.0].map(on_axis);
-            PointSequence::new(points.to_vec()).expect("finite")
-        };
+        let through = |x: f64| sequence([1.0, x, 2.0].map(on_axis).to_vec());
         let starts = Starts::Only(vec![through(-10.0), through(1.5)]);
         let options = Options { starts, ..Options::default() };
         let error = minimise(&ToTheRight, &ends, Trapezoidal, n, &options);

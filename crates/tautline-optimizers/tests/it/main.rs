@@ -1,4 +1,5 @@
-//! The search for discrete minimisers: problems of every kind, bad input, and what may be said of the result.
+//! Tests of the search for discrete minimisers: problems of every kind, bad input, and the claims
+//! of results.
 
 mod bad_input;
 mod benchmark_problems;
@@ -12,5 +13,6 @@ mod pieces;
 mod random_cases;
 mod same_bits;
 mod set_ends;
+mod setup;
 mod small_grids;
 mod units;

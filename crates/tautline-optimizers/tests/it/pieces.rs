@@ -1,57 +1,46 @@
-//! End sets that are not convex: finite sets, unions, spheres. The piece, or the side, that is
-//! nearest to the eye need not be the nearest in the metric.
+//! End sets that are not convex: finite sets, unions, spheres. The nearest piece or side in the
+//! Euclidean sense need not be the nearest in the metric.
 
 use std::{f64::consts::TAU, sync::Arc};
 
 use nalgebra::{SMatrix, SVector, matrix, vector};
-use tautline_discretizations::{PointSequence, Trapezoidal};
+use tautline_discretizations::Trapezoidal;
 use tautline_metrics::{
     Metric,
-    gallery::{Bump, Constant, Lens, Valleys},
+    gallery::{Constant, Lens, Valleys},
 };
 use tautline_optimizers::{Minimum, Options, Starts, minimise};
-use tautline_sets::{Ball, ClosedSet, Ends, FiniteSet, Point, Sphere, Union};
+use tautline_sets::{ClosedSet, Ends, FiniteSet, Sphere, Union};
+
+use crate::setup::{
+    assert_close, ball, between, bump, from_to, lowest, only, point, sequence, straight,
+};
 
 #[track_caller]
 fn solve<const D: usize>(metric: &impl Metric<D>, ends: &Ends<D>, n: usize) -> Minimum<D> {
-    let minimum = minimise(metric, ends, Trapezoidal, n, &Options::default()).expect("a metric");
+    let minimum = lowest(metric, ends, Trapezoidal, n);
     assert!(minimum.is_local_minimum(), "{:?} {:?}", minimum.stop, minimum.curvature);
     minimum
 }
 
-#[track_caller]
-fn assert_close(value: f64, reference: f64, relative: f64) {
-    let error = value / reference - 1.0;
-    assert!(error.abs() <= relative, "{value:.15e} is not {reference:.15e}: {error:e}");
-}
-
-fn ends<const D: usize>(
-    first: impl ClosedSet<D> + 'static,
-    second: impl ClosedSet<D> + 'static,
-) -> Ends<D> {
-    Ends::new(first, second).expect("bounded")
-}
-
-fn point<const D: usize>(x: [f64; D]) -> Point<D> {
-    Point::new(x).expect("finite")
-}
-
-/// `(3.5, 0)` is nearer to the eye, but beyond the ridge, `d = 7 + 0.35`; along the valley to
-/// `(0, 5)` it is `d = 5`, and that is exact on every grid.
+/// `(3.5, 0)` is nearer in the Euclidean sense, but beyond the ridge, `d = 7 + 0.35`; along the
+/// valley to `(0, 5)` it is `d = 5`, exactly on every grid.
 #[test]
 fn a_point_along_the_valley_beats_a_nearer_one_beyond_the_ridge() {
     let (beyond, along) = ([3.5, 0.0], [0.0, 5.0]);
     for targets in [[beyond, along], [along, beyond]] {
         let set = FiniteSet::new(targets).expect("finite");
-        // From N = 5 on: on fewer chords a jump over the ridge may be cheaper.
+        // From N = 5 on: with fewer chords a jump over the ridge may be cheaper.
         for n in [9, 40, 300] {
-            for ends in [ends(point([0.0, 0.0]), set.clone()), ends(set.clone(), point([0.0; 2]))] {
+            for ends in
+                [between(point([0.0, 0.0]), set.clone()), between(set.clone(), point([0.0; 2]))]
+            {
                 let minimum = solve(&Valleys, &ends, n);
                 assert_close(minimum.energy, 25.0, 1e-14);
                 let both = [minimum.sequence.first(), minimum.sequence.last()];
                 assert!(both.contains(&&SVector::from(along)));
                 let higher = (7.0 - 3.5_f64.sin()).powi(2);
-                // E_N − d² = O(N⁻²) with a constant of some 30: a twentieth at N = 9.
+                // E_N − d² = O(N⁻²) with a constant of about 30: a twentieth at N = 9.
                 assert!(n < 40 || (minimum.local_minima[1] / higher - 1.0).abs() < 0.05);
             }
         }
@@ -62,28 +51,27 @@ fn a_point_along_the_valley_beats_a_nearer_one_beyond_the_ridge() {
 fn the_best_pair_of_two_finite_sets_is_found() {
     let first = FiniteSet::new([[0.0, 9.0], [1.0, 0.0], [0.0, 0.0]]).expect("finite");
     let second = FiniteSet::new([[4.0, 0.0], [0.0, 3.5], [-4.0, 1.0]]).expect("finite");
-    let minimum = solve(&Valleys, &ends(first, second), 100);
-    // Nearest to the eye: (1, 0) and (4, 0), 3 apart, d = 6 + sin 1 − sin 4 = 7.6.
+    let minimum = solve(&Valleys, &between(first, second), 100);
+    // Nearest in the Euclidean sense: (1, 0) and (4, 0), 3 apart, d = 6 + sin 1 − sin 4 = 7.6.
     assert_eq!(*minimum.sequence.first(), vector![0.0, 0.0]);
     assert_eq!(*minimum.sequence.last(), vector![0.0, 3.5]);
     assert_close(minimum.energy, 3.5 * 3.5, 1e-14);
 }
 
-/// The ball behind the bump is nearer to the eye, the one beside it in the metric.
+/// The ball behind the bump is nearer in the Euclidean sense, the one beside it in the metric.
 #[test]
 fn a_ball_beside_the_bump_beats_a_nearer_one_behind_it() {
-    let bump = Bump::new(4.0, 0.5).expect("positive");
-    let ball = |centre: [f64; 2]| Ball::new(centre, 0.1).expect("a radius");
-    let (behind, beside) = (ball([1.2, 0.0]), ball([-1.5, 2.9]));
+    let bump = bump();
+    let (behind, beside) = (ball([1.2, 0.0], 0.1), ball([-1.5, 2.9], 0.1));
     let start = point([-1.5, 0.0]);
-    let alone = [behind, beside].map(|ball| solve(&bump, &ends(start, ball), 200).energy);
+    let alone = [behind, beside].map(|ball| solve(&bump, &between(start, ball), 200).energy);
     assert!(alone[1] < 0.6 * alone[0], "{alone:?}: (2.8)² against more than 4²");
     for pieces in [[behind, beside], [beside, behind]] {
         let members: Vec<Arc<dyn ClosedSet<2>>> =
             pieces.iter().map(|piece| Arc::new(*piece) as _).collect();
         let union = Union::new(members).expect("two");
-        let minimum = solve(&bump, &ends(start, union), 200);
-        // The same search, so the same to the decrement.
+        let minimum = solve(&bump, &between(start, union), 200);
+        // The same search: equal up to the decrement.
         assert_close(minimum.energy, alone[1], 1e-14);
         assert!((beside.project(minimum.sequence.last()) - minimum.sequence.last()).amax() < 1e-15);
     }
@@ -92,15 +80,13 @@ fn a_ball_beside_the_bump_beats_a_nearer_one_behind_it() {
 /// Nested unions, a constant metric in which the second coordinate counts three times:
 /// `(3 · 1.5)² = 20.25` to the ball above, `3.5² = 12.25` to the one on the right.
 #[test]
-fn the_nearest_ball_of_a_union_of_unions_is_that_of_the_metric() {
+fn the_ball_of_a_nested_union_is_the_nearest_in_the_metric() {
     let metric = Constant::new(matrix![1.0, 0.0; 0.0, 9.0]).expect("definite");
-    let ball = |x: f64, y: f64| -> Arc<dyn ClosedSet<2>> {
-        Arc::new(Ball::new([x, y], 0.5).expect("a radius"))
-    };
+    let ball = |x: f64, y: f64| -> Arc<dyn ClosedSet<2>> { Arc::new(ball([x, y], 0.5)) };
     let inner = Union::new(vec![ball(0.0, 2.0), ball(4.0, 0.0)]).expect("two");
     let union = Union::new(vec![ball(0.0, -3.0), Arc::new(inner)]).expect("two");
     for n in [1, 6, 100] {
-        let minimum = solve(&metric, &ends(point([0.0, 0.0]), union.clone()), n);
+        let minimum = solve(&metric, &between(point([0.0, 0.0]), union.clone()), n);
         assert_close(minimum.energy, 12.25, 1e-14);
         // The three balls: three minima.
         assert_eq!(minimum.local_minima.len(), 3, "{:?}", minimum.local_minima);
@@ -128,10 +114,10 @@ fn circle_distance(h: &SMatrix<f64, 2, 2>, p: &SVector<f64, 2>) -> f64 {
     square(0.5 * (a + b))
 }
 
-/// Points inside and outside of a circle, oblique metrics of condition up to 20: the nearest
-/// point is not the Euclidean one, and there may be two local minima or four.
+/// Points inside and outside a circle, oblique metrics of condition up to 20: the nearest point is
+/// not the Euclidean one, and there may be two local minima or four.
 #[test]
-fn the_nearest_point_of_a_circle_is_that_of_the_metric() {
+fn the_point_of_a_circle_is_the_nearest_in_the_metric() {
     let mut several = 0;
     for k in 0..120 {
         let t = f64::from(k);
@@ -145,11 +131,12 @@ fn the_nearest_point_of_a_circle_is_that_of_the_metric() {
         let reference = circle_distance(&h, &p);
         let circle = Sphere::new([0.0, 0.0], 1.0).expect("a radius");
         for n in [1, 2, 9, 40] {
-            // Either way round.
+            // In either order.
             let first = (k + n as i32) % 3 == 0;
-            let p = point(p.into());
-            let minimum = solve(&metric, &if first { ends(circle, p) } else { ends(p, circle) }, n);
-            // The scan is off by rounding of numbers of size 1, hence h · 1e-16 absolute.
+            let p = point(p);
+            let minimum =
+                solve(&metric, &if first { between(circle, p) } else { between(p, circle) }, n);
+            // The scan rounds numbers of size 1: h · 1e-16 absolute.
             let error = (minimum.energy - reference).abs();
             assert!(error <= 1e-12 * reference + 1e-14, "{k} {n}: {error:e}");
             let end = if first { minimum.sequence.first() } else { minimum.sequence.last() };
@@ -161,8 +148,8 @@ fn the_nearest_point_of_a_circle_is_that_of_the_metric() {
     assert!(several > 100, "several local minima in {several} cases only");
 }
 
-/// Inside of a sphere, on an axis, with `H = diag(4, 1, 2)`: by Lagrange the nearest points are
-/// `x₁ = 4p/(4 − 1)`, `x₂ = ±(1 − x₁²)^{1/2}`; on the axis is a saddle.
+/// Inside a sphere, on an axis, with `H = diag(4, 1, 2)`: by Lagrange the nearest points are
+/// `x₁ = 4p/(4 − 1)`, `x₂ = ±(1 − x₁²)^{1/2}`; the axis leads to a saddle.
 #[test]
 fn inside_a_sphere_the_nearest_point_lies_off_the_axis() {
     let metric = Constant::new(SMatrix::from_diagonal(&vector![4.0, 1.0, 2.0])).expect("definite");
@@ -170,32 +157,31 @@ fn inside_a_sphere_the_nearest_point_lies_off_the_axis() {
     let x1: f64 = 4.0 * p / 3.0;
     let reference = 4.0 * (x1 - p).powi(2) + 1.0 - x1 * x1;
     let sphere = Sphere::new([0.0; 3], 1.0).expect("a radius");
-    let ends = ends(point([p, 0.0, 0.0]), sphere);
+    let ends = between(point([p, 0.0, 0.0]), sphere);
     for n in [1, 5, 64] {
         let minimum = solve(&metric, &ends, n);
         assert_close(minimum.energy, reference, 1e-13);
         assert!((minimum.sequence.last()[0] - x1).abs() < 1e-7);
         // From the saddle alone.
-        let axis = PointSequence::straight([p, 0.0, 0.0], [1.0, 0.0, 0.0], n).expect("finite");
-        let options = Options { starts: Starts::Only(vec![axis]), ..Options::default() };
+        let options = only(straight([p, 0.0, 0.0], [1.0, 0.0, 0.0], n));
         let left = minimise(&metric, &ends, Trapezoidal, n, &options).expect("a metric");
         assert!(left.is_local_minimum());
         assert_close(left.energy, reference, 1e-13);
     }
 }
 
-/// On either side of a lens or a bump there is a minimiser, and both have the same energy.
+/// A lens and a bump have a minimiser on either side, with the same energy.
 #[test]
 fn two_equal_minimisers_are_mirror_images() {
     let lens = Lens::new(8.0, 0.5).expect("positive");
-    let bump = Bump::new(4.0, 0.5).expect("positive");
+    let bump = bump();
     check_mirror(&lens);
     check_mirror(&bump);
 }
 
 fn check_mirror(metric: &impl Metric<2>) {
     let n = 100;
-    let ends = Ends::points([-1.5, 0.0], [1.5, 0.0]).expect("finite");
+    let ends = from_to([-1.5, 0.0], [1.5, 0.0]);
     let search = |starts| {
         let options = Options { starts, ..Options::default() };
         let minimum = minimise(metric, &ends, Trapezoidal, n, &options).expect("a metric");
@@ -207,17 +193,17 @@ fn check_mirror(metric: &impl Metric<2>) {
             let t = k as f64 / n as f64;
             vector![3.0 * t - 1.5, side * 4.0 * t * (1.0 - t)]
         });
-        Starts::Only(vec![PointSequence::new(points.collect()).expect("finite")])
+        Starts::Only(vec![sequence(points.collect())])
     };
     let (above, below) = (search(bent(1.0)), search(bent(-1.0)));
     assert_close(above.energy, below.energy, 1e-14);
     for (a, b) in above.sequence.points().iter().zip(below.sequence.points()) {
-        // A relative decrement below 1e-18 leaves displacements of some 1e-9.
+        // A relative decrement below 1e-18 leaves displacements of about 1e-9.
         assert!((a - vector![b[0], -b[1]]).amax() < 1e-8);
     }
     assert!(above.sequence.points()[n / 2][1] > 0.3);
-    // From the axis, a saddle, and from all automatic starts: the same, counted once.
-    let axis = PointSequence::straight([-1.5, 0.0], [1.5, 0.0], n).expect("finite");
+    // From the axis, a saddle, and from all automatic starts: the same energy, counted once.
+    let axis = straight([-1.5, 0.0], [1.5, 0.0], n);
     for minimum in [search(Starts::Only(vec![axis])), search(Starts::Automatic)] {
         assert_close(minimum.energy, above.energy, 1e-14);
         assert_eq!(minimum.local_minima.len(), 1);

@@ -1,14 +1,16 @@
-//! Random metrics, random ends, `N` from 1 to 200, both rules: what must hold in every case.
+//! Random metrics, random ends, `N` from 1 to 200, both rules: properties that hold in every case.
 
 use nalgebra::{SVector, vector};
 use proptest::prelude::*;
-use tautline_discretizations::{Interpolation, LeftEndpoint, PointSequence, Rule, Trapezoidal};
+use tautline_discretizations::{Interpolation, LeftEndpoint, Rule, Trapezoidal};
 use tautline_metrics::{
     KnownDistance, Metric,
     gallery::{Bump, Lens, Ramp, Separable, Shear, Valleys},
 };
 use tautline_optimizers::{Minimum, Options, Starts, Stop, minimise};
-use tautline_sets::{AxisBox, Ball, ClosedSet, Ends, HalfSpace, Point, Segment, Sphere};
+use tautline_sets::{AxisBox, ClosedSet, Ends, Segment, Sphere};
+
+use crate::setup::{ball, between, from_to, half_space, lowest, only, point, sequence, straight};
 
 fn vector<const D: usize>(size: f64) -> impl Strategy<Value = SVector<f64, D>> {
     proptest::array::uniform::<_, D>(-size..size).prop_map(SVector::from)
@@ -16,15 +18,14 @@ fn vector<const D: usize>(size: f64) -> impl Strategy<Value = SVector<f64, D>> {
 
 /// Two points; or a bounded set of any kind about `−3e₁`, and a set of any kind about `3e₁`.
 fn ends<const D: usize>() -> impl Strategy<Value = Ends<D>> {
-    let points =
-        (vector::<D>(4.0), vector::<D>(4.0)).prop_map(|(a, b)| Ends::points(a, b).expect("finite"));
+    let points = (vector::<D>(4.0), vector::<D>(4.0)).prop_map(|(a, b)| from_to(a, b));
     let sets = (0..4_usize, 0..5_usize, vector::<D>(1.0), vector::<D>(1.0), 0.0..0.8_f64);
     let sets = sets.prop_map(|(first, second, a, b, size)| {
         let on_axis = |x: f64| SVector::from_fn(|i, _| if i == 0 { x } else { 0.0 });
         let (a, b) = (a + on_axis(-3.0), b + on_axis(3.0));
         let bounded = |kind: usize, c: SVector<f64, D>| -> std::sync::Arc<dyn ClosedSet<D>> {
             match kind {
-                0 => std::sync::Arc::new(Ball::new(c, size).expect("a radius")),
+                0 => std::sync::Arc::new(ball(c, size)),
                 1 => std::sync::Arc::new(
                     AxisBox::new(c, SVector::repeat(size)).expect("half-widths"),
                 ),
@@ -32,13 +33,10 @@ fn ends<const D: usize>() -> impl Strategy<Value = Ends<D>> {
                 3 => std::sync::Arc::new(
                     Segment::new(c - SVector::repeat(size), c + on_axis(size)).expect("finite"),
                 ),
-                _ => std::sync::Arc::new(
-                    HalfSpace::at_least(SVector::repeat(size) + on_axis(1.0), 3.0)
-                        .expect("a normal"),
-                ),
+                _ => std::sync::Arc::new(half_space(SVector::repeat(size) + on_axis(1.0), 3.0)),
             }
         };
-        Ends::new(bounded(first, a), bounded(second, b)).expect("one bounded")
+        between(bounded(first, a), bounded(second, b))
     });
     prop_oneof![1 => points, 2 => sets]
 }
@@ -76,17 +74,17 @@ fn check_rule<const D: usize>(
         prop_assert_eq!(minimum.energy, 0.0);
         return Ok(());
     }
-    // The straight line between points that are nearest to each other, by projections.
+    // The straight line between nearest points, by alternating projections.
     let mut a = ends.first().project(&SVector::zeros());
     let mut b = ends.second().project(&a);
     for _ in 0..50 {
         a = ends.first().project(&b);
         b = ends.second().project(&a);
     }
-    let straight = PointSequence::straight(a, b, n).expect("finite");
+    let straight = straight(a, b, n);
     let energy = rule.energy(metric, &straight);
     prop_assert!(minimum.energy <= energy * (1.0 + 1e-12), "{} {energy}", minimum.energy);
-    // That start alone is one of many.
+    // From that start alone.
     let alone = solve(Starts::Only(vec![straight]));
     stops_well(&alone)?;
     prop_assert!(alone.energy <= energy * (1.0 + 1e-12), "{} {energy}", alone.energy);
@@ -109,8 +107,8 @@ fn stops_well<const D: usize>(minimum: &Minimum<D>) -> Result<(), TestCaseError>
     Ok(())
 }
 
-/// No perturbation with its ends in the sets lowers the energy: waves and single points, of
-/// sizes from `1e-3`, which stays near a shallow minimum, down to where the change is rounding.
+/// No perturbation with ends in the sets lowers the energy: waves and single points, of sizes from
+/// `1e-3`, which stays near a shallow minimum, down to rounding.
 fn not_lowered<const D: usize>(
     metric: &impl Metric<D>,
     ends: &Ends<D>,
@@ -134,10 +132,10 @@ fn not_lowered<const D: usize>(
         let mut perturbed: Vec<_> = (0..=n).map(moved).collect();
         perturbed[0] = ends.first().project(&perturbed[0]);
         perturbed[n] = ends.second().project(&perturbed[n]);
-        let perturbed = PointSequence::new(perturbed).expect("finite");
+        let perturbed = sequence(perturbed);
         let energy = rule.energy(metric, &perturbed);
-        // No step promises more than the decrement, 1e-18; each term of the sum is rounded, which
-        // in eight dimensions makes 1e-14.
+        // No step promises more than the decrement, 1e-18. Each term of the sum is rounded, by
+        // 1e-14 in eight dimensions.
         prop_assert!(energy >= minimum.energy * (1.0 - 3e-14), "{energy} below at {trial}");
     }
     Ok(())
@@ -150,21 +148,14 @@ fn not_below<const D: usize>(
     b: SVector<f64, D>,
     n: usize,
 ) -> Result<(), TestCaseError> {
-    let ends = Ends::points(a, b).expect("finite");
+    let ends = from_to(a, b);
     let Some(d) = metric.distance(&a, &b) else { return Ok(()) };
-    for left in [false, true] {
-        let options = Options::default();
-        let minimum = if left {
-            minimise(metric, &ends, LeftEndpoint, n, &options)
-        } else {
-            minimise(metric, &ends, Trapezoidal, n, &options)
-        };
-        let minimum = minimum.expect("a metric everywhere");
+    for minimum in [lowest(metric, &ends, LeftEndpoint, n), lowest(metric, &ends, Trapezoidal, n)] {
         stops_well(&minimum)?;
         let energy = Interpolation::new(&minimum.sequence).energy(metric);
-        // The primitives, up to 10, have an error of some 4e-15 each; so has the sum of squares.
-        let overestimation = energy.error + 2e-14 * d + 1e-13 * d * d;
-        prop_assert!(d * d <= energy.value + overestimation, "{} below {}", energy.value, d * d);
+        // The primitives, up to 10, have an error of about 4e-15 each; so has the sum of squares.
+        let error = energy.error + 2e-14 * d + 1e-13 * d * d;
+        prop_assert!(d * d <= energy.value + error, "{} below {}", energy.value, d * d);
     }
     Ok(())
 }
@@ -231,16 +222,12 @@ proptest! {
     }
 }
 
-/// A start at random, refined: it ends in a minimum that the automatic starts beat or equal.
+/// A random start ends in a minimum that is not lower than that of the automatic starts.
 #[test]
 fn random_starts_find_nothing_lower() {
-    let bump = Bump::new(4.0, 0.5).expect("positive");
-    let ends = Ends::new(
-        Point::new([-2.0, 0.2]).expect("finite"),
-        Ball::new([2.0, 0.0], 0.4).expect("a radius"),
-    )
-    .expect("bounded");
-    let automatic = minimise(&bump, &ends, Trapezoidal, 64, &Options::default()).expect("a metric");
+    let bump = crate::setup::bump();
+    let ends = between(point([-2.0, 0.2]), ball([2.0, 0.0], 0.4));
+    let automatic = lowest(&bump, &ends, Trapezoidal, 64);
     let mut same = 0;
     for k in 0..40 {
         let phase = |i: f64, j: f64| (12.9 * i + 78.2 * j + 3.7 * f64::from(k)).sin() * 1.2;
@@ -248,8 +235,8 @@ fn random_starts_find_nothing_lower() {
             let t = f64::from(j);
             vector![t / 4.0 - 2.0 + phase(1.0, t), phase(2.0, t)]
         });
-        let start = PointSequence::new(points.collect()).expect("finite");
-        let options = Options { starts: Starts::Only(vec![start]), ..Options::default() };
+        let start = sequence(points.collect());
+        let options = only(start);
         let minimum = minimise(&bump, &ends, Trapezoidal, 64, &options).expect("a metric");
         assert!(minimum.is_local_minimum(), "{:?} {:?}", minimum.stop, minimum.curvature);
         assert!(automatic.energy <= minimum.energy * (1.0 + 1e-13));

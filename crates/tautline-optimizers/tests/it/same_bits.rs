@@ -1,11 +1,12 @@
-//! A result has the same bits whatever the processor, the number of threads and the room for chords.
+//! Results have the same bits whatever the instructions, the number of threads and the block size.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_discretizations::{LeftEndpoint, Rule, Trapezoidal, TrueTrapezoid};
 use tautline_formula::{InstructionSet, Prepared};
 use tautline_metrics::{Metric, Scalar};
 use tautline_optimizers::{Minimum, Options, Workspace, minimise_by_batches};
-use tautline_sets::{Ball, Ends};
+
+use crate::setup::{ball, between, from_to};
 
 /// Waves along each coordinate, and between neighbours.
 struct Waves;
@@ -23,29 +24,26 @@ impl<const D: usize> Metric<D> for Waves {
     }
 }
 
-/// All that a result says, and the bits of its points.
-fn said<const D: usize>(minimum: &Minimum<D>) -> (String, Vec<u64>) {
+/// The numbers of a result, and the bits of its points.
+fn bits_of<const D: usize>(minimum: &Minimum<D>) -> (String, Vec<u64>) {
     let points = minimum.sequence.points().iter().flat_map(|x| x.iter());
     let bits = points.map(|x| x.to_bits()).collect();
     let Minimum { energy, decrement, residual, iterations, levels, .. } = minimum;
     (format!("{energy:e} {decrement:e} {residual:e} {iterations} {levels:?}"), bits)
 }
 
-/// On a grid with a middle chord and on one without; large enough for two threads where they are used.
+/// On a grid with a middle chord and one without, large enough for two threads if they are used.
 fn compare<R: Rule, const D: usize>(rule: R) {
     let at = |x: f64| SVector::<f64, D>::from_fn(|i, _| x + 0.3 * (i as f64).sin());
-    let ball = |x: f64| Ball::new(at(x), 0.25).expect("a radius");
-    for ends in [
-        Ends::points(at(-1.0), at(1.0)).expect("finite"),
-        Ends::new(ball(-1.0), ball(1.0)).expect("bounded"),
-    ] {
+    let ball = |x: f64| ball(at(x), 0.25);
+    for ends in [from_to(at(-1.0), at(1.0)), between(ball(-1.0), ball(1.0))] {
         for n in [300, (65_537 / (D * D)) | 1] {
             let solve = |instruction_set, lanes, threads| {
                 let metric = Prepared::with(Waves, instruction_set, lanes);
                 let options = Options { threads, ..Options::default() };
                 let workspace = &mut Workspace::default();
                 let minimum = minimise_by_batches(workspace, &metric, &ends, rule, n, &options);
-                said(&minimum.expect("a minimum"))
+                bits_of(&minimum.expect("a minimum"))
             };
             let expected = solve(InstructionSet::Baseline, 128, 1);
             for (instruction_set, lanes, threads) in [

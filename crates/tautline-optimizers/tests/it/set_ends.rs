@@ -1,22 +1,24 @@
-//! Ends in sets, solved together with the curve: on faces, edges, corners and curved boundaries.
+//! Ends that move in sets together with the curve: on faces, edges, corners and curved boundaries.
 //!
-//! The references are closed forms: flat metrics map some sets to sets of the same kind, and a
-//! constant metric makes every discrete energy exact.
+//! The references are closed forms: flat metrics map some sets to sets of the same kind, and under
+//! a constant metric every discrete energy is exact.
 
 use nalgebra::{SMatrix, SVector, matrix, vector};
-use tautline_discretizations::{LeftEndpoint, PointSequence, Trapezoidal, energy_gradient};
+use tautline_discretizations::{LeftEndpoint, Trapezoidal, energy_gradient};
 use tautline_metrics::{
     KnownDistance, Metric,
     gallery::{Constant, Separable, Shear, Valleys},
 };
-use tautline_optimizers::{Curvature, Minimum, Options, Starts, Stop, extrapolate, minimise};
-use tautline_sets::{
-    AffineSubspace, AxisBox, Ball, ClosedSet, Ends, HalfSpace, Point, Segment, Sphere,
+use tautline_optimizers::{Curvature, Minimum, Options, Stop, extrapolate, minimise};
+use tautline_sets::{AffineSubspace, AxisBox, ClosedSet, Ends, Segment, Sphere};
+
+use crate::setup::{
+    assert_close, ball, between, euclidean, extrapolated, half_space, lowest, only, point, straight,
 };
 
-/// Solves with the trapezoidal rule, and checks all that a minimum between sets promises.
+/// Solves with the trapezoidal rule, and checks what holds for every minimum between sets.
 ///
-/// `condition` is a bound of the condition number of the metric.
+/// `condition` bounds the condition number of the metric.
 #[track_caller]
 fn solve<const D: usize>(
     metric: &impl Metric<D>,
@@ -24,7 +26,7 @@ fn solve<const D: usize>(
     n: usize,
     condition: f64,
 ) -> Minimum<D> {
-    let minimum = minimise(metric, ends, Trapezoidal, n, &Options::default()).expect("a metric");
+    let minimum = lowest(metric, ends, Trapezoidal, n);
     assert_eq!((minimum.stop, minimum.curvature), (Stop::Converged, Curvature::PositiveDefinite));
     assert!(minimum.decrement <= 1e-18, "decrement {:e}", minimum.decrement);
     let (_, gradient) = energy_gradient(Trapezoidal, metric, &minimum.sequence);
@@ -33,8 +35,8 @@ fn solve<const D: usize>(
         (ends.second(), minimum.sequence.last(), &gradient[n]),
     ] {
         assert_in_set(&**set, x);
-        // Transversality: x is the nearest point to a point out along the force −g. For a step
-        // of the length 1/4 this loses at most the factor 3/2 on a ball of radius ½.
+        // Transversality: x is the nearest point to a point out along the force −g. A step of
+        // length 1/4 loses at most a factor 3/2 on a ball of radius ½.
         let z = x - g * (0.25 / g.norm());
         let off = (x - set.project(&z)).norm() / 0.25;
         // A gradient gₜ along the face promises at least gₜ²/(2‖A‖) with ‖A‖ ≤ 4N c₂, so that
@@ -46,64 +48,37 @@ fn solve<const D: usize>(
     minimum
 }
 
-/// To the rounding that projections are allowed: `(D + 4) ε max |xᵢ|`.
+/// Up to the rounding of a projection: `(D + 4) ε max |xᵢ|`.
 #[track_caller]
 fn assert_in_set<const D: usize>(set: &dyn ClosedSet<D>, x: &SVector<f64, D>) {
     let off = (set.project(x) - x).amax();
     assert!(off <= (D + 4) as f64 * f64::EPSILON * x.amax(), "{off:e} off {set:?}");
 }
 
-#[track_caller]
-fn assert_close(value: f64, reference: f64, relative: f64) {
-    let error = value / reference - 1.0;
-    assert!(error.abs() <= relative, "{value:.15e} is not {reference:.15e}: {error:e}");
-}
-
-/// The extrapolated square distance is within its own error estimate, some rounding granted,
-/// and within `1e-9`.
+/// Checks the extrapolated square distance to `1e-9`.
 #[track_caller]
 fn assert_distance<const D: usize>(minimum: &Minimum<D>, distance: f64) {
-    let estimate = extrapolate(&minimum.levels, 2).expect("several grids");
-    assert_close(estimate.value, distance * distance, 1e-9);
-}
-
-fn ball<const D: usize>(centre: [f64; D], r: f64) -> Ball<D> {
-    Ball::new(centre, r).expect("a radius")
-}
-
-fn half_space<const D: usize>(normal: [f64; D], offset: f64) -> HalfSpace<D> {
-    HalfSpace::at_least(normal, offset).expect("a normal")
-}
-
-fn point<const D: usize>(x: [f64; D]) -> Point<D> {
-    Point::new(x).expect("finite")
-}
-
-fn ends<const D: usize>(
-    first: impl ClosedSet<D> + 'static,
-    second: impl ClosedSet<D> + 'static,
-) -> Ends<D> {
-    Ends::new(first, second).expect("one bounded")
+    assert_close(extrapolated(minimum), distance * distance, 1e-9);
 }
 
 #[test]
 fn valleys_from_a_ball_to_a_half_space_and_back() {
     let d = 5.0 - 3_f64.sin() + 0.5_f64.sin();
     let (ball, wall) = (ball([0.0, 0.0], 0.5), half_space([1.0, 0.0], 3.0));
-    for ends in [ends(ball, wall), ends(wall, ball)] {
+    for ends in [between(ball, wall), between(wall, ball)] {
         let minimum = solve(&Valleys, &ends, 512, 9.0);
         assert_distance(&minimum, d);
-        let left = minimise(&Valleys, &ends, LeftEndpoint, 512, &Options::default()).expect("ok");
+        let left = lowest(&Valleys, &ends, LeftEndpoint, 512);
         assert_eq!((left.stop, left.curvature), (Stop::Converged, Curvature::PositiveDefinite));
-        // A polynomial in 1/N through the grids 8, 32, 128, 512: the first term left out is
-        // (1/8)(1/32)(1/128)(1/512) = 6e-8 times derivatives of a size of some 100.
+        // A polynomial in 1/N through the grids 8, 32, 128, 512: the first omitted term is
+        // (1/8)(1/32)(1/128)(1/512) = 6e-8 times derivatives of about 100.
         let d2 = extrapolate(&left.levels, 1).expect("several grids").value;
         assert_close(d2, d * d, 1e-5);
     }
 }
 
-/// The wave leaves `x₂` alone, so the nearest point of `{x₂ ≥ 3}` is straight above in the flat
-/// plane, and the highest point of a set is the nearest to it.
+/// The wave preserves `x₂`: the nearest point of `{x₂ ≥ 3}` is straight above in the flat plane,
+/// and the highest point of a set is the nearest to it.
 #[test]
 fn sheared_plane_from_the_highest_point_to_a_half_plane() {
     let shear = Shear::new(0.5, 1.0).expect("k > 0");
@@ -116,13 +91,13 @@ fn sheared_plane_from_the_highest_point_to_a_half_plane() {
     let segment = Segment::new([-1.0, -0.5], [1.0, 0.75]).expect("finite");
     let line = AffineSubspace::new([0.0, 3.0], [[1.0, 0.0]]).expect("a direction");
     let wall = half_space([0.0, 1.0], 3.0);
-    // The last sees the ball from above: its lowest point is the nearest.
+    // The last ball is above the line: its lowest point is the nearest.
     for (ends, from, d) in [
-        (ends(ball([0.0, 0.0], 0.5), wall), [0.0, 0.5], 2.5),
-        (ends(segment, wall), [1.0, 0.75], 2.25),
-        (ends(point([0.3, 0.2]), wall), [0.3, 0.2], 2.8),
-        (ends(ball([0.0, 0.0], 0.5), line.clone()), [0.0, 0.5], 2.5),
-        (ends(ball([0.7, 5.0], 0.5), line), [0.7, 4.5], 1.5),
+        (between(ball([0.0, 0.0], 0.5), wall), [0.0, 0.5], 2.5),
+        (between(segment, wall), [1.0, 0.75], 2.25),
+        (between(point([0.3, 0.2]), wall), [0.3, 0.2], 2.8),
+        (between(ball([0.0, 0.0], 0.5), line.clone()), [0.0, 0.5], 2.5),
+        (between(ball([0.7, 5.0], 0.5), line), [0.7, 4.5], 1.5),
     ] {
         let minimum = solve(&shear, &ends, 512, condition);
         assert_distance(&minimum, d);
@@ -132,7 +107,7 @@ fn sheared_plane_from_the_highest_point_to_a_half_plane() {
     }
 }
 
-/// A box and a point or a box: the images are boxes, whose distance is Euclidean.
+/// Two boxes: their images are boxes at a Euclidean distance.
 #[track_caller]
 fn check_boxes<const D: usize>(first: ([f64; D], [f64; D]), second: ([f64; D], [f64; D])) {
     let separable = Separable::new(
@@ -141,7 +116,7 @@ fn check_boxes<const D: usize>(first: ([f64; D], [f64; D]), second: ([f64; D], [
     )
     .expect("below one");
     let corners = |(lower, upper)| AxisBox::from_corners(lower, upper).expect("in order");
-    let minimum = solve(&separable, &ends(corners(first), corners(second)), 512, 9.0);
+    let minimum = solve(&separable, &between(corners(first), corners(second)), 512, 9.0);
     // The nearest points, coordinate by coordinate: F is increasing in each.
     let near: SVector<f64, D> = SVector::from_fn(|i, _| second.0[i].clamp(first.0[i], first.1[i]));
     let far = SVector::from_fn(|i, _| near[i].clamp(second.0[i], second.1[i]));
@@ -157,7 +132,7 @@ fn boxes_in_two_dimensions_meet_at_a_face_and_at_corners() {
     check_boxes(unit, ([3.0, 0.4], [3.0, 0.4]));
     check_boxes(unit, ([3.0, 2.0], [4.0, 5.0]));
     check_boxes(([2.0, 1.5], [2.5, 4.0]), ([-1.0, -3.0], [0.0, 0.0]));
-    // Level with the corner: its multiplier is zero, and either face would do.
+    // Level with the corner: its multiplier is zero, and either face is active.
     check_boxes(unit, ([3.0, 1.0], [3.0, 1.0]));
 }
 
@@ -189,11 +164,11 @@ fn a_ball_and_an_oblique_half_space_under_a_constant_metric() {
     let (r, b) = (0.5_f64, 4.0_f64);
     let inverse: SMatrix<f64, 3, 3> = h.try_inverse().expect("positive definite");
     let d = (b - a.dot(&c) - r * a.norm()) / a.dot(&(inverse * a)).sqrt();
-    let ends = ends(ball(c.into(), r), half_space(a.into(), b));
+    let ends = between(ball(c, r), half_space(a, b));
     let metric = Constant::new(h).expect("positive definite");
     for n in [1, 2, 3, 16, 200] {
         let minimum = solve(&metric, &ends, n, 15.0);
-        // Exact for every N, up to the decrement and some roundings.
+        // Exact for every N, up to the decrement and rounding.
         assert_close(minimum.energy, d * d, 4e-15);
         // The contact is where the Euclidean normals agree.
         let contact = c + a * (r / a.norm());
@@ -201,7 +176,7 @@ fn a_ball_and_an_oblique_half_space_under_a_constant_metric() {
     }
 }
 
-/// Beside the line only the distance across counts: `(|n·(c − p)| − r) / (nᵀH⁻¹n)^{1/2}`.
+/// Only the distance across the line counts: `(|n·(c − p)| − r) / (nᵀH⁻¹n)^{1/2}`.
 #[test]
 fn an_unbounded_line_and_a_ball_under_a_constant_metric() {
     let h = matrix![3.0, 1.0; 1.0, 1.0];
@@ -212,13 +187,13 @@ fn an_unbounded_line_and_a_ball_under_a_constant_metric() {
         / normal.dot(&(h.try_inverse().expect("definite") * normal)).sqrt();
     let metric = Constant::new(h).expect("positive definite");
     for n in [1, 2, 50] {
-        let minimum = solve(&metric, &ends(line.clone(), ball([1.0, 0.5], 0.75)), n, 6.0);
+        let minimum = solve(&metric, &between(line.clone(), ball([1.0, 0.5], 0.75)), n, 6.0);
         assert_close(minimum.energy, d * d, 4e-15);
     }
 }
 
-/// The square distance of `x` from a box, by trying all faces: on each, the free coordinates
-/// solve a linear system.
+/// The square distance of `x` from a box, over all faces: on each, the free coordinates solve a
+/// linear system.
 fn box_distance<const D: usize>(
     h: &SMatrix<f64, D, D>,
     bounds: [[f64; D]; 2],
@@ -227,7 +202,7 @@ fn box_distance<const D: usize>(
     let mut best = f64::INFINITY;
     for face in 0..3_usize.pow(D as u32) {
         let state: [usize; D] = std::array::from_fn(|i| face / 3_usize.pow(i as u32) % 3);
-        // Rows of the free coordinates say (H(y − x))ᵢ = 0, the others yᵢ = bound.
+        // Rows of the free coordinates are (H(y − x))ᵢ = 0, the others yᵢ = bound.
         let mut matrix = *h;
         let mut right = h * x;
         for i in (0..D).filter(|&i| state[i] < 2) {
@@ -245,7 +220,7 @@ fn box_distance<const D: usize>(
     best
 }
 
-/// The nearest point under an oblique metric is on another face than the Euclidean one.
+/// Under an oblique metric the nearest point is on another face than the Euclidean one.
 #[test]
 fn points_round_an_oblique_box() {
     let h = matrix![1.0, 0.9, 0.0; 0.9, 1.0, 0.2; 0.0, 0.2, 0.5];
@@ -257,7 +232,7 @@ fn points_round_an_oblique_box() {
         let inside = (0..3).all(|i| (bounds[0][i]..=bounds[1][i]).contains(&x[i]));
         assert!(!inside, "5 times a vector of size 1 is outside");
         let cuboid = AxisBox::from_corners(bounds[0], bounds[1]).expect("in order");
-        let ends = ends(cuboid, point(x.into()));
+        let ends = between(cuboid, point(x));
         for n in [1, 24] {
             // Eigenvalues 0.06 to 1.92.
             let minimum = solve(&metric, &ends, n, 32.0);
@@ -277,14 +252,14 @@ fn a_point_beside_and_beyond_a_segment() {
         let y = a + v * s;
         let segment = Segment::new(a, b).expect("finite");
         for n in [1, 2, 33] {
-            let minimum = solve(&metric, &ends(segment, point(x.into())), n, 5.0);
+            let minimum = solve(&metric, &between(segment, point(x)), n, 5.0);
             assert_close(minimum.energy, (x - y).dot(&(h * (x - y))), 4e-15);
         }
     }
 }
 
-/// Two balls under a constant metric: the normals at both contacts are `±H` times the chord.
-/// So small a ball as the second has a derivative of its projection of some `1e-6`.
+/// Two balls under a constant metric: the normals at both contacts are `±H` times the chord. The
+/// derivative of the projection to the tiny ball is about `1e-6`.
 #[test]
 fn a_large_and_a_tiny_ball_obey_the_law_of_normals() {
     let h = matrix![5.0, 1.0; 1.0, 0.5];
@@ -293,29 +268,27 @@ fn a_large_and_a_tiny_ball_obey_the_law_of_normals() {
     for (r, tiny) in [(1.0, 0.5), (1.0, 1e-6), (2.0, 1e-8)] {
         for n in [1, 2, 40] {
             // Eigenvalues 0.28 and 5.2.
-            let minimum = solve(&metric, &ends(ball(c.into(), r), ball(e.into(), tiny)), n, 20.0);
+            let minimum = solve(&metric, &between(ball(c, r), ball(e, tiny)), n, 20.0);
             let (x, y) = (minimum.sequence.first(), minimum.sequence.last());
             let covector = h * (y - x);
             let unit = covector.normalize();
-            // A convex problem: normals that agree are enough. The tangential part promises
-            // (tiny · angle)² of the energy only, hence the bound on the displacement.
+            // The problem is convex: normals that agree are enough. A tangential displacement
+            // changes the energy only by (tiny · angle)², hence its bound.
             assert!((x - (c + unit * r)).norm() < 1e-6);
             assert!((y - (e - unit * tiny)).norm() < 1e-6 * tiny.max(1e-2));
         }
     }
 }
 
-/// A search that is not allowed a step reports what is wrong with its start: a straight line
-/// that meets the wall obliquely, with the momentum `(3, 4)` of which `4` is along the wall, and
-/// the energy 25 where 9 would do.
+/// Without a single step: a straight line that meets the wall obliquely, with momentum `(3, 4)`,
+/// its component `4` along the wall, and the energy 25 instead of 9.
 #[test]
-fn residual_and_decrement_see_an_oblique_end() {
-    let metric = Constant::new(SMatrix::<f64, 2, 2>::identity()).expect("definite");
+fn residual_and_decrement_of_an_oblique_end() {
+    let metric = euclidean::<2>();
     for n in [1, 2, 20] {
-        let start = PointSequence::straight([0.0, 0.0], [3.0, 4.0], n).expect("finite");
-        let options =
-            Options { starts: Starts::Only(vec![start]), iterations: 0, ..Options::default() };
-        let ends = ends(point([0.0, 0.0]), half_space([1.0, 0.0], 3.0));
+        let start = straight([0.0, 0.0], [3.0, 4.0], n);
+        let options = Options { iterations: 0, ..only(start) };
+        let ends = between(point([0.0, 0.0]), half_space([1.0, 0.0], 3.0));
         let minimum = minimise(&metric, &ends, Trapezoidal, n, &options).expect("a metric");
         assert_eq!(minimum.stop, Stop::IterationLimit);
         assert_close(minimum.residual, 4.0 / 5.0, 1e-13);
@@ -324,13 +297,13 @@ fn residual_and_decrement_see_an_oblique_end() {
     }
 }
 
-/// From inside the wall is curved towards the ball: the two curvatures have opposite signs.
+/// From inside, the wall is curved towards the ball: the two curvatures have opposite signs.
 #[test]
 fn a_ball_inside_a_sphere_goes_to_the_nearest_wall() {
-    let metric = Constant::new(SMatrix::<f64, 2, 2>::identity()).expect("definite");
+    let metric = euclidean::<2>();
     let hollow = Sphere::new([0.0, 0.0], 3.0).expect("a radius");
     for n in [1, 2, 40] {
-        let minimum = solve(&metric, &ends(ball([0.5, 0.5], 1.0), hollow), n, 1.0);
+        let minimum = solve(&metric, &between(ball([0.5, 0.5], 1.0), hollow), n, 1.0);
         let d = 2.0 - 0.5_f64.hypot(0.5);
         assert_close(minimum.energy, d * d, 1e-14);
     }

@@ -1,13 +1,14 @@
-//! Other units of `ℓ` and of `m`, and a far origin: the same results, as far as `f64` allows.
+//! Other units of `ℓ` and `m`, and a far origin: the same results, as far as `f64` allows.
 
 use nalgebra::{SMatrix, SVector, vector};
 use tautline_discretizations::{PointSequence, Trapezoidal};
-use tautline_metrics::{
-    Metric, Scalar,
-    gallery::{Bump, Constant},
+use tautline_metrics::{Metric, Scalar};
+use tautline_optimizers::{Curvature, Minimum, Options, Stop, minimise};
+use tautline_sets::Ends;
+
+use crate::setup::{
+    ball, between, bump, euclidean, from_to, half_space, lowest, only, point, sequence, straight,
 };
-use tautline_optimizers::{Curvature, Minimum, Options, Starts, Stop, minimise};
-use tautline_sets::{Ball, Ends, HalfSpace, Point};
 
 /// A metric in other units: `m² H(x/ℓ)/ℓ²`, about another origin.
 #[derive(Clone, Copy)]
@@ -15,9 +16,9 @@ struct Units<M> {
     metric: M,
     /// The old unit of length, in new ones.
     ell: f64,
-    /// The square of the old unit of Riemannian length, over that of `ℓ`, in new ones.
+    /// The square of the old unit of Riemannian length over that of `ℓ`, in new ones.
     gram: f64,
-    /// Where the old origin is, coordinate by coordinate, in new units.
+    /// Every coordinate of the old origin, in new units.
     origin: f64,
 }
 
@@ -40,25 +41,25 @@ impl Units<()> {
     /// From a ball on one side of the bump to a half-plane on the other.
     fn solve_sets(self, n: usize) -> Minimum<2> {
         let at = |x: f64, y: f64| vector![x, y] * self.ell + vector![self.origin, self.origin];
-        let ball = Ball::new(at(-2.0, 0.1), 0.5 * self.ell).expect("a radius");
-        // {x₁ ≥ 2}, its normal of any length.
-        let wall = HalfSpace::at_least([0.25, 0.0], 0.25 * at(2.0, 0.0)[0]).expect("a normal");
-        self.minimise(&Ends::new(ball, wall).expect("one bounded"), n)
+        let ball = ball(at(-2.0, 0.1), 0.5 * self.ell);
+        // {x₁ ≥ 2}, with a normal of another length.
+        let wall = half_space([0.25, 0.0], 0.25 * at(2.0, 0.0)[0]);
+        self.minimise(&between(ball, wall), n)
     }
 
     fn solve_points(self, n: usize) -> Minimum<2> {
         let at = |x: f64, y: f64| vector![x, y] * self.ell + vector![self.origin, self.origin];
-        self.minimise(&Ends::points(at(-1.5, 0.125), at(1.5, -0.25)).expect("finite"), n)
+        self.minimise(&from_to(at(-1.5, 0.125), at(1.5, -0.25)), n)
     }
 
     fn minimise(self, ends: &Ends<2>, n: usize) -> Minimum<2> {
-        let bump = self.of(Bump::new(4.0, 0.5).expect("positive"));
-        minimise(&bump, ends, Trapezoidal, n, &Options::default()).expect("a metric")
+        let bump = self.of(bump());
+        lowest(&bump, ends, Trapezoidal, n)
     }
 }
 
-/// A power of two as a unit changes no rounding: every number is the same, scaled, to the last
-/// bit. A tolerance with a hidden unit would show.
+/// A power of two as a unit changes no rounding: every number scales exactly. A tolerance with a
+/// hidden unit would show.
 #[test]
 fn powers_of_two_change_no_bit() {
     for n in [3, 40, 200] {
@@ -66,7 +67,7 @@ fn powers_of_two_change_no_bit() {
             let reference = solve(PLAIN, n);
             assert!(reference.is_local_minimum());
             for (ell, gram) in [(300, 0), (-300, 0), (0, 40), (0, -40), (20, -600), (-20, 600)] {
-                // H in m²/ℓ²: a power of 4, so that roots are exact too.
+                // H in m²/ℓ²: a power of 4, for exact roots.
                 let (ell, gram) = (2_f64.powi(ell), 4_f64.powi(gram / 2));
                 let minimum = solve(Units { ell, gram, ..PLAIN }, n);
                 let points: Vec<_> = reference.sequence.points().iter().map(|x| x * ell).collect();
@@ -85,7 +86,7 @@ fn powers_of_two_change_no_bit() {
     }
 }
 
-/// Units that are no powers of two, up to the limits of what has a square in `f64`.
+/// Units that are not powers of two, as far as squares fit into `f64`.
 #[test]
 fn any_units_give_the_same_energy() {
     let reference = PLAIN.solve_sets(64);
@@ -104,7 +105,7 @@ fn any_units_give_the_same_energy() {
     ] {
         let minimum = Units { ell, gram, ..PLAIN }.solve_sets(64);
         assert_eq!((minimum.stop, minimum.curvature), (reference.stop, reference.curvature));
-        // Twice the decrement, and some roundings of coordinates near and in the exponent.
+        // Twice the decrement, and rounding of coordinates.
         let energy = minimum.energy / (ell * gram) / ell;
         assert!((energy / reference.energy - 1.0).abs() <= 1e-14, "{ell:e} {gram:e}: {energy}");
         let range = 0.0..=8.0 * minimum.residual_floor + 1e-6;
@@ -113,8 +114,8 @@ fn any_units_give_the_same_energy() {
     }
 }
 
-/// Far from the origin the coordinates are rounded to `ε |x|`, the chords with them. The search
-/// ends there, and the predicted floor of the residual is what is seen.
+/// Far from the origin the coordinates, and the chords with them, are rounded to `ε |x|`. The
+/// search ends, and the predicted floor of the residual is observed.
 #[test]
 fn far_from_the_origin_the_floor_predicts_the_residual() {
     for (solve, name) in
@@ -128,16 +129,16 @@ fn far_from_the_origin_the_floor_predicts_the_residual() {
                 assert_eq!(far.stop, Stop::Converged, "{which}");
                 assert_eq!(far.curvature, Curvature::PositiveDefinite, "{which}");
                 assert!(far.iterations < 100 + near.iterations, "{which}: {}", far.iterations);
-                // A decrement that is not yet rounding has residual² ≤ 2 N² decrement, with
-                // 4 granted for the condition of the metric and for the ends.
+                // Above rounding, residual² ≤ 2 N² decrement; the factor 4 covers the condition of
+                // the metric and the ends.
                 let unfinished = 4.0 * n as f64 * 1e-18_f64.sqrt();
                 let ratio = far.residual / far.residual_floor;
                 assert!(far.residual <= 30.0 * far.residual_floor + unfinished, "{which}: {ratio}");
                 if n >= 100 && far.residual_floor > unfinished {
                     assert!(ratio >= 1.0 / 30.0, "{which}: {ratio}");
                 }
-                // Ends and points are moved by u = ε |x|: by c₂ and the length of some 5 that
-                // changes E by 2 · 5 · 5 · u, and by the noise (N u)² of the chords.
+                // Ends and points move by u = ε |x|. With c₂ and a length of about 5 this changes E
+                // by 2 · 5 · 5 · u, plus the noise (N u)² of the chords.
                 let u = f64::EPSILON * origin;
                 let bound = 100.0 * u + 100.0 * (n as f64 * u).powi(2) + 1e-13;
                 let error = (far.energy - near.energy).abs();
@@ -147,15 +148,14 @@ fn far_from_the_origin_the_floor_predicts_the_residual() {
     }
 }
 
-/// The smallest shift at which rounding counts for every `N`: results far out are noisy, but
-/// they end at once and say so.
+/// Where rounding dominates for every `N`, results are noisy, but the search ends and reports it.
 #[test]
 fn hopelessly_far_from_the_origin_the_search_still_ends() {
     for n in [10, 300] {
         let far = Units { origin: 1e12, ..PLAIN }.solve_points(n);
         assert!(matches!(far.stop, Stop::Converged | Stop::Stalled), "{:?}", far.stop);
         assert!(far.residual.is_finite() && far.energy.is_finite());
-        // ε N² |x|/L: nothing is left of the residual's digits.
+        // ε N² |x|/L: the residual has no correct digit.
         assert!(far.residual_floor > 1e-3, "{:e}", far.residual_floor);
     }
 }
@@ -163,22 +163,21 @@ fn hopelessly_far_from_the_origin_the_search_still_ends() {
 /// The same curve run backwards, from the same start.
 #[test]
 fn exchanging_the_ends_reverses_the_sequence() {
-    let bump = Bump::new(4.0, 0.5).expect("positive");
-    let ball = Ball::new([-2.0, 0.1], 0.5).expect("a radius");
-    let wall = HalfSpace::at_least([1.0, 0.2], 2.0).expect("a normal");
+    let bump = bump();
+    let ball = ball([-2.0, 0.1], 0.5);
+    let wall = half_space([1.0, 0.2], 2.0);
     let (forth, back) = (Ends::new(ball, wall), Ends::new(wall, ball));
-    let start = PointSequence::straight([-1.5, 0.5], [2.0, 0.4], 32).expect("finite");
-    let turned = start.points().iter().rev().copied().collect();
-    let turned = PointSequence::new(turned).expect("finite");
+    let start = straight([-1.5, 0.5], [2.0, 0.4], 32);
+    let turned = sequence(start.points().iter().rev().copied().collect());
     let solve = |ends: &Ends<2>, start: &PointSequence<2>| {
-        let options = Options { starts: Starts::Only(vec![start.clone()]), ..Options::default() };
+        let options = only(start.clone());
         minimise(&bump, ends, Trapezoidal, 100, &options).expect("a metric")
     };
     let forth = solve(&forth.expect("one bounded"), &start);
     let back = solve(&back.expect("one bounded"), &turned);
     assert!(forth.is_local_minimum() && back.is_local_minimum());
     assert!((forth.energy / back.energy - 1.0).abs() <= 1e-14);
-    // A relative decrement below 1e-18 leaves displacements of some 1e-9.
+    // A relative decrement below 1e-18 leaves displacements of about 1e-9.
     let points = forth.sequence.points().iter().zip(back.sequence.points().iter().rev());
     assert!(points.into_iter().all(|(x, y)| (x - y).amax() < 1e-8));
 }
@@ -187,17 +186,13 @@ fn exchanging_the_ends_reverses_the_sequence() {
 /// momentum along the wall is 2.
 #[test]
 fn the_residual_of_a_sequence_that_is_not_stationary() {
-    let points = [[0.0, 0.0], [1.0, 1.0], [2.0, 0.0]].map(SVector::from).to_vec();
-    let start = PointSequence::new(points).expect("finite");
-    let options =
-        Options { starts: Starts::Only(vec![start]), iterations: 0, ..Options::default() };
-    let flat = Constant::new(SMatrix::identity()).expect("definite");
-    let origin = Point::new([0.0, 0.0]).expect("finite");
-    let wall = HalfSpace::at_least([1.0, 0.0], 2.0).expect("a normal");
-    let ends = Ends::new(origin, wall).expect("one bounded");
+    let start = sequence([[0.0, 0.0], [1.0, 1.0], [2.0, 0.0]].map(SVector::from).to_vec());
+    let options = Options { iterations: 0, ..only(start) };
+    let flat = euclidean();
+    let ends = between(point([0.0, 0.0]), half_space([1.0, 0.0], 2.0));
     let minimum = minimise(&flat, &ends, Trapezoidal, 2, &options).expect("a metric");
     assert_eq!(minimum.stop, Stop::IterationLimit);
-    // No minimiser has been met.
+    // No minimiser was found.
     assert_eq!(minimum.local_minima, []);
     let expected = (8.0 / 2_f64.sqrt() + 2.0) / 8_f64.sqrt();
     // A dozen roundings of numbers of size 10.
