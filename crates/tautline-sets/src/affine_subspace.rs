@@ -16,14 +16,14 @@ use crate::set_error::{SetError, finite_vector};
 /// P(x) = p + QQᵀ (x − p),    DP(x) = QQᵀ
 /// ```
 ///
-/// Accuracy: `P(x)` lies in the subspace up to a few roundings of `|p|` and `|P(x) − p|`. Hence
-/// choose `p` not much further out than the points of interest. For `k = D` the subspace is
-/// `R^D`, and `P(x) = x` exactly.
+/// Accuracy: `P(x)` lies in the subspace up to a few roundings of `|p|` and `|P(x) − p|`. Choose a
+/// `p` that is not much farther out than the points of interest. For `k = D` the subspace is `R^D`,
+/// and `P(x) = x` exactly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AffineSubspace<const D: usize> {
     base: SVector<f64, D>,
     basis: Vec<SVector<f64, D>>,
-    /// As given: the subspace that is meant, before the basis is rounded.
+    /// As given: they define the subspace exactly, while the basis is rounded.
     directions: Vec<SVector<f64, D>>,
     /// `QQᵀ`.
     projector: SMatrix<f64, D, D>,
@@ -32,13 +32,13 @@ pub struct AffineSubspace<const D: usize> {
 impl<const D: usize> AffineSubspace<D> {
     /// Makes the subspace through `base`, in `ℓ`, spanned by `directions` of any length.
     ///
-    /// Without directions it is the point `base`. The type of the directions is to be named
-    /// then: `AffineSubspace::new(base, [[0.0; D]; 0])`.
+    /// Without directions it is the point `base`. Their type is then explicit:
+    /// `AffineSubspace::new(base, [[0.0; D]; 0])`.
     ///
     /// # Errors
     ///
-    /// [`SetError::NonFiniteCoordinate`]; [`SetError::DependentDirection`] for one which lies,
-    /// up to a relative `4 D² ε`, in the span of those before it, a zero direction included.
+    /// [`SetError::NonFiniteCoordinate`]; [`SetError::DependentDirection`] for a direction that
+    /// lies, up to a relative `4 D² ε`, in the span of those before it, such as zero.
     pub fn new<V: Into<SVector<f64, D>>>(
         base: impl Into<SVector<f64, D>>,
         directions: impl IntoIterator<Item = V>,
@@ -52,7 +52,7 @@ impl<const D: usize> AffineSubspace<D> {
             let Some((_, mut q)) = polar(&direction) else {
                 return Err(SetError::DependentDirection { index, remainder: 0.0 });
             };
-            // Gram and Schmidt, twice: once leaves ε/remainder of the earlier directions.
+            // Gram–Schmidt, twice: the first round leaves ε/remainder of the earlier directions.
             let mut remainder = 1.0;
             for _ in 0..2 {
                 for earlier in &basis {
@@ -61,8 +61,8 @@ impl<const D: usize> AffineSubspace<D> {
                 let (length, unit) = polar(&q).unwrap_or((0.0, q));
                 remainder *= length;
                 // A product q·e of unit vectors carries at most D + 1 roundings of ε/2, its
-                // subtraction two more; there are less than D of them: under 2 D² ε for
-                // D ≥ 2. As much again for directions dependent in decimals, rounded on input.
+                // subtraction two more; there are fewer than D of them: under 2 D² ε for D ≥ 2. As
+                // much again for directions that are dependent in decimals and rounded on input.
                 if !(remainder > 4.0 * (D * D) as f64 * f64::EPSILON) {
                     return Err(SetError::DependentDirection { index, remainder });
                 }
@@ -119,13 +119,13 @@ impl<const D: usize> ClosedSet<D> for AffineSubspace<D> {
         }
         let along = |v: &SVector<f64, D>| v.iter().filter(|&&coordinate| coordinate != 0.0).count();
         if self.directions.iter().all(|v| along(v) == 1) {
-            // Axes span the coordinates that they have, and nothing rounds.
+            // Axes span their coordinates, and nothing rounds.
             let free = |i: usize| self.directions.iter().any(|v| v[i] != 0.0);
             let member = SVector::from_fn(|i, _| if free(i) { x[i] } else { self.base[i] });
             return Some(proof::point(&member));
         }
-        // p + Σ tᵢ vᵢ is a member whatever the tᵢ are; those of P(x) to rounding, by the triangular
-        // system QᵀV t = Qᵀ(x − p), V with the directions as given, up to a power of two.
+        // p + Σ tᵢ vᵢ is a member for any tᵢ. Those of P(x), up to rounding, solve the triangular
+        // system QᵀV t = Qᵀ(x − p), where V has the given directions up to powers of two.
         let units: Vec<f64> =
             self.directions.iter().map(|v| proof::power_of_two(v.amax())).collect();
         let offset = x - self.base;
@@ -162,7 +162,7 @@ mod tests {
         DMatrix::from_fn(D, directions.len(), |i, j| directions[j][i])
     }
 
-    /// The distance of `x` from `p + span` by Householder's reflections, without Gram and Schmidt.
+    /// The distance of `x` from `p + span` by Householder reflections, without Gram–Schmidt.
     fn distance<const D: usize>(
         p: SVector<f64, D>,
         directions: &[SVector<f64, D>],
@@ -178,8 +178,8 @@ mod tests {
 
     fn case<const D: usize>() -> impl Strategy<Value = Case<D>> {
         let directions = proptest::collection::vec(vector_in::<D>(1.0), 0..=D);
-        // Two ways to the same span differ by the condition of the directions: with singular
-        // values of 0.2 to 2 a factor 10 at worst, which the laws' overestimation has to spare.
+        // Two ways to the same span differ by the condition of the directions: with singular values
+        // of 0.2 to 2 at most a factor 10, which the tolerance of the laws covers.
         let steep = directions.prop_filter("the directions are independent", |directions| {
             directions.is_empty() || matrix(directions).singular_values().min() >= 0.2
         });
@@ -211,21 +211,21 @@ mod tests {
     }
 
     #[test]
-    fn affine_subspace_of_nearly_parallel_directions_is_the_plane_they_span() {
-        // The second differs from the first by 1e-8 in x₃: the plane x₂ = x₁ all the same.
+    fn affine_subspace_of_nearly_parallel_directions_is_their_plane() {
+        // The second differs from the first by 1e-8 in x₃: the plane is x₂ = x₁.
         let plane = AffineSubspace::new([0.0; 3], [[1.0, 1.0, 0.0], [1.0, 1.0, 1e-8]])
             .expect("independent");
         let expected = Matrix3::new(0.5, 0.5, 0.0, 0.5, 0.5, 0.0, 0.0, 0.0, 1.0);
         let derivative = plane.projection_derivative(&SVector::zeros());
         // The second direction is known to ε/1e-8.
         assert!((derivative - expected).amax() <= 4.0 * f64::EPSILON / 1e-8);
-        // Orthonormal to rounding all the same: that is the second round's work.
+        // Still orthonormal to rounding, by the second round.
         let cosine = plane.basis()[0].dot(&plane.basis()[1]);
         assert!(cosine.abs() <= 8.0 * f64::EPSILON, "{cosine:e}");
     }
 
     #[test]
-    fn affine_subspace_may_be_a_point_or_everything() {
+    fn affine_subspace_may_be_a_point_or_the_whole_space() {
         let point = AffineSubspace::new([3.0, 4.0], [[0.0; 2]; 0]).expect("no direction");
         assert_eq!(point.project(&vector![7.0, 7.0]), vector![3.0, 4.0]);
         assert_eq!(point.radius(), Some(5.0));
@@ -235,10 +235,10 @@ mod tests {
         assert_eq!(all.projection_derivative(&vector![0.1, 0.7]), Matrix2::identity());
     }
 
-    /// Axes and slanted directions, in either order: coordinates are free where all of them are
-    /// axes, and nowhere else.
+    /// Axes and slanted directions, in either order: coordinates are free only if all directions
+    /// are axes.
     #[test]
-    fn affine_subspace_takes_no_slanted_direction_for_an_axis() {
+    fn affine_subspace_distinguishes_slanted_directions_from_axes() {
         let x = vector![1.0, 2.0, 3.0];
         let near = |directions: [[f64; 3]; 2]| {
             let plane = AffineSubspace::new([0.0, 0.5, 0.25], directions).expect("independent");
@@ -261,7 +261,7 @@ mod tests {
     }
 
     #[test]
-    fn affine_subspace_refuses_dependent_directions_with_the_number() {
+    fn affine_subspace_refuses_dependent_directions_by_index() {
         let zero = AffineSubspace::new([0.0; 2], [[0.0; 2]]);
         assert_eq!(zero, Err(SetError::DependentDirection { index: 0, remainder: 0.0 }));
         // Dependent in decimals, not in f64.

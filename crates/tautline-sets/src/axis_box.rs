@@ -1,4 +1,4 @@
-//! A box whose sides are parallel to the axes.
+//! A box with sides parallel to the axes.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Interval;
@@ -23,8 +23,8 @@ pub struct AxisBox<const D: usize> {
 }
 
 impl<const D: usize> AxisBox<D> {
-    /// Makes the box `|xᵢ − cᵢ| ≤ hᵢ` of half-widths `hᵢ ≥ 0`, in `ℓ`; its corners `c ± h` are
-    /// rounded once.
+    /// Makes the box `|xᵢ − cᵢ| ≤ hᵢ` of half-widths `hᵢ ≥ 0`, in `ℓ`; the corners `c ± h` are
+    /// rounded.
     ///
     /// # Errors
     ///
@@ -48,7 +48,7 @@ impl<const D: usize> AxisBox<D> {
     ///
     /// # Errors
     ///
-    /// [`SetError::NonFiniteCoordinate`]; [`SetError::CrossedCorners`] where a lower coordinate
+    /// [`SetError::NonFiniteCoordinate`]; [`SetError::CrossedCorners`] if a lower coordinate
     /// exceeds the upper one.
     pub fn from_corners(
         lower: impl Into<SVector<f64, D>>,
@@ -121,10 +121,10 @@ mod tests {
         (vector_in::<D>(3.0), half_widths, scale()).prop_map(|(c, h, scale)| Case {
             member: Box::new(move |w: &SVector<f64, D>| c + w.component_mul(&h)),
             defect: Box::new(move |x| ((x - c).abs() - h).max().max(0.0)),
-            // A flat coordinate is constant and has no kink.
             held: Box::new(move |y| {
                 (0..D).all(|i| y[i].lo() <= c[i] + h[i] && c[i] - h[i] <= y[i].hi())
             }),
+            // A flat coordinate is constant and has no kink.
             kink: Box::new(move |x| {
                 let gaps =
                     (0..D).filter(|&i| h[i] > 0.0).map(|i| ((x[i] - c[i]).abs() - h[i]).abs());
@@ -151,7 +151,7 @@ mod tests {
     }
 
     #[test]
-    fn axis_box_tells_face_edge_and_corner_apart() {
+    fn axis_box_distinguishes_interior_face_and_corner() {
         let unit = AxisBox::from_corners([0.0, 0.0], [1.0, 1.0]).expect("ordered");
         let inside = unit.projection_derivative(&vector![0.5, 1.0]);
         let beside = unit.projection_derivative(&vector![1.5, 0.5]);
@@ -170,7 +170,7 @@ mod tests {
     }
 
     #[test]
-    fn axis_box_refusals_name_the_first_index() {
+    fn axis_box_refuses_what_would_be_empty_or_infinite_by_the_first_index() {
         assert_eq!(
             AxisBox::new([0.0; 3], [1.0, -2.0, -3.0]),
             Err(SetError::NegativeHalfWidth { index: 1, half_width: -2.0 })
@@ -179,12 +179,8 @@ mod tests {
             AxisBox::from_corners([0.0, 2.0, 3.0], [1.0; 3]),
             Err(SetError::CrossedCorners { index: 1, lower: 2.0, upper: 1.0 })
         );
-        // No width is none too small, and a zero is one with either sign.
+        // A width may be zero, with either sign.
         assert!(AxisBox::new([1.0, 2.0], [0.0, -0.0]).is_ok());
-    }
-
-    #[test]
-    fn axis_box_refuses_what_would_be_empty_or_infinite() {
         assert_eq!(
             AxisBox::new([0.0, 0.0], [1.0, -0.25]),
             Err(SetError::NegativeHalfWidth { index: 1, half_width: -0.25 })

@@ -11,11 +11,11 @@ use crate::set_error::{SetError, finite_vector, valid_radius};
 /// The ball `|x − c| ≤ r`. With `u = (x − c)/|x − c|`:
 ///
 /// ```text
-/// P(x) = x   and DP(x) = I                           where |x − c| ≤ r,
+/// P(x) = x   and DP(x) = I                           for |x − c| ≤ r,
 /// P(x) = c + r u   and   DP(x) = (r/|x − c|) (I − uuᵀ)   outside.
 /// ```
 ///
-/// For `r = 0`, which is allowed, the ball is the point `c`, and `DP = 0` everywhere.
+/// `r = 0` is allowed: the ball is the point `c`, and `DP = 0` everywhere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ball<const D: usize> {
     centre: SVector<f64, D>,
@@ -39,7 +39,7 @@ impl<const D: usize> Ball<D> {
         &self.centre
     }
 
-    /// Returns `r`, in `ℓ`, which is not the [`radius`](ClosedSet::radius) about the origin.
+    /// Returns `r`, in `ℓ`; unlike [`radius`](ClosedSet::radius) it is about the centre.
     #[must_use]
     pub fn r(&self) -> f64 {
         self.r
@@ -120,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn the_inside_of_a_ball_stays_its_boundary_included() {
+    fn the_inside_and_the_boundary_of_a_ball_stay() {
         check_inside(case::<1>());
         check_inside(case::<2>());
         check_inside(case::<5>());
@@ -135,7 +135,7 @@ mod tests {
         assert_eq!(outside, Matrix2::new(0.0, 0.0, 0.0, 0.5));
     }
 
-    /// Both poles on every axis: nothing rounds.
+    /// On every axis, where nothing rounds.
     #[test]
     fn ball_poles_belong_to_it() {
         let centre = vector![0.5, -3.0, 2.25];

@@ -5,35 +5,35 @@ use nalgebra::SVector;
 use crate::ClosedSet;
 use crate::norm::norm;
 
-/// Sweeps of alternating projections per start, each with its step doubled as long as that
-/// helps. Sets that cross need some ten; sets that touch smoothly come to a gap of `ε^{2/3}`,
-/// where the step is lost in rounding, in some twenty.
+/// Sweeps of alternating projections per start, each with its step doubled as long as that helps.
+/// Sets that cross need about ten. Sets that touch smoothly reach a gap of `ε^{2/3}`, where the
+/// step is lost in rounding, in about twenty.
 const SWEEPS: usize = 100;
 
-/// Doublings of a step. Where two sets touch smoothly the step is a fraction `t²` of the
-/// distance `t` to go, and lost in rounding by `t² = ε`: 2⁵² and some.
+/// Doublings of a step. If two sets touch smoothly, the step is a fraction `t²` of the remaining
+/// distance `t`, and lost in rounding at `t² = ε`: 2⁵² and a reserve.
 const DOUBLINGS: usize = 60;
 
-/// Steps of Douglas and Rachford's iteration. Its error shrinks by `r/(r + t)`, where `r` is the
-/// radius of curvature and `t` the distance it keeps from the contact: by `1e-8`, which makes a
-/// gap of `1e-16`, in 200 steps while `t ≥ r/10`.
+/// Steps of the Douglas–Rachford iteration. Each multiplies the error by `r/(r + t)`, where `r` is
+/// the radius of curvature and `t` the distance that the iteration keeps from the contact. For
+/// `t ≥ r/10`, 200 steps give `1e-8`, hence a gap of `1e-16`.
 const REFLECTIONS: usize = 200;
 
-/// Looks for a point that lies in both sets to rounding, in `ℓ`.
+/// Looks for a point that lies in both sets up to rounding, in `ℓ`.
 ///
-/// Alternating projections `x ← P_a(P_b(x))`, each step doubled as long as that brings the sets
-/// nearer, from the origin's projections and the sets' [`seeds`](ClosedSet::seeds). Where they
-/// come to rest just short of a contact, the iteration of Douglas and Rachford takes over: it
-/// keeps away from the contact by a multiple of the common normal, where normals are seen
-/// sharply. For unions, ask pair by pair ([`Ends::pairs`](crate::Ends::pairs)).
+/// Alternating projections `x ← P_a(P_b(x))`, each step doubled as long as the gap shrinks, start
+/// from the projections of the origin and from the [`seeds`](ClosedSet::seeds) of the sets. If they
+/// stall just short of a contact, the Douglas–Rachford iteration takes over: it stays at a distance
+/// from the contact along the common normal, where normals are well determined. For unions, call it
+/// pair by pair ([`Ends::pairs`](crate::Ends::pairs)).
 ///
-/// `Some(x)` is checked: both sets' nearest points to `x` agree with `x`, coordinate by
-/// coordinate, to `(D + 4) ε max |xᵢ|`.
+/// `Some(x)` is verified: the nearest points of both sets agree with `x`, coordinate by coordinate,
+/// to `(D + 4) ε max |xᵢ|`.
 ///
-/// `None` is no proof that the sets are disjoint. Besides disjoint sets it is returned at a
-/// local minimum of the distance to a set that is not convex; at sets which touch in one point
-/// near the origin but are placed by much larger numbers, whose rounding hides the contact; and
-/// at a contact so flat that the bounded number of steps is not enough.
+/// `None` does not prove that the sets are disjoint. It is also returned at a local minimum of the
+/// distance to a nonconvex set; for sets that touch in one point near the origin but are defined by
+/// much larger numbers, whose rounding hides the contact; and at a contact so flat that the bounded
+/// number of steps is not enough.
 ///
 /// ```
 /// # use tautline_sets::{Ball, HalfSpace, SetError, common_point};
@@ -89,34 +89,35 @@ fn search<const D: usize>(
             best = trial;
             factor *= 2.0;
         }
-        // At rest, or NaN. For convex sets the gap of plain sweeps never grows.
+        // Stalled, or NaN. For convex sets the gap of plain sweeps never grows.
         if !(best.gap < here.gap) {
             break;
         }
         here = best;
     }
-    // A common point is no longer than the smaller radius; so are the numbers that matter.
+    // A common point, and so the relevant numbers, are no longer than the smaller radius.
     let size = [a.radius(), b.radius()]
         .into_iter()
         .flatten()
         .reduce(f64::min)
         .unwrap_or_else(|| norm(&here.in_a));
-    // Rest at a contact means a gap of ε^{2/3} = 4e-11 of the size; one a thousand times as
-    // wide is a gap.
+    // At a contact the gap stalls at ε^{2/3} = 4e-11 of the size; one a thousand times as wide
+    // separates the sets.
     if !(here.gap <= 1e-7 * size) {
         return None;
     }
-    // Too large a distance is slow where both sets are strongly curved, and beyond the centre
-    // of a hollow sphere it goes astray.
+    // A large distance is slow if both sets are strongly curved, and fails beyond the centre of a
+    // hollow sphere.
     let unit = (here.in_b - here.in_a) / here.gap;
     [1.0, 0.125, 1.0 / 64.0]
         .iter()
         .find_map(|fraction| reflect(a, b, here.in_a + unit * (size * fraction)))
 }
 
-/// Douglas and Rachford: `z ← z + P_b(2 P_a(z) − z) − P_a(z)`.
+/// Douglas–Rachford: `z ← z + P_b(2 P_a(z) − z) − P_a(z)`.
 ///
-/// At rest `p = P_a(z)` is common to both sets: with `w = z − p`, `p = P_a(p + w) = P_b(p − w)`.
+/// At a fixed point, `p = P_a(z)` lies in both sets: with `w = z − p`,
+/// `p = P_a(p + w) = P_b(p − w)`.
 fn reflect<const D: usize>(
     a: &dyn ClosedSet<D>,
     b: &dyn ClosedSet<D>,
@@ -138,11 +139,11 @@ fn lies_in_both<const D: usize>(
     b: &dyn ClosedSet<D>,
     x: &SVector<f64, D>,
 ) -> bool {
-    // A coordinate of a projection such as c + r u is the result of two roundings of numbers
-    // up to twice the largest coordinate M, hence 2 · 2M · ε/2, once for each of the two sets:
-    // 4 ε M. A product n·x inside adds D roundings of at most ε/2 · √D M · |nᵢ| ≤ ε M each.
+    // A coordinate of a projection such as c + r u rounds numbers up to twice the largest
+    // coordinate M twice, 2 · 2M · ε/2, once for each set: 4 ε M. A product n·x adds D roundings of
+    // at most ε/2 · √D M · |nᵢ| ≤ ε M each.
     let tolerance = (D + 4) as f64 * f64::EPSILON * x.amax();
-    // Written so that NaN does not lie anywhere; amax would pass over one.
+    // NaN fails this comparison; amax would ignore it.
     let agrees = |p: SVector<f64, D>| (p - x).iter().all(|d| d.abs() <= tolerance);
     agrees(a.project(x)) && agrees(b.project(x))
 }
@@ -150,12 +151,12 @@ fn lies_in_both<const D: usize>(
 #[cfg(test)]
 mod tests {
     use super::{common_point, lies_in_both};
-    use crate::laws::{runner, scale, unwrap, vector_in};
+    use crate::laws::{Bare, runner, scale, unwrap, vector_in};
     use crate::{AxisBox, Ball, ClosedSet, FiniteSet, HalfSpace, Point, Segment, Sphere};
-    use nalgebra::{SMatrix, SVector, vector};
+    use nalgebra::{SVector, vector};
     use proptest::prelude::*;
 
-    /// `(D + 4) ε = 7 ε` of the largest coordinate, and no more.
+    /// Up to `(D + 4) ε = 7 ε` of the largest coordinate.
     #[test]
     fn a_point_lies_in_a_set_up_to_seven_roundings_in_space() {
         let off = |count: f64| {
@@ -166,21 +167,20 @@ mod tests {
     }
 
     #[test]
-    fn common_point_of_two_balls_that_touch_off_the_straight_way_from_the_origin() {
-        // Centres 5 apart, radii 2 and 3; the contact is (4.2, 5.4), seen from the side.
+    fn common_point_of_balls_that_touch_away_from_the_line_to_the_origin() {
+        // Centres 5 apart, radii 2 and 3; they touch at (4.2, 5.4).
         let a = Ball::new([3.0, 7.0], 2.0).expect("finite");
         let b = Ball::new([6.0, 3.0], 3.0).expect("finite");
         let x = common_point(&a, &b).expect("they touch");
-        // A gap of a few ε of the coordinates, up to 7, spans √(7 ε) · few beside the contact.
+        // A gap of a few ε of coordinates up to 7 spans a few √(7 ε) beside the contact.
         assert!((x - vector![4.2, 5.4]).norm() <= 1e-6, "{x}");
     }
 
-    /// Touching sets, in a direction which has nothing to do with the origin.
+    /// Sets that touch in a direction unrelated to the origin.
     ///
-    /// Douglas and Rachford's part is needed here: alternating projections alone rest at a
-    /// gap of some 1e-11.
+    /// This needs Douglas–Rachford: alternating projections alone stall at a gap of about 1e-11.
     #[test]
-    fn common_point_is_found_where_a_ball_touches_a_plane_a_ball_or_a_hollow_sphere() {
+    fn common_point_of_a_ball_that_touches_a_plane_a_ball_or_a_hollow_sphere() {
         let numbers = (vector_in::<3>(3.0), 0.1..2.0_f64, vector_in::<3>(1.0), 0.1..2.0_f64);
         let result = runner().run(&(numbers, scale()), |((c, r, n, s), unit)| {
             prop_assume!(n.norm() > 0.1);
@@ -196,12 +196,12 @@ mod tests {
                     return Err(TestCaseError::fail(format!("not found: {other:?}")));
                 };
                 let x = x / unit;
-                // A gap of D + 4 = 7 ε of the coordinates, at most 9, spans √(2 · 63 ε ρ) along
-                // sets which part like t²/2ρ, here with ρ ≤ 2 r ≤ 4: below 4e-7.
+                // A gap of D + 4 = 7 ε of coordinates up to 9 spans √(2 · 63 ε ρ) along sets that
+                // separate like t²/2ρ, here with ρ ≤ 2 r ≤ 4: below 4e-7.
                 let beside = (x - (c + n * r)).norm();
                 prop_assert!(beside <= 1e-6, "{beside:e} from the contact with {other:?}");
-                // By the formula of the ball, with the roundings of this line.
-                prop_assert!((x - c).norm() <= r + 100.0 * f64::EPSILON, "outside of the ball");
+                // By the formula of the ball, with the rounding of this line.
+                prop_assert!((x - c).norm() <= r + 100.0 * f64::EPSILON, "outside the ball");
             }
             Ok(())
         });
@@ -211,7 +211,7 @@ mod tests {
     #[test]
     fn common_point_is_none_across_a_gap() {
         let ball = Ball::new([0.0, 0.0], 1.0).expect("finite");
-        // A gap of 1e-12, some 4500 ε: not rounding.
+        // A gap of 1e-12, about 4500 ε: not rounding.
         let wall = HalfSpace::at_least([0.6, 0.8], 1.0 + 1e-12).expect("a normal");
         assert_eq!(common_point(&ball, &wall), None);
         let points = [[0.0, 0.0], [0.0, 5e-324]].map(|p| Point::new(p).expect("finite"));
@@ -230,24 +230,24 @@ mod tests {
 
     #[test]
     fn common_point_of_spheres_needs_their_seeds() {
-        // The origin is the centre of the first and goes to (1, 0), far from the second.
+        // The origin, the centre of the first, projects to (1, 0), far from the second.
         let a = Sphere::new([0.0, 0.0], 1.0).expect("finite");
         let b = Sphere::new([-1.5, 0.0], 1.0).expect("finite");
         let x = common_point(&a, &b).expect("they cross");
-        // Crossing at x₁ = −0.75 by hand; the angle is not small, so a few ε on each.
+        // They cross at x₁ = −0.75, at an angle that is not small: a few ε on each.
         assert!((x[0] + 0.75).abs() <= 100.0 * f64::EPSILON, "{x}");
         let apart = Sphere::new([0.0, 0.0], 0.5).expect("finite");
         assert_eq!(common_point(&a, &apart), None);
     }
 
-    /// What is found depends neither on which set is named first nor on the unit.
+    /// The result depends neither on the order of the sets nor on the unit.
     #[test]
     fn common_point_is_found_in_either_order_and_every_unit() {
         for unit in [1e-200, 1.0, 1e200] {
             let ring = |x: f64, r: f64| Sphere::new([x * unit, 0.0], r * unit).expect("finite");
-            // The origin is the centre of the first and goes to its far side: seeds are needed.
+            // The origin, the centre of the first, projects to the far side: seeds are needed.
             let crossing = (ring(0.0, 1.0), ring(-1.5, 1.0));
-            // A small ball beside a wide plane, in a direction of its own.
+            // A small ball beside a plane, in an oblique direction.
             let ball = Ball::new([3.0 * unit, 4.0 * unit], 2.0 * unit).expect("finite");
             let plane = |b: f64| HalfSpace::new([0.6, 0.8], b * unit).expect("a normal");
             let pairs: [(&dyn ClosedSet<2>, &dyn ClosedSet<2>, bool); 4] = [
@@ -263,7 +263,6 @@ mod tests {
         }
     }
 
-    /// A coordinate of `x` is compared for either set, whichever misses.
     #[test]
     fn a_point_lies_in_both_only_if_no_coordinate_of_either_misses() {
         let x = vector![1.0, 2.0];
@@ -273,30 +272,30 @@ mod tests {
             let beside = Point::new(beside).expect("finite");
             assert!(!lies_in_both(&here, &beside, &x) && !lies_in_both(&beside, &here, &x));
         }
-        // Also where all numbers are small.
+        // Small numbers too.
         let tiny = Point::new(x * 1e-20).expect("finite");
         assert!(!lies_in_both(&tiny, &tiny, &(x * 2e-20)));
     }
 
-    /// Each kind of start has a pair that no other leads to the end of.
+    /// For each kind of start there is a pair of sets that needs it.
     #[test]
-    fn common_point_needs_the_seeds_of_either_set_and_both_ways_from_the_origin() {
-        // The origin and its nearest point in the ball are the centre of the sphere: it answers with
-        // its far side, for ever. A ball has no seeds.
+    fn common_point_needs_the_seeds_of_either_set_and_both_projections_of_the_origin() {
+        // The origin and its nearest point in the ball are the centre of the sphere, which always
+        // projects to the far side. A ball has no seeds.
         let sphere = Sphere::new([0.0, 0.0], 1.0).expect("finite");
         let ball = Ball::new([-0.5, 0.0], 0.5).expect("finite");
         assert_eq!(common_point(&sphere, &ball), Some(vector![-1.0, 0.0]));
         assert_eq!(common_point(&ball, &sphere), Some(vector![-1.0, 0.0]));
-        // From the origin by the first set (1, 0), (2.5, 0), (1, 0) and so on, which is not common;
-        // by the second (0, 2), which is.
+        // From the origin the first set gives (1, 0), (2.5, 0), (1, 0) and so on, which is not
+        // common; the second gives (0, 2), which is.
         let a = FiniteSet::new([[1.0, 0.0], [0.0, 2.0]]).expect("finite");
         let b = FiniteSet::new([[2.5, 0.0], [0.0, 2.0]]).expect("finite");
         assert_eq!(common_point(&a, &b), Some(vector![0.0, 2.0]));
         assert_eq!(common_point(&b, &a), Some(vector![0.0, 2.0]));
     }
 
-    /// A small ball touches a huge one, a huge hollow sphere, and one from inside: up to a million
-    /// times as large, whichever is named first.
+    /// A small ball touches a huge ball, and a huge sphere from outside and from inside: up to a
+    /// million times as large, in either order.
     #[test]
     fn common_point_of_a_small_set_and_a_huge_one() {
         let (c, r, n) = (vector![1.0, 2.0], 0.25, vector![0.6, 0.8]);
@@ -310,8 +309,8 @@ mod tests {
             for other in others {
                 for found in [common_point(&small, other), common_point(other, &small)] {
                     let off = (found.expect("they touch") - (c + n * r)).norm();
-                    // Overlap or gap: δ = 6 ε of numbers up to s + 3, hence √(2 δ ρ) beside the
-                    // contact, with ρ ≤ r s/(s − r) ≤ 1/3 for the curvatures together.
+                    // An overlap or gap δ = 6 ε of numbers up to s + 3 spans √(2 δ ρ) beside the
+                    // contact, with ρ ≤ r s/(s − r) ≤ 1/3 for both curvatures.
                     let allowed = 2.0 * (f64::EPSILON * (s + 3.0)).sqrt();
                     assert!(off <= allowed, "{off:e} from the contact with {other:?}");
                 }
@@ -320,7 +319,7 @@ mod tests {
     }
 
     #[test]
-    fn common_point_survives_the_largest_and_smallest_numbers() {
+    fn common_point_handles_the_largest_and_smallest_numbers() {
         for scale in [1e-300, 1e300] {
             let a = Ball::new([3.0 * scale, 0.0], 2.0 * scale).expect("finite");
             let b = Ball::new([0.0, 3.0 * scale], 3.0 * scale).expect("finite");
@@ -330,46 +329,15 @@ mod tests {
         }
     }
 
-    /// A set without members.
-    #[derive(Debug)]
-    struct Nothing;
-
-    impl ClosedSet<2> for Nothing {
-        fn project(&self, _x: &SVector<f64, 2>) -> SVector<f64, 2> {
-            SVector::repeat(f64::NAN)
-        }
-
-        fn projection_derivative(&self, _x: &SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
-            SMatrix::zeros()
-        }
-
-        fn radius(&self) -> Option<f64> {
-            Some(0.0)
-        }
-    }
-
-    /// A set whose nearest points are NaN in one coordinate, and otherwise where they are asked for.
-    #[derive(Debug)]
-    struct Half(usize);
-
-    impl ClosedSet<2> for Half {
-        fn project(&self, x: &SVector<f64, 2>) -> SVector<f64, 2> {
-            SVector::from_fn(|i, _| if i == self.0 { f64::NAN } else { x[i] })
-        }
-
-        fn projection_derivative(&self, _x: &SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
-            SMatrix::zeros()
-        }
-
-        fn radius(&self) -> Option<f64> {
-            Some(1.0)
-        }
-    }
-
     #[test]
     fn a_point_that_is_nan_in_one_coordinate_lies_nowhere() {
         let all = AxisBox::new([0.0, 0.0], [1.0, 1.0]).expect("a box");
-        for half in [Half(0), Half(1)] {
+        // Nearest points are NaN in one coordinate, and agree with x in the other.
+        for nan in 0..2 {
+            let project = move |x: &SVector<f64, 2>| {
+                SVector::from_fn(|i, _| if i == nan { f64::NAN } else { x[i] })
+            };
+            let half = Bare { project, radius: Some(1.0) };
             for x in [vector![0.5, 0.5], vector![f64::NAN, 0.5], vector![0.5, f64::NAN]] {
                 assert!(!lies_in_both(&half, &all, &x) && !lies_in_both(&all, &half, &x), "{x}");
             }
@@ -380,7 +348,9 @@ mod tests {
     #[test]
     fn common_point_is_never_nan() {
         let ball = Ball::new([0.0, 0.0], 1.0).expect("finite");
-        assert_eq!(common_point(&ball, &Nothing), None);
-        assert_eq!(common_point(&Nothing, &ball), None);
+        let project = |_: &SVector<f64, 2>| SVector::repeat(f64::NAN);
+        let empty = Bare { project, radius: Some(0.0) };
+        assert_eq!(common_point(&ball, &empty), None);
+        assert_eq!(common_point(&empty, &ball), None);
     }
 }

@@ -11,8 +11,8 @@ use crate::{ClosedSet, Point, SetError};
 
 /// The two closed sets between which a curve runs.
 ///
-/// Invariant: one of them at least is bounded (Proposition 7.1), and neither is empty as far as
-/// probes of its nearest-point map can tell. [`Ends::new`] is the only way in.
+/// Invariant: at least one of them is bounded (Proposition 7.1), and neither is empty as far as
+/// probes of its nearest-point map show. [`Ends::new`] is the only constructor.
 #[derive(Clone, Debug)]
 pub struct Ends<const D: usize> {
     first: Arc<dyn ClosedSet<D>>,
@@ -23,15 +23,15 @@ pub struct Ends<const D: usize> {
 impl<const D: usize> Ends<D> {
     /// Makes the pair: curves start in `first` and stop in `second`.
     ///
-    /// The sets may touch or overlap; the distance is 0 then, see
+    /// The sets may touch or overlap; then the distance is 0, see
     /// [`common_point`](crate::common_point()).
     ///
     /// # Errors
     ///
     /// - [`SetError::BothUnbounded`];
-    /// - [`SetError::NoNearestPoint`] if a set, or one of its pieces, sends the origin or a unit
-    ///   vector `±eᵢ` to a point that is not finite. An empty set does, if it is written as
-    ///   [`ClosedSet`] asks for; the sets of this crate never do.
+    /// - [`SetError::NoNearestPoint`] if a set, or one of its pieces, maps the origin or a unit vector
+    ///   `±eᵢ` to a point that is not finite, as an empty set does by the contract of [`ClosedSet`].
+    ///   The sets of this crate never do.
     pub fn new(
         first: impl ClosedSet<D> + 'static,
         second: impl ClosedSet<D> + 'static,
@@ -71,8 +71,8 @@ impl<const D: usize> Ends<D> {
         &self.second
     }
 
-    /// Returns whether the pair was made by [`Ends::points`]: then both ends of a curve are fixed.
-    /// Of sets that happen to have one member each it is not known.
+    /// Returns whether the pair was made by [`Ends::points`], so that both ends of a curve are
+    /// fixed. Other sets with a single member are not recognised.
     #[must_use]
     pub fn are_points(&self) -> bool {
         self.points
@@ -80,9 +80,8 @@ impl<const D: usize> Ends<D> {
 
     /// Returns all pairs of a piece of the first set and a piece of the second.
     ///
-    /// The order is fixed: the second varies faster, and each set's pieces come in its own
-    /// order. A set which is one piece counts as its own piece; unions within unions are
-    /// dissolved.
+    /// The order is fixed: the second varies faster, and the pieces of each set keep their order. A
+    /// set without pieces is its own piece; nested unions are flattened.
     pub fn pairs(
         &self,
     ) -> impl Iterator<Item = (Arc<dyn ClosedSet<D>>, Arc<dyn ClosedSet<D>>)> + use<D> {
@@ -115,16 +114,17 @@ mod tests {
     use std::sync::Arc;
 
     use super::Ends;
+    use crate::laws::Bare;
     use crate::norm::on_axis;
     use crate::{AffineSubspace, Ball, ClosedSet, FiniteSet, HalfSpace, Point, SetError, Union};
-    use nalgebra::{SMatrix, SVector, vector};
+    use nalgebra::{SVector, vector};
 
     fn wall() -> HalfSpace<2> {
         HalfSpace::new([-1.0, 0.0], -2.0).expect("a normal")
     }
 
     #[test]
-    fn ends_want_one_bounded_set() {
+    fn ends_need_one_bounded_set() {
         let line = AffineSubspace::new([0.0, 0.0], [[0.0, 1.0]]).expect("one direction");
         assert_eq!(Ends::new(wall(), line).unwrap_err(), SetError::BothUnbounded);
         let ball = Ball::new([0.0, 0.0], 1.0).expect("finite");
@@ -154,37 +154,23 @@ mod tests {
         ));
     }
 
-    /// A set of the user's own, without members.
-    #[derive(Debug)]
-    struct Nothing;
-
-    impl ClosedSet<2> for Nothing {
-        fn project(&self, _x: &SVector<f64, 2>) -> SVector<f64, 2> {
-            vector![0.0, f64::NAN]
-        }
-
-        fn projection_derivative(&self, _x: &SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
-            SMatrix::zeros()
-        }
-
-        fn radius(&self) -> Option<f64> {
-            Some(0.0)
-        }
-    }
-
     #[test]
-    fn ends_refuse_an_empty_set_of_the_users_own() {
+    fn ends_refuse_an_empty_custom_set() {
         let ball = Ball::new([0.0, 0.0], 1.0).expect("finite");
+        let nothing = || {
+            let project = |_: &SVector<f64, 2>| vector![0.0, f64::NAN];
+            Bare { project, radius: Some(0.0) }
+        };
         let refused = |ends: Result<Ends<2>, SetError>, which: &str| {
             matches!(
                 ends,
                 Err(SetError::NoNearestPoint { end, index: 1, value }) if end == which && value.is_nan()
             )
         };
-        assert!(refused(Ends::new(Nothing, ball), "first"));
-        assert!(refused(Ends::new(ball, Nothing), "second"));
-        // Hidden in a union, where the ball is the nearest: found all the same.
-        let union = Union::new(vec![Arc::new(ball), Arc::new(Nothing)]).expect("two");
+        assert!(refused(Ends::new(nothing(), ball), "first"));
+        assert!(refused(Ends::new(ball, nothing()), "second"));
+        // Also in a union, where the ball is nearest.
+        let union = Union::new(vec![Arc::new(ball), Arc::new(nothing())]).expect("two");
         assert!(refused(Ends::new(ball, union), "second"));
     }
 
@@ -212,70 +198,43 @@ mod tests {
         assert_eq!(ends.clone().first().project(&vector![0.0, 1.0]), vector![2.0, 1.0]);
     }
 
-    /// A set that lies about its radius, or about the nearest points of one side.
-    #[derive(Debug)]
-    struct Wrong {
-        radius: f64,
-        below: f64,
-    }
-
-    impl ClosedSet<2> for Wrong {
-        fn project(&self, x: &SVector<f64, 2>) -> SVector<f64, 2> {
-            if x[1] < 0.0 { vector![self.below, 0.0] } else { vector![0.0, 0.0] }
-        }
-
-        fn projection_derivative(&self, _: &SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
-            SMatrix::zeros()
-        }
-
-        fn radius(&self) -> Option<f64> {
-            Some(self.radius)
-        }
-    }
-
     #[test]
     fn a_radius_that_is_not_finite_bounds_nothing() {
         for radius in [f64::NAN, f64::INFINITY] {
-            let ends = Ends::new(Wrong { radius, below: 0.0 }, wall());
+            let project = |_: &SVector<f64, 2>| SVector::zeros();
+            let ends = Ends::new(Bare { project, radius: Some(radius) }, wall());
             assert_eq!(ends.unwrap_err(), SetError::BothUnbounded);
         }
     }
 
-    /// A set that has a nearest point to all places but one.
-    #[derive(Clone, Debug)]
-    struct Hole(SVector<f64, 3>);
-
-    impl ClosedSet<3> for Hole {
-        fn project(&self, x: &SVector<f64, 3>) -> SVector<f64, 3> {
-            if *x == self.0 { vector![1.0, f64::INFINITY, f64::NAN] } else { SVector::zeros() }
-        }
-
-        fn projection_derivative(&self, _: &SVector<f64, 3>) -> SMatrix<f64, 3, 3> {
-            SMatrix::zeros()
-        }
-
-        fn radius(&self) -> Option<f64> {
-            Some(0.0)
-        }
-    }
-
-    /// The origin, and one step from it along every axis, both ways: of either end.
+    /// The origin and the unit steps along every axis, in both directions, for either end.
     #[test]
-    fn every_place_that_is_said_to_be_tried_is_tried() {
+    fn every_documented_probe_is_made() {
         let point = Point::new([0.0; 3]).expect("finite");
-        let steps = (0..3).flat_map(|i| [1.0, -1.0].map(|sign| on_axis(i, sign)));
+        let steps = (0..3).flat_map(|i| [1.0, -1.0].map(|sign| on_axis::<3>(i, sign)));
         for place in steps.chain([SVector::zeros()]) {
+            let hole = || {
+                let project = move |x: &SVector<f64, 3>| {
+                    if *x == place {
+                        vector![1.0, f64::INFINITY, f64::NAN]
+                    } else {
+                        SVector::zeros()
+                    }
+                };
+                Bare { project, radius: Some(0.0) }
+            };
             let refused = |end| SetError::NoNearestPoint { end, index: 1, value: f64::INFINITY };
-            let first = Ends::new(Hole(place), point).expect_err("a hole");
+            let first = Ends::new(hole(), point).expect_err("a hole");
             assert_eq!(first, refused("first"), "{place:?}");
-            let second = Ends::new(point, Hole(place)).expect_err("a hole");
+            let second = Ends::new(point, hole()).expect_err("a hole");
             assert_eq!(second, refused("second"), "{place:?}");
         }
     }
 
     #[test]
     fn a_nearest_point_that_is_missing_on_one_side_only_is_found() {
-        let ends = Ends::new(Wrong { radius: 0.0, below: f64::NAN }, wall());
+        let project = |x: &SVector<f64, 2>| vector![if x[1] < 0.0 { f64::NAN } else { 0.0 }, 0.0];
+        let ends = Ends::new(Bare { project, radius: Some(0.0) }, wall());
         assert!(matches!(ends, Err(SetError::NoNearestPoint { end: "first", index: 0, .. })));
     }
 }

@@ -1,7 +1,7 @@
-//! Exact comparisons of boxes with the formulas of sets, for the tests alone.
+//! Exact comparisons of boxes with the formulas of sets, for tests.
 //!
-//! In numbers of so many bits that no sum or product of the tests rounds: coordinates are doubles
-//! of ordinary size, whose products have 106 bits and whose sums span some 200.
+//! The numbers have so many bits that no sum or product rounds: coordinates are doubles of ordinary
+//! size, their products have 106 bits, and their sums span about 200.
 
 use astro_float::{BigFloat, RoundingMode};
 use nalgebra::SVector;
@@ -77,8 +77,8 @@ pub(crate) fn least_product<const D: usize>(
     }))
 }
 
-/// Whether the box meets the points `a + s v` with `s` in `[0, 1]`, or all `s`; `v` is `b − a`,
-/// which is not rounded.
+/// Whether the box meets the points `a + s v` with `s` in `[0, 1]`, or any `s`; `v` is the exact
+/// `b − a`.
 pub(crate) fn meets_line<const D: usize>(
     y: &SVector<Interval, D>,
     a: &SVector<f64, D>,
@@ -116,10 +116,10 @@ pub(crate) fn difference<const D: usize>(b: &SVector<f64, D>, a: &SVector<f64, D
     std::array::from_fn(|i| Exact::new(b[i]).minus(&Exact::new(a[i])))
 }
 
-/// Whether the midpoint of the box is no farther from `p + span(directions)` than a corner is from
-/// it, which holds if the box contains a member.
+/// Whether the midpoint of the box is no farther from `p + span(directions)` than from a corner, as
+/// it is if the box contains a member.
 ///
-/// By Gram and Schmidt in long numbers; a distance below `10⁻²⁰⁰` counts as none.
+/// By Gram–Schmidt in long numbers; distances below `10⁻²⁰⁰` count as zero.
 pub(crate) fn reaches_subspace<const D: usize>(
     y: &SVector<Interval, D>,
     p: &SVector<f64, D>,

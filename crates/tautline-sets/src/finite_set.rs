@@ -5,13 +5,14 @@ use std::sync::Arc;
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Interval;
 
+use crate::closed_set::closed_set_by;
 use crate::{ClosedSet, Point, SetError, Union};
 
 /// The set `{p₁, …, pₖ}`: `P(x)` is the nearest of the points, the first of them on a tie;
 /// `DP = 0`.
 ///
-/// Its pieces are its points, in the order given. The nearest in the Euclidean sense need not
-/// be the one at which a minimal geodesic ends, so each is searched.
+/// Its pieces are its points, in the given order. A minimal geodesic need not end at the nearest
+/// one in the Euclidean sense: each is searched.
 #[derive(Clone, Debug)]
 pub struct FiniteSet<const D: usize> {
     points: Union<D>,
@@ -35,33 +36,7 @@ impl<const D: usize> FiniteSet<D> {
 }
 
 impl<const D: usize> ClosedSet<D> for FiniteSet<D> {
-    fn project(&self, x: &SVector<f64, D>) -> SVector<f64, D> {
-        self.points.project(x)
-    }
-
-    fn projection_derivative(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
-        self.points.projection_derivative(x)
-    }
-
-    fn radius(&self) -> Option<f64> {
-        self.points.radius()
-    }
-
-    fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
-        self.points.enclosing_ball()
-    }
-
-    fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
-        self.points.member_near(x)
-    }
-
-    fn is_convex(&self) -> bool {
-        self.points.is_convex()
-    }
-
-    fn pieces(&self) -> &[Arc<dyn ClosedSet<D>>] {
-        self.points.pieces()
-    }
+    closed_set_by!(self => self.points);
 }
 
 #[cfg(test)]

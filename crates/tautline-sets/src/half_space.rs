@@ -10,18 +10,18 @@ use crate::set_error::{SetError, finite, finite_vector};
 /// The half-space `n·x ≤ b`, unbounded. With `|n| = 1`:
 ///
 /// ```text
-/// P(x) = x   and DP(x) = I                        where n·x ≤ b,
+/// P(x) = x   and DP(x) = I                        for n·x ≤ b,
 /// P(x) = x − (n·x − b) n   and   DP(x) = I − nnᵀ   outside.
 /// ```
 ///
-/// Two half-spaces are equal if their `n` and `b` are, up to the rounding of the length to 1.
+/// Two half-spaces are equal if their normalised `n` and `b` are.
 #[derive(Clone, Copy, Debug)]
 pub struct HalfSpace<const D: usize> {
     /// `n`, of length 1.
     normal: SVector<f64, D>,
     offset: f64,
-    /// The normal and the offset as they were given: the half-space that is meant, before the
-    /// length of the normal is rounded to 1.
+    /// The normal and the offset as given: they define the half-space exactly, while normalisation
+    /// rounds.
     given_normal: SVector<f64, D>,
     given_offset: f64,
 }
@@ -67,7 +67,7 @@ impl<const D: usize> HalfSpace<D> {
         })
     }
 
-    /// Makes the half-space `normal·x ≥ offset`, whose normal points into the set.
+    /// Makes the half-space `normal·x ≥ offset`, with a normal that points into the set.
     ///
     /// # Errors
     ///
@@ -76,7 +76,7 @@ impl<const D: usize> HalfSpace<D> {
         normal: impl Into<SVector<f64, D>>,
         offset: f64,
     ) -> Result<HalfSpace<D>, SetError> {
-        // Checked before the signs change, so that an error names the numbers as they were given.
+        // Checked before the signs change, so that errors show the given numbers.
         let normal = finite_vector("the normal", normal)?;
         HalfSpace::new(-normal, -finite("offset", offset)?)
     }
@@ -100,9 +100,9 @@ impl<const D: usize> ClosedSet<D> for HalfSpace<D> {
         if n.dot(x) <= self.offset {
             return *x;
         }
-        // x − (n·x − b) n cancels where x is far out, and misses the plane by ε|x|. The part
-        // along n is taken away in full instead; a second time, since the first leaves ε|x|
-        // of it. What remains of it is ε² |x|, and b n is added with one rounding.
+        // x − (n·x − b) n cancels if x is far out, and misses the plane by ε|x|. Instead the
+        // component along n is removed in full, twice, since the first time leaves ε|x| and the
+        // second ε² |x|. Adding b n rounds once.
         let once = x - n * n.dot(x);
         let tangential = once - n * n.dot(&once);
         tangential + n * self.offset
@@ -130,8 +130,8 @@ impl<const D: usize> ClosedSet<D> for HalfSpace<D> {
         if height(&here).hi() <= 0.0 {
             return Some(here);
         }
-        // From near the plane, where x − (n·x − b) n/|n|² does not cancel: the foot of a point
-        // other than x is a member as well.
+        // Start near the plane, where x − (n·x − b) n/|n|² does not cancel: the foot of any point
+        // is a member.
         let near = proof::point(&self.project(x));
         let step = height(&near) / proof::square(&n);
         proof::finite(SVector::from_fn(|i, _| near[i] - n[i] * step))
@@ -157,7 +157,7 @@ mod tests {
         (normal, -3.0..3.0_f64, scale()).prop_map(|(n, b, scale)| {
             let height = move |x: &nalgebra::SVector<f64, D>| (n.dot(x) - b) / n.norm();
             Case {
-                // Mirrored at the plane if outside.
+                // Reflected at the plane if outside.
                 member: Box::new(move |w| {
                     let y = w * 4.0;
                     if height(&y) > 0.0 { y - n * (2.0 * height(&y) / n.norm()) } else { y }
@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn the_inside_of_a_half_space_stays_its_boundary_included() {
+    fn the_inside_and_the_boundary_of_a_half_space_stay() {
         check_inside(case::<1>());
         check_inside(case::<2>());
         check_inside(case::<5>());
@@ -195,7 +195,7 @@ mod tests {
         assert_eq!(HalfSpace::at_least([1.0, 0.0], 2.0), Ok(wall));
     }
 
-    /// Every axis, in both directions: nothing rounds.
+    /// On every axis, in both directions, where nothing rounds.
     #[test]
     fn half_space_faces_belong_to_it() {
         for (i, sign) in (0..3).flat_map(|i| [(i, 1.0), (i, -1.0)]) {
@@ -220,7 +220,7 @@ mod tests {
         assert_ne!(wall([1.0, 0.0], 0.0), wall([-1.0, 0.0], 0.0));
     }
 
-    /// `x₁ + x₂ ≤ 1`, whose offset by the length of the normal is `1/√2`.
+    /// `x₁ + x₂ ≤ 1`: the offset over the length of the normal is `1/√2`.
     #[test]
     fn half_space_offset_is_in_the_unit_of_the_normal() {
         for unit in [1e-300, 1.0, 1e300, f64::MAX] {
@@ -231,15 +231,15 @@ mod tests {
     }
 
     #[test]
-    fn half_space_is_met_from_far_away() {
+    fn half_space_projection_is_accurate_from_far_away() {
         // The textbook formula would give x₁ = 0: 1e20 − 2 is 1e20 in f64.
         let axis = HalfSpace::new([1.0, 0.0], 2.0).expect("a normal");
         assert_eq!(axis.project(&vector![1e20, 3.0]), vector![2.0, 3.0]);
-        // Aslant, what is left is a few roundings of P(x), about 3 long, not of x.
+        // In an oblique direction the error is a few roundings of P(x), about 3 long, not of x.
         let slant = HalfSpace::new([0.6, 0.8], 2.0).expect("a normal");
         let p = slant.project(&vector![6.123e9, 8.164e9]);
         assert!((slant.normal().dot(&p) - 2.0).abs() <= 4.0 * f64::EPSILON * p.norm());
-        // And what is proved is as near as that.
+        // The proved member is as near.
         for (wall, x) in [(axis, vector![1e20, 3.0]), (slant, vector![6.123e9, 8.164e9])] {
             let (near, p) = (wall.member_near(&x).expect("a member"), wall.project(&x));
             for i in 0..2 {

@@ -1,4 +1,4 @@
-//! The laws of a closed set, as one property test which every set runs.
+//! The laws of a closed set, as one property test that every set runs, and a bare set for tests.
 
 use std::fmt;
 
@@ -13,45 +13,45 @@ use crate::norm::on_axis;
 /// The seed of every property test here, printed when one fails.
 const SEED: u64 = 0x7A07_11E5;
 
-/// Bound of the coordinates that occur at scale 1, below: data up to 3 + 2, samples up to 8.
+/// Bound of all coordinates at scale 1: data up to 3 + 2, samples up to 8.
 const SIZE: f64 = 8.0;
 
 /// Accuracy of a coordinate or a distance at scale 1.
 ///
-/// A projection, a membership formula and the comparison take some 4 D ≤ 20 roundings of numbers
-/// up to `SIZE` √D each, ε/2 apiece; doubled.
+/// A projection, a membership formula and the comparison take about 4 D ≤ 20 roundings, of ε/2
+/// each, of numbers up to `SIZE` √D; doubled.
 const ROUNDING: f64 = 64.0 * SIZE * f64::EPSILON;
 
-/// Step of the central difference at scale 1; a power of two, so that `x ± h` is the step meant.
+/// Step of the central difference at scale 1; a power of two, so that `x ± h` is exact.
 const STEP: f64 = 1.0 / 131_072.0;
 
-/// How far a sample stays from the kinks of `P` when it is differentiated.
+/// The distance of a sample from the kinks of `P` if it is differentiated.
 const CLEARANCE: f64 = 1.0 / 16.0;
 
 /// Accuracy of a central difference of `P`.
 ///
-/// Truncation: `h²/6 · |D³P|`. For ball and sphere `|D³P| ≤ 15 r/|x − c|³`, where `r ≤ 2` and
-/// `|x − c|` is at least 1/4 for the sphere and `r + 1/16` for the ball: at most 1920, hence
-/// `320 h² < 2e-8`. All other maps are affine pieces. Rounding: `8 ε SIZE / h < 2e-9`.
+/// Truncation: `h²/6 · |D³P|`. For ball and sphere `|D³P| ≤ 15 r/|x − c|³`, with `r ≤ 2` and
+/// `|x − c|` at least 1/4 for the sphere and `r + 1/16` for the ball: at most 1920, hence
+/// `320 h² < 2e-8`. All other maps are piecewise affine. Rounding: `8 ε SIZE / h < 2e-9`.
 const DIFFERENCE: f64 = 4e-8;
 
 /// A function of a point at scale 1.
 type Of<const D: usize, T> = Box<dyn Fn(&SVector<f64, D>) -> T>;
 
-/// A statement about a box at scale 1.
+/// A predicate of a box at scale 1.
 type Held<const D: usize> = Box<dyn Fn(&SVector<Interval, D>) -> bool>;
 
-/// A set with what is known of it from its formula alone, without its projection.
+/// A set, and properties that follow from its formula without its projection.
 ///
-/// The set is made `scale` times as large as the formulas below, which are written at scale 1.
+/// The properties are at scale 1; the set is `scale` times as large.
 pub(crate) struct Case<const D: usize> {
     pub(crate) set: Box<dyn ClosedSet<D>>,
     pub(crate) scale: f64,
     /// A member for each `w` of the cube `[−1, 1]^D`.
     pub(crate) member: Of<D, SVector<f64, D>>,
-    /// Zero for members, otherwise about the distance to the set.
+    /// Zero for members, and about the distance to the set otherwise.
     pub(crate) defect: Of<D, f64>,
-    /// Whether a box contains a member, by the formula of the set without rounding.
+    /// Whether a box contains a member, by the formula of the set in exact arithmetic.
     pub(crate) held: Held<D>,
     /// A lower bound of the distance to the nearest place where `P` is not smooth.
     pub(crate) kink: Of<D, f64>,
@@ -77,6 +77,34 @@ impl<const D: usize> fmt::Debug for Case<D> {
     }
 }
 
+/// A set with the required methods only, and a derivative of zero.
+pub(crate) struct Bare<P> {
+    pub(crate) project: P,
+    pub(crate) radius: Option<f64>,
+}
+
+impl<P> fmt::Debug for Bare<P> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "a set of radius {:?}", self.radius)
+    }
+}
+
+impl<const D: usize, P: Fn(&SVector<f64, D>) -> SVector<f64, D> + Send + Sync> ClosedSet<D>
+    for Bare<P>
+{
+    fn project(&self, x: &SVector<f64, D>) -> SVector<f64, D> {
+        (self.project)(x)
+    }
+
+    fn projection_derivative(&self, _: &SVector<f64, D>) -> SMatrix<f64, D, D> {
+        SMatrix::zeros()
+    }
+
+    fn radius(&self) -> Option<f64> {
+        self.radius
+    }
+}
+
 /// Coordinates in `[−bound, bound]`.
 pub(crate) fn vector_in<const D: usize>(bound: f64) -> impl Strategy<Value = SVector<f64, D>> {
     proptest::array::uniform::<_, D>(-bound..bound).prop_map(SVector::from)
@@ -87,7 +115,7 @@ pub(crate) fn extent() -> impl Strategy<Value = f64> {
     prop_oneof![1 => Just(0.0), 4 => 0.1..2.0_f64]
 }
 
-/// Powers of two, so that scaling is exact; the squares of two of them are beyond `f64`.
+/// Powers of two, so that scaling is exact. The squares of two of them overflow or underflow.
 pub(crate) fn scale() -> impl Strategy<Value = f64> {
     prop_oneof![
         3 => Just(1.0),
@@ -96,12 +124,12 @@ pub(crate) fn scale() -> impl Strategy<Value = f64> {
     ]
 }
 
-/// A runner with a fixed seed, unless the environment asks for another, which writes no files.
+/// A runner that writes no files, with a fixed seed unless the environment sets another.
 pub(crate) fn runner() -> TestRunner {
     TestRunner::new(tautline_chance::config(SEED, 512))
 }
 
-/// Panics with the shrunk sample and the seed, if a run failed.
+/// Panics with the shrunk sample and the seed if a run failed.
 pub(crate) fn unwrap<T: fmt::Debug>(result: Result<(), TestError<T>>) {
     if let Err(error) = result {
         panic!("seed {SEED:#x}: {error}");
@@ -126,9 +154,9 @@ pub(crate) fn check<const D: usize>(cases: impl Strategy<Value = Case<D>>) {
     }));
 }
 
-/// Checks that the edges of a set belong to it: at a member, where `P` has a kink or not, the
-/// derivative keeps the directions in which the set goes on. For convex sets whose edges are met
-/// without rounding.
+/// Checks that the edges of a set belong to it: at a member, even at a kink of `P`, the derivative
+/// preserves the directions along the set. For convex sets with edges that are met without
+/// rounding.
 pub(crate) fn check_edges<const D: usize>(cases: impl Strategy<Value = Case<D>>) {
     let samples = (cases, vector_in::<D>(8.0), vector_in::<D>(1.0));
     unwrap(runner().run(&samples, |(case, x, w)| {
@@ -141,9 +169,8 @@ pub(crate) fn check_edges<const D: usize>(cases: impl Strategy<Value = Case<D>>)
     }));
 }
 
-/// Checks that what the derivative takes for inside stays where it is, to the last bit: `P` agrees
-/// with `DP` on the boundary, on which `P(x)` lies as often as not. For sets with an interior in
-/// which nothing rounds.
+/// Checks that points that are inside by the derivative stay, to the last bit: `P` agrees with `DP`
+/// on the boundary, where `P(x)` often lies. For sets with an interior in which nothing rounds.
 pub(crate) fn check_inside<const D: usize>(cases: impl Strategy<Value = Case<D>>) {
     unwrap(runner().run(&(cases, vector_in::<D>(8.0)), |(case, x)| {
         for y in [x, case.project(&x), case.project(&case.project(&x))] {
@@ -169,16 +196,16 @@ fn nearest<const D: usize>(
     let member = (case.member)(w);
     let (left, right) = ((x - p).norm(), (x - member).norm());
     prop_assert!(left <= right + ROUNDING, "{left} to P(x), {right} to the member {member:?}");
-    // Where several members are nearest, the same one each time.
+    // If several members are nearest, always the same one.
     prop_assert_eq!(p, case.project(x));
     Ok(())
 }
 
-/// A member is in the box, which is about `P(x)`; a point that is clearly inside is proved to be.
+/// The box about `P(x)` contains a member; a point that is clearly inside is proved to be a member.
 fn proved<const D: usize>(case: &Case<D>, x: &SVector<f64, D>) -> Result<(), TestCaseError> {
     let near = case.set.member_near(&(x * case.scale));
     let Some(near) = near else {
-        return Err(TestCaseError::fail(format!("nothing is proved near {x:?}")));
+        return Err(TestCaseError::fail(format!("nothing proved near {x:?}")));
     };
     // Powers of two: nothing rounds.
     let side = |i: usize| [near[i].lo(), near[i].hi()].map(|end| end / case.scale);
@@ -199,12 +226,15 @@ fn proved<const D: usize>(case: &Case<D>, x: &SVector<f64, D>) -> Result<(), Tes
     Ok(())
 }
 
-/// The radius is met by the farthest member, and not exceeded; seeds are members.
+/// The farthest member attains the radius, and no member exceeds it; seeds are members.
 fn bounded<const D: usize>(case: &Case<D>, w: &SVector<f64, D>) -> Result<(), TestCaseError> {
     let radius = case.set.radius().map(|radius| radius / case.scale);
     prop_assert_eq!(radius.is_some(), case.farthest.is_some());
     if let (Some(radius), Some(farthest)) = (radius, case.farthest) {
-        prop_assert!((case.defect)(&farthest) <= ROUNDING, "the test's farthest is no member");
+        prop_assert!(
+            (case.defect)(&farthest) <= ROUNDING,
+            "the farthest point of the test is not a member"
+        );
         prop_assert!((farthest.norm() - radius).abs() <= ROUNDING, "radius {radius} not met");
         let member = (case.member)(w).norm();
         prop_assert!(member <= radius + ROUNDING, "a member of length {member} > {radius}");
@@ -225,7 +255,7 @@ fn bounded<const D: usize>(case: &Case<D>, w: &SVector<f64, D>) -> Result<(), Te
     Ok(())
 }
 
-/// The derivative is symmetric, and that of `P` where `P` is smooth.
+/// The derivative is symmetric, and agrees with differences of `P` where `P` is smooth.
 fn differentiable<const D: usize>(
     case: &Case<D>,
     x: &SVector<f64, D>,
@@ -245,7 +275,7 @@ fn differentiable<const D: usize>(
     Ok(())
 }
 
-/// `P` does not expand, its derivative neither; `x − P(x)` and the set make obtuse angles.
+/// Neither `P` nor its derivative expands; `x − P(x)` makes obtuse angles with the set.
 fn convex<const D: usize>(
     case: &Case<D>,
     x: &SVector<f64, D>,
@@ -256,13 +286,13 @@ fn convex<const D: usize>(
     let (left, right) = ((p - q).norm(), (x - y).norm());
     prop_assert!(left <= right + ROUNDING, "|P(x) - P(y)| = {left}, |x - y| = {right}");
     let angle = (x - p).dot(&((case.member)(w) - p));
-    // Each factor is off by ROUNDING, the other one at most 4 SIZE √D < 16 SIZE.
+    // Each factor is off by ROUNDING; the other is at most 4 SIZE √D < 16 SIZE.
     prop_assert!(angle <= 16.0 * SIZE * ROUNDING, "(x - P(x))·(member - P(x)) = {angle:e}");
     let derivative = case.derivative(x);
-    // vᵀ DP v for v = e₁, …, and in a random direction: no routine for eigenvalues is trusted.
+    // vᵀ DP v for v = e₁, … and a random direction, without an eigenvalue routine.
     for v in (0..D).map(|i| on_axis(i, 1.0)).chain(w.try_normalize(0.0)) {
         let quotient = v.dot(&(derivative * v));
-        // Entries up to 1, some 2 D² ≤ 50 roundings.
+        // Entries up to 1, about 2 D² ≤ 50 roundings.
         let range = -64.0 * f64::EPSILON..=1.0 + 64.0 * f64::EPSILON;
         prop_assert!(range.contains(&quotient), "vᵀ DP v = {quotient} for v = {v:?}");
     }

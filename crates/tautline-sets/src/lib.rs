@@ -1,7 +1,7 @@
 //! Closed sets of `R^D`, each given by its nearest-point map, and pairs of them.
 //!
 //! A minimal geodesic runs between two closed sets, at least one of them bounded
-//! (Proposition 7.1). One file holds one set.
+//! (Proposition 7.1). Each set has its own file.
 //!
 //! ```
 //! use nalgebra::vector;
@@ -16,16 +16,15 @@
 //! let ends = Ends::new(ball, wall.clone())?;
 //! assert_eq!(ends.first().radius(), Some(0.5));
 //!
-//! // Two half-spaces are refused: curves between them may run off to infinity.
+//! // Two half-spaces are refused: curves between them may escape to infinity.
 //! assert_eq!(Ends::new(wall.clone(), wall).unwrap_err(), SetError::BothUnbounded);
 //! # Ok::<(), SetError>(())
 //! ```
 //!
 //! # The sets
 //!
-//! `P` is the nearest-point map and `u = (x − c)/|x − c|`. The derivative is given where `x` is
-//! outside of the set; for a set with interior it is `I` inside and, by convention, on the
-//! boundary.
+//! `P` is the nearest-point map and `u = (x − c)/|x − c|`. The table has the derivative outside the
+//! set; inside it is `I` and, by convention, also on the boundary.
 //!
 //! | set | formula | `P(x)` outside | `DP(x)` outside | convex |
 //! | --- | --- | --- | --- | --- |
@@ -37,15 +36,15 @@
 //! | [`Segment`] | `a + s v`, `0 ≤ s ≤ L` | `s` clamped | `vvᵀ`, past the ends `0` | yes |
 //! | [`HalfSpace`] | `n·x ≤ b` | `x − (n·x − b) n` | `I − nnᵀ` | yes |
 //! | [`AffineSubspace`] | `p + span Q` | `p + QQᵀ(x − p)` | `QQᵀ` | yes |
-//! | [`Union`] | of members | that of the nearest member | that of the nearest member | only if of one convex member |
+//! | [`Union`] | union of members | by the nearest member | by the nearest member | only for one convex member |
 //!
 //! # Units and accuracy
 //!
-//! Coordinates, radii and distances are in `ℓ`; derivatives of `P` are pure numbers.
-//! Projections lie in their sets to rounding, a few units in the last place of the largest
-//! coordinate met; [`ClosedSet::member_near`] gives a box that contains a member for certain.
-//! Norms neither overflow nor underflow, but differences of coordinates are formed as they are, so
-//! coordinates should stay below `2^1021` in magnitude.
+//! Coordinates, radii and distances are in `ℓ`; derivatives of `P` are pure numbers. Projections
+//! lie in their sets up to a few units in the last place of the largest coordinate;
+//! [`ClosedSet::member_near`] returns a box that certainly contains a member. Norms neither
+//! overflow nor underflow, but differences of coordinates may: keep coordinates below `2^1021` in
+//! magnitude.
 
 mod affine_subspace;
 mod axis_box;

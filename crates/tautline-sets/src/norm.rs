@@ -1,20 +1,20 @@
-//! Lengths and directions: the Euclidean norm, without overflow or underflow of the squares.
+//! Euclidean norms and directions, without overflow or underflow of squares.
 
 use nalgebra::SVector;
 
-/// Returns `|v|`, in the unit of `v`; infinite only if `|v|` itself is beyond `f64`.
+/// Returns `|v|`, in the unit of `v`; infinite only if `|v|` itself overflows.
 pub(crate) fn norm<const D: usize>(v: &SVector<f64, D>) -> f64 {
     let largest = v.amax();
-    // Squares of coordinates in this range, and sums of up to 1e28 of them, are far from
-    // overflow (1e308). A coordinate whose square underflows is below 1e-14 of the largest,
-    // even here: (1e-154/1e-140)² = 1e-28 of the sum, beneath its rounding.
+    // Squares of coordinates in this range, and sums of up to 1e28 of them, are far from overflow
+    // (1e308). If a square underflows, its coordinate is below 1e-14 of the largest, and the square
+    // below the rounding of the sum: (1e-154/1e-140)² = 1e-28.
     if (1e-140..=1e140).contains(&largest) {
         v.norm()
     } else if largest > 0.0 && largest.is_finite() {
-        // One rounding more per coordinate, hence not the way for ordinary numbers.
+        // One more rounding per coordinate: not for ordinary numbers.
         (v / largest).norm() * largest
     } else {
-        // Zero, or not finite: the plain norm says so. (0, ±∞ or NaN.)
+        // Zero, infinite or NaN, and so is the plain norm.
         v.norm()
     }
 }
@@ -29,7 +29,7 @@ pub(crate) fn polar<const D: usize>(v: &SVector<f64, D>) -> Option<(f64, SVector
         let length = v.norm();
         return Some((length, v / length));
     }
-    // Scaled first, so that the direction is right even where |v| is infinite in `f64`.
+    // Scaled first: the direction is right even if |v| overflows.
     let scaled = v / largest;
     let length = scaled.norm();
     Some((length * largest, scaled / length))
@@ -51,7 +51,7 @@ mod tests {
             // In two steps, since 2^-1074 is not a normal number.
             let scale = 2.0_f64.powi(exponent / 2) * 2.0_f64.powi(exponent - exponent / 2);
             let v = vector![3.0, 4.0] * scale;
-            // Four roundings; exact by luck or not, and 5 ulp of a subnormal is at most 5e-324.
+            // Four roundings.
             let error = (norm(&v) / scale - 5.0).abs();
             assert!(error <= 5.0 * 4.0 * f64::EPSILON, "2^{exponent}: {error:e}");
             let (length, unit) = polar(&v).expect("not zero");
@@ -61,7 +61,7 @@ mod tests {
     }
 
     #[test]
-    fn direction_survives_a_length_beyond_f64() {
+    fn a_direction_is_right_if_the_length_overflows() {
         let (length, unit) = polar(&vector![f64::MAX, -f64::MAX]).expect("not zero");
         let half = 0.5_f64.sqrt();
         assert_eq!(length, f64::INFINITY);

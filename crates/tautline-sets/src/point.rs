@@ -15,7 +15,7 @@ pub struct Point<const D: usize> {
 }
 
 impl<const D: usize> Point<D> {
-    /// Makes the set whose one member is `position`, in `ℓ`.
+    /// Makes the set with the single member `position`, in `ℓ`.
     ///
     /// # Errors
     ///
@@ -24,7 +24,7 @@ impl<const D: usize> Point<D> {
         Ok(Point { position: finite_vector("the point", position)? })
     }
 
-    /// Returns the one member, in `ℓ`.
+    /// Returns the member, in `ℓ`.
     #[must_use]
     pub fn position(&self) -> &SVector<f64, D> {
         &self.position
@@ -69,8 +69,8 @@ mod tests {
         (vector_in::<D>(3.0), scale()).prop_map(|(p, scale)| Case {
             member: Box::new(move |_| p),
             defect: Box::new(move |x| (x - p).norm()),
-            // The map is constant.
             held: Box::new(move |y| contains(y, &p)),
+            // The map is constant.
             kink: Box::new(|_| f64::INFINITY),
             farthest: Some(p),
             set: Box::new(Point::new(p * scale).expect("finite")),
@@ -89,7 +89,7 @@ mod tests {
         let Err(SetError::NonFiniteCoordinate { what: "the point", index: 1, value }) =
             Point::new([0.0, f64::NAN])
         else {
-            panic!("a NaN was taken");
+            panic!("a NaN was accepted");
         };
         assert!(value.is_nan());
     }

@@ -1,4 +1,4 @@
-//! What intervals prove of points and boxes: sums of squares, and points of a sphere.
+//! Proofs by intervals about points and boxes: comparisons of distances, and points of a sphere.
 
 use nalgebra::SVector;
 use tautline_scalar::{Interval, Scalar};
@@ -10,7 +10,7 @@ pub(crate) fn point<const D: usize>(x: &SVector<f64, D>) -> SVector<Interval, D>
     x.map(Interval::point)
 }
 
-/// The box, if it is bounded; `None` where a number overflowed.
+/// The box if it is bounded; `None` if a number overflowed.
 pub(crate) fn finite<const D: usize>(member: SVector<Interval, D>) -> Option<SVector<Interval, D>> {
     member.iter().all(|side| side.is_finite()).then_some(member)
 }
@@ -25,15 +25,15 @@ pub(crate) fn square<const D: usize>(u: &SVector<Interval, D>) -> Interval {
     u.iter().fold(Interval::constant(0.0), |sum, u| sum + u.sqr())
 }
 
-/// The largest power of two that is at most `size`, or the least normal number: division of
-/// intervals by it is exact for all but the largest and the smallest numbers.
+/// The largest power of two that is at most `size`, or the least normal number. Division of
+/// intervals by it is exact except for the largest and smallest numbers.
 pub(crate) fn power_of_two(size: f64) -> f64 {
     const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
     f64::from_bits(size.to_bits() & EXPONENT).max(f64::MIN_POSITIVE)
 }
 
-/// The distance of two points, squared, in units in which the largest coordinate of their
-/// difference is between 1 and 2: no square overflows or vanishes.
+/// The squared distance of two points, in units in which the largest coordinate of their difference
+/// is between 1 and 2: no square overflows or underflows.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Distance<const D: usize> {
     offset: SVector<Interval, D>,
@@ -54,7 +54,7 @@ impl<const D: usize> Distance<D> {
         self.square.hi() <= self.square_of(r).lo()
     }
 
-    /// Whether the distance is proved to be `r ≥ 0`: only if nothing rounds.
+    /// Whether the distance is proved to be `r ≥ 0`, which requires that nothing rounds.
     pub(crate) fn is(&self, r: f64) -> bool {
         self.at_most(r) && self.square_of(r).hi() <= self.square.lo()
     }
@@ -99,7 +99,7 @@ mod tests {
         }
     }
 
-    /// `3² + 4² = 5²` in every unit; one place more or less is seen.
+    /// `3² + 4² = 5²` in every unit; one ulp more or less is noticed.
     #[test]
     fn distances_are_compared_exactly() {
         for unit in [1.0, 2.0_f64.powi(-900), 2.0_f64.powi(900)] {
@@ -111,28 +111,28 @@ mod tests {
         }
     }
 
-    /// Squares that lie between the same two doubles, where the ends of intervals do not tell which
-    /// is larger: neither order is proved, whichever is true.
+    /// Squares between the same two doubles, which the ends of intervals cannot compare: neither
+    /// order is proved.
     #[test]
     fn distances_that_differ_by_less_than_a_rounding_prove_nothing() {
         let little = |n: i32| 2.0_f64.powi(-n);
         let origin = vector![0.0, 0.0, 0.0];
-        // 1 + 2⁻⁸⁰ > 1: above a double that is r² exactly.
+        // 1 + 2⁻⁸⁰ > 1: above r², which is a double.
         assert!(!distance(&vector![1.0, little(40), 0.0], &origin).at_most(1.0));
         // r² = 1 + 2⁻³⁹ + 2⁻⁸⁰, and 1 + 2⁻³⁹ + 2⁻⁸⁰ + 2⁻⁷⁰ beside it.
         let r = 1.0 + little(40);
         assert!(!distance(&vector![r, little(35), 0.0], &origin).at_most(r));
-        // The other way round 1 + 2⁻³⁹ is exact, and less: but r is not the distance.
+        // Conversely, 1 + 2⁻³⁹ is exact and less than r²: r is not the distance.
         let away = distance(&vector![1.0, little(20), little(20)], &origin);
         assert!(away.at_most(r) && !away.is(r));
-        // 1 − 0.48 · 2⁻⁵², of which 1 is the nearest bound above: not 1 either.
+        // 1 − 0.48 · 2⁻⁵², with the upper bound 1, is not 1.
         let (u, v) = (1.0 - 431.0 * little(26), 61_571_941.0 * little(34));
         assert!(!distance(&vector![u, v, 0.0], &origin).is(1.0));
-        // Of (r, 0, 0) that it is r is not proved, since r² rounds.
+        // The distance r of (r, 0, 0) is not proved, since r² rounds.
         assert!(!distance(&vector![r, 0.0, 0.0], &origin).is(r));
     }
 
-    /// In one dimension the sphere is `c ± r`: on the outer side the box ends where that sum does,
+    /// In one dimension the sphere is `c ± r`: the box ends on the outer side where that sum does,
     /// although the offset from the centre rounds.
     #[test]
     fn no_box_reaches_farther_from_the_centre_than_the_sphere() {
@@ -154,7 +154,7 @@ mod tests {
         let away = distance(&x, &c);
         assert!(!away.at_most(f64::MAX) && !away.is(f64::MAX));
         assert!(on_sphere(&x, &c, 1.0).is_none());
-        // A sphere of no radius is its centre, however far from there.
+        // A sphere of radius 0 is its centre, however far away.
         let near = vector![-4e307];
         assert_eq!(on_sphere(&x, &near, 0.0), Some(point(&near)));
         assert!(on_sphere(&vector![f64::INFINITY], &c, 1.0).is_none());

@@ -14,16 +14,15 @@ use crate::set_error::{SetError, finite, finite_vector};
 /// P(x) = a + min(max(s, 0), L) v,    DP(x) = vvᵀ if 0 ≤ s ≤ L, else 0
 /// ```
 ///
-/// `a = b` is allowed; then `P = a` and `DP = 0`. Beyond its ends the projection is the end
-/// itself, exactly.
+/// `a = b` is allowed; then `P = a` and `DP = 0`. Beyond an end the projection is exactly that end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment<const D: usize> {
     start: SVector<f64, D>,
     end: SVector<f64, D>,
     /// `v`; zero if `a = b`.
     direction: SVector<f64, D>,
-    /// `L = v·(b − a)`, by the operations that find `s` of a point: at `b` itself `s = L`, to the
-    /// last bit, and the end belongs to the segment.
+    /// `L = v·(b − a)`, by the same operations as `s` of a point: at `b`, `s = L` to the last bit,
+    /// and the end belongs to the segment.
     length: f64,
 }
 
@@ -84,14 +83,13 @@ impl<const D: usize> ClosedSet<D> for Segment<D> {
     }
 
     fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
-        // Halves first: the sum of the ends may be beyond `f64`.
+        // Halves first: the sum of the ends may overflow.
         let centre = self.start * 0.5 + self.end * 0.5;
         Some((centre, norm(&(self.start - centre)).max(norm(&(self.end - centre)))))
     }
 
     fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
-        // A segment along an axis is a flat box, and where both ends agree in a coordinate nothing
-        // is to be computed.
+        // A segment along an axis is a flat box: clamping does not round.
         let differing = (0..D).filter(|&i| self.start[i] != self.end[i]).count();
         if differing <= 1 {
             let (lower, upper) = self.start.inf_sup(&self.end);
@@ -101,7 +99,7 @@ impl<const D: usize> ClosedSet<D> for Segment<D> {
         if s <= 0.0 {
             return Some(proof::point(&self.start));
         }
-        // Any s in [0, L] makes a member: its rounding moves the member, but not off the segment.
+        // Any s in [0, L] gives a member: its rounding moves the member along the segment.
         let fraction = s / self.length;
         if !(fraction < 1.0) {
             return (fraction >= 1.0).then(|| proof::point(&self.end));
@@ -127,8 +125,8 @@ mod tests {
 
     /// Membership without the projection formula: `|x − a| + |x − b| = L` on the segment alone.
     ///
-    /// For `x` a distance `δ` beside a segment the sum exceeds `L` by `2δ²/L` only, so the
-    /// distance to the line, by its component orthogonal to `b − a`, is taken with it.
+    /// At a distance `δ` beside a segment the sum exceeds `L` only by `2δ²/L`, so that the distance
+    /// to the line, the component orthogonal to `b − a`, counts too.
     fn defect<const D: usize>(a: SVector<f64, D>, b: SVector<f64, D>, x: &SVector<f64, D>) -> f64 {
         let (length, past) = ((b - a).norm(), (x - a).norm() + (x - b).norm());
         if length == 0.0 {
@@ -146,8 +144,8 @@ mod tests {
         (ends, scale()).prop_map(|((a, b), scale)| Case {
             member: Box::new(move |w| a.lerp(&b, (w[0] + 1.0) / 2.0)),
             defect: Box::new(move |x| defect(a, b, x)),
-            // The kinks are the planes through the ends, orthogonal to b − a.
             held: Box::new(move |y| meets_line(y, &a, &difference(&b, &a), true)),
+            // The kinks are the planes through the ends, orthogonal to b − a.
             kink: Box::new(move |x| match (b - a).try_normalize(0.0) {
                 Some(v) => v.dot(&(x - a)).abs().min(v.dot(&(x - b)).abs()),
                 None => f64::INFINITY,
@@ -190,7 +188,7 @@ mod tests {
         assert_eq!(point.projection_derivative(&vector![1.0, 2.0]), Matrix2::zeros());
     }
 
-    /// The offset overflows, and nothing is known of `s`: no end is taken instead.
+    /// The offset overflows, and `s` is unknown: neither end is returned instead.
     #[test]
     fn segment_proves_nothing_beyond_f64() {
         let low = Segment::new([0.0, 0.0, -f64::MAX], [3.0, 4.0, -f64::MAX]).expect("length 5");

@@ -2,13 +2,13 @@
 
 use nalgebra::SVector;
 
-/// A clause which the data of a set, or of a pair of sets, do not meet.
+/// A condition that the data of a set, or of a pair of sets, violate.
 ///
-/// Each variant carries the offending numbers, so that the message alone tells what to change.
+/// Each variant carries the offending numbers, so that the message tells what to change.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SetError {
-    /// A point or a vector of `R^D` has finite coordinates.
+    /// A point or a vector of `R^D` must have finite coordinates.
     #[error("{what} has the non-finite coordinate {value} at index {index}")]
     NonFiniteCoordinate {
         /// The point or vector, in words.
@@ -18,7 +18,7 @@ pub enum SetError {
         /// The coordinate.
         value: f64,
     },
-    /// A length or an offset is finite.
+    /// A length or an offset must be finite.
     #[error("{what} {value} must be finite")]
     NonFinite {
         /// The number, in words.
@@ -26,13 +26,13 @@ pub enum SetError {
         /// The number.
         value: f64,
     },
-    /// A radius is at least zero; zero is allowed, since a point is closed.
+    /// A radius must be at least zero; zero is allowed, since a point is closed.
     #[error("radius {radius} must be ≥ 0")]
     NegativeRadius {
         /// The radius that was given.
         radius: f64,
     },
-    /// A half-width is at least zero; zero is allowed, since a flat box is closed.
+    /// A half-width must be at least zero; zero is allowed, since a flat box is closed.
     #[error("half-width {half_width} at index {index} must be ≥ 0")]
     NegativeHalfWidth {
         /// The index of the first such half-width, from 0.
@@ -40,7 +40,7 @@ pub enum SetError {
         /// The half-width that was given.
         half_width: f64,
     },
-    /// The lower corner of a box is nowhere above the upper one: otherwise the box is empty.
+    /// The lower corner of a box must not exceed the upper one: otherwise the box is empty.
     #[error("lower corner {lower} must be ≤ upper corner {upper} at index {index}")]
     CrossedCorners {
         /// The index of the first such coordinate, from 0.
@@ -50,10 +50,10 @@ pub enum SetError {
         /// The coordinate of the upper corner.
         upper: f64,
     },
-    /// The normal of a half-space is not zero: otherwise it is everything or nothing.
+    /// The normal of a half-space must not be zero: otherwise it is everything or nothing.
     #[error("the normal of a half-space must not be 0")]
     ZeroNormal,
-    /// The directions of an affine subspace are linearly independent.
+    /// The directions of an affine subspace must be linearly independent.
     #[error(
         "direction {index} depends on those before it: the part orthogonal to them is {remainder:e} of its length"
     )]
@@ -63,12 +63,12 @@ pub enum SetError {
         /// The length of its part orthogonal to the earlier ones, relative to its own length.
         remainder: f64,
     },
-    /// A union or a finite set has members: a curve must end somewhere (Proposition 7.1).
-    #[error("the set is empty: it has no members (Proposition 7.1 wants non-empty sets)")]
+    /// A union or a finite set must have members: a curve has to end somewhere (Proposition 7.1).
+    #[error("the set is empty: it has no members (Proposition 7.1 needs non-empty sets)")]
     Empty,
     /// A non-empty set has a nearest point to each point (Proposition 7.1).
     #[error(
-        "the {end} end set has no nearest point (coordinate {index} is {value}): is it empty? (Proposition 7.1 wants non-empty sets)"
+        "the {end} end set has no nearest point (coordinate {index} is {value}): is it empty? (Proposition 7.1 needs non-empty sets)"
     )]
     NoNearestPoint {
         /// Which end: `first` or `second`.
@@ -78,9 +78,8 @@ pub enum SetError {
         /// The coordinate.
         value: f64,
     },
-    /// Proposition 7.1 wants one of the end sets bounded: otherwise the infimum may lie at
-    /// infinity.
-    #[error("both end sets are unbounded (Proposition 7.1 wants one bounded)")]
+    /// One of the end sets must be bounded: otherwise the infimum may lie at infinity.
+    #[error("both end sets are unbounded (Proposition 7.1 needs a bounded one)")]
     BothUnbounded,
 }
 
@@ -89,7 +88,7 @@ pub(crate) fn non_finite<const D: usize>(x: &SVector<f64, D>) -> Option<(usize, 
     x.iter().copied().enumerate().find(|(_, value)| !value.is_finite())
 }
 
-/// Passes on `x` if all its coordinates are finite.
+/// Returns `x` if all its coordinates are finite.
 pub(crate) fn finite_vector<const D: usize>(
     what: &'static str,
     x: impl Into<SVector<f64, D>>,
@@ -101,12 +100,12 @@ pub(crate) fn finite_vector<const D: usize>(
     }
 }
 
-/// Passes on `value` if it is finite.
+/// Returns `value` if it is finite.
 pub(crate) fn finite(what: &'static str, value: f64) -> Result<f64, SetError> {
     if value.is_finite() { Ok(value) } else { Err(SetError::NonFinite { what, value }) }
 }
 
-/// Passes on a radius in `[0, ∞)`.
+/// Returns a radius in `[0, ∞)`.
 pub(crate) fn valid_radius(radius: f64) -> Result<f64, SetError> {
     let radius = finite("radius", radius)?;
     if radius >= 0.0 { Ok(radius) } else { Err(SetError::NegativeRadius { radius }) }
@@ -134,7 +133,7 @@ mod tests {
             ),
             (
                 SetError::BothUnbounded,
-                "both end sets are unbounded (Proposition 7.1 wants one bounded)",
+                "both end sets are unbounded (Proposition 7.1 needs a bounded one)",
             ),
         ];
         for (error, message) in table {

@@ -1,4 +1,4 @@
-//! A sphere: the surface alone.
+//! A sphere, without its interior.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Interval;
@@ -16,9 +16,9 @@ use crate::set_error::{SetError, finite_vector, valid_radius};
 ///
 /// Inside, the eigenvalue `r/|x − c|` exceeds 1: the map expands.
 ///
-/// All points of the sphere are nearest to the centre. There, by convention, `u = e₁`, hence
-/// `P(c) = c + r e₁`, and the derivative, which has no limit, is given as `I − e₁e₁ᵀ`, the
-/// projector onto the tangent space at that point.
+/// All points of the sphere are equally near to the centre. By convention `u = e₁` there, hence
+/// `P(c) = c + r e₁`; the derivative has no limit and is defined as `I − e₁e₁ᵀ`, the projector onto
+/// the tangent space at that point.
 ///
 /// In one dimension the sphere is the two points `c ± r`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,7 +45,7 @@ impl<const D: usize> Sphere<D> {
         &self.centre
     }
 
-    /// Returns `r`, in `ℓ`, which is not the [`radius`](ClosedSet::radius) about the origin.
+    /// Returns `r`, in `ℓ`; unlike [`radius`](ClosedSet::radius) it is about the centre.
     #[must_use]
     pub fn r(&self) -> f64 {
         self.r
@@ -60,7 +60,7 @@ impl<const D: usize> ClosedSet<D> for Sphere<D> {
 
     fn projection_derivative(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
         let (stretch, u) = match polar(&(x - self.centre)) {
-            // Close to the centre the quotient may overflow, and ∞ · 0 would be NaN.
+            // Near the centre the quotient may overflow, and ∞ · 0 would be NaN.
             Some((distance, u)) => ((self.r / distance).min(f64::MAX), u),
             None if self.r == 0.0 => return SMatrix::zeros(),
             None => (1.0, on_axis(0, 1.0)),
@@ -87,7 +87,7 @@ impl<const D: usize> ClosedSet<D> for Sphere<D> {
         self.r == 0.0
     }
 
-    /// Returns `c ± r eᵢ`; nothing for `r = 0`, where there is one point only.
+    /// Returns `c ± r eᵢ`; nothing for `r = 0`, a single point.
     fn seeds(&self) -> Vec<SVector<f64, D>> {
         if self.r == 0.0 {
             return Vec::new();
@@ -108,18 +108,18 @@ mod tests {
 
     fn case<const D: usize>() -> impl Strategy<Value = Case<D>> {
         (vector_in::<D>(3.0), extent(), scale()).prop_map(|(c, r, scale)| Case {
-            // For w = 0, which has no direction, any fixed one.
+            // A fixed direction for w = 0.
             member: Box::new(move |w: &SVector<f64, D>| {
                 c + w.try_normalize(0.0).unwrap_or_else(|| on_axis(0, 1.0)) * r
             }),
             defect: Box::new(move |x| ((x - c).norm() - r).abs()),
-            // P jumps at the centre and bends hard near it: a quarter of the distance keeps
-            // the samples at least four times as far as from an ordinary kink.
             held: Box::new(move |y| {
-                // Connected: all distances between the least and the largest occur.
+                // The box is connected: all distances between the least and the largest occur.
                 let (least, most) = squared_distances(y, &c);
                 least.at_most(&square(r)) && square(r).at_most(&most)
             }),
+            // P jumps at the centre and varies fast near it: a quarter of the distance keeps
+            // samples at least four times as far away as from an ordinary kink.
             kink: Box::new(move |x| (x - c).norm() / 4.0),
             farthest: Some(c * (1.0 + r / c.norm())),
             set: Box::new(Sphere::new(c * scale, r * scale).expect("finite")),
@@ -135,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn sphere_centre_goes_to_a_fixed_point() {
+    fn sphere_centre_projects_to_a_fixed_point() {
         let sphere = Sphere::new([1.0, 2.0], 3.0).expect("finite");
         assert_eq!(sphere.project(&vector![1.0, 2.0]), vector![4.0, 2.0]);
         let tangent = Matrix2::new(0.0, 0.0, 0.0, 1.0);

@@ -11,9 +11,8 @@ use crate::{ClosedSet, SetError};
 
 /// The union of finitely many closed sets.
 ///
-/// `P(x)` and `DP(x)` are those of the member nearest to `x`, the first of them on a tie. Unions
-/// within the union are dissolved: no piece has pieces itself, and their order is that in which
-/// they were written.
+/// `P(x)` and `DP(x)` are those of the nearest member to `x`, the first on a tie. Nested unions are
+/// flattened in order: no piece has pieces itself.
 #[derive(Clone, Debug)]
 pub struct Union<const D: usize> {
     /// Never empty.
@@ -45,7 +44,7 @@ impl<const D: usize> Union<D> {
         if pieces.is_empty() { Err(SetError::Empty) } else { Ok(Union { pieces }) }
     }
 
-    /// Returns the nearest point to `x`, and the piece it is of.
+    /// Returns the nearest point to `x`, and its piece.
     fn nearest(&self, x: &SVector<f64, D>) -> (SVector<f64, D>, &Arc<dyn ClosedSet<D>>) {
         let (first, rest) = self.pieces.split_first().expect("never empty");
         let mut point = first.project(x);
@@ -61,7 +60,7 @@ impl<const D: usize> Union<D> {
     }
 }
 
-/// The largest of radii; NaN if one is, which bounds nothing.
+/// The largest radius; NaN, which bounds nothing, if one is NaN.
 fn largest(radii: impl IntoIterator<Item = f64>) -> f64 {
     radii.into_iter().fold(0.0, |a, b| if a.is_nan() || b <= a { a } else { b })
 }
@@ -91,8 +90,8 @@ impl<const D: usize> ClosedSet<D> for Union<D> {
         Some((middle, largest(balls.iter().map(reach))))
     }
 
-    /// Returns the nearest of the boxes that the members prove; a nearer member that can prove
-    /// nothing is passed over.
+    /// Returns the nearest of the boxes that the members prove; members that prove nothing are
+    /// skipped.
     fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
         let mut nearest: Option<(f64, SVector<Interval, D>)> = None;
         for member in self.pieces.iter().filter_map(|piece| piece.member_near(x)) {
@@ -105,8 +104,7 @@ impl<const D: usize> ClosedSet<D> for Union<D> {
         nearest.map(|(_, member)| member)
     }
 
-    /// Returns whether the one member is convex. For several, `false`: whether they fit
-    /// together is not looked into.
+    /// Returns whether the only member is convex; `false` for several, which are not examined.
     fn is_convex(&self) -> bool {
         matches!(self.pieces.as_slice(), [one] if one.is_convex())
     }
@@ -153,13 +151,13 @@ mod tests {
                     }
                 }),
                 defect: Box::new(move |x| to_ball(x).min(to_sphere(x))),
-                // Each distance changes by at most the way x goes.
                 held: Box::new(move |y| {
                     let (to_c, _) = squared_distances(y, &c);
                     let (least, most) = squared_distances(y, &k);
                     let on_sphere = least.at_most(&square(s)) && square(s).at_most(&most);
                     to_c.at_most(&square(r)) || on_sphere
                 }),
+                // Each distance changes by at most the displacement of x.
                 kink: Box::new(move |x| {
                     let rim = if r == 0.0 { f64::INFINITY } else { ((x - c).norm() - r).abs() };
                     let tie = (to_ball(x) - to_sphere(x)).abs() / 2.0;
@@ -179,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn union_dissolves_unions_and_keeps_the_order() {
+    fn union_flattens_unions_and_keeps_the_order() {
         let points = FiniteSet::new([[1.0], [2.0]]).expect("finite");
         let inner = Union::new(vec![Arc::new(points), Arc::new(Point::new([3.0]).expect("3"))]);
         let outer = Union::new(vec![
@@ -209,7 +207,7 @@ mod tests {
         let union = Union::new(vec![at(3.0), at(1.0), at(-1.0)]).expect("three");
         let near = union.member_near(&vector![0.0, 0.0]).expect("points");
         assert_eq!(near, vector![1.0, 0.0].map(Interval::point));
-        // The nearest in all coordinates together.
+        // The Euclidean distance decides.
         let union = Union::new(vec![Arc::new(Point::new([0.0, 9.0]).expect("finite")), at(2.0)]);
         let near = union.expect("two").member_near(&vector![0.0, 0.0]).expect("points");
         assert_eq!(near, vector![2.0, 0.0].map(Interval::point));

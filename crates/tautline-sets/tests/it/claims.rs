@@ -1,4 +1,4 @@
-//! What sets say of themselves: whether they are convex, and the numbers they were made of.
+//! The claims of sets: convexity, members, and the numbers they were made from.
 
 use std::sync::Arc;
 
@@ -9,7 +9,7 @@ use tautline_sets::{
     Sphere, Union,
 };
 
-/// A set that implements no more than it has to.
+/// A set with the required methods only.
 #[derive(Debug)]
 struct Origin;
 
@@ -28,7 +28,7 @@ impl ClosedSet<2> for Origin {
 }
 
 #[test]
-fn the_convex_sets_say_so_and_the_others_do_not() -> Result<(), SetError> {
+fn exactly_the_convex_sets_claim_convexity() -> Result<(), SetError> {
     let points = |count: usize| {
         FiniteSet::new((0..count).map(|k| vector![k as f64, 0.0]).collect::<Vec<_>>())
     };
@@ -52,19 +52,19 @@ fn the_convex_sets_say_so_and_the_others_do_not() -> Result<(), SetError> {
         Arc::new(Origin),
     ];
     for set in &others {
-        // Once more behind a pointer, which is a set too.
+        // A pointer to a set is a set too.
         assert!(!set.is_convex() && !Arc::new(Arc::clone(set)).is_convex(), "{set:?}");
     }
     Ok(())
 }
 
 #[test]
-fn a_set_that_says_nothing_is_one_piece_without_seeds() {
+fn a_set_by_default_is_one_piece_without_seeds() {
     assert!(Origin.pieces().is_empty() && Origin.seeds().is_empty());
 }
 
 #[test]
-fn numbers_come_out_as_they_went_in() -> Result<(), SetError> {
+fn accessors_return_the_given_numbers() -> Result<(), SetError> {
     assert_eq!(Ball::new([0.0, 0.0], 0.75)?.r(), 0.75);
     assert_eq!(Sphere::new([0.0, 0.0], 0.75)?.r(), 0.75);
     // 3 x₁ + 4 x₂ ≤ 10 is 0.6 x₁ + 0.8 x₂ ≤ 2.
@@ -73,7 +73,7 @@ fn numbers_come_out_as_they_went_in() -> Result<(), SetError> {
     Ok(())
 }
 
-/// A sphere of no radius is a point: nothing moves it.
+/// A sphere of radius 0 is a point: its projection is constant.
 #[test]
 fn a_sphere_of_radius_0_has_no_derivative_at_its_centre() -> Result<(), SetError> {
     let sphere = Sphere::new([1.0, 2.0], 0.0)?;
@@ -81,9 +81,9 @@ fn a_sphere_of_radius_0_has_no_derivative_at_its_centre() -> Result<(), SetError
     Ok(())
 }
 
-/// The numbers are exact, so that membership is decided.
+/// The numbers are exact, and membership is decidable.
 #[test]
-fn points_that_are_proved_to_be_members_stay_where_they_are() -> Result<(), SetError> {
+fn proved_members_stay() -> Result<(), SetError> {
     let members: [(Arc<dyn ClosedSet<2>>, SVector<f64, 2>); 12] = [
         (Arc::new(Point::new([1.0, 2.0])?), vector![1.0, 2.0]),
         (Arc::new(FiniteSet::new([[5.0, 5.0], [1.0, 2.0]])?), vector![1.0, 2.0]),
@@ -94,7 +94,7 @@ fn points_that_are_proved_to_be_members_stay_where_they_are() -> Result<(), SetE
         (Arc::new(Sphere::new([0.1, 0.2], 0.0)?), vector![0.1, 0.2]),
         (Arc::new(AxisBox::new([0.0, 0.0], [0.1, 0.0])?), vector![0.1, 0.0]),
         (Arc::new(Segment::new([0.1, 0.3], [0.7, 0.3])?), vector![0.45, 0.3]),
-        // The normal of length 1 is rounded, the one that is given is not.
+        // The normalised normal is rounded, the given one is not.
         (Arc::new(HalfSpace::new([1.0, 3.0], 10.0)?), vector![1.0, 3.0]),
         (Arc::new(AffineSubspace::new([0.1, 0.3], [[0.0, 0.7]])?), vector![0.1, 0.45]),
         (Arc::new(AffineSubspace::new([0.0, 0.0], [[1.0, 3.0]])?), vector![0.0, 0.0]),
@@ -108,14 +108,14 @@ fn points_that_are_proved_to_be_members_stay_where_they_are() -> Result<(), SetE
     Ok(())
 }
 
-/// A place outside of the set is not taken for a member, however near it is.
+/// However near.
 #[test]
-fn points_beside_a_set_are_not_taken_for_members() -> Result<(), SetError> {
+fn points_outside_a_set_are_not_taken_for_members() -> Result<(), SetError> {
     let beside: [(Arc<dyn ClosedSet<2>>, SVector<f64, 2>); 7] = [
         (Arc::new(Ball::new([1.0, 1.0], 5.0)?), vector![4.0, 5.0_f64.next_up()]),
         (Arc::new(Sphere::new([1.0, 1.0], 5.0)?), vector![-2.0, 5.0_f64.next_down()]),
         (Arc::new(HalfSpace::new([1.0, 3.0], 10.0)?), vector![1.0, 3.0_f64.next_up()]),
-        // 0.1 + 0.2 > 0.3 in decimals, and still more so in doubles.
+        // 0.1 + 0.2 > 0.3 in doubles.
         (Arc::new(HalfSpace::new([1.0, 1.0], 0.3)?), vector![0.1, 0.2]),
         (Arc::new(Segment::new([0.0, 0.0], [1.0, 3.0])?), vector![0.1, 0.3]),
         (Arc::new(AffineSubspace::new([0.0, 0.0], [[1.0, 3.0]])?), vector![0.1, 0.3]),
@@ -125,7 +125,7 @@ fn points_beside_a_set_are_not_taken_for_members() -> Result<(), SetError> {
         let near = set.member_near(x).expect("a set of this crate");
         assert_ne!(near, x.map(Interval::point), "{set:?}");
         for i in 0..2 {
-            // Some roundings of coordinates up to 5.
+            // A few roundings of coordinates up to 5.
             let far = (near[i].lo() - x[i]).abs().max((near[i].hi() - x[i]).abs());
             assert!(far <= 16.0 * 5.0 * f64::EPSILON, "{set:?}: {near:?}");
         }
@@ -133,7 +133,7 @@ fn points_beside_a_set_are_not_taken_for_members() -> Result<(), SetError> {
     Ok(())
 }
 
-/// The centre of a sphere is as far from all of it; no division by its distance zero.
+/// At the centre of a sphere, the distance zero must not become a divisor.
 #[test]
 fn the_centre_of_a_sphere_has_a_member_near() -> Result<(), SetError> {
     let near = Sphere::new([1.0, 2.0], 3.0)?.member_near(&vector![1.0, 2.0]);
@@ -144,9 +144,9 @@ fn the_centre_of_a_sphere_has_a_member_near() -> Result<(), SetError> {
     Ok(())
 }
 
-/// A set of the user's own says nothing; it is passed over beside one that can tell.
+/// By default a set proves nothing, and a union skips it.
 #[test]
-fn a_set_that_proves_nothing_says_so() -> Result<(), SetError> {
+fn a_set_proves_nothing_by_default() -> Result<(), SetError> {
     let x = vector![0.0, 0.0];
     assert_eq!(Origin.member_near(&x), None);
     let shared: Arc<dyn ClosedSet<2>> = Arc::new(Origin);

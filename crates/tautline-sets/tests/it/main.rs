@@ -1,3 +1,3 @@
-//! What sets claim of themselves.
+//! The claims of sets about themselves.
 
 mod claims;
