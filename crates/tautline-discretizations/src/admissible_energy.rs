@@ -1,12 +1,12 @@
-//! The discrete energy alone, by batches of chords.
+//! The discrete energy of a trial, or that the metric is not positive there.
 
 use nalgebra::SVector;
 use tautline_formula::{Batches, Kind};
 
 use crate::{ChordBatch, CompensatedSum, Node, point_sequence::chords as chords_of};
 
-/// Returns the discrete energy of the rule with these nodes, in `m²`; `None` if it is not finite or a chord
-/// has a negative one at a node: then the points leave the region where the metric is one.
+/// Returns the discrete energy of the rule with these `nodes`, in `m²`; `None` if it is not finite
+/// or negative at a node: the points leave the region where the metric is positive definite.
 ///
 /// # Panics
 ///
@@ -20,11 +20,11 @@ pub fn admissible_energy<const D: usize>(
     let n = points.len() - 1;
     let (mut energy, mut is_admissible) = (CompensatedSum::default(), true);
     let mut batch = ChordBatch::new(metric, Kind::Square, nodes, 1.0, n);
-    for begin in (0..n).step_by(batch.room()) {
-        let chords = begin..n.min(begin + batch.room());
-        batch.see(0, chords_of(&points[chords.start..=chords.end]));
+    for begin in (0..n).step_by(batch.capacity()) {
+        let chords = begin..n.min(begin + batch.capacity());
+        batch.evaluate_from(0, chords_of(&points[chords.start..=chords.end]));
         batch.energies().for_first(chords.len(), |square| {
-            // Written so that NaN fails.
+            // NaN fails.
             is_admissible &= square >= 0.0;
             energy.add(square);
         });

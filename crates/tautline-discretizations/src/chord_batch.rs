@@ -1,4 +1,4 @@
-//! `ChordBatch`: many chords at once.
+//! `ChordBatch`: the metric at the nodes of many chords at once.
 
 use nalgebra::SVector;
 use tautline_formula::{Batch, Batches, Kind, Layout, Register};
@@ -23,8 +23,8 @@ pub struct ChordBatch<'f, const D: usize> {
 type Chord<'p, const D: usize> = (&'p SVector<f64, D>, SVector<f64, D>);
 
 impl<'f, const D: usize> ChordBatch<'f, D> {
-    /// Memory for what this kind has, for a rule with these nodes on `n` subintervals, and for no more than
-    /// `chords` at once.
+    /// Makes a batch of up to `chords` chords for evaluations of this `kind`, by the rule with
+    /// these `nodes` on `n` subintervals.
     #[must_use]
     pub fn new(
         metric: &'f dyn Batches<D>,
@@ -33,21 +33,21 @@ impl<'f, const D: usize> ChordBatch<'f, D> {
         n: f64,
         chords: usize,
     ) -> Self {
-        // A chord has one lane at least, two chords that face each other are not parted.
+        // A chord has at least one lane, and two facing chords stay together.
         let unit = 2 * nodes.len().max(1);
         let batch = Batch::new(metric, kind, unit, chords.div_ceil(2));
         Self { batch, nodes, n, is_metric: true }
     }
 
-    /// Returns how many chords there is room for: two at least.
+    /// Returns the number of chords that fit, at least two.
     #[must_use]
-    pub fn room(&self) -> usize {
+    pub fn capacity(&self) -> usize {
         self.batch.lanes() / self.nodes.len().max(1)
     }
 
-    /// Evaluates pairs of chords, the second of each as seen from its end `x + d`: it leads back to `x`.
+    /// Evaluates pairs of chords, the second of each reversed: from its end `x + d` back to `x`.
     #[inline]
-    pub fn face<'p>(&mut self, pairs: impl ExactSizeIterator<Item = [Chord<'p, D>; 2]>) {
+    pub fn evaluate_facing<'p>(&mut self, pairs: impl ExactSizeIterator<Item = [Chord<'p, D>; 2]>) {
         let count = 2 * pairs.len() * self.nodes.len();
         let mut inputs = self.batch.inputs(count);
         let place = |[(x, d), (other_x, other_d)]: &[Chord<'p, D>; 2], node: &Node| {
@@ -66,20 +66,24 @@ impl<'f, const D: usize> ChordBatch<'f, D> {
         self.evaluate(count);
     }
 
-    /// Evaluates chords as seen from their end 0, `x`, or 1, `x + d`: from the latter they lead back.
+    /// Evaluates chords from their end 0, `x`, or reversed from their end 1, `x + d`.
     #[inline]
-    pub fn see<'p>(&mut self, end: usize, chords: impl ExactSizeIterator<Item = Chord<'p, D>>) {
+    pub fn evaluate_from<'p>(
+        &mut self,
+        end: usize,
+        chords: impl ExactSizeIterator<Item = Chord<'p, D>>,
+    ) {
         let count = chords.len() * self.nodes.len();
         let mut inputs = self.batch.inputs(count);
-        let seen = |d: SVector<f64, D>| if end == 0 { d } else { -d };
+        let directed = |d: SVector<f64, D>| if end == 0 { d } else { -d };
         if let [node] = self.nodes {
             for (lane, (x, d)) in chords.enumerate() {
-                inputs.set(lane, &(x + d * node.fraction), &seen(d));
+                inputs.set(lane, &(x + d * node.fraction), &directed(d));
             }
         } else {
             let nodes = chords.flat_map(|chord| self.nodes.iter().map(move |node| (chord, node)));
             for (lane, ((x, d), node)) in nodes.enumerate() {
-                inputs.set(lane, &(x + d * node.fraction), &seen(d));
+                inputs.set(lane, &(x + d * node.fraction), &directed(d));
             }
         }
         self.evaluate(count);
@@ -91,14 +95,14 @@ impl<'f, const D: usize> ChordBatch<'f, D> {
         }
     }
 
-    /// Returns the models of the pairs of chords that face each other.
+    /// Returns the models of pairs of facing chords.
     #[must_use]
     #[inline]
     pub fn pairs(&self) -> Contractions<'_, Pair, D> {
         self.contractions(|row| row.as_chunks::<2>().0)
     }
 
-    /// Returns the models of the chords that were seen one by one.
+    /// Returns the models of single chords.
     #[must_use]
     #[inline]
     pub fn singles(&self) -> Contractions<'_, f64, D> {
@@ -126,7 +130,7 @@ impl<'f, const D: usize> ChordBatch<'f, D> {
         }
     }
 
-    /// Returns what the chords that were seen add to the energy.
+    /// Returns the energies of the chords.
     #[must_use]
     #[inline]
     pub fn energies(&self) -> Energies<'_> {
@@ -134,7 +138,7 @@ impl<'f, const D: usize> ChordBatch<'f, D> {
         Energies { square, nodes: self.nodes, n: self.n }
     }
 
-    /// Returns what makes the gradients of the chords that were seen.
+    /// Returns the momenta of the chords, from which their gradients follow.
     #[must_use]
     #[inline]
     pub fn momenta(&self) -> Momenta<'_, D> {
@@ -167,8 +171,9 @@ mod tests {
         ChordBatch::new(metric, Kind::Contraction, R::NODES, n, 2)
     }
 
-    /// One chord, as seen from one of its ends, in both ways to evaluate a metric, and whether the metric is one at its nodes.
-    fn seen<R: Rule, const D: usize>(
+    /// The model of one chord from one of its ends, by both implementations of a metric, and
+    /// whether the metric is positive definite at its nodes.
+    fn model_from<R: Rule, const D: usize>(
         end: usize,
         rule: R,
         metric: &impl Metric<D>,
@@ -178,17 +183,17 @@ mod tests {
         let (plain, prepared) = (Plain::new(metric), Prepared::new(metric));
         let [one, other] = [&plain as &dyn Batches<D>, &prepared].map(|metric| {
             let mut batch = batch(rule, metric, n);
-            batch.see(end, [chord].into_iter());
+            batch.evaluate_from(end, [chord].into_iter());
             (batch.singles().model_from(end, 0), batch.is_metric)
         });
         assert_eq!(one.1, other.1);
         if one.1 {
-            is_seen(0, &one.0, &other.0);
+            assert_agrees(0, &one.0, &other.0);
         }
         one
     }
 
-    /// Two that face each other.
+    /// The model of two facing chords.
     fn facing<R: Rule, const D: usize>(
         rule: R,
         metric: &impl Metric<D>,
@@ -198,14 +203,14 @@ mod tests {
         let (plain, prepared) = (Plain::new(metric), Prepared::new(metric));
         let [one, other] = [&plain as &dyn Batches<D>, &prepared].map(|metric| {
             let mut batch = batch(rule, metric, n);
-            batch.face([chords].into_iter());
+            batch.evaluate_facing([chords].into_iter());
             (batch.pairs().model(0), batch.is_metric)
         });
         assert_eq!(one.1, other.1);
         one
     }
 
-    /// Nothing in it looks the same from both ends.
+    /// A rule without symmetry.
     #[derive(Clone, Copy, Debug)]
     struct Lopsided;
     impl Rule for Lopsided {
@@ -214,18 +219,18 @@ mod tests {
         const ERROR_EXPONENT: i32 = 1;
     }
 
-    /// Some hundred operations on numbers below 100, of which 3e-14 is two roundings.
+    /// About a hundred operations on numbers below 100, with two roundings of 3e-14.
     const SMALL: f64 = 1e-12;
 
-    /// That `one`, seen from the end `end`, is `other`, seen from the near one.
+    /// Asserts that `one`, from the end `end`, is `other`, from the near end.
     #[track_caller]
-    fn is_seen<const D: usize>(end: usize, one: &ChordModel<D>, other: &ChordModel<D>) {
+    fn assert_agrees<const D: usize>(end: usize, one: &ChordModel<D>, other: &ChordModel<D>) {
         assert!((one.energy - other.energy).abs() <= SMALL);
         assert!((one.trace - other.trace).abs() <= SMALL);
         for place in [0, 1] {
-            let seen = place ^ end;
-            assert!((one.gradient[seen] - other.gradient[place]).amax() <= SMALL);
-            assert!((one.hessian[seen] - other.hessian[place]).amax() <= SMALL);
+            let own = place ^ end;
+            assert!((one.gradient[own] - other.gradient[place]).amax() <= SMALL);
+            assert!((one.hessian[own] - other.hessian[place]).amax() <= SMALL);
         }
         let coupling = if end == 0 { other.coupling } else { other.coupling.transpose() };
         assert!((one.coupling - coupling).amax() <= SMALL);
@@ -240,7 +245,7 @@ mod tests {
         let (facing, is_metric) = facing(rule, &metric, chords, 8.0);
         assert!(is_metric);
         for (end, chord) in chords.into_iter().enumerate() {
-            let (near, is_metric) = seen(0, rule, &metric, chord, 8.0);
+            let (near, is_metric) = model_from(0, rule, &metric, chord, 8.0);
             assert!(is_metric);
             let lane = ChordModel {
                 energy: facing.energy.lane(end),
@@ -249,44 +254,44 @@ mod tests {
                 hessian: facing.hessian.map(|h| h.map(|x| x.lane(end))),
                 coupling: facing.coupling.map(|x| x.lane(end)),
             };
-            is_seen(end, &lane, &near);
-            is_seen(end, &seen(end, rule, &metric, chord, 8.0).0, &near);
+            assert_agrees(end, &lane, &near);
+            assert_agrees(end, &model_from(end, rule, &metric, chord, 8.0).0, &near);
         }
     }
 
-    /// The model that is compiled for a node in the middle is that for any node, to the bit.
+    /// Bit by bit.
     #[test]
-    fn the_model_by_the_middle_is_the_model() {
+    fn the_model_at_the_midpoint_is_the_general_model() {
         let metric = Prepared::new(Swirl::new(0.5, 1.0).expect("a width"));
         let x = [vector![0.3, -0.2], vector![-0.6, 0.1], vector![0.4, 0.9]];
         let chords = x.each_ref().map(|x| (x, vector![0.5, 0.25] - x));
         let mut batch = ChordBatch::new(&metric, Kind::Contraction, Trapezoidal::NODES, 8.0, 4);
-        batch.see(0, chords.into_iter());
+        batch.evaluate_from(0, chords.into_iter());
         let models = batch.singles().first(3);
-        assert!(models.is_by_middle());
+        assert!(models.is_midpoint());
         for k in 0..3 {
-            assert_eq!(models.model_by_middle(k), models.model(k));
+            assert_eq!(models.model_at_midpoint(k), models.model(k));
         }
-        batch.face([[chords[0], chords[1]], [chords[2], chords[0]]].into_iter());
+        batch.evaluate_facing([[chords[0], chords[1]], [chords[2], chords[0]]].into_iter());
         let models = batch.pairs().first(2);
         for k in 0..2 {
-            assert_eq!(models.model_by_middle(k), models.model(k));
+            assert_eq!(models.model_at_midpoint(k), models.model(k));
         }
         for nodes in [LeftEndpoint::NODES, TrueTrapezoid::NODES, Lopsided::NODES, &[]] {
             let batch = ChordBatch::new(&metric, Kind::Contraction, nodes, 8.0, 2);
-            assert!(!batch.singles().is_by_middle(), "{nodes:?}");
+            assert!(!batch.singles().is_midpoint(), "{nodes:?}");
         }
     }
 
     #[test]
-    fn a_chord_seen_from_its_far_end_leads_back() {
+    fn a_chord_from_its_far_end_is_reversed() {
         compare(Trapezoidal);
         compare(LeftEndpoint);
         compare(TrueTrapezoid);
         compare(Lopsided);
     }
 
-    /// `x₂ I`: none from the axis down.
+    /// `x₂ I`, a metric only above the axis.
     struct Above;
     impl Metric<2> for Above {
         fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
@@ -294,18 +299,18 @@ mod tests {
         }
     }
 
-    /// Below the axis at one node of one chord, of two nodes and two chords: each is enough, for a
-    /// pair of chords, for one chord, and for all of a sequence.
+    /// Below the axis at a single node of two chords with two nodes each: noticed for a pair of
+    /// chords, for one chord and for a sequence.
     #[test]
-    fn one_node_without_a_metric_is_enough() {
-        // At the nodes 0 and 1 the heights are those of the two ends.
+    fn one_node_without_a_metric_is_noticed() {
+        // The nodes 0 and 1 are the ends.
         let chord = |from: f64, to: f64| (vector![0.0, from], vector![1.0, to - from]);
         let heights = [1.0, 2.0, 3.0, 4.0];
         for below in 0..=heights.len() {
             let height = |place: usize| if place == below { -1.0 } else { heights[place] };
             let chords = [chord(height(0), height(1)), chord(height(2), height(3))];
             let [first, second] =
-                chords.map(|(x, d)| seen(0, TrueTrapezoid, &Above, (&x, d), 1.0).1);
+                chords.map(|(x, d)| model_from(0, TrueTrapezoid, &Above, (&x, d), 1.0).1);
             assert_eq!([first, second], [below >= 2, !(2..4).contains(&below)], "{below}");
             let both = chords.each_ref().map(|(x, d)| (x, *d));
             let (_, is_metric) = facing(TrueTrapezoid, &Above, both, 1.0);
@@ -317,7 +322,7 @@ mod tests {
         }
     }
 
-    /// The identity, but for one entry.
+    /// The identity, except for one entry.
     struct Spoilt {
         place: (usize, usize),
         entry: f64,
@@ -330,10 +335,10 @@ mod tests {
         }
     }
 
-    /// In every way in which derivatives are taken: halves that differ, whichever is the spoilt one,
-    /// an entry of the diagonal that is not positive, the last as well, and infinity.
+    /// For every kind of evaluation: either triangle differs, a diagonal entry is not positive, or
+    /// an entry is not finite.
     #[track_caller]
-    fn spoilt_matrices_are_seen<const D: usize>() {
+    fn spoilt_matrices_are_noticed<const D: usize>() {
         let defects = [
             ((0, 1), 0.25),
             ((1, 0), 0.25),
@@ -350,13 +355,13 @@ mod tests {
         for (place, entry) in defects.into_iter().chain([whole]) {
             let metric = Spoilt { place, entry };
             let expected = (place, entry) == whole;
-            let (_, is_metric) = seen(0, Trapezoidal, &metric, (&x, d), 1.0);
+            let (_, is_metric) = model_from(0, Trapezoidal, &metric, (&x, d), 1.0);
             assert_eq!(is_metric, expected, "{entry} at {place:?} of {D}");
             let linear = LinearModel::new(Trapezoidal, &metric, &sequence);
             assert_eq!(linear.is_metric, expected, "{entry} at {place:?} of {D}");
             for metric in [&Plain::new(&metric) as &dyn Batches<D>, &Prepared::new(&metric)] {
                 let mut batch = ChordBatch::new(metric, Kind::Checked, Trapezoidal::NODES, 1.0, 1);
-                batch.see(0, sequence.chords());
+                batch.evaluate_from(0, sequence.chords());
                 assert_eq!(batch.is_metric, expected, "{entry} at {place:?} of {D}");
             }
             let (_, is_metric) = facing(Trapezoidal, &metric, [(&x, d), (&x, d)], 1.0);
@@ -365,16 +370,16 @@ mod tests {
     }
 
     #[test]
-    fn a_matrix_that_is_no_metric_is_seen_in_every_dimension() {
-        spoilt_matrices_are_seen::<2>();
-        spoilt_matrices_are_seen::<3>();
-        spoilt_matrices_are_seen::<4>();
-        spoilt_matrices_are_seen::<9>();
-        spoilt_matrices_are_seen::<25>();
+    fn a_matrix_that_is_not_a_metric_is_noticed_in_every_dimension() {
+        spoilt_matrices_are_noticed::<2>();
+        spoilt_matrices_are_noticed::<3>();
+        spoilt_matrices_are_noticed::<4>();
+        spoilt_matrices_are_noticed::<9>();
+        spoilt_matrices_are_noticed::<25>();
     }
 
     #[test]
-    fn one_place_without_a_metric_is_enough() {
+    fn one_chord_of_a_pair_without_a_metric_is_noticed() {
         let (above, below) = (vector![0.0, 1.0], vector![0.0, -1.0]);
         let d = vector![1.0, 0.25];
         for places in [[&above, &below], [&below, &above], [&above, &above]] {

@@ -1,15 +1,13 @@
-//! `ChordModel`: what one chord adds to a discrete energy, to second order.
+//! `ChordModel`: the contribution of one chord to a discrete energy, to second order.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_metrics::Scalar;
 
-/// The part of one chord in a discrete energy, with its first and second derivatives by the two
-/// points that it joins.
+/// The energy of one chord, with its first and second derivatives by the two points that it joins;
+/// for pairs of numbers, of two chords side by side. A [`ChordBatch`](crate::ChordBatch) makes it.
 ///
-/// With pairs of numbers, those of two chords side by side. Made by a [`ChordBatch`](crate::ChordBatch).
-///
-/// Derivation, for one node of weight 1 at the fraction `θ` of the chord `d = y − x`, with
-/// `H` and its derivatives at `x + θ d`, and `e = N dᵀHd` its part of the energy:
+/// Derivation, for one node of weight 1 at the fraction `θ` of the chord `d = y − x`, with `H` and
+/// its derivatives at `x + θ d` and the energy `e = N dᵀHd`:
 ///
 /// ```text
 /// q = H d,   Gₖ = dᵀ ∂ₖH d,   Pᵢₖ = (∂ₖH d)ᵢ,   Qₖₗ = dᵀ ∂ₖ∂ₗH d
@@ -19,7 +17,7 @@ use tautline_metrics::Scalar;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChordModel<const D: usize, T = f64> {
-    /// The part of the energy, in `m²`.
+    /// The energy, in `m²`.
     pub energy: T,
     /// `N tr H`, the mean over the nodes, in `m²/ℓ²`.
     pub trace: T,
@@ -27,7 +25,7 @@ pub struct ChordModel<const D: usize, T = f64> {
     pub gradient: [SVector<T, D>; 2],
     /// The second derivatives by the near and by the far point, in `m²/ℓ²`.
     pub hessian: [SMatrix<T, D, D>; 2],
-    /// The mixed ones: rows by the near point, columns by the far.
+    /// The mixed second derivatives: rows by the near point, columns by the far.
     pub coupling: SMatrix<T, D, D>,
 }
 
@@ -44,7 +42,7 @@ impl<T: Scalar, const D: usize> ChordModel<D, T> {
         }
     }
 
-    /// Adds the part of another node.
+    /// Adds the contribution of another node.
     #[inline(always)]
     pub(crate) fn add(&mut self, other: &Self) {
         self.energy += other.energy;

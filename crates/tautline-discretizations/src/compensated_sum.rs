@@ -1,13 +1,13 @@
-//! Sums of many terms with the rounding error of one.
+//! `CompensatedSum`: a sum of many terms with the rounding error of one.
 
 use std::ops::AddAssign;
 
 use tautline_metrics::{Lanes, Pair, Scalar};
 
-/// A running sum and the part of it that did not fit (Knuth's two-sum).
+/// A running sum and the sum of its rounding errors (Knuth's two-sum).
 ///
-/// `N` energies of chords, added plainly, would lose up to `N ε`; this keeps `2 ε`, and the
-/// differences `E_N − d²` of the asymptotic range are themselves as small as `10⁻¹⁰ d²`.
+/// A plain sum of `N` energies of chords is off by up to `N ε`, this one by `2 ε`. The differences
+/// `E_N − d²` of the asymptotic range are as small as `10⁻¹⁰ d²`.
 #[derive(Clone, Copy, Debug)]
 pub struct CompensatedSum<T = f64> {
     sum: T,
@@ -15,7 +15,7 @@ pub struct CompensatedSum<T = f64> {
 }
 
 impl<T: Scalar> Default for CompensatedSum<T> {
-    /// Returns the sum of no term.
+    /// Returns the empty sum.
     fn default() -> Self {
         Self { sum: T::zero(), lost: T::zero() }
     }
@@ -42,7 +42,7 @@ impl<T: Scalar> AddAssign for CompensatedSum<T> {
 }
 
 impl CompensatedSum<Pair> {
-    /// Returns the two sums.
+    /// Returns the two sums separately.
     #[must_use]
     pub fn apart(self) -> [CompensatedSum; 2] {
         [0, 1].map(|lane| CompensatedSum { sum: self.sum.lane(lane), lost: self.lost.lane(lane) })
@@ -54,7 +54,7 @@ impl CompensatedSum {
     #[must_use]
     pub fn value(self) -> f64 {
         let value = self.sum + self.lost;
-        // An infinite sum has lost ∞ − ∞; the sum itself says what happened.
+        // An infinite sum has lost ∞ − ∞; return the sum itself.
         if value.is_nan() { self.sum } else { value }
     }
 }
@@ -78,12 +78,12 @@ mod tests {
     #[test]
     fn small_terms_are_not_lost_beside_a_large_one() {
         let terms = std::iter::once(1.0).chain(std::iter::repeat_n(1e-17, 1000));
-        // Plainly, every addition of 1e-17 to 1 is lost.
+        // A plain sum would lose every 1e-17.
         assert_eq!(terms.collect::<CompensatedSum>().value(), 1.0 + 1e-14);
     }
 
     #[test]
-    fn two_sums_side_by_side_add_up_to_one_of_all_terms() {
+    fn two_sums_side_by_side_add_up_to_the_sum_of_all_terms() {
         let mut both = CompensatedSum::default();
         both.add(Pair::new(1.0, -1.0));
         for _ in 0..1000 {
@@ -110,7 +110,7 @@ mod tests {
         }
     }
 
-    /// Neither of two sums need be the larger, and each may have lost something.
+    /// Either sum may be the larger, and each may have lost something.
     #[test]
     fn sums_of_sums_lose_nothing() {
         let sum = |terms: &[f64]| terms.iter().copied().collect::<CompensatedSum>();

@@ -1,19 +1,21 @@
-//! `Contractions`: what the models of chords are made of, row by row.
+//! `Contractions`: contracted derivatives of the metric, from which the models of chords are
+//! assembled.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_metrics::{Lanes, Pair};
 
 use crate::{ChordModel, Node};
 
-/// A number of each of some lanes that stand side by side.
+/// A number for one chord, or a pair of numbers for two facing chords.
 pub trait Entry: Lanes {
-    /// How they stand in a row.
+    /// Its layout in a row.
     type Row: Copy;
 
-    /// Returns them as one number.
+    /// Loads it from a row.
     fn of(row: Self::Row) -> Self;
 
-    /// Returns the fraction of a chord as seen from where these lanes see it, and so its far point.
+    /// Returns the position of a node as a fraction of each chord, reversed for the second of a
+    /// pair: the weight of its far point.
     fn far(fraction: f64) -> Self;
 }
 
@@ -45,7 +47,7 @@ impl Entry for Pair {
     }
 }
 
-/// What makes the models of chords, row by row.
+/// The derivatives of the metric at the nodes of many chords, contracted with the chords, in rows.
 #[derive(Clone, Copy)]
 pub struct Contractions<'b, T: Entry, const D: usize> {
     pub(crate) d: [&'b [T::Row]; D],
@@ -58,7 +60,7 @@ pub struct Contractions<'b, T: Entry, const D: usize> {
 }
 
 impl<T: Entry, const D: usize> Contractions<'_, T, D> {
-    /// Returns those of the first `count` chords, or pairs of chords.
+    /// Returns the contractions of the first `count` chords, or pairs of chords.
     ///
     /// # Panics
     ///
@@ -66,7 +68,7 @@ impl<T: Entry, const D: usize> Contractions<'_, T, D> {
     #[inline(always)]
     #[must_use]
     pub fn first(mut self, count: usize) -> Self {
-        // A compiler then knows that all rows are of one length, and compares with it once.
+        // The compiler then knows that all rows have one length, and checks bounds once.
         let lanes = count * self.nodes.len();
         for i in 0..D {
             self.d[i] = &self.d[i][..lanes];
@@ -80,37 +82,37 @@ impl<T: Entry, const D: usize> Contractions<'_, T, D> {
         self
     }
 
-    /// Returns whether the rule has one node, in the middle of a chord, as the trapezoidal rule has:
-    /// [`model_by_middle`](Self::model_by_middle) is then the model, in less time.
+    /// Returns whether the only node of the rule is the midpoint, as for the trapezoidal rule:
+    /// [`model_at_midpoint`](Self::model_at_midpoint) is then the model, and faster.
     #[must_use]
-    pub fn is_by_middle(&self) -> bool {
+    pub fn is_midpoint(&self) -> bool {
         matches!(self.nodes, [Node { fraction: 0.5, .. }])
     }
 
-    /// Returns the model of the chord, or of the pair of chords, with this number, under a rule with one node
-    /// in its middle. It is the same from both ends.
+    /// Returns the model of chord, or pair of chords, `k` by a rule whose only node is the
+    /// midpoint. It is the same from both ends.
     ///
     /// # Panics
     ///
-    /// If there is no such chord. Under another rule it is the model of none, which debug builds refuse.
+    /// If there is no such chord. For another rule the result is meaningless; debug builds panic.
     #[inline(always)]
     #[must_use]
-    pub fn model_by_middle(&self, k: usize) -> ChordModel<D, T> {
-        debug_assert!(self.is_by_middle(), "a rule with one node, in the middle");
-        // A constant, of which products are known when this is compiled.
+    pub fn model_at_midpoint(&self, k: usize) -> ChordModel<D, T> {
+        debug_assert!(self.is_midpoint(), "a rule with the midpoint as its only node");
+        // With a constant the compiler evaluates products.
         self.at_node(k, self.nodes[0].weight, T::constant(0.5))
     }
 
-    /// Returns the model of the chord, or of the pair of chords, with this number.
+    /// Returns the model of chord, or pair of chords, `k`.
     #[inline(always)]
     #[must_use]
     pub fn model(&self, k: usize) -> ChordModel<D, T> {
-        self.seen(k, T::far)
+        self.sum(k, T::far)
     }
 
-    /// Returns the model of a chord that was seen from its end 0 or 1.
+    /// Sums over the nodes; `far` is the weight of the far point, given the fraction of a node.
     #[inline(always)]
-    fn seen(&self, k: usize, far: impl Fn(f64) -> T) -> ChordModel<D, T> {
+    fn sum(&self, k: usize, far: impl Fn(f64) -> T) -> ChordModel<D, T> {
         let [first, rest @ ..] = self.nodes else { return ChordModel::zero() };
         let lane = k * self.nodes.len();
         let mut model = self.at_node(lane, first.weight, far(first.fraction));
@@ -120,15 +122,15 @@ impl<T: Entry, const D: usize> Contractions<'_, T, D> {
         model
     }
 
-    /// Returns the part of the node of this weight, at the fraction `far` of the chord, that was evaluated in
-    /// this lane, or pair of lanes.
+    /// Returns the contribution of a node of this weight, at the fraction `far` of the chord, from
+    /// a lane or pair of lanes.
     ///
-    /// Plain loops over entries: matrices that are made one after the other are copied, and closures that are
-    /// called for each entry are not all inlined.
+    /// Plain loops over entries: temporary matrices would be copied, and closures for each entry
+    /// would not all be inlined.
     #[inline(always)]
     fn at_node(&self, lane: usize, weight: f64, far: T) -> ChordModel<D, T> {
         let weight = weight * self.n;
-        // Each with its weight, and twice where twice is wanted.
+        // The weight, and twice the weight for the terms with a factor 2.
         let (once, twice) = (T::constant(weight), T::constant(2.0 * weight));
         let near = T::one() - far;
         let (near_near, near_far, far_far) = (near * near, near * far, far * far);
@@ -172,10 +174,10 @@ impl<T: Entry, const D: usize> Contractions<'_, T, D> {
 }
 
 impl<const D: usize> Contractions<'_, f64, D> {
-    /// Returns the model of the chord with this number, which was seen from its end 0 or 1.
+    /// Returns the model of chord `k`, which was evaluated from its end 0 or 1.
     #[inline(always)]
     #[must_use]
     pub fn model_from(&self, end: usize, k: usize) -> ChordModel<D> {
-        self.seen(k, |fraction| if end == 0 { fraction } else { 1.0 - fraction })
+        self.sum(k, |fraction| if end == 0 { fraction } else { 1.0 - fraction })
     }
 }

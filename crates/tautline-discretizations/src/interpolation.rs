@@ -9,12 +9,13 @@ use tautline_metrics::{
 
 use crate::{PointSequence, compensated_sum::CompensatedSum};
 
-/// Relative tolerance of the quadrature on each chord: a few roundings, so that the error of
-/// `E(γᵖˡ) − d²` stays that of `d²` itself.
+/// Relative tolerance of the quadrature on each chord: a few roundings, so that `E(γᵖˡ) − d²` is as
+/// accurate as `d²` itself.
 const TOLERANCE: f64 = 4.0 * f64::EPSILON;
 
-/// So many chords and the last are [checked](Interpolation::check), at so many points in all: level by level
-/// where a quadrature would go on, from the seven points with which it begins on a chord.
+/// The numbers of chords, besides the last, and of points that are [checked](Interpolation::check),
+/// level by level where a quadrature would refine, from the `FIRST` seven points of a quadrature
+/// on.
 const CHECKED: usize = 512;
 const LOOKS: usize = 1 << 17;
 const FIRST: usize = FIRST_NODES.len();
@@ -32,13 +33,13 @@ impl Piece {
         Self { chord, from: 0.0, to: 1.0 }
     }
 
-    /// Where a quadrature reads an integrand first on it: the chord and the fraction.
+    /// The places of the first seven nodes of a quadrature: the chord and the fraction.
     fn places(&self) -> impl Iterator<Item = (usize, f64)> {
         let Self { chord, from, to } = *self;
         FIRST_NODES.iter().map(move |node| (chord, from + (to - from) * node))
     }
 
-    /// Its halves, if there is a number between its ends.
+    /// Its halves, if its ends differ by more than a rounding.
     fn halves(&self) -> Option<[Self; 2]> {
         let middle = 0.5 * (self.from + self.to);
         let is_between = self.from < middle && middle < self.to;
@@ -60,7 +61,7 @@ impl<'a, const D: usize> Interpolation<'a, D> {
         Self { sequence }
     }
 
-    /// Returns `γᵖˡ(t)`, in `ℓ`; `t` is cut to `[0, 1]`.
+    /// Returns `γᵖˡ(t)`, in `ℓ`; `t` is clamped to `[0, 1]`.
     #[must_use]
     pub fn at(&self, t: f64) -> SVector<f64, D> {
         let points = self.sequence.points();
@@ -73,9 +74,9 @@ impl<'a, const D: usize> Interpolation<'a, D> {
 
     /// Returns the continuous energy `E(γᵖˡ) = ∫₀¹ γ̇ᵀ H(γ) γ̇ dt`, in `m²`.
     ///
-    /// By adaptive Gauss–Kronrod quadrature on each chord to some units of rounding. The error that is
-    /// returned is an estimate: it does not see what the seven nodes with which a chord begins do not
-    /// see, such as a step of the metric in the last hundredth of a chord. NaN where the metric is.
+    /// Adaptive Gauss–Kronrod quadrature on each chord, to a few units of rounding. The error is an
+    /// estimate: it misses what the first seven nodes on a chord miss, such as a step of the metric
+    /// in the last hundredth of a chord. NaN if the metric is NaN.
     #[must_use]
     pub fn energy(&self, metric: &impl Metric<D>) -> Integral {
         let metric = AnyMetric::new(metric);
@@ -93,22 +94,22 @@ impl<'a, const D: usize> Interpolation<'a, D> {
 
     /// Checks that the Gram matrix is finite, symmetric and positive definite along the curve.
     ///
-    /// On every `⌈N/512⌉`-th chord and the last, at no more than 131 072 points in all: first where
-    /// [`length`](Interpolation::length) reads the metric first, then where it would read it next, level by
-    /// level. Not a proof, which `tautline-certify` has.
+    /// On every `⌈N/512⌉`-th chord and the last, at no more than 131 072 points in all: at the
+    /// first nodes of the quadrature for [`length`](Interpolation::length), then where it would
+    /// refine, level by level. This is not a proof; for one see `tautline-certify`.
     ///
     /// # Errors
     ///
-    /// [`MetricError`], with a point at which the metric is none.
+    /// [`MetricError`], with the point of the defect.
     pub fn check(&self, metric: &impl Metric<D>) -> Result<(), MetricError> {
         self.check_by_batches(&Plain::new(metric))
     }
 
-    /// The same for a metric by batches of places.
+    /// As [`check`](Interpolation::check), for a metric that is evaluated in batches.
     ///
     /// # Errors
     ///
-    /// [`MetricError`], with a point at which it is none.
+    /// [`MetricError`], with the point of the defect.
     pub fn check_by_batches(&self, metric: &dyn Batches<D>) -> Result<(), MetricError> {
         let n = self.sequence.n().get();
         let chords = (0..n).step_by(n.div_ceil(CHECKED)).chain([n - 1]);
@@ -116,7 +117,7 @@ impl<'a, const D: usize> Interpolation<'a, D> {
         let mut batch = Batch::new(metric, Kind::Checked, FIRST, pieces.len());
         let room = batch.lanes() / FIRST;
         let mut left = LOOKS;
-        // Halves are looked at when all pieces of twice their length have been.
+        // Halves come after all pieces of twice their length.
         while !pieces.is_empty() {
             let mut halves = Vec::new();
             for some in pieces.chunks(room) {
@@ -131,8 +132,8 @@ impl<'a, const D: usize> Interpolation<'a, D> {
         Ok(())
     }
 
-    /// Checks the places where a quadrature reads the metric first on these pieces; returns the pieces that
-    /// it would halve.
+    /// Checks the first nodes of a quadrature on these pieces; returns the pieces that it would
+    /// halve.
     fn unsettled<'p>(
         &self,
         metric: &dyn Batches<D>,
@@ -146,7 +147,7 @@ impl<'a, const D: usize> Interpolation<'a, D> {
             inputs.set(lane, &(x + d * s), &d);
         }
         if !batch.evaluate(FIRST * pieces.len()) {
-            // One by one: which of them is none, and why.
+            // One by one, to find the first defect.
             for (chord, s) in places() {
                 let (x, d) = self.sequence.chord(chord);
                 let at = x + d * s;
@@ -195,13 +196,13 @@ mod tests {
         let curve = Interpolation::new(&sequence);
         let computed = curve.energy(&Valleys);
         assert_relative_eq!(computed.value, energy, max_relative = 1e-14);
-        // Some roundings of the value, and no less than one.
+        // At least one rounding of the value, and not many.
         let relative = computed.error / energy;
         assert!((f64::EPSILON..=1e-13).contains(&relative), "estimate {relative:e}");
         assert_relative_eq!(curve.length(&Valleys).value, f1(7.0), max_relative = 1e-14);
     }
 
-    /// The identity, counting how often it is asked; `NaN` to the right of a place.
+    /// The identity, which counts its evaluations; NaN to the right of `end`.
     struct Counted {
         asked: AtomicUsize,
         end: f64,
@@ -214,7 +215,7 @@ mod tests {
         }
     }
 
-    /// How often the check of a straight line asks, and what it says.
+    /// The number of evaluations for the check of a straight line, and its result.
     fn check(n: usize, end: f64) -> (usize, Result<(), MetricError>) {
         let line = PointSequence::straight([0.0], [1.0], n).expect("finite");
         let metric = Counted { asked: AtomicUsize::new(0), end };
@@ -222,16 +223,16 @@ mod tests {
         (metric.asked.into_inner(), result)
     }
 
-    /// Seven points on each chord, of half a thousand chords at most and the last.
+    /// Seven points on each of at most 512 chords and the last.
     #[test]
     fn the_check_costs_no_more_on_fine_grids() {
         for (n, chords) in [(1, 1), (3, 3), (512, 512), (513, 257), (1_000_000, 512)] {
             let (asked, result) = check(n, 2.0);
             assert_eq!(result, Ok(()));
-            // One of them twice, where the last is one of those.
+            // The last chord may be checked twice.
             assert!((7 * chords..=7 * (chords + 1)).contains(&asked), "N = {n}: {asked}");
         }
-        // Of a formula that no number of points resolves, all that it may look at, but for part of a batch.
+        // A formula that no number of points resolves uses the whole budget, up to part of a batch.
         struct Noise(AtomicUsize);
         impl Metric<1> for Noise {
             fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
@@ -251,7 +252,7 @@ mod tests {
         for n in [1, 2, 511, 1000, 100_000] {
             let (_, result) = check(n, 1.0 - 1e-3 / n as f64);
             let Ok(()) = result else {
-                panic!("0.0197 of a chord before its end is the last look")
+                panic!("the last node is 0.0197 of a chord before its end")
             };
             let (_, result) = check(n, 1.0 - 0.03 / n as f64);
             let Err(MetricError::NotFinite { point, .. }) = result else { panic!("N = {n}") };

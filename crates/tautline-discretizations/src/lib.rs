@@ -1,8 +1,8 @@
 //! Discrete energies and lengths of point sequences, and the curves they reconstruct.
 //!
-//! A [`PointSequence`] `x₀, …, x_N` stands for a curve at the times `tₙ = n/N`; its finite
-//! differences `βₙ = N (xₙ₊₁ − xₙ)` stand for the velocity. A [`Rule`] says where on each
-//! chord the metric is read:
+//! A [`PointSequence`] `x₀, …, x_N` samples a curve at the times `tₙ = n/N`; its finite differences
+//! `βₙ = N (xₙ₊₁ − xₙ)` approximate the velocity. A [`Rule`] fixes where on each chord the metric
+//! is evaluated:
 //!
 //! ```text
 //! E_N = (1/N) Σₙ Σᵢ wᵢ βₙᵀ H(xₙ + θᵢ (xₙ₊₁ − xₙ)) βₙ,     L_N the same with a square root
@@ -14,15 +14,15 @@
 //! | [`LeftEndpoint`] | `0` | `1` |
 //! | [`TrueTrapezoid`] | `0, 1` | `1/2, 1/2` |
 //!
-//! There is no factor `½` in any energy. Joining the points by straight lines gives the
-//! [`Interpolation`] `γᵖˡ`, whose continuous energy and length are computed by quadrature.
+//! There is no factor `½` in any energy. The [`Interpolation`] `γᵖˡ` joins the points by straight
+//! lines; quadrature computes its continuous energy and length.
 //!
 //! ```
 //! use tautline_discretizations::{Interpolation, PointSequence, Rule, Trapezoidal};
 //! use tautline_metrics::gallery::Valleys;
 //!
 //! let line = PointSequence::straight([0.0, 0.0], [12.566370614359172, 0.0], 1)?;
-//! // One chord from valley to valley, read in a valley: 16 π², where the curve has 72 π².
+//! // One chord from valley to valley, with its midpoint in a valley: 16 π²; the curve has 72 π².
 //! let discrete = Trapezoidal.energy(&Valleys, &line);
 //! assert!((discrete / 157.91367041742973 - 1.0).abs() < 1e-14);
 //! let continuous = Interpolation::new(&line).energy(&Valleys);

@@ -8,7 +8,7 @@ use crate::{ChordBatch, Node, PointSequence, Rule, compensated_sum::CompensatedS
 
 /// The discrete energy of a point sequence with its first derivatives by the `N + 1` points.
 ///
-/// Cheaper than a [`QuadraticModel`](crate::QuadraticModel), same formulas.
+/// The formulas of a [`QuadraticModel`](crate::QuadraticModel), at a lower cost.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LinearModel<const D: usize> {
     /// The discrete energy, in `m²`.
@@ -20,13 +20,13 @@ pub struct LinearModel<const D: usize> {
 }
 
 impl<const D: usize> LinearModel<D> {
-    /// Expands the discrete energy of `rule` about `sequence`. NaN where the metric is.
+    /// Expands the discrete energy of `rule` about `sequence`. NaN if the metric is NaN.
     #[must_use]
     pub fn new<R: Rule>(_rule: R, metric: &impl Metric<D>, sequence: &PointSequence<D>) -> Self {
         Self::by_batches(R::NODES, &Plain::new(metric), sequence)
     }
 
-    /// Expands the discrete energy of the rule with these nodes about `sequence`. NaN where the metric is.
+    /// As [`new`](Self::new), for a metric that is evaluated in batches.
     #[must_use]
     pub fn by_batches(
         nodes: &'static [Node],
@@ -38,9 +38,9 @@ impl<const D: usize> LinearModel<D> {
         let mut energy = CompensatedSum::default();
         let mut batch = ChordBatch::new(metric, Kind::Momentum, nodes, n as f64, n);
         let mut ends = [SVector::<f64, D>::zeros(); 2];
-        for begin in (0..n).step_by(batch.room()) {
-            let chords = begin..n.min(begin + batch.room());
-            batch.see(0, sequence.chords_in(chords.clone()));
+        for begin in (0..n).step_by(batch.capacity()) {
+            let chords = begin..n.min(begin + batch.capacity());
+            batch.evaluate_from(0, sequence.chords_in(chords.clone()));
             batch.energies().for_first(chords.len(), |term| energy.add(term));
             let momenta = batch.momenta().first(chords.len());
             for k in 0..chords.len() {
@@ -54,8 +54,7 @@ impl<const D: usize> LinearModel<D> {
     }
 }
 
-/// Returns the discrete energy, in `m²`, and its gradient by each point, in `m²/ℓ`: the numbers of
-/// [`LinearModel`].
+/// Returns the energy and the gradient of a [`LinearModel`].
 #[must_use]
 pub fn energy_gradient<R: Rule, const D: usize>(
     rule: R,

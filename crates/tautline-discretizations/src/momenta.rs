@@ -1,10 +1,11 @@
-//! `Energies` and `Momenta`: what energies and gradients of chords are made of, row by row.
+//! `Energies` and `Momenta`: contractions of the metric, from which energies and gradients are
+//! assembled.
 
 use nalgebra::SVector;
 
 use crate::Node;
 
-/// What chords add to the energy.
+/// The energies of many chords, in a row.
 #[derive(Clone, Copy)]
 pub struct Energies<'b> {
     pub(crate) square: &'b [f64],
@@ -13,11 +14,11 @@ pub struct Energies<'b> {
 }
 
 impl Energies<'_> {
-    /// Hands over what the first chords add, node by node and chord by chord: `N w dᵀHd`.
+    /// Calls `take` with `N w dᵀHd`, node by node, for each of the first chords.
     #[inline]
     pub fn for_first(self, chords: usize, mut take: impl FnMut(f64)) {
         let squares = &self.square[..chords * self.nodes.len()];
-        // A rule with one node takes two thirds of the time without the inner loop.
+        // Without the inner loop, a rule with one node takes two thirds of the time.
         if let [node] = self.nodes {
             for square in squares {
                 take(self.n * node.weight * square);
@@ -32,7 +33,7 @@ impl Energies<'_> {
     }
 }
 
-/// What makes the gradients of chords.
+/// The momenta of many chords and the derivatives of the metric along them, in rows.
 #[derive(Clone, Copy)]
 pub struct Momenta<'b, const D: usize> {
     pub(crate) momentum: [&'b [f64]; D],
@@ -42,7 +43,7 @@ pub struct Momenta<'b, const D: usize> {
 }
 
 impl<const D: usize> Momenta<'_, D> {
-    /// Returns those of the first chords.
+    /// Returns the momenta of the first chords.
     ///
     /// # Panics
     ///
@@ -50,7 +51,7 @@ impl<const D: usize> Momenta<'_, D> {
     #[inline(always)]
     #[must_use]
     pub fn first(mut self, chords: usize) -> Self {
-        // A compiler then knows that all rows are of one length.
+        // The compiler then knows that all rows have one length.
         let lanes = chords * self.nodes.len();
         for i in 0..D {
             self.momentum[i] = &self.momentum[i][..lanes];
@@ -59,7 +60,7 @@ impl<const D: usize> Momenta<'_, D> {
         self
     }
 
-    /// Adds the gradients of what chord `k` adds to the energy, by its points `x` and `x + d`, to these.
+    /// Adds the gradients of the energy of chord `k` by its points `x` and `x + d`.
     #[inline(always)]
     pub fn add(&self, k: usize, gradients: &mut [SVector<f64, D>; 2]) {
         for (place, node) in self.nodes.iter().enumerate() {

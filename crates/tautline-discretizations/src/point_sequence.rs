@@ -8,8 +8,8 @@ use crate::compensated_sum::CompensatedSum;
 
 /// The largest `N` of a point sequence: `2²⁶ = ε^(−1/2)`.
 ///
-/// A coordinate is rounded by `ε`, and so a chord by `εN`, relatively. With more chords that is more
-/// than `1/N`, the relative error of a rule of the first order: no finer grid brings the result nearer.
+/// Coordinates have a relative rounding of `ε`, hence chords of `εN`. With more chords this exceeds
+/// `1/N`, the relative error of a first-order rule: a finer grid does not improve the result.
 pub const LARGEST_N: usize = 1 << 26;
 
 /// A sequence of `N + 1` points of `R^D`, at the times `tₙ = n/N`.
@@ -22,19 +22,19 @@ pub struct PointSequence<const D: usize> {
     extent: f64,
 }
 
-/// Why points are no point sequence.
+/// Why points do not form a point sequence.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SequenceError {
     /// `N = 0`: a sequence needs a first and a last point.
     #[error("{points} points make no subinterval: N must be at least 1")]
     NoSubinterval {
-        /// How many points were given.
+        /// The number of points.
         points: usize,
     },
     /// More than [`LARGEST_N`] subintervals.
     #[error(
-        "N = {n} is too many subintervals: beyond {} rounding outweighs what they gain",
+        "N = {n} is too many subintervals: beyond {}, rounding outweighs the gain in accuracy",
         LARGEST_N
     )]
     TooManySubintervals {
@@ -42,19 +42,19 @@ pub enum SequenceError {
         n: usize,
     },
     /// The system has no memory for the points.
-    #[error("N = {n}: there is no memory for {bytes} bytes of points")]
+    #[error("N = {n}: no memory for {bytes} bytes of points")]
     OutOfMemory {
         /// The number of subintervals.
         n: usize,
-        /// What the points take.
+        /// The size of the points.
         bytes: usize,
     },
     /// A coordinate is NaN or infinite.
     #[error("coordinate {coordinate} of point {index} is {value}: it must be finite")]
     NotFinite {
-        /// Which point, from 0.
+        /// The index of the point, from 0.
         index: usize,
-        /// Which coordinate, from 0.
+        /// The index of the coordinate, from 0.
         coordinate: usize,
         /// The coordinate.
         value: f64,
@@ -62,8 +62,8 @@ pub enum SequenceError {
 }
 
 impl<const D: usize> PointSequence<D> {
-    /// Checks that there are at least two points, at most [`LARGEST_N`] chords, and that all points are
-    /// finite.
+    /// Checks that there are at least two points, at most [`LARGEST_N`] chords, and that all points
+    /// are finite.
     ///
     /// # Errors
     ///
@@ -86,8 +86,8 @@ impl<const D: usize> PointSequence<D> {
     ///
     /// # Errors
     ///
-    /// As [`PointSequence::new`], and [`SequenceError::OutOfMemory`]. Too many points are refused before
-    /// any memory is taken.
+    /// As [`PointSequence::new`], and [`SequenceError::OutOfMemory`]. Too many points are refused
+    /// before memory is allocated.
     pub fn straight(
         a: impl Into<SVector<f64, D>>,
         b: impl Into<SVector<f64, D>>,
@@ -126,8 +126,8 @@ impl<const D: usize> PointSequence<D> {
         &self.points
     }
 
-    /// Returns the largest coordinate of any point in absolute value, in `ℓ`: what coordinates are rounded
-    /// by is `ε` times as much at most.
+    /// Returns the largest coordinate in absolute value, in `ℓ`; coordinates are rounded by at most
+    /// `ε` times this.
     #[must_use]
     pub fn extent(&self) -> f64 {
         self.extent
@@ -150,11 +150,11 @@ impl<const D: usize> PointSequence<D> {
         chords(&self.points)
     }
 
-    /// Returns the chords with these numbers, as an iterator from either end.
+    /// Returns the chords with these indices, as an iterator from either end.
     ///
     /// # Panics
     ///
-    /// If the numbers go beyond `N`.
+    /// If an index exceeds `N`.
     #[inline]
     pub fn chords_in(
         &self,
@@ -164,7 +164,7 @@ impl<const D: usize> PointSequence<D> {
         chords(&self.points[numbers.start..=numbers.end])
     }
 
-    /// Returns the chord with the number `n < N`: its first point and the vector to the next, in `ℓ`.
+    /// Returns chord `n < N`: its first point and the vector to the next, in `ℓ`.
     #[must_use]
     #[inline]
     pub fn chord(&self, n: usize) -> (&SVector<f64, D>, SVector<f64, D>) {
@@ -185,14 +185,14 @@ impl<const D: usize> PointSequence<D> {
         (sum.value() / self.n().get() as f64).sqrt()
     }
 
-    /// Returns the points again.
+    /// Returns the points.
     #[must_use]
     pub fn into_points(self) -> Vec<SVector<f64, D>> {
         self.points
     }
 }
 
-/// The chords between points that follow each other.
+/// The chords between consecutive points.
 #[inline]
 pub(crate) fn chords<const D: usize>(
     points: &[SVector<f64, D>],
@@ -202,7 +202,7 @@ pub(crate) fn chords<const D: usize>(
 
 /// The largest coordinate in absolute value; infinite or NaN if one is.
 fn extent<const D: usize>(points: &[SVector<f64, D>]) -> f64 {
-    // Two at a time, so that none waits for the one before.
+    // Two at a time, for two independent chains of operations.
     let (many, rest) = points.as_chunks::<2>();
     let mut largest = [SVector::<f64, D>::zeros(); 2];
     let mut undefined = largest;
@@ -221,19 +221,17 @@ fn extent<const D: usize>(points: &[SVector<f64, D>]) -> f64 {
     undefined.iter().chain(rest).flat_map(|x| x.iter()).fold(all, |sum, x| sum + x * 0.0)
 }
 
-/// The first coordinate that is NaN or infinite, of which there is one.
+/// The error for the first coordinate that is NaN or infinite.
 fn not_finite<const D: usize>(points: &[SVector<f64, D>]) -> SequenceError {
     let all = points.iter().flat_map(|point| point.iter());
-    let place = all.clone().position(|x| !x.is_finite()).expect("one that is not finite");
+    let place = all.clone().position(|x| !x.is_finite()).expect("a coordinate is not finite");
     let (index, coordinate) = (place / D, place % D);
     SequenceError::NotFinite { index, coordinate, value: points[index][coordinate] }
 }
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::vector;
-
-    use nalgebra::SVector;
+    use nalgebra::{SVector, vector};
 
     use super::{LARGEST_N, PointSequence, SequenceError};
 
@@ -242,21 +240,21 @@ mod tests {
         let line = PointSequence::straight([0.1, 0.2], [0.7, -0.3], 7).expect("finite");
         assert_eq!(line.n().get(), 7);
         assert_eq!((line.first(), line.last()), (&vector![0.1, 0.2], &vector![0.7, -0.3]));
-        // Differences of coordinates below 1, times 7: rounding of some 7 ε.
+        // Differences of coordinates below 1, times 7: rounding of about 7 ε.
         assert!(line.differences().all(|beta| (beta - vector![0.6, -0.5]).amax() < 1e-14));
         approx::assert_relative_eq!(line.k3(), 0.61_f64.sqrt(), max_relative = 1e-14);
     }
 
     /// `a + t (b − a)` would miss `b` by a rounding for one in five of these.
     #[test]
-    fn straight_sequences_end_exactly_whatever_the_numbers() {
+    fn straight_sequences_always_end_exactly() {
         for k in 1..1000 {
             let wave = |j: i32| (f64::from(k) * f64::from(j).sqrt()).sin();
             let (a, b) = (vector![wave(2), 1e3 * wave(3)], vector![wave(5), 1e-3 * wave(7)]);
             let line = PointSequence::straight(a, b, 1 + k as usize % 9).expect("finite");
             assert_eq!((line.first(), line.last()), (&a, &b));
         }
-        // The differences of these ends are beyond `f64`.
+        // The differences of these ends overflow.
         let wide = PointSequence::straight([-f64::MAX], [f64::MAX], 4).expect("finite");
         assert_eq!(wide.points()[2], vector![0.0]);
     }
@@ -271,7 +269,7 @@ mod tests {
         assert_eq!(jump.clone().into_points(), jump.points());
     }
 
-    /// In no dimension at all points take no memory, however many there are.
+    /// In dimension 0 any number of points takes no memory.
     #[test]
     fn more_chords_than_rounding_allows_are_refused() {
         let too_many = |n| Err(SequenceError::TooManySubintervals { n });
@@ -281,7 +279,7 @@ mod tests {
         assert_eq!(exactly, Ok(6));
         assert_eq!(points(LARGEST_N).map(|line| line.n().get()), Ok(LARGEST_N));
         assert_eq!(points(LARGEST_N + 1).map(|_| ()), too_many(LARGEST_N + 1));
-        // At 8 and 512 bytes a point, without a byte of them.
+        // At 8 and 512 bytes a point, without an allocation.
         for n in [LARGEST_N + 1, 1_000_000_000, usize::MAX - 1, usize::MAX] {
             assert_eq!(PointSequence::straight([0.0], [1.0], n).map(|_| ()), too_many(n));
             let line = PointSequence::straight([0.0; 64], [1.0; 64], n);
@@ -291,7 +289,7 @@ mod tests {
     }
 
     #[test]
-    fn the_extent_is_that_of_the_farthest_coordinate_wherever_it_is() {
+    fn the_extent_is_the_largest_coordinate_wherever_it_is() {
         for count in 2..=5 {
             for (index, coordinate) in (0..count).flat_map(|i| (0..2).map(move |j| (i, j))) {
                 let mut points = vec![vector![1.0, -2.0]; count];
@@ -303,7 +301,7 @@ mod tests {
     }
 
     #[test]
-    fn bad_points_are_named() {
+    fn bad_points_are_reported_by_index() {
         assert_eq!(
             PointSequence::straight([0.0], [1.0], 0),
             Err(SequenceError::NoSubinterval { points: 1 })
@@ -318,7 +316,7 @@ mod tests {
         let one = PointSequence::new(vec![vector![1.0]]);
         assert_eq!(one, Err(SequenceError::NoSubinterval { points: 1 }));
         assert!(PointSequence::new(vec![vector![1.0]; 2]).is_ok());
-        // Each by itself, wherever it is, of an even and of an odd number of points.
+        // At any place of an even and of an odd number of points.
         for count in 2..=5 {
             for (index, coordinate) in (0..count).flat_map(|i| (0..3).map(move |j| (i, j))) {
                 for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
@@ -333,7 +331,7 @@ mod tests {
                 }
             }
         }
-        // Of several the first, at the ends of the sequence and of the point too.
+        // The first of several, wherever it is.
         let bad = f64::NEG_INFINITY;
         for (index, coordinate) in (0..3).flat_map(|i| (0..3).map(move |j| (i, j))) {
             let mut points = vec![vector![0.0, 0.0, 0.0]; 3];

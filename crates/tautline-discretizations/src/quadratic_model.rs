@@ -8,8 +8,8 @@ use crate::{
     BlockTridiagonal, ChordBatch, Node, PointSequence, Rule, compensated_sum::CompensatedSum,
 };
 
-/// The discrete energy of a point sequence with its first and second derivatives by the
-/// `N + 1` points: the sum of the [`ChordModel`](crate::ChordModel)s.
+/// The discrete energy of a point sequence with its first and second derivatives by the `N + 1`
+/// points: the sum of its [`ChordModel`](crate::ChordModel)s.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct QuadraticModel<const D: usize> {
     /// The discrete energy, in `m²`.
@@ -23,7 +23,7 @@ pub struct QuadraticModel<const D: usize> {
 }
 
 impl<const D: usize> QuadraticModel<D> {
-    /// Expands the discrete energy of `rule` about `sequence`. NaN where the metric is.
+    /// Expands the discrete energy of `rule` about `sequence`. NaN if the metric is NaN.
     #[must_use]
     pub fn new<R: Rule>(rule: R, metric: &impl Metric<D>, sequence: &PointSequence<D>) -> Self {
         let mut model = Self::default();
@@ -31,7 +31,7 @@ impl<const D: usize> QuadraticModel<D> {
         model
     }
 
-    /// Expands another time, in the memory of this model: everything in it is overwritten.
+    /// As [`new`](Self::new), in the memory of this model, which is overwritten.
     pub fn expand<R: Rule>(
         &mut self,
         _rule: R,
@@ -41,7 +41,7 @@ impl<const D: usize> QuadraticModel<D> {
         self.expand_by_batches(R::NODES, &Plain::new(metric), sequence);
     }
 
-    /// Expands the discrete energy of the rule with these nodes, in the memory of this model.
+    /// As [`expand`](Self::expand), for a metric that is evaluated in batches.
     pub fn expand_by_batches(
         &mut self,
         nodes: &'static [Node],
@@ -55,18 +55,18 @@ impl<const D: usize> QuadraticModel<D> {
         gradient.resize(n + 1, SVector::zeros());
         diagonal.resize(n + 1, SMatrix::zeros());
         upper.resize(n, SMatrix::zeros());
-        // What the chord before has left for the point between.
+        // The contributions of the previous chord to their common point.
         let mut carried = (SVector::<f64, D>::zeros(), SMatrix::<f64, D, D>::zeros());
         let mut batch = ChordBatch::new(metric, Kind::Contraction, nodes, factor, n);
-        for begin in (0..n).step_by(batch.room()) {
-            let chords = begin..n.min(begin + batch.room());
-            batch.see(0, sequence.chords_in(chords.clone()));
+        for begin in (0..n).step_by(batch.capacity()) {
+            let chords = begin..n.min(begin + batch.capacity());
+            batch.evaluate_from(0, sequence.chords_in(chords.clone()));
             let models = batch.singles().first(chords.len());
-            let is_by_middle = models.is_by_middle();
+            let is_midpoint = models.is_midpoint();
             for k in chords {
                 let lane = k - begin;
                 let chord =
-                    if is_by_middle { models.model_by_middle(lane) } else { models.model(lane) };
+                    if is_midpoint { models.model_at_midpoint(lane) } else { models.model(lane) };
                 energy.add(chord.energy);
                 trace += chord.trace;
                 gradient[k] = carried.0 + chord.gradient[0];

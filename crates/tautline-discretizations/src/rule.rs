@@ -1,4 +1,4 @@
-//! `Rule`: where on each chord the metric is read.
+//! `Rule`: where on each chord the metric is evaluated.
 
 use nalgebra::SVector;
 use tautline_formula::AnyMetric;
@@ -15,10 +15,9 @@ pub struct Node {
     pub weight: f64,
 }
 
-/// A rule of numerical integration, by its nodes on a chord.
+/// A rule of numerical integration, given by its nodes on a chord.
 ///
-/// A rule is this one choice; everything else about a discrete energy is shared. A rule of
-/// your own:
+/// A rule is only this choice; all rules share the code of the discrete energy. A rule of your own:
 ///
 /// ```
 /// use tautline_discretizations::{Node, Rule};
@@ -38,15 +37,15 @@ pub trait Rule: Copy + std::fmt::Debug + Send + Sync {
     /// The nodes.
     const NODES: &'static [Node];
 
-    /// The exponent `q` of `E_N,min − d² = c₁ N⁻ᑫ + c₂ N⁻²ᑫ + …` on smooth data: what an
-    /// extrapolation to `N = ∞` needs to know.
+    /// The exponent `q` of `E_N,min − d² = c₁ N⁻ᑫ + c₂ N⁻²ᑫ + …` on smooth data, for extrapolation
+    /// to `N = ∞`.
     ///
-    /// 2 for a rule that looks the same from both ends of a chord, else 1.
+    /// 2 for a rule that is symmetric about the midpoint of a chord, otherwise 1.
     const ERROR_EXPONENT: i32;
 
     /// Returns the discrete energy `E_N = (1/N) Σₙ Σᵢ wᵢ βₙᵀ H βₙ`, in `m²`.
     ///
-    /// NaN where the metric is.
+    /// NaN if the metric is NaN.
     fn energy<const D: usize>(&self, metric: &impl Metric<D>, sequence: &PointSequence<D>) -> f64 {
         // βᵀHβ / N = N dᵀHd with the chord d.
         sequence.n().get() as f64
@@ -62,8 +61,8 @@ pub trait Rule: Copy + std::fmt::Debug + Send + Sync {
 
     /// Returns the discrete speeds `(Σᵢ wᵢ βₙᵀ H βₙ)^{1/2}`, in `m`, for `n = 0, …, N − 1`.
     ///
-    /// Nearly equal for a minimiser of the energy, as a geodesic has constant speed
-    /// (Proposition 3.1); for a minimiser of the length they may be anything.
+    /// Nearly equal for a minimiser of the energy, since a geodesic has constant speed (Proposition
+    /// 3.1); arbitrary for a minimiser of the length.
     fn speeds<const D: usize>(
         &self,
         metric: &impl Metric<D>,

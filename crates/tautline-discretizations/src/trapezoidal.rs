@@ -2,11 +2,10 @@
 
 use crate::{Node, Rule};
 
-/// The paper's trapezoidal rule `E_tra,N`: reads `H` at the midpoint of the chord.
+/// The paper's trapezoidal rule `E_tra,N`: `H` at the midpoint of the chord.
 ///
 /// Most books call this the midpoint rule, and the mean of `H` at both ends
-/// ([`TrueTrapezoid`](crate::TrueTrapezoid)) the trapezoidal one. We keep the paper's word,
-/// so that a reader with the paper open finds it.
+/// ([`TrueTrapezoid`](crate::TrueTrapezoid)) the trapezoidal rule. The name follows the paper.
 #[doc(alias = "midpoint")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Trapezoidal;

@@ -2,11 +2,10 @@
 
 use crate::{Node, Rule};
 
-/// The mean of `H` at both ends of the chord: what is called the trapezoidal rule outside
-/// the paper.
+/// The mean of `H` at both ends of the chord: the trapezoidal rule outside the paper.
 ///
-/// Not the paper's [`Trapezoidal`](crate::Trapezoidal): none of the paper's statements is
-/// about it.
+/// It is not the paper's [`Trapezoidal`](crate::Trapezoidal), and no statement of the paper
+/// concerns it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TrueTrapezoid;
 

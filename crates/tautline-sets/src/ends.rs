@@ -29,9 +29,9 @@ impl<const D: usize> Ends<D> {
     /// # Errors
     ///
     /// - [`SetError::BothUnbounded`];
-    /// - [`SetError::NoNearestPoint`] if a set, or one of its pieces, maps the origin or a unit vector
-    ///   `±eᵢ` to a point that is not finite, as an empty set does by the contract of [`ClosedSet`].
-    ///   The sets of this crate never do.
+    /// - [`SetError::NoNearestPoint`] if a set, or one of its pieces, maps the origin or a unit
+    ///   vector `±eᵢ` to a point that is not finite, as an empty set does by the contract of
+    ///   [`ClosedSet`]. The sets of this crate never do.
     pub fn new(
         first: impl ClosedSet<D> + 'static,
         second: impl ClosedSet<D> + 'static,

@@ -5,7 +5,7 @@ use tautline::{Ends, Options, Problem, Trapezoidal, gallery::Bump, solve_all};
 const COUNT: usize = 12;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    // A dozen points on a spiral that winds out of a bump of dear ground.
+    // A dozen points on a spiral that winds out of a bump of high cost.
     let bump = Bump::new(4.0, 0.5)?;
     let points = std::array::from_fn::<_, COUNT, _>(|k| {
         let (sin, cos) = (k as f64).sin_cos();

@@ -7,7 +7,7 @@ use tautline::{
     bounds::{Setting, theorem_1_1_excess},
 };
 
-/// `H(x) = diag(1 + ½ sin² x₁, 2)`: the formula is all that a metric needs.
+/// `H(x) = diag(1 + ½ sin² x₁, 2)`: a metric needs only its formula.
 struct Sheet;
 
 impl Metric<2> for Sheet {
@@ -17,7 +17,7 @@ impl Metric<2> for Sheet {
     }
 }
 
-/// The bounds need its constants besides: `(½ sin²)′ = ½ sin 2x₁`, and `(½ sin²)″ = cos 2x₁`.
+/// Bounds also need its constants: `(½ sin²)′ = ½ sin 2x₁`, and `(½ sin²)″ = cos 2x₁`.
 impl Bounded<2> for Sheet {
     fn constants(&self) -> Constants {
         Constants::new(1.0, 2.0, 0.5).and_then(|c| c.with_m_h(1.0)).expect("1 ≤ 2")
@@ -29,14 +29,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let n = NonZeroUsize::new(512).ok_or("N is positive")?;
     let line = problem.solve(Trapezoidal, n.get())?;
     let energy = line.energy();
-    println!("E = {:.9} is an upper bound of d², up to {:.0e}", energy.value, energy.error);
+    println!("E = {:.9} is an upper bound on d², up to {:.0e}", energy.value, energy.error);
 
-    // Every bound grows with d, so that an upper bound of d serves.
+    // Every bound grows with d: an upper bound on d suffices.
     let setting = Setting::new(Sheet.constants(), line.length().value, 2)?;
     let excess = theorem_1_1_excess(setting, n);
     println!("E − d² is at most {excess:.3e} for a global minimiser (Theorem 1.1)");
 
-    // With M_H = 1, the second derivative of ½ sin², the sharper theorems have 1/N².
+    // With M_H = 1, the second derivative of ½ sin², the sharper theorems give 1/N².
     let enclosure = line.enclosure()?;
     println!("{:.9} ≤ d² ≤ {:.9} (Proposition S.6)", enclosure.lower, enclosure.upper);
     if enclosure.assumes_global_minimum {

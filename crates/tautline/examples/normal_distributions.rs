@@ -8,14 +8,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let line =
         Problem::new(GaussianFisher, Ends::points(before, after)?).solve(Trapezoidal, 1000)?;
 
-    // diag(e^{−2t}, 2) lies between no two positive numbers, but nothing shorter than this line leaves
-    // a ball, and there it does (Proposition S.8).
+    // diag(e^{−2t}, 2) has no positive bounds on the plane, but nothing shorter than this line
+    // leaves a ball, where it has (Proposition S.8).
     let competitors = line.competitors()?;
     println!("all competitors are within {:.4} of the first", competitors.within.r());
     let enclosure = line.enclosure_among(&competitors)?;
     println!("{:.9} ≤ d² ≤ {:.9}", enclosure.lower, enclosure.upper);
 
     let exact = GaussianFisher.distance(&SVector::from(before), &SVector::from(after));
-    println!("d² = {:.9}", exact.ok_or("always known")?.powi(2));
+    println!("d² = {:.9}", exact.ok_or("no distance")?.powi(2));
     Ok(())
 }

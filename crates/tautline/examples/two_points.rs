@@ -3,7 +3,7 @@
 use tautline::{Ends, Problem, Trapezoidal, gallery::Bump};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    // A plane with a bump of dear ground about the origin, between the two points.
+    // A plane with a bump of high cost about the origin, between the two points.
     let bump = Bump::new(4.0, 0.5)?;
     let problem = Problem::new(bump, Ends::points([-1.5, 0.05], [1.5, -0.1])?);
     let line = problem.solve(Trapezoidal, 1000)?;

@@ -7,16 +7,14 @@ use tautline_optimizers::{Options, SolveError, Workspace};
 
 use crate::{Problem, TautLine};
 
-/// Solves each of the problems on all threads, in the order in which they were given.
+/// Solves many problems on all threads, and returns the results in order.
 ///
-/// Each problem is solved on one thread: [`Options::threads`] is ignored. The results are those of
-/// [`Problem::solve_with`] bit by bit, whatever the number of threads; one without a result leaves the
-/// others as they are. The threads are those of the rayon pool in which this is called: as many as
-/// processors, unless you say otherwise. Problems that one thread takes in one go share their memory,
-/// and none is kept.
+/// Each problem runs on one thread: [`Options::threads`] is ignored. The results equal those of
+/// [`Problem::solve_with`] bit by bit for any number of threads; an error does not affect the
+/// others. The threads are those of the current rayon pool, by default one for each processor.
+/// Problems on the same thread share memory, which is freed at the end.
 ///
-/// Problems that share a metric can be posed by reference to it, and problems with metrics of one
-/// type can have each its own:
+/// Problems can share a metric by reference, or each have their own of the same type:
 ///
 /// ```
 /// use tautline::{Ends, Options, Problem, Trapezoidal, gallery::Bump, solve_all};
@@ -36,21 +34,21 @@ use crate::{Problem, TautLine};
 ///
 /// # Stack
 ///
-/// In many dimensions matrices are on the stack, of jets where a formula is evaluated as it is compiled, and
-/// threads other than the first have less of it: 2 MB by default. What is needed, in MB, as measured with
-/// optimisation:
+/// In many dimensions there are matrices on the stack, of jets if a formula is evaluated as
+/// compiled. Threads other than the first have a stack of 2 MB by default. Measured with
+/// optimisation, a solve needs, in MB:
 ///
 /// | `D` | 16 | 23 | 32 | 64 |
 /// | --- | --- | --- | --- | --- |
 /// | by programs | ⅛ | ¼ | ½ | 2 |
-/// | as compiled: a formula with branches, or one of very many steps | 2 | 8 | 3 | 12 |
+/// | as compiled: a formula with branches, or one with very many steps | 2 | 8 | 3 | 12 |
 ///
-/// From `D = 24` on derivatives are taken by eight directions at a time, which need less. Where it is not
-/// enough, give the threads more: rayon's `ThreadPoolBuilder::stack_size`.
+/// From `D = 24` on, derivatives are taken in eight directions at a time, which need less. For
+/// larger stacks use rayon's `ThreadPoolBuilder::stack_size`.
 ///
 /// # Errors
 ///
-/// Each result has its own, as [`Problem::solve`].
+/// Each result has its own error, as [`Problem::solve`].
 pub fn solve_all<M, R, const D: usize>(
     problems: &[Problem<M, D>],
     rule: R,

@@ -1,4 +1,4 @@
-//! How wrong a line can be: `d²` between two numbers, and the `N` that a tolerance asks for.
+//! Bounds on `d²` from a computed line, and the `N` that a tolerance requires.
 
 use std::num::NonZeroUsize;
 
@@ -11,9 +11,9 @@ use tautline_metrics::{Bounded, Metric};
 
 use crate::{Competitors, TautLine};
 
-/// A rule about which there are theorems.
+/// A rule with theorems in the paper.
 pub trait RuleOfThePaper: Rule {
-    /// Which.
+    /// The rule.
     const OF_THE_PAPER: PaperRule;
 }
 
@@ -28,15 +28,15 @@ impl RuleOfThePaper for LeftEndpoint {
 /// Numbers of subintervals for which `L(γᵖˡ)² − d²` is within a tolerance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SuggestedN {
-    /// For which the theorems prove it of a global minimiser, and by which of them; `None` if they
-    /// do for no `N` up to `2⁴⁰`.
+    /// Proven for a global minimiser, with the theorem; `None` if no theorem applies up to
+    /// `N = 2⁴⁰`.
     pub proven: Option<(NonZeroUsize, Theorem)>,
-    /// For which it is expected: the excess that extrapolation sees falls like `1/N²`. `None` if
-    /// there are too few grids, or what it sees is rounding.
+    /// Expected, since the excess over the extrapolated `d²` falls like `1/N²`. `None` with too few
+    /// grids, or if the excess is rounding.
     pub expected: Option<NonZeroUsize>,
 }
 
-/// Upper bounds of the energy, the length and the squared length of a curve.
+/// Upper bounds on the energy, the length and the squared length of a curve.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Extent {
     /// In `m²`.
@@ -48,7 +48,7 @@ pub(crate) struct Extent {
 }
 
 impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
-    /// The bounds by quadrature, whose error is estimated.
+    /// The bounds by quadrature, with estimated errors.
     pub(crate) fn extent(&self) -> Extent {
         let (length, energy) = (self.length(), self.energy());
         let length = length.value + length.error;
@@ -57,60 +57,60 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
 }
 
 impl<M: Bounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
-    /// Encloses `d²`, in `m²`, from this one line and the constants of the metric.
+    /// Returns bounds on `d²`, in `m²`, from this line and the constants of the metric.
     ///
-    /// - From above by the squared length of the line, quadrature error included: no assumption.
-    /// - From below by the theorems. Between two points, the discrete minimum is shown to be global
-    ///   if the energy is strictly convex where all competitors are; otherwise that is assumed, and
-    ///   [`Enclosure::assumes_global_minimum`] says so.
+    /// - The upper bound is the squared length of the line, quadrature error included, without
+    ///   assumptions.
+    /// - The lower bound follows from the theorems. Between two points, the discrete minimum is
+    ///   global if the energy is strictly convex where all competitors are. Otherwise that is assumed, and
+    ///   [`Enclosure::assumes_global_minimum`] is set.
     ///
-    /// Needs: that the metric is what its constants say. Computed in `f64`, with a quadrature whose
-    /// error is estimated: not certified to the last digits.
+    /// Needs: the metric satisfies its constants. Computed in `f64`, with an estimated quadrature
+    /// error: not certified to the last digits.
     ///
     /// # Errors
     ///
-    /// [`BoundError::LocalConstants`] if the constants hold on a region only; [`BoundError`] if an
+    /// [`BoundError::LocalConstants`] if the constants only hold on a region; [`BoundError`] if an
     /// energy is not finite.
     pub fn enclosure(&self) -> Result<Enclosure, BoundError> {
         self.enclosure_by(global(self.metric().constants())?, self.extent())
     }
 
-    /// Suggests `N` for which `L(γᵖˡ)² − d²` is at most `tolerance`, in `m²`: by the theorems with
-    /// the length of this line for `d`, and by extrapolation from this line and the grids before
-    /// it.
+    /// Suggests an `N` for which `L(γᵖˡ)² − d²` is at most `tolerance`, in `m²`: by the theorems
+    /// with the length of this line for `d`, and by extrapolation over its grids.
     ///
     /// # Errors
     ///
-    /// [`BoundError::LocalConstants`] if the constants hold on a region only; [`BoundError`] if the
+    /// [`BoundError::LocalConstants`] if the constants only hold on a region; [`BoundError`] if the
     /// length is not finite.
     pub fn suggest_n(&self, tolerance: f64) -> Result<SuggestedN, BoundError> {
         self.suggest_n_by(global(self.metric().constants())?, tolerance)
     }
 }
 
-/// Refuses constants that hold on a region only.
+/// Refuses constants that only hold on a region.
 fn global(constants: Constants) -> Result<Constants, BoundError> {
     if constants.is_local() { Err(BoundError::LocalConstants) } else { Ok(constants) }
 }
 
 impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
-    /// Encloses `d²`, in `m²`, as [`enclosure`](TautLine::enclosure) does, by constants that hold
-    /// where all [competitors](TautLine::competitors) of this line are. What is called a global
-    /// minimum is one among the sequences in that ball.
+    /// Returns bounds on `d²`, in `m²`, as [`enclosure`](TautLine::enclosure), by constants that
+    /// hold where all [competitors](TautLine::competitors) of this line are. A global minimum is
+    /// then one among the sequences in that ball.
     ///
     /// # Errors
     ///
-    /// [`BoundError::LeavesTheBall`] if a competitor of this line might be outside of the ball,
-    /// which is then that of another line; [`BoundError::Contradiction`] if the constants do not
-    /// hold; [`BoundError`] if an energy is not finite.
+    /// [`BoundError::LeavesTheBall`] if a competitor of this line might be outside the ball, which
+    /// then belongs to another line; [`BoundError::Contradiction`] if the constants do not hold;
+    /// [`BoundError`] if an energy is not finite.
     pub fn enclosure_among(&self, competitors: &Competitors<D>) -> Result<Enclosure, BoundError> {
         let extent = self.extent();
         competitors.hold_those_of(self, extent)?;
         self.enclosure_by(competitors.constants, extent)
     }
 
-    /// Suggests `N` as [`suggest_n`](TautLine::suggest_n) does, by constants that hold where all
-    /// [competitors](TautLine::competitors) of this line are. What is proven is at least the `N` of
+    /// Suggests an `N` as [`suggest_n`](TautLine::suggest_n), by constants that hold where all
+    /// [competitors](TautLine::competitors) of this line are. The proven `N` is at least that of
     /// this line: from there on no sequence of as little energy leaves the ball, since the bounds
     /// of Lemma S.4 fall with `N`.
     ///
@@ -130,7 +130,7 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
         Ok(SuggestedN { proven, ..suggested })
     }
 
-    /// Encloses `d²` by constants that hold, and bounds of the curve.
+    /// Bounds on `d²` by constants that hold and bounds on the curve.
     pub(crate) fn enclosure_by(
         &self,
         constants: Constants,
@@ -147,14 +147,13 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
             energy,
             length_squared,
             minimum: certified.map_or(DiscreteMinimum::Assumed, DiscreteMinimum::AtLeast),
-            // Of two sets it is not known.
+            // Between two sets it is unknown.
             gap: if fixed { gap } else { 0.0 },
         };
         enclose(constants, D, &computed)
     }
 
-    /// A lower bound of the discrete minimum over all sequences, in `m²`, where convexity shows
-    /// one.
+    /// A lower bound on the discrete minimum over all sequences, in `m²`, if convexity proves one.
     fn global_minimum(&self, constants: Constants, length: f64) -> Option<f64> {
         let (sequence, n) = (self.sequence(), self.sequence().n());
         let (_, gradient) = energy_gradient(self.rule(), self.metric(), sequence);
@@ -179,8 +178,8 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
             let excess = length.value * length.value - estimate.value;
             let noise = estimate.error + 2.0 * length.value * length.error;
             let count = self.sequence().n().get() as f64 * (excess / tolerance).sqrt();
-            let told = excess > noise && count.is_finite() && count < 2_f64.powi(40);
-            NonZeroUsize::new(if told { count.ceil() as usize } else { 0 })
+            let is_known = excess > noise && count.is_finite() && count < 2_f64.powi(40);
+            NonZeroUsize::new(if is_known { count.ceil() as usize } else { 0 })
         });
         Ok(SuggestedN { proven: suggest_n(setting, R::OF_THE_PAPER, tolerance), expected })
     }
@@ -200,7 +199,7 @@ mod tests {
     use crate::{LeftEndpoint, Level, Problem, SMatrix, SVector, Scalar, TautLine, Trapezoidal};
 
     #[test]
-    fn near_points_are_joined_by_a_line_that_is_known_to_be_the_shortest() {
+    fn the_line_between_near_points_is_proven_to_be_the_shortest() {
         let metric = Shear::new(0.5, 1.0).expect("valid");
         let (a, b) = ([0.0, 0.0], [0.2, 0.1]);
         let d2 = metric.distance(&a.into(), &b.into()).expect("known").powi(2);
@@ -215,12 +214,12 @@ mod tests {
             assert!(!enclosure.assumes_global_minimum, "{enclosure:?}");
             assert_eq!(enclosure.from_below, FromBelow::Minimum);
         }
-        // Of second order, and of first.
+        // Second order and first order.
         assert!(tra.width() < 1e-4 * d2 && left.width() > 1e-4 * d2, "{tra:?}, {left:?}");
     }
 
     #[test]
-    fn far_points_and_sets_leave_an_assumption() {
+    fn far_points_and_sets_need_an_assumption() {
         let ends = Ends::points([0.0, 0.0], [4.0 * std::f64::consts::PI, 0.0]).expect("finite");
         let line = Problem::new(Valleys, ends).solve(Trapezoidal, 256).expect("solved");
         let enclosure = line.enclosure().expect("finite");
@@ -233,8 +232,7 @@ mod tests {
         assert!(line.enclosure().expect("finite").assumes_global_minimum);
     }
 
-    /// The number that is proven is enough, and far more than what is expected, which is enough
-    /// too.
+    /// Both the proven and the expected `N` suffice, and the proven one is far larger.
     #[test]
     fn suggested_grids_reach_the_tolerance() {
         let metric = Shear::new(0.5, 1.0).expect("valid");
@@ -251,41 +249,40 @@ mod tests {
         for n in [expected, proven.get()] {
             let line = problem.solve(Trapezoidal, n).expect("solved");
             let excess = line.length().value.powi(2) - d2;
-            // What is expected holds up to the next order, a few percent here.
+            // The expectation holds up to the next order, here a few percent.
             assert!(excess <= 1.1 * tolerance, "N = {n}: {excess}");
         }
-        // 512 chords are as many as were expected for what they reach.
+        // 512 chords are the expected number for the excess that they reach.
         let excess = coarse.length().value.powi(2) - d2;
-        let again = coarse.suggest_n(excess).expect("finite").expected.expect("seen").get();
+        let again = coarse.suggest_n(excess).expect("finite").expected.expect("known").get();
         assert!((508..=516).contains(&again), "{again}");
         assert_eq!(coarse.suggest_n(0.0).expect("finite").expected, None);
         assert_eq!(coarse.suggest_n(f64::NAN).expect("finite").proven, None);
     }
 
-    /// `f = 1 + a sin kx` on `[0, 1]` with waves that no quadrature sees, so that its error counts;
-    /// and as if the energies of two grids had been extrapolated to `excess` below the squared length,
-    /// with this `error`.
+    /// `f = 1 + a sin kx` on `[0, 1]` with waves that no quadrature resolves, so that its error
+    /// counts; and levels as if two grids had been extrapolated to `excess` below the squared
+    /// length, with this `error`.
     fn extrapolated(excess: f64, error: f64) -> TautLine<Separable<1>, Trapezoidal, 1> {
         let metric = Separable::new([1e-3], [1e5]).expect("valid");
         let ends = Ends::points([0.0], [1.0]).expect("finite");
         let line = Problem::new(metric, ends.clone()).solve(Trapezoidal, 1).expect("one chord");
         let mut minimum = line.minimum().clone();
-        // From N = 1 to N = 2 a third of the change is added once more.
+        // From N = 1 to N = 2, extrapolation adds a third of the change.
         let fine = line.length().value.powi(2) - excess + error;
         minimum.levels =
             [(1, fine + 3.0 * error), (2, fine)].map(|(n, energy)| Level { n, energy }).to_vec();
         TautLine::new(Arc::new(Prepared::new(metric)), Trapezoidal, ends, minimum)
     }
 
-    /// An excess is told from noise only if it is more than both errors together, each of which could
-    /// hide in it.
+    /// An excess counts only if it exceeds the sum of both errors.
     #[test]
     fn both_errors_are_in_the_noise_of_an_expectation() {
-        let told = |excess: f64, error: f64| {
+        let is_known = |excess: f64, error: f64| {
             let line = extrapolated(excess, error);
             let estimate = line.distance_squared_estimate().expect("two grids");
             let length = line.length().value;
-            // Differences of numbers near 1, of which the least is 1e-7.
+            // Differences of numbers near 1, down to 1e-7.
             assert!((estimate.error / error - 1.0).abs() < 1e-6, "{estimate:?}");
             assert!(((length * length - estimate.value) / excess - 1.0).abs() < 1e-6);
             line.suggest_n(1e-9).expect("finite").expected.is_some()
@@ -295,8 +292,8 @@ mod tests {
         assert!(of_length > 1e-6, "{of_length:e}");
         for ratio in [0.1, 1.0, 10.0] {
             let error = ratio * of_length;
-            assert!(!told(0.98 * (error + of_length), error), "{ratio}");
-            assert!(told(1.02 * (error + of_length), error), "{ratio}");
+            assert!(!is_known(0.98 * (error + of_length), error), "{ratio}");
+            assert!(is_known(1.02 * (error + of_length), error), "{ratio}");
         }
     }
 
@@ -307,14 +304,13 @@ mod tests {
         for parts in [1.5, 2.25, 6.4, 6.6, 1e3 + 0.3, 1e5 + 0.7] {
             let tolerance = excess / (parts * parts);
             let suggested = extrapolated(excess, 1e-6).suggest_n(tolerance).expect("finite");
-            let n = suggested.expected.expect("told").get() as f64;
+            let n = suggested.expected.expect("known").get() as f64;
             assert_eq!(n, f64::ceil(parts));
             assert!(excess / (n * n) <= tolerance && tolerance < excess / (n - 1.0).powi(2));
         }
     }
 
-    /// What is proven is so for the longest curve that this one may be: of the quadrature's error
-    /// included.
+    /// The proven `N` holds for the length plus its quadrature error.
     #[test]
     fn the_error_of_the_length_is_in_the_proven_grid() {
         let metric = Separable::new([0.5], [1e5]).expect("valid");
@@ -334,7 +330,7 @@ mod tests {
         }
     }
 
-    /// What is below the noise of the extrapolation is not told.
+    /// The excess is below the noise of the extrapolation.
     #[test]
     fn a_line_without_an_excess_suggests_nothing() {
         let metric = Constant::<2>::new([[2.0, 1.0], [1.0, 2.0]].into());
@@ -370,7 +366,7 @@ mod tests {
     }
 
     #[test]
-    fn both_rules_of_the_paper_are_named() {
+    fn both_rules_have_their_name_in_the_paper() {
         assert_eq!(Trapezoidal::OF_THE_PAPER, PaperRule::Trapezoidal);
         assert_eq!(LeftEndpoint::OF_THE_PAPER, PaperRule::LeftEndpoint);
         assert!(Bounded::<2>::constants(&Valleys).is_isotropic());

@@ -1,4 +1,5 @@
-//! Where all that could be shorter than a computed line is, and the constants of the metric there.
+//! `Competitors`: a ball that contains everything shorter than a computed line, and constants
+//! there.
 
 use tautline_bounds::{BoundError, Constants, LocalityError, Region, Setting, competitors, reach};
 use tautline_discretizations::Rule;
@@ -7,18 +8,18 @@ use tautline_sets::Ball;
 
 use crate::{RuleOfThePaper, TautLine, certificate::Extent};
 
-/// A ball that holds all competitors of a line, and the constants of the metric there.
+/// A ball that contains all competitors of a line, and the constants of the metric there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Competitors<const D: usize> {
     /// The constants of the metric in the ball.
     pub constants: Constants,
-    /// The ball: no minimal geodesic leaves it, and no sequence of points of the ball that has as
-    /// little discrete energy as the line reaches its boundary, if the line has a length.
+    /// The ball. No minimal geodesic leaves it; and if the line has positive length, no sequence in
+    /// the ball with as little discrete energy as the line reaches its boundary.
     pub within: Ball<D>,
 }
 
 impl<const D: usize> Competitors<D> {
-    /// Checks that the ball holds all competitors of a line, whatever line it was made for.
+    /// Checks that the ball contains all competitors of a line, which need not be its own.
     pub(crate) fn hold_those_of<M: Metric<D>, R: RuleOfThePaper>(
         &self,
         line: &TautLine<M, R, D>,
@@ -27,7 +28,8 @@ impl<const D: usize> Competitors<D> {
         let (radius, upper) = (self.within.r(), upper(line, extent));
         let setting = Setting::new(self.constants, upper, D)?;
         let reach = reach(setting, R::OF_THE_PAPER, line.sequence().n());
-        // How far from the centre of the ball competitors may be, which begin in either set.
+        // The largest distance from the centre of the ball to a competitor that begins in either
+        // set.
         let sets = [line.ends().first(), line.ends().second()];
         let balls = sets.into_iter().filter_map(|set| set.enclosing_ball());
         let away = balls.map(|(centre, r)| (centre - self.within.centre()).norm() + r + reach);
@@ -37,8 +39,8 @@ impl<const D: usize> Competitors<D> {
     }
 }
 
-/// An upper bound of the distance, and of the root of the discrete energy, in `m`: a sequence with
-/// the energy of the line has to stay inside of the ball, too. NaN if either is.
+/// An upper bound on the distance and on the root of the discrete energy, in `m`: a sequence with
+/// the energy of the line has to stay inside the ball, too. NaN if either is NaN.
 fn upper<M: Metric<D>, R: Rule, const D: usize>(
     line: &TautLine<M, R, D>,
     Extent { length, .. }: Extent,
@@ -48,11 +50,11 @@ fn upper<M: Metric<D>, R: Rule, const D: usize>(
 }
 
 impl<M: LocallyBounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
-    /// Returns a ball that holds all competitors of this line, with the constants there
+    /// Returns a ball that contains all competitors of this line, with the constants there
     /// (Proposition S.8), for [`enclosure_among`](TautLine::enclosure_among).
     ///
-    /// The ball is about a bounded end, the one for which it is the smaller if both are bounded. It
-    /// holds this line too.
+    /// The ball is about a bounded end, the smaller ball if both ends are bounded. It also contains
+    /// this line.
     ///
     /// ```
     /// use tautline::{Ends, Problem, Trapezoidal, gallery::Sphere};
@@ -67,20 +69,21 @@ impl<M: LocallyBounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> 
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
-    /// Needs: that the metric is what its constants say; the length is computed with a quadrature
-    /// whose error is estimated. Overestimation: a competitor comes no farther than `√(d̄² e/c₁)`
-    /// from its end, with the length of this line for `d̄` and `e` of Lemma S.4; the constants of
-    /// the ball are taken, and its radius to one percent.
+    /// Needs: the metric satisfies its constants. The length has an estimated quadrature error.
+    ///
+    /// Overestimation: the radius is the largest distance of a competitor from its end,
+    /// `√(d̄² e/c₁)`, to one percent, with the length `d̄` of this line, `e` of Lemma S.4 and the
+    /// constants of the ball.
     ///
     /// # Errors
     ///
-    /// [`LocalityError`] if the metric has no constants there, if `√c₁` falls so fast that no ball
-    /// holds the competitors, the ends being too far apart, and if the length is not finite.
+    /// [`LocalityError`] if the metric has no constants there; if `√c₁` falls so fast that no ball
+    /// contains the competitors, since the ends are too far apart; and if the length is not finite.
     pub fn competitors(&self) -> Result<Competitors<D>, LocalityError<LocalError>> {
         self.competitors_by(self.extent())
     }
 
-    /// The same by bounds of the curve.
+    /// As [`competitors`](TautLine::competitors), by bounds on the curve.
     pub(crate) fn competitors_by(
         &self,
         extent: Extent,
@@ -88,7 +91,7 @@ impl<M: LocallyBounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> 
         let upper = upper(self, extent);
         let sets = [self.ends().first(), self.ends().second()];
         let mut least: Option<Competitors<D>> = None;
-        // Ends without a ball have a radius that bounds nothing.
+        // The error for ends without a ball: no radius bounds them.
         let mut refused = LocalityError::Escapes { radius: f64::INFINITY, reach: f64::INFINITY };
         for (centre, r) in sets.into_iter().filter_map(|set| set.enclosing_ball()) {
             let within = |radius: f64| {
@@ -130,10 +133,9 @@ mod tests {
         Problem::new(metric, ends).solve(Trapezoidal, n).expect("solved")
     }
 
-    /// The ball reaches from an end to a percent or two beyond `L/√c₁` with its own `c₁`, and the
-    /// constants are those of the ball.
+    /// The radius exceeds `L/√c₁`, with the `c₁` of the ball, by a percent or two.
     #[test]
-    fn the_ball_is_as_large_as_a_competitor_may_go() {
+    fn the_ball_is_as_large_as_a_competitor_may_reach() {
         let line = line(Sphere, [0.3, 0.1], [0.5, 0.2], 64);
         let Competitors { constants, within } = line.competitors().expect("near");
         let ball = within;
@@ -144,8 +146,7 @@ mod tests {
         assert!(line.sequence().points().iter().all(|x| ball.project(x) == *x));
     }
 
-    /// Each metric between near points: the distance is enclosed, without an assumption but that
-    /// sequences stay in the ball.
+    /// Between near points the distance is enclosed, assuming only that sequences stay in the ball.
     #[test]
     fn distances_under_metrics_without_global_constants_are_enclosed() {
         fn check<M>(metric: M, a: [f64; 2], b: [f64; 2])
@@ -170,7 +171,7 @@ mod tests {
         check(GaussianFisher, [0.0, 0.0], [0.1, 0.05]);
     }
 
-    /// The ball is about the bounded end, and about the smaller one if both are.
+    /// If both ends are bounded, the ball is about the smaller one.
     #[test]
     fn the_ball_is_about_a_bounded_end() {
         let disc = |x: f64, r: f64| Ball::new([x, 0.2], r).expect("finite");
@@ -191,9 +192,9 @@ mod tests {
         }
     }
 
-    /// About a set the ball is larger by the set, and the constants are those of all of it.
+    /// About a set, the radius of the set adds to that of the ball.
     #[test]
-    fn the_ball_holds_the_bounded_end() {
+    fn the_ball_contains_the_bounded_end() {
         let disc = |x: f64| Ball::new([x, 0.2], 0.02).expect("finite");
         let ends = Ends::new(disc(0.3), disc(0.36)).expect("bounded");
         let line = Problem::new(Sphere, ends).solve(Trapezoidal, 16).expect("solved");
@@ -203,10 +204,11 @@ mod tests {
         assert!(0.02 + reach < within.r() && within.r() < 0.02 + 1.03 * reach, "{within:?}");
     }
 
-    /// One chord of the left rule may have `1 + δ/2` times `d²`, one of the trapezoidal rule half
-    /// of the excess; and a line that is not minimal has more energy than its length squared.
+    /// The discrete energy of one chord may be `1 + δ/2` times `d²` by the left rule, with half of
+    /// the excess by the trapezoidal rule. A line that is not minimal has more energy than its
+    /// squared length.
     #[test]
-    fn what_a_sequence_may_spend_counts() {
+    fn the_energy_allowed_to_a_sequence_counts() {
         let ends = || Ends::points([0.3, 0.0], [0.32, 0.0]).expect("finite");
         let left = Problem::new(Hyperbolic, ends()).solve(LeftEndpoint, 1).expect("solved");
         let Competitors { constants, within } = left.competitors().expect("near");
@@ -227,7 +229,7 @@ mod tests {
         assert!(within.r() > (energy / constants.c1()).sqrt(), "{within:?}");
     }
 
-    /// Another line's ball, a coarser grid of the same line, a ball elsewhere.
+    /// The ball of another line, and one that is too small.
     #[test]
     fn competitors_of_another_line_are_refused() {
         let near = line(Hyperbolic, [0.0, 0.0], [0.001, 0.0], 64).competitors().expect("near");
@@ -246,8 +248,7 @@ mod tests {
         assert_eq!(still.enclosure_among(&own).expect("finite").width(), 0.0);
     }
 
-    /// A ball holds the competitors of a line by its centre, its radius and the size of the end
-    /// that it is about: with any of the three a little off it is refused.
+    /// The centre, the radius and the size of the end all matter: a small error in any is refused.
     #[test]
     fn a_ball_that_is_a_little_off_is_refused() {
         let ball = Ball::new([0.3, 0.2], 0.05).expect("a radius");
@@ -262,7 +263,7 @@ mod tests {
                 let within = Ball::new(centre, own.within.r() + larger).expect("a radius");
                 line.enclosure_among(&Competitors { within, ..own })
             };
-            // The radius is within one percent of the least, beside that of the end itself.
+            // Besides the radius of the end, the radius is within one percent of the least.
             let margin = 0.015 * (own.within.r() - 0.05);
             for refused in [with(0.0, -margin), with(0.0, -0.05), with(margin, 0.0), with(1.0, 0.0)]
             {

@@ -1,9 +1,9 @@
 //! Shortest curves between two closed sets, under a metric that you write as one formula.
 //!
-//! A taut line between two bodies is a shortest curve. Given the metric `H(x)` and the closed
-//! sets `X⁽⁰⁾`, `X⁽¹⁾` of `R^D`, one of them bounded, Tautline minimises a discretisation of
-//! the energy `E(γ) = ∫ γ̇ᵀ H(γ) γ̇ dt`, whose minimum is the square of the distance, joins
-//! the points up, and says by proven bounds how wrong the result can be.
+//! A taut line between two bodies is a shortest curve. Given the metric `H(x)` and the closed sets
+//! `X⁽⁰⁾`, `X⁽¹⁾` of `R^D`, one of them bounded, Tautline minimises a discretisation of the energy
+//! `E(γ) = ∫ γ̇ᵀ H(γ) γ̇ dt`, joins the points, and returns proven bounds on the error. The minimum
+//! of the energy is the squared distance.
 //!
 //! ```
 //! use tautline::{Ball, Ends, HalfSpace, Metric, Problem, SMatrix, SVector, Scalar, Trapezoidal};
@@ -22,38 +22,38 @@
 //! ```
 //!
 //! A formula reads as in mathematics, with `f64` on either side: `2.0 - x`, `2.0 / x`, `2.0 * x`,
-//! `1.0 + x`. What else it may use is on the page of [`Scalar`].
+//! `1.0 + x`. [`Scalar`] lists the functions that it may use.
 //!
 //! # By question
 //!
 //! | you want | example |
 //! | --- | --- |
-//! | the distance of two points | `examples/two_points.rs` |
-//! | the shortest way between two bodies | `examples/two_sets.rs` |
+//! | the distance between two points | `examples/two_points.rs` |
+//! | the shortest curve between two bodies | `examples/two_sets.rs` |
 //! | the distances among many points, on all threads | `examples/many_pairs.rs` |
 //! | a metric of your own, with bounds | `examples/my_own_metric.rs` |
-//! | the distance of two normal distributions, whose metric has no constants on all of the plane | `examples/normal_distributions.rs` |
+//! | the distance between two normal distributions: a metric without global constants | `examples/normal_distributions.rs` |
 //!
 //! # What is computed and what is proven
 //!
-//! | number | is |
+//! | number | status |
 //! | --- | --- |
-//! | [`TautLine::energy`], [`TautLine::length`] | of an actual curve between the sets, hence upper bounds of `d²` and `d`, up to a quadrature error, which is estimated |
+//! | [`TautLine::energy`], [`TautLine::length`] | energy and length of an actual curve between the sets: upper bounds on `d²` and `d`, up to an estimated quadrature error |
 //! | [`TautLine::discrete_energy`] | may lie on either side of `d²` |
 //! | [`TautLine::distance_squared_estimate`] | extrapolated: an estimate, not a bound |
-//! | [`TautLine::enclosure`], [`TautLine::enclosure_among`] | `d²` between two bounds by theorems, up to an estimated quadrature error, and whether a global minimum had to be assumed (between sets always) |
-//! | [`TautLine::prove`] | the same with constants that are proved from the formula, and the upper bound with outward rounding |
+//! | [`TautLine::enclosure`], [`TautLine::enclosure_among`] | bounds on `d²` by theorems, up to an estimated quadrature error; reports whether a global minimum is assumed (between sets always) |
+//! | [`TautLine::prove`] | the same with constants that are proved from the formula, and an upper bound with outward rounding |
 //! | [`leading_constants`] | limits of the errors times `N` or `N²` on smooth data: computed, not proven |
 //! | [`bounds`] | proven, for global minimisers of the discrete energy |
 //!
-//! A solver finds local minimisers. [`TautLine::minimum`] tells how it was found and what the
-//! Hessian says; that no other curve is shorter is not claimed.
+//! A solver finds local minimisers. [`TautLine::minimum`] reports how the line was found and the
+//! signature of the Hessian; it does not claim that no other curve is shorter.
 //!
 //! # Conventions
 //!
 //! No factor `½` in any energy, `E ≥ L²`, `min E = d²`. Time runs over `[0, 1]`. The paper's
-//! *trapezoidal* rule reads the metric at the middle of each chord and is called the midpoint
-//! rule elsewhere.
+//! *trapezoidal* rule evaluates the metric at the middle of each chord; elsewhere it is called the
+//! midpoint rule.
 
 mod batch;
 mod certificate;

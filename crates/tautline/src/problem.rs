@@ -12,9 +12,9 @@ use crate::TautLine;
 
 /// The problem to join two closed sets by a shortest curve.
 ///
-/// It keeps the memory of its largest solve for the next one, and its clones share it. Of many problems
-/// that are solved one by one each keeps its own; [`solve_all`](crate::solve_all) and
-/// [`minimise_in`](crate::minimise_in) share it instead.
+/// It keeps the memory of its largest solve for the next, shared with its clones. Separate problems
+/// keep separate memory; [`solve_all`](crate::solve_all) and [`minimise_in`](crate::minimise_in)
+/// share it.
 #[derive(Clone, Debug)]
 pub struct Problem<M, const D: usize> {
     metric: Arc<Prepared<M, D>>,
@@ -25,8 +25,9 @@ pub struct Problem<M, const D: usize> {
 impl<M: Metric<D>, const D: usize> Problem<M, D> {
     /// Poses the problem.
     ///
-    /// The formula of the metric is recorded; nothing else is computed yet. A formula that compares numbers,
-    /// or is very long, is taken as it is compiled: with the same results to rounding, and slower.
+    /// This records the formula of the metric and computes nothing else. A formula that compares
+    /// numbers, or is very long, is evaluated as compiled: slower, with the same results up to
+    /// rounding.
     pub fn new(metric: M, ends: Ends<D>) -> Self {
         Self { metric: Arc::new(Prepared::new(metric)), ends, workspace: Arc::default() }
     }
@@ -45,14 +46,11 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     ///
     /// # Errors
     ///
-    /// [`SolveError`] for `n = 0` and for more subintervals than rounding or memory allows; where the
-    /// metric is not finite, symmetric and positive definite along all curves that were tried, with the
-    /// point; and where numbers leave the range of `f64`, all as [`minimise`](crate::minimise) says. Along
-    /// the result the Gram matrix is checked between the nodes of the rule too, at the points at which a
-    /// quadrature of the length would read it, up to some 131 072 of them and for `N > 512` on some 512 of
-    /// the chords: see
-    /// [`Interpolation::check`](crate::Interpolation::check). A search that does not converge is no error: the result
-    /// says how it stopped.
+    /// As for [`minimise`](crate::minimise): [`SolveError`] if `n` is 0 or more than rounding or
+    /// memory allows; if the metric is not finite, symmetric and positive definite along any of the
+    /// curves, with the point; and if numbers leave the range of `f64`. Along the result the Gram
+    /// matrix is also [checked](crate::Interpolation::check) between the nodes of the rule. A
+    /// search that does not converge is not an error: the result reports how it stopped.
     pub fn solve<R: Rule>(&self, rule: R, n: usize) -> Result<TautLine<M, R, D>, SolveError> {
         self.solve_with(rule, n, &Options::default())
     }
@@ -68,14 +66,14 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
         n: usize,
         options: &Options<D>,
     ) -> Result<TautLine<M, R, D>, SolveError> {
-        // While another thread solves, and after a panic, in memory of its own.
+        // Separate memory while another thread solves, and after a panic.
         let mut own = Workspace::default();
         let mut kept = self.workspace.try_lock();
         let workspace = kept.as_deref_mut().unwrap_or(&mut own);
         self.solve_in(workspace, rule, n, options)
     }
 
-    /// As [`solve_with`](Problem::solve_with), in the memory of another.
+    /// As [`solve_with`](Problem::solve_with), in the given memory.
     pub(crate) fn solve_in<R: Rule>(
         &self,
         workspace: &mut Workspace<D>,

@@ -1,4 +1,4 @@
-//! What the formula of the metric proves about a computed line.
+//! `Proof`: bounds on `d²` that follow from the formula of the metric alone.
 
 use std::sync::Arc;
 
@@ -13,34 +13,34 @@ use tautline_sets::Ball;
 
 use crate::{RuleOfThePaper, TautLine, certificate::Extent};
 
-/// `d²` between two numbers, by constants that are proved from the formula of the metric.
+/// Bounds on `d²` by constants that are proved from the formula of the metric.
 #[derive(Clone, Copy, Debug)]
 #[doc(alias = "certificate")]
 pub struct Proof<'a, const D: usize> {
-    /// A curve from set to set, with rigorous bounds of its energy and its length.
+    /// A curve from set to set, with rigorous bounds on its energy and length.
     pub curve: AdmissibleCurve<'a, D>,
     /// The constants, proved from the formula.
     pub constants: Constants,
-    /// Where they hold; `None` if on all of `R^D`.
+    /// Where the constants hold; `None` for all of `R^D`.
     pub within: Option<Ball<D>>,
-    /// What follows for `d²`. The upper bound is that of the curve and rigorous. The lower one is a
-    /// theorem about rigorous constants and a rigorous length, evaluated in doubles together with
-    /// the discrete energy and its residual: its last digits are not certified. Nothing rests on a
+    /// The bounds on `d²`. The upper bound is that of the curve, and rigorous. The lower bound is a
+    /// theorem with rigorous constants and a rigorous length, evaluated in doubles with the
+    /// discrete energy and its residual: its last digits are not certified. Neither uses a
     /// quadrature.
     pub enclosure: Enclosure,
 }
 
-/// Why nothing is proved about a line.
+/// Why a line has no proof.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ProofError {
-    /// The curve does not certainly join the sets, or leaves the domain of the metric.
+    /// The curve is not proved to join the sets, or leaves the domain of the metric.
     #[error(transparent)]
     Curve(#[from] CurveError),
     /// No constants on all of `R^D`.
     #[error(transparent)]
     Constants(#[from] CertifyError),
-    /// No ball that holds all competitors has constants, with the reason.
+    /// No ball that contains all competitors has constants.
     #[error(transparent)]
     Competitors(#[from] LocalityError<LocalError>),
     /// The theorems do not apply.
@@ -49,27 +49,27 @@ pub enum ProofError {
 }
 
 impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
-    /// Returns a curve that certainly joins the two sets, with rigorous bounds of its energy and
-    /// length, and so a rigorous upper bound of `d²`.
+    /// Returns a curve that certainly joins the two sets, with rigorous bounds on its energy and
+    /// length, and thus on `d²` from above.
     ///
     /// # Errors
     ///
-    /// [`CurveError`]: a set of your own that does not implement
-    /// [`ClosedSet::member_near`](crate::ClosedSet::member_near), a metric that is undefined on the curve,
-    /// and one whose formula cannot be recorded.
+    /// [`CurveError`] if a set of your own does not implement
+    /// [`ClosedSet::member_near`](crate::ClosedSet::member_near), if the metric is undefined on the
+    /// curve, or if its formula cannot be recorded.
     pub fn admissible_curve(&self) -> Result<AdmissibleCurve<'_, D>, CurveError> {
         AdmissibleCurve::new(self.metric(), self.sequence(), self.ends())
     }
 
-    /// Encloses `d²`, in `m²`, as [`enclosure`](TautLine::enclosure) does, with nothing stated by
-    /// the author of the metric: its constants are proved from the formula, on all of `R^D` if the
-    /// formula shows that a box stands for it, else on the ball that holds all
+    /// Returns bounds on `d²`, in `m²`, as [`enclosure`](TautLine::enclosure), from the formula of
+    /// the metric alone. Its constants are proved on all of `R^D` if the formula shows that a box
+    /// suffices, as for a periodic one, and otherwise on the ball that contains all
     /// [competitors](TautLine::competitors).
     ///
     /// ```
     /// use tautline::{Ends, Metric, Problem, SMatrix, SVector, Scalar, Trapezoidal, certify};
     ///
-    /// struct Dent; // (1 + e^{−|x|²})² I, and no word about its constants
+    /// struct Dent; // (1 + e^{−|x|²})² I, without constants
     /// impl Metric<2> for Dent {
     ///     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
     ///         let square = x[0].sqr() + x[1].sqr();
@@ -87,8 +87,8 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     ///
     /// # Errors
     ///
-    /// [`ProofError`], with what is missing. Nothing is proved of a formula that cannot be
-    /// [recorded](tautline_formula::Formula::record).
+    /// [`ProofError`], with the missing part. A formula that cannot be
+    /// [recorded](tautline_formula::Formula::record) has no proof.
     pub fn prove(&self, accuracy: Accuracy) -> Result<Proof<'_, D>, ProofError> {
         let accuracy = accuracy.checked()?;
         let curve = self.admissible_curve()?;
@@ -128,7 +128,7 @@ mod tests {
     use super::ProofError;
     use crate::{Interval, Problem, SMatrix, SVector, Scalar, Trapezoidal};
 
-    /// Each distance is known, and lies between the bounds.
+    /// Each known distance lies between the bounds.
     #[test]
     fn distances_are_enclosed_by_the_formula_alone() {
         fn check<M: KnownDistance<2>>(metric: M, a: [f64; 2], b: [f64; 2], width: f64) {
@@ -150,7 +150,7 @@ mod tests {
         check(GaussianFisher, [0.0, 0.0], [0.1, 0.1], 1e-2);
     }
 
-    /// The bound of the curve agrees with its quadrature, which is not rigorous.
+    /// It agrees with a quadrature, which is not rigorous.
     #[test]
     fn the_upper_bound_is_that_of_the_curve() {
         let ball = Ball::new([0.0, 0.0], 0.5).expect("a radius");
@@ -166,7 +166,8 @@ mod tests {
         assert!(line.admissible_curve().is_ok_and(|curve| curve.length().contains(length)));
     }
 
-    /// From the pole of the sphere, where nothing changes, to a wall: the one ball is about the pole.
+    /// From the pole of the sphere, where the derivative vanishes, to a wall: the ball is about the
+    /// pole.
     #[test]
     fn a_line_from_a_point_where_the_derivative_vanishes_is_proved() {
         let pole = Ball::new([0.0, 0.0], 0.0).expect("a radius");
@@ -181,15 +182,15 @@ mod tests {
         assert!(proof.within.is_some() && proof.enclosure.is_local);
     }
 
-    /// Two chords that read the metric where it is cheap, and a ridge between: the discrete energy is
-    /// a quarter of the squared length. A competitor as long as the curve is comes as far as that.
+    /// Two chords with nodes in valleys and ridges between them: the discrete energy is a quarter
+    /// of the squared length. A competitor may be as long as the curve.
     #[test]
     fn the_ball_reaches_as_far_as_the_curve_is_long() {
         struct Ridges;
         impl Metric<1> for Ridges {
             fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
                 let ridges = (x[0] * (4.0 * std::f64::consts::PI)).cos() + 2.0;
-                // Not periodic, hence no constants but on balls.
+                // Not periodic, hence constants on balls only.
                 SMatrix::from_element(ridges.sqr() + x[0].sqr() * 1e-3)
             }
         }
@@ -203,10 +204,9 @@ mod tests {
         assert_eq!(proof.enclosure.upper, proof.curve.distance_squared_at_most());
     }
 
-    /// A set that knows its one point to a twentieth only: all that follows from the curve is said for
-    /// the longest of those that it may be.
+    /// A set that knows its point only to 1/20: every claim holds for the longest possible curve.
     #[test]
-    fn the_longest_curve_that_it_may_be_counts() {
+    fn the_longest_possible_curve_counts() {
         #[derive(Debug)]
         struct About(SVector<f64, 2>);
         impl ClosedSet<2> for About {
@@ -240,7 +240,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_proved_is_said() {
+    fn an_impossible_proof_is_an_error() {
         let ends = Ends::points([0.1, 0.0], [0.2, 0.1]).expect("finite");
         let near = Problem::new(Sphere, ends).solve(Trapezoidal, 8).expect("solved");
         let error =
@@ -249,7 +249,7 @@ mod tests {
         let error =
             near.prove(Accuracy { tolerance: 0.0, ..Accuracy::default() }).expect_err("exact");
         assert!(error.to_string().contains("tolerance of 0"), "{error}");
-        // Across the sphere: the competitors may pass through infinity.
+        // Across the sphere competitors may pass through infinity.
         let ends = Ends::points([1.0, 0.0], [-1.5, 0.3]).expect("finite");
         let line = Problem::new(Sphere, ends).solve(Trapezoidal, 64).expect("solved");
         let accuracy = Accuracy { budget: 2_000, ..Accuracy::default() };
@@ -262,12 +262,12 @@ mod tests {
             )
         );
         assert!(expected, "{error}");
-        // A line that is not in the domain of another metric.
+        // A line that leaves the domain of the metric.
         struct Left;
         impl Metric<1> for Left {
             fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
-                // The logarithm of a negative number within 0.0006 of 0.1, and 1 to rounding from 0.006
-                // on; neither a node nor a quadrature comes nearer than 0.04.
+                // The logarithm of a negative number within 0.0006 of 0.1, and 1 to rounding from
+                // 0.006 on. Nodes and quadratures stay 0.04 away.
                 let dip = 1.5 * (-((x[0] - 0.1) * 1e3).sqr()).exp();
                 SMatrix::from_element(1.0 + (1.0 - dip).ln())
             }
@@ -278,9 +278,9 @@ mod tests {
         assert!(matches!(error, ProofError::Curve(CurveError::Undefined { .. })), "{error}");
     }
 
-    /// The formula is read where the line is, and in intervals one branch of several would be followed.
+    /// In intervals, only one of several branches would be followed.
     #[test]
-    fn nothing_is_proved_of_a_formula_with_branches() {
+    fn a_formula_with_branches_has_no_proof() {
         struct Branch;
         impl Metric<1> for Branch {
             fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {

@@ -38,13 +38,13 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
         self.rule
     }
 
-    /// Returns the two sets that it joins.
+    /// Returns the two sets that the line joins.
     #[must_use]
     pub fn ends(&self) -> &Ends<D> {
         &self.ends
     }
 
-    /// Returns how the sequence was found, and what is known about it.
+    /// Returns the discrete minimiser, and how it was found.
     #[must_use]
     pub fn minimum(&self) -> &Minimum<D> {
         &self.minimum
@@ -93,10 +93,10 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
         self.minimum.residual
     }
 
-    /// Returns an estimate of `d²`, in `m²`, by Richardson extrapolation over the grids on the
-    /// way here; `None` where there was one grid only: for `N ≤ 32`, for `N ≤ 64` with starts of your own
-    /// alone, where a grid of up to 512 chords led to another minimiser than the coarser ones, and where
-    /// the ends touch. Not a bound.
+    /// Returns an estimate of `d²`, in `m²`, by Richardson extrapolation over the grids of this
+    /// line; not a bound. `None` for a single grid: for `N ≤ 32`, for `N ≤ 64` with given starts
+    /// only, if a grid of up to 512 chords led to another minimiser than the coarser ones, and if
+    /// the ends touch.
     #[must_use]
     pub fn distance_squared_estimate(&self) -> Option<Estimate> {
         extrapolate(&self.minimum.levels, R::ERROR_EXPONENT)

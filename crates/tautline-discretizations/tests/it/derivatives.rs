@@ -1,5 +1,5 @@
-//! Gradients and Hessians of the discrete energies against an independent path: the sum
-//! written out again and differentiated by `num-dual`, in all coordinates of all points.
+//! Gradients and Hessians of the discrete energies against an independent implementation: the sum
+//! is written out again and differentiated by `num-dual`, in all coordinates of all points.
 
 use nalgebra::{SMatrix, SVector};
 use num_dual::{Dual2SVec64, DualNum, hessian};
@@ -9,7 +9,7 @@ use tautline_discretizations::{
 };
 use tautline_metrics::{Metric, Scalar};
 
-/// A full matrix whose entries depend on both coordinates.
+/// A full matrix that depends on both coordinates.
 struct Skew;
 
 impl Metric<2> for Skew {
@@ -24,7 +24,7 @@ impl Metric<2> for Skew {
 
 type Dual = Dual2SVec64<8>;
 
-/// `4 · (1/N) Σ βᵀHβ` at the given fraction of the chord, for `N = 3`: once more, by hand.
+/// `(1/N) Σ βᵀHβ` at the given fraction of the chord, for `N = 3`, by hand.
 fn energy(v: &SVector<Dual, 8>, fraction: f64) -> Dual {
     let mut sum = v[0] * 0.0;
     for k in 0..3 {
@@ -54,7 +54,7 @@ fn check<R: Rule>(rule: R, fractions: &[f64], coordinates: [f64; 8]) -> Result<(
         h += h1 * share;
     }
     // Coordinates up to 2 and chords up to 4 give terms of size 3 · 4 · 16 · D²H ≲ 10³, and
-    // some hundred roundings of relative size 1e-16.
+    // about a hundred roundings of relative size 1e-16.
     let close = |a: f64, b: f64| (a - b).abs() <= 1e-11 * (1.0 + b.abs());
     prop_assert!(close(model.energy, e), "energy {} {e}", model.energy);
     prop_assert!(close(value, e) && close(rule.energy(&Skew, &sequence), e));
@@ -114,7 +114,7 @@ fn check_four<R: Rule>(rule: R, fraction: f64, v: [f64; 8]) -> Result<(), TestCa
     let model = QuadraticModel::new(rule, &Woven, &sequence);
     let (energy, gradient) = energy_gradient(rule, &Woven, &sequence);
     let (e, g, h) = hessian(|v| chord_energy(&v, fraction), &v);
-    // As above: terms up to some 10³ and a hundred roundings.
+    // As above: terms up to about 10³ and a hundred roundings.
     let close = |a: f64, b: f64| (a - b).abs() <= 1e-11 * (1.0 + b.abs());
     prop_assert!(close(model.energy, e) && close(energy, e));
     for i in 0..8 {
@@ -157,7 +157,7 @@ proptest! {
             let moved = line.points().iter().zip(&direction).map(|(x, u)| x + u * s).collect();
             energy_gradient(Trapezoidal, &Skew, &PointSequence::new(moved).expect("finite")).1
         };
-        // Central difference: s² times a third derivative of some 10³, and 1e-14 / s.
+        // Central difference: s² times a third derivative of about 10³, and 1e-14 / s.
         let s = 1e-5;
         let (ahead, behind) = (gradient(s), gradient(-s));
         for n in 0..4 {

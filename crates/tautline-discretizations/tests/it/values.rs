@@ -1,4 +1,4 @@
-//! Discrete energies and lengths with values that follow from a line of arithmetic.
+//! Discrete energies and lengths with values from a line of arithmetic.
 
 use std::f64::consts::{PI, TAU};
 
@@ -10,9 +10,9 @@ use tautline_discretizations::{
 };
 use tautline_metrics::gallery::{Constant, Sphere, Valleys};
 
-/// One chord from `(0, 0)` to `(2π, 0)`: the midpoint sees the ridge `f = 3`, both ends `f = 1`.
+/// One chord from `(0, 0)` to `(2π, 0)`: the ridge `f = 3` at its midpoint, `f = 1` at both ends.
 #[test]
-fn the_rules_read_the_metric_where_they_say() {
+fn the_rules_evaluate_the_metric_at_their_nodes() {
     let chord = PointSequence::straight([0.0, 0.0], [TAU, 0.0], 1).expect("finite");
     assert_relative_eq!(
         Trapezoidal.energy(&Valleys, &chord),
@@ -63,9 +63,9 @@ fn energy_is_at_least_length_squared() {
     assert!(excess(curve.energy(&Sphere).value, curve.length(&Sphere).value) > 0.1);
 }
 
-/// Where the metric is NaN the energy is, and nothing panics.
+/// A NaN of the metric reaches every result, and nothing panics.
 #[test]
-fn nan_is_passed_on() {
+fn nan_propagates() {
     struct Broken;
     impl tautline_metrics::Metric<1> for Broken {
         fn gram<S: tautline_metrics::Scalar>(
@@ -83,7 +83,7 @@ fn nan_is_passed_on() {
     assert!(energy_gradient(Trapezoidal, &Broken, &line).0.is_nan());
     assert!(QuadraticModel::new(Trapezoidal, &Broken, &line).energy.is_nan());
     assert!(Trapezoidal.speeds(&Broken, &line).iter().any(|speed| speed.is_nan()));
-    // Where `ln x` is defined and negative there is an energy, and no length.
+    // Where `ln x` is negative there is an energy but no length.
     let line = PointSequence::straight([0.25], [0.75], 4).expect("finite");
     assert!(Trapezoidal.energy(&Broken, &line) < 0.0);
     assert!(Interpolation::new(&line).energy(&Broken).value < 0.0);
@@ -91,8 +91,8 @@ fn nan_is_passed_on() {
     assert!(Trapezoidal.length(&Broken, &line).is_nan());
 }
 
-/// The speed of a chord is the root of the weighted mean, not the mean of the roots: from valley
-/// to ridge `f = 1` and `3`, the root of `(1 + 9)/2`.
+/// The speed of a chord is the root of the weighted mean, not the mean of the roots: the root of
+/// `(1 + 9)/2` from valley to ridge, `f = 1` and `3`.
 #[test]
 fn speeds_are_roots_of_means() {
     let chord = PointSequence::straight([0.0, 0.0], [PI, 0.0], 1).expect("finite");
@@ -108,13 +108,13 @@ fn the_zero_matrix_has_its_blocks() {
     assert!(zero.mul(&[vector![1.0, 2.0]; 4]).iter().all(|block| block.amax() == 0.0));
 }
 
-/// One chord of length 1 and 1023 after it, each of which adds less than half an ulp of 1: added
-/// plainly they would all be lost, `6e-14` of the sum.
+/// One chord of length 1 and then 1023 that each add less than half an ulp of 1: a plain sum would
+/// lose all of them, `6e-14` of the result.
 #[test]
-fn what_many_small_chords_add_is_not_lost() {
+fn the_contributions_of_many_small_chords_are_not_lost() {
     let identity = Constant::<2>::new(SMatrix::identity()).expect("positive definite");
     let chords = 1024;
-    // Along another axis than the long one, so that the small ones are exact: their length `small`.
+    // The small chords run along another axis: their length is exactly `small`.
     let sequence = |small: f64| {
         let after = (0..chords).map(|k| vector![1.0, f64::from(k) * small]);
         PointSequence::new([vector![0.0, 0.0]].into_iter().chain(after).collect()).expect("finite")
@@ -143,10 +143,10 @@ fn what_many_small_chords_add_is_not_lost() {
     assert_relative_eq!(curve.value, sum, max_relative = 16.0 * f64::EPSILON);
 }
 
-/// The errors of the chords add up, and those of an energy are in its unit: each is at least two
-/// roundings of its part.
+/// The errors of the chords add up, in the unit of the result: each is at least two roundings of
+/// its part.
 #[test]
-fn the_error_of_a_curve_is_the_sum_of_those_of_its_chords() {
+fn the_error_of_a_curve_is_the_sum_of_the_errors_of_its_chords() {
     let identity = Constant::<2>::new(SMatrix::identity()).expect("positive definite");
     for n in [1, 2, 7, 64] {
         let line = PointSequence::straight([0.0, 0.0], [3.0, 4.0], n).expect("finite");
@@ -159,26 +159,24 @@ fn the_error_of_a_curve_is_the_sum_of_those_of_its_chords() {
     }
 }
 
-/// The order at which the energy of the sequence on a straight line converges to that of the
-/// line, `q` of `N⁻ᑫ`, is what each rule says of itself.
+/// On a straight line the discrete energy converges to that of the line with the declared order.
 #[test]
-fn the_exponent_of_the_error_is_the_one_that_is_seen() {
+fn the_exponent_of_the_error_is_the_observed_order() {
     fn order<R: Rule>(rule: R) -> f64 {
         let line = |n| PointSequence::straight([0.2, 0.0], [1.4, 0.3], n).expect("finite");
         let limit = Interpolation::new(&line(64)).energy(&Valleys).value;
         let error = |n| rule.energy(&Valleys, &line(n)) - limit;
         (error(256) / error(512)).log2()
     }
-    // The next order, relatively 1/256 of the first, is below 0.05 in the logarithm.
+    // The next order, a relative 1/256, is below 0.05 in the logarithm.
     assert!((order(Trapezoidal) - f64::from(Trapezoidal::ERROR_EXPONENT)).abs() < 0.05);
     assert!((order(TrueTrapezoid) - f64::from(TrueTrapezoid::ERROR_EXPONENT)).abs() < 0.05);
     assert!((order(LeftEndpoint) - f64::from(LeftEndpoint::ERROR_EXPONENT)).abs() < 0.05);
 }
 
-/// A model that was of a finer grid is the same, in the memory it had, as a new one: nothing is
-/// left of the finer grid, nor of the numbers that were there.
+/// Nothing remains of an earlier, finer grid.
 #[test]
-fn a_model_in_used_memory_is_a_new_one() {
+fn a_model_in_used_memory_equals_a_new_one() {
     let line = |n| PointSequence::straight([-0.5, 0.2], [1.4, 0.3], n).expect("finite");
     let mut used = QuadraticModel::default();
     for n in [9, 4, 4, 1, 6] {
@@ -188,7 +186,7 @@ fn a_model_in_used_memory_is_a_new_one() {
     }
 }
 
-/// `diag(2, 6)` has the mean eigenvalue 4, with any number of chords, of any length.
+/// `diag(2, 6)` has the mean eigenvalue 4, for any number of chords.
 #[test]
 fn the_size_of_a_metric_is_the_mean_of_its_eigenvalues() {
     let metric = Constant::new(SMatrix::from_diagonal(&vector![2.0, 6.0])).expect("positive");
@@ -201,7 +199,7 @@ fn the_size_of_a_metric_is_the_mean_of_its_eigenvalues() {
             assert_relative_eq!(mean, 4.0, max_relative = 1e-15);
         }
     }
-    // From valley to ridge f² is 1 and 9, at the two ends of the one chord: each counts.
+    // From valley to ridge f² is 1 and 9 at the ends of the chord: both count.
     let chord = PointSequence::straight([0.0, 0.0], [PI, 0.0], 1).expect("finite");
     let mean = QuadraticModel::new(TrueTrapezoid, &Valleys, &chord).mean_gram;
     assert_relative_eq!(mean, 5.0, max_relative = 1e-15);
@@ -210,10 +208,9 @@ fn the_size_of_a_metric_is_the_mean_of_its_eigenvalues() {
     assert_relative_eq!(mean, 5.0, max_relative = 1e-15);
 }
 
-/// The value at 1 is the last point, with one chord as with many, and what lies between is on the
-/// chord that the time says.
+/// The value at 1 is the last point, and a time in between lies on the chord.
 #[test]
-fn a_curve_of_one_chord_has_both_its_ends() {
+fn a_curve_of_one_chord_has_both_ends() {
     let chord = PointSequence::new(vec![vector![2.0, 1.0], vector![4.0, -3.0]]).expect("finite");
     let curve = Interpolation::new(&chord);
     assert_eq!([curve.at(0.0), curve.at(1.0)], [vector![2.0, 1.0], vector![4.0, -3.0]]);

@@ -83,12 +83,12 @@ impl<const D: usize> Chain<'_, D> {
         let mut frames = [None, None];
         let mut both = Front::<D, Pair>::new(self.regulariser);
         let mut batch = self.batch(self.n());
-        let room = batch.room() / 2;
+        let room = batch.capacity() / 2;
         for begin in (0..self.half()).step_by(room) {
             let end = (begin + room).min(self.half());
             let [first, last] = [0, 1].map(|side| self.numbers(side, begin..end));
             let pairs = self.sequence.chords_in(first).zip(self.sequence.chords_in(last).rev());
-            batch.face(pairs.map(|(first, last)| [first, last]));
+            batch.evaluate_facing(pairs.map(|(first, last)| [first, last]));
             let models = batch.pairs();
             let mut kept = memory.as_mut().map(|(factorization, eliminated)| {
                 let (first, last) = eliminated.split_at_mut(self.half());
@@ -143,14 +143,14 @@ impl<const D: usize> Chain<'_, D> {
         let mut side = Side { front: Front::new(self.regulariser), frame: None };
         let Side { front, frame } = &mut side;
         let mut batch = self.batch(half);
-        let room = batch.room();
+        let room = batch.capacity();
         for begin in (0..half).step_by(room) {
             let stop = (begin + room).min(half);
             let chords = self.sequence.chords_in(self.numbers(end, begin..stop));
             if end == 0 {
-                batch.see(end, chords);
+                batch.evaluate_from(end, chords);
             } else {
-                batch.see(end, chords.rev());
+                batch.evaluate_from(end, chords.rev());
             }
             let models = batch.singles();
             for k in begin..stop {

@@ -42,8 +42,8 @@ impl<'m, const D: usize> DiscreteEnergy<'m, D> {
     pub(crate) fn of_chords(&self, chords: &[[&SVector<f64, D>; 2]]) -> Vec<f64> {
         let mut batch = ChordBatch::new(self.metric, Kind::Square, self.nodes, 1.0, chords.len());
         let mut energies = Vec::with_capacity(chords.len());
-        for some in chords.chunks(batch.room()) {
-            batch.see(0, some.iter().map(|[x, y]| (*x, *y - *x)));
+        for some in chords.chunks(batch.capacity()) {
+            batch.evaluate_from(0, some.iter().map(|[x, y]| (*x, *y - *x)));
             let mut terms = Vec::with_capacity(some.len() * self.nodes.len());
             batch.energies().for_first(some.len(), |term| terms.push(term));
             energies.extend(terms.chunks(self.nodes.len()).map(|terms| terms.iter().sum::<f64>()));
@@ -88,8 +88,8 @@ impl<'m, const D: usize> DiscreteEnergy<'m, D> {
     pub(crate) fn check_nodes(&self, sequence: &PointSequence<D>) -> Result<(), MetricError> {
         let n = sequence.n().get();
         let mut batch = ChordBatch::new(self.metric, Kind::Checked, self.nodes, 1.0, n);
-        for begin in (0..n).step_by(batch.room()) {
-            batch.see(0, sequence.chords_in(begin..n.min(begin + batch.room())));
+        for begin in (0..n).step_by(batch.capacity()) {
+            batch.evaluate_from(0, sequence.chords_in(begin..n.min(begin + batch.capacity())));
         }
         if batch.is_metric {
             return Ok(());

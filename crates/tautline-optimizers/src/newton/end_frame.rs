@@ -16,8 +16,8 @@ use tautline_sets::ClosedSet;
 /// The eigenvectors of the symmetric `J` decouple it, with eigenvalues `σ`:
 ///
 /// - `σ = 0`, across the active face: `δ = −F`, the coordinate is *fixed*;
-/// - `σ > 0`, along the face: `A δ + (1−σ)/(σ τ) δ = −F/(σ τ)`, again a Newton equation, with a term
-///   for the curvature of the face (`σ = 1` if it is flat).
+/// - `σ > 0`, along the face: `A δ + (1−σ)/(σ τ) δ = −F/(σ τ)`, again a Newton equation, with a
+///   term for the curvature of the face (`σ = 1` if it is flat).
 ///
 /// This treats faces, edges, corners and curved boundaries alike, and keeps the system symmetric.
 #[derive(Clone, Debug)]

@@ -50,7 +50,7 @@ pub(crate) fn eliminate<const D: usize>(
 ) -> Option<Front<D, Pair>> {
     let keeps = kept.is_some();
     let kept = kept.unwrap_or(Kept { pivots: &mut [], first: &mut [], last: &mut [] });
-    let run = match (instruction_set, models.is_by_middle(), keeps) {
+    let run = match (instruction_set, models.is_midpoint(), keeps) {
         (InstructionSet::Baseline, false, false) => baseline::<false, false, D>,
         (InstructionSet::Baseline, false, true) => baseline::<false, true, D>,
         (InstructionSet::Baseline, true, false) => baseline::<true, false, D>,
@@ -64,31 +64,31 @@ pub(crate) fn eliminate<const D: usize>(
 }
 
 #[inline(never)]
-fn baseline<const BY_MIDDLE: bool, const KEEPS: bool, const D: usize>(
+fn baseline<const MIDPOINT: bool, const KEEPS: bool, const D: usize>(
     models: &Contractions<'_, Pair, D>,
     pairs: Range<usize>,
     front: Front<D, Pair>,
     rest: Rest<'_, D>,
     kept: Kept<'_, D>,
 ) -> Option<Front<D, Pair>> {
-    inline::<BY_MIDDLE, KEEPS, D>(models, pairs, front, rest, kept)
+    inline::<MIDPOINT, KEEPS, D>(models, pairs, front, rest, kept)
 }
 
 /// AVX instructions write to a third register: operands need no copies.
 #[multiversion::multiversion(targets("x86_64+avx2"))]
-fn widest<const BY_MIDDLE: bool, const KEEPS: bool, const D: usize>(
+fn widest<const MIDPOINT: bool, const KEEPS: bool, const D: usize>(
     models: &Contractions<'_, Pair, D>,
     pairs: Range<usize>,
     front: Front<D, Pair>,
     rest: Rest<'_, D>,
     kept: Kept<'_, D>,
 ) -> Option<Front<D, Pair>> {
-    inline::<BY_MIDDLE, KEEPS, D>(models, pairs, front, rest, kept)
+    inline::<MIDPOINT, KEEPS, D>(models, pairs, front, rest, kept)
 }
 
 /// The loop does nothing else and calls nothing, so that the front stays in registers.
 #[inline(always)]
-fn inline<const BY_MIDDLE: bool, const KEEPS: bool, const D: usize>(
+fn inline<const MIDPOINT: bool, const KEEPS: bool, const D: usize>(
     models: &Contractions<'_, Pair, D>,
     pairs: Range<usize>,
     mut front: Front<D, Pair>,
@@ -98,7 +98,7 @@ fn inline<const BY_MIDDLE: bool, const KEEPS: bool, const D: usize>(
     let Rest { regulariser, residual } = rest;
     let models = models.first(pairs.end);
     for k in pairs {
-        let model = if BY_MIDDLE { models.model_by_middle(k) } else { models.model(k) };
+        let model = if MIDPOINT { models.model_at_midpoint(k) } else { models.model(k) };
         let ahead = front.add(&model, regulariser);
         front.count(residual);
         let (pivot, z) = front.advance(ahead)?;

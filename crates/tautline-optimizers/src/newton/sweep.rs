@@ -72,7 +72,7 @@ pub(crate) fn sweep<const D: usize>(
     if count > 2 * half {
         let (x, d) = sequence.chord(half);
         let mut batch = chain.batch(1);
-        batch.see(0, std::iter::once((x, d)));
+        batch.evaluate_from(0, std::iter::once((x, d)));
         let mut ahead = front.add(&batch.singles().model(0), regulariser);
         front.is_metric &= batch.is_metric;
         ahead.row.join(&back.row);

@@ -1,8 +1,8 @@
-//! What the programs of a formula cost before the first chord: their length, the time to record and to
-//! derive them, and the memory of a thread that runs them.
+//! The cost of the programs of a formula before the first chord: their length, the time to record
+//! and derive them, and the memory of a thread that runs them.
 //!
-//! `cargo bench --package tautline --bench programs` for all of it, `paper/tables/programs.csv`, which `cargo
-//! xtask bench` writes.
+//! `cargo bench --package tautline --bench programs` prints `paper/tables/programs.csv`, which
+//! `cargo xtask bench` writes.
 
 #[path = "../scale/cost.rs"]
 mod cost;
@@ -13,7 +13,7 @@ use metrics::{Visitor, every_metric};
 use tautline::{Metric, Prepared};
 use tautline_formula::{Batch, Formula, Kind};
 
-/// So many chords are more than are worked on at once.
+/// More chords than fit into one block.
 const CHORDS: usize = 1 << 20;
 
 struct Printer;
@@ -25,7 +25,7 @@ impl Visitor for Printer {
             println!("{name},{D},,as compiled,,,{:.0},,,", 1e6 * record.seconds);
             return;
         };
-        // What a search on a fine grid asks for first.
+        // The first request of a search on a fine grid.
         let derive = cost(|| {
             let prepared = Prepared::<_, D>::new(metric);
             let batch = Batch::new(&prepared, Kind::Contraction, 2, CHORDS);
@@ -35,7 +35,7 @@ impl Visitor for Printer {
         let way = if size.is_some() { "program" } else { "as compiled" };
         let [instructions, registers] =
             size.map_or([const { String::new() }; 2], |size| size.map(|count| count.to_string()));
-        // Two rows more are where results are made.
+        // Two more rows for results.
         let thread = size.map_or(String::new(), |[_, registers]| {
             format!("{:.0}", (8 * lanes * (registers + 2)) as f64 / 1024.0)
         });

@@ -4,7 +4,7 @@ use std::error::Error;
 
 use tautline::{Metric, SMatrix, SVector, gallery::*};
 
-/// What is done with each metric.
+/// A measurement of a metric in any dimension.
 pub(crate) trait Visitor {
     fn visit<const D: usize>(&mut self, name: &str, metric: &impl Metric<D>);
 }
@@ -62,7 +62,7 @@ fn projections<const D: usize>(terms: usize) -> Result<SineProjections<D>, Box<d
     Ok(SineProjections::new((0..terms).map(term).collect())?)
 }
 
-/// In a box, since its matrices are large.
+/// Boxed, since its matrices are large.
 fn decoder<const HIDDEN: usize, const OUT: usize>()
 -> Result<Box<TanhDecoder<2, HIDDEN, OUT>>, Box<dyn Error>> {
     let inner = SMatrix::from_fn(|i, j| number(2 * i + j));

@@ -10,17 +10,17 @@ use peak_alloc::PeakAlloc;
 #[global_allocator]
 static MEMORY: PeakAlloc = PeakAlloc;
 
-/// So many runs, unless they take longer than this.
+/// The number of runs, fewer if they take longer than `PATIENCE`.
 const RUNS: usize = 5;
 const PATIENCE: Duration = Duration::from_secs(20);
 
-/// What a computation took.
+/// The cost of a computation.
 pub(crate) struct Cost<T> {
     /// The least time of all runs, in seconds.
     pub(crate) seconds: f64,
-    /// By how much the memory in use grew during the first run, at most.
+    /// The peak of additional memory during the first run.
     pub(crate) bytes: usize,
-    /// What the first run returned.
+    /// The result of the first run.
     pub(crate) result: T,
 }
 

@@ -1,7 +1,7 @@
-//! How far solves reach on one machine: ten million nodes, 64 dimensions, ten thousand problems at
-//! once; the time and the memory of each, per node.
+//! The largest solves on one machine: ten million nodes, 64 dimensions, ten thousand problems in a
+//! batch; with time and memory per node.
 //!
-//! `cargo bench --package tautline --bench scale -- P1 batch` for some of them; all of it is
+//! `cargo bench --package tautline --bench scale -- P1 batch` runs some of them; all are
 //! `paper/tables/scale.csv`, which `cargo xtask bench` writes.
 
 mod cost;
@@ -20,30 +20,30 @@ use tautline::{
     solve_all,
 };
 
-/// Subintervals of the long problems, of the wide one, of the widest, and of those in the batch.
+/// Subintervals of the long problems, of the wide one, of the widest, and of the batch.
 const LONG: usize = 10_000_000;
 const WIDE: usize = 1000;
 const WIDEST: usize = 100;
 const SHORT: usize = 64;
 
-/// The wide problems by name.
+/// The name of the wide problems.
 const BY_GRAM: &str = "by gram";
 
-/// Bytes of stack for them.
+/// The stack for the wide problems, in bytes.
 const STACK: usize = 64 << 20;
 
-/// Problems in the batch.
+/// The number of problems in the batch.
 const BATCH: usize = 10_000;
 
 /// Chords of the straight line from which a single problem starts.
 const START: usize = 16;
 
-/// What is printed of one row.
+/// A row of the table.
 struct Row {
     problem: &'static str,
     n: usize,
     threads: usize,
-    /// The seconds per problem on one thread over those on all, times their number.
+    /// The time on one thread over that on all, divided by the number of threads.
     efficiency: f64,
 }
 
@@ -51,7 +51,7 @@ fn processors() -> usize {
     thread::available_parallelism().map_or(1, usize::from)
 }
 
-/// The rate of this cost over that of the first, one thread's, times their number.
+/// The speed relative to that of the first, on one thread, divided by the number of threads.
 fn efficiency<T>(first: &mut Option<f64>, cost: &Cost<T>, threads: usize) -> f64 {
     *first.get_or_insert(cost.seconds) / (cost.seconds * threads as f64)
 }
@@ -85,7 +85,7 @@ impl Row {
     }
 }
 
-/// Solves one problem from the straight line, on one thread and on so many.
+/// Solves one problem from the straight line, on one thread up to `threads`.
 struct Single {
     problem: &'static str,
     n: usize,
@@ -102,7 +102,7 @@ impl Peer for Single {
         let Self { problem, n, threads } = self;
         let mut single = None;
         for threads in 1..=threads {
-            // Anew, so that no memory is left from before.
+            // Posed anew: without memory from earlier solves.
             let posed = Problem::new(&metric, ends.clone());
             let starts = Starts::Only(vec![start.clone()]);
             let options = Options { starts, threads, ..Options::default() };
@@ -132,7 +132,7 @@ fn wide<const D: usize>(problem: &'static str, n: usize) -> Result<(), Box<dyn E
 /// The metric of P2 between points spread over the square about it, from the automatic starts.
 fn batch(problem: &'static str) -> Result<(), Box<dyn Error>> {
     let bump = Bump::new(4.0, 0.5)?;
-    // Multiples of the powers of 1/ρ with ρ³ = ρ + 1, modulo 1, leave no gaps and meet nowhere.
+    // Multiples of the powers of 1/ρ with ρ³ = ρ + 1, modulo 1, fill the square evenly.
     let point = |k: usize| {
         [0.754_877_666_246_692_8, 0.569_840_290_998_053_3]
             .map(|share: f64| 3.0 * (share * k as f64).fract() - 1.5)
@@ -161,7 +161,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for problem in ["P1", "P2"].into_iter().filter(|problem| wanted(problem)) {
         pose(problem, START, Single { problem, n: LONG, threads: 1 })?;
     }
-    // Matrices of jets of this size are on the stack.
+    // The stack holds matrices of jets of this size.
     let wide = || -> Result<(), String> {
         if wanted(BY_GRAM) {
             wide::<32>(BY_GRAM, WIDE).map_err(|error| error.to_string())?;

@@ -1,8 +1,8 @@
-//! What each part of a solve costs, on the six problems on which solvers are compared, beside the
-//! limit: the same Newton pass written by hand for one metric.
+//! The cost of each part of a solve on the six problems of the comparison, relative to the limit:
+//! the same Newton pass written by hand for one metric.
 //!
-//! `cargo bench --package tautline --bench speed -- P1 100000` for one problem and one `N`; all of it
-//! is `paper/tables/speed.csv`, which `cargo xtask bench` writes.
+//! `cargo bench --package tautline --bench speed -- P1 100000` runs one problem and one `N`; all
+//! are `paper/tables/speed.csv`, which `cargo xtask bench` writes.
 
 mod limit;
 mod limit_space;
@@ -24,13 +24,13 @@ use tautline_discretizations::{LinearModel, QuadraticModel, admissible_energy};
 use tautline_formula::{Formula, InstructionSet};
 use tautline_optimizers::minimise_by_batches;
 
-/// As many places at once as [`Prepared::new`] takes.
+/// The number of lanes of [`Prepared::new`].
 const LANES: usize = 128;
 
 const PROBLEMS: [&str; 6] = ["P1", "P2", "P3", "P4", "P5", "P6"];
 const SIZES: [usize; 5] = [64, 1_000, 10_000, 100_000, 1_000_000];
 
-/// A gigabyte, in numbers: larger models are left out.
+/// A gigabyte of numbers: larger models are skipped.
 const LARGEST: usize = 1 << 27;
 
 /// Times every part on one problem.
@@ -57,7 +57,7 @@ impl Peer for Timing {
         let line = bent(problem.solve_with(Trapezoidal, n, &options)?.sequence())?;
         let (first, second) = problem.ends().pairs().next().ok_or("ends have pieces")?;
         let (mut model, mut workspace) = (QuadraticModel::default(), Workspace::default());
-        // As on a processor that has nothing else.
+        // As on a processor without wider instructions.
         let baseline = Prepared::with(metric, InstructionSet::Baseline, LANES);
         let mut other_workspace = Workspace::default();
         let text = prepared.formula().ok_or("the formula has branches")?.to_string();
@@ -110,8 +110,7 @@ impl Peer for Timing {
     }
 }
 
-/// The points of a curve on the way of the search, close to a geodesic: what a pass over the points
-/// is timed at.
+/// A curve as in the middle of a search, close to a geodesic, for timing a pass over its points.
 fn bent<const D: usize>(
     line: &PointSequence<D>,
 ) -> Result<PointSequence<D>, tautline::SequenceError> {
@@ -121,7 +120,7 @@ fn bent<const D: usize>(
     PointSequence::new(points.map(|(k, x)| x.map(|x| x + bend(k))).collect())
 }
 
-/// What is written by hand for this problem, if anything is.
+/// Adds the passes written by hand for this problem, if any.
 fn by_hand<const D: usize>(name: &str, race: &mut Race<'_>, line: &[SVector<f64, D>]) {
     let plane_line = || line.iter().map(|x| [x[0], x[1]]).collect();
     match name {

@@ -1,9 +1,9 @@
-//! `Race`: the times of several computations, taken in turn.
+//! `Race`: times several computations in turn.
 
 use std::time::{Duration, Instant};
 
-/// Computations that are timed one after the other, round by round, so that what else the machine
-/// does at a time falls on all of them; the least time of each counts.
+/// Computations that are timed in rounds, so that other load on the machine affects all of them;
+/// the least time of each counts.
 #[derive(Default)]
 pub(crate) struct Race<'a> {
     runners: Vec<(&'static str, Runner<'a>)>,
@@ -11,7 +11,7 @@ pub(crate) struct Race<'a> {
 
 type Runner<'a> = Box<dyn FnMut() + 'a>;
 
-/// At least so many rounds, and so many more as fit into the time.
+/// The least number of rounds, and the time for more.
 const ROUNDS: usize = 5;
 const TIME: Duration = Duration::from_millis(1500);
 

@@ -1,4 +1,4 @@
-//! Tautline in the comparison with other programs: solves one problem and reports its time.
+//! Tautline in the comparison with other programs: solves one problem and reports the time.
 //!
 //! Called by `cargo xtask peers`, once for each problem and `N`:
 //!
@@ -15,7 +15,7 @@ use measurement::{cpu_time, report, time};
 use problems::{Peer, pose};
 use tautline::{Ends, Metric, Options, PointSequence, Problem, SolveError, Starts, Trapezoidal};
 
-/// Tautline from the straight line alone, as everybody else in the comparison.
+/// Tautline from the straight line alone, like every other program.
 struct Tautline {
     points: PathBuf,
 }
@@ -39,12 +39,12 @@ impl Peer for Tautline {
     }
 }
 
-/// From this start alone, and on one thread: each program is confined to one processor.
+/// One start and one thread: each program runs on one processor.
 fn options<const D: usize>(start: PointSequence<D>) -> Options<D> {
     Options { starts: Starts::Only(vec![start]), threads: 1, ..Options::default() }
 }
 
-/// The square of the distance, extrapolated: on the first grid that is accurate enough.
+/// The extrapolated squared distance, on the first grid that is accurate enough.
 struct Distance {
     reference: f64,
     error: f64,
@@ -64,7 +64,7 @@ impl Peer for Distance {
             Ok::<_, SolveError>(line.distance_squared_estimate())
         };
         println!("version={}\nset_up={}", env!("CARGO_PKG_VERSION"), cpu_time());
-        // From two grids on there is something to extrapolate.
+        // Extrapolation needs two grids.
         for n in (5..16).flat_map(|power| [3 << power, 4 << power]) {
             let found = estimate(n)?.map_or(f64::INFINITY, |estimate| estimate.value);
             if (found / self.reference - 1.0).abs() <= self.error {

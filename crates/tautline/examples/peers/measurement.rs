@@ -1,15 +1,15 @@
-//! How long a solve takes, and the report that the comparison reads.
+//! The time of a solve, and the report that the comparison reads.
 
 use std::{fs, path::Path, sync::OnceLock, time::Instant};
 
 use tautline::SVector;
 
-/// A sample repeats the solve for at least so long, in seconds: the clock of the system advances
-/// in steps of up to 4 ms, which is then 2 % at most.
+/// The least duration of a sample, in seconds: the clock advances in steps of up to 4 ms, at most 2
+/// %.
 const SAMPLE: f64 = 0.2;
 
-/// A solve that takes longer than this, in seconds, is not repeated: five of them are within the
-/// limit of the comparison, which is one for the whole process.
+/// A longer solve, in seconds, is not repeated: the comparison limits the whole process, to five of
+/// them.
 const PATIENCE: f64 = 5.0;
 
 /// The seconds of one solve, and its result.
@@ -44,18 +44,17 @@ pub(crate) fn time<T>(mut solve: impl FnMut() -> T) -> Timed<T> {
     Timed { seconds: samples[1], result }
 }
 
-/// The time that the processor has spent on this thread, in seconds; elapsed time where the
-/// system does not tell.
+/// The processor time of this thread, in seconds; elapsed time if the system does not report it.
 pub(crate) fn cpu_time() -> f64 {
     static BEGIN: OnceLock<Instant> = OnceLock::new();
     let begin = BEGIN.get_or_init(Instant::now);
-    let told = fs::read_to_string("/proc/thread-self/schedstat").ok();
-    let nanoseconds = told.and_then(|text| text.split_whitespace().next()?.parse::<f64>().ok());
+    let statistics = fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let nanoseconds =
+        statistics.and_then(|text| text.split_whitespace().next()?.parse::<f64>().ok());
     nanoseconds.map_or_else(|| begin.elapsed().as_secs_f64(), |nanoseconds| nanoseconds * 1e-9)
 }
 
-/// Prints what the comparison wants to know, and writes the points, `D` numbers each, in the
-/// order of the bytes of this machine.
+/// Prints the report, and writes the points, `D` numbers each in native byte order.
 pub(crate) fn report<T, const D: usize>(
     timed: &Timed<T>,
     iterations: impl std::fmt::Display,

@@ -1,4 +1,5 @@
-//! The problems of the comparison, P1 to P6, with the line from which everybody starts.
+//! The problems of the comparison, P1 to P6, with the straight line from which every program
+//! starts.
 
 use std::f64::consts::PI;
 
@@ -7,7 +8,7 @@ use tautline::{
     gallery::{Bump, CoupledCosines, SineProjections, Sphere, Valleys},
 };
 
-/// What is done with a problem, whatever its dimension.
+/// A program that takes part in the comparison.
 pub(crate) trait Peer {
     /// Solves the problem on the grid of the start, `n` chords, and reports.
     fn solve<M: Metric<D>, const D: usize>(
@@ -18,7 +19,7 @@ pub(crate) trait Peer {
     ) -> Result<(), Box<dyn std::error::Error>>;
 }
 
-/// Hands the problem of this name to the peer.
+/// Poses the problem of this name to a peer.
 pub(crate) fn pose(
     name: &str,
     n: usize,
@@ -37,7 +38,7 @@ pub(crate) fn pose(
         }
         "P5" => between(peer, SineProjections::benchmark(), [0.0; 8], [1.0; 8], n),
         "P6" => between(peer, Sphere, [-0.8, 0.3], [1.1, 0.6], n),
-        _ => Err(format!("there is no problem {name}").into()),
+        _ => Err(format!("no problem {name}").into()),
     }
 }
 

@@ -1,4 +1,4 @@
-//! Many problems at once have the results that they have one by one.
+//! Problems in a batch have the same results as one by one.
 
 use std::{collections::HashSet, sync::Mutex, thread};
 
@@ -22,8 +22,8 @@ fn on_threads<M: Metric<2> + Send, R: Rule>(
     pool.install(|| solve_all(problems, rule, n, &Options::default()))
 }
 
-/// Everything that a search returns: printed, since two numbers print alike only if they have the
-/// same bits, where equal ones may differ in the sign of a zero.
+/// Everything that a search returns, printed: numbers print alike only if they have the same bits,
+/// while equal ones may differ in the sign of a zero.
 fn printed<M: Metric<2>, R: Rule>(lines: &Lines<M, R>) -> Vec<String> {
     let minima = lines.iter().map(|line| line.as_ref().map(TautLine::minimum));
     minima.map(|minimum| format!("{minimum:?}")).collect()
@@ -48,7 +48,7 @@ fn compare<R: Rule>(rule: R, n: usize) {
     assert!(
         one_by_one.iter().all(|line| line.as_ref().is_ok_and(|l| l.minimum().is_local_minimum()))
     );
-    // All are different, so that none can stand in the place of another.
+    // All are different: none can take the place of another.
     for (k, line) in expected.iter().enumerate() {
         assert!(!expected[..k].contains(line), "{k}: {line}");
     }
@@ -61,7 +61,7 @@ fn compare<R: Rule>(rule: R, n: usize) {
     }
 }
 
-/// On a grid of its own, and on one that is refined in the memory of the problem before.
+/// On a single grid, and on grids that are refined in the memory of the previous problem.
 #[test]
 fn a_batch_has_the_results_of_its_problems_one_by_one() {
     compare(Trapezoidal, 32);
@@ -71,7 +71,7 @@ fn a_batch_has_the_results_of_its_problems_one_by_one() {
 
 #[test]
 fn an_error_stays_in_its_place() {
-    // Every third end is outside of the unit disk, where there is no metric.
+    // Every third end is outside the unit disc, where the metric is undefined.
     let end = |k: usize| if k % 3 == 1 { [0.0, 2.0] } else { [0.5, 0.01 * k as f64] };
     let pose = |k| Problem::new(&Hyperbolic, Ends::points([-0.5, 0.0], end(k)).expect("finite"));
     let problems: Vec<_> = (0..20).map(pose).collect();
@@ -94,7 +94,7 @@ fn an_error_stays_in_its_place() {
 }
 
 #[test]
-fn without_chords_every_problem_is_refused_and_without_problems_nothing_is() {
+fn without_chords_every_problem_is_refused_and_no_problems_are_fine() {
     let ends = Ends::points([-0.5, 0.0], [0.5, 0.1]).expect("finite");
     let problems = vec![Problem::new(Hyperbolic, ends); 3];
     let lines = on_threads(2, &problems, Trapezoidal, 0);
@@ -102,7 +102,8 @@ fn without_chords_every_problem_is_refused_and_without_problems_nothing_is() {
     assert!(on_threads(2, &problems[..0], Trapezoidal, 10).is_empty());
 }
 
-/// The Euclidean metric; knows who has asked, for it compares numbers and so is not recorded.
+/// The Euclidean metric, with a record of the threads that evaluate it: it compares numbers, so
+/// that its formula is evaluated as compiled.
 #[derive(Default)]
 struct Asked(Mutex<HashSet<thread::ThreadId>>);
 
@@ -114,14 +115,14 @@ impl Metric<4> for Asked {
     }
 }
 
-/// On a grid on which a problem by itself would take two.
+/// On a grid for which a single problem would use two.
 #[test]
 fn each_problem_of_a_batch_has_one_thread() {
     let threads_of = |solve: fn(&[Problem<&Asked, 4>])| {
         let asked = Asked::default();
         let ends = Ends::points([0.0; 4], [1.0; 4]).expect("finite");
         let problems = vec![Problem::new(&asked, ends); 3];
-        // Here it was asked, too.
+        // `Problem::new` evaluates it too.
         asked.0.lock().expect("nobody panics").clear();
         solve(&problems);
         asked.0.into_inner().expect("nobody panics").len()

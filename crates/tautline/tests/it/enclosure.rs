@@ -1,4 +1,4 @@
-//! What an enclosure of `d²` owes to the errors of the quadratures, and to the residual of a line.
+//! Quadrature errors and the residual of a line enter its bounds on `d²`.
 
 use std::f64::consts::PI;
 
@@ -9,7 +9,7 @@ use tautline::{
     gallery::{Constant, Separable, Shear, Valleys},
 };
 
-/// `f = 1 + a sin kx` on `[0, 1]`, with far more waves than a quadrature looks at.
+/// `f = 1 + a sin kx` on `[0, 1]`, with far more waves than a quadrature resolves.
 fn unresolved(a: f64) -> (TautLine<Separable<1>, Trapezoidal, 1>, f64) {
     let metric = Separable::new([a], [1e5]).expect("valid");
     let d = metric.distance(&[0.0].into(), &[1.0].into()).expect("known");
@@ -17,8 +17,8 @@ fn unresolved(a: f64) -> (TautLine<Separable<1>, Trapezoidal, 1>, f64) {
     (Problem::new(metric, ends).solve(Trapezoidal, 1).expect("nothing to solve"), d * d)
 }
 
-/// `upper` is `min(E + its error, (L + its error)²)`: without either error it would be less, by far
-/// more than rounding.
+/// `upper` is `min(E + its error, (L + its error)²)`: without either error it would be smaller by
+/// far more than rounding.
 #[test]
 fn the_errors_of_both_quadratures_are_in_the_upper_bound() {
     for a in [1e-3, 0.5] {
@@ -30,7 +30,7 @@ fn the_errors_of_both_quadratures_are_in_the_upper_bound() {
         assert_eq!(enclosure.upper, of_length.min(of_energy));
         let by = if of_energy < of_length { FromAbove::Energy } else { FromAbove::Length };
         assert_eq!(enclosure.from_above, by);
-        // Rounding is some 10⁻¹⁵.
+        // Rounding is about 10⁻¹⁵.
         let seen = enclosure.upper * (1.0 - 1e-6);
         assert!(length.value.powi(2) < seen, "a = {a}: {length:?}, {enclosure:?}");
         assert!(enclosure.lower <= d2 && d2 <= enclosure.upper, "a = {a}: {enclosure:?} of {d2}");
@@ -40,7 +40,7 @@ fn the_errors_of_both_quadratures_are_in_the_upper_bound() {
     }
 }
 
-/// A straight line between `a` and `b` with half a sine wave added, which no search has touched.
+/// A straight line between `a` and `b` plus half a sine wave, without a search.
 fn waved<M, R: RuleOfThePaper, const D: usize>(
     metric: M,
     rule: R,
@@ -62,10 +62,10 @@ where
     Problem::new(metric, ends).solve_with(rule, n, &options).expect("solved")
 }
 
-/// Under `H = 4 I` the energy is quadratic, and a wave is off its minimum `d²` by just what the
-/// residual tells, `R²/(4σ N² sin²(π/2N))` with `R² = (1/N) Σ |½N ∂E/∂xₙ|²`.
+/// Under `H = 4 I` the energy is quadratic, and a wave exceeds the minimum `d²` by exactly
+/// `R²/(4σ N² sin²(π/2N))` with the residual `R² = (1/N) Σ |½N ∂E/∂xₙ|²`.
 #[test]
-fn the_residual_is_what_a_wave_under_a_constant_metric_has_too_much() {
+fn the_residual_is_the_excess_of_a_wave_under_a_constant_metric() {
     fn lower<R: RuleOfThePaper + Rule>(rule: R, n: usize) -> (Enclosure, f64) {
         let metric = Constant::<2>::new([[4.0, 0.0], [0.0, 4.0]].into()).expect("definite");
         let line = waved(metric, rule, n, [[0.0, 0.0], [3.0, 4.0], [0.0, 0.5]]);
@@ -82,10 +82,10 @@ fn the_residual_is_what_a_wave_under_a_constant_metric_has_too_much() {
     }
 }
 
-/// The energy of a line that is not optimised is above `d²` by more than the bound of second order:
-/// only its residual keeps the lower bound below.
+/// The energy of a line that is not optimised exceeds `d²` by more than the bound of second order:
+/// only its residual keeps the lower bound below `d²`.
 #[test]
-fn a_line_that_is_not_optimised_has_its_residual_in_the_lower_bound() {
+fn the_residual_of_a_line_that_is_not_optimised_enters_the_lower_bound() {
     let metric = Shear::new(0.5, 1.0).expect("valid");
     let (a, b) = ([0.0, 0.0], [0.2, 0.1]);
     let d2 = metric.distance(&a.into(), &b.into()).expect("known").powi(2);
@@ -93,7 +93,7 @@ fn a_line_that_is_not_optimised_has_its_residual_in_the_lower_bound() {
     let enclosure = line.enclosure().expect("finite");
     assert!(!enclosure.assumes_global_minimum, "{enclosure:?}");
     assert!(enclosure.lower <= d2 && d2 <= enclosure.upper, "{enclosure:?} of {d2}");
-    // The same energy of a line that is as short as it can be would have a lower bound above d².
+    // If an optimised line had this energy, its lower bound would exceed d².
     let converged = Problem::new(metric, Ends::points(a, b).expect("finite"));
     let converged = converged.solve(Trapezoidal, 64).expect("solved");
     let left = converged.enclosure().expect("finite");
@@ -102,7 +102,7 @@ fn a_line_that_is_not_optimised_has_its_residual_in_the_lower_bound() {
     assert!(enclosure.lower < left.lower, "{enclosure:?}, {left:?}");
 }
 
-/// The lines on which nothing was optimised, given by their points.
+/// A line through the given points, without a search.
 fn given<M: tautline::Bounded<D>, const D: usize>(
     metric: M,
     ends: Ends<D>,
@@ -115,18 +115,18 @@ fn given<M: tautline::Bounded<D>, const D: usize>(
     Problem::new(metric, ends).solve_with(Trapezoidal, n, &options).expect("a metric")
 }
 
-/// The trapezoidal rule reads a line from either end alike, so what it tells of `d²` is the same of
-/// the way back: the longest chord counts wherever it is, and the residual at each inner point.
+/// The trapezoidal rule is symmetric, and so are its bounds: the longest chord counts wherever it
+/// is, and the residual at each inner point.
 #[test]
-fn the_way_back_is_enclosed_as_the_way_there() {
+fn a_line_and_its_reverse_have_the_same_enclosure() {
     let wave = |k: usize| [0.1 * k as f64, 0.002 * (k * k % 7) as f64];
     let mut lines = vec![(0..=12).map(wave).collect::<Vec<_>>()];
-    // One chord that is far longer than the others, as first, as last, or between.
+    // One chord far longer than the others: the first, the last, or between.
     for long in [0, 3, 7] {
         let place = |k: usize| if k > long { 0.4 + 0.01 * k as f64 } else { 0.01 * k as f64 };
         lines.push((0..=8).map(|k| [place(k), 0.3 * place(k)]).collect());
     }
-    // One inner point that is off the line: the first, the last, or between.
+    // One inner point off the line: the first, the last, or between.
     for off in [1, 4, 7] {
         let beside = |k: usize| if k == off { 0.003 } else { 0.0 };
         lines.push((0..=8).map(|k| [0.01 * k as f64, beside(k)]).collect());
@@ -140,7 +140,7 @@ fn the_way_back_is_enclosed_as_the_way_there() {
         };
         let there = enclosure(points.clone());
         let back = enclosure(points.into_iter().rev().collect());
-        // Sums of a dozen terms in another order, of which differences are a hundredth.
+        // Sums of a dozen terms in another order, with differences of a hundredth.
         let close = |x: f64, y: f64| (x - y).abs() <= 1e-12 * x.abs();
         assert!(close(there.lower, back.lower) && close(there.upper, back.upper), "{there:?}");
         let flags = |x: &Enclosure| (x.from_below, x.assumes_global_minimum, x.is_not_global);
@@ -150,10 +150,10 @@ fn the_way_back_is_enclosed_as_the_way_there() {
     assert!(assumed.iter().all(|&count| count > 0), "{assumed:?}");
 }
 
-/// Between sets the ends of a line need not be those that are nearest to each other: how far they
-/// are apart says nothing of `d²`, which is `4` here.
+/// Between sets the ends of a line need not be the nearest points: their distance implies nothing
+/// about `d²`, which is `4` here.
 #[test]
-fn the_gap_between_the_ends_of_a_line_is_not_that_of_its_sets() {
+fn the_gap_between_the_ends_of_a_line_is_not_the_gap_of_its_sets() {
     let flat = Constant::<2>::new([[1.0, 0.0], [0.0, 1.0]].into()).expect("definite");
     let ball = Ball::new([0.0, 0.0], 1.0).expect("a radius");
     let wall = HalfSpace::at_least([1.0, 0.0], 3.0).expect("a normal");
@@ -163,14 +163,14 @@ fn the_gap_between_the_ends_of_a_line_is_not_that_of_its_sets() {
     assert!(enclosure.upper > 24.0, "{enclosure:?}");
     assert_ne!(enclosure.from_below, FromBelow::Euclidean);
     assert!(enclosure.lower <= 4.0 || enclosure.assumes_global_minimum, "{enclosure:?}");
-    // Between two points it does.
+    // Between two points it bounds d².
     let ends = Ends::points([0.0, 1.0], [3.0, 5.0]).expect("finite");
     let line = given(flat, ends, vec![[0.0, 1.0], [1.0, 2.0], [3.0, 5.0]]);
     assert!(line.enclosure().expect("finite").lower >= 25.0 * (1.0 - 1e-14));
 }
 
-/// Energies are extrapolated by the order of their rule: that of either comes to `d²` by far more
-/// digits than the energies themselves.
+/// With the order of its rule, either extrapolation has far more correct digits of `d²` than the
+/// energies.
 #[test]
 fn each_rule_is_extrapolated_by_its_own_order() {
     fn off<R: Rule>(rule: R) -> (f64, f64) {

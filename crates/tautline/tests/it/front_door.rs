@@ -1,4 +1,4 @@
-//! What a new user meets first: a formula as it is written on paper, and what is said of bad input.
+//! What a new user meets first: a formula as on paper, and errors for bad input.
 
 use tautline::{
     Ends, LARGEST_N, LeftEndpoint, Metric, MetricError, Options, PointSequence, Problem, Rule,
@@ -6,13 +6,13 @@ use tautline::{
     solve_all,
 };
 
-/// `f² I` with `f = 2 − cos x₁`, as [`Valleys`] of the gallery, with numbers on the left.
+/// `f² I` with `f = 2 − cos x₁`, like [`Valleys`] of the gallery, with numbers on the left.
 struct OnPaper;
 
 impl Metric<2> for OnPaper {
     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
         let f = 2.0 - x[0].cos();
-        // What cancels: by all four operators, and by reference.
+        // Terms that cancel: all four operators, also by reference.
         let twice = 2.0 * f;
         let again = 1.0 / (1.0 / twice);
         SMatrix::from_diagonal_element((1.0 + (again - f) - 1.0 + 0.0 * &f).sqr())
@@ -29,13 +29,13 @@ fn a_formula_may_have_numbers_on_the_left() {
     };
     for n in [8, 512] {
         let (own, gallery) = energy(n);
-        // Some ten roundings of the formula, each at most 4 ε of f.
+        // About ten roundings of the formula, each at most 4 ε of f.
         assert!((own / gallery - 1.0).abs() < 1e-14, "{own} {gallery}");
     }
 }
 
 #[test]
-fn too_many_subintervals_are_an_error_and_not_the_end_of_the_process() {
+fn too_many_subintervals_are_an_error() {
     fn refused<const D: usize>(n: usize) {
         let flat = tautline::gallery::Constant::<D>::new(SMatrix::identity()).expect("definite");
         let problem = Problem::new(flat, Ends::points([0.0; D], [1.0; D]).expect("finite"));
@@ -56,7 +56,7 @@ fn too_many_subintervals_are_an_error_and_not_the_end_of_the_process() {
 }
 
 #[test]
-fn sixty_four_chords_have_an_estimate_of_the_distance() {
+fn sixty_four_chords_suffice_for_an_estimate_of_the_distance() {
     let ends = Ends::points([0.0, 0.0], [2.0, 1.5]).expect("finite");
     let problem = Problem::new(Valleys, ends);
     let estimate = |n| {
@@ -64,12 +64,12 @@ fn sixty_four_chords_have_an_estimate_of_the_distance() {
         line.distance_squared_estimate().expect("several grids")
     };
     let (small, fine) = (estimate(64), estimate(2048));
-    // As good as it says, or better: of the error of the second order in 1/N nothing is left.
+    // Within its error: the second order in 1/N is eliminated.
     assert!((small.value - fine.value).abs() <= small.error, "{small:?} {fine:?}");
     assert!((small.value - fine.value).abs() <= 1e-5 * fine.value, "{small:?} {fine:?}");
 }
 
-/// `1 − (3/2) e^{−((x₁ − c)/w)²}` times the identity: no metric within `0.6 w` of `c`.
+/// `1 − (3/2) e^{−((x₁ − c)/w)²}` times the identity: not positive within `0.6 w` of `c`.
 struct Dip {
     centre: f64,
 }
@@ -81,12 +81,13 @@ impl Metric<2> for Dip {
     }
 }
 
-/// Four chords read the metric at 1/8, 3/8, … and not where it is negative; the length would be NaN.
+/// Four chords evaluate the metric at 1/8, 3/8, … and miss where it is negative; the length would
+/// be NaN.
 #[test]
 fn a_metric_that_is_negative_between_nodes_is_an_error_with_the_point() {
     for centre in [0.22, 0.53, 0.97] {
         let line = PointSequence::straight([0.0, 0.0], [1.0, 0.0], 4).expect("finite");
-        // The nearest node is 0.095 beside the centre: (3/2) e^(−4.75²) = 2.4e-10.
+        // The nearest node is 0.095 away from the centre: (3/2) e^(−4.75²) = 2.4e-10.
         assert!((Trapezoidal.energy(&Dip { centre }, &line) - 1.0).abs() < 2.4e-10);
         let ends = Ends::points([0.0, 0.0], [1.0, 0.0]).expect("finite");
         let options = Options { starts: Starts::Only(vec![line]), ..Options::default() };

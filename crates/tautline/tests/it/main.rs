@@ -1,4 +1,4 @@
-//! The front door: problems, batches and enclosures.
+//! Problems, batches and enclosures, as a user meets them.
 
 mod batch;
 mod enclosure;
