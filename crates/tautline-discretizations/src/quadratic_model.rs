@@ -25,23 +25,14 @@ pub struct QuadraticModel<const D: usize> {
 impl<const D: usize> QuadraticModel<D> {
     /// Expands the discrete energy of `rule` about `sequence`. NaN if the metric is NaN.
     #[must_use]
-    pub fn new<R: Rule>(rule: R, metric: &impl Metric<D>, sequence: &PointSequence<D>) -> Self {
+    pub fn new<R: Rule>(_rule: R, metric: &impl Metric<D>, sequence: &PointSequence<D>) -> Self {
         let mut model = Self::default();
-        model.expand(rule, metric, sequence);
+        model.expand_by_batches(R::NODES, &Plain::new(metric), sequence);
         model
     }
 
-    /// As [`new`](Self::new), in the memory of this model, which is overwritten.
-    pub fn expand<R: Rule>(
-        &mut self,
-        _rule: R,
-        metric: &impl Metric<D>,
-        sequence: &PointSequence<D>,
-    ) {
-        self.expand_by_batches(R::NODES, &Plain::new(metric), sequence);
-    }
-
-    /// As [`expand`](Self::expand), for a metric that is evaluated in batches.
+    /// As [`new`](Self::new), for a metric that is evaluated in batches, in the memory of this model,
+    /// which is overwritten.
     pub fn expand_by_batches(
         &mut self,
         nodes: &'static [Node],

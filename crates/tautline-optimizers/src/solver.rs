@@ -72,7 +72,7 @@ struct Search<'a, const D: usize> {
     refused: Option<SolveError>,
 }
 
-/// Up to this grid the order of the local minimisers may change, and so many of them are followed;
+/// Up to this grid the order of the local minimisers may change, and `FOLLOWED` of them are followed;
 /// beyond it, only the lowest.
 const SETTLED: usize = 512;
 const FOLLOWED: usize = 8;
@@ -89,7 +89,7 @@ const FINE: usize = 64;
 const LINES: [usize; 2] = [48, 64];
 
 /// If the least energy on a small grid differs by this fraction from that on half as many chords, a
-/// minimiser leaps over ridges, or did: leaps are looked for once more.
+/// minimiser leaps over ridges, or did: the search looks for leaps once more.
 const UNSETTLED: f64 = 0.05;
 
 impl<'a, const D: usize> Search<'a, D> {
@@ -127,10 +127,7 @@ impl<'a, const D: usize> Search<'a, D> {
         'a: 'e,
     {
         let search = self.between(candidate.ends);
-        let start = |memory| {
-            let DiscreteEnergy { error_exponent, .. } = search.energy;
-            candidate.start(grid, *error_exponent, search.energy.instruction_set(), memory)
-        };
+        let start = |memory| candidate.start(grid, search.energy, memory);
         let mut in_vain = 0;
         let refined = (grid >= FINE).then(|| {
             let start = start(self.workspace.spare.take(grid + 1)).ok()?;
@@ -176,12 +173,7 @@ impl<'a, const D: usize> Search<'a, D> {
         };
         for &ends in pieces {
             let search = self.between(ends);
-            let starts = if all {
-                self.options.starts.between(self.energy, ends, grid, lines)
-            } else {
-                self.options.starts.in_detail(self.energy, ends, grid, lines)
-            };
-            for start in starts {
+            for start in self.options.starts.between(self.energy, ends, grid, all, lines) {
                 let found = search.check(&start).and_then(|()| search.run(start));
                 let found = self.accept(found.map_err(SolveError::Metric));
                 candidates.extend(found.map(|found| Candidate::new(ends, found)));
@@ -216,9 +208,8 @@ impl<'a, const D: usize> Search<'a, D> {
         found.map_err(refuse).ok()
     }
 
-    /// Returns the lowest candidate along which the metric is defined, between the nodes too. If
-    /// there is none, the defect of the lowest candidate is the error: it tells more than that of a
-    /// start.
+    /// Returns the lowest candidate along which the metric is defined, between the nodes too. Without
+    /// one, the error is the defect of the lowest candidate, which tells more than a refused start.
     fn lowest_with_a_metric<'e>(
         &mut self,
         candidates: Vec<Candidate<'e, D>>,
@@ -235,7 +226,7 @@ impl<'a, const D: usize> Search<'a, D> {
     }
 }
 
-/// The energies of the candidates whose search converged.
+/// The energies of the candidates that converged.
 fn converged_energies<const D: usize>(candidates: &[Candidate<'_, D>]) -> Vec<f64> {
     candidates.iter().filter(|c| !c.failed()).map(|c| c.found.energy).collect()
 }
@@ -243,8 +234,8 @@ fn converged_energies<const D: usize>(candidates: &[Candidate<'_, D>]) -> Vec<f6
 #[cfg(test)]
 mod tests {
     use nalgebra::vector;
-    use tautline_discretizations::{PointSequence, Rule, Trapezoidal};
-    use tautline_formula::{InstructionSet, Prepared};
+    use tautline_discretizations::{PointSequence, Trapezoidal};
+    use tautline_formula::Prepared;
     use tautline_metrics::gallery::Separable;
     use tautline_sets::{ClosedSet, Point};
 
@@ -252,7 +243,7 @@ mod tests {
     use crate::{Workspace, newton::discrete_energy::DiscreteEnergy};
 
     /// The minimiser with nine chords leaps over both ridges of this metric. From there, Newton's
-    /// method without damping fails on the next grid, and its steps count all the same.
+    /// method without damping fails on the next grid, but its steps count.
     #[test]
     fn failed_undamped_steps_are_counted() {
         let ridges = Separable::new(vector![0.788, 0.0, 0.0], vector![1.663, 1.0, 1.0]);
@@ -270,10 +261,7 @@ mod tests {
             let line = PointSequence::straight(line[0], line[1], 9).expect("finite");
             Candidate::new(ends, local.run(line).expect("a metric"))
         };
-        let start = || {
-            let exponent = <Trapezoidal as Rule>::ERROR_EXPONENT;
-            coarse().start(129, exponent, InstructionSet::Widest, Vec::new()).expect("finite")
-        };
+        let start = || coarse().start(129, energy, Vec::new()).expect("finite");
         let mut in_vain = 0;
         let undamped = local.refine(start(), &coarse().found, search.workspace, &mut in_vain);
         assert!(undamped.is_none() && in_vain > 0);

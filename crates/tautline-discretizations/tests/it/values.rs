@@ -8,6 +8,7 @@ use tautline_discretizations::{
     BlockTridiagonal, Interpolation, LeftEndpoint, LinearModel, PointSequence, QuadraticModel,
     Rule, Trapezoidal, TrueTrapezoid, energy_gradient,
 };
+use tautline_formula::Plain;
 use tautline_metrics::gallery::{Constant, Sphere, Valleys};
 
 /// One chord from `(0, 0)` to `(2π, 0)`: the ridge `f = 3` at its midpoint, `f = 1` at both ends.
@@ -180,7 +181,7 @@ fn a_model_in_used_memory_equals_a_new_one() {
     let line = |n| PointSequence::straight([-0.5, 0.2], [1.4, 0.3], n).expect("finite");
     let mut used = QuadraticModel::default();
     for n in [9, 4, 4, 1, 6] {
-        used.expand(TrueTrapezoid, &Sphere, &line(n));
+        used.expand_by_batches(TrueTrapezoid::NODES, &Plain::new(Sphere), &line(n));
         assert_eq!(used, QuadraticModel::new(TrueTrapezoid, &Sphere, &line(n)), "N = {n}");
         assert_eq!((used.gradient.len(), used.hessian.upper.len()), (n + 1, n));
     }

@@ -34,7 +34,7 @@ use crate::{
 /// of energy but not of length.
 ///
 /// For the derivation see [`leading_constants`]. The limits are computed, not proved.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[doc(alias = "asymptotics")]
 #[non_exhaustive]
 pub struct LeadingConstants {
@@ -99,14 +99,7 @@ pub fn leading_constants<const D: usize>(
         return Err(AsymptoticsError::Degenerate);
     }
     if minimum.stop == Stop::EndsTouch {
-        return Ok(LeadingConstants {
-            trapezoidal: 0.0,
-            left: 0.0,
-            energy_trapezoidal: 0.0,
-            length_trapezoidal: 0.0,
-            energy_left: 0.0,
-            length_left: 0.0,
-        });
+        return Ok(LeadingConstants::default());
     }
     let displacement = displacement_energy(metric, ends, minimum)?;
     let means = GeodesicMeans::along(metric, minimum)?;

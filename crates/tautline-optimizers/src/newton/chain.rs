@@ -3,12 +3,13 @@
 use std::ops::Range;
 
 use nalgebra::SVector;
-use tautline_discretizations::{ChordBatch, Node, PointSequence};
-use tautline_formula::{Batches, Kind};
+use tautline_discretizations::{ChordBatch, PointSequence};
+use tautline_formula::Kind;
 use tautline_metrics::Pair;
 use tautline_sets::ClosedSet;
 
 use crate::newton::{
+    discrete_energy::DiscreteEnergy,
     end_frame::EndFrame,
     factorization::{Pivot, Regulariser},
     front::Front,
@@ -27,8 +28,7 @@ pub(crate) const fn goes_in_lanes(dimension: usize) -> bool {
 
 /// A point sequence, and what its elimination reads.
 pub(crate) struct Chain<'a, const D: usize> {
-    pub(crate) nodes: &'static [Node],
-    pub(crate) metric: &'a dyn Batches<D>,
+    pub(crate) energy: &'a DiscreteEnergy<'a, D>,
     pub(crate) ends: [&'a dyn ClosedSet<D>; 2],
     pub(crate) sequence: &'a PointSequence<D>,
     pub(crate) regulariser: Regulariser,
@@ -68,7 +68,7 @@ impl<const D: usize> Chain<'_, D> {
 
     /// Memory for the models of blocks of `chords`.
     pub(crate) fn batch(&self, chords: usize) -> ChordBatch<'_, D> {
-        ChordBatch::new(self.metric, Kind::Contraction, self.nodes, self.n() as f64, chords)
+        self.energy.batch(Kind::Contraction, self.n() as f64, chords)
     }
 
     /// The coordinates at an end, given the gradient there.
@@ -114,7 +114,7 @@ impl<const D: usize> Chain<'_, D> {
                 pairs.start = 1;
             }
             let rest = Rest { regulariser: self.regulariser, residual: self.residual };
-            let instructions = self.metric.instruction_set();
+            let instructions = self.energy.instruction_set();
             both = eliminate(instructions, &models, pairs, both, rest, kept)?;
         }
         both.is_metric = batch.is_metric;

@@ -7,12 +7,6 @@ use tautline_discretizations::{
 };
 use tautline_formula::{Batches, InstructionSet, Kind};
 use tautline_metrics::{MetricError, check_matrix};
-use tautline_sets::ClosedSet;
-
-use crate::newton::{
-    magnitude::Magnitude,
-    sweep::{MemoryOfSweep, Sweep, sweep},
-};
 
 /// A function of point sequences, `E_N(x) = N Σₖ Σⱼ wⱼ g(xₖ + tⱼ dₖ)(dₖ, dₖ)` with
 /// `dₖ = xₖ₊₁ − xₖ`, and its derivatives.
@@ -40,7 +34,7 @@ impl<'m, const D: usize> DiscreteEnergy<'m, D> {
     /// The energies of the chords from `x` to `y`, each without the factor `N`:
     /// `Σⱼ wⱼ g(x + tⱼ d)(d, d)`.
     pub(crate) fn of_chords(&self, chords: &[[&SVector<f64, D>; 2]]) -> Vec<f64> {
-        let mut batch = ChordBatch::new(self.metric, Kind::Square, self.nodes, 1.0, chords.len());
+        let mut batch = self.batch(Kind::Square, 1.0, chords.len());
         let mut energies = Vec::with_capacity(chords.len());
         for some in chords.chunks(batch.capacity()) {
             batch.evaluate_from(0, some.iter().map(|[x, y]| (*x, *y - *x)));
@@ -67,16 +61,9 @@ impl<'m, const D: usize> DiscreteEnergy<'m, D> {
         model.expand_by_batches(self.nodes, self.metric, sequence);
     }
 
-    /// One [`sweep`] between two sets.
-    pub(crate) fn sweep(
-        &self,
-        ends: [&dyn ClosedSet<D>; 2],
-        sequence: &PointSequence<D>,
-        about: Magnitude,
-        at_once: bool,
-        memory: MemoryOfSweep<'_, D>,
-    ) -> Option<Sweep<D>> {
-        sweep(self.nodes, self.metric, ends, sequence, about, at_once, memory)
+    /// A batch of up to `chords` chords.
+    pub(crate) fn batch(&self, kind: Kind, n: f64, chords: usize) -> ChordBatch<'_, D> {
+        ChordBatch::new(self.metric, kind, self.nodes, n, chords)
     }
 
     /// Checks that the Gram matrix is finite, symmetric and positive definite at a point.
@@ -87,7 +74,7 @@ impl<'m, const D: usize> DiscreteEnergy<'m, D> {
     /// Checks the Gram matrix at every node.
     pub(crate) fn check_nodes(&self, sequence: &PointSequence<D>) -> Result<(), MetricError> {
         let n = sequence.n().get();
-        let mut batch = ChordBatch::new(self.metric, Kind::Checked, self.nodes, 1.0, n);
+        let mut batch = self.batch(Kind::Checked, 1.0, n);
         for begin in (0..n).step_by(batch.capacity()) {
             batch.evaluate_from(0, sequence.chords_in(begin..n.min(begin + batch.capacity())));
         }

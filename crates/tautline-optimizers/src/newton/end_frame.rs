@@ -32,19 +32,6 @@ pub(crate) struct EndFrame<const D: usize> {
     pub(crate) gradient: SVector<f64, D>,
 }
 
-/// The row of a block system that belongs to an end point.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct EndRow<const D: usize> {
-    /// The diagonal block.
-    pub(crate) block: SMatrix<f64, D, D>,
-    /// The block beside it, as seen from the end: row `i` belongs to coordinate `i` of the end.
-    pub(crate) coupling: SMatrix<f64, D, D>,
-    /// The right hand side.
-    pub(crate) right: SVector<f64, D>,
-    /// The right hand side of the neighbour.
-    pub(crate) beside: SVector<f64, D>,
-}
-
 /// One coordinate of an end point.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Coordinate {
@@ -100,14 +87,20 @@ impl<const D: usize> EndFrame<D> {
         Self { basis, coordinates, projected_gradient, gradient }
     }
 
-    /// Transforms the row of the end point in a block system to these coordinates.
+    /// Transforms the row of the end point in a block system to these coordinates: its diagonal block,
+    /// its coupling to the neighbour, with rows for the end, and both right hand sides.
     ///
     /// A fixed coordinate keeps its place, as a separate equation that is already solved.
-    pub(crate) fn enter(&self, row: EndRow<D>, tau: f64) -> EndRow<D> {
-        let EndRow { block, coupling, right, mut beside } = row;
-        let mut block = self.basis.tr_mul(&(block * self.basis));
-        let mut coupling = self.basis.tr_mul(&coupling);
-        let mut right = self.basis.tr_mul(&right);
+    pub(crate) fn enter(
+        &self,
+        block: &mut SMatrix<f64, D, D>,
+        coupling: &mut SMatrix<f64, D, D>,
+        [right, beside]: [&mut SVector<f64, D>; 2],
+        tau: f64,
+    ) {
+        *block = self.basis.tr_mul(&(*block * self.basis));
+        *coupling = self.basis.tr_mul(coupling);
+        *right = self.basis.tr_mul(right);
         for (i, coordinate) in self.coordinates.iter().enumerate() {
             match *coordinate {
                 Coordinate::Free { curvature, force } => {
@@ -115,8 +108,8 @@ impl<const D: usize> EndFrame<D> {
                     right[i] += force;
                 }
                 Coordinate::Fixed { step } => {
-                    right -= block.column(i) * step;
-                    beside -= coupling.row(i).transpose() * step;
+                    *right -= block.column(i) * step;
+                    *beside -= coupling.row(i).transpose() * step;
                     block.row_mut(i).fill(0.0);
                     block.column_mut(i).fill(0.0);
                     coupling.row_mut(i).fill(0.0);
@@ -129,7 +122,6 @@ impl<const D: usize> EndFrame<D> {
                 right[i] = step / tau;
             }
         }
-        EndRow { block, coupling, right, beside }
     }
 
     /// Returns the force on the end point, in the coordinates of `R^D`: the right hand side of the

@@ -5,7 +5,7 @@ use tautline_discretizations::{ChordModel, CompensatedSum};
 use tautline_metrics::{Lanes, Pair};
 
 use crate::newton::{
-    end_frame::{EndFrame, EndRow},
+    end_frame::EndFrame,
     factorization::{Pivot, Regulariser},
     ldl::Ldl,
     residual::Residual,
@@ -168,11 +168,8 @@ impl<const D: usize> Row<D> {
         tau: f64,
     ) {
         // The frame supplies the force at the end; what a fixed neighbour has added stays.
-        let right = self.right + self.gradient;
-        let row = EndRow { block: self.block, coupling: *coupling, right, beside: *beside };
-        let row = frame.enter(row, tau);
-        (self.block, self.right) = (row.block, row.right);
-        (*coupling, *beside) = (row.coupling, row.beside);
+        self.right += self.gradient;
+        frame.enter(&mut self.block, coupling, [&mut self.right, beside], tau);
     }
 }
 

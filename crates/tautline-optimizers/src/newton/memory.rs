@@ -9,48 +9,35 @@ const SMALL: usize = 1 << 28;
 
 /// Whether the system grants this many bytes at once. None of them is touched: a system that
 /// promises more than it has would notice only then, and end the process.
-fn is_there(bytes: usize) -> bool {
+fn is_available(bytes: usize) -> bool {
     let mut memory = Vec::<u8>::new();
     // The compiler must not remove the allocation.
     bytes < SMALL || black_box(&mut memory).try_reserve_exact(bytes).is_ok()
 }
 
-/// The size of so many `numbers` at each point of `n` chords.
-fn bytes(n: usize, numbers: usize) -> usize {
-    n.saturating_add(1).saturating_mul(numbers.saturating_mul(8))
+/// Checks that there is memory for `numbers` numbers at each point of `n` chords, `kept` bytes of which
+/// are allocated already.
+fn check(n: usize, numbers: usize, kept: usize) -> Result<(), SolveError> {
+    let bytes = n.saturating_add(1).saturating_mul(numbers.saturating_mul(8));
+    let new = bytes.saturating_sub(kept);
+    if is_available(new) { Ok(()) } else { Err(SolveError::OutOfMemory { n, bytes }) }
 }
 
 impl<const D: usize> Workspace<D> {
     /// Checks that there is memory for the points of `n` chords.
-    ///
-    /// # Errors
-    ///
-    /// [`SolveError::OutOfMemory`].
     pub(crate) fn check_points(n: usize) -> Result<(), SolveError> {
-        let bytes = bytes(n, D);
-        if is_there(bytes) { Ok(()) } else { Err(SolveError::OutOfMemory { n, bytes }) }
+        check(n, D, 0)
     }
 
     /// Checks that there is memory for an undamped step on `n` chords, which overwrites the
     /// factorisation of earlier searches.
-    ///
-    /// # Errors
-    ///
-    /// [`SolveError::OutOfMemory`].
     pub(crate) fn check_undamped(&self, n: usize) -> Result<(), SolveError> {
-        let bytes = bytes(n, Self::UNDAMPED);
-        let new = bytes.saturating_sub(self.factorization.bytes());
-        if is_there(new) { Ok(()) } else { Err(SolveError::OutOfMemory { n, bytes }) }
+        check(n, Self::UNDAMPED, self.factorization.bytes())
     }
 
     /// Checks that there is memory for damped steps on `n` chords, which do not use the workspace.
-    ///
-    /// # Errors
-    ///
-    /// [`SolveError::OutOfMemory`].
     pub(crate) fn check_damped(n: usize) -> Result<(), SolveError> {
-        let bytes = bytes(n, 4 * Self::UNDAMPED);
-        if is_there(bytes) { Ok(()) } else { Err(SolveError::OutOfMemory { n, bytes }) }
+        check(n, 4 * Self::UNDAMPED, 0)
     }
 
     /// The numbers that an undamped Newton step stores for each point, its coordinates included. A
@@ -61,15 +48,15 @@ impl<const D: usize> Workspace<D> {
 
 #[cfg(test)]
 mod tests {
-    use super::{SMALL, is_there};
+    use super::{SMALL, is_available};
     use crate::{SolveError, Workspace};
 
     /// Addresses have at most 57 bits on today's processors, and Rust never requests 2⁶³ bytes.
     #[test]
     fn more_bytes_than_addresses_are_not_available() {
-        assert!(is_there(0) && is_there(SMALL - 1) && is_there(SMALL));
+        assert!(is_available(0) && is_available(SMALL - 1) && is_available(SMALL));
         for bytes in [1 << 58, isize::MAX as usize, usize::MAX] {
-            assert!(!is_there(bytes), "{bytes}");
+            assert!(!is_available(bytes), "{bytes}");
         }
     }
 

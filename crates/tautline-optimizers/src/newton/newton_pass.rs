@@ -7,15 +7,19 @@ use tautline_sets::ClosedSet;
 use crate::{
     Workspace,
     newton::{
-        discrete_energy::DiscreteEnergy, end_frame::EndFrame, magnitude::Magnitude,
-        residual::Residual, stationarity::Stationarity, sweep::Sweep,
+        discrete_energy::DiscreteEnergy,
+        end_frame::EndFrame,
+        magnitude::Magnitude,
+        residual::Residual,
+        stationarity::Stationarity,
+        sweep::{Sweep, sweep},
     },
 };
 
 /// A Newton step from a point sequence with a positive definite Hessian.
 ///
 /// It is the step of a [`ReducedSystem`](crate::newton::reduced_system::ReducedSystem) without
-/// shift, computed by one [sweep](DiscreteEnergy::sweep) and back substitution.
+/// shift, computed by one [sweep] and back substitution.
 pub(crate) struct NewtonPass<'a, const D: usize> {
     sweep: Sweep<D>,
     /// The right hand side after elimination.
@@ -36,7 +40,7 @@ impl<'a, const D: usize> NewtonPass<'a, D> {
     ) -> Option<Self> {
         let mut eliminated = workspace.spare.take(sequence.points().len());
         let memory = Some((&mut workspace.factorization, &mut eliminated));
-        match energy.sweep(ends, sequence, about, at_once, memory) {
+        match sweep(energy, ends, sequence, about, at_once, memory) {
             Some(sweep) => Some(Self { sweep, eliminated, workspace }),
             None => {
                 workspace.spare.give(eliminated);

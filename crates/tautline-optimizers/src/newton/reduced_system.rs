@@ -5,7 +5,7 @@ use tautline_discretizations::QuadraticModel;
 use tautline_sets::ClosedSet;
 
 use crate::newton::{
-    end_frame::{Coordinate, EndFrame, EndRow},
+    end_frame::{Coordinate, EndFrame},
     factorization::{Factorization, Regulariser, Shifted},
     rounding::margin,
 };
@@ -63,16 +63,11 @@ impl<'a, const D: usize> ReducedSystem<'a, D> {
         let n = self.matrix.n();
         let (k, neighbour) = if end == 0 { (0, 1) } else { (n, n - 1) };
         let upper = &mut self.matrix.end_upper[if n == 1 { 0 } else { end }];
-        let row = EndRow {
-            block: self.matrix.end_diagonal[end],
-            coupling: if end == 0 { *upper } else { upper.transpose() },
-            right: self.right[k],
-            beside: self.right[neighbour],
-        };
-        let EndRow { block, coupling, right, beside } = self.frames[end].enter(row, self.tau);
+        let mut coupling = if end == 0 { *upper } else { upper.transpose() };
+        let [right, beside] = self.right.get_disjoint_mut([k, neighbour]).expect("two points");
+        let block = &mut self.matrix.end_diagonal[end];
+        self.frames[end].enter(block, &mut coupling, [right, beside], self.tau);
         *upper = if end == 0 { coupling } else { coupling.transpose() };
-        self.matrix.end_diagonal[end] = block;
-        (self.right[k], self.right[neighbour]) = (right, beside);
     }
 
     /// Factorises the system; `None` if it is not positive definite.
@@ -127,12 +122,8 @@ impl<'a, const D: usize> ReducedSystem<'a, D> {
         let mut right: Vec<_> = gradient.iter().map(|g| -g).collect();
         for (frame, k) in self.frames.iter().zip([0, self.matrix.n()]) {
             right[k] = frame.basis.tr_mul(&right[k]);
-            for (i, coordinate) in frame.coordinates.iter().enumerate() {
-                if matches!(coordinate, Coordinate::Fixed { .. }) {
-                    right[k][i] = 0.0;
-                }
-            }
         }
+        self.clear_fixed(&mut right);
         let mut step = right.clone();
         factorization.solve(&mut step);
         half_dot(&step, &right)
@@ -155,13 +146,7 @@ impl<'a, const D: usize> ReducedSystem<'a, D> {
                 })
             })
             .collect();
-        for (k, frame) in [(0, &self.frames[0]), (self.matrix.n(), &self.frames[1])] {
-            for (i, coordinate) in frame.coordinates.iter().enumerate() {
-                if matches!(coordinate, Coordinate::Fixed { .. }) {
-                    v[k][i] = 0.0;
-                }
-            }
-        }
+        self.clear_fixed(&mut v);
         for _ in 0..20 {
             // Not the norm: the square of an inverse of a metric may overflow.
             let largest = v.iter().map(|v| v.amax()).fold(0.0, f64::max);
@@ -170,6 +155,17 @@ impl<'a, const D: usize> ReducedSystem<'a, D> {
         }
         self.leave_frames(&mut v);
         v
+    }
+
+    /// Sets the fixed coordinates to 0.
+    fn clear_fixed(&self, v: &mut [SVector<f64, D>]) {
+        for (frame, k) in self.frames.iter().zip([0, self.matrix.n()]) {
+            for (i, coordinate) in frame.coordinates.iter().enumerate() {
+                if matches!(coordinate, Coordinate::Fixed { .. }) {
+                    v[k][i] = 0.0;
+                }
+            }
+        }
     }
 
     fn leave_frames(&self, v: &mut [SVector<f64, D>]) {

@@ -1,12 +1,12 @@
 //! `Sweep`: assembly and elimination in one pass over the chords, from both ends.
 
 use nalgebra::SVector;
-use tautline_discretizations::{Node, PointSequence};
-use tautline_formula::Batches;
+use tautline_discretizations::PointSequence;
 use tautline_sets::ClosedSet;
 
 use crate::newton::{
     chain::{Chain, goes_in_lanes},
+    discrete_energy::DiscreteEnergy,
     end_frame::EndFrame,
     factorization::Regulariser,
     magnitude::Magnitude,
@@ -41,8 +41,7 @@ pub(crate) type MemoryOfSweep<'m, const D: usize> =
 /// Up to three dimensions the two sides [share the lanes of a register](goes_in_lanes). From four
 /// on they take turns, or run `at_once` on two threads, with the same bits in the result.
 pub(crate) fn sweep<const D: usize>(
-    nodes: &'static [Node],
-    metric: &dyn Batches<D>,
+    energy: &DiscreteEnergy<'_, D>,
     ends: [&dyn ClosedSet<D>; 2],
     sequence: &PointSequence<D>,
     about: Magnitude,
@@ -54,7 +53,7 @@ pub(crate) fn sweep<const D: usize>(
     let tau = about.tau(count);
     let regulariser = Regulariser { n, weight: -margin(count) * about.mean_gram };
     let mut residual = Residual::new(count, about);
-    let chain = Chain { nodes, metric, ends, sequence, regulariser, tau, residual: &residual };
+    let chain = Chain { energy, ends, sequence, regulariser, tau, residual: &residual };
     let half = chain.half();
     if let Some((factorization, eliminated)) = &mut memory {
         let (pairs, on_each_side) = if const { goes_in_lanes(D) } { (half, 0) } else { (0, half) };

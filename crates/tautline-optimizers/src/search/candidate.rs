@@ -2,11 +2,11 @@
 
 use nalgebra::SVector;
 use tautline_discretizations::{PointSequence, SequenceError};
-use tautline_formula::InstructionSet;
 use tautline_sets::ClosedSet;
 
 use crate::{
     Level, Minimum, Stop,
+    newton::discrete_energy::DiscreteEnergy,
     search::{
         local_search::Found,
         prolongation::{prolong, prolong_into},
@@ -22,7 +22,7 @@ const LEAP: f64 = 1.5;
 const EXTRAPOLATED: usize = 3;
 const COARSE: usize = 32;
 
-/// Minima whose energies differ by a larger fraction are different.
+/// Energies that differ by a larger fraction belong to different minima.
 const DIFFERENT: f64 = 1e-9;
 
 /// A local minimiser, the pieces it runs between and its energies on coarser grids.
@@ -99,10 +99,10 @@ impl<'a, const D: usize> Candidate<'a, D> {
     pub(crate) fn start(
         &self,
         n: usize,
-        exponent: i32,
-        instruction_set: InstructionSet,
+        energy: &DiscreteEnergy<'_, D>,
         memory: Vec<SVector<f64, D>>,
     ) -> Result<PointSequence<D>, SequenceError> {
+        let (exponent, instruction_set) = (energy.error_exponent, energy.instruction_set());
         let sequence = &self.found.sequence;
         let here = sequence.n().get();
         let fine_enough = |coarser: &&PointSequence<D>| coarser.n().get() >= COARSE;
@@ -164,7 +164,7 @@ pub(crate) fn lowest_first<const D: usize>(candidates: &mut Vec<Candidate<'_, D>
 #[cfg(test)]
 mod tests {
     use tautline_discretizations::{LeftEndpoint, PointSequence, Rule, Trapezoidal};
-    use tautline_formula::{InstructionSet, Prepared};
+    use tautline_formula::Prepared;
     use tautline_metrics::gallery::Valleys;
     use tautline_sets::{Ball, ClosedSet, Point};
 
@@ -192,9 +192,7 @@ mod tests {
         };
         let candidate = Candidate::new(ends, solve(grids[0]));
         let candidate = grids[1..].iter().fold(candidate, |c, &n| c.refined(solve(n)).0);
-        let start = candidate
-            .start(3200, R::ERROR_EXPONENT, InstructionSet::Widest, Vec::new())
-            .expect("finite");
+        let start = candidate.start(3200, search.energy, Vec::new()).expect("finite");
         let fine = solve(3200).sequence;
         let pairs = start.points().iter().zip(fine.points());
         pairs.map(|(x, y)| (x - y).amax()).fold(0.0, f64::max)
@@ -230,7 +228,7 @@ mod tests {
             search.run(line).expect("a metric")
         };
         let candidate = Candidate::new(ends, solve(32)).refined(solve(64)).0;
-        let start = candidate.start(256, 1, InstructionSet::Widest, Vec::new()).expect("finite");
+        let start = candidate.start(256, energy, Vec::new()).expect("finite");
         for (set, x) in ends.into_iter().zip([start.first(), start.last()]) {
             assert!((set.project(x) - x).amax() < 1e-15, "{x}");
         }

@@ -123,7 +123,9 @@ impl<const D: usize> LocalSearch<'_, D> {
             };
             self.check(&sequence)?;
             let magnitude = Magnitude { energy, mean_gram: scale };
-            let (residual, residual_floor) = self.residual(&sequence, &gradient, magnitude);
+            let mut residual = Residual::new(sequence.n().get(), magnitude);
+            residual.push_all(&gradient);
+            let (residual, residual_floor) = residual.value(self.ends, &sequence, magnitude);
             let decrement = magnitude.relative(decrement);
             return Ok(Found {
                 sequence,
@@ -176,20 +178,12 @@ impl<const D: usize> LocalSearch<'_, D> {
             } else if damping.shift == 0.0 {
                 damping.indefinite = 0;
             }
-            let Step { step, decrement } = system.newton_step(&factorization);
+            let newton = system.newton_step(&factorization);
+            let decrement = newton.decrement;
             // A shift divides the decrement by as much as it multiplies the Hessian.
             if decrement * (1.0 + damping.shift) <= negligible {
                 if damping.shift == 0.0 {
-                    // One more gradient removes what is left of the residual.
-                    let trial = self.retract(sequence, &step, 1.0);
-                    if finite(&trial)
-                        && let last @ Next::EndAt { .. } =
-                            self.polish(&system, &factorization, trial, negligible)
-                    {
-                        return last;
-                    }
-                    let curvature = Curvature::PositiveDefinite;
-                    return Next::End { stop: Stop::Converged, curvature, decrement };
+                    return self.converge(&system, &factorization, sequence, newton, negligible);
                 }
                 let definite = reduce(0.0).factorize().is_some();
                 if definite && !rejected {
@@ -208,6 +202,7 @@ impl<const D: usize> LocalSearch<'_, D> {
                     None => end(Stop::Converged, decrement),
                 };
             }
+            let step = newton.step;
             let trial = self.retract(sequence, &step, 1.0);
             let zone = (QUADRATIC_ZONE * model.energy).max(NOISE * negligible);
             if decrement <= zone && finite(&trial) {
@@ -238,6 +233,25 @@ impl<const D: usize> LocalSearch<'_, D> {
             }
             damping.raise();
         }
+    }
+
+    /// Ends after a negligible step with a positive definite Hessian. The step is taken nevertheless, if
+    /// it leads to finite points: one more gradient removes what is left of the residual.
+    fn converge(
+        &self,
+        system: &ReducedSystem<'_, D>,
+        factorization: &Factorization<D>,
+        sequence: &PointSequence<D>,
+        Step { step, decrement }: Step<D>,
+        negligible: f64,
+    ) -> Next<D> {
+        let trial = self.retract(sequence, &step, 1.0);
+        if finite(&trial)
+            && let last @ Next::EndAt { .. } = self.polish(system, factorization, trial, negligible)
+        {
+            return last;
+        }
+        Next::End { stop: Stop::Converged, curvature: Curvature::PositiveDefinite, decrement }
     }
 
     /// Takes a step so small that the factorisation from before it still yields the decrement after
@@ -308,18 +322,6 @@ impl<const D: usize> LocalSearch<'_, D> {
             self.energy.check_at(x)?;
         }
         self.energy.check_nodes(sequence)
-    }
-
-    /// The residual and its floor: see [`Minimum`](crate::Minimum).
-    fn residual(
-        &self,
-        sequence: &PointSequence<D>,
-        gradient: &[SVector<f64, D>],
-        magnitude: Magnitude,
-    ) -> (f64, f64) {
-        let mut residual = Residual::new(sequence.n().get(), magnitude);
-        residual.push_all(gradient);
-        residual.value(self.ends, sequence, magnitude)
     }
 }
 

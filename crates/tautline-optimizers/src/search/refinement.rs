@@ -6,7 +6,7 @@ use crate::{
     Curvature, Stop, Workspace,
     newton::{
         chain::goes_in_lanes, newton_pass::NewtonPass, rounding::margin,
-        stationarity::Stationarity, two_threads::share,
+        stationarity::Stationarity, sweep::sweep, two_threads::share,
     },
     search::local_search::{Found, LocalSearch},
 };
@@ -52,7 +52,7 @@ impl<const D: usize> LocalSearch<'_, D> {
         let reached =
             |at: Stationarity, x: &_| at.is_reached(x) && at.residual <= at.residual_floor;
         if n * D * D >= LARGE && coarser.from <= FORESEEN {
-            let at = energy.sweep(ends, &start, about, at_once, None)?.stationarity;
+            let at = sweep(energy, ends, &start, about, at_once, None)?.stationarity;
             if reached(at, &start) {
                 return self.found(start, at, 1, at.decrement);
             }
@@ -83,7 +83,7 @@ impl<const D: usize> LocalSearch<'_, D> {
             // In lanes, two chords at a time, a sweep costs no more than a gradient.
             if at.decrement <= margin(n).powi(2) * about.energy {
                 let there = if const { goes_in_lanes(D) } {
-                    energy.sweep(ends, &trial, about, false, None)?.stationarity
+                    sweep(energy, ends, &trial, about, false, None)?.stationarity
                 } else {
                     pass.stationarity_at(energy, ends, &trial)
                 };

@@ -33,23 +33,28 @@ const BEND: f64 = 0.4;
 const PROJECTIONS: usize = 50;
 
 impl<const D: usize> Starts<D> {
-    /// Returns the starts between two pieces, on the grid of `n` chords. The best sequence on a
-    /// line is computed for each of the numbers of intervals in `lines`.
+    /// Returns the starts between two pieces, on the grid of `n` chords: the given ones, bent lines if
+    /// `bent`, and the best sequences on lines, for each of the numbers of intervals in `lines`.
     pub(crate) fn between(
         &self,
         energy: &DiscreteEnergy<'_, D>,
         [first, second]: [&dyn ClosedSet<D>; 2],
         n: usize,
+        bent: bool,
         lines: &[usize],
     ) -> Vec<PointSequence<D>> {
         let mut starts = self.given([first, second], n);
-        if !matches!(self, Starts::Only(_)) {
+        if !matches!(self, Starts::Only(_)) && (bent || !lines.is_empty()) {
             for (a, b) in end_points(first, second) {
-                starts.extend(bent_lines(&a, &b, n));
-                starts.extend(line_minima(energy, [&a, &b], n, lines));
+                if bent {
+                    starts.extend(bent_lines(&a, &b, n));
+                }
+                let line = |&intervals| line_minimum(energy, &a, &b, n, intervals);
+                starts.extend(lines.iter().filter_map(line));
             }
         }
-        finite(starts)
+        // Without the sequences whose points are not finite.
+        starts.into_iter().filter_map(|points| PointSequence::new(points).ok()).collect()
     }
 
     /// The given starts.
@@ -67,39 +72,6 @@ impl<const D: usize> Starts<D> {
         };
         given.iter().map(on_the_grid).collect()
     }
-
-    /// The starts that a coarser grid cannot replace: the given ones, and the best sequences on
-    /// lines, as in [`between`](Starts::between).
-    pub(crate) fn in_detail(
-        &self,
-        energy: &DiscreteEnergy<'_, D>,
-        ends: [&dyn ClosedSet<D>; 2],
-        n: usize,
-        lines: &[usize],
-    ) -> Vec<PointSequence<D>> {
-        let mut starts = self.given(ends, n);
-        if !lines.is_empty() {
-            for (a, b) in end_points(ends[0], ends[1]) {
-                starts.extend(line_minima(energy, [&a, &b], n, lines));
-            }
-        }
-        finite(starts)
-    }
-}
-
-/// The best sequences on a line, one for each of the numbers of intervals in `lines`.
-fn line_minima<const D: usize>(
-    energy: &DiscreteEnergy<'_, D>,
-    [a, b]: [&SVector<f64, D>; 2],
-    n: usize,
-    lines: &[usize],
-) -> impl Iterator<Item = Vec<SVector<f64, D>>> {
-    lines.iter().filter_map(move |&intervals| line_minimum(energy, a, b, n, intervals))
-}
-
-/// The sequences whose points are finite.
-fn finite<const D: usize>(starts: Vec<Vec<SVector<f64, D>>>) -> Vec<PointSequence<D>> {
-    starts.into_iter().filter_map(|points| PointSequence::new(points).ok()).collect()
 }
 
 /// Pairs of end points: nearest points of the sets, and each seed with its nearest point.
@@ -182,7 +154,7 @@ mod tests {
         let ball = Ball::new([0.0, 2.0], 0.5).expect("positive radius");
         let wall = HalfSpace::new([-1.0, 0.0], -3.0).expect("not zero");
         let given = PointSequence::straight([0.0, 9.0], [9.0, 0.0], 3).expect("finite");
-        let starts = Starts::Also(vec![given]).between(&valleys(), [&ball, &wall], 16, &[64]);
+        let starts = Starts::Also(vec![given]).between(&valleys(), [&ball, &wall], 16, true, &[64]);
         assert_eq!(
             starts.len(),
             1 + 3 + 1,
@@ -205,7 +177,7 @@ mod tests {
         let given = PointSequence::straight([0.0, 9.0], [9.0, 0.0], 3).expect("finite");
         let also = Starts::Also(vec![given]);
         let tried = |starts: &Starts<2>, lines: &[usize]| {
-            starts.in_detail(&valleys(), [&ball, &wall], 16, lines)
+            starts.between(&valleys(), [&ball, &wall], 16, false, lines)
         };
         let [start] = tried(&also, &[]).try_into().expect("the given one");
         assert_eq!(start.n().get(), 16);
@@ -227,6 +199,7 @@ mod tests {
                 &DiscreteEnergy::new(Trapezoidal, &Prepared::new(Valleys)),
                 [&a, &b],
                 10,
+                true,
                 &[64],
             )
             .iter()
@@ -242,10 +215,10 @@ mod tests {
     fn a_sphere_is_tried_from_all_sides() {
         let sphere = Sphere::new([0.0, 0.0], 1.0).expect("positive radius");
         let point = Point::new([0.2, 0.1]).expect("finite");
-        let starts = Starts::Automatic.between(&valleys(), [&sphere, &point], 16, &[64]);
+        let starts = Starts::Automatic.between(&valleys(), [&sphere, &point], 16, true, &[64]);
         assert!(starts.len() >= 5 * 4, "the nearest point and four seeds, {}", starts.len());
         // As the second set too: the same lines, reversed.
-        let back = Starts::Automatic.between(&valleys(), [&point, &sphere], 16, &[64]);
+        let back = Starts::Automatic.between(&valleys(), [&point, &sphere], 16, true, &[64]);
         assert_eq!(back.len(), starts.len());
         let near = |x: &PointSequence<2>, y: &PointSequence<2>| {
             let pairs = x.points().iter().zip(y.points().iter().rev());
@@ -269,7 +242,7 @@ mod tests {
     fn the_straight_start_joins_nearest_points() {
         let ball = Ball::new([0.0, 2.0], 1.0).expect("positive radius");
         let wall = HalfSpace::at_least([1.0, 1.0], 6.0).expect("not zero");
-        let starts = Starts::Automatic.between(&valleys(), [&ball, &wall], 4, &[64]);
+        let starts = Starts::Automatic.between(&valleys(), [&ball, &wall], 4, true, &[64]);
         let r = 0.5_f64.sqrt();
         // Each of the 50 rounds of alternating projections at least halves the error: only rounding
         // remains.
