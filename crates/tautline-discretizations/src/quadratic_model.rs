@@ -31,8 +31,8 @@ impl<const D: usize> QuadraticModel<D> {
         model
     }
 
-    /// As [`new`](Self::new), for a metric that is evaluated in batches, in the memory of this model,
-    /// which is overwritten.
+    /// As [`new`](Self::new), for a metric that is evaluated in batches, in the memory of this
+    /// model, which is overwritten.
     pub fn expand_by_batches(
         &mut self,
         nodes: &'static [Node],

@@ -58,8 +58,8 @@ impl<const D: usize> Default for Options<D> {
 ///   [`LARGEST_N`](tautline_discretizations::LARGEST_N).
 /// - [`SolveError::OutOfMemory`] if the system refuses memory for the points or a Newton step. (A
 ///   system may promise more than it has.)
-/// - [`SolveError::Metric`] if no start has a metric that is finite, symmetric and positive definite
-///   at its nodes and ends, or none of the results has one there and
+/// - [`SolveError::Metric`] if no start has a metric that is finite, symmetric and positive
+///   definite at its nodes and ends, or none of the results has one there and
 ///   [between](tautline_discretizations::Interpolation::check). The lowest result that passes is
 ///   returned; for `n > 512` there is only one.
 /// - [`SolveError::NoStart`] if there is nothing to start from, [`SolveError::Sequence`] if points

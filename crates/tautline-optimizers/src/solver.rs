@@ -38,8 +38,8 @@ pub(crate) fn solve<const D: usize>(
     let mut candidates = Vec::new();
     let mut local_minima = None;
     for grid in search.grids() {
-        search.drop_the_highest(&mut candidates, grid);
-        search.follow_the_others(&mut candidates, grid);
+        search.keep_the_lowest(&mut candidates, grid);
+        search.follow_all(&mut candidates, grid);
         search.try_new_starts(&mut candidates, &pieces, grid);
         local_minima.get_or_insert_with(|| converged_energies(&candidates));
     }
@@ -72,8 +72,8 @@ struct Search<'a, const D: usize> {
     refused: Option<SolveError>,
 }
 
-/// Up to this grid the order of the local minimisers may change, and `FOLLOWED` of them are followed;
-/// beyond it, only the lowest.
+/// Up to this grid the order of the local minimisers may change, and `FOLLOWED` of them are
+/// followed; beyond it, only the lowest.
 const SETTLED: usize = 512;
 const FOLLOWED: usize = 8;
 
@@ -101,7 +101,7 @@ impl<'a, const D: usize> Search<'a, D> {
 
     /// Keeps the candidates that are followed to `grid`. If it is only one, the lowest along which
     /// the metric is defined.
-    fn drop_the_highest(&self, candidates: &mut Vec<Candidate<'_, D>>, grid: usize) {
+    fn keep_the_lowest(&self, candidates: &mut Vec<Candidate<'_, D>>, grid: usize) {
         if grid > SETTLED && candidates.len() > 1 {
             let passes =
                 |c: &Candidate<'_, D>| self.energy.check_between(&c.found.sequence).is_ok();
@@ -112,7 +112,7 @@ impl<'a, const D: usize> Search<'a, D> {
     }
 
     /// Follows all candidates to `grid`, and sorts them.
-    fn follow_the_others<'e>(&mut self, candidates: &mut Vec<Candidate<'e, D>>, grid: usize)
+    fn follow_all<'e>(&mut self, candidates: &mut Vec<Candidate<'e, D>>, grid: usize)
     where
         'a: 'e,
     {
@@ -208,8 +208,9 @@ impl<'a, const D: usize> Search<'a, D> {
         found.map_err(refuse).ok()
     }
 
-    /// Returns the lowest candidate along which the metric is defined, between the nodes too. Without
-    /// one, the error is the defect of the lowest candidate, which tells more than a refused start.
+    /// Returns the lowest candidate along which the metric is defined, between the nodes too.
+    /// Without one, the error is the defect of the lowest candidate, which tells more than a
+    /// refused start.
     fn lowest_with_a_metric<'e>(
         &mut self,
         candidates: Vec<Candidate<'e, D>>,

@@ -62,8 +62,8 @@ impl<M: Bounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     /// - The upper bound is the squared length of the line, quadrature error included, without
     ///   assumptions.
     /// - The lower bound follows from the theorems. Between two points, the discrete minimum is
-    ///   global if the energy is strictly convex where all competitors are. Otherwise that is assumed, and
-    ///   [`Enclosure::assumes_global_minimum`] is set.
+    ///   global if the energy is strictly convex where all competitors are. Otherwise that is
+    ///   assumed, and [`Enclosure::assumes_global_minimum`] is set.
     ///
     /// Needs: the metric satisfies its constants. Computed in `f64`, with an estimated quadrature
     /// error: not certified to the last digits.

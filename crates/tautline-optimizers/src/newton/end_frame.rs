@@ -87,8 +87,8 @@ impl<const D: usize> EndFrame<D> {
         Self { basis, coordinates, projected_gradient, gradient }
     }
 
-    /// Transforms the row of the end point in a block system to these coordinates: its diagonal block,
-    /// its coupling to the neighbour, with rows for the end, and both right hand sides.
+    /// Transforms the row of the end point in a block system to these coordinates: its diagonal
+    /// block, its coupling to the neighbour, with rows for the end, and both right hand sides.
     ///
     /// A fixed coordinate keeps its place, as a separate equation that is already solved.
     pub(crate) fn enter(

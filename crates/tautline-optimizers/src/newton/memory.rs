@@ -15,8 +15,8 @@ fn is_available(bytes: usize) -> bool {
     bytes < SMALL || black_box(&mut memory).try_reserve_exact(bytes).is_ok()
 }
 
-/// Checks that there is memory for `numbers` numbers at each point of `n` chords, `kept` bytes of which
-/// are allocated already.
+/// Checks that there is memory for `numbers` numbers at each point of `n` chords, `kept` bytes of
+/// which are allocated already.
 fn check(n: usize, numbers: usize, kept: usize) -> Result<(), SolveError> {
     let bytes = n.saturating_add(1).saturating_mul(numbers.saturating_mul(8));
     let new = bytes.saturating_sub(kept);

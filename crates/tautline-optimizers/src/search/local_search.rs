@@ -1,7 +1,7 @@
-//! The local search on one grid: Newton's method, damped by a shift of the Hessian.
+//! `LocalSearch`: Newton's method on one grid, with [damped steps](LocalSearch::damped_step).
 
 use nalgebra::SVector;
-use tautline_discretizations::{LinearModel, PointSequence, QuadraticModel};
+use tautline_discretizations::{PointSequence, QuadraticModel};
 use tautline_metrics::MetricError;
 use tautline_sets::ClosedSet;
 
@@ -9,34 +9,13 @@ use crate::{
     Curvature, Stop,
     newton::{
         discrete_energy::DiscreteEnergy,
-        factorization::Factorization,
         magnitude::Magnitude,
-        reduced_system::{ReducedSystem, Step},
+        reduced_system::ReducedSystem,
         residual::Residual,
-        rounding::{is_rounding, margin, negligible},
+        rounding::{is_rounding, margin},
     },
-    search::damping::{Damping, LAST_SHIFT},
+    search::{damped_step::Next, damping::Damping},
 };
-
-/// Relative decrement below which Newton steps are taken without checking the energy: the promised
-/// change, `10⁻¹⁰ E`, is real, but a few steps later it drowns in rounding.
-const QUADRATIC_ZONE: f64 = 1e-10;
-
-/// Relative decrement below which the Hessian before a step also serves after it: the points move
-/// by its root, `10⁻⁸`, and the Hessian with them.
-const SAME_HESSIAN: f64 = 1e-16;
-
-/// Steps that promise less than this multiple of the [`negligible`] decrement are not checked
-/// either: rounding of the coordinates changes the energy as much.
-const NOISE: f64 = 16.0;
-
-/// How often a search may leave a saddle at which it came to rest.
-const ESCAPES: usize = 8;
-
-/// After this many steps in a row with an indefinite Hessian, the search tries the direction of
-/// most negative curvature: shifted steps near a saddle are slow, and on an axis of symmetry no
-/// component of them leads away from it.
-const PATIENCE: usize = 5;
 
 /// One problem on one grid.
 #[derive(Clone, Copy)]
@@ -70,21 +49,6 @@ impl<const D: usize> Found<D> {
     }
 }
 
-/// What to do after an iterate.
-enum Next<const D: usize> {
-    /// Go on from these points.
-    Move(Vec<SVector<f64, D>>),
-    /// End here.
-    End { stop: Stop, curvature: Curvature, decrement: f64 },
-    /// End at these points, one small Newton step after a positive definite Hessian.
-    EndAt {
-        points: Vec<SVector<f64, D>>,
-        energy: f64,
-        gradient: Vec<SVector<f64, D>>,
-        decrement: f64,
-    },
-}
-
 impl<const D: usize> LocalSearch<'_, D> {
     /// Searches from `start`, a sequence with its ends in their sets.
     ///
@@ -104,9 +68,8 @@ impl<const D: usize> LocalSearch<'_, D> {
                 let curvature = Curvature::PositiveDefinite;
                 Next::End { stop: Stop::EndsTouch, curvature, decrement: 0.0 }
             } else {
-                self.next(&model, &sequence, &mut damping)
+                self.damped_step(&model, &sequence, &mut damping)
             };
-            let scale = model.mean_gram;
             let (stop, curvature, decrement, energy, gradient) = match next {
                 Next::Move(points) => {
                     sequence = PointSequence::new(points).expect("a trial is checked");
@@ -122,7 +85,8 @@ impl<const D: usize> LocalSearch<'_, D> {
                 }
             };
             self.check(&sequence)?;
-            let magnitude = Magnitude { energy, mean_gram: scale };
+            let mean_gram = model.mean_gram;
+            let magnitude = Magnitude { energy, mean_gram };
             let mut residual = Residual::new(sequence.n().get(), magnitude);
             residual.push_all(&gradient);
             let (residual, residual_floor) = residual.value(self.ends, &sequence, magnitude);
@@ -130,7 +94,7 @@ impl<const D: usize> LocalSearch<'_, D> {
             return Ok(Found {
                 sequence,
                 energy,
-                mean_gram: scale,
+                mean_gram,
                 decrement,
                 residual,
                 residual_floor,
@@ -141,137 +105,6 @@ impl<const D: usize> LocalSearch<'_, D> {
             });
         }
         unreachable!("the loop ends at the limit of iterations")
-    }
-
-    /// Decides on the next iterate; adapts the damping.
-    fn next(
-        &self,
-        model: &QuadraticModel<D>,
-        sequence: &PointSequence<D>,
-        damping: &mut Damping,
-    ) -> Next<D> {
-        let reduce = |shift| ReducedSystem::new(model, self.ends, sequence.points(), shift);
-        let end = |stop, decrement| {
-            let curvature = self.curvature(model, sequence);
-            Next::End { stop, curvature, decrement }
-        };
-        let negligible = negligible(Magnitude::of(model), sequence);
-        let (mut rejected, mut indefinite) = (false, false);
-        loop {
-            let system = reduce(damping.shift);
-            let Some(factorization) = system.factorize() else {
-                if damping.shift >= LAST_SHIFT {
-                    return end(Stop::Stalled, f64::INFINITY);
-                }
-                indefinite = true;
-                damping.raise();
-                continue;
-            };
-            if indefinite {
-                damping.indefinite += 1;
-                if damping.indefinite.is_multiple_of(PATIENCE)
-                    && let Some(points) = self.leave_saddle(model, sequence, damping.shift)
-                {
-                    return Next::Move(points);
-                }
-                indefinite = false;
-            } else if damping.shift == 0.0 {
-                damping.indefinite = 0;
-            }
-            let newton = system.newton_step(&factorization);
-            let decrement = newton.decrement;
-            // A shift divides the decrement by as much as it multiplies the Hessian.
-            if decrement * (1.0 + damping.shift) <= negligible {
-                if damping.shift == 0.0 {
-                    return self.converge(&system, &factorization, sequence, newton, negligible);
-                }
-                let definite = reduce(0.0).factorize().is_some();
-                if definite && !rejected {
-                    damping.shift = 0.0;
-                    continue;
-                }
-                // Stationary, but the Hessian shows no minimum, or no step was accepted: leave, if
-                // there is a way down.
-                damping.escapes += 1;
-                let down = (!definite && damping.escapes <= ESCAPES)
-                    .then(|| self.leave_saddle(model, sequence, damping.shift))
-                    .flatten();
-                return match down {
-                    Some(points) => Next::Move(points),
-                    None if rejected || damping.escapes > ESCAPES => end(Stop::Stalled, decrement),
-                    None => end(Stop::Converged, decrement),
-                };
-            }
-            let step = newton.step;
-            let trial = self.retract(sequence, &step, 1.0);
-            let zone = (QUADRATIC_ZONE * model.energy).max(NOISE * negligible);
-            if decrement <= zone && finite(&trial) {
-                if damping.shift == 0.0 {
-                    if damping.stagnates(decrement) {
-                        return end(Stop::Converged, decrement);
-                    }
-                    return if decrement <= SAME_HESSIAN * model.energy {
-                        self.polish(&system, &factorization, trial, negligible)
-                    } else {
-                        Next::Move(trial)
-                    };
-                }
-                damping.lower();
-                return Next::Move(trial);
-            }
-            // A quarter of what the quadratic model sheds suffices for convergence.
-            let sheds = |energy: &f64| model.energy - energy >= 0.25 * decrement;
-            if let Some(reached) = self.energy.admissible(&trial).filter(sheds) {
-                let longer = (damping.shift > 0.0)
-                    .then(|| self.lengthen(sequence, &step, [model.energy, reached], decrement));
-                damping.lower();
-                return Next::Move(longer.flatten().unwrap_or(trial));
-            }
-            rejected = true;
-            if damping.shift >= LAST_SHIFT {
-                return end(Stop::Stalled, decrement);
-            }
-            damping.raise();
-        }
-    }
-
-    /// Ends after a negligible step with a positive definite Hessian. The step is taken nevertheless, if
-    /// it leads to finite points: one more gradient removes what is left of the residual.
-    fn converge(
-        &self,
-        system: &ReducedSystem<'_, D>,
-        factorization: &Factorization<D>,
-        sequence: &PointSequence<D>,
-        Step { step, decrement }: Step<D>,
-        negligible: f64,
-    ) -> Next<D> {
-        let trial = self.retract(sequence, &step, 1.0);
-        if finite(&trial)
-            && let last @ Next::EndAt { .. } = self.polish(system, factorization, trial, negligible)
-        {
-            return last;
-        }
-        Next::End { stop: Stop::Converged, curvature: Curvature::PositiveDefinite, decrement }
-    }
-
-    /// Takes a step so small that the factorisation from before it still yields the decrement after
-    /// it, for one gradient; ends there if that decrement is negligible.
-    fn polish(
-        &self,
-        system: &ReducedSystem<'_, D>,
-        factorization: &Factorization<D>,
-        points: Vec<SVector<f64, D>>,
-        negligible: f64,
-    ) -> Next<D> {
-        let trial = PointSequence::new(points).expect("the points are finite");
-        let LinearModel { energy, gradient, .. } = self.energy.linear_model(&trial);
-        let points = trial.into_points();
-        let decrement = system.decrement_at(factorization, self.ends, &points, &gradient);
-        if decrement <= negligible {
-            Next::EndAt { points, energy, gradient, decrement }
-        } else {
-            Next::Move(points)
-        }
     }
 
     /// Moves all points by `scale · step`, and projects the ends back to their sets.
@@ -305,7 +138,11 @@ impl<const D: usize> LocalSearch<'_, D> {
     }
 
     /// The signature of the Hessian; eigenvalues within its rounding count as zero.
-    fn curvature(&self, model: &QuadraticModel<D>, sequence: &PointSequence<D>) -> Curvature {
+    pub(crate) fn curvature(
+        &self,
+        model: &QuadraticModel<D>,
+        sequence: &PointSequence<D>,
+    ) -> Curvature {
         let reduce = |shift| ReducedSystem::new(model, self.ends, sequence.points(), shift);
         if reduce(0.0).factorize().is_some() {
             return Curvature::PositiveDefinite;
@@ -323,8 +160,4 @@ impl<const D: usize> LocalSearch<'_, D> {
         }
         self.energy.check_nodes(sequence)
     }
-}
-
-fn finite<const D: usize>(points: &[SVector<f64, D>]) -> bool {
-    points.iter().all(|x| x.iter().all(|c| c.is_finite()))
 }

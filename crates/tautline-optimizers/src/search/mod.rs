@@ -1,6 +1,7 @@
 //! The parts of the search for a minimiser: starts, grids, local searches.
 
 pub(crate) mod candidate;
+pub(crate) mod damped_step;
 pub(crate) mod damping;
 pub(crate) mod grids;
 pub(crate) mod lengthening;

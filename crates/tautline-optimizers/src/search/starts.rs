@@ -33,8 +33,8 @@ const BEND: f64 = 0.4;
 const PROJECTIONS: usize = 50;
 
 impl<const D: usize> Starts<D> {
-    /// Returns the starts between two pieces, on the grid of `n` chords: the given ones, bent lines if
-    /// `bent`, and the best sequences on lines, for each of the numbers of intervals in `lines`.
+    /// Returns the starts between two pieces, on the grid of `n` chords: the given ones, bent lines
+    /// if `bent`, and the best sequences on lines, for each of the numbers of intervals in `lines`.
     pub(crate) fn between(
         &self,
         energy: &DiscreteEnergy<'_, D>,

@@ -6,12 +6,14 @@
 use std::f64::consts::PI;
 
 use tautline_discretizations::Trapezoidal;
-use tautline_metrics::gallery::{Bump, CoupledCosines, SineProjections, Sphere, Valleys};
+use tautline_metrics::{
+    Metric,
+    gallery::{Bump, CoupledCosines, SineProjections, Sphere, Valleys},
+};
 use tautline_optimizers::{Curvature, Minimum, Options, Stop, minimise};
-use tautline_sets::HalfSpace;
 
 use crate::setup::{
-    assert_close, ball, between, bump, extrapolated, from_to, lowest, only, straight,
+    assert_close, ball, between, bump, extrapolated, from_to, half_space, lowest, only, straight,
 };
 
 #[track_caller]
@@ -56,31 +58,28 @@ fn the_straight_line_goes_round_the_bump() {
     assert_close(extrapolated(&minimum), 21.858_160_535, 1e-9);
 }
 
-#[test]
-fn three_coupled_dimensions() {
-    let ends = from_to([0.0; 3], [3.0, 2.0, -2.0]);
-    let minimum = lowest(&CoupledCosines, &ends, Trapezoidal, 1000);
+#[track_caller]
+fn assert_distance<const D: usize>(
+    name: &str,
+    metric: &impl Metric<D>,
+    [from, to]: [[f64; D]; 2],
+    d2: f64,
+) {
+    let minimum = lowest(metric, &from_to(from, to), Trapezoidal, 1000);
     assert_minimum(&minimum);
-    assert_close(extrapolated(&minimum), 32.361_817_823_502_6, 1e-11);
+    let error = extrapolated(&minimum) / d2 - 1.0;
+    assert!(error.abs() <= 1e-11, "{name}: {error:e}");
 }
 
 #[test]
-fn eight_dimensions() {
-    let ends = from_to([0.0; 8], [1.0; 8]);
-    let metric = SineProjections::benchmark();
-    let minimum = lowest(&metric, &ends, Trapezoidal, 1000);
-    assert_minimum(&minimum);
-    assert_close(extrapolated(&minimum), 8.849_588_854_249, 1e-11);
-}
-
-/// The sphere has no `c₁ > 0`: jumps far out would lower the energy without bound. The local
-/// minimiser is the great circle.
-#[test]
-fn a_great_circle() {
-    let ends = from_to([-0.8, 0.3], [1.1, 0.6]);
-    let minimum = lowest(&Sphere, &ends, Trapezoidal, 1000);
-    assert_minimum(&minimum);
-    assert_close(extrapolated(&minimum), 5.278_323_900_279_761, 1e-11);
+fn distances_in_two_three_and_eight_dimensions() {
+    let corner = [3.0, 2.0, -2.0];
+    assert_distance("cosines", &CoupledCosines, [[0.0; 3], corner], 32.361_817_823_502_6);
+    let sines = SineProjections::benchmark();
+    assert_distance("sines", &sines, [[0.0; 8], [1.0; 8]], 8.849_588_854_249);
+    // The sphere has no c₁ > 0: jumps far out would lower the energy without bound. The local
+    // minimiser is the great circle.
+    assert_distance("sphere", &Sphere, [[-0.8, 0.3], [1.1, 0.6]], 5.278_323_900_279_761);
 }
 
 /// A ball and a half-space on either side of the bump. A search on the axis of symmetry begins at a
@@ -88,9 +87,7 @@ fn a_great_circle() {
 #[test]
 fn the_saddle_on_the_axis_is_left() {
     let bump = bump();
-    let ball = ball([-2.0, 0.0], 0.5);
-    let wall = HalfSpace::new([-1.0, 0.0], -2.0).expect("not zero");
-    let ends = between(ball, wall);
+    let ends = between(ball([-2.0, 0.0], 0.5), half_space([1.0, 0.0], 2.0));
     let axis = straight([-1.5, 0.0], [2.0, 0.0], 100);
     let oblique = straight([-1.6, 0.3], [2.0, 0.3], 100);
     for start in [axis, oblique] {
