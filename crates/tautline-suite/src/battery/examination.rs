@@ -2,7 +2,7 @@
 
 use tautline_statements::{Asked, Bounds, Mutant, Subject};
 
-use super::{Check, Failure, Scope, Trial, fingerprint::Fingerprint, suite};
+use super::{Check, Failure, Scope, Trial, harness::Fingerprint, suite};
 
 /// What the paper's bounds, observed ≤ bound on random cases and nothing else, say of a mutant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

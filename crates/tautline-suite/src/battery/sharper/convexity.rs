@@ -13,42 +13,28 @@ use tautline_statements::{
     VerifyError, WithConstants, discrete_energy, prop_s_7, witnesses::Polygonal,
 };
 
-use super::{
-    super::{Check, Failure, Kind, Outcome, Trial},
-    witnesses::NEAR,
+use crate::battery::{
+    harness::{Check, Failure, Kind::Witness, Outcome, Trial},
+    sharper::witnesses::NEAR,
 };
 
 const S7: &[Statement] = &[PropositionS7];
 
-pub(super) fn checks() -> Vec<Check> {
-    let witness = Kind::Witness;
-    vec![
-        Check::new(
-            "prop_s_7_finds_the_minimum_under_a_constant_metric_from_a_wave",
-            witness,
-            S7,
-            wave,
-        ),
-        Check::new(
-            "prop_s_7_is_attained_with_two_chords_on_opposite_slopes",
-            witness,
-            S7,
-            opposite_slopes,
-        ),
-        Check::new("prop_s_7_is_attained_with_two_chords_about_crests", witness, S7, crests),
-        Check::new(
-            "prop_s_7_covers_a_minimiser_that_is_faster_than_the_straight_line",
-            witness,
-            S7,
-            competitors,
-        ),
-    ]
-}
+pub(crate) const CHECKS: &[Check] = &[
+    Witness.check("prop_s_7_finds_the_minimum_under_a_constant_metric_from_a_wave", S7, wave),
+    Witness.check("prop_s_7_is_attained_with_two_chords_on_opposite_slopes", S7, opposite_slopes),
+    Witness.check("prop_s_7_is_attained_with_two_chords_about_crests", S7, crests),
+    Witness.check(
+        "prop_s_7_covers_a_minimiser_that_is_faster_than_the_straight_line",
+        S7,
+        competitors,
+    ),
+];
 
 /// `N = 2` on the line, with the slope `−L` at the first midpoint and `L` at the second, where `H` is
 /// hardly more than `c₁`: a variation of the middle point changes both differences, and both values
 /// of `H` against each other.
-pub(super) fn slopes(claimed: [f64; 3]) -> Result<(Claimed, [PointSequence<1>; 2]), VerifyError> {
+pub(crate) fn slopes(claimed: [f64; 3]) -> Result<(Claimed, [PointSequence<1>; 2]), VerifyError> {
     // Half the width of the slopes.
     let w = 1e-3;
     let knots =
@@ -71,9 +57,8 @@ fn opposite_slopes(trial: &Trial<'_>) -> Outcome {
     trial.one([evidence.claim_is_attained("σ ≤ the convexity of E from x to y", NEAR)?])
 }
 
-/// Under `H = 4` the energy is quadratic, and a straight line with half a sine wave added is off its
-/// minimum by `R²/(4σN² sin²(π/2N))` for both rules: the wave is what Poincaré's inequality is sharp
-/// for.
+/// Under `H = 4` the energy is quadratic, and a straight line plus half a sine wave is off its minimum
+/// by `R²/(4σN² sin²(π/2N))` for both rules: Poincaré's inequality is sharp for this wave.
 fn wave(trial: &Trial<'_>) -> Outcome {
     let metric = Constant::<1>::new([[4.0]].into()).expect("positive");
     let mut evidence = Vec::new();
@@ -87,7 +72,7 @@ fn wave(trial: &Trial<'_>) -> Outcome {
             PointSequence::new((0..=n).map(at).collect())
         };
         let (waved, straight) = (through(0.1), through(0.0));
-        let both = [&waved.map_err(VerifyError::from)?, &straight.map_err(VerifyError::from)?];
+        let both = [&waved?, &straight?];
         for rule in PaperRule::BOTH {
             let found = prop_s_7(trial.subject, &metric, rule, both, 2.0)?;
             evidence.push(found.claim_is_attained("E(x) − R²/4σN²sin² ≤ E(y)", 1.0 + 1e-9)?);
@@ -98,14 +83,14 @@ fn wave(trial: &Trial<'_>) -> Outcome {
 
 /// `N = 2` on the line, with both midpoints on crests of `H = (1 + a sin kx)²`, 320 waves apart: of
 /// the convexity `H − ½ M_H B²r²` half is left where `ak² = 8`, and `2L_H B r` is `4/k`. With four
-/// times the height the crests are no minimum: to either side of them there is less energy, and
-/// nothing may be said.
+/// times the height the crests are no minimum: either side of them has less energy, and nothing may
+/// be said.
 fn crests(trial: &Trial<'_>) -> Outcome {
     let k = 4.0 * PI * 320.0;
     let first = FRAC_PI_2 / k - 0.25;
     let through = |by: f64| {
         let points = [first, first + 0.5 + by, first + 1.0].map(|x| [x].into());
-        PointSequence::new(points.to_vec()).map_err(VerifyError::from)
+        PointSequence::new(points.to_vec())
     };
     let half_convex = |part: f64, by: f64| -> Result<Evidence, VerifyError> {
         let metric = Separable::new([part / (k * k)], [k])?;
@@ -118,14 +103,13 @@ fn crests(trial: &Trial<'_>) -> Outcome {
     trial.one([low.claim_is_attained("σ ≤ the convexity of E from x to y", NEAR)?, high])
 }
 
-/// In the trough of `H = (1 + 0.3 sin x)²` the minimiser goes faster than the straight line: the
-/// convex set has to hold both, and its `σ`, which a residual tells, is no more than that of their
-/// `B`.
+/// In the trough of `H = (1 + 0.3 sin x)²` the minimiser goes faster than the straight line. The
+/// convex set has to hold both: its `σ`, read off a residual, is at most that for their `B`.
 fn competitors(trial: &Trial<'_>) -> Outcome {
-    let metric = Separable::new([0.3], [1.0]).map_err(VerifyError::from)?;
+    let metric = Separable::new([0.3], [1.0])?;
     let ([a, b], n) = ([-1.6, -1.0], 16);
-    let known = Known::between(metric, [a], [b]).map_err(VerifyError::from)?.expect("known");
-    let straight = PointSequence::straight([a], [b], n).map_err(VerifyError::from)?;
+    let known = Known::between(metric, [a], [b])?.expect("known");
+    let straight = PointSequence::straight([a], [b], n)?;
     let mut evidence = Vec::new();
     for rule in PaperRule::BOTH {
         let seen = Reconstruction::observe(trial.subject, &known, rule, n)?;

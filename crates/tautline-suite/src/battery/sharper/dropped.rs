@@ -1,8 +1,7 @@
 //! The sharper statements without a hypothesis.
 //!
-//! `c₂` is needed for the cap `e ≤ κ` of Lemma S.4, and for nothing else. That the sequence is
-//! stationary is a hypothesis of Theorems A and B only. Theorem C does not ask for it, and is no
-//! weaker than A; Theorem D does not either.
+//! `c₂` is needed only for the cap `e ≤ κ` of Lemma S.4. Only Theorems A and B assume a stationary
+//! sequence; Theorems C and D do not, and C is no weaker than A.
 
 use tautline::{Constants, Ends, PointSequence, Trapezoidal};
 use tautline_statements::{
@@ -16,87 +15,73 @@ use tautline_statements::{
     witnesses::{Polygonal, Twist, one_step, tent},
 };
 
-use super::{
-    super::{
-        Check, Kind, Outcome,
-        check::all,
-        dropped::theorems::{cheap_second_route, claimed, longer_way, steep},
-        failing::fails_without,
-        theorem_witnesses::{ridge, valley},
+use crate::battery::{
+    cases::{
+        claiming,
+        routes::{cheap_second_route, claimed, longer_way, ridge, steep, valley},
     },
-    convexity::slopes,
-    witnesses::{CREST, crest},
+    harness::{Check, Kind::Dropped, Outcome, Trial, all, fails_without},
+    sharper::{
+        convexity::slopes,
+        witnesses::{CREST, crest},
+    },
 };
 
 const L_H: &[&str] = &["‖H(x) − H(y)‖/|x − y| ≤ L_H"];
 const M_H: &[&str] = &["|uᵀ D²H[u, u] u| ≤ M_H"];
 const PREMISE: &[&str] = &["E_N ≤ what the proof has"];
 
-pub(super) fn checks() -> Vec<Check> {
-    let dropped = Kind::Dropped;
-    vec![
-        Check::new(
-            "lemmas_s_1_to_s_3_fail_where_l_h_is_understated",
-            dropped,
-            &[LemmaS1, LemmaS2, LemmaS3],
-            |_| lemmas_without_l_h(),
-        ),
-        Check::new(
-            "the_sharper_theorems_fail_where_l_h_is_understated",
-            dropped,
-            &[LemmaS4, LemmaS5, TheoremA, TheoremC, PropositionS6],
-            |_| theorems_without_l_h(),
-        ),
-        Check::new(
-            "lemma_s_2_and_theorems_b_and_d_fail_where_m_h_is_understated",
-            dropped,
-            &[LemmaS2, TheoremB, TheoremD],
-            |_| without_m_h(),
-        ),
-        Check::new("lemma_s_4_fails_where_c2_is_understated", dropped, &[LemmaS4], |_| {
-            without_c2()
-        }),
-        Check::new("prop_s_7_fails_where_c1_is_overstated", dropped, &[PropositionS7], |_| {
-            without_c1()
-        }),
-        Check::new(
-            "theorems_a_and_c_and_prop_s_8_fail_for_a_minimiser_that_is_not_global",
-            dropped,
-            &[TheoremA, TheoremC, PropositionS8],
-            |_| not_global(),
-        ),
-    ]
-}
+pub(crate) const CHECKS: &[Check] = &[
+    Dropped.check(
+        "lemmas_s_1_to_s_3_fail_where_l_h_is_understated",
+        &[LemmaS1, LemmaS2, LemmaS3],
+        lemmas_without_l_h,
+    ),
+    Dropped.check(
+        "the_sharper_theorems_fail_where_l_h_is_understated",
+        &[LemmaS4, LemmaS5, TheoremA, TheoremC, PropositionS6],
+        theorems_without_l_h,
+    ),
+    Dropped.check(
+        "lemma_s_2_and_theorems_b_and_d_fail_where_m_h_is_understated",
+        &[LemmaS2, TheoremB, TheoremD],
+        without_m_h,
+    ),
+    Dropped.check("lemma_s_4_fails_where_c2_is_understated", &[LemmaS4], without_c2),
+    Dropped.check("prop_s_7_fails_where_c1_is_overstated", &[PropositionS7], without_c1),
+    Dropped.check(
+        "theorems_a_and_c_and_prop_s_8_fail_for_a_minimiser_that_is_not_global",
+        &[TheoremA, TheoremC, PropositionS8],
+        not_global,
+    ),
+];
 
 /// A twist, a tent and a slope, each with a part of its `L_H`: the first two attain their bounds, and
 /// on the third the two chords differ in speed, which a constant metric does not allow.
-fn lemmas_without_l_h() -> Outcome {
+fn lemmas_without_l_h(_: &Trial<'_>) -> Outcome {
     let twist = Twist::<2>::new(1.0, 1.0, 0.3)?;
     let curve = twist.short_geodesic(1e-5);
-    let claimed = Constants::new(0.7, 1.3, 0.2).map_err(VerifyError::from)?;
+    let claimed = Constants::new(0.7, 1.3, 0.2)?;
     let bent = WithConstants { metric: twist, constants: claimed };
     let valley = tent(2.0, 1.0).expect("positive");
-    let constants = Constants::new(1.9, 3.0, 0.5).map_err(VerifyError::from)?;
+    let constants = Constants::new(1.9, 3.0, 0.5)?;
     let shallow = WithConstants { metric: valley, constants };
     let ramp = Polygonal::new(&[[0.0, 1.0], [1.0, 2.0]]).expect("in order");
-    let constants = Constants::new(0.99, 2.01, 1e-9).map_err(VerifyError::from)?;
-    let ends = Ends::points([0.0], [1.0]).map_err(VerifyError::from)?;
-    let minimum = LIBRARY.minimise(Trapezoidal, &ramp, &ends, 2).map_err(VerifyError::from)?;
+    let constants = Constants::new(0.99, 2.01, 1e-9)?;
+    let ends = Ends::points([0.0], [1.0])?;
+    let minimum = LIBRARY.minimise(Trapezoidal, &ramp, &ends, 2)?;
     let flat = WithConstants { metric: ramp, constants };
     let speeds = lemma_s_3(&LIBRARY, &flat, PaperRule::Trapezoidal, &minimum.sequence);
     all([
         fails_without(L_H, lemma_s_1(&LIBRARY, &bent, &curve, 1e-5, 0.0)?),
-        fails_without(
-            L_H,
-            lemma_s_2(&LIBRARY, &shallow, &one_step(3, 1)).map_err(VerifyError::from)?,
-        ),
-        fails_without(L_H, speeds.map_err(VerifyError::from)?),
+        fails_without(L_H, lemma_s_2(&LIBRARY, &shallow, &one_step(3, 1))?),
+        fails_without(L_H, speeds?),
     ])
 }
 
-/// With a thousandth of the slope, `δ` is `10⁻⁴`. A level route is the shorter one, and the rule sees
-/// a shorter one elsewhere; on a ridge it sees too much.
-fn theorems_without_l_h() -> Outcome {
+/// With a thousandth of the slope, `δ` is `10⁻⁴`. A level route is the shorter one, but the other one
+/// seems shorter to the rule; on a ridge the rule reads too much.
+fn theorems_without_l_h(_: &Trial<'_>) -> Outcome {
     let constants = [1.0, 1.25, 1e-4];
     let mut outcomes = Vec::new();
     for rule in PaperRule::BOTH {
@@ -117,43 +102,39 @@ fn dear_ridge(constants: [f64; 3]) -> Result<Reconstruction<1>, VerifyError> {
     claimed(PaperRule::Trapezoidal, [steep(ridge(1.0)), steep(valley(1.0004))], constants)
 }
 
-/// A crest with half its curvature, and a valley whose tip has far more than is claimed.
-fn without_m_h() -> Outcome {
+/// Half the curvature of a crest is claimed, and far less than that of the tip of a valley.
+fn without_m_h(_: &Trial<'_>) -> Outcome {
     let metric = crest()?;
-    let constants = Constants::new(0.9, 1.1, 1e-3).and_then(|constants| constants.with_m_h(9e-5));
-    let constants = constants.map_err(VerifyError::from)?;
-    let chord = PointSequence::straight([CREST - 0.25], [CREST + 0.25], 1);
-    let chord = chord.map_err(VerifyError::from)?;
+    let constants =
+        Constants::new(0.9, 1.1, 1e-3).and_then(|constants| constants.with_m_h(9e-5))?;
+    let chord = PointSequence::straight([CREST - 0.25], [CREST + 0.25], 1)?;
     let crest = lemma_s_2(&LIBRARY, &WithConstants { metric, constants }, &chord);
     let valley = Polygonal::new(&[[0.0, 1.05], [0.5, 1.0], [1.0, 1.05]]).expect("in order");
     let constants = Constants::new(0.9, 1.1, 0.1).and_then(|constants| constants.with_m_h(1e-6));
-    let known = Known::between(valley, [0.0], [1.0]).map_err(VerifyError::from)?.expect("known");
-    let Known { metric, ends, distance, distance_error } = known;
-    let constants = constants.map_err(VerifyError::from)?;
-    let metric = WithConstants { metric, constants };
-    let known = Known { metric, ends, distance, distance_error };
+    let known = Known::between(valley, [0.0], [1.0])?.expect("known");
+    let known = claiming(known, constants?);
     let seen = Reconstruction::observe(&LIBRARY, &known, PaperRule::Trapezoidal, 1)?;
     let theorems = [theorem_b(&LIBRARY, &seen), theorem_d(&LIBRARY, &seen)];
-    let mut outcomes = vec![fails_without(M_H, crest.map_err(VerifyError::from)?)];
+    let mut outcomes = vec![fails_without(M_H, crest?)];
     outcomes.extend(theorems.map(|theorem| fails_without(M_H, theorem.expect("M_H is claimed"))));
     all(outcomes)
 }
 
 /// With `κ = 1` there would be no `E_N` above `d²`.
-fn without_c2() -> Outcome {
+fn without_c2(_: &Trial<'_>) -> Outcome {
     let dear = dear_ridge([1.0, 1.0, 0.1])?;
     fails_without(&["λ_max(H) ≤ c₂"], lemma_s_4(&LIBRARY, &dear))
 }
 
 /// The two slopes with half as much again for `c₁`.
-fn without_c1() -> Outcome {
+fn without_c1(_: &Trial<'_>) -> Outcome {
     let (metric, [x, y]) = slopes([1.5, 1.6, 1.0])?;
     let evidence = prop_s_7(&LIBRARY, &metric, PaperRule::Trapezoidal, [&x, &y], 1.0)?;
     fails_without(&["c₁ ≤ λ_min(H)"], evidence)
 }
 
 /// Twice as long a way under a constant metric, whose bounds are 0.
-fn not_global() -> Outcome {
+fn not_global(_: &Trial<'_>) -> Outcome {
     let mut outcomes = Vec::new();
     for rule in PaperRule::BOTH {
         let (known, longer) = longer_way(rule, 8)?;

@@ -9,29 +9,26 @@ use tautline::{
 use tautline_statements::{
     PaperRule,
     Statement::{LemmaS4, TheoremA, TheoremB, TheoremC, TheoremD},
-    Subject, VerifyError,
+    Subject,
 };
 
-use super::{
-    super::{Check, Failure, Kind, Outcome, Trial, close::close},
-    golden::setting,
+use crate::battery::{
+    harness::{Check, Failure, Kind::Order, Outcome, Trial, close},
+    sharper::golden::setting,
 };
 
-pub(super) fn checks() -> Vec<Check> {
-    vec![Check::new(
-        "bounds_of_theorems_a_to_d_have_the_leading_terms_that_are_stated",
-        Kind::Order,
-        &[LemmaS4, TheoremA, TheoremB, TheoremC, TheoremD],
-        leading,
-    )]
-}
+pub(crate) const CHECKS: &[Check] = &[Order.check(
+    "bounds_of_theorems_a_to_d_have_the_leading_terms_that_are_stated",
+    &[LemmaS4, TheoremA, TheoremB, TheoremC, TheoremD],
+    leading,
+)];
 
 /// The largest of the next terms is `√N v^{3/2} = (2kδ)^{3/2}/N` in `m₃`, 2·10⁻⁵ at most for the
 /// `δ` here, of which the largest is 111.
 const NEXT: f64 = 1e-4;
 
 fn leading(trial: &Trial<'_>) -> Outcome {
-    let shear = Shear::new(0.5, 1.0).map_err(VerifyError::from)?;
+    let shear = Shear::new(0.5, 1.0)?;
     for setting in [
         setting(trial.subject, &Valleys, [4.0 * PI, 0.0])?,
         setting(trial.subject, &Valleys, [2.0, 1.5])?,

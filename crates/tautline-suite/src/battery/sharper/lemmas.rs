@@ -1,82 +1,58 @@
 //! Lemmas S.1 to S.3 and Proposition S.7: minimal geodesics and point sequences at random.
 
-use std::fmt::Debug;
-
 use nalgebra::SVector;
 use proptest::prelude::*;
-use tautline::{
-    Bounded, KnownDistance, PointSequence,
-    gallery::{Separable, Valleys},
-};
+use tautline::{Bounded, PointSequence, gallery::Valleys};
 use tautline_statements::{
     Evidence, Known, PaperRule, Reconstruction, Statement,
     Statement::{LemmaS1, LemmaS2, LemmaS3, PropositionS7},
-    Subject, VerifyError,
-    curves::Geodesic,
-    lemma_s_1, lemma_s_2, lemma_s_3, prop_s_7,
+    Subject, VerifyError, lemma_s_1, lemma_s_2, lemma_s_3, prop_s_7,
 };
 
-use super::super::{Check, Kind, Outcome, Trial, check::all};
+use crate::battery::{
+    cases::known_geodesic,
+    harness::{
+        Check,
+        Kind::{Homogeneous, Random},
+        Outcome, Trial, for_all,
+    },
+};
 use crate::strategies::{
     constant, points, ramp, separable, sequence, shear, two_points, valleys_along, vector,
 };
 
 const SEQUENCES: &[Statement] = &[LemmaS2, LemmaS3];
 
-pub(super) fn checks() -> Vec<Check> {
-    vec![
-        Check::new("lemma_s_1_holds_for_minimal_geodesics", Kind::Random, &[LemmaS1], geodesics),
-        Check::new("lemma_s_1_is_homogeneous", Kind::Homogeneous, &[LemmaS1], geodesics_in_units),
-        Check::new(
-            "lemmas_s_2_and_s_3_hold_for_random_sequences",
-            Kind::Random,
-            SEQUENCES,
-            sequences,
-        ),
-        Check::new(
-            "lemmas_s_2_and_s_3_are_homogeneous",
-            Kind::Homogeneous,
-            SEQUENCES,
-            sequences_in_units,
-        ),
-        Check::new("prop_s_7_holds_beside_minimisers", Kind::Random, &[PropositionS7], minimisers),
-        Check::new(
-            "prop_s_7_is_homogeneous",
-            Kind::Homogeneous,
-            &[PropositionS7],
-            minimisers_in_units,
-        ),
-    ]
-}
+pub(crate) const CHECKS: &[Check] = &[
+    Random.check("lemma_s_1_holds_for_minimal_geodesics", &[LemmaS1], geodesics),
+    Homogeneous.check("lemma_s_1_is_homogeneous", &[LemmaS1], geodesics_in_units),
+    Random.check("lemmas_s_2_and_s_3_hold_for_random_sequences", SEQUENCES, sequences),
+    Homogeneous.check("lemmas_s_2_and_s_3_are_homogeneous", SEQUENCES, sequences_in_units),
+    Random.check("prop_s_7_holds_beside_minimisers", &[PropositionS7], minimisers),
+    Homogeneous.check("prop_s_7_is_homogeneous", &[PropositionS7], minimisers_in_units),
+];
 
 fn geodesics(trial: &Trial<'_>) -> Outcome {
-    fn separables<const D: usize>(trial: &Trial<'_>, seed: u64) -> Outcome {
-        let cases = (separable::<D>(), two_points(2.5), 0.0..1.0);
-        trial.for_all(seed, 256, cases, |subject, (metric, ends, t): (Separable<D>, _, _)| {
-            let curve = Geodesic::between(metric, ends);
-            let distance = metric.distance(&ends[0], &ends[1]).expect("known");
+    for_all!(
+        trial,
+        [
+            (2700, 512, (shear(), two_points(2.5), 0.0..1.0)),
+            (2701, 256, (separable::<1>(), two_points(2.5), 0.0..1.0)),
+            (2702, 256, (separable::<3>(), two_points(2.5), 0.0..1.0)),
+        ],
+        |subject, (metric, ends, t)| {
+            let (curve, distance) = known_geodesic(metric, ends);
             Ok([lemma_s_1(subject, &metric, &curve, distance, t)?])
-        })
-    }
-    let cases = (shear(), two_points(2.5), 0.0..1.0);
-    all([
-        trial.for_all(2700, 512, cases, |subject, (metric, ends, t)| {
-            let curve = Geodesic::between(metric, ends);
-            let distance = metric.distance(&ends[0], &ends[1]).expect("known");
-            Ok([lemma_s_1(subject, &metric, &curve, distance, t)?])
-        }),
-        separables::<1>(trial, 2701),
-        separables::<3>(trial, 2702),
-    ])
+        }
+    )
 }
 
 fn geodesics_in_units(trial: &Trial<'_>) -> Outcome {
     let cases = (shear(), two_points(2.5), 0.0..1.0);
     trial.homogeneous(2710, 128, cases, |subject, (metric, ends, t), units| {
-        let curve = Geodesic::between(metric, ends);
-        let distance = metric.distance(&ends[0], &ends[1]).expect("known") * units.m;
+        let (curve, distance) = known_geodesic(metric, ends);
         let (metric, curve) = (units.metric(metric), units.curve(curve));
-        Ok([lemma_s_1(subject, &metric, &curve, distance, t)?])
+        Ok([lemma_s_1(subject, &metric, &curve, distance * units.m, t)?])
     })
 }
 
@@ -93,24 +69,20 @@ fn of_sequence<const D: usize>(
 }
 
 fn sequences(trial: &Trial<'_>) -> Outcome {
-    fn family<M: Bounded<D> + Debug + 'static, const D: usize>(
-        trial: &Trial<'_>,
-        seed: u64,
-        metrics: impl Strategy<Value = M>,
-    ) -> Outcome {
-        trial.for_all(seed, 192, (metrics, sequence(3.0)), |subject, (metric, sequence)| {
-            of_sequence(subject, &metric, &sequence)
-        })
-    }
-    all([
-        family(trial, 2720, shear()),
-        family(trial, 2721, separable::<1>()),
-        family(trial, 2722, separable::<3>()),
-        family(trial, 2723, ramp()),
-        family::<_, 2>(trial, 2724, Just(Valleys)),
-        // Without L_H the residual alone is left.
-        family(trial, 2725, constant::<2>()),
-    ])
+    for_all!(
+        trial,
+        192,
+        [
+            (2720, (shear(), sequence(3.0))),
+            (2721, (separable::<1>(), sequence(3.0))),
+            (2722, (separable::<3>(), sequence(3.0))),
+            (2723, (ramp(), sequence(3.0))),
+            (2724, (Just(Valleys), sequence::<2>(3.0))),
+            // Without L_H the residual alone is left.
+            (2725, (constant::<2>(), sequence(3.0))),
+        ],
+        |subject, (metric, sequence)| of_sequence(subject, &metric, &sequence)
+    )
 }
 
 fn sequences_in_units(trial: &Trial<'_>) -> Outcome {
@@ -119,7 +91,7 @@ fn sequences_in_units(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// A minimiser between two points, and the same with a wave added that vanishes at the ends.
+/// A minimiser between two points, and the same plus a wave that vanishes at the ends.
 fn beside<M: Bounded<D>, const D: usize>(
     subject: &Subject,
     known: &Known<M, D>,
@@ -143,8 +115,8 @@ fn beside<M: Bounded<D>, const D: usize>(
     ])
 }
 
-/// The number of subintervals, the number of half waves, and their amplitude: short and slow ones
-/// too, so that some of the energies are convex.
+/// `N`, the number of half waves, and their amplitude. Some are short and slow, so that some of the
+/// energies are convex.
 fn waves<const D: usize>() -> impl Strategy<Value = (usize, (usize, SVector<f64, D>))> {
     let amplitude = (-3.0..0.0_f64, vector::<D>(1.0));
     (2..40_usize, 1..4_usize, amplitude).prop_map(|(n, wave, (power, by))| {
@@ -153,23 +125,21 @@ fn waves<const D: usize>() -> impl Strategy<Value = (usize, (usize, SVector<f64,
 }
 
 fn minimisers(trial: &Trial<'_>) -> Outcome {
-    fn family<M: Bounded<D> + Clone + Debug + 'static, const D: usize>(
-        trial: &Trial<'_>,
-        seed: u64,
-        problems: impl Strategy<Value = Known<M, D>>,
-    ) -> Outcome {
-        trial.for_all(seed, 96, (problems, waves::<D>()), |subject, (known, (n, wave))| {
+    for_all!(
+        trial,
+        96,
+        [
+            (2740, (points(shear()), waves())),
+            (2741, (points(separable::<1>()), waves())),
+            (2742, (points(separable::<3>()), waves())),
+            (2743, (points(ramp()), waves())),
+            (2744, (valleys_along(), waves())),
+        ],
+        |subject, (known, (n, wave))| {
             let [one, two] = PaperRule::BOTH.map(|rule| beside(subject, &known, rule, n, wave));
             Ok(one?.into_iter().chain(two?))
-        })
-    }
-    all([
-        family(trial, 2740, points(shear())),
-        family(trial, 2741, points(separable::<1>())),
-        family(trial, 2742, points(separable::<3>())),
-        family(trial, 2743, points(ramp())),
-        family(trial, 2744, valleys_along()),
-    ])
+        }
+    )
 }
 
 fn minimisers_in_units(trial: &Trial<'_>) -> Outcome {

@@ -1,4 +1,4 @@
-//! Proposition S.8 where it loses nothing but what it gives away, and where it fails.
+//! Proposition S.8 where only its margin is lost, and where it fails.
 
 use tautline::{
     Ball, Constants, Ends, HalfSpace, LocallyBounded,
@@ -10,23 +10,22 @@ use tautline_statements::{
     VerifyError, WithConstants, prop_s_8,
 };
 
-use super::super::{Check, Kind, Outcome, Trial, failing::fails_without};
+use crate::battery::harness::{
+    Check,
+    Kind::{Dropped, Witness},
+    Outcome, Trial, fails_without,
+};
 
-const LOCALITY: &[Statement] = &[PropositionS8];
+const S8: &[Statement] = &[PropositionS8];
 
-/// The radius is given away by a percent: `1.01 (1 + 10⁻⁵)`, and what a small ball changes.
+/// The margin of the radius, `1.01 (1 + 10⁻⁵)`, and what a small ball adds.
 const PERCENT: f64 = 1.0102;
 
-pub(super) fn checks() -> Vec<Check> {
-    let witness = Kind::Witness;
-    vec![
-        Check::new("prop_s_8_is_attained_where_the_metric_is_constant", witness, LOCALITY, flat),
-        Check::new("prop_s_8_is_attained_in_a_small_ball", witness, LOCALITY, small),
-        Check::new("prop_s_8_fails_where_c1_is_overstated", Kind::Dropped, LOCALITY, |_| {
-            without_c1()
-        }),
-    ]
-}
+pub(crate) const CHECKS: &[Check] = &[
+    Witness.check("prop_s_8_is_attained_where_the_metric_is_constant", S8, flat),
+    Witness.check("prop_s_8_is_attained_in_a_small_ball", S8, small),
+    Dropped.check("prop_s_8_fails_where_c1_is_overstated", S8, without_c1),
+];
 
 fn on_the_plane(factor: f64) -> Result<Constant<2>, VerifyError> {
     Ok(Constant::new([[factor, 0.0], [0.0, factor]].into())?)
@@ -35,10 +34,10 @@ fn on_the_plane(factor: f64) -> Result<Constant<2>, VerifyError> {
 /// `H = 4 I`: from a point, and to a ball from a half-plane, whose bounded end is the last.
 fn flat(trial: &Trial<'_>) -> Outcome {
     let metric = on_the_plane(4.0)?;
-    let points = Known::between(metric, [1.0, 0.0], [4.0, 4.0]).map_err(VerifyError::from)?;
-    let wall = HalfSpace::at_least([1.0, 0.0], 3.0).map_err(VerifyError::from)?;
-    let ball = Ball::new([0.0, 0.0], 1.0).map_err(VerifyError::from)?;
-    let ends = Ends::new(wall, ball).map_err(VerifyError::from)?;
+    let points = Known::between(metric, [1.0, 0.0], [4.0, 4.0])?;
+    let wall = HalfSpace::at_least([1.0, 0.0], 3.0)?;
+    let ball = Ball::new([0.0, 0.0], 1.0)?;
+    let ends = Ends::new(wall, ball)?;
     let sets = Known { metric, ends, distance: 4.0, distance_error: 0.0 };
     let mut evidence = Vec::new();
     for known in [points.expect("known"), sets] {
@@ -60,9 +59,9 @@ fn flat(trial: &Trial<'_>) -> Outcome {
 /// Two points of the sphere so near each other that it is flat between them.
 fn small(trial: &Trial<'_>) -> Outcome {
     let (a, b) = ([0.5, 0.0], [0.500_006, 0.000_008]);
-    let constants = Sphere.constants_within(&a.into(), 1.02e-5).map_err(VerifyError::from)?;
+    let constants = Sphere.constants_within(&a.into(), 1.02e-5)?;
     let metric = WithConstants { metric: Sphere, constants };
-    let known = Known::between(metric, a, b).map_err(VerifyError::from)?.expect("known");
+    let known = Known::between(metric, a, b)?.expect("known");
     let mut evidence = Vec::new();
     for rule in PaperRule::BOTH {
         let seen = Reconstruction::observe(trial.subject, &known, rule, 4)?;
@@ -77,10 +76,10 @@ fn small(trial: &Trial<'_>) -> Outcome {
 }
 
 /// `H = I` with twice its `c₁`: the other end is `√2/1.01` times as far away as the radius.
-fn without_c1() -> Outcome {
-    let constants = Constants::new(2.0, 2.0, 0.0).map_err(VerifyError::from)?;
+fn without_c1(_: &Trial<'_>) -> Outcome {
+    let constants = Constants::new(2.0, 2.0, 0.0)?;
     let metric = WithConstants { metric: on_the_plane(1.0)?, constants };
-    let ends = Ends::points([0.0, 0.0], [1.0, 0.0]).map_err(VerifyError::from)?;
+    let ends = Ends::points([0.0, 0.0], [1.0, 0.0])?;
     let known = Known { metric, ends, distance: 1.0, distance_error: 0.0 };
     let seen = Reconstruction::observe(&LIBRARY, &known, PaperRule::Trapezoidal, 4)?;
     fails_without(&["c₁ ≤ λ_min(H)"], prop_s_8(&LIBRARY, &known, &seen)?)

@@ -4,42 +4,28 @@ use tautline::PointSequence;
 use tautline_statements::{
     PaperRule,
     Statement::LemmaS3,
-    VerifyError,
     curves::Curve,
     lemma_s_3,
     witnesses::{Polygonal, Twist},
 };
 
-use super::{
-    super::{Check, Kind, Outcome, Trial},
-    witnesses::NEAR,
+use crate::battery::{
+    harness::{Check, Kind::Witness, Outcome, Trial},
+    sharper::witnesses::NEAR,
 };
 
-pub(super) fn checks() -> Vec<Check> {
-    vec![
-        Check::new(
-            "lemma_s_3_is_attained_from_chord_to_chord_over_a_twist",
-            Kind::Witness,
-            &[LemmaS3],
-            twist,
-        ),
-        Check::new(
-            "lemma_s_3_is_nearly_attained_by_a_sequence_that_runs_away",
-            Kind::Witness,
-            &[LemmaS3],
-            runaway,
-        ),
-    ]
-}
+pub(crate) const CHECKS: &[Check] = &[
+    Witness.check("lemma_s_3_is_attained_from_chord_to_chord_over_a_twist", &[LemmaS3], twist),
+    Witness.check("lemma_s_3_is_nearly_attained_by_a_sequence_that_runs_away", &[LemmaS3], runaway),
+];
 
 /// Two chords of the geodesic that attains Lemma S.1.
 fn twist(trial: &Trial<'_>) -> Outcome {
     let metric = Twist::<2>::new(1.0, 1.0, 2e-3)?;
-    let sequence = metric.short_geodesic(1e-5).sample(2).map_err(VerifyError::from)?;
+    let sequence = metric.short_geodesic(1e-5).sample(2)?;
     let mut evidence = Vec::new();
     for rule in PaperRule::BOTH {
-        let found =
-            lemma_s_3(trial.subject, &metric, rule, &sequence).map_err(VerifyError::from)?;
+        let found = lemma_s_3(trial.subject, &metric, rule, &sequence)?;
         let claim = "|βₙ − βₙ₋₁| ≤ 3L_H B²/2Nc₁ + |ρₙ|/Nc₁";
         evidence.push(found.claim_is_attained(claim, NEAR)?);
     }
@@ -73,9 +59,8 @@ fn runaway(trial: &Trial<'_>) -> Outcome {
     let middles = points.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
     let knots: Vec<[f64; 2]> = middles.flat_map(|x| [[x - w, 1.0 - w], [x + w, 1.0 + w]]).collect();
     let metric = Polygonal::new(&knots).expect("in order");
-    let sequence = PointSequence::new(points.into_iter().map(|x| [x].into()).collect());
-    let sequence = sequence.map_err(VerifyError::from)?;
+    let sequence = PointSequence::new(points.into_iter().map(|x| [x].into()).collect())?;
     let found = lemma_s_3(trial.subject, &metric, PaperRule::Trapezoidal, &sequence);
     let claim = "max|βₙ| ≤ (c₂K₃ + ½L_H K₃² + mean|ρ|)/c₁";
-    trial.one([found.map_err(VerifyError::from)?.claim_is_attained(claim, 1.28)?])
+    trial.one([found?.claim_is_attained(claim, 1.28)?])
 }

@@ -12,9 +12,12 @@ use tautline_statements::{
     prop_s_8, theorem_a, theorem_b, theorem_c, theorem_d,
 };
 
-use super::super::{
-    Check, Kind,
-    random_problems::{Problems, Question},
+use crate::battery::{
+    cases::{Problems, Question},
+    harness::{
+        Check,
+        Kind::{Homogeneous, Random},
+    },
 };
 
 const TRAPEZOIDAL: &[Statement] = &[
@@ -32,72 +35,39 @@ const TRAPEZOIDAL: &[Statement] = &[
 const LEFT: &[Statement] =
     &[LemmaS2, LemmaS3, LemmaS4, LemmaS5, TheoremA, TheoremC, PropositionS6, PropositionS8];
 
-pub(super) fn checks() -> Vec<Check> {
-    vec![
-        Check::new("theorems_a_to_d_hold_between_points", Kind::Random, TRAPEZOIDAL, |trial| {
-            SharperTheorems::of(PaperRule::Trapezoidal, 2100).between_points(trial)
-        }),
-        Check::new("theorems_a_to_d_hold_from_set_to_set", Kind::Random, TRAPEZOIDAL, |trial| {
-            SharperTheorems::of(PaperRule::Trapezoidal, 2200).between_sets(trial)
-        }),
-        Check::new("theorems_a_and_c_hold_between_points", Kind::Random, LEFT, |trial| {
-            SharperTheorems::of(PaperRule::LeftEndpoint, 2300).between_points(trial)
-        }),
-        Check::new("theorems_a_and_c_hold_from_set_to_set", Kind::Random, LEFT, |trial| {
-            SharperTheorems::of(PaperRule::LeftEndpoint, 2400).between_sets(trial)
-        }),
-        Check::new(
-            "theorems_a_to_d_hold_with_constants_of_a_ball",
-            Kind::Random,
-            TRAPEZOIDAL,
-            |trial| SharperTheorems::of(PaperRule::Trapezoidal, 2700).on_balls(trial),
-        ),
-        Check::new("theorems_a_and_c_hold_with_constants_of_a_ball", Kind::Random, LEFT, |trial| {
-            SharperTheorems::of(PaperRule::LeftEndpoint, 2750).on_balls(trial)
-        }),
-        Check::new("theorems_a_to_d_are_homogeneous", Kind::Homogeneous, TRAPEZOIDAL, |trial| {
-            SharperTheorems::of(PaperRule::Trapezoidal, 2500).homogeneous(trial)
-        }),
-        Check::new("theorems_a_and_c_are_homogeneous", Kind::Homogeneous, LEFT, |trial| {
-            SharperTheorems::of(PaperRule::LeftEndpoint, 2600).homogeneous(trial)
-        }),
-    ]
-}
+pub(crate) const CHECKS: &[Check] = &[
+    Random.check("theorems_a_to_d_hold_between_points", TRAPEZOIDAL, |trial| {
+        problems(PaperRule::Trapezoidal, 2100).between_points(trial)
+    }),
+    Random.check("theorems_a_to_d_hold_from_set_to_set", TRAPEZOIDAL, |trial| {
+        problems(PaperRule::Trapezoidal, 2200).between_sets(trial)
+    }),
+    Random.check("theorems_a_and_c_hold_between_points", LEFT, |trial| {
+        problems(PaperRule::LeftEndpoint, 2300).between_points(trial)
+    }),
+    Random.check("theorems_a_and_c_hold_from_set_to_set", LEFT, |trial| {
+        problems(PaperRule::LeftEndpoint, 2400).between_sets(trial)
+    }),
+    Random.check("theorems_a_to_d_hold_with_constants_of_a_ball", TRAPEZOIDAL, |trial| {
+        problems(PaperRule::Trapezoidal, 2700).on_balls(trial)
+    }),
+    Random.check("theorems_a_and_c_hold_with_constants_of_a_ball", LEFT, |trial| {
+        problems(PaperRule::LeftEndpoint, 2750).on_balls(trial)
+    }),
+    Homogeneous.check("theorems_a_to_d_are_homogeneous", TRAPEZOIDAL, |trial| {
+        problems(PaperRule::Trapezoidal, 2500).homogeneous(trial)
+    }),
+    Homogeneous.check("theorems_a_and_c_are_homogeneous", LEFT, |trial| {
+        problems(PaperRule::LeftEndpoint, 2600).homogeneous(trial)
+    }),
+];
 
-/// All that the sharper statements say of one minimiser, and of a problem whose distance is known.
-pub(super) fn evidence<M: Bounded<D>, const D: usize>(
-    subject: &Subject,
-    known: &Known<M, D>,
-    seen: &Reconstruction<D>,
-) -> Result<Vec<Evidence>, VerifyError> {
-    let sequence = &seen.minimum.sequence;
-    let mut found = vec![
-        lemma_s_2(subject, &known.metric, sequence)?,
-        lemma_s_3(subject, &known.metric, seen.rule, sequence)?,
-        lemma_s_4(subject, seen),
-        theorem_a(subject, seen),
-        theorem_c(subject, seen),
-        prop_s_6(subject, seen, 0.0)?,
-        prop_s_8(subject, known, seen)?,
-        least_length_bound(subject, seen),
-    ];
-    // Between ends that touch there is no speed to compare with.
-    if seen.distance_squared > 0.0 {
-        found.push(lemma_s_5(subject, seen));
-    }
-    found.extend(theorem_b(subject, seen));
-    found.extend(theorem_d(subject, seen));
-    Ok(found)
-}
-
-/// The sharper statements about minimisers.
+/// The sharper statements about one minimiser and its problem.
 #[derive(Clone, Copy)]
 struct SharperTheorems;
 
-impl SharperTheorems {
-    fn of(rule: PaperRule, seed: u64) -> Problems<Self> {
-        Problems { rule, seed, one_in: 2, question: Self }
-    }
+fn problems(rule: PaperRule, seed: u64) -> Problems<SharperTheorems> {
+    Problems { rule, seed, one_in: 2, question: SharperTheorems }
 }
 
 impl Question for SharperTheorems {
@@ -107,6 +77,23 @@ impl Question for SharperTheorems {
         known: &Known<M, D>,
         seen: &Reconstruction<D>,
     ) -> Result<Vec<Evidence>, VerifyError> {
-        evidence(subject, known, seen)
+        let sequence = &seen.minimum.sequence;
+        let mut found = vec![
+            lemma_s_2(subject, &known.metric, sequence)?,
+            lemma_s_3(subject, &known.metric, seen.rule, sequence)?,
+            lemma_s_4(subject, seen),
+            theorem_a(subject, seen),
+            theorem_c(subject, seen),
+            prop_s_6(subject, seen, 0.0)?,
+            prop_s_8(subject, known, seen)?,
+            least_length_bound(subject, seen),
+        ];
+        // Between ends that touch there is no speed to compare with.
+        if seen.distance_squared > 0.0 {
+            found.push(lemma_s_5(subject, seen));
+        }
+        found.extend(theorem_b(subject, seen));
+        found.extend(theorem_d(subject, seen));
+        Ok(found)
     }
 }

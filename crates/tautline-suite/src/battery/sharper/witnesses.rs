@@ -1,4 +1,4 @@
-//! The sharper statements where they lose nothing, or as little as is known.
+//! The sharper statements where they lose nothing, or the least known.
 
 use tautline::{
     Constants, Ends, FiniteSet, KnownDistance, PointSequence,
@@ -17,59 +17,35 @@ use tautline_statements::{
     witnesses::{Incline, InclineGeodesic, Twist, one_step, tent, two_routes},
 };
 
-use super::super::{
-    Check, Failure, Kind, Outcome, Trial,
-    theorem_witnesses::{LIMIT, MARGIN, SLOPE, downwards, ridge, route, routes, upwards, valley},
+use crate::battery::{
+    cases::routes::{SLOPE, downwards, misleading, ridge, route, routes, upwards, valley},
+    harness::{Check, Kind::Witness, Outcome, Trial},
+    paper::theorem_witnesses::{LIMIT, flat_problem},
 };
 
-pub(super) fn checks() -> Vec<Check> {
-    let witness = Kind::Witness;
-    vec![
-        Check::new("lemma_s_1_is_attained_by_a_twist_and_an_incline", witness, &[LemmaS1], bent),
-        Check::new("lemma_s_2_is_attained_by_one_step", witness, &[LemmaS2], steps),
-        Check::new("lemma_s_2_is_attained_along_a_parabola", witness, &[LemmaS2], parabola),
-        Check::new(
-            "lemma_s_3_and_prop_s_6_are_attained_where_the_metric_is_constant",
-            witness,
-            &[LemmaS3, PropositionS6],
-            flat,
-        ),
-        Check::new(
-            "lemmas_s_4_and_s_5_are_attained_on_ridges_valleys_and_inclines",
-            witness,
-            &[LemmaS4, LemmaS5],
-            one_route,
-        ),
-        Check::new(
-            "lemma_s_4_has_the_second_variation_up_an_incline",
-            witness,
-            &[LemmaS4],
-            second_variation,
-        ),
-        Check::new("lemma_s_5_is_attained_by_one_long_chord", witness, &[LemmaS5], one_long_chord),
-        Check::new(
-            "theorems_a_and_c_are_attained_on_two_routes",
-            witness,
-            &[TheoremA, TheoremC],
-            two_ways,
-        ),
-        Check::new(
-            "theorem_c_is_attained_by_the_left_rule_for_every_n",
-            witness,
-            &[TheoremC],
-            many_chords,
-        ),
-        Check::new(
-            "theorems_b_and_d_are_attained_on_two_arcs",
-            witness,
-            &[TheoremB, TheoremD],
-            two_arcs,
-        ),
-    ]
-}
+pub(crate) const CHECKS: &[Check] = &[
+    Witness.check("lemma_s_1_is_attained_by_a_twist_and_an_incline", &[LemmaS1], bent),
+    Witness.check("lemma_s_2_is_attained_by_one_step", &[LemmaS2], steps),
+    Witness.check("lemma_s_2_is_attained_along_a_parabola", &[LemmaS2], parabola),
+    Witness.check(
+        "lemma_s_3_and_prop_s_6_are_attained_where_the_metric_is_constant",
+        &[LemmaS3, PropositionS6],
+        flat,
+    ),
+    Witness.check(
+        "lemmas_s_4_and_s_5_are_attained_on_ridges_valleys_and_inclines",
+        &[LemmaS4, LemmaS5],
+        one_route,
+    ),
+    Witness.check("lemma_s_4_has_the_second_variation_up_an_incline", &[LemmaS4], second_variation),
+    Witness.check("lemma_s_5_is_attained_by_one_long_chord", &[LemmaS5], one_long_chord),
+    Witness.check("theorems_a_and_c_are_attained_on_two_routes", &[TheoremA, TheoremC], two_ways),
+    Witness.check("theorem_c_is_attained_by_the_left_rule_for_every_n", &[TheoremC], many_chords),
+    Witness.check("theorems_b_and_d_are_attained_on_two_arcs", &[TheoremB, TheoremD], two_arcs),
+];
 
-/// What an overestimation may be above 1 where a limit is taken.
-pub(super) const NEAR: f64 = 1.01;
+/// How far above 1 an overestimation may be, where a limit is taken.
+pub(crate) const NEAR: f64 = 1.01;
 
 /// A short geodesic through the centre of a twist, and one at the foot of an incline.
 fn bent(trial: &Trial<'_>) -> Outcome {
@@ -115,12 +91,12 @@ fn steps(trial: &Trial<'_>) -> Outcome {
 
 /// `H = (1 + a sin kx)²` is a parabola near its crest, of the curvature `2a(1 + a)k² = M_H`; along
 /// a chord of the length `l` the curvature changes by `(kl)²/2` of itself.
-pub(super) fn crest() -> Result<Separable<1>, VerifyError> {
+pub(crate) fn crest() -> Result<Separable<1>, VerifyError> {
     Ok(Separable::new([1e-3], [0.3])?)
 }
 
 /// Where `sin kx = 1`.
-pub(super) const CREST: f64 = std::f64::consts::FRAC_PI_2 / 0.3;
+pub(crate) const CREST: f64 = std::f64::consts::FRAC_PI_2 / 0.3;
 
 fn parabola(trial: &Trial<'_>) -> Outcome {
     let metric = crest()?;
@@ -128,10 +104,9 @@ fn parabola(trial: &Trial<'_>) -> Outcome {
     for n in [1, 2, 9] {
         let at = |k: usize| [CREST - 0.25 + if 2 * k < n + 1 { 0.0 } else { 0.5 }];
         let points = (0..=n).map(|k| at(k).into()).collect();
-        let sequence = PointSequence::new(points).map_err(VerifyError::from)?;
+        let sequence = PointSequence::new(points)?;
         evidence.push(
-            lemma_s_2(trial.subject, &metric, &sequence)
-                .map_err(VerifyError::from)?
+            lemma_s_2(trial.subject, &metric, &sequence)?
                 .claim_is_attained("|E(γᵖˡ) − E_tra,N| ≤ M_H mean|β|⁴/24N²", NEAR)?,
         );
     }
@@ -140,17 +115,14 @@ fn parabola(trial: &Trial<'_>) -> Outcome {
 
 /// `H = 4 I`: all speeds are `d`, and `d² = E_N`.
 fn flat(trial: &Trial<'_>) -> Outcome {
-    let metric = Constant::<2>::new([[4.0, 0.0], [0.0, 4.0]].into()).expect("positive definite");
-    let known =
-        Known::between(metric, [1.0, 0.0], [4.0, 4.0]).map_err(VerifyError::from)?.expect("known");
+    let known = flat_problem()?;
     let mut evidence = Vec::new();
     for n in [1, 2, 7, 100] {
         for rule in PaperRule::BOTH {
             let seen = Reconstruction::observe(trial.subject, &known, rule, n)?;
-            let speeds = lemma_s_3(trial.subject, &metric, rule, &seen.minimum.sequence);
+            let speeds = lemma_s_3(trial.subject, &known.metric, rule, &seen.minimum.sequence);
             evidence.push(
-                speeds
-                    .map_err(VerifyError::from)?
+                speeds?
                     .claim_is_attained("max qₙ ≤ √E + (L_H/c₁^{3/2})E + mean|ρ|/√c₁", NEAR)?
                     .claim_is_attained("max|βₙ| ≤ (c₂K₃ + ½L_H K₃² + mean|ρ|)/c₁", NEAR)?,
             );
@@ -182,14 +154,14 @@ fn one_route(trial: &Trial<'_>) -> Outcome {
     ])
 }
 
-/// Up `H = 1 + x/100`, where `M_H = 0` and the force is `δ/2` of `d²` all the way, to a few `δ`:
-/// only the second variation is left, `d²δ²/48N²`.
+/// Up `H = 1 + x/100`, where `M_H = 0` and the force is `d²δ/2` all the way, to a few `δ`: only the
+/// second variation is left, `d²δ²/48N²`.
 fn second_variation(trial: &Trial<'_>) -> Outcome {
     let slope = 1e-2;
     let metric = Incline::new(1.0, slope).expect("positive");
     let constants = Constants::new(1.0, 1.0 + slope, slope).and_then(|c| c.with_m_h(0.0));
-    let constants = constants.map_err(VerifyError::from)?.on_a_region();
-    let ends = Ends::points([0.0], [1.0]).map_err(VerifyError::from)?;
+    let constants = constants?.on_a_region();
+    let ends = Ends::points([0.0], [1.0])?;
     let distance = metric.distance(&[0.0].into(), &[1.0].into()).expect("of [0, 1]");
     let metric = WithConstants { metric, constants };
     let known = Known { metric, ends, distance, distance_error: 4.0 * f64::EPSILON };
@@ -210,7 +182,7 @@ fn second_variation(trial: &Trial<'_>) -> Outcome {
 /// 5.914, and 46.39 for 41.70.
 fn one_long_chord(trial: &Trial<'_>) -> Outcome {
     let metric = Constant::<1>::new([[4.0]].into()).expect("positive");
-    let known = Known::between(metric, [0.0], [3.0]).map_err(VerifyError::from)?.expect("known");
+    let known = Known::between(metric, [0.0], [3.0])?.expect("known");
     let mut evidence = Vec::new();
     for (n, first) in [(2_usize, 2.0), (3, 2.0), (10, 2.0), (100, 0.24)] {
         for rule in PaperRule::BOTH {
@@ -221,7 +193,7 @@ fn one_long_chord(trial: &Trial<'_>) -> Outcome {
                 _ => [first + (3.0 - first) * (k - 1) as f64 / (n - 1) as f64],
             };
             let points = (0..=n).map(|k| at(k).into()).collect();
-            minimum.sequence = PointSequence::new(points).map_err(VerifyError::from)?;
+            minimum.sequence = PointSequence::new(points)?;
             let seen = Reconstruction::read(trial.subject, &known, rule, minimum)?;
             let mut found = lemma_s_5(trial.subject, &seen);
             if n > 2 {
@@ -240,27 +212,25 @@ fn one_long_chord(trial: &Trial<'_>) -> Outcome {
     trial.one(evidence)
 }
 
-/// Two routes, of which the wrong one seems shorter by a hair; and one with all of `d² − E_N`.
+/// Two routes, of which the wrong one seems shorter by a hair; and that one alone, with all of
+/// `d² − E_N`.
 fn two_ways(trial: &Trial<'_>) -> Outcome {
     let subject = trial.subject;
     let mut evidence = Vec::new();
-    for (rule, first, second) in [
-        (PaperRule::Trapezoidal, ridge(1.0), valley(1.0 + 0.5 * SLOPE - MARGIN)),
-        (PaperRule::LeftEndpoint, downwards(1.0), upwards(1.0 + SLOPE - MARGIN)),
-    ] {
-        let (both, alone) =
-            (routes(subject, rule, [first, second])?, route(subject, rule, second)?);
+    for rule in PaperRule::BOTH {
+        let knots = misleading(rule);
+        let (both, alone) = (routes(subject, rule, knots)?, route(subject, rule, knots[1])?);
         evidence.push(least_length_bound(subject, &both).overestimates_at_most(LIMIT)?);
         for theorem in [theorem_a, theorem_c] {
             evidence.push(theorem_is_attained(theorem(subject, &both), LIMIT)?);
-            evidence
-                .push(theorem(subject, &alone).claim_is_attained("d² − E_N ≤ its bound", LIMIT)?);
+            let alone = theorem(subject, &alone);
+            evidence.push(alone.claim_is_attained("d² − E_N ≤ its bound", LIMIT)?);
         }
     }
     trial.one(evidence)
 }
 
-/// What the two routes show of Theorems A to D.
+/// Requires Theorems A to D to be attained on two routes.
 fn theorem_is_attained(evidence: Evidence, limit: f64) -> Result<Evidence, VerifyError> {
     evidence
         .claim_is_attained("|E(γᵖˡ) − E_N| ≤ its bound", limit)?
@@ -268,9 +238,8 @@ fn theorem_is_attained(evidence: Evidence, limit: f64) -> Result<Evidence, Verif
         .claim_is_attained("L(γᵖˡ)² − d² ≤ its bound", limit)
 }
 
-/// `n` equal chords over ridges, and over valleys that seem lower by a hair; or down an incline,
-/// and up one. In the excess the next order is `δ` of it, or `√N` times that, and the hair a
-/// thousandth.
+/// `n` equal chords over ridges, and over valleys that seem lower by a hair, a thousandth; or down an
+/// incline, and up one. The next order of the excess is smaller by `δ`, or by `√N δ`.
 fn many_chords(trial: &Trial<'_>) -> Outcome {
     let mut evidence = Vec::new();
     for n in [2_u32, 5, 16] {
@@ -298,47 +267,38 @@ fn many_chords(trial: &Trial<'_>) -> Outcome {
     trial.one(evidence)
 }
 
-/// From crest to trough of `H = (1 + a sin kx)²` there is as much to lose as two parabolas have:
-/// one chord about the crest, of the length 1, and one about the trough that seems shorter by a
-/// hair.
+/// The crest and the trough of `H = (1 + a sin kx)²` are as good as two parabolas: one chord of length
+/// 1 about the crest, and one about the trough that seems shorter by a hair, `10⁻⁸`.
 ///
-/// `M_H d²/c₁²` is `2a(1 + 3a)k²`, nine parts in `10⁵`; of it the crest and the trough differ by
-/// `2a`, a chord by `k²/80`, and the hair is `10⁻⁸`.
+/// `M_H d²/c₁²` is `2a(1 + 3a)k²`, nine parts in `10⁵`; crest and trough differ by `2a` of it, and a
+/// chord by `k²/80`.
 fn two_arcs(trial: &Trial<'_>) -> Outcome {
     let metric = crest()?;
     let trough = 3.0 * CREST;
     let [top, bottom] = [1.001_f64, 0.999];
     // b² bottom² = top² − 10⁻⁸
     let b = (top * top - 1e-8).sqrt() / bottom;
-    let set = |[x, y]: [f64; 2]| FiniteSet::new([[x], [y]]).map_err(VerifyError::from);
+    let set = |[x, y]: [f64; 2]| FiniteSet::new([[x], [y]]);
     let ends =
-        Ends::new(set([CREST - 0.5, trough - 0.5 * b])?, set([CREST + 0.5, trough + 0.5 * b])?)
-            .map_err(VerifyError::from)?;
-    let between = |x: f64, y: f64| -> Result<f64, Failure> {
-        let known = Known::between(metric, [x], [y]).map_err(VerifyError::from)?;
-        Ok(known.expect("separable").distance)
+        Ends::new(set([CREST - 0.5, trough - 0.5 * b])?, set([CREST + 0.5, trough + 0.5 * b])?)?;
+    let about = |x: f64, length: f64| {
+        let known = Known::between(metric, [x - 0.5 * length], [x + 0.5 * length])?;
+        Ok::<_, VerifyError>(known.expect("separable"))
     };
-    let distance =
-        between(CREST - 0.5, CREST + 0.5)?.min(between(trough - 0.5 * b, trough + 0.5 * b)?);
+    let distance = about(CREST, 1.0)?.distance.min(about(trough, b)?.distance);
     let known = Known { metric, ends, distance, distance_error: 1e-15 };
-    let seen = Reconstruction::observe(trial.subject, &known, PaperRule::Trapezoidal, 1)?;
-    let theorems = [theorem_b(trial.subject, &seen), theorem_d(trial.subject, &seen)];
+    let rule = PaperRule::Trapezoidal;
+    let seen = Reconstruction::observe(trial.subject, &known, rule, 1)?;
     let mut evidence = Vec::new();
-    for theorem in theorems {
-        evidence.push(theorem_is_attained(theorem.expect("M_H is known"), 1.03)?);
+    for theorem in [theorem_b, theorem_d] {
+        let theorem = theorem(trial.subject, &seen).expect("M_H is known");
+        evidence.push(theorem_is_attained(theorem, 1.03)?);
     }
     evidence.push(least_length_bound(trial.subject, &seen).overestimates_at_most(1.03)?);
     // The trough alone: d² − E_tra.
-    let ends = [[trough - 0.5], [trough + 0.5]];
-    let alone = Known::between(metric, ends[0], ends[1]).map_err(VerifyError::from)?;
-    let seen = Reconstruction::observe(
-        trial.subject,
-        &alone.expect("separable"),
-        PaperRule::Trapezoidal,
-        1,
-    )?;
-    for theorem in [theorem_b(trial.subject, &seen), theorem_d(trial.subject, &seen)] {
-        let theorem = theorem.expect("M_H is known");
+    let seen = Reconstruction::observe(trial.subject, &about(trough, 1.0)?, rule, 1)?;
+    for theorem in [theorem_b, theorem_d] {
+        let theorem = theorem(trial.subject, &seen).expect("M_H is known");
         evidence.push(theorem.claim_is_attained("d² − E_N ≤ its bound", 1.01)?);
     }
     trial.one(evidence)

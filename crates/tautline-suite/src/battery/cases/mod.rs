@@ -1,0 +1,18 @@
+//! Problems and counterexamples that several checks share.
+
+mod above_exponential;
+mod admissible;
+mod claiming;
+mod known_geodesic;
+mod minimum;
+mod missing_point;
+mod random_problems;
+pub(super) mod routes;
+
+pub(super) use above_exponential::AboveExponential;
+pub(super) use admissible::admissible;
+pub(super) use claiming::claiming;
+pub(super) use known_geodesic::{known_geodesic, sheared};
+pub(super) use minimum::minimum;
+pub(super) use missing_point::round_the_missing_point;
+pub(super) use random_problems::{Problems, Question};

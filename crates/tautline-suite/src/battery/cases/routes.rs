@@ -1,0 +1,129 @@
+//! Routes of one chord on the line, on which the rules read too much or too little of `H`.
+
+use tautline::{Constants, Ends, FiniteSet, gallery::Constant};
+use tautline_statements::{
+    Known, LIBRARY, PaperRule, Reconstruction, Subject, VerifyError,
+    witnesses::{Polygonal, two_routes},
+};
+
+use super::{claiming, minimum};
+
+/// The slope of all profiles here: `δ` is as much, up to a percent of it.
+pub(crate) const SLOPE: f64 = 1e-3;
+
+/// By how much the wrong route seems shorter: ten times what the solver takes for a tie.
+pub(crate) const MARGIN: f64 = 1e-8;
+
+/// The values of `H` along a route: `[s, H]` at three knots.
+pub(crate) type Knots = [[f64; 2]; 3];
+
+/// Along a route of length 1: a slope up to the middle and another one down from it.
+fn tent(foot: f64, tip: f64) -> Knots {
+    [[0.0, foot], [0.5, tip], [1.0, foot]]
+}
+
+pub(crate) fn ridge(foot: f64) -> Knots {
+    tent(foot, foot + 0.5 * SLOPE)
+}
+
+pub(crate) fn valley(tip: f64) -> Knots {
+    tent(tip + 0.5 * SLOPE, tip)
+}
+
+fn straight(start: f64, end: f64) -> Knots {
+    [[0.0, start], [0.5, 0.5 * (start + end)], [1.0, end]]
+}
+
+pub(crate) fn upwards(start: f64) -> Knots {
+    straight(start, start + SLOPE)
+}
+
+pub(crate) fn downwards(end: f64) -> Knots {
+    straight(end + SLOPE, end)
+}
+
+/// `H = 1` along a route of this length.
+pub(crate) fn level(length: f64) -> Knots {
+    [[0.0, 1.0], [0.5 * length, 1.0], [length, 1.0]]
+}
+
+/// A hundred times as steep: the slope is 0.1.
+pub(crate) fn steep(knots: Knots) -> Knots {
+    knots.map(|[s, h]| [s, 1.0 + 0.1 / SLOPE * (h - 1.0)])
+}
+
+/// Two routes with the same reading of the rule, of which the longer one seems shorter by
+/// [`MARGIN`]: `H` is read at the top of the first and at the bottom of the second.
+pub(crate) fn misleading(rule: PaperRule) -> [Knots; 2] {
+    match rule {
+        PaperRule::Trapezoidal => [ridge(1.0), valley(1.0 + 0.5 * SLOPE - MARGIN)],
+        PaperRule::LeftEndpoint => [downwards(1.0), upwards(1.0 + SLOPE - MARGIN)],
+    }
+}
+
+/// Observes the minimiser of the one chord from set to set.
+pub(crate) fn routes(
+    subject: &Subject,
+    rule: PaperRule,
+    [first, second]: [Knots; 2],
+) -> Result<Reconstruction<1>, VerifyError> {
+    let known = two_routes(&first, &second).expect("apart");
+    Reconstruction::observe(subject, &known, rule, 1)
+}
+
+/// Observes the one chord between two points.
+pub(crate) fn route(
+    subject: &Subject,
+    rule: PaperRule,
+    knots: Knots,
+) -> Result<Reconstruction<1>, VerifyError> {
+    let metric = Polygonal::new(&knots).expect("in order");
+    let known = Known::between(metric, [0.0], [1.0])?.expect("between the knots");
+    Reconstruction::observe(subject, &known, rule, 1)
+}
+
+/// Observes the minimiser of two routes under constants that are only claimed.
+pub(crate) fn claimed(
+    rule: PaperRule,
+    [first, second]: [Knots; 2],
+    [c1, c2, l_h]: [f64; 3],
+) -> Result<Reconstruction<1>, VerifyError> {
+    let known = two_routes(&first, &second).expect("apart");
+    let known = claiming(known, Constants::new(c1, c2, l_h)?);
+    Reconstruction::observe(&LIBRARY, &known, rule, 1)
+}
+
+/// A level route with `d² = 1.005`, and a second one where the rule reads `H = 1`, though its
+/// energy and its squared length are 1.025 (trapezoidal) or 1.05 (left), to a thousandth.
+pub(crate) fn cheap_second_route(
+    rule: PaperRule,
+    constants: [f64; 3],
+) -> Result<Reconstruction<1>, VerifyError> {
+    let second = match rule {
+        PaperRule::Trapezoidal => valley(1.0),
+        PaperRule::LeftEndpoint => upwards(1.0),
+    };
+    claimed(rule, [level(1.005_f64.sqrt()), steep(second)], constants)
+}
+
+/// From `{0, 10}` to `{1, 12}` under `H = 1` the constants are `C = 0` and `K̄ = d = 1`. The way
+/// from 10 to 12 is straight, and a local minimiser since the sets are discrete; it has `E = 4`.
+pub(crate) fn longer_way(
+    rule: PaperRule,
+    n: usize,
+) -> Result<(Known<Constant<1>, 1>, Reconstruction<1>), VerifyError> {
+    let metric = Constant::<1>::new([[1.0]].into())?;
+    let ends = Ends::new(FiniteSet::new([[0.0], [10.0]])?, FiniteSet::new([[1.0], [12.0]])?)?;
+    let known = Known { metric, ends, distance: 1.0, distance_error: 0.0 };
+    let far = minimum(&LIBRARY, rule, &metric, &Ends::points([10.0], [12.0])?, n)?;
+    let seen = Reconstruction::read(&LIBRARY, &known, rule, far)?;
+    Ok((known, seen))
+}
+
+/// Up an incline of slope 0.1 from 0 to 1.1 instead of 1, with `n` subintervals: `E − d² = 0.226`.
+pub(crate) fn beyond_the_end(rule: PaperRule, n: usize) -> Result<Reconstruction<1>, VerifyError> {
+    let metric = Polygonal::new(&[[0.0, 1.0], [1.0, 1.1], [2.0, 1.2]]).expect("in order");
+    let beyond = minimum(&LIBRARY, rule, &metric, &Ends::points([0.0], [1.1])?, n)?;
+    let known = Known::between(metric, [0.0], [1.0])?.expect("between the knots");
+    Reconstruction::read(&LIBRARY, &known, rule, beyond)
+}

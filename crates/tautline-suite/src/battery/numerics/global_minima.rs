@@ -1,0 +1,122 @@
+//! The theorems speak of global minimisers: on the line, the solver finds them.
+
+use nalgebra::SVector;
+use tautline::{
+    Bounded, Ends, LeftEndpoint, Metric, Options, PointSequence, Rule, Starts, Trapezoidal,
+    gallery::{Ramp, Valleys},
+};
+use tautline_statements::{
+    Statement,
+    Statement::{Proposition7_1, Theorem1_1, Theorem1_3},
+};
+
+use crate::GridLine;
+use crate::battery::harness::{Check, Failure, Kind::Reference, Outcome, Trial, all};
+
+const TRAPEZOIDAL: &[Statement] = &[Theorem1_1, Proposition7_1];
+const LEFT: &[Statement] = &[Theorem1_3, Proposition7_1];
+
+pub(crate) const CHECKS: &[Check] = &[
+    Reference.check(
+        "section_5_the_solver_finds_the_global_minimum_of_the_trapezoidal_energy",
+        TRAPEZOIDAL,
+        |trial| over_the_valleys(trial, Trapezoidal, 0.5),
+    ),
+    Reference.check(
+        "section_5_the_solver_finds_the_global_minimum_of_the_left_endpoint_energy",
+        LEFT,
+        |trial| over_the_valleys(trial, LeftEndpoint, 0.0),
+    ),
+    Reference.check(
+        "the_solver_finds_the_global_minimum_on_a_ramp",
+        &[Theorem1_1, Theorem1_3, Proposition7_1],
+        on_a_ramp,
+    ),
+];
+
+/// The grids on which dynamic programming is compared with the solver.
+const GRIDS: [usize; 16] = [1, 2, 3, 4, 6, 8, 10, 12, 16, 18, 24, 33, 48, 64, 96, 128];
+
+/// Solves for all of [`GRIDS`], and compares with the minima over sequences of grid points,
+/// which `embed` places in the space of the problem.
+///
+/// - `E_N ≤` the minimum on the grid: no sequence of grid points is better;
+/// - `E_N ≤` what the search makes of that sequence: neither is one close to it;
+/// - `E_N ≥` the minimum on the grid less the grid's error, as it must.
+///
+/// All grids are tried before the check fails, so that its message has all that were missed.
+fn is_global<M: Metric<D>, R: Rule, const D: usize>(
+    trial: &Trial<'_>,
+    (metric, ends): (&M, &Ends<D>),
+    rule: R,
+    line: &GridLine<'_>,
+    embed: impl Fn(f64) -> SVector<f64, D>,
+) -> Outcome {
+    let subject = trial.subject;
+    let mut solved = Vec::new();
+    for n in GRIDS {
+        let minimum = subject.minimise(rule, metric, ends, n)?;
+        solved.push(subject.discrete_energy(rule, metric, &minimum.sequence));
+    }
+    let largest = solved.iter().copied().fold(0.0, f64::max);
+    let minima = line.minima(GRIDS[GRIDS.len() - 1], largest);
+    let mut missed = Vec::new();
+    for (n, energy) in GRIDS.into_iter().zip(solved) {
+        let best = &minima[n - 1];
+        let points = best.sequence.iter().map(|&x| embed(x)).collect();
+        let start = PointSequence::new(points)?;
+        // Energies are sums of up to 128 terms, a dozen roundings each; converged to 1e-15.
+        let tolerance = 1e-13 * energy;
+        let on_grid = subject.discrete_energy(rule, metric, &start);
+        let options = Options { starts: Starts::Only(vec![start]), ..Options::default() };
+        let near = subject.minimise_with(rule, metric, ends, n, &options);
+        let near = near?.sequence;
+        let near = subject.discrete_energy(rule, metric, &near);
+        let lower = best.energy - best.grid_error;
+        let same = (on_grid - best.energy).abs() <= tolerance;
+        if !(same
+            && energy <= best.energy + tolerance
+            && energy <= near + tolerance
+            && energy >= lower - tolerance)
+        {
+            missed.push(format!(
+                "N = {n}: {energy} was found, but there are {} (by the rule {on_grid}) on the grid \
+                 at {:.3?} and {near} near it; no sequence has less than {lower}",
+                best.energy, best.sequence
+            ));
+        }
+    }
+    if missed.is_empty() {
+        Ok(Default::default())
+    } else {
+        Err(Failure::new(format!("not the global minimum:\n{}", missed.join("\n"))))
+    }
+}
+
+fn over_the_valleys(trial: &Trial<'_>, rule: impl Rule, theta: f64) -> Outcome {
+    let line = GridLine::over_the_valleys(theta);
+    let ends = Ends::points([line.ends[0], 0.0], [line.ends[1], 0.0])?;
+    is_global(trial, (&Valleys, &ends), rule, &line, |x| SVector::from([x, 0.0]))
+}
+
+/// The same on the line, where the metric is monotone and nothing is gained by jumps, both up
+/// and down the ramp.
+fn on_a_ramp(trial: &Trial<'_>) -> Outcome {
+    all([0.5, -0.7].map(|amplitude| {
+        let ramp = Ramp::new(amplitude, 1.5).expect("valid");
+        let gram = |x: f64| ramp.gram(&SVector::from([x]))[(0, 0)];
+        let line = |theta| GridLine {
+            ends: [-1.0, 2.0],
+            gram: &gram,
+            constants: ramp.constants(),
+            theta,
+            intervals: 400,
+        };
+        let ends = Ends::points([-1.0], [2.0])?;
+        let embed = |x: f64| SVector::from([x]);
+        all([
+            is_global(trial, (&ramp, &ends), Trapezoidal, &line(0.5), embed),
+            is_global(trial, (&ramp, &ends), LeftEndpoint, &line(0.0), embed),
+        ])
+    }))
+}

@@ -1,0 +1,111 @@
+//! The answer to Remark 9.2 without a hypothesis.
+
+use nalgebra::SVector;
+use tautline::{Constants, PointSequence};
+use tautline_statements::{
+    Evidence, LIBRARY, PaperRule, Reconstruction, Statement::Remark9_2, critical_point, remark_9_2,
+    remark_9_2_for_any_sequence,
+};
+
+use crate::battery::{
+    cases::{
+        claiming, minimum,
+        routes::{
+            beyond_the_end, cheap_second_route, claimed, downwards, level, longer_way, ridge, steep,
+        },
+        sheared,
+    },
+    harness::{Check, Failure, Kind::Dropped, Outcome, Trial, all, fails_without, holds_without},
+    paper::section_9::washboard,
+};
+
+pub(crate) const CHECKS: &[Check] = &[
+    Dropped.check(
+        "remark_9_2_fails_for_a_slope_that_is_not_admitted",
+        &[Remark9_2],
+        understated_l_h,
+    ),
+    Dropped.check("remark_9_2_fails_with_false_bounds_of_h", &[Remark9_2], false_bounds),
+    Dropped.check("remark_9_2_fails_for_other_ends", &[Remark9_2], other_ends),
+    Dropped.check("remark_9_2_fails_for_a_minimiser_that_is_not_global", &[Remark9_2], not_global),
+    Dropped.check(
+        "remark_9_2_holds_for_points_that_are_not_stationary",
+        &[Remark9_2],
+        not_stationary,
+    ),
+];
+
+/// A washboard of slope ½ with `L_H = 10⁻³` claimed: `E(γᵖˡ) − d² = 1/32π` up to a thousandth, far
+/// above what that allows.
+fn understated_l_h(_: &Trial<'_>) -> Outcome {
+    let (_, known) = washboard(8, 0.5)?;
+    let known = claiming(known, Constants::new(1.0, 2.0, 1e-3)?);
+    let seen = Reconstruction::observe(&LIBRARY, &known, PaperRule::Trapezoidal, 8)?;
+    fails_without(&["‖H(x) − H(y)‖/|x − y| ≤ L_H"], remark_9_2(&LIBRARY, &seen))
+}
+
+/// With `c₁ = 100` a route that seems cheap could exceed `d²` by `10⁻⁴` at most, but does so by 0.02.
+/// With `c₂ = c₁` no discrete minimum could be above `d²`, but on a ridge it is.
+fn false_bounds(_: &Trial<'_>) -> Outcome {
+    let mut outcomes = Vec::new();
+    for (rule, first) in PaperRule::BOTH.into_iter().zip([ridge(1.0), downwards(1.0)]) {
+        let cheap = cheap_second_route(rule, [100.0, 100.0, 0.1])?;
+        outcomes.push(fails_without(&["c₁ ≤ λ_min(H)"], remark_9_2(&LIBRARY, &cheap)));
+        let dear = claimed(rule, [steep(first), level(2.0)], [1.0, 1.0, 0.1])?;
+        outcomes.push(fails_without(&["λ_max(H) ≤ c₂"], remark_9_2(&LIBRARY, &dear)));
+    }
+    all(outcomes)
+}
+
+/// `E − d² = 0.226`, where `d² (e − 1)` is `0.1 d³/2N` or less.
+fn other_ends(_: &Trial<'_>) -> Outcome {
+    all(PaperRule::BOTH.map(|rule| {
+        let seen = beyond_the_end(rule, 16)?;
+        fails_without(&["the ends lie"], remark_9_2(&LIBRARY, &seen))
+    }))
+}
+
+/// Another way from set to set, a local minimiser with `E_N = E = 4` where `d² e = 1`.
+fn not_global(_: &Trial<'_>) -> Outcome {
+    all(PaperRule::BOTH.map(|rule| {
+        let (_, seen) = longer_way(rule, 8)?;
+        fails_without(&["E_N ≤ d² e"], remark_9_2_for_any_sequence(&LIBRARY, &seen))
+    }))
+}
+
+/// The minimiser between two points under a shear, its inner points moved as far as `E_N ≤ d² e`
+/// allows, up to a factor of two: `ρ` is far from 0, and the conclusions still hold.
+fn not_stationary(_: &Trial<'_>) -> Outcome {
+    let (known, _) = sheared();
+    let mut outcomes = Vec::new();
+    for n in [2, 3, 5, 16] {
+        for rule in PaperRule::BOTH {
+            let mut minimum = minimum(&LIBRARY, rule, &known.metric, &known.ends, n)?;
+            let still = minimum.sequence.points().to_vec();
+            let mut found = None;
+            for size in (0..40).map(|k| 4.0 * 0.5_f64.powi(k)) {
+                let mut points = still.clone();
+                for (k, point) in points[1..n].iter_mut().enumerate() {
+                    let (sin, cos) = (7.0 * k as f64 + 1.0).sin_cos();
+                    *point += SVector::from([sin, cos]) * size;
+                }
+                minimum.sequence = PointSequence::new(points)?;
+                let seen = Reconstruction::read(&LIBRARY, &known, rule, minimum.clone())?;
+                let evidence = remark_9_2_for_any_sequence(&LIBRARY, &seen);
+                if evidence.hypotheses.iter().all(|clause| clause.holds()) {
+                    found = Some(stationary(evidence, &critical_point(&LIBRARY, &known, &seen)));
+                    break;
+                }
+            }
+            let found = found.ok_or_else(|| Failure::new(format!("N = {n}: nothing admitted")))?;
+            outcomes.push(holds_without(&["|ρₙ|²"], found));
+        }
+    }
+    all(outcomes)
+}
+
+/// Adds the hypothesis that inner points are stationary.
+fn stationary(evidence: Evidence, seen: &Evidence) -> Evidence {
+    let rho = seen.conclusion("((1/N) Σ |ρₙ|²)^{1/2} = 0");
+    evidence.given(rho.claim, rho.unit, [rho.observed, rho.bound], rho.granted)
+}

@@ -1,0 +1,184 @@
+//! Theorems 1.1 to 1.4 and their constants without a hypothesis.
+//!
+//! `c₂` is not needed: the answer to Remark 9.2 bounds all gaps by `c₁`, `L_H` and `d`. Nor need the
+//! minimiser belong to the theorem's own rule. A bounded set is needed only for the existence of a
+//! minimiser (Proposition 7.1).
+
+use tautline::{PointSequence, Trapezoidal};
+use tautline_statements::{
+    Known, LIBRARY, PaperRule, Reconstruction, Statement,
+    Statement::{
+        ConstantC1_1, ConstantC1_3, ConstantK3Bar, ConstantK4Bar, Theorem1_1, Theorem1_2,
+        Theorem1_3, Theorem1_4,
+    },
+    theorem_1_1, theorem_1_2, theorem_1_3, theorem_1_4,
+    witnesses::{Incline, one_step, tent},
+};
+
+use crate::battery::{
+    cases::{
+        minimum,
+        routes::{
+            beyond_the_end, cheap_second_route, claimed, downwards, longer_way, misleading, ridge,
+            steep, upwards, valley,
+        },
+    },
+    harness::{Check, Kind::Dropped, Outcome, Trial, all, close, fails_without, holds_without},
+    paper::section_1::of_minimiser,
+};
+
+const ALL: &[Statement] = &[
+    Theorem1_1,
+    Theorem1_2,
+    Theorem1_3,
+    Theorem1_4,
+    ConstantK3Bar,
+    ConstantC1_1,
+    ConstantK4Bar,
+    ConstantC1_3,
+];
+
+/// Part of the claim that the minimiser is global, as far as the proof needs it.
+const PREMISE: &str = "E_N ≤ what the proof has";
+
+pub(crate) const CHECKS: &[Check] = &[
+    Dropped.check("theorems_1_1_to_1_4_fail_where_l_h_is_understated", ALL, understated_l_h),
+    Dropped.check("theorems_1_1_to_1_4_fail_where_c1_is_overstated", ALL, overstated_c1),
+    Dropped.check("theorems_1_1_to_1_4_do_not_need_c2", ALL, understated_c2),
+    Dropped.check("theorems_1_1_to_1_4_fail_for_a_minimiser_that_is_not_global", ALL, not_global),
+    Dropped.check("theorems_1_1_to_1_4_fail_for_other_ends", ALL, other_ends),
+    Dropped.check(
+        "theorems_1_1_to_1_4_hold_for_the_other_rule",
+        &[Theorem1_1, Theorem1_2, Theorem1_3, Theorem1_4],
+        other_rule,
+    ),
+    Dropped.check(
+        "theorems_1_1_and_1_3_fail_for_a_minimiser_of_the_discrete_length",
+        &[Theorem1_1, Theorem1_3],
+        length_minimiser,
+    ),
+];
+
+/// With `L_H = 10⁻⁴` claimed, `C` is about 0.001. The premise of `K̄` implies its claim, so it
+/// has to fail as well: on a second route of slope 0.01 the rule reads `c₁K₃² = l²` between `d²` and
+/// what it reads on the first, 1.025 and 1.05 on a ridge, 1.05 and 1.1 on an incline.
+fn understated_l_h(_: &Trial<'_>) -> Outcome {
+    let constants = [1.0, 1.25, 1e-4];
+    let clause = "‖H(x) − H(y)‖/|x − y| ≤ L_H";
+    let mut outcomes = Vec::new();
+    for (rule, first, second) in [
+        (PaperRule::Trapezoidal, ridge(1.0), [[0.0, 1.005], [0.51, 1.0], [1.02, 1.005]]),
+        (PaperRule::LeftEndpoint, downwards(1.0), [[0.0, 1.0], [0.52, 1.005], [1.04, 1.01]]),
+    ] {
+        let [theorem, on_length, _, constant] =
+            of_minimiser(&LIBRARY, &cheap_second_route(rule, constants)?);
+        outcomes.extend([theorem, on_length, constant].map(|e| fails_without(&[clause], e)));
+        let seen = claimed(rule, [steep(first), second], constants)?;
+        let [_, _, speed, _] = of_minimiser(&LIBRARY, &seen);
+        outcomes.push(fails_without(&[clause, PREMISE], speed));
+    }
+    all(outcomes)
+}
+
+/// With `c₁ = 100`, `δ = 10⁻⁴` and `C` is less than 0.002; and `c₁K₃²` is 100.
+fn overstated_c1(_: &Trial<'_>) -> Outcome {
+    let mut outcomes = Vec::new();
+    for rule in PaperRule::BOTH {
+        let seen = cheap_second_route(rule, [100.0, 100.0, 0.1])?;
+        let evidence = of_minimiser(&LIBRARY, &seen);
+        outcomes.extend(evidence.map(|evidence| fails_without(&["c₁ ≤ λ_min(H)"], evidence)));
+    }
+    all(outcomes)
+}
+
+/// With `κ = 1` where `H` is 1.05 and 1.1, on the routes that come nearest to equality.
+fn understated_c2(_: &Trial<'_>) -> Outcome {
+    let mut outcomes = Vec::new();
+    for rule in PaperRule::BOTH {
+        let seen = claimed(rule, misleading(rule).map(steep), [1.0, 1.0, 0.1])?;
+        let evidence = of_minimiser(&LIBRARY, &seen);
+        outcomes.extend(evidence.map(|evidence| holds_without(&["λ_max(H) ≤ c₂"], evidence)));
+    }
+    all(outcomes)
+}
+
+fn not_global(_: &Trial<'_>) -> Outcome {
+    let mut outcomes = Vec::new();
+    for n in [1, 8] {
+        for rule in PaperRule::BOTH {
+            let evidence = of_minimiser(&LIBRARY, &longer_way(rule, n)?.1);
+            outcomes.extend(evidence.map(|evidence| fails_without(&[PREMISE], evidence)));
+        }
+    }
+    all(outcomes)
+}
+
+/// For `N = 256`, `C/√N` is less than 0.1, and `C_tra♯` in the premise more than 1. The claim on
+/// `K̄` follows from that.
+fn other_ends(_: &Trial<'_>) -> Outcome {
+    let mut outcomes = Vec::new();
+    for rule in PaperRule::BOTH {
+        let [theorem, on_length, speed, constant] =
+            of_minimiser(&LIBRARY, &beyond_the_end(rule, 256)?);
+        outcomes
+            .extend([theorem, on_length, constant].map(|e| fails_without(&["the ends lie"], e)));
+        outcomes.push(holds_without(&["the ends lie"], speed));
+    }
+    all(outcomes)
+}
+
+/// For the minimisers of either rule all gaps are at most those of the answer to Remark 9.2, with
+/// `k = ½`. For `N = 1` they are `½ d² δ (1 + O(δ))` each, far below both `C`.
+fn other_rule(_: &Trial<'_>) -> Outcome {
+    let mut outcomes = Vec::new();
+    for slopes in [[ridge(1.0), valley(1.0)], [downwards(1.0), upwards(1.0)]] {
+        for rule in PaperRule::BOTH {
+            let seen = claimed(rule, slopes.map(steep), [1.0, 1.25, 0.1])?;
+            let other = match rule {
+                PaperRule::Trapezoidal => {
+                    [theorem_1_3(&LIBRARY, &seen), theorem_1_4(&LIBRARY, &seen)]
+                }
+                PaperRule::LeftEndpoint => {
+                    [theorem_1_1(&LIBRARY, &seen), theorem_1_2(&LIBRARY, &seen)]
+                }
+            };
+            outcomes.extend(other.map(|e| holds_without(&["the rule is"], e)));
+        }
+    }
+    all(outcomes)
+}
+
+/// One step over the tent `H = 1 + L|x − ½|` has the discrete length 1 at its tip, as short as any
+/// sequence from 0 to 1 can be, for every `N`; and with the left rule so has one step up an
+/// incline. Their discrete energy is `N`, and that of the curve `N (1 + L/4)` and `N (1 + L/2)`:
+/// nothing converges.
+///
+/// Theorems 1.2 and 1.4 are silent here: on the line every monotone curve has the length `d`.
+fn length_minimiser(_: &Trial<'_>) -> Outcome {
+    let (n, slope) = (16, 1e-2);
+    let tent = tent(1.0, slope).expect("positive");
+    let sequence = one_step(n, n / 2);
+    let length = LIBRARY.discrete_length(Trapezoidal, &tent, &sequence);
+    // The tip is rounded off over 10⁻¹², where H is larger by as much times the slope.
+    close("the discrete length", length, 1.0, 1e-12 * slope)?;
+    let incline = Incline::new(1.0, slope).expect("positive");
+    let tent = Known::between(tent, [0.0], [1.0])?.expect("known");
+    let incline = Known::between(incline, [0.0], [1.0])?.expect("known");
+    all([
+        fails_for(&tent, PaperRule::Trapezoidal, &sequence),
+        fails_for(&incline, PaperRule::LeftEndpoint, &sequence),
+    ])
+}
+
+/// Theorem 1.1 or 1.3 does not apply to this sequence, and does not hold for it.
+fn fails_for<M: tautline::Bounded<1>>(
+    known: &Known<M, 1>,
+    rule: PaperRule,
+    sequence: &PointSequence<1>,
+) -> Outcome {
+    let mut minimum = minimum(&LIBRARY, rule, &known.metric, &known.ends, sequence.n().get())?;
+    minimum.sequence = sequence.clone();
+    let [theorem, ..] =
+        of_minimiser(&LIBRARY, &Reconstruction::read(&LIBRARY, known, rule, minimum)?);
+    fails_without(&[PREMISE], theorem)
+}
