@@ -1,12 +1,12 @@
-//! `AdversaryError`: why a search ended without a tightest case.
+//! `AdversaryError`: why a search failed.
 
 use tautline_statements::{Statement, VerifyError};
 
-/// A search that met something worse than a tight case.
+/// Why a search failed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum AdversaryError {
-    /// The hypotheses of a statement hold and one of its conclusions does not.
+    /// The hypotheses of a statement hold, but one of its conclusions fails.
     #[error("{statement} is violated in the family {family} at {parameters:?}: {conclusion}")]
     Violated {
         /// The statement.
@@ -18,7 +18,7 @@ pub enum AdversaryError {
         /// The conclusion with its numbers.
         conclusion: String,
     },
-    /// A statement could not be evaluated, for another reason than a solver that found no minimum.
+    /// A statement could not be evaluated, for a reason other than a solver that found no minimum.
     #[error("{statement} in the family {family} at {parameters:?}: {source}")]
     Evaluation {
         /// The statement.

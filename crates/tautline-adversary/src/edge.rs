@@ -1,4 +1,4 @@
-//! `Edge`: that a search stopped at an end of a range, and what lies beyond.
+//! `Edge`: a search that stopped at an end of a range, and what lies beyond.
 
 use std::fmt;
 
@@ -14,37 +14,35 @@ pub enum End {
 /// What lies beyond an end of a range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Beyond {
-    /// No other case: why there is none.
+    /// No case, for this reason.
     Nothing(&'static str),
-    /// A limit, such as `a → 0`, for which the range ends where there is hardly anything left to
-    /// gain.
+    /// A limit, such as `a → 0`; the range ends where hardly anything is left to gain.
     Limit(&'static str),
 }
 
-/// A parameter that is at an end of its range in the tightest case that was found.
+/// A parameter at an end of its range in the tightest case found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Edge {
     /// The name of the parameter.
     pub parameter: &'static str,
     /// Which end.
     pub end: End,
-    /// What lies beyond it, if that was said.
+    /// What lies beyond it, if declared.
     pub beyond: Option<Beyond>,
-    /// By which part of the overestimation it is larger in the case that is twice as far from the
-    /// limit and otherwise the same.
+    /// The relative growth of the overestimation if this parameter moves twice as far from the
+    /// limit.
     ///
-    /// An overestimation that tends to its limit at least linearly,
-    /// `s(a) − s(0) ≤ (s(2a) − s(0))/2`, has at most so much left beyond the edge:
-    /// `s(a) − s(0) ≤ s(2a) − s(a)`.
+    /// It bounds what is left beyond the edge, if the overestimation `s` tends to its limit at
+    /// least linearly: `s(a) − s(0) ≤ (s(2a) − s(0))/2` implies `s(a) − s(0) ≤ s(2a) − s(a)`.
     pub left: f64,
 }
 
 impl Edge {
-    /// At most this part of an overestimation may be left beyond an edge, or the range is too
-    /// short: the tolerance to which overestimations are compared.
+    /// The largest part of an overestimation that may be left beyond an edge: the tolerance to
+    /// which overestimations are compared. With more left, the range is too short.
     pub const LEFT: f64 = 1e-2;
 
-    /// Whether the range cuts the search off: nothing was said of what lies beyond, or more than
+    /// Whether the range cuts the search off: it is not declared what lies beyond, or more than
     /// [`LEFT`](Edge::LEFT) of the overestimation is left on the way to the limit.
     #[must_use]
     pub fn is_cut_off(&self) -> bool {

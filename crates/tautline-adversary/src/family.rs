@@ -4,7 +4,7 @@ use tautline_statements::{Evidence, Statement, VerifyError};
 
 use super::Parameter;
 
-/// The evidence at the values of the parameters; `None` where there is no such case.
+/// The evidence at the values of the parameters; `None` if there is no such case.
 type AtValues<'a> = Box<dyn Fn(&[f64]) -> Result<Option<Evidence>, VerifyError> + 'a>;
 
 /// One statement on the cases of a box of parameters.
@@ -19,8 +19,8 @@ pub struct Family<'a> {
 }
 
 impl<'a> Family<'a> {
-    /// Names a box of `P` parameters, with the evidence at each of its points; `None` where there
-    /// is no such case.
+    /// Names a box of `P` parameters, with the evidence at its points, or `None` if there is no
+    /// such case.
     pub fn new<const P: usize>(
         name: &'static str,
         statement: Statement,
@@ -34,22 +34,22 @@ impl<'a> Family<'a> {
         Self { name, statement, parameters: parameters.to_vec(), evidence: Box::new(evidence) }
     }
 
-    /// Returns whether it is about the statement of this number and has this name.
+    /// Returns whether the family has this name and its statement this number.
     #[must_use]
     pub fn is(&self, number: &str, name: &str) -> bool {
         self.statement.number() == number && self.name == name
     }
 
-    /// Returns the evidence at the values of the parameters; `None` where there is no such case.
+    /// Returns the evidence at the values of the parameters; `None` if there is no such case.
     ///
     /// # Errors
     ///
-    /// Those of the statement.
+    /// The errors of the statement.
     pub fn evidence(&self, values: &[f64]) -> Result<Option<Evidence>, VerifyError> {
         (self.evidence)(values)
     }
 
-    /// Returns values with the names of their parameters.
+    /// Pairs values with the names of their parameters.
     #[must_use]
     pub(super) fn named(&self, values: &[f64]) -> Vec<(&'static str, f64)> {
         self.parameters.iter().map(|parameter| parameter.name).zip(values.iter().copied()).collect()

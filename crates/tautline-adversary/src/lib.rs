@@ -1,14 +1,13 @@
-//! The adversary: a search for the case in which a statement gives away the least.
+//! The adversary: a search for the case in which a statement is tightest.
 //!
 //! A [`Family`] is a box of parameters (of a metric, of two sets or a point sequence, and `N`) with
 //! a function from its points to the [`Evidence`](tautline_statements::Evidence) for one statement.
-//! A [`Search`] makes the least overestimation of that evidence as small as it can: samples at
-//! random, then a local ascent that needs no derivatives, several times. What it returns is an
-//! upper bound of the overestimation that the statement really has, with the case that shows it. A
-//! conclusion that fails on the way is an error.
+//! A [`Search`] minimises the overestimation: random samples, then a local ascent without
+//! derivatives, several times. The result is an upper bound on the least overestimation of the
+//! statement, with the case that shows it. A conclusion that fails on the way is an error.
 //!
-//! A case at an [`Edge`] of its box says why: there is none beyond, or the range ends near a limit,
-//! and what is left on the way to it is measured.
+//! If the tightest case lies at an [`Edge`] of its box, the edge says why: no case lies beyond, or
+//! the range ends near a limit, and the search measures what is left on the way to it.
 //!
 //! ```
 //! use tautline_adversary::{Search, families};

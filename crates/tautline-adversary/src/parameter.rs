@@ -4,7 +4,7 @@ use super::edge::{Beyond, End};
 
 /// A parameter with its range and the scale on which the search moves it.
 ///
-/// The search knows a parameter by its place, a number of `[0, 1]`.
+/// The search works with the place of a parameter, a number in `[0, 1]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameter {
     /// The name, as in tables.
@@ -27,7 +27,7 @@ enum Scale {
     Whole,
 }
 
-/// A place so near to 0 or 1 is at an edge: the search may stop a few of its last steps before.
+/// A place this near 0 or 1 is at an edge: the search may stop a few of its last steps short.
 const NEAR: f64 = 1e-3;
 
 impl Parameter {
@@ -37,48 +37,46 @@ impl Parameter {
         Self { name, low, high, scale: Scale::Linear, beyond: [None; 2] }
     }
 
-    /// Returns a parameter that moves linearly through a period from 0, and has no edges: for what
-    /// is the same a period further on.
+    /// Returns a parameter that moves linearly from 0 through a period, and has no edges.
     #[must_use]
     pub fn periodic(name: &'static str, period: f64) -> Self {
         Self { scale: Scale::Periodic, ..Self::linear(name, 0.0, period) }
     }
 
-    /// Returns a parameter whose logarithm moves from that of `low > 0` to that of `high`: for what
+    /// Returns a parameter that moves logarithmically from `low > 0` to `high`, for a quantity that
     /// may have to become small.
     #[must_use]
     pub fn logarithmic(name: &'static str, low: f64, high: f64) -> Self {
         Self { scale: Scale::Logarithmic, ..Self::linear(name, low, high) }
     }
 
-    /// Returns a parameter between `low > 0` and `high < 1` that moves on the logarithm of
-    /// `x/(1 − x)`: for what may have to come near 0 or near 1.
+    /// Returns a parameter between `low > 0` and `high < 1` that moves linearly in
+    /// `log(x/(1 − x))`, for a quantity that may have to come near 0 or 1.
     #[must_use]
     pub fn fraction(name: &'static str, low: f64, high: f64) -> Self {
         Self { scale: Scale::Fraction, ..Self::linear(name, low, high) }
     }
 
-    /// Returns a whole parameter from `low ≥ 1` to `high`, such as `N`; small numbers are as
-    /// likely as large ones.
+    /// Returns a whole parameter from `low ≥ 1` to `high`, such as `N`, on a logarithmic scale.
     #[must_use]
     pub fn whole(name: &'static str, low: u32, high: u32) -> Self {
         Self { scale: Scale::Whole, ..Self::linear(name, f64::from(low), f64::from(high)) }
     }
 
-    /// Returns `N`, where a family has no other than this one.
+    /// Returns `N` for a family with one value of it.
     #[must_use]
     pub fn subintervals(n: u32) -> Self {
         Self::whole("N", n, n)
     }
 
-    /// Says what lies below the range and above it: a search that stops at an end without a reason
+    /// Declares what lies below and above the range. A search that stops at an end without a reason
     /// is [cut off](super::Edge::is_cut_off).
     #[must_use]
     pub fn with_ends(self, below: Beyond, above: Beyond) -> Self {
         Self { beyond: [Some(below), Some(above)], ..self }
     }
 
-    /// Says what lies below the range, and leaves open what lies above.
+    /// Declares what lies below the range, and leaves open what lies above.
     #[must_use]
     pub fn starting(self, below: Beyond) -> Self {
         Self { beyond: [Some(below), self.beyond[1]], ..self }
@@ -107,8 +105,7 @@ impl Parameter {
         value.clamp(self.low, self.high)
     }
 
-    /// Returns the place of `[0, 1]` for a number beside it: the nearest one, or the same in another
-    /// period.
+    /// Brings a number back to `[0, 1]`: to the nearest place, or by whole periods.
     #[must_use]
     pub(super) fn brought_back(&self, place: f64) -> f64 {
         match self.scale {
@@ -117,8 +114,8 @@ impl Parameter {
         }
     }
 
-    /// Returns the place `step` further on, or the end of `[0, 1]`; a whole parameter moves by one
-    /// at least.
+    /// Returns the place `step` further on, or the end of `[0, 1]`. A whole parameter moves by at
+    /// least one.
     #[must_use]
     pub(super) fn moved(&self, place: f64, step: f64) -> f64 {
         if self.low == self.high {
@@ -133,7 +130,7 @@ impl Parameter {
         further
     }
 
-    /// Returns the end of the range at which a value is, if it is at one.
+    /// Returns the end of the range that a value is at, if any.
     #[must_use]
     pub fn end(&self, value: f64) -> Option<End> {
         if self.low == self.high || self.scale == Scale::Periodic {
@@ -150,14 +147,15 @@ impl Parameter {
         }
     }
 
-    /// Returns what lies beyond an end, if that was said.
+    /// Returns what lies beyond an end, if declared.
     #[must_use]
     pub fn beyond(&self, end: End) -> Option<Beyond> {
         self.beyond[end as usize]
     }
 
-    /// Returns the place of a value twice as far from the limit at this end: twice as large near
-    /// 0, half as large near `∞`, and twice as far from 1 near 1. The limits of a linear range are `±∞`.
+    /// Returns the place of the value twice as far from the limit at this end: twice as large near
+    /// 0, half as large near `∞`, twice as far from 1 near 1. The limits of a linear range are
+    /// `±∞`.
     #[must_use]
     pub(super) fn half_way_out(&self, place: f64, end: End) -> f64 {
         let value = self.at(place);
@@ -214,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn a_phase_goes_round_and_has_no_edge() {
+    fn a_periodic_parameter_wraps_and_has_no_edge() {
         let phase = Parameter::periodic("x", 2.0);
         assert_eq!(phase.moved(0.75, 0.5), 0.25);
         assert_eq!(phase.moved(0.25, -0.5), 0.75);

@@ -4,19 +4,19 @@ use tautline_statements::{Evidence, Finding, Inequality, Source, VerifyError};
 
 use super::{AdversaryError, Edge, Family, Tightest, split_mix::SplitMix};
 
-/// How long a search looks, and from which random numbers.
+/// The budget and the seed of a search.
 ///
 /// The ascent is the pattern search of Hooke and Jeeves (1961): try each parameter a step up and
-/// down, keep what is better, go on in the direction that helped; halve the step where nothing
-/// does. It needs no derivative, which a minimum over several conclusions does not have, and no
-/// continuity, which a tie between two minimisers breaks.
+/// down, keep what is better, go on in the direction that helped; halve the step if nothing did. It
+/// needs no derivative, which a minimum over several conclusions lacks, and no continuity, which a
+/// tie between two minimisers breaks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Search {
     /// The seed of the samples.
     pub seed: u64,
-    /// How many times samples and ascent are repeated.
+    /// How many times to sample and ascend.
     pub restarts: usize,
-    /// How many cases are sampled each time; the ascent begins at the best one.
+    /// How many cases to sample each time; the ascent starts from the best one.
     pub samples: usize,
     /// How many cases an ascent may evaluate.
     pub climbs: usize,
@@ -29,19 +29,19 @@ impl Default for Search {
     }
 }
 
-/// The first step of an ascent, as a part of each side of the box, and the last one:
-/// overestimations that vary by a factor of 10⁶ over a side vary by 10⁻³ over the last step.
+/// The first and the last step of an ascent, relative to each side of the box. An overestimation
+/// that varies by a factor of 10⁶ over a side varies by 10⁻³ over the last step.
 const STEPS: [f64; 2] = [0.25, 1e-4];
 
-/// What may be granted of an observed number, as a part of it: a search for the least
-/// overestimation would find the largest rounding otherwise.
+/// The largest relative rounding of an observed number that counts. Otherwise a search for the
+/// least overestimation would find the largest rounding.
 const SEEN: f64 = 1e-4;
 
-/// An overestimation is better where it is less by this part: the last bits, which differ between
-/// machines, do not turn a search.
+/// The relative gain that makes an overestimation better, so that the last bits, which differ
+/// between machines, do not steer a search.
 const GAIN: f64 = 1e-6;
 
-/// A point of the unit cube with what was found there.
+/// A point of the unit cube with its evidence.
 #[derive(Clone)]
 struct Place {
     places: Vec<f64>,
@@ -49,18 +49,18 @@ struct Place {
 }
 
 impl Place {
-    /// The overestimation; `∞` where none is told.
+    /// The overestimation; `∞` if there is none.
     fn overestimation(&self) -> f64 {
         self.found.as_ref().map_or(f64::INFINITY, |(_, conclusion)| conclusion.overestimation())
     }
 
-    /// Whether it is tighter than another one; two without an overestimation are not.
+    /// Whether this place is tighter.
     fn beats(&self, other: &Place) -> bool {
         self.overestimation() < (1.0 - GAIN) * other.overestimation()
     }
 }
 
-/// The tightest conclusion of this source of which more than rounding is seen.
+/// The tightest conclusion of this source whose observed number exceeds rounding.
 fn tightest(evidence: &Evidence, source: Source) -> Option<Inequality> {
     let of_source = evidence.conclusions.iter().filter(|claim| claim.source == source);
     let seen = of_source.filter(|claim| claim.granted <= SEEN * claim.observed);
@@ -77,17 +77,16 @@ struct Hunt<'a, 'f> {
 }
 
 impl Search {
-    /// Returns the tightest case that was found of one family, by the least overestimation of the
-    /// paper's conclusions or of their sharper companions; `None` if no case tells an
-    /// overestimation.
+    /// Returns the tightest case found in a family, by the paper's conclusions or by their sharper
+    /// companions; `None` if no case has an overestimation.
     ///
     /// The same search of the same family returns the same case.
     ///
     /// # Errors
     ///
-    /// [`AdversaryError::Violated`] at the first case in which any conclusion fails, of either
-    /// source; [`AdversaryError::Evaluation`] where a statement could not be evaluated for another
-    /// reason than that the solver refused the problem or found no minimum.
+    /// [`AdversaryError::Violated`] at the first case in which a conclusion of either source fails;
+    /// [`AdversaryError::Evaluation`] if a statement could not be evaluated, except where the
+    /// solver refused the problem or found no minimum.
     pub fn tightest(
         &self,
         family: &Family<'_>,
@@ -182,7 +181,7 @@ impl Hunt<'_, '_> {
                 step *= 0.5;
                 continue;
             }
-            // On in the direction that helped, as long as it does.
+            // On in the direction that helped.
             while self.evaluations < end {
                 let steps = here.places.iter().zip(&before).map(|(new, old)| 2.0 * new - old);
                 let ahead = self.family.parameters.iter().zip(steps);
@@ -197,14 +196,14 @@ impl Hunt<'_, '_> {
         Ok(here)
     }
 
-    /// The parameters that are at an end of their ranges, each with what may be left beyond it.
+    /// The parameters at an end of their ranges, each with what may be left beyond.
     fn edges(&mut self, places: &[f64], overestimation: f64) -> Result<Vec<Edge>, AdversaryError> {
         let mut edges = Vec::new();
         for (k, parameter) in self.family.parameters.iter().enumerate() {
             let Some(end) = parameter.end(parameter.at(places[k])) else { continue };
             let mut out = places.to_vec();
             out[k] = parameter.half_way_out(places[k], end);
-            // NaN, which is cut off, where there is no other case to compare with.
+            // NaN, which counts as cut off, if there is no other case to compare with.
             let moved = out[k] != places[k];
             let left = if moved {
                 self.look(out)?.overestimation() / overestimation - 1.0
@@ -218,8 +217,7 @@ impl Hunt<'_, '_> {
         Ok(edges)
     }
 
-    /// Tries each parameter a step up and down, and keeps what is better, until `end` cases were
-    /// evaluated.
+    /// Tries each parameter a step up and down and keeps what is better, until `end` evaluations.
     fn explore(&mut self, here: &mut Place, step: f64, end: usize) -> Result<bool, AdversaryError> {
         let mut improved = false;
         for (k, parameter) in self.family.parameters.iter().enumerate() {
@@ -249,22 +247,37 @@ mod tests {
 
     use super::{
         super::{Beyond, End, Parameter},
-        AdversaryError, Family, GAIN, Search, Source,
+        AdversaryError, Family, GAIN, Search, Source, Tightest,
     };
 
-    /// `Σ xₙ³ ≤ (Σ xₙ²)^{3/2}` for `1, x, y` with the overestimation 1 at `x = y = 0`.
-    fn cubes<'a>() -> Family<'a> {
-        let number = |name| Parameter::linear(name, 0.0, 3.0);
-        let parameters = [number("x"), number("y")];
-        Family::new("cubes", Statement::Proposition7_8, parameters, |[x, y]| {
-            Ok(Some(prop_7_8(&[1.0, x, y])))
+    /// A family with these overestimations.
+    fn family<'a, const P: usize>(
+        parameters: [Parameter; P],
+        overestimation: impl Fn([f64; P]) -> f64 + 'a,
+    ) -> Family<'a> {
+        Family::new("test", Statement::Proposition7_8, parameters, move |values| {
+            let numbers = [1.0, overestimation(values)];
+            let evidence = Evidence::of(Statement::Proposition7_8);
+            Ok(Some(evidence.stated("1 ≤ overestimation", Unit::NONE, numbers, 0.0)))
         })
     }
 
+    fn unit_square() -> [Parameter; 2] {
+        ["x", "y"].map(|name| Parameter::linear(name, 0.0, 1.0))
+    }
+
+    fn tightest(family: &Family<'_>) -> Tightest {
+        Search::default().tightest(family, Source::Stated).expect("true").expect("told")
+    }
+
+    /// `Σ xₙ³ ≤ (Σ xₙ²)^{3/2}` for `1, x, y` has the overestimation 1 at `x = y = 0`.
     #[test]
     fn the_corner_of_equality_is_found() {
-        let found = Search::default().tightest(&cubes(), Source::Stated).expect("true");
-        let found = found.expect("told everywhere");
+        let parameters = ["x", "y"].map(|name| Parameter::linear(name, 0.0, 3.0));
+        let cubes = Family::new("cubes", Statement::Proposition7_8, parameters, |[x, y]| {
+            Ok(Some(prop_7_8(&[1.0, x, y])))
+        });
+        let found = tightest(&cubes);
         assert!(found.overestimation <= 1.000_001, "{found:?}");
         assert_eq!(found.overestimation, found.evidence.overestimation());
         assert_eq!(found.conclusion.claim, "Σ xₙ³ ≤ (Σ xₙ²)^{3/2}");
@@ -272,53 +285,31 @@ mod tests {
         assert!(found.told == found.evaluations && found.parameter("z").is_none());
     }
 
-    /// Wherever the budget ends, on the way of one parameter or on that of all.
+    /// Whether the budget ends while one parameter moves or while all do.
     #[test]
     fn an_ascent_keeps_to_its_budget_and_returns_the_tightest_of_all_cases() {
-        let side = |name| Parameter::linear(name, 0.0, 1.0);
         for climbs in 0..60 {
             let seen = RefCell::new(Vec::new());
-            let parameters = [side("x"), side("y")];
-            let family = Family::new("bowl", Statement::Proposition7_8, parameters, |[x, y]| {
+            let bowl = family(unit_square(), |[x, y]| {
                 let overestimation = 1.0 + (x - 0.6).powi(2) + (y - 0.3).powi(2);
                 seen.borrow_mut().push(overestimation);
-                let evidence = Evidence::of(Statement::Proposition7_8);
-                Ok(Some(evidence.stated(
-                    "1 ≤ overestimation",
-                    Unit::NONE,
-                    [1.0, overestimation],
-                    0.0,
-                )))
+                overestimation
             });
             let search = Search { seed: 5, restarts: 1, samples: 3, climbs };
-            let found = search.tightest(&family, Source::Stated).expect("true").expect("told");
-            let seen = seen.take();
+            let found = search.tightest(&bowl, Source::Stated).expect("true").expect("told");
+            let seen = seen.borrow();
             assert!(found.edges.is_empty() && found.evaluations == seen.len());
             assert!(seen.len() <= 3 + climbs, "{} for {climbs}", seen.len());
-            assert!(
-                seen.iter()
-                    .all(|overestimation| found.overestimation <= overestimation * (1.0 + GAIN)),
-                "{climbs}"
-            );
+            let least = |seen: &f64| found.overestimation <= seen * (1.0 + GAIN);
+            assert!(seen.iter().all(least), "{climbs}");
         }
     }
 
+    /// The overestimation `1 + |x − y| + (y − 0.7)²` has an edge along the diagonal.
     #[test]
     fn a_narrow_minimum_inside_is_found() {
-        // The overestimation 1 + |x − y| + (y − 0.7)² has an edge along the diagonal.
-        let side = |name| Parameter::linear(name, 0.0, 1.0);
-        let parameters = [side("x"), side("y")];
-        let edge = Family::new("edge", Statement::Proposition7_8, parameters, |[x, y]| {
-            let overestimation = 1.0 + (x - y).abs() + (y - 0.7).powi(2);
-            Ok(Some(Evidence::of(Statement::Proposition7_8).stated(
-                "1 ≤ overestimation",
-                Unit::NONE,
-                [1.0, overestimation],
-                0.0,
-            )))
-        });
-        let found = Search::default().tightest(&edge, Source::Stated).expect("true");
-        assert!(found.expect("told").overestimation <= 1.01);
+        let edge = family(unit_square(), |[x, y]| 1.0 + (x - y).abs() + (y - 0.7).powi(2));
+        assert!(tightest(&edge).overestimation <= 1.01);
     }
 
     /// The overestimation `2 (1 + s x)` on `[10⁻³, 1]` has the part `10⁻³ s` left on the way to 0.
@@ -326,20 +317,12 @@ mod tests {
     fn a_case_at_an_edge_says_what_is_left_beyond_it() {
         let side = || Parameter::logarithmic("x", 1e-3, 1.0);
         let limit = side().with_ends(Beyond::Limit("x → 0"), Beyond::Nothing("x ≤ 1"));
-        let edges = |side: Parameter, s: f64| {
-            let family = Family::new("line", Statement::Proposition7_8, [side], |[x]| {
-                let evidence = Evidence::of(Statement::Proposition7_8);
-                Ok(Some(evidence.stated("½ ≤ 1 + s x", Unit::NONE, [0.5, 1.0 + s * x], 0.0)))
-            });
-            let found = Search::default().tightest(&family, Source::Stated).expect("true");
-            found.expect("told").edges
-        };
         let linear = Parameter::linear("x", 0.0, 1.0)
             .with_ends(Beyond::Limit("x → 0"), Beyond::Nothing("x ≤ 1"));
         let cases = [(limit, 1.0), (limit, 100.0), (side(), 1.0), (limit, -0.5), (linear, 1.0)];
         let [near, far, open, other, unmoved] = cases.map(|(side, s)| {
-            let found = edges(side, s);
-            let [edge] = found.as_slice() else { panic!("{found:?}") };
+            let edges = tightest(&family([side], |[x]| 2.0 * (1.0 + s * x))).edges;
+            let [edge] = edges.as_slice() else { panic!("{edges:?}") };
             *edge
         });
         // (1 + 2·10⁻³ s)/(1 + 10⁻³ s) − 1, at a case that may be some last steps before the edge.
@@ -350,13 +333,8 @@ mod tests {
         // Half of 0 is 0: nothing is measured.
         assert!(unmoved.left.is_nan() && unmoved.is_cut_off(), "{unmoved:?}");
         assert!(!other.is_cut_off(), "{other:?}");
-        let inside = Family::new("valley", Statement::Proposition7_8, [side()], |[x]| {
-            let overestimation = 1.0 + (x / 0.03).ln().powi(2);
-            let evidence = Evidence::of(Statement::Proposition7_8);
-            Ok(Some(evidence.stated("1 ≤ overestimation", Unit::NONE, [1.0, overestimation], 0.0)))
-        });
-        let found = Search::default().tightest(&inside, Source::Stated).expect("true");
-        assert_eq!(found.expect("told").edges, []);
+        let inside = family([side()], |[x]| 1.0 + (x / 0.03).ln().powi(2));
+        assert_eq!(tightest(&inside).edges, []);
     }
 
     #[test]
@@ -377,7 +355,7 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_apply_or_converge_is_skipped_and_other_errors_are_not() {
+    fn cases_without_evidence_are_skipped_and_other_errors_are_not() {
         let side = [Parameter::linear("x", 0.0, 1.0)];
         let none = Family::new("none", Statement::Proposition7_8, side, |[x]| {
             Ok((x < 0.5).then(|| prop_7_8(&[-1.0, x])))

@@ -1,21 +1,21 @@
-//! `SplitMix`: random numbers that are the same on every machine.
+//! `SplitMix`: reproducible random numbers.
 
 /// The generator SplitMix64 (Steele, Lea, Flood 2014): a counter, mixed.
 ///
-/// Integers only, so that a search samples the same cases everywhere and for ever.
+/// It uses integers only, so that a search samples the same cases on every machine.
 #[derive(Clone, Copy, Debug)]
 pub struct SplitMix {
     state: u64,
 }
 
 impl SplitMix {
-    /// Begins the sequence of this seed.
+    /// Starts the sequence of a seed.
     #[must_use]
     pub fn new(seed: u64) -> Self {
         Self { state: seed }
     }
 
-    /// Returns 64 random bits: the seed of another sequence, say.
+    /// Returns 64 random bits, for example the seed of another sequence.
     pub fn bits(&mut self) -> u64 {
         self.state = self.state.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut mixed = self.state;
@@ -50,16 +50,16 @@ mod tests {
     /// The first output of the reference implementation for the seed 1234567 is
     /// 6457827717110365317.
     #[test]
-    fn numbers_are_those_of_the_reference_implementation() {
+    fn numbers_agree_with_the_reference_implementation() {
         let expected = 6_457_827_717_110_365_317_u64;
         assert_eq!(SplitMix::new(1_234_567).bits(), expected);
         let unit = (expected >> 11) as f64 * 2_f64.powi(-53);
         assert_eq!(SplitMix::new(1_234_567).unit(), unit);
     }
 
-    /// With 8 values in 100 draws, each is missed with the probability `(7/8)¹⁰⁰ = 2 · 10⁻⁶`.
+    /// In 100 draws of 8 values, each is missed with probability `(7/8)¹⁰⁰ = 2 · 10⁻⁶`.
     #[test]
-    fn integers_below_a_count_are_all_met_and_no_others() {
+    fn all_integers_below_a_count_are_drawn_and_no_others() {
         let mut random = SplitMix::new(6);
         let mut met = [false; 8];
         (0..100).for_each(|_| met[random.below(8)] = true);
@@ -72,7 +72,7 @@ mod tests {
         let mut random = SplitMix::new(6);
         let numbers: Vec<f64> = (0..100).map(|_| random.between(-3.0, 5.0)).collect();
         assert!(numbers.iter().all(|x| (-3.0..=5.0).contains(x)));
-        // Each half of the range is missed with the probability 2⁻¹⁰⁰.
+        // Each half of the range is missed with probability 2⁻¹⁰⁰.
         assert!(numbers.iter().any(|&x| x < 1.0) && numbers.iter().any(|&x| x > 1.0));
     }
 }

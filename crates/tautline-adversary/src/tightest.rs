@@ -1,26 +1,26 @@
-//! `Tightest`: what a search found.
+//! `Tightest`: the result of a search.
 
 use tautline_statements::{Evidence, Inequality};
 
 use super::Edge;
 
-/// The case of a family with the least overestimation that a search found.
+/// The tightest case that a search found in a family.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tightest {
-    /// The case: the names of the parameters, and their values.
+    /// The names of the parameters and their values.
     pub parameters: Vec<(&'static str, f64)>,
     /// The evidence in this case.
     pub evidence: Evidence,
-    /// The tightest of the conclusions that were looked at.
+    /// The tightest conclusion of the source that was searched.
     pub conclusion: Inequality,
     /// Its overestimation, a pure number.
     pub overestimation: f64,
-    /// The parameters that are at an end of their ranges.
+    /// The parameters at an end of their ranges.
     pub edges: Vec<Edge>,
     /// How many cases were evaluated.
     pub evaluations: usize,
-    /// In how many of them an overestimation could be told: the problem makes sense, the solver
-    /// converged, the hypotheses hold, and what is observed is more than rounding.
+    /// How many of them have an overestimation: the problem makes sense, the solver converged, the
+    /// hypotheses hold, and the observed number exceeds rounding.
     pub told: usize,
 }
 

@@ -1,21 +1,21 @@
-//! The global minimum of a discrete energy on the line, over sequences of grid points, by
-//! dynamic programming: no sequence on the grid is missed, whatever valleys it jumps over.
+//! The global minimum of a discrete energy on the line, over all sequences of grid points, by
+//! dynamic programming: also over sequences that jump across valleys.
 //!
 //! With the cost `c(x, y) = H(x + θ(y − x)) (y − x)²` of one chord, `E_N = N Σ c(xₙ, xₙ₊₁)`, and
 //! the least cost `Vₙ(y)` of `n` chords from the start to `y` obeys
-//! `Vₙ₊₁(y) = minₓ Vₙ(x) + c(x, y)`. `V` does not depend on `N`, so that one pass gives the minima
-//! for all `N` up to the last.
+//! `Vₙ₊₁(y) = minₓ Vₙ(x) + c(x, y)`. `V` does not depend on `N`: one pass gives the minima for all
+//! `N` up to the last.
 //!
 //! # How far the grid has to reach
 //!
 //! A sequence that leaves `[a, b]` by `r` has `Σ |xₙ₊₁ − xₙ| ≥ b − a + 2r`, hence by Cauchy and
-//! Schwarz `E_N ≥ c₁ (b − a + 2r)²`. So if some admissible sequence has the energy `U`, a
-//! sequence with less stays within `r ≤ (√(U/c₁) − (b − a))/2`.
+//! Schwarz `E_N ≥ c₁ (b − a + 2r)²`. If an admissible sequence has energy `U`, any better one stays
+//! within `r ≤ (√(U/c₁) − (b − a))/2`.
 //!
 //! # How far the grid is off
 //!
 //! Let `x` be a minimiser and `δ` move its inner points to the grid, `|δₙ| ≤ h/2`. To first order
-//! nothing changes. The second derivative of one chord's part `N c` in the direction of `δ` is
+//! nothing changes. The second derivative of one chord's share `N c` in the direction of `δ` is
 //!
 //! ```text
 //! N (2H v² + 4 H′ Δ u v + H″ Δ² u²),    v = δₙ₊₁ − δₙ, |v| ≤ h;    u: δ at the node, |u| ≤ h/2
@@ -46,9 +46,9 @@ pub struct GridLine<'a> {
 pub struct GridMinimum {
     /// The energy, in `m²`.
     pub energy: f64,
-    /// The sequence that has it, in `ℓ`.
+    /// The sequence that attains it, in `ℓ`.
     pub sequence: Vec<f64>,
-    /// A bound of what the grid adds to the minimum over all sequences, in `m²`.
+    /// A bound on what the grid adds to the minimum over all sequences, in `m²`.
     pub grid_error: f64,
 }
 
@@ -56,8 +56,8 @@ impl GridLine<'static> {
     /// Returns the valleys of Section 5 along the axis, from 0 to `4π`, with 800 intervals; the
     /// rule reads at the fraction `theta`.
     ///
-    /// In the plane the search is the same: to set `x₂ = 0` everywhere leaves `H = f(x₁)² I` where
-    /// it is read and shortens the chords.
+    /// In the plane the minima are the same: setting `x₂ = 0` everywhere keeps `H = f(x₁)² I` at
+    /// the nodes and shortens the chords.
     #[must_use]
     pub fn over_the_valleys(theta: f64) -> Self {
         Self {
@@ -75,13 +75,13 @@ impl GridLine<'_> {
         (self.ends[1] - self.ends[0]) / self.intervals as f64
     }
 
-    /// Returns how far a sequence with at most the energy `upper` may leave `[a, b]`.
+    /// Returns how far a sequence with energy at most `upper` may leave `[a, b]`.
     fn reach(&self, upper: f64) -> f64 {
         0.5 * ((upper / self.constants.c1()).sqrt() - (self.ends[1] - self.ends[0])).max(0.0)
     }
 
-    /// Returns the minima for `N = 1, …, last`, where `upper` is the largest of the energies of
-    /// any admissible sequences for these `N`.
+    /// Returns the minima for `N = 1, …, last`. For each of these `N`, some admissible sequence
+    /// must have an energy of at most `upper`.
     ///
     /// # Panics
     ///

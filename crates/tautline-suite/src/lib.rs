@@ -1,7 +1,7 @@
-//! The project's own suite: checks that run against the library, or against a deliberately wrong variant of it.
+//! The project's own suite: checks that run against the library or against a mutant.
 //!
-//! [`battery`] has the checks, [`strategies`] and [`arbitrary`] draw their cases; [`GridLine`] finds minima on a
-//! grid, by which those of the solver are judged.
+//! [`battery`] has the checks; [`strategies`] and [`arbitrary`] draw their cases. [`GridLine`]
+//! finds global minima on a grid, to judge those of the solver.
 
 pub mod arbitrary;
 pub mod battery;

@@ -1,4 +1,4 @@
-//! The statements about discrete minimisers that are searched.
+//! The statements about discrete minimisers.
 
 use tautline::Bounded;
 use tautline_statements::{
@@ -7,7 +7,7 @@ use tautline_statements::{
     theorem_1_2, theorem_1_3, theorem_1_4, theorem_a, theorem_b, theorem_c, theorem_d,
 };
 
-/// What a statement says of the minimiser of one problem; `None` where it says nothing.
+/// Evaluates a statement on the minimiser of a problem; `None` if it says nothing.
 type OfMinimiser<M, const D: usize> =
     fn(&Subject, &Known<M, D>, &Reconstruction<D>) -> Result<Option<Evidence>, VerifyError>;
 
@@ -15,7 +15,7 @@ type OfMinimiser<M, const D: usize> =
 pub(super) struct AboutProblem<M, const D: usize> {
     pub(super) statement: Statement,
     pub(super) rule: PaperRule,
-    /// Whether the statement is about both rules, of which this is the left-endpoint one.
+    /// Whether the statement is about both rules, and this is the left-endpoint rule.
     pub(super) is_second: bool,
     pub(super) evidence: OfMinimiser<M, D>,
 }
@@ -32,7 +32,7 @@ impl<M: Bounded<D>, const D: usize> AboutProblem<M, D> {
         PaperRule::BOTH.map(|rule| Self { statement, rule, is_second: rule == LEFT, evidence })
     }
 
-    /// Those of the paper.
+    /// The paper's statements.
     pub(super) fn of_the_paper() -> Vec<Self> {
         vec![
             Self::one(Statement::Theorem1_1, TRA, |s, _, seen| Ok(Some(theorem_1_1(s, seen)))),
@@ -50,8 +50,8 @@ impl<M: Bounded<D>, const D: usize> AboutProblem<M, D> {
         ]
     }
 
-    /// Lemmas S.3 and S.5. A speed, and a moment of the speeds, is as good as its bound where the
-    /// metric is hardly curved: the search looks for a violation.
+    /// Lemmas S.3 and S.5. If the metric is hardly curved, speeds and their moments nearly attain
+    /// their bounds: the search looks for a violation.
     pub(super) fn speeds() -> Vec<Self> {
         let speeds = Self::both(Statement::LemmaS3, |s, known, seen| {
             Ok(Some(lemma_s_3(s, &known.metric, seen.rule, &seen.minimum.sequence)?))
@@ -72,7 +72,7 @@ impl<M: Bounded<D>, const D: usize> AboutProblem<M, D> {
         a.into_iter().chain(c).collect()
     }
 
-    /// Theorems B and D, which ask for `M_H`.
+    /// Theorems B and D, which need `M_H`.
     pub(super) fn second_order() -> Vec<Self> {
         vec![
             Self::one(Statement::TheoremB, TRA, |s, _, seen| Ok(theorem_b(s, seen))),
@@ -80,7 +80,7 @@ impl<M: Bounded<D>, const D: usize> AboutProblem<M, D> {
         ]
     }
 
-    /// Proposition S.6, which encloses `d²` as well as one likes for small `N` and curvature: the
+    /// Proposition S.6, which encloses `d²` arbitrarily well for small `N` and curvature: the
     /// search looks for a violation.
     pub(super) fn enclosure() -> Vec<Self> {
         Self::both(Statement::PropositionS6, |s, _, seen| Ok(Some(prop_s_6(s, seen, 0.0)?))).into()

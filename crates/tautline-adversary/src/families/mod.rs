@@ -1,4 +1,4 @@
-//! The families of the project: which statements are searched on which boxes.
+//! The families of the project: which statement is searched on which boxes.
 //!
 //! | what a case is | families | statements: one line each in |
 //! | --- | --- | --- |
@@ -6,12 +6,12 @@
 //! | a metric and a point | shear, valleys, cosines, anisotropy | `points.rs` |
 //! | a metric and a point sequence | shear, separable, ramp, tent, incline, valleys | `sequences.rs` |
 //!
-//! Where a change of the units of coordinates or a reflection maps a family to itself, one
-//! parameter is left out: a wave number is then 1, and coordinates count in phases, which have no
-//! edges. Other ranges end near limits, or where there is no other case, and say so.
+//! If a change of units or a reflection maps a family to itself, one parameter is left out: a wave
+//! number is then 1, and coordinates count in phases, which have no edges. Other ranges end near
+//! limits, or where no other case exists, and say so.
 //!
-//! The paper's statements are searched in all families of their kind but two arcs, ours in those in
-//! which they come nearest to equality, and on the sheared plane.
+//! The paper's statements are searched in all families of their kind except two arcs; ours in those
+//! where they come closest to equality, and on the sheared plane.
 
 mod about_problems;
 mod points;
@@ -23,13 +23,12 @@ use tautline_statements::Subject;
 
 use super::Family;
 
-/// Returns all families, evaluated with the library or a variant of it, by statement and then by name
-/// as listed above.
+/// Returns all families for a subject, by statement and then in the order above.
 #[must_use]
 pub fn families(subject: &Subject) -> Vec<Family<'_>> {
-    let mut all = problems::families(subject);
-    all.extend(sequences::families(subject));
-    all.extend(points::families(subject));
+    let mut all = problems::of_problems(subject);
+    all.extend(sequences::of_sequences(subject));
+    all.extend(points::of_points(subject));
     // Stable: the families of a statement stay in their order.
     all.sort_by_key(|family| family.statement);
     all

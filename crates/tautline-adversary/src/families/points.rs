@@ -17,12 +17,12 @@ use super::{
 type AtPoint<M, const D: usize> =
     fn(&Subject, &M, &SVector<f64, D>) -> Result<Evidence, MetricError>;
 
-/// The statements; another one is one line more.
+/// The statements about a point; a new one is one more line.
 fn statements<M: Bounded<D>, const D: usize>() -> Vec<(Statement, AtPoint<M, D>)> {
     vec![(Statement::Proposition7_10, prop_7_10), (Statement::Proposition7_11, prop_7_11)]
 }
 
-/// All statements on one box.
+/// All statements about a point, on one box.
 fn on<'a, M: Bounded<D> + 'a, const D: usize, const P: usize>(
     subject: &'a Subject,
     name: &'static str,
@@ -38,7 +38,7 @@ fn on<'a, M: Bounded<D> + 'a, const D: usize, const P: usize>(
     statements().into_iter().map(family).collect()
 }
 
-pub(super) fn families(subject: &Subject) -> Vec<Family<'_>> {
+pub(super) fn of_points(subject: &Subject) -> Vec<Family<'_>> {
     let mut all = on(subject, "shear", [amplitude("a", 1e4), phase("x2")], |[a, x2]| {
         Some((Shear::new(a, 1.0).ok()?, [0.0, x2]))
     });
@@ -46,12 +46,12 @@ pub(super) fn families(subject: &Subject) -> Vec<Family<'_>> {
     all.extend(on(subject, "cosines", [phase("x1"), phase("x2"), phase("x3")], |x| {
         Some((CoupledCosines, x))
     }));
-    // The unit of energies makes one eigenvalue 1, and that of coordinates |k|.
+    // The units of energies and coordinates make one eigenvalue 1, and |k| = 1.
     all.extend(on(
         subject,
         "anisotropy",
         [
-            // Where there is none, `H` is constant.
+            // At ratio 1, `H` is constant.
             Parameter::logarithmic("ratio − 1", 1e-4, 1e6)
                 .with_ends(Beyond::Limit("ratio → 1"), Beyond::Limit("ratio → ∞")),
             direction("k"),

@@ -20,8 +20,8 @@ use super::{
     },
 };
 
-/// Statements on one box; `problem` takes the rule too, since what misleads a rule depends on where
-/// it reads. What a statement about both rules says of the left-endpoint one has the second name.
+/// Statements on one box. `problem` depends on the rule, since what misleads a rule depends on
+/// where it reads. A statement about both rules has the second name for the left-endpoint rule.
 fn on<'a, M: Bounded<D> + 'a, const D: usize, const P: usize>(
     subject: &'a Subject,
     [name, left]: [&'static str; 2],
@@ -53,7 +53,7 @@ where
     Some((Known::between(metric, a, b).ok()??, n))
 }
 
-pub(super) fn families(subject: &Subject) -> Vec<Family<'_>> {
+pub(super) fn of_problems(subject: &Subject) -> Vec<Family<'_>> {
     let mut all = on(
         subject,
         ["shear", "shear, left"],
@@ -113,7 +113,7 @@ pub(super) fn families(subject: &Subject) -> Vec<Family<'_>> {
             between(metric?, [from], [to], n)
         },
     ));
-    // Kinked in the middle, where one chord reads it and two chords would search it.
+    // One chord reads the kink in the middle; two chords would have to search for it.
     all.extend(on(
         subject,
         ["tent", "tent, left"],
@@ -179,20 +179,20 @@ pub(super) fn families(subject: &Subject) -> Vec<Family<'_>> {
     all
 }
 
-/// A slope as a part of the steepest one.
+/// A slope relative to the steepest one.
 fn turn(name: &'static str) -> Parameter {
     let beyond = Beyond::Nothing("|H′| ≤ L");
     Parameter::linear(name, -1.0, 1.0).with_ends(beyond, beyond)
 }
 
-/// By which part the rule takes the wrong one of two for less.
+/// The relative lead of the wrong one of two ways.
 fn lead(least: f64) -> Parameter {
     Parameter::fraction("lead", least, 0.99)
         .with_ends(Beyond::Limit("lead → 0"), Beyond::Limit("lead → 1"))
 }
 
 /// Two arcs for one chord under `H = (1 + a sin x)²`: one about the crest, of this length, and one
-/// about the trough, whose energy the trapezoidal rule takes for less by the part `lead`.
+/// about the trough. To the trapezoidal rule, its energy seems less by the relative `lead`.
 fn two_arcs([a, length, lead, n]: [f64; 4]) -> Option<(Known<Separable<1>, 1>, f64)> {
     let metric = Separable::new([a], [1.0]).ok()?;
     let (crest, trough) = (FRAC_PI_2, 3.0 * FRAC_PI_2);
@@ -214,9 +214,9 @@ fn two_arcs([a, length, lead, n]: [f64; 4]) -> Option<(Known<Separable<1>, 1>, f
     Some((Known { metric, ends, distance, distance_error }, n))
 }
 
-/// Two routes for one chord: on the halves of the first one the slopes `a₁L` and `a₂L`, on those of
-/// the second one `b₁L` and `b₂L`; the least value on the first is 1, and where the rule reads it,
-/// the second one is ahead by `lead L`.
+/// Two routes for one chord, with the slopes `a₁L` and `a₂L` on the halves of the first, and `b₁L`
+/// and `b₂L` on those of the second. The least value on the first is 1, and where the rule reads
+/// it, the second is ahead by `lead L`.
 fn two_routes(
     rule: PaperRule,
     [l, a1, a2, b1, b2, lead, n]: [f64; 7],

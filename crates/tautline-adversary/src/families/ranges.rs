@@ -4,8 +4,8 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::super::{Beyond, Parameter};
 
-/// The amplitude of a metric that may have any: `H` is constant at 0, and without its constant
-/// part at `∞`.
+/// The amplitude of a metric that may have any. `H` is constant at 0, and loses its constant part
+/// at `∞`.
 pub(super) fn amplitude(name: &'static str, most: f64) -> Parameter {
     let (zero, infinity) = match name {
         "L" => ("L → 0", "L → ∞"),
@@ -19,7 +19,7 @@ pub(super) fn part(name: &'static str, most: f64) -> Parameter {
     Parameter::fraction(name, 1e-4, most).with_ends(Beyond::Limit("a → 0"), Beyond::Limit("a → 1"))
 }
 
-/// How an amplitude is shared out between two axes, as an angle: all of it is the first one's at 0.
+/// The split of an amplitude between two axes, as an angle: at 0 all of it belongs to the first.
 pub(super) fn share() -> Parameter {
     let beyond = Beyond::Nothing("H varies along one axis alone");
     Parameter::linear("psi", 0.0, FRAC_PI_2).with_ends(beyond, beyond)
@@ -30,16 +30,16 @@ pub(super) fn shared(amplitude: f64, share: f64) -> [f64; 2] {
     [amplitude * share.cos(), amplitude * share.sin()]
 }
 
-/// The ratio of two wave numbers: far from 1, one of the two coordinates hardly changes the metric.
+/// The ratio of two wave numbers. Far from 1, one of the two coordinates hardly changes the metric.
 pub(super) fn ratio_of_waves() -> Parameter {
     Parameter::logarithmic("k2/k1", MOST_RATIO.recip(), MOST_RATIO)
         .with_ends(Beyond::Limit("k2/k1 → 0"), Beyond::Limit("k2/k1 → ∞"))
 }
 
-/// The ratio to which two wave numbers go.
+/// The largest ratio of two wave numbers.
 const MOST_RATIO: f64 = 1e2;
 
-/// Two wave numbers of this ratio, the larger of which is 1: a step is measured by the shorter wave.
+/// Two wave numbers of this ratio, the larger one 1: the shorter wave is the unit of steps.
 pub(super) fn wave_numbers(ratio: f64) -> [f64; 2] {
     [1.0 / ratio.max(1.0), ratio.min(1.0)]
 }
@@ -49,10 +49,10 @@ pub(super) fn phase(name: &'static str) -> Parameter {
     Parameter::periodic(name, TAU)
 }
 
-/// The length of a step, which is the distance of the ends over `N` in a problem: from nothing, where
-/// the metric is linear, to four periods.
+/// The length of a step (in a problem, the distance of the ends over `N`): from nothing, where the
+/// metric is linear, to four periods.
 ///
-/// What bounds a gap grows with the step, and the gap does not: nothing is tight far out.
+/// The bound on a gap grows with the step, and the gap does not: nothing is tight far out.
 pub(super) fn step(name: &'static str) -> Parameter {
     let zero = match name {
         "step" => "step → 0",
@@ -62,18 +62,18 @@ pub(super) fn step(name: &'static str) -> Parameter {
     Parameter::logarithmic(name, SHORTEST, 4.0 * TAU).starting(Beyond::Limit(zero))
 }
 
-/// The same among two waves of any ratio: to four periods of the longer one.
+/// A step among two waves of any ratio, up to four periods of the longer one.
 pub(super) fn step_of_waves() -> Parameter {
     Parameter::logarithmic("step", SHORTEST, 4.0 * TAU * MOST_RATIO)
         .starting(Beyond::Limit("step → 0"))
 }
 
-/// A step so short is one to the limit: what is left on the way is some hundreds of it, for the
-/// constants of the valleys.
+/// A step this short is as good as the limit: for the constants of the valleys, some hundreds of it
+/// are left on the way.
 const SHORTEST: f64 = 1e-5;
 
-/// The same for a ramp, and for valleys with walls between them: a bound that is the ratio of `c₂` and
-/// `c₁` is attained by long steps.
+/// A step on a ramp, or over valleys with walls between them: long steps attain a bound that is the
+/// ratio of `c₂` and `c₁`.
 pub(super) fn any_step(longest: f64) -> Parameter {
     Parameter::logarithmic("step", SHORTEST, longest)
         .with_ends(Beyond::Limit("step → 0"), Beyond::Limit("step → ∞"))
@@ -89,13 +89,13 @@ pub(super) fn way(name: &'static str) -> Parameter {
     Parameter::periodic(name, 2.0)
 }
 
-/// Where the way between two points has its given coordinate, as a phase: at its beginning, in its
+/// Where the way between two points has its given coordinate, as a phase: at its start, in its
 /// middle, or at its end.
 pub(super) fn anchor() -> Parameter {
     Parameter::periodic("anchor", 3.0)
 }
 
-/// Both ends of a way of this length, forward or back, that is at `x` where its anchor is.
+/// Both ends of a way of this length, forward or back, with its anchor at `x`.
 pub(super) fn anchored(x: f64, anchor: f64, length: f64, way: f64) -> [f64; 2] {
     let from = x - 0.5 * anchor.floor() * along(length, way);
     [from, from + along(length, way)]
@@ -106,24 +106,24 @@ pub(super) fn along(length: f64, way: f64) -> f64 {
     if way < 1.0 { length } else { -length }
 }
 
-/// The point at this distance of another one, in this direction.
+/// The point at this distance from another one, in this direction.
 pub(super) fn beside([x, y]: [f64; 2], length: f64, direction: f64) -> [f64; 2] {
     let (sin, cos) = direction.sin_cos();
     [x + length * cos, y + length * sin]
 }
 
-/// A point of the ramp, which is hardly one far away from the middle.
+/// A point of the ramp, which is nearly flat far from the middle.
 pub(super) fn on_the_ramp() -> Parameter {
     Parameter::linear("x", -12.0, 12.0).with_ends(Beyond::Limit("x → −∞"), Beyond::Limit("x → ∞"))
 }
 
-/// A point of `[0, 1]`, where tents and inclines have their constants.
+/// A point of `[0, 1]`, where the constants of tents and inclines hold.
 pub(super) fn inside(name: &'static str) -> Parameter {
     let beyond = Beyond::Nothing("the metric has its constants on [0, 1]");
     Parameter::linear(name, 0.0, 1.0).with_ends(beyond, beyond)
 }
 
-/// `N`: what is tight is so for few subintervals, since the bounds fall like `1/√N`.
+/// `N`: statements are tight for few subintervals, since the bounds fall like `1/√N`.
 pub(super) fn n() -> Parameter {
     Parameter::whole("N", 1, 64).with_ends(Beyond::Nothing("N ≥ 1"), Beyond::Limit("N → ∞"))
 }

@@ -1,4 +1,4 @@
-//! Families of point sequences, minimisers or not, for the statements about all of them.
+//! Families of point sequences, for the statements that do not need a minimiser.
 
 use tautline::{
     Bounded, MetricError, PointSequence, SVector,
@@ -21,7 +21,7 @@ use super::{
 type OfSequence<M, const D: usize> =
     fn(&Subject, &M, &PointSequence<D>) -> Result<Evidence, MetricError>;
 
-/// The statements; another one is one line more.
+/// The statements about a point sequence; a new one is one more line.
 fn statements<M: Bounded<D>, const D: usize>() -> Vec<(Statement, OfSequence<M, D>)> {
     vec![
         (Statement::Proposition7_9, prop_7_9),
@@ -31,7 +31,7 @@ fn statements<M: Bounded<D>, const D: usize>() -> Vec<(Statement, OfSequence<M, 
     ]
 }
 
-/// All statements on one box.
+/// All statements about a point sequence, on one box.
 fn on<'a, M: Bounded<D> + 'a, const D: usize, const P: usize>(
     subject: &'a Subject,
     name: &'static str,
@@ -48,7 +48,7 @@ fn on<'a, M: Bounded<D> + 'a, const D: usize, const P: usize>(
     statements().into_iter().map(family).collect()
 }
 
-pub(super) fn families(subject: &Subject) -> Vec<Family<'_>> {
+pub(super) fn of_sequences(subject: &Subject) -> Vec<Family<'_>> {
     // Enough for a step that rests.
     let two = || Parameter::subintervals(2);
     let mut all = on(
@@ -140,7 +140,8 @@ pub(super) fn families(subject: &Subject) -> Vec<Family<'_>> {
     all
 }
 
-/// The largest relative amplitude: a rule divides by nothing that vanishes at 1.
+/// The largest relative amplitude. It may be close to 1: a rule divides by nothing that vanishes
+/// there.
 const MOST: f64 = 0.9999;
 
 /// Three points, from step to step.

@@ -3,7 +3,7 @@
 use quickcheck::{Arbitrary, Gen};
 use tautline::Constants;
 
-/// Constants that are small integers: sums and products of a few of them are exact.
+/// Small integers as constants, so that sums and products of a few are exact.
 ///
 /// `c₁` from 1 to 8, `c₂ − c₁`, `L_H` and `M_H` from 0 to 15; every fourth lacks `M_H`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -70,7 +70,7 @@ mod tests {
         a.scaled(f64::from(s) + 1.0).expect("finite")
     }
 
-    /// Sums, products of spaces, and products with a function: in any order, in any brackets.
+    /// Sums, products with a function, and products of spaces.
     #[test]
     fn sums_and_products_commute_and_associate() {
         fn law(a: AnyConstants, b: AnyConstants, c: AnyConstants) -> bool {
@@ -84,7 +84,7 @@ mod tests {
     }
 
     /// `s (H + H′) = s H + s H′`, `Aᵀ (H + H′) A = Aᵀ H A + Aᵀ H′ A`, `φ (H + H′) = φ H + φ H′`,
-    /// and the same of pairs.
+    /// and the first two for products of spaces.
     #[test]
     fn factors_and_pullbacks_distribute() {
         fn law(a: AnyConstants, b: AnyConstants, factor: AnyConstants, s: u8, t: u8) -> bool {
@@ -121,7 +121,7 @@ mod tests {
         holds(753, law as fn(AnyConstants, u8, u8) -> bool);
     }
 
-    /// Who knows less of the parts knows no more of the whole.
+    /// Weaker constants of the parts give no stronger constants of the whole.
     #[test]
     fn every_rule_is_monotone() {
         fn weaker(a: Constants, by: u8) -> Constants {

@@ -69,7 +69,7 @@ mod tests {
     use super::AnySetting;
 
     /// Every bound grows with `d`, `c₂` and `L_H` and falls with `c₁`, as [`Setting`] says; twice
-    /// the distance stands for all upper bounds of it.
+    /// the distance stands for any upper bound.
     #[test]
     fn bounds_are_monotone_in_the_setting() {
         fn law(any: AnySetting) -> bool {

@@ -7,7 +7,7 @@ use quickcheck::{Arbitrary, Gen};
 pub struct Nonnegatives(Vec<u16>);
 
 impl Nonnegatives {
-    /// Returns the numbers of so many sixteenths.
+    /// Returns the numbers, from sixteenths.
     #[must_use]
     pub fn of(sixteenths: Vec<u16>) -> Self {
         Self(sixteenths)
@@ -22,7 +22,7 @@ impl Nonnegatives {
 
 impl Arbitrary for Nonnegatives {
     fn arbitrary(g: &mut Gen) -> Self {
-        // An integer shifted by 0 to 15 bits: sizes are spread over decades.
+        // Shifts by 0 to 15 bits spread the sizes over decades.
         let entries = Vec::<(u16, u8)>::arbitrary(g);
         Self(entries.into_iter().map(|(number, shift)| number >> (shift % 16)).collect())
     }

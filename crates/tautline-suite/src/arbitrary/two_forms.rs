@@ -7,23 +7,24 @@ use tautline_statements::{TwoForms, operator_norm};
 /// Two points, vectors and matrices that meet the hypotheses of Proposition 7.5, from
 /// `4D + 2D² + 2` integers.
 ///
-/// `H(x₂) = MᵀM`; `H(x₁)` differs from it by a symmetric matrix of any sign, so that it need not be
-/// positive, which the proposition does not ask for.
+/// `H(x₂) = MᵀM`; `H(x₁)` differs from it by a symmetric matrix of any sign. It need not be
+/// positive, since the proposition does not assume that.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct AnyTwoForms<const D: usize>(Vec<i8>);
 
 impl<const D: usize> AnyTwoForms<D> {
     const LENGTH: usize = 4 * D + 2 * D * D + 2;
 
-    /// Returns the data of so many eighths: `4D + 2D² + 2` integers; others than these are left
-    /// out, and those that are missing are 0.
+    /// Returns the data of `4D + 2D² + 2` integers, in eighths. Further ones are ignored, and
+    /// missing ones are 0.
     #[must_use]
     pub fn of(mut eighths: Vec<i8>) -> Self {
         eighths.resize(Self::LENGTH, 0);
         Self(eighths)
     }
 
-    /// Returns the data. The constants are the least that the matrices allow, or up to twice these.
+    /// Returns the data, with the least constants that the matrices allow, or up to twice as large
+    /// ones.
     #[must_use]
     pub fn forms(&self) -> TwoForms<D> {
         let mut numbers = self.0.iter().map(|&eighths| f64::from(eighths) / 8.0);
@@ -34,7 +35,7 @@ impl<const D: usize> AnyTwoForms<D> {
         let [spare_c2, spare_l] = [(); 2].map(|()| 1.0 + next().abs() / 16.0);
         let second: SMatrix<f64, D, D> = m.tr_mul(&m);
         let step = (x1 - x2).norm();
-        // H at the same point is the same.
+        // At the same point H is the same.
         let change =
             if step == 0.0 { SMatrix::zeros() } else { (change + change.transpose()) * 0.5 };
         let l_h = if step == 0.0 { spare_l } else { spare_l * operator_norm(&change) / step };
@@ -51,7 +52,7 @@ impl<const D: usize> AnyTwoForms<D> {
 
 impl<const D: usize> Arbitrary for AnyTwoForms<D> {
     fn arbitrary(g: &mut Gen) -> Self {
-        // Every fourth entry is 0: equal points, equal vectors and singular matrices are drawn too.
+        // Every fourth entry is 0, which gives equal points, equal vectors and singular matrices.
         let entry = |g: &mut Gen| if u8::arbitrary(g) < 64 { 0 } else { i8::arbitrary(g) };
         Self((0..Self::LENGTH).map(|_| entry(g)).collect())
     }

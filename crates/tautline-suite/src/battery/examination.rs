@@ -1,13 +1,13 @@
-//! `Examination`: the suite as the library has passed it, and what it says of mutants.
+//! `Examination`: the suite as the library passes it, run on mutants.
 
 use tautline_statements::{Asked, Bounds, Mutant, Subject};
 
 use super::{Check, Failure, Scope, Trial, harness::Fingerprint, suite};
 
-/// What the paper's bounds, observed ≤ bound on random cases and nothing else, say of a mutant.
+/// What the paper's bounds alone, observed ≤ bound on random cases, show of a mutant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sight {
-    /// Every number that they compare is the library's, to the last bit: they say nothing of it.
+    /// Every number they compare is the library's, to the last bit.
     Unseen,
     /// They compare other numbers, and all of them hold.
     Passes,
@@ -15,10 +15,10 @@ pub enum Sight {
     Killed,
 }
 
-/// The suite of a scope, with what each check asked the library for.
+/// The suite of a scope, with the programs that each check called on the library.
 ///
-/// A check computes the same for a mutant unless it asks for what is wrong with it: only those that do are
-/// run.
+/// A check computes the same for a mutant unless it calls what is wrong with it, so only such
+/// checks run.
 #[derive(Clone, Debug)]
 pub struct Examination {
     scope: Scope,
@@ -26,7 +26,7 @@ pub struct Examination {
     checks: Vec<Passed>,
 }
 
-/// A check that the library has passed.
+/// A check that the library passed.
 #[derive(Clone, Copy, Debug)]
 struct Passed {
     check: Check,
@@ -35,7 +35,7 @@ struct Passed {
 }
 
 impl Examination {
-    /// Puts the library to the suite, on at most so many random cases a family.
+    /// Runs the suite on the library, with at most `cases` random cases per family.
     ///
     /// # Errors
     ///
@@ -45,15 +45,14 @@ impl Examination {
         let trial = Trial::new(&library, scope, cases);
         let mut checks = Vec::new();
         for check in suite().into_iter().filter(|check| check.is_in(scope)) {
-            let tally = check
-                .run(&trial)
-                .map_err(|failure| Failure::new(format!("{}: {failure}", check.name)))?;
+            let tally = check.run_by_name(&trial)?;
             checks.push(Passed { check, asked: library.take_asked(), compared: tally.compared() });
         }
         Ok(Self { scope, cases, checks })
     }
 
-    /// Returns the names of the first checks that a mutant fails on the same cases, in the suite's order.
+    /// Returns the names of the first `most` checks, in the suite's order, that a mutant fails on
+    /// the same cases.
     #[must_use]
     pub fn kills(&self, mutant: Mutant, most: usize) -> Vec<&'static str> {
         let subject = Subject::from(mutant);
@@ -67,9 +66,8 @@ impl Examination {
             .collect()
     }
 
-    /// Returns whether a mutant is seen and killed on the same cases.
-    ///
-    /// Whether a check sees it at all is read off the numbers, bit by bit.
+    /// Returns whether the checks see a mutant on the same cases, by the bits of their numbers, and
+    /// whether they kill it.
     #[must_use]
     pub fn sight(&self, mutant: Mutant) -> Sight {
         let subject = Subject::from(mutant);
@@ -85,7 +83,7 @@ impl Examination {
         sight
     }
 
-    /// Returns the checks that ask for what is wrong with a mutant.
+    /// Returns the checks that call what is wrong with a mutant.
     pub fn asking_for(&self, mutant: Mutant) -> impl Iterator<Item = &Check> {
         self.that_see(&Subject::from(mutant)).map(|passed| &passed.check)
     }

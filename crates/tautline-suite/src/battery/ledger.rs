@@ -1,29 +1,29 @@
-//! The ledger: what the whole suite says of each statement.
+//! The ledger: what the whole suite shows of each statement.
 
 use tautline_statements::{LIBRARY, Statement};
 
 use super::{Failure, Kind, Scope, Tally, Trial, suite};
 
-/// One statement, and what the suite says of it.
+/// What the suite shows of one statement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Entry {
     /// The statement.
     pub statement: Statement,
-    /// On how many random cases it was evaluated.
+    /// How many random cases evaluated it.
     pub cases: u64,
-    /// How many of these could have failed: the others hold whatever the bound is.
+    /// How many of these could have failed; the others hold for any bound.
     pub could_fail: u64,
     /// The least overestimation of these, a pure number; `∞` if none was seen.
     pub least_overestimation: f64,
     /// The least overestimation of its witnesses, a pure number.
     pub witness_overestimation: f64,
-    /// On how many cases that could have failed it was evaluated with numbers that are proved.
+    /// How many cases with proved numbers could have failed.
     pub proved: u64,
-    /// The hypotheses that were evaluated on the random cases, by their claims.
+    /// The claims of the hypotheses evaluated on random cases.
     pub hypotheses: Vec<&'static str>,
-    /// The hypotheses that were assumed of the random cases.
+    /// The claims of the hypotheses assumed of random cases.
     pub assumed: Vec<&'static str>,
-    /// The names of the checks that are about it.
+    /// The names of the checks about it.
     pub checks: Vec<&'static str>,
 }
 
@@ -38,9 +38,7 @@ pub fn ledger() -> Result<Vec<Entry>, Failure> {
     let (mut random, mut witnesses, mut proved) =
         (Tally::default(), Tally::default(), Tally::default());
     for check in &checks {
-        let tally = check
-            .run(&trial)
-            .map_err(|failure| Failure::new(format!("{}: {failure}", check.name)))?;
+        let tally = check.run_by_name(&trial)?;
         match check.kind {
             Kind::Random => random.extend(&tally),
             Kind::Witness => witnesses.extend(&tally),

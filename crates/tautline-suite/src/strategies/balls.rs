@@ -1,5 +1,5 @@
-//! Problems at random under metrics with constants on balls only: the ends are so near each other
-//! that the ball holds all competitors.
+//! Problems at random for metrics with constants on balls only, with ends so close that the ball
+//! holds all competitors.
 
 use std::{fmt::Debug, num::NonZeroUsize};
 
@@ -30,7 +30,7 @@ pub fn gaussian_fisher_nearby() -> impl Strategy<Value = Known<WithConstants<Gau
     nearby(GaussianFisher, vector::<2>(2.0), 0.02..0.8)
 }
 
-/// A point, a ball about it, and another point for which no competitor leaves the ball.
+/// A point, a ball about it, and a second point so close that no competitor leaves the ball.
 fn nearby<M, const D: usize>(
     metric: M,
     centre: impl Strategy<Value = SVector<f64, D>>,
@@ -49,8 +49,8 @@ where
     })
 }
 
-/// How far apart two points may be, in `ℓ`, if no competitor is to come `radius` from one of them: to
-/// ten percent.
+/// Returns how far apart two points may be, in `ℓ` and to ten percent, so that no competitor gets
+/// farther than `radius` from one of them.
 fn farthest<const D: usize>(constants: Constants, radius: f64) -> f64 {
     let everywhere = |_| Ok::<_, LocalError>(constants);
     let mut apart = radius;

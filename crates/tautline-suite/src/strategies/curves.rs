@@ -6,8 +6,8 @@ use tautline_statements::curves::{KinkedCurve, SmoothCurve};
 
 use super::points::vector;
 
-/// Polynomials of degree up to 4 with up to three waves, coefficients in `[−size, size]^D`; one in
-/// eight is linear.
+/// Polynomials of degree up to 4 plus up to three waves, with coefficients in `[−size, size]^D`;
+/// one in eight is forced to be linear.
 pub fn smooth_curve<const D: usize>(size: f64) -> impl Strategy<Value = SmoothCurve<D>> {
     let waves = vec([vector(size), vector(size)], 0..4);
     (vec(vector(size), 1..6), waves, 0..8_u8).prop_map(|(mut powers, waves, kind)| {
@@ -44,8 +44,7 @@ pub fn kinked_curve<const D: usize>(size: f64) -> impl Strategy<Value = KinkedCu
     })
 }
 
-/// Three times `0 ≤ s₁ ≤ s ≤ s₂ ≤ 1`, the first and the last apart; `s` is one of the ends in two
-/// cases of three.
+/// Three times `0 ≤ s₁ ≤ s ≤ s₂ ≤ 1` with `s₁ < s₂`; in two cases of three `s` is one of these.
 pub fn times() -> impl Strategy<Value = [f64; 3]> {
     ((0.0..1.0_f64, 0.0..1.0_f64), 0.0..1.0, 0..3_u8)
         .prop_filter("an interval", |((a, b), _, _)| (a - b).abs() >= 1e-3)

@@ -25,9 +25,8 @@ where
     (metric, two_points(2.5))
 }
 
-/// The sphere, and two points of the half that is farthest from the missing one.
-///
-/// A minimal geodesic between two points of that half stays in it.
+/// The sphere, and two points of the hemisphere farthest from the missing point. Minimal geodesics
+/// between such points stay in it.
 pub fn on_sphere<const D: usize>() -> impl Strategy<Value = (Sphere, [SVector<f64, D>; 2])> {
     (Just(Sphere), two_points(0.95 / (D as f64).sqrt()))
 }
@@ -38,8 +37,8 @@ pub fn in_hyperbolic_space<const D: usize>()
     (Just(Hyperbolic), two_points(0.85 / (D as f64).sqrt()))
 }
 
-/// A clock that never runs backwards: up to five pieces of durations within a factor of 20, every
-/// third of them a pause.
+/// A clock that never runs backwards, with up to five pieces whose durations lie within a factor of
+/// 20; one in three is a pause.
 pub fn clock() -> impl Strategy<Value = Clock> {
     let pieces = proptest::collection::vec((0.05..1.0, 0.0..1.0, 0..3_u8), 1..6);
     let paces = select(vec![Pace::Even, Pace::Accelerating, Pace::Smooth]);
@@ -47,7 +46,7 @@ pub fn clock() -> impl Strategy<Value = Clock> {
         let durations: Vec<f64> = pieces.iter().map(|piece| piece.0).collect();
         let steps: Vec<f64> =
             pieces.iter().map(|&(_, way, rests)| if rests == 0 { 0.0 } else { way }).collect();
-        // The last piece ends at 1 whatever its step is.
+        // The last piece always ends at 1.
         let total: f64 = steps.iter().sum::<f64>() + 0.1;
         let mut reading = 0.0;
         let mut readings = Vec::new();
@@ -81,7 +80,7 @@ fn segment<M: KnownDistance<D>, const D: usize>(
 ) -> Option<Known<M, D>> {
     let ends = tautline::Ends::points(a, b).expect("finite");
     let distance = metric.distance(&a, &b)?;
-    // Quadratures to 1e-15 of each of a few pieces.
+    // Quadratures to 1e-15 on each of a few pieces.
     let distance_error = 1e-14 * (distance + norm_squared(&metric, &a, &a).sqrt());
     Some(Known { metric, ends, distance, distance_error })
 }

@@ -1,4 +1,4 @@
-//! Metrics at random, of families whose distance is known.
+//! Metrics at random, with known distances.
 
 use proptest::prelude::*;
 use tautline::{

@@ -1,4 +1,4 @@
-//! Random cases for proptest: points, point sequences, curves, metrics and problems with known
+//! Proptest strategies: points, point sequences, curves, metrics, and problems with known
 //! distances.
 
 mod balls;

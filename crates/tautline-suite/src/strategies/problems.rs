@@ -4,15 +4,15 @@
 //! | --- | --- | --- |
 //! | constant `A` | points | `∣A^{1/2} (x − y)∣` |
 //! | | ball about `c`, half-space `{a·x ≥ b}` | `(b − a·c − r∣a∣) / (aᵀA⁻¹a)^{1/2}` |
-//! | | finite sets | the least of those of pairs |
+//! | | finite sets | the least over all pairs |
 //! | shear | points | `∣Φ(x) − Φ(y)∣` |
 //! | | ball, half-plane `{x₂ ≥ b}` | `b − c₂ − r`, since `Φ` keeps `x₂` |
 //! | separable | points | `∣F(x) − F(y)∣` |
 //! | | box, half-space `{xᵢ ≥ b}` | `Fᵢ(b) − Fᵢ(uᵢ)`, since `F` maps boxes to boxes |
-//! | | box, box | that of the boxes `F` maps them to |
+//! | | box, box | the distance of their images under `F`, which are boxes |
 //! | ramp | points | `∣F(x) − F(y)∣` |
 //! | valleys | points along `x₁` | `F(b) − F(a)` |
-//! | | points across | by Clairaut's relation, where it has a solution |
+//! | | points across | by Clairaut's relation, if it has a solution |
 //! | | ball, half-space `{x₁ ≥ b}` | `F(b) − F(c₁ + r)`, since `∣∇F(x₁)∣ = f` everywhere |
 
 use std::fmt::Debug;
@@ -29,11 +29,11 @@ use super::{
     points::{two_points, vector},
 };
 
-/// Rounding of a distance in the families of sets: differences of two numbers up to 20 with some
-/// four roundings each.
+/// The rounding of a distance of sets: a difference of two numbers up to 20 with some four
+/// roundings each.
 const DISTANCE_ERROR: f64 = 2e-14;
 
-/// A problem of a family of sets: `distance` is exact up to rounding.
+/// A problem from set to set, whose distance is exact up to rounding.
 fn known<M, const D: usize>(metric: M, ends: Ends<D>, distance: f64) -> Known<M, D> {
     Known { metric, ends, distance, distance_error: DISTANCE_ERROR }
 }
@@ -74,7 +74,7 @@ pub fn constant_ball_half_space<const D: usize>() -> impl Strategy<Value = Known
     })
 }
 
-/// Up to four points in each set: the nearest pair in the plane need not be the one under `A`.
+/// Up to four points in each set: the Euclidean nearest pair need not be the nearest one under `A`.
 pub fn constant_finite_sets() -> impl Strategy<Value = Known<Constant<2>, 2>> {
     let points = || proptest::collection::vec(vector::<2>(2.0), 1..5);
     (constant::<2>(), points(), points()).prop_filter_map(
@@ -145,7 +145,6 @@ pub fn separable_boxes<const D: usize>() -> impl Strategy<Value = Known<Separabl
 
 /// The valleys, along `x₁`, over up to two ridges.
 pub fn valleys_along() -> impl Strategy<Value = Known<Valleys, 2>> {
-    // Up to two ridges.
     (-3.0..3.0, -2.0..2.0, 0.2..13.0)
         .prop_filter_map("along x₁", |(a, x2, length): (f64, _, _)| {
             between(Valleys, [[a, x2].into(), [a + length, x2].into()])
@@ -157,8 +156,8 @@ pub fn valleys_across<const D: usize>() -> impl Strategy<Value = Known<Valleys, 
     points(Just(Valleys))
 }
 
-/// `F` with `F′ = f = 2 − cos x₁`: `u(x) = F(x₁)` has `|∇u| = f`, so that no curve from `x` to `y`
-/// is shorter than `u(y) − u(x)`.
+/// `F` with `F′ = f = 2 − cos x₁`: since `u(x) = F(x₁)` has `|∇u| = f`, no curve from `x` to `y` is
+/// shorter than `u(y) − u(x)`.
 fn climb(x1: f64) -> f64 {
     2.0 * x1 - x1.sin()
 }

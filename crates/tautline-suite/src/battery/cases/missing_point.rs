@@ -23,7 +23,8 @@ impl Curve<2> for TwoArcs {
     }
 }
 
-/// Returns the curve from `(2, 0)` by `(0, r)` to `(−2, 0)`, and the length of the shortest way out.
+/// Returns the curve from `(2, 0)` by `(0, r)` to `(−2, 0)`, and the length of the shortest way
+/// out.
 ///
 /// The short way on the sphere, `4 arctan ½`, leads over the missing point. The lengths of these
 /// curves tend to it like `d + c/r²` as `r → ∞`, but no curve attains it.

@@ -101,7 +101,7 @@ impl<Q: Question> Problems<Q> {
         ])
     }
 
-    /// In two systems of units each.
+    /// In two systems of units.
     pub(crate) fn homogeneous(self, trial: &Trial<'_>) -> Outcome {
         all([
             self.in_units(trial, 0, shear_ball_half_plane()),

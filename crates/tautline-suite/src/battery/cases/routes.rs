@@ -1,4 +1,4 @@
-//! Routes of one chord on the line, on which the rules read too much or too little of `H`.
+//! Routes of one chord on the line, where a rule reads too much or too little of `H`.
 
 use tautline::{Constants, Ends, FiniteSet, gallery::Constant};
 use tautline_statements::{
@@ -8,16 +8,16 @@ use tautline_statements::{
 
 use super::{claiming, minimum};
 
-/// The slope of all profiles here: `δ` is as much, up to a percent of it.
+/// The slope of all profiles here; `δ` is the same, up to a percent.
 pub(crate) const SLOPE: f64 = 1e-3;
 
-/// By how much the wrong route seems shorter: ten times what the solver takes for a tie.
+/// How much shorter the wrong route seems: ten times what the solver takes for a tie.
 pub(crate) const MARGIN: f64 = 1e-8;
 
 /// The values of `H` along a route: `[s, H]` at three knots.
 pub(crate) type Knots = [[f64; 2]; 3];
 
-/// Along a route of length 1: a slope up to the middle and another one down from it.
+/// Two opposite slopes on a route of length 1.
 fn tent(foot: f64, tip: f64) -> Knots {
     [[0.0, foot], [0.5, tip], [1.0, foot]]
 }
@@ -52,8 +52,8 @@ pub(crate) fn steep(knots: Knots) -> Knots {
     knots.map(|[s, h]| [s, 1.0 + 0.1 / SLOPE * (h - 1.0)])
 }
 
-/// Two routes with the same reading of the rule, of which the longer one seems shorter by
-/// [`MARGIN`]: `H` is read at the top of the first and at the bottom of the second.
+/// Two routes, of which the longer one seems shorter by [`MARGIN`]: the rule reads `H` at the top
+/// of the first and at the bottom of the second.
 pub(crate) fn misleading(rule: PaperRule) -> [Knots; 2] {
     match rule {
         PaperRule::Trapezoidal => [ridge(1.0), valley(1.0 + 0.5 * SLOPE - MARGIN)],

@@ -2,7 +2,7 @@
 
 use tautline_statements::Statement;
 
-use super::{Outcome, Scope, Tally, Trial};
+use super::{Failure, Outcome, Scope, Tally, Trial};
 
 /// What a check shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -58,6 +58,11 @@ impl Check {
     /// [`Failure`](super::Failure) with the two numbers that show it.
     pub fn run(&self, trial: &Trial<'_>) -> Outcome {
         (self.run)(trial)
+    }
+
+    /// Runs the check; a failure begins with its name.
+    pub(crate) fn run_by_name(&self, trial: &Trial<'_>) -> Outcome {
+        self.run(trial).map_err(|failure| Failure::new(format!("{}: {failure}", self.name)))
     }
 
     /// Returns whether the check belongs to the suite of this scope. The paper's bounds alone only

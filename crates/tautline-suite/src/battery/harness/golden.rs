@@ -6,7 +6,8 @@ use super::{Failure, close};
 pub(crate) struct Golden(Vec<(&'static str, f64)>);
 
 impl Golden {
-    /// Reads the row of a problem from a CSV table with a head; lines that begin with `#` are comments.
+    /// Reads the row of a problem from a CSV table with a head; lines that begin with `#` are
+    /// comments.
     pub(crate) fn of(table: &'static str, problem: &str) -> Self {
         let mut lines = table.lines().filter(|line| !line.starts_with('#'));
         let head = lines.next().expect("a head").split(',');

@@ -1,4 +1,4 @@
-//! The theorems speak of global minimisers: on the line, the solver finds them.
+//! The theorems are about global minimisers; on the line, the solver finds them.
 
 use nalgebra::SVector;
 use tautline::{
@@ -41,10 +41,10 @@ const GRIDS: [usize; 16] = [1, 2, 3, 4, 6, 8, 10, 12, 16, 18, 24, 33, 48, 64, 96
 /// which `embed` places in the space of the problem.
 ///
 /// - `E_N ≤` the minimum on the grid: no sequence of grid points is better;
-/// - `E_N ≤` what the search makes of that sequence: neither is one close to it;
-/// - `E_N ≥` the minimum on the grid less the grid's error, as it must.
+/// - `E_N ≤` what a local search from that sequence finds: no sequence close to it is better;
+/// - `E_N ≥` the minimum on the grid less the grid's error.
 ///
-/// All grids are tried before the check fails, so that its message has all that were missed.
+/// The check tries all grids before it fails, so that its message has all misses.
 fn is_global<M: Metric<D>, R: Rule, const D: usize>(
     trial: &Trial<'_>,
     (metric, ends): (&M, &Ends<D>),
@@ -99,8 +99,7 @@ fn over_the_valleys(trial: &Trial<'_>, rule: impl Rule, theta: f64) -> Outcome {
     is_global(trial, (&Valleys, &ends), rule, &line, |x| SVector::from([x, 0.0]))
 }
 
-/// The same on the line, where the metric is monotone and nothing is gained by jumps, both up
-/// and down the ramp.
+/// On the line, up and down a ramp: the metric is monotone, and jumps gain nothing.
 fn on_a_ramp(trial: &Trial<'_>) -> Outcome {
     all([0.5, -0.7].map(|amplitude| {
         let ramp = Ramp::new(amplitude, 1.5).expect("valid");

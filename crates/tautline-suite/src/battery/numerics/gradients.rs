@@ -1,8 +1,8 @@
-//! The gradient of a discrete energy against differences of the energy itself.
+//! The gradient of a discrete energy against differences of the energy.
 //!
-//! Of central differences with the step `h`, the error is `h² ∂³E/6 + …`: of the order 2 exactly if
-//! the gradient is right, and 0 otherwise. The slope of its logarithm tells, without a tolerance
-//! for the size of the error.
+//! The error of central differences with the step `h` is `h² ∂³E/6 + …`, of order 2 if the gradient
+//! is right and of order 0 otherwise. The slope of its logarithm shows which, without a tolerance
+//! for its size.
 
 use nalgebra::SVector;
 use tautline::{
@@ -29,8 +29,8 @@ pub(crate) const CHECKS: &[Check] =
         ])
     })];
 
-/// The steps: the next term of the error is `h²/20` of the first, times the square of a wave number
-/// up to 4, and rounding is `ε E/h`, some `10⁻¹³`, beside `h²`.
+/// The steps. The next term of the error is `h²/20` of the first, times the square of a wave number
+/// up to 4; rounding is `ε E/h`, some `10⁻¹³`, against `h²`.
 const STEPS: [f64; 4] = [0.04, 0.02, 0.01, 0.005];
 
 /// A point sequence of `N = 7` without any symmetry.
@@ -66,7 +66,7 @@ fn slopes<M: Metric<D>, R: Rule, const D: usize>(
     };
     let mut errors = Vec::new();
     for step in STEPS {
-        // Over several directions, in none of which alone ∂³E need be far from 0.
+        // Several directions, since in a single one ∂³E may be near 0.
         let mut squares = 0.0;
         for k in 0..8 {
             let along = direction(k);

@@ -1,5 +1,5 @@
-//! The leading constants of the errors: what a theory of the smooth case predicts, and what
-//! another program measured.
+//! The leading constants of the errors: predictions for the smooth case, and measurements of
+//! another program.
 //!
 //! For a minimal geodesic `γ` that is unique and not degenerate,
 //!
@@ -40,15 +40,15 @@ struct Case<M, const D: usize> {
     metric: M,
     ends: [[f64; D]; 2],
     d2: f64,
-    /// What [`scaled_errors`] was at `N = 256` for both rules, in another program.
+    /// [`scaled_errors`] at `N = 256` for both rules, from another program.
     measured: [[f64; 3]; 2],
     /// The limits for the trapezoidal rule, and that of `N (E_l,N − d²)`.
     trapezoidal: [f64; 3],
     left: f64,
 }
 
-/// `N^q (E_N − d²)`, `N² (E(γᵖˡ) − d²)` and `N² (L(γᵖˡ)² − d²)`, with the order `q` of the rule;
-/// and how far the last two are moved by what is left to minimise.
+/// Returns `N^q (E_N − d²)`, `N² (E(γᵖˡ) − d²)` and `N² (L(γᵖˡ)² − d²)`, with the order `q` of the
+/// rule; and how far incomplete convergence may move the last two.
 fn scaled_errors<M: Metric<D>, R: Rule, const D: usize>(
     subject: &Subject,
     case: &Case<M, D>,
@@ -67,9 +67,9 @@ fn scaled_errors<M: Metric<D>, R: Rule, const D: usize>(
         count * count * excess,
         count * count * (length.powi(2) - case.d2),
     ];
-    // E_N is stationary, but E(γᵖˡ) is not: where E_N may still fall by ε = decrement · E, the
-    // points are √ε off, in the norm of the Hessian, and E(γᵖˡ) has the slope 2 (excess)^{1/2}.
-    // A search that has converged leaves no more than 10⁻¹⁸ or rounding, whatever it reports.
+    // E_N is stationary, but E(γᵖˡ) is not. If E_N may still fall by ε = decrement · E, the points
+    // are √ε off in the norm of the Hessian, and E(γᵖˡ) has the slope 2 (excess)^{1/2}. A converged
+    // search leaves at most 10⁻¹⁸ or rounding, whatever it reports.
     let left_over = minimum.decrement.min(1e-15) * discrete_energy;
     Ok((errors, count * count * 2.0 * (left_over * excess.max(0.0)).sqrt()))
 }
@@ -87,8 +87,7 @@ fn check<M: Metric<D>, const D: usize>(subject: &Subject, case: &Case<M, D>) -> 
             close(&format!("{} at 256", NAMES[i]), values[i], measured[i], tolerance)?;
         }
     }
-    // Expansions in 1/N²: one extrapolation from 256 and 512 leaves the relative error of some
-    // (10/N)⁴ < 1e-6.
+    // Expansions in 1/N²: one extrapolation from 256 and 512 leaves a relative (10/N)⁴ < 1e-6.
     let (coarse, fine) = (trapezoidal(256)?, trapezoidal(512)?);
     for i in 0..3 {
         let limit = (4.0 * fine.0[i] - coarse.0[i]) / 3.0;

@@ -1,4 +1,4 @@
-//! The observed orders: on smooth data both rules do better than the theorems ask for.
+//! The observed orders: on smooth data both rules do better than the theorems guarantee.
 //!
 //! `E(γᵖˡ) − d²` falls like `N⁻²` for both rules, `E_tra,N − d²` like `N⁻²`, and `E_l,N − d²` like
 //! `N⁻¹` unless `∫ DH[γ̇](γ̇, γ̇) dt` is zero by symmetry.
@@ -41,12 +41,12 @@ pub(crate) const CHECKS: &[Check] = &[
     ),
 ];
 
-/// The grids of the fits: beyond the first few terms of the expansion in `1/N`, and with
+/// The grids of the fits: so fine that the first terms of the expansion in `1/N` dominate, with
 /// errors above `10⁻⁷ d²`, far above rounding.
 const WINDOW: [usize; 4] = [128, 256, 512, 1024];
 
-/// How far a slope may be from the order. The next term of an expansion is smaller by some
-/// `10/N`; over the window that tilts the line by less than 0.04.
+/// How far a slope may be from the order. The next term of an expansion is smaller by some `10/N`,
+/// which tilts the line by less than 0.04 over the window.
 const TILT: f64 = 0.05;
 
 /// `(N, |E_N − d²|)` and `(N, E(γᵖˡ) − d²)` over the window.

@@ -1,5 +1,5 @@
-//! Statements for proved numbers: energies and lengths with outward rounding, and constants from the
-//! formula alone.
+//! Statements for proved numbers: energies and lengths with outward rounding, and constants from
+//! the formula alone.
 
 use nalgebra::SVector;
 use proptest::prelude::*;
@@ -36,8 +36,8 @@ pub(crate) const CHECKS: &[Check] = &[
     Proved.check("energies_and_lengths_lie_between_their_bounds", GAPS, lie_between),
 ];
 
-/// `c₁`, `c₂` and `L_H` of a periodic metric, on the safe side, proved to one percent on all of
-/// space.
+/// `c₁`, `c₂` and `L_H` of a periodic metric, proved on all of space to one percent, on the safe
+/// side.
 fn constants<const D: usize>(metric: &impl Metric<D>) -> Result<[Interval; 3], VerifyError> {
     let space = Domain::space(metric);
     if !space.is_all_of_space() {
@@ -135,8 +135,8 @@ fn hold(trial: &Trial<'_>) -> Outcome {
     )
 }
 
-/// The numbers computed in doubles lie between the proved bounds, up to their own errors. The bounds
-/// are so narrow that no other quantity would.
+/// The numbers computed in doubles lie between the proved bounds, up to their own errors. The
+/// bounds are so narrow that no other quantity would.
 fn lie_between(trial: &Trial<'_>) -> Outcome {
     trial.for_all(3311, 64, (shear(), sequence::<2>(3.0)), |subject, (metric, points)| {
         let polygon = Polygon::new(&points);
@@ -160,7 +160,7 @@ fn lie_between(trial: &Trial<'_>) -> Outcome {
         let outside =
             |value: f64, bounds: Interval| (bounds.lo() - value).max(value - bounds.hi()).max(0.0);
         Ok(pairs.map(|(statement, unit, value, error, bounds)| {
-            // A dozen roundings a term, of nonnegative terms.
+            // A dozen roundings for each nonnegative term.
             let granted = error + 1e-14 * bounds.hi();
             let observed = [outside(value, bounds), 0.0];
             Evidence::of(statement).sharper("lies in its enclosure", unit, observed, granted)

@@ -118,8 +118,8 @@ fn claim_fails_without(hypothesis: &str, claim: &str, evidence: Evidence) -> Out
 }
 
 /// From `{x₂ ≤ 0}` to `{x₂ ≥ e^{−x₁}}` under `H = I`: straight up at `x₁` costs `e^{−2x₁}`, so that
-/// every candidate is beaten farther to the right. The infimum 0 is not attained, and [`Ends`] refuses
-/// the pair.
+/// every candidate is beaten farther to the right. The infimum 0 is not attained, and [`Ends`]
+/// refuses the pair.
 fn both_unbounded(_: &Trial<'_>) -> Outcome {
     let floor = HalfSpace::new([0.0, 1.0], 0.0)?;
     let refused = Ends::new(floor, AboveExponential);

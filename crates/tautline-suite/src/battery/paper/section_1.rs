@@ -66,7 +66,7 @@ pub(crate) fn of_minimiser<const D: usize>(
     }
 }
 
-/// What [`of_minimiser`] says, as a question to random problems.
+/// The evidence of [`of_minimiser`] on random problems.
 #[derive(Clone, Copy)]
 struct PaperTheorems;
 

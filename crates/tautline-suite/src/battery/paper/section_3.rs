@@ -8,7 +8,7 @@ use tautline::{
     gallery::{Constant, Hyperbolic, Sphere, Valleys},
 };
 use tautline_statements::{
-    Evidence, Known, LIBRARY,
+    Evidence, Known, LIBRARY, Statement,
     Statement::{Proposition3_1, Proposition3_2, Proposition3_3},
     Subject, VerifyError, WayOut,
     curves::{Clock, Curve, Geodesic, KnownGeodesics, Motion, Pace, Reparametrised},
@@ -28,27 +28,23 @@ use crate::strategies::{
     valleys_across, valleys_along, vector,
 };
 
+const P31: &[Statement] = &[Proposition3_1];
+const P32: &[Statement] = &[Proposition3_2];
+const P33: &[Statement] = &[Proposition3_3];
+
 pub(crate) const CHECKS: &[Check] = &[
-    Random.check("prop_3_1_holds_for_geodesics", &[Proposition3_1], speeds),
-    Homogeneous.check("prop_3_1_is_homogeneous", &[Proposition3_1], |trial| {
+    Random.check("prop_3_1_holds_for_geodesics", P31, speeds),
+    Homogeneous.check("prop_3_1_is_homogeneous", P31, |trial| {
         trial.homogeneous(3120, 128, joined(shear()), |subject, (metric, ends), units| {
             let metric = units.metric(metric);
             let curve = Geodesic::between(&metric, ends.map(|x| units.vector(x)));
             Ok([prop_3_1(subject, &metric, &curve)?])
         })
     }),
-    Witness.check(
-        "prop_3_1_is_attained_by_every_geodesic_minimal_or_not",
-        &[Proposition3_1],
-        long_great_circles,
-    ),
-    Dropped.check(
-        "prop_3_1_fails_for_curves_that_are_not_geodesics",
-        &[Proposition3_1],
-        dropped_equation,
-    ),
-    Random.check("prop_3_2_holds_in_complete_spaces", &[Proposition3_2], joins),
-    Homogeneous.check("prop_3_2_is_homogeneous", &[Proposition3_2], |trial| {
+    Witness.check("prop_3_1_is_attained_by_every_geodesic_minimal_or_not", P31, long_great_circles),
+    Dropped.check("prop_3_1_fails_for_curves_that_are_not_geodesics", P31, dropped_equation),
+    Random.check("prop_3_2_holds_in_complete_spaces", P32, joins),
+    Homogeneous.check("prop_3_2_is_homogeneous", P32, |trial| {
         trial.homogeneous(3220, 128, joined(shear()), |subject, (metric, ends), units| {
             let metric = units.metric(metric);
             let ends = ends.map(|x| units.vector(x));
@@ -58,28 +54,20 @@ pub(crate) const CHECKS: &[Check] = &[
             Ok([prop_3_2(subject, &known, &curve, way_out)?])
         })
     }),
-    Witness.check("prop_3_2_is_attained_by_the_known_geodesics", &[Proposition3_2], |trial| {
+    Witness.check("prop_3_2_is_attained_by_the_known_geodesics", P32, |trial| {
         trial.for_all(3230, 128, joined(separable::<2>()), |subject, (metric, ends)| {
             Ok([shown(subject, &metric, ends)?.attained()?])
         })
     }),
-    Dropped.check(
-        "prop_3_2_fails_on_the_sphere_without_a_point",
-        &[Proposition3_2],
-        dropped_completeness,
-    ),
-    Random.check("prop_3_3_holds_between_points", &[Proposition3_3], squeezed),
-    Homogeneous.check("prop_3_3_is_homogeneous", &[Proposition3_3], |trial| {
+    Dropped.check("prop_3_2_fails_on_the_sphere_without_a_point", P32, dropped_completeness),
+    Random.check("prop_3_3_holds_between_points", P33, squeezed),
+    Homogeneous.check("prop_3_3_is_homogeneous", P33, |trial| {
         trial.homogeneous(3320, 128, points(shear()), |subject, known, units| {
             Ok([prop_3_3(subject, &units.known(known)?)?])
         })
     }),
-    Witness.check(
-        "prop_3_3_is_attained_by_constant_metrics",
-        &[Proposition3_3],
-        attained_by_constant_metrics,
-    ),
-    Dropped.check("prop_3_3_fails_without_its_constants", &[Proposition3_3], dropped_constants),
+    Witness.check("prop_3_3_is_attained_by_constant_metrics", P33, attained_by_constant_metrics),
+    Dropped.check("prop_3_3_fails_without_its_constants", P33, dropped_constants),
 ];
 
 fn speeds(trial: &Trial<'_>) -> Outcome {
@@ -104,8 +92,8 @@ fn speeds(trial: &Trial<'_>) -> Outcome {
     )
 }
 
-/// Great circles of lengths up to `2π`. Their tilt against the equator `|x| = 1` is less than `45°`,
-/// which keeps them away from the missing point.
+/// Great circles of lengths up to `2π`. Their tilt against the equator `|x| = 1` is less than
+/// `45°`, which keeps them away from the missing point.
 fn long_great_circles(trial: &Trial<'_>) -> Outcome {
     let circles = (0.0..TAU, 0.5..TAU, -0.7..0.7);
     trial.for_all(3130, 256, circles, |subject, (from, length, tilt): (f64, f64, f64)| {

@@ -56,7 +56,8 @@ fn evidence(
     ])
 }
 
-/// Sequences with detours, and such as a minimiser of a length: from valley to valley.
+/// Sequences with detours, and sequences from valley to valley, as the minimisers of the lengths
+/// are.
 fn random(trial: &Trial<'_>) -> Outcome {
     all([
         trial.for_all(5101, 768, sequence::<2>(15.0), |subject, sequence| {
@@ -92,7 +93,7 @@ fn attained(trial: &Trial<'_>) -> Outcome {
     if !distance.is_some_and(|d| (d - 8.0 * PI).abs() <= 1e-14) {
         return Err(Failure::new(format!("the distance is {distance:?}, not 8π")));
     }
-    // As an overestimation: up to rounding, and far below the next longer sequences.
+    // The overestimation up to rounding, far below that of the next longer sequences.
     const ONE: f64 = 1.0 + 1e-12;
     let mut found = Vec::new();
     for n in [1, 2, 3, 4, 7, 30] {
@@ -114,8 +115,8 @@ fn attained(trial: &Trial<'_>) -> Outcome {
     trial.one(found)
 }
 
-/// All sequences on a grid with detours, steps back and both sides of the ends: exactly
-/// `N (N + 1)/2` attain `4π` by the left rule and exactly `N` by the trapezoidal rule, the
+/// All sequences on a grid, with detours, steps back and both sides of the ends: exactly
+/// `N (N + 1)/2` attain `4π` for the left rule and exactly `N` for the trapezoidal rule, the
 /// constructed ones.
 fn counted(trial: &Trial<'_>) -> Outcome {
     let grid: Vec<SVector<f64, 2>> = (-3..=15)
@@ -129,7 +130,7 @@ fn counted(trial: &Trial<'_>) -> Outcome {
             points.extend(inner);
             points.push(SVector::from([2.0 * TAU, 0.0]));
             let line = PointSequence::new(points)?;
-            // The next longer one is longer by the ridge of π/3, by far more than rounding.
+            // The next longer one crosses the ridge at π/3, which adds far more than rounding.
             let attains = |length: f64| usize::from((length - 4.0 * PI).abs() <= 1e-12);
             left += attains(trial.subject.discrete_length(LeftEndpoint, &Valleys, &line));
             trapezoidal += attains(trial.subject.discrete_length(Trapezoidal, &Valleys, &line));
@@ -142,9 +143,9 @@ fn counted(trial: &Trial<'_>) -> Outcome {
     Ok(Default::default())
 }
 
-/// From a valley up to a ridge and back, `0, π` and `π, 0`: `π` and `3π` by the left rule, and
-/// `π f(π/2) = 2π` both ways by the trapezoidal rule. The minima alone do not tell the left end of
-/// a chord from its right one.
+/// From a valley up to a ridge and back, `0, π` and `π, 0`: `π` and `3π` for the left rule, and
+/// `π f(π/2) = 2π` both ways for the trapezoidal rule. The minima alone do not distinguish the left
+/// end of a chord from the right one.
 fn left_is_left(trial: &Trial<'_>) -> Outcome {
     for ([a, b], left, trapezoidal) in [([0.0, PI], PI, 2.0 * PI), ([PI, 0.0], 3.0 * PI, 2.0 * PI)]
     {
@@ -157,9 +158,9 @@ fn left_is_left(trial: &Trial<'_>) -> Outcome {
     Ok(Default::default())
 }
 
-/// One chord up to the first ridge, from 0 to `π`, is read in the valley by the left rule and
-/// half-way up by the trapezoidal rule: `π` and `2π`. One down from the last, from `3π` to `4π`, is
-/// `3π` and `2π` long. All are less than `4π`.
+/// On one chord up to the first ridge, from 0 to `π`, the left rule reads the valley and the
+/// trapezoidal rule half-way up: `π` and `2π`. One chord down from the last ridge, from `3π` to
+/// `4π`, has the lengths `3π` and `2π`. All are less than `4π`.
 fn other_ends(_: &Trial<'_>) -> Outcome {
     let mut outcomes = Vec::new();
     for ([a, b], clause, lengths) in [
@@ -181,8 +182,8 @@ fn valleys() -> Result<Ends<2>, VerifyError> {
     Ok(Ends::points([0.0, 0.0], [2.0 * TAU, 0.0])?)
 }
 
-/// One jump has the discrete energy `16π²N`, which is less than `d² = 64π²` for `N ≤ 3`, while the
-/// curve has `72π²N`: at small `N` the minima of the discrete energies undershoot too.
+/// One jump has discrete energy `16π²N`, less than `d² = 64π²` for `N ≤ 3`, while the curve has
+/// `72π²N`: at small `N` the minima of the discrete energies undershoot too.
 fn one_jump(trial: &Trial<'_>) -> Outcome {
     let (subject, d2) = (trial.subject, 64.0 * PI * PI);
     for n in 1..=8 {
@@ -208,7 +209,7 @@ fn one_jump(trial: &Trial<'_>) -> Outcome {
     Ok(Default::default())
 }
 
-/// `√E_N → 8π`, as the lengths do not. With `γ̇ = d/f` and `dt = f dx/d` the leading constants are
+/// `√E_N → 8π`, unlike the lengths. With `γ̇ = d/f` and `dt = f dx/d` the leading constants are
 ///
 /// ```text
 /// (1/12) ∫ γ̈ᵀHγ̈ dt = (d³/12) ∫ f′²/f³ dx = (d³/24) ∫ f″/f² dx = d³ π/18√3
@@ -222,13 +223,13 @@ fn roots_converge(trial: &Trial<'_>) -> Outcome {
         let curve = subject.curve_energy(&Valleys, &line).value;
         Ok([discrete, curve].map(|e| (n * n) as f64 * (e - d2)))
     };
-    // What another program measured at N = 256, to six decimals. Rounding: 2^16 times some ulp
-    // of 632, 1e-13. The energy of the curve is not stationary: decrements of 1e-18 of 632 move
-    // it by 2 (632e-18 · 0.024)^{1/2} = 8e-9, times 2^16.
+    // Measured by another program at N = 256, to six decimals. Rounding: 2^16 times some ulp of
+    // 632, 1e-13. The energy of the curve is not stationary: decrements of 1e-18 of 632 move it by
+    // 2 (632e-18 · 0.024)^{1/2} = 8e-9, times 2^16.
     let [discrete, curve] = scaled(256)?;
     close("N² (E_tra,N − d²) at 256", discrete, -3201.762884, 1e-6)?;
     close("N² (E(γᵖˡ) − d²) at 256", curve, 1604.101685, 6e-4)?;
-    // Extrapolated once, the next term is (10/256)⁴ of it.
+    // After one extrapolation the next term is smaller by (10/256)⁴.
     let (coarse, fine) = (scaled(512)?, scaled(1024)?);
     let [discrete, curve] = [0, 1].map(|i| (4.0 * fine[i] - coarse[i]) / 3.0);
     let expected = (8.0 * PI).powi(3) * PI / (9.0 * 3_f64.sqrt());
@@ -236,7 +237,7 @@ fn roots_converge(trial: &Trial<'_>) -> Outcome {
     close("N² (E(γᵖˡ) − d²)", curve, 0.5 * expected, 1e-5 * expected)?;
     let left = subject.minimise(LeftEndpoint, &Valleys, &ends, 4096)?;
     let root = subject.discrete_energy(LeftEndpoint, &Valleys, &left.sequence).sqrt();
-    // Of order 2 too, by symmetry; some ten times the constant.
+    // Of order 2 too, by symmetry, with some ten times the constant.
     close("√E_l,N", root, 8.0 * PI, 1e4 / (4096.0 * 4096.0))?;
     Ok(Default::default())
 }

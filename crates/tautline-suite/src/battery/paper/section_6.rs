@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 use tautline::{Bounded, KnownDistance, PointSequence};
 use tautline_statements::{
-    Evidence, Known, LIBRARY, NearestPair, PaperRule, Reconstruction,
+    Evidence, Known, LIBRARY, NearestPair, PaperRule, Reconstruction, Statement,
     Statement::{Proposition6_1, Proposition6_2, Proposition6_3},
     Subject, Unit, VerifyError, WayOut,
     curves::{Geodesic, Measured, Reparametrised},
@@ -24,51 +24,47 @@ use crate::strategies::{
     valleys_across, valleys_along, valleys_ball_half_space, vector,
 };
 
+const P61: &[Statement] = &[Proposition6_1];
+const P62: &[Statement] = &[Proposition6_2];
+const P63: &[Statement] = &[Proposition6_3];
+
 pub(crate) const CHECKS: &[Check] = &[
-    Random.check("prop_6_1_holds_for_random_polygons", &[Proposition6_1], polygons),
-    Random.check(
-        "prop_6_1_holds_for_geodesics_run_through_by_any_clock",
-        &[Proposition6_1],
-        clocks,
-    ),
-    Homogeneous.check("prop_6_1_is_homogeneous", &[Proposition6_1], |trial| {
+    Random.check("prop_6_1_holds_for_random_polygons", P61, polygons),
+    Random.check("prop_6_1_holds_for_geodesics_run_through_by_any_clock", P61, clocks),
+    Homogeneous.check("prop_6_1_is_homogeneous", P61, |trial| {
         let cases = (points(shear()), sequence(4.0));
         trial.homogeneous(6120, 96, cases, |subject, (known, sequence), units| {
             polygon(subject, &units.known(known)?, units.sequence(&sequence)?, prop_6_1)
         })
     }),
-    Witness.check("prop_6_1_is_attained_by_minimal_geodesics", &[Proposition6_1], attained),
+    Witness.check("prop_6_1_is_attained_by_minimal_geodesics", P61, attained),
     Witness.check(
         "prop_6_1_is_attained_by_straight_lines_of_constant_metrics",
-        &[Proposition6_1],
+        P61,
         straight_lines,
     ),
-    Random.check("prop_6_2_holds_for_computed_pairs", &[Proposition6_2], pairs),
-    Homogeneous.check("prop_6_2_is_homogeneous", &[Proposition6_2], |trial| {
+    Random.check("prop_6_2_holds_for_computed_pairs", P62, pairs),
+    Homogeneous.check("prop_6_2_is_homogeneous", P62, |trial| {
         let cases = (constant_ball_half_space::<2>(), vector(4.0));
         trial.homogeneous(6220, 64, cases, |subject, (known, probe), units| {
             nearest(subject, &units.known(known)?, units.vector(probe))
         })
     }),
-    Witness.check("prop_6_2_is_attained_by_finite_sets", &[Proposition6_2], |trial| {
+    Witness.check("prop_6_2_is_attained_by_finite_sets", P62, |trial| {
         let cases = (constant_finite_sets(), vector(4.0));
         trial.for_all(6230, 128, cases, |subject, (known, probe)| {
             let [evidence] = nearest(subject, &known, probe)?;
             Ok([evidence.attained()?])
         })
     }),
-    Random.check("prop_6_3_holds_for_random_polygons", &[Proposition6_3], set_polygons),
-    Homogeneous.check("prop_6_3_is_homogeneous", &[Proposition6_3], |trial| {
+    Random.check("prop_6_3_holds_for_random_polygons", P63, set_polygons),
+    Homogeneous.check("prop_6_3_is_homogeneous", P63, |trial| {
         let cases = (shear_ball_half_plane(), sequence(4.0));
         trial.homogeneous(6320, 96, cases, |subject, (known, sequence), units| {
             polygon(subject, &units.known(known)?, units.sequence(&sequence)?, prop_6_3)
         })
     }),
-    Witness.check(
-        "prop_6_3_is_attained_between_a_ball_and_a_half_space",
-        &[Proposition6_3],
-        nearest_lines,
-    ),
+    Witness.check("prop_6_3_is_attained_between_a_ball_and_a_half_space", P63, nearest_lines),
 ];
 
 /// Proposition 6.1 or 6.3, which have the same form.
@@ -173,7 +169,7 @@ fn attained(trial: &Trial<'_>) -> Outcome {
                 both_attained(prop_6_1(subject, &known, &seen))?,
                 prop_6_1_minimiser(subject, &known, &curve)?.attained()?,
             ];
-            // On the sphere, which lacks a point, only near points are sure to have a shortest curve.
+            // The sphere lacks a point: only near points are sure to have a shortest curve.
             let way_out = WayOut::from(&metric, &ends[0]);
             let near = way_out.exceeds(known.distance);
             let shown = near.then(|| prop_6_1_attained(subject, &known, &seen, way_out));
@@ -195,8 +191,8 @@ fn straight_lines(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// Proposition 6.2 for the ends of the trapezoidal minimiser with `N = 8`, beside the projections of
-/// one more point to both sets.
+/// Proposition 6.2 for the ends of the trapezoidal minimiser with `N = 8`, beside the projections
+/// of one more point to both sets.
 fn nearest<M, const D: usize>(
     subject: &Subject,
     known: &Known<M, D>,

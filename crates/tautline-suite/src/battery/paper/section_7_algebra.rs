@@ -92,8 +92,8 @@ fn attained_forms(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// Each hypothesis fails alone and takes the conclusion with it: a negative form, a form above `c₂`,
-/// and a jump.
+/// Each hypothesis fails alone and takes the conclusion with it: a negative form, a form above
+/// `c₂`, and a jump.
 fn dropped_forms(_: &Trial<'_>) -> Outcome {
     all([
         fails_without(

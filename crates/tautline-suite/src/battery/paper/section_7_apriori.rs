@@ -180,8 +180,8 @@ fn attained_k1(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// A short geodesic through the centre of a twist: `|γ̈|` is nearly `3L_H K₁²/2c₁` all along it, and
-/// the paper gives away `D² = 4`. It is short, hence minimal, and `d` is its speed.
+/// A short geodesic through the centre of a twist: `|γ̈|` is nearly `3L_H K₁²/2c₁` all along it,
+/// and the paper gives away `D² = 4`. It is short, hence minimal, and `d` is its speed.
 fn bent_by_a_twist(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7161, 64, (0.3..3.0, 0.1..10.0), |subject, (base, slope)| {
         let twist = Twist::<2>::new(base, slope, 2e-3 * base / slope)?;

@@ -72,7 +72,7 @@ fn smooth(trial: &Trial<'_>) -> Outcome {
             (7202, (smooth_curve::<2>(2.0), times(), subintervals())),
             (7203, (smooth_curve::<3>(2.0), times(), subintervals())),
         ],
-        // A curve in eight is straight, and then Proposition 7.4 says nothing.
+        // A curve in five is straight, and then Proposition 7.4 says nothing.
         |_, (curve, times, n)| evidence(&curve, times, n)
     )
 }
@@ -108,10 +108,9 @@ fn constant_velocity(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// `e (1 + ε w)` with `ẇ = (r − 1)/l` and `r = (t − s₁)/l`, so that `w = r²/2 − r`: at `s₁` it is
-/// above `‖γ‖/√l` by `ε/3`, but for `O(ε²)`, and `√(l/3) ‖γ̇‖ = ε/3`. A constant is its own norm
-/// over `√l`, so that the other factor is the best too: a smaller one leaves a gap where the bound
-/// is 0.
+/// `e (1 + ε w)` with `ẇ = (r − 1)/l` and `r = (t − s₁)/l`, so that `w = r²/2 − r`: at `s₁` it
+/// exceeds `‖γ‖/√l` by `ε/3 + O(ε²)`, and `√(l/3) ‖γ̇‖ = ε/3`. For a constant curve `|γ| = ‖γ‖/√l`
+/// and the bound is 0, so that the other factor is the best too.
 fn best_constants_of_7_2(trial: &Trial<'_>) -> Outcome {
     let second = "|γ(s)| − ‖γ‖/√l ≤ √(l/3) ‖γ̇‖";
     let intervals = (0.0..0.5_f64, 0.1..1.0_f64);
@@ -153,8 +152,8 @@ fn attained_7_3(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// `γ̇ = 1 + ε w` with the `w` of Proposition 7.2: on a short interval at 0 the mean speed is above
-/// the norm over `[0, 1]` by `ε/3` but for `ε l/2`.
+/// `γ̇ = 1 + ε w` with the `w` of Proposition 7.2: on a short interval at 0 the mean speed exceeds
+/// the norm over `[0, 1]` by `ε/3 − ε l/2`.
 fn best_constant_of_7_3(trial: &Trial<'_>) -> Outcome {
     let epsilon = 1e-3;
     let powers = [0.0, 1.0, -0.5 * epsilon, epsilon / 6.0];
@@ -170,15 +169,15 @@ fn refuted_by_constant_velocity(_: &Trial<'_>) -> Outcome {
     refuted(&evidence, "|γ(s₂) − γ(s₁)| ≤ l (‖γ̇‖ + 2‖γ̈‖)", [0.25, 0.125])
 }
 
-/// `γ̇ = 1/ε` on `[0, ε]` and 0 after it: `1 ≤ √ε` is false, on `[0, 1]` and on `[0, ε]`, as
-/// printed and repaired; but the first repaired form survives, being Proposition 7.2.
+/// `γ̇ = 1/ε` on `[0, ε]` and 0 after it: `1 ≤ √ε` is false on `[0, 1]` and on `[0, ε]`, as printed
+/// and repaired. Only the first repaired form survives, being Proposition 7.2.
 fn kink_of_7_3(_: &Trial<'_>) -> Outcome {
     let epsilon = 1.0 / 16.0;
     let ramp = KinkedCurve::new([0.0], [(epsilon, [1.0].into())], [1.0])?;
     let evidence = prop_7_3(&ramp, [0.0, epsilon])?;
     all([
         fails_without(&["γ̇ does not jump"], evidence),
-        // γ̈ = 0 almost everywhere, so that the form for H² is the printed one.
+        // γ̈ = 0 almost everywhere: the form for H² is the printed one.
         refuted(
             &prop_7_3_as_printed(&ramp, [0.0, epsilon])?,
             "|γ(s₂) − γ(s₁)| ≤ l (‖γ̇‖ + 2‖γ̈‖)",
@@ -215,8 +214,8 @@ fn attained_by_half_a_cosine(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// `|t − ½|` with `N = 1`: `β = 0`, `γ̇(0) = −1` and `γ̈ = 0` almost everywhere, so that
-/// Proposition 7.4 would claim `1 ≤ 0` for a curve that is in its class, piecewise `C¹`.
+/// `|t − ½|` with `N = 1`: `β = 0`, `γ̇(0) = −1` and `γ̈ = 0` almost everywhere. Proposition 7.4
+/// would claim `1 ≤ 0` for this curve, which is piecewise `C¹`, as the proposition assumes.
 fn kink_of_7_4(_: &Trial<'_>) -> Outcome {
     let modulus = KinkedCurve::new([0.5], [(0.5, [0.0].into())], [0.5])?;
     let evidence = prop_7_4(&modulus, NonZeroUsize::MIN, 0, 0.0)?;

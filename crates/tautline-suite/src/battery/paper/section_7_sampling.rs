@@ -55,8 +55,8 @@ fn positive(n: usize) -> NonZeroUsize {
     NonZeroUsize::new(n).expect("positive")
 }
 
-/// Three smooth curves between the same two points: a wave of size up to ½, its half, and the
-/// straight line.
+/// Three smooth curves between the same two points: with waves of size up to 0.5 and up to 0.1, and
+/// the straight line.
 fn curves<const D: usize>() -> impl Strategy<Value = [SmoothCurve<D>; 3]> {
     (two_points::<D>(2.0), smooth_curve::<D>(0.5), smooth_curve::<D>(0.1)).prop_map(
         |([a, b], wide, narrow)| {
@@ -114,8 +114,8 @@ fn homogeneous(trial: &Trial<'_>) -> Outcome {
 }
 
 /// The straight line from 0 to 1 with a valley or a ridge at each midpoint:
-/// `|E − E_tra,N| = L_H/4N`, against `L_H/N`. So the overestimation of the paper is 4, and the
-/// pointwise form is attained.
+/// `|E − E_tra,N| = L_H/4N`, against `L_H/N`. The paper's overestimation is 4, and the pointwise
+/// form is attained.
 fn valleys_at_midpoints(trial: &Trial<'_>) -> Outcome {
     let line = SmoothCurve::straight([0.0], [1.0]);
     trial.for_all(7630, 96, (1..60_usize, 0.2..1.5), |subject, (n, slope)| {
@@ -162,8 +162,8 @@ fn refuted_by_a_kink(trial: &Trial<'_>) -> Outcome {
     ])
 }
 
-/// With a false `L_H`, a line over a ridge; with a false `c₂`, half a cosine. `c₁` is not needed, nor
-/// is `c₂` for the bound from above, Proposition 7.7.
+/// With a false `L_H`, a line over a ridge; with a false `c₂`, half a cosine. `c₁` is not needed,
+/// nor is `c₂` for the bound from above, Proposition 7.7.
 fn false_constants(_: &Trial<'_>) -> Outcome {
     let n = NonZeroUsize::MIN;
     let claimed = |c1, c2, l_h| Constants::new(c1, c2, l_h).expect("in order");
@@ -184,8 +184,8 @@ fn false_constants(_: &Trial<'_>) -> Outcome {
 }
 
 /// From 0 to 1 in the time `1/N`, over the ridge `H = c + L (½ − |x − ½|)`, then at rest:
-/// `E_tra,N − E = NL/4`, while `K₁ = √N` and `K₂ = 0` make `C_tra(N) = L √N`. For `N ≥ 17` the first
-/// is larger, and a small `K₂ > 0` changes nothing. Without a kink it is at most
+/// `E_tra,N − E = NL/4`, while `K₁ = √N` and `K₂ = 0` make `C_tra(N) = L √N`. For `N ≥ 17` the
+/// first is larger, and a small `K₂ > 0` changes nothing. Without a kink it is at most
 /// `L K₁³/2N = ½ L √N`.
 fn refuted_by_a_fast_start(trial: &Trial<'_>) -> Outcome {
     all([17, 18, 32, 100, 1000_u16].map(|n| {
@@ -200,7 +200,7 @@ fn refuted_by_a_fast_start(trial: &Trial<'_>) -> Outcome {
     }))
 }
 
-/// The infimum over all curves between two points, sampled, is a minimum over all point sequences.
+/// No sampled curve between two points is below the minimum over all point sequences.
 fn discrete_minimum(trial: &Trial<'_>) -> Outcome {
     let cases = (shear(), two_points(2.5), smooth_curve::<2>(0.5), subintervals());
     trial.for_all(7641, 192, cases, |subject, (metric, [a, b], curve, n)| {
@@ -270,8 +270,8 @@ fn homogeneous_c_tra(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// With `K₂ = 10⁻³ K₁` the two sides differ only by the term of second order, at most a thousandth of
-/// the others. `N = 1` is no witness: there both sides are the same formula.
+/// With `K₂ = 10⁻³ K₁` the two sides differ only by the term of second order, at most a thousandth
+/// of the others. `N = 1` is no witness: there both sides are the same formula.
 fn approached_c_tra_sharp(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7670, 256, cases_of_c_tra(), |subject, (constants, [k1, _], n)| {
         let norms = [k1 + 0.1, 1e-3 * (k1 + 0.1)];

@@ -6,7 +6,7 @@ use nalgebra::{SMatrix, SVector};
 use proptest::prelude::*;
 use tautline::{Bounded, Ends, FiniteSet, PointSequence, gallery::Constant};
 use tautline_statements::{
-    Evidence, Known, LIBRARY, PaperRule, Reconstruction,
+    Evidence, Known, LIBRARY, PaperRule, Reconstruction, Statement,
     Statement::{Proposition9_1, Remark9_2},
     Subject, VerifyError,
     curves::{Clock, Geodesic, KnownGeodesics, Measured, Pace, Reparametrised},
@@ -28,10 +28,13 @@ use crate::strategies::{
     subintervals, valleys_across, valleys_ball_half_space, vector,
 };
 
+const P91: &[Statement] = &[Proposition9_1];
+const R92: &[Statement] = &[Remark9_2];
+
 pub(crate) const CHECKS: &[Check] = &[
-    Random.check("prop_9_1_repaired_holds_between_points", &[Proposition9_1], between),
-    Random.check("prop_9_1_repaired_holds_from_set_to_set", &[Proposition9_1], sets),
-    Homogeneous.check("prop_9_1_is_homogeneous", &[Proposition9_1], |trial| {
+    Random.check("prop_9_1_repaired_holds_between_points", P91, between),
+    Random.check("prop_9_1_repaired_holds_from_set_to_set", P91, sets),
+    Homogeneous.check("prop_9_1_is_homogeneous", P91, |trial| {
         let cases = (joined(shear()), sequence(3.0));
         trial.homogeneous(9120, 96, cases, |subject, ((metric, ends), sequence), units| {
             let sequence = units.sequence(&admissible(
@@ -43,29 +46,21 @@ pub(crate) const CHECKS: &[Check] = &[
             Ok([against_geodesic(subject, &metric, ends, &sequence)?])
         })
     }),
-    Witness.check(
-        "prop_9_1_is_attained_by_curves_of_constant_speed",
-        &[Proposition9_1],
-        equal_legs,
-    ),
-    Refuted.check(
-        "prop_9_1_refuted_by_a_late_minimiser",
-        &[Proposition9_1],
-        refuted_by_a_late_minimiser,
-    ),
-    Random.check("remark_9_2_holds_between_points", &[Remark9_2], rates_between),
-    Random.check("remark_9_2_holds_from_set_to_set", &[Remark9_2], rates_of_sets),
-    Homogeneous.check("remark_9_2_is_homogeneous", &[Remark9_2], |trial| {
+    Witness.check("prop_9_1_is_attained_by_curves_of_constant_speed", P91, equal_legs),
+    Refuted.check("prop_9_1_refuted_by_a_late_minimiser", P91, refuted_by_a_late_minimiser),
+    Random.check("remark_9_2_holds_between_points", R92, rates_between),
+    Random.check("remark_9_2_holds_from_set_to_set", R92, rates_of_sets),
+    Homogeneous.check("remark_9_2_is_homogeneous", R92, |trial| {
         let cases = (points(shear()), 1..9_usize);
         trial.homogeneous(9220, 64, cases, |subject, (known, n), units| {
             let known = units.known(known)?;
             both_rules(subject, &known, n)
         })
     }),
-    Witness.check("remark_9_2_is_attained_by_two_routes", &[Remark9_2], attained_by_two_routes),
+    Witness.check("remark_9_2_is_attained_by_two_routes", R92, attained_by_two_routes),
     Witness.check(
         "remark_9_2_has_the_best_rate_for_every_number_of_subintervals",
-        &[Remark9_2],
+        R92,
         the_rate_is_the_best,
     ),
 ];
@@ -191,9 +186,9 @@ fn rates_of_sets(trial: &Trial<'_>) -> Outcome {
     )
 }
 
-/// `N = 1`: the rule prefers the second route by a hair, since it reads the metric where it is least
-/// on that one and largest on the first. As `δ → 0` the excess is `d² δ/2` for the trapezoidal rule
-/// and `d² δ` for the left one, which is the bound.
+/// `N = 1`: the rule prefers the second route by a hair, since it reads the metric where it is
+/// least on that one and largest on the first. As `δ → 0` the excess is `d² δ/2` for the
+/// trapezoidal rule and `d² δ` for the left one, which is the bound.
 ///
 /// Another program computed the ratio of the excess to those for slopes of 1, 0.1, 0.01 and 0.001.
 fn attained_by_two_routes(trial: &Trial<'_>) -> Outcome {
@@ -254,9 +249,9 @@ pub(super) fn washboard(
     Ok((metric, Known { metric, ends, distance, distance_error: 4.0 * f64::EPSILON }))
 }
 
-/// A washboard for each `N`: `N (E(γᵖˡ) − d²) = L/2π − Nη` does not fall, though `c₁`, `L_H` and `d`
-/// hardly change. As `δ → 0` the bound is `π` times as large; here it is a percent more, times what
-/// the switch adds to `L_H`.
+/// A washboard for each `N`: `N (E(γᵖˡ) − d²) = L/2π − Nη` does not fall, though `c₁`, `L_H` and
+/// `d` hardly change. As `δ → 0` the bound is `π` times as large; here it is a percent more, times
+/// what the switch adds to `L_H`.
 fn the_rate_is_the_best(trial: &Trial<'_>) -> Outcome {
     let slope = 0.01;
     all([1, 2, 3, 5, 8, 17, 64, 200].map(|n: u32| {

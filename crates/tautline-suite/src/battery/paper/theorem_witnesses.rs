@@ -4,7 +4,7 @@
 //!
 //! With `δ = L_H d/c₁^{3/2}` and `κ = c₂/c₁`, on the line, `C_tra♯ = d² (δ + 3δ² + 6κδ + 9κδ²)`. As
 //! `δ → 0` and `κ → 1` that is `7 d²δ`, so that `C = 7¼ d²δ` for the trapezoidal rule and `8 d²δ`
-//! for the left one; larger `D`, `κ` or `δ` only add to it. No gap is larger at `N = 1` than in the
+//! for the left one; larger `D`, `κ` or `δ` only add to it. At `N = 1` the gaps are bounded by the
 //! sharper companions, which are attained in the same limit:
 //!
 //! | gap | at most, of `d²δ` | witness | overestimation of the paper's bound |
@@ -55,8 +55,8 @@ pub(crate) const CHECKS: &[Check] = &[
     ),
 ];
 
-/// In `C` the next order adds up to `4.4 δ` of it (`3δ² + 9κδ²`, `6(κ − 1)δ` with `κ − 1 = 2δ`, and
-/// `C_tra♯` in `K̄³`), and `d³` up to `δ`. The margin is `10⁻⁵` of the gaps.
+/// The next order adds up to `4.4 δ` to `C`, relatively (`3δ² + 9κδ²`, `6(κ − 1)δ` with
+/// `κ − 1 = 2δ`, and `C_tra♯` in `K̄³`), and up to `δ` to `d³`. The margin is `10⁻⁵` of the gaps.
 pub(crate) const LIMIT: f64 = 1.0 + 6.0 * SLOPE;
 
 fn tents(trial: &Trial<'_>) -> Outcome {
@@ -87,8 +87,8 @@ fn inclines(trial: &Trial<'_>) -> Outcome {
     least_known(trial, rule, read, [16.0, 8.0, 15.0], claims)
 }
 
-/// The theorems of a rule on the route of which it reads too little of `H`, and on the one of which
-/// it reads too much. The table above has the overestimations of one gap, of both, and of `K̄`.
+/// The theorems of a rule on a route where it reads too little of `H`, and on one where it reads
+/// too much. The table above has the overestimations of one gap, of both, and of `K̄`.
 fn least_known(
     trial: &Trial<'_>,
     rule: PaperRule,

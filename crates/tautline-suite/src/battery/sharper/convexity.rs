@@ -31,9 +31,9 @@ pub(crate) const CHECKS: &[Check] = &[
     ),
 ];
 
-/// `N = 2` on the line, with the slope `−L` at the first midpoint and `L` at the second, where `H` is
-/// hardly more than `c₁`: a variation of the middle point changes both differences, and both values
-/// of `H` against each other.
+/// `N = 2` on the line, with the slope `−L` at the first midpoint and `L` at the second, where `H`
+/// is hardly more than `c₁`: moving the middle point changes both differences and both values of
+/// `H`, in opposite directions.
 pub(crate) fn slopes(claimed: [f64; 3]) -> Result<(Claimed, [PointSequence<1>; 2]), VerifyError> {
     // Half the width of the slopes.
     let w = 1e-3;
@@ -57,8 +57,8 @@ fn opposite_slopes(trial: &Trial<'_>) -> Outcome {
     trial.one([evidence.claim_is_attained("σ ≤ the convexity of E from x to y", NEAR)?])
 }
 
-/// Under `H = 4` the energy is quadratic, and a straight line plus half a sine wave is off its minimum
-/// by `R²/(4σN² sin²(π/2N))` for both rules: Poincaré's inequality is sharp for this wave.
+/// Under `H = 4` the energy is quadratic, and a straight line plus half a sine wave is off its
+/// minimum by `R²/(4σN² sin²(π/2N))` for both rules: Poincaré's inequality is sharp for this wave.
 fn wave(trial: &Trial<'_>) -> Outcome {
     let metric = Constant::<1>::new([[4.0]].into()).expect("positive");
     let mut evidence = Vec::new();
@@ -123,7 +123,7 @@ fn competitors(trial: &Trial<'_>) -> Outcome {
             discrete_energy: energy,
             length: known.distance,
             greatest_difference: b - a,
-            // So large that what it leaves is as large as the energy.
+            // Large, so that the excess it allows is as large as the energy.
             residual: 1.0,
         };
         let silent = || Failure::new("Proposition S.7 says nothing of near points");

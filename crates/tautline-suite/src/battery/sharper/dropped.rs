@@ -56,8 +56,8 @@ pub(crate) const CHECKS: &[Check] = &[
     ),
 ];
 
-/// A twist, a tent and a slope, each with a part of its `L_H`: the first two attain their bounds, and
-/// on the third the two chords differ in speed, which a constant metric does not allow.
+/// A twist, a tent and a slope, each with a part of its `L_H`: the first two attain their bounds,
+/// and on the third the two chords differ in speed, which a constant metric does not allow.
 fn lemmas_without_l_h(_: &Trial<'_>) -> Outcome {
     let twist = Twist::<2>::new(1.0, 1.0, 0.3)?;
     let curve = twist.short_geodesic(1e-5);
@@ -79,8 +79,8 @@ fn lemmas_without_l_h(_: &Trial<'_>) -> Outcome {
     ])
 }
 
-/// With a thousandth of the slope, `δ` is `10⁻⁴`. A level route is the shorter one, but the other one
-/// seems shorter to the rule; on a ridge the rule reads too much.
+/// With a thousandth of the slope, `δ` is `10⁻⁴`. A level route is the shorter one, but the other
+/// one seems shorter to the rule; on a ridge the rule reads too much.
 fn theorems_without_l_h(_: &Trial<'_>) -> Outcome {
     let constants = [1.0, 1.25, 1e-4];
     let mut outcomes = Vec::new();
@@ -96,7 +96,7 @@ fn theorems_without_l_h(_: &Trial<'_>) -> Outcome {
     all(outcomes)
 }
 
-/// A steep ridge with `d² = 1.025`, where the rule reads 1.05, so that it takes the valley beside it,
+/// A steep ridge with `d² = 1.025`, where the rule reads 1.05 and so prefers the valley beside it,
 /// where it reads 1.04 for 1.065.
 fn dear_ridge(constants: [f64; 3]) -> Result<Reconstruction<1>, VerifyError> {
     claimed(PaperRule::Trapezoidal, [steep(ridge(1.0)), steep(valley(1.0004))], constants)
@@ -126,7 +126,7 @@ fn without_c2(_: &Trial<'_>) -> Outcome {
     fails_without(&["λ_max(H) ≤ c₂"], lemma_s_4(&LIBRARY, &dear))
 }
 
-/// The two slopes with half as much again for `c₁`.
+/// The two slopes with 1.5 times `c₁`.
 fn without_c1(_: &Trial<'_>) -> Outcome {
     let (metric, [x, y]) = slopes([1.5, 1.6, 1.0])?;
     let evidence = prop_s_7(&LIBRARY, &metric, PaperRule::Trapezoidal, [&x, &y], 1.0)?;

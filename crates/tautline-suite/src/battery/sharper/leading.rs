@@ -23,8 +23,8 @@ pub(crate) const CHECKS: &[Check] = &[Order.check(
     leading,
 )];
 
-/// The largest of the next terms is `√N v^{3/2} = (2kδ)^{3/2}/N` in `m₃`, 2·10⁻⁵ at most for the
-/// `δ` here, of which the largest is 111.
+/// The largest of the next terms is `√N v^{3/2} = (2kδ)^{3/2}/N` in `m₃`, at most 2·10⁻⁵ for the
+/// `δ` here, which are at most 111.
 const NEXT: f64 = 1e-4;
 
 fn leading(trial: &Trial<'_>) -> Outcome {

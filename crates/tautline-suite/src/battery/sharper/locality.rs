@@ -31,7 +31,8 @@ fn on_the_plane(factor: f64) -> Result<Constant<2>, VerifyError> {
     Ok(Constant::new([[factor, 0.0], [0.0, factor]].into())?)
 }
 
-/// `H = 4 I`: from a point, and to a ball from a half-plane, whose bounded end is the last.
+/// `H = 4 I`: between points, and from a half-plane to a ball, where the last end is the bounded
+/// one.
 fn flat(trial: &Trial<'_>) -> Outcome {
     let metric = on_the_plane(4.0)?;
     let points = Known::between(metric, [1.0, 0.0], [4.0, 4.0])?;
@@ -56,7 +57,7 @@ fn flat(trial: &Trial<'_>) -> Outcome {
     trial.one(evidence)
 }
 
-/// Two points of the sphere so near each other that it is flat between them.
+/// Two points so close that the sphere is flat between them.
 fn small(trial: &Trial<'_>) -> Outcome {
     let (a, b) = ([0.5, 0.0], [0.500_006, 0.000_008]);
     let constants = Sphere.constants_within(&a.into(), 1.02e-5)?;

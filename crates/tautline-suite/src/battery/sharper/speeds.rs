@@ -1,4 +1,4 @@
-//! Lemma S.3 where it loses little: sequences that bend as fast as they can, and that run away.
+//! Lemma S.3 where it loses little: sequences that bend as fast as they can, or run away.
 
 use tautline::PointSequence;
 use tautline_statements::{
@@ -32,13 +32,13 @@ fn twist(trial: &Trial<'_>) -> Outcome {
     trial.one(evidence)
 }
 
-/// Every chord has the slope `L_H = 1` at its middle, and between two of them `H` falls back to 1: so
-/// the momentum grows all the way, `βₙ − βₙ₋₁ = (h/4)(βₙ² + βₙ₋₁²)`, like `1/(c − t/2)`. The sequence
-/// is followed back from its last chord.
+/// Every chord has the slope `L_H = 1` at its middle, and between two of them `H` falls back to 1:
+/// so the momentum grows all the way, `βₙ − βₙ₋₁ = (h/4)(βₙ² + βₙ₋₁²)`, like `1/(c − t/2)`. The
+/// construction starts from the last chord.
 ///
-/// With `sₙ = hβₙ/4`, which is 0.14 at last, `Σ (sₙ² + sₙ₋₁²)` is the last `s` less the first. What
-/// the lemma loses is a part `s` of its second term, and its first, `K₃`, which is
-/// `(2Ns)^{−1/2}` of the greatest difference.
+/// With `sₙ = hβₙ/4`, which ends at 0.14, `Σ (sₙ² + sₙ₋₁²)` is the last `s` less the first. The
+/// lemma loses a part `s` of its second term, and its first term, `K₃`, `(2Ns)^{−1/2}` of the
+/// greatest difference.
 fn runaway(trial: &Trial<'_>) -> Outcome {
     let n = 200;
     let mut last = 0.14_f64;

@@ -89,8 +89,8 @@ fn steps(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// `H = (1 + a sin kx)²` is a parabola near its crest, of the curvature `2a(1 + a)k² = M_H`; along
-/// a chord of the length `l` the curvature changes by `(kl)²/2` of itself.
+/// `H = (1 + a sin kx)²` is nearly a parabola at its crest, of curvature `2a(1 + a)k² = M_H`; along
+/// a chord of length `l` the curvature changes by a relative `(kl)²/2`.
 pub(crate) fn crest() -> Result<Separable<1>, VerifyError> {
     Ok(Separable::new([1e-3], [0.3])?)
 }
@@ -174,12 +174,12 @@ fn second_variation(trial: &Trial<'_>) -> Outcome {
     trial.one(evidence)
 }
 
-/// A straight line under a constant metric: `mean u = 1`, so that `v = ε − 1` is the variance; and
-/// of chords that are equal but for one, that one is as far from the mean as it can be.
+/// A straight line under a constant metric: `mean u = 1`, so that `v = ε − 1` is the variance. If
+/// all chords but one are equal, that one is as far from the mean as possible.
 ///
-/// With `N = 100`, one speed of 8 times the mean and `v = 49/99` the moments lose what `√(s − v)`
-/// is above its tangent, and `N − 2` and `N² − 3N + 3` are below `N − 1` and `(N − 1)²`: 6.200 for
-/// 5.914, and 46.39 for 41.70.
+/// With `N = 100`, one speed of 8 times the mean and `v = 49/99`, the moments lose the difference
+/// between `√(s − v)` and its tangent, and those of `N − 2` and `N² − 3N + 3` to `N − 1` and
+/// `(N − 1)²`: 6.200 for 5.914, and 46.39 for 41.70.
 fn one_long_chord(trial: &Trial<'_>) -> Outcome {
     let metric = Constant::<1>::new([[4.0]].into()).expect("positive");
     let known = Known::between(metric, [0.0], [3.0])?.expect("known");
@@ -238,8 +238,8 @@ fn theorem_is_attained(evidence: Evidence, limit: f64) -> Result<Evidence, Verif
         .claim_is_attained("L(γᵖˡ)² − d² ≤ its bound", limit)
 }
 
-/// `n` equal chords over ridges, and over valleys that seem lower by a hair, a thousandth; or down an
-/// incline, and up one. The next order of the excess is smaller by `δ`, or by `√N δ`.
+/// `n` equal chords over ridges, and over valleys that seem lower by a hair, a thousandth; or down
+/// an incline, and up one. The next order of the excess is smaller by `δ`, or by `√N δ`.
 fn many_chords(trial: &Trial<'_>) -> Outcome {
     let mut evidence = Vec::new();
     for n in [2_u32, 5, 16] {
@@ -267,11 +267,11 @@ fn many_chords(trial: &Trial<'_>) -> Outcome {
     trial.one(evidence)
 }
 
-/// The crest and the trough of `H = (1 + a sin kx)²` are as good as two parabolas: one chord of length
-/// 1 about the crest, and one about the trough that seems shorter by a hair, `10⁻⁸`.
+/// The crest and the trough of `H = (1 + a sin kx)²` are as good as two parabolas: one chord of
+/// length 1 about the crest, and one about the trough that seems shorter by a hair, `10⁻⁸`.
 ///
-/// `M_H d²/c₁²` is `2a(1 + 3a)k²`, nine parts in `10⁵`; crest and trough differ by `2a` of it, and a
-/// chord by `k²/80`.
+/// `M_H d²/c₁²` is `2a(1 + 3a)k²`, nine parts in `10⁵`; crest and trough differ by `2a` of it, and
+/// a chord by `k²/80`.
 fn two_arcs(trial: &Trial<'_>) -> Outcome {
     let metric = crest()?;
     let trough = 3.0 * CREST;

@@ -1,11 +1,13 @@
-//! `Drawn`: a value, read from what `Debug` says of it.
+//! `Drawn`: a value, read from its `Debug` output.
+
+use super::cursor::Cursor;
 
 /// A value as `#[derive(Debug)]` writes it.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Drawn {
-    /// A number, a name.
+    /// A number or a name.
     Word(String),
-    /// `[…]`, and the number of brackets.
+    /// `[…]`.
     List(Vec<Drawn>),
     /// `(…)`, or `Name(…)`.
     Tuple(String, Vec<Drawn>),
@@ -14,11 +16,11 @@ pub(super) enum Drawn {
 }
 
 impl Drawn {
-    /// Reads a value; `None` if the text is no such.
+    /// Reads a value; `None` if the text is not of this form.
     pub(super) fn read(text: &str) -> Option<Self> {
-        let mut rest = text;
+        let mut rest = Cursor(text);
         let value = read(&mut rest)?;
-        rest.trim().is_empty().then_some(value)
+        rest.0.trim().is_empty().then_some(value)
     }
 
     /// The field of a struct.
@@ -38,53 +40,29 @@ impl Drawn {
     }
 }
 
-fn read(rest: &mut &str) -> Option<Drawn> {
-    if eat(rest, '[') {
-        return Some(Drawn::List(elements(rest, ']')?));
+fn read(rest: &mut Cursor<'_>) -> Option<Drawn> {
+    if rest.eat('[') {
+        return Some(Drawn::List(rest.list(']', read)?));
     }
-    let word = word(rest);
-    if eat(rest, '(') {
-        return Some(Drawn::Tuple(word, elements(rest, ')')?));
+    let name = word(rest);
+    if rest.eat('(') {
+        return Some(Drawn::Tuple(name, rest.list(')', read)?));
     }
-    if word.is_empty() {
+    if name.is_empty() {
         return None;
     }
-    if !eat(rest, '{') {
-        return Some(Drawn::Word(word));
+    if !rest.eat('{') {
+        return Some(Drawn::Word(name));
     }
-    let mut fields = Vec::new();
-    while !eat(rest, '}') {
-        let name = self::word(rest);
-        if !eat(rest, ':') {
-            return None;
-        }
-        fields.push((name, read(rest)?));
-        eat(rest, ',');
-    }
-    Some(Drawn::Struct(word, fields))
+    let field = |rest: &mut Cursor<'_>| {
+        let name = word(rest);
+        if rest.eat(':') { Some((name, read(rest)?)) } else { None }
+    };
+    Some(Drawn::Struct(name, rest.list('}', field)?))
 }
 
-fn elements(rest: &mut &str, end: char) -> Option<Vec<Drawn>> {
-    let mut elements = Vec::new();
-    while !eat(rest, end) {
-        elements.push(read(rest)?);
-        eat(rest, ',');
-    }
-    Some(elements)
-}
-
-fn eat(rest: &mut &str, expected: char) -> bool {
-    let after = rest.trim_start().strip_prefix(expected);
-    *rest = after.unwrap_or(rest);
-    after.is_some()
-}
-
-fn word(rest: &mut &str) -> String {
-    let text = rest.trim_start();
-    let end = text.find(|c: char| " ,:()[]{}".contains(c)).unwrap_or(text.len());
-    let (word, after) = text.split_at(end);
-    *rest = after;
-    word.to_owned()
+fn word(rest: &mut Cursor<'_>) -> String {
+    rest.word(" ,:()[]{}").to_owned()
 }
 
 #[cfg(test)]
@@ -92,7 +70,7 @@ mod tests {
     use super::Drawn;
 
     #[derive(Debug)]
-    #[allow(dead_code, reason = "what is printed is read")]
+    #[allow(dead_code, reason = "Debug reads them")]
     enum Any {
         Empty,
         One(f64),
@@ -121,7 +99,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_derived_is_not_read() {
+    fn other_texts_are_not_read() {
         for text in ["", "a b", "[1, 2", "A { 1 }", "(1))"] {
             assert_eq!(Drawn::read(text), None, "{text}");
         }

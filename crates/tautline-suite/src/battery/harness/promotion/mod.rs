@@ -1,5 +1,6 @@
 //! A random case that failed, written as a test to keep.
 
+mod cursor;
 mod drawn;
 mod rust_type;
 mod source;
@@ -9,20 +10,20 @@ use std::{any::Any, cell::RefCell, fmt::Debug};
 use drawn::Drawn;
 use rust_type::RustType;
 
-/// A case in place of random ones: what a test that was [promoted](Case::as_test) hands to a check.
+/// A case in place of random ones, which a [promoted](Case::as_test) test hands to a check.
 pub struct Given {
     family: u64,
     value: RefCell<Option<Box<dyn Any>>>,
 }
 
 impl Given {
-    /// Names a case of the family that is drawn with this seed.
+    /// Returns a case for the family with this seed.
     #[must_use]
     pub fn new(family: u64, case: impl Any) -> Self {
         Self { family, value: RefCell::new(Some(Box::new(case))) }
     }
 
-    /// Returns the case to the family that draws it, once.
+    /// Hands the case to its family, once.
     pub(super) fn take<V: Any>(&self, family: u64) -> Option<V> {
         let mut value = self.value.borrow_mut();
         let fits = self.family == family && value.as_ref().is_some_and(|value| value.is::<V>());
@@ -45,12 +46,12 @@ impl Debug for Given {
     }
 }
 
-/// The smallest random case that was found to fail.
+/// The smallest random case found to fail.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Case {
-    /// The seed of its family, as it is written in the check.
+    /// The seed of its family, as written in the check.
     pub family: u64,
-    /// Its type, and the value as an expression of that type.
+    /// Its type, and its value as an expression of that type.
     pub code: [String; 2],
 }
 
@@ -59,19 +60,16 @@ impl Case {
         Self::of_type::<V>(family, value)
     }
 
-    /// Keeps a value, of the type `V`, of which no more is known than how it is shown.
+    /// Keeps a type-erased value of the type `V`.
     pub(super) fn of_type<V>(family: u64, value: &dyn Debug) -> Self {
-        Self::of(family, RustType::of::<V>(), value)
-    }
-
-    fn of(family: u64, kind: RustType, value: &dyn Debug) -> Self {
-        // What cannot be read is shown as it is: the test then does not compile, and says why.
+        let kind = RustType::of::<V>();
+        // Unreadable output is kept as it is: the test then does not compile, and shows why.
         let text = format!("{value:?}");
         let code = Drawn::read(&text).map_or(text, |drawn| source::expression(&drawn, &kind));
         Self { family, code: [kind.to_string(), code] }
     }
 
-    /// Returns a test of this case for `promoted_cases.rs`, by the name of the check that it fails.
+    /// Returns a test of this case for `promoted_cases.rs`; it runs the check of this name.
     #[must_use]
     pub fn as_test(&self, check: &str) -> String {
         let Self { family, code: [kind, value] } = self;

@@ -2,20 +2,21 @@
 
 use std::{any::type_name, fmt};
 
-/// A type as `type_name` writes it, without the paths.
+use super::cursor::Cursor;
+
+/// A type as `type_name` prints it, without the paths.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum RustType {
     Tuple(Vec<RustType>),
     /// `[T; N]`.
     Array(Box<RustType>, String),
-    /// A name with its arguments, of which some are numbers.
+    /// A name with its arguments, which may be numbers.
     Named(String, Vec<RustType>),
 }
 
 impl RustType {
     pub(super) fn of<T>() -> Self {
-        let mut rest = type_name::<T>();
-        read(&mut rest)
+        read(&mut Cursor(type_name::<T>()))
     }
 
     /// The rows and columns of a matrix of `nalgebra`.
@@ -40,7 +41,7 @@ impl RustType {
     }
 }
 
-/// As one writes it where the names are in scope.
+/// As written in code with the names in scope.
 impl fmt::Display for RustType {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let joined = |types: &[RustType]| {
@@ -57,44 +58,28 @@ impl fmt::Display for RustType {
     }
 }
 
-fn read(rest: &mut &str) -> RustType {
-    if eat(rest, '(') {
+/// Reads the name of a type; the compiler wrote it, so it is well-formed.
+fn read(rest: &mut Cursor<'_>) -> RustType {
+    let arguments = |rest: &mut Cursor<'_>, end| {
+        rest.list(end, |rest| (!rest.0.is_empty()).then(|| read(rest))).unwrap_or_default()
+    };
+    if rest.eat('(') {
         return RustType::Tuple(arguments(rest, ')'));
     }
-    if eat(rest, '[') {
+    if rest.eat('[') {
         let element = read(rest);
-        eat(rest, ';');
+        rest.eat(';');
         let count = word(rest);
-        eat(rest, ']');
-        return RustType::Array(Box::new(element), count);
+        rest.eat(']');
+        return RustType::Array(Box::new(element), count.to_owned());
     }
-    let name = word(rest);
-    let name = name.rsplit("::").next().unwrap_or_default().to_owned();
-    let arguments = if eat(rest, '<') { arguments(rest, '>') } else { Vec::new() };
+    let name = word(rest).rsplit("::").next().unwrap_or_default().to_owned();
+    let arguments = if rest.eat('<') { arguments(rest, '>') } else { Vec::new() };
     RustType::Named(name, arguments)
 }
 
-fn arguments(rest: &mut &str, end: char) -> Vec<RustType> {
-    let mut all = Vec::new();
-    while !rest.is_empty() && !eat(rest, end) {
-        all.push(read(rest));
-        eat(rest, ',');
-    }
-    all
-}
-
-fn eat(rest: &mut &str, expected: char) -> bool {
-    let after = rest.trim_start().strip_prefix(expected);
-    *rest = after.unwrap_or(rest);
-    after.is_some()
-}
-
-fn word(rest: &mut &str) -> String {
-    let text = rest.trim_start();
-    let end = text.find(|c: char| " ,;()[]<>".contains(c)).unwrap_or(text.len());
-    let (word, after) = text.split_at(end);
-    *rest = after;
-    word.to_owned()
+fn word<'a>(rest: &mut Cursor<'a>) -> &'a str {
+    rest.word(" ,;()[]<>")
 }
 
 #[cfg(test)]
@@ -108,7 +93,7 @@ mod tests {
     use super::RustType;
 
     #[test]
-    fn a_type_reads_as_one_writes_it() {
+    fn a_type_is_printed_as_it_is_written_in_code() {
         type Nested = ((Known<Separable<3>, 3>, [SVector<f64, 2>; 2]), Units);
         assert_eq!(
             RustType::of::<Nested>().to_string(),

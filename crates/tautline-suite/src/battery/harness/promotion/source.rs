@@ -1,24 +1,23 @@
-//! The source of a value: the constructors of what the suite draws.
+//! Values as Rust expressions, by the constructors of the types that the suite draws.
 
 use std::collections::BTreeSet;
 
 use super::{drawn::Drawn, rust_type::RustType};
 
-/// Returns an expression of this type, with the names of `tautline` and of this crate in scope.
+/// Returns an expression of this type, with the [`names`] of its types in scope.
 pub(super) fn expression(value: &Drawn, kind: &RustType) -> String {
-    let joined = |sources: Vec<String>| sources.join(", ");
     match (kind, value) {
         _ if kind.shape().is_some() => matrix(value),
         (RustType::Tuple(kinds), Drawn::Tuple(_, values)) => {
             let sources = values.iter().zip(kinds).map(|(value, kind)| expression(value, kind));
-            format!("({})", joined(sources.collect()))
+            format!("({})", joined(sources))
         }
         (RustType::Array(kind, _), Drawn::List(values)) => {
-            format!("[{}]", joined(values.iter().map(|value| expression(value, kind)).collect()))
+            format!("[{}]", joined(values.iter().map(|value| expression(value, kind))))
         }
         (RustType::Named(name, kinds), Drawn::List(values)) if name == "Vec" => {
             let sources = values.iter().map(|value| expression(value, &kinds[0]));
-            format!("vec![{}]", joined(sources.collect()))
+            format!("vec![{}]", joined(sources))
         }
         (RustType::Named(name, _), number) if name == "NonZero" => {
             let number = plain(number);
@@ -29,13 +28,17 @@ pub(super) fn expression(value: &Drawn, kind: &RustType) -> String {
     }
 }
 
-/// The paths of the names that stand in sources, in their order.
+fn joined(sources: impl Iterator<Item = String>) -> String {
+    sources.collect::<Vec<_>>().join(", ")
+}
+
+/// The sorted paths of the types that occur in sources.
 pub(super) fn names(sources: &[&String]) -> Vec<String> {
     let mut paths = BTreeSet::new();
     for source in sources {
         let part_of_a_name = |c: char| c.is_alphanumeric() || c == '_' || c == ':';
         for path in source.split(|c: char| !part_of_a_name(c)) {
-            // Pace of Pace::Even, and nothing of f64::INFINITY.
+            // Pace of Pace::Even, and nothing for f64::INFINITY.
             let name = path.split(':').next().unwrap_or_default();
             let is_a_type = name.starts_with(|c: char| c.is_ascii_uppercase());
             if is_a_type && !["Some", "None", "Vec"].contains(&name) {
@@ -46,7 +49,7 @@ pub(super) fn names(sources: &[&String]) -> Vec<String> {
     paths.into_iter().collect()
 }
 
-/// The module from which a name is taken.
+/// The module of a type.
 fn home(name: &str) -> &'static str {
     match name {
         "NonZero" => "std::num",
@@ -59,7 +62,7 @@ fn home(name: &str) -> &'static str {
     }
 }
 
-/// What its constructor made, where the fields are private; fields are public elsewhere.
+/// A call of the constructor, for types with private fields; otherwise a literal.
 fn constructed(value: &Drawn) -> String {
     let name = match value {
         Drawn::Struct(name, _) | Drawn::Tuple(name, _) => name.as_str(),
@@ -69,7 +72,7 @@ fn constructed(value: &Drawn) -> String {
     let point = |name| value.field(name).map_or(String::new(), coordinates);
     let points = |name: &str| {
         let all = value.field(name).map(Drawn::elements).unwrap_or_default();
-        format!("vec![{}]", all.iter().map(matrix).collect::<Vec<_>>().join(", "))
+        format!("vec![{}]", joined(all.iter().map(matrix)))
     };
     let made =
         |arguments: &[String]| format!("{name}::new({}).expect(\"drawn\")", arguments.join(", "));
@@ -89,16 +92,15 @@ fn constructed(value: &Drawn) -> String {
             format!("Ends::points({}, {}).expect(\"drawn\")", place("first"), place("second"))
         }
         "Ends" => made(&[field("first"), field("second")]),
-        "AxisBox" => format!(
-            "AxisBox::from_corners({}, {}).expect(\"drawn\")",
-            point("lower"),
-            point("upper")
-        ),
+        "AxisBox" => {
+            let (lower, upper) = (point("lower"), point("upper"));
+            format!("AxisBox::from_corners({lower}, {upper}).expect(\"drawn\")")
+        }
         "FiniteSet" => {
             let union = value.field("points").and_then(|union| union.field("pieces"));
             let pieces = union.map(Drawn::elements).unwrap_or_default();
             let places = pieces.iter().filter_map(|piece| piece.field("position"));
-            made(&[format!("[{}]", places.map(coordinates).collect::<Vec<_>>().join(", "))])
+            made(&[format!("[{}]", joined(places.map(coordinates)))])
         }
         "Constants" => constants(value),
         "PointSequence" => made(&[points("points")]),
@@ -108,24 +110,20 @@ fn constructed(value: &Drawn) -> String {
                 let [sine, cosine] = wave.elements() else { return plain(wave) };
                 format!("[{}, {}]", matrix(sine), matrix(cosine))
             };
-            let waves: Vec<String> = waves.iter().map(pair).collect();
-            format!("SmoothCurve::new({}, vec![{}])", points("powers"), waves.join(", "))
+            let waves = joined(waves.iter().map(pair));
+            format!("SmoothCurve::new({}, vec![{waves}])", points("powers"))
         }
         "KinkedCurve" => kinked(value),
         "Clock" => {
-            format!(
-                "Clock::through(&{}, Pace::{}).expect(\"drawn\")",
-                field("knots"),
-                field("pace")
-            )
+            let (knots, pace) = (field("knots"), field("pace"));
+            format!("Clock::through(&{knots}, Pace::{pace}).expect(\"drawn\")")
         }
         "AnySetting" | "Nonnegatives" | "AnyTwoForms" => {
             let numbers = match value {
-                Drawn::Struct(_, fields) => fields.iter().map(|field| plain(&field.1)).collect(),
-                _ => value.elements().iter().flat_map(Drawn::elements).map(plain).collect(),
+                Drawn::Struct(_, fields) => joined(fields.iter().map(|field| plain(&field.1))),
+                _ => joined(value.elements().iter().flat_map(Drawn::elements).map(plain)),
             };
-            let numbers: Vec<String> = numbers;
-            format!("{name}::of([{}].into())", numbers.join(", "))
+            format!("{name}::of([{numbers}].into())")
         }
         _ => literal(name, value),
     }
@@ -136,23 +134,16 @@ fn literal(name: &str, value: &Drawn) -> String {
     match value {
         Drawn::Struct(_, fields) => {
             let fields = fields.iter().map(|(name, value)| format!("{name}: {}", plain(value)));
-            format!("{name} {{ {} }}", fields.collect::<Vec<_>>().join(", "))
+            format!("{name} {{ {} }}", joined(fields))
         }
-        _ => {
-            let elements = value.elements().iter().map(plain);
-            format!("{name}({})", elements.collect::<Vec<_>>().join(", "))
-        }
+        _ => format!("{name}({})", joined(value.elements().iter().map(plain))),
     }
 }
 
 fn constants(value: &Drawn) -> String {
     let field = |name| value.field(name).map_or(String::new(), plain);
-    let mut source = format!(
-        "Constants::new({}, {}, {}).expect(\"drawn\")",
-        field("c1"),
-        field("c2"),
-        field("l_h")
-    );
+    let numbers = ["c1", "c2", "l_h"].map(field).join(", ");
+    let mut source = format!("Constants::new({numbers}).expect(\"drawn\")");
     if let Some([m_h]) = value.field("m_h").map(Drawn::elements) {
         source = format!("{source}.with_m_h({}).expect(\"drawn\")", plain(m_h));
     }
@@ -169,16 +160,15 @@ fn kinked(value: &Drawn) -> String {
     let (times, points) = (list("times"), list("points"));
     let [first, stops @ .., last] = points else { return plain(value) };
     let stops = times.iter().skip(1).zip(stops);
-    let stops = stops.map(|(time, point)| format!("({}, {})", plain(time), matrix(point)));
+    let stops = joined(stops.map(|(time, point)| format!("({}, {})", plain(time), matrix(point))));
     format!(
-        "KinkedCurve::new({}, [{}], {}).expect(\"drawn\")",
+        "KinkedCurve::new({}, [{stops}], {}).expect(\"drawn\")",
         coordinates(first),
-        stops.collect::<Vec<_>>().join(", "),
         coordinates(last)
     )
 }
 
-/// A value of which the source says the type.
+/// A value without further knowledge of its type.
 fn plain(value: &Drawn) -> String {
     match value {
         Drawn::Word(word) => match word.as_str() {
@@ -188,10 +178,10 @@ fn plain(value: &Drawn) -> String {
             _ => word.clone(),
         },
         Drawn::List(elements) => {
-            format!("[{}]", elements.iter().map(plain).collect::<Vec<_>>().join(", "))
+            format!("[{}]", joined(elements.iter().map(plain)))
         }
         Drawn::Tuple(name, elements) if name.is_empty() => {
-            format!("({})", elements.iter().map(plain).collect::<Vec<_>>().join(", "))
+            format!("({})", joined(elements.iter().map(plain)))
         }
         _ => constructed(value),
     }
@@ -230,7 +220,7 @@ mod tests {
     use super::super::Case;
     use crate::arbitrary::{AnySetting, AnyTwoForms, Nonnegatives};
 
-    /// Compiles an expression of a type, and compares both with what is printed of the value.
+    /// Compiles an expression of a type, and compares both with the printed case.
     macro_rules! reads_as_it_is_written {
         ($($kind:ty = $expression:expr;)*) => {
             $({
@@ -242,7 +232,7 @@ mod tests {
         };
     }
 
-    /// Each line is compiled as it stands here, and is what a failure would print.
+    /// Each line compiles as it stands, and is what a failure would print.
     #[test]
     fn sources_compile_to_their_values() {
         reads_as_it_is_written! {

@@ -37,7 +37,7 @@ fn incline(foot: f64, [c1, c2, l_h]: [f64; 3]) -> WithConstants<Incline> {
     WithConstants { metric, constants: Constants::new(c1, c2, l_h).expect("in order") }
 }
 
-/// `H = I` with a claimed `c₁`, and no slope.
+/// `H = I` with a claimed `c₁`, and `L_H = 0`.
 fn flat<const D: usize>(c1: f64) -> WithConstants<Constant<D>> {
     let metric = Constant::new(SMatrix::identity()).expect("positive definite");
     WithConstants { metric, constants: Constants::new(c1, c1.max(2.0), 0.0).expect("in order") }
@@ -63,15 +63,15 @@ fn false_constants(_: &Trial<'_>) -> Outcome {
     ])
 }
 
-/// A circle once round, at the speed 1 everywhere and bent, which is no geodesic of the plane.
+/// A circle once round at speed 1: it bends, and is no geodesic of the plane.
 fn circle() -> SmoothCurve<2> {
     let r = 1.0 / TAU;
     let [cos, sin] = [[r, 0.0], [0.0, r]].map(SVector::from);
     SmoothCurve::new(Vec::new(), vec![[SVector::zeros(); 2], [cos, sin]])
 }
 
-/// A line of length 1 with `d = ½` claimed, or `c₁ = 4`. The bound follows from the speed alone, so a
-/// circle will do for a geodesic; `L_H` and `c₂` do not occur in it.
+/// A line of length 1 with `d = ½` claimed, or `c₁ = 4`. The bound follows from the speed alone, so
+/// a circle will do for a geodesic; `L_H` and `c₂` do not occur in it.
 fn speed(_: &Trial<'_>) -> Outcome {
     let line = SmoothCurve::straight([0.0], [1.0]);
     let short = InclineGeodesic::new(1.0, 1.0, 0.5)?;
@@ -86,8 +86,9 @@ fn speed(_: &Trial<'_>) -> Outcome {
 }
 
 /// A short geodesic up an incline, where `|γ̈|` is nearly `L_H d²/2c₁²`, a third of `K_{2,g}`. With
-/// half of `d` the bound falls to a quarter, with four times `c₁` to a sixteenth, with a hundredth of
-/// `L_H` to a hundredth. And a circle, where `H` is constant and `K_{2,g} = 0`. `c₂` does not occur.
+/// half of `d` the bound falls to a quarter, with four times `c₁` to a sixteenth, with a hundredth
+/// of `L_H` to a hundredth. And a circle, where `H` is constant and `K_{2,g} = 0`. `c₂` does not
+/// occur.
 fn bend(_: &Trial<'_>) -> Outcome {
     let short = InclineGeodesic::new(1.0, 1.0, 2e-3)?;
     let of = |constants, part: f64| {

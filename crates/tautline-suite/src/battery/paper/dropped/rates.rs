@@ -3,8 +3,8 @@
 use nalgebra::SVector;
 use tautline::{Constants, PointSequence};
 use tautline_statements::{
-    Evidence, LIBRARY, PaperRule, Reconstruction, Statement::Remark9_2, critical_point, remark_9_2,
-    remark_9_2_for_any_sequence,
+    Evidence, LIBRARY, PaperRule, Reconstruction, Statement, Statement::Remark9_2, critical_point,
+    remark_9_2, remark_9_2_for_any_sequence,
 };
 
 use crate::battery::{
@@ -19,20 +19,14 @@ use crate::battery::{
     paper::section_9::washboard,
 };
 
+const R92: &[Statement] = &[Remark9_2];
+
 pub(crate) const CHECKS: &[Check] = &[
-    Dropped.check(
-        "remark_9_2_fails_for_a_slope_that_is_not_admitted",
-        &[Remark9_2],
-        understated_l_h,
-    ),
-    Dropped.check("remark_9_2_fails_with_false_bounds_of_h", &[Remark9_2], false_bounds),
-    Dropped.check("remark_9_2_fails_for_other_ends", &[Remark9_2], other_ends),
-    Dropped.check("remark_9_2_fails_for_a_minimiser_that_is_not_global", &[Remark9_2], not_global),
-    Dropped.check(
-        "remark_9_2_holds_for_points_that_are_not_stationary",
-        &[Remark9_2],
-        not_stationary,
-    ),
+    Dropped.check("remark_9_2_fails_for_a_slope_that_is_not_admitted", R92, understated_l_h),
+    Dropped.check("remark_9_2_fails_with_false_bounds_of_h", R92, false_bounds),
+    Dropped.check("remark_9_2_fails_for_other_ends", R92, other_ends),
+    Dropped.check("remark_9_2_fails_for_a_minimiser_that_is_not_global", R92, not_global),
+    Dropped.check("remark_9_2_holds_for_points_that_are_not_stationary", R92, not_stationary),
 ];
 
 /// A washboard of slope ½ with `L_H = 10⁻³` claimed: `E(γᵖˡ) − d² = 1/32π` up to a thousandth, far
@@ -44,8 +38,8 @@ fn understated_l_h(_: &Trial<'_>) -> Outcome {
     fails_without(&["‖H(x) − H(y)‖/|x − y| ≤ L_H"], remark_9_2(&LIBRARY, &seen))
 }
 
-/// With `c₁ = 100` a route that seems cheap could exceed `d²` by `10⁻⁴` at most, but does so by 0.02.
-/// With `c₂ = c₁` no discrete minimum could be above `d²`, but on a ridge it is.
+/// With `c₁ = 100` a route that seems cheap could exceed `d²` by `10⁻⁴` at most, but does so by
+/// 0.02. With `c₂ = c₁` no discrete minimum could be above `d²`, but on a ridge it is.
 fn false_bounds(_: &Trial<'_>) -> Outcome {
     let mut outcomes = Vec::new();
     for (rule, first) in PaperRule::BOTH.into_iter().zip([ridge(1.0), downwards(1.0)]) {

@@ -1,8 +1,8 @@
 //! Theorems 1.1 to 1.4 and their constants without a hypothesis.
 //!
-//! `c₂` is not needed: the answer to Remark 9.2 bounds all gaps by `c₁`, `L_H` and `d`. Nor need the
-//! minimiser belong to the theorem's own rule. A bounded set is needed only for the existence of a
-//! minimiser (Proposition 7.1).
+//! `c₂` is not needed: the answer to Remark 9.2 bounds all gaps by `c₁`, `L_H` and `d`. Nor need
+//! the minimiser belong to the theorem's own rule. A bounded set is needed only for the existence
+//! of a minimiser (Proposition 7.1).
 
 use tautline::{PointSequence, Trapezoidal};
 use tautline_statements::{
@@ -59,8 +59,8 @@ pub(crate) const CHECKS: &[Check] = &[
     ),
 ];
 
-/// With `L_H = 10⁻⁴` claimed, `C` is about 0.001. The premise of `K̄` implies its claim, so it
-/// has to fail as well: on a second route of slope 0.01 the rule reads `c₁K₃² = l²` between `d²` and
+/// With `L_H = 10⁻⁴` claimed, `C` is about 0.001. The premise of `K̄` implies its claim, so it has
+/// to fail as well: on a second route of slope 0.01 the rule reads `c₁K₃² = l²` between `d²` and
 /// what it reads on the first, 1.025 and 1.05 on a ridge, 1.05 and 1.1 on an incline.
 fn understated_l_h(_: &Trial<'_>) -> Outcome {
     let constants = [1.0, 1.25, 1e-4];
@@ -127,8 +127,8 @@ fn other_ends(_: &Trial<'_>) -> Outcome {
     all(outcomes)
 }
 
-/// For the minimisers of either rule all gaps are at most those of the answer to Remark 9.2, with
-/// `k = ½`. For `N = 1` they are `½ d² δ (1 + O(δ))` each, far below both `C`.
+/// For the minimisers of either rule, the answer to Remark 9.2 with `k = ½` bounds all gaps. For
+/// `N = 1` they are `½ d² δ (1 + O(δ))` each, far below both `C`.
 fn other_rule(_: &Trial<'_>) -> Outcome {
     let mut outcomes = Vec::new();
     for slopes in [[ridge(1.0), valley(1.0)], [downwards(1.0), upwards(1.0)]] {
@@ -148,10 +148,10 @@ fn other_rule(_: &Trial<'_>) -> Outcome {
     all(outcomes)
 }
 
-/// One step over the tent `H = 1 + L|x − ½|` has the discrete length 1 at its tip, as short as any
-/// sequence from 0 to 1 can be, for every `N`; and with the left rule so has one step up an
-/// incline. Their discrete energy is `N`, and that of the curve `N (1 + L/4)` and `N (1 + L/2)`:
-/// nothing converges.
+/// For every `N`, one step over the tent `H = 1 + L|x − ½|`, read at its tip, has discrete length
+/// 1, the least for a sequence from 0 to 1; for the left rule so has one step up an incline. The
+/// discrete energies are `N`, those of the curves `N (1 + L/4)` and `N (1 + L/2)`: nothing
+/// converges.
 ///
 /// Theorems 1.2 and 1.4 are silent here: on the line every monotone curve has the length `d`.
 fn length_minimiser(_: &Trial<'_>) -> Outcome {
@@ -159,7 +159,7 @@ fn length_minimiser(_: &Trial<'_>) -> Outcome {
     let tent = tent(1.0, slope).expect("positive");
     let sequence = one_step(n, n / 2);
     let length = LIBRARY.discrete_length(Trapezoidal, &tent, &sequence);
-    // The tip is rounded off over 10⁻¹², where H is larger by as much times the slope.
+    // The tip is rounded off over 10⁻¹², which adds as much times the slope to H.
     close("the discrete length", length, 1.0, 1e-12 * slope)?;
     let incline = Incline::new(1.0, slope).expect("positive");
     let tent = Known::between(tent, [0.0], [1.0])?.expect("known");
@@ -170,7 +170,7 @@ fn length_minimiser(_: &Trial<'_>) -> Outcome {
     ])
 }
 
-/// Theorem 1.1 or 1.3 does not apply to this sequence, and does not hold for it.
+/// Theorem 1.1 or 1.3 fails for this sequence, which is no minimiser.
 fn fails_for<M: tautline::Bounded<1>>(
     known: &Known<M, 1>,
     rule: PaperRule,

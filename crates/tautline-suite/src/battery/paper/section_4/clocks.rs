@@ -195,8 +195,8 @@ fn dropped_ends(_: &Trial<'_>) -> Outcome {
     ])
 }
 
-/// A minimal curve of uneven speed in place of `γ**`: in half of its time it covers a quarter of its
-/// length.
+/// A minimal curve of uneven speed in place of `γ**`: in half of its time it covers a quarter of
+/// its length.
 fn dropped_equation(_: &Trial<'_>) -> Outcome {
     let (known, geodesic) = sheared();
     let late = Clock::plain(Pace::Accelerating);

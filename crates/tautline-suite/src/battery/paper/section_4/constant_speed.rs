@@ -8,7 +8,7 @@ use tautline::{
     gallery::{Constant, Shear, Sphere},
 };
 use tautline_statements::{
-    Evidence, Known, LIBRARY,
+    Evidence, Known, LIBRARY, Statement,
     Statement::Lemma4_4,
     Subject, VerifyError,
     curves::{Clock, Curve, EvenSegment, Geodesic, KnownGeodesics, Motion, Pace, Reparametrised},
@@ -29,30 +29,24 @@ use crate::strategies::{
     valleys_along,
 };
 
+const L44: &[Statement] = &[Lemma4_4];
+
 pub(crate) const CHECKS: &[Check] = &[
-    Random.check("lemma_4_4_holds_for_minimal_curves", &[Lemma4_4], even_curves),
-    Homogeneous.check("lemma_4_4_is_homogeneous", &[Lemma4_4], |trial| {
+    Random.check("lemma_4_4_holds_for_minimal_curves", L44, even_curves),
+    Homogeneous.check("lemma_4_4_is_homogeneous", L44, |trial| {
         trial.homogeneous(4420, 96, joined(shear()), |subject, (metric, ends), units| {
             Ok([geodesic(subject, &units.metric(metric), ends.map(|x| units.vector(x)))?])
         })
     }),
-    Witness.check("lemma_4_4_is_attained_on_a_ramp", &[Lemma4_4], attained),
-    Witness.check("lemma_4_4_holds_for_a_point", &[Lemma4_4], |trial| {
+    Witness.check("lemma_4_4_is_attained_on_a_ramp", L44, attained),
+    Witness.check("lemma_4_4_holds_for_a_point", L44, |trial| {
         let a = SVector::from([0.3, -0.2]);
         let shear = Shear::new(0.5, 1.0).expect("a wave number");
         trial.one([geodesic(trial.subject, &shear, [a, a])?])
     }),
-    Dropped.check(
-        "lemma_4_4_fails_for_a_minimal_curve_that_accelerates",
-        &[Lemma4_4],
-        dropped_speed,
-    ),
-    Dropped.check(
-        "lemma_4_4_fails_for_a_circle_of_constant_speed",
-        &[Lemma4_4],
-        dropped_least_length,
-    ),
-    Dropped.check("lemma_4_4_fails_for_an_arc_that_stops_half_way", &[Lemma4_4], dropped_ends),
+    Dropped.check("lemma_4_4_fails_for_a_minimal_curve_that_accelerates", L44, dropped_speed),
+    Dropped.check("lemma_4_4_fails_for_a_circle_of_constant_speed", L44, dropped_least_length),
+    Dropped.check("lemma_4_4_fails_for_an_arc_that_stops_half_way", L44, dropped_ends),
 ];
 
 /// Lemma 4.4 for the segment between two points, at constant speed.
@@ -122,8 +116,8 @@ fn dropped_speed(_: &Trial<'_>) -> Outcome {
     fails_without(&["speed is constant"], evidence)
 }
 
-/// An arc of this angle of the circle of radius `½` about the origin, from `(½, 0)` on; on the sphere
-/// part of a circle of latitude.
+/// An arc of this angle of the circle of radius `½` about the origin, from `(½, 0)` on; on the
+/// sphere part of a circle of latitude.
 struct Arc(f64);
 
 impl Curve<2> for Arc {

@@ -9,7 +9,8 @@ use tautline::{
     norm_squared,
 };
 use tautline_statements::{
-    Evidence, LIBRARY, Statement::Proposition4_3, VerifyError, curves::KnownGeodesics, prop_4_3,
+    Evidence, LIBRARY, Statement, Statement::Proposition4_3, VerifyError, curves::KnownGeodesics,
+    prop_4_3,
 };
 
 use crate::battery::harness::{
@@ -19,30 +20,24 @@ use crate::battery::harness::{
 };
 use crate::strategies::{constant, separable, shear, vector};
 
+const P43: &[Statement] = &[Proposition4_3];
+
 pub(crate) const CHECKS: &[Check] = &[
-    Random.check("prop_4_3_holds_on_balls", &[Proposition4_3], normal_balls),
-    Homogeneous.check("prop_4_3_is_homogeneous", &[Proposition4_3], |trial| {
+    Random.check("prop_4_3_holds_on_balls", P43, normal_balls),
+    Homogeneous.check("prop_4_3_is_homogeneous", P43, |trial| {
         trial.homogeneous(4320, 128, tangent(1.0), |subject, (ball, x, v, radius), units| {
             let metric = units.metric(Sphere);
             let (x, v) = (units.vector(x), units.vector(v));
             Ok([prop_4_3(subject, &metric, [&x, &v], ball * units.ell, radius * units.m)?])
         })
     }),
-    Witness.check("prop_4_3_is_attained_by_every_ray", &[Proposition4_3], |trial| {
+    Witness.check("prop_4_3_is_attained_by_every_ray", P43, |trial| {
         trial.for_all(4330, 256, tangent(1.0), |subject, (ball, x, v, radius)| {
             Ok([prop_4_3(subject, &Sphere, [&x, &v], ball, radius)?.attained()?])
         })
     }),
-    Dropped.check(
-        "prop_4_3_fails_beyond_half_a_great_circle",
-        &[Proposition4_3],
-        beyond_the_radius,
-    ),
-    Dropped.check(
-        "prop_4_3_fails_on_the_whole_plane_and_outside_a_ball",
-        &[Proposition4_3],
-        far_out,
-    ),
+    Dropped.check("prop_4_3_fails_beyond_half_a_great_circle", P43, beyond_the_radius),
+    Dropped.check("prop_4_3_fails_on_the_whole_plane_and_outside_a_ball", P43, far_out),
 ];
 
 /// On the sphere: the radius `R` of a ball, a point `|x| ≤ R`, a tangent vector with
@@ -108,8 +103,8 @@ fn beyond_the_radius(trial: &Trial<'_>) -> Outcome {
     Ok(Default::default())
 }
 
-/// On the sphere without a point no `ε` serves the whole plane, which is not compact, and the `ε` of
-/// a ball does not serve points outside it: `π − 2 arctan |x|` tends to 0.
+/// On the sphere without a point no `ε` serves the whole plane, which is not compact, and the `ε`
+/// of a ball does not serve points outside it: `π − 2 arctan |x|` tends to 0.
 fn far_out(_: &Trial<'_>) -> Outcome {
     let of = |x: f64, ball: f64, epsilon: f64| -> Result<Evidence, VerifyError> {
         let (x, v) = (SVector::from([x, 0.0]), SVector::from([0.0, 0.1]));
