@@ -62,11 +62,10 @@ impl Arbitrary for AnySetting {
 
 #[cfg(test)]
 mod tests {
-    use quickcheck::{Gen, QuickCheck};
     use tautline::bounds::{Setting, c_tra_g, c_tra_sharp_g, k1_g, k2_g, theorem_1_1_constant};
     use tautline_statements::Units;
 
-    use super::AnySetting;
+    use super::{super::holds, AnySetting};
 
     /// Every bound grows with `d`, `c₂` and `L_H` and falls with `c₁`, as [`Setting`] says; twice
     /// the distance stands for any upper bound.
@@ -96,8 +95,7 @@ mod tests {
                     && theorem_1_1_constant(setting) <= theorem_1_1_constant(larger)
             })
         }
-        let source = Gen::from_size_and_seed(24, tautline_chance::seed(771));
-        QuickCheck::new().rng(source).tests(500).quickcheck(law as fn(AnySetting) -> bool);
+        holds(771, 500, law as fn(AnySetting) -> bool);
     }
 
     /// `K_{1,g}` and `K_{2,g}` are in `ℓ`, the others in `m²`.
@@ -118,9 +116,7 @@ mod tests {
                 && scales(c_tra_g(there, n), energy * c_tra_g(setting, n))
                 && scales(theorem_1_1_constant(there), energy * theorem_1_1_constant(setting))
         }
-        let source = Gen::from_size_and_seed(24, tautline_chance::seed(772));
-        let law: fn(AnySetting, i8, i8) -> bool = law;
-        QuickCheck::new().rng(source).tests(500).quickcheck(law);
+        holds(772, 500, law as fn(AnySetting, i8, i8) -> bool);
     }
 
     /// `C_tra♯ = d² (δ + 3D²δ² + 6κD²δ + 9κD⁴δ²)` with `δ = L_H d/c₁^{3/2}` and `κ = c₂/c₁`.
@@ -139,7 +135,6 @@ mod tests {
             // Sums of nonnegative terms, two dozen roundings each.
             (c_tra_sharp_g(setting) - expected).abs() <= 1e-14 * expected
         }
-        let source = Gen::from_size_and_seed(24, tautline_chance::seed(773));
-        QuickCheck::new().rng(source).tests(500).quickcheck(law as fn(AnySetting) -> bool);
+        holds(773, 500, law as fn(AnySetting) -> bool);
     }
 }

@@ -13,3 +13,12 @@ pub use any_constants::AnyConstants;
 pub use any_setting::AnySetting;
 pub use nonnegatives::Nonnegatives;
 pub use two_forms::AnyTwoForms;
+
+/// Checks a law on random cases of its arguments.
+#[cfg(test)]
+fn holds(seed: u64, cases: u32, law: impl quickcheck::Testable) {
+    quickcheck::QuickCheck::new()
+        .rng(quickcheck::Gen::from_size_and_seed(24, tautline_chance::seed(seed)))
+        .tests(u64::from(tautline_chance::cases(cases)))
+        .quickcheck(law);
+}

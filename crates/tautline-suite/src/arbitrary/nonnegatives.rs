@@ -34,9 +34,9 @@ impl Arbitrary for Nonnegatives {
 
 #[cfg(test)]
 mod tests {
-    use quickcheck::{Arbitrary, Gen, QuickCheck};
+    use quickcheck::Arbitrary;
 
-    use super::Nonnegatives;
+    use super::{super::holds, Nonnegatives};
 
     #[test]
     fn numbers_and_what_they_shrink_to_are_nonnegative() {
@@ -44,7 +44,6 @@ mod tests {
             let mut all = numbers.shrink().chain([numbers.clone()]);
             all.all(|numbers| numbers.numbers().iter().all(|x| (0.0..=4096.0).contains(x)))
         }
-        let source = Gen::from_size_and_seed(24, tautline_chance::seed(781));
-        QuickCheck::new().rng(source).tests(200).quickcheck(law as fn(Nonnegatives) -> bool);
+        holds(781, 200, law as fn(Nonnegatives) -> bool);
     }
 }

@@ -73,10 +73,10 @@ impl<const D: usize> Arbitrary for AnyTwoForms<D> {
 
 #[cfg(test)]
 mod tests {
-    use quickcheck::{Arbitrary, Gen, QuickCheck};
+    use quickcheck::Arbitrary;
     use tautline_statements::{Finding, prop_7_5};
 
-    use super::AnyTwoForms;
+    use super::{super::holds, AnyTwoForms};
 
     #[test]
     fn cases_and_what_they_shrink_to_meet_the_hypotheses() {
@@ -84,7 +84,6 @@ mod tests {
             let mut all = forms.shrink().take(20).chain([forms.clone()]);
             all.all(|case| matches!(prop_7_5(&case.forms()).finding(), Finding::Holds))
         }
-        let source = Gen::from_size_and_seed(24, tautline_chance::seed(751));
-        QuickCheck::new().rng(source).tests(200).quickcheck(law as fn(AnyTwoForms<2>) -> bool);
+        holds(751, 200, law as fn(AnyTwoForms<2>) -> bool);
     }
 }

@@ -3,6 +3,7 @@
 mod above_exponential;
 mod admissible;
 mod claiming;
+pub(super) mod clauses;
 mod known_geodesic;
 mod minimum;
 mod missing_point;

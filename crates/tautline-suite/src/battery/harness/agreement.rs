@@ -2,27 +2,22 @@
 
 use tautline_statements::slope;
 
-use super::Failure;
+use super::{Failure, Outcome, Tally};
 
 /// Returns a failure unless `value` is `expected` up to `tolerance`.
-pub(crate) fn close(what: &str, value: f64, expected: f64, tolerance: f64) -> Result<(), Failure> {
+pub(crate) fn close(what: &str, value: f64, expected: f64, tolerance: f64) -> Outcome {
     if (value - expected).abs() <= tolerance {
-        return Ok(());
+        return Ok(Tally::default());
     }
     let message = format!("{what}: {value:.17e} is not {expected:.17e} up to {tolerance:.1e}");
     Err(Failure::new(message))
 }
 
 /// Returns a failure unless the slope of the points in logarithmic axes is `expected` up to `tilt`.
-pub(crate) fn has_slope(
-    what: &str,
-    points: &[(f64, f64)],
-    expected: f64,
-    tilt: f64,
-) -> Result<(), Failure> {
+pub(crate) fn has_slope(what: &str, points: &[(f64, f64)], expected: f64, tilt: f64) -> Outcome {
     let slope = slope(points);
     if (slope - expected).abs() <= tilt {
-        return Ok(());
+        return Ok(Tally::default());
     }
     Err(Failure::new(format!("{what}: slope {slope} over {points:?}, not {expected}")))
 }

@@ -1,6 +1,6 @@
 //! `Golden`: reference values of another program, from a table beside the checks.
 
-use super::{Failure, close};
+use super::{Outcome, all, close};
 
 /// One row of a table: the columns by their names.
 pub(crate) struct Golden(Vec<(&'static str, f64)>);
@@ -24,11 +24,11 @@ impl Golden {
     }
 
     /// Compares computed numbers with the columns, to a relative `tolerance`.
-    pub(crate) fn agrees(&self, computed: &[(&str, f64)], tolerance: f64) -> Result<(), Failure> {
-        computed.iter().try_for_each(|&(column, value)| {
+    pub(crate) fn agrees(&self, computed: &[(&str, f64)], tolerance: f64) -> Outcome {
+        all(computed.iter().map(|&(column, value)| {
             let expected = self.get(column);
             close(column, value, expected, tolerance * expected)
-        })
+        }))
     }
 }
 

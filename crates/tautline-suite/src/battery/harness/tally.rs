@@ -95,11 +95,11 @@ mod tests {
         gallery::{Constant, Ramp, Shear},
     };
     use tautline_statements::{
-        Evidence, Known, LIBRARY, PaperRule, Reconstruction, Statement, Unit, theorem_1_1,
-        theorem_1_2, theorem_1_3, theorem_1_4,
+        Evidence, Known, LIBRARY, PaperRule, Reconstruction, Statement, Unit,
     };
 
     use super::Tally;
+    use crate::battery::paper::section_1::of_minimiser;
 
     /// Counts, for Theorems 1.1 to 1.4 on the minimisers of both rules with `N = 4`, the cases and
     /// those that could fail.
@@ -109,14 +109,7 @@ mod tests {
         let mut tally = Tally::default();
         for rule in PaperRule::BOTH {
             let seen = Reconstruction::observe(&LIBRARY, known, rule, 4).expect("a minimum");
-            let [energy, length] = match rule {
-                PaperRule::Trapezoidal => {
-                    [theorem_1_1(&LIBRARY, &seen), theorem_1_2(&LIBRARY, &seen)]
-                }
-                PaperRule::LeftEndpoint => {
-                    [theorem_1_3(&LIBRARY, &seen), theorem_1_4(&LIBRARY, &seen)]
-                }
-            };
+            let [energy, length, ..] = of_minimiser(&LIBRARY, &seen);
             tally.count(&energy);
             tally.count(&length);
         }

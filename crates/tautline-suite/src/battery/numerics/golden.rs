@@ -23,7 +23,7 @@ use tautline_statements::{
     Subject, VerifyError,
 };
 
-use crate::battery::harness::{Check, Failure, Golden, Kind::Reference, Outcome, Trial};
+use crate::battery::harness::{Check, Golden, Kind::Reference, Outcome, Trial};
 
 const CONSTANTS: &[Statement] = &[
     ConstantK1,
@@ -53,12 +53,7 @@ fn golden(problem: &str) -> Golden {
 ///
 /// To a relative `10⁻¹²`: `d` is known to some `10⁻¹⁵`, and enters the last constant, a product of
 /// cubes of sums of cubes, with powers up to 18. `C = 0` is exact.
-fn check(
-    subject: &Subject,
-    problem: &str,
-    metric: &impl Bounded<2>,
-    distance: f64,
-) -> Result<(), Failure> {
+fn check(subject: &Subject, problem: &str, metric: &impl Bounded<2>, distance: f64) -> Outcome {
     let constants = subject.constants(metric);
     let setting = Setting::new(constants, distance, 2)?;
     let (k1, k2) = (subject.k1_g(setting), subject.k2_g(setting));
@@ -86,16 +81,15 @@ fn between(
     problem: &str,
     metric: &(impl Bounded<2> + KnownDistance<2>),
     b: [f64; 2],
-) -> Result<(), Failure> {
+) -> Outcome {
     let distance = metric.distance(&SVector::zeros(), &SVector::from(b)).expect("known");
     check(subject, problem, metric, distance)
 }
 
 /// Solves from the ball of radius ½ to `{x₁ ≥ 3}`; the library has no formula for the distance.
 fn from_ball(subject: &Subject, metric: &impl Metric<2>) -> Result<f64, VerifyError> {
-    let ball = Ball::new([0.0, 0.0], 0.5)?;
-    let wall = HalfSpace::at_least([1.0, 0.0], 3.0)?;
-    let line = subject.minimise(Trapezoidal, metric, &Ends::new(ball, wall)?, 1024)?;
+    let ends = Ends::new(Ball::new([0.0, 0.0], 0.5)?, HalfSpace::at_least([1.0, 0.0], 3.0)?)?;
+    let line = subject.minimise(Trapezoidal, metric, &ends, 1024)?;
     // Both reconstructions are straight lines along which the length is exact.
     Ok(subject.curve_length(metric, &line.sequence).value)
 }
@@ -113,21 +107,18 @@ fn constant_metrics(trial: &Trial<'_>) -> Outcome {
     between(trial.subject, "identity", &flat, [3.0, 4.0])?;
     between(trial.subject, "oblique", &oblique(), [3.0, 4.0])?;
     let distance = from_ball(trial.subject, &oblique())?;
-    check(trial.subject, "oblique-from-ball", &oblique(), distance)?;
-    Ok(Default::default())
+    check(trial.subject, "oblique-from-ball", &oblique(), distance)
 }
 
 fn valleys(trial: &Trial<'_>) -> Outcome {
     between(trial.subject, "along-valleys", &Valleys, [4.0 * std::f64::consts::PI, 0.0])?;
     between(trial.subject, "across-valleys", &Valleys, [2.0, 1.5])?;
     let distance = from_ball(trial.subject, &Valleys)?;
-    check(trial.subject, "valleys-from-ball", &Valleys, distance)?;
-    Ok(Default::default())
+    check(trial.subject, "valleys-from-ball", &Valleys, distance)
 }
 
 fn sheared(trial: &Trial<'_>) -> Outcome {
-    between(trial.subject, "sheared", &shear(), [2.0, 3.0])?;
-    Ok(Default::default())
+    between(trial.subject, "sheared", &shear(), [2.0, 3.0])
 }
 
 /// `diag(1 + ½ cos² x₁, 2)`, and two points: the elliptic problem of the reference, moved by `π/2`
@@ -144,8 +135,7 @@ fn corrugated(trial: &Trial<'_>) -> Outcome {
     let distance = extrapolated(trial.subject, Trapezoidal, &metric, [a, b], 1000)?;
     check(trial.subject, "elliptic", &metric, distance)?;
     let known = metric.distance(&a.into(), &b.into()).unwrap_or(f64::NAN);
-    golden("elliptic").agrees(&[("d", known)], 1e-14)?;
-    Ok(Default::default())
+    golden("elliptic").agrees(&[("d", known)], 1e-14)
 }
 
 fn extrapolated<R: Rule>(
@@ -166,21 +156,15 @@ fn extrapolated<R: Rule>(
 /// On the grids 8, 32, 128, 512 and 2048 the remaining error is of order `N⁻¹⁰` or `N⁻⁵` at the
 /// product of the grids, with constants up to 10³, plus rounding.
 fn distances(trial: &Trial<'_>) -> Outcome {
-    fn one(
-        subject: &Subject,
-        problem: &str,
-        metric: &impl Metric<2>,
-        points: [[f64; 2]; 2],
-    ) -> Result<(), Failure> {
-        let trapezoidal = extrapolated(subject, Trapezoidal, metric, points, 2048)?;
-        golden(problem).agrees(&[("d", trapezoidal)], 1e-11)?;
-        let left = extrapolated(subject, LeftEndpoint, metric, points, 2048)?;
-        golden(problem).agrees(&[("d", left)], 1e-7)
+    fn one(trial: &Trial<'_>, name: &str, metric: &impl Metric<2>, ends: [[f64; 2]; 2]) -> Outcome {
+        let trapezoidal = extrapolated(trial.subject, Trapezoidal, metric, ends, 2048)?;
+        golden(name).agrees(&[("d", trapezoidal)], 1e-11)?;
+        let left = extrapolated(trial.subject, LeftEndpoint, metric, ends, 2048)?;
+        golden(name).agrees(&[("d", left)], 1e-7)
     }
-    one(trial.subject, "oblique", &oblique(), [[0.0, 0.0], [3.0, 4.0]])?;
-    one(trial.subject, "across-valleys", &Valleys, [[0.0, 0.0], [2.0, 1.5]])?;
-    let (corrugated, points) = corrugated_beside_line();
-    one(trial.subject, "elliptic", &corrugated, points)?;
-    one(trial.subject, "sheared", &shear(), [[0.0, 0.0], [2.0, 3.0]])?;
-    Ok(Default::default())
+    one(trial, "oblique", &oblique(), [[0.0, 0.0], [3.0, 4.0]])?;
+    one(trial, "across-valleys", &Valleys, [[0.0, 0.0], [2.0, 1.5]])?;
+    let (corrugated, ends) = corrugated_beside_line();
+    one(trial, "elliptic", &corrugated, ends)?;
+    one(trial, "sheared", &shear(), [[0.0, 0.0], [2.0, 3.0]])
 }

@@ -100,8 +100,7 @@ fn check<M: Metric<D>, const D: usize>(subject: &Subject, case: &Case<M, D>) -> 
     let (first, second) = (2.0 * b - a, 2.0 * c - b);
     let limit = (4.0 * second - first) / 3.0;
     let tolerance = 0.5e-6 + 1e-5 * limit.abs();
-    close("N (E_l,N − d²)", limit, case.left, tolerance)?;
-    Ok(Default::default())
+    close("N (E_l,N − d²)", limit, case.left, tolerance)
 }
 
 /// `H = [[1, s], [s, 1 + s²]]`, `s = ½ cos x₂`, from `(0, 0)` to `(2, 3)`. For example

@@ -11,7 +11,7 @@ use tautline_statements::{
 };
 
 use crate::battery::{
-    cases::{AboveExponential, admissible, minimum},
+    cases::{AboveExponential, admissible, clauses::BELOW, minimum},
     harness::{
         Check, Failure,
         Kind::{Dropped, Homogeneous, Random, Witness},
@@ -157,7 +157,7 @@ fn on_the_sphere(_: &Trial<'_>) -> Outcome {
         let pair = [&sequence, &sequence];
         let evidence = prop_7_1(&LIBRARY, PaperRule::Trapezoidal, &metric, sets, pair)?;
         let energy = evidence.conclusion("E_N(γ*) ≤ E_N(γᵖ)").bound;
-        claim_fails_without("c₁ ≤ λ_min(H)", "|xₙ − X| ≤ √(R/c₁)", evidence)?;
+        claim_fails_without(BELOW, "|xₙ − X| ≤ √(R/c₁)", evidence)?;
         if !(energy < before) {
             return Err(Failure::new(format!("r = {r}: {energy} after {before}")));
         }

@@ -15,10 +15,13 @@ use tautline_statements::{
     witnesses::{Incline, one_step, tent},
 };
 
-use crate::battery::harness::{
-    Check, Failure,
-    Kind::{Dropped, Homogeneous, Random, Witness},
-    Outcome, Trial, all, fails_without, for_all,
+use crate::battery::{
+    cases::clauses::LIPSCHITZ,
+    harness::{
+        Check, Failure,
+        Kind::{Dropped, Homogeneous, Random, Witness},
+        Outcome, Trial, all, fails_without, for_all,
+    },
 };
 use crate::strategies::{ramp, separable, sequence, shear};
 
@@ -139,5 +142,5 @@ impl Bounded<1> for Jump {
 fn dropped_lipschitz(_: &Trial<'_>) -> Outcome {
     let sequence = PointSequence::straight([0.0], [0.6], 1)?;
     let evidence = evidence(&LIBRARY, &Jump, &sequence)?;
-    all(evidence.map(|evidence| fails_without(&["‖H(x) − H(y)‖/|x − y| ≤ L_H"], evidence)))
+    all(evidence.map(|evidence| fails_without(&[LIPSCHITZ], evidence)))
 }

@@ -17,10 +17,13 @@ use tautline_statements::{
     witnesses::{Zigzag, tent},
 };
 
-use crate::battery::harness::{
-    Check,
-    Kind::{Dropped, Homogeneous, Random, Refuted, Witness},
-    Outcome, Trial, all, fails_without, for_all, refuted,
+use crate::battery::{
+    cases::clauses::{ABOVE, LIPSCHITZ},
+    harness::{
+        Check,
+        Kind::{Dropped, Homogeneous, Random, Refuted, Witness},
+        Outcome, Trial, all, fails_without, for_all, refuted,
+    },
 };
 use crate::{
     arbitrary::AnySetting,
@@ -175,11 +178,10 @@ fn false_constants(_: &Trial<'_>) -> Outcome {
     // γ̇ = 1 + cos πt: E − E_tra = ½, and 4 c₂ K₂ (K₁ + K₂) < 31 c₂.
     let sine = [SVector::zeros(), SVector::from([std::f64::consts::FRAC_1_PI])];
     let curve = SmoothCurve::new(vec![SVector::zeros(), SVector::from([1.0])], vec![sine]);
-    let lipschitz = "‖H(x) − H(y)‖/|x − y| ≤ L_H";
     all([
-        fails_without(&[lipschitz], prop_7_6(&LIBRARY, &ridge, &line, n)?),
-        fails_without(&[lipschitz], prop_7_7(&LIBRARY, &ridge, &[&line], n)?),
-        fails_without(&["λ_max(H) ≤ c₂"], prop_7_6(&LIBRARY, &flat, &curve, n)?),
+        fails_without(&[LIPSCHITZ], prop_7_6(&LIBRARY, &ridge, &line, n)?),
+        fails_without(&[LIPSCHITZ], prop_7_7(&LIBRARY, &ridge, &[&line], n)?),
+        fails_without(&[ABOVE], prop_7_6(&LIBRARY, &flat, &curve, n)?),
     ])
 }
 

@@ -13,7 +13,7 @@ use tautline_statements::{
 };
 
 use crate::battery::{
-    harness::{Check, Failure, Kind::Order, Outcome, Trial, close},
+    harness::{Check, Kind::Order, Outcome, Trial, all, close},
     sharper::golden::setting,
 };
 
@@ -46,12 +46,12 @@ fn huge() -> (NonZeroUsize, f64) {
     (NonZeroUsize::new(n).expect("positive"), n as f64)
 }
 
-fn agree(pairs: &[(&str, f64, f64)]) -> Result<(), Failure> {
-    pairs.iter().try_for_each(|&(name, value, term)| close(name, value, term, NEXT * term))
+fn agree(pairs: &[(&str, f64, f64)]) -> Outcome {
+    all(pairs.iter().map(|&(name, value, term)| close(name, value, term, NEXT * term)))
 }
 
 /// `N` times the bounds over `d²`.
-fn of_first_order(subject: &Subject, setting: Setting) -> Result<(), Failure> {
+fn of_first_order(subject: &Subject, setting: Setting) -> Outcome {
     let (n, count) = huge();
     let (delta, scale) = (setting.delta(), count / setting.distance().powi(2));
     for rule in PaperRule::BOTH {
@@ -72,11 +72,11 @@ fn of_first_order(subject: &Subject, setting: Setting) -> Result<(), Failure> {
             ("Theorem C, below", scale * subject.theorem_c_deficit(setting, rule, n), k * delta),
         ])?;
     }
-    Ok(())
+    Ok(Default::default())
 }
 
 /// `N²` times the bounds over `d²`.
-fn of_second_order(subject: &Subject, setting: Setting) -> Result<(), Failure> {
+fn of_second_order(subject: &Subject, setting: Setting) -> Outcome {
     let (n, count) = huge();
     let scale = count * count / setting.distance().powi(2);
     let (delta, bend, mu) = (setting.delta(), setting.bend(), setting.mu().unwrap_or(f64::NAN));

@@ -1,19 +1,24 @@
 //! Proposition S.8 where only its margin is lost, and where it fails.
 
+use nalgebra::SMatrix;
 use tautline::{
-    Ball, Constants, Ends, HalfSpace, LocallyBounded,
+    Ball, Bounded, Constants, Ends, HalfSpace, LocallyBounded,
     gallery::{Constant, Sphere},
 };
 use tautline_statements::{
     Known, LIBRARY, PaperRule, Reconstruction,
     Statement::{self, PropositionS8},
-    VerifyError, WithConstants, prop_s_8,
+    WithConstants, prop_s_8,
 };
 
-use crate::battery::harness::{
-    Check,
-    Kind::{Dropped, Witness},
-    Outcome, Trial, fails_without,
+use crate::battery::{
+    cases::{claiming, clauses::BELOW},
+    harness::{
+        Check,
+        Kind::{Dropped, Witness},
+        Outcome, Trial, all, fails_without,
+    },
+    paper::theorem_witnesses::flat_problem,
 };
 
 const S8: &[Statement] = &[PropositionS8];
@@ -27,34 +32,30 @@ pub(crate) const CHECKS: &[Check] = &[
     Dropped.check("prop_s_8_fails_where_c1_is_overstated", S8, without_c1),
 ];
 
-fn on_the_plane(factor: f64) -> Result<Constant<2>, VerifyError> {
-    Ok(Constant::new([[factor, 0.0], [0.0, factor]].into())?)
-}
-
 /// `H = 4 I`: between points, and from a half-plane to a ball, where the last end is the bounded
 /// one.
 fn flat(trial: &Trial<'_>) -> Outcome {
-    let metric = on_the_plane(4.0)?;
-    let points = Known::between(metric, [1.0, 0.0], [4.0, 4.0])?;
-    let wall = HalfSpace::at_least([1.0, 0.0], 3.0)?;
-    let ball = Ball::new([0.0, 0.0], 1.0)?;
-    let ends = Ends::new(wall, ball)?;
-    let sets = Known { metric, ends, distance: 4.0, distance_error: 0.0 };
-    let mut evidence = Vec::new();
-    for known in [points.expect("known"), sets] {
-        for rule in PaperRule::BOTH {
-            for n in [1, 2, 7, 100] {
-                let seen = Reconstruction::observe(trial.subject, &known, rule, n)?;
-                evidence.push(
-                    prop_s_8(trial.subject, &known, &seen)?
-                        .claim_is_attained("|xₙ − x| ≤ R", PERCENT)?
-                        .claim_is_attained("d ≤ √c₁ R", PERCENT)?
-                        .claim_is_attained("√c₁ R ≤ L(γ) on the way out", 1.0 + 1e-12)?,
-                );
-            }
-        }
-    }
-    trial.one(evidence)
+    let points = flat_problem()?;
+    let ends = Ends::new(HalfSpace::at_least([1.0, 0.0], 3.0)?, Ball::new([0.0, 0.0], 1.0)?)?;
+    let sets = Known { metric: points.metric, ends, distance: 4.0, distance_error: 0.0 };
+    all([points, sets].map(|known| attained(trial, &known, &[1, 2, 7, 100], 1.0 + 1e-12)))
+}
+
+/// Requires the radius to exceed its least value by its margin alone, for both rules.
+fn attained<M: Bounded<2>>(
+    trial: &Trial<'_>,
+    known: &Known<M, 2>,
+    subintervals: &[usize],
+    way_out: f64,
+) -> Outcome {
+    let cases = subintervals.iter().flat_map(|&n| PaperRule::BOTH.map(|rule| (rule, n)));
+    all(cases.map(|(rule, n)| {
+        let seen = Reconstruction::observe(trial.subject, known, rule, n)?;
+        trial.one([prop_s_8(trial.subject, known, &seen)?
+            .claim_is_attained("|xₙ − x| ≤ R", PERCENT)?
+            .claim_is_attained("d ≤ √c₁ R", PERCENT)?
+            .claim_is_attained("√c₁ R ≤ L(γ) on the way out", way_out)?])
+    }))
 }
 
 /// Two points so close that the sphere is flat between them.
@@ -63,25 +64,14 @@ fn small(trial: &Trial<'_>) -> Outcome {
     let constants = Sphere.constants_within(&a.into(), 1.02e-5)?;
     let metric = WithConstants { metric: Sphere, constants };
     let known = Known::between(metric, a, b)?.expect("known");
-    let mut evidence = Vec::new();
-    for rule in PaperRule::BOTH {
-        let seen = Reconstruction::observe(trial.subject, &known, rule, 4)?;
-        evidence.push(
-            prop_s_8(trial.subject, &known, &seen)?
-                .claim_is_attained("|xₙ − x| ≤ R", PERCENT)?
-                .claim_is_attained("d ≤ √c₁ R", PERCENT)?
-                .claim_is_attained("√c₁ R ≤ L(γ) on the way out", PERCENT)?,
-        );
-    }
-    trial.one(evidence)
+    attained(trial, &known, &[4], PERCENT)
 }
 
 /// `H = I` with twice its `c₁`: the other end is `√2/1.01` times as far away as the radius.
 fn without_c1(_: &Trial<'_>) -> Outcome {
-    let constants = Constants::new(2.0, 2.0, 0.0)?;
-    let metric = WithConstants { metric: on_the_plane(1.0)?, constants };
-    let ends = Ends::points([0.0, 0.0], [1.0, 0.0])?;
-    let known = Known { metric, ends, distance: 1.0, distance_error: 0.0 };
+    let plane = Constant::<2>::new(SMatrix::identity())?;
+    let known = Known::between(plane, [0.0, 0.0], [1.0, 0.0])?.expect("known");
+    let known = claiming(known, Constants::new(2.0, 2.0, 0.0)?);
     let seen = Reconstruction::observe(&LIBRARY, &known, PaperRule::Trapezoidal, 4)?;
-    fails_without(&["c₁ ≤ λ_min(H)"], prop_s_8(&LIBRARY, &known, &seen)?)
+    fails_without(&[BELOW], prop_s_8(&LIBRARY, &known, &seen)?)
 }

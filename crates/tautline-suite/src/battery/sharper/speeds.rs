@@ -10,7 +10,7 @@ use tautline_statements::{
 };
 
 use crate::battery::{
-    harness::{Check, Kind::Witness, Outcome, Trial},
+    harness::{Check, Kind::Witness, Outcome, Trial, all},
     sharper::witnesses::NEAR,
 };
 
@@ -23,13 +23,11 @@ pub(crate) const CHECKS: &[Check] = &[
 fn twist(trial: &Trial<'_>) -> Outcome {
     let metric = Twist::<2>::new(1.0, 1.0, 2e-3)?;
     let sequence = metric.short_geodesic(1e-5).sample(2)?;
-    let mut evidence = Vec::new();
-    for rule in PaperRule::BOTH {
+    all(PaperRule::BOTH.map(|rule| {
         let found = lemma_s_3(trial.subject, &metric, rule, &sequence)?;
         let claim = "|βₙ − βₙ₋₁| ≤ 3L_H B²/2Nc₁ + |ρₙ|/Nc₁";
-        evidence.push(found.claim_is_attained(claim, NEAR)?);
-    }
-    trial.one(evidence)
+        trial.one([found.claim_is_attained(claim, NEAR)?])
+    }))
 }
 
 /// Every chord has the slope `L_H = 1` at its middle, and between two of them `H` falls back to 1:

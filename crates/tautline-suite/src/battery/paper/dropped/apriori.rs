@@ -13,16 +13,14 @@ use tautline_statements::{
     witnesses::{Incline, InclineGeodesic},
 };
 
-use crate::battery::harness::{
-    Check, Kind::Dropped, Outcome, Trial, all, fails_without, holds_without,
+use crate::battery::{
+    cases::clauses::{ABOVE, BELOW, LIPSCHITZ},
+    harness::{Check, Kind::Dropped, Outcome, Trial, all, fails_without, holds_without},
 };
 
 const POINTWISE: &[Statement] = &[Proposition7_10, Proposition7_11];
 const SPEED: &str = "|g(γ̇, γ̇) − d²| = 0";
 const EQUATION: &str = "|γ̈ + Γ(γ̇, γ̇)| = 0";
-const LIPSCHITZ: &str = "‖H(x) − H(y)‖/|x − y| ≤ L_H";
-const BELOW: &str = "c₁ ≤ λ_min(H)";
-const ABOVE: &str = "λ_max(H) ≤ c₂";
 
 pub(crate) const CHECKS: &[Check] = &[
     Dropped.check("props_7_10_and_7_11_fail_with_false_constants", POINTWISE, false_constants),

@@ -17,14 +17,13 @@ use tautline_statements::{
 };
 
 use crate::battery::{
+    cases::clauses::{ABOVE, BELOW},
     harness::{Check, Kind::Dropped, Outcome, Trial, all, holds_without},
     paper::point_sequences,
 };
 
 const SAMPLED: &[Statement] = &[Proposition7_6, Proposition7_7];
 const SEQUENCES: &[Statement] = &[Proposition7_9, Proposition8_1, Proposition8_2];
-const BELOW: &str = "c₁ ≤ λ_min(H)";
-const ABOVE: &str = "λ_max(H) ≤ c₂";
 
 pub(crate) const CHECKS: &[Check] = &[
     Dropped.check("prop_7_6_does_not_need_c1_nor_prop_7_7_c2", SAMPLED, curves),
@@ -44,12 +43,11 @@ fn inclines() -> Result<[(&'static str, WithConstants<Incline>); 2], VerifyError
 fn sequences(_: &Trial<'_>) -> Outcome {
     let points = [[0.0], [1.0], [0.8], [0.3], [0.0]].map(Into::into).to_vec();
     let sequence = PointSequence::new(points)?;
-    let mut outcomes = Vec::new();
     for (clause, metric) in inclines()? {
         let evidence = point_sequences::evidence(&LIBRARY, &metric, &sequence)?;
-        outcomes.extend(evidence.map(|evidence| holds_without(&[clause], evidence)));
+        all(evidence.map(|evidence| holds_without(&[clause], evidence)))?;
     }
-    all(outcomes)
+    Ok(Default::default())
 }
 
 /// The straight line up the incline, and the one that goes as `t²`.
@@ -57,15 +55,14 @@ fn curves(_: &Trial<'_>) -> Outcome {
     let line = SmoothCurve::straight([0.0], [1.0]);
     let late = SmoothCurve::polynomial([0.0, 0.0, 1.0].map(|x| [x].into()));
     let [(below, overstated), (above, understated)] = inclines()?;
-    let mut outcomes = Vec::new();
     for n in [1, 2, 7].map(|n| NonZeroUsize::new(n).expect("positive")) {
         for curve in [&line, &late] {
-            outcomes.extend([
+            all([
                 holds_without(&[below], prop_7_6(&LIBRARY, &overstated, curve, n)?),
                 holds_without(&[below], prop_7_7(&LIBRARY, &overstated, &[curve], n)?),
                 holds_without(&[above], prop_7_7(&LIBRARY, &understated, &[curve], n)?),
-            ]);
+            ])?;
         }
     }
-    all(outcomes)
+    Ok(Default::default())
 }

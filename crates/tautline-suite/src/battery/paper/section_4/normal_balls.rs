@@ -110,11 +110,9 @@ fn far_out(_: &Trial<'_>) -> Outcome {
         let (x, v) = (SVector::from([x, 0.0]), SVector::from([0.0, 0.1]));
         Ok(prop_4_3(&LIBRARY, &Sphere, [&x, &v], ball, epsilon)?)
     };
-    let mut outcomes = Vec::new();
     for epsilon in [1.0, 0.1, 1e-3] {
-        outcomes.push(fails_without(&["K is bounded"], of(4.0 / epsilon, f64::INFINITY, epsilon)?));
+        fails_without(&["K is bounded"], of(4.0 / epsilon, f64::INFINITY, epsilon)?)?;
     }
     let unit = Sphere.normal_radius(&SVector::from([1.0, 0.0]));
-    outcomes.push(fails_without(&["x ∈ K"], of(2.0, 1.0, unit)?));
-    all(outcomes)
+    fails_without(&["x ∈ K"], of(2.0, 1.0, unit)?)
 }
