@@ -1,6 +1,6 @@
 //! `Check`: a named test that runs against the library or a mutant.
 
-use tautline_statements::Statement;
+use tautline_statements::{PaperRule, Statement};
 
 use super::{Failure, Outcome, Scope, Tally, Trial};
 
@@ -81,4 +81,13 @@ pub(crate) fn all(outcomes: impl IntoIterator<Item = Outcome>) -> Outcome {
         sum.extend(&outcome?);
     }
     Ok(sum)
+}
+
+/// Runs a check for both rules, with each of these numbers of subintervals.
+pub(crate) fn for_rules(
+    subintervals: impl IntoIterator<Item = usize>,
+    run: impl Fn(PaperRule, usize) -> Outcome,
+) -> Outcome {
+    let cases = subintervals.into_iter().flat_map(|n| PaperRule::BOTH.map(|rule| (rule, n)));
+    all(cases.map(|(rule, n)| run(rule, n)))
 }

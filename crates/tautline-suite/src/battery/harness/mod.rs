@@ -14,8 +14,8 @@ mod tally;
 mod trial;
 
 pub(crate) use agreement::{close, has_slope};
-pub(crate) use check::all;
 pub use check::{Check, Kind};
+pub(crate) use check::{all, for_rules};
 pub(crate) use failing::{fails_without, holds_without, refuted};
 pub use failure::{Failure, Outcome};
 pub(crate) use fingerprint::Fingerprint;

@@ -15,7 +15,7 @@ use crate::battery::{
     harness::{
         Check, Failure,
         Kind::{Dropped, Homogeneous, Random, Witness},
-        Outcome, Trial, all, fails_without, for_all,
+        Outcome, Trial, all, fails_without, for_all, for_rules,
     },
 };
 use crate::strategies::{
@@ -93,20 +93,15 @@ fn attained(trial: &Trial<'_>) -> Outcome {
     let ball = Ball::new([1.0, 0.0, 0.0], 1.0)?;
     let wall = HalfSpace::at_least([1.0, 0.0, 0.0], 5.0)?;
     let ends = Ends::new(ball, wall)?;
-    let mut found = Vec::new();
-    for n in [1, 3, 20] {
+    for_rules([1, 3, 20], |rule, n| {
         let line = PointSequence::straight([2.0, 0.0, 0.0], [5.0, 0.0, 0.0], n)?;
-        for rule in PaperRule::BOTH {
-            let least = minimum(trial.subject, rule, &metric, &ends, n)?.sequence;
-            found.push(
-                prop_7_1(trial.subject, rule, &metric, [&ball, &wall], [&least, &line])?
-                    .claim_is_attained("|xₙ − X| ≤ √(R/c₁)", 1.01)?
-                    .claim_is_attained("Σ |xₙ₊₁ − xₙ| ≤ √(R/c₁)", 1.01)?
-                    .claim_is_attained("E_N(γ*) ≤ E_N(γᵖ)", 1.01)?,
-            );
-        }
-    }
-    trial.one(found)
+        let least = minimum(trial.subject, rule, &metric, &ends, n)?.sequence;
+        let evidence = prop_7_1(trial.subject, rule, &metric, [&ball, &wall], [&least, &line])?;
+        trial.one([evidence
+            .claim_is_attained("|xₙ − X| ≤ √(R/c₁)", 1.01)?
+            .claim_is_attained("Σ |xₙ₊₁ − xₙ| ≤ √(R/c₁)", 1.01)?
+            .claim_is_attained("E_N(γ*) ≤ E_N(γᵖ)", 1.01)?])
+    })
 }
 
 /// As [`fails_without`], with the conclusion that fails.

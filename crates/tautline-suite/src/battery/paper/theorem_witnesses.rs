@@ -33,7 +33,7 @@ use crate::battery::{
     cases::routes::{
         Knots, SLOPE, downwards, level, misleading, ridge, route, routes, upwards, valley,
     },
-    harness::{Check, Kind::Witness, Outcome, Trial},
+    harness::{Check, Kind::Witness, Outcome, Trial, for_rules},
     paper::section_1::of_minimiser,
 };
 
@@ -132,13 +132,9 @@ pub(crate) fn flat_problem() -> Result<Known<Constant<2>, 2>, VerifyError> {
 /// `H = 4 I`: `C_tra♯ = 0` and `K₃ = d/√c₁`, for every `N`.
 fn flat(trial: &Trial<'_>) -> Outcome {
     let known = flat_problem()?;
-    let mut evidence = Vec::new();
-    for n in [1, 2, 7, 100] {
-        for rule in PaperRule::BOTH {
-            let seen = Reconstruction::observe(trial.subject, &known, rule, n)?;
-            let [_, _, speeds, _] = of_minimiser(trial.subject, &seen);
-            evidence.push(speeds.attained()?);
-        }
-    }
-    trial.one(evidence)
+    for_rules([1, 2, 7, 100], |rule, n| {
+        let seen = Reconstruction::observe(trial.subject, &known, rule, n)?;
+        let [_, _, speeds, _] = of_minimiser(trial.subject, &seen);
+        trial.one([speeds.attained()?])
+    })
 }

@@ -14,7 +14,7 @@ use tautline_statements::{
 };
 
 use crate::battery::{
-    harness::{Check, Failure, Kind::Witness, Outcome, Trial},
+    harness::{Check, Failure, Kind::Witness, Outcome, Trial, for_rules},
     sharper::witnesses::NEAR,
 };
 
@@ -61,24 +61,19 @@ fn opposite_slopes(trial: &Trial<'_>) -> Outcome {
 /// minimum by `R²/(4σN² sin²(π/2N))` for both rules: Poincaré's inequality is sharp for this wave.
 fn wave(trial: &Trial<'_>) -> Outcome {
     let metric = Constant::<1>::new([[4.0]].into()).expect("positive");
-    let mut evidence = Vec::new();
-    for n in [2_usize, 5, 32] {
+    for_rules([2, 5, 32], |rule, n| {
         let through = |by: f64| {
             let at = |k: usize| {
                 let t = k as f64 / n as f64;
-                let sine = if k == 0 || k == n { 0.0 } else { (std::f64::consts::PI * t).sin() };
+                let sine = if k == 0 || k == n { 0.0 } else { (PI * t).sin() };
                 [t + by * sine].into()
             };
             PointSequence::new((0..=n).map(at).collect())
         };
-        let (waved, straight) = (through(0.1), through(0.0));
-        let both = [&waved?, &straight?];
-        for rule in PaperRule::BOTH {
-            let found = prop_s_7(trial.subject, &metric, rule, both, 2.0)?;
-            evidence.push(found.claim_is_attained("E(x) − R²/4σN²sin² ≤ E(y)", 1.0 + 1e-9)?);
-        }
-    }
-    trial.one(evidence)
+        let both = [&through(0.1)?, &through(0.0)?];
+        let found = prop_s_7(trial.subject, &metric, rule, both, 2.0)?;
+        trial.one([found.claim_is_attained("E(x) − R²/4σN²sin² ≤ E(y)", 1.0 + 1e-9)?])
+    })
 }
 
 /// `N = 2` on the line, with both midpoints on crests of `H = (1 + a sin kx)²`, 320 waves apart: of
@@ -107,16 +102,15 @@ fn crests(trial: &Trial<'_>) -> Outcome {
 /// convex set has to hold both: its `σ`, read off a residual, is at most that for their `B`.
 fn competitors(trial: &Trial<'_>) -> Outcome {
     let metric = Separable::new([0.3], [1.0])?;
-    let ([a, b], n) = ([-1.6, -1.0], 16);
+    let [a, b] = [-1.6, -1.0];
     let known = Known::between(metric, [a], [b])?.expect("known");
-    let straight = PointSequence::straight([a], [b], n)?;
-    let mut evidence = Vec::new();
-    for rule in PaperRule::BOTH {
+    let constants = metric.constants();
+    for_rules([16], |rule, n| {
+        let straight = PointSequence::straight([a], [b], n)?;
         let seen = Reconstruction::observe(trial.subject, &known, rule, n)?;
         let speeds = seen.minimum.sequence.differences().map(|beta| beta.norm());
         let greatest = speeds.fold(0.0, f64::max);
-        let energy = discrete_energy(trial.subject, rule, &known.metric, &straight);
-        let constants = known.metric.constants();
+        let energy = discrete_energy(trial.subject, rule, &metric, &straight);
         let computed = BetweenPoints {
             rule,
             n: seen.n,
@@ -132,12 +126,9 @@ fn competitors(trial: &Trial<'_>) -> Outcome {
         let modulus = 1.0 / (4.0 * wave * wave * (energy - least));
         let covering = LIBRARY.convexity_modulus(constants, rule, greatest, seen.n);
         let covering = covering.ok_or_else(silent)?;
-        evidence.push(
-            Evidence::of(PropositionS7)
-                .given("x is slower than y", Unit::COORDINATE, [b - a, greatest], 0.0)
-                // A difference of numbers of the same size.
-                .stated("σ ≤ that of both", Unit::GRAM, [modulus, covering], 1e-12 * covering),
-        );
-    }
-    trial.one(evidence)
+        trial.one([Evidence::of(PropositionS7)
+            .given("x is slower than y", Unit::COORDINATE, [b - a, greatest], 0.0)
+            // A difference of numbers of the same size.
+            .stated("σ ≤ that of both", Unit::GRAM, [modulus, covering], 1e-12 * covering)])
+    })
 }

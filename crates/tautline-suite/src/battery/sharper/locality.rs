@@ -16,7 +16,7 @@ use crate::battery::{
     harness::{
         Check,
         Kind::{Dropped, Witness},
-        Outcome, Trial, all, fails_without,
+        Outcome, Trial, all, fails_without, for_rules,
     },
     paper::theorem_witnesses::flat_problem,
 };
@@ -48,14 +48,13 @@ fn attained<M: Bounded<2>>(
     subintervals: &[usize],
     way_out: f64,
 ) -> Outcome {
-    let cases = subintervals.iter().flat_map(|&n| PaperRule::BOTH.map(|rule| (rule, n)));
-    all(cases.map(|(rule, n)| {
+    for_rules(subintervals.iter().copied(), |rule, n| {
         let seen = Reconstruction::observe(trial.subject, known, rule, n)?;
         trial.one([prop_s_8(trial.subject, known, &seen)?
             .claim_is_attained("|xₙ − x| ≤ R", PERCENT)?
             .claim_is_attained("d ≤ √c₁ R", PERCENT)?
             .claim_is_attained("√c₁ R ≤ L(γ) on the way out", way_out)?])
-    }))
+    })
 }
 
 /// Two points so close that the sphere is flat between them.

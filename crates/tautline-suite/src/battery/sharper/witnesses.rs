@@ -19,7 +19,7 @@ use tautline_statements::{
 
 use crate::battery::{
     cases::routes::{SLOPE, downwards, misleading, ridge, route, routes, upwards, valley},
-    harness::{Check, Kind::Witness, Outcome, Trial},
+    harness::{Check, Kind::Witness, Outcome, Trial, all, for_rules},
     paper::theorem_witnesses::{LIMIT, flat_problem},
 };
 
@@ -116,26 +116,18 @@ fn parabola(trial: &Trial<'_>) -> Outcome {
 /// `H = 4 I`: all speeds are `d`, and `d² = E_N`.
 fn flat(trial: &Trial<'_>) -> Outcome {
     let known = flat_problem()?;
-    let mut evidence = Vec::new();
-    for n in [1, 2, 7, 100] {
-        for rule in PaperRule::BOTH {
-            let seen = Reconstruction::observe(trial.subject, &known, rule, n)?;
-            let speeds = lemma_s_3(trial.subject, &known.metric, rule, &seen.minimum.sequence);
-            evidence.push(
-                speeds?
-                    .claim_is_attained("max qₙ ≤ √E + (L_H/c₁^{3/2})E + mean|ρ|/√c₁", NEAR)?
-                    .claim_is_attained("max|βₙ| ≤ (c₂K₃ + ½L_H K₃² + mean|ρ|)/c₁", NEAR)?,
-            );
-            // The sets are |(3, 4)| = 5 apart.
-            evidence.push(
-                prop_s_6(trial.subject, &seen, 5.0)?
-                    .claim_is_attained("lower ≤ d²", 1.0 + 1e-12)?
-                    .claim_is_attained("c₁ gap² ≤ d²", 1.0 + 1e-12)?
-                    .claim_is_attained("d² ≤ L(γᵖˡ)²", 1.0 + 1e-12)?,
-            );
-        }
-    }
-    trial.one(evidence)
+    for_rules([1, 2, 7, 100], |rule, n| {
+        let seen = Reconstruction::observe(trial.subject, &known, rule, n)?;
+        let speeds = lemma_s_3(trial.subject, &known.metric, rule, &seen.minimum.sequence)?
+            .claim_is_attained("max qₙ ≤ √E + (L_H/c₁^{3/2})E + mean|ρ|/√c₁", NEAR)?
+            .claim_is_attained("max|βₙ| ≤ (c₂K₃ + ½L_H K₃² + mean|ρ|)/c₁", NEAR)?;
+        // The sets are |(3, 4)| = 5 apart.
+        let enclosure = prop_s_6(trial.subject, &seen, 5.0)?
+            .claim_is_attained("lower ≤ d²", 1.0 + 1e-12)?
+            .claim_is_attained("c₁ gap² ≤ d²", 1.0 + 1e-12)?
+            .claim_is_attained("d² ≤ L(γᵖˡ)²", 1.0 + 1e-12)?;
+        trial.one([speeds, enclosure])
+    })
 }
 
 /// `N = 1` along one route, in the limit `δ → 0`: on a ridge and down an incline the rule reads too
@@ -183,51 +175,48 @@ fn second_variation(trial: &Trial<'_>) -> Outcome {
 fn one_long_chord(trial: &Trial<'_>) -> Outcome {
     let metric = Constant::<1>::new([[4.0]].into()).expect("positive");
     let known = Known::between(metric, [0.0], [3.0])?.expect("known");
-    let mut evidence = Vec::new();
-    for (n, first) in [(2_usize, 2.0), (3, 2.0), (10, 2.0), (100, 0.24)] {
-        for rule in PaperRule::BOTH {
-            let mut minimum = Reconstruction::observe(trial.subject, &known, rule, n)?.minimum;
-            // The other chords share the rest.
-            let at = |k: usize| match k {
-                0 => [0.0],
-                _ => [first + (3.0 - first) * (k - 1) as f64 / (n - 1) as f64],
-            };
-            let points = (0..=n).map(|k| at(k).into()).collect();
-            minimum.sequence = PointSequence::new(points)?;
-            let seen = Reconstruction::read(trial.subject, &known, rule, minimum)?;
-            let mut found = lemma_s_5(trial.subject, &seen);
-            if n > 2 {
-                found = found
-                    .claim_is_attained("var u ≤ v", 1.0 + 1e-9)?
-                    .claim_is_attained("|u − mean u| ≤ √((N−1)v)", 1.0 + 1e-9)?;
-            }
-            if n == 100 {
-                found = found
-                    .claim_is_attained("mean u³ ≤ m₃", 1.049)?
-                    .claim_is_attained("mean u⁴ ≤ m₄", 1.113)?;
-            }
-            evidence.push(found);
+    for_rules([2, 3, 10, 100], |rule, n| {
+        let first = if n == 100 { 0.24 } else { 2.0 };
+        // The other chords share the rest.
+        let at = |k: usize| match k {
+            0 => [0.0],
+            _ => [first + (3.0 - first) * (k - 1) as f64 / (n - 1) as f64],
+        };
+        let mut minimum = Reconstruction::observe(trial.subject, &known, rule, n)?.minimum;
+        minimum.sequence = PointSequence::new((0..=n).map(|k| at(k).into()).collect())?;
+        let seen = Reconstruction::read(trial.subject, &known, rule, minimum)?;
+        let mut found = lemma_s_5(trial.subject, &seen);
+        if n > 2 {
+            found = found
+                .claim_is_attained("var u ≤ v", 1.0 + 1e-9)?
+                .claim_is_attained("|u − mean u| ≤ √((N−1)v)", 1.0 + 1e-9)?;
         }
-    }
-    trial.one(evidence)
+        if n == 100 {
+            found = found
+                .claim_is_attained("mean u³ ≤ m₃", 1.049)?
+                .claim_is_attained("mean u⁴ ≤ m₄", 1.113)?;
+        }
+        trial.one([found])
+    })
 }
 
 /// Two routes, of which the wrong one seems shorter by a hair; and that one alone, with all of
 /// `d² − E_N`.
 fn two_ways(trial: &Trial<'_>) -> Outcome {
     let subject = trial.subject;
-    let mut evidence = Vec::new();
-    for rule in PaperRule::BOTH {
+    for_rules([1], |rule, _| {
         let knots = misleading(rule);
         let (both, alone) = (routes(subject, rule, knots)?, route(subject, rule, knots[1])?);
-        evidence.push(least_length_bound(subject, &both).overestimates_at_most(LIMIT)?);
-        for theorem in [theorem_a, theorem_c] {
-            evidence.push(theorem_is_attained(theorem(subject, &both), LIMIT)?);
+        let of = |theorem: fn(&Subject, &Reconstruction<1>) -> Evidence| {
             let alone = theorem(subject, &alone);
-            evidence.push(alone.claim_is_attained("d² − E_N ≤ its bound", LIMIT)?);
-        }
-    }
-    trial.one(evidence)
+            trial.one([
+                theorem_is_attained(theorem(subject, &both), LIMIT)?,
+                alone.claim_is_attained("d² − E_N ≤ its bound", LIMIT)?,
+            ])
+        };
+        let least = least_length_bound(subject, &both).overestimates_at_most(LIMIT)?;
+        all([trial.one([least]), of(theorem_a), of(theorem_c)])
+    })
 }
 
 /// Requires Theorems A to D to be attained on two routes.

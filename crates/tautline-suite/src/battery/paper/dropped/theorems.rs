@@ -6,12 +6,12 @@
 
 use tautline::{PointSequence, Trapezoidal};
 use tautline_statements::{
-    Known, LIBRARY, PaperRule, Reconstruction, Statement,
+    Evidence, Known, LIBRARY, PaperRule, Reconstruction, Statement,
     Statement::{
         ConstantC1_1, ConstantC1_3, ConstantK3Bar, ConstantK4Bar, Theorem1_1, Theorem1_2,
         Theorem1_3, Theorem1_4,
     },
-    theorem_1_1, theorem_1_2, theorem_1_3, theorem_1_4,
+    Subject, theorem_1_1, theorem_1_2, theorem_1_3, theorem_1_4,
     witnesses::{Incline, one_step, tent},
 };
 
@@ -24,7 +24,9 @@ use crate::battery::{
             steep, upwards, valley,
         },
     },
-    harness::{Check, Kind::Dropped, Outcome, Trial, all, close, fails_without, holds_without},
+    harness::{
+        Check, Kind::Dropped, Outcome, Trial, all, close, fails_without, for_rules, holds_without,
+    },
     paper::section_1::of_minimiser,
 };
 
@@ -78,64 +80,55 @@ fn understated_l_h(_: &Trial<'_>) -> Outcome {
 
 /// With `c₁ = 100`, `δ = 10⁻⁴` and `C` is less than 0.002; and `c₁K₃²` is 100.
 fn overstated_c1(_: &Trial<'_>) -> Outcome {
-    for rule in PaperRule::BOTH {
+    for_rules([1], |rule, _| {
         let seen = cheap_second_route(rule, [100.0, 100.0, 0.1])?;
-        let evidence = of_minimiser(&LIBRARY, &seen);
-        all(evidence.map(|evidence| fails_without(&[BELOW], evidence)))?;
-    }
-    Ok(Default::default())
+        all(of_minimiser(&LIBRARY, &seen).map(|e| fails_without(&[BELOW], e)))
+    })
 }
 
 /// With `κ = 1` where `H` is 1.05 and 1.1, on the routes that come nearest to equality.
 fn understated_c2(_: &Trial<'_>) -> Outcome {
-    for rule in PaperRule::BOTH {
+    for_rules([1], |rule, _| {
         let seen = claimed(rule, misleading(rule).map(steep), [1.0, 1.0, 0.1])?;
-        let evidence = of_minimiser(&LIBRARY, &seen);
-        all(evidence.map(|evidence| holds_without(&[ABOVE], evidence)))?;
-    }
-    Ok(Default::default())
+        all(of_minimiser(&LIBRARY, &seen).map(|e| holds_without(&[ABOVE], e)))
+    })
 }
 
 fn not_global(_: &Trial<'_>) -> Outcome {
-    for n in [1, 8] {
-        for rule in PaperRule::BOTH {
-            let evidence = of_minimiser(&LIBRARY, &longer_way(rule, n)?.1);
-            all(evidence.map(|evidence| fails_without(&[PREMISE], evidence)))?;
-        }
-    }
-    Ok(Default::default())
+    for_rules([1, 8], |rule, n| {
+        let (_, seen) = longer_way(rule, n)?;
+        all(of_minimiser(&LIBRARY, &seen).map(|e| fails_without(&[PREMISE], e)))
+    })
 }
 
 /// For `N = 256`, `C/√N` is less than 0.1, and `C_tra♯` in the premise more than 1. The claim on
 /// `K̄` follows from that.
 fn other_ends(_: &Trial<'_>) -> Outcome {
-    for rule in PaperRule::BOTH {
-        let [theorem, on_length, speed, constant] =
-            of_minimiser(&LIBRARY, &beyond_the_end(rule, 256)?);
+    for_rules([256], |rule, n| {
+        let seen = beyond_the_end(rule, n)?;
+        let [theorem, on_length, speed, constant] = of_minimiser(&LIBRARY, &seen);
         all([theorem, on_length, constant].map(|e| fails_without(&[ENDS], e)))?;
-        holds_without(&[ENDS], speed)?;
-    }
-    Ok(Default::default())
+        holds_without(&[ENDS], speed)
+    })
 }
 
 /// For the minimisers of either rule, the answer to Remark 9.2 with `k = ½` bounds all gaps. For
 /// `N = 1` they are `½ d² δ (1 + O(δ))` each, far below both `C`.
 fn other_rule(_: &Trial<'_>) -> Outcome {
-    for slopes in [[ridge(1.0), valley(1.0)], [downwards(1.0), upwards(1.0)]] {
-        for rule in PaperRule::BOTH {
+    let theorems: [fn(&Subject, &Reconstruction<1>) -> Evidence; 4] =
+        [theorem_1_1, theorem_1_2, theorem_1_3, theorem_1_4];
+    let slopes = [[ridge(1.0), valley(1.0)], [downwards(1.0), upwards(1.0)]];
+    all(slopes.map(|slopes| {
+        for_rules([1], |rule, _| {
             let seen = claimed(rule, slopes.map(steep), [1.0, 1.25, 0.1])?;
             let other = match rule {
-                PaperRule::Trapezoidal => {
-                    [theorem_1_3(&LIBRARY, &seen), theorem_1_4(&LIBRARY, &seen)]
-                }
-                PaperRule::LeftEndpoint => {
-                    [theorem_1_1(&LIBRARY, &seen), theorem_1_2(&LIBRARY, &seen)]
-                }
+                PaperRule::Trapezoidal => &theorems[2..],
+                PaperRule::LeftEndpoint => &theorems[..2],
             };
-            all(other.map(|e| holds_without(&["the rule is"], e)))?;
-        }
-    }
-    Ok(Default::default())
+            let evidence = other.iter().map(|theorem| theorem(&LIBRARY, &seen));
+            all(evidence.map(|e| holds_without(&["the rule is"], e)))
+        })
+    }))
 }
 
 /// For every `N`, one step over the tent `H = 1 + L|x − ½|`, read at its tip, has discrete length
