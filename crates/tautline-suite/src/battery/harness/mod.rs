@@ -15,7 +15,10 @@ mod trial;
 
 pub(crate) use agreement::{close, has_slope};
 pub use check::{Check, Kind};
-pub(crate) use check::{all, for_rules};
+pub(crate) use check::{
+    Kind::{Dropped, Homogeneous, Order, Proved, Random, Reference, Refuted, Witness},
+    all, for_rules,
+};
 pub(crate) use failing::{fails_without, holds_without, refuted};
 pub use failure::{Failure, Outcome};
 pub(crate) use fingerprint::Fingerprint;

@@ -5,13 +5,10 @@ use tautline::{
     Bounded, Ends, LeftEndpoint, Metric, Options, PointSequence, Rule, Starts, Trapezoidal,
     gallery::{Ramp, Valleys},
 };
-use tautline_statements::{
-    Statement,
-    Statement::{Proposition7_1, Theorem1_1, Theorem1_3},
-};
+use tautline_statements::Statement::{self, Proposition7_1, Theorem1_1, Theorem1_3};
 
 use crate::GridLine;
-use crate::battery::harness::{Check, Failure, Kind::Reference, Outcome, Trial, all};
+use crate::battery::harness::{Check, Failure, Outcome, Reference, Trial, all};
 
 const TRAPEZOIDAL: &[Statement] = &[Theorem1_1, Proposition7_1];
 const LEFT: &[Statement] = &[Theorem1_3, Proposition7_1];

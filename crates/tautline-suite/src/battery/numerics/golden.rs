@@ -15,15 +15,14 @@ use tautline::{
     gallery::{Constant, Corrugated, Shear, Valleys},
 };
 use tautline_statements::{
-    Statement,
     Statement::{
-        ConstantC1_1, ConstantC1_3, ConstantCTra, ConstantCTraSharp, ConstantK1, ConstantK2,
+        self, ConstantC1_1, ConstantC1_3, ConstantCTra, ConstantCTraSharp, ConstantK1, ConstantK2,
         ConstantK3Bar, ConstantK4Bar, Theorem1_1, Theorem1_3,
     },
     Subject, VerifyError,
 };
 
-use crate::battery::harness::{Check, Golden, Kind::Reference, Outcome, Trial};
+use crate::battery::harness::{Check, Golden, Outcome, Reference, Trial};
 
 const CONSTANTS: &[Statement] = &[
     ConstantK1,

@@ -10,12 +10,11 @@ use tautline::{
     gallery::{CoupledCosines, Separable, Shear, Valleys},
 };
 use tautline_statements::{
-    Statement,
-    Statement::{Theorem1_1, Theorem1_3},
+    Statement::{self, Theorem1_1, Theorem1_3},
     Subject, VerifyError,
 };
 
-use crate::battery::harness::{Check, Kind::Order, Outcome, Trial, all, has_slope};
+use crate::battery::harness::{Check, Order, Outcome, Trial, all, has_slope};
 
 const BOTH: &[Statement] = &[Theorem1_1, Theorem1_3];
 

@@ -17,13 +17,12 @@ use tautline::{
     gallery::{Shear, Valleys},
 };
 use tautline_statements::{
-    Statement,
-    Statement::{Theorem1_1, Theorem1_2, Theorem1_3, Theorem1_4},
+    Statement::{self, Theorem1_1, Theorem1_2, Theorem1_3, Theorem1_4},
     Subject, VerifyError,
 };
 
 use crate::battery::{
-    harness::{Check, Kind::Order, Outcome, Trial, close},
+    harness::{Check, Order, Outcome, Trial, close},
     numerics::golden::corrugated_beside_line,
 };
 

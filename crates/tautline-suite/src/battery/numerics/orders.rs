@@ -9,12 +9,11 @@ use tautline::{
     gallery::{Ramp, Separable, Shear, Valleys},
 };
 use tautline_statements::{
-    Statement,
-    Statement::{Theorem1_1, Theorem1_3},
+    Statement::{self, Theorem1_1, Theorem1_3},
     Subject, VerifyError,
 };
 
-use crate::battery::harness::{Check, Kind::Order, Outcome, Trial, has_slope};
+use crate::battery::harness::{Check, Order, Outcome, Trial, has_slope};
 
 const BOTH: &[Statement] = &[Theorem1_1, Theorem1_3];
 

@@ -10,15 +10,15 @@ use tautline::{
     gallery::Valleys,
 };
 use tautline_statements::{
-    Evidence, Statement,
+    Evidence,
     Statement::{
-        Proposition3_3, Proposition6_1, Proposition7_9, Proposition7_10, Proposition8_1,
+        self, Proposition3_3, Proposition6_1, Proposition7_9, Proposition7_10, Proposition8_1,
         Proposition8_2,
     },
     Unit, VerifyError,
 };
 
-use crate::battery::harness::{Check, Kind::Proved, Outcome, Trial, for_all};
+use crate::battery::harness::{Check, Outcome, Proved, Trial, for_all};
 use crate::strategies::{separable, sequence, shear};
 
 const GAPS: &[Statement] = &[Proposition6_1, Proposition7_9, Proposition8_1, Proposition8_2];

@@ -6,16 +6,17 @@ use tautline::{
     gallery::{Constant, Sphere},
 };
 use tautline_statements::{
-    Evidence, Known, LIBRARY, PaperRule, Reconstruction, Statement, Statement::Proposition7_1,
-    Subject, VerifyError, WithConstants, critical_point, prop_7_1, witnesses::tent,
+    Evidence, Known, LIBRARY, PaperRule, Reconstruction,
+    Statement::{self, Proposition7_1},
+    Subject, VerifyError, WithConstants, critical_point, prop_7_1,
+    witnesses::tent,
 };
 
 use crate::battery::{
     cases::{AboveExponential, admissible, clauses::BELOW, minimum},
     harness::{
-        Check, Failure,
-        Kind::{Dropped, Homogeneous, Random, Witness},
-        Outcome, Trial, all, fails_without, for_all, for_rules,
+        Check, Dropped, Failure, Homogeneous, Outcome, Random, Trial, Witness, all, fails_without,
+        for_all, for_rules,
     },
 };
 use crate::strategies::{

@@ -9,8 +9,8 @@ use tautline::{
     Bounded, Constants, LeftEndpoint, Metric, PointSequence, Scalar, Trapezoidal, gallery::Valleys,
 };
 use tautline_statements::{
-    Evidence, LIBRARY, Statement,
-    Statement::{Proposition7_9, Proposition8_1, Proposition8_2},
+    Evidence, LIBRARY,
+    Statement::{self, Proposition7_9, Proposition8_1, Proposition8_2},
     Subject, VerifyError, prop_7_9, prop_8_1, prop_8_2,
     witnesses::{Incline, one_step, tent},
 };
@@ -18,9 +18,8 @@ use tautline_statements::{
 use crate::battery::{
     cases::clauses::LIPSCHITZ,
     harness::{
-        Check, Failure,
-        Kind::{Dropped, Homogeneous, Random, Witness},
-        Outcome, Trial, all, fails_without, for_all,
+        Check, Dropped, Failure, Homogeneous, Outcome, Random, Trial, Witness, all, fails_without,
+        for_all,
     },
 };
 use crate::strategies::{ramp, separable, sequence, shear};

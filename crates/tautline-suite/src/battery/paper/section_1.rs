@@ -3,9 +3,9 @@
 
 use tautline::Bounded;
 use tautline_statements::{
-    Evidence, Known, PaperRule, Reconstruction, Statement,
+    Evidence, Known, PaperRule, Reconstruction,
     Statement::{
-        ConstantC1_1, ConstantC1_3, ConstantK3Bar, ConstantK4Bar, Theorem1_1, Theorem1_2,
+        self, ConstantC1_1, ConstantC1_3, ConstantK3Bar, ConstantK4Bar, Theorem1_1, Theorem1_2,
         Theorem1_3, Theorem1_4,
     },
     Subject, VerifyError, constant_c_1_1, constant_c_1_3, constant_k3_bar, constant_k4_bar,
@@ -14,10 +14,7 @@ use tautline_statements::{
 
 use crate::battery::{
     cases::{Problems, Question},
-    harness::{
-        Check,
-        Kind::{Homogeneous, Random},
-    },
+    harness::{Check, Homogeneous, Random},
 };
 
 const TRAPEZOIDAL: &[Statement] = &[Theorem1_1, Theorem1_2, ConstantK3Bar, ConstantC1_1];

@@ -8,8 +8,8 @@ use tautline::{
     gallery::{Constant, Hyperbolic, Sphere, Valleys},
 };
 use tautline_statements::{
-    Evidence, Known, LIBRARY, Statement,
-    Statement::{Proposition3_1, Proposition3_2, Proposition3_3},
+    Evidence, Known, LIBRARY,
+    Statement::{self, Proposition3_1, Proposition3_2, Proposition3_3},
     Subject, VerifyError, WayOut,
     curves::{Clock, Curve, Geodesic, KnownGeodesics, Motion, Pace, Reparametrised},
     prop_3_1, prop_3_2, prop_3_3,
@@ -18,9 +18,8 @@ use tautline_statements::{
 use crate::battery::{
     cases::{claiming, round_the_missing_point, sheared},
     harness::{
-        Check, Failure,
-        Kind::{Dropped, Homogeneous, Random, Witness},
-        Outcome, Trial, close, fails_without, for_all,
+        Check, Dropped, Failure, Homogeneous, Outcome, Random, Trial, Witness, close,
+        fails_without, for_all,
     },
 };
 use crate::strategies::{

@@ -3,8 +3,8 @@
 use nalgebra::SVector;
 use tautline::{Bounded, KnownDistance, PointSequence};
 use tautline_statements::{
-    Evidence, Known, LIBRARY, NearestPair, PaperRule, Reconstruction, Statement,
-    Statement::{Proposition6_1, Proposition6_2, Proposition6_3},
+    Evidence, Known, LIBRARY, NearestPair, PaperRule, Reconstruction,
+    Statement::{self, Proposition6_1, Proposition6_2, Proposition6_3},
     Subject, Unit, VerifyError, WayOut,
     curves::{Geodesic, Measured, Reparametrised},
     prop_6_1, prop_6_1_attained, prop_6_1_minimiser, prop_6_2, prop_6_3, prop_6_3_attained,
@@ -12,11 +12,7 @@ use tautline_statements::{
 
 use crate::battery::{
     cases::admissible,
-    harness::{
-        Check,
-        Kind::{Homogeneous, Random, Witness},
-        Outcome, Trial, for_all,
-    },
+    harness::{Check, Homogeneous, Outcome, Random, Trial, Witness, for_all},
 };
 use crate::strategies::{
     clock, constant, constant_ball_half_space, constant_finite_sets, in_hyperbolic_space, joined,

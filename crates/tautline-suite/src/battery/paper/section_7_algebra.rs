@@ -10,9 +10,8 @@ use tautline_statements::{
 };
 
 use crate::battery::harness::{
-    Check,
-    Kind::{Dropped, Homogeneous, Random, Refuted, Witness},
-    Outcome, Trial, all, fails_without, for_all, refuted,
+    Check, Dropped, Homogeneous, Outcome, Random, Refuted, Trial, Witness, all, fails_without,
+    for_all, refuted,
 };
 use crate::{
     arbitrary::{AnyTwoForms, Nonnegatives},

@@ -17,11 +17,7 @@ use tautline_statements::{
 
 use crate::battery::{
     cases::known_geodesic,
-    harness::{
-        Check,
-        Kind::{Homogeneous, Random, Witness},
-        Outcome, Trial, all, for_all,
-    },
+    harness::{Check, Homogeneous, Outcome, Random, Trial, Witness, all, for_all},
 };
 use crate::strategies::{constant, ramp, separable, shear, two_points, vector};
 

@@ -13,9 +13,8 @@ use tautline_statements::{
 };
 
 use crate::battery::harness::{
-    Check,
-    Kind::{Dropped, Homogeneous, Random, Refuted, Witness},
-    Outcome, Trial, all, fails_without, for_all, refuted,
+    Check, Dropped, Homogeneous, Outcome, Random, Refuted, Trial, Witness, all, fails_without,
+    for_all, refuted,
 };
 use crate::strategies::{kinked_curve, smooth_curve, times};
 

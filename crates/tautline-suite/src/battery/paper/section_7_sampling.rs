@@ -20,9 +20,8 @@ use tautline_statements::{
 use crate::battery::{
     cases::clauses::{ABOVE, LIPSCHITZ},
     harness::{
-        Check,
-        Kind::{Dropped, Homogeneous, Random, Refuted, Witness},
-        Outcome, Trial, all, fails_without, for_all, refuted,
+        Check, Dropped, Homogeneous, Outcome, Random, Refuted, Trial, Witness, all, fails_without,
+        for_all, refuted,
     },
 };
 use crate::{

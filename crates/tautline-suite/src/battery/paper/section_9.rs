@@ -6,8 +6,8 @@ use nalgebra::{SMatrix, SVector};
 use proptest::prelude::*;
 use tautline::{Bounded, Ends, FiniteSet, PointSequence, gallery::Constant};
 use tautline_statements::{
-    Evidence, Known, LIBRARY, PaperRule, Reconstruction, Statement,
-    Statement::{Proposition9_1, Remark9_2},
+    Evidence, Known, LIBRARY, PaperRule, Reconstruction,
+    Statement::{self, Proposition9_1, Remark9_2},
     Subject, VerifyError,
     curves::{Clock, Geodesic, KnownGeodesics, Measured, Pace, Reparametrised},
     prop_9_1, prop_9_1_as_printed, remark_9_2,
@@ -17,9 +17,7 @@ use tautline_statements::{
 use crate::battery::{
     cases::admissible,
     harness::{
-        Check,
-        Kind::{Homogeneous, Random, Refuted, Witness},
-        Outcome, Trial, all, close, for_all, refuted,
+        Check, Homogeneous, Outcome, Random, Refuted, Trial, Witness, all, close, for_all, refuted,
     },
 };
 use crate::strategies::{
@@ -37,13 +35,9 @@ pub(crate) const CHECKS: &[Check] = &[
     Homogeneous.check("prop_9_1_is_homogeneous", P91, |trial| {
         let cases = (joined(shear()), sequence(3.0));
         trial.homogeneous(9120, 96, cases, |subject, ((metric, ends), sequence), units| {
-            let sequence = units.sequence(&admissible(
-                &LIBRARY,
-                &Ends::points(ends[0], ends[1])?,
-                sequence,
-            )?)?;
+            let sequence = units.sequence(&sequence)?;
             let (metric, ends) = (units.metric(metric), ends.map(|x| units.vector(x)));
-            Ok([against_geodesic(subject, &metric, ends, &sequence)?])
+            Ok([against_geodesic(subject, &metric, ends, sequence)?])
         })
     }),
     Witness.check("prop_9_1_is_attained_by_curves_of_constant_speed", P91, equal_legs),
@@ -65,15 +59,16 @@ pub(crate) const CHECKS: &[Check] = &[
     ),
 ];
 
-/// Proposition 9.1 for a polygon and the known minimal geodesic between its ends.
+/// Proposition 9.1 for a polygon, moved to two points, and the known minimal geodesic between them.
 fn against_geodesic<M: KnownGeodesics<D>, const D: usize>(
     subject: &Subject,
     metric: &M,
     ends: [SVector<f64, D>; 2],
-    sequence: &PointSequence<D>,
+    sequence: PointSequence<D>,
 ) -> Result<Evidence, VerifyError> {
     let known = Known::joined(metric, ends)?.expect("known");
-    let curve = Measured::of_sequence(subject, metric, sequence);
+    let sequence = admissible(&LIBRARY, &known.ends, sequence)?;
+    let curve = Measured::of_sequence(subject, metric, &sequence);
     let minimiser = Measured::of(metric, &Geodesic::between(metric, ends));
     Ok(prop_9_1(subject, &known, &curve, &minimiser))
 }
@@ -92,8 +87,7 @@ fn between(trial: &Trial<'_>) -> Outcome {
             (9106, (in_hyperbolic_space::<3>(), sequence(0.5))),
         ],
         |subject, ((metric, ends), sequence)| {
-            let sequence = admissible(&LIBRARY, &Ends::points(ends[0], ends[1])?, sequence)?;
-            Ok([against_geodesic(subject, &metric, ends, &sequence)?])
+            Ok([against_geodesic(subject, &metric, ends, sequence)?])
         }
     )
 }
@@ -127,7 +121,7 @@ fn equal_legs(trial: &Trial<'_>) -> Outcome {
         let across = SVector::from([-half[1], half[0]]) * height;
         let ends: [SVector<f64, 2>; 2] = [top + across - half, top + across + half];
         let sequence = PointSequence::new(vec![ends[0], top, ends[1]])?;
-        Ok([against_geodesic(subject, &metric, ends, &sequence)?.attained()?])
+        Ok([against_geodesic(subject, &metric, ends, sequence)?.attained()?])
     })
 }
 

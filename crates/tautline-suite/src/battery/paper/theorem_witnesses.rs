@@ -33,7 +33,7 @@ use crate::battery::{
     cases::routes::{
         Knots, SLOPE, downwards, level, misleading, ridge, route, routes, upwards, valley,
     },
-    harness::{Check, Kind::Witness, Outcome, Trial, for_rules},
+    harness::{Check, Outcome, Trial, Witness, for_rules},
     paper::section_1::of_minimiser,
 };
 

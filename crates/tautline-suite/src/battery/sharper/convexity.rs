@@ -9,12 +9,14 @@ use tautline::{
     gallery::{Constant, Separable},
 };
 use tautline_statements::{
-    Evidence, Known, LIBRARY, PaperRule, Reconstruction, Statement, Statement::PropositionS7, Unit,
-    VerifyError, WithConstants, discrete_energy, prop_s_7, witnesses::Polygonal,
+    Evidence, Known, LIBRARY, PaperRule, Reconstruction,
+    Statement::{self, PropositionS7},
+    Unit, VerifyError, WithConstants, discrete_energy, prop_s_7,
+    witnesses::Polygonal,
 };
 
 use crate::battery::{
-    harness::{Check, Failure, Kind::Witness, Outcome, Trial, for_rules},
+    harness::{Check, Failure, Outcome, Trial, Witness, for_rules},
     sharper::witnesses::NEAR,
 };
 

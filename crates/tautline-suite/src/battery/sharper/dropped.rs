@@ -21,7 +21,7 @@ use crate::battery::{
         clauses::{ABOVE, BELOW, LIPSCHITZ, PREMISE},
         routes::{cheap_second_route, claimed, longer_way, ridge, steep, valley},
     },
-    harness::{Check, Kind::Dropped, Outcome, Trial, all, fails_without, for_rules},
+    harness::{Check, Dropped, Outcome, Trial, all, fails_without, for_rules},
     sharper::{
         convexity::slopes,
         witnesses::{CREST, crest},

@@ -9,12 +9,12 @@ use tautline::{
     gallery::{Shear, Valleys},
 };
 use tautline_statements::{
-    PaperRule, Statement,
-    Statement::{LemmaS1, LemmaS4, LemmaS5, TheoremA, TheoremB, TheoremC, TheoremD},
+    PaperRule,
+    Statement::{self, LemmaS1, LemmaS4, LemmaS5, TheoremA, TheoremB, TheoremC, TheoremD},
     Subject, VerifyError,
 };
 
-use crate::battery::harness::{Check, Golden, Kind::Reference, Outcome, Trial};
+use crate::battery::harness::{Check, Golden, Outcome, Reference, Trial};
 
 const ALL: &[Statement] = &[LemmaS1, LemmaS4, LemmaS5, TheoremA, TheoremB, TheoremC, TheoremD];
 

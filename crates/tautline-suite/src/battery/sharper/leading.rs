@@ -13,7 +13,7 @@ use tautline_statements::{
 };
 
 use crate::battery::{
-    harness::{Check, Kind::Order, Outcome, Trial, all, close},
+    harness::{Check, Order, Outcome, Trial, all, close},
     sharper::golden::setting,
 };
 

@@ -4,18 +4,14 @@ use nalgebra::SVector;
 use proptest::prelude::*;
 use tautline::{Bounded, PointSequence, gallery::Valleys};
 use tautline_statements::{
-    Evidence, Known, PaperRule, Reconstruction, Statement,
-    Statement::{LemmaS1, LemmaS2, LemmaS3, PropositionS7},
+    Evidence, Known, PaperRule, Reconstruction,
+    Statement::{self, LemmaS1, LemmaS2, LemmaS3, PropositionS7},
     Subject, VerifyError, lemma_s_1, lemma_s_2, lemma_s_3, prop_s_7,
 };
 
 use crate::battery::{
     cases::known_geodesic,
-    harness::{
-        Check,
-        Kind::{Homogeneous, Random},
-        Outcome, Trial, for_all,
-    },
+    harness::{Check, Homogeneous, Outcome, Random, Trial, for_all},
 };
 use crate::strategies::{
     constant, points, ramp, separable, sequence, shear, two_points, valleys_along, vector,

@@ -13,11 +13,7 @@ use tautline_statements::{
 
 use crate::battery::{
     cases::{claiming, clauses::BELOW},
-    harness::{
-        Check,
-        Kind::{Dropped, Witness},
-        Outcome, Trial, all, fails_without, for_rules,
-    },
+    harness::{Check, Dropped, Outcome, Trial, Witness, all, fails_without, for_rules},
     paper::theorem_witnesses::flat_problem,
 };
 

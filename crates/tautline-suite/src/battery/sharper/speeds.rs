@@ -10,7 +10,7 @@ use tautline_statements::{
 };
 
 use crate::battery::{
-    harness::{Check, Kind::Witness, Outcome, Trial, for_rules},
+    harness::{Check, Outcome, Trial, Witness, for_rules},
     sharper::witnesses::NEAR,
 };
 

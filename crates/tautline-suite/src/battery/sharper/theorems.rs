@@ -3,9 +3,9 @@
 
 use tautline::Bounded;
 use tautline_statements::{
-    Evidence, Known, PaperRule, Reconstruction, Statement,
+    Evidence, Known, PaperRule, Reconstruction,
     Statement::{
-        LemmaS2, LemmaS3, LemmaS4, LemmaS5, PropositionS6, PropositionS8, TheoremA, TheoremB,
+        self, LemmaS2, LemmaS3, LemmaS4, LemmaS5, PropositionS6, PropositionS8, TheoremA, TheoremB,
         TheoremC, TheoremD,
     },
     Subject, VerifyError, least_length_bound, lemma_s_2, lemma_s_3, lemma_s_4, lemma_s_5, prop_s_6,
@@ -14,10 +14,7 @@ use tautline_statements::{
 
 use crate::battery::{
     cases::{Problems, Question},
-    harness::{
-        Check,
-        Kind::{Homogeneous, Random},
-    },
+    harness::{Check, Homogeneous, Random},
 };
 
 const TRAPEZOIDAL: &[Statement] = &[

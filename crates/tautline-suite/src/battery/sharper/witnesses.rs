@@ -19,7 +19,7 @@ use tautline_statements::{
 
 use crate::battery::{
     cases::routes::{SLOPE, downwards, misleading, ridge, route, routes, upwards, valley},
-    harness::{Check, Kind::Witness, Outcome, Trial, all, for_rules},
+    harness::{Check, Outcome, Trial, Witness, all, for_rules},
     paper::theorem_witnesses::{LIMIT, flat_problem},
 };
 

@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use nalgebra::{SMatrix, SVector};
 use tautline::{Constants, gallery::Constant};
 use tautline_statements::{
-    LIBRARY, Statement,
-    Statement::{ConstantK1, ConstantK2, Proposition7_10, Proposition7_11, Proposition7_12},
+    LIBRARY,
+    Statement::{self, ConstantK1, ConstantK2, Proposition7_10, Proposition7_11, Proposition7_12},
     VerifyError, WithConstants, constant_k1, constant_k2,
     curves::SmoothCurve,
     prop_7_10, prop_7_11, prop_7_12,
@@ -15,7 +15,7 @@ use tautline_statements::{
 
 use crate::battery::{
     cases::clauses::{ABOVE, BELOW, LIPSCHITZ},
-    harness::{Check, Kind::Dropped, Outcome, Trial, all, fails_without, holds_without},
+    harness::{Check, Dropped, Outcome, Trial, all, fails_without, holds_without},
 };
 
 const POINTWISE: &[Statement] = &[Proposition7_10, Proposition7_11];

@@ -6,8 +6,8 @@ use tautline::{
     gallery::{Constant, Sphere},
 };
 use tautline_statements::{
-    Known, LIBRARY, NearestPair, Statement,
-    Statement::{Proposition6_1, Proposition6_2, Proposition6_3, Proposition9_1},
+    Known, LIBRARY, NearestPair,
+    Statement::{self, Proposition6_1, Proposition6_2, Proposition6_3, Proposition9_1},
     VerifyError, WayOut,
     curves::{Clock, Geodesic, KnownGeodesics, Measured, Pace, Reparametrised, SmoothCurve},
     prop_6_1, prop_6_1_attained, prop_6_1_minimiser, prop_6_2, prop_6_3, prop_6_3_attained,
@@ -16,9 +16,7 @@ use tautline_statements::{
 
 use crate::battery::{
     cases::{AboveExponential, clauses::ENDS, round_the_missing_point, sheared},
-    harness::{
-        Check, Failure, Kind::Dropped, Outcome, Trial, all, close, fails_without, holds_without,
-    },
+    harness::{Check, Dropped, Failure, Outcome, Trial, all, close, fails_without, holds_without},
     paper::section_9::late,
 };
 

@@ -3,8 +3,9 @@
 use nalgebra::SVector;
 use tautline::{Constants, PointSequence};
 use tautline_statements::{
-    LIBRARY, PaperRule, Reconstruction, Statement, Statement::Remark9_2, critical_point,
-    remark_9_2, remark_9_2_for_any_sequence,
+    LIBRARY, PaperRule, Reconstruction,
+    Statement::{self, Remark9_2},
+    critical_point, remark_9_2, remark_9_2_for_any_sequence,
 };
 
 use crate::battery::{
@@ -17,9 +18,7 @@ use crate::battery::{
         },
         sheared,
     },
-    harness::{
-        Check, Failure, Kind::Dropped, Outcome, Trial, fails_without, for_rules, holds_without,
-    },
+    harness::{Check, Dropped, Failure, Outcome, Trial, fails_without, for_rules, holds_without},
     paper::section_9::washboard,
 };
 

@@ -6,9 +6,9 @@
 
 use tautline::{PointSequence, Trapezoidal};
 use tautline_statements::{
-    Evidence, Known, LIBRARY, PaperRule, Reconstruction, Statement,
+    Evidence, Known, LIBRARY, PaperRule, Reconstruction,
     Statement::{
-        ConstantC1_1, ConstantC1_3, ConstantK3Bar, ConstantK4Bar, Theorem1_1, Theorem1_2,
+        self, ConstantC1_1, ConstantC1_3, ConstantK3Bar, ConstantK4Bar, Theorem1_1, Theorem1_2,
         Theorem1_3, Theorem1_4,
     },
     Subject, theorem_1_1, theorem_1_2, theorem_1_3, theorem_1_4,
@@ -25,7 +25,7 @@ use crate::battery::{
         },
     },
     harness::{
-        Check, Kind::Dropped, Outcome, Trial, all, close, fails_without, for_rules, holds_without,
+        Check, Dropped, Outcome, Trial, all, close, fails_without, for_rules, holds_without,
     },
     paper::section_1::of_minimiser,
 };

@@ -8,8 +8,10 @@ use std::num::NonZeroUsize;
 
 use tautline::{Constants, PointSequence};
 use tautline_statements::{
-    LIBRARY, Statement,
-    Statement::{Proposition7_6, Proposition7_7, Proposition7_9, Proposition8_1, Proposition8_2},
+    LIBRARY,
+    Statement::{
+        self, Proposition7_6, Proposition7_7, Proposition7_9, Proposition8_1, Proposition8_2,
+    },
     VerifyError, WithConstants,
     curves::SmoothCurve,
     prop_7_6, prop_7_7,
@@ -18,7 +20,7 @@ use tautline_statements::{
 
 use crate::battery::{
     cases::clauses::{ABOVE, BELOW},
-    harness::{Check, Kind::Dropped, Outcome, Trial, all, holds_without},
+    harness::{Check, Dropped, Outcome, Trial, all, holds_without},
     paper::point_sequences,
 };
 

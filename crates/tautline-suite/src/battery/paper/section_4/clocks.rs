@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use nalgebra::SVector;
 use tautline::gallery::{Shear, Sphere};
 use tautline_statements::{
-    Evidence, Known, LIBRARY, Statement,
-    Statement::{Proposition4_1, Proposition4_2},
+    Evidence, Known, LIBRARY,
+    Statement::{self, Proposition4_1, Proposition4_2},
     Subject, VerifyError,
     curves::{
         Clock, Curve, EvenSegment, Geodesic, KnownGeodesics, Pace, Reparametrised, SmoothCurve,
@@ -18,9 +18,8 @@ use super::ends;
 use crate::battery::{
     cases::sheared,
     harness::{
-        Check,
-        Kind::{Dropped, Homogeneous, Random, Refuted, Witness},
-        Outcome, Trial, all, close, fails_without, for_all, holds_without, refuted,
+        Check, Dropped, Homogeneous, Outcome, Random, Refuted, Trial, Witness, all, close,
+        fails_without, for_all, holds_without, refuted,
     },
 };
 use crate::strategies::{

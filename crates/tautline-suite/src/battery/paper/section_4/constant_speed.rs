@@ -8,8 +8,8 @@ use tautline::{
     gallery::{Constant, Shear, Sphere},
 };
 use tautline_statements::{
-    Evidence, Known, LIBRARY, Statement,
-    Statement::Lemma4_4,
+    Evidence, Known, LIBRARY,
+    Statement::{self, Lemma4_4},
     Subject, VerifyError,
     curves::{Clock, Curve, EvenSegment, Geodesic, KnownGeodesics, Motion, Pace, Reparametrised},
     lemma_4_4,
@@ -19,9 +19,8 @@ use super::ends;
 use crate::battery::{
     cases::sheared,
     harness::{
-        Check, Failure,
-        Kind::{Dropped, Homogeneous, Random, Witness},
-        Outcome, Trial, all, fails_without, for_all,
+        Check, Dropped, Failure, Homogeneous, Outcome, Random, Trial, Witness, all, fails_without,
+        for_all,
     },
 };
 use crate::strategies::{

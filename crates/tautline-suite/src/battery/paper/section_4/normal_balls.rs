@@ -9,14 +9,16 @@ use tautline::{
     norm_squared,
 };
 use tautline_statements::{
-    Evidence, LIBRARY, Statement, Statement::Proposition4_3, VerifyError, curves::KnownGeodesics,
+    Evidence, LIBRARY,
+    Statement::{self, Proposition4_3},
+    VerifyError,
+    curves::KnownGeodesics,
     prop_4_3,
 };
 
 use crate::battery::harness::{
-    Check,
-    Kind::{Dropped, Homogeneous, Random, Witness},
-    Outcome, Trial, all, close, fails_without, for_all,
+    Check, Dropped, Homogeneous, Outcome, Random, Trial, Witness, all, close, fails_without,
+    for_all,
 };
 use crate::strategies::{constant, separable, shear, vector};
 
