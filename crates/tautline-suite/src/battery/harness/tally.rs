@@ -95,23 +95,23 @@ mod tests {
         gallery::{Constant, Ramp, Shear},
     };
     use tautline_statements::{
-        Evidence, Known, LIBRARY, PaperRule, Reconstruction, Statement, Unit,
+        Evidence, Known, LIBRARY, PaperRule, Reconstruction, Statement, Subject, Unit, theorem_1_1,
+        theorem_1_2, theorem_1_3, theorem_1_4,
     };
 
     use super::Tally;
-    use crate::battery::paper::section_1::of_minimiser;
 
     /// Counts, for Theorems 1.1 to 1.4 on the minimisers of both rules with `N = 4`, the cases and
     /// those that could fail.
     fn of_minimisers<M: tautline::Bounded<D>, const D: usize>(
         known: &Known<M, D>,
     ) -> [[u64; 2]; 4] {
+        let theorems: [[fn(&Subject, &Reconstruction<D>) -> Evidence; 2]; 2] =
+            [[theorem_1_1, theorem_1_2], [theorem_1_3, theorem_1_4]];
         let mut tally = Tally::default();
-        for rule in PaperRule::BOTH {
+        for (rule, theorems) in PaperRule::BOTH.into_iter().zip(theorems) {
             let seen = Reconstruction::observe(&LIBRARY, known, rule, 4).expect("a minimum");
-            let [energy, length, ..] = of_minimiser(&LIBRARY, &seen);
-            tally.count(&energy);
-            tally.count(&length);
+            theorems.into_iter().for_each(|theorem| tally.count(&theorem(&LIBRARY, &seen)));
         }
         [Statement::Theorem1_1, Statement::Theorem1_2, Statement::Theorem1_3, Statement::Theorem1_4]
             .map(|statement| {

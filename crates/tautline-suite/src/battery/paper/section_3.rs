@@ -83,11 +83,10 @@ fn speeds(trial: &Trial<'_>) -> Outcome {
             (3107, in_hyperbolic_space::<2>()),
             (3108, in_hyperbolic_space::<3>()),
         ],
-        |subject, (metric, ends)| Ok([prop_3_1(
-            subject,
-            &metric,
-            &Geodesic::between(&metric, ends)
-        )?])
+        |subject, (metric, ends)| {
+            let curve = Geodesic::between(&metric, ends);
+            Ok([prop_3_1(subject, &metric, &curve)?])
+        }
     )
 }
 

@@ -100,17 +100,12 @@ pub(crate) const CREST: f64 = std::f64::consts::FRAC_PI_2 / 0.3;
 
 fn parabola(trial: &Trial<'_>) -> Outcome {
     let metric = crest()?;
-    let mut evidence = Vec::new();
-    for n in [1, 2, 9] {
+    all([1, 2, 9].map(|n| {
         let at = |k: usize| [CREST - 0.25 + if 2 * k < n + 1 { 0.0 } else { 0.5 }];
-        let points = (0..=n).map(|k| at(k).into()).collect();
-        let sequence = PointSequence::new(points)?;
-        evidence.push(
-            lemma_s_2(trial.subject, &metric, &sequence)?
-                .claim_is_attained("|E(γᵖˡ) − E_tra,N| ≤ M_H mean|β|⁴/24N²", NEAR)?,
-        );
-    }
-    trial.one(evidence)
+        let sequence = PointSequence::new((0..=n).map(|k| at(k).into()).collect())?;
+        let claim = "|E(γᵖˡ) − E_tra,N| ≤ M_H mean|β|⁴/24N²";
+        trial.one([lemma_s_2(trial.subject, &metric, &sequence)?.claim_is_attained(claim, NEAR)?])
+    }))
 }
 
 /// `H = 4 I`: all speeds are `d`, and `d² = E_N`.
@@ -157,13 +152,11 @@ fn second_variation(trial: &Trial<'_>) -> Outcome {
     let distance = metric.distance(&[0.0].into(), &[1.0].into()).expect("of [0, 1]");
     let metric = WithConstants { metric, constants };
     let known = Known { metric, ends, distance, distance_error: 4.0 * f64::EPSILON };
-    let mut evidence = Vec::new();
-    for n in [4, 16, 64] {
+    all([4, 16, 64].map(|n| {
         let seen = Reconstruction::observe(trial.subject, &known, PaperRule::Trapezoidal, n)?;
         let found = lemma_s_4(trial.subject, &seen);
-        evidence.push(found.claim_is_attained("E_tra,N − d² ≤ d² (ê − 1)", 1.05)?);
-    }
-    trial.one(evidence)
+        trial.one([found.claim_is_attained("E_tra,N − d² ≤ d² (ê − 1)", 1.05)?])
+    }))
 }
 
 /// A straight line under a constant metric: `mean u = 1`, so that `v = ε − 1` is the variance. If
