@@ -57,6 +57,17 @@ where
         .prop_filter_map("the distance is known", |(metric, ends)| between(metric, ends))
 }
 
+/// From a ball to the half-space `{normal·x ≥ offset}`.
+fn ball_half_space<const D: usize>(
+    ball: (SVector<f64, D>, f64),
+    normal: impl Into<SVector<f64, D>>,
+    offset: f64,
+) -> Ends<D> {
+    let ball = Ball::new(ball.0, ball.1).expect("a radius");
+    let half_space = HalfSpace::at_least(normal, offset).expect("a normal");
+    Ends::new(ball, half_space).expect("a ball is bounded")
+}
+
 /// A constant metric, from a ball to a half-space.
 pub fn constant_ball_half_space<const D: usize>() -> impl Strategy<Value = Known<Constant<D>, D>> {
     let sets = (vector::<D>(2.0), 0.0..1.0, two_points::<D>(1.0), 0.2..3.0);
@@ -64,13 +75,10 @@ pub fn constant_ball_half_space<const D: usize>() -> impl Strategy<Value = Known
         let normal = to - from;
         let offset = normal.dot(&centre) + (radius + gap) * normal.norm();
         let inverse = a.try_inverse().expect("positive definite");
-        let ends = Ends::new(
-            Ball::new(centre, radius).expect("a radius"),
-            HalfSpace::at_least(normal, offset).expect("a normal"),
-        );
+        let ends = ball_half_space((centre, radius), normal, offset);
         let distance = gap * normal.norm() / normal.dot(&(inverse * normal)).sqrt();
         let metric = Constant::new(a).expect("positive definite");
-        known(metric, ends.expect("a ball is bounded"), distance)
+        known(metric, ends, distance)
     })
 }
 
@@ -93,11 +101,8 @@ pub fn constant_finite_sets() -> impl Strategy<Value = Known<Constant<2>, 2>> {
 /// A shear, from a ball to a half-plane `{x₂ ≥ b}`.
 pub fn shear_ball_half_plane() -> impl Strategy<Value = Known<Shear, 2>> {
     (shear(), vector(2.0), 0.0..1.0, 0.2..4.0).prop_map(|(metric, centre, radius, gap)| {
-        let ends = Ends::new(
-            Ball::new(centre, radius).expect("a radius"),
-            HalfSpace::at_least([0.0, 1.0], centre[1] + radius + gap).expect("a normal"),
-        );
-        known(metric, ends.expect("a ball is bounded"), gap)
+        let wall = centre[1] + radius + gap;
+        known(metric, ball_half_space((centre, radius), [0.0, 1.0], wall), gap)
     })
 }
 
@@ -166,10 +171,7 @@ fn climb(x1: f64) -> f64 {
 pub fn valleys_ball_half_space() -> impl Strategy<Value = Known<Valleys, 2>> {
     (vector::<2>(3.0), 0.0..1.5, 0.2..8.0).prop_map(|(centre, radius, gap)| {
         let (from, to) = (centre[0] + radius, centre[0] + radius + gap);
-        let ends = Ends::new(
-            Ball::new(centre, radius).expect("a radius"),
-            HalfSpace::at_least([1.0, 0.0], to).expect("a normal"),
-        );
-        known(Valleys, ends.expect("a ball is bounded"), climb(to) - climb(from))
+        let ends = ball_half_space((centre, radius), [1.0, 0.0], to);
+        known(Valleys, ends, climb(to) - climb(from))
     })
 }

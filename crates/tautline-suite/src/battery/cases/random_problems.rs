@@ -41,7 +41,7 @@ impl<Q: Question> Problems<Q> {
         trial: &Trial<'_>,
         k: u64,
         cases: u32,
-        problems: impl Strategy<Value = Known<M, D>>,
+        problems: impl Strategy<Value = Known<M, D>> + 'static,
     ) -> Outcome
     where
         M: Bounded<D> + Clone + Debug + 'static,
@@ -115,7 +115,7 @@ impl<Q: Question> Problems<Q> {
         self,
         trial: &Trial<'_>,
         k: u64,
-        problems: impl Strategy<Value = Known<M, D>>,
+        problems: impl Strategy<Value = Known<M, D>> + 'static,
     ) -> Outcome
     where
         M: Bounded<D> + Clone + Debug + 'static,

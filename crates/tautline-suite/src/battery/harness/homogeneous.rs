@@ -25,7 +25,7 @@ impl Trial<'_> {
         evidence: impl Fn(&Subject, V::Value, Units) -> Result<E, VerifyError>,
     ) -> Outcome
     where
-        V: Strategy,
+        V: Strategy + 'static,
         V::Value: Any + Debug + Clone,
         E: IntoIterator<Item = Evidence>,
     {

@@ -1,7 +1,7 @@
 //! What runs a check: trials on random cases, verdicts, tallies, and failures written as tests.
 
 mod agreement;
-mod any_strategy;
+mod any_value;
 mod check;
 mod failing;
 mod failure;

@@ -3,7 +3,7 @@
 use std::{any::Any, cell::RefCell, fmt::Debug};
 
 use proptest::{
-    prelude::Strategy,
+    prelude::{BoxedStrategy, Strategy},
     test_runner::{Config, TestCaseError, TestError, TestRunner},
 };
 use tautline_chance::Chance;
@@ -11,7 +11,7 @@ use tautline_statements::{Evidence, Finding, Source, Subject, VerifyError};
 
 use super::{
     Case, Failure, Given, Outcome, Tally,
-    any_strategy::{AnyStrategy, AnyValue, downcast},
+    any_value::{AnyValue, downcast},
 };
 
 /// How much of the evidence is judged.
@@ -62,7 +62,7 @@ impl<'a> Trial<'a> {
         evidence: impl Fn(&Subject, V::Value) -> Result<E, VerifyError>,
     ) -> Outcome
     where
-        V: Strategy,
+        V: Strategy + 'static,
         V::Value: Any + Debug,
         E: IntoIterator<Item = Evidence>,
     {
@@ -78,7 +78,8 @@ impl<'a> Trial<'a> {
             let found = evidence(self.subject, downcast(value))?;
             Ok(found.into_iter().collect())
         };
-        self.scope.run(config, AnyStrategy::new(&values), &evidence).map_err(|error| {
+        let values = values.prop_map(|value| Box::new(value) as Box<dyn AnyValue>).boxed();
+        self.scope.run(config, &values, &evidence).map_err(|error| {
             let message = format!("seed {seed}: {error}");
             let case = match &error {
                 TestError::Fail(_, value) => Some(Case::of_type::<V::Value>(seed, value)),
@@ -108,11 +109,11 @@ impl Scope {
     fn run(
         self,
         config: Config,
-        values: AnyStrategy<'_>,
+        values: &BoxedStrategy<Box<dyn AnyValue>>,
         evidence: &dyn Fn(Box<dyn AnyValue>) -> Result<Vec<Evidence>, VerifyError>,
     ) -> Result<Tally, TestError<Box<dyn AnyValue>>> {
         let tally = RefCell::new(Tally::default());
-        TestRunner::new(config).run(&values, |value| {
+        TestRunner::new(config).run(values, |value| {
             let found = evidence(value).map_err(|error| TestCaseError::fail(error.to_string()))?;
             for evidence in found {
                 self.judge(&evidence).map_err(TestCaseError::fail)?;

@@ -10,7 +10,7 @@ use tautline::{
 };
 use tautline_statements::{
     Statement::{self, Theorem1_1, Theorem1_3},
-    Subject, VerifyError,
+    Subject,
 };
 
 use crate::battery::harness::{Check, Order, Outcome, Trial, has_slope};
@@ -48,15 +48,15 @@ const WINDOW: [usize; 4] = [128, 256, 512, 1024];
 /// which tilts the line by less than 0.04 over the window.
 const TILT: f64 = 0.05;
 
-/// `(N, |E_N − d²|)` and `(N, E(γᵖˡ) − d²)` over the window.
-type Errors = [Vec<(f64, f64)>; 2];
-
-fn errors<M, const D: usize>(
+/// The orders of `|E_N − d²|` and of `E(γᵖˡ) − d²` over the window.
+fn have_orders<M, const D: usize>(
     subject: &Subject,
+    name: &str,
     metric: &M,
     [a, b]: [[f64; D]; 2],
     rule: impl Rule,
-) -> Result<Errors, VerifyError>
+    orders: [f64; 2],
+) -> Outcome
 where
     M: Bounded<D> + KnownDistance<D>,
 {
@@ -68,12 +68,8 @@ where
         discrete.push((n as f64, (subject.discrete_energy(rule, metric, &line) - d2).abs()));
         curve.push((n as f64, subject.curve_energy(metric, &line).value - d2));
     }
-    Ok([discrete, curve])
-}
-
-fn have_orders(what: &str, [discrete, curve]: &Errors, orders: [f64; 2]) -> Outcome {
-    has_slope(&format!("{what}: |E_N − d²|"), discrete, -orders[0], TILT)?;
-    has_slope(&format!("{what}: E(γᵖˡ) − d²"), curve, -orders[1], TILT)
+    has_slope(&format!("{name}, {rule:?}: |E_N − d²|"), &discrete, -orders[0], TILT)?;
+    has_slope(&format!("{name}, {rule:?}: E(γᵖˡ) − d²"), &curve, -orders[1], TILT)
 }
 
 fn orders<M, const D: usize>(
@@ -85,15 +81,12 @@ fn orders<M, const D: usize>(
 where
     M: Bounded<D> + KnownDistance<D>,
 {
-    let found = errors(trial.subject, metric, ends, Trapezoidal)?;
-    have_orders(&format!("{name}, trapezoidal"), &found, [2.0, 2.0])?;
-    let found = errors(trial.subject, metric, ends, LeftEndpoint)?;
-    have_orders(&format!("{name}, left"), &found, [1.0, 2.0])
+    have_orders(trial.subject, name, metric, ends, Trapezoidal, [2.0, 2.0])?;
+    have_orders(trial.subject, name, metric, ends, LeftEndpoint, [1.0, 2.0])
 }
 
 /// Along the axis of Section 5 the first order of the left rule is zero by symmetry.
 fn even(trial: &Trial<'_>) -> Outcome {
     let ends = [[0.0, 0.0], [4.0 * std::f64::consts::PI, 0.0]];
-    let found = errors(trial.subject, &Valleys, ends, LeftEndpoint)?;
-    have_orders("valleys, even, left", &found, [2.0, 2.0])
+    have_orders(trial.subject, "valleys, even", &Valleys, ends, LeftEndpoint, [2.0, 2.0])
 }
