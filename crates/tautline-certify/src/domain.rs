@@ -8,7 +8,7 @@ use tautline_scalar::{Interval, Jet2, Scalar};
 
 use crate::{
     Cell, CertifyError,
-    formula::{Along, Dependence, is_radial, superfluous},
+    formula::{Along, dependence, is_radial, superfluous},
 };
 
 /// A convex compact set on which constants are proved, and what they then hold on.
@@ -202,17 +202,15 @@ impl<const D: usize> Domain<D> {
     }
 }
 
-/// How the metric depends on each coordinate, up to motions that change nothing.
+/// How the metric depends on each coordinate, up to motions that leave the constants unchanged.
 fn along<const D: usize>(metric: &AnyMetric<'_, D>) -> [Along; D] {
-    if metric.formula().is_err() {
-        return [Along::Unknown; D];
-    }
-    let mut along = Dependence::of(metric);
-    if is_radial(metric) {
+    let Ok(formula) = metric.formula() else { return [Along::Unknown; D] };
+    let mut along = dependence(formula);
+    if is_radial(formula) {
         // A ray: constants do not depend on the direction.
         along.iter_mut().skip(1).for_each(|along| *along = Along::Constant);
     }
-    for (along, superfluous) in along.iter_mut().zip(superfluous(metric)) {
+    for (along, superfluous) in along.iter_mut().zip(superfluous(formula)) {
         if superfluous {
             *along = Along::Constant;
         }

@@ -1,4 +1,4 @@
-//! `AnyMetric`: a metric of which only the dimension is known when a program is compiled.
+//! `AnyMetric`: a metric behind a pointer, with only its dimension known at compile time.
 
 use std::{
     any::{Any, TypeId},
@@ -15,16 +15,16 @@ use crate::{
     recording::{self, Symbol},
 };
 
-/// A metric behind a pointer: what is done with it is compiled once for each dimension, and not for each
+/// A metric behind a pointer: code that takes it is compiled once for each dimension, not for each
 /// metric.
 ///
-/// In `f64`, and in fewer than 24 dimensions in [`Jet1`] and [`Jet2`] over it with all coordinates for
-/// variables, the metric's own `H` is called. In all other numbers it is evaluated as it was recorded, to the
-/// same bits.
+/// It calls the metric's own `H` in `f64`, and in fewer than 24 dimensions in [`Jet1`] and [`Jet2`]
+/// over `f64` with all coordinates as variables. In all other numbers it evaluates the recorded
+/// formula, to the same bits.
 ///
-/// Of a formula that cannot be recorded there are besides, in fewer than 24 dimensions and to rounding, the
-/// jets over `f64` along a line, expanded to the second order. In any other numbers, such as an
-/// [`Interval`](tautline_scalar::Interval), it is NaN: intervals would follow one branch of several.
+/// If the formula cannot be recorded, jets over `f64` along a line still work, to rounding and in
+/// fewer than 24 dimensions, from an expansion to second order. In any other numbers, such as an
+/// [`Interval`](tautline_scalar::Interval), `H` is NaN: intervals would follow one branch.
 ///
 /// ```
 /// use nalgebra::vector;
@@ -48,7 +48,7 @@ impl<'m, const D: usize> AnyMetric<'m, D> {
         Self { compiled: metric, formula: OnceLock::new() }
     }
 
-    /// Returns its formula, which is recorded when it is needed for the first time.
+    /// Returns its formula, recorded on first use.
     ///
     /// # Errors
     ///
@@ -95,7 +95,7 @@ impl<const D: usize> Metric<D> for AnyMetric<'_, D> {
     }
 }
 
-// A separate function: in an unoptimised build the caller, which may want numbers only, would reserve stack
+// A separate function: in an unoptimised build a caller that needs only numbers would reserve stack
 // for the matrix of jets.
 #[inline]
 fn gram<T: Scalar, S: Scalar, const D: usize>(
@@ -105,15 +105,15 @@ fn gram<T: Scalar, S: Scalar, const D: usize>(
     same(&metric.gram(same(x)?)).copied()
 }
 
-/// The value as what it is.
+/// The value, if `T` is `S`.
 #[inline]
 fn same<T: Any, S: Any>(value: &T) -> Option<&S> {
     (value as &dyn Any).downcast_ref()
 }
 
 impl<const D: usize> AnyMetric<'_, D> {
-    /// `H` in another kind of jet, from its second-order Taylor expansion. Exact for jets of order at most two,
-    /// in which a product of three increments vanishes.
+    /// `H` in another kind of jet, from its second-order Taylor expansion. Exact for jets of order at
+    /// most two, where a product of three increments vanishes.
     fn expanded<S: Scalar>(&self, x: &SVector<S, D>, error: RecordError) -> SMatrix<S, D, D> {
         let places: Option<Vec<f64>> = x.iter().map(value::<S, D>).collect();
         let Some(places) = places else {
@@ -139,7 +139,7 @@ impl<const D: usize> AnyMetric<'_, D> {
     }
 }
 
-/// The number that a jet over `f64` is at its place; `None` for other numbers.
+/// The value of a jet over `f64`; `None` for other numbers.
 fn value<S: Scalar, const D: usize>(x: &S) -> Option<f64> {
     let x: &dyn Any = x;
     let first = || Some(x.downcast_ref::<Jet1<f64, D>>()?.value());
@@ -148,7 +148,7 @@ fn value<S: Scalar, const D: usize>(x: &S) -> Option<f64> {
     first().or_else(along).or_else(twice_along)
 }
 
-/// A metric as it is compiled, in `f64` and in jets over it.
+/// A compiled metric, in `f64` and in jets over it.
 trait Compiled<const D: usize>: Sync {
     fn numbers(&self) -> &dyn Gram<f64, D>;
     fn first_jets(&self) -> Option<&dyn Gram<Jet1<f64, D>, D>>;
@@ -162,7 +162,7 @@ impl<M: Metric<D>, const D: usize> Compiled<D> for M {
     }
 
     fn first_jets(&self) -> Option<&dyn Gram<Jet1<f64, D>, D>> {
-        // A constant: larger matrices of jets, which would not fit on the stack, are not compiled.
+        // A constant: larger matrices of jets would overflow the stack, and are not compiled.
         if const { D < CHUNKED } { Some(self) } else { None }
     }
 
@@ -175,7 +175,7 @@ impl<M: Metric<D>, const D: usize> Compiled<D> for M {
     }
 }
 
-/// A metric in one type of numbers.
+/// A metric in one number type.
 trait Gram<S, const D: usize> {
     fn gram(&self, x: &SVector<S, D>) -> SMatrix<S, D, D>;
 }

@@ -1,8 +1,8 @@
 //! Formulas of metrics as data, and metrics at many places at once.
 //!
-//! A metric is written as one formula, a function that is generic in its numbers. Evaluated once in a
-//! number that writes down what it is asked for, the function becomes a list of operations: a [`Formula`],
-//! which can be compared, hashed, sent, printed, and evaluated in any numbers again, to the same bits.
+//! A metric is a function that is generic in its number type. Evaluated once in a number that
+//! records its operations, it becomes a list of operations, a [`Formula`]: it can be compared,
+//! hashed, sent and printed, and evaluated again in any number type, to the same bits.
 //!
 //! ```
 //! use nalgebra::{SMatrix, SVector, vector};
@@ -22,9 +22,9 @@
 //! # Ok::<(), tautline_formula::RecordError>(())
 //! ```
 //!
-//! A search asks for `H` and its derivatives along thousands of chords. [`Prepared`] derives a program from
-//! the formula and runs it over a [`Batch`] of them, faster than the formula as it is compiled; what cannot
-//! be recorded takes the same way as it is ([`Plain`]).
+//! A search needs `H` and its derivatives along thousands of chords. [`Prepared`] derives a program
+//! from the formula and runs it over a [`Batch`] of chords, faster than the compiled formula. A
+//! formula that cannot be recorded is evaluated as compiled, behind the same interface ([`Plain`]).
 //!
 //! ```
 //! use nalgebra::vector;
@@ -62,5 +62,5 @@ pub use program::{InstructionSet, Register, Registers, WIDTH};
 pub use record_error::RecordError;
 pub use text::{Problem, TextError};
 
-/// The most steps of a formula: a million. More are a loop that was not meant to be unrolled.
+/// The most steps of a formula, a million: a longer one is a loop that nobody meant to unroll.
 pub const LONGEST: usize = 1 << 20;

@@ -1,11 +1,13 @@
 //! `Operation`: one step of a recorded formula.
 
+use std::ops::{Add, Div, Mul, Sub};
+
 use tautline_scalar::Scalar;
 
-/// The place of a step on its tape. A step reads earlier ones only.
+/// The place of a step on its tape. A step reads only earlier ones.
 pub type Step = u32;
 
-/// A number by its bits, so that it can be compared and hashed: there is one NaN, and `−0` is not `0`.
+/// A number, compared and hashed by its bits: there is one NaN, and `−0` is not `0`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Number(u64);
 
@@ -36,60 +38,98 @@ pub enum Arithmetic {
     Div,
 }
 
-/// A function of one number, as [`Scalar`](tautline_scalar::Scalar) has it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Function {
-    /// `−x`.
-    Neg,
-    /// `x²`.
-    Sqr,
-    /// `1 / x`.
-    Recip,
-    /// `√x`.
-    Sqrt,
-    /// `eˣ`.
-    Exp,
-    /// The natural logarithm.
-    Ln,
-    /// `sin x`, by itself.
-    Sin,
-    /// `cos x`, by itself.
-    Cos,
-    /// `tan x`.
-    Tan,
-    /// `arctan x`.
-    Atan,
-    /// `sinh x`, by itself.
-    Sinh,
-    /// `cosh x`, by itself.
-    Cosh,
-    /// `tanh x`.
-    Tanh,
-}
-
-impl Function {
-    /// Returns the value.
+impl Arithmetic {
+    /// Returns `a ∘ b`.
     #[must_use]
-    pub fn of<S: Scalar>(self, x: S) -> S {
+    pub fn of<A, B>(self, a: A, b: B) -> A
+    where
+        A: Add<B, Output = A> + Sub<B, Output = A> + Mul<B, Output = A> + Div<B, Output = A>,
+    {
         match self {
-            Function::Neg => -x,
-            Function::Sqr => x.sqr(),
-            Function::Recip => x.recip(),
-            Function::Sqrt => x.sqrt(),
-            Function::Exp => x.exp(),
-            Function::Ln => x.ln(),
-            Function::Sin => x.sin(),
-            Function::Cos => x.cos(),
-            Function::Tan => x.tan(),
-            Function::Atan => x.atan(),
-            Function::Sinh => x.sinh(),
-            Function::Cosh => x.cosh(),
-            Function::Tanh => x.tanh(),
+            Arithmetic::Add => a + b,
+            Arithmetic::Sub => a - b,
+            Arithmetic::Mul => a * b,
+            Arithmetic::Div => a / b,
+        }
+    }
+
+    /// Its sign in a text.
+    pub(crate) fn sign(self) -> char {
+        match self {
+            Arithmetic::Add => '+',
+            Arithmetic::Sub => '-',
+            Arithmetic::Mul => '*',
+            Arithmetic::Div => '/',
         }
     }
 }
 
-/// Two functions of one number that are evaluated together.
+/// Defines [`Function`]: for each one the method of [`Scalar`] and the name in a text.
+macro_rules! functions {
+    ($($(#[$doc:meta])* $function:ident $method:ident $name:literal;)*) => {
+        /// A function of one number, as [`Scalar`] has it.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum Function {
+            $($(#[$doc])* $function,)*
+        }
+
+        impl Function {
+            /// Returns the value at `x`.
+            #[must_use]
+            pub fn of<S: Scalar>(self, x: S) -> S {
+                match self {
+                    $(Function::$function => x.$method(),)*
+                }
+            }
+
+            /// Its name in a text.
+            pub(crate) fn name(self) -> &'static str {
+                match self {
+                    $(Function::$function => $name,)*
+                }
+            }
+
+            /// The function with this name in a text.
+            pub(crate) fn named(name: &str) -> Option<Self> {
+                match name {
+                    $($name => Some(Function::$function),)*
+                    _ => None,
+                }
+            }
+        }
+    };
+}
+
+functions! {
+    /// `−x`.
+    Neg neg "-";
+    /// `x²`.
+    Sqr sqr "sqr";
+    /// `1 / x`.
+    Recip recip "recip";
+    /// `√x`.
+    Sqrt sqrt "sqrt";
+    /// `eˣ`.
+    Exp exp "exp";
+    /// The natural logarithm.
+    Ln ln "ln";
+    /// `sin x` alone.
+    Sin sin "sin";
+    /// `cos x` alone.
+    Cos cos "cos";
+    /// `tan x`.
+    Tan tan "tan";
+    /// `arctan x`.
+    Atan atan "atan";
+    /// `sinh x` alone.
+    Sinh sinh "sinh";
+    /// `cosh x` alone.
+    Cosh cosh "cosh";
+    /// `tanh x`.
+    Tanh tanh "tanh";
+}
+
+/// Two functions of one number, evaluated together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Pair {
     /// `(sin x, cos x)`.
@@ -98,10 +138,21 @@ pub enum Pair {
     SinhCosh,
 }
 
-/// One step: what a formula asked of a number, as it asked for it.
+impl Pair {
+    /// Returns the two functions.
+    #[must_use]
+    pub fn functions(self) -> [Function; 2] {
+        match self {
+            Pair::SinCos => [Function::Sin, Function::Cos],
+            Pair::SinhCosh => [Function::Sinh, Function::Cosh],
+        }
+    }
+}
+
+/// One step: an operation exactly as the formula called it.
 ///
-/// `x + 2.0` and `x + S::constant(2.0)` are two different steps, and so are `a + b` and `b + a`: a number
-/// type may evaluate them differently, to the last bit.
+/// `x + 2.0` and `x + S::constant(2.0)` are different steps, and so are `a + b` and `b + a`: a number
+/// type may round them differently.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Operation {
     /// The coordinate `xᵢ`, from 0 on.
@@ -123,8 +174,7 @@ pub enum Operation {
 }
 
 impl Operation {
-    /// Returns the steps that are read, of which there are two at most; for the second of a pair, which
-    /// is at `place`, the first.
+    /// Returns the steps that the operation at `place` reads. The second of a pair reads the first.
     pub(crate) fn reads(self, place: Step) -> [Option<Step>; 2] {
         match self {
             Operation::Coordinate(_) | Operation::Constant(_) => [None, None],
@@ -137,7 +187,7 @@ impl Operation {
         }
     }
 
-    /// Returns the same operation on other steps.
+    /// Returns the same operation on renamed steps.
     pub(crate) fn with_reads(self, other: impl Fn(Step) -> Step) -> Self {
         match self {
             Operation::Coordinate(_) | Operation::Constant(_) | Operation::Second => self,
@@ -148,4 +198,40 @@ impl Operation {
             Operation::First(pair, a) => Operation::First(pair, other(a)),
         }
     }
+}
+
+/// The function of one number that the step at `place` computes, with its argument: one half of a
+/// pair counts as a function. `None` for all other operations.
+pub(crate) fn function_at(operations: &[Operation], place: usize) -> Option<(Function, Step)> {
+    match *operations.get(place)? {
+        Operation::Of(function, a) => Some((function, a)),
+        Operation::First(pair, a) => Some((pair.functions()[0], a)),
+        Operation::Second => match operations[place.checked_sub(1)?] {
+            Operation::First(pair, a) => Some((pair.functions()[1], a)),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// Which steps, up to the last root, the roots depend on, themselves included. Does not look behind
+/// steps that are not `entered`.
+pub(crate) fn needed(
+    operations: &[Operation],
+    roots: &[Step],
+    entered: impl Fn(Step) -> bool,
+) -> Vec<bool> {
+    let end = roots.iter().max().map_or(0, |&root| root as usize + 1);
+    let mut needed = vec![false; end];
+    for &root in roots {
+        needed[root as usize] = true;
+    }
+    for place in (0..end).rev() {
+        if needed[place] && entered(place as Step) {
+            for read in operations[place].reads(place as Step).into_iter().flatten() {
+                needed[read as usize] = true;
+            }
+        }
+    }
+    needed
 }

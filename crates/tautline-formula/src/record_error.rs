@@ -1,16 +1,16 @@
 //! `RecordError`: why a metric has no recorded formula.
 
-/// Why what a metric does cannot be written down as one list of operations.
+/// Why a metric is not one list of operations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RecordError {
-    /// The formula asks whether two numbers are equal, or whether one is zero, where that depends on the
-    /// point: what it does then is one branch of several.
+    /// The formula asks whether two numbers are equal, or one is zero, where that depends on the point:
+    /// it has branches.
     #[error(
         "the formula compares numbers that depend on the point; a recorded one has no branches"
     )]
     Compares,
-    /// The formula is too long: a loop writes down each of its rounds.
+    /// The formula is too long: every iteration of a loop is recorded.
     #[error("the formula has more than {most} steps")]
     TooLong {
         /// The most steps of a tape.

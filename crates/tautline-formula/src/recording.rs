@@ -1,4 +1,4 @@
-//! `Recording`: a tape that is being written, and `Symbol`, the number that writes it.
+//! `Recording`, a tape under construction, and `Symbol`, the number that writes it.
 
 use std::{
     cell::RefCell,
@@ -14,17 +14,17 @@ use crate::{
     operation::{Arithmetic, Function, Number, Operation, Pair, Step},
 };
 
-/// A tape that is being written. Identical steps are written once; nothing else is changed.
+/// A tape under construction. Identical steps are written once; nothing else is simplified.
 #[derive(Debug, Default)]
 pub(crate) struct Recording {
     pub(crate) operations: Vec<Operation>,
     known: HashMap<Operation, Step>,
-    /// Why the tape does not stand for the formula, if it does not: the first reason.
+    /// The first reason why the tape is not the formula, if any.
     pub(crate) failed: Option<RecordError>,
 }
 
 impl Recording {
-    /// A tape on which the coordinates are.
+    /// A tape that holds the coordinates.
     pub(crate) fn new(dimension: usize) -> Self {
         let mut recording = Self::default();
         for i in 0..dimension {
@@ -37,10 +37,10 @@ impl Recording {
         self.failed.get_or_insert(error);
     }
 
-    /// Returns the step of an operation, which is written if it is new.
+    /// Returns the step of an operation, written if it is new.
     fn write(&mut self, operation: Operation) -> Step {
         let end = self.operations.len();
-        // A number that was kept from another recording.
+        // A number kept from another recording.
         if operation.reads(0).into_iter().flatten().any(|step| step as usize >= end) {
             self.fail(RecordError::Foreign);
             return 0;
@@ -48,7 +48,7 @@ impl Recording {
         if let Some(&step) = self.known.get(&operation) {
             return step;
         }
-        // Two, since a pair is never parted.
+        // Two, since a pair stays together.
         if end + 2 > LONGEST {
             self.fail(RecordError::TooLong { most: LONGEST });
             return 0;
@@ -71,12 +71,11 @@ impl Recording {
 }
 
 thread_local! {
-    /// What is being recorded on this thread.
+    /// The recording of this thread.
     static RECORDING: RefCell<Option<Recording>> = const { RefCell::new(None) };
 }
 
-/// Puts a recording in the place of what was being recorded, which is brought back at the end: also where
-/// a formula panics.
+/// Restores the outer recording when dropped, also if the formula panics.
 struct Outer(Option<Recording>);
 
 impl Drop for Outer {
@@ -85,7 +84,7 @@ impl Drop for Outer {
     }
 }
 
-/// Returns what `formula` makes of the coordinates, and the tape.
+/// Returns the result of `formula` at symbolic coordinates, and the tape.
 pub(crate) fn record<T>(dimension: usize, formula: impl FnOnce(&[Symbol]) -> T) -> (T, Recording) {
     let (outer, coordinates) = begin(dimension);
     let result = formula(&coordinates);
@@ -103,32 +102,30 @@ fn end(outer: Outer) -> Recording {
     recording
 }
 
-/// Marks the recording of the current thread as failed: its tape does not stand for the formula.
+/// Marks the recording of this thread as failed: its tape is not the formula.
 pub(crate) fn fail(error: RecordError) {
     with((), |recording| recording.fail(error));
 }
 
-/// Returns the steps that the recording of the current thread has so far.
+/// Returns the steps of this thread's recording so far.
 pub(crate) fn operations() -> Vec<Operation> {
     with(Vec::new(), |recording| recording.operations.clone())
 }
 
-/// Returns whether the recording of the current thread has failed.
+/// Returns whether the recording of this thread has failed.
 pub(crate) fn has_failed() -> bool {
     with(false, |recording| recording.failed.is_some())
 }
 
-/// A number that records its operations: the index of a step on the tape of the current thread.
-///
-/// A formula is written once for all numbers, and has no other way to meet this one than to be recorded.
+/// A number that records its operations: the index of a step on the tape of this thread.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Symbol(pub(crate) Step);
 
-/// No step of any tape.
+/// A step that is on no tape.
 const NOWHERE: Step = Step::MAX;
 
-/// Writes to the tape of the current thread. Where there is none, as on a thread that the formula itself
-/// started, returns `otherwise`.
+/// Writes to the tape of this thread. If there is none, as on a thread that the formula started,
+/// returns `otherwise`.
 fn with<T>(otherwise: T, write: impl FnOnce(&mut Recording) -> T) -> T {
     RECORDING.with_borrow_mut(|recording| recording.as_mut().map(write).unwrap_or(otherwise))
 }
@@ -149,8 +146,8 @@ impl Symbol {
 }
 
 impl PartialEq for Symbol {
-    /// Of two numbers the formula knows the answer. Of all else it would be that at one point: the tape
-    /// would be the formula of one branch.
+    /// Two constants can be compared. Any other answer would hold at one point only, and the tape
+    /// would follow one branch.
     fn eq(&self, other: &Self) -> bool {
         with(false, |recording| match (recording.constant(*self), recording.constant(*other)) {
             (Some(a), Some(b)) => a == b,
@@ -216,68 +213,33 @@ impl One for Symbol {
     }
 }
 
+macro_rules! functions {
+    ($($method:ident $function:ident)*) => {$(
+        fn $method(self) -> Self {
+            self.of(Function::$function)
+        }
+    )*};
+}
+
 impl Scalar for Symbol {
     fn constant(value: f64) -> Self {
         Self::write(Operation::Constant(Number::of(value)))
-    }
-
-    fn sqr(self) -> Self {
-        self.of(Function::Sqr)
     }
 
     fn powi(self, n: i32) -> Self {
         Self::write(Operation::Powi(self.0, n))
     }
 
-    fn recip(self) -> Self {
-        self.of(Function::Recip)
-    }
-
-    fn sqrt(self) -> Self {
-        self.of(Function::Sqrt)
-    }
-
-    fn exp(self) -> Self {
-        self.of(Function::Exp)
-    }
-
-    fn ln(self) -> Self {
-        self.of(Function::Ln)
-    }
-
     fn sin_cos(self) -> (Self, Self) {
         self.both(Pair::SinCos)
-    }
-
-    fn tan(self) -> Self {
-        self.of(Function::Tan)
-    }
-
-    fn atan(self) -> Self {
-        self.of(Function::Atan)
     }
 
     fn sinh_cosh(self) -> (Self, Self) {
         self.both(Pair::SinhCosh)
     }
 
-    fn tanh(self) -> Self {
-        self.of(Function::Tanh)
-    }
-
-    fn sin(self) -> Self {
-        self.of(Function::Sin)
-    }
-
-    fn cos(self) -> Self {
-        self.of(Function::Cos)
-    }
-
-    fn sinh(self) -> Self {
-        self.of(Function::Sinh)
-    }
-
-    fn cosh(self) -> Self {
-        self.of(Function::Cosh)
+    functions! {
+        sqr Sqr recip Recip sqrt Sqrt exp Exp ln Ln
+        sin Sin cos Cos tan Tan atan Atan sinh Sinh cosh Cosh tanh Tanh
     }
 }

@@ -51,7 +51,7 @@ impl<const D: usize> CertifiedConstants<D> {
             l_h: of(Quantity::LH)?,
             m_h: of(Quantity::MH)?,
             all_of_space: domain.stands_for_space_under(metric),
-            isotropic: is_isotropic(metric),
+            isotropic: metric.formula().is_ok_and(is_isotropic),
         })
     }
 

@@ -9,13 +9,18 @@ use super::{
     spectral::{Spectral, form, square},
 };
 
-/// `−λ` for the least eigenvalue `λ` of `H(x)`: at most `−c₁`.
-pub(super) struct Least<'a, const D: usize>(pub(super) Gram<'a, D>);
+/// Which eigenvalue.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum End {
+    Least,
+    Greatest,
+}
 
-/// The greatest eigenvalue of `H(x)`: at most `c₂`.
-pub(super) struct Greatest<'a, const D: usize>(pub(super) Gram<'a, D>);
+/// The greatest eigenvalue of `H(x)`, at most `c₂`; or `−λ` for the least eigenvalue `λ`, at most
+/// `−c₁`.
+pub(super) struct Eigenvalue<'a, const D: usize>(pub(super) Gram<'a, D>, pub(super) End);
 
-impl<const D: usize> Spectral<D> for Least<'_, D> {
+impl<const D: usize> Spectral<D> for Eigenvalue<'_, D> {
     type Choice = ();
 
     fn gram(&self) -> Gram<'_, D> {
@@ -25,54 +30,40 @@ impl<const D: usize> Spectral<D> for Least<'_, D> {
     fn choice(&self, _: &SVector<f64, D>) {}
 
     fn matrices<T: Scalar>(&self, x: &SVector<T, D>, _: &()) -> Vec<DMatrix<T>> {
-        vec![block(self.0, x).map(|entry| -entry)]
+        let h = block(self.0, x);
+        vec![if self.1 == End::Least { h.map(|entry| -entry) } else { h }]
     }
 
     fn wanted(&self, x: &SVector<f64, D>) -> f64 {
-        eigen(&block(self.0, x)).map_or(f64::NAN, |eigen| -eigen.eigenvalues.min())
+        eigen(&block(self.0, x)).map_or(f64::NAN, |eigen| match self.1 {
+            End::Least => -eigen.eigenvalues.min(),
+            End::Greatest => eigen.eigenvalues.max(),
+        })
     }
 
-    /// Returns an upper bound of `λ`.
+    /// A bound of the eigenvalue itself: from above of the least, from below of the greatest.
     fn witness(&self, x: &SVector<f64, D>) -> f64 {
-        quotient(self.0, x, |eigenvalues| eigenvalues.imin()).hi()
+        match self.1 {
+            End::Least => quotient(self.0, x, |eigenvalues| eigenvalues.imin()).hi(),
+            End::Greatest => quotient(self.0, x, |eigenvalues| eigenvalues.imax()).lo(),
+        }
     }
 
-    /// A least eigenvalue that is certainly not positive.
+    /// Also where a least eigenvalue is certainly not positive.
     fn is_refuted(&self, x: &SVector<f64, D>, value: f64) -> bool {
-        (value >= 0.0 && self.witness(x) <= 0.0) || (value.is_nan() && self.0.is_undefined(x))
+        let is_indefinite = || self.1 == End::Least && value >= 0.0 && self.witness(x) <= 0.0;
+        is_indefinite() || (value.is_nan() && self.0.is_undefined(x))
     }
 }
 
-impl<const D: usize> Spectral<D> for Greatest<'_, D> {
-    type Choice = ();
-
-    fn gram(&self) -> Gram<'_, D> {
-        self.0
-    }
-
-    fn choice(&self, _: &SVector<f64, D>) {}
-
-    fn matrices<T: Scalar>(&self, x: &SVector<T, D>, _: &()) -> Vec<DMatrix<T>> {
-        vec![block(self.0, x)]
-    }
-
-    fn wanted(&self, x: &SVector<f64, D>) -> f64 {
-        eigen(&block(self.0, x)).map_or(f64::NAN, |eigen| eigen.eigenvalues.max())
-    }
-
-    fn witness(&self, x: &SVector<f64, D>) -> f64 {
-        quotient(self.0, x, |eigenvalues| eigenvalues.imax()).lo()
-    }
-}
-
-/// `H(x)`, or `φ(x)` if that is all.
+/// `H(x)`; `φ(x)` alone if `H = φ I`.
 fn block<T: Scalar, const D: usize>(gram: Gram<'_, D>, x: &SVector<T, D>) -> DMatrix<T> {
     let h = gram.at(x);
     if gram.isotropic { h.view((0, 0), (1, 1)).into_owned() } else { h }
 }
 
-/// Rayleigh's quotient `uᵀHu / uᵀu`, enclosed, for an eigenvector `u` up to rounding: between the
-/// least and the greatest eigenvalue, whatever `u` is.
+/// Rayleigh's quotient `uᵀHu / uᵀu`, enclosed, for an eigenvector `u` up to rounding. Any `u` gives
+/// a number between the least and the greatest eigenvalue.
 fn quotient<const D: usize>(
     gram: Gram<'_, D>,
     x: &SVector<f64, D>,

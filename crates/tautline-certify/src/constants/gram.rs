@@ -1,14 +1,13 @@
 //! `Gram`: a metric, its Gram matrix and its derivatives over the numbers that bounds are made of.
 
 use nalgebra::{DMatrix, SMatrix, SVector};
-use tautline_formula::AnyMetric;
+use tautline_formula::{AnyMetric, Formula};
 use tautline_metrics::Metric;
 use tautline_scalar::{Interval, Jet1, Jet2, Scalar};
 
 use crate::formula::is_isotropic;
 
-/// A metric, and what its formula shows at once.
-///
+/// A metric with what its formula shows.
 #[derive(Clone, Copy)]
 pub(super) struct Gram<'a, const D: usize> {
     metric: &'a AnyMetric<'a, D>,
@@ -17,8 +16,8 @@ pub(super) struct Gram<'a, const D: usize> {
 }
 
 impl<'a, const D: usize> Gram<'a, D> {
-    pub(super) fn new(metric: &'a AnyMetric<'a, D>) -> Self {
-        Self { metric, isotropic: is_isotropic(metric) }
+    pub(super) fn new(metric: &'a AnyMetric<'a, D>, formula: &Formula<D>) -> Self {
+        Self { metric, isotropic: is_isotropic(formula) }
     }
 
     /// Returns `H(x)`, from the entries on and above the diagonal.

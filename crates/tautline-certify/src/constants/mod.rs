@@ -24,7 +24,7 @@ use tautline_metrics::Metric;
 use tautline_scalar::{Interval, Scalar};
 
 use self::{
-    eigenvalue_range::{Greatest, Least},
+    eigenvalue_range::{Eigenvalue, End},
     first_derivative::FirstDerivative,
     gram::Gram,
     second_derivative::SecondDerivative,
@@ -90,15 +90,15 @@ pub fn certify<const D: usize>(
     }
     let accuracy = accuracy.checked()?;
     let metric = AnyMetric::new(metric);
-    metric.formula().map_err(CertifyError::NotRecorded)?;
-    let gram = Gram::new(&metric);
+    let formula = metric.formula().map_err(CertifyError::NotRecorded)?;
+    let gram = Gram::new(&metric, formula);
     let (found, lower, upper) = match quantity {
         Quantity::C1 => {
-            let (found, witness) = search(&Least(gram), domain, accuracy)?;
+            let (found, witness) = search(&Eigenvalue(gram, End::Least), domain, accuracy)?;
             (found, -found.upper, witness)
         }
         Quantity::C2 => {
-            let (found, witness) = search(&Greatest(gram), domain, accuracy)?;
+            let (found, witness) = search(&Eigenvalue(gram, End::Greatest), domain, accuracy)?;
             (found, witness, found.upper)
         }
         Quantity::LH => {

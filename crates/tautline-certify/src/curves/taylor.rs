@@ -145,60 +145,33 @@ impl<T: Scalar, const M: usize> Div for Taylor<T, M> {
     }
 }
 
-impl<T: Scalar, const M: usize> Add<f64> for Taylor<T, M> {
-    type Output = Self;
-    fn add(mut self, c: f64) -> Self {
-        self.0[0] = self.0[0] + c;
-        self
-    }
+/// The operators with a number, and those that assign.
+macro_rules! operators {
+    ($($Op:ident $op:ident $Assign:ident $assign:ident |$f:ident, $c:ident| $value:expr;)*) => {$(
+        impl<T: Scalar, const M: usize> $Op<f64> for Taylor<T, M> {
+            type Output = Self;
+            fn $op(self, $c: f64) -> Self {
+                let mut $f = self.0;
+                $value;
+                Self($f)
+            }
+        }
+        impl<T: Scalar, const M: usize> $Assign for Taylor<T, M> {
+            fn $assign(&mut self, other: Self) {
+                *self = self.$op(other);
+            }
+        }
+    )*};
 }
 
-impl<T: Scalar, const M: usize> Sub<f64> for Taylor<T, M> {
-    type Output = Self;
-    fn sub(self, c: f64) -> Self {
-        self + -c
-    }
-}
-
-impl<T: Scalar, const M: usize> Mul<f64> for Taylor<T, M> {
-    type Output = Self;
-    fn mul(self, c: f64) -> Self {
-        Self(self.0.map(|a| a * c))
-    }
-}
-
-impl<T: Scalar, const M: usize> Div<f64> for Taylor<T, M> {
-    type Output = Self;
-    fn div(self, c: f64) -> Self {
-        Self(self.0.map(|a| a / c))
-    }
+operators! {
+    Add add AddAssign add_assign |f, c| f[0] = f[0] + c;
+    Sub sub SubAssign sub_assign |f, c| f[0] = f[0] + -c;
+    Mul mul MulAssign mul_assign |f, c| f = f.map(|a| a * c);
+    Div div DivAssign div_assign |f, c| f = f.map(|a| a / c);
 }
 
 tautline_scalar::f64_on_the_left!([T: Scalar, const M: usize] Taylor<T, M>);
-
-impl<T: Scalar, const M: usize> AddAssign for Taylor<T, M> {
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
-}
-
-impl<T: Scalar, const M: usize> SubAssign for Taylor<T, M> {
-    fn sub_assign(&mut self, other: Self) {
-        *self = *self - other;
-    }
-}
-
-impl<T: Scalar, const M: usize> MulAssign for Taylor<T, M> {
-    fn mul_assign(&mut self, other: Self) {
-        *self = *self * other;
-    }
-}
-
-impl<T: Scalar, const M: usize> DivAssign for Taylor<T, M> {
-    fn div_assign(&mut self, other: Self) {
-        *self = *self / other;
-    }
-}
 
 impl<T: Scalar, const M: usize> Zero for Taylor<T, M> {
     fn zero() -> Self {

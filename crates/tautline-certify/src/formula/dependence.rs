@@ -1,40 +1,33 @@
-//! `Dependence`: how a formula depends on each coordinate, read off the formula.
-
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+//! `Dependence`: how the entries of a Gram matrix depend on each coordinate, read off the formula.
 
 use nalgebra::SVector;
-use num_traits::{One, Zero};
-use tautline_metrics::Metric;
+use tautline_formula::{Arithmetic, Formula, Function, Operation};
 use tautline_scalar::{Interval, Scalar};
-
-use super::operators::operators_follow;
 
 /// The largest ratio of a wave number to the common divisor of all wave numbers.
 ///
-/// Any two doubles have a common divisor; for `0.1` and `0.3` it is `2⁻⁵⁵` and the period is of no
-/// use.
+/// Any two doubles have a common divisor, but that of `0.1` and `0.3` is `2⁻⁵⁵`: such a period is
+/// useless.
 const LARGEST_RATIO: f64 = 1024.0;
 
-/// What evaluation of a formula proves about its dependence on `D` coordinates: a function
+/// What a formula shows about the dependence of a step on `D` coordinates: the step is
 ///
 /// `f(x) = a·x + p(x)`
 ///
-/// where `p` depends on coordinate `i` not at all, periodically, or in a way that is not known.
+/// where `p` does not depend on coordinate `i`, or is periodic in it, or depends on it in an unknown
+/// way.
 ///
-/// A number type in which a metric is evaluated as in any other. It follows the formula as it is
-/// written, in exact arithmetic on its constants, so a period that it finds is proved. What it does
-/// not find may be there all the same: `sin x / cos x` is known to have the period `2π`, not `π`,
-/// and of `e^{i·x}` in other guises it knows nothing.
+/// The formula is followed step by step, with exact arithmetic on its constants, so every period
+/// found is proved. Others may exist: `sin x / cos x` is known to have the period `2π`, not `π`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Dependence<const D: usize> {
-    /// The value of a constant; of no meaning for anything else.
+struct Dependence<const D: usize> {
+    /// The value of a constant; meaningless for anything else.
     constant: Interval,
     /// `a`.
     slope: [Interval; D],
-    /// For each coordinate a number of which every wave number is a multiple, in `1/ℓ`; 0 if there
-    /// is no wave.
+    /// For each coordinate a common divisor of all wave numbers, in `1/ℓ`; 0 if there is no wave.
     wave_number: [f64; D],
-    /// Whether more may happen along a coordinate.
+    /// Whether the dependence on a coordinate is unknown.
     aperiodic: [bool; D],
 }
 
@@ -45,34 +38,84 @@ pub(crate) enum Along {
     Constant,
     /// With the period `2π/κ` for the given `κ`, in `1/ℓ`.
     Periodic(f64),
-    /// Perhaps in another way.
+    /// In an unknown way.
     Unknown,
 }
 
-impl<const D: usize> Dependence<D> {
-    /// Returns how the Gram matrix of `metric` depends on each coordinate.
-    pub(crate) fn of(metric: &impl Metric<D>) -> [Along; D] {
-        let x = SVector::from_fn(|i, _| Self::variable(i));
-        let gram = metric.gram(&x);
-        // The entries that are read elsewhere: those on and above the diagonal.
-        let upper = (0..D).flat_map(|j| (0..=j).map(move |i| (i, j)));
-        let all = upper.fold(Self::zero(), |all, entry| all.joined(gram[entry]));
-        std::array::from_fn(|i| {
-            if all.aperiodic[i] {
-                Along::Unknown
-            } else if all.wave_number[i] > 0.0 {
-                Along::Periodic(all.wave_number[i])
-            } else {
-                Along::Constant
-            }
-        })
-    }
-
-    fn variable(i: usize) -> Self {
-        let mut variable = Self::zero();
-        variable.constant = Interval::REALS;
-        variable.slope[i] = Interval::one();
+/// Returns how the Gram matrix depends on each coordinate.
+pub(crate) fn dependence<const D: usize>(formula: &Formula<D>) -> [Along; D] {
+    let x = std::array::from_fn(|i| {
+        let mut variable = Dependence { constant: Interval::REALS, ..Dependence::constant(0.0) };
+        variable.slope[i] = Interval::point(1.0);
         variable
+    });
+    let all = entries(formula, x).fold(Dependence::<D>::constant(0.0), Dependence::joined);
+    std::array::from_fn(|i| {
+        if all.aperiodic[i] {
+            Along::Unknown
+        } else if all.wave_number[i] > 0.0 {
+            Along::Periodic(all.wave_number[i])
+        } else {
+            Along::Constant
+        }
+    })
+}
+
+/// Returns whether the formula shows that the Gram matrix does not change along `direction`.
+pub(crate) fn is_constant_along<const D: usize>(
+    formula: &Formula<D>,
+    direction: &SVector<f64, D>,
+) -> bool {
+    // The only variable is s, in x + s · direction; x is arbitrary.
+    let x = std::array::from_fn(|i| Dependence {
+        constant: Interval::REALS,
+        slope: [Interval::point(direction[i])],
+        ..Dependence::<1>::constant(0.0)
+    });
+    entries(formula, x).all(|entry| entry.is_constant())
+}
+
+/// The entries on and above the diagonal, which are all that is read elsewhere.
+fn entries<const D: usize, const N: usize>(
+    formula: &Formula<D>,
+    x: [Dependence<N>; D],
+) -> impl Iterator<Item = Dependence<N>> {
+    let mut steps: Vec<Dependence<N>> = Vec::with_capacity(formula.operations().len());
+    for (place, &operation) in formula.operations().iter().enumerate() {
+        let at = |step: u32| steps[step as usize];
+        let step = match operation {
+            Operation::Coordinate(i) => x[i as usize],
+            Operation::Constant(c) => Dependence::constant(c.value()),
+            Operation::Binary(how, a, b) => at(a).combined(how, at(b)),
+            Operation::WithNumber(how, a, c) => {
+                at(a).combined(how, Dependence::constant(c.value()))
+            }
+            Operation::Powi(a, 1) => at(a),
+            Operation::Powi(a, n) => at(a).under(Dependence::bent, |constant| constant.powi(n)),
+            Operation::Of(Function::Neg, a) => at(a).negative(),
+            Operation::Of(..) | Operation::First(..) | Operation::Second => {
+                let (function, a) = formula.function(place).expect("a second follows its first");
+                let bent = match function {
+                    Function::Sin | Function::Cos | Function::Tan => Dependence::wave,
+                    _ => Dependence::bent,
+                };
+                at(a).under(bent, |constant| function.of(constant))
+            }
+        };
+        steps.push(step);
+    }
+    let upper = (0..D).flat_map(|j| (0..=j).map(move |i| (i, j)));
+    upper.map(move |(i, j)| steps[formula.entry(i, j) as usize])
+}
+
+impl<const D: usize> Dependence<D> {
+    fn constant(value: f64) -> Self {
+        Self {
+            constant: Interval::point(value),
+            slope: [Interval::point(0.0); D],
+            wave_number: [0.0; D],
+            aperiodic: [false; D],
+        }
     }
 
     fn is_constant(&self) -> bool {
@@ -81,7 +124,16 @@ impl<const D: usize> Dependence<D> {
         (0..D).all(none)
     }
 
-    /// Any function of `a·x + p`.
+    /// A function of this; of a constant it is one, whose value matters where it is a factor.
+    fn under(self, bent: fn(Self) -> Self, value: impl Fn(Interval) -> Interval) -> Self {
+        let mut result = bent(self);
+        if self.is_constant() {
+            result.constant = value(self.constant);
+        }
+        result
+    }
+
+    /// An arbitrary function of `a·x + p`.
     fn bent(mut self) -> Self {
         for i in 0..D {
             self.aperiodic[i] |= !is_zero(self.slope[i]);
@@ -103,10 +155,10 @@ impl<const D: usize> Dependence<D> {
     }
 
     fn straightened(self) -> Self {
-        Self { constant: Interval::REALS, slope: [Interval::zero(); D], ..self }
+        Self { constant: Interval::REALS, slope: [Interval::point(0.0); D], ..self }
     }
 
-    /// The dependence of a function of both.
+    /// An arbitrary function of both.
     fn joined(self, other: Self) -> Self {
         let mut both = self.bent();
         let other = other.bent();
@@ -121,32 +173,41 @@ impl<const D: usize> Dependence<D> {
         let largest = self.wave_number[i].max(wave_number);
         let divisor = common_divisor(self.wave_number[i], wave_number);
         self.wave_number[i] = divisor;
-        // Not finite, or no divisor to speak of.
+        // Also where the divisor is not finite.
         self.aperiodic[i] |= !(largest <= LARGEST_RATIO * divisor);
     }
 
-    fn scaled(self, factor: Interval) -> Self {
-        let slope = self.slope.map(|a| if is_zero(a) { a } else { a * factor });
-        Self { constant: self.constant * factor, slope, ..self }
+    fn negative(self) -> Self {
+        Self { constant: -self.constant, slope: self.slope.map(|a| -a), ..self }
     }
-}
 
-impl Dependence<1> {
-    /// Returns whether the formula of `metric` shows that its Gram matrix does not change along
-    /// `direction`.
-    pub(crate) fn is_constant_along<const N: usize>(
-        metric: &impl Metric<N>,
-        direction: &SVector<f64, N>,
-    ) -> bool {
-        // The one coordinate is s, in x + s · direction, whatever x is.
-        let x = direction.map(|slope| Self {
-            constant: Interval::REALS,
-            slope: [Interval::point(slope)],
-            ..Self::zero()
-        });
-        let gram = metric.gram(&x);
-        let upper = (0..N).flat_map(|j| (0..=j).map(move |i| (i, j)));
-        upper.into_iter().all(|entry| gram[entry].is_constant())
+    /// `self ∘ other`.
+    fn combined(self, how: Arithmetic, other: Self) -> Self {
+        match how {
+            Arithmetic::Add => self.plus(other),
+            Arithmetic::Sub => self.plus(other.negative()),
+            Arithmetic::Mul if !other.is_constant() && self.is_constant() => {
+                other.combined(how, self)
+            }
+            _ if !other.is_constant() => self.joined(other),
+            _ => {
+                let scaled = |a: Interval| how.of(a, other.constant);
+                // 0 stays 0 whatever the factor is.
+                let slope = self.slope.map(|a| if is_zero(a) { a } else { scaled(a) });
+                Self { constant: scaled(self.constant), slope, ..self }
+            }
+        }
+    }
+
+    fn plus(self, other: Self) -> Self {
+        let mut sum = self;
+        sum.constant = self.constant + other.constant;
+        for i in 0..D {
+            sum.slope[i] = self.slope[i] + other.slope[i];
+            sum.aperiodic[i] |= other.aperiodic[i];
+            sum.add_wave(i, other.wave_number[i]);
+        }
+        sum
     }
 }
 
@@ -163,141 +224,10 @@ fn common_divisor(mut a: f64, mut b: f64) -> f64 {
     a
 }
 
-impl<const D: usize> Neg for Dependence<D> {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Self { constant: -self.constant, slope: self.slope.map(|a| -a), ..self }
-    }
-}
-
-impl<const D: usize> Add for Dependence<D> {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        let mut sum = self;
-        sum.constant = self.constant + other.constant;
-        for i in 0..D {
-            sum.slope[i] = self.slope[i] + other.slope[i];
-            sum.aperiodic[i] |= other.aperiodic[i];
-            sum.add_wave(i, other.wave_number[i]);
-        }
-        sum
-    }
-}
-
-impl<const D: usize> Mul for Dependence<D> {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        if other.is_constant() {
-            self.scaled(other.constant)
-        } else if self.is_constant() {
-            other.scaled(self.constant)
-        } else {
-            self.joined(other)
-        }
-    }
-}
-
-impl<const D: usize> Div for Dependence<D> {
-    type Output = Self;
-    fn div(self, other: Self) -> Self {
-        if !other.is_constant() {
-            return self.joined(other);
-        }
-        Self {
-            constant: self.constant / other.constant,
-            slope: self.slope.map(|a| if is_zero(a) { a } else { a / other.constant }),
-            ..self
-        }
-    }
-}
-
-operators_follow!([const D: usize] Dependence<D>);
-
-impl<const D: usize> Zero for Dependence<D> {
-    fn zero() -> Self {
-        Self::constant(0.0)
-    }
-    fn is_zero(&self) -> bool {
-        self.is_constant() && is_zero(self.constant)
-    }
-}
-
-/// A function of a constant is one, whose value is asked for where it is a factor.
-macro_rules! of_a_constant {
-    ($self:ident, $function:ident, $otherwise:expr) => {{
-        let mut result = $otherwise;
-        if $self.is_constant() {
-            result.constant = $self.constant.$function();
-        }
-        result
-    }};
-}
-
-impl<const D: usize> Scalar for Dependence<D> {
-    fn constant(value: f64) -> Self {
-        Self {
-            constant: Interval::point(value),
-            slope: [Interval::zero(); D],
-            wave_number: [0.0; D],
-            aperiodic: [false; D],
-        }
-    }
-
-    fn sqr(self) -> Self {
-        of_a_constant!(self, sqr, self.bent())
-    }
-
-    fn powi(self, n: i32) -> Self {
-        if n == 1 {
-            return self;
-        }
-        let mut power = self.bent();
-        if self.is_constant() {
-            power.constant = self.constant.powi(n);
-        }
-        power
-    }
-
-    fn recip(self) -> Self {
-        of_a_constant!(self, recip, self.bent())
-    }
-
-    fn sqrt(self) -> Self {
-        of_a_constant!(self, sqrt, self.bent())
-    }
-
-    fn exp(self) -> Self {
-        of_a_constant!(self, exp, self.bent())
-    }
-
-    fn ln(self) -> Self {
-        of_a_constant!(self, ln, self.bent())
-    }
-
-    fn sin_cos(self) -> (Self, Self) {
-        (of_a_constant!(self, sin, self.wave()), of_a_constant!(self, cos, self.wave()))
-    }
-
-    fn tan(self) -> Self {
-        of_a_constant!(self, tan, self.wave())
-    }
-
-    fn atan(self) -> Self {
-        of_a_constant!(self, atan, self.bent())
-    }
-
-    fn sinh_cosh(self) -> (Self, Self) {
-        (of_a_constant!(self, sinh, self.bent()), of_a_constant!(self, cosh, self.bent()))
-    }
-
-    fn tanh(self) -> Self {
-        of_a_constant!(self, tanh, self.bent())
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use nalgebra::{SMatrix, SVector};
+    use tautline_formula::Formula;
     use tautline_metrics::{
         Metric,
         gallery::{
@@ -306,35 +236,39 @@ mod tests {
     };
     use tautline_scalar::Scalar;
 
-    use super::{Along, Dependence, common_divisor};
+    use super::{Along, common_divisor};
+
+    fn dependence<const D: usize>(metric: &impl Metric<D>) -> [Along; D] {
+        super::dependence(&Formula::record(metric).expect("no comparison"))
+    }
 
     #[test]
     fn the_gallery_has_the_periods_of_its_formulas() {
         use Along::{Constant, Periodic, Unknown};
-        assert_eq!(Dependence::<3>::of(&Valleys), [Periodic(1.0), Constant, Constant]);
+        assert_eq!(dependence::<3>(&Valleys), [Periodic(1.0), Constant, Constant]);
         let shear = Shear::new(0.5, 3.0).expect("a wave number");
-        assert_eq!(Dependence::of(&shear), [Constant, Periodic(3.0)]);
-        assert_eq!(Dependence::of(&CoupledCosines), [Periodic(1.0); 3]);
-        assert_eq!(Dependence::of(&GaussianFisher), [Constant, Unknown]);
+        assert_eq!(dependence(&shear), [Constant, Periodic(3.0)]);
+        assert_eq!(dependence(&CoupledCosines), [Periodic(1.0); 3]);
+        assert_eq!(dependence(&GaussianFisher), [Constant, Unknown]);
         let lens = Lens::new(1.0, 1.0).expect("a width");
-        assert_eq!(Dependence::<2>::of(&lens), [Unknown; 2]);
+        assert_eq!(dependence::<2>(&lens), [Unknown; 2]);
         let board = Checkerboard::new(1.0, 2.0).expect("an edge");
-        let [Periodic(k), Periodic(l)] = Dependence::of(&board) else { panic!("not periodic") };
+        let [Periodic(k), Periodic(l)] = dependence(&board) else { panic!("not periodic") };
         // sin² has the half of that period, which is more than is read off the formula.
         assert!(k == l && (k / std::f64::consts::FRAC_PI_2 - 1.0).abs() < 1e-15, "{k}");
         let anisotropy = RotatingAnisotropy::new([1.0, 4.0], [0.5, 1.5]).expect("eigenvalues");
         // By the double angle.
-        assert_eq!(Dependence::of(&anisotropy), [Periodic(1.0), Periodic(3.0)]);
+        assert_eq!(dependence(&anisotropy), [Periodic(1.0), Periodic(3.0)]);
     }
 
     /// A metric on the line by a formula.
     struct Line<F>(F);
 
-    trait Formula: Sync {
+    trait OfX: Sync {
         fn at<S: Scalar>(&self, x: S) -> S;
     }
 
-    impl<F: Formula> Metric<1> for Line<F> {
+    impl<F: OfX> Metric<1> for Line<F> {
         fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
             SMatrix::from_element(self.0.at(x[0]))
         }
@@ -343,12 +277,12 @@ mod tests {
     macro_rules! along {
         (|$x:ident: $S:ident| $formula:expr) => {{
             struct Given;
-            impl Formula for Given {
+            impl OfX for Given {
                 fn at<$S: Scalar>(&self, $x: $S) -> $S {
                     $formula
                 }
             }
-            Dependence::of(&Line(Given))[0]
+            dependence(&Line(Given))[0]
         }};
     }
 

@@ -1,112 +1,63 @@
-//! `Expression`: formulas as such, to see which entries of a Gram matrix are the same.
+//! `Expressions`: a formula up to trivial identities, to see which entries of `H` are the same.
 
-use std::{
-    cell::RefCell,
-    collections::{HashMap, HashSet},
-    ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign},
-    sync::atomic::{AtomicU64, Ordering},
-};
+use std::collections::{HashMap, HashSet};
 
-use nalgebra::SVector;
-use num_traits::{One, Zero};
-use tautline_metrics::Metric;
-use tautline_scalar::Scalar;
-
-use super::operators::operators_follow;
+use tautline_formula::{Arithmetic, Formula, Function, Operation};
 
 /// Returns whether `H(x) = φ(x) I` by its formula: zeros beside the diagonal, and the same
 /// expression all along it.
 ///
 /// True is proved; false says nothing, since equal functions may be written in different ways.
-pub(crate) fn is_isotropic<const D: usize>(metric: &impl Metric<D>) -> bool {
-    FORMULAS.with_borrow_mut(|formulas| *formulas = Formulas::default());
-    let x = SVector::from_fn(|i, _| Expression::new(Node::Variable(i)));
-    let gram = metric.gram(&x);
-    let upper = (0..D).flat_map(|j| (0..=j).map(move |i| (i, j)));
-    upper.into_iter().all(|(i, j)| {
-        let entry = gram[(i, j)];
-        if i == j { entry == gram[(0, 0)] } else { entry.is_zero() }
-    })
-}
-
-/// Every expression of the evaluation that goes on, by its number and with it.
-struct Formulas {
-    /// No other table has this number: neither another thread's, nor that of another evaluation.
-    table: u64,
-    nodes: Vec<Node>,
-    numbers: HashMap<Node, u32>,
-}
-
-impl Default for Formulas {
-    fn default() -> Self {
-        static TABLES: AtomicU64 = AtomicU64::new(0);
-        let table = TABLES.fetch_add(1, Ordering::Relaxed);
-        Self { table, nodes: Vec::new(), numbers: HashMap::new() }
-    }
-}
-
-impl Formulas {
-    /// The formula of an expression, if it is from this table.
-    fn node(&self, expression: Expression) -> Option<Node> {
-        if expression.table != self.table {
-            return None;
-        }
-        self.nodes.get(expression.number as usize).copied()
-    }
+pub(crate) fn is_isotropic<const D: usize>(formula: &Formula<D>) -> bool {
+    Expressions::default().multiple_of_identity(formula).is_some()
 }
 
 /// Returns whether `H(x) = φ(|x|²) I` by its formula: the coordinates occur in `x₁² + x₂² + … `,
 /// summed in their order, and nowhere else.
 ///
 /// True is proved; false says nothing.
-pub(crate) fn is_radial<const D: usize>(metric: &impl Metric<D>) -> bool {
-    if D == 0 || !is_isotropic(metric) {
-        return false;
-    }
-    // The formulas of that evaluation are still there.
-    let x = std::array::from_fn::<_, D, _>(|i| Expression::new(Node::Variable(i)));
-    let square = x.iter().fold(Expression::zero(), |sum, x| sum + x.sqr());
-    let gram = metric.gram(&SVector::from(x));
-    FORMULAS.with_borrow(|formulas| {
-        let mut reached = HashSet::new();
-        let mut open = vec![gram[(0, 0)]];
-        while let Some(expression) = open.pop() {
-            if expression == square || !reached.insert(expression) {
-                continue;
-            }
-            match formulas.node(expression) {
-                None | Some(Node::Variable(_)) => return false,
-                Some(Node::Constant(_)) => {}
-                Some(Node::Sum(a, b) | Node::Product(a, b) | Node::Quotient(a, b)) => {
-                    open.extend([a, b]);
-                }
-                Some(Node::Negative(a) | Node::Power(a, _) | Node::Of(_, a)) => open.push(a),
-            }
+pub(crate) fn is_radial<const D: usize>(formula: &Formula<D>) -> bool {
+    let mut expressions = Expressions::default();
+    let Some(Some(factor)) = expressions.multiple_of_identity(formula) else { return false };
+    let zero = expressions.constant(0.0);
+    let square = (0..D).fold(zero, |sum, i| {
+        let x = expressions.number(Node::Variable(i as u32));
+        let square = expressions.power(x, 2);
+        expressions.sum(sum, square)
+    });
+    let mut reached = HashSet::new();
+    let mut open = vec![factor];
+    while let Some(expression) = open.pop() {
+        if expression == square || !reached.insert(expression) {
+            continue;
         }
-        true
-    })
+        match expressions.nodes[expression as usize] {
+            Node::Variable(_) => return false,
+            Node::Constant(_) => {}
+            Node::Sum(a, b) | Node::Product(a, b) | Node::Quotient(a, b) => open.extend([a, b]),
+            Node::Negative(a) | Node::Power(a, _) | Node::Of(_, a) => open.push(a),
+        }
+    }
+    true
 }
 
-thread_local! {
-    static FORMULAS: RefCell<Formulas> = RefCell::default();
-}
+/// The number of an expression: two with the same number are the same.
+type Expression = u32;
 
-/// An expression by its number in a table: two are the same formula if both numbers are equal.
-/// Those that were made on another thread, or by an evaluation inside of this one, equal none of
-/// this one's.
+/// Expressions by their numbers, and back.
 ///
 /// Sums and products do not depend on the order of two operands; `f · f` is `f²`; adding `0` and
-/// multiplying by `1` changes nothing; of constants, `0 · c` is `0`. Nothing else is simplified, `0
-/// · f` not either: `f` may not be defined.
-#[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
-struct Expression {
-    table: u64,
-    number: u32,
+/// multiplying by `1` changes nothing; of constants, `0 · c` is `0`. Nothing else is simplified, not
+/// even `0 · f`: `f` may be undefined.
+#[derive(Default)]
+struct Expressions {
+    nodes: Vec<Node>,
+    numbers: HashMap<Node, Expression>,
 }
 
 #[derive(Clone, Copy, Debug, Eq, Hash, PartialEq)]
 enum Node {
-    Variable(usize),
+    Variable(u32),
     /// By its bits.
     Constant(u64),
     Sum(Expression, Expression),
@@ -114,129 +65,118 @@ enum Node {
     Quotient(Expression, Expression),
     Negative(Expression),
     Power(Expression, i32),
-    Of(&'static str, Expression),
+    Of(Function, Expression),
 }
 
-impl Expression {
-    fn new(node: Node) -> Self {
-        FORMULAS.with_borrow_mut(|Formulas { table, nodes, numbers }| {
-            let number = *numbers.entry(node).or_insert_with(|| {
-                nodes.push(node);
-                u32::try_from(nodes.len() - 1).expect("fewer than 2³² expressions")
-            });
-            Self { table: *table, number }
+impl Expressions {
+    /// Returns `φ` if `H = φ I`: `Some(None)` for `D = 0`.
+    fn multiple_of_identity<const D: usize>(
+        &mut self,
+        formula: &Formula<D>,
+    ) -> Option<Option<Expression>> {
+        let steps = self.steps(formula);
+        let zero = self.constant(0.0);
+        let entry = |i: usize, j: usize| steps[formula.entry(i, j) as usize];
+        let is_multiple =
+            (0..D).all(|j| entry(j, j) == entry(0, 0) && (0..j).all(|i| entry(i, j) == zero));
+        is_multiple.then(|| (D > 0).then(|| entry(0, 0)))
+    }
+
+    /// The expression of each step.
+    fn steps<const D: usize>(&mut self, formula: &Formula<D>) -> Vec<Expression> {
+        let mut steps = Vec::with_capacity(formula.operations().len());
+        for (place, &operation) in formula.operations().iter().enumerate() {
+            let at = |step: u32| steps[step as usize];
+            let step = match operation {
+                Operation::Coordinate(i) => self.number(Node::Variable(i)),
+                Operation::Constant(c) => self.constant(c.value()),
+                Operation::Binary(how, a, b) => self.combined(how, at(a), at(b)),
+                Operation::WithNumber(how, a, c) => {
+                    let c = self.constant(c.value());
+                    self.combined(how, at(a), c)
+                }
+                Operation::Powi(a, n) => self.power(at(a), n),
+                Operation::Of(Function::Neg, a) => self.negative(at(a)),
+                Operation::Of(Function::Sqr, a) => self.power(at(a), 2),
+                Operation::Of(..) | Operation::First(..) | Operation::Second => {
+                    let (function, a) =
+                        formula.function(place).expect("a second follows its first");
+                    self.number(Node::Of(function, at(a)))
+                }
+            };
+            steps.push(step);
+        }
+        steps
+    }
+
+    fn number(&mut self, node: Node) -> Expression {
+        let Self { nodes, numbers } = self;
+        *numbers.entry(node).or_insert_with(|| {
+            nodes.push(node);
+            // A formula has fewer steps.
+            (nodes.len() - 1) as Expression
         })
     }
 
-    fn of(self, function: &'static str) -> Self {
-        Self::new(Node::Of(function, self))
-    }
-
-    fn is_finite_constant(self) -> bool {
-        FORMULAS.with_borrow(|formulas| match formulas.node(self) {
-            Some(Node::Constant(bits)) => f64::from_bits(bits).is_finite(),
-            _ => false,
-        })
-    }
-}
-
-impl Neg for Expression {
-    type Output = Self;
-    fn neg(self) -> Self {
-        if self.is_zero() { self } else { Self::new(Node::Negative(self)) }
-    }
-}
-
-impl Add for Expression {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        if self.is_zero() {
-            other
-        } else if other.is_zero() {
-            self
-        } else {
-            Self::new(Node::Sum(self.min(other), self.max(other)))
-        }
-    }
-}
-
-impl Mul for Expression {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        let zero = Self::zero();
-        if self.is_one() || (other == zero && self.is_finite_constant()) {
-            other
-        } else if other.is_one() || (self == zero && other.is_finite_constant()) {
-            self
-        } else if self == other {
-            self.powi(2)
-        } else {
-            Self::new(Node::Product(self.min(other), self.max(other)))
-        }
-    }
-}
-
-impl Div for Expression {
-    type Output = Self;
-    fn div(self, other: Self) -> Self {
-        if other.is_one() { self } else { Self::new(Node::Quotient(self, other)) }
-    }
-}
-
-operators_follow!([] Expression);
-
-impl Zero for Expression {
-    fn zero() -> Self {
-        Self::constant(0.0)
-    }
-    fn is_zero(&self) -> bool {
-        *self == Self::zero()
-    }
-}
-
-impl Scalar for Expression {
-    fn constant(value: f64) -> Self {
+    fn constant(&mut self, value: f64) -> Expression {
         // The two zeros are one number.
-        Self::new(Node::Constant((value + 0.0).to_bits()))
+        self.number(Node::Constant((value + 0.0).to_bits()))
     }
-    fn sqr(self) -> Self {
-        self.powi(2)
+
+    fn is_finite_constant(&self, a: Expression) -> bool {
+        matches!(self.nodes[a as usize], Node::Constant(bits) if f64::from_bits(bits).is_finite())
     }
-    fn powi(self, n: i32) -> Self {
-        if n == 1 { self } else { Self::new(Node::Power(self, n)) }
+
+    fn combined(&mut self, how: Arithmetic, a: Expression, b: Expression) -> Expression {
+        match how {
+            Arithmetic::Add => self.sum(a, b),
+            Arithmetic::Sub => {
+                let minus = self.negative(b);
+                self.sum(a, minus)
+            }
+            Arithmetic::Mul => self.product(a, b),
+            Arithmetic::Div if b == self.constant(1.0) => a,
+            Arithmetic::Div => self.number(Node::Quotient(a, b)),
+        }
     }
-    fn recip(self) -> Self {
-        self.of("recip")
+
+    fn negative(&mut self, a: Expression) -> Expression {
+        if a == self.constant(0.0) { a } else { self.number(Node::Negative(a)) }
     }
-    fn sqrt(self) -> Self {
-        self.of("sqrt")
+
+    fn sum(&mut self, a: Expression, b: Expression) -> Expression {
+        let zero = self.constant(0.0);
+        if a == zero {
+            b
+        } else if b == zero {
+            a
+        } else {
+            self.number(Node::Sum(a.min(b), a.max(b)))
+        }
     }
-    fn exp(self) -> Self {
-        self.of("exp")
+
+    fn product(&mut self, a: Expression, b: Expression) -> Expression {
+        let [zero, one] = [0.0, 1.0].map(|c| self.constant(c));
+        if a == one || (b == zero && self.is_finite_constant(a)) {
+            b
+        } else if b == one || (a == zero && self.is_finite_constant(b)) {
+            a
+        } else if a == b {
+            self.power(a, 2)
+        } else {
+            self.number(Node::Product(a.min(b), a.max(b)))
+        }
     }
-    fn ln(self) -> Self {
-        self.of("ln")
-    }
-    fn sin_cos(self) -> (Self, Self) {
-        (self.of("sin"), self.of("cos"))
-    }
-    fn tan(self) -> Self {
-        self.of("tan")
-    }
-    fn atan(self) -> Self {
-        self.of("atan")
-    }
-    fn sinh_cosh(self) -> (Self, Self) {
-        (self.of("sinh"), self.of("cosh"))
-    }
-    fn tanh(self) -> Self {
-        self.of("tanh")
+
+    fn power(&mut self, a: Expression, n: i32) -> Expression {
+        if n == 1 { a } else { self.number(Node::Power(a, n)) }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use nalgebra::{SMatrix, SVector, matrix};
+    use tautline_formula::{Formula, RecordError};
     use tautline_metrics::{
         Metric,
         composition::{Scaled, Sum},
@@ -244,7 +184,13 @@ mod tests {
     };
     use tautline_scalar::Scalar;
 
-    use super::{is_isotropic, is_radial};
+    fn is_isotropic<const D: usize>(metric: &impl Metric<D>) -> bool {
+        super::is_isotropic(&Formula::record(metric).expect("no comparison"))
+    }
+
+    fn is_radial<const D: usize>(metric: &impl Metric<D>) -> bool {
+        super::is_radial(&Formula::record(metric).expect("no comparison"))
+    }
 
     #[test]
     fn functions_of_the_norm_are_seen() {
@@ -279,9 +225,9 @@ mod tests {
         assert!(is_isotropic::<2>(&Sum::new(Valleys, lens)));
     }
 
-    /// Each diagonal entry is made on a thread of its own, where it is the first formula.
+    /// Each diagonal entry is made on a thread of its own.
     #[test]
-    fn formulas_of_other_threads_equal_none() {
+    fn formulas_of_other_threads_are_refused() {
         struct Threads;
         impl Metric<2> for Threads {
             fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
@@ -292,7 +238,7 @@ mod tests {
                 matrix![a, S::zero(); S::zero(), b]
             }
         }
-        assert!(!is_isotropic(&Threads) && !is_radial(&Threads));
+        assert_eq!(Formula::record(&Threads), Err(RecordError::Foreign));
     }
 
     #[test]

@@ -1,20 +1,21 @@
 //! Directions along which a formula does not change.
 
 use nalgebra::{DMatrix, SVector};
+use tautline_formula::Formula;
 use tautline_metrics::Metric;
 use tautline_scalar::Jet1;
 
-use super::Dependence;
+use super::dependence::is_constant_along;
 
-/// Coordinates that can be set to 0 without leaving anything out: for each of them the Gram matrix
-/// does not change along a direction in which it, and none of the others, moves.
+/// Coordinates that can be set to 0 without loss: for each of them the Gram matrix does not change
+/// along some direction that moves it and none of the other superfluous ones.
 ///
-/// The directions are guessed, from derivatives at some points, as multiples of small fractions;
-/// that the formula does not change along them is then proved by [`Dependence::is_constant_along`].
-/// So `cos(x₁ − x₂)` needs one coordinate only. What is not guessed or not proved costs boxes and
+/// The directions are guessed from derivatives at some points, as multiples of small fractions; that
+/// the formula does not change along them is then proved by [`is_constant_along`]. So
+/// `cos(x₁ − x₂)` needs only one coordinate. What is not guessed or not proved costs boxes and
 /// nothing else.
-pub(crate) fn superfluous<const D: usize>(metric: &impl Metric<D>) -> [bool; D] {
-    let mut rows = gradients(metric);
+pub(crate) fn superfluous<const D: usize>(formula: &Formula<D>) -> [bool; D] {
+    let mut rows = gradients(formula);
     let pivots = reduce(&mut rows);
     let mut superfluous = [false; D];
     for free in (0..D).filter(|i| !pivots.contains(i)) {
@@ -24,18 +25,18 @@ pub(crate) fn superfluous<const D: usize>(metric: &impl Metric<D>) -> [bool; D] 
         for (row, &pivot) in pivots.iter().enumerate() {
             direction[pivot] = -fraction(rows[(row, free)]);
         }
-        superfluous[free] = Dependence::is_constant_along(metric, &direction);
+        superfluous[free] = is_constant_along(formula, &direction);
     }
     superfluous
 }
 
-/// The gradients of the entries of `H` at some points that are not special, one a row.
-fn gradients<const D: usize>(metric: &impl Metric<D>) -> DMatrix<f64> {
+/// The gradients of the entries of `H` at some generic points, one a row.
+fn gradients<const D: usize>(formula: &Formula<D>) -> DMatrix<f64> {
     let mut rows: Vec<f64> = Vec::new();
     for point in 1..=2 * D {
         // Fractions of multiples of irrational numbers, spread over the unit cube.
         let x: [f64; D] = std::array::from_fn(|i| (point as f64 * (i as f64 + 2.0).sqrt()).fract());
-        let gram = metric.gram(&SVector::from(Jet1::variables(&x)));
+        let gram = formula.gram(&SVector::from(Jet1::variables(&x)));
         for entry in gram.iter() {
             if entry.gradient().iter().all(|g| g.is_finite()) {
                 rows.extend(entry.gradient());
@@ -46,7 +47,7 @@ fn gradients<const D: usize>(metric: &impl Metric<D>) -> DMatrix<f64> {
 }
 
 /// Brings the rows into reduced echelon form, with the largest pivot of each column; returns the
-/// columns of the pivots. What is below `10⁻⁹` of the largest entry is rounding.
+/// columns of the pivots. Entries below `10⁻⁹` of the largest count as rounding.
 fn reduce(rows: &mut DMatrix<f64>) -> Vec<usize> {
     let least = 1e-9 * rows.amax();
     let mut pivots = Vec::new();
@@ -75,8 +76,7 @@ fn reduce(rows: &mut DMatrix<f64>) -> Vec<usize> {
     pivots
 }
 
-/// The multiple of `1/64` that is nearest, which is a double whose products with most coefficients
-/// of formulas are exact.
+/// The nearest multiple of `1/64`: its products with most coefficients of formulas are exact.
 fn fraction(x: f64) -> f64 {
     (64.0 * x).round() / 64.0
 }
@@ -84,13 +84,16 @@ fn fraction(x: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use nalgebra::{SMatrix, SVector, matrix};
+    use tautline_formula::Formula;
     use tautline_metrics::{
         Metric,
         gallery::{CoupledCosines, EggCrate, RotatingAnisotropy, Shear, Valleys},
     };
     use tautline_scalar::Scalar;
 
-    use super::superfluous;
+    fn superfluous<const D: usize>(metric: &impl Metric<D>) -> [bool; D] {
+        super::superfluous(&Formula::record(metric).expect("no comparison"))
+    }
 
     #[test]
     fn a_formula_in_differences_needs_one_coordinate_less() {

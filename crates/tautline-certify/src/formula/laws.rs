@@ -1,10 +1,11 @@
 //! What is read off a formula holds of its values: for random formulas in several variables.
 
 use nalgebra::{SMatrix, SVector};
+use tautline_formula::Formula;
 use tautline_metrics::Metric;
 use tautline_scalar::Scalar;
 
-use super::{Along, Dependence, is_isotropic, is_radial};
+use super::{Along, dependence, dependence::is_constant_along, is_isotropic, is_radial};
 
 /// Reproducible numbers: Steele, Lea and Flood's SplitMix64.
 struct Random(u64);
@@ -117,6 +118,10 @@ impl Metric<3> for Matrix {
 }
 
 impl Matrix {
+    fn formula(&self) -> Formula<3> {
+        Formula::record(self).expect("no comparison")
+    }
+
     /// Whether all entries are the same at both points, up to rounding; `None` where they are so
     /// large on the way that this is not known.
     fn same(&self, x: [f64; 3], y: [f64; 3]) -> Option<bool> {
@@ -153,7 +158,7 @@ fn values_depend_on_coordinates_as_it_is_read_off_the_formula() {
             let depth = random.below(3);
             if random.below(2) == 0 { Tree::Number(1.0) } else { random.tree(depth, &mut leaf) }
         }));
-        for (i, along) in Dependence::of(&metric).into_iter().enumerate() {
+        for (i, along) in dependence(&metric.formula()).into_iter().enumerate() {
             for _ in 0..8 {
                 let (x, mut y) = (random.point(), random.coordinate());
                 match along {
@@ -198,7 +203,7 @@ fn values_do_not_change_along_a_direction_that_is_proved() {
             let depth = random.below(3);
             if random.below(2) == 0 { Tree::Number(1.0) } else { random.tree(depth, &mut leaf) }
         }));
-        let constant = Dependence::is_constant_along(&metric, &SVector::from(direction));
+        let constant = is_constant_along(&metric.formula(), &SVector::from(direction));
         seen[usize::from(constant)] += 1;
         for _ in 0..8 {
             let (x, s) = (random.point(), random.coordinate());
@@ -232,7 +237,8 @@ fn multiples_of_the_identity_and_functions_of_the_norm_are_what_they_are_called(
             0 | 2 | 5 => diagonal(k == odd),
             _ => beside(k == odd),
         }));
-        let (isotropic, radial) = (is_isotropic(&metric), is_radial(&metric));
+        let formula = metric.formula();
+        let (isotropic, radial) = (is_isotropic(&formula), is_radial(&formula));
         assert!(isotropic || !radial);
         seen[usize::from(isotropic) + usize::from(radial)] += 1;
         for _ in 0..6 {
@@ -262,5 +268,6 @@ fn slopes_are_those_of_exact_arithmetic() {
         }
     }
     assert_eq!(1.0 / 3.0 * 3.0, 1.0);
-    assert_eq!(Dependence::of(&Nearly), [Along::Unknown]);
+    let formula = Formula::record(&Nearly).expect("no comparison");
+    assert_eq!(dependence(&formula), [Along::Unknown]);
 }

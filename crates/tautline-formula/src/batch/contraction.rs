@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 use tautline_metrics::{Metric, is_gram};
 use tautline_scalar::{Jet1, Jet2, Scalar};
 
-/// The derivatives of `H` at a point, contracted with a chord `d` as soon as they are known.
+/// `H` at a point and its derivatives, contracted with a chord `d` as soon as they are known.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Contraction<const D: usize> {
     /// `H`.
@@ -15,15 +15,14 @@ pub(crate) struct Contraction<const D: usize> {
     pub(crate) p: SMatrix<f64, D, D>,
     /// `Qₖₗ = dᵀ ∂ₖ∂ₗH d`.
     pub(crate) q: SMatrix<f64, D, D>,
-    /// Whether `H`, with both halves as the metric has them, is finite, symmetric and positive
+    /// Whether `H`, with both halves as the metric gives them, is finite, symmetric and positive
     /// definite.
     pub(crate) is_metric: bool,
 }
 
-/// From this dimension on derivatives are taken by so many directions at a time.
-///
-/// At once, the jets of all `D²` entries of `H` are `D⁴` numbers: 2.8 MB at `D = 24`, which leave the cache and
-/// then the stack.
+/// From this dimension on, derivatives are taken [`CHUNK`] directions at a time: the jets of all `D²`
+/// entries of `H` in all directions are `D⁴` numbers, 2.8 MB at `D = 24`, too many for the cache and
+/// then for the stack.
 pub(crate) const CHUNKED: usize = 24;
 const CHUNK: usize = 8;
 
@@ -31,7 +30,7 @@ impl<const D: usize> Contraction<D> {
     /// Differentiates at `y`.
     #[inline(always)]
     pub(crate) fn new(metric: &impl Metric<D>, y: &SVector<f64, D>, d: &SVector<f64, D>) -> Self {
-        // A constant, so that of the two only one is compiled for each metric.
+        // A constant, so that only one of the two is compiled.
         if const { D < CHUNKED } {
             Self::at_once(metric, y, d)
         } else {
@@ -47,7 +46,7 @@ impl<const D: usize> Contraction<D> {
         contraction
     }
 
-    /// Every two halves of a chunk together, so that any two coordinates are in one of them.
+    /// Pairs all half chunks, so that any two coordinates share a chunk.
     fn by_chunks(metric: &impl Metric<D>, y: &SVector<f64, D>, d: &SVector<f64, D>) -> Self {
         const HALF: usize = CHUNK / 2;
         let mut contraction = Self::of(&metric.gram(y));
@@ -72,7 +71,7 @@ impl<const D: usize> Contraction<D> {
         }
     }
 
-    /// Sets `G`, `P` and `Q` in the directions of the jets, of which those from `D` on are none.
+    /// Sets `G`, `P` and `Q` in the directions of the jets; directions from `D` on are padding.
     #[inline(always)]
     fn differentiate<const B: usize>(
         &mut self,
@@ -106,13 +105,13 @@ impl<const D: usize> Contraction<D> {
     }
 }
 
-/// By how much the entries `(i, j)` and `(j, i)` of `H` count in `dᵀHd`.
+/// The weight of the entries `(i, j)` and `(j, i)` of `H` in `dᵀHd`.
 #[inline(always)]
 fn weight<const D: usize>(d: &SVector<f64, D>, i: usize, j: usize) -> f64 {
     if i == j { d[i] * d[i] } else { 2.0 * d[i] * d[j] }
 }
 
-/// `G` in the directions of the jets of the entries `i ≤ j` of `H`.
+/// `G` in the directions of the jets, from the entries `i ≤ j` of `H`.
 #[inline(always)]
 fn slope<J, const B: usize, const D: usize>(
     jets: &SMatrix<J, D, D>,
@@ -128,20 +127,20 @@ fn slope<J, const B: usize, const D: usize>(
     g
 }
 
-/// The coordinates as functions of those in these directions.
+/// The coordinates as jets in these directions.
 fn variables<J: Scalar, const B: usize, const D: usize>(
     y: &SVector<f64, D>,
     directions: [usize; B],
     variables: impl Fn(&[f64; B]) -> [J; B],
     constant: impl Fn(f64) -> J,
 ) -> SVector<J, D> {
-    // Beyond the last coordinate stand variables on which nothing depends.
+    // Nothing depends on variables beyond the last coordinate.
     let variables = variables(&directions.map(|k| y.get(k).copied().unwrap_or(0.0)));
     let place = |i: usize| directions.iter().position(|&k| k == i);
     SVector::from_fn(|i, _| place(i).map_or(constant(y[i]), |place| variables[place]))
 }
 
-/// `H`, both halves as the metric has them, and `Gₖ = dᵀ ∂ₖH d` at `y`.
+/// `H`, with both halves as the metric gives them, and `Gₖ = dᵀ ∂ₖH d` at `y`.
 #[inline(always)]
 pub(crate) fn momentum<const D: usize>(
     metric: &impl Metric<D>,
@@ -180,7 +179,7 @@ mod tests {
 
     use super::{CHUNK, CHUNKED, Contraction, momentum, slope_by_chunks};
 
-    /// Between 8 waves in every coordinate at once.
+    /// A sum of 8 waves, each in all coordinates.
     fn expand<const D: usize>(
         by: fn(&SineProjections<D>, &SVector<f64, D>, &SVector<f64, D>) -> Contraction<D>,
     ) -> Contraction<D> {
@@ -204,25 +203,25 @@ mod tests {
             p -= a * w.transpose() * (0.5 * sin * a.dot(&d));
             q -= w * w.transpose() * (cos * a.dot(&d).powi(2));
         }
-        // Roundings of hundreds of terms below 1: they come to 1e-14 at D = 25.
+        // Hundreds of terms below 1: their roundings come to 1e-14 at D = 25.
         assert!(p.amax() <= 1e-12 && q.amax() <= 1e-12, "{} {}", p.amax(), q.amax());
         assert!(g.amax() <= 1e-12, "{}", g.amax());
-        // None of which is small by itself.
+        // None of them is small.
         let Contraction { g, p, q, .. } = &contraction;
         assert!(p.amax() > 1e-2 && g.amax() > 1e-2 && q.amax() > 1e-2);
         contraction
     }
 
-    /// With an even and an odd number of halves of a chunk, of which the last is full or not.
+    /// With an even and an odd number of half chunks, the last one full or not.
     #[test]
     fn derivatives_by_chunks_are_those_of_all_at_once() {
         const { assert!(CHUNK == 8 && CHUNKED == 24) };
-        // To the bit, since every derivative comes from the same operations.
+        // To the bit: each derivative takes the same operations.
         assert_eq!(expand::<7>(Contraction::by_chunks), expand(Contraction::new));
         assert_eq!(expand::<8>(Contraction::by_chunks), expand(Contraction::new));
         assert_eq!(expand::<12>(Contraction::by_chunks), expand(Contraction::new));
         assert_eq!(expand::<13>(Contraction::by_chunks), expand(Contraction::new));
-        // The last number of dimensions that is differentiated at once, with jets of several megabytes.
+        // The highest dimension that is differentiated at once, with jets of several megabytes.
         let all = || assert_eq!(expand::<23>(Contraction::by_chunks), expand(Contraction::new));
         let thread = std::thread::Builder::new().stack_size(64 << 20).spawn(all);
         thread.expect("a thread").join().expect("the same derivatives");

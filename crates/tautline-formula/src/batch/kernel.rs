@@ -8,27 +8,27 @@ use crate::{
     program::{Program, Register, WIDTH},
 };
 
-/// So many numbers are in a cache of the first level, with something left.
+/// How many numbers a first-level cache holds, with a margin.
 ///
-/// A program whose intermediate results are more, with the least number of lanes, is no longer worth it.
-/// Measured on decoders with 4 to 64 hidden units, 8 to 784 outputs and 2 to 8 coordinates, by the entries of
-/// `H`: with up to 300 intermediate registers a program takes 0.5 to 0.9 of the time of the formula as it is
-/// compiled, with 400 and more 1.0 to 2.6 times as long.
+/// A program with more intermediate results, in the fewest lanes, is not worth it. Measured on
+/// decoders with 4 to 64 hidden units, 8 to 784 outputs and 2 to 8 coordinates, by the entries of `H`:
+/// with up to 300 intermediate registers a program takes 0.5 to 0.9 times as long as the compiled
+/// formula, with 400 and more 1.0 to 2.6 times as long.
 ///
-/// From 24 coordinates on it is worth it at any length: compiled, derivatives are taken by a few directions at
-/// a time, all of the formula for each. For sums of 4 to 32 matrices of rank one on 24, 32 and 64 coordinates,
-/// with 340 to 2200 intermediate registers, a program takes 0.001 to 0.005 of that time.
+/// From 24 coordinates on, a program of any length is worth it: the compiled formula is evaluated
+/// anew for every few directions. For sums of 4 to 32 matrices of rank one on 24, 32 and 64
+/// coordinates, with 340 to 2200 intermediate registers, a program takes 0.001 to 0.005 of that time.
 const NUMBERS_IN_CACHE: usize = 3072;
 
-/// So many numbers are not too many for derivatives by squares of vectors.
+/// The same limit for derivatives by squares of vectors.
 ///
-/// These have as many registers as a Jacobian has entries, but few instructions. Measured on decoders with 16 to
-/// 64 hidden units, 16 to 100 outputs and 2 to 16 coordinates: with 400 to 1800 registers, so far from a cache
-/// of the first level, a program of `H` and all derivatives takes 0.004 to 0.52 of the time of the formula as it
-/// is compiled, one of the first derivatives 0.13 to 0.56.
+/// They have as many registers as a Jacobian has entries, but few instructions. Measured on decoders
+/// with 16 to 64 hidden units, 16 to 100 outputs and 2 to 16 coordinates: with 400 to 1800 registers,
+/// far beyond a first-level cache, a program for `H` and all derivatives takes 0.004 to 0.52 of the
+/// time of the compiled formula, one for the first derivatives 0.13 to 0.56.
 const NUMBERS_BY_SQUARES: usize = 16384;
 
-/// A program and where its results are.
+/// A program and the layout of its results.
 #[derive(Debug)]
 pub(crate) struct Kernel {
     program: Program,
@@ -36,7 +36,7 @@ pub(crate) struct Kernel {
 }
 
 impl Kernel {
-    /// Derives the program of a kind; `None` where the formula as it is compiled takes less time.
+    /// Derives the program of a kind; `None` where the compiled formula is faster.
     pub(crate) fn new(formula: Tape<'_>, kind: Kind) -> Option<Self> {
         let order = match kind {
             Kind::Square | Kind::Checked => Order::Zero,
@@ -79,7 +79,7 @@ impl Kernel {
         &self.layout
     }
 
-    /// As many lanes as let all registers be in a cache.
+    /// How many lanes keep all registers in a cache.
     pub(crate) fn lanes(&self) -> usize {
         (NUMBERS_IN_CACHE / self.program.registers()).next_power_of_two().max(WIDTH)
     }
@@ -90,7 +90,7 @@ impl Kernel {
     }
 }
 
-/// Registers that are read in the order in which the steps were written.
+/// Hands out the output registers in the order of their steps.
 struct Reader<'p>(&'p [Register]);
 
 impl Reader<'_> {
@@ -100,7 +100,7 @@ impl Reader<'_> {
         taken.to_vec()
     }
 
-    /// A symmetric matrix, of which the entries `i ≤ j` are there.
+    /// A symmetric matrix, stored by its entries `i ≤ j`.
     fn symmetric(&mut self, dimension: usize) -> Vec<Register> {
         let upper = self.take(dimension * (dimension + 1) / 2);
         let place = |i: usize, j: usize| i * dimension - i * (i + 1) / 2 + j;

@@ -1,8 +1,8 @@
-//! `Layout`: which row is what.
+//! `Layout`: which row holds what.
 
 use crate::program::{Register, Registers};
 
-/// What is computed of a metric.
+/// What to compute of a metric.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// `dᵀHd`.
@@ -15,7 +15,7 @@ pub enum Kind {
     Contraction,
 }
 
-/// The registers in which the rows of a batch are; those are empty that a [`Kind`] does not have.
+/// The registers that hold the rows of a batch; empty for what a [`Kind`] does not compute.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layout {
     /// `dᵀHd`.
@@ -32,17 +32,17 @@ pub struct Layout {
     pub bend: Vec<Register>,
     /// Positive and finite where `H` is finite and positive definite.
     pub positive: Vec<Register>,
-    /// Entries `(i, j)` and `(j, i)` with those on the diagonal in their row and column.
+    /// Entries `(i, j)` and `(j, i)`, with `(i, i)` and `(j, j)`.
     pub halves: Vec<[Register; 4]>,
 }
 
 impl Layout {
-    /// Whether `H` is a Gram matrix in the first lanes.
+    /// Whether `H` is a Gram matrix in the first `count` lanes.
     pub(crate) fn is_metric(&self, registers: &Registers, count: usize) -> bool {
         let mut is_bad = false;
         for &register in &self.positive {
             for &pivot in &registers.row(register)[..count] {
-                // Written so that NaN is bad; without a branch in each lane.
+                // NaN is bad; no branches.
                 is_bad |= !(pivot > 0.0 && pivot <= f64::MAX);
             }
         }

@@ -1,4 +1,4 @@
-//! `Batch`: a metric at many places at once.
+//! `Batch`: a metric at many points at once.
 
 mod contraction;
 mod kernel;
@@ -15,29 +15,29 @@ pub use prepared::Prepared;
 
 use crate::program::{InstructionSet, Register, Registers};
 
-/// A metric by batches of places: all that a discrete energy asks of it, behind a pointer.
+/// A metric evaluated in batches: all that a discrete energy needs, behind a pointer.
 pub trait Batches<const D: usize>: Sync {
     /// Returns `H(x)`.
     fn gram(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D>;
 
-    /// Returns where the rows of a kind are.
+    /// Returns the layout of a kind.
     fn layout(&self, kind: Kind) -> &Layout;
 
-    /// Returns registers in which the rows of a kind will be, for as many lanes as are best worked on at
-    /// once, but no more than `units` times `unit`, and no fewer than `unit`.
+    /// Returns registers for the rows of a kind, with the best number of lanes between `unit` and
+    /// `unit` times `units`.
     fn registers(&self, kind: Kind, unit: usize, units: usize) -> Registers;
 
-    /// Returns the instructions that callers should use for loops of their own.
+    /// Returns the instruction set for the caller's own loops.
     fn instruction_set(&self) -> InstructionSet {
         InstructionSet::default()
     }
 
-    /// Fills the rows by the places and vectors in the first registers.
+    /// Fills the rows from the points and vectors in the first registers.
     fn evaluate(&self, kind: Kind, registers: &mut Registers);
 }
 
-/// The Gram matrix `H` at many places `x` at once, with its derivatives contracted with a vector `d` at
-/// each: a lane for each place.
+/// The Gram matrix `H` at many points `x` at once, with its derivatives contracted with a vector `d`:
+/// one lane for each point.
 pub struct Batch<'f, const D: usize> {
     registers: Registers,
     metric: &'f dyn Batches<D>,
@@ -45,8 +45,8 @@ pub struct Batch<'f, const D: usize> {
 }
 
 impl<'f, const D: usize> Batch<'f, D> {
-    /// Memory for a batch of this kind, in which `unit` places are not to be parted, and of which there are
-    /// no more than so many `units`.
+    /// Memory for a batch of this kind: for at least `unit` points, which must stay together, and at most
+    /// `units` times as many.
     #[must_use]
     pub fn new(metric: &'f dyn Batches<D>, kind: Kind, unit: usize, units: usize) -> Self {
         Self { registers: metric.registers(kind, unit, units), metric, kind }
@@ -58,15 +58,15 @@ impl<'f, const D: usize> Batch<'f, D> {
         self.registers.lanes()
     }
 
-    /// Returns the places and vectors of the first `count` lanes, to be written.
+    /// Returns the points and vectors of the first `count` lanes, for writing.
     ///
     /// # Panics
     ///
-    /// If there are more than [`lanes`](Self::lanes) of them.
+    /// If `count` exceeds [`lanes`](Self::lanes).
     #[inline(always)]
     pub fn inputs(&mut self, count: usize) -> Inputs<'_, D> {
         let [mut x, mut d] = self.registers.inputs();
-        // A compiler then knows that all rows are of one length.
+        // Tells the compiler that all rows have the same length.
         for i in 0..D {
             x[i] = &mut std::mem::take(&mut x[i])[..count];
             d[i] = &mut std::mem::take(&mut d[i])[..count];
@@ -74,28 +74,28 @@ impl<'f, const D: usize> Batch<'f, D> {
         Inputs { x, d }
     }
 
-    /// Evaluates at the first `count` lanes. Returns whether `H` is finite, symmetric and positive definite
-    /// at each of them.
+    /// Evaluates the first `count` lanes. Returns whether `H` is finite, symmetric and positive definite
+    /// in each of them.
     ///
     /// # Panics
     ///
-    /// If that is no lane, or more than [`lanes`](Self::lanes).
+    /// If `count` is 0 or exceeds [`lanes`](Self::lanes).
     pub fn evaluate(&mut self, count: usize) -> bool {
         assert!(count > 0 && count <= self.lanes(), "{count} of {} lanes", self.lanes());
         let used = self.registers.set_used(count);
-        // No place where there is nothing.
+        // Unused lanes repeat the last point.
         self.registers.repeat(2 * D, count, used);
         self.metric.evaluate(self.kind, &mut self.registers);
         self.layout().is_metric(&self.registers, count)
     }
 
-    /// Returns where the rows are.
+    /// Returns the layout of the rows.
     #[must_use]
     pub fn layout(&self) -> &'f Layout {
         self.metric.layout(self.kind)
     }
 
-    /// Returns the numbers of a row, lane by lane.
+    /// Returns a row, lane by lane.
     #[must_use]
     #[inline]
     pub fn row(&self, register: Register) -> &[f64] {
@@ -103,14 +103,14 @@ impl<'f, const D: usize> Batch<'f, D> {
     }
 }
 
-/// The places `x` and the vectors `d` of the lanes, coordinate by coordinate.
+/// The points `x` and the vectors `d` of the lanes, coordinate by coordinate.
 pub struct Inputs<'b, const D: usize> {
     x: [&'b mut [f64]; D],
     d: [&'b mut [f64]; D],
 }
 
 impl<const D: usize> Inputs<'_, D> {
-    /// Sets the place and the vector of a lane.
+    /// Sets the point and the vector of a lane.
     ///
     /// # Panics
     ///
@@ -123,7 +123,7 @@ impl<const D: usize> Inputs<'_, D> {
         }
     }
 
-    /// Sets the places and vectors of lanes `2 pair` and `2 pair + 1`.
+    /// Sets the points and vectors of lanes `2 pair` and `2 pair + 1`.
     ///
     /// # Panics
     ///

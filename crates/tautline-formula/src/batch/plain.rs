@@ -1,4 +1,4 @@
-//! `Plain`: a metric by batches, lane by lane through its formula as it is compiled.
+//! `Plain`: batches by the compiled formula, lane by lane.
 
 use std::sync::OnceLock;
 
@@ -13,7 +13,8 @@ use crate::{
     program::{Register, Registers},
 };
 
-/// A metric by batches, one place after the other: for what cannot be recorded, and for comparison.
+/// Batches by the compiled formula, one point after another: for formulas that cannot be recorded,
+/// and for comparison.
 #[derive(Debug)]
 pub struct Plain<M, const D: usize> {
     metric: M,
@@ -21,7 +22,7 @@ pub struct Plain<M, const D: usize> {
 }
 
 impl<M: Metric<D>, const D: usize> Plain<M, D> {
-    /// The metric as it is.
+    /// Wraps a metric.
     #[must_use]
     pub fn new(metric: M) -> Self {
         Self { metric, layouts: Default::default() }
@@ -34,7 +35,7 @@ impl<M: Metric<D>, const D: usize> Plain<M, D> {
     }
 }
 
-/// The rows of a kind one after the other, the last of which is whether `H` is a Gram matrix.
+/// The rows of a kind, contiguous; the last one is positive where `H` is a Gram matrix.
 fn layout(kind: Kind, dimension: usize) -> Layout {
     let mut next = 2 * dimension;
     let mut take = |count: usize| -> Vec<Register> {
@@ -67,14 +68,14 @@ fn layout(kind: Kind, dimension: usize) -> Layout {
     layout
 }
 
-/// The number of rows of a layout, with the places and the vectors.
+/// The number of rows of a layout, points and vectors included.
 fn rows(layout: &Layout, dimension: usize) -> usize {
     let Layout { square, momentum, slope, gram, turn, bend, positive, .. } = layout;
     let all = [square, momentum, slope, gram, turn, bend, positive];
     2 * dimension + all.into_iter().map(Vec::len).sum::<usize>()
 }
 
-/// As many as have the arrays of one lane of many dimensions in a cache, and a chord in one pass.
+/// Few enough for a cache in many dimensions, and enough for a chord in one pass.
 const LANES: usize = 16;
 
 impl<M: Metric<D>, const D: usize> Batches<D> for Plain<M, D> {
@@ -96,7 +97,7 @@ impl<M: Metric<D>, const D: usize> Batches<D> for Plain<M, D> {
     }
 }
 
-/// What a row of each kind is made of, at one place.
+/// A metric at one point, behind a pointer.
 trait AtPlace<const D: usize> {
     fn square(&self, x: &SVector<f64, D>, d: &SVector<f64, D>) -> f64;
     fn gram(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D>;
@@ -167,7 +168,7 @@ fn evaluate<const D: usize>(
             }
             Kind::Contraction => {
                 let Contraction { h, g, p, q, is_metric } = metric.contraction(&x, &d);
-                // Of its halves, which are the same up to rounding, the upper one, row by row.
+                // The upper half, which equals the lower one up to rounding.
                 let h = SMatrix::<f64, D, D>::from_fn(|i, j| h[(i.min(j), i.max(j))]);
                 write(registers, &layout.gram, h.as_slice());
                 write(registers, &layout.slope, g.as_slice());

@@ -1,4 +1,4 @@
-//! `Prepared`: a metric by batches, in the way that is fastest for it.
+//! `Prepared`: batches in the fastest way for a metric.
 
 use std::sync::OnceLock;
 
@@ -11,11 +11,11 @@ use crate::{
     program::{InstructionSet, Registers},
 };
 
-/// A metric, ready to be evaluated at many places at once.
+/// A metric, ready to be evaluated at many points at once.
 ///
-/// By programs, which are derived from its formula when they are needed for the first time. A formula that
-/// compares numbers cannot be recorded, and one of very many steps has longer programs than it is worth:
-/// then as the formula is compiled, place by place, with the same results to rounding.
+/// It runs programs, derived from the formula on first use. A formula that compares numbers cannot be
+/// recorded, and the programs of a very long one are slow: these are evaluated as compiled, point by
+/// point, with the same results to rounding.
 #[derive(Debug)]
 pub struct Prepared<M, const D: usize> {
     plain: Plain<M, D>,
@@ -35,8 +35,8 @@ impl<M: Metric<D>, const D: usize> Prepared<M, D> {
         Self::with(metric, InstructionSet::Widest, LANES)
     }
 
-    /// The same, to be evaluated by these instructions, at so many places at once, or fewer where they would
-    /// not fit into a cache. The results are the same to the bit.
+    /// The same with this instruction set and at most this many lanes: fewer if they would not fit
+    /// into a cache. The results are the same to the bit.
     #[must_use]
     pub fn with(metric: M, instruction_set: InstructionSet, lanes: usize) -> Self {
         let formula = Formula::record(&metric).ok();
@@ -56,7 +56,7 @@ impl<M: Metric<D>, const D: usize> Prepared<M, D> {
         self.formula.as_ref()
     }
 
-    /// Returns the number of instructions and of registers of a program; `None` if there is none.
+    /// Returns the numbers of instructions and registers of a program; `None` if there is none.
     #[must_use]
     pub fn size(&self, kind: Kind) -> Option<[usize; 2]> {
         self.kernel(kind).map(Kernel::size)

@@ -18,10 +18,10 @@ const BELOW: [f64; 5] = [
     2.485_846_490_142_306_297_962e1,
 ];
 
-/// `tan 3π/8`, beyond which the angle of `1/x` is taken off a quarter turn.
+/// `tan 3π/8`: beyond it the result is `π/2 − arctan 1/x`.
 const STEEP: f64 = 2.414_213_562_373_095_048_80;
 
-/// What `π/2` is more than its double.
+/// `π/2` minus its double.
 const REST: f64 = 6.123_233_995_736_765_886_130e-17;
 
 /// Fills `y` with `arctan x`.
@@ -36,7 +36,7 @@ pub(crate) fn atan<const B: usize>(y: &mut [f64; B], x: &[f64; B]) {
 fn lane(x: f64) -> f64 {
     let size = x.abs();
     let (is_steep, is_flat) = (size > STEEP, size <= 0.66);
-    // The angle of t is what is left beside 0, π/4 or π/2. NaN is neither steep nor flat, and stays.
+    // arctan t is what remains after 0, π/4 or π/2. NaN is neither steep nor flat, and stays NaN.
     let [above, below] = if is_steep { [-1.0, size] } else { [size - 1.0, size + 1.0] };
     let quotient = above / below;
     let t = if is_flat { size } else { quotient };
@@ -48,39 +48,4 @@ fn lane(x: f64) -> f64 {
     let p = (((p4 * z + p3) * z + p2) * z + p1) * z + p0;
     let q = ((((z + q4) * z + q3) * z + q2) * z + q1) * z + q0;
     (base + ((t * z * (p / q) + rest) + t)).copysign(x)
-}
-
-#[cfg(test)]
-mod tests {
-    use astro_float::{BigFloat, Consts, RoundingMode};
-
-    use super::{
-        super::tests::{assert_within, even, geometric, single},
-        atan,
-    };
-
-    fn of(x: f64) -> f64 {
-        single(x, atan, atan)
-    }
-
-    fn value(x: &BigFloat, constants: &mut Consts) -> BigFloat {
-        x.atan(192, RoundingMode::None, constants)
-    }
-
-    #[test]
-    fn errors_of_the_arctangent_are_as_stated() {
-        assert_within(1.0, 0.0, even(-0.7, 0.7), of, value);
-        assert_within(1.0, 0.0, even(-6.0, 6.0), of, value);
-        assert_within(1.0, 0.0, geometric(1e-20, 1e20), of, value);
-    }
-
-    #[test]
-    fn far_away_it_is_a_quarter_turn() {
-        let quarter = std::f64::consts::FRAC_PI_2;
-        for x in [1e17, 1e300, f64::INFINITY] {
-            assert_eq!((of(x), of(-x)), (quarter, -quarter), "{x}");
-        }
-        assert!(of(f64::NAN).is_nan());
-        assert_eq!([of(0.0), of(-0.0)].map(f64::to_bits), [0.0, -0.0].map(f64::to_bits));
-    }
 }

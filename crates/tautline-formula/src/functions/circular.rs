@@ -4,11 +4,11 @@ use std::f64::consts::FRAC_2_PI;
 
 use super::{ROUND, all};
 
-/// Larger angles are too many quarter turns for three parts of `π/2`.
+/// For larger angles three parts of `π/2` are not enough.
 const LARGEST: f64 = 1e6;
 
-/// `π/2` in three parts, of which the first two have so many zeros at their ends that their products with
-/// the number of quarter turns are exact (Cody and Waite; the parts of Cephes).
+/// `π/2` in three parts. The first two end in so many zero bits that their products with the number of
+/// quarter turns are exact (Cody and Waite; the parts are from Cephes).
 const HALF_PI: [f64; 3] = [
     2.0 * 7.853_981_554_508_209_228_515_625e-1,
     2.0 * 7.946_627_356_147_928_367_14e-9,
@@ -41,7 +41,7 @@ pub(crate) fn sin_cos<const B: usize>(sin: &mut [f64; B], cos: &mut [f64; B], x:
     }
     if !all(x, |x| x.abs() <= LARGEST) {
         for i in 0..B {
-            // NaN too.
+            // Also NaN.
             if !(x[i].abs() <= LARGEST) {
                 (sin[i], cos[i]) = x[i].sin_cos();
             }
@@ -55,7 +55,7 @@ fn lane(x: f64) -> (f64, f64) {
     let size = x.abs();
     let shifted = size * FRAC_2_PI + ROUND;
     let turns = shifted - ROUND;
-    // The last bits of the sum are the number of quarter turns.
+    // Its last bits are the number of quarter turns.
     let quarter = shifted.to_bits();
     let [first, second, third] = HALF_PI;
     let r = ((size - turns * first) - turns * second) - turns * third;
@@ -67,7 +67,7 @@ fn lane(x: f64) -> (f64, f64) {
     let cosine = ((c5 * z + c4) * z2 + (c3 * z + c2)) * z2 + (c1 * z + c0);
     let sine = (r * z * sine + r).to_bits();
     let cosine = (z2 * cosine + (1.0 - z * 0.5)).to_bits();
-    // After an odd number of quarter turns they change places.
+    // An odd number of quarter turns swaps sine and cosine.
     let exchanged = (sine ^ cosine) & (quarter & 1).wrapping_neg();
     let sign_of_sine = ((quarter & 2) << 62) ^ (x.to_bits() & SIGN);
     let sign_of_cosine = (quarter.wrapping_add(1) & 2) << 62;
@@ -75,43 +75,4 @@ fn lane(x: f64) -> (f64, f64) {
         f64::from_bits((sine ^ exchanged) ^ sign_of_sine),
         f64::from_bits((cosine ^ exchanged) ^ sign_of_cosine),
     )
-}
-
-#[cfg(test)]
-mod tests {
-    use astro_float::RoundingMode;
-
-    use super::{
-        super::tests::{assert_within, even, single},
-        sin_cos,
-    };
-
-    fn sin(x: f64) -> f64 {
-        single(x, |y, x| sin_cos(y, &mut [0.0; 8], x), |y, x| sin_cos(y, &mut [0.0], x))
-    }
-
-    fn cos(x: f64) -> f64 {
-        single(x, |y, x| sin_cos(&mut [0.0; 8], y, x), |y, x| sin_cos(&mut [0.0], y, x))
-    }
-
-    #[test]
-    fn errors_of_sine_and_cosine_are_as_stated() {
-        const P: usize = 192;
-        const RM: RoundingMode = RoundingMode::None;
-        for end in [0.8, 20.0, 1e6] {
-            assert_within(2.0, 1e-8, even(-end, end), sin, |x, constants| x.sin(P, RM, constants));
-            assert_within(2.0, 1e-8, even(-end, end), cos, |x, constants| x.cos(P, RM, constants));
-        }
-    }
-
-    #[test]
-    fn what_is_out_of_range_is_that_of_the_standard_library() {
-        for x in [1e6_f64.next_up(), -1e300, f64::INFINITY, f64::NAN] {
-            assert_eq!([sin(x), cos(x)].map(f64::to_bits), [x.sin(), x.cos()].map(f64::to_bits));
-        }
-        assert_eq!(
-            [sin(0.0), sin(-0.0), cos(-0.0)].map(f64::to_bits),
-            [0.0, -0.0, 1.0].map(f64::to_bits)
-        );
-    }
 }

@@ -4,10 +4,10 @@ use std::f64::consts::LOG2_E;
 
 use super::{ROUND, all};
 
-/// Where values and all that is made on the way are normal numbers.
+/// Where the value and all intermediate results are normal numbers.
 const RANGE: [f64; 2] = [-708.0, 709.0];
 
-/// `ln 2` in two parts; the first has so many zeros at its end that its products with exponents are exact.
+/// `ln 2` in two parts; the first ends in so many zero bits that its products with exponents are exact.
 const LN_2: [f64; 2] = [0.693_145_751_953_125, 1.428_606_820_309_417_232_12e-6];
 
 /// Fills `y` with `eˣ`.
@@ -30,7 +30,7 @@ fn is_within(x: f64) -> bool {
     (RANGE[0]..=RANGE[1]).contains(&x)
 }
 
-/// `eˣ` for `x` in the range; anything for another one.
+/// `eˣ` for `x` in the range; meaningless elsewhere.
 #[inline(always)]
 pub(super) fn lane(x: f64) -> f64 {
     let shifted = x * LOG2_E + ROUND;
@@ -42,9 +42,9 @@ pub(super) fn lane(x: f64) -> f64 {
     let high = ((of(13) * r + of(12)) * r2 + (of(11) * r + of(10))) * r4
         + ((of(9) * r + of(8)) * r2 + (of(7) * r + of(6)));
     let low = (of(5) * r + of(4)) * r2 + (of(3) * r + of(2));
-    // 1 + r + r²(…), the small numbers first.
+    // 1 + r + r²(…), small terms first.
     let power = 1.0 + (r + r2 * (low + r4 * high));
-    // The last bits of the sum are n, and 2ⁿ is n in the exponent.
+    // The last bits of `shifted` are n; shifted into the exponent they make 2ⁿ.
     let exponent = shifted.to_bits().wrapping_add(1023) << 52;
     power * f64::from_bits(exponent)
 }
@@ -60,35 +60,3 @@ const RECIPROCALS: [f64; 14] = {
     }
     all
 };
-
-#[cfg(test)]
-mod tests {
-    use astro_float::RoundingMode;
-
-    use super::{
-        super::tests::{assert_within, even, single},
-        exp,
-    };
-
-    fn of(x: f64) -> f64 {
-        single(x, exp, exp)
-    }
-
-    #[test]
-    fn errors_of_the_exponential_are_as_stated() {
-        for [lo, hi] in [[-0.35, 0.35], [-20.0, 20.0], [-600.0, 709.0]] {
-            let value = |x: &astro_float::BigFloat, constants: &mut _| {
-                x.exp(192, RoundingMode::None, constants)
-            };
-            assert_within(1.0, 0.0, even(lo, hi), of, value);
-        }
-    }
-
-    #[test]
-    fn what_is_out_of_range_is_that_of_the_standard_library() {
-        for x in [-708.5, -750.0, 709.5, 800.0, f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
-            assert_eq!(of(x).to_bits(), x.exp().to_bits(), "{x}");
-        }
-        assert_eq!((of(0.0), of(-0.0)), (1.0, 1.0));
-    }
-}

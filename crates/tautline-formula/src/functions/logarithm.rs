@@ -2,7 +2,7 @@
 
 use super::all;
 
-/// `ln 2` in two parts, of which the products of the first with exponents are exact.
+/// `ln 2` in two parts; products of the first with exponents are exact.
 const LN_2: [f64; 2] = [6.931_471_803_691_238_164_90e-1, 1.908_214_929_270_587_700_02e-10];
 
 /// `ln((1 + s)/(1 − s)) = 2s + s R(s²)` for `|s| ≤ 3 − 2√2` (fdlibm's `log`).
@@ -38,11 +38,10 @@ fn is_within(x: f64) -> bool {
 
 #[inline(always)]
 fn lane(x: f64) -> f64 {
-    // x = 2ᵏ (1 + f) with 1 + f between √½ and √2: the bits of √½ are taken off, and the exponent that is
-    // left is k.
+    // x = 2ᵏ (1 + f) with 1 + f between √½ and √2: after subtracting the bits of √½, the exponent is k.
     const ROOT: u64 = 0x3fe6_a09e_667f_3bcd;
     let above = x.to_bits().wrapping_sub(ROOT);
-    // k + 2¹¹ as a whole number below 2¹², by the bits of 2⁵².
+    // k + 2¹¹, an integer below 2¹², by the bits of 2⁵².
     const MAGIC: f64 = 4_503_599_627_370_496.0;
     let shifted = above.wrapping_add(1 << 63) >> 52;
     let k = f64::from_bits(shifted | MAGIC.to_bits()) - (MAGIC + 2048.0);
@@ -54,41 +53,4 @@ fn lane(x: f64) -> f64 {
     let r = w * (l2 + w * (l4 + w * l6)) + z * (l1 + w * (l3 + w * (l5 + w * l7)));
     let half_square = 0.5 * f * f;
     k * LN_2[0] - ((half_square - (s * (half_square + r) + k * LN_2[1])) - f)
-}
-
-#[cfg(test)]
-mod tests {
-    use astro_float::{BigFloat, RoundingMode};
-
-    use super::{
-        super::tests::{assert_within, even, geometric, single},
-        ln,
-    };
-
-    fn of(x: f64) -> f64 {
-        single(x, ln, ln)
-    }
-
-    fn value(x: &BigFloat, constants: &mut astro_float::Consts) -> BigFloat {
-        x.ln(192, RoundingMode::None, constants)
-    }
-
-    #[test]
-    fn errors_of_the_logarithm_are_as_stated() {
-        assert_within(1.0, 0.0, even(0.6, 1.6), of, value);
-        assert_within(1.0, 0.0, even(0.999, 1.001), of, value);
-        assert_within(0.75, 0.0, geometric(1e-300, 1e300), of, value);
-    }
-
-    #[test]
-    fn what_is_out_of_range_is_that_of_the_standard_library() {
-        for x in [0.0, -0.0, -1.0, 5e-324, f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
-            let (found, expected) = (of(x), x.ln());
-            assert!(found == expected || (found.is_nan() && expected.is_nan()), "{x}: {found}");
-        }
-        assert_eq!(of(1.0).to_bits(), 0.0_f64.to_bits());
-        for x in [f64::MIN_POSITIVE, f64::MAX, 2.0, 0.5] {
-            assert!((of(x) / x.ln() - 1.0).abs() <= 2.0 * f64::EPSILON, "{x:e}");
-        }
-    }
 }

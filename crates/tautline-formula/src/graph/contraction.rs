@@ -7,7 +7,7 @@
 //! ```
 //!
 //! Only the `bₘ` are differentiated. Where `Cₘ = ± a aᵀ`, `vₘ = ± a (aᵀd)` and `sₘ = ± (aᵀd)²`. Squares of
-//! vectors `a(x)` may be apart from that sum.
+//! vectors `a(x)` may be split off from that sum.
 
 use crate::{
     formula::Tape,
@@ -15,15 +15,15 @@ use crate::{
     operation::{Function, Step},
 };
 
-/// What is contracted of a formula.
+/// The contraction of a formula with a chord.
 #[derive(Debug)]
 pub(crate) struct Contracted {
     pub(crate) graph: Graph,
     /// The entries `i ≤ j` of `H`, row by row.
     pub(crate) gram: Vec<Step>,
-    /// Where the two halves of `H` are not the same by the formula.
+    /// Entries where the formula does not give both halves of `H` by the same step.
     pub(crate) halves: Vec<Half>,
-    /// What is positive and finite where `H` is positive definite and finite.
+    /// Positive and finite where `H` is positive definite and finite.
     pub(crate) pivots: Vec<Step>,
     /// `dᵀHd`.
     pub(crate) square: Step,
@@ -35,11 +35,11 @@ pub(crate) struct Contracted {
     pub(crate) turn: Vec<Step>,
     /// The entries `k ≤ l` of `Q`, row by row.
     pub(crate) bend: Vec<Step>,
-    /// Whether squares of vectors are contracted apart from the rest.
+    /// Whether squares of vectors are contracted separately.
     pub(crate) is_by_squares: bool,
 }
 
-/// Two entries that have to have the same value, and those on the diagonal in their row and column.
+/// Two mirrored entries that must have the same value, and the diagonal entries of their rows.
 #[derive(Debug)]
 pub(crate) struct Half {
     /// `(i, j)` and `(j, i)`.
@@ -48,11 +48,11 @@ pub(crate) struct Half {
     pub(crate) diagonal: [Step; 2],
 }
 
-/// Contracts a formula with a chord, with its derivatives up to this order; `None` if that takes more
-/// operations than are worth it.
+/// Contracts a formula and its derivatives up to this order with a chord; `None` if that takes too
+/// many operations.
 ///
-/// With `needs_gram` the entries of `H` are computed anyway, and `dᵀHd` alone is then cheaper from them than from
-/// squares of vectors.
+/// With `needs_gram` the entries of `H` are computed anyway, and `dᵀHd` alone is cheaper from them than
+/// from squares of vectors.
 pub(crate) fn contract(formula: Tape<'_>, order: Order, needs_gram: bool) -> Option<Contracted> {
     let dimension = formula.dimension;
     let (mut graph, entries) = Graph::of(formula);
@@ -87,7 +87,7 @@ pub(crate) fn contract(formula: Tape<'_>, order: Order, needs_gram: bool) -> Opt
     let (derivatives, of_functions) = derivatives.split_at(bases.len());
     let momenta: Vec<Momentum> =
         parts.iter().map(|part| graph.momentum(&part.matrix, &d)).collect();
-    let first = |k: usize| derivatives.iter().map(move |of| of.first.get(&k).copied());
+    let first = |k: usize| derivatives.iter().map(move |of| of.first(k));
     let along: Vec<Step> = momenta.iter().map(|momentum| momentum.square).collect();
     let slope: Vec<Step> = (0..dimension).map(|k| graph.weighted(&along, first(k))).collect();
     let (mut turn, mut bend) = (Vec::new(), Vec::new());
@@ -97,12 +97,12 @@ pub(crate) fn contract(formula: Tape<'_>, order: Order, needs_gram: bool) -> Opt
             turn.extend((0..dimension).map(|k| graph.weighted(&along, first(k))));
         }
         for place in upper() {
-            let second = derivatives.iter().map(|of| of.second.get(&place).copied());
+            let second = derivatives.iter().map(|of| of.second(place));
             bend.push(graph.weighted(&along, second));
         }
     }
-    // By the parts unless they are more than the entries. Not by the number of operations: other units
-    // have some more of them, and are to have the same roundings.
+    // By the parts unless they outnumber the entries. The number of operations would not do: other
+    // units need a few more, and must round the same.
     let Momentum { vector: momentum, square } = if squares.is_some() || parts.len() <= own.len() {
         let rest = graph.momentum(&constant, &d);
         graph.sum_of_parts(rest, &bases, &momenta)
@@ -146,7 +146,7 @@ struct Part {
     matrix: Vec<f64>,
 }
 
-/// The entries that depend on the place, each once.
+/// The entries that are not constant, each once.
 fn own_entries(graph: &Graph, gram: &[Step]) -> Vec<Step> {
     let mut own: Vec<Step> =
         gram.iter().copied().filter(|&entry| graph.value(entry).is_none()).collect();
@@ -155,8 +155,8 @@ fn own_entries(graph: &Graph, gram: &[Step]) -> Vec<Step> {
     own
 }
 
-/// Returns `C₀` and the parts of `H`: by linear combinations of the entries `i ≤ j`, or the entries
-/// themselves where these are fewer.
+/// Returns `C₀` and the parts of `H`: the terms of the entries `i ≤ j`, or the entries themselves if
+/// they are fewer.
 fn split(graph: &Graph, gram: &[Step], own: &[Step], dimension: usize) -> (Vec<f64>, Vec<Part>) {
     let (constant, parts) = by_bases(&graph.linear(gram), dimension);
     if parts.len() <= own.len() {
@@ -197,7 +197,7 @@ fn bases(parts: &[Part]) -> Vec<Step> {
     parts.iter().map(|part| part.base).collect()
 }
 
-/// A matrix times `d`, and `d` times that.
+/// A matrix times `d`, and `dᵀ` times that.
 #[derive(Debug)]
 struct Momentum {
     vector: Vec<Step>,
@@ -205,7 +205,7 @@ struct Momentum {
 }
 
 impl Graph {
-    /// The sum of these, each with its factor; those that are 0 are not there.
+    /// The sum of terms with factors; a term `None` is 0.
     pub(super) fn weighted(
         &mut self,
         factors: &[Step],
@@ -284,7 +284,7 @@ impl Graph {
     }
 }
 
-/// `a` and `±1` with `C = ± a aᵀ` to rounding, from three dimensions on, where that saves operations.
+/// `a` and `±1` with `C = ± a aᵀ` to rounding, in three dimensions or more, where it saves operations.
 fn rank_one(c: &[f64], dimension: usize) -> Option<(Vec<f64>, f64)> {
     let diagonal = |i: usize| c[i * dimension + i];
     let top = (0..dimension).max_by(|&i, &j| diagonal(i).abs().total_cmp(&diagonal(j).abs()))?;

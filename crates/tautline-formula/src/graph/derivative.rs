@@ -4,33 +4,66 @@ use std::collections::{BTreeMap, HashMap};
 
 use crate::{
     graph::Graph,
-    operation::{Arithmetic, Function, Operation, Step},
+    operation::{Arithmetic, Function, Operation, Step, needed},
 };
 
-/// First and second derivatives by the variables; those that are 0 are not there.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Derivatives {
-    /// `∂ₖ` by `k`.
-    pub(crate) first: BTreeMap<usize, Step>,
-    /// `∂ₖ∂ₗ` by `(k, l)` with `k ≤ l`, if they are asked for.
-    pub(crate) second: BTreeMap<(usize, usize), Step>,
+/// What a derivative is taken by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum By {
+    /// `∂ₖ`.
+    One(usize),
+    /// `∂ₖ∂ₗ` with `k ≤ l`.
+    Two(usize, usize),
 }
 
-/// What is differentiated by.
+/// First and second derivatives, without those that are 0.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Derivatives(BTreeMap<By, Step>);
+
+impl Derivatives {
+    /// `∂ₖ`; `None` is 0.
+    pub(crate) fn first(&self, k: usize) -> Option<Step> {
+        self.0.get(&By::One(k)).copied()
+    }
+
+    /// `∂ₖ∂ₗ` with `k ≤ l`; `None` is 0.
+    pub(crate) fn second(&self, (k, l): (usize, usize)) -> Option<Step> {
+        self.0.get(&By::Two(k, l)).copied()
+    }
+
+    fn firsts(&self) -> impl Iterator<Item = (usize, Step)> {
+        self.0.iter().map_while(|(&by, &step)| match by {
+            By::One(k) => Some((k, step)),
+            By::Two(..) => None,
+        })
+    }
+
+    fn seconds(&self) -> impl Iterator<Item = (By, Step)> {
+        self.0.iter().filter(|(by, _)| matches!(by, By::Two(..))).map(|(&by, &step)| (by, step))
+    }
+}
+
+/// The variables of a derivative.
 #[derive(Clone, Copy, Debug)]
 enum Variables {
-    /// The coordinates of the point, so many.
+    /// The first coordinates, this many.
     Coordinates(usize),
-    /// One step, on which others depend.
+    /// A step on which others depend.
     Step(Step),
 }
 
+impl Variables {
+    fn are(self, step: Step) -> bool {
+        matches!(self, Variables::Step(by) if by == step)
+    }
+}
+
 impl Graph {
-    /// Returns the derivatives of these steps by the `dimension` coordinates of the point, up to the second
-    /// ones or only the first.
+    /// Returns the derivatives of these steps by the `dimension` coordinates of the point, up to the
+    /// given order.
     ///
-    /// `F(u)` with a function of one variable is differentiated by `u`, then `u` by the coordinates: where a
-    /// wave passes through one angle, its derivatives are few.
+    /// `F(u)` with a function of one variable is differentiated by `u`, then `u` by the coordinates: a
+    /// wave that depends on one angle has few derivatives.
     pub(crate) fn derivatives(
         &mut self,
         roots: &[Step],
@@ -53,14 +86,12 @@ impl Graph {
             };
             let outer = self.forward(&[root], Variables::Step(neck), order);
             let outer = outer.get(&root).cloned().unwrap_or_default();
-            let slope = outer.first.get(&0).copied();
-            let bend = outer.second.get(&(0, 0)).copied();
-            all.push(self.chain(&of_inner, slope, bend, order));
+            all.push(self.chain(&of_inner, outer.first(0), outer.second((0, 0)), order));
         }
         all
     }
 
-    /// The derivatives of `F(u)` by those of `u`, with `F′` and `F″`; `None` is 0.
+    /// The derivatives of `F(u)` from those of `u`, `F′` and `F″`; `None` is 0.
     fn chain(
         &mut self,
         u: &Derivatives,
@@ -70,94 +101,74 @@ impl Graph {
     ) -> Derivatives {
         let mut chained = Derivatives::default();
         if let Some(slope) = slope {
-            for (&k, &first) in &u.first {
-                let product = self.mul(first, slope);
-                self.add_to(&mut chained.first, k, product);
+            for (&by, &term) in &u.0 {
+                let product = self.mul(term, slope);
+                self.add_to(&mut chained, by, product);
             }
         }
-        if order == Order::First {
-            return chained;
-        }
-        if let Some(slope) = slope {
-            for (&place, &second) in &u.second {
-                let product = self.mul(second, slope);
-                self.add_to(&mut chained.second, place, product);
-            }
-        }
-        if let Some(bend) = bend {
-            for (&k, &one) in &u.first {
-                for (&l, &other) in u.first.range(k..) {
+        if let (Order::Second, Some(bend)) = (order, bend) {
+            for (k, one) in u.firsts() {
+                for (l, other) in u.firsts().filter(|&(l, _)| l >= k) {
                     let square = self.mul(one, other);
                     let product = self.mul(square, bend);
-                    self.add_to(&mut chained.second, (k, l), product);
+                    self.add_to(&mut chained, By::Two(k, l), product);
                 }
             }
         }
         chained
     }
 
-    fn add_to<K: Ord>(&mut self, sums: &mut BTreeMap<K, Step>, place: K, term: Step) {
+    fn add_to(&mut self, sums: &mut Derivatives, by: By, term: Step) {
         if self.is_zero(term) {
             return;
         }
-        let sum = match sums.get(&place) {
+        let sum = match sums.0.get(&by) {
             Some(&sum) => self.add(sum, term),
             None => term,
         };
         if self.is_zero(sum) {
-            sums.remove(&place);
+            sums.0.remove(&by);
         } else {
-            sums.insert(place, sum);
+            sums.0.insert(by, sum);
         }
     }
 
-    /// The derivatives of all steps that are needed for the roots, one after the other.
+    /// The derivatives of all steps that the roots need, in the order of the graph.
     fn forward(
         &mut self,
         roots: &[Step],
         variables: Variables,
         order: Order,
     ) -> HashMap<Step, Derivatives> {
-        let end = roots.iter().max().map_or(0, |&root| root as usize + 1);
-        let mut is_needed = vec![false; end];
-        for &root in roots {
-            is_needed[root as usize] = true;
-        }
-        for step in (0..end).rev().filter(|&step| !is_variable(variables, step)) {
-            if is_needed[step] {
-                for read in self.operations()[step].reads(step as Step).into_iter().flatten() {
-                    is_needed[read as usize] = true;
-                }
-            }
-        }
+        let is_needed = needed(self.operations(), roots, |step| !variables.are(step));
         let mut known = HashMap::<Step, Derivatives>::new();
-        for step in (0..end).filter(|&step| is_needed[step]) {
-            // What is made from here on means nothing.
+        for step in (0..is_needed.len()).filter(|&step| is_needed[step]) {
+            // A full graph returns meaningless steps.
             if self.is_full() {
                 break;
             }
-            let of_step = match (self.operations()[step], variables) {
-                (_, Variables::Step(by)) if by as usize == step => self.variable(0),
+            let step = step as Step;
+            let of_step = match (self.operation(step), variables) {
+                _ if variables.are(step) => self.variable(0),
                 (Operation::Coordinate(k), Variables::Coordinates(dimension))
                     if (k as usize) < dimension =>
                 {
                     self.variable(k as usize)
                 }
-                (operation, _) => self.rule(operation, step as Step, &known, order),
+                (operation, _) => self.rule(operation, step, &known, order),
             };
-            if !of_step.first.is_empty() {
-                known.insert(step as Step, of_step);
+            if of_step.firsts().next().is_some() {
+                known.insert(step, of_step);
             }
         }
         known
     }
 
     fn variable(&mut self, k: usize) -> Derivatives {
-        let one = self.constant(1.0);
-        Derivatives { first: BTreeMap::from([(k, one)]), second: BTreeMap::new() }
+        Derivatives(BTreeMap::from([(By::One(k), self.constant(1.0))]))
     }
 
-    /// The derivatives of the step `v` by those of what it reads.
+    /// The derivatives of the step `v` from those of what it reads.
     fn rule(
         &mut self,
         operation: Operation,
@@ -185,7 +196,7 @@ impl Graph {
             Operation::WithNumber(Arithmetic::Add, a, _) => of(a).clone(),
             Operation::Of(Function::Neg, a) => self.map(of(a), Self::neg),
             Operation::Of(function, a) => {
-                if of(a).first.is_empty() {
+                if of(a).0.is_empty() {
                     return none;
                 }
                 let (slope, bend) = self.slopes(function, a, v);
@@ -196,22 +207,15 @@ impl Graph {
     }
 
     fn map(&mut self, of: &Derivatives, f: impl Fn(&mut Self, Step) -> Step) -> Derivatives {
-        let mut mapped = of.clone();
-        mapped.first.values_mut().for_each(|term| *term = f(self, *term));
-        mapped.second.values_mut().for_each(|term| *term = f(self, *term));
-        mapped
+        Derivatives(of.0.iter().map(|(&by, &term)| (by, f(self, term))).collect())
     }
 
     fn combine(&mut self, of: [&Derivatives; 2], factors: [f64; 2]) -> Derivatives {
         let mut sum = Derivatives::default();
         for (of, c) in of.into_iter().zip(factors) {
-            for (&place, &term) in &of.first {
+            for (&by, &term) in &of.0 {
                 let term = self.times(term, c);
-                self.add_to(&mut sum.first, place, term);
-            }
-            for (&place, &term) in &of.second {
-                let term = self.times(term, c);
-                self.add_to(&mut sum.second, place, term);
+                self.add_to(&mut sum, by, term);
             }
         }
         sum
@@ -223,20 +227,15 @@ impl Graph {
         [a, b]: [Step; 2],
         order: Order,
     ) -> Derivatives {
-        let [of_a, of_b] = of;
         let mut product = Derivatives::default();
-        for (of, other) in [(of_a, b), (of_b, a)] {
-            for (&place, &term) in &of.first {
+        for (of, other) in of.into_iter().zip([b, a]) {
+            for (&by, &term) in &of.0 {
                 let term = self.mul(term, other);
-                self.add_to(&mut product.first, place, term);
-            }
-            for (&place, &term) in &of.second {
-                let term = self.mul(term, other);
-                self.add_to(&mut product.second, place, term);
+                self.add_to(&mut product, by, term);
             }
         }
         if order == Order::Second {
-            self.add_crossed(&mut product.second, of, |_, term| term);
+            self.add_crossed(&mut product, of, |_, term| term);
         }
         product
     }
@@ -244,22 +243,22 @@ impl Graph {
     /// Adds `f(∂ₖa ∂ₗb + ∂ₗa ∂ₖb)`.
     fn add_crossed(
         &mut self,
-        sums: &mut BTreeMap<(usize, usize), Step>,
+        sums: &mut Derivatives,
         [of_a, of_b]: [&Derivatives; 2],
         f: impl Fn(&mut Self, Step) -> Step,
     ) {
-        let mut crossed = BTreeMap::new();
-        for (&k, &one) in &of_a.first {
-            for (&l, &other) in &of_b.first {
+        let mut crossed = Derivatives::default();
+        for (k, one) in of_a.firsts() {
+            for (l, other) in of_b.firsts() {
                 let term = self.mul(one, other);
-                // Twice, where both are the same.
+                // The two terms are the same.
                 let term = if k == l { self.times(term, 2.0) } else { term };
-                self.add_to(&mut crossed, (k.min(l), k.max(l)), term);
+                self.add_to(&mut crossed, By::Two(k.min(l), k.max(l)), term);
             }
         }
-        for (place, term) in crossed {
+        for (by, term) in crossed.0 {
             let term = f(self, term);
-            self.add_to(sums, place, term);
+            self.add_to(sums, by, term);
         }
     }
 
@@ -273,29 +272,32 @@ impl Graph {
     ) -> Derivatives {
         let reciprocal = self.apply(Function::Recip, b);
         let mut quotient = of_a.clone();
-        for (&place, &term) in &of_b.first {
+        for (k, term) in of_b.firsts() {
             let term = self.mul(v, term);
             let term = self.neg(term);
-            self.add_to(&mut quotient.first, place, term);
+            self.add_to(&mut quotient, By::One(k), term);
         }
-        for term in quotient.first.values_mut() {
-            *term = self.mul(*term, reciprocal);
+        for (by, term) in &mut quotient.0 {
+            if matches!(by, By::One(_)) {
+                *term = self.mul(*term, reciprocal);
+            }
         }
         if order == Order::First {
             return quotient;
         }
-        for (&place, &term) in &of_b.second {
+        for (by, term) in of_b.seconds() {
             let term = self.mul(v, term);
             let term = self.neg(term);
-            self.add_to(&mut quotient.second, place, term);
+            self.add_to(&mut quotient, by, term);
         }
-        let Derivatives { first, mut second } = quotient;
-        let quotient = Derivatives { first, second: BTreeMap::new() };
-        self.add_crossed(&mut second, [&quotient, of_b], Self::neg);
-        for term in second.values_mut() {
-            *term = self.mul(*term, reciprocal);
+        let of_v = quotient.clone();
+        self.add_crossed(&mut quotient, [&of_v, of_b], Self::neg);
+        for (by, term) in &mut quotient.0 {
+            if matches!(by, By::Two(..)) {
+                *term = self.mul(*term, reciprocal);
+            }
         }
-        Derivatives { second, ..quotient }
+        quotient
     }
 
     /// `f′` and `f″` at `x`, with `v = f(x)`.
@@ -342,7 +344,7 @@ impl Graph {
             Function::Sinh => (self.apply(Function::Cosh, x), v),
             Function::Cosh => (self.apply(Function::Sinh, x), v),
             Function::Tanh => {
-                // Not 1 − v², of which nothing is left where v is 1 to rounding.
+                // Not 1 − v², which cancels where v is nearly 1.
                 let cosh = self.apply(Function::Cosh, x);
                 let reciprocal = self.apply(Function::Recip, cosh);
                 let slope = self.mul(reciprocal, reciprocal);
@@ -353,14 +355,10 @@ impl Graph {
     }
 }
 
-/// Up to which derivatives.
+/// Up to which order derivatives are wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Order {
     Zero,
     First,
     Second,
-}
-
-fn is_variable(variables: Variables, step: usize) -> bool {
-    matches!(variables, Variables::Step(by) if by as usize == step)
 }

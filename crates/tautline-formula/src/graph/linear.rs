@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, HashMap};
 
 use crate::{
     graph::Graph,
-    operation::{Arithmetic, Function, Operation, Step},
+    operation::{Arithmetic, Function, Operation, Step, needed},
 };
 
 /// `c + Σ cₘ bₘ`; the steps `bₘ` ascend.
@@ -20,7 +20,7 @@ impl Linear {
         Self { constant: 0.0, terms: vec![(step, 1.0)] }
     }
 
-    /// `None` where a term vanishes: what is undefined stays so when it is taken from itself.
+    /// `None` if a term vanishes: an undefined term minus itself stays undefined.
     fn plus(&self, other: &Self, sign: f64) -> Option<Self> {
         let mut terms = Vec::with_capacity(self.terms.len() + other.terms.len());
         let (mut mine, mut others) = (self.terms.iter().peekable(), other.terms.iter().peekable());
@@ -40,7 +40,7 @@ impl Linear {
         Self { constant: self.constant + sign * other.constant, terms }.checked()
     }
 
-    /// `None` where a factor is lost.
+    /// `None` if a factor under- or overflows.
     fn times(&self, c: f64) -> Option<Self> {
         let mut scaled = self.clone();
         scaled.constant *= c;
@@ -55,26 +55,15 @@ impl Linear {
     }
 }
 
-/// More terms than entries of any matrix that gains by it.
+/// More terms than any matrix has that gains by this.
 const MOST_TERMS: usize = 64;
 
 impl Graph {
-    /// Returns these steps as linear combinations of steps that are no linear combinations themselves.
+    /// Returns these steps as linear combinations of steps that are not linear combinations.
     pub(crate) fn linear(&self, roots: &[Step]) -> Vec<Linear> {
         let mut known = HashMap::<Step, Linear>::new();
-        let end = roots.iter().max().map_or(0, |&root| root as usize + 1);
-        let mut is_needed = vec![false; end];
-        for &root in roots {
-            is_needed[root as usize] = true;
-        }
-        for step in (0..end).rev() {
-            if is_needed[step] && is_linear(self.operations()[step]) {
-                for read in self.operations()[step].reads(step as Step).into_iter().flatten() {
-                    is_needed[read as usize] = true;
-                }
-            }
-        }
-        for step in (0..end).filter(|&step| is_needed[step]) {
+        let is_needed = needed(self.operations(), roots, |step| is_linear(self.operation(step)));
+        for step in (0..is_needed.len()).filter(|&step| is_needed[step]) {
             let operation = self.operations()[step];
             let step = step as Step;
             let of = |a: Step| known.get(&a).cloned().unwrap_or_else(|| Linear::step(a));
@@ -91,7 +80,7 @@ impl Graph {
                 Operation::Of(Function::Neg, a) => of(a).times(-1.0),
                 _ => None,
             };
-            // A difference of coordinates and numbers is exact where it is small: it is not taken apart.
+            // A difference of coordinates and numbers is exact where it is small: it stays together.
             let is_affine = |linear: &Linear| {
                 let is_coordinate =
                     |term: &(Step, f64)| matches!(self.operation(term.0), Operation::Coordinate(_));
@@ -104,14 +93,14 @@ impl Graph {
         roots.iter().map(|root| known.get(root).cloned().unwrap_or_default()).collect()
     }
 
-    /// Returns one step as a linear combination, of any length; `None` where a term vanishes or a factor is
-    /// lost, or more than these steps would be looked at, of which those that were are taken.
+    /// Returns one step as a linear combination of any length; `None` if a term vanishes, a factor under-
+    /// or overflows, or more than `left` steps would be visited. Subtracts the visited steps from `left`.
     ///
-    /// From the sum to its terms, so that a long sum takes no longer than it is.
+    /// From the sum to its terms, in time linear in their number.
     pub(super) fn flat(&self, root: Step, left: &mut usize) -> Option<Linear> {
         let mut open = BTreeMap::from([(root, 1.0_f64)]);
         let mut flat = Linear::default();
-        // Whoever reads a step comes before it.
+        // A step is popped after all its readers.
         while let Some((step, factor)) = open.pop_last() {
             *left = left.checked_sub(1)?;
             if !factor.is_normal() {
@@ -139,8 +128,8 @@ impl Graph {
         flat.checked()
     }
 
-    /// Whether an operation is not linear, or is not taken apart: it has a coordinate for a term, or a factor by
-    /// which its term would be lost.
+    /// Whether an operation is not linear, or stays together: it has a coordinate for a term, or a factor
+    /// that is not normal.
     fn is_atom(&self, operation: Operation, step: Step) -> bool {
         let is_coordinate = |read| matches!(self.operation(read), Operation::Coordinate(_));
         !is_linear(operation)

@@ -1,4 +1,4 @@
-//! `Graph`: expressions that share what they have in common, simplified as they are made.
+//! `Graph`: expressions with shared subexpressions, simplified as they are built.
 
 mod contraction;
 mod derivative;
@@ -13,38 +13,37 @@ pub(crate) use derivative::Order;
 
 use crate::{
     formula::Tape,
-    operation::{Arithmetic, Function, Number, Operation, Pair, Step},
+    operation::{Arithmetic, Function, Number, Operation, Step, function_at},
 };
 
-/// What an expression may be replaced by.
+/// Which identities simplify expressions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Identities {
-    /// By one of the same value wherever that is a number, but for the sign of a zero: `1 x` by `x`, `x x` by
-    /// `x²`, but not `0 x` by 0.
+    /// Those that hold in doubles, except for the sign of a zero: `1 x = x` and `x x = x²`, but not
+    /// `0 x = 0`.
     Exact,
-    /// By one that is the same in real numbers: for derivatives, in which most terms vanish.
+    /// Those that hold in real numbers: for derivatives, where most terms vanish.
     Free,
 }
 
-/// A list of operations as in a [`Formula`](crate::Formula), of which none is there twice.
+/// A list of distinct operations, as in a [`Formula`](crate::Formula).
 ///
-/// Of the operations of a tape it has no pairs, no difference with a number, and no powers but squares. The
-/// coordinates are those of the point, then those of the chord.
+/// It has no pairs, no differences with a number, and no powers but squares. The coordinates are those
+/// of the point, then those of the chord.
 #[derive(Debug)]
 pub(crate) struct Graph {
     operations: Vec<Operation>,
     known: HashMap<Operation, Step>,
     identities: Identities,
-    /// Whether there was no room for an operation: what was made since is meaningless.
+    /// Whether an operation did not fit: steps made since are meaningless.
     is_full: bool,
 }
 
-/// The most operations: what takes more than these, some tenth of a second to derive, is left to the formula
-/// as it is compiled.
+/// The most operations: some tenth of a second to derive. Longer formulas are evaluated as compiled.
 const MOST: usize = 1 << 18;
 
 impl Graph {
-    /// A graph on which a formula is, and its entries `(i, j)` by `[i D + j]`.
+    /// The graph of a formula, and its entries `(i, j)` at `[i D + j]`.
     pub(crate) fn of(formula: Tape<'_>) -> (Self, Vec<Step>) {
         let mut graph = Self {
             operations: Vec::new(),
@@ -67,15 +66,11 @@ impl Graph {
                 Operation::WithNumber(Arithmetic::Mul, a, c) => graph.times(at(a), c.value()),
                 Operation::WithNumber(Arithmetic::Div, a, c) => graph.over(at(a), c.value()),
                 Operation::Powi(a, n) => graph.power(at(a), n),
-                Operation::Of(function, a) => graph.apply(function, at(a)),
-                Operation::First(Pair::SinCos, a) => graph.apply(Function::Sin, at(a)),
-                Operation::First(Pair::SinhCosh, a) => graph.apply(Function::Sinh, at(a)),
-                // After its first one, always.
-                Operation::Second => match place.checked_sub(1).map(|p| formula.operations[p]) {
-                    Some(Operation::First(Pair::SinCos, a)) => graph.apply(Function::Cos, at(a)),
-                    Some(Operation::First(Pair::SinhCosh, a)) => graph.apply(Function::Cosh, at(a)),
-                    _ => unreachable!("a second of a pair without its first"),
-                },
+                Operation::Of(..) | Operation::First(..) | Operation::Second => {
+                    let (function, a) =
+                        function_at(formula.operations, place).expect("a second follows its first");
+                    graph.apply(function, at(a))
+                }
             };
             made.push(step);
         }
@@ -84,12 +79,10 @@ impl Graph {
         (graph, (0..d * d).map(entry).collect())
     }
 
-    /// Returns the operations.
     pub(crate) fn operations(&self) -> &[Operation] {
         &self.operations
     }
 
-    /// Returns an operation.
     pub(crate) fn operation(&self, step: Step) -> Operation {
         self.operations[step as usize]
     }
@@ -109,7 +102,7 @@ impl Graph {
         step
     }
 
-    /// Whether there was no room for an operation.
+    /// Whether an operation did not fit.
     pub(crate) fn is_full(&self) -> bool {
         self.is_full
     }
@@ -118,7 +111,7 @@ impl Graph {
         self.identities == Identities::Free
     }
 
-    /// Returns the number that a step is, if it is one.
+    /// The value of a constant step.
     pub(crate) fn value(&self, a: Step) -> Option<f64> {
         match self.operation(a) {
             Operation::Constant(number) => Some(number.value()),
@@ -139,10 +132,9 @@ impl Graph {
         self.node(Operation::Coordinate(i as u32))
     }
 
-    /// `(x, c)` with the value `c x`, where `x` is no multiple of anything, unless `c` would leave the normal
-    /// numbers.
+    /// `(x, c)` with `a = c x`, where `x` is not a multiple itself, unless `c` would not be normal.
     fn scaled(&self, a: Step) -> (Step, f64) {
-        // A loop: a formula may multiply by one number after the other, as often as it likes.
+        // A loop, since a formula may chain any number of multiplications.
         let (mut x, mut factor) = (a, 1.0);
         loop {
             let (inner, c) = match self.operation(x) {
@@ -239,7 +231,7 @@ impl Graph {
             if c == 0.0 {
                 return self.constant(0.0);
             }
-            // A product that is too small or too large would lose what the two numbers keep.
+            // A product that under- or overflows would lose what the two factors keep.
             let (x, d) = self.scaled(a);
             if x != a && (c * d).is_normal() {
                 return self.multiple(x, c * d);
@@ -248,7 +240,7 @@ impl Graph {
         self.multiple(a, c)
     }
 
-    /// `a c`, as it is.
+    /// `a c`, without merging factors.
     fn multiple(&mut self, a: Step, c: f64) -> Step {
         if c == 1.0 {
             a
@@ -279,7 +271,7 @@ impl Graph {
         self.product(a, b)
     }
 
-    /// `a b`, as it is.
+    /// `a b`, without extracting factors.
     fn product(&mut self, a: Step, b: Step) -> Step {
         if a == b {
             self.node(Operation::Of(Function::Sqr, a))
@@ -346,7 +338,7 @@ impl Graph {
             .unwrap_or_else(|| self.constant(0.0))
     }
 
-    /// From here on identities are free.
+    /// From now on all identities of real numbers apply.
     pub(crate) fn be_free(&mut self) {
         self.identities = Identities::Free;
     }

@@ -1,4 +1,4 @@
-//! The one number through which an expression depends on its coordinates.
+//! The neck of an expression: one step through which it depends on all its coordinates.
 
 use crate::{
     graph::Graph,
@@ -6,14 +6,14 @@ use crate::{
 };
 
 impl Graph {
-    /// Returns the first step `u`, in the order of evaluation, with `root = F(u)` for a function `F` of one
-    /// variable; `None` if there is none but the root itself.
+    /// Returns the first step `u`, in the order of evaluation, with `root = F(u)` for a function `F` of
+    /// one variable; `None` if only the root itself qualifies.
     ///
-    /// A mere multiple is none: `x/2`, a coordinate in other units, would change what is rounded.
+    /// A mere multiple does not count: for a coordinate in other units, `x/2`, it would round differently.
     pub(crate) fn neck(&self, root: Step) -> Option<Step> {
         let mut is_open = vec![false; root as usize + 1];
         is_open[root as usize] = true;
-        // How many of the open ones depend on a coordinate.
+        // `open` counts the open steps that are not constants.
         let (mut open, mut neck) = (1, None);
         for step in (0..=root).rev() {
             if !is_open[step as usize] {
@@ -21,7 +21,7 @@ impl Graph {
             }
             let operation = self.operation(step);
             match operation {
-                // Whoever depends on a coordinate by itself has no neck behind.
+                // Behind a bare coordinate there is no neck.
                 Operation::Coordinate(_) => return neck,
                 Operation::Constant(_) => continue,
                 _ if open == 1 && step != root && !is_multiple(operation) => neck = Some(step),

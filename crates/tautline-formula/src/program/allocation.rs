@@ -1,4 +1,4 @@
-//! `Allocation`: which step is in which register.
+//! `Allocation`: the register of each step.
 
 use std::collections::HashMap;
 
@@ -7,19 +7,19 @@ use crate::{
     program::Register,
 };
 
-/// Which step is where.
+/// The register of each step.
 pub(super) struct Allocation {
     pub(super) place: Vec<Option<Register>>,
-    /// When a step is read for the last time; never, if it stays.
+    /// When a step is last read; `usize::MAX` if its register is never freed.
     last: Vec<usize>,
     pub(super) free: Vec<Register>,
     pub(super) count: usize,
-    /// The sines and cosines that are computed.
+    /// The sines and cosines to compute.
     waves: HashMap<Operation, Step>,
 }
 
 impl Allocation {
-    /// For steps in this order, each with what it reads; the first registers are the inputs.
+    /// For steps in this order, with what each reads; the first registers are the inputs.
     pub(super) fn new(
         operations: &[Operation],
         inputs: usize,
@@ -60,7 +60,7 @@ impl Allocation {
         self.free.pop().or_else(|| self.fresh())
     }
 
-    /// What is read here for the last time gives its register away.
+    /// Frees the registers that are read for the last time here.
     pub(super) fn release(&mut self, reads: &[Step], time: usize) {
         let mut dying: Vec<Step> =
             reads.iter().copied().filter(|&read| self.last[read as usize] == time).collect();
@@ -69,7 +69,7 @@ impl Allocation {
         self.free.extend(dying.into_iter().filter_map(|read| self.place[read as usize]));
     }
 
-    /// A wave that is needed and has no place yet.
+    /// The step of a wave that is needed and has no register yet.
     pub(super) fn waits(&self, wave: Operation) -> Option<Step> {
         self.waves.get(&wave).copied().filter(|&step| self.place[step as usize].is_none())
     }

@@ -1,4 +1,4 @@
-//! From a graph to a program.
+//! The compiler: from graph to program.
 
 use crate::{
     graph::Graph,
@@ -15,19 +15,19 @@ enum Term {
     Product(f64, [Step; 2]),
 }
 
-/// The most terms of a sum that is made in one go.
+/// The most terms of one fused sum.
 const MOST_TERMS: usize = 8;
 
-/// What is known of a graph where it is compiled for some outputs.
+/// A graph that is being compiled.
 struct Compiler<'g> {
     graph: &'g Graph,
-    /// How often a step is read; twice more, if it is an output.
+    /// How often each step is read; an output counts as two reads.
     uses: Vec<u32>,
 }
 
 impl Program {
-    /// Compiles the expressions of these steps, in which the first `inputs` registers are the coordinates;
-    /// `None` if there are more registers than can be counted.
+    /// Compiles the expressions of these steps; the first `inputs` registers are the coordinates. `None`
+    /// if there are too many registers.
     pub(crate) fn new(graph: &Graph, inputs: usize, outputs: &[Step]) -> Option<Self> {
         let compiler = Compiler::new(graph, outputs);
         compiler.compile(inputs, outputs)
@@ -50,7 +50,7 @@ impl<'g> Compiler<'g> {
         Self { graph, uses }
     }
 
-    /// Whether a step is needed for one other only, of which it may become a part.
+    /// Whether a step is read once, so that it may be fused into its reader.
     fn is_part(&self, step: Step) -> bool {
         self.uses[step as usize] == 1
     }
@@ -88,9 +88,9 @@ impl<'g> Compiler<'g> {
         }
     }
 
-    /// The terms of a step, in the order in which they are added; none, if it is no sum.
+    /// The terms of a step in the order of addition; none if it is not a sum.
     ///
-    /// `a + (b + c)` is `(b + c) + a`, but `(a + b) + (c + d)` has a second sum for a term.
+    /// `a + (b + c)` becomes `(b + c) + a`, but `(a + b) + (c + d)` keeps its second sum as a term.
     fn terms(&self, step: Step) -> Vec<Term> {
         let mut terms = Vec::new();
         let mut next = Some(step);
@@ -104,7 +104,7 @@ impl<'g> Compiler<'g> {
                 _ => return terms,
             };
             terms.push(self.term(b, sign));
-            // The rest is a sum of its own: its terms need not be there all at once.
+            // The rest is a sum of its own, so that fewer terms are live at once.
             next = (terms.len() < MOST_TERMS && self.is_sum(a)).then_some(a);
             if next.is_none() {
                 terms.push(self.term(a, 1.0));
@@ -114,7 +114,7 @@ impl<'g> Compiler<'g> {
         terms
     }
 
-    /// A step as one instruction or as a sum: its terms, or none, and what it reads.
+    /// The terms of a step, none if it is one instruction, and what it reads.
     fn unit(&self, step: Step) -> (Vec<Term>, Vec<Step>) {
         let operation = self.graph.operation(step);
         let mut terms = match operation {
@@ -155,11 +155,11 @@ impl<'g> Compiler<'g> {
         }
     }
 
-    /// The steps that are computed, each after what it reads.
+    /// The steps to compute, each after what it reads.
     fn order(&self, outputs: &[Step]) -> Vec<Step> {
         let mut is_open = vec![false; self.graph.operations().len()];
         let mut order = Vec::new();
-        // A step is met before and after what it reads.
+        // Each step is visited before and after what it reads.
         let mut stack: Vec<(Step, bool)> =
             outputs.iter().rev().map(|&step| (step, false)).collect();
         while let Some((step, is_after)) = stack.pop() {
@@ -195,7 +195,7 @@ impl<'g> Compiler<'g> {
             constants: Vec::new(),
             outputs: Vec::new(),
         };
-        // They stay, so that they are in nobody's place.
+        // Coordinates and constants keep their registers.
         for &step in &order {
             match self.graph.operation(step) {
                 Operation::Coordinate(i) => {
@@ -213,7 +213,7 @@ impl<'g> Compiler<'g> {
             if allocation.place[step as usize].is_none() {
                 self.emit(step, time, &mut allocation, &mut program.instructions)?;
             } else {
-                // Made together with its sine or cosine.
+                // Computed together with its sine or cosine.
                 allocation.release(&self.unit(step).1, time);
             }
         }
@@ -234,7 +234,7 @@ impl<'g> Compiler<'g> {
     ) -> Option<()> {
         let (terms, reads) = self.unit(step);
         let operation = self.graph.operation(step);
-        // Results are made in a spare: they may go where an operand was.
+        // Results are made in a spare row, so they may take the register of an operand.
         allocation.release(&reads, time);
         let to = allocation.take()?;
         let wave = match operation {
@@ -253,7 +253,7 @@ impl<'g> Compiler<'g> {
             }
             None => None,
         };
-        // Where the operands were, which nobody has written over yet.
+        // The operands are still in their registers.
         let place = &allocation.place;
         let at = |step: Step| place[step as usize].unwrap_or_default();
         if terms.is_empty() {
@@ -265,7 +265,7 @@ impl<'g> Compiler<'g> {
         Some(())
     }
 
-    /// A step that is no sum as one instruction.
+    /// A step that is not a sum, as one instruction.
     fn single(
         &self,
         operation: Operation,
@@ -288,13 +288,13 @@ impl<'g> Compiler<'g> {
                 Some(pair) => Instruction::SinCos(pair, at(a)),
                 None => Instruction::Of(function, to, at(a)),
             },
-            // Sums have terms, coordinates and constants places, and there is nothing else in a graph.
+            // Sums have terms, coordinates and constants have registers, and a graph has nothing else.
             _ => return None,
         })
     }
 }
 
-/// Writes a sum: its terms in their order.
+/// Emits a sum, its terms in order.
 fn sum(
     terms: &[Term],
     to: Register,

@@ -1,11 +1,11 @@
-//! `Instruction`: what is done to whole registers at once.
+//! `Instruction`: an operation on whole registers.
 
 use crate::{operation::Function, program::Register};
 
-/// One instruction: where the result goes, from where the operands come.
+/// One instruction: the register of the result, then those of the operands.
 ///
-/// A fused instruction rounds after each operation, as separate ones would: it needs no multiplication with
-/// addition in one rounding, which not every processor has.
+/// Fused instructions round after each operation, as separate ones would; they do not use fused
+/// multiply-add, which some processors lack.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Instruction {
     /// `a + b`.
@@ -30,9 +30,9 @@ pub(crate) enum Instruction {
     SinCos([Register; 2], Register),
     /// `c x + d (a b)`.
     Mixed(Register, [Register; 3], [f64; 2]),
-    /// Begins a sum of up to four `c x`, or adds them to what is begun.
+    /// Begins a sum with up to four `c x`, or adds them to it.
     Linear { begins: bool, count: u8, x: [Register; 4], c: [f64; 4] },
-    /// Begins a sum of up to two `c (a b)`, or adds them to what is begun.
+    /// Begins a sum with up to two `c (a b)`, or adds them to it.
     Products { begins: bool, count: u8, a: [Register; 2], b: [Register; 2], c: [f64; 2] },
     /// Ends a sum.
     Done(Register),

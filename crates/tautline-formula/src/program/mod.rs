@@ -1,4 +1,4 @@
-//! Programs: expressions as instructions over registers, of which each holds the numbers of many lanes.
+//! Programs: expressions as instructions over registers of many lanes.
 
 mod allocation;
 mod compiler;
@@ -9,30 +9,29 @@ mod row;
 pub(crate) use instruction::Instruction;
 pub use registers::{InstructionSet, Registers, WIDTH};
 
-/// The place of a register.
+/// The index of a register.
 pub type Register = u32;
 
 /// Instructions that fill registers with the values of some expressions.
 ///
-/// The first registers are the coordinates, which stay as they are.
+/// The first registers are the coordinates and are never overwritten.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Program {
     instructions: Vec<Instruction>,
-    /// How many registers there are.
+    /// The number of registers.
     count: usize,
-    /// What is in a register from the beginning on, and stays.
+    /// Registers with constant values.
     constants: Vec<(Register, f64)>,
-    /// Where the values are.
+    /// The registers of the values.
     pub(crate) outputs: Vec<Register>,
 }
 
 impl Program {
-    /// Returns the number of instructions.
     pub(crate) fn len(&self) -> usize {
         self.instructions.len()
     }
 
-    /// Returns the number of registers but for the values that were asked for.
+    /// The number of registers that are not outputs.
     pub(crate) fn intermediates(&self) -> usize {
         let mut outputs = self.outputs.clone();
         outputs.sort_unstable();
@@ -40,7 +39,6 @@ impl Program {
         self.count - outputs.len()
     }
 
-    /// Returns the number of registers.
     pub(crate) fn registers(&self) -> usize {
         self.count
     }

@@ -1,4 +1,4 @@
-//! `Registers`: the memory of a program, and how it runs.
+//! `Registers`: the memory of a program, and the interpreter.
 
 use nalgebra::SVector;
 
@@ -11,33 +11,33 @@ use crate::{
     },
 };
 
-/// So many lanes are worked on in one go. The number of lanes is a multiple of it.
+/// The lanes of one chunk; the number of lanes is a multiple of it.
 pub const WIDTH: usize = 8;
 
-/// Which instructions of the processor are used. The results are the same to the bit.
+/// Which processor instructions to use. The results are the same to the bit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum InstructionSet {
-    /// Those that every processor of the kind has.
+    /// Those that every processor of the architecture has.
     Baseline,
-    /// The widest ones that this processor has.
+    /// The widest ones of this processor.
     #[default]
     Widest,
 }
 
-/// Registers of some lanes each.
+/// Registers, each a row of lanes.
 #[derive(Clone, Debug)]
 pub struct Registers {
     rows: Vec<Row>,
-    /// Where results are made, before they change places with what was in a register.
+    /// Where results are made, before they are swapped into a register.
     spare: [Row; 2],
-    /// How many chunks are worked on, and how many lanes are asked for.
+    /// The number of chunks in use, and of lanes requested.
     used: usize,
     count: usize,
     instruction_set: InstructionSet,
 }
 
 impl Registers {
-    /// Registers for a program, of so many lanes or as many more as make the [`WIDTH`] full.
+    /// Registers for a program, with this many lanes rounded up to the [`WIDTH`].
     pub(crate) fn new(program: &Program, lanes: usize, instruction_set: InstructionSet) -> Self {
         let chunks = lanes.div_ceil(WIDTH).max(1);
         let mut rows: Vec<_> = (0..program.registers()).map(|_| Row::new(chunks)).collect();
@@ -53,7 +53,7 @@ impl Registers {
         }
     }
 
-    /// Registers without a program: so many rows.
+    /// Registers without a program.
     pub(crate) fn empty(rows: usize, lanes: usize) -> Self {
         let none = Program {
             instructions: Vec::new(),
@@ -64,20 +64,20 @@ impl Registers {
         Self::new(&none, lanes, InstructionSet::Baseline)
     }
 
-    /// Returns how many lanes are asked for; some more may be filled.
+    /// Returns how many lanes were requested; some more may be filled.
     #[must_use]
     pub fn count(&self) -> usize {
         self.count
     }
 
-    /// Returns the place and the vector of a lane.
+    /// The point and the vector of a lane.
     pub(crate) fn input<const D: usize>(&self, lane: usize) -> (SVector<f64, D>, SVector<f64, D>) {
         let row = |i: usize| self.rows[i].as_flattened()[lane];
         (SVector::from_fn(|i, _| row(i)), SVector::from_fn(|i, _| row(D + i)))
     }
 
-    /// Sets the number of a lane in a row of results, until the program runs the next time. In another
-    /// register, such as one of its constants, the program would read it.
+    /// Overwrites a result in one lane, until the program runs again. Do not overwrite other registers,
+    /// such as constants: the program reads them.
     ///
     /// # Panics
     ///
@@ -92,14 +92,14 @@ impl Registers {
         self.spare[0].len() * WIDTH
     }
 
-    /// Returns the numbers in a register.
+    /// Returns the row of a register.
     #[must_use]
     #[inline]
     pub fn row(&self, register: Register) -> &[f64] {
         self.rows[register as usize].as_flattened()
     }
 
-    /// Returns the first registers: those of the place and those of the vector.
+    /// The first registers: those of the point and those of the vector.
     #[inline]
     pub(crate) fn inputs<const D: usize>(&mut self) -> [[&mut [f64]; D]; 2] {
         let (place, rest) = self.rows.split_first_chunk_mut::<D>().expect("2 D registers");
@@ -107,14 +107,14 @@ impl Registers {
         [place, vector].map(|rows| rows.each_mut().map(|row| row.as_flattened_mut()))
     }
 
-    /// Works on the first `lanes` only, or on some more that fill the [`WIDTH`]; returns on how many.
+    /// Restricts work to the first `lanes`, rounded up to the [`WIDTH`]; returns how many.
     pub(crate) fn set_used(&mut self, lanes: usize) -> usize {
         self.used = lanes.div_ceil(WIDTH).clamp(1, self.spare[0].len());
         self.count = lanes;
         self.used * WIDTH
     }
 
-    /// Copies lane `count − 1` of the first registers, so many of them, to all lanes from `count` to `used`.
+    /// Copies lane `count − 1` of the first `registers` to all lanes from `count` to `used`.
     pub(crate) fn repeat(&mut self, registers: usize, count: usize, used: usize) {
         for row in &mut self.rows[..registers] {
             let row = row.as_flattened_mut();
@@ -123,7 +123,7 @@ impl Registers {
         }
     }
 
-    /// Runs a program, for which the registers were made.
+    /// Runs the program that the registers were made for.
     pub(crate) fn run(&mut self, program: &Program) {
         match self.instruction_set {
             InstructionSet::Baseline => run_baseline(self, program),
@@ -257,10 +257,10 @@ fn run_widest(registers: &mut Registers, program: &Program) {
     registers.run_inline(program);
 }
 
-/// Makes each chunk of the numbers of its lanes.
+/// Fills a chunk lane by lane.
 ///
-/// Beside the registers, and only then written into one: a compiler that cannot tell that an operand is in
-/// another would go lane by lane.
+/// The result is made in a local array first: a compiler that cannot exclude aliasing with an operand
+/// would not vectorise.
 #[inline(always)]
 fn chunk(y: &mut Chunk, of: impl Fn(usize) -> f64) {
     let mut made = [0.0; WIDTH];
@@ -270,8 +270,8 @@ fn chunk(y: &mut Chunk, of: impl Fn(usize) -> f64) {
     *y = made;
 }
 
-// Rows are indexed chunk by chunk, and longer than a compiler can tell: it would else work on several chunks
-// at once, a lane of each.
+// `black_box` hides the chunk index: the compiler would otherwise vectorise across chunks, one lane of
+// each.
 
 #[inline(always)]
 fn unary(y: &mut [Chunk], used: usize, a: &[Chunk], f: impl Fn(f64) -> f64) {
@@ -289,7 +289,7 @@ fn binary(y: &mut [Chunk], used: usize, [a, b]: [&[Chunk]; 2], f: impl Fn(f64, f
     }
 }
 
-/// `c₀ x₀ + c₁ x₁ + …`, from left to right; after what is there, unless it begins.
+/// `c₀ x₀ + c₁ x₁ + …`, from left to right; added to the sum so far unless it `BEGINS`.
 #[inline(always)]
 fn linear<const COUNT: usize, const BEGINS: bool>(
     y: &mut [Chunk],
@@ -313,7 +313,7 @@ fn linear<const COUNT: usize, const BEGINS: bool>(
     }
 }
 
-/// `c₀ a₀ b₀ + c₁ a₁ b₁`, in the same way.
+/// The same for `c₀ a₀ b₀ + c₁ a₁ b₁`.
 #[inline(always)]
 fn products<const COUNT: usize, const BEGINS: bool>(
     y: &mut [Chunk],

@@ -1,4 +1,4 @@
-//! `Row`: the numbers of a register, in memory that is used again.
+//! `Row`: the lanes of a register, in recycled memory.
 
 use std::{
     cell::RefCell,
@@ -7,28 +7,28 @@ use std::{
 
 use crate::program::WIDTH;
 
-/// So many lanes are worked on in one go.
+/// The lanes that are worked on at once.
 pub(crate) type Chunk = [f64; WIDTH];
 
 /// Some chunks of numbers.
 ///
-/// Dropped, its memory goes to the next row of its length on this thread: to find and clear the rows of a
-/// program takes as long as to evaluate some hundred places. What is in a row of results before the program
-/// has run means nothing.
+/// When dropped, its memory goes to the next row of its length on this thread: allocating and clearing
+/// the rows of a program takes as long as evaluating some hundred points. The contents of a new row are
+/// arbitrary.
 #[derive(Debug)]
 pub(crate) struct Row(Box<[Chunk]>);
 
-/// A thread keeps rows of up to so many chunks, and of each length no more chunks than this: 256 kB.
+/// A thread keeps rows of up to `LONGEST` chunks, and at most `KEPT` chunks of each length: 256 kB.
 const LONGEST: usize = 16;
 const KEPT: usize = 4096;
 
 thread_local! {
-    /// Rows of each length.
+    /// Spare rows by length.
     static SPARE: RefCell<[Vec<Box<[Chunk]>>; LONGEST + 1]> = RefCell::default();
 }
 
 impl Row {
-    /// A row of so many chunks, for results.
+    /// A row with arbitrary contents.
     pub(crate) fn new(chunks: usize) -> Self {
         let spare = SPARE.try_with(|spare| spare.borrow_mut().get_mut(chunks)?.pop());
         Self(spare.ok().flatten().unwrap_or_else(|| vec![[0.0; WIDTH]; chunks].into_boxed_slice()))
@@ -45,7 +45,7 @@ impl Row {
 impl Drop for Row {
     fn drop(&mut self) {
         let row = std::mem::take(&mut self.0);
-        // Without the list, when the thread ends, it is freed.
+        // When the thread ends the list may be gone; the memory is then freed.
         let _ = SPARE.try_with(|spare| {
             if let Some(rows) = spare.borrow_mut().get_mut(row.len())
                 && rows.len() * row.len() < KEPT

@@ -1,4 +1,4 @@
-//! `Form`: a Gram matrix that a text makes of functions.
+//! `Form`: ways to make a Gram matrix from functions.
 
 use super::{
     gradient::{along, gradients, sum},
@@ -6,10 +6,10 @@ use super::{
 };
 use crate::recording::Symbol;
 
-/// How a Gram matrix is made of functions of the coordinates.
+/// A way to make a Gram matrix from functions of the coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
-    /// `JᵀJ` with the derivative `J` of a map from `R^D` to `R^m`, `m ≥ D`: the lengths of the curves there.
+    /// `JᵀJ` with the derivative `J` of a map from `R^D` to `R^m`, `m ≥ D`: lengths of image curves.
     Pullback,
     /// `I + ∇f ∇fᵀ`: the lengths of curves on the graph of `f`.
     Graph,
@@ -21,7 +21,7 @@ pub(super) enum Form {
     Diag,
 }
 
-/// Returns the form of this name.
+/// Returns the form with this name.
 pub(super) fn form(name: &str) -> Option<Form> {
     Some(match name {
         "pullback" => Form::Pullback,
@@ -34,7 +34,7 @@ pub(super) fn form(name: &str) -> Option<Form> {
 }
 
 impl Form {
-    /// Whether so many functions make a matrix of `dimension` rows.
+    /// Whether this many functions make a matrix of `dimension` rows.
     pub(super) fn takes(self, functions: usize, dimension: usize) -> bool {
         match self {
             Form::Pullback => functions >= dimension,
@@ -43,19 +43,18 @@ impl Form {
         }
     }
 
-    /// Returns its name and what it takes in this dimension, as an error says it.
+    /// Returns its name and how many functions it takes, for an error message.
     pub(super) fn takes_what(self, dimension: usize) -> (&'static str, String) {
-        let count = |count: usize| match count {
-            1 => "one function".to_owned(),
-            _ => format!("{count} functions"),
+        let (name, count) = match self {
+            Form::Pullback => ("pullback", dimension),
+            Form::Graph => ("graph", 1),
+            Form::Phi => ("phi", 1),
+            Form::Speed => ("speed", 1),
+            Form::Diag => ("diag", dimension),
         };
-        match self {
-            Form::Pullback => ("pullback", format!("{} or more", count(dimension))),
-            Form::Graph => ("graph", count(1)),
-            Form::Phi => ("phi", count(1)),
-            Form::Speed => ("speed", count(1)),
-            Form::Diag => ("diag", count(dimension)),
-        }
+        let functions = if count == 1 { "one function" } else { &format!("{count} functions") };
+        let more = if self == Form::Pullback { " or more" } else { "" };
+        (name, format!("{functions}{more}"))
     }
 
     /// Returns the entries, column by column.
@@ -69,7 +68,7 @@ impl Form {
             let begin = if self == Form::Pullback { one(false) } else { one(i == j) };
             match self {
                 Form::Pullback | Form::Graph => {
-                    // A square as such: in intervals it is not negative.
+                    // As a square, which is not negative in intervals.
                     let term = |row: &Vec<Value>| {
                         if i == j { row[i].squared() } else { product(row[i], row[j]) }
                     };
@@ -82,12 +81,12 @@ impl Form {
             }
         };
         let places = (0..dimension).flat_map(|j| (0..dimension).map(move |i| (i, j)));
-        // The halves are the same steps.
+        // Both halves are the same steps.
         places.map(|(i, j)| entry(i.min(j), i.max(j)).symbol()).collect()
     }
 }
 
-/// The product of two derivatives, of which 0 is one that is known to be so.
+/// The product of two derivatives; 0 means known to vanish.
 fn product(a: Value, b: Value) -> Value {
     if b.is(0.0) { b } else { along(a, b) }
 }

@@ -1,41 +1,35 @@
-//! The derivatives of functions, as further steps of the tape on which they stand.
+//! Derivatives of functions, appended to their tape.
 
 use tautline_scalar::Scalar;
 
 use super::value::Value;
 use crate::{
-    operation::{Arithmetic, Function, Operation, Pair, Step},
+    operation::{Arithmetic, Function, Operation, Pair, Step, needed},
     recording::{self, Symbol},
 };
 
 const ZERO: Value = Value::Number(0.0);
 const UNDEFINED: Value = Value::Number(f64::NAN);
 
-/// Returns the derivatives of each function by each coordinate: forward, one step after the other. What does
-/// not depend on a coordinate has the number 0 there; where a function is undefined, so are they.
+/// Returns the derivatives of each function by each coordinate, by forward differentiation. A
+/// derivative that vanishes is the number 0; where a function is undefined, so are its derivatives.
 pub(super) fn gradients(functions: &[Value], dimension: usize) -> Vec<Vec<Value>> {
     let operations = &recording::operations()[..];
-    let mut needed = vec![false; operations.len()];
-    for function in functions {
-        if let Value::Symbol(Symbol(step)) = function
-            && let Some(needed) = needed.get_mut(*step as usize)
-        {
-            *needed = true;
-        }
-    }
-    for place in (0..operations.len()).rev().filter(|&place| place >= dimension) {
-        if needed[place] {
-            for read in operations[place].reads(place as Step).into_iter().flatten() {
-                needed[read as usize] = true;
-            }
-        }
-    }
-    // Coordinate by coordinate, so that memory does not grow with their number.
+    let roots: Vec<Step> = functions
+        .iter()
+        .filter_map(|function| match function {
+            Value::Symbol(Symbol(step)) => Some(*step),
+            Value::Number(_) => None,
+        })
+        .filter(|&step| (step as usize) < operations.len())
+        .collect();
+    let needed = needed(operations, &roots, |_| true);
+    // Coordinate by coordinate, so that memory does not grow with the dimension.
     let columns: Vec<Vec<Value>> = (0..dimension)
         .map(|coordinate| {
             let mut made = vec![ZERO; operations.len()];
-            for place in 0..operations.len() {
-                // A tape that is too long stands for nothing, however it goes on.
+            for place in 0..needed.len() {
+                // A tape that is too long is refused anyway.
                 if needed[place] && !recording::has_failed() {
                     made[place] = derivative(operations, place as Step, &made, coordinate);
                 }
@@ -51,7 +45,7 @@ pub(super) fn gradients(functions: &[Value], dimension: usize) -> Vec<Vec<Value>
     (0..functions.len()).map(|k| columns.iter().map(|column| column[k]).collect()).collect()
 }
 
-/// The derivative of one step by a coordinate, from those `made` of the steps before it.
+/// The derivative of a step by a coordinate, from those `made` for earlier steps.
 fn derivative(operations: &[Operation], step: Step, made: &[Value], coordinate: usize) -> Value {
     let at = |step: Step| Value::Symbol(Symbol(step));
     let by = |step: Step| made[step as usize];
@@ -74,9 +68,9 @@ fn derivative(operations: &[Operation], step: Step, made: &[Value], coordinate: 
         Operation::WithNumber(Arithmetic::Div, a, _) if by(a).is(0.0) => ZERO,
         Operation::WithNumber(Arithmetic::Div, a, c) => by(a) / Value::Number(c.value()),
         _ if reads_none_that_change(operations, step, made) => ZERO,
-        // The power 0 is 1, but not where its base is undefined.
+        // x⁰ is 1 only where x is defined.
         Operation::Powi(a, 0) => along(by(a), at(a) * ZERO),
-        // The exponent less 1 is no whole number of 32 bits.
+        // The exponent minus 1 would overflow.
         Operation::Powi(a, i32::MIN) => {
             along(by(a), Value::Number(f64::from(i32::MIN)) * at(step) / at(a))
         }
@@ -86,13 +80,13 @@ fn derivative(operations: &[Operation], step: Step, made: &[Value], coordinate: 
         Operation::Second => match operations[step as usize - 1] {
             Operation::First(Pair::SinCos, a) => along(by(a), -at(step - 1)),
             Operation::First(_, a) => along(by(a), at(step - 1)),
-            // A second one follows its first one.
+            // A second follows its first.
             _ => UNDEFINED,
         },
     }
 }
 
-/// Whether the one step that is read has the derivative 0: then no derivative of the function is written.
+/// Whether the argument has derivative 0: then that of the function is not written.
 fn reads_none_that_change(operations: &[Operation], step: Step, made: &[Value]) -> bool {
     let step = match operations[step as usize] {
         Operation::Second => step - 1,
@@ -102,7 +96,7 @@ fn reads_none_that_change(operations: &[Operation], step: Step, made: &[Value]) 
     reads.into_iter().all(|read| made[read as usize].is(0.0))
 }
 
-/// The derivative of a function by its argument `a`, where its value is `y`.
+/// `f′(a)`, with `y = f(a)`.
 fn outer_derivative(function: Function, a: Value, y: Value) -> Value {
     let one = Value::Number(1.0);
     let of = |function: fn(Symbol) -> Symbol, a: Value| Value::Symbol(function(a.symbol()));
@@ -112,7 +106,7 @@ fn outer_derivative(function: Function, a: Value, y: Value) -> Value {
         Function::Recip => -y.squared(),
         Function::Sqrt => Value::Number(0.5) / y,
         Function::Exp => y,
-        // Below 0 there is no logarithm, but there is 1/a.
+        // 1/a is defined below 0, the logarithm is not.
         Function::Ln => one / a + y * ZERO,
         Function::Sin => of(Scalar::cos, a),
         Function::Cos => -of(Scalar::sin, a),
@@ -124,7 +118,7 @@ fn outer_derivative(function: Function, a: Value, y: Value) -> Value {
     }
 }
 
-// Without the steps that a derivative 0 or 1 makes idle.
+// Without steps that a derivative 0 or 1 makes redundant.
 
 pub(super) fn sum(a: Value, b: Value) -> Value {
     if a.is(0.0) {
@@ -146,7 +140,7 @@ fn difference(a: Value, b: Value) -> Value {
     }
 }
 
-/// The derivative `by` of what a function is of, times that of the function.
+/// The chain rule: the derivative `by` of the argument times the `outer` one.
 pub(super) fn along(by: Value, outer: Value) -> Value {
     if by.is(0.0) {
         ZERO

@@ -1,4 +1,4 @@
-//! Formulas as text: read and printed.
+//! Formulas as text: parsing and printing.
 
 mod form;
 mod gradient;

@@ -1,4 +1,4 @@
-//! A text becomes a formula.
+//! The parser: from text to formula.
 
 use std::{collections::HashMap, ops::Range};
 
@@ -8,18 +8,22 @@ use super::{
     Problem, TextError,
     form::{Form, form},
     token::{Token, Tokens},
-    value::{Value, function},
+    value::Value,
 };
 use crate::{
     Formula,
+    operation::Function,
     recording::{Symbol, record},
 };
 
-/// So many levels of brackets; each takes some stack.
+/// The most levels of brackets, each of which takes stack.
 const DEEPEST: usize = 128;
 
+/// The function that makes a step of a number.
+const STEP: &str = "number";
+
 impl<const D: usize> Formula<D> {
-    /// Reads a formula, with numbers for the names of these parameters.
+    /// Parses a formula, with values for named parameters.
     ///
     /// ```text
     /// metric = { definition ";" } ( matrix | expr "I" | form "(" row ")" )
@@ -31,18 +35,19 @@ impl<const D: usize> Formula<D> {
     /// definition = name "=" expr | name "," name "=" ( "sin_cos" | "sinh_cosh" ) "(" expr ")"
     /// ```
     ///
-    /// Names are `x1` to `xD`, `pi`, those of parameters, and those that are defined, each once. Functions
-    /// are `sqr`, `recip`, `sqrt`, `exp`, `ln`, `sin`, `cos`, `tan`, `atan`, `sinh`, `cosh`, `tanh`, and
-    /// `number`, which makes a step of a number.
+    /// Names are `x1` to `xD`, `pi`, parameters, and definitions, each defined once. Functions are `sqr`,
+    /// `recip`, `sqrt`, `exp`, `ln`, `sin`, `cos`, `tan`, `atan`, `sinh`, `cosh`, `tanh`, and `number`,
+    /// which records a number as a step.
     ///
-    /// A form makes the matrix of functions, of which it takes the derivatives where it needs them:
+    /// A form makes a matrix from functions, and differentiates them where it must:
     /// `pullback(Φ₁, …, Φₘ)` is `JᵀJ` with the derivative `J` of the map `Φ`, `m ≥ D`; `graph(f)` is
-    /// `I + ∇f ∇fᵀ`; `phi(φ)` is `φ I`; `speed(f)` is `f² I`, under which a curve is `∫ f |γ'| dt` long; and
-    /// `diag(a₁, …, a_D)` is the diagonal matrix. A text may give their names to something else.
+    /// `I + ∇f ∇fᵀ`; `phi(φ)` is `φ I`; `speed(f)` is `f² I`, under which a curve has length
+    /// `∫ f |γ'| dt`; and `diag(a₁, …, a_D)` is the diagonal matrix. Definitions may reuse these names.
     ///
-    /// What stands left is evaluated first, and numbers among themselves are evaluated as `f64`. A text does
-    /// what the same formula does in Rust: the tapes are equal where the definitions stand in the order of
-    /// the lets.
+    /// Operands are evaluated from left to right, and arithmetic between numbers is done in `f64`. A text
+    /// records the same tape as the same formula in Rust, if the definitions are in the order of the
+    /// `let`s. The operators are taken literally: `x1^2` records a power, as `x.powi(2)` does, and
+    /// `sqr(x1)` a square, as `x.sqr()` does. The two are different formulas.
     ///
     /// ```
     /// use tautline_formula::Formula;
@@ -54,6 +59,9 @@ impl<const D: usize> Formula<D> {
     /// assert_eq!(error.to_string(), "at byte 9: there is no x3 in dimension 2");
     /// assert_eq!(error.at, 9..11);
     ///
+    /// let [power, square] = ["x1^2 I", "sqr(x1) I"].map(|text| Formula::<1>::parse(text, &[]));
+    /// assert_ne!(power, square);
+    ///
     /// let hill = Formula::<2>::parse("graph(h*exp(-(x1^2 + x2^2)/2))", &[("h", 2.0)])?;
     /// let text = "g = 2*exp(-(x1^2 + x2^2)/2); [1 + (x1*g)^2, x1*x2*g^2; x1*x2*g^2, 1 + (x2*g)^2]";
     /// let (x, by_hand) = ([0.5, -1.0].into(), Formula::<2>::parse(text, &[])?);
@@ -63,7 +71,7 @@ impl<const D: usize> Formula<D> {
     ///
     /// # Errors
     ///
-    /// [`TextError`], with the bytes that are wrong.
+    /// [`TextError`] with the offending bytes.
     pub fn parse(text: &str, parameters: &[(&str, f64)]) -> Result<Self, TextError> {
         let (entries, recording) = record(D, |x| {
             let (tokens, ahead, names) = (Tokens::of(text), (Token::End, 0..0), HashMap::new());
@@ -110,11 +118,16 @@ impl<'a> Parser<'a> {
     }
 
     fn sign(&mut self, sign: char, expected: &'static str) -> Result<(), TextError> {
-        if self.ahead.0 == Token::Sign(sign) {
+        if self.takes(sign)? { Ok(()) } else { self.unexpected(expected) }
+    }
+
+    /// Whether this sign came next, and is passed.
+    fn takes(&mut self, sign: char) -> Result<bool, TextError> {
+        let is_next = self.is(sign);
+        if is_next {
             self.advance()?;
-            return Ok(());
         }
-        self.unexpected(expected)
+        Ok(is_next)
     }
 
     fn is(&self, sign: char) -> bool {
@@ -139,7 +152,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Whether a name and an `=` or a comma stand next: a look at two words.
+    /// Whether the next two words are a name and an `=` or a comma.
     fn is_definition(&self) -> Result<bool, TextError> {
         let Token::Name(_) = self.ahead.0 else { return Ok(false) };
         let (next, _) = self.tokens.clone().word()?;
@@ -148,8 +161,7 @@ impl<'a> Parser<'a> {
 
     fn definition(&mut self) -> Result<(), TextError> {
         let first = self.new_name()?;
-        if self.is(',') {
-            self.advance()?;
+        if self.takes(',')? {
             let second = self.new_name()?;
             if first == second {
                 return self.error(Problem::TakenName { name: second });
@@ -174,8 +186,12 @@ impl<'a> Parser<'a> {
     }
 
     fn check_new(&self, name: &str) -> Result<(), TextError> {
-        let is_word = ["I", "sin_cos", "sinh_cosh"].contains(&name) || function(name).is_some();
-        if is_word || self.names.contains_key(name) || !matches!(self.builtin(name), Ok(None)) {
+        let is_word = ["I", "sin_cos", "sinh_cosh", STEP].contains(&name);
+        if is_word
+            || Function::named(name).is_some()
+            || self.names.contains_key(name)
+            || !matches!(self.builtin(name), Ok(None))
+        {
             return self.error(Problem::TakenName { name: name.to_owned() });
         }
         Ok(())
@@ -205,11 +221,7 @@ impl<'a> Parser<'a> {
         let mut rows: Vec<Vec<Symbol>> = Vec::new();
         loop {
             let start = self.ahead.1.start;
-            let mut row = vec![self.expression()?.symbol()];
-            while self.is(',') {
-                self.advance()?;
-                row.push(self.expression()?.symbol());
-            }
+            let row = self.row(Value::symbol)?;
             if !self.is(';') && !self.is(']') {
                 return self.unexpected("an operator, a comma, ; or ]");
             }
@@ -219,10 +231,9 @@ impl<'a> Parser<'a> {
                 return Err(TextError { at: start..self.ahead.1.start, problem });
             }
             rows.push(row);
-            if !self.is(';') {
+            if !self.takes(';')? {
                 break;
             }
-            self.advance()?;
         }
         let end = self.advance()?.1.end;
         if rows.len() != dimension {
@@ -232,7 +243,16 @@ impl<'a> Parser<'a> {
         Ok((0..dimension).flat_map(|j| rows.iter().map(move |row| row[j])).collect())
     }
 
-    /// The form of which the name and a bracket stand next.
+    /// Expressions between commas. `of` is applied to each before the next is parsed.
+    fn row<T>(&mut self, of: fn(Value) -> T) -> Result<Vec<T>, TextError> {
+        let mut row = vec![of(self.expression()?)];
+        while self.takes(',')? {
+            row.push(of(self.expression()?));
+        }
+        Ok(row)
+    }
+
+    /// The form whose name comes next, before a bracket.
     fn named_form(&self) -> Result<Option<Form>, TextError> {
         let Token::Name(name) = self.ahead.0 else { return Ok(None) };
         let (next, _) = self.tokens.clone().word()?;
@@ -240,15 +260,11 @@ impl<'a> Parser<'a> {
         Ok(form(name).filter(|_| is_form))
     }
 
-    /// A matrix of functions, which stand in brackets behind its name.
+    /// A form with its functions in brackets.
     fn form(&mut self, form: Form) -> Result<Vec<Symbol>, TextError> {
         let at = self.advance()?.1;
         self.sign('(', "(")?;
-        let mut functions = vec![self.expression()?];
-        while self.is(',') {
-            self.advance()?;
-            functions.push(self.expression()?);
-        }
+        let functions = self.row(|value| value)?;
         if !self.is(')') {
             return self.unexpected("an operator, a comma or )");
         }
@@ -281,11 +297,10 @@ impl<'a> Parser<'a> {
         }
         let mut sum = self.term()?;
         loop {
-            let is_minus = self.is('-');
-            if !(is_minus || self.is('+')) {
+            let is_minus = self.takes('-')?;
+            if !is_minus && !self.takes('+')? {
                 break;
             }
-            self.advance()?;
             let term = self.term()?;
             sum = if is_minus { sum - term } else { sum + term };
         }
@@ -296,21 +311,19 @@ impl<'a> Parser<'a> {
     fn term(&mut self) -> Result<Value, TextError> {
         let mut product = self.factor()?;
         loop {
-            let is_division = self.is('/');
-            if !(is_division || self.is('*')) {
+            let is_division = self.takes('/')?;
+            if !is_division && !self.takes('*')? {
                 return Ok(product);
             }
-            self.advance()?;
             let factor = self.factor()?;
             product = if is_division { product / factor } else { product * factor };
         }
     }
 
     fn factor(&mut self) -> Result<Value, TextError> {
-        // In a loop: a row of minus signs is no bracket.
+        // In a loop, so that many minus signs take no stack.
         let mut signs = 0_usize;
-        while self.is('-') {
-            self.advance()?;
+        while self.takes('-')? {
             signs += 1;
         }
         let mut value = self.power()?;
@@ -322,14 +335,10 @@ impl<'a> Parser<'a> {
 
     fn power(&mut self) -> Result<Value, TextError> {
         let atom = self.atom()?;
-        if !self.is('^') {
+        if !self.takes('^')? {
             return Ok(atom);
         }
-        self.advance()?;
-        let is_negative = self.is('-');
-        if is_negative {
-            self.advance()?;
-        }
+        let is_negative = self.takes('-')?;
         let Token::Integer(digits) = self.ahead.0 else { return self.error(Problem::Exponent) };
         let sign = if is_negative { "-" } else { "" };
         let Ok(n) = format!("{sign}{digits}").parse::<i32>() else {
@@ -363,7 +372,7 @@ impl<'a> Parser<'a> {
                 Ok(Value::Number(value))
             }
             Token::Integer(digits) => {
-                // Digits are a number of `f64`, finite as the word was read.
+                // The tokenizer has checked that it is finite.
                 let value = digits.parse().unwrap_or(f64::NAN);
                 self.advance()?;
                 Ok(Value::Number(value))
@@ -376,14 +385,10 @@ impl<'a> Parser<'a> {
 
     fn named(&mut self, name: &str) -> Result<Value, TextError> {
         if let Some(&value) = self.names.get(name) {
-            self.advance()?;
-            return Ok(value);
+            return self.advance().map(|_| value);
         }
         match self.builtin(name) {
-            Ok(Some(value)) => {
-                self.advance()?;
-                return Ok(value);
-            }
+            Ok(Some(value)) => return self.advance().map(|_| value),
             Ok(None) => {}
             Err(problem) => return self.error(problem),
         }
@@ -391,10 +396,12 @@ impl<'a> Parser<'a> {
         if next != Token::Sign('(') {
             return self.error(Problem::UnknownName { name: name.to_owned() });
         }
-        let Some(function) = function(name) else {
+        let function = Function::named(name);
+        if function.is_none() && name != STEP {
             return self.error(Problem::UnknownFunction { name: name.to_owned() });
-        };
+        }
         self.advance()?;
-        Ok(self.bracket()?.under(function))
+        let value = self.bracket()?;
+        Ok(function.map_or_else(|| Value::Symbol(value.symbol()), |function| value.under(function)))
     }
 }

@@ -1,20 +1,20 @@
-//! A formula becomes a text.
+//! The printer: from formula to text.
 
 use std::fmt;
 
 use crate::{
     Formula,
-    operation::{Arithmetic, Function, Number, Operation, Pair, Step},
+    operation::{Function, Number, Operation, Pair, Step},
 };
 
-/// Reads back to the same formula, step by step: each has a line and a name.
+/// Each step has a line and a name; parsed, the text gives the same formula.
 impl<const D: usize> fmt::Display for Formula<D> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let name = |step: Step| Name { step, dimension: D };
         for (place, &operation) in self.operations().iter().enumerate().skip(D) {
             let this = name(place as Step);
             match operation {
-                // Its line is that of the first.
+                // On the line of the first.
                 Operation::Second => continue,
                 Operation::First(..) => write!(f, "{this}, {} = ", name(place as Step + 1))?,
                 _ => write!(f, "{this} = ")?,
@@ -22,13 +22,15 @@ impl<const D: usize> fmt::Display for Formula<D> {
             match operation {
                 Operation::Coordinate(i) => write!(f, "x{}", i + 1)?,
                 Operation::Constant(number) => write!(f, "number({})", Literal(number))?,
-                Operation::Binary(how, a, b) => write!(f, "{} {} {}", name(a), sign(how), name(b))?,
+                Operation::Binary(how, a, b) => {
+                    write!(f, "{} {} {}", name(a), how.sign(), name(b))?
+                }
                 Operation::WithNumber(how, a, number) => {
-                    write!(f, "{} {} {}", name(a), sign(how), Literal(number))?;
+                    write!(f, "{} {} {}", name(a), how.sign(), Literal(number))?;
                 }
                 Operation::Powi(a, n) => write!(f, "{}^{n}", name(a))?,
                 Operation::Of(Function::Neg, a) => write!(f, "-{}", name(a))?,
-                Operation::Of(function, a) => write!(f, "{}({})", of(function), name(a))?,
+                Operation::Of(function, a) => write!(f, "{}({})", function.name(), name(a))?,
                 Operation::First(Pair::SinCos, a) => write!(f, "sin_cos({})", name(a))?,
                 Operation::First(Pair::SinhCosh, a) => write!(f, "sinh_cosh({})", name(a))?,
                 Operation::Second => {}
@@ -67,7 +69,7 @@ impl fmt::Display for Name {
     }
 }
 
-/// A number, as the shortest text that is read back to it; what is no number by an operation that makes it.
+/// The shortest text that parses to this number; infinities and NaN as a division.
 struct Literal(Number);
 
 impl fmt::Display for Literal {
@@ -78,32 +80,5 @@ impl fmt::Display for Literal {
             value if value.is_nan() => f.write_str("(0/0)"),
             value => write!(f, "{value:?}"),
         }
-    }
-}
-
-fn sign(how: Arithmetic) -> char {
-    match how {
-        Arithmetic::Add => '+',
-        Arithmetic::Sub => '-',
-        Arithmetic::Mul => '*',
-        Arithmetic::Div => '/',
-    }
-}
-
-fn of(function: Function) -> &'static str {
-    match function {
-        Function::Neg => "-",
-        Function::Sqr => "sqr",
-        Function::Recip => "recip",
-        Function::Sqrt => "sqrt",
-        Function::Exp => "exp",
-        Function::Ln => "ln",
-        Function::Sin => "sin",
-        Function::Cos => "cos",
-        Function::Tan => "tan",
-        Function::Atan => "atan",
-        Function::Sinh => "sinh",
-        Function::Cosh => "cosh",
-        Function::Tanh => "tanh",
     }
 }

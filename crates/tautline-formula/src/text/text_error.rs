@@ -1,4 +1,4 @@
-//! `TextError`: what is wrong with a formula that was typed, and where.
+//! `TextError`: what is wrong with a text, and where.
 
 use std::ops::Range;
 
@@ -8,9 +8,9 @@ use crate::RecordError;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("at byte {}: {problem}", .at.start)]
 pub struct TextError {
-    /// Which bytes of the text are wrong; empty at the end of the text.
+    /// The offending bytes; empty at the end of the text.
     pub at: Range<usize>,
-    /// What is wrong with them.
+    /// What is wrong.
     pub problem: Problem,
 }
 
@@ -18,57 +18,57 @@ pub struct TextError {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Problem {
-    /// Something else has to stand there.
+    /// An unexpected word.
     #[error("found {found}, expected {expected}")]
     Unexpected {
-        /// What stands there, as text; `the end` behind the last byte.
+        /// The word, or `the end`.
         found: String,
-        /// What may stand there.
+        /// What was expected.
         expected: &'static str,
     },
-    /// A name that nobody has given.
+    /// An unknown name.
     #[error("nothing is called {name}")]
     UnknownName {
         /// The name.
         name: String,
     },
-    /// A coordinate that there is not.
+    /// A coordinate beyond the dimension.
     #[error("there is no {name} in dimension {dimension}")]
     NoCoordinate {
         /// Its name.
         name: String,
-        /// How many there are.
+        /// The number of coordinates.
         dimension: usize,
     },
-    /// A function that there is not.
+    /// An unknown function.
     #[error("there is no function {name}")]
     UnknownFunction {
         /// Its name.
         name: String,
     },
-    /// A name that has a meaning already.
+    /// A name that is already taken.
     #[error("{name} has a meaning already")]
     TakenName {
         /// The name.
         name: String,
     },
-    /// An exponent that is no whole number of 32 bits.
+    /// An exponent that is not an integer of 32 bits.
     #[error("an exponent is a whole number from {} to {}", i32::MIN, i32::MAX)]
     Exponent,
     /// A number beyond the range of `f64`.
     #[error("a number beyond the range of f64")]
     TooLarge,
-    /// A matrix of another shape than `D × D`.
+    /// A matrix that is not `D × D`.
     #[error("{found} {what} in dimension {dimension}")]
     Shape {
         /// How many there are.
         found: usize,
         /// Rows or entries of a row.
         what: &'static str,
-        /// How many there have to be.
+        /// How many there must be.
         dimension: usize,
     },
-    /// A form of too few functions, or too many.
+    /// A form with too few or too many functions.
     #[error("{form} takes {takes} in dimension {dimension}, and here is {found}")]
     Functions {
         /// The name of the form.
@@ -80,7 +80,7 @@ pub enum Problem {
         /// The number of coordinates.
         dimension: usize,
     },
-    /// Brackets within brackets, deeper than anybody writes.
+    /// Brackets nested too deeply.
     #[error("more than {most} levels of brackets")]
     TooDeep {
         /// The most levels.

@@ -8,7 +8,7 @@ use super::{Problem, TextError};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Token<'a> {
     Number(f64),
-    /// A number without point and exponent, as an exponent is written.
+    /// A number without point and exponent.
     Integer(&'a str),
     Name(&'a str),
     /// One of `+ - * / ^ ( ) [ ] , ; =`.
@@ -16,7 +16,7 @@ pub(super) enum Token<'a> {
     End,
 }
 
-/// The words of a text, one after the other.
+/// The tokenizer.
 #[derive(Clone, Debug)]
 pub(super) struct Tokens<'a> {
     text: &'a str,
@@ -28,7 +28,7 @@ impl<'a> Tokens<'a> {
         Self { text, place: 0 }
     }
 
-    /// The next word, with its bytes.
+    /// The next word and its bytes.
     pub(super) fn word(&mut self) -> Result<(Token<'a>, Range<usize>), TextError> {
         let rest = self.text[self.place..].trim_start();
         let start = self.text.len() - rest.len();
@@ -48,7 +48,7 @@ impl<'a> Tokens<'a> {
         self.place = at.end;
         let token = match first {
             '0'..='9' | '.' => {
-                // The length of a number is that of one, unless it is a point alone.
+                // Only a lone point fails to parse.
                 let unexpected =
                     || Problem::Unexpected { found: word.to_owned(), expected: "a number" };
                 let value: f64 = word
@@ -78,7 +78,8 @@ impl<'a> Tokens<'a> {
     }
 }
 
-/// How many bytes at the beginning are a number: digits, a point, digits, and an exponent if it has digits.
+/// The length of the number that a text begins with: digits, a point, digits, and an exponent if it has
+/// digits.
 fn number(text: &str) -> usize {
     let bytes = text.as_bytes();
     let digits =

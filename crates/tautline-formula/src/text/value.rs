@@ -1,12 +1,12 @@
-//! `Value`: what an expression of a text stands for.
+//! `Value`: the value of an expression in a text.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use tautline_scalar::Scalar;
 
-use crate::recording::Symbol;
+use crate::{operation::Function, recording::Symbol};
 
-/// The value of an expression: numbers among themselves stay numbers.
+/// The value of an expression: arithmetic between numbers gives numbers.
 #[derive(Clone, Copy)]
 pub(super) enum Value {
     Number(f64),
@@ -22,7 +22,7 @@ impl Value {
         }
     }
 
-    /// Whether it is this number, and no step.
+    /// Whether it is this number, not a step.
     pub(super) fn is(self, number: f64) -> bool {
         matches!(self, Value::Number(value) if value == number)
     }
@@ -35,7 +35,7 @@ impl Value {
         }
     }
 
-    /// The power; of a number in `f64`.
+    /// The power.
     pub(super) fn powi(self, n: i32) -> Self {
         match self {
             Value::Number(a) => Value::Number(a.powi(n)),
@@ -43,12 +43,11 @@ impl Value {
         }
     }
 
-    /// The value of a function; of a number in `f64`.
+    /// `f(x)`.
     pub(super) fn under(self, function: Function) -> Self {
-        match (function, self) {
-            (Function::Step, value) => Value::Symbol(value.symbol()),
-            (Function::Of { number, .. }, Value::Number(value)) => Value::Number(number(value)),
-            (Function::Of { symbol, .. }, Value::Symbol(value)) => Value::Symbol(symbol(value)),
+        match self {
+            Value::Number(value) => Value::Number(function.of(value)),
+            Value::Symbol(value) => Value::Symbol(function.of(value)),
         }
     }
 }
@@ -80,36 +79,3 @@ macro_rules! arithmetic {
 }
 
 arithmetic!(Add add Sub sub Mul mul Div div);
-
-/// A function that a text may name.
-pub(super) enum Function {
-    /// `number`, which makes a step of a number.
-    Step,
-    /// What a number has for it, and what a step has.
-    Of { number: fn(f64) -> f64, symbol: fn(Symbol) -> Symbol },
-}
-
-/// Returns the function of this name.
-pub(super) fn function(name: &str) -> Option<Function> {
-    macro_rules! of {
-        ($method:ident) => {
-            Function::Of { number: <f64 as Scalar>::$method, symbol: <Symbol as Scalar>::$method }
-        };
-    }
-    Some(match name {
-        "number" => Function::Step,
-        "sqr" => of!(sqr),
-        "recip" => of!(recip),
-        "sqrt" => of!(sqrt),
-        "exp" => of!(exp),
-        "ln" => of!(ln),
-        "sin" => of!(sin),
-        "cos" => of!(cos),
-        "tan" => of!(tan),
-        "atan" => of!(atan),
-        "sinh" => of!(sinh),
-        "cosh" => of!(cosh),
-        "tanh" => of!(tanh),
-        _ => return None,
-    })
-}

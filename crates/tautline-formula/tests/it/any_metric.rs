@@ -1,47 +1,12 @@
-//! A metric behind a pointer is the metric itself.
+//! A metric with branches behind a pointer: jets of order two are known, intervals are not.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_chance::{cases, seed};
 use tautline_formula::{AnyMetric, Formula, RecordError};
-use tautline_metrics::{Metric, gallery};
+use tautline_metrics::Metric;
 use tautline_scalar::{Interval, Jet1, Jet2, Scalar};
 
 use crate::random::Random;
-
-/// As text: NaN is NaN, and `−0` is not `0`.
-fn same<S: Scalar, const D: usize>(metric: &impl Metric<D>, x: &SVector<S, D>) {
-    let any = AnyMetric::new(metric);
-    assert_eq!(format!("{:?}", any.gram(x)), format!("{:?}", metric.gram(x)), "at {x:?}");
-}
-
-fn is_itself<const D: usize>(metric: &impl Metric<D>) {
-    let mut random = Random(seed(11));
-    for _ in 0..cases(16) {
-        let x: [f64; D] = std::array::from_fn(|_| random.number() / 8.0);
-        let [s] = Jet2::<f64, 1>::variables(&[0.0]);
-        let [t] = Jet1::<f64, 1>::variables(&[0.0]);
-        let boxes = x.map(|x| Interval::new(x, x + 0.125).expect("ordered ends"));
-        same(metric, &SVector::from(x));
-        same(metric, &SVector::from(Jet1::variables(&x)));
-        same(metric, &SVector::from(Jet2::variables(&x)));
-        same(metric, &SVector::from(x.map(|x| t * 0.5 + x)));
-        same(metric, &SVector::from(x.map(|x| s * 0.5 + x)));
-        same(metric, &SVector::from(boxes));
-        same(metric, &SVector::from(Jet2::variables(&boxes)));
-    }
-    // A recording of what is recorded already.
-    assert_eq!(Formula::record(&AnyMetric::new(metric)), Formula::record(metric));
-}
-
-#[test]
-fn a_metric_behind_a_pointer_gives_the_same_bits_in_all_numbers() {
-    is_itself::<1>(&gallery::Ramp::new(0.5, 1.0).expect("below one"));
-    is_itself::<2>(&gallery::Valleys);
-    is_itself(&gallery::Shear::new(0.5, 1.0).expect("a wave number"));
-    is_itself(&gallery::GaussianFisher);
-    is_itself::<3>(&gallery::Hyperbolic);
-    is_itself(&gallery::SineProjections::benchmark());
-}
 
 /// `eˣ cos y + (sin x)/x` with a branch at 0, beside a metric without one: the same where `x ≠ 0`.
 struct Branches(bool);

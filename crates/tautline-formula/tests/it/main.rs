@@ -6,5 +6,6 @@ mod edges_of_programs;
 mod programs;
 mod random;
 mod random_formulas;
+mod recorded;
 mod squares;
 mod text;

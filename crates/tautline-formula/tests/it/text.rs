@@ -1,4 +1,4 @@
-//! What is typed is what is written in Rust, and what is printed is read again.
+//! A text is the same formula as its Rust.
 
 use nalgebra::{SMatrix, SVector, matrix, vector};
 use tautline_chance::seed;
@@ -7,43 +7,6 @@ use tautline_metrics::{Metric, Scalar, gallery};
 use tautline_scalar::{Interval, Jet1};
 
 use crate::random::Random;
-
-#[track_caller]
-fn reads_back<const D: usize>(metric: &impl Metric<D>) {
-    let formula = Formula::record(metric).expect("no comparison");
-    let text = formula.to_string();
-    assert_eq!(Formula::parse(&text, &[]).as_ref(), Ok(&formula), "{text}");
-}
-
-#[test]
-fn the_gallery_is_printed_and_read_back_step_by_step() {
-    reads_back::<1>(&gallery::Valleys);
-    reads_back(&gallery::Shear::new(0.1, 1.0 / 3.0).expect("a wave number"));
-    reads_back::<2>(&gallery::Bump::new(0.3, 0.7).expect("positive"));
-    reads_back(&gallery::CoupledCosines);
-    reads_back(&gallery::RotatingAnisotropy::new([4.0, 1.0], [1.0, 0.5]).expect("positive"));
-    reads_back(&gallery::SineProjections::benchmark());
-    reads_back::<3>(&gallery::Hyperbolic);
-    reads_back(&gallery::GaussianFisher);
-}
-
-/// Steps that no gallery has: numbers of every kind, powers of every size, pairs.
-struct Odd;
-
-impl Metric<1> for Odd {
-    fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
-        let (x, (a, b)) = (x[0], x[0].sinh_cosh());
-        let numbers = [-0.0, 5e-324, f64::MAX, 0.1, -1e16, f64::INFINITY, -f64::INFINITY, f64::NAN];
-        let sum = numbers.iter().fold(a / b, |sum, &c| (sum + c) * S::constant(c) - x / c);
-        let powers = [i32::MIN, -1, 0, 1, 2, i32::MAX];
-        SMatrix::from_element(powers.iter().fold(-sum.sin_cos().1, |sum, &n| sum + x.powi(n)))
-    }
-}
-
-#[test]
-fn numbers_and_powers_of_every_size_are_read_back() {
-    reads_back(&Odd);
-}
 
 #[test]
 fn a_text_does_what_the_same_formula_does_in_rust() {

@@ -1,4 +1,4 @@
-//! What is contracted of squares of vectors, by the formulas of [the module](super).
+//! The contraction of squares of vectors, by the formulas of [the module](super).
 
 use super::Squares;
 use crate::{
@@ -9,7 +9,7 @@ use crate::{
     operation::Step,
 };
 
-/// What is contracted, as in [`Contracted`](crate::graph::Contracted).
+/// The sums to add to, as in [`Contracted`](crate::graph::Contracted).
 #[derive(Debug)]
 pub(in crate::graph) struct Sums {
     pub(in crate::graph) square: Step,
@@ -20,7 +20,7 @@ pub(in crate::graph) struct Sums {
 }
 
 impl Graph {
-    /// Adds what is contracted of the squares, by the derivatives of their functions.
+    /// Adds the contraction of the squares, given the derivatives of their functions.
     pub(in crate::graph) fn add_squares(
         &mut self,
         squares: &Squares,
@@ -49,7 +49,7 @@ impl Graph {
         if order == Order::Zero {
             return;
         }
-        // `gᵀd` of each form, and `Σₒ wₒ vₒ f`, which is what the form counts in the sum of all `wₒ vₒ aₒ`.
+        // For each form `gᵀd`, and `Σₒ wₒ vₒ f`, its weight in the sum of all `wₒ vₒ aₒ`.
         let mut forms_along = Vec::new();
         for form in forms {
             let terms: Vec<Step> =
@@ -74,7 +74,7 @@ impl Graph {
             doubled.push(self.times(sum, 2.0));
         }
         for (k, slope) in sums.slope.iter_mut().enumerate() {
-            let first = derivatives.iter().map(|of| of.first.get(&k).copied());
+            let first = derivatives.iter().map(|of| of.first(k));
             let sum = self.weighted(&doubled, first);
             *slope = self.add(*slope, sum);
         }
@@ -110,7 +110,7 @@ impl Graph {
         slopes
     }
 
-    /// A number of each form times `∂ₖ` of its function; `None` is 0.
+    /// The number of each form times `∂ₖ` of its function; `None` is 0.
     fn times_slopes(
         &mut self,
         squares: &Squares,
@@ -121,7 +121,7 @@ impl Graph {
         let pairs = squares.forms.iter().zip(of_forms);
         pairs
             .map(|(form, &number)| {
-                let &slope = derivatives[form.function].first.get(&k)?;
+                let slope = derivatives[form.function].first(k)?;
                 Some(self.mul(number, slope))
             })
             .collect()
@@ -177,7 +177,7 @@ impl Graph {
                 terms.push(self.times(product, 2.0 * vector.weight));
             }
             let of_slopes = self.sum(terms);
-            let second = derivatives.iter().map(|of| of.second.get(&place).copied());
+            let second = derivatives.iter().map(|of| of.second(place));
             let of_functions = self.weighted(doubled, second);
             let sum = self.add(of_slopes, of_functions);
             *bend = self.add(*bend, sum);

@@ -1,8 +1,8 @@
-//! Sums of squares of vectors whose entries are combinations of few functions: pullbacks by decoders.
+//! Sums of squares of vectors with entries that combine few functions: pullbacks by decoders.
 //!
-//! Of `H = C₀ + Σₘ bₘ Cₘ + Σₒ wₒ aₒ aₒᵀ` with constants `wₒ`, where `aₒ = cₒ₀ + Σₐ cₒₐ σₐ(x)` with constant
-//! vectors, the products `aₒᵢ aₒⱼ` are more than the entries of `H`, and each depends on all functions `σₐ`.
-//! Derivation of what is contracted of the last sum: with `vₒ = aₒᵀd` and `eₒₐ = cₒₐᵀd`,
+//! In `H = C₀ + Σₘ bₘ Cₘ + Σₒ wₒ aₒ aₒᵀ` with constants `wₒ`, where `aₒ = cₒ₀ + Σₐ cₒₐ σₐ(x)` with constant
+//! vectors, there are more products `aₒᵢ aₒⱼ` than entries of `H`, and each depends on all functions
+//! `σₐ`. Contraction of the last sum, with `vₒ = aₒᵀd` and `eₒₐ = cₒₐᵀd`:
 //!
 //! ```text
 //! ∂ₖ(aₒᵢ) = Σₐ cₒₐᵢ ∂ₖσₐ,   ∂ₖvₒ = Σₐ eₒₐ ∂ₖσₐ,   ∂ₖ∂ₗvₒ = Σₐ eₒₐ ∂ₖ∂ₗσₐ,
@@ -13,8 +13,8 @@
 //! Qₖₗ = 2 Σₒ wₒ ∂ₖvₒ ∂ₗvₒ + 2 Σₒ wₒ vₒ ∂ₖ∂ₗvₒ   = 2 Σₒ wₒ ∂ₖvₒ ∂ₗvₒ + 2 Σₐ hₐ ∂ₖ∂ₗσₐ.
 //! ```
 //!
-//! Only the `σₐ` are differentiated. The Jacobian of a network has `cₒₐ = fₒₐ gₐ` with one form `gₐ` for each
-//! hidden unit: then `eₒₐ = fₒₐ (gₐᵀd)`, and sums over `o` and `a` have `fₒₐ` alone for factors.
+//! Only the `σₐ` are differentiated. The Jacobian of a network has `cₒₐ = fₒₐ gₐ` with one form `gₐ` for
+//! each hidden unit: then `eₒₐ = fₒₐ (gₐᵀd)`, and sums over `o` and `a` have only the factors `fₒₐ`.
 
 mod contraction;
 
@@ -27,7 +27,7 @@ use crate::{
         Graph,
         linear::{Linear, is_linear},
     },
-    operation::{Arithmetic, Function, Operation, Step},
+    operation::{Arithmetic, Function, Operation, Step, needed},
 };
 
 /// `Σₒ wₒ aₒ aₒᵀ`.
@@ -39,7 +39,7 @@ pub(super) struct Squares {
     vectors: Vec<Vector>,
 }
 
-/// A constant vector `g` in the direction of which functions count.
+/// A constant vector `g`, the direction of a function.
 #[derive(Debug)]
 struct Form {
     function: usize,
@@ -50,28 +50,28 @@ struct Form {
 #[derive(Debug)]
 struct Vector {
     weight: f64,
-    /// The entries that are no constants, by their coordinates.
+    /// The nonzero entries with their coordinates.
     entries: Vec<(usize, Step)>,
     /// `f` by forms: the vector of a form times `f` is `cₒₐ`.
     factors: Vec<(usize, f64)>,
 }
 
-/// An entry of a vector, of which the square is in an entry on the diagonal.
+/// An entry of a vector, whose square is a term on the diagonal.
 #[derive(Debug)]
 struct Candidate {
     coordinate: usize,
     step: Step,
     weight: f64,
-    /// This one and those it is multiplied by, in ascending order.
+    /// This candidate and those it is multiplied by, ascending.
     together: Vec<usize>,
 }
 
-/// So many terms are looked at: what has more has a program that is longer than any that is worth it.
+/// The most terms: with more, no program is worth it.
 const MOST_TERMS: usize = 1 << 16;
 
 impl Graph {
-    /// Returns the entries `i ≤ j` of `H` without the squares of vectors, and these; `None` if there are none, or
-    /// there is no less to derive by them than by these bases.
+    /// Splits squares of vectors off the entries `i ≤ j` of `H`; returns the rest and the squares. `None`
+    /// if there are none, or if they leave no less to derive than these bases.
     pub(super) fn squares(
         &self,
         gram: &[Step],
@@ -87,7 +87,7 @@ impl Graph {
         let mut combinations: Vec<Vec<Linear>> = Vec::new();
         for (first, candidate) in candidates.iter().enumerate() {
             let together = &candidate.together;
-            // Each with each, or no square of a vector.
+            // The square of a vector has all products.
             let is_square = together.iter().all(|&other| candidates[other].together == *together);
             if together[0] != first || !is_square {
                 continue;
@@ -117,8 +117,7 @@ impl Graph {
             linear.terms.retain(|&(step, _)| !is_taken(step));
         }
         squares.combine(&combinations, dimension);
-        // Not by the number of all operations: other units have more of those that are linear, and are to have
-        // the same roundings.
+        // Linear operations do not count: other units need more of them, and must round the same.
         let mut own: Vec<Step> =
             rest.iter().flat_map(|linear| &linear.terms).map(|t| t.0).collect();
         own.sort_unstable();
@@ -139,8 +138,8 @@ impl Graph {
         }
     }
 
-    /// The steps whose squares are on the diagonal, with those they are multiplied by in the other entries;
-    /// `None` if a product may be that of two different pairs.
+    /// The steps whose squares are on the diagonal, with those they are multiplied by elsewhere; `None` if
+    /// a product may belong to two different pairs.
     fn candidates(&self, entries: &[Linear], dimension: usize) -> Option<Vec<Candidate>> {
         let (mut candidates, mut known) = (Vec::new(), HashMap::new());
         let at = |i: usize, j: usize| &entries[i * dimension - i * (i + 1) / 2 + j].terms;
@@ -172,33 +171,26 @@ impl Graph {
         Some(candidates)
     }
 
-    /// How many of the steps that these depend on are not linear in what they read.
+    /// How many nonlinear steps these depend on.
     fn count_behind(&self, roots: &[Step]) -> usize {
-        let end = roots.iter().max().map_or(0, |&root| root as usize + 1);
-        let mut is_needed = vec![false; end];
-        roots.iter().for_each(|&root| is_needed[root as usize] = true);
-        let mut count = 0;
-        for step in (0..end).rev().filter(|&step| self.value(step as Step).is_none()) {
-            if is_needed[step] {
-                let operation = self.operations()[step];
-                let reads = operation.reads(step as Step);
-                reads.into_iter().flatten().for_each(|read| is_needed[read as usize] = true);
-                let is_coordinate = matches!(operation, Operation::Coordinate(_));
-                count += usize::from(!is_coordinate && !is_linear(operation));
-            }
-        }
-        count
+        let is_needed = needed(self.operations(), roots, |step| self.value(step).is_none());
+        let counts = |operation: Operation| {
+            let is_leaf = matches!(operation, Operation::Coordinate(_) | Operation::Constant(_));
+            !is_leaf && !is_linear(operation)
+        };
+        let steps = self.operations().iter().zip(is_needed);
+        steps.filter(|&(&operation, is_needed)| is_needed && counts(operation)).count()
     }
 }
 
 impl Squares {
-    /// Takes the vectors apart, of which these are the entries.
+    /// Splits the vectors with these entries into functions and forms.
     fn combine(&mut self, combinations: &[Vec<Linear>], dimension: usize) {
         let terms = || combinations.iter().flatten().flat_map(|linear| &linear.terms);
         self.functions = terms().map(|&(step, _)| step).collect();
         self.functions.sort_unstable();
         self.functions.dedup();
-        // The first form of each function, which others are multiples of.
+        // The first form of each function; others may be multiples of it.
         let mut firsts: Vec<Option<usize>> = vec![None; self.functions.len()];
         for (vector, combination) in self.vectors.iter_mut().zip(combinations) {
             let mut constants = BTreeMap::<usize, Vec<f64>>::new();
