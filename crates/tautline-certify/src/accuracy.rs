@@ -1,8 +1,8 @@
-//! `Accuracy`: how close bounds have to come, and what that may cost.
+//! `Accuracy`: how close bounds should be, and at what cost.
 
 use crate::CertifyError;
 
-/// How close the bounds of a constant are to come, and how many boxes that may cost.
+/// How close the bounds of a constant should be, and how many boxes may be spent on that.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Accuracy {
     /// The relative distance of the bounds, between 0 and 1.
@@ -20,7 +20,7 @@ impl Default for Accuracy {
 }
 
 impl Accuracy {
-    /// Returns the accuracy itself.
+    /// Checks the tolerance.
     ///
     /// # Errors
     ///

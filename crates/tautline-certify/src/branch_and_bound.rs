@@ -9,68 +9,66 @@ use crate::{Accuracy, Cell, Domain};
 
 /// A function on `R^D` that can be bounded on a box.
 pub(crate) trait Bounded<const D: usize>: Sync {
-    /// Returns what is known of the function on a box.
+    /// Returns a bound of the function on a box.
     fn bound(&self, cell: &Cell<D>) -> Bound;
 
-    /// Returns the function at a point, up to rounding; NaN where that overflows or it is not
-    /// defined.
+    /// Returns the value at a point, up to rounding; NaN if it overflows or is undefined.
     fn value(&self, x: &SVector<f64, D>) -> f64;
 
-    /// Returns the function that is wanted at a point, up to rounding, where the one that is
-    /// bounded is never smaller and may be larger.
+    /// Returns the value of the wanted function, up to rounding: the bounded one is never smaller and may
+    /// be larger.
     fn wanted(&self, x: &SVector<f64, D>) -> f64 {
         self.value(x)
     }
 
-    /// Returns whether a search is pointless, because of what the function is at a point.
+    /// Returns whether the value at this point makes the search pointless.
     fn is_refuted(&self, x: &SVector<f64, D>, value: f64) -> bool;
 }
 
-/// What is known of a function on a box.
+/// A bound of a function on a box.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bound {
-    /// No value exceeds it. `∞` or NaN: nothing is known.
+    /// No value exceeds it. `∞` or NaN if there is none.
     pub(crate) upper: f64,
     /// The coordinate across which the box is best cut.
     pub(crate) cut: usize,
 }
 
-/// What a search has found.
+/// The result of a search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Maximum<const D: usize> {
     /// No value on the domain exceeds it: proved.
     pub(crate) upper: f64,
-    /// The point with the largest wanted value that was met, in `ℓ`; `None` if there was no value.
+    /// The point with the largest wanted value found, in `ℓ`; `None` if there was no value.
     pub(crate) at: Option<SVector<f64, D>>,
-    /// A point where the function was refuted, in `ℓ`, if one was met: the search ended there.
+    /// The point where the function was refuted and the search ended, in `ℓ`.
     pub(crate) refuted: Option<SVector<f64, D>>,
-    /// How many boxes were bounded.
+    /// The number of boxes bounded.
     pub(crate) boxes: usize,
     /// Whether the bound is within the tolerance.
     pub(crate) reached: bool,
 }
 
-/// How many boxes are cut at once. Fixed, so that the search is the same for any number of threads.
+/// How many boxes are cut at once: fixed, so that threads do not change the search.
 const BATCH: usize = 64;
 
-/// A box that is still to be cut.
+/// A box to be cut.
 struct Open<const D: usize> {
     upper: f64,
     cut: usize,
     cell: Cell<D>,
-    /// Of two boxes with the same bound the older one is cut first.
+    /// Of boxes with the same bound the oldest is cut first.
     age: usize,
 }
 
 /// Returns an upper bound of the largest value on the domain.
 ///
-/// The box with the largest bound is cut first, many at a time and in parallel, until that bound is
-/// at most the best value that was met at a point, up to the tolerance. The result does not depend
+/// The boxes with the largest bounds are cut first, many at a time and in parallel, until the largest
+/// bound is at most the best value found at a point, up to the tolerance. The result does not depend
 /// on the number of threads.
 ///
-/// A box is dropped if its bound is at most the best value met. That value is rounded, and might be
-/// too large: so what is returned is the larger one of the two, which is a bound of the dropped
-/// boxes and of the others.
+/// A box is dropped if its bound is at most the best value. That value is rounded and may be too
+/// large: so the larger of the two is returned, which bounds the dropped boxes and the others.
 pub(crate) fn maximise<const D: usize>(
     function: &dyn Bounded<D>,
     domain: &Domain<D>,
@@ -79,7 +77,7 @@ pub(crate) fn maximise<const D: usize>(
     let mut search = Search::default();
     let mut found =
         Maximum { upper: f64::INFINITY, at: None, refuted: None, boxes: 0, reached: false };
-    // The boxes to look at next, and a bound of the function on them.
+    // The boxes to bound next, and a bound of the function on all of them.
     let (mut next, mut unseen) = (vec![*domain.bounding_cell()], f64::INFINITY);
     while !next.is_empty() && found.boxes + next.len() <= accuracy.budget {
         let looked_at: Vec<_> = next
@@ -112,7 +110,7 @@ pub(crate) fn maximise<const D: usize>(
 /// The state of a search.
 struct Search<const D: usize> {
     open: BinaryHeap<Open<D>>,
-    /// The largest values met.
+    /// The largest values so far.
     best: f64,
     wanted: f64,
     at: Option<SVector<f64, D>>,
@@ -128,7 +126,7 @@ impl<const D: usize> Default for Search<D> {
 }
 
 impl<const D: usize> Search<D> {
-    /// Takes note of a value; NaN is none.
+    /// Records a value; ignores NaN.
     fn meet(&mut self, x: SVector<f64, D>, value: f64, function: &dyn Bounded<D>) {
         self.best = self.best.max(value);
         if value > self.wanted {
@@ -139,7 +137,7 @@ impl<const D: usize> Search<D> {
         }
     }
 
-    /// Keeps a box unless its bound is at most the best value. A bound that is NaN is none.
+    /// Keeps a box unless its bound is at most the best value. NaN is no bound.
     fn keep(&mut self, cell: Cell<D>, bound: Bound, age: usize) {
         let upper = if bound.upper.is_nan() { f64::INFINITY } else { bound.upper };
         if !(upper <= self.best) {
@@ -147,7 +145,7 @@ impl<const D: usize> Search<D> {
         }
     }
 
-    /// Boxes with larger bounds are to be cut: all of them, until a value is met.
+    /// Boxes with larger bounds are cut: all of them until there is a value.
     fn goal(&self, tolerance: f64) -> f64 {
         // −∞ + ∞ would be NaN, which no bound exceeds.
         if self.best == f64::NEG_INFINITY {
@@ -156,8 +154,8 @@ impl<const D: usize> Search<D> {
         self.best + tolerance * self.best.abs()
     }
 
-    /// Takes off the boxes with the largest bounds, above the goal; returns their halves and the
-    /// largest of these bounds.
+    /// Cuts the boxes with the largest bounds, above the goal; returns their halves and the largest of
+    /// these bounds.
     fn cut(&mut self, tolerance: f64) -> (Vec<Cell<D>>, f64) {
         let goal = self.goal(tolerance);
         let (mut halves, mut upper) = (Vec::new(), f64::NEG_INFINITY);
@@ -174,7 +172,7 @@ impl<const D: usize> Search<D> {
         (halves, upper)
     }
 
-    /// A bound of the function on the boxes kept, and on those dropped.
+    /// A bound of the function on the kept and the dropped boxes.
     fn upper(&self) -> f64 {
         let open = self.open.peek().map_or(f64::NEG_INFINITY, |top| top.upper);
         open.max(self.stuck).max(self.best)
@@ -210,7 +208,7 @@ mod tests {
     use super::{Bound, Bounded, maximise};
     use crate::{Accuracy, Cell, Domain};
 
-    /// `sin 3x₁ cos 2x₂ − (x₁² + x₂²)/10`, and what is wrong with it.
+    /// `sin 3x₁ cos 2x₂ − (x₁² + x₂²)/10`, with defects.
     #[derive(Default)]
     struct Waves {
         undefined_beyond: Option<f64>,
@@ -286,8 +284,8 @@ mod tests {
         }
     }
 
-    /// Dropped boxes had a bound up to the best value that was met, be that rounded or wrong: the
-    /// result must not be below it.
+    /// The bounds of dropped boxes reach up to the best value, even if that is wrong: the result must not
+    /// be below it.
     #[test]
     fn a_value_that_is_too_large_costs_sharpness_and_nothing_else() {
         let boasting = Waves { boasts_by: 0.1, ..Waves::default() };
@@ -315,75 +313,72 @@ mod tests {
         assert!(last < 1.01 * greatest(), "{last}");
     }
 
+    /// A function on the line.
+    struct OnTheLine {
+        bound: fn(Interval) -> f64,
+        value: fn(f64) -> f64,
+        is_refuted: fn(f64, f64) -> bool,
+    }
+
+    impl Bounded<1> for OnTheLine {
+        fn bound(&self, cell: &Cell<1>) -> Bound {
+            Bound { upper: (self.bound)(cell.sides()[0]), cut: 0 }
+        }
+
+        fn value(&self, x: &SVector<f64, 1>) -> f64 {
+            (self.value)(x[0])
+        }
+
+        fn is_refuted(&self, x: &SVector<f64, 1>, value: f64) -> bool {
+            (self.is_refuted)(x[0], value)
+        }
+    }
+
+    fn segment(lower: f64, upper: f64) -> Domain<1> {
+        Domain::cell(Cell::new([lower], [upper]).expect("in order"))
+    }
+
     #[test]
     fn a_point_where_the_function_is_refuted_ends_the_search() {
-        struct Nowhere;
-        impl Bounded<1> for Nowhere {
-            fn bound(&self, _: &Cell<1>) -> Bound {
-                Bound { upper: f64::NAN, cut: 0 }
-            }
-            fn value(&self, x: &SVector<f64, 1>) -> f64 {
-                if x[0] > 0.7 { f64::NAN } else { 0.0 }
-            }
-            fn is_refuted(&self, _: &SVector<f64, 1>, value: f64) -> bool {
-                value.is_nan()
-            }
-        }
-        let domain = Domain::cell(Cell::new([0.0], [1.0]).expect("in order"));
-        let found = maximise(&Nowhere, &domain, EFFORT);
+        let nowhere = OnTheLine {
+            bound: |_| f64::NAN,
+            value: |x| if x > 0.7 { f64::NAN } else { 0.0 },
+            is_refuted: |_, value| value.is_nan(),
+        };
+        let found = maximise(&nowhere, &segment(0.0, 1.0), EFFORT);
         assert!(found.refuted.is_some_and(|x| x[0] > 0.7), "{found:?}");
         assert!(found.upper == f64::INFINITY && !found.reached);
     }
 
-    /// A function without a value at the first few points, by overflow say, is looked at elsewhere.
+    /// A function without a value at the first few points, by overflow say, is evaluated elsewhere.
     #[test]
     fn a_search_goes_on_until_a_value_is_met() {
-        struct Late {
-            refuted: bool,
-        }
-        impl Bounded<1> for Late {
-            fn bound(&self, cell: &Cell<1>) -> Bound {
-                let [x] = *cell.sides();
-                Bound { upper: if x.hi() > 0.25 { f64::INFINITY } else { x.hi() }, cut: 0 }
-            }
-            fn value(&self, x: &SVector<f64, 1>) -> f64 {
-                if x[0] < 0.3 { x[0] } else { f64::NAN }
-            }
-            fn is_refuted(&self, x: &SVector<f64, 1>, _: f64) -> bool {
-                self.refuted && x[0] > 0.9
-            }
-        }
-        let domain = Domain::cell(Cell::new([0.0], [1.0]).expect("in order"));
-        let found = maximise(&Late { refuted: true }, &domain, EFFORT);
+        let late = |is_refuted| OnTheLine {
+            bound: |x| if x.hi() > 0.25 { f64::INFINITY } else { x.hi() },
+            value: |x| if x < 0.3 { x } else { f64::NAN },
+            is_refuted,
+        };
+        let found = maximise(&late(|x, _| x > 0.9), &segment(0.0, 1.0), EFFORT);
         assert!(found.refuted.is_some_and(|x| x[0] > 0.9) && !found.reached, "{found:?}");
         // Without a point that refutes it the budget is spent, and the values that were met count.
         let accuracy = Accuracy { budget: 100, ..EFFORT };
-        let found = maximise(&Late { refuted: false }, &domain, accuracy);
+        let found = maximise(&late(|_, _| false), &segment(0.0, 1.0), accuracy);
         assert!(found.boxes > 90 && found.at.is_some_and(|x| x[0] < 0.3), "{found:?}");
         assert!(found.upper == f64::INFINITY && !found.reached, "{found:?}");
     }
 
-    /// Between two neighbouring doubles there is nothing to cut, and the bound of such a box counts
-    /// all the same: beside another one whose bound is met, and beside one that is cut first.
+    /// Between two neighbouring doubles there is nothing to cut, and the bound of such a box still
+    /// counts: beside another one whose bound is met, and beside one that is cut first.
     #[test]
     fn a_box_that_is_too_small_to_be_cut_keeps_its_bound() {
-        /// 0 at all points, with a bound of 3 on boxes that reach beyond 1.
-        struct Spike;
-        impl Bounded<1> for Spike {
-            fn bound(&self, cell: &Cell<1>) -> Bound {
-                let [x] = *cell.sides();
-                Bound { upper: if x.hi() > 1.0 { 3.0 } else { 0.0 }, cut: 0 }
-            }
-            fn value(&self, _: &SVector<f64, 1>) -> f64 {
-                0.0
-            }
-            fn is_refuted(&self, _: &SVector<f64, 1>, _: f64) -> bool {
-                false
-            }
-        }
+        // 0 at all points, with a bound of 3 on boxes that reach beyond 1.
+        let spike = OnTheLine {
+            bound: |x| if x.hi() > 1.0 { 3.0 } else { 0.0 },
+            value: |_| 0.0,
+            is_refuted: |_, _| false,
+        };
         for lower in [1.0, 1.0 - 1e-12, 0.0] {
-            let cell = Cell::new([lower], [1.0_f64.next_up()]).expect("in order");
-            let found = maximise(&Spike, &Domain::cell(cell), EFFORT);
+            let found = maximise(&spike, &segment(lower, 1.0_f64.next_up()), EFFORT);
             assert!(found.upper == 3.0 && !found.reached, "{lower}: {found:?}");
         }
     }

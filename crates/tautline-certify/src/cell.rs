@@ -1,4 +1,4 @@
-//! `Cell`: a box of `R^D`, on which a formula is evaluated at once.
+//! `Cell`: a box in `R^D`.
 
 use nalgebra::SVector;
 use tautline_scalar::Interval;
@@ -21,10 +21,9 @@ pub struct Cell<const D: usize> {
     sides: [Interval; D],
 }
 
-/// Above this a side is cut where its ends have the same ratio to the cut, in `ℓ`.
+/// Longer sides are cut at the geometric mean of their ends, in `ℓ`.
 ///
-/// A metric without a length of its own that is much larger or smaller is cut well; one with such a
-/// length needs some more cuts.
+/// A metric whose length scale differs much from this needs some more cuts.
 const UNIT: f64 = 1.0;
 
 impl<const D: usize> Cell<D> {
@@ -56,25 +55,24 @@ impl<const D: usize> Cell<D> {
         &self.sides
     }
 
-    /// Returns a point inside, the middle up to rounding, in `ℓ`.
+    /// Returns the midpoint up to rounding, a point of the box, in `ℓ`.
     #[must_use]
     pub fn midpoint(&self) -> SVector<f64, D> {
         SVector::from_fn(|i, _| self.sides[i].midpoint())
     }
 
-    /// Returns whether `x`, in `ℓ`, lies in the box, its surface included.
+    /// Returns whether `x`, in `ℓ`, lies in the closed box.
     #[must_use]
     pub fn contains(&self, x: &SVector<f64, D>) -> bool {
         self.sides.iter().zip(x).all(|(side, &x)| side.contains(x))
     }
 
-    /// Returns the point of the box that is nearest to `x`, both in `ℓ`.
+    /// Returns the point of the box nearest to `x`, both in `ℓ`.
     pub(crate) fn nearest(&self, x: &SVector<f64, D>) -> SVector<f64, D> {
         SVector::from_fn(|i, _| x[i].clamp(self.sides[i].lo(), self.sides[i].hi()))
     }
 
-    /// Returns the two halves that a cut across `coordinate` leaves; `None` if there is no double
-    /// between the ends of that side.
+    /// Cuts the box across `coordinate`; `None` if there is no double between the ends of that side.
     pub(crate) fn halves(&self, coordinate: usize) -> Option<[Self; 2]> {
         let side = self.sides[coordinate];
         let (lo, hi) = (side.lo(), side.hi());
@@ -122,8 +120,8 @@ mod tests {
                     })
                     .collect();
             }
-            // 2¹⁰⁰ has been reached by squares: after 12 cuts no cell reaches over more than a
-            // factor 4 and over more than 4 as well.
+            // Geometric cuts halve exponents: after 12 cuts every cell has width 4 at most, or a ratio
+            // of its ends of 4 at most.
             for cell in cells {
                 let side = cell.sides()[0];
                 let narrow = side.width() <= 4.0 || side.magnitude() <= 4.0 * side.mignitude();

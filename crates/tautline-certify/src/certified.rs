@@ -1,4 +1,4 @@
-//! `Certified`: a metric with the constants that its formula proves.
+//! `Certified`: a metric with constants proved from its formula.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_formula::AnyMetric;
@@ -7,8 +7,8 @@ use tautline_scalar::Scalar;
 
 use crate::{Accuracy, CertifiedConstants, CertifyError, Domain};
 
-/// A metric with the constants that its formula proves on all of `R^D`: for a metric whose author
-/// does not state any. They are those of `D` dimensions, whatever other dimensions the formula has.
+/// A metric with constants on all of `R^D` that are proved from its formula, for metrics that do not
+/// declare any. A proof holds in dimension `D` only, even if the formula works in others.
 ///
 /// ```
 /// use nalgebra::{SMatrix, SVector, matrix};
@@ -53,8 +53,7 @@ impl<M: Metric<D>, const D: usize> Certified<M, D> {
         Ok(Self { metric, constants })
     }
 
-    /// Proves the constants on [`Domain::settled_space`]: the caller declares that the metric
-    /// settles.
+    /// Proves the constants on [`Domain::settled_space`]: you declare that the metric settles.
     ///
     /// # Errors
     ///
@@ -109,7 +108,7 @@ mod tests {
         assert!(!proved.is_local() && proved.is_isotropic());
     }
 
-    /// The formula has a meaning in every dimension; what was proved in one is not said in another.
+    /// The formula works in every dimension; a proof in one says nothing about another.
     #[test]
     fn a_proof_belongs_to_its_dimension() {
         struct Growing;
@@ -129,7 +128,7 @@ mod tests {
         assert!(line.constants().is_isotropic() && !plane.constants().is_isotropic());
     }
 
-    /// Intervals would follow one of the branches.
+    /// Intervals would follow one branch.
     #[test]
     fn nothing_is_proved_of_a_formula_with_branches() {
         struct Branch;

@@ -1,4 +1,4 @@
-//! Why nothing could be proved.
+//! `CertifyError`: why nothing could be proved.
 
 use tautline_formula::RecordError;
 use tautline_metrics::HypothesisError;
@@ -7,7 +7,7 @@ use thiserror::Error;
 
 use crate::Quantity;
 
-/// Why a constant, or a box to look for it, is refused.
+/// Why a constant or a domain is refused.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum CertifyError {
@@ -26,13 +26,13 @@ pub enum CertifyError {
         #[source]
         cause: Option<IntervalError>,
     },
-    /// No ball has such a radius.
+    /// A radius that is negative or not finite.
     #[error("a radius of {radius} is negative or not finite")]
     NotARadius {
         /// The radius that was given, in `ℓ`.
         radius: f64,
     },
-    /// A metric that is declared to settle still changes at the reach of the domain.
+    /// A metric declared to settle still changes at the reach of the domain.
     #[error(
         "along coordinate {coordinate} the metric still changes by up to {change} in proportion \
          when the distance is doubled"
@@ -40,11 +40,11 @@ pub enum CertifyError {
     NotSettled {
         /// The index of the coordinate, from 0.
         coordinate: usize,
-        /// A bound of the change, in proportion to the metric; NaN if there is none.
+        /// A bound of the relative change; NaN if there is none.
         change: f64,
     },
-    /// Constants on all of `R^D` are asked for, and the formula does not show that the metric is
-    /// periodic or constant along each coordinate.
+    /// Constants on all of `R^D` need a metric that is shown, by its formula, to be periodic or constant
+    /// along each coordinate.
     #[error("the formula does not show that a bounded domain stands for all of space")]
     NotAllOfSpace,
     /// The requested relative tolerance is not between 0 and 1.
@@ -53,15 +53,14 @@ pub enum CertifyError {
         /// The tolerance.
         tolerance: f64,
     },
-    /// The formula cannot be recorded: proofs read it from its record, since intervals would follow one
-    /// branch of several.
+    /// The formula cannot be recorded. Proofs use the record, since intervals would follow one branch.
     #[error("nothing is proved of a formula that cannot be recorded: {0}")]
     NotRecorded(#[source] RecordError),
-    /// There is no dimension.
+    /// Dimension 0.
     #[error("D = 0: there is no dimension")]
     NoDimension,
-    /// At a point of the domain the formula, evaluated with bounds, is not shown to be defined: a
-    /// root of something that may be negative, say, or the tangent of a number beyond `2²⁰`.
+    /// At a point of the domain the formula, evaluated in intervals, may be undefined: a root of a number
+    /// that may be negative, for example, or the tangent of a number beyond `2²⁰`.
     #[error("the metric is not shown to be defined at {point:?}")]
     Undefined {
         /// Where it was evaluated, in `ℓ`.
@@ -75,23 +74,22 @@ pub enum CertifyError {
     NotPositiveDefinite {
         /// Where it was evaluated, in `ℓ`.
         point: Vec<f64>,
-        /// A bound from above of the least eigenvalue there, in `m²/ℓ²`; not positive.
+        /// An upper bound of the least eigenvalue there, in `m²/ℓ²`; not positive.
         eigenvalue: f64,
     },
-    /// The budget of boxes was spent before the bounds were as close as asked for. What they had
-    /// come to is right, only wider.
+    /// The budget of boxes was spent before the bounds were close enough. They hold all the same.
     #[error("after {boxes} boxes, {quantity} is only known to lie between {lower:?} and {upper:?}")]
     BudgetSpent {
         /// Which constant.
         quantity: Quantity,
-        /// The bound from below, in the constant's unit.
+        /// The lower bound, in the constant's unit.
         lower: f64,
-        /// The bound from above, perhaps infinite.
+        /// The upper bound, perhaps infinite.
         upper: f64,
         /// How many boxes were evaluated.
         boxes: usize,
     },
-    /// The bounds are no constants of a metric: a bound of one overflows, say.
+    /// The bounds are not constants of a metric: one overflows, for example.
     #[error(transparent)]
     Hypothesis(#[from] HypothesisError),
 }

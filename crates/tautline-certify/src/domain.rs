@@ -1,4 +1,4 @@
-//! `Domain`: where a constant is to hold.
+//! `Domain`: where a constant holds.
 
 use nalgebra::SVector;
 use num_traits::{One, Zero};
@@ -11,9 +11,9 @@ use crate::{
     formula::{Along, dependence, is_radial, superfluous},
 };
 
-/// A convex compact set on which constants are proved, and what they then hold on.
+/// A convex compact set on which constants are proved, and the scope on which they then hold.
 ///
-/// Convex, since on a convex set the largest `‖DH‖` is the Lipschitz constant of `H`.
+/// On a convex set the largest `‖DH‖` is the Lipschitz constant of `H`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Domain<const D: usize> {
     cell: Cell<D>,
@@ -35,8 +35,8 @@ enum Scope {
 impl<const D: usize> Domain<D> {
     /// How far [`Domain::space`] reaches where a metric is neither constant nor periodic: `2¹⁰⁰ ℓ`.
     ///
-    /// Tenth powers of coordinates do not overflow there, and times the least double, which stands
-    /// for what underflows, they are nothing.
+    /// Tenth powers of coordinates do not overflow there, and times the least double, which replaces
+    /// what underflows, they are negligible.
     pub const REACH: f64 = f64::from_bits((1023 + 100) << 52);
 
     /// Returns a box.
@@ -55,8 +55,8 @@ impl<const D: usize> Domain<D> {
         if !(radius >= 0.0 && radius.is_finite()) {
             return Err(CertifyError::NotARadius { radius });
         }
-        // One double farther, since the sums are rounded; nothing is for the radius 0, and there a
-        // derivative may vanish that vanishes nowhere near.
+        // One double farther, since the sums are rounded. Not for the radius 0: nothing is rounded, and
+        // a derivative may vanish at the centre only.
         let cell = if radius == 0.0 {
             Cell::new(centre, centre)?
         } else {
@@ -68,16 +68,15 @@ impl<const D: usize> Domain<D> {
         Ok(Self { cell, ball: Some((centre, radius)), scope: Scope::Region })
     }
 
-    /// Returns a box that stands for all of `R^D`, as far as the formula of `metric` shows it to.
+    /// Returns a box that represents all of `R^D`, as far as the formula of `metric` shows.
     ///
-    /// Along a coordinate that does not occur in the formula, or only in differences with others,
-    /// it has the width 0, and so it has along all but the first where the formula is a function of
-    /// `|x|²` times the identity; along one in which the formula is periodic, it is one period,
-    /// rounded up. All that is read off the formula, not sampled: sines, cosines and tangents of
-    /// linear functions are followed, with coefficients that are doubles with a common divisor.
-    /// Along any other coordinate it reaches from `−2¹⁰⁰` to `2¹⁰⁰`, and
-    /// [`is_all_of_space`](Domain::is_all_of_space) is false: nothing is said of what lies beyond
-    /// [`REACH`](Domain::REACH).
+    /// Its width is 0 along a coordinate that does not occur in the formula, or only in differences
+    /// with others, and along all but the first if the formula is a function of `|x|²` times the
+    /// identity. Along a coordinate in which the formula is periodic, it is one period, rounded up. All
+    /// this is read off the formula, not sampled: it follows sines, cosines and tangents of linear
+    /// functions with coefficients that are doubles with a common divisor. Along any other coordinate
+    /// the box reaches from `−2¹⁰⁰` to `2¹⁰⁰`, and [`is_all_of_space`](Domain::is_all_of_space) is
+    /// false: nothing is known beyond [`REACH`](Domain::REACH).
     ///
     /// ```
     /// use tautline_certify::Domain;
@@ -98,7 +97,7 @@ impl<const D: usize> Domain<D> {
         let along = along(metric);
         let sides = along.map(|along| match along {
             Along::Constant => Interval::zero(),
-            // Four right angles, each arctan ∞ = 2 arctan 1, by the kernel of the intervals.
+            // 2π = 8 arctan 1, enclosed.
             Along::Periodic(wave_number) => {
                 let period = Interval::constant(1.0).atan() * 8.0 / wave_number;
                 Interval::zero().hull(period)
@@ -108,7 +107,7 @@ impl<const D: usize> Domain<D> {
         let whole = along.iter().all(|along| *along != Along::Unknown);
         let scope = if whole { Scope::Space } else { Scope::Region };
         let corner = |end: fn(Interval) -> f64| SVector::from(sides.map(end));
-        // Wave numbers down to the least double have periods that overflow.
+        // The periods of the least wave numbers overflow.
         let cell = Cell::new(corner(Interval::lo), corner(Interval::hi));
         match cell {
             Ok(cell) => Self { cell, ball: None, scope },
@@ -120,12 +119,11 @@ impl<const D: usize> Domain<D> {
         }
     }
 
-    /// Returns [`space`](Domain::space) as all of `R^D`, for a metric that is declared to settle:
-    /// farther out than [`REACH`](Domain::REACH) it is to change no more than a constant metric
-    /// does.
+    /// Returns [`space`](Domain::space) as all of `R^D`, for a metric that you declare to settle: beyond
+    /// [`REACH`](Domain::REACH) it is constant.
     ///
-    /// That is the caller's word, as of a metric with Gaussian or saturated parts. It is checked on
-    /// the last octave: for `R/2 ≤ |xₖ| ≤ R`, `R` the reach, and all other coordinates within
+    /// Metrics with Gaussian or saturated parts are examples. The declaration is checked on the last
+    /// octave: for `R/2 ≤ |xₖ| ≤ R`, with the reach `R`, and all other coordinates within
     /// [`space`](Domain::space), `R |∂H|` and `R² |∂²H|` are at most `10⁻⁹ Hᵢᵢ` in each entry.
     ///
     /// # Errors
@@ -155,20 +153,20 @@ impl<const D: usize> Domain<D> {
         })
     }
 
-    /// Returns the box that contains the domain; the domain itself unless it is a ball.
+    /// Returns the bounding box; the domain itself unless it is a ball.
     #[must_use]
     pub fn bounding_cell(&self) -> &Cell<D> {
         &self.cell
     }
 
-    /// Returns whether what holds here holds on all of `R^D`, under the metric that the domain was
-    /// made for: as its formula proves, or as [`settled_space`](Domain::settled_space) was told.
+    /// Returns whether constants on the domain hold on all of `R^D`, for the metric that the domain was
+    /// made for: as its formula proves, or as you declared to [`settled_space`](Domain::settled_space).
     #[must_use]
     pub fn is_all_of_space(&self) -> bool {
         self.scope != Scope::Region
     }
 
-    /// Returns the same for this metric, whatever metric the domain was made for.
+    /// Returns the same for any metric, whatever metric the domain was made for.
     pub(crate) fn stands_for_space_under(&self, metric: &impl Metric<D>) -> bool {
         match self.scope {
             Scope::Region => false,
@@ -177,7 +175,7 @@ impl<const D: usize> Domain<D> {
         }
     }
 
-    /// Returns whether no point of `cell` lies in the domain: false in doubt.
+    /// Returns whether `cell` certainly misses the domain.
     pub(crate) fn misses(&self, cell: &Cell<D>) -> bool {
         self.ball.is_some_and(|(centre, radius)| {
             let nearest = distance_squared(&cell.nearest(&centre), &centre);
@@ -185,7 +183,7 @@ impl<const D: usize> Domain<D> {
         })
     }
 
-    /// Returns a point of `cell` that certainly lies in the domain, the middle if possible.
+    /// Returns a point of `cell` that certainly lies in the domain, its midpoint if possible.
     pub(crate) fn point_in(&self, cell: &Cell<D>) -> Option<SVector<f64, D>> {
         let middle = cell.midpoint();
         let Some((centre, radius)) = self.ball else { return Some(middle) };
@@ -195,7 +193,7 @@ impl<const D: usize> Domain<D> {
         if inside(&middle) {
             return Some(middle);
         }
-        // On the sphere, or just below, on the ray through the middle; then in the cell again.
+        // On the sphere or just inside, on the ray through the midpoint; then clamped to the cell.
         let away = middle - centre;
         let pulled = centre + away * (radius / away.norm() * (1.0 - 4.0 * f64::EPSILON));
         [cell.nearest(&pulled), cell.nearest(&centre)].into_iter().find(|x| inside(x))
@@ -249,18 +247,15 @@ fn distance_squared<const D: usize>(x: &SVector<f64, D>, y: &SVector<f64, D>) ->
 mod tests {
     use std::f64::consts::TAU;
 
-    use nalgebra::{SMatrix, SVector, vector};
-    use tautline_metrics::{
-        Metric,
-        gallery::{
-            Constant, CoupledCosines, GaussianFisher, GaussianFisherPatch, HyperbolicPatch, Lens,
-            Ramp, Sphere, SpherePatch, Swirl,
-        },
+    use nalgebra::{SMatrix, vector};
+    use tautline_metrics::gallery::{
+        Constant, CoupledCosines, GaussianFisher, GaussianFisherPatch, HyperbolicPatch, Lens, Ramp,
+        Sphere, SpherePatch, Swirl,
     };
-    use tautline_scalar::{Interval, Scalar};
+    use tautline_scalar::Interval;
 
     use super::Domain;
-    use crate::{Cell, CertifyError};
+    use crate::{Cell, CertifyError, parsed};
 
     #[test]
     fn a_ball_contains_its_points_and_misses_the_corners_of_its_box() {
@@ -325,24 +320,18 @@ mod tests {
         assert!(Domain::<2>::settled_space(&Sphere).is_err());
     }
 
-    /// A little on the last octave, by the first derivative, by the second, and on one side.
+    /// A small change on the last octave, seen by the first derivative, by the second, or on one side.
     #[test]
     fn what_still_changes_a_little_has_not_settled() {
-        struct Still(usize);
-        impl Metric<1> for Still {
-            fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
-                let scaled = x[0] * 2.0_f64.powi(-80);
-                SMatrix::from_element(match self.0 {
-                    0 => (x[0] * 2.0_f64.powi(-100)).tanh() * 1e-3 + 1.0,
-                    1 => (scaled + x[0].tanh()).sin() * 1e-17 + 1.0,
-                    2 => (x[0] * -2.0_f64.powi(-95)).exp() * 1e-6 + 1.0,
-                    _ => (x[0] * 2.0_f64.powi(-95)).exp() * 1e-6 + 1.0,
-                })
-            }
-        }
-        for k in 0..4 {
-            let error = Domain::settled_space(&Still(k)).expect_err("it changes");
-            assert!(matches!(error, CertifyError::NotSettled { .. }), "{k}: {error}");
+        for text in [
+            "tanh(x1*2^-100)*1e-3 + 1",
+            "sin(x1*2^-80 + tanh(x1))*1e-17 + 1",
+            "exp(x1*-2^-95)*1e-6 + 1",
+            "exp(x1*2^-95)*1e-6 + 1",
+        ] {
+            let error = Domain::<1>::settled_space(&parsed(&format!("{text} I")));
+            let error = error.expect_err("it changes");
+            assert!(matches!(error, CertifyError::NotSettled { .. }), "{text}: {error}");
         }
     }
 
@@ -358,7 +347,7 @@ mod tests {
         assert!(!Domain::<2>::space(&lens).stands_for_space_under(&lens));
     }
 
-    /// The sums of centre and radius are rounded, and the box must not be too small.
+    /// Centre plus radius is rounded, and the box must not be too small.
     #[test]
     fn the_box_of_a_ball_holds_its_ends() {
         for i in 1..200 {

@@ -1,43 +1,33 @@
-//! What a domain takes for itself, and for all of space: in doubt, and in every coordinate.
+//! Domains in doubt: points at the rim of a ball, and metrics that may not settle.
 
-use nalgebra::{SMatrix, SVector};
-use tautline_metrics::Metric;
-use tautline_scalar::Scalar;
+use crate::{Cell, CertifyError, Domain, parsed};
 
-use crate::{Cell, CertifyError, Domain};
-
-/// A metric of the plane that goes on changing, be it along the second coordinate, in the second
-/// entry of the diagonal, or beside it, has not settled.
+/// A metric of the plane that still changes has not settled: along the second coordinate, in the
+/// second diagonal entry, or beside the diagonal.
 #[test]
 fn each_coordinate_and_each_entry_has_to_settle() {
-    struct Still(usize);
-    impl Metric<2> for Still {
-        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-            let changes = |x: S| (x * 2.0_f64.powi(-100)).tanh() * 1e-3;
-            // Nothing, unless x is near 0.
-            let near = |x: S| (-x.sqr()).exp();
-            let (zero, one) = (S::zero(), S::one());
-            let [a, b, c] = match self.0 {
-                // Far out along the other coordinate there is no change.
-                0 => [one, zero, near(x[1]) * changes(x[0]) + 1.0],
-                1 => [one, zero, near(x[0]) * changes(x[1]) + 1.0],
-                2 => [one, near(x[0]) * changes(x[1]), one],
-                3 => [changes(x[1]) + 1.0, zero, one],
-                // Small beside one entry, and not beside the other.
-                4 => [S::constant(1e20), zero, changes(x[0]) + 1.0],
-                5 => [changes(x[1]) + 1.0, zero, S::constant(1e20)],
-                _ => [near(x[0]) * near(x[1]) + 1.0, near(x[0]) * near(x[1]) * 0.1, one],
-            };
-            SMatrix::from_fn(|i, j| [a, b, c][i + j])
-        }
-    }
-    for (k, along) in [0, 1, 1, 1, 0, 1].into_iter().enumerate() {
-        match Domain::settled_space(&Still(k)) {
+    let settled = |entries: &str| {
+        let parts = "f1 = tanh(x1*2^-100)*1e-3; f2 = tanh(x2*2^-100)*1e-3;
+            near1 = exp(-sqr(x1)); near2 = exp(-sqr(x2));";
+        Domain::<2>::settled_space(&parsed(&format!("{parts} {entries}")))
+    };
+    for (entries, along) in [
+        // Far out along the other coordinate there is no change.
+        ("diag(1, near2*f1 + 1)", 0),
+        ("diag(1, near1*f2 + 1)", 1),
+        ("[1, near1*f2; near1*f2, 1]", 1),
+        ("diag(f2 + 1, 1)", 1),
+        // Small beside one entry, and not beside the other.
+        ("diag(1e20, f1 + 1)", 0),
+        ("diag(f2 + 1, 1e20)", 1),
+    ] {
+        match settled(entries) {
             Err(CertifyError::NotSettled { coordinate, .. }) => assert_eq!(coordinate, along),
-            other => panic!("{k}: {other:?}"),
+            other => panic!("{entries}: {other:?}"),
         }
     }
-    assert!(Domain::settled_space(&Still(6)).is_ok_and(|space| space.is_all_of_space()));
+    let bump = settled("b = near1*near2; [b + 1, b*0.1; b*0.1, 1]");
+    assert!(bump.is_ok_and(|space| space.is_all_of_space()));
 }
 
 /// The sign of `x − c − r`, exactly, for an `x` near `c + r`: the first difference with its
@@ -49,8 +39,8 @@ fn beyond(x: f64, c: f64, r: f64) -> f64 {
     (difference - r) + rounding
 }
 
-/// Whether a double just inside or outside of a ball belongs to it is known in exact arithmetic
-/// only: what may belong to it is not missed, and what may not is not taken.
+/// Only exact arithmetic can tell whether a double near the rim belongs to a ball: a point that may
+/// belong is not missed, one that may not is not taken.
 #[test]
 fn in_doubt_a_point_is_not_missed_and_not_taken() {
     let (mut inside, mut outside) = (0, 0);

@@ -1,12 +1,12 @@
 //! What intervals prove about a metric and a curve.
 //!
-//! Everything here is computed from the formula of the metric alone, with outward rounding, and
-//! holds for all points of a box at once: nothing is sampled.
+//! Everything is computed from the formula of the metric alone, with outward rounding, and holds for
+//! all points of a box at once: nothing is sampled.
 //!
 //! * The constants `c₁`, `c₂`, `L_H` and `M_H` on a box, a ball or all of space: [`certify`],
 //!   [`CertifiedConstants`]; as a metric that has them, [`Certified`] and [`LocallyCertified`].
-//! * The energy and the length of a polygon, [`Polygon`], and the bound of the distance of two sets
-//!   that it proves, [`AdmissibleCurve`].
+//! * The energy and the length of a polygon, [`Polygon`], and the bound it proves on the distance
+//!   between two sets, [`AdmissibleCurve`].
 //!
 //! ```
 //! use tautline_certify::{Domain, Accuracy, Quantity, certify};
@@ -21,17 +21,20 @@
 //!
 //! # Trust base
 //!
-//! What has to be believed for a number of this crate to hold: the trust base of
-//! [`Interval`](tautline_scalar::Interval), that is, that `+ − × ÷ √` of doubles are rounded as
-//! IEEE 754 demands, that the compiler and the processor do what they say, and that the derivations
-//! in the comments of the intervals are right; that jets, Gershgorin's and Collatz and Wielandt's
-//! theorems, Taylor's formula and the search are implemented as they are described here; that the
-//! formula of the metric is the one that is meant, its decimals read as doubles, asks the same of all
-//! numbers, and is recorded and evaluated from its record as it is written; and, where a metric is [declared to
-//! settle](Domain::settled_space), that word. Nothing that is computed in plain doubles is
-//! believed: eigenvectors, choices and the best points found are guesses, which a bad one makes
-//! useless but not wrong. In particular no mathematical library, no linear algebra and no optimiser
-//! is part of it.
+//! The numbers of this crate hold if you trust
+//!
+//! * the trust base of [`Interval`](tautline_scalar::Interval): `+ − × ÷ √` of doubles are rounded as
+//!   IEEE 754 demands, the compiler and the processor are correct, and so are the derivations in the
+//!   comments of the intervals;
+//! * the implementation of jets, of the theorems of Gershgorin and of Collatz and Wielandt, of
+//!   Taylor's formula and of the search;
+//! * the formula: it is the one you mean, with its decimals read as doubles, it does the same in all
+//!   number types, and it is recorded and evaluated as written;
+//! * your word, if you [declare a metric to settle](Domain::settled_space).
+//!
+//! Nothing computed in plain doubles is trusted: eigenvectors, choices and best points are guesses; a
+//! bad guess makes a bound useless, not wrong. No mathematical library, linear algebra or optimiser
+//! is part of the trust base.
 
 mod accuracy;
 mod branch_and_bound;
@@ -54,3 +57,9 @@ pub use constants::{CertifiedConstant, CertifiedConstants, Quantity, certify};
 pub use curves::{AdmissibleCurve, CurveError, Polygon};
 pub use domain::Domain;
 pub use locally_certified::LocallyCertified;
+
+/// The metric with this text.
+#[cfg(test)]
+fn parsed<const D: usize>(text: &str) -> tautline_formula::Formula<D> {
+    tautline_formula::Formula::parse(text, &[]).unwrap_or_else(|error| panic!("{text}: {error}"))
+}

@@ -1,4 +1,4 @@
-//! `LocallyCertified`: a metric with constants on balls that its formula proves.
+//! `LocallyCertified`: a metric with constants on balls that are proved from its formula.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_metrics::{Constants, LocalError, LocallyBounded, Metric};
@@ -6,9 +6,8 @@ use tautline_scalar::Scalar;
 
 use crate::{Accuracy, CertifiedConstants, Domain};
 
-/// A metric whose constants on a ball are proved from its formula when they are asked for: the
-/// constants that the competitors of a computed line need, for a metric that may have none on all
-/// of `R^D`.
+/// A metric whose constants on a ball are proved from its formula on demand: the competitors of a
+/// computed line need only these, and the metric may have none on all of `R^D`.
 ///
 /// ```
 /// use tautline_certify::{Accuracy, LocallyCertified};
@@ -26,7 +25,7 @@ pub struct LocallyCertified<M> {
 }
 
 impl<M> LocallyCertified<M> {
-    /// Takes a metric, and the accuracy of the constants on each ball.
+    /// Wraps a metric, with the accuracy of the constants on each ball.
     #[must_use]
     pub fn new(metric: M, accuracy: Accuracy) -> Self {
         Self { metric, accuracy }
@@ -48,8 +47,8 @@ impl<M: Metric<D>, const D: usize> Metric<D> for LocallyCertified<M> {
 impl<M: Metric<D>, const D: usize> LocallyBounded<D> for LocallyCertified<M> {
     /// # Errors
     ///
-    /// [`LocalError::NotProved`] where the metric is undefined or indefinite on the ball, and where
-    /// the budget is spent, with which of these as its reason.
+    /// [`LocalError::NotProved`] with the reason: the metric is undefined or indefinite somewhere on the
+    /// ball, or the budget is spent.
     fn constants_within(
         &self,
         centre: &SVector<f64, D>,
@@ -59,7 +58,7 @@ impl<M: Metric<D>, const D: usize> LocallyBounded<D> for LocallyCertified<M> {
         let proved = Domain::ball(*centre, radius).and_then(|ball| {
             CertifiedConstants::new(&self.metric, &ball, self.accuracy)?.constants()
         });
-        // On a ball, whatever the formula shows of all of space.
+        // Only on the ball, even if the formula shows more.
         proved.map(Constants::on_a_region).map_err(|why| {
             let reason = why.to_string();
             LocalError::NotProved { radius, reason }
@@ -79,7 +78,6 @@ mod tests {
     use super::LocallyCertified;
     use crate::Accuracy;
 
-    /// On balls, where the constants are known in closed form.
     #[test]
     fn the_proved_constants_are_those_in_closed_form() {
         fn check(metric: impl LocallyBounded<2>, centre: [f64; 2], radius: f64) {
@@ -89,8 +87,7 @@ mod tests {
             let proved = LocallyCertified::new(metric, accuracy);
             let proved = proved.constants_within(&centre, radius).expect("proved");
             assert!(proved.is_local());
-            // Closed forms on balls that are not about the origin may give away more than the
-            // tolerance.
+            // Closed forms on balls off the origin may overestimate by more than the tolerance.
             assert!(proved.c1() >= known.c1() * 0.99 && proved.c2() <= known.c2() * 1.01);
             assert!(proved.l_h() <= known.l_h() * 1.01, "{proved:?} {known:?}");
             let (Some(proved), Some(known)) = (proved.m_h(), known.m_h()) else { panic!("M_H") };
@@ -102,7 +99,7 @@ mod tests {
         check(GaussianFisher, [3.0, 0.5], 0.4);
     }
 
-    /// All of the ball, and not a little less.
+    /// On all of the ball, not a little less.
     #[test]
     fn the_constants_hold_up_to_the_rim() {
         let (centre, accuracy) = (vector![0.0], Accuracy { tolerance: 1e-6, budget: 100_000 });
@@ -114,14 +111,14 @@ mod tests {
         assert!(within(proved.c1(), known.c1()), "{proved:?} {known:?}");
     }
 
-    /// The slope of the sphere vanishes at its pole, and is positive a double farther: a point is a
-    /// ball, the first that competitors ask for.
+    /// The slope of the sphere vanishes at its pole and is positive a double farther. A point is a ball,
+    /// the first that competitors need.
     #[test]
     fn the_constants_at_a_point_are_those_of_the_point() {
         let proved = LocallyCertified::new(Sphere, Accuracy::default());
         let pole = proved.constants_within(&vector![0.0, 0.0], 0.0).expect("proved");
         assert_eq!(pole.l_h(), 0.0);
-        // H = 4 there, by some roundings.
+        // H = 4 there, up to rounding.
         assert!(pole.c1() <= 4.0 && 4.0 <= pole.c2() && pole.c2() - pole.c1() < 1e-14, "{pole:?}");
     }
 
@@ -139,7 +136,7 @@ mod tests {
         assert_eq!(error, LocalError::NotARadius { radius: -1.0 });
     }
 
-    /// Intervals would follow one of the branches.
+    /// Intervals would follow one branch.
     #[test]
     fn a_formula_with_branches_has_no_constants() {
         struct Branch;

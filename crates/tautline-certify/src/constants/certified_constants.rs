@@ -32,12 +32,12 @@ impl<const D: usize> CertifiedConstants<D> {
     /// # Ok::<(), tautline_certify::CertifyError>(())
     /// ```
     ///
-    /// They are constants on all of `R^D` only if the domain stands for that under this metric, and
-    /// not under the one that it was made for.
+    /// They are constants on all of `R^D` only if the domain represents it for this metric; the metric
+    /// that the domain was made for does not matter.
     ///
     /// # Errors
     ///
-    /// As [`certify`], for the first of them that fails.
+    /// As [`certify`], for the first constant that fails.
     pub fn new(
         metric: &impl Metric<D>,
         domain: &Domain<D>,
@@ -79,13 +79,13 @@ impl<const D: usize> CertifiedConstants<D> {
         self.m_h
     }
 
-    /// Returns the bounds on the safe side, as constants of the metric; they [hold on a
-    /// region](Constants::is_local) unless the domain stands for all of space, and say so if the
-    /// formula shows a [multiple of the identity](Constants::is_isotropic).
+    /// Returns the safe bounds as constants of the metric. They [hold on a region](Constants::is_local)
+    /// unless the domain represents all of space, and are [isotropic](Constants::is_isotropic) if the
+    /// formula shows a multiple of the identity.
     ///
     /// # Errors
     ///
-    /// [`CertifyError::Hypothesis`] if one of them is no constant: `c₁` is not positive, say.
+    /// [`CertifyError::Hypothesis`] if one is not a constant: `c₁` is not positive, for example.
     pub fn constants(&self) -> Result<Constants, CertifyError> {
         let constants = Constants::new(self.c1.lower, self.c2.upper, self.l_h.upper)?
             .with_m_h(self.m_h.upper)?;

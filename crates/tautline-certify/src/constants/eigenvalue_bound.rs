@@ -1,29 +1,29 @@
-//! A bound of the largest eigenvalue of a symmetric matrix, for all points of a box at once.
+//! A bound of the largest eigenvalue of a symmetric matrix on a box.
 
 use nalgebra::{DMatrix, Dyn, SymmetricEigen};
 use num_traits::{One, Zero};
 use tautline_scalar::Interval;
 
-/// A symmetric matrix `S(x)` on a box: what is known of it there.
+/// Enclosures of a symmetric matrix `S(x)` on a box.
 pub(crate) struct Enclosed {
-    /// `S` at the middle of the box.
+    /// `S` at the midpoint of the box.
     pub(crate) centre: DMatrix<Interval>,
     /// `S` on all of the box.
     pub(crate) value: DMatrix<Interval>,
     /// `∂ₖ S` on all of the box.
     pub(crate) slopes: Vec<DMatrix<Interval>>,
-    /// `xₖ − mₖ`, for `x` in the box and its middle `m`, in `ℓ`.
+    /// `xₖ − mₖ`, for `x` in the box and its midpoint `m`, in `ℓ`.
     pub(crate) offsets: Vec<Interval>,
 }
 
 /// Returns an upper bound of the largest eigenvalue of `S(x)` for all `x` in the box; `∞` or NaN if
 /// there is none.
 ///
-/// With the eigenvectors `Q` of the middle of the centre, computed in doubles and exact or not, the
-/// matrix `B = Qᵀ S Q` is nearly diagonal, and of the second order in the size of the box away from
-/// it where the eigenvalues are simple. Two enclosures of `B` are intersected: the mean value form
+/// Let `Q` be the eigenvectors of the midpoint of the centre, computed in doubles. Then `B = Qᵀ S Q` is
+/// nearly diagonal; where the eigenvalues are simple, its off-diagonal entries affect them to second
+/// order in the size of the box. Two enclosures of `B` are intersected: the mean value form
 /// `Qᵀ S(m) Q + Σ Qᵀ ∂ₖS Q (xₖ − mₖ)` and `Qᵀ S Q` itself. Then [`rayleigh`] bounds `zᵀBz / zᵀz`,
-/// and `yᵀSy / yᵀy = zᵀBz / zᵀQᵀQz` for `y = Qz`.
+/// and `yᵀSy / yᵀy = zᵀBz / zᵀQᵀQz` for `y = Qz`. The bound holds for any `Q`.
 pub(crate) fn largest_eigenvalue(s: &Enclosed) -> f64 {
     let n = s.centre.nrows();
     let middle = s.centre.map(|entry| entry.midpoint());
@@ -36,7 +36,7 @@ pub(crate) fn largest_eigenvalue(s: &Enclosed) -> f64 {
         }
     }
     let plain = rotated(&s.value, &q);
-    // Both contain the true entries, so they meet, unless one of them is undefined: it stays so.
+    // Both contain the true entries, so they meet unless one is undefined.
     let b = taylor.zip_map(&plain, |x, y| x.intersection(y).unwrap_or(Interval::UNDEFINED));
     let bound = rayleigh(&b);
     // QᵀQ is the identity up to rounding.
@@ -69,16 +69,16 @@ fn rotated(a: &DMatrix<Interval>, q: &DMatrix<f64>) -> DMatrix<Interval> {
 /// Returns an upper bound of `zᵀBz / zᵀz` for all symmetric `B` within the entries; NaN if one of
 /// them is undefined.
 ///
-/// It is at most `|z|ᵀ C |z| / zᵀz`, where `Cᵢᵢ` is the upper end of `Bᵢᵢ` and `Cᵢⱼ` the largest
-/// `|Bᵢⱼ|`. The off-diagonal entries of `C` are not negative, and the largest eigenvalue of such a
-/// matrix is at most `maxᵢ Σⱼ Cᵢⱼ tⱼ / tᵢ` for any positive `t` (Collatz–Wielandt), with equality
-/// for its eigenvector, which is taken, up to rounding.
+/// The quotient is at most `|z|ᵀ C |z| / zᵀz`, where `Cᵢᵢ` is the upper end of `Bᵢᵢ` and `Cᵢⱼ` the
+/// largest `|Bᵢⱼ|`. The off-diagonal entries of `C` are not negative, so its largest eigenvalue is at
+/// most `maxᵢ Σⱼ Cᵢⱼ tⱼ / tᵢ` for any positive `t` (Collatz–Wielandt), with equality for its
+/// eigenvector: that is used for `t`, up to rounding.
 fn rayleigh(b: &DMatrix<Interval>) -> f64 {
     let n = b.nrows();
     let c =
         DMatrix::from_fn(n, n, |i, j| if i == j { b[(i, i)].hi() } else { b[(i, j)].magnitude() });
     let Some(eigen) = eigen(&c) else { return f64::NAN };
-    // An entry that is 0 in the eigenvector, of a matrix that falls apart, must be positive still.
+    // If the matrix is reducible, the eigenvector has zeros; t must be positive.
     let t = eigen.eigenvectors.column(eigen.eigenvalues.imax()).map(|t| t.abs().max(1e-9));
     let row = |i: usize| {
         let terms = (0..n).map(|j| {
@@ -102,7 +102,7 @@ pub(crate) fn eigen(matrix: &DMatrix<f64>) -> Option<SymmetricEigen<f64, Dyn>> {
     if scale == 0.0 {
         return Some(SymmetricEigen::new(matrix.clone()));
     }
-    // Of size 1, so that no square over- or underflows.
+    // Scaled, so that no square over- or underflows.
     let mut eigen = SymmetricEigen::new(matrix / scale);
     eigen.eigenvalues *= scale;
     Some(eigen)
@@ -174,9 +174,9 @@ mod tests {
         assert!((0.0..1e-14).contains(&at_a_point), "{at_a_point:e}");
     }
 
-    /// Matrices of dyadic numbers with eigenvalues that are known exactly, by reflections along
-    /// `(±1, ±1, ±1, ±1)`: not even by a rounding is the bound below the largest, and the eigenvectors
-    /// that are used for it are orthonormal up to rounding only.
+    /// Dyadic matrices with exactly known eigenvalues, by reflections along `(±1, ±1, ±1, ±1)`: the bound
+    /// is not below the largest, not even by a rounding, though the eigenvectors in use are orthonormal
+    /// only up to rounding.
     #[test]
     fn no_bound_is_below_an_eigenvalue_that_is_known_exactly() {
         let reflection = |signs: u32| {
@@ -194,7 +194,7 @@ mod tests {
             let most = eigenvalues.iter().copied().fold(f64::MIN, f64::max) * scale;
             let size = eigenvalues.iter().fold(0.0_f64, |size, x| size.max(x.abs())) * scale;
             let bound = largest_eigenvalue(&linear(&a, &a, 0.0));
-            // Above it by the margin of a double eigenvalue, which has no single eigenvector.
+            // The margin is for double eigenvalues, which have no unique eigenvector.
             assert!(most <= bound && bound <= most + 1e-6 * size, "{case}: {most} {bound}");
         }
     }
@@ -208,7 +208,7 @@ mod tests {
 
     #[test]
     fn the_bound_of_an_interval_matrix_is_attained() {
-        // Two by two, with a positive entry off the diagonal: attained by the upper ends.
+        // A 2 × 2 matrix attains it with the upper ends and the largest off-diagonal entry.
         let b = dmatrix![interval(0.0, 1.0), interval(-2.0, 0.5); interval(-2.0, 0.5), interval(-1.0, 2.0)];
         let exact = 1.5 + 4.25_f64.sqrt();
         let bound = rayleigh(&b);

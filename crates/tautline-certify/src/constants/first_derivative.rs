@@ -15,29 +15,28 @@ use super::{
 /// `f(u) = Σₖ (uᵀAₖu)²`,
 ///
 /// a form of degree four. It is the quadratic form of `Σ aₖaₖᵀ` in the coordinates `zᵢᵢ = uᵢ²`,
-/// `zᵢⱼ = √2 uᵢuⱼ` for `i < j` of the matrix `uuᵀ`, whose length is 1. Nothing changes if a
-/// symmetric matrix is added whose form vanishes on all these `z`: multiples of
+/// `zᵢⱼ = √2 uᵢuⱼ` for `i < j` of the matrix `uuᵀ`, which has norm 1. Symmetric matrices whose form
+/// vanishes on all these `z` may be added: multiples of
 ///
 /// * `2 zᵢᵢ zⱼⱼ − zᵢⱼ²`, and
 /// * `2 zᵢᵢ zⱼₖ − √2 zᵢⱼ zᵢₖ`.
 ///
-/// For each choice the largest eigenvalue is a bound of `f`. With the right one it is exact for `D
-/// ≤ 3`, since a form of degree four in three variables that is not negative is a sum of squares
-/// (Hilbert).
+/// For each choice the largest eigenvalue bounds `f`. The best choice is exact for `D ≤ 3`, since a
+/// nonnegative form of degree four in three variables is a sum of squares (Hilbert).
 ///
 /// # The choice
 ///
-/// Let `f` have its maximum at `u = e₁`. The eigenvector must be `e₁₁`, so the entries beside it
-/// must vanish: those at `(11, 1j)` do, as `u` is stationary, the others at `(11, jj)` and `(11,
-/// jk)` are made to. In two dimensions this is all, and exact. In others all of the entries at
-/// `(ii, jj)` and `(ii, jk)` are made to vanish, which is a good guess, from where subgradient
-/// steps go down. For any other `u` the coordinates are turned.
+/// Let `f` have its maximum at `u = e₁`. The eigenvector must be `e₁₁`, so the other entries of its row
+/// must vanish: those at `(11, 1j)` do, as `u` is stationary, and those at `(11, jj)` and `(11, jk)`
+/// are made to. In two dimensions this is exact. In others all entries at `(ii, jj)` and `(ii, jk)`
+/// are made to vanish, a good start for subgradient steps. For any other `u` the coordinates are
+/// rotated.
 ///
-/// A multiple of the identity takes the short way: `‖DH‖² = |∇φ|²`.
+/// For a multiple of the identity `‖DH‖² = |∇φ|²`.
 pub(super) struct FirstDerivative<'a, const D: usize>(pub(super) Gram<'a, D>);
 
 impl<const D: usize> Spectral<D> for FirstDerivative<'_, D> {
-    /// The factors of the forms that vanish.
+    /// The factors of the vanishing forms.
     type Choice = Option<Vanishing<D>>;
 
     fn gram(&self) -> Gram<'_, D> {
@@ -84,8 +83,8 @@ impl<const D: usize> Spectral<D> for FirstDerivative<'_, D> {
     }
 }
 
-/// Returns `Σ vₖ uᵀAₖu` and unit vectors `v` and `u` that make it large: the best one for a given
-/// other is an eigenvector or a gradient, so they are improved in turn.
+/// Maximises `Σ vₖ uᵀAₖu` over unit vectors `v` and `u`, alternately: the best `u` is an eigenvector, the
+/// best `v` a normalized gradient.
 pub(super) fn direction<const D: usize>(a: &[SMatrix<f64, D, D>; D]) -> Option<Direction<D>> {
     let mut best: Option<Direction<D>> = None;
     for mut v in starts() {

@@ -1,4 +1,4 @@
-//! `Gram`: a metric, its Gram matrix and its derivatives over the numbers that bounds are made of.
+//! `Gram`: a metric with the derivatives of its Gram matrix, in any numbers.
 
 use nalgebra::{DMatrix, SMatrix, SVector};
 use tautline_formula::{AnyMetric, Formula};

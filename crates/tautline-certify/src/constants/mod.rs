@@ -1,8 +1,8 @@
 //! The constants `c₁`, `c₂`, `L_H` and `M_H` of a metric, enclosed by branch and bound.
 //!
-//! Each is the largest value, over the domain, of the largest eigenvalue of some symmetric matrices
-//! made of `H` and its derivatives ([`spectral`]), or the negative or the root of it. On a box the
-//! eigenvalue is bounded from intervals ([`eigenvalue_bound`]).
+//! Each is the maximum over the domain of the largest eigenvalue of some symmetric matrices made from
+//! `H` and its derivatives ([`spectral`]), or its negative or its root. On a box the eigenvalue is
+//! bounded by intervals ([`eigenvalue_bound`]).
 
 mod biquadratic;
 mod certified_constants;
@@ -35,22 +35,21 @@ use crate::{
     branch_and_bound::{Maximum, maximise},
 };
 
-/// A constant of a metric on a domain: the exact one lies between two bounds.
+/// Bounds of a constant of a metric on a domain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CertifiedConstant<const D: usize> {
-    /// Not above the constant: proved.
+    /// A proved lower bound.
     pub lower: f64,
-    /// Not below the constant: proved.
+    /// A proved upper bound.
     pub upper: f64,
-    /// A point where the constant is nearly attained, in `ℓ`: one of the two bounds is that of the
-    /// metric there.
+    /// A point where the constant is nearly attained, in `ℓ`: one of the two bounds comes from there.
     pub at: SVector<f64, D>,
     /// How many boxes were evaluated.
     pub boxes: usize,
 }
 
 impl<const D: usize> CertifiedConstant<D> {
-    /// Returns how far the bounds are apart: `upper / lower`; 1 if both are 0.
+    /// Returns `upper / lower`; 1 if both are 0.
     #[must_use]
     pub fn looseness(&self) -> f64 {
         if self.lower == self.upper { 1.0 } else { self.upper / self.lower }
@@ -65,10 +64,9 @@ impl<const D: usize> CertifiedConstant<D> {
 
 /// Encloses a constant of `metric` on `domain`.
 ///
-/// Overestimation: none but the tolerance for `c₁` and `c₂`, for a metric that is a multiple of the
-/// identity, and in one and two dimensions. Otherwise `L_H` and `M_H` are replaced by numbers that
-/// are at most `√D` and `D` times larger, and that come within the tolerance;
-/// [`looseness`](CertifiedConstant::looseness) shows what they give away, as a rule some percent.
+/// Tight up to the tolerance for `c₁` and `c₂`, for multiples of the identity, and in one and two
+/// dimensions. Otherwise `L_H` and `M_H` are overestimated by factors of at most `√D` and `D`, usually
+/// a few percent; [`looseness`](CertifiedConstant::looseness) shows how much.
 ///
 /// The result does not depend on the number of threads.
 ///
@@ -76,9 +74,9 @@ impl<const D: usize> CertifiedConstant<D> {
 ///
 /// [`CertifyError::NoDimension`], [`CertifyError::NotATolerance`], [`CertifyError::NotRecorded`];
 /// [`CertifyError::NotPositiveDefinite`] with a point where that is certain;
-/// [`CertifyError::Undefined`] with a point where the formula, evaluated with bounds, is not shown
-/// to be defined; [`CertifyError::BudgetSpent`] with the bounds so far if they are not within the
-/// tolerance, as for a constant that is infinite.
+/// [`CertifyError::Undefined`] with a point where the formula, evaluated in intervals, may be
+/// undefined; [`CertifyError::BudgetSpent`] with the bounds so far if they are not within the
+/// tolerance, as for an infinite constant.
 pub fn certify<const D: usize>(
     metric: &impl Metric<D>,
     quantity: Quantity,
@@ -102,7 +100,7 @@ pub fn certify<const D: usize>(
             (found, witness, found.upper)
         }
         Quantity::LH => {
-            // The square is to be twice as close in proportion.
+            // The relative tolerance of the square is twice that of the root.
             let square = Accuracy { tolerance: 2.0 * accuracy.tolerance, ..accuracy };
             let (found, witness) = search(&FirstDerivative(gram), domain, square)?;
             (found, witness, Interval::point(found.upper.max(0.0)).sqrt().hi())
@@ -112,7 +110,7 @@ pub fn certify<const D: usize>(
             (found, witness, found.upper.max(0.0))
         }
     };
-    // NaN and infinity are no bounds.
+    // NaN and infinity are not bounds.
     let lower = if lower.is_finite() { lower } else { f64::NEG_INFINITY };
     let upper = if upper.is_finite() { upper } else { f64::INFINITY };
     let boxes = found.boxes;
@@ -124,14 +122,14 @@ pub fn certify<const D: usize>(
     }
 }
 
-/// Returns what a search finds, and the number that its point proves.
+/// Returns the result of a search, and the bound that its point proves.
 fn search<S: Spectral<D>, const D: usize>(
     function: &S,
     domain: &Domain<D>,
     accuracy: Accuracy,
 ) -> Result<(Maximum<D>, f64), CertifyError> {
     let found = maximise(&LargestEigenvalue(function), domain, accuracy);
-    // The derivative of a constant is 0, be that constant NaN.
+    // The derivative of a constant is 0, even if the constant is NaN.
     let undefined = found.at.filter(|x| function.gram().is_undefined(x));
     if let Some(x) = found.refuted.or(undefined) {
         let point = x.iter().copied().collect();
@@ -146,7 +144,8 @@ fn search<S: Spectral<D>, const D: usize>(
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::{SMatrix, SVector, matrix};
+    use nalgebra::{SMatrix, SVector};
+    use tautline_formula::Formula;
     use tautline_metrics::{
         Metric,
         gallery::{CoupledCosines, Hyperbolic, Valleys},
@@ -154,7 +153,7 @@ mod tests {
     use tautline_scalar::Scalar;
 
     use super::{CertifiedConstant, CertifiedConstants, Quantity, certify};
-    use crate::{Accuracy, Cell, CertifyError, Domain};
+    use crate::{Accuracy, Cell, CertifyError, Domain, parsed};
 
     const CLOSE: Accuracy = Accuracy { tolerance: 1e-6, budget: 100_000 };
 
@@ -175,19 +174,14 @@ mod tests {
         assert!(!constants.is_local() && constants.is_isotropic());
     }
 
-    /// `φ = 20 − (2 − cos x₁)²`: with either sign the second derivative may be the larger one, here
-    /// `6` at `π` and `−2` at `0`; of the valleys themselves it is `−6`.
+    /// The second derivative of `φ = 20 − (2 − cos x₁)²` is largest with a positive sign, `6` at `π`; that
+    /// of the valleys with a negative one.
     #[test]
     fn a_second_derivative_counts_with_either_sign() {
-        struct Ridges;
-        impl Metric<2> for Ridges {
-            fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-                SMatrix::from_diagonal_element(-(-x[0].cos() + 2.0).sqr() + 20.0)
-            }
-        }
+        let ridges = parsed("20 - sqr(2 - cos(x1)) I");
         let of = |found: CertifiedConstant<2>| found.contains(6.0) && found.looseness() < 1.000_01;
-        let space = Domain::<2>::space(&Ridges);
-        let ridges = certify(&Ridges, Quantity::MH, &space, CLOSE).expect("a constant");
+        let space = Domain::<2>::space(&ridges);
+        let ridges = certify(&ridges, Quantity::MH, &space, CLOSE).expect("a constant");
         let valleys = certify(&Valleys, Quantity::MH, &space, CLOSE).expect("a constant");
         assert!(of(ridges) && of(valleys), "{ridges:?} {valleys:?}");
     }
@@ -224,61 +218,48 @@ mod tests {
             }
             other => panic!("{other:?}"),
         }
-        /// `√x₁`, not defined to the left.
-        struct Root;
-        impl Metric<2> for Root {
-            fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-                matrix![x[0].sqrt() + 1.0, S::zero(); S::zero(), S::one()]
-            }
-        }
+        // Undefined to the left.
+        let root = parsed::<2>("diag(sqrt(x1) + 1, 1)");
         let cell = Domain::cell(Cell::new([-1.0, 0.0], [3.0, 1.0]).expect("in order"));
         for quantity in Quantity::ALL {
-            match certify(&Root, quantity, &cell, Accuracy::default()) {
+            match certify(&root, quantity, &cell, Accuracy::default()) {
                 Err(CertifyError::Undefined { point }) => assert!(point[0] < 0.0, "{point:?}"),
                 other => panic!("{quantity}: {other:?}"),
             }
         }
     }
 
-    /// Its derivatives are finite everywhere, and it is nowhere defined.
+    /// It has finite derivatives everywhere, and is defined nowhere.
     #[test]
     fn a_constant_that_is_not_a_number_is_refused_for_each_quantity() {
-        struct Nowhere;
-        impl Metric<2> for Nowhere {
-            fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-                SMatrix::from_diagonal_element(x[0].cos() + 2.0 + f64::NAN)
-            }
-        }
-        let space = Domain::space(&Nowhere);
+        let nowhere = parsed::<2>("cos(x1) + 2 + 0/0 I");
+        let space = Domain::space(&nowhere);
         for quantity in Quantity::ALL {
-            let error = certify(&Nowhere, quantity, &space, CLOSE).expect_err("nowhere defined");
+            let error = certify(&nowhere, quantity, &space, CLOSE).expect_err("nowhere defined");
             assert!(matches!(error, CertifyError::Undefined { .. }), "{quantity}: {error}");
         }
     }
 
-    /// `[[1, a x₁], [a x₁, 1]]`: indefinite where `|a x₁| > 1`.
-    struct Leaning(f64);
-    impl Metric<2> for Leaning {
-        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-            matrix![S::one(), x[0] * self.0; x[0] * self.0, S::one()]
-        }
+    /// Indefinite where `|a x₁| > 1`.
+    fn leaning(a: f64) -> Formula<2> {
+        Formula::parse("[1, x1*a; x1*a, 1]", &[("a", a)]).expect("a formula")
     }
 
     #[test]
     fn an_indefinite_metric_is_refused_with_a_point() {
         let cell = Domain::cell(Cell::new([-1.0, 0.0], [1.0, 1.0]).expect("in order"));
-        match certify(&Leaning(1.001), Quantity::C1, &cell, Accuracy::default()) {
+        match certify(&leaning(1.001), Quantity::C1, &cell, Accuracy::default()) {
             Err(CertifyError::NotPositiveDefinite { point, eigenvalue }) => {
                 assert!(point[0].abs() > 1.0 / 1.001, "{point:?}");
                 assert!((1.0 - 1.001..=0.0).contains(&eigenvalue), "{eigenvalue}");
             }
             other => panic!("{other:?}"),
         }
-        let least = certify(&Leaning(0.999), Quantity::C1, &cell, Accuracy::default());
+        let least = certify(&leaning(0.999), Quantity::C1, &cell, Accuracy::default());
         assert!(least.as_ref().is_ok_and(|c1| c1.contains(1.0 - 0.999)), "{least:?}");
         // Just singular: neither positive nor indefinite, and no end of cutting.
         let accuracy = Accuracy { budget: 1000, ..Accuracy::default() };
-        match certify(&Leaning(1.0), Quantity::C1, &cell, accuracy) {
+        match certify(&leaning(1.0), Quantity::C1, &cell, accuracy) {
             Err(CertifyError::BudgetSpent { lower, upper, .. }) => {
                 assert!(lower <= 0.0 && 0.0 <= upper);
             }
@@ -288,54 +269,39 @@ mod tests {
 
     #[test]
     fn a_constant_that_is_infinite_is_not_bounded() {
-        /// `1 + eˣ`.
-        struct Growing;
-        impl Metric<1> for Growing {
-            fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
-                SMatrix::from_element(x[0].exp() + 1.0)
-            }
-        }
-        let space = Domain::space(&Growing);
+        let growing = parsed::<1>("exp(x1) + 1 I");
+        let space = Domain::space(&growing);
         let accuracy = Accuracy { budget: 10_000, ..Accuracy::default() };
         for quantity in [Quantity::C2, Quantity::LH, Quantity::MH] {
-            match certify(&Growing, quantity, &space, accuracy) {
+            match certify(&growing, quantity, &space, accuracy) {
                 Err(CertifyError::BudgetSpent { upper, .. }) => assert_eq!(upper, f64::INFINITY),
                 other => panic!("{other:?}"),
             }
         }
-        assert!(certify(&Growing, Quantity::C1, &space, accuracy).is_ok_and(|c1| c1.contains(1.0)));
+        assert!(certify(&growing, Quantity::C1, &space, accuracy).is_ok_and(|c1| c1.contains(1.0)));
     }
 
-    /// Entries below the diagonal are not read: here they are of no use.
+    /// Entries below the diagonal are not read.
     #[test]
     fn the_upper_triangle_is_the_metric() {
-        struct Half(f64);
-        impl Metric<2> for Half {
-            fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-                let off = (x[0] + x[1] * 2.0).sin() * 0.5;
-                let below = if self.0 == 0.0 { off } else { x[0].cos() * self.0 };
-                matrix![x[0].cos() + 3.0, off; below, x[1].sin() + 2.0]
-            }
-        }
+        let half = |below: &str| {
+            let off = "off = sin(x1 + x2*2)*0.5;";
+            parsed::<2>(&format!("{off} [cos(x1) + 3, off; {below}, sin(x2) + 2]"))
+        };
         let cell = Domain::cell(Cell::new([0.0, 0.0], [1.0, 1.0]).expect("in order"));
-        let of = |metric| CertifiedConstants::new(&metric, &cell, Accuracy::default());
-        assert_eq!(of(Half(0.0)), of(Half(1e3)));
-        assert!(of(Half(0.0)).is_ok());
+        let of = |below| CertifiedConstants::new(&half(below), &cell, Accuracy::default());
+        assert_eq!(of("off"), of("cos(x1)*1e3"));
+        assert!(of("off").is_ok());
     }
 
-    /// The domain of another metric stands for nothing but itself.
+    /// The domain of another metric represents only itself.
     #[test]
     fn constants_on_the_domain_of_another_metric_are_local() {
-        struct Still;
-        impl Metric<2> for Still {
-            fn gram<S: Scalar>(&self, _: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-                SMatrix::identity()
-            }
-        }
-        let point = Domain::space(&Still);
+        let still = parsed("1 I");
+        let point = Domain::space(&still);
         let of = |proved: CertifiedConstants<2>| proved.constants().expect("constants").is_local();
         assert!(of(CertifiedConstants::new(&Valleys, &point, CLOSE).expect("a point")));
-        assert!(!of(CertifiedConstants::new(&Still, &point, CLOSE).expect("a point")));
+        assert!(!of(CertifiedConstants::new(&still, &point, CLOSE).expect("a point")));
     }
 
     #[test]
@@ -369,14 +335,9 @@ mod tests {
 
     #[test]
     fn a_constant_metric_has_no_derivative() {
-        struct Flat;
-        impl Metric<2> for Flat {
-            fn gram<S: Scalar>(&self, _: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-                matrix![S::constant(2.0), S::constant(0.5); S::constant(0.5), S::one()]
-            }
-        }
-        let space = Domain::space(&Flat);
-        let proved = CertifiedConstants::new(&Flat, &space, CLOSE).expect("constants");
+        let flat = parsed::<2>("[2, 0.5; 0.5, 1]");
+        let space = Domain::space(&flat);
+        let proved = CertifiedConstants::new(&flat, &space, CLOSE).expect("constants");
         assert_eq!([proved.l_h().upper, proved.m_h().upper], [0.0, 0.0]);
         assert_eq!(proved.l_h().looseness(), 1.0);
         let root = 0.5_f64.sqrt();

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// A constant of a metric, as the theorems know it.
+/// A constant of a metric, as in the theorems.
 #[derive(Clone, Copy, Debug, Eq, Hash, PartialEq)]
 pub enum Quantity {
     /// `c₁`, the least eigenvalue of `H`, in `m²/ℓ²`.

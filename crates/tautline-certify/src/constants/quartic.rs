@@ -1,4 +1,4 @@
-//! Forms of degree four as quadratic forms, and what may be added to these.
+//! Forms of degree four as quadratic forms, up to forms that vanish on squares.
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 use tautline_scalar::Scalar;
@@ -8,18 +8,18 @@ use super::{eigenvalue_bound::eigen, spectral::basis_with};
 /// How many subgradient steps at most.
 const STEPS: usize = 20;
 
-/// The pairs `i ≤ j` in their order: `(0, 0), (1, 1), …`, then `(0, 1), (0, 2), (1, 2), …`.
+/// The pairs `i ≤ j` in order: `(0, 0), (1, 1), …`, then `(0, 1), (0, 2), (1, 2), …`.
 fn pairs(d: usize) -> impl Iterator<Item = (usize, usize)> {
     (0..d).map(|i| (i, i)).chain((0..d).flat_map(|j| (0..j).map(move |i| (i, j))))
 }
 
-/// The place of `i` and `j` among the pairs.
+/// The index of `i` and `j` among the pairs.
 fn place(d: usize, i: usize, j: usize) -> usize {
     let (i, j) = (i.min(j), i.max(j));
     if i == j { i } else { d + j * (j - 1) / 2 + i }
 }
 
-/// The coordinates of a symmetric matrix: its diagonal, and `√2` times what is beside it.
+/// The coordinates of a symmetric matrix: its diagonal, and `√2` times its other entries.
 fn coordinates<T: Scalar>(matrix: impl Fn(usize, usize) -> T, d: usize) -> Vec<T> {
     let root = T::constant(2.0).sqrt();
     pairs(d).map(|(i, j)| if i == j { matrix(i, i) } else { matrix(i, j) * root }).collect()
@@ -51,7 +51,7 @@ pub(super) struct Vanishing<const D: usize> {
 }
 
 impl<const D: usize> Vanishing<D> {
-    /// The factors for a maximum at `u`, up to rounding.
+    /// Good factors for a maximum at `u`, up to rounding.
     pub(super) fn for_maximum(a: &[SMatrix<f64, D, D>; D], u: &SVector<f64, D>) -> Self {
         // In coordinates whose first axis is u.
         let q = basis_with(u);
@@ -68,7 +68,7 @@ impl<const D: usize> Vanishing<D> {
                 SMatrix::from_fn(|j, k| if apart(j, k) { -entry(i, j, k) } else { 0.0 })
             }),
         };
-        // Turned back: the factors are the entries at (ii, jj) and (ii, jk).
+        // Rotated back: the factors are the entries at (ii, jj) and (ii, jk).
         let mut matrix = DMatrix::zeros(D * (D + 1) / 2, D * (D + 1) / 2);
         there.add_to(&mut matrix);
         let axis = |i: usize, j: usize| {
@@ -87,11 +87,11 @@ impl<const D: usize> Vanishing<D> {
         }
     }
 
-    /// Returns factors with a smaller largest eigenvalue, if the maximum `goal` of the form leaves
-    /// room: not more than without factors, which is at most `D` times the goal.
+    /// Returns factors with a smaller largest eigenvalue, if the maximum `goal` of the form leaves room: no
+    /// worse than no factors, which give at most `D` times the goal.
     ///
-    /// Polyak's steps: along the subgradient `wᵀNₘw`, for the eigenvector `w`, as far as a linear
-    /// function would take to reach the goal.
+    /// Polyak's subgradient method: steps along `wᵀNₘw`, for the eigenvector `w`, as long as a linear
+    /// function would need to reach the goal.
     pub(super) fn improved(self, matrix: &DMatrix<f64>, goal: f64) -> Self {
         let none = Self { squares: SMatrix::zeros(), mixed: [SMatrix::zeros(); D] };
         let without = eigen(matrix).map_or(f64::INFINITY, |eigen| eigen.eigenvalues.max());
@@ -197,8 +197,8 @@ mod tests {
         a.iter().map(|a| form(|i, j| a[(i, j)], u).powi(2)).sum()
     }
 
-    /// The trap: a root that is taken in doubles is another number, by a rounding that no tolerance
-    /// shows. √2 and √½ are irrational, so no interval about them is a point.
+    /// A root taken in doubles would be off by a rounding, which no tolerance shows. √2 and √½ are
+    /// irrational, so no enclosure of them is a point.
     #[test]
     fn over_intervals_the_roots_are_enclosed() {
         let beside = coordinates(|_, _| Interval::point(1.0), 2)[2];
@@ -213,7 +213,7 @@ mod tests {
         assert!(part.lo() < part.hi() && part.hi() < 0.0, "{part:?}");
     }
 
-    /// The bound at a point: the largest eigenvalue with the factors that are chosen.
+    /// The maximum found, and the largest eigenvalue with the chosen factors.
     fn bound<const D: usize>(a: &[SMatrix<f64, D, D>; D]) -> (f64, f64) {
         let found = direction(a).expect("finite");
         let goal = found.norm * found.norm;
@@ -223,7 +223,7 @@ mod tests {
         (goal, eigen(&sum).expect("finite").eigenvalues.max())
     }
 
-    /// The form is that of the sum in the coordinates of uuᵀ, and what is added changes nothing.
+    /// The quadratic form in the coordinates of uuᵀ is the quartic; the added matrix changes nothing.
     fn changes_nothing<const D: usize>(
         a: [SMatrix<f64, D, D>; D],
         b: [SMatrix<f64, D, D>; D],
@@ -278,13 +278,13 @@ mod tests {
             let best = best.expect("steps");
             let most = at(best);
             let (_, bound) = bound(&a);
-            // The maximum is sought by a fixed number of turns, which is not always enough where
-            // the form is flat: measured, 1e-5. By brute force it is found to (π/2e4)², times 8.
+            // A fixed number of iterations finds the maximum to 1e-5 (measured) where the form is flat;
+            // brute force finds it to 8 (π/2e4)².
             prop_assert!(most <= bound * (1.0 + 1e-14) && bound <= most * (1.0 + 1e-4),
                 "{most} {bound}");
         }
 
-        /// A multiple of the identity in general coordinates, where the short way is not taken.
+        /// A multiple of the identity, without the shortcut.
         #[test]
         fn the_bound_is_the_norm_for_multiples_of_the_identity(g in unit::<3>()) {
             let a = std::array::from_fn(|k| SMatrix::<f64, 3, 3>::identity() * g[k]);
@@ -293,8 +293,8 @@ mod tests {
         }
     }
 
-    /// Exact by Hilbert's theorem if the factors were the best ones. Measured: 0.02 % too large in
-    /// the mean, 1 % at most; without factors 43 % in the mean.
+    /// The best factors would be exact by Hilbert's theorem. Measured overestimation: 0.02 % in the mean,
+    /// 1 % at most; without factors 43 % in the mean.
     #[test]
     fn the_bound_is_nearly_the_norm_in_space() {
         const CASES: u32 = 512;

@@ -11,26 +11,25 @@ use super::{
 };
 
 /// `‖D²H(x)‖`, or more: the largest `|Σ vₖ vₗ uᵀ∂ₖ∂ₗH u|` over unit vectors `u` and `v`. (For a
-/// symmetric bilinear form two different vectors in the place of `v` give no more.)
+/// symmetric bilinear form two different vectors in place of `v` give no more.)
 ///
 /// The sum is the form of the `D² × D²` matrix `B`, with the entry `∂ₖ∂ₗHᵢⱼ` at `(k, i), (l, j)`,
-/// at the vector `v ⊗ u`, so it is between the least and the largest eigenvalue of `B`. Nothing
-/// changes if multiples of
+/// at the vector `v ⊗ u`, so it lies between the least and the largest eigenvalue of `B`. Multiples of
 ///
 /// `2 zₖᵢ zₗⱼ − 2 zₖⱼ zₗᵢ`, `k < l`, `i < j`,
 ///
-/// which vanishes at `z = v ⊗ u`, are added; for either of the two eigenvalues others.
+/// which vanishes at `z = v ⊗ u`, may be added, different ones for the two eigenvalues.
 ///
 /// # The choice
 ///
-/// Let the form have its maximum at `v = u = e₁`. The eigenvector must be `e₁ ⊗ e₁`, so the entries
-/// beside it must vanish: those at `(1, 1), (1, j)` and `(1, 1), (l, 1)` do, as `u` and `v` are
-/// stationary, and those at `(1, 1), (l, j)` are made to. For any other `u` and `v` the coordinates
-/// are turned. In two dimensions this is exact: a biquadratic form in two times two variables that
-/// is not negative is a sum of squares (Calderón), and a sum of squares that vanishes at `e₁ ⊗ e₁`
-/// has no entries beside it.
+/// Let the form have its maximum at `v = u = e₁`. The eigenvector must be `e₁ ⊗ e₁`, so the other
+/// entries of its row must vanish: those at `(1, 1), (1, j)` and `(1, 1), (l, 1)` do, as `u` and `v`
+/// are stationary, and those at `(1, 1), (l, j)` are made to. For any other `u` and `v` the
+/// coordinates are rotated. In two dimensions this is exact: a nonnegative biquadratic form in two
+/// times two variables is a sum of squares (Calderón), and one that vanishes at `e₁ ⊗ e₁` has zeros in
+/// that row.
 ///
-/// A multiple of the identity takes the short way: `‖D²H‖ = ‖D²φ‖`.
+/// For a multiple of the identity `‖D²H‖ = ‖D²φ‖`.
 pub(super) struct SecondDerivative<'a, const D: usize>(pub(super) Gram<'a, D>);
 
 impl<const D: usize> Spectral<D> for SecondDerivative<'_, D> {
@@ -49,7 +48,7 @@ impl<const D: usize> Spectral<D> for SecondDerivative<'_, D> {
         [1.0, -1.0].map(|sign| {
             let b = b.map(|row| row.map(|matrix| matrix * sign));
             let vanishing = Vanishing::for_maximum(&b, &maximum(&b)?);
-            // Unless nothing is better, which is at most D times too large.
+            // Adding nothing overestimates by at most D, and may be better.
             let plain = flattened(&b);
             let mut added = plain.clone();
             vanishing.add_to(&mut added);
@@ -87,7 +86,7 @@ impl<const D: usize> Spectral<D> for SecondDerivative<'_, D> {
     }
 }
 
-/// Returns `Σ vₖ vₗ uᵀ∂ₖ∂ₗH u` and unit vectors `v` and `u` that make it large, improved in turn.
+/// Maximises `Σ vₖ vₗ uᵀ∂ₖ∂ₗH u` over unit vectors `v` and `u`, alternately.
 pub(super) fn maximum<const D: usize>(b: &[[SMatrix<f64, D, D>; D]; D]) -> Option<Direction<D>> {
     let mut best: Option<Direction<D>> = None;
     for mut v in starts() {
@@ -107,7 +106,7 @@ pub(super) fn maximum<const D: usize>(b: &[[SMatrix<f64, D, D>; D]; D]) -> Optio
     best
 }
 
-/// The larger one of the maxima of the form and of its negative.
+/// The larger of the maxima of the form and of its negative.
 fn direction<const D: usize>(b: &[[SMatrix<f64, D, D>; D]; D]) -> Option<Direction<D>> {
     let [up, down] = [1.0, -1.0].map(|sign| maximum(&b.map(|row| row.map(|matrix| matrix * sign))));
     let (up, down) = (up?, down?);

@@ -1,5 +1,5 @@
-//! `Spectral`: a function of a point that is the largest eigenvalue of symmetric matrices made of
-//! the metric.
+//! `Spectral`: a function of a point that is the largest eigenvalue of symmetric matrices made from the
+//! metric.
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 use num_traits::Zero;
@@ -14,16 +14,16 @@ use crate::{
     branch_and_bound::{Bound, Bounded},
 };
 
-/// The largest eigenvalue of some symmetric matrices `S(x)`, which is one of the constants of a
-/// metric, its negative or its square, or not below it.
+/// The largest eigenvalue of some symmetric matrices `S(x)`: its maximum is one of the constants of a
+/// metric, its negative or its square, or bounds that from above.
 pub(super) trait Spectral<const D: usize>: Sync {
-    /// What may be chosen freely for each box: the matrices bound the constant for each choice.
+    /// A free parameter for each box: the matrices bound the constant for any choice.
     type Choice;
 
     /// Returns the metric.
     fn gram(&self) -> Gram<'_, D>;
 
-    /// Returns a choice for which the bound is good at `x`.
+    /// Returns a good choice near `x`.
     fn choice(&self, x: &SVector<f64, D>) -> Self::Choice;
 
     /// Returns the matrices, all of the same size.
@@ -32,13 +32,11 @@ pub(super) trait Spectral<const D: usize>: Sync {
     /// Returns the wanted number at `x`, in the unit of the eigenvalue, up to rounding.
     fn wanted(&self, x: &SVector<f64, D>) -> f64;
 
-    /// Returns a number, in the unit of the constant, that certainly is at most the wanted number
-    /// at `x`; at least the constant, if that is an infimum. Up to rounding the number itself. NaN
-    /// if it is not known.
+    /// Returns a proved lower bound of the wanted number at `x`, in the unit of the constant; an upper
+    /// bound if the constant is an infimum. Tight up to rounding; NaN if there is none.
     fn witness(&self, x: &SVector<f64, D>) -> f64;
 
-    /// Returns whether the metric is certainly no metric at `x`, where the largest eigenvalue is
-    /// `value`.
+    /// Returns whether this is certainly not a metric at `x`, where the largest eigenvalue is `value`.
     fn is_refuted(&self, x: &SVector<f64, D>, value: f64) -> bool {
         value.is_nan() && self.gram().is_undefined(x)
     }
@@ -73,7 +71,7 @@ impl<S: Spectral<D>, const D: usize> Bounded<D> for LargestEigenvalue<'_, S> {
                 break;
             }
         }
-        // Where a derivative has no bound, or none matters, the widest side is cut.
+        // If a derivative has no bound, or none matters, the widest side is cut.
         if !influence.iter().sum::<f64>().is_finite() || influence.iter().all(|i| *i == 0.0) {
             influence = std::array::from_fn(|k| sides[k].width());
         }
@@ -97,8 +95,7 @@ impl<S: Spectral<D>, const D: usize> Bounded<D> for LargestEigenvalue<'_, S> {
     }
 }
 
-/// Unit vectors `u` and `v` at which a form in both is large, and its absolute value there, up to
-/// rounding.
+/// Unit vectors `u` and `v` where a form in both is large, and its absolute value there, up to rounding.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Direction<const D: usize> {
     pub(super) norm: f64,
@@ -125,16 +122,16 @@ pub(super) fn square<const D: usize>(u: &SVector<f64, D>) -> Interval {
     u.iter().fold(Interval::zero(), |sum, &u| sum + Interval::point(u).sqr())
 }
 
-/// Returns the largest absolute value of the form of a symmetric matrix on unit vectors, and where
-/// it is taken, up to rounding; `None` if an entry is not finite.
+/// Returns the eigenvalue of a symmetric matrix of largest absolute value, as that, and its eigenvector,
+/// up to rounding; `None` if an entry is not finite.
 pub(super) fn extreme<const D: usize>(
     entry: impl Fn(usize, usize) -> f64,
 ) -> Option<(f64, SVector<f64, D>)> {
     eigenvector(entry, |eigenvalues| eigenvalues.iamax()).map(|(value, u)| (value.abs(), u))
 }
 
-/// Returns the largest value of the form of a symmetric matrix on unit vectors, and where it is
-/// taken, up to rounding; `None` if an entry is not finite.
+/// Returns the largest eigenvalue of a symmetric matrix and its eigenvector, up to rounding; `None` if an
+/// entry is not finite.
 pub(super) fn greatest<const D: usize>(
     entry: impl Fn(usize, usize) -> f64,
 ) -> Option<(f64, SVector<f64, D>)> {
@@ -151,8 +148,8 @@ fn eigenvector<const D: usize>(
     Some((eigen.eigenvalues[index], SVector::from_fn(|i, _| vector[i])))
 }
 
-/// Returns an orthogonal matrix whose first column is the unit vector `u`, up to rounding: the
-/// reflection that exchanges `u` and an axis, so that no digits cancel.
+/// Returns an orthogonal matrix with the unit vector `u` as first column, up to rounding: the reflection
+/// that swaps `u` with ± the first axis, with the sign that avoids cancellation.
 pub(super) fn basis_with<const D: usize>(u: &SVector<f64, D>) -> SMatrix<f64, D, D> {
     let mut w = *u;
     let sign = if u[0] < 0.0 { -1.0 } else { 1.0 };
@@ -165,8 +162,7 @@ pub(super) fn basis_with<const D: usize>(u: &SVector<f64, D>) -> SMatrix<f64, D,
     reflection
 }
 
-/// Unit vectors from which a form in a unit vector is made large: the axes, and the bisectors of
-/// any two.
+/// Starting vectors for the maximisation of forms: the axes and the bisectors of any two.
 pub(super) fn starts<const D: usize>() -> impl Iterator<Item = SVector<f64, D>> {
     let axis = |i: usize| SVector::<f64, D>::from_fn(|k, _| if k == i { 1.0 } else { 0.0 });
     let bisectors = (0..D).flat_map(move |j| (0..j).flat_map(move |i| [(i, j, 1.0), (i, j, -1.0)]));
@@ -176,5 +172,5 @@ pub(super) fn starts<const D: usize>() -> impl Iterator<Item = SVector<f64, D>> 
     )
 }
 
-/// How often two unit vectors are improved in turn, unless they settle before.
+/// The most alternating steps.
 pub(super) const TURNS: usize = 40;

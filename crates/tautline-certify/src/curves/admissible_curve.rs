@@ -1,4 +1,4 @@
-//! `AdmissibleCurve`: a curve from set to set, and what it proves of their distance.
+//! `AdmissibleCurve`: a curve between two sets, and the bound it proves on their distance.
 
 use tautline_discretizations::PointSequence;
 use tautline_formula::RecordError;
@@ -50,8 +50,7 @@ pub enum CurveError {
         /// The Euclidean distance of the curve's end to its projection to the set, in `ℓ`.
         distance: f64,
     },
-    /// The metric is not defined somewhere on a chord, or so nearly that 8192 parts of it cannot
-    /// tell.
+    /// The metric is undefined somewhere on a chord, or so nearly that 8192 parts cannot tell.
     #[error("the metric is undefined somewhere on chord {chord} of {chords}, counted from 0")]
     Undefined {
         /// Which chord, from 0.
@@ -59,8 +58,8 @@ pub enum CurveError {
         /// How many there are.
         chords: usize,
     },
-    /// The formula of the metric cannot be recorded: it has branches, of which intervals would
-    /// follow one, or too many steps.
+    /// The formula of the metric cannot be recorded: it has branches, of which intervals would follow
+    /// one, or too many steps.
     #[error("nothing is proved of a formula that cannot be recorded: {0}")]
     NotRecorded(#[source] RecordError),
 }
@@ -68,13 +67,13 @@ pub enum CurveError {
 impl<'a, const D: usize> AdmissibleCurve<'a, D> {
     /// Replaces the ends of `sequence` by members of the two sets and encloses energy and length.
     ///
-    /// An end that is proved to be a member stays. Otherwise the new end is known to lie in a box
-    /// of a few roundings about the nearest point of the set; the curve need not end there to begin
-    /// with, but the farther it is, the longer it becomes.
+    /// An end that is proved to be a member stays. Otherwise the new end lies in a box of a few roundings
+    /// around the nearest point of the set. The sequence need not end near the set, but the farther it
+    /// does, the longer the curve becomes.
     ///
     /// # Errors
     ///
-    /// [`CurveError::NoMember`] if a set can prove nothing, as sets of the user's own by default;
+    /// [`CurveError::NoMember`] if a set proves nothing, the default for your own sets;
     /// [`CurveError::Undefined`]; [`CurveError::NotRecorded`].
     pub fn new(
         metric: &impl Metric<D>,
@@ -114,13 +113,13 @@ impl<'a, const D: usize> AdmissibleCurve<'a, D> {
         self.length
     }
 
-    /// Returns an upper bound of `d²`, the squared distance of the sets, in `m²`: the lesser of the
+    /// Returns an upper bound of `d²`, the squared distance between the sets, in `m²`: the lesser of the
     /// upper ends of the energy and of the squared length. `∞` if both overflow.
     ///
-    /// Needs: nothing but that the formula of the metric is the one that is meant.
+    /// Needs: only that the formula of the metric is the one you mean.
     ///
-    /// Overestimation: the rounding, and what the curve is longer than a minimal geodesic. In real
-    /// numbers `L² ≤ E`, so the energy decides only if the length is enclosed less sharply.
+    /// Overestimation: rounding, and the excess of the curve over a minimal geodesic. In real numbers
+    /// `L² ≤ E`, so the energy decides only if the length is enclosed less sharply.
     #[must_use]
     pub fn distance_squared_at_most(&self) -> f64 {
         self.energy.hi().min(self.length.sqr().hi())
@@ -141,7 +140,7 @@ mod tests {
 
     use super::{AdmissibleCurve, CurveError, Polygon};
 
-    /// A set of the user's own, which proves nothing.
+    /// A set that proves nothing.
     #[derive(Debug)]
     struct Origin;
 
@@ -182,8 +181,8 @@ mod tests {
         assert_eq!(error, CurveError::Undefined { chord: 1, chords: 4 });
     }
 
-    /// A ridge of height 100 across the way, which a formula in intervals never climbs: they are
-    /// not equal to one half, so that they follow the branch beside it.
+    /// A ridge of height 100 that intervals never see: they are not equal to one half, so they follow the
+    /// other branch.
     #[test]
     fn a_formula_with_branches_encloses_nothing() {
         struct Ridge;
@@ -204,7 +203,7 @@ mod tests {
         assert!(discrete.is_undefined(), "{discrete:?}");
     }
 
-    /// The ends of the sequence are not members, or not known to be: those of the polygon are.
+    /// The ends of the sequence are not known to be members; those of the polygon are.
     #[test]
     fn the_ends_are_moved_into_the_sets() {
         let sphere = Sphere::new([0.0, 0.0], 0.1).expect("finite");
@@ -224,7 +223,7 @@ mod tests {
         assert!(bound >= 2.9 * 2.9);
     }
 
-    /// The lesser of the two, and rounded up.
+    /// The lesser of the two, rounded up.
     #[test]
     fn the_bound_is_not_below_the_square_of_the_length() {
         let euclidean = Constant::new(SMatrix::identity()).expect("definite");
@@ -240,8 +239,8 @@ mod tests {
         assert!(square.hi() <= bound && bound < 0.09 * (1.0 + 1e-14), "{bound}");
     }
 
-    /// On the line under `H = 1` the length of an increasing sequence is the difference of its
-    /// ends, and its square known to all digits: no bound is below it, by however little.
+    /// On the line under `H = 1` the length of an increasing sequence is the difference of its ends. No
+    /// bound is below its exact square.
     #[test]
     fn no_rounding_puts_the_bound_below_the_square_of_the_length() {
         let euclidean = Constant::new(SMatrix::<f64, 1, 1>::identity()).expect("definite");
@@ -253,13 +252,12 @@ mod tests {
             let ends = Ends::points([0.0], [far]).expect("finite");
             let curve = AdmissibleCurve::new(&euclidean, &curve, &ends).expect("proved");
             let bound = curve.distance_squared_at_most();
-            // One rounding at the end, which keeps the sign.
+            // Rounded once, which keeps the sign.
             assert!(far.mul_add(far, -bound) <= 0.0 && bound < far * far * (1.0 + 1e-14), "{far}");
         }
     }
 
-    /// A ball that contains the first point: no rounding moves it, and the ends of a constant
-    /// curve have distance zero.
+    /// In a ball that contains the point nothing moves it, and a constant curve has length zero.
     #[test]
     fn a_constant_curve_proves_distance_zero() {
         let ball = Ball::new([0.1, 0.2], 0.5).expect("finite");

@@ -1,4 +1,4 @@
-//! `Chord`: rigorous bounds of the energy and the length of one line segment.
+//! `Chord`: rigorous bounds on the energy and the length of a line segment.
 
 use nalgebra::SVector;
 use tautline_metrics::Metric;
@@ -6,21 +6,19 @@ use tautline_scalar::{Enclosure, Kernel, Scalar};
 
 use super::{pairwise_sum::PairwiseSum, taylor::Taylor};
 
-/// A panel is not bisected if its enclosure is at most this wide, relative to itself.
+/// A panel with at most this relative width is not bisected.
 ///
-/// The widths of panels add up as their integrals do, so the truncation widens the whole by no
-/// more than this: a hundredth of ten digits. The rounding of `N = 1000` chords comes to `10⁻¹⁴`.
+/// The widths of panels add up as their integrals do, so truncation widens the total by no more than
+/// this. The rounding of `N = 1000` chords comes to `10⁻¹⁴`.
 const TOLERANCE: f64 = 1e-12;
 
-/// How often a panel is bisected at most: it is then `2⁻⁴⁰` of its chord, about where the rounding
-/// of its ends begins to matter.
+/// The most bisections: at `2⁻⁴⁰` of the chord, rounding begins to matter.
 const DEPTH: u32 = 40;
 
-/// How many panels of a chord are looked at, at most: enough for twelve bisections of all of it,
-/// and for forty about a few places.
+/// The most panels of a chord: enough for twelve bisections everywhere, or forty near a few points.
 const PANELS: usize = 8192;
 
-/// The line from `start` to `start + step`, or each of the lines with these data in two boxes.
+/// The segment from `start` to `start + step`, or all segments with data in these boxes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Chord<K, const D: usize> {
     start: SVector<Enclosure<K>, D>,
@@ -46,14 +44,14 @@ impl<K: Kernel, const D: usize> Chord<K, D> {
         x: &SVector<Enclosure<K>, D>,
         y: &SVector<Enclosure<K>, D>,
     ) -> Chord<K, D> {
-        // An interval difference: the one of doubles rounds.
+        // As intervals, since the difference of doubles rounds.
         Chord { start: *x, step: SVector::from_fn(|i, _| y[i] - x[i]) }
     }
 
     /// The enclosures; undefined if the metric is, somewhere on the chord.
     ///
-    /// Panels that are too wide are bisected all at once, so that where there are too many of them
-    /// they end up equally long.
+    /// Bisects all panels that are too wide at once, so that they end up equally long if the limit is
+    /// reached.
     pub(super) fn integrals(&self, metric: &impl Metric<D>) -> Integrals<K> {
         let whole = Panel { centre: 0.5, width: 1.0 };
         let (integrals, done) = self.over(metric, whole);
@@ -81,14 +79,14 @@ impl<K: Kernel, const D: usize> Chord<K, D> {
                 }
             }
         }
-        // What is left is wide, or undefined, but true.
+        // The rest is wide or undefined, but valid.
         wide.into_iter().for_each(|(_, integrals)| add(integrals));
         Integrals { square: squares.value(), root: roots.value() }
     }
 
     /// `dᵀ H(x + s d) d` as a function of `u`, where `s = centre + width u`.
     ///
-    /// From the Gram matrix and not from `norm_squared`: the vector of that one is a double.
+    /// From the Gram matrix, since `norm_squared` takes a vector of doubles.
     fn square<const M: usize>(
         &self,
         metric: &impl Metric<D>,
@@ -104,7 +102,7 @@ impl<K: Kernel, const D: usize> Chord<K, D> {
         }))
     }
 
-    /// The value `dᵀ H(x + s d) d` alone; at `s = 0` nothing is added to `x`.
+    /// The value `dᵀ H(x + s d) d`; at `s = 0` nothing is added to `x`.
     pub(super) fn square_at(&self, metric: &impl Metric<D>, fraction: f64) -> Enclosure<K> {
         let value: Taylor<_, 1> = self.square(metric, Enclosure::point(fraction), 0.0);
         nonnegative(value.coefficient(0))
@@ -122,7 +120,7 @@ impl<K: Kernel, const D: usize> Chord<K, D> {
     fn over(&self, metric: &impl Metric<D>, panel: Panel) -> (Integrals<K>, bool) {
         let Panel { centre, width } = panel;
         let middle: Taylor<_, 3> = self.square(metric, Enclosure::point(centre), width);
-        // At one point, as far as rounding goes: no smaller panel would be defined there.
+        // Undefined at one point, up to rounding: bisecting would not help.
         let value = nonnegative(middle.coefficient(0));
         if value.is_undefined() {
             return (Integrals::undefined(), true);
@@ -153,21 +151,20 @@ fn bound<K: Kernel>(
 ) -> Enclosure<K> {
     let taylor = middle.coefficient(0) + middle.coefficient(2) / 12.0 + all.coefficient(4) / 80.0;
     if taylor.is_undefined() {
-        // A derivative may be so where the value is not, as for a root of zero.
+        // A derivative may be undefined where the value is defined, as for the root of zero.
         return range;
     }
     range.intersection(taylor).unwrap_or(Enclosure::UNDEFINED)
 }
 
-/// Whether a panel is narrow enough, given the width of one value on it, against which bisecting
-/// does not help; false if undefined.
+/// Whether a panel is narrow enough, or bisecting would not help: the value at its midpoint is as wide.
+/// False if undefined.
 fn narrow<K: Kernel>(mean: Enclosure<K>, of_value: f64) -> bool {
     let width = mean.width();
     width <= TOLERANCE * mean.mignitude() || width <= 2.0 * of_value
 }
 
-/// What is not negative of an enclosure of `dᵀHd`; undefined if that is nothing: then `H` is no
-/// metric.
+/// The nonnegative part of an enclosure of `dᵀHd`; undefined if empty, since `H` is then not a metric.
 fn nonnegative<K: Kernel>(square: Enclosure<K>) -> Enclosure<K> {
     if square.hi() >= 0.0 {
         Enclosure::new(square.lo().max(0.0), square.hi()).unwrap_or(Enclosure::UNDEFINED)
@@ -199,8 +196,8 @@ mod tests {
 
     use super::Chord;
 
-    /// Where a box at an end makes the enclosure wide, bisecting would not help, and is not tried;
-    /// where the metric varies too fast, it ends.
+    /// Where a box at an end makes the enclosure wide, bisecting would not help and is not tried; where the
+    /// metric varies too fast, bisecting ends.
     #[test]
     fn bisecting_stops_where_it_does_not_help() {
         struct Counted<M>(M, AtomicUsize);

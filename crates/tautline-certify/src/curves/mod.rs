@@ -1,4 +1,4 @@
-//! Curves: rigorous bounds of energies and lengths, and what they prove of a distance.
+//! Curves: rigorous bounds on energies, lengths and distances.
 
 mod admissible_curve;
 mod chord;

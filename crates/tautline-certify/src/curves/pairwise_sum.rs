@@ -2,11 +2,11 @@
 
 use tautline_scalar::{Enclosure, Kernel};
 
-/// A running sum of intervals, added in pairs of sums of equally many terms.
+/// A running sum of intervals by pairwise summation.
 ///
-/// Each addition rounds each end outward, by up to one place of the sum at hand. One after the
-/// other, `N` terms would widen the total by up to `N` of its places; in pairs no term goes
-/// through more than `2 log₂ N` additions, and only the last few are of the size of the total.
+/// Each addition rounds outward by up to one unit in the last place of the current sum. Sequentially,
+/// `N` terms would widen the total by up to `N` units; pairwise, no term goes through more than
+/// `2 log₂ N` additions, and only the last few are of the size of the total.
 #[derive(Clone, Debug)]
 pub(super) struct PairwiseSum<K> {
     /// The sum of `2ᵏ` terms at place `k`, where `count` has that binary digit.
@@ -20,14 +20,14 @@ impl<K: Kernel> PairwiseSum<K> {
     }
 
     pub(super) fn add(&mut self, term: Enclosure<K>) {
-        // As in counting: each trailing one of the count carries.
+        // As in binary counting: each trailing one of the count carries.
         let carries = self.count.trailing_ones();
         let sum = (0..carries).fold(term, |sum, _| self.sums.pop().map_or(sum, |s| s + sum));
         self.sums.push(sum);
         self.count += 1;
     }
 
-    /// The sum; zero if there was no term.
+    /// The sum; zero if there are no terms.
     pub(super) fn value(self) -> Enclosure<K> {
         let zero = Enclosure::point(0.0);
         self.sums.into_iter().rev().reduce(|sum, s| s + sum).unwrap_or(zero)
@@ -57,7 +57,7 @@ mod tests {
 
     #[test]
     fn the_width_grows_like_the_logarithm() {
-        // 0.1 is not a multiple of the places of the sums.
+        // Sums of 0.1 round.
         let n = 10_000;
         let terms = || (0..n).map(|_| Interval::point(0.1));
         let plain = terms().reduce(|a, b| a + b).expect("terms");

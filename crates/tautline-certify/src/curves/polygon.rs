@@ -1,4 +1,4 @@
-//! `Polygon`: the curve `γᵖˡ` through given points, with rigorous bounds of its energies.
+//! `Polygon`: the curve `γᵖˡ` through given points, with rigorous bounds on its energies.
 
 use nalgebra::SVector;
 use tautline_discretizations::{PointSequence, Rule};
@@ -8,11 +8,11 @@ use tautline_scalar::{Enclosure, Interval, Kernel, Rigorous};
 
 use super::{chord::Chord, pairwise_sum::PairwiseSum};
 
-/// The polygon `γᵖˡ` through the points of a sequence, each exactly the doubles that it is given
-/// by; the first and the last may be known to lie in small boxes only.
+/// The polygon `γᵖˡ` through the points of a sequence, taken as exact doubles; the first and the last may
+/// be boxes.
 ///
-/// With boxes it stands for every polygon whose ends lie in them, and what is enclosed here is
-/// enclosed for each of these. The kernel `K` is that of the intervals.
+/// With boxes it represents all polygons with ends in them, and enclosures hold for each of these. `K`
+/// is the kernel of the intervals.
 ///
 /// ```
 /// use tautline_certify::Polygon;
@@ -33,7 +33,7 @@ pub struct Polygon<'a, const D: usize, K = Rigorous> {
     last: SVector<Enclosure<K>, D>,
 }
 
-/// Why nothing is enclosed.
+/// Why there are no enclosures.
 pub(super) enum NotEnclosed {
     /// The formula has branches or too many steps.
     NotRecorded(RecordError),
@@ -53,8 +53,8 @@ impl<'a, const D: usize> Polygon<'a, D> {
         Polygon { sequence, first: point(sequence.first()), last: point(sequence.last()) }
     }
 
-    /// Returns the polygons whose first and last points are any of two boxes, in `ℓ`, in place of
-    /// those of the sequence. A box that is undefined makes every result so.
+    /// Replaces the first and the last point by boxes, in `ℓ`. An undefined box makes every result
+    /// undefined.
     #[must_use]
     pub fn with_ends(self, first: SVector<Interval, D>, last: SVector<Interval, D>) -> Self {
         Polygon { first, last, ..self }
@@ -86,22 +86,22 @@ impl<'a, const D: usize, K: Kernel> Polygon<'a, D, K> {
 
     /// Encloses the continuous energy `E(γᵖˡ) = N Σ ∫₀¹ dᵀ H(x + s d) d ds`, in `m²`.
     ///
-    /// Undefined if the metric is so anywhere on the curve, if it gives a negative square there, or if its
-    /// formula cannot be [recorded](tautline_formula::Formula::record), as one with branches, of which intervals
-    /// would follow one. Infinite where a number overflows. The lower end is never negative.
+    /// Undefined if the metric is undefined or gives a negative square anywhere on the curve, or if its
+    /// formula cannot be [recorded](tautline_formula::Formula::record): intervals would follow one branch.
+    /// Infinite where a number overflows. The lower end is never negative.
     ///
-    /// On each chord by Taylor's formula at the midpoint, with the remainder of fourth order over
-    /// the whole chord; where that is too wide, on its halves and so on, 8192 of them at most and
-    /// none shorter than `2⁻⁴⁰` of the chord. The time is linear in `N`. Where the metric is smooth
-    /// on the scale of a chord, the relative width is that of rounding, some `10⁻¹⁵` to `10⁻¹⁴`; it
-    /// stays below `10⁻¹²` as long as so many parts are enough.
+    /// Uses Taylor's formula at the midpoint of each chord, with the remainder of fourth order over the
+    /// whole chord; where that is too wide, the chord is bisected, into at most 8192 parts and none shorter
+    /// than `2⁻⁴⁰` of it. The time is linear in `N`. Where the metric is smooth on the scale of a chord, the
+    /// relative width is that of rounding, some `10⁻¹⁵` to `10⁻¹⁴`; it stays below `10⁻¹²` as long as
+    /// that many parts suffice.
     #[must_use]
     pub fn energy(&self, metric: &impl Metric<D>) -> Enclosure<K> {
         self.energy_and_length(metric).0
     }
 
-    /// Encloses the length `L(γᵖˡ) = Σ ∫₀¹ (dᵀ H(x + s d) d)^{1/2} ds`, in `m`; in all else as
-    /// [`energy`](Polygon::energy). The length of equal points is zero.
+    /// Encloses the length `L(γᵖˡ) = Σ ∫₀¹ (dᵀ H(x + s d) d)^{1/2} ds`, in `m`; see
+    /// [`energy`](Polygon::energy). Equal points have length zero.
     #[must_use]
     pub fn length(&self, metric: &impl Metric<D>) -> Enclosure<K> {
         self.energy_and_length(metric).1
@@ -135,8 +135,8 @@ impl<'a, const D: usize, K: Kernel> Polygon<'a, D, K> {
 
     /// Encloses the discrete energy `E_N = N Σ Σᵢ wᵢ dᵀ H(x + θᵢ d) d` of a rule, in `m²`.
     ///
-    /// The weights and fractions are the doubles that the rule gives. Undefined if the metric is
-    /// so at one of the points where the rule reads it, or if its formula cannot be recorded.
+    /// The weights and fractions are the doubles of the rule. Undefined if the metric is undefined at a
+    /// node, or if its formula cannot be recorded.
     #[must_use]
     pub fn discrete_energy<R: Rule>(&self, _rule: R, metric: &impl Metric<D>) -> Enclosure<K> {
         let metric = AnyMetric::new(metric);
@@ -149,7 +149,7 @@ impl<'a, const D: usize, K: Kernel> Polygon<'a, D, K> {
         sum.value() * self.n()
     }
 
-    /// `N`, which is exact as a double.
+    /// `N`, exact as a double.
     fn n(&self) -> f64 {
         self.sequence.n().get() as f64
     }

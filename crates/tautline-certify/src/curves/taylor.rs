@@ -7,10 +7,10 @@ use tautline_scalar::Scalar;
 
 /// The coefficients `aₖ = f⁽ᵏ⁾/k!`, `k < M`, of a function `f` of one variable.
 ///
-/// Over intervals the coefficients enclose those at every point of the interval at which the
-/// variable stands. Each operation is the recurrence that its differential equation implies, so a
-/// product costs `M (M + 1)/2` multiplications; a jet of a jet of the same order needs three times
-/// as many at order four, and its bounds are wider, since it computes mixed derivatives twice.
+/// Over intervals the coefficients enclose those at every point of the variable's interval. Each
+/// operation is the recurrence of its differential equation, so a product costs `M (M + 1)/2`
+/// multiplications. A jet of a jet needs three times as many at order four, and its bounds are wider,
+/// since it computes mixed derivatives twice.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Taylor<T, const M: usize>([T; M]);
 
@@ -25,7 +25,7 @@ impl<T: Scalar, const M: usize> Taylor<T, M> {
         Self(coefficients)
     }
 
-    /// The sum of `aₖ` times `factors`, which do not depend on the variable.
+    /// A sum of terms with constant factors.
     pub(super) fn combination(terms: impl Iterator<Item = (Self, T)>) -> Self {
         let mut sum = Self::zero();
         for (term, factor) in terms {
@@ -45,7 +45,7 @@ impl<T: Scalar, const M: usize> Taylor<T, M> {
         Self::line(value, T::zero())
     }
 
-    /// The coefficients one after the other, each from those before it.
+    /// The coefficients, each from those before it.
     fn recursive(first: T, next: impl Fn(usize, &[T; M]) -> T) -> Self {
         let mut b = [T::zero(); M];
         b[0] = first;
@@ -57,7 +57,7 @@ impl<T: Scalar, const M: usize> Taylor<T, M> {
 
     /// `Σ aᵢ bₖ₋ᵢ` over `1 ≤ i ≤ k`.
     fn convolution(a: &[T; M], b: &[T; M], k: usize) -> T {
-        // From the first term on, here and below: adding it to zero costs as much as the others.
+        // Starts with the first term, here and below, to save an addition.
         (2..=k).fold(a[1] * b[k - 1], |sum, i| sum + a[i] * b[k - i])
     }
 
@@ -72,7 +72,7 @@ impl<T: Scalar, const M: usize> Taylor<T, M> {
         if k == 1 { sum } else { sum / k as f64 }
     }
 
-    /// The coefficient of `f²`. A square has no negative part, where numbers are ranges.
+    /// The coefficient of `f²`, with squares as such: in intervals they are not negative.
     fn square(a: &[T; M], k: usize) -> T {
         if k == 0 {
             return a[0].sqr();
@@ -199,7 +199,7 @@ impl<T: Scalar, const M: usize> Scalar for Taylor<T, M> {
 
     fn powi(self, n: i32) -> Self {
         match n {
-            // Not the constant: what is not defined stays so.
+            // Not the constant 1: what is undefined stays undefined.
             0 => Self::constant_part(self.0[0].powi(0)),
             1 => self,
             // −1 first, since −n may overflow.
@@ -233,7 +233,7 @@ impl<T: Scalar, const M: usize> Scalar for Taylor<T, M> {
 
     fn ln(self) -> Self {
         let a = self.0;
-        // b′ a = a′. The logarithm of a negative number is not defined, though its slope would be.
+        // b′ a = a′. The logarithm of a negative number is undefined, though its slope is not.
         let inside = a[0].ln() * 0.0;
         Self::recursive(a[0].ln(), |k, b| {
             let earlier =
@@ -268,7 +268,7 @@ impl<T: Scalar, const M: usize> Scalar for Taylor<T, M> {
 
     fn tanh(self) -> Self {
         let a = self.0[0];
-        // 1/cosh², not 1 − tanh²: the latter cancels where tanh is near ±1.
+        // 1/cosh², since 1 − tanh² cancels where tanh is near ±1.
         self.quadratic(a.tanh(), a.cosh().sqr().recip(), -1.0)
     }
 }
@@ -279,7 +279,7 @@ mod tests {
 
     use super::Taylor;
 
-    /// Every operation of a scalar, by name.
+    /// Every operation of a scalar.
     fn functions<S: Scalar>(x: S) -> Vec<(&'static str, S)> {
         vec![
             ("sqr", x.sqr()),
@@ -303,7 +303,7 @@ mod tests {
         ]
     }
 
-    /// The coefficients are those of nested second-order jets, which share no recurrence with them.
+    /// Nested second-order jets share no recurrence with these.
     #[test]
     fn coefficients_are_those_of_nested_jets() {
         for x in [0.125, 0.5, 1.3, -0.7] {
@@ -319,7 +319,7 @@ mod tests {
                     second.first(0) / 6.0,
                     second.second(0, 0) / 24.0,
                 ];
-                // Some thirty roundings of terms which are at most some eight times the result.
+                // Some thirty roundings of terms up to eight times the result.
                 let size = jets.iter().fold(1.0_f64, |size, c| size.max(c.abs()));
                 for k in 0..5 {
                     let error = (taylor.coefficient(k) - jets[k]).abs();
@@ -345,13 +345,13 @@ mod tests {
         }
     }
 
-    /// What is not defined at a point of the interval has no finite value there.
+    /// A function that is undefined at a point of the interval has no finite value.
     #[test]
     fn what_is_not_defined_stays_so() {
         let across = Interval::new(-1.0, 1.0).expect("ordered");
         let x = Taylor::<Interval, 5>::line(across, Interval::point(1.0));
         let one = Taylor::constant(1.0);
-        // Negative throughout: the derivative 1/x would be defined, the logarithm is not.
+        // Negative throughout: 1/x is defined, the logarithm is not.
         let negative = x - 2.0;
         let undefined =
             [x.recip(), x.ln(), x.sqrt(), x.powi(-2), one / x, (x * 2.0).tan(), negative.ln()];
@@ -361,7 +361,7 @@ mod tests {
             }
             assert!((1..5).all(|k| y.coefficient(k).is_undefined()), "{y:?}");
         }
-        // A root that touches zero is defined, its derivatives are not.
+        // A root that touches zero is defined, but not its derivatives.
         let touching = Interval::new(0.0, 1.0).expect("ordered");
         let root = Taylor::<Interval, 5>::line(touching, Interval::point(1.0)).sqrt();
         assert_eq!(root.coefficient(0), touching);

@@ -226,7 +226,6 @@ fn common_divisor(mut a: f64, mut b: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::{SMatrix, SVector};
     use tautline_formula::Formula;
     use tautline_metrics::{
         Metric,
@@ -234,9 +233,9 @@ mod tests {
             Checkerboard, CoupledCosines, GaussianFisher, Lens, RotatingAnisotropy, Shear, Valleys,
         },
     };
-    use tautline_scalar::Scalar;
 
     use super::{Along, common_divisor};
+    use crate::parsed;
 
     fn dependence<const D: usize>(metric: &impl Metric<D>) -> [Along; D] {
         super::dependence(&Formula::record(metric).expect("no comparison"))
@@ -261,63 +260,42 @@ mod tests {
         assert_eq!(dependence(&anisotropy), [Periodic(1.0), Periodic(3.0)]);
     }
 
-    /// A metric on the line by a formula.
-    struct Line<F>(F);
-
-    trait OfX: Sync {
-        fn at<S: Scalar>(&self, x: S) -> S;
-    }
-
-    impl<F: OfX> Metric<1> for Line<F> {
-        fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
-            SMatrix::from_element(self.0.at(x[0]))
-        }
-    }
-
-    macro_rules! along {
-        (|$x:ident: $S:ident| $formula:expr) => {{
-            struct Given;
-            impl OfX for Given {
-                fn at<$S: Scalar>(&self, $x: $S) -> $S {
-                    $formula
-                }
-            }
-            dependence(&Line(Given))[0]
-        }};
-    }
-
     #[test]
     fn a_period_is_found_only_where_there_is_one() {
         use Along::{Constant, Periodic, Unknown};
-        assert_eq!(along!(|x: S| x - x + 2.0), Constant);
-        assert_eq!(along!(|x: S| (x * 3.0 - x + 1.0).sin() + 2.0), Periodic(2.0));
-        assert_eq!(along!(|x: S| (x * 4.0).cos() + (x * 6.0).sin() + 3.0), Periodic(2.0));
-        assert_eq!(along!(|x: S| ((x * 2.0).cos() + x * 4.0).sin() + 3.0), Periodic(2.0));
-        assert_eq!(along!(|x: S| (x * S::constant(0.25).sqrt()).cos() + 3.0), Periodic(0.5));
-        assert_eq!(along!(|x: S| (x / 0.5).tan().atan().exp()), Periodic(2.0));
-        // No common period, or none that is known.
-        assert_eq!(along!(|x: S| x.sin() + (x * 2.0_f64.sqrt()).sin() + 3.0), Unknown);
-        assert_eq!(along!(|x: S| (x * 0.1).sin() + (x * 0.3).sin() + 3.0), Unknown);
-        assert_eq!(along!(|x: S| (x / 3.0).sin() + 3.0), Unknown);
-        // Not periodic.
-        assert_eq!(along!(|x: S| x + x.cos()), Unknown);
-        assert_eq!(along!(|x: S| x * x.cos()), Unknown);
-        assert_eq!(along!(|x: S| x.cos() / x), Unknown);
-        assert_eq!(along!(|x: S| x.sqr().cos()), Unknown);
-        assert_eq!(along!(|x: S| (x * x).cos()), Unknown);
-        assert_eq!(along!(|x: S| x.powi(3).sin()), Unknown);
-        assert_eq!(along!(|x: S| x.cos() + x.tanh()), Unknown);
-        assert_eq!(along!(|x: S| (x.exp() * 2.0).cos()), Unknown);
-        assert_eq!(along!(|x: S| (x.cos() * x).sin()), Unknown);
-        // Inside of a wave each function is a trap of its own.
-        assert_eq!(along!(|x: S| (x + 2.0).recip().cos()), Unknown);
-        assert_eq!(along!(|x: S| x.sqrt().cos()), Unknown);
-        assert_eq!(along!(|x: S| x.ln().cos()), Unknown);
-        assert_eq!(along!(|x: S| x.atan().cos()), Unknown);
-        assert_eq!(along!(|x: S| x.sinh().cos()), Unknown);
-        assert_eq!(along!(|x: S| x.cosh().cos()), Unknown);
-        assert_eq!(along!(|x: S| x.tanh().cos()), Unknown);
-        assert_eq!(along!(|x: S| (S::one() / x).cos()), Unknown);
+        for (text, along) in [
+            ("x1 - x1 + 2", Constant),
+            ("sin(x1*3 - x1 + 1) + 2", Periodic(2.0)),
+            ("cos(x1*4) + sin(x1*6) + 3", Periodic(2.0)),
+            ("sin(cos(x1*2) + x1*4) + 3", Periodic(2.0)),
+            ("cos(x1*sqrt(number(0.25))) + 3", Periodic(0.5)),
+            ("exp(atan(tan(x1/0.5)))", Periodic(2.0)),
+            // No common period, or none that is known.
+            ("sin(x1) + sin(x1*sqrt(2)) + 3", Unknown),
+            ("sin(x1*0.1) + sin(x1*0.3) + 3", Unknown),
+            ("sin(x1/3) + 3", Unknown),
+            // Not periodic.
+            ("x1 + cos(x1)", Unknown),
+            ("x1*cos(x1)", Unknown),
+            ("cos(x1)/x1", Unknown),
+            ("cos(sqr(x1))", Unknown),
+            ("cos(x1*x1)", Unknown),
+            ("sin(x1^3)", Unknown),
+            ("cos(x1) + tanh(x1)", Unknown),
+            ("cos(exp(x1)*2)", Unknown),
+            ("sin(cos(x1)*x1)", Unknown),
+            // Each function inside a wave.
+            ("cos(recip(x1 + 2))", Unknown),
+            ("cos(sqrt(x1))", Unknown),
+            ("cos(ln(x1))", Unknown),
+            ("cos(atan(x1))", Unknown),
+            ("cos(sinh(x1))", Unknown),
+            ("cos(cosh(x1))", Unknown),
+            ("cos(tanh(x1))", Unknown),
+            ("cos(1/x1)", Unknown),
+        ] {
+            assert_eq!(super::dependence(&parsed(&format!("{text} I"))), [along], "{text}");
+        }
     }
 
     #[test]

@@ -1,21 +1,18 @@
-//! `Expressions`: a formula up to trivial identities, to see which entries of `H` are the same.
+//! `Expressions`: formulas up to trivial identities, to see which entries of `H` are equal.
 
 use std::collections::{HashMap, HashSet};
 
 use tautline_formula::{Arithmetic, Formula, Function, Operation};
 
-/// Returns whether `H(x) = φ(x) I` by its formula: zeros beside the diagonal, and the same
-/// expression all along it.
-///
-/// True is proved; false says nothing, since equal functions may be written in different ways.
+/// Returns whether the formula shows that `H(x) = φ(x) I`: zeros beside the diagonal, and the same
+/// expression all along it. False proves nothing, since equal functions may be written in different
+/// ways.
 pub(crate) fn is_isotropic<const D: usize>(formula: &Formula<D>) -> bool {
     Expressions::default().multiple_of_identity(formula).is_some()
 }
 
-/// Returns whether `H(x) = φ(|x|²) I` by its formula: the coordinates occur in `x₁² + x₂² + … `,
-/// summed in their order, and nowhere else.
-///
-/// True is proved; false says nothing.
+/// Returns whether the formula shows that `H(x) = φ(|x|²) I`: the coordinates occur in
+/// `x₁² + x₂² + …`, summed in this order, and nowhere else. False proves nothing.
 pub(crate) fn is_radial<const D: usize>(formula: &Formula<D>) -> bool {
     let mut expressions = Expressions::default();
     let Some(Some(factor)) = expressions.multiple_of_identity(formula) else { return false };
@@ -184,6 +181,8 @@ mod tests {
     };
     use tautline_scalar::Scalar;
 
+    use crate::parsed;
+
     fn is_isotropic<const D: usize>(metric: &impl Metric<D>) -> bool {
         super::is_isotropic(&Formula::record(metric).expect("no comparison"))
     }
@@ -198,21 +197,12 @@ mod tests {
         assert!(is_radial::<1>(&lens) && is_radial::<3>(&lens) && is_radial::<2>(&Hyperbolic));
         assert!(!is_radial::<2>(&Valleys) && !is_radial::<2>(&Sum::new(Valleys, lens)));
         assert!(!is_radial::<2>(&Hill::new(1.0, 1.0).expect("a width")));
-        /// A product for a square, and a coordinate beside, or a weight.
-        struct Near(usize);
-        impl Metric<2> for Near {
-            fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-                let square = match self.0 {
-                    0 => x[0] * x[0] + x[1].powi(2),
-                    1 => x[0].sqr() + x[1].sqr() + x[0],
-                    2 => x[0].sqr() + x[1].sqr() * 2.0,
-                    _ => x[0].sqr() + x[0].sqr(),
-                };
-                SMatrix::from_diagonal_element(square.exp() + 1.0)
-            }
+        // A product for a square; a coordinate beside it, a weight, a missing coordinate.
+        let radial = |square: &str| super::is_radial::<2>(&parsed(&format!("exp({square}) + 1 I")));
+        assert!(radial("x1*x1 + x2^2"));
+        for square in ["sqr(x1) + sqr(x2) + x1", "sqr(x1) + sqr(x2)*2", "sqr(x1) + sqr(x1)"] {
+            assert!(!radial(square), "{square}");
         }
-        assert!(is_radial(&Near(0)));
-        assert!(!is_radial(&Near(1)) && !is_radial(&Near(2)) && !is_radial(&Near(3)));
     }
 
     #[test]
@@ -245,14 +235,9 @@ mod tests {
     fn nothing_else_is_taken_for_one() {
         assert!(!is_isotropic(&Shear::new(0.5, 1.0).expect("a wave number")));
         assert!(!is_isotropic::<2>(&Hill::new(1.0, 1.0).expect("a width")));
-        /// Equal on the diagonal but for the coordinate, or with something beside it.
-        struct Diagonal(bool);
-        impl Metric<2> for Diagonal {
-            fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-                let (a, b) = (x[0].sqr() + 2.0, x[1].sqr() + 2.0);
-                if self.0 { matrix![a, S::zero(); S::zero(), b] } else { matrix![a, x[0]; x[0], a] }
-            }
+        // Equal on the diagonal but for the coordinate, or with something beside it.
+        for text in ["diag(sqr(x1) + 2, sqr(x2) + 2)", "a = sqr(x1) + 2; [a, x1; x1, a]"] {
+            assert!(!super::is_isotropic::<2>(&parsed(text)), "{text}");
         }
-        assert!(!is_isotropic(&Diagonal(true)) && !is_isotropic(&Diagonal(false)));
     }
 }

@@ -83,13 +83,13 @@ fn fraction(x: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::{SMatrix, SVector, matrix};
     use tautline_formula::Formula;
     use tautline_metrics::{
         Metric,
         gallery::{CoupledCosines, EggCrate, RotatingAnisotropy, Shear, Valleys},
     };
-    use tautline_scalar::Scalar;
+
+    use crate::parsed;
 
     fn superfluous<const D: usize>(metric: &impl Metric<D>) -> [bool; D] {
         super::superfluous(&Formula::record(metric).expect("no comparison"))
@@ -109,38 +109,16 @@ mod tests {
     fn a_coordinate_that_matters_is_kept() {
         let eggs = EggCrate::new(1.0, 1.0).expect("a wave number");
         assert_eq!(superfluous(&eggs), [false, false]);
-        /// A function of `x₁ + 2⁻²⁰ x₂`, which is nearly one of `x₁`, and of both where it is
-        /// small.
-        struct Nearly;
-        impl Metric<2> for Nearly {
-            fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-                let c = (x[0] + x[1] * 2.0_f64.powi(-20)).cos() + 2.0;
-                matrix![c, S::zero(); S::zero(), c]
-            }
+        for (text, expected) in [
+            // Nearly a function of `x₁`.
+            ("cos(x1 + x2*2^-20) + 2 I", [false, false]),
+            // Constant to rounding at the points that are tried, not elsewhere.
+            ("tanh(x2*40 - 400) + 2 I", [true, false]),
+            // The same beside the diagonal, and in a product with what stays.
+            ("far = tanh(x2*40 - 400); [2, far; far, 2]", [true, false]),
+            ("cos(x1) + x1*x2*2^-40 + 3 I", [false, false]),
+        ] {
+            assert_eq!(super::superfluous(&parsed(text)), expected, "{text}");
         }
-        assert_eq!(superfluous(&Nearly), [false, false]);
-        /// Constant at the points that are tried, to rounding, and not elsewhere.
-        struct Far;
-        impl Metric<2> for Far {
-            fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-                let c = (x[1] * 40.0 - 400.0).tanh() + 2.0;
-                matrix![c, S::zero(); S::zero(), c]
-            }
-        }
-        assert_eq!(superfluous(&Far), [true, false]);
-        /// The same beside the diagonal, and in a product with what stays.
-        struct Hidden(bool);
-        impl Metric<2> for Hidden {
-            fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-                let (far, two) = ((x[1] * 40.0 - 400.0).tanh(), S::constant(2.0));
-                if self.0 {
-                    return matrix![two, far; far, two];
-                }
-                let c = x[0].cos() + x[0] * x[1] * 2.0_f64.powi(-40) + 3.0;
-                matrix![c, S::zero(); S::zero(), c]
-            }
-        }
-        assert_eq!(superfluous(&Hidden(true)), [true, false]);
-        assert_eq!(superfluous(&Hidden(false)), [false, false]);
     }
 }

@@ -1,4 +1,4 @@
-//! What is read off a formula holds of its values: for random formulas in several variables.
+//! Random formulas: what is read off a formula holds for its values.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_formula::Formula;
@@ -91,7 +91,7 @@ impl Tree {
         }
     }
 
-    /// The largest number on the way to the value: where it is large, rounding is.
+    /// The largest intermediate result: where it is large, so is rounding.
     fn largest(&self, x: &[f64; 3]) -> f64 {
         let below = match self {
             Tree::Sum(a, b) | Tree::Product(a, b) | Tree::Quotient(a, b) => {
@@ -122,8 +122,8 @@ impl Matrix {
         Formula::record(self).expect("no comparison")
     }
 
-    /// Whether all entries are the same at both points, up to rounding; `None` where they are so
-    /// large on the way that this is not known.
+    /// Whether all entries are the same at both points, up to rounding; `None` if intermediate results are
+    /// too large to tell.
     fn same(&self, x: [f64; 3], y: [f64; 3]) -> Option<bool> {
         let largest = |tree: &Tree| tree.largest(&x).max(tree.largest(&y));
         // A hundred roundings, each magnified by the derivatives of some functions of such numbers.
@@ -133,14 +133,13 @@ impl Matrix {
     }
 }
 
-/// Along a coordinate that is said not to matter nothing changes, and after a period nothing has
-/// changed: in each entry, whichever of the three variables it has.
+/// Nothing changes along a coordinate that is read as constant, nor after a period, in any entry.
 #[test]
 fn values_depend_on_coordinates_as_it_is_read_off_the_formula() {
     let mut random = Random(tautline_chance::seed(1));
     let mut seen = [0_usize; 3];
     for case in 0..4000 {
-        // Of a metric all leaves have the same variables, so that some have no others.
+        // All leaves of a metric share their variables, so that some metrics lack one.
         let mask: [bool; 3] = std::array::from_fn(|_| random.below(2) == 0);
         let mut leaf = |random: &mut Random| {
             let wave = [1.0, -1.0, 2.0, 0.5, 3.0];
@@ -149,7 +148,7 @@ fn values_depend_on_coordinates_as_it_is_read_off_the_formula() {
             match random.below(8) {
                 0 => Tree::Number([0.0, 1.0, -0.75, 2.0][random.below(4)]),
                 1 => Tree::Tangent(a),
-                // A wave at once, since one in ten trees would have one else.
+                // A wave at once; otherwise only one tree in ten would have one.
                 2..=4 => Tree::Of(random.below(4), Box::new(Tree::Linear(a))),
                 _ => Tree::Linear(a),
             }
@@ -178,12 +177,12 @@ fn values_depend_on_coordinates_as_it_is_read_off_the_formula() {
     assert!(seen.iter().all(|&count| count > 1000), "{seen:?}");
 }
 
-/// Along a direction in which a formula is said not to change it does not.
+/// A formula does not change along a direction that is proved constant.
 #[test]
 fn values_do_not_change_along_a_direction_that_is_proved() {
     let mut random = Random(tautline_chance::seed(2));
     let mut seen = [0_usize; 2];
-    // Directions, and two forms that vanish on each.
+    // Directions with two forms that vanish on each.
     let directions = [
         ([1.0, -1.0, 0.0], [[1.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
         ([1.0, 1.0, 1.0], [[1.0, -1.0, 0.0], [0.0, 2.0, -2.0]]),
@@ -215,8 +214,8 @@ fn values_do_not_change_along_a_direction_that_is_proved() {
     assert!(seen.iter().all(|&count| count > 300), "{seen:?}");
 }
 
-/// What is said to be a multiple of the identity is one, and what is said to be radial is the same
-/// at points of the same norm.
+/// A metric read as isotropic is a multiple of the identity; one read as radial is the same at points of
+/// equal norm.
 #[test]
 fn multiples_of_the_identity_and_functions_of_the_norm_are_what_they_are_called() {
     let mut random = Random(tautline_chance::seed(3));
@@ -247,7 +246,7 @@ fn multiples_of_the_identity_and_functions_of_the_norm_are_what_they_are_called(
             let multiple = SMatrix::<f64, 3, 3>::from_diagonal_element(gram[(0, 0)]);
             let finite = gram.iter().all(|entry| entry.is_finite());
             assert!(!isotropic || !finite || gram == multiple, "case {case}: {gram}");
-            // Turned about each axis: a coordinate goes to the next, and two are turned by 3-4-5.
+            // Permuted coordinates, and a rotation by the 3-4-5 triangle.
             let (c, s) = (0.6 * x[0] - 0.8 * x[1], 0.8 * x[0] + 0.6 * x[1]);
             let turned = [x[2], c, s];
             assert!(!radial || metric.same(x, turned) != Some(false), "case {case}: {x:?}");
@@ -256,18 +255,11 @@ fn multiples_of_the_identity_and_functions_of_the_norm_are_what_they_are_called(
     assert!(seen.iter().all(|&count| count > 50), "{seen:?}");
 }
 
-/// A slope that is not zero is none by rounding: `3 · ⅓` is below one for the double that stands for
-/// `⅓`, though the product is one in doubles.
+/// A nonzero slope does not round to zero: `3 · ⅓` with the double `⅓` is below 1, though the product is 1
+/// in doubles.
 #[test]
 fn slopes_are_those_of_exact_arithmetic() {
-    struct Nearly;
-    impl Metric<1> for Nearly {
-        fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
-            let third = 1.0 / 3.0;
-            SMatrix::from_element((x[0] * third * 3.0 - x[0]).exp() + 1.0)
-        }
-    }
     assert_eq!(1.0 / 3.0 * 3.0, 1.0);
-    let formula = Formula::record(&Nearly).expect("no comparison");
-    assert_eq!(dependence(&formula), [Along::Unknown]);
+    let nearly = crate::parsed("exp(x1*(1/3)*3 - x1) + 1 I");
+    assert_eq!(dependence(&nearly), [Along::Unknown]);
 }

@@ -1,34 +1,24 @@
 //! What holds of the enclosures for every polygon and every metric.
 
-use nalgebra::{SMatrix, SVector, vector};
+use nalgebra::{SVector, vector};
 use tautline_certify::Polygon;
 use tautline_discretizations::{
     Interpolation, LeftEndpoint, PointSequence, Rule, Trapezoidal, TrueTrapezoid,
 };
 use tautline_metrics::{
-    Metric, Scalar,
+    Metric,
     gallery::{
         Bump, CoupledCosines, EggCrate, GaussianFisher, Hill, Hyperbolic, RotatingAnisotropy,
         Shear, Sphere, TwoLinkArm, Valleys,
     },
 };
-use tautline_scalar::{Fast, Interval};
+use tautline_scalar::{Fast, Interval, Scalar};
 
-/// Reproducible numbers in `[−1, 1)`: Steele, Lea and Flood's SplitMix64.
-struct Random(u64);
+use crate::{parsed, reference::Random};
 
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-
-    fn polygon<const D: usize>(&mut self, n: usize, size: f64) -> PointSequence<D> {
-        let points = (0..=n).map(|_| SVector::from_fn(|_, _| size * self.next())).collect();
-        PointSequence::new(points).expect("finite")
-    }
+fn polygon<const D: usize>(random: &mut Random, n: usize, size: f64) -> PointSequence<D> {
+    let point = |_| SVector::from_fn(|_, _| size * random.between(-1.0, 1.0));
+    PointSequence::new((0..=n).map(point).collect()).expect("finite")
 }
 
 /// A question that is asked of each of the metrics, with a size of polygons inside its domain.
@@ -60,7 +50,7 @@ fn energies_and_lengths_agree_with_floats_and_with_each_other() {
     impl Question for Agree {
         fn ask<const D: usize>(&mut self, name: &str, metric: &impl Metric<D>, size: f64) {
             for n in [1, 2, 8] {
-                let sequence = self.0.polygon::<D>(n, size);
+                let sequence = polygon::<D>(&mut self.0, n, size);
                 let polygon = Polygon::new(&sequence);
                 let (energy, length) = polygon.energy_and_length(metric);
                 assert_eq!((energy, length), (polygon.energy(metric), polygon.length(metric)));
@@ -130,7 +120,7 @@ fn boxes_at_the_ends_stand_for_all_their_points() {
     let metric = EggCrate::new(0.5, 2.0).expect("positive");
     let mut random = Random(tautline_chance::seed(2));
     for _ in 0..20 {
-        let sequence = random.polygon::<2>(3, 2.0);
+        let sequence = polygon::<2>(&mut random, 3, 2.0);
         let near =
             |x: &SVector<f64, 2>| x.map(|c| Interval::new(c - 1e-3, c + 1e-3).expect("ordered"));
         let (first, last) = (near(sequence.first()), near(sequence.last()));
@@ -141,7 +131,7 @@ fn boxes_at_the_ends_stand_for_all_their_points() {
         for _ in 0..5 {
             let mut points = sequence.points().to_vec();
             for end in [0, 3] {
-                points[end] += SVector::from_fn(|_, _| 1e-3 * random.next());
+                points[end] += SVector::from_fn(|_, _| random.between(-1e-3, 1e-3));
             }
             let one = PointSequence::new(points).expect("finite");
             let one = Polygon::new(&one);
@@ -187,20 +177,9 @@ fn equal_points_have_energy_and_length_zero() {
 
 #[test]
 fn a_metric_that_is_undefined_somewhere_has_no_finite_energy() {
-    /// `1/x²`, with a pole at 0 which a quadrature need not notice.
-    struct Pole;
-    impl Metric<1> for Pole {
-        fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
-            SMatrix::from_element(x[0].powi(-2))
-        }
-    }
-    /// `−1`, which is no metric.
-    struct Negative;
-    impl Metric<1> for Negative {
-        fn gram<S: Scalar>(&self, _: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
-            SMatrix::from_element(S::constant(-1.0))
-        }
-    }
+    // A quadrature need not notice the pole at 0.
+    let pole = parsed("x1^-2 I");
+    let negative = parsed("-1 I");
     fn undefined<const D: usize>(metric: &impl Metric<D>, points: &[[f64; D]]) {
         let points = points.iter().map(|&x| SVector::from(x)).collect();
         let sequence = PointSequence::new(points).expect("finite");
@@ -210,10 +189,10 @@ fn a_metric_that_is_undefined_somewhere_has_no_finite_energy() {
     undefined(&Hyperbolic, &[[0.0, 0.0], [0.75, 0.0], [0.75, 0.75]]);
     undefined(&Hyperbolic, &[[0.0, 0.0], [1.0, 0.0]]);
     undefined(&Hyperbolic, &[[2.0, 0.0], [2.0, 0.0]]);
-    undefined(&Pole, &[[-1.0], [2.0]]);
-    undefined(&Negative, &[[0.0], [1.0]]);
+    undefined(&pole, &[[-1.0], [2.0]]);
+    undefined(&negative, &[[0.0], [1.0]]);
     let unit = PointSequence::straight([0.0], [1.0], 1).expect("finite");
-    assert!(Polygon::new(&unit).discrete_energy(LeftEndpoint, &Negative).is_undefined());
+    assert!(Polygon::new(&unit).discrete_energy(LeftEndpoint, &negative).is_undefined());
     let sequence = PointSequence::straight([0.0, 0.0], [1.0, 0.0], 1).expect("finite");
     let polygon = Polygon::new(&sequence);
     let interior = polygon.discrete_energy(Trapezoidal, &Hyperbolic);
@@ -234,14 +213,9 @@ fn a_metric_that_is_undefined_somewhere_has_no_finite_energy() {
 /// `1 + |x|` has no derivative at 0: what remains is the range on the panels of `2⁻⁴⁰` there.
 #[test]
 fn a_kink_costs_time_but_no_truth() {
-    struct Tent;
-    impl Metric<1> for Tent {
-        fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
-            SMatrix::from_element(x[0].sqr().sqrt() + 1.0)
-        }
-    }
+    let tent = parsed("sqrt(sqr(x1)) + 1 I");
     let sequence = PointSequence::straight([-1.0], [2.0], 1).expect("finite");
-    let energy = Polygon::new(&sequence).energy(&Tent);
+    let energy = Polygon::new(&sequence).energy(&tent);
     // 3 ∫ (1 + |x|) from −1 to 2 is 33/2.
     assert!(energy.contains(16.5), "{energy:?}");
     assert!(energy.width() <= 1e-12 * 16.5, "{:e}", energy.width());

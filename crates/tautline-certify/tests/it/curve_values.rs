@@ -13,6 +13,8 @@ use tautline_metrics::{
 };
 use tautline_scalar::{Enclosure, Fast, Interval, Kernel};
 
+use crate::parsed;
+
 const P: usize = 192;
 const RM: RoundingMode = RoundingMode::None;
 
@@ -173,45 +175,35 @@ fn the_difference_of_points_is_not_rounded() {
 /// the boundary of the domain undefined.
 #[test]
 fn the_least_power_is_a_power_too() {
-    struct Power;
-    impl Metric<2> for Power {
-        fn gram<S: tautline_scalar::Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-            SMatrix::from_diagonal_element(x[1].powi(i32::MIN))
-        }
-    }
+    let power = parsed::<2>(&format!("x2^{} I", i32::MIN));
     for (y, value) in [(1.0, 1.0), (-1.0, 1.0), (2.0, 0.0)] {
         let sequence = line([0.0, y], [3.0, y]);
-        let (energy, length) = Polygon::new(&sequence).energy_and_length(&Power);
+        let (energy, length) = Polygon::new(&sequence).energy_and_length(&power);
         assert!(energy.contains(9.0 * value) && length.contains(3.0 * value), "{energy:?}");
         assert!(energy.width() < 1e-10 && length.width() < 1e-10, "{energy:?} {length:?}");
     }
     let sequence = line([0.0, 0.0], [3.0, 0.0]);
-    assert!(Polygon::new(&sequence).energy(&Power).is_undefined());
+    assert!(Polygon::new(&sequence).energy(&power).is_undefined());
 }
 
 /// `H = x⁴` is a polynomial of fourth order, whose remainder is a constant: nothing else than the
 /// coefficient 1/80 makes `∫₀¹ x⁴ = 1/5` out of it. And the weights and places of three rules.
 #[test]
 fn fourth_powers_are_integrated_exactly() {
-    struct Quartic;
-    impl Metric<1> for Quartic {
-        fn gram<S: tautline_scalar::Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
-            SMatrix::from_element(x[0].powi(4))
-        }
-    }
+    let quartic = parsed("x1^4 I");
     let sequence = PointSequence::straight([1.0], [2.0], 1).expect("finite");
     let polygon = Polygon::new(&sequence);
-    let (energy, length) = polygon.energy_and_length(&Quartic);
+    let (energy, length) = polygon.energy_and_length(&quartic);
     // 31/5, which is no double, and 7/3 for √H = x², which the recurrence of the root does not see
     // to be a polynomial.
     check(energy, "6.2", 4.0 * f64::EPSILON);
     check(length, "2.333333333333333333333333333333", NARROW);
     let point = |x: f64| Interval::point(x);
-    assert_eq!(polygon.discrete_energy(LeftEndpoint, &Quartic), point(1.0));
-    assert_eq!(polygon.discrete_energy(Trapezoidal, &Quartic), point(5.0625));
-    assert_eq!(polygon.discrete_energy(TrueTrapezoid, &Quartic), point(8.5));
+    assert_eq!(polygon.discrete_energy(LeftEndpoint, &quartic), point(1.0));
+    assert_eq!(polygon.discrete_energy(Trapezoidal, &quartic), point(5.0625));
+    assert_eq!(polygon.discrete_energy(TrueTrapezoid, &quartic), point(8.5));
     // Both halves have N = 2 in front.
     let sequence = PointSequence::straight([1.0], [2.0], 2).expect("finite");
-    let halves = Polygon::new(&sequence).discrete_energy(LeftEndpoint, &Quartic);
+    let halves = Polygon::new(&sequence).discrete_energy(LeftEndpoint, &quartic);
     assert_eq!(halves, point(2.0 * 0.25 * (1.0 + 5.0625)));
 }

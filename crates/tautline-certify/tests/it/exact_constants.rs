@@ -1,29 +1,18 @@
 //! Constants that are known exactly: not even by a rounding do the bounds leave them out.
 
-use nalgebra::{SMatrix, SVector};
 use tautline_certify::{Accuracy, Cell, CertifiedConstants, CertifyError, Domain};
-use tautline_metrics::Metric;
-use tautline_scalar::Scalar;
 
-/// `(100 + a · x) I`.
-struct Incline([f64; 3]);
+use crate::parsed;
 
-impl Metric<3> for Incline {
-    fn gram<S: Scalar>(&self, x: &SVector<S, 3>) -> SMatrix<S, 3, 3> {
-        let Incline(a) = self;
-        SMatrix::from_diagonal_element(x[0] * a[0] + x[1] * a[1] + x[2] * a[2] + 100.0)
-    }
-}
-
-/// `L_H = |a|` has an integer for its square, and every other root is rounded down to nearest. On
-/// the unit cube `c₁` and `c₂` are at two corners, and integers.
+/// `(100 + a · x) I`: the square of `L_H = |a|` is an integer, and every other root rounds down. On the
+/// unit cube `c₁` and `c₂` are integers, at two corners.
 #[test]
 fn the_slope_of_an_incline_is_enclosed_to_the_last_digit() -> Result<(), CertifyError> {
     let cube = Domain::cell(Cell::new([0.0; 3], [1.0; 3])?);
     let accuracy = Accuracy { tolerance: 1e-9, budget: 10_000 };
     for (a, b, c) in (0..64).map(|k| (k % 4, k / 4 % 4, k / 16)) {
-        let slopes = [a, b, -c].map(f64::from);
-        let proved = CertifiedConstants::new(&Incline(slopes), &cube, accuracy)?;
+        let incline = parsed(&format!("x1*{a} + x2*{b} - x3*{c} + 100 I"));
+        let proved = CertifiedConstants::new(&incline, &cube, accuracy)?;
         let square = f64::from(a * a + b * b + c * c);
         // One rounding at the end, which keeps the sign.
         let beyond = |x: f64| x.mul_add(x, -square);
@@ -39,24 +28,14 @@ fn the_slope_of_an_incline_is_enclosed_to_the_last_digit() -> Result<(), Certify
     Ok(())
 }
 
-/// `[[a, b], [b, a]]` in the plane, plus `[[0, x y], [x y, 0]]`.
-struct Twisted([f64; 2]);
-
-impl Metric<2> for Twisted {
-    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-        let [a, b] = self.0;
-        let off = x[0] * x[1] + b;
-        SMatrix::from_fn(|i, j| if i == j { S::constant(a) } else { off })
-    }
-}
-
-/// The eigenvalues are `a ± (b + x y)`; `|DH|² = x² + y²`, and `D²H[v, v] = 2 v₁v₂`, 1 at most.
+/// `[[a, b + x y], [b + x y, a]]` has the eigenvalues `a ± (b + x y)`; `|DH|² = x² + y²`, and `D²H[v, v] = 2 v₁v₂`, 1 at most.
 #[test]
 fn the_constants_of_a_twist_are_enclosed_to_the_last_digit() -> Result<(), CertifyError> {
     let cell = Domain::cell(Cell::new([0.0; 2], [1.0, 2.0])?);
     let accuracy = Accuracy { tolerance: 1e-6, budget: 100_000 };
     for (a, b) in [(8.0, 1.0), (7.0, -1.0), (1e3, 3.0), (5.5, 0.25)] {
-        let proved = CertifiedConstants::new(&Twisted([a, b]), &cell, accuracy)?;
+        let twisted = parsed(&format!("off = x1*x2 + {b}; [{a}, off; off, {a}]"));
+        let proved = CertifiedConstants::new(&twisted, &cell, accuracy)?;
         let off = f64::abs(b).max(b + 2.0);
         assert!(proved.c1().contains(a - off) && proved.c2().contains(a + off), "{proved:?}");
         let l_h = proved.l_h();

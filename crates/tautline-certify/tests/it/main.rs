@@ -11,3 +11,8 @@ mod partly_undefined;
 mod precise;
 #[path = "../../../tautline-scalar/tests/it/reference/mod.rs"]
 mod reference;
+
+/// The metric with this text.
+fn parsed<const D: usize>(text: &str) -> tautline_formula::Formula<D> {
+    tautline_formula::Formula::parse(text, &[]).unwrap_or_else(|error| panic!("{text}: {error}"))
+}

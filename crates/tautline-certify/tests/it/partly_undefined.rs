@@ -1,27 +1,18 @@
 //! Metrics that are not defined on a part of a domain, where the first point that is looked at has
 //! no value: what is undefined is found, and named by a point.
 
-use nalgebra::{SMatrix, SVector, vector};
+use nalgebra::vector;
 use tautline_certify::{
     Accuracy, Cell, CertifiedConstants, CertifyError, Domain, LocallyCertified, Quantity, certify,
 };
-use tautline_metrics::{LocalError, LocallyBounded, Metric};
-use tautline_scalar::Scalar;
+use tautline_metrics::{LocalError, LocallyBounded};
 
-/// `1 + √(1 + x)`, and beside it what has no value in doubles at 0: `|x|`, whose derivatives are
-/// `0/0` there, or `10³²⁰ e^{−200 x²}`.
-struct Partly {
-    overflows: bool,
-}
+use crate::parsed;
 
-impl Metric<1> for Partly {
-    fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
-        let square = x[0].sqr();
-        let beside =
-            if self.overflows { ((-square * 100.0).exp() * 1e160).sqr() } else { square.sqrt() };
-        SMatrix::from_element(beside + (x[0] + 1.0).sqrt() + 1.0)
-    }
-}
+/// `1 + √(1 + x)`, plus a term without a value in doubles at 0: `|x|`, whose derivatives are `0/0`
+/// there, or `10³²⁰ e^{−200 x²}`, which overflows.
+const PARTLY: [&str; 2] =
+    ["sqrt(sqr(x1)) + sqrt(x1 + 1) + 1 I", "sqr(exp(-sqr(x1)*100)*1e160) + sqrt(x1 + 1) + 1 I"];
 
 #[track_caller]
 fn assert_undefined<T: std::fmt::Debug>(found: Result<T, CertifyError>) {
@@ -38,14 +29,14 @@ fn what_is_undefined_is_found_where_the_first_point_has_no_value() {
     let accuracy = Accuracy { budget: 10_000, ..Accuracy::default() };
     for domain in [cell, ball] {
         assert!(domain.bounding_cell().midpoint()[0] == 0.0);
-        for overflows in [false, true] {
+        for metric in PARTLY.map(parsed) {
             for quantity in Quantity::ALL {
-                assert_undefined(certify(&Partly { overflows }, quantity, &domain, accuracy));
+                assert_undefined(certify(&metric, quantity, &domain, accuracy));
             }
-            assert_undefined(CertifiedConstants::new(&Partly { overflows }, &domain, accuracy));
+            assert_undefined(CertifiedConstants::new(&metric, &domain, accuracy));
         }
     }
-    let local = LocallyCertified::new(Partly { overflows: true }, accuracy);
+    let local = LocallyCertified::new(parsed::<1>(PARTLY[1]), accuracy);
     match local.constants_within(&vector![0.0], 2.0) {
         Err(LocalError::NotProved { radius: 2.0, reason }) => {
             assert!(reason.contains("is not shown to be defined at"), "{reason}");
@@ -61,7 +52,7 @@ fn without_anything_undefined_the_budget_ends_the_search() {
     let cell = Domain::cell(Cell::new([-0.5], [0.5]).expect("in order"));
     let accuracy = Accuracy { budget: 500, ..Accuracy::default() };
     for quantity in [Quantity::LH, Quantity::MH] {
-        match certify(&Partly { overflows: false }, quantity, &cell, accuracy) {
+        match certify(&parsed::<1>(PARTLY[0]), quantity, &cell, accuracy) {
             Err(CertifyError::BudgetSpent { lower, upper, boxes, .. }) => {
                 assert!(boxes > 400 && upper == f64::INFINITY, "{boxes} boxes, {upper}");
                 // 1 + ½ (1 − ½)^{−1/2}, and ¼ (½)^{−3/2} or so, near the ends.

@@ -1,4 +1,4 @@
-//! Formulas as data: recorded, printed, and read from text.
+//! Formulas as data: recorded, printed, parsed, and run as programs.
 
 mod any_metric;
 mod broken_text;
@@ -9,3 +9,8 @@ mod random_formulas;
 mod recorded;
 mod squares;
 mod text;
+
+/// The metric with this text.
+fn parsed<const D: usize>(text: &str) -> tautline_formula::Formula<D> {
+    tautline_formula::Formula::parse(text, &[]).unwrap_or_else(|error| panic!("{text}: {error}"))
+}

@@ -1,16 +1,18 @@
-//! What the programs of a formula compute, against jets of intervals through the formula itself.
+//! Programs against jets of intervals through the formula itself.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_chance::{cases, seed};
-use tautline_formula::{Batch, Batches, Formula, InstructionSet, Kind, Plain, Prepared, Register};
+use tautline_formula::{
+    Batch, Batches, Formula, InstructionSet, Kind, Layout, Plain, Prepared, Register,
+};
 use tautline_metrics::{Metric, gallery, is_gram};
 use tautline_scalar::{Interval, Jet2, Scalar};
 
 use crate::{random::Random, random_formulas::Trees, squares::decoder};
 
-/// A program rounds in another order than the formula. Places are enclosed together with their
-/// neighbours, so many units in the last place to either side: what a result moves by between them
-/// it may be off by.
+/// A program rounds in another order than the formula. Points are enclosed together with their
+/// neighbours, this many units in the last place to either side: a result may be off by as much as it
+/// changes there.
 const NEIGHBOURS: f64 = 16.0;
 
 fn nearby(x: f64) -> Interval {
@@ -18,7 +20,7 @@ fn nearby(x: f64) -> Interval {
     Interval::new(x - reach, x + reach).expect("ordered ends")
 }
 
-/// `H`, `Hd`, `dᵀHd`, `G`, `P` and `Q` at a place, enclosed.
+/// Enclosures of `H`, `Hd`, `dᵀHd`, `G`, `P` and `Q` at a point.
 struct Enclosed<const D: usize> {
     gram: SMatrix<Interval, D, D>,
     momentum: SVector<Interval, D>,
@@ -47,7 +49,7 @@ impl<const D: usize> Enclosed<D> {
     }
 }
 
-/// Whether a number is where it must be. Where nothing is known, it may be anything.
+/// Whether a number is near its enclosure. Where that is unbounded, any number is.
 fn is_near(found: f64, expected: Interval) -> bool {
     let width = expected.hi() - expected.lo();
     let margin = width + f64::MIN_POSITIVE;
@@ -64,8 +66,8 @@ pub(crate) fn evaluate<const D: usize>(batch: &mut Batch<'_, D>, places: &[Place
     batch.evaluate(places.len())
 }
 
-/// Compares all rows of all lanes, of the programs and of the formula as it is compiled; returns
-/// how many numbers were known at all.
+/// Compares all rows of all lanes, of the programs and of the compiled formula; returns how many numbers
+/// had a bounded enclosure.
 fn compare<const D: usize>(metric: &impl Metric<D>, places: &[Place<D>]) -> usize {
     let formula = Formula::record(metric).expect("no comparison");
     let text = formula.to_string();
@@ -93,7 +95,7 @@ pub(crate) fn compare_one<const D: usize>(
         );
         known += usize::from((expected.hi() - expected.lo()).is_finite());
     };
-    for kind in [Kind::Square, Kind::Momentum, Kind::Contraction] {
+    for kind in KINDS {
         let mut batch = Batch::new(batches, kind, 1, usize::MAX);
         for (block, places) in places.chunks(batch.lanes()).enumerate() {
             let first = block * batch.lanes();
@@ -144,8 +146,17 @@ pub(crate) fn places<const D: usize>(count: usize) -> Vec<Place<D>> {
         .collect()
 }
 
-/// All numbers, three kinds of them: `dᵀHd`, then that with `Hd` and `G`, then `H`, `G`, `P` and
-/// `Q`.
+const KINDS: [Kind; 3] = [Kind::Square, Kind::Momentum, Kind::Contraction];
+
+/// The first `count` lanes of all rows, the rows of `dᵀHd`, `Hd`, `G`, `H`, `P` and `Q` apart.
+pub(crate) fn rows<const D: usize>(batch: &Batch<'_, D>, count: usize) -> [Vec<f64>; 6] {
+    let Layout { square, momentum, slope, gram, turn, bend, .. } = batch.layout();
+    [square, momentum, slope, gram, turn, bend].map(|registers| {
+        registers.iter().flat_map(|&register| &batch.row(register)[..count]).copied().collect()
+    })
+}
+
+/// Requires all numbers of all kinds to be known: `dᵀHd`; with `Hd` and `G`; `H`, `G`, `P` and `Q`.
 #[track_caller]
 pub(crate) fn all<const D: usize>(metric: &impl Metric<D>) {
     let known = compare(metric, &places(100));
@@ -185,27 +196,18 @@ fn random_formulas_are_contracted_by_programs() {
     println!("{known} numbers were known");
 }
 
-/// For every size of a block and every instruction set.
+/// For all block sizes and instruction sets.
 #[test]
 fn neither_the_block_nor_the_processor_changes_a_bit() {
     fn bits<const D: usize>(programs: &dyn Batches<D>, places: &[Place<D>]) -> Vec<u64> {
         let mut all = Vec::new();
-        for kind in [Kind::Square, Kind::Momentum, Kind::Contraction] {
+        for kind in KINDS {
             let mut batch = Batch::new(programs, kind, 1, usize::MAX);
-            let layout = batch.layout().clone();
-            let rows = [
-                layout.square,
-                layout.momentum,
-                layout.slope,
-                layout.gram,
-                layout.turn,
-                layout.bend,
-            ];
             for places in places.chunks(batch.lanes()) {
                 evaluate(&mut batch, places);
+                let rows = rows(&batch, places.len()).concat();
                 for lane in 0..places.len() {
-                    let registers = rows.iter().flatten();
-                    all.extend(registers.map(|&register| batch.row(register)[lane].to_bits()));
+                    all.extend(rows.iter().skip(lane).step_by(places.len()).map(|x| x.to_bits()));
                 }
             }
         }
@@ -242,41 +244,31 @@ impl<M: Metric<D>, const D: usize> Metric<D> for InUnits<M> {
     }
 }
 
-/// Units that are powers of two change the exponents of all numbers, and nothing else.
+/// Units that are powers of two change exponents and nothing else.
 #[test]
 fn powers_of_two_change_no_bit() {
-    fn rows<const D: usize>(metric: &impl Metric<D>, ell: f64, m: f64) -> Vec<[f64; 2]> {
+    fn with_units<const D: usize>(metric: &impl Metric<D>, ell: f64, m: f64) -> Vec<[f64; 2]> {
         let prepared = Prepared::new(metric);
-        let mut rows = Vec::new();
+        let mut numbers = Vec::new();
         let places: Vec<Place<D>> =
             places::<D>(40).into_iter().map(|(x, d)| (x * ell, d * ell)).collect();
-        for kind in [Kind::Square, Kind::Momentum, Kind::Contraction] {
+        for kind in KINDS {
             let mut batch = Batch::new(&prepared, kind, 40, 1);
             evaluate(&mut batch, &places);
-            let layout = batch.layout();
-            // What each row is measured in.
-            let units = [
-                (&layout.square, m * m),
-                (&layout.momentum, m * m / ell),
-                (&layout.slope, m * m / ell),
-                (&layout.gram, m * m / ell / ell),
-                (&layout.turn, m * m / ell / ell),
-                (&layout.bend, m * m / ell / ell),
-            ];
-            for (registers, unit) in units {
-                for &register in registers {
-                    rows.extend(batch.row(register)[..40].iter().map(|&value| [value, unit]));
-                }
+            // Of dᵀHd, Hd, G, H, P and Q.
+            let units = [0, 1, 1, 2, 2, 2].map(|power| m * m / ell.powi(power));
+            for (rows, unit) in rows(&batch, 40).into_iter().zip(units) {
+                numbers.extend(rows.into_iter().map(|value| [value, unit]));
             }
         }
-        rows
+        numbers
     }
     #[track_caller]
     fn same<const D: usize>(metric: &impl Metric<D>) {
         let text = Formula::record(metric).expect("no comparison");
-        let here = rows(metric, 1.0, 1.0);
+        let here = with_units(metric, 1.0, 1.0);
         for (ell, m) in [(0.5, 1.0), (2.0, 0.25), (1024.0, 1024.0), (0.125, 4.0)] {
-            let there = rows(&InUnits { metric, ell, m }, ell, m);
+            let there = with_units(&InUnits { metric, ell, m }, ell, m);
             for ([here, _], [there, unit]) in here.iter().zip(&there) {
                 let same = here * unit == *there || here.is_nan() && there.is_nan();
                 assert!(same, "ℓ = {ell}, m = {m}: {here:e} {unit} {there:e}: {text}");
