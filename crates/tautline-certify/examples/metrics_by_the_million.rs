@@ -1,10 +1,10 @@
-//! A million comparisons of the metrics of the gallery and their derivatives over boxes with
-//! their values in high precision.
+//! Compares the metrics of the gallery and their derivatives over boxes with values in high
+//! precision, a million times.
 //!
 //! The tests make a quarter of that; this takes ten seconds:
 //! `cargo run --release -p tautline-certify --example metrics_by_the_million [COUNT] [SEED]`.
-//! It panics at the first enclosure that misses, and prints for each metric how many were compared
-//! and the widest ones at points.
+//! Panics at the first enclosure that misses; prints the number of comparisons for each metric and
+//! the largest widths at points.
 
 #[path = "../tests/it/every_metric/mod.rs"]
 mod every_metric;
@@ -19,7 +19,7 @@ use every_metric::{Record, Trial, try_all};
 use precise::Tally;
 use reference::Random;
 
-/// The trials that go on side by side, each with its own random numbers.
+/// The number of parallel trials, each with its own random numbers.
 const TRIALS: u64 = 4;
 
 fn trial(seed: u64, comparisons: u64) -> Vec<Record> {

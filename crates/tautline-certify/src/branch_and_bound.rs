@@ -15,8 +15,8 @@ pub(crate) trait Bounded<const D: usize>: Sync {
     /// Returns the value at a point, up to rounding; NaN if it overflows or is undefined.
     fn value(&self, x: &SVector<f64, D>) -> f64;
 
-    /// Returns the value of the wanted function, up to rounding: the bounded one is never smaller and may
-    /// be larger.
+    /// Returns the value of the wanted function, up to rounding: the bounded one is never smaller
+    /// and may be larger.
     fn wanted(&self, x: &SVector<f64, D>) -> f64 {
         self.value(x)
     }
@@ -63,9 +63,9 @@ struct Open<const D: usize> {
 
 /// Returns an upper bound of the largest value on the domain.
 ///
-/// The boxes with the largest bounds are cut first, many at a time and in parallel, until the largest
-/// bound is at most the best value found at a point, up to the tolerance. The result does not depend
-/// on the number of threads.
+/// The boxes with the largest bounds are cut first, many at a time and in parallel, until the
+/// largest bound is at most the best value found at a point, up to the tolerance. The result does
+/// not depend on the number of threads.
 ///
 /// A box is dropped if its bound is at most the best value. That value is rounded and may be too
 /// large: so the larger of the two is returned, which bounds the dropped boxes and the others.
@@ -154,8 +154,8 @@ impl<const D: usize> Search<D> {
         self.best + tolerance * self.best.abs()
     }
 
-    /// Cuts the boxes with the largest bounds, above the goal; returns their halves and the largest of
-    /// these bounds.
+    /// Cuts the boxes with the largest bounds, above the goal; returns their halves and the largest
+    /// of these bounds.
     fn cut(&mut self, tolerance: f64) -> (Vec<Cell<D>>, f64) {
         let goal = self.goal(tolerance);
         let (mut halves, mut upper) = (Vec::new(), f64::NEG_INFINITY);
@@ -284,10 +284,10 @@ mod tests {
         }
     }
 
-    /// The bounds of dropped boxes reach up to the best value, even if that is wrong: the result must not
-    /// be below it.
+    /// The bounds of dropped boxes reach up to the best value, even if that is wrong: the result
+    /// must not be below it.
     #[test]
-    fn a_value_that_is_too_large_costs_sharpness_and_nothing_else() {
+    fn a_value_that_is_too_large_only_costs_sharpness() {
         let boasting = Waves { boasts_by: 0.1, ..Waves::default() };
         let found = maximise(&boasting, &square(), EFFORT);
         assert!(found.upper >= greatest(), "{found:?}");
@@ -352,7 +352,7 @@ mod tests {
 
     /// A function without a value at the first few points, by overflow say, is evaluated elsewhere.
     #[test]
-    fn a_search_goes_on_until_a_value_is_met() {
+    fn a_search_continues_until_there_is_a_value() {
         let late = |is_refuted| OnTheLine {
             bound: |x| if x.hi() > 0.25 { f64::INFINITY } else { x.hi() },
             value: |x| if x < 0.3 { x } else { f64::NAN },
@@ -360,15 +360,15 @@ mod tests {
         };
         let found = maximise(&late(|x, _| x > 0.9), &segment(0.0, 1.0), EFFORT);
         assert!(found.refuted.is_some_and(|x| x[0] > 0.9) && !found.reached, "{found:?}");
-        // Without a point that refutes it the budget is spent, and the values that were met count.
+        // Without a refutation the budget is spent, and the values found count.
         let accuracy = Accuracy { budget: 100, ..EFFORT };
         let found = maximise(&late(|_, _| false), &segment(0.0, 1.0), accuracy);
         assert!(found.boxes > 90 && found.at.is_some_and(|x| x[0] < 0.3), "{found:?}");
         assert!(found.upper == f64::INFINITY && !found.reached, "{found:?}");
     }
 
-    /// Between two neighbouring doubles there is nothing to cut, and the bound of such a box still
-    /// counts: beside another one whose bound is met, and beside one that is cut first.
+    /// A box between neighbouring doubles cannot be cut, and its bound still counts: whether the
+    /// other boxes attain their bounds or are cut first.
     #[test]
     fn a_box_that_is_too_small_to_be_cut_keeps_its_bound() {
         // 0 at all points, with a bound of 3 on boxes that reach beyond 1.

@@ -72,7 +72,8 @@ impl<const D: usize> Cell<D> {
         SVector::from_fn(|i, _| x[i].clamp(self.sides[i].lo(), self.sides[i].hi()))
     }
 
-    /// Cuts the box across `coordinate`; `None` if there is no double between the ends of that side.
+    /// Cuts the box across `coordinate`; `None` if there is no double between the ends of that
+    /// side.
     pub(crate) fn halves(&self, coordinate: usize) -> Option<[Self; 2]> {
         let side = self.sides[coordinate];
         let (lo, hi) = (side.lo(), side.hi());
@@ -120,8 +121,8 @@ mod tests {
                     })
                     .collect();
             }
-            // Geometric cuts halve exponents: after 12 cuts every cell has width 4 at most, or a ratio
-            // of its ends of 4 at most.
+            // Geometric cuts halve exponents: after 12 cuts every cell has width 4 at most, or a
+            // ratio of its ends of 4 at most.
             for cell in cells {
                 let side = cell.sides()[0];
                 let narrow = side.width() <= 4.0 || side.magnitude() <= 4.0 * side.mignitude();

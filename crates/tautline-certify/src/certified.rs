@@ -7,8 +7,8 @@ use tautline_scalar::Scalar;
 
 use crate::{Accuracy, CertifiedConstants, CertifyError, Domain};
 
-/// A metric with constants on all of `R^D` that are proved from its formula, for metrics that do not
-/// declare any. A proof holds in dimension `D` only, even if the formula works in others.
+/// A metric with constants on all of `R^D` that are proved from its formula, for metrics that do
+/// not declare any. A proof holds in dimension `D` only, even if the formula works in others.
 ///
 /// ```
 /// use nalgebra::{SMatrix, SVector, matrix};
@@ -96,10 +96,10 @@ mod tests {
     use super::Certified;
     use tautline_formula::RecordError;
 
-    use crate::{Accuracy, CertifyError, Domain, Quantity, certify};
+    use crate::{Accuracy, CertifyError, Domain, Quantity, certify, testing::Branch};
 
     #[test]
-    fn a_periodic_metric_needs_no_word_of_its_author() {
+    fn a_periodic_metric_needs_no_declaration() {
         let proved = Certified::<_, 2>::new(Valleys, Accuracy::default()).expect("constants");
         let (proved, stated) =
             (Bounded::<2>::constants(&proved), Bounded::<2>::constants(&Valleys));
@@ -131,13 +131,6 @@ mod tests {
     /// Intervals would follow one branch.
     #[test]
     fn nothing_is_proved_of_a_formula_with_branches() {
-        struct Branch;
-        impl Metric<1> for Branch {
-            fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
-                let wave = x[0].sin();
-                SMatrix::from_element(if wave == S::zero() { S::one() } else { wave + 3.0 })
-            }
-        }
         let why = CertifyError::NotRecorded(RecordError::Compares);
         let accuracy = Accuracy::default();
         let refused = [Certified::new(Branch, accuracy), Certified::settled(Branch, accuracy)];
@@ -150,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_periodic_is_declared_to_settle_or_refused() {
+    fn a_metric_that_is_not_periodic_must_be_declared_to_settle() {
         let lens = Lens::new(1.0, 1.0).expect("a width");
         let refused = Certified::<_, 2>::new(lens, Accuracy::default());
         assert_eq!(refused, Err(CertifyError::NotAllOfSpace));

@@ -43,9 +43,9 @@ pub enum CertifyError {
         /// A bound of the relative change; NaN if there is none.
         change: f64,
     },
-    /// Constants on all of `R^D` need a metric that is shown, by its formula, to be periodic or constant
-    /// along each coordinate.
-    #[error("the formula does not show that a bounded domain stands for all of space")]
+    /// Constants on all of `R^D` need a metric that is shown, by its formula, to be periodic or
+    /// constant along each coordinate.
+    #[error("the formula does not show that a bounded domain represents all of space")]
     NotAllOfSpace,
     /// The requested relative tolerance is not between 0 and 1.
     #[error("a relative tolerance of {tolerance} is not between 0 and 1")]
@@ -53,15 +53,16 @@ pub enum CertifyError {
         /// The tolerance.
         tolerance: f64,
     },
-    /// The formula cannot be recorded. Proofs use the record, since intervals would follow one branch.
-    #[error("nothing is proved of a formula that cannot be recorded: {0}")]
+    /// The formula cannot be recorded. Proofs use the record, since intervals would follow one
+    /// branch.
+    #[error("a formula that cannot be recorded proves nothing: {0}")]
     NotRecorded(#[source] RecordError),
     /// Dimension 0.
     #[error("D = 0: there is no dimension")]
     NoDimension,
-    /// At a point of the domain the formula, evaluated in intervals, may be undefined: a root of a number
-    /// that may be negative, for example, or the tangent of a number beyond `2²⁰`.
-    #[error("the metric is not shown to be defined at {point:?}")]
+    /// At a point of the domain the formula, evaluated in intervals, may be undefined: a root of a
+    /// number that may be negative, for example, or the tangent of a number beyond `2²⁰`.
+    #[error("the metric may be undefined at {point:?}")]
     Undefined {
         /// Where it was evaluated, in `ℓ`.
         point: Vec<f64>,
@@ -78,7 +79,7 @@ pub enum CertifyError {
         eigenvalue: f64,
     },
     /// The budget of boxes was spent before the bounds were close enough. They hold all the same.
-    #[error("after {boxes} boxes, {quantity} is only known to lie between {lower:?} and {upper:?}")]
+    #[error("after {boxes} boxes, {quantity} is known only to lie between {lower:?} and {upper:?}")]
     BudgetSpent {
         /// Which constant.
         quantity: Quantity,

@@ -21,7 +21,7 @@ pub struct Domain<const D: usize> {
     scope: Scope,
 }
 
-/// What a domain stands for.
+/// What a domain represents.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Scope {
     /// Itself.
@@ -35,8 +35,8 @@ enum Scope {
 impl<const D: usize> Domain<D> {
     /// How far [`Domain::space`] reaches where a metric is neither constant nor periodic: `2¹⁰⁰ ℓ`.
     ///
-    /// Tenth powers of coordinates do not overflow there, and times the least double, which replaces
-    /// what underflows, they are negligible.
+    /// Tenth powers of coordinates do not overflow there, and times the least double, which
+    /// replaces what underflows, they are negligible.
     pub const REACH: f64 = f64::from_bits((1023 + 100) << 52);
 
     /// Returns a box.
@@ -55,8 +55,8 @@ impl<const D: usize> Domain<D> {
         if !(radius >= 0.0 && radius.is_finite()) {
             return Err(CertifyError::NotARadius { radius });
         }
-        // One double farther, since the sums are rounded. Not for the radius 0: nothing is rounded, and
-        // a derivative may vanish at the centre only.
+        // One double farther, since the sums are rounded. Not for the radius 0: nothing is rounded,
+        // and a derivative may vanish at the centre only.
         let cell = if radius == 0.0 {
             Cell::new(centre, centre)?
         } else {
@@ -72,11 +72,12 @@ impl<const D: usize> Domain<D> {
     ///
     /// Its width is 0 along a coordinate that does not occur in the formula, or only in differences
     /// with others, and along all but the first if the formula is a function of `|x|²` times the
-    /// identity. Along a coordinate in which the formula is periodic, it is one period, rounded up. All
-    /// this is read off the formula, not sampled: it follows sines, cosines and tangents of linear
-    /// functions with coefficients that are doubles with a common divisor. Along any other coordinate
-    /// the box reaches from `−2¹⁰⁰` to `2¹⁰⁰`, and [`is_all_of_space`](Domain::is_all_of_space) is
-    /// false: nothing is known beyond [`REACH`](Domain::REACH).
+    /// identity. Along a coordinate in which the formula is periodic, it is one period, rounded up.
+    /// All this is read off the formula, not sampled: it follows sines, cosines and tangents of
+    /// linear functions with coefficients that are doubles with a common divisor. Along any other
+    /// coordinate the box reaches from `−2¹⁰⁰` to `2¹⁰⁰`, and
+    /// [`is_all_of_space`](Domain::is_all_of_space) is false: nothing is known beyond
+    /// [`REACH`](Domain::REACH).
     ///
     /// ```
     /// use tautline_certify::Domain;
@@ -119,11 +120,11 @@ impl<const D: usize> Domain<D> {
         }
     }
 
-    /// Returns [`space`](Domain::space) as all of `R^D`, for a metric that you declare to settle: beyond
-    /// [`REACH`](Domain::REACH) it is constant.
+    /// Returns [`space`](Domain::space) as all of `R^D`, for a metric that you declare to settle:
+    /// beyond [`REACH`](Domain::REACH) it is constant.
     ///
-    /// Metrics with Gaussian or saturated parts are examples. The declaration is checked on the last
-    /// octave: for `R/2 ≤ |xₖ| ≤ R`, with the reach `R`, and all other coordinates within
+    /// Metrics with Gaussian or saturated parts are examples. The declaration is checked on the
+    /// last octave: for `R/2 ≤ |xₖ| ≤ R`, with the reach `R`, and all other coordinates within
     /// [`space`](Domain::space), `R |∂H|` and `R² |∂²H|` are at most `10⁻⁹ Hᵢᵢ` in each entry.
     ///
     /// # Errors
@@ -159,15 +160,16 @@ impl<const D: usize> Domain<D> {
         &self.cell
     }
 
-    /// Returns whether constants on the domain hold on all of `R^D`, for the metric that the domain was
-    /// made for: as its formula proves, or as you declared to [`settled_space`](Domain::settled_space).
+    /// Returns whether constants on the domain hold on all of `R^D`, for the metric that the domain
+    /// was made for: as its formula proves, or as you declared to
+    /// [`settled_space`](Domain::settled_space).
     #[must_use]
     pub fn is_all_of_space(&self) -> bool {
         self.scope != Scope::Region
     }
 
     /// Returns the same for any metric, whatever metric the domain was made for.
-    pub(crate) fn stands_for_space_under(&self, metric: &impl Metric<D>) -> bool {
+    pub(crate) fn represents_space_for(&self, metric: &impl Metric<D>) -> bool {
         match self.scope {
             Scope::Region => false,
             Scope::Space => *self == Self::space(metric),
@@ -255,7 +257,7 @@ mod tests {
     use tautline_scalar::Interval;
 
     use super::Domain;
-    use crate::{Cell, CertifyError, parsed};
+    use crate::{Cell, CertifyError, testing::parsed};
 
     #[test]
     fn a_ball_contains_its_points_and_misses_the_corners_of_its_box() {
@@ -313,16 +315,17 @@ mod tests {
     }
 
     #[test]
-    fn a_metric_that_goes_on_changing_does_not_settle() {
+    fn a_metric_that_keeps_changing_does_not_settle() {
         let error = Domain::settled_space(&GaussianFisher).expect_err("it grows");
         assert!(matches!(error, CertifyError::NotSettled { coordinate: 1, .. }), "{error}");
         // The sphere goes to 0, where no change is small in proportion.
         assert!(Domain::<2>::settled_space(&Sphere).is_err());
     }
 
-    /// A small change on the last octave, seen by the first derivative, by the second, or on one side.
+    /// A small change on the last octave, seen by the first derivative, by the second, or on one
+    /// side.
     #[test]
-    fn what_still_changes_a_little_has_not_settled() {
+    fn a_small_change_is_detected() {
         for text in [
             "tanh(x1*2^-100)*1e-3 + 1",
             "sin(x1*2^-80 + tanh(x1))*1e-17 + 1",
@@ -336,15 +339,15 @@ mod tests {
     }
 
     #[test]
-    fn a_domain_stands_for_space_under_the_metric_that_it_was_made_for() {
+    fn a_domain_represents_space_for_its_own_metric() {
         let constant = Constant::new(SMatrix::<f64, 2, 2>::identity()).expect("definite");
         let lens = Lens::new(1.0, 1.0).expect("a width");
         let point = Domain::space(&constant);
-        assert!(point.stands_for_space_under(&constant) && !point.stands_for_space_under(&lens));
+        assert!(point.represents_space_for(&constant) && !point.represents_space_for(&lens));
         let settled = Domain::<2>::settled_space(&lens).expect("it settles");
-        assert!(settled.stands_for_space_under(&lens));
-        assert!(!settled.stands_for_space_under(&Sphere));
-        assert!(!Domain::<2>::space(&lens).stands_for_space_under(&lens));
+        assert!(settled.represents_space_for(&lens));
+        assert!(!settled.represents_space_for(&Sphere));
+        assert!(!Domain::<2>::space(&lens).represents_space_for(&lens));
     }
 
     /// Centre plus radius is rounded, and the box must not be too small.

@@ -1,11 +1,11 @@
 //! Domains in doubt: points at the rim of a ball, and metrics that may not settle.
 
-use crate::{Cell, CertifyError, Domain, parsed};
+use crate::{Cell, CertifyError, Domain, testing::parsed};
 
 /// A metric of the plane that still changes has not settled: along the second coordinate, in the
 /// second diagonal entry, or beside the diagonal.
 #[test]
-fn each_coordinate_and_each_entry_has_to_settle() {
+fn each_coordinate_and_each_entry_must_settle() {
     let settled = |entries: &str| {
         let parts = "f1 = tanh(x1*2^-100)*1e-3; f2 = tanh(x2*2^-100)*1e-3;
             near1 = exp(-sqr(x1)); near2 = exp(-sqr(x2));";
@@ -17,7 +17,7 @@ fn each_coordinate_and_each_entry_has_to_settle() {
         ("diag(1, near1*f2 + 1)", 1),
         ("[1, near1*f2; near1*f2, 1]", 1),
         ("diag(f2 + 1, 1)", 1),
-        // Small beside one entry, and not beside the other.
+        // Small compared to one entry, not to the other.
         ("diag(1e20, f1 + 1)", 0),
         ("diag(f2 + 1, 1e20)", 1),
     ] {

@@ -1,7 +1,7 @@
 //! What intervals prove about a metric and a curve.
 //!
-//! Everything is computed from the formula of the metric alone, with outward rounding, and holds for
-//! all points of a box at once: nothing is sampled.
+//! Everything is computed from the formula of the metric alone, with outward rounding, and holds
+//! for all points of a box at once: nothing is sampled.
 //!
 //! * The constants `c₁`, `c₂`, `L_H` and `M_H` on a box, a ball or all of space: [`certify`],
 //!   [`CertifiedConstants`]; as a metric that has them, [`Certified`] and [`LocallyCertified`].
@@ -23,18 +23,18 @@
 //!
 //! The numbers of this crate hold if you trust
 //!
-//! * the trust base of [`Interval`](tautline_scalar::Interval): `+ − × ÷ √` of doubles are rounded as
-//!   IEEE 754 demands, the compiler and the processor are correct, and so are the derivations in the
-//!   comments of the intervals;
+//! * the trust base of [`Interval`](tautline_scalar::Interval): `+ − × ÷ √` of doubles are rounded
+//!   as IEEE 754 demands, the compiler and the processor are correct, and so are the derivations in
+//!   the comments of the intervals;
 //! * the implementation of jets, of the theorems of Gershgorin and of Collatz and Wielandt, of
 //!   Taylor's formula and of the search;
-//! * the formula: it is the one you mean, with its decimals read as doubles, it does the same in all
-//!   number types, and it is recorded and evaluated as written;
+//! * the formula: it is the one you mean, with its decimals read as doubles, it does the same in
+//!   all number types, and it is recorded and evaluated as written;
 //! * your word, if you [declare a metric to settle](Domain::settled_space).
 //!
-//! Nothing computed in plain doubles is trusted: eigenvectors, choices and best points are guesses; a
-//! bad guess makes a bound useless, not wrong. No mathematical library, linear algebra or optimiser
-//! is part of the trust base.
+//! Nothing computed in plain doubles is trusted: eigenvectors, choices and best points are guesses;
+//! a bad guess makes a bound useless, not wrong. No mathematical library, linear algebra or
+//! optimiser is part of the trust base.
 
 mod accuracy;
 mod branch_and_bound;
@@ -48,6 +48,8 @@ mod domain;
 mod domain_laws;
 mod formula;
 mod locally_certified;
+#[cfg(test)]
+mod testing;
 
 pub use accuracy::Accuracy;
 pub use cell::Cell;
@@ -57,9 +59,3 @@ pub use constants::{CertifiedConstant, CertifiedConstants, Quantity, certify};
 pub use curves::{AdmissibleCurve, CurveError, Polygon};
 pub use domain::Domain;
 pub use locally_certified::LocallyCertified;
-
-/// The metric with this text.
-#[cfg(test)]
-fn parsed<const D: usize>(text: &str) -> tautline_formula::Formula<D> {
-    tautline_formula::Formula::parse(text, &[]).unwrap_or_else(|error| panic!("{text}: {error}"))
-}

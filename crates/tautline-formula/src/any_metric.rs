@@ -112,8 +112,8 @@ fn same<T: Any, S: Any>(value: &T) -> Option<&S> {
 }
 
 impl<const D: usize> AnyMetric<'_, D> {
-    /// `H` in another kind of jet, from its second-order Taylor expansion. Exact for jets of order at
-    /// most two, where a product of three increments vanishes.
+    /// `H` in another kind of jet, from its second-order Taylor expansion. Exact for jets of order
+    /// at most two, where a product of three increments vanishes.
     fn expanded<S: Scalar>(&self, x: &SVector<S, D>, error: RecordError) -> SMatrix<S, D, D> {
         let places: Option<Vec<f64>> = x.iter().map(value::<S, D>).collect();
         let Some(places) = places else {

@@ -17,8 +17,8 @@ use crate::{
 ///
 /// # Laws
 ///
-/// The first `D` steps are the coordinates; a step reads only earlier ones; every other step is needed
-/// for an entry; no two steps are the same, except the second ones of pairs.
+/// The first `D` steps are the coordinates; a step reads only earlier ones; every other step is
+/// needed for an entry; no two steps are the same, except the second ones of pairs.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 #[doc(alias = "tape")]
 pub struct Formula<const D: usize> {
@@ -32,8 +32,8 @@ impl<const D: usize> Formula<D> {
     ///
     /// # Errors
     ///
-    /// [`RecordError`] if the formula compares numbers that depend on `x`, has too many steps, or uses
-    /// numbers of another evaluation.
+    /// [`RecordError`] if the formula compares numbers that depend on `x`, has too many steps, or
+    /// uses numbers of another evaluation.
     pub fn record(metric: &impl Metric<D>) -> Result<Self, RecordError> {
         let (gram, recording) = record(D, |x| metric.gram(&SVector::from_fn(|i, _| x[i])));
         Self::of(gram.as_slice(), &recording)
@@ -63,7 +63,8 @@ impl<const D: usize> Formula<D> {
     }
 
     /// Returns the function of one number that the step at `place` computes, with its argument; one
-    /// half of a [`Pair`] counts as a function. `None` for coordinates, numbers, arithmetic and powers.
+    /// half of a [`Pair`] counts as a function. `None` for coordinates, numbers, arithmetic and
+    /// powers.
     #[must_use]
     pub fn function(&self, place: usize) -> Option<(Function, Step)> {
         function_at(&self.operations, place)

@@ -151,8 +151,8 @@ impl Pair {
 
 /// One step: an operation exactly as the formula called it.
 ///
-/// `x + 2.0` and `x + S::constant(2.0)` are different steps, and so are `a + b` and `b + a`: a number
-/// type may round them differently.
+/// `x + 2.0` and `x + S::constant(2.0)` are different steps, and so are `a + b` and `b + a`: a
+/// number type may round them differently.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Operation {
     /// The coordinate `xᵢ`, from 0 on.

@@ -4,11 +4,9 @@
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RecordError {
-    /// The formula asks whether two numbers are equal, or one is zero, where that depends on the point:
-    /// it has branches.
-    #[error(
-        "the formula compares numbers that depend on the point; a recorded one has no branches"
-    )]
+    /// The formula asks whether two numbers are equal, or one is zero, where that depends on the
+    /// point: it has branches.
+    #[error("the formula compares numbers that depend on the point, so it has branches")]
     Compares,
     /// The formula is too long: every iteration of a loop is recorded.
     #[error("the formula has more than {most} steps")]
@@ -17,6 +15,6 @@ pub enum RecordError {
         most: usize,
     },
     /// The formula uses numbers of another evaluation, such as one on another thread.
-    #[error("the formula uses numbers that were made outside of this evaluation")]
+    #[error("the formula uses numbers from another evaluation")]
     Foreign,
 }

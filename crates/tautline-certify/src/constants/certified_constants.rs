@@ -32,8 +32,8 @@ impl<const D: usize> CertifiedConstants<D> {
     /// # Ok::<(), tautline_certify::CertifyError>(())
     /// ```
     ///
-    /// They are constants on all of `R^D` only if the domain represents it for this metric; the metric
-    /// that the domain was made for does not matter.
+    /// They are constants on all of `R^D` only if the domain represents it for this metric; the
+    /// metric that the domain was made for does not matter.
     ///
     /// # Errors
     ///
@@ -50,7 +50,7 @@ impl<const D: usize> CertifiedConstants<D> {
             c2: of(Quantity::C2)?,
             l_h: of(Quantity::LH)?,
             m_h: of(Quantity::MH)?,
-            all_of_space: domain.stands_for_space_under(metric),
+            all_of_space: domain.represents_space_for(metric),
             isotropic: metric.formula().is_ok_and(is_isotropic),
         })
     }
@@ -79,9 +79,9 @@ impl<const D: usize> CertifiedConstants<D> {
         self.m_h
     }
 
-    /// Returns the safe bounds as constants of the metric. They [hold on a region](Constants::is_local)
-    /// unless the domain represents all of space, and are [isotropic](Constants::is_isotropic) if the
-    /// formula shows a multiple of the identity.
+    /// Returns the safe bounds as constants of the metric. They [hold on a
+    /// region](Constants::is_local) unless the domain represents all of space, and are
+    /// [isotropic](Constants::is_isotropic) if the formula shows a multiple of the identity.
     ///
     /// # Errors
     ///

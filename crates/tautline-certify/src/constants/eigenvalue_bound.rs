@@ -19,11 +19,11 @@ pub(crate) struct Enclosed {
 /// Returns an upper bound of the largest eigenvalue of `S(x)` for all `x` in the box; `∞` or NaN if
 /// there is none.
 ///
-/// Let `Q` be the eigenvectors of the midpoint of the centre, computed in doubles. Then `B = Qᵀ S Q` is
-/// nearly diagonal; where the eigenvalues are simple, its off-diagonal entries affect them to second
-/// order in the size of the box. Two enclosures of `B` are intersected: the mean value form
-/// `Qᵀ S(m) Q + Σ Qᵀ ∂ₖS Q (xₖ − mₖ)` and `Qᵀ S Q` itself. Then [`rayleigh`] bounds `zᵀBz / zᵀz`,
-/// and `yᵀSy / yᵀy = zᵀBz / zᵀQᵀQz` for `y = Qz`. The bound holds for any `Q`.
+/// Let `Q` be the eigenvectors of the midpoint of the centre, computed in doubles. Then
+/// `B = Qᵀ S Q` is nearly diagonal; where the eigenvalues are simple, its off-diagonal entries
+/// affect them to second order in the size of the box. Two enclosures of `B` are intersected: the
+/// mean value form `Qᵀ S(m) Q + Σ Qᵀ ∂ₖS Q (xₖ − mₖ)` and `Qᵀ S Q` itself. Then [`rayleigh`] bounds
+/// `zᵀBz / zᵀz`, and `yᵀSy / yᵀy = zᵀBz / zᵀQᵀQz` for `y = Qz`. The bound holds for any `Q`.
 pub(crate) fn largest_eigenvalue(s: &Enclosed) -> f64 {
     let n = s.centre.nrows();
     let middle = s.centre.map(|entry| entry.midpoint());
@@ -70,8 +70,8 @@ fn rotated(a: &DMatrix<Interval>, q: &DMatrix<f64>) -> DMatrix<Interval> {
 /// them is undefined.
 ///
 /// The quotient is at most `|z|ᵀ C |z| / zᵀz`, where `Cᵢᵢ` is the upper end of `Bᵢᵢ` and `Cᵢⱼ` the
-/// largest `|Bᵢⱼ|`. The off-diagonal entries of `C` are not negative, so its largest eigenvalue is at
-/// most `maxᵢ Σⱼ Cᵢⱼ tⱼ / tᵢ` for any positive `t` (Collatz–Wielandt), with equality for its
+/// largest `|Bᵢⱼ|`. The off-diagonal entries of `C` are not negative, so its largest eigenvalue is
+/// at most `maxᵢ Σⱼ Cᵢⱼ tⱼ / tᵢ` for any positive `t` (Collatz–Wielandt), with equality for its
 /// eigenvector: that is used for `t`, up to rounding.
 fn rayleigh(b: &DMatrix<Interval>) -> f64 {
     let n = b.nrows();
@@ -174,9 +174,9 @@ mod tests {
         assert!((0.0..1e-14).contains(&at_a_point), "{at_a_point:e}");
     }
 
-    /// Dyadic matrices with exactly known eigenvalues, by reflections along `(±1, ±1, ±1, ±1)`: the bound
-    /// is not below the largest, not even by a rounding, though the eigenvectors in use are orthonormal
-    /// only up to rounding.
+    /// Dyadic matrices with exactly known eigenvalues, by reflections along `(±1, ±1, ±1, ±1)`: the
+    /// bound is not below the largest, not even by a rounding, though the eigenvectors in use are
+    /// orthonormal only up to rounding.
     #[test]
     fn no_bound_is_below_an_eigenvalue_that_is_known_exactly() {
         let reflection = |signs: u32| {
@@ -216,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_undefined_or_infinite_has_no_bound() {
+    fn undefined_or_infinite_entries_have_no_bound() {
         let a = dmatrix![1.0, 0.0; 0.0, 1.0];
         for bad in [Interval::UNDEFINED, Interval::REALS] {
             for entry in [(0, 0), (1, 1)] {

@@ -26,11 +26,11 @@ use super::{
 ///
 /// # The choice
 ///
-/// Let `f` have its maximum at `u = e₁`. The eigenvector must be `e₁₁`, so the other entries of its row
-/// must vanish: those at `(11, 1j)` do, as `u` is stationary, and those at `(11, jj)` and `(11, jk)`
-/// are made to. In two dimensions this is exact. In others all entries at `(ii, jj)` and `(ii, jk)`
-/// are made to vanish, a good start for subgradient steps. For any other `u` the coordinates are
-/// rotated.
+/// Let `f` have its maximum at `u = e₁`. The eigenvector must be `e₁₁`, so the other entries of its
+/// row must vanish: those at `(11, 1j)` do, as `u` is stationary, and those at `(11, jj)` and
+/// `(11, jk)` are made to. In two dimensions this is exact. In others all entries at `(ii, jj)` and
+/// `(ii, jk)` are made to vanish, a good start for subgradient steps. For any other `u` the
+/// coordinates are rotated.
 ///
 /// For a multiple of the identity `‖DH‖² = |∇φ|²`.
 pub(super) struct FirstDerivative<'a, const D: usize>(pub(super) Gram<'a, D>);
@@ -83,8 +83,8 @@ impl<const D: usize> Spectral<D> for FirstDerivative<'_, D> {
     }
 }
 
-/// Maximises `Σ vₖ uᵀAₖu` over unit vectors `v` and `u`, alternately: the best `u` is an eigenvector, the
-/// best `v` a normalized gradient.
+/// Maximises `Σ vₖ uᵀAₖu` over unit vectors `v` and `u`, alternately: the best `u` is an
+/// eigenvector, the best `v` a normalized gradient.
 pub(super) fn direction<const D: usize>(a: &[SMatrix<f64, D, D>; D]) -> Option<Direction<D>> {
     let mut best: Option<Direction<D>> = None;
     for mut v in starts() {

@@ -1,8 +1,8 @@
 //! The constants `c₁`, `c₂`, `L_H` and `M_H` of a metric, enclosed by branch and bound.
 //!
-//! Each is the maximum over the domain of the largest eigenvalue of some symmetric matrices made from
-//! `H` and its derivatives ([`spectral`]), or its negative or its root. On a box the eigenvalue is
-//! bounded by intervals ([`eigenvalue_bound`]).
+//! Each is the maximum over the domain of the largest eigenvalue of some symmetric matrices made
+//! from `H` and its derivatives ([`spectral`]), or its negative or its root. On a box the
+//! eigenvalue is bounded by intervals ([`eigenvalue_bound`]).
 
 mod biquadratic;
 mod certified_constants;
@@ -42,7 +42,8 @@ pub struct CertifiedConstant<const D: usize> {
     pub lower: f64,
     /// A proved upper bound.
     pub upper: f64,
-    /// A point where the constant is nearly attained, in `ℓ`: one of the two bounds comes from there.
+    /// A point where the constant is nearly attained, in `ℓ`: one of the two bounds comes from
+    /// there.
     pub at: SVector<f64, D>,
     /// How many boxes were evaluated.
     pub boxes: usize,
@@ -65,8 +66,8 @@ impl<const D: usize> CertifiedConstant<D> {
 /// Encloses a constant of `metric` on `domain`.
 ///
 /// Tight up to the tolerance for `c₁` and `c₂`, for multiples of the identity, and in one and two
-/// dimensions. Otherwise `L_H` and `M_H` are overestimated by factors of at most `√D` and `D`, usually
-/// a few percent; [`looseness`](CertifiedConstant::looseness) shows how much.
+/// dimensions. Otherwise `L_H` and `M_H` are overestimated by factors of at most `√D` and `D`,
+/// usually a few percent; [`looseness`](CertifiedConstant::looseness) shows how much.
 ///
 /// The result does not depend on the number of threads.
 ///
@@ -153,7 +154,7 @@ mod tests {
     use tautline_scalar::Scalar;
 
     use super::{CertifiedConstant, CertifiedConstants, Quantity, certify};
-    use crate::{Accuracy, Cell, CertifyError, Domain, parsed};
+    use crate::{Accuracy, Cell, CertifyError, Domain, testing::parsed};
 
     const CLOSE: Accuracy = Accuracy { tolerance: 1e-6, budget: 100_000 };
 
@@ -174,8 +175,8 @@ mod tests {
         assert!(!constants.is_local() && constants.is_isotropic());
     }
 
-    /// The second derivative of `φ = 20 − (2 − cos x₁)²` is largest with a positive sign, `6` at `π`; that
-    /// of the valleys with a negative one.
+    /// The second derivative of `φ = 20 − (2 − cos x₁)²` is largest with a positive sign, `6` at
+    /// `π`; that of the valleys with a negative one.
     #[test]
     fn a_second_derivative_counts_with_either_sign() {
         let ridges = parsed("20 - sqr(2 - cos(x1)) I");
@@ -283,7 +284,7 @@ mod tests {
 
     /// Entries below the diagonal are not read.
     #[test]
-    fn the_upper_triangle_is_the_metric() {
+    fn only_the_upper_triangle_is_read() {
         let half = |below: &str| {
             let off = "off = sin(x1 + x2*2)*0.5;";
             parsed::<2>(&format!("{off} [cos(x1) + 3, off; {below}, sin(x2) + 2]"))

@@ -51,6 +51,19 @@ pub(super) struct Vanishing<const D: usize> {
 }
 
 impl<const D: usize> Vanishing<D> {
+    fn new(
+        squares: impl Fn(usize, usize) -> f64,
+        mixed: impl Fn(usize, usize, usize) -> f64,
+    ) -> Self {
+        let apart = |i, j, k| j < k && i != j && i != k;
+        Self {
+            squares: SMatrix::from_fn(|i, j| if i < j { squares(i, j) } else { 0.0 }),
+            mixed: std::array::from_fn(|i| {
+                SMatrix::from_fn(|j, k| if apart(i, j, k) { mixed(i, j, k) } else { 0.0 })
+            }),
+        }
+    }
+
     /// Good factors for a maximum at `u`, up to rounding.
     pub(super) fn for_maximum(a: &[SMatrix<f64, D, D>; D], u: &SVector<f64, D>) -> Self {
         // In coordinates whose first axis is u.
@@ -61,13 +74,7 @@ impl<const D: usize> Vanishing<D> {
             let weight = if j == k { 1.0 } else { root };
             turned.iter().map(|a| a[(i, i)] * a[(j, k)] * weight).sum()
         };
-        let there = Self {
-            squares: SMatrix::from_fn(|i, j| if i < j { -entry(i, j, j) } else { 0.0 }),
-            mixed: std::array::from_fn(|i| {
-                let apart = |j, k| j < k && i != j && i != k;
-                SMatrix::from_fn(|j, k| if apart(j, k) { -entry(i, j, k) } else { 0.0 })
-            }),
-        };
+        let there = Self::new(|i, j| -entry(i, j, j), |i, j, k| -entry(i, j, k));
         // Rotated back: the factors are the entries at (ii, jj) and (ii, jk).
         let mut matrix = DMatrix::zeros(D * (D + 1) / 2, D * (D + 1) / 2);
         there.add_to(&mut matrix);
@@ -78,20 +85,14 @@ impl<const D: usize> Vanishing<D> {
         };
         let back =
             |i: usize, j: usize, k: usize| (axis(i, i).transpose() * &matrix * axis(j, k))[0];
-        Self {
-            squares: SMatrix::from_fn(|i, j| if i < j { back(i, j, j) } else { 0.0 }),
-            mixed: std::array::from_fn(|i| {
-                let apart = |j, k| j < k && i != j && i != k;
-                SMatrix::from_fn(|j, k| if apart(j, k) { back(i, j, k) } else { 0.0 })
-            }),
-        }
+        Self::new(|i, j| back(i, j, j), back)
     }
 
-    /// Returns factors with a smaller largest eigenvalue, if the maximum `goal` of the form leaves room: no
-    /// worse than no factors, which give at most `D` times the goal.
+    /// Returns factors with a smaller largest eigenvalue, if the maximum `goal` of the form leaves
+    /// room: no worse than no factors, which give at most `D` times the goal.
     ///
-    /// Polyak's subgradient method: steps along `wᵀNₘw`, for the eigenvector `w`, as long as a linear
-    /// function would need to reach the goal.
+    /// Polyak's subgradient method: steps along `wᵀNₘw`, for the eigenvector `w`, as long as a
+    /// linear function would need to reach the goal.
     pub(super) fn improved(self, matrix: &DMatrix<f64>, goal: f64) -> Self {
         let none = Self { squares: SMatrix::zeros(), mixed: [SMatrix::zeros(); D] };
         let without = eigen(matrix).map_or(f64::INFINITY, |eigen| eigen.eigenvalues.max());
@@ -119,20 +120,10 @@ impl<const D: usize> Vanishing<D> {
     /// The derivatives of `wᵀNw` by the factors.
     fn slope(w: &DVector<f64>) -> Self {
         let z = |i, j| w[place(D, i, j)];
-        Self {
-            squares: SMatrix::from_fn(|i, j| {
-                if i < j { 2.0 * z(i, i) * z(j, j) - z(i, j) * z(i, j) } else { 0.0 }
-            }),
-            mixed: std::array::from_fn(|i| {
-                SMatrix::from_fn(|j, k| {
-                    if j < k && i != j && i != k {
-                        2.0 * z(i, i) * z(j, k) - 2.0_f64.sqrt() * z(i, j) * z(i, k)
-                    } else {
-                        0.0
-                    }
-                })
-            }),
-        }
+        Self::new(
+            |i, j| 2.0 * z(i, i) * z(j, j) - z(i, j) * z(i, j),
+            |i, j, k| 2.0 * z(i, i) * z(j, k) - 2.0_f64.sqrt() * z(i, j) * z(i, k),
+        )
     }
 
     fn norm_squared(&self) -> f64 {
@@ -223,7 +214,8 @@ mod tests {
         (goal, eigen(&sum).expect("finite").eigenvalues.max())
     }
 
-    /// The quadratic form in the coordinates of uuᵀ is the quartic; the added matrix changes nothing.
+    /// The quadratic form in the coordinates of uuᵀ is the quartic; the added matrix changes
+    /// nothing.
     fn changes_nothing<const D: usize>(
         a: [SMatrix<f64, D, D>; D],
         b: [SMatrix<f64, D, D>; D],
@@ -278,8 +270,8 @@ mod tests {
             let best = best.expect("steps");
             let most = at(best);
             let (_, bound) = bound(&a);
-            // A fixed number of iterations finds the maximum to 1e-5 (measured) where the form is flat;
-            // brute force finds it to 8 (π/2e4)².
+            // A fixed number of iterations finds the maximum to 1e-5 (measured) where the form is
+            // flat; brute force finds it to 8 (π/2e4)².
             prop_assert!(most <= bound * (1.0 + 1e-14) && bound <= most * (1.0 + 1e-4),
                 "{most} {bound}");
         }
@@ -293,8 +285,8 @@ mod tests {
         }
     }
 
-    /// The best factors would be exact by Hilbert's theorem. Measured overestimation: 0.02 % in the mean,
-    /// 1 % at most; without factors 43 % in the mean.
+    /// The best factors would be exact by Hilbert's theorem. Measured overestimation: 0.02 % in the
+    /// mean, 1 % at most; without factors 43 % in the mean.
     #[test]
     fn the_bound_is_nearly_the_norm_in_space() {
         const CASES: u32 = 512;

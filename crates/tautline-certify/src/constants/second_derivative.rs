@@ -14,7 +14,8 @@ use super::{
 /// symmetric bilinear form two different vectors in place of `v` give no more.)
 ///
 /// The sum is the form of the `D² × D²` matrix `B`, with the entry `∂ₖ∂ₗHᵢⱼ` at `(k, i), (l, j)`,
-/// at the vector `v ⊗ u`, so it lies between the least and the largest eigenvalue of `B`. Multiples of
+/// at the vector `v ⊗ u`, so it lies between the least and the largest eigenvalue of `B`. Multiples
+/// of
 ///
 /// `2 zₖᵢ zₗⱼ − 2 zₖⱼ zₗᵢ`, `k < l`, `i < j`,
 ///
@@ -23,11 +24,11 @@ use super::{
 /// # The choice
 ///
 /// Let the form have its maximum at `v = u = e₁`. The eigenvector must be `e₁ ⊗ e₁`, so the other
-/// entries of its row must vanish: those at `(1, 1), (1, j)` and `(1, 1), (l, 1)` do, as `u` and `v`
-/// are stationary, and those at `(1, 1), (l, j)` are made to. For any other `u` and `v` the
+/// entries of its row must vanish: those at `(1, 1), (1, j)` and `(1, 1), (l, 1)` do, as `u` and
+/// `v` are stationary, and those at `(1, 1), (l, j)` are made to. For any other `u` and `v` the
 /// coordinates are rotated. In two dimensions this is exact: a nonnegative biquadratic form in two
-/// times two variables is a sum of squares (Calderón), and one that vanishes at `e₁ ⊗ e₁` has zeros in
-/// that row.
+/// times two variables is a sum of squares (Calderón), and one that vanishes at `e₁ ⊗ e₁` has zeros
+/// in that row.
 ///
 /// For a multiple of the identity `‖D²H‖ = ‖D²φ‖`.
 pub(super) struct SecondDerivative<'a, const D: usize>(pub(super) Gram<'a, D>);

@@ -1,5 +1,5 @@
-//! `Spectral`: a function of a point that is the largest eigenvalue of symmetric matrices made from the
-//! metric.
+//! `Spectral`: a function of a point that is the largest eigenvalue of symmetric matrices made from
+//! the metric.
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 use num_traits::Zero;
@@ -14,8 +14,8 @@ use crate::{
     branch_and_bound::{Bound, Bounded},
 };
 
-/// The largest eigenvalue of some symmetric matrices `S(x)`: its maximum is one of the constants of a
-/// metric, its negative or its square, or bounds that from above.
+/// The largest eigenvalue of some symmetric matrices `S(x)`: its maximum is one of the constants of
+/// a metric, its negative or its square, or bounds that from above.
 pub(super) trait Spectral<const D: usize>: Sync {
     /// A free parameter for each box: the matrices bound the constant for any choice.
     type Choice;
@@ -32,11 +32,12 @@ pub(super) trait Spectral<const D: usize>: Sync {
     /// Returns the wanted number at `x`, in the unit of the eigenvalue, up to rounding.
     fn wanted(&self, x: &SVector<f64, D>) -> f64;
 
-    /// Returns a proved lower bound of the wanted number at `x`, in the unit of the constant; an upper
-    /// bound if the constant is an infimum. Tight up to rounding; NaN if there is none.
+    /// Returns a proved lower bound of the wanted number at `x`, in the unit of the constant; an
+    /// upper bound if the constant is an infimum. Tight up to rounding; NaN if there is none.
     fn witness(&self, x: &SVector<f64, D>) -> f64;
 
-    /// Returns whether this is certainly not a metric at `x`, where the largest eigenvalue is `value`.
+    /// Returns whether this is certainly not a metric at `x`, where the largest eigenvalue is
+    /// `value`.
     fn is_refuted(&self, x: &SVector<f64, D>, value: f64) -> bool {
         value.is_nan() && self.gram().is_undefined(x)
     }
@@ -95,7 +96,8 @@ impl<S: Spectral<D>, const D: usize> Bounded<D> for LargestEigenvalue<'_, S> {
     }
 }
 
-/// Unit vectors `u` and `v` where a form in both is large, and its absolute value there, up to rounding.
+/// Unit vectors `u` and `v` where a form in both is large, and its absolute value there, up to
+/// rounding.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Direction<const D: usize> {
     pub(super) norm: f64,
@@ -122,16 +124,16 @@ pub(super) fn square<const D: usize>(u: &SVector<f64, D>) -> Interval {
     u.iter().fold(Interval::zero(), |sum, &u| sum + Interval::point(u).sqr())
 }
 
-/// Returns the eigenvalue of a symmetric matrix of largest absolute value, as that, and its eigenvector,
-/// up to rounding; `None` if an entry is not finite.
+/// Returns the eigenvalue of a symmetric matrix of largest absolute value, as that, and its
+/// eigenvector, up to rounding; `None` if an entry is not finite.
 pub(super) fn extreme<const D: usize>(
     entry: impl Fn(usize, usize) -> f64,
 ) -> Option<(f64, SVector<f64, D>)> {
     eigenvector(entry, |eigenvalues| eigenvalues.iamax()).map(|(value, u)| (value.abs(), u))
 }
 
-/// Returns the largest eigenvalue of a symmetric matrix and its eigenvector, up to rounding; `None` if an
-/// entry is not finite.
+/// Returns the largest eigenvalue of a symmetric matrix and its eigenvector, up to rounding; `None`
+/// if an entry is not finite.
 pub(super) fn greatest<const D: usize>(
     entry: impl Fn(usize, usize) -> f64,
 ) -> Option<(f64, SVector<f64, D>)> {
@@ -148,8 +150,8 @@ fn eigenvector<const D: usize>(
     Some((eigen.eigenvalues[index], SVector::from_fn(|i, _| vector[i])))
 }
 
-/// Returns an orthogonal matrix with the unit vector `u` as first column, up to rounding: the reflection
-/// that swaps `u` with ± the first axis, with the sign that avoids cancellation.
+/// Returns an orthogonal matrix with the unit vector `u` as first column, up to rounding: the
+/// reflection that swaps `u` with ± the first axis, with the sign that avoids cancellation.
 pub(super) fn basis_with<const D: usize>(u: &SVector<f64, D>) -> SMatrix<f64, D, D> {
     let mut w = *u;
     let sign = if u[0] < 0.0 { -1.0 } else { 1.0 };

@@ -58,18 +58,18 @@ pub enum CurveError {
         /// How many there are.
         chords: usize,
     },
-    /// The formula of the metric cannot be recorded: it has branches, of which intervals would follow
-    /// one, or too many steps.
-    #[error("nothing is proved of a formula that cannot be recorded: {0}")]
+    /// The formula of the metric cannot be recorded: it has branches, of which intervals would
+    /// follow one, or too many steps.
+    #[error("a formula that cannot be recorded proves nothing: {0}")]
     NotRecorded(#[source] RecordError),
 }
 
 impl<'a, const D: usize> AdmissibleCurve<'a, D> {
     /// Replaces the ends of `sequence` by members of the two sets and encloses energy and length.
     ///
-    /// An end that is proved to be a member stays. Otherwise the new end lies in a box of a few roundings
-    /// around the nearest point of the set. The sequence need not end near the set, but the farther it
-    /// does, the longer the curve becomes.
+    /// An end that is proved to be a member stays. Otherwise the new end lies in a box of a few
+    /// roundings around the nearest point of the set. The sequence need not end near the set, but
+    /// the farther it does, the longer the curve becomes.
     ///
     /// # Errors
     ///
@@ -113,13 +113,13 @@ impl<'a, const D: usize> AdmissibleCurve<'a, D> {
         self.length
     }
 
-    /// Returns an upper bound of `d²`, the squared distance between the sets, in `m²`: the lesser of the
-    /// upper ends of the energy and of the squared length. `∞` if both overflow.
+    /// Returns an upper bound of `d²`, the squared distance between the sets, in `m²`: the lesser
+    /// of the upper ends of the energy and of the squared length. `∞` if both overflow.
     ///
     /// Needs: only that the formula of the metric is the one you mean.
     ///
-    /// Overestimation: rounding, and the excess of the curve over a minimal geodesic. In real numbers
-    /// `L² ≤ E`, so the energy decides only if the length is enclosed less sharply.
+    /// Overestimation: rounding, and the excess of the curve over a minimal geodesic. In real
+    /// numbers `L² ≤ E`, so the energy decides only if the length is enclosed less sharply.
     #[must_use]
     pub fn distance_squared_at_most(&self) -> f64 {
         self.energy.hi().min(self.length.sqr().hi())
@@ -131,14 +131,12 @@ mod tests {
     use nalgebra::{SMatrix, SVector, vector};
     use tautline_discretizations::{LeftEndpoint, PointSequence};
     use tautline_formula::RecordError;
-    use tautline_metrics::{
-        Metric,
-        gallery::{Constant, Hyperbolic, Valleys},
-    };
+    use tautline_metrics::gallery::{Constant, Hyperbolic, Valleys};
     use tautline_scalar::{Interval, Scalar};
     use tautline_sets::{Ball, ClosedSet, Ends, HalfSpace, Point, Sphere};
 
     use super::{AdmissibleCurve, CurveError, Polygon};
+    use crate::testing::Branch;
 
     /// A set that proves nothing.
     #[derive(Debug)]
@@ -161,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn a_set_that_proves_nothing_is_named() {
+    fn a_set_that_proves_nothing_is_reported() {
         let goal = Point::new([1.0, 0.0]).expect("finite");
         let curve = line([0.0, 3.0], [1.0, 0.0], 2);
         let ends = Ends::new(Origin, goal).expect("bounded");
@@ -173,7 +171,7 @@ mod tests {
     }
 
     #[test]
-    fn a_chord_on_which_the_metric_is_undefined_is_named() {
+    fn a_chord_with_an_undefined_metric_is_reported() {
         let curve = line([0.0, 0.0], [2.0, 0.0], 4);
         let ends = Ends::points([0.0, 0.0], [2.0, 0.0]).expect("finite");
         let error = AdmissibleCurve::new(&Hyperbolic, &curve, &ends).expect_err("leaves the ball");
@@ -181,25 +179,17 @@ mod tests {
         assert_eq!(error, CurveError::Undefined { chord: 1, chords: 4 });
     }
 
-    /// A ridge of height 100 that intervals never see: they are not equal to one half, so they follow the
-    /// other branch.
+    /// Intervals would follow one branch.
     #[test]
     fn a_formula_with_branches_encloses_nothing() {
-        struct Ridge;
-        impl Metric<1> for Ridge {
-            fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
-                let at_the_ridge = x[0] == S::constant(0.5);
-                SMatrix::from_element(if at_the_ridge { S::constant(100.0) } else { S::one() })
-            }
-        }
         let ends = Ends::points([0.0], [1.0]).expect("finite");
         let curve = PointSequence::straight([0.0], [1.0], 4).expect("finite");
-        let error = AdmissibleCurve::new(&Ridge, &curve, &ends).expect_err("nothing proved");
+        let error = AdmissibleCurve::new(&Branch, &curve, &ends).expect_err("nothing proved");
         assert_eq!(error, CurveError::NotRecorded(RecordError::Compares));
         let polygon = Polygon::new(&curve);
-        let (energy, length) = polygon.energy_and_length(&Ridge);
+        let (energy, length) = polygon.energy_and_length(&Branch);
         assert!(energy.is_undefined() && length.is_undefined(), "{energy:?} {length:?}");
-        let discrete = polygon.discrete_energy(LeftEndpoint, &Ridge);
+        let discrete = polygon.discrete_energy(LeftEndpoint, &Branch);
         assert!(discrete.is_undefined(), "{discrete:?}");
     }
 
@@ -239,8 +229,8 @@ mod tests {
         assert!(square.hi() <= bound && bound < 0.09 * (1.0 + 1e-14), "{bound}");
     }
 
-    /// On the line under `H = 1` the length of an increasing sequence is the difference of its ends. No
-    /// bound is below its exact square.
+    /// On the line under `H = 1` the length of an increasing sequence is the difference of its
+    /// ends. No bound is below its exact square.
     #[test]
     fn no_rounding_puts_the_bound_below_the_square_of_the_length() {
         let euclidean = Constant::new(SMatrix::<f64, 1, 1>::identity()).expect("definite");

@@ -8,8 +8,8 @@ use super::{pairwise_sum::PairwiseSum, taylor::Taylor};
 
 /// A panel with at most this relative width is not bisected.
 ///
-/// The widths of panels add up as their integrals do, so truncation widens the total by no more than
-/// this. The rounding of `N = 1000` chords comes to `10⁻¹⁴`.
+/// The widths of panels add up as their integrals do, so truncation widens the total by no more
+/// than this. The rounding of `N = 1000` chords comes to `10⁻¹⁴`.
 const TOLERANCE: f64 = 1e-12;
 
 /// The most bisections: at `2⁻⁴⁰` of the chord, rounding begins to matter.
@@ -50,8 +50,8 @@ impl<K: Kernel, const D: usize> Chord<K, D> {
 
     /// The enclosures; undefined if the metric is, somewhere on the chord.
     ///
-    /// Bisects all panels that are too wide at once, so that they end up equally long if the limit is
-    /// reached.
+    /// Bisects all panels that are too wide at once, so that they end up equally long if the limit
+    /// is reached.
     pub(super) fn integrals(&self, metric: &impl Metric<D>) -> Integrals<K> {
         let whole = Panel { centre: 0.5, width: 1.0 };
         let (integrals, done) = self.over(metric, whole);
@@ -157,14 +157,15 @@ fn bound<K: Kernel>(
     range.intersection(taylor).unwrap_or(Enclosure::UNDEFINED)
 }
 
-/// Whether a panel is narrow enough, or bisecting would not help: the value at its midpoint is as wide.
-/// False if undefined.
+/// Whether a panel is narrow enough, or bisecting would not help: the value at its midpoint is as
+/// wide. False if undefined.
 fn narrow<K: Kernel>(mean: Enclosure<K>, of_value: f64) -> bool {
     let width = mean.width();
     width <= TOLERANCE * mean.mignitude() || width <= 2.0 * of_value
 }
 
-/// The nonnegative part of an enclosure of `dᵀHd`; undefined if empty, since `H` is then not a metric.
+/// The nonnegative part of an enclosure of `dᵀHd`; undefined if empty, since `H` is then not a
+/// metric.
 fn nonnegative<K: Kernel>(square: Enclosure<K>) -> Enclosure<K> {
     if square.hi() >= 0.0 {
         Enclosure::new(square.lo().max(0.0), square.hi()).unwrap_or(Enclosure::UNDEFINED)
@@ -196,8 +197,8 @@ mod tests {
 
     use super::Chord;
 
-    /// Where a box at an end makes the enclosure wide, bisecting would not help and is not tried; where the
-    /// metric varies too fast, bisecting ends.
+    /// Where a box at an end makes the enclosure wide, bisecting would not help and is not tried;
+    /// where the metric varies too fast, bisecting ends.
     #[test]
     fn bisecting_stops_where_it_does_not_help() {
         struct Counted<M>(M, AtomicUsize);

@@ -1,12 +1,12 @@
-//! Sums of many intervals whose width hardly grows.
+//! Sums of many intervals with little growth in width.
 
 use tautline_scalar::{Enclosure, Kernel};
 
 /// A running sum of intervals by pairwise summation.
 ///
-/// Each addition rounds outward by up to one unit in the last place of the current sum. Sequentially,
-/// `N` terms would widen the total by up to `N` units; pairwise, no term goes through more than
-/// `2 log₂ N` additions, and only the last few are of the size of the total.
+/// Each addition rounds outward by up to one unit in the last place of the current sum.
+/// Sequentially, `N` terms would widen the total by up to `N` units; pairwise, no term goes through
+/// more than `2 log₂ N` additions, and only the last few are of the size of the total.
 #[derive(Clone, Debug)]
 pub(super) struct PairwiseSum<K> {
     /// The sum of `2ᵏ` terms at place `k`, where `count` has that binary digit.

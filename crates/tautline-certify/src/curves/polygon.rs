@@ -8,11 +8,11 @@ use tautline_scalar::{Enclosure, Interval, Kernel, Rigorous};
 
 use super::{chord::Chord, pairwise_sum::PairwiseSum};
 
-/// The polygon `γᵖˡ` through the points of a sequence, taken as exact doubles; the first and the last may
-/// be boxes.
+/// The polygon `γᵖˡ` through the points of a sequence, taken as exact doubles; the first and the
+/// last may be boxes.
 ///
-/// With boxes it represents all polygons with ends in them, and enclosures hold for each of these. `K`
-/// is the kernel of the intervals.
+/// With boxes it represents all polygons with ends in them, and enclosures hold for each of these.
+/// `K` is the kernel of the intervals.
 ///
 /// ```
 /// use tautline_certify::Polygon;
@@ -86,15 +86,15 @@ impl<'a, const D: usize, K: Kernel> Polygon<'a, D, K> {
 
     /// Encloses the continuous energy `E(γᵖˡ) = N Σ ∫₀¹ dᵀ H(x + s d) d ds`, in `m²`.
     ///
-    /// Undefined if the metric is undefined or gives a negative square anywhere on the curve, or if its
-    /// formula cannot be [recorded](tautline_formula::Formula::record): intervals would follow one branch.
-    /// Infinite where a number overflows. The lower end is never negative.
+    /// Undefined if the metric is undefined or gives a negative square anywhere on the curve, or if
+    /// its formula cannot be [recorded](tautline_formula::Formula::record): intervals would follow
+    /// one branch. Infinite where a number overflows. The lower end is never negative.
     ///
-    /// Uses Taylor's formula at the midpoint of each chord, with the remainder of fourth order over the
-    /// whole chord; where that is too wide, the chord is bisected, into at most 8192 parts and none shorter
-    /// than `2⁻⁴⁰` of it. The time is linear in `N`. Where the metric is smooth on the scale of a chord, the
-    /// relative width is that of rounding, some `10⁻¹⁵` to `10⁻¹⁴`; it stays below `10⁻¹²` as long as
-    /// that many parts suffice.
+    /// Uses Taylor's formula at the midpoint of each chord, with the remainder of fourth order over
+    /// the whole chord; where that is too wide, the chord is bisected, into at most 8192 parts and
+    /// none shorter than `2⁻⁴⁰` of it. The time is linear in `N`. Where the metric is smooth on the
+    /// scale of a chord, the relative width is that of rounding, some `10⁻¹⁵` to `10⁻¹⁴`; it stays
+    /// below `10⁻¹²` as long as that many parts suffice.
     #[must_use]
     pub fn energy(&self, metric: &impl Metric<D>) -> Enclosure<K> {
         self.energy_and_length(metric).0
@@ -135,8 +135,8 @@ impl<'a, const D: usize, K: Kernel> Polygon<'a, D, K> {
 
     /// Encloses the discrete energy `E_N = N Σ Σᵢ wᵢ dᵀ H(x + θᵢ d) d` of a rule, in `m²`.
     ///
-    /// The weights and fractions are the doubles of the rule. Undefined if the metric is undefined at a
-    /// node, or if its formula cannot be recorded.
+    /// The weights and fractions are the doubles of the rule. Undefined if the metric is undefined
+    /// at a node, or if its formula cannot be recorded.
     #[must_use]
     pub fn discrete_energy<R: Rule>(&self, _rule: R, metric: &impl Metric<D>) -> Enclosure<K> {
         let metric = AnyMetric::new(metric);

@@ -9,8 +9,8 @@ use tautline_scalar::Scalar;
 ///
 /// Over intervals the coefficients enclose those at every point of the variable's interval. Each
 /// operation is the recurrence of its differential equation, so a product costs `M (M + 1)/2`
-/// multiplications. A jet of a jet needs three times as many at order four, and its bounds are wider,
-/// since it computes mixed derivatives twice.
+/// multiplications. A jet of a jet needs three times as many at order four, and its bounds are
+/// wider, since it computes mixed derivatives twice.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Taylor<T, const M: usize>([T; M]);
 
@@ -305,7 +305,7 @@ mod tests {
 
     /// Nested second-order jets share no recurrence with these.
     #[test]
-    fn coefficients_are_those_of_nested_jets() {
+    fn coefficients_agree_with_nested_jets() {
         for x in [0.125, 0.5, 1.3, -0.7] {
             let [inner] = Jet2::<f64, 1>::variables(&[x]);
             let [outer] = Jet2::<_, 1>::variables(&[inner]);
@@ -347,7 +347,7 @@ mod tests {
 
     /// A function that is undefined at a point of the interval has no finite value.
     #[test]
-    fn what_is_not_defined_stays_so() {
+    fn undefined_values_stay_undefined() {
         let across = Interval::new(-1.0, 1.0).expect("ordered");
         let x = Taylor::<Interval, 5>::line(across, Interval::point(1.0));
         let one = Taylor::constant(1.0);

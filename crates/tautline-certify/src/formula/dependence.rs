@@ -14,8 +14,8 @@ const LARGEST_RATIO: f64 = 1024.0;
 ///
 /// `f(x) = a·x + p(x)`
 ///
-/// where `p` does not depend on coordinate `i`, or is periodic in it, or depends on it in an unknown
-/// way.
+/// where `p` does not depend on coordinate `i`, or is periodic in it, or depends on it in an
+/// unknown way.
 ///
 /// The formula is followed step by step, with exact arithmetic on its constants, so every period
 /// found is proved. Others may exist: `sin x / cos x` is known to have the period `2π`, not `π`.
@@ -124,7 +124,7 @@ impl<const D: usize> Dependence<D> {
         (0..D).all(none)
     }
 
-    /// A function of this; of a constant it is one, whose value matters where it is a factor.
+    /// A function of this. If this is constant, so is the function, and its value may be a factor.
     fn under(self, bent: fn(Self) -> Self, value: impl Fn(Interval) -> Interval) -> Self {
         let mut result = bent(self);
         if self.is_constant() {
@@ -235,7 +235,7 @@ mod tests {
     };
 
     use super::{Along, common_divisor};
-    use crate::parsed;
+    use crate::testing::parsed;
 
     fn dependence<const D: usize>(metric: &impl Metric<D>) -> [Along; D] {
         super::dependence(&Formula::record(metric).expect("no comparison"))

@@ -44,8 +44,8 @@ type Expression = u32;
 /// Expressions by their numbers, and back.
 ///
 /// Sums and products do not depend on the order of two operands; `f · f` is `f²`; adding `0` and
-/// multiplying by `1` changes nothing; of constants, `0 · c` is `0`. Nothing else is simplified, not
-/// even `0 · f`: `f` may be undefined.
+/// multiplying by `1` changes nothing; of constants, `0 · c` is `0`. Nothing else is simplified,
+/// not even `0 · f`: `f` may be undefined.
 #[derive(Default)]
 struct Expressions {
     nodes: Vec<Node>,
@@ -181,7 +181,7 @@ mod tests {
     };
     use tautline_scalar::Scalar;
 
-    use crate::parsed;
+    use crate::testing::parsed;
 
     fn is_isotropic<const D: usize>(metric: &impl Metric<D>) -> bool {
         super::is_isotropic(&Formula::record(metric).expect("no comparison"))
@@ -192,7 +192,7 @@ mod tests {
     }
 
     #[test]
-    fn functions_of_the_norm_are_seen() {
+    fn functions_of_the_norm_are_recognized() {
         let lens = Lens::new(1.0, 0.5).expect("a width");
         assert!(is_radial::<1>(&lens) && is_radial::<3>(&lens) && is_radial::<2>(&Hyperbolic));
         assert!(!is_radial::<2>(&Valleys) && !is_radial::<2>(&Sum::new(Valleys, lens)));
@@ -206,7 +206,7 @@ mod tests {
     }
 
     #[test]
-    fn multiples_of_the_identity_are_seen() {
+    fn multiples_of_the_identity_are_recognized() {
         let lens = Lens::new(1.0, 0.5).expect("a width");
         assert!(is_isotropic::<1>(&Valleys) && is_isotropic::<2>(&Valleys));
         assert!(is_isotropic::<3>(&lens) && is_isotropic::<2>(&Hyperbolic));
@@ -232,10 +232,10 @@ mod tests {
     }
 
     #[test]
-    fn nothing_else_is_taken_for_one() {
+    fn other_metrics_are_not_recognized() {
         assert!(!is_isotropic(&Shear::new(0.5, 1.0).expect("a wave number")));
         assert!(!is_isotropic::<2>(&Hill::new(1.0, 1.0).expect("a width")));
-        // Equal on the diagonal but for the coordinate, or with something beside it.
+        // Different coordinates on the diagonal, or an entry beside it.
         for text in ["diag(sqr(x1) + 2, sqr(x2) + 2)", "a = sqr(x1) + 2; [a, x1; x1, a]"] {
             assert!(!super::is_isotropic::<2>(&parsed(text)), "{text}");
         }

@@ -10,8 +10,8 @@ use super::dependence::is_constant_along;
 /// Coordinates that can be set to 0 without loss: for each of them the Gram matrix does not change
 /// along some direction that moves it and none of the other superfluous ones.
 ///
-/// The directions are guessed from derivatives at some points, as multiples of small fractions; that
-/// the formula does not change along them is then proved by [`is_constant_along`]. So
+/// The directions are guessed from derivatives at some points, as multiples of small fractions;
+/// that the formula does not change along them is then proved by [`is_constant_along`]. So
 /// `cos(x₁ − x₂)` needs only one coordinate. What is not guessed or not proved costs boxes and
 /// nothing else.
 pub(crate) fn superfluous<const D: usize>(formula: &Formula<D>) -> [bool; D] {
@@ -89,7 +89,7 @@ mod tests {
         gallery::{CoupledCosines, EggCrate, RotatingAnisotropy, Shear, Valleys},
     };
 
-    use crate::parsed;
+    use crate::testing::parsed;
 
     fn superfluous<const D: usize>(metric: &impl Metric<D>) -> [bool; D] {
         super::superfluous(&Formula::record(metric).expect("no comparison"))
@@ -114,7 +114,7 @@ mod tests {
             ("cos(x1 + x2*2^-20) + 2 I", [false, false]),
             // Constant to rounding at the points that are tried, not elsewhere.
             ("tanh(x2*40 - 400) + 2 I", [true, false]),
-            // The same beside the diagonal, and in a product with what stays.
+            // The same off the diagonal, and in a product.
             ("far = tanh(x2*40 - 400); [2, far; far, 2]", [true, false]),
             ("cos(x1) + x1*x2*2^-40 + 3 I", [false, false]),
         ] {

@@ -26,7 +26,7 @@ impl Random {
         std::array::from_fn(|_| self.coordinate())
     }
 
-    /// A tree of at most this depth with such leaves.
+    /// A tree of at most this depth with these leaves.
     fn tree(&mut self, depth: usize, leaf: &mut impl FnMut(&mut Self) -> Tree) -> Tree {
         let mut below = |random: &mut Self| Box::new(random.tree(depth - 1, leaf));
         match self.below(if depth == 0 { 1 } else { 10 }) {
@@ -118,15 +118,23 @@ impl Metric<3> for Matrix {
 }
 
 impl Matrix {
+    /// Every other entry is 1.
+    fn random(random: &mut Random, leaf: &mut impl FnMut(&mut Random) -> Tree) -> Self {
+        Self(std::array::from_fn(|_| {
+            let depth = random.below(3);
+            if random.below(2) == 0 { Tree::Number(1.0) } else { random.tree(depth, leaf) }
+        }))
+    }
+
     fn formula(&self) -> Formula<3> {
         Formula::record(self).expect("no comparison")
     }
 
-    /// Whether all entries are the same at both points, up to rounding; `None` if intermediate results are
-    /// too large to tell.
+    /// Whether all entries are the same at both points, up to rounding; `None` if intermediate
+    /// results are too large to tell.
     fn same(&self, x: [f64; 3], y: [f64; 3]) -> Option<bool> {
         let largest = |tree: &Tree| tree.largest(&x).max(tree.largest(&y));
-        // A hundred roundings, each magnified by the derivatives of some functions of such numbers.
+        // A hundred roundings, each magnified by derivatives of some functions.
         let tame = self.0.iter().all(|tree| largest(tree) < 1e3);
         let close = |tree: &Tree| (tree.at(&x) - tree.at(&y)).abs() < 1e-6;
         tame.then(|| self.0.iter().all(close))
@@ -135,7 +143,7 @@ impl Matrix {
 
 /// Nothing changes along a coordinate that is read as constant, nor after a period, in any entry.
 #[test]
-fn values_depend_on_coordinates_as_it_is_read_off_the_formula() {
+fn values_depend_on_coordinates_as_the_formula_shows() {
     let mut random = Random(tautline_chance::seed(1));
     let mut seen = [0_usize; 3];
     for case in 0..4000 {
@@ -153,10 +161,7 @@ fn values_depend_on_coordinates_as_it_is_read_off_the_formula() {
                 _ => Tree::Linear(a),
             }
         };
-        let metric = Matrix(std::array::from_fn(|_| {
-            let depth = random.below(3);
-            if random.below(2) == 0 { Tree::Number(1.0) } else { random.tree(depth, &mut leaf) }
-        }));
+        let metric = Matrix::random(&mut random, &mut leaf);
         for (i, along) in dependence(&metric.formula()).into_iter().enumerate() {
             for _ in 0..8 {
                 let (x, mut y) = (random.point(), random.coordinate());
@@ -198,10 +203,7 @@ fn values_do_not_change_along_a_direction_that_is_proved() {
             1 => Tree::Number(0.5),
             k => Tree::Linear(forms[k % 2]),
         };
-        let metric = Matrix(std::array::from_fn(|_| {
-            let depth = random.below(3);
-            if random.below(2) == 0 { Tree::Number(1.0) } else { random.tree(depth, &mut leaf) }
-        }));
+        let metric = Matrix::random(&mut random, &mut leaf);
         let constant = is_constant_along(&metric.formula(), &SVector::from(direction));
         seen[usize::from(constant)] += 1;
         for _ in 0..8 {
@@ -214,10 +216,10 @@ fn values_do_not_change_along_a_direction_that_is_proved() {
     assert!(seen.iter().all(|&count| count > 300), "{seen:?}");
 }
 
-/// A metric read as isotropic is a multiple of the identity; one read as radial is the same at points of
-/// equal norm.
+/// A metric read as isotropic is a multiple of the identity; one read as radial is the same at
+/// points of equal norm.
 #[test]
-fn multiples_of_the_identity_and_functions_of_the_norm_are_what_they_are_called() {
+fn isotropic_and_radial_metrics_are_so() {
     let mut random = Random(tautline_chance::seed(3));
     let mut seen = [0_usize; 3];
     for case in 0..3000 {
@@ -255,11 +257,11 @@ fn multiples_of_the_identity_and_functions_of_the_norm_are_what_they_are_called(
     assert!(seen.iter().all(|&count| count > 50), "{seen:?}");
 }
 
-/// A nonzero slope does not round to zero: `3 · ⅓` with the double `⅓` is below 1, though the product is 1
-/// in doubles.
+/// A nonzero slope does not round to zero: `3 · ⅓` with the double `⅓` is below 1, though the
+/// product is 1 in doubles.
 #[test]
-fn slopes_are_those_of_exact_arithmetic() {
+fn slopes_are_exact() {
     assert_eq!(1.0 / 3.0 * 3.0, 1.0);
-    let nearly = crate::parsed("exp(x1*(1/3)*3 - x1) + 1 I");
+    let nearly = crate::testing::parsed("exp(x1*(1/3)*3 - x1) + 1 I");
     assert_eq!(dependence(&nearly), [Along::Unknown]);
 }

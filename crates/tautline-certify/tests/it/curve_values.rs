@@ -28,7 +28,7 @@ fn holds<K: Kernel>(x: Enclosure<K>, y: &BigFloat) -> bool {
     below(&big(x.lo()), y) && below(y, &big(x.hi()))
 }
 
-/// Whether the enclosure contains the decimal, and no more than `margin` of it beside.
+/// Whether the enclosure contains the decimal, with a relative width of at most `margin`.
 #[track_caller]
 fn check<K: Kernel>(x: Enclosure<K>, decimal: &str, margin: f64) {
     let mut consts = Consts::new().expect("memory for the constants");
@@ -37,7 +37,7 @@ fn check<K: Kernel>(x: Enclosure<K>, decimal: &str, margin: f64) {
     assert!(x.width() <= margin * x.lo(), "{x:?} is wide: {:e}", x.width() / x.lo());
 }
 
-/// What a chord is bisected down to, and the rounding of a few chords.
+/// The tolerance of a chord, plus the rounding of a few chords.
 const NARROW: f64 = 1.01e-12;
 
 fn line(a: [f64; 2], b: [f64; 2]) -> PointSequence<2> {
@@ -63,8 +63,8 @@ fn closed_forms_are_enclosed() {
     check(Polygon::new(&gap).length(&Valleys), "5.33830553054433577817", NARROW);
 }
 
-/// The straight line of Section 5: `E = 72 π²`, `L = 8π`. Its end `4π` is no double, but lies in
-/// a box between two of them; and one chord is bisected as often as it takes.
+/// The straight line of Section 5: `E = 72 π²`, `L = 8π`. Its end `4π` is in a box between two
+/// doubles, and its one chord is bisected as often as needed.
 #[test]
 fn the_line_of_section_5_has_the_energy_72_pi_squared() {
     let four_pi = 12.566370614359172_f64;
@@ -75,14 +75,15 @@ fn the_line_of_section_5_has_the_energy_72_pi_squared() {
     let (energy, length) = polygon.energy_and_length(&Valleys);
     check(energy, "710.61151687843382055608335199108", NARROW);
     check(length, "25.1327412287183459077011471", NARROW);
-    // The paper's discrete energy sees a valley only: 16 π². The box is a place wide, and squared.
+    // The paper's discrete energy sees only a valley: 16 π². The box is one place wide, and
+    // squared.
     let discrete = polygon.discrete_energy(Trapezoidal, &Valleys);
     check(discrete, "157.913670417429737901351855998", 16.0 * f64::EPSILON);
     let fast = polygon.with_kernel::<Fast>();
     check(fast.energy(&Valleys), "710.61151687843382055608335199108", NARROW);
 }
 
-/// The trap: the end of the sequence itself is not `4π`, and its energy is another number.
+/// With another end the energy is another number.
 #[test]
 fn without_the_box_the_end_is_another_point() {
     let straight = line([0.0, 0.0], [12.0, 0.0]);
@@ -92,7 +93,7 @@ fn without_the_box_the_end_is_another_point() {
     assert!(polygon.length(&Valleys).hi() < moved.length(&Valleys).lo());
 }
 
-/// Three chords of a polygon, by quadrature with 40 digits of the formulas written anew.
+/// Three chords, against independent quadrature with 40 digits.
 #[test]
 fn polygons_under_seven_metrics_are_enclosed() {
     fn reference(metric: &impl Metric<2>, energy: &str, length: &str) {
@@ -121,13 +122,13 @@ fn polygons_under_seven_metrics_are_enclosed() {
     reference(&GaussianFisher, "35.82410628634388510639273", "5.507440069068043424268044");
 }
 
-/// `2 − cos` and its square along `x₁`, by their primitives in 192 bits: for random polygons, and
-/// so sharply that a remainder left out, of any chord, shows.
+/// `2 − cos` and its square along `x₁`, by their primitives in 192 bits: sharp enough to detect a
+/// missing remainder of any chord.
 #[test]
 fn random_polygons_in_the_valleys_contain_a_value_of_192_bits() {
     let mut consts = Consts::new().expect("memory for the constants");
     for n in [1, 2, 7, 40] {
-        // A quadratic irrational rotation: no two points are alike.
+        // Irrational rotations: no two points are alike.
         let at = |k: usize, step: f64| (k as f64 * step).fract() * 6.0 - 3.0;
         let points: Vec<SVector<f64, 2>> =
             (0..=n).map(|k| vector![at(k + n, 0.618_034), at(k + n, 0.414_214)]).collect();
@@ -156,7 +157,7 @@ fn random_polygons_in_the_valleys_contain_a_value_of_192_bits() {
     }
 }
 
-/// The trap: `1 − 10⁻²⁰` rounds to 1, and a chord of doubles would be too long.
+/// `1 − 10⁻²⁰` rounds to 1: a chord of doubles would be too long.
 #[test]
 fn the_difference_of_points_is_not_rounded() {
     let euclidean = Constant::new(SMatrix::<f64, 1, 1>::identity()).expect("definite");
@@ -171,8 +172,8 @@ fn the_difference_of_points_is_not_rounded() {
     assert!(energy.width() <= 1e-15 && length.width() <= 1e-15);
 }
 
-/// The least power there is, whose opposite is no `i32`: along `y = 1` and `y = −1` it is 1, and at
-/// the boundary of the domain undefined.
+/// The least exponent has no negative in `i32`: the power is 1 for `y = ±1`, and undefined for
+/// `y = 0`.
 #[test]
 fn the_least_power_is_a_power_too() {
     let power = parsed::<2>(&format!("x2^{} I", i32::MIN));
@@ -186,23 +187,22 @@ fn the_least_power_is_a_power_too() {
     assert!(Polygon::new(&sequence).energy(&power).is_undefined());
 }
 
-/// `H = x⁴` is a polynomial of fourth order, whose remainder is a constant: nothing else than the
-/// coefficient 1/80 makes `∫₀¹ x⁴ = 1/5` out of it. And the weights and places of three rules.
+/// `H = x⁴` has a constant remainder: only the coefficient 1/80 makes `∫₀¹ x⁴ = 1/5`. Also tests
+/// the weights and nodes of three rules.
 #[test]
 fn fourth_powers_are_integrated_exactly() {
     let quartic = parsed("x1^4 I");
     let sequence = PointSequence::straight([1.0], [2.0], 1).expect("finite");
     let polygon = Polygon::new(&sequence);
     let (energy, length) = polygon.energy_and_length(&quartic);
-    // 31/5, which is no double, and 7/3 for √H = x², which the recurrence of the root does not see
-    // to be a polynomial.
+    // 31/5, not a double; and 7/3 for √H = x², where the recurrence of the root is not exact.
     check(energy, "6.2", 4.0 * f64::EPSILON);
     check(length, "2.333333333333333333333333333333", NARROW);
     let point = |x: f64| Interval::point(x);
     assert_eq!(polygon.discrete_energy(LeftEndpoint, &quartic), point(1.0));
     assert_eq!(polygon.discrete_energy(Trapezoidal, &quartic), point(5.0625));
     assert_eq!(polygon.discrete_energy(TrueTrapezoid, &quartic), point(8.5));
-    // Both halves have N = 2 in front.
+    // Two halves, with the factor N = 2.
     let sequence = PointSequence::straight([1.0], [2.0], 2).expect("finite");
     let halves = Polygon::new(&sequence).discrete_energy(LeftEndpoint, &quartic);
     assert_eq!(halves, point(2.0 * 0.25 * (1.0 + 5.0625)));

@@ -1,4 +1,4 @@
-//! The constants that the gallery states lie between the bounds that its formulas prove.
+//! The declared constants of the gallery lie between the bounds proved from its formulas.
 
 use tautline_certify::{Accuracy, CertifyError, Domain, Quantity, certify};
 use tautline_metrics::{
@@ -9,17 +9,17 @@ use tautline_metrics::{
     },
 };
 
-/// What is stated of a constant.
+/// How a constant is declared.
 #[derive(Clone, Copy, PartialEq)]
 enum Stated {
     Exact,
-    /// Not the best one.
+    /// Perhaps not the best bound.
     Bound,
 }
 use Stated::{Bound, Exact};
 
-/// Fails unless the stated `c₁`, `c₂`, `L_H` and `M_H` lie between the bounds, or are no better
-/// than the constants can be.
+/// Fails unless the declared `c₁`, `c₂`, `L_H` and `M_H` lie between the bounds, or do not
+/// contradict them.
 fn check<const D: usize>(
     metric: impl Bounded<D>,
     stated: [Stated; 4],
@@ -44,7 +44,7 @@ fn check<const D: usize>(
             (Bound, _) => found.lower <= value,
         };
         assert!(holds, "{quantity} = {value}: {found:?}");
-        // Exact relaxations but for M_H in three dimensions, which is at most D times too large.
+        // The relaxations are exact, except for M_H in three dimensions.
         assert!(found.looseness() <= 1.0 + 2.0 * tolerance || D == 3, "{quantity}: {found:?}");
     }
     Ok(())
@@ -90,9 +90,9 @@ stated_constants_are_proved! {
     gaussian_fisher_patch: GaussianFisherPatch::new(1.0), 2, [Exact, Exact, Bound, Bound], 1e-3;
 }
 
-/// A constant that is stated too small by a thousandth is out of the question.
+/// A constant declared too small by a thousandth is refuted.
 #[test]
-fn a_lie_of_a_thousandth_is_seen() {
+fn an_error_of_a_thousandth_is_detected() {
     let shear = Shear::new(0.7, 1.5).expect("a wave number");
     let stated = shear.constants().l_h();
     let accuracy = Accuracy { tolerance: 1e-4, ..Accuracy::default() };

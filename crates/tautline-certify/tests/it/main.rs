@@ -1,4 +1,4 @@
-//! What is proved of a metric and of a curve, against exact values and high precision.
+//! Proofs about metrics and curves, against exact values and high precision.
 
 mod curve_laws;
 mod curve_values;

@@ -1,5 +1,5 @@
-//! No jet over intervals misses an entry of a metric of the gallery or of a composition, or of its
-//! derivatives, at a point of the box, computed to 192 bits with a bound of the error.
+//! Jets over intervals contain the metrics of the gallery, compositions and their derivatives,
+//! computed to 192 bits with an error bound, at points of the box.
 
 use std::collections::BTreeSet;
 
@@ -26,12 +26,11 @@ fn no_enclosure_misses_a_metric_or_its_derivatives() {
         all.add(record.tally);
     }
     println!("{all:?}");
-    // Outside of the unit ball nothing is defined.
+    // Outside the unit ball the hyperbolic metric is undefined.
     assert!(all.undefined > 1_000, "{all:?}");
 }
 
-/// The names in the rows of the table at the top of the gallery, which other tests compare with
-/// what the gallery exports.
+/// Compares with the table at the top of the gallery, which other tests compare with its exports.
 #[test]
 fn every_metric_of_the_gallery_is_tried() {
     let gallery = include_str!("../../../tautline-metrics/src/gallery/mod.rs");

@@ -1,5 +1,5 @@
-//! Metrics that are not defined on a part of a domain, where the first point that is looked at has
-//! no value: what is undefined is found, and named by a point.
+//! Metrics that are undefined on a part of a domain, with no value at the first point evaluated:
+//! the search finds a point where they are undefined.
 
 use nalgebra::vector;
 use tautline_certify::{
@@ -23,7 +23,7 @@ fn assert_undefined<T: std::fmt::Debug>(found: Result<T, CertifyError>) {
 }
 
 #[test]
-fn what_is_undefined_is_found_where_the_first_point_has_no_value() {
+fn undefined_parts_are_found_though_the_first_point_has_no_value() {
     let cell = Domain::cell(Cell::new([-2.0], [2.0]).expect("in order"));
     let ball = Domain::ball([0.0], 2.0).expect("a radius");
     let accuracy = Accuracy { budget: 10_000, ..Accuracy::default() };
@@ -39,16 +39,16 @@ fn what_is_undefined_is_found_where_the_first_point_has_no_value() {
     let local = LocallyCertified::new(parsed::<1>(PARTLY[1]), accuracy);
     match local.constants_within(&vector![0.0], 2.0) {
         Err(LocalError::NotProved { radius: 2.0, reason }) => {
-            assert!(reason.contains("is not shown to be defined at"), "{reason}");
+            assert!(reason.contains("may be undefined at"), "{reason}");
         }
         other => panic!("{other:?}"),
     }
 }
 
-/// Where it is defined everywhere, what it has beside the point without a value counts: `|x|` has a
-/// slope on both sides, and no second derivative that is bounded.
+/// Where the metric is defined, the other points count: `|x|` has a slope on both sides, and no
+/// bounded second derivative.
 #[test]
-fn without_anything_undefined_the_budget_ends_the_search() {
+fn if_nothing_is_undefined_the_budget_ends_the_search() {
     let cell = Domain::cell(Cell::new([-0.5], [0.5]).expect("in order"));
     let accuracy = Accuracy { budget: 500, ..Accuracy::default() };
     for quantity in [Quantity::LH, Quantity::MH] {

@@ -20,9 +20,9 @@ pub(crate) struct Contraction<const D: usize> {
     pub(crate) is_metric: bool,
 }
 
-/// From this dimension on, derivatives are taken [`CHUNK`] directions at a time: the jets of all `D²`
-/// entries of `H` in all directions are `D⁴` numbers, 2.8 MB at `D = 24`, too many for the cache and
-/// then for the stack.
+/// From this dimension on, derivatives are taken [`CHUNK`] directions at a time: the jets of all
+/// `D²` entries of `H` in all directions are `D⁴` numbers, 2.8 MB at `D = 24`, too many for the
+/// cache and then for the stack.
 pub(crate) const CHUNKED: usize = 24;
 const CHUNK: usize = 8;
 

@@ -3,7 +3,7 @@
 use crate::{
     batch::{CHUNKED, Kind, Layout},
     formula::Tape,
-    graph::{Contracted, Order, contract},
+    graph::{Contracted, Order, Sums, contract},
     operation::Step,
     program::{Program, Register, WIDTH},
 };
@@ -11,21 +11,22 @@ use crate::{
 /// How many numbers a first-level cache holds, with a margin.
 ///
 /// A program with more intermediate results, in the fewest lanes, is not worth it. Measured on
-/// decoders with 4 to 64 hidden units, 8 to 784 outputs and 2 to 8 coordinates, by the entries of `H`:
-/// with up to 300 intermediate registers a program takes 0.5 to 0.9 times as long as the compiled
-/// formula, with 400 and more 1.0 to 2.6 times as long.
+/// decoders with 4 to 64 hidden units, 8 to 784 outputs and 2 to 8 coordinates, by the entries of
+/// `H`: with up to 300 intermediate registers a program takes 0.5 to 0.9 times as long as the
+/// compiled formula, with 400 and more 1.0 to 2.6 times as long.
 ///
 /// From 24 coordinates on, a program of any length is worth it: the compiled formula is evaluated
 /// anew for every few directions. For sums of 4 to 32 matrices of rank one on 24, 32 and 64
-/// coordinates, with 340 to 2200 intermediate registers, a program takes 0.001 to 0.005 of that time.
+/// coordinates, with 340 to 2200 intermediate registers, a program takes 0.001 to 0.005 of that
+/// time.
 const NUMBERS_IN_CACHE: usize = 3072;
 
 /// The same limit for derivatives by squares of vectors.
 ///
-/// They have as many registers as a Jacobian has entries, but few instructions. Measured on decoders
-/// with 16 to 64 hidden units, 16 to 100 outputs and 2 to 16 coordinates: with 400 to 1800 registers,
-/// far beyond a first-level cache, a program for `H` and all derivatives takes 0.004 to 0.52 of the
-/// time of the compiled formula, one for the first derivatives 0.13 to 0.56.
+/// They have as many registers as a Jacobian has entries, but few instructions. Measured on
+/// decoders with 16 to 64 hidden units, 16 to 100 outputs and 2 to 16 coordinates: with 400 to 1800
+/// registers, far beyond a first-level cache, a program for `H` and all derivatives takes 0.004 to
+/// 0.52 of the time of the compiled formula, one for the first derivatives 0.13 to 0.56.
 const NUMBERS_BY_SQUARES: usize = 16384;
 
 /// A program and the layout of its results.
@@ -44,7 +45,8 @@ impl Kernel {
             Kind::Contraction => Order::Second,
         };
         let contracted = contract(formula, order, kind != Kind::Square)?;
-        let Contracted { graph, square, momentum, gram, slope, turn, bend, .. } = &contracted;
+        let Contracted { graph, gram, sums, .. } = &contracted;
+        let Sums { square, momentum, slope, turn, bend } = sums;
         let mut steps: Vec<Step> = Vec::new();
         match kind {
             Kind::Square | Kind::Checked => steps.push(*square),

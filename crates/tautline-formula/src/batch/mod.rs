@@ -36,8 +36,8 @@ pub trait Batches<const D: usize>: Sync {
     fn evaluate(&self, kind: Kind, registers: &mut Registers);
 }
 
-/// The Gram matrix `H` at many points `x` at once, with its derivatives contracted with a vector `d`:
-/// one lane for each point.
+/// The Gram matrix `H` at many points `x` at once, with its derivatives contracted with a vector
+/// `d`: one lane for each point.
 pub struct Batch<'f, const D: usize> {
     registers: Registers,
     metric: &'f dyn Batches<D>,
@@ -45,8 +45,8 @@ pub struct Batch<'f, const D: usize> {
 }
 
 impl<'f, const D: usize> Batch<'f, D> {
-    /// Memory for a batch of this kind: for at least `unit` points, which must stay together, and at most
-    /// `units` times as many.
+    /// Memory for a batch of this kind: for at least `unit` points, which must stay together, and
+    /// at most `units` times as many.
     #[must_use]
     pub fn new(metric: &'f dyn Batches<D>, kind: Kind, unit: usize, units: usize) -> Self {
         Self { registers: metric.registers(kind, unit, units), metric, kind }
@@ -74,8 +74,8 @@ impl<'f, const D: usize> Batch<'f, D> {
         Inputs { x, d }
     }
 
-    /// Evaluates the first `count` lanes. Returns whether `H` is finite, symmetric and positive definite
-    /// in each of them.
+    /// Evaluates the first `count` lanes. Returns whether `H` is finite, symmetric and positive
+    /// definite in each of them.
     ///
     /// # Panics
     ///

@@ -13,9 +13,9 @@ use crate::{
 
 /// A metric, ready to be evaluated at many points at once.
 ///
-/// It runs programs, derived from the formula on first use. A formula that compares numbers cannot be
-/// recorded, and the programs of a very long one are slow: these are evaluated as compiled, point by
-/// point, with the same results to rounding.
+/// It runs programs, derived from the formula on first use. A formula that compares numbers cannot
+/// be recorded, and the programs of a very long one are slow: these are evaluated as compiled,
+/// point by point, with the same results to rounding.
 #[derive(Debug)]
 pub struct Prepared<M, const D: usize> {
     plain: Plain<M, D>,

@@ -7,8 +7,8 @@ use super::{ROUND, all};
 /// For larger angles three parts of `π/2` are not enough.
 const LARGEST: f64 = 1e6;
 
-/// `π/2` in three parts. The first two end in so many zero bits that their products with the number of
-/// quarter turns are exact (Cody and Waite; the parts are from Cephes).
+/// `π/2` in three parts. The first two end in so many zero bits that their products with the number
+/// of quarter turns are exact (Cody and Waite; the parts are from Cephes).
 const HALF_PI: [f64; 3] = [
     2.0 * 7.853_981_554_508_209_228_515_625e-1,
     2.0 * 7.946_627_356_147_928_367_14e-9,

@@ -7,7 +7,8 @@ use super::{ROUND, all};
 /// Where the value and all intermediate results are normal numbers.
 const RANGE: [f64; 2] = [-708.0, 709.0];
 
-/// `ln 2` in two parts; the first ends in so many zero bits that its products with exponents are exact.
+/// `ln 2` in two parts; the first ends in so many zero bits that its products with exponents are
+/// exact.
 const LN_2: [f64; 2] = [0.693_145_751_953_125, 1.428_606_820_309_417_232_12e-6];
 
 /// Fills `y` with `eˣ`.

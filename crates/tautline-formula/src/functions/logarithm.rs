@@ -38,7 +38,8 @@ fn is_within(x: f64) -> bool {
 
 #[inline(always)]
 fn lane(x: f64) -> f64 {
-    // x = 2ᵏ (1 + f) with 1 + f between √½ and √2: after subtracting the bits of √½, the exponent is k.
+    // x = 2ᵏ (1 + f) with 1 + f between √½ and √2: after subtracting the bits of √½, the exponent
+    // is k.
     const ROOT: u64 = 0x3fe6_a09e_667f_3bcd;
     let above = x.to_bits().wrapping_sub(ROOT);
     // k + 2¹¹, an integer below 2¹², by the bits of 2⁵².

@@ -1,4 +1,4 @@
-//! Errors against 192 bits, and the numbers at the ends of the ranges.
+//! Errors against 192 bits, and values at and beyond the ends of the ranges.
 
 use astro_float::{BigFloat, Consts, RoundingMode};
 
@@ -9,7 +9,7 @@ const RM: RoundingMode = RoundingMode::None;
 
 type Exact = fn(&BigFloat, usize, RoundingMode, &mut Consts) -> BigFloat;
 
-/// One value of a function of blocks, which is the same in a block of any size, at any place.
+/// The value at `x`, which must be the same in blocks of any size and at any place in them.
 fn single(
     x: f64,
     of: impl Fn(&mut [f64; 8], &[f64; 8]),
@@ -41,7 +41,7 @@ fn cos(x: f64) -> f64 {
     single(x, |y, x| sin_cos(&mut [0.0; 8], y, x), |y, x| sin_cos(&mut [0.0], y, x))
 }
 
-/// Numbers that fill an interval, evenly or with their exponents.
+/// Numbers that fill an interval, evenly or by their exponents.
 #[derive(Debug)]
 enum Numbers {
     Even(f64, f64),
@@ -63,8 +63,8 @@ impl Numbers {
     }
 }
 
-/// The function, its exact value, how many units in the last place it may be off, the least number
-/// whose units count, and where. Somewhere it must be off nearly half as far: the bound is sharp.
+/// Rows: the function, its exact value, the largest error in units in the last place, the least
+/// value whose unit is used, and the arguments. Some error must reach 0.4 of the bound.
 #[test]
 fn errors_are_as_stated() {
     type Row = (&'static str, fn(f64) -> f64, Exact, f64, f64, Numbers);

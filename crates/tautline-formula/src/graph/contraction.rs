@@ -1,17 +1,18 @@
 //! The Gram matrix and its derivatives, contracted with a chord `d`.
 //!
-//! Derivation: with `H = C₀ + Σₘ bₘ(x) Cₘ`, where the matrices are constant, `sₘ = dᵀCₘd` and `vₘ = Cₘd`,
+//! Derivation: with `H = C₀ + Σₘ bₘ(x) Cₘ`, where the matrices are constant, `sₘ = dᵀCₘd` and
+//! `vₘ = Cₘd`,
 //!
 //! ```text
 //! Gₖ = dᵀ ∂ₖH d = Σₘ sₘ ∂ₖbₘ,   Pᵢₖ = (∂ₖH d)ᵢ = Σₘ (vₘ)ᵢ ∂ₖbₘ,   Qₖₗ = dᵀ ∂ₖ∂ₗH d = Σₘ sₘ ∂ₖ∂ₗbₘ.
 //! ```
 //!
-//! Only the `bₘ` are differentiated. Where `Cₘ = ± a aᵀ`, `vₘ = ± a (aᵀd)` and `sₘ = ± (aᵀd)²`. Squares of
-//! vectors `a(x)` may be split off from that sum.
+//! Only the `bₘ` are differentiated. Where `Cₘ = ± a aᵀ`, `vₘ = ± a (aᵀd)` and `sₘ = ± (aᵀd)²`.
+//! Squares of vectors `a(x)` may be split off from that sum.
 
 use crate::{
     formula::Tape,
-    graph::{Graph, derivative::Order, linear::Linear, squares::Sums},
+    graph::{Graph, derivative::Order, linear::Linear},
     operation::{Function, Step},
 };
 
@@ -25,6 +26,14 @@ pub(crate) struct Contracted {
     pub(crate) halves: Vec<Half>,
     /// Positive and finite where `H` is positive definite and finite.
     pub(crate) pivots: Vec<Step>,
+    pub(crate) sums: Sums,
+    /// Whether squares of vectors are contracted separately.
+    pub(crate) is_by_squares: bool,
+}
+
+/// What is contracted with the chord.
+#[derive(Debug)]
+pub(crate) struct Sums {
     /// `dᵀHd`.
     pub(crate) square: Step,
     /// `Hd`.
@@ -35,8 +44,6 @@ pub(crate) struct Contracted {
     pub(crate) turn: Vec<Step>,
     /// The entries `k ≤ l` of `Q`, row by row.
     pub(crate) bend: Vec<Step>,
-    /// Whether squares of vectors are contracted separately.
-    pub(crate) is_by_squares: bool,
 }
 
 /// Two mirrored entries that must have the same value, and the diagonal entries of their rows.
@@ -51,8 +58,8 @@ pub(crate) struct Half {
 /// Contracts a formula and its derivatives up to this order with a chord; `None` if that takes too
 /// many operations.
 ///
-/// With `needs_gram` the entries of `H` are computed anyway, and `dᵀHd` alone is cheaper from them than
-/// from squares of vectors.
+/// With `needs_gram` the entries of `H` are computed anyway, and `dᵀHd` alone is cheaper from them
+/// than from squares of vectors.
 pub(crate) fn contract(formula: Tape<'_>, order: Order, needs_gram: bool) -> Option<Contracted> {
     let dimension = formula.dimension;
     let (mut graph, entries) = Graph::of(formula);
@@ -116,20 +123,8 @@ pub(crate) fn contract(formula: Tape<'_>, order: Order, needs_gram: bool) -> Opt
     if let Some((_, squares)) = &squares {
         graph.add_squares(squares, of_functions, order, &d, &mut sums);
     }
-    let Sums { square, momentum, slope, turn, bend } = sums;
     let is_by_squares = squares.is_some();
-    let whole = Contracted {
-        graph,
-        gram,
-        halves,
-        pivots,
-        square,
-        momentum,
-        slope,
-        turn,
-        bend,
-        is_by_squares,
-    };
+    let whole = Contracted { graph, gram, halves, pivots, sums, is_by_squares };
     (!whole.graph.is_full()).then_some(whole)
 }
 
@@ -155,8 +150,8 @@ fn own_entries(graph: &Graph, gram: &[Step]) -> Vec<Step> {
     own
 }
 
-/// Returns `C₀` and the parts of `H`: the terms of the entries `i ≤ j`, or the entries themselves if
-/// they are fewer.
+/// Returns `C₀` and the parts of `H`: the terms of the entries `i ≤ j`, or the entries themselves
+/// if they are fewer.
 fn split(graph: &Graph, gram: &[Step], own: &[Step], dimension: usize) -> (Vec<f64>, Vec<Part>) {
     let (constant, parts) = by_bases(&graph.linear(gram), dimension);
     if parts.len() <= own.len() {
@@ -216,6 +211,12 @@ impl Graph {
         self.sum(products)
     }
 
+    /// The sum of terms with constant factors.
+    pub(super) fn combination(&mut self, terms: impl Iterator<Item = (Step, f64)>) -> Step {
+        let products: Vec<Step> = terms.map(|(term, c)| self.times(term, c)).collect();
+        self.sum(products)
+    }
+
     /// `Hd` and `dᵀHd` by the parts of `H`.
     fn sum_of_parts(&mut self, rest: Momentum, bases: &[Step], momenta: &[Momentum]) -> Momentum {
         let mut add = |rest: Step, of: &dyn Fn(&Momentum) -> Step| {
@@ -240,18 +241,13 @@ impl Graph {
     fn momentum(&mut self, c: &[f64], d: &[Step]) -> Momentum {
         let dimension = d.len();
         if let Some((a, sign)) = rank_one(c, dimension) {
-            let terms: Vec<Step> = a.iter().zip(d).map(|(&a, &d)| self.times(d, a)).collect();
-            let along = self.sum(terms);
+            let along = self.combination(d.iter().copied().zip(a.iter().copied()));
             let vector = a.iter().map(|&a| self.times(along, sign * a)).collect();
             let square = self.mul(along, along);
             return Momentum { vector, square: self.times(square, sign) };
         }
-        let row = |graph: &mut Self, i: usize| {
-            let terms: Vec<Step> =
-                (0..dimension).map(|j| graph.times(d[j], c[i * dimension + j])).collect();
-            graph.sum(terms)
-        };
-        let vector: Vec<Step> = (0..dimension).map(|i| row(self, i)).collect();
+        let rows = c.chunks_exact(dimension).map(|row| d.iter().copied().zip(row.iter().copied()));
+        let vector: Vec<Step> = rows.map(|terms| self.combination(terms)).collect();
         let terms: Vec<Step> = vector.iter().zip(d).map(|(&v, &d)| self.mul(v, d)).collect();
         Momentum { square: self.sum(terms), vector }
     }
@@ -284,7 +280,8 @@ impl Graph {
     }
 }
 
-/// `a` and `±1` with `C = ± a aᵀ` to rounding, in three dimensions or more, where it saves operations.
+/// `a` and `±1` with `C = ± a aᵀ` to rounding, in three dimensions or more, where it saves
+/// operations.
 fn rank_one(c: &[f64], dimension: usize) -> Option<(Vec<f64>, f64)> {
     let diagonal = |i: usize| c[i * dimension + i];
     let top = (0..dimension).max_by(|&i, &j| diagonal(i).abs().total_cmp(&diagonal(j).abs()))?;

@@ -59,11 +59,11 @@ impl Variables {
 }
 
 impl Graph {
-    /// Returns the derivatives of these steps by the `dimension` coordinates of the point, up to the
-    /// given order.
+    /// Returns the derivatives of these steps by the `dimension` coordinates of the point, up to
+    /// the given order.
     ///
-    /// `F(u)` with a function of one variable is differentiated by `u`, then `u` by the coordinates: a
-    /// wave that depends on one angle has few derivatives.
+    /// `F(u)` with a function of one variable is differentiated by `u`, then `u` by the
+    /// coordinates: a wave that depends on one angle has few derivatives.
     pub(crate) fn derivatives(
         &mut self,
         roots: &[Step],

@@ -15,7 +15,6 @@ pub(crate) struct Linear {
 }
 
 impl Linear {
-    /// The step by itself.
     pub(crate) fn step(step: Step) -> Self {
         Self { constant: 0.0, terms: vec![(step, 1.0)] }
     }
@@ -80,7 +79,8 @@ impl Graph {
                 Operation::Of(Function::Neg, a) => of(a).times(-1.0),
                 _ => None,
             };
-            // A difference of coordinates and numbers is exact where it is small: it stays together.
+            // A difference of coordinates and numbers is exact where it is small: it stays
+            // together.
             let is_affine = |linear: &Linear| {
                 let is_coordinate =
                     |term: &(Step, f64)| matches!(self.operation(term.0), Operation::Coordinate(_));
@@ -93,8 +93,9 @@ impl Graph {
         roots.iter().map(|root| known.get(root).cloned().unwrap_or_default()).collect()
     }
 
-    /// Returns one step as a linear combination of any length; `None` if a term vanishes, a factor under-
-    /// or overflows, or more than `left` steps would be visited. Subtracts the visited steps from `left`.
+    /// Returns one step as a linear combination of any length; `None` if a term vanishes, a factor
+    /// under- or overflows, or more than `left` steps would be visited. Subtracts the visited steps
+    /// from `left`.
     ///
     /// From the sum to its terms, in time linear in their number.
     pub(super) fn flat(&self, root: Step, left: &mut usize) -> Option<Linear> {
@@ -128,8 +129,8 @@ impl Graph {
         flat.checked()
     }
 
-    /// Whether an operation is not linear, or stays together: it has a coordinate for a term, or a factor
-    /// that is not normal.
+    /// Whether an operation is not linear, or stays together: it has a coordinate for a term, or a
+    /// factor that is not normal.
     fn is_atom(&self, operation: Operation, step: Step) -> bool {
         let is_coordinate = |read| matches!(self.operation(read), Operation::Coordinate(_));
         !is_linear(operation)

@@ -8,7 +8,7 @@ mod squares;
 
 use std::collections::HashMap;
 
-pub(crate) use contraction::{Contracted, contract};
+pub(crate) use contraction::{Contracted, Sums, contract};
 pub(crate) use derivative::Order;
 
 use crate::{
@@ -28,8 +28,8 @@ pub(crate) enum Identities {
 
 /// A list of distinct operations, as in a [`Formula`](crate::Formula).
 ///
-/// It has no pairs, no differences with a number, and no powers but squares. The coordinates are those
-/// of the point, then those of the chord.
+/// It has no pairs, no differences with a number, and no powers but squares. The coordinates are
+/// those of the point, then those of the chord.
 #[derive(Debug)]
 pub(crate) struct Graph {
     operations: Vec<Operation>,
@@ -39,7 +39,8 @@ pub(crate) struct Graph {
     is_full: bool,
 }
 
-/// The most operations: some tenth of a second to derive. Longer formulas are evaluated as compiled.
+/// The most operations: some tenth of a second to derive. Longer formulas are evaluated as
+/// compiled.
 const MOST: usize = 1 << 18;
 
 impl Graph {

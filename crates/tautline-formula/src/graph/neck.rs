@@ -6,10 +6,11 @@ use crate::{
 };
 
 impl Graph {
-    /// Returns the first step `u`, in the order of evaluation, with `root = F(u)` for a function `F` of
-    /// one variable; `None` if only the root itself qualifies.
+    /// Returns the first step `u`, in the order of evaluation, with `root = F(u)` for a function
+    /// `F` of one variable; `None` if only the root itself qualifies.
     ///
-    /// A mere multiple does not count: for a coordinate in other units, `x/2`, it would round differently.
+    /// A mere multiple does not count: for a coordinate in other units, `x/2`, it would round
+    /// differently.
     pub(crate) fn neck(&self, root: Step) -> Option<Step> {
         let mut is_open = vec![false; root as usize + 1];
         is_open[root as usize] = true;

@@ -26,8 +26,8 @@ struct Compiler<'g> {
 }
 
 impl Program {
-    /// Compiles the expressions of these steps; the first `inputs` registers are the coordinates. `None`
-    /// if there are too many registers.
+    /// Compiles the expressions of these steps; the first `inputs` registers are the coordinates.
+    /// `None` if there are too many registers.
     pub(crate) fn new(graph: &Graph, inputs: usize, outputs: &[Step]) -> Option<Self> {
         let compiler = Compiler::new(graph, outputs);
         compiler.compile(inputs, outputs)
@@ -288,7 +288,8 @@ impl<'g> Compiler<'g> {
                 Some(pair) => Instruction::SinCos(pair, at(a)),
                 None => Instruction::Of(function, to, at(a)),
             },
-            // Sums have terms, coordinates and constants have registers, and a graph has nothing else.
+            // Sums have terms, coordinates and constants have registers, and a graph has nothing
+            // else.
             _ => return None,
         })
     }

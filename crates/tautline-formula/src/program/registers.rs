@@ -76,8 +76,8 @@ impl Registers {
         (SVector::from_fn(|i, _| row(i)), SVector::from_fn(|i, _| row(D + i)))
     }
 
-    /// Overwrites a result in one lane, until the program runs again. Do not overwrite other registers,
-    /// such as constants: the program reads them.
+    /// Overwrites a result in one lane, until the program runs again. Do not overwrite other
+    /// registers, such as constants: the program reads them.
     ///
     /// # Panics
     ///
@@ -259,8 +259,8 @@ fn run_widest(registers: &mut Registers, program: &Program) {
 
 /// Fills a chunk lane by lane.
 ///
-/// The result is made in a local array first: a compiler that cannot exclude aliasing with an operand
-/// would not vectorise.
+/// The result is made in a local array first: a compiler that cannot exclude aliasing with an
+/// operand would not vectorise.
 #[inline(always)]
 fn chunk(y: &mut Chunk, of: impl Fn(usize) -> f64) {
     let mut made = [0.0; WIDTH];
@@ -270,8 +270,8 @@ fn chunk(y: &mut Chunk, of: impl Fn(usize) -> f64) {
     *y = made;
 }
 
-// `black_box` hides the chunk index: the compiler would otherwise vectorise across chunks, one lane of
-// each.
+// `black_box` hides the chunk index: the compiler would otherwise vectorise across chunks, one lane
+// of each.
 
 #[inline(always)]
 fn unary(y: &mut [Chunk], used: usize, a: &[Chunk], f: impl Fn(f64) -> f64) {

@@ -12,9 +12,9 @@ pub(crate) type Chunk = [f64; WIDTH];
 
 /// Some chunks of numbers.
 ///
-/// When dropped, its memory goes to the next row of its length on this thread: allocating and clearing
-/// the rows of a program takes as long as evaluating some hundred points. The contents of a new row are
-/// arbitrary.
+/// When dropped, its memory goes to the next row of its length on this thread: allocating and
+/// clearing the rows of a program takes as long as evaluating some hundred points. The contents of
+/// a new row are arbitrary.
 #[derive(Debug)]
 pub(crate) struct Row(Box<[Chunk]>);
 
@@ -90,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn a_row_takes_the_memory_of_one_of_its_length() {
+    fn a_row_reuses_memory_of_its_length() {
         let first = Row::filled(3, 7.0);
         let place = first.as_ptr();
         drop(first);
@@ -103,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn a_thread_keeps_so_much_and_no_more() {
+    fn a_thread_keeps_a_bounded_amount() {
         for chunks in [1, 7, LONGEST] {
             drop((0..KEPT).map(|_| Row::new(chunks)).collect::<Vec<_>>());
             assert_eq!(kept(chunks), KEPT.div_ceil(chunks), "{chunks}");

@@ -9,7 +9,8 @@ use crate::recording::Symbol;
 /// A way to make a Gram matrix from functions of the coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
-    /// `JᵀJ` with the derivative `J` of a map from `R^D` to `R^m`, `m ≥ D`: lengths of image curves.
+    /// `JᵀJ` with the derivative `J` of a map from `R^D` to `R^m`, `m ≥ D`: lengths of image
+    /// curves.
     Pullback,
     /// `I + ∇f ∇fᵀ`: the lengths of curves on the graph of `f`.
     Graph,

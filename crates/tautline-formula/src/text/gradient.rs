@@ -86,7 +86,7 @@ fn derivative(operations: &[Operation], step: Step, made: &[Value], coordinate: 
     }
 }
 
-/// Whether the argument has derivative 0: then that of the function is not written.
+/// Whether the argument has derivative 0, so that the function needs none.
 fn reads_none_that_change(operations: &[Operation], step: Step, made: &[Value]) -> bool {
     let step = match operations[step as usize] {
         Operation::Second => step - 1,

@@ -35,19 +35,20 @@ impl<const D: usize> Formula<D> {
     /// definition = name "=" expr | name "," name "=" ( "sin_cos" | "sinh_cosh" ) "(" expr ")"
     /// ```
     ///
-    /// Names are `x1` to `xD`, `pi`, parameters, and definitions, each defined once. Functions are `sqr`,
-    /// `recip`, `sqrt`, `exp`, `ln`, `sin`, `cos`, `tan`, `atan`, `sinh`, `cosh`, `tanh`, and `number`,
-    /// which records a number as a step.
+    /// Names are `x1` to `xD`, `pi`, parameters, and definitions, each defined once. Functions are
+    /// `sqr`, `recip`, `sqrt`, `exp`, `ln`, `sin`, `cos`, `tan`, `atan`, `sinh`, `cosh`, `tanh`,
+    /// and `number`, which records a number as a step.
     ///
     /// A form makes a matrix from functions, and differentiates them where it must:
-    /// `pullback(Φ₁, …, Φₘ)` is `JᵀJ` with the derivative `J` of the map `Φ`, `m ≥ D`; `graph(f)` is
-    /// `I + ∇f ∇fᵀ`; `phi(φ)` is `φ I`; `speed(f)` is `f² I`, under which a curve has length
-    /// `∫ f |γ'| dt`; and `diag(a₁, …, a_D)` is the diagonal matrix. Definitions may reuse these names.
+    /// `pullback(Φ₁, …, Φₘ)` is `JᵀJ` with the derivative `J` of the map `Φ`, `m ≥ D`; `graph(f)`
+    /// is `I + ∇f ∇fᵀ`; `phi(φ)` is `φ I`; `speed(f)` is `f² I`, under which a curve has length
+    /// `∫ f |γ'| dt`; and `diag(a₁, …, a_D)` is the diagonal matrix. Definitions may reuse these
+    /// names.
     ///
-    /// Operands are evaluated from left to right, and arithmetic between numbers is done in `f64`. A text
-    /// records the same tape as the same formula in Rust, if the definitions are in the order of the
-    /// `let`s. The operators are taken literally: `x1^2` records a power, as `x.powi(2)` does, and
-    /// `sqr(x1)` a square, as `x.sqr()` does. The two are different formulas.
+    /// Operands are evaluated from left to right, and arithmetic between numbers is done in `f64`.
+    /// A text records the same tape as the same formula in Rust, if the definitions are in the
+    /// order of the `let`s. The operators are taken literally: `x1^2` records a power, as
+    /// `x.powi(2)` does, and `sqr(x1)` a square, as `x.sqr()` does. The two are different formulas.
     ///
     /// ```
     /// use tautline_formula::Formula;

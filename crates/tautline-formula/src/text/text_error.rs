@@ -27,7 +27,7 @@ pub enum Problem {
         expected: &'static str,
     },
     /// An unknown name.
-    #[error("nothing is called {name}")]
+    #[error("unknown name {name}")]
     UnknownName {
         /// The name.
         name: String,
@@ -41,19 +41,19 @@ pub enum Problem {
         dimension: usize,
     },
     /// An unknown function.
-    #[error("there is no function {name}")]
+    #[error("unknown function {name}")]
     UnknownFunction {
         /// Its name.
         name: String,
     },
     /// A name that is already taken.
-    #[error("{name} has a meaning already")]
+    #[error("{name} is already defined")]
     TakenName {
         /// The name.
         name: String,
     },
     /// An exponent that is not an integer of 32 bits.
-    #[error("an exponent is a whole number from {} to {}", i32::MIN, i32::MAX)]
+    #[error("an exponent must be an integer from {} to {}", i32::MIN, i32::MAX)]
     Exponent,
     /// A number beyond the range of `f64`.
     #[error("a number beyond the range of f64")]
@@ -69,7 +69,7 @@ pub enum Problem {
         dimension: usize,
     },
     /// A form with too few or too many functions.
-    #[error("{form} takes {takes} in dimension {dimension}, and here is {found}")]
+    #[error("{form} takes {takes} in dimension {dimension}, found {found}")]
     Functions {
         /// The name of the form.
         form: &'static str,

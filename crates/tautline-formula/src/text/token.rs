@@ -78,8 +78,8 @@ impl<'a> Tokens<'a> {
     }
 }
 
-/// The length of the number that a text begins with: digits, a point, digits, and an exponent if it has
-/// digits.
+/// The length of the number that a text begins with: digits, a point, digits, and an exponent if it
+/// has digits.
 fn number(text: &str) -> usize {
     let bytes = text.as_bytes();
     let digits =

@@ -29,10 +29,7 @@ impl Value {
 
     /// The square.
     pub(super) fn squared(self) -> Self {
-        match self {
-            Value::Number(a) => Value::Number(a * a),
-            Value::Symbol(a) => Value::Symbol(a.sqr()),
-        }
+        self.under(Function::Sqr)
     }
 
     /// The power.
@@ -55,10 +52,7 @@ impl Value {
 impl Neg for Value {
     type Output = Self;
     fn neg(self) -> Self {
-        match self {
-            Value::Number(a) => Value::Number(-a),
-            Value::Symbol(a) => Value::Symbol(-a),
-        }
+        self.under(Function::Neg)
     }
 }
 

@@ -8,7 +8,7 @@ use tautline_scalar::{Interval, Jet1, Jet2, Scalar};
 
 use crate::random::Random;
 
-/// `eˣ cos y + (sin x)/x` with a branch at 0, beside a metric without one: the same where `x ≠ 0`.
+/// With and without a branch at 0; the same where `x ≠ 0`.
 struct Branches(bool);
 
 impl Metric<2> for Branches {
@@ -19,20 +19,20 @@ impl Metric<2> for Branches {
     }
 }
 
-/// All parts of a jet, as numbers.
+/// Compares all parts of jets.
 fn agree<S: Scalar>(x: &SVector<S, 2>, parts: fn(&S) -> Vec<f64>) {
     let found = AnyMetric::new(&Branches(true)).gram(x);
     let expected = Branches(false).gram(x);
     for (found, expected) in found.iter().zip(&expected) {
         for (found, expected) in parts(found).into_iter().zip(parts(expected)) {
-            // Derivatives of some dozen operations on numbers below 10, and differences of them.
+            // Some dozen operations on numbers below 10, with differences.
             assert!((found - expected).abs() <= 1e-13, "{found} and {expected} at {x:?}");
         }
     }
 }
 
 #[test]
-fn of_a_formula_with_branches_jets_of_all_kinds_are_known() {
+fn a_formula_with_branches_has_jets_of_all_kinds() {
     let any = AnyMetric::new(&Branches(true));
     assert_eq!(any.formula(), Err(RecordError::Compares));
     let mut random = Random(seed(12));
@@ -53,9 +53,9 @@ fn of_a_formula_with_branches_jets_of_all_kinds_are_known() {
     }
 }
 
-/// One branch of several would be no bound of all.
+/// One branch would not bound the others.
 #[test]
-fn of_a_formula_with_branches_nothing_is_known_in_intervals() {
+fn a_formula_with_branches_has_no_intervals() {
     let any = AnyMetric::new(&Branches(true));
     let boxes = [1.0, 2.0].map(|x| Interval::new(x, x + 0.5).expect("ordered ends"));
     assert!(any.gram(&SVector::from(boxes)).iter().all(|entry| entry.is_undefined()));

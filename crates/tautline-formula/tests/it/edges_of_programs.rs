@@ -1,4 +1,5 @@
-//! Edge cases of programs: long formulas, undefined parts, differences, matrices that are not metrics.
+//! Edge cases of programs: long formulas, undefined parts, differences, matrices that are not
+//! metrics.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_formula::{Batch, Batches, Kind, Plain, Prepared};
@@ -34,10 +35,10 @@ impl Metric<3> for Sum {
     }
 }
 
-/// A long formula has more intermediate results than fit into a cache: it is evaluated as compiled, with
-/// the same results.
+/// A long formula has more intermediate results than fit into a cache: it is evaluated as compiled,
+/// with the same results.
 #[test]
-fn a_long_formula_is_evaluated_as_it_is_compiled() {
+fn a_long_formula_is_evaluated_as_compiled() {
     let (short, long) = (Prepared::new(Sum(3)), Prepared::new(Sum(400)));
     assert!(short.size(Kind::Contraction).is_some());
     assert!(long.formula().is_some() && long.size(Kind::Contraction).is_none());
@@ -51,10 +52,10 @@ fn a_long_formula_is_evaluated_as_it_is_compiled() {
     assert_eq!(found, expected);
 }
 
-/// In many dimensions programs of any length are used: the compiled formula is evaluated again for every
-/// few directions. The numbers are the same.
+/// In many dimensions programs of any length are used: the compiled formula is evaluated again for
+/// every few directions. The numbers are the same.
 #[test]
-fn from_24_coordinates_on_there_is_a_program_of_any_length() {
+fn from_24_coordinates_on_programs_may_be_long() {
     // Matrices of 32 · 32 jets, by value, take about two megabytes of stack in a test build.
     let thread = std::thread::Builder::new().stack_size(1 << 23).spawn(compare_in_32_coordinates);
     thread.expect("a thread").join().expect("the same numbers");
@@ -85,7 +86,7 @@ fn compare_in_32_coordinates() {
 
 /// A formula may ask whether two numbers are equal; then it cannot be recorded.
 #[test]
-fn what_cannot_be_recorded_is_evaluated_as_it_is_compiled() {
+fn a_formula_with_branches_is_evaluated_as_compiled() {
     struct Compares;
     impl Metric<2> for Compares {
         fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
@@ -127,7 +128,7 @@ fn long_chains_take_no_stack() {
 
 /// More operations than a graph may have, though few are live at a time.
 #[test]
-fn a_formula_beyond_all_graphs_is_evaluated_as_it_is_compiled() {
+fn a_formula_too_long_for_a_graph_is_evaluated_as_compiled() {
     struct Chain;
     impl Metric<1> for Chain {
         fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
@@ -139,7 +140,7 @@ fn a_formula_beyond_all_graphs_is_evaluated_as_it_is_compiled() {
 }
 
 #[test]
-fn what_is_undefined_is_so_when_it_is_taken_from_itself() {
+fn an_undefined_term_minus_itself_is_undefined() {
     let vanishes = parsed("2 + (ln(x1) - ln(x1)) + sqrt(x1)*0 I");
     assert_eq!(square(&vanishes, [1.5], [1.0]), (2.0, true));
     let (undefined, is_program) = square(&vanishes, [-1.5], [1.0]);
@@ -158,7 +159,7 @@ fn exact_differences_stay_exact() {
 
 /// The halves may differ by rounding, measured by the diagonal entries, and by nothing else.
 #[test]
-fn halves_that_differ_are_seen() {
+fn halves_that_differ_are_detected() {
     let is_metric = |difference: f64| {
         let halves = format!(
             "diagonal = sqr(x1) + 1; s = sin(x2);

@@ -2,17 +2,15 @@
 
 use nalgebra::{SMatrix, SVector};
 use tautline_chance::{cases, seed};
-use tautline_formula::{
-    Batch, Batches, Formula, InstructionSet, Kind, Layout, Plain, Prepared, Register,
-};
+use tautline_formula::{Batch, Batches, Formula, InstructionSet, Kind, Layout, Plain, Prepared};
 use tautline_metrics::{Metric, gallery, is_gram};
 use tautline_scalar::{Interval, Jet2, Scalar};
 
 use crate::{random::Random, random_formulas::Trees, squares::decoder};
 
 /// A program rounds in another order than the formula. Points are enclosed together with their
-/// neighbours, this many units in the last place to either side: a result may be off by as much as it
-/// changes there.
+/// neighbours, this many units in the last place to either side: a result may be off by as much as
+/// it changes there.
 const NEIGHBOURS: f64 = 16.0;
 
 fn nearby(x: f64) -> Interval {
@@ -20,33 +18,28 @@ fn nearby(x: f64) -> Interval {
     Interval::new(x - reach, x + reach).expect("ordered ends")
 }
 
-/// Enclosures of `H`, `Hd`, `dᵀHd`, `G`, `P` and `Q` at a point.
-struct Enclosed<const D: usize> {
-    gram: SMatrix<Interval, D, D>,
-    momentum: SVector<Interval, D>,
-    square: Interval,
-    slope: SVector<Interval, D>,
-    turn: SMatrix<Interval, D, D>,
-    bend: SMatrix<Interval, D, D>,
-}
+/// The kinds of rows, in the order of [`rows`].
+const NAMES: [&str; 6] = ["dᵀHd", "Hd", "G", "H", "P", "Q"];
 
-impl<const D: usize> Enclosed<D> {
-    fn new(metric: &impl Metric<D>, x: &SVector<f64, D>, d: &SVector<f64, D>) -> Self {
-        let places: [Interval; D] = std::array::from_fn(|i| nearby(x[i]));
-        let d = d.map(nearby);
-        let jets = metric.gram(&SVector::from(Jet2::variables(&places)));
-        let gram = jets.map(|jet| jet.value());
-        let along = |h: SMatrix<Interval, D, D>| h * d;
-        let first = |k: usize| along(jets.map(|jet| jet.first(k)));
-        Self {
-            gram,
-            momentum: along(gram),
-            square: d.dot(&along(gram)),
-            slope: SVector::from_fn(|k, _| d.dot(&first(k))),
-            turn: SMatrix::from_fn(|i, k| first(k)[i]),
-            bend: SMatrix::from_fn(|k, l| d.dot(&along(jets.map(|jet| jet.second(k, l))))),
-        }
-    }
+/// Enclosures of these at a point.
+fn enclosed<const D: usize>(metric: &impl Metric<D>, (x, d): &Place<D>) -> [Vec<Interval>; 6] {
+    let places: [Interval; D] = std::array::from_fn(|i| nearby(x[i]));
+    let d = d.map(nearby);
+    let jets = metric.gram(&SVector::from(Jet2::variables(&places)));
+    let gram = jets.map(|jet| jet.value());
+    let first = |k: usize| jets.map(|jet| jet.first(k)) * d;
+    let second = |k: usize, l: usize| jets.map(|jet| jet.second(k, l)) * d;
+    let matrix = |entry: &dyn Fn(usize, usize) -> Interval| {
+        (0..D * D).map(|n| entry(n / D, n % D)).collect()
+    };
+    [
+        vec![d.dot(&(gram * d))],
+        (gram * d).iter().copied().collect(),
+        (0..D).map(|k| d.dot(&first(k))).collect(),
+        matrix(&|i, j| gram[(i, j)]),
+        matrix(&|i, k| first(k)[i]),
+        matrix(&|k, l| d.dot(&second(k, l))),
+    ]
 }
 
 /// Whether a number is near its enclosure. Where that is unbounded, any number is.
@@ -66,8 +59,8 @@ pub(crate) fn evaluate<const D: usize>(batch: &mut Batch<'_, D>, places: &[Place
     batch.evaluate(places.len())
 }
 
-/// Compares all rows of all lanes, of the programs and of the compiled formula; returns how many numbers
-/// had a bounded enclosure.
+/// Compares all rows of all lanes, of the programs and of the compiled formula; returns how many
+/// numbers had a bounded enclosure.
 fn compare<const D: usize>(metric: &impl Metric<D>, places: &[Place<D>]) -> usize {
     let formula = Formula::record(metric).expect("no comparison");
     let text = formula.to_string();
@@ -84,52 +77,27 @@ pub(crate) fn compare_one<const D: usize>(
     places: &[Place<D>],
     text: &str,
 ) -> usize {
-    let enclosed: Vec<Enclosed<D>> =
-        places.iter().map(|(x, d)| Enclosed::new(metric, x, d)).collect();
+    let enclosed: Vec<_> = places.iter().map(|place| enclosed(metric, place)).collect();
     let mut known = 0;
-    let mut same = |found: f64, expected: Interval, what: &str, lane: usize| {
-        let (x, d) = places[lane];
-        assert!(
-            is_near(found, expected),
-            "{what} {found:e} not in {expected:?} at {x:?} along {d:?}: {text}"
-        );
-        known += usize::from((expected.hi() - expected.lo()).is_finite());
-    };
     for kind in KINDS {
         let mut batch = Batch::new(batches, kind, 1, usize::MAX);
-        for (block, places) in places.chunks(batch.lanes()).enumerate() {
-            let first = block * batch.lanes();
+        let lanes = batch.lanes();
+        for (places, enclosed) in places.chunks(lanes).zip(enclosed.chunks(lanes)) {
             let is_metric = evaluate(&mut batch, places);
-            let layout = batch.layout();
-            let grams: Vec<SMatrix<f64, D, D>> =
-                places.iter().map(|(x, _)| metric.gram(x)).collect();
             if kind != Kind::Square {
-                assert_eq!(is_metric, grams.iter().all(is_gram), "{text}");
+                let are_grams = places.iter().all(|(x, _)| is_gram(&metric.gram(x)));
+                assert_eq!(is_metric, are_grams, "{text}");
             }
-            for lane in 0..places.len() {
-                let expected = &enclosed[first + lane];
-                let at = |register: Register| batch.row(register)[lane];
-                for &register in &layout.square {
-                    same(at(register), expected.square, "dᵀHd", first + lane);
-                }
-                let vectors = [
-                    (&layout.momentum, &expected.momentum, "Hd"),
-                    (&layout.slope, &expected.slope, "G"),
-                ];
-                for (registers, expected, what) in vectors {
-                    for (i, &register) in registers.iter().enumerate() {
-                        same(at(register), expected[i], what, first + lane);
-                    }
-                }
-                let matrices = [
-                    (&layout.gram, &expected.gram, "H"),
-                    (&layout.turn, &expected.turn, "P"),
-                    (&layout.bend, &expected.bend, "Q"),
-                ];
-                for (registers, expected, what) in matrices {
-                    for (n, &register) in registers.iter().enumerate() {
-                        same(at(register), expected[(n / D, n % D)], what, first + lane);
-                    }
+            for (what, found) in rows(&batch, places.len()).into_iter().enumerate() {
+                for (n, found) in found.into_iter().enumerate() {
+                    let (row, lane) = (n / places.len(), n % places.len());
+                    let (expected, (x, d)) = (enclosed[lane][what][row], places[lane]);
+                    assert!(
+                        is_near(found, expected),
+                        "{} {found:e} not in {expected:?} at {x:?} along {d:?}: {text}",
+                        NAMES[what]
+                    );
+                    known += usize::from((expected.hi() - expected.lo()).is_finite());
                 }
             }
         }

@@ -1,4 +1,4 @@
-//! Random numbers that are the same on every machine.
+//! Reproducible random numbers.
 
 /// SplitMix64 (Steele, Lea and Flood, 2014).
 pub(crate) struct Random(pub(crate) u64);
@@ -11,7 +11,7 @@ impl Random {
         ((z ^ (z >> 31)) >> 33) as usize % n
     }
 
-    /// One of `±k/256` up to 4, and 0 now and then.
+    /// A multiple of `1/256` in `[−4, 4]`.
     pub(crate) fn number(&mut self) -> f64 {
         (self.below(2049) as f64 - 1024.0) / 256.0
     }

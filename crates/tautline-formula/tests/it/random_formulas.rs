@@ -1,4 +1,4 @@
-//! A recorded formula has the bits of the formula itself, on formulas that nobody would write.
+//! Random formulas are recorded to the bit.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_chance::{cases, seed};
@@ -102,7 +102,7 @@ impl Tree {
     }
 }
 
-/// `[[t, u], [u, t]]`: each of the two is a whole tree.
+/// `[[t, u], [u, t]]` with two trees.
 pub(crate) struct Trees([Tree; 2]);
 
 impl Trees {
@@ -118,7 +118,7 @@ impl Metric<2> for Trees {
     }
 }
 
-/// The same bits, NaN included: as text where they are not equal as numbers.
+/// Compares bits, with NaN equal to NaN: as text where the numbers differ.
 fn assert_same<S: Scalar>(trees: &Trees, formula: &Formula<2>, x: [S; 2]) {
     let x = SVector::from(x);
     let (found, expected) = (formula.gram(&x), trees.gram(&x));
@@ -145,6 +145,6 @@ fn random_formulas_are_recorded_to_the_bit() {
         finite +=
             u32::from(formula.gram(&SVector::from(sides)).iter().all(|side| side.is_finite()));
     }
-    // In most of them nothing is undefined.
+    // Most are defined.
     assert!(finite > cases / 2, "{finite} of {cases}");
 }

@@ -1,4 +1,4 @@
-//! A formula is its metric: recorded, printed and read back, behind a pointer, to the same bits.
+//! A formula is its metric to the bit: recorded, printed and parsed, and behind a pointer.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_chance::{cases, seed};
@@ -51,7 +51,7 @@ fn formula<const D: usize>(metric: &impl Metric<D>) -> Formula<D> {
 }
 
 #[test]
-fn metrics_of_the_gallery_are_their_formulas() {
+fn the_gallery_is_recorded_to_the_bit() {
     laws::<1>(&gallery::Valleys);
     laws::<2>(&gallery::Valleys);
     laws(&gallery::Shear::new(0.1, 1.0 / 3.0).expect("a wave number"));
@@ -69,7 +69,7 @@ fn metrics_of_the_gallery_are_their_formulas() {
     laws(&gallery::Constant::<3>::new(SMatrix::identity()).expect("definite"));
 }
 
-/// Steps that no gallery has: numbers of every kind, powers of every size, pairs.
+/// Steps that the gallery lacks: numbers of every kind, powers of every size, pairs.
 struct Odd;
 
 impl Metric<1> for Odd {
@@ -121,7 +121,7 @@ fn every_operation_is_recorded_to_the_bit() {
 }
 
 #[test]
-fn what_is_asked_for_twice_is_a_step_once_and_what_is_not_used_none() {
+fn repeated_steps_are_recorded_once_and_unused_ones_dropped() {
     struct Twice;
     impl Metric<2> for Twice {
         fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
@@ -158,7 +158,7 @@ fn a_formula_with_branches_is_refused() {
         }
     }
     assert_eq!(Formula::record(&Branch), Err(RecordError::Compares));
-    // Of numbers the answer is known.
+    // Constants may be compared.
     struct Known;
     impl Metric<1> for Known {
         fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
@@ -171,7 +171,7 @@ fn a_formula_with_branches_is_refused() {
 }
 
 #[test]
-fn a_loop_without_end_in_sight_is_refused() {
+fn a_loop_that_is_too_long_is_refused() {
     struct Loop;
     impl Metric<1> for Loop {
         fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
@@ -182,9 +182,9 @@ fn a_loop_without_end_in_sight_is_refused() {
     assert_eq!(Formula::record(&Loop), Err(RecordError::TooLong { most }));
 }
 
-/// Numbers that another thread has made are on no tape.
+/// Numbers from another thread are on no tape.
 #[test]
-fn a_formula_that_is_evaluated_elsewhere_is_refused() {
+fn a_formula_that_uses_another_thread_is_refused() {
     struct Elsewhere;
     impl Metric<1> for Elsewhere {
         fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
@@ -196,7 +196,7 @@ fn a_formula_that_is_evaluated_elsewhere_is_refused() {
     assert_eq!(Formula::record(&Elsewhere), Err(RecordError::Foreign));
 }
 
-/// A formula may record another one; and what a panic leaves behind is not on the next tape.
+/// A formula may record another one, and a panic leaves nothing on the next tape.
 #[test]
 fn recordings_do_not_disturb_each_other() {
     struct Within;

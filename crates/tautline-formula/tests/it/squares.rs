@@ -1,4 +1,4 @@
-//! Metrics that are sums of squares of vectors, and those that nearly are.
+//! Metrics that are, or nearly are, sums of squares of vectors.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_formula::{Kind, Prepared};
@@ -7,7 +7,7 @@ use tautline_scalar::Scalar;
 
 use crate::programs::{all, compare_one, places};
 
-/// Numbers without a pattern, all of them different.
+/// Distinct numbers without a pattern.
 fn number(k: usize) -> f64 {
     (1.0 + 1.7 * k as f64).sin()
 }
@@ -15,7 +15,7 @@ fn number(k: usize) -> f64 {
 pub(crate) fn decoder<const D: usize, const HIDDEN: usize, const OUT: usize>()
 -> TanhDecoder<D, HIDDEN, OUT> {
     let inner = SMatrix::from_fn(|a, i| number(D * a + i) / 2.0);
-    // Terms that vanish stay what they are: undefined where their unit is.
+    // Zero weights keep their terms: undefined where their unit is.
     let outer = SMatrix::from_fn(|o, a| if o == a { 0.0 } else { number(50 + HIDDEN * o + a) });
     TanhDecoder::new(inner, outer, 0.5).expect("finite")
 }
@@ -29,7 +29,7 @@ fn decoders_are_contracted_by_programs() {
     all(&decoder::<4, 16, 16>());
 }
 
-/// The entries themselves, differentiated, would make a program that is longer than it is worth.
+/// Differentiating the entries themselves would make the program too long.
 #[test]
 fn a_decoder_of_8_coordinates_has_a_program() {
     let metric = decoder::<8, 16, 16>();
@@ -39,19 +39,19 @@ fn a_decoder_of_8_coordinates_has_a_program() {
     assert_eq!(known, 20 * (1 + 1 + 3 * 8 + 3 * 8 * 8));
 }
 
-/// `8 I + diag(sin x₀, 0, …) + Σₒ wₒ aₒ aₒᵀ` in five coordinates, with something wrong with it.
+/// `8 I + diag(sin x₀, 0, …) + Σₒ wₒ aₒ aₒᵀ` in five coordinates, perhaps spoilt.
 struct Vectors(Wrong);
 
 #[derive(Clone, Copy, PartialEq)]
 enum Wrong {
     Nothing,
-    /// One product counts more than the others of its vector.
+    /// One product has another weight than the others of its vector.
     Factor,
-    /// One product of a vector is not there.
+    /// One product of a vector is missing.
     Missing,
-    /// The product is that of two pairs.
+    /// A product belongs to two pairs.
     Ambiguous,
-    /// The weight is no constant.
+    /// The weight is not constant.
     Weight,
 }
 
@@ -100,7 +100,7 @@ impl Metric<5> for Vectors {
     }
 }
 
-/// How many instructions all derivatives take.
+/// The number of instructions for all derivatives.
 fn length(wrong: Wrong) -> usize {
     let size = Prepared::new(Vectors(wrong)).size(Kind::Contraction);
     size.expect("a program")[0]
@@ -109,19 +109,19 @@ fn length(wrong: Wrong) -> usize {
 #[test]
 fn vectors_with_zeros_constants_and_weights_are_contracted() {
     all(&Vectors(Wrong::Nothing));
-    // By squares: what gives up on them is longer.
+    // By squares: without them the program is longer.
     assert!(length(Wrong::Nothing) < length(Wrong::Ambiguous));
 }
 
 #[test]
-fn what_is_nearly_a_square_is_none() {
+fn spoilt_squares_are_not_squares() {
     all(&Vectors(Wrong::Factor));
     all(&Vectors(Wrong::Missing));
     all(&Vectors(Wrong::Ambiguous));
     all(&Vectors(Wrong::Weight));
 }
 
-/// `I + ∇f ∇fᵀ`: one vector, whose squares are those of lone functions in some coordinates.
+/// `I + ∇f ∇fᵀ`: one vector, with single functions for some of its entries.
 #[test]
 fn graphs_of_functions_are_contracted() {
     struct Graph;

@@ -9,7 +9,7 @@ use tautline_scalar::{Interval, Jet1};
 use crate::random::Random;
 
 #[test]
-fn a_text_does_what_the_same_formula_does_in_rust() {
+fn a_text_records_the_same_tape_as_rust() {
     struct Sheet(f64);
     impl Metric<2> for Sheet {
         fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
@@ -28,43 +28,37 @@ fn a_text_does_what_the_same_formula_does_in_rust() {
 }
 
 #[test]
-fn numbers_among_themselves_are_numbers() {
+fn arithmetic_between_numbers_gives_numbers() {
     let of = |text: &str| Formula::<1>::parse(text, &[]).expect("a formula");
     assert_eq!(of("[(1 + 2)*3^2/sqrt(4) - 0.5 + x1]"), of("[13 + x1]"));
     assert_eq!(of("[2^-1*x1]"), of("[0.5*x1]"));
     assert_eq!(of("a = 2*pi; [a*x1]"), of("[6.283185307179586*x1]"));
     assert_eq!(of("1e-3 I"), of("[.001]"));
-    // A number that is a step is none of these.
+    // A number that is a step stays a step.
     assert_ne!(of("[number(2)*x1]"), of("[2*x1]"));
 }
 
 /// Powers before signs, products before sums, left before right.
 #[test]
 fn operators_bind_as_in_mathematics() {
-    let value = |text: &str| {
-        let formula = Formula::<2>::parse(&format!("{text} I"), &[]).expect("a formula");
-        formula.gram(&vector![3.0, 5.0])[(0, 0)]
-    };
     for (text, expected) in [
-        ("-x1^2", -9.0),
-        ("(-x1)^2", 9.0),
-        ("x1 - x2 - 1", -3.0),
-        ("x1/x2/2", 0.3),
-        ("x1 + x2*2", 13.0),
-        ("2*-x1", -6.0),
-        ("--x1", 3.0),
-        ("x1 - -x2", 8.0),
-        ("16/x1^2^1", f64::NAN),
+        ("-x1^2", Some(-9.0)),
+        ("(-x1)^2", Some(9.0)),
+        ("x1 - x2 - 1", Some(-3.0)),
+        ("x1/x2/2", Some(0.3)),
+        ("x1 + x2*2", Some(13.0)),
+        ("2*-x1", Some(-6.0)),
+        ("--x1", Some(3.0)),
+        ("x1 - -x2", Some(8.0)),
+        ("16/x1^2^1", None),
     ] {
-        if expected.is_nan() {
-            assert!(Formula::<2>::parse(&format!("{text} I"), &[]).is_err(), "{text}");
-        } else {
-            assert_eq!(value(text), expected, "{text}");
-        }
+        let formula = Formula::<2>::parse(&format!("{text} I"), &[]).ok();
+        let value = formula.map(|formula| formula.gram(&vector![3.0, 5.0])[(0, 0)]);
+        assert_eq!(value, expected, "{text}");
     }
 }
 
-/// Each form at random places, beside the metric of the gallery that has it.
+/// Each form at random points, against a metric of the gallery.
 #[test]
 fn forms_are_the_metrics_of_the_gallery() {
     #[track_caller]
@@ -95,38 +89,18 @@ fn forms_are_the_metrics_of_the_gallery() {
     check("diag((1 + 0.3*sin(1.1*x1))^2, (1 - 0.4*sin(1.7*x2))^2)", &separable);
 }
 
-/// Each rule of differentiation, as jets have it.
+/// Each rule of differentiation, against jets.
 #[test]
-fn the_gradient_of_a_graph_is_that_of_jets() {
-    let functions = [
-        "x1 + x2",
-        "x1 - x2*x2",
-        "x1*x2",
-        "x1/(x2^2 + 1)",
-        "x1*0.3 - x2/7",
-        "(x1 + 3)^-3*x2",
-        "(x1*x2)^5",
-        "x1^1 + x2^0",
-        "-x1*x2",
-        "sqr(x1 - x2)",
-        "recip(x1*x1 + 2)*x2",
-        "sqrt(x1^2 + x2^2 + 1)",
-        "exp(x1*x2/4)",
-        "ln(x1^2 + 2)*x2",
-        "sin(x1*x2)",
-        "cos(x1 - 2*x2)",
-        "tan(x1/4)*x2",
-        "atan(x1*x2)",
-        "sinh(x1 - x2)",
-        "cosh(x1*x2/3)",
-        "tanh(x1 + x2)",
-        "5",
-    ];
+fn gradients_agree_with_jets() {
+    let functions = "x1 + x2; x1 - x2*x2; x1*x2; x1/(x2^2 + 1); x1*0.3 - x2/7; (x1 + 3)^-3*x2; \
+        (x1*x2)^5; x1^1 + x2^0; -x1*x2; sqr(x1 - x2); recip(x1*x1 + 2)*x2; sqrt(x1^2 + x2^2 + 1); \
+        exp(x1*x2/4); ln(x1^2 + 2)*x2; sin(x1*x2); cos(x1 - 2*x2); tan(x1/4)*x2; atan(x1*x2); \
+        sinh(x1 - x2); cosh(x1*x2/3); tanh(x1 + x2); 5";
     let pairs = [("sin_cos", "s*x1 + c^2*x2"), ("sinh_cosh", "s*x1/c + c*x2")];
-    let of_one = functions.map(|f| (String::new(), f.to_owned()));
+    let of_one = functions.split("; ").map(|f| (String::new(), f.to_owned()));
     let of_pairs = pairs.map(|(pair, f)| (format!("s, c = {pair}(x1*x2 - x1);"), f.to_owned()));
     let mut random = Random(seed(1908));
-    for (definitions, f) in of_one.into_iter().chain(of_pairs) {
+    for (definitions, f) in of_one.chain(of_pairs) {
         let graph = Formula::<2>::parse(&format!("{definitions} graph({f})"), &[]);
         let itself = Formula::<2>::parse(&format!("{definitions} phi({f})"), &[]);
         let (graph, itself) = (graph.expect("a formula"), itself.expect("a formula"));
@@ -142,31 +116,25 @@ fn the_gradient_of_a_graph_is_that_of_jets() {
 }
 
 #[test]
-fn forms_say_what_they_take_and_leave_their_names() {
-    let error = |text: &str| Formula::<2>::parse(text, &[]).expect_err("refused").to_string();
-    let few = "at byte 0: pullback takes 2 functions or more in dimension 2, and here is 1";
-    assert_eq!(error("pullback(x1)"), few);
-    assert_eq!(
-        error(" diag(1, 2, x1)"),
-        "at byte 1: diag takes 2 functions in dimension 2, and here is 3"
-    );
-    assert_eq!(
-        error("graph(x1, x2)"),
-        "at byte 0: graph takes one function in dimension 2, and here is 2"
-    );
-    assert_eq!(error("speed(2 x1)"), "at byte 8: found x1, expected an operator, a comma or )");
-    assert_eq!(error("graph(x1) I"), "at byte 10: found I, expected the end");
-    // A factor without its sign, wherever it stands.
-    assert_eq!(
-        error("[2 x1, 0; 0, 1]"),
-        "at byte 3: found x1, expected an operator, a comma, ; or ]"
-    );
-    assert_eq!(error("a = 3 exp(x1); a I"), "at byte 6: found exp, expected an operator or ;");
+fn forms_check_their_functions_and_do_not_reserve_their_names() {
+    for (text, says) in [
+        ("pullback(x1)", "0: pullback takes 2 functions or more in dimension 2, found 1"),
+        (" diag(1, 2, x1)", "1: diag takes 2 functions in dimension 2, found 3"),
+        ("graph(x1, x2)", "0: graph takes one function in dimension 2, found 2"),
+        ("speed(2 x1)", "8: found x1, expected an operator, a comma or )"),
+        ("graph(x1) I", "10: found I, expected the end"),
+        // A missing operator.
+        ("[2 x1, 0; 0, 1]", "3: found x1, expected an operator, a comma, ; or ]"),
+        ("a = 3 exp(x1); a I", "6: found exp, expected an operator or ;"),
+    ] {
+        let error = Formula::<2>::parse(text, &[]).expect_err(text);
+        assert_eq!(error.to_string(), format!("at byte {says}"), "{text}");
+    }
     let named = Formula::<2>::parse("phi = 2 - cos(x1); speed(phi)", &[]);
     assert_eq!(named, Formula::parse("graph = 2 - cos(x1); sqr(graph) I", &[]));
 }
 
-/// Into a space of more dimensions: the sphere in three, and a curve in the plane.
+/// Into a space of more dimensions: the sphere, and a helix.
 #[test]
 fn a_pullback_sums_over_all_functions() {
     let sphere = "s, c = sin_cos(x1); t, d = sin_cos(x2); pullback(s*d, s*t, c)";
@@ -179,9 +147,9 @@ fn a_pullback_sums_over_all_functions() {
     }
 }
 
-/// A logarithm has the derivative `1/a` also where there is no logarithm.
+/// The derivative `1/a` of a logarithm is defined where the logarithm is not.
 #[test]
-fn where_a_function_is_undefined_so_is_its_metric() {
+fn the_metric_of_an_undefined_function_is_undefined() {
     let undefined = [
         "graph(ln(x1))",
         "graph(0*ln(x1) + x2)",
@@ -217,7 +185,7 @@ fn powers_at_the_ends_of_the_range_have_their_derivatives() {
     }
 }
 
-/// The same function many times, and a tape that becomes too long by its derivatives.
+/// The same function many times, and a tape that its derivatives make too long.
 #[test]
 fn long_lists_of_functions_are_read_in_one_pass() {
     let chain = |length: usize| {

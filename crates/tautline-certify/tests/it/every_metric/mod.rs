@@ -1,5 +1,5 @@
-//! Every metric of the gallery and every composition, and the comparison of its derivatives over random boxes with those
-//! at points, in high precision.
+//! Compares the derivatives of every metric of the gallery and every composition, over random boxes,
+//! with those at points in high precision.
 
 #![allow(dead_code, reason = "each test that shares this uses a part of it")]
 
@@ -15,15 +15,15 @@ use crate::{
     reference::Random,
 };
 
-/// A metric, and what was seen of it.
+/// The record of a metric.
 #[derive(Clone, Debug)]
 pub(crate) struct Record {
     pub(crate) name: &'static str,
     pub(crate) dimension: usize,
     pub(crate) tally: Tally,
     /// The widest entries of `H`, of its first and of its second derivatives at a point within
-    /// `reach`, in units of `2⁻⁵²` of the largest entry of all three there: derivatives that
-    /// cancel are not asked for more.
+    /// `reach`, in units of `2⁻⁵²` of the largest entry of all three there, since derivatives may
+    /// cancel.
     pub(crate) widest: [f64; 3],
 }
 
@@ -46,8 +46,8 @@ pub(crate) struct Trial {
 }
 
 impl Trial {
-    /// Tries a metric that changes with coordinates of about the size `reach`, by its formula: recorded, it
-    /// gives the bits of the compiled one, and what tries it is compiled once a dimension.
+    /// Tries a metric with coordinates of about the size `reach`. The recorded formula gives the same
+    /// bits, and this code is compiled once for each dimension.
     #[track_caller]
     fn metric<M: Metric<D>, const D: usize>(&mut self, metric: &M, reach: f64) {
         let path = type_name::<M>().split('<').next().expect("a first part");
@@ -64,7 +64,7 @@ impl Trial {
     }
 }
 
-/// The entries of `H`, then those of its first and of its second derivatives.
+/// The entries of `H`, of its first and of its second derivatives.
 type Orders<S> = [Vec<S>; 3];
 
 fn second_order<S: Scalar, const D: usize>(metric: &Formula<D>, x: [S; D]) -> Orders<S> {
@@ -136,8 +136,8 @@ fn attempt<const D: usize>(
     }
 }
 
-/// Tries every metric of the gallery and every composition, those of any dimension in one, two and three, with
-/// parameters that are not dyadic.
+/// Tries every metric of the gallery and every composition, those of any dimension in one, two and
+/// three, with parameters that are not dyadic.
 pub(crate) fn try_all(trial: &mut Trial) {
     let full = SMatrix::<f64, 3, 3>::new(2.0, 0.3, 0.1, 0.3, 1.7, -0.4, 0.1, -0.4, 1.1);
     trial.metric(&Constant::new(full).expect("positive definite"), 1.0);

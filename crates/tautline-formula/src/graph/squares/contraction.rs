@@ -4,20 +4,11 @@ use super::Squares;
 use crate::{
     graph::{
         Graph,
+        contraction::Sums,
         derivative::{Derivatives, Order},
     },
     operation::Step,
 };
-
-/// The sums to add to, as in [`Contracted`](crate::graph::Contracted).
-#[derive(Debug)]
-pub(in crate::graph) struct Sums {
-    pub(in crate::graph) square: Step,
-    pub(in crate::graph) momentum: Vec<Step>,
-    pub(in crate::graph) slope: Vec<Step>,
-    pub(in crate::graph) turn: Vec<Step>,
-    pub(in crate::graph) bend: Vec<Step>,
-}
 
 impl Graph {
     /// Adds the contraction of the squares, given the derivatives of their functions.
@@ -50,12 +41,10 @@ impl Graph {
             return;
         }
         // For each form `gᵀd`, and `Σₒ wₒ vₒ f`, its weight in the sum of all `wₒ vₒ aₒ`.
-        let mut forms_along = Vec::new();
-        for form in forms {
-            let terms: Vec<Step> =
-                form.vector.iter().zip(d).map(|(&c, &d)| self.times(d, c)).collect();
-            forms_along.push(self.sum(terms));
-        }
+        let forms_along: Vec<Step> = forms
+            .iter()
+            .map(|form| self.combination(d.iter().copied().zip(form.vector.iter().copied())))
+            .collect();
         let mut terms = vec![Vec::new(); forms.len()];
         for (vector, &weighted) in vectors.iter().zip(&weighted) {
             for &(form, factor) in &vector.factors {
@@ -98,12 +87,9 @@ impl Graph {
             let of_forms = self.times_slopes(squares, derivatives, forms_along, k);
             let mut of_vectors = Vec::with_capacity(squares.vectors.len());
             for vector in &squares.vectors {
-                let terms: Vec<Step> = vector
-                    .factors
-                    .iter()
-                    .filter_map(|&(form, factor)| Some(self.times(of_forms[form]?, factor)))
-                    .collect();
-                of_vectors.push(self.sum(terms));
+                let factors = vector.factors.iter();
+                let terms = factors.filter_map(|&(form, factor)| Some((of_forms[form]?, factor)));
+                of_vectors.push(self.combination(terms));
             }
             slopes.push(of_vectors);
         }

@@ -1,26 +1,25 @@
 //! Sums of squares of vectors with entries that combine few functions: pullbacks by decoders.
 //!
-//! In `H = C₀ + Σₘ bₘ Cₘ + Σₒ wₒ aₒ aₒᵀ` with constants `wₒ`, where `aₒ = cₒ₀ + Σₐ cₒₐ σₐ(x)` with constant
-//! vectors, there are more products `aₒᵢ aₒⱼ` than entries of `H`, and each depends on all functions
-//! `σₐ`. Contraction of the last sum, with `vₒ = aₒᵀd` and `eₒₐ = cₒₐᵀd`:
+//! In `H = C₀ + Σₘ bₘ Cₘ + Σₒ wₒ aₒ aₒᵀ` with constants `wₒ`, where `aₒ = cₒ₀ + Σₐ cₒₐ σₐ(x)` with
+//! constant vectors, there are more products `aₒᵢ aₒⱼ` than entries of `H`, and each depends on all
+//! functions `σₐ`. Contraction of the last sum, with `vₒ = aₒᵀd` and `eₒₐ = cₒₐᵀd`:
 //!
 //! ```text
 //! ∂ₖ(aₒᵢ) = Σₐ cₒₐᵢ ∂ₖσₐ,   ∂ₖvₒ = Σₐ eₒₐ ∂ₖσₐ,   ∂ₖ∂ₗvₒ = Σₐ eₒₐ ∂ₖ∂ₗσₐ,
 //!
 //! dᵀHd = Σₒ wₒ vₒ²,   Hd = Σₒ wₒ vₒ aₒ,
-//! Gₖ  = 2 Σₒ wₒ vₒ ∂ₖvₒ                       = 2 Σₐ hₐ ∂ₖσₐ                with hₐ = Σₒ wₒ vₒ eₒₐ,
+//! Gₖ  = 2 Σₒ wₒ vₒ ∂ₖvₒ                       = 2 Σₐ hₐ ∂ₖσₐ              with hₐ = Σₒ wₒ vₒ eₒₐ,
 //! Pᵢₖ = Σₒ wₒ aₒᵢ ∂ₖvₒ + Σₒ wₒ vₒ ∂ₖaₒᵢ         = Σₒ wₒ aₒᵢ ∂ₖvₒ + Σₐ (Σₒ wₒ vₒ cₒₐᵢ) ∂ₖσₐ,
 //! Qₖₗ = 2 Σₒ wₒ ∂ₖvₒ ∂ₗvₒ + 2 Σₒ wₒ vₒ ∂ₖ∂ₗvₒ   = 2 Σₒ wₒ ∂ₖvₒ ∂ₗvₒ + 2 Σₐ hₐ ∂ₖ∂ₗσₐ.
 //! ```
 //!
-//! Only the `σₐ` are differentiated. The Jacobian of a network has `cₒₐ = fₒₐ gₐ` with one form `gₐ` for
-//! each hidden unit: then `eₒₐ = fₒₐ (gₐᵀd)`, and sums over `o` and `a` have only the factors `fₒₐ`.
+//! Only the `σₐ` are differentiated. The Jacobian of a network has `cₒₐ = fₒₐ gₐ` with one form
+//! `gₐ` for each hidden unit: then `eₒₐ = fₒₐ (gₐᵀd)`, and sums over `o` and `a` have only the
+//! factors `fₒₐ`.
 
 mod contraction;
 
 use std::collections::{BTreeMap, HashMap};
-
-pub(super) use contraction::Sums;
 
 use crate::{
     graph::{
@@ -70,8 +69,8 @@ struct Candidate {
 const MOST_TERMS: usize = 1 << 16;
 
 impl Graph {
-    /// Splits squares of vectors off the entries `i ≤ j` of `H`; returns the rest and the squares. `None`
-    /// if there are none, or if they leave no less to derive than these bases.
+    /// Splits squares of vectors off the entries `i ≤ j` of `H`; returns the rest and the squares.
+    /// `None` if there are none, or if they leave no less to derive than these bases.
     pub(super) fn squares(
         &self,
         gram: &[Step],
@@ -138,8 +137,8 @@ impl Graph {
         }
     }
 
-    /// The steps whose squares are on the diagonal, with those they are multiplied by elsewhere; `None` if
-    /// a product may belong to two different pairs.
+    /// The steps with squares on the diagonal, and the steps that multiply them elsewhere;
+    /// `None` if a product may belong to two different pairs.
     fn candidates(&self, entries: &[Linear], dimension: usize) -> Option<Vec<Candidate>> {
         let (mut candidates, mut known) = (Vec::new(), HashMap::new());
         let at = |i: usize, j: usize| &entries[i * dimension - i * (i + 1) / 2 + j].terms;
