@@ -1,5 +1,8 @@
 //! `Domain`: where a constant holds.
 
+#[cfg(test)]
+mod tests;
+
 use nalgebra::SVector;
 use num_traits::{One, Zero};
 use tautline_formula::AnyMetric;
@@ -243,122 +246,4 @@ fn distance_squared<const D: usize>(x: &SVector<f64, D>, y: &SVector<f64, D>) ->
     x.iter().zip(y).fold(Interval::zero(), |sum, (&x, &y)| {
         sum + (Interval::point(x) - Interval::point(y)).sqr()
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use std::f64::consts::TAU;
-
-    use nalgebra::{SMatrix, vector};
-    use tautline_metrics::gallery::{
-        Constant, CoupledCosines, GaussianFisher, GaussianFisherPatch, HyperbolicPatch, Lens, Ramp,
-        Sphere, SpherePatch, Swirl,
-    };
-    use tautline_scalar::Interval;
-
-    use super::Domain;
-    use crate::{Cell, CertifyError, testing::parsed};
-
-    #[test]
-    fn a_ball_contains_its_points_and_misses_the_corners_of_its_box() {
-        let ball = Domain::ball([1.0, 0.0], 2.0).expect("a radius");
-        let cell = |lo: [f64; 2], hi: [f64; 2]| Cell::new(lo, hi).expect("in order");
-        assert!(ball.misses(&cell([2.9, 1.9], [3.0, 2.0])));
-        assert!(!ball.misses(&cell([2.0, 1.0], [3.0, 2.0])));
-        // The one point (3, 0).
-        assert!(!ball.misses(&cell([3.0, -1.0], [4.0, 1.0])));
-        let whole = *ball.bounding_cell();
-        assert_eq!(ball.point_in(&whole), Some(vector![1.0, 0.0]));
-        let x = ball.point_in(&cell([2.0, 1.0], [3.0, 2.0])).expect("they meet");
-        assert!((x - vector![1.0, 0.0]).norm() <= 2.0 && x[0] >= 2.0 && x[1] >= 1.0, "{x}");
-        assert_eq!(ball.point_in(&cell([2.9, 1.9], [3.0, 2.0])), None);
-        let point = Domain::ball([1.0], 0.0).expect("a radius");
-        assert_eq!(point.point_in(point.bounding_cell()), Some(vector![1.0]));
-    }
-
-    #[test]
-    fn a_ball_without_a_radius_or_a_centre_is_refused() {
-        for radius in [-1.0, f64::NAN, f64::INFINITY] {
-            let error = Domain::ball([0.0], radius).expect_err("no radius");
-            assert!(matches!(error, CertifyError::NotARadius { .. }), "{error}");
-        }
-        assert!(Domain::ball([f64::NAN], 1.0).is_err());
-    }
-
-    #[test]
-    fn space_is_a_period_where_the_formula_has_one() {
-        let space = Domain::space(&CoupledCosines);
-        assert!(space.is_all_of_space());
-        let [x, y, z] = *space.bounding_cell().sides();
-        for side in [x, y] {
-            // 2π lies between its nearest double and the next one.
-            assert!(side.contains(TAU.next_up()) && side.hi() < TAU * (1.0 + 1e-14));
-        }
-        // Only differences of coordinates occur.
-        assert_eq!(z.width(), 0.0);
-        let space = Domain::space(&GaussianFisher);
-        let [x, t] = space.bounding_cell().sides();
-        assert!(!space.is_all_of_space() && x.width() == 0.0 && t.hi() == Domain::<2>::REACH);
-    }
-
-    #[test]
-    fn a_metric_with_gaussian_or_saturated_parts_settles() {
-        let lens = Lens::new(1.0, 1.0).expect("a width");
-        assert!(Domain::<2>::settled_space(&lens).is_ok_and(|space| space.is_all_of_space()));
-        assert!(Domain::settled_space(&Ramp::new(0.5, 1.0).expect("a slope")).is_ok());
-        assert!(Domain::settled_space(&Swirl::new(1.0, 1.0).expect("a width")).is_ok());
-        assert!(Domain::settled_space(&GaussianFisherPatch::new(1.0).expect("a rim")).is_ok());
-        let sphere = SpherePatch::new(1.0).expect("a radius");
-        assert!(Domain::<2>::settled_space(&sphere).is_ok());
-        let hyperbolic = HyperbolicPatch::new(0.5).expect("a radius");
-        assert!(Domain::<2>::settled_space(&hyperbolic).is_ok());
-    }
-
-    #[test]
-    fn a_metric_that_keeps_changing_does_not_settle() {
-        let error = Domain::settled_space(&GaussianFisher).expect_err("it grows");
-        assert!(matches!(error, CertifyError::NotSettled { coordinate: 1, .. }), "{error}");
-        // The sphere goes to 0, where no change is small in proportion.
-        assert!(Domain::<2>::settled_space(&Sphere).is_err());
-    }
-
-    /// A small change on the last octave, seen by the first derivative, by the second, or on one
-    /// side.
-    #[test]
-    fn a_small_change_is_detected() {
-        for text in [
-            "tanh(x1*2^-100)*1e-3 + 1",
-            "sin(x1*2^-80 + tanh(x1))*1e-17 + 1",
-            "exp(x1*-2^-95)*1e-6 + 1",
-            "exp(x1*2^-95)*1e-6 + 1",
-        ] {
-            let error = Domain::<1>::settled_space(&parsed(&format!("{text} I")));
-            let error = error.expect_err("it changes");
-            assert!(matches!(error, CertifyError::NotSettled { .. }), "{text}: {error}");
-        }
-    }
-
-    #[test]
-    fn a_domain_represents_space_for_its_own_metric() {
-        let constant = Constant::new(SMatrix::<f64, 2, 2>::identity()).expect("definite");
-        let lens = Lens::new(1.0, 1.0).expect("a width");
-        let point = Domain::space(&constant);
-        assert!(point.represents_space_for(&constant) && !point.represents_space_for(&lens));
-        let settled = Domain::<2>::settled_space(&lens).expect("it settles");
-        assert!(settled.represents_space_for(&lens));
-        assert!(!settled.represents_space_for(&Sphere));
-        assert!(!Domain::<2>::space(&lens).represents_space_for(&lens));
-    }
-
-    /// Centre plus radius is rounded, and the box must not be too small.
-    #[test]
-    fn the_box_of_a_ball_holds_its_ends() {
-        for i in 1..200 {
-            let (c, r) = (f64::from(i) * 0.1, f64::from(i * i) * 0.37);
-            let ball = Domain::ball([c], r).expect("a radius");
-            let [side] = ball.bounding_cell().sides();
-            let (c, r) = (Interval::point(c), Interval::point(r));
-            assert!(side.contains_interval(c - r) && side.contains_interval(c + r), "{side:?}");
-        }
-    }
 }

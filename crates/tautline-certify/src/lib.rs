@@ -44,8 +44,6 @@ mod certify_error;
 mod constants;
 mod curves;
 mod domain;
-#[cfg(test)]
-mod domain_laws;
 mod formula;
 mod locally_certified;
 #[cfg(test)]

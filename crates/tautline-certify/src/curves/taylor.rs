@@ -1,5 +1,8 @@
 //! `Taylor`: a function of one variable, as the first coefficients of its power series.
 
+#[cfg(test)]
+mod tests;
+
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use num_traits::{One, Zero};
@@ -270,101 +273,5 @@ impl<T: Scalar, const M: usize> Scalar for Taylor<T, M> {
         let a = self.0[0];
         // 1/cosh², since 1 − tanh² cancels where tanh is near ±1.
         self.quadratic(a.tanh(), a.cosh().sqr().recip(), -1.0)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use tautline_scalar::{Interval, Jet2, Scalar};
-
-    use super::Taylor;
-
-    /// Every operation of a scalar.
-    fn functions<S: Scalar>(x: S) -> Vec<(&'static str, S)> {
-        vec![
-            ("sqr", x.sqr()),
-            ("cube", x.powi(3)),
-            ("power 6", x.powi(6)),
-            ("power -3", x.powi(-3)),
-            ("power 0", x.powi(0) * x),
-            ("recip", x.recip()),
-            ("sqrt", (x + 1.0).sqrt()),
-            ("exp", (-x).exp()),
-            ("ln", (x + 1.0).ln()),
-            ("sin", x.sin()),
-            ("cos", (x * 3.0).cos()),
-            ("tan", x.tan()),
-            ("atan", x.atan()),
-            ("sinh", x.sinh()),
-            ("cosh", x.cosh()),
-            ("tanh", (x - 0.25).tanh()),
-            ("quotient", (x.sin() + 2.0) / (x.exp() + 0.5)),
-            ("nested", ((x.sqr() + 1.0).sqrt() / 3.0).exp() * x.cos()),
-        ]
-    }
-
-    /// Nested second-order jets share no recurrence with these.
-    #[test]
-    fn coefficients_agree_with_nested_jets() {
-        for x in [0.125, 0.5, 1.3, -0.7] {
-            let [inner] = Jet2::<f64, 1>::variables(&[x]);
-            let [outer] = Jet2::<_, 1>::variables(&[inner]);
-            let ours = functions(Taylor::<f64, 5>::line(x, 1.0));
-            for ((name, taylor), (_, jet)) in ours.into_iter().zip(functions(outer)) {
-                let (value, second) = (jet.value(), jet.second(0, 0));
-                let jets = [
-                    value.value(),
-                    value.first(0),
-                    value.second(0, 0) / 2.0,
-                    second.first(0) / 6.0,
-                    second.second(0, 0) / 24.0,
-                ];
-                // Some thirty roundings of terms up to eight times the result.
-                let size = jets.iter().fold(1.0_f64, |size, c| size.max(c.abs()));
-                for k in 0..5 {
-                    let error = (taylor.coefficient(k) - jets[k]).abs();
-                    let tolerance = 128.0 * f64::EPSILON * size;
-                    assert!(error <= tolerance, "{name} at {x}, coefficient {k}: {error:e}");
-                }
-            }
-        }
-    }
-
-    /// The coefficients at each point lie in those over the interval.
-    #[test]
-    fn an_interval_encloses_the_coefficients_of_its_points() {
-        let line = |x| functions(Taylor::<Interval, 5>::line(x, Interval::point(1.0)));
-        let range = line(Interval::new(0.5, 1.0).expect("ordered"));
-        for x in [0.5, 0.625, 0.8125, 1.0] {
-            for ((name, all), (_, one)) in range.iter().zip(line(Interval::point(x))) {
-                for k in 0..5 {
-                    let (all, one) = (all.coefficient(k), one.coefficient(k));
-                    assert!(all.contains_interval(one), "{name}, {k}: {one:?} in {all:?}");
-                }
-            }
-        }
-    }
-
-    /// A function that is undefined at a point of the interval has no finite value.
-    #[test]
-    fn undefined_values_stay_undefined() {
-        let across = Interval::new(-1.0, 1.0).expect("ordered");
-        let x = Taylor::<Interval, 5>::line(across, Interval::point(1.0));
-        let one = Taylor::constant(1.0);
-        // Negative throughout: 1/x is defined, the logarithm is not.
-        let negative = x - 2.0;
-        let undefined =
-            [x.recip(), x.ln(), x.sqrt(), x.powi(-2), one / x, (x * 2.0).tan(), negative.ln()];
-        for y in undefined {
-            for z in [y, y.powi(0), y * 0.0, y.atan(), one / (y.sqr() + 1.0)] {
-                assert!(z.coefficient(0).is_undefined(), "{z:?}");
-            }
-            assert!((1..5).all(|k| y.coefficient(k).is_undefined()), "{y:?}");
-        }
-        // A root that touches zero is defined, but not its derivatives.
-        let touching = Interval::new(0.0, 1.0).expect("ordered");
-        let root = Taylor::<Interval, 5>::line(touching, Interval::point(1.0)).sqrt();
-        assert_eq!(root.coefficient(0), touching);
-        assert!((1..5).all(|k| root.coefficient(k).is_undefined()));
     }
 }

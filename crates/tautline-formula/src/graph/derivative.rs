@@ -1,47 +1,14 @@
 //! Derivatives of expressions.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 
 use crate::{
-    graph::Graph,
+    graph::{
+        Graph,
+        derivatives::{By, Derivatives},
+    },
     operation::{Arithmetic, Function, Operation, Step, needed},
 };
-
-/// What a derivative is taken by.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum By {
-    /// `∂ₖ`.
-    One(usize),
-    /// `∂ₖ∂ₗ` with `k ≤ l`.
-    Two(usize, usize),
-}
-
-/// First and second derivatives, without those that are 0.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Derivatives(BTreeMap<By, Step>);
-
-impl Derivatives {
-    /// `∂ₖ`; `None` is 0.
-    pub(crate) fn first(&self, k: usize) -> Option<Step> {
-        self.0.get(&By::One(k)).copied()
-    }
-
-    /// `∂ₖ∂ₗ` with `k ≤ l`; `None` is 0.
-    pub(crate) fn second(&self, (k, l): (usize, usize)) -> Option<Step> {
-        self.0.get(&By::Two(k, l)).copied()
-    }
-
-    fn firsts(&self) -> impl Iterator<Item = (usize, Step)> {
-        self.0.iter().map_while(|(&by, &step)| match by {
-            By::One(k) => Some((k, step)),
-            By::Two(..) => None,
-        })
-    }
-
-    fn seconds(&self) -> impl Iterator<Item = (By, Step)> {
-        self.0.iter().filter(|(by, _)| matches!(by, By::Two(..))).map(|(&by, &step)| (by, step))
-    }
-}
 
 /// The variables of a derivative.
 #[derive(Clone, Copy, Debug)]
@@ -165,7 +132,7 @@ impl Graph {
     }
 
     fn variable(&mut self, k: usize) -> Derivatives {
-        Derivatives(BTreeMap::from([(By::One(k), self.constant(1.0))]))
+        Derivatives([(By::One(k), self.constant(1.0))].into())
     }
 
     /// The derivatives of the step `v` from those of what it reads.

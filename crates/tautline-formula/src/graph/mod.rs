@@ -2,6 +2,7 @@
 
 mod contraction;
 mod derivative;
+mod derivatives;
 mod linear;
 mod neck;
 mod squares;

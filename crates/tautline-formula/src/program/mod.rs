@@ -5,6 +5,7 @@ mod compiler;
 mod instruction;
 mod registers;
 mod row;
+mod sum;
 
 pub(crate) use instruction::Instruction;
 pub use registers::{InstructionSet, Registers, WIDTH};

@@ -1,5 +1,6 @@
 //! Formulas as text: parsing and printing.
 
+mod expression;
 mod form;
 mod gradient;
 mod parser;

@@ -2,10 +2,9 @@
 
 use std::{collections::HashMap, ops::Range};
 
-use tautline_scalar::Scalar;
-
 use super::{
     Problem, TextError,
+    expression::STEP,
     form::{Form, form},
     token::{Token, Tokens},
     value::Value,
@@ -15,12 +14,6 @@ use crate::{
     operation::Function,
     recording::{Symbol, record},
 };
-
-/// The most levels of brackets, each of which takes stack.
-const DEEPEST: usize = 128;
-
-/// The function that makes a step of a number.
-const STEP: &str = "number";
 
 impl<const D: usize> Formula<D> {
     /// Parses a formula, with values for named parameters.
@@ -90,25 +83,26 @@ impl<const D: usize> Formula<D> {
     }
 }
 
-struct Parser<'a> {
-    tokens: Tokens<'a>,
-    ahead: (Token<'a>, Range<usize>),
+pub(super) struct Parser<'a> {
+    pub(super) tokens: Tokens<'a>,
+    pub(super) ahead: (Token<'a>, Range<usize>),
     x: &'a [Symbol],
-    names: HashMap<String, Value>,
-    depth: usize,
+    pub(super) names: HashMap<String, Value>,
+    /// The levels of brackets that are open.
+    pub(super) depth: usize,
 }
 
 impl<'a> Parser<'a> {
-    fn advance(&mut self) -> Result<(Token<'a>, Range<usize>), TextError> {
+    pub(super) fn advance(&mut self) -> Result<(Token<'a>, Range<usize>), TextError> {
         let next = self.tokens.word()?;
         Ok(std::mem::replace(&mut self.ahead, next))
     }
 
-    fn error<T>(&self, problem: Problem) -> Result<T, TextError> {
+    pub(super) fn error<T>(&self, problem: Problem) -> Result<T, TextError> {
         Err(TextError { at: self.ahead.1.clone(), problem })
     }
 
-    fn unexpected<T>(&self, expected: &'static str) -> Result<T, TextError> {
+    pub(super) fn unexpected<T>(&self, expected: &'static str) -> Result<T, TextError> {
         let found = match self.ahead.0 {
             Token::Number(value) => format!("{value:?}"),
             Token::Integer(word) | Token::Name(word) => word.to_owned(),
@@ -118,12 +112,12 @@ impl<'a> Parser<'a> {
         self.error(Problem::Unexpected { found, expected })
     }
 
-    fn sign(&mut self, sign: char, expected: &'static str) -> Result<(), TextError> {
+    pub(super) fn sign(&mut self, sign: char, expected: &'static str) -> Result<(), TextError> {
         if self.takes(sign)? { Ok(()) } else { self.unexpected(expected) }
     }
 
     /// Whether this sign came next, and is passed.
-    fn takes(&mut self, sign: char) -> Result<bool, TextError> {
+    pub(super) fn takes(&mut self, sign: char) -> Result<bool, TextError> {
         let is_next = self.is(sign);
         if is_next {
             self.advance()?;
@@ -199,7 +193,7 @@ impl<'a> Parser<'a> {
     }
 
     /// The value of `pi` and of a coordinate.
-    fn builtin(&self, name: &str) -> Result<Option<Value>, Problem> {
+    pub(super) fn builtin(&self, name: &str) -> Result<Option<Value>, Problem> {
         if name == "pi" {
             return Ok(Some(Value::Number(std::f64::consts::PI)));
         }
@@ -287,122 +281,7 @@ impl<'a> Parser<'a> {
         self.advance()?;
         let dimension = self.x.len();
         let places = (0..dimension).flat_map(|j| (0..dimension).map(move |i| i == j));
-        let zero = Symbol::constant(0.0);
+        let zero = Value::Number(0.0).symbol();
         Ok(places.map(|is_diagonal| if is_diagonal { value } else { zero }).collect())
-    }
-
-    fn expression(&mut self) -> Result<Value, TextError> {
-        self.depth += 1;
-        if self.depth > DEEPEST {
-            return self.error(Problem::TooDeep { most: DEEPEST });
-        }
-        let mut sum = self.term()?;
-        loop {
-            let is_minus = self.takes('-')?;
-            if !is_minus && !self.takes('+')? {
-                break;
-            }
-            let term = self.term()?;
-            sum = if is_minus { sum - term } else { sum + term };
-        }
-        self.depth -= 1;
-        Ok(sum)
-    }
-
-    fn term(&mut self) -> Result<Value, TextError> {
-        let mut product = self.factor()?;
-        loop {
-            let is_division = self.takes('/')?;
-            if !is_division && !self.takes('*')? {
-                return Ok(product);
-            }
-            let factor = self.factor()?;
-            product = if is_division { product / factor } else { product * factor };
-        }
-    }
-
-    fn factor(&mut self) -> Result<Value, TextError> {
-        // In a loop, so that many minus signs take no stack.
-        let mut signs = 0_usize;
-        while self.takes('-')? {
-            signs += 1;
-        }
-        let mut value = self.power()?;
-        for _ in 0..signs {
-            value = -value;
-        }
-        Ok(value)
-    }
-
-    fn power(&mut self) -> Result<Value, TextError> {
-        let atom = self.atom()?;
-        if !self.takes('^')? {
-            return Ok(atom);
-        }
-        let is_negative = self.takes('-')?;
-        let Token::Integer(digits) = self.ahead.0 else { return self.error(Problem::Exponent) };
-        let sign = if is_negative { "-" } else { "" };
-        let Ok(n) = format!("{sign}{digits}").parse::<i32>() else {
-            return self.error(Problem::Exponent);
-        };
-        self.advance()?;
-        Ok(atom.powi(n))
-    }
-
-    fn bracket(&mut self) -> Result<Value, TextError> {
-        self.sign('(', "(")?;
-        let value = self.expression()?;
-        self.sign(')', "an operator or )")?;
-        Ok(value)
-    }
-
-    fn pair(&mut self) -> Result<(Symbol, Symbol), TextError> {
-        let both: fn(Symbol) -> (Symbol, Symbol) = match self.ahead.0 {
-            Token::Name("sin_cos") => Scalar::sin_cos,
-            Token::Name("sinh_cosh") => Scalar::sinh_cosh,
-            _ => return self.unexpected("sin_cos or sinh_cosh"),
-        };
-        self.advance()?;
-        Ok(both(self.bracket()?.symbol()))
-    }
-
-    fn atom(&mut self) -> Result<Value, TextError> {
-        match self.ahead.0 {
-            Token::Number(value) => {
-                self.advance()?;
-                Ok(Value::Number(value))
-            }
-            Token::Integer(digits) => {
-                // The tokenizer has checked that it is finite.
-                let value = digits.parse().unwrap_or(f64::NAN);
-                self.advance()?;
-                Ok(Value::Number(value))
-            }
-            Token::Sign('(') => self.bracket(),
-            Token::Name(name) => self.named(name),
-            _ => self.unexpected("a number, a name, a function or ("),
-        }
-    }
-
-    fn named(&mut self, name: &str) -> Result<Value, TextError> {
-        if let Some(&value) = self.names.get(name) {
-            return self.advance().map(|_| value);
-        }
-        match self.builtin(name) {
-            Ok(Some(value)) => return self.advance().map(|_| value),
-            Ok(None) => {}
-            Err(problem) => return self.error(problem),
-        }
-        let (next, _) = self.tokens.clone().word()?;
-        if next != Token::Sign('(') {
-            return self.error(Problem::UnknownName { name: name.to_owned() });
-        }
-        let function = Function::named(name);
-        if function.is_none() && name != STEP {
-            return self.error(Problem::UnknownFunction { name: name.to_owned() });
-        }
-        self.advance()?;
-        let value = self.bracket()?;
-        Ok(function.map_or_else(|| Value::Symbol(value.symbol()), |function| value.under(function)))
     }
 }

@@ -2,11 +2,7 @@
 
 use super::Squares;
 use crate::{
-    graph::{
-        Graph,
-        contraction::Sums,
-        derivative::{Derivatives, Order},
-    },
+    graph::{Graph, contraction::Sums, derivative::Order, derivatives::Derivatives},
     operation::Step,
 };
 

@@ -1,0 +1,192 @@
+//! Searches for maxima that are known.
+
+use nalgebra::{SVector, vector};
+use num_traits::Zero;
+use tautline_scalar::{Interval, Scalar};
+
+use super::{Bound, Bounded, maximise};
+use crate::{Accuracy, Cell, Domain};
+
+/// `sin 3x₁ cos 2x₂ − (x₁² + x₂²)/10`, with defects.
+#[derive(Default)]
+struct Waves {
+    undefined_beyond: Option<f64>,
+    boasts_by: f64,
+}
+
+fn waves<S: Scalar>(x: [S; 2]) -> S {
+    (x[0] * 3.0).sin() * (x[1] * 2.0).cos() - (x[0].sqr() + x[1].sqr()) * 0.1
+}
+
+impl Bounded<2> for Waves {
+    fn bound(&self, cell: &Cell<2>) -> Bound {
+        let [x, y] = *cell.sides();
+        let cut = usize::from(y.width() > x.width());
+        let hidden = self.undefined_beyond.is_some_and(|limit| x.hi() > limit);
+        Bound { upper: if hidden { f64::NAN } else { waves([x, y]).hi() }, cut }
+    }
+
+    fn value(&self, x: &SVector<f64, 2>) -> f64 {
+        waves([x[0], x[1]]) + self.boasts_by
+    }
+
+    fn is_refuted(&self, _: &SVector<f64, 2>, value: f64) -> bool {
+        value.is_nan()
+    }
+}
+
+fn square() -> Domain<2> {
+    Domain::cell(Cell::new([-2.0, -2.0], [2.0, 2.0]).expect("in order"))
+}
+
+/// At `x₂ = 0`, where `3 cos 3x = x/5`: `x ≈ 0.5120`, refined by Newton's method.
+fn greatest() -> f64 {
+    let mut x = 0.512_f64;
+    for _ in 0..20 {
+        x -= (3.0 * (3.0 * x).cos() - 0.2 * x) / (-9.0 * (3.0 * x).sin() - 0.2);
+    }
+    waves([x, 0.0])
+}
+
+const EFFORT: Accuracy = Accuracy { tolerance: 1e-6, budget: 200_000 };
+
+#[test]
+fn the_maximum_is_enclosed_to_the_tolerance() {
+    let found = maximise(&Waves::default(), &square(), EFFORT);
+    let at = found.at.expect("a point");
+    assert!(found.reached && found.refuted.is_none());
+    assert!(greatest() <= found.upper && found.upper <= greatest() * (1.0 + 2e-6), "{found:?}");
+    assert!(waves([at[0], at[1]]) >= greatest() * (1.0 - 1e-6), "{at}");
+}
+
+#[test]
+fn on_a_ball_only_its_points_count() {
+    // Without the maximum, which is at (0.512, 0).
+    let ball = Domain::ball([-0.5, 0.0], 0.75).expect("a radius");
+    let found = maximise(&Waves::default(), &ball, EFFORT);
+    // The nearest point to the maximum, (0.25, 0): the function grows up to there.
+    let most = waves([0.25, 0.0]);
+    assert!(found.reached, "{found:?}");
+    assert!(most <= found.upper && found.upper <= most * (1.0 + 2e-6), "{found:?} {most}");
+    assert!((found.at.expect("a point") - vector![-0.5, 0.0]).norm() <= 0.75);
+}
+
+#[test]
+fn the_result_does_not_depend_on_the_number_of_threads() {
+    let run = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+        pool.expect("threads").install(|| maximise(&Waves::default(), &square(), EFFORT))
+    };
+    let one = run(1);
+    for threads in [2, 3, 8] {
+        assert_eq!(one, run(threads));
+    }
+}
+
+/// The bounds of dropped boxes reach up to the best value, even if that is wrong: the result
+/// must not be below it.
+#[test]
+fn a_value_that_is_too_large_only_costs_sharpness() {
+    let boasting = Waves { boasts_by: 0.1, ..Waves::default() };
+    let found = maximise(&boasting, &square(), EFFORT);
+    assert!(found.upper >= greatest(), "{found:?}");
+    assert!(found.upper <= greatest() + 0.1 + 1e-5, "{found:?}");
+}
+
+#[test]
+fn a_box_without_a_bound_is_not_dropped() {
+    let partly = Waves { undefined_beyond: Some(1.999), ..Waves::default() };
+    let found = maximise(&partly, &square(), EFFORT);
+    assert!(found.upper == f64::INFINITY && !found.reached, "{found:?}");
+}
+
+#[test]
+fn a_spent_budget_leaves_a_bound() {
+    let mut last = f64::INFINITY;
+    for budget in [0, 1, 2, 5, 50, 500, 5000] {
+        let found = maximise(&Waves::default(), &square(), Accuracy { budget, ..EFFORT });
+        assert!(found.boxes <= budget && !found.reached, "{found:?}");
+        assert!(greatest() <= found.upper && found.upper <= last, "{found:?}");
+        last = found.upper;
+    }
+    assert!(last < 1.01 * greatest(), "{last}");
+}
+
+/// A function on the line.
+struct OnTheLine {
+    bound: fn(Interval) -> f64,
+    value: fn(f64) -> f64,
+    is_refuted: fn(f64, f64) -> bool,
+}
+
+impl Bounded<1> for OnTheLine {
+    fn bound(&self, cell: &Cell<1>) -> Bound {
+        Bound { upper: (self.bound)(cell.sides()[0]), cut: 0 }
+    }
+
+    fn value(&self, x: &SVector<f64, 1>) -> f64 {
+        (self.value)(x[0])
+    }
+
+    fn is_refuted(&self, x: &SVector<f64, 1>, value: f64) -> bool {
+        (self.is_refuted)(x[0], value)
+    }
+}
+
+fn segment(lower: f64, upper: f64) -> Domain<1> {
+    Domain::cell(Cell::new([lower], [upper]).expect("in order"))
+}
+
+#[test]
+fn a_point_where_the_function_is_refuted_ends_the_search() {
+    let nowhere = OnTheLine {
+        bound: |_| f64::NAN,
+        value: |x| if x > 0.7 { f64::NAN } else { 0.0 },
+        is_refuted: |_, value| value.is_nan(),
+    };
+    let found = maximise(&nowhere, &segment(0.0, 1.0), EFFORT);
+    assert!(found.refuted.is_some_and(|x| x[0] > 0.7), "{found:?}");
+    assert!(found.upper == f64::INFINITY && !found.reached);
+}
+
+/// A function without a value at the first few points, by overflow say, is evaluated elsewhere.
+#[test]
+fn a_search_continues_until_there_is_a_value() {
+    let late = |is_refuted| OnTheLine {
+        bound: |x| if x.hi() > 0.25 { f64::INFINITY } else { x.hi() },
+        value: |x| if x < 0.3 { x } else { f64::NAN },
+        is_refuted,
+    };
+    let found = maximise(&late(|x, _| x > 0.9), &segment(0.0, 1.0), EFFORT);
+    assert!(found.refuted.is_some_and(|x| x[0] > 0.9) && !found.reached, "{found:?}");
+    // Without a refutation the budget is spent, and the values found count.
+    let accuracy = Accuracy { budget: 100, ..EFFORT };
+    let found = maximise(&late(|_, _| false), &segment(0.0, 1.0), accuracy);
+    assert!(found.boxes > 90 && found.at.is_some_and(|x| x[0] < 0.3), "{found:?}");
+    assert!(found.upper == f64::INFINITY && !found.reached, "{found:?}");
+}
+
+/// A box between neighbouring doubles cannot be cut, and its bound still counts: whether the
+/// other boxes attain their bounds or are cut first.
+#[test]
+fn a_box_that_is_too_small_to_be_cut_keeps_its_bound() {
+    // 0 at all points, with a bound of 3 on boxes that reach beyond 1.
+    let spike = OnTheLine {
+        bound: |x| if x.hi() > 1.0 { 3.0 } else { 0.0 },
+        value: |_| 0.0,
+        is_refuted: |_, _| false,
+    };
+    for lower in [1.0, 1.0 - 1e-12, 0.0] {
+        let found = maximise(&spike, &segment(lower, 1.0_f64.next_up()), EFFORT);
+        assert!(found.upper == 3.0 && !found.reached, "{lower}: {found:?}");
+    }
+}
+
+#[test]
+fn a_point_is_a_domain_too() {
+    let point = Domain::cell(Cell::new([0.5, 0.0], [0.5, 0.0]).expect("in order"));
+    let found = maximise(&Waves::default(), &point, EFFORT);
+    let value = waves([Interval::point(0.5), Interval::zero()]);
+    assert!(found.reached && value.contains(found.upper), "{found:?} {value:?}");
+    assert_eq!(found.boxes, 1);
+}

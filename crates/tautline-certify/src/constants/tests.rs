@@ -1,0 +1,202 @@
+//! Constants that are known in closed form, and metrics that have none.
+
+use nalgebra::{SMatrix, SVector};
+use tautline_formula::Formula;
+use tautline_metrics::{
+    Metric,
+    gallery::{CoupledCosines, Hyperbolic, Valleys},
+};
+use tautline_scalar::Scalar;
+
+use super::{CertifiedConstant, CertifiedConstants, Quantity, certify};
+use crate::{Accuracy, Cell, CertifyError, Domain, testing::parsed};
+
+const CLOSE: Accuracy = Accuracy { tolerance: 1e-6, budget: 100_000 };
+
+#[test]
+fn the_constants_of_the_valleys_to_six_digits() {
+    let space = Domain::<2>::space(&Valleys);
+    let proved = CertifiedConstants::new(&Valleys, &space, CLOSE).expect("constants");
+    let exact = [
+        (proved.c1(), 1.0),
+        (proved.c2(), 9.0),
+        (proved.l_h(), 4.403_669_475_041_611_676_15),
+        (proved.m_h(), 6.0),
+    ];
+    for (found, exact) in exact {
+        assert!(found.contains(exact) && found.looseness() <= 1.0 + 1e-6, "{found:?} {exact}");
+    }
+    let constants = proved.constants().expect("constants");
+    assert!(!constants.is_local() && constants.is_isotropic());
+}
+
+/// The second derivative of `φ = 20 − (2 − cos x₁)²` is largest with a positive sign, `6` at
+/// `π`; that of the valleys with a negative one.
+#[test]
+fn a_second_derivative_counts_with_either_sign() {
+    let ridges = parsed("20 - sqr(2 - cos(x1)) I");
+    let of = |found: CertifiedConstant<2>| found.contains(6.0) && found.looseness() < 1.000_01;
+    let space = Domain::<2>::space(&ridges);
+    let ridges = certify(&ridges, Quantity::MH, &space, CLOSE).expect("a constant");
+    let valleys = certify(&Valleys, Quantity::MH, &space, CLOSE).expect("a constant");
+    assert!(of(ridges) && of(valleys), "{ridges:?} {valleys:?}");
+}
+
+#[test]
+fn in_three_dimensions_the_norm_of_the_derivative_is_nearly_exact() {
+    let space = Domain::space(&CoupledCosines);
+    let accuracy = Accuracy { tolerance: 1e-2, budget: 50_000 };
+    let found = certify(&CoupledCosines, Quantity::LH, &space, accuracy).expect("a constant");
+    assert!(found.contains(0.12_f64.sqrt()) && found.looseness() < 1.02, "{found:?}");
+}
+
+#[test]
+fn a_ball_has_constants_where_space_has_none() {
+    let ball = Domain::<2>::ball([0.0, 0.0], 0.5).expect("a radius");
+    let accuracy = Accuracy { tolerance: 1e-3, budget: 100_000 };
+    let proved = CertifiedConstants::new(&Hyperbolic, &ball, accuracy).expect("constants");
+    // 4 / (1 − r²)²: 4 at the centre and 64/9 at the rim, where its slope 16 r / (1 − r²)³ is
+    // 512/27.
+    for (found, exact) in
+        [(proved.c1(), 4.0), (proved.c2(), 64.0 / 9.0), (proved.l_h(), 512.0 / 27.0)]
+    {
+        assert!(found.contains(exact) && found.looseness() < 1.0011, "{found:?} {exact}");
+    }
+    assert!(proved.constants().expect("constants").is_local());
+}
+
+#[test]
+fn a_metric_that_is_not_defined_is_refused_with_the_point() {
+    let ball = Domain::<2>::ball([0.0, 0.0], 1.5).expect("a radius");
+    match certify(&Hyperbolic, Quantity::C2, &ball, Accuracy::default()) {
+        Err(CertifyError::Undefined { point }) => {
+            assert!(SVector::<f64, 2>::from_row_slice(&point).norm() >= 1.0, "{point:?}");
+        }
+        other => panic!("{other:?}"),
+    }
+    // Undefined to the left.
+    let root = parsed::<2>("diag(sqrt(x1) + 1, 1)");
+    let cell = Domain::cell(Cell::new([-1.0, 0.0], [3.0, 1.0]).expect("in order"));
+    for quantity in Quantity::ALL {
+        match certify(&root, quantity, &cell, Accuracy::default()) {
+            Err(CertifyError::Undefined { point }) => assert!(point[0] < 0.0, "{point:?}"),
+            other => panic!("{quantity}: {other:?}"),
+        }
+    }
+}
+
+/// It has finite derivatives everywhere, and is defined nowhere.
+#[test]
+fn a_constant_that_is_not_a_number_is_refused_for_each_quantity() {
+    let nowhere = parsed::<2>("cos(x1) + 2 + 0/0 I");
+    let space = Domain::space(&nowhere);
+    for quantity in Quantity::ALL {
+        let error = certify(&nowhere, quantity, &space, CLOSE).expect_err("nowhere defined");
+        assert!(matches!(error, CertifyError::Undefined { .. }), "{quantity}: {error}");
+    }
+}
+
+/// Indefinite where `|a x₁| > 1`.
+fn leaning(a: f64) -> Formula<2> {
+    Formula::parse("[1, x1*a; x1*a, 1]", &[("a", a)]).expect("a formula")
+}
+
+#[test]
+fn an_indefinite_metric_is_refused_with_a_point() {
+    let cell = Domain::cell(Cell::new([-1.0, 0.0], [1.0, 1.0]).expect("in order"));
+    match certify(&leaning(1.001), Quantity::C1, &cell, Accuracy::default()) {
+        Err(CertifyError::NotPositiveDefinite { point, eigenvalue }) => {
+            assert!(point[0].abs() > 1.0 / 1.001, "{point:?}");
+            assert!((1.0 - 1.001..=0.0).contains(&eigenvalue), "{eigenvalue}");
+        }
+        other => panic!("{other:?}"),
+    }
+    let least = certify(&leaning(0.999), Quantity::C1, &cell, Accuracy::default());
+    assert!(least.as_ref().is_ok_and(|c1| c1.contains(1.0 - 0.999)), "{least:?}");
+    // Just singular: neither positive nor indefinite, and no end of cutting.
+    let accuracy = Accuracy { budget: 1000, ..Accuracy::default() };
+    match certify(&leaning(1.0), Quantity::C1, &cell, accuracy) {
+        Err(CertifyError::BudgetSpent { lower, upper, .. }) => {
+            assert!(lower <= 0.0 && 0.0 <= upper);
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn a_constant_that_is_infinite_is_not_bounded() {
+    let growing = parsed::<1>("exp(x1) + 1 I");
+    let space = Domain::space(&growing);
+    let accuracy = Accuracy { budget: 10_000, ..Accuracy::default() };
+    for quantity in [Quantity::C2, Quantity::LH, Quantity::MH] {
+        match certify(&growing, quantity, &space, accuracy) {
+            Err(CertifyError::BudgetSpent { upper, .. }) => assert_eq!(upper, f64::INFINITY),
+            other => panic!("{other:?}"),
+        }
+    }
+    assert!(certify(&growing, Quantity::C1, &space, accuracy).is_ok_and(|c1| c1.contains(1.0)));
+}
+
+/// Entries below the diagonal are not read.
+#[test]
+fn only_the_upper_triangle_is_read() {
+    let half = |below: &str| {
+        let off = "off = sin(x1 + x2*2)*0.5;";
+        parsed::<2>(&format!("{off} [cos(x1) + 3, off; {below}, sin(x2) + 2]"))
+    };
+    let cell = Domain::cell(Cell::new([0.0, 0.0], [1.0, 1.0]).expect("in order"));
+    let of = |below| CertifiedConstants::new(&half(below), &cell, Accuracy::default());
+    assert_eq!(of("off"), of("cos(x1)*1e3"));
+    assert!(of("off").is_ok());
+}
+
+/// The domain of another metric represents only itself.
+#[test]
+fn constants_on_the_domain_of_another_metric_are_local() {
+    let still = parsed("1 I");
+    let point = Domain::space(&still);
+    let of = |proved: CertifiedConstants<2>| proved.constants().expect("constants").is_local();
+    assert!(of(CertifiedConstants::new(&Valleys, &point, CLOSE).expect("a point")));
+    assert!(!of(CertifiedConstants::new(&still, &point, CLOSE).expect("a point")));
+}
+
+#[test]
+fn no_budget_and_no_tolerance_are_refused() {
+    let space = Domain::<2>::space(&Valleys);
+    let none = Accuracy { budget: 0, ..Accuracy::default() };
+    match certify(&Valleys, Quantity::C1, &space, none) {
+        Err(CertifyError::BudgetSpent { lower, upper, boxes: 0, .. }) => {
+            assert_eq!((lower, upper), (f64::NEG_INFINITY, f64::INFINITY));
+        }
+        other => panic!("{other:?}"),
+    }
+    for tolerance in [0.0, 1.0, f64::NAN] {
+        let error = certify(&Valleys, Quantity::C1, &space, Accuracy { tolerance, budget: 10 });
+        assert!(matches!(error, Err(CertifyError::NotATolerance { .. })));
+    }
+}
+
+#[test]
+fn no_dimension_is_refused() {
+    struct Nowhere;
+    impl Metric<0> for Nowhere {
+        fn gram<S: Scalar>(&self, _: &SVector<S, 0>) -> SMatrix<S, 0, 0> {
+            SMatrix::from_element(S::zero())
+        }
+    }
+    let space = Domain::space(&Nowhere);
+    let error = certify(&Nowhere, Quantity::C1, &space, CLOSE);
+    assert_eq!(error, Err(CertifyError::NoDimension));
+}
+
+#[test]
+fn a_constant_metric_has_no_derivative() {
+    let flat = parsed::<2>("[2, 0.5; 0.5, 1]");
+    let space = Domain::space(&flat);
+    let proved = CertifiedConstants::new(&flat, &space, CLOSE).expect("constants");
+    assert_eq!([proved.l_h().upper, proved.m_h().upper], [0.0, 0.0]);
+    assert_eq!(proved.l_h().looseness(), 1.0);
+    let root = 0.5_f64.sqrt();
+    assert!(proved.c1().contains(1.5 - root) && proved.c2().contains(1.5 + root), "{proved:?}");
+    assert!(space.is_all_of_space());
+}

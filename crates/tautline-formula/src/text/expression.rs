@@ -1,0 +1,129 @@
+//! The part of the parser that reads expressions.
+
+use tautline_scalar::Scalar;
+
+use super::{Problem, TextError, parser::Parser, token::Token, value::Value};
+use crate::{operation::Function, recording::Symbol};
+
+/// The most levels of brackets, each of which takes stack.
+const DEEPEST: usize = 128;
+
+/// The function that makes a step of a number.
+pub(super) const STEP: &str = "number";
+
+impl Parser<'_> {
+    pub(super) fn expression(&mut self) -> Result<Value, TextError> {
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            return self.error(Problem::TooDeep { most: DEEPEST });
+        }
+        let mut sum = self.term()?;
+        loop {
+            let is_minus = self.takes('-')?;
+            if !is_minus && !self.takes('+')? {
+                break;
+            }
+            let term = self.term()?;
+            sum = if is_minus { sum - term } else { sum + term };
+        }
+        self.depth -= 1;
+        Ok(sum)
+    }
+
+    fn term(&mut self) -> Result<Value, TextError> {
+        let mut product = self.factor()?;
+        loop {
+            let is_division = self.takes('/')?;
+            if !is_division && !self.takes('*')? {
+                return Ok(product);
+            }
+            let factor = self.factor()?;
+            product = if is_division { product / factor } else { product * factor };
+        }
+    }
+
+    fn factor(&mut self) -> Result<Value, TextError> {
+        // In a loop, so that many minus signs take no stack.
+        let mut signs = 0_usize;
+        while self.takes('-')? {
+            signs += 1;
+        }
+        let mut value = self.power()?;
+        for _ in 0..signs {
+            value = -value;
+        }
+        Ok(value)
+    }
+
+    fn power(&mut self) -> Result<Value, TextError> {
+        let atom = self.atom()?;
+        if !self.takes('^')? {
+            return Ok(atom);
+        }
+        let is_negative = self.takes('-')?;
+        let Token::Integer(digits) = self.ahead.0 else { return self.error(Problem::Exponent) };
+        let sign = if is_negative { "-" } else { "" };
+        let Ok(n) = format!("{sign}{digits}").parse::<i32>() else {
+            return self.error(Problem::Exponent);
+        };
+        self.advance()?;
+        Ok(atom.powi(n))
+    }
+
+    fn bracket(&mut self) -> Result<Value, TextError> {
+        self.sign('(', "(")?;
+        let value = self.expression()?;
+        self.sign(')', "an operator or )")?;
+        Ok(value)
+    }
+
+    pub(super) fn pair(&mut self) -> Result<(Symbol, Symbol), TextError> {
+        let both: fn(Symbol) -> (Symbol, Symbol) = match self.ahead.0 {
+            Token::Name("sin_cos") => Scalar::sin_cos,
+            Token::Name("sinh_cosh") => Scalar::sinh_cosh,
+            _ => return self.unexpected("sin_cos or sinh_cosh"),
+        };
+        self.advance()?;
+        Ok(both(self.bracket()?.symbol()))
+    }
+
+    fn atom(&mut self) -> Result<Value, TextError> {
+        match self.ahead.0 {
+            Token::Number(value) => {
+                self.advance()?;
+                Ok(Value::Number(value))
+            }
+            Token::Integer(digits) => {
+                // The tokenizer has checked that it is finite.
+                let value = digits.parse().unwrap_or(f64::NAN);
+                self.advance()?;
+                Ok(Value::Number(value))
+            }
+            Token::Sign('(') => self.bracket(),
+            Token::Name(name) => self.named(name),
+            _ => self.unexpected("a number, a name, a function or ("),
+        }
+    }
+
+    fn named(&mut self, name: &str) -> Result<Value, TextError> {
+        if let Some(&value) = self.names.get(name) {
+            return self.advance().map(|_| value);
+        }
+        match self.builtin(name) {
+            Ok(Some(value)) => return self.advance().map(|_| value),
+            Ok(None) => {}
+            Err(problem) => return self.error(problem),
+        }
+        let (next, _) = self.tokens.clone().word()?;
+        if next != Token::Sign('(') {
+            return self.error(Problem::UnknownName { name: name.to_owned() });
+        }
+        let function = Function::named(name);
+        if function.is_none() && name != STEP {
+            return self.error(Problem::UnknownFunction { name: name.to_owned() });
+        }
+        self.advance()?;
+        let value = self.bracket()?;
+        Ok(function.map_or_else(|| Value::Symbol(value.symbol()), |function| value.under(function)))
+    }
+}
