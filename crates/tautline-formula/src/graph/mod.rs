@@ -5,6 +5,8 @@ mod derivative;
 mod derivatives;
 mod linear;
 mod neck;
+mod recorded;
+mod slopes;
 mod squares;
 
 use std::collections::HashMap;
@@ -12,10 +14,7 @@ use std::collections::HashMap;
 pub(crate) use contraction::{Contracted, Sums, contract};
 pub(crate) use derivative::Order;
 
-use crate::{
-    formula::Tape,
-    operation::{Arithmetic, Function, Number, Operation, Step, function_at},
-};
+use crate::operation::{Arithmetic, Function, Number, Operation, Step};
 
 /// Which identities simplify expressions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,42 +44,6 @@ pub(crate) struct Graph {
 const MOST: usize = 1 << 18;
 
 impl Graph {
-    /// The graph of a formula, and its entries `(i, j)` at `[i D + j]`.
-    pub(crate) fn of(formula: Tape<'_>) -> (Self, Vec<Step>) {
-        let mut graph = Self {
-            operations: Vec::new(),
-            known: HashMap::new(),
-            identities: Identities::Exact,
-            is_full: false,
-        };
-        let mut made: Vec<Step> = Vec::with_capacity(formula.operations.len());
-        for (place, &operation) in formula.operations.iter().enumerate() {
-            let at = |step: Step| made[step as usize];
-            let step = match operation {
-                Operation::Coordinate(_) => graph.node(operation),
-                Operation::Constant(number) => graph.constant(number.value()),
-                Operation::Binary(Arithmetic::Add, a, b) => graph.add(at(a), at(b)),
-                Operation::Binary(Arithmetic::Sub, a, b) => graph.sub(at(a), at(b)),
-                Operation::Binary(Arithmetic::Mul, a, b) => graph.mul(at(a), at(b)),
-                Operation::Binary(Arithmetic::Div, a, b) => graph.div(at(a), at(b)),
-                Operation::WithNumber(Arithmetic::Add, a, c) => graph.plus(at(a), c.value()),
-                Operation::WithNumber(Arithmetic::Sub, a, c) => graph.plus(at(a), -c.value()),
-                Operation::WithNumber(Arithmetic::Mul, a, c) => graph.times(at(a), c.value()),
-                Operation::WithNumber(Arithmetic::Div, a, c) => graph.over(at(a), c.value()),
-                Operation::Powi(a, n) => graph.power(at(a), n),
-                Operation::Of(..) | Operation::First(..) | Operation::Second => {
-                    let (function, a) =
-                        function_at(formula.operations, place).expect("a second follows its first");
-                    graph.apply(function, at(a))
-                }
-            };
-            made.push(step);
-        }
-        let d = formula.dimension;
-        let entry = |place: usize| made[formula.entries[place % d * d + place / d] as usize];
-        (graph, (0..d * d).map(entry).collect())
-    }
-
     pub(crate) fn operations(&self) -> &[Operation] {
         &self.operations
     }
