@@ -56,6 +56,7 @@ mod units;
 mod verdict;
 mod verify_error;
 mod with_constants;
+mod with_rule;
 pub mod witnesses;
 
 pub use errata::{Erratum, errata};

@@ -4,13 +4,12 @@ use std::num::NonZeroUsize;
 
 use nalgebra::SVector;
 use tautline::{
-    AnyMetric, Bounded, Curvature, Integral, Jet2, LeftEndpoint, Metric, Minimum, PointSequence,
-    Stop, Trapezoidal,
+    AnyMetric, Bounded, Curvature, Integral, Jet2, Metric, Minimum, PointSequence, Stop,
     bounds::{PaperRule, Setting},
     norm_squared,
 };
 
-use crate::{AnyBounded, GramRange, Known, Subject, VerifyError};
+use crate::{AnyBounded, GramRange, Known, Subject, VerifyError, with_rule::with_rule};
 
 /// Returns the discrete energy of a sequence by a rule of the paper, in `m²`.
 pub fn discrete_energy<const D: usize>(
@@ -19,10 +18,7 @@ pub fn discrete_energy<const D: usize>(
     metric: &impl Metric<D>,
     sequence: &PointSequence<D>,
 ) -> f64 {
-    match rule {
-        PaperRule::Trapezoidal => subject.discrete_energy(Trapezoidal, metric, sequence),
-        PaperRule::LeftEndpoint => subject.discrete_energy(LeftEndpoint, metric, sequence),
-    }
+    with_rule!(rule, rule => subject.discrete_energy(rule, metric, sequence))
 }
 
 /// The numbers of one solve, all that Theorems 1.1 to 1.4 and Sections 6 to 9 ask about it.
@@ -75,10 +71,7 @@ impl<const D: usize> Reconstruction<D> {
     ) -> Result<Self, VerifyError> {
         let known = &known.behind_a_pointer();
         let (metric, ends) = (&known.metric, &known.ends);
-        let minimum = match rule {
-            PaperRule::Trapezoidal => subject.minimise(Trapezoidal, metric, ends, n)?,
-            PaperRule::LeftEndpoint => subject.minimise(LeftEndpoint, metric, ends, n)?,
-        };
+        let minimum = with_rule!(rule, rule => subject.minimise(rule, metric, ends, n))?;
         // Degenerate is allowed: where a curve leaves a ball, it may be free to move sideways.
         let saddle = matches!(minimum.curvature, Curvature::Indefinite { .. });
         if !matches!(minimum.stop, Stop::Converged | Stop::EndsTouch) || saddle {
@@ -111,10 +104,7 @@ impl<const D: usize> Reconstruction<D> {
     ) -> Result<Self, VerifyError> {
         let (metric, sequence) = (&known.metric, &minimum.sequence);
         let discrete_energy = discrete_energy(subject, rule, metric, sequence);
-        let speeds = match rule {
-            PaperRule::Trapezoidal => subject.discrete_speeds(Trapezoidal, metric, sequence),
-            PaperRule::LeftEndpoint => subject.discrete_speeds(LeftEndpoint, metric, sequence),
-        };
+        let speeds = with_rule!(rule, rule => subject.discrete_speeds(rule, metric, sequence));
         let energy = subject.curve_energy(metric, sequence);
         let length = subject.curve_length(metric, sequence);
         let length_squared =

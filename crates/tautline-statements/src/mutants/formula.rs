@@ -1,30 +1,21 @@
-//! The mistakes of the mutants that are about recorded formulas and their programs.
+//! Mistakes in recorded formulas and their programs.
 
 use std::collections::BTreeSet;
 
 use nalgebra::{SMatrix, SVector};
 use tautline::{
-    Batches, Ends, Formula, Kind, Metric, Minimum, Options, Prepared, Rule, Scalar, SolveError,
-    Workspace,
+    Batches, Formula, Kind, Metric, Prepared, Scalar,
     formula::{Arithmetic, Function, Layout, Operation, Pair, Register, Registers, Step},
-    minimise_by_batches,
 };
 
 use super::Mutant;
 
-/// The minimiser that a search finds if the formula of the metric is recorded, derived or run with a mistake;
-/// `None` where the mutant has none there, or where the formula cannot be recorded.
-pub(super) fn minimise<R: Rule, const D: usize>(
+/// Returns the programs of a metric with a formula that is recorded, derived or run with the
+/// mistake of a mutant; `None` if its mistake is elsewhere, or the formula cannot be recorded.
+pub(super) fn batches<const D: usize>(
     mutant: Mutant,
-    rule: R,
     metric: &impl Metric<D>,
-    ends: &Ends<D>,
-    n: usize,
-    options: &Options<D>,
-) -> Option<Result<Minimum<D>, SolveError>> {
-    let search = |metric: &dyn Batches<D>| {
-        minimise_by_batches(&mut Workspace::default(), metric, ends, rule, n, options)
-    };
+) -> Option<Box<dyn Batches<D>>> {
     match mutant {
         Mutant::OperandsSwapped
         | Mutant::ConstantsMerged
@@ -34,11 +25,11 @@ pub(super) fn minimise<R: Rule, const D: usize>(
         | Mutant::StepBesideRead
         | Mutant::EntryTakenForZero => {
             let formula = Formula::record(metric).ok()?;
-            Some(search(&Prepared::new(Misread { formula, mutant })))
+            Some(Box::new(Prepared::new(Misread { formula, mutant })))
         }
         Mutant::ProductRuleHalved | Mutant::LaneLost | Mutant::RegisterStale => {
             let prepared = Prepared::new(Formula::record(metric).ok()?);
-            Some(search(&Misrun { prepared, mutant }))
+            Some(Box::new(Misrun { prepared, mutant }))
         }
         _ => None,
     }
@@ -70,7 +61,7 @@ impl<const D: usize> Misread<D> {
         }
     }
 
-    /// The step of which the value is read for that of a step.
+    /// The step that is read in place of `step`.
     fn read(&self, step: Step, place: usize) -> usize {
         let step = step as usize;
         let beside = self.mutant == Mutant::StepBesideRead && step >= D && step + 1 < place;
@@ -133,7 +124,7 @@ struct Misrun<const D: usize> {
     mutant: Mutant,
 }
 
-/// All rows of numbers that a batch has; those that only judge `H` are left.
+/// All rows of results in a batch, except those that only judge `H`.
 fn rows(layout: &Layout) -> impl Iterator<Item = Register> {
     let Layout { square, momentum, slope, gram, turn, bend, .. } = layout;
     [square, momentum, slope, gram, turn, bend].into_iter().flatten().copied()
@@ -165,7 +156,7 @@ impl<const D: usize> Batches<D> for Misrun<D> {
         let last = registers.count() - 1;
         match self.mutant {
             Mutant::ProductRuleHalved => {
-                // Slopes that are one step are in one register.
+                // Slopes that are the same step share a register.
                 let slopes: BTreeSet<Register> = layout.slope.iter().copied().collect();
                 for row in slopes {
                     for lane in 0..=last {
@@ -173,13 +164,12 @@ impl<const D: usize> Batches<D> for Misrun<D> {
                     }
                 }
             }
-            // The rows of a place are taken for those of the next.
             Mutant::LaneLost if last > 0 => {
                 for row in rows(layout) {
                     registers.set(row, last, registers.row(row)[last - 1]);
                 }
             }
-            // Registers of results are empty before they are used for the first time.
+            // On first use the registers of results are zero: nothing is stale yet.
             Mutant::RegisterStale if is_stale(&of_first_lane(registers)) => {
                 for (row, &value) in rows(layout).zip(&before) {
                     registers.set(row, 0, value);

@@ -1,11 +1,12 @@
-//! The mistakes of the mutants that are about the solver.
+//! Mistakes in the solver.
 
 use tautline::{
-    Curvature, Ends, Interpolation, LeftEndpoint, Metric, Minimum, Options, PointSequence, Rule,
-    SolveError, Starts, Stop, Trapezoidal, TrueTrapezoid, minimise,
+    Curvature, Ends, Interpolation, Metric, Minimum, Options, PointSequence, Rule, SolveError,
+    Starts, Stop, Workspace, minimise, minimise_by_batches,
 };
 
-use super::{Mutant, formula, programs::is_trapezoidal};
+use super::{Mutant, formula};
+use crate::with_rule::with_mistaken_rule;
 
 pub(crate) fn minimise_with<R: Rule, const D: usize>(
     mutant: Mutant,
@@ -20,33 +21,24 @@ pub(crate) fn minimise_with<R: Rule, const D: usize>(
         (minimum.stop, minimum.curvature) = (Stop::Converged, Curvature::PositiveDefinite);
         minimum
     };
-    let with = |minimum: Minimum<D>, sequence: PointSequence<D>| {
+    let with = |sequence: PointSequence<D>, minimum: Minimum<D>| {
         let mut minimum = believed(minimum);
-        minimum.energy = rule.energy(metric, &sequence);
-        minimum.sequence = sequence;
+        (minimum.energy, minimum.sequence) = (rule.energy(metric, &sequence), sequence);
         minimum
     };
     match mutant {
-        Mutant::RulesExchanged if is_trapezoidal::<R>() => {
-            minimise(metric, ends, LeftEndpoint, n, options)
-        }
-        Mutant::RulesExchanged => minimise(metric, ends, Trapezoidal, n, options),
-        Mutant::TrueTrapezoid if is_trapezoidal::<R>() => {
-            minimise(metric, ends, TrueTrapezoid, n, options)
+        Mutant::RulesExchanged | Mutant::TrueTrapezoid => {
+            with_mistaken_rule!(mutant, rule: R => minimise(metric, ends, rule, n, options))
         }
         Mutant::StopsEarly => {
             let once = Options { iterations: 1, ..options.clone() };
             minimise(metric, ends, rule, n, &once).map(believed)
         }
         Mutant::NotOptimised => {
-            let minimum = genuine(n)?;
-            let straight = straightened(&minimum.sequence);
-            Ok(with(minimum, straight))
+            genuine(n).map(|minimum| with(straightened(&minimum.sequence), minimum))
         }
         Mutant::NotRefined => {
-            let minimum = genuine(n.div_ceil(2))?;
-            let finer = resampled(&minimum.sequence, n);
-            Ok(with(minimum, finer))
+            genuine(n.div_ceil(2)).map(|minimum| with(resampled(&minimum.sequence, n), minimum))
         }
         Mutant::LocalForGlobal => {
             let straight = straightened(&genuine(n)?.sequence);
@@ -54,14 +46,14 @@ pub(crate) fn minimise_with<R: Rule, const D: usize>(
             minimise(metric, ends, rule, n, &one).map(believed)
         }
         Mutant::EndRelaxed => {
-            let minimum = genuine(n)?;
-            let moved = first_point_moved(&minimum.sequence, 1e-6);
-            Ok(with(minimum, moved))
+            genuine(n).map(|minimum| with(first_point_moved(&minimum.sequence, 1e-6), minimum))
         }
-        _ => {
-            let misread = formula::minimise(mutant, rule, metric, ends, n, options);
-            misread.unwrap_or_else(|| genuine(n))
-        }
+        _ => match formula::batches(mutant, metric) {
+            Some(batches) => {
+                minimise_by_batches(&mut Workspace::default(), &*batches, ends, rule, n, options)
+            }
+            None => genuine(n),
+        },
     }
 }
 
@@ -71,14 +63,14 @@ fn straightened<const D: usize>(sequence: &PointSequence<D>) -> PointSequence<D>
         .expect("finite ends")
 }
 
-/// `n + 1` points on the interpolation of a sequence, at equal times.
+/// `n + 1` points on the interpolation of a sequence, equally spaced in time.
 fn resampled<const D: usize>(sequence: &PointSequence<D>, n: usize) -> PointSequence<D> {
     let curve = Interpolation::new(sequence);
     let points = (0..=n).map(|k| curve.at(k as f64 / n as f64)).collect();
     PointSequence::new(points).expect("finite")
 }
 
-/// The sequence with its first point moved along the first axis, by a fraction of its size.
+/// Moves the first point along the first axis by a fraction of the size of the sequence.
 fn first_point_moved<const D: usize>(
     sequence: &PointSequence<D>,
     fraction: f64,

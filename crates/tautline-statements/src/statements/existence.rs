@@ -1,11 +1,11 @@
 //! Proposition 7.1: the discrete energies have minimisers, and where to look for them.
 
 use nalgebra::SVector;
-use tautline::{Bounded, ClosedSet, LeftEndpoint, PointSequence, Trapezoidal};
+use tautline::{Bounded, ClosedSet, PointSequence};
 
 use crate::{
     Evidence, GramRange, PaperRule, Reconstruction, Statement, Subject, Unit, VerifyError,
-    discrete_energy, reconstruction::nodes,
+    discrete_energy, reconstruction::nodes, with_rule::with_rule,
 };
 
 /// Evaluates Proposition 7.1 on two admissible sequences of the same `N`, of which the first is
@@ -102,17 +102,11 @@ pub fn critical_point<M: Bounded<D>, const D: usize>(
     seen: &Reconstruction<D>,
 ) -> Evidence {
     let (metric, sequence) = (&known.metric, &seen.minimum.sequence);
-    let (gradient, speeds, weight) = match seen.rule {
-        PaperRule::Trapezoidal => (
-            subject.energy_gradient(Trapezoidal, metric, sequence),
-            subject.discrete_speeds(Trapezoidal, metric, sequence),
-            0.5,
-        ),
-        PaperRule::LeftEndpoint => (
-            subject.energy_gradient(LeftEndpoint, metric, sequence),
-            subject.discrete_speeds(LeftEndpoint, metric, sequence),
-            0.625,
-        ),
+    let gradient = with_rule!(seen.rule, rule => subject.energy_gradient(rule, metric, sequence));
+    let speeds = with_rule!(seen.rule, rule => subject.discrete_speeds(rule, metric, sequence));
+    let weight = match seen.rule {
+        PaperRule::Trapezoidal => 0.5,
+        PaperRule::LeftEndpoint => 0.625,
     };
     let (n, constants) = (seen.n.get(), seen.setting.constants());
     let (count, c2) = (n as f64, constants.c2());

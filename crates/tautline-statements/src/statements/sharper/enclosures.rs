@@ -9,7 +9,7 @@ use tautline::{
 use crate::statements::section_1::{GLOBAL, admitted};
 use crate::{
     Evidence, GramRange, PaperRule, Reconstruction, Statement, Subject, Unit, VerifyError,
-    discrete_energy, reconstruction::nodes,
+    discrete_energy, reconstruction::nodes, with_rule::with_rule,
 };
 
 /// Evaluates Proposition S.6 on a computed minimiser, of which it is assumed that it is global;
@@ -143,12 +143,7 @@ fn residual<const D: usize>(
     rule: PaperRule,
     sequence: &PointSequence<D>,
 ) -> f64 {
-    let gradient = match rule {
-        PaperRule::Trapezoidal => subject.energy_gradient(tautline::Trapezoidal, metric, sequence),
-        PaperRule::LeftEndpoint => {
-            subject.energy_gradient(tautline::LeftEndpoint, metric, sequence)
-        }
-    };
+    let gradient = with_rule!(rule, rule => subject.energy_gradient(rule, metric, sequence));
     let n = sequence.n().get();
     let squares: f64 = gradient[1..n].iter().map(|g| g.norm_squared()).sum();
     0.5 * (n as f64 * squares).sqrt()

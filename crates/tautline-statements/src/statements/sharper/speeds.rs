@@ -1,10 +1,10 @@
 //! Lemmas S.3 and S.5: how fast the chords of a sequence can be, and how unequally fast.
 
-use tautline::{Bounded, LeftEndpoint, MetricError, PointSequence, Trapezoidal};
+use tautline::{Bounded, MetricError, PointSequence};
 
 use crate::{
     Evidence, GramRange, PaperRule, Reconstruction, Statement, Subject, Unit, discrete_energy,
-    reconstruction::nodes,
+    reconstruction::nodes, with_rule::with_rule,
 };
 
 /// Evaluates Lemma S.3 on any point sequence; what is missing to a stationary one is its residual.
@@ -29,16 +29,8 @@ pub fn lemma_s_3<const D: usize>(
     rule: PaperRule,
     sequence: &PointSequence<D>,
 ) -> Result<Evidence, MetricError> {
-    let (gradient, speeds) = match rule {
-        PaperRule::Trapezoidal => (
-            subject.energy_gradient(Trapezoidal, metric, sequence),
-            subject.discrete_speeds(Trapezoidal, metric, sequence),
-        ),
-        PaperRule::LeftEndpoint => (
-            subject.energy_gradient(LeftEndpoint, metric, sequence),
-            subject.discrete_speeds(LeftEndpoint, metric, sequence),
-        ),
-    };
+    let gradient = with_rule!(rule, rule => subject.energy_gradient(rule, metric, sequence));
+    let speeds = with_rule!(rule, rule => subject.discrete_speeds(rule, metric, sequence));
     let (n, constants) = (sequence.n(), subject.constants(metric));
     let (count, c1, c2) = (n.get() as f64, constants.c1(), constants.c2());
     let energy = discrete_energy(subject, rule, metric, sequence);
