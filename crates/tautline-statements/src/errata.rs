@@ -1,34 +1,31 @@
-//! The errata: what is false as printed, each with a counterexample and its two numbers.
+//! The errata: statements that are false as printed, each with a counterexample in numbers.
 
 use crate::{Finding, Inequality, Source, Statement, VerifyError};
 
 /// A statement that is false as printed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Erratum {
-    /// The statement; its verdict has the repair.
+    /// The statement; its verdict states the repair.
     pub statement: Statement,
-    /// The smallest counterexample that we know, in words.
+    /// The smallest known counterexample, in words.
     pub witness: &'static str,
-    /// The inequality of the printed form that it violates: observed above bound.
+    /// The inequality of the printed form that it violates.
     pub violated: Inequality,
-    /// Who relies on the statement, and whether it matters there.
+    /// Which statements rely on it, and whether the error matters there.
     pub relied_on_by: &'static str,
 }
 
-/// Evaluates the counterexamples, and returns all errata in the paper's order.
+/// Evaluates the counterexamples and returns all errata, in the paper's order.
 ///
 /// # Errors
 ///
-/// [`VerifyError::NotRefuted`] if a counterexample does not refute, which a correct build does not
-/// return.
+/// [`VerifyError::NotRefuted`] if a counterexample does not refute: never in a correct build.
 pub fn errata() -> Result<Vec<Erratum>, VerifyError> {
-    let refuted = Statement::ALL.into_iter().filter_map(|statement| {
-        let refutation = statement.refuted_by()?;
-        Some((statement, refutation))
-    });
-    refuted
+    Statement::ALL
+        .into_iter()
+        .filter_map(|statement| Some((statement, statement.refuted_by()?)))
         .map(|(statement, refutation)| {
-            // The repaired form needs that there is no kink; the printed form lacks this hypothesis.
+            // The repaired form excludes kinks; the printed form lacks this hypothesis.
             let evidence = (refutation.evidence)()?.without("γ̇ does not jump");
             match evidence.finding() {
                 Finding::Violated(&violated)
@@ -48,9 +45,8 @@ mod tests {
     use super::errata;
     use crate::{Statement, Verdict};
 
-    /// The statements whose verdict is that they are refuted, and no others.
     #[test]
-    fn every_refuted_statement_has_its_erratum() {
+    fn the_refuted_statements_and_no_others_have_errata() {
         let refuted =
             |statement: &Statement| matches!(statement.verdict(), Verdict::RefutedRepairedAs(_));
         let statements: Vec<Statement> = Statement::ALL.into_iter().filter(refuted).collect();

@@ -1,28 +1,28 @@
-//! `Evidence`: what one statement says of one case.
+//! `Evidence`: one statement, evaluated on one case.
 
 use crate::{Inequality, Source, Statement, Unit, VerifyError};
 
-/// One statement, evaluated on one case: its hypotheses and its conclusions, all as numbers.
+/// The hypotheses and conclusions of a statement, as numbers of one case.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Evidence {
     /// The statement.
     pub statement: Statement,
-    /// The clauses on which it rests, as far as the case lets them be checked.
+    /// The hypotheses that can be checked on the case.
     pub hypotheses: Vec<Inequality>,
-    /// The clauses on which it rests as well and of which the case shows nothing.
+    /// The hypotheses that the case cannot show.
     pub assumed: Vec<&'static str>,
-    /// What it claims, and sharper companions.
+    /// Its claims, and sharper companions.
     pub conclusions: Vec<Inequality>,
 }
 
-/// What the numbers of an [`Evidence`] say.
+/// The result of comparing the numbers of an [`Evidence`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Finding<'a> {
     /// Hypotheses and conclusions hold.
     Holds,
-    /// A hypothesis does not hold, so the statement says nothing of the case.
+    /// This hypothesis fails, so the statement does not apply to the case.
     Inapplicable(&'a Inequality),
-    /// The hypotheses hold and this conclusion does not.
+    /// The hypotheses hold and this conclusion fails.
     Violated(&'a Inequality),
 }
 
@@ -47,8 +47,8 @@ impl Evidence {
         self
     }
 
-    /// Adds a clause on which the statement rests and of which nothing is seen: that a minimiser is
-    /// global, say, which no finite number of evaluations shows.
+    /// Adds a hypothesis that no finite number of evaluations shows: for example, that a minimiser
+    /// is global.
     #[must_use]
     pub fn assumed(mut self, claim: &'static str) -> Self {
         if !self.assumed.contains(&claim) {
@@ -57,8 +57,7 @@ impl Evidence {
         self
     }
 
-    /// Adds a conclusion `observed ≤ bound` that the statement makes, in its repaired form if it needs
-    /// one.
+    /// Adds a conclusion `observed ≤ bound` of the statement, in its repaired form if it has one.
     #[must_use]
     pub fn stated(self, claim: &'static str, unit: Unit, numbers: [f64; 2], granted: f64) -> Self {
         self.concluded(Source::Stated, claim, unit, numbers, granted)
@@ -70,8 +69,8 @@ impl Evidence {
         self.concluded(Source::Sharper, claim, unit, numbers, granted)
     }
 
-    /// Adds that two ways to write one formula agree, each no more than the other: it checks the
-    /// program, and is [no evidence](Source::Identity) for the statement.
+    /// Adds that two ways to write one formula agree, as two inequalities. This checks the program
+    /// and is [no evidence](Source::Identity) for the statement.
     #[must_use]
     pub fn identity(
         self,
@@ -101,15 +100,14 @@ impl Evidence {
         self
     }
 
-    /// Returns the evidence without the hypothesis of this claim: of a statement that lacks it as
-    /// printed.
+    /// Removes the hypothesis with this claim, for a statement that lacks it as printed.
     #[must_use]
     pub fn without(mut self, claim: &str) -> Self {
         self.hypotheses.retain(|hypothesis| hypothesis.claim != claim);
         self
     }
 
-    /// Returns what the numbers say. A conclusion is only looked at where the hypotheses hold.
+    /// Compares the numbers: the conclusions count only where the hypotheses hold.
     #[must_use]
     pub fn finding(&self) -> Finding<'_> {
         if let Some(failed) = self.hypotheses.iter().find(|clause| !clause.holds()) {
@@ -121,24 +119,26 @@ impl Evidence {
         }
     }
 
-    /// Returns whether the numbers of the case could have contradicted the statement: one of the
-    /// stated conclusions [could fail](Inequality::could_fail).
+    fn stated_conclusions(&self) -> impl Iterator<Item = &Inequality> {
+        self.conclusions.iter().filter(|claim| claim.source == Source::Stated)
+    }
+
+    /// Returns whether the case could have contradicted the statement: one of the stated conclusions
+    /// [could fail](Inequality::could_fail).
     #[must_use]
     pub fn could_fail(&self) -> bool {
-        let mut stated = self.conclusions.iter().filter(|claim| claim.source == Source::Stated);
-        stated.any(Inequality::could_fail)
+        self.stated_conclusions().any(Inequality::could_fail)
     }
 
-    /// Returns the least overestimation of the stated conclusions, a pure number; `∞` if none of
-    /// them can be told from rounding.
+    /// Returns the least overestimation of the stated conclusions, a pure number; `∞` if rounding
+    /// hides all of them.
     #[must_use]
     pub fn overestimation(&self) -> f64 {
-        let stated = self.conclusions.iter().filter(|claim| claim.source == Source::Stated);
-        stated.map(Inequality::overestimation).fold(f64::INFINITY, f64::min)
+        self.stated_conclusions().map(Inequality::overestimation).fold(f64::INFINITY, f64::min)
     }
 
-    /// Returns the evidence again if one of the stated conclusions is attained: its overestimation
-    /// is at most 1.01.
+    /// Returns the evidence if one of the stated conclusions is attained: overestimated by at most
+    /// 1 %.
     ///
     /// # Errors
     ///
@@ -147,8 +147,8 @@ impl Evidence {
         self.overestimates_at_most(1.01)
     }
 
-    /// Returns the evidence again if the least overestimation of the stated conclusions is at most
-    /// `known`, the least overestimation that is known. A loosened formula fails here.
+    /// Returns the evidence if the least overestimation of the stated conclusions is at most `known`.
+    /// A loosened formula fails here.
     ///
     /// # Errors
     ///
@@ -158,8 +158,8 @@ impl Evidence {
         self.at_most(overestimation, known)
     }
 
-    /// Returns the evidence again if the overestimation of the conclusion `claim`, stated or a
-    /// companion, is at most `known`.
+    /// Returns the evidence if the conclusion `claim`, stated or a companion, is overestimated by at
+    /// most `known`.
     ///
     /// # Errors
     ///
@@ -167,7 +167,7 @@ impl Evidence {
     ///
     /// # Panics
     ///
-    /// If there is no conclusion of this claim.
+    /// If no conclusion has this claim.
     #[track_caller]
     pub fn claim_is_attained(self, claim: &str, known: f64) -> Result<Self, VerifyError> {
         let overestimation = self.conclusion(claim).overestimation();
@@ -185,7 +185,7 @@ impl Evidence {
     ///
     /// # Panics
     ///
-    /// If there is no conclusion of this claim.
+    /// If no conclusion has this claim.
     #[must_use]
     #[track_caller]
     pub fn conclusion(&self, claim: &str) -> &Inequality {
@@ -194,7 +194,7 @@ impl Evidence {
     }
 }
 
-/// A line for each clause and conclusion, with its numbers.
+/// One line for each hypothesis and conclusion, with its numbers.
 impl std::fmt::Display for Evidence {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{}", self.statement)?;
@@ -222,14 +222,14 @@ mod tests {
     }
 
     #[test]
-    fn what_is_assumed_is_named_once_and_shown() {
+    fn an_assumption_is_listed_once() {
         let shown = evidence().to_string();
         assert!(shown.contains("\n  given a: 1") && shown.contains("\n  stated c: 1"), "{shown}");
         assert_eq!(shown.matches("\n  assumed: b").count(), 1, "{shown}");
     }
 
     #[test]
-    fn an_identity_is_judged_and_has_no_overestimation() {
+    fn an_identity_can_fail_and_has_no_overestimation() {
         let equal = |one, other| {
             let begun = Evidence::of(Statement::Theorem1_1);
             begun.identity(["a ≤ b", "b ≤ a"], Unit::NONE, [one, other], 1e-9)

@@ -1,26 +1,26 @@
-//! `GramRange`: what a metric was seen to do at a number of points.
+//! `GramRange`: the range of a metric over a number of points.
 
 use nalgebra::{DMatrix, SMatrix, SVector};
 use tautline::{AnyMetric, Constants, Metric, MetricError, check_gram};
 
 use crate::{Evidence, Unit};
 
-/// The extreme eigenvalues of `H` at a number of points, and its largest difference quotient from
-/// one point to the next: what the hypotheses on `c₁`, `c₂` and `L_H` are compared with.
+/// The extreme eigenvalues of `H` over a number of points, and its largest difference quotient
+/// between neighbours: they check the hypotheses on `c₁`, `c₂` and `L_H`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GramRange {
-    /// The least eigenvalue that was seen, in `m²/ℓ²`.
+    /// The least eigenvalue, in `m²/ℓ²`.
     pub low: f64,
-    /// The largest eigenvalue that was seen, in `m²/ℓ²`.
+    /// The largest eigenvalue, in `m²/ℓ²`.
     pub high: f64,
     /// The largest `‖H(x) − H(y)‖ / |x − y|` of two consecutive points, in `m²/ℓ³`.
     pub slope: f64,
-    /// What rounding does to `slope`, in `m²/ℓ³`: `ε c/|x − y|` where that was largest.
+    /// The rounding of `slope`, in `m²/ℓ³`: `ε c/|x − y|` at its maximum.
     slope_rounding: f64,
 }
 
 impl GramRange {
-    /// Reads `H` at each of the points.
+    /// Evaluates `H` at each of the points.
     ///
     /// # Errors
     ///
@@ -50,8 +50,8 @@ impl GramRange {
                 let slope = operator_norm(&(h - k)) / step;
                 if slope > range.slope {
                     range.slope = slope;
-                    // Points of size |x| are rounded too, but H is read at the rounded ones; a
-                    // dozen roundings an entry, D entries a row.
+                    // A dozen roundings an entry, D entries a row. That points are rounded does
+                    // not count: H is evaluated at the rounded ones.
                     range.slope_rounding = 16.0 * f64::EPSILON * D as f64 * high / step;
                 }
             }
@@ -60,7 +60,7 @@ impl GramRange {
         Ok(range)
     }
 
-    /// Reads `H` at `x` and near it, a step of `2⁻⁸ c₁/L_H` along each axis.
+    /// Evaluates `H` at `x` and at a step of `2⁻⁸ c₁/L_H` along each axis.
     ///
     /// # Errors
     ///
@@ -70,7 +70,7 @@ impl GramRange {
         constants: Constants,
         x: &SVector<f64, D>,
     ) -> Result<Self, MetricError> {
-        // A constant metric has no length of its own.
+        // A constant metric has no length scale.
         let natural = constants.c1() / (256.0 * constants.l_h());
         let step = if natural.is_finite() { natural } else { x.norm().max(f64::MIN_POSITIVE) };
         let points = (0..D).flat_map(|l| {
@@ -83,11 +83,11 @@ impl GramRange {
 }
 
 impl Evidence {
-    /// Adds the three clauses on `c₁`, `c₂` and `L_H` of Theorem 1.1 as hypotheses: where `H` was
-    /// seen. That they hold elsewhere is assumed.
+    /// Adds the hypotheses of Theorem 1.1 on `c₁`, `c₂` and `L_H`, checked where `H` was evaluated
+    /// and assumed elsewhere.
     #[must_use]
     pub fn given_constants(self, constants: Constants, seen: &GramRange) -> Self {
-        // A dozen roundings an entry, and D entries a row of which D ≤ 10 or so.
+        // A dozen roundings an entry, and D entries a row with D ≤ 10 or so.
         let rounding = 1e-14 * seen.high;
         self.given("c₁ ≤ λ_min(H)", Unit::GRAM, [constants.c1(), seen.low], rounding)
             .given("λ_max(H) ≤ c₂", Unit::GRAM, [seen.high, constants.c2()], rounding)
@@ -100,10 +100,10 @@ impl Evidence {
             .assumed("c₁, c₂ and L_H hold elsewhere")
     }
 
-    /// Adds the clause on `M_H`, in `m²/ℓ⁴`, by the greatest second derivative that was seen.
+    /// Adds the hypothesis on `M_H`, in `m²/ℓ⁴`, given the greatest second derivative found.
     #[must_use]
     pub fn given_curvature(self, seen: f64, m_h: f64) -> Self {
-        // Where a second derivative is attained, its terms may cancel to some digits.
+        // At its maximum the terms of a second derivative may cancel some digits.
         let claim = "|uᵀ D²H[u, u] u| ≤ M_H";
         let seen = self.given(claim, Unit::GRAM_CURVATURE, [seen, m_h], 1e-9 * m_h);
         seen.assumed("M_H holds elsewhere")
@@ -133,7 +133,7 @@ mod tests {
     use crate::{Evidence, Statement};
 
     #[test]
-    fn what_was_seen_somewhere_is_assumed_elsewhere() {
+    fn a_bound_checked_at_some_points_is_assumed_elsewhere() {
         let evidence = Evidence::of(Statement::Theorem1_1);
         let evidence = evidence.given_curvature(1.0, 2.0);
         assert_eq!((evidence.hypotheses.len(), evidence.assumed.len()), (1, 1));

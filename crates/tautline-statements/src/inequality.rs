@@ -1,4 +1,4 @@
-//! `Inequality`: one comparison that a statement makes, with its two numbers.
+//! `Inequality`: one comparison of a statement, with its two numbers.
 
 /// The unit of a number: `ℓ^ell m^m`, with coordinates in `ℓ` and Riemannian lengths in `m`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -27,33 +27,32 @@ impl Unit {
     /// Christoffel symbols, `1/ℓ`.
     pub const CHRISTOFFEL: Unit = Unit { ell: -1, m: 0 };
 
-    /// Returns the number that 1 of this unit becomes where the unit of coordinates is divided
-    /// by `ell` and that of length by `m`.
+    /// Returns what 1 of this unit becomes if the unit of coordinates is divided by `ell` and the
+    /// unit of length by `m`.
     #[must_use]
     pub fn factor(self, ell: f64, m: f64) -> f64 {
         ell.powi(self.ell) * m.powi(self.m)
     }
 }
 
-/// Whether a statement says it, or we do besides.
+/// Where an inequality comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Source {
-    /// The statement says it; one of the paper, perhaps, only if it is repaired.
+    /// From the statement, perhaps in its repaired form.
     Stated,
-    /// A sharper form that the statement does not have: a companion, which a wrong program has
-    /// more trouble to satisfy.
+    /// A companion that is sharper than the statement, and so harder to satisfy for a wrong program.
     Sharper,
-    /// Two ways to write one formula. No case can contradict it, only a slip of the program: it is
-    /// judged as the others are, but is no evidence of the statement, nor of its sharpness.
+    /// Two ways to write one formula. Only a programming error violates it: it must hold, but is no
+    /// evidence for the statement or its sharpness.
     Identity,
 }
 
 /// `observed ≤ bound`, for one case.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inequality {
-    /// What is compared, as a formula.
+    /// The formula.
     pub claim: &'static str,
-    /// Whether it is stated, or a companion.
+    /// Where it comes from.
     pub source: Source,
     /// The unit of the three numbers below.
     pub unit: Unit,
@@ -61,33 +60,31 @@ pub struct Inequality {
     pub observed: f64,
     /// The right side.
     pub bound: f64,
-    /// What is granted to rounding and to the errors of quadratures, besides the bound.
+    /// The allowance for rounding and for errors of quadrature, added to the bound.
     pub granted: f64,
 }
 
 impl Inequality {
-    /// Returns whether `observed ≤ bound` up to what is granted; `false` for NaN.
+    /// Returns whether `observed ≤ bound + granted`; `false` for NaN.
     #[must_use]
     pub fn holds(&self) -> bool {
         self.observed <= self.bound + self.granted
     }
 
-    /// Returns whether the numbers could have contradicted the claim: the bound is finite, what is
-    /// observed can be told from 0, and the two sides are not the same formula.
+    /// Returns whether the numbers could have contradicted the claim: the bound is finite, the
+    /// observed number is distinguishable from 0, and the two sides are not the same formula.
     ///
-    /// A gap that vanishes identically, as that of a length does where every curve has the same,
-    /// is at most any bound.
+    /// A gap that vanishes identically is below any bound.
     #[must_use]
     pub fn could_fail(&self) -> bool {
-        let told = self.observed.abs() > self.granted;
-        self.source != Source::Identity && self.bound < f64::INFINITY && told
+        let visible = self.observed.abs() > self.granted;
+        self.source != Source::Identity && self.bound < f64::INFINITY && visible
     }
 
-    /// Returns the overestimation `bound / observed`, a pure number: 1 where the bound is attained,
-    /// less where it is violated.
+    /// Returns the overestimation `bound / observed`, a pure number: 1 if the bound is attained, less
+    /// if it is violated.
     ///
-    /// `∞` where nothing can be told: the observed number is negative, zero, or so small that
-    /// what is granted is a percent of it.
+    /// `∞` if the observed number is negative, zero, or so small that `granted` is over 1 % of it.
     #[must_use]
     pub fn overestimation(&self) -> f64 {
         if self.observed > 0.0 && self.granted <= 0.01 * self.observed {
@@ -131,15 +128,14 @@ mod tests {
     }
 
     #[test]
-    fn overestimation_is_told_only_of_what_is_seen() {
+    fn overestimation_is_infinite_where_rounding_hides_the_number() {
         assert_eq!(inequality(2.0, 3.0).overestimation(), 1.5);
         assert_eq!(inequality(0.09, 3.0).overestimation(), f64::INFINITY);
         assert_eq!(inequality(-2.0, 3.0).overestimation(), f64::INFINITY);
     }
 
-    /// Of NaN nothing is told, but it does not hold either.
     #[test]
-    fn what_cannot_be_told_from_zero_or_has_no_bound_could_not_fail() {
+    fn a_number_near_zero_or_without_a_bound_could_not_fail() {
         assert!(inequality(0.5, 1.0).could_fail() && inequality(-0.5, 0.0).could_fail());
         assert!(!inequality(1e-3, 1.0).could_fail() && !inequality(-1e-4, 0.0).could_fail());
         assert!(!inequality(0.5, f64::INFINITY).could_fail());

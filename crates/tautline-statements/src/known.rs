@@ -1,11 +1,11 @@
-//! `Known`: a problem whose distance is known.
+//! `Known`: a problem with a known distance.
 
 use nalgebra::SVector;
 use tautline::{Bounded, Ends, KnownDistance, SetError, bounds::Setting};
 
 use crate::{AnyBounded, VerifyError};
 
-/// A metric, two sets, and the distance between them: what the theorems of Section 1 compare with.
+/// A metric, two sets, and the distance between them.
 #[derive(Clone, Debug)]
 pub struct Known<M, const D: usize> {
     /// The metric.
@@ -14,17 +14,22 @@ pub struct Known<M, const D: usize> {
     pub ends: Ends<D>,
     /// Their distance `d`, in `m`.
     pub distance: f64,
-    /// How far `distance` may be off, in `m`: the rounding of a closed form, or the error of an
-    /// estimate.
+    /// The error of `distance`, in `m`: the rounding of a closed form, or the error of an estimate.
     pub distance_error: f64,
 }
 
+impl<M, const D: usize> Known<M, D> {
+    /// Returns the error of `distance²`, in `m²`.
+    pub(crate) fn squared_error(&self) -> f64 {
+        2.0 * self.distance * self.distance_error
+    }
+}
+
 impl<M: Bounded<D>, const D: usize> Known<M, D> {
-    /// Two points whose distance the metric knows; `None` if it does not.
+    /// Returns the problem between two points; `None` if the metric does not know their distance.
     ///
-    /// The closed forms are differences of numbers that grow along the way, with some four
-    /// roundings each: `distance_error` is `16 ε` times the size of these, `√c₂` times the sum of
-    /// the coordinates.
+    /// Closed forms are differences of numbers up to `√c₂ (|a| + |b|)`, with about four roundings
+    /// each: `distance_error` is `16 ε` times that.
     ///
     /// # Errors
     ///
@@ -44,18 +49,18 @@ impl<M: Bounded<D>, const D: usize> Known<M, D> {
         Ok(Some(Self { metric, ends, distance, distance_error: 16.0 * f64::EPSILON * size }))
     }
 
-    /// Returns the same problem, with the metric behind a pointer.
+    /// Returns the same problem with the metric behind a pointer.
     #[must_use]
     pub fn behind_a_pointer(&self) -> Known<AnyBounded<'_, D>, D> {
         let Self { ref metric, ref ends, distance, distance_error } = *self;
         Known { metric: AnyBounded::of(metric), ends: ends.clone(), distance, distance_error }
     }
 
-    /// Returns the numbers by which the theorems know the problem.
+    /// Returns the numbers that the theorems need.
     ///
     /// # Errors
     ///
-    /// [`VerifyError::Bound`] if the distance is no distance.
+    /// [`VerifyError::Bound`] if the distance is negative or not finite.
     pub fn setting(&self) -> Result<Setting, VerifyError> {
         Ok(Setting::new(self.metric.constants(), self.distance, D)?)
     }

@@ -1,8 +1,7 @@
 //! Every statement of the paper as one function, with its evidence.
 //!
-//! A statement is evaluated on a case, and returns [`Evidence`]: the hypotheses that could be
-//! checked and those that are assumed, and its inequalities, each with the number that was observed
-//! and its bound.
+//! A statement is evaluated on a case and returns [`Evidence`]: its hypotheses, checked or assumed,
+//! and its inequalities, each with the observed number and the bound.
 //!
 //! ```
 //! use tautline::{PointSequence, gallery::Valleys};
@@ -35,8 +34,8 @@
 //! | sharper | as the statement needs | [`lemma_s_1`] to [`lemma_s_5`], [`theorem_a`] to [`theorem_d`], [`prop_s_6`] to [`prop_s_8`] |
 //! | 9, excess of length | two curves, or a [`Reconstruction`] | [`prop_9_1`], [`remark_9_2`] |
 //!
-//! A statement is computed with a [`Subject`]: [`LIBRARY`], or the library with the mistake of a
-//! [`Mutant`]. [`curves`] has what Sections 3, 4, 6 and 7 are about, [`witnesses`] the cases near
+//! A [`Subject`] is the implementation under test: [`LIBRARY`], or the library with the mistake of a
+//! [`Mutant`]. [`curves`] has the curves of Sections 3, 4, 6 and 7, [`witnesses`] the cases near
 //! equality.
 
 pub mod curves;

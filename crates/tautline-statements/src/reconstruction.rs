@@ -1,4 +1,4 @@
-//! `Reconstruction`: what is observed of one computed discrete minimiser.
+//! `Reconstruction`: a computed discrete minimiser and the numbers observed on it.
 
 use std::num::NonZeroUsize;
 
@@ -21,12 +21,12 @@ pub fn discrete_energy<const D: usize>(
     with_rule!(rule, rule => subject.discrete_energy(rule, metric, sequence))
 }
 
-/// The numbers of one solve, all that Theorems 1.1 to 1.4 and Sections 6 to 9 ask about it.
+/// One solve: the numbers for Theorems 1.1 to 1.4 and Sections 6 to 9.
 #[derive(Clone, Debug)]
 pub struct Reconstruction<const D: usize> {
     /// The rule whose discrete energy was minimised.
     pub rule: PaperRule,
-    /// By what the theorems know the problem.
+    /// Constants, distance and dimension.
     pub setting: Setting,
     /// The number of subintervals.
     pub n: NonZeroUsize,
@@ -44,21 +44,20 @@ pub struct Reconstruction<const D: usize> {
     pub mean_cube: f64,
     /// The speeds `qₙ` that the rule sees, in `m`.
     pub speeds: Vec<f64>,
-    /// The greatest `|uᵀ D²H[u, u] u|` that was seen along the chords, for unit vectors `u`, in
-    /// `m²/ℓ⁴`.
+    /// The greatest `|uᵀ D²H[u, u] u|` found along the chords, for unit vectors `u`, in `m²/ℓ⁴`.
     pub curvature: f64,
-    /// What the metric was seen to do at the points and the midpoints of the chords.
+    /// The range of the metric over the points and the midpoints of the chords.
     pub gram: GramRange,
-    /// How far the two ends are from their sets, in `ℓ`.
+    /// The distance of the two ends from their sets, in `ℓ`.
     pub off_sets: f64,
-    /// How the sequence was found.
+    /// The sequence, and how it was found.
     pub minimum: Minimum<D>,
-    /// What is granted to rounding, to the quadratures and to the error of `d²`, in `m²`.
+    /// The allowance for rounding, for the quadratures and for the error of `d²`, in `m²`.
     pub granted: f64,
 }
 
 impl<const D: usize> Reconstruction<D> {
-    /// Minimises the discrete energy of `rule` with `n` subintervals, and reads off the numbers.
+    /// Minimises the discrete energy of `rule` with `n` subintervals.
     ///
     /// # Errors
     ///
@@ -72,7 +71,7 @@ impl<const D: usize> Reconstruction<D> {
         let known = &known.behind_a_pointer();
         let (metric, ends) = (&known.metric, &known.ends);
         let minimum = with_rule!(rule, rule => subject.minimise(rule, metric, ends, n))?;
-        // Degenerate is allowed: where a curve leaves a ball, it may be free to move sideways.
+        // Degenerate is allowed: a curve that leaves a ball may be free to move sideways.
         let saddle = matches!(minimum.curvature, Curvature::Indefinite { .. });
         if !matches!(minimum.stop, Stop::Converged | Stop::EndsTouch) || saddle {
             let (stop, curvature) = (minimum.stop, minimum.curvature);
@@ -81,8 +80,7 @@ impl<const D: usize> Reconstruction<D> {
         Self::behind_a_pointer(subject, known, rule, minimum)
     }
 
-    /// Reads off the numbers of a sequence that was found in another way: what the theorems say
-    /// of one that is no global minimiser.
+    /// Observes a sequence from elsewhere, for instance one that is no global minimiser.
     ///
     /// # Errors
     ///
@@ -111,14 +109,13 @@ impl<const D: usize> Reconstruction<D> {
             Integral { value: length.value.powi(2), error: 2.0 * length.value * length.error };
         let setting = Setting::new(subject.constants(metric), known.distance, D)?;
         let distance_squared = known.distance.powi(2);
-        // Energies are compensated sums of terms with some ten roundings each, relative to
-        // themselves; points of size |x| are rounded, and the momentum 2√(c₂E) turns that into
-        // energy.
+        // Energies are compensated sums of terms with about ten roundings each. Points of size |x|
+        // are rounded, which the momentum 2√(c₂E) turns into energy.
         let size = sequence.points().iter().map(|x| x.norm()).fold(0.0, f64::max);
         let momentum = 2.0 * (setting.constants().c2() * energy.value.max(0.0)).sqrt();
         let granted = 1e-14 * (distance_squared + discrete_energy + energy.value)
             + 8.0 * f64::EPSILON * size * momentum
-            + 2.0 * known.distance * known.distance_error
+            + known.squared_error()
             + energy.error
             + length_squared.error;
         Ok(Self {
@@ -148,8 +145,8 @@ pub fn mean_power<const D: usize>(sequence: &PointSequence<D>, power: i32) -> f6
     powers / sequence.n().get() as f64
 }
 
-/// Returns the greatest `|uᵀ D²H[u, u] u|` at the points of a sequence and the midpoints of its
-/// chords, where `u` is the direction of the chord, in `m²/ℓ⁴`: no more than `M_H`.
+/// Returns the greatest `|uᵀ D²H[u, u] u|` over the ends and midpoints of the chords, where `u` is
+/// the direction of the chord, in `m²/ℓ⁴`: at most `M_H`.
 #[must_use]
 pub fn curvature_along<const D: usize>(
     metric: &impl Metric<D>,
@@ -160,15 +157,15 @@ pub fn curvature_along<const D: usize>(
     for (x, chord) in sequence.chords() {
         for fraction in [0.0, 0.5, 1.0] {
             let found = curvature_at(metric, &(x + chord * fraction), &chord);
-            // NaN is kept: it is no bound of anything.
+            // Keeps NaN.
             greatest = if found <= greatest { greatest } else { found };
         }
     }
     greatest
 }
 
-/// Returns `|uᵀ D²H(x)[u, u] u|` for the unit vector `u` of a direction, in `m²/ℓ⁴`; 0 if there is
-/// none.
+/// Returns `|uᵀ D²H(x)[u, u] u|` for the unit vector `u` of a direction, in `m²/ℓ⁴`; 0 for the
+/// direction 0.
 pub(crate) fn curvature_at<const D: usize>(
     metric: &impl Metric<D>,
     x: &SVector<f64, D>,
@@ -184,14 +181,14 @@ pub(crate) fn curvature_at<const D: usize>(
     norm_squared(metric, &along, &u).second(0, 0).abs()
 }
 
-/// Returns the points of a sequence and the midpoints of its chords, in the order of the curve:
-/// where the rules of the paper read `H`.
+/// Returns the points of a sequence and the midpoints of its chords, in order: where the rules of
+/// the paper evaluate `H`.
 pub fn nodes<const D: usize>(sequence: &PointSequence<D>) -> impl Iterator<Item = SVector<f64, D>> {
     let chords = sequence.chords().flat_map(|(x, chord)| [*x, x + chord * 0.5]);
     chords.chain([*sequence.last()])
 }
 
-/// How far the ends of a sequence are from their sets, in `ℓ`.
+/// The distance of the ends of a sequence from their sets, in `ℓ`.
 fn off_sets<M, const D: usize>(known: &Known<M, D>, sequence: &PointSequence<D>) -> f64 {
     let ends = [(known.ends.first(), sequence.first()), (known.ends.second(), sequence.last())];
     ends.map(|(set, x)| (set.project(x) - x).norm()).into_iter().fold(0.0, f64::max)

@@ -1,4 +1,4 @@
-//! The counterexamples to what is false as printed, each evaluated on the printed form.
+//! The counterexamples to statements that are false as printed, evaluated on the printed form.
 
 use std::num::NonZeroUsize;
 
@@ -49,7 +49,7 @@ pub(crate) fn kink_between_samples() -> Refuted {
     prop_7_6_as_printed(&LIBRARY, &flat()?, &modulus()?, [1.0, 0.1], NonZeroUsize::MIN)
 }
 
-/// Proposition 7.7 for a curve that is at its end after the time `1/17`.
+/// Proposition 7.7 for a curve that arrives at the time `1/17`.
 pub(crate) fn fast_start() -> Refuted {
     let seventeen = NonZeroUsize::MIN.saturating_add(16);
     let end = (1.0 / 17.0, SVector::from([1.0]));

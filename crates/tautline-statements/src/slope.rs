@@ -1,4 +1,4 @@
-//! The order of a sequence of errors, as the slope of a line through logarithms.
+//! The order of convergence of a sequence of errors, as a slope of logarithms.
 
 /// Returns the slope of the least-squares line through `(log x, log error)`.
 #[must_use]

@@ -1,4 +1,4 @@
-//! `Units`: the same problem, measured in other units.
+//! `Units`: the same problem in other units.
 
 use std::sync::Arc;
 
@@ -9,7 +9,7 @@ use tautline::{
 
 use crate::{Known, VerifyError};
 
-/// A system of units: what was 1 in coordinates becomes `ell`, what was 1 as a length becomes `m`.
+/// A change of units: a coordinate 1 becomes `ell`, a length 1 becomes `m`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Units {
     /// The factor of coordinates.
@@ -19,7 +19,7 @@ pub struct Units {
 }
 
 impl Units {
-    /// The units in which things are given.
+    /// No change.
     pub const ONE: Units = Units { ell: 1.0, m: 1.0 };
 
     /// Returns a metric in these units.
@@ -60,7 +60,7 @@ impl Units {
     ///
     /// # Errors
     ///
-    /// If a set is refused, its coordinates having overflown.
+    /// If the coordinates of a set overflow.
     pub fn known<M: Bounded<D>, const D: usize>(
         self,
         known: Known<M, D>,
@@ -103,22 +103,21 @@ impl<M: Metric<D>, const D: usize> Metric<D> for InUnits<M> {
 }
 
 impl<M: Bounded<D>, const D: usize> Bounded<D> for InUnits<M> {
-    /// Those of the metric, in these units.
+    /// The constants of the metric, in these units.
     fn constants(&self) -> Constants {
-        // Constants that overflow are no constants of a metric in f64.
         self.units.constants(self.metric.constants()).expect("in the range of f64")
     }
 }
 
 impl<M: KnownDistance<D>, const D: usize> KnownDistance<D> for InUnits<M> {
-    /// That of the metric, in these units.
+    /// The distance of the metric, in these units.
     fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
         let Units { ell, m } = self.units;
         Some(self.metric.distance(&(x / ell), &(y / ell))? * m)
     }
 }
 
-/// A set whose coordinates are measured in another unit.
+/// A set in another unit of coordinates.
 #[derive(Clone, Debug)]
 struct SetInUnits<const D: usize> {
     set: Arc<dyn ClosedSet<D>>,

@@ -1,24 +1,24 @@
-//! `Verdict`: what we say of a statement, having tested it.
+//! `Verdict`: our judgement of a statement, after testing it.
 
-/// What we say of a statement.
+/// Our judgement of a statement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// It holds as printed.
     Holds,
-    /// It holds if a word in it is read in one of two ways.
+    /// It holds under one of two readings of a word.
     HoldsReadAs(&'static str),
     /// It is false as printed, and holds in this form.
     RefutedRepairedAs(&'static str),
-    /// A known theorem that the paper cites; what can be observed of it is tested.
+    /// A known theorem that the paper cites; its observable part is tested.
     Cited,
-    /// A statement of ours, proved in `paper/SHARPER.md`.
+    /// Our own statement, proved in `paper/SHARPER.md`.
     ProvedHere,
-    /// A question that the paper leaves open, and the answer.
+    /// A question that the paper leaves open, with its answer.
     OpenAnsweredBy(&'static str),
 }
 
 impl Verdict {
-    /// Returns the verdict in a word or two, as the tables have it.
+    /// Returns the verdict in a few words, as in the tables.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -31,7 +31,7 @@ impl Verdict {
         }
     }
 
-    /// Returns the reading, the repair or the answer; empty if there is none.
+    /// Returns the reading, the repair or the answer; empty without one.
     #[must_use]
     pub fn remark(self) -> &'static str {
         match self {

@@ -8,14 +8,14 @@ use tautline::{
     gallery::GalleryError,
 };
 
-/// Why a statement could not be evaluated on a case. Not a violation of it.
+/// Why a statement could not be evaluated on a case. This is not a violation of the statement.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum VerifyError {
     /// The solver refused the problem.
     #[error(transparent)]
     Solve(#[from] SolveError),
-    /// The solver did not converge to a local minimum: its result says nothing of minimisers.
+    /// The solver did not converge to a local minimum.
     #[error("N = {n}: the search ended as {stop:?} with the curvature {curvature:?}")]
     NotConverged {
         /// The number of subintervals.
@@ -28,10 +28,10 @@ pub enum VerifyError {
     /// The metric is not finite, symmetric and positive definite somewhere.
     #[error(transparent)]
     Metric(#[from] MetricError),
-    /// Points are no point sequence.
+    /// The points do not form a point sequence.
     #[error(transparent)]
     Sequence(#[from] SequenceError),
-    /// A number is no distance, or a dimension is zero.
+    /// A distance is negative or not finite, or a dimension is zero.
     #[error(transparent)]
     Bound(#[from] BoundError),
     /// A metric has no constants on a ball.
@@ -40,44 +40,42 @@ pub enum VerifyError {
     /// A constant could not be proved.
     #[error(transparent)]
     Certify(#[from] CertifyError),
-    /// No region holds all competitors.
+    /// No region contains all competitors.
     #[error(transparent)]
     Locality(#[from] LocalityError<LocalError>),
-    /// A set is refused.
+    /// The data of a set are invalid.
     #[error(transparent)]
     Set(#[from] SetError),
-    /// Constants are refused.
+    /// The constants are invalid.
     #[error(transparent)]
     Constants(#[from] HypothesisError),
-    /// The numbers of one case do not scale by their unit.
-    #[error("{claim}: in other units {found:?}, where {expected:?} were expected")]
+    /// The numbers of a case do not scale with their unit.
+    #[error("{claim}: in other units {found:?}, expected {expected:?}")]
     NotHomogeneous {
         /// The claim.
         claim: &'static str,
-        /// The two numbers as they should be in the other units.
+        /// The two expected numbers in the other units.
         expected: [f64; 2],
-        /// The two numbers as they are.
+        /// The two numbers found.
         found: [f64; 2],
     },
-    /// A witness does not come as near equality as it should.
-    #[error(
-        "{statement}: the overestimation of the witness is {overestimation}, not at most {known}"
-    )]
+    /// A witness is not as near equality as it should be.
+    #[error("{statement}: the witness has overestimation {overestimation}, above {known}")]
     NotAttained {
         /// The statement.
         statement: Statement,
-        /// The least overestimation of the paper's conclusions, a pure number.
+        /// The least overestimation found, a pure number.
         overestimation: f64,
-        /// The least overestimation that is known.
+        /// The greatest overestimation allowed.
         known: f64,
     },
-    /// A witness against the printed form of a statement does not refute it.
+    /// A counterexample does not refute the printed form of a statement.
     #[error("{statement}: the witness does not refute it")]
     NotRefuted {
         /// The statement.
         statement: Statement,
     },
-    /// A metric of the gallery is refused.
+    /// The parameters of a metric of the gallery are invalid.
     #[error(transparent)]
     Gallery(#[from] GalleryError),
     /// A parameter of the case is out of its range.
@@ -85,11 +83,11 @@ pub enum VerifyError {
     OutOfRange {
         /// The parameter.
         name: &'static str,
-        /// The number that was given.
+        /// The value given.
         value: f64,
-        /// The least number that is allowed.
+        /// The least value allowed.
         low: f64,
-        /// The largest number that is allowed.
+        /// The largest value allowed.
         high: f64,
     },
 }

@@ -1,21 +1,20 @@
-//! `WithConstants`: a metric with constants that are only claimed of it.
+//! `WithConstants`: a metric with claimed constants, true or not.
 
 use nalgebra::{SMatrix, SVector};
 use tautline::{AnyMetric, Bounded, Constants, KnownDistance, Metric, Scalar};
 
-/// A metric with constants put beside it, true or not: for a metric without claims of its own, for
-/// the lies that a kit has to refuse, and for what is left of a statement where its hypotheses on
-/// `c₁`, `c₂` and `L_H` do not hold.
+/// A metric with claimed constants, true or not: for a metric without constants of its own, for
+/// false claims that a test must reject, and for statements whose hypotheses on `c₁`, `c₂` and `L_H`
+/// fail.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WithConstants<M> {
     /// The metric.
     pub metric: M,
-    /// What is claimed of it.
+    /// The claimed constants.
     pub constants: Constants,
 }
 
-/// A metric behind a pointer, with the constants that it claims: what is done with it is compiled once
-/// for each dimension.
+/// A metric behind a pointer, with its constants: code for it is compiled once for each dimension.
 pub type AnyBounded<'m, const D: usize> = WithConstants<AnyMetric<'m, D>>;
 
 impl<'m, const D: usize> AnyBounded<'m, D> {
@@ -33,7 +32,7 @@ impl<M: Metric<D>, const D: usize> Metric<D> for WithConstants<M> {
 }
 
 impl<M: Metric<D>, const D: usize> Bounded<D> for WithConstants<M> {
-    /// Those that are claimed.
+    /// The claimed constants.
     fn constants(&self) -> Constants {
         self.constants
     }

@@ -1,4 +1,4 @@
-//! `Measured`: length and energy of a curve, and where it ends.
+//! `Measured`: length, energy and ends of a curve.
 
 use nalgebra::SVector;
 use tautline::{AnyMetric, Integral, Metric, PointSequence, norm_squared, quadrature::integrate};
@@ -6,7 +6,7 @@ use tautline::{AnyMetric, Integral, Metric, PointSequence, norm_squared, quadrat
 use super::Curve;
 use crate::Subject;
 
-/// What Sections 3, 6 and 9 ask about a curve.
+/// The measurements of a curve for Sections 3, 6 and 9.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured<const D: usize> {
     /// The first and the last point, in `ℓ`.
@@ -15,9 +15,9 @@ pub struct Measured<const D: usize> {
     pub length: Integral,
     /// `E(γ)`, in `m²`.
     pub energy: Integral,
-    /// The least and the largest speed that was seen, in `m`.
+    /// The least and the largest speed at the times evaluated, in `m`.
     pub speeds: [f64; 2],
-    /// What rounding does to a length, in `m`.
+    /// The rounding of a length, in `m`.
     pub rounding: f64,
 }
 
@@ -28,10 +28,7 @@ impl<const D: usize> Measured<D> {
     }
 
     fn behind_pointers(metric: &AnyMetric<'_, D>, curve: &dyn Curve<D>) -> Self {
-        let square = |t: f64| {
-            let motion = curve.motion(t);
-            norm_squared(metric, &motion.position, &motion.velocity)
-        };
+        let square = |t: f64| curve.motion(t).speed_squared(metric);
         let (mut length, mut energy) = (Integral::default(), Integral::default());
         for [from, to] in curve.pieces() {
             length += inside(|t| square(t).sqrt(), from, to);
@@ -77,14 +74,14 @@ impl<const D: usize> Measured<D> {
         self.length.value.powi(2)
     }
 
-    /// Returns what is granted to `L(γ)`, in `m`.
+    /// Returns the allowance for `L(γ)`, in `m`.
     #[must_use]
     pub fn granted_length(&self) -> f64 {
         self.length.error + self.rounding
     }
 
-    /// Returns what is granted to `L(γ)²` and to `E(γ)`, in `m²`: a speed that is off by `r` moves
-    /// the energy by twice the largest speed times `r`.
+    /// Returns the allowance for `L(γ)²` and `E(γ)`, in `m²`: an error `r` of a speed changes the
+    /// energy by at most `2r` times the largest speed.
     #[must_use]
     pub fn granted_energy(&self) -> f64 {
         let slope = 2.0 * self.length.value.max(self.speeds[1]);
@@ -92,14 +89,13 @@ impl<const D: usize> Measured<D> {
     }
 }
 
-/// The points are rounded, by `ε` times their size; curves and metrics have some dozens of
-/// roundings of their own. The metric at one point may be ten times that at another. Measured
-/// over the suite: less than a fifth of this.
+/// Points are rounded by `ε` times their size, curves and metrics add some dozens of roundings, and
+/// the metric varies by a factor of up to ten. Measured over the suite: less than a fifth of this.
 fn rounding(size: f64, length: f64) -> f64 {
     64.0 * f64::EPSILON * (size + length)
 }
 
-/// To twenty roundings: positions are rounded, and speeds move with them.
+/// Integrates to twenty roundings: no better, since positions are rounded, and speeds with them.
 fn inside(f: impl Fn(f64) -> f64, from: f64, to: f64) -> Integral {
     integrate(f, from, to, 20.0 * f64::EPSILON)
 }

@@ -1,7 +1,7 @@
-//! `Motion`: where a curve is, how fast, and how its velocity changes.
+//! `Motion`: position, velocity and acceleration of a curve, and its geodesic residual.
 
 use nalgebra::SVector;
-use tautline::{AnyMetric, Jet2, Metric, MetricError};
+use tautline::{AnyMetric, Jet2, Metric, MetricError, norm_squared};
 
 use super::Curve;
 use crate::Subject;
@@ -18,7 +18,7 @@ pub struct Motion<const D: usize> {
 }
 
 impl<const D: usize> Motion<D> {
-    /// Reads a motion off the jet of a curve in the time.
+    /// Returns the motion in the jet of a curve with respect to time.
     #[must_use]
     pub fn of_jet(curve: &SVector<Jet2<f64, 1>, D>) -> Self {
         Self {
@@ -28,7 +28,7 @@ impl<const D: usize> Motion<D> {
         }
     }
 
-    /// Returns the motion of a curve whose derivatives are given: `γ(t)`, `γ̇(t)` and `γ̈(t)`.
+    /// Returns the motion with the derivatives `γ(t)`, `γ̇(t)` and `γ̈(t)`.
     #[must_use]
     pub fn new([position, velocity, acceleration]: [SVector<f64, D>; 3]) -> Self {
         Self { position, velocity, acceleration }
@@ -40,38 +40,39 @@ impl<const D: usize> Motion<D> {
         [self.position, self.velocity, self.acceleration]
     }
 
-    /// Returns the motion in coordinates whose unit is `ell` times smaller.
+    /// Returns the motion with coordinates multiplied by `ell`.
     #[must_use]
     pub fn scaled(self, ell: f64) -> Self {
-        Self {
-            position: self.position * ell,
-            velocity: self.velocity * ell,
-            acceleration: self.acceleration * ell,
-        }
+        Self::new(self.derivatives().map(|x| x * ell))
+    }
+
+    /// Returns `g(γ̇, γ̇)`, in `m²`.
+    pub(crate) fn speed_squared(&self, metric: &impl Metric<D>) -> f64 {
+        norm_squared(metric, &self.position, &self.velocity)
     }
 }
 
-/// Returns the largest of numbers that are not negative, 0 of none; NaN if one of them is.
+/// Returns the largest of nonnegative numbers, 0 if there are none, NaN if one is NaN.
 pub(crate) fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {
     let keep = |most: f64, next: f64| if next <= most || most.is_nan() { most } else { next };
     numbers.into_iter().fold(0.0, keep)
 }
 
-/// By how much a curve misses the geodesic equation (3.2).
+/// The residual of a curve in the geodesic equation (3.2).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Residual {
-    /// The largest `|γ̈ + Γ(γ̇, γ̇)|` over the times that were looked at, in `ℓ`.
+    /// The largest `|γ̈ + Γ(γ̇, γ̇)|` over the times evaluated, in `ℓ`.
     pub value: f64,
     /// The largest `|γ̈|`, in `ℓ`.
     pub acceleration: f64,
     /// The largest `|Γ(γ̇, γ̇)|`, in `ℓ`.
     pub bending: f64,
-    /// What rounding may do to it, in `ℓ`.
+    /// The allowance for rounding, in `ℓ`.
     pub granted: f64,
 }
 
 impl Residual {
-    /// Looks at the curve at its [`times`](Curve::times).
+    /// Evaluates a curve at its [`times`](Curve::times).
     ///
     /// # Errors
     ///
@@ -99,9 +100,9 @@ impl Residual {
             found.value = largest([found.value, (acceleration + bending).norm()]);
             found.acceleration = found.acceleration.max(acceleration.norm());
             found.bending = found.bending.max(bending.norm());
-            // The symbols are derivatives of H over its least eigenvalue, some dozens of roundings
-            // of their largest terms; the position is rounded as well, and they move with it by
-            // about Γ times that. Measured over the suite: less than a fifth of this.
+            // The symbols, derivatives of H over its least eigenvalue, have some dozens of
+            // roundings of their largest terms, and change by about Γ times the rounding of the
+            // position. Measured over the suite: less than a fifth of this.
             let moved = position.norm() * gamma * scale;
             found.granted = found.granted.max(512.0 * f64::EPSILON * (scale + moved));
         }

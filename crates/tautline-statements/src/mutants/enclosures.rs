@@ -1,4 +1,4 @@
-//! The mistakes of the mutants in Propositions S.6 and S.7.
+//! Mistakes in Propositions S.6 and S.7.
 
 use std::f64::consts::FRAC_PI_2;
 

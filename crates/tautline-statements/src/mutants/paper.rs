@@ -1,4 +1,4 @@
-//! The mistakes of the mutants in the paper's bounds and constants.
+//! Mistakes in the bounds and constants of the paper.
 
 use tautline::bounds;
 

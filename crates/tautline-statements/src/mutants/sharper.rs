@@ -1,4 +1,4 @@
-//! The mistakes of the mutants in Lemmas S.1, S.2, S.3 and S.5.
+//! Mistakes in Lemmas S.1, S.2, S.3 and S.5.
 
 use std::num::NonZeroUsize;
 
@@ -7,7 +7,7 @@ use tautline::bounds::{self, PaperRule, Spread};
 use super::Mutant;
 use crate::subject::Bounds;
 
-/// Puts a mistake on both spreads. It is a macro, since a function in the table captures nothing.
+/// Puts a mistake on both spreads. A macro, since a function in the table captures nothing.
 macro_rules! replace_moments {
     ($table:ident, $mistake:path) => {{
         $table.spread = |setting, rule, n, surplus| {

@@ -1,4 +1,4 @@
-//! The mistakes of the mutants in Lemma S.4, in Theorems A to D, and in the least of their bounds.
+//! Mistakes in Lemma S.4, Theorems A to D, and the least of their bounds.
 
 use std::num::NonZeroUsize;
 

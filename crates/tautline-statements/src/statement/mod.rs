@@ -1,4 +1,4 @@
-//! `Statement`: the statements of the paper, and the sharper ones, by number, label and claim.
+//! `Statement`: the statements of the paper and our sharper ones, by number, label and claim.
 
 mod row;
 mod table;
@@ -15,25 +15,25 @@ impl Statement {
         self.row().number
     }
 
-    /// Returns the TeX label in the paper; of a displayed constant, its symbol; of a statement of
-    /// ours, `sharper:` and its subject.
+    /// Returns the TeX label in the paper, the symbol of a displayed constant, or `sharper:` and the
+    /// subject of our own statement.
     #[must_use]
     pub fn label(self) -> &'static str {
         self.row().label
     }
 
-    /// Returns what it claims, in a line.
+    /// Returns the claim, in one line.
     #[must_use]
     pub fn claim(self) -> &'static str {
         self.row().claim
     }
 
-    /// Returns the hypotheses that are evaluated with every case.
+    /// Returns the hypotheses that are checked on every case.
     pub fn hypotheses(self) -> impl Iterator<Item = &'static str> {
         self.row().needs.iter().flat_map(|needs| needs.checked).copied()
     }
 
-    /// Returns the hypotheses that are assumed, since no finite number of evaluations shows them.
+    /// Returns the hypotheses that are assumed: no finite number of evaluations shows them.
     pub fn assumed(self) -> impl Iterator<Item = &'static str> {
         self.row().needs.iter().flat_map(|needs| needs.assumed).copied()
     }
@@ -44,17 +44,17 @@ impl Statement {
         self.row().verdict
     }
 
-    /// Returns whether it is one of the paper's, and not of ours.
+    /// Returns whether the statement is in the paper; the others are our own.
     #[must_use]
     pub fn is_of_the_paper(self) -> bool {
         self.verdict() != Verdict::ProvedHere
     }
 
-    /// Returns whether it is one of the paper's and bounds an error, a speed or a derivative by the
-    /// constants of the metric: Theorems 1.1 to 1.4, Propositions 7.4, 7.6, 7.7, 7.9 to 7.12, 8.1 and 8.2, and what the
-    /// displayed constants bound.
+    /// Returns whether the statement is in the paper and bounds an error, a speed or a derivative by
+    /// the constants of the metric: Theorems 1.1 to 1.4, Propositions 7.4, 7.6, 7.7, 7.9 to 7.12, 8.1
+    /// and 8.2, and the displayed constants.
     ///
-    /// The others say that something exists, or that two numbers are equal, as a definition does.
+    /// The others claim existence, or equality as a definition does.
     #[must_use]
     pub fn is_a_bound(self) -> bool {
         self.row().is_a_bound
@@ -66,7 +66,7 @@ impl Statement {
         self.row().function
     }
 
-    /// Returns why it is false as printed, if it is.
+    /// Returns the counterexample if the statement is false as printed.
     pub(crate) fn refuted_by(self) -> Option<&'static Refutation> {
         self.row().refuted_by.as_ref()
     }
@@ -83,7 +83,7 @@ mod tests {
     use super::Statement;
 
     #[test]
-    fn labels_and_numbers_are_different_and_in_order() {
+    fn labels_and_numbers_are_distinct_and_the_paper_comes_first() {
         for (k, statement) in Statement::ALL.into_iter().enumerate() {
             assert_eq!(statement as usize, k);
             for other in &Statement::ALL[..k] {
@@ -99,11 +99,9 @@ mod tests {
         let of_the_paper = || Statement::ALL.iter().filter(|statement| statement.is_of_the_paper());
         assert_eq!(of_the_paper().filter(numbered).count(), 30);
         assert_eq!(of_the_paper().count(), 40);
-        // The paper's come first.
         assert!(Statement::ALL[..40].iter().all(|statement| statement.is_of_the_paper()));
     }
 
-    /// What the suite of the paper's bounds alone asserts is the paper's.
     #[test]
     fn the_sharper_statements_are_not_among_the_bounds_of_the_paper() {
         for statement in Statement::ALL.into_iter().filter(|statement| !statement.is_of_the_paper())

@@ -1,8 +1,8 @@
-//! `Row`: what is written of a statement, and the macro that makes the enum of all rows.
+//! `Row`: the static facts of a statement, and the macro that makes the enum of all rows.
 
 use crate::{Evidence, Verdict, VerifyError};
 
-/// What is known of a statement without evaluating it.
+/// The static facts of a statement.
 pub(crate) struct Row {
     pub(crate) number: &'static str,
     pub(crate) label: &'static str,
@@ -16,9 +16,9 @@ pub(crate) struct Row {
 
 /// Hypotheses that belong together.
 pub(crate) struct Needs {
-    /// Those that are evaluated with every case.
+    /// Checked on every case.
     pub(crate) checked: &'static [&'static str],
-    /// Those that no finite number of evaluations shows.
+    /// Assumed: no finite number of evaluations shows them.
     pub(crate) assumed: &'static [&'static str],
 }
 
@@ -30,11 +30,9 @@ pub(super) const fn assumed(assumed: &'static [&'static str]) -> Needs {
     Needs { checked: &[], assumed }
 }
 
-/// Why a statement is false as printed.
+/// A counterexample to a statement as printed; see [`Erratum`](crate::Erratum).
 pub(crate) struct Refutation {
-    /// The smallest counterexample that we know, in words.
     pub(crate) witness: &'static str,
-    /// Who relies on the statement, and whether it matters there.
     pub(crate) relied_on_by: &'static str,
     /// Evaluates the printed form on the counterexample.
     pub(crate) evidence: fn() -> Result<Evidence, VerifyError>,
@@ -42,9 +40,9 @@ pub(crate) struct Refutation {
 
 /// Makes the enum [`Statement`](crate::Statement), its list and its rows from the table.
 ///
-/// The last two fields of a row may be left out: `is_a_bound` for a statement that bounds an error, a
-/// speed or a derivative by constants of the metric, and `refuted_by` for one that is false as printed.
-/// `code` is a function of this crate; a name that does not exist does not compile.
+/// The last two fields of a row are optional: `is_a_bound` for a statement that bounds an error, a
+/// speed or a derivative by constants of the metric, and `refuted_by` for one that is false as
+/// printed. `code` is a function of this crate; an unknown name does not compile.
 macro_rules! statements {
     ($($name:ident {
         number: $number:literal,
@@ -56,8 +54,8 @@ macro_rules! statements {
         $(is_a_bound: $bound:literal,)?
         $(refuted_by: $refutation:expr,)?
     })*) => {
-        /// A numbered statement of the paper, a claim of its Section 5, or a displayed constant, in
-        /// the order of the paper; after them our own, in the order of `paper/SHARPER.md`.
+        /// The numbered statements of the paper, the claims of its Section 5 and its displayed
+        /// constants, in the order of the paper; then our own, in the order of `paper/SHARPER.md`.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum Statement {
             $(#[doc = $number] #[doc = concat!("(`", $label, "`): ", $claim, ".")] $name,)*
@@ -85,14 +83,14 @@ macro_rules! statements {
         }
 
         const _: () = {
-            #[allow(unused_imports, reason = "that the names exist is what is asked")]
+            #[allow(unused_imports, reason = "checks that the names exist")]
             use crate::statements::{$($code as _),*};
         };
     };
 }
 pub(super) use statements;
 
-/// The value that is given, or else the default.
+/// The given value, or else the default.
 macro_rules! or {
     ($default:expr) => {
         $default

@@ -1,4 +1,4 @@
-//! The table of statements: one row each. Pages, tables and tests follow from it.
+//! The table of statements, one row each: pages, tables and tests are made from it.
 
 use super::row::{Needs, Refutation, Row, assumed, checked, or, statements};
 use crate::{
@@ -16,7 +16,7 @@ const CURVATURE: Needs =
 
 const ENDS: Needs = checked(&["the ends lie in X⁽⁰⁾ and X⁽¹⁾"]);
 
-/// That a point sequence has no more energy than the proof shows of the minimum.
+/// The sequence has at most the energy that the proof has for the minimum.
 const MINIMISER: Needs = checked(&[
     "the rule is that of the theorem",
     "the ends lie in X⁽⁰⁾ and X⁽¹⁾",
@@ -29,7 +29,7 @@ const GEODESIC: Needs = checked(&["|γ̈ + Γ(γ̇, γ̇)| = 0", "|g(γ̇, γ̇)
 
 const NO_KINK: Needs = checked(&["γ̇ does not jump"]);
 
-// `‖·‖` is the norm of L² over the interval that is meant.
+// `‖·‖` is the norm of L² over the interval in question.
 statements! {
     Theorem1_1 {
         number: "Theorem 1.1",

@@ -1,8 +1,8 @@
-//! Proposition 7.12, `K_{1,g}` and `K_{2,g}`: how fast a minimal geodesic goes, and how much it
-//! bends.
+//! Proposition 7.12, `K_{1,g}`, `K_{2,g}` and Lemma S.1: speed and acceleration of a minimal
+//! geodesic.
 
 use nalgebra::SVector;
-use tautline::{Bounded, Constants, MetricError, bounds::Setting, norm_squared};
+use tautline::{Bounded, Constants, bounds::Setting, norm_squared};
 
 use crate::{
     Evidence, GramRange, Statement, Subject, Unit, VerifyError,
@@ -16,12 +16,12 @@ struct Instant {
     evidence: Evidence,
     speed: f64,
     acceleration: f64,
-    /// What is granted to `γ̇` and to `γ̈`, in `ℓ`.
+    /// The allowances for `γ̇` and `γ̈`, in `ℓ`.
     granted: [f64; 2],
 }
 
 impl Instant {
-    /// Checks that `γ` has the speed `d` at the time `t` and satisfies the geodesic equation there.
+    /// Checks the speed `d` and the geodesic equation at the time `t`.
     fn of<const D: usize>(
         statement: Statement,
         subject: &Subject,
@@ -40,8 +40,8 @@ impl Instant {
         let [size, a1, a2] = curve.suprema();
         let natural = constants.l_h() / constants.c1();
         let condition = constants.c2() / constants.c1();
-        // Of a derivative a dozen roundings; the metric is read at a point that is off by a few
-        // ε|γ|, and turns once or so in c₁/L_H; a Γ is off by ε times the condition number.
+        // A dozen roundings a derivative. The metric is evaluated at a point that is off by a few
+        // ε|γ|, and varies on the scale c₁/L_H; Γ is off by ε times the condition number.
         let relative = 128.0 * f64::EPSILON * (1.0 + condition + size * natural);
         let granted = [relative * a1, relative * (a2 + 1.5 * natural * a1 * a1)];
         let seen = GramRange::near(metric, constants, &position)?;
@@ -61,17 +61,15 @@ impl Instant {
 
 /// Evaluates `K_{1,g} = d/√c₁` on a minimal geodesic at the time `t`: `|γ̇(t)| ≤ K_{1,g}`.
 ///
-/// That the geodesic is minimal is in `distance`: its speed has to be the distance `d` of its ends.
-/// Of the geodesic equation, and of `c₂` and `L_H`, no use is made.
+/// Minimality is checked by `distance`: the speed must be the distance `d` of the ends. The bound
+/// uses neither the geodesic equation nor `c₂` and `L_H`.
 ///
-/// Overestimation: none where `H = c₁` in the direction of `γ̇`.
-///
-/// Identity: `c₁ K_{1,g}²` is `d²`.
+/// Attained where `H = c₁` in the direction of `γ̇`. Identity: `c₁ K_{1,g}² = d²`.
 ///
 /// # Errors
 ///
 /// [`VerifyError::Metric`] where `H` is not positive definite, [`VerifyError::Bound`] if `distance`
-/// is no distance.
+/// is negative or not finite.
 #[doc(alias = "K_{1,g}")]
 pub fn constant_k1<const D: usize>(
     subject: &Subject,
@@ -94,12 +92,12 @@ pub fn constant_k1<const D: usize>(
 /// Evaluates `K_{2,g} = 3 L_H D² K_{1,g}²/2c₁` on a minimal geodesic at the time `t`:
 /// `|γ̈(t)| ≤ K_{2,g}`.
 ///
-/// Needs: as [`constant_k1`], the geodesic equation, and `H` Lipschitz; no `c₂`.
+/// Needs: as [`constant_k1`], the geodesic equation, and `H` Lipschitz; not `c₂`.
 ///
-/// Overestimation: `D²` at best for `D ≥ 2`, and 3 on the line, see the companion.
+/// Overestimation: at least `D²` for `D ≥ 2`, and 3 on the line, by the companion.
 ///
 /// Companion: `|γ̈| ≤ ω (L_H/c₁) K_{1,g}²` with `ω = 3/2`, and `½` for an isotropic metric and on
-/// the line (Lemma S.1). Identity: `K_{2,g}` is what it is defined to be.
+/// the line (Lemma S.1). Identity: the definition of `K_{2,g}`.
 ///
 /// # Errors
 ///
@@ -144,13 +142,12 @@ pub fn constant_k2<const D: usize>(
 /// |γ̈(t)|  ≤  G d/√c₁,        γ̈ᵀ H(γ) γ̈  ≤  G² d²
 /// ```
 ///
-/// with the [`G`](Setting::bend) of the setting: `ωδ` with `ω = 3/2`, and `½` for an isotropic
-/// metric and on the line; for these less, if `M_H` is known.
+/// with the [`G`](Setting::bend) of the setting: `ωδ`, where `ω = 3/2`, and `½` for an isotropic
+/// metric and on the line; in the last two cases less, if `M_H` is known.
 ///
-/// Needs: as [`constant_k2`], and what `G` rests on.
+/// Needs: as [`constant_k2`], and the hypotheses of `G`.
 ///
-/// Overestimation: none in either, at 0 over a twist for `D ≥ 2`, and at the foot of an incline for
-/// `ω = ½`.
+/// Both are attained: at 0 over a twist for `D ≥ 2`, and at the foot of an incline for `ω = ½`.
 ///
 /// # Errors
 ///
@@ -186,11 +183,11 @@ pub fn lemma_s_1<const D: usize>(
 /// ‖γ̇‖  ≤  K_{1,g},        ‖γ̈‖  ≤  K_{2,g}
 /// ```
 ///
-/// Needs: `H ≥ c₁`, `H` Lipschitz, and `E(γ) ≤ d²`, which is what a minimiser is. Neither `c₂` nor
-/// closed sets are needed.
+/// Needs: `H ≥ c₁`, `H` Lipschitz, and `E(γ) ≤ d²`, which defines a minimiser; neither `c₂` nor
+/// closed sets.
 ///
-/// Overestimation: none in the first where `H = c₁` in the direction of the geodesic; in the second
-/// that of [`constant_k2`].
+/// The first is attained where `H = c₁` in the direction of the geodesic; the second is overestimated
+/// as in [`constant_k2`].
 ///
 /// Companion: `‖γ̈‖ ≤ ω (L_H/c₁) K_{1,g}²` with the `ω` of Lemma S.1.
 ///
@@ -208,15 +205,15 @@ pub fn prop_7_12<const D: usize>(
     let constants = setting.constants();
     let energy = curve_energy(metric, curve, 4);
     let [velocity, acceleration] = [1, 2].map(|k| l2_norm(curve, k, [0.0, 1.0]));
-    let seen = seen_along(metric, curve)?;
+    let seen = GramRange::along(metric, (0..9).map(|k| curve.motion(f64::from(k) / 8.0).position))?;
     let [size, a1, _] = curve.suprema();
-    // As for a single time: the integrand is off by roundings of γ̇, and of the point where the
-    // metric is read. The distance is a difference of numbers of the size of √c₂ |γ|.
+    // As for a single time: γ̇ and the argument of the metric are rounded. The distance is a
+    // difference of numbers of the size of √c₂ |γ|.
     let relative = 128.0 * f64::EPSILON * (1.0 + size * constants.l_h() / constants.c1());
     let granted = energy.error
         + constants.c2() * a1 * (2.0 * relative * a1)
         + 64.0 * f64::EPSILON * constants.c2().sqrt() * size * distance;
-    // And so are K₁, and the K₂ that has K₁² in it.
+    // So are K₁ and K₂, which contains K₁².
     let off = 32.0 * f64::EPSILON * constants.c2().sqrt() * size / constants.c1().sqrt();
     let bend = subject.k2_sharp(without_m_h(setting)?);
     let granted_bend = acceleration.error
@@ -240,15 +237,7 @@ pub fn prop_7_12<const D: usize>(
         .sharper("‖γ̈‖ ≤ ω L_H K₁²/c₁", Unit::COORDINATE, [acceleration.value, bend], granted_bend))
 }
 
-/// What the metric does at nine points of a curve.
-fn seen_along<const D: usize>(
-    metric: &impl Bounded<D>,
-    curve: &impl BoundedCurve<D>,
-) -> Result<GramRange, MetricError> {
-    GramRange::along(metric, (0..9).map(|k| curve.motion(f64::from(k) / 8.0).position))
-}
-
-/// The setting as if `M_H` were not known: what Lemma S.1 has by `L_H` alone.
+/// The setting without `M_H`, for the bound of Lemma S.1 by `L_H` alone.
 fn without_m_h(setting: Setting) -> Result<Setting, VerifyError> {
     let known = setting.constants();
     let constants = Constants::new(known.c1(), known.c2(), known.l_h())?;

@@ -1,8 +1,7 @@
-//! The constants of Theorems 1.1 and 1.3: `K̄_{3,g}`, `K̄_{4,g}` and both `C`, on computed
-//! minimisers.
+//! The constants of Theorems 1.1 and 1.3, on computed minimisers: `K̄_{3,g}`, `K̄_{4,g}` and both `C`.
 //!
-//! What is needed of the minimiser is the premise of Theorems 1.1 to 1.4, an upper bound of its
-//! discrete energy; it is a hypothesis here too.
+//! As for Theorems 1.1 to 1.4, the hypothesis on the minimiser is an upper bound on its discrete
+//! energy.
 
 use super::section_1::begin_in_the_paper;
 use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};
@@ -13,7 +12,7 @@ use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};
 /// K₃ ≤ K̄_{3,g} = √((d² + C_tra♯)/c₁)
 /// ```
 ///
-/// Once as it is, and once as a gap, `c₁K₃² − d² ≤ c₁K̄²_{3,g} − d²`, in which `C_tra♯` is seen.
+/// Compared as it is, and as a gap `c₁K₃² − d² ≤ c₁K̄²_{3,g} − d²`, which shows `C_tra♯`.
 #[doc(alias = "overline K_{3,g}")]
 #[must_use]
 pub fn constant_k3_bar<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
@@ -28,7 +27,7 @@ pub fn constant_k3_bar<const D: usize>(subject: &Subject, seen: &Reconstruction<
 /// K₃ ≤ K̄_{4,g} = √((d² + C_tra♯ + ½ L_H K̄_{3,g}³)/c₁)
 /// ```
 ///
-/// Once as it is, and once as a gap, `c₁K₃² − d² ≤ c₁K̄²_{4,g} − d²`.
+/// Compared as it is, and as a gap `c₁K₃² − d² ≤ c₁K̄²_{4,g} − d²`.
 #[doc(alias = "overline K_{4,g}")]
 #[must_use]
 pub fn constant_k4_bar<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
@@ -38,7 +37,7 @@ pub fn constant_k4_bar<const D: usize>(subject: &Subject, seen: &Reconstruction<
     speed(begun, seen, bar, ["K₃ ≤ K̄_{4,g}", "c₁K₃² − d² ≤ c₁K̄²_{4,g} − d²"])
 }
 
-/// `K₃` of a minimiser against its bound.
+/// Compares `K₃` of a minimiser with its bound.
 fn speed<const D: usize>(
     evidence: Evidence,
     seen: &Reconstruction<D>,
@@ -46,7 +45,7 @@ fn speed<const D: usize>(
     [plain, gap]: [&'static str; 2],
 ) -> Evidence {
     let (c1, d2) = (seen.setting.constants().c1(), seen.distance_squared);
-    // dK₃ = dE/(2 c₁ K₃), where E is what is granted an error; and K₃ = 0 where all points are one.
+    // dK₃ = dE/(2 c₁ K₃), and K₃ = 0 if all points coincide.
     let granted = if seen.k3 > 0.0 { 0.5 * seen.granted / (c1 * seen.k3) } else { 0.0 };
     let [observed, bound] = [seen.k3, bar].map(|k| c1 * k * k - d2);
     // K̄ is a square root of a sum, squared again: a few roundings of the bound.
@@ -70,18 +69,14 @@ fn speed<const D: usize>(
 #[doc(alias = "C (Theorem 1.1)")]
 #[must_use]
 pub fn constant_c_1_1<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
-    let (setting, n) = (seen.setting, seen.n);
-    let (k1, k2) = (subject.k1_g(setting), subject.k2_g(setting));
-    let sharp = subject.c_tra_sharp(setting.constants(), k1, k2);
+    let setting = seen.setting;
     let cube = setting.constants().l_h() * subject.k3_bar_g(setting).powi(3);
-    let total = Excess {
-        by_parts: subject.theorem_1_1_excess(setting, n),
+    let excess = Excess {
+        by_parts: subject.theorem_1_1_excess(setting, seen.n),
         constant: subject.theorem_1_1_constant(setting),
-        sum: sharp + 0.25 * cube,
-        first_order: subject.theorem_a_excess(setting, PaperRule::Trapezoidal, n),
+        cubes: 0.25 * cube,
     };
-    let begun = begin_in_the_paper(Statement::ConstantC1_1, subject, seen, PaperRule::Trapezoidal);
-    total.conclude(begun, seen)
+    excess.conclude(Statement::ConstantC1_1, subject, seen, PaperRule::Trapezoidal)
 }
 
 /// Evaluates the constant `C` of Theorems 1.3 and 1.4 on a computed minimiser of the left-endpoint
@@ -92,51 +87,54 @@ pub fn constant_c_1_1<const D: usize>(subject: &Subject, seen: &Reconstruction<D
 /// C  =  C_tra♯ + L_H (K̄_{3,g}³ + K̄_{4,g}³)/2
 /// ```
 ///
-/// The other two gaps which it bounds are those of Theorem 1.3. Companion: the excess is of order
-/// `1/N`.
+/// The other two gaps that it bounds are in Theorem 1.3. Companion: the excess is of order `1/N`.
 #[doc(alias = "C (Theorem 1.3)")]
 #[must_use]
 pub fn constant_c_1_3<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
-    let (setting, n) = (seen.setting, seen.n);
-    let (k1, k2) = (subject.k1_g(setting), subject.k2_g(setting));
-    let sharp = subject.c_tra_sharp(setting.constants(), k1, k2);
+    let setting = seen.setting;
     let cubes = subject.k3_bar_g(setting).powi(3) + subject.k4_bar_g(setting).powi(3);
-    let total = Excess {
-        by_parts: subject.theorem_1_3_excess(setting, n),
+    let excess = Excess {
+        by_parts: subject.theorem_1_3_excess(setting, seen.n),
         constant: subject.theorem_1_3_constant(setting),
-        sum: sharp + 0.5 * setting.constants().l_h() * cubes,
-        first_order: subject.theorem_a_excess(setting, PaperRule::LeftEndpoint, n),
+        cubes: 0.5 * setting.constants().l_h() * cubes,
     };
-    let begun = begin_in_the_paper(Statement::ConstantC1_3, subject, seen, PaperRule::LeftEndpoint);
-    total.conclude(begun, seen)
+    excess.conclude(Statement::ConstantC1_3, subject, seen, PaperRule::LeftEndpoint)
 }
 
-/// The bounds of `E(γᵖˡ) − d²`, in `m²`.
+/// The bounds on `E(γᵖˡ) − d²`, in `m²`.
 struct Excess {
-    /// As the proof has it, part by part.
+    /// The bound of the proof, part by part.
     by_parts: f64,
     /// `C`.
     constant: f64,
-    /// `C` by its formula, from the constants of which it is made.
-    sum: f64,
-    first_order: f64,
+    /// The terms of `C` after `C_tra♯`, by their formula.
+    cubes: f64,
 }
 
 impl Excess {
-    fn conclude<const D: usize>(self, evidence: Evidence, seen: &Reconstruction<D>) -> Evidence {
-        let excess = seen.energy.value - seen.distance_squared;
+    fn conclude<const D: usize>(
+        self,
+        statement: Statement,
+        subject: &Subject,
+        seen: &Reconstruction<D>,
+        rule: PaperRule,
+    ) -> Evidence {
+        let (setting, excess) = (seen.setting, seen.energy.value - seen.distance_squared);
+        let (k1, k2) = (subject.k1_g(setting), subject.k2_g(setting));
+        let sum = subject.c_tra_sharp(setting.constants(), k1, k2) + self.cubes;
+        let first_order = subject.theorem_a_excess(setting, rule, seen.n);
         let bound = self.constant / (seen.n.get() as f64).sqrt();
         // C is a product of cubes of sums of cubes: some 40 roundings, and powers up to 9.
         let rounding = 1e-13 * self.constant;
-        evidence
+        begin_in_the_paper(statement, subject, seen, rule)
             .stated("E(γᵖˡ) − d² ≤ by parts", Unit::ENERGY, [excess, self.by_parts], seen.granted)
             .sharper("by parts ≤ C/√N", Unit::ENERGY, [self.by_parts, bound], rounding)
             .identity(
                 ["C ≤ the sum of its parts", "the sum of its parts ≤ C"],
                 Unit::ENERGY,
-                [self.constant, self.sum],
+                [self.constant, sum],
                 rounding,
             )
-            .sharper("E(γᵖˡ) − d² = O(1/N)", Unit::ENERGY, [excess, self.first_order], seen.granted)
+            .sharper("E(γᵖˡ) − d² = O(1/N)", Unit::ENERGY, [excess, first_order], seen.granted)
     }
 }

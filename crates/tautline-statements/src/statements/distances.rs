@@ -7,8 +7,8 @@ use crate::{Evidence, GramRange, Known, Statement, Subject, Unit};
 
 /// Evaluates Proposition 3.3 on two points: `c₁|x − y|² ≤ d(x, y)² ≤ c₂|x − y|²`.
 ///
-/// Completeness itself is the consequence that a sequence is of Cauchy for `d` if and only if it
-/// is for the Euclidean distance. For that `c₁` alone is needed.
+/// Completeness follows: a sequence is Cauchy for `d` if and only if it is for the Euclidean
+/// distance. This needs only `c₁`.
 ///
 /// Equality: a constant metric, along its eigenvectors.
 ///
@@ -27,11 +27,10 @@ pub fn prop_3_3<M: Bounded<D>, const D: usize>(
     let constants = subject.constants(&known.metric);
     let (c1, c2) = (constants.c1(), constants.c2());
     let (d2, euclidean) = (known.distance.powi(2), (x - y).norm_squared());
-    // A dozen roundings an entry of H, as for the other hypotheses on it, and of a product.
+    // A dozen roundings an entry of H, and a product.
     let rounding = 1e-14 * seen.high;
-    let granted = 2.0 * known.distance * known.distance_error + rounding * euclidean;
-    // The supremum over 33 points: between two of them H is larger by c₂ − c₁ at most, and by
-    // L_H |x − y|/64.
+    let granted = known.squared_error() + rounding * euclidean;
+    // From 33 points to the segment: H grows by at most c₂ − c₁ and L_H |x − y|/64 between them.
     let top = seen.high + (constants.l_h() * euclidean.sqrt() / 64.0).min(c2 - c1);
     Ok(Evidence::of(Statement::Proposition3_3)
         .given("c₁ ≤ λ_min(H)", Unit::GRAM, [c1, seen.low], rounding)

@@ -1,4 +1,4 @@
-//! Section 6: the least energy is the square of the distance, between points and between sets.
+//! Section 6: the least energy is the squared distance, between points and between sets.
 
 use nalgebra::SVector;
 use tautline::{Metric, MetricError};
@@ -11,33 +11,29 @@ use crate::{
 
 /// Evaluates Proposition 6.1 on a curve between two points: `d² ≤ L(γ)² ≤ E(γ)`.
 ///
-/// Equality: minimal geodesics, for which see [`prop_6_1_minimiser`], and nothing else. That the
-/// minima are attained: [`prop_6_1_attained`].
+/// Equality for minimal geodesics only, see [`prop_6_1_minimiser`]. [`prop_6_1_attained`] checks that
+/// the minima are attained.
 #[doc(alias = "prop:geodesic_len_and_energy")]
 pub fn prop_6_1<M, const D: usize>(
     subject: &Subject,
     known: &Known<M, D>,
     seen: &Measured<D>,
 ) -> Evidence {
-    no_curve_is_shorter(
-        given_points(Evidence::of(Statement::Proposition6_1), subject, known),
-        subject,
-        known,
-        seen,
-    )
+    let evidence = given_points(Evidence::of(Statement::Proposition6_1), subject, known);
+    no_curve_is_shorter(evidence, subject, known, seen)
 }
 
 /// Adds the hypothesis that both sets are points.
 ///
-/// With `R` the radius of a set, it is a point if and only if it sends the `2D` points `±s eᵢ` to
-/// the same one, for an `s ≥ √D R`. If two points `p ≠ q` of it had `p` nearest to all of them,
+/// A set of radius `R` is a point if and only if it projects the `2D` points `±s eᵢ` to the same
+/// point, for an `s ≥ √D R`. For if it contained `p ≠ q`, with `p` nearest to all of them, then
 /// `2s |pᵢ − qᵢ| ≤ |q|² − |p|²` for every `i`; but
 ///
 /// ```text
 /// |q|² − |p|² = (q − p)·(q + p) < 2R |q − p| ≤ 2R √D maxᵢ |pᵢ − qᵢ|
 /// ```
 ///
-/// A set without a radius is not bounded, and no point.
+/// A set without a radius is unbounded and not a point.
 fn given_points<M, const D: usize>(
     evidence: Evidence,
     subject: &Subject,
@@ -59,13 +55,13 @@ fn given_points<M, const D: usize>(
     evidence.given(claim, Unit::COORDINATE, [largest(spread), 0.0], 0.0)
 }
 
-/// Evaluates that the minima of Proposition 6.1 are attained: by the curve which is shown.
+/// Evaluates that the given curve attains the minima of Proposition 6.1.
 ///
 /// ```text
 /// γ ∈ C(x⁰, x¹),    L(γ)² ≤ d²,    E(γ) ≤ d²
 /// ```
 ///
-/// Needs: that there is a minimal geodesic, as in a complete space, out of which there is no way.
+/// Needs: a minimal geodesic, as in a complete space, which has no way out.
 #[doc(alias = "prop:geodesic_len_and_energy")]
 pub fn prop_6_1_attained<M, const D: usize>(
     subject: &Subject,
@@ -77,11 +73,11 @@ pub fn prop_6_1_attained<M, const D: usize>(
     is_attained(evidence, subject, known, seen, way_out)
 }
 
-/// Evaluates that the minima of Proposition 6.3 are attained, as [`prop_6_1_attained`] does.
+/// Evaluates that the given curve attains the minima of Proposition 6.3, as [`prop_6_1_attained`].
 ///
-/// Needs: a complete space, and that one of the sets is bounded. [`tautline::Ends`] sees to the
-/// second; without it there may be no nearest pair, and then no shortest curve: see
-/// [`prop_6_2`](super::prop_6_2), and for the discrete energies [`prop_7_1`](super::prop_7_1).
+/// Needs: a complete space and a bounded set, which [`tautline::Ends`] ensures. Without one there may
+/// be no nearest pair and no shortest curve: see [`prop_6_2`](super::prop_6_2), and
+/// [`prop_7_1`](super::prop_7_1) for the discrete energies.
 #[doc(alias = "prop:geodesic_len_and_energy_2")]
 pub fn prop_6_3_attained<M, const D: usize>(
     subject: &Subject,
@@ -101,7 +97,7 @@ fn is_attained<M, const D: usize>(
 ) -> Evidence {
     let (off, rounding) = off_sets(subject, known, seen);
     let d2 = known.distance.powi(2);
-    let granted = seen.granted_energy() + 2.0 * known.distance * known.distance_error;
+    let granted = seen.granted_energy() + known.squared_error();
     way_out
         .given_longer(evidence, [known.distance, known.distance_error])
         .stated("γ joins the sets", Unit::COORDINATE, [off, 0.0], rounding)
@@ -111,15 +107,15 @@ fn is_attained<M, const D: usize>(
 
 /// Evaluates Proposition 6.3 on a curve between two closed sets: `d² ≤ L(γ)² ≤ E(γ)`.
 ///
-/// Equality: minimal geodesics between a nearest pair. That the minima are attained:
-/// [`prop_6_3_attained`].
+/// Equality for minimal geodesics between a nearest pair. [`prop_6_3_attained`] checks that the
+/// minima are attained.
 #[doc(alias = "prop:geodesic_len_and_energy_2")]
 pub fn prop_6_3<M, const D: usize>(
     subject: &Subject,
     known: &Known<M, D>,
     seen: &Measured<D>,
 ) -> Evidence {
-    // `Ends` has one bounded set at least, so that this is no hypothesis to be checked.
+    // `Ends` has a bounded set, so this hypothesis needs no check.
     no_curve_is_shorter(Evidence::of(Statement::Proposition6_3), subject, known, seen)
 }
 
@@ -132,15 +128,14 @@ fn no_curve_is_shorter<M, const D: usize>(
     let (off, rounding) = off_sets(subject, known, seen);
     let d2 = known.distance.powi(2);
     let (length2, energy) = (seen.length_squared(), seen.energy.value);
-    let granted = seen.granted_energy() + 2.0 * known.distance * known.distance_error;
+    let granted = seen.granted_energy() + known.squared_error();
     evidence
         .given("the ends lie in X⁽⁰⁾ and X⁽¹⁾", Unit::COORDINATE, [off, 0.0], rounding)
         .stated("d² ≤ L(γ)²", Unit::ENERGY, [d2, length2], granted)
         .stated("L(γ)² ≤ E(γ)", Unit::ENERGY, [length2, energy], granted)
 }
 
-/// Evaluates the second claim of Proposition 6.1 on a curve: if its energy is `d²`, it is a minimal
-/// geodesic.
+/// Evaluates the second claim of Proposition 6.1: a curve of energy `d²` is a minimal geodesic.
 ///
 /// # Errors
 ///
@@ -155,7 +150,7 @@ pub fn prop_6_1_minimiser<M: Metric<D>, const D: usize>(
     let residual = Residual::of(subject, &known.metric, curve)?;
     let (off, rounding) = off_sets(subject, known, &seen);
     let length = seen.granted_length() + known.distance_error;
-    let granted = seen.granted_energy() + 2.0 * known.distance * known.distance_error;
+    let granted = seen.granted_energy() + known.squared_error();
     Ok(Evidence::of(Statement::Proposition6_1)
         .given("the ends lie in X⁽⁰⁾ and X⁽¹⁾", Unit::COORDINATE, [off, 0.0], rounding)
         .given("E(γ) ≤ d²", Unit::ENERGY, [seen.energy.value, known.distance.powi(2)], granted)

@@ -1,4 +1,4 @@
-//! Proposition 7.1: the discrete energies have minimisers, and where to look for them.
+//! Proposition 7.1: the discrete energies have minimisers, in a known region.
 
 use nalgebra::SVector;
 use tautline::{Bounded, ClosedSet, PointSequence};
@@ -8,17 +8,16 @@ use crate::{
     discrete_energy, reconstruction::nodes, with_rule::with_rule,
 };
 
-/// Evaluates Proposition 7.1 on two admissible sequences of the same `N`, of which the first is
-/// said to be a minimiser.
+/// Evaluates Proposition 7.1 on two admissible sequences with the same `N`; the first claims to be a
+/// minimiser.
 ///
 /// ```text
 /// |xₙ − X| ≤ √(R/c₁) for both,    E_N(γ*) ≤ E_N(γᵖ) = R
 /// ```
 ///
-/// with the bounded set `X` and the energy `R` of the second: the first line is the proof's, by
-/// which sequences with at most the energy `R` form a compact set, and a box in which a search may
-/// stay; the second is what being a minimiser says. Companion: even the whole way `Σ |xₙ₊₁ − xₙ|`
-/// is at most `√(R/c₁)`.
+/// with the bounded set `X` and the energy `R` of the second sequence. By the first inequality, from
+/// the proof, sequences of energy at most `R` form a compact set, and a search may stay in a box. The
+/// second defines a minimiser. Companion: even the total way `Σ |xₙ₊₁ − xₙ|` is at most `√(R/c₁)`.
 ///
 /// # Errors
 ///
@@ -36,7 +35,7 @@ pub fn prop_7_1<const D: usize>(
     let bounded = sets.iter().find(|set| set.radius().is_some_and(f64::is_finite));
     let unbounded = if bounded.is_some() { 0.0 } else { 1.0 };
     let differ = minimiser.n().get().abs_diff(other.n().get()) as f64;
-    // How far a sequence goes from the bounded set.
+    // The greatest distance of a sequence from the bounded set.
     let reach = |sequence: &PointSequence<D>| match bounded {
         Some(&set) => sequence
             .points()
@@ -57,9 +56,9 @@ pub fn prop_7_1<const D: usize>(
         [minimiser, other].map(|sequence| discrete_energy(subject, rule, metric, sequence));
     let way: f64 = other.chords().map(|(_, chord)| chord.norm()).sum();
     let radius = (energy / c1).sqrt();
-    // A projection of 4 D roundings of coordinates, and a root of a compensated sum.
+    // A projection with 4 D roundings of coordinates, and a root of a compensated sum.
     let rounding = 1e-14 * (size + radius);
-    // Points of size |x| are rounded, and the momentum 2√(c₂E) makes energy of that.
+    // Points of size |x| are rounded, which the momentum 2√(c₂E) turns into energy.
     let momentum = 2.0 * (gram.high * least.max(0.0)).sqrt();
     let granted = 1e-14 * (least + energy) + 8.0 * f64::EPSILON * size * momentum;
     Ok(Evidence::of(Statement::Proposition7_1)
@@ -79,7 +78,7 @@ pub fn prop_7_1<const D: usize>(
         .sharper("Σ |xₙ₊₁ − xₙ| ≤ √(R/c₁)", Unit::COORDINATE, [way, radius], rounding))
 }
 
-/// Evaluates what a minimiser is besides, a critical point: companions of Proposition 7.1.
+/// Evaluates that a minimiser is a critical point: companions of Proposition 7.1.
 ///
 /// ```text
 /// ρₙ = (N/2) ∂E_N/∂xₙ = 0 inside,    P(x − s ∂E_N/∂x) = x at the ends, for small s > 0
@@ -87,14 +86,13 @@ pub fn prop_7_1<const D: usize>(
 /// ```
 ///
 /// with `w = ½` for the trapezoidal rule and `w = ⅝` for the left one. The last is a discrete
-/// Proposition 3.1, speeds that are nearly equal; it follows from the first.
+/// Proposition 3.1, nearly equal speeds; it follows from the first.
 ///
-/// # What is granted
+/// # Allowance
 ///
-/// A search ends where a Newton step promises to lower the energy by `10⁻¹⁸ E`. The Hessian is at
-/// most `8 N c₂` or so, hence `|∂E|² ≤ 16 N c₂ · 10⁻¹⁸ E`, and `((1/N) Σ |ρₙ|²)^{1/2} = ½√N |∂E|`
-/// is at most `2 N (c₂E)^{1/2} 10⁻⁹`. Rounding of the points moves it by `ε N² |x| c₂`, a few
-/// times.
+/// A search stops where a Newton step would lower the energy by `10⁻¹⁸ E`. The Hessian is at most
+/// about `8 N c₂`, hence `|∂E|² ≤ 16 N c₂ · 10⁻¹⁸ E`, and `((1/N) Σ |ρₙ|²)^{1/2} = ½√N |∂E|` is at
+/// most `2 N (c₂E)^{1/2} 10⁻⁹`. Rounding of the points adds a few `ε N² |x| c₂`.
 #[must_use]
 pub fn critical_point<M: Bounded<D>, const D: usize>(
     subject: &Subject,
@@ -116,7 +114,7 @@ pub fn critical_point<M: Bounded<D>, const D: usize>(
     let inner = &gradient[1..n];
     let squares: f64 = inner.iter().map(|g| (g * (0.5 * count)).norm_squared()).sum();
     let residual = (squares / count).sqrt();
-    // s of the size of the inverse Hessian, so that the step is short; ½|∂E| is a momentum.
+    // s of the size of the inverse Hessian makes a short step; ½|∂E| is a momentum.
     let s = 1.0 / (2.0 * count * c2);
     let ends = [
         (known.ends.first(), sequence.first(), &gradient[0]),
@@ -130,7 +128,7 @@ pub fn critical_point<M: Bounded<D>, const D: usize>(
     });
     let excess = |[step, bound]: &[f64; 2]| step - bound;
     let worst = steps.max_by(|a, b| excess(a).total_cmp(&excess(b))).unwrap_or([0.0, 0.0]);
-    // What is left of ∂E shows in the speeds by |ρₙ|/(N √c₁), and |ρₙ| ≤ √N granted.
+    // The remaining ∂E changes the speeds by |ρₙ|/(N √c₁), and |ρₙ| ≤ √N granted.
     let speed_granted = granted / (count * constants.c1()).sqrt()
         + 16.0 * f64::EPSILON * (count * size * c2.sqrt() + momentum);
     let rho = Unit { ell: -1, m: 2 };

@@ -1,4 +1,4 @@
-//! Proposition 7.5: how far two quadratic forms are apart, at two points and for two vectors.
+//! Proposition 7.5: the difference of a quadratic form at two points and two vectors.
 
 use nalgebra::{SMatrix, SVector};
 use tautline::{Bounded, MetricError, check_gram};
@@ -23,7 +23,7 @@ pub struct TwoForms<const D: usize> {
 }
 
 impl<const D: usize> TwoForms<D> {
-    /// Reads the matrices and the constants off a metric.
+    /// Evaluates a metric at the two points, with its constants.
     ///
     /// # Errors
     ///
@@ -65,13 +65,13 @@ impl<const D: usize> TwoForms<D> {
         (self.points[0] - self.points[1]).norm()
     }
 
-    /// What is granted to eigenvalues: a dozen roundings an entry, `D` entries a row.
+    /// The allowance for eigenvalues: a dozen roundings an entry, `D` entries a row.
     fn rounding(&self) -> f64 {
         let size = self.matrices.iter().map(|h| h.amax()).fold(0.0, f64::max);
         16.0 * f64::EPSILON * (D * D) as f64 * size
     }
 
-    /// Adds the conclusion, the same in both readings.
+    /// Adds the conclusion, the same in both forms.
     fn conclude(&self, evidence: Evidence) -> Evidence {
         let [u1, u2] = self.vectors;
         let [h1, h2] = self.matrices;
@@ -96,10 +96,10 @@ impl<const D: usize> TwoForms<D> {
 /// |u₁ᵀH(x₁)u₁ − u₂ᵀH(x₂)u₂|  ≤  L_H |x₁ − x₂| |u₁|² + c₂ |u₁ − u₂|² + 2 c₂ |u₁| |u₁ − u₂|
 /// ```
 ///
-/// Needs: `0 ≤ H(x₂) ≤ c₂` and `‖H(x₁) − H(x₂)‖ ≤ L_H |x₁ − x₂|`. Of `H(x₁)` nothing more is asked.
+/// Needs: `0 ≤ H(x₂) ≤ c₂` and `‖H(x₁) − H(x₂)‖ ≤ L_H |x₁ − x₂|`, and nothing more of `H(x₁)`.
 ///
-/// Overestimation: none in dimension 1 for `u₂ > u₁ > 0`, `H(x₂) = c₂` and
-/// `H(x₁) = c₂ − L_H |x₁ − x₂|`, where all three terms are needed.
+/// Attained in dimension 1 for `u₂ > u₁ > 0`, `H(x₂) = c₂` and `H(x₁) = c₂ − L_H |x₁ − x₂|`, with all
+/// three terms.
 #[doc(alias = "prop:functional_lipschitz_estimate")]
 #[must_use]
 pub fn prop_7_5<const D: usize>(forms: &TwoForms<D>) -> Evidence {
@@ -111,9 +111,8 @@ pub fn prop_7_5<const D: usize>(forms: &TwoForms<D>) -> Evidence {
     forms.conclude(lipschitz(evidence, forms))
 }
 
-/// Evaluates Proposition 7.5 as it is printed, with `uᵀHu ≤ c₂ |u|²` and no lower bound.
-///
-/// It is false for `H = −2` and `c₂ = 1` in dimension 1.
+/// Evaluates Proposition 7.5 as printed, with `uᵀHu ≤ c₂ |u|²` and no lower bound: false for `H = −2`
+/// and `c₂ = 1` in dimension 1.
 #[must_use]
 pub fn prop_7_5_as_printed<const D: usize>(forms: &TwoForms<D>) -> Evidence {
     let rounding = forms.rounding();

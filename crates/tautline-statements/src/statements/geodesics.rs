@@ -10,9 +10,7 @@ use crate::{
 };
 
 /// Evaluates Proposition 3.1 on a curve: if it satisfies the geodesic equation (3.2), then
-/// `g(γ̇, γ̇) = L(γ)²` at all times, which is two inequalities.
-///
-/// An equality: the overestimation is 1 on every geodesic.
+/// `g(γ̇, γ̇) = L(γ)²` at all times. An equality, compared as two inequalities of overestimation 1.
 ///
 /// # Errors
 ///
@@ -33,14 +31,14 @@ pub fn prop_3_1<const D: usize>(
         .stated("L(γ)² ≤ g(γ̇, γ̇)", Unit::ENERGY, [length2, least], granted))
 }
 
-/// Evaluates what can be observed of Proposition 3.2 (Hopf and Rinow): that the curve which is
-/// shown is a minimal geodesic between the two points.
+/// Evaluates the observable part of Proposition 3.2 (Hopf and Rinow): the given curve is a minimal
+/// geodesic between the two points.
 ///
-/// `way_out` is that from one of the points. A space is complete if and only if there is none;
-/// where `H ≥ c₁ > 0` on all of `R^D`, Proposition 3.3 says so.
+/// `way_out` starts from one of the points. A space is complete if and only if there is no way out;
+/// it is complete where `H ≥ c₁ > 0` on all of `R^D` (Proposition 3.3).
 ///
-/// That there is one between *any* two points, no finite number of curves shows. For a computed
-/// curve, Theorem 1.2 says how much longer than `d` it may be.
+/// No finite number of curves shows the claim for *any* two points. Theorem 1.2 bounds how much
+/// longer than `d` a computed curve may be.
 ///
 /// # Errors
 ///
@@ -65,7 +63,7 @@ pub fn prop_3_2<M: KnownDistance<D>, const D: usize>(
         .sharper("d ≤ L(γ)", Unit::LENGTH, [known.distance, seen.length.value], granted))
 }
 
-/// How far the ends of a curve are from their sets, and what is granted, both in `ℓ`.
+/// The distance of the ends of a curve from their sets, and the allowance for it, both in `ℓ`.
 pub(super) fn off_sets<M, const D: usize>(
     subject: &Subject,
     known: &Known<M, D>,
@@ -74,8 +72,8 @@ pub(super) fn off_sets<M, const D: usize>(
     let sets = [known.ends.first(), known.ends.second()];
     let off = sets.into_iter().zip(&seen.ends);
     let off = largest(off.map(|(set, x)| (subject.project(&**set, x) - x).norm()));
-    // A closed form for a curve, and the way back from flat coordinates, have some dozens of
-    // roundings; a projection has 4 D.
+    // A closed form for a curve, or the map from flat coordinates, has some dozens of roundings; a
+    // projection has 4 D.
     let size = seen.ends.iter().map(|x| x.norm()).sum::<f64>();
     (off, 64.0 * f64::EPSILON * size)
 }

@@ -1,4 +1,4 @@
-//! Section 9: from energies to lengths, and the rate that is left open.
+//! Section 9: from energies to lengths, and the open question about the rate.
 
 use super::geodesics::off_sets;
 use super::section_1::{GLOBAL, admitted};
@@ -7,11 +7,11 @@ use crate::{Evidence, Known, Reconstruction, Statement, Subject, Unit, curves::M
 /// Evaluates Proposition 9.1, repaired, on a curve `γ` and a minimiser `γ*`:
 /// `L(γ)² − L(γ*)² ≤ E(γ) − E(γ*)` if `γ*` has the least *energy* `d²`.
 ///
-/// Needs: that `γ*` joins the sets and has `E(γ*) ≤ d²`. Then `d² ≤ L(γ*)² ≤ E(γ*) ≤ d²`, so that
-/// `L(γ*) ≤ d` is no further hypothesis, and what is left is `L(γ)² ≤ E(γ)`, for any curve `γ`.
-/// Neither a complete space nor bounded sets are needed, but for the existence of `γ*`.
+/// Needs: `γ*` joins the sets and `E(γ*) ≤ d²`. Then `d² ≤ L(γ*)² ≤ E(γ*) ≤ d²`, which implies
+/// `L(γ*) ≤ d`, and `L(γ)² ≤ E(γ)` remains, true for any curve `γ`. A complete space and bounded sets
+/// matter only for the existence of `γ*`.
 ///
-/// Equality: `γ` of constant speed.
+/// Equality for `γ` of constant speed.
 #[doc(alias = "prop:length_energy_estimation")]
 pub fn prop_9_1<M, const D: usize>(
     subject: &Subject,
@@ -19,24 +19,16 @@ pub fn prop_9_1<M, const D: usize>(
     curve: &Measured<D>,
     minimiser: &Measured<D>,
 ) -> Evidence {
-    let granted = minimiser.granted_energy() + 2.0 * known.distance * known.distance_error;
+    let granted = minimiser.granted_energy() + known.squared_error();
     let least = [minimiser.energy.value, known.distance.powi(2)];
-    excess(subject, known, curve, minimiser).given("E(γ*) ≤ d²", Unit::ENERGY, least, granted)
+    let printed = prop_9_1_as_printed(subject, known, curve, minimiser);
+    printed.given("E(γ*) ≤ d²", Unit::ENERGY, least, granted)
 }
 
 /// Evaluates Proposition 9.1 as printed: `γ*` need only have the least *length*. False, since a
 /// curve of least length may have any larger energy.
 #[doc(alias = "prop:length_energy_estimation")]
 pub fn prop_9_1_as_printed<M, const D: usize>(
-    subject: &Subject,
-    known: &Known<M, D>,
-    curve: &Measured<D>,
-    minimiser: &Measured<D>,
-) -> Evidence {
-    excess(subject, known, curve, minimiser)
-}
-
-fn excess<M, const D: usize>(
     subject: &Subject,
     known: &Known<M, D>,
     curve: &Measured<D>,
@@ -66,15 +58,15 @@ fn excess<M, const D: usize>(
 ///
 /// `δ = L_H d / c₁^{3/2}`, `k = ¼` or `½`, and `e = 1 + O(1/N)` and `Q` as in [`tautline::bounds`].
 /// Needs: `E_N ≤ d² e`, as for a global minimiser, and nothing else of the sequence
-/// ([`remark_9_2_for_any_sequence`]). The solver finds local minimisers: that it stopped at a worse
-/// one is a violation here, since this is worth knowing.
+/// ([`remark_9_2_for_any_sequence`]). The solver finds local minimisers: a worse one counts as a
+/// violation here.
 ///
 /// Optimal among the bounds by `c₁`, `c₂`, `L_H` and `d`: two routes attain the leading constants
-/// at `N = 1`, as `δ → 0`, and others keep `N (E(γᵖˡ) − d²)` from falling for all `N`.
+/// at `N = 1`, as `δ → 0`, and on others `N (E(γᵖˡ) − d²)` does not decrease with `N`.
 #[doc(alias = "Remark 9.2")]
 #[must_use]
 pub fn remark_9_2<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
-    let above = Gaps::of(subject, seen).above;
+    let above = subject.theorem_a_minimum_gap(seen.setting, seen.rule, seen.n);
     let (over, granted) = (seen.discrete_energy - seen.distance_squared, seen.granted);
     let evidence = admitted(Evidence::of(Statement::Remark9_2), seen).assumed(GLOBAL);
     curve_and_minimum(evidence, subject, seen).stated(
@@ -85,23 +77,23 @@ pub fn remark_9_2<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -
     )
 }
 
-/// Evaluates the answer to Remark 9.2 on any sequence from set to set, minimiser or not, whose
-/// discrete energy is no more than what [`remark_9_2`] has for the minimum.
+/// Evaluates the answer to Remark 9.2 on any sequence from set to set with a discrete energy below
+/// the bound of [`remark_9_2`] on the minimum.
 ///
 /// ```text
 /// E_N ≤ d² e   ⟹   d² − E_N  ≤  d² (k δ/N) e Q,
 ///                  L(γᵖˡ)² − d²  ≤  E(γᵖˡ) − d²  ≤  d² (e − 1 + (k δ/N) e Q)
 /// ```
 ///
-/// That inner points are stationary is not needed: Theorem C has less on its right side, and does
-/// not ask for it.
+/// Inner points need not be stationary: Theorem C has a smaller bound without this hypothesis.
 #[doc(alias = "Remark 9.2")]
 #[must_use]
 pub fn remark_9_2_for_any_sequence<const D: usize>(
     subject: &Subject,
     seen: &Reconstruction<D>,
 ) -> Evidence {
-    let least = seen.distance_squared + Gaps::of(subject, seen).above;
+    let least =
+        seen.distance_squared + subject.theorem_a_minimum_gap(seen.setting, seen.rule, seen.n);
     let evidence = admitted(Evidence::of(Statement::Remark9_2), seen).given(
         "E_N ≤ d² e",
         Unit::ENERGY,
@@ -111,35 +103,15 @@ pub fn remark_9_2_for_any_sequence<const D: usize>(
     curve_and_minimum(evidence, subject, seen)
 }
 
-/// The bounds of order `1/N`, in `m²`.
-struct Gaps {
-    /// Of `E(γᵖˡ) − d²`.
-    excess: f64,
-    /// Of `E_N − d²`.
-    above: f64,
-    /// Of `d² − E_N`.
-    below: f64,
-}
-
-impl Gaps {
-    fn of<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Self {
-        let &Reconstruction { setting, n, .. } = seen;
-        Self {
-            excess: subject.theorem_a_excess(setting, seen.rule, n),
-            above: subject.theorem_a_minimum_gap(setting, seen.rule, n),
-            below: subject.theorem_a_polyline_gap(setting, seen.rule, n),
-        }
-    }
-}
-
-/// Adds what is claimed of the curve, and that the discrete energy is not far below `d²`.
+/// Adds the claims about the curve, and that the discrete energy is not far below `d²`.
 fn curve_and_minimum<const D: usize>(
     evidence: Evidence,
     subject: &Subject,
     seen: &Reconstruction<D>,
 ) -> Evidence {
-    let &Reconstruction { distance_squared: d2, granted, .. } = seen;
-    let Gaps { excess, below, .. } = Gaps::of(subject, seen);
+    let &Reconstruction { setting, rule, n, distance_squared: d2, granted, .. } = seen;
+    let excess = subject.theorem_a_excess(setting, rule, n);
+    let below = subject.theorem_a_polyline_gap(setting, rule, n);
     let (energy, length2) = (seen.energy.value, seen.length_squared.value);
     evidence
         .stated("E(γᵖˡ) − d² = O(1/N)", Unit::ENERGY, [energy - d2, excess], granted)

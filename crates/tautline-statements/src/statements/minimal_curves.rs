@@ -1,4 +1,4 @@
-//! Section 4: minimal curves are minimal geodesics, run through by a clock that may pause.
+//! Section 4: minimal curves are minimal geodesics, reparametrised by a clock that may pause.
 
 use nalgebra::SVector;
 use tautline::{Metric, MetricError, norm_squared, quadrature::integrate};
@@ -10,9 +10,8 @@ use crate::{
 };
 
 /// Evaluates Proposition 4.1, read with clocks that may pause: the claim of [`prop_4_2`] for two
-/// points nearer than the radius of a normal neighbourhood of the first, in `m`.
-///
-/// That they are near is not needed, as Proposition 4.2 says.
+/// points nearer than the radius of a normal neighbourhood of the first, in `m`. By Proposition 4.2
+/// they need not be near.
 ///
 /// # Errors
 ///
@@ -36,12 +35,11 @@ pub fn prop_4_1<M: Metric<D>, C: Curve<D>, const D: usize>(
 
 /// Evaluates Proposition 4.2, read with clocks that may pause, on `γ = γ** ∘ φ`.
 ///
-/// If `γ**` is a minimal geodesic and `φ` nondecreasing, then `γ` is minimal; and `φ` is what the
-/// converse makes of `γ`, its length up to the time `t` divided by `d`; with `d = 0` all curves
-/// here are constant, and any `φ` will do. For a minimal curve that is given otherwise, see
-/// [`prop_4_2_converse`].
+/// If `γ**` is a minimal geodesic and `φ` nondecreasing, then `γ` is minimal, and `φ(t)` is the
+/// length of `γ` up to the time `t`, divided by `d`. With `d = 0` all curves are constant, and any
+/// `φ` fits. [`prop_4_2_converse`] starts from any minimal curve.
 ///
-/// Equality: the overestimation is 1 on every reparametrised minimal geodesic.
+/// Equality on every reparametrised minimal geodesic.
 ///
 /// # Errors
 ///
@@ -72,7 +70,7 @@ fn reparametrised<M: Metric<D>, C: Curve<D>, const D: usize>(
     let (off, rounding) = off_sets(subject, known, &straight);
     let granted = straight.granted_length() + seen.granted_length() + known.distance_error;
     let lag = lengths(metric, &curve).into_iter().map(|(t, s)| (s / d - clock.at(t)[0]).abs());
-    // A time of [0, 1] is rounded, and a piece turns that into a few roundings of φ.
+    // A time is rounded, and a piece turns that into a few roundings of φ.
     let ticks = 16.0 * f64::EPSILON * clock.pieces() as f64;
     let evidence = evidence
         .given("γ** joins the points", Unit::COORDINATE, [off, 0.0], rounding)
@@ -81,7 +79,7 @@ fn reparametrised<M: Metric<D>, C: Curve<D>, const D: usize>(
         .given("∫|φ′| ≤ 1", Unit::NONE, [clock.variation(), 1.0], ticks)
         .stated("L(γ** ∘ φ) ≤ d", Unit::LENGTH, [seen.length.value, d], granted)
         .sharper("d ≤ L(γ** ∘ φ)", Unit::LENGTH, [d, seen.length.value], granted);
-    // With d = 0 the curve is constant: it is γ** ∘ φ for every φ, and its length tells none.
+    // With d = 0 the curve is constant: it is γ** ∘ φ for every φ.
     if d == 0.0 {
         return Ok(evidence);
     }
@@ -89,12 +87,9 @@ fn reparametrised<M: Metric<D>, C: Curve<D>, const D: usize>(
     Ok(evidence.stated("φ(t) = (length up to t)/d", Unit::NONE, [largest(lag), 0.0], granted))
 }
 
-/// The lengths in `m` up to the end of each piece, with the time.
+/// The end of each piece with the length up to there, in `m`.
 fn lengths<M: Metric<D>, const D: usize>(metric: &M, curve: &impl Curve<D>) -> Vec<(f64, f64)> {
-    let speed = |t: f64| {
-        let motion = curve.motion(t);
-        norm_squared(metric, &motion.position, &motion.velocity).sqrt()
-    };
+    let speed = |t: f64| curve.motion(t).speed_squared(metric).sqrt();
     let mut sum = 0.0;
     let up_to = |[from, to]: [f64; 2]| {
         sum += integrate(speed, from, to, 20.0 * f64::EPSILON).value;
@@ -103,11 +98,12 @@ fn lengths<M: Metric<D>, const D: usize>(metric: &M, curve: &impl Curve<D>) -> V
     curve.pieces().into_iter().map(up_to).collect()
 }
 
-/// Evaluates the other half of Proposition 4.2 on any curve `γ`: if it is minimal, then
-/// `γ(t) = γ**(φ(t))` with `φ(t)` its length up to `t`, divided by `d`. Looked at at 16 times, as
-/// points and by how far the two sides go, which are two more inequalities of overestimation 1.
+/// Evaluates the converse in Proposition 4.2 on any curve `γ`: if it is minimal, then
+/// `γ(t) = γ**(φ(t))`, where `φ(t)` is its length up to `t`, divided by `d`. Compared at 16 times: the
+/// points, and the greatest distance of each side from `γ(0)`, as two inequalities of
+/// overestimation 1.
 ///
-/// `γ**` has to be *the* minimal geodesic, the only one. With `d = 0` it is constant, as `γ` is.
+/// `γ**` must be the only minimal geodesic. With `d = 0` both curves are constant.
 #[doc(alias = "prop:geodesic_min_path_min")]
 pub fn prop_4_2_converse<M: Metric<D>, const D: usize>(
     subject: &Subject,
@@ -117,10 +113,7 @@ pub fn prop_4_2_converse<M: Metric<D>, const D: usize>(
 ) -> Evidence {
     let (metric, d) = (&known.metric, known.distance);
     let seen = Measured::of(metric, curve);
-    let speed = |t: f64| {
-        let motion = curve.motion(t);
-        norm_squared(metric, &motion.position, &motion.velocity).sqrt()
-    };
+    let speed = |t: f64| curve.motion(t).speed_squared(metric).sqrt();
     let granted = seen.granted_length() + known.distance_error;
     let (mut before, mut travelled) = (0.0, 0.0);
     let (mut apart, mut rate) = (0.0, 0.0_f64);
@@ -137,7 +130,7 @@ pub fn prop_4_2_converse<M: Metric<D>, const D: usize>(
         apart = largest([apart, (here - other.position).norm()]);
         let [one, two] = [here, other.position].map(|x| (x - start).norm());
         away = [largest([away[0], one]), largest([away[1], two])];
-        // What an error of a length is in coordinates.
+        // The factor from an error of a length to coordinates.
         rate = rate.max(other.velocity.norm() * per_length);
     }
     let (off, rounding) = off_sets(subject, known, &seen);
@@ -153,7 +146,7 @@ pub fn prop_4_2_converse<M: Metric<D>, const D: usize>(
 }
 
 /// Evaluates Propositions 4.1 and 4.2 with "monotone increasing" read strictly: a minimal curve
-/// would never pause. False.
+/// never pauses. False.
 #[doc(alias = "prop:geodesic_min_path_min")]
 pub fn prop_4_2_read_strictly<M: Metric<D>, C: Curve<D>, const D: usize>(
     known: &Known<M, D>,
@@ -162,7 +155,7 @@ pub fn prop_4_2_read_strictly<M: Metric<D>, C: Curve<D>, const D: usize>(
 ) -> Evidence {
     let seen = Measured::of(&known.metric, &Reparametrised { curve: geodesic, clock });
     let granted = seen.granted_length() + known.distance_error;
-    // Points, of whose projections there is nothing to be tested.
+    // The sets are points: their projections need no test.
     let (off, rounding) = off_sets(&LIBRARY, known, &seen);
     Evidence::of(Statement::Proposition4_2)
         .given("γ joins the points", Unit::COORDINATE, [off, 0.0], rounding)
@@ -170,13 +163,12 @@ pub fn prop_4_2_read_strictly<M: Metric<D>, C: Curve<D>, const D: usize>(
         .stated("γ never pauses", Unit::NONE, [clock.longest_pause(), 0.0], 0.0)
 }
 
-/// Evaluates what can be observed of Proposition 4.3 at one point `x` of the ball `K = {|x| ≤ R}`,
-/// with `R` in `ℓ`, and one tangent vector `v` in `ℓ`, with the common radius `ε` of `K` in `m`:
-/// `Exp_x` maps radii to distances, and has an inverse.
+/// Evaluates the observable part of Proposition 4.3: `Exp_x` maps radii to distances and has an
+/// inverse. Given are a point `x` of the ball `K = {|x| ≤ R}` and a tangent vector `v`, with `R` and
+/// `v` in `ℓ`, and the common radius `ε` of `K`, in `m`.
 ///
-/// The geodesic has to satisfy the geodesic equation, too (companion). That `K` is compact is
-/// needed: on the sphere without a point, the geodesics from `x` shorter than `π − 2 arctan |x|`
-/// exist, and this tends to 0 as `|x| → ∞`.
+/// Companion: the geodesic equation. `K` must be compact: on the sphere without a point, geodesics
+/// from `x` exist up to the length `π − 2 arctan |x|`, which tends to 0 as `|x| → ∞`.
 ///
 /// # Errors
 ///
@@ -197,10 +189,10 @@ pub fn prop_4_3<M: KnownGeodesics<D>, const D: usize>(
     let residual = Residual::of(subject, metric, &curve)?;
     let seen = Measured::of(metric, &curve);
     let granted = 2.0 * seen.granted_length();
-    // The inverse of Exp expands by r / sin r on the sphere: at most by 10 for r ≤ 2.85.
+    // The inverse of Exp expands by r / sin r on the sphere, at most 10 for r ≤ 2.85.
     let expanded = 10.0 * granted * v.norm() / radius;
     let unbounded = if ball.is_finite() { 0.0 } else { 1.0 };
-    // Of an arc tangent, and an x on the boundary of the ball.
+    // The rounding of an arc tangent, and of an x on the boundary of the ball.
     let normal = metric.normal_radius(x);
     let rounding = 16.0 * f64::EPSILON * if normal.is_finite() { normal } else { 0.0 };
     Ok(Evidence::of(Statement::Proposition4_3)
@@ -217,8 +209,8 @@ pub fn prop_4_3<M: KnownGeodesics<D>, const D: usize>(
 /// Evaluates Lemma 4.4 on a curve between two points: if it is minimal and has constant speed, it
 /// satisfies the geodesic equation.
 ///
-/// The equation is compared as a vector, and by the sizes of its two sides, which are two more
-/// inequalities of overestimation 1. With `d = 0` the curve is constant, and a geodesic.
+/// Compared are the vectors, and the sizes of the two sides as two inequalities of overestimation 1.
+/// With `d = 0` the curve is constant, and a geodesic.
 ///
 /// # Errors
 ///

@@ -1,13 +1,13 @@
-//! `Asked`: which programs of a subject have been asked.
+//! `Asked`: a set of programs of a subject.
 
 use super::Program;
 
-/// A set of programs of a subject: one bit for each.
+/// A set of programs of a subject, one bit each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Asked(pub(super) u64);
 
 impl Asked {
-    /// So many bits are those of [`Program`]s; the entries of [`Bounds`](super::Bounds) follow.
+    /// The number of bits for [`Program`]s; bits for the entries of [`Bounds`](super::Bounds) follow.
     pub(super) const PROGRAMS: usize = 12;
 
     pub(crate) const fn add(&mut self, program: Program) {
@@ -18,7 +18,7 @@ impl Asked {
         self.0 |= 1 << (Self::PROGRAMS + entry);
     }
 
-    /// Returns whether a program is in both sets.
+    /// Returns whether the two sets have a program in common.
     #[must_use]
     pub const fn meets(self, other: Self) -> bool {
         self.0 & other.0 != 0
