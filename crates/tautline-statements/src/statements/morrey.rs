@@ -1,8 +1,7 @@
-//! Propositions 7.2 to 7.4: how far a curve and its velocity are from their means.
+//! Propositions 7.2 to 7.4: the distance of a curve and its velocity from their means.
 //!
-//! The intervals of the paper are `[s₁, s₂] ⊂ [0, 1]`, here of the length `l = s₂ − s₁ > 0`. An
-//! inequality with two terms on its right side is compared as a gap: what the first term leaves of
-//! the left side, against the second term.
+//! The intervals are `[s₁, s₂] ⊂ [0, 1]`, of length `l = s₂ − s₁ > 0`. An inequality with two terms
+//! on the right is compared as a gap: the left side minus the first term, against the second term.
 
 use std::num::NonZeroUsize;
 
@@ -23,7 +22,7 @@ fn within(name: &'static str, value: f64, [low, high]: [f64; 2]) -> Result<f64, 
     }
 }
 
-/// What is read off a curve on `[s₁, s₂]`, for Propositions 7.2 and 7.3.
+/// A curve on `[s₁, s₂]`, for Propositions 7.2 and 7.3.
 struct Interval<const D: usize> {
     /// `γ(s₂) − γ(s₁)`.
     chord: SVector<f64, D>,
@@ -37,27 +36,26 @@ struct Interval<const D: usize> {
 impl<const D: usize> Interval<D> {
     fn of(curve: &impl BoundedCurve<D>, [s1, s2]: [f64; 2]) -> Result<Self, VerifyError> {
         within("s₁", s1, [0.0, 1.0])?;
-        // An interval of rounding has no length to speak of.
+        // On a shorter interval rounding would dominate.
         within("s₂", s2, [s1 + 1e-6, 1.0])?;
         Ok(Self {
             chord: curve.motion(s2).position - curve.motion(s1).position,
             length: s2 - s1,
             norms: [0, 1, 2].map(|k| l2_norm(curve, k, [s1, s2])),
-            // A dozen terms, a few roundings each; and t is rounded, which moves γ by ε|γ̇|.
+            // A dozen terms with a few roundings each; and rounding t moves γ by ε|γ̇|.
             rounding: f64::EPSILON * (64.0 * curve.suprema()[0] + 4.0 * curve.suprema()[1]),
         })
     }
 }
 
-/// The clause that the paper leaves out: `γ̇` is absolutely continuous, `γ̇(t) − γ̇(s) = ∫ γ̈`.
-///
-/// Looked at from each sixteenth of `[0, 1]` to the next, in each coordinate.
+/// Adds the hypothesis that the paper omits: `γ̇` is absolutely continuous, `γ̇(t) − γ̇(s) = ∫ γ̈`.
+/// Checked on each sixteenth of `[0, 1]`, in each coordinate.
 pub(super) fn without_kinks<const D: usize>(
     evidence: Evidence,
     curve: &impl BoundedCurve<D>,
 ) -> Evidence {
     let mut worst = [0.0_f64; 2];
-    // Of a velocity or an acceleration a dozen terms, a few roundings each.
+    // A velocity or an acceleration has a dozen terms, with a few roundings each.
     let [_, speed, bend] = curve.suprema();
     let rounding = 64.0 * f64::EPSILON * (speed + bend);
     for k in 0..16 {
@@ -66,7 +64,7 @@ pub(super) fn without_kinks<const D: usize>(
         for i in 0..D {
             let bent = integrate(|t| curve.motion(t).acceleration[i], from, to, 1e-12);
             let found = [(change[i] - bent.value).abs(), bent.error + rounding];
-            // NaN is kept: it is no curve.
+            // Keeps NaN.
             if !(found[0] - found[1] <= worst[0] - worst[1]) {
                 worst = found;
             }
@@ -81,13 +79,13 @@ pub(super) fn without_kinks<const D: usize>(
 /// |γ(s₂) − γ(s₁)|  ≤  √l ‖γ̇‖,        |γ(s)|  ≤  ‖γ‖/√l + √(l/3) ‖γ̇‖
 /// ```
 ///
-/// Equality in the first exactly if `γ̇` is constant; in the second for constant curves, and
-/// `√(1/3)` is the best constant. Nothing is needed but that `γ` is continuous and piecewise
-/// smooth, which a [`Curve`](crate::curves::Curve) is.
+/// Equality in the first if and only if `γ̇` is constant; in the second for constant curves, where
+/// `√(1/3)` is the best constant. Needs only that `γ` is continuous and piecewise smooth, as every
+/// [`Curve`](crate::curves::Curve) is.
 ///
-/// Companion: `γ(s)` is the mean of `γ` plus `(1/l) ∫ k_s γ̇`, where the kernel is `r − s₁` before
-/// `s` and `r − s₂` after it. So the factor of `‖γ̇‖` may be `((a³ + (l − a)³)/3)^{1/2}/l` with
-/// `a = s − s₁`, half of the other where `s` is in the middle.
+/// Companion: `γ(s)` is the mean of `γ` plus `(1/l) ∫ k_s γ̇`, with the kernel `r − s₁` before `s` and
+/// `r − s₂` after it. So `((a³ + (l − a)³)/3)^{1/2}/l` with `a = s − s₁` may replace the factor of
+/// `‖γ̇‖`; in the middle it is half as large.
 ///
 /// # Errors
 ///
@@ -125,9 +123,9 @@ pub fn prop_7_2<const D: usize>(
         ))
 }
 
-/// Evaluates the second inequality of Proposition 7.2 as it is printed: `|γ(s)| ≤ ‖γ‖ + 2‖γ̇‖`.
+/// Evaluates the second inequality of Proposition 7.2 as printed: `|γ(s)| ≤ ‖γ‖ + 2‖γ̇‖`.
 ///
-/// It is false on every interval shorter than 1: for a constant curve the right side is `√l |γ|`.
+/// False on every interval shorter than 1: for a constant curve the right side is `√l |γ|`.
 ///
 /// # Errors
 ///
@@ -146,18 +144,17 @@ pub fn prop_7_2_as_printed<const D: usize>(
     ))
 }
 
-/// Evaluates Proposition 7.3, repaired, on `[s₁, s₂] ⊂ [0, 1]`: on the interval itself, and with
-/// the norms over `[0, 1]`, which is what Proposition 7.6 needs.
+/// Evaluates Proposition 7.3, repaired, on `[s₁, s₂] ⊂ [0, 1]`: with the norms over the interval, and
+/// over `[0, 1]` as Proposition 7.6 needs them.
 ///
 /// ```text
 /// |γ(s₂) − γ(s₁)|  ≤  l (‖γ̇‖/√l + √(l/3) ‖γ̈‖)
 /// |γ(s₂) − γ(s₁)|  ≤  l (‖γ̇‖₍₀,₁₎ + ‖γ̈‖₍₀,₁₎/√3)
 /// ```
 ///
-/// Equality for constant velocity. The second is the mean value theorem with `|γ̇|` bounded by
-/// Proposition 7.2 on `[0, 1]`, and no constant smaller than `1/√3` will do; it needs that `γ̇`
-/// does not jump. The first holds for kinked curves too, and without its last term, which makes
-/// it the first inequality of Proposition 7.2.
+/// Equality for constant velocity. The second follows from the mean value theorem and Proposition
+/// 7.2 for `γ̇` on `[0, 1]`; `1/√3` is the best constant, and `γ̇` must not jump. The first also holds
+/// for kinked curves, and without its last term, as the first inequality of Proposition 7.2.
 ///
 /// # Errors
 ///
@@ -188,10 +185,9 @@ pub fn prop_7_3<const D: usize>(
         ))
 }
 
-/// Evaluates Proposition 7.3 as it is printed: `|γ(s₂) − γ(s₁)| ≤ l (‖γ̇‖ + 2‖γ̈‖)`.
+/// Evaluates Proposition 7.3 as printed: `|γ(s₂) − γ(s₁)| ≤ l (‖γ̇‖ + 2‖γ̈‖)`.
 ///
-/// It is false on every interval shorter than 1: for constant velocity the right side is
-/// `l^{3/2} |γ̇|`.
+/// False on every interval shorter than 1: for constant velocity the right side is `l^{3/2} |γ̇|`.
 ///
 /// # Errors
 ///
@@ -216,13 +212,12 @@ pub fn prop_7_3_as_printed<const D: usize>(
 /// |βₖ − γ̇(t)|  ≤  2 ‖γ̈‖/√N      with the norm over [tₖ, tₖ₊₁]
 /// ```
 ///
-/// Needs that `γ̇` does not jump, which the paper does not say. Overestimation: `2√3` at best, see
+/// Needs: `γ̇` does not jump, a hypothesis that the paper omits. Overestimation: at least `2√3`, by
 /// the companions.
 ///
-/// Companions: `βₖ` is the mean of `γ̇`, so that Proposition 7.2 has the factor `(h/3)^{1/2}` at
-/// its worst, `θ = 0`, and `((θ³ + (1 − θ)³) h/3)^{1/2}` elsewhere, both attained by
-/// `(tₖ₊₁ − t)³` at `tₖ`; and in `L²` over the subinterval `‖γ̇ − βₖ‖ ≤ (h/π) ‖γ̈‖`, attained where
-/// `γ̇` is half a cosine.
+/// Companions: `βₖ` is the mean of `γ̇`, so that Proposition 7.2 gives the factor
+/// `((θ³ + (1 − θ)³) h/3)^{1/2}`, at most `(h/3)^{1/2}`, both attained by `(tₖ₊₁ − t)³` at `tₖ`; and in
+/// `L²` over the subinterval `‖γ̇ − βₖ‖ ≤ (h/π) ‖γ̈‖`, attained where `γ̇` is half a cosine.
 ///
 /// # Errors
 ///

@@ -8,31 +8,31 @@ use crate::{
     Evidence, GramRange, Known, Reconstruction, Statement, Subject, Unit, curves::largest,
 };
 
-/// A pair of points of two sets, said to be a nearest one.
+/// A pair of points of two sets that claims to be nearest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NearestPair<const D: usize> {
     points: [SVector<f64, D>; 2],
-    /// The distance of the two points and that of the two sets, in `m`.
+    /// The distances of the two points and of the two sets, in `m`.
     lengths: [f64; 2],
-    /// How much larger than the square of that the square of the pair's may be, in `m²`.
+    /// The allowed excess of the squared distance of the points, in `m²`.
     excess: f64,
-    /// How far the points are from their sets, in `ℓ`.
+    /// The distance of the points from their sets, in `ℓ`.
     off_sets: f64,
-    /// How far limits of points of a set are from it, in `ℓ`.
+    /// The distance from a set of limits of its points, in `ℓ`.
     off_limits: f64,
     /// `sup |x|` over a bounded one of the two sets, in `ℓ`; `None` if neither is bounded.
     radius: Option<f64>,
     /// The least eigenvalue of `H` at the two points, in `m²/ℓ²`.
     lowest: f64,
     way_out: WayOut,
-    /// The least distance of other pairs of points of the two sets, in `m`, if one was tried.
+    /// The least distance of other pairs of the two sets, in `m`, if any was tried.
     other: Option<f64>,
     granted: f64,
 }
 
 impl<const D: usize> NearestPair<D> {
-    /// Returns two points of two sets with the distance of the points and that of the sets, in `m`;
-    /// what else is asked of them is read off the metric and the sets. `granted` is in `m²`.
+    /// Returns a pair of points of two sets, given the distances of the points and of the sets, in
+    /// `m`. `granted` is in `m²`.
     ///
     /// # Errors
     ///
@@ -64,10 +64,9 @@ impl<const D: usize> NearestPair<D> {
         })
     }
 
-    /// Returns the ends of a computed minimiser of the trapezoidal rule, whose distance is `apart`:
-    /// no more than the length of the curve that joins them, so that the excess is of order `1/N`.
-    /// That the `c₁` of the metric holds everywhere, and so that the space is complete (Proposition
-    /// 3.3), is assumed.
+    /// Returns the ends of a computed minimiser of the trapezoidal rule. Their distance `apart` is at
+    /// most the length of the curve between them, so that the excess is of order `1/N`. Assumes that
+    /// `c₁` holds everywhere, so that the space is complete (Proposition 3.3).
     ///
     /// # Errors
     ///
@@ -90,25 +89,25 @@ impl<const D: usize> NearestPair<D> {
         Ok(Self { excess: subject.theorem_a_excess(seen.setting, seen.rule, seen.n), ..pair })
     }
 
-    /// Returns the pair beside the least distance of other pairs, in `m`.
+    /// Adds the least distance of other pairs, in `m`.
     #[must_use]
     pub fn beside(self, other: f64) -> Self {
         Self { other: Some(other), ..self }
     }
 }
 
-/// How far a limit of points of a set is from it, in `ℓ`: 0 for a closed set, up to rounding.
+/// The distance from a set of a limit of its points, in `ℓ`: 0 for a closed set, up to rounding.
 ///
-/// On the segment to its nearest point, as the set says, from a point outside, bisection finds two
-/// neighbours, one a member and the other sent elsewhere. A sequence of members tends to that other
-/// one, so that a closed set has a point as near to it as the first.
+/// On the segment from a point outside to its projection, bisection finds two neighbours: a member of
+/// the set, and a point that is projected elsewhere. That point is a limit of members, so a closed
+/// set has a point at most as far from it as the member.
 fn off_limits<const D: usize>(
     subject: &Subject,
     set: &dyn ClosedSet<D>,
     outside: &SVector<f64, D>,
 ) -> f64 {
     let (mut beyond, mut member) = (*outside, subject.project(set, outside));
-    // Each step takes a bit of every coordinate.
+    // Each step fixes one bit of every coordinate.
     for _ in 0..128 {
         let middle = (beyond + member) * 0.5;
         if middle == beyond || middle == member {
@@ -118,16 +117,16 @@ fn off_limits<const D: usize>(
         *(if inside { &mut member } else { &mut beyond }) = middle;
     }
     let gap = (subject.project(set, &beyond) - beyond).norm();
-    // NaN is kept: it is no distance.
+    // Keeps NaN.
     let off = gap - (member - beyond).norm();
     if off <= 0.0 { 0.0 } else { off }
 }
 
-/// Evaluates Proposition 6.2 on a pair: that it is a nearest one, and that it lies where the
-/// nearest pairs are confined to, within `d/√c₁` of the bounded set.
+/// Evaluates Proposition 6.2 on a pair: it is nearest, and lies within `d/√c₁` of the bounded set, as
+/// all nearest pairs do.
 ///
-/// Needs: closed sets, a bounded one, a complete space. `c1` is a lower bound of `H`; where it is
-/// one everywhere, the space is complete (Proposition 3.3).
+/// Needs: closed sets, one of them bounded, and a complete space. `c1` is a lower bound on `H`; the
+/// space is complete if the bound holds everywhere (Proposition 3.3).
 #[doc(alias = "prop:bounded_2sets_min")]
 #[must_use]
 pub fn prop_6_2<const D: usize>(pair: &NearestPair<D>, c1: f64) -> Evidence {
@@ -137,7 +136,7 @@ pub fn prop_6_2<const D: usize>(pair: &NearestPair<D>, c1: f64) -> Evidence {
     let d2 = distance.powi(2) + pair.excess;
     let reach = (d2 / c1).sqrt();
     let room = pair.radius.map_or(f64::INFINITY, |radius| radius + reach);
-    // The sets may touch, and then there is no reach to be rounded.
+    // If the sets touch, there is no reach to round.
     let moved = if reach > 0.0 { 0.5 * pair.granted / (c1 * reach) } else { 0.0 };
     let granted = 1e-13 * size + moved;
     let long = if apart > 0.0 { pair.granted / apart } else { pair.granted.sqrt() };
@@ -176,7 +175,7 @@ mod tests {
     use super::off_limits;
     use crate::LIBRARY;
 
-    /// `{0 ≤ x₁ < 1}` on the line, which sends what it has no nearest point for to the middle.
+    /// `{0 ≤ x₁ < 1}` on the line; points without a nearest point are projected to the middle.
     #[derive(Debug)]
     struct HalfOpen;
 
@@ -197,7 +196,7 @@ mod tests {
     #[test]
     fn a_limit_that_a_set_does_not_contain_is_found() {
         let seen = |x: f64| off_limits(&LIBRARY, &HalfOpen, &SVector::from([x]));
-        // The members tend to 1, which is ½ from the point that it is sent to.
+        // The members tend to 1, at ½ from its projection.
         assert!((seen(3.0) - 0.5).abs() <= 1e-15, "{}", seen(3.0));
         // At 0 the set is closed.
         assert_eq!(seen(-2.0), 0.0);
@@ -212,7 +211,7 @@ mod tests {
         for set in sets {
             for outside in [[0.1, -3.0], [7.0, 0.2], [1.0, 0.6]] {
                 let off = off_limits(&LIBRARY, set, &SVector::from(outside));
-                // A projection of some ten roundings of coordinates up to 7.
+                // A projection with about ten roundings of coordinates up to 7.
                 assert!(off <= 1e-14, "{set:?} from {outside:?}: {off:e}");
             }
         }

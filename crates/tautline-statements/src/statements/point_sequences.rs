@@ -1,4 +1,4 @@
-//! Propositions 7.8, 7.9, 8.1 and 8.2: any point sequence, minimiser or not.
+//! Propositions 7.8, 7.9, 8.1 and 8.2, and Lemma S.2: any point sequence, minimiser or not.
 
 use tautline::{Bounded, Constants, LeftEndpoint, MetricError, PointSequence, Trapezoidal};
 
@@ -9,7 +9,7 @@ use crate::{
 
 /// Evaluates Proposition 7.8 for nonnegative numbers: `Σ xₙ³ ≤ (Σ xₙ²)^{3/2}`.
 ///
-/// The numbers count as coordinates, in `ℓ`. Equality if at most one of them is not zero.
+/// The numbers count as coordinates, in `ℓ`. Equality if at most one of them is nonzero.
 #[doc(alias = "prop:ineq_cube_3/2")]
 #[must_use]
 pub fn prop_7_8(numbers: &[f64]) -> Evidence {
@@ -18,14 +18,14 @@ pub fn prop_7_8(numbers: &[f64]) -> Evidence {
     let squares: f64 = numbers.iter().map(|x| x.powi(2)).sum();
     let bound = squares.powf(1.5);
     let unit = Unit { ell: 3, m: 0 };
-    // Two roundings a term, one an addition, of nonnegative numbers.
+    // Nonnegative numbers: two roundings a term, one an addition.
     let granted = (4.0 + 2.0 * numbers.len() as f64) * f64::EPSILON * bound;
     Evidence::of(Statement::Proposition7_8)
         .given("0 ≤ xₙ", Unit::COORDINATE, [-least, 0.0], 0.0)
         .stated("Σ xₙ³ ≤ (Σ xₙ²)^{3/2}", unit, [cubes, bound], granted)
 }
 
-/// The three energies of one point sequence, and what Propositions 7.9, 8.1 and 8.2 need.
+/// The three energies of a point sequence, with the means of its differences.
 struct Energies {
     trapezoidal: f64,
     left: f64,
@@ -54,12 +54,12 @@ impl Energies {
             mean_cube: mean_power(sequence, 3),
             mean_fourth: mean_power(sequence, 4),
             gram: GramRange::along(metric, nodes(sequence))?,
-            // Sums of the same size, a dozen roundings a term.
+            // Sums of the same size with a dozen roundings a term.
             granted: curve.error + 1e-14 * (trapezoidal + left + curve.value),
         })
     }
 
-    /// Compares the gap of two of the energies with the bound by `K₃`, and with that by the mean cube.
+    /// Compares the gap of two energies with the bounds by `K₃` and by the mean cube.
     fn gap(
         &self,
         statement: Statement,
@@ -77,9 +77,9 @@ impl Energies {
 
 /// Evaluates Proposition 7.9: `|E(γᵖˡ) − E_tra,N(γᵖ)| ≤ L_H K₃³ / (4√N)`.
 ///
-/// Needs: `H` Lipschitz. That `c₁ ≤ H ≤ c₂` is checked as well, but not needed.
+/// Needs: `H` Lipschitz; `c₁ ≤ H ≤ c₂` is checked, but not needed.
 ///
-/// Companion: the same with `(L_H/4N) mean |β|³`, before the proof passes to `K₃`.
+/// Companion: the bound `(L_H/4N) mean |β|³`, before the proof passes to `K₃`.
 ///
 /// # Errors
 ///
@@ -107,9 +107,7 @@ pub fn prop_7_9<const D: usize>(
 
 /// Evaluates Proposition 8.1: `|E_l,N(γᵖ) − E_tra,N(γᵖ)| ≤ L_H K₃³ / (2√N)`.
 ///
-/// Needs: as [`prop_7_9`].
-///
-/// Companion: the same with `(L_H/2N) mean |β|³`.
+/// Needs: as [`prop_7_9`]. Companion: the bound `(L_H/2N) mean |β|³`.
 ///
 /// # Errors
 ///
@@ -134,9 +132,7 @@ pub fn prop_8_1<const D: usize>(
 
 /// Evaluates Proposition 8.2: `|E(γᵖˡ) − E_l,N(γᵖ)| ≤ L_H K₃³ / (2√N)`.
 ///
-/// Needs: as [`prop_7_9`].
-///
-/// Companion: the same with `(L_H/2N) mean |β|³`.
+/// Needs: as [`prop_7_9`]. Companion: the bound `(L_H/2N) mean |β|³`.
 ///
 /// # Errors
 ///
@@ -171,8 +167,7 @@ pub fn prop_8_2<const D: usize>(
 ///
 /// with `k = ¼` for the trapezoidal rule, `k = ½` for the left-endpoint rule.
 ///
-/// Needs: `H` Lipschitz with `L_H`, `DH` with `M_H`. That `c₁ ≤ H ≤ c₂` is checked as well, but not
-/// needed.
+/// Needs: `H` Lipschitz with `L_H`, `DH` with `M_H`; `c₁ ≤ H ≤ c₂` is checked, but not needed.
 ///
 /// # Errors
 ///

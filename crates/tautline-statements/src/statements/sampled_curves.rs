@@ -1,5 +1,4 @@
-//! Propositions 7.6 and 7.7, and the constants `C_tra(N)` and `C_tra♯`: what sampling a curve does
-//! to its energy.
+//! Propositions 7.6 and 7.7, `C_tra(N)` and `C_tra♯`: the discrete energy of a sampled curve.
 
 use std::num::NonZeroUsize;
 
@@ -15,15 +14,15 @@ use crate::{
     reconstruction::nodes,
 };
 
-/// One curve, its energy, and the energies of its samples.
+/// The energy of a curve and the discrete energies of its samples.
 struct Sampled {
     curve: Integral,
     trapezoidal: f64,
     left: f64,
-    /// `‖γ̇‖` and `‖γ̈‖`, rounded up by the errors of their quadratures: as good as any `K₁`, `K₂`.
+    /// `‖γ̇‖` and `‖γ̈‖`, rounded up by the errors of their quadratures: the best `K₁` and `K₂`.
     norms: [f64; 2],
     gram: GramRange,
-    /// What is granted to the quadrature and to rounding, in `m²`.
+    /// The allowance for quadrature and rounding, in `m²`.
     granted: f64,
 }
 
@@ -41,8 +40,8 @@ impl Sampled {
         let upper = |norm: Integral| norm.value + norm.error;
         let constants = subject.constants(metric);
         let [position, speed, _] = curve.suprema();
-        // A sample is off by r, and β by 2Nr. That moves a discrete energy by the mean of 2 c₂ |β|
-        // times it, and by the slope of H; the integrand by the rounding of γ̇ and by that slope.
+        // A sample is off by r, and β by 2Nr, which changes a discrete energy by 2 c₂ |β| times that
+        // and by the slope of H; the integrand changes by the rounding of γ̇ and by that slope.
         let r = 64.0 * f64::EPSILON * position;
         let rounding = constants.c2() * speed * (4.0 * n.get() as f64 * r + 1e-14 * speed)
             + 2.0 * constants.l_h() * r * speed * speed;
@@ -57,19 +56,19 @@ impl Sampled {
     }
 }
 
-/// Evaluates Proposition 7.6, repaired, with the norms of the curve itself for `K₁` and `K₂`.
+/// Evaluates Proposition 7.6, repaired, with `K₁ = ‖γ̇‖` and `K₂ = ‖γ̈‖`.
 ///
 /// ```text
 /// |E(γ) − E_tra,N(γ)|  ≤  C_tra(N)
 /// ```
 ///
-/// Needs: `0 ≤ H ≤ c₂`, `H` Lipschitz, and that `γ̇` does not jump, which the paper does not say.
+/// Needs: `0 ≤ H ≤ c₂`, `H` Lipschitz, and that `γ̇` does not jump, a hypothesis that the paper omits.
 ///
-/// Overestimation: 4 at best as far as we know, for a straight line over a valley at the middle of
-/// each chord; the companions are attained.
+/// Overestimation: the least we know is 4, for a straight line over a valley at the middle of each
+/// chord; the companions are attained.
 ///
 /// Companions: `β` is the mean of `γ̇` over its subinterval, so that the cross term of the proof
-/// integrates to 0 and the square is that of Wirtinger; upwards there is no `c₂` at all (Jensen).
+/// integrates to 0 and Wirtinger bounds the square; upwards no `c₂` is needed (Jensen).
 ///
 /// ```text
 /// E_tra,N − E  ≤  (L_H/2N) K₁² (K₁ + K₂/√3)
@@ -96,48 +95,38 @@ pub fn prop_7_6<const D: usize>(
     let bound = subject.c_tra(constants, k1, k2, n);
     let (rise, fall) = (seen.trapezoidal - seen.curve.value, seen.curve.value - seen.trapezoidal);
     let left = seen.left - seen.curve.value;
-    let (rise_bound, fall_bound) =
-        (sampling_rise(constants, k1, k2, n), sampling_fall(constants, k1, k2, n));
     let pointwise = |rule| pointwise_rise(constants, rule, a1, a2, n);
     let evidence = Evidence::of(Statement::Proposition7_6).given_constants(constants, &seen.gram);
-    Ok(without_kinks(evidence, curve)
-        .stated("|E − E_tra,N| ≤ C_tra(N)", Unit::ENERGY, [rise.abs(), bound], seen.granted)
-        .sharper(
-            "E_tra,N − E ≤ L_H K₁²(K₁ + K₂/√3)/2N",
-            Unit::ENERGY,
-            [rise, rise_bound],
-            seen.granted,
-        )
-        .sharper(
+    let evidence = without_kinks(evidence, curve).stated(
+        "|E − E_tra,N| ≤ C_tra(N)",
+        Unit::ENERGY,
+        [rise.abs(), bound],
+        seen.granted,
+    );
+    let companions = [
+        ("E_tra,N − E ≤ L_H K₁²(K₁ + K₂/√3)/2N", rise, sampling_rise(constants, k1, k2, n)),
+        (
             "E − E_tra,N ≤ L_H K₁²(K₁ + K₂/√3)/2N + c₂K₂²/π²N²",
-            Unit::ENERGY,
-            [fall, fall_bound],
-            seen.granted,
-        )
-        .sharper(
-            "E_tra,N − E ≤ L_H A₁²(A₁/4N + A₂/12N²)",
-            Unit::ENERGY,
-            [rise, pointwise(PaperRule::Trapezoidal)],
-            seen.granted,
-        )
-        .sharper(
+            fall,
+            sampling_fall(constants, k1, k2, n),
+        ),
+        ("E_tra,N − E ≤ L_H A₁²(A₁/4N + A₂/12N²)", rise, pointwise(PaperRule::Trapezoidal)),
+        (
             "E − E_tra,N ≤ L_H A₁²(A₁/4N + A₂/12N²) + c₂A₂²/12N²",
-            Unit::ENERGY,
-            [fall, pointwise_fall(constants, a1, a2, n)],
-            seen.granted,
-        )
-        .sharper(
-            "E_l,N − E ≤ L_H A₁³/2N",
-            Unit::ENERGY,
-            [left, pointwise(PaperRule::LeftEndpoint)],
-            seen.granted,
-        ))
+            fall,
+            pointwise_fall(constants, a1, a2, n),
+        ),
+        ("E_l,N − E ≤ L_H A₁³/2N", left, pointwise(PaperRule::LeftEndpoint)),
+    ];
+    Ok(companions.into_iter().fold(evidence, |evidence, (claim, gap, bound)| {
+        evidence.sharper(claim, Unit::ENERGY, [gap, bound], seen.granted)
+    }))
 }
 
-/// Evaluates Proposition 7.6 as it is printed: kinks are allowed, and `‖γ̈‖` does not see them.
+/// Evaluates Proposition 7.6 as printed, with kinks, which `‖γ̈‖` does not see.
 ///
-/// It is false for `γ(t) = |t − ½|` with `H = 1` and `N = 1`, where `E = 1` and `E_tra = 0`, for
-/// every `K₂ < (√2 − 1)/2`.
+/// False for `γ(t) = |t − ½|` with `H = 1`, `N = 1` and any `K₂ < (√2 − 1)/2`: there `E = 1` and
+/// `E_tra = 0`.
 ///
 /// # Errors
 ///
@@ -161,15 +150,15 @@ pub fn prop_7_6_as_printed<const D: usize>(
         .stated("|E − E_tra,N| ≤ C_tra(N)", Unit::ENERGY, [gap, bound], seen.granted))
 }
 
-/// Evaluates Proposition 7.7, repaired, on a finite set `Ξ` of curves, with their largest norms for
+/// Evaluates Proposition 7.7, repaired, on a finite set `Ξ` of curves, with their largest norms as
 /// `K₁` and `K₂`.
 ///
 /// ```text
 /// min E_tra,N  ≤  min E + C_tra(N)      over Ξ
 /// ```
 ///
-/// Needs: as [`prop_7_6`], for every curve, but no `c₂`. Overestimation: as there; half of the
-/// first term of `C_tra(N)`, and none of the others, would do, which is the companion.
+/// Needs: as [`prop_7_6`], for every curve, but not `c₂`. Overestimation: as there. Companion: half of
+/// the first term of `C_tra(N)`, with none of the others.
 ///
 /// # Errors
 ///
@@ -205,15 +194,14 @@ pub fn prop_7_7<const D: usize>(
         ))
 }
 
-/// Evaluates the display that defines `C_tra(N)`.
+/// Evaluates the definition of `C_tra(N)`.
 ///
 /// ```text
 /// C_tra(N)  =  (L_H (K₁³ + 2 K₁² K₂) + 4 c₂ K₁ K₂)/N + 4 c₂ K₂²/N²
 /// ```
 ///
-/// An identity: the display, grouped by powers of `K₁`, against the library's order of terms. What
-/// `C_tra(N)` bounds is in [`prop_7_6`] and [`prop_7_7`]; numbers of another program are among the
-/// reference values of the suite. Needs: nothing.
+/// An identity: the definition, grouped by powers of `K₁`, against the library's order of terms.
+/// [`prop_7_6`] and [`prop_7_7`] have the bounds by `C_tra(N)`. Needs: nothing.
 ///
 /// # Panics
 ///
@@ -226,13 +214,13 @@ pub fn constant_c_tra(
     [k1, k2]: [f64; 2],
     n: NonZeroUsize,
 ) -> Evidence {
-    // By powers of K₁, so that a slip in the library's order of terms is not repeated.
+    // By powers of K₁, so as not to repeat an error in the library's order of terms.
     let (l_h, c2, h) = (constants.l_h(), constants.c2(), 1.0 / n.get() as f64);
     let defined = h * l_h * k1.powi(3)
         + 2.0 * h * k2 * (l_h * k1.powi(2) + 2.0 * c2 * k1)
         + 4.0 * c2 * (h * k2).powi(2);
     let found = subject.c_tra(constants, k1, k2, n);
-    // Sums of nonnegative terms, a dozen roundings each.
+    // Sums of nonnegative terms with a dozen roundings each.
     let granted = 32.0 * f64::EPSILON * defined;
     Evidence::of(Statement::ConstantCTra).identity(
         ["C_tra(N) ≤ its definition", "its definition ≤ C_tra(N)"],
@@ -244,8 +232,7 @@ pub fn constant_c_tra(
 
 /// Evaluates `C_tra(N) ≤ C_tra♯/N`. Needs: nothing.
 ///
-/// Overestimation: none as `K₂ → 0`. At `N = 1` and where `K₂ = 0` the two are the same formula, an
-/// identity.
+/// Attained as `K₂ → 0`. For `N = 1` or `K₂ = 0` the two sides are the same formula, an identity.
 ///
 /// # Panics
 ///

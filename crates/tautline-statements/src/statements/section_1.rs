@@ -1,28 +1,28 @@
-//! Theorems 1.1 to 1.4: the minimisers of the discrete energies, and what they reconstruct.
+//! Theorems 1.1 to 1.4: the minimisers of the discrete energies and their reconstructions.
 //!
 //! # Global and local minimisers
 //!
-//! The theorems speak of a global minimiser `γᵖ` of the discrete energy. A solver returns a local
-//! one, and its energy is an upper bound of the minimum. So
+//! The theorems are about a global minimiser `γᵖ` of the discrete energy. A solver returns a local
+//! one, with an energy above the minimum. So
 //!
-//! - `E_N − d² ≤ C/N` claims more than the theorem: it could fail only because the solver stopped
-//!   at a worse local minimiser, and that is worth knowing;
-//! - `E(γᵖˡ) − E_N ≤ C/√N` needs of the minimiser no more than the *premise* of `K̄_{3,g}` or
-//!   `K̄_{4,g}`, an upper bound of its discrete energy. The premise is a hypothesis here: where it
-//!   holds, the theorem holds for the very sequence that was found.
+//! - `E_N − d² ≤ C/N` claims more than the theorem: it fails if the solver stops at a worse local
+//!   minimiser;
+//! - `E(γᵖˡ) − E_N ≤ C/√N` needs only the *premise* of `K̄_{3,g}` or `K̄_{4,g}`, an upper bound on the
+//!   discrete energy. The premise is a hypothesis here: where it holds, the theorem holds for the
+//!   computed sequence.
 //!
-//! Nothing is added for a residual: no inequality of the paper needs a stationary sequence.
+//! There is no allowance for a residual: no inequality of the paper needs a stationary sequence.
 //!
-//! The constants are larger than what is observed by many decades, so that these inequalities
-//! alone say little of a program. The sharper companions are of first order in `1/N`, or bound
-//! the gap of the very sequence by the mean cube of its differences.
+//! The constants exceed the observed numbers by many decades, so these inequalities alone hardly
+//! test a program. The sharper companions are of first order in `1/N`, or bound the gap of the
+//! computed sequence by the mean cube of its differences.
 
 use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};
 
-/// What no finite number of evaluations shows.
+/// An assumption: no finite number of evaluations shows it.
 pub(super) const GLOBAL: &str = "γᵖ is a global minimiser";
 
-/// What the theorems need: the clauses on the metric, ends in their sets, the rule, the premise.
+/// Begins the evidence with the hypotheses of the theorems: metric, ends in their sets, rule, premise.
 pub(super) fn begin<const D: usize>(
     statement: Statement,
     seen: &Reconstruction<D>,
@@ -44,9 +44,9 @@ pub(super) fn begin<const D: usize>(
     )
 }
 
-/// Adds the clauses on the metric, and ends in their sets.
+/// Adds the hypotheses on the metric, and that the ends lie in their sets.
 pub(super) fn admitted<const D: usize>(evidence: Evidence, seen: &Reconstruction<D>) -> Evidence {
-    // Coordinates and radii of the size of K₃ + |x|, a projection of 4 D roundings or so.
+    // Coordinates and radii of the size of K₃ + |x|, a projection with about 4 D roundings.
     let size = seen.minimum.sequence.first().norm() + seen.k3;
     evidence.given_constants(seen.setting.constants(), &seen.gram).given(
         "the ends lie in X⁽⁰⁾ and X⁽¹⁾",
@@ -56,8 +56,8 @@ pub(super) fn admitted<const D: usize>(evidence: Evidence, seen: &Reconstruction
     )
 }
 
-/// What the proof has for the minimum: `d² + C_tra♯` of `E_tra,N` (Theorem 1.1), and
-/// `d² + C_tra♯ + ½ L_H K̄_{3,g}³` of `E_l,N` (Theorem 1.3).
+/// The bound of the proof on the minimum: `d² + C_tra♯` for `E_tra,N` (Theorem 1.1), and
+/// `d² + C_tra♯ + ½ L_H K̄_{3,g}³` for `E_l,N` (Theorem 1.3).
 fn premise<const D: usize>(subject: &Subject, seen: &Reconstruction<D>, rule: PaperRule) -> f64 {
     let (setting, constants) = (seen.setting, seen.setting.constants());
     let (k1, k2) = (subject.k1_g(setting), subject.k2_g(setting));
@@ -86,7 +86,7 @@ pub(super) fn begin_in_the_paper<const D: usize>(
 /// min E − C/√N  ≤  E(γᵖˡ) − C/√N  ≤  E_tra,N(γᵖ)  ≤  min E + C/N
 /// ```
 ///
-/// Companions: the gap of the very sequence is at most `(L_H/4N) mean |β|³`, and all three gaps
+/// Companions: the gap of the computed sequence is at most `(L_H/4N) mean |β|³`, and all three gaps
 /// are of order `1/N` ([`tautline::bounds::theorem_a_excess`] and its parts).
 #[doc(alias = "theo:approx_numerical_integral_trapezoidal")]
 #[must_use]
@@ -111,8 +111,7 @@ pub fn theorem_1_1<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) 
 /// 0  ≤  L(γᵖˡ)² − d²  ≤  C/√N      with the C of Theorem 1.1
 /// ```
 ///
-/// Companion: `L(γᵖˡ)² − d²` is of order `1/N`
-/// ([`tautline::bounds::theorem_a_excess`]).
+/// Companion: `L(γᵖˡ)² − d²` is of order `1/N` ([`tautline::bounds::theorem_a_excess`]).
 #[doc(alias = "theo:approx_numerical_integral_trapezoidal_length")]
 #[must_use]
 pub fn theorem_1_2<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
@@ -126,7 +125,7 @@ pub fn theorem_1_2<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) 
 /// min E − C/√N  ≤  E(γᵖˡ) − C/√N  ≤  E_l,N(γᵖ)  ≤  min E + C/√N
 /// ```
 ///
-/// Companions: the gap of the very sequence is at most `(L_H/2N) mean |β|³`, and all three gaps
+/// Companions: the gap of the computed sequence is at most `(L_H/2N) mean |β|³`, and all three gaps
 /// are of order `1/N` ([`tautline::bounds::theorem_a_excess`] and its parts).
 #[doc(alias = "theo:approx_numerical_integral_left")]
 #[must_use]
@@ -145,11 +144,11 @@ pub fn theorem_1_3<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) 
     claims.conclude(Statement::Theorem1_3, subject, seen, PaperRule::LeftEndpoint)
 }
 
-/// What Theorems 1.1 and 1.3 claim, each with its bound, and the names of their companions.
+/// The claims of Theorem 1.1 or 1.3 with their bounds, and the claims of their companions.
 struct Claims {
     polyline: (&'static str, f64),
     minimum: (&'static str, f64),
-    /// By the mean cube; of the minimum, of the polyline and from below by Theorem A.
+    /// By the mean cube; then by Theorem A for the minimum, for the polyline and from below.
     sharper: [&'static str; 4],
 }
 
@@ -194,7 +193,7 @@ pub fn theorem_1_4<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) 
     length_excess(Statement::Theorem1_4, subject, seen, PaperRule::LeftEndpoint, constant)
 }
 
-/// What Theorems 1.2 and 1.4 claim alike.
+/// The common claims of Theorems 1.2 and 1.4.
 fn length_excess<const D: usize>(
     statement: Statement,
     subject: &Subject,

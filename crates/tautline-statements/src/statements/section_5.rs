@@ -1,5 +1,5 @@
-//! Section 5: over the valleys, from `(0, 0)` to `(4π, 0)`, the minima of the discrete lengths are
-//! `4π` for every `N`, and the distance is `8π`.
+//! Section 5: over the valleys, from `(0, 0)` to `(4π, 0)`, the discrete lengths have the minimum
+//! `4π` for every `N`, but the distance is `8π`.
 
 use std::f64::consts::PI;
 
@@ -9,13 +9,13 @@ use tautline::{LeftEndpoint, PointSequence, Rule, Trapezoidal, gallery::Valleys}
 use crate::{Evidence, Statement, Subject, Unit, Units, VerifyError, witnesses::valley_jump};
 
 /// Evaluates the claim of Section 5 on the left-endpoint rule, for a sequence from `(0, 0)` to
-/// `(4π, 0)`; the sequence and the numbers that come back are in `units`.
+/// `(4π, 0)`; the sequence and the resulting numbers are in `units`.
 ///
 /// ```text
 /// 4π ≤ L_l,N(γᵖ),    L_l,N(γ*) ≤ 4π for a γ* of the same N,    8π ≤ L(γᵖˡ),    d ≤ 8π
 /// ```
 ///
-/// `γ*` stops in the valley at `2π`. The distance is at most the length of a straight line.
+/// `γ*` stops in the valley at `2π`. The length of a straight line bounds the distance.
 ///
 /// # Errors
 ///
@@ -35,7 +35,7 @@ pub fn section_5_left(
 
 /// Evaluates the claim of Section 5 on the trapezoidal rule, as [`section_5_left`] does.
 ///
-/// Here `γ*` jumps over both ridges at once, and `H` is read in the valley between.
+/// Here `γ*` jumps over both ridges at once; the rule evaluates `H` in the valley between.
 ///
 /// # Errors
 ///
@@ -70,7 +70,7 @@ fn evaluate(
     let line = PointSequence::straight(ends[0], ends[1], 1)?;
     let line = subject.curve_length(&metric, &line);
     let [four, eight] = [4.0, 8.0].map(|k| k * PI * units.m);
-    // 4π is rounded; a dozen roundings a chord, in compensated sums of positive terms.
+    // 4π is rounded; compensated sums of positive terms with a dozen roundings a chord.
     let granted = |length: f64| 1e-14 * (eight + length);
     Ok(evidence
         .given("γᵖ begins at (0, 0)", Unit::COORDINATE, [off[0], 0.0], 0.0)

@@ -1,49 +1,48 @@
-//! `WayOut`: how far it is to leave a space, which is as far as it is complete.
+//! `WayOut`: the length of the shortest way out of a space, which is complete if it is infinite.
 
 use nalgebra::SVector;
 use tautline::Constants;
 
 use crate::{Evidence, Unit, curves::KnownGeodesics};
 
-/// The length of the shortest way out of a space: of the curves from a point that leave every
+/// The length of the shortest way out of a space, that is, of a curve from a point that leaves every
 /// compact set.
 ///
-/// A space is complete if and only if there is none of finite length (Hopf and Rinow). Less will do
-/// for two points that are nearer than that: the closed balls of their distance are compact, and
-/// there is a minimal geodesic between the two.
+/// A space is complete if and only if no way out has finite length (Hopf and Rinow). For two points
+/// it suffices that the way out is longer than their distance: the closed balls of that radius are
+/// compact, and a minimal geodesic joins the points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WayOut {
     /// In `m`; no way out is shorter.
     length: f64,
-    /// What that rests on besides.
+    /// The assumption behind the length.
     assumed: Option<&'static str>,
 }
 
 impl WayOut {
-    /// Returns the length from a point by what the metric knows of its geodesics: all that are
-    /// shorter than its [normal radius](KnownGeodesics::normal_radius) can be continued. That all can, where
-    /// it is infinite, is assumed: no number stands for it.
+    /// Returns the [normal radius](KnownGeodesics::normal_radius) at a point: all shorter geodesics
+    /// can be continued. Where it is infinite, that geodesics never end is assumed.
     pub fn from<const D: usize>(metric: &impl KnownGeodesics<D>, x: &SVector<f64, D>) -> Self {
         let length = metric.normal_radius(x);
         Self { length, assumed: (length == f64::INFINITY).then_some("geodesics never end") }
     }
 
-    /// Returns the limit of `√c₁ r` as `r → ∞`, by which it is to leave the ball of radius `r`, if
-    /// `c₁ ≤ H` everywhere. That is assumed.
+    /// Returns an infinite length, assuming `c₁ ≤ H` everywhere: a way out of the ball of radius `r`
+    /// has length at least `√c₁ r`.
     #[must_use]
     pub fn by_c1(constants: Constants) -> Self {
         let length = constants.c1().sqrt() * f64::INFINITY;
         Self { length, assumed: Some("c₁ ≤ λ_min(H) everywhere") }
     }
 
-    /// Returns whether all ways out are longer than `length`, in `m`.
+    /// Returns whether every way out is longer than `length`, in `m`.
     #[must_use]
     pub fn exceeds(self, length: f64) -> bool {
         self.length > length
     }
 
-    /// Adds the hypothesis that no way out is shorter than `length`, in `m`, or what is assumed in its
-    /// place. The theorems ask for longer ones; equality is let through, as what is granted for rounding is.
+    /// Adds the hypothesis that no way out is shorter than `length`, in `m`, or the assumption in its
+    /// place. The theorems need `>`; `≥` is checked, as with any allowance for rounding.
     pub(super) fn given_longer(self, evidence: Evidence, [length, granted]: [f64; 2]) -> Evidence {
         match self.assumed {
             Some(claim) => evidence.assumed(claim),
@@ -75,7 +74,7 @@ mod tests {
         way_out.given_longer(evidence, [length, 0.0]).finding() == Finding::Holds
     }
 
-    /// From `x` to all sides geodesics of the lengths 1, 4 and 16 are there, and none is a detour.
+    /// From `x`, geodesics of lengths 1, 4 and 16 exist in all directions, and are minimal.
     fn goes_on<M: KnownGeodesics<2> + Copy>(metric: M, x: [f64; 2]) {
         let x = SVector::from(x);
         assert!(longer(WayOut::from(&metric, &x), f64::MAX));
@@ -87,7 +86,7 @@ mod tests {
                 let geodesic = Geodesic::leaving(metric, x, unit * length);
                 let end = geodesic.motion(1.0).position;
                 let distance = metric.distance(&x, &end).expect("known");
-                // In the ball a point at the distance 16 is 4e−7 from the rim, to 1e−16.
+                // In the ball model a point at distance 16 is 4e−7 from the rim, known to 1e−16.
                 assert!((distance - length).abs() <= 1e-8 * length, "{length}: {distance}");
             }
         }
@@ -104,13 +103,13 @@ mod tests {
         goes_on(Hyperbolic, [0.1, -0.3]);
     }
 
-    /// To the missing point it is `π − 2 arctan |x|`.
+    /// The missing point is at the distance `π − 2 arctan |x|`.
     #[test]
-    fn the_way_out_of_the_sphere_is_that_to_the_missing_point() {
+    fn the_way_out_of_the_sphere_leads_to_the_missing_point() {
         let way_out = WayOut::from(&Sphere, &SVector::from([0.0, 1.0]));
         let half = std::f64::consts::FRAC_PI_2;
         assert!(longer(way_out, half - 1e-15) && !longer(way_out, half + 1e-15));
-        // On the equator H = I, and 10⁻⁶ short of the missing point |x| = cot(½ 10⁻⁶).
+        // On the equator H = I; at 10⁻⁶ before the missing point |x| = cot(½ 10⁻⁶).
         let v = SVector::from([0.0, half - 1e-6]);
         let far = Geodesic::leaving(Sphere, SVector::from([0.0, 1.0]), v);
         let end = far.motion(1.0).position.norm();
@@ -118,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn that_c1_holds_everywhere_is_assumed() {
+    fn by_c1_assumes_that_c1_holds_everywhere() {
         let constants = tautline::Constants::new(0.5, 1.0, 1.0).expect("in order");
         let begun = Evidence::of(Statement::Proposition6_2);
         let evidence = WayOut::by_c1(constants).given_longer(begun, [3.0, 0.0]);

@@ -1,5 +1,5 @@
-//! Propositions S.6 and S.7: the distance from one computed sequence, and a discrete minimum that
-//! is global.
+//! Propositions S.6 and S.7: an enclosure of the distance by one computed sequence, and global
+//! discrete minima.
 
 use tautline::{
     Bounded, PointSequence,
@@ -12,20 +12,19 @@ use crate::{
     discrete_energy, reconstruction::nodes, with_rule::with_rule,
 };
 
-/// Evaluates Proposition S.6 on a computed minimiser, of which it is assumed that it is global;
-/// `gap` is the Euclidean distance of the sets, or less, in `ℓ`.
+/// Evaluates Proposition S.6 on a computed minimiser, assumed to be global; `gap` is a lower bound on
+/// the Euclidean distance of the sets, in `ℓ`.
 ///
 /// ```text
 /// lower  ≤  d²  ≤  L(γᵖˡ)²,      lower = max{ d² : d² e(d) ≤ E_N },  or  c₁ gap²
 /// ```
 ///
-/// Needs: the setting of Theorem 1.1; a *global* minimiser, from below.
-///
-/// Overestimation: none where the metric is constant.
+/// Needs: the setting of Theorem 1.1; a *global* minimiser for the lower bound. Attained by constant
+/// metrics.
 ///
 /// # Errors
 ///
-/// [`VerifyError::Bound`] if an energy is none.
+/// [`VerifyError::Bound`] if an energy is negative or not finite.
 pub fn prop_s_6<const D: usize>(
     subject: &Subject,
     seen: &Reconstruction<D>,
@@ -62,19 +61,18 @@ pub fn prop_s_6<const D: usize>(
 /// E_N(x) − R²/(4σ N² sin²(π/2N))  ≤  E_N(y),                              where σ > 0
 /// ```
 ///
-/// The first is the convexity of modulus `σ` along a segment, half the second derivative in the
-/// mean; the second that `x` has as little
-/// energy as any other sequence, up to what its residual `R` leaves. `length` is that of the
-/// reconstruction of `x`, in `m`.
+/// The first is convexity with modulus `σ` along a segment: half the mean second derivative. By the
+/// second, `x` has the least energy of all sequences, up to a term of its residual `R`. `length` is
+/// the length of the reconstruction of `x`, in `m`.
 ///
 /// Needs: `c₁ ≤ H`, `H` Lipschitz with `L_H`, `DH` with `M_H`; the same ends and the same `N`.
 ///
-/// Overestimation: none in the first for the trapezoidal rule with `N = 2`, where `H` has the
-/// slopes `±L_H` at the two midpoints.
+/// The first is attained for the trapezoidal rule with `N = 2`, where `H` has the slopes `±L_H` at
+/// the two midpoints.
 ///
 /// # Errors
 ///
-/// [`VerifyError`] where `H` is not positive definite, or the middle is no sequence.
+/// [`VerifyError`] where `H` is not positive definite, or the midpoints overflow.
 pub fn prop_s_7<const D: usize>(
     subject: &Subject,
     metric: &impl Bounded<D>,
@@ -105,7 +103,7 @@ pub fn prop_s_7<const D: usize>(
             evidence = evidence.given_curvature(crate::curvature_along(metric, sequence), m_h);
         }
     }
-    // As for a reconstruction: compensated sums, and points that are rounded.
+    // As for a reconstruction: compensated sums, and rounded points.
     let size = x.points().iter().chain(y.points()).map(|x| x.norm()).fold(0.0, f64::max);
     let sum = of_x + of_y + of_middle;
     let momentum = 2.0 * (constants.c2() * sum).sqrt();

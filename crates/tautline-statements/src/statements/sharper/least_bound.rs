@@ -1,18 +1,16 @@
-//! The least of all bounds of the length: what a user of the theorems is told.
+//! The least of all bounds on the length, which the library reports to users.
 
 use crate::statements::section_1::begin;
 use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};
 
-/// Evaluates the least bound of the length on a computed minimiser: of the paper's theorem, and of
-/// Theorems A to D, the smallest number for `L(γᵖˡ)² − d²`.
+/// Evaluates the least bound on `L(γᵖˡ)² − d²` on a computed minimiser, over the theorem of the paper
+/// and Theorems A to D.
 ///
-/// Counted as Theorem D where the rule is the trapezoidal one and `M_H` is known, and as Theorem C
-/// otherwise, which are the least for large `N`.
+/// Counts as Theorem D for the trapezoidal rule with known `M_H`, and as Theorem C otherwise: these
+/// are least for large `N`, and have its overestimation.
 ///
-/// Needs: what the theorems need, of which stationary inner points; the premise with the least
-/// ceiling of Lemma S.4.
-///
-/// Overestimation: that of Theorems C and D.
+/// Needs: the hypotheses of the theorems, including stationary inner points; the premise with the
+/// least ceiling of Lemma S.4.
 #[must_use]
 pub fn least_length_bound<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let &Reconstruction { setting, rule, n, distance_squared: d2, granted, .. } = seen;

@@ -1,4 +1,4 @@
-//! Proposition S.8: a ball that no competitor leaves.
+//! Proposition S.8: a ball that contains all competitors.
 
 use nalgebra::SVector;
 use tautline::{Bounded, LocalError, PointSequence};
@@ -9,24 +9,24 @@ use crate::{
     reconstruction::nodes,
 };
 
-/// The chords of a way out of the ball.
+/// The number of chords of a way out of the ball.
 const WAY: usize = 4;
 
-/// Evaluates Proposition S.8 on a computed minimiser, with the radius `R` at which the library
-/// stops when it is given the constants of the problem.
+/// Evaluates Proposition S.8 on a computed minimiser, with the radius `R` that the library finds for
+/// the constants of the problem.
 ///
 /// ```text
 /// |xₙ − x|  ≤  R        for every point of the sequence, where x is its bounded end
-/// d  ≤  √c₁ R           which a minimal geodesic would have to exceed in order to leave
-/// E_N  ≤  c₁ R²         which a sequence would have to exceed
-/// √c₁ R  ≤  L(γ)        for segments γ from x to the distance R along axes
+/// d  ≤  √c₁ R           so that no minimal geodesic leaves
+/// E_N  ≤  c₁ R²         so that no minimal sequence leaves
+/// √c₁ R  ≤  L(γ)        for segments γ of Euclidean length R from x along axes
 /// ```
 ///
 /// Needs: the setting of Theorem 1.1 within `R` of the end; a *global* minimiser among the
 /// sequences there.
 ///
-/// Overestimation: the radius is one percent larger than it need be, which is one percent in the
-/// first two and two in the third; none in the last where the metric is `c₁ I`.
+/// Overestimation: the radius is 1 % larger than necessary, which is 1 % in the first two and 2 % in
+/// the third. The last is attained for the metric `c₁ I`.
 ///
 /// # Errors
 ///
@@ -46,10 +46,10 @@ pub fn prop_s_8<M: Bounded<D>, const D: usize>(
     let is_bounded = known.ends.first().radius().is_some_and(f64::is_finite);
     let end = if is_bounded { sequence.first() } else { sequence.last() };
     let farthest = sequence.points().iter().map(|x| (x - end).norm()).fold(0.0, f64::max);
-    // Points are rounded; lengths are roots of energies, of the size of d at least.
+    // Points are rounded; lengths are roots of energies, of size at least d.
     let rounding = 1e-14 * (end.norm() + radius);
     let of_lengths = if d2 > 0.0 { granted / distance } else { granted.sqrt() };
-    // What Lemma S.4 has for the minimum, by which the library finds the radius.
+    // The bound of Lemma S.4 on the minimum, which determines the radius in the library.
     let mut ceiling = subject.theorem_a_minimum_gap(setting, rule, n);
     if rule == PaperRule::Trapezoidal {
         let second =

@@ -1,4 +1,4 @@
-//! Our own statements, proved in `paper/SHARPER.md`. Lemmas S.1 and S.2 stand with the statements of
+//! Our own statements, proved in `paper/SHARPER.md`. Lemmas S.1 and S.2 are with the statements of
 //! the paper that they sharpen, in `apriori` and `point_sequences`.
 
 mod enclosures;

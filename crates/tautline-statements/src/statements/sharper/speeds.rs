@@ -1,24 +1,25 @@
-//! Lemmas S.3 and S.5: how fast the chords of a sequence can be, and how unequally fast.
+//! Lemmas S.3 and S.5: the greatest speed of the chords of a sequence, and the spread of the speeds.
 
 use tautline::{Bounded, MetricError, PointSequence};
 
+use crate::statements::section_1::admitted;
 use crate::{
     Evidence, GramRange, PaperRule, Reconstruction, Statement, Subject, Unit, discrete_energy,
     reconstruction::nodes, with_rule::with_rule,
 };
 
-/// Evaluates Lemma S.3 on any point sequence; what is missing to a stationary one is its residual.
+/// Evaluates Lemma S.3 on any point sequence, with its residual `ρ`.
 ///
 /// ```text
 /// max qₙ   ≤  min( √(N E_N), √E_N + (L_H/c₁^{3/2}) E_N + mean|ρ|/√c₁ ),      ∂E_N/∂xₙ = −2hρₙ
 /// max |βₙ|  ≤  (c₂K₃ + ½ L_H K₃² + mean|ρ|)/c₁
 /// ```
 ///
-/// Needs: `c₁ ≤ H`, `H` Lipschitz; the second `H ≤ c₂`.
+/// Needs: `c₁ ≤ H`, `H` Lipschitz; the second also `H ≤ c₂`.
 ///
-/// Overestimation: none in both for a constant metric; nor in what `L_H` adds to the second, in the
-/// limit of sequences that run away. Companion: with the largest difference `B`,
-/// `|βₙ − βₙ₋₁| ≤ (3L_H/2Nc₁) B² + |ρₙ|/Nc₁`, which is attained over a twist.
+/// Both are attained for a constant metric, and the `L_H` term of the second in a limit of sequences
+/// that run away. Companion: with the largest difference `B`,
+/// `|βₙ − βₙ₋₁| ≤ (3L_H/2Nc₁) B² + |ρₙ|/Nc₁`, attained over a twist.
 ///
 /// # Errors
 ///
@@ -45,8 +46,8 @@ pub fn lemma_s_3<const D: usize>(
     });
     let over = |[step, bound]: &[f64; 2]| step - bound;
     let worst = steps.max_by(|a, b| over(a).total_cmp(&over(b))).unwrap_or([0.0, 0.0]);
-    // The points are rounded, so that a difference is off by 2Nε|x|, and a residual, of two momenta
-    // each, by 8N²c₂ε|x|; a momentum besides by a few ε, and by the slope of H.
+    // Rounding of the points changes a difference by 2Nε|x|, and a residual of two momenta by
+    // 8N²c₂ε|x|; a momentum is also off by a few ε, and by the slope of H.
     let size = sequence.points().iter().map(|x| x.norm()).fold(0.0, f64::max);
     let off = f64::EPSILON * count * size;
     let slope = constants.l_h() * f64::EPSILON * size * greatest;
@@ -72,8 +73,8 @@ pub fn lemma_s_3<const D: usize>(
         .sharper("|βₙ − βₙ₋₁| ≤ 3L_H B²/2Nc₁ + |ρₙ|/Nc₁", Unit::COORDINATE, worst, step_granted))
 }
 
-/// Evaluates Lemma S.5 on any sequence from set to set, whose distance `d > 0` is known: with
-/// `uₙ = qₙ/d` and `ε = max(1, E_N/d²)`,
+/// Evaluates Lemma S.5 on any sequence from set to set with known distance `d > 0`: with `uₙ = qₙ/d`
+/// and `ε = max(1, E_N/d²)`,
 ///
 /// ```text
 /// mean u ≥ 1 − x,    v ≤ ε − max(0, 1 − x)²,    |uₙ − mean u| ≤ √((N − 1)v)
@@ -82,10 +83,9 @@ pub fn lemma_s_3<const D: usize>(
 /// L(γᵖˡ)²  ≤  E_tra,N + (M_H/24c₁²N²) E_tra,N²
 /// ```
 ///
-/// Needs: `c₁ ≤ H`, `H` Lipschitz, where `M_H` is used `DH` too; ends in their sets. No minimiser.
+/// Needs: `c₁ ≤ H`, `H` Lipschitz, `DH` too where `M_H` enters; ends in their sets; not a minimiser.
 ///
-/// Overestimation: none in the last two as `δ → 0` and `μ → 0`, at `N = 1` over a valley and along
-/// a parabola.
+/// The last two are attained as `δ → 0` and `μ → 0`, at `N = 1` over a valley and along a parabola.
 #[must_use]
 pub fn lemma_s_5<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let &Reconstruction {
@@ -99,16 +99,13 @@ pub fn lemma_s_5<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) ->
     let variance = mean(&|u| (u - average).powi(2));
     let deviation = u.iter().map(|u| (u - average).abs()).fold(0.0, f64::max);
     let surplus = (discrete_energy / d2 - 1.0).max(0.0);
-    let mut evidence = crate::statements::section_1::admitted(
-        Evidence::of(Statement::LemmaS5),
-        seen,
-    )
-    .given("0 < d", Unit::LENGTH, [-d, 0.0], 0.0);
+    let mut evidence = admitted(Evidence::of(Statement::LemmaS5), seen);
+    evidence = evidence.given("0 < d", Unit::LENGTH, [-d, 0.0], 0.0);
     let spreads = [
         Some(subject.spread(setting, rule, n, surplus)),
         subject.sharp_spread(setting, n, surplus).filter(|_| rule == PaperRule::Trapezoidal),
     ];
-    // A root of what is granted to the variance, and products of that with the moments.
+    // The root of the allowance for the variance, and its products with the moments.
     let others = (n.get() - 1) as f64;
     let off = (others * relative).sqrt();
     for spread in spreads.into_iter().flatten() {

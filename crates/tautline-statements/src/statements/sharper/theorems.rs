@@ -1,9 +1,8 @@
-//! Lemma S.4 and Theorems A to D: the excess of a discrete minimiser, to the order `1/N` and
-//! `1/N²`.
+//! Lemma S.4 and Theorems A to D: the excess of a discrete minimiser, of order `1/N` and `1/N²`.
 //!
-//! As in Section 1, a solver finds a local minimiser, and the theorems speak of a global one. That
-//! its energy is no more than what Lemma S.4 has for the minimum is the *premise*, a hypothesis of
-//! Theorems A to D; where it holds, they hold for the very sequence that was found.
+//! As in Section 1, a solver finds a local minimiser, and the theorems are about a global one. The
+//! *premise*, that its energy is below the bound of Lemma S.4 on the minimum, is a hypothesis of
+//! Theorems A to D; where it holds, they hold for the computed sequence.
 
 use crate::statements::section_1::{GLOBAL, admitted, begin};
 use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};
@@ -15,11 +14,10 @@ use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};
 /// E_tra,N − d²  ≤  d² (Gδ/3 + μ/24)/N²,  and  d² (ê − 1),            if M_H is known
 /// ```
 ///
-/// Needs: the setting of Theorem 1.1, where `M_H` is used `DH` Lipschitz too, and a *global*
+/// Needs: the setting of Theorem 1.1, `DH` Lipschitz too where `M_H` enters, and a *global*
 /// minimiser, which no evaluation shows: a sequence with more energy is a worse local minimiser.
 ///
-/// Overestimation: none as `δ → 0`, at `N = 1` over a ridge (trapezoidal) and down an incline (left
-/// endpoint).
+/// Attained as `δ → 0`, at `N = 1` over a ridge (trapezoidal) and down an incline (left endpoint).
 #[must_use]
 pub fn lemma_s_4<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let &Reconstruction { setting, rule, n, granted, .. } = seen;
@@ -48,7 +46,7 @@ pub fn lemma_s_4<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) ->
     evidence
 }
 
-/// What a theorem has for `min E_N − d²`, `d² − E_N`, `|E(γᵖˡ) − E_N|` and `L(γᵖˡ)² − d²`, in `m²`.
+/// The bounds of a theorem on `min E_N − d²`, `d² − E_N`, `|E(γᵖˡ) − E_N|` and `L(γᵖˡ)² − d²`, in `m²`.
 struct Gaps {
     above: f64,
     below: f64,
@@ -57,7 +55,7 @@ struct Gaps {
 }
 
 impl Gaps {
-    /// Compares all four, and the sum of two with the excess of energy.
+    /// Compares all four, and the excess of energy with the sum of two.
     fn conclude<const D: usize>(&self, statement: Statement, seen: &Reconstruction<D>) -> Evidence {
         let &Reconstruction { distance_squared: d2, discrete_energy, granted, .. } = seen;
         let (energy, length2) = (seen.energy.value, seen.length_squared.value);
@@ -87,17 +85,17 @@ impl Gaps {
 /// L(γᵖˡ)² − d²  ≤  E(γᵖˡ) − d²  ≤  d² [e − 1 + (kδ/N) e Q]
 /// ```
 ///
-/// Needs: the setting of Theorem 1.1, and the premise `E_N ≤ d² e`. Stationarity, of which the
-/// proof makes use, is not needed, since Theorem C is no weaker.
+/// Needs: the setting of Theorem 1.1, and the premise `E_N ≤ d² e`. The proof uses stationarity, but
+/// it is not needed, since Theorem C is no weaker.
 ///
-/// Overestimation: none as `δ → 0`, at `N = 1` on two routes.
+/// Attained as `δ → 0`, at `N = 1` on two routes.
 #[must_use]
 pub fn theorem_a<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let polyline = subject.theorem_a_polyline_gap(seen.setting, seen.rule, seen.n);
     let above = subject.theorem_a_minimum_gap(seen.setting, seen.rule, seen.n);
     let length = above + polyline;
     let gaps = Gaps { above, below: polyline, polyline, length };
-    given_what_bends(gaps.conclude(Statement::TheoremA, seen), seen)
+    given_bend(gaps.conclude(Statement::TheoremA, seen), seen)
 }
 
 /// Evaluates Theorem B on a computed minimiser of the trapezoidal rule, if `M_H` is known.
@@ -108,9 +106,9 @@ pub fn theorem_a<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) ->
 /// ```
 ///
 /// Needs: the setting of Theorem 1.1, the premise `E_tra,N ≤ d² e₂`, `DH` Lipschitz with `M_H`, and
-/// inner points that are stationary, as a converged minimiser has them.
+/// stationary inner points, as in a converged minimiser.
 ///
-/// Overestimation: none as `μ → 0`, at `N = 1` on two routes along parabolas.
+/// Attained as `μ → 0`, at `N = 1` on two routes along parabolas.
 #[must_use]
 pub fn theorem_b<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Option<Evidence> {
     let polyline = subject.theorem_b_polyline_gap(seen.setting, seen.n)?;
@@ -126,10 +124,9 @@ pub fn theorem_b<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) ->
 /// E(γᵖˡ) − d²  ≤  d² [e − 1 + (kδ/N) m₃],    L(γᵖˡ)² − d²  ≤  d² [e − 1 + (kδ/N) e^{3/2}]
 /// ```
 ///
-/// Needs: the setting of Theorem 1.1, and the premise; neither a minimiser nor a stationary
-/// sequence.
+/// Needs: the setting of Theorem 1.1, and the premise; neither a minimiser nor a stationary sequence.
 ///
-/// Overestimation: none as `δ → 0`, on two routes, for every `N`.
+/// Attained as `δ → 0`, on two routes, for every `N`.
 #[must_use]
 pub fn theorem_c<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let &Reconstruction { setting, rule, n, .. } = seen;
@@ -139,7 +136,7 @@ pub fn theorem_c<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) ->
         polyline: subject.theorem_c_polyline_gap(setting, rule, n),
         length: subject.theorem_c_length_excess(setting, rule, n),
     };
-    given_what_bends(gaps.conclude(Statement::TheoremC, seen), seen)
+    given_bend(gaps.conclude(Statement::TheoremC, seen), seen)
 }
 
 /// Evaluates Theorem D on any sequence from set to set with `E_tra,N ≤ d² ε`, if `M_H` is known.
@@ -151,7 +148,7 @@ pub fn theorem_c<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) ->
 ///
 /// Needs: as [`theorem_c`], and `DH` Lipschitz with `M_H`.
 ///
-/// Overestimation: none as `μ → 0`, at `N = 1` on two routes along parabolas.
+/// Attained as `μ → 0`, at `N = 1` on two routes along parabolas.
 #[must_use]
 pub fn theorem_d<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Option<Evidence> {
     let gaps = Gaps {
@@ -163,15 +160,15 @@ pub fn theorem_d<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) ->
     of_second_order(gaps, Statement::TheoremD, seen)
 }
 
-/// Adds the clause on `M_H` where the bound of the acceleration rests on it.
-fn given_what_bends<const D: usize>(evidence: Evidence, seen: &Reconstruction<D>) -> Evidence {
+/// Adds the hypothesis on `M_H` where the bound on the acceleration needs it.
+fn given_bend<const D: usize>(evidence: Evidence, seen: &Reconstruction<D>) -> Evidence {
     match seen.setting.constants().m_h() {
         Some(m_h) if seen.setting.bend_needs_m_h() => evidence.given_curvature(seen.curvature, m_h),
         _ => evidence,
     }
 }
 
-/// `None` for the left-endpoint rule, about which Theorems B and D say nothing.
+/// Concludes Theorem B or D; `None` for the left-endpoint rule, to which they do not apply.
 fn of_second_order<const D: usize>(
     gaps: Gaps,
     statement: Statement,
