@@ -1,11 +1,11 @@
-//! The geodesics of hyperbolic space: arcs of circles, in the ball model.
+//! The geodesics of hyperbolic space: circular arcs in the ball model.
 
 use nalgebra::SVector;
 use tautline::{Jet2, Scalar, gallery::Hyperbolic};
 
-use super::{KnownGeodesics, Motion, geodesic::constant};
+use super::{KnownGeodesics, Motion};
 
-/// Möbius addition: the isometry of the ball that moves `0` to `x`, at `u`:
+/// Möbius addition, the isometry of the ball that takes `0` to `x`, at `u`:
 /// `((1 + 2 x·u + |u|²) x + (1 − |x|²) u) / (1 + 2 x·u + |x|² |u|²)`.
 fn moved<S: Scalar, const D: usize>(x: &SVector<f64, D>, u: &SVector<S, D>) -> SVector<S, D> {
     let x2 = x.norm_squared();
@@ -20,8 +20,8 @@ fn moved<S: Scalar, const D: usize>(x: &SVector<f64, D>, u: &SVector<S, D>) -> S
 }
 
 impl<const D: usize> KnownGeodesics<D> for Hyperbolic {
-    /// A ray from `0`, at the radius `tanh (s/2)` after the length `s`, moved to `x`. There the
-    /// isometry is `(1 − |x|²) u` in first order.
+    /// A ray from `0`, at radius `tanh (s/2)` after length `s`, moved to `x` by the isometry, which is
+    /// `x + (1 − |x|²) u` to first order.
     fn exponential(&self, x: &SVector<f64, D>, v: &SVector<f64, D>, t: f64) -> Motion<D> {
         let speed = v.norm();
         if speed == 0.0 {
@@ -29,7 +29,7 @@ impl<const D: usize> KnownGeodesics<D> for Hyperbolic {
         }
         let [t] = Jet2::variables(&[t]);
         let radius = (t * (speed / (1.0 - x.norm_squared()))).tanh();
-        let ray = SVector::from_fn(|i, _| constant(v[i] / speed) * radius);
+        let ray = SVector::from_fn(|i, _| Jet2::constant(v[i] / speed) * radius);
         Motion::of_jet(&moved(x, &ray))
     }
 
@@ -42,7 +42,7 @@ impl<const D: usize> KnownGeodesics<D> for Hyperbolic {
         ray * ((1.0 - x.norm_squared()) * radius.atanh() / radius)
     }
 
-    /// `2 artanh 1 − 2 artanh |x|`, the way to the rim of the ball, which is `∞`.
+    /// `2 artanh 1 − 2 artanh |x| = ∞`, the distance to the rim of the ball.
     fn normal_radius(&self, x: &SVector<f64, D>) -> f64 {
         2.0 * (1_f64.atanh() - x.norm().atanh())
     }

@@ -1,4 +1,4 @@
-//! `Curve`: a curve over `[0, 1]` with its first two derivatives.
+//! `Curve`: a curve on `[0, 1]` with its first two derivatives.
 
 use tautline::{PointSequence, SequenceError};
 
@@ -6,11 +6,10 @@ use super::Motion;
 
 /// A continuous, piecewise twice differentiable curve on `[0, 1]`.
 pub trait Curve<const D: usize> {
-    /// Returns where the curve is at the time `t ∈ [0, 1]`, and how it moves; at a corner, how it
-    /// goes on.
+    /// Returns position and derivatives at the time `t ∈ [0, 1]`; at a corner, those from the right.
     fn motion(&self, t: f64) -> Motion<D>;
 
-    /// Returns the times in `(0, 1)`, in order, at which velocity or acceleration may jump.
+    /// Returns the times in `(0, 1)`, increasing, where velocity or acceleration may jump.
     fn corners(&self) -> Vec<f64> {
         Vec::new()
     }
@@ -22,7 +21,7 @@ pub trait Curve<const D: usize> {
         ends.map(|to| [std::mem::replace(&mut from, to), to]).collect()
     }
 
-    /// Returns times at which to look at the curve, eight inside each piece.
+    /// Returns times at which to check the curve, eight inside each piece.
     fn times(&self) -> Vec<f64> {
         let inside = |[from, to]: [f64; 2]| {
             (0..8).map(move |k| from + (to - from) * (f64::from(k) + 0.5) / 8.0)
@@ -51,12 +50,12 @@ impl<const D: usize, C: Curve<D>> Curve<D> for &C {
     }
 }
 
-/// A curve of which bounds are known, not only samples.
+/// A curve with known bounds.
 pub trait BoundedCurve<const D: usize>: Curve<D> {
     /// Returns bounds of `|γ|`, `|γ̇|` and `|γ̈|` over `[0, 1]`, each in `ℓ`.
     ///
-    /// Sums over coefficients, not samples: they are what pointwise statements may use, and the
-    /// size of the numbers that are rounded on the way to [`motion`](Curve::motion).
+    /// They are sums over coefficients, not samples: pointwise statements may use them, and they bound
+    /// the numbers that are rounded in [`motion`](Curve::motion).
     fn suprema(&self) -> [f64; 3];
 }
 

@@ -1,9 +1,9 @@
-//! `CurveInUnits`: a curve whose coordinates are measured in another unit.
+//! `CurveInUnits`: a curve in another unit of coordinates.
 
 use super::{BoundedCurve, Curve, Motion};
 use crate::Units;
 
-/// `ℓ γ`: the same curve where what was 1 in coordinates is `ell`. Time has no unit.
+/// `ℓ γ`: the same curve with coordinates multiplied by `ell`. Time has no unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurveInUnits<C> {
     curve: C,

@@ -1,8 +1,8 @@
-//! `Geodesic`: the geodesics of the metrics that know theirs.
+//! `Geodesic`: the geodesics of metrics with known ones.
 
 use nalgebra::SVector;
 use tautline::{
-    Bounded, Jet2, KnownDistance, Scalar, SetError,
+    Bounded, Jet2, KnownDistance, SetError,
     gallery::{Constant, Separable, Shear},
     norm_squared,
 };
@@ -10,17 +10,16 @@ use tautline::{
 use super::{BoundedCurve, Curve, Motion};
 use crate::{InUnits, Known};
 
-/// A metric whose geodesics are known in closed form, or by solving one equation in one unknown.
+/// A metric with geodesics in closed form, or by one equation in one unknown.
 pub trait KnownGeodesics<const D: usize>: KnownDistance<D> {
-    /// Returns the geodesic that starts in `x` with the velocity `v`, at the time `t`:
-    /// `Exp_x(t v)`, in `ℓ`.
+    /// Returns the geodesic that leaves `x` with velocity `v`, at the time `t`: `Exp_x(t v)`, in `ℓ`.
     fn exponential(&self, x: &SVector<f64, D>, v: &SVector<f64, D>, t: f64) -> Motion<D>;
 
-    /// Returns the velocity with which a minimal geodesic over `[0, 1]` leaves `x` for `y`, in `ℓ`.
+    /// Returns the initial velocity of a minimal geodesic over `[0, 1]` from `x` to `y`, in `ℓ`.
     fn logarithm(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> SVector<f64, D>;
 
-    /// Returns a radius in `m` such that all geodesics from `x` that are shorter exist, are
-    /// minimal, and end in different points.
+    /// Returns a radius in `m` below which geodesics from `x` exist, are minimal and end in different
+    /// points.
     fn normal_radius(&self, x: &SVector<f64, D>) -> f64;
 }
 
@@ -33,7 +32,7 @@ pub struct Geodesic<M, const D: usize> {
 }
 
 impl<M: KnownGeodesics<D>, const D: usize> Geodesic<M, D> {
-    /// Returns the geodesic with a first point and a first velocity, both in `ℓ`.
+    /// Returns the geodesic from a point with an initial velocity, both in `ℓ`.
     pub fn leaving(metric: M, start: SVector<f64, D>, velocity: SVector<f64, D>) -> Self {
         Self { metric, start, velocity }
     }
@@ -41,7 +40,7 @@ impl<M: KnownGeodesics<D>, const D: usize> Geodesic<M, D> {
     /// Returns a minimal geodesic between two points.
     pub fn between(metric: M, [a, b]: [SVector<f64, D>; 2]) -> Self {
         let velocity = metric.logarithm(&a, &b);
-        Self { metric, start: a, velocity }
+        Self::leaving(metric, a, velocity)
     }
 
     /// Returns its constant speed, which is its length, in `m`.
@@ -57,7 +56,7 @@ impl<M: KnownGeodesics<D>, const D: usize> Curve<D> for Geodesic<M, D> {
 }
 
 impl<M: KnownGeodesics<D> + Bounded<D>, const D: usize> BoundedCurve<D> for Geodesic<M, D> {
-    /// `|γ̇| ≤ s/√c₁` with the constant speed `s`; by the geodesic equation `|γ̈| ≤ 3 L_H |γ̇|²/2c₁`.
+    /// `|γ̇| ≤ s/√c₁` with the constant speed `s`, and `|γ̈| ≤ 3 L_H |γ̇|²/2c₁` by the geodesic equation.
     fn suprema(&self) -> [f64; 3] {
         let constants = self.metric.constants();
         let speed = (self.speed() / constants.c1().sqrt()).max(self.velocity.norm());
@@ -67,11 +66,11 @@ impl<M: KnownGeodesics<D> + Bounded<D>, const D: usize> BoundedCurve<D> for Geod
 }
 
 impl<M: KnownGeodesics<D>, const D: usize> Known<M, D> {
-    /// Two points of a metric that knows its geodesics.
+    /// Returns the problem between two points of a metric with known geodesics.
     ///
-    /// Closed forms of distances are some four roundings of numbers of the size of the points, in
-    /// the metric at either of them up to a factor of 10 or so: `distance_error` is `64 ε` times
-    /// the sum of the two, and of the distance.
+    /// Closed forms of distances have about four roundings of numbers of the size of the points, in
+    /// the metric at either point up to a factor of about 10: `distance_error` is `64 ε` times the
+    /// sum of these sizes and the distance.
     ///
     /// # Errors
     ///
@@ -95,9 +94,9 @@ impl<const D: usize> KnownGeodesics<D> for Constant<D> {
         y - x
     }
 
-    /// It is `√c₁ r` at least to leave the ball of radius `r`: the limit of that.
+    /// `∞`: the space is complete, and two points are joined by one geodesic only.
     fn normal_radius(&self, _: &SVector<f64, D>) -> f64 {
-        self.constants().c1().sqrt() * f64::INFINITY
+        f64::INFINITY
     }
 }
 
@@ -115,21 +114,20 @@ impl KnownGeodesics<2> for Shear {
         self.unflatten(&line(&from, &(to - from), 0.0)).map(|x| x.first(0))
     }
 
-    /// By the flat coordinates, which take `R²` to all of itself, it is `√c₁ r` at least to leave the
-    /// ball of radius `r`: the limit of that.
+    /// `∞`: the flat coordinates map `R²` onto itself.
     fn normal_radius(&self, _: &SVector<f64, 2>) -> f64 {
-        self.constants().c1().sqrt() * f64::INFINITY
+        f64::INFINITY
     }
 }
 
 impl<const D: usize> KnownGeodesics<D> for Separable<D> {
-    /// `F⁻¹(F(x) + t DF v)`, coordinate by coordinate: with `w = DF v` the equation `F(γ) = F(x) +
-    /// t w` gives `f γ̇ = w` and `f γ̈ = −f′ γ̇²`.
+    /// `F⁻¹(F(x) + t DF v)`, coordinate by coordinate: with `w = DF v`, `F(γ) = F(x) + t w` gives
+    /// `f γ̇ = w` and `f γ̈ = −f′ γ̇²`.
     fn exponential(&self, x: &SVector<f64, D>, v: &SVector<f64, D>, t: f64) -> Motion<D> {
         let start = self.flatten(&line(x, v, 0.0));
         let w = start.map(|y| y.first(0));
         let position = unflatten(self, &(start.map(|y| y.value()) + w * t), &(x + v * t));
-        // Fᵢ depends on xᵢ alone, so that one jet along (1, …, 1) has all the fᵢ and fᵢ′.
+        // Fᵢ depends only on xᵢ, so that one jet along (1, …, 1) contains all fᵢ and fᵢ′.
         let jet = self.flatten(&line(&position, &SVector::repeat(1.0), 0.0));
         let velocity = w.zip_map(&jet, |w, jet| w / jet.first(0));
         let acceleration = velocity
@@ -144,10 +142,9 @@ impl<const D: usize> KnownGeodesics<D> for Separable<D> {
         SVector::from_fn(|i, _| (to[i] - jet[i].value()) / jet[i].first(0))
     }
 
-    /// By the flat coordinates, which take `R^D` to all of itself, it is `√c₁ r` at least to leave the
-    /// ball of radius `r`: the limit of that.
+    /// `∞`: the flat coordinates map `R^D` onto itself.
     fn normal_radius(&self, _: &SVector<f64, D>) -> f64 {
-        self.constants().c1().sqrt() * f64::INFINITY
+        f64::INFINITY
     }
 }
 
@@ -182,7 +179,7 @@ impl<M: KnownGeodesics<D>, const D: usize> KnownGeodesics<D> for InUnits<M> {
 }
 
 /// The jet of `x + τ v` at `τ = t`.
-fn line<const D: usize>(
+pub(super) fn line<const D: usize>(
     x: &SVector<f64, D>,
     v: &SVector<f64, D>,
     t: f64,
@@ -191,10 +188,10 @@ fn line<const D: usize>(
     SVector::from_fn(|i, _| t * v[i] + x[i])
 }
 
-/// Returns the `x` with `F(x) = y`, by Newton steps from `near`, in each coordinate.
+/// Solves `F(x) = y` by Newton steps from `near`, in each coordinate.
 ///
-/// `F` is increasing, so that a root lies between any two points where `F − y` has different signs;
-/// a step that would leave what is left of the interval is replaced by halving it.
+/// `F` is increasing, so that a root lies between points where `F − y` has different signs. A step
+/// that leaves this interval is replaced by bisection.
 fn unflatten<const D: usize>(
     metric: &Separable<D>,
     y: &SVector<f64, D>,
@@ -203,7 +200,7 @@ fn unflatten<const D: usize>(
     let mut x = *near;
     let mut low = SVector::<f64, D>::repeat(f64::NEG_INFINITY);
     let mut high = SVector::<f64, D>::repeat(f64::INFINITY);
-    // Quadratic convergence, once near; 100 halvings would do in any case.
+    // Convergence is quadratic near the root; 100 bisections suffice in any case.
     for _ in 0..100 {
         let jet = metric.flatten(&line(&x, &SVector::repeat(1.0), 0.0));
         let before = x;
@@ -215,15 +212,10 @@ fn unflatten<const D: usize>(
             let inside = step >= low[i] && step <= high[i];
             x[i] = if inside || !middle.is_finite() { step } else { middle };
         }
-        // Equal but for the last bits: F has a few roundings of its own.
+        // Equal up to the last bits: F has a few roundings of its own.
         if (x - before).amax() <= 2.0 * f64::EPSILON * x.amax() {
             break;
         }
     }
     x
-}
-
-/// The jet of a constant in the time.
-pub(super) fn constant(value: f64) -> Jet2<f64, 1> {
-    Jet2::constant(value)
 }

@@ -3,9 +3,10 @@
 use nalgebra::SVector;
 use tautline::{Jet2, Scalar, gallery::Sphere};
 
-use super::{KnownGeodesics, Motion};
+use super::{KnownGeodesics, Motion, geodesic::line};
 
-/// A point of `S^D ⊂ R^{D+1}`: the first `D` coordinates and the last one, 1 at the missing point.
+/// A point of `S^D ⊂ R^{D+1}`: the first `D` coordinates, and the last, which is 1 at the missing
+/// point.
 type Ambient<S, const D: usize> = (SVector<S, D>, S);
 
 /// `(2x, |x|² − 1) / (|x|² + 1)`.
@@ -21,16 +22,10 @@ fn project<S: Scalar, const D: usize>((p, q): &Ambient<S, D>) -> SVector<S, D> {
     p.map(|pi| pi * inverse)
 }
 
-/// The jet of `x + τ v` at `τ = 0`.
-fn line<const D: usize>(x: &SVector<f64, D>, v: &SVector<f64, D>) -> SVector<Jet2<f64, 1>, D> {
-    let [t] = Jet2::variables(&[0.0]);
-    SVector::from_fn(|i, _| t * v[i] + x[i])
-}
-
 impl<const D: usize> KnownGeodesics<D> for Sphere {
-    /// The projection of `P cos θt + T sin θt`, where `P` lies over `x` and `θT` over `v`.
+    /// The projection of `P cos θt + T sin θt`, where `P` projects to `x` and `θT` to `v`.
     fn exponential(&self, x: &SVector<f64, D>, v: &SVector<f64, D>, t: f64) -> Motion<D> {
-        let (p, q) = lift(&line(x, v));
+        let (p, q) = lift(&line(x, v, 0.0));
         let (tangent, last) = (p.map(|p| p.first(0)), q.first(0));
         let angle = (tangent.norm_squared() + last * last).sqrt();
         if angle == 0.0 {
@@ -52,10 +47,10 @@ impl<const D: usize> KnownGeodesics<D> for Sphere {
             return SVector::zeros();
         }
         let scale = sin.atan2(cos) / sin;
-        // The derivative of the projection at P, along what is orthogonal to P.
-        let [t] = Jet2::<f64, 1>::variables(&[0.0]);
-        let moved = SVector::<_, D>::from_fn(|i, _| t * (side[i] * scale) + p[i]);
-        project(&(moved, t * (up * scale) + q)).map(|x: Jet2<f64, 1>| x.first(0))
+        // The derivative of the projection at P, in a direction orthogonal to P.
+        let [t] = Jet2::variables(&[0.0]);
+        let moved = line(&p, &(side * scale), 0.0);
+        project(&(moved, t * (up * scale) + q)).map(|x| x.first(0))
     }
 
     /// `π − 2 arctan |x|`, the angle to the missing point.

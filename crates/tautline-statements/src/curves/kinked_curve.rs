@@ -1,4 +1,4 @@
-//! `KinkedCurve`: a curve of straight pieces, passed each at its own constant velocity.
+//! `KinkedCurve`: a curve of straight pieces, each with constant velocity.
 
 use nalgebra::SVector;
 
@@ -7,8 +7,8 @@ use crate::VerifyError;
 
 /// A piecewise linear curve through given points at given times.
 ///
-/// It is in the class of the paper, piecewise `C¹`, and `γ̈ = 0` almost everywhere: what the
-/// paper calls `‖γ̈‖` sees none of its kinks.
+/// It is piecewise `C¹`, as in the paper, and `γ̈ = 0` almost everywhere: the `‖γ̈‖` of the paper does
+/// not see its kinks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KinkedCurve<const D: usize> {
     /// `0 = t₀ < t₁ < … < t_m = 1`.
@@ -69,7 +69,7 @@ impl<const D: usize> Curve<D> for KinkedCurve<D> {
 }
 
 impl<const D: usize> BoundedCurve<D> for KinkedCurve<D> {
-    /// `max |points|` and `max |velocities|`; a bound of `γ̈` where there is one.
+    /// `max |points|` and `max |velocities|`; 0 bounds `γ̈` away from the kinks.
     fn suprema(&self) -> [f64; 3] {
         let largest = |norms: &mut dyn Iterator<Item = f64>| norms.fold(0.0, f64::max);
         let position = largest(&mut self.points.iter().map(|point| point.norm()));

@@ -1,4 +1,4 @@
-//! The norms of a curve and its derivatives in `L²` of an interval.
+//! The `L²` norms of a curve and its derivatives over an interval.
 
 use tautline::{Integral, quadrature::integrate};
 
@@ -6,8 +6,8 @@ use super::BoundedCurve;
 
 /// Returns `(∫ₐᵇ |γ⁽ᵏ⁾|² dt)^{1/2}` for `k = derivative ≤ 2`, in `ℓ`, with its error.
 ///
-/// Piece by piece from corner to corner. The error is that of the quadrature, and the rounding of the
-/// derivative: a sum of a dozen terms, a few roundings each, of the size of the supremum.
+/// Integrates from corner to corner. The error covers the quadrature and the rounding of the
+/// derivative, a sum of a dozen terms of the size of the supremum, with a few roundings each.
 ///
 /// # Panics
 ///

@@ -1,10 +1,10 @@
-//! Curves over `[0, 1]` with their velocity and acceleration: smooth ones, geodesics, reparametrised
-//! and kinked ones, with their lengths, energies and norms.
+//! Curves on `[0, 1]` with velocity and acceleration (smooth, kinked or reparametrised, and geodesics),
+//! their lengths, energies and norms.
 //!
 //! ```
 //! use tautline_statements::{Finding, curves::SmoothCurve, prop_7_3, prop_7_3_as_printed};
 //!
-//! // γ(t) = t on [0, ¼]: the proposition as it is printed says ¼ ≤ ⅛.
+//! // γ(t) = t on [0, ¼]: the printed proposition claims ¼ ≤ ⅛.
 //! let line = SmoothCurve::straight([0.0], [1.0]);
 //! let printed = prop_7_3_as_printed(&line, [0.0, 0.25])?;
 //! assert!(matches!(printed.finding(), Finding::Violated(_)));

@@ -1,8 +1,8 @@
-//! `Reparametrised`: a curve run through by another clock.
+//! `Reparametrised`: a curve with another clock.
 
 use super::{Curve, Motion};
 
-/// How a clock goes from one of its knots to the next: by `τ`, `τ²` or `τ² (3 − 2τ)` of the way.
+/// How a clock goes from one knot to the next: by `τ`, `τ²` or `τ² (3 − 2τ)` of the way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Pace {
     /// At constant speed: `τ`.
@@ -14,7 +14,7 @@ pub enum Pace {
 }
 
 impl Pace {
-    /// The part of the way, its first and its second derivative.
+    /// The fraction of the way, with its first two derivatives.
     fn jet(self, t: f64) -> [f64; 3] {
         match self {
             Pace::Even => [t, 1.0, 0.0],
@@ -33,21 +33,21 @@ impl Pace {
     }
 }
 
-/// A continuous function `φ: [0, 1] → [0, 1]` with `φ(0) = 0` and `φ(1) = 1` through given knots.
-///
-/// It may pause, and it may run backwards.
+/// A continuous function `φ: [0, 1] → [0, 1]` with `φ(0) = 0` and `φ(1) = 1` through given knots. It
+/// may pause or run backwards.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Clock {
-    /// Times, increasing from 0 to 1, and what the clock shows.
+    /// Times, increasing from 0 to 1, and readings.
     knots: Vec<[f64; 2]>,
     pace: Pace,
 }
 
 impl Clock {
-    /// Returns the clock that shows `readings` at times that cut `[0, 1]` in proportion to
-    /// `durations`, one more than there are readings; 0 and 1 are added at the ends.
+    /// Returns the clock with these readings between consecutive intervals of `[0, 1]`, of lengths
+    /// proportional to `durations`. The readings 0 and 1 at the ends are added.
     ///
-    /// `None` unless the numbers are so many, durations are positive and readings in `[0, 1]`.
+    /// `None` unless there is one more duration than readings, durations are positive and readings in
+    /// `[0, 1]`.
     #[must_use]
     pub fn new(durations: &[f64], readings: &[f64], pace: Pace) -> Option<Self> {
         let valid = durations.len() == readings.len() + 1
@@ -67,10 +67,10 @@ impl Clock {
         Some(Self { knots, pace })
     }
 
-    /// Returns the clock through these knots, each a time and what the clock shows then.
+    /// Returns the clock through these knots, each a time and a reading.
     ///
-    /// `None` unless the times increase from 0 to 1, and the readings are in `[0, 1]`, the first 0
-    /// and the last 1.
+    /// `None` unless the times increase from 0 to 1 and the readings are in `[0, 1]`, the first 0 and
+    /// the last 1.
     #[must_use]
     pub fn through(knots: &[[f64; 2]], pace: Pace) -> Option<Self> {
         let ends = knots.first() == Some(&[0.0, 0.0]) && knots.last() == Some(&[1.0, 1.0]);
@@ -85,19 +85,21 @@ impl Clock {
         Self { knots: vec![[0.0, 0.0], [1.0, 1.0]], pace }
     }
 
-    /// Returns the clock `φ` with `φ = ½` from `⅓` to `⅔`.
+    /// Returns the clock that stands at `½` from `⅓` to `⅔`.
     #[must_use]
     pub fn pausing() -> Self {
-        let third = 1.0 / 3.0;
-        let knots = vec![[0.0, 0.0], [third, 0.5], [2.0 * third, 0.5], [1.0, 1.0]];
-        Self { knots, pace: Pace::Even }
+        Self::of_thirds(0.5, 0.5)
     }
 
-    /// Returns the clock that goes to `¾`, back to `¼`, and on.
+    /// Returns the clock that goes to `¾`, back to `¼`, and on to 1.
     #[must_use]
     pub fn turning_back() -> Self {
+        Self::of_thirds(0.75, 0.25)
+    }
+
+    fn of_thirds(first: f64, second: f64) -> Self {
         let third = 1.0 / 3.0;
-        let knots = vec![[0.0, 0.0], [third, 0.75], [2.0 * third, 0.25], [1.0, 1.0]];
+        let knots = vec![[0.0, 0.0], [third, first], [2.0 * third, second], [1.0, 1.0]];
         Self { knots, pace: Pace::Even }
     }
 
@@ -111,19 +113,19 @@ impl Clock {
         [s0 + way * w, way * first / duration, way * second / (duration * duration)]
     }
 
-    /// Returns `∫ |φ′|`, a pure number: 1 if and only if the clock never runs backwards.
+    /// Returns `∫ |φ′|`, a pure number: 1 exactly if the clock never runs backwards.
     #[must_use]
     pub fn variation(&self) -> f64 {
         self.steps().map(|[_, way]| way.abs()).sum()
     }
 
-    /// Returns `∫ φ′²`, a pure number: 1 if and only if the clock is `φ(t) = t`.
+    /// Returns `∫ φ′²`, a pure number: 1 exactly if `φ(t) = t`.
     #[must_use]
     pub fn energy(&self) -> f64 {
         self.steps().map(|[duration, way]| way * way / duration * self.pace.energy()).sum()
     }
 
-    /// Returns the longest time during which the clock stands still.
+    /// Returns the longest time that the clock stands still.
     #[must_use]
     pub fn longest_pause(&self) -> f64 {
         let paused = self.steps().filter(|[_, way]| *way == 0.0).map(|[duration, _]| duration);

@@ -1,14 +1,14 @@
-//! `EvenSegment`: a straight segment, run through at constant Riemannian speed.
+//! `EvenSegment`: a straight segment at constant Riemannian speed.
 
 use nalgebra::SVector;
 use tautline::{Jet1, Metric, norm_squared, quadrature::integrate};
 
 use super::{Curve, Motion};
 
-/// The segment from `a` to `b`, at the constant speed of its length.
+/// The segment from `a` to `b`, at constant speed.
 ///
-/// Where the segment is a shortest curve, as on a ray from the centre of a radial metric, Lemma 4.4
-/// makes a geodesic of it; nothing here knows of the geodesic equation.
+/// If it is a shortest curve, as on a ray from the centre of a radial metric, it is a geodesic by
+/// Lemma 4.4. This code does not use the geodesic equation.
 #[derive(Clone, Debug)]
 pub struct EvenSegment<'a, M, const D: usize> {
     metric: &'a M,
@@ -34,11 +34,11 @@ impl<'a, M: Metric<D>, const D: usize> EvenSegment<'a, M, D> {
 }
 
 impl<M: Metric<D>, const D: usize> Curve<D> for EvenSegment<'_, M, D> {
-    /// With `h(s) = |b − a|²` in the metric at the fraction `s` of the chord, constant speed is
+    /// With `h(s) = |b − a|²` in the metric at the fraction `s` of the chord, constant speed means
     /// `ṡ = L/√h`, hence `s̈ = −½ h′/h ṡ²`.
     fn motion(&self, t: f64) -> Motion<D> {
-        // Newton's method for ∫₀ˢ √h = t L: √h varies by less than a factor of ten, and halving
-        // is there where a step leaves the interval.
+        // Newton's method for ∫₀ˢ √h = t L, with bisection where a step leaves the interval; √h
+        // varies by less than a factor of ten.
         let (mut low, mut high, mut s) = (0.0, 1.0, t);
         let mut rates = self.rates(s);
         for _ in 0..60 {

@@ -1,4 +1,4 @@
-//! `SmoothCurve`: a polynomial in time and a sum of waves.
+//! `SmoothCurve`: a polynomial in time plus a sum of waves.
 
 use std::f64::consts::PI;
 
@@ -19,8 +19,7 @@ pub struct SmoothCurve<const D: usize> {
 }
 
 impl<const D: usize> SmoothCurve<D> {
-    /// Returns the curve with the coefficients `pₖ` and `[aₖ, bₖ]`; without any, the curve that
-    /// rests at 0.
+    /// Returns the curve with the coefficients `pₖ` and `[aₖ, bₖ]`; without any, it rests at 0.
     #[must_use]
     pub fn new(powers: Vec<SVector<f64, D>>, waves: Vec<[SVector<f64, D>; 2]>) -> Self {
         Self { powers, waves }
@@ -37,7 +36,7 @@ impl<const D: usize> SmoothCurve<D> {
         Self::polynomial([a, b - a])
     }
 
-    /// Returns the curve plus what is linear in `t` and takes its ends to `a` and `b`.
+    /// Adds the function linear in `t` that takes the ends to `a` and `b`.
     #[must_use]
     pub fn between(mut self, a: SVector<f64, D>, b: SVector<f64, D>) -> Self {
         let [from, to] = [a - self.at(0.0), b - self.at(1.0)];
@@ -74,7 +73,7 @@ impl<const D: usize> BoundedCurve<D> for SmoothCurve<D> {
         let mut bounds = [0.0; 3];
         for (k, power) in self.powers.iter().enumerate() {
             let k = k as f64;
-            // −0 where k = 0 is −0 · |p₀|.
+            // k(k − 1) = −0 for k = 0.
             for (bound, factor) in bounds.iter_mut().zip([1.0, k, k * (k - 1.0)]) {
                 *bound += factor.abs() * power.norm();
             }

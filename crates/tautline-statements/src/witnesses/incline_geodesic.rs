@@ -9,9 +9,9 @@ use crate::{
 
 /// The minimal geodesic of `H = c + s x` from 0 to `x = b`, in closed form.
 ///
-/// With `F = (2/3s)(H^{3/2} − c^{3/2})` it is `H(γ(t))^{3/2} = c^{3/2} + (3/2) s d t`, where
-/// `d = F(b)`; so `γ̇ = d/√H` and `γ̈ = −s d²/2H²`. A short one loses nothing in dimension 1:
-/// `|γ̈| → s d²/2c²` as `b → 0`.
+/// With `F = (2/3s)(H^{3/2} − c^{3/2})` and `d = F(b)`, `H(γ(t))^{3/2} = c^{3/2} + (3/2) s d t`, so
+/// `γ̇ = d/√H` and `γ̈ = −s d²/2H²`. As `b → 0` it attains Lemma S.1 in dimension 1:
+/// `|γ̈| → s d²/2c²`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InclineGeodesic {
     foot: f64,

@@ -1,4 +1,4 @@
-//! Witnesses: metrics and curves on which the statements come near equality, or fail without a
+//! Witnesses: metrics and curves for which statements are near equality, or fail without a
 //! hypothesis.
 
 mod incline;

@@ -1,12 +1,12 @@
-//! Point sequences that rest but for one step.
+//! Point sequences that move in one step only.
 
 use nalgebra::SVector;
 use tautline::PointSequence;
 
 /// Returns `n + 1` points on the line that rest at 0, go to 1 in the step `step < n`, and rest there;
-/// with `n = 0` the one step of `n = 1`.
+/// `n = 0` counts as 1.
 ///
-/// `mean |β|³ = N²` and `K₃ = √N`: the one case in which Proposition 7.8 is an equality.
+/// `mean |β|³ = N²` and `K₃ = √N`: the only case of equality in Proposition 7.8.
 #[must_use]
 pub fn one_step(n: usize, step: usize) -> PointSequence<1> {
     let n = n.max(1);

@@ -1,10 +1,10 @@
-//! `Polygonal`: a metric on the line that is linear between given points.
+//! `Polygonal`: a piecewise linear metric on the line.
 
 use nalgebra::{SMatrix, SVector};
 use tautline::{Bounded, Constants, KnownDistance, Metric, Scalar};
 
-/// Corners are `√(x² + ε²)`: a smooth metric with the same `L_H`, whose values differ by less than
-/// `ε L_H` from those of the polygon, and whose integrals by less than `100 ε² L_H`.
+/// `ε` of the corners `√(x² + ε²)`: they give a smooth metric with the same `L_H`. Its values differ
+/// from the polygon by less than `ε L_H`, its integrals by less than `100 ε² L_H`.
 const ROUNDED: f64 = 1e-12;
 
 /// `H` is linear between the knots `(xₖ, hₖ)`, and constant beyond the first and the last; its
@@ -18,8 +18,8 @@ pub struct Polygonal {
 }
 
 impl Polygonal {
-    /// Returns the metric with these knots, in `ℓ` and `m²/ℓ²`; `None` unless there are two at
-    /// least, in increasing order, and of positive heights.
+    /// Returns the metric with these knots, in `ℓ` and `m²/ℓ²`; `None` unless there are at least two,
+    /// in increasing order and with positive heights.
     #[must_use]
     pub fn new(knots: &[[f64; 2]]) -> Option<Self> {
         let slopes: Vec<f64> = knots
@@ -32,7 +32,7 @@ impl Polygonal {
         let heights = || knots.iter().map(|knot| knot[1]);
         let (low, high) = (heights().fold(f64::INFINITY, f64::min), heights().fold(0.0, f64::max));
         let steepest = slopes.iter().map(|slope| slope.abs()).fold(0.0, f64::max);
-        // The rounding of a sum of so many terms up to (xₙ − x₀) L_H, and the rounded corners.
+        // The rounding of a sum of terms up to (xₙ − x₀) L_H, and the rounded corners.
         let span = knots[knots.len() - 1][0] - knots[0][0];
         let margin = 1e-14 * knots.len() as f64 * (high + span * steepest) + ROUNDED * steepest;
         let constants = Constants::new(low - margin, high + margin, steepest).ok()?;
@@ -43,8 +43,8 @@ impl Polygonal {
         Some(Self { knots: knots.to_vec(), kinks, constants })
     }
 
-    /// `∫ √H` from the first knot to `x`, for an `x` between the knots: over a piece from `h` to
-    /// `k` it is `⅔ (h + √(hk) + k)/(√h + √k)` times its length.
+    /// `∫ √H` from the first knot to an `x` between the knots: a piece of length `l` from `h` to `k`
+    /// contributes `⅔ l (h + √(hk) + k)/(√h + √k)`.
     fn primitive(&self, x: f64) -> f64 {
         let mut sum = 0.0;
         for pair in self.knots.windows(2) {
@@ -59,7 +59,7 @@ impl Polygonal {
 }
 
 impl Metric<1> for Polygonal {
-    /// Half the change of slope times `|x − xₖ|` at each knot, plus the mean of the outer heights.
+    /// The mean of the outer heights, plus half the change of slope times `|x − xₖ|` at each knot.
     fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
         let (first, last) = (self.knots[0][1], self.knots[self.knots.len() - 1][1]);
         let mut sum = S::constant(0.5 * (first + last));
@@ -95,11 +95,11 @@ mod tests {
     use super::Polygonal;
 
     #[test]
-    fn heights_slopes_and_lengths_are_those_of_the_polygon() {
+    fn heights_slopes_and_lengths_match_the_polygon() {
         let metric = Polygonal::new(&[[0.0, 1.0], [1.0, 3.0], [3.0, 2.0]]).expect("in order");
         let height = |x: f64| metric.gram(&vector![x])[(0, 0)];
         for (x, h) in [(-1.0, 1.0), (0.0, 1.0), (0.5, 2.0), (1.0, 3.0), (2.0, 2.5), (4.0, 2.0)] {
-            // The corners, and the rounding of four terms up to 6.
+            // The rounded corners, and four terms up to 6.
             assert!((height(x) - h).abs() <= 4e-12, "H({x}) = {}", height(x));
         }
         assert_eq!(metric.constants().l_h(), 2.0);

@@ -7,8 +7,8 @@ use crate::VerifyError;
 
 /// `H = c I + (L/k) sin(k xₗ) E`, where `E` has a 1 at `(i, j)` and at `(j, i)`, and `k = 2L/c`.
 ///
-/// `‖E‖ = 1`, so that `‖H(x) − H(y)‖ ≤ L |xₗ − yₗ|`, and `∂ₗ Hᵢⱼ = L` where `xₗ = 0`: Proposition
-/// 7.10 loses nothing there.
+/// `‖E‖ = 1`, so that `‖H(x) − H(y)‖ ≤ L |xₗ − yₗ|`, and `∂ₗ Hᵢⱼ = L` where `xₗ = 0`, which attains
+/// Proposition 7.10.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ripple<const D: usize> {
     base: f64,
@@ -18,8 +18,8 @@ pub struct Ripple<const D: usize> {
 }
 
 impl<const D: usize> Ripple<D> {
-    /// Returns the ripple with `c = base > 0` in `m²/ℓ²`, `L = slope > 0` in `m²/ℓ³`, in the entry
-    /// `[i, j]`, along `x_l` with `l = direction`; all indices are taken modulo `D`.
+    /// Returns the ripple with `c = base > 0` in `m²/ℓ²` and `L = slope > 0` in `m²/ℓ³`, in the entry
+    /// `[i, j]`, along `x_l` with `l = direction`; all indices modulo `D`.
     ///
     /// # Errors
     ///

@@ -1,4 +1,4 @@
-//! `Twist`: a metric whose Christoffel symbols are as large as its constants allow.
+//! `Twist`: a metric with Christoffel symbols as large as its constants allow.
 
 use nalgebra::{SMatrix, SVector};
 use tautline::{Bounded, Constants, Metric, Scalar};
@@ -11,9 +11,9 @@ use crate::{
 /// `H = c I + L S(y)` with `S(y) = [[−y₂, y₁], [y₁, y₂]]` in the first two coordinates, and
 /// `y = (x₁, x₂)/(1 + (x₁² + x₂²)/R²)^{1/2}`.
 ///
-/// `‖S(y)‖ = |y|`, and `x ↦ y` contracts and stays within `R`: so `L_H = L`, and `H` is within `LR`
-/// of `c I`. At 0, for `v = e₁`, both terms of the geodesic equation point the same way, `DH[v]v =
-/// L e₂` and `½ ∇(vᵀHv) = −½ L e₂`: a geodesic bends by `3L/2c`, and `Γ²₁₁ = 3L/2c`.
+/// `‖S(y)‖ = |y|`, and `x ↦ y` is a contraction into the ball of radius `R`: so `L_H = L`, and `H` is
+/// within `LR` of `c I`. At 0, for `v = e₁`, both terms of the geodesic equation have the same
+/// direction, `DH[v]v = L e₂` and `½ ∇(vᵀHv) = −½ L e₂`: a geodesic bends by `3L/2c = Γ²₁₁`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Twist<const D: usize> {
     base: f64,
@@ -41,9 +41,9 @@ impl<const D: usize> Twist<D> {
 }
 
 impl Twist<2> {
-    /// Returns the geodesic that starts at 0 with the velocity `(speed, 0)`, for a speed so small
-    /// that a polynomial of degree 5 is as good as exact: its acceleration interpolates that of the
-    /// geodesic equation at four times, and is off by the order of `speed⁴` of itself.
+    /// Returns the geodesic from 0 with velocity `(speed, 0)` as a polynomial of degree 5, for small
+    /// speeds: its acceleration satisfies the geodesic equation at four times, with a relative error
+    /// of order `speed⁴` between them.
     #[must_use]
     pub fn short_geodesic(&self, speed: f64) -> SmoothCurve<2> {
         let times = [0.0, 0.25, 0.75, 1.0];
@@ -52,7 +52,7 @@ impl Twist<2> {
         let inverse = monomials.try_inverse().expect("the times differ");
         let start = [SVector::zeros(), SVector::from([speed, 0.0])];
         let mut curve = SmoothCurve::polynomial(start);
-        // Each step of the iteration gains a factor of the size of `speed`.
+        // Each iteration reduces the error by a factor of order `speed`.
         for _ in 0..12 {
             let accelerations = times.map(|t| {
                 let [x, v, _] = curve.motion(t).derivatives();
@@ -65,7 +65,7 @@ impl Twist<2> {
                 for (row, acceleration) in accelerations.iter().enumerate() {
                     coefficient += acceleration * inverse[(k, row)];
                 }
-                // Twice integrated: tᵏ becomes tᵏ⁺²/((k + 1)(k + 2)).
+                // Integrated twice, tᵏ becomes tᵏ⁺²/((k + 1)(k + 2)).
                 powers.push(coefficient / ((k + 1) * (k + 2)) as f64);
             }
             curve = SmoothCurve::polynomial(powers);

@@ -1,4 +1,4 @@
-//! Two short ways on the line, far apart, of which a discrete minimiser takes the wrong one.
+//! Two short routes on the line, far apart; a discrete minimiser takes the wrong one.
 
 use tautline::{Bounded, Ends, FiniteSet, KnownDistance};
 
@@ -8,15 +8,15 @@ use crate::Known;
 /// Where the second route begins.
 const SECOND: f64 = 10.0;
 
-/// Returns the problem from `{0, 10}` to `{a, 10 + b}` under the metric with the knots `first` on
-/// the route `[0, a]`, and `second` on `[10, 10 + b]`, where they are counted from 10.
+/// Returns the problem from `{0, 10}` to `{a, 10 + b}` for the metric with the knots `first` on the
+/// route `[0, a]`, and `second`, relative to 10, on the route `[10, 10 + b]`.
 ///
-/// A discrete minimiser takes the route on which the rule reads little. Where that is the longer
-/// one, both gaps of Theorem 1.1 or 1.3 add up: the bounds of order `1/N` are attained in the
-/// limit `L_H d / c₁^{3/2} → 0`.
+/// A discrete minimiser takes the route where the rule finds small values. If that is the longer one,
+/// both gaps of Theorem 1.1 or 1.3 add up: the bounds of order `1/N` are attained in the limit
+/// `L_H d / c₁^{3/2} → 0`.
 ///
-/// `None` unless each route has knots from `s = 0` on, in order and of positive heights, and the
-/// way between the two is longer than one of them.
+/// `None` unless the knots of each route start at 0, are in order and have positive heights, and the
+/// way between the routes is longer than the shorter route.
 #[must_use]
 pub fn two_routes(first: &[[f64; 2]], second: &[[f64; 2]]) -> Option<Known<Polygonal, 1>> {
     let knots: Vec<[f64; 2]> =
@@ -32,8 +32,8 @@ pub fn two_routes(first: &[[f64; 2]], second: &[[f64; 2]]) -> Option<Known<Polyg
         FiniteSet::new([[a], [SECOND + b]]).ok()?,
     )
     .ok()?;
-    // A difference of integrals from 0 on, as in `Known::between`. What rounding off the corners
-    // changes is below 10⁻²².
+    // A difference of integrals from 0 on, as in `Known::between`. The rounded corners change it by
+    // less than 10⁻²².
     let size = metric.constants().c2().sqrt() * (SECOND + b);
     let distance_error = 16.0 * f64::EPSILON * size;
     (start == 0.0 && second_start == 0.0 && apart).then_some(Known {
@@ -50,7 +50,7 @@ mod tests {
 
     /// `∫₀¹ √(1 + 3x) dx = 14/9` on the first route, and 2 on the second.
     #[test]
-    fn the_distance_is_that_of_the_shorter_route() {
+    fn the_distance_is_the_length_of_the_shorter_route() {
         let [up, level] = [[[0.0, 1.0], [1.0, 4.0]], [[0.0, 4.0], [1.0, 4.0]]];
         for (first, second) in [(up, level), (level, up)] {
             let known = two_routes(&first, &second).expect("apart");
@@ -63,7 +63,7 @@ mod tests {
     fn routes_that_are_not_apart_or_do_not_begin_at_zero_are_refused() {
         let level = |h: f64| [[0.0, h], [1.0, h]];
         assert!(two_routes(&level(1.0), &level(1.0)).is_some());
-        // From 9.9 to 10 is less far than either route.
+        // The way from 9.9 to 10 is shorter than either route.
         assert!(two_routes(&[[0.0, 1.0], [9.9, 1.0]], &[[0.0, 1.0], [9.9, 1.0]]).is_none());
         assert!(two_routes(&[[0.1, 1.0], [1.0, 1.0]], &level(1.0)).is_none());
         assert!(two_routes(&level(1.0), &[[0.1, 1.0], [1.0, 1.0]]).is_none());

@@ -1,16 +1,16 @@
-//! `Washboard`: two routes on the line, an even one and a corrugated one.
+//! `Washboard`: two routes on the line, one even and one corrugated.
 
 use std::f64::consts::{PI, TAU};
 
 use nalgebra::{SMatrix, SVector};
 use tautline::{Bounded, Constants, Metric, Scalar};
 
-/// Near `[0, 1]` the metric is `1 + η`; near `[100, 101]` it is `1 + (L/2πN)(1 + cos 2πN(x −
-/// 100))`, with `N` valleys, all at the midpoints of the chords between `100 + n/N`.
+/// The metric is `1 + η` near `[0, 1]` and `1 + (L/2πN)(1 + cos 2πN(x − 100))` near `[100, 101]`, with
+/// `N` valleys at the midpoints of the chords between `100 + n/N`.
 ///
-/// On the second route the trapezoidal rule with `N` subintervals sees nothing but valleys, and
-/// prefers it: `E_tra,N = 1`, whereas `E(γᵖˡ) = 1 + L/2πN`. Smooth, and a different metric for each
-/// `N`: the constants are the same for all, up to the switch between the routes.
+/// On the second route the trapezoidal rule with `N` subintervals sees only valleys, and so prefers
+/// it: `E_tra,N = 1`, but `E(γᵖˡ) = 1 + L/2πN`. Smooth, with a different metric but the same constants
+/// for each `N`, up to the switch between the routes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Washboard {
     valleys: f64,
@@ -19,20 +19,20 @@ pub struct Washboard {
 }
 
 impl Washboard {
-    /// The steepness of the switch `½ (1 + tanh k(x − 50))` in `1/ℓ`: 49 away from the middle it
-    /// is 0 or 1, to the last bit.
+    /// The steepness `k` of the switch `½ (1 + tanh k(x − 50))` in `1/ℓ`: 49 from the middle it is 0 or
+    /// 1 to the last bit.
     const SWITCH: f64 = 0.42;
 
-    /// Returns the metric with so many valleys of the slope `L`, in `m²/ℓ³`, and the lift `η` in
-    /// `m²/ℓ²` of the even route; `None` unless all are positive.
+    /// Returns the metric with this number of valleys of slope `L`, in `m²/ℓ³`, and the lift `η` of
+    /// the even route, in `m²/ℓ²`; `None` unless all are positive.
     #[must_use]
     pub fn new(valleys: u32, slope: f64, lift: f64) -> Option<Self> {
         let valid = valleys > 0 && slope > 0.0 && lift > 0.0 && (slope + lift).is_finite();
         valid.then_some(Self { valleys: f64::from(valleys), slope, lift })
     }
 
-    /// Half the height of the corrugation, `L/2πN`, in `m²/ℓ²`: the mean of `H` on the second route
-    /// is one more.
+    /// Returns half the height of the corrugation, `L/2πN`, in `m²/ℓ²`: the mean of `H` on the second
+    /// route minus 1.
     #[must_use]
     pub fn half_height(&self) -> f64 {
         self.slope / (TAU * self.valleys)
@@ -48,8 +48,8 @@ impl Metric<1> for Washboard {
 }
 
 impl Bounded<1> for Washboard {
-    /// `c₁ = 1`, `c₂ = 1 + max(η, L/πN)`, and `L` plus what the switch may add, `½ k` times that
-    /// maximum.
+    /// `c₁ = 1`, `c₂ = 1 + max(η, L/πN)`, and `L_H = L + ½ k max(η, L/πN)`, where the switch adds the
+    /// second term.
     fn constants(&self) -> Constants {
         let top = self.lift.max(self.slope / (PI * self.valleys));
         Constants::new(1.0, 1.0 + top, self.slope + 0.5 * Self::SWITCH * top).expect("positive")

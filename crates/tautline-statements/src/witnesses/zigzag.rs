@@ -5,12 +5,12 @@ use std::f64::consts::PI;
 use nalgebra::{SMatrix, SVector};
 use tautline::{Bounded, Constants, Metric, Scalar};
 
-/// `H = c + s |x − m|`, where `m` is the nearest of the points `(k + ½)/N`: straight-sided valleys
-/// for `s > 0`, ridges for `s < 0`, one in each of `N` steps along `[0, 1]`.
+/// `H = c + s |x − m|`, where `m` is the nearest of the points `(k + ½)/N`: V-shaped valleys for
+/// `s > 0`, ridges for `s < 0`, one in each of `N` steps along `[0, 1]`.
 ///
-/// Not differentiable at the tips, so it is for reading values; the limit of smooth metrics with
-/// the same `L_H = |s|`. The trapezoidal rule reads the samples of a straight line at the tips
-/// alone.
+/// The limit of smooth metrics with the same `L_H = |s|`; not differentiable at the tips, so only its
+/// values are of use. On the samples of a straight line the trapezoidal rule evaluates it at the tips
+/// only.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Zigzag {
     tip: f64,
@@ -20,8 +20,8 @@ pub struct Zigzag {
 }
 
 impl Zigzag {
-    /// Returns the zigzag with `H = tip` at the points `(k + ½)/n` and the slopes `∓slope`, in
-    /// `m²/ℓ²` and `m²/ℓ³`; `None` unless it is positive.
+    /// Returns the zigzag with `H = tip` at the points `(k + ½)/n` and the slopes `±slope`, in `m²/ℓ²`
+    /// and `m²/ℓ³`; `None` unless it is positive.
     #[must_use]
     pub fn new(tip: f64, slope: f64, n: usize) -> Option<Self> {
         let foot = tip + 0.5 * slope / n as f64;
@@ -32,7 +32,7 @@ impl Zigzag {
 
 impl Metric<1> for Zigzag {
     fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
-        // atan ∘ tan is the distance to the nearest multiple of π, with a sign.
+        // atan ∘ tan is the signed distance to the nearest multiple of π.
         let angle = ((x[0] * self.n - 0.5) * PI).tan().atan();
         let distance = angle.sqr().sqrt() / (PI * self.n);
         SMatrix::from_diagonal_element(distance * self.slope + self.tip)
@@ -40,7 +40,7 @@ impl Metric<1> for Zigzag {
 }
 
 impl Bounded<1> for Zigzag {
-    /// `H` between its tips and its feet, `L_H = |slope|`.
+    /// `H` between tips and feet, `L_H = |slope|`.
     fn constants(&self) -> Constants {
         self.constants
     }
