@@ -1,5 +1,6 @@
 //! `Statement`: the statements of the paper and our sharper ones, by number, label and claim.
 
+mod needs;
 mod row;
 mod table;
 

@@ -1,5 +1,6 @@
 //! `Row`: the static facts of a statement, and the macro that makes the enum of all rows.
 
+use super::needs::Needs;
 use crate::{Evidence, Verdict, VerifyError};
 
 /// The static facts of a statement.
@@ -14,22 +15,6 @@ pub(crate) struct Row {
     pub(crate) refuted_by: Option<Refutation>,
 }
 
-/// Hypotheses that belong together.
-pub(crate) struct Needs {
-    /// Checked on every case.
-    pub(crate) checked: &'static [&'static str],
-    /// Assumed: no finite number of evaluations shows them.
-    pub(crate) assumed: &'static [&'static str],
-}
-
-pub(super) const fn checked(checked: &'static [&'static str]) -> Needs {
-    Needs { checked, assumed: &[] }
-}
-
-pub(super) const fn assumed(assumed: &'static [&'static str]) -> Needs {
-    Needs { checked: &[], assumed }
-}
-
 /// A counterexample to a statement as printed; see [`Erratum`](crate::Erratum).
 pub(crate) struct Refutation {
     pub(crate) witness: &'static str,
@@ -40,15 +25,14 @@ pub(crate) struct Refutation {
 
 /// Makes the enum [`Statement`](crate::Statement), its list and its rows from the table.
 ///
-/// The last two fields of a row are optional: `is_a_bound` for a statement that bounds an error, a
-/// speed or a derivative by constants of the metric, and `refuted_by` for one that is false as
-/// printed. `code` is a function of this crate; an unknown name does not compile.
+/// A row begins with the name, the number and the label. Optional are `needs`, the hypotheses;
+/// `is_a_bound`, for a statement that bounds an error, a speed or a derivative by constants of the
+/// metric; and `refuted_by`, for one that is false as printed. `code` is a function of this crate; an
+/// unknown name does not compile.
 macro_rules! statements {
-    ($($name:ident {
-        number: $number:literal,
-        label: $label:literal,
+    ($($name:ident $number:literal $label:literal {
         claim: $claim:literal,
-        needs: $needs:expr,
+        $(needs: $needs:expr,)?
         verdict: $verdict:expr,
         code: $code:ident,
         $(is_a_bound: $bound:literal,)?
@@ -72,7 +56,7 @@ macro_rules! statements {
                         number: $number,
                         label: $label,
                         claim: $claim,
-                        needs: const { &$needs },
+                        needs: const { &or!([] $(, $needs)?) },
                         verdict: $verdict,
                         function: stringify!($code),
                         is_a_bound: or!(false $(, $bound)?),
