@@ -47,8 +47,7 @@ impl Evidence {
         self
     }
 
-    /// Adds a hypothesis that no finite number of evaluations shows: for example, that a minimiser
-    /// is global.
+    /// Adds a hypothesis that no finite number of evaluations shows, as that a minimiser is global.
     #[must_use]
     pub fn assumed(mut self, claim: &'static str) -> Self {
         if !self.assumed.contains(&claim) {
@@ -123,22 +122,20 @@ impl Evidence {
         self.conclusions.iter().filter(|claim| claim.source == Source::Stated)
     }
 
-    /// Returns whether the case could have contradicted the statement: one of the stated conclusions
-    /// [could fail](Inequality::could_fail).
+    /// Returns whether the case could have contradicted the statement: one of the stated
+    /// conclusions [could fail](Inequality::could_fail).
     #[must_use]
     pub fn could_fail(&self) -> bool {
         self.stated_conclusions().any(Inequality::could_fail)
     }
 
-    /// Returns the least overestimation of the stated conclusions, a pure number; `∞` if rounding
-    /// hides all of them.
+    /// Returns the least overestimation of the stated conclusions; `∞` if rounding hides them all.
     #[must_use]
     pub fn overestimation(&self) -> f64 {
         self.stated_conclusions().map(Inequality::overestimation).fold(f64::INFINITY, f64::min)
     }
 
-    /// Returns the evidence if one of the stated conclusions is attained: overestimated by at most
-    /// 1 %.
+    /// Returns the evidence if a stated conclusion is attained: overestimated by at most 1 %.
     ///
     /// # Errors
     ///
@@ -147,8 +144,8 @@ impl Evidence {
         self.overestimates_at_most(1.01)
     }
 
-    /// Returns the evidence if the least overestimation of the stated conclusions is at most `known`.
-    /// A loosened formula fails here.
+    /// Returns the evidence if the least overestimation of the stated conclusions is at most
+    /// `known`. A loosened formula fails here.
     ///
     /// # Errors
     ///
@@ -158,8 +155,7 @@ impl Evidence {
         self.at_most(overestimation, known)
     }
 
-    /// Returns the evidence if the conclusion `claim`, stated or a companion, is overestimated by at
-    /// most `known`.
+    /// Returns the evidence if the conclusion `claim` is overestimated by at most `known`.
     ///
     /// # Errors
     ///

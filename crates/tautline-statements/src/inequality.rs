@@ -40,7 +40,7 @@ impl Unit {
 pub enum Source {
     /// From the statement, perhaps in its repaired form.
     Stated,
-    /// A companion that is sharper than the statement, and so harder to satisfy for a wrong program.
+    /// A companion sharper than the statement, and so harder to satisfy for a wrong program.
     Sharper,
     /// Two ways to write one formula. Only a programming error violates it: it must hold, but is no
     /// evidence for the statement or its sharpness.
@@ -81,8 +81,8 @@ impl Inequality {
         self.source != Source::Identity && self.bound < f64::INFINITY && visible
     }
 
-    /// Returns the overestimation `bound / observed`, a pure number: 1 if the bound is attained, less
-    /// if it is violated.
+    /// Returns the overestimation `bound / observed`, a pure number: 1 if the bound is attained,
+    /// less if it is violated.
     ///
     /// `∞` if the observed number is negative, zero, or so small that `granted` is over 1 % of it.
     #[must_use]

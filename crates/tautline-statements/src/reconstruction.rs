@@ -164,8 +164,7 @@ pub fn curvature_along<const D: usize>(
     greatest
 }
 
-/// Returns `|uᵀ D²H(x)[u, u] u|` for the unit vector `u` of a direction, in `m²/ℓ⁴`; 0 for the
-/// direction 0.
+/// Returns `|uᵀ D²H(x)[u, u] u|` for the unit vector `u` of a direction, 0 for 0, in `m²/ℓ⁴`.
 pub(crate) fn curvature_at<const D: usize>(
     metric: &impl Metric<D>,
     x: &SVector<f64, D>,

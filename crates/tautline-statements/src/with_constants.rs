@@ -4,8 +4,8 @@ use nalgebra::{SMatrix, SVector};
 use tautline::{AnyMetric, Bounded, Constants, KnownDistance, Metric, Scalar};
 
 /// A metric with claimed constants, true or not: for a metric without constants of its own, for
-/// false claims that a test must reject, and for statements whose hypotheses on `c₁`, `c₂` and `L_H`
-/// fail.
+/// false claims that a test must reject, and for statements whose hypotheses on `c₁`, `c₂` and
+/// `L_H` fail.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WithConstants<M> {
     /// The metric.

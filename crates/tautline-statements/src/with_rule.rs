@@ -1,7 +1,6 @@
 //! From a rule as a value to a rule as a type.
 
-/// Evaluates an expression with `$rule` bound to the rule that a [`PaperRule`](crate::PaperRule)
-/// names.
+/// Evaluates an expression with `$rule` bound to the rule that a `PaperRule` names.
 macro_rules! with_rule {
     ($which:expr, $rule:ident => $value:expr) => {
         match $which {

@@ -20,8 +20,8 @@ fn moved<S: Scalar, const D: usize>(x: &SVector<f64, D>, u: &SVector<S, D>) -> S
 }
 
 impl<const D: usize> KnownGeodesics<D> for Hyperbolic {
-    /// A ray from `0`, at radius `tanh (s/2)` after length `s`, moved to `x` by the isometry, which is
-    /// `x + (1 − |x|²) u` to first order.
+    /// A ray from `0`, at radius `tanh (s/2)` after length `s`, moved to `x` by the isometry, which
+    /// is `x + (1 − |x|²) u` to first order.
     fn exponential(&self, x: &SVector<f64, D>, v: &SVector<f64, D>, t: f64) -> Motion<D> {
         let speed = v.norm();
         if speed == 0.0 {

@@ -6,7 +6,7 @@ use super::Motion;
 
 /// A continuous, piecewise twice differentiable curve on `[0, 1]`.
 pub trait Curve<const D: usize> {
-    /// Returns position and derivatives at the time `t ∈ [0, 1]`; at a corner, those from the right.
+    /// Returns position and derivatives at the time `t ∈ [0, 1]`, at a corner from the right.
     fn motion(&self, t: f64) -> Motion<D>;
 
     /// Returns the times in `(0, 1)`, increasing, where velocity or acceleration may jump.
@@ -54,8 +54,8 @@ impl<const D: usize, C: Curve<D>> Curve<D> for &C {
 pub trait BoundedCurve<const D: usize>: Curve<D> {
     /// Returns bounds of `|γ|`, `|γ̇|` and `|γ̈|` over `[0, 1]`, each in `ℓ`.
     ///
-    /// They are sums over coefficients, not samples: pointwise statements may use them, and they bound
-    /// the numbers that are rounded in [`motion`](Curve::motion).
+    /// They are sums over coefficients, not samples: pointwise statements may use them, and they
+    /// bound the numbers that are rounded in [`motion`](Curve::motion).
     fn suprema(&self) -> [f64; 3];
 }
 

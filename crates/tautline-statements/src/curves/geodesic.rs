@@ -12,14 +12,14 @@ use crate::{InUnits, Known};
 
 /// A metric with geodesics in closed form, or by one equation in one unknown.
 pub trait KnownGeodesics<const D: usize>: KnownDistance<D> {
-    /// Returns the geodesic that leaves `x` with velocity `v`, at the time `t`: `Exp_x(t v)`, in `ℓ`.
+    /// Returns the geodesic `Exp_x(t v)` that leaves `x` with velocity `v`, at the time `t`, in
+    /// `ℓ`.
     fn exponential(&self, x: &SVector<f64, D>, v: &SVector<f64, D>, t: f64) -> Motion<D>;
 
     /// Returns the initial velocity of a minimal geodesic over `[0, 1]` from `x` to `y`, in `ℓ`.
     fn logarithm(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> SVector<f64, D>;
 
-    /// Returns a radius in `m` below which geodesics from `x` exist, are minimal and end in different
-    /// points.
+    /// Returns a radius in `m` below which geodesics from `x` exist, are minimal and do not meet.
     fn normal_radius(&self, x: &SVector<f64, D>) -> f64;
 }
 
@@ -56,7 +56,7 @@ impl<M: KnownGeodesics<D>, const D: usize> Curve<D> for Geodesic<M, D> {
 }
 
 impl<M: KnownGeodesics<D> + Bounded<D>, const D: usize> BoundedCurve<D> for Geodesic<M, D> {
-    /// `|γ̇| ≤ s/√c₁` with the constant speed `s`, and `|γ̈| ≤ 3 L_H |γ̇|²/2c₁` by the geodesic equation.
+    /// `|γ̇| ≤ s/√c₁` with the speed `s`, and `|γ̈| ≤ 3 L_H |γ̇|²/2c₁` by the geodesic equation.
     fn suprema(&self) -> [f64; 3] {
         let constants = self.metric.constants();
         let speed = (self.speed() / constants.c1().sqrt()).max(self.velocity.norm());

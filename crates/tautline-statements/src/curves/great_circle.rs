@@ -5,8 +5,7 @@ use tautline::{Jet2, Scalar, gallery::Sphere};
 
 use super::{KnownGeodesics, Motion, geodesic::line};
 
-/// A point of `S^D ⊂ R^{D+1}`: the first `D` coordinates, and the last, which is 1 at the missing
-/// point.
+/// A point of `S^D ⊂ R^{D+1}`: the first `D` coordinates, and the last, 1 at the missing point.
 type Ambient<S, const D: usize> = (SVector<S, D>, S);
 
 /// `(2x, |x|² − 1) / (|x|² + 1)`.

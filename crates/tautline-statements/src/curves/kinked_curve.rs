@@ -7,8 +7,8 @@ use crate::VerifyError;
 
 /// A piecewise linear curve through given points at given times.
 ///
-/// It is piecewise `C¹`, as in the paper, and `γ̈ = 0` almost everywhere: the `‖γ̈‖` of the paper does
-/// not see its kinks.
+/// It is piecewise `C¹`, as in the paper, and `γ̈ = 0` almost everywhere: the `‖γ̈‖` of the paper
+/// does not see its kinks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KinkedCurve<const D: usize> {
     /// `0 = t₀ < t₁ < … < t_m = 1`.

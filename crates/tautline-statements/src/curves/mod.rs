@@ -1,5 +1,5 @@
-//! Curves on `[0, 1]` with velocity and acceleration (smooth, kinked or reparametrised, and geodesics),
-//! their lengths, energies and norms.
+//! Curves on `[0, 1]` with velocity and acceleration (smooth, kinked or reparametrised, and
+//! geodesics), their lengths, energies and norms.
 //!
 //! ```
 //! use tautline_statements::{Finding, curves::SmoothCurve, prop_7_3, prop_7_3_as_printed};

@@ -33,8 +33,8 @@ impl Pace {
     }
 }
 
-/// A continuous function `φ: [0, 1] → [0, 1]` with `φ(0) = 0` and `φ(1) = 1` through given knots. It
-/// may pause or run backwards.
+/// A continuous function `φ: [0, 1] → [0, 1]` with `φ(0) = 0` and `φ(1) = 1` through given knots.
+/// It may pause or run backwards.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Clock {
     /// Times, increasing from 0 to 1, and readings.
@@ -46,8 +46,7 @@ impl Clock {
     /// Returns the clock with these readings between consecutive intervals of `[0, 1]`, of lengths
     /// proportional to `durations`. The readings 0 and 1 at the ends are added.
     ///
-    /// `None` unless there is one more duration than readings, durations are positive and readings in
-    /// `[0, 1]`.
+    /// `None` unless durations are positive, readings in `[0, 1]`, and one fewer than durations.
     #[must_use]
     pub fn new(durations: &[f64], readings: &[f64], pace: Pace) -> Option<Self> {
         let valid = durations.len() == readings.len() + 1
@@ -69,8 +68,7 @@ impl Clock {
 
     /// Returns the clock through these knots, each a time and a reading.
     ///
-    /// `None` unless the times increase from 0 to 1 and the readings are in `[0, 1]`, the first 0 and
-    /// the last 1.
+    /// `None` unless the times increase from 0 to 1, and the readings go from 0 to 1 in `[0, 1]`.
     #[must_use]
     pub fn through(knots: &[[f64; 2]], pace: Pace) -> Option<Self> {
         let ends = knots.first() == Some(&[0.0, 0.0]) && knots.last() == Some(&[1.0, 1.0]);

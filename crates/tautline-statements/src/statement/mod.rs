@@ -16,8 +16,8 @@ impl Statement {
         self.row().number
     }
 
-    /// Returns the TeX label in the paper, the symbol of a displayed constant, or `sharper:` and the
-    /// subject of our own statement.
+    /// Returns the TeX label in the paper, the symbol of a displayed constant, or `sharper:` and
+    /// the subject of our own statement.
     #[must_use]
     pub fn label(self) -> &'static str {
         self.row().label
@@ -51,9 +51,9 @@ impl Statement {
         self.verdict() != Verdict::ProvedHere
     }
 
-    /// Returns whether the statement is in the paper and bounds an error, a speed or a derivative by
-    /// the constants of the metric: Theorems 1.1 to 1.4, Propositions 7.4, 7.6, 7.7, 7.9 to 7.12, 8.1
-    /// and 8.2, and the displayed constants.
+    /// Returns whether the statement is in the paper and bounds an error, a speed or a derivative
+    /// by the constants of the metric: Theorems 1.1 to 1.4, Propositions 7.4, 7.6, 7.7, 7.9 to
+    /// 7.12, 8.1 and 8.2, and the displayed constants.
     ///
     /// The others claim existence, or equality as a definition does.
     #[must_use]

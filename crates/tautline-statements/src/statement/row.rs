@@ -27,8 +27,8 @@ pub(crate) struct Refutation {
 ///
 /// A row begins with the name, the number and the label. Optional are `needs`, the hypotheses;
 /// `is_a_bound`, for a statement that bounds an error, a speed or a derivative by constants of the
-/// metric; and `refuted_by`, for one that is false as printed. `code` is a function of this crate; an
-/// unknown name does not compile.
+/// metric; and `refuted_by`, for one that is false as printed. `code` is a function of this crate;
+/// an unknown name does not compile.
 macro_rules! statements {
     ($($name:ident $number:literal $label:literal {
         claim: $claim:literal,

@@ -173,9 +173,9 @@ statements! {
     }
     Proposition7_5 "Proposition 7.5" "prop:functional_lipschitz_estimate" {
         claim: "∣u₁ᵀH(x₁)u₁ − u₂ᵀH(x₂)u₂∣ ≤ L∣x₁ − x₂∣∣u₁∣² + c₂∣u₁ − u₂∣² + 2c₂∣u₁∣∣u₁ − u₂∣",
-        needs: [
-            checked(&["0 ≤ λ_min(H(x₂))", "λ_max(H(x₂)) ≤ c₂", "‖H(x₁) − H(x₂)‖ ≤ L_H |x₁ − x₂|"]),
-        ],
+        needs: [checked(&[
+            "0 ≤ λ_min(H(x₂))", "λ_max(H(x₂)) ≤ c₂", "‖H(x₁) − H(x₂)‖ ≤ L_H |x₁ − x₂|",
+        ])],
         verdict: RefutedRepairedAs("0 ≤ H(x₂) ≤ c₂, not only H ≤ c₂"),
         code: prop_7_5,
         refuted_by: Refutation {
@@ -383,11 +383,7 @@ statements! {
     PropositionS7 "Proposition S.7" "sharper:convexity" {
         claim: "where c₁ − 2L_H Br − ½M_H B²r² > 0, E_N is strictly convex and a computed minimum \
             between two points global",
-        needs: [
-            CONSTANTS,
-            CURVATURE,
-            checked(&["N is the same", "the ends are the same", "x ≠ y"]),
-        ],
+        needs: [CONSTANTS, CURVATURE, checked(&["N is the same", "the ends are the same", "x ≠ y"])],
         verdict: ProvedHere,
         code: prop_s_7,
     }

@@ -1,5 +1,4 @@
-//! Proposition 7.12, `K_{1,g}`, `K_{2,g}` and Lemma S.1: speed and acceleration of a minimal
-//! geodesic.
+//! Proposition 7.12, `K_{1,g}`, `K_{2,g}` and Lemma S.1: bounds on a minimal geodesic.
 
 use nalgebra::SVector;
 use tautline::{Bounded, Constants, bounds::Setting, norm_squared};
@@ -183,11 +182,11 @@ pub fn lemma_s_1<const D: usize>(
 /// ‖γ̇‖  ≤  K_{1,g},        ‖γ̈‖  ≤  K_{2,g}
 /// ```
 ///
-/// Needs: `H ≥ c₁`, `H` Lipschitz, and `E(γ) ≤ d²`, which defines a minimiser; neither `c₂` nor
-/// closed sets.
+/// Needs: `H ≥ c₁`, `H` Lipschitz, and `E(γ) ≤ d²`, as for a minimiser; neither `c₂` nor closed
+/// sets.
 ///
-/// The first is attained where `H = c₁` in the direction of the geodesic; the second is overestimated
-/// as in [`constant_k2`].
+/// The first is attained where `H = c₁` in the direction of the geodesic; the second is
+/// overestimated as in [`constant_k2`].
 ///
 /// Companion: `‖γ̈‖ ≤ ω (L_H/c₁) K_{1,g}²` with the `ω` of Lemma S.1.
 ///

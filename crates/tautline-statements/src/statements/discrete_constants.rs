@@ -1,7 +1,6 @@
-//! The constants of Theorems 1.1 and 1.3, on computed minimisers: `K̄_{3,g}`, `K̄_{4,g}` and both `C`.
+//! The constants `K̄_{3,g}`, `K̄_{4,g}` and `C` of Theorems 1.1 and 1.3, on computed minimisers.
 //!
-//! As for Theorems 1.1 to 1.4, the hypothesis on the minimiser is an upper bound on its discrete
-//! energy.
+//! As for Theorems 1.1 to 1.4, the hypothesis is an upper bound on the discrete energy.
 
 use super::section_1::begin_in_the_paper;
 use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};

@@ -11,8 +11,8 @@ use crate::{
 
 /// Evaluates Proposition 6.1 on a curve between two points: `d² ≤ L(γ)² ≤ E(γ)`.
 ///
-/// Equality for minimal geodesics only, see [`prop_6_1_minimiser`]. [`prop_6_1_attained`] checks that
-/// the minima are attained.
+/// Equality for minimal geodesics only, see [`prop_6_1_minimiser`]. [`prop_6_1_attained`] checks
+/// that the minima are attained.
 #[doc(alias = "prop:geodesic_len_and_energy")]
 pub fn prop_6_1<M, const D: usize>(
     subject: &Subject,
@@ -75,8 +75,8 @@ pub fn prop_6_1_attained<M, const D: usize>(
 
 /// Evaluates that the given curve attains the minima of Proposition 6.3, as [`prop_6_1_attained`].
 ///
-/// Needs: a complete space and a bounded set, which [`tautline::Ends`] ensures. Without one there may
-/// be no nearest pair and no shortest curve: see [`prop_6_2`](super::prop_6_2), and
+/// Needs: a complete space and a bounded set, which [`tautline::Ends`] ensures. Without one there
+/// may be no nearest pair and no shortest curve: see [`prop_6_2`](super::prop_6_2), and
 /// [`prop_7_1`](super::prop_7_1) for the discrete energies.
 #[doc(alias = "prop:geodesic_len_and_energy_2")]
 pub fn prop_6_3_attained<M, const D: usize>(
@@ -107,8 +107,7 @@ fn is_attained<M, const D: usize>(
 
 /// Evaluates Proposition 6.3 on a curve between two closed sets: `d² ≤ L(γ)² ≤ E(γ)`.
 ///
-/// Equality for minimal geodesics between a nearest pair. [`prop_6_3_attained`] checks that the
-/// minima are attained.
+/// Equality for minimal geodesics between a nearest pair; see [`prop_6_3_attained`].
 #[doc(alias = "prop:geodesic_len_and_energy_2")]
 pub fn prop_6_3<M, const D: usize>(
     subject: &Subject,

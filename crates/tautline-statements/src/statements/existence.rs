@@ -8,16 +8,16 @@ use crate::{
     discrete_energy, reconstruction::nodes, with_rule::with_rule,
 };
 
-/// Evaluates Proposition 7.1 on two admissible sequences with the same `N`; the first claims to be a
-/// minimiser.
+/// Evaluates Proposition 7.1 on two admissible sequences; the first claims to be a minimiser.
 ///
 /// ```text
 /// |xₙ − X| ≤ √(R/c₁) for both,    E_N(γ*) ≤ E_N(γᵖ) = R
 /// ```
 ///
-/// with the bounded set `X` and the energy `R` of the second sequence. By the first inequality, from
-/// the proof, sequences of energy at most `R` form a compact set, and a search may stay in a box. The
-/// second defines a minimiser. Companion: even the total way `Σ |xₙ₊₁ − xₙ|` is at most `√(R/c₁)`.
+/// with the bounded set `X` and the energy `R` of the second sequence. By the first inequality,
+/// from the proof, sequences of energy at most `R` form a compact set, and a search may stay in a
+/// box. The second defines a minimiser. Companion: even the total way `Σ |xₙ₊₁ − xₙ|` is at most
+/// `√(R/c₁)`.
 ///
 /// # Errors
 ///

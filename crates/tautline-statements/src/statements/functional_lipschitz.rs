@@ -98,8 +98,8 @@ impl<const D: usize> TwoForms<D> {
 ///
 /// Needs: `0 ≤ H(x₂) ≤ c₂` and `‖H(x₁) − H(x₂)‖ ≤ L_H |x₁ − x₂|`, and nothing more of `H(x₁)`.
 ///
-/// Attained in dimension 1 for `u₂ > u₁ > 0`, `H(x₂) = c₂` and `H(x₁) = c₂ − L_H |x₁ − x₂|`, with all
-/// three terms.
+/// Attained in dimension 1 for `u₂ > u₁ > 0`, `H(x₂) = c₂` and `H(x₁) = c₂ − L_H |x₁ − x₂|`, with
+/// all three terms.
 #[doc(alias = "prop:functional_lipschitz_estimate")]
 #[must_use]
 pub fn prop_7_5<const D: usize>(forms: &TwoForms<D>) -> Evidence {
@@ -111,8 +111,8 @@ pub fn prop_7_5<const D: usize>(forms: &TwoForms<D>) -> Evidence {
     forms.conclude(lipschitz(evidence, forms))
 }
 
-/// Evaluates Proposition 7.5 as printed, with `uᵀHu ≤ c₂ |u|²` and no lower bound: false for `H = −2`
-/// and `c₂ = 1` in dimension 1.
+/// Evaluates Proposition 7.5 as printed, with `uᵀHu ≤ c₂ |u|²` and no lower bound: false for
+/// `H = −2` and `c₂ = 1` in dimension 1.
 #[must_use]
 pub fn prop_7_5_as_printed<const D: usize>(forms: &TwoForms<D>) -> Evidence {
     let rounding = forms.rounding();

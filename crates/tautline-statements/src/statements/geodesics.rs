@@ -1,5 +1,4 @@
-//! Propositions 3.1 and 3.2: geodesics have constant speed, and join any two points of a complete
-//! space.
+//! Propositions 3.1 and 3.2: geodesics have constant speed, and join points of a complete space.
 
 use tautline::{KnownDistance, Metric, MetricError};
 
@@ -72,8 +71,7 @@ pub(super) fn off_sets<M, const D: usize>(
     let sets = [known.ends.first(), known.ends.second()];
     let off = sets.into_iter().zip(&seen.ends);
     let off = largest(off.map(|(set, x)| (subject.project(&**set, x) - x).norm()));
-    // A closed form for a curve, or the map from flat coordinates, has some dozens of roundings; a
-    // projection has 4 D.
+    // Closed forms and maps from flat coordinates have some dozens of roundings, projections 4 D.
     let size = seen.ends.iter().map(|x| x.norm()).sum::<f64>();
     (off, 64.0 * f64::EPSILON * size)
 }

@@ -7,8 +7,8 @@ use crate::{Evidence, GramRange, Statement, Subject, Unit, operator_norm};
 
 /// Evaluates Proposition 7.10 at a point: `|∂ₗ Hᵢⱼ| ≤ L_H` for all `i`, `j` and `l`.
 ///
-/// Needs: `H` Lipschitz; `c₁ ≤ H ≤ c₂` is checked, but not needed. Attained by a wave in one pair of
-/// entries along one axis.
+/// Needs: `H` Lipschitz; `c₁ ≤ H ≤ c₂` is checked, but not needed. Attained by a wave in one pair
+/// of entries along one axis.
 ///
 /// Companion: the matrices `∂ₗ H` and the derivative along the diagonal, `Σ ∂ₗ H/√D`, have operator
 /// norms of at most `L_H`.
@@ -46,8 +46,8 @@ pub fn prop_7_10<const D: usize>(
 /// Needs: `H ≥ c₁`, `H` Lipschitz, not `c₂`. Overestimation: at least `√D`, by the companion.
 ///
 /// Companion: `Γᵏᵢⱼ` is the product of row `k` of `H⁻¹`, of norm at most `1/c₁`, and half of the
-/// vector `(∂ᵢHⱼ + ∂ⱼHᵢ − ∇Hᵢⱼ)`, with three terms of norm at most `L_H`. So `√D` is not needed, and
-/// `3/2` is sharp in two dimensions; in one the terms cancel, which leaves `L_H/2c₁`.
+/// vector `(∂ᵢHⱼ + ∂ⱼHᵢ − ∇Hᵢⱼ)`, with three terms of norm at most `L_H`. So `√D` is not needed,
+/// and `3/2` is sharp in two dimensions; in one the terms cancel, which leaves `L_H/2c₁`.
 ///
 /// # Errors
 ///

@@ -8,8 +8,8 @@ use crate::{Evidence, Known, Reconstruction, Statement, Subject, Unit, curves::M
 /// `L(γ)² − L(γ*)² ≤ E(γ) − E(γ*)` if `γ*` has the least *energy* `d²`.
 ///
 /// Needs: `γ*` joins the sets and `E(γ*) ≤ d²`. Then `d² ≤ L(γ*)² ≤ E(γ*) ≤ d²`, which implies
-/// `L(γ*) ≤ d`, and `L(γ)² ≤ E(γ)` remains, true for any curve `γ`. A complete space and bounded sets
-/// matter only for the existence of `γ*`.
+/// `L(γ*) ≤ d`, and `L(γ)² ≤ E(γ)` remains, true for any curve `γ`. A complete space and bounded
+/// sets matter only for the existence of `γ*`.
 ///
 /// Equality for `γ` of constant speed.
 #[doc(alias = "prop:length_energy_estimation")]
@@ -58,8 +58,7 @@ pub fn prop_9_1_as_printed<M, const D: usize>(
 ///
 /// `δ = L_H d / c₁^{3/2}`, `k = ¼` or `½`, and `e = 1 + O(1/N)` and `Q` as in [`tautline::bounds`].
 /// Needs: `E_N ≤ d² e`, as for a global minimiser, and nothing else of the sequence
-/// ([`remark_9_2_for_any_sequence`]). The solver finds local minimisers: a worse one counts as a
-/// violation here.
+/// ([`remark_9_2_for_any_sequence`]). A worse local minimiser counts as a violation here.
 ///
 /// Optimal among the bounds by `c₁`, `c₂`, `L_H` and `d`: two routes attain the leading constants
 /// at `N = 1`, as `δ → 0`, and on others `N (E(γᵖˡ) − d²)` does not decrease with `N`.

@@ -10,8 +10,7 @@ use crate::{
 };
 
 /// Evaluates Proposition 4.1, read with clocks that may pause: the claim of [`prop_4_2`] for two
-/// points nearer than the radius of a normal neighbourhood of the first, in `m`. By Proposition 4.2
-/// they need not be near.
+/// points nearer than the normal radius of the first, in `m`. In fact they need not be near.
 ///
 /// # Errors
 ///
@@ -99,8 +98,8 @@ fn lengths<M: Metric<D>, const D: usize>(metric: &M, curve: &impl Curve<D>) -> V
 }
 
 /// Evaluates the converse in Proposition 4.2 on any curve `γ`: if it is minimal, then
-/// `γ(t) = γ**(φ(t))`, where `φ(t)` is its length up to `t`, divided by `d`. Compared at 16 times: the
-/// points, and the greatest distance of each side from `γ(0)`, as two inequalities of
+/// `γ(t) = γ**(φ(t))`, where `φ(t)` is its length up to `t`, divided by `d`. Compared at 16 times:
+/// the points, and the greatest distance of each side from `γ(0)`, as two inequalities of
 /// overestimation 1.
 ///
 /// `γ**` must be the only minimal geodesic. With `d = 0` both curves are constant.
@@ -145,8 +144,7 @@ pub fn prop_4_2_converse<M: Metric<D>, const D: usize>(
         .stated("max |γ** ∘ φ − γ(0)| ≤ max |γ − γ(0)|", Unit::COORDINATE, [two, one], moved)
 }
 
-/// Evaluates Propositions 4.1 and 4.2 with "monotone increasing" read strictly: a minimal curve
-/// never pauses. False.
+/// Evaluates Propositions 4.1 and 4.2 with "monotone increasing" read strictly, no pauses: false.
 #[doc(alias = "prop:geodesic_min_path_min")]
 pub fn prop_4_2_read_strictly<M: Metric<D>, C: Curve<D>, const D: usize>(
     known: &Known<M, D>,
@@ -164,8 +162,8 @@ pub fn prop_4_2_read_strictly<M: Metric<D>, C: Curve<D>, const D: usize>(
 }
 
 /// Evaluates the observable part of Proposition 4.3: `Exp_x` maps radii to distances and has an
-/// inverse. Given are a point `x` of the ball `K = {|x| ≤ R}` and a tangent vector `v`, with `R` and
-/// `v` in `ℓ`, and the common radius `ε` of `K`, in `m`.
+/// inverse. Given are a point `x` of the ball `K = {|x| ≤ R}` and a tangent vector `v`, with `R`
+/// and `v` in `ℓ`, and the common radius `ε` of `K`, in `m`.
 ///
 /// Companion: the geodesic equation. `K` must be compact: on the sphere without a point, geodesics
 /// from `x` exist up to the length `π − 2 arctan |x|`, which tends to 0 as `|x| → ∞`.
@@ -209,8 +207,8 @@ pub fn prop_4_3<M: KnownGeodesics<D>, const D: usize>(
 /// Evaluates Lemma 4.4 on a curve between two points: if it is minimal and has constant speed, it
 /// satisfies the geodesic equation.
 ///
-/// Compared are the vectors, and the sizes of the two sides as two inequalities of overestimation 1.
-/// With `d = 0` the curve is constant, and a geodesic.
+/// Compared are the vectors, and the sizes of the two sides in both directions. With `d = 0` the
+/// curve is constant, and a geodesic.
 ///
 /// # Errors
 ///

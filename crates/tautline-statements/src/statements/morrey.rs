@@ -83,9 +83,9 @@ pub(super) fn without_kinks<const D: usize>(
 /// `√(1/3)` is the best constant. Needs only that `γ` is continuous and piecewise smooth, as every
 /// [`Curve`](crate::curves::Curve) is.
 ///
-/// Companion: `γ(s)` is the mean of `γ` plus `(1/l) ∫ k_s γ̇`, with the kernel `r − s₁` before `s` and
-/// `r − s₂` after it. So `((a³ + (l − a)³)/3)^{1/2}/l` with `a = s − s₁` may replace the factor of
-/// `‖γ̇‖`; in the middle it is half as large.
+/// Companion: `γ(s)` is the mean of `γ` plus `(1/l) ∫ k_s γ̇`, with the kernel `r − s₁` before `s`
+/// and `r − s₂` after it. So `((a³ + (l − a)³)/3)^{1/2}/l` with `a = s − s₁` may replace the factor
+/// of `‖γ̇‖`; in the middle it is half as large.
 ///
 /// # Errors
 ///
@@ -144,8 +144,8 @@ pub fn prop_7_2_as_printed<const D: usize>(
     ))
 }
 
-/// Evaluates Proposition 7.3, repaired, on `[s₁, s₂] ⊂ [0, 1]`: with the norms over the interval, and
-/// over `[0, 1]` as Proposition 7.6 needs them.
+/// Evaluates Proposition 7.3, repaired, on `[s₁, s₂] ⊂ [0, 1]`: with the norms over the interval,
+/// and over `[0, 1]` as Proposition 7.6 needs them.
 ///
 /// ```text
 /// |γ(s₂) − γ(s₁)|  ≤  l (‖γ̇‖/√l + √(l/3) ‖γ̈‖)
@@ -212,12 +212,11 @@ pub fn prop_7_3_as_printed<const D: usize>(
 /// |βₖ − γ̇(t)|  ≤  2 ‖γ̈‖/√N      with the norm over [tₖ, tₖ₊₁]
 /// ```
 ///
-/// Needs: `γ̇` does not jump, a hypothesis that the paper omits. Overestimation: at least `2√3`, by
-/// the companions.
+/// Needs: `γ̇` does not jump, which the paper omits. Overestimation: at least `2√3`, by companions.
 ///
 /// Companions: `βₖ` is the mean of `γ̇`, so that Proposition 7.2 gives the factor
-/// `((θ³ + (1 − θ)³) h/3)^{1/2}`, at most `(h/3)^{1/2}`, both attained by `(tₖ₊₁ − t)³` at `tₖ`; and in
-/// `L²` over the subinterval `‖γ̇ − βₖ‖ ≤ (h/π) ‖γ̈‖`, attained where `γ̇` is half a cosine.
+/// `((θ³ + (1 − θ)³) h/3)^{1/2}`, at most `(h/3)^{1/2}`, both attained by `(tₖ₊₁ − t)³` at `tₖ`;
+/// and in `L²` over the subinterval `‖γ̇ − βₖ‖ ≤ (h/π) ‖γ̈‖`, attained where `γ̇` is half a cosine.
 ///
 /// # Errors
 ///

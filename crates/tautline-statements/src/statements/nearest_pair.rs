@@ -64,9 +64,9 @@ impl<const D: usize> NearestPair<D> {
         })
     }
 
-    /// Returns the ends of a computed minimiser of the trapezoidal rule. Their distance `apart` is at
-    /// most the length of the curve between them, so that the excess is of order `1/N`. Assumes that
-    /// `c₁` holds everywhere, so that the space is complete (Proposition 3.3).
+    /// Returns the ends of a computed minimiser of the trapezoidal rule. Their distance `apart` is
+    /// at most the length of the curve between them, so that the excess is of order `1/N`. Assumes
+    /// that `c₁` holds everywhere, so that the space is complete (Proposition 3.3).
     ///
     /// # Errors
     ///
@@ -98,9 +98,9 @@ impl<const D: usize> NearestPair<D> {
 
 /// The distance from a set of a limit of its points, in `ℓ`: 0 for a closed set, up to rounding.
 ///
-/// On the segment from a point outside to its projection, bisection finds two neighbours: a member of
-/// the set, and a point that is projected elsewhere. That point is a limit of members, so a closed
-/// set has a point at most as far from it as the member.
+/// On the segment from a point outside to its projection, bisection finds two neighbours: a member
+/// of the set, and a point that is projected elsewhere. That point is a limit of members, so a
+/// closed set has a point at most as far from it as the member.
 fn off_limits<const D: usize>(
     subject: &Subject,
     set: &dyn ClosedSet<D>,
@@ -122,8 +122,8 @@ fn off_limits<const D: usize>(
     if off <= 0.0 { 0.0 } else { off }
 }
 
-/// Evaluates Proposition 6.2 on a pair: it is nearest, and lies within `d/√c₁` of the bounded set, as
-/// all nearest pairs do.
+/// Evaluates Proposition 6.2 on a pair: it is nearest, and lies within `d/√c₁` of the bounded set,
+/// as all nearest pairs do.
 ///
 /// Needs: closed sets, one of them bounded, and a complete space. `c1` is a lower bound on `H`; the
 /// space is complete if the bound holds everywhere (Proposition 3.3).

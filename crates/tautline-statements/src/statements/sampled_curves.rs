@@ -40,8 +40,9 @@ impl Sampled {
         let upper = |norm: Integral| norm.value + norm.error;
         let constants = subject.constants(metric);
         let [position, speed, _] = curve.suprema();
-        // A sample is off by r, and β by 2Nr, which changes a discrete energy by 2 c₂ |β| times that
-        // and by the slope of H; the integrand changes by the rounding of γ̇ and by that slope.
+        // A sample is off by r, and β by 2Nr, which changes a discrete energy by 2 c₂ |β| times
+        // that and by the slope of H; the integrand changes by the rounding of γ̇ and by that
+        // slope.
         let r = 64.0 * f64::EPSILON * position;
         let rounding = constants.c2() * speed * (4.0 * n.get() as f64 * r + 1e-14 * speed)
             + 2.0 * constants.l_h() * r * speed * speed;
@@ -62,7 +63,7 @@ impl Sampled {
 /// |E(γ) − E_tra,N(γ)|  ≤  C_tra(N)
 /// ```
 ///
-/// Needs: `0 ≤ H ≤ c₂`, `H` Lipschitz, and that `γ̇` does not jump, a hypothesis that the paper omits.
+/// Needs: `0 ≤ H ≤ c₂`, `H` Lipschitz, and that `γ̇` does not jump, which the paper omits.
 ///
 /// Overestimation: the least we know is 4, for a straight line over a valley at the middle of each
 /// chord; the companions are attained.
@@ -125,8 +126,7 @@ pub fn prop_7_6<const D: usize>(
 
 /// Evaluates Proposition 7.6 as printed, with kinks, which `‖γ̈‖` does not see.
 ///
-/// False for `γ(t) = |t − ½|` with `H = 1`, `N = 1` and any `K₂ < (√2 − 1)/2`: there `E = 1` and
-/// `E_tra = 0`.
+/// False for `γ(t) = |t − ½|`, `H = 1`, `N = 1`, `K₂ < (√2 − 1)/2`: there `E = 1`, `E_tra = 0`.
 ///
 /// # Errors
 ///
@@ -150,15 +150,15 @@ pub fn prop_7_6_as_printed<const D: usize>(
         .stated("|E − E_tra,N| ≤ C_tra(N)", Unit::ENERGY, [gap, bound], seen.granted))
 }
 
-/// Evaluates Proposition 7.7, repaired, on a finite set `Ξ` of curves, with their largest norms as
-/// `K₁` and `K₂`.
+/// Evaluates Proposition 7.7, repaired, on a finite set `Ξ` of curves with norms up to `K₁` and
+/// `K₂`.
 ///
 /// ```text
 /// min E_tra,N  ≤  min E + C_tra(N)      over Ξ
 /// ```
 ///
-/// Needs: as [`prop_7_6`], for every curve, but not `c₂`. Overestimation: as there. Companion: half of
-/// the first term of `C_tra(N)`, with none of the others.
+/// Needs: as [`prop_7_6`], for every curve, but not `c₂`. Overestimation: as there. Companion: half
+/// of the first term of `C_tra(N)`, with none of the others.
 ///
 /// # Errors
 ///

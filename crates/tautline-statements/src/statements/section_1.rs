@@ -22,7 +22,7 @@ use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};
 /// An assumption: no finite number of evaluations shows it.
 pub(super) const GLOBAL: &str = "γᵖ is a global minimiser";
 
-/// Begins the evidence with the hypotheses of the theorems: metric, ends in their sets, rule, premise.
+/// Begins the evidence with the hypotheses on the metric, the ends, the rule and the premise.
 pub(super) fn begin<const D: usize>(
     statement: Statement,
     seen: &Reconstruction<D>,

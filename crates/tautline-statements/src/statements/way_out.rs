@@ -5,8 +5,7 @@ use tautline::Constants;
 
 use crate::{Evidence, Unit, curves::KnownGeodesics};
 
-/// The length of the shortest way out of a space, that is, of a curve from a point that leaves every
-/// compact set.
+/// The length of the shortest way out: a curve from a point that leaves every compact set.
 ///
 /// A space is complete if and only if no way out has finite length (Hopf and Rinow). For two points
 /// it suffices that the way out is longer than their distance: the closed balls of that radius are
@@ -27,8 +26,8 @@ impl WayOut {
         Self { length, assumed: (length == f64::INFINITY).then_some("geodesics never end") }
     }
 
-    /// Returns an infinite length, assuming `c₁ ≤ H` everywhere: a way out of the ball of radius `r`
-    /// has length at least `√c₁ r`.
+    /// Returns an infinite length, assuming `c₁ ≤ H` everywhere: a way out of the ball of radius
+    /// `r` has length at least `√c₁ r`.
     #[must_use]
     pub fn by_c1(constants: Constants) -> Self {
         let length = constants.c1().sqrt() * f64::INFINITY;
@@ -41,8 +40,8 @@ impl WayOut {
         self.length > length
     }
 
-    /// Adds the hypothesis that no way out is shorter than `length`, in `m`, or the assumption in its
-    /// place. The theorems need `>`; `≥` is checked, as with any allowance for rounding.
+    /// Adds the hypothesis that no way out is shorter than `length`, in `m`, or the assumption in
+    /// its place. The theorems need `>`; `≥` is checked, as with any allowance for rounding.
     pub(super) fn given_longer(self, evidence: Evidence, [length, granted]: [f64; 2]) -> Evidence {
         match self.assumed {
             Some(claim) => evidence.assumed(claim),

@@ -7,7 +7,7 @@ use super::Program;
 pub struct Asked(pub(super) u64);
 
 impl Asked {
-    /// The number of bits for [`Program`]s; bits for the entries of [`Bounds`](super::Bounds) follow.
+    /// The number of bits for [`Program`]s; entries of [`Bounds`](super::Bounds) follow.
     pub(super) const PROGRAMS: usize = 12;
 
     pub(crate) const fn add(&mut self, program: Program) {

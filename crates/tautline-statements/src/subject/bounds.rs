@@ -44,8 +44,8 @@ macro_rules! table {
     ($($(#[$doc:meta])* $entry:ident($($name:ident),*) -> $result:ty = $genuine:path;)*) => {
         /// The bounds and constants in use: a function for each.
         ///
-        /// `Bounds { rule_gap: |_, _, _| 0.0, ..Bounds::LIBRARY }` replaces an entry. The methods of
-        /// [`Subject`] with the same names call the entries.
+        /// `Bounds { rule_gap: |_, _, _| 0.0, ..Bounds::LIBRARY }` replaces an entry. The methods
+        /// of [`Subject`] with the same names call the entries.
         #[derive(Clone, Copy, Debug)]
         pub struct Bounds {
             $($(#[$doc])* pub $entry: fn($(kind!($name)),*) -> $result,)*
@@ -62,8 +62,7 @@ macro_rules! table {
             /// The functions of the library.
             pub const LIBRARY: Self = Self { $($entry: $genuine,)* };
 
-            /// The entries that differ from [`GENUINE`], by address: two functions at one address
-            /// compute the same.
+            /// The entries that differ from [`GENUINE`] in address: one address means one function.
             pub(super) fn replaced(&self) -> Asked {
                 let mut replaced = Asked::default();
                 $(

@@ -85,8 +85,8 @@ mod tests {
     use super::{Asked, Subject};
     use crate::Mutant;
 
-    /// With an entry too many, checks run that cannot see the mutant; with one too few, the mutant
-    /// is the library.
+    /// An entry too many gives checks that cannot see the mutant; one too few, a mutant that
+    /// passes.
     #[test]
     fn a_mutant_replaces_what_it_is_wrong_in_and_nothing_else() {
         for mutant in Mutant::ALL {

@@ -37,8 +37,7 @@ impl Bounded<1> for Incline {
 }
 
 impl KnownDistance<1> for Incline {
-    /// `⅔ |x − y| (h² + hk + k²)/(h + k)` with the roots `h` and `k` of `H` at the two points of
-    /// `[0, 1]`.
+    /// `⅔ |x − y| (h² + hk + k²)/(h + k)` with `h = √H(x)` and `k = √H(y)`, on `[0, 1]`.
     fn distance(&self, x: &SVector<f64, 1>, y: &SVector<f64, 1>) -> Option<f64> {
         let known = [x[0], y[0]].iter().all(|s| (0.0..=1.0).contains(s));
         let [h, k] = [x[0], y[0]].map(|s| (self.foot + self.slope * s).sqrt());

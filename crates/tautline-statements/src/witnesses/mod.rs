@@ -1,5 +1,4 @@
-//! Witnesses: metrics and curves for which statements are near equality, or fail without a
-//! hypothesis.
+//! Witnesses: metrics and curves near equality, or for which a statement needs a hypothesis.
 
 mod incline;
 mod incline_geodesic;

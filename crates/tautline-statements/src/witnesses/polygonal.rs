@@ -3,8 +3,8 @@
 use nalgebra::{SMatrix, SVector};
 use tautline::{Bounded, Constants, KnownDistance, Metric, Scalar};
 
-/// `ε` of the corners `√(x² + ε²)`: they give a smooth metric with the same `L_H`. Its values differ
-/// from the polygon by less than `ε L_H`, its integrals by less than `100 ε² L_H`.
+/// `ε` of the corners `√(x² + ε²)`: they give a smooth metric with the same `L_H`. Its values
+/// differ from the polygon by less than `ε L_H`, its integrals by less than `100 ε² L_H`.
 const ROUNDED: f64 = 1e-12;
 
 /// `H` is linear between the knots `(xₖ, hₖ)`, and constant beyond the first and the last; its
@@ -18,8 +18,8 @@ pub struct Polygonal {
 }
 
 impl Polygonal {
-    /// Returns the metric with these knots, in `ℓ` and `m²/ℓ²`; `None` unless there are at least two,
-    /// in increasing order and with positive heights.
+    /// Returns the metric with these knots, in `ℓ` and `m²/ℓ²`; `None` unless there are at least
+    /// two, in increasing order and with positive heights.
     #[must_use]
     pub fn new(knots: &[[f64; 2]]) -> Option<Self> {
         let slopes: Vec<f64> = knots
@@ -43,8 +43,8 @@ impl Polygonal {
         Some(Self { knots: knots.to_vec(), kinks, constants })
     }
 
-    /// `∫ √H` from the first knot to an `x` between the knots: a piece of length `l` from `h` to `k`
-    /// contributes `⅔ l (h + √(hk) + k)/(√h + √k)`.
+    /// `∫ √H` from the first knot to an `x` between the knots: a piece of length `l` from `h` to
+    /// `k` contributes `⅔ l (h + √(hk) + k)/(√h + √k)`.
     fn primitive(&self, x: f64) -> f64 {
         let mut sum = 0.0;
         for pair in self.knots.windows(2) {

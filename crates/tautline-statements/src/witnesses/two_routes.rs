@@ -11,12 +11,12 @@ const SECOND: f64 = 10.0;
 /// Returns the problem from `{0, 10}` to `{a, 10 + b}` for the metric with the knots `first` on the
 /// route `[0, a]`, and `second`, relative to 10, on the route `[10, 10 + b]`.
 ///
-/// A discrete minimiser takes the route where the rule finds small values. If that is the longer one,
-/// both gaps of Theorem 1.1 or 1.3 add up: the bounds of order `1/N` are attained in the limit
+/// A discrete minimiser takes the route where the rule finds small values. If that is the longer
+/// one, both gaps of Theorem 1.1 or 1.3 add up: the bounds of order `1/N` are attained in the limit
 /// `L_H d / c₁^{3/2} → 0`.
 ///
-/// `None` unless the knots of each route start at 0, are in order and have positive heights, and the
-/// way between the routes is longer than the shorter route.
+/// `None` unless the knots of each route start at 0, are in order and have positive heights, and
+/// the way between the routes is longer than the shorter route.
 #[must_use]
 pub fn two_routes(first: &[[f64; 2]], second: &[[f64; 2]]) -> Option<Known<Polygonal, 1>> {
     let knots: Vec<[f64; 2]> =
@@ -32,8 +32,8 @@ pub fn two_routes(first: &[[f64; 2]], second: &[[f64; 2]]) -> Option<Known<Polyg
         FiniteSet::new([[a], [SECOND + b]]).ok()?,
     )
     .ok()?;
-    // A difference of integrals from 0 on, as in `Known::between`. The rounded corners change it by
-    // less than 10⁻²².
+    // A difference of integrals from 0 on, as in `Known::between`. The corners change it by <
+    // 10⁻²².
     let size = metric.constants().c2().sqrt() * (SECOND + b);
     let distance_error = 16.0 * f64::EPSILON * size;
     (start == 0.0 && second_start == 0.0 && apart).then_some(Known {

@@ -8,9 +8,8 @@ use tautline::{Bounded, Constants, Metric, Scalar};
 /// `H = c + s |x − m|`, where `m` is the nearest of the points `(k + ½)/N`: V-shaped valleys for
 /// `s > 0`, ridges for `s < 0`, one in each of `N` steps along `[0, 1]`.
 ///
-/// The limit of smooth metrics with the same `L_H = |s|`; not differentiable at the tips, so only its
-/// values are of use. On the samples of a straight line the trapezoidal rule evaluates it at the tips
-/// only.
+/// The limit of smooth metrics with the same `L_H = |s|`; not differentiable at the tips, so only
+/// its values are of use. On samples of a line the trapezoidal rule sees only the tips.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Zigzag {
     tip: f64,
@@ -20,8 +19,8 @@ pub struct Zigzag {
 }
 
 impl Zigzag {
-    /// Returns the zigzag with `H = tip` at the points `(k + ½)/n` and the slopes `±slope`, in `m²/ℓ²`
-    /// and `m²/ℓ³`; `None` unless it is positive.
+    /// Returns the zigzag with `H = tip` at the points `(k + ½)/n` and the slopes `±slope`, in
+    /// `m²/ℓ²` and `m²/ℓ³`; `None` unless it is positive.
     #[must_use]
     pub fn new(tip: f64, slope: f64, n: usize) -> Option<Self> {
         let foot = tip + 0.5 * slope / n as f64;

@@ -1,5 +1,4 @@
-//! Propositions S.6 and S.7: an enclosure of the distance by one computed sequence, and global
-//! discrete minima.
+//! Propositions S.6 and S.7: an enclosure of the distance, and global discrete minima.
 
 use tautline::{
     Bounded, PointSequence,
@@ -12,14 +11,14 @@ use crate::{
     discrete_energy, reconstruction::nodes, with_rule::with_rule,
 };
 
-/// Evaluates Proposition S.6 on a computed minimiser, assumed to be global; `gap` is a lower bound on
-/// the Euclidean distance of the sets, in `ℓ`.
+/// Evaluates Proposition S.6 on a computed minimiser, assumed to be global; `gap` is a lower bound
+/// on the Euclidean distance of the sets, in `ℓ`.
 ///
 /// ```text
 /// lower  ≤  d²  ≤  L(γᵖˡ)²,      lower = max{ d² : d² e(d) ≤ E_N },  or  c₁ gap²
 /// ```
 ///
-/// Needs: the setting of Theorem 1.1; a *global* minimiser for the lower bound. Attained by constant
+/// Needs: the setting of Theorem 1.1; from below a *global* minimiser. Attained by constant
 /// metrics.
 ///
 /// # Errors
@@ -67,8 +66,8 @@ pub fn prop_s_6<const D: usize>(
 ///
 /// Needs: `c₁ ≤ H`, `H` Lipschitz with `L_H`, `DH` with `M_H`; the same ends and the same `N`.
 ///
-/// The first is attained for the trapezoidal rule with `N = 2`, where `H` has the slopes `±L_H` at
-/// the two midpoints.
+/// The first is attained at `N = 2` for the trapezoidal rule, if `H` has slopes `±L_H` at the
+/// midpoints.
 ///
 /// # Errors
 ///

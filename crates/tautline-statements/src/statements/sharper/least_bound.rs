@@ -3,8 +3,8 @@
 use crate::statements::section_1::begin;
 use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};
 
-/// Evaluates the least bound on `L(γᵖˡ)² − d²` on a computed minimiser, over the theorem of the paper
-/// and Theorems A to D.
+/// Evaluates the least bound on `L(γᵖˡ)² − d²` on a computed minimiser, over the theorem of the
+/// paper and Theorems A to D.
 ///
 /// Counts as Theorem D for the trapezoidal rule with known `M_H`, and as Theorem C otherwise: these
 /// are least for large `N`, and have its overestimation.

@@ -12,8 +12,8 @@ use crate::{
 /// The number of chords of a way out of the ball.
 const WAY: usize = 4;
 
-/// Evaluates Proposition S.8 on a computed minimiser, with the radius `R` that the library finds for
-/// the constants of the problem.
+/// Evaluates Proposition S.8 on a computed minimiser, with the radius `R` that the library finds
+/// for the constants of the problem.
 ///
 /// ```text
 /// |xₙ − x|  ≤  R        for every point of the sequence, where x is its bounded end
@@ -22,16 +22,15 @@ const WAY: usize = 4;
 /// √c₁ R  ≤  L(γ)        for segments γ of Euclidean length R from x along axes
 /// ```
 ///
-/// Needs: the setting of Theorem 1.1 within `R` of the end; a *global* minimiser among the
-/// sequences there.
+/// Needs: the setting of Theorem 1.1 within `R` of the end; a *global* minimiser in there.
 ///
-/// Overestimation: the radius is 1 % larger than necessary, which is 1 % in the first two and 2 % in
-/// the third. The last is attained for the metric `c₁ I`.
+/// Overestimation: the radius is 1 % larger than necessary, which is 1 % in the first two and 2 %
+/// in the third. The last is attained for the metric `c₁ I`.
 ///
 /// # Errors
 ///
-/// [`VerifyError::Locality`] if no radius is found, [`VerifyError::Metric`] where `H` is not
-/// positive definite.
+/// [`VerifyError::Locality`] without a radius, [`VerifyError::Metric`] if `H` is not positive
+/// definite.
 pub fn prop_s_8<M: Bounded<D>, const D: usize>(
     subject: &Subject,
     known: &Known<M, D>,

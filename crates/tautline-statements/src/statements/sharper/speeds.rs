@@ -1,4 +1,4 @@
-//! Lemmas S.3 and S.5: the greatest speed of the chords of a sequence, and the spread of the speeds.
+//! Lemmas S.3 and S.5: the greatest speed of a chord, and the spread of the speeds.
 
 use tautline::{Bounded, MetricError, PointSequence};
 
@@ -17,8 +17,8 @@ use crate::{
 ///
 /// Needs: `c₁ ≤ H`, `H` Lipschitz; the second also `H ≤ c₂`.
 ///
-/// Both are attained for a constant metric, and the `L_H` term of the second in a limit of sequences
-/// that run away. Companion: with the largest difference `B`,
+/// Both are attained for a constant metric, and the `L_H` term of the second in a limit of
+/// sequences that run away. Companion: with the largest difference `B`,
 /// `|βₙ − βₙ₋₁| ≤ (3L_H/2Nc₁) B² + |ρₙ|/Nc₁`, attained over a twist.
 ///
 /// # Errors
@@ -73,8 +73,8 @@ pub fn lemma_s_3<const D: usize>(
         .sharper("|βₙ − βₙ₋₁| ≤ 3L_H B²/2Nc₁ + |ρₙ|/Nc₁", Unit::COORDINATE, worst, step_granted))
 }
 
-/// Evaluates Lemma S.5 on any sequence from set to set with known distance `d > 0`: with `uₙ = qₙ/d`
-/// and `ε = max(1, E_N/d²)`,
+/// Evaluates Lemma S.5 on any sequence from set to set with known distance `d > 0`: with
+/// `uₙ = qₙ/d` and `ε = max(1, E_N/d²)`,
 ///
 /// ```text
 /// mean u ≥ 1 − x,    v ≤ ε − max(0, 1 − x)²,    |uₙ − mean u| ≤ √((N − 1)v)
@@ -83,7 +83,7 @@ pub fn lemma_s_3<const D: usize>(
 /// L(γᵖˡ)²  ≤  E_tra,N + (M_H/24c₁²N²) E_tra,N²
 /// ```
 ///
-/// Needs: `c₁ ≤ H`, `H` Lipschitz, `DH` too where `M_H` enters; ends in their sets; not a minimiser.
+/// Needs: `c₁ ≤ H`, `H` Lipschitz, `DH` too for `M_H`; ends in their sets; not a minimiser.
 ///
 /// The last two are attained as `δ → 0` and `μ → 0`, at `N = 1` over a valley and along a parabola.
 #[must_use]

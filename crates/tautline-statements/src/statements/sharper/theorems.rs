@@ -46,7 +46,7 @@ pub fn lemma_s_4<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) ->
     evidence
 }
 
-/// The bounds of a theorem on `min E_N − d²`, `d² − E_N`, `|E(γᵖˡ) − E_N|` and `L(γᵖˡ)² − d²`, in `m²`.
+/// Bounds on `min E_N − d²`, `d² − E_N`, `|E(γᵖˡ) − E_N|` and `L(γᵖˡ)² − d²`, in `m²`.
 struct Gaps {
     above: f64,
     below: f64,
@@ -85,8 +85,8 @@ impl Gaps {
 /// L(γᵖˡ)² − d²  ≤  E(γᵖˡ) − d²  ≤  d² [e − 1 + (kδ/N) e Q]
 /// ```
 ///
-/// Needs: the setting of Theorem 1.1, and the premise `E_N ≤ d² e`. The proof uses stationarity, but
-/// it is not needed, since Theorem C is no weaker.
+/// Needs: the setting of Theorem 1.1, and the premise `E_N ≤ d² e`. The proof uses stationarity,
+/// but it is not needed, since Theorem C is no weaker.
 ///
 /// Attained as `δ → 0`, at `N = 1` on two routes.
 #[must_use]
@@ -124,7 +124,7 @@ pub fn theorem_b<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) ->
 /// E(γᵖˡ) − d²  ≤  d² [e − 1 + (kδ/N) m₃],    L(γᵖˡ)² − d²  ≤  d² [e − 1 + (kδ/N) e^{3/2}]
 /// ```
 ///
-/// Needs: the setting of Theorem 1.1, and the premise; neither a minimiser nor a stationary sequence.
+/// Needs: the setting of Theorem 1.1, and the premise; not stationary points.
 ///
 /// Attained as `δ → 0`, on two routes, for every `N`.
 #[must_use]
