@@ -89,14 +89,10 @@ impl Evidence {
     pub fn given_constants(self, constants: Constants, seen: &GramRange) -> Self {
         // A dozen roundings an entry, and D entries a row with D ≤ 10 or so.
         let rounding = 1e-14 * seen.high;
+        let slopes = [seen.slope, constants.l_h()];
         self.given("c₁ ≤ λ_min(H)", Unit::GRAM, [constants.c1(), seen.low], rounding)
             .given("λ_max(H) ≤ c₂", Unit::GRAM, [seen.high, constants.c2()], rounding)
-            .given(
-                "‖H(x) − H(y)‖/|x − y| ≤ L_H",
-                Unit::GRAM_SLOPE,
-                [seen.slope, constants.l_h()],
-                seen.slope_rounding,
-            )
+            .given("‖H(x) − H(y)‖/|x − y| ≤ L_H", Unit::GRAM_SLOPE, slopes, seen.slope_rounding)
             .assumed("c₁, c₂ and L_H hold elsewhere")
     }
 

@@ -44,14 +44,11 @@ impl Instant {
         let relative = 128.0 * f64::EPSILON * (1.0 + condition + size * natural);
         let granted = [relative * a1, relative * (a2 + 1.5 * natural * a1 * a1)];
         let seen = GramRange::near(metric, constants, &position)?;
+        let off = (speed_squared - distance * distance).abs();
+        let rounding = 2.0 * constants.c2() * a1 * granted[0] + relative * distance * distance;
         let evidence = Evidence::of(statement)
             .given_constants(constants, &seen)
-            .given(
-                "|g(γ̇, γ̇) − d²| = 0",
-                Unit::ENERGY,
-                [(speed_squared - distance * distance).abs(), 0.0],
-                2.0 * constants.c2() * a1 * granted[0] + relative * distance * distance,
-            )
+            .given("|g(γ̇, γ̇) − d²| = 0", Unit::ENERGY, [off, 0.0], rounding)
             .given("|γ̈ + Γ(γ̇, γ̇)| = 0", Unit::COORDINATE, [residual, 0.0], granted[1] * (D as f64));
         let (speed, acceleration) = (velocity.norm(), acceleration.norm());
         Ok(Self { setting, evidence, speed, acceleration, granted })
@@ -116,23 +113,15 @@ pub fn constant_k2<const D: usize>(
     // L_H d²/c₁², by the definition of K₁.
     let natural = constants.l_h() * (distance / constants.c1()).powi(2);
     let defined = 1.5 * natural * (D * D) as f64;
+    let sharp = subject.k2_sharp(without_m_h(instant.setting)?);
     let (found, granted) = (instant.acceleration, instant.granted[1]);
     let rounding = 16.0 * f64::EPSILON * defined;
+    let definition = ["K₂ ≤ 3L_H D² d²/2c₁²", "3L_H D² d²/2c₁² ≤ K₂"];
     Ok(instant
         .evidence
         .stated("|γ̈(t)| ≤ K₂", Unit::COORDINATE, [found, k2], granted)
-        .sharper(
-            "|γ̈(t)| ≤ ω L_H K₁²/c₁",
-            Unit::COORDINATE,
-            [found, subject.k2_sharp(without_m_h(instant.setting)?)],
-            granted + rounding,
-        )
-        .identity(
-            ["K₂ ≤ 3L_H D² d²/2c₁²", "3L_H D² d²/2c₁² ≤ K₂"],
-            Unit::COORDINATE,
-            [k2, defined],
-            rounding,
-        ))
+        .sharper("|γ̈(t)| ≤ ω L_H K₁²/c₁", Unit::COORDINATE, [found, sharp], granted + rounding)
+        .identity(definition, Unit::COORDINATE, [k2, defined], rounding))
 }
 
 /// Evaluates Lemma S.1 on a minimal geodesic at the time `t`.
@@ -214,25 +203,16 @@ pub fn prop_7_12<const D: usize>(
         + 64.0 * f64::EPSILON * constants.c2().sqrt() * size * distance;
     // So are K₁ and K₂, which contains K₁².
     let off = 32.0 * f64::EPSILON * constants.c2().sqrt() * size / constants.c1().sqrt();
+    let (k1, k2) = (subject.k1_g(setting), subject.k2_g(setting));
     let bend = subject.k2_sharp(without_m_h(setting)?);
     let granted_bend = acceleration.error
         + 2.0 * relative * bend
-        + 2.0 * setting.omega() * constants.l_h() / constants.c1() * subject.k1_g(setting) * off;
+        + 2.0 * setting.omega() * constants.l_h() / constants.c1() * k1 * off;
     Ok(Evidence::of(Statement::Proposition7_12)
         .given_constants(constants, &seen)
         .given("E(γ) ≤ d²", Unit::ENERGY, [energy.value, distance * distance], granted)
-        .stated(
-            "‖γ̇‖ ≤ K₁",
-            Unit::COORDINATE,
-            [velocity.value, subject.k1_g(setting)],
-            velocity.error + off,
-        )
-        .stated(
-            "‖γ̈‖ ≤ K₂",
-            Unit::COORDINATE,
-            [acceleration.value, subject.k2_g(setting)],
-            granted_bend,
-        )
+        .stated("‖γ̇‖ ≤ K₁", Unit::COORDINATE, [velocity.value, k1], velocity.error + off)
+        .stated("‖γ̈‖ ≤ K₂", Unit::COORDINATE, [acceleration.value, k2], granted_bend)
         .sharper("‖γ̈‖ ≤ ω L_H K₁²/c₁", Unit::COORDINATE, [acceleration.value, bend], granted_bend))
 }
 

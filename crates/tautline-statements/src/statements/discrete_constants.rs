@@ -49,12 +49,8 @@ fn speed<const D: usize>(
     let [observed, bound] = [seen.k3, bar].map(|k| c1 * k * k - d2);
     // K̄ is a square root of a sum, squared again: a few roundings of the bound.
     let rounding = seen.granted + 8.0 * f64::EPSILON * (bound + 2.0 * d2);
-    evidence.stated(plain, Unit::COORDINATE, [seen.k3, bar], granted).stated(
-        gap,
-        Unit::ENERGY,
-        [observed, bound],
-        rounding,
-    )
+    let evidence = evidence.stated(plain, Unit::COORDINATE, [seen.k3, bar], granted);
+    evidence.stated(gap, Unit::ENERGY, [observed, bound], rounding)
 }
 
 /// Evaluates the constant `C` of Theorems 1.1 and 1.2 on a computed minimiser of the trapezoidal
@@ -125,15 +121,11 @@ impl Excess {
         let bound = self.constant / (seen.n.get() as f64).sqrt();
         // C is a product of cubes of sums of cubes: some 40 roundings, and powers up to 9.
         let rounding = 1e-13 * self.constant;
+        let definition = ["C ≤ the sum of its parts", "the sum of its parts ≤ C"];
         begin_in_the_paper(statement, subject, seen, rule)
             .stated("E(γᵖˡ) − d² ≤ by parts", Unit::ENERGY, [excess, self.by_parts], seen.granted)
             .sharper("by parts ≤ C/√N", Unit::ENERGY, [self.by_parts, bound], rounding)
-            .identity(
-                ["C ≤ the sum of its parts", "the sum of its parts ≤ C"],
-                Unit::ENERGY,
-                [self.constant, sum],
-                rounding,
-            )
+            .identity(definition, Unit::ENERGY, [self.constant, sum], rounding)
             .sharper("E(γᵖˡ) − d² = O(1/N)", Unit::ENERGY, [excess, first_order], seen.granted)
     }
 }

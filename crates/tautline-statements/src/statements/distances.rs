@@ -32,16 +32,12 @@ pub fn prop_3_3<M: Bounded<D>, const D: usize>(
     let granted = known.squared_error() + rounding * euclidean;
     // From 33 points to the segment: H grows by at most c₂ − c₁ and L_H |x − y|/64 between them.
     let top = seen.high + (constants.l_h() * euclidean.sqrt() / 64.0).min(c2 - c1);
+    let sharper = "d² ≤ sup H |x − y|² on the segment";
     Ok(Evidence::of(Statement::Proposition3_3)
         .given("c₁ ≤ λ_min(H)", Unit::GRAM, [c1, seen.low], rounding)
         .given("λ_max(H) ≤ c₂", Unit::GRAM, [seen.high, c2], rounding)
         .assumed("c₁ and c₂ hold elsewhere")
         .stated("c₁|x − y|² ≤ d²", Unit::ENERGY, [c1 * euclidean, d2], granted)
         .stated("d² ≤ c₂|x − y|²", Unit::ENERGY, [d2, c2 * euclidean], granted)
-        .sharper(
-            "d² ≤ sup H |x − y|² on the segment",
-            Unit::ENERGY,
-            [d2, top * euclidean],
-            granted,
-        ))
+        .sharper(sharper, Unit::ENERGY, [d2, top * euclidean], granted))
 }

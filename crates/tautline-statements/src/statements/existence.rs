@@ -48,6 +48,7 @@ pub fn prop_7_1<const D: usize>(
         let ends = [(sets[0], sequence.first()), (sets[1], sequence.last())];
         ends.map(|(set, x)| (set.project(x) - x).norm()).into_iter().fold(0.0, f64::max)
     });
+    let off = off[0].max(off[1]);
     let size = [minimiser, other].map(|sequence| {
         sequence.points().iter().map(|x: &SVector<f64, D>| x.norm()).fold(0.0, f64::max)
     });
@@ -66,12 +67,7 @@ pub fn prop_7_1<const D: usize>(
         .given("both sequences have the same N", Unit::NONE, [differ, 0.0], 0.0)
         .given("c₁ ≤ λ_min(H)", Unit::GRAM, [c1, gram.low], 1e-14 * gram.high)
         .assumed("c₁ holds elsewhere")
-        .given(
-            "the ends lie in X⁽⁰⁾ and X⁽¹⁾",
-            Unit::COORDINATE,
-            [off[0].max(off[1]), 0.0],
-            1e-13 * size,
-        )
+        .given("the ends lie in X⁽⁰⁾ and X⁽¹⁾", Unit::COORDINATE, [off, 0.0], 1e-13 * size)
         .stated("|xₙ − X| ≤ √(R/c₁)", Unit::COORDINATE, [reach(other), radius], rounding)
         .stated("|xₙ − X| ≤ √(R/c₁) for γ*", Unit::COORDINATE, [reach(minimiser), radius], rounding)
         .stated("E_N(γ*) ≤ E_N(γᵖ)", Unit::ENERGY, [least, energy], granted)
@@ -131,14 +127,9 @@ pub fn critical_point<M: Bounded<D>, const D: usize>(
     // The remaining ∂E changes the speeds by |ρₙ|/(N √c₁), and |ρₙ| ≤ √N granted.
     let speed_granted = granted / (count * constants.c1()).sqrt()
         + 16.0 * f64::EPSILON * (count * size * c2.sqrt() + momentum);
-    let rho = Unit { ell: -1, m: 2 };
+    let (rho, rounding) = (Unit { ell: -1, m: 2 }, 1e-13 * (size + seen.k3));
     Evidence::of(Statement::Proposition7_1)
-        .sharper(
-            "the ends lie in their sets",
-            Unit::COORDINATE,
-            [seen.off_sets, 0.0],
-            1e-13 * (size + seen.k3),
-        )
+        .sharper("the ends lie in their sets", Unit::COORDINATE, [seen.off_sets, 0.0], rounding)
         .sharper("((1/N) Σ |ρₙ|²)^{1/2} = 0", rho, [residual, 0.0], granted)
         .sharper("½∂E/∂x₀ points into X⁽⁰⁾", rho, [slip[0], 0.0], granted)
         .sharper("½∂E/∂x_N points into X⁽¹⁾", rho, [slip[1], 0.0], granted)

@@ -81,12 +81,10 @@ impl<const D: usize> TwoForms<D> {
             + self.c2 * difference * difference
             + 2.0 * self.c2 * speed * difference;
         let size = self.rounding() * (u1.norm_squared() + u2.norm_squared());
-        evidence.stated(
-            "|u₁ᵀH(x₁)u₁ − u₂ᵀH(x₂)u₂| ≤ L_H|x₁ − x₂||u₁|² + c₂|u₁ − u₂|² + 2c₂|u₁||u₁ − u₂|",
-            Unit::ENERGY,
-            [(first - second).abs(), bound],
-            size + 16.0 * f64::EPSILON * bound,
-        )
+        let granted = size + 16.0 * f64::EPSILON * bound;
+        let claim =
+            "|u₁ᵀH(x₁)u₁ − u₂ᵀH(x₂)u₂| ≤ L_H|x₁ − x₂||u₁|² + c₂|u₁ − u₂|² + 2c₂|u₁||u₁ − u₂|";
+        evidence.stated(claim, Unit::ENERGY, [(first - second).abs(), bound], granted)
     }
 }
 
@@ -128,10 +126,6 @@ pub fn prop_7_5_as_printed<const D: usize>(forms: &TwoForms<D>) -> Evidence {
 
 fn lipschitz<const D: usize>(evidence: Evidence, forms: &TwoForms<D>) -> Evidence {
     let [h1, h2] = forms.matrices;
-    evidence.given(
-        "‖H(x₁) − H(x₂)‖ ≤ L_H |x₁ − x₂|",
-        Unit::GRAM,
-        [operator_norm(&(h1 - h2)), forms.l_h * forms.step()],
-        2.0 * forms.rounding(),
-    )
+    let numbers = [operator_norm(&(h1 - h2)), forms.l_h * forms.step()];
+    evidence.given("‖H(x₁) − H(x₂)‖ ≤ L_H |x₁ − x₂|", Unit::GRAM, numbers, 2.0 * forms.rounding())
 }

@@ -68,12 +68,8 @@ pub fn remark_9_2<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -
     let above = subject.theorem_a_minimum_gap(seen.setting, seen.rule, seen.n);
     let (over, granted) = (seen.discrete_energy - seen.distance_squared, seen.granted);
     let evidence = admitted(Evidence::of(Statement::Remark9_2), seen).assumed(GLOBAL);
-    curve_and_minimum(evidence, subject, seen).stated(
-        "E_N − d² = O(1/N)",
-        Unit::ENERGY,
-        [over, above],
-        granted,
-    )
+    let evidence = curve_and_minimum(evidence, subject, seen);
+    evidence.stated("E_N − d² = O(1/N)", Unit::ENERGY, [over, above], granted)
 }
 
 /// Evaluates the answer to Remark 9.2 on any sequence from set to set with a discrete energy below
@@ -93,12 +89,9 @@ pub fn remark_9_2_for_any_sequence<const D: usize>(
 ) -> Evidence {
     let least =
         seen.distance_squared + subject.theorem_a_minimum_gap(seen.setting, seen.rule, seen.n);
-    let evidence = admitted(Evidence::of(Statement::Remark9_2), seen).given(
-        "E_N ≤ d² e",
-        Unit::ENERGY,
-        [seen.discrete_energy, least],
-        seen.granted,
-    );
+    let numbers = [seen.discrete_energy, least];
+    let evidence = admitted(Evidence::of(Statement::Remark9_2), seen);
+    let evidence = evidence.given("E_N ≤ d² e", Unit::ENERGY, numbers, seen.granted);
     curve_and_minimum(evidence, subject, seen)
 }
 

@@ -23,13 +23,9 @@ pub fn prop_4_1<M: Metric<D>, C: Curve<D>, const D: usize>(
     clock: &Clock,
     radius: f64,
 ) -> Result<Evidence, MetricError> {
-    let near = Evidence::of(Statement::Proposition4_1).given(
-        "d < ε",
-        Unit::LENGTH,
-        [known.distance, radius],
-        0.0,
-    );
-    reparametrised(near, subject, known, geodesic, clock)
+    let evidence = Evidence::of(Statement::Proposition4_1);
+    let evidence = evidence.given("d < ε", Unit::LENGTH, [known.distance, radius], 0.0);
+    reparametrised(evidence, subject, known, geodesic, clock)
 }
 
 /// Evaluates Proposition 4.2, read with clocks that may pause, on `γ = γ** ∘ φ`.

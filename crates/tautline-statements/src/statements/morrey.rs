@@ -98,29 +98,19 @@ pub fn prop_7_2<const D: usize>(
     let Interval { chord, length, norms: [position, velocity, _], rounding } =
         Interval::of(curve, [s1, s2])?;
     let a = within("s", s, [s1, s2])? - s1;
+    let root = length.sqrt();
     let kernel = ((a.powi(3) + (length - a).powi(3)) / 3.0).sqrt() / length;
-    let gap = curve.motion(s).position.norm() - position.value / length.sqrt();
-    let granted = 2.0 * rounding + length.sqrt() * velocity.error;
-    let granted_gap = granted + position.error / length.sqrt();
+    let gap = curve.motion(s).position.norm() - position.value / root;
+    let far = [chord.norm(), root * velocity.value];
+    let plain = [gap, (length / 3.0).sqrt() * velocity.value];
+    let sharp = [gap, kernel * velocity.value];
+    let sharper = "|γ(s)| − ‖γ‖/√l ≤ ((a³ + (l − a)³)/3)^{1/2} ‖γ̇‖/l";
+    let granted = 2.0 * rounding + root * velocity.error;
+    let granted_gap = granted + position.error / root;
     Ok(Evidence::of(Statement::Proposition7_2)
-        .stated(
-            "|γ(s₂) − γ(s₁)| ≤ √l ‖γ̇‖",
-            Unit::COORDINATE,
-            [chord.norm(), length.sqrt() * velocity.value],
-            granted,
-        )
-        .stated(
-            "|γ(s)| − ‖γ‖/√l ≤ √(l/3) ‖γ̇‖",
-            Unit::COORDINATE,
-            [gap, (length / 3.0).sqrt() * velocity.value],
-            granted_gap,
-        )
-        .sharper(
-            "|γ(s)| − ‖γ‖/√l ≤ ((a³ + (l − a)³)/3)^{1/2} ‖γ̇‖/l",
-            Unit::COORDINATE,
-            [gap, kernel * velocity.value],
-            granted_gap,
-        ))
+        .stated("|γ(s₂) − γ(s₁)| ≤ √l ‖γ̇‖", Unit::COORDINATE, far, granted)
+        .stated("|γ(s)| − ‖γ‖/√l ≤ √(l/3) ‖γ̇‖", Unit::COORDINATE, plain, granted_gap)
+        .sharper(sharper, Unit::COORDINATE, sharp, granted_gap))
 }
 
 /// Evaluates the second inequality of Proposition 7.2 as printed: `|γ(s)| ≤ ‖γ‖ + 2‖γ̇‖`.
@@ -136,12 +126,9 @@ pub fn prop_7_2_as_printed<const D: usize>(
 ) -> Result<Evidence, VerifyError> {
     let Interval { norms: [position, velocity, _], rounding, .. } = Interval::of(curve, [s1, s2])?;
     let gap = curve.motion(within("s", s, [s1, s2])?).position.norm() - position.value;
-    Ok(Evidence::of(Statement::Proposition7_2).stated(
-        "|γ(s)| − ‖γ‖ ≤ 2‖γ̇‖",
-        Unit::COORDINATE,
-        [gap, 2.0 * velocity.value],
-        rounding + position.error + 2.0 * velocity.error,
-    ))
+    let granted = rounding + position.error + 2.0 * velocity.error;
+    let (claim, numbers) = ("|γ(s)| − ‖γ‖ ≤ 2‖γ̇‖", [gap, 2.0 * velocity.value]);
+    Ok(Evidence::of(Statement::Proposition7_2).stated(claim, Unit::COORDINATE, numbers, granted))
 }
 
 /// Evaluates Proposition 7.3, repaired, on `[s₁, s₂] ⊂ [0, 1]`: with the norms over the interval,
@@ -170,19 +157,13 @@ pub fn prop_7_3<const D: usize>(
     let local = velocity.value / length.sqrt() + (length / 3.0).sqrt() * acceleration.value;
     let errors = velocity.error / length.sqrt() + whole.error + acceleration.error + bend.error;
     let granted = 2.0 * rounding + length * errors;
+    let local = [chord.norm(), length * local];
+    let on_whole = [chord.norm() - length * whole.value, length * bend.value / 3_f64.sqrt()];
+    let claims =
+        ["|γ(s₂) − γ(s₁)| ≤ l (‖γ̇‖/√l + √(l/3) ‖γ̈‖)", "|γ(s₂) − γ(s₁)| − l‖γ̇‖₍₀,₁₎ ≤ l‖γ̈‖₍₀,₁₎/√3"];
     Ok(without_kinks(Evidence::of(Statement::Proposition7_3), curve)
-        .stated(
-            "|γ(s₂) − γ(s₁)| ≤ l (‖γ̇‖/√l + √(l/3) ‖γ̈‖)",
-            Unit::COORDINATE,
-            [chord.norm(), length * local],
-            granted,
-        )
-        .stated(
-            "|γ(s₂) − γ(s₁)| − l‖γ̇‖₍₀,₁₎ ≤ l‖γ̈‖₍₀,₁₎/√3",
-            Unit::COORDINATE,
-            [chord.norm() - length * whole.value, length * bend.value / 3_f64.sqrt()],
-            granted,
-        ))
+        .stated(claims[0], Unit::COORDINATE, local, granted)
+        .stated(claims[1], Unit::COORDINATE, on_whole, granted))
 }
 
 /// Evaluates Proposition 7.3 as printed: `|γ(s₂) − γ(s₁)| ≤ l (‖γ̇‖ + 2‖γ̈‖)`.
@@ -198,12 +179,10 @@ pub fn prop_7_3_as_printed<const D: usize>(
 ) -> Result<Evidence, VerifyError> {
     let Interval { chord, length, norms: [_, velocity, acceleration], rounding } =
         Interval::of(curve, [s1, s2])?;
-    Ok(Evidence::of(Statement::Proposition7_3).stated(
-        "|γ(s₂) − γ(s₁)| ≤ l (‖γ̇‖ + 2‖γ̈‖)",
-        Unit::COORDINATE,
-        [chord.norm(), length * (velocity.value + 2.0 * acceleration.value)],
-        2.0 * rounding + length * (velocity.error + 2.0 * acceleration.error),
-    ))
+    let claim = "|γ(s₂) − γ(s₁)| ≤ l (‖γ̇‖ + 2‖γ̈‖)";
+    let numbers = [chord.norm(), length * (velocity.value + 2.0 * acceleration.value)];
+    let granted = 2.0 * rounding + length * (velocity.error + 2.0 * acceleration.error);
+    Ok(Evidence::of(Statement::Proposition7_3).stated(claim, Unit::COORDINATE, numbers, granted))
 }
 
 /// Evaluates Proposition 7.4, repaired, at `t = tₖ + θh` with `h = 1/N`.
@@ -239,31 +218,20 @@ pub fn prop_7_4<const D: usize>(
     let gap = (beta - derivative).norm();
     // ∫ |γ̇ − β|² = ∫ |γ̇|² − h |β|², a difference of numbers of the size of the first.
     let square = (velocity.value.powi(2) - h * beta.norm_squared()).max(0.0);
-    let granted_square = 4.0 * velocity.value * (velocity.error + 2.0 * rounding / h.sqrt());
+    let granted_square = 4.0 * velocity.value * (velocity.error + 2.0 * rounding / h.sqrt())
+        + h * h * acceleration.value * acceleration.error;
+    let wirtinger = (h * acceleration.value / std::f64::consts::PI).powi(2);
     let error = |theta| velocity_error(acceleration.value, theta, count);
     let granted = 2.0 * n * rounding
         + 64.0 * f64::EPSILON * curve.suprema()[1]
         + 4.0 * f64::EPSILON * curve.suprema()[2]
         + 2.0 * h.sqrt() * acceleration.error;
     let squared = Unit { ell: 2, m: 0 };
+    let stated = [gap, 2.0 * acceleration.value / n.sqrt()];
+    let at_theta = "|β − γ̇(t)| ≤ ((θ³ + (1 − θ)³) h/3)^{1/2} ‖γ̈‖";
     Ok(without_kinks(Evidence::of(Statement::Proposition7_4), curve)
-        .stated(
-            "|β − γ̇(t)| ≤ 2‖γ̈‖/√N",
-            Unit::COORDINATE,
-            [gap, 2.0 * acceleration.value / n.sqrt()],
-            granted,
-        )
+        .stated("|β − γ̇(t)| ≤ 2‖γ̈‖/√N", Unit::COORDINATE, stated, granted)
         .sharper("|β − γ̇(t)| ≤ (h/3)^{1/2} ‖γ̈‖", Unit::COORDINATE, [gap, error(0.0)], granted)
-        .sharper(
-            "|β − γ̇(t)| ≤ ((θ³ + (1 − θ)³) h/3)^{1/2} ‖γ̈‖",
-            Unit::COORDINATE,
-            [gap, error(theta)],
-            granted,
-        )
-        .sharper(
-            "‖γ̇ − β‖² ≤ (h/π)² ‖γ̈‖²",
-            squared,
-            [square, (h * acceleration.value / std::f64::consts::PI).powi(2)],
-            granted_square + h * h * acceleration.value * acceleration.error,
-        ))
+        .sharper(at_theta, Unit::COORDINATE, [gap, error(theta)], granted)
+        .sharper("‖γ̇ − β‖² ≤ (h/π)² ‖γ̈‖²", squared, [square, wirtinger], granted_square))
 }

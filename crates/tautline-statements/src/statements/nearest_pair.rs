@@ -141,6 +141,7 @@ pub fn prop_6_2<const D: usize>(pair: &NearestPair<D>, c1: f64) -> Evidence {
     let granted = 1e-13 * size + moved;
     let long = if apart > 0.0 { pair.granted / apart } else { pair.granted.sqrt() };
     let evidence = Evidence::of(Statement::Proposition6_2);
+    let least = distance.powi(2);
     let mut evidence = pair
         .way_out
         .given_longer(evidence, [apart, long])
@@ -150,19 +151,11 @@ pub fn prop_6_2<const D: usize>(pair: &NearestPair<D>, c1: f64) -> Evidence {
         .given("x ∈ X⁽⁰⁾ and y ∈ X⁽¹⁾", Unit::COORDINATE, [pair.off_sets, 0.0], 1e-13 * size)
         .stated("d(x, y)² ≤ d(X⁽⁰⁾, X⁽¹⁾)²", Unit::ENERGY, [apart.powi(2), d2], pair.granted)
         .stated("|x|, |y| ≤ R + d/√c₁", Unit::COORDINATE, [size, room], granted)
-        .sharper(
-            "d(X⁽⁰⁾, X⁽¹⁾)² ≤ d(x, y)²",
-            Unit::ENERGY,
-            [distance.powi(2), apart.powi(2)],
-            pair.granted,
-        );
+        .sharper("d(X⁽⁰⁾, X⁽¹⁾)² ≤ d(x, y)²", Unit::ENERGY, [least, apart.powi(2)], pair.granted);
     if let Some(other) = pair.other {
-        evidence = evidence.sharper(
-            "d(X⁽⁰⁾, X⁽¹⁾)² ≤ d(x′, y′)² for another pair",
-            Unit::ENERGY,
-            [distance.powi(2), other.powi(2)],
-            pair.granted + 1e-13 * distance.powi(2),
-        );
+        let claim = "d(X⁽⁰⁾, X⁽¹⁾)² ≤ d(x′, y′)² for another pair";
+        let granted = pair.granted + 1e-13 * least;
+        evidence = evidence.sharper(claim, Unit::ENERGY, [least, other.powi(2)], granted);
     }
     evidence
 }

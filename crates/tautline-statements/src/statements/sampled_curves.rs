@@ -98,12 +98,9 @@ pub fn prop_7_6<const D: usize>(
     let left = seen.left - seen.curve.value;
     let pointwise = |rule| pointwise_rise(constants, rule, a1, a2, n);
     let evidence = Evidence::of(Statement::Proposition7_6).given_constants(constants, &seen.gram);
-    let evidence = without_kinks(evidence, curve).stated(
-        "|E − E_tra,N| ≤ C_tra(N)",
-        Unit::ENERGY,
-        [rise.abs(), bound],
-        seen.granted,
-    );
+    let evidence = without_kinks(evidence, curve);
+    let stated = ("|E − E_tra,N| ≤ C_tra(N)", [rise.abs(), bound]);
+    let evidence = evidence.stated(stated.0, Unit::ENERGY, stated.1, seen.granted);
     let companions = [
         ("E_tra,N − E ≤ L_H K₁²(K₁ + K₂/√3)/2N", rise, sampling_rise(constants, k1, k2, n)),
         (
@@ -184,14 +181,11 @@ pub fn prop_7_7<const D: usize>(
     }
     let gap = least_sampled - least;
     let bound = subject.c_tra(constants, norms[0], norms[1], n);
+    let sharp = sampling_rise(constants, norms[0], norms[1], n);
+    let sharper = "min E_tra,N − min E ≤ L_H K₁²(K₁ + K₂/√3)/2N";
     Ok(evidence
         .stated("min E_tra,N − min E ≤ C_tra(N)", Unit::ENERGY, [gap, bound], granted)
-        .sharper(
-            "min E_tra,N − min E ≤ L_H K₁²(K₁ + K₂/√3)/2N",
-            Unit::ENERGY,
-            [gap, sampling_rise(constants, norms[0], norms[1], n)],
-            granted,
-        ))
+        .sharper(sharper, Unit::ENERGY, [gap, sharp], granted))
 }
 
 /// Evaluates the definition of `C_tra(N)`.
@@ -222,12 +216,8 @@ pub fn constant_c_tra(
     let found = subject.c_tra(constants, k1, k2, n);
     // Sums of nonnegative terms with a dozen roundings each.
     let granted = 32.0 * f64::EPSILON * defined;
-    Evidence::of(Statement::ConstantCTra).identity(
-        ["C_tra(N) ≤ its definition", "its definition ≤ C_tra(N)"],
-        Unit::ENERGY,
-        [found, defined],
-        granted,
-    )
+    let claims = ["C_tra(N) ≤ its definition", "its definition ≤ C_tra(N)"];
+    Evidence::of(Statement::ConstantCTra).identity(claims, Unit::ENERGY, [found, defined], granted)
 }
 
 /// Evaluates `C_tra(N) ≤ C_tra♯/N`. Needs: nothing.
@@ -250,12 +240,8 @@ pub fn constant_c_tra_sharp(
     let (begun, claim) = (Evidence::of(Statement::ConstantCTraSharp), "C_tra(N) ≤ C_tra♯/N");
     let granted = 8.0 * f64::EPSILON * sharp;
     if n.get() == 1 || k2 == 0.0 {
-        return begun.identity(
-            [claim, "C_tra♯/N ≤ C_tra(N)"],
-            Unit::ENERGY,
-            [of_n, sharp],
-            granted,
-        );
+        let claims = [claim, "C_tra♯/N ≤ C_tra(N)"];
+        return begun.identity(claims, Unit::ENERGY, [of_n, sharp], granted);
     }
     begun.stated(claim, Unit::ENERGY, [of_n, sharp], granted)
 }

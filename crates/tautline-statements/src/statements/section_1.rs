@@ -30,30 +30,21 @@ pub(super) fn begin<const D: usize>(
     premise: f64,
 ) -> Evidence {
     let another_rule = if seen.rule == rule { 0.0 } else { 1.0 };
-    let evidence = Evidence::of(statement).given(
-        "the rule is that of the theorem",
-        Unit::NONE,
-        [another_rule, 0.0],
-        0.0,
-    );
-    admitted(evidence, seen).given(
-        "E_N ≤ what the proof has for the minimum",
-        Unit::ENERGY,
-        [seen.discrete_energy, premise],
-        seen.granted,
-    )
+    let evidence = Evidence::of(statement);
+    let evidence =
+        evidence.given("the rule is that of the theorem", Unit::NONE, [another_rule, 0.0], 0.0);
+    let (claim, numbers) =
+        ("E_N ≤ what the proof has for the minimum", [seen.discrete_energy, premise]);
+    admitted(evidence, seen).given(claim, Unit::ENERGY, numbers, seen.granted)
 }
 
 /// Adds the hypotheses on the metric, and that the ends lie in their sets.
 pub(super) fn admitted<const D: usize>(evidence: Evidence, seen: &Reconstruction<D>) -> Evidence {
     // Coordinates and radii of the size of K₃ + |x|, a projection with about 4 D roundings.
     let size = seen.minimum.sequence.first().norm() + seen.k3;
-    evidence.given_constants(seen.setting.constants(), &seen.gram).given(
-        "the ends lie in X⁽⁰⁾ and X⁽¹⁾",
-        Unit::COORDINATE,
-        [seen.off_sets, 0.0],
-        1e-13 * size,
-    )
+    let (claim, numbers) = ("the ends lie in X⁽⁰⁾ and X⁽¹⁾", [seen.off_sets, 0.0]);
+    let evidence = evidence.given_constants(seen.setting.constants(), &seen.gram);
+    evidence.given(claim, Unit::COORDINATE, numbers, 1e-13 * size)
 }
 
 /// The bound of the proof on the minimum: `d² + C_tra♯` for `E_tra,N` (Theorem 1.1), and

@@ -72,16 +72,12 @@ fn evaluate(
     let [four, eight] = [4.0, 8.0].map(|k| k * PI * units.m);
     // 4π is rounded; compensated sums of positive terms with a dozen roundings a chord.
     let granted = |length: f64| 1e-14 * (eight + length);
+    let off_curve = granted(curve.value) + curve.error;
     Ok(evidence
         .given("γᵖ begins at (0, 0)", Unit::COORDINATE, [off[0], 0.0], 0.0)
         .given("γᵖ ends at (4π, 0)", Unit::COORDINATE, [off[1], 0.0], 1e-14 * units.ell)
         .stated(above, Unit::LENGTH, [four, length], granted(length))
         .stated(attained, Unit::LENGTH, [least, four], granted(least))
-        .stated(
-            "8π ≤ L(γᵖˡ)",
-            Unit::LENGTH,
-            [eight, curve.value],
-            granted(curve.value) + curve.error,
-        )
+        .stated("8π ≤ L(γᵖˡ)", Unit::LENGTH, [eight, curve.value], off_curve)
         .stated("d ≤ 8π", Unit::LENGTH, [line.value, eight], granted(eight) + line.error))
 }

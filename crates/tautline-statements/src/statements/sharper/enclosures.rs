@@ -123,12 +123,8 @@ pub fn prop_s_7<const D: usize>(
         residual: residual(subject, metric, rule, x),
     };
     if let Some(least) = subject.strict_convexity(constants, D, &computed) {
-        evidence = evidence.stated(
-            "E(x) − R²/4σN²sin² ≤ E(y)",
-            Unit::ENERGY,
-            [least, of_y.min(of_middle)],
-            granted,
-        );
+        let numbers = [least, of_y.min(of_middle)];
+        evidence = evidence.stated("E(x) − R²/4σN²sin² ≤ E(y)", Unit::ENERGY, numbers, granted);
     }
     Ok(evidence)
 }

@@ -56,16 +56,12 @@ pub fn prop_s_8<M: Bounded<D>, const D: usize>(
         ceiling = second.into_iter().flatten().fold(ceiling, f64::min);
     }
     let premise = d2 + ceiling;
+    let energies = [seen.discrete_energy, (root * radius).powi(2)];
     let mut evidence = begin(Statement::PropositionS8, seen, rule, premise)
         .assumed(GLOBAL)
         .stated("|xₙ − x| ≤ R", Unit::COORDINATE, [farthest, radius], rounding)
         .stated("d ≤ √c₁ R", Unit::LENGTH, [distance, root * radius], of_lengths)
-        .stated(
-            "E_N ≤ c₁ R²",
-            Unit::ENERGY,
-            [seen.discrete_energy, (root * radius).powi(2)],
-            granted,
-        );
+        .stated("E_N ≤ c₁ R²", Unit::ENERGY, energies, granted);
     if let (Some(m_h), PaperRule::Trapezoidal) = (constants.m_h(), rule) {
         evidence = evidence.given_curvature(seen.curvature, m_h);
     }

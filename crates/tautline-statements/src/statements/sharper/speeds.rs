@@ -55,21 +55,15 @@ pub fn lemma_s_3<const D: usize>(
     let residual = momentum * count;
     let speed_bound = subject.greatest_speed(constants, energy, mean_rho, n);
     let difference_bound = subject.greatest_difference(constants, sequence.k3(), mean_rho);
+    let speed_granted = residual / c1.sqrt() + 1e-14 * fastest;
+    let difference_granted = residual / c1 + 1e-14 * greatest;
     let step_granted = residual / (count * c1) + 4.0 * off;
+    let [speed, difference] =
+        ["max qₙ ≤ √E + (L_H/c₁^{3/2})E + mean|ρ|/√c₁", "max|βₙ| ≤ (c₂K₃ + ½L_H K₃² + mean|ρ|)/c₁"];
     Ok(Evidence::of(Statement::LemmaS3)
         .given_constants(constants, &GramRange::along(metric, nodes(sequence))?)
-        .stated(
-            "max qₙ ≤ √E + (L_H/c₁^{3/2})E + mean|ρ|/√c₁",
-            Unit::LENGTH,
-            [fastest, speed_bound],
-            residual / c1.sqrt() + 1e-14 * fastest,
-        )
-        .stated(
-            "max|βₙ| ≤ (c₂K₃ + ½L_H K₃² + mean|ρ|)/c₁",
-            Unit::COORDINATE,
-            [greatest, difference_bound],
-            residual / c1 + 1e-14 * greatest,
-        )
+        .stated(speed, Unit::LENGTH, [fastest, speed_bound], speed_granted)
+        .stated(difference, Unit::COORDINATE, [greatest, difference_bound], difference_granted)
         .sharper("|βₙ − βₙ₋₁| ≤ 3L_H B²/2Nc₁ + |ρₙ|/Nc₁", Unit::COORDINATE, worst, step_granted))
 }
 

@@ -23,12 +23,8 @@ pub fn lemma_s_4<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) ->
     let &Reconstruction { setting, rule, n, granted, .. } = seen;
     let surplus = seen.discrete_energy - seen.distance_squared;
     let first = subject.theorem_a_minimum_gap(setting, rule, n);
-    let mut evidence = admitted(Evidence::of(Statement::LemmaS4), seen).assumed(GLOBAL).stated(
-        "E_N − d² ≤ d² (e − 1)",
-        Unit::ENERGY,
-        [surplus, first],
-        granted,
-    );
+    let mut evidence = admitted(Evidence::of(Statement::LemmaS4), seen).assumed(GLOBAL);
+    evidence = evidence.stated("E_N − d² ≤ d² (e − 1)", Unit::ENERGY, [surplus, first], granted);
     if rule == PaperRule::Trapezoidal {
         if let Some(m_h) = setting.constants().m_h() {
             evidence = evidence.given_curvature(seen.curvature, m_h);
@@ -59,20 +55,11 @@ impl Gaps {
     fn conclude<const D: usize>(&self, statement: Statement, seen: &Reconstruction<D>) -> Evidence {
         let &Reconstruction { distance_squared: d2, discrete_energy, granted, .. } = seen;
         let (energy, length2) = (seen.energy.value, seen.length_squared.value);
+        let (gap, deficit) = ((energy - discrete_energy).abs(), d2 - discrete_energy);
         let excess = self.above + self.polyline;
         begin(statement, seen, seen.rule, d2 + self.above)
-            .stated(
-                "|E(γᵖˡ) − E_N| ≤ its bound",
-                Unit::ENERGY,
-                [(energy - discrete_energy).abs(), self.polyline],
-                granted,
-            )
-            .stated(
-                "d² − E_N ≤ its bound",
-                Unit::ENERGY,
-                [d2 - discrete_energy, self.below],
-                granted,
-            )
+            .stated("|E(γᵖˡ) − E_N| ≤ its bound", Unit::ENERGY, [gap, self.polyline], granted)
+            .stated("d² − E_N ≤ its bound", Unit::ENERGY, [deficit, self.below], granted)
             .stated("E(γᵖˡ) − d² ≤ its bound", Unit::ENERGY, [energy - d2, excess], granted)
             .stated("L(γᵖˡ)² − d² ≤ its bound", Unit::ENERGY, [length2 - d2, self.length], granted)
     }
