@@ -1,4 +1,4 @@
-//! `Brought`: the case of a suite, made once for all of its tests.
+//! `Brought`: the case of a suite, made once for all its tests.
 
 use std::{
     any::Any,
@@ -11,9 +11,9 @@ use tautline::{Bounded, CertifyError};
 
 use super::MetricCase;
 
-/// What a suite may name: a metric with constants, or an attempt to make one.
+/// What a suite accepts: a metric with constants, or a `Result` with one.
 ///
-/// `Kind` tells the two apart, [`Itself`] and [`Attempt`]; it is inferred.
+/// The inferred `Kind` tells the two apart, [`Itself`] and [`Attempt`].
 pub trait Bring<Kind, const D: usize> {
     /// The metric.
     type Metric: Bounded<D>;
@@ -22,7 +22,7 @@ pub trait Bring<Kind, const D: usize> {
     ///
     /// # Errors
     ///
-    /// Why there is none, and what may be done about it.
+    /// Why there is none, and what to do about it.
     fn bring(self) -> Result<Self::Metric, String>;
 }
 
@@ -30,7 +30,7 @@ pub trait Bring<Kind, const D: usize> {
 #[derive(Debug)]
 pub enum Itself {}
 
-/// The kind of a `Result` with a metric, such as that of [`Certified::new`](tautline::Certified).
+/// The kind of a `Result` with a metric, as from [`Certified::new`](tautline::Certified).
 #[derive(Debug)]
 pub enum Attempt {}
 
@@ -53,11 +53,11 @@ impl<M: Bounded<D>, E: Display + 'static, const D: usize> Bring<Attempt, D> for 
     }
 }
 
-/// What may be done where a formula proves no constants.
+/// What to do if no constants are proved.
 fn advice(error: &CertifyError) -> Option<&'static str> {
     match error {
         CertifyError::NotPositiveDefinite { .. } | CertifyError::Undefined { .. } => Some(
-            "Mend the formula at this point; or test the metric in a ball without it: \
+            "Mend the formula at this point; or test the metric in a ball that avoids it: \
              LocallyCertified::new(metric, accuracy), …, within radius, of centre",
         ),
         CertifyError::NotAllOfSpace | CertifyError::NotSettled { .. } => Some(
@@ -74,15 +74,15 @@ fn advice(error: &CertifyError) -> Option<&'static str> {
     }
 }
 
-/// The place of a suite's case, which the first test that asks for it fills.
+/// Holds the case of a suite, which the first test makes.
 ///
-/// A metric that takes long to make, as one with proved constants does, is made once; one that
-/// cannot be made fails once, in the test `the_metric_has_constants`, and no law is tried on it.
+/// A metric that takes long to make, for example with proved constants, is made once. One that
+/// cannot be made fails once, in the test `the_metric_has_constants`, and no law is tested.
 #[derive(Debug, Default)]
 pub struct Brought(OnceLock<Result<Box<dyn Any + Send + Sync>, String>>);
 
 impl Brought {
-    /// An empty place.
+    /// No case yet.
     #[must_use]
     pub const fn new() -> Self {
         Self(OnceLock::new())
@@ -92,11 +92,11 @@ impl Brought {
     ///
     /// # Errors
     ///
-    /// The reason of `make`, or the message of its panic; on every call that of the first.
+    /// The error of `make`, or the message of its panic, on this and every later call.
     ///
     /// # Panics
     ///
-    /// If two calls make cases of different metrics: a place belongs to one suite.
+    /// If two calls make cases of different metrics.
     pub fn case<M, const D: usize>(
         &self,
         make: impl FnOnce() -> Result<MetricCase<M, D>, String>,
@@ -115,11 +115,11 @@ impl Brought {
     }
 }
 
-/// The test of a suite's case.
+/// Tests that the case of a suite could be made.
 ///
 /// # Panics
 ///
-/// If it could not be made, with the reason: nothing else fails then, since no law is tried.
+/// If it could not, with the reason. No other test fails then.
 #[track_caller]
 pub fn assert_made<C>(case: Result<C, &str>) {
     if let Err(reason) = case {
@@ -156,29 +156,25 @@ mod tests {
     fn a_case_is_made_once() {
         let (place, made) = (Brought::new(), Cell::new(0));
         let case = || {
-            place.case(|| {
+            let make = || {
                 made.set(made.get() + 1);
                 Ok(case_of(Valleys))
-            })
+            };
+            place.case(make).expect("a metric")
         };
-        let first = case().expect("a metric");
-        assert!(std::ptr::eq(first, case().expect("a metric")));
+        assert!(std::ptr::eq(case(), case()));
         assert_eq!(made.get(), 1);
     }
 
-    /// What `expect` would say, for each of the tests.
     #[test]
-    fn a_panic_is_caught_once_and_told_to_all() {
+    fn a_panic_is_caught_once_and_reported_to_every_test() {
         let (place, made) = (Brought::new(), Cell::new(0));
-        let case = || {
+        for _ in 0..3 {
             let case = place.case::<Shear, 2>(|| {
                 made.set(made.get() + 1);
                 Ok(case_of(Shear::new(0.5, f64::NAN).expect("a wave number")))
             });
-            case.map(|_| ()).map_err(str::to_owned)
-        };
-        for _ in 0..3 {
-            let reason = case().expect_err("there is no such metric");
+            let reason = case.map(|_| ()).expect_err("there is no such metric");
             assert!(reason.starts_with("a wave number: "), "{reason}");
         }
         assert_eq!(made.get(), 1);
@@ -195,7 +191,7 @@ mod tests {
     }
 
     #[test]
-    fn an_attempt_says_where_it_failed_and_what_to_do() {
+    fn a_failed_attempt_shows_the_place_and_gives_advice() {
         let reason = |attempt: Result<Certified<Leaning, 2>, _>| {
             attempt.bring().map(|_| ()).expect_err("indefinite")
         };
@@ -220,13 +216,10 @@ mod tests {
     }
 
     #[test]
-    fn a_metric_and_an_attempt_that_succeeded_bring_the_same() {
-        let constants =
-            |brought: Result<Valleys, String>| Bounded::<2>::constants(&brought.expect("a metric"));
+    fn a_metric_and_a_successful_attempt_bring_the_same() {
         let attempt: Result<Valleys, CertifyError> = Ok(Valleys);
-        assert_eq!(
-            constants(Bring::<_, 2>::bring(attempt)),
-            constants(Bring::<_, 2>::bring(Valleys)),
-        );
+        let brought = [Bring::<_, 2>::bring(attempt), Bring::<_, 2>::bring(Valleys)];
+        let [one, other] = brought.map(|metric| Bounded::<2>::constants(&metric.expect("brought")));
+        assert_eq!(one, other);
     }
 }

@@ -1,26 +1,36 @@
-//! The difference test: a claimed derivative against central differences of smaller and smaller step.
+//! The difference test: a claimed derivative against central differences of decreasing step.
+
+use super::Fault;
 
 /// The steps are `4⁻ʲ` of a length, for `j` in this range.
 const QUARTERINGS: std::ops::RangeInclusive<i32> = 2..=8;
 
-/// The error of a central difference falls by 16 from one step to the next; this much of it is
-/// asked for at the last steps, where the next term of the expansion is small.
+/// The error of a central difference falls by 16 from one step to the next. At the last steps,
+/// where the next term of the expansion is small, it must fall by this factor.
 const FALL: f64 = 4.0;
 
-/// What a difference test says: the numbers at the smallest step.
+/// The result of a failed difference test at the smallest step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Disagreement {
-    /// The largest difference between the claimed derivative and the central difference.
+    /// The largest difference between a claimed derivative and its central difference.
     pub(crate) error: f64,
-    /// What rounding makes of a central difference at this step.
+    /// The rounding error of a central difference at this step.
     pub(crate) granted: f64,
+}
+
+impl Disagreement {
+    /// The violation of a law by a wrong derivative at `point`.
+    pub(crate) fn of(self, law: &'static str, point: &[f64]) -> Fault {
+        let Self { error, granted } = self;
+        Fault::Broken { law, left: error, right: 0.0, granted, point: point.to_vec(), other: None }
+    }
 }
 
 /// Compares claimed derivatives with central differences of `f`, at steps `4⁻² … 4⁻⁸` of `length`.
 ///
-/// They agree if the error falls like the square of the step until it is at the rounding of the
-/// difference; a derivative that is off by `δ` has errors that stay at `δ`. `size` is the size
-/// of the terms of `f`, which are rounded. NaN is a disagreement.
+/// They agree if the error falls like the square of the step until it reaches rounding; the errors
+/// of a derivative that is off by `δ` stay at `δ`. `size` is the size of the terms of `f`, which
+/// are rounded. NaN is a disagreement.
 pub(crate) fn difference_test<const K: usize>(
     claimed: &[f64; K],
     f: impl Fn(f64) -> [f64; K],
@@ -33,11 +43,8 @@ pub(crate) fn difference_test<const K: usize>(
     for j in QUARTERINGS {
         let step = length * 0.25_f64.powi(j);
         let (right, left) = (f(step), f(-step));
-        let error = (0..K).fold(0.0, |error: f64, k| {
-            let off = ((right[k] - left[k]) / (2.0 * step) - claimed[k]).abs();
-            // `max` would drop a NaN.
-            if error.is_nan() || off <= error { error } else { off }
-        });
+        let off = (0..K).map(|k| (right[k] - left[k]) / (2.0 * step) - claimed[k]);
+        let error = largest(off);
         // Some thirty roundings of terms of this size in either value.
         let granted = 64.0 * f64::EPSILON * size / step;
         if error <= granted {
@@ -47,6 +54,14 @@ pub(crate) fn difference_test<const K: usize>(
         (before, last) = (error, Disagreement { error, granted });
     }
     if falls { Ok(()) } else { Err(last) }
+}
+
+/// Returns the largest absolute value, or NaN if one of the numbers is NaN.
+pub(crate) fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {
+    numbers.into_iter().map(f64::abs).fold(0.0, |largest: f64, size| {
+        // `max` would drop a NaN.
+        if largest.is_nan() || size <= largest { largest } else { size }
+    })
 }
 
 #[cfg(test)]

@@ -1,18 +1,20 @@
-//! `Effort`: how long a kit looks.
+//! `Effort`: how thoroughly a kit tests.
 
 use tautline_chance::Chance;
 
-/// How many samples are drawn, how many problems solved, and the seed of all of them.
+use super::{Failure, Fault};
+
+/// How many samples to draw, how many problems to solve, and the seed.
 ///
-/// The same effort draws the same samples in every run. The [default](Effort::default) is the same
-/// in every run too, unless the environment [asks for another](super::Chance::asked).
+/// The same effort draws the same samples in every run. So does the [default](Effort::default),
+/// unless the environment [sets another seed](super::Chance::asked).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Effort {
     /// Random samples for each law.
     pub cases: u32,
     /// Local ascents towards each constant, from the best of the samples.
     pub ascents: usize,
-    /// Problems that are posed for each theorem, each solved for every `N` of
+    /// Problems for each theorem, each solved for every `N` in
     /// [`subintervals`](Effort::subintervals).
     pub problems: u32,
     /// The numbers of subintervals, from 1.
@@ -38,24 +40,7 @@ impl Effort {
     pub fn with_seed(self, seed: u64) -> Self {
         Self { seed, ..self }
     }
-}
 
-impl Default for Effort {
-    /// One or two seconds for a metric of two or three dimensions with `opt-level = 2`, and some 15
-    /// in an unoptimised build: see [how to set it](crate#test-a-metric-of-your-own).
-    ///
-    /// As many samples and problems as `TAUTLINE_CASES` says, and another seed where `TAUTLINE_SEED`
-    /// is set.
-    ///
-    /// # Panics
-    ///
-    /// If one of them is set to something else than a number.
-    fn default() -> Self {
-        Self::drawn_by(Chance::asked())
-    }
-}
-
-impl Effort {
     fn drawn_by(chance: Chance) -> Self {
         Self {
             cases: chance.cases(256),
@@ -65,6 +50,25 @@ impl Effort {
             seed: chance.seed(1),
         }
     }
+
+    /// A failure that no random sample shows.
+    pub(crate) fn failure(&self, fault: impl Into<Fault>) -> Failure {
+        Failure { fault: fault.into(), sample: None, seed: self.seed }
+    }
+}
+
+impl Default for Effort {
+    /// One or two seconds for a metric in two or three dimensions with `opt-level = 2`, and some 15
+    /// in an unoptimised build: see [how to set it](crate#test-a-metric-of-your-own).
+    ///
+    /// `TAUTLINE_CASES` multiplies samples and problems, `TAUTLINE_SEED` changes the seed.
+    ///
+    /// # Panics
+    ///
+    /// If one of these variables is not a number.
+    fn default() -> Self {
+        Self::drawn_by(Chance::asked())
+    }
 }
 
 #[cfg(test)]
@@ -72,7 +76,7 @@ mod tests {
     use super::{Chance, Effort};
 
     #[test]
-    fn seed_and_cases_are_those_that_were_asked_for() {
+    fn the_environment_sets_seed_and_cases() {
         let fixed = Effort::drawn_by(Chance::FIXED);
         assert_eq!((fixed.cases, fixed.problems, fixed.seed), (256, 12, 1));
         let chance = Chance::new(Some("7"), Some("3")).expect("numbers");

@@ -1,4 +1,4 @@
-//! `Fault`: the law that does not hold, with the numbers that show it.
+//! `Fault`: a law that does not hold, with the numbers that show it.
 
 use tautline::{CertifyError, MetricError};
 use tautline_statements::{Inequality, Statement, VerifyError};
@@ -12,20 +12,20 @@ pub enum Fault {
     /// `H` is not finite, symmetric and positive definite at a point.
     #[error(transparent)]
     Metric(#[from] MetricError),
-    /// The formula proves that the metric is none: indefinite or undefined somewhere.
+    /// The formula is proved not to be a metric: indefinite or undefined somewhere.
     #[error(transparent)]
     Unproved(CertifyError),
-    /// A claimed constant does not hold.
+    /// A claimed constant is wrong, with the point.
     #[error(transparent)]
     Lie(#[from] Lie),
-    /// A claimed constant does not hold somewhere in the region: where, the bounds do not say.
+    /// A claimed constant is proved wrong somewhere in the region; the bounds do not show where.
     #[error("the metric claims {claim} = {claimed}, but it is proved to be {} {bound}", claim.side())]
     Refuted {
         /// Which constant.
         claim: Claim,
         /// The number that the metric claims.
         claimed: f64,
-        /// At most so much `c₁` can be, and at least so much another constant, in its unit.
+        /// An upper bound of `c₁`, or a lower bound of another constant, in its unit.
         bound: f64,
     },
     /// An inequality of a law does not hold at a point.
@@ -40,60 +40,60 @@ pub enum Fault {
         left: f64,
         /// The right side.
         right: f64,
-        /// What is granted to rounding, besides the right side.
+        /// The allowance for rounding, on top of the right side.
         granted: f64,
-        /// Where; empty if the law has no point.
+        /// Where; empty if the law is not about a point.
         point: Vec<f64>,
-        /// The other point of the law, if it has one: a member of a set.
+        /// The second point of the law, a member of a set, if it has one.
         other: Option<Box<[f64]>>,
     },
-    /// The numbers of a statement of the paper violate it, or its hypotheses.
+    /// A statement of the paper is violated, or one of its hypotheses.
     #[error("{statement}{}: {inequality}", if *.hypothesis { ", a hypothesis" } else { "" })]
     Statement {
         /// The statement.
         statement: Statement,
-        /// Whether the inequality is a hypothesis of it: a claim of the metric.
+        /// Whether the inequality is a hypothesis: a claim of the metric.
         hypothesis: bool,
-        /// The inequality that does not hold.
+        /// The violated inequality.
         inequality: Inequality,
     },
     /// Errors fall more slowly than they should.
     #[error(
-        "{what} falls like N⁻ᑫ with q = {found:.3} over N = {window:?}, which should be {least} at least"
+        "{what} falls like N⁻ᑫ with q = {found:.3} over N = {window:?}, but q should be at least {least}"
     )]
     Order {
         /// The error.
         what: &'static str,
-        /// The slope that was observed, of the median of several problems.
+        /// The observed slope, the median over several problems.
         found: f64,
-        /// The least slope that is accepted.
+        /// The smallest accepted slope.
         least: f64,
         /// The numbers of subintervals.
         window: Vec<usize>,
     },
-    /// Something that has to be refused was not.
+    /// Something wrong was accepted.
     #[error("{what} was not refused")]
     NotRefused {
         /// What, in words.
         what: &'static str,
     },
-    /// The solver reached no minimum for most problems, so that nothing was tested.
+    /// The solver found no minimum for most problems, so nothing was tested.
     #[error("the solver found no local minimum for {failed} of {tried} problems: {error}")]
     NotSolved {
-        /// Problems without a result.
+        /// The number of problems without a minimum.
         failed: u64,
-        /// All problems.
+        /// The number of problems.
         tried: u64,
-        /// Why, for one of them.
+        /// Why, for the last of them.
         error: VerifyError,
     },
     /// A statement could not be evaluated.
     #[error(transparent)]
     Unevaluated(#[from] VerifyError),
-    /// Nothing was solved, since a law of the formula does not hold: the solver would stall.
+    /// Not tried, because a law of the formula fails and the solver would stall.
     #[error("not tried: {law} fails")]
     NotTried {
-        /// The name of the law that fails.
+        /// The law that fails.
         law: &'static str,
     },
     /// No sample could be drawn.
@@ -104,7 +104,7 @@ pub enum Fault {
     },
 }
 
-/// Where an inequality does not hold, as a part of its message.
+/// The place of a violation, for the message.
 fn place(point: &[f64], other: Option<&[f64]>) -> String {
     match other {
         _ if point.is_empty() => String::new(),
@@ -114,7 +114,7 @@ fn place(point: &[f64], other: Option<&[f64]>) -> String {
 }
 
 impl Fault {
-    /// Names the other point of an inequality that does not hold.
+    /// Adds the second point of a violated inequality.
     pub(crate) fn with_member(mut self, member: &[f64]) -> Self {
         if let Fault::Broken { other, .. } = &mut self {
             *other = Some(member.into());
@@ -122,8 +122,8 @@ impl Fault {
         self
     }
 
-    /// Returns whether it is the metric or a claim of it that is wrong, and not what a statement
-    /// makes of them: there are laws that look for no more than that.
+    /// Returns whether the metric or one of its claims is wrong, rather than a statement about
+    /// them; cheaper laws test those.
     pub(crate) fn is_of_the_metric(&self) -> bool {
         matches!(
             self,
@@ -136,7 +136,7 @@ impl Fault {
         )
     }
 
-    /// Returns whether a side of an inequality is NaN, which says little.
+    /// Returns whether a side of the inequality is NaN, which does not show what is wrong.
     pub(crate) fn is_nan(&self) -> bool {
         match self {
             Fault::Broken { left, right, granted, .. } => (left + right + granted).is_nan(),
@@ -147,11 +147,10 @@ impl Fault {
         }
     }
 
-    /// Returns `Ok` with the overestimation `right / left` if `left ≤ right + granted`; NaN on
-    /// either side is a fault.
+    /// Returns the overestimation `right / left` if `left ≤ right + granted`, else the fault. A NaN
+    /// on either side is a fault.
     ///
-    /// The overestimation is `∞` where `left` is not positive or cannot be told from what is
-    /// granted.
+    /// The overestimation is `∞` if `left` is not positive or is lost in the rounding granted.
     pub(crate) fn unless_at_most(
         law: &'static str,
         [left, right]: [f64; 2],
@@ -165,6 +164,16 @@ impl Fault {
             Err(Fault::Broken { law, left, right, granted, point: point.to_vec(), other: None })
         }
     }
+
+    /// The same for a size that should be 0.
+    pub(crate) fn unless_zero(
+        law: &'static str,
+        size: f64,
+        granted: f64,
+        point: &[f64],
+    ) -> Result<f64, Self> {
+        Self::unless_at_most(law, [size, 0.0], granted, point)
+    }
 }
 
 #[cfg(test)]
@@ -172,7 +181,7 @@ mod tests {
     use super::Fault;
 
     #[test]
-    fn an_inequality_is_told_with_its_points() {
+    fn a_violated_inequality_shows_its_points() {
         let broken = |point: &[f64]| {
             Fault::unless_at_most("a ≤ b", [2.0, 1.0], 0.5, point).expect_err("2 > 1.5")
         };
@@ -185,10 +194,10 @@ mod tests {
 
     /// An error that does not fall at all has a slope of either sign.
     #[test]
-    fn an_order_is_told_with_its_sign() {
+    fn an_order_shows_its_sign() {
         let fault = Fault::Order { what: "e", found: -0.002, least: 1.95, window: vec![1, 2] };
         let text =
-            "e falls like N⁻ᑫ with q = -0.002 over N = [1, 2], which should be 1.95 at least";
+            "e falls like N⁻ᑫ with q = -0.002 over N = [1, 2], but q should be at least 1.95";
         assert_eq!(fault.to_string(), text);
     }
 }

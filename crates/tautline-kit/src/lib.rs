@@ -1,9 +1,9 @@
-//! Test a metric of your own, a closed set or a rule.
+//! Test a metric, a closed set or a rule of your own.
 //!
-//! A kit takes what you bring, draws samples, and tries laws on them, one after the other: what
-//! the trait asks for, what your constants claim, and the statements of the paper that follow.
+//! A kit draws samples and checks laws on them: what the trait requires, what your constants claim,
+//! and the statements of the paper that follow.
 //!
-//! | you bring | tests | the same as a function | one law |
+//! | you bring | tests | as a function | single laws |
 //! | --- | --- | --- | --- |
 //! | [`Metric`] and [`Bounded`] | [`metric_suite!`] | [`verify_metric`] | [`metric`] |
 //! | [`Metric`] and [`LocallyBounded`] | [`metric_suite!`] `within` a ball | [`verify_metric_within`] | |
@@ -21,8 +21,8 @@
 //!
 //! # Test a metric of your own
 //!
-//! The crate is not published: the `Cargo.toml` of your package, here `egg` beside the clone, names
-//! where it lies, and has this library optimised: unoptimised, the tests take ten times as long.
+//! The crate is not published. The `Cargo.toml` of your package, here `egg` beside the clone, gives
+//! its path and optimises the library; unoptimised, the tests take ten times as long.
 //!
 //! ```toml
 //! [dev-dependencies]
@@ -38,7 +38,7 @@
 //! codegen-units = 16
 //! ```
 //!
-//! A file `tests/egg.rs`, all of it, which is a formula and twelve lines:
+//! The whole file `tests/egg.rs`, a formula and twelve lines:
 //!
 //! ```
 //! use tautline_kit::prelude::*;
@@ -62,12 +62,12 @@
 //! ```
 //!
 //! An `S: Scalar` has `+ - * /` with another `S` and with an `f64` on either side
-//! (`1.0 + 2.0 * x[0]`, and `S::constant(2.0)` where an entry is a number alone), `sqr`, `powi`,
-//! `recip`, `sqrt`, `exp`, `ln`, `sin`, `cos`, `tan`, `atan`, `sinh`, `cosh` and `tanh`; it has no
-//! `abs`, no `powf`, and no order, since a formula has to be smooth.
+//! (`1.0 + 2.0 * x[0]`, and `S::constant(2.0)` for an entry that is a plain number), `sqr`, `powi`,
+//! `recip`, `sqrt`, `exp`, `ln`, `sin`, `cos`, `tan`, `atan`, `sinh`, `cosh` and `tanh`. It has no
+//! `abs`, no `powf` and no order, since a formula must be smooth.
 //!
-//! `cargo test egg` then runs `egg::l_h_bounds_the_derivative`, `egg::theorem_1_1` and so on. What
-//! is wrong is named with its numbers; here with `L_H = 1/2` in place of 1:
+//! `cargo test egg` then runs `egg::l_h_bounds_the_derivative`, `egg::theorem_1_1` and so on. A
+//! failure shows its numbers; here with `L_H = 1/2` instead of 1:
 //!
 //! ```
 //! use tautline_kit::{Claim, Fault, MetricCase, metric};
@@ -90,13 +90,12 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A metric that knows its distances says `with distances` at the end of the line, and
-//! [`MetricCase::with_known_distance`] where functions are called. A metric that claims nothing is
-//! given claims by [`WithConstants`](tautline_statements::WithConstants), or proved ones by
-//! [`Certified`](tautline::Certified) if its formula is constant or periodic along each coordinate:
-//! then the formula is all that there is to write. One that goes over into a constant one far away
-//! takes [`Certified::settled`](tautline::Certified::settled), and any other one constants that are
-//! proved in a ball:
+//! If your metric knows its distances, end the line with `with distances`, or call
+//! [`MetricCase::with_known_distance`]. [`WithConstants`](tautline_statements::WithConstants) gives
+//! constants to a metric that claims none. [`Certified`](tautline::Certified) proves them, if the
+//! formula is constant or periodic along each coordinate; then the formula is all you write. Use
+//! [`Certified::settled`](tautline::Certified::settled) if the metric is constant far away, and
+//! otherwise prove constants in a ball:
 //! `metric_suite!(dent: LocallyCertified::new(Dent, Accuracy::default()), dimension 2, within 0.5, of [0.1, 0.2]);`.
 //!
 //! ```
@@ -116,58 +115,57 @@
 //! # assert!(constants.c1() <= 1.0 && constants.c1() > 0.99 && constants.c2() < 3.01);
 //! ```
 //!
-//! The constants are proved once for all laws. Where they cannot be, because the formula is not
-//! periodic or `H` is indefinite somewhere, the test `tray::the_metric_has_constants` fails with
-//! the reason, with the point if there is one, and with what may be done about it, and no law is
-//! tried. A metric that has constants on balls only is tested in one of them,
-//! `within 0.5, of [0.1, 0.2]` in place of `in Region::cell(…)`.
+//! The constants are proved once for all laws. If they cannot be proved, because the formula is not
+//! periodic or `H` is indefinite somewhere, the test `tray::the_metric_has_constants` fails with the
+//! reason, the point if there is one, and advice; no law is tested. A metric that has constants on
+//! balls only is tested in one of them: write `within 0.5, of [0.1, 0.2]` instead of
+//! `in Region::cell(…)`.
 //!
-//! # How the laws look
+//! # What the laws check
 //!
-//! Random samples alone test the program, not the constants: of 256 uniform points none need be
-//! where `‖DH(x)[w]‖` comes within 9 % of its largest value. So each constant is looked for by
-//! local ascents from the best of the samples, until the maximum over a smooth formula is known
-//! to six digits or so, and a claim that is off by more is refused with the point, the direction,
-//! and both numbers. What ascents from [`Effort::ascents`] starts do not reach is not seen:
-//! a law that holds is evidence, not a proof.
+//! Random samples alone would test the program, not the constants: of 256 uniform points perhaps none
+//! has `‖DH(x)[w]‖` within 9 % of its maximum. So each constant is also tested by local ascents from
+//! the best samples, which find the maximum of a smooth formula to some six digits. A claim that is
+//! off by more is refused with the point, the direction, and both numbers. The [`Effort::ascents`]
+//! may still miss the maximum: a law that holds is evidence, not a proof.
 //!
-//! One is a proof, up to three dimensions and of a formula without branches:
-//! `no_constant_is_refuted` bounds the constants in all of the region by intervals, and refuses a
-//! claim that they contradict, with the point unless the boxes ran out, and a metric that is
-//! indefinite somewhere, with the point. That it passes does not mean that all is proved: its
-//! [`standings`](Outcome::standings) say of each constant whether it is proved, right to so many
-//! percent (as a claim that is attained can be only), not decided by the boxes, or not tried.
+//! One law is a proof, up to three dimensions and for a formula without branches:
+//! `no_constant_is_refuted` bounds the constants over the whole region by intervals. It refuses a
+//! claim that they contradict, with the point unless the boxes run out, and an indefinite metric,
+//! with the point. Passing does not mean that everything is proved: the
+//! [`standings`](Outcome::standings) tell of each constant whether it is proved, right to a
+//! percentage (the best possible for an attained claim), not decided by the boxes, or not tried.
 //!
-//! One sample in eight is moved to the ends, the quarters or the middle of the edges, or to 0:
-//! there `x/|x|`, `1/r` and angles break, and uniform samples are never there. Where a law of the
-//! formula itself fails, or `H` jumps, the laws that would solve problems say `not tried` with the
-//! name of that law, which is the one to mend first.
+//! One sample in eight is moved to the ends, the quarters or the middle of the edges, or to 0, where
+//! `x/|x|`, `1/r` and angles break and no uniform sample lies. If a law of the formula itself fails,
+//! or `H` jumps, the laws that solve problems fail with `not tried` and the name of that law; mend it
+//! first.
 //!
-//! A suite is silent about what holds. A test of your own prints the table of overestimations and
-//! standings, and may look longer:
-//! `println!("{}", verify_metric(&Egg, &region, &Effort { ascents: 12, ..Effort::default() }))`,
-//! with `cargo test -- --nocapture`.
+//! A suite prints nothing about laws that hold. To see the table of overestimations and standings,
+//! print a report, perhaps with more effort, and run `cargo test -- --nocapture`:
+//! `println!("{}", verify_metric(&Egg, &region, &Effort { ascents: 12, ..Effort::default() }))`.
 //!
-//! A claim may be loose. The overestimation of each law is in the [`Report`], and
-//! `refuses_a_smaller_l_h` notes it: the bounds of the theorems are as loose as the constants.
+//! A claim may be loose. The [`Report`] has the overestimation of each law, and a note of
+//! `refuses_a_smaller_l_h` repeats it: the bounds of the theorems are as loose as the constants.
 //!
-//! Samples are integers that are mapped to the [`Region`], so that the smallest sample that fails
-//! has short binary fractions of its edges. Nothing is written, and every run draws the same
-//! samples, unless the environment asks for others, or for more:
+//! Samples are integers mapped to the [`Region`], so that the smallest sample that fails has short
+//! binary fractions of its edges. Nothing is written to disk, and every run draws the same samples,
+//! unless the environment sets another seed or more cases:
 //!
 //! ```console
 //! $ TAUTLINE_SEED=7 TAUTLINE_CASES=100 cargo test egg
 //! ```
 //!
-//! A seed is a whole number of 64 bits; what fails says with which variables it was drawn. See
+//! A seed is a whole number of 64 bits. A failure shows the variables it was drawn with. See
 //! [`Chance`].
 
 mod brought;
 mod difference_test;
 mod effort;
 mod fault;
+mod laws;
 mod lie;
-mod met;
+mod margin;
 pub mod metric;
 mod order;
 pub mod prelude;

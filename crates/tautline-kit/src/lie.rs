@@ -1,6 +1,6 @@
-//! `Claim` and `Lie`: a constant that a metric claims, and one that it does not keep.
+//! `Claim` and `Lie`: a constant that a metric claims, and a false claim.
 
-/// A claim of a metric: one of the constants by which the theorems know it.
+/// One of the constants that a metric claims and the theorems use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Claim {
     /// `c₁ ≤ λ_min(H)`, in `m²/ℓ²`.
@@ -28,7 +28,7 @@ impl Claim {
         }
     }
 
-    /// On which side of the best one a constant is that holds, in words.
+    /// On which side of the best constant a valid one lies, in words.
     pub(crate) fn side(self) -> &'static str {
         match self {
             Claim::C1 => "at most",
@@ -36,7 +36,7 @@ impl Claim {
         }
     }
 
-    /// Returns the formula of what is found at a point `x` in a unit direction `w`.
+    /// Returns the formula of the bounded number, at a point `x` in a unit direction `w`.
     #[must_use]
     pub fn formula(self) -> &'static str {
         match self {
@@ -53,35 +53,35 @@ impl std::fmt::Display for Claim {
     }
 }
 
-/// A constant that a metric claims, and a point and a direction where it does not hold.
+/// A false claim of a constant, with a point and a direction that refute it.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
     "the metric claims {constant} = {claimed}, but {} = {found} at x = {point:?}{}",
     self.formula(), self.besides()
 )]
 pub struct Lie {
-    /// Which constant.
+    /// The constant.
     pub constant: Claim,
-    /// The number that the metric claims.
+    /// The value that the metric claims.
     pub claimed: f64,
-    /// The number that was found, in the unit of the constant.
+    /// The value that was found, in the unit of the constant.
     pub found: f64,
-    /// Where.
+    /// The point `x`.
     pub point: Vec<f64>,
-    /// In which direction, of length 1.
+    /// The direction `w`, of length 1.
     pub direction: Vec<f64>,
-    /// The second point `y`, in that direction from `x`, if what was found is a difference quotient.
+    /// The second point `y`, in that direction from `x`, if the value is a difference quotient.
     pub other: Option<Box<[f64]>>,
 }
 
 impl Lie {
-    /// Returns the formula of what was found.
+    /// Returns the formula of the value that was found.
     #[must_use]
     pub fn formula(&self) -> &'static str {
         if self.other.is_some() { "‖H(x) − H(y)‖/|x − y|" } else { self.constant.formula() }
     }
 
-    /// The second letter of the formula, with its value.
+    /// The second variable of the formula, with its value.
     fn besides(&self) -> String {
         match &self.other {
             Some(other) => format!(" and y = {other:?}"),

@@ -1,4 +1,4 @@
-//! The order of a sequence of errors: `q` for errors `N⁻ᑫ`.
+//! The observed order of convergence: `q` for errors that fall like `N⁻ᑫ`.
 
 use tautline_statements::slope;
 
@@ -8,7 +8,7 @@ pub(crate) fn order(errors: &[(usize, f64)]) -> f64 {
     -slope(&points)
 }
 
-/// Returns the median; the lower one of an even number.
+/// Returns the median; of an even number of values, the lower one.
 pub(crate) fn median(mut numbers: Vec<f64>) -> Option<f64> {
     numbers.sort_by(f64::total_cmp);
     numbers.get(numbers.len().saturating_sub(1) / 2).copied()

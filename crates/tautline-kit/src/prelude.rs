@@ -1,4 +1,4 @@
-//! What a test of a metric, a closed set or a rule of one's own needs, in one line.
+//! Everything that a test of your own metric, closed set or rule needs, in one line.
 //!
 //! See the page of the [kit](crate).
 

@@ -3,30 +3,29 @@
 use nalgebra::SVector;
 use proptest::prelude::*;
 
-/// The number of steps of a sample along each edge. A power of two, so that shrunk samples are
-/// short binary fractions of the edges.
+/// The number of steps along each edge, a power of two, so that shrunk samples are short binary
+/// fractions of the edges.
 const STEPS: u32 = 1 << 16;
 
 /// The number of parts of an edge between which special points lie.
 const PARTS: u32 = 4;
 
-/// One in so many points is special.
+/// One point in this many is special.
 const MOVED: u32 = 8;
 
-/// The number of steps of a direction to each side.
+/// The number of steps of a coordinate of a direction, to either side.
 const DIRECTION_STEPS: i32 = 1 << 8;
 
-/// A box of `R^D` with positive edges: where a kit looks.
+/// A box of `R^D` with positive edges, in which a kit draws samples.
 ///
-/// Choose it as large as the place where the formula does something: one period, or some widths
-/// of what it is about.
+/// Choose the place where the formula varies: one period, or some widths of its features.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Region<const D: usize> {
     low: SVector<f64, D>,
     high: SVector<f64, D>,
 }
 
-/// Edges between which no samples can be drawn.
+/// An edge along which no samples can be drawn.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error("edge {index} from {low} to {high} must be finite and of positive length")]
 pub struct RegionError {
@@ -97,18 +96,17 @@ impl<const D: usize> Region<D> {
         x.sup(&self.low).inf(&self.high)
     }
 
-    /// Points of the box: seven in eight are [`uniform`](Region::uniform), the others such ones
-    /// moved to where formulas break, and where of uniform ones there are none: each coordinate to
-    /// an end of its edge, a quarter, the middle, three quarters or, if that is on the edge, 0.
+    /// Points of the box. Seven in eight are [`uniform`](Region::uniform). The others are moved to
+    /// where formulas break and no uniform point lies: each coordinate to an end of its edge, a
+    /// quarter, the middle, three quarters or, if that is on the edge, 0.
     pub fn points(&self) -> impl Strategy<Value = SVector<f64, D>> + use<D> {
         let region = *self;
-        // Shrunk, a point is first one that is not moved, if that does not hold either.
+        // A special point shrinks to a uniform one first, if that fails too.
         (0..MOVED, self.uniform())
             .prop_map(move |(k, x)| if k + 1 == MOVED { region.special(&x) } else { x })
     }
 
-    /// Points that are anywhere in the box. Drawn as integers, so that what is left after shrinking
-    /// has short coordinates.
+    /// Uniform points of the box, drawn as integers, so that shrunk ones have short coordinates.
     pub fn uniform(&self) -> impl Strategy<Value = SVector<f64, D>> + use<D> {
         let region = *self;
         proptest::array::uniform::<_, D>(0..=STEPS).prop_map(move |steps| {
@@ -116,12 +114,12 @@ impl<const D: usize> Region<D> {
         })
     }
 
-    /// The point with each coordinate moved to a special one.
+    /// Moves each coordinate to a special one.
     fn special(&self, x: &SVector<f64, D>) -> SVector<f64, D> {
         let ([low, high], parts) = ([&self.low, &self.high], f64::from(PARTS));
         SVector::from_fn(|i, _| {
             let edge = high[i] - low[i];
-            // Each of the five has a fifth of the edge, in which it lies.
+            // Each of the five attracts the fifth of the edge in which it lies.
             let part = ((x[i] - low[i]) / edge * (parts + 1.0)).floor().min(parts);
             // low + (high − low) may be one rounding beyond.
             let quarter = (low[i] + part / parts * edge).min(high[i]);
@@ -130,8 +128,8 @@ impl<const D: usize> Region<D> {
         })
     }
 
-    /// Pairs of different points of the box: two in three are uniform, the others as near as
-    /// `2⁻¹⁸` of the longest edge.
+    /// Pairs of different points of the box: two in three are independent, the others down to `2⁻¹⁸`
+    /// of the longest edge apart.
     pub fn pairs(&self) -> impl Strategy<Value = [SVector<f64, D>; 2]> + use<D> {
         let region = *self;
         let near =
@@ -143,7 +141,7 @@ impl<const D: usize> Region<D> {
     }
 }
 
-/// Unit vectors, from integers.
+/// Unit vectors, drawn as integers.
 pub fn directions<const D: usize>() -> impl Strategy<Value = SVector<f64, D>> {
     proptest::array::uniform::<_, D>(-DIRECTION_STEPS..=DIRECTION_STEPS)
         .prop_filter("a direction is not zero", |steps| steps.iter().any(|&k| k != 0))
@@ -197,6 +195,7 @@ mod tests {
             assert!((x - expected).amax() <= 1e-15 && region.clamp(x) == *x, "{x}");
         }
     }
+
     /// Of 256 pairs, 85 are near, and 28 of these nearer than `2⁻¹²` of the edge.
     #[test]
     fn some_pairs_are_near_and_most_are_far() {

@@ -1,34 +1,33 @@
-//! `Report`: what a kit says of a metric, a set or a rule, law by law.
+//! `Report`: the outcome of every law for one metric, set or rule.
 
 use std::fmt;
 
 use tautline_chance::Chance;
 
-use super::{Fault, Standing, met::merge, standing};
+use super::{Fault, Standing, margin::merge};
 
-/// What one law says.
+/// The result of one law.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
-    /// The name of the law, which is that of its test.
+    /// The name of the law and of its test.
     pub id: &'static str,
-    /// What it says, in a line.
+    /// What the law says, in one line.
     pub law: &'static str,
-    /// How many cases were looked at.
+    /// How many cases were checked.
     pub cases: u64,
-    /// How many of these could have broken the law. Of a statement of the paper some could not: a
-    /// gap that vanishes, as that of a length does on the line, is at most any bound, and a formula
-    /// is at most itself.
+    /// How many of these could have broken the law. Some cases of a statement cannot: a gap that
+    /// vanishes, as for a length on the line, is at most any bound, and a formula is at most itself.
     pub could_fail: u64,
-    /// The least overestimation `bound / observed`, a pure number: 1 where a bound is attained,
-    /// below 1 where it is violated; `∞` if nothing was seen beyond rounding.
+    /// The smallest overestimation `bound / observed`, a pure number: 1 where a bound is attained,
+    /// below 1 where it is violated, `∞` if nothing beyond rounding was observed.
     pub overestimation: f64,
-    /// What bounds over the whole region say of each constant; empty for a law that looks at
+    /// What bounds over the whole region prove of each constant; empty for a law that samples
     /// points.
     pub standings: Vec<Standing>,
-    /// The hypotheses that were assumed in some case: what no number stands for, such as that a
-    /// local minimiser is the global one.
+    /// The hypotheses that were assumed in some case because no number measures them, for example
+    /// that a local minimiser is the global one.
     pub assumed: Vec<&'static str>,
-    /// What is worth knowing besides.
+    /// A remark, for example why nothing was checked.
     pub note: Option<String>,
     /// Why the law does not hold, if it does not.
     pub failure: Option<Failure>,
@@ -39,8 +38,8 @@ pub struct Outcome {
 pub struct Failure {
     /// The law with its numbers.
     pub fault: Fault,
-    /// The smallest random sample that was found to break it, if one was; where an ascent leads
-    /// farther, the fault is that of its top.
+    /// The smallest random sample found to break the law, if any. If an ascent found a worse
+    /// place, the fault describes that place.
     pub sample: Option<String>,
     /// The seed of the samples.
     pub seed: u64,
@@ -59,16 +58,22 @@ pub(crate) struct Tried {
 }
 
 impl Tried {
-    /// This many cases, none of which came near anything.
+    /// This many cases, none of which came near the bound.
     pub(crate) fn cases(cases: u64) -> Self {
         let (standings, assumed, note) = (Vec::new(), Vec::new(), None);
         Self { cases, idle: 0, overestimation: f64::INFINITY, standings, assumed, note }
+    }
+
+    /// No cases, and why: the law does not apply.
+    pub(crate) fn none(why: impl Into<String>) -> Self {
+        Self::cases(0).with_note(why)
     }
 
     pub(crate) fn with_note(self, note: impl Into<String>) -> Self {
         Self { note: Some(note.into()), ..self }
     }
 
+    /// The cases of two parts of one law.
     pub(crate) fn and(mut self, other: Tried) -> Self {
         self.standings.extend(other.standings);
         merge(&mut self.assumed, &other.assumed);
@@ -76,9 +81,8 @@ impl Tried {
             cases: self.cases + other.cases,
             idle: self.idle + other.idle,
             overestimation: self.overestimation.min(other.overestimation),
-            standings: self.standings,
-            assumed: self.assumed,
             note: self.note.or(other.note),
+            ..self
         }
     }
 }
@@ -87,41 +91,27 @@ impl Tried {
 pub(crate) type LawResult = Result<Tried, Failure>;
 
 impl Outcome {
-    pub(crate) fn new(id: &'static str, law: &'static str, result: LawResult) -> Self {
-        match result {
-            Ok(Tried { cases, idle, overestimation, standings, assumed, note }) => {
-                let could_fail = cases - idle;
-                Self {
-                    id,
-                    law,
-                    cases,
-                    could_fail,
-                    overestimation,
-                    standings,
-                    assumed,
-                    note,
-                    failure: None,
-                }
-            }
-            Err(failure) => {
-                let Tried { standings, assumed, note, .. } = Tried::cases(0);
-                let (cases, could_fail, overestimation, failure) = (0, 0, f64::NAN, Some(failure));
-                Self {
-                    id,
-                    law,
-                    cases,
-                    could_fail,
-                    overestimation,
-                    standings,
-                    assumed,
-                    note,
-                    failure,
-                }
-            }
-        }
+    /// Runs a law on a case.
+    pub(crate) fn of<C>(
+        id: &'static str,
+        law: &'static str,
+        case: &C,
+        run: impl FnOnce(&C) -> LawResult,
+    ) -> Self {
+        Self::new(id, law, run(case))
     }
 
-    /// Returns whether the law holds, as far as was looked.
+    fn new(id: &'static str, law: &'static str, result: LawResult) -> Self {
+        let (tried, failure) = match result {
+            Ok(tried) => (tried, None),
+            Err(failure) => (Tried { overestimation: f64::NAN, ..Tried::cases(0) }, Some(failure)),
+        };
+        let Tried { cases, idle, overestimation, standings, assumed, note } = tried;
+        let could_fail = cases - idle;
+        Self { id, law, cases, could_fail, overestimation, standings, assumed, note, failure }
+    }
+
+    /// Returns whether the law held in every case.
     #[must_use]
     pub fn holds(&self) -> bool {
         self.failure.is_none()
@@ -131,7 +121,7 @@ impl Outcome {
     ///
     /// # Panics
     ///
-    /// If it does not, with the message of the fault.
+    /// If the law does not hold, with the message of the fault.
     #[track_caller]
     pub fn assert(&self) {
         assert!(self.holds(), "{self}");
@@ -141,17 +131,17 @@ impl Outcome {
 impl fmt::Display for Outcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let overestimation = match self.overestimation {
-            overestimation if overestimation.is_nan() => String::new(),
+            found if found.is_nan() => String::new(),
             f64::INFINITY => "-".to_owned(),
-            // An attained constant may miss by a rounding; more than that is a failure.
-            overestimation if overestimation < 1e4 => format!("{overestimation:.4}"),
-            overestimation => format!("{overestimation:.1e}"),
+            found if found < 1e4 => format!("{found:.4}"),
+            found => format!("{found:.1e}"),
         };
         let mark = if self.holds() { "ok" } else { "FAILS" };
         let Self { id, law, cases, could_fail, .. } = self;
-        write!(f, "{id:<48} {mark:<5} {cases:>7} {could_fail:>10} {overestimation:>10}  {law}")?;
+        write!(f, "{id:<48} {mark:<5} {cases:>7} {could_fail:>10} {overestimation:>14}  {law}")?;
         if !self.standings.is_empty() {
-            write!(f, "; {}", standing::line(&self.standings))?;
+            let standings: Vec<String> = self.standings.iter().map(Standing::to_string).collect();
+            write!(f, "; {}", standings.join(", "))?;
         }
         if !self.assumed.is_empty() {
             write!(f, "; assumed: {}", self.assumed.join(", "))?;
@@ -173,7 +163,7 @@ impl fmt::Display for Failure {
             write!(f, "\n    smallest random sample that breaks it: {sample}")?;
         }
         write!(f, "\n    seed {}", self.seed)?;
-        // Nothing where the environment asks for nothing, or for nothing that makes sense.
+        // An environment that cannot be read has failed the test already.
         match Chance::read().map(|chance| chance.to_string()) {
             Ok(asked) if !asked.is_empty() => write!(f, "; with {}in the environment", asked),
             _ => Ok(()),
@@ -181,16 +171,16 @@ impl fmt::Display for Failure {
     }
 }
 
-/// One [`Outcome`] a law, in a fixed order. Printed, it is a table.
+/// One [`Outcome`] per law, in a fixed order; prints as a table.
 #[derive(Clone, Debug, PartialEq)]
-#[must_use = "a report that is not read accepts everything"]
+#[must_use = "an unread report accepts everything"]
 pub struct Report {
     /// The outcomes.
     pub outcomes: Vec<Outcome>,
 }
 
 impl Report {
-    /// Returns whether all laws hold, as far as was looked.
+    /// Returns whether all laws hold.
     #[must_use]
     pub fn holds(&self) -> bool {
         self.outcomes.iter().all(Outcome::holds)
@@ -212,7 +202,7 @@ impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
-            "{:<48} {:<5} {:>7} {:>10} {:>10}  says",
+            "{:<48} {:<5} {:>7} {:>10} {:>14}  says",
             "law", "", "cases", "could fail", "overestimation"
         )?;
         self.outcomes.iter().try_for_each(|outcome| writeln!(f, "{outcome}"))
@@ -258,7 +248,7 @@ mod tests {
     }
 
     #[test]
-    fn a_report_is_a_table_with_the_numbers_of_what_fails() {
+    fn a_report_is_a_table_with_the_numbers_of_each_failure() {
         let report = report();
         assert!(!report.holds());
         assert_eq!(report.failures().map(|outcome| outcome.id).collect::<Vec<_>>(), ["bad"]);
@@ -266,13 +256,13 @@ mod tests {
         let text = report.to_string();
         let lines: Vec<&str> = text.lines().map(str::trim_end).collect();
         let row = |id: &str, rest: &str| format!("{id:<48} {rest}");
-        assert_eq!(lines[0], row("law", "        cases could fail      overestimation  says"));
+        assert_eq!(lines[0], row("law", "        cases could fail overestimation  says"));
         let standings = "c1 proved, c2 right to 0.0 %, L_H not decided, M_H not tried";
         let good = format!(
-            "ok          7          4     1.5000  a ≤ b; {standings}; assumed: b, d; and more"
+            "ok          7          4         1.5000  a ≤ b; {standings}; assumed: b, d; and more"
         );
         assert_eq!(lines[1], row("good", &good));
-        assert_eq!(lines[2], row("bad", "FAILS       0          0             c ≤ d"));
+        assert_eq!(lines[2], row("bad", "FAILS       0          0                 c ≤ d"));
         assert_eq!(
             lines[3],
             "    the metric claims L_H = 0.5, but ‖DH(x)[w]‖ = 1 at x = [0.25, 0.0] in the \
@@ -282,11 +272,11 @@ mod tests {
             lines[4..6],
             ["    smallest random sample that breaks it: smaller", "    seed 3"]
         );
-        assert_eq!(lines[6], row("far", "ok          2          2          -  e ≤ f"));
+        assert_eq!(lines[6], row("far", "ok          2          2              -  e ≤ f"));
     }
 
     #[test]
-    fn two_parts_of_a_law_are_counted_together() {
+    fn two_parts_of_a_law_are_added() {
         let part = |cases, idle, overestimation, assumed: &[&'static str]| Tried {
             idle,
             overestimation,

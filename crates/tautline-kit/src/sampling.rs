@@ -1,4 +1,4 @@
-//! Random samples of a law, always the same ones, shrunk where it fails.
+//! Random samples of a law: the same in every run, and shrunk where the law fails.
 
 use std::fmt::Debug;
 
@@ -9,84 +9,91 @@ use proptest::{
 
 use super::{
     Effort, Failure, Fault,
-    met::{Met, merge},
+    margin::{Margin, merge},
     report::{LawResult, Tried},
 };
 
-/// How many smaller samples are tried after a failure, where a case is an evaluation of `H`.
-pub(crate) const CHEAP: u32 = 4096;
+/// How many smaller samples to try after a failure, where a case evaluates `H`.
+const CHEAP: u32 = 4096;
 
-/// The same, where a case is a number of solves: seconds for a metric on which the solver stalls.
-pub(crate) const COSTLY: u32 = 5;
+/// The same where a case solves problems, which takes seconds if the solver stalls.
+const COSTLY: u32 = 5;
 
-/// Checks a law, which returns what it meets, on `cases` random values.
-///
-/// A sample that breaks it is made smaller, unless that costs solves and the fault is one of the
-/// metric, for which there are cheaper laws with smaller samples.
-pub(crate) fn for_all<V, W>(
-    effort: &Effort,
-    cases: u32,
-    shrinks: u32,
-    values: V,
-    law: impl Fn(&V::Value) -> Result<W, Fault>,
-) -> LawResult
-where
-    V: Strategy,
-    V::Value: Debug,
-    W: Into<Met>,
-{
-    drawn(effort, cases, shrinks, &values, &|value| law(value).map(W::into))
+impl Effort {
+    /// Checks a law on [`cases`](Effort::cases) random values; a value that breaks it is shrunk.
+    pub(crate) fn for_all<V, M>(
+        &self,
+        values: V,
+        law: impl Fn(&V::Value) -> Result<M, Fault>,
+    ) -> LawResult
+    where
+        V: Strategy<Value: Debug>,
+        M: Into<Margin>,
+    {
+        draw(self.seed, self.cases, CHEAP, &values, &|value| law(value).map(M::into))
+    }
+
+    /// Checks a law that solves [`problems`](Effort::problems) random problems.
+    ///
+    /// A problem that breaks the law is shrunk unless the fault is one of the metric, for which
+    /// cheaper laws find smaller samples.
+    pub(crate) fn for_all_problems<V, M>(
+        &self,
+        problems: V,
+        law: impl Fn(&V::Value) -> Result<M, Fault>,
+    ) -> LawResult
+    where
+        V: Strategy<Value: Debug>,
+        M: Into<Margin>,
+    {
+        draw(self.seed, self.problems, COSTLY, &problems, &|value| law(value).map(M::into))
+    }
 }
 
-/// Compiled once for each kind of samples, and not for each law.
-fn drawn<V>(
-    effort: &Effort,
+/// Takes the law as `dyn`, so that it is compiled once per kind of samples.
+fn draw<V: Strategy<Value: Debug>>(
+    seed: u64,
     cases: u32,
     shrinks: u32,
     values: &V,
-    law: &dyn Fn(&V::Value) -> Result<Met, Fault>,
-) -> LawResult
-where
-    V: Strategy,
-    V::Value: Debug,
-{
-    let (rng_algorithm, rng_seed) = (RngAlgorithm::ChaCha, RngSeed::Fixed(effort.seed));
+    law: &dyn Fn(&V::Value) -> Result<Margin, Fault>,
+) -> LawResult {
+    let (rng_algorithm, rng_seed) = (RngAlgorithm::ChaCha, RngSeed::Fixed(seed));
     let config = Config { rng_algorithm, rng_seed, ..Config::default() };
-    // Only the samples are proptest's. Its runner would catch the panics of a formula, say on
-    // stderr when it stops shrinking, and remember seeds in the folder of somebody else.
+    // proptest only draws the samples. Its own runner would catch the panics of a formula, report
+    // on stderr when it stops shrinking, and store seeds in the user's folder.
     let mut runner = TestRunner::new(config);
     let mut tried = Tried::cases(cases.into());
     for _ in 0..cases {
         let mut tree = values.new_tree(&mut runner).map_err(|reason| {
             let fault = Fault::NoSample { why: reason.to_string() };
-            Failure { fault, sample: None, seed: effort.seed }
+            Failure { fault, sample: None, seed }
         })?;
         let value = tree.current();
         match law(&value) {
-            Ok(met) => {
-                tried.idle += u64::from(met.is_idle());
-                // NaN is less than nothing.
-                tried.overestimation = tried.overestimation.min(met.overestimation);
-                merge(&mut tried.assumed, &met.assumed);
+            Ok(margin) => {
+                tried.idle += u64::from(margin.is_idle());
+                // `min` drops the NaN of an idle sample.
+                tried.overestimation = tried.overestimation.min(margin.overestimation);
+                merge(&mut tried.assumed, &margin.assumed);
             }
             Err(fault) => {
-                let shrinks =
-                    if shrinks <= COSTLY && fault.is_of_the_metric() { 0 } else { shrinks };
+                let skip = shrinks <= COSTLY && fault.is_of_the_metric();
+                let shrinks = if skip { 0 } else { shrinks };
                 let (fault, value) = shrink(&mut tree, shrinks, (fault, value), law);
-                let sample = Some(format!("{value:?}"));
-                return Err(Failure { fault, sample, seed: effort.seed });
+                return Err(Failure { fault, sample: Some(format!("{value:?}")), seed });
             }
         }
     }
     Ok(tried)
 }
 
-/// The smallest of the next samples that break the law, and how.
+/// Returns the smallest sample found that breaks the law, and its fault.
 fn shrink<T: ValueTree>(
     tree: &mut T,
     shrinks: u32,
     mut smallest: (Fault, T::Value),
-    law: &dyn Fn(&T::Value) -> Result<Met, Fault>,
+    law: &dyn Fn(&T::Value) -> Result<Margin, Fault>,
 ) -> (Fault, T::Value) {
     let mut left = shrinks;
     let mut changed = left > 0 && tree.simplify();
@@ -110,20 +117,20 @@ mod tests {
 
     use tautline::MetricError;
 
-    use super::{CHEAP, COSTLY, for_all};
+    use super::{CHEAP, COSTLY, draw};
     use crate::{
         Effort, Failure, Fault,
-        met::{IDLE, Met},
+        margin::{IDLE, Margin},
     };
 
-    /// What a law says that fails from 700 on, and how many samples it was asked.
+    /// The failure of a law that breaks from 700 on, and how many samples it was given.
     fn from_700(shrinks: u32, fault: fn(f64) -> Fault) -> (Failure, u32) {
-        let asked = Cell::new(0);
-        let failed = for_all(&Effort::default(), 256, shrinks, 0..1000_u32, |&k| {
-            asked.set(asked.get() + 1);
-            if k < 700 { Ok(1000.0 / f64::from(k)) } else { Err(fault(f64::from(k))) }
+        let given = Cell::new(0);
+        let failed = draw(Effort::default().seed, 256, shrinks, &(0..1000_u32), &|&k| {
+            given.set(given.get() + 1);
+            if k < 700 { Ok((1000.0 / f64::from(k)).into()) } else { Err(fault(f64::from(k))) }
         });
-        (failed.expect_err("some are beyond"), asked.get())
+        (failed.expect_err("some are beyond"), given.get())
     }
 
     fn broken(left: f64) -> Fault {
@@ -132,6 +139,10 @@ mod tests {
 
     fn not_finite(entry: f64) -> Fault {
         MetricError::NotFinite { point: Vec::new(), row: 0, column: 0, entry }.into()
+    }
+
+    fn few() -> Effort {
+        Effort { cases: 64, ..Effort::default() }
     }
 
     #[test]
@@ -143,7 +154,7 @@ mod tests {
     }
 
     #[test]
-    fn what_costs_solves_is_shrunk_a_little_and_not_for_a_fault_of_the_metric() {
+    fn problems_are_shrunk_a_little_and_not_for_a_fault_of_the_metric() {
         let [(_, once), (_, of_metric), (_, of_law)] =
             [from_700(0, broken), from_700(COSTLY, not_finite), from_700(COSTLY, broken)];
         assert_eq!(of_metric, once);
@@ -151,9 +162,9 @@ mod tests {
     }
 
     #[test]
-    fn the_least_overestimation_is_that_of_the_largest_sample() {
+    fn the_smallest_overestimation_is_kept() {
         let largest = Cell::new(0);
-        let tried = for_all(&Effort::default(), 64, CHEAP, 1..1000_u32, |&k| {
+        let tried = few().for_all(1..1000_u32, |&k| {
             largest.set(largest.get().max(k));
             Ok(1000.0 / f64::from(k))
         });
@@ -162,20 +173,18 @@ mod tests {
     }
 
     #[test]
-    fn values_that_could_not_have_broken_a_law_are_counted_apart() {
-        let tried = for_all(&Effort::default(), 64, CHEAP, 0..1000_u32, |&k| {
-            Ok(if k % 2 == 0 { IDLE } else { 3.0 })
-        });
+    fn idle_samples_are_counted_apart() {
+        let tried = few().for_all(0..1000_u32, |&k| Ok(if k % 2 == 0 { IDLE } else { 3.0 }));
         let tried = tried.expect("it holds");
         assert!(tried.idle > 0 && tried.idle < 64, "{tried:?}");
         assert_eq!((tried.cases, tried.overestimation), (64, 3.0));
     }
 
     #[test]
-    fn what_is_assumed_of_some_sample_is_said_of_the_law() {
-        let tried = for_all(&Effort::default(), 64, CHEAP, 0..1000_u32, |&k| {
+    fn the_assumptions_of_all_samples_are_collected() {
+        let tried = few().for_all(0..1000_u32, |&k| {
             let assumed = if k % 2 == 0 { vec!["even"] } else { vec!["odd", "small"] };
-            Ok(Met { overestimation: if k < 500 { 2.0 } else { IDLE }, assumed })
+            Ok(Margin { overestimation: if k < 500 { 2.0 } else { IDLE }, assumed })
         });
         let mut assumed = tried.expect("it holds").assumed;
         assumed.sort_unstable();

@@ -1,15 +1,15 @@
-//! `Standing` and `Proof`: what bounds over the whole region say of a claimed constant.
+//! `Standing` and `Proof`: what bounds over the whole region prove of a claimed constant.
 
 use std::fmt;
 
 use super::Claim;
 
-/// What is known of one claimed constant, beyond the points that were looked at.
+/// What is proved of one claimed constant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Standing {
     /// The constant.
     pub claim: Claim,
-    /// What is known of it.
+    /// What is proved of it.
     pub proof: Proof,
 }
 
@@ -18,20 +18,20 @@ pub struct Standing {
 pub enum Proof {
     /// It holds at every point of the region.
     Proved,
-    /// It lies between the two bounds of the exact constant, which are this many percent apart: a
-    /// claim that is attained can be known no better.
+    /// It lies between the two bounds of the exact constant, which are this many percent apart.
+    /// Nothing more can be proved of a claim that is attained.
     RightTo {
-        /// How far the bounds are apart, in percent.
+        /// The distance of the bounds, in percent.
         percent: f64,
     },
-    /// The boxes did not suffice: the claim may be wrong.
+    /// The boxes did not suffice; the claim may be wrong.
     NotDecided,
-    /// Nothing was tried: the dimension is above three, or the formula cannot be recorded.
+    /// Not attempted: the dimension is above three, or the formula cannot be recorded.
     NotTried,
 }
 
 impl Proof {
-    /// Returns whether something was proved: that the claim holds, or how far it may be off.
+    /// Returns whether the claim is proved to hold, or to be off by no more than a known amount.
     #[must_use]
     pub fn is_decided(self) -> bool {
         matches!(self, Proof::Proved | Proof::RightTo { .. })
@@ -53,9 +53,4 @@ impl fmt::Display for Standing {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} {}", self.claim, self.proof)
     }
-}
-
-/// The standings in a line.
-pub(super) fn line(standings: &[Standing]) -> String {
-    standings.iter().map(Standing::to_string).collect::<Vec<_>>().join(", ")
 }

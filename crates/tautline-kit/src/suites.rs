@@ -1,6 +1,6 @@
 //! The macros that give each law a test of its own name.
 
-/// Tests a metric of your own: one test a law, in a module of the given name.
+/// Tests a metric of your own: one test per law, in a module of the given name.
 ///
 /// ```text
 /// metric_suite!(egg: Egg, dimension 2, in Region::cell([0.0, 0.0], [6.3, 6.3]));
@@ -9,35 +9,28 @@
 /// metric_suite!(disc: Disc, dimension 2, within 0.5, of [0.1, 0.2], with distances);
 /// ```
 ///
-/// In the last two it is tested in the ball of this radius and centre, and implements
-/// [`LocallyBounded`](tautline::LocallyBounded) instead of [`Bounded`](tautline::Bounded).
+/// The first two forms need [`Bounded`](tautline::Bounded). They also take a `Result`, such as
+/// `Certified::new(Egg, Accuracy::default())`. The last two test the ball of the given radius and
+/// centre and need [`LocallyBounded`](tautline::LocallyBounded). Those `with distances` need
+/// [`KnownDistance`](tautline::KnownDistance): its distances are tested, and replace estimates in
+/// the theorems between two points.
 ///
-/// The metric implements [`Bounded`](tautline::Bounded), and for the second and the fourth form
-/// [`KnownDistance`](tautline::KnownDistance), with which its own distances are tested too, and
-/// the theorems between two points are put to them instead of to estimates. In the first two forms
-/// the metric may be a `Result` as well: `Certified::new(Egg, Accuracy::default())`.
-///
-/// Expands to `mod egg` with a test for each of [`metric::LAWS`](crate::metric::LAWS), which
-/// calls the function of the same name, with the test `every_law_is_a_test`, and with the test
-/// `the_metric_has_constants`. The metric is made once, and minimisers are computed once, for all of
-/// them. Where the metric cannot be made, `the_metric_has_constants` fails with the reason, and the
-/// laws are not tried. Each test draws the same samples in every run.
-/// See the page of the [`crate`].
+/// Expands to `mod egg` with a test for each of [`metric::LAWS`](crate::metric::LAWS), which calls
+/// the function of the same name, and with the tests `every_law_is_a_test` and
+/// `the_metric_has_constants`. All tests share one metric and its minimisers. If the metric cannot
+/// be made, `the_metric_has_constants` fails with the reason, and no law is tested. Every run draws
+/// the same samples. See the page of the [`crate`].
 #[macro_export]
 macro_rules! metric_suite {
     (
         $name:ident: $metric:expr, dimension $d:literal, in $region:expr
         $(, with $distances:ident)? $(,)?
     ) => {
-        $crate::__metric_laws! {
-            [$crate::__metric_tests]
-            {
-                $name, $d,
-                (|effort| {
-                    $crate::Bring::<_, $d>::bring($metric).map(|metric| {
-                        $crate::MetricCase::<_, $d>::new(metric, $region, effort)
-                            $(.$distances())?
-                    })
+        $crate::__metric_tests! {
+            $name, $d,
+            |effort| {
+                $crate::Bring::<_, $d>::bring($metric).map(|metric| {
+                    $crate::MetricCase::<_, $d>::new(metric, $region, effort)$(.$distances())?
                 })
             }
         }
@@ -46,15 +39,12 @@ macro_rules! metric_suite {
         $name:ident: $metric:expr, dimension $d:literal, within $radius:expr, of $centre:expr
         $(, with $distances:ident)? $(,)?
     ) => {
-        $crate::__metric_laws! {
-            [$crate::__metric_tests]
-            {
-                $name, $d,
-                (|effort| {
-                    $crate::MetricCase::<_, $d>::within($metric, $centre, $radius, effort)
-                        .map(|case| case$(.$distances())?)
-                        .map_err(|error| ::std::string::ToString::to_string(&error))
-                })
+        $crate::__metric_tests! {
+            $name, $d,
+            |effort| {
+                $crate::MetricCase::<_, $d>::within($metric, $centre, $radius, effort)
+                    .map(|case| case$(.$distances())?)
+                    .map_err(|error| ::std::string::ToString::to_string(&error))
             }
         }
     };
@@ -63,7 +53,7 @@ macro_rules! metric_suite {
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __metric_tests {
-    ({ $name:ident, $d:literal, $case:expr } $($id:ident, $law:literal, $run:expr;)*) => {
+    ($name:ident, $d:literal, $case:expr) => {
         #[cfg(test)]
         mod $name {
             #[allow(unused_imports, reason = "what the metric is made of")]
@@ -75,7 +65,7 @@ macro_rules! __metric_tests {
                 &'static $crate::MetricCase<impl $crate::prelude::Bounded<$d>, $d>,
                 &'static str,
             > {
-                BROUGHT.case(|| $case($crate::Effort::for_dimension($d)))
+                BROUGHT.case(|| ($case)($crate::Effort::for_dimension($d)))
             }
 
             #[test]
@@ -83,25 +73,16 @@ macro_rules! __metric_tests {
                 $crate::assert_made(case());
             }
 
-            $(
-                #[test]
-                fn $id() {
-                    // Else there is nothing to try, which `the_metric_has_constants` tells.
-                    if let ::std::result::Result::Ok(case) = case() {
-                        $crate::metric::$id(case).assert();
-                    }
-                }
-            )*
-
-            #[test]
-            fn every_law_is_a_test() {
-                assert_eq!([$(stringify!($id)),*], $crate::metric::LAWS);
+            // `the_metric_has_constants` reports a metric that could not be made.
+            $crate::__metric_laws! {
+                [$crate::__tests]
+                { metric, |law| if let ::std::result::Result::Ok(case) = case() { law(case) } }
             }
         }
     };
 }
 
-/// Tests a closed set of your own: one test a law, in a module of the given name.
+/// Tests a closed set of your own: one test per law, in a module of the given name.
 ///
 /// ```text
 /// set_suite!(ellipse: Ellipse, dimension 2, in Region::cell([-4.0, -4.0], [4.0, 4.0]));
@@ -113,41 +94,26 @@ macro_rules! __metric_tests {
 #[macro_export]
 macro_rules! set_suite {
     ($name:ident: $set:expr, dimension $d:literal, in $region:expr $(,)?) => {
-        $crate::__set_laws! { [$crate::__set_tests] { $name, $d, $set, $region } }
-    };
-}
-
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __set_tests {
-    (
-        { $name:ident, $d:literal, $set:expr, $region:expr }
-        $($id:ident, $law:literal, $run:expr;)*
-    ) => {
         #[cfg(test)]
         mod $name {
             #[allow(unused_imports, reason = "what the set is made of")]
             use super::*;
 
-            $(
-                #[test]
-                fn $id() {
-                    let (set, region): (_, $crate::Region<$d>) = ($set, $region);
-                    let effort = $crate::Effort::default();
-                    let case = $crate::SetCase::new(&set, region, effort);
-                    $crate::set::$id(&case).assert();
+            $crate::__set_laws! {
+                [$crate::__tests]
+                {
+                    set,
+                    |law| {
+                        let (set, region): (_, $crate::Region<$d>) = ($set, $region);
+                        law(&$crate::SetCase::new(&set, region, $crate::Effort::default()))
+                    }
                 }
-            )*
-
-            #[test]
-            fn every_law_is_a_test() {
-                assert_eq!([$(stringify!($id)),*], $crate::set::LAWS);
             }
         }
     };
 }
 
-/// Tests a rule of numerical integration of your own: one test a law, in a module of the given
+/// Tests a rule of numerical integration of your own: one test per law, in a module of the given
 /// name.
 ///
 /// ```text
@@ -159,31 +125,35 @@ macro_rules! __set_tests {
 #[macro_export]
 macro_rules! rule_suite {
     ($name:ident: $rule:expr $(,)?) => {
-        $crate::__rule_laws! { [$crate::__rule_tests] { $name, $rule } }
-    };
-}
-
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __rule_tests {
-    ({ $name:ident, $rule:expr } $($id:ident, $law:literal, $run:expr;)*) => {
         #[cfg(test)]
         mod $name {
             #[allow(unused_imports, reason = "what the rule is made of")]
             use super::*;
 
-            $(
-                #[test]
-                fn $id() {
-                    let effort = $crate::Effort::default();
-                    $crate::rule::$id(&$crate::RuleCase::new($rule, effort)).assert();
-                }
-            )*
-
-            #[test]
-            fn every_law_is_a_test() {
-                assert_eq!([$(stringify!($id)),*], $crate::rule::LAWS);
+            $crate::__rule_laws! {
+                [$crate::__tests]
+                { rule, |law| law(&$crate::RuleCase::new($rule, $crate::Effort::default())) }
             }
+        }
+    };
+}
+
+/// A test for each law; `$check` runs a law on the case.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __tests {
+    ({ $module:ident, |$law:ident| $check:expr } $($id:ident, $says:literal, $run:expr;)*) => {
+        $(
+            #[test]
+            fn $id() {
+                let $law = |case: &_| $crate::$module::$id(case).assert();
+                $check
+            }
+        )*
+
+        #[test]
+        fn every_law_is_a_test() {
+            assert_eq!([$(stringify!($id)),*], $crate::$module::LAWS);
         }
     };
 }

@@ -7,31 +7,31 @@ use tautline::{Bounded, Constants};
 use tautline_statements::{AnyBounded, WithConstants};
 
 use super::memory::Solved;
-use crate::{Effort, Region};
+use crate::{Effort, Fault, Region, report::LawResult};
 
-/// The distance of two points, where a metric knows it, in `m`.
+/// The distance of two points, in `m`, where a metric knows it.
 type Distance<'m, const D: usize> =
     Box<dyn Fn(&SVector<f64, D>, &SVector<f64, D>) -> Option<f64> + 'm>;
 
-/// A metric behind a pointer, where to look, and for how long.
+/// A metric with its type erased, where to sample it, and how thoroughly.
 pub(super) struct Case<'m, const D: usize> {
     pub(super) metric: AnyBounded<'m, D>,
     pub(super) region: Region<D>,
-    /// Where the ends of problems are.
+    /// Where the ends of problems lie.
     pub(super) ends: Region<D>,
     pub(super) effort: Effort,
     pub(super) distance: Option<Distance<'m, D>>,
-    /// What several laws need of the same problems.
+    /// Results that several laws share.
     pub(super) solved: Arc<Solved<D>>,
 }
 
 impl<'m, const D: usize> Case<'m, D> {
-    /// Points to a metric.
+    /// Erases the type of a metric.
     pub(super) fn new(metric: &'m impl Bounded<D>, region: Region<D>, effort: Effort) -> Self {
         Self::of(AnyBounded::of(metric), region, effort)
     }
 
-    /// The same metric, of which other constants are claimed.
+    /// The same metric with other claimed constants.
     pub(super) fn claiming(&self, constants: Constants, effort: Effort) -> Self {
         let metric = WithConstants { metric: self.metric.metric.clone(), constants };
         Self::of(metric, self.region, effort)
@@ -39,5 +39,13 @@ impl<'m, const D: usize> Case<'m, D> {
 
     fn of(metric: AnyBounded<'m, D>, region: Region<D>, effort: Effort) -> Self {
         Self { metric, region, ends: region, effort, distance: None, solved: Arc::default() }
+    }
+
+    /// Checks a law at random points.
+    pub(super) fn at_points(
+        &self,
+        law: impl Fn(&SVector<f64, D>) -> Result<f64, Fault>,
+    ) -> LawResult {
+        self.effort.for_all(self.region.points(), law)
     }
 }

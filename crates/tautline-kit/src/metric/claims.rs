@@ -1,4 +1,4 @@
-//! The laws of a metric that claims constants: at random samples, and where they are looked for.
+//! The laws about claimed constants: random samples, and local ascents from the best of them.
 
 use std::cell::RefCell;
 
@@ -13,11 +13,10 @@ use crate::{
     Claim, Failure, Fault, Lie,
     region::directions,
     report::{LawResult, Tried},
-    sampling::{CHEAP, for_all},
 };
 
 impl Claim {
-    /// Returns what is claimed; `None` for `M_H` if it is not.
+    /// Returns the claimed value; `None` if `M_H` is not claimed.
     #[must_use]
     pub fn of(self, constants: &Constants) -> Option<f64> {
         match self {
@@ -28,16 +27,16 @@ impl Claim {
         }
     }
 
-    /// Returns the claim with its number multiplied by `factor`, if it is one of the constants.
+    /// Returns the constants with this one multiplied by `factor`, if they are still in order.
     pub(super) fn scaled(self, constants: &Constants, factor: f64) -> Option<Constants> {
         let by = |constant| if self == constant { factor } else { 1.0 };
-        constants.times([Claim::C1, Claim::C2, Claim::LH, Claim::MH].map(by)).ok()
+        constants.times(Claim::ALL.map(by)).ok()
     }
 
-    /// What rounding makes of a value, in the unit of the constant.
+    /// The rounding of a value, in the unit of the constant.
     ///
-    /// An entry of `H` has a dozen roundings or so of terms of size `c₂`, an eigenvalue `D` times
-    /// as many; derivatives have more terms, of the size of the constants themselves.
+    /// An entry of `H` has some dozen roundings of terms of size `c₂`, an eigenvalue `D` times as
+    /// many; derivatives have more terms, of the size of the constants themselves.
     fn rounding<const D: usize>(self, constants: &Constants, claimed: f64) -> f64 {
         match self {
             Claim::C1 | Claim::C2 => 1e-14 * D as f64 * constants.c2(),
@@ -49,32 +48,34 @@ impl Claim {
 /// A point with `H` there.
 type Place<const D: usize> = (SVector<f64, D>, SMatrix<f64, D, D>);
 
-/// What was found of one constant.
+/// The result of the search for the extreme value of one constant.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Found {
-    /// How often the metric was measured at a sample.
+    /// The number of samples.
     pub(super) cases: u64,
-    /// The overestimation `claimed / found` (of `c₁`, `found / claimed`), a pure number; `∞` if the
-    /// metric was not seen to change at all.
+    /// The overestimation `claimed / found` (for `c₁`, `found / claimed`), a pure number; `∞` if
+    /// the metric was not seen to change.
     pub(super) overestimation: f64,
 }
 
-/// Looks for the extreme value of one constant; `Ok(None)` if it is not claimed.
+/// Searches for the extreme value of one constant; `Ok(None)` if it is not claimed.
 pub(super) fn search<const D: usize>(
     case: &Case<'_, D>,
     constant: Claim,
 ) -> Result<Option<Found>, Failure> {
-    case.solved.extremes.recall(&constant, || look(case, constant))
+    case.solved.extremes.recall(&constant, || search_anew(case, constant))
 }
 
-fn look<const D: usize>(case: &Case<'_, D>, constant: Claim) -> Result<Option<Found>, Failure> {
+fn search_anew<const D: usize>(
+    case: &Case<'_, D>,
+    constant: Claim,
+) -> Result<Option<Found>, Failure> {
     let (metric, region, effort) = (&case.metric, &case.region, &case.effort);
     let constants = metric.constants();
     let Some(claimed) = constant.of(&constants) else { return Ok(None) };
     let judge = |found: &Extreme<D>| judge(constant, &constants, claimed, found);
     let seen: RefCell<Vec<Extreme<D>>> = RefCell::default();
-    let samples = (region.points(), directions::<D>());
-    let random = for_all(effort, effort.cases, CHEAP, samples, |(x, w)| {
+    let random = effort.for_all((region.points(), directions::<D>()), |(x, w)| {
         let found = constant.measure(metric, x, w);
         seen.borrow_mut().push(found);
         judge(&found).map_err(Fault::from)
@@ -86,97 +87,75 @@ fn look<const D: usize>(case: &Case<'_, D>, constant: Claim) -> Result<Option<Fo
     });
     starts.truncate(effort.ascents);
     let tops = starts.into_iter().map(|start| constant.climb(metric, region, start));
-    let worst = tops.reduce(|a, b| if constant.worse(b.value, a.value) { b } else { a });
-    match (random, worst) {
-        (Ok(tried), None) => {
-            Ok(Some(Found { cases: tried.cases, overestimation: tried.overestimation }))
+    let top = constant.worst(tops).map(|worst| judge(&worst));
+    match (random, top) {
+        (Ok(tried), top) => {
+            let top = top.unwrap_or(Ok(f64::INFINITY)).map_err(|lie| effort.failure(lie))?;
+            let overestimation = tried.overestimation.min(top);
+            Ok(Some(Found { cases: tried.cases, overestimation }))
         }
-        (Ok(tried), Some(worst)) => match judge(&worst) {
-            Ok(top) => Ok(Some(Found {
-                cases: tried.cases,
-                overestimation: tried.overestimation.min(top),
-            })),
-            Err(lie) => Err(Failure { fault: lie.into(), sample: None, seed: effort.seed }),
-        },
-        (Err(failure), None) => Err(failure),
-        // The sample that was shrunk has short coordinates, the top of the ascent the right number.
-        (Err(failure), Some(worst)) => Err(match judge(&worst) {
-            Ok(_) => failure,
-            Err(lie) => Failure { fault: lie.into(), ..failure },
-        }),
+        // The shrunk sample has short coordinates, the top of the ascent the extreme value.
+        (Err(failure), Some(Err(lie))) => Err(Failure { fault: lie.into(), ..failure }),
+        (Err(failure), _) => Err(failure),
     }
 }
 
-/// Returns the overestimation of a claim where something was found, or that it is a lie.
+/// Returns the overestimation of a claim at an extreme value, or that the claim is false.
 pub(super) fn judge<const D: usize>(
     constant: Claim,
     constants: &Constants,
     claimed: f64,
-    found: &Extreme<D>,
+    &Extreme { value: found, point, direction }: &Extreme<D>,
 ) -> Result<f64, Lie> {
     let granted = constant.rounding::<D>(constants, claimed);
-    let holds = match constant {
-        Claim::C1 => claimed <= found.value + granted,
-        _ => found.value <= claimed + granted,
+    let (holds, overestimation) = match constant {
+        Claim::C1 => (claimed <= found + granted, found / claimed),
+        // 0/0 for a constant metric.
+        _ if found == 0.0 => (found <= claimed + granted, f64::INFINITY),
+        _ => (found <= claimed + granted, claimed / found),
     };
     if holds {
-        Ok(overestimation(constant, claimed, found.value))
-    } else {
-        Err(lie(constant, claimed, found))
+        return Ok(overestimation);
     }
-}
-
-fn overestimation(constant: Claim, claimed: f64, found: f64) -> f64 {
-    match constant {
-        Claim::C1 => found / claimed,
-        // 0 / 0 for a constant metric.
-        _ if found == 0.0 => f64::INFINITY,
-        _ => claimed / found,
-    }
-}
-
-fn lie<const D: usize>(constant: Claim, claimed: f64, found: &Extreme<D>) -> Lie {
-    let Extreme { value, point, direction } = found;
     let [point, direction] = [point, direction].map(|x| x.as_slice().to_vec());
-    Lie { constant, claimed, found: *value, point, direction, other: None }
+    Err(Lie { constant, claimed, found, point, direction, other: None })
 }
 
-/// Looks for a point where one constant does not hold.
+/// One constant holds at random points and at the tops of local ascents.
 pub(super) fn claim<const D: usize>(case: &Case<'_, D>, constant: Claim) -> LawResult {
     Ok(match search(case, constant)? {
-        None => Tried::cases(0).with_note("not claimed"),
+        None => Tried::none("not claimed"),
         Some(Found { cases, overestimation }) => Tried { overestimation, ..Tried::cases(cases) },
     })
 }
 
-/// How often a chord is halved at most: from the longest edge to its `2⁻¹⁸`-th part, over which a
-/// jump of `H` by `δ` has a quotient of `2¹⁸ δ` an edge.
+/// How often a chord is halved at most: down to `2⁻¹⁸` of the longest edge, over which a jump of
+/// `H` by `δ` has the quotient `2¹⁸ δ` per edge.
 const HALVINGS: i32 = 18;
 
-/// `‖H(x) − H(y)‖ ≤ L_H |x − y|` for points far apart and near each other.
+/// `‖H(x) − H(y)‖ ≤ L_H |x − y|` for points far apart and close together.
 ///
-/// The quotient of a chord is no more than the larger one of its halves, so that it never falls
-/// where that half is taken: it climbs to a slope, or, where `H` jumps, without end.
+/// The quotient of a chord is no more than the larger one of its halves. Halving towards the larger
+/// one therefore never lowers it: it climbs to a slope, or without bound where `H` jumps.
 pub(super) fn lipschitz<const D: usize>(case: &Case<'_, D>) -> LawResult {
-    let constants = case.metric.constants();
-    let effort = &case.effort;
-    // The roundings of H(x) and of H(y), see above.
-    let granted = 2e-14 * D as f64 * constants.c2();
+    let (c2, l_h) = (case.metric.constants().c2(), case.metric.constants().l_h());
+    // The roundings of H(x) and of H(y), see `Claim::rounding`.
+    let granted = 2e-14 * D as f64 * c2;
     let shortest = case.region.size() * 0.5_f64.powi(HALVINGS);
     let gram = |x: &SVector<f64, D>| case.metric.gram::<f64>(x);
     let quotient = |[x, y]: [&Place<D>; 2]| norm(&(x.1 - y.1)) / (x.0 - y.0).norm();
-    for_all(effort, effort.cases, CHEAP, case.region.pairs(), |pair| {
+    case.effort.for_all(case.region.pairs(), |pair| {
         let mut overestimation = f64::INFINITY;
         let mut worst: Option<Lie> = None;
         let [mut x, mut y] = pair.map(|x| (x, gram(&x)));
         for _ in 0..=HALVINGS {
             let (found, step) = (quotient([&x, &y]), (x.0 - y.0).norm());
-            if !(found * step <= constants.l_h() * step + granted) {
-                // A NaN is as bad as it can be.
+            if !(found * step <= l_h * step + granted) {
+                // NaN is the worst.
                 if worst.as_ref().is_none_or(|worst| !(found <= worst.found)) {
                     worst = Some(Lie {
                         constant: Claim::LH,
-                        claimed: constants.l_h(),
+                        claimed: l_h,
                         found,
                         point: x.0.as_slice().to_vec(),
                         direction: ((y.0 - x.0) / step).as_slice().to_vec(),
@@ -184,7 +163,7 @@ pub(super) fn lipschitz<const D: usize>(case: &Case<'_, D>) -> LawResult {
                     });
                 }
             } else if granted <= 0.01 * found * step {
-                overestimation = overestimation.min(constants.l_h() / found);
+                overestimation = overestimation.min(l_h / found);
             }
             if step <= 2.0 * shortest || found.is_nan() {
                 break;

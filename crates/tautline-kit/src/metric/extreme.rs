@@ -1,44 +1,51 @@
-//! The extreme values of a metric in a region: what its claimed constants are compared with.
+//! The extreme values of a metric in a region, against which its claimed constants are checked.
 
 use nalgebra::{DMatrix, SMatrix, SVector};
-use tautline::{Jet1, Jet2, Metric, norm_squared};
+use tautline::{Jet1, Jet2, Metric, Scalar, norm_squared};
 use tautline_statements::extreme_eigenvalues;
 
 use crate::{Claim, Region};
 
 /// Rounds of the alternation between directions. Each is a step of a power method that never
-/// descends; it need not end, since an ascent goes through it again and again.
+/// descends. It need not converge, since an ascent repeats it at every step.
 const ROUNDS: usize = 6;
 
-/// The first step of an ascent is the `2⁻³`-th part of the longest edge, the last the `2⁻¹⁶`-th:
-/// a smooth maximum is then missed by some `(k 2⁻¹⁶)²` for a metric that does something `k`
-/// times along an edge, and a lie of one millionth is seen.
+/// The steps of an ascent are `2⁻³` to `2⁻¹⁶` of the longest edge. A metric that varies `k` times
+/// along an edge has its smooth maximum missed by some `(k 2⁻¹⁶)²`, so that a constant that is
+/// wrong by a millionth is found.
 const HALVINGS: std::ops::RangeInclusive<i32> = 3..=16;
 
-/// Steps of an ascent with one step length, on the way along a ridge.
+/// How many steps of one length an ascent takes along a ridge.
 const MOVES: usize = 64;
 
 /// A value that a metric takes at a point in a direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Extreme<const D: usize> {
-    /// The number that a constant bounds, in its unit.
+    /// The number bounded by a constant, in its unit.
     pub(super) value: f64,
     pub(super) point: SVector<f64, D>,
     pub(super) direction: SVector<f64, D>,
 }
 
 impl Claim {
-    /// Returns whether `a` is nearer to breaking the claim than `b`, or breaks it more; a NaN is
-    /// not.
+    /// Returns whether `a` comes nearer to breaking the claim than `b`, or breaks it more. False for
+    /// NaN.
     pub(super) fn worse(self, a: f64, b: f64) -> bool {
         if self == Claim::C1 { a < b } else { a > b }
     }
 
-    /// Measures a metric at `x`, in the direction that is worst as far as alternation from `w`
-    /// finds.
+    /// Returns the worst of several extremes; the first of equal ones.
+    pub(super) fn worst<const D: usize>(
+        self,
+        extremes: impl Iterator<Item = Extreme<D>>,
+    ) -> Option<Extreme<D>> {
+        extremes.reduce(|a, b| if self.worse(b.value, a.value) { b } else { a })
+    }
+
+    /// Measures a metric at `x`, in the worst direction that alternation from `w` finds.
     ///
-    /// Of `L_H`, `sup |uᵀ DH(x)[w] u|` over unit `u` and `w`: for given `w` the best `u` is an
-    /// eigenvector, for given `u` the best `w` is the gradient of `uᵀHu`. Of `M_H` likewise, with
+    /// For `L_H` it maximises `|uᵀ DH(x)[w] u|` over unit `u` and `w`: for given `w` the best `u` is
+    /// an eigenvector, for given `u` the best `w` is the gradient of `uᵀHu`. For `M_H` likewise, with
     /// an eigenvector of the Hessian of `uᵀHu`. Neither step descends.
     pub(super) fn measure<const D: usize>(
         self,
@@ -79,8 +86,8 @@ impl Claim {
         }
     }
 
-    /// Climbs from a value to a local extreme of the region: steps along the coordinates, and along
-    /// the last move, halved where none helps.
+    /// Climbs to a local extreme of the region by steps along the coordinates and along the last
+    /// move, halved when none helps.
     pub(super) fn climb<const D: usize>(
         self,
         metric: &impl Metric<D>,
@@ -123,8 +130,8 @@ impl Claim {
     }
 }
 
-/// Alternates between `w`, with the matrix `A(w)`, and the eigenvector `u` of the eigenvalue of
-/// `A(w)` that is largest in size. Returns the size and `w`.
+/// Alternates between `w`, with the matrix `A(w)`, and the eigenvector `u` of the absolutely largest
+/// eigenvalue of `A(w)`. Returns its absolute value and `w`.
 fn alternate<const D: usize>(
     x: &SVector<f64, D>,
     w: &SVector<f64, D>,
@@ -144,15 +151,24 @@ fn alternate<const D: usize>(
     Extreme { value, point: *x, direction }
 }
 
+/// `H(x + t w)`.
+fn along<S: Scalar, const D: usize>(
+    metric: &impl Metric<D>,
+    x: &SVector<f64, D>,
+    w: &SVector<f64, D>,
+    t: S,
+) -> SMatrix<S, D, D> {
+    metric.gram(&SVector::from_fn(|i, _| t * w[i] + x[i]))
+}
+
 /// `DH(x)[w]`, in `m²/ℓ³` for a unit vector `w`.
 pub(super) fn first<const D: usize>(
     metric: &impl Metric<D>,
     x: &SVector<f64, D>,
     w: &SVector<f64, D>,
 ) -> SMatrix<f64, D, D> {
-    let [t] = Jet1::variables(&[0.0]);
-    let line = SVector::from_fn(|i, _| t * w[i] + x[i]);
-    metric.gram(&line).map(|entry: Jet1<f64, 1>| entry.first(0))
+    let [t] = Jet1::<f64, 1>::variables(&[0.0]);
+    along(metric, x, w, t).map(|entry| entry.first(0))
 }
 
 /// `D²H(x)[w, w]`, in `m²/ℓ⁴` for a unit vector `w`.
@@ -161,19 +177,18 @@ pub(super) fn second<const D: usize>(
     x: &SVector<f64, D>,
     w: &SVector<f64, D>,
 ) -> SMatrix<f64, D, D> {
-    let [t] = Jet2::variables(&[0.0]);
-    let line = SVector::from_fn(|i, _| t * w[i] + x[i]);
-    metric.gram(&line).map(|entry: Jet2<f64, 1>| entry.second(0, 0))
+    let [t] = Jet2::<f64, 1>::variables(&[0.0]);
+    along(metric, x, w, t).map(|entry| entry.second(0, 0))
 }
 
 type Eigenpair<const D: usize> = (f64, SVector<f64, D>);
 
-/// The least and the largest eigenvalue of a symmetric matrix, with unit eigenvectors; NaN if an
-/// entry is not finite.
+/// The smallest and the largest eigenvalue of a symmetric matrix, with unit eigenvectors; NaN if
+/// an entry is not finite.
 fn eigenpairs<const D: usize>(matrix: &SMatrix<f64, D, D>) -> (Eigenpair<D>, Eigenpair<D>) {
     let axis = SVector::from_fn(|i, _| if i == 0 { 1.0 } else { 0.0 });
     if !matrix.iter().all(|entry| entry.is_finite()) {
-        // The iteration for eigenvalues would not end.
+        // nalgebra would iterate forever.
         return ((f64::NAN, axis), (f64::NAN, axis));
     }
     if D == 1 {
@@ -185,7 +200,7 @@ fn eigenpairs<const D: usize>(matrix: &SMatrix<f64, D, D>) -> (Eigenpair<D>, Eig
     ((eigen.eigenvalues[low], vector(low)), (eigen.eigenvalues[high], vector(high)))
 }
 
-/// The size of the eigenvalue that is largest in size, with its eigenvector.
+/// The absolutely largest eigenvalue, without its sign, and its eigenvector.
 fn largest<const D: usize>(matrix: &SMatrix<f64, D, D>) -> Eigenpair<D> {
     let ((low, at_low), (high, at_high)) = eigenpairs(matrix);
     if low.abs() > high.abs() { (low.abs(), at_low) } else { (high.abs(), at_high) }

@@ -1,4 +1,4 @@
-//! `Memory`: what several laws need, and is computed once.
+//! `Memory`: results that several laws share, computed once.
 
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
@@ -7,7 +7,7 @@ use tautline_statements::{Reconstruction, VerifyError};
 use super::{claims::Found, problems::Posed};
 use crate::{Claim, Failure};
 
-/// Values by their keys, which are few: it is searched from the front.
+/// Values by key. The keys are few, so the search is linear.
 #[derive(Debug)]
 pub(super) struct Memory<K, V>(Mutex<Vec<(K, Arc<OnceLock<V>>)>>);
 
@@ -18,8 +18,7 @@ impl<K, V> Default for Memory<K, V> {
 }
 
 impl<K: PartialEq + Clone, V: Clone> Memory<K, V> {
-    /// Returns the value of a key, computed if it is asked for the first time. Who asks for the
-    /// same meanwhile waits.
+    /// Returns the value of a key, computed on the first call; concurrent calls wait for it.
     pub(super) fn recall(&self, key: &K, compute: impl FnOnce() -> V) -> V {
         self.place(key).get_or_init(compute).clone()
     }
@@ -36,43 +35,31 @@ impl<K: PartialEq + Clone, V: Clone> Memory<K, V> {
     }
 }
 
-/// A distance, in `m`, and how far it may be off.
+/// A distance and its error bound, in `m`.
 pub(super) type Estimate = Result<[f64; 2], VerifyError>;
 
-/// A problem that was solved.
+/// A solved problem.
 #[derive(Debug)]
 pub(super) struct Solution<const D: usize> {
-    /// The distance, in `m`, and how far it may be off.
+    /// The distance and its error bound, in `m`.
     pub(super) distance: [f64; 2],
-    /// The minimisers of a rule, one for each `N` of the effort.
+    /// The minimisers of one rule, one for each `N` of the effort.
     pub(super) minimisers: Vec<Reconstruction<D>>,
 }
 
-/// The solution of a problem, or why there is none.
+/// The solution of a problem, or why it has none.
 pub(super) type Solutions<const D: usize> = Result<Arc<Solution<D>>, VerifyError>;
 
-/// What was computed so far of one metric: the extreme values that its constants bound, the
-/// distances of its problems, and the minimisers of either rule.
-#[derive(Debug)]
+/// The results for one metric so far: the extreme values that its constants bound, the distances
+/// of its problems, and the minimisers of either rule.
+#[derive(Debug, Default)]
 pub(super) struct Solved<const D: usize> {
-    /// The name of a law of the formula that does not hold, for which nothing is solved.
+    /// The law of the formula that fails, if one does; then nothing is solved.
     pub(super) broken: OnceLock<Option<&'static str>>,
     pub(super) extremes: Memory<Claim, Result<Option<Found>, Failure>>,
     pub(super) distances: Memory<Posed<D>, Estimate>,
     pub(super) trapezoidal: Memory<Posed<D>, Solutions<D>>,
     pub(super) left: Memory<Posed<D>, Solutions<D>>,
-}
-
-impl<const D: usize> Default for Solved<D> {
-    fn default() -> Self {
-        Self {
-            broken: OnceLock::new(),
-            extremes: Memory::default(),
-            distances: Memory::default(),
-            trapezoidal: Memory::default(),
-            left: Memory::default(),
-        }
-    }
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The statements of the paper about minimisers, on the solved problems of one metric.
+//! The statements of the paper about minimisers, on the solved problems of a metric.
 
 use tautline::Bounded;
 use tautline_statements::{
@@ -6,14 +6,17 @@ use tautline_statements::{
     VerifyError, curves::Measured, discrete_energy,
 };
 
-use super::{Case, solutions::Minimiser, statements::judge};
-use crate::{Fault, met::Met, report::LawResult};
+use super::{
+    Case,
+    solutions::Minimiser,
+    statements::{judge, judge_all},
+};
+use crate::{Fault, margin::Margin, report::LawResult};
 
 /// Proposition 6.2, on the ends of the minimisers of the trapezoidal rule.
 ///
-/// Their distance is no more than the length of the reconstruction; that of another pair is known,
-/// or no more than the length of the detour. What is refused of a length is a shorter one, so that
-/// neither has to be exact.
+/// The length of the reconstruction bounds their distance; that of another pair is known or bounded
+/// by the length of a detour. Upper bounds suffice, since only a shorter length is refused.
 pub(super) fn prop_6_2<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.of_solutions(PaperRule::Trapezoidal, &|minimiser| {
         let detour = minimiser.detour()?;
@@ -30,30 +33,27 @@ pub(super) fn prop_6_2<const D: usize>(case: &Case<'_, D>) -> LawResult {
     })
 }
 
-/// Proposition 6.3, on the reconstructions of the trapezoidal rule, and on ways around.
+/// Proposition 6.3, on the reconstructions of the trapezoidal rule and on detours.
 pub(super) fn prop_6_3<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.of_solutions(PaperRule::Trapezoidal, &|minimiser| {
-        [&minimiser.seen.minimum.sequence, &minimiser.detour()?].into_iter().try_fold(
-            Met::nothing(),
-            |all, sequence| {
-                let curve = Measured::of_sequence(&LIBRARY, &case.metric, sequence);
-                Ok(all.and(judge(&statements::prop_6_3(&LIBRARY, minimiser.known, &curve))?))
-            },
-        )
+        let sequences = [&minimiser.seen.minimum.sequence, &minimiser.detour()?];
+        judge_all(sequences.map(|sequence| {
+            let curve = Measured::of_sequence(&LIBRARY, &case.metric, sequence);
+            statements::prop_6_3(&LIBRARY, minimiser.known, &curve)
+        }))
     })
 }
 
-/// Proposition 7.1, on the minimisers of both rules: each against a way around, and against what it
-/// becomes where its points are moved.
+/// Proposition 7.1, on the minimisers of both rules: each against a detour, and against the same
+/// sequence with its points moved a little.
 ///
-/// A search may end at a local minimum, or where the energy is flat to second order, and there may
-/// be less energy nearby. Then it is begun again, at the better one of the two as well; above that
-/// it must not end.
+/// A search may end at a local minimum, or where the energy is flat to second order, with less
+/// energy nearby. It is then restarted, from the better sequence too, and must not end above it.
 pub(super) fn prop_7_1<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.of_both_rules(&|minimiser| {
         let (rule, metric, sets) = (minimiser.seen.rule, &case.metric, minimiser.sets());
         let others = [minimiser.detour()?, minimiser.moved()?];
-        others.into_iter().try_fold(Met::nothing(), |all, other| {
+        others.into_iter().try_fold(Margin::idle(), |all, other| {
             let less =
                 discrete_energy(&LIBRARY, rule, metric, &other) < minimiser.seen.discrete_energy;
             let again = if less { Some(minimiser.again(&other)?) } else { None };
@@ -64,17 +64,17 @@ pub(super) fn prop_7_1<const D: usize>(case: &Case<'_, D>) -> LawResult {
     })
 }
 
-/// What the minimisers of Proposition 7.1 are besides: critical points, of nearly constant speed.
+/// The minimisers of Proposition 7.1 are critical points, of nearly constant speed.
 pub(super) fn critical_points<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.of_both_rules(&|minimiser| critical_point(&LIBRARY, minimiser))
 }
 
-/// The step by which the statement tries the ends is not small beside the gaps of a finite set, so
-/// that each member of one is put alone.
+/// The statement varies the ends by a step that may not be small beside the gaps of a finite set;
+/// each of its members is therefore taken alone.
 fn critical_point<const D: usize>(
     subject: &Subject,
     minimiser: &Minimiser<'_, D>,
-) -> Result<Met, Fault> {
+) -> Result<Margin, Fault> {
     let sequence = &minimiser.seen.minimum.sequence;
     let ends = minimiser.posed.ends_near([*sequence.first(), *sequence.last()]);
     let known = Known { ends: ends.map_err(VerifyError::from)?, ..minimiser.known.clone() };
@@ -86,13 +86,13 @@ pub(super) fn remark_9_2<const D: usize>(case: &Case<'_, D>) -> LawResult {
     case.of_both_rules(&|minimiser| judge(&statements::remark_9_2(&LIBRARY, minimiser.seen)))
 }
 
-/// `C_tra(N)` with the `K_{1,g}` and `K_{2,g}` of a problem, as the proof of Theorem 1.1 has it.
+/// `C_tra(N)` with the `K_{1,g}` and `K_{2,g}` of a problem, as in the proof of Theorem 1.1.
 pub(super) fn c_tra<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let norms = [subject.k1_g(seen.setting), subject.k2_g(seen.setting)];
     statements::constant_c_tra(subject, seen.setting.constants(), norms, seen.n)
 }
 
-/// `C_tra♯` with the `K_{1,g}` and `K_{2,g}` of a problem, as the proof of Theorem 1.1 has it.
+/// `C_tra♯` with the `K_{1,g}` and `K_{2,g}` of a problem, as in the proof of Theorem 1.1.
 pub(super) fn c_tra_sharp<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let norms = [subject.k1_g(seen.setting), subject.k2_g(seen.setting)];
     statements::constant_c_tra_sharp(subject, seen.setting.constants(), norms, seen.n)
@@ -133,7 +133,7 @@ mod tests {
 
     type Way = fn(&Minimiser<'_, 2>) -> Result<PointSequence<2>, VerifyError>;
 
-    /// The claim that does not hold.
+    /// Returns the violated claim.
     #[track_caller]
     fn violated(result: LawResult) -> &'static str {
         match result.expect_err("it is off").fault {
@@ -146,32 +146,25 @@ mod tests {
     fn constants_that_are_off_by_a_millionth_are_refused() {
         let of = |statement| case(&shear()).of_constants(PaperRule::Trapezoidal, statement, None);
         assert!(of(minimisers::c_tra).is_ok() && of(minimisers::c_tra_sharp).is_ok());
-        assert_eq!(
-            violated(of(|_, seen| minimisers::c_tra(&off(), seen))),
-            "C_tra(N) ≤ its definition"
-        );
-        assert_eq!(
-            violated(of(|_, seen| minimisers::c_tra_sharp(&off(), seen))),
-            "C_tra(N) ≤ C_tra♯/N"
-        );
+        let wrong = violated(of(|_, seen| minimisers::c_tra(&off(), seen)));
+        assert_eq!(wrong, "C_tra(N) ≤ its definition");
+        let wrong = violated(of(|_, seen| minimisers::c_tra_sharp(&off(), seen)));
+        assert_eq!(wrong, "C_tra(N) ≤ C_tra♯/N");
     }
 
-    /// Under a constant metric every length is that of a straight line, and `C_tra(N)` is always
-    /// what it is defined to be.
+    /// Under a constant metric every length is that of a straight line, and `C_tra(N)` always equals
+    /// its definition.
     #[test]
     fn cases_that_could_not_fail_are_counted_apart() {
         let rule = PaperRule::Trapezoidal;
-        let flat = Constant::<2>::new(SMatrix::identity()).expect("positive definite");
+        let (flat, shear) = (Constant::<2>::new(SMatrix::identity()), shear());
+        let flat = flat.expect("positive definite");
         let of_flat = case(&flat).of_minimisers(rule, statements::theorem_1_2).expect("it holds");
-        let of_shear =
-            case(&shear()).of_minimisers(rule, statements::theorem_1_2).expect("it holds");
+        let of_shear = case(&shear).of_minimisers(rule, statements::theorem_1_2).expect("it holds");
         assert_eq!(of_flat.idle, of_flat.cases);
-        assert!(
-            of_flat.cases == of_shear.cases && 2 * of_shear.idle < of_shear.cases,
-            "{of_shear:?}"
-        );
-        let identity =
-            case(&shear()).of_constants(rule, minimisers::c_tra, None).expect("it holds");
+        let idle_less = 2 * of_shear.idle < of_shear.cases;
+        assert!(of_flat.cases == of_shear.cases && idle_less, "{of_shear:?}");
+        let identity = case(&shear).of_constants(rule, minimisers::c_tra, None).expect("it holds");
         assert_eq!((identity.idle, identity.overestimation), (identity.cases, f64::INFINITY));
     }
 
@@ -179,10 +172,10 @@ mod tests {
     /// by a millionth.
     #[test]
     fn gradients_that_are_off_by_a_millionth_are_refused() {
-        assert!(
-            case(&shear()).of_both_rules(&|minimiser| critical_point(&LIBRARY, minimiser)).is_ok()
-        );
-        let moved = case(&shear()).of_both_rules(&|minimiser| {
+        let shear = shear();
+        let case = case(&shear);
+        assert!(case.of_both_rules(&|minimiser| critical_point(&LIBRARY, minimiser)).is_ok());
+        let moved = case.of_both_rules(&|minimiser| {
             let mut seen = minimiser.seen.clone();
             let mut points = seen.minimum.sequence.points().to_vec();
             let n = points.len() - 1;
@@ -208,9 +201,9 @@ mod tests {
         assert!(claim.contains("∂E"), "{claim}");
     }
 
-    /// What a minimiser is compared with has more energy, by more than is granted.
+    /// A minimiser is compared with sequences of more energy, by more than is granted.
     #[test]
-    fn a_minimiser_that_is_moved_is_none() {
+    fn a_moved_minimiser_is_no_minimiser() {
         let shear = shear();
         let case = case(&shear);
         let ways: [Way; 2] = [|minimiser| minimiser.moved(), |minimiser| minimiser.detour()];

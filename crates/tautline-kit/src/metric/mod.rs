@@ -1,11 +1,11 @@
 //! The laws of a metric, and the statements of the paper about it.
 //!
-//! One function a law, of the name that its test has in [`metric_suite!`](crate::metric_suite).
+//! One function per law, named like its test in [`metric_suite!`](crate::metric_suite).
 //!
-//! Every statement is tried that can be put to a metric of which only the formula, the constants
-//! and perhaps the distances are known. Propositions 3.1, 3.2, 4.1 to 4.3, 7.12 and 9.1, Lemma 4.4
-//! and the constants `K_{1,g}` and `K_{2,g}` are about minimal geodesics, which nobody brings;
-//! Section 5 is about the valleys, Propositions 7.2 to 7.4 and 7.8 about no metric at all.
+//! Every statement is tested that applies to a metric of which only the formula, the constants and
+//! perhaps the distances are known. Propositions 3.1, 3.2, 4.1 to 4.3, 7.12 and 9.1, Lemma 4.4 and
+//! the constants `K_{1,g}` and `K_{2,g}` are about minimal geodesics, which are not given. Section 5
+//! is about the valleys; Propositions 7.2 to 7.4 and 7.8 are about no metric at all.
 
 mod case;
 mod claims;
@@ -13,11 +13,11 @@ mod extreme;
 mod formula;
 mod memory;
 mod minimisers;
+mod mutants;
 mod on_a_ball;
 mod orders;
 mod problems;
 mod proofs;
-mod refusals;
 mod sampled_curves;
 mod sharper;
 mod solutions;
@@ -33,26 +33,25 @@ use statements::joined;
 use tautline::{Bounded, KnownDistance, LocalError, LocallyBounded, bounds::LocalityError};
 use tautline_statements::{self as of_the_paper, PaperRule, curves::Measured};
 
-use super::{Claim, Effort, Outcome, Region, Report};
+use super::{Claim, Effort, Region, Report};
 
-/// The distance of two points, where a metric knows it, in `m`.
+/// The distance of two points, in `m`, where a metric knows it.
 type Distance<M, const D: usize> = fn(&M, &SVector<f64, D>, &SVector<f64, D>) -> Option<f64>;
 
-/// A metric, where to look, and for how long.
+/// A metric, where to sample it, and how thoroughly.
 #[derive(Clone, Debug)]
 pub struct MetricCase<M, const D: usize> {
     metric: M,
     region: Region<D>,
-    /// Where the ends of problems are.
+    /// Where the ends of problems lie.
     ends: Region<D>,
     effort: Effort,
     distance: Option<Distance<M, D>>,
-    /// What several laws need of the same problems.
     solved: Arc<Solved<D>>,
 }
 
 impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
-    /// A metric whose distances are not known: they are extrapolated from fine grids.
+    /// A metric whose distances are extrapolated from fine grids.
     pub fn new(metric: M, region: Region<D>, effort: Effort) -> Self {
         Self { metric, region, ends: region, effort, distance: None, solved: Arc::default() }
     }
@@ -63,12 +62,12 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
     where
         M: KnownDistance<D>,
     {
-        // Not what was solved with estimates.
+        // What was solved with estimated distances does not count.
         let solved = Arc::default();
         Self { distance: Some(|metric, x, y| metric.distance(x, y)), solved, ..self }
     }
 
-    /// What `with distances` calls at the end of [`metric_suite!`](crate::metric_suite).
+    /// `with distances`, at the end of [`metric_suite!`](crate::metric_suite).
     #[doc(hidden)]
     #[must_use]
     pub fn distances(self) -> Self
@@ -77,11 +76,9 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
     {
         self.with_known_distance()
     }
-}
 
-impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
-    /// The case as the laws see it.
-    fn behind_a_pointer(&self) -> Case<'_, D> {
+    /// The case as the laws see it, with the type of the metric erased.
+    fn erased(&self) -> Case<'_, D> {
         let Self { metric, region, ends, effort, distance, solved } = self;
         let distance =
             distance.map(|distance| Box::new(move |x: &_, y: &_| distance(metric, x, y)) as _);
@@ -90,14 +87,13 @@ impl<M: Bounded<D>, const D: usize> MetricCase<M, D> {
     }
 }
 
-/// The laws, one a row: its name, what it says, and the function that tries it.
+/// The laws, one per row: its name, what it says, and the function that checks it.
 ///
-/// A statement of `tautline_statements` is one more row: `case.of_points(…)` for one about
-/// the metric at a point, `case.of_point_sequences(…)` for one about any point sequence,
-/// `case.of_known(…)` for one about a distance and the curves that are as long at least,
-/// `case.of_minimisers(rule, …)` for one about computed minimisers, `case.of_constants(rule, …)` for
-/// one that holds with equality for every metric. All laws about minimisers look at the same ones,
-/// which are computed once.
+/// A statement of `tautline_statements` is one more row: `case.of_points(…)` for a statement about
+/// the metric at a point, `case.of_point_sequences(…)` about any point sequence,
+/// `case.of_known(…)` about a distance and the curves that are no shorter,
+/// `case.of_minimisers(rule, …)` about computed minimisers, and `case.of_constants(rule, …)` if it
+/// is an equality for every metric. All laws about minimisers share the same ones, computed once.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __metric_laws {
@@ -146,9 +142,9 @@ macro_rules! __metric_laws {
             prop_7_5, "Proposition 7.5: |u₁ᵀH(x₁)u₁ − u₂ᵀH(x₂)u₂| by L_H and c2",
                 |case| case.of_two_forms();
             prop_7_6, "Proposition 7.6: |E(γ) − E_tra,N(γ)| ≤ C_tra(N) for a smooth curve",
-                |case| case.of_curves();
+                sampled_curves::prop_7_6;
             prop_7_7, "Proposition 7.7: min E_tra,N − min E ≤ C_tra(N) over smooth curves",
-                |case| case.of_families();
+                sampled_curves::prop_7_7;
             prop_7_9, "Proposition 7.9: |E(γᵖˡ) − E_tra,N| ≤ L_H K₃³/4√N",
                 |case| case.of_point_sequences(of_the_paper::prop_7_9);
             prop_7_10, "Proposition 7.10: |∂ₗ Hᵢⱼ| ≤ L_H",
@@ -202,53 +198,35 @@ macro_rules! __metric_laws {
             left_rule_has_order_1, "E_l,N − d² falls like N⁻¹, E(γᵖˡ) − d² like N⁻²",
                 |case| orders::orders(case, PaperRule::LeftEndpoint, 1.0);
             refuses_a_larger_c1, "1.05 c1 is refused, if c1 is attained",
-                |case| refusals::lie(case, Claim::C1);
+                |case| mutants::constant(case, Claim::C1);
             refuses_a_smaller_c2, "0.95 c2 is refused, if c2 is attained",
-                |case| refusals::lie(case, Claim::C2);
+                |case| mutants::constant(case, Claim::C2);
             refuses_a_smaller_l_h, "0.9 L_H is refused, if L_H is attained",
-                |case| refusals::lie(case, Claim::LH);
+                |case| mutants::constant(case, Claim::LH);
             refuses_a_smaller_m_h, "0.9 M_H is refused, if M_H is attained",
-                |case| refusals::lie(case, Claim::MH);
+                |case| mutants::constant(case, Claim::MH);
             refuses_a_metric_that_is_nan, "H is refused if it is NaN in half of the region",
-                refusals::nan_metric;
+                mutants::nan_metric;
             refuses_points_that_are_nan, "points that are not finite are refused",
-                refusals::nan_points;
+                mutants::nan_points;
             refuses_no_subinterval, "N = 0 is refused",
-                refusals::no_subinterval;
+                mutants::no_subinterval;
             refuses_two_unbounded_sets, "two half-spaces are refused",
-                refusals::two_unbounded_sets;
+                mutants::two_unbounded_sets;
             refuses_an_empty_set, "an empty set is refused",
-                refusals::empty_set;
+                mutants::empty_set;
         }
     };
 }
 
-/// One function a law, their names, and all of them in a row.
-macro_rules! functions {
-    ({} $($id:ident, $law:literal, $run:expr;)*) => {
-        $(
-            #[doc = concat!("Tries the law `", stringify!($id), "`: `", $law, "`.")]
-            pub fn $id<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Outcome {
-                let run: fn(&Case<'_, D>) -> super::report::LawResult = $run;
-                Outcome::new(stringify!($id), $law, run(&case.behind_a_pointer()))
-            }
-        )*
-
-        /// The names of all laws, in the order of a report.
-        pub const LAWS: &[&str] = &[$(stringify!($id)),*];
-
-        /// Tries all laws of a case.
-        pub fn verify<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>) -> Report {
-            Report { outcomes: vec![$($id(case)),*] }
-        }
-    };
+__metric_laws! {
+    [super::laws::functions]
+    { [M: Bounded<D>, const D: usize] MetricCase<M, D>, MetricCase::erased }
 }
 
-__metric_laws! { [functions] {} }
-
-/// Tries all laws on a metric, whose distances are extrapolated from fine grids.
+/// Checks all laws of a metric whose distances are extrapolated from fine grids.
 ///
-/// The same functions are behind the tests of [`metric_suite!`](crate::metric_suite).
+/// The tests of [`metric_suite!`](crate::metric_suite) call the same functions.
 pub fn verify_metric<M: Bounded<D>, const D: usize>(
     metric: &M,
     region: &Region<D>,
@@ -257,7 +235,7 @@ pub fn verify_metric<M: Bounded<D>, const D: usize>(
     verify(&MetricCase::new(metric, *region, *effort))
 }
 
-/// Tries all laws on a metric with constants on balls, in one of them.
+/// Checks all laws of a metric with constants on balls, in one of them.
 ///
 /// # Errors
 ///

@@ -1,4 +1,4 @@
-//! A metric with constants on balls only, as a case on one of them.
+//! A metric with constants on balls only, tested on one of them.
 
 use std::num::NonZeroUsize;
 
@@ -13,14 +13,15 @@ use super::MetricCase;
 use crate::{Effort, Region};
 
 impl<M: LocallyBounded<D>, const D: usize> MetricCase<WithConstants<M>, D> {
-    /// A metric with constants on balls, in one of them: all laws are tried with the constants of the
-    /// ball, on samples of the largest cube in it, and on problems whose ends are so near to
-    /// its centre that no competitor leaves it (Proposition S.8).
+    /// A metric with constants on balls, in one of them.
+    ///
+    /// All laws use the constants of the ball and samples of the largest cube in it. The ends of
+    /// problems are so near to its centre that no competitor leaves it (Proposition S.8).
     ///
     /// # Errors
     ///
-    /// [`LocalityError`] if the metric has no constants in the ball, or if these let competitors go so
-    /// far that no ends are near enough.
+    /// [`LocalityError`] if the metric has no constants in the ball, or if competitors could leave it
+    /// however near the ends are.
     pub fn within(
         metric: M,
         centre: impl Into<SVector<f64, D>>,
@@ -33,11 +34,11 @@ impl<M: LocallyBounded<D>, const D: usize> MetricCase<WithConstants<M>, D> {
         let cube = |half: f64| {
             let edge = SVector::repeat(half);
             let cube = Region::new(centre - edge, centre + edge);
-            // Without edges, or beyond the largest number.
+            // The cube has no edges, or is not finite.
             cube.map_err(|_| LocalityError::Escapes { radius, reach: radius })
         };
         let half = radius / (D as f64).sqrt();
-        // Halved until the ends are near enough; if 2⁻¹⁰ of the ball is too much, so is all of it.
+        // The ends are moved closer until no competitor can leave the ball.
         let mut shares = (0..=10).map(|k| 0.5_f64.powi(k));
         let Some(share) = shares.find(|share| reach(constants, D, share * half) <= radius) else {
             let reach = reach(constants, D, half * 0.5_f64.powi(10));
@@ -48,14 +49,14 @@ impl<M: LocallyBounded<D>, const D: usize> MetricCase<WithConstants<M>, D> {
     }
 }
 
-/// How far a competitor may come from the centre of a cube of this half-width that holds the ends.
+/// How far a competitor may get from the centre of a cube of this half-width that holds the ends.
 fn reach(constants: Constants, dimension: usize, half: f64) -> f64 {
     let diagonal = half * (dimension as f64).sqrt();
     // The farthest point of a bounded set: the mirror image of one end in the other.
     let end = 3.0 * diagonal;
     let upper = constants.c2().sqrt() * 2.0 * diagonal;
     let from_end = PaperRule::BOTH.map(|rule| {
-        // What a sequence may spend falls with N.
+        // The energy that a competitor may have falls with N.
         let everywhere = |_| Ok::<_, LocalError>(constants);
         let region = competitors(dimension, rule, NonZeroUsize::MIN, upper, everywhere);
         region.map_or(f64::INFINITY, |region| region.radius)

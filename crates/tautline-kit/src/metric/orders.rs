@@ -1,48 +1,45 @@
 //! The observed orders of convergence of one metric.
 
-use nalgebra::SVector;
 use tautline::Bounded;
 use tautline_statements::{LIBRARY, PaperRule, Reconstruction, VerifyError};
 
 use super::{
     Case,
-    formula::winding,
+    formula::on_winding,
     problems::{Posed, estimated},
 };
 use crate::{
-    Failure, Fault,
-    met::IDLE,
+    Fault,
+    margin::IDLE,
     order::{median, order},
     report::{LawResult, Tried},
-    sampling::{COSTLY, for_all},
 };
 
 /// The grids of the fits.
 const WINDOW: [usize; 4] = [32, 64, 128, 256];
 
-/// How far below the order a slope may be: the next term of the expansion is smaller by some
-/// `10/N`, which tilts a line over the window by 0.2 at most.
+/// How far a slope may fall short of the order: the next term of the expansion is smaller by some
+/// `10/N`, which tilts a line over the window by at most 0.2.
 const TILT: f64 = 0.2;
 
-/// Of so many problems the median is judged: of one, the leading coefficient may happen to be
-/// small, and the line is then that of a sum which changes its sign.
+/// The median over this many problems counts: in a single one the leading coefficient may happen to
+/// be small, so that the error changes sign.
 const PROBLEMS: usize = 5;
 
-/// The grids and the number of problems: above three dimensions, where a solve costs `D³`, the
-/// finest grid and two problems less.
+/// The grids and the number of problems. Above three dimensions, where a solve costs `D³`, the
+/// finest grid is left out, and two problems.
 const fn window_and_problems(dimension: usize) -> (&'static [usize], usize) {
     if dimension <= 3 { (&WINDOW, PROBLEMS) } else { (WINDOW.split_at(3).0, PROBLEMS - 2) }
 }
 
-/// The errors of one problem: of the discrete energy and of the energy of the curve, for each grid
-/// where they are not rounding.
+/// The errors of the discrete energy and of the energy of the curve for one problem, on each grid
+/// where they exceed rounding.
 type Errors = [Vec<(usize, f64)>; 2];
 
-/// Fits `|E_N − d²|` and `E(γᵖˡ) − d²` for the rule, and compares with their orders.
+/// `|E_N − d²|` and `E(γᵖˡ) − d²` fall with the order of the rule and with 2.
 pub(super) fn orders<const D: usize>(case: &Case<'_, D>, rule: PaperRule, least: f64) -> LawResult {
     case.solvable()?;
     let (window, problems) = window_and_problems(D);
-    let failure = |fault: Fault| Failure { fault, sample: None, seed: case.effort.seed };
     let mut slopes = [Vec::new(), Vec::new()];
     let mut solved = 0;
     let mut stuck = None;
@@ -58,25 +55,22 @@ pub(super) fn orders<const D: usize>(case: &Case<'_, D>, rule: PaperRule, least:
                 }
             }
             Err(error @ VerifyError::NotConverged { .. }) => stuck = Some(error),
-            Err(error) => return Err(failure(error.into())),
+            Err(error) => return Err(case.effort.failure(error)),
         }
     }
     if let (0, Some(error)) = (solved, stuck) {
         let tried = problems as u64;
-        return Err(failure(Fault::NotSolved { failed: tried, tried, error }));
+        return Err(case.effort.failure(Fault::NotSolved { failed: tried, tried, error }));
     }
     let [discrete, curve] = slopes.map(median);
-    observed([discrete, curve], least, window).map_err(failure)?;
-    let word = |order: Option<f64>| match order {
-        Some(order) => format!("{order:.2}"),
-        None => "exact".to_owned(),
-    };
+    observed([discrete, curve], least, window).map_err(|fault| case.effort.failure(fault))?;
+    let word = |order: Option<f64>| order.map_or("exact".to_owned(), |order| format!("{order:.2}"));
     let note = format!("observed {} and {} over N = {window:?}", word(discrete), word(curve));
     Ok(Tried::cases(solved * window.len() as u64).with_note(note))
 }
 
-/// Compares the slopes of both errors with the order of the rule and with 2; there is none where
-/// errors are rounding.
+/// Compares the slopes of both errors with the order of the rule and with 2. A slope is missing
+/// where the errors are rounding.
 fn observed(
     [discrete, curve]: [Option<f64>; 2],
     least: f64,
@@ -100,9 +94,7 @@ fn errors<const D: usize>(
     rule: PaperRule,
     k: usize,
 ) -> Result<Errors, VerifyError> {
-    let point =
-        |k: usize| case.ends.at(&SVector::from_fn(|i, _| ((k + 1) as f64 * winding(i)).fract()));
-    let posed = Posed::between(point(k), point(k + 1));
+    let posed = Posed::between(on_winding(&case.ends, k + 1), on_winding(&case.ends, k + 2));
     let known = case.known(&posed, &[])?;
     let mut errors = [Vec::new(), Vec::new()];
     for &n in window_and_problems(D).0 {
@@ -110,7 +102,7 @@ fn errors<const D: usize>(
         let pair = [seen.discrete_energy, seen.energy.value];
         for (errors, energy) in errors.iter_mut().zip(pair) {
             let error = (energy - seen.distance_squared).abs();
-            // Ten times what may be wrong about it tilts a line no more than its next term does.
+            // An uncertainty of a tenth tilts a line no more than the next term does.
             if error > 10.0 * seen.granted {
                 errors.push((n, error));
             }
@@ -119,37 +111,31 @@ fn errors<const D: usize>(
     Ok(errors)
 }
 
-/// `d^g` is zero from a point to itself, symmetric, and the limit of the minimal discrete energies.
+/// `d^g` is zero from a point to itself, symmetric, and at most the length of the minimisers.
 pub(super) fn distances<const D: usize>(case: &Case<'_, D>) -> LawResult {
-    let Some(distance) = &case.distance else {
-        return Ok(Tried::cases(0).with_note("no distance is known"));
-    };
+    let Some(distance) = &case.distance else { return Ok(Tried::none("no distance is known")) };
     case.solvable()?;
     let metric = &case.metric;
-    let pairs = (case.ends.uniform(), case.ends.uniform());
-    for_all(&case.effort, case.effort.problems, COSTLY, pairs, |(a, b)| {
-        let (Some(d), Some(back)) = (distance(a, b), distance(b, a)) else {
-            return Ok(IDLE);
-        };
+    case.effort.for_all_problems((case.ends.uniform(), case.ends.uniform()), |(a, b)| {
+        let (Some(d), Some(back)) = (distance(a, b), distance(b, a)) else { return Ok(IDLE) };
         let point: Vec<f64> = a.iter().chain(b).copied().collect();
         // As in `Known::between`.
         let size = (a.norm() + b.norm()) * metric.constants().c2().sqrt();
         let granted = 32.0 * f64::EPSILON * size;
-        Fault::unless_at_most("|d(x, y) − d(y, x)| = 0", [(d - back).abs(), 0.0], granted, &point)?;
+        Fault::unless_zero("|d(x, y) − d(y, x)| = 0", (d - back).abs(), granted, &point)?;
         let own = distance(a, a).unwrap_or(0.0);
-        Fault::unless_at_most("d(x, x) = 0", [own.abs(), 0.0], granted, &point)?;
+        Fault::unless_zero("d(x, x) = 0", own.abs(), granted, &point)?;
         if (b - a).norm() < case.ends.size() / 64.0 {
             return Ok(f64::INFINITY);
         }
-        let known =
-            match estimated(metric, Posed::between(*a, *b).ends().map_err(VerifyError::from)?, &[])
-            {
-                Ok(known) => known,
-                Err(VerifyError::NotConverged { .. }) => return Ok(IDLE),
-                Err(error) => return Err(error.into()),
-            };
+        let ends = Posed::between(*a, *b).ends().map_err(VerifyError::from)?;
+        let known = match estimated(metric, ends, &[]) {
+            Ok(known) => known,
+            Err(VerifyError::NotConverged { .. }) => return Ok(IDLE),
+            Err(error) => return Err(error.into()),
+        };
         let granted = granted + known.distance_error;
-        // A solver may miss the shortest curve, but finds none that is shorter.
+        // A solver may miss the shortest curve, but never finds a shorter one.
         Fault::unless_at_most("d(x, y) ≤ length of a curve", [d, known.distance], granted, &point)
     })
 }

@@ -1,4 +1,4 @@
-//! Problems in a region: pairs of sets of every kind, with a distance that is known or estimated.
+//! Problems in a region: pairs of sets of every kind, with known or estimated distances.
 
 use nalgebra::SVector;
 use proptest::prelude::*;
@@ -14,7 +14,7 @@ use crate::Region;
 /// The grid from which a distance is extrapolated, over 8, 32 and 128.
 const REFERENCE: usize = 512;
 
-/// What the two sets are.
+/// The kinds of the two sets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     Points,
@@ -46,8 +46,8 @@ pub(super) struct Posed<const D: usize> {
 }
 
 impl<const D: usize> Posed<D> {
-    /// Problems of one kind, with `a` and `b` an eighth of the longest edge apart at least. Two
-    /// points on an axis of symmetry may have a saddle between them, so that none is special.
+    /// Problems of one kind, with `a` and `b` at least an eighth of the longest edge apart. No point
+    /// is special, since between two points on an axis of symmetry there may be a saddle.
     pub(super) fn problems(kind: Kind, region: &Region<D>) -> impl Strategy<Value = Self> + use<D> {
         let apart = region.size() / 8.0;
         (region.uniform(), region.uniform(), region.uniform())
@@ -57,13 +57,12 @@ impl<const D: usize> Posed<D> {
             .prop_map(move |(a, b, further)| Self { kind, a, b, further })
     }
 
-    /// Two points at these fractions of the edges.
+    /// The problem between two points.
     pub(super) fn between(a: SVector<f64, D>, b: SVector<f64, D>) -> Self {
         Self { kind: Kind::Points, a, b, further: b }
     }
 
-    /// The two sets. Radii are a quarter of the distance of `a` and `b`, half-widths so small
-    /// that the diagonal is.
+    /// The two sets. Radii, and half the diagonals of boxes, are a quarter of `|b − a|`.
     pub(super) fn ends(&self) -> Result<Ends<D>, SetError> {
         let Self { a, b, further, .. } = *self;
         let radius = self.radius();
@@ -76,20 +75,18 @@ impl<const D: usize> Posed<D> {
                 Ends::new(Ball::new(a, radius)?, HalfSpace::at_least(normal, normal.dot(&b))?)
             }
             Kind::BoxToBall => Ends::new(AxisBox::new(a, half)?, Ball::new(b, radius)?),
-            Kind::PointToFiniteSet => Ends::new(
-                FiniteSet::new::<SVector<f64, D>>([a])?,
-                FiniteSet::new::<SVector<f64, D>>([b, further])?,
-            ),
+            Kind::PointToFiniteSet => {
+                Ends::new(FiniteSet::new([a])?, FiniteSet::new([b, further])?)
+            }
             Kind::FiniteSetToBox => {
-                // Of the two points, `further` may lie in the box; then the distance is 0, which is
-                // a problem too, so the second point mirrors `b` instead.
+                // `further` may lie in the box, at the distance 0, so the second point mirrors `b`.
                 let mirrored = a * 2.0 - b;
-                Ends::new(FiniteSet::new::<SVector<f64, D>>([a, mirrored])?, AxisBox::new(b, half)?)
+                Ends::new(FiniteSet::new([a, mirrored])?, AxisBox::new(b, half)?)
             }
         }
     }
 
-    /// The two sets as they are near these members of theirs: in a finite set each stands alone.
+    /// The two sets near these members, with a finite set replaced by its member.
     pub(super) fn ends_near(
         &self,
         [first, last]: [SVector<f64, D>; 2],
@@ -108,24 +105,23 @@ impl<const D: usize> Posed<D> {
         0.25 * (self.b - self.a).norm()
     }
 
-    /// A third point, an eighth of the longest edge from `a` at least.
+    /// A third point, at least an eighth of the longest edge from `a`.
     pub(super) fn further(&self) -> SVector<f64, D> {
         self.further
     }
 
-    /// The two points, if that is what the sets are.
+    /// The two points, if the sets are points.
     pub(super) fn points(&self) -> Option<[SVector<f64, D>; 2]> {
         (self.kind == Kind::Points).then_some([self.a, self.b])
     }
 }
 
 impl<'m, const D: usize> Case<'m, D> {
-    /// The problem with its distance: the exact one where the metric knows it, else one that is
-    /// extrapolated from a fine grid.
+    /// The problem with its distance: exact where the metric knows it, else extrapolated from a fine
+    /// grid.
     ///
-    /// An estimate changes by `error` with the last order of extrapolation; ten times that is
-    /// granted, and `10⁻¹³` for rounding. Curves that were met on other grids may be `shorter`
-    /// than what the fine grid leads to, and are starts for it.
+    /// The error of an estimate is ten times its last change by extrapolation, plus `10⁻¹³` for
+    /// rounding. Curves from other grids that may be `shorter` are starts of the fine grid.
     pub(super) fn known(
         &self,
         posed: &Posed<D>,
@@ -147,7 +143,7 @@ impl<'m, const D: usize> Case<'m, D> {
         Ok(Known { metric, ends: posed.ends()?, distance, distance_error })
     }
 
-    /// The problem with a distance that was found before, and how far it may be off.
+    /// The problem with a distance found before, and its error bound.
     pub(super) fn with_distance(
         &self,
         posed: &Posed<D>,
@@ -155,10 +151,8 @@ impl<'m, const D: usize> Case<'m, D> {
     ) -> Result<Known<&AnyBounded<'m, D>, D>, VerifyError> {
         Ok(Known { metric: &self.metric, ends: posed.ends()?, distance, distance_error })
     }
-}
 
-impl<'m, const D: usize> Case<'m, D> {
-    /// Two points with the distance that the metric says, as in [`Known::between`].
+    /// Two points with the distance that the metric knows, as in [`Known::between`].
     pub(super) fn told(
         &self,
         [a, b]: [SVector<f64, D>; 2],
@@ -171,8 +165,7 @@ impl<'m, const D: usize> Case<'m, D> {
     }
 }
 
-/// The problem with a distance that is extrapolated from a fine grid, as for
-/// [`Case::known`].
+/// The problem with a distance extrapolated from a fine grid, see [`Case::known`].
 pub(super) fn estimated<M: Bounded<D>, const D: usize>(
     metric: M,
     ends: Ends<D>,

@@ -1,4 +1,4 @@
-//! The constants of a metric in every point of the region, by branch and bound.
+//! The constants of a metric over the whole region, by branch and bound.
 
 use nalgebra::SVector;
 use tautline::{
@@ -8,7 +8,7 @@ use tautline::{
 
 use super::{Case, claims::judge, extreme::Extreme};
 use crate::{
-    Claim, Failure, Fault, Proof, Standing,
+    Claim, Fault, Proof, Standing,
     report::{LawResult, Tried},
 };
 
@@ -22,8 +22,7 @@ impl Claim {
         }
     }
 
-    /// To one percent, with so many boxes as take a fraction of a second: the derivatives cost
-    /// more.
+    /// To one percent, with as many boxes as take a fraction of a second; derivatives cost more.
     fn accuracy(self, dimension: usize) -> Accuracy {
         let budget = match self {
             Claim::C1 | Claim::C2 => 20_000,
@@ -34,8 +33,8 @@ impl Claim {
         Accuracy { tolerance: 1e-2, budget }
     }
 
-    /// What the claim is about at a point where it is known to be `attained`, in the best direction
-    /// that is found from the axes.
+    /// The extreme at a point where the value `attained` is known, in the worst direction found from
+    /// the axes.
     fn at<const D: usize>(
         self,
         metric: &impl Metric<D>,
@@ -43,11 +42,9 @@ impl Claim {
         attained: f64,
     ) -> Extreme<D> {
         let axes = (0..D).map(|i| SVector::from_fn(|k, _| if k == i { 1.0 } else { 0.0 }));
-        let worst = axes
-            .map(|axis: SVector<f64, D>| self.measure(metric, x, &axis))
-            .reduce(|a, b| if self.worse(b.value, a.value) { b } else { a });
-        let mut found =
-            worst.unwrap_or(Extreme { value: attained, point: *x, direction: SVector::zeros() });
+        let worst = self.worst(axes.map(|axis| self.measure(metric, x, &axis)));
+        let unknown = Extreme { value: attained, point: *x, direction: SVector::zeros() };
+        let mut found = worst.unwrap_or(unknown);
         if self.worse(attained, found.value) {
             found.value = attained;
         }
@@ -57,12 +54,11 @@ impl Claim {
 
 /// Encloses each constant over the region, from the formula of the metric.
 ///
-/// A claim that the bounds contradict is refused with the point, from where an ascent makes the
-/// most of it. Where the claim is on the right side of both bounds it is proved; between them, it
-/// is right as far as they are apart. Where the boxes do not suffice the bounds that were reached
-/// still prove or refute, without a point, and between them nothing is decided; in more than three
-/// dimensions, and of a formula that cannot be recorded, nothing is tried: the standing of each
-/// constant says which.
+/// A claim is proved if it is on the right side of both bounds, and right to their distance if it is
+/// between them. A claim that the bounds contradict is refused, with the point to which an ascent
+/// from the box leads. If the boxes run out, the bounds reached so far may still prove or refute the
+/// claim, but without a point. Nothing is tried above three dimensions, or if the formula cannot be
+/// recorded. The standing of each constant says which of these it was.
 pub(super) fn constants<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let (metric, region) = (&case.metric, &case.region);
     let constants = metric.constants();
@@ -71,13 +67,10 @@ pub(super) fn constants<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let unrecorded = metric.metric.formula().err();
     if D > 3 || unrecorded.is_some() {
         let standings = claims.map(|(claim, _)| Standing { claim, proof: Proof::NotTried });
-        let tried = match unrecorded {
-            Some(error) => Tried::cases(0).with_note(error.to_string()),
-            None => Tried::cases(0),
-        };
+        let tried = unrecorded.map_or(Tried::cases(0), |error| Tried::none(error.to_string()));
         return Ok(Tried { standings: standings.collect(), ..tried });
     }
-    let failure = |fault| Failure { fault, sample: None, seed: case.effort.seed };
+    let failure = |fault| case.effort.failure(fault);
     let corner = |share| region.at(&SVector::repeat(share));
     let cell = Cell::new(corner(0.0), corner(1.0));
     let domain = Domain::cell(cell.map_err(|error| failure(Fault::Unproved(error)))?);

@@ -4,29 +4,27 @@ use std::num::NonZeroUsize;
 
 use nalgebra::SVector;
 use proptest::prelude::*;
-use tautline_statements::{self as statements, LIBRARY, curves::SmoothCurve};
-
-use super::{Case, statements::judge};
-use crate::{
-    Region,
-    report::LawResult,
-    sampling::{CHEAP, for_all},
+use tautline_statements::{
+    self as statements, AnyBounded, Evidence, LIBRARY, VerifyError, curves::SmoothCurve,
 };
 
-/// One sample in so many of the other laws: of each the energy is integrated to rounding.
+use super::{Case, statements::judge};
+use crate::{Effort, Region, report::LawResult};
+
+/// One sample in so many of the other laws, since the energy of each is integrated to rounding.
 const FEWER: u32 = 4;
 
 /// ```text
 /// γ(t)  =  (1 − t)³ a + 3 (1 − t)² t p + 3 (1 − t) t² q + t³ b
 /// ```
 ///
-/// A weighted mean of the four points at every time, so that it stays in a box in which they are.
+/// A weighted mean of the four points at every time, which therefore stays in a box around them.
 fn cubic<const D: usize>([a, p, q, b]: [SVector<f64, D>; 4]) -> SmoothCurve<D> {
     SmoothCurve::polynomial([a, (p - a) * 3.0, (a - p * 2.0 + q) * 3.0, b - a + (p - q) * 3.0])
 }
 
-/// Three curves of the region between the same points: one that goes where it likes, one half as
-/// far from the straight line, and that line.
+/// Three curves of the region between the same points: a random cubic, one half as far from the
+/// straight line, and that line.
 fn curves<const D: usize>(
     region: &Region<D>,
 ) -> impl Strategy<Value = [SmoothCurve<D>; 3]> + use<D> {
@@ -39,28 +37,27 @@ fn curves<const D: usize>(
     )
 }
 
-impl<const D: usize> Case<'_, D> {
-    /// Evaluates Proposition 7.6 on smooth curves, with `N` from 1 to 8.
-    pub(super) fn of_curves(&self) -> LawResult {
-        self.solvable()?;
-        let samples = (curves(&self.region), subintervals());
-        for_all(&self.effort, self.effort.cases.div_ceil(FEWER), CHEAP, samples, |(curves, n)| {
-            judge(&statements::prop_7_6(&LIBRARY, &self.metric, &curves[0], *n)?)
-        })
-    }
+/// What a statement says about smooth curves under `N` subintervals.
+type OfCurves<'m, const D: usize> =
+    fn(&AnyBounded<'m, D>, &[SmoothCurve<D>; 3], NonZeroUsize) -> Result<Evidence, VerifyError>;
 
-    /// Evaluates Proposition 7.7 on three smooth curves, with `N` from 1 to 8.
-    pub(super) fn of_families(&self) -> LawResult {
-        self.solvable()?;
-        let samples = (curves(&self.region), subintervals());
-        for_all(&self.effort, self.effort.cases.div_ceil(FEWER), CHEAP, samples, |(curves, n)| {
-            judge(&statements::prop_7_7(&LIBRARY, &self.metric, curves, *n)?)
-        })
-    }
+/// Proposition 7.6, on smooth curves with `N` from 1 to 8.
+pub(super) fn prop_7_6<const D: usize>(case: &Case<'_, D>) -> LawResult {
+    of_curves(case, |metric, [curve, ..], n| statements::prop_7_6(&LIBRARY, metric, curve, n))
 }
 
-fn subintervals() -> impl Strategy<Value = NonZeroUsize> {
-    (1..=8_usize).prop_filter_map("positive", NonZeroUsize::new)
+/// Proposition 7.7, on three smooth curves with `N` from 1 to 8.
+pub(super) fn prop_7_7<const D: usize>(case: &Case<'_, D>) -> LawResult {
+    of_curves(case, |metric, curves, n| statements::prop_7_7(&LIBRARY, metric, curves, n))
+}
+
+fn of_curves<'m, const D: usize>(case: &Case<'m, D>, statement: OfCurves<'m, D>) -> LawResult {
+    case.solvable()?;
+    let subintervals = (1..=8_usize).prop_filter_map("positive", NonZeroUsize::new);
+    let effort = Effort { cases: case.effort.cases.div_ceil(FEWER), ..case.effort };
+    effort.for_all((curves(&case.region), subintervals), |(curves, n)| {
+        judge(&statement(&case.metric, curves, *n)?)
+    })
 }
 
 #[cfg(test)]

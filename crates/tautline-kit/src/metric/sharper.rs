@@ -1,17 +1,15 @@
 //! The sharper statements as laws of a metric.
 
 use tautline_statements::{
-    Evidence, LIBRARY, PaperRule, lemma_s_2, lemma_s_3, lemma_s_4, lemma_s_5, prop_s_6, prop_s_8,
-    theorem_a, theorem_b, theorem_c, theorem_d,
+    LIBRARY, PaperRule, lemma_s_2, lemma_s_3, lemma_s_4, lemma_s_5, prop_s_6, prop_s_8, theorem_a,
+    theorem_b, theorem_c, theorem_d,
 };
 
-use super::{Case, solutions::Minimiser, statements::judge};
-use crate::{Fault, met::Met, report::LawResult};
-
-/// What is met in several evidences.
-fn judge_all(evidence: impl IntoIterator<Item = Evidence>) -> Result<Met, Fault> {
-    evidence.into_iter().try_fold(Met::nothing(), |all, one| Ok(all.and(judge(&one)?)))
-}
+use super::{
+    Case,
+    statements::{judge, judge_all},
+};
+use crate::report::LawResult;
 
 /// Lemmas S.2 and S.3.
 pub(super) fn of_sequences<const D: usize>(case: &Case<'_, D>) -> LawResult {
@@ -25,7 +23,7 @@ pub(super) fn of_sequences<const D: usize>(case: &Case<'_, D>) -> LawResult {
 
 /// Lemmas S.4 and S.5. Between ends that touch there is no speed to compare with.
 pub(super) fn of_minima<const D: usize>(case: &Case<'_, D>) -> LawResult {
-    case.of_both_rules(&|minimiser: &Minimiser<'_, D>| {
+    case.of_both_rules(&|minimiser| {
         let seen = minimiser.seen;
         let speeds = (seen.distance_squared > 0.0).then(|| lemma_s_5(&LIBRARY, seen));
         judge_all([lemma_s_4(&LIBRARY, seen)].into_iter().chain(speeds))
@@ -34,7 +32,7 @@ pub(super) fn of_minima<const D: usize>(case: &Case<'_, D>) -> LawResult {
 
 /// Theorems A to D.
 pub(super) fn theorems<const D: usize>(case: &Case<'_, D>) -> LawResult {
-    case.of_both_rules(&|minimiser: &Minimiser<'_, D>| {
+    case.of_both_rules(&|minimiser| {
         let seen = minimiser.seen;
         let first_order = [theorem_a(&LIBRARY, seen), theorem_c(&LIBRARY, seen)];
         let second_order = [theorem_b(&LIBRARY, seen), theorem_d(&LIBRARY, seen)];
@@ -44,14 +42,10 @@ pub(super) fn theorems<const D: usize>(case: &Case<'_, D>) -> LawResult {
 
 /// Proposition S.6.
 pub(super) fn enclosures<const D: usize>(case: &Case<'_, D>) -> LawResult {
-    case.of_both_rules(&|minimiser: &Minimiser<'_, D>| {
-        judge(&prop_s_6(&LIBRARY, minimiser.seen, 0.0)?)
-    })
+    case.of_both_rules(&|minimiser| judge(&prop_s_6(&LIBRARY, minimiser.seen, 0.0)?))
 }
 
 /// Proposition S.8.
 pub(super) fn localities<const D: usize>(case: &Case<'_, D>) -> LawResult {
-    case.of_both_rules(&|minimiser: &Minimiser<'_, D>| {
-        judge(&prop_s_8(&LIBRARY, minimiser.known, minimiser.seen)?)
-    })
+    case.of_both_rules(&|minimiser| judge(&prop_s_8(&LIBRARY, minimiser.known, minimiser.seen)?))
 }

@@ -1,4 +1,4 @@
-//! The solved problems of one metric: minimisers, and the curves they are compared with.
+//! The solved problems of a metric: minimisers, and the curves they are compared with.
 
 use std::cell::{Cell, RefCell};
 
@@ -16,13 +16,12 @@ use super::{
     statements::judge,
 };
 use crate::{
-    Effort, Failure, Fault,
-    met::Met,
+    Effort, Fault,
+    margin::Margin,
     report::{LawResult, Tried},
-    sampling::{COSTLY, for_all},
 };
 
-/// What a statement says of a minimiser.
+/// A statement about a minimiser.
 type OfMinimisers<const D: usize> = fn(&Subject, &Reconstruction<D>) -> Evidence;
 
 /// One minimiser of a solved problem.
@@ -33,8 +32,8 @@ pub(super) struct Minimiser<'a, const D: usize> {
 }
 
 impl<const D: usize> Minimiser<'_, D> {
-    /// Another way from the one set to the other with as many subintervals: by a third point, from
-    /// the member of the first set that is nearest to it, to that of the second.
+    /// A detour with as many subintervals by way of a third point, between the members of the two sets
+    /// nearest to it.
     pub(super) fn detour(&self) -> Result<PointSequence<D>, VerifyError> {
         let via = self.posed.further();
         let [a, b] = self.sets().map(|set| set.project(&via));
@@ -46,7 +45,7 @@ impl<const D: usize> Minimiser<'_, D> {
         admissible(self.sets(), points.collect())
     }
 
-    /// The minimiser with each point moved a little, by less than a 64th of its mean step.
+    /// The minimiser with each point moved by less than a 64th of its mean step.
     pub(super) fn moved(&self) -> Result<PointSequence<D>, VerifyError> {
         let step = self.seen.k3 / (64.0 * self.seen.n.get() as f64 * (D as f64).sqrt());
         let points = self.seen.minimum.sequence.points().iter().zip(1_u32..);
@@ -56,7 +55,7 @@ impl<const D: usize> Minimiser<'_, D> {
         admissible(self.sets(), moved.collect())
     }
 
-    /// What is found if the search may begin at another sequence, too.
+    /// The result of a search that may also start from another sequence.
     pub(super) fn again(&self, other: &PointSequence<D>) -> Result<PointSequence<D>, VerifyError> {
         let options = Options { starts: Starts::Also(vec![other.clone()]), ..Options::default() };
         let Known { metric, ends, .. } = self.known;
@@ -73,7 +72,7 @@ impl<const D: usize> Minimiser<'_, D> {
     }
 }
 
-/// The sequence of these points with its ends moved to the sets.
+/// The sequence of these points, with its ends projected to the sets.
 fn admissible<const D: usize>(
     sets: [&dyn ClosedSet<D>; 2],
     mut points: Vec<SVector<f64, D>>,
@@ -90,14 +89,13 @@ fn enough(failed: u64, tried: u64, error: VerifyError) -> Result<(), Fault> {
 }
 
 impl<const D: usize> Case<'_, D> {
-    /// Evaluates a statement about minimisers of a rule.
+    /// Checks a statement about minimisers of a rule.
     pub(super) fn of_minimisers(&self, rule: PaperRule, statement: OfMinimisers<D>) -> LawResult {
         self.of_solutions(rule, &|minimiser| judge(&statement(&LIBRARY, minimiser.seen)))
     }
 
-    /// Evaluates a statement about minimisers of a rule, some of whose claims are attained for
-    /// every metric: equalities of constants, and what is equal at `N = 1`. A report shows the
-    /// overestimation of another claim, or none.
+    /// Checks a statement with claims that every metric attains: equalities of constants, and
+    /// equalities at `N = 1`. A report shows the overestimation of another claim, or none.
     pub(super) fn of_constants(
         &self,
         rule: PaperRule,
@@ -106,76 +104,76 @@ impl<const D: usize> Case<'_, D> {
     ) -> LawResult {
         self.of_solutions(rule, &|minimiser| {
             let evidence = statement(&LIBRARY, minimiser.seen);
-            let met = judge(&evidence)?;
-            let shown =
-                || shown.map_or(f64::INFINITY, |claim| evidence.conclusion(claim).overestimation());
-            Ok(if met.is_idle() { met } else { Met { overestimation: shown(), ..met } })
+            let mut margin = judge(&evidence)?;
+            if !margin.is_idle() {
+                margin.overestimation = shown
+                    .map_or(f64::INFINITY, |claim| evidence.conclusion(claim).overestimation());
+            }
+            Ok(margin)
         })
     }
 
-    /// Tries a law on the minimisers of both rules.
+    /// Checks a law on the minimisers of both rules.
     pub(super) fn of_both_rules(
         &self,
-        law: &dyn Fn(&Minimiser<'_, D>) -> Result<Met, Fault>,
+        law: &dyn Fn(&Minimiser<'_, D>) -> Result<Margin, Fault>,
     ) -> LawResult {
         let of = |rule| self.of_solutions(rule, law);
         Ok(of(PaperRule::Trapezoidal)?.and(of(PaperRule::LeftEndpoint)?))
     }
 
-    /// Tries a law on minimisers of a rule, between sets of every kind and for every `N` of the
+    /// Checks a law on minimisers of a rule, between sets of every kind and for every `N` of the
     /// effort.
     ///
-    /// That the solver gets stuck is no fault of the metric; if it does for most problems, nothing
+    /// That the solver gets stuck is no fault of the metric. If it does for most problems, nothing
     /// was tested, and that is a fault.
     pub(super) fn of_solutions(
         &self,
         rule: PaperRule,
-        law: &dyn Fn(&Minimiser<'_, D>) -> Result<Met, Fault>,
+        law: &dyn Fn(&Minimiser<'_, D>) -> Result<Margin, Fault>,
     ) -> LawResult {
         self.solvable()?;
-        let cases = self.effort.problems.div_ceil(Kind::ALL.len() as u32);
+        let problems = self.effort.problems.div_ceil(Kind::ALL.len() as u32);
         let (failed, idle) = (Cell::new(0_u64), Cell::new(0_u64));
         let last: RefCell<Option<VerifyError>> = RefCell::default();
         let mut tried = Tried::cases(0);
         for (offset, kind) in Kind::ALL.into_iter().enumerate() {
-            let effort =
-                Effort { seed: self.effort.seed.wrapping_add(offset as u64), ..self.effort };
+            let seed = self.effort.seed.wrapping_add(offset as u64);
+            let effort = Effort { seed, problems, ..self.effort };
             let problems = Posed::problems(kind, &self.ends);
-            let one = for_all(&effort, cases, COSTLY, problems, |posed| {
+            tried = tried.and(effort.for_all_problems(problems, |posed| {
                 match self.solution(rule, posed) {
                     Ok(solution) => {
                         let known = &self.with_distance(posed, solution.distance)?;
-                        solution.minimisers.iter().try_fold(Met::nothing(), |all, seen| {
-                            let met = law(&Minimiser { posed, known, seen });
+                        solution.minimisers.iter().try_fold(Margin::idle(), |all, seen| {
+                            let margin = law(&Minimiser { posed, known, seen });
                             let points = seen.minimum.sequence.points();
-                            let met = met.map_err(|fault| self.explained(fault, points))?;
-                            idle.set(idle.get() + u64::from(met.is_idle()));
-                            Ok(all.and(met))
+                            let margin = margin.map_err(|fault| self.explained(fault, points))?;
+                            idle.set(idle.get() + u64::from(margin.is_idle()));
+                            Ok(all.and(margin))
                         })
                     }
                     Err(error @ VerifyError::NotConverged { .. }) => {
                         failed.set(failed.get() + 1);
                         last.replace(Some(error));
-                        Ok(Met::nothing())
+                        Ok(Margin::idle())
                     }
                     Err(error) => Err(error.into()),
                 }
-            })?;
-            tried = tried.and(one);
+            })?);
         }
         let failed = failed.get();
         if let Some(error) = last.into_inner() {
-            let failure = |fault| Failure { fault, sample: None, seed: self.effort.seed };
-            enough(failed, tried.cases, error).map_err(failure)?;
+            enough(failed, tried.cases, error).map_err(|fault| self.effort.failure(fault))?;
             tried = tried.with_note(format!("{failed} problems without a minimum"));
         }
-        // Not of problems, but of minimisers.
+        // Of minimisers, not of problems.
         tried.cases = (tried.cases - failed) * self.effort.subintervals.len() as u64;
         tried.idle = idle.get();
         Ok(tried)
     }
 
-    /// The minimisers of one problem for every `N` of the effort, from memory if they are there.
+    /// The minimisers of one problem for every `N` of the effort, computed once.
     fn solution(&self, rule: PaperRule, posed: &Posed<D>) -> Solutions<D> {
         let memory = match rule {
             PaperRule::Trapezoidal => &self.solved.trapezoidal,
@@ -193,7 +191,7 @@ impl<const D: usize> Case<'_, D> {
         };
         let solution: Solution<D> = observe(self.known(posed, &[])?)?;
         let all = &solution.minimisers;
-        // A grid may lead to a shorter curve than the one by which the distance was estimated.
+        // A grid may lead to a shorter curve than the one that the estimate comes from.
         if all.iter().all(|seen| seen.energy.value + seen.granted >= seen.distance_squared) {
             return Ok(solution);
         }
@@ -210,7 +208,7 @@ mod tests {
     use crate::Fault;
 
     #[test]
-    fn half_of_the_problems_have_to_be_solved() {
+    fn half_of_the_problems_must_be_solved() {
         let error = || VerifyError::NotConverged {
             n: 8,
             stop: Stop::Converged,

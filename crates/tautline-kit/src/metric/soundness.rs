@@ -1,4 +1,4 @@
-//! Whether a formula can be computed with: what is looked at before problems are solved with it.
+//! Whether a formula is sound: checked before problems are solved with it.
 
 use nalgebra::SVector;
 use tautline::{Bounded, check_gram};
@@ -13,29 +13,25 @@ use crate::{
     report::{LawResult, Tried},
 };
 
-/// Beyond so many times a constant, or the size of `H` over the region, no claim was meant.
+/// A value this many times a constant, or the size of `H` over the region, is not a loose claim.
 const GROSS: f64 = 1e3;
 
-/// Places on each chord where a NaN is looked for, besides its ends.
+/// How many parts of each chord are searched for a NaN.
 const BETWEEN: u32 = 64;
 
-/// A law of metrics.
-type Law<const D: usize> = fn(&Case<'_, D>) -> LawResult;
-
 impl<const D: usize> Case<'_, D> {
-    /// Fails in one line if a law of the formula does: of a metric that is not continuous the
-    /// solver makes minutes of stalled searches, and nothing that a statement could be blamed for.
+    /// Fails at once if a law of the formula does. On a discontinuous metric the solver stalls for
+    /// minutes, and the failures of statements would show nothing.
     ///
-    /// That constants are wrong is no reason, unless grossly: the statements that rest on them say
-    /// so.
+    /// Wrong constants are no reason, unless grossly wrong: the statements that rest on them say so.
     pub(super) fn solvable(&self) -> Result<(), Failure> {
         let Some(law) = *self.solved.broken.get_or_init(|| self.broken()) else { return Ok(()) };
-        Err(Failure { fault: Fault::NotTried { law }, sample: None, seed: self.effort.seed })
+        Err(self.effort.failure(Fault::NotTried { law }))
     }
 
-    /// The name of a law that does not hold of the formula.
+    /// The name of a law of the formula that fails.
     fn broken(&self) -> Option<&'static str> {
-        let laws: [(_, Law<D>); 6] = [
+        let laws: [(_, fn(&Case<'_, D>) -> LawResult); 6] = [
             ("is_finite_and_symmetric", formula::finite_and_symmetric),
             ("is_positive_definite", formula::positive_definite),
             ("jets_agree_with_differences", formula::jets),
@@ -60,8 +56,8 @@ impl<const D: usize> Case<'_, D> {
         }
     }
 
-    /// Puts in place of a fault of which a side is NaN that of `H` at these points, or on a chord
-    /// between them, if it has one there, and else the law of the formula that fails.
+    /// Replaces a fault with a NaN side by a fault of `H` at these points or on the chords between
+    /// them, or else by the law of the formula that fails.
     pub(super) fn explained(&self, fault: Fault, points: &[SVector<f64, D>]) -> Fault {
         if !fault.is_nan() {
             return fault;
@@ -74,13 +70,13 @@ impl<const D: usize> Case<'_, D> {
         if let Some(error) = all.find_map(|x| check_gram(&self.metric, &x).err()) {
             return Fault::Metric(error);
         }
-        // A quadrature may have met it, or what is beside a jump.
+        // Only a quadrature met it, or it lies beside a jump.
         self.solvable().map_or_else(|failure| failure.fault, |()| fault)
     }
 }
 
-/// By the mean value theorem differences are bounded where derivatives are. If the derivatives
-/// keep to `L_H` as far as was looked, and differences do not, `H` jumps.
+/// By the mean value theorem, differences are bounded where derivatives are. If no derivative was
+/// found beyond `L_H`, but a difference was, `H` jumps.
 fn continuous<const D: usize>(case: &Case<'_, D>) -> LawResult {
     lipschitz(case).or_else(|failure| match search(case, Claim::LH) {
         Ok(_) => Err(failure),
@@ -96,7 +92,7 @@ mod tests {
 
     use crate::{Effort, Fault, MetricCase, Region, metric};
 
-    /// `H = 3 + sin x₂`, and `½` more right of `x₁ = 1`, or `0 · √(x₁ − 1)`, or a pole at `x₁ = 1`.
+    /// `H = 3 + sin x₂` plus a jump by `½` at `x₁ = 1`, or `0 · √(x₁ − 1)`, or a pole at `x₁ = 1`.
     #[derive(Clone, Copy, PartialEq)]
     enum Odd {
         Jump,
@@ -142,7 +138,7 @@ mod tests {
                 assert_eq!(failure.fault.to_string(), format!("not tried: {law} fails"));
             }
         }
-        assert_eq!(case(Odd::Neither).behind_a_pointer().solvable(), Ok(()));
+        assert_eq!(case(Odd::Neither).erased().solvable(), Ok(()));
         // The derivative of a jump is 0 beside it.
         assert!(metric::l_h_bounds_the_derivative(&case(Odd::Jump)).holds());
     }
@@ -163,7 +159,7 @@ mod tests {
         };
         let points = [vector![1.5, 0.0], vector![0.0, 0.5], vector![2.0, 0.0]];
         let case = case(Odd::Domain);
-        let case = case.behind_a_pointer();
+        let case = case.erased();
         let Fault::Metric(MetricError::NotFinite { point, row: 0, column: 0, .. }) =
             case.explained(fault(f64::NAN), &points)
         else {

@@ -13,7 +13,6 @@ use crate::{
     difference_test::difference_test,
     order::order,
     report::{LawResult, Tried},
-    sampling::{CHEAP, for_all},
 };
 
 /// The grids of the fit: beyond the first terms of the expansion in `1/N`, and with errors far
@@ -24,18 +23,14 @@ const WINDOW: [usize; 4] = [128, 256, 512, 1024];
 /// `10/N`, which tilts the line by less than 0.05 over the window.
 const TILT: f64 = 0.05;
 
-pub(super) fn failure(case: &RuleCase<impl Rule>, fault: Fault) -> Failure {
-    Failure { fault, sample: None, seed: case.effort.seed }
-}
-
-/// Checks an inequality of the nodes, which has no point.
+/// Checks an inequality of the nodes, which is about no point.
 fn check(
     case: &RuleCase<impl Rule>,
     law: &'static str,
     pair: [f64; 2],
     granted: f64,
 ) -> Result<f64, Failure> {
-    Fault::unless_at_most(law, pair, granted, &[]).map_err(|fault| failure(case, fault))
+    Fault::unless_at_most(law, pair, granted, &[]).map_err(|fault| case.effort.failure(fault))
 }
 
 /// The weights are nonnegative and add up to 1.
@@ -50,7 +45,7 @@ pub(super) fn weights<R: Rule>(case: &RuleCase<R>) -> LawResult {
     Ok(Tried::cases(R::NODES.len() as u64))
 }
 
-/// The nodes lie on the chord, and there is one at least.
+/// There is a node, and all nodes lie on the chord.
 pub(super) fn nodes<R: Rule>(case: &RuleCase<R>) -> LawResult {
     check(case, "1 ≤ number of nodes", [1.0, R::NODES.len() as f64], 0.0)?;
     for node in R::NODES {
@@ -60,7 +55,7 @@ pub(super) fn nodes<R: Rule>(case: &RuleCase<R>) -> LawResult {
     Ok(Tried::cases(R::NODES.len() as u64))
 }
 
-/// Where the random sequences of the laws below are.
+/// Where the random sequences of the laws below lie.
 fn region() -> Region<2> {
     Region::cell([-2.0, -2.0], [2.0, 2.0])
 }
@@ -68,10 +63,9 @@ fn region() -> Region<2> {
 /// Under a constant metric the discrete energy is `(1/N) Σ βᵀAβ`, the energy of the curve.
 pub(super) fn constant_metrics<R: Rule>(case: &RuleCase<R>) -> LawResult {
     let matrix = SMatrix::<f64, 2, 2>::new(2.0, 1.0, 1.0, 3.0);
-    let metric = Constant::new(matrix)
-        .map_err(|_| failure(case, Fault::NoSample { why: "no matrix".to_owned() }))?;
+    let metric = Constant::new(matrix).expect("positive definite");
     let points = proptest::collection::vec(region().uniform(), 2..=9);
-    for_all(&case.effort, case.effort.cases, CHEAP, points, |points| {
+    case.effort.for_all(points, |points| {
         let sequence = PointSequence::new(points.clone()).map_err(VerifyError::from)?;
         let n = sequence.n().get() as f64;
         let exact = sequence.differences().map(|beta| beta.dot(&(matrix * beta))).sum::<f64>() / n;
@@ -80,65 +74,55 @@ pub(super) fn constant_metrics<R: Rule>(case: &RuleCase<R>) -> LawResult {
         let point: Vec<f64> = points.iter().flatten().copied().collect();
         // A dozen roundings a term, and as many nodes.
         let granted = 1e-14 * (1 + R::NODES.len()) as f64 * exact;
-        Fault::unless_at_most(law, [(energy - exact).abs(), 0.0], granted, &point)
+        Fault::unless_zero(law, (energy - exact).abs(), granted, &point)
     })
 }
 
 /// The gradient by the `N + 1` points is that of the energy.
 pub(super) fn gradient<R: Rule>(case: &RuleCase<R>) -> LawResult {
-    let metric = shear(case)?;
+    let metric = shear();
     let points = proptest::collection::vec((region().uniform(), region().uniform()), 2..=9);
-    for_all(&case.effort, case.effort.cases, CHEAP, points, |pairs| {
+    case.effort.for_all(points, |pairs| {
         let at = |t: f64| -> Result<PointSequence<2>, VerifyError> {
             Ok(PointSequence::new(pairs.iter().map(|(x, v)| x + v * t).collect())?)
         };
-        let (energy, gradient) = energy_gradient(case.rule, &metric, &at(0.0)?);
-        let own = case.rule.energy(&metric, &at(0.0)?);
+        let start = at(0.0)?;
+        let (energy, gradient) = energy_gradient(case.rule, &metric, &start);
+        let own = case.rule.energy(&metric, &start);
         let point: Vec<f64> = pairs.iter().flat_map(|(x, _)| x).copied().collect();
         let law = "the energy beside the gradient is the energy";
         // Sums of the same terms, a dozen roundings each.
-        let granted = 1e-13 * own.abs();
-        Fault::unless_at_most(law, [(energy - own).abs(), 0.0], granted, &point)?;
+        Fault::unless_zero(law, (energy - own).abs(), 1e-13 * own.abs(), &point)?;
         let along: f64 = gradient.iter().zip(pairs).map(|(g, (_, v))| g.dot(v)).sum();
         let terms: f64 = gradient.iter().zip(pairs).map(|(g, (_, v))| g.norm() * v.norm()).sum();
-        // Finite points at all steps, which are at most 1/16.
+        // The steps are at most 1/16, so that all points are finite.
         let line = |t: f64| [at(t).map_or(f64::NAN, |s| case.rule.energy(&metric, &s))];
-        difference_test(&[along], line, 1.0, own + terms).map_err(|off| Fault::Broken {
-            law: "|∇E_N·v − its central difference| = O(h²)",
-            left: off.error,
-            right: 0.0,
-            granted: off.granted,
-            point,
-            other: None,
-        })?;
+        let law = "|∇E_N·v − its central difference| = O(h²)";
+        difference_test(&[along], line, 1.0, own + terms).map_err(|off| off.of(law, &point))?;
         Ok(f64::INFINITY)
     })
 }
 
 /// The shear of amplitude ½, on which no symmetry hides an order.
-fn shear(case: &RuleCase<impl Rule>) -> Result<Shear, Failure> {
-    Shear::new(0.5, 1.0).map_err(|_| failure(case, Fault::NoSample { why: "no shear".to_owned() }))
+fn shear() -> Shear {
+    Shear::new(0.5, 1.0).expect("a wave number")
 }
 
-/// `E_N,min − d²` falls like `N⁻ᑫ` with the claimed `q` at least, on a shear from `(0, 0)` to
+/// `E_N,min − d²` falls at least like `N⁻ᑫ` with the claimed `q`, on a shear from `(0, 0)` to
 /// `(2, 3)`.
 pub(super) fn exponent<R: Rule>(case: &RuleCase<R>) -> LawResult {
-    let metric = shear(case)?;
-    let known = Known::between(metric, [0.0, 0.0], [2.0, 3.0]).map_err(VerifyError::from);
-    let known = known.map_err(|error| failure(case, error.into()))?;
-    let Some(known) = known else {
-        return Err(failure(case, Fault::NoSample { why: "no distance".to_owned() }));
-    };
+    let metric = shear();
+    let known = Known::between(metric, [0.0, 0.0], [2.0, 3.0]).expect("finite");
+    let known = known.expect("a shear knows its distances");
     let d2 = known.distance.powi(2);
     let mut errors = Vec::new();
     for n in WINDOW {
         let minimum = minimise(&metric, &known.ends, case.rule, n, &Options::default())
-            .map_err(|error| failure(case, VerifyError::from(error).into()))?;
+            .map_err(|error| case.effort.failure(VerifyError::from(error)))?;
         let saddle = matches!(minimum.curvature, Curvature::Indefinite { .. });
         if minimum.stop != Stop::Converged || saddle {
             let (stop, curvature) = (minimum.stop, minimum.curvature);
-            let error = VerifyError::NotConverged { n, stop, curvature };
-            return Err(failure(case, error.into()));
+            return Err(case.effort.failure(VerifyError::NotConverged { n, stop, curvature }));
         }
         let error = (minimum.energy - d2).abs();
         // Ten times the rounding of sums of N terms and of the points, some 10⁻¹³ d².
@@ -146,14 +130,14 @@ pub(super) fn exponent<R: Rule>(case: &RuleCase<R>) -> LawResult {
             errors.push((n, error));
         }
     }
-    let cases = WINDOW.len() as u64;
+    let tried = Tried::cases(WINDOW.len() as u64);
     if errors.len() < 3 {
-        return Ok(Tried::cases(cases).with_note("observed exact"));
+        return Ok(tried.with_note("observed exact"));
     }
     let (found, least) = (order(&errors), f64::from(R::ERROR_EXPONENT) - TILT);
     if found >= least {
-        return Ok(Tried::cases(cases).with_note(format!("observed {found:.3} over {WINDOW:?}")));
+        return Ok(tried.with_note(format!("observed {found:.3} over {WINDOW:?}")));
     }
-    let window = WINDOW.to_vec();
-    Err(failure(case, Fault::Order { what: "|E_N − d²|", found, least, window }))
+    let (what, window) = ("|E_N − d²|", WINDOW.to_vec());
+    Err(case.effort.failure(Fault::Order { what, found, least, window }))
 }

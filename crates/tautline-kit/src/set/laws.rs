@@ -1,195 +1,169 @@
-//! The laws of a closed set, each at one sample.
+//! The laws of a closed set, each checked on random samples.
+
+use std::cell::Cell;
 
 use nalgebra::SVector;
-use tautline::{ClosedSet, Interval};
+use tautline::Interval;
 use tautline_statements::extreme_eigenvalues;
 
-use super::SetCase;
+use super::Case;
 use crate::{
-    Failure, Fault,
-    met::IDLE,
+    Fault,
+    difference_test::largest,
+    margin::IDLE,
     region::directions,
     report::{LawResult, Tried},
-    sampling::{CHEAP, for_all},
 };
 
-/// How much larger than the region the cubes are from which points are sent to the set: a set that
-/// is larger than the region shows there.
+/// How much larger than the region the cubes are from which points are projected: they reach
+/// members outside the region.
 const FAR: [f64; 3] = [1.0, 8.0, 512.0];
 
 /// The step of the differences of `P`, relative to the longest edge; a power of two.
 const STEP: f64 = 1.0 / 131_072.0;
 
-/// A place counts as smooth if the differences of `P` to both sides differ by no more than this:
+/// `P` counts as smooth at a point if its differences to both sides differ by no more than this:
 /// `h |D²P|`. The central difference is then off by `h² |D³P|/6`, which for `|D³P|` of the size of
 /// `|D²P|²` or `|D²P|/ℓ` is far below `OFF`.
 const SMOOTH: f64 = 1e-3;
 
-/// Accuracy of a central difference of a smooth `P`: its truncation, above, and the rounding
-/// `ε |x|/h` of points of the size of the region.
+/// The accuracy of a central difference of a smooth `P`: its truncation, see above, and the
+/// rounding `ε |x|/h` of points of the size of the region.
 const OFF: f64 = 1e-5;
 
-/// What rounding makes of a coordinate of `P(x)`: a hundred roundings of numbers of the size of
-/// `x`, of the region, and of `P(x)`.
-fn rounding<S: ClosedSet<D>, const D: usize>(
-    case: &SetCase<'_, S, D>,
-    points: &[&SVector<f64, D>],
-) -> f64 {
-    let size = points.iter().map(|x| x.norm()).fold(case.region.reach(), f64::max);
-    64.0 * (D as f64).sqrt() * f64::EPSILON * size
+impl<const D: usize> Case<'_, D> {
+    /// The rounding of a coordinate of `P(x)`: a hundred roundings of numbers of the size of `x`,
+    /// of the region, and of `P(x)`.
+    fn rounding(&self, points: &[&SVector<f64, D>]) -> f64 {
+        let size = points.iter().map(|x| x.norm()).fold(self.region.reach(), f64::max);
+        64.0 * (D as f64).sqrt() * f64::EPSILON * size
+    }
+
+    /// Checks a law at the projections of points near and far.
+    fn at_members(
+        &self,
+        law: impl Fn(&SVector<f64, D>, &SVector<f64, D>) -> Result<f64, Fault>,
+    ) -> LawResult {
+        FAR.into_iter().try_fold(Tried::cases(0), |tried, far| {
+            let samples = (self.region.points(), directions::<D>());
+            Ok(tried.and(self.effort.for_all(samples, |(x, w)| {
+                let y = x + w * (self.region.reach() * (far - 1.0));
+                law(&y, &self.set.project(&y))
+            })?))
+        })
+    }
 }
 
-/// `P(x)` is finite, and the same each time.
-pub(super) fn finite<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> LawResult {
-    let effort = &case.effort;
-    for_all(effort, effort.cases, CHEAP, case.region.points(), |x| {
-        let p = case.set.project(x);
-        let size = p.norm();
-        Fault::unless_at_most("|P(x)| < ∞", [size, f64::MAX], 0.0, x.as_slice())?;
+/// The rounding of the entries of `DP`, which are at most 1, with some `D²` roundings each.
+const fn derivative_rounding(dimension: usize) -> f64 {
+    64.0 * (dimension * dimension) as f64 * f64::EPSILON
+}
+
+/// `P(x)` and `DP(x)` are finite, and `P(x)` is the same each time.
+pub(super) fn finite<const D: usize>(case: &Case<'_, D>) -> LawResult {
+    case.at_points(|x| {
+        let (p, point) = (case.set.project(x), x.as_slice());
+        Fault::unless_at_most("|P(x)| < ∞", [p.norm(), f64::MAX], 0.0, point)?;
         let off = (case.set.project(x) - p).norm();
-        Fault::unless_at_most("P(x) is the same each time", [off, 0.0], 0.0, x.as_slice())?;
-        let derivative = case.set.projection_derivative(x);
-        let largest = derivative.iter().fold(0.0, |largest: f64, entry| {
-            // `max` would drop a NaN.
-            if largest.is_nan() || entry.abs() <= largest { largest } else { entry.abs() }
-        });
-        Fault::unless_at_most("|DP(x)| < ∞", [largest, f64::MAX], 0.0, x.as_slice())?;
+        Fault::unless_zero("P(x) is the same each time", off, 0.0, point)?;
+        let entry = largest(case.set.projection_derivative(x).iter().copied());
+        Fault::unless_at_most("|DP(x)| < ∞", [entry, f64::MAX], 0.0, point)?;
         Ok(f64::INFINITY)
     })
 }
 
 /// `P(P(x)) = P(x)`.
-pub(super) fn idempotent<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> LawResult {
-    let effort = &case.effort;
-    for_all(effort, effort.cases, CHEAP, case.region.points(), |x| {
+pub(super) fn idempotent<const D: usize>(case: &Case<'_, D>) -> LawResult {
+    case.at_points(|x| {
         let p = case.set.project(x);
         let moved = (case.set.project(&p) - p).norm();
-        Fault::unless_at_most(
-            "P(P(x)) = P(x)",
-            [moved, 0.0],
-            rounding(case, &[x, &p]),
-            x.as_slice(),
-        )
+        Fault::unless_zero("P(P(x)) = P(x)", moved, case.rounding(&[x, &p]), x.as_slice())
     })
 }
 
-/// No member is nearer to `x` than `P(x)`: not `P(y)` for any other `y`, nor for a `y` near `x`,
-/// near `P(x)`, or on the way from one to the other.
-pub(super) fn nearest<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> LawResult {
-    let effort = &case.effort;
+/// No member is nearer to `x` than `P(x)`: neither a seed, nor `P(y)` for any other `y`, for a `y`
+/// near `x` or `P(x)`, or for one between them.
+pub(super) fn nearest<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let samples = (case.region.pairs(), directions::<D>(), 1..=12_i32);
-    for_all(effort, effort.cases, CHEAP, samples, |([x, y], w, halvings)| {
+    case.effort.for_all(samples, |([x, y], w, halvings)| {
         let p = case.set.project(x);
         let step = case.region.size() * 0.5_f64.powi(*halvings);
         let others = [*y, x + w * step, p + w * step, (x + p) * 0.5 + w * step];
-        others.iter().chain(&case.set.seeds()).try_fold(
-            f64::INFINITY,
-            |overestimation: f64, other| {
-                let q = case.set.project(other);
-                let pair = [(x - p).norm(), (x - q).norm()];
-                let granted = rounding(case, &[x, &p, &q]);
-                let law = "|x − P(x)| ≤ |x − member|";
-                let found = Fault::unless_at_most(law, pair, granted, x.as_slice());
-                Ok(overestimation.min(found.map_err(|fault| fault.with_member(q.as_slice()))?))
-            },
-        )
+        let others = others.into_iter().chain(case.set.seeds());
+        others.map(|other| case.set.project(&other)).try_fold(f64::INFINITY, |least: f64, q| {
+            let pair = [(x - p).norm(), (x - q).norm()];
+            let granted = case.rounding(&[x, &p, &q]);
+            let law = "|x − P(x)| ≤ |x − member|";
+            let found = Fault::unless_at_most(law, pair, granted, x.as_slice());
+            Ok(least.min(found.map_err(|fault| fault.with_member(q.as_slice()))?))
+        })
     })
 }
 
-/// No member is longer than the radius; the members are looked for far out, too.
-pub(super) fn radius<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> LawResult {
-    let Some(radius) = case.set.radius() else {
-        return Ok(Tried::cases(0).with_note("unbounded, it says"));
-    };
-    members(case, |y, member| {
-        let granted = rounding(case, &[y, member]);
+/// No member is longer than the radius.
+pub(super) fn radius<const D: usize>(case: &Case<'_, D>) -> LawResult {
+    let Some(radius) = case.set.radius() else { return Ok(Tried::none("claims no bound")) };
+    case.at_members(|y, member| {
+        let granted = case.rounding(&[y, member]);
         Fault::unless_at_most("|member| ≤ radius", [member.norm(), radius], granted, y.as_slice())
     })
 }
 
-/// No member is outside of the enclosing ball; the members are looked for far out, too.
-pub(super) fn ball<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> LawResult {
+/// No member lies outside the enclosing ball.
+pub(super) fn ball<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let Some((centre, radius)) = case.set.enclosing_ball() else {
-        return Ok(Tried::cases(0).with_note("unbounded, it says"));
+        return Ok(Tried::none("claims no bound"));
     };
-    members(case, |y, member| {
-        let granted = rounding(case, &[y, member, &centre]);
+    case.at_members(|y, member| {
+        let granted = case.rounding(&[y, member, &centre]);
         let away = (member - centre).norm();
         Fault::unless_at_most("|member − centre| ≤ radius", [away, radius], granted, y.as_slice())
     })
 }
 
-/// A law at the projections of points near and far.
-fn members<S: ClosedSet<D>, const D: usize>(
-    case: &SetCase<'_, S, D>,
-    law: impl Fn(&SVector<f64, D>, &SVector<f64, D>) -> Result<f64, Fault>,
-) -> LawResult {
-    let effort = &case.effort;
-    let mut tried = Tried::cases(0);
-    for far in FAR {
-        let samples = (case.region.points(), directions::<D>());
-        tried = tried.and(for_all(effort, effort.cases, CHEAP, samples, |(x, w)| {
-            let y = x + w * (case.region.reach() * (far - 1.0));
-            law(&y, &case.set.project(&y))
-        })?);
-    }
-    Ok(tried)
-}
-
-/// A set that says it is convex: `P` does not expand, `x − P(x)` and the set make obtuse angles,
-/// the middle of two members is a member, `DP` has its eigenvalues in `[0, 1]`, and there are no
-/// seeds.
-pub(super) fn convex<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> LawResult {
-    let effort = &case.effort;
+/// For a set that claims to be convex: `P` does not expand, `x − P(x)` and the set make obtuse
+/// angles, the midpoint of two members is a member, the eigenvalues of `DP` lie in `[0, 1]`, and
+/// there are no seeds.
+pub(super) fn convex<const D: usize>(case: &Case<'_, D>) -> LawResult {
     if !case.set.is_convex() {
-        return Ok(Tried::cases(0).with_note("not convex, as far as it says"));
+        return Ok(Tried::none("claims no convexity"));
     }
-    if let Some(seed) = case.set.seeds().first() {
-        let fault = Fault::Broken {
-            law: "a convex set has no seeds",
-            left: case.set.seeds().len() as f64,
-            right: 0.0,
-            granted: 0.0,
-            point: seed.as_slice().to_vec(),
-            other: None,
-        };
-        return Err(Failure { fault, sample: None, seed: effort.seed });
-    }
-    for_all(effort, effort.cases, CHEAP, case.region.pairs(), |[x, y]| {
+    let seeds = case.set.seeds();
+    let first = seeds.first().map_or(&[][..], |seed| seed.as_slice());
+    Fault::unless_zero("a convex set has no seeds", seeds.len() as f64, 0.0, first)
+        .map_err(|fault| case.effort.failure(fault))?;
+    case.effort.for_all(case.region.pairs(), |[x, y]| {
         let (p, q) = (case.set.project(x), case.set.project(y));
-        let granted = rounding(case, &[x, y, &p, &q]);
+        let (point, granted) = (x.as_slice(), case.rounding(&[x, y, &p, &q]));
         let pair = [(p - q).norm(), (x - y).norm()];
         let overestimation =
-            Fault::unless_at_most("|P(x) − P(y)| ≤ |x − y|", pair, granted, x.as_slice())?;
+            Fault::unless_at_most("|P(x) − P(y)| ≤ |x − y|", pair, granted, point)?;
         let angle = (x - p).dot(&(q - p));
-        // Each factor is off by the rounding, the other one of the size of the lengths.
+        // Each factor is off by the rounding times the size of the other.
         let lengths = (x - p).norm() + (q - p).norm();
         let law = "(x − P(x))·(member − P(x)) ≤ 0";
-        Fault::unless_at_most(law, [angle, 0.0], granted * (lengths + granted), x.as_slice())
+        Fault::unless_at_most(law, [angle, 0.0], granted * (lengths + granted), point)
             .map_err(|fault| fault.with_member(q.as_slice()))?;
         let middle = (p + q) * 0.5;
         let off = (case.set.project(&middle) - middle).norm();
-        let law = "the middle of two members is a member";
-        Fault::unless_at_most(law, [off, 0.0], granted, middle.as_slice())?;
+        let law = "the midpoint of two members is a member";
+        Fault::unless_zero(law, off, granted, middle.as_slice())?;
         let (low, high) = extreme_eigenvalues(&case.set.projection_derivative(x));
-        // Entries up to 1 with D² roundings or so.
-        let granted = 64.0 * (D * D) as f64 * f64::EPSILON;
-        Fault::unless_at_most("0 ≤ eigenvalues of DP(x)", [-low, 0.0], granted, x.as_slice())?;
-        Fault::unless_at_most("eigenvalues of DP(x) ≤ 1", [high, 1.0], granted, x.as_slice())?;
+        let granted = derivative_rounding(D);
+        Fault::unless_at_most("0 ≤ eigenvalues of DP(x)", [-low, 0.0], granted, point)?;
+        Fault::unless_at_most("eigenvalues of DP(x) ≤ 1", [high, 1.0], granted, point)?;
         Ok(overestimation)
     })
 }
 
-/// `DP` is symmetric, and the derivative of `P` where that is smooth.
-pub(super) fn derivative<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> LawResult {
-    let effort = &case.effort;
+/// `DP` is symmetric, and the derivative of `P` where `P` is smooth.
+pub(super) fn derivative<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let step = case.region.size() * STEP;
-    let smooth = std::cell::Cell::new(0_u64);
-    let tried = for_all(effort, effort.cases, CHEAP, case.region.points(), |x| {
+    let smooth = Cell::new(0_u64);
+    let tried = case.at_points(|x| {
         let derivative = case.set.projection_derivative(x);
         let skew = (derivative - derivative.transpose()).norm();
-        let granted = 64.0 * (D * D) as f64 * f64::EPSILON;
-        Fault::unless_at_most("|DP(x) − DP(x)ᵀ| = 0", [skew, 0.0], granted, x.as_slice())?;
+        Fault::unless_zero("|DP(x) − DP(x)ᵀ| = 0", skew, derivative_rounding(D), x.as_slice())?;
         let p = case.set.project(x);
         let mut columns = Vec::with_capacity(D);
         for j in 0..D {
@@ -204,34 +178,28 @@ pub(super) fn derivative<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, 
         smooth.set(smooth.get() + 1);
         for (j, column) in columns.iter().enumerate() {
             let off = (derivative.column(j) - column).norm();
-            let granted = OFF + rounding(case, &[x, &p]) / step;
+            let granted = OFF + case.rounding(&[x, &p]) / step;
             let law = "|DP(x) eⱼ − its central difference| = O(h²)";
-            Fault::unless_at_most(law, [off, 0.0], granted, x.as_slice())?;
+            Fault::unless_zero(law, off, granted, x.as_slice())?;
         }
         Ok(f64::INFINITY)
     })?;
     if smooth.get() == 0 && tried.cases > 0 {
         let why = "P is smooth at none of the samples".to_owned();
-        return Err(Failure { fault: Fault::NoSample { why }, sample: None, seed: effort.seed });
+        return Err(case.effort.failure(Fault::NoSample { why }));
     }
-    let note = format!("smooth at {} of them", smooth.get());
-    Ok(tried.with_note(note))
+    Ok(tried.with_note(format!("smooth at {} of them", smooth.get())))
 }
 
 /// Seeds are members, and the nearest member of a union is that of one of its pieces.
-pub(super) fn seeds_and_pieces<S: ClosedSet<D>, const D: usize>(
-    case: &SetCase<'_, S, D>,
-) -> LawResult {
-    let effort = &case.effort;
-    let members = |point: &SVector<f64, D>| {
-        let off = (case.set.project(point) - point).norm();
-        let granted = rounding(case, &[point]);
-        Fault::unless_at_most("a seed is a member", [off, 0.0], granted, point.as_slice())
-    };
+pub(super) fn seeds_and_pieces<const D: usize>(case: &Case<'_, D>) -> LawResult {
     for seed in case.set.seeds() {
-        members(&seed).map_err(|fault| Failure { fault, sample: None, seed: effort.seed })?;
+        let off = (case.set.project(&seed) - seed).norm();
+        let granted = case.rounding(&[&seed]);
+        Fault::unless_zero("a seed is a member", off, granted, seed.as_slice())
+            .map_err(|fault| case.effort.failure(fault))?;
     }
-    for_all(effort, effort.cases, CHEAP, case.region.points(), |x| {
+    case.at_points(|x| {
         let p = case.set.project(x);
         let pieces = case.set.pieces().iter();
         let nearest =
@@ -241,37 +209,31 @@ pub(super) fn seeds_and_pieces<S: ClosedSet<D>, const D: usize>(
         }
         let law = "the nearest piece is as near as the union";
         let off = (nearest - (p - x).norm()).abs();
-        Fault::unless_at_most(law, [off, 0.0], rounding(case, &[x, &p]), x.as_slice())
+        Fault::unless_zero(law, off, case.rounding(&[x, &p]), x.as_slice())
     })
 }
 
-/// The box that is said to contain a member is as small as rounding, lies in the set up to
-/// rounding, and as near to `x` as `P(x)`. That a member lies in it is the author's proof: no
-/// sample decides that.
-pub(super) fn proved_members<S: ClosedSet<D>, const D: usize>(
-    case: &SetCase<'_, S, D>,
-) -> LawResult {
-    let effort = &case.effort;
-    let at = |fraction: f64| case.region.at(&SVector::repeat(fraction));
-    if case.set.member_near(&at(0.5)).is_none() {
-        return Ok(Tried::cases(0).with_note("it proves no members"));
+/// The box that is claimed to contain a member is as small as rounding, lies in the set up to
+/// rounding, and is as near to `x` as `P(x)`. That it contains a member needs a proof by the
+/// author: no sample decides it.
+pub(super) fn proved_members<const D: usize>(case: &Case<'_, D>) -> LawResult {
+    if case.set.member_near(&case.on_diagonal(0.5)).is_none() {
+        return Ok(Tried::none("proves no members"));
     }
-    for_all(effort, effort.cases, CHEAP, case.region.points(), |x| {
+    case.at_points(|x| {
         let p = case.set.project(x);
+        let granted = case.rounding(&[x, &p]);
         for y in [x, &p] {
-            let near = case.set.member_near(y);
+            let (near, point) = (case.set.member_near(y), y.as_slice());
             let near = near.unwrap_or_else(|| SVector::repeat(Interval::UNDEFINED));
-            let granted = rounding(case, &[x, &p]);
             let width = near.map(|side| side.width()).norm();
-            let law = "a box about a member, of no width";
-            Fault::unless_at_most(law, [width, 0.0], granted, y.as_slice())?;
+            Fault::unless_zero("a box about a member, of no width", width, granted, point)?;
             let middle = near.map(|side| side.midpoint());
             let off = (case.set.project(&middle) - middle).norm();
-            let law = "|P(y) − y| = 0 in a box about a member";
-            Fault::unless_at_most(law, [off, 0.0], granted, y.as_slice())?;
+            Fault::unless_zero("|P(y) − y| = 0 in a box about a member", off, granted, point)?;
             let pair = [(y - middle).norm(), (y - case.set.project(y)).norm()];
             let law = "|x − box about a member| ≤ |x − P(x)|";
-            Fault::unless_at_most(law, pair, granted, y.as_slice())?;
+            Fault::unless_at_most(law, pair, granted, point)?;
         }
         Ok(f64::INFINITY)
     })

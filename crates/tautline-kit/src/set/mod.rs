@@ -1,17 +1,18 @@
 //! The laws of a closed set.
 //!
-//! One function a law, of the name that its test has in [`set_suite!`](crate::set_suite).
+//! One function per law, named like its test in [`set_suite!`](crate::set_suite).
 
 mod laws;
-mod liar;
+mod mutants;
 
+use nalgebra::SVector;
 use tautline::ClosedSet;
 
-use super::{Effort, Outcome, Region, Report};
+use super::{Effort, Fault, Region, Report, report::LawResult};
 
-/// A closed set, where to look, and for how long.
+/// A closed set, where to sample it, and how thoroughly.
 ///
-/// The region should reach beyond the set, or beyond its boundary if it is unbounded.
+/// The region should reach beyond the set, or beyond its boundary if the set is unbounded.
 #[derive(Clone, Copy, Debug)]
 pub struct SetCase<'a, S, const D: usize> {
     set: &'a S,
@@ -20,13 +21,36 @@ pub struct SetCase<'a, S, const D: usize> {
 }
 
 impl<'a, S: ClosedSet<D>, const D: usize> SetCase<'a, S, D> {
-    /// A closed set and the region from which points are sent to it.
+    /// A closed set and the region of the points that are projected to it.
     pub fn new(set: &'a S, region: Region<D>, effort: Effort) -> Self {
         Self { set, region, effort }
     }
+
+    fn erased(&self) -> Case<'a, D> {
+        Case { set: self.set, region: self.region, effort: self.effort }
+    }
 }
 
-/// The laws, one a row: its name, what it says, and the function that tries it.
+/// The case as the laws see it, with the type of the set erased, so that they are compiled once.
+#[derive(Clone, Copy)]
+struct Case<'a, const D: usize> {
+    set: &'a dyn ClosedSet<D>,
+    region: Region<D>,
+    effort: Effort,
+}
+
+impl<const D: usize> Case<'_, D> {
+    fn at_points(&self, law: impl Fn(&SVector<f64, D>) -> Result<f64, Fault>) -> LawResult {
+        self.effort.for_all(self.region.points(), law)
+    }
+
+    /// The point on the diagonal of the region.
+    fn on_diagonal(&self, fraction: f64) -> SVector<f64, D> {
+        self.region.at(&SVector::repeat(fraction))
+    }
+}
+
+/// The laws, one per row: its name, what it says, and the function that checks it.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __set_laws {
@@ -42,7 +66,7 @@ macro_rules! __set_laws {
                 laws::radius;
             enclosing_ball_holds_the_members, "|member − centre| ≤ radius of the enclosing ball",
                 laws::ball;
-            a_claim_of_convexity_is_true, "|P(x) − P(y)| ≤ |x − y|, middles are members",
+            a_claim_of_convexity_is_true, "|P(x) − P(y)| ≤ |x − y|, midpoints are members",
                 laws::convex;
             derivative_is_that_of_the_projection, "DP is symmetric, and the limit of differences",
                 laws::derivative;
@@ -51,45 +75,31 @@ macro_rules! __set_laws {
             proved_members_are_nearest_members, "a box about a member lies in the set, near x",
                 laws::proved_members;
             refuses_a_nearest_point_of_another_place, "P(x + s) in place of P(x) is refused",
-                liar::beside;
+                mutants::beside;
             refuses_a_nearest_point_outside, "(x + P(x))/2 in place of P(x) is refused",
-                liar::halfway;
+                mutants::halfway;
             refuses_a_smaller_radius, "0.9 radius is refused, if it is attained",
-                liar::small_radius;
+                mutants::small_radius;
             refuses_a_smaller_enclosing_ball, "0.9 of its radius is refused, if it is attained",
-                liar::small_ball;
+                mutants::small_ball;
             refuses_a_wrong_derivative, "2 DP in place of DP is refused",
-                liar::derivative;
+                mutants::derivative;
             refuses_a_member_that_is_none, "a box beside P(x) is refused",
-                liar::member;
+                mutants::member;
         }
     };
 }
 
-/// One function a law, their names, and all of them in a row.
-macro_rules! functions {
-    ({} $($id:ident, $law:literal, $run:expr;)*) => {
-        $(
-            #[doc = concat!("Tries the law `", stringify!($id), "`: `", $law, "`.")]
-            pub fn $id<S: ClosedSet<D>, const D: usize>(case: &SetCase<'_, S, D>) -> Outcome {
-                let run: fn(&SetCase<'_, S, D>) -> super::report::LawResult = $run;
-                Outcome::new(stringify!($id), $law, run(case))
-            }
-        )*
-
-        /// The names of all laws, in the order of a report.
-        pub const LAWS: &[&str] = &[$(stringify!($id)),*];
-
-        /// Tries all laws on a closed set.
-        pub fn verify_set<S: ClosedSet<D>, const D: usize>(
-            set: &S,
-            region: &Region<D>,
-            effort: &Effort,
-        ) -> Report {
-            let case = SetCase::new(set, *region, *effort);
-            Report { outcomes: vec![$($id(&case)),*] }
-        }
-    };
+__set_laws! {
+    [super::laws::functions]
+    { [S: ClosedSet<D>, const D: usize] SetCase<'_, S, D>, SetCase::erased }
 }
 
-__set_laws! { [functions] {} }
+/// Checks all laws of a closed set.
+pub fn verify_set<S: ClosedSet<D>, const D: usize>(
+    set: &S,
+    region: &Region<D>,
+    effort: &Effort,
+) -> Report {
+    verify(&SetCase::new(set, *region, *effort))
+}

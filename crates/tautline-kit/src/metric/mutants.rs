@@ -1,18 +1,16 @@
-//! What has to be refused: samples that are wrong on purpose.
-
-use std::cell::Cell;
+//! Wrong metrics and wrong input, which must be refused.
 
 use nalgebra::{SMatrix, SVector};
 use tautline::{
-    Bounded, ClosedSet, Ends, HalfSpace, Options, Point, PointSequence, SetError, Trapezoidal,
-    minimise,
+    Bounded, ClosedSet, Constants, Ends, HalfSpace, Metric, Options, Point, PointSequence, Scalar,
+    Trapezoidal, minimise,
 };
 use tautline_statements::AnyBounded;
 
 use super::{
     case::Case,
     claims::{Found, search},
-    problems::Posed,
+    formula,
 };
 use crate::{
     Claim, Failure, Fault,
@@ -20,9 +18,8 @@ use crate::{
 };
 
 impl Claim {
-    /// The lie that is told of it: `c₁` five percent too large, `c₂` as much too small, `L_H` and
-    /// `M_H` ten percent too small.
-    fn lie(self) -> f64 {
+    /// The factor of the wrong constant.
+    fn mistake(self) -> f64 {
         match self {
             Claim::C1 => 1.05,
             Claim::C2 => 0.95,
@@ -31,42 +28,41 @@ impl Claim {
     }
 }
 
-/// Tells a lie about one constant, and fails if nobody notices.
+/// Makes one constant wrong, and fails if that is not noticed.
 ///
-/// If the claim itself is looser than the lie, the lie is true in this region, and there is
-/// nothing to refuse; the looseness is noted.
-pub(super) fn lie<const D: usize>(case: &Case<'_, D>, constant: Claim) -> LawResult {
+/// If the claim itself is looser than the mistake, the wrong constant still holds in this region,
+/// and there is nothing to refuse; a note says so.
+pub(super) fn constant<const D: usize>(case: &Case<'_, D>, constant: Claim) -> LawResult {
     let found = match search(case, constant) {
         Ok(Some(found)) => found,
-        Ok(None) => return Ok(Tried::cases(0).with_note("not claimed")),
-        // It has a law of its own.
+        Ok(None) => return Ok(Tried::none("not claimed")),
+        // A law of its own.
         Err(Failure { fault: Fault::Lie(_), .. }) => {
-            return Ok(Tried::cases(0).with_note("the claim itself does not hold"));
+            return Ok(Tried::none("the claim itself does not hold"));
         }
         Err(failure) => return Err(failure),
     };
-    let factor = constant.lie();
-    let looseness = factor.max(1.0 / factor);
-    // Beyond this the lie would have to be noticed by its last digits.
-    if !(found.overestimation < 1.0 + 0.9 * (looseness - 1.0)) {
-        let overestimation = found.overestimation;
-        return Ok(Tried::cases(0).with_note(if overestimation.is_finite() {
-            format!("not sharp in this region: looseness {overestimation:.3}")
-        } else {
-            "constant here: there is no lie to tell".to_owned()
+    let factor = constant.mistake();
+    // A mistake of nearly the looseness would show in the last digits only.
+    if !(found.overestimation < 1.0 + 0.9 * (factor.max(1.0 / factor) - 1.0)) {
+        return Ok(Tried::none(match found.overestimation {
+            overestimation if overestimation.is_finite() => {
+                format!("not sharp in this region: overestimation {overestimation:.3}")
+            }
+            _ => "constant here: no mistake shows".to_owned(),
         }));
     }
     let Some(constants) = constant.scaled(&case.metric.constants(), factor) else {
-        return Ok(Tried::cases(0).with_note("the lie contradicts c1 ≤ c2"));
+        return Ok(Tried::none("the mistake contradicts c1 ≤ c2"));
     };
-    // Other samples than those by which the claim was found to be sharp.
+    // Other samples than those that found the claim to be sharp.
     let effort = case.effort.with_seed(case.effort.seed.wrapping_add(1));
-    let liar = case.claiming(constants, effort);
-    verdict(found, search(&liar, constant).map_err(|failure| failure.fault))
-        .map_err(|fault| Failure { fault, sample: None, seed: case.effort.seed })
+    let wrong = search(&case.claiming(constants, effort), constant);
+    verdict(found, wrong.map_err(|failure| failure.fault))
+        .map_err(|fault| case.effort.failure(fault))
 }
 
-/// Judges the search for a lie: it has to end with that lie.
+/// Judges the search on a wrong constant, which has to find it out.
 fn verdict(truth: Found, search: Result<Option<Found>, Fault>) -> Result<Tried, Fault> {
     match search {
         Err(Fault::Lie(_)) => {
@@ -76,17 +72,16 @@ fn verdict(truth: Found, search: Result<Option<Found>, Fault>) -> Result<Tried, 
     }
 }
 
-/// Counts the refusals, and fails at the first thing that is not refused.
+/// Counts the refusals, and fails unless all were refused.
 fn refused<const D: usize>(case: &Case<'_, D>, what: &'static str, refusals: &[bool]) -> LawResult {
     if refusals.iter().all(|&refused| refused) {
         Ok(Tried::cases(refusals.len() as u64))
     } else {
-        let fault = Fault::NotRefused { what };
-        Err(Failure { fault, sample: None, seed: case.effort.seed })
+        Err(case.effort.failure(Fault::NotRefused { what }))
     }
 }
 
-/// Points and curves with a coordinate that is no number.
+/// Points and sequences with a coordinate that is not finite.
 pub(super) fn nan_points<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let good = case.region.at(&SVector::repeat(0.5));
     let refusals: Vec<bool> = (0..D)
@@ -105,18 +100,17 @@ pub(super) fn nan_points<const D: usize>(case: &Case<'_, D>) -> LawResult {
 /// `N = 0`.
 pub(super) fn no_subinterval<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let [a, b] = [0.25, 0.75].map(|fraction| case.region.at(&SVector::repeat(fraction)));
-    let ends = Posed::between(a, b).ends();
-    let solved = ends
+    let solved = Ends::points(a, b)
         .map(|ends| minimise(&&case.metric, &ends, Trapezoidal, 0, &Options::default()).is_ok());
     let refusals = [solved == Ok(false), PointSequence::straight(a, b, 0).is_err()];
     refused(case, "N = 0", &refusals)
 }
 
-/// Two half-spaces: Proposition 7.1 wants one of the sets bounded.
+/// Two half-spaces: Proposition 7.1 needs a bounded set.
 pub(super) fn two_unbounded_sets<const D: usize>(case: &Case<'_, D>) -> LawResult {
-    let half_space = |sign: f64| -> Result<HalfSpace<D>, SetError> {
+    let half_space = |sign: f64| {
         let normal = SVector::from_fn(|i, _| if i == 0 { sign } else { 0.0 });
-        HalfSpace::at_least(normal, case.region.size())
+        HalfSpace::<D>::at_least(normal, case.region.size())
     };
     let ends = half_space(1.0).and_then(|right| Ends::new(half_space(-1.0)?, right));
     refused(case, "a pair of unbounded sets", &[ends.is_err()])
@@ -140,7 +134,7 @@ impl<const D: usize> ClosedSet<D> for Empty {
     }
 }
 
-/// A problem to which one of the sets is empty.
+/// A problem with an empty set.
 pub(super) fn empty_set<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let point = || Point::new(case.region.at(&SVector::repeat(0.5)));
     let refusals = [
@@ -157,33 +151,28 @@ struct Torn<'a, const D: usize> {
     from: f64,
 }
 
-impl<const D: usize> tautline::Metric<D> for Torn<'_, D> {
-    fn gram<S: tautline::Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
+impl<const D: usize> Metric<D> for Torn<'_, D> {
+    fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         let mut h = self.metric.gram(x);
-        // √ of a negative number right of the middle; 0 · √ elsewhere.
+        // The root of a negative number right of the middle, times 0.
         h[(0, 0)] += (-x[0] + self.from).sqrt() * 0.0;
         h
     }
 }
 
 impl<const D: usize> Bounded<D> for Torn<'_, D> {
-    fn constants(&self) -> tautline::Constants {
+    fn constants(&self) -> Constants {
         self.metric.constants()
     }
 }
 
-/// The same formula where half of the region is outside of its domain.
+/// The same formula with half of the region outside its domain.
 pub(super) fn nan_metric<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let from = case.region.at(&SVector::repeat(0.5))[0];
     let torn = Torn { metric: &case.metric, from };
-    let torn = Case::new(&torn, case.region, case.effort);
-    let found = Cell::new(false);
-    if let Err(Failure { fault: Fault::Metric(_), .. }) =
-        super::formula::finite_and_symmetric(&torn)
-    {
-        found.set(true);
-    }
-    refused(case, "a metric that is NaN in half of the region", &[found.get()])
+    let found = formula::finite_and_symmetric(&Case::new(&torn, case.region, case.effort));
+    let is_found = matches!(found, Err(Failure { fault: Fault::Metric(_), .. }));
+    refused(case, "a metric that is NaN in half of the region", &[is_found])
 }
 
 #[cfg(test)]
@@ -191,7 +180,7 @@ mod tests {
     use tautline::gallery::Valleys;
     use tautline_statements::WithConstants;
 
-    use super::{Found, lie, refused, verdict};
+    use super::{Found, constant, refused, verdict};
     use crate::{Claim, Effort, Fault, Lie, Region, metric::Case};
 
     fn case(metric: &impl tautline::Bounded<2>) -> Case<'_, 2> {
@@ -199,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn a_lie_that_nobody_notices_is_a_fault() {
+    fn an_unnoticed_mistake_is_a_fault() {
         let found = || Found { cases: 7, overestimation: 1.0 };
         let lie = Lie {
             constant: Claim::C2,
@@ -218,18 +207,18 @@ mod tests {
     }
 
     #[test]
-    fn one_thing_that_is_not_refused_is_a_fault() {
+    fn one_missing_refusal_is_a_fault() {
         assert!(refused(&case(&Valleys), "it", &[true, true]).is_ok_and(|tried| tried.cases == 2));
         let failure = refused(&case(&Valleys), "it", &[true, false, true]).expect_err("the second");
         assert_eq!(failure.fault, Fault::NotRefused { what: "it" });
     }
 
-    /// Half of `L_H`: the law about `L_H` fails, and there is no other lie to tell.
+    /// With half of `L_H` the law about `L_H` itself fails.
     #[test]
-    fn no_lie_is_told_of_a_claim_that_does_not_hold() {
+    fn a_false_claim_is_not_made_worse() {
         let claimed = tautline::Bounded::<2>::constants(&Valleys);
         let constants = Claim::LH.scaled(&claimed, 0.5).expect("in order");
-        let tried = lie(&case(&WithConstants { metric: Valleys, constants }), Claim::LH);
+        let tried = constant(&case(&WithConstants { metric: Valleys, constants }), Claim::LH);
         let note = tried.expect("a note").note;
         assert_eq!(note.as_deref(), Some("the claim itself does not hold"));
     }

@@ -1,4 +1,4 @@
-//! Rules that lie: what the laws have to refuse.
+//! Wrong rules, which the laws must refuse.
 
 use tautline::{LeftEndpoint, Metric, Node, PointSequence, Rule};
 
@@ -10,18 +10,18 @@ use crate::{
 
 /// The left-endpoint rule with an exponent of 2.
 #[derive(Clone, Copy, Debug)]
-struct Boaster;
+struct WrongOrder;
 
-impl Rule for Boaster {
+impl Rule for WrongOrder {
     const NODES: &'static [Node] = LeftEndpoint::NODES;
     const ERROR_EXPONENT: i32 = 2;
 }
 
 /// Weights that add up to 0.9.
 #[derive(Clone, Copy, Debug)]
-struct Light;
+struct LightWeights;
 
-impl Rule for Light {
+impl Rule for LightWeights {
     const NODES: &'static [Node] = &[Node { fraction: 0.5, weight: 0.9 }];
     const ERROR_EXPONENT: i32 = 2;
 }
@@ -36,11 +36,11 @@ impl Rule for Beyond {
     const ERROR_EXPONENT: i32 = 2;
 }
 
-/// A rule whose energy is not the one that its nodes say.
+/// A rule with an energy that its nodes do not give.
 #[derive(Clone, Copy, Debug)]
-struct Other<R>(R);
+struct OtherEnergy<R>(R);
 
-impl<R: Rule> Rule for Other<R> {
+impl<R: Rule> Rule for OtherEnergy<R> {
     const NODES: &'static [Node] = R::NODES;
     const ERROR_EXPONENT: i32 = R::ERROR_EXPONENT;
 
@@ -49,7 +49,7 @@ impl<R: Rule> Rule for Other<R> {
     }
 }
 
-/// Fails if a law lets a rule pass that breaks it.
+/// Fails if a law accepts a rule that breaks it.
 fn refused<R: Rule, W: Rule>(
     case: &RuleCase<R>,
     wrong: W,
@@ -58,56 +58,56 @@ fn refused<R: Rule, W: Rule>(
 ) -> LawResult {
     match law(&RuleCase { rule: wrong, effort: case.effort }) {
         Err(_) => Ok(Tried::cases(1)),
-        Ok(_) => Err(laws::failure(case, Fault::NotRefused { what })),
+        Ok(_) => Err(case.effort.failure(Fault::NotRefused { what })),
     }
 }
 
 /// Weights that add up to 0.9, and nodes off the chord.
 pub(super) fn wrong_nodes<R: Rule>(case: &RuleCase<R>) -> LawResult {
-    Ok(refused(case, Light, laws::weights, "weights that add up to 0.9")?
-        .and(refused(case, Light, laws::constant_metrics, "weights that add up to 0.9")?)
+    Ok(refused(case, LightWeights, laws::weights, "weights that add up to 0.9")?
+        .and(refused(case, LightWeights, laws::constant_metrics, "weights that add up to 0.9")?)
         .and(refused(case, Beyond, laws::nodes, "a node off the chord")?))
 }
 
 /// An exponent of 2 for the left-endpoint rule.
-pub(super) fn boast<R: Rule>(case: &RuleCase<R>) -> LawResult {
-    refused(case, Boaster, laws::exponent, "an exponent of 2 for the left-endpoint rule")
+pub(super) fn wrong_order<R: Rule>(case: &RuleCase<R>) -> LawResult {
+    refused(case, WrongOrder, laws::exponent, "an exponent of 2 for the left-endpoint rule")
 }
 
-/// The rule itself, with an energy that is not that of its nodes.
+/// The rule itself, with an energy that its nodes do not give.
 pub(super) fn another_energy<R: Rule>(case: &RuleCase<R>) -> LawResult {
     let what = "an energy that is not that of the nodes";
-    refused(case, Other(case.rule), laws::gradient, what)
+    refused(case, OtherEnergy(case.rule), laws::gradient, what)
 }
 
 #[cfg(test)]
 mod tests {
     use tautline::Trapezoidal;
 
-    use super::{Beyond, Boaster, Light, refused};
+    use super::{Beyond, LightWeights, WrongOrder, refused};
     use crate::{Effort, Fault, RuleCase, report::LawResult, rule::laws};
 
     fn case() -> RuleCase<Trapezoidal> {
         RuleCase::new(Trapezoidal, Effort::default())
     }
 
-    /// A rule that a law has nothing to say against is not refused by it.
+    /// A law does not refuse a rule that obeys it.
     #[test]
-    fn what_passes_is_a_fault() {
+    fn an_accepted_mutant_is_a_fault() {
         let passes = |result: LawResult| {
             let fault = result.expect_err("it passes").fault;
             assert_eq!(fault, Fault::NotRefused { what: "it" });
         };
         passes(refused(&case(), Trapezoidal, laws::weights, "it"));
         passes(refused(&case(), Beyond, laws::weights, "it"));
-        passes(refused(&case(), Light, laws::nodes, "it"));
-        passes(refused(&case(), Boaster, laws::gradient, "it"));
+        passes(refused(&case(), LightWeights, laws::nodes, "it"));
+        passes(refused(&case(), WrongOrder, laws::gradient, "it"));
         passes(refused(&case(), Trapezoidal, laws::exponent, "it"));
     }
 
     #[test]
-    fn what_is_refused_is_none() {
-        assert!(refused(&case(), Light, laws::weights, "it").is_ok());
+    fn a_refused_mutant_is_no_fault() {
+        assert!(refused(&case(), LightWeights, laws::weights, "it").is_ok());
         assert!(refused(&case(), Beyond, laws::nodes, "it").is_ok());
     }
 }

@@ -1,20 +1,20 @@
-//! `Met`: what a law meets in one sample.
+//! `Margin`: how near one sample comes to breaking a law.
 
-/// How near a sample came to breaking a law, and what was assumed of it.
+/// How near a sample comes to breaking a law, and what was assumed of it.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Met {
+pub(crate) struct Margin {
     /// The overestimation; NaN if the sample could not have broken the law.
     pub(crate) overestimation: f64,
-    /// The hypotheses that nobody looked at, each once.
+    /// The hypotheses that nothing checked, each once.
     pub(crate) assumed: Vec<&'static str>,
 }
 
 /// The overestimation of a sample that could not have broken a law.
 pub(crate) const IDLE: f64 = f64::NAN;
 
-impl Met {
-    /// One of which nothing is tried yet.
-    pub(crate) fn nothing() -> Self {
+impl Margin {
+    /// The margin of a sample that could not have broken the law.
+    pub(crate) fn idle() -> Self {
         IDLE.into()
     }
 
@@ -23,22 +23,22 @@ impl Met {
         self.overestimation.is_nan()
     }
 
-    /// What two of one sample are together: the lesser overestimation, and the hypotheses of both.
+    /// Combines two margins of one sample: the smaller overestimation, the hypotheses of both.
     pub(crate) fn and(mut self, other: Self) -> Self {
         merge(&mut self.assumed, &other.assumed);
-        // A number before NaN: one that could fail is enough.
+        // `min` prefers a number to NaN: a sample can break the law if one of its parts can.
         Self { overestimation: self.overestimation.min(other.overestimation), ..self }
     }
 }
 
-impl From<f64> for Met {
-    /// An overestimation of which nothing is assumed.
+impl From<f64> for Margin {
+    /// An overestimation that rests on no assumption.
     fn from(overestimation: f64) -> Self {
         Self { overestimation, assumed: Vec::new() }
     }
 }
 
-/// Adds what is not yet there, in the order in which it came.
+/// Appends what is missing, in order.
 pub(crate) fn merge(all: &mut Vec<&'static str>, more: &[&'static str]) {
     for claim in more {
         if !all.contains(claim) {
@@ -49,19 +49,19 @@ pub(crate) fn merge(all: &mut Vec<&'static str>, more: &[&'static str]) {
 
 #[cfg(test)]
 mod tests {
-    use super::{IDLE, Met};
+    use super::{IDLE, Margin};
 
     #[test]
-    fn two_of_one_sample_have_the_lesser_overestimation_and_all_that_is_assumed() {
-        let met = |overestimation, assumed: &[&'static str]| Met {
+    fn combined_margins_keep_the_smaller_overestimation_and_all_assumptions() {
+        let margin = |overestimation, assumed: &[&'static str]| Margin {
             overestimation,
             assumed: assumed.to_vec(),
         };
-        let both = met(3.0, &["a", "b"]).and(met(2.0, &["b", "c"]));
-        assert_eq!(both, met(2.0, &["a", "b", "c"]));
+        let both = margin(3.0, &["a", "b"]).and(margin(2.0, &["b", "c"]));
+        assert_eq!(both, margin(2.0, &["a", "b", "c"]));
         for (one, other) in [(IDLE, 2.0), (2.0, IDLE)] {
-            assert_eq!(Met::from(one).and(other.into()), 2.0.into());
+            assert_eq!(Margin::from(one).and(other.into()), 2.0.into());
         }
-        assert!(Met::nothing().and(IDLE.into()).is_idle());
+        assert!(Margin::idle().and(IDLE.into()).is_idle());
     }
 }
