@@ -21,15 +21,11 @@ const COSTLY: u32 = 5;
 
 impl Effort {
     /// Checks a law on [`cases`](Effort::cases) random values; a value that breaks it is shrunk.
-    pub(crate) fn for_all<V, M>(
+    pub(crate) fn for_all<V: Strategy<Value: Debug>, M: Into<Margin>>(
         &self,
         values: V,
         law: impl Fn(&V::Value) -> Result<M, Fault>,
-    ) -> LawResult
-    where
-        V: Strategy<Value: Debug>,
-        M: Into<Margin>,
-    {
+    ) -> LawResult {
         draw(self.seed, self.cases, CHEAP, &values, &|value| law(value).map(M::into))
     }
 
@@ -37,15 +33,11 @@ impl Effort {
     ///
     /// A problem that breaks the law is shrunk unless the fault is one of the metric, for which
     /// cheaper laws find smaller samples.
-    pub(crate) fn for_all_problems<V, M>(
+    pub(crate) fn for_all_problems<V: Strategy<Value: Debug>, M: Into<Margin>>(
         &self,
         problems: V,
         law: impl Fn(&V::Value) -> Result<M, Fault>,
-    ) -> LawResult
-    where
-        V: Strategy<Value: Debug>,
-        M: Into<Margin>,
-    {
+    ) -> LawResult {
         draw(self.seed, self.problems, COSTLY, &problems, &|value| law(value).map(M::into))
     }
 }

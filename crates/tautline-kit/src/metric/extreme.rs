@@ -53,15 +53,11 @@ impl Claim {
         x: &SVector<f64, D>,
         w: &SVector<f64, D>,
     ) -> Extreme<D> {
-        let at = |value, direction| Extreme { value, point: *x, direction };
         match self {
-            Claim::C1 => {
-                let ((low, direction), _) = eigenpairs(&metric.gram(x));
-                at(low, direction)
-            }
-            Claim::C2 => {
-                let (_, (high, direction)) = eigenpairs(&metric.gram(x));
-                at(high, direction)
+            Claim::C1 | Claim::C2 => {
+                let (low, high) = eigenpairs(&metric.gram(x));
+                let (value, direction) = if self == Claim::C1 { low } else { high };
+                Extreme { value, point: *x, direction }
             }
             Claim::LH => alternate(
                 x,

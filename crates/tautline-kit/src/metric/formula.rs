@@ -74,21 +74,18 @@ pub(super) fn jets<const D: usize>(case: &Case<'_, D>) -> LawResult {
         let (point, length) = (x.as_slice(), case.region.size());
         // DH may be a small difference of terms that are as large as it is elsewhere.
         let terms = metric.constants().l_h();
-        let form = |t: f64| [norm_squared(metric, &(x + w * t), u)];
-        let slope = |t: f64| {
-            let matrix = first(metric, &(x + w * t), w);
-            [u.dot(&(matrix * u))]
-        };
+        let form = |t: f64| norm_squared(metric, &(x + w * t), u);
+        let slope = |t: f64| u.dot(&(first(metric, &(x + w * t), w) * u));
         let bent = second(metric, x, w);
         let [size, curvature] = [norm(&metric.gram(x)), norm(&bent)];
-        let [claimed] = slope(0.0);
+        let claimed = slope(0.0);
         // Along the line of a step, uᵀHu is of the size of H plus what its slope adds.
         let size = size + claimed.abs() * length;
         let law = "|uᵀ DH(x)[w] u − its central difference| = O(h²)";
-        difference_test(&[claimed], form, length, size).map_err(|off| off.of(law, point))?;
+        difference_test(claimed, form, length, size).map_err(|off| off.of(law, point))?;
         let size = terms + claimed.abs().max(norm(&first(metric, x, w))) + curvature * length;
         let law = "|uᵀ D²H(x)[w, w] u − its central difference| = O(h²)";
-        difference_test(&[u.dot(&(bent * u))], slope, length, size)
+        difference_test(u.dot(&(bent * u)), slope, length, size)
             .map_err(|off| off.of(law, point))?;
         // The gradient uses another number type than the derivative along a line.
         let jet = norm_squared(metric, &Jet1::variables(&(*x).into()).into(), u);

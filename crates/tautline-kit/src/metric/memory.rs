@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use tautline_statements::{Reconstruction, VerifyError};
+use tautline_statements::{PaperRule, Reconstruction, VerifyError};
 
 use super::{claims::Found, problems::Posed};
 use crate::{Claim, Failure};
@@ -58,8 +58,7 @@ pub(super) struct Solved<const D: usize> {
     pub(super) broken: OnceLock<Option<&'static str>>,
     pub(super) extremes: Memory<Claim, Result<Option<Found>, Failure>>,
     pub(super) distances: Memory<Posed<D>, Estimate>,
-    pub(super) trapezoidal: Memory<Posed<D>, Solutions<D>>,
-    pub(super) left: Memory<Posed<D>, Solutions<D>>,
+    pub(super) minimisers: Memory<(PaperRule, Posed<D>), Solutions<D>>,
 }
 
 #[cfg(test)]

@@ -26,12 +26,6 @@ const TILT: f64 = 0.2;
 /// be small, so that the error changes sign.
 const PROBLEMS: usize = 5;
 
-/// The grids and the number of problems. Above three dimensions, where a solve costs `D³`, the
-/// finest grid is left out, and two problems.
-const fn window_and_problems(dimension: usize) -> (&'static [usize], usize) {
-    if dimension <= 3 { (&WINDOW, PROBLEMS) } else { (WINDOW.split_at(3).0, PROBLEMS - 2) }
-}
-
 /// The errors of the discrete energy and of the energy of the curve for one problem, on each grid
 /// where they exceed rounding.
 type Errors = [Vec<(usize, f64)>; 2];
@@ -39,12 +33,14 @@ type Errors = [Vec<(usize, f64)>; 2];
 /// `|E_N − d²|` and `E(γᵖˡ) − d²` fall with the order of the rule and with 2.
 pub(super) fn orders<const D: usize>(case: &Case<'_, D>, rule: PaperRule, least: f64) -> LawResult {
     case.solvable()?;
-    let (window, problems) = window_and_problems(D);
+    // Above three dimensions, where a solve costs D³, without the finest grid and two problems.
+    let (window, problems): (&[usize], _) =
+        if D <= 3 { (&WINDOW, PROBLEMS) } else { (&WINDOW[..3], PROBLEMS - 2) };
     let mut slopes = [Vec::new(), Vec::new()];
     let mut solved = 0;
     let mut stuck = None;
     for k in 0..problems {
-        match errors(case, rule, k) {
+        match errors(case, rule, window, k) {
             Ok(errors) => {
                 solved += 1;
                 for (slopes, errors) in slopes.iter_mut().zip(errors) {
@@ -92,12 +88,13 @@ fn observed(
 fn errors<const D: usize>(
     case: &Case<'_, D>,
     rule: PaperRule,
+    window: &[usize],
     k: usize,
 ) -> Result<Errors, VerifyError> {
     let posed = Posed::between(on_winding(&case.ends, k + 1), on_winding(&case.ends, k + 2));
     let known = case.known(&posed, &[])?;
     let mut errors = [Vec::new(), Vec::new()];
-    for &n in window_and_problems(D).0 {
+    for &n in window {
         let seen = Reconstruction::observe(&LIBRARY, &known, rule, n)?;
         let pair = [seen.discrete_energy, seen.energy.value];
         for (errors, energy) in errors.iter_mut().zip(pair) {

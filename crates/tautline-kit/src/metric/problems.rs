@@ -131,16 +131,16 @@ impl<'m, const D: usize> Case<'m, D> {
         if let (Some(distance), Some([a, b])) = (&self.distance, posed.points())
             && let Some(distance) = distance(&a, &b)
         {
-            return Ok(self.told([a, b], posed.ends()?, distance));
+            return Ok(self.exact([a, b], posed.ends()?, distance));
         }
         if !shorter.is_empty() {
             return estimated(metric, posed.ends()?, shorter);
         }
-        let [distance, distance_error] = self.solved.distances.recall(posed, || {
+        let estimate = self.solved.distances.recall(posed, || {
             let known = estimated(metric, posed.ends()?, &[])?;
             Ok([known.distance, known.distance_error])
         })?;
-        Ok(Known { metric, ends: posed.ends()?, distance, distance_error })
+        self.with_distance(posed, estimate)
     }
 
     /// The problem with a distance found before, and its error bound.
@@ -153,7 +153,7 @@ impl<'m, const D: usize> Case<'m, D> {
     }
 
     /// Two points with the distance that the metric knows, as in [`Known::between`].
-    pub(super) fn told(
+    pub(super) fn exact(
         &self,
         [a, b]: [SVector<f64, D>; 2],
         ends: Ends<D>,

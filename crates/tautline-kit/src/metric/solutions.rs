@@ -175,11 +175,8 @@ impl<const D: usize> Case<'_, D> {
 
     /// The minimisers of one problem for every `N` of the effort, computed once.
     fn solution(&self, rule: PaperRule, posed: &Posed<D>) -> Solutions<D> {
-        let memory = match rule {
-            PaperRule::Trapezoidal => &self.solved.trapezoidal,
-            PaperRule::LeftEndpoint => &self.solved.left,
-        };
-        memory.recall(posed, || Ok(self.solve(rule, posed)?.into()))
+        let memory = &self.solved.minimisers;
+        memory.recall(&(rule, *posed), || Ok(self.solve(rule, posed)?.into()))
     }
 
     fn solve(&self, rule: PaperRule, posed: &Posed<D>) -> Result<Solution<D>, VerifyError> {

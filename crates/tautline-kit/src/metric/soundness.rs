@@ -19,6 +19,9 @@ const GROSS: f64 = 1e3;
 /// How many parts of each chord are searched for a NaN.
 const BETWEEN: u32 = 64;
 
+/// A law of metrics.
+type Law<const D: usize> = fn(&Case<'_, D>) -> LawResult;
+
 impl<const D: usize> Case<'_, D> {
     /// Fails at once if a law of the formula does. On a discontinuous metric the solver stalls for
     /// minutes, and the failures of statements would show nothing.
@@ -31,7 +34,7 @@ impl<const D: usize> Case<'_, D> {
 
     /// The name of a law of the formula that fails.
     fn broken(&self) -> Option<&'static str> {
-        let laws: [(_, fn(&Case<'_, D>) -> LawResult); 6] = [
+        let laws: [(_, Law<D>); 6] = [
             ("is_finite_and_symmetric", formula::finite_and_symmetric),
             ("is_positive_definite", formula::positive_definite),
             ("jets_agree_with_differences", formula::jets),

@@ -140,7 +140,7 @@ impl<'m, const D: usize> Case<'m, D> {
         Ok(tried.and(half.for_all(pairs, |(a, b, inner)| {
             let Some(distance) = distance(a, b) else { return Ok(Margin::idle()) };
             let ends = Ends::points(*a, *b).map_err(VerifyError::from)?;
-            judge(&statement(&LIBRARY, &self.told([*a, *b], ends, distance), inner)?)
+            judge(&statement(&LIBRARY, &self.exact([*a, *b], ends, distance), inner)?)
         })?))
     }
 }
