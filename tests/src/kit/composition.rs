@@ -1,4 +1,4 @@
-//! Metrics built from metrics of the gallery: one line each.
+//! Metrics composed from metrics of the gallery.
 
 use std::f64::consts::TAU;
 

@@ -1,8 +1,8 @@
-//! Every metric of the gallery that has constants: one line each. `Sphere` and `Hyperbolic`
-//! have none; what applies to them is in `without_constants.rs`.
+//! Every metric of the gallery that has constants. `Sphere`, `Hyperbolic` and `GaussianFisher` have
+//! constants on balls only, see `without_constants.rs`.
 //!
 //! The regions hold the points where the constants are attained: a period, or six widths to each
-//! side, where a Gaussian is below `10⁻⁷`, or a patch with what surrounds it.
+//! side, where a Gaussian is below `10⁻⁷`, or a patch and its surroundings.
 
 use std::f64::consts::TAU;
 
@@ -23,79 +23,10 @@ pub(super) fn period<const D: usize>() -> Region<D> {
     Region::cell([0.0; D], [TAU; D])
 }
 
-fn constant() -> Constant<2> {
-    Constant::new(SMatrix::<f64, 2, 2>::new(2.0, 1.0, 1.0, 2.0)).expect("positive definite")
-}
-
-pub(super) fn ramp() -> Ramp {
-    Ramp::new(0.5, 1.0).expect("below one")
-}
-
-pub(super) fn separable() -> Separable<3> {
-    Separable::new([0.3, 0.5, -0.4], [1.0, 2.0, 1.5]).expect("below one")
-}
-
-pub(super) fn shear() -> Shear {
-    Shear::new(0.5, 1.0).expect("a wave number")
-}
-
-pub(super) fn lens() -> Lens {
-    Lens::new(1.0, 0.5).expect("a width")
-}
-
-pub(super) fn bump() -> Bump {
-    Bump::new(1.0, 0.5).expect("a width")
-}
-
-pub(super) fn hill() -> Hill {
-    Hill::new(0.5, 0.5).expect("a width")
-}
-
 fn obstacles() -> SoftObstacles<2> {
     let one = Obstacle { centre: [0.0, 0.0].into(), height: 2.0, width: 0.5 };
     let two = Obstacle { centre: [1.0, 1.0].into(), height: 1.0, width: 0.7 };
     SoftObstacles::new(vec![one, two]).expect("widths")
-}
-
-pub(super) fn anisotropy() -> RotatingAnisotropy {
-    RotatingAnisotropy::new([1.0, 4.0], [0.7, -1.1]).expect("eigenvalues")
-}
-
-pub(super) fn arm() -> TwoLinkArm {
-    TwoLinkArm::new(4.0, 0.8, 1.0).expect("positive definite")
-}
-
-pub(super) fn swirl() -> Swirl {
-    Swirl::new(1.0, 0.5).expect("a width")
-}
-
-pub(super) fn egg_crate() -> EggCrate {
-    EggCrate::new(0.5, 1.0).expect("a wave number")
-}
-
-pub(super) fn corrugated() -> Corrugated {
-    Corrugated::new(0.5, 1.0).expect("a wave number")
-}
-
-pub(super) fn checkerboard() -> Checkerboard {
-    Checkerboard::new(2.0, 1.0).expect("a side")
-}
-
-pub(super) fn channels() -> TwoChannels {
-    TwoChannels::new(2.0, 1.0, 0.5).expect("a width")
-}
-
-/// A hemisphere; its constants are attained at the centre, in it and outside.
-pub(super) fn sphere_patch() -> SpherePatch {
-    SpherePatch::new(1.0).expect("a radius")
-}
-
-pub(super) fn hyperbolic_patch() -> HyperbolicPatch {
-    HyperbolicPatch::new(0.5).expect("below 0.86")
-}
-
-pub(super) fn fisher() -> GaussianFisherPatch {
-    GaussianFisherPatch::new(0.75).expect("a rim")
 }
 
 pub(super) fn decoder() -> TanhDecoder<2, 3, 3> {
@@ -104,7 +35,37 @@ pub(super) fn decoder() -> TanhDecoder<2, 3, 3> {
     TanhDecoder::new(inner, outer, 0.5).expect("a floor")
 }
 
-metric_suite!(a_constant_matrix: constant(), dimension 2, in cube(2.0), with distances);
+/// Names the metrics that several tests use.
+macro_rules! metrics {
+    ($($(#[$doc:meta])* $name:ident: $metric:ty = $new:expr;)*) => {
+        $($(#[$doc])* pub(super) fn $name() -> $metric { $new.expect("valid") })*
+    };
+}
+
+metrics! {
+    ramp: Ramp = Ramp::new(0.5, 1.0);
+    separable: Separable<3> = Separable::new([0.3, 0.5, -0.4], [1.0, 2.0, 1.5]);
+    shear: Shear = Shear::new(0.5, 1.0);
+    lens: Lens = Lens::new(1.0, 0.5);
+    bump: Bump = Bump::new(1.0, 0.5);
+    hill: Hill = Hill::new(0.5, 0.5);
+    anisotropy: RotatingAnisotropy = RotatingAnisotropy::new([1.0, 4.0], [0.7, -1.1]);
+    arm: TwoLinkArm = TwoLinkArm::new(4.0, 0.8, 1.0);
+    swirl: Swirl = Swirl::new(1.0, 0.5);
+    egg_crate: EggCrate = EggCrate::new(0.5, 1.0);
+    corrugated: Corrugated = Corrugated::new(0.5, 1.0);
+    checkerboard: Checkerboard = Checkerboard::new(2.0, 1.0);
+    channels: TwoChannels = TwoChannels::new(2.0, 1.0, 0.5);
+    /// A hemisphere. Its constants are attained at the centre, at the rim and outside.
+    sphere_patch: SpherePatch = SpherePatch::new(1.0);
+    hyperbolic_patch: HyperbolicPatch = HyperbolicPatch::new(0.5);
+    fisher: GaussianFisherPatch = GaussianFisherPatch::new(0.75);
+}
+
+metric_suite!(
+    a_constant_matrix: Constant::new(SMatrix::<f64, 2, 2>::new(2.0, 1.0, 1.0, 2.0)), dimension 2,
+    in cube(2.0), with distances,
+);
 metric_suite!(valleys_on_a_line: Valleys, dimension 1, in period(), with distances);
 metric_suite!(valleys: Valleys, dimension 2, in period(), with distances);
 metric_suite!(a_ramp: ramp(), dimension 1, in cube(8.0), with distances);

@@ -1,21 +1,19 @@
-//! What is said of the kit, counted in the sources: that the whole gallery goes through it, and
-//! how much a newcomer has to write.
+//! Claims about the kit, checked on the sources: the whole gallery goes through it, and a newcomer
+//! writes twelve lines.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-fn read(path: &Path) -> String {
-    std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
-}
+use crate::tidiness::{read, root};
 
 fn here() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("src/kit")
+    root().join("tests/src/kit")
 }
 
 fn crates() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates")
+    root().join("crates")
 }
 
-/// The lines that the compiler reads.
+/// The lines that are neither blank nor comments.
 fn code(text: &str) -> impl Iterator<Item = &str> {
     text.lines().filter(|line| !line.trim().is_empty() && !line.trim_start().starts_with("//"))
 }
@@ -48,7 +46,7 @@ fn metrics() -> Vec<String> {
 fn every_metric_of_the_gallery_goes_through_the_kit() {
     let sources = ["gallery.rs", "without_constants.rs"].map(|name| read(&here().join(name)));
     let metrics = metrics();
-    // The table at the top of the gallery has a row for each of them.
+    // The table at the top of the gallery has a row for each metric.
     let table = read(&crates().join("tautline-metrics/src/gallery/mod.rs"));
     let rows = table.lines().filter(|line| line.starts_with("//! | [`")).count();
     assert_eq!(metrics.len(), rows, "{metrics:?}");
@@ -58,14 +56,14 @@ fn every_metric_of_the_gallery_goes_through_the_kit() {
     }
 }
 
-/// What a newcomer writes, without comments and blank lines.
+/// The code of the newcomer.
 fn newcomer() -> Vec<String> {
     let text = read(&here().join("newcomer.rs"));
-    // His mistakes are ours.
+    // The mistakes are not the newcomer's.
     code(&text).take_while(|line| *line != "mod mistakes;").map(str::to_owned).collect()
 }
 
-/// All that he writes is counted, imports and closing braces too, except the formula.
+/// All lines of code count, imports and closing braces too, except the formula.
 #[test]
 fn a_newcomer_writes_twelve_lines_besides_the_formula() {
     let lines = newcomer();
@@ -80,13 +78,7 @@ fn the_page_of_the_kit_shows_the_lines_of_the_newcomer() {
     let page = read(&crates().join("tautline-kit/src/lib.rs"));
     let page: Vec<&str> = page.lines().filter_map(|line| line.strip_prefix("//! ")).collect();
     let lines = newcomer();
-    let shown = |from: usize| {
-        code_of(&page[from..]).zip(&lines).all(|(shown, line)| shown == line.as_str())
-    };
     let from = page.iter().position(|line| *line == lines[0]).expect("the first line");
-    assert!(shown(from), "{:#?}", code_of(&page[from..]).take(lines.len()).collect::<Vec<_>>());
-}
-
-fn code_of<'a>(lines: &'a [&'a str]) -> impl Iterator<Item = &'a str> {
-    lines.iter().copied().filter(|line| !line.is_empty())
+    let shown = page[from..].iter().filter(|line| !line.is_empty()).take(lines.len());
+    assert_eq!(shown.collect::<Vec<_>>(), lines.iter().collect::<Vec<_>>());
 }

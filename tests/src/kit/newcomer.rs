@@ -1,9 +1,8 @@
-//! What a newcomer writes: a formula, its constants, and one line; and what he is told where one
-//! of these is wrong.
+//! What a newcomer writes: a formula, its constants, and one line; and what the kit shows if one of
+//! these is wrong.
 //!
-//! From `use` to `metric_suite!` these are twelve lines besides the formula, which is the body of
-//! `gram`: imports, heads and closing braces are counted, and what says nothing to the compiler
-//! is not.
+//! From `use` to `metric_suite!` these are twelve lines of code besides the formula, the body of
+//! `gram`, imports and closing braces included.
 
 use tautline_kit::prelude::*;
 

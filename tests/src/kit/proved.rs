@@ -1,4 +1,4 @@
-//! A formula and nothing else: its constants are proved, and where they cannot be, one test says so.
+//! A formula alone: its constants are proved; if they cannot be, exactly one test fails.
 
 use std::{env, process::Command};
 
@@ -22,9 +22,9 @@ fn tray() -> Tray {
     Tray { mean: if env::var_os(INDEFINITE).is_some() { 0.5 } else { 2.0 } }
 }
 
-/// The whole suite once more, in a process of its own, since its tests are to fail: one of them does.
+/// Runs the whole suite once more in another process, where one of its tests fails.
 #[test]
-fn an_indefinite_metric_fails_once_with_the_point_and_with_advice() {
+fn an_indefinite_metric_fails_once_with_the_point_and_advice() {
     let suite = "kit::proved::tray::";
     let output = Command::new(env::current_exe().expect("this program"))
         .arg(suite)

@@ -1,7 +1,9 @@
-//! The rules of the project, one line each, and one of one's own.
+//! The rules of the project, and one of a user's own.
 
 use tautline::{LeftEndpoint, Trapezoidal, TrueTrapezoid};
 use tautline_kit::{Fault, RuleCase, prelude::*, rule};
+
+use super::{broken, fault};
 
 rule_suite!(trapezoidal: Trapezoidal);
 rule_suite!(left_endpoint: LeftEndpoint);
@@ -22,7 +24,7 @@ impl Rule for Gauss {
 
 rule_suite!(gauss: Gauss);
 
-/// The right end of the chord with weights that are too light, and an exponent that is too large.
+/// Both ends of the chord, with weights that are too small and an exponent that is too large.
 #[derive(Clone, Copy, Debug)]
 struct Wrong;
 
@@ -44,7 +46,7 @@ fn a_wrong_rule_fails_by_the_laws_it_breaks() {
     assert_eq!(failures, broken, "{report}");
 }
 
-/// The right-endpoint rule is a rule; only its exponent is a boast, with both numbers.
+/// The right-endpoint rule is a rule; only its exponent is wrong, and the fault has both numbers.
 #[test]
 fn an_exponent_that_is_not_observed_is_named() {
     #[derive(Clone, Copy, Debug)]
@@ -56,18 +58,8 @@ fn an_exponent_that_is_not_observed_is_named() {
     let report = verify_rule(RightEndpoint, &Effort::default());
     let failures: Vec<_> = report.failures().collect();
     let [outcome] = failures[..] else { panic!("{report}") };
-    let fault = &outcome.failure.as_ref().expect("it fails").fault;
-    let Fault::Order { found, least, .. } = *fault else { panic!("{report}") };
+    let Fault::Order { found, least, .. } = fault(outcome.clone()) else { panic!("{report}") };
     assert!((found - 1.0).abs() <= 0.05 && least > 1.9, "{report}");
-}
-
-/// The law of an inequality that does not hold.
-#[track_caller]
-fn broken(outcome: Outcome) -> &'static str {
-    match outcome.failure.expect("it fails").fault {
-        Fault::Broken { law, .. } => law,
-        fault => panic!("{fault}"),
-    }
 }
 
 /// A rule with these nodes and weights.
@@ -94,7 +86,7 @@ fn a_node_beyond_either_end_of_the_chord_is_refused() {
     assert!(rule::nodes_lie_on_the_chord(&rule![(0.0, 0.5), (1.0, 0.5)]).holds());
 }
 
-/// They add up to 1, and both nodes lie on the chord.
+/// The weights add up to 1, and both nodes lie on the chord.
 #[test]
 fn a_negative_weight_is_refused() {
     let case = rule![(0.0, 1.5), (1.0, -0.5)];
@@ -104,11 +96,11 @@ fn a_negative_weight_is_refused() {
 
 #[test]
 fn weights_that_do_not_add_up_to_1_are_refused() {
-    const LAW: &str = "|Σ weights − 1| = 0";
-    let one = rule::weights_are_nonnegative_and_sum_to_1(&rule![(0.0, 0.5), (1.0, 0.499)]);
-    assert_eq!(broken(one), LAW);
-    let other = rule::weights_are_nonnegative_and_sum_to_1(&rule![(0.0, 0.5), (1.0, 0.5 + 1e-9)]);
-    assert_eq!(broken(other), LAW);
-    let none = rule::weights_are_nonnegative_and_sum_to_1(&rule![]);
-    assert_eq!(broken(none), LAW);
+    for outcome in [
+        rule::weights_are_nonnegative_and_sum_to_1(&rule![(0.0, 0.5), (1.0, 0.499)]),
+        rule::weights_are_nonnegative_and_sum_to_1(&rule![(0.0, 0.5), (1.0, 0.5 + 1e-9)]),
+        rule::weights_are_nonnegative_and_sum_to_1(&rule![]),
+    ] {
+        assert_eq!(broken(outcome), "|Σ weights − 1| = 0");
+    }
 }

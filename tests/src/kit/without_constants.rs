@@ -1,7 +1,7 @@
-//! The metrics of the gallery that have constants on balls only: the whole suite in a ball.
+//! The metrics of the gallery that have constants on balls only.
 //!
-//! The corner of the largest cube in a ball is as far from the origin as the ball reaches if its
-//! centre lies on a diagonal, so that the constants that are extreme there are attained.
+//! If the centre of a ball lies on a diagonal, a corner of the largest cube in it is as far from the
+//! origin as the ball reaches, so that constants that are extreme there are attained.
 
 use tautline::{
     LocalError,
@@ -14,25 +14,23 @@ metric_suite!(sphere: Sphere, dimension 2, within 0.3, of [0.5, 0.5], with dista
 metric_suite!(hyperbolic: Hyperbolic, dimension 3, within 0.2, of [0.3, 0.3, 0.3], with distances);
 metric_suite!(fisher: GaussianFisher, dimension 2, within 0.5, of [1.0, -0.3], with distances);
 
-/// Each constant is attained in the cube, so that a lie about it is told, and refused.
+/// Each constant is attained in the cube, so that every mistake shows.
 #[test]
-fn lies_about_the_constants_of_a_ball_are_refused() {
+fn wrong_constants_of_a_ball_are_refused() {
     let case = MetricCase::<_, 2>::within(Sphere, [0.5, 0.5], 0.3, Effort::default());
     let case = case.expect("a ball").with_known_distance();
-    let lies = [
-        metric::refuses_a_larger_c1,
-        metric::refuses_a_smaller_c2,
-        metric::refuses_a_smaller_l_h,
-        metric::refuses_a_smaller_m_h,
-    ];
-    for lie in lies {
-        let outcome = lie(&case);
+    for outcome in [
+        metric::refuses_a_larger_c1(&case),
+        metric::refuses_a_smaller_c2(&case),
+        metric::refuses_a_smaller_l_h(&case),
+        metric::refuses_a_smaller_m_h(&case),
+    ] {
         outcome.assert();
         assert!(outcome.note.is_none(), "{outcome}");
     }
 }
 
-/// In a ball as large as that, nothing is near enough for its competitors to stay inside.
+/// In a huge ball no ends are near enough for their competitors to stay inside.
 #[test]
 fn a_ball_with_useless_constants_is_refused() {
     let refused = |radius| {

@@ -1,28 +1,30 @@
-//! Closed sets that lie: each is rejected, by the law that it breaks, with the numbers.
+//! Wrong closed sets: each is refused by the law that it breaks, with the numbers.
 
 use tautline::{Ball, Interval, Sphere};
 use tautline_kit::{Fault, SetCase, prelude::*, set};
+
+use super::{broken, fault};
 
 fn region() -> Region<2> {
     Region::cell([-4.0, -4.0], [4.0, 4.0])
 }
 
-/// The unit circle, with one thing said of it that is not so.
+/// The unit circle about `(½, 0)` with a mistake; with none by default.
 #[derive(Clone, Copy, Debug, Default)]
 struct Circle {
-    /// Its nearest points are turned by this angle.
+    /// The angle by which its nearest points are turned.
     turned: f64,
-    /// This much is missing of its radius.
+    /// What is missing of its radius.
     missing: f64,
-    /// This much is missing of the radius of its enclosing ball.
+    /// What is missing of the radius of its enclosing ball.
     tight: f64,
-    /// It says that it is convex.
+    /// It claims to be convex.
     convex: bool,
-    /// Its derivative is off by this much in one entry.
+    /// The error of one entry of its derivative.
     off: f64,
-    /// It has a seed in its middle.
+    /// It has a seed at its centre.
     seed: bool,
-    /// Its proved members are this far beside.
+    /// How far its proved members are moved.
     beside: f64,
 }
 
@@ -75,15 +77,8 @@ impl ClosedSet<2> for Circle {
     }
 }
 
-/// Fails unless the law is broken by the set; returns the two sides of its inequality.
-#[track_caller]
-fn broken(circle: Circle, id: &str) -> [f64; 2] {
-    let report = verify_set(&circle, &region(), &Effort::default());
-    let outcome = report.of(id).expect("a law");
-    match outcome.failure.as_ref().map(|failure| &failure.fault) {
-        Some(&Fault::Broken { left, right, .. }) => [left, right],
-        _ => panic!("{report}"),
-    }
+fn case<S: ClosedSet<2>>(set: &S) -> SetCase<'_, S, 2> {
+    SetCase::new(set, region(), Effort::default())
 }
 
 #[test]
@@ -92,59 +87,45 @@ fn the_circle_itself_passes() {
     assert!(report.holds(), "{report}");
 }
 
-/// One degree off: the projections lie in the set and stay there, but others are nearer.
+/// Each mistake is refused by the law about it, and the two sides of its inequality show its size.
 #[test]
-fn nearest_points_beside_the_nearest_are_refused() {
-    let turned = 1_f64.to_radians();
-    let [left, right] = broken(Circle { turned, ..Circle::default() }, "no_member_is_nearer");
-    assert!(left > right);
-}
-
-#[test]
-fn a_radius_that_misses_one_percent_is_refused() {
-    let circle = Circle { missing: 0.015, ..Circle::default() };
-    let [left, right] = broken(circle, "radius_bounds_the_members");
-    assert_eq!(right, 1.485);
-    // There is no lie to tell of a radius that is one.
-    let case = SetCase::new(&circle, region(), Effort::default());
-    let note = set::refuses_a_smaller_radius(&case).note;
+fn mistakes_of_the_circle_are_refused() {
+    type Sides = fn(f64, f64) -> bool;
+    let circle = Circle::default();
+    let mistakes: [(Circle, &str, Sides); 7] = [
+        // One degree off: the projections lie in the set and stay there, but others are nearer.
+        (Circle { turned: 1_f64.to_radians(), ..circle }, "no_member_is_nearer", |left, right| {
+            left > right
+        }),
+        (Circle { missing: 0.015, ..circle }, "radius_bounds_the_members", |left, right| {
+            right == 1.485 && left > right && left <= 1.5 + 1e-12
+        }),
+        (Circle { tight: 0.01, ..circle }, "enclosing_ball_holds_the_members", |left, right| {
+            right == 0.99 && left > right && left <= 1.0 + 1e-12
+        }),
+        (Circle { convex: true, ..circle }, "a_claim_of_convexity_is_true", |left, right| {
+            left > right
+        }),
+        (Circle { off: 1e-3, ..circle }, "derivative_is_that_of_the_projection", |left, right| {
+            (left - right - 1e-3).abs() <= 1e-5
+        }),
+        (Circle { beside: 1e-9, ..circle }, "proved_members_are_nearest_members", |left, right| {
+            left > right && left < 1.01e-9
+        }),
+        (Circle { seed: true, ..circle }, "seeds_and_pieces_belong_to_the_set", |left, right| {
+            left == 1.0 && right == 0.0
+        }),
+    ];
+    for (circle, id, expected) in mistakes {
+        let report = verify_set(&circle, &region(), &Effort::default());
+        let outcome = report.of(id).expect("a law");
+        match outcome.failure.as_ref().map(|failure| &failure.fault) {
+            Some(&Fault::Broken { left, right, .. }) if expected(left, right) => {}
+            _ => panic!("{circle:?}: {report}"),
+        }
+    }
+    let note = set::refuses_a_smaller_radius(&case(&Circle { missing: 0.015, ..circle })).note;
     assert_eq!(note.as_deref(), Some("the claim itself does not hold"));
-    assert!(left > right && left <= 1.5 + 1e-12);
-}
-
-#[test]
-fn an_enclosing_ball_that_misses_one_percent_is_refused() {
-    let circle = Circle { tight: 0.01, ..Circle::default() };
-    let [left, right] = broken(circle, "enclosing_ball_holds_the_members");
-    assert_eq!(right, 0.99);
-    assert!(left > right && left <= 1.0 + 1e-12);
-}
-
-#[test]
-fn a_circle_is_not_convex() {
-    let circle = Circle { convex: true, ..Circle::default() };
-    let [left, right] = broken(circle, "a_claim_of_convexity_is_true");
-    assert!(left > right);
-}
-
-#[test]
-fn a_derivative_that_is_off_by_one_thousandth_is_refused() {
-    let circle = Circle { off: 1e-3, ..Circle::default() };
-    let [left, right] = broken(circle, "derivative_is_that_of_the_projection");
-    assert!((left - right - 1e-3).abs() <= 1e-5);
-}
-
-#[test]
-fn proved_members_that_are_a_billionth_beside_are_refused() {
-    let circle = Circle { beside: 1e-9, ..Circle::default() };
-    let [left, right] = broken(circle, "proved_members_are_nearest_members");
-    assert!(left > right && left < 1.01e-9, "{left} {right}");
-}
-
-#[test]
-fn a_seed_that_is_no_member_is_refused() {
-    let circle = Circle { seed: true, ..Circle::default() };
-    assert_eq!(broken(circle, "seeds_and_pieces_belong_to_the_set"), [1.0, 0.0]);
 }
 
 /// NaN on one side of a line, where a solver may never look.
@@ -163,20 +144,10 @@ fn a_projection_that_is_nan_is_refused() {
             Some(0.0)
         }
     }
-    let outcome = set::outputs_are_finite(&SetCase::new(&Torn, region(), Effort::default()));
-    let failure = outcome.failure.expect("it fails");
-    let Fault::Broken { left, point, .. } = failure.fault else { panic!("{failure}") };
+    let fault = fault(set::outputs_are_finite(&case(&Torn)));
+    let Fault::Broken { left, point, .. } = fault else { panic!("{fault}") };
     // Shrunk to the first step beyond the line.
     assert!(left.is_nan() && point == [3.0 + 8.0 / 65536.0, -4.0], "{point:?}");
-}
-
-/// The law that a set breaks, of those about one thing.
-#[track_caller]
-fn law<S: ClosedSet<2>>(set: &S, id: fn(&SetCase<'_, S, 2>) -> Outcome) -> &'static str {
-    match id(&SetCase::new(set, region(), Effort::default())).failure.expect("it fails").fault {
-        Fault::Broken { law, .. } => law,
-        fault => panic!("{fault}"),
-    }
 }
 
 /// A ball of radius 100, in which the region lies: no sample of it is longer than 6.
@@ -195,22 +166,20 @@ fn a_radius_that_is_too_small_outside_of_the_region_is_refused() {
             self.0
         }
     }
-    let wrong = Large(Some(50.0));
-    assert_eq!(law(&wrong, set::radius_bounds_the_members), "|member| ≤ radius");
+    let wrong = set::radius_bounds_the_members(&case(&Large(Some(50.0))));
+    assert_eq!(broken(wrong), "|member| ≤ radius");
     for radius in [Some(100.0), None] {
-        let right = Large(radius);
-        let case = SetCase::new(&right, region(), Effort::default());
-        assert!(set::radius_bounds_the_members(&case).holds());
+        assert!(set::radius_bounds_the_members(&case(&Large(radius))).holds());
     }
 }
 
-/// Two points `(±half, 0)`, as a set that says of itself what it is told to.
+/// Two points `(±half, 0)`, perhaps with a mistake.
 #[derive(Clone, Copy, Debug)]
 struct Pair {
     half: f64,
-    /// It says that it is convex.
+    /// It claims to be convex.
     convex: bool,
-    /// The right point is a seed, and the nearest of no other place.
+    /// The right point is a seed, and nothing else is projected to it.
     forgets: bool,
 }
 
@@ -237,30 +206,29 @@ impl ClosedSet<2> for Pair {
     }
 }
 
-/// No sample is sent to the right point, though half of them are nearer to it: it is known as a
-/// seed alone.
+/// No sample is projected to the right point, though half of them are nearer to it: it is known as
+/// a seed only.
 #[test]
 fn a_seed_that_is_nearer_is_a_member_that_is_nearer() {
     let pair = Pair { half: 1.03, convex: false, forgets: true };
-    let case = SetCase::new(&pair, region(), Effort::default());
-    let failure = set::no_member_is_nearer(&case).failure.expect("it fails");
-    let Fault::Broken { law, other, .. } = failure.fault else { panic!("{failure}") };
+    let nearer = fault(set::no_member_is_nearer(&case(&pair)));
+    let Fault::Broken { law, other, .. } = nearer else { panic!("{nearer}") };
     assert_eq!(law, "|x − P(x)| ≤ |x − member|");
     assert_eq!(other.as_deref(), Some([1.03, 0.0].as_slice()));
-    assert!(set::seeds_and_pieces_belong_to_the_set(&case).holds());
+    assert!(set::seeds_and_pieces_belong_to_the_set(&case(&pair)).holds());
     let right = Pair { forgets: false, ..pair };
-    let case = SetCase::new(&right, region(), Effort::default());
-    assert!(set::no_member_is_nearer(&case).holds());
+    assert!(set::no_member_is_nearer(&case(&right)).holds());
 }
 
-/// So near to each other that samples in different cells are farther apart, and that angles are
-/// obtuse up to rounding: `(x − P(x))·(q − P(x))` is `2 half²` at most, far below what is granted.
+/// Two points so near to each other that samples in different cells are farther apart, and that
+/// angles are obtuse up to rounding: `(x − P(x))·(q − P(x))` is at most `2 half²`, far below what is
+/// granted. Two points far apart break another law first.
 #[test]
-fn the_middle_of_two_points_is_no_member() {
-    let pair = Pair { half: 1e-8, convex: true, forgets: false };
-    let found = law(&pair, set::a_claim_of_convexity_is_true);
-    assert_eq!(found, "the middle of two members is a member");
-    // Far from each other, it is the nearest points that give it away.
-    let pair = Pair { half: 2.5, ..pair };
-    assert_eq!(law(&pair, set::a_claim_of_convexity_is_true), "|P(x) − P(y)| ≤ |x − y|");
+fn two_points_are_not_convex() {
+    for (half, law) in
+        [(1e-8, "the midpoint of two members is a member"), (2.5, "|P(x) − P(y)| ≤ |x − y|")]
+    {
+        let pair = Pair { half, convex: true, forgets: false };
+        assert_eq!(broken(set::a_claim_of_convexity_is_true(&case(&pair))), law);
+    }
 }

@@ -1,27 +1,22 @@
-//! The newcomer's metric with one mistake in it: what is found, and how it is told.
+//! The newcomer's metric with one mistake in it: what is found, and what the message shows.
 
 use tautline::MetricError;
-use tautline_kit::{Claim, Fault, MetricCase, Outcome, metric, prelude::*};
-use tautline_statements::WithConstants;
+use tautline_kit::{Claim, Fault, MetricCase, metric, prelude::*};
 
 use super::Egg;
+use crate::kit::{broken, claiming, fault};
 
-fn region() -> Region<2> {
-    Region::cell([0.0, 0.0], [6.3, 6.3])
-}
-
-fn fault(outcome: Outcome) -> Fault {
-    outcome.failure.expect("it fails").fault
+/// A metric on the region of the newcomer's.
+fn case<M: Bounded<2>>(metric: M) -> MetricCase<M, 2> {
+    MetricCase::new(metric, Region::cell([0.0, 0.0], [6.3, 6.3]), Effort::default())
 }
 
 /// `L_H = ½` in place of 1: `‖DH(x)[w]‖ = |sin x₁|` at `x₁ = π/2` or `3π/2`, or `|cos x₂|` at
-/// `x₂ = 0`, `π` or `2π`, along that axis. Both laws about `L_H` say so, and so does every
-/// statement that rests on it.
+/// `x₂ = 0`, `π` or `2π`, along that axis. Both laws about `L_H` find it, and so does every
+/// statement that needs it.
 #[test]
 fn half_of_l_h_is_refused_with_the_witness() {
-    let constants = Constants::new(1.0, 4.0, 0.5).expect("c1 ≤ c2");
-    let wrong = WithConstants { metric: &Egg, constants };
-    let case = MetricCase::new(wrong, region(), Effort::default());
+    let case = case(claiming(&Egg, [1.0, 4.0, 0.5]));
     let outcome = metric::l_h_bounds_the_derivative(&case);
     let message = outcome.to_string();
     let Fault::Lie(lie) = fault(outcome) else { panic!("{message}") };
@@ -37,7 +32,7 @@ fn half_of_l_h_is_refused_with_the_witness() {
 
     let Fault::Lie(lie) = fault(metric::l_h_bounds_differences(&case)) else { panic!("a lie") };
     assert!(lie.constant == Claim::LH && lie.found > 0.5 && lie.found <= 1.0 + 1e-12, "{lie}");
-    // The quotient, and the second of the points that it is of.
+    // The difference quotient, with its second point.
     let text = lie.to_string();
     let other = SVector::<f64, 2>::from_column_slice(lie.other.as_deref().expect("a point y"));
     let point = SVector::<f64, 2>::from_column_slice(&lie.point);
@@ -45,11 +40,8 @@ fn half_of_l_h_is_refused_with_the_witness() {
     let quotient = (h - k).amax() / (point - other).norm();
     assert!((quotient - lie.found).abs() <= 1e-12 * lie.found, "{text}");
     assert!(text.contains("‖H(x) − H(y)‖/|x − y| = ") && text.contains(" and y = ["), "{text}");
-    // The claim is wrong, so that there is no lie to tell.
-    assert_eq!(
-        metric::refuses_a_smaller_l_h(&case).note.as_deref(),
-        Some("the claim itself does not hold"),
-    );
+    let note = metric::refuses_a_smaller_l_h(&case).note;
+    assert_eq!(note.as_deref(), Some("the claim itself does not hold"));
     let statement = fault(metric::prop_7_9(&case));
     let Fault::Statement { hypothesis: true, inequality, .. } = statement else {
         panic!("{statement}")
@@ -57,26 +49,14 @@ fn half_of_l_h_is_refused_with_the_witness() {
     assert!(inequality.claim.contains("L_H"), "{statement}");
 }
 
-/// `H₂₂ = 3 + 3.00001 sin x₂`, which is negative for 0.005 around `3π/2`: at one random point in a
-/// thousand.
-struct Cracked;
-
-impl Metric<2> for Cracked {
-    fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-        SMatrix::from_diagonal(&[x[0].cos() + 2.0, x[1].sin() * 3.000_01 + 3.0].into())
-    }
-}
-
-impl Bounded<2> for Cracked {
-    fn constants(&self) -> Constants {
-        Egg.constants()
-    }
-}
-
+/// `H₂₂ = 3 + 3.00001 sin x₂` is negative for 0.005 around `3π/2`: at one random point in a thousand.
 #[test]
 fn an_indefinite_metric_is_refused_with_the_point() {
-    let case = MetricCase::new(Cracked, region(), Effort::default());
-    let found = fault(metric::is_positive_definite(&case));
+    formula!(Cracked, 2, |x| SMatrix::from_diagonal(
+        &[x[0].cos() + 2.0, x[1].sin() * 3.000_01 + 3.0].into()
+    ));
+    let cracked = WithConstants { metric: Cracked, constants: Egg.constants() };
+    let found = fault(metric::is_positive_definite(&case(cracked)));
     let Fault::Metric(MetricError::NotPositiveDefinite { point, eigenvalue }) = found else {
         panic!("{found}")
     };
@@ -88,33 +68,29 @@ fn an_indefinite_metric_is_refused_with_the_point() {
 
 /// Two halves that differ; an entry that is NaN.
 #[test]
-fn what_is_no_metric_is_refused_by_its_own_law() {
-    #[derive(Clone, Copy, PartialEq)]
-    enum Wrong {
+fn asymmetric_and_nan_entries_are_refused() {
+    enum Scrambled {
         Halves,
         NotFinite,
     }
-    struct Scrambled(Wrong);
     impl Metric<2> for Scrambled {
         fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
             let mut h: SMatrix<S, 2, 2> = Egg.gram(x);
-            match self.0 {
-                Wrong::Halves => h[(0, 1)] += x[0] * 1e-6,
+            match self {
+                Self::Halves => h[(0, 1)] += x[0] * 1e-6,
                 // The logarithm of a negative number, right of x₁ = 6.
-                Wrong::NotFinite => h[(1, 1)] += (-x[0] + 6.0).ln() * 0.0,
+                Self::NotFinite => h[(1, 1)] += (-x[0] + 6.0).ln() * 0.0,
             }
             h
         }
     }
-    impl Bounded<2> for Scrambled {
-        fn constants(&self) -> Constants {
-            Egg.constants()
-        }
-    }
-    let case = |wrong| MetricCase::new(Scrambled(wrong), region(), Effort::default());
-    let halves = fault(metric::is_finite_and_symmetric(&case(Wrong::Halves)));
+    let law = |metric| {
+        let case = case(WithConstants { metric, constants: Egg.constants() });
+        fault(metric::is_finite_and_symmetric(&case))
+    };
+    let halves = law(Scrambled::Halves);
     assert!(matches!(halves, Fault::Metric(MetricError::NotSymmetric { .. })), "{halves}");
-    let not_finite = fault(metric::is_finite_and_symmetric(&case(Wrong::NotFinite)));
+    let not_finite = law(Scrambled::NotFinite);
     // Shrunk to the edge of the domain, and to 0 in the other coordinate.
     let Fault::Metric(MetricError::NotFinite { point, .. }) = not_finite else {
         panic!("{not_finite}")
@@ -122,145 +98,98 @@ fn what_is_no_metric_is_refused_by_its_own_law() {
     assert!(point[0] >= 6.0 && point[0] <= 6.0 + 6.3 / 65536.0 && point[1] == 0.0, "{point:?}");
 }
 
-/// A ripple that is finer than the least step of the differences, a 65536th of a period: where to
-/// look is for the user to say.
+/// A ripple finer than the smallest step of the differences, a 65536th of an edge: the user has to
+/// choose the region.
 #[test]
-fn what_is_finer_than_the_steps_of_the_region_is_refused() {
-    struct Rippled;
-    impl Metric<1> for Rippled {
-        fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
-            SMatrix::from_diagonal_element((x[0] * 1e6).sin() * 1e-3 + 2.0)
-        }
-    }
-    impl Bounded<1> for Rippled {
-        fn constants(&self) -> Constants {
-            Constants::new(1.999, 2.001, 1e3).expect("c1 ≤ c2")
-        }
-    }
+fn a_ripple_finer_than_the_steps_in_the_region_is_refused() {
+    formula!(Rippled, 1, |x| SMatrix::from_diagonal_element((x[0] * 1e6).sin() * 1e-3 + 2.0));
     let law = |length: f64| {
-        let region = Region::cell([0.0], [length]);
-        metric::jets_agree_with_differences(&MetricCase::new(Rippled, region, Effort::default()))
+        let (metric, region) =
+            (claiming(Rippled, [1.999, 2.001, 1e3]), Region::cell([0.0], [length]));
+        metric::jets_agree_with_differences(&MetricCase::new(metric, region, Effort::default()))
     };
     assert!(!law(6.3).holds());
     let fine = law(6.3e-6);
     assert!(fine.holds(), "{fine}");
 }
 
-/// `H = 2` with teeth of slope 1 that are `2⁻¹²` wide, where `L_H = ½` is claimed: of two points that
-/// are farther apart than `2⁻¹⁰`, none tells.
+/// `H = 2` with teeth of slope 1 that are `2⁻¹²` wide, where `L_H = ½` is claimed. Points more than
+/// `2⁻¹⁰` apart do not show it.
 #[test]
 fn teeth_that_are_finer_than_the_samples_are_refused() {
-    struct Saw;
-    impl Metric<2> for Saw {
-        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-            let tooth = (x[0] * 4096.0).sin() / 4096.0 + 2.0;
-            SMatrix::from_diagonal(&[tooth, S::constant(2.0)].into())
-        }
-    }
-    impl Bounded<2> for Saw {
-        fn constants(&self) -> Constants {
-            Constants::new(1.99, 2.01, 0.5).expect("c1 ≤ c2")
-        }
-    }
-    let case = MetricCase::new(Saw, region(), Effort::default());
+    formula!(Saw, 2, |x| SMatrix::from_diagonal(
+        &[(x[0] * 4096.0).sin() / 4096.0 + 2.0, S::constant(2.0)].into()
+    ));
+    let case = case(claiming(Saw, [1.99, 2.01, 0.5]));
     let Fault::Lie(lie) = fault(metric::l_h_bounds_differences(&case)) else { panic!("a lie") };
     let other = lie.other.expect("a point y");
     let step = (lie.point[0] - other[0]).hypot(lie.point[1] - other[1]);
     assert!(lie.found > 0.5 && lie.found <= 1.0 + 1e-6 && step < 1.0 / 1024.0, "{step}");
 }
 
-/// `x₁/x₁` is 1, but on the line in the middle of the region: no uniform sample lies there.
+/// `x₁/x₁` is 1 except on the line in the middle of the region, where no uniform sample lies.
 #[test]
-fn what_is_no_number_in_the_middle_of_the_region_is_refused() {
-    struct Split;
-    impl Metric<2> for Split {
-        fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-            SMatrix::from_diagonal_element(x[0] / x[0] + 1.0)
-        }
-    }
-    impl Bounded<2> for Split {
-        fn constants(&self) -> Constants {
-            Constants::new(2.0, 2.0, 0.0).expect("c1 ≤ c2")
-        }
-    }
+fn a_nan_in_the_middle_of_the_region_is_refused() {
+    formula!(Split, 2, |x| SMatrix::from_diagonal_element(x[0] / x[0] + 1.0));
     for region in [Region::cell([-3.0, -3.0], [3.0, 3.0]), Region::cell([-1.0, -3.0], [7.0, 3.0])] {
-        let case = MetricCase::new(Split, region, Effort::default());
+        let case = MetricCase::new(claiming(Split, [2.0, 2.0, 0.0]), region, Effort::default());
         let found = fault(metric::is_finite_and_symmetric(&case));
         let Fault::Metric(MetricError::NotFinite { point, .. }) = found else { panic!("{found}") };
         assert_eq!(point[0], 0.0);
     }
 }
 
-/// A distance that is known, times a factor that depends on the order of the points, and more.
+/// `H = 4` on the line, with distances that are wrong by factors and by a constant.
+struct Misjudged {
+    factor: f64,
+    /// The factor from right to left, besides.
+    back: f64,
+    more: f64,
+}
+
+impl Metric<1> for Misjudged {
+    fn gram<S: Scalar>(&self, _: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
+        SMatrix::from_diagonal_element(S::constant(4.0))
+    }
+}
+
+impl KnownDistance<1> for Misjudged {
+    fn distance(&self, x: &SVector<f64, 1>, y: &SVector<f64, 1>) -> Option<f64> {
+        let back = if x[0] > y[0] { self.back } else { 1.0 };
+        Some(2.0 * self.factor * back * (x - y).norm() + self.more)
+    }
+}
+
+fn misjudged(factor: f64, back: f64, more: f64) -> MetricCase<WithConstants<Misjudged>, 1> {
+    let metric = claiming(Misjudged { factor, back, more }, [4.0, 4.0, 0.0]);
+    let region = Region::cell([0.0], [1.0]);
+    MetricCase::new(metric, region, Effort::default()).with_known_distance()
+}
+
 #[test]
 fn distances_that_are_not_symmetric_or_not_zero_are_refused() {
-    struct Skew {
-        back: f64,
-        more: f64,
-    }
-    impl Metric<1> for Skew {
-        fn gram<S: Scalar>(&self, _: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
-            SMatrix::from_diagonal_element(S::constant(4.0))
-        }
-    }
-    impl Bounded<1> for Skew {
-        fn constants(&self) -> Constants {
-            Constants::new(4.0, 4.0, 0.0).expect("c1 ≤ c2")
-        }
-    }
-    impl KnownDistance<1> for Skew {
-        fn distance(&self, x: &SVector<f64, 1>, y: &SVector<f64, 1>) -> Option<f64> {
-            let factor = if x[0] > y[0] { self.back } else { 1.0 };
-            Some(2.0 * factor * (x - y).norm() + self.more)
-        }
-    }
-    let law = |back, more| {
-        let region = Region::cell([0.0], [1.0]);
-        let case = MetricCase::new(Skew { back, more }, region, Effort::default());
-        match fault(metric::known_distances_are_distances(&case.with_known_distance())) {
-            Fault::Broken { law, .. } => law,
-            fault => panic!("{fault}"),
-        }
-    };
-    // Not longer than any curve.
+    let law =
+        |back, more| broken(metric::known_distances_are_distances(&misjudged(1.0, back, more)));
+    // No longer than any curve.
     assert_eq!(law(0.999, 0.0), "|d(x, y) − d(y, x)| = 0");
     assert_eq!(law(1.0, 1e-6), "d(x, x) = 0");
 }
 
 /// Distances that are one percent too long, or too short.
 #[test]
-fn distances_that_are_not_those_of_the_metric_are_refused() {
-    struct Scaled(f64);
-    impl Metric<1> for Scaled {
-        fn gram<S: Scalar>(&self, _: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
-            SMatrix::from_diagonal_element(S::constant(4.0))
-        }
-    }
-    impl Bounded<1> for Scaled {
-        fn constants(&self) -> Constants {
-            Constants::new(4.0, 4.0, 0.0).expect("c1 ≤ c2")
-        }
-    }
-    impl KnownDistance<1> for Scaled {
-        fn distance(&self, x: &SVector<f64, 1>, y: &SVector<f64, 1>) -> Option<f64> {
-            Some(2.0 * self.0 * (x - y).norm())
-        }
-    }
-    let case = |factor| {
-        MetricCase::new(Scaled(factor), Region::cell([0.0], [1.0]), Effort::default())
-            .with_known_distance()
-    };
+fn distances_of_another_metric_are_refused() {
+    let case = |factor| misjudged(factor, 1.0, 0.0);
     assert!(metric::known_distances_are_distances(&case(1.0)).holds());
     let long = fault(metric::known_distances_are_distances(&case(1.01)));
     let Fault::Broken { left, right, .. } = long else { panic!("{long}") };
     assert!((left / right - 1.01).abs() <= 1e-9, "{long}");
-    // Nothing is shorter than a shortest curve, but the theorems do not hold with less, and there
-    // is no nearest pair.
+    // No curve is shorter than a shortest one, but with a smaller distance the theorems fail, and
+    // there is no nearest pair.
     for law in [metric::theorem_1_1, metric::prop_6_2] {
         assert!(law(&case(1.0)).holds());
         assert!(!law(&case(0.99)).holds());
     }
-    // Nor is there a curve of less than the distance.
+    // Some curve is shorter than a distance that is too large.
     assert!(metric::prop_6_3(&case(1.0)).holds());
     assert!(!metric::prop_6_3(&case(1.01)).holds());
 }
