@@ -1,9 +1,9 @@
-//! What these tests read of a `Cargo.toml`: its name, and the names in its tables of
-//! dependencies. Not a parser of TOML; it knows the two ways in which manifests here are written.
+//! Reads the name and the dependencies from a `Cargo.toml`. Not a TOML parser: it knows the two
+//! ways in which the manifests here are written.
 
 use std::path::Path;
 
-/// The name of a package, and what it depends on.
+/// The name of a package and its dependencies.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Manifest {
     pub(super) name: String,
@@ -54,9 +54,9 @@ impl Manifest {
         }
     }
 
-    /// Returns whether any table names the package.
-    pub(super) fn mentions(&self, name: &str) -> bool {
-        self.dependencies.iter().chain(&self.dev_dependencies).any(|found| found == name)
+    /// The dependencies of all tables.
+    pub(super) fn all(&self) -> impl Iterator<Item = &str> {
+        self.dependencies.iter().chain(&self.dev_dependencies).map(String::as_str)
     }
 }
 
@@ -70,5 +70,5 @@ fn both_ways_to_write_a_dependency_are_read() {
     assert_eq!(manifest.name, "a");
     assert_eq!(manifest.dependencies, ["b", "d", "e", "g"]);
     assert_eq!(manifest.dev_dependencies, ["f"]);
-    assert!(manifest.mentions("f") && !manifest.mentions("c"));
+    assert_eq!(manifest.all().collect::<Vec<_>>(), ["b", "d", "e", "g", "f"]);
 }

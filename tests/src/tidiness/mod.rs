@@ -1,4 +1,5 @@
-//! The shape of the workspace, as tests: which file may hold what, and who may depend on whom.
+//! The invariants of the architecture, as tests: what a source file may contain, and which crate may
+//! depend on which.
 
 mod ledger;
 mod manifest;
@@ -9,16 +10,19 @@ use std::path::{Path, PathBuf};
 
 use manifest::Manifest;
 
+/// The packages outside `crates/`.
+const TOP: [&str; 4] = ["benches", "paper", "tests", "xtask"];
+
 /// The root of the workspace.
-fn root() -> PathBuf {
+pub(crate) fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-fn read(path: &Path) -> String {
+pub(crate) fn read(path: &Path) -> String {
     std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// All files below `folder` with this extension, sorted; build output left out.
+/// All files below `folder` with this extension, sorted, without build output.
 fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
     let mut found = Vec::new();
     let mut pending = vec![folder.to_owned()];
@@ -46,8 +50,12 @@ fn crates() -> Vec<PathBuf> {
     manifests.iter().filter(|path| path.ends_with("Cargo.toml")).map(folder).collect()
 }
 
-/// The manifests of all packages, those at the top included.
+/// The folders of all packages.
+fn packages() -> Vec<PathBuf> {
+    crates().into_iter().chain(TOP.map(|name| root().join(name))).collect()
+}
+
+/// The manifests of all packages.
 fn manifests() -> Vec<Manifest> {
-    let top = ["benches", "paper", "tests", "xtask"].map(|name| root().join(name));
-    crates().iter().chain(&top).map(|folder| Manifest::read(&folder.join("Cargo.toml"))).collect()
+    packages().iter().map(|folder| Manifest::read(&folder.join("Cargo.toml"))).collect()
 }
