@@ -1,21 +1,32 @@
 //! What the adversary finds in the families of the project.
 
-use tautline_adversary::{AdversaryError, Search, families};
-use tautline_statements::{LIBRARY, Mutant, Source};
+use tautline_adversary::{AdversaryError, Search, Tightest, families};
+use tautline_statements::{LIBRARY, Mutant, Source, Subject};
 
-/// The least overestimation that the search finds; `∞` if none is told.
+/// The tightest case that a search finds in a family of a statement.
 #[track_caller]
-fn overestimation(number: &str, name: &str, source: Source) -> f64 {
-    let families = families(&LIBRARY);
+fn tightest(
+    search: Search,
+    subject: &Subject,
+    [number, name]: [&str; 2],
+    source: Source,
+) -> Result<Option<Tightest>, AdversaryError> {
+    let families = families(subject);
     let family = families.iter().find(|family| family.is(number, name)).expect("listed");
-    let found = Search::default().tightest(family, source).expect("no violation");
+    search.tightest(family, source)
+}
+
+/// The smallest overestimation that the search finds; `∞` if nothing was observed.
+#[track_caller]
+fn overestimation(family: [&str; 2], source: Source) -> f64 {
+    let found = tightest(Search::default(), &LIBRARY, family, source).expect("no violation");
     found.map_or(f64::INFINITY, |found| found.overestimation)
 }
 
-/// Within one per cent above the infimum of the family, and not below it.
+/// Within one percent above the infimum of the family, and not below it.
 #[track_caller]
 fn assert_found(number: &str, name: &str, source: Source, least: f64) {
-    let found = overestimation(number, name, source);
+    let found = overestimation([number, name], source);
     assert!(least - 1e-9 <= found && found <= 1.01 * least, "{number} on {name}: {found}");
 }
 
@@ -82,22 +93,20 @@ fn theorems_a_to_d_are_attained() {
     }
 }
 
-/// The tightest cases of these are at `a → 0` and at `N = 1`; no range is too short for them.
+/// The tightest cases of these are at `a → 0` and at `N = 1`, which no range excludes.
 #[test]
 fn a_search_that_ends_at_an_edge_is_not_cut_off() {
-    let families = families(&LIBRARY);
     let mut edges = 0;
-    for (number, name) in [
-        ("Theorem 1.1", "tent"),
-        ("Theorem 1.3", "incline"),
-        ("Theorem B", "two arcs"),
-        ("Proposition 7.9", "ramp"),
-        ("Proposition 7.11", "anisotropy"),
+    for family in [
+        ["Theorem 1.1", "tent"],
+        ["Theorem 1.3", "incline"],
+        ["Theorem B", "two arcs"],
+        ["Proposition 7.9", "ramp"],
+        ["Proposition 7.11", "anisotropy"],
     ] {
-        let family = families.iter().find(|family| family.is(number, name)).expect("listed");
-        let found = Search::default().tightest(family, Source::Stated).expect("no violation");
-        for edge in found.expect("an overestimation").edges {
-            assert!(!edge.is_cut_off(), "{number} on {name}: {edge}");
+        let found = tightest(Search::default(), &LIBRARY, family, Source::Stated);
+        for edge in found.expect("no violation").expect("an overestimation").edges {
+            assert!(!edge.is_cut_off(), "{family:?}: {edge}");
             edges += 1;
         }
     }
@@ -106,28 +115,26 @@ fn a_search_that_ends_at_an_edge_is_not_cut_off() {
 
 /// In dimension 1 one chord between two points has the length `d`.
 #[test]
-fn there_is_no_overestimation_to_tell_of_the_length_of_one_chord_on_the_line() {
-    assert_eq!(overestimation("Theorem 1.2", "tent", Source::Stated), f64::INFINITY);
+fn the_length_of_one_chord_on_the_line_has_no_overestimation() {
+    assert_eq!(overestimation(["Theorem 1.2", "tent"], Source::Stated), f64::INFINITY);
 }
 
 #[test]
 fn the_same_search_finds_the_same_case() {
-    let families = families(&LIBRARY);
-    let shear = families.iter().find(|family| family.is("Theorem 1.2", "shear"));
-    let shear = shear.expect("listed");
     let search = Search { restarts: 1, samples: 20, climbs: 40, ..Search::default() };
-    let [first, second, other] = [search, search, Search { seed: 7, ..search }]
-        .map(|search| search.tightest(shear, Source::Sharper).expect("true").expect("told"));
+    let [first, second, other] = [search, search, Search { seed: 7, ..search }].map(|search| {
+        let found = tightest(search, &LIBRARY, ["Theorem 1.2", "shear"], Source::Sharper);
+        found.expect("no violation").expect("an overestimation")
+    });
     assert_eq!(first, second);
     assert_ne!(first.parameters, other.parameters);
 }
 
 /// With a quarter instead of a half in Proposition 8.2, which an incline attains.
 #[test]
-fn a_wrong_constant_is_found_out() {
+fn a_wrong_constant_is_found() {
     let wrong = Mutant::HalfOfLeftGap.into();
-    let families = families(&wrong);
-    let incline = families.iter().find(|family| family.is("Proposition 8.2", "incline"));
-    let found = Search::default().tightest(incline.expect("listed"), Source::Stated);
+    let incline = ["Proposition 8.2", "incline"];
+    let found = tightest(Search::default(), &wrong, incline, Source::Stated);
     assert!(matches!(found, Err(AdversaryError::Violated { .. })), "{found:?}");
 }

@@ -1,5 +1,4 @@
-//! Bad input through the face: each is an error which names the thing and the number, and
-//! nothing panics.
+//! Bad input to the `tautline` crate: an error names the culprit and the number; nothing panics.
 
 use std::fmt::{Debug, Display};
 
@@ -11,7 +10,7 @@ use tautline::{
     gallery::{Constant, GalleryError, Hyperbolic, Valleys},
 };
 
-/// The message of an error contains all of these words.
+/// The message of an error contains all these words.
 #[track_caller]
 fn assert_names(error: impl Display, words: &[&str]) {
     let message = error.to_string();
@@ -25,7 +24,7 @@ fn ends() -> Ends<2> {
 }
 
 #[test]
-fn coordinates_that_are_no_numbers_are_refused() {
+fn coordinates_that_are_not_finite_are_refused() {
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let number = bad.to_string();
         let words = ["coordinate", number.as_str(), "1"];
@@ -46,8 +45,8 @@ fn coordinates_that_are_no_numbers_are_refused() {
     }
 }
 
-/// `H = [[1, above], [below, 1]]` right of the line `x₁ = from`, the unit matrix left of it, and a
-/// smooth passage between.
+/// `H = [[1, above], [below, 1]]` right of the line `x₁ = from`, the unit matrix left of it, with a
+/// smooth transition.
 #[derive(Clone, Copy, Debug)]
 struct Defect {
     above: f64,
@@ -75,7 +74,7 @@ fn refusal(metric: impl Metric<2> + Debug, n: usize) -> MetricError {
 }
 
 #[test]
-fn a_metric_that_is_not_symmetric_is_refused() {
+fn an_asymmetric_metric_is_refused() {
     for from in [-9.0, 1.5] {
         let error = refusal(Defect { above: 0.5, below: 0.25, from }, 16);
         let MetricError::NotSymmetric { point, row: 0, column: 1, above, below } = &error else {
@@ -87,13 +86,13 @@ fn a_metric_that_is_not_symmetric_is_refused() {
 }
 
 #[test]
-fn a_metric_that_is_not_positive_definite_is_refused() {
+fn an_indefinite_metric_is_refused() {
     // Everywhere: the least eigenvalue is 1 − 2.
     let error = refusal(Defect { above: 2.0, below: 2.0, from: -9.0 }, 16);
     let MetricError::NotPositiveDefinite { eigenvalue, .. } = &error else { panic!("{error:?}") };
     approx::assert_relative_eq!(*eigenvalue, -1.0, max_relative = 1e-14);
     assert_names(&error, &["not positive definite", &eigenvalue.to_string()]);
-    // Met by every curve to the second end.
+    // On every curve to the second end.
     let error = refusal(Defect { above: 2.0, below: 2.0, from: 1.5 }, 16);
     let MetricError::NotPositiveDefinite { point, eigenvalue } = &error else {
         panic!("{error:?}");
@@ -101,7 +100,7 @@ fn a_metric_that_is_not_positive_definite_is_refused() {
     assert!(point[0] > 1.0 && *eigenvalue <= 0.0);
 }
 
-/// `H = √(1 − x₁) I`: no number for `x₁ > 1`, and every curve goes there.
+/// `H = √(1 − x₁) I`: NaN for `x₁ > 1`, where every curve goes.
 #[derive(Clone, Copy, Debug)]
 struct Cliff;
 
@@ -122,27 +121,27 @@ fn a_metric_that_becomes_nan_on_the_way_is_refused() {
         assert!(point[0] > 1.0 && entry.is_nan());
         assert_names(&error, &["NaN", &point[0].to_string(), "finite"]);
     }
-    // The hyperbolic plane ends at the unit circle, where its matrix changes sign or is infinite.
+    // The hyperbolic plane ends at the unit circle, where `H` changes sign or is infinite.
     let beyond = Ends::points([0.0, 0.0], [1.5, 0.0]).expect("finite");
     let error = Problem::new(Hyperbolic, beyond).solve(Trapezoidal, 32);
     assert!(matches!(error, Err(SolveError::Metric(_))), "{error:?}");
 }
 
-/// `H = (1 + 1/(r² − ¼)²) I` outside of the disc of radius ½, infinite on its rim and no number
-/// inside, where the straight line goes.
+/// `H = (1 + 1/(r² − ¼)²) I` outside the disc of radius ½, infinite on its rim and NaN inside, where
+/// the straight line goes.
 #[derive(Clone, Copy, Debug)]
 struct Hole;
 
 impl Metric<2> for Hole {
     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
         let height = x[0].sqr() + x[1].sqr() - 0.25;
-        // h⁻² by the root, since the root of a negative number is no number.
+        // h⁻² by way of the root, which is NaN for a negative number.
         SMatrix::from_diagonal_element(height.sqrt().powi(-4) + 1.0)
     }
 }
 
 #[test]
-fn a_hole_in_the_metric_is_passed_if_there_is_a_way_round() {
+fn a_curve_goes_round_a_hole_in_the_metric() {
     let ends = Ends::points([-2.0, 0.0], [2.0, 0.0]).expect("finite");
     let line = Problem::new(Hole, ends).solve(Trapezoidal, 128).expect("a way round");
     assert!(line.minimum().is_local_minimum(), "{:?}", line.minimum().stop);
@@ -152,18 +151,12 @@ fn a_hole_in_the_metric_is_passed_if_there_is_a_way_round() {
 
 #[test]
 fn no_subinterval_is_refused() {
-    let problem = Problem::new(Valleys, ends());
-    let error = problem.solve(Trapezoidal, 0).expect_err("N = 0");
+    let error = Problem::new(Valleys, ends()).solve(Trapezoidal, 0).expect_err("N = 0");
     assert_eq!(error, SolveError::NoSubinterval);
     assert_names(error, &["N = 0"]);
-    assert_eq!(
-        PointSequence::straight([0.0], [1.0], 0),
-        Err(SequenceError::NoSubinterval { points: 1 })
-    );
-    assert_eq!(
-        PointSequence::<2>::new(Vec::new()),
-        Err(SequenceError::NoSubinterval { points: 0 })
-    );
+    let refused = |points| SequenceError::NoSubinterval { points };
+    assert_eq!(PointSequence::straight([0.0], [1.0], 0), Err(refused(1)));
+    assert_eq!(PointSequence::<2>::new(Vec::new()), Err(refused(0)));
 }
 
 #[test]
@@ -193,11 +186,12 @@ fn two_unbounded_sets_are_refused() {
 
 #[test]
 fn negative_sizes_and_zero_normals_are_refused() {
-    let error = Ball::new([0.0, 0.0], -0.5).expect_err("negative");
-    assert_eq!(error, SetError::NegativeRadius { radius: -0.5 });
-    assert_names(error, &["radius", "-0.5"]);
-    let error = Sphere::new([0.0, 0.0], -0.5).expect_err("negative");
-    assert_eq!(error, SetError::NegativeRadius { radius: -0.5 });
+    let ball = Ball::new([0.0, 0.0], -0.5).expect_err("negative");
+    let sphere = Sphere::new([0.0, 0.0], -0.5).expect_err("negative");
+    for error in [ball, sphere] {
+        assert_eq!(error, SetError::NegativeRadius { radius: -0.5 });
+        assert_names(error, &["radius", "-0.5"]);
+    }
     let error = AxisBox::new([0.0, 0.0], [1.0, -0.25]).expect_err("negative");
     assert_eq!(error, SetError::NegativeHalfWidth { index: 1, half_width: -0.25 });
     assert_names(error, &["half-width", "-0.25"]);

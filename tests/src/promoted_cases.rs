@@ -1,8 +1,8 @@
 //! Cases that caught a mistake: drawn at random, shrunk, and kept by name.
 //!
-//! The library passes each, and a program with that mistake does not. The random checks of the
-//! suite may come to draw other cases; these stay. A check that fails on a random case prints a test
-//! of that case, to be pasted here as it is.
+//! The library passes each; a program with that mistake does not. The random checks of the suite may
+//! one day draw other cases, while these stay. A check that fails on a random case prints a test of
+//! that case, to be pasted here as it is.
 
 use std::{any::Any, f64::consts::TAU};
 
@@ -18,7 +18,8 @@ use tautline_statements::{
 };
 use tautline_suite::battery::{Given, Scope, Trial, suite};
 
-/// Evaluates the case with the library and with a mistake.
+/// The library passes the case, the mutant does not.
+#[track_caller]
 fn tells_apart(mutant: Mutant, case: impl Fn(&Subject) -> Evidence) {
     let sound = case(&LIBRARY);
     assert_eq!(sound.finding(), Finding::Holds, "{sound:?}");
@@ -26,8 +27,22 @@ fn tells_apart(mutant: Mutant, case: impl Fn(&Subject) -> Evidence) {
     assert_ne!(wrong.finding(), Finding::Holds, "{mutant:?} passes: {wrong:?}");
 }
 
-/// Puts the library to a check with this case in place of the random ones of a family, which its
-/// seed names: what `cargo xtask nightly` prints.
+/// The same for a statement about the trapezoidal minimiser with `n` subintervals.
+#[track_caller]
+fn minimiser_tells_apart<M: Bounded<2>>(
+    mutant: Mutant,
+    known: &Known<M, 2>,
+    n: usize,
+    statement: impl Fn(&Subject, &Reconstruction<2>) -> Evidence,
+) {
+    tells_apart(mutant, |subject| {
+        let seen = Reconstruction::observe(subject, known, PaperRule::Trapezoidal, n);
+        statement(subject, &seen.expect("a minimiser"))
+    });
+}
+
+/// Runs a check of the suite with this case in place of the random ones of a family, which its seed
+/// names: what `cargo xtask nightly` prints.
 #[track_caller]
 fn holds(check: &str, family: u64, case: impl Any) {
     let found = suite().into_iter().find(|known| known.name == check);
@@ -40,17 +55,7 @@ fn holds(check: &str, family: u64, case: impl Any) {
     }
 }
 
-/// What a subject's minimiser of a rule with `n` subintervals looks like.
-fn observe<M: Bounded<D>, const D: usize>(
-    subject: &Subject,
-    known: &Known<M, D>,
-    rule: PaperRule,
-    n: usize,
-) -> Reconstruction<D> {
-    Reconstruction::observe(subject, known, rule, n).expect("a minimiser")
-}
-
-/// `H = ¼ I` from 0 to a point near `(1, 2)`: `C = 0`, so that nothing may be off.
+/// `H = ¼ I` from 0 to a point near `(1, 2)`: `C = 0`, so that every error shows.
 fn quarter() -> Known<Constant<2>, 2> {
     let metric = Constant::new(SMatrix::identity() * 0.25).expect("positive definite");
     Known::between(metric, [0.0, 0.0], [0.9, 1.9136]).expect("finite").expect("known everywhere")
@@ -73,34 +78,22 @@ fn straight_up(amplitude: f64) -> Known<Shear, 2> {
 
 #[test]
 fn half_of_the_energy_on_a_straight_line() {
-    let known = quarter();
-    tells_apart(Mutant::EnergyHalved, |subject| {
-        theorem_1_1(subject, &observe(subject, &known, PaperRule::Trapezoidal, 1))
-    });
+    minimiser_tells_apart(Mutant::EnergyHalved, &quarter(), 1, theorem_1_1);
 }
 
 #[test]
 fn the_energy_of_all_chords_but_the_last_on_a_straight_line() {
-    let known = quarter();
-    tells_apart(Mutant::LastChordLost, |subject| {
-        theorem_1_1(subject, &observe(subject, &known, PaperRule::Trapezoidal, 2))
-    });
+    minimiser_tells_apart(Mutant::LastChordLost, &quarter(), 2, theorem_1_1);
 }
 
 #[test]
 fn k3_bar_without_the_distance_on_a_straight_line() {
-    let known = quarter();
-    tells_apart(Mutant::DistanceForgotten, |subject| {
-        constant_k3_bar(subject, &observe(subject, &known, PaperRule::Trapezoidal, 1))
-    });
+    minimiser_tells_apart(Mutant::DistanceForgotten, &quarter(), 1, constant_k3_bar);
 }
 
 #[test]
 fn an_end_point_a_millionth_off_on_a_straight_line() {
-    let known = quarter();
-    tells_apart(Mutant::EndRelaxed, |subject| {
-        theorem_1_1(subject, &observe(subject, &known, PaperRule::Trapezoidal, 1))
-    });
+    minimiser_tells_apart(Mutant::EndRelaxed, &quarter(), 1, theorem_1_1);
 }
 
 /// The energy of one chord on a shear, read at one node, is less than the square of the distance.
@@ -108,9 +101,7 @@ fn an_end_point_a_millionth_off_on_a_straight_line() {
 fn one_node_of_a_chord_on_a_shear() {
     let ends = [[0.0, 0.0], [-1.782_908_291_752_968, 0.166_017_112_013_032_04]];
     let known = shear(0.577_034_596_844_456, 0.5, ends);
-    tells_apart(Mutant::QuadratureOfOneNode, |subject| {
-        theorem_1_1(subject, &observe(subject, &known, PaperRule::Trapezoidal, 1))
-    });
+    minimiser_tells_apart(Mutant::QuadratureOfOneNode, &known, 1, theorem_1_1);
 }
 
 /// The steepest place of this shear is on the way.
@@ -119,18 +110,16 @@ fn a_lipschitz_constant_a_tenth_too_small_on_a_shear() {
     let ends =
         [[-1.971_790_881_159_051_2, 0.0], [-2.031_890_739_852_592_7, 2.205_841_535_059_412_7]];
     let known = shear(0.374_169_547_927_881_2, 0.5, ends);
-    tells_apart(Mutant::LipschitzTooSmall, |subject| {
-        theorem_1_1(subject, &observe(subject, &known, PaperRule::Trapezoidal, 3))
-    });
+    minimiser_tells_apart(Mutant::LipschitzTooSmall, &known, 3, theorem_1_1);
 }
 
-/// From a point to a half-plane: with the mean of `H` over the ends of a chord for `H` in its
-/// middle, the minimiser meets the line at a slant.
+/// From a point to a half-plane: with the mean of `H` over the ends of a chord instead of `H` at its
+/// midpoint, the minimiser meets the line at a slant.
 #[test]
 fn the_mean_over_the_ends_of_a_chord_from_a_point_to_a_half_plane() {
     let known = straight_up(-0.303_127_440_325_200_7);
-    tells_apart(Mutant::TrueTrapezoid, |subject| {
-        critical_point(subject, &known, &observe(subject, &known, PaperRule::Trapezoidal, 2))
+    minimiser_tells_apart(Mutant::TrueTrapezoid, &known, 2, |subject, seen| {
+        critical_point(subject, &known, seen)
     });
 }
 
@@ -166,23 +155,19 @@ fn a_sequence_that_stays_where_it_is() {
     });
 }
 
-/// The straight line is dearer than any bound of the minimum allows.
+/// The straight line has more energy than the bounds allow a minimum.
 #[test]
 fn a_straight_line_on_a_shear() {
     let ends = [[-0.786_559_023_454_842_9, 0.0], [0.0, -2.261_642_456_117_900_5]];
     let known = shear(0.255_151_814_396_990_14, 0.5, ends);
-    tells_apart(Mutant::NotOptimised, |subject| {
-        theorem_1_1(subject, &observe(subject, &known, PaperRule::Trapezoidal, 200))
-    });
+    minimiser_tells_apart(Mutant::NotOptimised, &known, 200, theorem_1_1);
 }
 
-/// With one node a chord, the square of a length is above its energy.
+/// With one node per chord, the square of a length exceeds its energy.
 #[test]
 fn one_node_of_a_chord_from_a_point_to_a_half_plane() {
     let known = straight_up(0.182_596_145_964_421_17);
-    tells_apart(Mutant::QuadratureOfOneNode, |subject| {
-        theorem_1_2(subject, &observe(subject, &known, PaperRule::Trapezoidal, 1))
-    });
+    minimiser_tells_apart(Mutant::QuadratureOfOneNode, &known, 1, theorem_1_2);
 }
 
 #[test]
@@ -230,8 +215,8 @@ fn christoffel_symbols_twice_too_large_as_they_are_printed() {
     holds("props_7_10_and_7_11_hold_for_random_metrics", 7101, case);
 }
 
-/// The three tests above are what the checks print of these mutants, but for line breaks and names:
-/// so it is seen that what is printed compiles, and is about the case that failed.
+/// The three tests above are what the checks print for these mutants, except for line breaks and
+/// names. So the printed tests compile, and are about the case that failed.
 #[test]
 fn what_a_failing_check_prints_stands_above() {
     let words = |text: &str| {

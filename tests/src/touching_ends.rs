@@ -1,4 +1,4 @@
-//! Ends that touch: the distance is 0, which is no error, and everything else is 0 too.
+//! Ends that touch: no error, and everything is 0.
 
 use tautline::{
     AxisBox, Ball, Bounded, ClosedSet, Ends, FiniteSet, HalfSpace, LeftEndpoint, Problem, Rule,

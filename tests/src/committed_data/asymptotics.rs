@@ -1,5 +1,5 @@
 //! `paper/tables/asymptotics.csv`: leading constants of the errors, predicted and measured; and
-//! `paper/data/asymptotics.csv`: how the errors come to them.
+//! `paper/data/asymptotics.csv`: how the errors approach them.
 
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
@@ -25,7 +25,7 @@ fn table() -> Table {
     Table::read("tables/asymptotics.csv")
 }
 
-/// The difference of what is measured from the prediction, relative to it, or to `d²` if it is 0.
+/// The difference between measurement and prediction, relative to the latter, or to `d²` if it is 0.
 fn difference(row: &Row<'_>) -> f64 {
     let (predicted, measured) = (row.number("predicted"), row.number("measured"));
     let scale = if predicted == 0.0 { row.number("d_squared") } else { predicted.abs() };
@@ -35,15 +35,7 @@ fn difference(row: &Row<'_>) -> f64 {
 #[test]
 fn asymptotics_has_every_quantity_of_every_case() {
     let table = table();
-    table.assert_columns(&[
-        "case",
-        "quantity",
-        "order",
-        "n",
-        "predicted",
-        "measured",
-        "relative_difference",
-    ]);
+    table.assert_columns("case quantity order n predicted measured relative_difference");
     let mut cases: BTreeMap<&str, Vec<(&str, &str)>> = BTreeMap::new();
     for row in table.rows() {
         let quantities = cases.entry(row.text("case")).or_default();
@@ -56,7 +48,7 @@ fn asymptotics_has_every_quantity_of_every_case() {
     }
 }
 
-/// In every row; and for each quantity there are eight cases and more in which it is not zero.
+/// In every row. Each quantity is nonzero in at least eight cases.
 #[test]
 fn asymptotics_agree_to_three_digits() {
     let table = table();
@@ -75,8 +67,8 @@ fn asymptotics_agree_to_three_digits() {
     }
 }
 
-/// With `c = (8π)³ π/18√3`: `−2c`, 0, `c`, 0 for the trapezoidal rule and `13c` and 0 for the left
-/// one, which runs along the segment too.
+/// With `c = (8π)³ π/18√3`: `−2c`, 0, `c`, 0 for the trapezoidal rule, and `13c` and 0 for the left
+/// one, whose curve runs along the segment too.
 #[test]
 fn asymptotics_over_the_valleys_are_explicit() {
     let table = table();
@@ -96,16 +88,16 @@ fn asymptotics_over_the_valleys_are_explicit() {
     }
 }
 
-/// The next term of the expansion has two more powers of `1/N` for the trapezoidal rule, one for
-/// the left rule; extrapolation from two and three grids leaves the fourth and the sixth.
+/// The next term of the expansion has two more powers of `1/N` for the trapezoidal rule and one more
+/// for the left rule. Extrapolation from two and three grids leaves the fourth and the sixth power.
 #[test]
 fn asymptotics_are_approached_at_the_next_order() {
     let figure = Table::read("data/asymptotics.csv");
     let mut seen = 0;
     for case in ["valleys_oblique", "shear_points", "sphere_patch", "lens_balls", "valleys_points"]
     {
-        // Fine enough for the next term to lead, and coarse enough for it to be above rounding;
-        // over the symmetric valleys, long and deep, later.
+        // Fine enough for the next term to lead, and coarse enough for it to exceed rounding. The
+        // symmetric valleys, long and deep, need finer grids.
         let window = if case == "valleys_points" { 256..=1024 } else { 32..=128 };
         let of_case = |row: &Row<'_>| row.text("case") == case && window.contains(&row.n());
         let rows: Vec<_> = figure.rows().filter(of_case).collect();
@@ -120,7 +112,7 @@ fn asymptotics_are_approached_at_the_next_order() {
         ];
         for (column, limit, expected) in quantities {
             let found = order(&|row| (row.number(column) - row.number(limit)).abs());
-            // The term after next tilts it by some hundredths; another order would by 1.
+            // The term after the next tilts it by some hundredths, another order by 1.
             assert!((found - expected).abs() <= 0.1, "{case}, {column}: {found}");
             seen += 1;
         }
@@ -132,11 +124,11 @@ fn asymptotics_are_approached_at_the_next_order() {
             }
         }
     }
-    // The distance of the balls under the lens is not known otherwise.
+    // For the balls under the lens no exact distance is known.
     assert_eq!(seen, 5 * 3 + 4 * 2);
 }
 
-/// Both print one prediction, the figure relative to `d²`.
+/// The figure prints the same prediction relative to `d²`.
 #[test]
 fn asymptotics_have_the_same_limits_in_the_figure() {
     let (table, figure) = (table(), Table::read("data/asymptotics.csv"));
@@ -147,10 +139,7 @@ fn asymptotics_have_the_same_limits_in_the_figure() {
             ("discrete_energy_left", "limit_left"),
             ("energy_trapezoidal", "limit_energy"),
         ] {
-            let same = |other: &Row<'_>| {
-                other.text("case") == row.text("case") && other.text("quantity") == quantity
-            };
-            let other = table.rows().find(same).expect("a case of the table");
+            let other = table.row(&[("case", row.text("case")), ("quantity", quantity)]);
             let predicted = other.number("predicted");
             let error = (row.number(limit) * other.number("d_squared") - predicted).abs();
             // Printed with seven digits there.

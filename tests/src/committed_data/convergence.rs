@@ -1,4 +1,4 @@
-//! `paper/data/convergence.csv`: observed errors under the bounds of the theorems.
+//! `paper/data/convergence.csv`: observed errors and the bounds of the theorems.
 
 use std::collections::BTreeMap;
 
@@ -6,7 +6,7 @@ use tautline_statements::slope;
 
 use super::{Row, Table};
 
-/// Cases for which the left rule does not show the order 1 (the last: neither rule its own), and
+/// Cases in which the left rule does not show the order 1 (in the last, neither rule its own), and
 /// why.
 const EXCEPTIONS: [(&str, &str); 3] = [
     ("valleys_points", "the metric is even about the middle of the curve"),
@@ -32,20 +32,10 @@ fn series(table: &Table) -> BTreeMap<(&str, &str), Vec<Row<'_>>> {
 #[test]
 fn convergence_has_the_promised_columns_and_rows() {
     let table = table();
-    table.assert_columns(&[
-        "case",
-        "rule",
-        "n",
-        "d_squared",
-        "discrete_energy",
-        "energy",
-        "length_squared",
-        "residual",
-        "decrement",
-        "paper_bound",
-        "first_order_bound",
-        "second_order_bound",
-    ]);
+    table.assert_columns(
+        "case rule n d_squared discrete_energy energy length_squared residual decrement paper_bound \
+         first_order_bound second_order_bound",
+    );
     let series = series(&table);
     let cases: Vec<_> = series.keys().map(|key| key.0).collect();
     let mut distinct = cases.clone();
@@ -91,9 +81,9 @@ fn convergence_stays_within_the_theorems_in_every_row() {
     }
 }
 
-/// The bound is `C/√N`: times `√N` it is the same in all rows of a series.
+/// The bound is `C/√N`, so that `√N` times the bound is constant in a series.
 #[test]
-fn convergence_has_bounds_that_fall_like_the_root_of_n() {
+fn convergence_has_bounds_that_fall_like_one_over_root_n() {
     let table = table();
     for ((case, rule), rows) in series(&table) {
         let constant = rows[0].number("paper_bound");

@@ -67,8 +67,8 @@ fn counterexample_has_energies_that_converge_to_the_distance() {
     assert!((last - 8.0 * PI).abs() < 1e-4);
 }
 
-/// The energies are those of global minimisers: none is above the minimum over the sequences of
-/// a grid, by dynamic programming.
+/// The energies are those of global minimisers: none exceeds the minimum over the sequences of a
+/// grid, found by dynamic programming.
 #[test]
 fn counterexample_has_the_energies_of_global_minimisers() {
     let d2 = 64.0 * PI * PI;
@@ -83,5 +83,5 @@ fn counterexample_has_the_energies_of_global_minimisers() {
             }
         }
     }
-    assert!(above.is_empty(), "not the global minimum:\n{}", above.join("\n"));
+    assert!(above.is_empty(), "above the global minimum:\n{}", above.join("\n"));
 }

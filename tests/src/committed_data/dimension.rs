@@ -7,7 +7,7 @@ use super::{Row, Table};
 const SHARPER: [&str; 4] = ["theorem_a", "theorem_c", "theorem_b", "theorem_d"];
 
 #[test]
-fn dimension_enters_the_paper_alone() {
+fn only_the_bound_of_the_paper_grows_with_the_dimension() {
     let table = Table::read("data/dimension.csv");
     let rows: Vec<Row<'_>> = table.rows().collect();
     for row in &rows {
@@ -23,7 +23,7 @@ fn dimension_enters_the_paper_alone() {
                 assert_eq!(row.text(bound), rows[1].text(bound), "{:?}", row.record);
             }
         }
-        // The problem along an axis is that on the line, up to what is left to minimise.
+        // The problem along an axis is the one on the line, up to the error of the minimisation.
         let [here, line] = [row, &rows[0]].map(|row| row.number("along_axis"));
         assert!((here / line - 1.0).abs() <= 1e-6, "{:?}", row.record);
     }

@@ -1,9 +1,9 @@
-//! `paper/data/losses.csv`: each step of a proof is a bound of the one before.
+//! `paper/data/losses.csv`: each step of a proof bounds the one before.
 
 use super::{Row, Table};
 
 #[test]
-fn losses_are_not_gains() {
+fn no_step_of_a_proof_gains() {
     let table = Table::read("data/losses.csv");
     let rows: Vec<Row<'_>> = table.rows().collect();
     let same = |a: &Row<'_>, b: &Row<'_>| {
@@ -19,7 +19,7 @@ fn losses_are_not_gains() {
             assert!(before <= after * (1.0 + 1e-9), "{:?}", pair[1].record);
         }
     }
-    // Both chains begin with what was observed, and the sharper one gives away less in all.
+    // Both chains start from the observed value, and the sharper one loses less in all.
     for case in ["valleys_points", "shear_points", "separable_points"] {
         let ends = |name: &str| {
             let of_chain = |row: &&Row<'_>| row.text("case") == case && row.text("chain") == name;

@@ -1,7 +1,7 @@
-//! What the project claims of the data in its repository, read from the files themselves.
+//! What the project claims about the data in its repository, checked on the files themselves.
 //!
-//! A figure or a table that was drawn from these files shows what these tests checked. Nothing is
-//! computed here but by the checks that kill the mutants.
+//! Figures and tables drawn from these files show what these tests checked. Only the checks that kill
+//! the mutants compute anything.
 
 mod asymptotics;
 mod convergence;
@@ -41,10 +41,17 @@ impl Table {
         self.rows.iter().map(|record| Row { table: self, record })
     }
 
+    /// The first row with these cells.
     #[track_caller]
-    fn assert_columns(&self, names: &[&str]) {
-        for name in names {
-            assert!(self.columns.contains_key(*name), "there is no column {name}");
+    fn row(&self, cells: &[(&str, &str)]) -> Row<'_> {
+        let mut found = self.rows().filter(|row| cells.iter().all(|(k, v)| row.text(k) == *v));
+        found.next().unwrap_or_else(|| panic!("no row with {cells:?}"))
+    }
+
+    #[track_caller]
+    fn assert_columns(&self, names: &str) {
+        for name in names.split_whitespace() {
+            assert!(self.columns.contains_key(name), "there is no column {name}");
         }
     }
 }

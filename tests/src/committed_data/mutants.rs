@@ -1,11 +1,12 @@
-//! The table of the mutants: what it says kills a mutant still does.
+//! `paper/tables/mutants.csv`: the named checks still kill the mutants.
 
 use tautline_statements::Mutant;
 use tautline_suite::battery::{Scope, Trial, suite};
 
 use super::{Row, Table};
+use crate::tidiness::{read, root};
 
-/// As many random cases a family as the table was made with.
+/// The number of random cases per family for which the table was made.
 const CASES: u32 = 32;
 
 #[test]
@@ -16,9 +17,10 @@ fn every_mutant_has_its_row() {
     assert_eq!(names, expected);
 }
 
-/// What the paper's bounds cannot see they cannot let pass: the claims count among the others.
+/// The bounds of the paper do not pass a mutant that changes no number in them, so the claims count
+/// only the others.
 #[test]
-fn the_paper_s_bounds_are_blamed_for_what_they_could_see_alone() {
+fn the_paper_s_bounds_are_judged_by_what_they_could_see() {
     let table = Table::read("tables/mutants.csv");
     let count = |seen: &str, killed: &str| {
         let is = |row: &Row<'_>| {
@@ -30,7 +32,7 @@ fn the_paper_s_bounds_are_blamed_for_what_they_could_see_alone() {
     let all = Mutant::ALL.len();
     let (killed, pass, unseen) = (count("yes", "yes"), count("yes", "no"), count("no", "no"));
     let seen = killed + pass;
-    // Nothing is killed unseen, and no answer is a third one.
+    // No mutant is killed unseen, and there is no third answer.
     assert_eq!(seen + unseen, all);
     assert!(killed > 0 && pass > 0 && unseen > 0, "{killed}, {pass}, {unseen}");
     for (file, claims) in [
@@ -57,15 +59,14 @@ fn the_paper_s_bounds_are_blamed_for_what_they_could_see_alone() {
             ],
         ),
     ] {
-        let path = format!("{}/../{file}", env!("CARGO_MANIFEST_DIR"));
-        let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
+        let text = read(&root().join(file));
         for claim in claims {
             assert!(text.contains(&claim), "{file} does not say {claim:?}");
         }
     }
 }
 
-/// A check that was made too weak passes on the library, and on the mutant that it used to kill.
+/// A check that has become too weak passes on the library and on the mutant that it used to kill.
 #[test]
 fn the_first_check_that_kills_a_mutant_still_does() {
     let table = Table::read("tables/mutants.csv");

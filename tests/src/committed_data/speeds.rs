@@ -1,4 +1,4 @@
-//! `paper/data/speeds.csv`: least energy is near one speed, least length is one jump.
+//! `paper/data/speeds.csv`: least energy has nearly constant speed, least length is one jump.
 
 use std::f64::consts::PI;
 
@@ -27,7 +27,7 @@ fn speeds_stay_within_lemmas_s_3_and_s_5() {
     }
 }
 
-/// The energy minimiser's greatest deviation from its mean speed falls with `N`, relative to it.
+/// The largest relative deviation of an energy minimiser from its mean speed falls with `N`.
 #[test]
 fn speeds_of_least_energy_become_equal() {
     let table = Table::read("data/speeds.csv");

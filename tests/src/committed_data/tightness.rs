@@ -1,4 +1,4 @@
-//! The table of the tightest cases: a search that stopped at an edge of its box says why.
+//! `paper/tables/tightness.csv`: a search that stopped at an edge of its box says why.
 
 use tautline_adversary::{Beyond, Family, families};
 use tautline_statements::LIBRARY;
@@ -17,7 +17,7 @@ fn family<'a, 'f>(families: &'a [Family<'f>], row: Row<'_>) -> &'a Family<'f> {
     found.unwrap_or_else(|| panic!("no family {} of {}", row.text("family"), row.text("statement")))
 }
 
-/// The ends are read off the printed values, so that the column cannot pass over one.
+/// The ends are read off the printed values, so that the column cannot omit one.
 #[test]
 fn a_case_at_an_edge_of_its_search_says_why() {
     let table = Table::read("tables/tightness.csv");
@@ -41,7 +41,7 @@ fn a_case_at_an_edge_of_its_search_says_why() {
     assert!(seen > 0, "no case is at an edge");
 }
 
-/// What a range leaves on the way to a limit is measured where the table is made.
+/// The program that makes the table measures how far a range is from a limit.
 #[test]
 fn no_search_is_cut_off() {
     let table = Table::read("tables/tightness.csv");

@@ -1,4 +1,4 @@
-//! An ellipse with its inside: a closed set of one's own, given by its nearest-point map.
+//! A filled ellipse: a user's closed set, given by its nearest-point map.
 
 use tautline::{ClosedSet, SMatrix, SVector};
 
@@ -25,8 +25,8 @@ impl Ellipse {
     }
 
     /// For `z = x − c` outside: `P = (I + λQ)⁻¹z` with the multiplier `λ > 0` for which `PᵀQP = 1`,
-    /// and the matrix `(I + λQ)⁻¹`. The left side falls and is convex in `λ`, so that Newton's
-    /// method climbs to the root from `λ = 0`, without a safeguard.
+    /// and the matrix `(I + λQ)⁻¹`. `PᵀQP` is decreasing and convex in `λ`, so that Newton's method
+    /// climbs from `λ = 0` to the root without a safeguard.
     fn nearest(&self, z: &SVector<f64, 2>) -> (SVector<f64, 2>, SMatrix<f64, 2, 2>) {
         let mut lambda = 0.0;
         loop {

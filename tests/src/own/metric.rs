@@ -1,4 +1,4 @@
-//! A metric of one's own: a formula, and its constants where bounds are wanted.
+//! A user's metric: a formula, and its constants.
 
 use tautline::{
     Bounded, Constants, Ends, LeftEndpoint, Metric, Problem, Rule, SMatrix, SVector, Scalar,
@@ -37,7 +37,7 @@ fn estimate(rule: impl Rule, n: usize) -> tautline::Estimate {
 /// The values on the grids 16, 63, 250 and 1000 extrapolate to `d²`: terms to `N⁻⁸` are removed
 /// for the trapezoidal rule, to `N⁻⁴` for the left one.
 #[test]
-fn a_metric_of_ones_own_extrapolates_to_its_distance() {
+fn a_users_metric_extrapolates_to_its_distance() {
     let trapezoidal = estimate(Trapezoidal, 1000);
     // What is left of 16⁻² 63⁻² 250⁻² 1000⁻² is rounding: 20 ulp of 9.
     assert!((trapezoidal.value - D2).abs() <= 4e-14, "{:e}", trapezoidal.value - D2);
@@ -46,14 +46,14 @@ fn a_metric_of_ones_own_extrapolates_to_its_distance() {
     assert!((left.value - D2).abs() <= 1e-8, "{:e}", left.value - D2);
     for estimate in [trapezoidal, left] {
         let error = (estimate.value - D2).abs();
-        // As an estimate of the error it may be too small, but not by more than rounding or 10.
+        // The estimated error may be too small, but by no more than rounding or a factor of 10.
         assert!(error <= 10.0 * estimate.error + 4e-14, "{error:e} beside {:e}", estimate.error);
     }
 }
 
-/// Nobody wrote a derivative: `Γ¹₁₁ = ½ (log H₁₁)′ = ¼ sin 2x₁ / H₁₁`, all others are 0.
+/// Without a written derivative: `Γ¹₁₁ = ½ (log H₁₁)′ = ¼ sin 2x₁ / H₁₁`, all others are 0.
 #[test]
-fn a_metric_of_ones_own_has_christoffel_symbols() {
+fn a_users_metric_has_christoffel_symbols() {
     let x = SVector::from([0.7, -3.0]);
     let symbols = christoffel(&Sheet, &x).expect("a metric");
     let expected = 0.25 * 1.4_f64.sin() / (1.0 + 0.5 * 0.7_f64.sin().powi(2));

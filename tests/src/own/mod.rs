@@ -1,4 +1,4 @@
-//! What a user brings: a metric, a rule, a closed set, each written against the face alone.
+//! A metric, a rule and a closed set as a user writes them, against the `tautline` crate alone.
 
 mod ellipse;
 mod metric;

@@ -1,11 +1,11 @@
-//! A rule of one's own: Simpson's.
+//! A user's rule: Simpson's.
 
 use tautline::{
     Ends, Interpolation, Node, PointSequence, Problem, Rule, SVector,
     gallery::{Shear, Valleys},
 };
 
-/// `H` at both ends and twice as much, twice over, at the middle.
+/// Weights 1, 4 and 1 at the ends and the middle of a chord.
 #[derive(Clone, Copy, Debug)]
 struct Simpson;
 
@@ -21,7 +21,7 @@ impl Rule for Simpson {
 /// Simpson's rule integrates `uᵀHu` along a chord up to its fourth derivative: the discrete energy
 /// is that of the interpolation up to `max |(f²)⁗| |d|⁴ / 2880` relatively to `|β|²`.
 #[test]
-fn a_rule_of_ones_own_integrates_what_its_nodes_say() {
+fn a_users_rule_integrates_what_its_nodes_say() {
     let points = [0.0, 0.4, 0.7, 1.1, 1.5, 1.9].map(|x: f64| SVector::from([x, x.sin()]));
     let sequence = PointSequence::new(points.to_vec()).expect("finite");
     let energy = Interpolation::new(&sequence).energy(&Valleys).value;
@@ -30,15 +30,15 @@ fn a_rule_of_ones_own_integrates_what_its_nodes_say() {
     // x₁.
     let bound = 12.0 * 0.4_f64.powi(4) / 2880.0 * sequence.k3().powi(2);
     assert!(gap <= bound, "{gap:e} exceeds {bound:e}");
-    // f² is convex up to 1.94, so that the errors of the trapezoidal rule add up: this was not it.
+    // f² is convex up to 1.94, so that the errors of the trapezoidal rule add up: it would fail here.
     let trapezoidal = tautline::Trapezoidal.energy(&Valleys, &sequence);
     assert!((trapezoidal - energy).abs() > 10.0 * bound);
 }
 
-/// As `E_N` is `E(γᵖˡ)` up to `N⁻⁴`, its error is the least that an interpolation can have:
+/// `E_N` is `E(γᵖˡ)` up to `N⁻⁴`, so its error is the smallest that an interpolation can have:
 /// `N² (E_N − d²) → (1/12) ∫ γ̈ᵀHγ̈ = (27/16) (½ − sin 6/12)` from `(0, 0)` to `(2, 3)`.
 #[test]
-fn a_rule_of_ones_own_is_minimised() {
+fn a_users_rule_is_minimised() {
     let d2 = (2.0 + 0.5 * 3_f64.sin()).powi(2) + 9.0;
     let ends = Ends::points([0.0, 0.0], [2.0, 3.0]).expect("finite");
     let problem = Problem::new(Shear::new(0.5, 1.0).expect("valid"), ends);

@@ -1,4 +1,4 @@
-//! A closed set of one's own: an ellipse, at a distance that is known in closed form.
+//! A user's closed set: an ellipse, at a distance known in closed form.
 
 use tautline::{
     ClosedSet, Ends, HalfSpace, LeftEndpoint, Metric, Problem, Rule, SMatrix, SVector, Trapezoidal,
@@ -87,7 +87,7 @@ fn from_an_ellipse_to_a_half_plane_over_the_valleys() {
     }
 }
 
-/// A shear keeps `x₂`, so that the distance is what is left of it above the highest point.
+/// A shear keeps `x₂`, so that the distance is the height above the highest point.
 #[test]
 fn from_an_ellipse_to_a_half_plane_under_a_shear() {
     let metric = Shear::new(0.5, 1.0).expect("valid");
