@@ -127,8 +127,8 @@ fn a_metric_that_becomes_nan_on_the_way_is_refused() {
     assert!(matches!(error, Err(SolveError::Metric(_))), "{error:?}");
 }
 
-/// `H = (1 + 1/(r² − ¼)²) I` outside the disc of radius ½, infinite on its rim and NaN inside, where
-/// the straight line goes.
+/// `H = (1 + 1/(r² − ¼)²) I` outside the disc of radius ½, infinite on its rim and NaN inside,
+/// where the straight line goes.
 #[derive(Clone, Copy, Debug)]
 struct Hole;
 

@@ -1,4 +1,5 @@
-//! The statements of the paper as tests, one module per section, and the invariants of the workspace.
+//! The statements of the paper as tests, one module per section, and the invariants of the
+//! workspace.
 //!
 //! | module | shows |
 //! | --- | --- |

@@ -1,8 +1,8 @@
 //! Cases that caught a mistake: drawn at random, shrunk, and kept by name.
 //!
-//! The library passes each; a program with that mistake does not. The random checks of the suite may
-//! one day draw other cases, while these stay. A check that fails on a random case prints a test of
-//! that case, to be pasted here as it is.
+//! The library passes each; a program with that mistake does not. The random checks of the suite
+//! may one day draw other cases, while these stay. A check that fails on a random case prints a
+//! test of that case, to be pasted here as it is.
 
 use std::{any::Any, f64::consts::TAU};
 
@@ -113,8 +113,8 @@ fn a_lipschitz_constant_a_tenth_too_small_on_a_shear() {
     minimiser_tells_apart(Mutant::LipschitzTooSmall, &known, 3, theorem_1_1);
 }
 
-/// From a point to a half-plane: with the mean of `H` over the ends of a chord instead of `H` at its
-/// midpoint, the minimiser meets the line at a slant.
+/// From a point to a half-plane: with the mean of `H` over the ends of a chord instead of `H` at
+/// its midpoint, the minimiser meets the line at a slant.
 #[test]
 fn the_mean_over_the_ends_of_a_chord_from_a_point_to_a_half_plane() {
     let known = straight_up(-0.303_127_440_325_200_7);

@@ -2,7 +2,8 @@
 
 /// Makes one function of each law, the list of their names, and `verify`, which runs them all.
 ///
-/// `$see` turns a case of the user's into the one that the laws take, from which their types follow.
+/// `$see` turns the user's case into the one that the laws take; the types of closures follow from
+/// it.
 macro_rules! functions {
     ({ $generics:tt $case:ty, $see:expr } $($id:ident, $law:literal, $run:expr;)*) => {
         $($crate::laws::function! { $generics $case, $see, $id, $law, $run })*

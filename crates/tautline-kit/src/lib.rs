@@ -116,18 +116,18 @@
 //! ```
 //!
 //! The constants are proved once for all laws. If they cannot be proved, because the formula is not
-//! periodic or `H` is indefinite somewhere, the test `tray::the_metric_has_constants` fails with the
-//! reason, the point if there is one, and advice; no law is tested. A metric that has constants on
-//! balls only is tested in one of them: write `within 0.5, of [0.1, 0.2]` instead of
+//! periodic or `H` is indefinite somewhere, the test `tray::the_metric_has_constants` fails with
+//! the reason, the point if there is one, and advice; no law is tested. A metric that has constants
+//! on balls only is tested in one of them: write `within 0.5, of [0.1, 0.2]` instead of
 //! `in Region::cell(…)`.
 //!
 //! # What the laws check
 //!
-//! Random samples alone would test the program, not the constants: of 256 uniform points perhaps none
-//! has `‖DH(x)[w]‖` within 9 % of its maximum. So each constant is also tested by local ascents from
-//! the best samples, which find the maximum of a smooth formula to some six digits. A claim that is
-//! off by more is refused with the point, the direction, and both numbers. The [`Effort::ascents`]
-//! may still miss the maximum: a law that holds is evidence, not a proof.
+//! Random samples alone would test the program, not the constants: of 256 uniform points perhaps
+//! none has `‖DH(x)[w]‖` within 9 % of its maximum. So each constant is also tested by local
+//! ascents from the best samples, which find the maximum of a smooth formula to some six digits. A
+//! claim that is off by more is refused with the point, the direction, and both numbers. The
+//! [`Effort::ascents`] may still miss the maximum: a law that holds is evidence, not a proof.
 //!
 //! One law is a proof, up to three dimensions and for a formula without branches:
 //! `no_constant_is_refuted` bounds the constants over the whole region by intervals. It refuses a
@@ -136,10 +136,10 @@
 //! [`standings`](Outcome::standings) tell of each constant whether it is proved, right to a
 //! percentage (the best possible for an attained claim), not decided by the boxes, or not tried.
 //!
-//! One sample in eight is moved to the ends, the quarters or the middle of the edges, or to 0, where
-//! `x/|x|`, `1/r` and angles break and no uniform sample lies. If a law of the formula itself fails,
-//! or `H` jumps, the laws that solve problems fail with `not tried` and the name of that law; mend it
-//! first.
+//! One sample in eight is moved to the ends, the quarters or the middle of the edges, or to 0,
+//! where `x/|x|`, `1/r` and angles break and no uniform sample lies. If a law of the formula itself
+//! fails, or `H` jumps, the laws that solve problems fail with `not tried` and the name of that
+//! law; mend it first.
 //!
 //! A suite prints nothing about laws that hold. To see the table of overestimations and standings,
 //! print a report, perhaps with more effort, and run `cargo test -- --nocapture`:

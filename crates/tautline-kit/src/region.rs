@@ -128,8 +128,8 @@ impl<const D: usize> Region<D> {
         })
     }
 
-    /// Pairs of different points of the box: two in three are independent, the others down to `2⁻¹⁸`
-    /// of the longest edge apart.
+    /// Pairs of different points of the box: two in three are independent, the others down to
+    /// `2⁻¹⁸` of the longest edge apart.
     pub fn pairs(&self) -> impl Strategy<Value = [SVector<f64, D>; 2]> + use<D> {
         let region = *self;
         let near =

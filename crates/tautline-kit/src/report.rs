@@ -16,7 +16,8 @@ pub struct Outcome {
     /// How many cases were checked.
     pub cases: u64,
     /// How many of these could have broken the law. Some cases of a statement cannot: a gap that
-    /// vanishes, as for a length on the line, is at most any bound, and a formula is at most itself.
+    /// vanishes, as for a length on the line, is at most any bound, and a formula is at most
+    /// itself.
     pub could_fail: u64,
     /// The smallest overestimation `bound / observed`, a pure number: 1 where a bound is attained,
     /// below 1 where it is violated, `∞` if nothing beyond rounding was observed.

@@ -25,7 +25,8 @@ fn table() -> Table {
     Table::read("tables/asymptotics.csv")
 }
 
-/// The difference between measurement and prediction, relative to the latter, or to `d²` if it is 0.
+/// The difference between measurement and prediction, relative to the latter, or to `d²` if it is
+/// 0.
 fn difference(row: &Row<'_>) -> f64 {
     let (predicted, measured) = (row.number("predicted"), row.number("measured"));
     let scale = if predicted == 0.0 { row.number("d_squared") } else { predicted.abs() };
@@ -88,8 +89,9 @@ fn asymptotics_over_the_valleys_are_explicit() {
     }
 }
 
-/// The next term of the expansion has two more powers of `1/N` for the trapezoidal rule and one more
-/// for the left rule. Extrapolation from two and three grids leaves the fourth and the sixth power.
+/// The next term of the expansion has two more powers of `1/N` for the trapezoidal rule and one
+/// more for the left rule. Extrapolation from two and three grids leaves the fourth and the sixth
+/// power.
 #[test]
 fn asymptotics_are_approached_at_the_next_order() {
     let figure = Table::read("data/asymptotics.csv");

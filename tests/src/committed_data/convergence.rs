@@ -33,8 +33,8 @@ fn series(table: &Table) -> BTreeMap<(&str, &str), Vec<Row<'_>>> {
 fn convergence_has_the_promised_columns_and_rows() {
     let table = table();
     table.assert_columns(
-        "case rule n d_squared discrete_energy energy length_squared residual decrement paper_bound \
-         first_order_bound second_order_bound",
+        "case rule n d_squared discrete_energy energy length_squared residual decrement \
+         paper_bound first_order_bound second_order_bound",
     );
     let series = series(&table);
     let cases: Vec<_> = series.keys().map(|key| key.0).collect();

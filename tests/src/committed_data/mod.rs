@@ -1,7 +1,7 @@
 //! What the project claims about the data in its repository, checked on the files themselves.
 //!
-//! Figures and tables drawn from these files show what these tests checked. Only the checks that kill
-//! the mutants compute anything.
+//! Figures and tables drawn from these files show what these tests checked. Only the checks that
+//! kill the mutants compute anything.
 
 mod asymptotics;
 mod convergence;

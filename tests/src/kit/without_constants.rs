@@ -1,7 +1,7 @@
 //! The metrics of the gallery that have constants on balls only.
 //!
-//! If the centre of a ball lies on a diagonal, a corner of the largest cube in it is as far from the
-//! origin as the ball reaches, so that constants that are extreme there are attained.
+//! If the centre of a ball lies on a diagonal, a corner of the largest cube in it is as far from
+//! the origin as the ball reaches, so that constants that are extreme there are attained.
 
 use tautline::{
     LocalError,

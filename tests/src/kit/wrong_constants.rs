@@ -35,8 +35,8 @@ fn law<M: Bounded<D>, const D: usize>(
     }
 }
 
-/// Makes every constant wrong in turn, by a little if it is attained, else by a little more than its
-/// overestimation, which is given for the `loose` ones.
+/// Makes every constant wrong in turn, by a little if it is attained, else by a little more than
+/// its overestimation, which is given for the `loose` ones.
 #[track_caller]
 fn assert_refused<M: Bounded<D>, const D: usize>(
     metric: &M,

@@ -221,8 +221,8 @@ fn a_seed_that_is_nearer_is_a_member_that_is_nearer() {
 }
 
 /// Two points so near to each other that samples in different cells are farther apart, and that
-/// angles are obtuse up to rounding: `(x − P(x))·(q − P(x))` is at most `2 half²`, far below what is
-/// granted. Two points far apart break another law first.
+/// angles are obtuse up to rounding: `(x − P(x))·(q − P(x))` is at most `2 half²`, far below what
+/// is granted. Two points far apart break another law first.
 #[test]
 fn two_points_are_not_convex() {
     for (half, law) in

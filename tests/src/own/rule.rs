@@ -30,7 +30,8 @@ fn a_users_rule_integrates_what_its_nodes_say() {
     // x₁.
     let bound = 12.0 * 0.4_f64.powi(4) / 2880.0 * sequence.k3().powi(2);
     assert!(gap <= bound, "{gap:e} exceeds {bound:e}");
-    // f² is convex up to 1.94, so that the errors of the trapezoidal rule add up: it would fail here.
+    // f² is convex up to 1.94, so that the errors of the trapezoidal rule add up: it would fail
+    // here.
     let trapezoidal = tautline::Trapezoidal.energy(&Valleys, &sequence);
     assert!((trapezoidal - energy).abs() > 10.0 * bound);
 }

@@ -1,5 +1,5 @@
-//! The invariants of the architecture, as tests: what a source file may contain, and which crate may
-//! depend on which.
+//! The invariants of the architecture, as tests: what a source file may contain, and which crate
+//! may depend on which.
 
 mod ledger;
 mod manifest;

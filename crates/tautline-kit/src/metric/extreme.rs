@@ -28,8 +28,8 @@ pub(super) struct Extreme<const D: usize> {
 }
 
 impl Claim {
-    /// Returns whether `a` comes nearer to breaking the claim than `b`, or breaks it more. False for
-    /// NaN.
+    /// Returns whether `a` comes nearer to breaking the claim than `b`, or breaks it more. False
+    /// for NaN.
     pub(super) fn worse(self, a: f64, b: f64) -> bool {
         if self == Claim::C1 { a < b } else { a > b }
     }
@@ -44,9 +44,9 @@ impl Claim {
 
     /// Measures a metric at `x`, in the worst direction that alternation from `w` finds.
     ///
-    /// For `L_H` it maximises `|uᵀ DH(x)[w] u|` over unit `u` and `w`: for given `w` the best `u` is
-    /// an eigenvector, for given `u` the best `w` is the gradient of `uᵀHu`. For `M_H` likewise, with
-    /// an eigenvector of the Hessian of `uᵀHu`. Neither step descends.
+    /// For `L_H` it maximises `|uᵀ DH(x)[w] u|` over unit `u` and `w`: for given `w` the best `u`
+    /// is an eigenvector, for given `u` the best `w` is the gradient of `uᵀHu`. For `M_H` likewise,
+    /// with an eigenvector of the Hessian of `uᵀHu`. Neither step descends.
     pub(super) fn measure<const D: usize>(
         self,
         metric: &impl Metric<D>,
@@ -126,8 +126,8 @@ impl Claim {
     }
 }
 
-/// Alternates between `w`, with the matrix `A(w)`, and the eigenvector `u` of the absolutely largest
-/// eigenvalue of `A(w)`. Returns its absolute value and `w`.
+/// Alternates between `w`, with the matrix `A(w)`, and the eigenvector `u` of the absolutely
+/// largest eigenvalue of `A(w)`. Returns its absolute value and `w`.
 fn alternate<const D: usize>(
     x: &SVector<f64, D>,
     w: &SVector<f64, D>,

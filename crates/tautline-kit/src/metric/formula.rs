@@ -61,7 +61,8 @@ pub(super) fn winding(i: usize) -> f64 {
     PRIMES[i % PRIMES.len()].sqrt().fract()
 }
 
-/// The `k`-th point of an irrational winding through a region, which no period of a formula follows.
+/// The `k`-th point of an irrational winding through a region, which no period of a formula
+/// follows.
 pub(super) fn on_winding<const D: usize>(region: &Region<D>, k: usize) -> SVector<f64, D> {
     region.at(&SVector::from_fn(|i, _| (k as f64 * winding(i)).fract()))
 }

@@ -152,8 +152,8 @@ mod tests {
         assert_eq!(wrong, "C_tra(N) ≤ C_tra♯/N");
     }
 
-    /// Under a constant metric every length is that of a straight line, and `C_tra(N)` always equals
-    /// its definition.
+    /// Under a constant metric every length is that of a straight line, and `C_tra(N)` always
+    /// equals its definition.
     #[test]
     fn cases_that_could_not_fail_are_counted_apart() {
         let rule = PaperRule::Trapezoidal;

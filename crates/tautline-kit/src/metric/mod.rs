@@ -4,8 +4,8 @@
 //!
 //! Every statement is tested that applies to a metric of which only the formula, the constants and
 //! perhaps the distances are known. Propositions 3.1, 3.2, 4.1 to 4.3, 7.12 and 9.1, Lemma 4.4 and
-//! the constants `K_{1,g}` and `K_{2,g}` are about minimal geodesics, which are not given. Section 5
-//! is about the valleys; Propositions 7.2 to 7.4 and 7.8 are about no metric at all.
+//! the constants `K_{1,g}` and `K_{2,g}` are about minimal geodesics, which are not given. Section
+//! 5 is about the valleys; Propositions 7.2 to 7.4 and 7.8 are about no metric at all.
 
 mod case;
 mod claims;

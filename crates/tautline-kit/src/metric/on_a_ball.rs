@@ -20,8 +20,8 @@ impl<M: LocallyBounded<D>, const D: usize> MetricCase<WithConstants<M>, D> {
     ///
     /// # Errors
     ///
-    /// [`LocalityError`] if the metric has no constants in the ball, or if competitors could leave it
-    /// however near the ends are.
+    /// [`LocalityError`] if the metric has no constants in the ball, or if competitors could leave
+    /// it however near the ends are.
     pub fn within(
         metric: M,
         centre: impl Into<SVector<f64, D>>,

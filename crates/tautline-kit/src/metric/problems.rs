@@ -46,8 +46,8 @@ pub(super) struct Posed<const D: usize> {
 }
 
 impl<const D: usize> Posed<D> {
-    /// Problems of one kind, with `a` and `b` at least an eighth of the longest edge apart. No point
-    /// is special, since between two points on an axis of symmetry there may be a saddle.
+    /// Problems of one kind, with `a` and `b` at least an eighth of the longest edge apart. No
+    /// point is special, since between two points on an axis of symmetry there may be a saddle.
     pub(super) fn problems(kind: Kind, region: &Region<D>) -> impl Strategy<Value = Self> + use<D> {
         let apart = region.size() / 8.0;
         (region.uniform(), region.uniform(), region.uniform())
@@ -117,8 +117,8 @@ impl<const D: usize> Posed<D> {
 }
 
 impl<'m, const D: usize> Case<'m, D> {
-    /// The problem with its distance: exact where the metric knows it, else extrapolated from a fine
-    /// grid.
+    /// The problem with its distance: exact where the metric knows it, else extrapolated from a
+    /// fine grid.
     ///
     /// The error of an estimate is ten times its last change by extrapolation, plus `10⁻¹³` for
     /// rounding. Curves from other grids that may be `shorter` are starts of the fine grid.

@@ -32,8 +32,8 @@ pub(super) struct Minimiser<'a, const D: usize> {
 }
 
 impl<const D: usize> Minimiser<'_, D> {
-    /// A detour with as many subintervals by way of a third point, between the members of the two sets
-    /// nearest to it.
+    /// A detour with as many subintervals by way of a third point, between the members of the two
+    /// sets nearest to it.
     pub(super) fn detour(&self) -> Result<PointSequence<D>, VerifyError> {
         let via = self.posed.further();
         let [a, b] = self.sets().map(|set| set.project(&via));

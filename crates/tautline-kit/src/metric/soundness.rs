@@ -26,7 +26,8 @@ impl<const D: usize> Case<'_, D> {
     /// Fails at once if a law of the formula does. On a discontinuous metric the solver stalls for
     /// minutes, and the failures of statements would show nothing.
     ///
-    /// Wrong constants are no reason, unless grossly wrong: the statements that rest on them say so.
+    /// Wrong constants are no reason, unless grossly wrong: the statements that rest on them say
+    /// so.
     pub(super) fn solvable(&self) -> Result<(), Failure> {
         let Some(law) = *self.solved.broken.get_or_init(|| self.broken()) else { return Ok(()) };
         Err(self.effort.failure(Fault::NotTried { law }))

@@ -20,8 +20,8 @@ use crate::{
     report::{LawResult, Tried},
 };
 
-/// Returns the margin of an evidence, which is idle if it could not have contradicted the statement,
-/// or the violated claim. If the evidence has companions only, these are tested.
+/// Returns the margin of an evidence, which is idle if it could not have contradicted the
+/// statement, or the violated claim. If the evidence has companions only, these are tested.
 pub(super) fn judge(evidence: &Evidence) -> Result<Margin, Fault> {
     let stated = evidence.conclusions.iter().any(|claim| claim.source == Source::Stated);
     let could_fail = match stated {

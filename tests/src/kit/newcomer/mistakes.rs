@@ -49,7 +49,8 @@ fn half_of_l_h_is_refused_with_the_witness() {
     assert!(inequality.claim.contains("L_H"), "{statement}");
 }
 
-/// `H₂₂ = 3 + 3.00001 sin x₂` is negative for 0.005 around `3π/2`: at one random point in a thousand.
+/// `H₂₂ = 3 + 3.00001 sin x₂` is negative for 0.005 around `3π/2`: at one random point in a
+/// thousand.
 #[test]
 fn an_indefinite_metric_is_refused_with_the_point() {
     formula!(Cracked, 2, |x| SMatrix::from_diagonal(
