@@ -76,45 +76,55 @@ fn straight_up(amplitude: f64) -> Known<Shear, 2> {
     Known { metric, ends, distance: 0.2, distance_error: 2e-14 }
 }
 
-#[test]
-fn half_of_the_energy_on_a_straight_line() {
-    minimiser_tells_apart(Mutant::EnergyHalved, &quarter(), 1, theorem_1_1);
+/// One test per minimiser: the mutant, the problem, the number of subintervals and the statement.
+macro_rules! minimisers {
+    ($($(#[$doc:meta])* $name:ident: $mutant:ident, $known:expr, $n:literal, $statement:expr;)*) => {
+        $($(#[$doc])*
+        #[test]
+        fn $name() {
+            minimiser_tells_apart(Mutant::$mutant, &$known, $n, $statement);
+        })*
+    };
 }
 
-#[test]
-fn the_energy_of_all_chords_but_the_last_on_a_straight_line() {
-    minimiser_tells_apart(Mutant::LastChordLost, &quarter(), 2, theorem_1_1);
+minimisers! {
+    half_of_the_energy_on_a_straight_line: EnergyHalved, quarter(), 1, theorem_1_1;
+    the_energy_of_all_chords_but_the_last_on_a_straight_line:
+        LastChordLost, quarter(), 2, theorem_1_1;
+    k3_bar_without_the_distance_on_a_straight_line:
+        DistanceForgotten, quarter(), 1, constant_k3_bar;
+    an_end_point_a_millionth_off_on_a_straight_line: EndRelaxed, quarter(), 1, theorem_1_1;
+    /// The energy of one chord on a shear, read at one node, is less than the square of the distance.
+    one_node_of_a_chord_on_a_shear:
+        QuadratureOfOneNode,
+        shear(
+            0.577_034_596_844_456, 0.5,
+            [[0.0, 0.0], [-1.782_908_291_752_968, 0.166_017_112_013_032_04]],
+        ),
+        1, theorem_1_1;
+    /// The steepest place of this shear is on the way.
+    a_lipschitz_constant_a_tenth_too_small_on_a_shear:
+        LipschitzTooSmall,
+        shear(
+            0.374_169_547_927_881_2, 0.5,
+            [[-1.971_790_881_159_051_2, 0.0], [-2.031_890_739_852_592_7, 2.205_841_535_059_412_7]],
+        ),
+        3, theorem_1_1;
+    /// The straight line has more energy than the bounds allow a minimum.
+    a_straight_line_on_a_shear:
+        NotOptimised,
+        shear(
+            0.255_151_814_396_990_14, 0.5,
+            [[-0.786_559_023_454_842_9, 0.0], [0.0, -2.261_642_456_117_900_5]],
+        ),
+        200, theorem_1_1;
+    /// With one node per chord, the square of a length exceeds its energy.
+    one_node_of_a_chord_from_a_point_to_a_half_plane:
+        QuadratureOfOneNode, straight_up(0.182_596_145_964_421_17), 1, theorem_1_2;
 }
 
-#[test]
-fn k3_bar_without_the_distance_on_a_straight_line() {
-    minimiser_tells_apart(Mutant::DistanceForgotten, &quarter(), 1, constant_k3_bar);
-}
-
-#[test]
-fn an_end_point_a_millionth_off_on_a_straight_line() {
-    minimiser_tells_apart(Mutant::EndRelaxed, &quarter(), 1, theorem_1_1);
-}
-
-/// The energy of one chord on a shear, read at one node, is less than the square of the distance.
-#[test]
-fn one_node_of_a_chord_on_a_shear() {
-    let ends = [[0.0, 0.0], [-1.782_908_291_752_968, 0.166_017_112_013_032_04]];
-    let known = shear(0.577_034_596_844_456, 0.5, ends);
-    minimiser_tells_apart(Mutant::QuadratureOfOneNode, &known, 1, theorem_1_1);
-}
-
-/// The steepest place of this shear is on the way.
-#[test]
-fn a_lipschitz_constant_a_tenth_too_small_on_a_shear() {
-    let ends =
-        [[-1.971_790_881_159_051_2, 0.0], [-2.031_890_739_852_592_7, 2.205_841_535_059_412_7]];
-    let known = shear(0.374_169_547_927_881_2, 0.5, ends);
-    minimiser_tells_apart(Mutant::LipschitzTooSmall, &known, 3, theorem_1_1);
-}
-
-/// From a point to a half-plane: with the mean of `H` over the ends of a chord instead of `H` at
-/// its midpoint, the minimiser meets the line at a slant.
+/// From a point to a half-plane: with the mean of `H` over the ends of a chord instead of `H` at its
+/// midpoint, the minimiser meets the line at a slant.
 #[test]
 fn the_mean_over_the_ends_of_a_chord_from_a_point_to_a_half_plane() {
     let known = straight_up(-0.303_127_440_325_200_7);
@@ -153,21 +163,6 @@ fn a_sequence_that_stays_where_it_is() {
     tells_apart(Mutant::PowerOfK3Lost, |subject| {
         prop_7_9(subject, &metric, &still).expect("a sequence")
     });
-}
-
-/// The straight line has more energy than the bounds allow a minimum.
-#[test]
-fn a_straight_line_on_a_shear() {
-    let ends = [[-0.786_559_023_454_842_9, 0.0], [0.0, -2.261_642_456_117_900_5]];
-    let known = shear(0.255_151_814_396_990_14, 0.5, ends);
-    minimiser_tells_apart(Mutant::NotOptimised, &known, 200, theorem_1_1);
-}
-
-/// With one node per chord, the square of a length exceeds its energy.
-#[test]
-fn one_node_of_a_chord_from_a_point_to_a_half_plane() {
-    let known = straight_up(0.182_596_145_964_421_17);
-    minimiser_tells_apart(Mutant::QuadratureOfOneNode, &known, 1, theorem_1_2);
 }
 
 #[test]

@@ -39,16 +39,16 @@ fn the_paper_s_bounds_are_judged_by_what_they_could_see() {
         (
             "README.md",
             vec![
-                format!("kills each of {all} deliberate mistakes"),
-                format!("could see {seen} of them, and would let {pass} of these pass"),
+                format!("lists {all} deliberate mistakes"),
+                format!("could detect {seen} of them at most, and detects {killed}."),
             ],
         ),
         (
             "docs/mutation-testing.md",
             vec![
-                format!("Only {seen} of the {all} mistakes"),
-                format!("of these {seen} the inequalities alone kill {killed}, and {pass} pass"),
-                format!("The other {unseen} they cannot see."),
+                format!("Only {seen} of the {all} mutants change a number"),
+                format!("The inequalities alone kill {killed} of these; {pass} survive."),
+                format!("The other {unseen} are invisible to them."),
             ],
         ),
         (

@@ -2,10 +2,10 @@
 
 use nalgebra::{SMatrix, SVector};
 use tautline::{
-    Bounded, ClosedSet, Constants, Ends, HalfSpace, Metric, Options, Point, PointSequence, Scalar,
+    Bounded, ClosedSet, Ends, HalfSpace, Metric, Options, Point, PointSequence, Scalar,
     Trapezoidal, minimise,
 };
-use tautline_statements::AnyBounded;
+use tautline_statements::{AnyBounded, WithConstants};
 
 use super::{
     case::Case,
@@ -160,16 +160,11 @@ impl<const D: usize> Metric<D> for Torn<'_, D> {
     }
 }
 
-impl<const D: usize> Bounded<D> for Torn<'_, D> {
-    fn constants(&self) -> Constants {
-        self.metric.constants()
-    }
-}
-
 /// The same formula with half of the region outside its domain.
 pub(super) fn nan_metric<const D: usize>(case: &Case<'_, D>) -> LawResult {
     let from = case.region.at(&SVector::repeat(0.5))[0];
-    let torn = Torn { metric: &case.metric, from };
+    let metric = Torn { metric: &case.metric, from };
+    let torn = WithConstants { metric, constants: case.metric.constants() };
     let found = formula::finite_and_symmetric(&Case::new(&torn, case.region, case.effort));
     let is_found = matches!(found, Err(Failure { fault: Fault::Metric(_), .. }));
     refused(case, "a metric that is NaN in half of the region", &[is_found])

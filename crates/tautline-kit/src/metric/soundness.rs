@@ -91,8 +91,8 @@ fn continuous<const D: usize>(case: &Case<'_, D>) -> LawResult {
 #[cfg(test)]
 mod tests {
     use nalgebra::{SMatrix, SVector, vector};
-    use tautline::{Bounded, Constants, Metric, MetricError, Scalar};
-    use tautline_statements::{Inequality, Source, Statement, Unit};
+    use tautline::{Constants, Metric, MetricError, Scalar};
+    use tautline_statements::{Inequality, Source, Statement, Unit, WithConstants};
 
     use crate::{Effort, Fault, MetricCase, Region, metric};
 
@@ -118,14 +118,10 @@ mod tests {
         }
     }
 
-    impl Bounded<2> for Odd {
-        fn constants(&self) -> Constants {
-            Constants::new(1.75, 4.25, 1.0).expect("c1 ≤ c2")
-        }
-    }
-
-    fn case(metric: Odd) -> MetricCase<Odd, 2> {
-        MetricCase::new(metric, Region::cell([-3.0, -3.0], [3.0, 3.0]), Effort::default())
+    fn case(metric: Odd) -> MetricCase<WithConstants<Odd>, 2> {
+        let constants = Constants::new(1.75, 4.25, 1.0).expect("c1 ≤ c2");
+        let region = Region::cell([-3.0, -3.0], [3.0, 3.0]);
+        MetricCase::new(WithConstants { metric, constants }, region, Effort::default())
     }
 
     #[test]
