@@ -1,15 +1,14 @@
-//! The calculus of constants: what is known of a metric that is built from others.
+//! The calculus of constants: those of a composed metric, from those of its parts.
 //!
-//! Each rule bounds `H`, `DH` and `D²H` of the new metric by the product and the chain rule. The
-//! results are rounded to the nearest `f64`, as closed forms are elsewhere: a bound may be
-//! too small by a few ulp.
+//! Each rule bounds `H`, `DH` and `D²H` by the product rule and the chain rule. Results are rounded
+//! to nearest, like the closed forms of the gallery: a bound may be too small by a few ulp.
 
 use crate::{Constants, HypothesisError};
 
 impl Constants {
     /// Returns the constants of `s H`: all of them times `s`. It is isotropic if `H` is.
     ///
-    /// Overestimation: none.
+    /// Tight.
     ///
     /// # Errors
     ///
@@ -28,8 +27,8 @@ impl Constants {
     ///
     /// `M_H` is known if both are; the sum is isotropic if both are.
     ///
-    /// Overestimation: none where both metrics attain a constant at the same point in the same
-    /// directions, as `H` and `s H` do; else as much as they miss that.
+    /// Tight where both metrics attain a constant at the same point in the same directions, as `H`
+    /// and `s H` do.
     ///
     /// # Errors
     ///
@@ -47,11 +46,11 @@ impl Constants {
     /// Returns the constants of the product, `diag(H(x), H′(y))` on pairs `(x, y)`: the lesser
     /// `c₁`, and the greater of each of the others.
     ///
-    /// `M_H` is known if both are; isotropic it is not. The norm of a block-diagonal matrix is that
-    /// of its larger block, and `DH[w]` and `D²H[w, w]` are largest for a `w` that moves one point
-    /// alone.
+    /// `M_H` is known if both are; the product is not isotropic. The norm of a block-diagonal matrix
+    /// is that of its larger block, and `DH[w]` and `D²H[w, w]` are largest for a `w` that moves one
+    /// of the two points.
     ///
-    /// Overestimation: none.
+    /// Tight.
     #[doc(alias = "product")]
     #[must_use]
     pub fn beside(self, other: Constants) -> Constants {
@@ -61,23 +60,22 @@ impl Constants {
             .and_then(|constants| {
                 constants.with_known(m_h, false, self.is_local() || other.is_local())
             })
-            .expect("either is in order, so the lesser c1 is below the greater c2")
+            .expect("both are in order, so the lesser c1 is below the greater c2")
     }
 
-    /// Returns the constants of `φ H` for a function `φ`, where `factor` are the constants of
-    /// `φ I`:
+    /// Returns the constants of `φ H` for a function `φ`, given the constants `factor` of `φ I`:
     ///
     /// ```text
     /// φ_min c₁,    φ_max c₂,    φ_max L_H + Lip(φ) c₂,    φ_max M_H + 2 Lip(φ) L_H + Lip(Dφ) c₂
     /// ```
     ///
-    /// - `factor`: with `c₁ = φ_min`, `c₂ = φ_max`, `L_H = Lip(φ)` in `1/ℓ` and `M_H = Lip(Dφ)`
-    ///   in `1/ℓ²`, for a `φ` without unit. `M_H` is known if both are. `φ H` is isotropic if `H`
-    ///   is.
+    /// - `factor`: `c₁ = φ_min`, `c₂ = φ_max`, `L_H = Lip(φ)` in `1/ℓ` and `M_H = Lip(Dφ)` in
+    ///   `1/ℓ²`, for a `φ` without unit.
     ///
-    /// Overestimation: none if `φ` or `H` is constant. Otherwise `L_H` is not attained by a smooth
-    /// `φ`, which has no slope where it has its maximum; two tents with one tip come as near as one
-    /// likes.
+    /// `M_H` is known if both are; `φ H` is isotropic if `H` is.
+    ///
+    /// Tight if `φ` or `H` is constant. Otherwise a smooth `φ` does not attain `L_H`, since its
+    /// slope vanishes at its maximum; two tents with a common tip come arbitrarily close.
     ///
     /// # Errors
     ///
@@ -101,13 +99,12 @@ impl Constants {
     /// c₁ σ_min²,    c₂ σ_max²,    L_H σ_max³,    M_H σ_max⁴
     /// ```
     ///
-    /// - `smin`, `smax`: bounds of the singular values of `A`, in units of the old coordinates
-    ///   per new one. `A` need not be square, but `σ_min` must bound `|A u| / |u|` for every `u`.
-    ///   If they are the same, the pullback is isotropic where `H` is.
+    /// - `smin`, `smax`: bounds of the singular values of `A`, in old coordinates per new one. `A`
+    ///   need not be square, but `σ_min` must bound `|A u| / |u|` for every `u`. If they are equal,
+    ///   the pullback is isotropic where `H` is.
     ///
-    /// Overestimation: none if `A` is a multiple of an isometry; for other `A`, none if the
-    /// direction that `A` stretches most (for `c₁`: least) is mapped to one where `H` attains its
-    /// constants.
+    /// Tight if `A` is a multiple of an isometry, or if it maps the direction that it stretches most
+    /// (for `c₁`: least) to one in which `H` attains its constants.
     ///
     /// # Errors
     ///
@@ -129,8 +126,8 @@ impl Constants {
         .with_known(m_h, self.is_isotropic() && smin == smax, self.is_local())
     }
 
-    /// Returns the constants times these factors, in the order `c₁`, `c₂`, `L_H`, `M_H`; what else
-    /// is known stays: in other units, or for a claim that is put to the test.
+    /// Returns `c₁`, `c₂`, `L_H` and `M_H` times these factors: a change of units, or a false claim
+    /// for a test. The flags stay.
     ///
     /// # Errors
     ///
@@ -143,8 +140,6 @@ impl Constants {
         )
     }
 
-    /// Adds `M_H` if there is one, and that the metric is isotropic, or its constants are local, if
-    /// so it is.
     fn with_known(
         self,
         m_h: Option<f64>,
@@ -172,7 +167,7 @@ mod tests {
         assert_eq!(h.scaled(3.0), Ok(constants(6.0, 15.0, 9.0, 21.0)));
         assert_eq!(h.plus(g), Ok(constants(3.0, 16.0, 16.0, 11.0)));
         assert_eq!(h.beside(g), constants(1.0, 11.0, 13.0, 7.0));
-        assert_eq!(h.beside(g), g.beside(h));
+        assert_eq!(h.beside(h), h);
         // 11 · 3 + 13 · 5 and 11 · 7 + 2 · 13 · 3 + 4 · 5.
         assert_eq!(h.conformal(g), Ok(constants(2.0, 55.0, 98.0, 175.0)));
         assert_eq!(h.pulled_back(2.0, 3.0), Ok(constants(8.0, 45.0, 81.0, 567.0)));
@@ -184,67 +179,71 @@ mod tests {
     fn the_rules_agree_where_they_meet() {
         let (h, g) = (constants(2.0, 5.0, 3.0, 7.0), constants(1.0, 11.0, 13.0, 4.0));
         let flat = |s: f64| constants(s, s, 0.0, 0.0);
+        assert_eq!(h.beside(g), g.beside(h));
         assert_eq!(h.conformal(g), g.conformal(h));
         assert_eq!(flat(1.0).conformal(h), Ok(h));
         assert_eq!(h.conformal(flat(4.0)), h.scaled(4.0));
         assert_eq!(flat(3.0).pulled_back(2.0, 2.0), flat(3.0).scaled(4.0));
         assert_eq!(h.plus(h), h.scaled(2.0));
-        assert_eq!(h.beside(h), h);
         let twice = h.pulled_back(2.0, 3.0).and_then(|c| c.pulled_back(0.5, 4.0));
         assert_eq!(twice, h.pulled_back(1.0, 12.0));
+    }
+
+    /// Each rule of one metric: by a factor, by a similarity, by another map, by factors.
+    fn alone(h: Constants) -> [Constants; 4] {
+        [h.scaled(2.0), h.pulled_back(2.0, 2.0), h.pulled_back(1.0, 2.0), h.times([1.0; 4])]
+            .map(|outcome| outcome.expect("finite"))
+    }
+
+    /// Each rule of two metrics.
+    fn together(a: Constants, b: Constants) -> [Constants; 3] {
+        [a.plus(b).expect("finite"), a.beside(b), a.conformal(b).expect("finite")]
     }
 
     #[test]
     fn m_h_is_known_if_every_part_knows_it() {
         let known = constants(2.0, 5.0, 3.0, 7.0);
         let unknown = Constants::new(1.0, 2.0, 3.0).expect("in order");
-        assert_eq!(unknown.scaled(2.0).expect("finite").m_h(), None);
+        assert_eq!(alone(known).map(|c| c.m_h().is_some()), [true; 4]);
+        assert_eq!(alone(unknown).map(|c| c.m_h().is_some()), [false; 4]);
         assert_eq!(unknown.times([1.0; 4]), Ok(unknown));
-        assert_eq!(unknown.pulled_back(1.0, 2.0).expect("finite").m_h(), None);
+        assert_eq!(together(known, known).map(|c| c.m_h().is_some()), [true; 3]);
         for (a, b) in [(known, unknown), (unknown, known)] {
-            assert_eq!(a.plus(b).expect("finite").m_h(), None);
-            assert_eq!(a.beside(b).m_h(), None);
-            assert_eq!(a.conformal(b).expect("finite").m_h(), None);
+            assert_eq!(together(a, b).map(|c| c.m_h().is_some()), [false; 3]);
         }
     }
 
     #[test]
-    fn what_is_built_from_isotropic_metrics_is_isotropic_where_it_stays_so() {
+    fn isotropy_passes_through_all_rules_but_slanted_maps_and_products() {
         let general = constants(2.0, 5.0, 3.0, 7.0);
         let isotropic = general.isotropic();
-        assert!(isotropic.scaled(2.0).expect("finite").is_isotropic());
-        assert!(isotropic.times([1.0, 2.0, 0.0, 1.0]).expect("finite").is_isotropic());
-        assert!(isotropic.plus(isotropic).expect("finite").is_isotropic());
-        assert!(isotropic.conformal(general).expect("finite").is_isotropic());
-        assert!(isotropic.pulled_back(2.0, 2.0).expect("finite").is_isotropic());
-        assert!(!isotropic.pulled_back(1.0, 2.0).expect("finite").is_isotropic());
-        assert!(!isotropic.beside(isotropic).is_isotropic());
-        assert!(!general.scaled(2.0).expect("finite").is_isotropic());
-        assert!(!general.conformal(isotropic).expect("finite").is_isotropic());
-        assert!(!general.pulled_back(2.0, 2.0).expect("finite").is_isotropic());
-        for (a, b) in [(general, isotropic), (isotropic, general)] {
-            assert!(!a.plus(b).expect("finite").is_isotropic());
+        let flags = |found: [Constants; 4]| found.map(|c| c.is_isotropic());
+        assert_eq!(flags(alone(isotropic)), [true, true, false, true]);
+        assert_eq!(flags(alone(general)), [false; 4]);
+        // A conformal factor is always isotropic, whether or not it is marked.
+        for (a, b, expected) in [
+            (isotropic, isotropic, [true, false, true]),
+            (isotropic, general, [false, false, true]),
+            (general, isotropic, [false; 3]),
+        ] {
+            assert_eq!(together(a, b).map(|c| c.is_isotropic()), expected);
         }
     }
 
     #[test]
-    fn what_is_built_from_local_constants_is_local() {
+    fn constants_are_local_if_those_of_any_part_are() {
         let global = constants(2.0, 5.0, 3.0, 7.0);
         let local = global.on_a_region();
-        assert!(local.scaled(2.0).expect("finite").is_local());
-        assert!(local.pulled_back(1.0, 2.0).expect("finite").is_local());
-        assert!(local.times([1.0; 4]).expect("finite").is_local());
+        assert_eq!(alone(local).map(|c| c.is_local()), [true; 4]);
+        assert_eq!(alone(global).map(|c| c.is_local()), [false; 4]);
         for (a, b) in [(global, local), (local, global)] {
-            assert!(a.plus(b).expect("finite").is_local());
-            assert!(a.beside(b).is_local());
-            assert!(a.conformal(b).expect("finite").is_local());
+            assert_eq!(together(a, b).map(|c| c.is_local()), [true; 3]);
         }
-        assert!(!global.plus(global).expect("finite").is_local());
-        assert!(!global.beside(global).is_local());
+        assert_eq!(together(global, global).map(|c| c.is_local()), [false; 3]);
     }
 
     #[test]
-    fn nonsense_is_refused_with_its_numbers() {
+    fn bad_factors_and_stretches_are_refused_with_their_numbers() {
         let h = constants(2.0, 5.0, 3.0, 7.0);
         for s in [0.0, -1.0, f64::INFINITY] {
             assert_eq!(h.scaled(s), Err(HypothesisError::NotAFactor { factor: s }));
@@ -264,34 +263,40 @@ mod tests {
 
     /// Each overflow on its own, and the underflow of `c₁`; but `L_H = M_H = 0` stay 0.
     #[test]
-    fn what_overflows_is_named() {
+    fn the_constant_that_overflows_is_named() {
         let huge = 1e200;
-        let crossed = |outcome: Result<Constants, HypothesisError>| {
-            assert!(matches!(outcome, Err(HypothesisError::CrossedBounds { .. })), "{outcome:?}");
-        };
-        let steep = |outcome: Result<Constants, HypothesisError>| {
-            assert!(matches!(outcome, Err(HypothesisError::NotLipschitz { .. })), "{outcome:?}");
-        };
-        let curved = |outcome: Result<Constants, HypothesisError>| {
-            assert!(matches!(outcome, Err(HypothesisError::NotTwiceBounded { .. })), "{outcome:?}");
-        };
         let flat = constants(1.0, 1.0, 0.0, 0.0);
-        crossed(constants(1.0, huge, 0.0, 0.0).scaled(huge));
-        crossed(constants(1.0, huge, 0.0, 0.0).pulled_back(1.0, huge));
-        crossed(constants(1.0, huge, 0.0, 0.0).conformal(constants(1.0, huge, 0.0, 0.0)));
-        crossed(constants(1.0, f64::MAX, 0.0, 0.0).plus(constants(1.0, f64::MAX, 0.0, 0.0)));
-        steep(constants(1.0, 1.0, huge, 0.0).scaled(huge));
-        steep(constants(1.0, 1.0, 1.0, 0.0).pulled_back(1.0, 1e110));
-        steep(constants(1.0, huge, 0.0, 0.0).conformal(constants(1.0, 1.0, huge, 0.0)));
-        steep(constants(1.0, 1.0, f64::MAX, 0.0).plus(constants(1.0, 1.0, f64::MAX, 0.0)));
-        curved(constants(1.0, 1.0, 0.0, huge).scaled(huge));
-        curved(constants(1.0, 1.0, 0.0, 1.0).pulled_back(1.0, 1e80));
-        curved(constants(1.0, 1.0, huge, 0.0).conformal(constants(1.0, 1.0, huge, 0.0)));
-        curved(constants(1.0, 1.0, 0.0, f64::MAX).plus(constants(1.0, 1.0, 0.0, f64::MAX)));
+        let c2 = |c2| constants(1.0, c2, 0.0, 0.0);
+        let l_h = |l_h| constants(1.0, 1.0, l_h, 0.0);
+        let m_h = |m_h| constants(1.0, 1.0, 0.0, m_h);
+        for outcome in [
+            c2(huge).scaled(huge),
+            c2(huge).pulled_back(1.0, huge),
+            c2(huge).conformal(c2(huge)),
+            c2(f64::MAX).plus(c2(f64::MAX)),
+        ] {
+            assert!(matches!(outcome, Err(HypothesisError::CrossedBounds { .. })), "{outcome:?}");
+        }
+        for outcome in [
+            l_h(huge).scaled(huge),
+            l_h(1.0).pulled_back(1.0, 1e110),
+            c2(huge).conformal(l_h(huge)),
+            l_h(f64::MAX).plus(l_h(f64::MAX)),
+        ] {
+            assert!(matches!(outcome, Err(HypothesisError::NotLipschitz { .. })), "{outcome:?}");
+        }
+        for outcome in [
+            m_h(huge).scaled(huge),
+            m_h(1.0).pulled_back(1.0, 1e80),
+            l_h(huge).conformal(l_h(huge)),
+            m_h(f64::MAX).plus(m_h(f64::MAX)),
+        ] {
+            assert!(matches!(outcome, Err(HypothesisError::NotTwiceBounded { .. })), "{outcome:?}");
+        }
         let tiny = constants(1e-200, 1.0, 0.0, 0.0);
-        assert_eq!(tiny.scaled(1e-200), Err(HypothesisError::NotCoercive { c1: 0.0 }));
-        assert_eq!(flat.pulled_back(1e-200, 1.0), Err(HypothesisError::NotCoercive { c1: 0.0 }));
-        assert_eq!(tiny.conformal(tiny), Err(HypothesisError::NotCoercive { c1: 0.0 }));
+        for outcome in [tiny.scaled(1e-200), flat.pulled_back(1e-200, 1.0), tiny.conformal(tiny)] {
+            assert_eq!(outcome, Err(HypothesisError::NotCoercive { c1: 0.0 }));
+        }
         assert_eq!(flat.pulled_back(1.0, 1e120), Ok(constants(1.0, 1e240, 0.0, 0.0)));
     }
 }

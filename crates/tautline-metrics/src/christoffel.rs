@@ -1,4 +1,4 @@
-//! Christoffel symbols, from the first jets of the metric's formula.
+//! Christoffel symbols, by first-order jets of the metric's formula.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Jet1;
@@ -58,8 +58,8 @@ mod tests {
             - delta(i, j) * gradient_of_log[k])
     }
 
-    /// For the pullback of the Euclidean metric by `Φ`, `Γᵏᵢⱼ = Σₘ (DΦ⁻¹)ₖₘ ∂ᵢ∂ⱼ Φₘ`: full matrices,
-    /// of which no entry may stand for another.
+    /// For the pullback of the Euclidean metric by `Φ`, `Γᵏᵢⱼ = Σₘ (DΦ⁻¹)ₖₘ ∂ᵢ∂ⱼ Φₘ`. The matrices are
+    /// full, so that no two indices can be exchanged unnoticed.
     #[test]
     fn flat_metrics_have_the_second_derivatives_of_their_chart() {
         #[track_caller]

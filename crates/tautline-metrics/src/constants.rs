@@ -1,4 +1,4 @@
-//! `Constants`: the numbers `c₁`, `c₂`, `L_H` and `M_H` by which the theorems know a metric.
+//! `Constants`: the numbers `c₁`, `c₂`, `L_H` and `M_H` that the theorems use of a metric.
 
 /// The constants of Theorem 1.1, for all `x, y, u, w`:
 ///
@@ -6,12 +6,11 @@
 /// c₁ |u|² ≤ uᵀ H(x) u ≤ c₂ |u|²,    ‖H(x) − H(y)‖ ≤ L_H |x − y|,    |uᵀ D²H(x)[w, w] u| ≤ M_H |w|² |u|²
 /// ```
 ///
-/// with the Euclidean norm of vectors and the operator norm of matrices. The last is not
-/// asked for by the paper, and optional; nor is it that the metric may be isotropic, `H = φ I`, for
-/// which geodesics bend less.
+/// with the Euclidean norm of vectors and the operator norm of matrices. `M_H` is optional and not
+/// in the paper; nor is the flag for an isotropic metric, `H = φ I`, whose geodesics bend less.
 ///
 /// Invariant: `0 < c₁ ≤ c₂ < ∞`, `0 ≤ L_H < ∞`, `0 ≤ M_H < ∞`. [`Constants::new`] is the only
-/// way in, so a function which takes `Constants` need not check again.
+/// way in, so a function that takes `Constants` need not check again.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Constants {
     c1: f64,
@@ -53,7 +52,7 @@ impl Constants {
         Ok(Constants { m_h: Some(m_h), ..self })
     }
 
-    /// Adds that the metric is isotropic, `H(x) = φ(x) I` with a number `φ(x)`: conformal to the
+    /// Marks the metric as isotropic, `H(x) = φ(x) I` with a number `φ(x)`: conformal to the
     /// Euclidean metric, as every metric on the line is.
     #[doc(alias = "conformal")]
     #[must_use]
@@ -61,7 +60,7 @@ impl Constants {
         Constants { isotropic: true, ..self }
     }
 
-    /// Says that the constants hold on a region only, not for all `x` and `y`.
+    /// Marks the constants as valid on a region only, not for all `x` and `y`.
     #[must_use]
     pub fn on_a_region(self) -> Constants {
         Constants { local: true, ..self }
@@ -104,8 +103,7 @@ impl Constants {
     }
 }
 
-/// A hypothesis of Theorem 1.1, or of the calculus of its constants, which the given numbers do
-/// not meet.
+/// A hypothesis of Theorem 1.1, or of the calculus of constants, that the given numbers violate.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum HypothesisError {
@@ -158,44 +156,41 @@ pub enum HypothesisError {
 mod tests {
     use super::{Constants, HypothesisError};
 
+    const INFINITE: f64 = f64::INFINITY;
+
     #[test]
     fn the_first_clause_that_fails_is_named() {
-        let nan = f64::NAN;
-        assert_eq!(Constants::new(0.0, -1.0, -1.0), Err(HypothesisError::NotCoercive { c1: 0.0 }));
-        assert_eq!(
-            Constants::new(2.0, 1.0, -1.0),
-            Err(HypothesisError::CrossedBounds { c1: 2.0, c2: 1.0 })
-        );
-        assert_eq!(
-            Constants::new(1.0, 1.0, -1.0),
-            Err(HypothesisError::NotLipschitz { l_h: -1.0 })
-        );
-        assert!(Constants::new(nan, 1.0, 0.0).is_err());
-        assert!(Constants::new(1.0, nan, 0.0).is_err());
-        assert!(Constants::new(1.0, f64::INFINITY, 0.0).is_err());
-        assert!(Constants::new(1.0, 1.0, nan).is_err());
-        let constants = Constants::new(1.0, 9.0, 5.0).expect("in order");
-        assert!(constants.with_m_h(nan).is_err());
-        assert!(constants.with_m_h(-1.0).is_err());
-        assert_eq!(constants.m_h(), None);
-        let constants = constants.with_m_h(6.0).expect("nonnegative");
-        assert_eq!(constants.m_h(), Some(6.0));
-        assert!(!constants.is_isotropic());
-        let isotropic = constants.isotropic();
-        assert!(isotropic.is_isotropic() && isotropic.m_h() == Some(6.0) && isotropic.c2() == 9.0);
-        let local = isotropic.on_a_region();
-        assert!(local.is_local() && local.is_isotropic() && !isotropic.is_local());
-        // It may be said in any order.
-        let again = isotropic.with_m_h(6.0).expect("nonnegative");
-        assert_eq!(again, isotropic);
+        let new = Constants::new;
+        let not_coercive = |c1| Err(HypothesisError::NotCoercive { c1 });
+        let crossed = |c1, c2| Err(HypothesisError::CrossedBounds { c1, c2 });
+        let not_lipschitz = |l_h| Err(HypothesisError::NotLipschitz { l_h });
+        assert_eq!(new(0.0, -1.0, -1.0), not_coercive(0.0));
+        assert_eq!(new(0.0, 1.0, 0.0), not_coercive(0.0));
+        assert_eq!(new(INFINITE, INFINITE, 0.0), not_coercive(INFINITE));
+        assert_eq!(new(2.0, 1.0, -1.0), crossed(2.0, 1.0));
+        assert_eq!(new(1.0, INFINITE, 0.0), crossed(1.0, INFINITE));
+        assert_eq!(new(1.0, 1.0, -1.0), not_lipschitz(-1.0));
+        assert_eq!(new(1.0, 1.0, INFINITE), not_lipschitz(INFINITE));
+        for [c1, c2, l_h] in [[f64::NAN, 1.0, 0.0], [1.0, f64::NAN, 0.0], [1.0, 1.0, f64::NAN]] {
+            assert!(new(c1, c2, l_h).is_err(), "{c1} {c2} {l_h}");
+        }
+        let constants = new(1.0, 9.0, 5.0).expect("in order");
+        for bad in [f64::NAN, -1.0] {
+            assert!(constants.with_m_h(bad).is_err(), "{bad}");
+        }
+        let infinite = Err(HypothesisError::NotTwiceBounded { m_h: INFINITE });
+        assert_eq!(constants.with_m_h(INFINITE), infinite);
+        // The extreme numbers that are valid.
+        assert!(new(1.0, 1.0, 0.0).and_then(|c| c.with_m_h(0.0)).is_ok());
+        assert!(new(f64::from_bits(1), f64::MAX, f64::MAX).is_ok());
     }
 
-    /// What is said of constants is said in any order, and nothing is forgotten.
     #[test]
-    fn no_order_of_saying_forgets_anything() {
+    fn additions_commute_and_keep_each_other() {
         let bare = Constants::new(1.0, 9.0, 5.0).expect("in order");
         let bent = |c: Constants| c.with_m_h(6.0).expect("nonnegative");
         let (round, local) = (Constants::isotropic, Constants::on_a_region);
+        assert!(bare.m_h().is_none() && !bare.is_isotropic() && !bare.is_local());
         let all = local(round(bent(bare)));
         assert!(all.is_local() && all.is_isotropic());
         assert_eq!((all.c1(), all.c2(), all.l_h(), all.m_h()), (1.0, 9.0, 5.0, Some(6.0)));
@@ -209,29 +204,6 @@ mod tests {
             assert_eq!(other, all);
         }
         assert!(all != local(bent(bare)) && all != round(bent(bare)) && all != local(round(bare)));
-    }
-
-    /// Each number alone at the edge of what it may be: in, out, and infinite.
-    #[test]
-    fn the_edges_of_the_clauses_belong_or_do_not() {
-        let new = |c1, c2, l_h| Constants::new(c1, c2, l_h);
-        assert!(new(1.0, 1.0, 0.0).and_then(|c| c.with_m_h(0.0)).is_ok());
-        assert!(new(f64::from_bits(1), f64::MAX, f64::MAX).is_ok());
-        let infinite = f64::INFINITY;
-        assert_eq!(new(0.0, 1.0, 0.0), Err(HypothesisError::NotCoercive { c1: 0.0 }));
-        assert_eq!(
-            new(infinite, infinite, 0.0),
-            Err(HypothesisError::NotCoercive { c1: infinite })
-        );
-        assert_eq!(
-            new(1.0, infinite, 0.0),
-            Err(HypothesisError::CrossedBounds { c1: 1.0, c2: infinite })
-        );
-        assert_eq!(new(1.0, 1.0, infinite), Err(HypothesisError::NotLipschitz { l_h: infinite }));
-        assert_eq!(
-            new(1.0, 1.0, 0.0).and_then(|c| c.with_m_h(infinite)),
-            Err(HypothesisError::NotTwiceBounded { m_h: infinite })
-        );
     }
 
     #[test]

@@ -24,15 +24,15 @@
 //!
 //! # The rungs
 //!
-//! | trait | promises | asked for by |
+//! | trait | promises | needed for |
 //! | --- | --- | --- |
 //! | [`Metric`] | `H(x)` and nothing else | minimising |
 //! | [`Bounded`] | the constants `c₁`, `c₂`, `L_H` on all of `R^D` | proven bounds |
 //! | [`LocallyBounded`] | such constants on balls | proven bounds near the ends |
 //! | [`KnownDistance`] | the exact distance of (some) pairs of points | measuring an error |
 //!
-//! The [`gallery`] has metrics of each kind; [`composition`] builds new ones from these, and
-//! [`Constants`] has the rules by which their constants follow.
+//! The [`gallery`] has metrics of each kind. [`composition`] builds new ones from them, and the
+//! methods of [`Constants`] derive the constants of the result.
 //!
 //! # Units
 //!

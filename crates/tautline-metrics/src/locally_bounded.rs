@@ -4,13 +4,13 @@ use nalgebra::SVector;
 
 use crate::{Constants, HypothesisError, Metric};
 
-/// A metric which knows constants on every ball where it has some.
+/// A metric that knows its constants on balls.
 ///
-/// Some, as `4 / (1 + r²)² I`, have no constant `c₁ > 0` on all of `R^D`, and none of the paper's
-/// theorems applies to them; but shortest curves and discrete minimisers stay near their ends,
-/// where the constants of a ball do (Proposition S.8). A [`Bounded`](crate::Bounded) metric may be
-/// locally bounded too, as [`Constant`](crate::gallery::Constant) is: where one varies from place
-/// to place, the constants of a ball are better.
+/// Some metrics, such as `4 / (1 + r²)² I`, have no constant `c₁ > 0` on all of `R^D`, and none of
+/// the paper's theorems applies to them. But shortest curves and discrete minimisers stay near their
+/// ends, where the constants of a ball suffice (Proposition S.8). A [`Bounded`](crate::Bounded)
+/// metric, such as [`Constant`](crate::gallery::Constant), may be locally bounded too: the constants
+/// of a ball can be better.
 ///
 /// ```
 /// use tautline_metrics::{LocallyBounded, gallery::Sphere};
@@ -22,12 +22,12 @@ use crate::{Constants, HypothesisError, Metric};
 /// # Ok::<(), tautline_metrics::LocalError>(())
 /// ```
 pub trait LocallyBounded<const D: usize>: Metric<D> {
-    /// Returns constants that hold on the ball `|x − centre| ≤ radius`, both in `ℓ`, for all `x`
-    /// and `y` there, and say that they [hold on a region](Constants::is_local).
+    /// Returns constants that hold for all `x` and `y` of the ball `|x − centre| ≤ radius`, both in
+    /// `ℓ`, marked as [local](Constants::is_local).
     ///
     /// # Errors
     ///
-    /// [`LocalError`] if the metric has none there, and where [`LocalError::check_ball`] refuses the ball.
+    /// [`LocalError`] if the metric has none there, or if [`LocalError::check_ball`] refuses the ball.
     fn constants_within(
         &self,
         centre: &SVector<f64, D>,
@@ -59,13 +59,13 @@ pub enum LocalError {
         /// Where the metric ends.
         limit: f64,
     },
-    /// No ball has such a radius.
+    /// The radius is negative or NaN.
     #[error("a radius of {radius} is negative or no number")]
     NotARadius {
         /// The radius that was given, in `ℓ`.
         radius: f64,
     },
-    /// No ball has such a centre.
+    /// A coordinate of the centre is not finite.
     #[error("coordinate {index} of the centre is {value}")]
     NotACentre {
         /// The index of the coordinate, from 0.
@@ -78,7 +78,7 @@ pub enum LocalError {
     NotProved {
         /// The radius of the ball, in `ℓ`.
         radius: f64,
-        /// Why not, in the words of the search.
+        /// Why not, as the search reports it.
         reason: String,
     },
     /// A constant is 0, infinite or NaN on the ball.
@@ -120,10 +120,10 @@ mod tests {
     use super::{LocalError, norms_within};
 
     #[test]
-    fn a_ball_reaches_from_the_nearest_to_the_farthest_norm() {
+    fn norms_of_a_ball_and_the_balls_that_are_refused() {
         assert_eq!(norms_within(&vector![3.0, 4.0], 2.0), Ok([3.0, 7.0]));
         assert_eq!(norms_within(&vector![3.0, 4.0], 6.0), Ok([0.0, 11.0]));
-        // Its centre alone, and all of space.
+        // A single point, and all of space.
         assert_eq!(norms_within(&vector![3.0, 4.0], 0.0), Ok([5.0, 5.0]));
         assert_eq!(norms_within(&vector![3.0, 4.0], 5.0), Ok([0.0, 10.0]));
         assert_eq!(norms_within(&vector![3.0, 4.0], f64::INFINITY), Ok([0.0, f64::INFINITY]));
@@ -133,7 +133,7 @@ mod tests {
         }
         let error = norms_within(&vector![0.0, f64::INFINITY], 1.0).expect_err("no centre");
         assert_eq!(error, LocalError::NotACentre { index: 1, value: f64::INFINITY });
-        // The first of two.
+        // Names the first of two.
         let error = norms_within(&vector![f64::NEG_INFINITY, f64::NAN], 1.0).expect_err("none");
         assert_eq!(error, LocalError::NotACentre { index: 0, value: f64::NEG_INFINITY });
     }

@@ -1,4 +1,4 @@
-//! `Metric`: a Riemannian metric on `R^D`, and what more one may know about it.
+//! `Metric`: a Riemannian metric on `R^D`, and what else may be known about it.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Scalar;
@@ -11,13 +11,13 @@ use crate::Constants;
 ///
 /// `H(x)` is symmetric and positive definite at every `x` where the metric is defined, and
 /// not finite (NaN or infinite) where it is not. It is twice continuously differentiable.
-/// It does not panic on finite input, and reads no clock, no file and no random number: values depend
-/// on `x` alone. Two threads may ask at once.
+/// It is a pure function of `x`, does not panic on finite input, and may be evaluated by several
+/// threads at once.
 pub trait Metric<const D: usize>: Sync {
     /// Returns the Gram matrix `H(x)`, in `m²/ℓ²`, shape `D × D`.
     ///
-    /// The formula is written once for every number type; numbers in it are `f64`, on either side of an
-    /// operator, and what else there is are the methods of [`Scalar`]. Where an entry is a number only, it is
+    /// The formula is generic in the number type. Literals are `f64`, on either side of an operator;
+    /// functions are the methods of [`Scalar`]. An entry that does not depend on `x` is
     /// `S::constant(2.0)`, `S::zero()` or `S::one()`.
     ///
     /// ```
@@ -66,9 +66,9 @@ pub fn norm_squared<S: Scalar, const D: usize>(
     sum
 }
 
-/// A metric which knows the constants of Theorem 1.1.
+/// A metric that knows the constants of Theorem 1.1.
 pub trait Bounded<const D: usize>: Metric<D> {
-    /// Returns constants valid on all of `R^D`, not merely where sampled.
+    /// Returns constants that hold on all of `R^D`.
     fn constants(&self) -> Constants;
 }
 
@@ -78,10 +78,10 @@ impl<const D: usize, M: Bounded<D>> Bounded<D> for &M {
     }
 }
 
-/// A metric whose distance is known in closed form, or by a quadrature to rounding, for
-/// some pairs of points.
+/// A metric with a known distance for some pairs of points: in closed form, or by a quadrature
+/// exact to rounding.
 pub trait KnownDistance<const D: usize>: Metric<D> {
-    /// Returns `d^g(x, y)`, in `m`; `None` for a pair whose distance is not known exactly.
+    /// Returns `d^g(x, y)`, in `m`; `None` if it is not known exactly.
     ///
     /// # Laws
     ///

@@ -1,11 +1,11 @@
-//! Symmetric positive definite matrices: the test that `H(x)` is one, and its Cholesky factor.
+//! Symmetric positive definite matrices: the check that `H(x)` is one, and its Cholesky factor.
 
 use nalgebra::{DMatrix, SMatrix, SVector};
 use tautline_scalar::Lanes;
 
 use crate::Metric;
 
-/// Why the Gram matrix of a metric is refused at a point.
+/// Why the Gram matrix at a point is not that of a metric.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MetricError {
@@ -47,12 +47,12 @@ pub enum MetricError {
     },
 }
 
-/// Returns whether a matrix is finite, symmetric up to rounding, and positive definite: each of them,
-/// where several stand side by side.
+/// Returns whether a matrix, in every lane of its entries, is finite, symmetric up to rounding, and
+/// positive definite.
 ///
-/// The halves of one formula, written in another order, differ by some roundings of its terms,
-/// which for a positive definite `H` are of the size `√(Hᵢᵢ Hⱼⱼ)` at most: `10⁻¹²` of that is
-/// granted.
+/// Two entries that are one formula in a different order differ by some roundings of its terms,
+/// which for a positive definite `H` have at most the size `√(Hᵢᵢ Hⱼⱼ)`: the tolerance is `10⁻¹²` of
+/// that.
 #[must_use]
 #[inline]
 pub fn is_gram<T: Lanes, const D: usize>(h: &SMatrix<T, D, D>) -> bool {
@@ -60,8 +60,8 @@ pub fn is_gram<T: Lanes, const D: usize>(h: &SMatrix<T, D, D>) -> bool {
         && (0..D).all(|i| (i + 1..D).all(|j| h[(i, j)] == h[(j, i)] || is_symmetric(h, i, j)))
 }
 
-/// Whether the matrix with these entries `i ≤ j` is finite and positive definite: by its pivots, as
-/// [`cholesky`], but without roots.
+/// Whether the upper triangle is finite and positive definite: by pivots, as in [`cholesky`], but
+/// without roots.
 #[inline]
 fn is_definite<T: Lanes, const D: usize>(mut a: SMatrix<T, D, D>) -> bool {
     for k in 0..D {
@@ -89,7 +89,7 @@ fn is_symmetric<T: Lanes, const D: usize>(h: &SMatrix<T, D, D>, i: usize, j: usi
     (0..T::LANES).all(|lane| {
         let entry = |i, j| h[(i, j)].lane(lane);
         let (above, below) = (entry(i, j), entry(j, i));
-        // The product of the roots: that of the entries may overflow, and would then grant anything.
+        // The product of the entries may overflow, and would then allow any difference.
         let scale = entry(i, i).abs().sqrt() * entry(j, j).abs().sqrt();
         (above - below).abs() <= 1e-12 * scale.max(above.abs())
     })
@@ -107,7 +107,7 @@ pub fn check_gram<const D: usize>(
     check_matrix(metric.gram(x), x)
 }
 
-/// Returns the matrix `h`, which was found at `x`, if it is finite, symmetric and positive definite.
+/// Returns the matrix `h = H(x)` if it is finite, symmetric and positive definite.
 ///
 /// # Errors
 ///
@@ -140,8 +140,7 @@ pub fn check_matrix<const D: usize>(
 /// Returns the lower triangular `L` with `L Lᵀ = A`, reading the entries `i ≤ j` of `A`;
 /// `None` if `A` is not positive definite (or not finite).
 ///
-/// Written out, since the pivots decide: a pivot that is not positive is the answer, and
-/// for small `D` the loops unroll.
+/// Written out so that the loops unroll for small `D`.
 #[must_use]
 pub fn cholesky<const D: usize>(a: &SMatrix<f64, D, D>) -> Option<SMatrix<f64, D, D>> {
     let mut l = SMatrix::<f64, D, D>::zeros();
@@ -176,25 +175,16 @@ mod tests {
     use super::{MetricError, check_gram, cholesky, is_gram};
     use crate::Metric;
 
-    /// A matrix that does not depend on the point, right or wrong.
-    struct Matrix([[f64; 2]; 2]);
+    /// A matrix that does not depend on the point, valid or not.
+    struct Matrix<const D: usize>([[f64; D]; D]);
 
-    impl Metric<2> for Matrix {
-        fn gram<S: Scalar>(&self, _: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
+    impl<const D: usize> Metric<D> for Matrix<D> {
+        fn gram<S: Scalar>(&self, _: &SVector<S, D>) -> SMatrix<S, D, D> {
             SMatrix::from_fn(|i, j| S::constant(self.0[i][j]))
         }
     }
 
-    /// The same in three dimensions.
-    struct Three(SMatrix<f64, 3, 3>);
-
-    impl Metric<3> for Three {
-        fn gram<S: Scalar>(&self, _: &SVector<S, 3>) -> SMatrix<S, 3, 3> {
-            self.0.map(S::constant)
-        }
-    }
-
-    /// The two halves of an indefinite matrix differ by a rounding of the entry, not of the diagonal.
+    /// In an indefinite matrix the tolerance is relative to the entry, if that exceeds the diagonal.
     #[test]
     fn a_rounding_of_a_large_entry_is_no_asymmetry() {
         let error = |below| check_gram(&Matrix([[1e-20, 1.0], [below, 1e-20]]), &vector![0.0, 0.0]);
@@ -236,6 +226,9 @@ mod tests {
     /// Cancelling terms of size 10⁶ leave an entry of size 1, off by their rounding.
     #[test]
     fn the_halves_may_differ_by_the_rounding_of_the_diagonal() {
+        let off = |by: f64| check_gram(&Matrix([[2.0, 1.0], [1.0 + by, 2.0]]), &vector![0.0, 0.0]);
+        assert!(off(4.0 * f64::EPSILON).is_ok());
+        assert!(matches!(off(1e-11), Err(MetricError::NotSymmetric { .. })));
         let off = |by: f64| {
             check_gram(&Matrix([[1e6, 1.0], [1.0 + by, 4e6]]), &vector![0.0, 0.0]).map(|_| ())
         };
@@ -243,7 +236,7 @@ mod tests {
         assert!(matches!(off(4e-6), Err(MetricError::NotSymmetric { .. })));
     }
 
-    /// In any unit of length: squares of these entries are beyond `f64`.
+    /// In any unit of length: the squares of these entries overflow or underflow.
     #[test]
     fn the_halves_may_differ_by_as_much_in_every_unit() {
         for unit in [1e-300, 1e-200, 1.0, 1e200, 1e300] {
@@ -255,14 +248,14 @@ mod tests {
             };
             // 10⁻¹² of √(10⁴ · 4 · 10⁴) = 2 · 10⁴.
             assert!(off(1e-8) && off(-1e-8) && !off(4e-8) && !off(-4e-8) && !off(-1.0), "{unit:e}");
-            // And of the entry where that is larger, in which case nothing is definite.
+            // Relative to the entry where that is larger, but then nothing is definite.
             assert!(!is_gram(&(matrix![1.0, 2.0; 2.0, 1.0] * unit)));
         }
     }
 
-    /// One defect at a time, in each entry, and in each of two matrices side by side.
+    /// One defect at a time, in each entry, and in each of two lanes.
     #[test]
-    fn every_entry_of_every_matrix_is_looked_at() {
+    fn every_entry_of_every_lane_is_checked() {
         let good = matrix![4.0, 2.0, -1.0; 2.0, 5.0, 0.5; -1.0, 0.5, 3.0];
         let both =
             |a: &SMatrix<f64, 3, 3>, b: &SMatrix<f64, 3, 3>| is_gram(&a.zip_map(b, Pair::new));
@@ -274,7 +267,8 @@ mod tests {
             spoilt[place] = bad;
             assert!(!is_gram(&spoilt), "{bad} at {place:?}");
             assert!(!both(&spoilt, &good) && !both(&good, &spoilt), "{bad} at {place:?}");
-            let checked = check_gram(&Three(spoilt), &vector![0.0, 0.0, 0.0]);
+            let rows = Matrix(spoilt.transpose().into());
+            let checked = check_gram(&rows, &vector![0.0, 0.0, 0.0]);
             assert!(checked.is_err(), "{bad} at {place:?}");
             if !bad.is_finite() {
                 let Err(MetricError::NotFinite { row, column, .. }) = checked else {
@@ -289,8 +283,8 @@ mod tests {
         assert!(!is_gram(&matrix![0.0]) && is_gram(&matrix![f64::MIN_POSITIVE]));
     }
 
-    /// `is_gram` by its pivots, and the factor by Cholesky, agree on random matrices, definite or not;
-    /// both halves of the matrix are the same, and only the upper one is read.
+    /// `is_gram`, by pivots, and `cholesky` agree on random matrices, definite or not. Only the upper
+    /// half is read.
     #[test]
     fn the_pivots_and_the_factor_agree() {
         let mut definite = 0;
@@ -301,7 +295,7 @@ mod tests {
             });
             let least = a.symmetric_eigenvalues().min();
             let factor = cholesky(&a);
-            // Rounding of entries up to 1.3 decides nothing at this distance.
+            // Far beyond the rounding of entries up to 1.3.
             if least.abs() > 1e-12 {
                 assert_eq!((factor.is_some(), is_gram(&a)), (least > 0.0, least > 0.0), "{a}");
             }
@@ -317,12 +311,5 @@ mod tests {
         let zero = check_gram(&Matrix([[0.0; 2]; 2]), &vector![0.0, 0.0]).expect_err("zero");
         assert!(matches!(zero, MetricError::NotPositiveDefinite { eigenvalue: 0.0, .. }));
         assert!(cholesky(&matrix![f64::INFINITY, 0.0; 0.0, 1.0]).is_none());
-    }
-
-    #[test]
-    fn the_halves_may_differ_by_rounding_and_by_no_more() {
-        let off = |by: f64| check_gram(&Matrix([[2.0, 1.0], [1.0 + by, 2.0]]), &vector![0.0, 0.0]);
-        assert!(off(4.0 * f64::EPSILON).is_ok());
-        assert!(matches!(off(1e-11), Err(MetricError::NotSymmetric { .. })));
     }
 }

@@ -1,10 +1,10 @@
-//! Integrals of smooth functions over an interval, with an error estimate: Gauss–Kronrod.
+//! Gauss–Kronrod quadrature: integrals of smooth functions over an interval, with an error estimate.
 
 use std::ops::AddAssign;
 
 /// A computed integral and an estimate of its error, in the same unit.
 ///
-/// The error is an estimate, not a bound: it compares two rules of different order.
+/// The error compares two rules of different order: an estimate, not a bound.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Integral {
     /// The value.
@@ -28,15 +28,15 @@ const INNER: f64 = 0.434_243_749_346_802_56;
 const MIDDLE: f64 = 0.774_596_669_241_483_4;
 const OUTER: f64 = 0.960_491_268_708_020_3;
 
-/// The weights of the nodes, and those of the 3-point Gauss rule that shares some of them, which is exact
-/// for polynomials of degree 5.
+/// The weights of the nodes, and of the 3-point Gauss rule on a subset of them, which is exact for
+/// polynomials of degree 5.
 const WEIGHTS: [(f64, f64); 7] = {
     let (centre, inner) = ((0.450_916_538_658_474_14, 8.0 / 9.0), (0.401_397_414_775_962_2, 0.0));
     let (middle, outer) = ((0.268_488_089_868_333_44, 5.0 / 9.0), (0.104_656_226_026_467_27, 0.0));
     [centre, inner, inner, middle, middle, outer, outer]
 };
 
-/// Where on `[0, 1]` [`integrate`] reads an integrand first.
+/// The nodes on `[0, 1]` at which [`integrate`] evaluates an integrand first.
 pub const FIRST_NODES: [f64; 7] = {
     let mut nodes = PLACES;
     let mut k = 0;
@@ -47,15 +47,15 @@ pub const FIRST_NODES: [f64; 7] = {
     nodes
 };
 
-/// Returns whether [`integrate`] would not halve an interval, by the values of the integrand where it reads
-/// them first on it. NaN ends the subdivision.
+/// Returns whether [`integrate`] would stop after one application of the rule, given the values of
+/// the integrand at the [`FIRST_NODES`]. NaN ends the subdivision.
 #[must_use]
 pub fn is_integrated(values: &[f64; 7], tolerance: f64) -> bool {
     let (integral, magnitude) = by_values(values, 1.0);
     is_enough(integral, magnitude, tolerance) || integral.value.is_nan()
 }
 
-/// Below `4 ε |f|` the two rules differ by their rounding alone.
+/// Below `4 ε |f|` the two rules differ only by rounding.
 fn is_enough(integral: Integral, magnitude: f64, tolerance: f64) -> bool {
     integral.error <= tolerance.max(4.0 * f64::EPSILON) * magnitude
 }
@@ -66,16 +66,16 @@ const MAX_INTERVALS: usize = 4096;
 /// Returns `∫ₐᵇ f`, halving intervals until the estimated error of each is at most
 /// `tolerance` times the integral of `|f|` over it (or rounding is reached).
 ///
-/// A singular integrand ends after at most 4096 intervals with a large error estimate, one
-/// that is NaN somewhere with the value NaN: never an endless loop.
+/// Always ends: a singular integrand after at most 4096 intervals with a large error estimate, one
+/// that is NaN somewhere with the value NaN.
 pub fn integrate(f: impl Fn(f64) -> f64, a: f64, b: f64, tolerance: f64) -> Integral {
     adaptive(&f, a, b, tolerance)
 }
 
-/// Compiled once, whatever the integrand: a pointer costs nothing beside a metric.
+/// Compiled once for all integrands: an indirect call costs little beside a metric.
 fn adaptive(f: &dyn Fn(f64) -> f64, a: f64, b: f64, tolerance: f64) -> Integral {
     let mut total = Integral::default();
-    // What is left to do, to the right of [a, b].
+    // The intervals left to do, all to the right of [a, b].
     let mut pending = Vec::new();
     let mut next = Some((a, b));
     let mut intervals = 0;
@@ -102,7 +102,7 @@ fn kronrod(f: &dyn Fn(f64) -> f64, a: f64, b: f64) -> (Integral, f64) {
     by_values(&PLACES.map(|place| f(centre + half * place)), half)
 }
 
-/// The same by the values at the [`PLACES`].
+/// The same, from the values at the [`PLACES`].
 fn by_values(values: &[f64; 7], half: f64) -> (Integral, f64) {
     let (mut kronrod, mut gauss, mut magnitude) = (0.0, 0.0, 0.0);
     for (y, (weight, gauss_weight)) in values.iter().zip(WEIGHTS) {
@@ -122,7 +122,7 @@ fn by_values(values: &[f64; 7], half: f64) -> (Integral, f64) {
     } else {
         difference
     };
-    // No sum of seven rounded terms is better than this.
+    // The rounding of a sum of seven terms.
     let error = error.max(2.0 * f64::EPSILON * magnitude);
     let integral = Integral { value: kronrod * half, error: error * half.abs() };
     (integral, magnitude * half.abs())
@@ -132,7 +132,7 @@ fn by_values(values: &[f64; 7], half: f64) -> (Integral, f64) {
 mod tests {
     use super::{FIRST_NODES, Integral, integrate, is_integrated};
 
-    /// The rule is exact for degree 11: a mistyped node or weight fails here.
+    /// The rule is exact up to degree 11: a mistyped node or weight fails here.
     #[test]
     fn polynomials_of_degree_11_are_exact() {
         for degree in 0..=11 {
@@ -154,9 +154,9 @@ mod tests {
         approx::assert_relative_eq!(backwards.value, -1_f64.sin(), max_relative = 1e-14);
     }
 
-    /// Of `x⁶` the Gauss rule misses 16 %, so that the error is `Σ w |y − mean|`, with the mean 1/7.
+    /// The Gauss rule misses 16 % of `x⁶`, so that the error is `Σ w |y − mean|`, with the mean 1/7.
     #[test]
-    fn the_error_is_the_spread_where_the_rules_differ_much() {
+    fn the_error_is_the_spread_where_the_rules_differ_widely() {
         let (integral, magnitude) = super::kronrod(&|x: f64| x.powi(6), -1.0, 1.0);
         approx::assert_relative_eq!(integral.error, 0.34743770314862704, max_relative = 1e-14);
         approx::assert_relative_eq!(magnitude, 2.0 / 7.0, max_relative = 1e-14);
@@ -169,25 +169,20 @@ mod tests {
         assert_eq!(sum, Integral { value: 3.0, error: 0.75 });
     }
 
-    /// Digits of `x` without order, which no number of intervals resolves: it ends when 4096 are
-    /// done or left to do, with one more, of seven nodes each; or where there are no numbers left between two neighbours.
+    /// The bits of `x`, scrambled, which no number of intervals resolves. It ends when 4096 intervals
+    /// of seven nodes are done or pending, plus one; or when neighbouring numbers are reached.
     #[test]
-    fn noise_ends_after_so_many_intervals() {
-        let evaluations = |a: f64, b: f64| {
-            let count = std::cell::Cell::new(0);
-            let noise = |x: f64| {
-                count.set(count.get() + 1);
-                (x.to_bits().wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 40) as f64
-            };
-            assert!(integrate(noise, a, b, 1e-12).error > 0.0);
-            count.get()
-        };
-        assert_eq!(evaluations(1.0, 2.0), 7 * 4097);
+    fn noise_exhausts_the_intervals_or_the_numbers() {
+        let noise = |x: f64| (x.to_bits().wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 40) as f64;
+        let (integral, count) = evaluations(noise, 1.0, 2.0, 1e-12);
+        assert!(integral.error > 0.0);
+        assert_eq!(count, 7 * 4097);
         // Eight spacings: at most 15 intervals.
-        assert!(evaluations(1.0, 1.0 + 8.0 * f64::EPSILON) <= 7 * 15);
+        let (integral, count) = evaluations(noise, 1.0, 1.0 + 8.0 * f64::EPSILON, 1e-12);
+        assert!(integral.error > 0.0 && count <= 7 * 15);
     }
 
-    /// How often `integrate` asks for a value.
+    /// The integral, and how often `integrate` evaluates the integrand.
     fn evaluations(f: impl Fn(f64) -> f64, a: f64, b: f64, tolerance: f64) -> (Integral, usize) {
         let count = std::cell::Cell::new(0);
         let counted = |x: f64| {
@@ -197,9 +192,8 @@ mod tests {
         (integrate(counted, a, b, tolerance), count.get())
     }
 
-    /// The same values, and the same estimate of the same sign.
     #[test]
-    fn backwards_an_integral_is_as_hard_and_as_good_as_forwards() {
+    fn reversed_limits_change_only_the_sign() {
         for f in [f64::exp, |x: f64| (20.0 * x).cos(), |x: f64| 1.0 / (1.0 + x * x)] {
             let (there, count) = evaluations(f, -1.0, 3.0, 1e-13);
             let (back, again) = evaluations(f, 3.0, -1.0, 1e-13);
@@ -210,9 +204,8 @@ mod tests {
         }
     }
 
-    /// By the first values alone it is known whether others are asked for.
     #[test]
-    fn an_integral_is_done_if_its_first_values_say_so() {
+    fn the_first_values_decide_whether_an_interval_is_halved() {
         let steep: fn(f64) -> f64 = |x| (30.0 * x).sin();
         let functions: [fn(f64) -> f64; 6] =
             [f64::exp, |_| 0.0, |_| -3.0, |x| x.powi(11), |x| (x - 0.3).abs(), |_| f64::NAN];
@@ -228,9 +221,9 @@ mod tests {
         assert!(done.iter().all(|&count| count >= 5), "{done:?}");
     }
 
-    /// Where the rules differ by rounding alone no halving helps, and where a value is NaN none does.
+    /// Where the rules differ only by rounding, or where a value is NaN.
     #[test]
-    fn nothing_is_halved_that_does_not_get_better() {
+    fn nothing_is_halved_in_vain() {
         assert_eq!(evaluations(|_| 3.0, 0.0, 1.0, 0.0).1, 7);
         assert!(evaluations(f64::exp, 0.0, 1.0, 0.0).1 <= 7 * 31);
         assert_eq!(evaluations(|_| f64::NAN, 0.0, 1.0, 1e-12).1, 7);
@@ -238,7 +231,7 @@ mod tests {
         assert!(half.value.is_nan() && count == 7, "{count}");
     }
 
-    /// Rounding is an error too, of values of either sign: 2 ε of the integral of `|f|`.
+    /// Rounding is an error too, for values of either sign: 2 ε of the integral of `|f|`.
     #[test]
     fn the_error_is_no_less_than_rounding() {
         for f in [|_: f64| 3.0, |_: f64| -3.0] {
@@ -246,7 +239,7 @@ mod tests {
             approx::assert_relative_eq!(magnitude, 6.0, max_relative = 1e-14);
             assert!(integral.error >= 1.9 * f64::EPSILON * 6.0, "{integral:?}");
         }
-        // An odd function over both its halves: 0, of numbers that are not small.
+        // An odd function: 0, from large values.
         let (integral, magnitude) = super::kronrod(&|x: f64| x, -2.0, 2.0);
         assert!(
             magnitude > 3.5 && integral.error >= 1.9 * f64::EPSILON * magnitude,
@@ -255,10 +248,10 @@ mod tests {
         assert!(integral.value.abs() <= integral.error);
     }
 
-    /// Between neighbours there is no number to halve at, whichever of the two the mean rounds to.
+    /// No number lies between neighbours, whichever of the two the mean rounds to.
     #[test]
     fn neighbours_are_not_halved() {
-        // Values at the two ends that no rule agrees about.
+        // The two rules disagree about these values.
         let jump = |x: f64| (x.to_bits() & 1) as f64;
         let mut x = 1.0_f64;
         for _ in 0..16 {

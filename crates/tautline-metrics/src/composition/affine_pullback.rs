@@ -8,14 +8,14 @@ use crate::{
     Bounded, Constants, HypothesisError, KnownDistance, LocalError, LocallyBounded, Metric,
 };
 
-/// `Aᵀ H(A x + b) A` for an invertible matrix `A`: the metric `H` seen from coordinates `x` in
-/// which its points are `A x + b`. A rotation, a shift, another unit of the coordinates.
+/// `Aᵀ H(A x + b) A` for an invertible matrix `A`: the metric `H` in coordinates `x` whose points
+/// are `A x + b`. A rotation, a shift, other units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AffinePullback<M, const D: usize> {
     metric: M,
     matrix: SMatrix<f64, D, D>,
     shift: SVector<f64, D>,
-    /// Bounds of the singular values of the matrix: positive, finite, in order.
+    /// Bounds on the singular values of the matrix: positive, finite, in order.
     stretches: (f64, f64),
 }
 
@@ -57,18 +57,18 @@ impl<M, const D: usize> AffinePullback<M, D> {
     }
 }
 
-/// Numbers below and above all singular values of a finite matrix, by `16 D` ulp of its norm:
-/// above what the reduction to bidiagonal form and the iteration after it err by.
+/// Bounds on the singular values of a finite matrix, by a margin of `16 D` ulp of its norm: more than
+/// the errors of the reduction to bidiagonal form and of the iteration.
 fn stretches<const D: usize>(matrix: &SMatrix<f64, D, D>) -> (f64, f64) {
-    // Entries up to 1, so that no square overflows on the way.
+    // Entries up to 1, so that no intermediate square overflows.
     let scale = matrix.amax();
     if scale == 0.0 {
         return (0.0, 0.0);
     }
     let singular_values = DMatrix::from_fn(D, D, |i, j| matrix[(i, j)] / scale).singular_values();
     let (low, high) = (singular_values.min(), singular_values.max());
-    let overestimation = 16.0 * D as f64 * f64::EPSILON * high;
-    ((low - overestimation) * scale, (high + overestimation) * scale)
+    let margin = 16.0 * D as f64 * f64::EPSILON * high;
+    ((low - margin) * scale, (high + margin) * scale)
 }
 
 impl<M: Metric<D>, const D: usize> Metric<D> for AffinePullback<M, D> {
@@ -92,9 +92,7 @@ impl<M: Metric<D>, const D: usize> Metric<D> for AffinePullback<M, D> {
 }
 
 impl<M: Bounded<D>, const D: usize> Bounded<D> for AffinePullback<M, D> {
-    /// `c₁ σ_min²`, `c₂ σ_max²`, `L_H σ_max³`, `M_H σ_max⁴` with the singular values of `A`
-    /// ([`Constants::pulled_back`]), moved apart by some ulp; attained up to those for a multiple
-    /// of an isometry, and where the directions fit.
+    /// [`Constants::pulled_back`] by the singular values of `A`, moved apart by some ulp.
     ///
     /// # Panics
     ///
@@ -106,7 +104,7 @@ impl<M: Bounded<D>, const D: usize> Bounded<D> for AffinePullback<M, D> {
 }
 
 impl<M: LocallyBounded<D>, const D: usize> LocallyBounded<D> for AffinePullback<M, D> {
-    /// The image of a ball lies in a ball of `σ_max` times its radius about the image of its
+    /// The image of the ball lies in the ball of `σ_max` times its radius about the image of its
     /// centre.
     fn constants_within(
         &self,
@@ -132,21 +130,20 @@ mod tests {
 
     use super::stretches;
 
-    /// `[[a, b], [b, a]]` has the singular values `a + b` and `a − b`: exact for short `a > b`, on
-    /// either side of what is computed.
+    /// `[[a, b], [b, a]]` has the singular values `a + b` and `a − b`, exact for short `a > b`.
     #[test]
     fn stretches_are_bounds_on_both_sides() {
         for (k, l) in (2..60).flat_map(|k| (1..k).map(move |l| (k, l))) {
             let (a, b) = (1.0 + f64::from(k) / 64.0, f64::from(l) / 64.0);
             let (low, high) = stretches(&matrix![a, b; b, a]);
             assert!(low <= a - b && a + b <= high, "{a} {b}: {low} {high}");
-            // And hardly more: 2 · 16 D ulp of the norm.
+            // By hardly more than the margin, 16 D ulp of the norm.
             let close = 64.0 * f64::EPSILON * (a + b);
             assert!(a - b - low <= close && high - a - b <= close, "{a} {b}: {low} {high}");
         }
     }
 
-    /// The squares of these entries are beyond `f64`.
+    /// The squares of these entries overflow or underflow.
     #[test]
     fn stretches_scale_with_the_matrix() {
         let map = matrix![0.3, -1.2; 2.0, 0.4];

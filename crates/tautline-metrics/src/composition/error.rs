@@ -1,8 +1,8 @@
-//! Why a metric cannot be built from the given parts.
+//! `CompositionError`: why a metric cannot be built from the given parts.
 
 use crate::HypothesisError;
 
-/// A number by which the parts do not make a metric.
+/// A number with which the parts do not make a metric.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CompositionError {
@@ -14,7 +14,7 @@ pub enum CompositionError {
         /// The number that was given.
         value: f64,
     },
-    /// A factor that is not positive, or a matrix that is not certain to be invertible.
+    /// A factor that is not positive, or a matrix that is not provably invertible.
     #[error(transparent)]
     Hypothesis(#[from] HypothesisError),
 }

@@ -7,8 +7,7 @@
 //! | [`Product`] | `R^{D₁ + D₂}` | `diag(H(x), H′(y))` | [`Constants::beside`] | `√(d² + d′²)` |
 //! | [`AffinePullback`] | `R^D` | `Aᵀ H(A x + b) A` | [`Constants::pulled_back`] | of the images |
 //!
-//! Each is [`Bounded`] if its parts are, and knows its distance (but for the sum) if its parts
-//! do.
+//! Each is [`Bounded`] if its parts are, and (except for the sum) knows its distance if they do.
 //!
 //! ```
 //! use nalgebra::{matrix, vector};
@@ -18,7 +17,7 @@
 //!     gallery::{Ramp, Shear},
 //! };
 //!
-//! // A ramp beside a shear of the plane, in coordinates of which the first is doubled.
+//! // A ramp, in a coordinate that is doubled, beside a shear of the plane.
 //! let ramp = Ramp::new(0.5, 1.0)?;
 //! let shear = Shear::new(0.5, 1.0)?;
 //! let twice = AffinePullback::new(ramp, matrix![2.0], [0.0])?;

@@ -8,8 +8,7 @@ use crate::{Bounded, Constants, KnownDistance, LocalError, LocallyBounded, Metri
 /// `diag(H(x), H′(y))` on the pairs `(x, y)` of `R^{D₁} × R^{D₂}`: two systems that move
 /// together, each under its own metric.
 ///
-/// A curve is a geodesic if both of its parts are. It is a metric on `R^D` for `D = D₁ + D₂`
-/// alone; another `D` does not compile:
+/// A curve is a geodesic if both of its parts are. Only `D = D₁ + D₂` compiles:
 ///
 /// ```compile_fail
 /// use tautline_metrics::{Metric, composition::Product, gallery::Valleys};
@@ -66,8 +65,7 @@ where
     A: Bounded<D1>,
     B: Bounded<D2>,
 {
-    /// The lesser `c₁`, and the greater of each of the others ([`Constants::beside`]); attained
-    /// where those are.
+    /// The lesser `c₁`, and the greater of each of the others ([`Constants::beside`]).
     fn constants(&self) -> Constants {
         dimensions_add_up::<D1, D2, D>();
         self.first.constants().beside(self.second.constants())
@@ -100,8 +98,8 @@ where
 {
     /// `√(d² + d′²)`; `None` if either is not known.
     ///
-    /// For `∫ √(a² + b²) ≥ √((∫ a)² + (∫ b)²)`, with equality if `a` and `b` are constant: the
-    /// pair of minimal geodesics attains it.
+    /// Since `∫ √(a² + b²) ≥ √((∫ a)² + (∫ b)²)`, with equality for constant `a` and `b`, the pair of
+    /// minimal geodesics is minimal.
     fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
         let ((x, x_second), (y, y_second)) = (split(x), split(y));
         let first = self.first.distance(&x, &y)?;

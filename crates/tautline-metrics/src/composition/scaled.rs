@@ -37,7 +37,7 @@ impl<M: Metric<D>, const D: usize> Metric<D> for Scaled<M> {
 }
 
 impl<M: Bounded<D>, const D: usize> Bounded<D> for Scaled<M> {
-    /// All constants of `H` times `s` ([`Constants::scaled`]), attained where those are.
+    /// All constants of `H` times `s` ([`Constants::scaled`]).
     ///
     /// # Panics
     ///

@@ -7,8 +7,8 @@ use crate::{Bounded, Constants, LocalError, LocallyBounded, Metric};
 
 /// `H(x) + H′(x)`: the squared speeds add up.
 ///
-/// Its distance is at least `√(d² + d′²)`, with equality for pairs that one curve joins minimally
-/// in both metrics, at proportional speeds; in general it does not follow from `d` and `d′`.
+/// Its distance is at least `√(d² + d′²)`, with equality if one curve is minimal in both metrics, at
+/// proportional speeds; in general it does not follow from `d` and `d′`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sum<A, B> {
     first: A,
@@ -31,7 +31,7 @@ impl<A: Metric<D>, B: Metric<D>, const D: usize> Metric<D> for Sum<A, B> {
 }
 
 impl<A: Bounded<D>, B: Bounded<D>, const D: usize> Bounded<D> for Sum<A, B> {
-    /// The sums ([`Constants::plus`]), attained where both metrics attain theirs at one point.
+    /// The sums ([`Constants::plus`]).
     ///
     /// # Panics
     ///

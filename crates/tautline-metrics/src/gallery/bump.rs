@@ -1,4 +1,4 @@
-//! A bump to go round: `H(x) = (1 + a e^{−|x|²/2s²})² I`.
+//! An isotropic bump: `H(x) = (1 + a e^{−|x|²/2s²})² I`.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
@@ -12,12 +12,12 @@ use super::{
 };
 use crate::{Bounded, Constants, KnownDistance, Metric};
 
-/// `H(x) = f² I` with `f = 1 + a e^{−|x|²/2s²}`, in any dimension: `f` is the cost of a unit
-/// of way.
+/// `H(x) = f² I` with `f = 1 + a e^{−|x|²/2s²}`, in any dimension: `f` is the cost per unit of
+/// length.
 ///
-/// For `a = 4`, `s = 1/2` the straight way from `(−1.5, 0.05)` to `(1.5, −0.1)` is close to a
-/// geodesic that is not minimal, with almost three times the energy of the one that goes
-/// round the bump: a test for optimizers.
+/// For `a = 4`, `s = 1/2` the straight line from `(−1.5, 0.05)` to `(1.5, −0.1)` is close to a
+/// geodesic with almost three times the energy of the minimal one, which goes around the bump: a
+/// test for optimizers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bump {
     height: f64,
@@ -54,16 +54,15 @@ impl<const D: usize> Metric<D> for Bump {
 }
 
 impl<const D: usize> Bounded<D> for Bump {
-    /// `c₁ = 1` in the limit, `c₂ = (1 + a)²` and `M_H = 2a (1 + a)/s²`, attained at the
-    /// centre; `L_H = (2a/s) e^{−1/2} (1 + a/√2)`, an upper bound that is at most 1.04 times
-    /// too large.
+    /// `c₁ = 1` in the limit, `c₂ = (1 + a)²` and `M_H = 2a (1 + a)/s²`, attained at the centre;
+    /// `L_H = (2a/s) e^{−1/2} (1 + a/√2)`, an upper bound, at most 1.04 times too large.
     fn constants(&self) -> Constants {
         self.constants
     }
 }
 
 impl<const D: usize> KnownDistance<D> for Bump {
-    /// `∫ f` along the ray for two points of one ray from the centre; `None` for others.
+    /// `∫ f` along the ray for two points on one ray from the centre; `None` for others.
     fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
         let f = |r: f64| self.height * (-0.5 * (r / self.width).powi(2)).exp() + 1.0;
         along_ray(x, y, self.width, f)

@@ -11,11 +11,11 @@ use super::{
 };
 use crate::{Bounded, Constants, KnownDistance, Metric};
 
-/// `H(x) = φ I` with `φ = 1 + a sin²(πx₁/e) sin²(πx₂/e)`, in the plane: cells of side `e`, dear
-/// at their centres, with cheap lanes between.
+/// `H(x) = φ I` with `φ = 1 + a sin²(πx₁/e) sin²(πx₂/e)`, in the plane: cells of side `e` with
+/// expensive centres and cheap lanes between.
 ///
 /// A composite for homogenisation: as `e → 0` its distances converge, while `L_H` and with it
-/// every bound of a discretization error grows without limit.
+/// every bound on a discretization error grow without limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Checkerboard {
     height: f64,
@@ -61,8 +61,8 @@ impl Bounded<2> for Checkerboard {
 }
 
 impl KnownDistance<2> for Checkerboard {
-    /// `|x − y|` for two points of one grid line, `{x₁ = ne}` or `{x₂ = ne}`: there `H = I`, and
-    /// nowhere is it less. `None` for others.
+    /// `|x − y|` for two points on one grid line, `{x₁ = ne}` or `{x₂ = ne}`, since `H = I` there and
+    /// `H ≥ I` elsewhere. `None` for others.
     fn distance(&self, x: &SVector<f64, 2>, y: &SVector<f64, 2>) -> Option<f64> {
         // Up to the rounding of n e: d is √c₂-Lipschitz.
         let on_line = |i: usize| {

@@ -2,22 +2,21 @@
 
 use crate::quadrature::{Integral, integrate};
 
-/// An integral with a larger estimated error, as a part of it, is not known.
+/// The largest relative error estimate of an integral that counts as known.
 const TRUSTED: f64 = 1e-8;
 
-/// Returns the distance of two points whose layered coordinates are the first and the last of
-/// `knots`, and whose other coordinates are `across ≥ 0` apart. `excess` is `f² − 1`, without
-/// cancellation where it vanishes. The knots ascend; between two of them it has no detail that
-/// the nodes of one quadrature would miss.
+/// Returns the distance of two points with the layered coordinates `knots[0]` and `knots[last]`, and
+/// `across ≥ 0` apart in the others. `excess` is `f² − 1`, without cancellation where it vanishes.
+/// The knots ascend, and between two of them one quadrature misses no detail.
 ///
 /// For `0 ≤ p < 1` the function `u = p s + ∫ √(f² − p²)`, with `s` the coordinate along the
 /// difference of the other coordinates, satisfies `|∇u| = f` everywhere. So `d ≥ u(y) − u(x)`,
 /// with equality along the curve of steepest ascent, which joins the points if
 /// `∫ p / √(f² − p²)` is their difference in `s` (Clairaut's relation).
 ///
-/// `None` if no such `p` exists (up to `1 − 10⁻¹²`): the minimal geodesic then turns round in the
-/// layered coordinate. `None` too if there are so many layers between two knots that a quadrature
-/// ends without an answer.
+/// `None` if no such `p` exists (up to `1 − 10⁻¹²`): the minimal geodesic then turns back in the
+/// layered coordinate. `None` too if a quadrature does not converge, because there are too many
+/// layers between two knots.
 pub(super) fn across_layers(
     excess: impl Fn(f64) -> f64,
     knots: &[f64],
@@ -30,8 +29,8 @@ pub(super) fn across_layers(
         }
         sum
     };
-    // In q = 1 − p, where f² − p² = (f² − 1) + q (2 − q) does not cancel: noise there would use up
-    // the intervals of the quadrature.
+    // In q = 1 − p, where f² − p² = (f² − 1) + q (2 − q) does not cancel: noise would exhaust the
+    // intervals of the quadrature.
     let root = |x: f64, q: f64| (excess(x) + q * (2.0 - q)).sqrt();
     let reach_of = |q: f64| sum(&|x| (1.0 - q) / root(x, q), 1e-10);
     let reach = |q: f64| reach_of(q).value;
@@ -49,8 +48,7 @@ pub(super) fn across_layers(
         }
     }
     let climb = sum(&|x| root(x, high), 1e-15);
-    // Both are some 1e-10 and some roundings off, unless there were too few intervals: then the
-    // number would be that of another p, or none at all.
+    // Both are accurate to some 1e-10, unless the intervals were exhausted: then p may be wrong.
     let known = |found: Integral| found.error <= TRUSTED * found.value;
     (known(climb) && (across == 0.0 || known(reach_of(high))))
         .then_some((1.0 - high) * across + climb.value)

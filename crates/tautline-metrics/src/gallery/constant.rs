@@ -16,7 +16,7 @@ pub struct Constant<const D: usize> {
     constants: Constants,
 }
 
-/// The matrix as a metric that nobody has checked yet.
+/// A matrix that has not been checked yet, as a metric.
 struct Unchecked<'a, const D: usize>(&'a SMatrix<f64, D, D>);
 
 impl<const D: usize> Metric<D> for Unchecked<'_, D> {
@@ -32,8 +32,8 @@ impl<const D: usize> Constant<D> {
     /// # Errors
     ///
     /// [`GalleryError::Matrix`] if `A` is not finite, symmetric and positive definite;
-    /// [`GalleryError::Constants`] if its condition number is so large, some `10¹⁴`, that no
-    /// `c₁ > 0` is certain after rounding.
+    /// [`GalleryError::Constants`] if its condition number is so large, some `10¹⁴`, that rounding
+    /// leaves no certain `c₁ > 0`.
     pub fn new(matrix: SMatrix<f64, D, D>) -> Result<Self, GalleryError> {
         check_gram(&Unchecked(&matrix), &SVector::zeros())?;
         let matrix = SMatrix::from_fn(|i, j| matrix[(i.min(j), i.max(j))]);
@@ -52,14 +52,14 @@ impl<const D: usize> Metric<D> for Constant<D> {
 
 impl<const D: usize> Bounded<D> for Constant<D> {
     /// `c₁`, `c₂`: the least and the greatest eigenvalue of `A`, moved apart by some ulp of the norm
-    /// to be bounds in spite of rounding; `L_H = M_H = 0`.
+    /// to cover rounding; `L_H = M_H = 0`.
     fn constants(&self) -> Constants {
         self.constants
     }
 }
 
 impl<const D: usize> LocallyBounded<D> for Constant<D> {
-    /// Those of all of `R^D`, said of the ball.
+    /// The constants on all of `R^D`.
     fn constants_within(
         &self,
         centre: &SVector<f64, D>,

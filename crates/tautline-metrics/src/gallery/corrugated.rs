@@ -12,10 +12,10 @@ use super::{
 use crate::{Bounded, Constants, KnownDistance, Metric, quadrature::integrate};
 
 /// `H(x) = I + f′(x₁)² e₁e₁ᵀ` with `f = a sin kx₁`, in any dimension: the metric of the graph
-/// of `f` in `R^{D+1}`, a sheet that was bent but not stretched.
+/// of `f` in `R^{D+1}`, a bent sheet.
 ///
 /// Flat: with the arc length `s(x₁) = ∫₀ √(1 + f′²)` it is the pullback of the Euclidean metric
-/// by `(s(x₁), x₂, …)`. This maps boxes to boxes and half-spaces `{xᵢ ≥ c}` to half-spaces, so
+/// by `(s(x₁), x₂, …)`. This map takes boxes to boxes and half-spaces `{xᵢ ≥ c}` to half-spaces, so
 /// that distances between such sets are known too.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corrugated {
@@ -28,7 +28,7 @@ pub struct Corrugated {
 
 impl Corrugated {
     /// Returns the sheet of amplitude `a` in `ℓ`, of any sign, and wave number `k > 0` in `1/ℓ`
-    /// (here the unit of length `m` is the unit of the coordinates).
+    /// (here `m` is the unit of the coordinates).
     ///
     /// # Errors
     ///
@@ -44,7 +44,7 @@ impl Corrugated {
         Ok(sheet)
     }
 
-    /// The arc length from `a` to `b`, not more than half a wave apart.
+    /// The arc length from `a` to `b`, at most half a wave apart.
     fn piece(&self, a: f64, b: f64) -> f64 {
         let slope = self.amplitude * self.wave_number;
         integrate(|x| (slope * (self.wave_number * x).cos()).hypot(1.0), a, b, 1e-15).value
@@ -54,7 +54,7 @@ impl Corrugated {
     #[must_use]
     pub fn arc_length(&self, a: f64, b: f64) -> f64 {
         let (low, high) = (a.min(b), a.max(b));
-        // √(1 + f′²) has the period π/k: whole periods first, so that no quadrature sees many.
+        // √(1 + f′²) has the period π/k. Whole periods are counted, not integrated.
         let period = PI / self.wave_number;
         let whole = ((high - low) / period).floor();
         whole * self.half_wave + self.piece(low + whole * period, high)

@@ -6,7 +6,7 @@ use tautline_scalar::Scalar;
 use super::eigenvalues::eigenvalue_bounds;
 use crate::{Bounded, Constants, Metric};
 
-/// `Hᵢⱼ = diag(1, 3/2, 2)ᵢⱼ + (2/5) cos(xᵢ − xⱼ) / (1 + |i − j|)`, `i, j = 1, 2, 3`: full,
+/// `Hᵢⱼ = diag(1, 3/2, 2)ᵢⱼ + (2/5) cos(xᵢ − xⱼ) / (1 + |i − j|)`, `i, j = 1, 2, 3`: a full matrix,
 /// neither flat nor conformal, and constant along `(1, 1, 1)`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CoupledCosines;

@@ -12,7 +12,7 @@ use super::{
 use crate::{Bounded, Constants, KnownDistance, Metric, quadrature::integrate};
 
 /// `H(x) = I + ∇f ∇fᵀ` with `f = a (sin kx₁ + sin kx₂)`, in the plane: the metric of the graph
-/// of `f` in `R³`, seen from above, with peaks and pits in a square pattern.
+/// of `f` in `R³`, with peaks and pits in a square pattern.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EggCrate {
     amplitude: f64,
@@ -22,7 +22,7 @@ pub struct EggCrate {
 
 impl EggCrate {
     /// Returns the egg crate of amplitude `a` in `ℓ`, of any sign, and wave number `k > 0` in
-    /// `1/ℓ` (here the unit of length `m` is the unit of the coordinates).
+    /// `1/ℓ` (here `m` is the unit of the coordinates).
     ///
     /// # Errors
     ///
@@ -47,8 +47,8 @@ impl EggCrate {
         Ok(Self { amplitude, wave_number, constants })
     }
 
-    /// The length of the crest between two phases `Y = kx₂` on a line `kx₁ = (n + ½) π`, if no
-    /// curve is shorter.
+    /// The length of the crest between two phases `Y = kx₂` on a line `kx₁ = (n + ½) π`, if it is
+    /// provably minimal.
     fn along_crest(&self, n: f64, from: f64, to: f64) -> Option<f64> {
         let (low, high) = (from.min(to), from.max(to));
         let m = (low / PI).floor();
@@ -92,8 +92,8 @@ impl KnownDistance<2> for EggCrate {
     /// On a symmetry line `X ∈ π/2 + πZ` (or `Y`), for two points of one of the open squares of
     /// side `π` where `sin X sin Y < 0`: the length `∫ √(1 + a²k² cos² Y) dx₂`, if it is at most
     /// the Euclidean length of the shortest way from one point to the other over the boundary of
-    /// the square. For then no curve which leaves the square is shorter. A shortest curve which
-    /// stays in it is a geodesic, like the symmetry line, in a disc of negative curvature
+    /// the square. Then no curve that leaves the square is shorter. A shortest curve that stays in it
+    /// is a geodesic, like the symmetry line, in a disc of negative curvature
     /// (`a²k⁴ sin X sin Y / (1 + |∇f|²)²`), where by the theorem of Gauss and Bonnet no two
     /// geodesics enclose a region: it is the symmetry line.
     fn distance(&self, x: &SVector<f64, 2>, y: &SVector<f64, 2>) -> Option<f64> {
@@ -102,9 +102,9 @@ impl KnownDistance<2> for EggCrate {
         }
         let k = self.wave_number;
         let [from, to] = [x * k, y * k];
-        // The n of the line `phase = offset + n period` on which both points lie, up to the
-        // rounding of the phases: so close to it the distance is that on it to rounding, since d
-        // is √c₂-Lipschitz.
+        // The n of the line `phase = offset + n period` on which both points lie, up to the rounding
+        // of the phases. So close to the line its distance is right to rounding, since d is
+        // √c₂-Lipschitz.
         let line = |u: f64, v: f64, period: f64, offset: f64| {
             let n = ((u - offset) / period).round();
             let on = |phase: f64, size: f64| {

@@ -1,8 +1,8 @@
-//! Why a metric of the gallery cannot be built from the given numbers.
+//! `GalleryError`: why a metric of the gallery cannot be built, and the checks of single parameters.
 
 use crate::{HypothesisError, MetricError};
 
-/// A parameter for which the formula is no metric, or has no finite constants.
+/// A parameter for which the formula is not a metric, or has no finite constants.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum GalleryError {
@@ -38,16 +38,16 @@ pub enum GalleryError {
         /// The number that was given.
         value: f64,
     },
-    /// A radius for which there is no patch, or none that `f64` can hold.
+    /// A radius for which the patch does not exist, or overflows.
     #[error("{name} = {value:?} must lie strictly between {low:?} and {high:?}")]
     OutOfRange {
         /// The parameter, as the constructor calls it.
         name: &'static str,
         /// The number that was given.
         value: f64,
-        /// The greatest number that is too small.
+        /// The lower end of the range, excluded.
         low: f64,
-        /// The least number that is too large.
+        /// The upper end of the range, excluded.
         high: f64,
     },
     /// The inertia of a two-link arm is not positive definite in every position.

@@ -1,5 +1,5 @@
-//! Normal distributions, measured by Fisher's information: `H = diag(e^{−2t}, 2)` in the mean and
-//! the logarithm of the standard deviation.
+//! The Fisher metric of normal distributions: `H = diag(e^{−2t}, 2)` in the mean and the logarithm of
+//! the standard deviation.
 
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 
@@ -8,10 +8,10 @@ use tautline_scalar::Scalar;
 
 use crate::{Constants, KnownDistance, LocalError, LocallyBounded, Metric};
 
-/// `H(μ, t) = diag(e^{−2t}, 2)`: Fisher's metric of the normal distributions with the mean `μ` and
+/// `H(μ, t) = diag(e^{−2t}, 2)`: the Fisher metric of the normal distributions with the mean `μ` and
 /// the standard deviation `σ = e^t`, that is `(dμ² + 2 dσ²)/σ²`. All numbers are pure.
 ///
-/// It has no constants on all of the plane, but on every ball.
+/// It has constants on every ball, but not on the whole plane.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[doc(alias = "information geometry")]
 pub struct GaussianFisher;
@@ -24,8 +24,8 @@ impl Metric<2> for GaussianFisher {
 }
 
 impl LocallyBounded<2> for GaussianFisher {
-    /// `c₁ = min(e^{−2t}, 2)` at the top of the ball, `c₂ = max(e^{−2t}, 2)` at its bottom, where also
-    /// `L_H = 2 e^{−2t}` and `M_H = 4 e^{−2t}`. All exact.
+    /// `c₁ = min(e^{−2t}, 2)` at the top of the ball; `c₂ = max(e^{−2t}, 2)`, `L_H = 2 e^{−2t}` and
+    /// `M_H = 4 e^{−2t}` at its bottom. All exact.
     fn constants_within(
         &self,
         centre: &SVector<f64, 2>,

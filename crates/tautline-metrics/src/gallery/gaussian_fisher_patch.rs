@@ -1,4 +1,4 @@
-//! A patch of the normal distributions under Fisher's metric: `H = diag(e^{−2S(t)}, 2)` with a saturated
+//! A strip of the Fisher metric of normal distributions: `H = diag(e^{−2S(t)}, 2)`, with a saturated
 //! `S`.
 
 use std::f64::consts::FRAC_1_SQRT_2;
@@ -9,7 +9,7 @@ use tautline_scalar::Scalar;
 use super::{
     GalleryError, GaussianFisher,
     error::between,
-    saturation::{INVERSE, P, PLATEAU, greatest, rest, saturate},
+    saturation::{INVERSE, P, PLATEAU, greatest, rest, saturate_at},
 };
 use crate::{Bounded, Constants, KnownDistance, Metric};
 
@@ -30,12 +30,11 @@ pub struct GaussianFisherPatch {
 }
 
 impl GaussianFisherPatch {
-    /// Returns the metric that is Fisher's for `e^{−T} ≤ σ ≤ e^T`.
+    /// Returns the metric that agrees with Fisher's for `e^{−T} ≤ σ ≤ e^T`.
     ///
     /// # Errors
     ///
-    /// [`GalleryError::OutOfRange`] unless `10⁻⁵⁰ < T < 260`, where `e^{8T/3}` is about to
-    /// overflow.
+    /// [`GalleryError::OutOfRange`] unless `10⁻⁵⁰ < T < 260`; beyond, `e^{8T/3}` overflows.
     pub fn new(rim: f64) -> Result<Self, GalleryError> {
         between("rim", rim, 1e-50, 260.0)?;
         let limit = rim / PLATEAU;
@@ -45,8 +44,8 @@ impl GaussianFisherPatch {
         // |∂ₜ e^{−2S}| = 2 S′ e^{−2S}, largest for t < 0.
         let growth = |z: f64| (2.0 * limit * z).exp();
         let l_h = 2.0 * greatest(|a, b| growth(b) * rest(a, 1.0 + INVERSE));
-        // ∂ₜ² e^{−2S} = (4S′² − 2S″) e^{−2S}, with terms of opposite signs for t < 0 and of the
-        // same for t > 0.
+        // ∂ₜ² e^{−2S} = (4S′² − 2S″) e^{−2S}, with terms of opposite signs for t < 0 and of one sign
+        // for t > 0.
         let square = |a: f64| 4.0 * rest(a, 2.0 + 2.0 * INVERSE);
         let bend = 2.0 * f64::from(P + 1) / limit;
         let bends = |a: f64, b: f64| bend * b.powi(P - 1) * rest(a, 1.0 + 2.0 * INVERSE);
@@ -61,36 +60,35 @@ impl GaussianFisherPatch {
 impl Metric<2> for GaussianFisherPatch {
     #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-        let saturated = saturate(x[1] * (1.0 / self.limit)) * self.limit;
-        let information = (saturated * -2.0).exp();
+        let information = (saturate_at(self.limit, x[1]) * -2.0).exp();
         SMatrix::from_diagonal(&SVector::from([information, S::constant(2.0)]))
     }
 }
 
 impl Bounded<2> for GaussianFisherPatch {
     /// `c₁ = e^{−2Q}` in the limit, `c₂ = max(e^{2Q}, 2)` in the limit or everywhere. `L_H` and
-    /// `M_H` are the maxima of functions of `S` in the transition, bounded from above by branch
-    /// and bound: at most `2 · 10⁻³` of themselves too large.
+    /// `M_H` are maxima of functions of `S` over the transition, by branch and bound: too large by at
+    /// most a relative `2 · 10⁻³`.
     fn constants(&self) -> Constants {
         self.constants
     }
 }
 
 impl KnownDistance<2> for GaussianFisherPatch {
-    /// That of [`GaussianFisher`] if both points and their geodesic have `|t| ≤ T`; `None` for others.
+    /// The distance of [`GaussianFisher`] if both points and their geodesic have `|t| ≤ T`; `None`
+    /// for others.
     ///
-    /// Below `t = −T`, `e^{−2S}` is not smaller than at `−T`: lifted to there, no piece of a curve
-    /// gets longer. Above, `S ≤ t` makes `H` no less than Fisher's (for `t < 0`, up to the rounding
-    /// by which they differ). So nothing is shorter than Fisher's distance. His geodesics are, in
-    /// `(μ/√2, σ)`, half-circles about points of `σ = 0`: nowhere lower than at an end, so that the
-    /// top alone decides whether one stays where both metrics agree.
+    /// Below `t = −T`, `e^{−2S}` is not smaller than at `−T`: projecting a curve up to `−T` makes no
+    /// piece longer. Above, `S ≤ t` makes `H` at least Fisher's (up to rounding for `t < 0`). So no
+    /// curve is shorter than Fisher's distance. In `(μ/√2, σ)` its geodesics are half-circles about
+    /// points of `σ = 0`, lowest at an end: only the top decides whether one stays in the strip.
     fn distance(&self, x: &SVector<f64, 2>, y: &SVector<f64, 2>) -> Option<f64> {
         let (low, high) = (x[1].min(y[1]), x[1].max(y[1]));
         if !(x[1].abs() <= self.rim && y[1].abs() <= self.rim) {
             return None;
         }
-        // From the lower end the centre is at the distance a/2 + (σ₂² − σ₁²)/2a along the way a;
-        // beyond the upper end it has no top on the way.
+        // Along a, the centre is at the distance a/2 + (σ₂² − σ₁²)/2a from the lower end; if it lies
+        // beyond the upper end, the top is not on the arc.
         let across = (x[0] - y[0]).abs() * FRAC_1_SQRT_2;
         let rise = (2.0 * high).exp() - (2.0 * low).exp();
         let climbs = across * across <= rise;

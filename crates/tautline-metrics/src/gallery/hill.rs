@@ -1,4 +1,4 @@
-//! A Gaussian hill in space: the graph of `f(x) = h e^{−|x|²/2s²}`.
+//! A Gaussian hill: the graph of `f(x) = h e^{−|x|²/2s²}`.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Scalar;
@@ -11,9 +11,9 @@ use super::{
 use crate::{Bounded, Constants, KnownDistance, Metric};
 
 /// `H(x) = I + ∇f ∇fᵀ` with `f = h e^{−|x|²/2s²}`, in any dimension: the metric of the graph
-/// of `f` in `R^{D+1}`, seen from above.
+/// of `f` in `R^{D+1}`.
 ///
-/// A high hill is gone round, a low one is gone over.
+/// Minimal geodesics go around a high hill, and over a low one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hill {
     height: f64,
@@ -23,7 +23,7 @@ pub struct Hill {
 
 impl Hill {
     /// Returns the hill of height `h`, a hollow if negative, and width `s > 0`, both in `ℓ`
-    /// (here the unit of length `m` is the unit of the coordinates).
+    /// (here `m` is the unit of the coordinates).
     ///
     /// # Errors
     ///
@@ -91,7 +91,7 @@ impl<const D: usize> Bounded<D> for Hill {
 }
 
 impl<const D: usize> KnownDistance<D> for Hill {
-    /// The length `∫ √(1 + f′²)` of the profile for two points of one ray from the centre;
+    /// The length `∫ √(1 + f′²)` of the profile for two points on one ray from the centre;
     /// `None` for others.
     fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
         let speed = |r: f64| {

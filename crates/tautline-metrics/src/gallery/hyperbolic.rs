@@ -1,33 +1,34 @@
-//! Hyperbolic space in the ball model of Poincaré: `H(x) = 4 / (1 − |x|²)² I`.
+//! Hyperbolic space in Poincaré's ball model: `H(x) = 4 / (1 − |x|²)² I`.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Scalar;
 
+use super::radial::squared_norm;
 use crate::{
     Constants, KnownDistance, LocalError, LocallyBounded, Metric, locally_bounded::norms_within,
 };
 
 /// `H(x) = 4 / (1 − |x|²)² I` in the open unit ball; NaN outside, infinite on its boundary.
 ///
-/// It is not defined on all of `R^D` and has no constant `c₂`, so none of the paper's theorems
-/// applies; but it has all constants on every ball inside of the unit ball.
+/// It is not defined on all of `R^D` and has no constant `c₂`, so that none of the paper's theorems
+/// applies; but it has all constants on every ball inside the unit ball.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Hyperbolic;
 
 impl<const D: usize> Metric<D> for Hyperbolic {
     #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
-        let r2 = x.iter().fold(S::zero(), |sum, xi| sum + xi.sqr());
-        // The root is there to be NaN outside the ball, where (1 − |x|²)² is positive again and
-        // would look like a metric.
-        let root = (-r2 + 1.0).sqrt();
+        // The root makes it NaN outside the ball, where (1 − |x|²)² is positive again and would pass
+        // for a metric.
+        let root = (-squared_norm(x) + 1.0).sqrt();
         SMatrix::from_diagonal_element((root.sqr().recip() * 2.0).sqr())
     }
 }
 
 impl<const D: usize> LocallyBounded<D> for Hyperbolic {
-    /// With `s = |x|²`: `c₁ = 4/(1 − s)²` where the ball is nearest to the origin, and where it is
-    /// farthest `c₂`, `L_H = 16 √s/(1 − s)³` and `M_H = 16 (1 + 5s)/(1 − s)⁴`, along the ray. All exact.
+    /// With `s = |x|²`: `c₁ = 4/(1 − s)²` where the ball is nearest to the origin; `c₂`,
+    /// `L_H = 16 √s/(1 − s)³` and `M_H = 16 (1 + 5s)/(1 − s)⁴`, along the ray, where it is farthest.
+    /// All exact.
     fn constants_within(
         &self,
         centre: &SVector<f64, D>,
@@ -47,8 +48,8 @@ impl<const D: usize> LocallyBounded<D> for Hyperbolic {
 }
 
 impl<const D: usize> KnownDistance<D> for Hyperbolic {
-    /// `arcosh(1 + 2δ) = 2 arsinh √δ` with `δ = |x − y|² / ((1 − |x|²)(1 − |y|²))`; `None` if a
-    /// point is not in the open ball. The second form does not cancel for near points.
+    /// `arcosh(1 + 2δ) = 2 arsinh √δ` with `δ = |x − y|² / ((1 − |x|²)(1 − |y|²))`, of which the second
+    /// does not cancel for near points; `None` if a point is not in the open ball.
     fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
         let (inner_x, inner_y) = (1.0 - x.norm_squared(), 1.0 - y.norm_squared());
         let inside = inner_x > 0.0 && inner_y > 0.0;
@@ -63,7 +64,7 @@ mod tests {
     use super::Hyperbolic;
     use crate::{KnownDistance, LocalError, LocallyBounded};
 
-    /// One point on the rim or beyond it is enough, and two are no better than one.
+    /// For one or for two points on the rim or beyond.
     #[test]
     fn there_is_no_distance_to_the_rim_or_beyond() {
         let inside = vector![0.3, 0.4];
@@ -78,7 +79,6 @@ mod tests {
         }
     }
 
-    /// A ball that reaches the rim leaves the metric.
     #[test]
     fn a_ball_up_to_the_rim_has_no_constants() {
         for (centre, radius) in [(vector![0.0, 0.0], 1.0), (vector![0.5, 0.0], 0.5)] {

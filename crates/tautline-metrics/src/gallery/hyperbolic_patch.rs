@@ -6,7 +6,8 @@ use tautline_scalar::Scalar;
 use super::{
     GalleryError, Hyperbolic,
     error::between,
-    saturation::{INVERSE, P, PLATEAU, greatest, rest, saturate},
+    radial::squared_norm,
+    saturation::{INVERSE, P, PLATEAU, greatest, rest, saturate_at},
 };
 use crate::{Bounded, Constants, KnownDistance, Metric};
 
@@ -16,8 +17,8 @@ use crate::{Bounded, Constants, KnownDistance, Metric};
 /// S(q) = q / (1 + (q/Q)^p)^{1/p},    p = 128,    Q = 4R²/3 < 1
 /// ```
 ///
-/// In the ball `|x| ≤ R` it is [`Hyperbolic`] with its first derivatives to some ulp, and with its
-/// second to `10⁻¹²`. Far outside it is the constant `4 / (1 − Q)²`.
+/// In the ball `|x| ≤ R` it agrees with [`Hyperbolic`], up to some ulp in the value and the first
+/// derivatives, and up to `10⁻¹²` in the second. Far outside it is the constant `4 / (1 − Q)²`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HyperbolicPatch {
     radius: f64,
@@ -26,8 +27,8 @@ pub struct HyperbolicPatch {
 }
 
 impl HyperbolicPatch {
-    /// Returns the patch of the radius `R` in the coordinates (a pure number): the ball of radius
-    /// `2 artanh R` of hyperbolic space.
+    /// Returns the patch of coordinate radius `R` (a pure number): the ball of radius `2 artanh R`
+    /// of hyperbolic space.
     ///
     /// # Errors
     ///
@@ -54,7 +55,7 @@ impl HyperbolicPatch {
             32.0 * f64::from(P + 1) * b.powi(P) * rest(a, 1.0 + INVERSE) / (1.0 - s(b)).powi(3)
         };
         let across = |a: f64, b: f64| 16.0 * rest(a, 1.0 + INVERSE) / (1.0 - s(b)).powi(3);
-        // As lower bounds on a cell, both terms with its ends exchanged.
+        // Exchanging the ends of a cell turns an upper bound of a term into a lower one.
         let m_h = greatest(|a, b| grows(a, b) - bends(b, a))
             .max(greatest(|a, b| bends(a, b) - grows(b, a)))
             .max(greatest(across));
@@ -67,16 +68,15 @@ impl HyperbolicPatch {
 impl<const D: usize> Metric<D> for HyperbolicPatch {
     #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
-        let r2 = x.iter().fold(S::zero(), |sum, xi| sum + xi.sqr());
-        let saturated = saturate(r2 * (1.0 / self.limit)) * self.limit;
+        let saturated = saturate_at(self.limit, squared_norm(x));
         SMatrix::from_diagonal_element((-saturated + 1.0).sqr().recip() * 4.0)
     }
 }
 
 impl<const D: usize> Bounded<D> for HyperbolicPatch {
-    /// `c₁ = 4` at the centre, `c₂ = 4 / (1 − Q)²` in the limit. `L_H` and `M_H` are the maxima of
-    /// functions of `S` in the transition, bounded from above by branch and bound: at most `10⁻³`
-    /// of themselves too large.
+    /// `c₁ = 4` at the centre, `c₂ = 4 / (1 − Q)²` in the limit. `L_H` and `M_H` are maxima of
+    /// functions of `S` over the transition, by branch and bound: too large by at most a relative
+    /// `10⁻³`.
     fn constants(&self) -> Constants {
         self.constants
     }
@@ -85,8 +85,8 @@ impl<const D: usize> Bounded<D> for HyperbolicPatch {
 impl<const D: usize> KnownDistance<D> for HyperbolicPatch {
     /// The distance of [`Hyperbolic`] if both points lie in the patch; `None` for others.
     ///
-    /// Outside, `φ` does not decrease along a ray: moved to the rim along its ray, no piece of a
-    /// curve gets longer. So no curve beats those in the patch, and these have their hyperbolic
+    /// Outside, `φ` does not decrease along a ray: projecting a curve to the rim along rays makes no
+    /// piece longer. So no curve is shorter than those in the patch, which have their hyperbolic
     /// length. Balls are convex: the geodesic stays in the patch.
     fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
         let r2 = self.radius * self.radius;

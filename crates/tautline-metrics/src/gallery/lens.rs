@@ -12,8 +12,8 @@ use crate::{Bounded, Constants, KnownDistance, Metric};
 
 /// `H(x) = n² I` with the squared index `n² = 1 + a e^{−|x|²/2s²}`, in any dimension.
 ///
-/// A pair on opposite sides of the centre has two minimal geodesics, one round either side,
-/// if `a` is large enough.
+/// If `a` is large enough, a pair on opposite sides of the centre has two minimal geodesics, one
+/// around either side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lens {
     height: f64,
@@ -30,8 +30,8 @@ impl Lens {
     pub fn new(height: f64, width: f64) -> Result<Self, GalleryError> {
         let (a, s) = (nonnegative("height", height)?, positive("width", width)?);
         // With ρ = |x|/s: |∇n²| = (a/s) ρ e^{−ρ²/2}, largest at ρ = 1. The second derivative of
-        // n² is (a/s²) e^{−ρ²/2} times ρ² − 1 along the ray and −1 across; both are largest in
-        // size at ρ = 0.
+        // n² is (a/s²) e^{−ρ²/2} times ρ² − 1 along the ray and −1 across, both largest in size at
+        // ρ = 0.
         let l_h = a / s * (-0.5_f64).exp();
         let constants = Constants::new(1.0, 1.0 + a, l_h)?.with_m_h(a / s / s)?.isotropic();
         Ok(Self { height, width, constants })
@@ -53,7 +53,7 @@ impl<const D: usize> Bounded<D> for Lens {
 }
 
 impl<const D: usize> KnownDistance<D> for Lens {
-    /// `∫ n` along the ray for two points of one ray from the centre; `None` for others.
+    /// `∫ n` along the ray for two points on one ray from the centre; `None` for others.
     fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
         let n = |r: f64| (self.height * (-0.5 * (r / self.width).powi(2)).exp() + 1.0).sqrt();
         along_ray(x, y, self.width, n)

@@ -1,5 +1,5 @@
-//! A gallery of metrics: one a file, each with its formula, its constants in closed form
-//! and, where known, its exact distance.
+//! A gallery of metrics, one per file: each with its formula, its constants in closed form and,
+//! where known, its exact distance.
 //!
 //! | metric | `D` | `H(x)` | constants | distance |
 //! | --- | --- | --- | --- | --- |
@@ -30,14 +30,16 @@
 //! | [`TanhDecoder`] | any | `JᵀJ + μ I` of `W₂ tanh(W₁ x)` | bounds | |
 //!
 //! *Exact* constants are the best ones: no smaller `c₂`, `L_H`, `M_H` and no larger `c₁` holds
-//! on all of `R^D`. The others are bounds that hold as well. Three metrics have none there, but on
-//! every ball inside of their domain, as [`LocallyBounded`](crate::LocallyBounded) says.
+//! on all of `R^D`. Three metrics have constants only on balls inside their domain
+//! ([`LocallyBounded`](crate::LocallyBounded)).
 //!
-//! The three with an `R` or a `T` are patches: beyond it they pass to a constant matrix, which
-//! gives them constants on all of `R^D`, *exact* up to `2 · 10⁻³` for `L_H` and `M_H`. A distance
-//! is known where the geodesic stays.
+//! The three with an `R` or a `T` are patches of these: beyond it they pass to a constant matrix,
+//! which gives them constants on all of `R^D`, *exact* up to `2 · 10⁻³` for `L_H` and `M_H`. A
+//! distance is known if the geodesic stays in the patch.
 //!
-//! Parameters are checked by the constructors, so that a metric which exists is one.
+//! Constructors check the parameters, so that every value is a metric. A new metric is a file, its
+//! lines here, and a sample in [`for_each_sample`]: the tests of the gallery and the table of proved
+//! constants follow.
 
 mod bump;
 mod checkerboard;
@@ -70,6 +72,7 @@ mod two_channels;
 mod two_link_arm;
 mod valleys;
 
+pub use crate::for_each_sample;
 pub use bump::Bump;
 pub use checkerboard::Checkerboard;
 pub use constant::Constant;
@@ -96,3 +99,106 @@ pub use tanh_decoder::TanhDecoder;
 pub use two_channels::TwoChannels;
 pub use two_link_arm::{Link, TwoLinkArm};
 pub use valleys::Valleys;
+
+/// Passes the samples to the macro `$each`: every metric of the gallery that has constants on all of
+/// `R^D`, with parameters. Tests and tables of the whole gallery are made from this list.
+///
+/// A sample is an identifier, the name in tables, the `Result` of a constructor, the dimension, a cell
+/// in which the constants are attained or nearly so (a period, or six widths to each side, where a
+/// Gaussian is below `10⁻⁷`), and which of `c₁`, `c₂`, `L_H`, `M_H` are exact; `with distances` if the
+/// metric is a [`KnownDistance`](crate::KnownDistance). The caller imports the gallery:
+///
+/// ```
+/// use tautline_metrics::gallery::*;
+///
+/// macro_rules! names {
+///     ($($id:ident: $name:literal, $metric:expr, dimension $D:literal, in [$low:expr, $high:expr],
+///        exact $exact:expr $(, with $distances:ident)?;)*) => { [$(($name, $D)),*] };
+/// }
+/// assert_eq!(for_each_sample!(names)[0], ("constant", 2));
+/// ```
+#[macro_export]
+macro_rules! for_each_sample {
+    ($each:ident) => {
+        $each! {
+            a_constant_matrix: "constant", Constant::<2>::new([[2.0, 1.0], [1.0, 2.0]].into()),
+                dimension 2, in [[-2.0; 2], [2.0; 2]], exact [false, false, true, true],
+                with distances;
+            valleys_on_a_line: "valleys", Ok::<_, GalleryError>(Valleys),
+                dimension 1, in [[0.0], [std::f64::consts::TAU]], exact [true; 4], with distances;
+            valleys: "valleys", Ok::<_, GalleryError>(Valleys),
+                dimension 2, in [[0.0; 2], [std::f64::consts::TAU; 2]], exact [true; 4],
+                with distances;
+            valleys_in_space: "valleys", Ok::<_, GalleryError>(Valleys),
+                dimension 3, in [[0.0; 3], [std::f64::consts::TAU; 3]], exact [true; 4],
+                with distances;
+            a_ramp: "ramp", Ramp::new(0.5, 1.0),
+                dimension 1, in [[-8.0], [8.0]], exact [true, true, true, false], with distances;
+            a_separable_metric: "separable", Separable::<2>::new([0.3, 0.5], [1.0, 2.0]),
+                dimension 2, in [[-3.2; 2], [3.2; 2]], exact [true; 4], with distances;
+            a_shear: "shear", Shear::new(0.5, 1.0),
+                dimension 2, in [[0.0; 2], [std::f64::consts::TAU; 2]], exact [true; 4],
+                with distances;
+            a_lens: "lens", Lens::new(1.0, 0.5),
+                dimension 2, in [[-3.0; 2], [3.0; 2]], exact [true; 4], with distances;
+            a_lens_in_space: "lens", Lens::new(1.0, 0.5),
+                dimension 3, in [[-3.0; 3], [3.0; 3]], exact [true; 4], with distances;
+            a_bump: "bump", Bump::new(1.0, 0.5),
+                dimension 2, in [[-3.0; 2], [3.0; 2]], exact [true, true, false, true],
+                with distances;
+            a_hill: "hill", Hill::new(0.5, 0.5),
+                dimension 2, in [[-3.0; 2], [3.0; 2]], exact [true; 4], with distances;
+            soft_obstacles: "soft obstacles", SoftObstacles::<2>::new(vec![
+                    Obstacle { centre: [0.0, 0.0].into(), height: 2.0, width: 0.5 },
+                    Obstacle { centre: [1.0, 1.0].into(), height: 1.0, width: 0.7 },
+                ]),
+                dimension 2, in [[-3.0; 2], [3.0; 2]], exact [false; 4];
+            a_swirl: "swirl", Swirl::new(1.0, 0.5),
+                dimension 2, in [[-3.0; 2], [3.0; 2]], exact [true, true, false, false],
+                with distances;
+            an_egg_crate: "egg crate", EggCrate::new(0.5, 1.0),
+                dimension 2, in [[0.0; 2], [std::f64::consts::TAU; 2]], exact [true; 4],
+                with distances;
+            a_corrugated_sheet: "corrugated", Corrugated::new(0.5, 1.0),
+                dimension 2, in [[0.0; 2], [std::f64::consts::TAU; 2]], exact [true; 4],
+                with distances;
+            a_checkerboard: "checkerboard", Checkerboard::new(2.0, 1.0),
+                dimension 2, in [[-1.5; 2], [1.5; 2]], exact [true; 4], with distances;
+            two_channels: "two channels", TwoChannels::new(2.0, 1.0, 0.5),
+                dimension 2, in [[-3.0; 2], [3.0; 2]], exact [true, true, false, false],
+                with distances;
+            rotating_anisotropy: "rotating anisotropy",
+                RotatingAnisotropy::new([1.0, 4.0], [0.5, 1.5]),
+                dimension 2, in [[-2.0; 2], [2.0; 2]], exact [true; 4];
+            a_two_link_arm: "two-link arm", TwoLinkArm::new(4.0, 0.8, 1.0),
+                dimension 2, in [[0.0; 2], [std::f64::consts::TAU; 2]], exact [true; 4];
+            coupled_cosines: "coupled cosines", Ok::<_, GalleryError>(CoupledCosines),
+                dimension 3, in [[0.0; 3], [std::f64::consts::TAU; 3]],
+                exact [true, true, true, false];
+            sine_projections: "sine projections", SineProjections::<2>::new(vec![
+                    SineProjection {
+                        wave_vector: [1.0, 0.0].into(), direction: [1.0, 0.5].into(),
+                    },
+                    SineProjection {
+                        wave_vector: [1.0, 1.0].into(), direction: [0.0, 1.0].into(),
+                    },
+                ]),
+                dimension 2, in [[0.0; 2], [std::f64::consts::TAU; 2]], exact [false; 4];
+            a_patch_of_the_sphere: "sphere patch", SpherePatch::new(1.0),
+                dimension 2, in [[-2.0; 2], [2.0; 2]], exact [true, true, false, false],
+                with distances;
+            a_patch_of_hyperbolic_space: "hyperbolic patch", HyperbolicPatch::new(0.5),
+                dimension 2, in [[-1.0; 2], [1.0; 2]], exact [true, true, false, false],
+                with distances;
+            normal_distributions: "Gaussian Fisher patch", GaussianFisherPatch::new(0.75),
+                dimension 2, in [[-2.0, -1.5], [2.0, 1.5]], exact [true, true, false, false],
+                with distances;
+            a_tanh_decoder: "tanh decoder", TanhDecoder::<2, 3, 3>::new(
+                    [[1.0, -0.5, 0.3], [0.2, 0.8, -1.0]].into(),
+                    [[1.0, 0.0, 0.4], [0.0, 1.0, 0.3], [0.5, -0.5, 1.0]].into(),
+                    0.5,
+                ),
+                dimension 2, in [[-6.0; 2], [6.0; 2]], exact [false; 4];
+        }
+    };
+}

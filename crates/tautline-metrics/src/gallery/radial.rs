@@ -1,25 +1,30 @@
-//! What the metrics with a centre share: a Gaussian profile, and lengths along a ray.
+//! Metrics with a centre: the squared norm, a Gaussian profile, and lengths along a ray.
 
 use nalgebra::SVector;
 use tautline_scalar::Scalar;
 
 use crate::quadrature::integrate;
 
+/// Returns `|x|²`.
+#[inline]
+pub(super) fn squared_norm<S: Scalar, const D: usize>(x: &SVector<S, D>) -> S {
+    x.iter().fold(S::zero(), |sum, xi| sum + xi.sqr())
+}
+
 /// Returns `e^{−|x|²/2s²}`.
 #[inline]
 pub(super) fn gaussian<S: Scalar, const D: usize>(x: &SVector<S, D>, width: f64) -> S {
-    let r2 = x.iter().fold(S::zero(), |sum, xi| sum + xi.sqr());
-    (r2 * (-0.5 / (width * width))).exp()
+    (squared_norm(x) * (-0.5 / (width * width))).exp()
 }
 
-/// Returns `|∫ speed|` between two points of one ray from the origin; `None` if they do not
-/// lie on one ray. In dimension 1 the whole line counts as one ray.
+/// Returns `|∫ speed|` between two points on one ray from the origin; `None` if they are not on one
+/// ray. In dimension 1 the whole line counts as one ray.
 ///
-/// `speed(r)` is even, differs from 1 by a Gaussian of the given width at most, and is the
-/// largest function with `√(uᵀ H(x) u) ≥ speed(|x|) |uᵣ|`, where `uᵣ` is the radial part of
-/// `u`. Then `U(x) = ∫₀^|x| speed` grows along no curve faster than its length does, so that
-/// `|U(x) − U(y)| ≤ d(x, y)`; the segment of the ray attains it. Two points on opposite sides
-/// of the centre have no such certificate: the way round may be shorter.
+/// `speed(r)` is even, differs from 1 by at most a multiple of the Gaussian of the given width, and
+/// is the largest function with `√(uᵀ H(x) u) ≥ speed(|x|) |uᵣ|`, where `uᵣ` is the radial part of
+/// `u`. Then `U(x) = ∫₀^|x| speed` grows along a curve by at most its length, so that
+/// `|U(x) − U(y)| ≤ d(x, y)`, with equality for the segment of the ray. Two points on opposite sides
+/// of the centre have no such certificate: going around it may be shorter.
 pub(super) fn along_ray<const D: usize>(
     x: &SVector<f64, D>,
     y: &SVector<f64, D>,
@@ -28,9 +33,9 @@ pub(super) fn along_ray<const D: usize>(
 ) -> Option<f64> {
     let (a, b) = radii(x, y)?;
     let (a, b) = (a.min(b), a.max(b));
-    // Beyond 12 widths the Gaussian is below e^{−72} < 1e-31, so speed = 1 in f64. Cut off
-    // there, and split at the centre, no interval is so long that the nodes of the quadrature
-    // miss the profile: they would see a constant and report no error.
+    // Beyond 12 widths the Gaussian is below e^{−72} < 1e-31, so that speed = 1 in f64. Cutting off
+    // there and splitting at the centre keeps every interval so short that the nodes of the
+    // quadrature cannot miss the profile, which would go unnoticed.
     let reach = 12.0 * width;
     let inner = |a: f64, b: f64| integrate(&speed, a, b, 1e-15).value;
     let clamp = |r: f64, low: f64, high: f64| r.max(low).min(high);
@@ -40,7 +45,7 @@ pub(super) fn along_ray<const D: usize>(
     Some(outside + left + right)
 }
 
-/// The radii of two points of one ray (up to rounding), with signs in dimension 1.
+/// The radii of two points on one ray (up to rounding), with signs in dimension 1.
 fn radii<const D: usize>(x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<(f64, f64)> {
     if D == 1 {
         // In more dimensions the comparisons below refuse what is not finite.
@@ -52,8 +57,8 @@ fn radii<const D: usize>(x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<(f6
     if square == 0.0 {
         return Some((0.0, 0.0));
     }
-    // The fraction inner / square has D + 2 roundings, and the difference two more. A point so
-    // close to the ray has its distance to rounding, since d is √c₂-Lipschitz.
+    // The fraction inner / square has D + 2 roundings, the difference two more. For a point so close
+    // to the ray the distance is right to rounding, since d is √c₂-Lipschitz.
     let off = (short - long * (inner / square)).norm();
     let same = inner >= 0.0 && off <= (D as f64 + 4.0) * f64::EPSILON * a.min(b);
     same.then_some((a, b))

@@ -14,8 +14,8 @@ use crate::{Bounded, Constants, KnownDistance, Metric};
 /// `H(x) = f²` with `f = 1 + a tanh kx`, on the line: cost `1 − a` far to the left, `1 + a`
 /// far to the right.
 ///
-/// A metric on the line is flat, so its distance is an integral; unlike the periodic ones
-/// this one has no symmetry by which a leading error constant could vanish.
+/// A metric on the line is flat: its distance is an integral. Unlike the periodic metrics, this one
+/// has no symmetry that could make a leading error constant vanish.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ramp {
     amplitude: f64,
@@ -36,8 +36,8 @@ impl Ramp {
         // 3|a|τ² + 2τ − |a| = 0. The root in [0, 1), written without cancellation at a = 0:
         let tau = a / (1.0 + (1.0 + 3.0 * a * a).sqrt());
         let l_h = 2.0 * a * k * (1.0 + a * tau) * (1.0 - tau * tau);
-        // H″ = 2ak² (−2τ(1 − τ²) + a (1 − τ²)(1 − 3τ²)), where the first part is at most
-        // 4/(3√3) (at τ² = 1/3) and the second at most |a| (at τ = 0).
+        // H″ = 2ak² (−2τ(1 − τ²) + a (1 − τ²)(1 − 3τ²)): the first part is at most 4/(3√3) (at
+        // τ² = 1/3), the second at most |a| (at τ = 0).
         let m_h = 2.0 * a * k * k * (4.0 / 27_f64.sqrt() + a);
         let constants =
             Constants::new((1.0 - a).powi(2), (1.0 + a).powi(2), l_h)?.with_m_h(m_h)?.isotropic();
@@ -65,8 +65,8 @@ impl Metric<1> for Ramp {
 
 impl Bounded<1> for Ramp {
     /// `c₁ = (1 − |a|)²` and `c₂ = (1 + |a|)²` in the limit; `L_H = 2|a|k (1 + |a|τ)(1 − τ²)`
-    /// at `τ = |a| / (1 + √(1 + 3a²))`, attained; `M_H = 2|a|k² (4/√27 + |a|)`, an upper
-    /// bound that is at most 1.5 times too large.
+    /// at `τ = |a| / (1 + √(1 + 3a²))`, attained; `M_H = 2|a|k² (4/√27 + |a|)`, an upper bound, at
+    /// most 1.5 times too large.
     fn constants(&self) -> Constants {
         self.constants
     }

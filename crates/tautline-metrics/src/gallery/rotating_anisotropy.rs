@@ -1,4 +1,4 @@
-//! An ellipse that turns as one walks: `H(x) = Q(k·x) diag(λ₁, λ₂) Q(k·x)ᵀ`.
+//! An anisotropy that rotates in space: `H(x) = Q(k·x) diag(λ₁, λ₂) Q(k·x)ᵀ`.
 
 use nalgebra::{SMatrix, SVector, matrix};
 use tautline_scalar::Scalar;
@@ -10,7 +10,7 @@ use super::{
 use crate::{Bounded, Constants, Metric};
 
 /// `H(x) = Q(θ) diag(λ₁, λ₂) Q(θ)ᵀ` in the plane, with the rotation `Q` by the angle
-/// `θ = k·x`: the same eigenvalues everywhere, in directions that turn.
+/// `θ = k·x`: constant eigenvalues, in directions that turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RotatingAnisotropy {
     eigenvalues: [f64; 2],

@@ -1,4 +1,4 @@
-//! A number that saturates: what makes a metric with constants out of one without.
+//! A function that saturates, which turns a metric without constants into one with them.
 
 use tautline_scalar::Scalar;
 
@@ -8,8 +8,8 @@ pub(super) const P: i32 = 128;
 /// `1/p`.
 pub(super) const INVERSE: f64 = 1.0 / P as f64;
 
-/// `s(u) = u` and `s′(u) = 1` to rounding for `|u|` up to this: `u¹²⁸ < 1.1e-16`, of which `s`
-/// misses the 128th part.
+/// `s(u) = u` and `s′(u) = 1` to rounding for `|u|` up to this: `u¹²⁸ < 1.1e-16`, and `s` is off by
+/// the 128th part of that.
 pub(super) const PLATEAU: f64 = 0.75;
 
 /// Returns `s(u) = u / (1 + u^p)^{1/p}` with `p = 128`: odd, increasing, `|s| < min(|u|, 1)`.
@@ -18,27 +18,34 @@ pub(super) const PLATEAU: f64 = 0.75;
 /// s′ = (1 − s^p)^{1 + 1/p},   s″ = −(p + 1) s^{p−1} (1 − s^p)^{1 + 2/p},   u = s (1 − s^p)^{−1/p}
 /// ```
 ///
-/// The first by `s^p = u^p / (1 + u^p)`, that is `1 − s^p = 1 / (1 + u^p)`; the second from it.
-pub(super) fn saturate<S: Scalar>(u: S) -> S {
+/// The first follows from `s^p = u^p / (1 + u^p)`, that is `1 − s^p = 1 / (1 + u^p)`; the second from
+/// the first.
+fn saturate<S: Scalar>(u: S) -> S {
     // With u = tan θ this is sin θ / (cos^p θ + sin^p θ)^{1/p}, where nothing overflows.
     let (sin, cos) = u.atan().sin_cos();
     let norm = cos.powi(P) + sin.powi(P);
     sin * (norm.ln() * -INVERSE).exp()
 }
 
-/// Returns `(1 − s^p)^power`: with `power = 1 + 1/p` it is `s′`. It falls with `s`.
+/// Returns `q` saturated at `limit`: `Q s(q/Q)`.
+#[inline]
+pub(super) fn saturate_at<S: Scalar>(limit: f64, q: S) -> S {
+    saturate(q * (1.0 / limit)) * limit
+}
+
+/// Returns `(1 − s^p)^power`, which falls with `s`; for `power = 1 + 1/p` it is `s′`.
 pub(super) fn rest(s: f64, power: f64) -> f64 {
     (1.0 - s.powi(P)).powf(power)
 }
 
-/// Returns an upper bound of a function of `0 ≤ s < 1`, by branch and bound: `cell(a, b)` is not
-/// less than the function anywhere in `[a, b]`, and `cell(a, a)` is its value at `a`.
+/// Returns an upper bound on a function of `0 ≤ s < 1`, by branch and bound: `cell(a, b)` is an upper
+/// bound on `[a, b]`, and `cell(a, a)` the value at `a`.
 ///
-/// A product of a growing factor at `b` and a falling one at `a` is such a bound, and so is a sum
-/// of products; of what is subtracted, the other way round.
+/// A growing factor at `b` times a falling one at `a` is such a bound, and so is a sum of such
+/// products; in what is subtracted, exchange `a` and `b`.
 ///
-/// Cells are halved twenty times, those that cannot hold the maximum are left out: the bound is
-/// too large by `2⁻²⁰` times the sum of the slopes of all factors at most. NaN and `+∞` stay.
+/// Cells are halved twenty times, and those that cannot contain the maximum are dropped: the bound is
+/// too large by at most `2⁻²⁰` times the sum of the slopes of all factors. NaN and `+∞` propagate.
 pub(super) fn greatest(cell: impl Fn(f64, f64) -> f64) -> f64 {
     let mut cells = vec![(0.0, 1.0)];
     let mut reached = f64::NEG_INFINITY;
@@ -54,13 +61,13 @@ pub(super) fn greatest(cell: impl Fn(f64, f64) -> f64) -> f64 {
         if reached.is_nan() {
             return reached;
         }
-        // A bound that is NaN stays.
+        // Written so that a NaN bound stays.
         cells.retain(|&(a, b)| !(cell(a, b) <= reached));
     }
     cells.into_iter().map(|(a, b)| cell(a, b)).fold(reached, larger)
 }
 
-/// The larger of two numbers, and NaN if one is.
+/// The larger of two numbers, NaN if either is.
 fn larger(a: f64, b: f64) -> f64 {
     if a >= b || a.is_nan() { a } else { b }
 }
@@ -72,13 +79,13 @@ mod tests {
     use super::{P, PLATEAU, greatest, rest, saturate};
 
     #[test]
-    fn it_is_the_identity_on_the_plateau() {
+    fn saturate_is_the_identity_on_the_plateau() {
         for i in -1000..=1000 {
             let u = f64::from(i) * 1e-3 * PLATEAU;
             let [variable] = Jet2::<f64, 1>::variables(&[u]);
             let s = saturate(variable);
-            // Measured: 1.6 ε at most, and 1.6e-14 for the derivative; the second is u^{p−1}
-            // times p + 1, 1.7e-14, and the rounding of p² = 16384 that cancel.
+            // Measured: at most 1.6 ε, and 1.6e-14 for the derivative. The second derivative is
+            // (p + 1) u^{p−1}, 1.7e-14, and the rounding of cancelling terms of size p² = 16384.
             assert!((s.value() - u).abs() <= 4.0 * f64::EPSILON * u.abs(), "{u}: {s:?}");
             assert!((s.first(0) - 1.0).abs() < 1e-13, "{u}: {s:?}");
             assert!(s.second(0, 0).abs() < 1e-11, "{u}: {s:?}");
@@ -86,7 +93,7 @@ mod tests {
     }
 
     #[test]
-    fn it_saturates_however_large_the_number() {
+    fn saturate_does_not_overflow() {
         for u in [1e3, 1e154, 1e155, 1e300, f64::MAX] {
             for sign in [1.0, -1.0] {
                 let [variable] = Jet2::<f64, 1>::variables(&[sign * u]);
@@ -99,7 +106,7 @@ mod tests {
 
     /// The differential equations of the documentation, through the transition.
     #[test]
-    fn its_derivatives_are_functions_of_its_value() {
+    fn the_derivatives_of_saturate_are_functions_of_its_value() {
         let p = f64::from(P);
         for i in 750..1250 {
             let u = f64::from(i) * 1e-3;
@@ -116,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn the_greatest_value_is_a_bound_and_hardly_more() {
+    fn greatest_is_a_close_upper_bound() {
         // s^p (1 − s^p) is 1/4 at most; the slope of s^p there is p/2 of s, some 64.
         let quarter = greatest(|a, b| b.powi(P) * rest(a, 1.0));
         assert!((0.25..0.25 * (1.0 + 129.0 / 2_f64.powi(20))).contains(&quarter), "{quarter}");
@@ -131,7 +138,7 @@ mod tests {
         let bound = greatest(|a, b| b * b - a);
         assert!((0.0..4e-6).contains(&bound), "{bound}");
         assert_eq!(greatest(|a, _| 3.0 * rest(a, 1.0)), 3.0);
-        // A value that is NaN, a bound that is, and infinity.
+        // A NaN value, a NaN bound, and infinity.
         assert!(greatest(|_, b| if b > 0.7 { f64::NAN } else { b }).is_nan());
         assert!(greatest(|a, b| if a < b && b > 0.7 { f64::NAN } else { a }).is_nan());
         assert_eq!(greatest(|_, b| 1.0 / (1.0 - b)), f64::INFINITY);

@@ -12,8 +12,8 @@ use crate::{Bounded, Constants, KnownDistance, Metric};
 /// `H(x) = diag(fᵢ²)` with `fᵢ = 1 + aᵢ sin kᵢxᵢ`, in any dimension: the pullback of the
 /// Euclidean metric by `F(x) = (F₁(x₁), …)` with `Fᵢ′ = fᵢ`.
 ///
-/// `F` is increasing in each coordinate, so it maps boxes to boxes and half-spaces
-/// `{xᵢ ≥ c}` to half-spaces: distances between such sets are known too.
+/// `F` increases in each coordinate, so that it maps boxes to boxes and half-spaces `{xᵢ ≥ c}` to
+/// half-spaces: distances between such sets are known too.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Separable<const D: usize> {
     amplitudes: SVector<f64, D>,

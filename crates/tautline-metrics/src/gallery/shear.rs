@@ -12,9 +12,9 @@ use crate::{Bounded, Constants, KnownDistance, Metric};
 
 /// `H = JᵀJ = [[1, s], [s, 1 + s²]]` with `J = DΦ`, `s = S cos kx₂` and `S = ak`.
 ///
-/// Flat, but neither conformal nor diagonal. Geodesics are the preimages of straight lines;
+/// Flat, but neither conformal nor diagonal. Geodesics are the preimages of straight lines.
 /// `Φ` maps each line `{x₂ = c}` and each half-plane `{x₂ ≥ c}` onto itself, so that distances
-/// from a point or a set to these are known too.
+/// to these are known too.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shear {
     amplitude: f64,

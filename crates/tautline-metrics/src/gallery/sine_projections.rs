@@ -11,12 +11,12 @@ use crate::{Bounded, Constants, Metric};
 pub struct SineProjection<const D: usize> {
     /// The wave vector `w`, in `1/ℓ`.
     pub wave_vector: SVector<f64, D>,
-    /// The direction `a` which it makes dear, in `m/ℓ`.
+    /// The direction `a` that it makes expensive, in `m/ℓ`.
     pub direction: SVector<f64, D>,
 }
 
 /// `H(x) = I + ½ Σₖ sin²(wₖ·x) aₖ aₖᵀ`, with any number of terms, in any dimension: a full
-/// matrix, whose every evaluation has `D²` multiplications per term.
+/// matrix, at `D²` multiplications per term.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SineProjections<const D: usize> {
     terms: Vec<SineProjection<D>>,
@@ -52,11 +52,11 @@ impl<const D: usize> SineProjections<D> {
 }
 
 impl SineProjections<8> {
-    /// Returns the instance on which the solvers are timed: `D = 8` with eight terms,
+    /// Returns the instance that the benchmarks use: `D = 8` with eight terms,
     /// `aₖ[i] = ½ cos(1.3 k i)` and `wₖ[i] = sin(0.7 k + i)` for `k, i = 1, …, 8`.
     ///
-    /// By the addition theorem its wave vectors span a plane: it is constant along the other
-    /// six dimensions.
+    /// By the addition theorem its wave vectors span a plane: it is constant in the other six
+    /// dimensions.
     #[must_use]
     pub fn benchmark() -> Self {
         let term = |k: f64| SineProjection {
@@ -82,8 +82,7 @@ impl<const D: usize> Metric<D> for SineProjections<D> {
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
         let mut h = SMatrix::<S, D, D>::identity();
         for SineProjection { wave_vector: w, direction: a } in &self.terms {
-            let phase = phase(w, x);
-            let weight = phase.sin().sqr() * 0.5;
+            let weight = phase(w, x).sin().sqr() * 0.5;
             for j in 0..D {
                 for i in 0..=j {
                     h[(i, j)] += weight * (a[i] * a[j]);

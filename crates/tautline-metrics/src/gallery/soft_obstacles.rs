@@ -21,8 +21,8 @@ pub struct Obstacle<const D: usize> {
     pub width: f64,
 }
 
-/// `H(x) = φ I` with `φ = 1 + Σᵢ aᵢ e^{−|x − oᵢ|²/2sᵢ²}`: any number of obstacles which it is
-/// dear, but not forbidden, to cross. Without any the metric is Euclidean.
+/// `H(x) = φ I` with `φ = 1 + Σᵢ aᵢ e^{−|x − oᵢ|²/2sᵢ²}`: any number of obstacles that are expensive,
+/// but not forbidden, to cross. Without any the metric is Euclidean.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SoftObstacles<const D: usize> {
     obstacles: Vec<Obstacle<D>>,
@@ -36,7 +36,7 @@ impl<const D: usize> SoftObstacles<D> {
     ///
     /// [`GalleryError`] with the parameter that is out of its range.
     pub fn new(obstacles: Vec<Obstacle<D>>) -> Result<Self, GalleryError> {
-        // Sums of the constants of single lenses, each attained: c₂ = 1 + a, L_H = (a/s) e^{−1/2},
+        // Sums of the exact constants of single lenses, c₂ = 1 + a, L_H = (a/s) e^{−1/2} and
         // M_H = a/s².
         let (mut c2, mut l_h, mut m_h) = (1.0, 0.0, 0.0);
         for obstacle in &obstacles {
@@ -67,7 +67,7 @@ impl<const D: usize> Metric<D> for SoftObstacles<D> {
 
 impl<const D: usize> Bounded<D> for SoftObstacles<D> {
     /// `c₁ = 1` in the limit, `c₂ = 1 + Σ aᵢ`, `L_H = Σ (aᵢ/sᵢ) e^{−1/2}`, `M_H = Σ aᵢ/sᵢ²`;
-    /// attained for one obstacle, else upper bounds, the looser the farther they are apart.
+    /// attained for one obstacle, otherwise upper bounds, looser the farther they are apart.
     fn constants(&self) -> Constants {
         self.constants
     }

@@ -3,31 +3,31 @@
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Scalar;
 
+use super::radial::squared_norm;
 use crate::{
     Constants, KnownDistance, LocalError, LocallyBounded, Metric, locally_bounded::norms_within,
 };
 
 /// `H(x) = 4 / (1 + |x|²)² I`: the unit sphere `S^D` without a point.
 ///
-/// It has no constant `c₁ > 0` on all of `R^D`, so none of the paper's theorems applies: the trapezoidal
-/// energy has the infimum `0` for `N ≥ 2` (one jump far out and back), and only minimisers among the
-/// sequences of a ball mean anything (Proposition S.8).
+/// It has no constant `c₁ > 0` on all of `R^D`, so that none of the paper's theorems applies: the
+/// trapezoidal energy has the infimum `0` for `N ≥ 2` (one jump far out and back), and only minimisers
+/// among the sequences of a ball are meaningful (Proposition S.8).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sphere;
 
 impl<const D: usize> Metric<D> for Sphere {
     #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
-        let r2 = x.iter().fold(S::zero(), |sum, xi| sum + xi.sqr());
-        SMatrix::from_diagonal_element((r2 + 1.0).sqr().recip() * 4.0)
+        SMatrix::from_diagonal_element((squared_norm(x) + 1.0).sqr().recip() * 4.0)
     }
 }
 
 impl<const D: usize> LocallyBounded<D> for Sphere {
     /// With `s = |x|²`: `c₁ = 4/(1 + s)²` where the ball is farthest from the origin, `c₂` where it is
-    /// nearest; `L_H = 16 √s/(1 + s)³` at `s = 1/5`, and `M_H` the larger of `16/(1 + s)³`, across the
-    /// ray, where the ball is nearest, and of `16 (5s − 1)/(1 + s)⁴`, along it, at `s = 3/5`, or where
-    /// the ball comes nearest to that. All exact if `D ≥ 2`.
+    /// nearest; `L_H = 16 √s/(1 + s)³` at `s = 1/5`; `M_H` the larger of `16/(1 + s)³` across the ray,
+    /// where the ball is nearest, and `16 (5s − 1)/(1 + s)⁴` along it, at `s = 3/5`. Where the ball
+    /// lacks such an `s`, at the nearest it has. All exact if `D ≥ 2`.
     fn constants_within(
         &self,
         centre: &SVector<f64, D>,
@@ -49,7 +49,7 @@ impl<const D: usize> KnownDistance<D> for Sphere {
     /// plane the denominator is `|1 + x̄ y|`.
     fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
         let (x2, y2, xy) = (x.norm_squared(), y.norm_squared(), x.dot(y));
-        // (1 + x·y)² + |x|²|y|² − (x·y)² rather than a sum that cancels at antipodes.
+        // (1 + x·y)² + |x|²|y|² − (x·y)², since the expanded sum cancels at antipodes.
         let denominator = ((1.0 + xy).powi(2) + (x2 * y2 - xy * xy).max(0.0)).sqrt();
         Some(2.0 * (x - y).norm().atan2(denominator))
     }
@@ -63,7 +63,6 @@ mod tests {
     use super::Sphere;
     use crate::KnownDistance;
 
-    /// `2 · (½ 0.8853…)`, and antipodes at `π`.
     #[test]
     fn distances_are_angles() {
         let d = Sphere.distance(&vector![-0.8, 0.3], &vector![1.1, 0.6]).expect("always known");
@@ -72,7 +71,7 @@ mod tests {
         assert_relative_eq!(d, std::f64::consts::PI, max_relative = 1e-15);
     }
 
-    /// On one line through the origin `|x|²|y|² − (x·y)²` is zero, and in numbers as often below it.
+    /// On a line through the origin `|x|²|y|² − (x·y)²` is zero, and rounds to either side of it.
     #[test]
     fn antipodes_on_any_line_are_pi_apart() {
         for k in 1..2000 {

@@ -6,7 +6,8 @@ use tautline_scalar::Scalar;
 use super::{
     GalleryError, Sphere,
     error::between,
-    saturation::{INVERSE, P, PLATEAU, greatest, rest, saturate},
+    radial::squared_norm,
+    saturation::{INVERSE, P, PLATEAU, greatest, rest, saturate_at},
 };
 use crate::{Bounded, Constants, KnownDistance, Metric};
 
@@ -16,8 +17,8 @@ use crate::{Bounded, Constants, KnownDistance, Metric};
 /// S(q) = q / (1 + (q/Q)^p)^{1/p},    p = 128,    Q = 4R²/3
 /// ```
 ///
-/// In the patch `|x| ≤ R` it is [`Sphere`] with its first derivatives to some ulp, and with its
-/// second to `10⁻¹²`. Far outside it is the constant `4 / (1 + Q)²`.
+/// In the patch `|x| ≤ R` it agrees with [`Sphere`], up to some ulp in the value and the first
+/// derivatives, and up to `10⁻¹²` in the second. Far outside it is the constant `4 / (1 + Q)²`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpherePatch {
     radius: f64,
@@ -26,8 +27,8 @@ pub struct SpherePatch {
 }
 
 impl SpherePatch {
-    /// Returns the patch of the radius `R` in the coordinates (a pure number): the ball of radius
-    /// `2 arctan R` on the sphere, a hemisphere for `R = 1`.
+    /// Returns the patch of coordinate radius `R` (a pure number): the ball of radius `2 arctan R`
+    /// on the sphere, a hemisphere for `R = 1`.
     ///
     /// # Errors
     ///
@@ -75,8 +76,7 @@ impl SpherePatch {
 impl<const D: usize> Metric<D> for SpherePatch {
     #[inline]
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
-        let r2 = x.iter().fold(S::zero(), |sum, xi| sum + xi.sqr());
-        let saturated = saturate(r2 * (1.0 / self.limit)) * self.limit;
+        let saturated = saturate_at(self.limit, squared_norm(x));
         SMatrix::from_diagonal_element((saturated + 1.0).sqr().recip() * 4.0)
     }
 }
@@ -85,8 +85,8 @@ impl<const D: usize> Bounded<D> for SpherePatch {
     /// `c₁ = 4 / (1 + Q)²` in the limit, `c₂ = 4` at the centre, `L_H = (16/√5) (5/6)³` if
     /// `R² ≥ 1/5` and `M_H = 16`, at the centre, if `R ≥ 1.6`; all attained.
     ///
-    /// Otherwise `L_H` and `M_H` are the maxima of functions of `S` in the transition, bounded from
-    /// above by branch and bound: at most `10⁻³` of themselves too large.
+    /// Otherwise `L_H` and `M_H` are maxima of functions of `S` over the transition, by branch and
+    /// bound: too large by at most a relative `10⁻³`.
     fn constants(&self) -> Constants {
         self.constants
     }
@@ -96,18 +96,18 @@ impl<const D: usize> KnownDistance<D> for SpherePatch {
     /// The angle between the points ([`Sphere`]) if they and the shorter arc of their great
     /// circle lie in the patch; `None` for others. For `R ≤ 1` the arc always does.
     ///
-    /// For `S(q) ≤ q` makes `H` nowhere less than the metric of the sphere, so that no curve is
-    /// shorter than it is on the sphere; the arc is as long in both.
+    /// Since `S(q) ≤ q`, `H` is nowhere less than the metric of the sphere, and no curve is shorter
+    /// than it is on the sphere; the arc is as long in both.
     fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
         let (x2, y2, r2) = (x.norm_squared(), y.norm_squared(), self.radius * self.radius);
         if !(x2 <= r2 && y2 <= r2) {
             return None;
         }
         let angle = Sphere.distance(x, y)?;
-        // Heights above the equator, which the patch has down to that of its rim. From the middle
-        // of the arc on it is m cos s + t sin s, −angle/2 ≤ s ≤ angle/2. The lowest point of the
-        // whole circle has the height −√(m² + t²); if it is not on the arc, an end is lowest. For
-        // equal points t is NaN, and an end is.
+        // Heights above the equator; the rim is the lowest of the patch. At s from the middle of the
+        // arc the height is m cos s + t sin s, −angle/2 ≤ s ≤ angle/2. The lowest point of the whole
+        // circle has the height −√(m² + t²); if it is not on the arc, an end is lowest. So it is for
+        // equal points, where t is NaN.
         let height = |r2: f64| (1.0 - r2) / (1.0 + r2);
         let (a, b) = (height(x2), height(y2));
         let (sin, cos) = (0.5 * angle).sin_cos();

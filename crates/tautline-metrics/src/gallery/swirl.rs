@@ -21,10 +21,10 @@ use crate::{Bounded, Constants, KnownDistance, Metric};
 /// with `u = x/r`, `v = Ju` and the quarter turn `J`. Flat, but neither conformal nor diagonal:
 /// geodesics are the preimages of straight lines.
 ///
-/// Since `|Φ(x)| = |x|`, the map `Φ` sends every disc and every circle about the origin onto
-/// itself. Distances between these are therefore the Euclidean ones: two circles of radii
-/// `r ≤ R` about the origin, or the disc of radius `r` and the outside of that of radius `R`,
-/// have the distance `R − r`, and every point of the smaller one has a partner.
+/// Since `|Φ(x)| = |x|`, `Φ` maps every disc and every circle about the origin onto itself, and
+/// distances between these are Euclidean: two circles of radii `r ≤ R` about the origin, or the disc
+/// of radius `r` and the outside of the one of radius `R`, have the distance `R − r`, and every point
+/// of the smaller one has a nearest point at that distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[doc(alias = "twist")]
 pub struct Swirl {
@@ -34,8 +34,8 @@ pub struct Swirl {
 }
 
 impl Swirl {
-    /// Returns the swirl which turns its centre by the angle `α`, in radians and of any sign,
-    /// and has the width `s > 0` in `ℓ`.
+    /// Returns the swirl that turns its centre by the angle `α`, in radians and of any sign, and has
+    /// the width `s > 0` in `ℓ`.
     ///
     /// # Errors
     ///
@@ -63,13 +63,13 @@ impl Swirl {
         self.turn(x, 1.0)
     }
 
-    /// Returns `Φ⁻¹(y)`, in `ℓ`: since `|Φ(x)| = |x|`, the same angle turned back.
+    /// Returns `Φ⁻¹(y)`, in `ℓ`: since `|Φ(x)| = |x|`, the rotation by the opposite angle.
     pub fn unflatten<S: Scalar>(&self, y: &SVector<S, 2>) -> SVector<S, 2> {
         self.turn(y, -1.0)
     }
 }
 
-// Both L_H and M_H are suprema of a form that has a part linear in α and one quadratic in it.
+// Both L_H and M_H are suprema of a form with a part linear in α and a quadratic one.
 // With s = 1, y = r², e = e^{−y/2}, unit vectors w = c u + σ v and z, the angle of z from u χ/2,
 //
 //     zᵀ DH[w] z = α G₁ + α² G₂,        zᵀ D²H[w, w] z = α F₁ + α² F₂,
@@ -81,7 +81,7 @@ impl Swirl {
 //
 // If G₁²/λ² + G₂²/κ² ≤ q² everywhere, then |α G₁ + α² G₂| ≤ q √(λ² α² + κ² α⁴), by
 // Cauchy–Schwarz. For L_H, λ = max |G₁| and κ = max |G₂| are attained at different points and in
-// different directions w, so that q is hardly above 1: q = 1.01 is enough.
+// different directions w, so that q = 1.01 is enough.
 //
 // For M_H, the part τ (u vᵀ + v uᵀ) is [[−Im f, Re f], [Re f, Im f]] with f = −α ζ² e^{−|ζ|²/2} and
 // ζ = x₁ + i x₂. With x on the first axis and w = e^{iω},
@@ -127,8 +127,8 @@ impl Metric<2> for Swirl {
 impl Bounded<2> for Swirl {
     /// `c₂ = (√(1 + T²/4) + T/2)² = 1/c₁` with `T = 2|α|/e` (at `|x| = √2 s`), attained.
     /// With `κ = 2 y^{3/2} (2 − y) e^{−y} = 0.7718…` at `y = (9 − √33)/4`,
-    /// `L_H = 1.01 (|α|/s) √(4/e + κ² α²)` and `M_H = 1.02 (|α|/s²) √(4 + 81α²/16)`, upper
-    /// bounds that are at most 1.02 and 1.05 times too large.
+    /// `L_H = 1.01 (|α|/s) √(4/e + κ² α²)` and `M_H = 1.02 (|α|/s²) √(4 + 81α²/16)`, upper bounds, at
+    /// most 1.02 and 1.05 times too large.
     fn constants(&self) -> Constants {
         self.constants
     }

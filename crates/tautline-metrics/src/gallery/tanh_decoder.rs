@@ -1,4 +1,4 @@
-//! The metric that a neural network with one hidden layer induces: `JᵀJ + μ I`.
+//! The metric induced by a neural network with one hidden layer: `JᵀJ + μ I`.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Scalar;
@@ -11,8 +11,8 @@ use super::{
 use crate::{Bounded, Constants, HypothesisError, Metric};
 
 /// `H(x) = J(x)ᵀ J(x) + μ I` with the Jacobian `J = W₂ diag(1/cosh²(W₁ x)) W₁` of the decoder
-/// `f(x) = W₂ tanh(W₁ x)`, from `R^D` over `HIDDEN` neurons to `R^OUT`: the length of the image
-/// of a curve, and a floor `μ` that keeps it from vanishing where the neurons are saturated.
+/// `f(x) = W₂ tanh(W₁ x)`, from `R^D` through `HIDDEN` neurons to `R^OUT`: the length of the image of
+/// a curve, with a floor `μ` that keeps `H` positive definite where the neurons are saturated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[doc(alias = "latent space")]
 pub struct TanhDecoder<const D: usize, const HIDDEN: usize, const OUT: usize> {
@@ -42,7 +42,7 @@ impl<const D: usize, const HIDDEN: usize, const OUT: usize> TanhDecoder<D, HIDDE
         let longest = inner.row_iter().map(|row| row.norm()).fold(0.0, f64::max);
         // Let aₖ = wₖ·x with the rows wₖ of W₁, σ = 1/cosh²(a) and τ = tanh² a: σ = 1 − τ,
         // σ′² = 4τ(1 − τ)² and σ″ = (1 − τ)(6τ − 2). For a unit vector u put v = W₁u and K = W₂ᵀW₂,
-        // so that uᵀJᵀJu = (σv)ᵀ K (σv) with products entry by entry; |v|² ≤ |W₁|², |K| = |W₂|².
+        // so that uᵀJᵀJu = (σv)ᵀ K (σv) with entrywise products; |v|² ≤ |W₁|², |K| = |W₂|².
         //
         // With σ ≤ 1 this is at most |W₂|² |W₁|².
         let most = inner_square * outer_square;
@@ -72,13 +72,13 @@ impl<const D: usize, const HIDDEN: usize, const OUT: usize> TanhDecoder<D, HIDDE
         SVector::from_fn(|k, _| (0..D).fold(S::zero(), |sum, i| sum + x[i] * self.inner[(k, i)]))
     }
 
-    /// `1/cosh²(W₁ x)`, as `1 − tanh²`, since `cosh` overflows.
+    /// `1/cosh²(W₁ x)` as `1 − tanh²`, since `cosh` overflows.
     fn slopes<S: Scalar>(&self, x: &SVector<S, D>) -> SVector<S, HIDDEN> {
         self.activations(x).map(|a| -a.tanh().sqr() + 1.0)
     }
 }
 
-/// The square of the operator norm of a finite matrix, from above.
+/// An upper bound on the squared operator norm of a finite matrix.
 fn norm_squared<const R: usize, const C: usize>(
     matrix: &SMatrix<f64, R, C>,
 ) -> Result<f64, GalleryError> {
@@ -87,7 +87,7 @@ fn norm_squared<const R: usize, const C: usize>(
     if most.is_finite() {
         Ok(eigenvalue_bounds(&square).1)
     } else {
-        // What the eigenvalues of a matrix that is not finite come out as, nobody promises.
+        // The eigenvalues of a matrix that is not finite are unspecified.
         Err(HypothesisError::CrossedBounds { c1: 0.0, c2: most }.into())
     }
 }
@@ -126,9 +126,9 @@ impl<const D: usize, const HIDDEN: usize, const OUT: usize> Bounded<D>
     /// c₂ = μ + |W₁|² |W₂|²,    L_H = (64/25√5) |W₁|² |W₂|² |w|,    M_H = 4 |W₁|² |W₂|² |w|²
     /// ```
     ///
-    /// Attained for one neuron; for several the looser, the less they go together. For a dozen
-    /// decoders of random weights, with 3 to 16 neurons, a scan found `c₂` 1 to 6 times, `L_H` 1 to
-    /// 9 times and `M_H` 1 to 10 times too large.
+    /// Attained for one neuron; for several, looser the less they are aligned. For a dozen decoders
+    /// of random weights, with 3 to 16 neurons, a scan found `c₂` 1 to 6 times, `L_H` 1 to 9 times and
+    /// `M_H` 1 to 10 times too large.
     fn constants(&self) -> Constants {
         self.constants
     }

@@ -18,9 +18,9 @@ use crate::{Bounded, Constants, KnownDistance, Metric};
 ///
 /// which is 1 at the bottoms `x₂ = ±b` of the channels and `1 + a` far from them.
 ///
-/// The reflection `x₂ ↦ −x₂` is an isometry. Between two points of the axis `x₂ = 0` minimal
-/// geodesics therefore come in pairs, one through either channel, unless the way along the
-/// ridge is the shortest: a test for solvers that start more than once.
+/// The reflection `x₂ ↦ −x₂` is an isometry. Between two points on the axis `x₂ = 0` minimal
+/// geodesics therefore come in pairs, one through either channel, unless the ridge itself is
+/// shortest: a test for multi-start solvers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TwoChannels {
     height: f64,
@@ -86,26 +86,26 @@ impl Metric<2> for TwoChannels {
 
 impl Bounded<2> for TwoChannels {
     /// `c₁ = 1` (at the bottoms), `c₂ = 1 + a` in the limit. With `v = max(2b/s, 1)`,
-    /// `L_H = (a/s) min(⅔, e^{−1/2} + v e^{−v²/2})` and `M_H = (8/7) a/s²`, upper bounds that are
-    /// at most 1.1 and 1.4 times too large.
+    /// `L_H = (a/s) min(⅔, e^{−1/2} + v e^{−v²/2})` and `M_H = (8/7) a/s²`, upper bounds, at most 1.1
+    /// and 1.4 times too large.
     fn constants(&self) -> Constants {
         self.constants
     }
 }
 
 impl KnownDistance<2> for TwoChannels {
-    /// `|x − y|` for two points of one bottom; else by Clairaut's relation, as for
-    /// [`Valleys`](super::Valleys), if the minimal geodesic does not turn round in `x₂`: so for
-    /// `x₁ = y₁`, and for two points on different sides of a bottom, unless they are so far apart
-    /// in `x₁` that the geodesic enters it at an angle below some `10⁻⁶`. `None` for others.
+    /// `|x − y|` for two points on one bottom; otherwise by Clairaut's relation, as for
+    /// [`Valleys`](super::Valleys), if the minimal geodesic does not turn back in `x₂`. It does not if
+    /// `x₁ = y₁`, or if the points are on different sides of a bottom, unless they are so far apart in
+    /// `x₁` that the geodesic enters it at an angle below some `10⁻⁶`. `None` for others.
     fn distance(&self, x: &SVector<f64, 2>, y: &SVector<f64, 2>) -> Option<f64> {
         let (low, high) = (x[1].min(y[1]), x[1].max(y[1]));
         let across = (x[0] - y[0]).abs();
         if low == high && (across == 0.0 || low.abs() == self.offset) {
             return Some(across);
         }
-        // Beyond 12 widths from the bottoms n² = 1 + a in f64: no piece between two knots is so
-        // long that a quadrature could miss a channel.
+        // Beyond 12 widths from the bottoms n² = 1 + a in f64. With these knots no quadrature can
+        // miss a channel.
         let reach = 12.0 * self.width;
         let mut knots = vec![low, high];
         for bottom in [-self.offset, self.offset] {

@@ -11,8 +11,8 @@ use tautline_scalar::Scalar;
 use super::clairaut::across_layers;
 use crate::{Bounded, Constants, KnownDistance, Metric};
 
-/// `H(x) = f² I` with `f = 2 − cos x₁`: cheap along `x₁ = 0, 2π, 4π`, three times as dear
-/// between. In dimension 1 it is the one-dimensional metric `f²`.
+/// `H(x) = f² I` with `f = 2 − cos x₁`: cheap along `x₁ = 0, 2π, 4π`, three times as expensive
+/// between.
 ///
 /// The counterexample of Section 5: from `(0, 0)` to `(4π, 0)` the distance is `8π`, but
 /// the discrete *lengths* have the minimum `4π` for every `N`.
@@ -43,15 +43,15 @@ impl<const D: usize> Bounded<D> for Valleys {
 }
 
 impl<const D: usize> KnownDistance<D> for Valleys {
-    /// `F(b) − F(a)` with `F = 2x₁ − sin x₁` along `x₁`; else by Clairaut's relation, `None` if the
-    /// minimal geodesic turns round in `x₁`, or crosses more than ten thousand valleys.
+    /// `F(b) − F(a)` with `F = 2x₁ − sin x₁` along `x₁`; otherwise by Clairaut's relation, `None` if
+    /// the minimal geodesic turns back in `x₁`, or crosses more than ten thousand valleys.
     fn distance(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> Option<f64> {
         let (a, b) = (x[0].min(y[0]), x[0].max(y[0]));
         let across = (1..D).map(|i| (x[i] - y[i]).powi(2)).sum::<f64>().sqrt();
         if across == 0.0 {
             return Some(primitive(b) - primitive(a));
         }
-        // One quadrature has enough to do with one valley.
+        // One quadrature per valley.
         let (first, last) = ((a / TAU).floor() + 1.0, (b / TAU).ceil() - 1.0);
         if !(last - first <= 1e4) {
             return None;
@@ -79,10 +79,10 @@ mod tests {
         assert_relative_eq!(d.expect("along x₁"), 4.0 * TAU, max_relative = 1e-15);
     }
 
-    /// A geodesic over `m` valleys repeats itself: it is `m` times as long as over one. One quadrature
-    /// over all of them ends without an answer, and its number would be longer than the straight line.
+    /// A geodesic over `m` valleys is periodic, and `m` times as long as over one. A single quadrature
+    /// over all of them would not converge.
     #[test]
-    fn the_distance_over_many_valleys_is_so_many_times_that_over_one() {
+    fn the_distance_over_many_valleys_is_a_multiple_of_the_distance_over_one() {
         let over = |valleys: f64, across: f64| {
             let (x, y) = (vector![0.3, 0.0], vector![0.3 + valleys * TAU, valleys * across]);
             Valleys.distance(&x, &y).expect("it does not turn round")
@@ -98,7 +98,6 @@ mod tests {
         assert_eq!(far, None);
     }
 
-    /// `F(2) − F(0.3)`, from either side and wherever the others are.
     #[test]
     fn distances_along_the_axis_are_differences_of_a_primitive() {
         let expected = 3.4 - 2_f64.sin() + 0.3_f64.sin();
@@ -108,7 +107,7 @@ mod tests {
         }
     }
 
-    /// `(0, 0) → (2, 3/2)`: the value was computed with 40 digits, `p = 0.80358…`.
+    /// Computed with 40 digits; `p = 0.80358…`.
     #[test]
     fn an_oblique_pair_has_the_distance_of_clairaut() {
         let d = Valleys.distance(&vector![2.0, 1.5], &vector![0.0, 0.0]);
@@ -117,8 +116,8 @@ mod tests {
         assert_eq!(moved, d);
     }
 
-    /// With `p → 1` the distance tends to `20 + ∫ √(f² − 1) dx₁`, which is elementary in
-    /// `u = cos x₁/2`; it is off by a multiple of `e^{−20}`.
+    /// As `p → 1` the distance tends to `20 + ∫ √(f² − 1) dx₁`, which is elementary in
+    /// `u = cos x₁/2`, up to a multiple of `e^{−20}`.
     #[test]
     fn a_long_way_along_a_valley_keeps_its_digits() {
         let d =
@@ -130,7 +129,7 @@ mod tests {
         let limit = 20.0 + climb(1.0) + climb(1.5);
         assert_relative_eq!(d(-1.0, 1.5), limit, max_relative = 1e-8);
         assert!(d(-1.0, 1.5) > limit);
-        // The mirror image meets the valley from the other side.
+        // The mirror image.
         assert_relative_eq!(d(-1.0, 1.5), d(1.0, -1.5), max_relative = 1e-15);
     }
 
