@@ -31,7 +31,7 @@ impl<M: Metric<D>, const D: usize> Bounded<D> for About<M, D> {
     }
 }
 
-/// Half of the half-width of the largest cube in a ball: one of a pair may be twice as far out.
+/// Half the half-width of the largest cube in a ball, since one point of a pair may be twice as far out.
 pub(crate) fn in_ball<const D: usize>(radius: f64) -> f64 {
     0.5 * radius / (D as f64).sqrt()
 }

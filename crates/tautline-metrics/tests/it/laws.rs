@@ -1,5 +1,4 @@
-//! The law that constants hold, checked at random points, for random parameters, and for near
-//! pairs.
+//! Constants hold at random points, for random parameters, and for near pairs.
 
 use nalgebra::SVector;
 use proptest::{array::uniform, prelude::*};
@@ -12,7 +11,19 @@ pub(crate) fn cube<const D: usize>() -> impl Strategy<Value = SVector<f64, D>> {
     uniform(-1.0..1.0_f64).prop_map(SVector::from)
 }
 
-/// Checks every constant of `build(parameters)` in the box of the half-width that it returns.
+/// One test per line: the constants of `$build(parameters)` hold in dimension `$D`.
+macro_rules! constants_hold {
+    ($($test:ident, $D:literal, seed $seed:literal: $parameters:expr, $build:expr;)*) => {$(
+        #[test]
+        fn $test() {
+            crate::laws::hold::<$D, _, _>($seed, $parameters, $build);
+        }
+    )*};
+}
+pub(crate) use constants_hold;
+
+/// Checks every constant of `build(parameters)` in the cube about the origin of the half-width that
+/// it returns.
 pub(crate) fn hold<const D: usize, P: std::fmt::Debug, M: Bounded<D>>(
     seed: u64,
     parameters: impl Strategy<Value = P>,
@@ -41,10 +52,10 @@ fn hold_at<const D: usize>(
     prop_assert_eq!(h, h.transpose());
     let (low, high) = extremes(&h);
     // An entry has some ten roundings of terms of size c₂, an eigenvalue D times as many.
-    let overestimation = 1e-14 * constants.c2() * D as f64;
-    prop_assert!(constants.c1() <= low + overestimation, "c1 {} > {low}", constants.c1());
-    prop_assert!(high <= constants.c2() + overestimation, "c2 {} < {high}", constants.c2());
-    // The terms of the derivatives that a formula adds up are of the size of the constants.
+    let rounding = 1e-14 * constants.c2() * D as f64;
+    prop_assert!(constants.c1() <= low + rounding, "c1 {} > {low}", constants.c1());
+    prop_assert!(high <= constants.c2() + rounding, "c2 {} < {high}", constants.c2());
+    // The terms of the derivatives have the size of the constants.
     let slope = norm(&first(g, x, w));
     let bound = constants.l_h() * w.norm();
     prop_assert!(slope <= bound * (1.0 + 1e-12), "L_H |w| {bound} < {slope}");
@@ -63,7 +74,7 @@ fn lipschitz<const D: usize>(
     let difference = norm(&(g.gram(x) - g.gram::<f64>(y)));
     let bound = constants.l_h() * (x - y).norm();
     // As above: the roundings of H(x) and H(y).
-    let overestimation = 2e-14 * constants.c2() * D as f64;
-    prop_assert!(difference <= bound + overestimation, "L_H |x - y| {bound} < {difference}");
+    let rounding = 2e-14 * constants.c2() * D as f64;
+    prop_assert!(difference <= bound + rounding, "L_H |x - y| {bound} < {difference}");
     Ok(())
 }

@@ -1,10 +1,16 @@
-//! What a metric does, measured from its formula alone: `H`, its derivatives, their norms.
+//! Measurements of a metric, from its formula alone: `H`, its derivatives, their norms, and the places
+//! that attain its constants.
+//!
+//! A measured value is a formula of some ten roundings and an eigenvalue of a small matrix, some 1e-14,
+//! and constants that are computed eigenvalues have a margin of as much. The tolerance is 1e-12; a
+//! constant that is off by one percent exceeds it by ten decades.
 
+use approx::assert_relative_eq;
 use nalgebra::{DMatrix, SMatrix, SVector};
 use proptest::test_runner::TestRunner;
-use tautline_metrics::{Jet1, Jet2, Metric};
+use tautline_metrics::{Bounded, Jet1, Jet2, Metric};
 
-/// Random cases that are the same in every run, unless the environment asks for others.
+/// Random cases, the same in every run unless the environment overrides the seed.
 pub(crate) fn runner(seed: u64) -> TestRunner {
     TestRunner::new(tautline_chance::config(seed, 256))
 }
@@ -39,4 +45,58 @@ pub(crate) fn second<const D: usize>(
 ) -> SMatrix<f64, D, D> {
     let [t] = Jet2::variables(&[0.0]);
     g.gram(&SVector::from_fn(|i, _| t * w[i] + x[i])).map(|entry: Jet2<f64, 1>| entry.second(0, 0))
+}
+
+/// Asserts that `x` attains `c₁`.
+#[track_caller]
+pub(crate) fn low<const D: usize>(g: &impl Bounded<D>, x: SVector<f64, D>) {
+    assert_relative_eq!(extremes(&g.gram(&x)).0, g.constants().c1(), max_relative = 1e-12);
+}
+
+/// Asserts that `x` attains `c₂`.
+#[track_caller]
+pub(crate) fn high<const D: usize>(g: &impl Bounded<D>, x: SVector<f64, D>) {
+    assert_relative_eq!(extremes(&g.gram(&x)).1, g.constants().c2(), max_relative = 1e-12);
+}
+
+/// Asserts that `x` and the direction `w` attain `L_H`.
+#[track_caller]
+pub(crate) fn slope<const D: usize>(g: &impl Bounded<D>, x: SVector<f64, D>, w: SVector<f64, D>) {
+    let measured = norm(&first(g, &x, &w)) / w.norm();
+    assert_relative_eq!(measured, g.constants().l_h(), max_relative = 1e-12);
+}
+
+/// Asserts that `x` and the direction `w` attain `M_H`.
+#[track_caller]
+pub(crate) fn curvature<const D: usize>(
+    g: &impl Bounded<D>,
+    x: SVector<f64, D>,
+    w: SVector<f64, D>,
+) {
+    let measured = norm(&second(g, &x, &w)) / w.norm_squared();
+    let m_h = g.constants().m_h().expect("every metric here has one");
+    assert_relative_eq!(measured, m_h, max_relative = 1e-12);
+}
+
+/// The largest `‖DH(x)[w]‖` and `‖D²H(x)[w, w]‖` over points and unit directions, as parts of `L_H`
+/// and `M_H`.
+pub(crate) fn scan<const D: usize>(
+    g: &impl Bounded<D>,
+    places: impl IntoIterator<Item = (SVector<f64, D>, SVector<f64, D>)>,
+) -> [f64; 2] {
+    let [mut slope, mut curvature] = [0.0_f64; 2];
+    for (x, w) in places {
+        slope = slope.max(norm(&first(g, &x, &w)));
+        curvature = curvature.max(norm(&second(g, &x, &w)));
+    }
+    let constants = g.constants();
+    [slope / constants.l_h(), curvature / constants.m_h().expect("known")]
+}
+
+/// Some unit vectors of the plane, all over half a circle.
+pub(crate) fn directions(count: u32) -> impl Iterator<Item = SVector<f64, 2>> + Clone {
+    (0..count).map(move |j| {
+        let (sin, cos) = (f64::from(j) * std::f64::consts::PI / f64::from(count)).sin_cos();
+        SVector::from([cos, sin])
+    })
 }

@@ -1,5 +1,5 @@
-//! Compositions of metrics with constants on balls have constants on balls: they hold, and those of
-//! the parts are taken where the parts are.
+//! Compositions of metrics with constants on balls: their constants hold, and are those of the parts on
+//! their own balls.
 
 use nalgebra::{SMatrix, SVector, vector};
 use proptest::prelude::*;
@@ -11,47 +11,43 @@ use tautline_metrics::{
 
 use crate::{
     about::{About, in_ball},
-    laws::{cube, hold},
+    laws::{constants_hold, cube},
 };
 
 fn ball<const D: usize>() -> impl Strategy<Value = (SVector<f64, D>, f64)> {
     (cube::<D>(), 0.01..1.0_f64)
 }
 
-#[test]
-fn constants_of_scaled_hold_on_balls() {
-    hold(111, (ball::<2>(), 0.01..100.0_f64), |((centre, radius), factor)| {
-        let metric = Scaled::new(Sphere, factor).expect("positive");
-        (About::new(metric, centre, radius), in_ball::<2>(radius))
-    });
+fn on_ball<M: LocallyBounded<D>, const D: usize>(
+    metric: M,
+    centre: SVector<f64, D>,
+    radius: f64,
+) -> (About<M, D>, f64) {
+    (About::new(metric, centre, radius), in_ball::<D>(radius))
 }
 
-#[test]
-fn constants_of_sum_hold_on_balls() {
-    hold(112, ball::<2>(), |(centre, radius)| {
-        (About::new(Sum::new(Sphere, GaussianFisher), centre, radius), in_ball::<2>(radius))
-    });
+constants_hold! {
+    constants_of_scaled_hold_on_balls, 2, seed 111: (ball::<2>(), 0.01..100.0_f64),
+        |((centre, radius), factor)| {
+            on_ball(Scaled::new(Sphere, factor).expect("positive"), centre, radius)
+        };
+    constants_of_sum_hold_on_balls, 2, seed 112: ball::<2>(), |(centre, radius)| {
+        on_ball(Sum::new(Sphere, GaussianFisher), centre, radius)
+    };
+    constants_of_product_hold_on_balls, 4, seed 113: ball::<4>(), |(centre, radius)| {
+        on_ball(Product::<_, _, 2, 2>::new(Sphere, GaussianFisher), centre, radius)
+    };
+    constants_of_affine_pullback_hold_on_balls, 2, seed 114:
+        (ball::<2>(), proptest::array::uniform::<_, 4>(-1.0..1.0_f64), cube::<2>()),
+        |((centre, radius), entries, shift)| {
+            let matrix =
+                SMatrix::<f64, 2, 2>::from_column_slice(&entries) + SMatrix::identity() * 2.0;
+            let metric = AffinePullback::new(Sphere, matrix, shift).expect("regular");
+            on_ball(metric, centre, radius)
+        };
 }
 
-#[test]
-fn constants_of_product_hold_on_balls() {
-    hold(113, ball::<4>(), |(centre, radius)| {
-        let metric = Product::<_, _, 2, 2>::new(Sphere, GaussianFisher);
-        (About::new(metric, centre, radius), in_ball::<4>(radius))
-    });
-}
-
-#[test]
-fn constants_of_affine_pullback_hold_on_balls() {
-    let cases = (ball::<2>(), proptest::array::uniform::<_, 4>(-1.0..1.0_f64), cube::<2>());
-    hold(114, cases, |((centre, radius), entries, shift)| {
-        let matrix = SMatrix::<f64, 2, 2>::from_column_slice(&entries) + SMatrix::identity() * 2.0;
-        let metric = AffinePullback::new(Sphere, matrix, shift).expect("regular");
-        (About::new(metric, centre, radius), in_ball::<2>(radius))
-    });
-}
-
-/// Each is what the calculus of constants makes of those of the parts, on their own balls.
+/// The calculus of constants, applied to those of the parts on their own balls.
 #[test]
 fn constants_on_balls_are_those_of_the_parts() {
     fn of<M: LocallyBounded<D>, const D: usize>(metric: M, x: [f64; D], radius: f64) -> Constants {
@@ -69,7 +65,7 @@ fn constants_on_balls_are_those_of_the_parts() {
     let flat = Constant::new(SMatrix::identity() * 2.0).expect("positive definite");
     let sum = sphere.plus(of(flat, x, radius)).expect("in range");
     assert!(sum.is_local() && of(Sum::new(Sphere, flat), x, radius) == sum);
-    // Twice as large, turned and moved: in a ball of twice the radius about the image.
+    // A similarity by 2: on the ball of twice the radius about the image.
     let turn = SMatrix::<f64, 2, 2>::from([[1.2, 1.6], [-1.6, 1.2]]);
     let pulled = AffinePullback::new(Sphere, turn, vector![0.1, -0.2]).expect("regular");
     let image = turn * SVector::from(x) + vector![0.1, -0.2];
@@ -79,11 +75,11 @@ fn constants_on_balls_are_those_of_the_parts() {
     assert!(close(found.c1(), expected.c1()) && close(found.c2(), expected.c2()), "{found:?}");
     assert!(close(found.l_h(), expected.l_h()) && found.is_local());
     assert!(close(found.m_h().expect("known"), expected.m_h().expect("known")), "{found:?}");
-    // A reference knows what the metric knows.
+    // A reference has the constants of the metric.
     assert_eq!(of::<&Sphere, 2>(&Sphere, x, radius), sphere);
 }
 
-/// The patch has constants everywhere, and its metric better ones where it is tame.
+/// The patch has constants everywhere, and its metric has better ones in a small ball.
 #[test]
 fn constants_of_a_ball_are_better_than_those_of_the_plane() {
     let patch = tautline_metrics::gallery::SpherePatch::new(2.0).expect("a radius");

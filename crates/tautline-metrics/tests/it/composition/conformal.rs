@@ -1,4 +1,4 @@
-//! `φ H`, a metric for the rule of conformal factors: none of the library is built by it.
+//! `φ H`, a metric to test the rule for conformal factors, which no composition of the library uses.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_metrics::{Bounded, Constants, Metric, Scalar};

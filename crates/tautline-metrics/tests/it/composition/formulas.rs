@@ -53,8 +53,7 @@ fn distances_are_those_of_the_parts() {
     assert_relative_eq!(pulled_d, d, max_relative = 1e-14);
 }
 
-/// The shear beside the lens, on a pair whose first halves are known everywhere and whose second
-/// lie on a ray.
+/// The shear beside the lens, whose distance is known on rays only.
 #[test]
 fn the_square_of_a_distance_in_a_product_is_the_sum_of_squares() {
     let (shear, lens) = (Shear::new(0.5, 1.0).expect("k > 0"), Lens::new(2.0, 0.7).expect("s > 0"));
@@ -62,7 +61,7 @@ fn the_square_of_a_distance_in_a_product_is_the_sum_of_squares() {
     let (x, y) = (vector![0.3, -0.8, 0.3, 0.4], vector![1.9, 2.0, 1.2, 1.6]);
     let d = product.distance(&x, &y).expect("on a ray");
     let first = shear.distance(&vector![0.3, -0.8], &vector![1.9, 2.0]).expect("all pairs");
-    // The reference of the gallery for this lens and this ray.
+    // The reference for this lens and this ray is that of the gallery's test.
     assert_relative_eq!(
         d * d,
         first * first + 1.848_184_957_482_796_7_f64.powi(2),
@@ -77,9 +76,7 @@ fn the_square_of_a_distance_in_a_product_is_the_sum_of_squares() {
     );
 }
 
-/// Nothing is shorter: here the pair of minimal geodesics at constant speeds is a curve of that
-/// length, and the straight line is not shorter. With `Separable` as a product of ramps of one
-/// kind, the distance is known in two ways.
+/// A separable metric is a product of metrics on the line, so that its distance is known in two ways.
 #[test]
 fn a_product_is_a_metric_whose_distance_is_known_otherwise() {
     let separable = |i: usize| {

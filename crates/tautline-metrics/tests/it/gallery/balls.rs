@@ -1,54 +1,49 @@
-//! Metrics with constants on balls only: they hold there, and are attained.
+//! Metrics with constants on balls only: these hold and are attained.
 
 use std::f64::consts::SQRT_2;
 
 use nalgebra::{SVector, vector};
 use proptest::prelude::*;
 use tautline_metrics::{
-    Constants, HypothesisError, KnownDistance, LocalError, LocallyBounded,
+    HypothesisError, KnownDistance, LocalError, LocallyBounded,
     gallery::{GaussianFisher, Hyperbolic, Sphere},
 };
 
-use super::attained::{curvature, high, low, slope};
 use crate::{
     about::{About, in_ball},
-    laws::{cube, hold},
+    laws::{constants_hold, cube},
+    measure::{curvature, high, low, slope},
 };
 
-#[test]
-fn constants_of_the_sphere_hold_on_balls() {
-    fn on<const D: usize>(seed: u64) {
-        hold(seed, (cube::<D>(), 0.01..2.0_f64), |(centre, radius)| {
-            (About::new(Sphere, centre * 2.0, radius), in_ball::<D>(radius))
-        });
-    }
-    on::<1>(101);
-    on::<2>(102);
-    on::<3>(103);
+/// The sphere in balls, by their centres and radii.
+fn sphere<const D: usize>((centre, radius): (SVector<f64, D>, f64)) -> (About<Sphere, D>, f64) {
+    (About::new(Sphere, centre * 2.0, radius), in_ball::<D>(radius))
 }
 
-#[test]
-fn constants_of_hyperbolic_space_hold_on_balls() {
-    fn on<const D: usize>(seed: u64) {
-        hold(seed, (cube::<D>(), 0.05..0.95_f64), |(centre, share)| {
-            let centre = centre * in_ball::<D>(1.8);
-            let radius = share * (1.0 - centre.norm());
-            (About::new(Hyperbolic, centre, radius), in_ball::<D>(radius))
-        });
-    }
-    on::<1>(104);
-    on::<2>(105);
-    on::<3>(106);
+/// Hyperbolic space in balls, by their centres and by parts of the distance to the rim.
+fn hyperbolic<const D: usize>(
+    (centre, share): (SVector<f64, D>, f64),
+) -> (About<Hyperbolic, D>, f64) {
+    let centre = centre * in_ball::<D>(1.8);
+    let radius = share * (1.0 - centre.norm());
+    (About::new(Hyperbolic, centre, radius), in_ball::<D>(radius))
 }
 
-#[test]
-fn constants_of_gaussian_fisher_hold_on_balls() {
-    hold(107, (cube::<2>(), 0.01..2.0_f64), |(centre, radius)| {
-        (About::new(GaussianFisher, centre * 3.0, radius), in_ball::<2>(radius))
-    });
+constants_hold! {
+    constants_of_the_sphere_hold_on_intervals, 1, seed 101: (cube(), 0.01..2.0_f64), sphere;
+    constants_of_the_sphere_hold_on_discs, 2, seed 102: (cube(), 0.01..2.0_f64), sphere;
+    constants_of_the_sphere_hold_on_balls, 3, seed 103: (cube(), 0.01..2.0_f64), sphere;
+    constants_of_hyperbolic_space_hold_on_intervals, 1, seed 104:
+        (cube(), 0.05..0.95_f64), hyperbolic;
+    constants_of_hyperbolic_space_hold_on_discs, 2, seed 105: (cube(), 0.05..0.95_f64), hyperbolic;
+    constants_of_hyperbolic_space_hold_on_balls, 3, seed 106: (cube(), 0.05..0.95_f64), hyperbolic;
+    constants_of_gaussian_fisher_hold_on_discs, 2, seed 107: (cube::<2>(), 0.01..2.0_f64),
+        |(centre, radius)| {
+            (About::new(GaussianFisher, centre * 3.0, radius), in_ball::<2>(radius))
+        };
 }
 
-/// Balls that hold the origin, that lie beside it, and beyond all extremes.
+/// Balls that contain the origin, that lie beside it, and beyond all extremes.
 #[test]
 fn constants_of_the_sphere_are_attained() {
     let ray = vector![0.6, 0.8];
@@ -99,11 +94,13 @@ fn constants_of_gaussian_fisher_are_attained() {
 #[test]
 fn balls_without_constants_are_refused() {
     let origin = vector![0.0, 0.0];
-    let whole = |outcome: Result<Constants, LocalError>| {
+    let everywhere = [
+        Sphere.constants_within(&origin, f64::INFINITY),
+        GaussianFisher.constants_within(&origin, f64::INFINITY),
+    ];
+    for outcome in everywhere {
         assert_eq!(outcome, Err(HypothesisError::NotCoercive { c1: 0.0 }.into()));
-    };
-    whole(Sphere.constants_within(&origin, f64::INFINITY));
-    whole(GaussianFisher.constants_within(&origin, f64::INFINITY));
+    }
     let outside = Hyperbolic.constants_within(&vector![0.5, 0.0], 0.5);
     let expected = LocalError::LeavesTheDomain { radius: 0.5, reach: 1.0, limit: 1.0 };
     assert_eq!(outside, Err(expected));
@@ -128,8 +125,7 @@ fn balls_without_constants_are_refused() {
 proptest! {
     #![proptest_config(tautline_chance::config(108, 256))]
 
-    /// `√2` times the distance of the half-plane, `arcosh(1 + |Δz|²/2σσ′)`; the same after a change of
-    /// the unit of the data.
+    /// `√2` times the distance of the half-plane, `arcosh(1 + |Δz|²/2σσ′)`, in any unit of the data.
     #[test]
     fn gaussian_fisher_knows_all_pairs(x in cube::<2>(), y in cube::<2>(), shift in -5.0..5.0_f64) {
         let (x, y) = (x * 3.0, y * 3.0);

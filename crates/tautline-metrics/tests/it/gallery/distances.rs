@@ -1,5 +1,4 @@
-//! The exact distances are distances, belong to their metric, and have the values that
-//! somebody else computed.
+//! The exact distances are distances, belong to their metric, and have independently computed values.
 
 use std::f64::consts::PI;
 
@@ -26,7 +25,7 @@ pub(crate) fn distance<const D: usize>(
     g.distance(x, y).expect("a pair whose distance is known")
 }
 
-/// The length of the straight line.
+/// The length of the chord.
 pub(crate) fn chord<const D: usize>(
     g: &impl Metric<D>,
     x: &SVector<f64, D>,
@@ -36,10 +35,10 @@ pub(crate) fn chord<const D: usize>(
     integrate(|t| norm_squared(g, &(x + v * t), &v).sqrt(), 0.0, 1.0, 1e-14).value
 }
 
-/// `d(x, y) = d(y, x)`, `d(x, x) = 0`, the triangle inequality, and no more than the chord.
+/// `d(x, y) = d(y, x)`, `d(x, x) = 0`, the triangle inequality, and `d` is at most the chord.
 ///
-/// Each `d` has some ten roundings of numbers of the size of the coordinates, which are below
-/// 10: 1e-13 is a hundred times an ulp of that.
+/// Each `d` has some ten roundings of numbers below 10, the size of the coordinates: 1e-13 is a
+/// hundred ulp of that.
 pub(crate) fn is_distance<const D: usize>(
     g: &impl KnownDistance<D>,
     [x, y, z]: [SVector<f64, D>; 3],
@@ -82,51 +81,37 @@ pub(crate) fn run<P: std::fmt::Debug>(
     }
 }
 
-#[test]
-fn constant_has_a_distance() {
-    let a = matrix![2.0, 1.0, 0.3; 1.0, 2.0, -0.5; 0.3, -0.5, 1.0];
-    let g = Constant::new(a).expect("positive definite");
-    run(31, triple(4.0), |points| {
-        is_distance(&g, points)?;
-        is_bounded(&g, &points[0], &points[1])
-    });
+/// One test per line: the distance of `$build(parameters)` is a distance, within its bounds.
+macro_rules! distances_are_distances {
+    ($($test:ident, seed $seed:literal: $parameters:expr, $build:expr;)*) => {$(
+        #[test]
+        fn $test() {
+            run($seed, ($parameters, triple(4.0)), |(parameters, points)| {
+                let g = $build(parameters);
+                is_distance(&g, points)?;
+                is_bounded(&g, &points[0], &points[1])
+            });
+        }
+    )*};
 }
 
-#[test]
-fn ramp_has_a_distance() {
-    run(32, (-0.95..0.95_f64, 0.2..4.0_f64, triple(4.0)), |(a, k, points)| {
-        let g = Ramp::new(a, k).expect("|a| < 1");
-        is_distance(&g, points)?;
-        is_bounded(&g, &points[0], &points[1])
-    });
-}
-
-#[test]
-fn shear_has_a_distance() {
-    run(33, (-2.0..2.0_f64, 0.2..3.0_f64, triple(4.0)), |(a, k, points)| {
-        let g = Shear::new(a, k).expect("k > 0");
-        is_distance(&g, points)?;
-        is_bounded(&g, &points[0], &points[1])
-    });
-}
-
-#[test]
-fn separable_has_a_distance() {
-    let parameters = (uniform::<_, 3>(-0.95..0.95_f64), uniform::<_, 3>(0.2..3.0_f64));
-    run(34, (parameters, triple(4.0)), |((a, k), points)| {
-        let g = Separable::<3>::new(a, k).expect("|a| < 1");
-        is_distance(&g, points)?;
-        is_bounded(&g, &points[0], &points[1])
-    });
-}
-
-#[test]
-fn swirl_has_a_distance() {
-    run(45, (-5.0..5.0_f64, 0.3..3.0_f64, triple(4.0)), |(angle, s, points)| {
-        let g = Swirl::new(angle, s).expect("s > 0");
-        is_distance(&g, points)?;
-        is_bounded(&g, &points[0], &points[1])
-    });
+distances_are_distances! {
+    constant_has_a_distance, seed 31: Just(()), |()| {
+        let a = matrix![2.0, 1.0, 0.3; 1.0, 2.0, -0.5; 0.3, -0.5, 1.0];
+        Constant::new(a).expect("positive definite")
+    };
+    ramp_has_a_distance, seed 32: (-0.95..0.95_f64, 0.2..4.0_f64), |(a, k)| {
+        Ramp::new(a, k).expect("|a| < 1")
+    };
+    shear_has_a_distance, seed 33: (-2.0..2.0_f64, 0.2..3.0_f64), |(a, k)| {
+        Shear::new(a, k).expect("k > 0")
+    };
+    separable_has_a_distance, seed 34:
+        (uniform::<_, 3>(-0.95..0.95_f64), uniform::<_, 3>(0.2..3.0_f64)),
+        |(a, k)| Separable::<3>::new(a, k).expect("|a| < 1");
+    swirl_has_a_distance, seed 45: (-5.0..5.0_f64, 0.3..3.0_f64), |(angle, s)| {
+        Swirl::new(angle, s).expect("s > 0")
+    };
 }
 
 #[test]
@@ -135,7 +120,7 @@ fn corrugated_has_a_distance() {
         let g = Corrugated::new(a, k).expect("k > 0");
         is_distance(&g, points)?;
         is_bounded(&g, &points[0], &points[1])?;
-        // An interval is as long as its parts, which have other whole waves.
+        // Arc length is additive, whatever the whole waves in each part.
         let mut ends = points.map(|x| 10.0 * x[0]);
         ends.sort_by(f64::total_cmp);
         let [low, middle, high] = ends;
@@ -187,8 +172,8 @@ fn golden_distances() {
 
 /// `d(x, x + εv)² / ε² = vᵀ H(x) v + O(ε)`, with slope 1 for `ε` from 2⁻⁶ to 2⁻¹².
 ///
-/// The next term is `O(ε)` times the first, some 1/64 at the left end: it changes the slope
-/// over 6 octaves by less than 0.02. Rounding, `2 · 10⁻¹⁶ / ε`, is a billion times smaller.
+/// The next term is `O(ε)` times the first, some 1/64 at the left end: it changes the slope over
+/// 6 octaves by less than 0.02. Rounding, `2 · 10⁻¹⁶ / ε`, is negligible.
 fn is_local<const D: usize>(g: &impl KnownDistance<D>, x: SVector<f64, D>, v: SVector<f64, D>) {
     let speed2 = norm_squared(g, &x, &v);
     let error = |octave: i32| {
@@ -201,7 +186,7 @@ fn is_local<const D: usize>(g: &impl KnownDistance<D>, x: SVector<f64, D>, v: SV
 }
 
 #[test]
-fn near_points_are_as_far_as_the_metric_says() {
+fn distances_of_near_points_are_lengths_of_chords() {
     is_local(&Ramp::new(-0.6, 1.3).expect("|a| < 1"), vector![0.4], vector![0.9]);
     let shear = Shear::new(0.5, 1.7).expect("k > 0");
     is_local(&shear, vector![0.4, 0.8], vector![0.6, -0.7]);
@@ -255,7 +240,7 @@ fn shear_separable_and_swirl_are_pullbacks() {
     });
 }
 
-/// Two circles about the centre have the distance `R − r`, and every point has a partner.
+/// Two circles about the centre have the distance `R − r`, attained from every point.
 #[test]
 fn swirl_keeps_circles_about_its_centre() {
     let g = Swirl::new(2.0, 0.8).expect("s > 0");
@@ -263,10 +248,11 @@ fn swirl_keeps_circles_about_its_centre() {
     let (x, r, far) = (point(0.5, 0.7), 0.5, 1.3);
     let nearest = (0..1000).map(|i| distance(&g, &x, &point(far, f64::from(i) * 0.002 * PI)));
     let nearest = nearest.fold(f64::INFINITY, f64::min);
-    // The partner is missed by half a step at most, θ = 0.0032: that is θ² r R / 2(R − r) < 5e-6.
+    // The grid misses the nearest point by at most half a step, θ = 0.0032: by
+    // θ² r R / 2(R − r) < 5e-6 in the distance.
     assert!((0.0..5e-6).contains(&(nearest - (far - r))), "{nearest}");
-    let partner = g.unflatten(&(g.flatten(&x) * (far / r)));
-    assert_relative_eq!(distance(&g, &x, &partner), far - r, max_relative = 1e-14);
+    let nearest_point = g.unflatten(&(g.flatten(&x) * (far / r)));
+    assert_relative_eq!(distance(&g, &x, &nearest_point), far - r, max_relative = 1e-14);
 }
 
 /// Close points of the hyperbolic ball keep their digits: `d / |x − y| → 2 / (1 − |x|²)`.
@@ -277,7 +263,7 @@ fn hyperbolic_does_not_cancel() {
     assert_relative_eq!(d, 2.0 / 0.75, max_relative = 1e-15);
 }
 
-/// Outside the ball `(1 − |x|²)²` is positive again: that must not pass for a metric.
+/// Outside the ball `(1 − |x|²)²` is positive again, but must not pass for a metric.
 #[test]
 fn hyperbolic_is_nothing_outside_the_ball() {
     let outside = vector![1.0, 0.5];
@@ -289,7 +275,7 @@ fn hyperbolic_is_nothing_outside_the_ball() {
         assert_eq!(Hyperbolic.distance(&inside, &outside), None);
         assert_eq!(Hyperbolic.distance(&outside, &inside), None);
         assert_eq!(Hyperbolic.distance(&inside, &vector![f64::NAN, 0.0]), None);
-        // The boundary is infinitely far away, and no distance.
+        // The boundary is infinitely far away.
         assert_eq!(Hyperbolic.distance(&inside, &vector![1.0, 0.0]), None);
         assert_eq!(Hyperbolic.distance(&vector![0.0, 1.0], &inside), None);
         let h = check_gram(&Hyperbolic, &inside).expect("inside the ball");

@@ -1,32 +1,20 @@
-//! What constants say beside their numbers: that a metric is a multiple of the identity, and that
-//! they hold on a region only.
+//! The flags of constants: isotropic metrics, and constants on a region only.
 
 use nalgebra::{SMatrix, SVector, matrix, vector};
 use tautline_metrics::{
     Bounded, LocallyBounded, Metric,
     composition::{AffinePullback, Product, Scaled, Sum},
-    gallery::{
-        Bump, Checkerboard, Constant, Corrugated, EggCrate, GaussianFisher, GaussianFisherPatch,
-        Hyperbolic, HyperbolicPatch, Lens, Obstacle, Ramp, RotatingAnisotropy, Separable, Shear,
-        SineProjections, SoftObstacles, Sphere, SpherePatch, Swirl, TwoChannels, Valleys,
-    },
+    gallery::*,
 };
 
-/// Whether `H` is a multiple of the identity at some points near the origin.
+/// Whether `H` is a multiple of the identity at 40 points near the origin.
 fn looks_isotropic<const D: usize>(g: &impl Metric<D>) -> bool {
     (0..40).all(|k| {
         let x = SVector::from_fn(|i, _| 0.3 * (f64::from(k) * (1.0 + i as f64).sqrt()).sin());
         let h: SMatrix<f64, D, D> = g.gram(&x);
-        // The rounding of entries written in several ways.
+        // The rounding of entries that are computed in different ways.
         (h - SMatrix::identity() * h[(0, 0)]).amax() <= 1e-14 * h[(0, 0)]
     })
-}
-
-#[track_caller]
-fn everywhere<const D: usize>(g: &impl Bounded<D>, isotropic: bool) {
-    assert_eq!(looks_isotropic(g), isotropic);
-    assert_eq!(g.constants().is_isotropic(), isotropic);
-    assert!(!g.constants().is_local());
 }
 
 #[track_caller]
@@ -39,31 +27,26 @@ fn on_balls<const D: usize>(g: &impl LocallyBounded<D>, isotropic: bool) {
     }
 }
 
-#[test]
-fn isotropic_metrics_say_so_and_the_others_do_not() {
-    everywhere::<3>(&Valleys, true);
-    everywhere::<2>(&Lens::new(2.0, 0.7).expect("positive"), true);
-    everywhere::<2>(&Bump::new(2.0, 0.7).expect("positive"), true);
-    everywhere::<1>(&Ramp::new(0.5, 1.3).expect("|a| < 1"), true);
-    everywhere(&Checkerboard::new(2.0, 0.7).expect("positive"), true);
-    everywhere(&TwoChannels::new(2.0, 0.5, 0.7).expect("positive"), true);
-    everywhere::<2>(&SpherePatch::new(0.5).expect("positive"), true);
-    everywhere::<2>(&HyperbolicPatch::new(0.5).expect("positive"), true);
-    let centre = vector![0.2, 0.1];
-    let obstacles = SoftObstacles::new(vec![Obstacle { centre, height: 2.0, width: 0.5 }]);
-    everywhere(&obstacles.expect("positive"), true);
-    everywhere(&Shear::new(0.5, 1.0).expect("k > 0"), false);
-    everywhere(&Swirl::new(0.5, 1.0).expect("s > 0"), false);
-    everywhere(&EggCrate::new(0.5, 1.0).expect("k > 0"), false);
-    everywhere::<2>(&Corrugated::new(0.5, 1.0).expect("k > 0"), false);
-    everywhere(&GaussianFisherPatch::new(0.5).expect("positive"), false);
-    everywhere(&Separable::new([0.5, 0.2], [1.0, 2.0]).expect("|a| < 1"), false);
-    everywhere(&RotatingAnisotropy::new([1.0, 2.0], [1.0, 2.0]).expect("positive"), false);
-    everywhere(&SineProjections::benchmark(), false);
+macro_rules! flags_are_right {
+    ($(
+        $id:ident: $name:literal, $metric:expr, dimension $D:literal, in $cell:expr,
+        exact $exact:expr $(, with $distances:ident)?;
+    )*) => {$(
+        let metric = $metric.expect("in range");
+        let constants = Bounded::<$D>::constants(&metric);
+        let isotropic = looks_isotropic::<$D>(&metric);
+        assert_eq!(constants.is_isotropic(), isotropic, stringify!($id));
+        assert!(!constants.is_local(), stringify!($id));
+    )*};
 }
 
 #[test]
-fn constants_on_balls_are_local_and_lose_nothing_else() {
+fn metrics_are_marked_isotropic_if_and_only_if_they_are() {
+    for_each_sample!(flags_are_right);
+}
+
+#[test]
+fn constants_on_balls_are_local_and_keep_the_other_flags() {
     on_balls::<2>(&Sphere, true);
     on_balls::<3>(&Hyperbolic, true);
     on_balls(&GaussianFisher, false);
@@ -78,7 +61,7 @@ fn constants_on_balls_are_local_and_lose_nothing_else() {
     on_balls(&slanted.expect("invertible"), false);
 }
 
-/// Halves that differ by rounding become one.
+/// Halves that differ by rounding are made equal.
 #[test]
 fn a_constant_metric_is_symmetric_to_the_last_bit() {
     let next = 0.5_f64.next_up();

@@ -1,4 +1,4 @@
-//! For which pairs a distance is known: the edges of where it is, and neither point before the other.
+//! For which pairs a distance is known: edge cases, and the order of the points.
 
 use nalgebra::{SVector, vector};
 use tautline_metrics::{
@@ -6,8 +6,8 @@ use tautline_metrics::{
     gallery::{Checkerboard, Corrugated, EggCrate, HyperbolicPatch, Lens, SpherePatch, Valleys},
 };
 
-/// For all pairs of some points the distance is known both ways or not at all, and the same; a point
-/// has the distance 0 from itself.
+/// For all pairs of the points the distance is known both ways or not at all, and symmetric; it is 0
+/// only from a point to itself.
 #[track_caller]
 fn is_symmetric<const D: usize>(g: &impl KnownDistance<D>, points: &[SVector<f64, D>]) {
     for (x, y) in points.iter().flat_map(|x| points.iter().map(move |y| (x, y))) {
@@ -25,7 +25,7 @@ fn is_symmetric<const D: usize>(g: &impl KnownDistance<D>, points: &[SVector<f64
 #[test]
 fn a_distance_is_known_both_ways_or_not_at_all() {
     let board = Checkerboard::new(2.0, 0.5).expect("positive");
-    // Two on the line x₁ = ½, two on x₂ = 1, and two on none.
+    // Two points on the line x₁ = ½, two on x₂ = 1, and two on none.
     let on = [vector![0.5, 0.3], vector![0.5, 2.2], vector![0.1, 1.0], vector![-3.3, 1.0]];
     let off = [vector![0.3, 0.3], vector![0.7, 0.1]];
     is_symmetric(&board, &[&on[..], &off[..]].concat());
@@ -48,7 +48,6 @@ fn a_distance_is_known_both_ways_or_not_at_all() {
     assert_eq!(eggs.distance(&flat[0], &vector![0.1, 0.2]), None);
 }
 
-/// The rim of a patch belongs to it.
 #[test]
 fn the_rim_of_a_patch_belongs_to_it() {
     let rim = [vector![0.5, 0.0], vector![0.0, 0.5], vector![-0.5, 0.0], vector![0.0, -0.5]];
@@ -64,12 +63,12 @@ fn the_rim_of_a_patch_belongs_to_it() {
     }
 }
 
-/// Lines of a checkerboard are met up to the rounding of their place, in every unit.
+/// The tolerance of a grid line is the rounding of its place, in every unit.
 #[test]
-fn lines_of_a_checkerboard_are_met_in_every_unit() {
+fn points_on_a_grid_line_are_recognised_in_every_unit() {
     for unit in [1e-20, 1.0, 1e9] {
         let board = Checkerboard::new(2.0, 0.1 * unit).expect("positive");
-        // 3 · 0.1 is not 0.3 in numbers.
+        // 3 · 0.1 is not 0.3 in floating point.
         let (x, y) = (vector![0.3 * unit, 0.02 * unit], vector![0.3 * unit, 0.57 * unit]);
         let d = board.distance(&x, &y).expect("on a line");
         assert!((d - 0.55 * unit).abs() <= 1e-15 * unit);

@@ -1,5 +1,4 @@
-//! Metrics whose distance is known on some lines: these are shortest, and where nothing is
-//! known it is with reason.
+//! Metrics with a known distance on some lines: the lines are minimal; elsewhere shorter ways exist.
 
 use std::{
     cell::Cell,
@@ -32,7 +31,7 @@ fn bulging(g: &impl Metric<2>, x: &Vector2<f64>, y: &Vector2<f64>, coefficients:
         }
         norm_squared(g, &point, &velocity).sqrt()
     };
-    // Pieces, so that no wave of the metric falls between the nodes.
+    // In pieces, so that the nodes resolve every wave of the metric.
     (0..16)
         .map(|i| integrate(speed, f64::from(i) / 16.0, f64::from(i + 1) / 16.0, 1e-9).value)
         .sum()
@@ -80,7 +79,7 @@ fn egg_crate_is_known_on_short_crests() {
             let point = vector![(f64::from(m) + 0.5) * PI, (f64::from(n) + 0.5) * PI + phase] / k;
             if swap { point.yx() } else { point }
         });
-        // The way over the nearest boundary in phases, whose sides are π/2 from the centre.
+        // The shortest way over the boundary of the square, in phases.
         let detour = PI.hypot(phases[0] - phases[1]).min(PI - (phases[0] + phases[1]).abs());
         let Some(d) = g.distance(&x, &y) else {
             let length = chord(&g, &x, &y) * k;
@@ -102,7 +101,7 @@ fn egg_crate_is_known_on_short_crests() {
     assert!((100..250).contains(&known.get()), "{} pairs of 256 are known", known.get());
 }
 
-/// Over a steep peak the symmetry line is a geodesic, but the way round is shorter.
+/// Over a steep peak the symmetry line is a geodesic, but going around is shorter.
 #[test]
 fn egg_crate_is_not_known_over_a_peak() {
     let g = EggCrate::new(6.0, 1.0).expect("k > 0");
@@ -110,7 +109,7 @@ fn egg_crate_is_not_known_over_a_peak() {
     assert_eq!(g.distance(&x, &y), None);
     let round = chord(&g, &x, &side) + chord(&g, &side, &y);
     assert!(round < 0.9 * chord(&g, &x, &y), "{round}");
-    // From saddle to saddle over it, and in a square, but too far for the criterion.
+    // From saddle to saddle over the peak, and in a square, but too far for the criterion.
     assert_eq!(g.distance(&vector![FRAC_PI_2, -FRAC_PI_2], &vector![FRAC_PI_2, 1.5 * PI]), None);
     assert_eq!(g.distance(&vector![FRAC_PI_2, -3.0], &vector![FRAC_PI_2, -0.1]), None);
     assert!(g.distance(&vector![FRAC_PI_2, -1.7], &vector![FRAC_PI_2, -1.4]).is_some());
@@ -138,8 +137,7 @@ fn checkerboard_is_known_on_its_grid() {
     });
 }
 
-/// `H ≥ I` with equality on the lanes only: a diagonal has no such certificate, and indeed the
-/// lanes are shorter if the cells are dear.
+/// Across an expensive cell, the lanes around it are shorter than the diagonal.
 #[test]
 fn checkerboard_is_not_known_across_a_cell() {
     let g = Checkerboard::new(10.0, 1.0).expect("e > 0");
@@ -150,8 +148,8 @@ fn checkerboard_is_not_known_across_a_cell() {
     assert!(lanes < 0.8 * chord(&g, &x, &y));
 }
 
-/// Straight across the channels every pair is known; along them those pairs are whose minimal
-/// geodesic climbs.
+/// Every pair straight across the channels is known, and others if their minimal geodesic does not turn
+/// back in `x₂`.
 #[test]
 fn two_channels_has_a_distance() {
     let parameters = (0.0..5.0_f64, 0.1..2.0_f64, 0.1..2.0_f64);
@@ -181,7 +179,7 @@ fn two_channels_has_a_distance() {
     assert!(known.get() > 20, "{} triples of 256 are known", known.get());
 }
 
-/// Both ways from one end of the axis to the other are shorter than the ridge.
+/// From one end of the axis to the other, both channels are shorter than the ridge.
 #[test]
 fn two_channels_has_two_ways() {
     let g = TwoChannels::new(4.0, 1.0, 0.4).expect("positive");
@@ -194,19 +192,19 @@ fn two_channels_has_two_ways() {
     });
     assert_relative_eq!(ways[0], ways[1], max_relative = 1e-14);
     assert!(ways[0] < 0.9 * chord(&g, &x, &y), "{}", ways[0]);
-    // Both turn round in x₂, where Clairaut's relation proves nothing.
+    // Both geodesics turn back in x₂, where Clairaut's relation proves nothing.
     assert_eq!(g.distance(&x, &y), None);
     assert_eq!(g.distance(&x, &vector![f64::NAN, 2.0]), None);
 }
 
-/// A long way along a channel: `d` exceeds `|x₁ − y₁| + ∫ √(n² − 1) dx₂`, the bound for `p = 1`, by
-/// less and less, by the factor `e^{−√8}` for each unit of way since `n² − 1 = 8 (x₂ − 1)² + …`.
+/// Far along a channel `d` exceeds `|x₁ − y₁| + ∫ √(n² − 1) dx₂`, the bound for `p = 1`, by an amount
+/// that falls by the factor `e^{−√8}` per unit of length, since `n² − 1 = 8 (x₂ − 1)² + …`.
 #[test]
 fn two_channels_is_known_along_a_channel() {
     let g = TwoChannels::new(4.0, 1.0, 0.5).expect("positive");
     let n2 = |x2: f64| norm_squared(&g, &vector![0.0, x2], &vector![1.0, 0.0]);
     let root = |x2: f64| (n2(x2) - 1.0).max(0.0).sqrt();
-    // Rounding is 1e-16 in n² − 1, hence 1e-8 in the root where it is that small: 1e-16 in all.
+    // Rounding is 1e-16 in n² − 1, at most 1e-8 in the root, and 1e-16 in the integral.
     let [left, right] = [[0.5, 1.0], [1.0, 1.7]].map(|[a, b]| integrate(root, a, b, 1e-13).value);
     let excess =
         |way: f64| distance(&g, &vector![0.0, 0.5], &vector![way, 1.7]) - (way + left + right);
@@ -216,7 +214,7 @@ fn two_channels_is_known_along_a_channel() {
     assert_eq!(g.distance(&vector![0.0, 0.5], &vector![12.0, 1.7]), None);
 }
 
-/// A quadrature over the whole way would miss channels of width 1e-3 in 2e3.
+/// A single quadrature over a length of 2e3 would miss channels of width 1e-3.
 #[test]
 fn two_channels_is_not_missed_by_the_quadrature() {
     let g = TwoChannels::new(3.0, 1.0, 1e-3).expect("positive");

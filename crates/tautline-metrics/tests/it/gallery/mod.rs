@@ -8,7 +8,6 @@ mod distances;
 mod flags;
 mod full_matrices;
 mod hold;
-mod interval;
 mod known;
 mod lines;
 mod patch_distances;

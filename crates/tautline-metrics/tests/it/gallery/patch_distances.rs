@@ -1,4 +1,4 @@
-//! Distances in patches: those of the whole metric, where and only where its geodesic stays.
+//! Distances in patches: those of the whole metric, if and only if its geodesic stays in the patch.
 
 use std::f64::consts::{FRAC_PI_2, LN_2, SQRT_2};
 
@@ -17,11 +17,11 @@ use super::{
     patches::{fisher, hyperbolic, sphere},
 };
 
-/// A point of the closed ball, from one of the cube: its direction, and its largest coordinate as
-/// the part of the radius.
+/// A point of the closed ball, from one of the cube: in its direction, with its largest coordinate as
+/// the fraction of the radius.
 fn in_ball<const D: usize>(x: [f64; D], radius: f64) -> SVector<f64, D> {
     let x = SVector::from(x);
-    // A little inside, so that rounding does not push it over the rim.
+    // Slightly inside, so that rounding does not move it beyond the rim.
     if x.norm() > 0.0 { x * (0.999_999 * radius * x.amax() / x.norm()) } else { x }
 }
 
@@ -47,7 +47,7 @@ fn geodesic(
     (flat, (vector![velocity[0], velocity[1]] - flat * velocity[2]) * scale)
 }
 
-/// The distance is the length, under the metric of the patch, of the geodesic of the whole.
+/// The distance is the length, in the patch, of the geodesic of the whole metric.
 fn is_attained(
     g: &impl Metric<2>,
     ends: [SVector<f64, 2>; 2],
@@ -59,12 +59,12 @@ fn is_attained(
         norm_squared(g, &x, &v).sqrt()
     };
     let length = integrate(speed, 0.0, d, 1e-13).value;
-    // Near antipodes the geodesic is lost in f(d); the cases keep 1e-3 away.
+    // Near antipodes f(d) cancels; the cases stay 1e-3 away.
     prop_assert!((length - d).abs() <= 1e-11 * (1.0 + d), "{length} {d}");
     Ok(())
 }
 
-/// Not even by way of a point outside.
+/// Not even a detour over a point outside is shorter.
 fn is_minimal(
     g: &(impl Metric<2> + KnownDistance<2>),
     [x, y, detour]: [SVector<f64, 2>; 3],
@@ -75,30 +75,42 @@ fn is_minimal(
     Ok(())
 }
 
-#[test]
-fn sphere_patch_up_to_a_hemisphere_knows_all_pairs() {
-    let cases = (0.05..1.0_f64, uniform::<_, 3>(uniform::<_, 2>(-1.0..1.0_f64)));
-    run(91, cases, |(radius, points)| {
-        let g = sphere(radius);
-        let detour = SVector::from(points[2]) * (3.0 * radius);
-        let points = points.map(|x| in_ball(x, radius));
-        is_distance(&g, points)?;
-        is_bounded(&g, &points[0], &points[1])?;
-        let [x, y, _] = points;
-        is_minimal(&g, [x, y, detour])?;
-        let d = distance(&g, &x, &y);
-        prop_assert_eq!(Some(d), Sphere.distance(&x, &y));
-        is_attained(&g, [x, y], d, 1.0)
-    });
+/// All pairs of a patch are known, with the distance of the whole metric, of curvature `$e`.
+macro_rules! all_pairs_are_known {
+    ($($test:ident, seed $seed:literal: $patch:ident, $radii:expr, of $whole:ident, $e:literal,
+       detours within $reach:literal;)*) => {$(
+        #[test]
+        fn $test() {
+            let cases = ($radii, uniform::<_, 3>(uniform::<_, 2>(-1.0..1.0_f64)));
+            run($seed, cases, |(radius, points)| {
+                let g = $patch(radius);
+                let detour = SVector::from(points[2]) * ($reach * radius);
+                let points = points.map(|x| in_ball(x, radius));
+                is_distance(&g, points)?;
+                is_bounded(&g, &points[0], &points[1])?;
+                let [x, y, _] = points;
+                is_minimal(&g, [x, y, detour])?;
+                let d = distance(&g, &x, &y);
+                prop_assert_eq!(Some(d), $whole.distance(&x, &y));
+                is_attained(&g, [x, y], d, $e)
+            });
+        }
+    )*};
 }
 
-/// Against the farthest of 2000 points of the arc, which finds its lowest point to a relative
-/// 1e-6; pairs that come so near to the rim are left out, and antipodes.
+all_pairs_are_known! {
+    sphere_patch_up_to_a_hemisphere_knows_all_pairs, seed 91:
+        sphere, 0.05..1.0_f64, of Sphere, 1.0, detours within 3.0;
+    hyperbolic_patch_knows_all_pairs, seed 93:
+        hyperbolic, 0.05..0.85_f64, of Hyperbolic, -1.0, detours within 2.0;
+}
+
+/// Compared with the farthest of 2000 points of the arc, which is accurate to a relative 1e-6; pairs
+/// with an arc that close to the rim are left out, and antipodes.
 #[test]
 fn a_large_sphere_patch_knows_pairs_whose_arc_stays() {
     let cases = (1.0..5.0_f64, uniform::<_, 2>(uniform::<_, 2>(-1.0..1.0_f64)));
-    let (mut known, mut unknown) = (0, 0);
-    let counts = std::cell::RefCell::new((&mut known, &mut unknown));
+    let counts = std::cell::Cell::new((0, 0));
     run(92, cases, |(radius, points)| {
         let g = sphere(radius);
         let [x, y] = points.map(|x| in_ball(x, radius));
@@ -110,36 +122,15 @@ fn a_large_sphere_patch_knows_pairs_whose_arc_stays() {
         let stays = farthest <= radius;
         prop_assert_eq!(g.distance(&x, &y), stays.then_some(d));
         prop_assert_eq!(g.distance(&y, &x), stays.then_some(d));
-        // Leaving the patch costs at least the ways to the rim: then the arc stays.
+        // If leaving the patch costs more than the arc, the arc stays.
         let to_rim = |x: &SVector<f64, 2>| 2.0 * (radius.atan() - x.norm().atan());
         prop_assert!(stays || d > to_rim(&x) + to_rim(&y));
-        let mut counts = counts.borrow_mut();
-        if stays {
-            *counts.0 += 1;
-            is_attained(&g, [x, y], d, 1.0)
-        } else {
-            *counts.1 += 1;
-            Ok(())
-        }
+        let (known, unknown) = counts.get();
+        counts.set(if stays { (known + 1, unknown) } else { (known, unknown + 1) });
+        if stays { is_attained(&g, [x, y], d, 1.0) } else { Ok(()) }
     });
+    let (known, unknown) = counts.get();
     assert!(known > 30 && unknown > 30, "{known} {unknown}");
-}
-
-#[test]
-fn hyperbolic_patch_knows_all_pairs() {
-    let cases = (0.05..0.85_f64, uniform::<_, 3>(uniform::<_, 2>(-1.0..1.0_f64)));
-    run(93, cases, |(radius, points)| {
-        let g = hyperbolic(radius);
-        let detour = SVector::from(points[2]) * (2.0 * radius);
-        let points = points.map(|x| in_ball(x, radius));
-        is_distance(&g, points)?;
-        is_bounded(&g, &points[0], &points[1])?;
-        let [x, y, _] = points;
-        is_minimal(&g, [x, y, detour])?;
-        let d = distance(&g, &x, &y);
-        prop_assert_eq!(Some(d), Hyperbolic.distance(&x, &y));
-        is_attained(&g, [x, y], d, -1.0)
-    });
 }
 
 /// Half-circles `(μ/√2, σ) = (c + ρ cos φ, ρ sin φ)`: two points of one, and its top.
@@ -173,7 +164,7 @@ fn gaussian_fisher_knows_pairs_whose_half_circle_stays() {
         };
         let length = integrate(speed, first, last, 1e-13).value;
         prop_assert!((length - d).abs() <= 1e-11 * (1.0 + d), "{length} {d}");
-        // The formula as it is usually written; it loses half of the digits of near points.
+        // The usual formula, which loses half of the digits for near points.
         let (s, t) = (x[1].exp(), y[1].exp());
         let cosh = 1.0 + (0.5 * (x[0] - y[0]).powi(2) + (s - t).powi(2)) / (2.0 * s * t);
         prop_assert!((SQRT_2 * cosh.acosh() - d).abs() <= 1e-10 * (1.0 + d), "{d}");
@@ -183,13 +174,13 @@ fn gaussian_fisher_knows_pairs_whose_half_circle_stays() {
     assert!(known > 30 && unknown > 30, "{known} {unknown}");
 }
 
-/// Nothing is shorter, not even over a point of the cheap half of the plane, or beyond the strip.
+/// No detour is shorter, not even over the cheap half of the plane or beyond the strip.
 #[test]
 fn gaussian_fisher_has_a_distance() {
     let cases = (0.2..2.0_f64, uniform::<_, 3>(uniform::<_, 2>(-1.0..1.0_f64)), -3.0..3.0_f64);
     run(95, cases, |(rim, points, detour)| {
         let g = fisher(rim);
-        // So near in μ that the half-circles hardly rise: a/2 ≤ 0.05 e^{−T}.
+        // So close in μ that the half-circles hardly rise: a/2 ≤ 0.05 e^{−T}.
         let width = 0.05 * (-rim).exp();
         let [x, y, z] = points.map(|[mean, t]| vector![width * mean, 0.99 * rim * t]);
         is_distance(&g, [x, y, z])?;
@@ -206,7 +197,7 @@ fn the_top_of_a_half_circle_decides() {
         let d = g.distance(&vector![-mean, 0.0], &vector![mean, 0.0]);
         assert_eq!(d.is_some(), stays, "{mean}");
     }
-    // Rising all the way to the rim: no top between.
+    // Rising all the way to the rim: no top in between.
     assert!(g.distance(&vector![0.0, -1.0], &vector![1.0, 1.0]).is_some());
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         assert_eq!(g.distance(&vector![bad, 0.0], &vector![1.0, 0.0]), None);
@@ -224,7 +215,7 @@ fn the_top_of_a_half_circle_decides() {
     assert_eq!(hyperbolic(0.5).distance(&vector![0.0], &vector![0.51]), None);
 }
 
-/// Over the south pole they would be nearer, but that is outside.
+/// The shorter arc, over the south pole, is outside.
 #[test]
 fn a_sphere_patch_does_not_know_pairs_beyond_its_hole() {
     let g = sphere(3.0);

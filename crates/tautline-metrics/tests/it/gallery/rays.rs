@@ -1,4 +1,4 @@
-//! Metrics with a centre: lengths along rays, and the way round the bump.
+//! Metrics with a centre: lengths along rays, and the geodesic around the bump.
 
 use std::f64::consts::PI;
 
@@ -13,8 +13,8 @@ use tautline_metrics::{
 
 use super::distances::{chord, distance, is_bounded, is_distance, run};
 
-/// On a ray from the centre the distance is the length of the ray, hence additive; off it, it
-/// is not known. At points `e r` for a random direction `e`.
+/// One test per line: at points `r e` on a ray the distance is the length of the chord, hence
+/// additive; off the ray it is not known.
 macro_rules! known_on_rays {
     ($($test:ident, $metric:ident, $D:literal, $seed:literal;)*) => {$(
         #[test]
@@ -30,7 +30,7 @@ macro_rules! known_on_rays {
                 is_bounded(&g, &x, &z)?;
                 let (whole, parts) = (distance(&g, &x, &z), distance(&g, &x, &y) + distance(&g, &y, &z));
                 prop_assert!((whole - parts).abs() <= 1e-13 * (1.0 + whole), "{whole} {parts}");
-                // Minimal, since it is the chord; both are quadratures to rounding.
+                // Both are quadratures, accurate to rounding.
                 prop_assert!((whole - chord(&g, &x, &z)).abs() <= 1e-12 * (1.0 + whole));
                 let opposite = KnownDistance::<$D>::distance(&g, &x, &-z);
                 prop_assert_eq!(opposite.is_some(), $D == 1 || radii[0] == 0.0);
@@ -52,7 +52,7 @@ known_on_rays! {
     hill_is_known_on_the_line, Hill, 1, 42;
 }
 
-/// On the line the way leads over the centre: it is as long as both halves.
+/// In one dimension the geodesic crosses the centre.
 #[test]
 fn on_the_line_the_centre_is_crossed() {
     let g = Bump::new(4.0, 0.5).expect("positive");
@@ -71,8 +71,8 @@ fn a_point_that_is_not_finite_is_on_no_ray() {
     }
 }
 
-/// References: closed form with `erf`, and Gauss–Legendre with 4000 panels elsewhere, to the
-/// last digit or two.
+/// References: a closed form with `erf`, and an independent Gauss–Legendre quadrature with 4000
+/// panels, to the last digit or two.
 #[test]
 fn rays_have_their_reference_lengths() {
     let ray = |r: f64| vector![0.6, 0.8] * r;
@@ -85,19 +85,19 @@ fn rays_have_their_reference_lengths() {
     let bump = Bump::new(4.0, 0.5).expect("positive");
     let d = distance(&bump, &ray(0.3), &ray(1.0));
     assert_relative_eq!(d, 1.960_848_990_730_295, max_relative = 2e-15);
-    // 10⁶ + 2 √(π/2): a quadrature over the whole ray would not notice the bump.
+    // 10⁶ + 2 √(π/2): a quadrature over the whole ray would miss the bump.
     let d = distance(&bump, &ray(0.0), &ray(1e6));
     assert_relative_eq!(d, 1e6 + 2.0 * (0.5 * PI).sqrt(), max_relative = 1e-15);
 }
 
-/// `(−1.5, 0.05) → (1.5, −0.1)` round the bump of height 4 and width 1/2 has the energy
-/// 21.858160535(3), by Richardson extrapolation of discrete energies elsewhere.
+/// `(−1.5, 0.05) → (1.5, −0.1)` around the bump of height 4 and width 1/2 has the energy
+/// 21.858160535(3), by an independent Richardson extrapolation of discrete energies.
 ///
-/// Here by Clairaut: on a geodesic `f r sin φ = p` is constant (`φ` its angle with the ray),
-/// so that it sweeps the angle `Σ ∫ p / (r √(f² r² − p²)) dr` from its least radius, where
-/// `f r = p`, to either end, and is as long as `p` times that angle `+ Σ ∫ √(f² − p²/r²) dr`.
+/// Here by Clairaut: on a geodesic `f r sin φ = p` is constant, with the angle `φ` from the ray. So
+/// it sweeps the angle `Σ ∫ p / (r √(f² r² − p²)) dr` from its least radius, where `f r = p`, to
+/// either end, and its length is `p` times that angle `+ Σ ∫ √(f² − p²/r²) dr`.
 #[test]
-fn the_way_round_the_bump_has_the_known_energy() {
+fn the_geodesic_around_the_bump_has_the_known_energy() {
     let g = Bump::new(4.0, 0.5).expect("positive");
     let (x, y) = (vector![-1.5, 0.05_f64], vector![1.5, -0.1]);
     let f = |r: f64| Metric::<2>::gram(&g, &vector![r, 0.0])[(0, 0)].sqrt();
@@ -110,17 +110,17 @@ fn the_way_round_the_bump_has_the_known_energy() {
         };
         leg(x.norm()) + leg(y.norm())
     };
-    // The length is stationary in p, so that 1e-7 in the angle is 1e-14 there; more would make
-    // the quadrature look at t so small that the root cancels.
+    // The length is stationary in p, so that 1e-7 in the angle is 1e-14 in the length. A smaller
+    // tolerance would lead the quadrature to t so small that the root cancels.
     let swept = |least: f64| both(least, 1e-7, &|r| f(least) * least / (r * root(least, r)));
     let angle = x.angle(&y);
-    // fr has its minimum, a closed geodesic, near 1.22; from there on the angle falls from ∞.
+    // fr has its minimum, a closed geodesic, near 1.22; beyond, the angle falls from ∞.
     let (mut low, mut high) = (1.23, 1.5);
     for _ in 0..50 {
         let middle = 0.5 * (low + high);
         *(if swept(middle) > angle { &mut low } else { &mut high }) = middle;
     }
     let length = f(low) * low * angle + both(low, 1e-12, &|r| root(low, r) / r);
-    // The reference has the digits that it shows, within 3e-9.
+    // The reference is accurate to 3e-9.
     assert!((length * length - 21.858_160_535).abs() < 4e-9, "{}", length * length);
 }
