@@ -8,11 +8,15 @@ use tautline::{
 };
 use tautline_kit::prelude::*;
 
-use super::gallery::{cube, egg_crate, hill, lens, period, shear};
+use super::gallery::{cube, period};
+
+pub(super) fn shear() -> Shear {
+    Shear::new(0.5, 1.0).expect("a wave number")
+}
 
 /// A shear beside a lens.
 pub(super) fn product() -> Product<Shear, Lens, 2, 2> {
-    Product::new(shear(), lens())
+    Product::new(shear(), Lens::new(1.0, 0.5).expect("a width"))
 }
 
 /// A period of the shear, and six widths of the lens to each side.
@@ -21,11 +25,11 @@ pub(super) fn beside() -> Region<4> {
 }
 
 pub(super) fn sum() -> Sum<Shear, EggCrate> {
-    Sum::new(shear(), egg_crate())
+    Sum::new(shear(), EggCrate::new(0.5, 1.0).expect("a wave number"))
 }
 
 pub(super) fn scaled() -> Scaled<Hill> {
-    Scaled::new(hill(), 2.5).expect("a factor")
+    Scaled::new(Hill::new(0.5, 0.5).expect("a width"), 2.5).expect("a factor")
 }
 
 /// Neither a similarity nor symmetric.

@@ -1,16 +1,13 @@
 //! Wrong constants are refused, on the whole gallery.
 
 use Claim::{C1, C2, LH, MH};
-use tautline::gallery::{CoupledCosines, SineProjections, Valleys};
+use tautline::gallery::*;
 use tautline_kit::{Claim, Fault, MetricCase, Outcome, metric, prelude::*};
 
 use super::{
-    composition::{beside, product, pullback, scaled, sum},
+    composition::{beside, product, pullback, scaled, shear, sum},
     fault,
-    gallery::{
-        anisotropy, arm, bump, channels, checkerboard, corrugated, cube, decoder, egg_crate,
-        fisher, hill, hyperbolic_patch, lens, period, ramp, separable, shear, sphere_patch, swirl,
-    },
+    gallery::{cube, period, separable_in_space},
     with_wrong,
 };
 
@@ -44,6 +41,10 @@ fn assert_refused<M: Bounded<D>, const D: usize>(
     loose: &[(Claim, f64)],
 ) {
     for constant in Claim::ALL {
+        // Any multiple of 0 is true as well.
+        if constant.of(&metric.constants()) == Some(0.0) {
+            continue;
+        }
         let known = loose.iter().find(|(which, _)| *which == constant);
         let overestimation = known.map_or(1.0, |(_, known)| *known);
         let truth = law(metric, region, constant, 1.0);
@@ -63,7 +64,47 @@ fn assert_refused<M: Bounded<D>, const D: usize>(
     }
 }
 
-/// One test per metric: the metric, its region, and the claims that are not attained.
+/// The constants that a sample does not attain in its cell, with bound ÷ observed there, to the last
+/// digit. The two channels miss `c₂` by `2 · 10⁻⁴`, four widths from a channel.
+fn loose(sample: &str) -> &'static [(Claim, f64)] {
+    match sample {
+        "a_ramp" => &[(MH, 1.4219)],
+        "a_bump" => &[(LH, 1.0302)],
+        "soft_obstacles" => &[(C2, 1.2740), (LH, 1.2881), (MH, 1.2134)],
+        "a_swirl" => &[(LH, 1.0113), (MH, 1.0094)],
+        "two_channels" => &[(C2, 1.0002), (LH, 1.0022), (MH, 1.1432)],
+        "coupled_cosines" => &[(MH, 1.3813)],
+        "sine_projections" => &[(LH, 1.2968), (MH, 1.5001)],
+        "a_patch_of_the_sphere" | "a_patch_of_hyperbolic_space" | "normal_distributions" => {
+            &[(MH, 1.0001)]
+        }
+        "a_tanh_decoder" => &[(C2, 1.2080), (LH, 1.4576), (MH, 1.5689)],
+        _ => &[],
+    }
+}
+
+macro_rules! wrong_constants_are_refused {
+    ($(
+        $id:ident: $name:literal, $metric:expr, dimension $D:literal, in [$low:expr, $high:expr],
+        exact $exact:expr $(, with $distances:ident)?;
+    )*) => {$(
+        mod $id {
+            use super::*;
+
+            #[test]
+            fn wrong_constants_are_refused() {
+                let metric = $metric.expect("in range");
+                assert_refused::<_, $D>(
+                    &metric, Region::cell($low, $high), loose(stringify!($id)),
+                );
+            }
+        }
+    )*};
+}
+
+for_each_sample!(wrong_constants_are_refused);
+
+/// Names the tests of single metrics: the metric, its region, and the claims that are not attained.
 macro_rules! wrong_constants {
     ($($(#[$doc:meta])* $name:ident: $metric:expr, in $region:expr, loose $loose:expr;)*) => {
         $($(#[$doc])* #[test] fn $name() { assert_refused(&$metric, $region, &$loose); })*
@@ -71,40 +112,11 @@ macro_rules! wrong_constants {
 }
 
 wrong_constants! {
-    of_the_valleys_are_refused: Valleys, in period::<2>(), loose [];
-    /// The claimed `M_H` is a bound that is not attained.
-    of_a_ramp_are_refused: ramp(), in cube::<1>(8.0), loose [(MH, 1.4219)];
-    of_a_separable_metric_are_refused: separable(), in cube::<3>(3.2), loose [];
-    of_a_shear_are_refused: shear(), in period::<2>(), loose [];
-    of_a_lens_are_refused: lens(), in cube::<2>(3.0), loose [];
-    /// The claimed `L_H` is a bound that is not attained.
-    of_a_bump_are_refused: bump(), in cube::<2>(3.0), loose [(LH, 1.0302)];
-    of_a_hill_are_refused: hill(), in cube::<2>(3.0), loose [];
-    of_rotating_anisotropy_are_refused: anisotropy(), in cube::<2>(2.0), loose [];
-    of_a_two_link_arm_are_refused: arm(), in period::<2>(), loose [];
-    of_coupled_cosines_are_refused: CoupledCosines, in period::<3>(), loose [(MH, 1.3813)];
+    of_a_separable_metric_in_space_are_refused: separable_in_space(), in cube::<3>(3.2), loose [];
     /// Eight dimensions, and three claims that are bounds.
-    of_sine_projections_are_refused:
+    of_sine_projections_in_eight_dimensions_are_refused:
         SineProjections::benchmark(), in cube::<8>(1.5),
         loose [(C2, 1.0154), (LH, 1.2389), (MH, 1.4397)];
-    /// Two claims bound a sum by the bounds of its parts.
-    of_a_swirl_are_refused: swirl(), in cube::<2>(3.0), loose [(LH, 1.0113), (MH, 1.0094)];
-    of_an_egg_crate_are_refused: egg_crate(), in period::<2>(), loose [];
-    of_a_corrugated_sheet_are_refused: corrugated(), in period::<2>(), loose [];
-    of_a_checkerboard_are_refused: checkerboard(), in cube::<2>(1.5), loose [];
-    /// `c₂` is attained in the limit: at the edge of the region, four widths from a channel, it is
-    /// missed by `2 · 10⁻⁴`.
-    of_two_channels_are_refused:
-        channels(), in cube::<2>(3.0), loose [(C2, 1.0002), (LH, 1.0022), (MH, 1.1432)];
-    /// `M_H` in the transition of a patch is bounded by branch and bound, to `10⁻⁴`.
-    of_a_patch_of_the_sphere_are_refused: sphere_patch(), in cube::<2>(2.0), loose [(MH, 1.0001)];
-    of_a_patch_of_hyperbolic_space_are_refused:
-        hyperbolic_patch(), in cube::<2>(1.0), loose [(MH, 1.0001)];
-    of_normal_distributions_are_refused:
-        fisher(), in Region::cell([-2.0, -1.5], [2.0, 1.5]), loose [(MH, 1.0001)];
-    /// The neurons are steepest at different places and in different directions.
-    of_a_tanh_decoder_are_refused:
-        decoder(), in cube::<2>(6.0), loose [(C2, 1.2080), (LH, 1.4576), (MH, 1.5689)];
     /// The smaller and the larger of two attained constants are attained.
     of_a_product_are_refused: product(), in beside(), loose [];
     /// The two metrics attain their constants near each other, but not all at one point.
