@@ -4,17 +4,12 @@ use std::time::{Duration, Instant};
 
 use tautline::{
     Bounded, CertifiedConstant, CertifyError, Constants, Domain, LocallyBounded, Metric, Quantity,
-    SMatrix, SVector,
+    SMatrix,
     certify::{Accuracy, Cell, certify},
-    gallery::{
-        Bump, Checkerboard, Constant, Corrugated, CoupledCosines, EggCrate, GaussianFisher,
-        GaussianFisherPatch, Hill, Hyperbolic, HyperbolicPatch, Lens, Obstacle, Ramp,
-        RotatingAnisotropy, Separable, Shear, SineProjection, SineProjections, SoftObstacles,
-        Sphere, SpherePatch, Swirl, TwoChannels, TwoLinkArm, Valleys,
-    },
+    gallery::*,
 };
 
-use crate::{Failure, decoder::decoder};
+use crate::Failure;
 
 /// A metric of the gallery and its stated constants.
 pub(crate) struct Certified {
@@ -23,7 +18,7 @@ pub(crate) struct Certified {
     /// The dimension.
     pub(crate) d: usize,
     /// Where its constants are proved.
-    pub(crate) on: &'static str,
+    pub(crate) on: String,
     /// The stated constants in the order of [`Quantity::ALL`], and whether each is the best one.
     pub(crate) stated: [(f64, bool); 4],
     search: Search,
@@ -57,7 +52,7 @@ impl Certified {
     fn new<M: Metric<D> + 'static, const D: usize>(
         name: &'static str,
         metric: M,
-        (on, domain): (&'static str, Domain<D>),
+        (on, domain): (String, Domain<D>),
         constants: Constants,
         exact: [bool; 4],
     ) -> Self {
@@ -74,47 +69,45 @@ impl Certified {
     }
 }
 
-/// All of space: a period, or a box outside of which the metric settles.
-fn space<const D: usize>(
+/// All of space, by periods or because the metric settles; the cell, if it does neither.
+fn domain<const D: usize>(
     metric: &impl Metric<D>,
-) -> Result<(&'static str, Domain<D>), CertifyError> {
+    [low, high]: [[f64; D]; 2],
+) -> Result<(String, Domain<D>), Failure> {
     let space = Domain::space(metric);
     if space.is_all_of_space() {
-        return Ok(("a period", space));
+        return Ok(("a period".to_owned(), space));
     }
-    Ok(("space, as it settles", Domain::settled_space(metric)?))
+    if let Ok(space) = Domain::settled_space(metric) {
+        return Ok(("space, as it settles".to_owned(), space));
+    }
+    let label = format!("$\\lvert x_i \\rvert \\le {}$", high[0]);
+    Ok((label, Domain::cell(Cell::new(low, high)?)))
 }
 
 /// A metric with constants on all of space.
 fn global<M: Bounded<D> + 'static, const D: usize>(
     name: &'static str,
     metric: M,
+    cell: [[f64; D]; 2],
     exact: [bool; 4],
 ) -> Result<Certified, Failure> {
-    let (domain, constants) = (space(&metric)?, metric.constants());
+    let (domain, constants) = (domain(&metric, cell)?, metric.constants());
     Ok(Certified::new(name, metric, domain, constants, exact))
 }
 
-/// A metric with constants on balls.
+/// A metric with constants on balls, all exact, in a ball about the origin.
 fn local<M: LocallyBounded<2> + 'static>(
     name: &'static str,
     metric: M,
-    on: &'static str,
-    (centre, radius): ([f64; 2], f64),
-    exact: [bool; 4],
+    radius: f64,
+    shown: &str,
 ) -> Result<Certified, Failure> {
-    let constants = metric.constants_within(&centre.into(), radius)?;
-    let ball = Domain::ball(centre, radius)?;
-    Ok(Certified::new(name, metric, (on, ball), constants, exact))
+    let constants = metric.constants_within(&[0.0, 0.0].into(), radius)?;
+    let on = format!("$\\lvert x \\rvert \\le {shown}$");
+    let ball = Domain::ball([0.0, 0.0], radius)?;
+    Ok(Certified::new(name, metric, (on, ball), constants, [true; 4]))
 }
-
-const ALL: [bool; 4] = [true; 4];
-const BUT_M_H: [bool; 4] = [true, true, true, false];
-const BUT_L_H: [bool; 4] = [true, true, false, true];
-const EIGENVALUES: [bool; 4] = [true, true, false, false];
-/// The eigenvalues are stated with a margin for rounding.
-const DERIVATIVES: [bool; 4] = [false, false, true, true];
-const NONE: [bool; 4] = [false; 4];
 
 /// Returns the accuracy of a search: a thousandth, and a hundredth for `M_H`, which costs most.
 pub(crate) fn accuracy(quantity: Quantity) -> Accuracy {
@@ -122,60 +115,23 @@ pub(crate) fn accuracy(quantity: Quantity) -> Accuracy {
     Accuracy { tolerance, ..Accuracy::default() }
 }
 
-/// Returns the metrics of the gallery in at most three dimensions.
+macro_rules! rows {
+    ($(
+        $id:ident: $name:literal, $metric:expr, dimension $D:literal, in $cell:expr,
+        exact $exact:expr $(, with $distances:ident)?;
+    )*) => { vec![$(global::<_, $D>($name, $metric?, $cell, $exact)?),*] };
+}
+
+/// Returns the samples of the gallery, and the metrics with constants on balls before their patches.
 pub(crate) fn gallery() -> Result<Vec<Certified>, Failure> {
-    let matrix = SMatrix::<f64, 2, 2>::new(2.0, 1.0, 1.0, 2.0);
-    let one = Obstacle { centre: [0.0, 0.0].into(), height: 2.0, width: 0.5 };
-    let two = Obstacle { centre: [1.0, 1.0].into(), height: 1.0, width: 0.7 };
-    let sine = |wave_vector: [f64; 2], direction: [f64; 2]| SineProjection {
-        wave_vector: SVector::from(wave_vector),
-        direction: SVector::from(direction),
-    };
-    let sines =
-        SineProjections::new(vec![sine([1.0, 0.0], [1.0, 0.5]), sine([1.0, 1.0], [0.0, 1.0])])?;
-    let decoder = decoder()?;
-    let decoded = Domain::cell(Cell::new([-6.0, -6.0], [6.0, 6.0])?);
-    let stated = Bounded::<2>::constants(&decoder);
-    Ok(vec![
-        global("constant", Constant::new(matrix)?, DERIVATIVES)?,
-        global::<_, 1>("valleys", Valleys, ALL)?,
-        global::<_, 2>("valleys", Valleys, ALL)?,
-        global::<_, 3>("valleys", Valleys, ALL)?,
-        global("ramp", Ramp::new(0.5, 1.0)?, BUT_M_H)?,
-        global("separable", Separable::new([0.3, 0.5], [1.0, 2.0])?, ALL)?,
-        global("shear", Shear::new(0.5, 1.0)?, ALL)?,
-        global::<_, 2>("lens", Lens::new(1.0, 0.5)?, ALL)?,
-        global::<_, 3>("lens", Lens::new(1.0, 0.5)?, ALL)?,
-        global::<_, 2>("bump", Bump::new(1.0, 0.5)?, BUT_L_H)?,
-        global::<_, 2>("hill", Hill::new(0.5, 0.5)?, ALL)?,
-        global("soft obstacles", SoftObstacles::new(vec![one, two])?, NONE)?,
-        global("swirl", Swirl::new(1.0, 0.5)?, EIGENVALUES)?,
-        global("egg crate", EggCrate::new(0.5, 1.0)?, ALL)?,
-        global::<_, 2>("corrugated", Corrugated::new(0.5, 1.0)?, ALL)?,
-        global("checkerboard", Checkerboard::new(2.0, 1.0)?, ALL)?,
-        global("two channels", TwoChannels::new(2.0, 1.0, 0.5)?, EIGENVALUES)?,
-        global("rotating anisotropy", RotatingAnisotropy::new([1.0, 4.0], [0.5, 1.5])?, ALL)?,
-        global("two-link arm", TwoLinkArm::new(4.0, 0.8, 1.0)?, ALL)?,
-        global("coupled cosines", CoupledCosines, BUT_M_H)?,
-        global("sine projections", sines, NONE)?,
-        local("sphere", Sphere, "$\\lvert x \\rvert \\le 1$", ([0.0, 0.0], 1.0), ALL)?,
-        local("hyperbolic", Hyperbolic, "$\\lvert x \\rvert \\le 1/2$", ([0.0, 0.0], 0.5), ALL)?,
-        local(
-            "Gaussian Fisher",
-            GaussianFisher,
-            "$\\lvert x \\rvert \\le 3/4$",
-            ([0.0, 0.0], 0.75),
-            ALL,
-        )?,
-        global::<_, 2>("sphere patch", SpherePatch::new(1.0)?, EIGENVALUES)?,
-        global::<_, 2>("hyperbolic patch", HyperbolicPatch::new(0.5)?, EIGENVALUES)?,
-        global("Gaussian Fisher patch", GaussianFisherPatch::new(0.75)?, EIGENVALUES)?,
-        Certified::new(
-            "tanh decoder",
-            decoder,
-            ("$\\lvert x_i \\rvert \\le 6$", decoded),
-            stated,
-            NONE,
-        ),
-    ])
+    let mut gallery = for_each_sample!(rows);
+    let balls = [
+        local("sphere", Sphere, 1.0, "1")?,
+        local("hyperbolic", Hyperbolic, 0.5, "1/2")?,
+        local("Gaussian Fisher", GaussianFisher, 0.75, "3/4")?,
+    ];
+    let patches = gallery.iter().position(|row| row.metric == "sphere patch");
+    let patches = patches.unwrap_or(gallery.len());
+    gallery.splice(patches..patches, balls);
+    Ok(gallery)
 }

@@ -44,7 +44,7 @@ fn data(_sweep: Sweep) -> Result<Data, Failure> {
                 found.upper.to_string(),
                 found.boxes.to_string(),
                 if exact { "exact" } else { "a bound" }.to_owned(),
-                metric.on.to_owned(),
+                metric.on.clone(),
             ]);
         }
     }
