@@ -4,7 +4,6 @@ use std::time::{Duration, Instant};
 
 use tautline::{
     Bounded, CertifiedConstant, CertifyError, Constants, Domain, LocallyBounded, Metric, Quantity,
-    SMatrix,
     certify::{Accuracy, Cell, certify},
     gallery::*,
 };
