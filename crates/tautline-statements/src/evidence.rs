@@ -47,6 +47,12 @@ impl Evidence {
         self
     }
 
+    /// Adds a hypothesis that either holds or fails, without numbers of its own.
+    pub(crate) fn given_that(self, claim: &'static str, holds: bool) -> Self {
+        let failures = if holds { 0.0 } else { 1.0 };
+        self.given(claim, Unit::NONE, [failures, 0.0], 0.0)
+    }
+
     /// Adds a hypothesis that no finite number of evaluations shows, as that a minimiser is global.
     #[must_use]
     pub fn assumed(mut self, claim: &'static str) -> Self {

@@ -33,7 +33,6 @@ pub fn prop_7_1<const D: usize>(
     let c1 = subject.constants(metric).c1();
     let gram = GramRange::along(metric, nodes(minimiser).chain(nodes(other)))?;
     let bounded = sets.iter().find(|set| set.radius().is_some_and(f64::is_finite));
-    let unbounded = if bounded.is_some() { 0.0 } else { 1.0 };
     let differ = minimiser.n().get().abs_diff(other.n().get()) as f64;
     // The greatest distance of a sequence from the bounded set.
     let reach = |sequence: &PointSequence<D>| match bounded {
@@ -63,7 +62,7 @@ pub fn prop_7_1<const D: usize>(
     let momentum = 2.0 * (gram.high * least.max(0.0)).sqrt();
     let granted = 1e-14 * (least + energy) + 8.0 * f64::EPSILON * size * momentum;
     Ok(Evidence::of(Statement::Proposition7_1)
-        .given("one of the sets is bounded", Unit::NONE, [unbounded, 0.0], 0.0)
+        .given_that("one of the sets is bounded", bounded.is_some())
         .given("both sequences have the same N", Unit::NONE, [differ, 0.0], 0.0)
         .given("c₁ ≤ λ_min(H)", Unit::GRAM, [c1, gram.low], 1e-14 * gram.high)
         .assumed("c₁ holds elsewhere")

@@ -185,12 +185,11 @@ pub fn prop_4_3<M: KnownGeodesics<D>, const D: usize>(
     let granted = 2.0 * seen.granted_length();
     // The inverse of Exp expands by r / sin r on the sphere, at most 10 for r ≤ 2.85.
     let expanded = 10.0 * granted * v.norm() / radius;
-    let unbounded = if ball.is_finite() { 0.0 } else { 1.0 };
     // The rounding of an arc tangent, and of an x on the boundary of the ball.
     let normal = metric.normal_radius(x);
     let rounding = 16.0 * f64::EPSILON * if normal.is_finite() { normal } else { 0.0 };
     Ok(Evidence::of(Statement::Proposition4_3)
-        .given("K is bounded", Unit::NONE, [unbounded, 0.0], 0.0)
+        .given_that("K is bounded", ball.is_finite())
         .given("x ∈ K", Unit::COORDINATE, [x.norm(), ball], 4.0 * f64::EPSILON * x.norm())
         .given("|v| < ε", Unit::LENGTH, [radius, epsilon], 0.0)
         .stated("ε ≤ the normal radius of x", Unit::LENGTH, [epsilon, normal], rounding)

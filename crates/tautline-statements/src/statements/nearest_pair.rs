@@ -130,7 +130,6 @@ fn off_limits<const D: usize>(
 #[doc(alias = "prop:bounded_2sets_min")]
 #[must_use]
 pub fn prop_6_2<const D: usize>(pair: &NearestPair<D>, c1: f64) -> Evidence {
-    let unbounded = if pair.radius.is_some() { 0.0 } else { 1.0 };
     let size = largest(pair.points.iter().map(|x| x.norm()));
     let [apart, distance] = pair.lengths;
     let d2 = distance.powi(2) + pair.excess;
@@ -145,7 +144,7 @@ pub fn prop_6_2<const D: usize>(pair: &NearestPair<D>, c1: f64) -> Evidence {
     let mut evidence = pair
         .way_out
         .given_longer(evidence, [apart, long])
-        .given("one of the sets is bounded", Unit::NONE, [unbounded, 0.0], 0.0)
+        .given_that("one of the sets is bounded", pair.radius.is_some())
         .given("the sets are closed", Unit::COORDINATE, [pair.off_limits, 0.0], 1e-13 * size)
         .given("c₁ ≤ λ_min(H) at x and y", Unit::GRAM, [c1, pair.lowest], 1e-14 * pair.lowest)
         .given("x ∈ X⁽⁰⁾ and y ∈ X⁽¹⁾", Unit::COORDINATE, [pair.off_sets, 0.0], 1e-13 * size)

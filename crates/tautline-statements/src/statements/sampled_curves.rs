@@ -99,8 +99,8 @@ pub fn prop_7_6<const D: usize>(
     let pointwise = |rule| pointwise_rise(constants, rule, a1, a2, n);
     let evidence = Evidence::of(Statement::Proposition7_6).given_constants(constants, &seen.gram);
     let evidence = without_kinks(evidence, curve);
-    let stated = ("|E − E_tra,N| ≤ C_tra(N)", [rise.abs(), bound]);
-    let evidence = evidence.stated(stated.0, Unit::ENERGY, stated.1, seen.granted);
+    let (claim, numbers) = ("|E − E_tra,N| ≤ C_tra(N)", [rise.abs(), bound]);
+    let evidence = evidence.stated(claim, Unit::ENERGY, numbers, seen.granted);
     let companions = [
         ("E_tra,N − E ≤ L_H K₁²(K₁ + K₂/√3)/2N", rise, sampling_rise(constants, k1, k2, n)),
         (

@@ -29,13 +29,10 @@ pub(super) fn begin<const D: usize>(
     rule: PaperRule,
     premise: f64,
 ) -> Evidence {
-    let another_rule = if seen.rule == rule { 0.0 } else { 1.0 };
     let evidence = Evidence::of(statement);
-    let evidence =
-        evidence.given("the rule is that of the theorem", Unit::NONE, [another_rule, 0.0], 0.0);
-    let (claim, numbers) =
-        ("E_N ≤ what the proof has for the minimum", [seen.discrete_energy, premise]);
-    admitted(evidence, seen).given(claim, Unit::ENERGY, numbers, seen.granted)
+    let evidence = evidence.given_that("the rule is that of the theorem", seen.rule == rule);
+    let (claim, energy) = ("E_N ≤ what the proof has for the minimum", seen.discrete_energy);
+    admitted(evidence, seen).given(claim, Unit::ENERGY, [energy, premise], seen.granted)
 }
 
 /// Adds the hypotheses on the metric, and that the ends lie in their sets.

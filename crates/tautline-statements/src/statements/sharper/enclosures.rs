@@ -81,7 +81,6 @@ pub fn prop_s_7<const D: usize>(
 ) -> Result<Evidence, VerifyError> {
     let (n, constants) = (x.n(), subject.constants(metric));
     let other_ends = (x.first() - y.first()).norm().max((x.last() - y.last()).norm());
-    let as_many = if y.n() == n { 0.0 } else { 1.0 };
     let points = x.points().iter().zip(y.points()).map(|(x, y)| (x + y) * 0.5);
     let middle = PointSequence::new(points.collect())?;
     let [of_x, of_y, of_middle] =
@@ -95,7 +94,7 @@ pub fn prop_s_7<const D: usize>(
     let both = greatest(x).max(greatest(y));
     let mut evidence = Evidence::of(Statement::PropositionS7)
         .given("the ends are the same", Unit::COORDINATE, [other_ends, 0.0], 0.0)
-        .given("N is the same", Unit::NONE, [as_many, 0.0], 0.0);
+        .given_that("N is the same", y.n() == n);
     for sequence in [x, y, &middle] {
         evidence = evidence.given_constants(constants, &GramRange::along(metric, nodes(sequence))?);
         if let Some(m_h) = constants.m_h() {
@@ -107,8 +106,7 @@ pub fn prop_s_7<const D: usize>(
     let sum = of_x + of_y + of_middle;
     let momentum = 2.0 * (constants.c2() * sum).sqrt();
     let granted = 1e-14 * sum + 8.0 * f64::EPSILON * size * momentum;
-    let equal = if apart > 0.0 { 0.0 } else { 1.0 };
-    evidence = evidence.given("x ≠ y", Unit::NONE, [equal, 0.0], 0.0);
+    evidence = evidence.given_that("x ≠ y", apart > 0.0);
     if let Some(modulus) = subject.convexity_modulus(constants, rule, both, n) {
         let convexity = 4.0 * (0.5 * (of_x + of_y) - of_middle) / apart;
         let claim = "σ ≤ the convexity of E from x to y";
