@@ -2,14 +2,16 @@
 
 use tautline_scalar::Scalar;
 
-use super::{Problem, TextError, parser::Parser, token::Token, value::Value};
+use super::{
+    Problem, TextError,
+    parser::{Parser, STEP},
+    token::Token,
+    value::Value,
+};
 use crate::{operation::Function, recording::Symbol};
 
 /// The most levels of brackets, each of which takes stack.
 const DEEPEST: usize = 128;
-
-/// The function that makes a step of a number.
-pub(super) const STEP: &str = "number";
 
 impl Parser<'_> {
     pub(super) fn expression(&mut self) -> Result<Value, TextError> {

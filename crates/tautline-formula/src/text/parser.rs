@@ -4,7 +4,6 @@ use std::{collections::HashMap, ops::Range};
 
 use super::{
     Problem, TextError,
-    expression::STEP,
     form::{Form, form},
     token::{Token, Tokens},
     value::Value,
@@ -14,6 +13,9 @@ use crate::{
     operation::Function,
     recording::{Symbol, record},
 };
+
+/// The function that makes a step of a number.
+pub(super) const STEP: &str = "number";
 
 impl<const D: usize> Formula<D> {
     /// Parses a formula, with values for named parameters.
