@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use tautline::{
-    Ball, Ends, HalfSpace, KnownDistance, LeftEndpoint, Options, PointSequence, Problem, Rule,
-    RuleOfThePaper, Starts, TautLine, Trapezoidal,
+    Ball, Bounded, Ends, HalfSpace, KnownDistance, LeftEndpoint, Options, PointSequence, Problem,
+    Rule, RuleOfThePaper, Starts, TautLine, Trapezoidal,
     bounds::{Enclosure, FromAbove, FromBelow},
     gallery::{Constant, Separable, Shear, Valleys},
 };
@@ -40,26 +40,33 @@ fn the_errors_of_both_quadratures_are_in_the_upper_bound() {
     }
 }
 
+/// A line through the given points, without a search.
+fn given<M: Bounded<D>, R: RuleOfThePaper, const D: usize>(
+    metric: M,
+    rule: R,
+    ends: Ends<D>,
+    points: Vec<[f64; D]>,
+) -> TautLine<M, R, D> {
+    let n = points.len() - 1;
+    let start = PointSequence::new(points.into_iter().map(Into::into).collect()).expect("finite");
+    let options =
+        Options { starts: Starts::Only(vec![start]), iterations: 0, ..Options::default() };
+    Problem::new(metric, ends).solve_with(rule, n, &options).expect("a metric")
+}
+
 /// A straight line between `a` and `b` plus half a sine wave, without a search.
-fn waved<M, R: RuleOfThePaper, const D: usize>(
+fn waved<M: Bounded<D>, R: RuleOfThePaper, const D: usize>(
     metric: M,
     rule: R,
     n: usize,
     [a, b, by]: [[f64; D]; 3],
-) -> TautLine<M, R, D>
-where
-    M: tautline::Bounded<D>,
-{
+) -> TautLine<M, R, D> {
     let at = |k: usize| {
         let t = k as f64 / n as f64;
         let sine = if k == 0 || k == n { 0.0 } else { (PI * t).sin() };
-        std::array::from_fn(|i| a[i] * (1.0 - t) + b[i] * t + by[i] * sine).into()
+        std::array::from_fn(|i| a[i] * (1.0 - t) + b[i] * t + by[i] * sine)
     };
-    let start = PointSequence::new((0..=n).map(at).collect()).expect("finite");
-    let options =
-        Options { starts: Starts::Only(vec![start]), iterations: 0, ..Options::default() };
-    let ends = Ends::points(a, b).expect("finite");
-    Problem::new(metric, ends).solve_with(rule, n, &options).expect("solved")
+    given(metric, rule, Ends::points(a, b).expect("finite"), (0..=n).map(at).collect())
 }
 
 /// Under `H = 4 I` the energy is quadratic, and a wave exceeds the minimum `d²` by exactly
@@ -102,19 +109,6 @@ fn the_residual_of_a_line_that_is_not_optimised_enters_the_lower_bound() {
     assert!(enclosure.lower < left.lower, "{enclosure:?}, {left:?}");
 }
 
-/// A line through the given points, without a search.
-fn given<M: tautline::Bounded<D>, const D: usize>(
-    metric: M,
-    ends: Ends<D>,
-    points: Vec<[f64; D]>,
-) -> TautLine<M, Trapezoidal, D> {
-    let n = points.len() - 1;
-    let start = PointSequence::new(points.into_iter().map(Into::into).collect()).expect("finite");
-    let options =
-        Options { starts: Starts::Only(vec![start]), iterations: 0, ..Options::default() };
-    Problem::new(metric, ends).solve_with(Trapezoidal, n, &options).expect("a metric")
-}
-
 /// The trapezoidal rule is symmetric, and so are its bounds: the longest chord counts wherever it
 /// is, and the residual at each inner point.
 #[test]
@@ -136,7 +130,7 @@ fn a_line_and_its_reverse_have_the_same_enclosure() {
     for points in lines {
         let enclosure = |points: Vec<[f64; 2]>| {
             let ends = Ends::points(points[0], points[points.len() - 1]).expect("finite");
-            given(shear, ends, points).enclosure().expect("finite")
+            given(shear, Trapezoidal, ends, points).enclosure().expect("finite")
         };
         let there = enclosure(points.clone());
         let back = enclosure(points.into_iter().rev().collect());
@@ -158,14 +152,14 @@ fn the_gap_between_the_ends_of_a_line_is_not_the_gap_of_its_sets() {
     let ball = Ball::new([0.0, 0.0], 1.0).expect("a radius");
     let wall = HalfSpace::at_least([1.0, 0.0], 3.0).expect("a normal");
     let ends = Ends::new(ball, wall).expect("one bounded");
-    let line = given(flat, ends, vec![[0.0, 1.0], [1.0, 2.0], [3.0, 5.0]]);
+    let line = given(flat, Trapezoidal, ends, vec![[0.0, 1.0], [1.0, 2.0], [3.0, 5.0]]);
     let enclosure = line.enclosure().expect("finite");
     assert!(enclosure.upper > 24.0, "{enclosure:?}");
     assert_ne!(enclosure.from_below, FromBelow::Euclidean);
     assert!(enclosure.lower <= 4.0 || enclosure.assumes_global_minimum, "{enclosure:?}");
     // Between two points it bounds d².
     let ends = Ends::points([0.0, 1.0], [3.0, 5.0]).expect("finite");
-    let line = given(flat, ends, vec![[0.0, 1.0], [1.0, 2.0], [3.0, 5.0]]);
+    let line = given(flat, Trapezoidal, ends, vec![[0.0, 1.0], [1.0, 2.0], [3.0, 5.0]]);
     assert!(line.enclosure().expect("finite").lower >= 25.0 * (1.0 - 1e-14));
 }
 
