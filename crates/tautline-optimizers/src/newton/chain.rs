@@ -19,13 +19,6 @@ use crate::newton::{
     two_threads::join,
 };
 
-/// Whether both sides of an elimination share the lanes of a register, one chord of each at a time.
-/// Up to three dimensions the matrices stay in registers, and this is faster than one side after
-/// the other.
-pub(crate) const fn goes_in_lanes(dimension: usize) -> bool {
-    dimension < 4
-}
-
 /// A point sequence, and what its elimination reads.
 pub(crate) struct Chain<'a, const D: usize> {
     pub(crate) energy: &'a DiscreteEnergy<'a, D>,

@@ -5,15 +5,9 @@ use tautline_discretizations::PointSequence;
 use tautline_sets::ClosedSet;
 
 use crate::newton::{
-    chain::{Chain, goes_in_lanes},
-    discrete_energy::DiscreteEnergy,
-    end_frame::EndFrame,
-    factorization::Regulariser,
-    magnitude::Magnitude,
-    residual::Residual,
-    rounding::margin,
-    stationarity::Stationarity,
-    twisted_factorization::TwistedFactorization,
+    chain::Chain, discrete_energy::DiscreteEnergy, end_frame::EndFrame, factorization::Regulariser,
+    magnitude::Magnitude, residual::Residual, rounding::margin, stationarity::Stationarity,
+    twisted_factorization::TwistedFactorization, two_threads::goes_in_lanes,
 };
 
 /// The result of one pass over the chords, for a positive definite Hessian.

@@ -1,8 +1,13 @@
-//! Two halves of a computation, on one thread or on two.
+//! Two halves of a computation: in the lanes of a register, one after the other, or on two threads.
 
 use std::{panic::resume_unwind, thread};
 
-use crate::newton::chain::goes_in_lanes;
+/// Whether both sides of an elimination share the lanes of a register, one chord of each at a time.
+/// Up to three dimensions the matrices stay in registers, and this is faster than one side after
+/// the other.
+pub(crate) const fn goes_in_lanes(dimension: usize) -> bool {
+    dimension < 4
+}
 
 /// The stack of the second thread, in bytes. In many dimensions it holds matrices of jets, 8 MB at
 /// `D = 64`. Only the part that is used becomes memory.

@@ -13,7 +13,7 @@ use crate::{
     },
     search::{
         damping::{Damping, LAST_SHIFT},
-        local_search::LocalSearch,
+        local_search::{LocalSearch, Next},
     },
 };
 
@@ -36,21 +36,6 @@ const ESCAPES: usize = 8;
 /// most negative curvature: shifted steps near a saddle are slow, and on an axis of symmetry no
 /// component of them leads away from it.
 const PATIENCE: usize = 5;
-
-/// What to do after an iterate.
-pub(crate) enum Next<const D: usize> {
-    /// Go on from these points.
-    Move(Vec<SVector<f64, D>>),
-    /// End here.
-    End { stop: Stop, curvature: Curvature, decrement: f64 },
-    /// End at these points, one small Newton step after a positive definite Hessian.
-    EndAt {
-        points: Vec<SVector<f64, D>>,
-        energy: f64,
-        gradient: Vec<SVector<f64, D>>,
-        decrement: f64,
-    },
-}
 
 impl<const D: usize> LocalSearch<'_, D> {
     /// Returns the next iterate, and adapts the damping.

@@ -14,7 +14,7 @@ use crate::{
         residual::Residual,
         rounding::{is_rounding, margin},
     },
-    search::{damped_step::Next, damping::Damping},
+    search::damping::Damping,
 };
 
 /// One problem on one grid.
@@ -41,6 +41,21 @@ pub(crate) struct Found<const D: usize> {
     pub(crate) iterations: usize,
     /// The relative decrement at the start.
     pub(crate) from: f64,
+}
+
+/// What to do after an iterate.
+pub(crate) enum Next<const D: usize> {
+    /// Go on from these points.
+    Move(Vec<SVector<f64, D>>),
+    /// End here.
+    End { stop: Stop, curvature: Curvature, decrement: f64 },
+    /// End at these points, one small Newton step after a positive definite Hessian.
+    EndAt {
+        points: Vec<SVector<f64, D>>,
+        energy: f64,
+        gradient: Vec<SVector<f64, D>>,
+        decrement: f64,
+    },
 }
 
 impl<const D: usize> Found<D> {

@@ -5,8 +5,11 @@ use tautline_discretizations::PointSequence;
 use crate::{
     Curvature, Stop, Workspace,
     newton::{
-        chain::goes_in_lanes, newton_pass::NewtonPass, rounding::margin,
-        stationarity::Stationarity, sweep::sweep, two_threads::share,
+        newton_pass::NewtonPass,
+        rounding::margin,
+        stationarity::Stationarity,
+        sweep::sweep,
+        two_threads::{goes_in_lanes, share},
     },
     search::local_search::{Found, LocalSearch},
 };

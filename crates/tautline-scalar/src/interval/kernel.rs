@@ -2,8 +2,6 @@
 
 use std::fmt::Debug;
 
-use super::{arctangent, circular, exponential, hyperbolic, logarithm};
-
 mod sealed {
     pub trait Sealed {}
     impl Sealed for super::Rigorous {}
@@ -48,31 +46,3 @@ pub trait Kernel: sealed::Sealed + Copy + Debug + PartialEq + Send + Sync + 'sta
 /// relative near zeros too: nothing cancels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rigorous;
-
-macro_rules! by_module {
-    ($($module:ident::$function:ident;)*) => {$(
-        #[inline]
-        fn $function(x: f64) -> (f64, f64) {
-            $module::$function(x)
-        }
-    )*};
-}
-
-impl Kernel for Rigorous {
-    by_module! {
-        exponential::exp;
-        logarithm::ln;
-        circular::sin;
-        circular::cos;
-        circular::tan;
-        arctangent::atan;
-        hyperbolic::sinh;
-        hyperbolic::cosh;
-        hyperbolic::tanh;
-    }
-
-    #[inline]
-    fn sin_cos(x: f64) -> ((f64, f64), (f64, f64)) {
-        circular::sin_cos(x)
-    }
-}

@@ -26,6 +26,7 @@ mod kernel;
 mod logarithm;
 mod powers;
 mod quarter_turns;
+mod rigorous;
 mod series;
 
 pub use enclosure::{Enclosure, Interval};

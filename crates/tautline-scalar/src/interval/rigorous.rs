@@ -1,0 +1,31 @@
+//! The rigorous kernel: each function by the file of its name.
+
+use super::{Kernel, Rigorous, arctangent, circular, exponential, hyperbolic, logarithm};
+
+macro_rules! by_module {
+    ($($module:ident::$function:ident;)*) => {$(
+        #[inline]
+        fn $function(x: f64) -> (f64, f64) {
+            $module::$function(x)
+        }
+    )*};
+}
+
+impl Kernel for Rigorous {
+    by_module! {
+        exponential::exp;
+        logarithm::ln;
+        circular::sin;
+        circular::cos;
+        circular::tan;
+        arctangent::atan;
+        hyperbolic::sinh;
+        hyperbolic::cosh;
+        hyperbolic::tanh;
+    }
+
+    #[inline]
+    fn sin_cos(x: f64) -> ((f64, f64), (f64, f64)) {
+        circular::sin_cos(x)
+    }
+}
