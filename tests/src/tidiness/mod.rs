@@ -1,8 +1,9 @@
-//! The invariants of the architecture, as tests: what a source file may contain, and which crate
-//! may depend on which.
+//! The invariants of the architecture, as tests: what a source file may contain, how large a crate
+//! and a folder may become, and which crate may depend on which.
 
 mod ledger;
 mod manifest;
+mod sizes;
 mod sources;
 mod workspace;
 

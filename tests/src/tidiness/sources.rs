@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::{crates, files, read, root};
 
-fn all_sources() -> Vec<PathBuf> {
+pub(super) fn all_sources() -> Vec<PathBuf> {
     let folders = ["benches", "crates", "paper", "peers", "tests", "xtask"];
     folders.iter().flat_map(|folder| files(&root().join(folder), "rs")).collect()
 }
