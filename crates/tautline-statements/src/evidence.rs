@@ -84,13 +84,9 @@ impl Evidence {
         [one, other]: [f64; 2],
         granted: f64,
     ) -> Self {
-        self.concluded(Source::Identity, claim, unit, [one, other], granted).concluded(
-            Source::Identity,
-            reverse,
-            unit,
-            [other, one],
-            granted,
-        )
+        let source = Source::Identity;
+        let at_most = self.concluded(source, claim, unit, [one, other], granted);
+        at_most.concluded(source, reverse, unit, [other, one], granted)
     }
 
     fn concluded(

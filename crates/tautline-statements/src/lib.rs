@@ -35,7 +35,8 @@
 //! | 9, excess of length | two curves, or a [`Reconstruction`] | [`prop_9_1`], [`remark_9_2`] |
 //!
 //! A [`Subject`] is the implementation under test: [`LIBRARY`], or the library with the mistake of
-//! a [`Mutant`]. [`curves`] are those of Sections 3, 4, 6 and 7; [`witnesses`] are near equality.
+//! a [`Mutant`]. [`curves`] has the curves of Sections 3, 4, 6 and 7, [`witnesses`] the cases near
+//! equality.
 
 pub mod curves;
 mod errata;

@@ -24,7 +24,7 @@ pub fn discrete_energy<const D: usize>(
 /// One solve: the numbers for Theorems 1.1 to 1.4 and Sections 6 to 9.
 #[derive(Clone, Debug)]
 pub struct Reconstruction<const D: usize> {
-    /// The rule whose discrete energy was minimised.
+    /// The rule of the minimised discrete energy.
     pub rule: PaperRule,
     /// Constants, distance and dimension.
     pub setting: Setting,

@@ -53,7 +53,7 @@ mod tests {
         assert!((velocity.value - (13.0_f64 / 3.0).sqrt()).abs() <= velocity.error);
         assert!(velocity.error <= 1e-13);
         assert!((l2_norm(&curve, 2, [0.25, 0.5]).value - 1.0).abs() <= 1e-14);
-        // sin πt has ∫ = ½ of its square, and π² times that of its derivative.
+        // ∫ sin² πt = ½, and ∫ of the squared derivative is π²/2.
         let wave = SmoothCurve::new(Vec::new(), vec![[vector![0.0], vector![1.0]]]);
         assert!((l2_norm(&wave, 1, [0.0, 1.0]).value - PI / 2_f64.sqrt()).abs() <= 1e-13);
         // 4 on [0, ¼], then 0: ∫ of the square is 4, and 2 from ⅛ on.

@@ -19,7 +19,7 @@ use crate::mutants::Mutant;
 /// A change replaces entries in the [table of bounds](Bounds), or makes the mistake of a [`Mutant`]
 /// in programs that are generic in the dimension.
 ///
-/// Units: those of the functions that are called.
+/// The units are those of the functions called.
 #[derive(Debug)]
 pub struct Subject {
     bounds: Bounds,

@@ -1,4 +1,4 @@
-//! Witnesses: metrics and curves near equality, or for which a statement needs a hypothesis.
+//! Witnesses: metrics and curves where a statement is near equality, or fails without a hypothesis.
 
 mod incline;
 mod incline_geodesic;
