@@ -1,4 +1,4 @@
-//! Layers: metrics `f² I` whose `f ≥ 1` depends on one coordinate only, and Clairaut's relation.
+//! Layers: metrics `f² I` with `f ≥ 1` a function of one coordinate, and Clairaut's relation.
 
 use crate::quadrature::{Integral, integrate};
 

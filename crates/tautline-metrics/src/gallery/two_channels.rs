@@ -62,7 +62,7 @@ impl TwoChannels {
 // That is at most 1 if t = U + V ≤ 1. Else u²U = −2U ln U ≤ 2 (1 − U) and UV ≥ t − 1 make it at
 // most 2 − t + 2 (t − 1)(2 − t) = (2 − t)(2t − 1) ≤ 9/8.
 
-/// A bound of `|ψ′|` over `x₂`, for `s = 1` and channels which are `gap = 2b` apart.
+/// A bound on `|ψ′|` over `x₂`, for `s = 1` and channels `gap = 2b` apart.
 fn steepest(gap: f64) -> f64 {
     // |uU| ≤ e^{−1/2}, attained at |u| = 1. Between the channels the terms of ψ′ have opposite
     // signs, and each is at most that. Beyond them (say u ≥ 0) v = u + gap, so that the second is

@@ -7,6 +7,7 @@ mod decoder;
 mod distances;
 mod flags;
 mod full_matrices;
+mod golden;
 mod hold;
 mod known;
 mod lines;
