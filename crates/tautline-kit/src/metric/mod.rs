@@ -9,6 +9,7 @@
 
 mod case;
 mod claims;
+mod distances;
 mod extreme;
 mod formula;
 mod memory;

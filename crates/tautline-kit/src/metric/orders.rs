@@ -3,11 +3,7 @@
 use tautline::Bounded;
 use tautline_statements::{LIBRARY, PaperRule, Reconstruction, VerifyError};
 
-use super::{
-    Case,
-    formula::on_winding,
-    problems::{Posed, estimated},
-};
+use super::{Case, distances::estimated, formula::on_winding, problems::Posed};
 use crate::{
     Fault,
     margin::IDLE,

@@ -8,7 +8,7 @@ use tautline::{
 };
 
 use super::{Mutant, with_l_h};
-use crate::subject::Bounds;
+use crate::replaceable::Bounds;
 
 pub(super) fn replace(mutant: Mutant, table: &mut Bounds) {
     match mutant {

@@ -13,7 +13,7 @@ use tautline::Constants;
 
 pub use mutant::Mutant;
 
-use crate::subject::{Bounds, GENUINE};
+use crate::replaceable::{Bounds, GENUINE};
 
 impl Mutant {
     /// Returns the table of bounds, with the mistake if it is in one of them.

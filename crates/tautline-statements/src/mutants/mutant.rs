@@ -1,6 +1,6 @@
 //! `Mutant`: the library with one deliberate mistake.
 
-use crate::subject::Program;
+use crate::replaceable::Program;
 
 /// Makes the enum of all mutants from their table: the name, the programs that are wrong (for the
 /// others, entries of [`Bounds`](crate::Bounds) are replaced), and the mistake.

@@ -3,7 +3,7 @@
 use tautline::bounds;
 
 use super::Mutant;
-use crate::subject::Bounds;
+use crate::replaceable::Bounds;
 
 pub(super) fn replace(mutant: Mutant, table: &mut Bounds) {
     match mutant {

@@ -5,7 +5,7 @@ use std::num::NonZeroUsize;
 use tautline::bounds::{self, PaperRule, Spread};
 
 use super::Mutant;
-use crate::subject::Bounds;
+use crate::replaceable::Bounds;
 
 /// Puts a mistake on both spreads. A macro, since a function in the table captures nothing.
 macro_rules! replace_moments {

@@ -5,7 +5,7 @@ use std::num::NonZeroUsize;
 use tautline::bounds::{self, PaperRule, Setting};
 
 use super::Mutant;
-use crate::subject::Bounds;
+use crate::replaceable::Bounds;
 
 pub(super) fn replace(mutant: Mutant, table: &mut Bounds) {
     match mutant {

@@ -1,17 +1,14 @@
 //! `Subject`: the implementation under test, the library or a mutant.
 
-mod asked;
 mod bounds;
 mod programs;
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
-pub use asked::Asked;
-pub use bounds::Bounds;
-pub(crate) use bounds::GENUINE;
-pub(crate) use programs::Program;
-
-use crate::mutants::Mutant;
+use crate::{
+    mutants::Mutant,
+    replaceable::{Asked, Bounds, Program},
+};
 
 /// The implementation under test: discrete energies, reconstructions, solver, constants and bounds.
 ///
@@ -83,7 +80,7 @@ impl From<Mutant> for Subject {
 #[cfg(test)]
 mod tests {
     use super::{Asked, Subject};
-    use crate::Mutant;
+    use crate::{Mutant, replaceable::GENUINE};
 
     /// An entry too many gives checks that cannot see the mutant; one too few, a mutant that
     /// passes.
@@ -104,6 +101,6 @@ mod tests {
             let Asked(replaced) = Subject::from(mutant).replaced();
             assert_eq!(replaced.count_ones() as usize, entries, "{mutant:?}");
         }
-        assert_eq!(Subject::with(super::GENUINE).replaced(), Asked::default());
+        assert_eq!(Subject::with(GENUINE).replaced(), Asked::default());
     }
 }

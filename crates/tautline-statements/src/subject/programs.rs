@@ -20,25 +20,9 @@ use crate::{
         programs::{christoffel_with_wrong_sign, frozen_gradient, without_last_chord},
         solver, with_l_h,
     },
+    replaceable::Program,
     with_rule::with_mistaken_rule,
 };
-
-/// The names of the programs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Program {
-    DiscreteEnergy,
-    DiscreteLength,
-    DiscreteSpeeds,
-    EnergyGradient,
-    CurveEnergy,
-    CurveLength,
-    K3,
-    Christoffel,
-    Project,
-    Minimise,
-    Constants,
-    Competitors,
-}
 
 impl Subject {
     /// Returns the discrete energy of a sequence, in `m²`.

@@ -4,17 +4,17 @@ use super::Program;
 
 /// A set of programs of a subject, one bit each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Asked(pub(super) u64);
+pub struct Asked(pub(crate) u64);
 
 impl Asked {
     /// The number of bits for [`Program`]s; entries of [`Bounds`](super::Bounds) follow.
-    pub(super) const PROGRAMS: usize = 12;
+    pub(crate) const PROGRAMS: usize = 12;
 
     pub(crate) const fn add(&mut self, program: Program) {
         self.0 |= 1 << program as usize;
     }
 
-    pub(super) const fn add_bound(&mut self, entry: usize) {
+    pub(crate) const fn add_bound(&mut self, entry: usize) {
         self.0 |= 1 << (Self::PROGRAMS + entry);
     }
 
