@@ -40,11 +40,9 @@ mod tests {
 
     use super::*;
     use crate::interval::{
-        arctangent, circular,
         directed::two_sum,
-        even_odd, exponential,
+        elementary::{arctangent, circular, even_odd, exponential, logarithm},
         high_precision::{P, RM, at_most, big, constants, error_of_sum},
-        logarithm,
     };
 
     /// The error is so small that `tail ∓ error` rounds to the tail.

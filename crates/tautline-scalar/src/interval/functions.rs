@@ -5,8 +5,8 @@ use num_traits::One;
 use super::{
     Enclosure,
     directed::{mul_down, mul_up, sqrt_down, sqrt_up},
+    elementary::quarter_turns::{LARGEST_ANGLE, QuarterTurns},
     kernel::Kernel,
-    quarter_turns::{LARGEST_ANGLE, QuarterTurns},
 };
 use crate::Scalar;
 

@@ -8,25 +8,17 @@
 //! than `10⁻¹⁴` of the first.
 
 mod approximation;
-mod arctangent;
 mod arithmetic;
-mod circular;
-mod constants;
 mod directed;
+mod elementary;
 mod enclosure;
-mod even_odd;
-mod exponential;
 mod fast;
 mod functions;
 #[cfg(test)]
 mod high_precision;
-mod hyperbolic;
 mod interval_error;
 mod kernel;
-mod logarithm;
 mod powers;
-mod quarter_turns;
-mod rigorous;
 mod series;
 
 pub use enclosure::{Enclosure, Interval};

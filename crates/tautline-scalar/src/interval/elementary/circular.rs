@@ -1,21 +1,20 @@
 //! Sine, cosine and tangent by IEEE operations.
 
 use super::{
-    Interval,
-    approximation::Approximation,
     even_odd::{even, odd},
     quarter_turns::QuarterTurns,
 };
+use crate::interval::{Interval, approximation::Approximation};
 
 /// Below this, `2⁻²⁶`, a function with `f(x) = x + O(x³)` differs from `x` by less than a place.
-pub(super) const TINY: f64 = f64::from_bits((1023 - 26) << 52);
+pub(crate) const TINY: f64 = f64::from_bits((1023 - 26) << 52);
 
 /// Bounds on an odd function with `|x| − |x|³/2 ≤ |f(x)| ≤ |x|`, for `|x| < 2⁻²⁶`.
 ///
 /// `|x|³/2 < 2⁻⁵³ |x|`, and the neighbours of `x` are at least that far away, also below a power of
 /// two; those of a subnormal are farther.
 #[inline]
-pub(super) fn a_little_less(x: f64) -> (f64, f64) {
+pub(crate) fn a_little_less(x: f64) -> (f64, f64) {
     if x == 0.0 {
         (x, x)
     } else if x > 0.0 {
@@ -27,7 +26,7 @@ pub(super) fn a_little_less(x: f64) -> (f64, f64) {
 
 /// Bounds on an odd function with `|x| ≤ |f(x)| ≤ |x| + |x|³/2`, for `|x| < 2⁻²⁶`.
 #[inline]
-pub(super) fn a_little_more(x: f64) -> (f64, f64) {
+pub(crate) fn a_little_more(x: f64) -> (f64, f64) {
     if x == 0.0 {
         (x, x)
     } else if x > 0.0 {
@@ -46,7 +45,7 @@ fn clipped(y: Approximation) -> (f64, f64) {
 
 /// Sine and cosine, for `|x| ≥ 2⁻²⁶`.
 #[inline]
-pub(super) fn approximations(x: f64) -> (Approximation, Approximation) {
+pub(crate) fn approximations(x: f64) -> (Approximation, Approximation) {
     let angle = QuarterTurns::of(x);
     let QuarterTurns { head: h, tail: t, error: e, .. } = angle;
     let (s, c) = (odd(h, t, e, -1.0), even(h, t, e, -1.0));
@@ -60,7 +59,7 @@ pub(super) fn approximations(x: f64) -> (Approximation, Approximation) {
 
 /// Bounds on `sin x` and on `cos x`, for `|x| ≤ 2²⁰`.
 #[inline]
-pub(super) fn sin_cos(x: f64) -> ((f64, f64), (f64, f64)) {
+pub(crate) fn sin_cos(x: f64) -> ((f64, f64), (f64, f64)) {
     if x.abs() < TINY {
         // sin: |x|³/6. cos: 1 − x²/2 ≥ 1 − 2⁻⁵³.
         let below = if x == 0.0 { 1.0 } else { 1.0_f64.next_down() };
@@ -72,13 +71,13 @@ pub(super) fn sin_cos(x: f64) -> ((f64, f64), (f64, f64)) {
 
 /// Bounds on `sin x`, for `|x| ≤ 2²⁰`.
 #[inline]
-pub(super) fn sin(x: f64) -> (f64, f64) {
+pub(crate) fn sin(x: f64) -> (f64, f64) {
     if x.abs() < TINY { a_little_less(x) } else { clipped(one(x, 0)) }
 }
 
 /// Bounds on `cos x`, for `|x| ≤ 2²⁰`.
 #[inline]
-pub(super) fn cos(x: f64) -> (f64, f64) {
+pub(crate) fn cos(x: f64) -> (f64, f64) {
     if x.abs() < TINY { sin_cos(x).1 } else { clipped(one(x, 1)) }
 }
 
@@ -97,7 +96,7 @@ fn one(x: f64, more: i32) -> Approximation {
 
 /// Bounds on `tan x`, for `|x| ≤ 2²⁰`: the quotient of those on sine and cosine.
 #[inline]
-pub(super) fn tan(x: f64) -> (f64, f64) {
+pub(crate) fn tan(x: f64) -> (f64, f64) {
     if x.abs() < TINY {
         // tan x < x + 0.4 x³ there.
         return a_little_more(x);

@@ -3,7 +3,7 @@
 
 /// `π/2 = P₀ + P₁ + P₂ + P₃ + ε` with `0 ≤ P₀ … P₂` of at most 33 bits, multiples of `2⁻³²`, `2⁻⁶⁶`
 /// and `2⁻¹⁰¹`; `P₁ < 2⁻³³`, `P₂ < 2⁻⁶⁸`, `P₃ < 2⁻¹⁰³`, and `|ε| ≤ 2⁻¹⁵⁶`.
-pub(super) const HALF_PI: [f64; 4] = [
+pub(crate) const HALF_PI: [f64; 4] = [
     f64::from_bits(0x3ff9_21fb_5440_0000),
     f64::from_bits(0x3dd0_b461_1a60_0000),
     f64::from_bits(0x3ba3_198a_2e00_0000),
@@ -11,7 +11,7 @@ pub(super) const HALF_PI: [f64; 4] = [
 ];
 
 /// `ln 2 = L₀ + L₁ + ε` with `L₀` a multiple of `2⁻⁴²`, `0 < L₁ < 2⁻⁴²`, and `|ε| ≤ 2⁻⁹⁶`.
-pub(super) const LN_2: [f64; 2] =
+pub(crate) const LN_2: [f64; 2] =
     [f64::from_bits(0x3fe6_2e42_fefa_3800), f64::from_bits(0x3d2e_f357_93c7_6730)];
 
 /// A double, and a second one for the remainder.
@@ -20,7 +20,7 @@ const fn pair(head: u64, tail: u64) -> (f64, f64) {
 }
 
 /// `arctan(j/8)` for `j = 0, …, 8`, each within `2⁻¹⁰⁶` of the sum.
-pub(super) const ARCTAN_OF_EIGHTHS: [(f64, f64); 9] = [
+pub(crate) const ARCTAN_OF_EIGHTHS: [(f64, f64); 9] = [
     pair(0x0000_0000_0000_0000, 0x0000_0000_0000_0000),
     pair(0x3fbf_d5ba_9aac_2f6e, 0xbc4c_d376_8676_0c17),
     pair(0x3fcf_5b75_f92c_80dd, 0x3c68_ab6e_3cf7_afbd),
@@ -33,7 +33,7 @@ pub(super) const ARCTAN_OF_EIGHTHS: [(f64, f64); 9] = [
 ];
 
 /// `π/2 − arctan(j/8)` for `j = 0, …, 8`, each within `2⁻¹⁰⁶` of the sum.
-pub(super) const ARCCOT_OF_EIGHTHS: [(f64, f64); 9] = [
+pub(crate) const ARCCOT_OF_EIGHTHS: [(f64, f64); 9] = [
     pair(0x3ff9_21fb_5444_2d18, 0x3c91_a626_3314_5c07),
     pair(0x3ff7_249f_aa99_6a21, 0x3c9a_8cc1_e748_0c68),
     pair(0x3ff5_368c_951e_9cfd, 0xbc99_6f47_948a_99f1),

@@ -1,9 +1,11 @@
 //! The arctangent by IEEE operations.
 
 use super::{
-    approximation::Approximation,
     circular::{TINY, a_little_less},
     constants::{ARCCOT_OF_EIGHTHS, ARCTAN_OF_EIGHTHS},
+};
+use crate::interval::{
+    approximation::Approximation,
     directed::two_sum,
     series::{U, horner, over_odd_numbers},
 };
@@ -13,7 +15,7 @@ const COEFFICIENTS: [f64; 7] = over_odd_numbers(1.0);
 
 /// Bounds on `arctan x`.
 #[inline]
-pub(super) fn atan(x: f64) -> (f64, f64) {
+pub(crate) fn atan(x: f64) -> (f64, f64) {
     if x.abs() < TINY {
         // |x|³/3.
         return a_little_less(x);
@@ -44,7 +46,7 @@ pub(super) fn atan(x: f64) -> (f64, f64) {
 /// `2 u (|τ w|/3 · 1.01 + 3 u) ≤ 0.003 u |τ| + 6 u²`, and the error of the constant is `2⁻¹⁰⁶`:
 /// together at most `4 u |τ| + 2⁻¹⁰²`, and `0.67 u` more for `x > 1`, `c > 0`.
 #[inline]
-pub(super) fn of_positive(x: f64) -> Approximation {
+pub(crate) fn of_positive(x: f64) -> Approximation {
     let (tau, (head, low), error) = if x <= 1.0 {
         let j = (8.0 * x).round();
         if j == 0.0 {

@@ -3,7 +3,7 @@
 //! With `S(w) = Σ wʲ/(2j+1)!` and `C(w) = Σ wʲ/(2j)!` we have `sin h = h S(−h²)`, `cos h = C(−h²)`,
 //! `sinh h = h S(h²)` and `cosh h = C(h²)`: one series and one error bound for each pair.
 
-use super::{
+use crate::interval::{
     approximation::Approximation,
     directed::two_sum,
     series::{U, horner, reciprocals_of_factorials},
@@ -29,7 +29,7 @@ const EVEN: [f64; 8] = reciprocals_of_factorials(4, 2);
 /// and `6 u² |h| < 2⁻¹⁰³ |h|`. The derivative is at most 1, so `δ` contributes `e`; for `sinh`,
 /// `e = 0`.
 #[inline]
-pub(super) fn odd(h: f64, t: f64, e: f64, sign: f64) -> Approximation {
+pub(crate) fn odd(h: f64, t: f64, e: f64, sign: f64) -> Approximation {
     let z = h * h;
     let w = sign * z;
     let tail = h * (w * horner(w, &ODD)) + t * (1.0 - 0.5 * z);
@@ -51,7 +51,7 @@ pub(super) fn odd(h: f64, t: f64, e: f64, sign: f64) -> Approximation {
 /// with the roundings of that part. Together at most `1.6 u h²`. The derivative is at most 1, so
 /// `δ` contributes `e`.
 #[inline]
-pub(super) fn even(h: f64, t: f64, e: f64, sign: f64) -> Approximation {
+pub(crate) fn even(h: f64, t: f64, e: f64, sign: f64) -> Approximation {
     let z = h * h;
     let w = sign * z;
     let (head, s) = two_sum(1.0, 0.5 * w);

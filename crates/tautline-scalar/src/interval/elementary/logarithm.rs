@@ -1,8 +1,8 @@
 //! The natural logarithm by IEEE operations.
 
-use super::{
+use super::constants::LN_2;
+use crate::interval::{
     approximation::Approximation,
-    constants::LN_2,
     directed::two_sum,
     series::{U, horner, over_odd_numbers},
 };
@@ -12,7 +12,7 @@ const COEFFICIENTS: [f64; 10] = over_odd_numbers(2.0);
 
 /// Bounds on `ln x`, for `x > 0`.
 #[inline]
-pub(super) fn ln(x: f64) -> (f64, f64) {
+pub(crate) fn ln(x: f64) -> (f64, f64) {
     if x == 1.0 {
         return (0.0, 0.0);
     }
@@ -35,7 +35,7 @@ pub(super) fn ln(x: f64) -> (f64, f64) {
 /// rounded by at most `2⁻⁸⁵`, and `|k ε| ≤ 2⁻⁸⁵`. The tail, with `t` of `k L₀ + f`, takes two
 /// roundings, at most `2 u (|c| + |k L₁| + |t|) ≤ 1.3 u f² + 2⁻⁸³`.
 #[inline]
-pub(super) fn of_positive(x: f64) -> Approximation {
+pub(crate) fn of_positive(x: f64) -> Approximation {
     let (k, m) = split(x);
     let f = m - 1.0;
     let s = f / (2.0 + f);

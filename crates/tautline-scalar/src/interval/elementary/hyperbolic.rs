@@ -5,14 +5,14 @@
 
 use super::{
     circular::{TINY, a_little_less, a_little_more},
-    enclosure::Interval,
     even_odd::{even, odd},
     exponential::{exp, exp_times_power},
 };
+use crate::interval::enclosure::Interval;
 
 /// Bounds on `sinh x`.
 #[inline]
-pub(super) fn sinh(x: f64) -> (f64, f64) {
+pub(crate) fn sinh(x: f64) -> (f64, f64) {
     let size = x.abs();
     if size < TINY {
         // sinh x ≤ x + 0.2 x³ there.
@@ -39,7 +39,7 @@ pub(super) fn sinh(x: f64) -> (f64, f64) {
 
 /// Bounds on `cosh x`.
 #[inline]
-pub(super) fn cosh(x: f64) -> (f64, f64) {
+pub(crate) fn cosh(x: f64) -> (f64, f64) {
     let size = x.abs();
     if size < TINY {
         // cosh x ≤ 1 + 0.6 x² < 1 + 2⁻⁵² there.
@@ -59,7 +59,7 @@ pub(super) fn cosh(x: f64) -> (f64, f64) {
 
 /// Bounds on `tanh x`.
 #[inline]
-pub(super) fn tanh(x: f64) -> (f64, f64) {
+pub(crate) fn tanh(x: f64) -> (f64, f64) {
     let size = x.abs();
     if size < TINY {
         // tanh x ≥ x − x³/3.

@@ -1,6 +1,7 @@
 //! The rigorous kernel: each function by the file of its name.
 
-use super::{Kernel, Rigorous, arctangent, circular, exponential, hyperbolic, logarithm};
+use super::{arctangent, circular, exponential, hyperbolic, logarithm};
+use crate::interval::{Kernel, Rigorous};
 
 macro_rules! by_module {
     ($($module:ident::$function:ident;)*) => {$(

@@ -1,18 +1,19 @@
 //! `QuarterTurns`: an angle reduced modulo `π/2`.
 
-use super::{constants::HALF_PI, directed::two_sum};
+use super::constants::HALF_PI;
+use crate::interval::directed::two_sum;
 
 /// The largest `|x|`, in radians, whose sine and cosine are enclosed by more than `[−1, 1]`: `2²⁰`.
-pub(super) const LARGEST_ANGLE: f64 = 1_048_576.0;
+pub(crate) const LARGEST_ANGLE: f64 = 1_048_576.0;
 
 /// An angle `x = turns · π/2 + head + tail + δ` with `|δ| ≤ error`, `|head| < 0.7855` and
 /// `|tail| ≤ u |head|`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct QuarterTurns {
+pub(crate) struct QuarterTurns {
     turns: i32,
-    pub(super) head: f64,
-    pub(super) tail: f64,
-    pub(super) error: f64,
+    pub(crate) head: f64,
+    pub(crate) tail: f64,
+    pub(crate) error: f64,
 }
 
 impl QuarterTurns {
@@ -33,7 +34,7 @@ impl QuarterTurns {
     ///   `u (|b| + |c| + |d|)(1 + u)` each. Together with that of `k P₃` they are below
     ///   `4 u (|b| + |c| + |d|)`, itself computed to 3 `u`.
     #[inline]
-    pub(super) fn of(x: f64) -> Self {
+    pub(crate) fn of(x: f64) -> Self {
         let k = (x * std::f64::consts::FRAC_2_PI).round_ties_even();
         if k == 0.0 {
             return Self { turns: 0, head: x, tail: 0.0, error: 0.0 };
@@ -49,7 +50,7 @@ impl QuarterTurns {
 
     /// Returns `k mod 4`.
     #[inline]
-    pub(super) fn quadrant(self) -> i32 {
+    pub(crate) fn quadrant(self) -> i32 {
         self.turns & 3
     }
 
@@ -58,7 +59,7 @@ impl QuarterTurns {
     /// It is `k` or `k − 1`, by the sign of the remainder. No double but 0 is known so close to a
     /// multiple of `π/2` that the sign is in doubt, but nothing depends on that.
     #[inline]
-    pub(super) fn floor(self) -> (i32, i32) {
+    pub(crate) fn floor(self) -> (i32, i32) {
         // head + tail has the sign of the head, and more than half its size.
         if self.head >= 0.0 && (self.error == 0.0 || 0.5 * self.head > self.error) {
             (self.turns, self.turns)

@@ -1,8 +1,8 @@
 //! The exponential function by IEEE operations.
 
-use super::{
+use super::constants::LN_2;
+use crate::interval::{
     approximation::Approximation,
-    constants::LN_2,
     directed::two_sum,
     series::{U, horner, reciprocals_of_factorials},
 };
@@ -12,7 +12,7 @@ const COEFFICIENTS: [f64; 12] = reciprocals_of_factorials(2, 1);
 
 /// Bounds on `eˣ`.
 #[inline]
-pub(super) fn exp(x: f64) -> (f64, f64) {
+pub(crate) fn exp(x: f64) -> (f64, f64) {
     exp_times_power(x, 0)
 }
 
@@ -20,7 +20,7 @@ pub(super) fn exp(x: f64) -> (f64, f64) {
 ///
 /// The range of the doubles ends before `e⁷¹¹ / 2 > 2¹⁰²⁴` and `e⁻⁷⁴⁶ < 2⁻¹⁰⁷⁵`.
 #[inline]
-pub(super) fn exp_times_power(x: f64, n: i32) -> (f64, f64) {
+pub(crate) fn exp_times_power(x: f64, n: i32) -> (f64, f64) {
     if x > 711.0 {
         return (f64::MAX, f64::INFINITY);
     }
@@ -56,7 +56,7 @@ pub(super) fn exp_times_power(x: f64, n: i32) -> (f64, f64) {
 /// tail is summed with three roundings: `3 · 0.564`, and `9 u²`. Together `4.7 u h²` and `12 u²`.
 /// The derivative is at most `1.42`, so `δ` contributes `1.5 e`.
 #[inline]
-pub(super) fn reduced(x: f64) -> (i32, Approximation) {
+pub(crate) fn reduced(x: f64) -> (i32, Approximation) {
     let k = (x * std::f64::consts::LOG2_E).round_ties_even();
     let (h, t) = two_sum(x - k * LN_2[0], -(k * LN_2[1]));
     let (head, s) = two_sum(1.0, h);
