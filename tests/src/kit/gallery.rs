@@ -37,3 +37,7 @@ metric_suite!(
 metric_suite!(
     sine_projections_in_eight_dimensions: SineProjections::benchmark(), dimension 8, in cube(1.5),
 );
+metric_suite!(
+    rotating_anisotropy_against_an_axis: RotatingAnisotropy::new([1.0, 4.0], [0.7, -1.1]),
+    dimension 2, in cube(2.0),
+);

@@ -106,3 +106,20 @@ fn the_changelog_names_the_version() {
     let changelog = read(&root().join("CHANGELOG.md"));
     assert!(changelog.contains(version), "CHANGELOG.md does not name {version}");
 }
+
+#[test]
+fn every_dependency_says_what_it_is_for() {
+    let text = read(&root().join("Cargo.toml"));
+    let table = text.split("[workspace.dependencies]").nth(1).expect("there is such a table");
+    let mut before = "";
+    let mut seen = 0;
+    for line in table.lines().take_while(|line| !line.starts_with('[')) {
+        // Our own crates speak for themselves.
+        if line.contains('=') && !line.starts_with('#') && !line.contains("path = \"crates/") {
+            assert!(before.starts_with("# "), "no comment above {line:?}");
+            seen += 1;
+        }
+        before = line;
+    }
+    assert!(seen >= 5, "only {seen} dependencies were seen");
+}
