@@ -57,9 +57,9 @@ pub fn run(arguments: impl IntoIterator<Item = String>) -> Result<(), Failure> {
         }
     }
     let artefacts: &[Artefact] = match kind.as_deref() {
-        Some("figures") => &FIGURES,
+        Some("figures") => FIGURES,
         #[cfg(feature = "tables")]
-        Some("tables") => &crate::tables::TABLES,
+        Some("tables") => crate::tables::TABLES,
         #[cfg(not(feature = "tables"))]
         Some("tables") => return Err(usage("compiled without the feature `tables`".to_owned())),
         Some(other) => return Err(usage(format!("there is no command {other}"))),

@@ -16,7 +16,7 @@ mod valleys;
 use crate::{Failure, artefact::Artefact, drawing::SlopeTriangle};
 
 /// All figures.
-pub const FIGURES: [Artefact; 11] = [
+pub const FIGURES: &[Artefact] = &[
     convergence::FIGURE,
     quantities::FIGURE,
     asymptotics::FIGURE,

@@ -22,7 +22,7 @@ fn computed(sweep: Sweep) -> Result<Vec<(&'static str, Scene)>, Failure> {
         Form::Figure(draw) => Ok((figure.id, draw(&(figure.data)(sweep)?)?)),
         Form::Table(_) => Err(Failure::Data(format!("{} is a table", figure.id))),
     };
-    parallel::map(&FIGURES, draw).into_iter().collect()
+    parallel::map(FIGURES, draw).into_iter().collect()
 }
 
 /// The ink of a scene that is neither white nor invisible, cut by the clips, in px.

@@ -60,6 +60,27 @@ fn every_metric_of_the_gallery_goes_through_the_kit() {
     }
 }
 
+/// A set has a file with its `impl ClosedSet` for it, and a line in `sets.rs`.
+#[test]
+fn every_set_goes_through_the_kit() {
+    let sets = crates().join("tautline-sets/src");
+    let tested = read(&here().join("sets.rs"));
+    let exports = read(&sets.join("lib.rs"));
+    let mut count = 0;
+    for line in code(&exports).filter_map(|line| line.strip_prefix("pub use ")) {
+        let (module, name) = line.split_once("::").expect("a module and what is in it");
+        let name = name.trim_end_matches(';');
+        let text = read(&sets.join(module).with_extension("rs"));
+        if code(&text).any(|line| line.contains(&format!("ClosedSet<D> for {name}<D>"))) {
+            count += 1;
+            assert!(code(&tested).flat_map(words).any(|word| word == name), "{name} is not tested");
+        }
+    }
+    // As many as the table at the top of the crate has rows, and no fewer.
+    let rows = exports.lines().filter(|line| line.starts_with("//! | [`")).count();
+    assert_eq!(count, rows);
+}
+
 /// What a newcomer writes, without comments and blank lines.
 fn newcomer() -> Vec<String> {
     let text = read(&here().join("newcomer.rs"));
