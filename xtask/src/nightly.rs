@@ -88,8 +88,8 @@ mod tests {
             assert_eq!(line(&words), format!("{start} {named} -- {skipped}"));
         }
         assert_eq!(
-            line(&["-p", "tests", "battery", "--", "--test-threads=1"]),
-            format!("{start} -p tests battery -- {skipped} --test-threads=1")
+            line(&["-p", "tests", "--test", "suite", "--", "--test-threads=1"]),
+            format!("{start} -p tests --test suite -- {skipped} --test-threads=1")
         );
     }
 }

@@ -140,13 +140,13 @@ fn pages(data: &Data) -> Vec<(&'static str, String)> {
     let mut text = "\
 # The statements of the paper, and sharper ones
 
-Every numbered statement, both claims of Section 5 and every displayed constant, and after them the statements of [SHARPER.md](SHARPER.md): what it claims, the function that evaluates it, our verdict, and the tests.
+This page lists every numbered statement of the paper, both claims of Section 5 and every displayed constant, followed by the statements of [SHARPER.md](SHARPER.md). For each it gives the claim, the function that evaluates it, our verdict, and the tests.
 `cargo xtask tables statements` writes this page together with `tables/statements.csv`.
 *Overestimation* is the bound divided by what is observed: 1 where a statement is attained.
-A case *could fail* if the bound is finite and the observed number is distinguishable from 0: where a gap vanishes identically, as that of the length does on the line, the case holds whatever the bound is.
+A case *could fail* if the bound is finite and the observed number is distinguishable from 0. If a gap vanishes identically (on the line, the gap of the length does), the case holds for any bound and cannot fail.
 An *assumed* hypothesis is one that the cases cannot test.
 A *witness* is a case built by hand to come as near to equality as possible.
-*Holds* is a result of these tests and no proof: no case contradicts the statement as printed. A *cited* statement is a known theorem, of which the observable part is tested. The printed form of a *refuted* statement is contradicted by a witness, and its repaired form is tested. A statement *proved here* has its proof in SHARPER.md.
+*Holds* reports the outcome of these tests and is not a proof: no case contradicts the statement as printed. A *cited* statement is a known theorem; only its observable part is tested. The printed form of a *refuted* statement is contradicted by a witness, and its repaired form is tested. A statement *proved here* has its proof in SHARPER.md.
 `γᵖ` is the point sequence and `γᵖˡ` the polygon through it; the other symbols are those of the paper and of the first section of SHARPER.md.
 
 "
@@ -174,7 +174,9 @@ fn section(row: &Row<'_>, statement: Statement) -> String {
         claims => format!("- assumed: {}\n", claims.replace('|', "∣")),
     };
     let overestimation = |column: &str| match row.text(column) {
-        "" if statement == DEFINITION => "none: these are two ways to write one formula".to_owned(),
+        "" if statement == DEFINITION => {
+            "not applicable: both sides are one formula, written in two ways".to_owned()
+        }
         "" => "indistinguishable from rounding".to_owned(),
         overestimation => overestimation.to_owned(),
     };

@@ -12,6 +12,7 @@ fn error(text: &str) -> TextError {
 #[test]
 fn each_error_names_its_place() {
     let table = include_str!("broken_text.txt").lines().skip(1);
+    assert_eq!(table.clone().count(), 25);
     for row in table {
         let [text, wrong, says] =
             row.split(" | ").collect::<Vec<_>>().try_into().expect("three columns");

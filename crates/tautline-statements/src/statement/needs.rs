@@ -30,7 +30,7 @@ pub(super) const ENDS: Needs = checked(&["the ends lie in X⁽⁰⁾ and X⁽¹�
 pub(super) const MINIMISER: Needs = checked(&[
     "the rule is that of the theorem",
     "the ends lie in X⁽⁰⁾ and X⁽¹⁾",
-    "E_N ≤ what the proof has for the minimum",
+    "E_N ≤ the proof's bound on the minimum",
 ]);
 
 pub(super) const GLOBAL: Needs = assumed(&["γᵖ is a global minimiser"]);

@@ -36,13 +36,13 @@ statements! {
         code: theorem_1_4, is_a_bound: true,
     }
     Proposition3_1 "Proposition 3.1" "prop:metric_geodesic_constant" {
-        claim: "a geodesic has constant speed, its length",
+        claim: "A geodesic has constant speed, equal to its length",
         needs: [checked(&["γ̈ = −Γ(γ̇, γ̇)"])],
         verdict: Holds,
         code: prop_3_1,
     }
     Proposition3_2 "Proposition 3.2" "prop:Hopf-Rinow-theorem" {
-        claim: "in a complete space two points are joined by a minimal geodesic",
+        claim: "In a complete space two points are joined by a minimal geodesic",
         needs: [assumed(&["geodesics never end"])],
         verdict: Cited,
         code: prop_3_2,
@@ -57,7 +57,7 @@ statements! {
         code: prop_3_3,
     }
     Proposition4_1 "Proposition 4.1" "prop:geodesic_min_loc_path_min" {
-        claim: "near a point, the minimal curves are the minimal geodesics, reparametrised",
+        claim: "Near a point, the minimal curves are the minimal geodesics, reparametrised",
         needs: [
             checked(&["L(γ**) ≤ d", "d < ε", "γ** joins the points"]),
             checked(&["γ̈** = −Γ(γ̇**, γ̇**)", "∫|φ′| ≤ 1"]),
@@ -66,7 +66,7 @@ statements! {
         code: prop_4_1,
     }
     Proposition4_2 "Proposition 4.2" "prop:geodesic_min_path_min" {
-        claim: "everywhere, the minimal curves are the minimal geodesics, reparametrised",
+        claim: "Everywhere, the minimal curves are the minimal geodesics, reparametrised",
         needs: [
             checked(&["L(γ) ≤ d", "L(γ**) ≤ d", "γ joins the points", "γ** joins the points"]),
             checked(&["γ̈** = −Γ(γ̇**, γ̇**)", "∫|φ′| ≤ 1"]),
@@ -76,38 +76,38 @@ statements! {
         code: prop_4_2,
     }
     Proposition4_3 "Proposition 4.3" "prop:uniformal_normal_radius" {
-        claim: "on a compact set, geodesics shorter than one common radius are minimal and unique",
+        claim: "On a compact set, geodesics shorter than one common radius are minimal and unique",
         needs: [checked(&["K is bounded", "x ∈ K", "|v| < ε"])],
         verdict: Cited,
         code: prop_4_3,
     }
     Lemma4_4 "Lemma 4.4" "lem:minimal_constant_speed_geodesic" {
-        claim: "a minimal curve of constant speed is a geodesic",
+        claim: "A minimal curve of constant speed is a geodesic",
         needs: [checked(&["L(γ) ≤ d", "the speed is constant", "γ joins the points"])],
         verdict: Holds,
         code: lemma_4_4,
     }
     Section5Left "Section 5, left-endpoint rule" "eq:length-left-point-min" {
-        claim: "over the valleys min L_l,N = 4π for every N, and the distance is 8π",
+        claim: "Over the valleys min L_l,N = 4π for every N, and the distance is 8π",
         needs: [checked(&["γᵖ begins at (0, 0)", "γᵖ ends at (4π, 0)"])],
         verdict: Holds,
         code: section_5_left,
     }
     Section5Trapezoidal "Section 5, trapezoidal rule" "eq:length-tra-point-min" {
-        claim: "over the valleys min L_tra,N = 4π for every N, and the distance is 8π",
+        claim: "Over the valleys min L_tra,N = 4π for every N, and the distance is 8π",
         needs: [checked(&["γᵖ begins at (0, 0)", "γᵖ ends at (4π, 0)"])],
         verdict: Holds,
         code: section_5_trapezoidal,
     }
     Proposition6_1 "Proposition 6.1" "prop:geodesic_len_and_energy" {
-        claim: "between two points min E = min L², and the minimisers of E are the minimal \
+        claim: "Between two points min E = min L², and the minimisers of E are the minimal \
             geodesics",
         needs: [ENDS, checked(&["the two sets are points"])],
         verdict: Holds,
         code: prop_6_1,
     }
     Proposition6_2 "Proposition 6.2" "prop:bounded_2sets_min" {
-        claim: "two closed sets, one bounded, have a nearest pair, and the set of nearest pairs \
+        claim: "Two closed sets, one bounded, have a nearest pair, and the set of nearest pairs \
             is compact",
         needs: [
             checked(&["c₁ ≤ λ_min(H) at x and y", "one of the sets is bounded"]),
@@ -118,7 +118,7 @@ statements! {
         code: prop_6_2,
     }
     Proposition6_3 "Proposition 6.3" "prop:geodesic_len_and_energy_2" {
-        claim: "between two closed sets, one bounded, min E = min L², at minimal geodesics",
+        claim: "Between two closed sets, one bounded, min E = min L², at minimal geodesics",
         needs: [ENDS],
         verdict: Holds,
         code: prop_6_3,
@@ -138,7 +138,7 @@ statements! {
     Proposition7_2 "Proposition 7.2" "prop:morrey_ineq" {
         claim: "∣γ(s₂) − γ(s₁)∣ ≤ √(s₂ − s₁) ‖γ̇‖ on [s₁, s₂], and ∣γ(s)∣ ≤ ‖γ‖ + 2‖γ̇‖ there",
         verdict: RefutedRepairedAs(
-            "the second with ‖γ‖/√l + √(l/3) ‖γ̇‖ on an interval of length l",
+            "the second bound is ‖γ‖/√l + √(l/3) ‖γ̇‖ on an interval of length l",
         ),
         code: prop_7_2,
         refuted_by: Refutation {
@@ -207,7 +207,7 @@ statements! {
         code: constant_c_tra_sharp, is_a_bound: true,
     }
     Proposition7_7 "Proposition 7.7" "prop:approx_numerical_integral_set" {
-        claim: "inf E_tra,N ≤ inf E + C_tra(N) over a set of such curves",
+        claim: "inf E_tra,N ≤ inf E + C_tra(N) over a set of curves with ‖γ̇‖ ≤ K₁ and ‖γ̈‖ ≤ K₂",
         needs: [CONSTANTS, NO_KINK],
         verdict: RefutedRepairedAs("γ̇ is absolutely continuous with γ̈ in L²: no kinks"),
         code: prop_7_7, is_a_bound: true,
@@ -248,13 +248,13 @@ statements! {
         code: constant_k1, is_a_bound: true,
     }
     ConstantK2 "K_{2,g}" "K_{2,g}" {
-        claim: "K_{2,g} = 3 L_H D² K_{1,g}²/(2 c₁) bounds its acceleration",
+        claim: "K_{2,g} = 3 L_H D² K_{1,g}²/(2 c₁) bounds the acceleration of a minimal geodesic",
         needs: [CONSTANTS, GEODESIC],
         verdict: Holds,
         code: constant_k2, is_a_bound: true,
     }
     Proposition7_12 "Proposition 7.12" "prop:apriori_estuimate_geodesic" {
-        claim: "every minimiser of E has ‖γ̇‖ ≤ K_{1,g} and ‖γ̈‖ ≤ K_{2,g}",
+        claim: "Every minimiser of E has ‖γ̇‖ ≤ K_{1,g} and ‖γ̈‖ ≤ K_{2,g}",
         needs: [CONSTANTS, checked(&["E(γ) ≤ d²"])],
         verdict: Holds,
         code: prop_7_12, is_a_bound: true,
@@ -308,7 +308,7 @@ statements! {
         },
     }
     Remark9_2 "Remark 9.2" "Remark 9.2" {
-        claim: "the minima converge like 1/N; whether E(γᵖˡ) and L(γᵖˡ)² do better than 1/√N is \
+        claim: "The minima converge like 1/N; whether E(γᵖˡ) and L(γᵖˡ)² do better than 1/√N is \
             left open",
         needs: [CONSTANTS, ENDS, GLOBAL],
         verdict: OpenAnsweredBy("they converge like 1/N under the same hypotheses, for both rules"),
@@ -369,7 +369,7 @@ statements! {
     }
     TheoremD "Theorem D" "sharper:D" {
         claim: "E(γᵖˡ) − d² ≤ d² [ε − 1 + (μ/24N²) m₄] ~ (G²/12 + μ/12) d²/N² and d² − E_tra,N ≤ \
-            μ d²/24N² from the energy alone, trapezoidal rule",
+            μ d²/24N² for the trapezoidal rule, from the energy alone",
         needs: [CONSTANTS, CURVATURE, MINIMISER],
         verdict: ProvedHere,
         code: theorem_d,
@@ -381,14 +381,14 @@ statements! {
         code: prop_s_6,
     }
     PropositionS7 "Proposition S.7" "sharper:convexity" {
-        claim: "where c₁ − 2L_H Br − ½M_H B²r² > 0, E_N is strictly convex and a computed minimum \
-            between two points global",
+        claim: "Where c₁ − 2L_H Br − ½M_H B²r² > 0, E_N is strictly convex and a computed minimum \
+            between two points is global",
         needs: [CONSTANTS, CURVATURE, checked(&["N is the same", "the ends are the same", "x ≠ y"])],
         verdict: ProvedHere,
         code: prop_s_7,
     }
     PropositionS8 "Proposition S.8" "sharper:region" {
-        claim: "where d̄² e < c₁R² with the constants within R of the bounded end, no minimal \
+        claim: "Where d̄² e < c₁R² with the constants within R of the bounded end, no minimal \
             geodesic and no discrete minimiser goes farther",
         needs: [CONSTANTS, CURVATURE, MINIMISER, GLOBAL],
         verdict: ProvedHere,

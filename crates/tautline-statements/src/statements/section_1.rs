@@ -31,7 +31,7 @@ pub(super) fn begin<const D: usize>(
 ) -> Evidence {
     let evidence = Evidence::of(statement);
     let evidence = evidence.given_that("the rule is that of the theorem", seen.rule == rule);
-    let (claim, energy) = ("E_N ≤ what the proof has for the minimum", seen.discrete_energy);
+    let (claim, energy) = ("E_N ≤ the proof's bound on the minimum", seen.discrete_energy);
     admitted(evidence, seen).given(claim, Unit::ENERGY, [energy, premise], seen.granted)
 }
 

@@ -22,6 +22,7 @@ fn agrees<const D: usize>(row: &[&str], metric: impl KnownDistance<D>) {
 #[test]
 fn distances_have_their_reference_values() {
     let rows = include_str!("golden.csv").lines().skip(1);
+    assert_eq!(rows.clone().count(), 20);
     for row in rows.map(|line| line.split(',').collect::<Vec<_>>()) {
         let two = || numbers::<2>(row[1]).into();
         let dimension = row[2].split_whitespace().count();
@@ -52,4 +53,14 @@ fn distances_have_their_reference_values() {
 
 fn made<M>(new: fn(f64, f64) -> Result<M, GalleryError>, (first, second): (f64, f64)) -> M {
     new(first, second).expect("in range")
+}
+
+/// The metric does not depend on `x₂`, and neither does any bit of its distances.
+#[test]
+fn distances_over_the_valleys_keep_their_bits_under_a_shift() {
+    let [one, shifted] = [0.0, 1.0].map(|shift| {
+        let [x, y] = [[2.0, 1.5 + shift], [0.0, shift]].map(SVector::<f64, 2>::from);
+        Valleys.distance(&x, &y).expect("known")
+    });
+    assert_eq!(one, shifted);
 }

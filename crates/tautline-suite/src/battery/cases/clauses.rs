@@ -10,7 +10,7 @@ pub(crate) const BELOW: &str = "c₁ ≤ λ_min(H)";
 pub(crate) const ABOVE: &str = "λ_max(H) ≤ c₂";
 
 /// The minimiser is global, as far as the proof needs it.
-pub(crate) const PREMISE: &str = "E_N ≤ what the proof has";
+pub(crate) const PREMISE: &str = "E_N ≤ the proof's bound";
 
 /// The curve or the sequence leads from set to set.
 pub(crate) const ENDS: &str = "the ends lie";
