@@ -1,6 +1,6 @@
-//! Every check of the project's own suite as a test of its own name.
+//! Runs every check of the project's own suite as a test under the name of the check.
 //!
-//! `cargo test -p tests --test suite -- --list` lists them.
+//! `cargo test -p tests --test suite -- --list` lists the tests.
 
 use std::process::ExitCode;
 

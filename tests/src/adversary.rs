@@ -1,9 +1,9 @@
-//! What the adversary finds in the families of the project.
+//! Checks what the adversary finds in the families of the project.
 
 use tautline_adversary::{AdversaryError, Search, Tightest, families};
 use tautline_statements::{LIBRARY, Mutant, Source, Subject};
 
-/// The tightest case that a search finds in a family of a statement.
+/// Returns the tightest case that a search finds in a family of a statement.
 #[track_caller]
 fn tightest(
     search: Search,
@@ -16,14 +16,15 @@ fn tightest(
     search.tightest(family, source)
 }
 
-/// The smallest overestimation that the search finds; `∞` if nothing was observed.
+/// Returns the smallest overestimation that the search finds; `∞` if nothing was observed.
 #[track_caller]
 fn overestimation(family: [&str; 2], source: Source) -> f64 {
     let found = tightest(Search::default(), &LIBRARY, family, source).expect("no violation");
     found.map_or(f64::INFINITY, |found| found.overestimation)
 }
 
-/// Within one percent above the infimum of the family, and not below it.
+/// Asserts that the search finds an overestimation that is not below the infimum of the family and
+/// at most one percent above it.
 #[track_caller]
 fn assert_found(number: &str, name: &str, source: Source, least: f64) {
     let found = overestimation([number, name], source);
@@ -39,7 +40,7 @@ fn equality_in_props_7_9_8_1_and_8_2_is_found() {
     }
 }
 
-/// A whole matrix `∂ₗH` is as large as `L_H` allows where a wave is steepest.
+/// Where a wave is steepest, the norm of the whole matrix `∂ₗH` is `L_H`.
 #[test]
 fn equality_in_prop_7_10_is_found() {
     for name in ["shear", "valleys"] {
@@ -47,16 +48,17 @@ fn equality_in_prop_7_10_is_found() {
     }
 }
 
-/// With `δ = L_H d / c₁^{3/2} → 0` in dimension 1, `C = C_tra♯ + …` is `d² (δ + 6δ + δ/4)`, and a
-/// tent has the gap `d² δ/4`: the overestimation tends to 29.
+/// In dimension 1, as `δ = L_H d / c₁^{3/2} → 0`, the bound `C = C_tra♯ + …` tends to
+/// `d² (δ + 6δ + δ/4)`, while the gap of a tent is `d² δ/4`. The overestimation therefore tends to
+/// 29.
 #[test]
 fn theorem_1_1_on_tents_tends_to_29() {
     assert_found("Theorem 1.1", "tent", Source::Stated, 29.0);
 }
 
-/// On two routes both gaps add up, `d² δ/2` for the trapezoidal rule and `d² δ` for the left one:
-/// an overestimation of 14½ and 8 for the paper's bounds, as `δ → 0`, and of 1 for those of order
-/// `1/N`.
+/// On two routes both gaps add up to `d² δ/2` for the trapezoidal rule and to `d² δ` for the left
+/// rule. As `δ → 0`, the overestimation tends to 14½ and 8 for the paper's bounds, and to 1 for the
+/// bounds of order `1/N`.
 #[test]
 fn theorems_1_2_and_1_4_on_two_routes_come_near_the_bounds_of_first_order() {
     assert_found("Theorem 1.2", "two routes", Source::Stated, 14.5);
@@ -72,7 +74,7 @@ fn equality_in_lemma_s_2_is_found() {
     }
 }
 
-/// On a ridge and down an incline, as `δ → 0`; about a crest, as `μ → 0`.
+/// Equality is approached on a ridge and down an incline as `δ → 0`, and about a crest as `μ → 0`.
 #[test]
 fn equality_in_lemma_s_4_is_found() {
     for name in ["two routes", "two routes, left", "separable, D = 1, left", "two arcs"] {
@@ -80,7 +82,7 @@ fn equality_in_lemma_s_4_is_found() {
     }
 }
 
-/// On two routes for both rules, as `δ → 0`; on two arcs, as `μ → 0`.
+/// Equality is approached on two routes for both rules as `δ → 0`, and on two arcs as `μ → 0`.
 #[test]
 fn theorems_a_to_d_are_attained() {
     for theorem in ["Theorem A", "Theorem C"] {
@@ -93,7 +95,8 @@ fn theorems_a_to_d_are_attained() {
     }
 }
 
-/// The tightest cases of these are at `a → 0` and at `N = 1`, which no range excludes.
+/// The tightest cases of these families are at `a → 0` and at `N = 1`. The ranges end there for a
+/// reason, so the search is not cut off.
 #[test]
 fn a_search_that_ends_at_an_edge_is_not_cut_off() {
     let mut edges = 0;
@@ -113,7 +116,7 @@ fn a_search_that_ends_at_an_edge_is_not_cut_off() {
     assert!(edges > 0);
 }
 
-/// In dimension 1 one chord between two points has the length `d`.
+/// In dimension 1 a single chord between two points has length `d`, so no gap is observed.
 #[test]
 fn the_length_of_one_chord_on_the_line_has_no_overestimation() {
     assert_eq!(overestimation(["Theorem 1.2", "tent"], Source::Stated), f64::INFINITY);
@@ -130,7 +133,8 @@ fn the_same_search_finds_the_same_case() {
     assert_ne!(first.parameters, other.parameters);
 }
 
-/// With a quarter instead of a half in Proposition 8.2, which an incline attains.
+/// The mutant has a quarter instead of a half in Proposition 8.2, whose bound is attained by an
+/// incline.
 #[test]
 fn a_wrong_constant_is_found() {
     let wrong = Mutant::HalfOfLeftGap.into();

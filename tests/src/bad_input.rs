@@ -1,4 +1,5 @@
-//! Bad input to the `tautline` crate: an error names the culprit and the number; nothing panics.
+//! Bad input to the `tautline` crate: an error names the culprit and the number, and nothing
+//! panics.
 
 use std::fmt::{Debug, Display};
 
@@ -10,7 +11,7 @@ use tautline::{
     gallery::{Constant, GalleryError, Hyperbolic, Valleys},
 };
 
-/// The message of an error contains all these words.
+/// Asserts that the message of an error contains all these words.
 #[track_caller]
 fn assert_names(error: impl Display, words: &[&str]) {
     let message = error.to_string();
@@ -45,8 +46,8 @@ fn coordinates_that_are_not_finite_are_refused() {
     }
 }
 
-/// `H = [[1, above], [below, 1]]` right of the line `x₁ = from`, the unit matrix left of it, with a
-/// smooth transition.
+/// The metric is `H = [[1, above], [below, 1]]` to the right of the line `x₁ = from` and the unit
+/// matrix to the left of it, with a smooth transition.
 #[derive(Clone, Copy, Debug)]
 struct Defect {
     above: f64,
@@ -56,7 +57,7 @@ struct Defect {
 
 impl Metric<2> for Defect {
     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
-        // From 0 to 1 within 0.1, one half at x₁ = from.
+        // The factor rises from 0 to 1 within 0.1; it is one half at x₁ = from.
         let on = ((x[0] - self.from) * 40.0).tanh() * 0.5 + 0.5;
         SMatrix::<S, 2, 2>::new(S::one(), on * self.above, on * self.below, S::one())
     }
@@ -87,12 +88,12 @@ fn an_asymmetric_metric_is_refused() {
 
 #[test]
 fn an_indefinite_metric_is_refused() {
-    // Everywhere: the least eigenvalue is 1 − 2.
+    // The defect is everywhere, and the least eigenvalue is 1 − 2.
     let error = refusal(Defect { above: 2.0, below: 2.0, from: -9.0 }, 16);
     let MetricError::NotPositiveDefinite { eigenvalue, .. } = &error else { panic!("{error:?}") };
     approx::assert_relative_eq!(*eigenvalue, -1.0, max_relative = 1e-14);
     assert_names(&error, &["not positive definite", &eigenvalue.to_string()]);
-    // On every curve to the second end.
+    // Every curve to the second end passes through the defect.
     let error = refusal(Defect { above: 2.0, below: 2.0, from: 1.5 }, 16);
     let MetricError::NotPositiveDefinite { point, eigenvalue } = &error else {
         panic!("{error:?}");
@@ -100,7 +101,7 @@ fn an_indefinite_metric_is_refused() {
     assert!(point[0] > 1.0 && *eigenvalue <= 0.0);
 }
 
-/// `H = √(1 − x₁) I`: NaN for `x₁ > 1`, where every curve goes.
+/// `H = √(1 − x₁) I` is NaN for `x₁ > 1`, and every curve enters that half-plane.
 #[derive(Clone, Copy, Debug)]
 struct Cliff;
 
@@ -127,15 +128,15 @@ fn a_metric_that_becomes_nan_on_the_way_is_refused() {
     assert!(matches!(error, Err(SolveError::Metric(_))), "{error:?}");
 }
 
-/// `H = (1 + 1/(r² − ¼)²) I` outside the disc of radius ½, infinite on its rim and NaN inside,
-/// where the straight line goes.
+/// `H = (1 + 1/(r² − ¼)²) I` outside the disc of radius ½. On the rim `H` is infinite, and inside
+/// the disc, where the straight line passes, it is NaN.
 #[derive(Clone, Copy, Debug)]
 struct Hole;
 
 impl Metric<2> for Hole {
     fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
         let height = x[0].sqr() + x[1].sqr() - 0.25;
-        // h⁻² by way of the root, which is NaN for a negative number.
+        // h⁻² is computed from the square root, which is NaN for a negative number.
         SMatrix::from_diagonal_element(height.sqrt().powi(-4) + 1.0)
     }
 }

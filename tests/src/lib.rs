@@ -7,13 +7,13 @@
 //! | `adversary` | what the search for the tightest cases finds |
 //! | `kit` | the kit on the whole gallery, all sets and rules, and on what must be refused |
 //! | `own` | a user's metric, rule and closed set, through the `tautline` crate |
-//! | `bad_input`, `touching_ends` | what is refused, and how; what is not |
+//! | `bad_input`, `touching_ends` | what is refused, and how; and what is accepted |
 //! | `promoted_cases` | random cases that caught a mistake, kept by name |
 //! | `committed_data` | what the project claims about the data in its repository |
 //! | `tidiness` | the invariants of the architecture |
 //!
-//! Random cases are the same in every run unless `TAUTLINE_SEED` or `TAUTLINE_CASES` is set
-//! (`docs/testing.md`). A failure shows its seed.
+//! The random cases are the same in every run unless `TAUTLINE_SEED` or `TAUTLINE_CASES` is set
+//! (`docs/testing.md`). A failing test shows its seed.
 
 #![cfg(test)]
 

@@ -1,8 +1,8 @@
-//! Cases that caught a mistake: drawn at random, shrunk, and kept by name.
+//! Cases that caught a mistake: they were drawn at random, shrunk, and kept by name.
 //!
-//! The library passes each; a program with that mistake does not. The random checks of the suite
-//! may one day draw other cases, while these stay. A check that fails on a random case prints a
-//! test of that case, to be pasted here as it is.
+//! The library passes each case, and a program with the mistake does not. The random checks of the
+//! suite may one day draw other cases, but these stay. When a check fails on a random case, it
+//! prints a test of that case, which can be pasted here unchanged.
 
 use std::{any::Any, f64::consts::TAU};
 
@@ -18,7 +18,7 @@ use tautline_statements::{
 };
 use tautline_suite::battery::{Given, Scope, Trial, suite};
 
-/// The library passes the case, the mutant does not.
+/// Asserts that the library passes the case and the mutant does not.
 #[track_caller]
 fn tells_apart(mutant: Mutant, case: impl Fn(&Subject) -> Evidence) {
     let sound = case(&LIBRARY);
@@ -27,7 +27,7 @@ fn tells_apart(mutant: Mutant, case: impl Fn(&Subject) -> Evidence) {
     assert_ne!(wrong.finding(), Finding::Holds, "{mutant:?} passes: {wrong:?}");
 }
 
-/// The same for a statement about the trapezoidal minimiser with `n` subintervals.
+/// Asserts the same for a statement about the trapezoidal minimiser with `n` subintervals.
 #[track_caller]
 fn minimiser_tells_apart<M: Bounded<2>>(
     mutant: Mutant,
@@ -41,8 +41,8 @@ fn minimiser_tells_apart<M: Bounded<2>>(
     });
 }
 
-/// Runs a check of the suite with this case in place of the random ones of a family, which its seed
-/// names: what `cargo xtask nightly` prints.
+/// Runs a check of the suite on this case, which replaces the random cases of one family. The
+/// family is named by its seed. `cargo xtask nightly` prints calls of this function.
 #[track_caller]
 fn holds(check: &str, family: u64, case: impl Any) {
     let found = suite().into_iter().find(|known| known.name == check);
@@ -55,19 +55,19 @@ fn holds(check: &str, family: u64, case: impl Any) {
     }
 }
 
-/// `H = ¼ I` from 0 to a point near `(1, 2)`: `C = 0`, so that every error shows.
+/// Returns the problem `H = ¼ I` from 0 to a point near `(1, 2)`. Since `C = 0`, every error shows.
 fn quarter() -> Known<Constant<2>, 2> {
     let metric = Constant::new(SMatrix::identity() * 0.25).expect("positive definite");
     Known::between(metric, [0.0, 0.0], [0.9, 1.9136]).expect("finite").expect("known everywhere")
 }
 
-/// A shear, between two points.
+/// Returns a shear between two points.
 fn shear(amplitude: f64, wave_number: f64, [a, b]: [[f64; 2]; 2]) -> Known<Shear, 2> {
     let metric = Shear::new(amplitude, wave_number).expect("a wave number");
     Known::between(metric, a, b).expect("finite").expect("known everywhere")
 }
 
-/// A shear, from the origin to the half-plane `{x₂ ≥ 1/5}`: straight up.
+/// Returns a shear from the origin to the half-plane `{x₂ ≥ 1/5}`; the geodesic runs straight up.
 fn straight_up(amplitude: f64) -> Known<Shear, 2> {
     let metric = Shear::new(amplitude, 0.5).expect("a wave number");
     let point = Ball::new([0.0, 0.0], 0.0).expect("a point");
@@ -76,7 +76,8 @@ fn straight_up(amplitude: f64) -> Known<Shear, 2> {
     Known { metric, ends, distance: 0.2, distance_error: 2e-14 }
 }
 
-/// One test per minimiser: the mutant, the problem, the number of subintervals and the statement.
+/// Generates one test per minimiser from the mutant, the problem, the number of subintervals and
+/// the statement.
 macro_rules! minimisers {
     ($($(#[$doc:meta])* $name:ident: $mutant:ident, $known:expr, $n:literal, $statement:expr;)*) => {
         $($(#[$doc])*
@@ -94,7 +95,8 @@ minimisers! {
     k3_bar_without_the_distance_on_a_straight_line:
         DistanceForgotten, quarter(), 1, constant_k3_bar;
     an_end_point_a_millionth_off_on_a_straight_line: EndRelaxed, quarter(), 1, theorem_1_1;
-    /// The energy of one chord on a shear, read at one node, is less than the square of the distance.
+    /// The energy of one chord on a shear, evaluated at one node, is less than the square of the
+    /// distance.
     one_node_of_a_chord_on_a_shear:
         QuadratureOfOneNode,
         shear(
@@ -102,7 +104,7 @@ minimisers! {
             [[0.0, 0.0], [-1.782_908_291_752_968, 0.166_017_112_013_032_04]],
         ),
         1, theorem_1_1;
-    /// The steepest place of this shear is on the way.
+    /// The geodesic passes the steepest place of this shear.
     a_lipschitz_constant_a_tenth_too_small_on_a_shear:
         LipschitzTooSmall,
         shear(
@@ -110,7 +112,7 @@ minimisers! {
             [[-1.971_790_881_159_051_2, 0.0], [-2.031_890_739_852_592_7, 2.205_841_535_059_412_7]],
         ),
         3, theorem_1_1;
-    /// The straight line has more energy than the bounds allow a minimum.
+    /// The energy of the straight line exceeds what the bounds allow for a minimum.
     a_straight_line_on_a_shear:
         NotOptimised,
         shear(
@@ -123,8 +125,8 @@ minimisers! {
         QuadratureOfOneNode, straight_up(0.182_596_145_964_421_17), 1, theorem_1_2;
 }
 
-/// From a point to a half-plane: with the mean of `H` over the ends of a chord instead of `H` at its
-/// midpoint, the minimiser meets the line at a slant.
+/// From a point to a half-plane, the mutant uses the mean of `H` over the ends of a chord instead
+/// of `H` at its midpoint. Its minimiser meets the line at a slant.
 #[test]
 fn the_mean_over_the_ends_of_a_chord_from_a_point_to_a_half_plane() {
     let known = straight_up(-0.303_127_440_325_200_7);
@@ -143,7 +145,7 @@ fn sums_of_squares_for_lengths_on_one_chord_over_the_valleys() {
     }
 }
 
-/// `c₁ = c₂ = ⅛`, `L_H = d = 1/16` and `D = 1`: the smallest numbers that show it.
+/// `c₁ = c₂ = ⅛`, `L_H = d = 1/16` and `D = 1` are the smallest numbers that reveal the mutant.
 #[test]
 fn c_tra_without_its_term_of_second_order() {
     let constants = Constants::new(0.125, 0.125, 0.0625).expect("in order");
@@ -155,7 +157,7 @@ fn c_tra_without_its_term_of_second_order() {
     });
 }
 
-/// `0 / 0` must not pass for a bound.
+/// The quotient `0 / 0` must not pass for a bound.
 #[test]
 fn a_sequence_that_stays_where_it_is() {
     let metric = Constant::<2>::new(SMatrix::identity()).expect("positive definite");
@@ -210,8 +212,8 @@ fn christoffel_symbols_twice_too_large_as_they_are_printed() {
     holds("props_7_10_and_7_11_hold_for_random_metrics", 7101, case);
 }
 
-/// The three tests above are what the checks print for these mutants, except for line breaks and
-/// names. So the printed tests compile, and are about the case that failed.
+/// The three tests above are what the checks print for these mutants, apart from line breaks and
+/// names. This shows that the printed tests compile and are about the case that failed.
 #[test]
 fn what_a_failing_check_prints_stands_above() {
     let words = |text: &str| {

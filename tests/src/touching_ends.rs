@@ -1,4 +1,4 @@
-//! Ends that touch: no error, and everything is 0.
+//! Ends that touch: the solver returns no error, and every number is 0.
 
 use tautline::{
     AxisBox, Ball, Bounded, ClosedSet, Ends, FiniteSet, HalfSpace, LeftEndpoint, Problem, Rule,
@@ -29,7 +29,7 @@ fn everything_is_zero(rule: impl Rule, ends: &Ends<2>, n: usize) {
     }
     for set in [ends.first(), ends.second()] {
         let x = line.sequence().first();
-        // A point of size 2 in a set with coordinates of size 3.
+        // The point has size 2, and the coordinates of the set have size 3.
         assert!((set.project(x) - x).amax() <= 4e-15, "{x} is not in both sets");
     }
 }
@@ -48,7 +48,7 @@ fn sets_that_touch_or_overlap_have_the_distance_0() {
     let ball = || Ball::new([1.0, 0.5], 1.0).expect("a radius");
     let wall = |offset| HalfSpace::at_least([1.0, 0.0], offset).expect("a normal");
     touch(ball(), wall(1.5));
-    // In one point, exactly: 1 + 1 = 2.
+    // The sets touch in exactly one point, since 1 + 1 = 2 has no rounding.
     touch(ball(), wall(2.0));
     touch(wall(2.0), ball());
     touch(ball(), Ball::new([3.0, 0.5], 1.0).expect("a radius"));

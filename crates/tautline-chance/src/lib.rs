@@ -1,8 +1,8 @@
 //! Seeds and numbers of random cases for the tests of this workspace.
 //!
-//! Every test has its own fixed seed, so each run draws the same cases; the laws of one suite of
-//! `tautline-kit` share a seed. Two environment variables change that for all tests, including
-//! those that `tautline-kit` makes:
+//! Every test has its own fixed seed, so that each run draws the same cases; all laws of one suite
+//! of `tautline-kit` share a seed. Two environment variables change the seeds and the numbers of
+//! cases of all tests, including those that `tautline-kit` generates:
 //!
 //! | variable | a whole number that | default |
 //! | --- | --- | --- |
@@ -13,8 +13,9 @@
 //! $ TAUTLINE_SEED=7 TAUTLINE_CASES=100 cargo test -p tautline-bounds
 //! ```
 //!
-//! Only for tests: [`Chance::asked`] reads the environment. So does proptest, for those of its
-//! settings (`PROPTEST_…`) that are not set here; seeds, cases and the generator are.
+//! This crate is only for tests, since [`Chance::asked`] reads the environment. Proptest reads its
+//! own variables (`PROPTEST_…`) too, but only for the settings that this crate leaves open; the
+//! seeds, the cases and the generator are set here.
 
 mod random;
 
@@ -30,20 +31,20 @@ const SEED: &str = "TAUTLINE_SEED";
 /// The variable that multiplies every number of cases.
 const CASES: &str = "TAUTLINE_CASES";
 
-/// How many samples proptest may reject by default, before [`CASES`] multiplies it.
+/// The number of samples that proptest may reject by default, before [`CASES`] multiplies it.
 const REJECTED: u32 = 1024;
 
-/// The seed and the factor on the number of cases that a run asks for.
+/// The seed, and the factor on the numbers of cases, that a run uses.
 ///
-/// Displays as the variables, with a space after each, to put before a command that should draw the
-/// same cases; as nothing if the run changes nothing.
+/// `Display` writes the variables, each followed by a space, so that they can be put before a
+/// command that should draw the same cases. It writes nothing if the run uses the defaults.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Chance {
     seed: Option<u64>,
     factor: u32,
 }
 
-/// An environment variable without a valid number.
+/// The error for an environment variable whose value is no valid number.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{variable} is {value:?}, not a whole number from {least} to {most}")]
 pub struct ChanceError {
@@ -61,17 +62,17 @@ impl Chance {
     /// Keeps seeds and numbers of cases as they are in the code.
     pub const FIXED: Self = Self { seed: None, factor: 1 };
 
-    /// Returns what the environment asks for.
+    /// Returns the seed and the factor that the environment asks for.
     ///
     /// # Panics
     ///
-    /// With the [`ChanceError`] if a variable has no valid number, so that every test fails.
+    /// Panics with the [`ChanceError`] if a variable has no valid number, so that every test fails.
     #[must_use]
     pub fn asked() -> Self {
         Self::read().unwrap_or_else(|error| panic!("{error}"))
     }
 
-    /// Returns what the environment asks for.
+    /// Returns the seed and the factor that the environment asks for.
     ///
     /// # Errors
     ///
@@ -81,11 +82,12 @@ impl Chance {
         Self::new(value(SEED).as_deref(), value(CASES).as_deref())
     }
 
-    /// Returns what these values of `TAUTLINE_SEED` and `TAUTLINE_CASES` ask for.
+    /// Returns the seed and the factor given by these values of `TAUTLINE_SEED` and
+    /// `TAUTLINE_CASES`.
     ///
     /// # Errors
     ///
-    /// [`ChanceError`] unless `seed` is a `u64` and `cases` a positive `u32`.
+    /// [`ChanceError`] unless `seed` is a `u64` and `cases` is a positive `u32`.
     pub fn new(seed: Option<&str>, cases: Option<&str>) -> Result<Self, ChanceError> {
         let most = u64::from(u32::MAX);
         let seed = seed.map(|value| number(SEED, value, 0, u64::MAX)).transpose()?;
@@ -93,15 +95,15 @@ impl Chance {
         Ok(Self { seed, factor: u32::try_from(factor).unwrap_or(u32::MAX) })
     }
 
-    /// Returns the seed for the test with the seed `fixed`. Tests with different seeds keep
-    /// different seeds.
+    /// Returns the seed to use for the test whose own seed is `fixed`. Tests with different seeds
+    /// keep different seeds.
     #[must_use]
     pub fn seed(self, fixed: u64) -> u64 {
         let mixed = |number| Random(number).bits();
         self.seed.map_or(fixed, |seed| mixed(seed ^ mixed(fixed)))
     }
 
-    /// Returns the number of cases for a test that has `fixed` cases by default.
+    /// Returns the number of cases to use for a test with `fixed` cases by default.
     #[must_use]
     pub fn cases(self, fixed: u32) -> u32 {
         fixed.saturating_mul(self.factor)
@@ -122,35 +124,36 @@ impl Chance {
     }
 }
 
-/// Returns the configuration of a property test with this seed and number of cases, changed as the
-/// environment asks. It writes no files.
+/// Returns the configuration of a property test with this seed and number of cases, both modified
+/// as the environment asks. The test writes no files.
 ///
-/// Prints to stderr how to draw the same cases; the test harness shows that where the test fails.
+/// The function prints to stderr how to draw the same cases; the test harness shows this output if
+/// the test fails.
 ///
 /// # Panics
 ///
-/// As [`Chance::asked`].
+/// Panics if [`Chance::asked`] does.
 #[must_use]
 pub fn config(seed: u64, cases: u32) -> Config {
     announced(seed).config(seed, cases)
 }
 
-/// Returns the seed of a test that draws its own cases, changed as the environment asks. Prints as
-/// [`config`] does.
+/// Returns the seed of a test that draws its own cases, modified as the environment asks. The
+/// function prints to stderr as [`config`] does.
 ///
 /// # Panics
 ///
-/// As [`Chance::asked`].
+/// Panics if [`Chance::asked`] does.
 #[must_use]
 pub fn seed(fixed: u64) -> u64 {
     announced(fixed).seed(fixed)
 }
 
-/// Returns the number of cases of a test that draws its own, changed as the environment asks.
+/// Returns the number of cases of a test that draws its own, modified as the environment asks.
 ///
 /// # Panics
 ///
-/// As [`Chance::asked`].
+/// Panics if [`Chance::asked`] does.
 #[must_use]
 pub fn cases(fixed: u32) -> u32 {
     Chance::asked().cases(fixed)
@@ -206,7 +209,7 @@ mod tests {
         assert!(config.failure_persistence.is_none());
     }
 
-    /// Tells the test in a child process what to expect.
+    /// The variable from which the test in a child process reads what to expect.
     const DRAWN: &str = "TAUTLINE_TESTS_DRAWN";
 
     /// Runs the next test in a child process with these variables, which should have the effect of
@@ -237,7 +240,7 @@ mod tests {
             (&[("TAUTLINE_SEED", "7")], Some("7"), None),
             (&[("TAUTLINE_CASES", "100")], None, Some("100")),
             (&[("TAUTLINE_SEED", "9"), ("TAUTLINE_CASES", "2")], Some("9"), Some("2")),
-            // The variables of proptest change nothing.
+            // Proptest's own variables have no effect.
             (&[("PROPTEST_RNG_ALGORITHM", "xs"), ("PROPTEST_CASES", "1")], None, None),
             (&[("PROPTEST_RNG_SEED", "1"), ("PROPTEST_MAX_GLOBAL_REJECTS", "1")], None, None),
         ] {
@@ -253,7 +256,7 @@ mod tests {
         assert!(printed.contains("TAUTLINE_CASES is \"many\""), "{printed}");
     }
 
-    /// No two tests and no two runs share their cases, and a run can be repeated.
+    /// Different tests and different runs draw different cases, and a run can be repeated.
     #[test]
     fn seeds_are_distinct_and_reproducible() {
         let seeds = |asked: u64| {

@@ -1,8 +1,9 @@
 //! `Random`: reproducible numbers for a test that draws its own cases.
 
-/// SplitMix64 (Steele, Lea and Flood, 2014): the same numbers on every machine.
+/// The generator SplitMix64 (Steele, Lea and Flood, 2014), which returns the same numbers on every
+/// machine.
 ///
-/// The seed is public, so `Random(seed)` starts a sequence.
+/// The seed is a public field, so that `Random(seed)` starts a sequence.
 #[derive(Clone, Debug)]
 pub struct Random(pub u64);
 
@@ -29,7 +30,7 @@ impl Random {
     pub fn with_exponent(&mut self, least: i32, most: i32) -> f64 {
         let e = least + (self.bits() % u64::from((most - least).unsigned_abs() + 1)) as i32;
         let m = 1.0 + self.unit();
-        // In two steps, since 2^e alone may underflow where the product does not.
+        // The scaling takes two steps, since 2^e alone may underflow where the product does not.
         m * 2.0_f64.powi(e / 2) * 2.0_f64.powi(e - e / 2)
     }
 
@@ -43,7 +44,8 @@ impl Random {
 mod tests {
     use super::Random;
 
-    /// The first numbers of Vigna's reference implementation for the seed 1234567.
+    /// The expected values are the first numbers of Vigna's reference implementation for the seed
+    /// 1234567.
     #[test]
     fn the_numbers_are_those_of_the_reference_implementation() {
         let mut random = Random(1_234_567);

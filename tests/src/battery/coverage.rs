@@ -1,9 +1,9 @@
-//! That every statement is checked in each of the ways it should be.
+//! Checks that every statement is tested in each of the required ways.
 
 use tautline_statements::{Statement, Verdict};
 use tautline_suite::battery::{Kind, suite};
 
-/// The statements without a check in which a hypothesis is dropped, and why there is none.
+/// The statements for which no check drops a hypothesis, and the reason.
 const NOTHING_TO_DROP: [(Statement, &str); 5] = [
     (Statement::Proposition7_2, "any piecewise smooth curve will do: there is no hypothesis"),
     (Statement::Proposition7_4, "the only one is the repair: prop_7_4_refuted_by_a_kink"),
@@ -28,7 +28,7 @@ fn every_statement_is_asked_at_random_in_units_at_equality_and_without_hypothese
     }
 }
 
-/// What is false as printed, or holds in one of two readings only.
+/// A statement is refuted if it is false as printed, or if it holds in only one of two readings.
 #[test]
 fn just_what_is_false_as_printed_or_as_read_is_refuted() {
     for statement in Statement::ALL {

@@ -1,10 +1,10 @@
-//! Which mistakes the bounds of the paper could see.
+//! Which mistakes the bounds of the paper can detect.
 
 use tautline_statements::{LIBRARY, Mutant, Subject};
 use tautline_suite::battery::{Check, Examination, Scope, Sight, Trial, suite};
 
-/// Half an energy is too small; `K̄_{4,g}` may be too small by much before a bound fails; and no
-/// bound of the paper has Lemma S.3 or Proposition S.7 in it.
+/// Half of an energy violates a bound. `K̄_{4,g}` may be far too small before a bound fails. No
+/// bound of the paper contains Lemma S.3 or Proposition S.7.
 #[test]
 fn a_mistake_is_killed_or_passes_or_is_not_seen_at_all() {
     let paper = Examination::new(Scope::PaperAlone, 4).expect("the library passes");
@@ -19,7 +19,7 @@ fn a_mistake_is_killed_or_passes_or_is_not_seen_at_all() {
     }
 }
 
-/// On the same cases, of which few will do.
+/// Both runs use the same cases, and a few cases suffice.
 #[test]
 fn a_check_that_is_not_run_computes_what_it_computed_for_the_library() {
     let (scope, cases) = (Scope::PaperAlone, 2);

@@ -1,4 +1,5 @@
-//! The project's own suite as a whole; each of its checks is a test of the target `suite`.
+//! Tests of the project's own suite as a whole. The target `suite` runs each of its checks as a
+//! test.
 
 mod coverage;
 mod examination;

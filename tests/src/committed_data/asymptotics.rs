@@ -1,5 +1,5 @@
-//! `paper/tables/asymptotics.csv`: leading constants of the errors, predicted and measured; and
-//! `paper/data/asymptotics.csv`: how the errors approach them.
+//! `paper/tables/asymptotics.csv` has the leading constants of the errors, predicted and measured;
+//! `paper/data/asymptotics.csv` shows how the errors approach them.
 
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
@@ -8,7 +8,7 @@ use tautline_statements::slope;
 
 use super::{Row, Table};
 
-/// The quantities with their orders in `1/N`.
+/// The quantities, with their orders in `1/N`.
 const QUANTITIES: [(&str, &str); 6] = [
     ("discrete_energy_left", "1"),
     ("discrete_energy_trapezoidal", "2"),
@@ -18,15 +18,15 @@ const QUANTITIES: [(&str, &str); 6] = [
     ("length_squared_trapezoidal", "2"),
 ];
 
-/// Three digits.
+/// The relative difference at which two numbers agree to three digits.
 const AGREEMENT: f64 = 5e-4;
 
 fn table() -> Table {
     Table::read("tables/asymptotics.csv")
 }
 
-/// The difference between measurement and prediction, relative to the latter, or to `d²` if it is
-/// 0.
+/// Returns the difference between measurement and prediction, relative to the prediction, or
+/// relative to `d²` if the prediction is 0.
 fn difference(row: &Row<'_>) -> f64 {
     let (predicted, measured) = (row.number("predicted"), row.number("measured"));
     let scale = if predicted == 0.0 { row.number("d_squared") } else { predicted.abs() };
@@ -49,7 +49,7 @@ fn asymptotics_has_every_quantity_of_every_case() {
     }
 }
 
-/// In every row. Each quantity is nonzero in at least eight cases.
+/// They agree in every row, and each quantity is nonzero in at least eight cases.
 #[test]
 fn asymptotics_agree_to_three_digits() {
     let table = table();
@@ -58,7 +58,8 @@ fn asymptotics_agree_to_three_digits() {
         for row in table.rows().filter(|row| row.text("quantity") == quantity) {
             let difference = difference(&row);
             assert!(difference <= AGREEMENT, "{difference:e} in {:?}", row.record);
-            // Predicted and measured are printed with seven digits, the difference with two.
+            // The predicted and measured values are printed with seven digits, the difference with
+            // two.
             let printed = row.number("relative_difference");
             let tolerance = 0.05 * printed + 2e-6;
             assert!((printed - difference).abs() <= tolerance, "{:?}", row.record);
@@ -68,8 +69,8 @@ fn asymptotics_agree_to_three_digits() {
     }
 }
 
-/// With `c = (8π)³ π/18√3`: `−2c`, 0, `c`, 0 for the trapezoidal rule, and `13c` and 0 for the left
-/// one, whose curve runs along the segment too.
+/// With `c = (8π)³ π/18√3`, the constants for the trapezoidal rule are `−2c`, 0, `c` and 0. For the
+/// left rule, whose curve also runs along the segment, they are `13c` and 0.
 #[test]
 fn asymptotics_over_the_valleys_are_explicit() {
     let table = table();
@@ -89,17 +90,17 @@ fn asymptotics_over_the_valleys_are_explicit() {
     }
 }
 
-/// The next term of the expansion has two more powers of `1/N` for the trapezoidal rule and one
-/// more for the left rule. Extrapolation from two and three grids leaves the fourth and the sixth
-/// power.
+/// For the trapezoidal rule the next term of the expansion has two more powers of `1/N`, for the
+/// left rule one more. Extrapolation from two grids leaves the fourth power, and from three grids
+/// the sixth.
 #[test]
 fn asymptotics_are_approached_at_the_next_order() {
     let figure = Table::read("data/asymptotics.csv");
     let mut seen = 0;
     for case in ["valleys_oblique", "shear_points", "sphere_patch", "lens_balls", "valleys_points"]
     {
-        // Fine enough for the next term to lead, and coarse enough for it to exceed rounding. The
-        // symmetric valleys, long and deep, need finer grids.
+        // These grids are fine enough for the next term to dominate, and coarse enough for it to
+        // exceed rounding. The symmetric valleys are long and deep and need finer grids.
         let window = if case == "valleys_points" { 256..=1024 } else { 32..=128 };
         let of_case = |row: &Row<'_>| row.text("case") == case && window.contains(&row.n());
         let rows: Vec<_> = figure.rows().filter(of_case).collect();
@@ -114,7 +115,8 @@ fn asymptotics_are_approached_at_the_next_order() {
         ];
         for (column, limit, expected) in quantities {
             let found = order(&|row| (row.number(column) - row.number(limit)).abs());
-            // The term after the next tilts it by some hundredths, another order by 1.
+            // The term after the next changes the slope by some hundredths; another order would
+            // change it by 1.
             assert!((found - expected).abs() <= 0.1, "{case}, {column}: {found}");
             seen += 1;
         }
@@ -126,11 +128,11 @@ fn asymptotics_are_approached_at_the_next_order() {
             }
         }
     }
-    // For the balls under the lens no exact distance is known.
+    // For the balls under the lens the exact distance is not known.
     assert_eq!(seen, 5 * 3 + 4 * 2);
 }
 
-/// The figure prints the same prediction relative to `d²`.
+/// The figure shows the same prediction, relative to `d²`.
 #[test]
 fn asymptotics_have_the_same_limits_in_the_figure() {
     let (table, figure) = (table(), Table::read("data/asymptotics.csv"));
@@ -144,7 +146,7 @@ fn asymptotics_have_the_same_limits_in_the_figure() {
             let other = table.row(&[("case", row.text("case")), ("quantity", quantity)]);
             let predicted = other.number("predicted");
             let error = (row.number(limit) * other.number("d_squared") - predicted).abs();
-            // Printed with seven digits there.
+            // The table prints seven digits.
             assert!(error <= 6e-7 * predicted.abs(), "{:?} {:?}", row.record, other.record);
             seen += 1;
         }

@@ -6,8 +6,8 @@ use tautline_statements::slope;
 
 use super::{Row, Table};
 
-/// Cases in which the left rule does not show the order 1 (in the last, neither rule its own), and
-/// why.
+/// The cases in which the left rule does not show the order 1, and the reason. In the last one,
+/// neither rule shows its own order.
 const EXCEPTIONS: [(&str, &str); 3] = [
     ("valleys_points", "the metric is even about the middle of the curve"),
     ("bump_points", "both ends are nearly at the same distance from the bump"),
@@ -52,7 +52,7 @@ fn convergence_has_the_promised_columns_and_rows() {
     }
 }
 
-/// `0 ≤ E(γᵖˡ) − d² ≤ C/√N`, and the rest of the chains, in every row.
+/// `0 ≤ E(γᵖˡ) − d² ≤ C/√N` and the rest of the chains of inequalities hold in every row.
 #[test]
 fn convergence_stays_within_the_theorems_in_every_row() {
     for row in table().rows() {
@@ -81,7 +81,7 @@ fn convergence_stays_within_the_theorems_in_every_row() {
     }
 }
 
-/// The bound is `C/√N`, so that `√N` times the bound is constant in a series.
+/// The bound is `C/√N`, so `√N` times the bound is constant in a series.
 #[test]
 fn convergence_has_bounds_that_fall_like_one_over_root_n() {
     let table = table();
@@ -103,15 +103,16 @@ fn convergence_was_converged() {
             continue;
         }
         // residual² = (N/4) |g|² / (c E) and |g|² ≤ ‖A‖ gᵀA⁻¹g = ‖A‖ 2 E decrement. On short chords
-        // ‖A‖ ≤ 8 N c₂, and c₂ ≤ 25 c for the metrics here: at most (10 N)² times the decrement,
-        // beside what rounding leaves.
+        // ‖A‖ ≤ 8 N c₂, and c₂ ≤ 25 c for the metrics here. So residual² is at most (10 N)² times
+        // the decrement, plus what rounding leaves.
         let limit = 10.0 * row.number("n") * row.number("decrement").sqrt();
         let floor = row.number("residual_floor");
         assert!(row.number("residual") <= limit + 8.0 * floor, "{:?}", row.record);
     }
 }
 
-/// The orders of `E(γᵖˡ) − d²` (2 for both rules), `|E_tra,N − d²|` (2) and `|E_l,N − d²|` (1).
+/// The orders are 2 for `E(γᵖˡ) − d²` with either rule, 2 for `|E_tra,N − d²|`, and 1 for
+/// `|E_l,N − d²|`.
 #[test]
 fn convergence_has_the_predicted_orders() {
     let table = table();
@@ -123,7 +124,7 @@ fn convergence_has_the_predicted_orders() {
             slope(&points)
         };
         let excess = fit(&|row| row.number("excess"));
-        // At N = 256 the next term of the expansion is a few per cent of the first.
+        // At N = 256 the next term of the expansion is a few per cent of the first one.
         assert!((excess + 2.0).abs() <= 0.05, "{case}, {rule}: excess has the slope {excess}");
         if EXCEPTIONS.iter().any(|exception| exception.0 == case)
             && (case == "shear_ball" || rule == "left_endpoint")

@@ -1,4 +1,4 @@
-//! `paper/tables/corpus.csv`: the counts of random problems add up, and the goal is reached.
+//! `paper/tables/corpus.csv`: the counts of the random problems add up, and the goal is reached.
 
 use super::{Row, Table};
 
@@ -40,7 +40,8 @@ fn every_random_problem_is_counted_once() {
     }
 }
 
-/// At least 99.9 % reach the goal within 60 steps; each of the others has a row.
+/// At least 99.9 % of the problems reach the goal within 60 steps, and each of the others has a
+/// row.
 #[test]
 fn the_goal_is_reached_and_each_miss_is_named() {
     let table = Table::read("tables/corpus.csv");

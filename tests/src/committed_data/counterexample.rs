@@ -1,4 +1,4 @@
-//! `paper/tables/counterexample.csv`: Section 5 in numbers.
+//! `paper/tables/counterexample.csv`: the numbers of Section 5.
 
 use std::f64::consts::PI;
 
@@ -20,14 +20,16 @@ fn counterexample_has_lengths_of_4_pi_for_every_n() {
     assert_eq!(grids.iter().max(), Some(&1024));
     for row in table.rows() {
         for column in ["min_length_left", "min_length_trapezoidal"] {
-            // Printed with 13 digits, so to 5e-12 of a number of size 12; computed to 1e-12.
+            // 13 digits are printed, which gives 5e-12 for a number of size 12; it is computed to
+            // 1e-12.
             let error = (row.number(column) - 4.0 * PI).abs();
             assert!(error <= 5e-12 + 1e-12, "{column} at N = {}: off by {error:e}", row.n());
         }
     }
 }
 
-/// `N (N + 1)/2` for the left rule, `N` for the trapezoidal; counted by brute force for `N ≤ 4`.
+/// There are `N (N + 1)/2` minimisers for the left rule and `N` for the trapezoidal rule; for
+/// `N ≤ 4` they are also counted by brute force.
 #[test]
 fn counterexample_counts_its_minimisers() {
     for row in table().rows() {
@@ -42,8 +44,9 @@ fn counterexample_counts_its_minimisers() {
     }
 }
 
-/// The square roots of the discrete energies converge to the distance: like `N⁻²`, from below,
-/// with `N² (E_tra,N − d²) → −(8π)³ π/9√3 = −3199.38…`, and the left rule not much worse.
+/// The square roots of the discrete energies converge to the distance. For the trapezoidal rule
+/// they converge from below like `N⁻²`, with `N² (E_tra,N − d²) → −(8π)³ π/9√3 = −3199.38…`; the
+/// left rule is not much worse.
 #[test]
 fn counterexample_has_energies_that_converge_to_the_distance() {
     for row in table().rows() {
@@ -55,7 +58,7 @@ fn counterexample_has_energies_that_converge_to_the_distance() {
         assert!(gap >= 0.0, "N = {}", row.n());
         if row.n() >= 128 {
             let leading = (8.0 * PI).powi(2) * PI / (18.0 * 3_f64.sqrt());
-            // The next term is below (10/N)² of the first; 5e-12 N² for the printed digits.
+            // The next term is below (10/N)² times the first, and the printed digits add 5e-12 N².
             let tolerance = leading * (10.0 / row.n() as f64).powi(2) + 1e-11 * squared;
             assert!((gap * squared - leading).abs() <= tolerance, "N = {}: {gap:e}", row.n());
             let left = distance - row.number("root_min_energy_left");
@@ -67,8 +70,8 @@ fn counterexample_has_energies_that_converge_to_the_distance() {
     assert!((last - 8.0 * PI).abs() < 1e-4);
 }
 
-/// The energies are those of global minimisers: none exceeds the minimum over the sequences of a
-/// grid, found by dynamic programming.
+/// The energies belong to global minimisers: none exceeds the minimum over all sequences of points
+/// on a grid, which dynamic programming finds.
 #[test]
 fn counterexample_has_the_energies_of_global_minimisers() {
     let d2 = 64.0 * PI * PI;

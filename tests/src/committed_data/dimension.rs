@@ -1,4 +1,5 @@
-//! `paper/data/dimension.csv`: the paper's bound grows with the dimension, the sharper ones do not.
+//! `paper/data/dimension.csv`: the paper's bound grows with the dimension, and the sharper bounds
+//! do not.
 
 use tautline_statements::slope;
 
@@ -17,19 +18,20 @@ fn only_the_bound_of_the_paper_grows_with_the_dimension() {
             }
             assert!(row.number(bound) <= row.number("paper"), "{bound}: {:?}", row.record);
         }
-        // ω is ½ on the line.
+        // On the line ω is ½, so the bounds differ there.
         if row.number("dimension") >= 2.0 {
             for bound in SHARPER {
                 assert_eq!(row.text(bound), rows[1].text(bound), "{:?}", row.record);
             }
         }
-        // The problem along an axis is the one on the line, up to the error of the minimisation.
+        // Along an axis the problem is the same as on the line, up to the error of the
+        // minimisation.
         let [here, line] = [row, &rows[0]].map(|row| row.number("along_axis"));
         assert!((here / line - 1.0).abs() <= 1e-6, "{:?}", row.record);
     }
     let tail = &rows[rows.len() - 4..];
     let points = tail.iter().map(|row| (row.number("dimension"), row.number("paper")));
     let order = slope(&points.collect::<Vec<_>>());
-    // Leading D⁶ through K̄₃³; the next term is of the relative order D⁻².
+    // The leading power is D⁶, through K̄₃³; the next term is smaller by a factor of order D⁻².
     assert!((order - 6.0).abs() <= 0.05, "slope {order}");
 }

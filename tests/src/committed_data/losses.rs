@@ -1,4 +1,4 @@
-//! `paper/data/losses.csv`: each step of a proof bounds the one before.
+//! `paper/data/losses.csv`: each step of a proof gives an upper bound on the value before it.
 
 use super::{Row, Table};
 
@@ -19,7 +19,7 @@ fn no_step_of_a_proof_gains() {
             assert!(before <= after * (1.0 + 1e-9), "{:?}", pair[1].record);
         }
     }
-    // Both chains start from the observed value, and the sharper one loses less in all.
+    // Both chains start from the observed value, and the sharper chain loses less in total.
     for case in ["valleys_points", "shear_points", "separable_points"] {
         let ends = |name: &str| {
             let of_chain = |row: &&Row<'_>| row.text("case") == case && row.text("chain") == name;

@@ -1,7 +1,7 @@
-//! What the project claims about the data in its repository, checked on the files themselves.
+//! Checks what the project claims about the data in its repository, on the files themselves.
 //!
-//! Figures and tables drawn from these files show what these tests checked. Only the checks that
-//! kill the mutants compute anything.
+//! The figures and tables drawn from these files therefore show what these tests have checked. Only
+//! the checks that kill the mutants compute anything.
 
 mod asymptotics;
 mod convergence;
@@ -18,7 +18,7 @@ mod tightness;
 
 use std::collections::HashMap;
 
-/// A file of comma-separated values, after the lines that begin with `#`.
+/// A file of comma-separated values; lines at its top that begin with `#` are skipped.
 struct Table {
     columns: HashMap<String, usize>,
     rows: Vec<csv::StringRecord>,
@@ -41,7 +41,7 @@ impl Table {
         self.rows.iter().map(|record| Row { table: self, record })
     }
 
-    /// The first row with these cells.
+    /// Returns the first row with these cells.
     #[track_caller]
     fn row(&self, cells: &[(&str, &str)]) -> Row<'_> {
         let mut found = self.rows().filter(|row| cells.iter().all(|(k, v)| row.text(k) == *v));

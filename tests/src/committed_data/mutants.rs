@@ -17,8 +17,8 @@ fn every_mutant_has_its_row() {
     assert_eq!(names, expected);
 }
 
-/// The bounds of the paper do not pass a mutant that changes no number in them, so the claims count
-/// only the others.
+/// If a mutant changes no number in the paper's bounds, these bounds cannot detect it. The claims
+/// therefore count only the other mutants.
 #[test]
 fn the_paper_s_bounds_are_judged_by_what_they_could_see() {
     let table = Table::read("tables/mutants.csv");
@@ -32,7 +32,7 @@ fn the_paper_s_bounds_are_judged_by_what_they_could_see() {
     let all = Mutant::ALL.len();
     let (killed, pass, unseen) = (count("yes", "yes"), count("yes", "no"), count("no", "no"));
     let seen = killed + pass;
-    // No mutant is killed unseen, and there is no third answer.
+    // No mutant is killed without being seen, and every mutant is either seen or unseen.
     assert_eq!(seen + unseen, all);
     assert!(killed > 0 && pass > 0 && unseen > 0, "{killed}, {pass}, {unseen}");
     for (file, claims) in [
@@ -66,7 +66,8 @@ fn the_paper_s_bounds_are_judged_by_what_they_could_see() {
     }
 }
 
-/// A check that has become too weak passes on the library and on the mutant that it used to kill.
+/// A check that has become too weak would pass both on the library and on the mutant that it used
+/// to kill.
 #[test]
 fn the_first_check_that_kills_a_mutant_still_does() {
     let table = Table::read("tables/mutants.csv");

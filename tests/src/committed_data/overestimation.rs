@@ -1,4 +1,4 @@
-//! `paper/data/overestimation.csv`: every bound holds, and those that use more are smaller.
+//! `paper/data/overestimation.csv`: every bound holds, and bounds that use more data are smaller.
 
 use std::collections::BTreeSet;
 
@@ -19,7 +19,7 @@ fn every_bound_holds_in_every_row() {
         for bound in BOUNDS {
             assert!(excess <= row.number(bound), "{bound} in {:?}", row.record);
         }
-        // The paper's bound is the largest, the a-posteriori bound the smallest.
+        // The paper's bound is the largest, and the a-posteriori bound is the smallest.
         for bound in &BOUNDS[1..] {
             assert!(row.number(bound) <= row.number("paper"), "{bound} in {:?}", row.record);
             assert!(row.number("a_posteriori") <= row.number(bound), "{bound} in {:?}", row.record);
@@ -27,7 +27,7 @@ fn every_bound_holds_in_every_row() {
     }
 }
 
-/// Theorem D has the order of the observed excess: their quotient settles.
+/// Theorem D has the same order as the observed excess: their quotient settles.
 #[test]
 fn the_overestimation_of_theorem_d_does_not_grow() {
     let table = Table::read("data/overestimation.csv");
@@ -37,7 +37,7 @@ fn the_overestimation_of_theorem_d_does_not_grow() {
     };
     for case in ["valleys_points", "shear_points", "valleys_ball", "separable_points"] {
         let (before, after) = (at(case, "1024"), at(case, "4096"));
-        // The next terms of the bound are of the relative order N^{-1/2}.
+        // The next terms of the bound are smaller by a factor of order N^{-1/2}.
         assert!(after <= before, "{case}: {before} at N = 1024, {after} at N = 4096");
     }
 }

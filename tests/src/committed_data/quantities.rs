@@ -1,4 +1,4 @@
-//! `paper/data/quantities.csv`: only the discrete energy falls below `d²`.
+//! `paper/data/quantities.csv`: only the discrete energy can be less than `d²`.
 
 use super::Table;
 
@@ -15,7 +15,8 @@ fn quantities_of_the_curve_are_never_below_d_squared() {
     assert!(below > 0, "the figure shows that the discrete energy may be below");
 }
 
-/// The bump: between these two grids the left rule's first order overtakes the second.
+/// The case is the bump. Between these two grids, the first-order term of the left rule overtakes
+/// the second-order term.
 #[test]
 fn quantities_show_where_the_first_order_takes_over() {
     let table = Table::read("data/quantities.csv");

@@ -1,4 +1,5 @@
-//! `paper/data/speeds.csv`: least energy has nearly constant speed, least length is one jump.
+//! `paper/data/speeds.csv`: the minimiser of the energy has nearly constant speed, and the
+//! minimiser of the length makes a single jump.
 
 use std::f64::consts::PI;
 
@@ -18,7 +19,8 @@ fn speeds_stay_within_lemmas_s_3_and_s_5() {
             assert!(speed <= row.number("greatest"), "{:?}", row.record);
             assert!((speed - mean).abs() <= row.number("deviation"), "{:?}", row.record);
         }
-        // Section 5: one chord from 0 to 4π, read where H = 1, and so N times 4π.
+        // In Section 5 one chord leads from 0 to 4π, and H = 1 where it is evaluated, so the speed
+        // is N times 4π.
         let moving: Vec<f64> =
             rows.iter().map(|row| row.number("least_length")).filter(|q| *q != 0.0).collect();
         let [jump] = moving[..] else { panic!("N = {n}: {moving:?}") };
@@ -27,7 +29,7 @@ fn speeds_stay_within_lemmas_s_3_and_s_5() {
     }
 }
 
-/// The largest relative deviation of an energy minimiser from its mean speed falls with `N`.
+/// The largest relative deviation of an energy minimiser's speed from its mean decreases with `N`.
 #[test]
 fn speeds_of_least_energy_become_equal() {
     let table = Table::read("data/speeds.csv");

@@ -1,11 +1,11 @@
-//! `paper/tables/tightness.csv`: a search that stopped at an edge of its box says why.
+//! `paper/tables/tightness.csv`: if a search stopped at an edge of its box, the table says why.
 
 use tautline_adversary::{Beyond, Family, families};
 use tautline_statements::LIBRARY;
 
 use super::{Row, Table};
 
-/// The parameters of a row by their names, as printed.
+/// Returns the names and printed values of the parameters of a row.
 fn parameters<'a>(row: Row<'a>) -> impl Iterator<Item = (&'a str, f64)> {
     let others = row.text("parameters").split("; ").filter_map(|cell| cell.split_once(" = "));
     let n = (!row.text("n").is_empty()).then(|| ("N", row.text("n")));
@@ -17,7 +17,7 @@ fn family<'a, 'f>(families: &'a [Family<'f>], row: Row<'_>) -> &'a Family<'f> {
     found.unwrap_or_else(|| panic!("no family {} of {}", row.text("family"), row.text("statement")))
 }
 
-/// The ends are read off the printed values, so that the column cannot omit one.
+/// The test finds the edges from the printed values, so that the column `edges` cannot omit one.
 #[test]
 fn a_case_at_an_edge_of_its_search_says_why() {
     let table = Table::read("tables/tightness.csv");
@@ -41,7 +41,7 @@ fn a_case_at_an_edge_of_its_search_says_why() {
     assert!(seen > 0, "no case is at an edge");
 }
 
-/// The program that makes the table measures how far a range is from a limit.
+/// The program that makes the table measures how far the end of a range is from the limit.
 #[test]
 fn no_search_is_cut_off() {
     let table = Table::read("tables/tightness.csv");

@@ -1,4 +1,4 @@
-//! Metrics composed from metrics of the gallery.
+//! Runs the kit on metrics composed from metrics of the gallery.
 
 use std::f64::consts::TAU;
 
@@ -14,12 +14,12 @@ pub(super) fn shear() -> Shear {
     Shear::new(0.5, 1.0).expect("a wave number")
 }
 
-/// A shear beside a lens.
+/// Returns the product of a shear and a lens.
 pub(super) fn product() -> Product<Shear, Lens, 2, 2> {
     Product::new(shear(), Lens::new(1.0, 0.5).expect("a width"))
 }
 
-/// A period of the shear, and six widths of the lens to each side.
+/// Returns a region that spans one period of the shear, and six widths of the lens on each side.
 pub(super) fn beside() -> Region<4> {
     Region::cell([0.0, 0.0, -3.0, -3.0], [TAU, TAU, 3.0, 3.0])
 }
@@ -32,7 +32,7 @@ pub(super) fn scaled() -> Scaled<Hill> {
     Scaled::new(Hill::new(0.5, 0.5).expect("a width"), 2.5).expect("a factor")
 }
 
-/// Neither a similarity nor symmetric.
+/// Returns the pullback of a shear by a matrix that is neither a similarity nor symmetric.
 pub(super) fn pullback() -> AffinePullback<Shear, 2> {
     let matrix = SMatrix::<f64, 2, 2>::new(1.2, -0.5, 0.3, 0.8);
     AffinePullback::new(shear(), matrix, [0.5, -0.25]).expect("invertible")

@@ -1,5 +1,5 @@
-//! The suite on every sample of the gallery, and on two samples in more dimensions. The metrics with
-//! constants on balls only are in `without_constants.rs`.
+//! Runs the suite on every sample of the gallery, and on two samples in higher dimensions. The
+//! metrics that have constants only on balls are in `without_constants.rs`.
 
 use std::f64::consts::TAU;
 

@@ -1,5 +1,5 @@
-//! What is said of the kit, counted in the sources: that the whole gallery goes through it, and
-//! how much a newcomer has to write.
+//! Checks two claims about the kit by reading the sources: that the whole gallery goes through it,
+//! and how much code a newcomer has to write.
 
 use std::path::{Path, PathBuf};
 
@@ -15,7 +15,7 @@ fn crates() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates")
 }
 
-/// The lines that the compiler reads.
+/// Returns the lines of a text that are neither blank nor comments.
 fn code(text: &str) -> impl Iterator<Item = &str> {
     text.lines().filter(|line| !line.trim().is_empty() && !line.trim_start().starts_with("//"))
 }
@@ -24,8 +24,8 @@ fn words(line: &str) -> impl Iterator<Item = &str> {
     line.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|word| !word.is_empty())
 }
 
-/// The names in `pub use module::Name;` or `pub use module::{Name, Other};` for which the file of
-/// the module has an `impl … Metric<…> for Name`.
+/// Returns the names in `pub use module::Name;` or `pub use module::{Name, Other};` for which the
+/// file of the module contains an `impl … Metric<…> for Name`.
 fn metrics() -> Vec<String> {
     let gallery = crates().join("tautline-metrics/src/gallery");
     let exports = read(&gallery.join("mod.rs"));
@@ -35,7 +35,7 @@ fn metrics() -> Vec<String> {
     for line in exported {
         let (module, names) = line.split_once("::").expect("a module and what is in it");
         let text = read(&gallery.join(module).with_extension("rs"));
-        // `Metric<D> for Name` may be broken into two lines.
+        // `Metric<D> for Name` may be split over two lines.
         let heads: Vec<&str> = code(&text).flat_map(words).collect();
         let is_metric = |name: &str| {
             heads.windows(4).any(|head| matches!(head, ["Metric", _, "for", of] if *of == name))
@@ -49,7 +49,7 @@ fn metrics() -> Vec<String> {
 fn every_metric_of_the_gallery_goes_through_the_kit() {
     let metrics = metrics();
     let gallery = read(&crates().join("tautline-metrics/src/gallery/mod.rs"));
-    // The table at the top of the gallery has a row for each of them.
+    // The table at the top of the gallery has a row for each metric.
     let rows = gallery.lines().filter(|line| line.starts_with("//! | [`")).count();
     assert_eq!(metrics.len(), rows, "{metrics:?}");
     let (_, samples) = gallery.split_once("macro_rules! for_each_sample").expect("the samples");
@@ -60,7 +60,7 @@ fn every_metric_of_the_gallery_goes_through_the_kit() {
     }
 }
 
-/// A set has a file with its `impl ClosedSet` for it, and a line in `sets.rs`.
+/// Every set has a file that contains its `impl ClosedSet`, and is named in `sets.rs`.
 #[test]
 fn every_set_goes_through_the_kit() {
     let sets = crates().join("tautline-sets/src");
@@ -76,19 +76,20 @@ fn every_set_goes_through_the_kit() {
             assert!(code(&tested).flat_map(words).any(|word| word == name), "{name} is not tested");
         }
     }
-    // As many as the table at the top of the crate has rows, and no fewer.
+    // The table at the top of the crate has exactly one row per set.
     let rows = exports.lines().filter(|line| line.starts_with("//! | [`")).count();
     assert_eq!(count, rows);
 }
 
-/// What a newcomer writes, without comments and blank lines.
+/// Returns the lines that a newcomer writes, without comments and blank lines.
 fn newcomer() -> Vec<String> {
     let text = read(&here().join("newcomer.rs"));
-    // His mistakes are ours.
+    // The newcomer does not write the mistakes; we do.
     code(&text).take_while(|line| *line != "mod mistakes;").map(str::to_owned).collect()
 }
 
-/// All that he writes is counted, imports and closing braces too, except the formula.
+/// The count includes everything that the newcomer writes, imports and closing braces too, except
+/// the formula.
 #[test]
 fn a_newcomer_writes_twelve_lines_besides_the_formula() {
     let lines = newcomer();

@@ -1,4 +1,4 @@
-//! The kit on everything that the project brings, and on what must be refused.
+//! Runs the kit on everything that the project provides, and on what the kit must refuse.
 
 /// Declares a metric with this formula.
 macro_rules! formula {
@@ -29,13 +29,13 @@ use tautline::{Bounded, Constants};
 use tautline_kit::{Claim, Fault, Outcome};
 use tautline_statements::WithConstants;
 
-/// The fault of a law that fails.
+/// Returns the fault of a law; panics if the law holds.
 #[track_caller]
 fn fault(outcome: Outcome) -> Fault {
     outcome.failure.unwrap_or_else(|| panic!("{} holds", outcome.id)).fault
 }
 
-/// The inequality that breaks a law.
+/// Returns the inequality that is violated; panics if the law holds.
 #[track_caller]
 fn broken(outcome: Outcome) -> &'static str {
     match fault(outcome) {
@@ -44,12 +44,12 @@ fn broken(outcome: Outcome) -> &'static str {
     }
 }
 
-/// A metric that claims these constants.
+/// Returns the metric with these constants claimed for it.
 fn claiming<M>(metric: M, [c1, c2, l_h]: [f64; 3]) -> WithConstants<M> {
     WithConstants { metric, constants: Constants::new(c1, c2, l_h).expect("in order") }
 }
 
-/// The metric with one of its constants multiplied by a factor.
+/// Returns the metric with one of its constants multiplied by a factor.
 fn with_wrong<M: Bounded<D>, const D: usize>(
     metric: M,
     constant: Claim,

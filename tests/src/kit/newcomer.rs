@@ -1,8 +1,8 @@
-//! What a newcomer writes: a formula, its constants, and one line; and what the kit shows if one of
-//! these is wrong.
+//! What a newcomer writes (a formula, its constants, and one line), and what the kit shows if one
+//! of these is wrong.
 //!
-//! From `use` to `metric_suite!` these are twelve lines of code besides the formula, the body of
-//! `gram`, imports and closing braces included.
+//! From `use` to `metric_suite!` these are twelve lines of code. The formula, which is the body of
+//! `gram`, is not counted; imports and closing braces are.
 
 use tautline_kit::prelude::*;
 

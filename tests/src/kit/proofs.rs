@@ -1,4 +1,5 @@
-//! Constants proved from the formula, where none are claimed and where the claims are wrong.
+//! Constants are proved from the formula, both where none are claimed and where the claims are
+//! wrong.
 
 use tautline::{
     CertifyError,
@@ -8,7 +9,7 @@ use tautline_kit::{Claim, Fault, MetricCase, Proof, metric, prelude::*};
 
 use super::{claiming, fault, gallery::period, with_wrong};
 
-// [[2 + cos x₁, 0.3 sin(x₁ + x₂)], [·, 1.5 + 0.5 sin x₂]], without constants.
+// H = [[2 + cos x₁, 0.3 sin(x₁ + x₂)], [·, 1.5 + 0.5 sin x₂]]; no constants are claimed.
 formula!(Formula, 2, |x| {
     let off = (x[0] + x[1]).sin() * 0.3;
     SMatrix::<S, 2, 2>::new(x[0].cos() + 2.0, off, off, x[1].sin() * 0.5 + 1.5)
@@ -34,12 +35,12 @@ fn a_constant_that_is_off_by_a_thousandth_is_refused_with_its_witness() {
     }
 }
 
-/// A metric on a period.
+/// Returns the case of a metric on one period.
 fn on_a_period<M: Bounded<2>>(metric: M) -> MetricCase<M, 2> {
     MetricCase::new(metric, period(), Effort::default())
 }
 
-/// What is proved of one constant of a case.
+/// Returns what is proved about one constant of a case.
 fn proof<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>, claim: Claim) -> Proof {
     let outcome = metric::no_constant_is_refuted(case);
     outcome.assert();
@@ -51,7 +52,7 @@ fn proof<M: Bounded<D>, const D: usize>(case: &MetricCase<M, D>, claim: Claim) -
 fn a_claim_is_proved_or_right_to_the_tolerance() {
     let of =
         |factor| proof(&on_a_period(with_wrong::<_, 2>(Valleys, Claim::LH, factor)), Claim::LH);
-    // Attained, and known to one percent.
+    // The constant is attained, and the proof determines it to one percent.
     let Proof::RightTo { percent } = of(1.0) else { panic!("{}", of(1.0)) };
     assert!(percent > 0.0 && percent <= 1.0, "{percent}");
     assert_eq!(of(1.02), Proof::Proved);
@@ -60,8 +61,8 @@ fn a_claim_is_proved_or_right_to_the_tolerance() {
 /// The law passes, but the standings show that nothing was proved.
 #[test]
 fn undecided_and_untried_claims_do_not_count_as_proved() {
-    // 2 + cos 40x₁ cos 40x₂/2: the second derivative is largest in six thousand places, more than
-    // there are boxes.
+    // For 2 + cos 40x₁ cos 40x₂/2 the second derivative is largest at six thousand places, which
+    // are more than there are boxes.
     formula!(Quilt, 2, |x| {
         let [u, v] = [x[0] * 40.0, x[1] * 40.0];
         SMatrix::from_diagonal_element(u.cos() * v.cos() * 0.5 + 2.0)
@@ -72,7 +73,7 @@ fn undecided_and_untried_claims_do_not_count_as_proved() {
         on_a_period(quilt)
     };
     assert_eq!(proof(&of(801.0), Claim::MH), Proof::NotDecided);
-    // The bounds reached so far refute smaller claims and prove larger ones.
+    // The bounds reached so far suffice to refute smaller claims and to prove larger ones.
     assert_eq!(proof(&of(1e4), Claim::MH), Proof::Proved);
     let refuted = fault(metric::no_constant_is_refuted(&of(100.0)));
     let Fault::Refuted { claim: Claim::MH, claimed: 100.0, bound } = refuted else {
@@ -81,8 +82,8 @@ fn undecided_and_untried_claims_do_not_count_as_proved() {
     assert!(bound > 100.0 && bound <= 801.0, "{refuted}");
     assert!(refuted.to_string().contains("claims M_H = 100, but it is proved to be at least"));
 
-    // c₁: with w = cos 200x₁ cos 200x₂, 2 + (w² + w)/2 ≥ 15/8 is attained in forty thousand places,
-    // while the interval of all w gives 3/2.
+    // c₁: with w = cos 200x₁ cos 200x₂, the minimum 15/8 of 2 + (w² + w)/2 is attained at forty
+    // thousand places, while interval arithmetic over all w gives 3/2.
     formula!(Fine, 2, |x| {
         let [u, v] = [x[0] * 200.0, x[1] * 200.0];
         let wave = u.cos() * v.cos();
@@ -101,7 +102,8 @@ fn undecided_and_untried_claims_do_not_count_as_proved() {
     }
 }
 
-/// `2 + (sin x₁)/x₁`, with a branch for 0, where the quotient is undefined: no tape has both.
+/// `2 + (sin x₁)/x₁` needs a branch for 0, where the quotient is undefined. No tape contains both
+/// branches.
 #[test]
 fn a_formula_with_branches_is_tested_but_not_proved() {
     formula!(Sinc, 2, |x| {
@@ -120,7 +122,7 @@ fn a_formula_with_branches_is_tested_but_not_proved() {
     }
 }
 
-/// Indefinite in a spot of width 0.04, where few samples lie.
+/// The metric is indefinite only in a spot of width 0.04, where few samples lie.
 #[test]
 fn a_metric_that_is_indefinite_in_a_corner_is_refused_with_a_point() {
     formula!(Dented, 2, |x| {

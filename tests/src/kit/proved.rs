@@ -1,10 +1,11 @@
-//! A formula alone: its constants are proved; if they cannot be, exactly one test fails.
+//! Runs the kit on a formula alone, whose constants are proved. If they cannot be proved, exactly
+//! one test fails.
 
 use std::{env, process::Command};
 
 use tautline_kit::prelude::*;
 
-/// Set in the process in which the formula is indefinite.
+/// This variable is set in the process in which the formula is indefinite.
 const INDEFINITE: &str = "TAUTLINE_TESTS_INDEFINITE";
 
 // H(x) = (mean + cos x₁ sin x₂) I
@@ -22,7 +23,7 @@ fn tray() -> Tray {
     Tray { mean: if env::var_os(INDEFINITE).is_some() { 0.5 } else { 2.0 } }
 }
 
-/// Runs the whole suite once more in another process, where one of its tests fails.
+/// Runs the whole suite once more in another process, in which exactly one of its tests fails.
 #[test]
 fn an_indefinite_metric_fails_once_with_the_point_and_advice() {
     let suite = "kit::proved::tray::";

@@ -1,4 +1,4 @@
-//! The rules of the project, and one of a user's own.
+//! Runs the kit on the rules of the project, and on a rule that a user wrote.
 
 use tautline::{LeftEndpoint, Trapezoidal, TrueTrapezoid};
 use tautline_kit::{Fault, RuleCase, prelude::*, rule};
@@ -9,7 +9,7 @@ rule_suite!(trapezoidal: Trapezoidal);
 rule_suite!(left_endpoint: LeftEndpoint);
 rule_suite!(true_trapezoid: TrueTrapezoid);
 
-/// Gauss's rule with two nodes, as a user would write it.
+/// Gauss's rule with two nodes, written as a user would write it.
 #[derive(Clone, Copy, Debug)]
 struct Gauss;
 
@@ -24,7 +24,8 @@ impl Rule for Gauss {
 
 rule_suite!(gauss: Gauss);
 
-/// Both ends of the chord, with weights that are too small and an exponent that is too large.
+/// A rule with nodes at both ends of the chord, weights that are too small, and an exponent that is
+/// too large.
 #[derive(Clone, Copy, Debug)]
 struct Wrong;
 
@@ -46,7 +47,7 @@ fn a_wrong_rule_fails_by_the_laws_it_breaks() {
     assert_eq!(failures, broken, "{report}");
 }
 
-/// The right-endpoint rule is a rule; only its exponent is wrong, and the fault has both numbers.
+/// The right-endpoint rule is valid except for its exponent, and the fault shows both exponents.
 #[test]
 fn an_exponent_that_is_not_observed_is_named() {
     #[derive(Clone, Copy, Debug)]
@@ -62,7 +63,7 @@ fn an_exponent_that_is_not_observed_is_named() {
     assert!((found - 1.0).abs() <= 0.05 && least > 1.9, "{report}");
 }
 
-/// A rule with these nodes and weights.
+/// Makes the case of a rule with these nodes and weights.
 macro_rules! rule {
     ($(($fraction:expr, $weight:expr)),*) => {{
         #[derive(Clone, Copy, Debug)]
@@ -86,7 +87,7 @@ fn a_node_beyond_either_end_of_the_chord_is_refused() {
     assert!(rule::nodes_lie_on_the_chord(&rule![(0.0, 0.5), (1.0, 0.5)]).holds());
 }
 
-/// The weights add up to 1, and both nodes lie on the chord.
+/// The weights add up to 1 and both nodes lie on the chord; only the sign of a weight is wrong.
 #[test]
 fn a_negative_weight_is_refused() {
     let case = rule![(0.0, 1.5), (1.0, -0.5)];

@@ -1,4 +1,4 @@
-//! The closed sets of the project, and one of a user's own.
+//! Runs the kit on the closed sets of the project, and on a closed set that a user wrote.
 
 use std::sync::Arc;
 

@@ -1,7 +1,8 @@
-//! The metrics of the gallery that have constants on balls only.
+//! Runs the kit on the metrics of the gallery that have constants only on balls.
 //!
-//! If the centre of a ball lies on a diagonal, a corner of the largest cube in it is as far from
-//! the origin as the ball reaches, so that constants that are extreme there are attained.
+//! If the centre of a ball lies on a diagonal, a corner of the largest cube in the ball is as far
+//! from the origin as any point of the ball. Constants that are extreme there are therefore
+//! attained.
 
 use tautline::{
     LocalError,
@@ -14,7 +15,7 @@ metric_suite!(sphere: Sphere, dimension 2, within 0.3, of [0.5, 0.5], with dista
 metric_suite!(hyperbolic: Hyperbolic, dimension 3, within 0.2, of [0.3, 0.3, 0.3], with distances);
 metric_suite!(fisher: GaussianFisher, dimension 2, within 0.5, of [1.0, -0.3], with distances);
 
-/// Each constant is attained in the cube, so that every mistake shows.
+/// Each constant is attained in the cube, so that every mistake in a constant shows.
 #[test]
 fn wrong_constants_of_a_ball_are_refused() {
     let case = MetricCase::<_, 2>::within(Sphere, [0.5, 0.5], 0.3, Effort::default());
@@ -30,7 +31,7 @@ fn wrong_constants_of_a_ball_are_refused() {
     }
 }
 
-/// In a huge ball no ends are near enough for their competitors to stay inside.
+/// In a huge ball, no two ends are close enough for their competitors to stay inside the ball.
 #[test]
 fn a_ball_with_useless_constants_is_refused() {
     let refused = |radius| {

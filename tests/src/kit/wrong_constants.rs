@@ -1,4 +1,4 @@
-//! Wrong constants are refused, on the whole gallery.
+//! The kit refuses wrong constants, on the whole gallery.
 
 use Claim::{C1, C2, LH, MH};
 use tautline::gallery::*;
@@ -11,11 +11,11 @@ use super::{
     with_wrong,
 };
 
-/// An attained constant that is wrong by this much is refused. Measured: `10⁻⁶` is enough for every
-/// constant below.
+/// The relative error at which a wrong constant must be refused if the true one is attained. An
+/// error of `10⁻⁶` would be enough for every constant below, as measured.
 const SMALL: f64 = 1e-4;
 
-/// The law about one constant, for the metric with that constant multiplied by a factor.
+/// Evaluates the law about one constant, for the metric with that constant multiplied by a factor.
 fn law<M: Bounded<D>, const D: usize>(
     metric: &M,
     region: Region<D>,
@@ -32,8 +32,8 @@ fn law<M: Bounded<D>, const D: usize>(
     }
 }
 
-/// Makes every constant wrong in turn, by a little if it is attained, else by a little more than
-/// its overestimation, which is given for the `loose` ones.
+/// Makes each constant wrong, one at a time. An attained constant is made wrong by a little. A
+/// constant listed in `loose` is made wrong by a little more than its overestimation.
 #[track_caller]
 fn assert_refused<M: Bounded<D>, const D: usize>(
     metric: &M,
@@ -44,12 +44,12 @@ fn assert_refused<M: Bounded<D>, const D: usize>(
         let known = loose.iter().find(|(which, _)| *which == constant);
         let overestimation = known.map_or(1.0, |(_, known)| *known);
         let truth = law(metric, region, constant, 1.0);
-        // Any multiple of 0 is true as well.
+        // If the constant is 0, any multiple of it is correct too.
         if constant.of(&metric.constants()) == Some(0.0) {
             assert!(truth.holds(), "{truth}");
             continue;
         }
-        // Known to its last printed digit.
+        // The overestimations are given to their last printed digit.
         assert!((truth.overestimation - overestimation).abs() <= 1e-3, "{truth}");
         let size = overestimation * (1.0 + SMALL + 1e-3 * f64::from(u8::from(known.is_some())));
         let factor = if constant == C1 { size } else { 1.0 / size };
@@ -58,15 +58,16 @@ fn assert_refused<M: Bounded<D>, const D: usize>(
         };
         let claimed = constant.of(&metric.constants()).expect("claimed") * factor;
         assert_eq!((lie.constant, lie.point.len(), lie.direction.len()), (constant, D, D));
-        // One rounding of the product.
+        // The product has one rounding.
         assert!((lie.claimed - claimed).abs() <= 1e-15 * claimed, "{lie}");
         let beyond = if constant == C1 { lie.found < claimed } else { lie.found > claimed };
         assert!(beyond, "{lie}");
     }
 }
 
-/// The constants that a sample does not attain in its cell, with bound ÷ observed there, to the last
-/// digit. The two channels miss `c₂` by `2 · 10⁻⁴`, four widths from a channel.
+/// Returns the constants that a sample does not attain in its cell, each with bound ÷ observed
+/// there, correct to the last digit. The two channels miss `c₂` by `2 · 10⁻⁴`, since the cell
+/// reaches only four widths from a channel.
 fn loose(sample: &str) -> &'static [(Claim, f64)] {
     match sample {
         "a_ramp" => &[(MH, 1.4219)],
@@ -105,7 +106,8 @@ macro_rules! wrong_constants_are_refused {
 
 for_each_sample!(wrong_constants_are_refused);
 
-/// Names the tests of single metrics: the metric, its region, and the claims that are not attained.
+/// Generates the tests of single metrics from the metric, its region, and the claims that are not
+/// attained.
 macro_rules! wrong_constants {
     ($($(#[$doc:meta])* $name:ident: $metric:expr, in $region:expr, loose $loose:expr;)*) => {
         $($(#[$doc])* #[test] fn $name() { assert_refused(&$metric, $region, &$loose); })*
@@ -117,24 +119,27 @@ wrong_constants! {
         RotatingAnisotropy::new([1.0, 4.0], [0.7, -1.1]).expect("eigenvalues"),
         in cube::<2>(2.0), loose [];
     of_a_separable_metric_in_space_are_refused: separable_in_space(), in cube::<3>(3.2), loose [];
-    /// Eight dimensions, and three claims that are bounds.
+    /// The metric has eight dimensions, and three of its constants are bounds that are not
+    /// attained.
     of_sine_projections_in_eight_dimensions_are_refused:
         SineProjections::benchmark(), in cube::<8>(1.5),
         loose [(C2, 1.0154), (LH, 1.2389), (MH, 1.4397)];
-    /// The smaller and the larger of two attained constants are attained.
+    /// The constants of a product are the smaller and the larger of two attained constants, so they
+    /// are attained.
     of_a_product_are_refused: product(), in beside(), loose [];
-    /// The two metrics attain their constants near each other, but not all at one point.
+    /// The two metrics attain their constants near each other, but not all of them at one point.
     of_a_sum_are_refused:
         sum(), in period::<2>(), loose [(C2, 1.0016), (LH, 1.0124), (MH, 1.0080)];
     of_a_multiple_are_refused: scaled(), in cube::<2>(3.0), loose [];
-    /// The matrix stretches most in another direction than the one where the shear is steepest, so
-    /// that powers of that ratio are lost.
+    /// The direction in which the matrix stretches most is not the direction in which the shear is
+    /// steepest, so that powers of the ratio of the stretches are lost.
     of_an_affine_pullback_are_refused:
         pullback(), in cube::<2>(4.0),
         loose [(C1, 1.3617), (C2, 1.3617), (LH, 2.3774), (MH, 3.9979)];
 }
 
-/// A shear is no multiple of the identity and must not claim to be one; the valleys are.
+/// A shear is no multiple of the identity, so it must not claim isotropy; the valleys are
+/// isotropic.
 #[test]
 fn a_false_claim_of_isotropy_is_refused() {
     let metric = shear();

@@ -1,5 +1,5 @@
-//! The statements refuse constants that are not those of the metric, by the hypothesis or the
-//! conclusion that needs them.
+//! A statement refuses constants that are not those of the metric: the hypothesis or the conclusion
+//! that needs the wrong constant fails.
 
 use tautline::gallery::{Constant, Valleys};
 use tautline_kit::{Fault, MetricCase, metric, prelude::*};
@@ -12,8 +12,8 @@ use super::{
 
 type Law<M> = fn(&MetricCase<WithConstants<M>, 2>) -> Outcome;
 
-/// Runs a law on a metric with these constants. Returns the statement, whether a hypothesis of it
-/// fails, and the violated inequality.
+/// Runs a law on a metric with these constants. Returns the statement, whether one of its
+/// hypotheses fails, and the violated inequality.
 #[track_caller]
 fn violated<M: Bounded<2>>(
     law: Law<M>,
@@ -30,7 +30,7 @@ fn violated<M: Bounded<2>>(
     }
 }
 
-/// The constants of the valleys, all attained, with one of them off by five or ten percent.
+/// All constants of the valleys are attained. Here one of them is wrong by five or ten percent.
 #[test]
 fn statements_refuse_a_wrong_constant_of_the_valleys() {
     use Statement::{Proposition7_1, Proposition7_5, Proposition7_6, Proposition7_7};
@@ -58,7 +58,7 @@ fn statements_refuse_a_wrong_constant_of_the_valleys() {
     }
 }
 
-/// Speeds change by more than a metric that hardly changes allows.
+/// With a hundredth of `L_H` claimed, the speeds change by more than the statement allows.
 #[test]
 fn minimisers_refuse_a_hundredth_of_l_h() {
     let claimed = Bounded::<2>::constants(&Valleys);
@@ -68,7 +68,8 @@ fn minimisers_refuse_a_hundredth_of_l_h() {
     assert!(!hypothesis && found.claim.contains("qₙ − qₙ₋₁"), "{found}");
 }
 
-/// `H = I` with `c₁ = c₂ = 100`: at both points of the nearest pair the smallest eigenvalue is 1.
+/// The metric is `H = I`, but `c₁ = c₂ = 100` is claimed. At both points of the nearest pair the
+/// smallest eigenvalue is 1.
 #[test]
 fn prop_6_2_refuses_a_c1_of_a_hundred() {
     let metric = Constant::<2>::new(SMatrix::identity()).expect("positive definite");

@@ -1,4 +1,4 @@
-//! Wrong closed sets: each is refused by the law that it breaks, with the numbers.
+//! Each wrong closed set is refused by the law that it breaks, and the fault shows the numbers.
 
 use tautline::{Ball, Interval, Sphere};
 use tautline_kit::{Fault, SetCase, prelude::*, set};
@@ -9,22 +9,22 @@ fn region() -> Region<2> {
     Region::cell([-4.0, -4.0], [4.0, 4.0])
 }
 
-/// The unit circle about `(½, 0)` with a mistake; with none by default.
+/// The unit circle about `(½, 0)`, with the mistakes given by the fields; by default it has none.
 #[derive(Clone, Copy, Debug, Default)]
 struct Circle {
-    /// The angle by which its nearest points are turned.
+    /// The angle by which its nearest points are rotated.
     turned: f64,
-    /// What is missing of its radius.
+    /// The amount by which its radius is too small.
     missing: f64,
-    /// What is missing of the radius of its enclosing ball.
+    /// The amount by which the radius of its enclosing ball is too small.
     tight: f64,
-    /// It claims to be convex.
+    /// Whether it claims to be convex.
     convex: bool,
-    /// The error of one entry of its derivative.
+    /// The error in one entry of its derivative.
     off: f64,
-    /// It has a seed at its centre.
+    /// Whether it has a seed at its centre, which is not a member.
     seed: bool,
-    /// How far its proved members are moved.
+    /// The distance by which its proved members are moved.
     beside: f64,
 }
 
@@ -87,13 +87,15 @@ fn the_circle_itself_passes() {
     assert!(report.holds(), "{report}");
 }
 
-/// Each mistake is refused by the law about it, and the two sides of its inequality show its size.
+/// Each mistake is refused by the law about it, and the two sides of the violated inequality show
+/// the size of the mistake.
 #[test]
 fn mistakes_of_the_circle_are_refused() {
     type Sides = fn(f64, f64) -> bool;
     let circle = Circle::default();
     let mistakes: [(Circle, &str, Sides); 7] = [
-        // One degree off: the projections lie in the set and stay there, but others are nearer.
+        // One degree off: projected points lie in the set and stay fixed, but other members are
+        // nearer.
         (Circle { turned: 1_f64.to_radians(), ..circle }, "no_member_is_nearer", |left, right| {
             left > right
         }),
@@ -128,7 +130,7 @@ fn mistakes_of_the_circle_are_refused() {
     assert_eq!(note.as_deref(), Some("the claim itself does not hold"));
 }
 
-/// NaN on one side of a line, where a solver may never look.
+/// The projection is NaN on one side of a line, where a solver may never look.
 #[test]
 fn a_projection_that_is_nan_is_refused() {
     #[derive(Clone, Copy, Debug)]
@@ -146,11 +148,11 @@ fn a_projection_that_is_nan_is_refused() {
     }
     let fault = fault(set::outputs_are_finite(&case(&Torn)));
     let Fault::Broken { left, point, .. } = fault else { panic!("{fault}") };
-    // Shrunk to the first step beyond the line.
+    // The point is shrunk to the first step beyond the line.
     assert!(left.is_nan() && point == [3.0 + 8.0 / 65536.0, -4.0], "{point:?}");
 }
 
-/// A ball of radius 100, in which the region lies: no sample of it is longer than 6.
+/// The set is a ball of radius 100 that contains the region, so no sample has a norm larger than 6.
 #[test]
 fn a_radius_that_is_too_small_outside_of_the_region_is_refused() {
     #[derive(Clone, Copy, Debug)]
@@ -173,13 +175,13 @@ fn a_radius_that_is_too_small_outside_of_the_region_is_refused() {
     }
 }
 
-/// Two points `(±half, 0)`, perhaps with a mistake.
+/// The two points `(±half, 0)`, with the mistakes given by the fields.
 #[derive(Clone, Copy, Debug)]
 struct Pair {
     half: f64,
-    /// It claims to be convex.
+    /// Whether it claims to be convex.
     convex: bool,
-    /// The right point is a seed, and nothing else is projected to it.
+    /// Whether the right point is only a seed, to which nothing but itself is projected.
     forgets: bool,
 }
 
@@ -206,8 +208,8 @@ impl ClosedSet<2> for Pair {
     }
 }
 
-/// No sample is projected to the right point, though half of them are nearer to it: it is known as
-/// a seed only.
+/// No sample is projected to the right point, although half of the samples are nearer to it. The
+/// kit knows the right point only as a seed.
 #[test]
 fn a_seed_that_is_nearer_is_a_member_that_is_nearer() {
     let pair = Pair { half: 1.03, convex: false, forgets: true };
@@ -220,9 +222,9 @@ fn a_seed_that_is_nearer_is_a_member_that_is_nearer() {
     assert!(set::no_member_is_nearer(&case(&right)).holds());
 }
 
-/// Two points so near to each other that samples in different cells are farther apart, and that
-/// angles are obtuse up to rounding: `(x − P(x))·(q − P(x))` is at most `2 half²`, far below what
-/// is granted. Two points far apart break another law first.
+/// The two points are closer together than any two samples in different cells, and the angles are
+/// obtuse only up to rounding: `(x − P(x))·(q − P(x))` is at most `2 half²`, far below the
+/// tolerance. Two points far apart break another law first.
 #[test]
 fn two_points_are_not_convex() {
     for (half, law) in

@@ -10,7 +10,7 @@ pub(crate) struct Ellipse {
 }
 
 impl Ellipse {
-    /// The ellipse with these semi-axes, turned by `angle`.
+    /// Returns the ellipse with these semi-axes, rotated by `angle`.
     pub(crate) fn new(centre: [f64; 2], semi_axes: [f64; 2], angle: f64) -> Self {
         let (sin, cos) = angle.sin_cos();
         let turn = SMatrix::<f64, 2, 2>::new(cos, -sin, sin, cos);
@@ -24,9 +24,10 @@ impl Ellipse {
         a.dot(&self.centre) + a.dot(&(inverse * a)).sqrt()
     }
 
-    /// For `z = x − c` outside: `P = (I + λQ)⁻¹z` with the multiplier `λ > 0` for which `PᵀQP = 1`,
-    /// and the matrix `(I + λQ)⁻¹`. `PᵀQP` is decreasing and convex in `λ`, so that Newton's method
-    /// climbs from `λ = 0` to the root without a safeguard.
+    /// Returns the nearest point `P` to `z = x − c` outside the ellipse, and the matrix
+    /// `(I + λQ)⁻¹`. Here `P = (I + λQ)⁻¹z`, with the multiplier `λ > 0` for which `PᵀQP = 1`.
+    /// `PᵀQP` is decreasing and convex in `λ`, so that Newton's method climbs from `λ = 0` to the
+    /// root without a safeguard.
     fn nearest(&self, z: &SVector<f64, 2>) -> (SVector<f64, 2>, SMatrix<f64, 2, 2>) {
         let mut lambda = 0.0;
         loop {
@@ -49,7 +50,8 @@ impl ClosedSet<2> for Ellipse {
         if z.dot(&(self.form * z)) <= 1.0 { *x } else { self.centre + self.nearest(&z).0 }
     }
 
-    /// `dy = M (dz − q dλ)` and `qᵀdy = 0`, hence `M − M q qᵀM / qᵀM q` with `M = (I + λQ)⁻¹`.
+    /// From `dy = M (dz − q dλ)` and `qᵀdy = 0` the derivative is `M − M q qᵀM / qᵀM q`, with
+    /// `M = (I + λQ)⁻¹`.
     fn projection_derivative(&self, x: &SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
         let z = x - self.centre;
         if z.dot(&(self.form * z)) <= 1.0 {
@@ -61,7 +63,8 @@ impl ClosedSet<2> for Ellipse {
     }
 
     fn radius(&self) -> Option<f64> {
-        // The larger semi-axis is below 1/√(least eigenvalue), and that is at least det/trace.
+        // The larger semi-axis is less than 1/√(least eigenvalue), and the least eigenvalue is at
+        // least det/trace.
         let least = self.form.determinant() / self.form.trace();
         Some(self.centre.norm() + least.powf(-0.5))
     }

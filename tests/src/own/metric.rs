@@ -1,4 +1,4 @@
-//! A user's metric: a formula, and its constants.
+//! A user's metric, given by a formula and its constants.
 
 use tautline::{
     Bounded, Constants, Ends, LeftEndpoint, Metric, Problem, Rule, SMatrix, SVector, Scalar,
@@ -17,14 +17,15 @@ impl Metric<2> for Sheet {
 }
 
 impl Bounded<2> for Sheet {
-    /// `(½ sin² x)′ = ½ sin 2x`.
+    /// `L_H = ½`, since `(½ sin² x)′ = ½ sin 2x`.
     fn constants(&self) -> Constants {
         Constants::new(1.0, 2.0, 0.5).expect("in order")
     }
 }
 
-/// `d²` from `(0.2, 0)` to `(2.5, 1)`: a product metric, so `(E(2.5|m) − E(0.2|m))² + 2` with the
-/// incomplete elliptic integral of the second kind and the parameter `m = −½`; to 21 digits.
+/// `d²` from `(0.2, 0)` to `(2.5, 1)`, to 21 digits. The metric is a product, so `d²` is
+/// `(E(2.5|m) − E(0.2|m))² + 2` with the incomplete elliptic integral of the second kind and the
+/// parameter `m = −½`.
 const D2: f64 = 8.97778203566217551435;
 
 fn estimate(rule: impl Rule, n: usize) -> tautline::Estimate {
@@ -34,24 +35,25 @@ fn estimate(rule: impl Rule, n: usize) -> tautline::Estimate {
     line.distance_squared_estimate().expect("several grids")
 }
 
-/// The values on the grids 16, 63, 250 and 1000 extrapolate to `d²`: terms to `N⁻⁸` are removed
-/// for the trapezoidal rule, to `N⁻⁴` for the left one.
+/// The values on the grids 16, 63, 250 and 1000 extrapolate to `d²`. For the trapezoidal rule the
+/// terms up to `N⁻⁸` are removed, for the left rule those up to `N⁻⁴`.
 #[test]
 fn a_users_metric_extrapolates_to_its_distance() {
     let trapezoidal = estimate(Trapezoidal, 1000);
-    // What is left of 16⁻² 63⁻² 250⁻² 1000⁻² is rounding: 20 ulp of 9.
+    // The remaining error of order 16⁻² 63⁻² 250⁻² 1000⁻² is below rounding, which is 20 ulps of 9.
     assert!((trapezoidal.value - D2).abs() <= 4e-14, "{:e}", trapezoidal.value - D2);
     let left = estimate(LeftEndpoint, 1000);
-    // 1/(16 · 63 · 250 · 1000) = 4e-9 times a constant of size 1.
+    // The error is 1/(16 · 63 · 250 · 1000) = 4e-9 times a constant of size 1.
     assert!((left.value - D2).abs() <= 1e-8, "{:e}", left.value - D2);
     for estimate in [trapezoidal, left] {
         let error = (estimate.value - D2).abs();
-        // The estimated error may be too small, but by no more than rounding or a factor of 10.
+        // The estimated error may be too small, but only by rounding or a factor of 10.
         assert!(error <= 10.0 * estimate.error + 4e-14, "{error:e} beside {:e}", estimate.error);
     }
 }
 
-/// Without a written derivative: `Γ¹₁₁ = ½ (log H₁₁)′ = ¼ sin 2x₁ / H₁₁`, all others are 0.
+/// The derivative is not written by hand. `Γ¹₁₁ = ½ (log H₁₁)′ = ¼ sin 2x₁ / H₁₁`, and all other
+/// symbols are 0.
 #[test]
 fn a_users_metric_has_christoffel_symbols() {
     let x = SVector::from([0.7, -3.0]);

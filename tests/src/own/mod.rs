@@ -1,4 +1,4 @@
-//! A metric, a rule and a closed set as a user writes them, against the `tautline` crate alone.
+//! A metric, a rule and a closed set as a user writes them, using only the `tautline` crate.
 
 mod ellipse;
 mod metric;

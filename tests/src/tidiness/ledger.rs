@@ -1,4 +1,4 @@
-//! The ledger of statements: every label has its row, and what a row names exists.
+//! The ledger of statements: every label has its row, and everything that a row names exists.
 
 use std::collections::BTreeSet;
 
@@ -7,9 +7,9 @@ use tautline_suite::battery::suite;
 
 use super::{files, read, root};
 
-/// The labels of the paper's numbered statements and of both claims of Section 5, and its displayed
-/// constants, in its order: copied from the paper, not from the program. Those of our own statements
-/// begin with `sharper:`.
+/// The labels of the paper's numbered statements, of both claims of Section 5, and of its displayed
+/// constants, in the paper's order. They are copied from the paper, not from the program. The
+/// labels of our own statements begin with `sharper:`.
 const LABELS: [&str; 40] = [
     "theo:approx_numerical_integral_trapezoidal",
     "theo:approx_numerical_integral_trapezoidal_length",
@@ -53,7 +53,7 @@ const LABELS: [&str; 40] = [
     "Remark 9.2",
 ];
 
-/// The rows of `paper/tables/statements.csv`, as label, number, verdict and tests.
+/// Returns the label, number, verdict and tests of each row of `paper/tables/statements.csv`.
 fn rows() -> Vec<[String; 4]> {
     let text = read(&root().join("paper/tables/statements.csv"));
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
@@ -64,7 +64,7 @@ fn rows() -> Vec<[String; 4]> {
     records.map(|record| columns.map(|column| record[column].to_owned())).collect()
 }
 
-/// All sources below a folder, in one text.
+/// Returns all sources below a folder as one text.
 fn sources(folder: &str) -> String {
     files(&root().join(folder), "rs").iter().map(|path| read(path)).collect()
 }
@@ -76,7 +76,7 @@ fn every_statement_has_its_row() {
     let (paper, sharper) = labels.split_at(LABELS.len());
     assert_eq!(paper, LABELS);
     assert!(sharper.iter().all(|label| label.starts_with("sharper:")), "{labels:?}");
-    // Each has a section with its proof, and each section of the page is one of them.
+    // Each sharper statement has a section with its proof, and the page has no other sections.
     let page = read(&root().join("paper/SHARPER.md"));
     let kinds = ["## Lemma ", "## Theorem ", "## Proposition "];
     let is_one = |line: &&str| kinds.iter().any(|kind| line.starts_with(kind));
@@ -88,7 +88,7 @@ fn every_statement_has_its_row() {
     }
 }
 
-/// The compiler knows that the functions exist.
+/// The compiler checks that the functions exist.
 #[test]
 fn every_statement_has_its_section_with_its_function() {
     let page = read(&root().join("paper/STATEMENTS.md"));
@@ -120,8 +120,8 @@ fn every_refuted_statement_is_among_the_errata() {
     }
 }
 
-/// Every sharper statement has a section with its proof, and all functions and tests that are named
-/// there exist.
+/// Every sharper statement has a section with its proof, and all functions and tests named there
+/// exist.
 #[test]
 fn every_sharper_statement_is_proved_and_what_its_proof_names_exists() {
     let page = read(&root().join("paper/SHARPER.md"));
@@ -151,9 +151,9 @@ fn every_sharper_statement_is_proved_and_what_its_proof_names_exists() {
     assert!(count > 40, "{count} names");
 }
 
-/// What no case could have contradicted is no evidence: at least a thousand cases of each statement
-/// could fail, and most of what is drawn. The exception is a definition, two ways to write one
-/// formula, which has no overestimation either.
+/// A case that could not have contradicted a statement is no evidence for it. At least a thousand
+/// cases of each statement, and most of those drawn, could therefore fail. The exception is a
+/// definition, which compares two ways to write one formula and has no overestimation either.
 #[test]
 fn most_cases_of_every_statement_could_fail() {
     let text = read(&root().join("paper/tables/statements.csv"));
@@ -178,8 +178,8 @@ fn most_cases_of_every_statement_could_fail() {
     }
 }
 
-/// A hypothesis is a number that is computed, or named as assumed: no statement takes a yes or no,
-/// and none is handed an infinite length.
+/// A hypothesis is either a number that is computed, or named as assumed. No statement takes a
+/// boolean, and no caller passes an infinite length.
 #[test]
 fn no_hypothesis_is_handed_in_as_a_promise() {
     let crates = ["statements", "kit", "suite", "adversary"];

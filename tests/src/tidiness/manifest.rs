@@ -1,5 +1,5 @@
-//! Reads the name and the dependencies from a `Cargo.toml`. Not a TOML parser: it knows the two
-//! ways in which the manifests here are written.
+//! Reads the name and the dependencies from a `Cargo.toml`. It is not a TOML parser; it knows only
+//! the two ways in which the manifests here are written.
 
 use std::path::Path;
 
@@ -7,7 +7,7 @@ use std::path::Path;
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Manifest {
     pub(super) name: String,
-    /// `[dependencies]` and `[build-dependencies]`, for any target.
+    /// The names in `[dependencies]` and `[build-dependencies]`, for any target.
     pub(super) dependencies: Vec<String>,
     pub(super) dev_dependencies: Vec<String>,
 }
@@ -54,7 +54,7 @@ impl Manifest {
         }
     }
 
-    /// The dependencies of all tables.
+    /// Returns the dependencies of all tables.
     pub(super) fn all(&self) -> impl Iterator<Item = &str> {
         self.dependencies.iter().chain(&self.dev_dependencies).map(String::as_str)
     }

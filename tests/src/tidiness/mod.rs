@@ -11,10 +11,10 @@ use std::path::{Path, PathBuf};
 
 use manifest::Manifest;
 
-/// The packages outside `crates/`.
+/// The folders of the packages outside `crates/`.
 const TOP: [&str; 4] = ["benches", "paper", "tests", "xtask"];
 
-/// The root of the workspace.
+/// Returns the root of the workspace.
 pub(crate) fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
@@ -23,7 +23,8 @@ pub(crate) fn read(path: &Path) -> String {
     std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// All files below `folder` with this extension, sorted, without build output.
+/// Returns all files below `folder` with this extension, sorted; files of the build output are
+/// omitted.
 fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
     let mut found = Vec::new();
     let mut pending = vec![folder.to_owned()];
@@ -44,19 +45,19 @@ fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
     found
 }
 
-/// The folders of the packages below `crates/`.
+/// Returns the folders of the packages below `crates/`.
 fn crates() -> Vec<PathBuf> {
     let manifests = files(&root().join("crates"), "toml");
     let folder = |path: &PathBuf| path.parent().expect("a file is in a folder").to_owned();
     manifests.iter().filter(|path| path.ends_with("Cargo.toml")).map(folder).collect()
 }
 
-/// The folders of all packages.
+/// Returns the folders of all packages.
 fn packages() -> Vec<PathBuf> {
     crates().into_iter().chain(TOP.map(|name| root().join(name))).collect()
 }
 
-/// The manifests of all packages.
+/// Reads the manifests of all packages.
 fn manifests() -> Vec<Manifest> {
     packages().iter().map(|folder| Manifest::read(&folder.join("Cargo.toml"))).collect()
 }

@@ -1,4 +1,4 @@
-//! How large a crate and a folder may become.
+//! Limits the size of crates and folders.
 
 use std::collections::BTreeMap;
 
@@ -13,7 +13,7 @@ fn no_crate_has_more_than_10_000_lines() {
     }
 }
 
-/// Except galleries: a new metric is a new file.
+/// Galleries are excepted, since each new metric is a new file.
 #[test]
 fn no_folder_has_more_than_20_files() {
     let mut sizes: BTreeMap<_, usize> = BTreeMap::new();

@@ -9,17 +9,17 @@ pub(super) fn all_sources() -> Vec<PathBuf> {
     folders.iter().flat_map(|folder| files(&root().join(folder), "rs")).collect()
 }
 
-/// The sources of the libraries, without their integration tests and examples.
+/// Returns the sources of the libraries, without their integration tests and examples.
 fn library_sources() -> Vec<PathBuf> {
     crates().iter().flat_map(|folder| files(&folder.join("src"), "rs")).collect()
 }
 
-/// The lines that are not comments, numbered from 1.
+/// Returns the lines that are not comments, numbered from 1.
 fn code(text: &str) -> impl Iterator<Item = (usize, &str)> {
     (1..).zip(text.lines()).filter(|(_, line)| !line.trim_start().starts_with("//"))
 }
 
-/// Returns whether `line` contains `word` with no letter, digit or `_` beside it.
+/// Returns whether `line` contains `word` without a letter, digit or `_` next to it.
 fn has_word(line: &str, word: &str) -> bool {
     let part_of_a_name = |c: char| c.is_alphanumeric() || c == '_';
     line.match_indices(word).any(|(at, _)| {
@@ -28,7 +28,7 @@ fn has_word(line: &str, word: &str) -> bool {
     })
 }
 
-/// Fails with the lines of code that are forbidden.
+/// Fails and lists the forbidden lines of code, if there are any.
 #[track_caller]
 fn assert_absent(sources: &[PathBuf], why: &str, forbidden: impl Fn(&str) -> bool) {
     let mut found = Vec::new();
@@ -42,12 +42,12 @@ fn assert_absent(sources: &[PathBuf], why: &str, forbidden: impl Fn(&str) -> boo
 
 #[test]
 fn no_test_is_ignored() {
-    // In two parts, since this file is searched too.
+    // The string is in two parts, since this file is searched too.
     let attribute = concat!("#[", "ignore");
     assert_absent(&all_sources(), "every test runs", |line| line.contains(attribute));
 }
 
-/// Otherwise `TAUTLINE_SEED` would not change what a test draws.
+/// A seed written in the code would not change with `TAUTLINE_SEED`.
 #[test]
 fn seeds_come_from_the_environment() {
     let chance = root().join("crates/tautline-chance");
@@ -62,7 +62,7 @@ fn seeds_come_from_the_environment() {
             let mut ends = line.match_indices(constructor).map(|(at, _)| at + constructor.len());
             ends.any(|end| line[end..].starts_with(|c: char| c.is_ascii_digit()))
         });
-        // In two parts, since this file is searched too.
+        // The string is in two parts, since this file is searched too.
         fixed || line.contains(concat!("TestRunner::", "deterministic"))
     });
 }
@@ -72,7 +72,7 @@ fn libraries_do_no_input_or_output() {
     let modules = ["fs", "net", "io", "env", "process", "time"].map(|name| format!("std::{name}"));
     let macros = ["println!", "eprintln!", "print!", "eprint!", "dbg!"].map(str::to_owned);
     let forbidden = modules.into_iter().chain(macros).collect::<Vec<_>>();
-    // `tautline-chance` reads seeds from the environment; only tests depend on it.
+    // `tautline-chance` reads seeds from the environment, and only tests depend on it.
     let chance = root().join("crates/tautline-chance/src/lib.rs");
     let (apart, sources): (Vec<_>, Vec<_>) =
         library_sources().into_iter().partition(|path| *path == chance);

@@ -1,9 +1,9 @@
-//! Which crate depends on which, and what the files at the top promise.
+//! Which crate may depend on which, and what the files at the top promise.
 
 use super::{Manifest, TOP, manifests, read, root};
 
-/// For each library, the libraries that it may use, all of them in rows above; without the prefix
-/// `tautline-`.
+/// For each library, the libraries that it may use. All of them are in rows above it, and the names
+/// lack the prefix `tautline-`.
 const BELOW: [(&str, &str); 15] = [
     ("drawing", ""),
     ("chance", ""),
@@ -40,7 +40,7 @@ fn arrows_between_crates_point_downward() {
             assert!(known, "{dependency} is not below {name}");
         }
     }
-    // Each row names rows above it only, so that there is no cycle.
+    // Each row names only rows above it, so that there is no cycle.
     for (index, (name, below)) in BELOW.iter().enumerate() {
         for dependency in below.split_whitespace() {
             let above = BELOW[..index].iter().any(|row| row.0 == dependency);
@@ -72,7 +72,7 @@ fn random_testing_is_for_verification_alone() {
     }
 }
 
-/// It reads the environment, which no library does.
+/// This crate reads the environment, which no library does.
 #[test]
 fn chance_is_for_tests_alone() {
     let draws = ["tautline-kit", "tautline-suite"];
@@ -114,7 +114,7 @@ fn every_dependency_says_what_it_is_for() {
     let mut before = "";
     let mut seen = 0;
     for line in table.lines().take_while(|line| !line.starts_with('[')) {
-        // Our own crates speak for themselves.
+        // Our own crates need no comment.
         if line.contains('=') && !line.starts_with('#') && !line.contains("path = \"crates/") {
             assert!(before.starts_with("# "), "no comment above {line:?}");
             seen += 1;

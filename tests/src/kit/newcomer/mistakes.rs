@@ -1,4 +1,5 @@
-//! The newcomer's metric with one mistake in it: what is found, and what the message shows.
+//! The newcomer's metric with one mistake in it: these tests show what finds it, and what the
+//! message says.
 
 use tautline::MetricError;
 use tautline_kit::{Claim, Fault, MetricCase, metric, prelude::*};
@@ -6,14 +7,15 @@ use tautline_kit::{Claim, Fault, MetricCase, metric, prelude::*};
 use super::Egg;
 use crate::kit::{broken, claiming, fault};
 
-/// A metric on the region of the newcomer's.
+/// Returns the case of a metric on the newcomer's region.
 fn case<M: Bounded<2>>(metric: M) -> MetricCase<M, 2> {
     MetricCase::new(metric, Region::cell([0.0, 0.0], [6.3, 6.3]), Effort::default())
 }
 
-/// `L_H = ½` in place of 1: `‖DH(x)[w]‖ = |sin x₁|` at `x₁ = π/2` or `3π/2`, or `|cos x₂|` at
-/// `x₂ = 0`, `π` or `2π`, along that axis. Both laws about `L_H` find it, and so does every
-/// statement that needs it.
+/// `L_H = ½` is claimed, but the true value is 1. It is attained in the direction of either axis:
+/// for the first, `‖DH(x)[w]‖ = |sin x₁|` is 1 at `x₁ = π/2` or `3π/2`; for the second, `|cos x₂|`
+/// is 1 at `x₂ = 0`, `π` or `2π`. Both laws about `L_H` find the mistake, and so does every
+/// statement that needs `L_H`.
 #[test]
 fn half_of_l_h_is_refused_with_the_witness() {
     let case = case(claiming(&Egg, [1.0, 4.0, 0.5]));
@@ -21,7 +23,7 @@ fn half_of_l_h_is_refused_with_the_witness() {
     let message = outcome.to_string();
     let Fault::Lie(lie) = fault(outcome) else { panic!("{message}") };
     assert_eq!((lie.constant, lie.claimed), (Claim::LH, 0.5));
-    // The last step of the ascent is 6.3 · 2⁻¹⁶ = 1e-4 long: 1 − cos of that.
+    // The last step of the ascent has length 6.3 · 2⁻¹⁶ = 1e-4, so the error is about 1 − cos 1e-4.
     assert!((lie.found - 1.0).abs() <= 1e-8, "{lie}");
     let axis = usize::from(lie.direction[1].abs() > 0.5);
     let slope = if axis == 0 { lie.point[0].sin() } else { lie.point[1].cos() };
@@ -32,7 +34,7 @@ fn half_of_l_h_is_refused_with_the_witness() {
 
     let Fault::Lie(lie) = fault(metric::l_h_bounds_differences(&case)) else { panic!("a lie") };
     assert!(lie.constant == Claim::LH && lie.found > 0.5 && lie.found <= 1.0 + 1e-12, "{lie}");
-    // The difference quotient, with its second point.
+    // The message shows the difference quotient, with its second point.
     let text = lie.to_string();
     let other = SVector::<f64, 2>::from_column_slice(lie.other.as_deref().expect("a point y"));
     let point = SVector::<f64, 2>::from_column_slice(&lie.point);
@@ -49,8 +51,8 @@ fn half_of_l_h_is_refused_with_the_witness() {
     assert!(inequality.claim.contains("L_H"), "{statement}");
 }
 
-/// `H₂₂ = 3 + 3.00001 sin x₂` is negative for 0.005 around `3π/2`: at one random point in a
-/// thousand.
+/// `H₂₂ = 3 + 3.00001 sin x₂` is negative on an interval of length 0.005 around `3π/2`, which
+/// contains one random point in a thousand.
 #[test]
 fn an_indefinite_metric_is_refused_with_the_point() {
     formula!(Cracked, 2, |x| SMatrix::from_diagonal(
@@ -62,12 +64,12 @@ fn an_indefinite_metric_is_refused_with_the_point() {
         panic!("{found}")
     };
     let least = 3.0 + 3.000_01 * point[1].sin();
-    // A sum of two numbers of size 3.
+    // The eigenvalue is a sum of two numbers of size 3.
     assert!(eigenvalue <= 0.0 && (eigenvalue - least).abs() <= 1e-14, "{point:?}, {eigenvalue}");
     assert!((point[1] - 4.712).abs() <= 0.01, "{point:?}");
 }
 
-/// Two halves that differ; an entry that is NaN.
+/// Either the two off-diagonal entries differ, or one entry is NaN.
 #[test]
 fn asymmetric_and_nan_entries_are_refused() {
     enum Scrambled {
@@ -79,7 +81,7 @@ fn asymmetric_and_nan_entries_are_refused() {
             let mut h: SMatrix<S, 2, 2> = Egg.gram(x);
             match self {
                 Self::Halves => h[(0, 1)] += x[0] * 1e-6,
-                // The logarithm of a negative number, right of x₁ = 6.
+                // To the right of x₁ = 6 this is the logarithm of a negative number.
                 Self::NotFinite => h[(1, 1)] += (-x[0] + 6.0).ln() * 0.0,
             }
             h
@@ -92,15 +94,15 @@ fn asymmetric_and_nan_entries_are_refused() {
     let halves = law(Scrambled::Halves);
     assert!(matches!(halves, Fault::Metric(MetricError::NotSymmetric { .. })), "{halves}");
     let not_finite = law(Scrambled::NotFinite);
-    // Shrunk to the edge of the domain, and to 0 in the other coordinate.
+    // The point is shrunk to the edge of the domain, and its other coordinate to 0.
     let Fault::Metric(MetricError::NotFinite { point, .. }) = not_finite else {
         panic!("{not_finite}")
     };
     assert!(point[0] >= 6.0 && point[0] <= 6.0 + 6.3 / 65536.0 && point[1] == 0.0, "{point:?}");
 }
 
-/// A ripple finer than the smallest step of the differences, a 65536th of an edge: the user has to
-/// choose the region.
+/// In the long region the ripple is finer than the smallest step of the differences, which is a
+/// 65536th of an edge. The law then fails, so the user has to choose the region to suit the metric.
 #[test]
 fn a_ripple_finer_than_the_steps_in_the_region_is_refused() {
     formula!(Rippled, 1, |x| SMatrix::from_diagonal_element((x[0] * 1e6).sin() * 1e-3 + 2.0));
@@ -114,8 +116,8 @@ fn a_ripple_finer_than_the_steps_in_the_region_is_refused() {
     assert!(fine.holds(), "{fine}");
 }
 
-/// `H = 2` with teeth of slope 1 that are `2⁻¹²` wide, where `L_H = ½` is claimed. Points more than
-/// `2⁻¹⁰` apart do not show it.
+/// `H` is 2 plus teeth of slope 1 and width `2⁻¹²`, and `L_H = ½` is claimed. Two points more than
+/// `2⁻¹⁰` apart do not reveal the mistake.
 #[test]
 fn teeth_that_are_finer_than_the_samples_are_refused() {
     formula!(Saw, 2, |x| SMatrix::from_diagonal(
@@ -128,7 +130,7 @@ fn teeth_that_are_finer_than_the_samples_are_refused() {
     assert!(lie.found > 0.5 && lie.found <= 1.0 + 1e-6 && step < 1.0 / 1024.0, "{step}");
 }
 
-/// `x₁/x₁` is 1 except on the line in the middle of the region, where no uniform sample lies.
+/// `x₁/x₁` is 1 except on a line in the middle of the region, where no uniform sample lies.
 #[test]
 fn a_nan_in_the_middle_of_the_region_is_refused() {
     formula!(Split, 2, |x| SMatrix::from_diagonal_element(x[0] / x[0] + 1.0));
@@ -140,10 +142,10 @@ fn a_nan_in_the_middle_of_the_region_is_refused() {
     }
 }
 
-/// `H = 4` on the line, with distances that are wrong by factors and by a constant.
+/// `H = 4` on the line, with known distances that are wrong by factors and by a constant.
 struct Misjudged {
     factor: f64,
-    /// The factor from right to left, besides.
+    /// An additional factor for distances from right to left.
     back: f64,
     more: f64,
 }
@@ -171,12 +173,12 @@ fn misjudged(factor: f64, back: f64, more: f64) -> MetricCase<WithConstants<Misj
 fn distances_that_are_not_symmetric_or_not_zero_are_refused() {
     let law =
         |back, more| broken(metric::known_distances_are_distances(&misjudged(1.0, back, more)));
-    // No longer than any curve.
+    // This distance does not exceed the length of any curve.
     assert_eq!(law(0.999, 0.0), "|d(x, y) − d(y, x)| = 0");
     assert_eq!(law(1.0, 1e-6), "d(x, x) = 0");
 }
 
-/// Distances that are one percent too long, or too short.
+/// The distances are one percent too long, or one percent too short.
 #[test]
 fn distances_of_another_metric_are_refused() {
     let case = |factor| misjudged(factor, 1.0, 0.0);
@@ -184,13 +186,13 @@ fn distances_of_another_metric_are_refused() {
     let long = fault(metric::known_distances_are_distances(&case(1.01)));
     let Fault::Broken { left, right, .. } = long else { panic!("{long}") };
     assert!((left / right - 1.01).abs() <= 1e-9, "{long}");
-    // No curve is shorter than a shortest one, but with a smaller distance the theorems fail, and
-    // there is no nearest pair.
+    // With a distance that is too small, no curve is shorter than it claims; but the theorems fail,
+    // and there is no nearest pair.
     for law in [metric::theorem_1_1, metric::prop_6_2] {
         assert!(law(&case(1.0)).holds());
         assert!(!law(&case(0.99)).holds());
     }
-    // Some curve is shorter than a distance that is too large.
+    // If the distance is too large, some curve is shorter.
     assert!(metric::prop_6_3(&case(1.0)).holds());
     assert!(!metric::prop_6_3(&case(1.01)).holds());
 }
