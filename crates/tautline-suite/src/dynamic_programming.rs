@@ -1,33 +1,34 @@
-//! The global minimum of a discrete energy on the line, over all sequences of grid points, by
-//! dynamic programming: also over sequences that jump across valleys.
+//! Finds the global minimum of a discrete energy on the line by dynamic programming, over all
+//! sequences of grid points. This includes sequences that jump across valleys.
 //!
-//! With the cost `c(x, y) = H(x + θ(y − x)) (y − x)²` of one chord, `E_N = N Σ c(xₙ, xₙ₊₁)`, and
-//! the least cost `Vₙ(y)` of `n` chords from the start to `y` obeys
-//! `Vₙ₊₁(y) = minₓ Vₙ(x) + c(x, y)`. `V` does not depend on `N`: one pass gives the minima for all
-//! `N` up to the last.
+//! One chord has the cost `c(x, y) = H(x + θ(y − x)) (y − x)²`, so that `E_N = N Σ c(xₙ, xₙ₊₁)`.
+//! The least cost `Vₙ(y)` of `n` chords from the start to `y` satisfies
+//! `Vₙ₊₁(y) = minₓ Vₙ(x) + c(x, y)`. Since `V` does not depend on `N`, one pass gives the minima
+//! for all `N` up to the last.
 //!
 //! # How far the grid has to reach
 //!
-//! A sequence that leaves `[a, b]` by `r` has `Σ |xₙ₊₁ − xₙ| ≥ b − a + 2r`, hence by Cauchy and
-//! Schwarz `E_N ≥ c₁ (b − a + 2r)²`. If an admissible sequence has energy `U`, any better one stays
-//! within `r ≤ (√(U/c₁) − (b − a))/2`.
+//! A sequence that leaves `[a, b]` by `r` satisfies `Σ |xₙ₊₁ − xₙ| ≥ b − a + 2r`, hence by the
+//! Cauchy–Schwarz inequality `E_N ≥ c₁ (b − a + 2r)²`. If an admissible sequence has energy `U`,
+//! any better sequence leaves `[a, b]` by at most `r ≤ (√(U/c₁) − (b − a))/2`.
 //!
-//! # How far the grid is off
+//! # How large the error of the grid is
 //!
-//! Let `x` be a minimiser and `δ` move its inner points to the grid, `|δₙ| ≤ h/2`. To first order
-//! nothing changes. The second derivative of one chord's share `N c` in the direction of `δ` is
+//! Let `x` be a minimiser, and let `δ` move its inner points to the grid, so that `|δₙ| ≤ h/2`. To
+//! first order this does not change the energy. The second derivative of `N c`, the contribution of
+//! one chord, in the direction of `δ` is
 //!
 //! ```text
 //! N (2H v² + 4 H′ Δ u v + H″ Δ² u²),    v = δₙ₊₁ − δₙ, |v| ≤ h;    u: δ at the node, |u| ≤ h/2
 //! ```
 //!
-//! at most `N h² (2c₂ + 2 L_H |Δ| + M_H Δ²/4)`, where along the way `|Δ|` grows by at most `h`.
-//! Half of the sum over the chords bounds the change.
+//! It is at most `N h² (2c₂ + 2 L_H |Δ| + M_H Δ²/4)`, where `|Δ|` grows by at most `h` as the
+//! points move. Half of the sum over the chords bounds the change of the energy.
 
 use tautline::{Bounded, Constants, gallery::Valleys};
 
-/// A problem on the line: from `a` to `b`, `a < b`, with the Gram matrix read at the fraction
-/// `theta` of each chord.
+/// A problem on the line from `a` to `b`, `a < b`, where the rule evaluates the Gram matrix at the
+/// fraction `theta` of each chord.
 pub struct GridLine<'a> {
     /// `a` and `b`, in `ℓ`.
     pub ends: [f64; 2],
@@ -35,7 +36,7 @@ pub struct GridLine<'a> {
     pub gram: &'a dyn Fn(f64) -> f64,
     /// The constants of `H`, with `M_H`.
     pub constants: Constants,
-    /// Where the rule reads: 0 for the left-endpoint rule, ½ for the trapezoidal rule.
+    /// Where the rule evaluates `H`: 0 for the left-endpoint rule, ½ for the trapezoidal rule.
     pub theta: f64,
     /// The number of grid intervals between the ends.
     pub intervals: usize,
@@ -46,18 +47,18 @@ pub struct GridLine<'a> {
 pub struct GridMinimum {
     /// The energy, in `m²`.
     pub energy: f64,
-    /// The sequence that attains it, in `ℓ`.
+    /// A sequence that attains it, in `ℓ`.
     pub sequence: Vec<f64>,
-    /// A bound on what the grid adds to the minimum over all sequences, in `m²`.
+    /// A bound on the amount by which the grid raises the minimum over all sequences, in `m²`.
     pub grid_error: f64,
 }
 
 impl GridLine<'static> {
-    /// Returns the valleys of Section 5 along the axis, from 0 to `4π`, with 800 intervals; the
-    /// rule reads at the fraction `theta`.
+    /// Returns the valleys of Section 5 along the axis, from 0 to `4π`, with 800 intervals. The
+    /// rule evaluates `H` at the fraction `theta`.
     ///
-    /// In the plane the minima are the same: setting `x₂ = 0` everywhere keeps `H = f(x₁)² I` at
-    /// the nodes and shortens the chords.
+    /// The minima in the plane are the same, since setting `x₂ = 0` everywhere keeps `H = f(x₁)² I`
+    /// at the nodes and shortens the chords.
     #[must_use]
     pub fn over_the_valleys(theta: f64) -> Self {
         Self {
@@ -75,17 +76,18 @@ impl GridLine<'_> {
         (self.ends[1] - self.ends[0]) / self.intervals as f64
     }
 
-    /// Returns how far a sequence with energy at most `upper` may leave `[a, b]`.
+    /// Returns the largest distance by which a sequence with energy at most `upper` can leave
+    /// `[a, b]`.
     fn reach(&self, upper: f64) -> f64 {
         0.5 * ((upper / self.constants.c1()).sqrt() - (self.ends[1] - self.ends[0])).max(0.0)
     }
 
-    /// Returns the minima for `N = 1, …, last`. For each of these `N`, some admissible sequence
-    /// must have an energy of at most `upper`.
+    /// Returns the minima for `N = 1, …, last`. For each of these `N` there must be an admissible
+    /// sequence with energy at most `upper`.
     ///
     /// # Panics
     ///
-    /// If the constants have no `M_H`.
+    /// Panics if the constants have no `M_H`.
     #[must_use]
     pub fn minima(&self, last: usize, upper: f64) -> Vec<GridMinimum> {
         let h = self.step();
@@ -93,7 +95,7 @@ impl GridLine<'_> {
         let count = self.intervals + 2 * margin + 1;
         let (start, end) = (margin, margin + self.intervals);
         let x = |k: usize| self.ends[0] + (k as f64 - margin as f64) * h;
-        // Both rules read H on the grid halved: at x + (y − x)/2 or at x.
+        // Both rules evaluate H on the grid with half the step: at x + (y − x)/2 or at x.
         let gram: Vec<f64> =
             (0..2 * count - 1).map(|k| (self.gram)(x(0) + 0.5 * h * k as f64)).collect();
         let node = |from: usize, to: usize| {
@@ -129,14 +131,14 @@ impl GridLine<'_> {
         minima
     }
 
-    /// The bound of the module's doc. For a minimiser, `Σ Δ² ≤ U/(N c₁)` and
-    /// `Σ |Δ| ≤ (U/c₁)^{1/2}`.
+    /// Evaluates the bound of the module's documentation. A minimiser satisfies `Σ Δ² ≤ U/(N c₁)`
+    /// and `Σ |Δ| ≤ (U/c₁)^{1/2}`.
     fn grid_error(&self, n: usize, upper: f64) -> f64 {
         let (h, constants, n) = (self.step(), self.constants, n as f64);
         let squares = upper / (n * constants.c1());
         let lengths = (upper / constants.c1()).sqrt();
         let m_h = constants.m_h().expect("the constants have M_H");
-        // Σ (|Δ| + h) and Σ (|Δ| + h)².
+        // These are bounds on Σ (|Δ| + h) and Σ (|Δ| + h)².
         let (first, second) = (lengths + n * h, squares + 2.0 * h * lengths + n * h * h);
         0.5 * n
             * h

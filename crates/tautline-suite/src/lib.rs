@@ -1,7 +1,7 @@
 //! The project's own suite: checks that run against the library or against a mutant.
 //!
 //! [`battery`] has the checks; [`strategies`] and [`arbitrary`] draw their cases. [`GridLine`]
-//! finds global minima on a grid, to judge those of the solver.
+//! finds global minima on a grid, with which the minima of the solver are compared.
 
 pub mod arbitrary;
 pub mod battery;

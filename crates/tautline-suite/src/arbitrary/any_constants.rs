@@ -1,11 +1,11 @@
-//! `AnyConstants`: constants of a metric.
+//! `AnyConstants`: random constants of a metric.
 
 use quickcheck::{Arbitrary, Gen};
 use tautline::Constants;
 
-/// Small integers as constants, so that sums and products of a few are exact.
+/// Constants that are small integers, so that sums and products of a few of them are exact.
 ///
-/// `c₁` from 1 to 8, `c₂ − c₁`, `L_H` and `M_H` from 0 to 15; every fourth lacks `M_H`.
+/// `c₁` is from 1 to 8; `c₂ − c₁`, `L_H` and `M_H` are from 0 to 15; one case in four lacks `M_H`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct AnyConstants {
     c1: u8,
@@ -62,7 +62,7 @@ mod tests {
         a.scaled(f64::from(s) + 1.0).expect("finite")
     }
 
-    /// Sums, products with a function, and products of spaces.
+    /// Sums, products with a function, and products of spaces commute and associate.
     #[test]
     fn sums_and_products_commute_and_associate() {
         fn law(a: AnyConstants, b: AnyConstants, c: AnyConstants) -> bool {
@@ -75,8 +75,8 @@ mod tests {
         holds(751, 1000, law as fn(AnyConstants, AnyConstants, AnyConstants) -> bool);
     }
 
-    /// `s (H + H′) = s H + s H′`, `Aᵀ (H + H′) A = Aᵀ H A + Aᵀ H′ A`, `φ (H + H′) = φ H + φ H′`,
-    /// and the first two for products of spaces.
+    /// The laws are `s (H + H′) = s H + s H′`, `Aᵀ (H + H′) A = Aᵀ H A + Aᵀ H′ A` and
+    /// `φ (H + H′) = φ H + φ H′`; the first two also hold for products of spaces.
     #[test]
     fn factors_and_pullbacks_distribute() {
         fn law(a: AnyConstants, b: AnyConstants, factor: AnyConstants, s: u8, t: u8) -> bool {
@@ -91,8 +91,8 @@ mod tests {
         holds(752, 1000, law as fn(AnyConstants, AnyConstants, AnyConstants, u8, u8) -> bool);
     }
 
-    /// `s (t H) = (s t) H`, `Bᵀ Aᵀ H A B = (A B)ᵀ H (A B)`, `s H = φ H` with `φ = s`, and `s² H` is
-    /// the pullback by `s`, which also divides lengths by `s`.
+    /// The laws are `s (t H) = (s t) H`, `Bᵀ Aᵀ H A B = (A B)ᵀ H (A B)`, and `s H = φ H` with
+    /// `φ = s`; moreover, `s² H` is the pullback by `s`, which also divides lengths by `s`.
     #[test]
     fn factors_and_pullbacks_compose() {
         fn law(a: AnyConstants, s: u8, t: u8) -> bool {
@@ -113,7 +113,8 @@ mod tests {
         holds(753, 1000, law as fn(AnyConstants, u8, u8) -> bool);
     }
 
-    /// Weaker constants of the parts give no stronger constants of the whole.
+    /// If the constants of the parts become weaker, the constants of the whole do not become
+    /// stronger.
     #[test]
     fn every_rule_is_monotone() {
         fn weaker(a: Constants, by: u8) -> Constants {

@@ -1,4 +1,4 @@
-//! `AnySetting`: constants, a distance, a dimension and `N`.
+//! `AnySetting`: random constants with a distance, a dimension and `N`.
 
 use std::num::NonZeroUsize;
 
@@ -7,8 +7,8 @@ use tautline::{Constants, bounds::Setting};
 
 /// A setting of Theorem 1.1, with a number `N` of subintervals.
 ///
-/// `c₁` from 1/8 to 8, `c₂/c₁` from 1 to 33, `L_H` and `d` from 0 to 16, `D` from 1 to 6 and `N`
-/// from 1 to 256.
+/// `c₁` is from 1/8 to 8, `c₂/c₁` from 1 to 33, `L_H` and `d` from 0 to 16, `D` from 1 to 6, and
+/// `N` from 1 to 256.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct AnySetting {
     c1: u8,
@@ -20,7 +20,7 @@ pub struct AnySetting {
 }
 
 impl AnySetting {
-    /// Returns the setting of six integers, in the order of the fields.
+    /// Returns the setting given by six integers, in the order of the fields.
     #[must_use]
     pub fn of((c1, ratio, l_h, distance, dimension, n): (u8, u8, u8, u8, u8, u8)) -> Self {
         Self { c1, ratio, l_h, distance, dimension, n }
@@ -67,8 +67,8 @@ mod tests {
 
     use super::{super::holds, AnySetting};
 
-    /// Every bound grows with `d`, `c₂` and `L_H` and falls with `c₁`, as [`Setting`] says; twice
-    /// the distance stands for any upper bound.
+    /// Every bound increases with `d`, `c₂` and `L_H` and decreases with `c₁`, as the documentation
+    /// of [`Setting`] says. Twice the distance represents any upper bound on it.
     #[test]
     fn bounds_are_monotone_in_the_setting() {
         fn law(any: AnySetting) -> bool {
@@ -86,8 +86,8 @@ mod tests {
                 other(c1, c2, 2.0 * l_h, d),
                 other(c1, c2, l_h, 2.0 * d),
             ];
-            // Powers of two round nothing, and products and sums of nonnegative numbers are
-            // monotone in f64.
+            // Multiplying by powers of two does not round, and products and sums of nonnegative
+            // numbers are monotone in f64.
             larger.iter().all(|&larger| {
                 k1_g(setting) <= k1_g(larger)
                     && k2_g(setting) <= k2_g(larger)
@@ -98,7 +98,7 @@ mod tests {
         holds(771, 500, law as fn(AnySetting) -> bool);
     }
 
-    /// `K_{1,g}` and `K_{2,g}` are in `ℓ`, the others in `m²`.
+    /// `K_{1,g}` and `K_{2,g}` scale as `ℓ`, the others as `m²`.
     #[test]
     fn bounds_scale_by_their_units() {
         fn law(any: AnySetting, ell: i8, m: i8) -> bool {
@@ -109,7 +109,8 @@ mod tests {
             let there = Setting::new(constants, setting.distance() * units.m, setting.dimension());
             let there = there.expect("a distance");
             let energy = units.m * units.m;
-            // The units round nothing, but long products are taken by size: two dozen roundings.
+            // Scaling the units does not round, but long products multiply their factors in the
+            // order of size, which gives two dozen different roundings.
             let scales = |there: f64, expected: f64| (there - expected).abs() <= 1e-14 * expected;
             scales(k1_g(there), units.ell * k1_g(setting))
                 && scales(k2_g(there), units.ell * k2_g(setting))
@@ -119,7 +120,8 @@ mod tests {
         holds(772, 500, law as fn(AnySetting, i8, i8) -> bool);
     }
 
-    /// `C_tra♯ = d² (δ + 3D²δ² + 6κD²δ + 9κD⁴δ²)` with `δ = L_H d/c₁^{3/2}` and `κ = c₂/c₁`.
+    /// The test compares with `C_tra♯ = d² (δ + 3D²δ² + 6κD²δ + 9κD⁴δ²)`, where
+    /// `δ = L_H d/c₁^{3/2}` and `κ = c₂/c₁`.
     #[test]
     fn c_tra_sharp_depends_on_two_pure_numbers() {
         fn law(any: AnySetting) -> bool {
@@ -132,7 +134,7 @@ mod tests {
             let bend = square * delta;
             let expected =
                 d2 * (delta + 3.0 * bend * delta + 6.0 * kappa * bend + 9.0 * kappa * bend * bend);
-            // Sums of nonnegative terms, two dozen roundings each.
+            // Both sides are sums of nonnegative terms with two dozen roundings each.
             (c_tra_sharp_g(setting) - expected).abs() <= 1e-14 * expected
         }
         holds(773, 500, law as fn(AnySetting) -> bool);

@@ -1,8 +1,8 @@
 //! Random cases for quickcheck: data of the algebraic lemmas, settings of Theorem 1.1, and
 //! constants of metrics.
 //!
-//! Each is a newtype over small integers, so that quickcheck shrinks to the simplest numbers that
-//! still fail. Every case, drawn or shrunk, meets its hypotheses.
+//! Each type is a newtype over small integers, so that quickcheck shrinks to the simplest numbers
+//! that still fail. Every case, drawn or shrunk, satisfies its hypotheses.
 
 mod any_constants;
 mod any_setting;

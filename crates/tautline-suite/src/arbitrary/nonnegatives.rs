@@ -1,13 +1,13 @@
-//! `Nonnegatives`: the numbers of Proposition 7.8.
+//! `Nonnegatives`: random numbers for Proposition 7.8.
 
 use quickcheck::{Arbitrary, Gen};
 
-/// Nonnegative numbers, multiples of 1/16 up to 4096; many are small, some are 0.
+/// Nonnegative numbers that are multiples of 1/16 up to 4096; many are small, and some are 0.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Nonnegatives(Vec<u16>);
 
 impl Nonnegatives {
-    /// Returns the numbers, from sixteenths.
+    /// Returns the numbers, given in sixteenths.
     #[must_use]
     pub fn of(sixteenths: Vec<u16>) -> Self {
         Self(sixteenths)
@@ -22,7 +22,7 @@ impl Nonnegatives {
 
 impl Arbitrary for Nonnegatives {
     fn arbitrary(g: &mut Gen) -> Self {
-        // Shifts by 0 to 15 bits spread the sizes over decades.
+        // Shifts by 0 to 15 bits spread the numbers over several decades.
         let entries = Vec::<(u16, u8)>::arbitrary(g);
         Self(entries.into_iter().map(|(number, shift)| number >> (shift % 16)).collect())
     }

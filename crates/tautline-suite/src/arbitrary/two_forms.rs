@@ -1,30 +1,30 @@
-//! `AnyTwoForms`: the data of Proposition 7.5.
+//! `AnyTwoForms`: random data for Proposition 7.5.
 
 use nalgebra::{SMatrix, SVector};
 use quickcheck::{Arbitrary, Gen};
 use tautline_statements::{TwoForms, operator_norm};
 
-/// Two points, vectors and matrices that meet the hypotheses of Proposition 7.5, from
+/// Two points, vectors and matrices that satisfy the hypotheses of Proposition 7.5, made from
 /// `4D + 2D² + 2` integers.
 ///
-/// `H(x₂) = MᵀM`; `H(x₁)` differs from it by a symmetric matrix of any sign. It need not be
-/// positive, since the proposition does not assume that.
+/// `H(x₂) = MᵀM`, and `H(x₁)` differs from it by a symmetric matrix of any sign. `H(x₁)` need not
+/// be positive, since the proposition does not assume that.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct AnyTwoForms<const D: usize>(Vec<i8>);
 
 impl<const D: usize> AnyTwoForms<D> {
     const LENGTH: usize = 4 * D + 2 * D * D + 2;
 
-    /// Returns the data of `4D + 2D² + 2` integers, in eighths. Further ones are ignored, and
-    /// missing ones are 0.
+    /// Returns the data made from `4D + 2D² + 2` integers, in eighths. Further integers are
+    /// ignored, and missing ones are 0.
     #[must_use]
     pub fn of(mut eighths: Vec<i8>) -> Self {
         eighths.resize(Self::LENGTH, 0);
         Self(eighths)
     }
 
-    /// Returns the data, with the least constants that the matrices allow, or up to twice as large
-    /// ones.
+    /// Returns the data. The constants are the smallest that the matrices allow, or up to twice as
+    /// large.
     #[must_use]
     pub fn forms(&self) -> TwoForms<D> {
         let mut numbers = self.0.iter().map(|&eighths| f64::from(eighths) / 8.0);
@@ -35,7 +35,7 @@ impl<const D: usize> AnyTwoForms<D> {
         let [spare_c2, spare_l] = [(); 2].map(|()| 1.0 + next().abs() / 16.0);
         let second: SMatrix<f64, D, D> = m.tr_mul(&m);
         let step = (x1 - x2).norm();
-        // At the same point H is the same.
+        // If the two points are equal, both matrices are equal too.
         let change =
             if step == 0.0 { SMatrix::zeros() } else { (change + change.transpose()) * 0.5 };
         let l_h = if step == 0.0 { spare_l } else { spare_l * operator_norm(&change) / step };
@@ -52,12 +52,12 @@ impl<const D: usize> AnyTwoForms<D> {
 
 impl<const D: usize> Arbitrary for AnyTwoForms<D> {
     fn arbitrary(g: &mut Gen) -> Self {
-        // Every fourth entry is 0, which gives equal points, equal vectors and singular matrices.
+        // One entry in four is 0, which gives equal points, equal vectors and singular matrices.
         let entry = |g: &mut Gen| if u8::arbitrary(g) < 64 { 0 } else { i8::arbitrary(g) };
         Self((0..Self::LENGTH).map(|_| entry(g)).collect())
     }
 
-    /// One entry smaller at a time.
+    /// Each step makes one entry smaller.
     fn shrink(&self) -> Box<dyn Iterator<Item = Self>> {
         let entries = self.0.clone();
         Box::new((0..entries.len()).flat_map(move |k| {

@@ -1,24 +1,24 @@
-//! `Examination`: the suite as the library passes it, run on mutants.
+//! `Examination`: runs the suite, as the library passes it, on mutants.
 
 use tautline_statements::{Asked, Bounds, Mutant, Subject};
 
 use super::{Check, Failure, Scope, Trial, harness::Fingerprint, suite};
 
-/// What the paper's bounds alone, observed ≤ bound on random cases, show of a mutant.
+/// What the paper's bounds alone, observed ≤ bound on random cases, reveal about a mutant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sight {
-    /// Every number they compare is the library's, to the last bit.
+    /// Every number that the bounds compare is the library's number, bit for bit.
     Unseen,
-    /// They compare other numbers, and all of them hold.
+    /// The bounds compare other numbers, and all of the bounds hold.
     Passes,
-    /// One of them is violated.
+    /// One of the bounds is violated.
     Killed,
 }
 
-/// The suite of a scope, with the programs that each check called on the library.
+/// The suite of a scope, with the functions of the library that each check called.
 ///
-/// A check computes the same for a mutant unless it calls what is wrong with it, so only such
-/// checks run.
+/// A check computes the same numbers for a mutant unless it calls a function that the mutant
+/// replaces, so only checks that do so are run.
 #[derive(Clone, Debug)]
 pub struct Examination {
     scope: Scope,
@@ -39,7 +39,7 @@ impl Examination {
     ///
     /// # Errors
     ///
-    /// The first check that the library itself fails.
+    /// The failure of the first check that the library itself does not pass.
     pub fn new(scope: Scope, cases: u32) -> Result<Self, Failure> {
         let library = Subject::with(Bounds::LIBRARY);
         let trial = Trial::new(&library, scope, cases);
@@ -66,8 +66,8 @@ impl Examination {
             .collect()
     }
 
-    /// Returns whether the checks see a mutant on the same cases, by the bits of their numbers, and
-    /// whether they kill it.
+    /// Returns whether the checks compute different numbers for a mutant on the same cases, bit for
+    /// bit, and whether they kill it.
     #[must_use]
     pub fn sight(&self, mutant: Mutant) -> Sight {
         let subject = Subject::from(mutant);
@@ -83,7 +83,7 @@ impl Examination {
         sight
     }
 
-    /// Returns the checks that call what is wrong with a mutant.
+    /// Returns the checks that call a function that a mutant replaces.
     pub fn asking_for(&self, mutant: Mutant) -> impl Iterator<Item = &Check> {
         self.that_see(&Subject::from(mutant)).map(|passed| &passed.check)
     }

@@ -1,29 +1,29 @@
-//! The ledger: what the whole suite shows of each statement.
+//! The ledger: what the whole suite shows about each statement.
 
 use tautline_statements::{LIBRARY, Statement};
 
 use super::{Failure, Kind, Scope, Tally, Trial, suite};
 
-/// What the suite shows of one statement.
+/// What the suite shows about one statement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Entry {
     /// The statement.
     pub statement: Statement,
-    /// How many random cases evaluated it.
+    /// The number of random cases on which it was evaluated.
     pub cases: u64,
-    /// How many of these could have failed; the others hold for any bound.
+    /// The number of these cases that could have failed; the others satisfy any bound.
     pub could_fail: u64,
-    /// The least overestimation of these, a pure number; `∞` if none was seen.
+    /// The smallest overestimation in these cases, a pure number; `∞` if none was observed.
     pub least_overestimation: f64,
-    /// The least overestimation of its witnesses, a pure number.
+    /// The smallest overestimation of its witnesses, a pure number.
     pub witness_overestimation: f64,
-    /// How many cases with proved numbers could have failed.
+    /// The number of cases with proved numbers that could have failed.
     pub proved: u64,
-    /// The claims of the hypotheses evaluated on random cases.
+    /// The claims of the hypotheses that were evaluated on random cases.
     pub hypotheses: Vec<&'static str>,
-    /// The claims of the hypotheses assumed of random cases.
+    /// The claims of the hypotheses that were assumed for random cases.
     pub assumed: Vec<&'static str>,
-    /// The names of the checks about it.
+    /// The names of the checks that are about it.
     pub checks: Vec<&'static str>,
 }
 
@@ -31,7 +31,7 @@ pub struct Entry {
 ///
 /// # Errors
 ///
-/// The first check that fails, by its name.
+/// The failure of the first check that fails, with its name.
 pub fn ledger() -> Result<Vec<Entry>, Failure> {
     let trial = Trial::new(&LIBRARY, Scope::Everything, u32::MAX);
     let checks = suite();

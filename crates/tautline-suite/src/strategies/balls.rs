@@ -1,5 +1,5 @@
-//! Problems at random for metrics with constants on balls only, with ends so close that the ball
-//! holds all competitors.
+//! Random problems for metrics that have constants only on balls. The ends are so close together
+//! that the ball contains all competitors.
 
 use std::{fmt::Debug, num::NonZeroUsize};
 
@@ -13,24 +13,25 @@ use tautline_statements::{Known, WithConstants};
 
 use super::points::vector;
 
-/// Two points of the sphere in stereographic coordinates.
+/// Draws two points of the sphere, in stereographic coordinates.
 pub fn sphere_nearby<const D: usize>() -> impl Strategy<Value = Known<WithConstants<Sphere>, D>> {
     nearby(Sphere, vector::<D>(1.5), 0.05..0.9)
 }
 
-/// Two points of hyperbolic space in the unit ball.
+/// Draws two points of hyperbolic space, in the unit ball.
 pub fn hyperbolic_nearby<const D: usize>()
 -> impl Strategy<Value = Known<WithConstants<Hyperbolic>, D>> {
     let centre = vector::<D>(1.0).prop_map(|x| x * (0.8 / (D as f64).sqrt()));
     nearby(Hyperbolic, centre, 0.02..0.15)
 }
 
-/// Two normal distributions, by their means and the logarithms of their deviations.
+/// Draws two normal distributions, given by their means and the logarithms of their standard
+/// deviations.
 pub fn gaussian_fisher_nearby() -> impl Strategy<Value = Known<WithConstants<GaussianFisher>, 2>> {
     nearby(GaussianFisher, vector::<2>(2.0), 0.02..0.8)
 }
 
-/// A point, a ball about it, and a second point so close that no competitor leaves the ball.
+/// Draws a point, a ball about it, and a second point so close that no competitor leaves the ball.
 fn nearby<M, const D: usize>(
     metric: M,
     centre: impl Strategy<Value = SVector<f64, D>>,
@@ -49,8 +50,8 @@ where
     })
 }
 
-/// Returns how far apart two points may be, in `ℓ` and to ten percent, so that no competitor gets
-/// farther than `radius` from one of them.
+/// Returns the largest distance, in `ℓ` and to ten percent, that two points may have so that no
+/// competitor moves farther than `radius` from one of them.
 fn farthest<const D: usize>(constants: Constants, radius: f64) -> f64 {
     let everywhere = |_| Ok::<_, LocalError>(constants);
     let mut apart = radius;

@@ -1,4 +1,4 @@
-//! Curves at random, smooth and kinked.
+//! Random curves, smooth and kinked.
 
 use proptest::{collection::vec, prelude::*};
 use tautline::SVector;
@@ -6,8 +6,8 @@ use tautline_statements::curves::{KinkedCurve, SmoothCurve};
 
 use super::points::vector;
 
-/// Polynomials of degree up to 4 plus up to three waves, with coefficients in `[−size, size]^D`;
-/// one in eight is forced to be linear.
+/// Draws polynomials of degree up to 4 plus up to three waves, with coefficients in
+/// `[−size, size]^D`. One curve in eight is forced to be linear.
 pub fn smooth_curve<const D: usize>(size: f64) -> impl Strategy<Value = SmoothCurve<D>> {
     let waves = vec([vector(size), vector(size)], 0..4);
     (vec(vector(size), 1..6), waves, 0..8_u8).prop_map(|(mut powers, waves, kind)| {
@@ -19,7 +19,8 @@ pub fn smooth_curve<const D: usize>(size: f64) -> impl Strategy<Value = SmoothCu
     })
 }
 
-/// Smooth curves between two points, off the straight line by waves of size up to `wiggle`.
+/// Draws smooth curves between two points that deviate from the straight line by waves of size up
+/// to `wiggle`.
 pub fn smooth_curve_between<const D: usize>(
     [a, b]: [SVector<f64, D>; 2],
     wiggle: f64,
@@ -27,7 +28,7 @@ pub fn smooth_curve_between<const D: usize>(
     smooth_curve(wiggle).prop_map(move |curve| curve.between(a, b))
 }
 
-/// Piecewise linear curves of up to six pieces with stops in `[−size, size]^D`.
+/// Draws piecewise linear curves with up to six pieces and with stops in `[−size, size]^D`.
 pub fn kinked_curve<const D: usize>(size: f64) -> impl Strategy<Value = KinkedCurve<D>> {
     let stops = vec((0.05..1.0, vector::<D>(size)), 0..6);
     (vector(size), stops, vector(size)).prop_map(|(first, stops, last): (SVector<f64, D>, _, _)| {
@@ -44,7 +45,8 @@ pub fn kinked_curve<const D: usize>(size: f64) -> impl Strategy<Value = KinkedCu
     })
 }
 
-/// Three times `0 ≤ s₁ ≤ s ≤ s₂ ≤ 1` with `s₁ < s₂`; in two cases of three `s` is one of these.
+/// Draws three times `0 ≤ s₁ ≤ s ≤ s₂ ≤ 1` with `s₁ < s₂`. In two cases of three, `s` is `s₁` or
+/// `s₂`.
 pub fn times() -> impl Strategy<Value = [f64; 3]> {
     ((0.0..1.0_f64, 0.0..1.0_f64), 0.0..1.0, 0..3_u8)
         .prop_filter("an interval", |((a, b), _, _)| (a - b).abs() >= 1e-3)

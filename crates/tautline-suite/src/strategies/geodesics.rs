@@ -1,4 +1,4 @@
-//! Curves at random: pairs of points joined by known geodesics, clocks, and rays.
+//! Random curves: pairs of points joined by known geodesics, clocks, and rays.
 
 use std::fmt::Debug;
 
@@ -15,7 +15,7 @@ use tautline_statements::{
 
 use super::points::{two_points, vector};
 
-/// A metric that knows its geodesics, and two points.
+/// Draws a metric with known geodesics, and two points.
 pub fn joined<M, const D: usize>(
     metric: impl Strategy<Value = M>,
 ) -> impl Strategy<Value = (M, [SVector<f64, D>; 2])>
@@ -25,20 +25,20 @@ where
     (metric, two_points(2.5))
 }
 
-/// The sphere, and two points of the hemisphere farthest from the missing point. Minimal geodesics
-/// between such points stay in it.
+/// Draws the sphere and two points on the hemisphere opposite the missing point. Minimal geodesics
+/// between two such points stay in this hemisphere.
 pub fn on_sphere<const D: usize>() -> impl Strategy<Value = (Sphere, [SVector<f64, D>; 2])> {
     (Just(Sphere), two_points(0.95 / (D as f64).sqrt()))
 }
 
-/// Hyperbolic space, and two points of a ball of radius 0.85 in its model.
+/// Draws hyperbolic space and two points in the ball of radius 0.85 of its ball model.
 pub fn in_hyperbolic_space<const D: usize>()
 -> impl Strategy<Value = (Hyperbolic, [SVector<f64, D>; 2])> {
     (Just(Hyperbolic), two_points(0.85 / (D as f64).sqrt()))
 }
 
-/// A clock that never runs backwards, with up to five pieces whose durations lie within a factor of
-/// 20; one in three is a pause.
+/// Draws a clock that never runs backwards. It has up to five pieces, whose durations lie within a
+/// factor of 20; one piece in three is a pause.
 pub fn clock() -> impl Strategy<Value = Clock> {
     let pieces = proptest::collection::vec((0.05..1.0, 0.0..1.0, 0..3_u8), 1..6);
     let paces = select(vec![Pace::Even, Pace::Accelerating, Pace::Smooth]);
@@ -46,7 +46,7 @@ pub fn clock() -> impl Strategy<Value = Clock> {
         let durations: Vec<f64> = pieces.iter().map(|piece| piece.0).collect();
         let steps: Vec<f64> =
             pieces.iter().map(|&(_, way, rests)| if rests == 0 { 0.0 } else { way }).collect();
-        // The last piece always ends at 1.
+        // The last piece always ends at the reading 1.
         let total: f64 = steps.iter().sum::<f64>() + 0.1;
         let mut reading = 0.0;
         let mut readings = Vec::new();
@@ -58,7 +58,8 @@ pub fn clock() -> impl Strategy<Value = Clock> {
     })
 }
 
-/// A radial metric, and two points of one ray, within four widths of 0.5 to 2 from the centre.
+/// Draws a radial metric and two points on one ray, up to 4 from its centre; the widths of the
+/// metrics are from 0.5 to 2.
 pub fn ray<M, const D: usize>(
     metric: impl Strategy<Value = M>,
 ) -> impl Strategy<Value = Known<M, D>>
@@ -73,14 +74,15 @@ where
     })
 }
 
-/// Two points, joined by a segment that is minimal if the metric knows their distance.
+/// Makes a problem from two points. The segment between them is minimal if the metric knows their
+/// distance.
 fn segment<M: KnownDistance<D>, const D: usize>(
     metric: M,
     [a, b]: [SVector<f64, D>; 2],
 ) -> Option<Known<M, D>> {
     let ends = tautline::Ends::points(a, b).expect("finite");
     let distance = metric.distance(&a, &b)?;
-    // Quadratures to 1e-15 on each of a few pieces.
+    // The distance is a sum of a few quadratures, each accurate to 1e-15.
     let distance_error = 1e-14 * (distance + norm_squared(&metric, &a, &a).sqrt());
     Some(Known { metric, ends, distance, distance_error })
 }

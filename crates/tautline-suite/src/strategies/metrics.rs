@@ -1,4 +1,4 @@
-//! Metrics at random, with known distances.
+//! Random metrics with known distances.
 
 use proptest::prelude::*;
 use tautline::{
@@ -8,7 +8,7 @@ use tautline::{
 
 use super::points::vector;
 
-/// A symmetric positive definite matrix: `MᵀM + ¼ I` with entries of `M` in `[−1, 1]`.
+/// Draws a symmetric positive definite matrix `MᵀM + ¼ I`, where `M` has entries in `[−1, 1]`.
 pub(super) fn matrix<const D: usize>() -> impl Strategy<Value = SMatrix<f64, D, D>> {
     let entries = proptest::array::uniform::<_, D>(vector::<D>(1.0));
     entries.prop_map(|columns| {
@@ -18,18 +18,18 @@ pub(super) fn matrix<const D: usize>() -> impl Strategy<Value = SMatrix<f64, D, 
     })
 }
 
-/// Constant metrics with eigenvalues in `[¼, D² + ¼]`.
+/// Draws constant metrics with eigenvalues in `[¼, D² + ¼]`.
 pub fn constant<const D: usize>() -> impl Strategy<Value = Constant<D>> {
     matrix().prop_map(|a| Constant::new(a).expect("positive definite"))
 }
 
-/// Shears of amplitude up to 0.8 and wave number up to 2.
+/// Draws shears with amplitude up to 0.8 and wave number up to 2.
 pub fn shear() -> impl Strategy<Value = Shear> {
     (-0.8..0.8, 0.5..2.0)
         .prop_map(|(amplitude, k)| Shear::new(amplitude, k).expect("a positive wave number"))
 }
 
-/// Separable metrics of amplitudes up to 0.6 and wave numbers up to 2.
+/// Draws separable metrics with amplitudes up to 0.6 and wave numbers up to 2.
 pub fn separable<const D: usize>() -> impl Strategy<Value = Separable<D>> {
     let wave_numbers = proptest::array::uniform::<_, D>(0.5..2.0);
     (vector(0.6), wave_numbers).prop_map(|(amplitudes, k): (SVector<f64, D>, _)| {
@@ -37,22 +37,22 @@ pub fn separable<const D: usize>() -> impl Strategy<Value = Separable<D>> {
     })
 }
 
-/// Ramps of amplitude up to 0.7 and wave number up to 2.
+/// Draws ramps with amplitude up to 0.7 and wave number up to 2.
 pub fn ramp() -> impl Strategy<Value = Ramp> {
     (-0.7..0.7, 0.5..2.0).prop_map(|(amplitude, k)| Ramp::new(amplitude, k).expect("below one"))
 }
 
-/// Bumps of heights up to 2 and widths from 0.5 to 2.
+/// Draws bumps with heights up to 2 and widths from 0.5 to 2.
 pub fn bump() -> impl Strategy<Value = Bump> {
     (0.0..2.0, 0.5..2.0).prop_map(|(height, width)| Bump::new(height, width).expect("a width"))
 }
 
-/// Lenses of heights up to 3 and widths from 0.5 to 2.
+/// Draws lenses with heights up to 3 and widths from 0.5 to 2.
 pub fn lens() -> impl Strategy<Value = Lens> {
     (0.0..3.0, 0.5..2.0).prop_map(|(height, width)| Lens::new(height, width).expect("a width"))
 }
 
-/// Hills of heights up to 1 and widths from 0.5 to 2.
+/// Draws hills with heights up to 1 and widths from 0.5 to 2.
 pub fn hill() -> impl Strategy<Value = Hill> {
     (-1.0..1.0, 0.5..2.0).prop_map(|(height, width)| Hill::new(height, width).expect("a width"))
 }

@@ -1,20 +1,21 @@
-//! Points and point sequences at random.
+//! Random points and point sequences.
 
 use proptest::{prelude::*, sample::select};
 use tautline::{PointSequence, SVector};
 
-/// Values of `N` for statements "for every `N`": the smallest, which are the hardest, some that are
-/// no powers of two, and one that takes several grids.
+/// Draws values of `N` for statements "for every `N`": the smallest ones, which are the hardest,
+/// some that are not powers of two, and one for which the solver needs several grids.
 pub fn subintervals() -> impl Strategy<Value = usize> {
     select(vec![1_usize, 2, 3, 5, 8, 17, 64, 200])
 }
 
-/// A vector of the cube `[−size, size]^D`.
+/// Draws a vector in the cube `[−size, size]^D`.
 pub fn vector<const D: usize>(size: f64) -> impl Strategy<Value = SVector<f64, D>> {
     proptest::array::uniform::<_, D>(-size..size).prop_map(SVector::from)
 }
 
-/// Two points of the cube, at least `size/20` apart, so that their distance is more than rounding.
+/// Draws two points of the cube that are at least `size/20` apart, so that their distance is far
+/// above rounding.
 pub fn two_points<const D: usize>(size: f64) -> impl Strategy<Value = [SVector<f64, D>; 2]> {
     (vector(size), vector(size))
         .prop_filter("the points are apart", move |(a, b): &(SVector<f64, D>, SVector<f64, D>)| {
@@ -23,8 +24,8 @@ pub fn two_points<const D: usize>(size: f64) -> impl Strategy<Value = [SVector<f
         .prop_map(|(a, b)| [a, b])
 }
 
-/// A point sequence of the cube with `N` from 1 to 40, far from any minimiser. One step in three
-/// rests, as in minimisers of the discrete lengths.
+/// Draws a point sequence in the cube with `N` from 1 to 40, far from any minimiser. One step in
+/// three has length 0, as in minimisers of the discrete lengths.
 pub fn sequence<const D: usize>(size: f64) -> impl Strategy<Value = PointSequence<D>> {
     let points = proptest::collection::vec((vector(size), 0..3_u8), 2..41);
     points.prop_map(|drawn| {

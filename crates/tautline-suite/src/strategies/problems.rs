@@ -1,10 +1,10 @@
-//! Problems at random: metrics whose distance is known exactly, between points and from set to set.
+//! Random problems: metrics whose distance is known exactly, between points and between sets.
 //!
 //! | metric | sets | `d` |
 //! | --- | --- | --- |
 //! | constant `A` | points | `∣A^{1/2} (x − y)∣` |
 //! | | ball about `c`, half-space `{a·x ≥ b}` | `(b − a·c − r∣a∣) / (aᵀA⁻¹a)^{1/2}` |
-//! | | finite sets | the least over all pairs |
+//! | | finite sets | the smallest over all pairs |
 //! | shear | points | `∣Φ(x) − Φ(y)∣` |
 //! | | ball, half-plane `{x₂ ≥ b}` | `b − c₂ − r`, since `Φ` keeps `x₂` |
 //! | separable | points | `∣F(x) − F(y)∣` |
@@ -29,16 +29,16 @@ use super::{
     points::{two_points, vector},
 };
 
-/// The rounding of a distance of sets: a difference of two numbers up to 20 with some four
-/// roundings each.
+/// The rounding error of a distance between sets, which is a difference of two numbers up to 20
+/// with some four roundings each.
 const DISTANCE_ERROR: f64 = 2e-14;
 
-/// A problem from set to set, whose distance is exact up to rounding.
+/// Makes a problem from set to set whose distance is exact up to rounding.
 fn known<M, const D: usize>(metric: M, ends: Ends<D>, distance: f64) -> Known<M, D> {
     Known { metric, ends, distance, distance_error: DISTANCE_ERROR }
 }
 
-/// Two finite points whose distance the metric knows.
+/// Makes a problem from two points, if they are finite and the metric knows their distance.
 fn between<M, const D: usize>(metric: M, [a, b]: [SVector<f64, D>; 2]) -> Option<Known<M, D>>
 where
     M: Bounded<D> + KnownDistance<D>,
@@ -46,7 +46,7 @@ where
     Known::between(metric, a, b).expect("finite")
 }
 
-/// `metric` between two random points.
+/// Draws problems between two random points under `metric`.
 pub fn points<M, const D: usize>(
     metric: impl Strategy<Value = M>,
 ) -> impl Strategy<Value = Known<M, D>>
@@ -57,7 +57,7 @@ where
         .prop_filter_map("the distance is known", |(metric, ends)| between(metric, ends))
 }
 
-/// From a ball to the half-space `{normal·x ≥ offset}`.
+/// Makes ends that consist of a ball and the half-space `{normal·x ≥ offset}`.
 fn ball_half_space<const D: usize>(
     ball: (SVector<f64, D>, f64),
     normal: impl Into<SVector<f64, D>>,
@@ -68,7 +68,7 @@ fn ball_half_space<const D: usize>(
     Ends::new(ball, half_space).expect("a ball is bounded")
 }
 
-/// A constant metric, from a ball to a half-space.
+/// Draws problems from a ball to a half-space under a constant metric.
 pub fn constant_ball_half_space<const D: usize>() -> impl Strategy<Value = Known<Constant<D>, D>> {
     let sets = (vector::<D>(2.0), 0.0..1.0, two_points::<D>(1.0), 0.2..3.0);
     (matrix::<D>(), sets).prop_map(|(a, (centre, radius, [from, to], gap))| {
@@ -82,7 +82,8 @@ pub fn constant_ball_half_space<const D: usize>() -> impl Strategy<Value = Known
     })
 }
 
-/// Up to four points in each set: the Euclidean nearest pair need not be the nearest one under `A`.
+/// Draws problems with up to four points in each set. The pair that is nearest in the Euclidean
+/// sense need not be the nearest one under `A`.
 pub fn constant_finite_sets() -> impl Strategy<Value = Known<Constant<2>, 2>> {
     let points = || proptest::collection::vec(vector::<2>(2.0), 1..5);
     (constant::<2>(), points(), points()).prop_filter_map(
@@ -98,7 +99,7 @@ pub fn constant_finite_sets() -> impl Strategy<Value = Known<Constant<2>, 2>> {
     )
 }
 
-/// A shear, from a ball to a half-plane `{x₂ ≥ b}`.
+/// Draws problems from a ball to a half-plane `{x₂ ≥ b}` under a shear.
 pub fn shear_ball_half_plane() -> impl Strategy<Value = Known<Shear, 2>> {
     (shear(), vector(2.0), 0.0..1.0, 0.2..4.0).prop_map(|(metric, centre, radius, gap)| {
         let wall = centre[1] + radius + gap;
@@ -106,13 +107,13 @@ pub fn shear_ball_half_plane() -> impl Strategy<Value = Known<Shear, 2>> {
     })
 }
 
-/// The first box of a pair, from its centre and half-widths.
+/// Draws the first box of a pair by its centre and half-widths.
 fn axis_box<const D: usize>() -> impl Strategy<Value = AxisBox<D>> {
     (vector(1.5), proptest::array::uniform::<_, D>(0.0..1.0))
         .prop_map(|(centre, half)| AxisBox::new(centre, half).expect("half-widths"))
 }
 
-/// A separable metric, from a box to a half-space `{xᵢ ≥ b}`.
+/// Draws problems from a box to a half-space `{xᵢ ≥ b}` under a separable metric.
 pub fn separable_box_half_space<const D: usize>() -> impl Strategy<Value = Known<Separable<D>, D>> {
     (separable(), axis_box(), 0..D, 0.2..4.0).prop_map(
         |(metric, first, axis, gap): (Separable<D>, AxisBox<D>, _, _)| {
@@ -128,7 +129,7 @@ pub fn separable_box_half_space<const D: usize>() -> impl Strategy<Value = Known
     )
 }
 
-/// A separable metric, from a box to a box.
+/// Draws problems from a box to a box under a separable metric.
 pub fn separable_boxes<const D: usize>() -> impl Strategy<Value = Known<Separable<D>, D>> {
     (separable(), axis_box(), axis_box(), two_points::<D>(4.0)).prop_filter_map(
         "the boxes are apart",
@@ -148,7 +149,7 @@ pub fn separable_boxes<const D: usize>() -> impl Strategy<Value = Known<Separabl
     )
 }
 
-/// The valleys, along `x₁`, over up to two ridges.
+/// Draws problems over the valleys along `x₁`, across up to two ridges.
 pub fn valleys_along() -> impl Strategy<Value = Known<Valleys, 2>> {
     (-3.0..3.0, -2.0..2.0, 0.2..13.0)
         .prop_filter_map("along x₁", |(a, x2, length): (f64, _, _)| {
@@ -156,18 +157,19 @@ pub fn valleys_along() -> impl Strategy<Value = Known<Valleys, 2>> {
         })
 }
 
-/// The valleys, between two points whose distance Clairaut's relation gives.
+/// Draws problems over the valleys between two points whose distance follows from Clairaut's
+/// relation.
 pub fn valleys_across<const D: usize>() -> impl Strategy<Value = Known<Valleys, D>> {
     points(Just(Valleys))
 }
 
-/// `F` with `F′ = f = 2 − cos x₁`: since `u(x) = F(x₁)` has `|∇u| = f`, no curve from `x` to `y` is
-/// shorter than `u(y) − u(x)`.
+/// Returns `F(x₁)`, where `F′ = f = 2 − cos x₁`. Since `u(x) = F(x₁)` satisfies `|∇u| = f`, no
+/// curve from `x` to `y` is shorter than `u(y) − u(x)`.
 fn climb(x1: f64) -> f64 {
     2.0 * x1 - x1.sin()
 }
 
-/// The valleys, from a ball to a half-plane `{x₁ ≥ b}`.
+/// Draws problems over the valleys from a ball to a half-plane `{x₁ ≥ b}`.
 pub fn valleys_ball_half_space() -> impl Strategy<Value = Known<Valleys, 2>> {
     (vector::<2>(3.0), 0.0..1.5, 0.2..8.0).prop_map(|(centre, radius, gap)| {
         let (from, to) = (centre[0] + radius, centre[0] + radius + gap);

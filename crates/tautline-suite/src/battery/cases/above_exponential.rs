@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 use tautline::ClosedSet;
 
-/// The closed set `{x₂ ≥ e^{−x₁}}` of the plane; its nearest points come from Newton's method.
+/// The closed set `{x₂ ≥ e^{−x₁}}` in the plane; Newton's method finds its nearest points.
 #[derive(Debug)]
 pub(crate) struct AboveExponential;
 
@@ -12,7 +12,8 @@ impl ClosedSet<2> for AboveExponential {
         if x[1] >= (-x[0]).exp() {
             return *x;
         }
-        // s ↦ (s − x₁)² + (e^{−s} − x₂)² is convex where e^{−s} > x₂, to the left of the root.
+        // s ↦ (s − x₁)² + (e^{−s} − x₂)² is convex where e^{−s} > x₂, which holds to the left of
+        // the root.
         let mut s = x[0];
         for _ in 0..100 {
             let e = (-s).exp();

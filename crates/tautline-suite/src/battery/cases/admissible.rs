@@ -1,9 +1,9 @@
-//! Random sequences made admissible.
+//! Makes random sequences admissible.
 
 use tautline::{Ends, PointSequence};
 use tautline_statements::{Subject, VerifyError};
 
-/// Returns the sequence with its ends projected to their sets.
+/// Returns the sequence with its first and last points projected to their sets.
 pub(crate) fn admissible<const D: usize>(
     subject: &Subject,
     ends: &Ends<D>,

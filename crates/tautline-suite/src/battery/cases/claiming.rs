@@ -1,9 +1,9 @@
-//! Problems with constants that are only claimed.
+//! Problems with constants that are only claimed and need not be true.
 
 use tautline::Constants;
 use tautline_statements::{Known, WithConstants};
 
-/// Returns the problem with other constants of the metric.
+/// Returns the problem with these constants claimed for its metric.
 pub(crate) fn claiming<M, const D: usize>(
     known: Known<M, D>,
     constants: Constants,

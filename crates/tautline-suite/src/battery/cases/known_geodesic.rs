@@ -1,4 +1,4 @@
-//! Known geodesics: between any two points, and the one where several counterexamples begin.
+//! Known geodesics: between any two points, and the one from which several counterexamples start.
 
 use nalgebra::SVector;
 use tautline::gallery::Shear;
@@ -7,7 +7,7 @@ use tautline_statements::{
     curves::{Geodesic, KnownGeodesics},
 };
 
-/// Returns the minimal geodesic between two points, and their distance.
+/// Returns a known minimal geodesic between two points, and their distance.
 pub(crate) fn known_geodesic<M: KnownGeodesics<D>, const D: usize>(
     metric: M,
     ends: [SVector<f64, D>; 2],

@@ -1,9 +1,9 @@
-//! The minimiser of either rule.
+//! Computed minimisers of either rule.
 
 use tautline::{Ends, LeftEndpoint, Metric, Minimum, Trapezoidal};
 use tautline_statements::{PaperRule, Subject, VerifyError};
 
-/// Returns the computed minimiser of a rule.
+/// Returns the minimiser that the subject computes for a rule.
 pub(crate) fn minimum<const D: usize>(
     subject: &Subject,
     rule: PaperRule,

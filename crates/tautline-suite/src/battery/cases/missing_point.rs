@@ -1,4 +1,4 @@
-//! On the sphere without a point: curves round the missing point, none of them shortest.
+//! The sphere without a point: curves round the missing point, none of which is shortest.
 
 use nalgebra::SVector;
 use tautline::gallery::Sphere;
@@ -7,7 +7,7 @@ use tautline_statements::{
     curves::{Curve, Geodesic, Motion},
 };
 
-/// Two arcs of great circles, with a corner.
+/// A curve of two arcs of great circles, with a corner between them.
 pub(crate) struct TwoArcs([Geodesic<Sphere, 2>; 2]);
 
 impl Curve<2> for TwoArcs {
@@ -23,11 +23,12 @@ impl Curve<2> for TwoArcs {
     }
 }
 
-/// Returns the curve from `(2, 0)` by `(0, r)` to `(−2, 0)`, and the length of the shortest way
-/// out.
+/// Returns the curve from `(2, 0)` through `(0, r)` to `(−2, 0)`, and the length of the shortest
+/// way out.
 ///
-/// The short way on the sphere, `4 arctan ½`, leads over the missing point. The lengths of these
-/// curves tend to it like `d + c/r²` as `r → ∞`, but no curve attains it.
+/// The shortest curve on the whole sphere has length `4 arctan ½`, but passes through the missing
+/// point. The lengths of the returned curves tend to `d = 4 arctan ½` like `d + c/r²` as `r → ∞`,
+/// and no curve attains it.
 pub(crate) fn round_the_missing_point(
     r: f64,
 ) -> Result<(Known<Sphere, 2>, TwoArcs, WayOut), VerifyError> {

@@ -1,4 +1,4 @@
-//! Problems and counterexamples that several checks share.
+//! Problems and counterexamples that are shared by several checks.
 
 mod above_exponential;
 mod admissible;

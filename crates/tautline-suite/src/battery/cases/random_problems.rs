@@ -14,7 +14,7 @@ use crate::strategies::{
     valleys_ball_half_space,
 };
 
-/// Statements about one computed minimiser, in any dimension.
+/// Statements about a computed minimiser, in any dimension.
 pub(crate) trait Question: Copy {
     /// Evaluates the statements.
     fn evidence<M: Bounded<D>, const D: usize>(
@@ -25,12 +25,12 @@ pub(crate) trait Question: Copy {
     ) -> Result<Vec<Evidence>, VerifyError>;
 }
 
-/// Random problems, solved by one rule.
+/// Random problems, solved with one rule.
 #[derive(Clone, Copy)]
 pub(crate) struct Problems<Q> {
     pub(crate) rule: PaperRule,
     pub(crate) seed: u64,
-    /// Divides the numbers of cases below.
+    /// The number by which the numbers of cases below are divided.
     pub(crate) one_in: u32,
     pub(crate) question: Q,
 }
@@ -53,10 +53,11 @@ impl<Q: Question> Problems<Q> {
         })
     }
 
-    /// Between two points.
+    /// Evaluates the statements on problems between two points.
     ///
     /// On the line, along the valleys and under a constant metric, all curves that do not turn back
-    /// have the same length. There Theorems 1.2 and 1.4 cannot fail, so these cases are few.
+    /// have the same length. Theorems 1.2 and 1.4 cannot fail there, so that there are only a few
+    /// of these cases.
     pub(crate) fn between_points(self, trial: &Trial<'_>) -> Outcome {
         all([
             self.solved(trial, 0, 64, points(constant::<2>())),
@@ -73,12 +74,13 @@ impl<Q: Question> Problems<Q> {
         ])
     }
 
-    /// From set to set; again with few cases where the way leads along an axis.
+    /// Evaluates the statements on problems between two sets. Again there are only a few cases in
+    /// which the geodesic runs along an axis.
     pub(crate) fn between_sets(self, trial: &Trial<'_>) -> Outcome {
         all([
             self.solved(trial, 0, 64, constant_ball_half_space::<2>()),
             self.solved(trial, 1, 64, constant_ball_half_space::<3>()),
-            // The bounds are 0 for a constant metric: only the nearest pair will do.
+            // For a constant metric the bounds are 0, so that only the nearest pair satisfies them.
             self.solved(trial, 2, 96, constant_finite_sets()),
             self.solved(trial, 3, 448, shear_ball_half_plane()),
             self.solved(trial, 4, 64, separable_box_half_space::<2>()),
@@ -90,7 +92,8 @@ impl<Q: Question> Problems<Q> {
         ])
     }
 
-    /// Between nearby points, with the constants of a ball that holds all competitors.
+    /// Evaluates the statements between nearby points, with the constants of a ball that contains
+    /// all competitors.
     pub(crate) fn on_balls(self, trial: &Trial<'_>) -> Outcome {
         all([
             self.solved(trial, 0, 128, sphere_nearby::<1>()),
@@ -101,7 +104,7 @@ impl<Q: Question> Problems<Q> {
         ])
     }
 
-    /// In two systems of units.
+    /// Evaluates the statements in two systems of units.
     pub(crate) fn homogeneous(self, trial: &Trial<'_>) -> Outcome {
         all([
             self.in_units(trial, 0, shear_ball_half_plane()),

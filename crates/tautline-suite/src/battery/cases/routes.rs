@@ -1,4 +1,4 @@
-//! Routes of one chord on the line, where a rule reads too much or too little of `H`.
+//! Routes of one chord on the line, for which a rule's value of `H` is too large or too small.
 
 use tautline::{Constants, Ends, FiniteSet, gallery::Constant};
 use tautline_statements::{
@@ -8,16 +8,17 @@ use tautline_statements::{
 
 use super::{claiming, minimum};
 
-/// The slope of all profiles here; `δ` is the same, up to a percent.
+/// The slope of all profiles here; `δ` equals it to within a percent.
 pub(crate) const SLOPE: f64 = 1e-3;
 
-/// How much shorter the wrong route seems: ten times what the solver takes for a tie.
+/// The amount by which the wrong route seems shorter: ten times the difference that the solver
+/// treats as a tie.
 pub(crate) const MARGIN: f64 = 1e-8;
 
-/// The values of `H` along a route: `[s, H]` at three knots.
+/// The values of `H` along a route, given as `[s, H]` at three knots.
 pub(crate) type Knots = [[f64; 2]; 3];
 
-/// Two opposite slopes on a route of length 1.
+/// Returns a profile with two opposite slopes, on a route of length 1.
 fn tent(foot: f64, tip: f64) -> Knots {
     [[0.0, foot], [0.5, tip], [1.0, foot]]
 }
@@ -42,18 +43,18 @@ pub(crate) fn downwards(end: f64) -> Knots {
     straight(end + SLOPE, end)
 }
 
-/// `H = 1` along a route of this length.
+/// Returns the profile `H = 1` along a route of this length.
 pub(crate) fn level(length: f64) -> Knots {
     [[0.0, 1.0], [0.5 * length, 1.0], [length, 1.0]]
 }
 
-/// A hundred times as steep: the slope is 0.1.
+/// Makes a profile a hundred times as steep, so that its slope is 0.1.
 pub(crate) fn steep(knots: Knots) -> Knots {
     knots.map(|[s, h]| [s, 1.0 + 0.1 / SLOPE * (h - 1.0)])
 }
 
-/// Two routes, of which the longer one seems shorter by [`MARGIN`]: the rule reads `H` at the top
-/// of the first and at the bottom of the second.
+/// Returns two routes, of which the longer one seems shorter by [`MARGIN`]: the rule evaluates `H`
+/// at the top of the first route and at the bottom of the second.
 pub(crate) fn misleading(rule: PaperRule) -> [Knots; 2] {
     match rule {
         PaperRule::Trapezoidal => [ridge(1.0), valley(1.0 + 0.5 * SLOPE - MARGIN)],
@@ -61,7 +62,7 @@ pub(crate) fn misleading(rule: PaperRule) -> [Knots; 2] {
     }
 }
 
-/// Observes the minimiser of the one chord from set to set.
+/// Observes the minimiser with one chord from set to set, on two routes.
 pub(crate) fn routes(
     subject: &Subject,
     rule: PaperRule,
@@ -82,7 +83,7 @@ pub(crate) fn route(
     Reconstruction::observe(subject, &known, rule, 1)
 }
 
-/// Observes the minimiser of two routes under constants that are only claimed.
+/// Observes the minimiser on two routes under constants that are only claimed.
 pub(crate) fn claimed(
     rule: PaperRule,
     [first, second]: [Knots; 2],
@@ -93,8 +94,9 @@ pub(crate) fn claimed(
     Reconstruction::observe(&LIBRARY, &known, rule, 1)
 }
 
-/// A level route with `d² = 1.005`, and a second one where the rule reads `H = 1`, though its
-/// energy and its squared length are 1.025 (trapezoidal) or 1.05 (left), to a thousandth.
+/// Observes a level route with `d² = 1.005` and a second route on which the rule evaluates `H = 1`.
+/// On the second route the energy and the squared length are 1.025 (trapezoidal) or 1.05 (left), to
+/// a thousandth.
 pub(crate) fn cheap_second_route(
     rule: PaperRule,
     constants: [f64; 3],
@@ -106,8 +108,9 @@ pub(crate) fn cheap_second_route(
     claimed(rule, [level(1.005_f64.sqrt()), steep(second)], constants)
 }
 
-/// From `{0, 10}` to `{1, 12}` under `H = 1` the constants are `C = 0` and `K̄ = d = 1`. The way
-/// from 10 to 12 is straight, and a local minimiser since the sets are discrete; it has `E = 4`.
+/// Returns a problem from `{0, 10}` to `{1, 12}` under `H = 1`, where `C = 0` and `K̄ = d = 1`. The
+/// observed minimiser leads straight from 10 to 12. It is a local minimiser, since the sets are
+/// discrete, and it has `E = 4`.
 pub(crate) fn longer_way(
     rule: PaperRule,
     n: usize,
@@ -120,7 +123,8 @@ pub(crate) fn longer_way(
     Ok((known, seen))
 }
 
-/// Up an incline of slope 0.1 from 0 to 1.1 instead of 1, with `n` subintervals: `E − d² = 0.226`.
+/// Observes a minimiser that leads up an incline of slope 0.1 from 0 to 1.1 instead of 1, with `n`
+/// subintervals. It has `E − d² = 0.226`.
 pub(crate) fn beyond_the_end(rule: PaperRule, n: usize) -> Result<Reconstruction<1>, VerifyError> {
     let metric = Polygonal::new(&[[0.0, 1.0], [1.0, 1.1], [2.0, 1.2]]).expect("in order");
     let beyond = minimum(&LIBRARY, rule, &metric, &Ends::points([0.0], [1.1])?, n)?;

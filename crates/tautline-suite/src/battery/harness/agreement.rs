@@ -4,7 +4,7 @@ use tautline_statements::slope;
 
 use super::{Failure, Outcome, Tally};
 
-/// Returns a failure unless `value` is `expected` up to `tolerance`.
+/// Returns a failure unless `value` agrees with `expected` to within `tolerance`.
 pub(crate) fn close(what: &str, value: f64, expected: f64, tolerance: f64) -> Outcome {
     if (value - expected).abs() <= tolerance {
         return Ok(Tally::default());
@@ -13,7 +13,8 @@ pub(crate) fn close(what: &str, value: f64, expected: f64, tolerance: f64) -> Ou
     Err(Failure::new(message))
 }
 
-/// Returns a failure unless the slope of the points in logarithmic axes is `expected` up to `tilt`.
+/// Returns a failure unless the slope of the points on logarithmic axes agrees with `expected` to
+/// within `tilt`.
 pub(crate) fn has_slope(what: &str, points: &[(f64, f64)], expected: f64, tilt: f64) -> Outcome {
     let slope = slope(points);
     if (slope - expected).abs() <= tilt {

@@ -1,4 +1,5 @@
-//! `AnyValue`: a type-erased random value, so that the runner of random cases compiles once.
+//! `AnyValue`: a type-erased random value, so that the code that runs random cases compiles only
+//! once.
 
 use std::{any::Any, fmt::Debug};
 
@@ -11,7 +12,7 @@ impl<V: Any + Debug> AnyValue for V {}
 ///
 /// # Panics
 ///
-/// If it has another type.
+/// Panics if the value has another type.
 pub(super) fn downcast<V: Any>(value: Box<dyn AnyValue>) -> V {
     let value: Box<dyn Any> = value;
     *value.downcast().expect("the type that the strategy draws")

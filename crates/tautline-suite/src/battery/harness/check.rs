@@ -9,25 +9,25 @@ use super::{Failure, Outcome, Scope, Tally, Trial};
 pub enum Kind {
     /// A statement holds on random data.
     Random,
-    /// In other units of coordinates and lengths, both sides scale by their unit.
+    /// In other units of coordinates and lengths, both sides of an inequality scale by their unit.
     Homogeneous,
-    /// A case comes near equality, or has the least overestimation known.
+    /// A case comes close to equality, or has the smallest overestimation known.
     Witness,
-    /// Without one of its hypotheses a statement fails; or it still holds, and the hypothesis is
-    /// not needed.
+    /// A statement fails without one of its hypotheses; or it still holds, which shows that the
+    /// hypothesis is not needed.
     Dropped,
     /// A statement is false as printed.
     Refuted,
-    /// Errors fall with the predicted order, or with the predicted leading constant.
+    /// Errors decrease with the predicted order or have the predicted leading constant.
     Order,
     /// Numbers agree with reference values from another program.
     Reference,
-    /// A statement holds for numbers proved with outward rounding.
+    /// A statement holds for numbers that are proved with outward rounding.
     Proved,
 }
 
 impl Kind {
-    /// Names a check of this kind.
+    /// Makes a check of this kind with a name.
     pub(crate) const fn check(
         self,
         name: &'static str,
@@ -41,11 +41,11 @@ impl Kind {
 /// One named test.
 #[derive(Clone, Copy, Debug)]
 pub struct Check {
-    /// The name, which says what the check shows.
+    /// The name, which states what the check shows.
     pub name: &'static str,
-    /// The kind of evidence.
+    /// The kind of evidence that it gives.
     pub kind: Kind,
-    /// The statements it is about.
+    /// The statements that it is about.
     pub statements: &'static [Statement],
     run: fn(&Trial<'_>) -> Outcome,
 }
@@ -55,18 +55,18 @@ impl Check {
     ///
     /// # Errors
     ///
-    /// [`Failure`](super::Failure) with the two numbers that show it.
+    /// [`Failure`](super::Failure) with the two numbers that violate a claim.
     pub fn run(&self, trial: &Trial<'_>) -> Outcome {
         (self.run)(trial)
     }
 
-    /// Runs the check; a failure begins with its name.
+    /// Runs the check; the message of a failure begins with the name of the check.
     pub(crate) fn run_by_name(&self, trial: &Trial<'_>) -> Outcome {
         self.run(trial).map_err(|failure| Failure::new(format!("{}: {failure}", self.name)))
     }
 
-    /// Returns whether the check belongs to the suite of this scope. The paper's bounds alone only
-    /// assert observed ≤ bound on random cases.
+    /// Returns whether the check belongs to the suite of this scope. With the paper's bounds alone,
+    /// only checks on random cases belong to it, and these only assert observed ≤ bound.
     #[must_use]
     pub fn is_in(&self, scope: Scope) -> bool {
         let is_a_bound = self.statements.iter().any(|statement| statement.is_a_bound());
@@ -83,7 +83,7 @@ pub(crate) fn all(outcomes: impl IntoIterator<Item = Outcome>) -> Outcome {
     Ok(sum)
 }
 
-/// Runs a check for both rules, with each of these numbers of subintervals.
+/// Runs a check for both rules, each with all of these numbers of subintervals.
 pub(crate) fn for_rules(
     subintervals: impl IntoIterator<Item = usize>,
     run: impl Fn(PaperRule, usize) -> Outcome,

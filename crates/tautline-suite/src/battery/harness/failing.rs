@@ -1,11 +1,13 @@
-//! Verdicts on evidence that has to fail: statements false as printed, or without a hypothesis.
+//! Verdicts on evidence that must fail: on statements that are false as printed, or that lack a
+//! hypothesis.
 
 use tautline_statements::{Evidence, Finding, Inequality, Source};
 
 use super::{Failure, Outcome, Tally};
 
-/// Passes if the hypotheses hold and the conclusion `claim` fails with these numbers, observed and
-/// bound, to a relative `10⁻¹⁰`: `K₁` and `K₂` are rounded up by the errors of their quadratures.
+/// Passes if the hypotheses hold and the conclusion `claim` fails with these numbers (observed and
+/// bound), to a relative `10⁻¹⁰`. The tolerance is needed because `K₁` and `K₂` are rounded up by
+/// the errors of their quadratures.
 pub(crate) fn refuted(evidence: &Evidence, claim: &str, numbers: [f64; 2]) -> Outcome {
     let (statement, finding) = (evidence.statement, evidence.finding());
     let Finding::Violated(failed) = finding else {
@@ -20,16 +22,16 @@ pub(crate) fn refuted(evidence: &Evidence, claim: &str, numbers: [f64; 2]) -> Ou
     Err(Failure::new(format!("{statement}: {failed}, not {claim} with {numbers:?}")))
 }
 
-/// Passes if a stated conclusion fails and, of the hypotheses, exactly the named ones: what a
-/// counterexample has to show. Parts of claims name them; several are named where one implies
-/// another.
+/// Passes if a stated conclusion fails and exactly the named hypotheses fail, which is what a
+/// counterexample has to show. A hypothesis is named by a part of its claim. Several are named if
+/// one implies another.
 pub(crate) fn fails_without(hypotheses: &[&str], evidence: Evidence) -> Outcome {
     let fails = stated(&evidence).any(is_false);
     dropped(hypotheses, &evidence, fails, "does not fail")
 }
 
-/// Passes if exactly the named hypotheses fail and all stated conclusions hold: an example of the
-/// proof, given where this is used, that the hypotheses are not needed.
+/// Passes if exactly the named hypotheses fail and all stated conclusions hold. This is an example
+/// for the proof, given at the call, that the hypotheses are not needed.
 pub(crate) fn holds_without(hypotheses: &[&str], evidence: Evidence) -> Outcome {
     let holds = stated(&evidence).all(Inequality::holds);
     dropped(hypotheses, &evidence, holds, "does not hold")
@@ -39,7 +41,7 @@ fn stated(evidence: &Evidence) -> impl Iterator<Item = &Inequality> {
     evidence.conclusions.iter().filter(|claim| claim.source == Source::Stated)
 }
 
-/// Whether the numbers contradict the claim; NaN contradicts nothing.
+/// Returns whether the numbers contradict the claim; NaN contradicts nothing.
 fn is_false(claim: &Inequality) -> bool {
     claim.observed > claim.bound + claim.granted
 }
@@ -47,7 +49,7 @@ fn is_false(claim: &Inequality) -> bool {
 fn dropped(hypotheses: &[&str], evidence: &Evidence, shown: bool, what: &str) -> Outcome {
     let alone = hypotheses.iter().all(|name| {
         let named = || evidence.hypotheses.iter().filter(|clause| clause.claim.contains(name));
-        // A name that fits two clauses would not say which of them is dropped.
+        // A name that fits two clauses does not determine which of them is dropped.
         let one = named().all(|clause| Some(clause.claim) == named().next().map(|one| one.claim));
         one && named().any(is_false)
     });
@@ -68,8 +70,8 @@ mod tests {
 
     use super::{super::sample, fails_without, holds_without};
 
-    /// Two hypotheses and a stated conclusion, which hold at 0 and fail at 2; the companion holds
-    /// where the conclusion fails.
+    /// Returns evidence with two hypotheses and a stated conclusion, which hold at 0 and fail at 2.
+    /// The companion holds where the conclusion fails.
     fn evidence(a: f64, b: f64, stated: f64) -> Evidence {
         sample([a, b], stated, 2.0 - stated)
     }
@@ -82,7 +84,7 @@ mod tests {
         assert!(fails_without(&["a", "b"], evidence(2.0, 2.0, 2.0)).is_ok());
         assert!(fails_without(&["a", "b"], evidence(2.0, 0.0, 2.0)).is_err());
         assert!(fails_without(&["another"], evidence(2.0, 0.0, 2.0)).is_err());
-        // Both clauses contain this.
+        // The claims of both clauses contain this text.
         assert!(fails_without(&["≤ 1"], evidence(2.0, 0.0, 2.0)).is_err());
     }
 

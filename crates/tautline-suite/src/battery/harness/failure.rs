@@ -9,9 +9,10 @@ use super::{Case, Tally};
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{message}")]
 pub struct Failure {
-    /// The two numbers, the claim, and the case; the smallest one found if cases are random.
+    /// The two numbers, the claim, and the case. If the cases are random, it is the smallest one
+    /// found.
     pub message: String,
-    /// That case, if it is a random one.
+    /// The case, if it is random.
     pub case: Option<Case>,
 }
 
@@ -21,8 +22,8 @@ impl Failure {
         Self { message: message.into(), case: None }
     }
 
-    /// Returns the full report for the check of this name: the numbers, the command that draws the
-    /// same cases again, and a test that keeps the smallest of them.
+    /// Returns the full report for the check with this name: the numbers, the command that draws
+    /// the same cases again, and a test that preserves the smallest of them.
     #[must_use]
     pub fn of_check(&self, name: &str, chance: Chance) -> String {
         let again = format!("{self}\nagain: {chance}cargo test -p tests {name}");
@@ -36,7 +37,7 @@ impl Failure {
     }
 }
 
-/// Every error that keeps a statement from being evaluated fails the check.
+/// Any error that prevents the evaluation of a statement fails the check.
 impl<E> From<E> for Failure
 where
     VerifyError: From<E>,
@@ -46,5 +47,5 @@ where
     }
 }
 
-/// The result of a check: its tally, or why it failed.
+/// The result of a check: its tally, or the reason why it failed.
 pub type Outcome = Result<Tally, Failure>;

@@ -3,12 +3,12 @@
 use tautline_statements::{Evidence, Source};
 
 /// A hash (FNV-1a, 64 bits) of the numbers that the paper's bounds compare, observed and bound, in
-/// the order of the cases. What is granted to rounding is ours and not part of it.
+/// the order of the cases. The errors granted for rounding are ours and are not hashed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Fingerprint(u64);
 
 impl Default for Fingerprint {
-    /// The hash of no number.
+    /// Returns the hash of no numbers.
     fn default() -> Self {
         Self(0xcbf2_9ce4_8422_2325)
     }
@@ -56,8 +56,8 @@ mod tests {
         seen
     }
 
-    /// The last bit of a stated bound counts. Companions, hypotheses, what is granted, and
-    /// statements that are no bounds of the paper do not.
+    /// The last bit of a stated bound changes the hash. Companions, hypotheses, granted errors, and
+    /// statements that are not bounds of the paper do not.
     #[test]
     fn only_the_bounds_of_the_paper_are_hashed() {
         let bound = Statement::Theorem1_1;

@@ -1,13 +1,13 @@
-//! `Golden`: reference values of another program, from a table beside the checks.
+//! `Golden`: reference values from another program, in a table stored next to the checks.
 
 use super::{Outcome, all, close};
 
-/// One row of a table: the columns by their names.
+/// One row of a table, with the names of its columns.
 pub(crate) struct Golden(Vec<(&'static str, f64)>);
 
 impl Golden {
-    /// Reads the row of a problem from a CSV table with a head; lines that begin with `#` are
-    /// comments.
+    /// Reads the row of a problem from a CSV table with a header line; lines that begin with `#`
+    /// are comments.
     pub(crate) fn of(table: &'static str, problem: &str) -> Self {
         let mut lines = table.lines().filter(|line| !line.starts_with('#'));
         let head = lines.next().expect("a head").split(',');
@@ -17,13 +17,13 @@ impl Golden {
         Self(columns.map(|(name, text)| (name, text.parse().expect("a number"))).collect())
     }
 
-    /// Returns the number of a column.
+    /// Returns the number in a column.
     pub(crate) fn get(&self, column: &str) -> f64 {
         let found = self.0.iter().find(|(name, _)| *name == column);
         found.unwrap_or_else(|| panic!("the table has no column {column}")).1
     }
 
-    /// Compares computed numbers with the columns, to a relative `tolerance`.
+    /// Compares computed numbers with the columns, to within a relative `tolerance`.
     pub(crate) fn agrees(&self, computed: &[(&str, f64)], tolerance: f64) -> Outcome {
         all(computed.iter().map(|&(column, value)| {
             let expected = self.get(column);

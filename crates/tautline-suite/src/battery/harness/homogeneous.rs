@@ -8,15 +8,16 @@ use tautline_statements::{Evidence, Subject, Units, VerifyError};
 use super::{Outcome, Trial};
 
 impl Trial<'_> {
-    /// Evaluates statements on `cases` random values in two systems of units: every number has to
+    /// Evaluates statements on `cases` random values in two systems of units. Every number has to
     /// scale by its unit.
     ///
-    /// The units differ by powers of two, which round nothing. Bounds agree to a relative `10⁻¹²`,
-    /// room for a few hundred roundings in another order; observations agree up to what is granted.
+    /// The units differ by powers of two, which cause no rounding. Bounds agree to a relative
+    /// `10⁻¹²`, which allows for a few hundred roundings in another order; observations agree to
+    /// within the granted error.
     ///
     /// # Errors
     ///
-    /// The first number that does not scale.
+    /// The first number that does not scale by its unit.
     pub fn homogeneous<V, E>(
         &self,
         seed: u64,
@@ -55,10 +56,10 @@ fn scales(here: &Evidence, there: &Evidence, units: Units) -> Result<(), VerifyE
         let factor = here.unit.factor(units.ell, units.m);
         let (observed, bound) = (here.observed * factor, here.bound * factor);
         let (grant, granted) = (here.granted * factor, there.granted + here.granted * factor);
-        // What is granted scales too, or it could hide that the numbers do not: errors of adaptive
-        // quadratures are estimates, which differ by less than a factor of 2.
+        // The granted error must scale too; otherwise it could hide that the numbers do not. The
+        // errors of adaptive quadratures are estimates, which differ by less than a factor of 2.
         let same_grant = there.granted <= 2.0 * grant && grant <= 2.0 * there.granted;
-        // Infinities are equal, and have no difference.
+        // Two infinite bounds are equal, but their difference is NaN.
         let same_bound =
             bound == there.bound || (bound - there.bound).abs() <= 1e-12 * bound.abs() + granted;
         let same = observed == there.observed || (observed - there.observed).abs() <= granted;
@@ -80,7 +81,7 @@ mod tests {
 
     use super::{super::sample, scales};
 
-    /// Lengths in units of 1/2 are twice as large, and energies four times.
+    /// In units of 1/2, lengths are twice as large and energies four times as large.
     #[test]
     fn every_number_has_to_scale_by_its_unit() {
         let units = Units { ell: 1.0, m: 2.0 };

@@ -1,4 +1,5 @@
-//! What runs a check: trials on random cases, verdicts, tallies, and failures written as tests.
+//! The code that runs a check: trials on random cases, verdicts, tallies, and failures written as
+//! tests.
 
 mod agreement;
 mod any_value;
@@ -28,8 +29,8 @@ pub use tally::{Count, Tally};
 pub(crate) use trial::for_all;
 pub use trial::{Scope, Trial};
 
-/// Two hypotheses, a conclusion and a companion of Theorem 1.1. A clause holds if its number is at
-/// most 1.
+/// Returns evidence for Theorem 1.1 with two hypotheses, a conclusion and a companion. Each clause
+/// holds if its number is at most 1.
 #[cfg(test)]
 fn sample([a, b]: [f64; 2], stated: f64, sharper: f64) -> tautline_statements::Evidence {
     use tautline_statements::{Evidence, Statement, Unit};

@@ -1,4 +1,4 @@
-//! Random cases that quickcheck draws and shrinks.
+//! Random cases that are drawn and shrunk by quickcheck.
 
 use std::fmt::Debug;
 
@@ -7,16 +7,17 @@ use tautline_statements::{Evidence, Subject, VerifyError};
 
 use super::{Case, Failure, Outcome, Tally, Trial};
 
-/// The most shrinking steps; each goes to the first smaller case that still fails.
+/// The maximal number of shrinking steps; each step moves to the first smaller case that still
+/// fails.
 const MAX_SHRINKS: usize = 1000;
 
 impl Trial<'_> {
-    /// Evaluates statements on `cases` values of an [`Arbitrary`] type, as
-    /// [`for_all`](Trial::for_all) does.
+    /// Evaluates statements on `cases` values of an [`Arbitrary`] type, in the same way as
+    /// [`for_all`](Trial::for_all).
     ///
     /// # Errors
     ///
-    /// The first evidence that fails, on the smallest case to which quickcheck shrinks.
+    /// The first evidence that fails, on the smallest failing case that quickcheck finds.
     pub fn quick<A, E>(
         &self,
         seed: u64,
@@ -62,7 +63,7 @@ mod tests {
         battery::{Scope, Trial},
     };
 
-    /// "No number is above 100" shrinks to one number just above 100.
+    /// The claim "No number is above 100" shrinks to one number just above 100.
     #[test]
     fn a_false_claim_is_shrunk_to_its_smallest_case() {
         let trial = Trial::new(&LIBRARY, Scope::Everything, u32::MAX);

@@ -1,4 +1,4 @@
-//! `Tally`: how often each statement was evaluated, and how near it came to equality.
+//! `Tally`: how often each statement was evaluated, and how close it came to equality.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -6,8 +6,8 @@ use tautline_statements::{Evidence, Source, Statement};
 
 use super::Fingerprint;
 
-/// For each statement: how many cases were evaluated, how many of them could have failed, the least
-/// overestimation, and the hypotheses evaluated and assumed.
+/// For each statement, the number of evaluated cases, the number of those that could have failed,
+/// the smallest overestimation, and the hypotheses evaluated and assumed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tally {
     counts: BTreeMap<Statement, Count>,
@@ -19,16 +19,17 @@ pub struct Tally {
 /// The cases of one statement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Count {
-    /// How many cases.
+    /// The number of cases.
     pub cases: u64,
-    /// How many of them [could have failed](Evidence::could_fail).
+    /// The number of cases that [could have failed](Evidence::could_fail).
     pub could_fail: u64,
-    /// The least overestimation of the stated conclusions, a pure number; `∞` if none was seen.
+    /// The smallest overestimation of the stated conclusions, a pure number; `∞` if none was
+    /// observed.
     pub overestimation: f64,
 }
 
 impl Tally {
-    /// Adds the evidence of one case. It counts as a case of its statement if it has a stated
+    /// Adds the evidence of one case. It counts as a case of its statement if it contains a stated
     /// conclusion or an identity.
     pub fn count(&mut self, evidence: &Evidence) {
         let stated = evidence.conclusions.iter().any(|claim| claim.source != Source::Sharper);
@@ -58,7 +59,7 @@ impl Tally {
         self.compared.extend(other.compared);
     }
 
-    /// Returns what the paper's bounds compared.
+    /// Returns the fingerprint of the numbers that the paper's bounds compared.
     pub(crate) fn compared(&self) -> Fingerprint {
         self.compared
     }
@@ -101,8 +102,8 @@ mod tests {
 
     use super::Tally;
 
-    /// Counts, for Theorems 1.1 to 1.4 on the minimisers of both rules with `N = 4`, the cases and
-    /// those that could fail.
+    /// Returns, for Theorems 1.1 to 1.4 on the minimisers of both rules with `N = 4`, the number of
+    /// cases and the number of those that could fail.
     fn of_minimisers<M: tautline::Bounded<D>, const D: usize>(
         known: &Known<M, D>,
     ) -> [[u64; 2]; 4] {
@@ -123,7 +124,8 @@ mod tests {
     }
 
     /// On the line every curve that does not turn back has length `d`, but its energy depends on
-    /// the clock. Under a constant metric the minimisers are straight lines, with both exact.
+    /// the clock. Under a constant metric the minimisers are straight lines, for which both the
+    /// length and the energy are exact.
     #[test]
     fn a_gap_that_vanishes_identically_is_a_case_that_could_not_fail() {
         let ramp = Ramp::new(0.5, 1.0).expect("an amplitude");

@@ -24,23 +24,23 @@ pub enum Scope {
     PaperAlone,
 }
 
-/// One run of a check: on which subject, on which cases, and how much of the evidence counts.
+/// One run of a check: its subject, its cases, and the part of the evidence that is judged.
 #[derive(Clone, Copy, Debug)]
 pub struct Trial<'a> {
     /// The implementation under test.
     pub subject: &'a Subject,
-    /// How much of the evidence is judged.
+    /// The part of the evidence that is judged.
     pub scope: Scope,
-    /// The most random cases per family; a family is one strategy with its seed.
+    /// The maximal number of random cases per family; a family is one strategy with its seed.
     pub cases: u32,
-    /// The seeds, and the factor by which the numbers of cases grow.
+    /// The seeds, and the factor that multiplies the numbers of cases.
     pub chance: Chance,
-    /// One case that replaces all random ones.
+    /// A case that replaces all random ones.
     pub given: Option<&'a Given>,
 }
 
 impl<'a> Trial<'a> {
-    /// Returns the trial on fixed seeds, with at most `cases` random cases per family.
+    /// Returns the trial with fixed seeds and at most `cases` random cases per family.
     #[must_use]
     pub const fn new(subject: &'a Subject, scope: Scope, cases: u32) -> Self {
         Self { subject, scope, cases, chance: Chance::FIXED, given: None }
@@ -105,7 +105,8 @@ impl<'a> Trial<'a> {
 }
 
 impl Scope {
-    /// Judges the evidence of random values. Type-erased, so that it compiles once.
+    /// Judges the evidence of random values. The values are type-erased, so that the function
+    /// compiles only once.
     fn run(
         self,
         config: Config,
@@ -145,10 +146,12 @@ impl Scope {
     }
 }
 
-/// Runs [`Trial::for_all`] on several strategies, each with its own seed and the same evidence:
-/// `(seed, strategy)` with a common number of cases, or `(seed, cases, strategy)`.
+/// Runs [`Trial::for_all`] on several strategies with the same evidence, each with its own seed.
+/// The arguments are `(seed, strategy)` with a common number of cases, or
+/// `(seed, cases, strategy)`.
 ///
-/// A macro, since the strategies draw different types and a closure takes only one.
+/// This is a macro because the strategies draw different types, while a closure takes only one
+/// type.
 macro_rules! for_all {
     ($trial:expr, $cases:expr, [$(($seed:expr, $values:expr)),* $(,)?], $evidence:expr $(,)?) => {
         $crate::battery::harness::all([$($trial.for_all($seed, $cases, $values, $evidence)),*])

@@ -1,4 +1,4 @@
-//! The theorems are about global minimisers; on the line, the solver finds them.
+//! The theorems are about global minimisers, and on the line the solver finds these.
 
 use nalgebra::SVector;
 use tautline::{
@@ -34,14 +34,15 @@ pub(crate) const CHECKS: &[Check] = &[
 /// The grids on which dynamic programming is compared with the solver.
 const GRIDS: [usize; 16] = [1, 2, 3, 4, 6, 8, 10, 12, 16, 18, 24, 33, 48, 64, 96, 128];
 
-/// Solves for all of [`GRIDS`], and compares with the minima over sequences of grid points,
-/// which `embed` places in the space of the problem.
+/// Solves on all of [`GRIDS`], and compares the minima with those over sequences of grid points,
+/// which `embed` maps to the space of the problem.
 ///
-/// - `E_N ≤` the minimum on the grid: no sequence of grid points is better;
-/// - `E_N ≤` what a local search from that sequence finds: no sequence close to it is better;
-/// - `E_N ≥` the minimum on the grid less the grid's error.
+/// - `E_N` does not exceed the minimum on the grid: no sequence of grid points is better.
+/// - `E_N` does not exceed what a local search from that sequence finds: no sequence close to it is
+/// better.
+/// - `E_N` is at least the minimum on the grid minus the error of the grid.
 ///
-/// The check tries all grids before it fails, so that its message has all misses.
+/// The check tries all grids before it fails, so that its message lists all misses.
 fn is_global<M: Metric<D>, R: Rule, const D: usize>(
     trial: &Trial<'_>,
     (metric, ends): (&M, &Ends<D>),
@@ -62,7 +63,8 @@ fn is_global<M: Metric<D>, R: Rule, const D: usize>(
         let best = &minima[n - 1];
         let points = best.sequence.iter().map(|&x| embed(x)).collect();
         let start = PointSequence::new(points)?;
-        // Energies are sums of up to 128 terms, a dozen roundings each; converged to 1e-15.
+        // Energies are sums of up to 128 terms, each with a dozen roundings; they have converged to
+        // 1e-15.
         let tolerance = 1e-13 * energy;
         let on_grid = subject.discrete_energy(rule, metric, &start);
         let options = Options { starts: Starts::Only(vec![start]), ..Options::default() };
@@ -96,7 +98,7 @@ fn over_the_valleys(trial: &Trial<'_>, rule: impl Rule, theta: f64) -> Outcome {
     is_global(trial, (&Valleys, &ends), rule, &line, |x| SVector::from([x, 0.0]))
 }
 
-/// On the line, up and down a ramp: the metric is monotone, and jumps gain nothing.
+/// The line runs up or down a ramp, where the metric is monotone, so that jumps gain nothing.
 fn on_a_ramp(trial: &Trial<'_>) -> Outcome {
     all([0.5, -0.7].map(|amplitude| {
         let ramp = Ramp::new(amplitude, 1.5).expect("valid");

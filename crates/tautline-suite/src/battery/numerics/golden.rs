@@ -1,5 +1,6 @@
-//! The paper's constants, from metrics and sets to `C`, against the reference values of
-//! `golden_constants.csv`. `c₁`, `c₂` and `L_H` come from the metric, `d` from it or the solver.
+//! Compares the paper's constants, from metrics and sets to `C`, with the reference values of
+//! `golden_constants.csv`. `c₁`, `c₂` and `L_H` come from the metric, and `d` comes from the metric
+//! or from the solver.
 
 use std::{
     f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2},
@@ -43,20 +44,20 @@ pub(crate) const CHECKS: &[Check] = &[
     Reference.check("golden_distances_by_extrapolation", &[Theorem1_1, Theorem1_3], distances),
 ];
 
-/// The reference values of a problem.
+/// Returns the reference values of a problem.
 fn golden(problem: &str) -> Golden {
     Golden::of(include_str!("golden_constants.csv"), problem)
 }
 
 /// Compares everything that follows from the constants of `metric` and from `distance`.
 ///
-/// To a relative `10⁻¹²`: `d` is known to some `10⁻¹⁵`, and enters the last constant, a product of
-/// cubes of sums of cubes, with powers up to 18. `C = 0` is exact.
+/// The relative tolerance is `10⁻¹²`: `d` is known to some `10⁻¹⁵`, and it enters the last
+/// constant, a product of cubes of sums of cubes, with powers up to 18. If `C = 0`, it is exact.
 fn check(subject: &Subject, problem: &str, metric: &impl Bounded<2>, distance: f64) -> Outcome {
     let constants = subject.constants(metric);
     let setting = Setting::new(constants, distance, 2)?;
     let (k1, k2) = (subject.k1_g(setting), subject.k2_g(setting));
-    // No power of 2, so that no two terms round alike.
+    // 12 is not a power of 2, so that no two terms have the same rounding errors.
     let twelve = NonZeroUsize::new(12).expect("positive");
     let computed = [
         ("c1", constants.c1()),
@@ -85,7 +86,8 @@ fn between(
     check(subject, problem, metric, distance)
 }
 
-/// Solves from the ball of radius ½ to `{x₁ ≥ 3}`; the library has no formula for the distance.
+/// Solves from the ball of radius ½ to `{x₁ ≥ 3}`, since the library has no formula for this
+/// distance.
 fn from_ball(subject: &Subject, metric: &impl Metric<2>) -> Result<f64, VerifyError> {
     let ends = Ends::new(Ball::new([0.0, 0.0], 0.5)?, HalfSpace::at_least([1.0, 0.0], 3.0)?)?;
     let line = subject.minimise(Trapezoidal, metric, &ends, 1024)?;
@@ -120,15 +122,16 @@ fn sheared(trial: &Trial<'_>) -> Outcome {
     between(trial.subject, "sheared", &shear(), [2.0, 3.0])
 }
 
-/// `diag(1 + ½ cos² x₁, 2)`, and two points: the elliptic problem of the reference, moved by `π/2`
-/// along `x₁`.
+/// Returns `diag(1 + ½ cos² x₁, 2)` and two points. This is the elliptic problem of the reference,
+/// shifted by `π/2` along `x₁`.
 pub(crate) fn corrugated_beside_line() -> (impl Bounded<2> + KnownDistance<2>, [[f64; 2]; 2]) {
     let sheet = Corrugated::new(FRAC_1_SQRT_2, 1.0).expect("a wave number");
     let line = Constant::new(SMatrix::from_diagonal_element(2.0)).expect("positive");
     (Product::<_, _, 1, 1>::new(sheet, line), [[0.2 - FRAC_PI_2, 0.0], [2.5 - FRAC_PI_2, 1.0]])
 }
 
-/// The distance comes from an extrapolated solve; the metric knows it too, up to some roundings.
+/// The distance comes from an extrapolated solve; the metric knows it too, to within a few
+/// roundings.
 fn corrugated(trial: &Trial<'_>) -> Outcome {
     let (metric, [a, b]) = corrugated_beside_line();
     let distance = extrapolated(trial.subject, Trapezoidal, &metric, [a, b], 1000)?;
@@ -146,14 +149,14 @@ fn extrapolated<R: Rule>(
 ) -> Result<f64, VerifyError> {
     let minimum = subject.minimise(rule, metric, &Ends::points(a, b)?, n)?;
     let estimate = extrapolate(&minimum.levels, R::ERROR_EXPONENT);
-    // One grid gives no estimate.
+    // A single grid gives no estimate.
     Ok(estimate.map_or(f64::NAN, |estimate| estimate.value.sqrt()))
 }
 
 /// The extrapolated solves reproduce the reference distances.
 ///
-/// On the grids 8, 32, 128, 512 and 2048 the remaining error is of order `N⁻¹⁰` or `N⁻⁵` at the
-/// product of the grids, with constants up to 10³, plus rounding.
+/// On the grids 8, 32, 128, 512 and 2048 the remaining error is of order `N⁻¹⁰` or `N⁻⁵`, evaluated
+/// at the product of the grids, with constants up to 10³, plus rounding.
 fn distances(trial: &Trial<'_>) -> Outcome {
     fn one(trial: &Trial<'_>, name: &str, metric: &impl Metric<2>, ends: [[f64; 2]; 2]) -> Outcome {
         let trapezoidal = extrapolated(trial.subject, Trapezoidal, metric, ends, 2048)?;

@@ -1,8 +1,8 @@
-//! The gradient of a discrete energy against differences of the energy.
+//! Compares the gradient of a discrete energy with difference quotients of the energy.
 //!
-//! The error of central differences with the step `h` is `h² ∂³E/6 + …`, of order 2 if the gradient
-//! is right and of order 0 otherwise. The slope of its logarithm shows which, without a tolerance
-//! for its size.
+//! The error of central differences with step `h` is `h² ∂³E/6 + …`, so it is of order 2 if the
+//! gradient is right and of order 0 otherwise. The slope on logarithmic axes distinguishes the two
+//! cases, without a tolerance for the size of the error.
 
 use nalgebra::SVector;
 use tautline::{
@@ -29,10 +29,10 @@ pub(crate) const CHECKS: &[Check] =
     })];
 
 /// The steps. The next term of the error is `h²/20` of the first, times the square of a wave number
-/// up to 4; rounding is `ε E/h`, some `10⁻¹³`, against `h²`.
+/// up to 4. Rounding contributes `ε E/h`, some `10⁻¹³`, compared with `h²`.
 const STEPS: [f64; 4] = [0.04, 0.02, 0.01, 0.005];
 
-/// A point sequence of `N = 7` without any symmetry.
+/// Returns a point sequence with `N = 7` and without any symmetry.
 fn zigzag<const D: usize>() -> Result<PointSequence<D>, VerifyError> {
     let at = |k: usize| {
         SVector::from_fn(|i, _| 0.4 * k as f64 + (2.3 * (k + 1) as f64 * (i + 1) as f64).sin())
@@ -40,7 +40,7 @@ fn zigzag<const D: usize>() -> Result<PointSequence<D>, VerifyError> {
     Ok(PointSequence::new((0..8).map(at).collect())?)
 }
 
-/// A direction in which all points move, different for each `k`.
+/// Returns a direction in which all points move, different for each `k`.
 fn direction<const D: usize>(k: usize) -> Vec<SVector<f64, D>> {
     let entry = |n: usize, i: usize| (1.7 * k as f64 + 2.9 * n as f64 + 1.1 * i as f64 + 0.3).sin();
     (0..8).map(|n| SVector::from_fn(|i, _| entry(n, i))).collect()
@@ -64,7 +64,7 @@ fn slopes<M: Metric<D>, R: Rule, const D: usize>(
     };
     let mut errors = Vec::new();
     for step in STEPS {
-        // Several directions, since in a single one ∂³E may be near 0.
+        // Several directions are used, since ∂³E may be close to 0 in a single one.
         let mut squares = 0.0;
         for k in 0..8 {
             let along = direction(k);

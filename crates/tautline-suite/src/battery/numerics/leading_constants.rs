@@ -1,7 +1,7 @@
-//! The leading constants of the errors: predictions for the smooth case, and measurements of
+//! The leading constants of the errors: predictions for the smooth case, and measurements with
 //! another program.
 //!
-//! For a minimal geodesic `γ` that is unique and not degenerate,
+//! For a minimal geodesic `γ` that is unique and nondegenerate,
 //!
 //! ```text
 //! N² (E_tra,N − d²)  →  (1/12) ∫ γ̈ᵀHγ̈ dt − (1/24) ∫ D²H[γ̇, γ̇](γ̇, γ̇) dt
@@ -10,7 +10,8 @@
 //! N² (L(γᵖˡ)² − d²)  →  (1/12) ∫ (γ̈ᵀHγ̈ − (γ̇ᵀHγ̈)²/d²) dt                   (trapezoidal)
 //! ```
 //!
-//! An unoptimised sequence, another rule or a lost factor changes them beyond recognition.
+//! An unoptimised sequence, another rule, or a missing factor changes these limits far beyond any
+//! tolerance.
 
 use tautline::{
     Ends, LeftEndpoint, Metric, Rule, Trapezoidal,
@@ -34,20 +35,20 @@ pub(crate) const CHECKS: &[Check] = &[
     Order.check("leading_constants_on_a_corrugated_metric", ALL, corrugated),
 ];
 
-/// A problem, its `d²`, and the six constants of this file.
+/// A problem, its `d²`, and the six constants that this file compares.
 struct Case<M, const D: usize> {
     metric: M,
     ends: [[f64; D]; 2],
     d2: f64,
-    /// [`scaled_errors`] at `N = 256` for both rules, from another program.
+    /// The values of [`scaled_errors`] at `N = 256` for both rules, computed by another program.
     measured: [[f64; 3]; 2],
-    /// The limits for the trapezoidal rule, and that of `N (E_l,N − d²)`.
+    /// The limits for the trapezoidal rule, and the limit of `N (E_l,N − d²)`.
     trapezoidal: [f64; 3],
     left: f64,
 }
 
-/// Returns `N^q (E_N − d²)`, `N² (E(γᵖˡ) − d²)` and `N² (L(γᵖˡ)² − d²)`, with the order `q` of the
-/// rule; and how far incomplete convergence may move the last two.
+/// Returns `N^q (E_N − d²)`, `N² (E(γᵖˡ) − d²)` and `N² (L(γᵖˡ)² − d²)`, where `q` is the order of
+/// the rule. Also returns how much incomplete convergence may change the last two.
 fn scaled_errors<M: Metric<D>, R: Rule, const D: usize>(
     subject: &Subject,
     case: &Case<M, D>,
@@ -66,9 +67,9 @@ fn scaled_errors<M: Metric<D>, R: Rule, const D: usize>(
         count * count * excess,
         count * count * (length.powi(2) - case.d2),
     ];
-    // E_N is stationary, but E(γᵖˡ) is not. If E_N may still fall by ε = decrement · E, the points
-    // are √ε off in the norm of the Hessian, and E(γᵖˡ) has the slope 2 (excess)^{1/2}. A converged
-    // search leaves at most 10⁻¹⁸ or rounding, whatever it reports.
+    // E_N is stationary at the minimiser, but E(γᵖˡ) is not. If E_N can still decrease by ε =
+    // decrement · E, the points are off by √ε in the norm of the Hessian, and E(γᵖˡ) has the slope
+    // 2 (excess)^{1/2}. A converged search leaves at most 10⁻¹⁸ or rounding, whatever it reports.
     let left_over = minimum.decrement.min(1e-15) * discrete_energy;
     Ok((errors, count * count * 2.0 * (left_over * excess.max(0.0)).sqrt()))
 }
@@ -81,12 +82,13 @@ fn check<M: Metric<D>, const D: usize>(subject: &Subject, case: &Case<M, D>) -> 
         [trapezoidal(256)?, left(256)?].into_iter().zip(case.measured)
     {
         for i in 0..3 {
-            // Six decimals were printed. Rounding: some 8 ulp of d², times N² = 2^16.
+            // Six decimals were printed. Rounding contributes some 8 ulps of d², times N² = 2^16.
             let tolerance = 0.5e-6 + 65536.0 * 8.0 * f64::EPSILON * case.d2 + left_over;
             close(&format!("{} at 256", NAMES[i]), values[i], measured[i], tolerance)?;
         }
     }
-    // Expansions in 1/N²: one extrapolation from 256 and 512 leaves a relative (10/N)⁴ < 1e-6.
+    // The expansions are in 1/N². One extrapolation from 256 and 512 leaves a relative error of
+    // (10/N)⁴ < 1e-6.
     let (coarse, fine) = (trapezoidal(256)?, trapezoidal(512)?);
     for i in 0..3 {
         let limit = (4.0 * fine.0[i] - coarse.0[i]) / 3.0;
@@ -94,7 +96,8 @@ fn check<M: Metric<D>, const D: usize>(subject: &Subject, case: &Case<M, D>) -> 
         let tolerance = 0.5e-6 + 1e-6 * limit.abs() + rounding;
         close(NAMES[i], limit, case.trapezoidal[i], tolerance)?;
     }
-    // An expansion in 1/N: two extrapolations from 256, 512 and 1024 leave (10/N)³, 1e-6 to 1e-5.
+    // The expansion is in 1/N. Two extrapolations from 256, 512 and 1024 leave (10/N)³, which is
+    // 1e-6 to 1e-5.
     let [a, b, c] = [left(256)?, left(512)?, left(1024)?].map(|(errors, _)| errors[0]);
     let (first, second) = (2.0 * b - a, 2.0 * c - b);
     let limit = (4.0 * second - first) / 3.0;
@@ -102,8 +105,8 @@ fn check<M: Metric<D>, const D: usize>(subject: &Subject, case: &Case<M, D>) -> 
     close("N (E_l,N − d²)", limit, case.left, tolerance)
 }
 
-/// `H = [[1, s], [s, 1 + s²]]`, `s = ½ cos x₂`, from `(0, 0)` to `(2, 3)`. For example
-/// `γ̈ = (9/2 sin 3t, 0)`, so `(1/12) ∫ γ̈ᵀHγ̈ = (27/16) (½ − sin 6/12) = 0.883043…`.
+/// `H = [[1, s], [s, 1 + s²]]` with `s = ½ cos x₂`, from `(0, 0)` to `(2, 3)`. For example,
+/// `γ̈ = (9/2 sin 3t, 0)`, so that `(1/12) ∫ γ̈ᵀHγ̈ = (27/16) (½ − sin 6/12) = 0.883043…`.
 fn on_a_shear(trial: &Trial<'_>) -> Outcome {
     let case = Case {
         metric: Shear::new(0.5, 1.0).expect("valid"),

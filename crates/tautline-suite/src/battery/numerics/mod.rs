@@ -1,5 +1,5 @@
-//! The programs against theory and reference values: orders of convergence, gradients, global
-//! minima, golden numbers, enclosures.
+//! Compares the programs with theory and with reference values: orders of convergence, gradients,
+//! global minima, golden numbers, enclosures.
 
 pub(super) mod global_minima;
 pub(super) mod golden;

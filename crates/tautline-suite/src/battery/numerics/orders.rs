@@ -1,7 +1,8 @@
-//! The observed orders: on smooth data both rules do better than the theorems guarantee.
+//! The observed orders of convergence: on smooth data both rules do better than the theorems
+//! guarantee.
 //!
-//! `E(γᵖˡ) − d²` falls like `N⁻²` for both rules, `E_tra,N − d²` like `N⁻²`, and `E_l,N − d²` like
-//! `N⁻¹` unless `∫ DH[γ̇](γ̇, γ̇) dt` is zero by symmetry.
+//! `E(γᵖˡ) − d²` decreases like `N⁻²` for both rules. `E_tra,N − d²` decreases like `N⁻²`, and
+//! `E_l,N − d²` like `N⁻¹`, unless `∫ DH[γ̇](γ̇, γ̇) dt` is zero by symmetry.
 
 use nalgebra::SVector;
 use tautline::{
@@ -40,15 +41,15 @@ pub(crate) const CHECKS: &[Check] = &[
     ),
 ];
 
-/// The grids of the fits: so fine that the first terms of the expansion in `1/N` dominate, with
-/// errors above `10⁻⁷ d²`, far above rounding.
+/// The grids of the fits. They are so fine that the first terms of the expansion in `1/N` dominate,
+/// while the errors are above `10⁻⁷ d²`, far above rounding.
 const WINDOW: [usize; 4] = [128, 256, 512, 1024];
 
-/// How far a slope may be from the order. The next term of an expansion is smaller by some `10/N`,
-/// which tilts the line by less than 0.04 over the window.
+/// The tolerance for the difference between a slope and the order. The next term of an expansion is
+/// smaller by a factor of some `10/N`, which changes the slope over the window by less than 0.04.
 const TILT: f64 = 0.05;
 
-/// The orders of `|E_N − d²|` and of `E(γᵖˡ) − d²` over the window.
+/// Checks the orders of `|E_N − d²|` and of `E(γᵖˡ) − d²` over the window.
 fn have_orders<M, const D: usize>(
     subject: &Subject,
     name: &str,
@@ -85,7 +86,7 @@ where
     have_orders(trial.subject, name, metric, ends, LeftEndpoint, [1.0, 2.0])
 }
 
-/// Along the axis of Section 5 the first order of the left rule is zero by symmetry.
+/// Along the axis of Section 5 the first-order term of the left rule is zero by symmetry.
 fn even(trial: &Trial<'_>) -> Outcome {
     let ends = [[0.0, 0.0], [4.0 * std::f64::consts::PI, 0.0]];
     have_orders(trial.subject, "valleys, even", &Valleys, ends, LeftEndpoint, [2.0, 2.0])

@@ -1,5 +1,5 @@
-//! Statements for proved numbers: energies and lengths with outward rounding, and constants from
-//! the formula alone.
+//! Statements evaluated on proved numbers: energies and lengths are computed with outward rounding,
+//! and constants are proved from the formula alone.
 
 use nalgebra::SVector;
 use proptest::prelude::*;
@@ -36,8 +36,8 @@ pub(crate) const CHECKS: &[Check] = &[
     Proved.check("energies_and_lengths_lie_between_their_bounds", GAPS, lie_between),
 ];
 
-/// `c₁`, `c₂` and `L_H` of a periodic metric, proved on all of space to one percent, on the safe
-/// side.
+/// Returns `c₁`, `c₂` and `L_H` of a periodic metric, proved on all of space to one percent and
+/// rounded to the safe side.
 fn constants<const D: usize>(metric: &impl Metric<D>) -> Result<[Interval; 3], VerifyError> {
     let space = Domain::space(metric);
     if !space.is_all_of_space() {
@@ -57,14 +57,14 @@ fn difference<const D: usize>(x: &SVector<f64, D>, y: &SVector<f64, D>) -> SVect
     SVector::from_fn(|i, _| Interval::point(y[i]) - Interval::point(x[i]))
 }
 
-/// A conclusion from the worst ends of its enclosures: if it holds for these, it is proved.
+/// Evaluates a conclusion at the worst ends of its enclosures; if it holds there, it is proved.
 fn proved(
     statement: Statement,
     claim: &'static str,
     unit: Unit,
     [observed, bound]: [Interval; 2],
 ) -> Evidence {
-    // At equality the enclosures overlap, and no more can be known.
+    // At equality the enclosures overlap, and nothing more can be proved.
     let granted = observed.width() + bound.width();
     Evidence::of(statement).stated(claim, unit, [observed.hi(), bound.lo()], granted)
 }
@@ -135,8 +135,8 @@ fn hold(trial: &Trial<'_>) -> Outcome {
     )
 }
 
-/// The numbers computed in doubles lie between the proved bounds, up to their own errors. The
-/// bounds are so narrow that no other quantity would.
+/// The numbers computed in doubles lie between the proved bounds, to within their own errors. The
+/// bounds are so narrow that no other quantity would lie between them.
 fn lie_between(trial: &Trial<'_>) -> Outcome {
     trial.for_all(3311, 64, (shear(), sequence::<2>(3.0)), |subject, (metric, points)| {
         let polygon = Polygon::new(&points);
@@ -160,7 +160,7 @@ fn lie_between(trial: &Trial<'_>) -> Outcome {
         let outside =
             |value: f64, bounds: Interval| (bounds.lo() - value).max(value - bounds.hi()).max(0.0);
         Ok(pairs.map(|(statement, unit, value, error, bounds)| {
-            // A dozen roundings for each nonnegative term.
+            // Each nonnegative term has a dozen roundings.
             let granted = error + 1e-14 * bounds.hi();
             let observed = [outside(value, bounds), 0.0];
             Evidence::of(statement).sharper("lies in its enclosure", unit, observed, granted)

@@ -43,7 +43,8 @@ pub(crate) const CHECKS: &[Check] = &[
     ),
 ];
 
-/// Both rules, each with its computed minimiser and a random sequence; and both critical points.
+/// Evaluates the statements for both rules, each with its computed minimiser and a random sequence;
+/// both minimisers must be critical points.
 fn evidence<M: Bounded<D>, const D: usize>(
     subject: &Subject,
     known: &Known<M, D>,
@@ -87,8 +88,8 @@ fn homogeneous(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// From the ball of radius 1 along its outer normal, in equal steps under `H = c₁ I`: then
-/// `|x_N − X| = Σ |xₙ₊₁ − xₙ| = √(R/c₁)`, the least energetic way.
+/// The sequence leads from the ball of radius 1 along its outer normal, in equal steps under
+/// `H = c₁ I`. Then `|x_N − X| = Σ |xₙ₊₁ − xₙ| = √(R/c₁)`, and its energy is the least.
 fn attained(trial: &Trial<'_>) -> Outcome {
     let metric = Constant::<3>::new(SMatrix::identity() * 4.0)?;
     let ball = Ball::new([1.0, 0.0, 0.0], 1.0)?;
@@ -105,7 +106,7 @@ fn attained(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// As [`fails_without`], with the conclusion that fails.
+/// Requires the same as [`fails_without`], and that the conclusion `claim` fails.
 fn claim_fails_without(hypothesis: &str, claim: &str, evidence: Evidence) -> Outcome {
     if evidence.conclusion(claim).holds() {
         return Err(Failure::new(format!("{claim} survives: {evidence:?}")));
@@ -113,9 +114,9 @@ fn claim_fails_without(hypothesis: &str, claim: &str, evidence: Evidence) -> Out
     fails_without(&[hypothesis], evidence)
 }
 
-/// From `{x₂ ≤ 0}` to `{x₂ ≥ e^{−x₁}}` under `H = I`: straight up at `x₁` costs `e^{−2x₁}`, so that
-/// every candidate is beaten farther to the right. The infimum 0 is not attained, and [`Ends`]
-/// refuses the pair.
+/// From `{x₂ ≤ 0}` to `{x₂ ≥ e^{−x₁}}` under `H = I`, the straight line up at `x₁` has the energy
+/// `e^{−2x₁}`, so that every candidate is beaten by one farther to the right. The infimum 0 is not
+/// attained, and [`Ends`] refuses the pair.
 fn both_unbounded(_: &Trial<'_>) -> Outcome {
     let floor = HalfSpace::new([0.0, 1.0], 0.0)?;
     let refused = Ends::new(floor, AboveExponential);
@@ -134,10 +135,11 @@ fn both_unbounded(_: &Trial<'_>) -> Outcome {
     Ok(Default::default())
 }
 
-/// On the sphere, in stereographic coordinates, a chord of length at most `2r` with its middle at
-/// least `r/2` from the origin costs less than `N (4/(r²/4)²) 4r²`. Five of them lead round from
-/// `(1, 0)` to `(−1, 0)`, the farther out the cheaper, and the infimum 0 is not attained. With the
-/// claimed `c₁ = 1` they would stay within `√(E/c₁)` of `(1, 0)`.
+/// On the sphere, in stereographic coordinates, consider a chord of length at most `2r` whose
+/// midpoint is at least `r/2` from the origin. Its energy is less than `N (4/(r²/4)²) 4r²`. Five
+/// such chords lead round from `(1, 0)` to `(−1, 0)`. The larger `r` is, the smaller is their
+/// energy, and the infimum 0 is not attained. With the claimed `c₁ = 1` they would stay within
+/// `√(E/c₁)` of `(1, 0)`.
 fn on_the_sphere(_: &Trial<'_>) -> Outcome {
     let claimed = Constants::new(1.0, 4.0, 4.0)?;
     let metric = WithConstants { metric: Sphere, constants: claimed };
@@ -162,8 +164,8 @@ fn on_the_sphere(_: &Trial<'_>) -> Outcome {
     Ok(Default::default())
 }
 
-/// Over a ridge one chord costs more than eight, and a straight line from set to set more than one
-/// that stops half-way.
+/// Over a ridge one chord has more energy than eight chords, and a straight line from set to set
+/// has more energy than one that stops half-way.
 fn another_number_or_other_ends(_: &Trial<'_>) -> Outcome {
     let ridge = tent(2.0, -1.5).expect("positive");
     let ends = Ends::points([0.0], [1.0])?;

@@ -1,5 +1,5 @@
-//! The paper's statements, section by section: random cases, other units, witnesses,
-//! counterexamples.
+//! The paper's statements, section by section, checked on random cases, in other units, on
+//! witnesses and on counterexamples.
 
 pub(super) mod dropped;
 pub(super) mod existence;

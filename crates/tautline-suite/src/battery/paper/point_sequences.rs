@@ -1,5 +1,5 @@
-//! Propositions 7.9, 8.1 and 8.2: a discrete energy and the energy of the reconstruction, for any
-//! point sequence.
+//! Propositions 7.9, 8.1 and 8.2 compare a discrete energy with the energy of the reconstruction,
+//! for any point sequence.
 
 use std::fmt::Debug;
 
@@ -76,13 +76,13 @@ fn homogeneous(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// A sequence with a single step somewhere, and a slope.
+/// Draws a sequence with a single step at a random place, and a slope.
 fn steps() -> impl Strategy<Value = (PointSequence<1>, f64)> {
     (1..300_usize, 0.0..1.0, 0.1..10.0)
         .prop_map(|(n, at, slope): (_, f64, _)| (one_step(n, (at * n as f64) as usize), slope))
 }
 
-/// One step over the valley of a tent, for every `N`: `E(γᵖˡ) = N (2 + L/4)`, `E_tra,N = 2N`.
+/// For one step over the valley of a tent, `E(γᵖˡ) = N (2 + L/4)` and `E_tra,N = 2N` for every `N`.
 fn attained_by_the_tent(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7910, 256, steps(), |subject, (sequence, slope)| {
         let metric = tent(2.0, slope).expect("positive");
@@ -90,7 +90,8 @@ fn attained_by_the_tent(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// One step up an incline, for every `N`: `E_l,N = 2N`, the others are `N (2 + L/2)`.
+/// For one step up an incline, `E_l,N = 2N`, and the other two energies are `N (2 + L/2)`, for
+/// every `N`.
 fn attained_by_the_incline(trial: &Trial<'_>) -> Outcome {
     trial.for_all(8110, 256, steps(), |subject, (sequence, slope)| {
         let metric = Incline::new(2.0, slope).expect("positive");
@@ -101,8 +102,8 @@ fn attained_by_the_incline(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// The left rule is not symmetric: backwards over an incline its error has the other sign. The
-/// trapezoidal rule is symmetric. All numbers are small integers.
+/// The left rule is not symmetric: for the step down an incline its error has the opposite sign.
+/// The trapezoidal rule is symmetric. All numbers are small integers.
 fn left_is_left(trial: &Trial<'_>) -> Outcome {
     let metric = Incline::new(2.0, 4.0).expect("positive");
     let up = one_step(3, 1);
@@ -119,7 +120,8 @@ fn left_is_left(trial: &Trial<'_>) -> Outcome {
     Ok(Default::default())
 }
 
-/// `H = 1.5 + ½ tanh(1000 (x − ¼))` with a Lipschitz constant of 1 claimed for it: a jump.
+/// `H = 1.5 + ½ tanh(1000 (x − ¼))`, which is nearly a jump, although a Lipschitz constant of 1 is
+/// claimed for it.
 #[derive(Debug)]
 struct Jump;
 
@@ -135,9 +137,9 @@ impl Bounded<1> for Jump {
     }
 }
 
-/// One chord from 0 to 0.6 across a jump from 1 to 2 at `¼`: with `|β|² = 0.36`, the energies are
-/// 0.72 (trapezoidal), 0.36 (left) and `0.6 (¼ + 2 · 0.35) = 0.57`. The gaps 0.15, 0.36 and 0.21
-/// exceed what a Lipschitz constant of 1 allows, 0.054, 0.108 and 0.108.
+/// One chord leads from 0 to 0.6 across a jump of `H` from 1 to 2 at `¼`. With `|β|² = 0.36`, the
+/// energies are 0.72 (trapezoidal), 0.36 (left) and `0.6 (¼ + 2 · 0.35) = 0.57`. The gaps 0.15,
+/// 0.36 and 0.21 exceed the bounds for a Lipschitz constant of 1, which are 0.054, 0.108 and 0.108.
 fn dropped_lipschitz(_: &Trial<'_>) -> Outcome {
     let sequence = PointSequence::straight([0.0], [0.6], 1)?;
     let evidence = evidence(&LIBRARY, &Jump, &sequence)?;

@@ -1,5 +1,5 @@
-//! Section 1: the chains of Theorems 1.1 to 1.4, and the constants in them, on random problems with
-//! a known distance.
+//! Section 1: the chains of inequalities in Theorems 1.1 to 1.4, and the constants in them, on
+//! random problems with a known distance.
 
 use tautline::Bounded;
 use tautline_statements::{
@@ -41,8 +41,8 @@ pub(crate) const CHECKS: &[Check] = &[
     }),
 ];
 
-/// Both theorems of a rule and the constants in them, on one minimiser: the gap of energies, the
-/// excess of the squared length, `K̄` and `C`.
+/// Evaluates both theorems of a rule and the constants in them on one minimiser: the gap between
+/// the energies, the excess of the squared length, `K̄` and `C`.
 pub(crate) fn of_minimiser<const D: usize>(
     subject: &Subject,
     seen: &Reconstruction<D>,
@@ -63,7 +63,7 @@ pub(crate) fn of_minimiser<const D: usize>(
     }
 }
 
-/// The evidence of [`of_minimiser`] on random problems.
+/// Asks for the evidence of [`of_minimiser`] on random problems.
 #[derive(Clone, Copy)]
 struct PaperTheorems;
 

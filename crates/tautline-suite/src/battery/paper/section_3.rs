@@ -90,21 +90,22 @@ fn speeds(trial: &Trial<'_>) -> Outcome {
     )
 }
 
-/// Great circles of lengths up to `2π`. Their tilt against the equator `|x| = 1` is less than
-/// `45°`, which keeps them away from the missing point.
+/// The curves are great circles with lengths up to `2π`. They are inclined to the equator `|x| = 1`
+/// by less than `45°`, which keeps them away from the missing point.
 fn long_great_circles(trial: &Trial<'_>) -> Outcome {
     let circles = (0.0..TAU, 0.5..TAU, -0.7..0.7);
     trial.for_all(3130, 256, circles, |subject, (from, length, tilt): (f64, f64, f64)| {
         let start = SVector::from([from.cos(), from.sin()]);
         let along = SVector::from([-from.sin(), from.cos()]);
-        // On the equator H = I.
+        // H = I on the equator.
         let curve = Geodesic::leaving(Sphere, start, (along + start * tilt) * length);
         Ok([prop_3_1(subject, &Sphere, &curve)?.attained()?])
     })
 }
 
-/// A straight line over the valleys, along `x₁`: the trace of a geodesic, but its speed
-/// `2π (2 − cos 2πt)` varies from `2π` to `6π`. And a geodesic that accelerates.
+/// One curve is a straight line over the valleys along `x₁`. It has the same image as a geodesic,
+/// but its speed `2π (2 − cos 2πt)` varies from `2π` to `6π`. The other curve is a geodesic that
+/// accelerates.
 fn dropped_equation(_: &Trial<'_>) -> Outcome {
     struct Line;
     impl Curve<2> for Line {
@@ -120,7 +121,7 @@ fn dropped_equation(_: &Trial<'_>) -> Outcome {
     fails_without(&["γ̈ = −Γ"], prop_3_1(&LIBRARY, &known.metric, &late)?)
 }
 
-/// Proposition 3.2 for the known geodesic between two points of a complete space.
+/// Evaluates Proposition 3.2 for the known geodesic between two points of a complete space.
 fn shown<M: KnownGeodesics<D>, const D: usize>(
     subject: &Subject,
     metric: &M,
@@ -153,7 +154,8 @@ fn dropped_completeness(_: &Trial<'_>) -> Outcome {
         close("d", known.distance, 4.0 * 0.5_f64.atan(), 1e-15)?;
         let evidence = prop_3_2(&LIBRARY, &known, &arcs, way_out)?;
         let excess = evidence.conclusion("L(γ) ≤ d").observed - known.distance;
-        // On the sphere of radius 1, a triangle of small height 2/r over the missing point.
+        // On the sphere of radius 1, the curve forms a triangle of small height 2/r over the
+        // missing point.
         if !(excess > 0.0 && excess * 90.0 < longer) {
             return Err(Failure::new(format!("r = {r}: {excess:e} more than d, after {longer:e}")));
         }
@@ -180,7 +182,8 @@ fn squeezed(trial: &Trial<'_>) -> Outcome {
     )
 }
 
-/// `H = diag(λ, μ)` with `λ ≤ μ`: along the first axis `d² = c₁ |x − y|²`, along the second `c₂`.
+/// For `H = diag(λ, μ)` with `λ ≤ μ`, `d² = c₁ |x − y|²` along the first axis and
+/// `d² = c₂ |x − y|²` along the second.
 fn attained_by_constant_metrics(trial: &Trial<'_>) -> Outcome {
     let cases = (0.1..1.0, 1.0..10.0, vector::<2>(3.0), 0.1..3.0, 0..2_usize);
     trial.for_all(3310, 256, cases, |subject, (low, high, x, step, axis): (_, _, _, f64, _)| {
@@ -196,8 +199,8 @@ fn attained_by_constant_metrics(trial: &Trial<'_>) -> Outcome {
 }
 
 /// Hyperbolic space has `H ≥ 4` and no `c₂`: the distance from 0 to `(0.99, 0)` is
-/// `2 artanh 0.99 = 5.29`, more than `√5 · 0.99`. The sphere has `H ≤ 4` and no `c₁`: the distance
-/// from 0 to `(10, 0)` is `2 arctan 10 = 2.94`, less than `√½ · 10`.
+/// `2 artanh 0.99 = 5.29`, which is more than `√5 · 0.99`. The sphere has `H ≤ 4` and no `c₁`: the
+/// distance from 0 to `(10, 0)` is `2 arctan 10 = 2.94`, which is less than `√½ · 10`.
 fn dropped_constants(_: &Trial<'_>) -> Outcome {
     fn case<M: KnownGeodesics<2>>(
         metric: M,

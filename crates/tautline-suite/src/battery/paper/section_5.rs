@@ -1,5 +1,5 @@
-//! Section 5: over the valleys, from `(0, 0)` to `(4π, 0)`, the discrete lengths have minima that
-//! do not converge to the distance `8π`, and the discrete energies have minima that do.
+//! Section 5: over the valleys, from `(0, 0)` to `(4π, 0)`, the minima of the discrete lengths do
+//! not converge to the distance `8π`, but the minima of the discrete energies do.
 
 use std::f64::consts::{PI, TAU};
 
@@ -55,8 +55,8 @@ fn evidence(
     ])
 }
 
-/// Sequences with detours, and sequences from valley to valley, as the minimisers of the lengths
-/// are.
+/// Evaluates both claims on sequences with detours, and on sequences that lead from valley to
+/// valley, as the minimisers of the lengths do.
 fn random(trial: &Trial<'_>) -> Outcome {
     all([
         trial.for_all(5101, 768, sequence::<2>(15.0), |subject, sequence| {
@@ -68,7 +68,8 @@ fn random(trial: &Trial<'_>) -> Outcome {
     ])
 }
 
-/// Points at most a hundredth from the valleys `−2π, 0, …, 6π` and from the axis.
+/// Draws points that are at most a hundredth away from the valleys `−2π, 0, …, 6π` and from the
+/// axis.
 fn near_valleys() -> impl Strategy<Value = PointSequence<2>> {
     let point = (-1..4_i32, -0.01..0.01, -0.01..0.01);
     proptest::collection::vec(point, 2..20).prop_map(|drawn| {
@@ -84,13 +85,13 @@ fn homogeneous(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// All minimisers of both lengths: `4π` by the rule, and `8π` along the curve.
+/// Every minimiser of either length has length `4π` by the rule, and length `8π` along the curve.
 fn attained(trial: &Trial<'_>) -> Outcome {
     let ends = [SVector::zeros(), SVector::from([2.0 * TAU, 0.0])];
     let distance = Valleys.distance(&ends[0], &ends[1]);
-    // Two roundings of a number of size 25.
+    // The distance has two roundings of a number of size 25.
     close("d", distance.unwrap_or(f64::NAN), 8.0 * PI, 1e-14)?;
-    // The overestimation up to rounding, far below that of the next longer sequences.
+    // The overestimation is 1 up to rounding, far below that of the next longer sequences.
     const ONE: f64 = 1.0 + 1e-12;
     let attained = |evidence: Evidence, claim| {
         evidence.claim_is_attained(claim, ONE)?.claim_is_attained("8π ≤ L(γᵖˡ)", ONE)
@@ -109,9 +110,9 @@ fn attained(trial: &Trial<'_>) -> Outcome {
     trial.one(found)
 }
 
-/// All sequences on a grid, with detours, steps back and both sides of the ends: exactly
-/// `N (N + 1)/2` attain `4π` for the left rule and exactly `N` for the trapezoidal rule, the
-/// constructed ones.
+/// Tries all sequences on a grid, including detours, backward steps and points beyond either end.
+/// Exactly `N (N + 1)/2` of them attain `4π` for the left rule, and exactly `N` for the trapezoidal
+/// rule: those constructed above.
 fn counted(trial: &Trial<'_>) -> Outcome {
     let grid: Vec<SVector<f64, 2>> = (-3..=15)
         .flat_map(|k| [0.0, 0.5].map(|x2| SVector::from([f64::from(k) * PI / 3.0, x2])))
@@ -124,7 +125,7 @@ fn counted(trial: &Trial<'_>) -> Outcome {
             points.extend(inner);
             points.push(SVector::from([2.0 * TAU, 0.0]));
             let line = PointSequence::new(points)?;
-            // The next longer one crosses the ridge at π/3, which adds far more than rounding.
+            // The next longer sequence crosses the ridge at π/3, which adds far more than rounding.
             let attains = |length: f64| usize::from((length - 4.0 * PI).abs() <= 1e-12);
             left += attains(trial.subject.discrete_length(LeftEndpoint, &Valleys, &line));
             trapezoidal += attains(trial.subject.discrete_length(Trapezoidal, &Valleys, &line));
@@ -137,9 +138,9 @@ fn counted(trial: &Trial<'_>) -> Outcome {
     Ok(Default::default())
 }
 
-/// From a valley up to a ridge and back, `0, π` and `π, 0`: `π` and `3π` for the left rule, and
-/// `π f(π/2) = 2π` both ways for the trapezoidal rule. The minima alone do not distinguish the left
-/// end of a chord from the right one.
+/// One chord leads from a valley up to a ridge, `0, π`, or back down, `π, 0`. Its length is `π` and
+/// `3π`, respectively, for the left rule, and `π f(π/2) = 2π` both ways for the trapezoidal rule.
+/// The minima alone do not distinguish the left end of a chord from the right end.
 fn left_is_left(trial: &Trial<'_>) -> Outcome {
     for ([a, b], left, trapezoidal) in [([0.0, PI], PI, 2.0 * PI), ([PI, 0.0], 3.0 * PI, 2.0 * PI)]
     {
@@ -152,9 +153,9 @@ fn left_is_left(trial: &Trial<'_>) -> Outcome {
     Ok(Default::default())
 }
 
-/// On one chord up to the first ridge, from 0 to `π`, the left rule reads the valley and the
-/// trapezoidal rule half-way up: `π` and `2π`. One chord down from the last ridge, from `3π` to
-/// `4π`, has the lengths `3π` and `2π`. All are less than `4π`.
+/// On one chord up to the first ridge, from 0 to `π`, the left rule evaluates `H` in the valley and
+/// the trapezoidal rule half-way up, which gives the lengths `π` and `2π`. One chord down from the
+/// last ridge, from `3π` to `4π`, has the lengths `3π` and `2π`. All of these are less than `4π`.
 fn other_ends(_: &Trial<'_>) -> Outcome {
     for ([a, b], clause, lengths) in [
         ([0.0, PI], "γᵖ ends at (4π, 0)", [PI, TAU]),
@@ -175,8 +176,9 @@ fn valleys() -> Result<Ends<2>, VerifyError> {
     Ok(Ends::points([0.0, 0.0], [2.0 * TAU, 0.0])?)
 }
 
-/// One jump has discrete energy `16π²N`, less than `d² = 64π²` for `N ≤ 3`, while the curve has
-/// `72π²N`: at small `N` the minima of the discrete energies undershoot too.
+/// One jump has the discrete energy `16π²N`, which is less than `d² = 64π²` for `N ≤ 3`, while the
+/// energy of the curve is `72π²N`. For small `N` the minima of the discrete energies are therefore
+/// also less than `d²`.
 fn one_jump(trial: &Trial<'_>) -> Outcome {
     let (subject, d2) = (trial.subject, 64.0 * PI * PI);
     for n in 1..=8 {
@@ -195,14 +197,15 @@ fn one_jump(trial: &Trial<'_>) -> Outcome {
             return Err(Failure::new(format!("N = {n}: {found} is above {energy}")));
         }
         if n == 1 {
-            // One chord leaves no choice.
+            // With one chord between two points there is only one sequence.
             close("min E_tra,1", found, expected, 1e-14 * expected)?;
         }
     }
     Ok(Default::default())
 }
 
-/// `√E_N → 8π`, unlike the lengths. With `γ̇ = d/f` and `dt = f dx/d` the leading constants are
+/// `√E_N → 8π`, unlike the discrete lengths. With `γ̇ = d/f` and `dt = f dx/d` the leading
+/// constants are
 ///
 /// ```text
 /// (1/12) ∫ γ̈ᵀHγ̈ dt = (d³/12) ∫ f′²/f³ dx = (d³/24) ∫ f″/f² dx = d³ π/18√3
@@ -216,13 +219,13 @@ fn roots_converge(trial: &Trial<'_>) -> Outcome {
         let curve = subject.curve_energy(&Valleys, &line).value;
         Ok([discrete, curve].map(|e| (n * n) as f64 * (e - d2)))
     };
-    // Measured by another program at N = 256, to six decimals. Rounding: 2^16 times some ulp of
-    // 632, 1e-13. The energy of the curve is not stationary: decrements of 1e-18 of 632 move it by
-    // 2 (632e-18 · 0.024)^{1/2} = 8e-9, times 2^16.
+    // Another program measured these values at N = 256, to six decimals. Rounding contributes 2^16
+    // times a few ulps of 632, which are 1e-13. The energy of the curve is not stationary:
+    // decrements of 1e-18 of 632 change it by 2 (632e-18 · 0.024)^{1/2} = 8e-9, times 2^16.
     let [discrete, curve] = scaled(256)?;
     close("N² (E_tra,N − d²) at 256", discrete, -3201.762884, 1e-6)?;
     close("N² (E(γᵖˡ) − d²) at 256", curve, 1604.101685, 6e-4)?;
-    // After one extrapolation the next term is smaller by (10/256)⁴.
+    // After one extrapolation the next term is smaller by the factor (10/256)⁴.
     let (coarse, fine) = (scaled(512)?, scaled(1024)?);
     let [discrete, curve] = [0, 1].map(|i| (4.0 * fine[i] - coarse[i]) / 3.0);
     let expected = (8.0 * PI).powi(3) * PI / (9.0 * 3_f64.sqrt());
@@ -230,6 +233,6 @@ fn roots_converge(trial: &Trial<'_>) -> Outcome {
     close("N² (E(γᵖˡ) − d²)", curve, 0.5 * expected, 1e-5 * expected)?;
     let left = subject.minimise(LeftEndpoint, &Valleys, &ends, 4096)?;
     let root = subject.discrete_energy(LeftEndpoint, &Valleys, &left.sequence).sqrt();
-    // Of order 2 too, by symmetry, with some ten times the constant.
+    // By symmetry this error is of order 2 too, with about ten times the constant.
     close("√E_l,N", root, 8.0 * PI, 1e4 / (4096.0 * 4096.0))
 }

@@ -63,10 +63,10 @@ pub(crate) const CHECKS: &[Check] = &[
     Witness.check("prop_6_3_is_attained_between_a_ball_and_a_half_space", P63, nearest_lines),
 ];
 
-/// Proposition 6.1 or 6.3, which have the same form.
+/// Proposition 6.1 or 6.3, which have the same signature.
 type OfCurve<M, const D: usize> = fn(&Subject, &Known<M, D>, &Measured<D>) -> Evidence;
 
-/// One of the two on a random polygon, nobody's minimiser.
+/// Evaluates one of these propositions on a random polygon that minimises nothing.
 fn polygon<M: Bounded<D>, const D: usize>(
     subject: &Subject,
     known: &Known<M, D>,
@@ -110,7 +110,7 @@ fn set_polygons(trial: &Trial<'_>) -> Outcome {
     )
 }
 
-/// `E(γ** ∘ φ) = d² ∫φ′²`, and that is at least `d²`.
+/// `E(γ** ∘ φ) = d² ∫φ′²`, which is at least `d²`.
 fn clocks(trial: &Trial<'_>) -> Outcome {
     for_all!(
         trial,
@@ -135,7 +135,7 @@ fn clocks(trial: &Trial<'_>) -> Outcome {
     )
 }
 
-/// Requires both inequalities to be attained, not only the better one.
+/// Requires that both inequalities are attained, not only the tighter one.
 fn both_attained(evidence: Evidence) -> Result<Evidence, VerifyError> {
     let overestimation =
         evidence.conclusions.iter().map(|claim| claim.overestimation()).fold(0.0, f64::max);
@@ -165,7 +165,8 @@ fn attained(trial: &Trial<'_>) -> Outcome {
                 both_attained(prop_6_1(subject, &known, &seen))?,
                 prop_6_1_minimiser(subject, &known, &curve)?.attained()?,
             ];
-            // The sphere lacks a point: only near points are sure to have a shortest curve.
+            // The sphere lacks a point, so only near points are certain to be joined by a shortest
+            // curve.
             let way_out = WayOut::from(&metric, &ends[0]);
             let near = way_out.exceeds(known.distance);
             let shown = near.then(|| prop_6_1_attained(subject, &known, &seen, way_out));
@@ -175,7 +176,7 @@ fn attained(trial: &Trial<'_>) -> Outcome {
     )
 }
 
-/// Straight lines, cut into equal chords.
+/// The curves are straight lines divided into equal chords.
 fn straight_lines(trial: &Trial<'_>) -> Outcome {
     let cases = (points(constant::<3>()), 1..40_usize);
     trial.for_all(6140, 96, cases, |subject, (known, n)| {
@@ -187,8 +188,8 @@ fn straight_lines(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// Proposition 6.2 for the ends of the trapezoidal minimiser with `N = 8`, beside the projections
-/// of one more point to both sets.
+/// Evaluates Proposition 6.2 for the ends of the trapezoidal minimiser with `N = 8`. They are
+/// compared with the projections of one more point to both sets.
 fn nearest<M, const D: usize>(
     subject: &Subject,
     known: &Known<M, D>,
@@ -200,7 +201,8 @@ where
     let seen = Reconstruction::observe(subject, known, PaperRule::Trapezoidal, 8)?;
     let metric = &known.metric;
     let ends = &seen.minimum.sequence;
-    // If the metric does not know it: the length of a curve that joins the two.
+    // If the metric does not know this distance, the length of a curve that joins the two points is
+    // used.
     let apart = metric.distance(ends.first(), ends.last());
     let apart = apart.unwrap_or_else(|| seen.length_squared.value.sqrt());
     let other =
@@ -229,7 +231,7 @@ fn pairs(trial: &Trial<'_>) -> Outcome {
     )
 }
 
-/// Under a constant metric the trapezoidal minimiser is the straight line of a nearest pair.
+/// Under a constant metric the trapezoidal minimiser is the straight line between a nearest pair.
 fn nearest_lines(trial: &Trial<'_>) -> Outcome {
     trial.for_all(6330, 128, constant_ball_half_space::<3>(), |subject, known| {
         let seen = Reconstruction::observe(subject, &known, PaperRule::Trapezoidal, 2)?;

@@ -72,15 +72,15 @@ fn homogeneous_forms(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// The data in dimension 1.
+/// Returns the data in dimension 1.
 fn on_the_line(x: [f64; 2], u: [f64; 2], h: [f64; 2], c2: f64, l_h: f64) -> TwoForms<1> {
     let [points, vectors] = [x, u].map(|pair| pair.map(|number| SVector::from([number])));
     TwoForms { points, vectors, matrices: h.map(SMatrix::from_diagonal_element), c2, l_h }
 }
 
-/// `H(x₂) = c₂`, `H(x₁) = c₂ − L_H |x₁ − x₂|` and `u₂ > u₁ > 0`: both sides are
-/// `c₂ (u₂² − u₁²) + L_H |x₁ − x₂| u₁²`, and each of the three terms on the right is at least a
-/// hundredth of the whole.
+/// With `H(x₂) = c₂`, `H(x₁) = c₂ − L_H |x₁ − x₂|` and `u₂ > u₁ > 0`, both sides are
+/// `c₂ (u₂² − u₁²) + L_H |x₁ − x₂| u₁²`. Each of the three terms on the right is at least a
+/// hundredth of the total.
 fn attained_forms(trial: &Trial<'_>) -> Outcome {
     let cases = (0.5..4.0, 0.3..1.0, 0.5..2.0, 0.5..2.0, -3.0..3.0);
     trial.for_all(7530, 256, cases, |_, (c2, drop, u1, more, x)| {
@@ -91,8 +91,8 @@ fn attained_forms(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// Each hypothesis fails alone and takes the conclusion with it: a negative form, a form above
-/// `c₂`, and a jump.
+/// Each hypothesis is violated alone, and then the conclusion fails: by a negative form, by a form
+/// above `c₂`, and by a jump.
 fn dropped_forms(_: &Trial<'_>) -> Outcome {
     all([
         fails_without(
@@ -110,7 +110,7 @@ fn dropped_forms(_: &Trial<'_>) -> Outcome {
     ])
 }
 
-/// `H = −2 ≤ 1 = c₂`, `u₁ = 0` and `u₂ = 1`: `2 ≤ 1` is false.
+/// With `H = −2 ≤ 1 = c₂`, `u₁ = 0` and `u₂ = 1`, the claim `2 ≤ 1` is false.
 fn refuted_by_a_negative_form(_: &Trial<'_>) -> Outcome {
     let forms = on_the_line([0.0, 0.0], [0.0, 1.0], [-2.0, -2.0], 1.0, 0.0);
     refuted(
@@ -134,8 +134,8 @@ fn homogeneous_numbers(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// Equality holds exactly if all numbers, or all but one positive one, are 0. Two equal numbers
-/// already have the overestimation `√2`.
+/// Equality holds exactly if all numbers are 0, or if all are 0 but one positive number. Two equal
+/// numbers already have the overestimation `√2`.
 fn attained_numbers(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7830, 256, (1..40_usize, 0..40_usize, 0.1..10.0), |_, (n, k, x)| {
         let mut numbers = vec![0.0; n];
@@ -146,12 +146,12 @@ fn attained_numbers(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// The hypothesis `xₙ ≥ 0` is not needed: flipping a sign lowers the left side and leaves the right
-/// side. Only the case of equality is lost: `−1` alone has `−1 < 1`.
+/// The hypothesis `xₙ ≥ 0` is not needed: flipping a sign lowers the left side and does not change
+/// the right side. Only the case of equality is lost, since the single number `−1` gives `−1 < 1`.
 fn negative_numbers(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7840, 512, vec(-10.0..10.0_f64, 0..40), |_, numbers| {
         let evidence = prop_7_8(&numbers);
-        // The conclusions alone.
+        // Only the conclusions are kept.
         Ok([Evidence { hypotheses: Vec::new(), ..evidence }])
     })
 }

@@ -1,4 +1,5 @@
-//! Propositions 7.10 to 7.12, `K_{1,g}` and `K_{2,g}`: derivatives of the metric, and of geodesics.
+//! Propositions 7.10 to 7.12, `K_{1,g}` and `K_{2,g}`: bounds on derivatives of the metric and of
+//! geodesics.
 
 use nalgebra::{SMatrix, SVector};
 use proptest::prelude::*;
@@ -42,7 +43,8 @@ pub(crate) const CHECKS: &[Check] = &[
     Witness.check("k2_has_the_factor_three_on_the_line", K2, bent_by_an_incline),
 ];
 
-/// How far above the least one known an overestimation may be, where a limit is taken.
+/// The factor by which an overestimation may exceed the smallest one known, which is only attained
+/// in a limit.
 const NEAR: f64 = 1.01;
 
 fn metrics(trial: &Trial<'_>) -> Outcome {
@@ -70,7 +72,7 @@ fn homogeneous_metrics(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// `∂ₗ Hᵢⱼ = L` at 0, for every entry and every axis.
+/// `∂ₗ Hᵢⱼ = L` at 0, for every entry and every axis, so that the bound is attained.
 fn ripples(trial: &Trial<'_>) -> Outcome {
     fn one<const D: usize>(
         subject: &Subject,
@@ -85,8 +87,8 @@ fn ripples(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// `Γ²₁₁ = 3L/2c` at 0, where `c₁ = c − LR` for any small `R`: the companion is attained, and the
-/// paper gives away `√D`.
+/// `Γ²₁₁ = 3L/2c` at 0, and `c₁ = c − LR` for any small `R`. The companion is therefore attained,
+/// and the paper's bound is larger by the factor `√D`.
 fn twists(trial: &Trial<'_>) -> Outcome {
     fn one<const D: usize>(
         subject: &Subject,
@@ -102,7 +104,7 @@ fn twists(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// `Γ = H′/2H` is `L/2c₁` at the foot of an incline.
+/// At the foot of an incline `Γ = H′/2H` is `L/2c₁`.
 fn inclines(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7132, 128, (0.3..3.0, 0.1..10.0), |subject, (foot, slope)| {
         let incline = Incline::new(foot, slope).expect("positive");
@@ -164,7 +166,7 @@ fn homogeneous_geodesics(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// `H = c I`: a straight line has the speed `|b − a| = d/√c₁` everywhere.
+/// Under `H = c I` a straight line has the speed `|b − a| = d/√c₁` everywhere.
 fn attained_k1(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7160, 128, (0.1..10.0, two_points::<3>(2.5)), |subject, (c, [a, b])| {
         let metric = Constant::new(SMatrix::<f64, 3, 3>::from_diagonal_element(c));
@@ -176,8 +178,9 @@ fn attained_k1(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// A short geodesic through the centre of a twist: `|γ̈|` is nearly `3L_H K₁²/2c₁` all along it,
-/// and the paper gives away `D² = 4`. It is short, hence minimal, and `d` is its speed.
+/// Along a short geodesic through the centre of a twist, `|γ̈|` is nearly `3L_H K₁²/2c₁`
+/// everywhere, and the paper's bound is larger by the factor `D² = 4`. The geodesic is short, hence
+/// minimal, and `d` is its speed.
 fn bent_by_a_twist(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7161, 64, (0.3..3.0, 0.1..10.0), |subject, (base, slope)| {
         let twist = Twist::<2>::new(base, slope, 2e-3 * base / slope)?;
@@ -187,7 +190,7 @@ fn bent_by_a_twist(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// A short geodesic at the foot of an incline: `|γ̈|` is nearly `L_H K₁²/2c₁`.
+/// Along a short geodesic at the foot of an incline, `|γ̈|` is nearly `L_H K₁²/2c₁`.
 fn bent_by_an_incline(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7162, 64, (0.3..3.0, 0.1..2.0), |subject, (foot, slope)| {
         let incline = Incline::new(foot, slope).expect("positive");
@@ -196,7 +199,8 @@ fn bent_by_an_incline(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// Requires the companions of `K_{2,g}` to be attained, and the paper to give away this factor.
+/// Requires that the companions of `K_{2,g}` are attained and that the paper's bounds are larger by
+/// this factor.
 fn attained_k2(
     [k1, k2, apriori]: [Evidence; 3],
     factor: f64,

@@ -48,7 +48,7 @@ pub(crate) const CHECKS: &[Check] = &[
     Refuted.check("prop_7_4_refuted_by_a_kink", P74, kink_of_7_4),
 ];
 
-/// The three statements; `θ = s` and `k = ⌊s₁ N⌋` in the last.
+/// Evaluates the three statements; the last one uses `θ = s` and `k = ⌊s₁ N⌋`.
 fn evidence<const D: usize>(
     curve: &impl BoundedCurve<D>,
     [s1, s, s2]: [f64; 3],
@@ -71,7 +71,7 @@ fn smooth(trial: &Trial<'_>) -> Outcome {
             (7202, (smooth_curve::<2>(2.0), times(), subintervals())),
             (7203, (smooth_curve::<3>(2.0), times(), subintervals())),
         ],
-        // A curve in five is straight, and then Proposition 7.4 says nothing.
+        // One curve in five is straight, and then Proposition 7.4 states only `0 ≤ 0`.
         |_, (curve, times, n)| evidence(&curve, times, n)
     )
 }
@@ -92,7 +92,7 @@ fn homogeneous(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// A straight line and an interval.
+/// Draws a straight line and an interval.
 fn lines() -> impl Strategy<Value = (SmoothCurve<2>, [f64; 3])> {
     let velocity = [0.2..3.0, -2.0..2.0];
     (velocity, times()).prop_map(|(velocity, times)| {
@@ -107,9 +107,9 @@ fn constant_velocity(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// `e (1 + ε w)` with `ẇ = (r − 1)/l` and `r = (t − s₁)/l`, so that `w = r²/2 − r`: at `s₁` it
-/// exceeds `‖γ‖/√l` by `ε/3 + O(ε²)`, and `√(l/3) ‖γ̇‖ = ε/3`. For a constant curve `|γ| = ‖γ‖/√l`
-/// and the bound is 0, so that the other factor is the best too.
+/// The curve is `e (1 + ε w)` with `ẇ = (r − 1)/l` and `r = (t − s₁)/l`, so that `w = r²/2 − r`. At
+/// `s₁` it exceeds `‖γ‖/√l` by `ε/3 + O(ε²)`, and `√(l/3) ‖γ̇‖ = ε/3`. For a constant curve
+/// `|γ| = ‖γ‖/√l`, and the bound is 0, so that the other factor is optimal too.
 fn best_constants_of_7_2(trial: &Trial<'_>) -> Outcome {
     let second = "|γ(s)| − ‖γ‖/√l ≤ √(l/3) ‖γ̇‖";
     let intervals = (0.0..0.5_f64, 0.1..1.0_f64);
@@ -127,7 +127,7 @@ fn best_constants_of_7_2(trial: &Trial<'_>) -> Outcome {
         let bent = prop_7_2(&bent, [s1, s1, s1 + length])?.claim_is_attained(second, 1.01)?;
         let still = prop_7_2(&SmoothCurve::polynomial([e]), [s1, s1, s1 + length])?;
         let gap = *still.conclusion(second);
-        // Two roundings of a number of size 1, and the quadrature.
+        // The error is two roundings of a number of size 1, plus the error of the quadrature.
         let gap = Evidence::of(Proposition7_2).sharper(
             "‖γ‖/√l ≤ |γ(s)| for a constant curve",
             gap.unit,
@@ -151,8 +151,8 @@ fn attained_7_3(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// `γ̇ = 1 + ε w` with the `w` of Proposition 7.2: on a short interval at 0 the mean speed exceeds
-/// the norm over `[0, 1]` by `ε/3 − ε l/2`.
+/// The curve has `γ̇ = 1 + ε w` with the `w` used for Proposition 7.2. On a short interval at 0,
+/// its mean speed exceeds its norm over `[0, 1]` by `ε/3 − ε l/2`.
 fn best_constant_of_7_3(trial: &Trial<'_>) -> Outcome {
     let epsilon = 1e-3;
     let powers = [0.0, 1.0, -0.5 * epsilon, epsilon / 6.0];
@@ -161,22 +161,23 @@ fn best_constant_of_7_3(trial: &Trial<'_>) -> Outcome {
     trial.one([prop_7_3(&curve, [0.0, 1e-3])?.claim_is_attained(claim, 1.01)?])
 }
 
-/// `γ(t) = t` on `[0, ¼]`: `¼ ≤ ⅛` is false.
+/// For `γ(t) = t` on `[0, ¼]`, the claim `¼ ≤ ⅛` is false.
 fn refuted_by_constant_velocity(_: &Trial<'_>) -> Outcome {
     let line = SmoothCurve::straight([0.0], [1.0]);
     let evidence = prop_7_3_as_printed(&line, [0.0, 0.25])?;
     refuted(&evidence, "|γ(s₂) − γ(s₁)| ≤ l (‖γ̇‖ + 2‖γ̈‖)", [0.25, 0.125])
 }
 
-/// `γ̇ = 1/ε` on `[0, ε]` and 0 after it: `1 ≤ √ε` is false on `[0, 1]` and on `[0, ε]`, as printed
-/// and repaired. Only the first repaired form survives, being Proposition 7.2.
+/// The curve has `γ̇ = 1/ε` on `[0, ε]` and 0 after that. The claim `1 ≤ √ε` is false on `[0, 1]`
+/// and on `[0, ε]`, both as printed and as repaired. Only the first repaired form remains true,
+/// since it is Proposition 7.2.
 fn kink_of_7_3(_: &Trial<'_>) -> Outcome {
     let epsilon = 1.0 / 16.0;
     let ramp = KinkedCurve::new([0.0], [(epsilon, [1.0].into())], [1.0])?;
     let evidence = prop_7_3(&ramp, [0.0, epsilon])?;
     all([
         fails_without(&["γ̇ does not jump"], evidence),
-        // γ̈ = 0 almost everywhere: the form for H² is the printed one.
+        // Since γ̈ = 0 almost everywhere, the form for H² agrees with the printed one.
         refuted(
             &prop_7_3_as_printed(&ramp, [0.0, epsilon])?,
             "|γ(s₂) − γ(s₁)| ≤ l (‖γ̇‖ + 2‖γ̈‖)",
@@ -185,13 +186,13 @@ fn kink_of_7_3(_: &Trial<'_>) -> Outcome {
     ])
 }
 
-/// `(tₖ₊₁ − t)³` on the subinterval `k` of `N`, at `tₖ`: with `h = 1`, `|−1 + 3| = 2 = ‖γ̈‖/√3`.
-/// The paper's bound is `2√3` times that.
+/// For `(tₖ₊₁ − t)³` on the subinterval `k` of `N`, evaluated at `tₖ`, the bound is attained: with
+/// `h = 1`, `|−1 + 3| = 2 = ‖γ̈‖/√3`. The paper's bound is `2√3` times as large.
 fn attained_by_a_cube(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7430, 128, (subintervals(), 0.0..1.0), |_, (n, at)| {
         let count = n.get() as f64;
         let k = (at * count) as usize;
-        // With c = tₖ₊₁: (c − t)³ = c³ − 3c²t + 3ct² − t³.
+        // With c = tₖ₊₁, (c − t)³ = c³ − 3c²t + 3ct² − t³.
         let c = (k as f64 + 1.0) / count;
         let powers = [c.powi(3), -3.0 * c * c, 3.0 * c, -1.0];
         let cube = SmoothCurve::polynomial(powers.map(|power| SVector::from([power])));
@@ -201,7 +202,7 @@ fn attained_by_a_cube(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// `γ̇ = cos Nπt` on each subinterval, whose mean is 0.
+/// The curve has `γ̇ = cos Nπt`, whose mean over each subinterval is 0.
 fn attained_by_half_a_cosine(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7431, 64, (1..12_usize, 0.0..1.0), |_, (n, at)| {
         let mut waves = vec![[SVector::zeros(), SVector::zeros()]; n];
@@ -213,8 +214,9 @@ fn attained_by_half_a_cosine(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// `|t − ½|` with `N = 1`: `β = 0`, `γ̇(0) = −1` and `γ̈ = 0` almost everywhere. Proposition 7.4
-/// would claim `1 ≤ 0` for this curve, which is piecewise `C¹`, as the proposition assumes.
+/// For `|t − ½|` with `N = 1`, `β = 0`, `γ̇(0) = −1`, and `γ̈ = 0` almost everywhere. Proposition
+/// 7.4 would claim `1 ≤ 0` for this curve, although it is piecewise `C¹`, as the proposition
+/// assumes.
 fn kink_of_7_4(_: &Trial<'_>) -> Outcome {
     let modulus = KinkedCurve::new([0.5], [(0.5, [0.0].into())], [0.5])?;
     let evidence = prop_7_4(&modulus, NonZeroUsize::MIN, 0, 0.0)?;

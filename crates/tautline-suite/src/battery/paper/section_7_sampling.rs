@@ -1,4 +1,4 @@
-//! Propositions 7.6 and 7.7, `C_tra(N)` and `C_tra♯`: curves, and their samples.
+//! Propositions 7.6 and 7.7, `C_tra(N)` and `C_tra♯`: curves and their samples.
 
 use std::num::NonZeroUsize;
 
@@ -57,8 +57,8 @@ fn positive(n: usize) -> NonZeroUsize {
     NonZeroUsize::new(n).expect("positive")
 }
 
-/// Three smooth curves between the same two points: with waves of size up to 0.5 and up to 0.1, and
-/// the straight line.
+/// Draws three smooth curves between the same two points: two with waves of size up to 0.5 and up
+/// to 0.1, and the straight line.
 fn curves<const D: usize>() -> impl Strategy<Value = [SmoothCurve<D>; 3]> {
     (two_points::<D>(2.0), smooth_curve::<D>(0.5), smooth_curve::<D>(0.1)).prop_map(
         |([a, b], wide, narrow)| {
@@ -84,7 +84,7 @@ fn smooth(trial: &Trial<'_>) -> Outcome {
             (7602, 192, (separable::<1>(), curves(), subintervals())),
             (7603, 192, (separable::<3>(), curves(), subintervals())),
             (7604, 192, (ramp(), curves(), subintervals())),
-            // The least energy is that of the straight line, and of its samples.
+            // The straight line has the least energy, and so do its samples.
             (7605, 64, (constant::<2>(), curves(), subintervals())),
             (7606, 192, (Just(Valleys), curves::<2>(), subintervals())),
         ],
@@ -92,8 +92,8 @@ fn smooth(trial: &Trial<'_>) -> Outcome {
     )
 }
 
-/// Where `E = d²`: the pointwise companions are `d² (1 + δ/4N + δ²/8N²)` for the trapezoidal rule
-/// and `d² (1 + δ/2N)` for the left-endpoint rule, with `δ = L_H d/c₁^{3/2}`.
+/// For these curves `E = d²`. The pointwise companions are `d² (1 + δ/4N + δ²/8N²)` for the
+/// trapezoidal rule and `d² (1 + δ/2N)` for the left-endpoint rule, with `δ = L_H d/c₁^{3/2}`.
 fn geodesics(trial: &Trial<'_>) -> Outcome {
     for_all!(
         trial,
@@ -115,9 +115,9 @@ fn homogeneous(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// The straight line from 0 to 1 with a valley or a ridge at each midpoint:
-/// `|E − E_tra,N| = L_H/4N`, against `L_H/N`. The paper's overestimation is 4, and the pointwise
-/// form is attained.
+/// The straight line from 0 to 1 passes a valley or a ridge at each midpoint, so that
+/// `|E − E_tra,N| = L_H/4N`, while the bound is `L_H/N`. The paper's overestimation is 4, and the
+/// pointwise form of the bound is attained.
 fn valleys_at_midpoints(trial: &Trial<'_>) -> Outcome {
     let line = SmoothCurve::straight([0.0], [1.0]);
     trial.for_all(7630, 96, (1..60_usize, 0.2..1.5), |subject, (n, slope)| {
@@ -137,8 +137,8 @@ fn valleys_at_midpoints(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// `γ̇ = 1 + a cos Nπt` under a constant metric: `β = 1`, and `E − E_tra,N = c a²/2` is all of
-/// `c K₂²/π²N²`.
+/// For `γ̇ = 1 + a cos Nπt` under a constant metric, `β = 1`, and `E − E_tra,N = c a²/2` equals the
+/// term `c K₂²/π²N²`.
 fn half_a_cosine(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7631, 96, (1..16_usize, 0.2..2.0, 0.3..3.0), |subject, (n, a, c)| {
         let metric = Constant::<1>::new(SMatrix::from_diagonal_element(c)).expect("positive");
@@ -151,8 +151,8 @@ fn half_a_cosine(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// `|t − ½|` with `H = 1` and `N = 1`: `E = 1` and `E_tra = 0`, and `C_tra(1) = 0.44` with `K₁ = 1`
-/// and `K₂ = 0.1`.
+/// For `|t − ½|` with `H = 1` and `N = 1`, `E = 1` and `E_tra = 0`. With `K₁ = 1` and `K₂ = 0.1`,
+/// however, `C_tra(1) = 0.44`.
 fn refuted_by_a_kink(trial: &Trial<'_>) -> Outcome {
     let modulus = KinkedCurve::new([0.5], [(0.5, [0.0].into())], [0.5])?;
     let metric = Constant::<1>::new(SMatrix::from_diagonal_element(1.0)).expect("positive");
@@ -164,8 +164,8 @@ fn refuted_by_a_kink(trial: &Trial<'_>) -> Outcome {
     ])
 }
 
-/// With a false `L_H`, a line over a ridge; with a false `c₂`, half a cosine. `c₁` is not needed,
-/// nor is `c₂` for the bound from above, Proposition 7.7.
+/// For a false `L_H` the counterexample is a line over a ridge, and for a false `c₂` it is half a
+/// cosine. `c₁` is not needed, and `c₂` is not needed for the upper bound, Proposition 7.7.
 fn false_constants(_: &Trial<'_>) -> Outcome {
     let n = NonZeroUsize::MIN;
     let claimed = |c1, c2, l_h| Constants::new(c1, c2, l_h).expect("in order");
@@ -174,7 +174,7 @@ fn false_constants(_: &Trial<'_>) -> Outcome {
     let line = SmoothCurve::straight([0.0], [1.0]);
     let flat = Constant::<1>::new(SMatrix::from_diagonal_element(1.0)).expect("positive");
     let flat = WithConstants { metric: flat, constants: claimed(0.005, 0.01, 0.0) };
-    // γ̇ = 1 + cos πt: E − E_tra = ½, and 4 c₂ K₂ (K₁ + K₂) < 31 c₂.
+    // For γ̇ = 1 + cos πt, E − E_tra = ½, and 4 c₂ K₂ (K₁ + K₂) < 31 c₂.
     let sine = [SVector::zeros(), SVector::from([std::f64::consts::FRAC_1_PI])];
     let curve = SmoothCurve::new(vec![SVector::zeros(), SVector::from([1.0])], vec![sine]);
     all([
@@ -184,10 +184,10 @@ fn false_constants(_: &Trial<'_>) -> Outcome {
     ])
 }
 
-/// From 0 to 1 in the time `1/N`, over the ridge `H = c + L (½ − |x − ½|)`, then at rest:
-/// `E_tra,N − E = NL/4`, while `K₁ = √N` and `K₂ = 0` make `C_tra(N) = L √N`. For `N ≥ 17` the
-/// first is larger, and a small `K₂ > 0` changes nothing. Without a kink it is at most
-/// `L K₁³/2N = ½ L √N`.
+/// The curve moves from 0 to 1 in the time `1/N`, over the ridge `H = c + L (½ − |x − ½|)`, and
+/// then rests. So `E_tra,N − E = NL/4`, while `K₁ = √N` and `K₂ = 0` give `C_tra(N) = L √N`. For
+/// `N ≥ 17` the difference is larger than `C_tra(N)`, and a small `K₂ > 0` does not change that.
+/// For a curve without a kink the difference would be at most `L K₁³/2N = ½ L √N`.
 fn refuted_by_a_fast_start(trial: &Trial<'_>) -> Outcome {
     all([17, 18, 32, 100, 1000_u16].map(|n| {
         let metric = tent(2.0, -1.5).expect("positive");
@@ -201,7 +201,8 @@ fn refuted_by_a_fast_start(trial: &Trial<'_>) -> Outcome {
     }))
 }
 
-/// No sampled curve between two points is below the minimum over all point sequences.
+/// The energy of a sampled curve between two points is not below the minimum over all point
+/// sequences.
 fn discrete_minimum(trial: &Trial<'_>) -> Outcome {
     let cases = (shear(), two_points(2.5), smooth_curve::<2>(0.5), subintervals());
     trial.for_all(7641, 192, cases, |subject, (metric, [a, b], curve, n)| {
@@ -217,8 +218,9 @@ fn discrete_minimum(trial: &Trial<'_>) -> Outcome {
         let trapezoidal = subject.minimise(Trapezoidal, &metric, &ends, n)?.sequence;
         let left = subject.minimise(LeftEndpoint, &metric, &ends, n)?.sequence;
         let ([least, _], [_, least_left]) = (energies(&trapezoidal), energies(&left));
-        // The ends of a sample are off by a rounding of 10, which moves the energy by the momentum
-        // 2√(c₂E): some 1e-14 relative to the size of both.
+        // The ends of a sample are off by the rounding of a number of size 10, which changes the
+        // energy by this error times the momentum 2√(c₂E). This is some 1e-14, relative to the size
+        // of both.
         let rounding = |energy: f64| 1e-13 * (1.0 + energy);
         let (claim, claim_left) = ("min E_tra,N ≤ E_tra,N(γ)", "min E_l,N ≤ E_l,N(γ)");
         Ok(samples.map(|sample| {
@@ -230,7 +232,7 @@ fn discrete_minimum(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// `C_tra(N)` and `C_tra♯`.
+/// Evaluates the statements about `C_tra(N)` and `C_tra♯`.
 fn constants(
     subject: &Subject,
     constants: Constants,
@@ -256,7 +258,7 @@ fn c_tra(trial: &Trial<'_>) -> Outcome {
     ])
 }
 
-/// Constants, `[K₁, K₂]` and `N`.
+/// Draws constants, `[K₁, K₂]` and `N`.
 fn cases_of_c_tra() -> impl Strategy<Value = (Constants, [f64; 2], NonZeroUsize)> {
     let constants = (0.1..2.0, 1.0..5.0, 0.0..4.0);
     (constants, [0.0..3.0, 0.0..3.0], 1..500_usize).prop_map(|((c1, ratio, l_h), norms, n)| {
@@ -271,8 +273,8 @@ fn homogeneous_c_tra(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// With `K₂ = 10⁻³ K₁` the two sides differ only by the term of second order, at most a thousandth
-/// of the others. `N = 1` is no witness: there both sides are the same formula.
+/// With `K₂ = 10⁻³ K₁` the two sides differ only by the term of second order, which is at most a
+/// thousandth of the others. `N = 1` is not a witness, since both sides are then the same formula.
 fn approached_c_tra_sharp(trial: &Trial<'_>) -> Outcome {
     trial.for_all(7670, 256, cases_of_c_tra(), |subject, (constants, [k1, _], n)| {
         let norms = [k1 + 0.1, 1e-3 * (k1 + 0.1)];

@@ -1,4 +1,5 @@
-//! Section 9: squared lengths are bounded by energies, and the rates that the paper leaves open.
+//! Section 9: squared lengths are bounded by energies. It also answers the question of rates that
+//! the paper leaves open.
 
 use std::f64::consts::{PI, TAU};
 
@@ -59,7 +60,8 @@ pub(crate) const CHECKS: &[Check] = &[
     ),
 ];
 
-/// Proposition 9.1 for a polygon, moved to two points, and the known minimal geodesic between them.
+/// Evaluates Proposition 9.1 for a polygon whose ends are moved to the two points, and for the
+/// known minimal geodesic between them.
 fn against_geodesic<M: KnownGeodesics<D>, const D: usize>(
     subject: &Subject,
     metric: &M,
@@ -92,7 +94,7 @@ fn between(trial: &Trial<'_>) -> Outcome {
     )
 }
 
-/// Under a constant metric the computed minimiser has the energy `d²`, to rounding.
+/// Under a constant metric the energy of the computed minimiser is `d²`, up to rounding.
 fn sets(trial: &Trial<'_>) -> Outcome {
     for_all!(
         trial,
@@ -112,7 +114,8 @@ fn sets(trial: &Trial<'_>) -> Outcome {
     )
 }
 
-/// The two equal legs of a triangle, under a multiple of the Euclidean metric.
+/// The polygon consists of the two equal legs of a triangle, under a multiple of the Euclidean
+/// metric.
 fn equal_legs(trial: &Trial<'_>) -> Outcome {
     let cases = (0.1..10.0, vector::<2>(2.0), vector::<2>(1.0), 0.1..3.0)
         .prop_filter("a base", |(_, _, half, _)| half.norm() >= 0.1);
@@ -125,7 +128,8 @@ fn equal_legs(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// On the line with `H = 1`, from 0 to 1: `γ = t`, and `γ* = t²`, of the same length.
+/// Returns two curves of the same length from 0 to 1 on the line with `H = 1`: `γ = t` and
+/// `γ* = t²`.
 pub(super) fn late() -> Result<(Known<Constant<1>, 1>, Measured<1>, Measured<1>), VerifyError> {
     let metric = Constant::new(SMatrix::identity()).expect("positive definite");
     let ends = [[0.0].into(), [1.0].into()];
@@ -136,14 +140,14 @@ pub(super) fn late() -> Result<(Known<Constant<1>, 1>, Measured<1>, Measured<1>)
     Ok((known, Measured::of(&metric, &line), Measured::of(&metric, &late)))
 }
 
-/// `0 ≤ 1 − 4/3`.
+/// The claim is `0 ≤ 1 − 4/3`, which is false.
 fn refuted_by_a_late_minimiser(_: &Trial<'_>) -> Outcome {
     let (known, on_time, late) = late()?;
     let evidence = prop_9_1_as_printed(&LIBRARY, &known, &on_time, &late);
     refuted(&evidence, "L(γ)² − L(γ*)² ≤ E(γ) − E(γ*)", [0.0, -1.0 / 3.0])
 }
 
-/// The answer to Remark 9.2 for the minimisers of both rules.
+/// Evaluates the answer to Remark 9.2 for the minimisers of both rules.
 fn both_rules<M: Bounded<D>, const D: usize>(
     subject: &Subject,
     known: &Known<M, D>,
@@ -180,11 +184,12 @@ fn rates_of_sets(trial: &Trial<'_>) -> Outcome {
     )
 }
 
-/// `N = 1`: the rule prefers the second route by a hair, since it reads the metric where it is
-/// least on that one and largest on the first. As `δ → 0` the excess is `d² δ/2` for the
-/// trapezoidal rule and `d² δ` for the left one, which is the bound.
+/// With `N = 1` the rule prefers the second route by a hair, since it evaluates the metric at its
+/// smallest value on the second route and at its largest value on the first. As `δ → 0`, the excess
+/// is `d² δ/2` for the trapezoidal rule and `d² δ` for the left rule, which equals the bound.
 ///
-/// Another program computed the ratio of the excess to those for slopes of 1, 0.1, 0.01 and 0.001.
+/// Another program computed the ratios of the excess to these values for slopes of 1, 0.1, 0.01 and
+/// 0.001.
 fn attained_by_two_routes(trial: &Trial<'_>) -> Outcome {
     let tents = |l: f64, hair: f64| {
         let (top, low) = (1.0 + 0.5 * l, 1.0 + 0.5 * l - hair);
@@ -208,7 +213,8 @@ fn attained_by_two_routes(trial: &Trial<'_>) -> Outcome {
     }))
 }
 
-/// One pair of routes, with the ratio of the excess to `d² δ` times the leading constant.
+/// Compares the ratio of the excess to `d² δ` times the leading constant with `ratio`, for one pair
+/// of routes.
 fn excess_is(
     trial: &Trial<'_>,
     known: Known<Polygonal, 1>,
@@ -221,18 +227,21 @@ fn excess_is(
     let excess = seen.energy.value - seen.distance_squared;
     // c₁ = 1, hence δ = L d.
     let leading = constant * slope * known.distance.powi(3);
-    // Three digits are given, four where there are as many nines; the hair is 10⁻⁶.
+    // The ratios are given to three digits, or to four if they begin with three nines; the hair is
+    // 10⁻⁶.
     close(&format!("L = {slope}: the ratio"), excess / leading, ratio, 6e-4)?;
     let evidence = remark_9_2(trial.subject, &seen);
     trial.one([if slope <= 0.001 { evidence.attained()? } else { evidence }])
 }
 
-/// How much more than 1 the even route costs, in `m²/ℓ²`: a thousandth of the mean corrugation.
+/// Returns the amount by which `H` on the even route exceeds 1, in `m²/ℓ²`: a thousandth of the
+/// mean corrugation.
 fn lift(n: u32, slope: f64) -> f64 {
     1e-3 * slope / (TAU * f64::from(n))
 }
 
-/// The washboard with `n` valleys, from `{0, 100}` to `{1, 101}`; `d² = 1 + η`.
+/// Returns the washboard with `n` valleys, and the problem from `{0, 100}` to `{1, 101}`, for which
+/// `d² = 1 + η`.
 pub(super) fn washboard(
     n: u32,
     slope: f64,
@@ -243,9 +252,9 @@ pub(super) fn washboard(
     Ok((metric, Known { metric, ends, distance, distance_error: 4.0 * f64::EPSILON }))
 }
 
-/// A washboard for each `N`: `N (E(γᵖˡ) − d²) = L/2π − Nη` does not fall, though `c₁`, `L_H` and
-/// `d` hardly change. As `δ → 0` the bound is `π` times as large; here it is a percent more, times
-/// what the switch adds to `L_H`.
+/// With a different washboard for each `N`, `N (E(γᵖˡ) − d²) = L/2π − Nη` does not decrease,
+/// although `c₁`, `L_H` and `d` hardly change. As `δ → 0` the bound is `π` times as large. Here it
+/// is a percent larger still, and larger by the factor by which the switch increases `L_H`.
 fn the_rate_is_the_best(trial: &Trial<'_>) -> Outcome {
     let slope = 0.01;
     all([1, 2, 3, 5, 8, 17, 64, 200].map(|n: u32| {

@@ -1,11 +1,11 @@
 //! Theorems 1.1 to 1.4 and their constants: how close they come to equality.
 //!
-//! # The least overestimation known
+//! # The smallest overestimation known
 //!
-//! With `δ = L_H d/c₁^{3/2}` and `κ = c₂/c₁`, on the line, `C_tra♯ = d² (δ + 3δ² + 6κδ + 9κδ²)`. As
-//! `δ → 0` and `κ → 1` that is `7 d²δ`, so that `C = 7¼ d²δ` for the trapezoidal rule and `8 d²δ`
-//! for the left one; larger `D`, `κ` or `δ` only add to it. At `N = 1` the gaps are bounded by the
-//! sharper companions, which are attained in the same limit:
+//! On the line, with `δ = L_H d/c₁^{3/2}` and `κ = c₂/c₁`, `C_tra♯ = d² (δ + 3δ² + 6κδ + 9κδ²)`. As
+//! `δ → 0` and `κ → 1`, `C_tra♯` tends to `7 d²δ`, so that `C` tends to `7¼ d²δ` for the
+//! trapezoidal rule and to `8 d²δ` for the left rule. Larger `D`, `κ` or `δ` only increase it. At
+//! `N = 1` the gaps are bounded by the sharper companions, which are attained in the same limit:
 //!
 //! | gap | at most, of `d²δ` | witness | overestimation of the paper's bound |
 //! | --- | --- | --- | --- |
@@ -55,8 +55,9 @@ pub(crate) const CHECKS: &[Check] = &[
     ),
 ];
 
-/// The next order adds up to `4.4 δ` to `C`, relatively (`3δ² + 9κδ²`, `6(κ − 1)δ` with
-/// `κ − 1 = 2δ`, and `C_tra♯` in `K̄³`), and up to `δ` to `d³`. The margin is `10⁻⁵` of the gaps.
+/// The next order adds up to `4.4 δ` to `C`, relative to `C`: it comes from `3δ² + 9κδ²`, from
+/// `6(κ − 1)δ` with `κ − 1 = 2δ`, and from `C_tra♯` in `K̄³`. It adds up to `δ` to `d³`. The margin
+/// is `10⁻⁵` of the gaps.
 pub(crate) const LIMIT: f64 = 1.0 + 6.0 * SLOPE;
 
 fn tents(trial: &Trial<'_>) -> Outcome {
@@ -87,8 +88,9 @@ fn inclines(trial: &Trial<'_>) -> Outcome {
     least_known(trial, rule, read, [16.0, 8.0, 15.0], claims)
 }
 
-/// The theorems of a rule on a route where it reads too little of `H`, and on one where it reads
-/// too much. The table above has the overestimations of one gap, of both, and of `K̄`.
+/// Evaluates the theorems of a rule on a route where its value of `H` is too small, and on one
+/// where it is too large. The table above has the overestimations for one gap, for both gaps, and
+/// for `K̄`.
 fn least_known(
     trial: &Trial<'_>,
     rule: PaperRule,
@@ -98,7 +100,7 @@ fn least_known(
 ) -> Outcome {
     let subject = trial.subject;
     let both = misleading(rule);
-    // What the rule reads on the second route, just less than on the first.
+    // The value that the rule gives on the second route is slightly less than on the first.
     let tie = both[1].map(|[_, h]| h).into_iter().fold(f64::INFINITY, f64::min);
     let flat = routes(subject, rule, [too_much, level(tie.sqrt())])?;
     let [below, ..] = of_minimiser(subject, &route(subject, rule, too_little)?);
@@ -123,13 +125,13 @@ fn least_known(
     ])
 }
 
-/// `H = 4 I`, between two points at the Euclidean distance 5.
+/// Returns the problem `H = 4 I` between two points at Euclidean distance 5.
 pub(crate) fn flat_problem() -> Result<Known<Constant<2>, 2>, VerifyError> {
     let metric = Constant::new(SMatrix::from_diagonal_element(4.0))?;
     Ok(Known::between(metric, [1.0, 0.0], [4.0, 4.0])?.expect("known"))
 }
 
-/// `H = 4 I`: `C_tra♯ = 0` and `K₃ = d/√c₁`, for every `N`.
+/// Under `H = 4 I`, `C_tra♯ = 0` and `K₃ = d/√c₁` for every `N`.
 fn flat(trial: &Trial<'_>) -> Outcome {
     let known = flat_problem()?;
     for_rules([1, 2, 7, 100], |rule, n| {

@@ -1,5 +1,5 @@
-//! Proposition S.7 where it loses nothing, and where its convex set has to hold a minimiser that is
-//! faster than the computed sequence.
+//! Proposition S.7: where it loses nothing, and where its convex set has to contain a minimiser
+//! that is faster than the computed sequence.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -33,23 +33,23 @@ pub(crate) const CHECKS: &[Check] = &[
     ),
 ];
 
-/// `N = 2` on the line, with the slope `−L` at the first midpoint and `L` at the second, where `H`
-/// is hardly more than `c₁`: moving the middle point changes both differences and both values of
-/// `H`, in opposite directions.
+/// Returns a metric and two sequences on the line with `N = 2`. `H` has the slope `−L` at the first
+/// midpoint and `L` at the second, where it is hardly more than `c₁`. If the middle point moves,
+/// both differences and both values of `H` change, in opposite directions.
 pub(crate) fn slopes(claimed: [f64; 3]) -> Result<(Claimed, [PointSequence<1>; 2]), VerifyError> {
-    // Half the width of the slopes.
+    // This is half the width of the slopes.
     let w = 1e-3;
     let knots =
         [[0.25 - w, 1.0 + w], [0.25 + w, 1.0 - w], [0.75 - w, 1.0 - w], [0.75 + w, 1.0 + w]];
     let metric = Polygonal::new(&knots).expect("in order");
     let [c1, c2, l_h] = claimed;
-    // Between its knots H is linear, up to the rounding of its corners.
+    // Between its knots H is linear, except for the rounded corners.
     let constants = Constants::new(c1, c2, l_h)?.with_m_h(1e-9)?;
     let through = |x: f64| PointSequence::new([0.0, x, 1.0].map(|x| [x].into()).to_vec());
     Ok((WithConstants { metric, constants }, [through(0.5)?, through(0.5001)?]))
 }
 
-/// A polygon with constants that hold where it is read.
+/// A polygonal metric with constants that hold where it is evaluated.
 type Claimed = WithConstants<Polygonal>;
 
 fn opposite_slopes(trial: &Trial<'_>) -> Outcome {
@@ -59,8 +59,9 @@ fn opposite_slopes(trial: &Trial<'_>) -> Outcome {
     trial.one([evidence.claim_is_attained("σ ≤ the convexity of E from x to y", NEAR)?])
 }
 
-/// Under `H = 4` the energy is quadratic, and a straight line plus half a sine wave is off its
-/// minimum by `R²/(4σN² sin²(π/2N))` for both rules: Poincaré's inequality is sharp for this wave.
+/// Under `H = 4` the energy is quadratic. For a straight line plus half a sine wave it exceeds its
+/// minimum by `R²/(4σN² sin²(π/2N))` for both rules, since Poincaré's inequality is sharp for this
+/// wave.
 fn wave(trial: &Trial<'_>) -> Outcome {
     let metric = Constant::<1>::new([[4.0]].into()).expect("positive");
     for_rules([2, 5, 32], |rule, n| {
@@ -78,10 +79,10 @@ fn wave(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// `N = 2` on the line, with both midpoints on crests of `H = (1 + a sin kx)²`, 320 waves apart: of
-/// the convexity `H − ½ M_H B²r²` half is left where `ak² = 8`, and `2L_H B r` is `4/k`. With four
-/// times the height the crests are no minimum: either side of them has less energy, and nothing may
-/// be said.
+/// `N = 2` on the line, with both midpoints on crests of `H = (1 + a sin kx)²`, 320 waves apart.
+/// Where `ak² = 8`, half of the convexity `H − ½ M_H B²r²` is left, and `2L_H B r` is `4/k`. With
+/// four times the height the crests are not minima: the energy is smaller on either side, and the
+/// proposition must not claim anything.
 fn crests(trial: &Trial<'_>) -> Outcome {
     let k = 4.0 * PI * 320.0;
     let first = FRAC_PI_2 / k - 0.25;
@@ -94,14 +95,15 @@ fn crests(trial: &Trial<'_>) -> Outcome {
         let both = [&through(0.0)?, &through(by)?];
         prop_s_7(trial.subject, &metric, PaperRule::Trapezoidal, both, 1.0)
     };
-    // The midpoints move by half a tenth of a radian of the wave, and by one radian.
+    // The midpoints move by half of a tenth of a radian of the wave, and by one radian.
     let low = half_convex(8.0, 0.1 / k)?;
     let high = half_convex(32.0, 2.0 / k)?;
     trial.one([low.claim_is_attained("σ ≤ the convexity of E from x to y", NEAR)?, high])
 }
 
-/// In the trough of `H = (1 + 0.3 sin x)²` the minimiser goes faster than the straight line. The
-/// convex set has to hold both: its `σ`, read off a residual, is at most that for their `B`.
+/// In the trough of `H = (1 + 0.3 sin x)²` the minimiser is faster than the straight line. The
+/// convex set has to contain both: its `σ`, computed from a residual, must not exceed the `σ` for
+/// the `B` of both.
 fn competitors(trial: &Trial<'_>) -> Outcome {
     let metric = Separable::new([0.3], [1.0])?;
     let [a, b] = [-1.6, -1.0];
@@ -119,7 +121,7 @@ fn competitors(trial: &Trial<'_>) -> Outcome {
             discrete_energy: energy,
             length: known.distance,
             greatest_difference: b - a,
-            // Large, so that the excess it allows is as large as the energy.
+            // The residual is so large that the excess that it allows is as large as the energy.
             residual: 1.0,
         };
         let silent = || Failure::new("Proposition S.7 says nothing of near points");
@@ -130,7 +132,7 @@ fn competitors(trial: &Trial<'_>) -> Outcome {
         let covering = covering.ok_or_else(silent)?;
         trial.one([Evidence::of(PropositionS7)
             .given("x is slower than y", Unit::COORDINATE, [b - a, greatest], 0.0)
-            // A difference of numbers of the same size.
+            // Rounding comes from a difference of numbers of the same size.
             .stated("σ ≤ that of both", Unit::GRAM, [modulus, covering], 1e-12 * covering)])
     })
 }

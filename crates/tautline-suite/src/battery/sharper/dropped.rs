@@ -1,7 +1,7 @@
-//! The sharper statements without a hypothesis.
+//! The sharper statements, each without one of its hypotheses.
 //!
 //! `c₂` is needed only for the cap `e ≤ κ` of Lemma S.4. Only Theorems A and B assume a stationary
-//! sequence; Theorems C and D do not, and C is no weaker than A.
+//! sequence. Theorems C and D do not, and Theorem C is no weaker than Theorem A.
 
 use tautline::{Constants, Ends, PointSequence, Trapezoidal};
 use tautline_statements::{
@@ -55,8 +55,9 @@ pub(crate) const CHECKS: &[Check] = &[
     ),
 ];
 
-/// A twist, a tent and a slope, each with a part of its `L_H`: the first two attain their bounds,
-/// and on the third the two chords differ in speed, which a constant metric does not allow.
+/// A twist, a tent and a slope, each with a claimed `L_H` that is too small. The first two attain
+/// their bounds. On the slope the two chords differ in speed, which a constant metric does not
+/// allow.
 fn lemmas_without_l_h(_: &Trial<'_>) -> Outcome {
     let twist = Twist::<2>::new(1.0, 1.0, 0.3)?;
     let curve = twist.short_geodesic(1e-5);
@@ -76,8 +77,8 @@ fn lemmas_without_l_h(_: &Trial<'_>) -> Outcome {
     fails_without(&[LIPSCHITZ], speeds?)
 }
 
-/// With a thousandth of the slope, `δ` is `10⁻⁴`. A level route is the shorter one, but the other
-/// one seems shorter to the rule; on a ridge the rule reads too much.
+/// With a thousandth of the slope claimed, `δ` is `10⁻⁴`. A level route is the shorter one, but the
+/// other route seems shorter to the rule. On a ridge the rule's value of `H` is too large.
 fn theorems_without_l_h(_: &Trial<'_>) -> Outcome {
     let constants = [1.0, 1.25, 1e-4];
     for rule in PaperRule::BOTH {
@@ -91,13 +92,14 @@ fn theorems_without_l_h(_: &Trial<'_>) -> Outcome {
     fails_without(&[LIPSCHITZ], prop_s_6(&LIBRARY, &dear, 0.0)?)
 }
 
-/// A steep ridge with `d² = 1.025`, where the rule reads 1.05 and so prefers the valley beside it,
-/// where it reads 1.04 for 1.065.
+/// The first route is a steep ridge with `d² = 1.025`. The rule gives 1.05 on it and therefore
+/// prefers the second route, a valley, where it gives 1.04 instead of 1.065.
 fn dear_ridge(constants: [f64; 3]) -> Result<Reconstruction<1>, VerifyError> {
     claimed(PaperRule::Trapezoidal, [steep(ridge(1.0)), steep(valley(1.0004))], constants)
 }
 
-/// Half the curvature of a crest is claimed, and far less than that of the tip of a valley.
+/// For a crest half of its curvature is claimed; for a valley, far less than the curvature of its
+/// tip.
 fn without_m_h(_: &Trial<'_>) -> Outcome {
     let metric = crest()?;
     let constants =
@@ -114,20 +116,20 @@ fn without_m_h(_: &Trial<'_>) -> Outcome {
     all(theorems.map(|theorem| fails_without(M_H, theorem.expect("M_H is claimed"))))
 }
 
-/// With `κ = 1` there would be no `E_N` above `d²`.
+/// If `κ = 1` were true, no `E_N` could exceed `d²`.
 fn without_c2(_: &Trial<'_>) -> Outcome {
     let dear = dear_ridge([1.0, 1.0, 0.1])?;
     fails_without(&[ABOVE], lemma_s_4(&LIBRARY, &dear))
 }
 
-/// The two slopes with 1.5 times `c₁`.
+/// The two slopes are those of the witness, with 1.5 times `c₁` claimed.
 fn without_c1(_: &Trial<'_>) -> Outcome {
     let (metric, [x, y]) = slopes([1.5, 1.6, 1.0])?;
     let evidence = prop_s_7(&LIBRARY, &metric, PaperRule::Trapezoidal, [&x, &y], 1.0)?;
     fails_without(&[BELOW], evidence)
 }
 
-/// Twice as long a way under a constant metric, whose bounds are 0.
+/// The curve is twice as long as `d` under a constant metric, for which the bounds are 0.
 fn not_global(_: &Trial<'_>) -> Outcome {
     for_rules([8], |rule, n| {
         let (known, longer) = longer_way(rule, n)?;

@@ -1,5 +1,5 @@
-//! The bounds of Theorems A to D, for metrics with known distances, against the reference values of
-//! `golden_bounds.csv`.
+//! Compares the bounds of Theorems A to D, for metrics with known distances, with the reference
+//! values of `golden_bounds.csv`.
 
 use std::{f64::consts::PI, num::NonZeroUsize};
 
@@ -21,7 +21,7 @@ const ALL: &[Statement] = &[LemmaS1, LemmaS4, LemmaS5, TheoremA, TheoremB, Theor
 pub(crate) const CHECKS: &[Check] =
     &[Reference.check("golden_bounds_of_theorems_a_to_d", ALL, bounds)];
 
-/// The setting of two points, without the knowledge that the metric is isotropic.
+/// Returns the setting of two points, without using that the metric is isotropic.
 pub(crate) fn setting(
     subject: &Subject,
     metric: &(impl Bounded<2> + KnownDistance<2>),
@@ -34,9 +34,10 @@ pub(crate) fn setting(
     Ok(Setting::new(constants, distance, 2)?)
 }
 
-/// Compares what follows from the constants of `metric` and the distance of two points.
+/// Compares what follows from the constants of `metric` and from the distance between two points.
 ///
-/// To a relative `10⁻¹²`: `d` is known to some `10⁻¹⁵`, and enters with powers up to 7.
+/// The relative tolerance is `10⁻¹²`: `d` is known to some `10⁻¹⁵`, and it enters with powers up to
+/// 7.
 fn between(
     trial: &Trial<'_>,
     problem: &str,

@@ -1,4 +1,4 @@
-//! The leading terms of the bounds of Theorems A to D, as `N → ∞`, which `paper/SHARPER.md` states.
+//! The leading terms of the bounds in Theorems A to D as `N → ∞`, as stated in `paper/SHARPER.md`.
 
 use std::{f64::consts::PI, num::NonZeroUsize};
 
@@ -23,8 +23,8 @@ pub(crate) const CHECKS: &[Check] = &[Order.check(
     leading,
 )];
 
-/// The largest of the next terms is `√N v^{3/2} = (2kδ)^{3/2}/N` in `m₃`, at most 2·10⁻⁵ for the
-/// `δ` here, which are at most 111.
+/// A relative bound on the next terms. The largest is `√N v^{3/2} = (2kδ)^{3/2}/N` in `m₃`, which
+/// is at most 2·10⁻⁵ for the `δ` here, since these are at most 111.
 const NEXT: f64 = 1e-4;
 
 fn leading(trial: &Trial<'_>) -> Outcome {
@@ -40,7 +40,7 @@ fn leading(trial: &Trial<'_>) -> Outcome {
     Ok(Default::default())
 }
 
-/// So large a power of 2 that the next terms are small, and `N²` is exact.
+/// Returns a power of 2 so large that the next terms are small; `N²` is exact.
 fn huge() -> (NonZeroUsize, f64) {
     let n = 1_usize << 26;
     (NonZeroUsize::new(n).expect("positive"), n as f64)
@@ -50,7 +50,7 @@ fn agree(pairs: &[(&str, f64, f64)]) -> Outcome {
     all(pairs.iter().map(|&(name, value, term)| close(name, value, term, NEXT * term)))
 }
 
-/// `N` times the bounds over `d²`.
+/// Compares `N` times the bounds, divided by `d²`, with the leading terms.
 fn of_first_order(subject: &Subject, setting: Setting) -> Outcome {
     let (n, count) = huge();
     let (delta, scale) = (setting.delta(), count / setting.distance().powi(2));
@@ -75,7 +75,7 @@ fn of_first_order(subject: &Subject, setting: Setting) -> Outcome {
     Ok(Default::default())
 }
 
-/// `N²` times the bounds over `d²`.
+/// Compares `N²` times the bounds, divided by `d²`, with the leading terms.
 fn of_second_order(subject: &Subject, setting: Setting) -> Outcome {
     let (n, count) = huge();
     let scale = count * count / setting.distance().powi(2);

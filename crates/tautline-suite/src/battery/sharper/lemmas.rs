@@ -1,4 +1,4 @@
-//! Lemmas S.1 to S.3 and Proposition S.7: minimal geodesics and point sequences at random.
+//! Lemmas S.1 to S.3 and Proposition S.7 on random minimal geodesics and point sequences.
 
 use nalgebra::SVector;
 use proptest::prelude::*;
@@ -74,7 +74,7 @@ fn sequences(trial: &Trial<'_>) -> Outcome {
             (2722, (separable::<3>(), sequence(3.0))),
             (2723, (ramp(), sequence(3.0))),
             (2724, (Just(Valleys), sequence::<2>(3.0))),
-            // Without L_H the residual alone is left.
+            // With L_H = 0 only the residual is left.
             (2725, (constant::<2>(), sequence(3.0))),
         ],
         |subject, (metric, sequence)| of_sequence(subject, &metric, &sequence)
@@ -87,7 +87,8 @@ fn sequences_in_units(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// A minimiser between two points, and the same plus a wave that vanishes at the ends.
+/// Compares a minimiser between two points with the same sequence plus a wave that vanishes at the
+/// ends.
 fn beside<M: Bounded<D>, const D: usize>(
     subject: &Subject,
     known: &Known<M, D>,
@@ -99,7 +100,7 @@ fn beside<M: Bounded<D>, const D: usize>(
     let x = &seen.minimum.sequence;
     let at = |k: usize| {
         let turn = std::f64::consts::PI * (wave * k) as f64 / n as f64;
-        // Exactly 0 at both ends, where the sine is not.
+        // The wave is exactly 0 at both ends, while the computed sine is not.
         if k == 0 || k == n { 0.0 } else { turn.sin() }
     };
     let moved = x.points().iter().enumerate().map(|(k, x)| x + by * at(k));
@@ -111,8 +112,8 @@ fn beside<M: Bounded<D>, const D: usize>(
     ])
 }
 
-/// `N`, the number of half waves, and their amplitude. Some are short and slow, so that some of the
-/// energies are convex.
+/// Draws `N`, the number of half waves, and their amplitude. Some waves are short and slow, so that
+/// some of the energies are convex.
 fn waves<const D: usize>() -> impl Strategy<Value = (usize, (usize, SVector<f64, D>))> {
     let amplitude = (-3.0..0.0_f64, vector::<D>(1.0));
     (2..40_usize, 1..4_usize, amplitude).prop_map(|(n, wave, (power, by))| {

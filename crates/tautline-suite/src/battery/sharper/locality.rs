@@ -1,4 +1,4 @@
-//! Proposition S.8 where only its margin is lost, and where it fails.
+//! Proposition S.8: where it loses only its margin, and where it fails.
 
 use nalgebra::SMatrix;
 use tautline::{
@@ -19,7 +19,7 @@ use crate::battery::{
 
 const S8: &[Statement] = &[PropositionS8];
 
-/// The margin of the radius, `1.01 (1 + 10⁻⁵)`, and what a small ball adds.
+/// The margin of the radius, `1.01 (1 + 10⁻⁵)`, and the amount that a small ball adds.
 const PERCENT: f64 = 1.0102;
 
 pub(crate) const CHECKS: &[Check] = &[
@@ -28,8 +28,8 @@ pub(crate) const CHECKS: &[Check] = &[
     Dropped.check("prop_s_8_fails_where_c1_is_overstated", S8, without_c1),
 ];
 
-/// `H = 4 I`: between points, and from a half-plane to a ball, where the last end is the bounded
-/// one.
+/// Under `H = 4 I` the bound is attained between points, and from a half-plane to a ball, where the
+/// last end is the bounded one.
 fn flat(trial: &Trial<'_>) -> Outcome {
     let points = flat_problem()?;
     let ends = Ends::new(HalfSpace::at_least([1.0, 0.0], 3.0)?, Ball::new([0.0, 0.0], 1.0)?)?;
@@ -37,7 +37,8 @@ fn flat(trial: &Trial<'_>) -> Outcome {
     all([points, sets].map(|known| attained(trial, &known, &[1, 2, 7, 100], 1.0 + 1e-12)))
 }
 
-/// Requires the radius to exceed its least value by its margin alone, for both rules.
+/// Requires, for both rules, that the radius exceeds its smallest possible value only by its
+/// margin.
 fn attained<M: Bounded<2>>(
     trial: &Trial<'_>,
     known: &Known<M, 2>,
@@ -53,7 +54,7 @@ fn attained<M: Bounded<2>>(
     })
 }
 
-/// Two points so close that the sphere is flat between them.
+/// The two points are so close together that the sphere is nearly flat between them.
 fn small(trial: &Trial<'_>) -> Outcome {
     let (a, b) = ([0.5, 0.0], [0.500_006, 0.000_008]);
     let constants = Sphere.constants_within(&a.into(), 1.02e-5)?;
@@ -62,7 +63,8 @@ fn small(trial: &Trial<'_>) -> Outcome {
     attained(trial, &known, &[4], PERCENT)
 }
 
-/// `H = I` with twice its `c₁`: the other end is `√2/1.01` times as far away as the radius.
+/// `H = I`, but twice its `c₁` is claimed. The distance of the other end is then `√2/1.01` times
+/// the radius.
 fn without_c1(_: &Trial<'_>) -> Outcome {
     let plane = Constant::<2>::new(SMatrix::identity())?;
     let known = Known::between(plane, [0.0, 0.0], [1.0, 0.0])?.expect("known");

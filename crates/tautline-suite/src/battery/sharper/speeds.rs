@@ -1,4 +1,4 @@
-//! Lemma S.3 where it loses little: sequences that bend as fast as they can, or run away.
+//! Lemma S.3 where it loses little: sequences that bend as fast as possible, or that run away.
 
 use tautline::PointSequence;
 use tautline_statements::{
@@ -19,7 +19,7 @@ pub(crate) const CHECKS: &[Check] = &[
     Witness.check("lemma_s_3_is_nearly_attained_by_a_sequence_that_runs_away", &[LemmaS3], runaway),
 ];
 
-/// Two chords of the geodesic that attains Lemma S.1.
+/// The sequence has two chords of the geodesic that attains Lemma S.1.
 fn twist(trial: &Trial<'_>) -> Outcome {
     let metric = Twist::<2>::new(1.0, 1.0, 2e-3)?;
     for_rules([2], |rule, n| {
@@ -30,19 +30,19 @@ fn twist(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// Every chord has the slope `L_H = 1` at its middle, and between two of them `H` falls back to 1:
-/// so the momentum grows all the way, `βₙ − βₙ₋₁ = (h/4)(βₙ² + βₙ₋₁²)`, like `1/(c − t/2)`. The
-/// construction starts from the last chord.
+/// Every chord has the slope `L_H = 1` at its middle, and between two chords `H` falls back to 1.
+/// The momentum therefore grows all the way, by `βₙ − βₙ₋₁ = (h/4)(βₙ² + βₙ₋₁²)`, like
+/// `1/(c − t/2)`. The construction starts from the last chord.
 ///
-/// With `sₙ = hβₙ/4`, which ends at 0.14, `Σ (sₙ² + sₙ₋₁²)` is the last `s` less the first. The
-/// lemma loses a part `s` of its second term, and its first term, `K₃`, `(2Ns)^{−1/2}` of the
-/// greatest difference.
+/// With `sₙ = hβₙ/4`, whose last value is 0.14, `Σ (sₙ² + sₙ₋₁²)` is the last `s` minus the first.
+/// The lemma loses a part `s` of its second term. It also loses its first term, `K₃`, which is
+/// `(2Ns)^{−1/2}` of the greatest difference.
 fn runaway(trial: &Trial<'_>) -> Outcome {
     let n = 200;
     let mut last = 0.14_f64;
     let mut chords = vec![4.0 * last];
     while chords.len() < n {
-        // s + s² = r with the next one's r = s − s².
+        // The equation for the previous s is s + s² = r, with r = s − s² from the next one.
         let right = last * (1.0 - last);
         last = 2.0 * right / (1.0 + (1.0 + 4.0 * right).sqrt());
         chords.push(4.0 * last);
@@ -52,7 +52,7 @@ fn runaway(trial: &Trial<'_>) -> Outcome {
     for chord in &chords {
         points.push(points[points.len() - 1] + chord);
     }
-    // Half the width of a slope, a thousandth of the shortest chord.
+    // This is half the width of a slope, a thousandth of the shortest chord.
     let w = 1e-3 * chords[0];
     let middles = points.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
     let knots: Vec<[f64; 2]> = middles.flat_map(|x| [[x - w, 1.0 - w], [x + w, 1.0 + w]]).collect();

@@ -1,5 +1,5 @@
-//! Lemmas S.2 to S.5, Theorems A to D and Propositions S.6 and S.8 on random problems with a known
-//! distance.
+//! Lemmas S.2 to S.5, Theorems A to D, and Propositions S.6 and S.8, on random problems with a
+//! known distance.
 
 use tautline::Bounded;
 use tautline_statements::{
@@ -59,7 +59,7 @@ pub(crate) const CHECKS: &[Check] = &[
     }),
 ];
 
-/// The sharper statements about one minimiser and its problem.
+/// Asks for the sharper statements about one minimiser and its problem.
 #[derive(Clone, Copy)]
 struct SharperTheorems;
 
@@ -85,7 +85,7 @@ impl Question for SharperTheorems {
             prop_s_8(subject, known, seen)?,
             least_length_bound(subject, seen),
         ];
-        // Between ends that touch there is no speed to compare with.
+        // If the ends touch, there is no speed to compare with.
         if seen.distance_squared > 0.0 {
             found.push(lemma_s_5(subject, seen));
         }

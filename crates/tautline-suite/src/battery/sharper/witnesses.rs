@@ -1,4 +1,4 @@
-//! The sharper statements where they lose nothing, or the least known.
+//! The sharper statements where they are attained, or have the smallest overestimation known.
 
 use tautline::{
     Constants, Ends, FiniteSet, KnownDistance, PointSequence,
@@ -44,10 +44,10 @@ pub(crate) const CHECKS: &[Check] = &[
     Witness.check("theorems_b_and_d_are_attained_on_two_arcs", &[TheoremB, TheoremD], two_arcs),
 ];
 
-/// How far above 1 an overestimation may be, where a limit is taken.
+/// The factor by which an overestimation may exceed 1, which is only attained in a limit.
 pub(crate) const NEAR: f64 = 1.01;
 
-/// A short geodesic through the centre of a twist, and one at the foot of an incline.
+/// Checks a short geodesic through the centre of a twist, and one at the foot of an incline.
 fn bent(trial: &Trial<'_>) -> Outcome {
     fn attained<const D: usize>(
         subject: &Subject,
@@ -72,7 +72,7 @@ fn bent(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// One step over a valley and up an incline, for every `N`.
+/// Checks one step over a valley and one step up an incline, for every `N`.
 fn steps(trial: &Trial<'_>) -> Outcome {
     let cases = (1..300_usize, 0.0..1.0, 0.1..10.0);
     trial.for_all(2801, 128, cases, |subject, (n, at, slope): (usize, f64, f64)| {
@@ -89,13 +89,13 @@ fn steps(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// `H = (1 + a sin kx)²` is nearly a parabola at its crest, of curvature `2a(1 + a)k² = M_H`; along
+/// At its crest `H = (1 + a sin kx)²` is nearly a parabola of curvature `2a(1 + a)k² = M_H`. Along
 /// a chord of length `l` the curvature changes by a relative `(kl)²/2`.
 pub(crate) fn crest() -> Result<Separable<1>, VerifyError> {
     Ok(Separable::new([1e-3], [0.3])?)
 }
 
-/// Where `sin kx = 1`.
+/// The point where `sin kx = 1`.
 pub(crate) const CREST: f64 = std::f64::consts::FRAC_PI_2 / 0.3;
 
 fn parabola(trial: &Trial<'_>) -> Outcome {
@@ -108,7 +108,7 @@ fn parabola(trial: &Trial<'_>) -> Outcome {
     }))
 }
 
-/// `H = 4 I`: all speeds are `d`, and `d² = E_N`.
+/// Under `H = 4 I` all speeds are `d`, and `d² = E_N`.
 fn flat(trial: &Trial<'_>) -> Outcome {
     let known = flat_problem()?;
     for_rules([1, 2, 7, 100], |rule, n| {
@@ -116,7 +116,7 @@ fn flat(trial: &Trial<'_>) -> Outcome {
         let speeds = lemma_s_3(trial.subject, &known.metric, rule, &seen.minimum.sequence)?
             .claim_is_attained("max qₙ ≤ √E + (L_H/c₁^{3/2})E + mean|ρ|/√c₁", NEAR)?
             .claim_is_attained("max|βₙ| ≤ (c₂K₃ + ½L_H K₃² + mean|ρ|)/c₁", NEAR)?;
-        // The sets are |(3, 4)| = 5 apart.
+        // The distance between the sets is |(3, 4)| = 5.
         let enclosure = prop_s_6(trial.subject, &seen, 5.0)?
             .claim_is_attained("lower ≤ d²", 1.0 + 1e-12)?
             .claim_is_attained("c₁ gap² ≤ d²", 1.0 + 1e-12)?
@@ -125,8 +125,8 @@ fn flat(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// `N = 1` along one route, in the limit `δ → 0`: on a ridge and down an incline the rule reads too
-/// much, over a valley and up an incline too little.
+/// `N = 1` along one route, in the limit `δ → 0`. On a ridge and down an incline the rule's value
+/// of `H` is too large; over a valley and up an incline it is too small.
 fn one_route(trial: &Trial<'_>) -> Outcome {
     let (tra, left) = (PaperRule::Trapezoidal, PaperRule::LeftEndpoint);
     let seen = |rule, knots| route(trial.subject, rule, knots);
@@ -141,8 +141,8 @@ fn one_route(trial: &Trial<'_>) -> Outcome {
     ])
 }
 
-/// Up `H = 1 + x/100`, where `M_H = 0` and the force is `d²δ/2` all the way, to a few `δ`: only the
-/// second variation is left, `d²δ²/48N²`.
+/// Up `H = 1 + x/100`, `M_H = 0`, and the force is `d²δ/2` all the way, to within a few `δ`. Only
+/// the second variation `d²δ²/48N²` is left.
 fn second_variation(trial: &Trial<'_>) -> Outcome {
     let slope = 1e-2;
     let metric = Incline::new(1.0, slope).expect("positive");
@@ -159,18 +159,18 @@ fn second_variation(trial: &Trial<'_>) -> Outcome {
     }))
 }
 
-/// A straight line under a constant metric: `mean u = 1`, so that `v = ε − 1` is the variance. If
-/// all chords but one are equal, that one is as far from the mean as possible.
+/// The sequence is a straight line under a constant metric, so that `mean u = 1`, and `v = ε − 1`
+/// is the variance. If all chords but one are equal, that one is as far from the mean as possible.
 ///
-/// With `N = 100`, one speed of 8 times the mean and `v = 49/99`, the moments lose the difference
-/// between `√(s − v)` and its tangent, and those of `N − 2` and `N² − 3N + 3` to `N − 1` and
-/// `(N − 1)²`: 6.200 for 5.914, and 46.39 for 41.70.
+/// With `N = 100`, one speed of 8 times the mean, and `v = 49/99`, the moments lose the difference
+/// between `√(s − v)` and its tangent, and the differences between `N − 2` and `N − 1` and between
+/// `N² − 3N + 3` and `(N − 1)²`. The bounds are 6.200 instead of 5.914, and 46.39 instead of 41.70.
 fn one_long_chord(trial: &Trial<'_>) -> Outcome {
     let metric = Constant::<1>::new([[4.0]].into()).expect("positive");
     let known = Known::between(metric, [0.0], [3.0])?.expect("known");
     for_rules([2, 3, 10, 100], |rule, n| {
         let first = if n == 100 { 0.24 } else { 2.0 };
-        // The other chords share the rest.
+        // The other chords divide the rest equally.
         let at = |k: usize| match k {
             0 => [0.0],
             _ => [first + (3.0 - first) * (k - 1) as f64 / (n - 1) as f64],
@@ -193,8 +193,8 @@ fn one_long_chord(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// Two routes, of which the wrong one seems shorter by a hair; and that one alone, with all of
-/// `d² − E_N`.
+/// Checks two routes, of which the wrong one seems shorter by a hair; and the wrong route alone,
+/// which has all of `d² − E_N`.
 fn two_ways(trial: &Trial<'_>) -> Outcome {
     let subject = trial.subject;
     for_rules([1], |rule, _| {
@@ -212,7 +212,7 @@ fn two_ways(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// Requires Theorems A to D to be attained on two routes.
+/// Requires that Theorems A to D are attained on two routes.
 fn theorem_is_attained(evidence: Evidence, limit: f64) -> Result<Evidence, VerifyError> {
     evidence
         .claim_is_attained("|E(γᵖˡ) − E_N| ≤ its bound", limit)?
@@ -220,8 +220,10 @@ fn theorem_is_attained(evidence: Evidence, limit: f64) -> Result<Evidence, Verif
         .claim_is_attained("L(γᵖˡ)² − d² ≤ its bound", limit)
 }
 
-/// `n` equal chords over ridges, and over valleys that seem lower by a hair, a thousandth; or down
-/// an incline, and up one. The next order of the excess is smaller by `δ`, or by `√N δ`.
+/// The `n` equal chords of the first route lead over ridges, and those of the second over valleys
+/// that seem lower by a hair, which is a thousandth. For the left rule the first route leads down
+/// an incline and the second leads up one. The next order of the excess is smaller by a factor of
+/// `δ`, or of `√N δ`.
 fn many_chords(trial: &Trial<'_>) -> Outcome {
     let mut evidence = Vec::new();
     for n in [2_u32, 5, 16] {
@@ -249,11 +251,11 @@ fn many_chords(trial: &Trial<'_>) -> Outcome {
     trial.one(evidence)
 }
 
-/// The crest and the trough of `H = (1 + a sin kx)²` are as good as two parabolas: one chord of
-/// length 1 about the crest, and one about the trough that seems shorter by a hair, `10⁻⁸`.
+/// The crest and the trough of `H = (1 + a sin kx)²` are nearly two parabolas. One chord has length
+/// 1 and leads over the crest. The other leads over the trough and seems shorter by a hair, `10⁻⁸`.
 ///
-/// `M_H d²/c₁²` is `2a(1 + 3a)k²`, nine parts in `10⁵`; crest and trough differ by `2a` of it, and
-/// a chord by `k²/80`.
+/// `M_H d²/c₁²` is `2a(1 + 3a)k²`, nine parts in `10⁵`. It differs between crest and trough by the
+/// relative amount `2a`, and along a chord by `k²/80`.
 fn two_arcs(trial: &Trial<'_>) -> Outcome {
     let metric = crest()?;
     let trough = 3.0 * CREST;
@@ -277,7 +279,7 @@ fn two_arcs(trial: &Trial<'_>) -> Outcome {
         evidence.push(theorem_is_attained(theorem, 1.03)?);
     }
     evidence.push(least_length_bound(trial.subject, &seen).overestimates_at_most(1.03)?);
-    // The trough alone: d² − E_tra.
+    // On the trough alone, this is d² − E_tra.
     let seen = Reconstruction::observe(trial.subject, &about(trough, 1.0)?, rule, 1)?;
     for theorem in [theorem_b, theorem_d] {
         let theorem = theorem(trial.subject, &seen).expect("M_H is known");

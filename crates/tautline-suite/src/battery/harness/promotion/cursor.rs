@@ -1,18 +1,18 @@
-//! `Cursor`: a text that is read from the left.
+//! `Cursor`: a text that is parsed from the left.
 
-/// What is left of a text.
+/// The rest of a text that has not been parsed yet.
 #[derive(Clone, Copy)]
 pub(super) struct Cursor<'a>(pub(super) &'a str);
 
 impl<'a> Cursor<'a> {
-    /// Skips blanks, and the expected character if it follows; returns whether it does.
+    /// Skips blanks, and the expected character if it follows; returns whether it did.
     pub(super) fn eat(&mut self, expected: char) -> bool {
         let after = self.0.trim_start().strip_prefix(expected);
         self.0 = after.unwrap_or(self.0);
         after.is_some()
     }
 
-    /// Skips blanks, and returns what stands before the next of these characters.
+    /// Skips blanks, and returns the text before the next of these characters.
     pub(super) fn word(&mut self, ends: &str) -> &'a str {
         let text = self.0.trim_start();
         let (word, after) = text.split_at(text.find(|c| ends.contains(c)).unwrap_or(text.len()));
@@ -20,7 +20,8 @@ impl<'a> Cursor<'a> {
         word
     }
 
-    /// Reads elements between commas up to `end`; `None` if one cannot be read.
+    /// Parses elements separated by commas up to `end`; returns `None` if one of them cannot be
+    /// parsed.
     pub(super) fn list<T>(
         &mut self,
         end: char,

@@ -1,4 +1,4 @@
-//! `Drawn`: a value, read from its `Debug` output.
+//! `Drawn`: a value, parsed from its `Debug` output.
 
 use super::cursor::Cursor;
 
@@ -16,14 +16,14 @@ pub(super) enum Drawn {
 }
 
 impl Drawn {
-    /// Reads a value; `None` if the text is not of this form.
+    /// Parses a value; returns `None` if the text does not have this form.
     pub(super) fn read(text: &str) -> Option<Self> {
         let mut rest = Cursor(text);
         let value = read(&mut rest)?;
         rest.0.trim().is_empty().then_some(value)
     }
 
-    /// The field of a struct.
+    /// Returns a field of a struct.
     pub(super) fn field(&self, name: &str) -> Option<&Drawn> {
         match self {
             Drawn::Struct(_, fields) => fields.iter().find(|field| field.0 == name).map(|f| &f.1),
@@ -31,7 +31,7 @@ impl Drawn {
         }
     }
 
-    /// The elements of a list or of a tuple.
+    /// Returns the elements of a list or a tuple.
     pub(super) fn elements(&self) -> &[Drawn] {
         match self {
             Drawn::List(elements) | Drawn::Tuple(_, elements) => elements,

@@ -1,4 +1,4 @@
-//! A random case that failed, written as a test to keep.
+//! Writes a random case that failed as a test that can be kept.
 
 mod cursor;
 mod drawn;
@@ -10,7 +10,7 @@ use std::{any::Any, cell::RefCell, fmt::Debug};
 use drawn::Drawn;
 use rust_type::RustType;
 
-/// A case in place of random ones, which a [promoted](Case::as_test) test hands to a check.
+/// A case that replaces the random ones; a [promoted](Case::as_test) test passes it to a check.
 pub struct Given {
     family: u64,
     value: RefCell<Option<Box<dyn Any>>>,
@@ -23,7 +23,7 @@ impl Given {
         Self { family, value: RefCell::new(Some(Box::new(case))) }
     }
 
-    /// Hands the case to its family, once.
+    /// Gives the case to its family, once.
     pub(super) fn take<V: Any>(&self, family: u64) -> Option<V> {
         let mut value = self.value.borrow_mut();
         let fits = self.family == family && value.as_ref().is_some_and(|value| value.is::<V>());
@@ -46,12 +46,12 @@ impl Debug for Given {
     }
 }
 
-/// The smallest random case found to fail.
+/// The smallest failing case that was found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Case {
     /// The seed of its family, as written in the check.
     pub family: u64,
-    /// Its type, and its value as an expression of that type.
+    /// Its type, and an expression of that type for its value.
     pub code: [String; 2],
 }
 
@@ -60,16 +60,17 @@ impl Case {
         Self::of_type::<V>(family, value)
     }
 
-    /// Keeps a type-erased value of the type `V`.
+    /// Keeps a type-erased value of type `V`.
     pub(super) fn of_type<V>(family: u64, value: &dyn Debug) -> Self {
         let kind = RustType::of::<V>();
-        // Unreadable output is kept as it is: the test then does not compile, and shows why.
+        // Output that cannot be parsed is kept as it is: the test then does not compile, and shows
+        // the output.
         let text = format!("{value:?}");
         let code = Drawn::read(&text).map_or(text, |drawn| source::expression(&drawn, &kind));
         Self { family, code: [kind.to_string(), code] }
     }
 
-    /// Returns a test of this case for `promoted_cases.rs`; it runs the check of this name.
+    /// Returns a test of this case for `promoted_cases.rs`, which runs the check with this name.
     #[must_use]
     pub fn as_test(&self, check: &str) -> String {
         let Self { family, code: [kind, value] } = self;

@@ -1,10 +1,10 @@
-//! `RustType`: a type, read from its name.
+//! `RustType`: a type, parsed from its name.
 
 use std::{any::type_name, fmt};
 
 use super::cursor::Cursor;
 
-/// A type as `type_name` prints it, without the paths.
+/// A type as `type_name` prints it, but without the paths.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum RustType {
     Tuple(Vec<RustType>),
@@ -19,7 +19,7 @@ impl RustType {
         read(&mut Cursor(type_name::<T>()))
     }
 
-    /// The rows and columns of a matrix of `nalgebra`.
+    /// Returns the numbers of rows and columns of a matrix of `nalgebra`.
     pub(super) fn shape(&self) -> Option<[&str; 2]> {
         match self {
             RustType::Named(name, arguments) if name == "Matrix" => {
@@ -29,7 +29,7 @@ impl RustType {
         }
     }
 
-    /// `N` of `Const<N>`.
+    /// Returns the `N` of `Const<N>`.
     fn number(&self) -> Option<&str> {
         match self {
             RustType::Named(name, arguments) if name == "Const" => match arguments.first()? {
@@ -41,7 +41,7 @@ impl RustType {
     }
 }
 
-/// As written in code with the names in scope.
+/// Writes the type as in code that has its names in scope.
 impl fmt::Display for RustType {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let joined = |types: &[RustType]| {
@@ -58,7 +58,7 @@ impl fmt::Display for RustType {
     }
 }
 
-/// Reads the name of a type; the compiler wrote it, so it is well-formed.
+/// Parses the name of a type. The compiler wrote the name, so it is well-formed.
 fn read(rest: &mut Cursor<'_>) -> RustType {
     let arguments = |rest: &mut Cursor<'_>, end| {
         rest.list(end, |rest| (!rest.0.is_empty()).then(|| read(rest))).unwrap_or_default()

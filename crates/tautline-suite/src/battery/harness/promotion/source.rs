@@ -1,10 +1,10 @@
-//! Values as Rust expressions, by the constructors of the types that the suite draws.
+//! Writes values as Rust expressions, using the constructors of the types that the suite draws.
 
 use std::collections::BTreeSet;
 
 use super::{drawn::Drawn, rust_type::RustType};
 
-/// Returns an expression of this type, with the [`names`] of its types in scope.
+/// Returns an expression of this type, which assumes that the [`names`] of its types are in scope.
 pub(super) fn expression(value: &Drawn, kind: &RustType) -> String {
     match (kind, value) {
         _ if kind.shape().is_some() => matrix(value),
@@ -32,13 +32,13 @@ fn joined(sources: impl Iterator<Item = String>) -> String {
     sources.collect::<Vec<_>>().join(", ")
 }
 
-/// The sorted paths of the types that occur in sources.
+/// Returns the sorted paths of the types that occur in the sources.
 pub(super) fn names(sources: &[&String]) -> Vec<String> {
     let mut paths = BTreeSet::new();
     for source in sources {
         let part_of_a_name = |c: char| c.is_alphanumeric() || c == '_' || c == ':';
         for path in source.split(|c: char| !part_of_a_name(c)) {
-            // Pace of Pace::Even, and nothing for f64::INFINITY.
+            // This is Pace for Pace::Even, and no type for f64::INFINITY.
             let name = path.split(':').next().unwrap_or_default();
             let is_a_type = name.starts_with(|c: char| c.is_ascii_uppercase());
             if is_a_type && !["Some", "None", "Vec"].contains(&name) {
@@ -49,7 +49,7 @@ pub(super) fn names(sources: &[&String]) -> Vec<String> {
     paths.into_iter().collect()
 }
 
-/// The module of a type.
+/// Returns the module of a type.
 fn home(name: &str) -> &'static str {
     match name {
         "NonZero" => "std::num",
@@ -62,7 +62,7 @@ fn home(name: &str) -> &'static str {
     }
 }
 
-/// A call of the constructor, for types with private fields; otherwise a literal.
+/// Writes a call of the constructor if the type has private fields, and otherwise a literal.
 fn constructed(value: &Drawn) -> String {
     let name = match value {
         Drawn::Struct(name, _) | Drawn::Tuple(name, _) => name.as_str(),
@@ -129,7 +129,7 @@ fn constructed(value: &Drawn) -> String {
     }
 }
 
-/// A struct whose fields are public.
+/// Writes a struct whose fields are public.
 fn literal(name: &str, value: &Drawn) -> String {
     match value {
         Drawn::Struct(_, fields) => {
@@ -168,7 +168,7 @@ fn kinked(value: &Drawn) -> String {
     )
 }
 
-/// A value without further knowledge of its type.
+/// Writes a value without knowing more about its type.
 fn plain(value: &Drawn) -> String {
     match value {
         Drawn::Word(word) => match word.as_str() {
@@ -187,7 +187,7 @@ fn plain(value: &Drawn) -> String {
     }
 }
 
-/// A matrix of `nalgebra`, which prints its columns.
+/// Writes a matrix of `nalgebra`; `Debug` prints its columns.
 fn matrix(value: &Drawn) -> String {
     match value.elements() {
         [_] => format!("SVector::from({})", coordinates(value)),
@@ -195,7 +195,7 @@ fn matrix(value: &Drawn) -> String {
     }
 }
 
-/// The coordinates of a vector, as an array.
+/// Writes the coordinates of a vector as an array.
 fn coordinates(value: &Drawn) -> String {
     match value.elements() {
         [column] => plain(column),
@@ -220,7 +220,8 @@ mod tests {
     use super::super::Case;
     use crate::arbitrary::{AnySetting, AnyTwoForms, Nonnegatives};
 
-    /// Compiles an expression of a type, and compares both with the printed case.
+    /// Compiles an expression of a type, and checks that the printed case has the same type and the
+    /// same expression.
     macro_rules! reads_as_it_is_written {
         ($($kind:ty = $expression:expr;)*) => {
             $({
@@ -232,7 +233,7 @@ mod tests {
         };
     }
 
-    /// Each line compiles as it stands, and is what a failure would print.
+    /// Each line compiles as written, and is what a failure would print.
     #[test]
     fn sources_compile_to_their_values() {
         reads_as_it_is_written! {

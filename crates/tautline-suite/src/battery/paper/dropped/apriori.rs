@@ -1,4 +1,4 @@
-//! Propositions 7.10 to 7.12, `K_{1,g}` and `K_{2,g}` without a hypothesis.
+//! Propositions 7.10 to 7.12, `K_{1,g}` and `K_{2,g}`, each without one of its hypotheses.
 
 use std::f64::consts::TAU;
 
@@ -29,20 +29,21 @@ pub(crate) const CHECKS: &[Check] = &[
     Dropped.check("prop_7_12_fails_without_its_hypotheses", &[Proposition7_12], dropped_minimality),
 ];
 
-/// The incline `H = foot + x` with constants that are only claimed.
+/// Returns the incline `H = foot + x` with constants that are only claimed.
 fn incline(foot: f64, [c1, c2, l_h]: [f64; 3]) -> WithConstants<Incline> {
     let metric = Incline::new(foot, 1.0).expect("positive");
     WithConstants { metric, constants: Constants::new(c1, c2, l_h).expect("in order") }
 }
 
-/// `H = I` with a claimed `c₁`, and `L_H = 0`.
+/// Returns the metric `H = I` with a claimed `c₁` and with `L_H = 0`.
 fn flat<const D: usize>(c1: f64) -> WithConstants<Constant<D>> {
     let metric = Constant::new(SMatrix::identity()).expect("positive definite");
     WithConstants { metric, constants: Constants::new(c1, c1.max(2.0), 0.0).expect("in order") }
 }
 
-/// Derivatives of 1 where `L_H = ¼` is claimed, and `Γ = 1/2H` above `3/2c₁` where 9 times the true
-/// `c₁` is claimed. Derivatives need `L_H` alone, and `Γ` does not need `c₂`.
+/// The derivative is 1 where `L_H = ¼` is claimed, and `Γ = 1/2H` exceeds `3/2c₁` where 9 times the
+/// true `c₁` is claimed. The bound on derivatives needs only `L_H`, and the bound on `Γ` does not
+/// need `c₂`.
 fn false_constants(_: &Trial<'_>) -> Outcome {
     let origin = SVector::from([0.0]);
     let derivatives = |foot, constants| {
@@ -61,15 +62,16 @@ fn false_constants(_: &Trial<'_>) -> Outcome {
     ])
 }
 
-/// A circle once round at speed 1: it bends, and is no geodesic of the plane.
+/// Returns a full circle run through at speed 1. It is curved, so it is no geodesic of the plane.
 fn circle() -> SmoothCurve<2> {
     let r = 1.0 / TAU;
     let [cos, sin] = [[r, 0.0], [0.0, r]].map(SVector::from);
     SmoothCurve::new(Vec::new(), vec![[SVector::zeros(); 2], [cos, sin]])
 }
 
-/// A line of length 1 with `d = ½` claimed, or `c₁ = 4`. The bound follows from the speed alone, so
-/// a circle will do for a geodesic; `L_H` and `c₂` do not occur in it.
+/// The counterexample is a line of length 1 for which `d = ½` or `c₁ = 4` is claimed. The bound
+/// follows from the speed alone, so that a circle can replace the geodesic. `L_H` and `c₂` do not
+/// occur in the bound.
 fn speed(_: &Trial<'_>) -> Outcome {
     let line = SmoothCurve::straight([0.0], [1.0]);
     let short = InclineGeodesic::new(1.0, 1.0, 0.5)?;
@@ -83,10 +85,10 @@ fn speed(_: &Trial<'_>) -> Outcome {
     ])
 }
 
-/// A short geodesic up an incline, where `|γ̈|` is nearly `L_H d²/2c₁²`, a third of `K_{2,g}`. With
-/// half of `d` the bound falls to a quarter, with four times `c₁` to a sixteenth, with a hundredth
-/// of `L_H` to a hundredth. And a circle, where `H` is constant and `K_{2,g} = 0`. `c₂` does not
-/// occur.
+/// On a short geodesic up an incline, `|γ̈|` is nearly `L_H d²/2c₁²`, which is a third of
+/// `K_{2,g}`. Half of `d` lowers the bound to a quarter, four times `c₁` lowers it to a sixteenth,
+/// and a hundredth of `L_H` lowers it to a hundredth. The other counterexample is a circle, where
+/// `H` is constant and `K_{2,g} = 0`. `c₂` does not occur in the bound.
 fn bend(_: &Trial<'_>) -> Outcome {
     let short = InclineGeodesic::new(1.0, 1.0, 2e-3)?;
     let of = |constants, part: f64| {
@@ -101,8 +103,9 @@ fn bend(_: &Trial<'_>) -> Outcome {
     ])
 }
 
-/// Without minimality: a wave is longer than the straight line, and bends. With a false `c₁` or
-/// `L_H`: minimal geodesics go faster, and bend more, than these allow. `c₂` is not needed.
+/// Minimality is dropped by a wave, which is longer than the straight line and has `γ̈ ≠ 0`. With a
+/// false `c₁` or `L_H`, minimal geodesics are faster and bend more than these constants allow. `c₂`
+/// is not needed.
 fn dropped_minimality(_: &Trial<'_>) -> Outcome {
     let wave = SmoothCurve::new(
         vec![SVector::from([0.0]), SVector::from([1.0])],

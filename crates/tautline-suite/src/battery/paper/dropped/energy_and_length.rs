@@ -1,4 +1,4 @@
-//! Propositions 6.1 to 6.3 and 9.1 without a hypothesis.
+//! Propositions 6.1 to 6.3 and 9.1, each without one of its hypotheses.
 
 use nalgebra::{SMatrix, SVector};
 use tautline::{
@@ -53,7 +53,7 @@ pub(crate) const CHECKS: &[Check] = &[
     Dropped.check("prop_9_1_holds_for_curves_that_join_nothing", P91, joins_nothing),
 ];
 
-/// A geodesic that stops after nine tenths of the way: `L² = E = 0.81 d²`.
+/// The geodesic stops after nine tenths of the way, so that `L² = E = 0.81 d²`.
 fn stops_short(_: &Trial<'_>) -> Outcome {
     let (known, geodesic) = sheared();
     let velocity = known.metric.logarithm(&[0.0, 0.0].into(), &[2.0, 3.0].into());
@@ -68,8 +68,8 @@ fn stops_short(_: &Trial<'_>) -> Outcome {
     ])
 }
 
-/// A minimal geodesic, run through as `t²`: `E = 4d²/3`; it has the least length, but is no
-/// geodesic.
+/// A minimal geodesic parametrised by `t²` has `E = 4d²/3`. It has the least length, but it is not
+/// a geodesic.
 fn runs_late(_: &Trial<'_>) -> Outcome {
     let (known, geodesic) = sheared();
     let clock = Clock::plain(Pace::Accelerating);
@@ -78,11 +78,13 @@ fn runs_late(_: &Trial<'_>) -> Outcome {
     fails_without(&["E(γ) ≤ d²"], evidence)
 }
 
-/// From a segment along `(1, −1)` to the point `(3, 3)` in the plane, with `d = √20`, the distance
-/// of the segment's ends: the curve from its middle is `√18` long. Between sets `d` has to be the
-/// distance of the sets, as in Proposition 6.3.
+/// The problem leads from a segment along `(1, −1)` to the point `(3, 3)` in the plane. With
+/// `d = √20`, the distance from the ends of the segment, the curve from its middle has length
+/// `√18`, which is less. Between sets, `d` has to be the distance of the sets, as in Proposition
+/// 6.3.
 ///
-/// Projections of points on the axes detect a segment, however short and far from the origin.
+/// Projections of points on the axes detect a segment, however short it is and however far from the
+/// origin it lies.
 fn segments(_: &Trial<'_>) -> Outcome {
     let metric = Constant::<2>::new(SMatrix::identity())?;
     for ([a, b], from, to) in [
@@ -101,7 +103,8 @@ fn segments(_: &Trial<'_>) -> Outcome {
     Ok(Default::default())
 }
 
-/// Curves round the missing point: the wider the detour, the shorter, and none is shortest.
+/// The wider the detour of a curve round the missing point, the shorter the curve is, and none is
+/// shortest.
 fn not_attained(_: &Trial<'_>) -> Outcome {
     let mut longer = f64::INFINITY;
     for r in [10.0, 100.0, 1000.0] {
@@ -119,7 +122,7 @@ fn not_attained(_: &Trial<'_>) -> Outcome {
     Ok(Default::default())
 }
 
-/// A pair of points of two sets in the plane; `distance` is the infimum over all pairs.
+/// Makes a pair of points of two sets in the plane; `distance` is the infimum over all pairs.
 fn pair(
     sets: [&dyn ClosedSet<2>; 2],
     points: [[f64; 2]; 2],
@@ -132,8 +135,8 @@ fn pair(
     Ok(NearestPair::between(&LIBRARY, &metric, sets, points, lengths, (way_out, 0.0))?)
 }
 
-/// `X⁽⁰⁾ = {x₂ ≤ 0}` and `X⁽¹⁾ = {x₂ ≥ exp(−x₁)}` in the plane: `(t, 0)` and `(t, e⁻ᵗ)` come
-/// arbitrarily close, and no pair has distance 0.
+/// For `X⁽⁰⁾ = {x₂ ≤ 0}` and `X⁽¹⁾ = {x₂ ≥ exp(−x₁)}` in the plane, `(t, 0)` and `(t, e⁻ᵗ)` come
+/// arbitrarily close, but no pair has distance 0.
 fn both_unbounded(_: &Trial<'_>) -> Outcome {
     let floor = HalfSpace::new([0.0, 1.0], 0.0)?;
     let sets: [&dyn ClosedSet<2>; 2] = [&floor, &AboveExponential];
@@ -141,9 +144,9 @@ fn both_unbounded(_: &Trial<'_>) -> Outcome {
     all(pairs.map(|pair| fails_without(&["one of the sets is bounded"], prop_6_2(&pair?, 1.0))))
 }
 
-/// On the sphere, from `X⁽⁰⁾ = {(−3, 0)}` to `X⁽¹⁾ = {x₁ ≥ 0}`, a closed hemisphere without the
-/// missing point on its boundary, which would be nearest, at `π − 2 arctan 3`. Points `(t, 0)` with
-/// `t ≥ ⅓` are farther by `2 arctan 1/t`.
+/// On the sphere, consider `X⁽⁰⁾ = {(−3, 0)}` and `X⁽¹⁾ = {x₁ ≥ 0}`. `X⁽¹⁾` is a closed hemisphere
+/// without the missing point on its boundary, which would be the nearest point, at distance
+/// `π − 2 arctan 3`. Points `(t, 0)` with `t ≥ ⅓` are farther away by `2 arctan 1/t`.
 fn nearest_at_the_missing_point(_: &Trial<'_>) -> Outcome {
     let from = SVector::from([-3.0, 0.0]);
     let nearest = Sphere.normal_radius(&from);
@@ -169,8 +172,8 @@ fn nearest_at_the_missing_point(_: &Trial<'_>) -> Outcome {
     }))
 }
 
-/// The half-plane `{x₁ > 1}`, which is not closed: points outside have no nearest point in it, and
-/// `project` names another one.
+/// The half-plane `{x₁ > 1}` is not closed. Points outside it have no nearest point in it, and
+/// `project` returns another point of it.
 #[derive(Debug)]
 struct OpenHalfPlane;
 
@@ -188,8 +191,8 @@ impl ClosedSet<2> for OpenHalfPlane {
     }
 }
 
-/// From the origin to the open half-plane `{x₁ > 1}` no pair has distance 1. And a pair that does
-/// not begin in the set may be arbitrarily far apart.
+/// No pair of the origin and a point of the open half-plane `{x₁ > 1}` has distance 1. A pair whose
+/// first point is not in its set may be arbitrarily far apart.
 fn open_or_outside(_: &Trial<'_>) -> Outcome {
     let origin = Point::new([0.0, 0.0])?;
     let closed = HalfSpace::at_least([1.0, 0.0], 1.0)?;
@@ -201,7 +204,7 @@ fn open_or_outside(_: &Trial<'_>) -> Outcome {
     fails_without(&["x ∈ X⁽⁰⁾"], prop_6_2(&elsewhere, 1.0))
 }
 
-/// From a ball to a half-plane: the straight line from a point outside the ball is shorter.
+/// From a ball to a half-plane, a straight line that starts outside the ball is shorter.
 fn outside(_: &Trial<'_>) -> Outcome {
     let metric = Constant::new(SMatrix::identity())?;
     let ends = Ends::new(Ball::new([0.0, 0.0], 1.0)?, HalfSpace::at_least([1.0, 0.0], 3.0)?)?;
@@ -211,11 +214,12 @@ fn outside(_: &Trial<'_>) -> Outcome {
     fails_without(&[ENDS], prop_6_3(&LIBRARY, &known, &seen))
 }
 
-/// On the line with `H = 1`, from 0 to 1, with `γ = t`.
+/// The problem leads from 0 to 1 on the line with `H = 1`, and `γ = t`.
 ///
-/// `γ* = t²/2` stops half-way, with `E(γ*) = 1/3`: `1 − 1/4 ≤ 1 − 1/3` is false. And one that turns
-/// back at `¾` and again at `¼` has `L(γ*) = 2` and `E(γ*) = 33/8`: `1 − 4 ≤ 1 − 33/8` is false.
-/// `E(γ*) ≤ d²` implies `L(γ*) ≤ d` for curves that join the sets, so both clauses fall.
+/// `γ* = t²/2` stops half-way and has `E(γ*) = 1/3`, so that `1 − 1/4 ≤ 1 − 1/3` is false. A curve
+/// that turns back at `¾` and again at `¼` has `L(γ*) = 2` and `E(γ*) = 33/8`, so that
+/// `1 − 4 ≤ 1 − 33/8` is false. For curves that join the sets, `E(γ*) ≤ d²` implies `L(γ*) ≤ d`, so
+/// both clauses fail.
 fn other_minimisers(_: &Trial<'_>) -> Outcome {
     let (known, on_time, _) = late()?;
     let half = SmoothCurve::polynomial([0.0, 0.0, 0.5].map(|x| SVector::from([x])));
@@ -229,7 +233,8 @@ fn other_minimisers(_: &Trial<'_>) -> Outcome {
     ])
 }
 
-/// For a minimiser the proposition says `L(γ)² ≤ E(γ)`, which needs no ends.
+/// If `γ*` is a minimiser, the proposition states `L(γ)² ≤ E(γ)`, which does not depend on the
+/// ends.
 fn joins_nothing(_: &Trial<'_>) -> Outcome {
     let (known, minimiser, _) = late()?;
     let uneven = SmoothCurve::polynomial([3.0, 0.0, 0.5].map(|x| SVector::from([x])));

@@ -1,4 +1,4 @@
-//! Statements without one of their hypotheses: they fail, or the hypothesis is not needed.
+//! Statements without one of their hypotheses: either they fail, or the hypothesis is not needed.
 
 pub(crate) mod apriori;
 pub(crate) mod energy_and_length;

@@ -1,4 +1,4 @@
-//! The answer to Remark 9.2 without a hypothesis.
+//! The answer to Remark 9.2, each time without one of its hypotheses.
 
 use nalgebra::SVector;
 use tautline::{Constants, PointSequence};
@@ -32,8 +32,8 @@ pub(crate) const CHECKS: &[Check] = &[
     Dropped.check("remark_9_2_holds_for_points_that_are_not_stationary", R92, not_stationary),
 ];
 
-/// A washboard of slope ½ with `L_H = 10⁻³` claimed: `E(γᵖˡ) − d² = 1/32π` up to a thousandth, far
-/// above what that allows.
+/// The washboard has slope ½, but `L_H = 10⁻³` is claimed. `E(γᵖˡ) − d²` is `1/32π` to within a
+/// thousandth, far above the bound for the claimed `L_H`.
 fn understated_l_h(_: &Trial<'_>) -> Outcome {
     let (_, known) = washboard(8, 0.5)?;
     let known = claiming(known, Constants::new(1.0, 2.0, 1e-3)?);
@@ -41,8 +41,8 @@ fn understated_l_h(_: &Trial<'_>) -> Outcome {
     fails_without(&[LIPSCHITZ], remark_9_2(&LIBRARY, &seen))
 }
 
-/// With `c₁ = 100` a route that seems cheap could exceed `d²` by `10⁻⁴` at most, but does so by
-/// 0.02. With `c₂ = c₁` no discrete minimum could be above `d²`, but on a ridge it is.
+/// With `c₁ = 100`, a route that seems cheap could exceed `d²` by at most `10⁻⁴`, but it exceeds
+/// `d²` by 0.02. With `c₂ = c₁`, no discrete minimum could be above `d²`, but on a ridge it is.
 fn false_bounds(_: &Trial<'_>) -> Outcome {
     for (rule, first) in PaperRule::BOTH.into_iter().zip([ridge(1.0), downwards(1.0)]) {
         let cheap = cheap_second_route(rule, [100.0, 100.0, 0.1])?;
@@ -53,14 +53,14 @@ fn false_bounds(_: &Trial<'_>) -> Outcome {
     Ok(Default::default())
 }
 
-/// `E − d² = 0.226`, where `d² (e − 1)` is `0.1 d³/2N` or less.
+/// `E − d² = 0.226`, while `d² (e − 1)` is at most `0.1 d³/2N`.
 fn other_ends(_: &Trial<'_>) -> Outcome {
     for_rules([16], |rule, n| {
         fails_without(&[ENDS], remark_9_2(&LIBRARY, &beyond_the_end(rule, n)?))
     })
 }
 
-/// Another way from set to set, a local minimiser with `E_N = E = 4` where `d² e = 1`.
+/// The sequence is another local minimiser from set to set. It has `E_N = E = 4`, while `d² e = 1`.
 fn not_global(_: &Trial<'_>) -> Outcome {
     for_rules([8], |rule, n| {
         let (_, seen) = longer_way(rule, n)?;
@@ -68,8 +68,9 @@ fn not_global(_: &Trial<'_>) -> Outcome {
     })
 }
 
-/// The minimiser between two points under a shear, its inner points moved as far as `E_N ≤ d² e`
-/// allows, up to a factor of two: `ρ` is far from 0, and the conclusions still hold.
+/// The inner points of the minimiser between two points under a shear are moved as far as
+/// `E_N ≤ d² e` allows, up to a factor of two. Then `ρ` is far from 0, and the conclusions still
+/// hold.
 fn not_stationary(_: &Trial<'_>) -> Outcome {
     let (known, _) = sheared();
     for_rules([2, 3, 5, 16], |rule, n| {

@@ -1,8 +1,8 @@
-//! Theorems 1.1 to 1.4 and their constants without a hypothesis.
+//! Theorems 1.1 to 1.4 and their constants, each without one of its hypotheses.
 //!
-//! `c₂` is not needed: the answer to Remark 9.2 bounds all gaps by `c₁`, `L_H` and `d`. Nor need
-//! the minimiser belong to the theorem's own rule. A bounded set is needed only for the existence
-//! of a minimiser (Proposition 7.1).
+//! `c₂` is not needed, since the answer to Remark 9.2 bounds all gaps in terms of `c₁`, `L_H` and
+//! `d`. It is not needed either that the minimiser belongs to the theorem's own rule. A bounded set
+//! is needed only for the existence of a minimiser (Proposition 7.1).
 
 use tautline::{PointSequence, Trapezoidal};
 use tautline_statements::{
@@ -59,9 +59,10 @@ pub(crate) const CHECKS: &[Check] = &[
     ),
 ];
 
-/// With `L_H = 10⁻⁴` claimed, `C` is about 0.001. The premise of `K̄` implies its claim, so it has
-/// to fail as well: on a second route of slope 0.01 the rule reads `c₁K₃² = l²` between `d²` and
-/// what it reads on the first, 1.025 and 1.05 on a ridge, 1.05 and 1.1 on an incline.
+/// With `L_H = 10⁻⁴` claimed, `C` is about 0.001. The claim on `K̄` follows from its premise, so
+/// the premise has to fail as well. On a second route of slope 0.01 the rule therefore gives a
+/// `c₁K₃² = l²` between `d²` and its value on the first route. `d²` and this value are 1.025 and
+/// 1.05 on a ridge, 1.05 and 1.1 on an incline.
 fn understated_l_h(_: &Trial<'_>) -> Outcome {
     let constants = [1.0, 1.25, 1e-4];
     for (rule, first, second) in [
@@ -78,7 +79,7 @@ fn understated_l_h(_: &Trial<'_>) -> Outcome {
     Ok(Default::default())
 }
 
-/// With `c₁ = 100`, `δ = 10⁻⁴` and `C` is less than 0.002; and `c₁K₃²` is 100.
+/// With `c₁ = 100`, `δ = 10⁻⁴` and `C` is less than 0.002, while `c₁K₃²` is 100.
 fn overstated_c1(_: &Trial<'_>) -> Outcome {
     for_rules([1], |rule, _| {
         let seen = cheap_second_route(rule, [100.0, 100.0, 0.1])?;
@@ -86,7 +87,7 @@ fn overstated_c1(_: &Trial<'_>) -> Outcome {
     })
 }
 
-/// With `κ = 1` where `H` is 1.05 and 1.1, on the routes that come nearest to equality.
+/// `κ = 1` is claimed where `H` reaches 1.05 and 1.1, on the routes that come closest to equality.
 fn understated_c2(_: &Trial<'_>) -> Outcome {
     for_rules([1], |rule, _| {
         let seen = claimed(rule, misleading(rule).map(steep), [1.0, 1.0, 0.1])?;
@@ -101,8 +102,8 @@ fn not_global(_: &Trial<'_>) -> Outcome {
     })
 }
 
-/// For `N = 256`, `C/√N` is less than 0.1, and `C_tra♯` in the premise more than 1. The claim on
-/// `K̄` follows from that.
+/// For `N = 256`, `C/√N` is less than 0.1, while `C_tra♯` in the premise is more than 1. The claim
+/// on `K̄` follows from the premise.
 fn other_ends(_: &Trial<'_>) -> Outcome {
     for_rules([256], |rule, n| {
         let seen = beyond_the_end(rule, n)?;
@@ -113,7 +114,7 @@ fn other_ends(_: &Trial<'_>) -> Outcome {
 }
 
 /// For the minimisers of either rule, the answer to Remark 9.2 with `k = ½` bounds all gaps. For
-/// `N = 1` they are `½ d² δ (1 + O(δ))` each, far below both `C`.
+/// `N = 1` each gap is `½ d² δ (1 + O(δ))`, which is far below both constants `C`.
 fn other_rule(_: &Trial<'_>) -> Outcome {
     let theorems: [fn(&Subject, &Reconstruction<1>) -> Evidence; 4] =
         [theorem_1_1, theorem_1_2, theorem_1_3, theorem_1_4];
@@ -131,18 +132,20 @@ fn other_rule(_: &Trial<'_>) -> Outcome {
     }))
 }
 
-/// For every `N`, one step over the tent `H = 1 + L|x − ½|`, read at its tip, has discrete length
-/// 1, the least for a sequence from 0 to 1; for the left rule so has one step up an incline. The
-/// discrete energies are `N`, those of the curves `N (1 + L/4)` and `N (1 + L/2)`: nothing
-/// converges.
+/// For every `N`, one step over the tent `H = 1 + L|x − ½|`, evaluated at its tip, has discrete
+/// length 1, which is the minimum over sequences from 0 to 1. For the left rule one step up an
+/// incline has this length too. The discrete energies are `N`, while the energies of the curves are
+/// `N (1 + L/4)` and `N (1 + L/2)`, so that nothing converges.
 ///
-/// Theorems 1.2 and 1.4 are silent here: on the line every monotone curve has the length `d`.
+/// Theorems 1.2 and 1.4 do not fail here, since on the line every monotone curve has the length
+/// `d`.
 fn length_minimiser(_: &Trial<'_>) -> Outcome {
     let (n, slope) = (16, 1e-2);
     let tent = tent(1.0, slope).expect("positive");
     let sequence = one_step(n, n / 2);
     let length = LIBRARY.discrete_length(Trapezoidal, &tent, &sequence);
-    // The tip is rounded off over 10⁻¹², which adds as much times the slope to H.
+    // The tip is rounded off over a width of 10⁻¹², which increases H by this width times the
+    // slope.
     close("the discrete length", length, 1.0, 1e-12 * slope)?;
     let incline = Incline::new(1.0, slope).expect("positive");
     let tent = Known::between(tent, [0.0], [1.0])?.expect("known");
@@ -153,7 +156,7 @@ fn length_minimiser(_: &Trial<'_>) -> Outcome {
     ])
 }
 
-/// Theorem 1.1 or 1.3 fails for this sequence, which is no minimiser.
+/// Requires that Theorem 1.1 or 1.3 fails for this sequence, which is not a minimiser.
 fn fails_for<M: tautline::Bounded<1>>(
     known: &Known<M, 1>,
     rule: PaperRule,

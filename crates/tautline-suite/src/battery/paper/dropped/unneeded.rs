@@ -1,8 +1,8 @@
 //! Hypotheses on `H` that Propositions 7.6, 7.7, 7.9, 8.1 and 8.2 do not need.
 //!
-//! `c₁` and `c₂` do not occur in the bounds of 7.9, 8.1 and 8.2, nor in their proofs, which compare
-//! `H` at two points of a chord. `C_tra(N)` has no `c₁`, and by Jensen's inequality its terms with
-//! `c₂` are not needed for the bound from above, Proposition 7.7.
+//! `c₁` and `c₂` do not occur in the bounds of Propositions 7.9, 8.1 and 8.2, nor in their proofs,
+//! which compare `H` at two points of a chord. `C_tra(N)` does not contain `c₁`. By Jensen's
+//! inequality, its terms with `c₂` are not needed for the upper bound, Proposition 7.7.
 
 use std::num::NonZeroUsize;
 
@@ -32,7 +32,7 @@ pub(crate) const CHECKS: &[Check] = &[
     Dropped.check("props_7_9_8_1_and_8_2_need_neither_c1_nor_c2", SEQUENCES, sequences),
 ];
 
-/// `H = 1 + x` with other bounds claimed for it: above 2, and below 1.
+/// Returns `H = 1 + x` twice: with claimed bounds above 2, and with claimed bounds below 1.
 fn inclines() -> Result<[(&'static str, WithConstants<Incline>); 2], VerifyError> {
     let metric = Incline::new(1.0, 1.0).expect("positive");
     let claimed = |c1, c2| -> Result<_, VerifyError> {
@@ -41,7 +41,8 @@ fn inclines() -> Result<[(&'static str, WithConstants<Incline>); 2], VerifyError
     Ok([(BELOW, claimed(3.0, 4.0)?), (ABOVE, claimed(0.25, 0.5)?)])
 }
 
-/// One step up the incline, and back in three: as in the witnesses, with small numbers.
+/// The sequence takes one step up the incline and three steps back, as in the witnesses, with small
+/// numbers.
 fn sequences(_: &Trial<'_>) -> Outcome {
     let points = [[0.0], [1.0], [0.8], [0.3], [0.0]].map(Into::into).to_vec();
     let sequence = PointSequence::new(points)?;
@@ -52,7 +53,7 @@ fn sequences(_: &Trial<'_>) -> Outcome {
     Ok(Default::default())
 }
 
-/// The straight line up the incline, and the one that goes as `t²`.
+/// The curves are the straight line up the incline and the same line parametrised by `t²`.
 fn curves(_: &Trial<'_>) -> Outcome {
     let line = SmoothCurve::straight([0.0], [1.0]);
     let late = SmoothCurve::polynomial([0.0, 0.0, 1.0].map(|x| [x].into()));

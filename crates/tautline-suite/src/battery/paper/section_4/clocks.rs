@@ -1,4 +1,4 @@
-//! Propositions 4.1 and 4.2: minimal curves are minimal geodesics run through by a clock.
+//! Propositions 4.1 and 4.2: minimal curves are minimal geodesics reparametrised by a clock.
 
 use std::f64::consts::TAU;
 
@@ -62,7 +62,7 @@ pub(crate) const CHECKS: &[Check] = &[
     Dropped.check("prop_4_1_holds_for_points_that_are_not_near", &[Proposition4_1], far_apart),
 ];
 
-/// Both propositions for the known geodesic between two points.
+/// Evaluates both propositions for the known geodesic between two points.
 fn both<M: KnownGeodesics<D>, const D: usize>(
     subject: &Subject,
     metric: &M,
@@ -92,7 +92,8 @@ fn clocks(trial: &Trial<'_>) -> Outcome {
             (4107, (in_hyperbolic_space::<2>(), clock())),
         ],
         |subject, ((metric, ends), clock)| {
-            // On the sphere not all pairs are near: the second evidence is for all of them.
+            // On the sphere not all pairs of points are near; the second evidence covers all of
+            // them.
             let [local, global] = both(subject, &metric, ends, &clock)?;
             let near = local.hypotheses[0].holds();
             Ok([global].into_iter().chain(near.then_some(local)))
@@ -100,8 +101,8 @@ fn clocks(trial: &Trial<'_>) -> Outcome {
     )
 }
 
-/// Segments on rays of radial metrics, along the valleys and on the line are shortest curves; their
-/// clocks have nothing to do with the metric.
+/// Segments on rays of radial metrics, along the valleys and on the line are shortest curves, and
+/// their parametrisation does not depend on the metric.
 fn minimal_segments(trial: &Trial<'_>) -> Outcome {
     for_all!(
         trial,
@@ -121,14 +122,15 @@ fn minimal_segments(trial: &Trial<'_>) -> Outcome {
     )
 }
 
-/// `φ = ½` from `⅓` to `⅔`: a minimal curve, at rest for a third of the time.
+/// The clock has `φ = ½` from `⅓` to `⅔`, so that the curve is minimal, but at rest for a third of
+/// the time.
 fn refuted_by_a_pause(_: &Trial<'_>) -> Outcome {
     let (known, geodesic) = sheared();
     let evidence = prop_4_2_read_strictly(&known, &geodesic, &Clock::pausing());
     refuted(&evidence, "γ never pauses", [1.0 / 3.0, 0.0])
 }
 
-/// From a point to itself: a constant curve, and any clock.
+/// From a point to itself the curve is constant, and any clock is admissible.
 fn points_alone(trial: &Trial<'_>) -> Outcome {
     trial.for_all(4140, 64, (shear(), vector(2.5), clock()), |subject, (metric, a, clock)| {
         let known = Known::joined(&metric, [a, a])?.expect("known");
@@ -138,7 +140,7 @@ fn points_alone(trial: &Trial<'_>) -> Outcome {
     })
 }
 
-/// To `¾`, back to `¼` and on: the length is `d ∫|φ′| = 2d`.
+/// The clock runs to `¾`, back to `¼` and on to 1, so that the length is `d ∫|φ′| = 2d`.
 fn dropped_monotone(_: &Trial<'_>) -> Outcome {
     let (known, geodesic) = sheared();
     let clock = Clock::turning_back();
@@ -148,7 +150,8 @@ fn dropped_monotone(_: &Trial<'_>) -> Outcome {
     both_fail_without("∫|φ′| ≤ 1", &known, &geodesic, &clock)
 }
 
-/// Along the equator from angle 0 to angle 1 the long way round: a geodesic of length `2π − 1`.
+/// The geodesic runs along the equator from angle 0 to angle 1 the long way round, and its length
+/// is `2π − 1`.
 fn dropped_minimal(_: &Trial<'_>) -> Outcome {
     let angle = 1.0_f64;
     let ends = [[1.0, 0.0].into(), [angle.cos(), angle.sin()].into()];
@@ -158,7 +161,7 @@ fn dropped_minimal(_: &Trial<'_>) -> Outcome {
     both_fail_without("L(γ**) ≤ d", &known, &geodesic, &Clock::plain(Pace::Even))
 }
 
-/// The straight segment under a shear is longer than the geodesic, and elsewhere.
+/// Under a shear the straight segment is longer than the geodesic, and a different curve.
 fn detour(_: &Trial<'_>) -> Outcome {
     let (known, geodesic) = sheared();
     let [a, b] = ends(&known);
@@ -166,7 +169,8 @@ fn detour(_: &Trial<'_>) -> Outcome {
     fails_without(&["L(γ) ≤ d"], prop_4_2_converse(&LIBRARY, &known, &segment, &geodesic))
 }
 
-/// Both propositions for a curve `γ**` between the ends of a problem, without a clause.
+/// Both propositions must fail for a curve `γ**` between the ends of a problem if this clause is
+/// dropped.
 fn both_fail_without<M: KnownGeodesics<2>>(
     clause: &str,
     known: &Known<M, 2>,
@@ -180,8 +184,8 @@ fn both_fail_without<M: KnownGeodesics<2>>(
     ])
 }
 
-/// The geodesic that stops after nine tenths of the way, so that its length up to `t` is
-/// `0.9 d φ(t)`. And a segment elsewhere, which is no reparametrised geodesic.
+/// One geodesic stops after nine tenths of the way, so that its length up to `t` is `0.9 d φ(t)`.
+/// The other curve is a segment that does not join the ends and is no reparametrised geodesic.
 fn dropped_ends(_: &Trial<'_>) -> Outcome {
     let (known, geodesic) = sheared();
     let velocity = geodesic.motion(0.0).velocity;
@@ -194,8 +198,8 @@ fn dropped_ends(_: &Trial<'_>) -> Outcome {
     ])
 }
 
-/// A minimal curve of uneven speed in place of `γ**`: in half of its time it covers a quarter of
-/// its length.
+/// `γ**` is replaced by a minimal curve of uneven speed, which covers a quarter of its length in
+/// half of its time.
 fn dropped_equation(_: &Trial<'_>) -> Outcome {
     let (known, geodesic) = sheared();
     let late = Clock::plain(Pace::Accelerating);
@@ -204,8 +208,8 @@ fn dropped_equation(_: &Trial<'_>) -> Outcome {
     both_fail_without("γ̈** = −Γ", &known, &uneven, &halves)
 }
 
-/// The second point need not lie in a normal neighbourhood of the first: Proposition 4.2 does
-/// without that.
+/// The second point need not lie in a normal neighbourhood of the first, since Proposition 4.2 does
+/// not assume this.
 fn far_apart(_: &Trial<'_>) -> Outcome {
     let (known, geodesic) = sheared();
     let local = prop_4_1(&LIBRARY, &known, &geodesic, &Clock::pausing(), 0.5 * known.distance);

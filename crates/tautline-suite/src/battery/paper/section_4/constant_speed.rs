@@ -48,7 +48,7 @@ pub(crate) const CHECKS: &[Check] = &[
     Dropped.check("lemma_4_4_fails_for_an_arc_that_stops_half_way", L44, dropped_ends),
 ];
 
-/// Lemma 4.4 for the segment between two points, at constant speed.
+/// Evaluates Lemma 4.4 for the segment between two points, at constant speed.
 fn segment<M: Metric<D>, const D: usize>(
     subject: &Subject,
     known: &Known<M, D>,
@@ -56,7 +56,7 @@ fn segment<M: Metric<D>, const D: usize>(
     Ok(lemma_4_4(subject, known, &EvenSegment::new(&known.metric, ends(known)))?)
 }
 
-/// Lemma 4.4 for the known geodesic between two points.
+/// Evaluates Lemma 4.4 for the known geodesic between two points.
 fn geodesic<M: KnownGeodesics<D>, const D: usize>(
     subject: &Subject,
     metric: &M,
@@ -66,11 +66,12 @@ fn geodesic<M: KnownGeodesics<D>, const D: usize>(
     Ok(lemma_4_4(subject, &known, &Geodesic::between(metric, ends))?)
 }
 
-/// Two equal sizes: two inequalities of overestimation 1 wherever there is something to see.
+/// The lemma states that two quantities are equal, so both inequalities have overestimation 1
+/// wherever the quantities are not 0.
 fn attained(trial: &Trial<'_>) -> Outcome {
     let bent = Cell::new(0);
     let tally = trial.for_all(4430, 64, points(ramp()), |subject, known| {
-        // The acceleration may vanish to rounding where the ramp is flat.
+        // Where the ramp is flat, the acceleration may be zero up to rounding.
         let evidence = segment(subject, &known)?;
         if !evidence.overestimation().is_finite() {
             return Ok([evidence]);
@@ -106,7 +107,7 @@ fn even_curves(trial: &Trial<'_>) -> Outcome {
     all([segments, geodesics])
 }
 
-/// The minimal geodesic of a shear, run through as `t²`.
+/// The curve is the minimal geodesic of a shear, parametrised by `t²`.
 fn dropped_speed(_: &Trial<'_>) -> Outcome {
     let (known, geodesic) = sheared();
     let clock = Clock::plain(Pace::Accelerating);
@@ -115,8 +116,8 @@ fn dropped_speed(_: &Trial<'_>) -> Outcome {
     fails_without(&["speed is constant"], evidence)
 }
 
-/// An arc of this angle of the circle of radius `½` about the origin, from `(½, 0)` on; on the
-/// sphere part of a circle of latitude.
+/// An arc of this angle on the circle of radius `½` about the origin, starting at `(½, 0)`. On the
+/// sphere it is part of a circle of latitude.
 struct Arc(f64);
 
 impl Curve<2> for Arc {
@@ -129,12 +130,13 @@ impl Curve<2> for Arc {
     }
 }
 
-/// A quarter of the circle joins `(½, 0)` and `(0, ½)`, but is too long.
+/// A quarter of the circle joins `(½, 0)` and `(0, ½)`, but is longer than `d`.
 fn dropped_least_length(_: &Trial<'_>) -> Outcome {
     arc_fails_without("L(γ) ≤ d", Sphere, FRAC_PI_2)
 }
 
-/// An eighth of it is shorter than `d`, and ends half-way: `π/8 < 1/√2` in the plane.
+/// An eighth of the circle is shorter than `d`, since `π/8 < 1/√2` in the plane, but it stops
+/// half-way.
 fn dropped_ends(_: &Trial<'_>) -> Outcome {
     let plane = Constant::new(SMatrix::identity()).expect("positive definite");
     let clause = "γ joins the points";
@@ -144,7 +146,7 @@ fn dropped_ends(_: &Trial<'_>) -> Outcome {
     ])
 }
 
-/// Lemma 4.4 for an arc as a curve from `(½, 0)` to `(0, ½)`, without a clause.
+/// Lemma 4.4 must fail for an arc, as a curve from `(½, 0)` to `(0, ½)`, if this clause is dropped.
 fn arc_fails_without<M: KnownGeodesics<2>>(clause: &str, metric: M, angle: f64) -> Outcome {
     let known = Known::joined(metric, [[0.5, 0.0].into(), [0.0, 0.5].into()])?.expect("known");
     fails_without(&[clause], lemma_4_4(&LIBRARY, &known, &Arc(angle))?)

@@ -1,4 +1,4 @@
-//! Section 4: minimal curves are minimal geodesics run through by a clock, and minimal curves of
+//! Section 4: minimal curves are minimal geodesics reparametrised by a clock, and minimal curves of
 //! constant speed are geodesics.
 
 pub(crate) mod clocks;

@@ -1,4 +1,4 @@
-//! Proposition 4.3: on a compact set, one radius for all exponential maps.
+//! Proposition 4.3: on a compact set, a single radius serves for all exponential maps.
 
 use std::{f64::consts::TAU, fmt::Debug};
 
@@ -42,9 +42,9 @@ pub(crate) const CHECKS: &[Check] = &[
     Dropped.check("prop_4_3_fails_on_the_whole_plane_and_outside_a_ball", P43, far_out),
 ];
 
-/// On the sphere: the radius `R` of a ball, a point `|x| ≤ R`, a tangent vector with
-/// `|v| ≤ reach · ε`, and the common radius `ε` of the ball, the angle from its boundary to the
-/// missing point.
+/// Draws, on the sphere, the radius `R` of a ball, a point `|x| ≤ R`, a tangent vector with
+/// `|v| ≤ reach · ε`, and the common radius `ε` of the ball. `ε` is the angle from the boundary of
+/// the ball to the missing point.
 fn tangent(reach: f64) -> impl Strategy<Value = (f64, SVector<f64, 2>, SVector<f64, 2>, f64)> {
     let point = (0.1..1.5, 0.0..1.0, 0.0..TAU);
     (point, 0.01..0.99, 0.0..TAU).prop_map(
@@ -53,7 +53,7 @@ fn tangent(reach: f64) -> impl Strategy<Value = (f64, SVector<f64, 2>, SVector<f
             let epsilon = Sphere.normal_radius(&SVector::from([ball, 0.0]));
             let direction = SVector::from([towards.cos(), towards.sin()]);
             let unit = norm_squared(&Sphere, &x, &direction).sqrt();
-            // Short of π, where the inverse is ill-conditioned.
+            // The vector is shorter than π, where the inverse is ill-conditioned.
             (ball, x, direction * ((epsilon * fraction * reach).min(2.8) / unit), epsilon)
         },
     )
@@ -74,7 +74,7 @@ fn normal_balls(trial: &Trial<'_>) -> Outcome {
         ],
         |subject, (metric, x, v)| {
             let ball = x.norm().max(1.0);
-            // Any radius will do in these spaces.
+            // In these spaces any radius is admissible.
             let epsilon = 2.0 * norm_squared(&metric, &x, &v).sqrt();
             Ok([prop_4_3(subject, &metric, [&x, &v], ball, epsilon)?])
         }
@@ -82,7 +82,7 @@ fn normal_balls(trial: &Trial<'_>) -> Outcome {
     all([on_the_sphere, elsewhere])
 }
 
-/// A metric, a point of the cube `[−size, size]^D`, and a vector there.
+/// Draws a metric, a point in the cube `[−size, size]^D`, and a tangent vector at that point.
 fn vector_at<M: Debug, const D: usize>(
     metric: impl Strategy<Value = M>,
     size: f64,
@@ -91,7 +91,7 @@ fn vector_at<M: Debug, const D: usize>(
     cases.prop_filter("a vector", |(_, _, v)| v.norm() >= 0.1)
 }
 
-/// Along the equator by an angle between `π` and `2π`: `d = 2π − |v|`.
+/// The geodesic runs along the equator by an angle between `π` and `2π`, so that `d = 2π − |v|`.
 fn beyond_the_radius(trial: &Trial<'_>) -> Outcome {
     let x = SVector::from([1.0, 0.0]);
     for angle in [3.2, 4.0, 5.0, 6.0] {
@@ -105,8 +105,8 @@ fn beyond_the_radius(trial: &Trial<'_>) -> Outcome {
     Ok(Default::default())
 }
 
-/// On the sphere without a point no `ε` serves the whole plane, which is not compact, and the `ε`
-/// of a ball does not serve points outside it: `π − 2 arctan |x|` tends to 0.
+/// On the sphere without a point, no `ε` serves for the whole plane, which is not compact. The `ε`
+/// of a ball does not serve for points outside the ball, since `π − 2 arctan |x|` tends to 0.
 fn far_out(_: &Trial<'_>) -> Outcome {
     let of = |x: f64, ball: f64, epsilon: f64| -> Result<Evidence, VerifyError> {
         let (x, v) = (SVector::from([x, 0.0]), SVector::from([0.0, 0.1]));
