@@ -84,7 +84,7 @@ fn asymptotics_over_the_valleys_are_explicit() {
             "energy_left" => 13.0 * c,
             _ => 0.0,
         };
-        // Printed with seven digits.
+        // The values are printed with seven digits.
         let error = (row.number("predicted") - expected).abs();
         assert!(error <= 5e-7 * expected.abs(), "{:?}", row.record);
     }

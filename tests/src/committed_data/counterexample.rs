@@ -80,7 +80,7 @@ fn counterexample_has_the_energies_of_global_minimisers() {
         let minima = GridLine::over_the_valleys(theta).minima(32, d2);
         for row in table().rows().filter(|row| row.n() <= 32) {
             let (root, best) = (row.number(column), minima[row.n() - 1].energy.sqrt());
-            // Printed with 13 digits.
+            // The values are printed with 13 digits.
             if !(root <= best * (1.0 + 1e-12)) {
                 above.push(format!("{column} at N = {}: {root}, at most {best}", row.n()));
             }

@@ -15,7 +15,7 @@ fn no_step_of_a_proof_gains() {
         assert_eq!(chain[0].text("step"), "observed");
         for pair in chain.windows(2) {
             let [before, after] = [&pair[0], &pair[1]].map(|row| row.number("bound"));
-            // Printed with ten digits.
+            // The values are printed with ten digits.
             assert!(before <= after * (1.0 + 1e-9), "{:?}", pair[1].record);
         }
     }

@@ -8,7 +8,7 @@ fn quantities_of_the_curve_are_never_below_d_squared() {
     let mut below = 0;
     for row in table.rows() {
         let [energy, length] = ["energy_gap", "squared_length_gap"].map(|c| row.number(c));
-        // Printed with seven digits.
+        // The values are printed with seven digits.
         assert!(0.0 <= length && length <= energy * (1.0 + 1e-6), "{:?}", row.record);
         below += usize::from(row.number("discrete_energy_gap") < 0.0);
     }

@@ -14,7 +14,7 @@ fn speeds_stay_within_lemmas_s_3_and_s_5() {
         let mean = rows.iter().map(|row| row.number("least_energy")).sum::<f64>() / n as f64;
         for row in &rows {
             let speed = row.number("least_energy");
-            // Printed with ten digits.
+            // The values are printed with ten digits.
             assert!((row.number("mean") - mean).abs() <= 1e-8 * mean, "{:?}", row.record);
             assert!(speed <= row.number("greatest"), "{:?}", row.record);
             assert!((speed - mean).abs() <= row.number("deviation"), "{:?}", row.record);

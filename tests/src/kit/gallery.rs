@@ -6,12 +6,12 @@ use std::f64::consts::TAU;
 use tautline::gallery::*;
 use tautline_kit::prelude::*;
 
-/// The cube `[−size, size]^D`.
+/// Returns the cube `[−size, size]^D`.
 pub(super) fn cube<const D: usize>(size: f64) -> Region<D> {
     Region::cell([-size; D], [size; D])
 }
 
-/// The cube `[0, 2π]^D`.
+/// Returns the cube `[0, 2π]^D`.
 pub(super) fn period<const D: usize>() -> Region<D> {
     Region::cell([0.0; D], [TAU; D])
 }

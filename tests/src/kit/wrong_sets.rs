@@ -222,9 +222,9 @@ fn a_seed_that_is_nearer_is_a_member_that_is_nearer() {
     assert!(set::no_member_is_nearer(&case(&right)).holds());
 }
 
-/// The two points are closer together than any two samples in different cells, and the angles are
-/// obtuse only up to rounding: `(x − P(x))·(q − P(x))` is at most `2 half²`, far below the
-/// tolerance. Two points far apart break another law first.
+/// The two points are closer together than any two samples in different cells, and the angles that
+/// convexity requires to be obtuse are so up to rounding: `(x − P(x))·(q − P(x))` is at most
+/// `2 half²`, far below the tolerance. Two points far apart break another law first.
 #[test]
 fn two_points_are_not_convex() {
     for (half, law) in

@@ -151,9 +151,10 @@ fn every_sharper_statement_is_proved_and_what_its_proof_names_exists() {
     assert!(count > 40, "{count} names");
 }
 
-/// A case that could not have contradicted a statement is no evidence for it. At least a thousand
-/// cases of each statement, and most of those drawn, could therefore fail. The exception is a
-/// definition, which compares two ways to write one formula and has no overestimation either.
+/// A case that could not have contradicted a statement is no evidence for it. For each statement,
+/// at least a thousand cases, and more than half of those drawn, must therefore be able to fail.
+/// The exception is a definition, which compares two ways to write one formula and has no
+/// overestimation either.
 #[test]
 fn most_cases_of_every_statement_could_fail() {
     let text = read(&root().join("paper/tables/statements.csv"));

@@ -63,7 +63,7 @@ pub(crate) fn of_minimiser<const D: usize>(
     }
 }
 
-/// Asks for the evidence of [`of_minimiser`] on random problems.
+/// Evaluates [`of_minimiser`] on random problems.
 #[derive(Clone, Copy)]
 struct PaperTheorems;
 

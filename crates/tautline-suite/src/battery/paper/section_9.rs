@@ -1,5 +1,5 @@
-//! Section 9: squared lengths are bounded by energies. It also answers the question of rates that
-//! the paper leaves open.
+//! Section 9: squared lengths are bounded by energies. The module also checks our answer to the
+//! question of rates that the paper leaves open.
 
 use std::f64::consts::{PI, TAU};
 
@@ -227,8 +227,7 @@ fn excess_is(
     let excess = seen.energy.value - seen.distance_squared;
     // c₁ = 1, hence δ = L d.
     let leading = constant * slope * known.distance.powi(3);
-    // The ratios are given to three digits, or to four if they begin with three nines; the hair is
-    // 10⁻⁶.
+    // The ratios are given to three digits, or to four if they are close to 1; the hair is 10⁻⁶.
     close(&format!("L = {slope}: the ratio"), excess / leading, ratio, 6e-4)?;
     let evidence = remark_9_2(trial.subject, &seen);
     trial.one([if slope <= 0.001 { evidence.attained()? } else { evidence }])

@@ -59,7 +59,7 @@ pub(crate) const CHECKS: &[Check] = &[
     }),
 ];
 
-/// Asks for the sharper statements about one minimiser and its problem.
+/// Evaluates the sharper statements about one minimiser and its problem.
 #[derive(Clone, Copy)]
 struct SharperTheorems;
 

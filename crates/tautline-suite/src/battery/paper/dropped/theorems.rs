@@ -60,9 +60,9 @@ pub(crate) const CHECKS: &[Check] = &[
 ];
 
 /// With `L_H = 10⁻⁴` claimed, `C` is about 0.001. The claim on `K̄` follows from its premise, so
-/// the premise has to fail as well. On a second route of slope 0.01 the rule therefore gives a
-/// `c₁K₃² = l²` between `d²` and its value on the first route. `d²` and this value are 1.025 and
-/// 1.05 on a ridge, 1.05 and 1.1 on an incline.
+/// the premise has to fail as well. On a second route of slope 0.01 the rule gives `c₁K₃² = l²`,
+/// which lies between `d²` and its value on the first route. `d²` and this value are 1.025 and 1.05
+/// on a ridge, 1.05 and 1.1 on an incline.
 fn understated_l_h(_: &Trial<'_>) -> Outcome {
     let constants = [1.0, 1.25, 1e-4];
     for (rule, first, second) in [
