@@ -1,4 +1,4 @@
-//! An affine subspace: a point, a line, a plane and so on.
+//! An affine subspace, which is a point, a line, a plane and so on.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_scalar::Interval;
@@ -8,7 +8,7 @@ use crate::norm::{norm, polar};
 use crate::proof;
 use crate::set_error::{SetError, finite_vector};
 
-/// The affine subspace `p + span(q₁, …, qₖ)`, `0 ≤ k ≤ D`, unbounded for `k ≥ 1`.
+/// The affine subspace `p + span(q₁, …, qₖ)`, where `0 ≤ k ≤ D`. It is unbounded for `k ≥ 1`.
 ///
 /// With orthonormal `qᵢ` and `Q = (q₁ … qₖ)`:
 ///
@@ -17,28 +17,29 @@ use crate::set_error::{SetError, finite_vector};
 /// ```
 ///
 /// Accuracy: `P(x)` lies in the subspace up to a few roundings of `|p|` and `|P(x) − p|`. Choose a
-/// `p` that is not much farther out than the points of interest. For `k = D` the subspace is `R^D`,
-/// and `P(x) = x` exactly.
+/// `p` that is not much farther from the origin than the points of interest. For `k = D` the
+/// subspace is `R^D`, and `P(x) = x` exactly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AffineSubspace<const D: usize> {
     base: SVector<f64, D>,
     basis: Vec<SVector<f64, D>>,
-    /// As given: they define the subspace exactly, while the basis is rounded.
+    /// The directions as given. They define the subspace exactly, while the basis is rounded.
     directions: Vec<SVector<f64, D>>,
     /// `QQᵀ`.
     projector: SMatrix<f64, D, D>,
 }
 
 impl<const D: usize> AffineSubspace<D> {
-    /// Makes the subspace through `base`, in `ℓ`, spanned by `directions` of any length.
+    /// Returns the subspace through `base`, in `ℓ`, that is spanned by `directions` of any length.
     ///
-    /// Without directions it is the point `base`. Their type is then explicit:
+    /// Without directions it is the point `base`; the type of the directions must then be explicit:
     /// `AffineSubspace::new(base, [[0.0; D]; 0])`.
     ///
     /// # Errors
     ///
-    /// [`SetError::NonFiniteCoordinate`]; [`SetError::DependentDirection`] for a direction that
-    /// lies, up to a relative `4 D² ε`, in the span of those before it, such as zero.
+    /// [`SetError::NonFiniteCoordinate`] if a coordinate is not finite;
+    /// [`SetError::DependentDirection`] if a direction, such as zero, lies in the span of the
+    /// directions before it, up to a relative `4 D² ε`.
     pub fn new<V: Into<SVector<f64, D>>>(
         base: impl Into<SVector<f64, D>>,
         directions: impl IntoIterator<Item = V>,
@@ -52,7 +53,8 @@ impl<const D: usize> AffineSubspace<D> {
             let Some((_, mut q)) = polar(&direction) else {
                 return Err(SetError::DependentDirection { index, remainder: 0.0 });
             };
-            // Gram–Schmidt, twice: the first round leaves ε/remainder of the earlier directions.
+            // Gram–Schmidt runs twice: the first round leaves components of size ε/remainder along
+            // the earlier directions.
             let mut remainder = 1.0;
             for _ in 0..2 {
                 for earlier in &basis {
@@ -60,9 +62,10 @@ impl<const D: usize> AffineSubspace<D> {
                 }
                 let (length, unit) = polar(&q).unwrap_or((0.0, q));
                 remainder *= length;
-                // A product q·e of unit vectors carries at most D + 1 roundings of ε/2, its
-                // subtraction two more; there are fewer than D of them: under 2 D² ε for D ≥ 2. As
-                // much again for directions that are dependent in decimals and rounded on input.
+                // A product q·e of unit vectors carries at most D + 1 roundings of ε/2, and its
+                // subtraction two more. There are fewer than D products, so the error is below 2 D²
+                // ε for D ≥ 2. The bound is doubled for directions that are dependent in decimals
+                // and rounded on input.
                 if !(remainder > 4.0 * (D * D) as f64 * f64::EPSILON) {
                     return Err(SetError::DependentDirection { index, remainder });
                 }
@@ -119,13 +122,14 @@ impl<const D: usize> ClosedSet<D> for AffineSubspace<D> {
         }
         let along = |v: &SVector<f64, D>| v.iter().filter(|&&coordinate| coordinate != 0.0).count();
         if self.directions.iter().all(|v| along(v) == 1) {
-            // Axes span their coordinates, and nothing rounds.
+            // Axes span their coordinates, so nothing rounds.
             let free = |i: usize| self.directions.iter().any(|v| v[i] != 0.0);
             let member = SVector::from_fn(|i, _| if free(i) { x[i] } else { self.base[i] });
             return Some(proof::point(&member));
         }
-        // p + Σ tᵢ vᵢ is a member for any tᵢ. Those of P(x), up to rounding, solve the triangular
-        // system QᵀV t = Qᵀ(x − p), where V has the given directions up to powers of two.
+        // p + Σ tᵢ vᵢ is a member for any tᵢ. The tᵢ that give P(x), up to rounding, solve the
+        // triangular system QᵀV t = Qᵀ(x − p), where V has the given directions up to powers of
+        // two.
         let units: Vec<f64> =
             self.directions.iter().map(|v| proof::power_of_two(v.amax())).collect();
         let offset = x - self.base;
@@ -157,12 +161,13 @@ mod tests {
     use proptest::prelude::*;
     use tautline_scalar::Interval;
 
-    /// The directions as columns.
+    /// Returns the matrix with the directions as columns.
     fn matrix<const D: usize>(directions: &[SVector<f64, D>]) -> DMatrix<f64> {
         DMatrix::from_fn(D, directions.len(), |i, j| directions[j][i])
     }
 
-    /// The distance of `x` from `p + span` by Householder reflections, without Gram–Schmidt.
+    /// Computes the distance of `x` from `p + span` by Householder reflections, without
+    /// Gram–Schmidt.
     fn distance<const D: usize>(
         p: SVector<f64, D>,
         directions: &[SVector<f64, D>],
@@ -178,8 +183,9 @@ mod tests {
 
     fn case<const D: usize>() -> impl Strategy<Value = Case<D>> {
         let directions = proptest::collection::vec(vector_in::<D>(1.0), 0..=D);
-        // Two ways to the same span differ by the condition of the directions: with singular values
-        // of 0.2 to 2 at most a factor 10, which the tolerance of the laws covers.
+        // Two ways to compute the same span differ by a factor of the condition number of the
+        // directions. With singular values between 0.2 and 2 the factor is at most 10, which the
+        // tolerance of the laws covers.
         let steep = directions.prop_filter("the directions are independent", |directions| {
             directions.is_empty() || matrix(directions).singular_values().min() >= 0.2
         });
@@ -212,14 +218,14 @@ mod tests {
 
     #[test]
     fn affine_subspace_of_nearly_parallel_directions_is_their_plane() {
-        // The second differs from the first by 1e-8 in x₃: the plane is x₂ = x₁.
+        // The second direction differs from the first by 1e-8 in x₃, so the plane is x₂ = x₁.
         let plane = AffineSubspace::new([0.0; 3], [[1.0, 1.0, 0.0], [1.0, 1.0, 1e-8]])
             .expect("independent");
         let expected = Matrix3::new(0.5, 0.5, 0.0, 0.5, 0.5, 0.0, 0.0, 0.0, 1.0);
         let derivative = plane.projection_derivative(&SVector::zeros());
-        // The second direction is known to ε/1e-8.
+        // The second direction is known to within ε/1e-8.
         assert!((derivative - expected).amax() <= 4.0 * f64::EPSILON / 1e-8);
-        // Still orthonormal to rounding, by the second round.
+        // The basis is still orthonormal up to rounding, owing to the second round.
         let cosine = plane.basis()[0].dot(&plane.basis()[1]);
         assert!(cosine.abs() <= 8.0 * f64::EPSILON, "{cosine:e}");
     }
@@ -235,8 +241,8 @@ mod tests {
         assert_eq!(all.projection_derivative(&vector![0.1, 0.7]), Matrix2::identity());
     }
 
-    /// Axes and slanted directions, in either order: coordinates are free only if all directions
-    /// are axes.
+    /// Mixes axes and slanted directions, in either order. Coordinates are free only if all
+    /// directions are axes.
     #[test]
     fn affine_subspace_distinguishes_slanted_directions_from_axes() {
         let x = vector![1.0, 2.0, 3.0];
@@ -253,7 +259,7 @@ mod tests {
         for mixed in [[first, slanted], [slanted, first]] {
             let [one, two, three] = near(mixed).into();
             for (found, exact) in [(one, 1.0), (two, 2.625), (three, 2.375)] {
-                // A few roundings of numbers below 4.
+                // The allowance is a few roundings of numbers below 4.
                 let off = (found.lo() - exact).abs().max((found.hi() - exact).abs());
                 assert!(off <= 16.0 * f64::EPSILON, "{found:?} for {exact}");
             }
@@ -264,7 +270,7 @@ mod tests {
     fn affine_subspace_refuses_dependent_directions_by_index() {
         let zero = AffineSubspace::new([0.0; 2], [[0.0; 2]]);
         assert_eq!(zero, Err(SetError::DependentDirection { index: 0, remainder: 0.0 }));
-        // Dependent in decimals, not in f64.
+        // These directions are dependent in decimals, but not in f64.
         let parallel = AffineSubspace::new([0.0; 3], [[0.1, 0.2, 0.3], [0.3, 0.6, 0.9]]);
         assert!(matches!(
             parallel,

@@ -14,8 +14,8 @@ use crate::set_error::{SetError, finite_vector};
 /// P(x)ᵢ = min(max(xᵢ, lᵢ), uᵢ),    DP(x) = diag(δ),   δᵢ = 1 if lᵢ ≤ xᵢ ≤ uᵢ and lᵢ < uᵢ, else 0
 /// ```
 ///
-/// `lᵢ = uᵢ` is allowed: the box is flat there, `P(x)ᵢ` constant and `δᵢ = 0` everywhere.
-/// Projections lie in the box exactly.
+/// `lᵢ = uᵢ` is allowed: the box is flat in that coordinate, `P(x)ᵢ` is constant, and `δᵢ = 0`
+/// everywhere. Projections lie in the box exactly.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisBox<const D: usize> {
     lower: SVector<f64, D>,
@@ -23,13 +23,13 @@ pub struct AxisBox<const D: usize> {
 }
 
 impl<const D: usize> AxisBox<D> {
-    /// Makes the box `|xᵢ − cᵢ| ≤ hᵢ` of half-widths `hᵢ ≥ 0`, in `ℓ`; the corners `c ± h` are
+    /// Returns the box `|xᵢ − cᵢ| ≤ hᵢ` with half-widths `hᵢ ≥ 0`, in `ℓ`. The corners `c ± h` are
     /// rounded.
     ///
     /// # Errors
     ///
-    /// [`SetError::NonFiniteCoordinate`], also if a corner overflows;
-    /// [`SetError::NegativeHalfWidth`].
+    /// [`SetError::NonFiniteCoordinate`] if a coordinate is not finite or a corner overflows;
+    /// [`SetError::NegativeHalfWidth`] if a half-width is negative.
     pub fn new(
         centre: impl Into<SVector<f64, D>>,
         half_widths: impl Into<SVector<f64, D>>,
@@ -44,12 +44,12 @@ impl<const D: usize> AxisBox<D> {
         AxisBox::from_corners(centre - half_widths, centre + half_widths)
     }
 
-    /// Makes the box between two opposite corners, in `ℓ`.
+    /// Returns the box between two opposite corners, in `ℓ`.
     ///
     /// # Errors
     ///
-    /// [`SetError::NonFiniteCoordinate`]; [`SetError::CrossedCorners`] if a lower coordinate
-    /// exceeds the upper one.
+    /// [`SetError::NonFiniteCoordinate`] if a coordinate is not finite;
+    /// [`SetError::CrossedCorners`] if a lower coordinate exceeds the upper one.
     pub fn from_corners(
         lower: impl Into<SVector<f64, D>>,
         upper: impl Into<SVector<f64, D>>,
@@ -124,7 +124,7 @@ mod tests {
             held: Box::new(move |y| {
                 (0..D).all(|i| y[i].lo() <= c[i] + h[i] && c[i] - h[i] <= y[i].hi())
             }),
-            // A flat coordinate is constant and has no kink.
+            // A flat coordinate of the projection is constant, so it has no kink.
             kink: Box::new(move |x| {
                 let gaps =
                     (0..D).filter(|&i| h[i] > 0.0).map(|i| ((x[i] - c[i]).abs() - h[i]).abs());
@@ -179,7 +179,7 @@ mod tests {
             AxisBox::from_corners([0.0, 2.0, 3.0], [1.0; 3]),
             Err(SetError::CrossedCorners { index: 1, lower: 2.0, upper: 1.0 })
         );
-        // A width may be zero, with either sign.
+        // A half-width may be zero, with either sign.
         assert!(AxisBox::new([1.0, 2.0], [0.0, -0.0]).is_ok());
         assert_eq!(
             AxisBox::new([0.0, 0.0], [1.0, -0.25]),

@@ -23,12 +23,12 @@ pub struct Ball<const D: usize> {
 }
 
 impl<const D: usize> Ball<D> {
-    /// Makes the ball of radius `r ≥ 0` about `centre`, both in `ℓ`.
+    /// Returns the ball of radius `r ≥ 0` about `centre`, both in `ℓ`.
     ///
     /// # Errors
     ///
-    /// [`SetError::NonFiniteCoordinate`] of the centre, [`SetError::NonFinite`] or
-    /// [`SetError::NegativeRadius`] of the radius.
+    /// [`SetError::NonFiniteCoordinate`] if the centre is not finite; [`SetError::NonFinite`] or
+    /// [`SetError::NegativeRadius`] if the radius is not finite or negative.
     pub fn new(centre: impl Into<SVector<f64, D>>, r: f64) -> Result<Ball<D>, SetError> {
         Ok(Ball { centre: finite_vector("the centre", centre)?, r: valid_radius(r)? })
     }
@@ -39,7 +39,8 @@ impl<const D: usize> Ball<D> {
         &self.centre
     }
 
-    /// Returns `r`, in `ℓ`; unlike [`radius`](ClosedSet::radius) it is about the centre.
+    /// Returns `r`, in `ℓ`. It is measured from the centre, unlike [`radius`](ClosedSet::radius),
+    /// which is measured from the origin.
     #[must_use]
     pub fn r(&self) -> f64 {
         self.r
@@ -59,7 +60,7 @@ impl<const D: usize> ClosedSet<D> for Ball<D> {
             Some((distance, u)) if !(distance <= self.r) => {
                 (SMatrix::identity() - u * u.transpose()) * (self.r / distance)
             }
-            // The point c: P is constant.
+            // The ball is the point c, so P is constant.
             _ if self.r == 0.0 => SMatrix::zeros(),
             _ => SMatrix::identity(),
         }
@@ -97,7 +98,7 @@ mod tests {
 
     fn case<const D: usize>() -> impl Strategy<Value = Case<D>> {
         (vector_in::<D>(3.0), extent(), scale()).prop_map(|(c, r, scale)| Case {
-            // The cube shrunk onto the ball: |w| ≤ √D.
+            // The cube is shrunk to fit into the ball, since |w| ≤ √D.
             member: Box::new(move |w| c + w * (r / (D as f64).sqrt())),
             defect: Box::new(move |x| ((x - c).norm() - r).max(0.0)),
             held: Box::new(move |y| squared_distances(y, &c).0.at_most(&square(r))),
@@ -135,7 +136,7 @@ mod tests {
         assert_eq!(outside, Matrix2::new(0.0, 0.0, 0.0, 0.5));
     }
 
-    /// On every axis, where nothing rounds.
+    /// Tests the poles on every axis, where nothing rounds.
     #[test]
     fn ball_poles_belong_to_it() {
         let centre = vector![0.5, -3.0, 2.25];

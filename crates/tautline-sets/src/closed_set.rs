@@ -13,17 +13,18 @@ use tautline_scalar::Interval;
 /// For finite `x`, up to rounding:
 ///
 /// - `P(x)` lies in `X`, `P(P(x)) = P(x)`, and no member of `X` is nearer to `x` than `P(x)`;
-/// - if [`is_convex`](ClosedSet::is_convex), then `|P(x) − P(y)| ≤ |x − y|`, and the derivative
-///   has its eigenvalues in `[0, 1]`;
-/// - no member of `X` is longer than [`radius`](ClosedSet::radius) or outside its
+/// - if [`is_convex`](ClosedSet::is_convex) returns true, then `|P(x) − P(y)| ≤ |x − y|`, and the
+///   eigenvalues of the derivative lie in `[0, 1]`;
+/// - no member of `X` is farther from the origin than [`radius`](ClosedSet::radius), or outside the
 ///   [`enclosing_ball`](ClosedSet::enclosing_ball);
-/// - a box from [`member_near`](ClosedSet::member_near) contains a member of `X`, exactly.
+/// - a box from [`member_near`](ClosedSet::member_near) contains a member of `X`; this law holds
+///   without rounding.
 ///
 /// No method panics on finite input; none reads a clock, a file or a random number. An empty set
 /// has no nearest point: an implementation that may be empty returns NaN, and
 /// [`Ends::new`](crate::Ends::new) refuses it.
 ///
-/// A set of your own, here a strip:
+/// A set of your own may look like this strip:
 ///
 /// ```
 /// use nalgebra::{SMatrix, SVector, matrix, vector};
@@ -53,18 +54,20 @@ use tautline_scalar::Interval;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait ClosedSet<const D: usize>: Debug + Send + Sync {
-    /// Returns a nearest point `P(x)` of the set to `x`, in `ℓ`.
+    /// Returns a point `P(x)` of the set that is nearest to `x`, in `ℓ`.
     ///
-    /// If several points are nearest (in a nonconvex set), returns one of them, always the same.
+    /// If several points are nearest, which is possible for a nonconvex set, returns one of them,
+    /// always the same.
     fn project(&self, x: &SVector<f64, D>) -> SVector<f64, D>;
 
-    /// Returns an element of the generalised derivative of `P` at `x` in the sense of Clarke:
-    /// a limit of derivatives `DP(xₖ)`, `xₖ → x`. A pure number; symmetric.
+    /// Returns an element of Clarke's generalised derivative of `P` at `x`, which is a limit of
+    /// derivatives `DP(xₖ)` with `xₖ → x`. It is a symmetric matrix of pure numbers.
     ///
-    /// Where `P` is smooth, this is its derivative; it is symmetric since `P` is the gradient of
-    /// `½|x|² − ½ dist(x, X)²`. At a kink the point counts as inside: if the set has an interior,
-    /// the derivative is `I` on its boundary too. Where `P` jumps (`x` is equally far from two
-    /// places), it is the derivative of the branch that [`project`](ClosedSet::project) chooses.
+    /// Where `P` is smooth, this element is its derivative. It is symmetric since `P` is the
+    /// gradient of `½|x|² − ½ dist(x, X)²`. At a kink the point counts as inside: if the set has an
+    /// interior, the derivative is `I` on its boundary too. Where `P` jumps (`x` is equally far
+    /// from two places), the element is the derivative of the branch that
+    /// [`project`](ClosedSet::project) chooses.
     fn projection_derivative(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D>;
 
     /// Returns `sup |x|` over the set, in `ℓ`; `None` if the set is unbounded.
@@ -73,8 +76,8 @@ pub trait ClosedSet<const D: usize>: Debug + Send + Sync {
     /// Returns the centre and the radius of a ball that contains the set, in `ℓ`; `None` if the set
     /// is unbounded.
     ///
-    /// It need not be the smallest: the default is the ball about the origin. Override it for sets
-    /// far from there, since constants are better on smaller regions.
+    /// The ball need not be the smallest: the default is a ball about the origin. Override this
+    /// method for sets far from the origin, since constants are better on smaller regions.
     fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
         Some((SVector::zeros(), self.radius()?))
     }
@@ -82,36 +85,37 @@ pub trait ClosedSet<const D: usize>: Debug + Send + Sync {
     /// Returns whether the set is known to be convex. `false` claims nothing.
     ///
     /// Under a constant metric every local minimum of the distance to a convex set is global, so
-    /// that convex sets have no [`seeds`](ClosedSet::seeds).
+    /// convex sets have no [`seeds`](ClosedSet::seeds).
     fn is_convex(&self) -> bool {
         false
     }
 
     /// Returns a box that certainly contains a member of the set, as near to `x` as the set can
-    /// prove, in `ℓ`; `None` if it can prove nothing, the default.
+    /// prove, in `ℓ`. The default is `None`: the set can prove nothing.
     ///
-    /// The box is `[x, x]` if and only if `x` itself is proved to be a member, and otherwise a few
-    /// roundings wide about `P(x)`. The members may be anywhere in the box. The set is exactly that
-    /// of the given numbers: rounding in its construction, such as of the length of a normal, does
-    /// not enter.
+    /// The box is `[x, x]` if and only if `x` itself is proved to be a member; otherwise it is a
+    /// few roundings wide and contains `P(x)`. The member may be anywhere in the box. The set in
+    /// question is defined exactly by the given numbers: rounding in its construction, for example
+    /// in the length of a normal, does not enter.
     fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
         let _ = x;
         None
     }
 
-    /// Returns the members of a union, each to be searched separately; empty for a single piece.
+    /// Returns the members of a union, each of which is searched separately; empty for a single
+    /// piece.
     fn pieces(&self) -> &[Arc<dyn ClosedSet<D>>] {
         &[]
     }
 
-    /// Returns further points of the set, in `ℓ`, from which a local search should start: a
+    /// Returns further points of the set, in `ℓ`, from which a local search should start. A
     /// nonconvex set, such as a sphere, has several local solutions.
     fn seeds(&self) -> Vec<SVector<f64, D>> {
         Vec::new()
     }
 }
 
-/// Implements [`ClosedSet`] by another set.
+/// Implements [`ClosedSet`] by delegating to another set.
 macro_rules! closed_set_by {
     ($self:ident => $set:expr) => {
         fn project(&$self, x: &SVector<f64, D>) -> SVector<f64, D> {
@@ -149,12 +153,12 @@ macro_rules! closed_set_by {
 }
 pub(crate) use closed_set_by;
 
-/// A shared set is a set: one that is chosen at run time can be passed on.
+/// A shared set is a set, so that a set chosen at run time can be passed on.
 impl<const D: usize, S: ClosedSet<D> + ?Sized> ClosedSet<D> for Arc<S> {
     closed_set_by!(self => (**self));
 }
 
-/// Appends the pieces of `set`, recursively and in order; `set` itself if it has none.
+/// Appends the pieces of `set`, recursively and in order, or `set` itself if it has no pieces.
 pub(crate) fn append_pieces<const D: usize>(
     set: &Arc<dyn ClosedSet<D>>,
     pieces: &mut Vec<Arc<dyn ClosedSet<D>>>,
@@ -189,7 +193,7 @@ mod tests {
         let ball = |radius| bounded_by(radius).enclosing_ball();
         assert_eq!(ball(Some(3.0)), Some((vector![0.0, 0.0], 3.0)));
         assert_eq!(ball(None), None);
-        // A NaN among others is kept.
+        // A NaN among other radii is kept.
         let nan: Arc<dyn ClosedSet<2>> = Arc::new(bounded_by(Some(f64::NAN)));
         let point: Arc<dyn ClosedSet<2>> = Arc::new(Point::new([1.0, 2.0]).expect("finite"));
         for pieces in [[Arc::clone(&nan), Arc::clone(&point)], [point, nan]] {
@@ -222,7 +226,8 @@ mod tests {
         Ok(())
     }
 
-    /// A side of one ulp has no double in its middle, but the ball still contains both ends.
+    /// Between two neighbouring doubles there is no double for the centre, but the ball still
+    /// contains both ends.
     #[test]
     fn enclosing_balls_of_one_ulp_hold_both_ends() -> Result<(), SetError> {
         for low in [1.0, 1.0_f64.next_up(), -1.0, -(1.0_f64.next_up()), 0.0, -5e-324] {
@@ -242,7 +247,7 @@ mod tests {
         Ok(())
     }
 
-    /// About the sets themselves, not about the origin.
+    /// The balls are centred at the sets themselves, not at the origin.
     #[test]
     fn enclosing_balls_are_small() -> Result<(), SetError> {
         let ball = |set: &dyn ClosedSet<2>| set.enclosing_ball();
@@ -261,7 +266,7 @@ mod tests {
         let far: Arc<dyn ClosedSet<2>> = Arc::new(Point::new([5.0, 0.0])?);
         assert_eq!(ball(&Union::new(vec![Arc::clone(&disc), far])?), about(3.0, 0.0, 3.0));
         assert_eq!(ball(&Union::new(vec![disc, Arc::new(wall)])?), None);
-        // Sums of two coordinates would overflow.
+        // Here sums of two coordinates would overflow.
         let most = 2_f64.powi(1023);
         let huge = AxisBox::from_corners([0.5 * most, 0.0], [1.5 * most, 0.0])?;
         assert_eq!(ball(&huge), about(most, 0.0, 0.5 * most));

@@ -5,35 +5,36 @@ use nalgebra::SVector;
 use crate::ClosedSet;
 use crate::norm::norm;
 
-/// Sweeps of alternating projections per start, each with its step doubled as long as that helps.
-/// Sets that cross need about ten. Sets that touch smoothly reach a gap of `ε^{2/3}`, where the
-/// step is lost in rounding, in about twenty.
+/// The number of sweeps of alternating projections for each start. The step of each sweep is
+/// doubled as long as that helps. Sets that cross need about ten sweeps. Sets that touch smoothly
+/// need about twenty to reach a gap of `ε^{2/3}`, at which the step is lost in rounding.
 const SWEEPS: usize = 100;
 
-/// Doublings of a step. If two sets touch smoothly, the step is a fraction `t²` of the remaining
-/// distance `t`, and lost in rounding at `t² = ε`: 2⁵² and a reserve.
+/// The largest number of doublings of a step. If two sets touch smoothly, the step is a fraction
+/// `t²` of the remaining distance `t`. It is lost in rounding at `t² = ε`: after 52 doublings, by
+/// 2⁵². The rest is a reserve.
 const DOUBLINGS: usize = 60;
 
-/// Steps of the Douglas–Rachford iteration. Each multiplies the error by `r/(r + t)`, where `r` is
-/// the radius of curvature and `t` the distance that the iteration keeps from the contact. For
-/// `t ≥ r/10`, 200 steps give `1e-8`, hence a gap of `1e-16`.
+/// The number of steps of the Douglas–Rachford iteration. Each multiplies the error by `r/(r + t)`,
+/// where `r` is the radius of curvature and `t` is the distance that the iteration keeps from the
+/// contact. For `t ≥ r/10`, 200 steps reduce the error to `1e-8`, and hence the gap to `1e-16`.
 const REFLECTIONS: usize = 200;
 
 /// Looks for a point that lies in both sets up to rounding, in `ℓ`.
 ///
-/// Alternating projections `x ← P_a(P_b(x))`, each step doubled as long as the gap shrinks, start
-/// from the projections of the origin and from the [`seeds`](ClosedSet::seeds) of the sets. If they
-/// stall just short of a contact, the Douglas–Rachford iteration takes over: it stays at a distance
-/// from the contact along the common normal, where normals are well determined. For unions, call it
-/// pair by pair ([`Ends::pairs`](crate::Ends::pairs)).
+/// Alternating projections `x ← P_a(P_b(x))` start from the projections of the origin and from the
+/// [`seeds`](ClosedSet::seeds) of the sets. Each step is doubled as long as the gap shrinks. If
+/// they stall just short of a contact, the Douglas–Rachford iteration takes over: it keeps a
+/// distance from the contact along the common normal, where normals are well determined. For
+/// unions, call this function pair by pair ([`Ends::pairs`](crate::Ends::pairs)).
 ///
-/// `Some(x)` is verified: the nearest points of both sets agree with `x`, coordinate by coordinate,
-/// to `(D + 4) ε max |xᵢ|`.
+/// `Some(x)` is verified: in every coordinate, the nearest points of both sets agree with `x` to
+/// within `(D + 4) ε max |xᵢ|`.
 ///
 /// `None` does not prove that the sets are disjoint. It is also returned at a local minimum of the
-/// distance to a nonconvex set; for sets that touch in one point near the origin but are defined by
-/// much larger numbers, whose rounding hides the contact; and at a contact so flat that the bounded
-/// number of steps is not enough.
+/// distance to a nonconvex set; if sets touch in one point near the origin but are defined by much
+/// larger numbers, whose rounding hides the contact; and if a contact is so flat that the bounded
+/// number of steps does not suffice.
 ///
 /// ```
 /// # use tautline_sets::{Ball, HalfSpace, SetError, common_point};
@@ -89,32 +90,33 @@ fn search<const D: usize>(
             best = trial;
             factor *= 2.0;
         }
-        // Stalled, or NaN. For convex sets the gap of plain sweeps never grows.
+        // The sweeps stall, or the gap is NaN. For convex sets the gap of plain sweeps never grows.
         if !(best.gap < here.gap) {
             break;
         }
         here = best;
     }
-    // A common point, and so the relevant numbers, are no longer than the smaller radius.
+    // A common point is no farther from the origin than the smaller radius, which bounds the
+    // numbers that matter.
     let size = [a.radius(), b.radius()]
         .into_iter()
         .flatten()
         .reduce(f64::min)
         .unwrap_or_else(|| norm(&here.in_a));
-    // At a contact the gap stalls at ε^{2/3} = 4e-11 of the size; one a thousand times as wide
+    // At a contact the gap stalls at ε^{2/3} = 4e-11 of the size. A gap a thousand times as wide
     // separates the sets.
     if !(here.gap <= 1e-7 * size) {
         return None;
     }
-    // A large distance is slow if both sets are strongly curved, and fails beyond the centre of a
-    // hollow sphere.
+    // A large distance makes the iteration slow if both sets are strongly curved. It makes the
+    // iteration fail beyond the centre of a hollow sphere.
     let unit = (here.in_b - here.in_a) / here.gap;
     [1.0, 0.125, 1.0 / 64.0]
         .iter()
         .find_map(|fraction| reflect(a, b, here.in_a + unit * (size * fraction)))
 }
 
-/// Douglas–Rachford: `z ← z + P_b(2 P_a(z) − z) − P_a(z)`.
+/// One step of the Douglas–Rachford iteration: `z ← z + P_b(2 P_a(z) − z) − P_a(z)`.
 ///
 /// At a fixed point, `p = P_a(z)` lies in both sets: with `w = z − p`,
 /// `p = P_a(p + w) = P_b(p − w)`.
@@ -139,11 +141,11 @@ fn lies_in_both<const D: usize>(
     b: &dyn ClosedSet<D>,
     x: &SVector<f64, D>,
 ) -> bool {
-    // A coordinate of a projection such as c + r u rounds numbers up to twice the largest
-    // coordinate M twice, 2 · 2M · ε/2, once for each set: 4 ε M. A product n·x adds D roundings of
-    // at most ε/2 · √D M · |nᵢ| ≤ ε M each.
+    // Let M be the largest coordinate. A coordinate of a projection such as c + r u makes two
+    // roundings of numbers up to 2M, 2 · 2M · ε/2, for each of the two sets: 4 ε M. A product n·x
+    // adds D roundings of at most ε/2 · √D M · |nᵢ| ≤ ε M each.
     let tolerance = (D + 4) as f64 * f64::EPSILON * x.amax();
-    // NaN fails this comparison; amax would ignore it.
+    // NaN fails this comparison, while amax would ignore it.
     let agrees = |p: SVector<f64, D>| (p - x).iter().all(|d| d.abs() <= tolerance);
     agrees(a.project(x)) && agrees(b.project(x))
 }
@@ -156,7 +158,7 @@ mod tests {
     use nalgebra::{SVector, vector};
     use proptest::prelude::*;
 
-    /// Up to `(D + 4) ε = 7 ε` of the largest coordinate.
+    /// A point may be off by `(D + 4) ε = 7 ε` times its largest coordinate.
     #[test]
     fn a_point_lies_in_a_set_up_to_seven_roundings_in_space() {
         let off = |count: f64| {
@@ -168,17 +170,18 @@ mod tests {
 
     #[test]
     fn common_point_of_balls_that_touch_away_from_the_line_to_the_origin() {
-        // Centres 5 apart, radii 2 and 3; they touch at (4.2, 5.4).
+        // The centres are 5 apart and the radii are 2 and 3, so that the balls touch at (4.2, 5.4).
         let a = Ball::new([3.0, 7.0], 2.0).expect("finite");
         let b = Ball::new([6.0, 3.0], 3.0).expect("finite");
         let x = common_point(&a, &b).expect("they touch");
-        // A gap of a few ε of coordinates up to 7 spans a few √(7 ε) beside the contact.
+        // A gap of a few ε in coordinates up to 7 extends over a few √(7 ε) around the contact.
         assert!((x - vector![4.2, 5.4]).norm() <= 1e-6, "{x}");
     }
 
-    /// Sets that touch in a direction unrelated to the origin.
+    /// The sets touch in a direction unrelated to the origin.
     ///
-    /// This needs Douglas–Rachford: alternating projections alone stall at a gap of about 1e-11.
+    /// The search needs Douglas–Rachford: alternating projections alone stall at a gap of about
+    /// 1e-11.
     #[test]
     fn common_point_of_a_ball_that_touches_a_plane_a_ball_or_a_hollow_sphere() {
         let numbers = (vector_in::<3>(3.0), 0.1..2.0_f64, vector_in::<3>(1.0), 0.1..2.0_f64);
@@ -196,11 +199,11 @@ mod tests {
                     return Err(TestCaseError::fail(format!("not found: {other:?}")));
                 };
                 let x = x / unit;
-                // A gap of D + 4 = 7 ε of coordinates up to 9 spans √(2 · 63 ε ρ) along sets that
-                // separate like t²/2ρ, here with ρ ≤ 2 r ≤ 4: below 4e-7.
+                // A gap of D + 4 = 7 ε in coordinates up to 9 extends over √(2 · 63 ε ρ) along sets
+                // that separate like t²/2ρ. Here ρ ≤ 2 r ≤ 4, which makes it less than 4e-7.
                 let beside = (x - (c + n * r)).norm();
                 prop_assert!(beside <= 1e-6, "{beside:e} from the contact with {other:?}");
-                // By the formula of the ball, with the rounding of this line.
+                // This check uses the formula of the ball, with the rounding of this line.
                 prop_assert!((x - c).norm() <= r + 100.0 * f64::EPSILON, "outside the ball");
             }
             Ok(())
@@ -211,7 +214,7 @@ mod tests {
     #[test]
     fn common_point_is_none_across_a_gap() {
         let ball = Ball::new([0.0, 0.0], 1.0).expect("finite");
-        // A gap of 1e-12, about 4500 ε: not rounding.
+        // A gap of 1e-12 is about 4500 ε, so it is not due to rounding.
         let wall = HalfSpace::at_least([0.6, 0.8], 1.0 + 1e-12).expect("a normal");
         assert_eq!(common_point(&ball, &wall), None);
         let points = [[0.0, 0.0], [0.0, 5e-324]].map(|p| Point::new(p).expect("finite"));
@@ -230,11 +233,12 @@ mod tests {
 
     #[test]
     fn common_point_of_spheres_needs_their_seeds() {
-        // The origin, the centre of the first, projects to (1, 0), far from the second.
+        // The origin is the centre of the first sphere. It projects to (1, 0), far from the second
+        // one.
         let a = Sphere::new([0.0, 0.0], 1.0).expect("finite");
         let b = Sphere::new([-1.5, 0.0], 1.0).expect("finite");
         let x = common_point(&a, &b).expect("they cross");
-        // They cross at x₁ = −0.75, at an angle that is not small: a few ε on each.
+        // They cross at x₁ = −0.75, at an angle that is not small: a few ε for each sphere suffice.
         assert!((x[0] + 0.75).abs() <= 100.0 * f64::EPSILON, "{x}");
         let apart = Sphere::new([0.0, 0.0], 0.5).expect("finite");
         assert_eq!(common_point(&a, &apart), None);
@@ -245,9 +249,10 @@ mod tests {
     fn common_point_is_found_in_either_order_and_every_unit() {
         for unit in [1e-200, 1.0, 1e200] {
             let ring = |x: f64, r: f64| Sphere::new([x * unit, 0.0], r * unit).expect("finite");
-            // The origin, the centre of the first, projects to the far side: seeds are needed.
+            // The origin is the centre of the first ring and projects to the far side, so seeds are
+            // needed.
             let crossing = (ring(0.0, 1.0), ring(-1.5, 1.0));
-            // A small ball beside a plane, in an oblique direction.
+            // A small ball touches a plane in an oblique direction.
             let ball = Ball::new([3.0 * unit, 4.0 * unit], 2.0 * unit).expect("finite");
             let plane = |b: f64| HalfSpace::new([0.6, 0.8], b * unit).expect("a normal");
             let pairs: [(&dyn ClosedSet<2>, &dyn ClosedSet<2>, bool); 4] = [
@@ -272,7 +277,7 @@ mod tests {
             let beside = Point::new(beside).expect("finite");
             assert!(!lies_in_both(&here, &beside, &x) && !lies_in_both(&beside, &here, &x));
         }
-        // Small numbers too.
+        // The comparison is relative, so it holds for small numbers too.
         let tiny = Point::new(x * 1e-20).expect("finite");
         assert!(!lies_in_both(&tiny, &tiny, &(x * 2e-20)));
     }
@@ -286,16 +291,16 @@ mod tests {
         let ball = Ball::new([-0.5, 0.0], 0.5).expect("finite");
         assert_eq!(common_point(&sphere, &ball), Some(vector![-1.0, 0.0]));
         assert_eq!(common_point(&ball, &sphere), Some(vector![-1.0, 0.0]));
-        // From the origin the first set gives (1, 0), (2.5, 0), (1, 0) and so on, which is not
-        // common; the second gives (0, 2), which is.
+        // From the origin the first set gives (1, 0), (2.5, 0), (1, 0) and so on, none of which is
+        // common. The second set gives (0, 2), which is.
         let a = FiniteSet::new([[1.0, 0.0], [0.0, 2.0]]).expect("finite");
         let b = FiniteSet::new([[2.5, 0.0], [0.0, 2.0]]).expect("finite");
         assert_eq!(common_point(&a, &b), Some(vector![0.0, 2.0]));
         assert_eq!(common_point(&b, &a), Some(vector![0.0, 2.0]));
     }
 
-    /// A small ball touches a huge ball, and a huge sphere from outside and from inside: up to a
-    /// million times as large, in either order.
+    /// A small ball touches a huge ball, and a huge sphere from outside and from inside. The huge
+    /// set is up to a million times as large, and may come first or second.
     #[test]
     fn common_point_of_a_small_set_and_a_huge_one() {
         let (c, r, n) = (vector![1.0, 2.0], 0.25, vector![0.6, 0.8]);
@@ -309,8 +314,8 @@ mod tests {
             for other in others {
                 for found in [common_point(&small, other), common_point(other, &small)] {
                     let off = (found.expect("they touch") - (c + n * r)).norm();
-                    // An overlap or gap δ = 6 ε of numbers up to s + 3 spans √(2 δ ρ) beside the
-                    // contact, with ρ ≤ r s/(s − r) ≤ 1/3 for both curvatures.
+                    // An overlap or a gap δ = 6 ε of numbers up to s + 3 extends over √(2 δ ρ)
+                    // around the contact, where ρ ≤ r s/(s − r) ≤ 1/3 for both curvatures.
                     let allowed = 2.0 * (f64::EPSILON * (s + 3.0)).sqrt();
                     assert!(off <= allowed, "{off:e} from the contact with {other:?}");
                 }
@@ -332,7 +337,7 @@ mod tests {
     #[test]
     fn a_point_that_is_nan_in_one_coordinate_lies_nowhere() {
         let all = AxisBox::new([0.0, 0.0], [1.0, 1.0]).expect("a box");
-        // Nearest points are NaN in one coordinate, and agree with x in the other.
+        // The nearest points are NaN in one coordinate and agree with x in the other.
         for nan in 0..2 {
             let project = move |x: &SVector<f64, 2>| {
                 SVector::from_fn(|i, _| if i == nan { f64::NAN } else { x[i] })

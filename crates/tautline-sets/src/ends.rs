@@ -11,8 +11,8 @@ use crate::{ClosedSet, Point, SetError};
 
 /// The two closed sets between which a curve runs.
 ///
-/// Invariant: at least one of them is bounded (Proposition 7.1), and neither is empty as far as
-/// probes of its nearest-point map show. [`Ends::new`] is the only constructor.
+/// Invariant: at least one of them is bounded (Proposition 7.1). Neither is empty, as far as
+/// probing their nearest-point maps shows. [`Ends::new`] is the only constructor.
 #[derive(Clone, Debug)]
 pub struct Ends<const D: usize> {
     first: Arc<dyn ClosedSet<D>>,
@@ -21,17 +21,17 @@ pub struct Ends<const D: usize> {
 }
 
 impl<const D: usize> Ends<D> {
-    /// Makes the pair: curves start in `first` and stop in `second`.
+    /// Returns the pair for curves that start in `first` and stop in `second`.
     ///
-    /// The sets may touch or overlap; then the distance is 0, see
+    /// The sets may touch or overlap. The distance is then 0, see
     /// [`common_point`](crate::common_point()).
     ///
     /// # Errors
     ///
-    /// - [`SetError::BothUnbounded`];
+    /// - [`SetError::BothUnbounded`] if both sets are unbounded;
     /// - [`SetError::NoNearestPoint`] if a set, or one of its pieces, maps the origin or a unit
-    ///   vector `±eᵢ` to a point that is not finite, as an empty set does by the contract of
-    ///   [`ClosedSet`]. The sets of this crate never do.
+    ///   vector `±eᵢ` to a point that is not finite. An empty set does so by the contract of
+    ///   [`ClosedSet`]; the sets of this crate never do.
     pub fn new(
         first: impl ClosedSet<D> + 'static,
         second: impl ClosedSet<D> + 'static,
@@ -47,11 +47,11 @@ impl<const D: usize> Ends<D> {
         Ok(ends)
     }
 
-    /// Makes the pair of two points, in `ℓ`.
+    /// Makes the pair of ends from two points with coordinates in `ℓ`.
     ///
     /// # Errors
     ///
-    /// [`SetError::NonFiniteCoordinate`].
+    /// [`SetError::NonFiniteCoordinate`] if a coordinate is not finite.
     pub fn points(
         first: impl Into<SVector<f64, D>>,
         second: impl Into<SVector<f64, D>>,
@@ -72,7 +72,7 @@ impl<const D: usize> Ends<D> {
     }
 
     /// Returns whether the pair was made by [`Ends::points`], so that both ends of a curve are
-    /// fixed. Other sets with a single member are not recognised.
+    /// fixed. Other sets that have a single member are not recognised.
     #[must_use]
     pub fn are_points(&self) -> bool {
         self.points
@@ -80,8 +80,8 @@ impl<const D: usize> Ends<D> {
 
     /// Returns all pairs of a piece of the first set and a piece of the second.
     ///
-    /// The order is fixed: the second varies faster, and the pieces of each set keep their order. A
-    /// set without pieces is its own piece; nested unions are flattened.
+    /// The order is fixed: the piece of the second set varies faster, and the pieces of each set
+    /// keep their order. A set without pieces is its own piece; nested unions are flattened.
     pub fn pairs(
         &self,
     ) -> impl Iterator<Item = (Arc<dyn ClosedSet<D>>, Arc<dyn ClosedSet<D>>)> + use<D> {
@@ -169,7 +169,7 @@ mod tests {
         };
         assert!(refused(Ends::new(nothing(), ball), "first"));
         assert!(refused(Ends::new(ball, nothing()), "second"));
-        // Also in a union, where the ball is nearest.
+        // A union is refused too if the ball in it is nearest.
         let union = Union::new(vec![Arc::new(ball), Arc::new(nothing())]).expect("two");
         assert!(refused(Ends::new(ball, union), "second"));
     }
@@ -207,7 +207,8 @@ mod tests {
         }
     }
 
-    /// The origin and the unit steps along every axis, in both directions, for either end.
+    /// The probes are the origin and the unit steps along every axis, in both directions, for
+    /// either end.
     #[test]
     fn every_documented_probe_is_made() {
         let point = Point::new([0.0; 3]).expect("finite");

@@ -1,7 +1,7 @@
 //! Exact comparisons of boxes with the formulas of sets, for tests.
 //!
 //! The numbers have so many bits that no sum or product rounds: coordinates are doubles of ordinary
-//! size, their products have 106 bits, and their sums span about 200.
+//! size, their products have 106 bits, and sums of products span about 200.
 
 use astro_float::{BigFloat, RoundingMode};
 use nalgebra::SVector;
@@ -44,12 +44,12 @@ fn sum(terms: impl Iterator<Item = Exact>) -> Exact {
     terms.fold(Exact::new(0.0), |sum, term| sum.plus(&term))
 }
 
-/// Whether the box contains the point.
+/// Returns whether the box contains the point.
 pub(crate) fn contains<const D: usize>(y: &SVector<Interval, D>, p: &SVector<f64, D>) -> bool {
     (0..D).all(|i| y[i].contains(p[i]))
 }
 
-/// The least and the largest `|z − c|²` for `z` in the box.
+/// Returns the smallest and the largest `|z − c|²` for `z` in the box.
 pub(crate) fn squared_distances<const D: usize>(
     y: &SVector<Interval, D>,
     c: &SVector<f64, D>,
@@ -61,12 +61,12 @@ pub(crate) fn squared_distances<const D: usize>(
     (least, most)
 }
 
-/// `r²`.
+/// Returns `r²`.
 pub(crate) fn square(r: f64) -> Exact {
     Exact::new(r).sqr()
 }
 
-/// The least `n·z` for `z` in the box.
+/// Returns the smallest `n·z` for `z` in the box.
 pub(crate) fn least_product<const D: usize>(
     n: &SVector<f64, D>,
     y: &SVector<Interval, D>,
@@ -77,8 +77,8 @@ pub(crate) fn least_product<const D: usize>(
     }))
 }
 
-/// Whether the box meets the points `a + s v` with `s` in `[0, 1]`, or any `s`; `v` is the exact
-/// `b − a`.
+/// Returns whether the box meets the points `a + s v`, with `s` in `[0, 1]` for a segment and any
+/// `s` for a line; `v` is the exact `b − a`.
 pub(crate) fn meets_line<const D: usize>(
     y: &SVector<Interval, D>,
     a: &SVector<f64, D>,
@@ -86,7 +86,7 @@ pub(crate) fn meets_line<const D: usize>(
     segment: bool,
 ) -> bool {
     let zero = Exact::new(0.0);
-    // Bounds of s as fractions p/q with q > 0, from below and above.
+    // Lower and upper bounds on s, as fractions p/q with q > 0.
     let (mut from, mut to) = (Vec::new(), Vec::new());
     if segment {
         from.push((zero.clone(), Exact::new(1.0)));
@@ -111,15 +111,16 @@ pub(crate) fn meets_line<const D: usize>(
     from.iter().all(|(p, q)| to.iter().all(|(r, s)| p.times(s).at_most(&r.times(q))))
 }
 
-/// `b − a` in each coordinate.
+/// Returns `b − a` in each coordinate.
 pub(crate) fn difference<const D: usize>(b: &SVector<f64, D>, a: &SVector<f64, D>) -> [Exact; D] {
     std::array::from_fn(|i| Exact::new(b[i]).minus(&Exact::new(a[i])))
 }
 
-/// Whether the midpoint of the box is no farther from `p + span(directions)` than from a corner, as
-/// it is if the box contains a member.
+/// Returns whether the midpoint of the box is at most as far from `p + span(directions)` as from a
+/// corner. This is true if the box contains a member.
 ///
-/// By Gram–Schmidt in long numbers; distances below `10⁻²⁰⁰` count as zero.
+/// The distances are computed by Gram–Schmidt in long numbers; distances below `10⁻²⁰⁰` count as
+/// zero.
 pub(crate) fn reaches_subspace<const D: usize>(
     y: &SVector<Interval, D>,
     p: &SVector<f64, D>,

@@ -8,22 +8,23 @@ use tautline_scalar::Interval;
 use crate::closed_set::closed_set_by;
 use crate::{ClosedSet, Point, SetError, Union};
 
-/// The set `{p₁, …, pₖ}`: `P(x)` is the nearest of the points, the first of them on a tie;
+/// The set `{p₁, …, pₖ}`. `P(x)` is the nearest of the points, and the first of them on a tie;
 /// `DP = 0`.
 ///
-/// Its pieces are its points, in the given order. A minimal geodesic need not end at the nearest
-/// one in the Euclidean sense: each is searched.
+/// Its pieces are its points, in the given order. A minimal geodesic need not end at the point that
+/// is nearest in the Euclidean sense, so each one is searched.
 #[derive(Clone, Debug)]
 pub struct FiniteSet<const D: usize> {
     points: Union<D>,
 }
 
 impl<const D: usize> FiniteSet<D> {
-    /// Makes the set of `points`, in `ℓ`.
+    /// Returns the set of `points`, in `ℓ`.
     ///
     /// # Errors
     ///
-    /// [`SetError::Empty`] without points; [`SetError::NonFiniteCoordinate`].
+    /// [`SetError::Empty`] if there are no points; [`SetError::NonFiniteCoordinate`] if a
+    /// coordinate is not finite.
     pub fn new<V: Into<SVector<f64, D>>>(
         points: impl IntoIterator<Item = V>,
     ) -> Result<FiniteSet<D>, SetError> {
@@ -62,7 +63,8 @@ mod tests {
                 member: Box::new(move |w| a[((w[0] + 1.0) / 2.0 * a.len() as f64) as usize]),
                 defect: Box::new(move |x| distances(x, &b)[0]),
                 held: Box::new(move |y| d.iter().any(|p| contains(y, p))),
-                // Each distance changes by at most the way x goes: a tie at half the difference.
+                // Each distance changes by at most the length that x moves, so there is no tie
+                // within half the difference.
                 kink: Box::new(move |x| {
                     let d = distances(x, &c);
                     if d.len() == 1 { f64::INFINITY } else { (d[1] - d[0]) / 2.0 }

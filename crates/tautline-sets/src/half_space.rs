@@ -7,7 +7,7 @@ use crate::ClosedSet;
 use crate::proof;
 use crate::set_error::{SetError, finite, finite_vector};
 
-/// The half-space `n·x ≤ b`, unbounded. With `|n| = 1`:
+/// The half-space `n·x ≤ b`, which is unbounded. With `|n| = 1`:
 ///
 /// ```text
 /// P(x) = x   and DP(x) = I                        for n·x ≤ b,
@@ -17,11 +17,11 @@ use crate::set_error::{SetError, finite, finite_vector};
 /// Two half-spaces are equal if their normalised `n` and `b` are.
 #[derive(Clone, Copy, Debug)]
 pub struct HalfSpace<const D: usize> {
-    /// `n`, of length 1.
+    /// The normal `n`, of length 1.
     normal: SVector<f64, D>,
     offset: f64,
-    /// The normal and the offset as given: they define the half-space exactly, while normalisation
-    /// rounds.
+    /// The normal and the offset as given. They define the half-space exactly, while the normalised
+    /// ones are rounded.
     given_normal: SVector<f64, D>,
     given_offset: f64,
 }
@@ -33,8 +33,8 @@ impl<const D: usize> PartialEq for HalfSpace<D> {
 }
 
 impl<const D: usize> HalfSpace<D> {
-    /// Makes the half-space `normal·x ≤ offset`. The normal points out of the set and need not
-    /// have length 1; the offset is in `ℓ` times the unit of the normal.
+    /// Returns the half-space `normal·x ≤ offset`. The normal points out of the set and need not
+    /// have length 1. The offset is in `ℓ` times the unit of the normal.
     ///
     /// ```
     /// # use nalgebra::vector;
@@ -47,12 +47,13 @@ impl<const D: usize> HalfSpace<D> {
     ///
     /// # Errors
     ///
-    /// [`SetError::NonFiniteCoordinate`] or [`SetError::ZeroNormal`] of the normal,
-    /// [`SetError::NonFinite`] of the offset, also if `offset / |normal|` overflows.
+    /// [`SetError::NonFiniteCoordinate`] or [`SetError::ZeroNormal`] if the normal is not finite or
+    /// zero; [`SetError::NonFinite`] if the offset is not finite or `offset / |normal|` overflows.
     pub fn new(normal: impl Into<SVector<f64, D>>, offset: f64) -> Result<HalfSpace<D>, SetError> {
         let normal = finite_vector("the normal", normal)?;
         let offset = finite("offset", offset)?;
-        // The largest coordinate first: |normal| itself may overflow.
+        // The normal is divided by its largest coordinate first, since |normal| itself may
+        // overflow.
         let largest = normal.amax();
         if largest == 0.0 {
             return Err(SetError::ZeroNormal);
@@ -67,27 +68,27 @@ impl<const D: usize> HalfSpace<D> {
         })
     }
 
-    /// Makes the half-space `normal·x ≥ offset`, with a normal that points into the set.
+    /// Returns the half-space `normal·x ≥ offset`, with a normal that points into the set.
     ///
     /// # Errors
     ///
-    /// As [`HalfSpace::new`].
+    /// As for [`HalfSpace::new`].
     pub fn at_least(
         normal: impl Into<SVector<f64, D>>,
         offset: f64,
     ) -> Result<HalfSpace<D>, SetError> {
-        // Checked before the signs change, so that errors show the given numbers.
+        // The numbers are checked before the signs change, so that errors show the given ones.
         let normal = finite_vector("the normal", normal)?;
         HalfSpace::new(-normal, -finite("offset", offset)?)
     }
 
-    /// Returns the outward normal `n`, of length 1, a pure number.
+    /// Returns the outward normal `n` of length 1, a vector of pure numbers.
     #[must_use]
     pub fn normal(&self) -> &SVector<f64, D> {
         &self.normal
     }
 
-    /// Returns `b` for the normal of length 1, in `ℓ`.
+    /// Returns the `b` that belongs to the normal of length 1, in `ℓ`.
     #[must_use]
     pub fn offset(&self) -> f64 {
         self.offset
@@ -100,8 +101,8 @@ impl<const D: usize> ClosedSet<D> for HalfSpace<D> {
         if n.dot(x) <= self.offset {
             return *x;
         }
-        // x − (n·x − b) n cancels if x is far out, and misses the plane by ε|x|. Instead the
-        // component along n is removed in full, twice, since the first time leaves ε|x| and the
+        // x − (n·x − b) n suffers from cancellation if x is far out, and misses the plane by ε|x|.
+        // Instead the whole component along n is removed twice: the first time leaves ε|x|, the
         // second ε² |x|. Adding b n rounds once.
         let once = x - n * n.dot(x);
         let tangential = once - n * n.dot(&once);
@@ -130,8 +131,8 @@ impl<const D: usize> ClosedSet<D> for HalfSpace<D> {
         if height(&here).hi() <= 0.0 {
             return Some(here);
         }
-        // Start near the plane, where x − (n·x − b) n/|n|² does not cancel: the foot of any point
-        // is a member.
+        // Start near the plane, where x − (n·x − b) n/|n|² does not cancel. The starting point is
+        // free, since the foot of any point is a member.
         let near = proof::point(&self.project(x));
         let step = height(&near) / proof::square(&n);
         proof::finite(SVector::from_fn(|i, _| near[i] - n[i] * step))
@@ -157,7 +158,7 @@ mod tests {
         (normal, -3.0..3.0_f64, scale()).prop_map(|(n, b, scale)| {
             let height = move |x: &nalgebra::SVector<f64, D>| (n.dot(x) - b) / n.norm();
             Case {
-                // Reflected at the plane if outside.
+                // The point is reflected at the plane if it is outside.
                 member: Box::new(move |w| {
                     let y = w * 4.0;
                     if height(&y) > 0.0 { y - n * (2.0 * height(&y) / n.norm()) } else { y }
@@ -195,7 +196,7 @@ mod tests {
         assert_eq!(HalfSpace::at_least([1.0, 0.0], 2.0), Ok(wall));
     }
 
-    /// On every axis, in both directions, where nothing rounds.
+    /// Tests the faces on every axis, in both directions, where nothing rounds.
     #[test]
     fn half_space_faces_belong_to_it() {
         for (i, sign) in (0..3).flat_map(|i| [(i, 1.0), (i, -1.0)]) {
@@ -220,26 +221,27 @@ mod tests {
         assert_ne!(wall([1.0, 0.0], 0.0), wall([-1.0, 0.0], 0.0));
     }
 
-    /// `x₁ + x₂ ≤ 1`: the offset over the length of the normal is `1/√2`.
+    /// For `x₁ + x₂ ≤ 1` the offset divided by the length of the normal is `1/√2`.
     #[test]
     fn half_space_offset_is_in_the_unit_of_the_normal() {
         for unit in [1e-300, 1.0, 1e300, f64::MAX] {
             let wall = HalfSpace::new([unit, unit], unit).expect("a normal");
-            // Three roundings.
+            // The offset is computed with three roundings.
             assert!((wall.offset() - 0.5_f64.sqrt()).abs() <= 2.0 * f64::EPSILON, "{wall:?}");
         }
     }
 
     #[test]
     fn half_space_projection_is_accurate_from_far_away() {
-        // The textbook formula would give x₁ = 0: 1e20 − 2 is 1e20 in f64.
+        // The textbook formula would give x₁ = 0, since 1e20 − 2 is 1e20 in f64.
         let axis = HalfSpace::new([1.0, 0.0], 2.0).expect("a normal");
         assert_eq!(axis.project(&vector![1e20, 3.0]), vector![2.0, 3.0]);
-        // In an oblique direction the error is a few roundings of P(x), about 3 long, not of x.
+        // In an oblique direction the error is a few roundings of P(x), which is about 3 long, and
+        // not of x.
         let slant = HalfSpace::new([0.6, 0.8], 2.0).expect("a normal");
         let p = slant.project(&vector![6.123e9, 8.164e9]);
         assert!((slant.normal().dot(&p) - 2.0).abs() <= 4.0 * f64::EPSILON * p.norm());
-        // The proved member is as near.
+        // The proved member is as near as the projection.
         for (wall, x) in [(axis, vector![1e20, 3.0]), (slant, vector![6.123e9, 8.164e9])] {
             let (near, p) = (wall.member_near(&x).expect("a member"), wall.project(&x));
             for i in 0..2 {

@@ -1,4 +1,5 @@
-//! The laws of a closed set, as one property test that every set runs, and a bare set for tests.
+//! The laws of a closed set, as one property test that runs for every set, and a bare set for
+//! tests.
 
 use std::fmt;
 
@@ -10,29 +11,30 @@ use tautline_scalar::Interval;
 use crate::ClosedSet;
 use crate::norm::on_axis;
 
-/// The seed of every property test here, printed when one fails.
+/// The seed of every property test in this crate, printed when a test fails.
 const SEED: u64 = 0x7A07_11E5;
 
-/// Bound of all coordinates at scale 1: data up to 3 + 2, samples up to 8.
+/// A bound on all coordinates at scale 1: data are at most 3 + 2, samples at most 8.
 const SIZE: f64 = 8.0;
 
-/// Accuracy of a coordinate or a distance at scale 1.
+/// The accuracy of a coordinate or a distance at scale 1.
 ///
-/// A projection, a membership formula and the comparison take about 4 D ≤ 20 roundings, of ε/2
-/// each, of numbers up to `SIZE` √D; doubled.
+/// A projection, a membership formula and the comparison together make about 4 D ≤ 20 roundings of
+/// ε/2 each, in numbers up to `SIZE` √D. The bound is doubled.
 const ROUNDING: f64 = 64.0 * SIZE * f64::EPSILON;
 
-/// Step of the central difference at scale 1; a power of two, so that `x ± h` is exact.
+/// The step of the central difference at scale 1. It is a power of two, so that `x ± h` is exact.
 const STEP: f64 = 1.0 / 131_072.0;
 
-/// The distance of a sample from the kinks of `P` if it is differentiated.
+/// The distance from the kinks of `P` that a sample must have to be differentiated at.
 const CLEARANCE: f64 = 1.0 / 16.0;
 
-/// Accuracy of a central difference of `P`.
+/// The accuracy of a central difference of `P`.
 ///
-/// Truncation: `h²/6 · |D³P|`. For ball and sphere `|D³P| ≤ 15 r/|x − c|³`, with `r ≤ 2` and
-/// `|x − c|` at least 1/4 for the sphere and `r + 1/16` for the ball: at most 1920, hence
-/// `320 h² < 2e-8`. All other maps are piecewise affine. Rounding: `8 ε SIZE / h < 2e-9`.
+/// The truncation error is `h²/6 · |D³P|`. For ball and sphere `|D³P| ≤ 15 r/|x − c|³`, where
+/// `r ≤ 2` and `|x − c|` is at least 1/4 for the sphere and `r + 1/16` for the ball. So `|D³P|` is
+/// at most 1920, and the error is below `320 h² < 2e-8`. All other maps are piecewise affine. The
+/// rounding error is `8 ε SIZE / h < 2e-9`.
 const DIFFERENCE: f64 = 4e-8;
 
 /// A function of a point at scale 1.
@@ -41,7 +43,7 @@ type Of<const D: usize, T> = Box<dyn Fn(&SVector<f64, D>) -> T>;
 /// A predicate of a box at scale 1.
 type Held<const D: usize> = Box<dyn Fn(&SVector<Interval, D>) -> bool>;
 
-/// A set, and properties that follow from its formula without its projection.
+/// A set, and properties of it that follow from its formula without its projection.
 ///
 /// The properties are at scale 1; the set is `scale` times as large.
 pub(crate) struct Case<const D: usize> {
@@ -49,23 +51,23 @@ pub(crate) struct Case<const D: usize> {
     pub(crate) scale: f64,
     /// A member for each `w` of the cube `[−1, 1]^D`.
     pub(crate) member: Of<D, SVector<f64, D>>,
-    /// Zero for members, and about the distance to the set otherwise.
+    /// Zero for members; otherwise about the distance from the set.
     pub(crate) defect: Of<D, f64>,
-    /// Whether a box contains a member, by the formula of the set in exact arithmetic.
+    /// Returns whether a box contains a member, by the formula of the set in exact arithmetic.
     pub(crate) held: Held<D>,
-    /// A lower bound of the distance to the nearest place where `P` is not smooth.
+    /// A lower bound on the distance to the nearest place where `P` is not smooth.
     pub(crate) kink: Of<D, f64>,
     /// A member farthest from the origin, if there is one.
     pub(crate) farthest: Option<SVector<f64, D>>,
 }
 
 impl<const D: usize> Case<D> {
-    /// `P` at scale 1.
+    /// Evaluates `P` at scale 1.
     fn project(&self, x: &SVector<f64, D>) -> SVector<f64, D> {
         self.set.project(&(x * self.scale)) / self.scale
     }
 
-    /// `DP`, which has no scale.
+    /// Evaluates `DP`, which has no scale.
     fn derivative(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
         self.set.projection_derivative(&(x * self.scale))
     }
@@ -115,7 +117,7 @@ pub(crate) fn extent() -> impl Strategy<Value = f64> {
     prop_oneof![1 => Just(0.0), 4 => 0.1..2.0_f64]
 }
 
-/// Powers of two, so that scaling is exact. The squares of two of them overflow or underflow.
+/// Powers of two, so that scaling is exact. They include two whose squares overflow or underflow.
 pub(crate) fn scale() -> impl Strategy<Value = f64> {
     prop_oneof![
         3 => Just(1.0),
@@ -155,22 +157,23 @@ pub(crate) fn check<const D: usize>(cases: impl Strategy<Value = Case<D>>) {
 }
 
 /// Checks that the edges of a set belong to it: at a member, even at a kink of `P`, the derivative
-/// preserves the directions along the set. For convex sets with edges that are met without
-/// rounding.
+/// preserves the directions along the set. This check is for convex sets with edges on which
+/// samples can lie without rounding.
 pub(crate) fn check_edges<const D: usize>(cases: impl Strategy<Value = Case<D>>) {
     let samples = (cases, vector_in::<D>(8.0), vector_in::<D>(1.0));
     unwrap(runner().run(&samples, |(case, x, w)| {
         let p = case.project(&x);
         let along = (case.member)(&w) - p;
-        // The member is off by ROUNDING, the product by D roundings of numbers up to SIZE.
+        // The member is off by ROUNDING, and the product by D roundings of numbers up to SIZE.
         let off = (case.derivative(&p) * along - along).amax();
         prop_assert!(off <= 2.0 * ROUNDING, "DP({p:?}) moves {along:?} by {off:e}");
         Ok(())
     }));
 }
 
-/// Checks that points that are inside by the derivative stay, to the last bit: `P` agrees with `DP`
-/// on the boundary, where `P(x)` often lies. For sets with an interior in which nothing rounds.
+/// Checks that points that are inside according to the derivative stay in place, to the last bit.
+/// So `P` agrees with `DP` on the boundary, where `P(x)` often lies. This check is for sets with an
+/// interior in which nothing rounds.
 pub(crate) fn check_inside<const D: usize>(cases: impl Strategy<Value = Case<D>>) {
     unwrap(runner().run(&(cases, vector_in::<D>(8.0)), |(case, x)| {
         for y in [x, case.project(&x), case.project(&case.project(&x))] {
@@ -182,7 +185,7 @@ pub(crate) fn check_inside<const D: usize>(cases: impl Strategy<Value = Case<D>>
     }));
 }
 
-/// `P(x)` is a member, stays where it is, and no member is nearer.
+/// `P(x)` is a member, `P` leaves it in place, and no member is nearer to `x`.
 fn nearest<const D: usize>(
     case: &Case<D>,
     x: &SVector<f64, D>,
@@ -196,18 +199,19 @@ fn nearest<const D: usize>(
     let member = (case.member)(w);
     let (left, right) = ((x - p).norm(), (x - member).norm());
     prop_assert!(left <= right + ROUNDING, "{left} to P(x), {right} to the member {member:?}");
-    // If several members are nearest, always the same one.
+    // If several members are nearest, the same one is always returned.
     prop_assert_eq!(p, case.project(x));
     Ok(())
 }
 
-/// The box about `P(x)` contains a member; a point that is clearly inside is proved to be a member.
+/// The box about `P(x)` contains a member, and a point that is clearly inside is proved to be a
+/// member.
 fn proved<const D: usize>(case: &Case<D>, x: &SVector<f64, D>) -> Result<(), TestCaseError> {
     let near = case.set.member_near(&(x * case.scale));
     let Some(near) = near else {
         return Err(TestCaseError::fail(format!("nothing proved near {x:?}")));
     };
-    // Powers of two: nothing rounds.
+    // The scales are powers of two, so nothing rounds.
     let side = |i: usize| [near[i].lo(), near[i].hi()].map(|end| end / case.scale);
     let member = SVector::from_fn(|i, _| {
         let [lo, hi] = side(i);
@@ -226,7 +230,7 @@ fn proved<const D: usize>(case: &Case<D>, x: &SVector<f64, D>) -> Result<(), Tes
     Ok(())
 }
 
-/// The farthest member attains the radius, and no member exceeds it; seeds are members.
+/// The farthest member attains the radius, no member exceeds it, and seeds are members.
 fn bounded<const D: usize>(case: &Case<D>, w: &SVector<f64, D>) -> Result<(), TestCaseError> {
     let radius = case.set.radius().map(|radius| radius / case.scale);
     prop_assert_eq!(radius.is_some(), case.farthest.is_some());
@@ -255,7 +259,7 @@ fn bounded<const D: usize>(case: &Case<D>, w: &SVector<f64, D>) -> Result<(), Te
     Ok(())
 }
 
-/// The derivative is symmetric, and agrees with differences of `P` where `P` is smooth.
+/// The derivative is symmetric, and it agrees with differences of `P` where `P` is smooth.
 fn differentiable<const D: usize>(
     case: &Case<D>,
     x: &SVector<f64, D>,
@@ -275,7 +279,7 @@ fn differentiable<const D: usize>(
     Ok(())
 }
 
-/// Neither `P` nor its derivative expands; `x − P(x)` makes obtuse angles with the set.
+/// Neither `P` nor its derivative expands, and `x − P(x)` makes obtuse angles with the set.
 fn convex<const D: usize>(
     case: &Case<D>,
     x: &SVector<f64, D>,
@@ -286,13 +290,14 @@ fn convex<const D: usize>(
     let (left, right) = ((p - q).norm(), (x - y).norm());
     prop_assert!(left <= right + ROUNDING, "|P(x) - P(y)| = {left}, |x - y| = {right}");
     let angle = (x - p).dot(&((case.member)(w) - p));
-    // Each factor is off by ROUNDING; the other is at most 4 SIZE √D < 16 SIZE.
+    // Each factor is off by ROUNDING, and the other factor is at most 4 SIZE √D < 16 SIZE.
     prop_assert!(angle <= 16.0 * SIZE * ROUNDING, "(x - P(x))·(member - P(x)) = {angle:e}");
     let derivative = case.derivative(x);
-    // vᵀ DP v for v = e₁, … and a random direction, without an eigenvalue routine.
+    // The quotients vᵀ DP v are taken for v = e₁, … and for a random direction, without an
+    // eigenvalue routine.
     for v in (0..D).map(|i| on_axis(i, 1.0)).chain(w.try_normalize(0.0)) {
         let quotient = v.dot(&(derivative * v));
-        // Entries up to 1, about 2 D² ≤ 50 roundings.
+        // The entries are at most 1, and there are about 2 D² ≤ 50 roundings.
         let range = -64.0 * f64::EPSILON..=1.0 + 64.0 * f64::EPSILON;
         prop_assert!(range.contains(&quotient), "vᵀ DP v = {quotient} for v = {v:?}");
     }

@@ -17,7 +17,8 @@ impl Metric<2> for Sheet {
     }
 }
 
-/// Bounds also need its constants: `(½ sin²)′ = ½ sin 2x₁`, and `(½ sin²)″ = cos 2x₁`.
+/// Bounds also need the constants of the metric: `(½ sin²)′ = ½ sin 2x₁`, and
+/// `(½ sin²)″ = cos 2x₁`.
 impl Bounded<2> for Sheet {
     fn constants(&self) -> Constants {
         Constants::new(1.0, 2.0, 0.5).and_then(|c| c.with_m_h(1.0)).expect("1 ≤ 2")
@@ -31,12 +32,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let energy = line.energy();
     println!("E = {:.9} is an upper bound on d², up to {:.0e}", energy.value, energy.error);
 
-    // Every bound grows with d: an upper bound on d suffices.
+    // Every bound grows with d, so an upper bound on d suffices.
     let setting = Setting::new(Sheet.constants(), line.length().value, 2)?;
     let excess = theorem_1_1_excess(setting, n);
     println!("E − d² is at most {excess:.3e} for a global minimiser (Theorem 1.1)");
 
-    // With M_H = 1, the second derivative of ½ sin², the sharper theorems give 1/N².
+    // Since M_H = 1, the second derivative of ½ sin², is finite, the sharper theorems give 1/N².
     let enclosure = line.enclosure()?;
     println!("{:.9} ≤ d² ≤ {:.9} (Proposition S.6)", enclosure.lower, enclosure.upper);
     if enclosure.assumes_global_minimum {

@@ -1,15 +1,15 @@
-//! How different are two normal distributions? A metric with constants on balls only.
+//! How different are two normal distributions? Their metric has constants on balls only.
 
 use tautline::{Ends, KnownDistance, Problem, SVector, Trapezoidal, gallery::GaussianFisher};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    // The mean, and the logarithm of the standard deviation.
+    // The coordinates are the mean and the logarithm of the standard deviation.
     let [before, after] = [[0.0, 0.0], [0.1, 0.05]];
     let line =
         Problem::new(GaussianFisher, Ends::points(before, after)?).solve(Trapezoidal, 1000)?;
 
-    // diag(e^{−2t}, 2) has no positive bounds on the plane, but nothing shorter than this line
-    // leaves a ball, where it has (Proposition S.8).
+    // diag(e^{−2t}, 2) has no positive lower bound on the whole plane. But every curve shorter than
+    // this line stays in a ball, on which there is one (Proposition S.8).
     let competitors = line.competitors()?;
     println!("all competitors are within {:.4} of the first", competitors.within.r());
     let enclosure = line.enclosure_among(&competitors)?;

@@ -3,8 +3,8 @@
 use tautline::{Ball, Ends, FiniteSet, Problem, Trapezoidal, gallery::Valleys};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    // From a ball to the nearest of three harbours. The nearest in a straight line lies on a ridge
-    // of the metric; the search tries all.
+    // From a ball to the nearest of three harbours. The one that is nearest in a straight line lies
+    // on a ridge of the metric, so the search tries all three.
     let ball = Ball::new([0.0, 0.0], 0.5)?;
     let harbours = FiniteSet::new([[3.0, 0.0], [0.0, 3.5], [-3.0, 1.0]])?;
     let problem = Problem::new(Valleys, Ends::new(ball, harbours)?);

@@ -10,11 +10,11 @@ use crate::{Problem, TautLine};
 /// Solves many problems on all threads, and returns the results in order.
 ///
 /// Each problem runs on one thread: [`Options::threads`] is ignored. The results equal those of
-/// [`Problem::solve_with`] bit by bit for any number of threads; an error does not affect the
-/// others. The threads are those of the current rayon pool, by default one for each processor.
-/// Problems on the same thread share memory, which is freed at the end.
+/// [`Problem::solve_with`] bit for bit, for any number of threads. An error in one problem does not
+/// affect the others. The threads are those of the current rayon pool, by default one for each
+/// processor. Problems on the same thread share memory, which is freed at the end.
 ///
-/// Problems can share a metric by reference, or each have their own of the same type:
+/// Problems can share a metric by reference, or each can have its own metric of the same type:
 ///
 /// ```
 /// use tautline::{Ends, Options, Problem, Trapezoidal, gallery::Bump, solve_all};
@@ -34,21 +34,21 @@ use crate::{Problem, TautLine};
 ///
 /// # Stack
 ///
-/// In many dimensions there are matrices on the stack, of jets if a formula is evaluated as
-/// compiled. Threads other than the first have a stack of 2 MB by default. Measured with
-/// optimisation, a solve needs, in MB:
+/// In many dimensions there are matrices on the stack; if a formula is evaluated as compiled, they
+/// are matrices of jets. Threads other than the first have a stack of 2 MB by default. A solve
+/// compiled with optimisation was measured to need, in MB:
 ///
 /// | `D` | 16 | 23 | 32 | 64 |
 /// | --- | --- | --- | --- | --- |
 /// | by programs | ⅛ | ¼ | ½ | 2 |
 /// | as compiled: a formula with branches, or one with very many steps | 2 | 8 | 3 | 12 |
 ///
-/// From `D = 24` on, derivatives are taken in eight directions at a time, which need less. For
-/// larger stacks use rayon's `ThreadPoolBuilder::stack_size`.
+/// From `D = 24` on, derivatives are taken in eight directions at a time, which needs less stack.
+/// For larger stacks use rayon's `ThreadPoolBuilder::stack_size`.
 ///
 /// # Errors
 ///
-/// Each result has its own error, as [`Problem::solve`].
+/// Each result has its own error, as for [`Problem::solve`].
 pub fn solve_all<M, R, const D: usize>(
     problems: &[Problem<M, D>],
     rule: R,

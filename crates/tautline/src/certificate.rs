@@ -11,9 +11,9 @@ use tautline_metrics::{Bounded, Metric};
 
 use crate::{Competitors, TautLine};
 
-/// A rule with theorems in the paper.
+/// A rule for which the paper has theorems.
 pub trait RuleOfThePaper: Rule {
-    /// The rule.
+    /// The rule, as the paper names it.
     const OF_THE_PAPER: PaperRule;
 }
 
@@ -28,27 +28,27 @@ impl RuleOfThePaper for LeftEndpoint {
 /// Numbers of subintervals for which `L(γᵖˡ)² − d²` is within a tolerance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SuggestedN {
-    /// Proven for a global minimiser, with the theorem; `None` if no theorem applies up to
-    /// `N = 2⁴⁰`.
+    /// The proven `N` for a global minimiser, with the theorem that proves it; `None` if no theorem
+    /// applies up to `N = 2⁴⁰`.
     pub proven: Option<(NonZeroUsize, Theorem)>,
-    /// Expected, since the excess over the extrapolated `d²` falls like `1/N²`. `None` with too few
-    /// grids, or if the excess is rounding.
+    /// The expected `N`, based on an excess over the extrapolated `d²` that falls like `1/N²`.
+    /// `None` if there are too few grids, or if the excess is within the noise.
     pub expected: Option<NonZeroUsize>,
 }
 
 /// Upper bounds on the energy, the length and the squared length of a curve.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Extent {
-    /// In `m²`.
+    /// The bound on the energy, in `m²`.
     pub(crate) energy: f64,
-    /// In `m`.
+    /// The bound on the length, in `m`.
     pub(crate) length: f64,
-    /// In `m²`.
+    /// The bound on the squared length, in `m²`.
     pub(crate) length_squared: f64,
 }
 
 impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
-    /// The bounds by quadrature, with estimated errors.
+    /// Returns the bounds by quadrature, with its estimated errors added.
     pub(crate) fn extent(&self) -> Extent {
         let (length, energy) = (self.length(), self.energy());
         let length = length.value + length.error;
@@ -59,64 +59,65 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
 impl<M: Bounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     /// Returns bounds on `d²`, in `m²`, from this line and the constants of the metric.
     ///
-    /// - The upper bound is the squared length of the line, quadrature error included, without
-    ///   assumptions.
+    /// - The upper bound is the squared length of the line plus the quadrature error. It needs no
+    ///   assumption.
     /// - The lower bound follows from the theorems. Between two points, the discrete minimum is
-    ///   global if the energy is strictly convex where all competitors are. Otherwise that is
-    ///   assumed, and [`Enclosure::assumes_global_minimum`] is set.
+    ///   proved to be global if the energy is strictly convex where all competitors are. Otherwise
+    ///   a global minimum is assumed, and [`Enclosure::assumes_global_minimum`] is set.
     ///
-    /// Needs: the metric satisfies its constants. Computed in `f64`, with an estimated quadrature
-    /// error: not certified to the last digits.
+    /// Needs: the metric satisfies its constants. The bounds are computed in `f64`, with an
+    /// estimated quadrature error, and are not certified to the last digits.
     ///
     /// # Errors
     ///
-    /// [`BoundError::LocalConstants`] if the constants only hold on a region; [`BoundError`] if an
-    /// energy is not finite.
+    /// [`BoundError::LocalConstants`] if the constants only hold on a region; another
+    /// [`BoundError`] if an energy is not finite.
     pub fn enclosure(&self) -> Result<Enclosure, BoundError> {
         self.enclosure_by(global(self.metric().constants())?, self.extent())
     }
 
-    /// Suggests an `N` for which `L(γᵖˡ)² − d²` is at most `tolerance`, in `m²`: by the theorems
-    /// with the length of this line for `d`, and by extrapolation over its grids.
+    /// Suggests an `N` for which `L(γᵖˡ)² − d²` is at most `tolerance`, in `m²`. The proven `N`
+    /// follows from the theorems with the length of this line for `d`; the expected `N` follows
+    /// from extrapolation over the grids of this line.
     ///
     /// # Errors
     ///
-    /// [`BoundError::LocalConstants`] if the constants only hold on a region; [`BoundError`] if the
-    /// length is not finite.
+    /// [`BoundError::LocalConstants`] if the constants only hold on a region; another
+    /// [`BoundError`] if the length is not finite.
     pub fn suggest_n(&self, tolerance: f64) -> Result<SuggestedN, BoundError> {
         self.suggest_n_by(global(self.metric().constants())?, tolerance)
     }
 }
 
-/// Refuses constants that only hold on a region.
+/// Rejects constants that only hold on a region.
 fn global(constants: Constants) -> Result<Constants, BoundError> {
     if constants.is_local() { Err(BoundError::LocalConstants) } else { Ok(constants) }
 }
 
 impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
-    /// Returns bounds on `d²`, in `m²`, as [`enclosure`](TautLine::enclosure), by constants that
-    /// hold where all [competitors](TautLine::competitors) of this line are. A global minimum is
-    /// then one among the sequences in that ball.
+    /// Returns bounds on `d²`, in `m²`, like [`enclosure`](TautLine::enclosure), by constants that
+    /// hold where all [competitors](TautLine::competitors) of this line are. If a global minimum is
+    /// assumed, it is a minimum among the sequences in that ball.
     ///
     /// # Errors
     ///
     /// [`BoundError::LeavesTheBall`] if a competitor of this line might be outside the ball, which
     /// then belongs to another line; [`BoundError::Contradiction`] if the constants do not hold;
-    /// [`BoundError`] if an energy is not finite.
+    /// another [`BoundError`] if an energy is not finite.
     pub fn enclosure_among(&self, competitors: &Competitors<D>) -> Result<Enclosure, BoundError> {
         let extent = self.extent();
         competitors.hold_those_of(self, extent)?;
         self.enclosure_by(competitors.constants, extent)
     }
 
-    /// Suggests an `N` as [`suggest_n`](TautLine::suggest_n), by constants that hold where all
-    /// [competitors](TautLine::competitors) of this line are. The proven `N` is at least that of
-    /// this line: from there on no sequence of as little energy leaves the ball, since the bounds
+    /// Suggests an `N` like [`suggest_n`](TautLine::suggest_n), by constants that hold where all
+    /// [competitors](TautLine::competitors) of this line are. The proven `N` is at least the `N` of
+    /// this line. From there on no sequence with as little energy leaves the ball, since the bounds
     /// of Lemma S.4 fall with `N`.
     ///
     /// # Errors
     ///
-    /// [`BoundError::LeavesTheBall`] as for [`enclosure_among`](TautLine::enclosure_among);
+    /// [`BoundError::LeavesTheBall`] as for [`enclosure_among`](TautLine::enclosure_among); another
     /// [`BoundError`] if the length is not finite.
     pub fn suggest_n_among(
         &self,
@@ -130,7 +131,7 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
         Ok(SuggestedN { proven, ..suggested })
     }
 
-    /// Bounds on `d²` by constants that hold and bounds on the curve.
+    /// Returns bounds on `d²`, given constants that hold and bounds on the curve.
     pub(crate) fn enclosure_by(
         &self,
         constants: Constants,
@@ -147,13 +148,14 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
             energy,
             length_squared,
             minimum: certified.map_or(DiscreteMinimum::Assumed, DiscreteMinimum::AtLeast),
-            // Between two sets it is unknown.
+            // Between two sets the gap is unknown.
             gap: if fixed { gap } else { 0.0 },
         };
         enclose(constants, D, &computed)
     }
 
-    /// A lower bound on the discrete minimum over all sequences, in `m²`, if convexity proves one.
+    /// Returns a lower bound on the discrete minimum over all sequences, in `m²`, if convexity
+    /// proves one.
     fn global_minimum(&self, constants: Constants, length: f64) -> Option<f64> {
         let (sequence, n) = (self.sequence(), self.sequence().n());
         let (_, gradient) = energy_gradient(self.rule(), self.metric(), sequence);
@@ -165,7 +167,7 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
             discrete_energy: self.discrete_energy(),
             length,
             greatest_difference: greatest,
-            // ρₙ = ½N ∂E/∂xₙ, and the mean of its square over N.
+            // The root of the mean (1/N) Σ |ρₙ|², where ρₙ = ½N ∂E/∂xₙ.
             residual: 0.5 * (n.get() as f64 * squares).sqrt(),
         };
         strict_convexity(constants, D, &computed)
@@ -214,7 +216,7 @@ mod tests {
             assert!(!enclosure.assumes_global_minimum, "{enclosure:?}");
             assert_eq!(enclosure.from_below, FromBelow::Minimum);
         }
-        // Second order and first order.
+        // The first bounds are of second order, the second ones of first order.
         assert!(tra.width() < 1e-4 * d2 && left.width() > 1e-4 * d2, "{tra:?}, {left:?}");
     }
 
@@ -232,7 +234,7 @@ mod tests {
         assert!(line.enclosure().expect("finite").assumes_global_minimum);
     }
 
-    /// Both the proven and the expected `N` suffice, and the proven one is far larger.
+    /// Both the proven and the expected `N` suffice. The proven one is far larger.
     #[test]
     fn suggested_grids_reach_the_tolerance() {
         let metric = Shear::new(0.5, 1.0).expect("valid");
@@ -249,10 +251,10 @@ mod tests {
         for n in [expected, proven.get()] {
             let line = problem.solve(Trapezoidal, n).expect("solved");
             let excess = line.length().value.powi(2) - d2;
-            // The expectation holds up to the next order, here a few percent.
+            // The expectation is correct up to the next order, which is a few percent here.
             assert!(excess <= 1.1 * tolerance, "N = {n}: {excess}");
         }
-        // 512 chords are the expected number for the excess that they reach.
+        // For the excess that 512 chords reach, the expected number of chords is 512.
         let excess = coarse.length().value.powi(2) - d2;
         let again = coarse.suggest_n(excess).expect("finite").expected.expect("known").get();
         assert!((508..=516).contains(&again), "{again}");
@@ -260,9 +262,9 @@ mod tests {
         assert_eq!(coarse.suggest_n(f64::NAN).expect("finite").proven, None);
     }
 
-    /// `f = 1 + a sin kx` on `[0, 1]` with waves that no quadrature resolves, so that its error
-    /// counts; and levels as if two grids had been extrapolated to `excess` below the squared
-    /// length, with this `error`.
+    /// Returns a line under `f = 1 + a sin kx` on `[0, 1]`, with waves that no quadrature resolves,
+    /// so that the quadrature error matters. Its levels are those of two grids that were
+    /// extrapolated to `excess` below the squared length, with this `error`.
     fn extrapolated(excess: f64, error: f64) -> TautLine<Separable<1>, Trapezoidal, 1> {
         let metric = Separable::new([1e-3], [1e5]).expect("valid");
         let ends = Ends::points([0.0], [1.0]).expect("finite");
@@ -275,14 +277,14 @@ mod tests {
         TautLine::new(Arc::new(Prepared::new(metric)), Trapezoidal, ends, minimum)
     }
 
-    /// An excess counts only if it exceeds the sum of both errors.
+    /// An excess counts only if it is larger than the sum of both errors.
     #[test]
     fn both_errors_are_in_the_noise_of_an_expectation() {
         let is_known = |excess: f64, error: f64| {
             let line = extrapolated(excess, error);
             let estimate = line.distance_squared_estimate().expect("two grids");
             let length = line.length().value;
-            // Differences of numbers near 1, down to 1e-7.
+            // These are differences of numbers near 1, and as small as 1e-7.
             assert!((estimate.error / error - 1.0).abs() < 1e-6, "{estimate:?}");
             assert!(((length * length - estimate.value) / excess - 1.0).abs() < 1e-6);
             line.suggest_n(1e-9).expect("finite").expected.is_some()
@@ -297,7 +299,8 @@ mod tests {
         }
     }
 
-    /// The least `N` for which an excess that falls like `1/N²` is within the tolerance.
+    /// The expected `N` is the smallest for which an excess that falls like `1/N²` is within the
+    /// tolerance.
     #[test]
     fn an_expected_grid_is_enough_and_one_less_is_not() {
         let excess = 0.1;
@@ -310,7 +313,7 @@ mod tests {
         }
     }
 
-    /// The proven `N` holds for the length plus its quadrature error.
+    /// The proven `N` is computed for the length plus its quadrature error.
     #[test]
     fn the_error_of_the_length_is_in_the_proven_grid() {
         let metric = Separable::new([0.5], [1e5]).expect("valid");

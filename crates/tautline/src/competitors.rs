@@ -1,5 +1,5 @@
-//! `Competitors`: a ball that contains everything shorter than a computed line, and constants
-//! there.
+//! `Competitors`: a ball that contains everything shorter than a computed line, and the constants
+//! of the metric on that ball.
 
 use tautline_bounds::{BoundError, Constants, LocalityError, Region, Setting, competitors, reach};
 use tautline_discretizations::Rule;
@@ -8,18 +8,19 @@ use tautline_sets::Ball;
 
 use crate::{RuleOfThePaper, TautLine, certificate::Extent};
 
-/// A ball that contains all competitors of a line, and the constants of the metric there.
+/// A ball that contains all competitors of a line, and the constants of the metric on that ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Competitors<const D: usize> {
     /// The constants of the metric in the ball.
     pub constants: Constants,
-    /// The ball. No minimal geodesic leaves it; and if the line has positive length, no sequence in
-    /// the ball with as little discrete energy as the line reaches its boundary.
+    /// The ball. No minimal geodesic leaves it. If the line has positive length, no sequence in the
+    /// ball with as little discrete energy as the line reaches the boundary of the ball.
     pub within: Ball<D>,
 }
 
 impl<const D: usize> Competitors<D> {
-    /// Checks that the ball contains all competitors of a line, which need not be its own.
+    /// Checks that the ball contains all competitors of `line`, which may be another line than the
+    /// one that the ball was computed for.
     pub(crate) fn hold_those_of<M: Metric<D>, R: RuleOfThePaper>(
         &self,
         line: &TautLine<M, R, D>,
@@ -28,8 +29,8 @@ impl<const D: usize> Competitors<D> {
         let (radius, upper) = (self.within.r(), upper(line, extent));
         let setting = Setting::new(self.constants, upper, D)?;
         let reach = reach(setting, R::OF_THE_PAPER, line.sequence().n());
-        // The largest distance from the centre of the ball to a competitor that begins in either
-        // set.
+        // For each set, the largest distance between the centre of the ball and a competitor that
+        // begins in that set. The smaller of the two counts.
         let sets = [line.ends().first(), line.ends().second()];
         let balls = sets.into_iter().filter_map(|set| set.enclosing_ball());
         let away = balls.map(|(centre, r)| (centre - self.within.centre()).norm() + r + reach);
@@ -39,8 +40,9 @@ impl<const D: usize> Competitors<D> {
     }
 }
 
-/// An upper bound on the distance and on the root of the discrete energy, in `m`: a sequence with
-/// the energy of the line has to stay inside the ball, too. NaN if either is NaN.
+/// Returns an upper bound on both the distance and the square root of the discrete energy, in `m`.
+/// The energy counts because a sequence with the energy of the line has to stay inside the ball,
+/// too. The result is NaN if either number is NaN.
 fn upper<M: Metric<D>, R: Rule, const D: usize>(
     line: &TautLine<M, R, D>,
     Extent { length, .. }: Extent,
@@ -50,11 +52,11 @@ fn upper<M: Metric<D>, R: Rule, const D: usize>(
 }
 
 impl<M: LocallyBounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
-    /// Returns a ball that contains all competitors of this line, with the constants there
-    /// (Proposition S.8), for [`enclosure_among`](TautLine::enclosure_among).
+    /// Returns a ball that contains all competitors of this line, with the constants on that ball
+    /// (Proposition S.8), for use with [`enclosure_among`](TautLine::enclosure_among).
     ///
-    /// The ball is about a bounded end, the smaller ball if both ends are bounded. It also contains
-    /// this line.
+    /// The ball is centred at a bounded end; if both ends are bounded, at the one that gives the
+    /// smaller ball. The ball also contains this line.
     ///
     /// ```
     /// use tautline::{Ends, Problem, Trapezoidal, gallery::Sphere};
@@ -69,21 +71,22 @@ impl<M: LocallyBounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> 
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
-    /// Needs: the metric satisfies its constants. The length has an estimated quadrature error.
+    /// Needs: the metric satisfies its constants. The length is known up to an estimated quadrature
+    /// error.
     ///
-    /// Overestimation: the radius is the largest distance of a competitor from its end,
-    /// `√(d̄² e/c₁)`, to one percent, with the length `d̄` of this line, `e` of Lemma S.4 and the
-    /// constants of the ball.
+    /// Overestimation: the radius exceeds the largest distance of a competitor from its end,
+    /// `√(d̄² e/c₁)`, by at most one percent. Here `d̄` is the length of this line, `e` is that of
+    /// Lemma S.4, and `c₁` is a constant of the ball.
     ///
     /// # Errors
     ///
     /// [`LocalityError`] if the metric has no constants there; if `√c₁` falls so fast that no ball
-    /// contains the competitors, since the ends are too far apart; and if the length is not finite.
+    /// contains the competitors, since the ends are too far apart; or if the length is not finite.
     pub fn competitors(&self) -> Result<Competitors<D>, LocalityError<LocalError>> {
         self.competitors_by(self.extent())
     }
 
-    /// As [`competitors`](TautLine::competitors), by bounds on the curve.
+    /// Does the same as [`competitors`](TautLine::competitors), given bounds on the curve.
     pub(crate) fn competitors_by(
         &self,
         extent: Extent,
@@ -91,7 +94,7 @@ impl<M: LocallyBounded<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> 
         let upper = upper(self, extent);
         let sets = [self.ends().first(), self.ends().second()];
         let mut least: Option<Competitors<D>> = None;
-        // The error for ends without a ball: no radius bounds them.
+        // The error if neither end has an enclosing ball: no radius bounds the competitors.
         let mut refused = LocalityError::Escapes { radius: f64::INFINITY, reach: f64::INFINITY };
         for (centre, r) in sets.into_iter().filter_map(|set| set.enclosing_ball()) {
             let within = |radius: f64| {
@@ -133,7 +136,7 @@ mod tests {
         Problem::new(metric, ends).solve(Trapezoidal, n).expect("solved")
     }
 
-    /// The radius exceeds `L/√c₁`, with the `c₁` of the ball, by a percent or two.
+    /// The radius exceeds `L/√c₁`, where `c₁` is that of the ball, by one or two percent.
     #[test]
     fn the_ball_is_as_large_as_a_competitor_may_reach() {
         let line = line(Sphere, [0.3, 0.1], [0.5, 0.2], 64);
@@ -146,7 +149,8 @@ mod tests {
         assert!(line.sequence().points().iter().all(|x| ball.project(x) == *x));
     }
 
-    /// Between near points the distance is enclosed, assuming only that sequences stay in the ball.
+    /// The distance between nearby points is enclosed under the single assumption that sequences
+    /// stay in the ball.
     #[test]
     fn distances_under_metrics_without_global_constants_are_enclosed() {
         fn check<M>(metric: M, a: [f64; 2], b: [f64; 2])
@@ -171,7 +175,7 @@ mod tests {
         check(GaussianFisher, [0.0, 0.0], [0.1, 0.05]);
     }
 
-    /// If both ends are bounded, the ball is about the smaller one.
+    /// If both ends are bounded, the ball is centred at the smaller one.
     #[test]
     fn the_ball_is_about_a_bounded_end() {
         let disc = |x: f64, r: f64| Ball::new([x, 0.2], r).expect("finite");
@@ -192,7 +196,7 @@ mod tests {
         }
     }
 
-    /// About a set, the radius of the set adds to that of the ball.
+    /// If the ball is centred at a set, its radius includes the radius of the set.
     #[test]
     fn the_ball_contains_the_bounded_end() {
         let disc = |x: f64| Ball::new([x, 0.2], 0.02).expect("finite");
@@ -204,9 +208,9 @@ mod tests {
         assert!(0.02 + reach < within.r() && within.r() < 0.02 + 1.03 * reach, "{within:?}");
     }
 
-    /// The discrete energy of one chord may be `1 + δ/2` times `d²` by the left rule, with half of
-    /// the excess by the trapezoidal rule. A line that is not minimal has more energy than its
-    /// squared length.
+    /// The discrete energy of one chord may be `1 + δ/2` times `d²` for the left rule; for the
+    /// trapezoidal rule the excess is half as large. A line that is not minimal has more energy
+    /// than its squared length.
     #[test]
     fn the_energy_allowed_to_a_sequence_counts() {
         let ends = || Ends::points([0.3, 0.0], [0.32, 0.0]).expect("finite");
@@ -229,7 +233,7 @@ mod tests {
         assert!(within.r() > (energy / constants.c1()).sqrt(), "{within:?}");
     }
 
-    /// The ball of another line, and one that is too small.
+    /// The ball of another line is refused, and so is one that is too small.
     #[test]
     fn competitors_of_another_line_are_refused() {
         let near = line(Hyperbolic, [0.0, 0.0], [0.001, 0.0], 64).competitors().expect("near");
@@ -242,13 +246,13 @@ mod tests {
         let smaller = Ball::new(*own.within.centre(), 0.9 * own.within.r()).expect("finite");
         let smaller = Competitors { within: smaller, ..own };
         assert!(far.enclosure_among(&smaller).is_err());
-        // No length, no radius.
+        // A line without length has a ball of radius zero.
         let still = line(Hyperbolic, [0.5, 0.0], [0.5, 0.0], 4);
         let own = still.competitors().expect("one point");
         assert_eq!(still.enclosure_among(&own).expect("finite").width(), 0.0);
     }
 
-    /// The centre, the radius and the size of the end all matter: a small error in any is refused.
+    /// A small error in the centre, in the radius or in the size of the end is refused.
     #[test]
     fn a_ball_that_is_a_little_off_is_refused() {
         let ball = Ball::new([0.3, 0.2], 0.05).expect("a radius");
@@ -263,7 +267,8 @@ mod tests {
                 let within = Ball::new(centre, own.within.r() + larger).expect("a radius");
                 line.enclosure_among(&Competitors { within, ..own })
             };
-            // Besides the radius of the end, the radius is within one percent of the least.
+            // Apart from the radius of the end, the radius of the ball is within one percent of the
+            // smallest.
             let margin = 0.015 * (own.within.r() - 0.05);
             for refused in [with(0.0, -margin), with(0.0, -0.05), with(margin, 0.0), with(1.0, 0.0)]
             {

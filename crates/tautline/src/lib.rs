@@ -21,8 +21,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A formula reads as in mathematics, with `f64` on either side: `2.0 - x`, `2.0 / x`, `2.0 * x`,
-//! `1.0 + x`. [`Scalar`] lists the functions that it may use.
+//! A formula reads as in mathematics, with `f64` on either side of an operator: `2.0 - x`,
+//! `2.0 / x`, `2.0 * x`, `1.0 + x`. [`Scalar`] lists the functions that it may use.
 //!
 //! # By question
 //!
@@ -51,9 +51,9 @@
 //!
 //! # Conventions
 //!
-//! No factor `½` in any energy, `E ≥ L²`, `min E = d²`. Time runs over `[0, 1]`. The paper's
-//! *trapezoidal* rule evaluates the metric at the middle of each chord; elsewhere it is called the
-//! midpoint rule.
+//! No energy has a factor `½`, so that `E ≥ L²` and `min E = d²`. Time runs over `[0, 1]`. The
+//! paper's *trapezoidal* rule evaluates the metric at the middle of each chord; elsewhere it is
+//! called the midpoint rule.
 
 mod batch;
 mod certificate;
@@ -99,7 +99,7 @@ pub use tautline_sets::{
 
 pub use nalgebra::{SMatrix, SVector};
 
-/// The example of the README, as a test.
+/// Compiles the example of the README as a test.
 #[cfg(doctest)]
 #[doc = include_str!("../../../README.md")]
 struct Readme;

@@ -10,11 +10,11 @@ use tautline_sets::Ends;
 
 use crate::TautLine;
 
-/// The problem to join two closed sets by a shortest curve.
+/// The problem of joining two closed sets by a shortest curve.
 ///
-/// It keeps the memory of its largest solve for the next, shared with its clones. Separate problems
-/// keep separate memory; [`solve_all`](crate::solve_all) and [`minimise_in`](crate::minimise_in)
-/// share it.
+/// A problem keeps the memory of its largest solve for the next one, and shares it with its clones.
+/// Separate problems keep separate memory, unless they are solved by
+/// [`solve_all`](crate::solve_all) or [`minimise_in`](crate::minimise_in), which share it.
 #[derive(Clone, Debug)]
 pub struct Problem<M, const D: usize> {
     metric: Arc<Prepared<M, D>>,
@@ -25,9 +25,9 @@ pub struct Problem<M, const D: usize> {
 impl<M: Metric<D>, const D: usize> Problem<M, D> {
     /// Poses the problem.
     ///
-    /// This records the formula of the metric and computes nothing else. A formula that compares
-    /// numbers, or is very long, is evaluated as compiled: slower, with the same results up to
-    /// rounding.
+    /// The constructor records the formula of the metric and computes nothing else. A formula that
+    /// compares numbers, or is very long, is evaluated as compiled, which is slower and gives the
+    /// same results up to rounding.
     pub fn new(metric: M, ends: Ends<D>) -> Self {
         Self { metric: Arc::new(Prepared::new(metric)), ends, workspace: Arc::default() }
     }
@@ -46,34 +46,35 @@ impl<M: Metric<D>, const D: usize> Problem<M, D> {
     ///
     /// # Errors
     ///
-    /// As for [`minimise`](crate::minimise): [`SolveError`] if `n` is 0 or more than rounding or
-    /// memory allows; if the metric is not finite, symmetric and positive definite along any of the
-    /// curves, with the point; and if numbers leave the range of `f64`. Along the result the Gram
-    /// matrix is also [checked](crate::Interpolation::check) between the nodes of the rule. A
-    /// search that does not converge is not an error: the result reports how it stopped.
+    /// As for [`minimise`](crate::minimise): [`SolveError`] if `n` is 0, or larger than rounding or
+    /// memory allows; if the metric is not finite, symmetric and positive definite at a point of
+    /// any of the curves, which the error reports; or if numbers leave the range of `f64`. Along
+    /// the result the Gram matrix is also [checked](crate::Interpolation::check) between the nodes
+    /// of the rule. A search that does not converge is not an error: the result reports how it
+    /// stopped.
     pub fn solve<R: Rule>(&self, rule: R, n: usize) -> Result<TautLine<M, R, D>, SolveError> {
         self.solve_with(rule, n, &Options::default())
     }
 
-    /// As [`solve`](Problem::solve), with starts or limits of your own.
+    /// Solves like [`solve`](Problem::solve), with starts or limits of your own.
     ///
     /// # Errors
     ///
-    /// As [`solve`](Problem::solve).
+    /// As for [`solve`](Problem::solve).
     pub fn solve_with<R: Rule>(
         &self,
         rule: R,
         n: usize,
         options: &Options<D>,
     ) -> Result<TautLine<M, R, D>, SolveError> {
-        // Separate memory while another thread solves, and after a panic.
+        // Separate memory is used while another thread solves, and after a panic.
         let mut own = Workspace::default();
         let mut kept = self.workspace.try_lock();
         let workspace = kept.as_deref_mut().unwrap_or(&mut own);
         self.solve_in(workspace, rule, n, options)
     }
 
-    /// As [`solve_with`](Problem::solve_with), in the given memory.
+    /// Solves like [`solve_with`](Problem::solve_with), in the given memory.
     pub(crate) fn solve_in<R: Rule>(
         &self,
         workspace: &mut Workspace<D>,

@@ -21,26 +21,26 @@ pub struct Proof<'a, const D: usize> {
     pub curve: AdmissibleCurve<'a, D>,
     /// The constants, proved from the formula.
     pub constants: Constants,
-    /// Where the constants hold; `None` for all of `R^D`.
+    /// The region where the constants hold; `None` if it is all of `R^D`.
     pub within: Option<Ball<D>>,
-    /// The bounds on `d²`. The upper bound is that of the curve, and rigorous. The lower bound is a
-    /// theorem with rigorous constants and a rigorous length, evaluated in doubles with the
-    /// discrete energy and its residual: its last digits are not certified. Neither uses a
-    /// quadrature.
+    /// The bounds on `d²`. The upper bound is the rigorous bound on the curve. The lower bound is a
+    /// theorem with rigorous constants and a rigorous length, but it is evaluated in doubles with
+    /// the discrete energy and its residual, so that its last digits are not certified. Neither
+    /// bound uses a quadrature.
     pub enclosure: Enclosure,
 }
 
-/// Why a line has no proof.
+/// The reason why a line has no proof.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ProofError {
-    /// The curve is not proved to join the sets, or leaves the domain of the metric.
+    /// The curve is not proved to join the sets, or it leaves the domain of the metric.
     #[error(transparent)]
     Curve(#[from] CurveError),
-    /// No constants on all of `R^D`.
+    /// The metric has no constants on all of `R^D`.
     #[error(transparent)]
     Constants(#[from] CertifyError),
-    /// No ball that contains all competitors has constants.
+    /// The metric has no constants on any ball that contains all competitors.
     #[error(transparent)]
     Competitors(#[from] LocalityError<LocalError>),
     /// The theorems do not apply.
@@ -50,7 +50,7 @@ pub enum ProofError {
 
 impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     /// Returns a curve that certainly joins the two sets, with rigorous bounds on its energy and
-    /// length, and thus on `d²` from above.
+    /// its length. They bound `d²` from above.
     ///
     /// # Errors
     ///
@@ -61,9 +61,9 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
         AdmissibleCurve::new(self.metric(), self.sequence(), self.ends())
     }
 
-    /// Returns bounds on `d²`, in `m²`, as [`enclosure`](TautLine::enclosure), from the formula of
-    /// the metric alone. Its constants are proved on all of `R^D` if the formula shows that a box
-    /// suffices, as for a periodic one, and otherwise on the ball that contains all
+    /// Returns bounds on `d²`, in `m²`, like [`enclosure`](TautLine::enclosure), from the formula
+    /// of the metric alone. The constants are proved on all of `R^D` if the formula shows that a
+    /// box suffices, as for a periodic one. Otherwise they are proved on a ball that contains all
     /// [competitors](TautLine::competitors).
     ///
     /// ```
@@ -87,7 +87,7 @@ impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     ///
     /// # Errors
     ///
-    /// [`ProofError`], with the missing part. A formula that cannot be
+    /// [`ProofError`], which names the missing part. A formula that cannot be
     /// [recorded](tautline_formula::Formula::record) has no proof.
     pub fn prove(&self, accuracy: Accuracy) -> Result<Proof<'_, D>, ProofError> {
         let accuracy = accuracy.checked()?;
@@ -128,7 +128,7 @@ mod tests {
     use super::ProofError;
     use crate::{Interval, Problem, SMatrix, SVector, Scalar, Trapezoidal};
 
-    /// Each known distance lies between the bounds.
+    /// Every known distance lies between the bounds.
     #[test]
     fn distances_are_enclosed_by_the_formula_alone() {
         fn check<M: KnownDistance<2>>(metric: M, a: [f64; 2], b: [f64; 2], width: f64) {
@@ -150,7 +150,7 @@ mod tests {
         check(GaussianFisher, [0.0, 0.0], [0.1, 0.1], 1e-2);
     }
 
-    /// It agrees with a quadrature, which is not rigorous.
+    /// The upper bound agrees with a quadrature, which is not rigorous.
     #[test]
     fn the_upper_bound_is_that_of_the_curve() {
         let ball = Ball::new([0.0, 0.0], 0.5).expect("a radius");
@@ -166,8 +166,8 @@ mod tests {
         assert!(line.admissible_curve().is_ok_and(|curve| curve.length().contains(length)));
     }
 
-    /// From the pole of the sphere, where the derivative vanishes, to a wall: the ball is about the
-    /// pole.
+    /// The line runs from the pole of the sphere, where the derivative vanishes, to a wall. The
+    /// ball is centred at the pole.
     #[test]
     fn a_line_from_a_point_where_the_derivative_vanishes_is_proved() {
         let pole = Ball::new([0.0, 0.0], 0.0).expect("a radius");
@@ -176,21 +176,21 @@ mod tests {
         let line = Problem::new(Sphere, ends).solve(Trapezoidal, 64).expect("solved");
         let proof = line.prove(Accuracy::default()).expect("proved");
         let (lower, upper) = (proof.enclosure.lower, proof.enclosure.upper);
-        // H = 4 / (1 + |x|²)², so d = 2 arctan 0.1, straight along x₁.
+        // H = 4 / (1 + |x|²)², so d = 2 arctan 0.1, attained by the straight line along x₁.
         let square = (2.0 * 0.1_f64.atan()).powi(2);
         assert!(lower <= square && square <= upper, "{lower} {square} {upper}");
         assert!(proof.within.is_some() && proof.enclosure.is_local);
     }
 
-    /// Two chords with nodes in valleys and ridges between them: the discrete energy is a quarter
-    /// of the squared length. A competitor may be as long as the curve.
+    /// The nodes of two chords lie in valleys, with ridges between them, so that the discrete
+    /// energy is a quarter of the squared length. A competitor may be as long as the curve.
     #[test]
     fn the_ball_reaches_as_far_as_the_curve_is_long() {
         struct Ridges;
         impl Metric<1> for Ridges {
             fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
                 let ridges = (x[0] * (4.0 * std::f64::consts::PI)).cos() + 2.0;
-                // Not periodic, hence constants on balls only.
+                // The metric is not periodic, and therefore has constants on balls only.
                 SMatrix::from_element(ridges.sqr() + x[0].sqr() * 1e-3)
             }
         }
@@ -204,7 +204,8 @@ mod tests {
         assert_eq!(proof.enclosure.upper, proof.curve.distance_squared_at_most());
     }
 
-    /// A set that knows its point only to 1/20: every claim holds for the longest possible curve.
+    /// The set knows its point only to within 1/20. Every claim holds for the longest possible
+    /// curve.
     #[test]
     fn the_longest_possible_curve_counts() {
         #[derive(Debug)]
@@ -249,7 +250,7 @@ mod tests {
         let error =
             near.prove(Accuracy { tolerance: 0.0, ..Accuracy::default() }).expect_err("exact");
         assert!(error.to_string().contains("tolerance of 0"), "{error}");
-        // Across the sphere competitors may pass through infinity.
+        // Across the sphere, competitors may pass through infinity.
         let ends = Ends::points([1.0, 0.0], [-1.5, 0.3]).expect("finite");
         let line = Problem::new(Sphere, ends).solve(Trapezoidal, 64).expect("solved");
         let accuracy = Accuracy { budget: 2_000, ..Accuracy::default() };
@@ -262,12 +263,12 @@ mod tests {
             )
         );
         assert!(expected, "{error}");
-        // A line that leaves the domain of the metric.
+        // This line leaves the domain of the metric.
         struct Left;
         impl Metric<1> for Left {
             fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
-                // The logarithm of a negative number within 0.0006 of 0.1, and 1 to rounding from
-                // 0.006 on. Nodes and quadratures stay 0.04 away.
+                // Within 0.0006 of 0.1 this is the logarithm of a negative number. From 0.006 on it
+                // is 1 up to rounding. Nodes and quadrature points stay 0.04 away.
                 let dip = 1.5 * (-((x[0] - 0.1) * 1e3).sqr()).exp();
                 SMatrix::from_element(1.0 + (1.0 - dip).ln())
             }
@@ -278,7 +279,7 @@ mod tests {
         assert!(matches!(error, ProofError::Curve(CurveError::Undefined { .. })), "{error}");
     }
 
-    /// In intervals, only one of several branches would be followed.
+    /// In interval arithmetic, only one of several branches would be followed.
     #[test]
     fn a_formula_with_branches_has_no_proof() {
         struct Branch;

@@ -8,7 +8,7 @@ use tautline_metrics::Metric;
 use tautline_optimizers::{Estimate, Minimum, extrapolate};
 use tautline_sets::Ends;
 
-/// A computed discrete minimiser and the curve `γᵖˡ` that it reconstructs.
+/// A computed discrete minimiser and the curve `γᵖˡ` that joins its points.
 #[derive(Clone, Debug)]
 pub struct TautLine<M, R, const D: usize> {
     metric: Arc<Prepared<M, D>>,
@@ -68,20 +68,21 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
         self.minimum.energy
     }
 
-    /// Returns the energy `E(γᵖˡ) ≥ d²` of the curve, in `m²`, by quadrature with an error
+    /// Returns the energy `E(γᵖˡ) ≥ d²` of the curve, in `m²`, computed by quadrature with an error
     /// estimate.
     #[must_use]
     pub fn energy(&self) -> Integral {
         self.curve().energy(self.metric())
     }
 
-    /// Returns the length `L(γᵖˡ) ≥ d` of the curve, in `m`, by quadrature with an error estimate.
+    /// Returns the length `L(γᵖˡ) ≥ d` of the curve, in `m`, computed by quadrature with an error
+    /// estimate.
     #[must_use]
     pub fn length(&self) -> Integral {
         self.curve().length(self.metric())
     }
 
-    /// Returns the speeds of the chords, in `m`: nearly equal for a minimiser.
+    /// Returns the speeds of the chords, in `m`. They are nearly equal for a minimiser.
     #[must_use]
     pub fn speeds(&self) -> Vec<f64> {
         self.rule.speeds(self.metric(), self.sequence())
@@ -94,9 +95,9 @@ impl<M: Metric<D>, R: Rule, const D: usize> TautLine<M, R, D> {
     }
 
     /// Returns an estimate of `d²`, in `m²`, by Richardson extrapolation over the grids of this
-    /// line; not a bound. `None` for a single grid: for `N ≤ 32`, for `N ≤ 64` with given starts
-    /// only, if a grid of up to 512 chords led to another minimiser than the coarser ones, and if
-    /// the ends touch.
+    /// line. It is not a bound. The result is `None` if there is a single grid: for `N ≤ 32`, for
+    /// `N ≤ 64` with given starts only, if a grid of up to 512 chords led to another minimiser than
+    /// the coarser ones, or if the ends touch.
     #[must_use]
     pub fn distance_squared_estimate(&self) -> Option<Estimate> {
         extrapolate(&self.minimum.levels, R::ERROR_EXPONENT)

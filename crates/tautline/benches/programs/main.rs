@@ -1,5 +1,5 @@
-//! The cost of the programs of a formula before the first chord: their length, the time to record
-//! and derive them, and the memory of a thread that runs them.
+//! Measures what the programs of a formula cost before the first chord: their length, the time to
+//! record and derive them, and the memory of a thread that runs them.
 //!
 //! `cargo bench --package tautline --bench programs` prints `paper/tables/programs.csv`, which
 //! `cargo xtask bench` writes.

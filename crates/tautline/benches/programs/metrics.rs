@@ -1,4 +1,4 @@
-//! Every metric of the gallery, two of many coordinates, and decoders.
+//! The metrics to measure: all of the gallery, two with many coordinates, and decoders.
 
 use std::error::Error;
 

@@ -10,13 +10,13 @@ use peak_alloc::PeakAlloc;
 #[global_allocator]
 static MEMORY: PeakAlloc = PeakAlloc;
 
-/// The number of runs, fewer if they take longer than `PATIENCE`.
+/// The number of runs. It is smaller if the runs take longer than `PATIENCE`.
 const RUNS: usize = 5;
 const PATIENCE: Duration = Duration::from_secs(20);
 
 /// The cost of a computation.
 pub(crate) struct Cost<T> {
-    /// The least time of all runs, in seconds.
+    /// The shortest time of all runs, in seconds.
     pub(crate) seconds: f64,
     /// The peak of additional memory during the first run.
     pub(crate) bytes: usize,

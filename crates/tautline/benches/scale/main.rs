@@ -1,8 +1,8 @@
-//! The largest solves on one machine: ten million nodes, 64 dimensions, ten thousand problems in a
-//! batch; with time and memory per node.
+//! Measures the largest solves on one machine, with time and memory per node: ten million nodes, 64
+//! dimensions, and ten thousand problems in a batch.
 //!
-//! `cargo bench --package tautline --bench scale -- P1 batch` runs some of them; all are
-//! `paper/tables/scale.csv`, which `cargo xtask bench` writes.
+//! `cargo bench --package tautline --bench scale -- P1 batch` runs some of them. All of them make
+//! up `paper/tables/scale.csv`, which `cargo xtask bench` writes.
 
 mod cost;
 #[path = "../../examples/peers/problems.rs"]
@@ -20,7 +20,7 @@ use tautline::{
     solve_all,
 };
 
-/// Subintervals of the long problems, of the wide one, of the widest, and of the batch.
+/// Numbers of subintervals: of the long problems, the wide one, the widest, and the batch.
 const LONG: usize = 10_000_000;
 const WIDE: usize = 1000;
 const WIDEST: usize = 100;
@@ -35,7 +35,7 @@ const STACK: usize = 64 << 20;
 /// The number of problems in the batch.
 const BATCH: usize = 10_000;
 
-/// Chords of the straight line from which a single problem starts.
+/// The number of chords of the straight line from which a single problem starts.
 const START: usize = 16;
 
 /// A row of the table.
@@ -43,7 +43,7 @@ struct Row {
     problem: &'static str,
     n: usize,
     threads: usize,
-    /// The time on one thread over that on all, divided by the number of threads.
+    /// The time on one thread divided by the time on all threads and by the number of threads.
     efficiency: f64,
 }
 
@@ -51,7 +51,7 @@ fn processors() -> usize {
     thread::available_parallelism().map_or(1, usize::from)
 }
 
-/// The speed relative to that of the first, on one thread, divided by the number of threads.
+/// The speed relative to the first run, which uses one thread, divided by the number of threads.
 fn efficiency<T>(first: &mut Option<f64>, cost: &Cost<T>, threads: usize) -> f64 {
     *first.get_or_insert(cost.seconds) / (cost.seconds * threads as f64)
 }
@@ -85,7 +85,7 @@ impl Row {
     }
 }
 
-/// Solves one problem from the straight line, on one thread up to `threads`.
+/// Solves one problem from the straight line, on one thread and then on more, up to `threads`.
 struct Single {
     problem: &'static str,
     n: usize,
@@ -102,7 +102,7 @@ impl Peer for Single {
         let Self { problem, n, threads } = self;
         let mut single = None;
         for threads in 1..=threads {
-            // Posed anew: without memory from earlier solves.
+            // The problem is posed again, so that no memory from earlier solves is reused.
             let posed = Problem::new(&metric, ends.clone());
             let starts = Starts::Only(vec![start.clone()]);
             let options = Options { starts, threads, ..Options::default() };
@@ -114,9 +114,9 @@ impl Peer for Single {
     }
 }
 
-/// From `0` to `(1, …, 1)` under a metric of four terms, by all entries of `H`.
+/// Solves from `0` to `(1, …, 1)` under a metric of four terms, with all entries of `H`.
 fn wide<const D: usize>(problem: &'static str, n: usize) -> Result<(), Box<dyn Error>> {
-    // As in P5.
+    // The terms are those of P5.
     let term = |k: f64| SineProjection {
         wave_vector: SVector::from_fn(|i, _| (0.7 * k + (i + 1) as f64).sin()),
         direction: SVector::from_fn(|i, _| 0.5 * (1.3 * k * (i + 1) as f64).cos()),
@@ -129,10 +129,11 @@ fn wide<const D: usize>(problem: &'static str, n: usize) -> Result<(), Box<dyn E
     single.solve(metric, ends, start)
 }
 
-/// The metric of P2 between points spread over the square about it, from the automatic starts.
+/// Solves from the automatic starts, under the metric of P2, between points spread over the square
+/// around it.
 fn batch(problem: &'static str) -> Result<(), Box<dyn Error>> {
     let bump = Bump::new(4.0, 0.5)?;
-    // Multiples of the powers of 1/ρ with ρ³ = ρ + 1, modulo 1, fill the square evenly.
+    // Multiples of the powers of 1/ρ, where ρ³ = ρ + 1, taken modulo 1, fill the square evenly.
     let point = |k: usize| {
         [0.754_877_666_246_692_8, 0.569_840_290_998_053_3]
             .map(|share: f64| 3.0 * (share * k as f64).fract() - 1.5)

@@ -1,8 +1,8 @@
-//! The cost of each part of a solve on the six problems of the comparison, relative to the limit:
-//! the same Newton pass written by hand for one metric.
+//! Measures the cost of each part of a solve on the six problems of the comparison. The cost is
+//! relative to the limit: the same Newton pass written by hand for one metric.
 //!
-//! `cargo bench --package tautline --bench speed -- P1 100000` runs one problem and one `N`; all
-//! are `paper/tables/speed.csv`, which `cargo xtask bench` writes.
+//! `cargo bench --package tautline --bench speed -- P1 100000` runs one problem and one `N`. All of
+//! them make up `paper/tables/speed.csv`, which `cargo xtask bench` writes.
 
 mod limit;
 mod limit_space;
@@ -30,7 +30,7 @@ const LANES: usize = 128;
 const PROBLEMS: [&str; 6] = ["P1", "P2", "P3", "P4", "P5", "P6"];
 const SIZES: [usize; 5] = [64, 1_000, 10_000, 100_000, 1_000_000];
 
-/// A gigabyte of numbers: larger models are skipped.
+/// The largest number of doubles in a model, one gigabyte. Larger models are skipped.
 const LARGEST: usize = 1 << 27;
 
 /// Times every part on one problem.
@@ -57,7 +57,7 @@ impl Peer for Timing {
         let line = bent(problem.solve_with(Trapezoidal, n, &options)?.sequence())?;
         let (first, second) = problem.ends().pairs().next().ok_or("ends have pieces")?;
         let (mut model, mut workspace) = (QuadraticModel::default(), Workspace::default());
-        // As on a processor without wider instructions.
+        // This is how a processor without wider instructions computes.
         let baseline = Prepared::with(metric, InstructionSet::Baseline, LANES);
         let mut other_workspace = Workspace::default();
         let text = prepared.formula().ok_or("the formula has branches")?.to_string();
@@ -110,7 +110,8 @@ impl Peer for Timing {
     }
 }
 
-/// A curve as in the middle of a search, close to a geodesic, for timing a pass over its points.
+/// A curve like one in the middle of a search, close to a geodesic, for timing a pass over its
+/// points.
 fn bent<const D: usize>(
     line: &PointSequence<D>,
 ) -> Result<PointSequence<D>, tautline::SequenceError> {

@@ -2,8 +2,8 @@
 
 use std::time::{Duration, Instant};
 
-/// Computations that are timed in rounds, so that other load on the machine affects all of them;
-/// the least time of each counts.
+/// Computations that are timed in rounds, so that other load on the machine affects all of them
+/// alike. The shortest time of each counts.
 #[derive(Default)]
 pub(crate) struct Race<'a> {
     runners: Vec<(&'static str, Runner<'a>)>,
@@ -11,7 +11,7 @@ pub(crate) struct Race<'a> {
 
 type Runner<'a> = Box<dyn FnMut() + 'a>;
 
-/// The least number of rounds, and the time for more.
+/// At least so many rounds are run, and more if they take less than this time.
 const ROUNDS: usize = 5;
 const TIME: Duration = Duration::from_millis(1500);
 
@@ -21,7 +21,7 @@ impl<'a> Race<'a> {
         self.runners.push((name, Box::new(run)));
     }
 
-    /// The least time of each, in the order in which they were added.
+    /// Returns the shortest time of each computation, in the order in which they were added.
     pub(crate) fn run(mut self) -> Vec<(&'static str, Duration)> {
         let mut least = vec![Duration::MAX; self.runners.len()];
         let begun = Instant::now();

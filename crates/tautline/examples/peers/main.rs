@@ -1,6 +1,7 @@
-//! Tautline in the comparison with other programs: solves one problem and reports the time.
+//! Takes part in the comparison with other programs: Tautline solves one problem and reports the
+//! time.
 //!
-//! Called by `cargo xtask peers`, once for each problem and `N`:
+//! `cargo xtask peers` calls it once for each problem and `N`:
 //!
 //! ```console
 //! $ cargo run --release -p tautline --example peers -- P2 1000 target/points
@@ -15,7 +16,7 @@ use measurement::{cpu_time, report, time};
 use problems::{Peer, pose};
 use tautline::{Ends, Metric, Options, PointSequence, Problem, SolveError, Starts, Trapezoidal};
 
-/// Tautline from the straight line alone, like every other program.
+/// Solves with Tautline from the straight line alone, like every other program.
 struct Tautline {
     points: PathBuf,
 }
@@ -39,12 +40,12 @@ impl Peer for Tautline {
     }
 }
 
-/// One start and one thread: each program runs on one processor.
+/// Returns options with one start and one thread, since each program runs on one processor.
 fn options<const D: usize>(start: PointSequence<D>) -> Options<D> {
     Options { starts: Starts::Only(vec![start]), threads: 1, ..Options::default() }
 }
 
-/// The extrapolated squared distance, on the first grid that is accurate enough.
+/// Extrapolates the squared distance, on the first grid that is accurate enough.
 struct Distance {
     reference: f64,
     error: f64,

@@ -4,12 +4,12 @@ use std::{fs, path::Path, sync::OnceLock, time::Instant};
 
 use tautline::SVector;
 
-/// The least duration of a sample, in seconds: the clock advances in steps of up to 4 ms, at most 2
-/// %.
+/// The shortest duration of a sample, in seconds. The clock advances in steps of up to 4 ms, which
+/// are at most 2 % of it.
 const SAMPLE: f64 = 0.2;
 
-/// A longer solve, in seconds, is not repeated: the comparison limits the whole process, to five of
-/// them.
+/// The time in seconds above which a solve is not repeated. The comparison limits the whole process
+/// to five times as long.
 const PATIENCE: f64 = 5.0;
 
 /// The seconds of one solve, and its result.
@@ -20,7 +20,7 @@ pub(crate) struct Timed<T> {
     pub(crate) result: T,
 }
 
-/// Solves once, then in three samples.
+/// Solves once, and then repeatedly in three samples.
 pub(crate) fn time<T>(mut solve: impl FnMut() -> T) -> Timed<T> {
     println!("phase=solve");
     let start = cpu_time();
@@ -29,7 +29,8 @@ pub(crate) fn time<T>(mut solve: impl FnMut() -> T) -> Timed<T> {
     if first > PATIENCE {
         return Timed { seconds: first, result };
     }
-    // The count is found by doubling, so that the clock is not read after every solve.
+    // The number of solves in a sample is found by doubling, so that the clock is not read after
+    // every solve.
     let mut sample = |count: u32| {
         let start = cpu_time();
         (0..count).for_each(|_| drop(solve()));
@@ -44,7 +45,8 @@ pub(crate) fn time<T>(mut solve: impl FnMut() -> T) -> Timed<T> {
     Timed { seconds: samples[1], result }
 }
 
-/// The processor time of this thread, in seconds; elapsed time if the system does not report it.
+/// Returns the processor time of this thread, in seconds, or the elapsed time if the system does
+/// not report it.
 pub(crate) fn cpu_time() -> f64 {
     static BEGIN: OnceLock<Instant> = OnceLock::new();
     let begin = BEGIN.get_or_init(Instant::now);
@@ -54,7 +56,7 @@ pub(crate) fn cpu_time() -> f64 {
     nanoseconds.map_or_else(|| begin.elapsed().as_secs_f64(), |nanoseconds| nanoseconds * 1e-9)
 }
 
-/// Prints the report, and writes the points, `D` numbers each in native byte order.
+/// Prints the report, and writes the points: `D` numbers for each, in native byte order.
 pub(crate) fn report<T, const D: usize>(
     timed: &Timed<T>,
     iterations: impl std::fmt::Display,

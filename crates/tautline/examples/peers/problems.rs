@@ -10,7 +10,7 @@ use tautline::{
 
 /// A program that takes part in the comparison.
 pub(crate) trait Peer {
-    /// Solves the problem on the grid of the start, `n` chords, and reports.
+    /// Solves the problem on the grid of the start, which has `n` chords, and reports.
     fn solve<M: Metric<D>, const D: usize>(
         self,
         metric: M,
