@@ -1,12 +1,13 @@
-//! The discrete energy of a trial, or that the metric is not positive there.
+//! The discrete energy of a trial, or `None` where the metric is not positive.
 
 use nalgebra::SVector;
 use tautline_formula::{Batches, Kind};
 
 use crate::{ChordBatch, CompensatedSum, Node, point_sequence::chords as chords_of};
 
-/// Returns the discrete energy of the rule with these `nodes`, in `m²`; `None` if it is not finite
-/// or negative at a node: the points leave the region where the metric is positive definite.
+/// Returns the discrete energy of the rule with these `nodes`, in `m²`. The result is `None` if the
+/// energy is not finite, or if it is negative at a node: the points then leave the region where the
+/// metric is positive definite.
 ///
 /// # Panics
 ///
@@ -24,7 +25,7 @@ pub fn admissible_energy<const D: usize>(
         let chords = begin..n.min(begin + batch.capacity());
         batch.evaluate_from(0, chords_of(&points[chords.start..=chords.end]));
         batch.energies().for_first(chords.len(), |square| {
-            // NaN fails.
+            // A NaN fails this comparison.
             is_admissible &= square >= 0.0;
             energy.add(square);
         });

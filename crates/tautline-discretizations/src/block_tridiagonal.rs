@@ -1,16 +1,16 @@
-//! `BlockTridiagonal`: a symmetric matrix of `D × D` blocks that couples neighbours only.
+//! `BlockTridiagonal`: a symmetric matrix of `D × D` blocks that couples only neighbours.
 
 use nalgebra::{SMatrix, SVector};
 
 /// A symmetric block-tridiagonal matrix with `N + 1` blocks of `D` rows.
 ///
-/// Block `(n, n)` is `diagonal[n]`, block `(n, n + 1)` is `upper[n]`, block `(n + 1, n)` its
-/// transpose.
+/// Block `(n, n)` is `diagonal[n]`, block `(n, n + 1)` is `upper[n]`, and block `(n + 1, n)` is the
+/// transpose of `upper[n]`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BlockTridiagonal<const D: usize> {
     /// The `N + 1` symmetric diagonal blocks.
     pub diagonal: Vec<SMatrix<f64, D, D>>,
-    /// The `N` blocks above them.
+    /// The `N` blocks above the diagonal.
     pub upper: Vec<SMatrix<f64, D, D>>,
 }
 

@@ -10,7 +10,7 @@ use crate::{
     momenta::{Energies, Momenta},
 };
 
-/// The Gram matrix at the nodes of many chords at once, contracted with them.
+/// The Gram matrix at the nodes of many chords at once, contracted with the chords.
 pub struct ChordBatch<'f, const D: usize> {
     batch: Batch<'f, D>,
     nodes: &'static [Node],
@@ -19,11 +19,11 @@ pub struct ChordBatch<'f, const D: usize> {
     pub is_metric: bool,
 }
 
-/// A chord `(x, d)`, from `x` to `x + d`.
+/// A chord `(x, d)`, which runs from `x` to `x + d`.
 type Chord<'p, const D: usize> = (&'p SVector<f64, D>, SVector<f64, D>);
 
 impl<'f, const D: usize> ChordBatch<'f, D> {
-    /// Makes a batch of up to `chords` chords for evaluations of this `kind`, by the rule with
+    /// Returns a batch of up to `chords` chords for evaluations of this `kind`, by the rule with
     /// these `nodes` on `n` subintervals.
     #[must_use]
     pub fn new(
@@ -33,7 +33,7 @@ impl<'f, const D: usize> ChordBatch<'f, D> {
         n: f64,
         chords: usize,
     ) -> Self {
-        // A chord has at least one lane, and two facing chords stay together.
+        // A chord takes at least one lane, and two facing chords stay together.
         let unit = 2 * nodes.len().max(1);
         let batch = Batch::new(metric, kind, unit, chords.div_ceil(2));
         Self { batch, nodes, n, is_metric: true }
@@ -45,7 +45,8 @@ impl<'f, const D: usize> ChordBatch<'f, D> {
         self.batch.lanes() / self.nodes.len().max(1)
     }
 
-    /// Evaluates pairs of chords, the second of each reversed: from its end `x + d` back to `x`.
+    /// Evaluates pairs of chords. The second chord of each pair is reversed: it runs from its end
+    /// `x + d` back to `x`.
     #[inline]
     pub fn evaluate_facing<'p>(&mut self, pairs: impl ExactSizeIterator<Item = [Chord<'p, D>; 2]>) {
         let count = 2 * pairs.len() * self.nodes.len();
@@ -66,7 +67,7 @@ impl<'f, const D: usize> ChordBatch<'f, D> {
         self.evaluate(count);
     }
 
-    /// Evaluates chords from their end 0, `x`, or reversed from their end 1, `x + d`.
+    /// Evaluates chords from end 0, which is `x`, or reversed from end 1, which is `x + d`.
     #[inline]
     pub fn evaluate_from<'p>(
         &mut self,
@@ -171,8 +172,8 @@ mod tests {
         ChordBatch::new(metric, Kind::Contraction, R::NODES, n, 2)
     }
 
-    /// The model of one chord from one of its ends, by both implementations of a metric, and
-    /// whether the metric is positive definite at its nodes.
+    /// Returns the model of one chord from one of its ends, by both implementations of a metric,
+    /// and whether the metric is positive definite at the nodes of the chord.
     fn model_from<R: Rule, const D: usize>(
         end: usize,
         rule: R,
@@ -193,7 +194,7 @@ mod tests {
         one
     }
 
-    /// The model of two facing chords.
+    /// Returns the model of two facing chords.
     fn facing<R: Rule, const D: usize>(
         rule: R,
         metric: &impl Metric<D>,
@@ -210,7 +211,7 @@ mod tests {
         one
     }
 
-    /// A rule without symmetry.
+    /// A rule that is not symmetric.
     #[derive(Clone, Copy, Debug)]
     struct Lopsided;
     impl Rule for Lopsided {
@@ -219,10 +220,11 @@ mod tests {
         const ERROR_EXPONENT: i32 = 1;
     }
 
-    /// About a hundred operations on numbers below 100, with two roundings of 3e-14.
+    /// The tolerance for about a hundred operations on numbers below 100, each with two roundings
+    /// of 3e-14.
     const SMALL: f64 = 1e-12;
 
-    /// Asserts that `one`, from the end `end`, is `other`, from the near end.
+    /// Asserts that the model `one`, from the end `end`, agrees with `other`, from the near end.
     #[track_caller]
     fn assert_agrees<const D: usize>(end: usize, one: &ChordModel<D>, other: &ChordModel<D>) {
         assert!((one.energy - other.energy).abs() <= SMALL);
@@ -259,7 +261,7 @@ mod tests {
         }
     }
 
-    /// Bit by bit.
+    /// The two models agree bit for bit.
     #[test]
     fn the_model_at_the_midpoint_is_the_general_model() {
         let metric = Prepared::new(Swirl::new(0.5, 1.0).expect("a width"));
@@ -291,7 +293,7 @@ mod tests {
         compare(Lopsided);
     }
 
-    /// `x₂ I`, a metric only above the axis.
+    /// The matrix `x₂ I`, which is a metric only above the axis.
     struct Above;
     impl Metric<2> for Above {
         fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
@@ -299,11 +301,11 @@ mod tests {
         }
     }
 
-    /// Below the axis at a single node of two chords with two nodes each: noticed for a pair of
-    /// chords, for one chord and for a sequence.
+    /// A single node of two chords, with two nodes each, lies below the axis. This is noticed for a
+    /// pair of chords, for one chord and for a sequence.
     #[test]
     fn one_node_without_a_metric_is_noticed() {
-        // The nodes 0 and 1 are the ends.
+        // The nodes 0 and 1 are the ends of a chord.
         let chord = |from: f64, to: f64| (vector![0.0, from], vector![1.0, to - from]);
         let heights = [1.0, 2.0, 3.0, 4.0];
         for below in 0..=heights.len() {
@@ -322,7 +324,7 @@ mod tests {
         }
     }
 
-    /// The identity, except for one entry.
+    /// The identity matrix, except for one entry.
     struct Spoilt {
         place: (usize, usize),
         entry: f64,
@@ -335,8 +337,8 @@ mod tests {
         }
     }
 
-    /// For every kind of evaluation: either triangle differs, a diagonal entry is not positive, or
-    /// an entry is not finite.
+    /// Every kind of evaluation notices three defects: the two triangles differ, a diagonal entry
+    /// is not positive, or an entry is not finite.
     #[track_caller]
     fn spoilt_matrices_are_noticed<const D: usize>() {
         let defects = [

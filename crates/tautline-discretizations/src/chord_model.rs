@@ -3,11 +3,12 @@
 use nalgebra::{SMatrix, SVector};
 use tautline_metrics::Scalar;
 
-/// The energy of one chord, with its first and second derivatives by the two points that it joins;
-/// for pairs of numbers, of two chords side by side. A [`ChordBatch`](crate::ChordBatch) makes it.
+/// The energy of one chord, with its first and second derivatives with respect to the two points
+/// that it joins. For pairs of numbers it is the model of two chords side by side. A
+/// [`ChordBatch`](crate::ChordBatch) computes it.
 ///
-/// Derivation, for one node of weight 1 at the fraction `θ` of the chord `d = y − x`, with `H` and
-/// its derivatives at `x + θ d` and the energy `e = N dᵀHd`:
+/// Derivation: take one node of weight 1 at the fraction `θ` of the chord `d = y − x`, with `H` and
+/// its derivatives evaluated at `x + θ d`, and the energy `e = N dᵀHd`. Then
 ///
 /// ```text
 /// q = H d,   Gₖ = dᵀ ∂ₖH d,   Pᵢₖ = (∂ₖH d)ᵢ,   Qₖₗ = dᵀ ∂ₖ∂ₗH d
@@ -19,18 +20,19 @@ use tautline_metrics::Scalar;
 pub struct ChordModel<const D: usize, T = f64> {
     /// The energy, in `m²`.
     pub energy: T,
-    /// `N tr H`, the mean over the nodes, in `m²/ℓ²`.
+    /// `N tr H`, averaged over the nodes, in `m²/ℓ²`.
     pub trace: T,
-    /// The gradients by the near and by the far point, in `m²/ℓ`.
+    /// The gradients with respect to the near and the far point, in `m²/ℓ`.
     pub gradient: [SVector<T, D>; 2],
-    /// The second derivatives by the near and by the far point, in `m²/ℓ²`.
+    /// The second derivatives with respect to the near and the far point, in `m²/ℓ²`.
     pub hessian: [SMatrix<T, D, D>; 2],
-    /// The mixed second derivatives: rows by the near point, columns by the far.
+    /// The mixed second derivatives, with a row for each coordinate of the near point and a column
+    /// for each coordinate of the far point.
     pub coupling: SMatrix<T, D, D>,
 }
 
 impl<T: Scalar, const D: usize> ChordModel<D, T> {
-    /// The model of a rule without nodes: all zeros.
+    /// Returns the model of a rule without nodes, which is zero.
     #[inline(always)]
     pub(crate) fn zero() -> Self {
         Self {

@@ -1,4 +1,4 @@
-//! `CompensatedSum`: a sum of many terms with the rounding error of one.
+//! `CompensatedSum`: a sum of many terms with a rounding error as small as for one term.
 
 use std::ops::AddAssign;
 
@@ -6,8 +6,8 @@ use tautline_metrics::{Lanes, Pair, Scalar};
 
 /// A running sum and the sum of its rounding errors (Knuth's two-sum).
 ///
-/// A plain sum of `N` energies of chords is off by up to `N ε`, this one by `2 ε`. The differences
-/// `E_N − d²` of the asymptotic range are as small as `10⁻¹⁰ d²`.
+/// A plain sum of the energies of `N` chords has a relative error of up to `N ε`, this sum one of
+/// `2 ε`. The differences `E_N − d²` in the asymptotic range are as small as `10⁻¹⁰ d²`.
 #[derive(Clone, Copy, Debug)]
 pub struct CompensatedSum<T = f64> {
     sum: T,
@@ -15,7 +15,7 @@ pub struct CompensatedSum<T = f64> {
 }
 
 impl<T: Scalar> Default for CompensatedSum<T> {
-    /// Returns the empty sum.
+    /// Returns a sum without terms.
     fn default() -> Self {
         Self { sum: T::zero(), lost: T::zero() }
     }
@@ -26,7 +26,8 @@ impl<T: Scalar> CompensatedSum<T> {
     #[inline]
     pub fn add(&mut self, term: T) {
         let sum = self.sum + term;
-        // The exact error of the addition: sum = s + t − error with these four roundings exact.
+        // The exact error of the addition: sum = s + t − error. The four operations that compute
+        // the error are exact.
         let kept = sum - self.sum;
         self.lost += (self.sum - (sum - kept)) + (term - kept);
         self.sum = sum;
@@ -42,7 +43,7 @@ impl<T: Scalar> AddAssign for CompensatedSum<T> {
 }
 
 impl CompensatedSum<Pair> {
-    /// Returns the two sums separately.
+    /// Returns the sums of the two lanes separately.
     #[must_use]
     pub fn apart(self) -> [CompensatedSum; 2] {
         [0, 1].map(|lane| CompensatedSum { sum: self.sum.lane(lane), lost: self.lost.lane(lane) })
@@ -50,11 +51,12 @@ impl CompensatedSum<Pair> {
 }
 
 impl CompensatedSum {
-    /// Returns the sum of the terms, rounded once or twice; infinite if it overflowed.
+    /// Returns the sum of the terms, rounded once or twice. The result is infinite if the sum
+    /// overflowed.
     #[must_use]
     pub fn value(self) -> f64 {
         let value = self.sum + self.lost;
-        // An infinite sum has lost ∞ − ∞; return the sum itself.
+        // If the sum is infinite, the lost part is ∞ − ∞; then return the sum itself.
         if value.is_nan() { self.sum } else { value }
     }
 }
@@ -78,7 +80,7 @@ mod tests {
     #[test]
     fn small_terms_are_not_lost_beside_a_large_one() {
         let terms = std::iter::once(1.0).chain(std::iter::repeat_n(1e-17, 1000));
-        // A plain sum would lose every 1e-17.
+        // A plain sum would lose each term of 1e-17.
         assert_eq!(terms.collect::<CompensatedSum>().value(), 1.0 + 1e-14);
     }
 
@@ -90,13 +92,13 @@ mod tests {
             both.add(Pair::new(1e-17, 2e-17));
         }
         let [mut one, other] = both.apart();
-        // Rounded once: 2 ε of a sum of 1.
+        // Each sum is rounded once: it is within 2 ε of a sum of 1.
         assert_eq!((one.value(), other.value()), (1.0 + 1e-14, -1.0 + 2e-14));
         one += other;
         approx::assert_relative_eq!(one.value(), 3e-14, max_relative = 1e-12);
     }
 
-    /// Two-sum recovers the rounding error whichever operand is larger.
+    /// The two-sum recovers the rounding error whichever operand is larger.
     #[test]
     fn nothing_is_lost_in_any_order_of_large_and_small() {
         let orders = [
@@ -110,7 +112,7 @@ mod tests {
         }
     }
 
-    /// Either sum may be the larger, and each may have lost something.
+    /// Either sum may be the larger one, and each may have lost something.
     #[test]
     fn sums_of_sums_lose_nothing() {
         let sum = |terms: &[f64]| terms.iter().copied().collect::<CompensatedSum>();

@@ -8,14 +8,14 @@ use crate::{ChordModel, Node};
 
 /// A number for one chord, or a pair of numbers for two facing chords.
 pub trait Entry: Lanes {
-    /// Its layout in a row.
+    /// The layout of an entry in a row.
     type Row: Copy;
 
-    /// Loads it from a row.
+    /// Loads an entry from a row.
     fn of(row: Self::Row) -> Self;
 
     /// Returns the position of a node as a fraction of each chord, reversed for the second of a
-    /// pair: the weight of its far point.
+    /// pair. It is the weight of the far point.
     fn far(fraction: f64) -> Self;
 }
 
@@ -47,7 +47,8 @@ impl Entry for Pair {
     }
 }
 
-/// The derivatives of the metric at the nodes of many chords, contracted with the chords, in rows.
+/// The derivatives of the metric at the nodes of many chords, contracted with the chords and stored
+/// in rows.
 #[derive(Clone, Copy)]
 pub struct Contractions<'b, T: Entry, const D: usize> {
     pub(crate) d: [&'b [T::Row]; D],
@@ -64,11 +65,11 @@ impl<T: Entry, const D: usize> Contractions<'_, T, D> {
     ///
     /// # Panics
     ///
-    /// If there are fewer.
+    /// If there are fewer than `count`.
     #[inline(always)]
     #[must_use]
     pub fn first(mut self, count: usize) -> Self {
-        // The compiler then knows that all rows have one length, and checks bounds once.
+        // The compiler then knows that all rows have the same length, and checks bounds only once.
         let lanes = count * self.nodes.len();
         for i in 0..D {
             self.d[i] = &self.d[i][..lanes];
@@ -82,35 +83,37 @@ impl<T: Entry, const D: usize> Contractions<'_, T, D> {
         self
     }
 
-    /// Returns whether the only node of the rule is the midpoint, as for the trapezoidal rule:
-    /// [`model_at_midpoint`](Self::model_at_midpoint) is then the model, and faster.
+    /// Returns whether the only node of the rule is the midpoint, as for the trapezoidal rule. In
+    /// this case [`model_at_midpoint`](Self::model_at_midpoint) returns the same model and is
+    /// faster.
     #[must_use]
     pub fn is_midpoint(&self) -> bool {
         matches!(self.nodes, [Node { fraction: 0.5, .. }])
     }
 
-    /// Returns the model of chord, or pair of chords, `k` by a rule whose only node is the
-    /// midpoint. It is the same from both ends.
+    /// Returns the model of chord (or pair of chords) `k` for a rule that has the midpoint as its
+    /// only node. The model is the same from both ends.
     ///
     /// # Panics
     ///
-    /// If there is no such chord. For another rule the result is meaningless; debug builds panic.
+    /// If there is no such chord. For any other rule the result is meaningless, and debug builds
+    /// panic.
     #[inline(always)]
     #[must_use]
     pub fn model_at_midpoint(&self, k: usize) -> ChordModel<D, T> {
         debug_assert!(self.is_midpoint(), "a rule with the midpoint as its only node");
-        // With a constant the compiler evaluates products.
+        // With a constant fraction the compiler evaluates products of it.
         self.at_node(k, self.nodes[0].weight, T::constant(0.5))
     }
 
-    /// Returns the model of chord, or pair of chords, `k`.
+    /// Returns the model of chord (or pair of chords) `k`.
     #[inline(always)]
     #[must_use]
     pub fn model(&self, k: usize) -> ChordModel<D, T> {
         self.sum(k, T::far)
     }
 
-    /// Sums over the nodes; `far` is the weight of the far point, given the fraction of a node.
+    /// Sums over the nodes. `far` maps the fraction of a node to the weight of the far point.
     #[inline(always)]
     fn sum(&self, k: usize, far: impl Fn(f64) -> T) -> ChordModel<D, T> {
         let [first, rest @ ..] = self.nodes else { return ChordModel::zero() };
@@ -122,15 +125,15 @@ impl<T: Entry, const D: usize> Contractions<'_, T, D> {
         model
     }
 
-    /// Returns the contribution of a node of this weight, at the fraction `far` of the chord, from
-    /// a lane or pair of lanes.
+    /// Returns the contribution of a node with this weight, at the fraction `far` of the chord,
+    /// from a lane or a pair of lanes.
     ///
-    /// Plain loops over entries: temporary matrices would be copied, and closures for each entry
-    /// would not all be inlined.
+    /// The code consists of plain loops over entries: temporary matrices would be copied, and not
+    /// all closures for single entries would be inlined.
     #[inline(always)]
     fn at_node(&self, lane: usize, weight: f64, far: T) -> ChordModel<D, T> {
         let weight = weight * self.n;
-        // The weight, and twice the weight for the terms with a factor 2.
+        // The weight, and twice the weight for terms with a factor 2.
         let (once, twice) = (T::constant(weight), T::constant(2.0 * weight));
         let near = T::one() - far;
         let (near_near, near_far, far_far) = (near * near, near * far, far * far);
@@ -174,7 +177,7 @@ impl<T: Entry, const D: usize> Contractions<'_, T, D> {
 }
 
 impl<const D: usize> Contractions<'_, f64, D> {
-    /// Returns the model of chord `k`, which was evaluated from its end 0 or 1.
+    /// Returns the model of chord `k`, which was evaluated from its end 0 or 1, as `end` says.
     #[inline(always)]
     #[must_use]
     pub fn model_from(&self, end: usize, k: usize) -> ChordModel<D> {

@@ -9,13 +9,13 @@ use tautline_metrics::{
 
 use crate::{PointSequence, compensated_sum::CompensatedSum};
 
-/// Relative tolerance of the quadrature on each chord: a few roundings, so that `E(γᵖˡ) − d²` is as
-/// accurate as `d²` itself.
+/// The relative tolerance of the quadrature on each chord. It is a few roundings, so that
+/// `E(γᵖˡ) − d²` is as accurate as `d²` itself.
 const TOLERANCE: f64 = 4.0 * f64::EPSILON;
 
-/// The numbers of chords, besides the last, and of points that are [checked](Interpolation::check),
-/// level by level where a quadrature would refine, from the `FIRST` seven points of a quadrature
-/// on.
+/// The largest numbers of chords, apart from the last one, and of points that are
+/// [checked](Interpolation::check). The check starts with the `FIRST` seven points of a quadrature
+/// and proceeds, level by level, where a quadrature would refine.
 const CHECKED: usize = 512;
 const LOOKS: usize = 1 << 17;
 const FIRST: usize = FIRST_NODES.len();
@@ -33,13 +33,14 @@ impl Piece {
         Self { chord, from: 0.0, to: 1.0 }
     }
 
-    /// The places of the first seven nodes of a quadrature: the chord and the fraction.
+    /// Returns the places of the first seven nodes of a quadrature, each as the chord and the
+    /// fraction.
     fn places(&self) -> impl Iterator<Item = (usize, f64)> {
         let Self { chord, from, to } = *self;
         FIRST_NODES.iter().map(move |node| (chord, from + (to - from) * node))
     }
 
-    /// Its halves, if its ends differ by more than a rounding.
+    /// Returns the two halves, if the ends of the piece differ by more than a rounding.
     fn halves(&self) -> Option<[Self; 2]> {
         let middle = 0.5 * (self.from + self.to);
         let is_between = self.from < middle && middle < self.to;
@@ -66,7 +67,7 @@ impl<'a, const D: usize> Interpolation<'a, D> {
     pub fn at(&self, t: f64) -> SVector<f64, D> {
         let points = self.sequence.points();
         let position = t.clamp(0.0, 1.0) * (points.len() - 1) as f64;
-        // The last chord takes t = 1.
+        // The last chord includes t = 1.
         let k = (position as usize).min(points.len() - 2);
         let s = position - k as f64;
         points[k] * (1.0 - s) + points[k + 1] * s
@@ -74,9 +75,10 @@ impl<'a, const D: usize> Interpolation<'a, D> {
 
     /// Returns the continuous energy `E(γᵖˡ) = ∫₀¹ γ̇ᵀ H(γ) γ̇ dt`, in `m²`.
     ///
-    /// Adaptive Gauss–Kronrod quadrature on each chord, to a few units of rounding. The error is an
-    /// estimate: it misses what the first seven nodes on a chord miss, such as a step of the metric
-    /// in the last hundredth of a chord. NaN if the metric is NaN.
+    /// The energy is computed by adaptive Gauss–Kronrod quadrature on each chord, to a few
+    /// roundings. The error is an estimate: it misses what the first seven nodes on a chord miss,
+    /// such as a step of the metric in the last hundredth of a chord. The result is NaN if the
+    /// metric is NaN.
     #[must_use]
     pub fn energy(&self, metric: &impl Metric<D>) -> Integral {
         let metric = AnyMetric::new(metric);
@@ -85,7 +87,8 @@ impl<'a, const D: usize> Interpolation<'a, D> {
         Integral { value: n * sum.value, error: n * sum.error }
     }
 
-    /// Returns the length `L(γᵖˡ) = ∫₀¹ (γ̇ᵀ H(γ) γ̇)^{1/2} dt`, in `m`; error as for the energy.
+    /// Returns the length `L(γᵖˡ) = ∫₀¹ (γ̇ᵀ H(γ) γ̇)^{1/2} dt`, in `m`, with an error estimate as
+    /// for the energy.
     #[must_use]
     pub fn length(&self, metric: &impl Metric<D>) -> Integral {
         let metric = AnyMetric::new(metric);
@@ -94,9 +97,10 @@ impl<'a, const D: usize> Interpolation<'a, D> {
 
     /// Checks that the Gram matrix is finite, symmetric and positive definite along the curve.
     ///
-    /// On every `⌈N/512⌉`-th chord and the last, at no more than 131 072 points in all: at the
-    /// first nodes of the quadrature for [`length`](Interpolation::length), then where it would
-    /// refine, level by level. This is not a proof; for one see `tautline-certify`.
+    /// The check covers every `⌈N/512⌉`-th chord and the last one, at 131 072 points or fewer in
+    /// all. It starts with the first nodes of the quadrature for [`length`](Interpolation::length)
+    /// and then proceeds, level by level, where that quadrature would refine. This is not a proof;
+    /// for one see `tautline-certify`.
     ///
     /// # Errors
     ///
@@ -105,7 +109,7 @@ impl<'a, const D: usize> Interpolation<'a, D> {
         self.check_by_batches(&Plain::new(metric))
     }
 
-    /// As [`check`](Interpolation::check), for a metric that is evaluated in batches.
+    /// Checks like [`check`](Interpolation::check), for a metric that is evaluated in batches.
     ///
     /// # Errors
     ///
@@ -117,7 +121,7 @@ impl<'a, const D: usize> Interpolation<'a, D> {
         let mut batch = Batch::new(metric, Kind::Checked, FIRST, pieces.len());
         let room = batch.lanes() / FIRST;
         let mut left = LOOKS;
-        // Halves come after all pieces of twice their length.
+        // The halves are checked after all pieces of twice their length.
         while !pieces.is_empty() {
             let mut halves = Vec::new();
             for some in pieces.chunks(room) {
@@ -132,8 +136,8 @@ impl<'a, const D: usize> Interpolation<'a, D> {
         Ok(())
     }
 
-    /// Checks the first nodes of a quadrature on these pieces; returns the pieces that it would
-    /// halve.
+    /// Checks the first nodes of a quadrature on these pieces, and returns the pieces that the
+    /// quadrature would halve.
     fn unsettled<'p>(
         &self,
         metric: &dyn Batches<D>,
@@ -147,7 +151,7 @@ impl<'a, const D: usize> Interpolation<'a, D> {
             inputs.set(lane, &(x + d * s), &d);
         }
         if !batch.evaluate(FIRST * pieces.len()) {
-            // One by one, to find the first defect.
+            // The points are checked one by one to find the first defect.
             for (chord, s) in places() {
                 let (x, d) = self.sequence.chord(chord);
                 let at = x + d * s;
@@ -160,7 +164,7 @@ impl<'a, const D: usize> Interpolation<'a, D> {
         Ok(pieces.filter(|(_, speeds)| !is_integrated(speeds, TOLERANCE)).map(|(piece, _)| piece))
     }
 
-    /// `Σ ∫₀¹ f(x + s d, d) ds` over the chords.
+    /// Returns `Σ ∫₀¹ f(x + s d, d) ds`, summed over the chords.
     fn quadrature(&self, f: impl Fn(&SVector<f64, D>, &SVector<f64, D>) -> f64) -> Integral {
         let (mut value, mut error) = (CompensatedSum::default(), 0.0);
         for (x, d) in self.sequence.chords() {
@@ -183,7 +187,8 @@ mod tests {
     use super::Interpolation;
     use crate::PointSequence;
 
-    /// Along `x₁` the valleys have `∫ f² = (9/2) x − 4 sin x + ¼ sin 2x` and `∫ f = 2x − sin x`.
+    /// Along `x₁` the integrals over the valleys are `∫ f² = (9/2) x − 4 sin x + ¼ sin 2x` and
+    /// `∫ f = 2x − sin x`.
     #[test]
     fn energy_and_length_agree_with_the_primitives() {
         let sequence =
@@ -191,18 +196,18 @@ mod tests {
                 .expect("finite");
         let f2 = |x: f64| 4.5 * x - 4.0 * x.sin() + 0.25 * (2.0 * x).sin();
         let f1 = |x: f64| 2.0 * x - x.sin();
-        // On a chord of length d traversed in time 1/2: ∫ f² (2d)² dt = 2 d ∫ f² dx.
+        // For a chord of length d traversed in time 1/2, ∫ f² (2d)² dt = 2 d ∫ f² dx.
         let energy = 2.0 * (1.5 * f2(1.5) + 5.5 * (f2(7.0) - f2(1.5)));
         let curve = Interpolation::new(&sequence);
         let computed = curve.energy(&Valleys);
         assert_relative_eq!(computed.value, energy, max_relative = 1e-14);
-        // At least one rounding of the value, and not many.
+        // The estimate is at least one rounding of the value, and not many.
         let relative = computed.error / energy;
         assert!((f64::EPSILON..=1e-13).contains(&relative), "estimate {relative:e}");
         assert_relative_eq!(curve.length(&Valleys).value, f1(7.0), max_relative = 1e-14);
     }
 
-    /// The identity, which counts its evaluations; NaN to the right of `end`.
+    /// The identity, which counts its evaluations and is NaN to the right of `end`.
     struct Counted {
         asked: AtomicUsize,
         end: f64,
@@ -215,7 +220,8 @@ mod tests {
         }
     }
 
-    /// The number of evaluations for the check of a straight line, and its result.
+    /// Returns the number of evaluations that checking a straight line takes, and the result of the
+    /// check.
     fn check(n: usize, end: f64) -> (usize, Result<(), MetricError>) {
         let line = PointSequence::straight([0.0], [1.0], n).expect("finite");
         let metric = Counted { asked: AtomicUsize::new(0), end };
@@ -223,7 +229,7 @@ mod tests {
         (metric.asked.into_inner(), result)
     }
 
-    /// Seven points on each of at most 512 chords and the last.
+    /// The check uses seven points on each of at most 512 chords and on the last one.
     #[test]
     fn the_check_costs_no_more_on_fine_grids() {
         for (n, chords) in [(1, 1), (3, 3), (512, 512), (513, 257), (1_000_000, 512)] {

@@ -2,7 +2,7 @@
 
 use crate::{Node, Rule};
 
-/// The left-endpoint rule `E_l,N`: `H` at the first point of the chord.
+/// The left-endpoint rule `E_l,N`, which evaluates `H` at the first point of the chord.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LeftEndpoint;
 

@@ -1,4 +1,4 @@
-//! Discrete energies and lengths of point sequences, and the curves they reconstruct.
+//! Discrete energies and lengths of point sequences, and the curves that join their points.
 //!
 //! A [`PointSequence`] `x₀, …, x_N` samples a curve at the times `tₙ = n/N`; its finite differences
 //! `βₙ = N (xₙ₊₁ − xₙ)` approximate the velocity. A [`Rule`] fixes where on each chord the metric
@@ -14,8 +14,8 @@
 //! | [`LeftEndpoint`] | `0` | `1` |
 //! | [`TrueTrapezoid`] | `0, 1` | `1/2, 1/2` |
 //!
-//! There is no factor `½` in any energy. The [`Interpolation`] `γᵖˡ` joins the points by straight
-//! lines; quadrature computes its continuous energy and length.
+//! No energy has a factor `½`. The [`Interpolation`] `γᵖˡ` joins the points by straight lines, and
+//! quadrature computes its continuous energy and length.
 //!
 //! ```
 //! use tautline_discretizations::{Interpolation, PointSequence, Rule, Trapezoidal};

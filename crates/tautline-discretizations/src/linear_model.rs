@@ -1,4 +1,4 @@
-//! A discrete energy to first order: value and gradient.
+//! `LinearModel`: a discrete energy to first order, with its value and gradient.
 
 use nalgebra::SVector;
 use tautline_formula::{Batches, Kind, Plain};
@@ -6,27 +6,29 @@ use tautline_metrics::Metric;
 
 use crate::{ChordBatch, Node, PointSequence, Rule, compensated_sum::CompensatedSum};
 
-/// The discrete energy of a point sequence with its first derivatives by the `N + 1` points.
+/// The discrete energy of a point sequence, with its first derivatives with respect to the `N + 1`
+/// points.
 ///
-/// The formulas of a [`QuadraticModel`](crate::QuadraticModel), at a lower cost.
+/// The formulas are those of a [`QuadraticModel`](crate::QuadraticModel), at a lower cost.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LinearModel<const D: usize> {
     /// The discrete energy, in `m²`.
     pub energy: f64,
-    /// Its gradient by each of the `N + 1` points, in `m²/ℓ`.
+    /// The gradients of the energy with respect to each of the `N + 1` points, in `m²/ℓ`.
     pub gradient: Vec<SVector<f64, D>>,
     /// Whether the Gram matrix is finite, symmetric and positive definite at every node.
     pub is_metric: bool,
 }
 
 impl<const D: usize> LinearModel<D> {
-    /// Expands the discrete energy of `rule` about `sequence`. NaN if the metric is NaN.
+    /// Expands the discrete energy of `rule` about `sequence`. The result is NaN if the metric is
+    /// NaN.
     #[must_use]
     pub fn new<R: Rule>(_rule: R, metric: &impl Metric<D>, sequence: &PointSequence<D>) -> Self {
         Self::by_batches(R::NODES, &Plain::new(metric), sequence)
     }
 
-    /// As [`new`](Self::new), for a metric that is evaluated in batches.
+    /// Expands like [`new`](Self::new), for a metric that is evaluated in batches.
     #[must_use]
     pub fn by_batches(
         nodes: &'static [Node],

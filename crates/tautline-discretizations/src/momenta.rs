@@ -5,7 +5,7 @@ use nalgebra::SVector;
 
 use crate::Node;
 
-/// The energies of many chords, in a row.
+/// The energies of many chords, stored in a row.
 #[derive(Clone, Copy)]
 pub struct Energies<'b> {
     pub(crate) square: &'b [f64],
@@ -14,11 +14,11 @@ pub struct Energies<'b> {
 }
 
 impl Energies<'_> {
-    /// Calls `take` with `N w dᵀHd`, node by node, for each of the first chords.
+    /// Calls `take` with `N w dᵀHd`, node by node, for each of the first `chords` chords.
     #[inline]
     pub fn for_first(self, chords: usize, mut take: impl FnMut(f64)) {
         let squares = &self.square[..chords * self.nodes.len()];
-        // Without the inner loop, a rule with one node takes two thirds of the time.
+        // Without the inner loop, a rule with one node takes only two thirds of the time.
         if let [node] = self.nodes {
             for square in squares {
                 take(self.n * node.weight * square);
@@ -33,7 +33,7 @@ impl Energies<'_> {
     }
 }
 
-/// The momenta of many chords and the derivatives of the metric along them, in rows.
+/// The momenta of many chords and the derivatives of the metric along them, stored in rows.
 #[derive(Clone, Copy)]
 pub struct Momenta<'b, const D: usize> {
     pub(crate) momentum: [&'b [f64]; D],
@@ -43,15 +43,15 @@ pub struct Momenta<'b, const D: usize> {
 }
 
 impl<const D: usize> Momenta<'_, D> {
-    /// Returns the momenta of the first chords.
+    /// Returns the momenta of the first `chords` chords.
     ///
     /// # Panics
     ///
-    /// If there are fewer.
+    /// If there are fewer than `chords`.
     #[inline(always)]
     #[must_use]
     pub fn first(mut self, chords: usize) -> Self {
-        // The compiler then knows that all rows have one length.
+        // The compiler then knows that all rows have the same length.
         let lanes = chords * self.nodes.len();
         for i in 0..D {
             self.momentum[i] = &self.momentum[i][..lanes];
@@ -60,7 +60,7 @@ impl<const D: usize> Momenta<'_, D> {
         self
     }
 
-    /// Adds the gradients of the energy of chord `k` by its points `x` and `x + d`.
+    /// Adds the gradients of the energy of chord `k` with respect to its points `x` and `x + d`.
     #[inline(always)]
     pub fn add(&self, k: usize, gradients: &mut [SVector<f64, D>; 2]) {
         for (place, node) in self.nodes.iter().enumerate() {

@@ -8,13 +8,15 @@ use crate::compensated_sum::CompensatedSum;
 
 /// The largest `N` of a point sequence: `2²⁶ = ε^(−1/2)`.
 ///
-/// Coordinates have a relative rounding of `ε`, hence chords of `εN`. With more chords this exceeds
-/// `1/N`, the relative error of a first-order rule: a finer grid does not improve the result.
+/// Coordinates have a relative rounding of `ε`, so chords have one of `εN`. With more chords this
+/// exceeds `1/N`, the relative error of a first-order rule, and a finer grid does not improve the
+/// result.
 pub const LARGEST_N: usize = 1 << 26;
 
 /// A sequence of `N + 1` points of `R^D`, at the times `tₙ = n/N`.
 ///
-/// Invariant: at least two points and at most [`LARGEST_N`] chords, all points finite.
+/// Invariant: there are at least two points and at most [`LARGEST_N`] chords, and all points are
+/// finite.
 #[derive(Clone, Debug, PartialEq)]
 #[doc(alias = "polyline")]
 pub struct PointSequence<const D: usize> {
@@ -22,17 +24,17 @@ pub struct PointSequence<const D: usize> {
     extent: f64,
 }
 
-/// Why points do not form a point sequence.
+/// The reason why points do not form a point sequence.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SequenceError {
-    /// `N = 0`: a sequence needs a first and a last point.
+    /// `N = 0`, although a sequence needs a first and a last point.
     #[error("{points} points make no subinterval: N must be at least 1")]
     NoSubinterval {
         /// The number of points.
         points: usize,
     },
-    /// More than [`LARGEST_N`] subintervals.
+    /// There are more than [`LARGEST_N`] subintervals.
     #[error(
         "N = {n} is too many subintervals: beyond {}, rounding outweighs the gain in accuracy",
         LARGEST_N
@@ -46,7 +48,7 @@ pub enum SequenceError {
     OutOfMemory {
         /// The number of subintervals.
         n: usize,
-        /// The size of the points.
+        /// The size of the points, in bytes.
         bytes: usize,
     },
     /// A coordinate is NaN or infinite.
@@ -62,8 +64,8 @@ pub enum SequenceError {
 }
 
 impl<const D: usize> PointSequence<D> {
-    /// Checks that there are at least two points, at most [`LARGEST_N`] chords, and that all points
-    /// are finite.
+    /// Makes a sequence from points. There must be at least two points and at most [`LARGEST_N`]
+    /// chords, and all points must be finite.
     ///
     /// # Errors
     ///
@@ -86,8 +88,8 @@ impl<const D: usize> PointSequence<D> {
     ///
     /// # Errors
     ///
-    /// As [`PointSequence::new`], and [`SequenceError::OutOfMemory`]. Too many points are refused
-    /// before memory is allocated.
+    /// As for [`PointSequence::new`]; also [`SequenceError::OutOfMemory`]. Too many points are
+    /// refused before memory is allocated.
     pub fn straight(
         a: impl Into<SVector<f64, D>>,
         b: impl Into<SVector<f64, D>>,
@@ -107,7 +109,7 @@ impl<const D: usize> PointSequence<D> {
         }
         let at = |k: usize| {
             let t = k as f64 / n as f64;
-            // Exact at both ends, which a + t (b − a) is not.
+            // This formula is exact at both ends, while a + t (b − a) is not.
             a * (1.0 - t) + b * t
         };
         points.extend((0..=n).map(at));
@@ -126,8 +128,8 @@ impl<const D: usize> PointSequence<D> {
         &self.points
     }
 
-    /// Returns the largest coordinate in absolute value, in `ℓ`; coordinates are rounded by at most
-    /// `ε` times this.
+    /// Returns the largest coordinate in absolute value, in `ℓ`. Coordinates are rounded by at most
+    /// `ε` times this number.
     #[must_use]
     pub fn extent(&self) -> f64 {
         self.extent
@@ -145,12 +147,12 @@ impl<const D: usize> PointSequence<D> {
         &self.points[self.points.len() - 1]
     }
 
-    /// Returns the `N` chords, each as its first point and the vector to the next, in `ℓ`.
+    /// Returns the `N` chords, each as its first point and the vector to the next point, in `ℓ`.
     pub fn chords(&self) -> impl ExactSizeIterator<Item = (&SVector<f64, D>, SVector<f64, D>)> {
         chords(&self.points)
     }
 
-    /// Returns the chords with these indices, as an iterator from either end.
+    /// Returns the chords with these indices, as an iterator that runs from either end.
     ///
     /// # Panics
     ///
@@ -164,7 +166,7 @@ impl<const D: usize> PointSequence<D> {
         chords(&self.points[numbers.start..=numbers.end])
     }
 
-    /// Returns chord `n < N`: its first point and the vector to the next, in `ℓ`.
+    /// Returns chord `n < N` as its first point and the vector to the next point, in `ℓ`.
     #[must_use]
     #[inline]
     pub fn chord(&self, n: usize) -> (&SVector<f64, D>, SVector<f64, D>) {
@@ -192,7 +194,7 @@ impl<const D: usize> PointSequence<D> {
     }
 }
 
-/// The chords between consecutive points.
+/// Returns the chords between consecutive points.
 #[inline]
 pub(crate) fn chords<const D: usize>(
     points: &[SVector<f64, D>],
@@ -200,9 +202,10 @@ pub(crate) fn chords<const D: usize>(
     points.array_windows().map(|[x, y]| (x, y - x))
 }
 
-/// The largest coordinate in absolute value; infinite or NaN if one is.
+/// Returns the largest coordinate in absolute value; the result is infinite or NaN if a coordinate
+/// is.
 fn extent<const D: usize>(points: &[SVector<f64, D>]) -> f64 {
-    // Two at a time, for two independent chains of operations.
+    // Two points are processed at a time, for two independent chains of operations.
     let (many, rest) = points.as_chunks::<2>();
     let mut largest = [SVector::<f64, D>::zeros(); 2];
     let mut undefined = largest;
@@ -211,7 +214,7 @@ fn extent<const D: usize>(points: &[SVector<f64, D>]) -> f64 {
             for i in 0..D {
                 let size = points[k][i].abs();
                 largest[k][i] = if size > largest[k][i] { size } else { largest[k][i] };
-                // NaN for infinity and NaN.
+                // This product is NaN for infinity and NaN.
                 undefined[k][i] += size * 0.0;
             }
         }
@@ -221,7 +224,7 @@ fn extent<const D: usize>(points: &[SVector<f64, D>]) -> f64 {
     undefined.iter().chain(rest).flat_map(|x| x.iter()).fold(all, |sum, x| sum + x * 0.0)
 }
 
-/// The error for the first coordinate that is NaN or infinite.
+/// Returns the error for the first coordinate that is NaN or infinite.
 fn not_finite<const D: usize>(points: &[SVector<f64, D>]) -> SequenceError {
     let all = points.iter().flat_map(|point| point.iter());
     let place = all.clone().position(|x| !x.is_finite()).expect("a coordinate is not finite");
@@ -240,12 +243,12 @@ mod tests {
         let line = PointSequence::straight([0.1, 0.2], [0.7, -0.3], 7).expect("finite");
         assert_eq!(line.n().get(), 7);
         assert_eq!((line.first(), line.last()), (&vector![0.1, 0.2], &vector![0.7, -0.3]));
-        // Differences of coordinates below 1, times 7: rounding of about 7 ε.
+        // Differences of coordinates below 1 are multiplied by 7, so rounding is about 7 ε.
         assert!(line.differences().all(|beta| (beta - vector![0.6, -0.5]).amax() < 1e-14));
         approx::assert_relative_eq!(line.k3(), 0.61_f64.sqrt(), max_relative = 1e-14);
     }
 
-    /// `a + t (b − a)` would miss `b` by a rounding for one in five of these.
+    /// For one in five of these sequences, `a + t (b − a)` would miss `b` by a rounding.
     #[test]
     fn straight_sequences_always_end_exactly() {
         for k in 1..1000 {
@@ -254,12 +257,12 @@ mod tests {
             let line = PointSequence::straight(a, b, 1 + k as usize % 9).expect("finite");
             assert_eq!((line.first(), line.last()), (&a, &b));
         }
-        // The differences of these ends overflow.
+        // The difference of these ends overflows.
         let wide = PointSequence::straight([-f64::MAX], [f64::MAX], 4).expect("finite");
         assert_eq!(wide.points()[2], vector![0.0]);
     }
 
-    /// One jump: `β = N (b − a)` once, so `K₃ = √N |b − a|`.
+    /// If there is one jump, `β = N (b − a)` occurs once, so `K₃ = √N |b − a|`.
     #[test]
     fn k3_of_one_jump_is_sqrt_n() {
         let mut points = vec![vector![0.0]; 4];
@@ -279,7 +282,7 @@ mod tests {
         assert_eq!(exactly, Ok(6));
         assert_eq!(points(LARGEST_N).map(|line| line.n().get()), Ok(LARGEST_N));
         assert_eq!(points(LARGEST_N + 1).map(|_| ()), too_many(LARGEST_N + 1));
-        // At 8 and 512 bytes a point, without an allocation.
+        // The points would take 8 or 512 bytes each, but nothing is allocated.
         for n in [LARGEST_N + 1, 1_000_000_000, usize::MAX - 1, usize::MAX] {
             assert_eq!(PointSequence::straight([0.0], [1.0], n).map(|_| ()), too_many(n));
             let line = PointSequence::straight([0.0; 64], [1.0; 64], n);
@@ -316,7 +319,7 @@ mod tests {
         let one = PointSequence::new(vec![vector![1.0]]);
         assert_eq!(one, Err(SequenceError::NoSubinterval { points: 1 }));
         assert!(PointSequence::new(vec![vector![1.0]; 2]).is_ok());
-        // At any place of an even and of an odd number of points.
+        // The defect is at any place among an even or an odd number of points.
         for count in 2..=5 {
             for (index, coordinate) in (0..count).flat_map(|i| (0..3).map(move |j| (i, j))) {
                 for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
@@ -331,7 +334,7 @@ mod tests {
                 }
             }
         }
-        // The first of several, wherever it is.
+        // The first of several defects is reported, wherever it is.
         let bad = f64::NEG_INFINITY;
         for (index, coordinate) in (0..3).flat_map(|i| (0..3).map(move |j| (i, j))) {
             let mut points = vec![vector![0.0, 0.0, 0.0]; 3];

@@ -1,4 +1,5 @@
-//! A discrete energy to second order: value, gradient and block-tridiagonal Hessian.
+//! `QuadraticModel`: a discrete energy to second order, with its value, gradient and
+//! block-tridiagonal Hessian.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_formula::{Batches, Kind, Plain};
@@ -8,22 +9,23 @@ use crate::{
     BlockTridiagonal, ChordBatch, Node, PointSequence, Rule, compensated_sum::CompensatedSum,
 };
 
-/// The discrete energy of a point sequence with its first and second derivatives by the `N + 1`
-/// points: the sum of its [`ChordModel`](crate::ChordModel)s.
+/// The discrete energy of a point sequence, with its first and second derivatives with respect to
+/// the `N + 1` points. It is the sum of the [`ChordModel`](crate::ChordModel)s of the chords.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct QuadraticModel<const D: usize> {
     /// The discrete energy, in `m²`.
     pub energy: f64,
-    /// Its gradient by each of the `N + 1` points, in `m²/ℓ`.
+    /// The gradients of the energy with respect to each of the `N + 1` points, in `m²/ℓ`.
     pub gradient: Vec<SVector<f64, D>>,
-    /// Its second derivatives, in `m²/ℓ²`.
+    /// The second derivatives of the energy, in `m²/ℓ²`.
     pub hessian: BlockTridiagonal<D>,
-    /// The mean of `tr H / D` over the nodes, in `m²/ℓ²`: the size of the metric.
+    /// The mean of `tr H / D` over the nodes, in `m²/ℓ²`. It measures the size of the metric.
     pub mean_gram: f64,
 }
 
 impl<const D: usize> QuadraticModel<D> {
-    /// Expands the discrete energy of `rule` about `sequence`. NaN if the metric is NaN.
+    /// Expands the discrete energy of `rule` about `sequence`. The result is NaN if the metric is
+    /// NaN.
     #[must_use]
     pub fn new<R: Rule>(_rule: R, metric: &impl Metric<D>, sequence: &PointSequence<D>) -> Self {
         let mut model = Self::default();
@@ -31,8 +33,8 @@ impl<const D: usize> QuadraticModel<D> {
         model
     }
 
-    /// As [`new`](Self::new), for a metric that is evaluated in batches, in the memory of this
-    /// model, which is overwritten.
+    /// Expands like [`new`](Self::new), for a metric that is evaluated in batches. The result
+    /// overwrites this model and uses its memory.
     pub fn expand_by_batches(
         &mut self,
         nodes: &'static [Node],
@@ -46,7 +48,7 @@ impl<const D: usize> QuadraticModel<D> {
         gradient.resize(n + 1, SVector::zeros());
         diagonal.resize(n + 1, SMatrix::zeros());
         upper.resize(n, SMatrix::zeros());
-        // The contributions of the previous chord to their common point.
+        // What the previous chord contributes to the point that it shares with this one.
         let mut carried = (SVector::<f64, D>::zeros(), SMatrix::<f64, D, D>::zeros());
         let mut batch = ChordBatch::new(metric, Kind::Contraction, nodes, factor, n);
         for begin in (0..n).step_by(batch.capacity()) {

@@ -9,15 +9,16 @@ use crate::{PointSequence, compensated_sum::CompensatedSum};
 /// A place on a chord and its weight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Node {
-    /// The fraction `θ ∈ [0, 1]` of the chord: `0` its first point, `1` its last.
+    /// The fraction `θ ∈ [0, 1]` of the chord; `0` is its first point, `1` its last.
     pub fraction: f64,
-    /// The weight `w ≥ 0`; the weights of a rule add up to 1.
+    /// The weight `w ≥ 0`. The weights of a rule add up to 1.
     pub weight: f64,
 }
 
 /// A rule of numerical integration, given by its nodes on a chord.
 ///
-/// A rule is only this choice; all rules share the code of the discrete energy. A rule of your own:
+/// A rule consists of its nodes alone; all rules share the code of the discrete energy. A rule of
+/// your own may look like this:
 ///
 /// ```
 /// use tautline_discretizations::{Node, Rule};
@@ -34,35 +35,36 @@ pub struct Node {
 /// }
 /// ```
 pub trait Rule: Copy + std::fmt::Debug + Send + Sync {
-    /// The nodes.
+    /// The nodes of the rule on each chord.
     const NODES: &'static [Node];
 
     /// The exponent `q` of `E_N,min − d² = c₁ N⁻ᑫ + c₂ N⁻²ᑫ + …` on smooth data, for extrapolation
     /// to `N = ∞`.
     ///
-    /// 2 for a rule that is symmetric about the midpoint of a chord, otherwise 1.
+    /// It is 2 for a rule that is symmetric about the midpoint of a chord, and otherwise 1.
     const ERROR_EXPONENT: i32;
 
     /// Returns the discrete energy `E_N = (1/N) Σₙ Σᵢ wᵢ βₙᵀ H βₙ`, in `m²`.
     ///
-    /// NaN if the metric is NaN.
+    /// The result is NaN if the metric is NaN.
     fn energy<const D: usize>(&self, metric: &impl Metric<D>, sequence: &PointSequence<D>) -> f64 {
-        // βᵀHβ / N = N dᵀHd with the chord d.
+        // βᵀHβ / N = N dᵀHd, where d is the chord.
         sequence.n().get() as f64
             * sum(Self::NODES, &AnyMetric::new(metric), sequence, |square| square)
     }
 
     /// Returns the discrete length `L_N = (1/N) Σₙ Σᵢ wᵢ (βₙᵀ H βₙ)^{1/2}`, in `m`.
     ///
-    /// Its minimum does not converge to the distance (Section 5): minimise the energy.
+    /// The minimum of the discrete length does not converge to the distance (Section 5), so
+    /// minimise the energy.
     fn length<const D: usize>(&self, metric: &impl Metric<D>, sequence: &PointSequence<D>) -> f64 {
         sum(Self::NODES, &AnyMetric::new(metric), sequence, f64::sqrt)
     }
 
     /// Returns the discrete speeds `(Σᵢ wᵢ βₙᵀ H βₙ)^{1/2}`, in `m`, for `n = 0, …, N − 1`.
     ///
-    /// Nearly equal for a minimiser of the energy, since a geodesic has constant speed (Proposition
-    /// 3.1); arbitrary for a minimiser of the length.
+    /// The speeds are nearly equal for a minimiser of the energy, since a geodesic has constant
+    /// speed (Proposition 3.1). They are arbitrary for a minimiser of the length.
     fn speeds<const D: usize>(
         &self,
         metric: &impl Metric<D>,
@@ -72,10 +74,10 @@ pub trait Rule: Copy + std::fmt::Debug + Send + Sync {
     }
 }
 
-/// A pure function of `dᵀHd`.
+/// A function of `dᵀHd` alone.
 type OfSquare = fn(f64) -> f64;
 
-/// `Σᵢ wᵢ f(dᵀ H(x + θᵢ d) d)` for one chord.
+/// Returns `Σᵢ wᵢ f(dᵀ H(x + θᵢ d) d)` for one chord.
 fn chord_sum<const D: usize>(
     nodes: &[Node],
     metric: &AnyMetric<'_, D>,

@@ -2,7 +2,8 @@
 
 use crate::{Node, Rule};
 
-/// The mean of `H` at both ends of the chord: the trapezoidal rule outside the paper.
+/// The rule that takes the mean of `H` at both ends of the chord: the trapezoidal rule outside the
+/// paper.
 ///
 /// It is not the paper's [`Trapezoidal`](crate::Trapezoidal), and no statement of the paper
 /// concerns it.

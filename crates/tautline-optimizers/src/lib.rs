@@ -1,9 +1,9 @@
-//! Minimisers of the discrete energies.
+//! Computes minimisers of the discrete energies.
 //!
-//! [`minimise`] seeks the point sequence of least discrete energy from one closed set to another.
-//! The Hessian of a discrete energy is block tridiagonal, so that a Newton step costs `O(N D³)`. On
-//! smooth data a few steps on a coarse grid, two or three on each finer one and none on the finest
-//! are enough.
+//! [`minimise`] searches for the point sequence of least discrete energy from one closed set to
+//! another. The Hessian of a discrete energy is block tridiagonal, so that a Newton step costs
+//! `O(N D³)`. On smooth data it is enough to take a few steps on a coarse grid, two or three on
+//! each finer one, and none on the finest.
 //!
 //! ```
 //! use tautline_discretizations::Trapezoidal;
@@ -20,18 +20,18 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The algorithm reads from top to bottom in `solver.rs`. A Newton step that would leave the region
-//! where the metric is finite and positive definite is shortened; a saddle is left along the
-//! direction of most negative curvature.
+//! `solver.rs` shows the algorithm from top to bottom. A Newton step that would leave the region
+//! where the metric is finite and positive definite is shortened. The search leaves a saddle along
+//! the direction of most negative curvature.
 //!
 //! # What a result means
 //!
 //! A [`Minimum`] is the lowest local minimiser that the starts led to. It reports how the search
 //! [stopped](Stop), the [signature of the Hessian](Curvature), the residual, and the energies of
-//! all local minimisers that were found. It is not claimed to be the global minimiser.
+//! all local minimisers that were found. It does not claim to be the global minimiser.
 //!
-//! On smooth data [`leading_constants`] predicts, along a minimiser, how the errors of both rules
-//! fall.
+//! On smooth data [`leading_constants`] predicts, from a minimiser, how the errors of both rules
+//! decrease with `N`.
 
 mod asymptotics;
 mod minimise;

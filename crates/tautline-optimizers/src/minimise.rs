@@ -1,4 +1,4 @@
-//! `minimise`: the front door of the solver, and its options.
+//! `minimise`: the entry point of the solver, and its options.
 
 use tautline_discretizations::Rule;
 use tautline_formula::{Batches, Prepared};
@@ -9,26 +9,27 @@ use crate::{
     Minimum, SolveError, Starts, Workspace, newton::discrete_energy::DiscreteEnergy, solver::solve,
 };
 
-/// How to search.
+/// Options of a search.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options<const D: usize> {
-    /// Where to start.
+    /// The sequences from which the search starts.
     pub starts: Starts<D>,
     /// The largest number of Newton steps of a local search on one grid.
     pub iterations: usize,
     /// The number of threads for one problem: 0 counts as 1, and more than 2 as 2.
     ///
-    /// In four dimensions or more, undamped Newton steps on grids of at least `65 536/D²` chords
-    /// let the second thread eliminate from the other end; up to three dimensions, one thread
-    /// eliminates from both ends at once, which is faster. The result is the same bit by bit,
-    /// provided that the values of the metric depend on `x` alone. The second thread has a stack of
-    /// 32 MB. Use 1 if a formula needs more, or if many problems are solved in parallel anyway.
+    /// A second thread is used in four dimensions or more, for undamped Newton steps on grids of at
+    /// least `65 536/D²` chords: it eliminates from the other end. Up to three dimensions, one
+    /// thread eliminates from both ends at once, which is faster. The result is the same bit for
+    /// bit, provided that the values of the metric depend on `x` alone. The second thread has a
+    /// stack of 32 MB. Use 1 if a formula needs a larger stack, or if many problems are solved in
+    /// parallel anyway.
     pub threads: usize,
 }
 
 impl<const D: usize> Default for Options<D> {
-    /// Automatic starts, two threads, and 200 steps: five times what a successful search takes on
-    /// one grid.
+    /// Returns automatic starts, two threads, and 200 steps, which is five times what a successful
+    /// search takes on one grid.
     fn default() -> Self {
         Self { starts: Starts::Automatic, iterations: 200, threads: 2 }
     }
@@ -36,34 +37,35 @@ impl<const D: usize> Default for Options<D> {
 
 /// Returns the lowest discrete minimiser of `rule` that was found between the sets `ends`.
 ///
-/// Every pair of pieces of the sets is searched from every start on the coarsest grid. For
-/// `n ≤ 32`, and with [`Starts::Only`] for `n ≤ 64`, that is the only grid. The best minimisers are
-/// followed to `n` chords over grids that refine by 2 up to `n = 64` and by 4 to 16 beyond. Each
-/// grid takes two or three Newton steps; on smooth data with `n D² ≥ 32 768` the finest takes none,
-/// since its start is a minimiser to rounding. If the energy rises by half from one coarse grid to
-/// the next, all starts are tried again. A rule without nodes does not compile.
+/// On the coarsest grid every pair of pieces of the sets is searched from every start. For
+/// `n ≤ 32`, and with [`Starts::Only`] for `n ≤ 64`, this is the only grid. The best minimisers are
+/// followed to `n` chords over grids that refine by a factor of 2 up to `n = 64`, and by factors of
+/// 4 to 16 beyond. Each grid takes two or three Newton steps. On smooth data with `n D² ≥ 32 768`
+/// the finest grid takes none, since its start is a minimiser to rounding. If the energy rises by
+/// half from one coarse grid to the next, all starts are tried again. A rule without nodes does not
+/// compile.
 ///
 /// # Memory
 ///
-/// The finest grid with undamped Newton steps takes at most `16D² + 24D` bytes a point, and four
-/// times as much if it has to be damped; coarser grids take about a tenth of that. If the finest
-/// grid has at least `32 768/D²` chords and needs no step, it stores only its points. Measured on
-/// smooth metrics for `D = 2`, the total is less than 30 bytes a point at `N = 10⁵` and less than
-/// 20 at `N = 10⁷`. The thread also keeps about 1 kB for each
+/// The finest grid takes at most `16D² + 24D` bytes per point with undamped Newton steps, and four
+/// times as much if they have to be damped. Coarser grids take about a tenth of that. If the finest
+/// grid has at least `32 768/D²` chords and needs no step, only its points are stored. As measured
+/// on smooth metrics for `D = 2`, the total is less than 30 bytes per point at `N = 10⁵` and less
+/// than 20 at `N = 10⁷`. The thread also keeps about 1 kB for each
 /// [register](tautline_formula::Prepared::size) of a program.
 ///
 /// # Errors
 ///
-/// - [`SolveError::NoSubinterval`] if `n` is 0, [`SolveError::TooManySubintervals`] if it exceeds
-///   [`LARGEST_N`](tautline_discretizations::LARGEST_N).
+/// - [`SolveError::NoSubinterval`] if `n` is 0, and [`SolveError::TooManySubintervals`] if it
+///   exceeds [`LARGEST_N`](tautline_discretizations::LARGEST_N).
 /// - [`SolveError::OutOfMemory`] if the system refuses memory for the points or a Newton step. (A
-///   system may promise more than it has.)
-/// - [`SolveError::Metric`] if no start has a metric that is finite, symmetric and positive
-///   definite at its nodes and ends, or none of the results has one there and
-///   [between](tautline_discretizations::Interpolation::check). The lowest result that passes is
-///   returned; for `n > 512` there is only one.
+///   system may promise more memory than it has.)
+/// - [`SolveError::Metric`] if there is no start with a metric that is finite, symmetric and
+///   positive definite at its nodes and ends, or no result with such a metric there and
+///   [between](tautline_discretizations::Interpolation::check) its nodes. The lowest result that
+///   passes is returned; for `n > 512` there is only one.
 /// - [`SolveError::NoStart`] if there is nothing to start from, [`SolveError::Sequence`] if points
-///   become infinite on the way, [`SolveError::Energy`] if every energy found overflows.
+///   become infinite on the way, and [`SolveError::Energy`] if every energy found overflows.
 pub fn minimise<const D: usize, R: Rule>(
     metric: &impl Metric<D>,
     ends: &Ends<D>,
@@ -74,13 +76,13 @@ pub fn minimise<const D: usize, R: Rule>(
     minimise_in(&mut Workspace::default(), metric, ends, rule, n, options)
 }
 
-/// As [`minimise`], in memory that is reused from problem to problem.
+/// Minimises like [`minimise`], in memory that is reused from problem to problem.
 ///
 /// The result does not depend on earlier uses of the workspace.
 ///
 /// # Errors
 ///
-/// As [`minimise`].
+/// As for [`minimise`].
 pub fn minimise_in<const D: usize, R: Rule>(
     workspace: &mut Workspace<D>,
     metric: &impl Metric<D>,
@@ -92,11 +94,11 @@ pub fn minimise_in<const D: usize, R: Rule>(
     minimise_by_batches(workspace, &Prepared::new(metric), ends, rule, n, options)
 }
 
-/// As [`minimise_in`], for a metric that is evaluated in batches.
+/// Minimises like [`minimise_in`], for a metric that is evaluated in batches.
 ///
 /// # Errors
 ///
-/// As [`minimise`].
+/// As for [`minimise`].
 pub fn minimise_by_batches<const D: usize, R: Rule>(
     workspace: &mut Workspace<D>,
     metric: &dyn Batches<D>,

@@ -1,7 +1,7 @@
 //! Closed sets of `R^D`, each given by its nearest-point map, and pairs of them.
 //!
-//! A minimal geodesic runs between two closed sets, at least one of them bounded
-//! (Proposition 7.1). Each set has its own file.
+//! A minimal geodesic runs between two closed sets, at least one of which is bounded (Proposition
+//! 7.1). Each set has its own file.
 //!
 //! ```
 //! use nalgebra::vector;
@@ -23,8 +23,8 @@
 //!
 //! # The sets
 //!
-//! `P` is the nearest-point map and `u = (x − c)/|x − c|`. The table has the derivative outside the
-//! set; inside it is `I` and, by convention, also on the boundary.
+//! `P` is the nearest-point map and `u = (x − c)/|x − c|`. The table gives the derivative outside
+//! the set. Inside it is `I`, and by convention also on the boundary.
 //!
 //! | set | formula | `P(x)` outside | `DP(x)` outside | convex |
 //! | --- | --- | --- | --- | --- |

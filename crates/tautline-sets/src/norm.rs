@@ -2,19 +2,19 @@
 
 use nalgebra::SVector;
 
-/// Returns `|v|`, in the unit of `v`; infinite only if `|v|` itself overflows.
+/// Returns `|v|`, in the unit of `v`. The result is infinite only if `|v|` itself overflows.
 pub(crate) fn norm<const D: usize>(v: &SVector<f64, D>) -> f64 {
     let largest = v.amax();
-    // Squares of coordinates in this range, and sums of up to 1e28 of them, are far from overflow
-    // (1e308). If a square underflows, its coordinate is below 1e-14 of the largest, and the square
-    // below the rounding of the sum: (1e-154/1e-140)² = 1e-28.
+    // The squares of coordinates in this range, and sums of up to 1e28 such squares, are far from
+    // overflow (1e308). If a square underflows, its coordinate is less than 1e-14 times the
+    // largest, and the square is less than the rounding of the sum: (1e-154/1e-140)² = 1e-28.
     if (1e-140..=1e140).contains(&largest) {
         v.norm()
     } else if largest > 0.0 && largest.is_finite() {
-        // One more rounding per coordinate: not for ordinary numbers.
+        // This costs one more rounding per coordinate, so it is not used for ordinary numbers.
         (v / largest).norm() * largest
     } else {
-        // Zero, infinite or NaN, and so is the plain norm.
+        // The vector is zero, infinite or NaN, and so is its plain norm.
         v.norm()
     }
 }
@@ -29,13 +29,13 @@ pub(crate) fn polar<const D: usize>(v: &SVector<f64, D>) -> Option<(f64, SVector
         let length = v.norm();
         return Some((length, v / length));
     }
-    // Scaled first: the direction is right even if |v| overflows.
+    // The vector is scaled first, so that the direction is right even if |v| overflows.
     let scaled = v / largest;
     let length = scaled.norm();
     Some((length * largest, scaled / length))
 }
 
-/// Returns `length · eᵢ`. (`SVector::ith` does not exist for a `D` that is still generic.)
+/// Returns `length · eᵢ`. (`SVector::ith` does not exist while `D` is generic.)
 pub(crate) fn on_axis<const D: usize>(i: usize, length: f64) -> SVector<f64, D> {
     SVector::from_fn(|j, _| if j == i { length } else { 0.0 })
 }
@@ -48,10 +48,10 @@ mod tests {
     #[test]
     fn norm_is_homogeneous_from_the_smallest_to_the_largest_number() {
         for exponent in -1074..=1020 {
-            // In two steps, since 2^-1074 is not a normal number.
+            // The scale is computed in two steps, since 2^-1074 is not a normal number.
             let scale = 2.0_f64.powi(exponent / 2) * 2.0_f64.powi(exponent - exponent / 2);
             let v = vector![3.0, 4.0] * scale;
-            // Four roundings.
+            // The allowance is four roundings.
             let error = (norm(&v) / scale - 5.0).abs();
             assert!(error <= 5.0 * 4.0 * f64::EPSILON, "2^{exponent}: {error:e}");
             let (length, unit) = polar(&v).expect("not zero");

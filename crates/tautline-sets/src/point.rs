@@ -8,18 +8,18 @@ use crate::norm::norm;
 use crate::proof;
 use crate::set_error::{SetError, finite_vector};
 
-/// The set `{p}`: `P(x) = p`, `DP = 0`.
+/// The set `{p}`, with `P(x) = p` and `DP = 0`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point<const D: usize> {
     position: SVector<f64, D>,
 }
 
 impl<const D: usize> Point<D> {
-    /// Makes the set with the single member `position`, in `ℓ`.
+    /// Returns the set with the single member `position`, in `ℓ`.
     ///
     /// # Errors
     ///
-    /// [`SetError::NonFiniteCoordinate`].
+    /// [`SetError::NonFiniteCoordinate`] if a coordinate is not finite.
     pub fn new(position: impl Into<SVector<f64, D>>) -> Result<Point<D>, SetError> {
         Ok(Point { position: finite_vector("the point", position)? })
     }

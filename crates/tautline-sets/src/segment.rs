@@ -14,24 +14,26 @@ use crate::set_error::{SetError, finite, finite_vector};
 /// P(x) = a + min(max(s, 0), L) v,    DP(x) = vvᵀ if 0 ≤ s ≤ L, else 0
 /// ```
 ///
-/// `a = b` is allowed; then `P = a` and `DP = 0`. Beyond an end the projection is exactly that end.
+/// `a = b` is allowed; then `P = a` and `DP = 0`. Beyond an end of the segment, the projection is
+/// exactly that end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment<const D: usize> {
     start: SVector<f64, D>,
     end: SVector<f64, D>,
-    /// `v`; zero if `a = b`.
+    /// The direction `v`; zero if `a = b`.
     direction: SVector<f64, D>,
-    /// `L = v·(b − a)`, by the same operations as `s` of a point: at `b`, `s = L` to the last bit,
-    /// and the end belongs to the segment.
+    /// The length `L = v·(b − a)`. It is computed by the same operations as the `s` of a point, so
+    /// that `s = L` to the last bit at `b`, and the end belongs to the segment.
     length: f64,
 }
 
 impl<const D: usize> Segment<D> {
-    /// Makes the segment between two points, in `ℓ`.
+    /// Returns the segment between two points, in `ℓ`.
     ///
     /// # Errors
     ///
-    /// [`SetError::NonFiniteCoordinate`]; [`SetError::NonFinite`] if the length overflows.
+    /// [`SetError::NonFiniteCoordinate`] if a coordinate is not finite; [`SetError::NonFinite`] if
+    /// the length overflows.
     pub fn new(
         start: impl Into<SVector<f64, D>>,
         end: impl Into<SVector<f64, D>>,
@@ -83,13 +85,13 @@ impl<const D: usize> ClosedSet<D> for Segment<D> {
     }
 
     fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
-        // Halves first: the sum of the ends may overflow.
+        // The ends are halved first, since their sum may overflow.
         let centre = self.start * 0.5 + self.end * 0.5;
         Some((centre, norm(&(self.start - centre)).max(norm(&(self.end - centre)))))
     }
 
     fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
-        // A segment along an axis is a flat box: clamping does not round.
+        // A segment along an axis is a flat box, for which clamping does not round.
         let differing = (0..D).filter(|&i| self.start[i] != self.end[i]).count();
         if differing <= 1 {
             let (lower, upper) = self.start.inf_sup(&self.end);
@@ -99,7 +101,7 @@ impl<const D: usize> ClosedSet<D> for Segment<D> {
         if s <= 0.0 {
             return Some(proof::point(&self.start));
         }
-        // Any s in [0, L] gives a member: its rounding moves the member along the segment.
+        // Any s in [0, L] gives a member: rounding s moves the member along the segment.
         let fraction = s / self.length;
         if !(fraction < 1.0) {
             return (fraction >= 1.0).then(|| proof::point(&self.end));
@@ -123,10 +125,11 @@ mod tests {
     use proptest::prelude::*;
     use tautline_scalar::Interval;
 
-    /// Membership without the projection formula: `|x − a| + |x − b| = L` on the segment alone.
+    /// Tests membership without the projection formula: `|x − a| + |x − b| = L` holds on the
+    /// segment alone.
     ///
-    /// At a distance `δ` beside a segment the sum exceeds `L` only by `2δ²/L`, so that the distance
-    /// to the line, the component orthogonal to `b − a`, counts too.
+    /// At a distance `δ` from the segment the sum exceeds `L` only by `2δ²/L`. Therefore the
+    /// distance to the line, which is the component orthogonal to `b − a`, counts too.
     fn defect<const D: usize>(a: SVector<f64, D>, b: SVector<f64, D>, x: &SVector<f64, D>) -> f64 {
         let (length, past) = ((b - a).norm(), (x - a).norm() + (x - b).norm());
         if length == 0.0 {
@@ -188,7 +191,7 @@ mod tests {
         assert_eq!(point.projection_derivative(&vector![1.0, 2.0]), Matrix2::zeros());
     }
 
-    /// The offset overflows, and `s` is unknown: neither end is returned instead.
+    /// The offset overflows, and `s` is unknown. The segment must not return an end instead.
     #[test]
     fn segment_proves_nothing_beyond_f64() {
         let low = Segment::new([0.0, 0.0, -f64::MAX], [3.0, 4.0, -f64::MAX]).expect("length 5");

@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 /// A condition that the data of a set, or of a pair of sets, violate.
 ///
-/// Each variant carries the offending numbers, so that the message tells what to change.
+/// Each variant carries the offending numbers, so that the message shows what to change.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SetError {
@@ -13,7 +13,7 @@ pub enum SetError {
     NonFiniteCoordinate {
         /// The point or vector, in words.
         what: &'static str,
-        /// The index of the first such coordinate, from 0.
+        /// The index of the first coordinate that is not finite, counted from 0.
         index: usize,
         /// The coordinate.
         value: f64,
@@ -26,31 +26,32 @@ pub enum SetError {
         /// The number.
         value: f64,
     },
-    /// A radius must be at least zero; zero is allowed, since a point is closed.
+    /// A radius must be at least zero. Zero is allowed, since a point is closed.
     #[error("radius {radius} must be ≥ 0")]
     NegativeRadius {
         /// The radius that was given.
         radius: f64,
     },
-    /// A half-width must be at least zero; zero is allowed, since a flat box is closed.
+    /// A half-width must be at least zero. Zero is allowed, since a flat box is closed.
     #[error("half-width {half_width} at index {index} must be ≥ 0")]
     NegativeHalfWidth {
-        /// The index of the first such half-width, from 0.
+        /// The index of the first negative half-width, counted from 0.
         index: usize,
         /// The half-width that was given.
         half_width: f64,
     },
-    /// The lower corner of a box must not exceed the upper one: otherwise the box is empty.
+    /// The lower corner of a box must not exceed the upper one, or else the box is empty.
     #[error("lower corner {lower} must be ≤ upper corner {upper} at index {index}")]
     CrossedCorners {
-        /// The index of the first such coordinate, from 0.
+        /// The index of the first coordinate at which the corners are crossed, counted from 0.
         index: usize,
         /// The coordinate of the lower corner.
         lower: f64,
         /// The coordinate of the upper corner.
         upper: f64,
     },
-    /// The normal of a half-space must not be zero: otherwise it is everything or nothing.
+    /// The normal of a half-space must not be zero, or else the half-space is everything or
+    /// nothing.
     #[error("the normal of a half-space must not be 0")]
     ZeroNormal,
     /// The directions of an affine subspace must be linearly independent.
@@ -58,27 +59,28 @@ pub enum SetError {
         "direction {index} depends on those before it: the part orthogonal to them is {remainder:e} of its length"
     )]
     DependentDirection {
-        /// The index of the first such direction, from 0.
+        /// The index of the first dependent direction, counted from 0.
         index: usize,
-        /// The length of its part orthogonal to the earlier ones, relative to its own length.
+        /// The length of the part that is orthogonal to the earlier directions, relative to the
+        /// length of the direction.
         remainder: f64,
     },
     /// A union or a finite set must have members: a curve has to end somewhere (Proposition 7.1).
     #[error("the set is empty: it has no members (Proposition 7.1 needs non-empty sets)")]
     Empty,
-    /// A non-empty set has a nearest point to each point (Proposition 7.1).
+    /// A non-empty closed set has a nearest point to each point (Proposition 7.1).
     #[error(
         "the {end} end set has no nearest point (coordinate {index} is {value}): is it empty? (Proposition 7.1 needs non-empty sets)"
     )]
     NoNearestPoint {
-        /// Which end: `first` or `second`.
+        /// The end in question: `first` or `second`.
         end: &'static str,
-        /// The index of the first coordinate that is not finite, from 0.
+        /// The index of the first coordinate that is not finite, counted from 0.
         index: usize,
         /// The coordinate.
         value: f64,
     },
-    /// One of the end sets must be bounded: otherwise the infimum may lie at infinity.
+    /// One of the end sets must be bounded, or else the infimum may lie at infinity.
     #[error("both end sets are unbounded (Proposition 7.1 needs a bounded one)")]
     BothUnbounded,
 }
@@ -105,7 +107,7 @@ pub(crate) fn finite(what: &'static str, value: f64) -> Result<f64, SetError> {
     if value.is_finite() { Ok(value) } else { Err(SetError::NonFinite { what, value }) }
 }
 
-/// Returns a radius in `[0, ∞)`.
+/// Returns the radius if it lies in `[0, ∞)`.
 pub(crate) fn valid_radius(radius: f64) -> Result<f64, SetError> {
     let radius = finite("radius", radius)?;
     if radius >= 0.0 { Ok(radius) } else { Err(SetError::NegativeRadius { radius }) }

@@ -8,19 +8,19 @@ use crate::norm::{norm, on_axis, polar};
 use crate::proof;
 use crate::set_error::{SetError, finite_vector, valid_radius};
 
-/// The sphere `|x − c| = r`, not convex unless `r = 0`. With `u = (x − c)/|x − c|`:
+/// The sphere `|x − c| = r`, which is convex only if `r = 0`. With `u = (x − c)/|x − c|`:
 ///
 /// ```text
 /// P(x) = c + r u,    DP(x) = (r/|x − c|) (I − uuᵀ)
 /// ```
 ///
-/// Inside, the eigenvalue `r/|x − c|` exceeds 1: the map expands.
+/// Inside the sphere the eigenvalue `r/|x − c|` exceeds 1, so the map expands.
 ///
-/// All points of the sphere are equally near to the centre. By convention `u = e₁` there, hence
-/// `P(c) = c + r e₁`; the derivative has no limit and is defined as `I − e₁e₁ᵀ`, the projector onto
-/// the tangent space at that point.
+/// All points of the sphere are equally near to the centre. By convention `u = e₁` there, and hence
+/// `P(c) = c + r e₁`. The derivative has no limit at the centre; it is defined as `I − e₁e₁ᵀ`, the
+/// projector onto the tangent space at `P(c)`.
 ///
-/// In one dimension the sphere is the two points `c ± r`.
+/// In one dimension the sphere consists of the two points `c ± r`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere<const D: usize> {
     centre: SVector<f64, D>,
@@ -28,12 +28,12 @@ pub struct Sphere<const D: usize> {
 }
 
 impl<const D: usize> Sphere<D> {
-    /// Makes the sphere of radius `r ≥ 0` about `centre`, both in `ℓ`; for `r = 0` a point.
+    /// Returns the sphere of radius `r ≥ 0` about `centre`, both in `ℓ`. For `r = 0` it is a point.
     ///
     /// # Errors
     ///
-    /// [`SetError::NonFiniteCoordinate`] of the centre, [`SetError::NonFinite`] or
-    /// [`SetError::NegativeRadius`] of the radius.
+    /// [`SetError::NonFiniteCoordinate`] if the centre is not finite; [`SetError::NonFinite`] or
+    /// [`SetError::NegativeRadius`] if the radius is not finite or negative.
     pub fn new(centre: impl Into<SVector<f64, D>>, r: f64) -> Result<Sphere<D>, SetError> {
         const { assert!(D > 0, "R⁰ has no sphere") }
         Ok(Sphere { centre: finite_vector("the centre", centre)?, r: valid_radius(r)? })
@@ -45,7 +45,8 @@ impl<const D: usize> Sphere<D> {
         &self.centre
     }
 
-    /// Returns `r`, in `ℓ`; unlike [`radius`](ClosedSet::radius) it is about the centre.
+    /// Returns `r`, in `ℓ`. It is measured from the centre, unlike [`radius`](ClosedSet::radius),
+    /// which is measured from the origin.
     #[must_use]
     pub fn r(&self) -> f64 {
         self.r
@@ -60,7 +61,7 @@ impl<const D: usize> ClosedSet<D> for Sphere<D> {
 
     fn projection_derivative(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D> {
         let (stretch, u) = match polar(&(x - self.centre)) {
-            // Near the centre the quotient may overflow, and ∞ · 0 would be NaN.
+            // Near the centre the quotient may overflow, and then ∞ · 0 would be NaN.
             Some((distance, u)) => ((self.r / distance).min(f64::MAX), u),
             None if self.r == 0.0 => return SMatrix::zeros(),
             None => (1.0, on_axis(0, 1.0)),
@@ -87,7 +88,7 @@ impl<const D: usize> ClosedSet<D> for Sphere<D> {
         self.r == 0.0
     }
 
-    /// Returns `c ± r eᵢ`; nothing for `r = 0`, a single point.
+    /// Returns the points `c ± r eᵢ`, or no points for `r = 0`, where the sphere is a single point.
     fn seeds(&self) -> Vec<SVector<f64, D>> {
         if self.r == 0.0 {
             return Vec::new();
@@ -108,18 +109,19 @@ mod tests {
 
     fn case<const D: usize>() -> impl Strategy<Value = Case<D>> {
         (vector_in::<D>(3.0), extent(), scale()).prop_map(|(c, r, scale)| Case {
-            // A fixed direction for w = 0.
+            // For w = 0 a fixed direction is used.
             member: Box::new(move |w: &SVector<f64, D>| {
                 c + w.try_normalize(0.0).unwrap_or_else(|| on_axis(0, 1.0)) * r
             }),
             defect: Box::new(move |x| ((x - c).norm() - r).abs()),
             held: Box::new(move |y| {
-                // The box is connected: all distances between the least and the largest occur.
+                // The box is connected, so all distances between the smallest and the largest
+                // occur.
                 let (least, most) = squared_distances(y, &c);
                 least.at_most(&square(r)) && square(r).at_most(&most)
             }),
-            // P jumps at the centre and varies fast near it: a quarter of the distance keeps
-            // samples at least four times as far away as from an ordinary kink.
+            // P jumps at the centre and varies fast near it. A quarter of the distance from the
+            // centre keeps samples at least four times as far away as from an ordinary kink.
             kink: Box::new(move |x| (x - c).norm() / 4.0),
             farthest: Some(c * (1.0 + r / c.norm())),
             set: Box::new(Sphere::new(c * scale, r * scale).expect("finite")),

@@ -11,16 +11,16 @@ use crate::{ClosedSet, SetError};
 
 /// The union of finitely many closed sets.
 ///
-/// `P(x)` and `DP(x)` are those of the nearest member to `x`, the first on a tie. Nested unions are
-/// flattened in order: no piece has pieces itself.
+/// `P(x)` and `DP(x)` are those of the member nearest to `x`, and of the first such member on a
+/// tie. Nested unions are flattened in order, so that no piece has pieces itself.
 #[derive(Clone, Debug)]
 pub struct Union<const D: usize> {
-    /// Never empty.
+    /// The pieces, of which there is at least one.
     pieces: Vec<Arc<dyn ClosedSet<D>>>,
 }
 
 impl<const D: usize> Union<D> {
-    /// Makes the union of `members`.
+    /// Returns the union of `members`.
     ///
     /// ```
     /// # use std::sync::Arc;
@@ -35,7 +35,7 @@ impl<const D: usize> Union<D> {
     ///
     /// # Errors
     ///
-    /// [`SetError::Empty`] without members.
+    /// [`SetError::Empty`] if there are no members.
     pub fn new(members: Vec<Arc<dyn ClosedSet<D>>>) -> Result<Union<D>, SetError> {
         let mut pieces = Vec::new();
         for member in &members {
@@ -44,7 +44,7 @@ impl<const D: usize> Union<D> {
         if pieces.is_empty() { Err(SetError::Empty) } else { Ok(Union { pieces }) }
     }
 
-    /// Returns the nearest point to `x`, and its piece.
+    /// Returns the point of the union nearest to `x`, and the piece that contains it.
     fn nearest(&self, x: &SVector<f64, D>) -> (SVector<f64, D>, &Arc<dyn ClosedSet<D>>) {
         let (first, rest) = self.pieces.split_first().expect("never empty");
         let mut point = first.project(x);
@@ -60,7 +60,7 @@ impl<const D: usize> Union<D> {
     }
 }
 
-/// The largest radius; NaN, which bounds nothing, if one is NaN.
+/// Returns the largest radius. If one is NaN, the result is NaN, which bounds nothing.
 fn largest(radii: impl IntoIterator<Item = f64>) -> f64 {
     radii.into_iter().fold(0.0, |a, b| if a.is_nan() || b <= a { a } else { b })
 }
@@ -79,7 +79,7 @@ impl<const D: usize> ClosedSet<D> for Union<D> {
         Some(largest(radii?))
     }
 
-    /// About the mean of the centres of the members.
+    /// The ball is centred at the mean of the centres of the members.
     fn enclosing_ball(&self) -> Option<(SVector<f64, D>, f64)> {
         let balls: Option<Vec<_>> =
             self.pieces.iter().map(|piece| piece.enclosing_ball()).collect();
@@ -90,13 +90,13 @@ impl<const D: usize> ClosedSet<D> for Union<D> {
         Some((middle, largest(balls.iter().map(reach))))
     }
 
-    /// Returns the nearest of the boxes that the members prove; members that prove nothing are
+    /// Returns the nearest of the boxes that the members prove. Members that prove nothing are
     /// skipped.
     fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
         let mut nearest: Option<(f64, SVector<Interval, D>)> = None;
         for member in self.pieces.iter().filter_map(|piece| piece.member_near(x)) {
             let away = norm(&(member.map(Interval::midpoint) - x));
-            // The first on a tie.
+            // On a tie the first box is kept.
             if nearest.as_ref().is_none_or(|(distance, _)| away < *distance) {
                 nearest = Some((away, member));
             }
@@ -104,7 +104,8 @@ impl<const D: usize> ClosedSet<D> for Union<D> {
         nearest.map(|(_, member)| member)
     }
 
-    /// Returns whether the only member is convex; `false` for several, which are not examined.
+    /// Returns whether the only member is convex. The result is `false` for several members, which
+    /// are not examined.
     fn is_convex(&self) -> bool {
         matches!(self.pieces.as_slice(), [one] if one.is_convex())
     }
@@ -132,7 +133,7 @@ mod tests {
     use proptest::prelude::*;
     use tautline_scalar::Interval;
 
-    /// A ball and a sphere, by their formulas.
+    /// Returns the union of a ball and a sphere, with their formulas.
     fn case<const D: usize>() -> impl Strategy<Value = Case<D>> {
         let parts = (vector_in::<D>(3.0), extent(), vector_in::<D>(3.0), extent());
         (parts, scale()).prop_map(|((c, r, k, s), scale)| {
@@ -157,7 +158,7 @@ mod tests {
                     let on_sphere = least.at_most(&square(s)) && square(s).at_most(&most);
                     to_c.at_most(&square(r)) || on_sphere
                 }),
-                // Each distance changes by at most the displacement of x.
+                // Each distance changes by at most the length of the displacement of x.
                 kink: Box::new(move |x| {
                     let rim = if r == 0.0 { f64::INFINITY } else { ((x - c).norm() - r).abs() };
                     let tie = (to_ball(x) - to_sphere(x)).abs() / 2.0;
@@ -207,7 +208,7 @@ mod tests {
         let union = Union::new(vec![at(3.0), at(1.0), at(-1.0)]).expect("three");
         let near = union.member_near(&vector![0.0, 0.0]).expect("points");
         assert_eq!(near, vector![1.0, 0.0].map(Interval::point));
-        // The Euclidean distance decides.
+        // The Euclidean distance decides which box is nearest.
         let union = Union::new(vec![Arc::new(Point::new([0.0, 9.0]).expect("finite")), at(2.0)]);
         let near = union.expect("two").member_near(&vector![0.0, 0.0]).expect("points");
         assert_eq!(near, vector![2.0, 0.0].map(Interval::point));

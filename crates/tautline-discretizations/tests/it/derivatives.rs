@@ -1,5 +1,5 @@
-//! Gradients and Hessians of the discrete energies against an independent implementation: the sum
-//! is written out again and differentiated by `num-dual`, in all coordinates of all points.
+//! Compares the gradients and Hessians of the discrete energies with an independent implementation.
+//! The sum is written out again and differentiated by `num-dual`, in all coordinates of all points.
 
 use nalgebra::{SMatrix, SVector};
 use num_dual::{Dual2SVec64, DualNum, hessian};
@@ -24,7 +24,8 @@ impl Metric<2> for Skew {
 
 type Dual = Dual2SVec64<8>;
 
-/// `(1/N) Σ βᵀHβ` at the given fraction of the chord, for `N = 3`, by hand.
+/// Returns `(1/N) Σ βᵀHβ` with `H` at the given fraction of each chord, for `N = 3`, written by
+/// hand.
 fn energy(v: &SVector<Dual, 8>, fraction: f64) -> Dual {
     let mut sum = v[0] * 0.0;
     for k in 0..3 {
@@ -53,7 +54,7 @@ fn check<R: Rule>(rule: R, fractions: &[f64], coordinates: [f64; 8]) -> Result<(
         g += g1 * share;
         h += h1 * share;
     }
-    // Coordinates up to 2 and chords up to 4 give terms of size 3 · 4 · 16 · D²H ≲ 10³, and
+    // Coordinates up to 2 and chords up to 4 give terms of size 3 · 4 · 16 · D²H ≲ 10³. There are
     // about a hundred roundings of relative size 1e-16.
     let close = |a: f64, b: f64| (a - b).abs() <= 1e-11 * (1.0 + b.abs());
     prop_assert!(close(model.energy, e), "energy {} {e}", model.energy);
@@ -92,7 +93,7 @@ impl Metric<4> for Woven {
     }
 }
 
-/// `E = Σ Hᵢⱼ dᵢ dⱼ` of one chord in four dimensions, by hand.
+/// Returns `E = Σ Hᵢⱼ dᵢ dⱼ` for one chord in four dimensions, written by hand.
 fn chord_energy(v: &SVector<Dual, 8>, fraction: f64) -> Dual {
     let d: [Dual; 4] = std::array::from_fn(|i| v[4 + i] - v[i]);
     let m: [Dual; 4] = std::array::from_fn(|i| v[i] + d[i] * fraction);
@@ -114,7 +115,7 @@ fn check_four<R: Rule>(rule: R, fraction: f64, v: [f64; 8]) -> Result<(), TestCa
     let model = QuadraticModel::new(rule, &Woven, &sequence);
     let (energy, gradient) = energy_gradient(rule, &Woven, &sequence);
     let (e, g, h) = hessian(|v| chord_energy(&v, fraction), &v);
-    // As above: terms up to about 10³ and a hundred roundings.
+    // As above, terms are up to about 10³, and there are a hundred roundings.
     let close = |a: f64, b: f64| (a - b).abs() <= 1e-11 * (1.0 + b.abs());
     prop_assert!(close(model.energy, e) && close(energy, e));
     for i in 0..8 {
@@ -146,7 +147,7 @@ proptest! {
         check_four(LeftEndpoint, 0.0, v)?;
     }
 
-    /// `Hessian · v` by blocks is the derivative of the gradient along `v`.
+    /// `Hessian · v`, computed by blocks, is the derivative of the gradient along `v`.
     #[test]
     fn the_product_is_the_second_derivative(v in proptest::array::uniform8(-2.0..2.0_f64)) {
         let line = PointSequence::straight([0.0, 0.1], [1.0, 0.4], 3).expect("finite");
@@ -157,7 +158,8 @@ proptest! {
             let moved = line.points().iter().zip(&direction).map(|(x, u)| x + u * s).collect();
             energy_gradient(Trapezoidal, &Skew, &PointSequence::new(moved).expect("finite")).1
         };
-        // Central difference: s² times a third derivative of about 10³, and 1e-14 / s.
+        // The error of the central difference is s² times a third derivative of about 10³, plus
+        // 1e-14 / s.
         let s = 1e-5;
         let (ahead, behind) = (gradient(s), gradient(-s));
         for n in 0..4 {

@@ -1,4 +1,4 @@
-//! The rules against exact values and independent derivatives.
+//! Compares the rules with exact values and independent derivatives.
 
 mod derivatives;
 mod values;

@@ -1,4 +1,4 @@
-//! Discrete energies and lengths with values from a line of arithmetic.
+//! Compares discrete energies and lengths with values that take a line of arithmetic.
 
 use std::f64::consts::{PI, TAU};
 
@@ -11,7 +11,8 @@ use tautline_discretizations::{
 use tautline_formula::Plain;
 use tautline_metrics::gallery::{Constant, Sphere, Valleys};
 
-/// One chord from `(0, 0)` to `(2π, 0)`: the ridge `f = 3` at its midpoint, `f = 1` at both ends.
+/// One chord runs from `(0, 0)` to `(2π, 0)`, with the ridge `f = 3` at its midpoint and `f = 1` at
+/// both ends.
 #[test]
 fn the_rules_evaluate_the_metric_at_their_nodes() {
     let chord = PointSequence::straight([0.0, 0.0], [TAU, 0.0], 1).expect("finite");
@@ -28,7 +29,8 @@ fn the_rules_evaluate_the_metric_at_their_nodes() {
     assert_relative_eq!(LeftEndpoint.energy(&Valleys, &back), 9.0 * PI * PI, max_relative = 1e-15);
 }
 
-/// One jump among `N` chords costs `N` times the energy of one chord, but the same length.
+/// One jump in a sequence of `N` chords costs `N` times the energy of one chord, but the same
+/// length.
 #[test]
 fn a_jump_costs_energy_but_no_length() {
     for n in [1_usize, 2, 5, 64] {
@@ -45,7 +47,7 @@ fn a_jump_costs_energy_but_no_length() {
     }
 }
 
-/// `E ≥ L²` for every rule and for the curve (Cauchy–Schwarz), with equality at equal speeds.
+/// `E ≥ L²` holds for every rule and for the curve (Cauchy–Schwarz), with equality at equal speeds.
 #[test]
 fn energy_is_at_least_length_squared() {
     let points =
@@ -92,8 +94,8 @@ fn nan_propagates() {
     assert!(Trapezoidal.length(&Broken, &line).is_nan());
 }
 
-/// The speed of a chord is the root of the weighted mean, not the mean of the roots: the root of
-/// `(1 + 9)/2` from valley to ridge, `f = 1` and `3`.
+/// The speed of a chord is the root of the weighted mean, not the mean of the roots. From valley to
+/// ridge, with `f = 1` and `3`, it is the root of `(1 + 9)/2`.
 #[test]
 fn speeds_are_roots_of_means() {
     let chord = PointSequence::straight([0.0, 0.0], [PI, 0.0], 1).expect("finite");
@@ -109,24 +111,24 @@ fn the_zero_matrix_has_its_blocks() {
     assert!(zero.mul(&[vector![1.0, 2.0]; 4]).iter().all(|block| block.amax() == 0.0));
 }
 
-/// One chord of length 1 and then 1023 that each add less than half an ulp of 1: a plain sum would
-/// lose all of them, `6e-14` of the result.
+/// One chord of length 1 is followed by 1023 chords that each add less than half an ulp of 1. A
+/// plain sum would lose all of them, which are `6e-14` of the result.
 #[test]
 fn the_contributions_of_many_small_chords_are_not_lost() {
     let identity = Constant::<2>::new(SMatrix::identity()).expect("positive definite");
     let chords = 1024;
-    // The small chords run along another axis: their length is exactly `small`.
+    // The small chords run along another axis, so that their length is exactly `small`.
     let sequence = |small: f64| {
         let after = (0..chords).map(|k| vector![1.0, f64::from(k) * small]);
         PointSequence::new([vector![0.0, 0.0]].into_iter().chain(after).collect()).expect("finite")
     };
     let little = 2.0_f64.powi(-54);
     let sum = 1.0 + f64::from(chords - 1) * little;
-    // The rounding of the result, and of the product with N.
+    // The allowance covers the rounding of the result and of its product with N.
     let rounded = |found: f64, exact: f64| {
         assert_relative_eq!(found, exact, max_relative = 4.0 * f64::EPSILON);
     };
-    // Squares of 2⁻²⁷ in an energy, 2⁻⁵⁴ itself in a length.
+    // The small terms of the energy are squares of 2⁻²⁷; those of the length are 2⁻⁵⁴ itself.
     let (squares, lengths) = (sequence(2.0_f64.powi(-27)), sequence(little));
     let n = f64::from(chords);
     rounded(Trapezoidal.energy(&identity, &squares), n * sum);
@@ -137,15 +139,15 @@ fn the_contributions_of_many_small_chords_are_not_lost() {
     rounded(Trapezoidal.length(&identity, &lengths), sum);
     rounded(TrueTrapezoid.length(&identity, &lengths), sum);
     rounded(squares.k3().powi(2), n * sum);
-    // A quadrature of seven nodes rounds the long chord a little more.
+    // The quadrature with seven nodes rounds the long chord a little more.
     let curve = Interpolation::new(&squares).energy(&identity);
     assert_relative_eq!(curve.value, n * sum, max_relative = 16.0 * f64::EPSILON);
     let curve = Interpolation::new(&lengths).length(&identity);
     assert_relative_eq!(curve.value, sum, max_relative = 16.0 * f64::EPSILON);
 }
 
-/// The errors of the chords add up, in the unit of the result: each is at least two roundings of
-/// its part.
+/// The errors of the chords add up, in the unit of the result. The error of each chord is at least
+/// two roundings of its contribution.
 #[test]
 fn the_error_of_a_curve_is_the_sum_of_the_errors_of_its_chords() {
     let identity = Constant::<2>::new(SMatrix::identity()).expect("positive definite");
@@ -160,7 +162,8 @@ fn the_error_of_a_curve_is_the_sum_of_the_errors_of_its_chords() {
     }
 }
 
-/// On a straight line the discrete energy converges to that of the line with the declared order.
+/// On a straight line the discrete energy converges to the energy of the line with the declared
+/// order.
 #[test]
 fn the_exponent_of_the_error_is_the_observed_order() {
     fn order<R: Rule>(rule: R) -> f64 {
@@ -169,13 +172,13 @@ fn the_exponent_of_the_error_is_the_observed_order() {
         let error = |n| rule.energy(&Valleys, &line(n)) - limit;
         (error(256) / error(512)).log2()
     }
-    // The next order, a relative 1/256, is below 0.05 in the logarithm.
+    // The next order contributes a relative 1/256, which is less than 0.05 in the logarithm.
     assert!((order(Trapezoidal) - f64::from(Trapezoidal::ERROR_EXPONENT)).abs() < 0.05);
     assert!((order(TrueTrapezoid) - f64::from(TrueTrapezoid::ERROR_EXPONENT)).abs() < 0.05);
     assert!((order(LeftEndpoint) - f64::from(LeftEndpoint::ERROR_EXPONENT)).abs() < 0.05);
 }
 
-/// Nothing remains of an earlier, finer grid.
+/// Nothing remains from an earlier, finer grid.
 #[test]
 fn a_model_in_used_memory_equals_a_new_one() {
     let line = |n| PointSequence::straight([-0.5, 0.2], [1.4, 0.3], n).expect("finite");
@@ -200,7 +203,7 @@ fn the_size_of_a_metric_is_the_mean_of_its_eigenvalues() {
             assert_relative_eq!(mean, 4.0, max_relative = 1e-15);
         }
     }
-    // From valley to ridge f² is 1 and 9 at the ends of the chord: both count.
+    // From valley to ridge, f² is 1 and 9 at the ends of the chord, and both count.
     let chord = PointSequence::straight([0.0, 0.0], [PI, 0.0], 1).expect("finite");
     let mean = QuadraticModel::new(TrueTrapezoid, &Valleys, &chord).mean_gram;
     assert_relative_eq!(mean, 5.0, max_relative = 1e-15);
@@ -209,7 +212,7 @@ fn the_size_of_a_metric_is_the_mean_of_its_eigenvalues() {
     assert_relative_eq!(mean, 5.0, max_relative = 1e-15);
 }
 
-/// The value at 1 is the last point, and a time in between lies on the chord.
+/// The curve at time 1 is the last point, and the curve at a time in between lies on the chord.
 #[test]
 fn a_curve_of_one_chord_has_both_ends() {
     let chord = PointSequence::new(vec![vector![2.0, 1.0], vector![4.0, -3.0]]).expect("finite");

@@ -2,24 +2,24 @@
 
 use crate::Level;
 
-/// An extrapolated value with an estimate of its error, not a bound.
+/// An extrapolated value with an estimate of its error, which is not a bound.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
     /// The extrapolated value.
     pub value: f64,
-    /// The change by the last order of extrapolation.
+    /// The change that the last order of extrapolation made.
     pub error: f64,
 }
 
-/// Returns an estimate of `d²`, in `m²`, from the minima on several grids; `None` for fewer than
-/// two.
+/// Returns an estimate of `d²`, in `m²`, from the minima on several grids; `None` if there are
+/// fewer than two grids.
 ///
 /// On smooth data `E_N = d² + c₁ N⁻ᑫ + c₂ N⁻²ᑫ + …` (see
-/// [`Rule::ERROR_EXPONENT`](tautline_discretizations::Rule::ERROR_EXPONENT)), a polynomial in
-/// `N⁻ᑫ`; Neville's scheme evaluates it at 0. All grids must follow the same minimiser.
+/// [`Rule::ERROR_EXPONENT`](tautline_discretizations::Rule::ERROR_EXPONENT)), which is a polynomial
+/// in `N⁻ᑫ`. Neville's scheme evaluates it at 0. All grids must follow the same minimiser.
 ///
-/// The result is the entry of the scheme that changed least: the coarsest grids may lie outside the
-/// asymptotic range, and the finest carry rounding.
+/// The result is the entry of the scheme that changed least, since the coarsest grids may lie
+/// outside the asymptotic range and the finest carry rounding.
 #[must_use]
 pub fn extrapolate(levels: &[Level], exponent: i32) -> Option<Estimate> {
     let variable: Vec<f64> = levels.iter().map(|level| (level.n as f64).powi(-exponent)).collect();
@@ -58,7 +58,7 @@ mod tests {
         let all = levels(|n| 7.0 - 3.0 / n + 5.0 * n.powi(-2) - 2.0 * n.powi(-3));
         for (levels, exponent) in [(even, 2), (all, 1)] {
             let estimate = extrapolate(&levels, exponent).expect("four grids");
-            // Weights of some 10 on numbers of size 7.
+            // The weights are about 10 and the numbers are of size 7.
             assert!((estimate.value - 7.0).abs() < 1e-13, "{}", estimate.value);
         }
     }
@@ -73,8 +73,8 @@ mod tests {
         assert!(estimate.error >= (estimate.value - 7.0).abs());
     }
 
-    /// With `y = N⁻²`, the changes are the first difference for two grids and the second for three,
-    /// at `y = 0`.
+    /// With `y = N⁻²`, the error is the change at `y = 0`: by the first difference for two grids,
+    /// and by the second difference for three.
     #[test]
     fn the_error_is_the_change_by_the_last_order() {
         let energy = |n: f64| 7.0 - 3.0 * n.powi(-2) + 5.0 * n.powi(-4);
@@ -82,7 +82,7 @@ mod tests {
         let two = extrapolate(&levels[..2], 2).expect("two grids");
         approx::assert_relative_eq!(two.error, (energy(2.0) - energy(1.0)).abs() / 3.0);
         let three = extrapolate(&levels, 2).expect("three grids");
-        // The quadratic term that a straight line through 1/4 and 1/16 misses at 0.
+        // The quadratic term at 0 that a straight line through 1/4 and 1/16 misses.
         approx::assert_relative_eq!(three.error, 5.0 / 64.0, max_relative = 1e-13);
     }
 

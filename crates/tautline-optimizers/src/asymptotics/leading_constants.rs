@@ -15,7 +15,7 @@ use crate::{
 
 /// The limits, as `N → ∞`, of the errors of the discrete minimisers times `N` or `N²`, in `m²`.
 ///
-/// Here `γ` is a minimal geodesic between the sets, `w = DH[γ̇](γ̇, γ̇) = −2 γ̇ᵀHγ̈` the growth
+/// Here `γ` is a minimal geodesic between the sets, `w = DH[γ̇](γ̇, γ̇) = −2 γ̇ᵀHγ̈` is the growth
 /// rate of the metric along it, and integrals are over `t ∈ [0, 1]`:
 ///
 /// | field | limit of | is |
@@ -29,67 +29,68 @@ use crate::{
 ///
 /// To first order, the points of the left rule lie on `γ + η/N`, where `η` minimises
 /// `½ E″[η, η] + F′[η]` with `F = −½ ∫ DH[γ̇](γ̇, γ̇)`. `E″` is the second variation of the energy
-/// among the curves between the sets, including the curvature of the sets. The variance
-/// `V = (∫ w² − (∫ w)²) / 4d²` is the part of `½ E″[η, η]` that shifts points along `γ`, at a cost
-/// of energy but not of length.
+/// among the curves between the sets, and includes the curvature of the sets. The variance
+/// `V = (∫ w² − (∫ w)²) / 4d²` is the part of `½ E″[η, η]` that shifts points along `γ`, which
+/// costs energy but no length.
 ///
 /// For the derivation see [`leading_constants`]. The limits are computed, not proved.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[doc(alias = "asymptotics")]
 #[non_exhaustive]
 pub struct LeadingConstants {
-    /// The limit of `N² (E_tra,N − d²)`, of either sign.
+    /// The limit of `N² (E_tra,N − d²)`. It may have either sign.
     pub trapezoidal: f64,
-    /// The limit of `N (E_l,N − d²)`, of either sign; 0 if `w` has mean 0, as by symmetry, where
-    /// `E_l,N − d²` is of second order. For `H = φ I`, and in one dimension, it is
-    /// `−(d²/2) log (φ(γ(1))/φ(γ(0)))`.
+    /// The limit of `N (E_l,N − d²)`. It may have either sign. It is 0 if `w` has mean 0, for
+    /// example by symmetry; then `E_l,N − d²` is of second order. For `H = φ I`, and in one
+    /// dimension, it is `−(d²/2) log (φ(γ(1))/φ(γ(0)))`.
     pub left: f64,
     /// The limit of `N² (E(γᵖˡ) − d²) ≥ 0` for the trapezoidal rule.
     pub energy_trapezoidal: f64,
-    /// The limit of `N² (L(γᵖˡ)² − d²) ≥ 0` for the trapezoidal rule; 0 in one dimension.
+    /// The limit of `N² (L(γᵖˡ)² − d²) ≥ 0` for the trapezoidal rule. It is 0 in one dimension.
     pub length_trapezoidal: f64,
     /// The limit of `N² (E(γᵖˡ) − d²) ≥ 0` for the left rule.
     pub energy_left: f64,
-    /// The limit of `N² (L(γᵖˡ)² − d²) ≥ 0` for the left rule; 0 in one dimension, and
+    /// The limit of `N² (L(γᵖˡ)² − d²) ≥ 0` for the left rule. It is 0 in one dimension, and equals
     /// `length_trapezoidal` for `H = φ I`.
     pub length_left: f64,
 }
 
-/// Relative decrement of the trapezoidal energy up to which a sequence counts as its minimiser. A
-/// search has converged there even if rounding stops it.
+/// The relative decrement of the trapezoidal energy up to which a sequence counts as its minimiser.
+/// A search has converged there even if rounding stops it.
 const STATIONARY: f64 = 1e-10;
 
 /// Returns the leading constants of the errors of both rules, in `m²`, along a minimiser of the
-/// [`Trapezoidal`] energy, to be computed with a large `N`. All are 0 if the sets touch.
+/// [`Trapezoidal`] energy. The minimiser should be computed with a large `N`. All constants are 0
+/// if the sets touch.
 ///
-/// - `ends`: the sets between which `minimum` was computed; only the constants of the left rule's
+/// - `ends`: the sets between which `minimum` was computed. Only the constants of the left rule's
 ///   curve use them.
 ///
 /// # Derivation
 ///
-/// The energies of the points of a smooth curve expand to `E_tra,N = E + N⁻² F₂ + …` and
+/// For the points of a smooth curve the energies have the expansions `E_tra,N = E + N⁻² F₂ + …` and
 /// `E_l,N = E + N⁻¹ F + …`. To leading order a minimum changes by the value of the perturbation at
-/// the minimiser: this gives the first two limits, after integration by parts and with the geodesic
-/// equation. The curve `γᵖˡ` differs from the smooth curve through its points by an `r` that
-/// vanishes there, with `∫ ṙᵀHṙ = N⁻² (1/12) ∫ γ̈ᵀHγ̈`. The points of the trapezoidal rule are off
-/// by `N⁻²`, which is negligible, those of the left rule by `η/N`. `E − L²` is the variance of the
-/// speed. For the trapezoidal rule the speed varies only within a chord, by `w/2dN` from end to
-/// end. For the left rule `E + F/N` conserves `γ̇ᵀHγ̇ − w/N`, so that the squared speed also varies
-/// from chord to chord, like `w/N`: this is `V`.
+/// the minimiser. With integration by parts and the geodesic equation, this gives the first two
+/// limits. The curve `γᵖˡ` differs from the smooth curve through its points by an `r` that vanishes
+/// at the points, with `∫ ṙᵀHṙ = N⁻² (1/12) ∫ γ̈ᵀHγ̈`. The points of the trapezoidal rule are off
+/// by `N⁻²`, which is negligible; the points of the left rule are off by `η/N`. `E − L²` is the
+/// variance of the speed. For the trapezoidal rule the speed varies only within a chord, by `w/2dN`
+/// from end to end. For the left rule `E + F/N` conserves `γ̇ᵀHγ̇ − w/N`, so that the squared speed
+/// also varies from chord to chord, like `w/N`: this gives `V`.
 ///
-/// Needs: `H` three times continuously differentiable; a unique, nondegenerate minimal geodesic
-/// (else the limits hold for sequences near this one, or fail); ends that are free along a smooth
-/// face of their set, or fixed by a nonzero force. The derivation is formal: the limits are
-/// computed and agree with measurements, they are not proved.
+/// Needs: `H` is three times continuously differentiable; the minimal geodesic is unique and
+/// nondegenerate (otherwise the limits hold for sequences near this one, or fail); each end is free
+/// along a smooth face of its set, or fixed by a nonzero force. The derivation is formal: the
+/// limits are computed and agree with measurements, but they are not proved.
 ///
-/// Accuracy: second order, with an error of `(c/N)²` times the two integrals, where `c` is the size
-/// of the curve over the scale of the metric. If a sum cancels, as `left` by symmetry, only this
-/// error remains.
+/// Accuracy: the constants are computed to second order. The error is `(c/N)²` times the two
+/// integrals, where `c` is the size of the curve divided by the scale of the metric. If a sum
+/// cancels, as `left` does by symmetry, only this error remains.
 ///
 /// # Errors
 ///
-/// [`AsymptoticsError`] if the metric is not positive definite along the curve, or the sequence is
-/// not a nondegenerate minimiser of the trapezoidal energy between these sets.
+/// [`AsymptoticsError`] if the metric is not positive definite along the curve, or if the sequence
+/// is not a nondegenerate minimiser of the trapezoidal energy between these sets.
 pub fn leading_constants<const D: usize>(
     metric: &impl Metric<D>,
     ends: &Ends<D>,
@@ -114,7 +115,7 @@ pub fn leading_constants<const D: usize>(
     })
 }
 
-/// The left-endpoint rule of the reversed curve.
+/// The left-endpoint rule for the reversed curve.
 #[derive(Clone, Copy, Debug)]
 struct RightEndpoint;
 
@@ -123,9 +124,9 @@ impl Rule for RightEndpoint {
     const ERROR_EXPONENT: i32 = 1;
 }
 
-/// `½ E″[η, η]`, in `m²`: half the square of the Newton decrement of `E_tra,N + N⁻¹ F` at the
-/// minimiser of `E_tra,N`, times `N²`. Here `(N/2) (E_l,N − E_r,N)` approximates `F` to second
-/// order, unlike `N (E_l,N − E_tra,N)`.
+/// Returns `½ E″[η, η]`, in `m²`. It is half the square of the Newton decrement of
+/// `E_tra,N + N⁻¹ F` at the minimiser of `E_tra,N`, times `N²`. Here `(N/2) (E_l,N − E_r,N)`
+/// approximates `F` to second order, unlike `N (E_l,N − E_tra,N)`.
 fn displacement_energy<const D: usize>(
     metric: &impl Metric<D>,
     ends: &Ends<D>,
@@ -133,7 +134,7 @@ fn displacement_energy<const D: usize>(
 ) -> Result<f64, AsymptoticsError> {
     let sequence = &minimum.sequence;
     let (points, n) = (sequence.points(), sequence.n().get());
-    // The pieces of the sets in which the curve begins and ends.
+    // Selects the pieces of the sets in which the curve begins and ends.
     let gap = |set: &dyn ClosedSet<D>, x: &SVector<f64, D>| (set.project(x) - x).norm();
     let pairs = ends.pairs().map(|(first, second)| {
         (gap(&*first, sequence.first()) + gap(&*second, sequence.last()), [first, second])
@@ -141,7 +142,7 @@ fn displacement_energy<const D: usize>(
     let nearest = pairs.min_by(|a, b| a.0.total_cmp(&b.0));
     let (_, [first, second]) = nearest.ok_or(AsymptoticsError::Degenerate)?;
     let model = QuadraticModel::new(Trapezoidal, metric, sequence);
-    // The system subtracts the margin: with it as the shift, the Hessian is unchanged.
+    // The system subtracts the margin. With the margin as the shift, the Hessian is unchanged.
     let system = ReducedSystem::new(&model, [&*first, &*second], points, margin(n));
     let factorization = system.factorize().ok_or(AsymptoticsError::Degenerate)?;
     let decrement = system.newton_step(&factorization).decrement / model.energy;
@@ -174,7 +175,8 @@ mod tests {
 
     const N: usize = 4096;
 
-    /// `(c/N)²` with `c = 4π`, the longest curve here in units of the scale of its metric.
+    /// `(c/N)²` with `c = 4π`, the length of the longest curve here in units of the scale of its
+    /// metric.
     const SECOND_ORDER: f64 = 1e-5;
 
     fn solve<R: Rule, const D: usize>(
@@ -202,7 +204,8 @@ mod tests {
         ]
     }
 
-    /// Up to an error of second order relative to the largest of the six, since some sums cancel.
+    /// Compares the constants up to an error of second order relative to the largest of the six,
+    /// since some sums cancel.
     #[track_caller]
     fn assert_values(computed: &LeadingConstants, expected: [f64; 6]) {
         let scale = expected.iter().fold(0.0_f64, |scale, value| scale.max(value.abs()));
@@ -228,9 +231,9 @@ mod tests {
         assert_eq!(values(&constants(&Valleys, &ends)), [0.0; 6]);
     }
 
-    /// With `φ = f²` and `dt = f dx/d`: `γ̈ = −f′ γ̇²/f`, so `∫ γ̈ᵀHγ̈ = d³ ∫ f′²/f³ dx`, and
-    /// `D²H[γ̇, γ̇](γ̇, γ̇) = 2 (f′² + f f″) γ̇⁴`, `w = 2d³ f′/f²`. The reconstruction is the
-    /// segment.
+    /// With `φ = f²` and `dt = f dx/d`, the geodesic satisfies `γ̈ = −f′ γ̇²/f`. So
+    /// `∫ γ̈ᵀHγ̈ = d³ ∫ f′²/f³ dx`, `D²H[γ̇, γ̇](γ̇, γ̇) = 2 (f′² + f f″) γ̇⁴` and `w = 2d³ f′/f²`.
+    /// The curve `γᵖˡ` is the segment.
     #[test]
     fn in_one_dimension_everything_is_explicit() {
         let ramp = Ramp::new(0.5, 1.0).expect("a ramp");
@@ -252,21 +255,22 @@ mod tests {
         assert_values(&back, [-bent / 12.0, -left, bending / 12.0, 0.0, energy_left, 0.0]);
     }
 
-    /// `−(8π)³ π/9√3` and minus half of it, by `∫₀^{2π} sin² x (2 − cos x)⁻³ dx = π/3√3`, and `13`
-    /// times that half for the left rule, with `∫ w = 0` by symmetry.
+    /// For the trapezoidal rule the constants are `−(8π)³ π/9√3` and minus half of it, by
+    /// `∫₀^{2π} sin² x (2 − cos x)⁻³ dx = π/3√3`. For the left rule the constant is `13` times that
+    /// half, with `∫ w = 0` by symmetry.
     #[test]
     fn over_the_valleys_the_constants_are_explicit() {
         let ends = Ends::points([0.0, 0.0], [4.0 * PI, 0.0]).expect("finite");
         let half = (8.0 * PI).powi(3) * PI / (18.0 * 3_f64.sqrt());
         let computed = constants(&Valleys, &ends);
         assert_values(&computed, [-2.0 * half, 0.0, half, 0.0, 13.0 * half, 0.0]);
-        // Tighter for the sums that cancel.
+        // The sums that cancel satisfy a tighter tolerance.
         assert!(computed.left.abs() < 1e-9 && computed.length_trapezoidal.abs() < 1e-9);
     }
 
-    /// In the flat coordinates `u` the geodesic is `u = (s, 3) t`, `s = 2 + ½ sin 3`, so that
+    /// In the flat coordinates `u` the geodesic is `u = (s, 3) t` with `s = 2 + ½ sin 3`, so that
     /// `γ̈ = (9/2 sin 3t, 0)` and `w = −9 s sin 3t`. There `E″[ζ, ζ] = 2 ∫ |ζ̇|²` and
-    /// `F = ½ ∫ u̇₁ sin u₂ u̇₂²`, with the minimiser `ζ̇ = −¾ (3, s) (sin 3t − mean)`.
+    /// `F = ½ ∫ u̇₁ sin u₂ u̇₂²`. The minimiser has `ζ̇ = −¾ (3, s) (sin 3t − mean)`.
     #[test]
     fn on_a_shear_the_constants_are_explicit() {
         let s = 2.0 + 0.5 * 3_f64.sin();
@@ -274,7 +278,7 @@ mod tests {
         let (mean, square) = ((1.0 - 3_f64.cos()) / 3.0, 0.5 - 6_f64.sin() / 12.0);
         let variance = square - mean * mean;
         let bending = 81.0 / 4.0 * square;
-        // D²H[v, v](v, v) = 2 |DJ[v] v|² + 2 Jv · D²J[v, v] v with J v₁ = v₁ + ½ cos(x₂) v₂.
+        // D²H[v, v](v, v) = 2 |DJ[v] v|² + 2 Jv · D²J[v, v] v, where J v₁ = v₁ + ½ cos(x₂) v₂.
         let wave = 3_f64.sin() / 3.0;
         let second = 2.0 * bending - 27.0 * s * wave;
         let turning = bending * 9.0 / d2;
@@ -293,8 +297,8 @@ mod tests {
         assert_values(&computed, expected);
     }
 
-    /// Under `φ I` the error of the left rule depends on `log φ` at the ends only. To first order
-    /// it follows the geodesic, at another speed.
+    /// Under `φ I` the error of the left rule depends only on `log φ` at the ends. To first order
+    /// its curve follows the geodesic, at another speed.
     #[test]
     fn under_a_conformal_metric_both_rules_have_the_same_length() {
         let (a, b) = ([0.0, 0.0], [2.0, 1.5]);
@@ -307,8 +311,9 @@ mod tests {
         assert_relative_eq!(computed.left, -0.5 * d * d * log, max_relative = SECOND_ORDER);
     }
 
-    /// Both ends of the left rule's curve slide along circles. Grids of 512 and 1024 chords
-    /// eliminate two terms of the expansion in `1/N`, up to `(10/N)²`.
+    /// Both ends of the left rule's curve slide along circles. Extrapolation over grids of 512 and
+    /// 1024 chords eliminates two terms of the expansion in `1/N`, which leaves an error of up to
+    /// `(10/N)²`.
     #[test]
     fn between_curved_sets_the_left_curve_is_as_predicted() {
         let lens = Lens::new(1.0, 1.0).expect("a lens");
@@ -323,7 +328,7 @@ mod tests {
         let measured = 2.0 * scaled(1024) - scaled(512);
         let computed = leading_constants(&lens, &ends, &fine).expect("a minimum");
         assert_relative_eq!(computed.energy_left, measured, max_relative = 1e-4);
-        // Fixed ends give another number.
+        // If the ends are fixed, the number is different.
         let line = &fine.sequence;
         let fixed = Ends::points(*line.first(), *line.last()).expect("finite");
         let fixed = leading_constants(&lens, &fixed, &fine).expect("a minimum");

@@ -1,4 +1,4 @@
-//! The claims of sets: convexity, members, and the numbers they were made from.
+//! What sets claim: convexity, members, and the numbers they were made from.
 
 use std::sync::Arc;
 
@@ -52,7 +52,7 @@ fn exactly_the_convex_sets_claim_convexity() -> Result<(), SetError> {
         Arc::new(Origin),
     ];
     for set in &others {
-        // A pointer to a set is a set too.
+        // A pointer to a set is also a set.
         assert!(!set.is_convex() && !Arc::new(Arc::clone(set)).is_convex(), "{set:?}");
     }
     Ok(())
@@ -67,13 +67,13 @@ fn a_set_by_default_is_one_piece_without_seeds() {
 fn accessors_return_the_given_numbers() -> Result<(), SetError> {
     assert_eq!(Ball::new([0.0, 0.0], 0.75)?.r(), 0.75);
     assert_eq!(Sphere::new([0.0, 0.0], 0.75)?.r(), 0.75);
-    // 3 x₁ + 4 x₂ ≤ 10 is 0.6 x₁ + 0.8 x₂ ≤ 2.
+    // 3 x₁ + 4 x₂ ≤ 10 is the same as 0.6 x₁ + 0.8 x₂ ≤ 2.
     let wall = HalfSpace::new([3.0, 4.0], 10.0)?;
     assert!((wall.offset() - 2.0).abs() <= 1e-15 && (wall.normal()[1] - 0.8).abs() <= 1e-15);
     Ok(())
 }
 
-/// A sphere of radius 0 is a point: its projection is constant.
+/// A sphere of radius 0 is a point, so its projection is constant.
 #[test]
 fn a_sphere_of_radius_0_has_no_derivative_at_its_centre() -> Result<(), SetError> {
     let sphere = Sphere::new([1.0, 2.0], 0.0)?;
@@ -81,7 +81,7 @@ fn a_sphere_of_radius_0_has_no_derivative_at_its_centre() -> Result<(), SetError
     Ok(())
 }
 
-/// The numbers are exact, and membership is decidable.
+/// The numbers are exact here, so that membership is decidable.
 #[test]
 fn proved_members_stay() -> Result<(), SetError> {
     let members: [(Arc<dyn ClosedSet<2>>, SVector<f64, 2>); 12] = [
@@ -94,7 +94,7 @@ fn proved_members_stay() -> Result<(), SetError> {
         (Arc::new(Sphere::new([0.1, 0.2], 0.0)?), vector![0.1, 0.2]),
         (Arc::new(AxisBox::new([0.0, 0.0], [0.1, 0.0])?), vector![0.1, 0.0]),
         (Arc::new(Segment::new([0.1, 0.3], [0.7, 0.3])?), vector![0.45, 0.3]),
-        // The normalised normal is rounded, the given one is not.
+        // The normalised normal is rounded, while the given one is not.
         (Arc::new(HalfSpace::new([1.0, 3.0], 10.0)?), vector![1.0, 3.0]),
         (Arc::new(AffineSubspace::new([0.1, 0.3], [[0.0, 0.7]])?), vector![0.1, 0.45]),
         (Arc::new(AffineSubspace::new([0.0, 0.0], [[1.0, 3.0]])?), vector![0.0, 0.0]),
@@ -108,14 +108,14 @@ fn proved_members_stay() -> Result<(), SetError> {
     Ok(())
 }
 
-/// However near.
+/// No point outside a set is taken for a member, however near it is.
 #[test]
 fn points_outside_a_set_are_not_taken_for_members() -> Result<(), SetError> {
     let beside: [(Arc<dyn ClosedSet<2>>, SVector<f64, 2>); 7] = [
         (Arc::new(Ball::new([1.0, 1.0], 5.0)?), vector![4.0, 5.0_f64.next_up()]),
         (Arc::new(Sphere::new([1.0, 1.0], 5.0)?), vector![-2.0, 5.0_f64.next_down()]),
         (Arc::new(HalfSpace::new([1.0, 3.0], 10.0)?), vector![1.0, 3.0_f64.next_up()]),
-        // 0.1 + 0.2 > 0.3 in doubles.
+        // In doubles, 0.1 + 0.2 > 0.3.
         (Arc::new(HalfSpace::new([1.0, 1.0], 0.3)?), vector![0.1, 0.2]),
         (Arc::new(Segment::new([0.0, 0.0], [1.0, 3.0])?), vector![0.1, 0.3]),
         (Arc::new(AffineSubspace::new([0.0, 0.0], [[1.0, 3.0]])?), vector![0.1, 0.3]),
@@ -125,7 +125,7 @@ fn points_outside_a_set_are_not_taken_for_members() -> Result<(), SetError> {
         let near = set.member_near(x).expect("a set of this crate");
         assert_ne!(near, x.map(Interval::point), "{set:?}");
         for i in 0..2 {
-            // A few roundings of coordinates up to 5.
+            // The allowance is a few roundings of coordinates up to 5.
             let far = (near[i].lo() - x[i]).abs().max((near[i].hi() - x[i]).abs());
             assert!(far <= 16.0 * 5.0 * f64::EPSILON, "{set:?}: {near:?}");
         }
@@ -138,7 +138,7 @@ fn points_outside_a_set_are_not_taken_for_members() -> Result<(), SetError> {
 fn the_centre_of_a_sphere_has_a_member_near() -> Result<(), SetError> {
     let near = Sphere::new([1.0, 2.0], 3.0)?.member_near(&vector![1.0, 2.0]);
     assert_eq!(near, Some(vector![4.0, 2.0].map(Interval::point)));
-    // c₁ + r is not a double.
+    // c₁ + r is not a double here.
     let near = Sphere::new([0.1, 2.0], 0.7)?.member_near(&vector![0.1, 2.0]).expect("a member");
     assert!(near[0].lo() < near[0].hi() && near[1] == Interval::point(2.0));
     Ok(())
