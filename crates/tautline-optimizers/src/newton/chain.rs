@@ -1,4 +1,5 @@
-//! `Chain`: the chords of a point sequence, in the order of elimination from both ends.
+//! `Chain`: the chords of a point sequence, in the order in which they are eliminated from both
+//! ends.
 
 use std::ops::Range;
 
@@ -19,7 +20,7 @@ use crate::newton::{
     two_threads::join,
 };
 
-/// A point sequence, and what its elimination reads.
+/// A point sequence, together with what its elimination reads.
 pub(crate) struct Chain<'a, const D: usize> {
     pub(crate) energy: &'a DiscreteEnergy<'a, D>,
     pub(crate) ends: [&'a dyn ClosedSet<D>; 2],
@@ -33,7 +34,7 @@ pub(crate) struct Chain<'a, const D: usize> {
 /// The state of one side of an elimination.
 pub(crate) struct Side<const D: usize> {
     pub(crate) front: Front<D>,
-    /// The coordinates at its end, once the end is eliminated.
+    /// The coordinates at the end of this side, once that end is eliminated.
     pub(crate) frame: Option<EndFrame<D>>,
 }
 
@@ -54,24 +55,24 @@ impl<const D: usize> Chain<'_, D> {
         self.n() / 2
     }
 
-    /// The indices of chords that are counted from an end.
+    /// Returns the indices of chords that are counted from an end.
     fn numbers(&self, end: usize, counted: Range<usize>) -> Range<usize> {
         if end == 0 { counted } else { self.n() - counted.end..self.n() - counted.start }
     }
 
-    /// Memory for the models of blocks of `chords`.
+    /// Returns memory for the models of blocks of `chords` chords.
     pub(crate) fn batch(&self, chords: usize) -> ChordBatch<'_, D> {
         self.energy.batch(Kind::Contraction, self.n() as f64, chords)
     }
 
-    /// The coordinates at an end, given the gradient there.
+    /// Returns the coordinates at an end, given the gradient there.
     pub(crate) fn frame(&self, end: usize, gradient: &SVector<f64, D>) -> EndFrame<D> {
         let x = if end == 0 { self.sequence.first() } else { self.sequence.last() };
         EndFrame::new(self.ends[end], x, gradient, self.tau)
     }
 
-    /// Eliminates both sides, a block of each at a time; `None` if the Hessian is not positive
-    /// definite.
+    /// Eliminates both sides, a block of each at a time. The result is `None` if the Hessian is not
+    /// positive definite.
     pub(crate) fn in_lanes(&self, mut memory: Memory<'_, D>) -> Option<[Side<D>; 2]> {
         let mut frames = [None, None];
         let mut both = Front::<D, Pair>::new(self.regulariser);
@@ -103,7 +104,7 @@ impl<const D: usize> Chain<'_, D> {
                 if let Some(kept) = &mut kept {
                     kept.keep(0, pivot, &z);
                 }
-                // The points of the first pair are the ends.
+                // The points of the first pair are the ends, which are not counted as inner points.
                 pairs.start = 1;
             }
             let rest = Rest { regulariser: self.regulariser, residual: self.residual };
@@ -116,8 +117,8 @@ impl<const D: usize> Chain<'_, D> {
         Some([Side { front, frame: first }, Side { front: back, frame: last }])
     }
 
-    /// Eliminates one side after the other, or both `at_once`; `None` if the Hessian is not
-    /// positive definite.
+    /// Eliminates one side after the other, or both `at_once`. The result is `None` if the Hessian
+    /// is not positive definite.
     pub(crate) fn in_turn(&self, memory: Memory<'_, D>, at_once: bool) -> Option<[Side<D>; 2]> {
         let half = self.half();
         let [one, other] = match memory {
@@ -130,7 +131,7 @@ impl<const D: usize> Chain<'_, D> {
         join(at_once, || self.side(0, one), || self.side(1, other))
     }
 
-    /// Eliminates the side of one end.
+    /// Eliminates the side that begins at one end.
     fn side(&self, end: usize, mut memory: MemoryOfSide<'_, D>) -> Option<Side<D>> {
         let half = self.half();
         let mut side = Side { front: Front::new(self.regulariser), frame: None };

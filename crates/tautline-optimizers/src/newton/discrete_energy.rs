@@ -10,13 +10,13 @@ use tautline_metrics::{MetricError, check_matrix};
 
 /// A function of point sequences, `E_N(x) = N Σₖ Σⱼ wⱼ g(xₖ + tⱼ dₖ)(dₖ, dₖ)` with
 /// `dₖ = xₖ₊₁ − xₖ`, and its derivatives.
-///
-/// The metric is behind a pointer, followed once for many chords: nothing is compiled again for
+/// The metric is behind a pointer, which is followed once for many chords, so that nothing is
+/// compiled again for another formula or rule.
 /// another formula or rule.
 #[derive(Clone, Copy)]
 pub(crate) struct DiscreteEnergy<'m, const D: usize> {
     nodes: &'static [Node],
-    /// The `q` of the error `N⁻ᑫ` of the rule.
+    /// The exponent `q` of the error `N⁻ᑫ` of the rule.
     pub(crate) error_exponent: i32,
     metric: &'m dyn Batches<D>,
 }
@@ -31,7 +31,7 @@ impl<'m, const D: usize> DiscreteEnergy<'m, D> {
         self.metric.instruction_set()
     }
 
-    /// The energies of the chords from `x` to `y`, each without the factor `N`:
+    /// Returns the energies of the chords from `x` to `y`, each without the factor `N`:
     /// `Σⱼ wⱼ g(x + tⱼ d)(d, d)`.
     pub(crate) fn of_chords(&self, chords: &[[&SVector<f64, D>; 2]]) -> Vec<f64> {
         let mut batch = self.batch(Kind::Square, 1.0, chords.len());
@@ -45,23 +45,24 @@ impl<'m, const D: usize> DiscreteEnergy<'m, D> {
         energies
     }
 
-    /// The energy of a trial; `None` if it is not finite, or if a chord has negative energy at a
-    /// node: the step has left the region where the metric is positive.
+    /// Returns the energy of a trial. The result is `None` if the energy is not finite, or if a
+    /// chord has negative energy at a node: the step has then left the region where the metric is
+    /// positive.
     pub(crate) fn admissible(&self, points: &[SVector<f64, D>]) -> Option<f64> {
         admissible_energy(self.nodes, self.metric, points)
     }
 
-    /// Value and gradient.
+    /// Returns the value and the gradient.
     pub(crate) fn linear_model(&self, sequence: &PointSequence<D>) -> LinearModel<D> {
         LinearModel::by_batches(self.nodes, self.metric, sequence)
     }
 
-    /// Value, gradient and Hessian.
+    /// Computes the value, the gradient and the Hessian.
     pub(crate) fn expand(&self, sequence: &PointSequence<D>, model: &mut QuadraticModel<D>) {
         model.expand_by_batches(self.nodes, self.metric, sequence);
     }
 
-    /// A batch of up to `chords` chords.
+    /// Returns a batch of up to `chords` chords.
     pub(crate) fn batch(&self, kind: Kind, n: f64, chords: usize) -> ChordBatch<'_, D> {
         ChordBatch::new(self.metric, kind, self.nodes, n, chords)
     }
@@ -81,7 +82,7 @@ impl<'m, const D: usize> DiscreteEnergy<'m, D> {
         if batch.is_metric {
             return Ok(());
         }
-        // One by one, to find the first defect.
+        // The nodes are checked one by one to find the first defect.
         for (x, chord) in sequence.chords() {
             for node in self.nodes {
                 self.check_at(&(x + chord * node.fraction))?;
@@ -120,7 +121,8 @@ mod tests {
         let expected = energy_gradient(rule, &shear, &sequence).0;
         let pairs: Vec<_> = sequence.points().windows(2).map(|pair| [&pair[0], &pair[1]]).collect();
         let chords: f64 = energy.of_chords(&pairs).iter().sum();
-        // Two chords, two nodes each at most, some ten operations for each: below 1e-14.
+        // There are two chords with at most two nodes each, and about ten operations for each node,
+        // so the error is below 1e-14.
         let close = |found: f64| (found - expected).abs() <= 1e-14 * expected;
         assert!(close(2.0 * chords), "{chords} {expected}");
         assert!(energy.admissible(sequence.points()).is_some_and(close));
@@ -135,7 +137,7 @@ mod tests {
         assert_sum_of_chords(TrueTrapezoid, 2);
     }
 
-    /// A long chord, and short ones each of which would be rounded away beside it.
+    /// One chord is long, and each of the short ones would be rounded away when added to it.
     #[test]
     fn the_energy_of_a_trial_is_summed_with_compensation() {
         let flat = Constant::new(nalgebra::SMatrix::<f64, 1, 1>::identity()).expect("definite");
@@ -146,14 +148,14 @@ mod tests {
         let points: Vec<_> = (0..=n)
             .map(|k| vector![if k == 0 { 0.0 } else { 1.0 + f64::from(k - 1) * short }])
             .collect();
-        // All dyadic: 1 + 2¹⁶ 2⁻⁵⁴, times N.
+        // All terms are dyadic: 1 + 2¹⁶ 2⁻⁵⁴, times N.
         let expected = f64::from(n) * (1.0 + 2.0_f64.powi(-38));
         assert_eq!(energy.admissible(&points), Some(expected));
         let sequence = PointSequence::new(points).expect("finite");
         assert_eq!(energy.linear_model(&sequence).energy, expected);
     }
 
-    /// Simpson's rule: a node inside each chord, and one at either end.
+    /// Simpson's rule, with a node in the middle of each chord and one at either end.
     #[derive(Clone, Copy, Debug)]
     struct Simpson;
 
@@ -166,14 +168,14 @@ mod tests {
         const ERROR_EXPONENT: i32 = 2;
     }
 
-    /// Every node of every chord is checked, the last ones included.
+    /// Every node of every chord is checked, including the last ones.
     #[test]
     fn a_defect_is_reported_at_whichever_node_it_is() {
         assert_sum_of_chords(Simpson, 2);
         for chord in 0..3 {
             for node in 0..3 {
                 let place = f64::from(chord) + 0.5 * f64::from(node);
-                // (x₁ − place)²: a metric everywhere but at one place.
+                // (x₁ − place)² is a metric everywhere except at one place.
                 struct Hole(f64);
                 impl Metric<1> for Hole {
                     fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
@@ -182,9 +184,9 @@ mod tests {
                 }
                 let hole = Hole(place);
                 let (plain, prepared) = (Plain::new(&hole), Prepared::new(&hole));
-                // In one batch, and in several, with the hole in the first or the last but one.
+                // There is one batch, or several with the hole in the first or in the last but one.
                 for (n, from) in [(3, 0.0), (100, 0.0), (100, -96.0)] {
-                    // Whole numbers: a node is exactly at the hole.
+                    // The points are whole numbers, so that a node is exactly at the hole.
                     let points = (0..=n).map(|k| vector![from + f64::from(k)]).collect();
                     let sequence = PointSequence::new(points).expect("finite");
                     for metric in [&plain as &dyn Batches<1>, &prepared] {
@@ -205,7 +207,7 @@ mod tests {
         assert!(energy.check_at(&vector![-1.0, 0.0]).is_err());
     }
 
-    /// `H = x₁ I`, a metric only to the right of 0.
+    /// The matrix `H = x₁ I`, which is a metric only to the right of 0.
     struct ToTheRight;
 
     impl Metric<2> for ToTheRight {
@@ -221,7 +223,7 @@ mod tests {
         let over = |lowest: f64| {
             energy.admissible(&[vector![8.0, 0.0], vector![lowest, 0.0], vector![lowest, 0.5]])
         };
-        // 2 (9/2 · 7² + 1 · 1/4).
+        // The energy is 2 (9/2 · 7² + 1 · 1/4).
         assert_eq!(over(1.0), Some(441.5));
         // The sum is positive, but the second chord is negative.
         assert_eq!(over(-1.0), None);

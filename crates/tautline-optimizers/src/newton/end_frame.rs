@@ -5,44 +5,47 @@ use tautline_sets::ClosedSet;
 
 /// Coordinates at an end point `x` of a closed set with the nearest-point map `P`.
 ///
-/// With the gradient `g` of the energy by `x`, the end point is stationary if `x = P(z)` for
-/// `z = x − τ g`: the force `−g` points out of the set, along a normal. One semismooth Newton step
-/// for this equation is
+/// Let `g` be the gradient of the energy with respect to `x`. The end point is stationary if
+/// `x = P(z)` for `z = x − τ g`: the force `−g` then points out of the set, along a normal. One
+/// semismooth Newton step for this equation is
 ///
 /// ```text
 /// F + δ − J (δ − τ A δ) = 0,     F = x − P(z),   J = P′(z),   A δ: the change of g
 /// ```
 ///
-/// The eigenvectors of the symmetric `J` decouple it, with eigenvalues `σ`:
+/// The eigenvectors of the symmetric matrix `J` decouple this equation. For an eigenvalue `σ` there
+/// are two cases:
 ///
-/// - `σ = 0`, across the active face: `δ = −F`, the coordinate is *fixed*;
-/// - `σ > 0`, along the face: `A δ + (1−σ)/(σ τ) δ = −F/(σ τ)`, again a Newton equation, with a
-///   term for the curvature of the face (`σ = 1` if it is flat).
+/// - `σ = 0`, across the active face: `δ = −F`, and the coordinate is *fixed*;
+/// - `σ > 0`, along the face: `A δ + (1−σ)/(σ τ) δ = −F/(σ τ)`, which is again a Newton equation,
+///   with a term for the curvature of the face (`σ = 1` if the face is flat).
 ///
-/// This treats faces, edges, corners and curved boundaries alike, and keeps the system symmetric.
+/// This approach treats faces, edges, corners and curved boundaries alike, and keeps the system
+/// symmetric.
 #[derive(Clone, Debug)]
 pub(crate) struct EndFrame<const D: usize> {
     /// The eigenvectors of `J`, as columns.
     pub(crate) basis: SMatrix<f64, D, D>,
     /// How the end moves along each column of the basis.
     pub(crate) coordinates: [Coordinate; D],
-    /// `F / τ`, the projected gradient, in the coordinates of `R^D`.
+    /// The projected gradient `F / τ`, in the coordinates of `R^D`.
     pub(crate) projected_gradient: SVector<f64, D>,
-    /// `g`, in `m²/ℓ`.
+    /// The gradient `g`, in `m²/ℓ`.
     pub(crate) gradient: SVector<f64, D>,
 }
 
 /// One coordinate of an end point.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Coordinate {
-    /// Across the active face: `step` leads to the face.
+    /// The coordinate is across the active face, and `step` leads back to the face.
     Fixed { step: f64 },
-    /// Along the active face: `A δ + curvature · δ = force`.
+    /// The coordinate is along the active face, with the equation `A δ + curvature · δ = force`.
     Free { curvature: f64, force: f64 },
 }
 
-/// Eigenvalues of `J` below this count as zero. A sphere of radius `r` at the distance `|z|` has
-/// `r/|z|`: only a set smaller than `10⁻¹⁰` of a chord is mistaken for a point.
+/// Eigenvalues of `J` below this number count as zero. For a sphere of radius `r` at the distance
+/// `|z|` the eigenvalue is `r/|z|`, so only a set smaller than `10⁻¹⁰` of a chord is mistaken for a
+/// point.
 const FLAT: f64 = 1e-10;
 
 impl<const D: usize> EndFrame<D> {
@@ -88,7 +91,8 @@ impl<const D: usize> EndFrame<D> {
     }
 
     /// Transforms the row of the end point in a block system to these coordinates: its diagonal
-    /// block, its coupling to the neighbour, with rows for the end, and both right hand sides.
+    /// block, the block that couples it to its neighbour (with rows for the end), and both right
+    /// hand sides.
     ///
     /// A fixed coordinate keeps its place, as a separate equation that is already solved.
     pub(crate) fn enter(
@@ -124,8 +128,9 @@ impl<const D: usize> EndFrame<D> {
         }
     }
 
-    /// Returns the force on the end point, in the coordinates of `R^D`: the right hand side of the
-    /// Newton equation along the active face, and `step/τ`, back to the face, across it.
+    /// Returns the force on the end point, in the coordinates of `R^D`. Along the active face it is
+    /// the right hand side of the Newton equation; across the face it is `step/τ`, which points
+    /// back to the face.
     pub(crate) fn force(&self, tau: f64) -> SVector<f64, D> {
         let component = |coordinate: &Coordinate| match *coordinate {
             Coordinate::Free { force, .. } => force,
@@ -134,7 +139,7 @@ impl<const D: usize> EndFrame<D> {
         self.basis * SVector::from(self.coordinates.each_ref().map(component))
     }
 
-    /// Whether the end does not move.
+    /// Returns whether the end does not move.
     #[cfg(test)]
     pub(crate) fn is_fixed(&self) -> bool {
         self.coordinates.iter().all(|c| matches!(c, Coordinate::Fixed { .. }))
@@ -171,7 +176,7 @@ mod tests {
         assert_eq!(frame.projected_gradient.norm(), 0.0);
     }
 
-    /// On the boundary of a disc of radius `r` under the outward force `λ`, the second derivative
+    /// Under the outward force `λ`, on the boundary of a disc of radius `r`, the second derivative
     /// of the Lagrangian along the boundary is `λ/r`.
     #[test]
     fn the_curvature_term_is_the_multiplier_over_the_radius() {
@@ -187,7 +192,8 @@ mod tests {
             .collect();
         assert_eq!(curvatures.len(), 1);
         approx::assert_relative_eq!(curvatures[0], 3.0 / 0.5, max_relative = 1e-12);
-        // On the set, with a normal force: the projected gradient is rounding, 1e-16 / τ.
+        // The point is on the set and the force is normal, so the projected gradient is rounding,
+        // 1e-16 / τ.
         assert!(frame.projected_gradient.norm() < 1e-13);
     }
 

@@ -1,4 +1,4 @@
-//! Factorisation and inertia of a block-tridiagonal matrix.
+//! The factorisation and the inertia of a block-tridiagonal matrix.
 
 use nalgebra::{DMatrix, SMatrix, SVector};
 use tautline_discretizations::BlockTridiagonal;
@@ -6,25 +6,25 @@ use tautline_metrics::Lanes;
 
 use crate::newton::ldl::Ldl;
 
-/// A symmetric block-tridiagonal matrix `A + μ R`, where `R` is the regulariser
-/// `s (N Λ + I/N)` with the path Laplacian `Λ`: the discrete `∫ s (|δ̇|² + |δ|²) dt`.
+/// A symmetric block-tridiagonal matrix `A + μ R`. The regulariser `R` is `s (N Λ + I/N)` with the
+/// path Laplacian `Λ`: the discrete `∫ s (|δ̇|² + |δ|²) dt`.
 ///
-/// Both parts of `R` scale with `N` as `A` does, so that a given `μ` damps equally on every grid.
-/// For large `μ` the sum is positive definite whatever `A` is.
+/// Both parts of `R` scale with `N` in the same way as `A`, so that a given `μ` damps equally on
+/// every grid. For large `μ` the sum is positive definite whatever `A` is.
 ///
-/// The blocks at the ends, the first and last diagonal and upper ones, can be replaced to confine
-/// the ends to their sets.
+/// The blocks at the ends, which are the first and last diagonal and upper blocks, can be replaced
+/// to confine the ends to their sets.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Shifted<'a, const D: usize> {
     matrix: &'a BlockTridiagonal<D>,
     regulariser: Regulariser,
-    /// The first and last diagonal block, shift included.
+    /// The first and the last diagonal block, including the shift.
     pub(crate) end_diagonal: [SMatrix<f64, D, D>; 2],
-    /// The first and last upper block, shift included; for `N = 1` the first is both.
+    /// The first and the last upper block, including the shift. For `N = 1` the first one is both.
     pub(crate) end_upper: [SMatrix<f64, D, D>; 2],
 }
 
-/// `μ R`, given `N` and the product `μ s`.
+/// The matrix `μ R`, given by `N` and the product `μ s`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Regulariser {
     pub(crate) n: f64,
@@ -32,23 +32,23 @@ pub(crate) struct Regulariser {
 }
 
 impl Regulariser {
-    /// The diagonal entries at a point, with one neighbour or two.
+    /// Returns the diagonal entries at a point with one neighbour or two.
     pub(crate) fn diagonal(self, neighbours: f64) -> f64 {
         self.weight * (neighbours * self.n + 1.0 / self.n)
     }
 
-    /// The contribution of a chord to the diagonal entries at each of its points. An inner point
-    /// has two; an end has one, and the remainder [`of_end`](Self::of_end).
+    /// Returns what a chord contributes to the diagonal entries at each of its points. An inner
+    /// point has two chords; an end has one chord, and the remainder [`of_end`](Self::of_end).
     pub(crate) fn of_chord(self) -> f64 {
         self.weight * (self.n + 0.5 / self.n)
     }
 
-    /// The diagonal entries at an end, less the contribution of its only chord.
+    /// Returns the diagonal entries at an end, less the contribution of its only chord.
     pub(crate) fn of_end(self) -> f64 {
         self.weight * (0.5 / self.n)
     }
 
-    /// The entries that couple a point with the next.
+    /// Returns the entries that couple a point with the next one.
     pub(crate) fn upper(self) -> f64 {
         -self.weight * self.n
     }
@@ -93,7 +93,7 @@ impl<'a, const D: usize> Shifted<'a, D> {
     }
 
     /// Returns the number of negative eigenvalues, summed over the pivots of block elimination
-    /// (Sylvester's law). Slow; for matrices that are not positive definite.
+    /// (Sylvester's law). This is slow, and is used for matrices that are not positive definite.
     pub(crate) fn negative_eigenvalues(&self) -> usize {
         let mut negative = 0;
         let mut schur = self.diagonal(0);
@@ -107,7 +107,7 @@ impl<'a, const D: usize> Shifted<'a, D> {
             let upper = self.upper(k);
             let upper = DMatrix::from_fn(D, D, |i, j| upper[(i, j)]);
             let rotated = eigen.eigenvectors.transpose() * upper;
-            // An exactly zero pivot is replaced by one within rounding.
+            // A pivot that is exactly zero is replaced by one within rounding.
             let smallest = f64::EPSILON * eigen.eigenvalues.amax().max(f64::MIN_POSITIVE);
             let weight = eigen
                 .eigenvalues
@@ -124,19 +124,19 @@ impl<'a, const D: usize> Shifted<'a, D> {
 pub(crate) struct Pivot<const D: usize, T = f64> {
     /// The Schur complement `Sₙ = Lₙ Dₙ Lₙᵀ`.
     diagonal: Ldl<D, T>,
-    /// `Wₙ Dₙ⁻¹` with `Wₙ = Uₙᵀ Lₙ⁻ᵀ`.
+    /// `Wₙ Dₙ⁻¹`, where `Wₙ = Uₙᵀ Lₙ⁻ᵀ`.
     lower: SMatrix<T, D, D>,
 }
 
 impl<T: Lanes, const D: usize> Pivot<D, T> {
-    /// A placeholder: every entry is overwritten.
+    /// Returns a placeholder, every entry of which is overwritten later.
     pub(crate) fn zero() -> Self {
         Self { diagonal: Ldl::zero(), lower: SMatrix::zeros() }
     }
 
-    /// Eliminates `Sₙ`, and updates the next diagonal block from `Aₙ₊₁` to `Sₙ₊₁`; `lower` is
-    /// `Uₙᵀ`. `None` if `Sₙ` is not positive definite. Symmetric blocks are stored in their lower
-    /// triangles, `i ≥ j`.
+    /// Eliminates `Sₙ`, and updates the next diagonal block from `Aₙ₊₁` to `Sₙ₊₁`. The argument
+    /// `lower` is `Uₙᵀ`. The result is `None` if `Sₙ` is not positive definite. Symmetric blocks
+    /// are stored in their lower triangles, `i ≥ j`.
     #[inline(always)]
     pub(crate) fn new(
         schur: &SMatrix<T, D, D>,
@@ -156,7 +156,7 @@ impl<T: Lanes, const D: usize> Pivot<D, T> {
         Some(Self { diagonal, lower: scaled })
     }
 
-    /// Eliminates the right hand side `rₙ`: subtracts `Wₙ Dₙ⁻¹ yₙ` from `next`, and returns
+    /// Eliminates the right hand side `rₙ`: subtracts `Wₙ Dₙ⁻¹ yₙ` from `next`, and returns both
     /// `yₙ = Lₙ⁻¹ rₙ` and `zₙ = Dₙ⁻¹ yₙ`.
     #[inline(always)]
     pub(crate) fn forward(
@@ -179,8 +179,8 @@ impl<T: Lanes, const D: usize> Pivot<D, T> {
 /// The block factorisation of a positive definite block-tridiagonal matrix, from the first block to
 /// the last, in `O(N D³)`.
 ///
-/// The Schur complements are `S₀ = A₀` and `Sₙ₊₁ = Aₙ₊₁ − Uₙᵀ Sₙ⁻¹ Uₙ`, each a [`Pivot`] but the
-/// last.
+/// The Schur complements are `S₀ = A₀` and `Sₙ₊₁ = Aₙ₊₁ − Uₙᵀ Sₙ⁻¹ Uₙ`. Each of them except the
+/// last is a [`Pivot`].
 #[derive(Clone, Debug)]
 pub(crate) struct Factorization<const D: usize> {
     pivots: Vec<Pivot<D>>,
@@ -188,7 +188,7 @@ pub(crate) struct Factorization<const D: usize> {
 }
 
 impl<const D: usize> Factorization<D> {
-    /// Factorises; `None` if the matrix is not positive definite (or not finite).
+    /// Factorises the matrix; `None` if it is not positive definite, or not finite.
     pub(crate) fn new(system: &Shifted<'_, D>) -> Option<Self> {
         let mut schur = system.diagonal(0);
         let mut pivots = Vec::with_capacity(system.n());
@@ -226,7 +226,7 @@ mod tests {
 
     const N: usize = 4;
 
-    /// A random block-tridiagonal matrix, and the same as a full matrix.
+    /// Returns a random block-tridiagonal matrix, and the same matrix in full.
     fn matrix(entries: &[f64], diagonal: f64) -> (BlockTridiagonal<2>, DMatrix<f64>) {
         let mut blocks = BlockTridiagonal::<2>::zeros(N);
         let mut next = entries.iter().copied();
@@ -247,7 +247,7 @@ mod tests {
         (blocks, full)
     }
 
-    /// `μ R` as a full matrix, from its definition as a quadratic form.
+    /// Returns `μ R` as a full matrix, from its definition as a quadratic form.
     fn regulariser(weight: f64) -> DMatrix<f64> {
         let n = N as f64;
         let mut r = DMatrix::identity(2 * N + 2, 2 * N + 2) / n;
@@ -272,7 +272,7 @@ mod tests {
             right in proptest::collection::vec(-1.0..1.0_f64, 10),
             shift in 0.0..2.0_f64,
         ) {
-            // Rows sum to at most 8 in absolute value, so that 10 on the diagonal is enough.
+            // The absolute values of a row sum to at most 8, so that 10 on the diagonal is enough.
             let (blocks, full) = matrix(&entries, 10.0);
             let shifted = Regulariser { n: N as f64, weight: shift };
             let system = Shifted::new(&blocks, shifted);
@@ -281,7 +281,7 @@ mod tests {
             let factorization = Factorization::new(&system).expect("diagonally dominant");
             factorization.solve(&mut x);
             let x = DVector::from_iterator(10, x.iter().flat_map(|v| [v[0], v[1]]));
-            // Condition at most 30, entries of size 30.
+            // The condition number is at most 30, and entries are of size 30.
             let residual = dense * x - DVector::from_vec(right);
             prop_assert!(residual.amax() < 1e-13, "{}", residual.amax());
         }

@@ -14,19 +14,19 @@ use crate::newton::{
 /// The block row of a point, as far as it is assembled.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Row<const D: usize, T = f64> {
-    /// The diagonal block, in its lower triangle `i ≥ j`.
+    /// The diagonal block, stored in its lower triangle `i ≥ j`.
     block: SMatrix<T, D, D>,
     /// The right hand side.
     right: SVector<T, D>,
-    /// The gradient by the point, without elimination.
+    /// The gradient with respect to the point, without elimination.
     pub(crate) gradient: SVector<T, D>,
 }
 
-/// The point that an elimination has reached, and the sums on the way there; for pairs of numbers,
-/// two eliminations side by side.
+/// The point that an elimination has reached, and the sums accumulated on the way there. For pairs
+/// of numbers, these are two eliminations side by side.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Front<const D: usize, T = f64> {
-    /// From the chord behind and the eliminated points.
+    /// The contributions of the chord behind and of the eliminated points.
     pub(crate) row: Row<D, T>,
     /// The energy of the chords behind, in `m²`.
     pub(crate) energy: CompensatedSum<T>,
@@ -50,7 +50,7 @@ pub(crate) struct Ahead<const D: usize, T = f64> {
 }
 
 impl<T: Lanes, const D: usize> Front<D, T> {
-    /// Begins at the end itself.
+    /// Returns the front that begins at the end itself.
     pub(crate) fn new(regulariser: Regulariser) -> Self {
         let block = SMatrix::from_diagonal_element(T::constant(regulariser.of_end()));
         Self {
@@ -63,7 +63,7 @@ impl<T: Lanes, const D: usize> Front<D, T> {
         }
     }
 
-    /// Adds the chord ahead to the row.
+    /// Adds the chord ahead to the row of the current point.
     #[inline(always)]
     pub(crate) fn add(
         &mut self,
@@ -92,8 +92,8 @@ impl<T: Lanes, const D: usize> Front<D, T> {
         self.inner += residual.square(&self.row.gradient);
     }
 
-    /// Eliminates the row and moves to the point ahead; returns the pivot and `zₙ`. `None` if the
-    /// Hessian is not positive definite.
+    /// Eliminates the row and moves to the point ahead; returns the pivot and `zₙ`. The result is
+    /// `None` if the Hessian is not positive definite.
     #[inline(always)]
     pub(crate) fn advance(
         &mut self,
@@ -108,7 +108,7 @@ impl<T: Lanes, const D: usize> Front<D, T> {
 }
 
 impl<T: Lanes, const D: usize> Row<D, T> {
-    /// Adds the row of the same point from its other side.
+    /// Adds the row of the same point as assembled from its other side.
     pub(crate) fn join(&mut self, other: &Self) {
         self.block += other.block;
         self.right += other.right;
@@ -125,7 +125,7 @@ impl<T: Lanes, const D: usize> Row<D, T> {
 }
 
 impl<const D: usize> Front<D> {
-    /// Transforms the current point, an end, to the coordinates of its frame.
+    /// Transforms the current point, which is an end, to the coordinates of its frame.
     pub(crate) fn enter(&mut self, frame: &EndFrame<D>, ahead: &mut Ahead<D>, tau: f64) {
         let mut coupling = ahead.lower.transpose();
         self.row.enter(frame, &mut coupling, &mut ahead.row.right, tau);
@@ -141,7 +141,7 @@ impl<const D: usize> Front<D> {
         self.is_metric &= other.is_metric;
     }
 
-    /// Eliminates the last row; returns its pivot and `z`.
+    /// Eliminates the last row, and returns its pivot and `z`.
     pub(crate) fn finish(&mut self) -> Option<(Ldl<D>, SVector<f64, D>)> {
         let last = Ldl::new(&self.row.block)?;
         let [y, z] = last.forward(self.row.right);
@@ -151,7 +151,7 @@ impl<const D: usize> Front<D> {
 }
 
 impl<const D: usize> Ahead<D> {
-    /// Transforms the point ahead, an end, to the coordinates of its frame.
+    /// Transforms the point ahead, which is an end, to the coordinates of its frame.
     pub(crate) fn enter(&mut self, frame: &EndFrame<D>, front: &mut Front<D>, tau: f64) {
         self.row.enter(frame, &mut self.lower, &mut front.row.right, tau);
     }
@@ -167,13 +167,14 @@ impl<const D: usize> Row<D> {
         beside: &mut SVector<f64, D>,
         tau: f64,
     ) {
-        // The frame supplies the force at the end; what a fixed neighbour has added stays.
+        // The frame supplies the force at the end, while the contribution of a fixed neighbour
+        // stays.
         self.right += self.gradient;
         frame.enter(&mut self.block, coupling, [&mut self.right, beside], tau);
     }
 }
 
-/// Two rows side by side.
+/// Combines two rows into one of pairs.
 fn pair_rows<const D: usize>(rows: [&Row<D>; 2]) -> Row<D, Pair> {
     let [one, other] = rows;
     Row {
@@ -197,7 +198,7 @@ impl<const D: usize> Front<D, Pair> {
         })
     }
 
-    /// Transforms the current points, the two ends, to the coordinates of their frames.
+    /// Transforms the current points, which are the two ends, to the coordinates of their frames.
     pub(crate) fn enter(
         &mut self,
         frames: [&EndFrame<D>; 2],

@@ -3,22 +3,24 @@
 use nalgebra::{SMatrix, SVector};
 use tautline_metrics::Lanes;
 
-/// `A = L D Lᵀ` with ones on the diagonal of `L`: a Cholesky factorisation without roots, which
-/// would lengthen the chain of dependent operations from block to block.
+/// The factorisation `A = L D Lᵀ` with ones on the diagonal of `L`. It is a Cholesky factorisation
+/// without square roots, which would lengthen the chain of dependent operations from block to
+/// block.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Ldl<const D: usize, T = f64> {
-    /// `L` below the diagonal, and the reciprocals of `D` on it; entries above it are arbitrary.
+    /// `L` below the diagonal and the reciprocals of `D` on it. Entries above the diagonal are
+    /// arbitrary.
     factors: SMatrix<T, D, D>,
 }
 
 impl<T: Lanes, const D: usize> Ldl<D, T> {
-    /// A placeholder: every entry is overwritten.
+    /// Returns a placeholder, every entry of which is overwritten later.
     pub(crate) fn zero() -> Self {
         Self { factors: SMatrix::zeros() }
     }
 
-    /// Factorises `A`, reading its lower triangle `i ≥ j`; `None` if it is not positive definite
-    /// and finite, in every lane.
+    /// Factorises `A`, of which only the lower triangle `i ≥ j` is read. The result is `None`
+    /// unless the matrix is positive definite and finite in every lane.
     #[inline(always)]
     pub(crate) fn new(a: &SMatrix<T, D, D>) -> Option<Self> {
         let mut factors = *a;
@@ -100,7 +102,7 @@ mod tests {
         let b = vector![1.0, -2.0, 0.5];
         let [y, scaled] = ldl.forward(b);
         let x = ldl.backward(scaled);
-        // Entries of size 5 and 1: some 1e-15.
+        // For entries of size 5 and 1 the errors are about 1e-15.
         assert!((a * x - b).amax() < 1e-14);
         assert!((y.dot(&scaled) - b.dot(&x)).abs() < 1e-14);
         let c = matrix![1.0, 2.0, 3.0; 0.0, -1.0, 2.0; 0.5, 0.25, 4.0];

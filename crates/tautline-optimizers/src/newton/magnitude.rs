@@ -2,7 +2,8 @@
 
 use tautline_discretizations::QuadraticModel;
 
-/// The energy of a curve and the size of the metric along it; both scale everything else.
+/// The energy of a curve and the size of the metric along it, which set the scale of everything
+/// else.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Magnitude {
     /// The discrete energy, in `m²`.
@@ -24,12 +25,12 @@ impl Magnitude {
 
     /// Returns the momentum `(c E)^{1/2}`, in `m²/ℓ`.
     pub(crate) fn momentum(self) -> f64 {
-        // Roots first: the product may overflow or underflow.
+        // The roots are taken first, since the product may overflow or underflow.
         self.mean_gram.sqrt() * self.energy.sqrt()
     }
 
     /// Returns the `τ` of an [`EndFrame`](crate::newton::end_frame::EndFrame) on a grid of `n`
-    /// chords: the inverse of the Hessian by one end.
+    /// chords. It is the inverse of the Hessian with respect to one end.
     pub(crate) fn tau(self, n: usize) -> f64 {
         1.0 / (2.0 * n as f64 * self.mean_gram)
     }

@@ -1,22 +1,23 @@
-//! Checks that there is memory for a step, before it is taken.
+//! Checks, before a step is taken, that there is memory for it.
 
 use std::hint::black_box;
 
 use crate::{SolveError, Workspace};
 
-/// Fewer bytes are assumed to be available: without them, the next small list would fail as well.
+/// A request for fewer bytes is assumed to succeed: if it failed, the next small list would fail as
+/// well.
 const SMALL: usize = 1 << 28;
 
-/// Whether the system grants this many bytes at once. None of them is touched: a system that
-/// promises more than it has would notice only then, and end the process.
+/// Returns whether the system grants this many bytes at once. None of them is touched. A system
+/// that promises more than it has would notice only when they are used, and end the process.
 fn is_available(bytes: usize) -> bool {
     let mut memory = Vec::<u8>::new();
     // The compiler must not remove the allocation.
     bytes < SMALL || black_box(&mut memory).try_reserve_exact(bytes).is_ok()
 }
 
-/// Checks that there is memory for `numbers` numbers at each point of `n` chords, `kept` bytes of
-/// which are allocated already.
+/// Checks that there is memory for `numbers` numbers at each point of `n` chords, of which `kept`
+/// bytes are already allocated.
 fn check(n: usize, numbers: usize, kept: usize) -> Result<(), SolveError> {
     let bytes = n.saturating_add(1).saturating_mul(numbers.saturating_mul(8));
     let new = bytes.saturating_sub(kept);
@@ -40,9 +41,9 @@ impl<const D: usize> Workspace<D> {
         check(n, 4 * Self::UNDAMPED, 0)
     }
 
-    /// The numbers that an undamped Newton step stores for each point, its coordinates included. A
-    /// damped step stores four times as many: it assembles, shifts and factorises one after the
-    /// other.
+    /// The number of doubles that an undamped Newton step stores for each point, including the
+    /// coordinates of the point. A damped step stores four times as many, since it assembles,
+    /// shifts and factorises one after the other.
     const UNDAMPED: usize = 2 * D * D + 2 * D;
 }
 

@@ -1,4 +1,4 @@
-//! Newton steps: the energy and its derivatives, their factorisation, and the step.
+//! Newton steps: the energy and its derivatives, the factorisation of the Hessian, and the step.
 
 pub(crate) mod chain;
 pub(crate) mod discrete_energy;

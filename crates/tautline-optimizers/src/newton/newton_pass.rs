@@ -1,4 +1,4 @@
-//! `NewtonPass`: a Newton step by one pass over the chords and back.
+//! `NewtonPass`: a Newton step computed in one pass over the chords and back.
 
 use nalgebra::SVector;
 use tautline_discretizations::{LinearModel, PointSequence};
@@ -18,7 +18,7 @@ use crate::{
 
 /// A Newton step from a point sequence with a positive definite Hessian.
 ///
-/// It is the step of a [`ReducedSystem`](crate::newton::reduced_system::ReducedSystem) without
+/// It is the step of a [`ReducedSystem`](crate::newton::reduced_system::ReducedSystem) without a
 /// shift, computed by one [sweep] and back substitution.
 pub(crate) struct NewtonPass<'a, const D: usize> {
     sweep: Sweep<D>,
@@ -28,8 +28,8 @@ pub(crate) struct NewtonPass<'a, const D: usize> {
 }
 
 impl<'a, const D: usize> NewtonPass<'a, D> {
-    /// Sweeps; `None` if the Hessian is not positive definite. The factorisation in `workspace` is
-    /// overwritten.
+    /// Sweeps over the chords; `None` if the Hessian is not positive definite. The factorisation in
+    /// `workspace` is overwritten.
     pub(crate) fn new(
         energy: &DiscreteEnergy<'_, D>,
         ends: [&dyn ClosedSet<D>; 2],
@@ -70,8 +70,8 @@ impl<'a, const D: usize> NewtonPass<'a, D> {
         step
     }
 
-    /// Returns the stationarity at a sequence nearby, with the factorisation from here. In many
-    /// dimensions this costs a fraction of a sweep.
+    /// Returns the stationarity at a sequence nearby, computed with the factorisation from here. In
+    /// many dimensions this costs a fraction of a sweep.
     pub(crate) fn stationarity_at(
         &self,
         energy: &DiscreteEnergy<'_, D>,
@@ -134,7 +134,7 @@ mod tests {
         assert_eq!(one, other, "bit by bit");
     }
 
-    /// Compares a pass with the assembled system; returns its results.
+    /// Compares a pass with the assembled system, and returns the results of the pass.
     #[track_caller]
     fn compare_once<R: Rule, const D: usize>(
         rule: R,
@@ -161,7 +161,8 @@ mod tests {
         let functional = &DiscreteEnergy::new(rule, &batches);
         let pass = NewtonPass::new(functional, ends, &sequence, magnitude, at_once, memory);
         let mut pass = pass.expect("definite");
-        // The condition of the system is 100 at most, its entries some 10: some thousand roundings.
+        // The condition number of the system is at most 100, its entries are about 10, and there
+        // are about a thousand roundings.
         let close = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b.abs();
         let at = pass.stationarity();
         assert!(at.is_metric && close(at.magnitude.energy, model.energy));
@@ -189,7 +190,7 @@ mod tests {
         (at, found, there)
     }
 
-    /// Two chords at a time, up to three dimensions.
+    /// Up to three dimensions, two chords are eliminated at a time.
     #[test]
     fn one_pass_makes_the_step_of_the_whole_system() {
         let swirl = Swirl::new(0.5, 1.0).expect("a width");
@@ -199,9 +200,9 @@ mod tests {
         let circle = Sphere::new([-1.5, 0.0], 0.4).expect("a radius");
         let ball_too = Ball::new([1.5, 0.3], 0.2).expect("a radius");
         let wall = HalfSpace::at_least([1.0, 0.5], 1.0).expect("a normal");
-        // One workspace for odd and even N: nothing is left over from earlier passes.
+        // One workspace serves odd and even N: nothing is left over from earlier passes.
         let mut memory = Workspace::default();
-        // At least one end moves: with n = 1 nothing else can.
+        // At least one end moves, since for n = 1 nothing else can.
         for ends in
             [[&ball as &dyn ClosedSet<2>, &b], [&a, &wall], [&circle, &wall], [&ball, &ball_too]]
         {

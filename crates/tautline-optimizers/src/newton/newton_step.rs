@@ -14,22 +14,23 @@ use crate::{
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct NewtonStep<const D: usize> {
-    /// The displacements of the `N + 1` points, in `ℓ`. A moved end has to be projected back to its
-    /// set.
+    /// The displacements of the `N + 1` points, in `ℓ`. An end that has moved has to be projected
+    /// back to its set.
     pub step: Vec<SVector<f64, D>>,
     /// The discrete energy before the step, in `m²`.
     pub energy: f64,
-    /// The energy that the quadratic model sheds, in `m²`: half the square of the Newton decrement.
+    /// The decrease of the energy in the quadratic model, in `m²`. It is half the square of the
+    /// Newton decrement.
     pub decrement: f64,
 }
 
-/// Returns one undamped Newton step from `sequence`, with its ends in the sets `ends`; `None` if
-/// the Hessian, confined to the active faces of the sets, is not positive definite beyond rounding,
-/// or if the system has no memory for a step, `16D² + 16D` bytes a point.
+/// Returns one undamped Newton step from `sequence`, with its ends in the sets `ends`. The result
+/// is `None` if the Hessian, confined to the active faces of the sets, is not positive definite
+/// beyond rounding, or if the system has no memory for a step, `16D² + 16D` bytes per point.
 ///
 /// [`minimise`](crate::minimise) repeats this step on fine grids, where it needs no damping.
-/// Assembly and factorisation take one pass over the chords, `O(N D³)`, in the memory of
-/// `workspace`, on one thread.
+/// Assembly and factorisation take one pass over the chords, `O(N D³)`, on one thread and in the
+/// memory of `workspace`.
 pub fn newton_step<const D: usize, R: Rule>(
     workspace: &mut Workspace<D>,
     metric: &dyn Batches<D>,
@@ -38,8 +39,8 @@ pub fn newton_step<const D: usize, R: Rule>(
     sequence: &PointSequence<D>,
 ) -> Option<NewtonStep<D>> {
     workspace.check_undamped(sequence.n().get()).ok()?;
-    // A scale for the rounding and for the step that finds the active faces of the sets, from three
-    // points.
+    // Three points give a scale for the rounding and for the step that finds the active faces of
+    // the sets.
     let points = sequence.points();
     let places = [0, points.len() / 2, points.len() - 1];
     let traces = places.map(|k| metric.gram(&points[k]).trace() / D as f64);
@@ -67,8 +68,8 @@ mod tests {
     use super::newton_step;
     use crate::Workspace;
 
-    /// If the energy is quadratic, one step leads from any sequence to the straight line, and sheds
-    /// the decrement.
+    /// If the energy is quadratic, one step leads from any sequence to the straight line, and
+    /// lowers the energy by the decrement.
     #[test]
     fn one_step_straightens_a_chain() {
         let metric = Constant::new(nalgebra::SMatrix::identity()).expect("positive definite");
@@ -85,10 +86,10 @@ mod tests {
         )
         .expect("definite");
         for (k, (x, step)) in bent.points().iter().zip(&found.step).enumerate() {
-            // Up to the margin of 1e-8, with entries of the Hessian below 4.
+            // The result is accurate up to the margin of 1e-8, with entries of the Hessian below 4.
             assert!((x + step - vector![1.0, 2.0] * (k as f64 / 3.0)).amax() < 1e-7);
         }
-        // 3 (9 + 1 + 6.25 + 2.25 + 0.25 + 2.25), and 5 for the line.
+        // The energy is 3 (9 + 1 + 6.25 + 2.25 + 0.25 + 2.25) before the step, and 5 for the line.
         assert!((found.energy - 63.0).abs() < 1e-13);
         assert!((found.energy - found.decrement - 5.0).abs() < 1e-5);
     }

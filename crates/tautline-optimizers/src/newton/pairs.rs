@@ -1,4 +1,4 @@
-//! The inner loop of an elimination from both ends: pairs of chords, one from each side.
+//! The inner loop of an elimination from both ends, over pairs of chords with one from each side.
 
 use std::ops::Range;
 
@@ -13,15 +13,15 @@ use crate::newton::{
     residual::Residual,
 };
 
-/// What an elimination needs besides the pairs of chords.
+/// What an elimination needs in addition to the pairs of chords.
 #[derive(Clone, Copy)]
 pub(crate) struct Rest<'a, const D: usize> {
     pub(crate) regulariser: Regulariser,
     pub(crate) residual: &'a Residual<D>,
 }
 
-/// Memory for the pivots of some pairs and the right hand sides after elimination; those of the
-/// last side are stored from back to front.
+/// Memory for the pivots of some pairs and for the right hand sides after elimination. The right
+/// hand sides of the last side are stored from back to front.
 pub(crate) struct Kept<'m, const D: usize> {
     pub(crate) pivots: &'m mut [Pivot<D, Pair>],
     pub(crate) first: &'m mut [SVector<f64, D>],
@@ -38,8 +38,8 @@ impl<const D: usize> Kept<'_, D> {
     }
 }
 
-/// Eliminates the inner points of `pairs`, with `front` at the first of them; returns the front
-/// behind the last. `None` if the Hessian is not positive definite.
+/// Eliminates the inner points of `pairs`, where `front` is at the first of them, and returns the
+/// front behind the last. The result is `None` if the Hessian is not positive definite.
 pub(crate) fn eliminate<const D: usize>(
     instruction_set: InstructionSet,
     models: &Contractions<'_, Pair, D>,
@@ -74,7 +74,7 @@ fn baseline<const MIDPOINT: bool, const KEEPS: bool, const D: usize>(
     inline::<MIDPOINT, KEEPS, D>(models, pairs, front, rest, kept)
 }
 
-/// AVX instructions write to a third register: operands need no copies.
+/// AVX instructions write to a third register, so operands need no copies.
 #[multiversion::multiversion(targets("x86_64+avx2"))]
 fn widest<const MIDPOINT: bool, const KEEPS: bool, const D: usize>(
     models: &Contractions<'_, Pair, D>,

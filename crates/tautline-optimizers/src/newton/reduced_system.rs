@@ -14,7 +14,7 @@ use crate::newton::{
 ///
 /// A fixed coordinate keeps its place in the system, as a separate equation that is already solved.
 /// Hence the blocks stay `D × D` whatever face is active, and the system is positive definite if
-/// and only if it is so in the free coordinates.
+/// and only if its part in the free coordinates is.
 pub(crate) struct ReducedSystem<'a, const D: usize> {
     matrix: Shifted<'a, D>,
     right: Vec<SVector<f64, D>>,
@@ -25,13 +25,14 @@ pub(crate) struct ReducedSystem<'a, const D: usize> {
 /// A Newton step.
 pub(crate) struct Step<const D: usize> {
     pub(crate) step: Vec<SVector<f64, D>>,
-    /// The energy that the quadratic model sheds, half the square of the Newton decrement.
+    /// The decrease of the energy in the quadratic model, which is half the square of the Newton
+    /// decrement.
     pub(crate) decrement: f64,
 }
 
 impl<'a, const D: usize> ReducedSystem<'a, D> {
-    /// Sets up the system for the shift `mu` (see [`Shifted`]), less the [`margin`]: if it is
-    /// definite, it is so beyond rounding.
+    /// Sets up the system for the shift `mu` (see [`Shifted`]), less the [`margin`]. If this system
+    /// is definite, the Hessian with the shift is definite beyond rounding.
     pub(crate) fn new(
         model: &'a QuadraticModel<D>,
         ends: [&dyn ClosedSet<D>; 2],
@@ -40,7 +41,7 @@ impl<'a, const D: usize> ReducedSystem<'a, D> {
     ) -> Self {
         let n = points.len() - 1;
         let regulariser = Regulariser { n: n as f64, weight: (mu - margin(n)) * model.mean_gram };
-        // The inverse of a typical diagonal block: z is about a chord away from x.
+        // τ is the inverse of a typical diagonal block, so that z is about a chord away from x.
         let tau = 1.0 / (2.0 * n as f64 * model.mean_gram * (1.0 + mu));
         let frame = |set, k: usize| EndFrame::new(set, &points[k], &model.gradient[k], tau);
         let mut right: Vec<_> = model.gradient.iter().map(|g| -g).collect();
@@ -89,7 +90,7 @@ impl<'a, const D: usize> ReducedSystem<'a, D> {
         Step { step, decrement }
     }
 
-    /// Returns half the square of the Newton decrement at other points nearby, with the
+    /// Returns half the square of the Newton decrement at other points nearby, computed with the
     /// factorisation from here.
     pub(crate) fn decrement_at(
         &self,
@@ -109,11 +110,12 @@ impl<'a, const D: usize> ReducedSystem<'a, D> {
         half_dot(&step, &right)
     }
 
-    /// Returns half the square of the Newton decrement of another functional with the gradient `g`,
-    /// in the Hessian `A` of the system: `½ gᵀA⁻¹g` over the free coordinates.
+    /// Returns `½ gᵀA⁻¹g` over the free coordinates: half the square of the Newton decrement of
+    /// another functional with the gradient `g`, in the Hessian `A` of the system.
     ///
-    /// If the energy is stationary here and the functional is added as a small perturbation, it is
-    /// `½ δᵀAδ` for the shift `δ` of the minimiser. Fixed coordinates stay under any force.
+    /// If the energy is stationary here and the functional is added as a small perturbation, the
+    /// result is `½ δᵀAδ` for the shift `δ` of the minimiser. Fixed coordinates do not move under
+    /// any force.
     pub(crate) fn decrement_of(
         &self,
         factorization: &Factorization<D>,
@@ -129,14 +131,15 @@ impl<'a, const D: usize> ReducedSystem<'a, D> {
         half_dot(&step, &right)
     }
 
-    /// Returns the eigenvector of the least eigenvalue, by inverse iteration: the direction of most
-    /// negative curvature, if the shift is just large enough to make the system definite.
+    /// Returns the eigenvector of the smallest eigenvalue, by inverse iteration. It is the
+    /// direction of most negative curvature if the shift is just large enough to make the system
+    /// definite.
     pub(crate) fn flattest_direction(
         &self,
         factorization: &Factorization<D>,
     ) -> Vec<SVector<f64, D>> {
-        // A smooth start without the symmetries of typical curves, so that no component along a low
-        // eigenvector vanishes by accident.
+        // The start is smooth and lacks the symmetries of typical curves, so that no component
+        // along a low eigenvector vanishes by accident.
         let n = self.matrix.n() as f64;
         let mut v: Vec<_> = (0..=self.matrix.n())
             .map(|k| {
@@ -148,7 +151,7 @@ impl<'a, const D: usize> ReducedSystem<'a, D> {
             .collect();
         self.clear_fixed(&mut v);
         for _ in 0..20 {
-            // Not the norm: the square of an inverse of a metric may overflow.
+            // The norm is not used, since the square of an inverse of a metric may overflow.
             let largest = v.iter().map(|v| v.amax()).fold(0.0, f64::max);
             v.iter_mut().for_each(|v| *v /= largest);
             factorization.solve(&mut v);
@@ -188,8 +191,8 @@ mod tests {
 
     use super::ReducedSystem;
 
-    /// One Newton step from a crooked sequence under a constant oblique metric. The problem is
-    /// quadratic: the step leads to the minimum, up to the margin of `10⁻⁸`.
+    /// Takes one Newton step from a crooked sequence under a constant oblique metric. The problem
+    /// is quadratic, so the step leads to the minimum, up to the margin of `10⁻⁸`.
     fn step(
         h: SMatrix<f64, 2, 2>,
         ends: [&dyn ClosedSet<2>; 2],
@@ -235,8 +238,8 @@ mod tests {
         assert!(v[1].amax() > 0.0, "{}", v[1]);
     }
 
-    /// Either end lies inside its box and is pulled across a face. One step moves it to the face
-    /// and along it, and the other points with it.
+    /// Each end lies inside its box and is pulled across a face. One step moves it to the face and
+    /// along it, and moves the other points as well.
     #[test]
     fn one_step_moves_to_the_face_and_along_it_with_the_whole_curve() {
         let origin = Point::new([0.0, 0.0]).expect("finite");
@@ -252,7 +255,8 @@ mod tests {
             {
                 let (_, after, points, _) = step(oblique(), ends, points);
                 assert!((points[end][0] - 2.0).abs() < 1e-15);
-                // Stationary inside, and along the face: there hᵀ(2, y) = 0.6 · 2 + 2 y = 0.
+                // The sequence is stationary inside and along the face. There hᵀ(2, y) = 0.6 · 2 +
+                // 2 y = 0.
                 assert!((points[end][1] + 0.6).abs() < 1e-6, "{}", points[end]);
                 assert!(after.gradient[1..n].iter().all(|g| g.amax() < 1e-6));
             }

@@ -7,35 +7,36 @@ use tautline_sets::ClosedSet;
 
 use crate::newton::{end_frame::EndFrame, magnitude::Magnitude, rounding::rounding};
 
-/// The [residual](crate::Minimum::residual), computed from the gradients by all points.
+/// The [residual](crate::Minimum::residual), computed from the gradients with respect to all
+/// points.
 pub(crate) struct Residual<const D: usize> {
-    /// About the momentum, in `m²/ℓ`. Gradients are divided by it first, since their squares may
-    /// overflow.
+    /// A unit close to the momentum, in `m²/ℓ`. Gradients are divided by it first, since their
+    /// squares may overflow.
     unit: f64,
     reciprocal: f64,
     last: usize,
     /// `Σ |gₙ|²` over the inner points, divided by the square of the unit.
     pub(crate) inner: f64,
-    /// The gradients by the two ends.
+    /// The gradients with respect to the two ends.
     pub(crate) ends: [SVector<f64, D>; 2],
 }
 
 impl<const D: usize> Residual<D> {
-    /// Begins, for `n` subintervals and a magnitude near `about`.
+    /// Begins a residual for `n` subintervals and a magnitude near `about`.
     pub(crate) fn new(n: usize, about: Magnitude) -> Self {
-        // Its reciprocal has to be finite.
+        // The reciprocal of the unit has to be finite.
         let unit = about.momentum().max(f64::MIN_POSITIVE);
         Self { unit, reciprocal: 1.0 / unit, last: n, inner: 0.0, ends: [SVector::zeros(); 2] }
     }
 
-    /// Returns the squared gradient by a point, divided by the square of the unit.
+    /// Returns the squared gradient with respect to a point, divided by the square of the unit.
     #[inline(always)]
     pub(crate) fn square<T: Lanes>(&self, gradient: &SVector<T, D>) -> T {
         let scaled = gradient * T::constant(self.reciprocal);
         scaled.dot(&scaled)
     }
 
-    /// Takes the gradients by all points.
+    /// Adds the gradients with respect to all points.
     pub(crate) fn push_all(&mut self, gradient: &[SVector<f64, D>]) {
         let [first, inner @ .., last] = gradient else { return };
         self.ends = [*first, *last];
@@ -54,11 +55,11 @@ impl<const D: usize> Residual<D> {
         if !(momentum > 0.0) {
             return (0.0, 0.0);
         }
-        // A coordinate is rounded with the variance u²/12, u ≤ ε max |x|, and xₙ₋₁ − 2xₙ + xₙ₊₁
-        // with u²/2: D of them, times N⁴ c².
+        // A coordinate is rounded with the variance u²/12, where u ≤ ε max |x|, so that xₙ₋₁ − 2xₙ
+        // + xₙ₊₁ has the variance u²/2. There are D coordinates, and the factor is N⁴ c².
         let dimensions = (D as f64 / 2.0).max(1.0).sqrt();
         let floor = dimensions * n * rounding(sequence) * (magnitude.mean_gram / momentum);
-        // The metric may have no derivative.
+        // The metric may have no derivative here.
         let infinite_if_nan = |x: f64| if x.is_nan() { f64::INFINITY } else { x };
         let root = (self.inner / n).sqrt() * (self.unit / momentum);
         let tau = magnitude.tau(self.last);
@@ -81,7 +82,8 @@ mod tests {
     use super::Residual;
     use crate::newton::magnitude::Magnitude;
 
-    /// The residual over its floor, for a rounded straight line with equal coordinates.
+    /// Returns the residual divided by its floor, for a rounded straight line with equal
+    /// coordinates.
     fn over_the_floor<const D: usize>() -> f64 {
         let (a, b) = (SVector::<f64, D>::repeat(-0.3), SVector::repeat(0.7));
         let metric = Constant::new(SMatrix::<f64, D, D>::identity()).expect("definite");
@@ -98,17 +100,17 @@ mod tests {
     #[test]
     fn the_floor_predicts_rounding_in_any_dimension() {
         let plane = over_the_floor::<2>();
-        // Rounding of coordinates from −0.3 to 0.7 is about a third of that at 0.7.
+        // The rounding of coordinates from −0.3 to 0.7 is about a third of the rounding at 0.7.
         assert!((0.1..1.0).contains(&plane), "{plane}");
-        // The same roundings in every coordinate, summed in another order.
+        // The roundings are the same in every coordinate, but they are summed in another order.
         for more in [over_the_floor::<3>(), over_the_floor::<8>(), over_the_floor::<32>()] {
             approx::assert_relative_eq!(more, plane, max_relative = 1e-9);
         }
     }
 
-    /// A line from wall to wall with momentum `(3, 4)`, with the component `4` along one wall and
-    /// `3` along the other. The larger counts, at either end; an end that is a point contributes
-    /// nothing.
+    /// A line runs from wall to wall with momentum `(3, 4)`, which has the component `4` along one
+    /// wall and `3` along the other. The larger component counts, at either end. An end that is a
+    /// point contributes nothing.
     #[test]
     fn the_less_stationary_end_counts() {
         let metric = Constant::new(SMatrix::<f64, 2, 2>::identity()).expect("definite");
@@ -118,7 +120,7 @@ mod tests {
             HalfSpace::new(normal, normal.dot(through)).expect("a normal")
         };
         let points = [a, b].map(|x| Point::new(x).expect("finite"));
-        // Outer normals: against the line at its start, along it at its end.
+        // The outer normals point against the line at its start and along it at its end.
         let first = [wall([1.0, 0.0], &a), wall([0.0, 1.0], &a)];
         let second = [wall([-1.0, 0.0], &b), wall([0.0, -1.0], &b)];
         for n in [1, 2, 20] {
@@ -139,7 +141,7 @@ mod tests {
                 (value(&points[0], &second[1]), 0.6),
                 (value(&points[0], &points[1]), 0.0),
             ] {
-                // Second differences of coordinates up to 4, times N².
+                // The rounding is that of second differences of coordinates up to 4, times N².
                 let rounding = 8.0 * f64::EPSILON * (n * n) as f64;
                 assert!((found - expected).abs() <= rounding, "N = {n}: {found}, {expected}");
             }
@@ -151,7 +153,8 @@ mod tests {
         let residual = Residual::<2>::new(3, Magnitude { energy: 2.0, mean_gram: 1.0 });
         let gradients = [[1.0, 2.0], [3.0, -4.0]].map(SVector::from);
         let squares = residual.square(&gradients[0].zip_map(&gradients[1], Pair::new));
-        // 1 + 4 and 9 + 16, over the square of the momentum, 2: three roundings.
+        // The squares 1 + 4 and 9 + 16 are divided by the square of the momentum, 2, with three
+        // roundings.
         for (lane, expected) in [2.5, 12.5].into_iter().enumerate() {
             assert!((squares.lane(lane) - expected).abs() < 1e-14);
             assert_eq!(squares.lane(lane), residual.square(&gradients[lane]));

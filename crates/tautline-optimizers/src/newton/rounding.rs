@@ -4,21 +4,22 @@ use tautline_discretizations::{PointSequence, QuadraticModel};
 
 use crate::newton::magnitude::Magnitude;
 
-/// Relative decrement at which a search has converged. Below `10⁻¹⁵` the energy cannot be lowered
-/// in `f64`, but the points, whose error is its root, can be improved.
+/// The relative decrement at which a search has converged. Below `10⁻¹⁵` the energy cannot be
+/// lowered in `f64`, but the points can still be improved, since their error is the root of the
+/// decrement.
 const CONVERGED: f64 = 1e-18;
 
-/// The effect of rounding of the points on a difference `βₙ`, in `ℓ`: `N ε max |x|`.
+/// Returns the effect of rounding the points on a difference `βₙ`, in `ℓ`: `N ε max |x|`.
 pub(crate) fn rounding<const D: usize>(sequence: &PointSequence<D>) -> f64 {
     sequence.n().get() as f64 * f64::EPSILON * sequence.extent()
 }
 
-/// The decrement, in `m²`, that cannot be lowered in `f64`.
+/// Returns the decrement, in `m²`, that cannot be lowered in `f64`.
 ///
-/// Coordinates are rounded by at most `u/2`, `u ≤ ε max |x|`, with variance `u²/12`. With the
+/// Coordinates are rounded by at most `u/2`, where `u ≤ ε max |x|`, with variance `u²/12`. With the
 /// diagonal blocks `4N H` of the Hessian, this alone leaves a decrement of
-/// `½ Σₙ 4N tr H u²/12 = tr H (N u)²/6`. Twelve times as much is allowed, for fluctuations at small
-/// `N` and for the ends, which projections round several times.
+/// `½ Σₙ 4N tr H u²/12 = tr H (N u)²/6`. The result allows twelve times as much, for fluctuations
+/// at small `N` and for the ends, which are rounded several times by projections.
 pub(crate) fn negligible<const D: usize>(
     Magnitude { energy, mean_gram }: Magnitude,
     sequence: &PointSequence<D>,
@@ -27,7 +28,7 @@ pub(crate) fn negligible<const D: usize>(
     (CONVERGED * energy).max(2.0 * trace * rounding(sequence).powi(2))
 }
 
-/// Whether all chords are no longer than the rounding of their ends.
+/// Returns whether no chord is longer than the rounding of its ends.
 pub(crate) fn is_rounding<const D: usize>(
     model: &QuadraticModel<D>,
     sequence: &PointSequence<D>,
@@ -38,15 +39,16 @@ pub(crate) fn is_rounding<const D: usize>(
         && model.energy <= model.mean_gram * beta.powi(2)
 }
 
-/// The error of the computed eigenvalues of the Hessian, as a multiple of the regulariser of
-/// [`Shifted`](crate::newton::factorization::Shifted). A Hessian that is definite by less cannot be
-/// told from one with a zero eigenvalue, as in a continuum of minimisers.
+/// Returns the error of the computed eigenvalues of the Hessian, as a multiple of the regulariser
+/// of [`Shifted`](crate::newton::factorization::Shifted). A Hessian that is definite by a smaller
+/// margin cannot be distinguished from one with a zero eigenvalue, as in a continuum of minimisers.
 ///
-/// The blocks, of size `4N`, are sums of rounded terms, and elimination rounds as often again:
-/// about `8 ε N`. The eigenvalues of the regulariser are at least `1/N`. Hence `8 ε N²`, doubled.
-/// On coarse grids the error of the iterate dominates: a decrement of `10⁻¹⁸` leaves it, and the
-/// Hessian, off by up to `10⁻⁹` of the variation of the metric. The upper limit keeps the margin
-/// harmless as a change of the Newton matrix on huge grids.
+/// The blocks, of size `4N`, are sums of rounded terms, and elimination rounds as often again: the
+/// error is about `8 ε N`. The eigenvalues of the regulariser are at least `1/N`. Hence the
+/// multiple is `8 ε N²`; it is doubled. On coarse grids the error of the iterate dominates: a
+/// decrement of `10⁻¹⁸` leaves the iterate, and with it the Hessian, off by up to `10⁻⁹` of the
+/// variation of the metric. The upper limit makes sure that the margin, which changes the Newton
+/// matrix, is harmless on huge grids.
 pub(crate) fn margin(n: usize) -> f64 {
     (16.0 * f64::EPSILON * (n as f64).powi(2)).clamp(1e-8, 1e-3)
 }
@@ -66,9 +68,9 @@ mod tests {
             assert!(!is_rounding(&model, &line));
             (negligible(Magnitude::of(&model), &line), model.energy)
         };
-        // At x = 0 the metric is the identity: E = 1, and 4 (8 ε)² = 1e-29 is nothing.
+        // At x = 0 the metric is the identity and E = 1; 4 (8 ε)² = 1e-29 is negligible.
         assert_eq!(shifted(0.0), (1e-18, 1.0));
-        // At x = 2π 10⁹: N ε x = 1.1e-5, and 4 (1.1e-5)² = 5e-10.
+        // At x = 2π 10⁹, N ε x = 1.1e-5 and 4 (1.1e-5)² = 5e-10.
         let (far, energy) = shifted(std::f64::consts::TAU * 1e9);
         assert!((4e-10..6e-10).contains(&(far / energy)), "{far:e}");
     }
@@ -90,7 +92,7 @@ mod tests {
         }
     }
 
-    /// The ends agree, but the chords are long.
+    /// The two ends agree, but the chords are long.
     #[test]
     fn a_loop_is_not_rounding() {
         let loop_of = |size: f64| {

@@ -4,18 +4,18 @@ use tautline_discretizations::PointSequence;
 
 use crate::newton::{magnitude::Magnitude, rounding::negligible};
 
-/// What first derivatives and a factorisation of the Hessian reveal about a point sequence.
+/// What the first derivatives and a factorisation of the Hessian reveal about a point sequence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Stationarity {
     pub(crate) magnitude: Magnitude,
     /// Whether the metric is positive definite at every node.
     pub(crate) is_metric: bool,
-    /// The energy that a Newton step promises to shed, half the square of the Newton decrement, in
-    /// `m²`.
+    /// The decrease of the energy that a Newton step predicts, half the square of the Newton
+    /// decrement, in `m²`.
     pub(crate) decrement: f64,
     /// The [residual](crate::Minimum::residual).
     pub(crate) residual: f64,
-    /// The residual from rounding alone.
+    /// The residual that rounding alone causes.
     pub(crate) residual_floor: f64,
 }
 

@@ -20,20 +20,23 @@ pub(crate) struct Sweep<const D: usize> {
     pub(crate) tau: f64,
 }
 
-/// Where a sweep writes, if at all: the factorisation, and the right hand side after elimination.
+/// Where a sweep writes, if it writes at all: the factorisation, and the right hand side after
+/// elimination.
 pub(crate) type MemoryOfSweep<'m, const D: usize> =
     Option<(&'m mut TwistedFactorization<D>, &'m mut Vec<SVector<f64, D>>)>;
 
-/// Assembles and eliminates in one pass; `None` if the Hessian, less the [`margin`], is not
-/// positive definite and finite.
+/// Assembles and eliminates in one pass. The result is `None` if the Hessian, less the [`margin`],
+/// is not positive definite and finite.
 ///
-/// The pass goes from both ends towards the middle. It eliminates each block as soon as the chords
-/// on both sides of its point are known, and never stores a gradient or a Hessian. The pivots and
-/// the right hand side after elimination, all that a Newton step needs, are written to `memory` if
-/// it is given. `about` estimates the magnitude: it scales the margin and the frames of the ends.
+/// The pass runs from both ends towards the middle. It eliminates each block as soon as the chords
+/// on both sides of its point are known, and never stores a gradient or a Hessian. A Newton step
+/// needs only the pivots and the right hand side after elimination; they are written to `memory` if
+/// it is given. `about` estimates the magnitude, which scales the margin and the frames of the
+/// ends.
 ///
 /// Up to three dimensions the two sides [share the lanes of a register](goes_in_lanes). From four
-/// on they take turns, or run `at_once` on two threads, with the same bits in the result.
+/// dimensions on they are eliminated one after the other, or `at_once` on two threads, and the
+/// result has the same bits.
 pub(crate) fn sweep<const D: usize>(
     energy: &DiscreteEnergy<'_, D>,
     ends: [&dyn ClosedSet<D>; 2],
@@ -82,7 +85,7 @@ pub(crate) fn sweep<const D: usize>(
             eliminated[half] = z;
         }
     } else {
-        // Both sides have reached the same point.
+        // Both sides have now reached the same point.
         front.row.join(&back.row);
     }
     front.add_sums(&back);

@@ -6,24 +6,27 @@ use tautline_metrics::{Lanes, Pair};
 use crate::newton::{factorization::Pivot, ldl::Ldl};
 
 /// The block factorisation of a positive definite block-tridiagonal matrix, from both ends towards
-/// the middle: block `n` from the front and block `N − n` from the back for `n < ⌊N/2⌋`, then the
-/// one or two blocks between them. Also known as two-sided elimination, or burning at both ends.
+/// the middle. It eliminates block `n` from the front and block `N − n` from the back for
+/// `n < ⌊N/2⌋`, and then the one or two blocks between them. It is also known as two-sided
+/// elimination, or burning at both ends.
 ///
-/// The two sides are eliminated in the lanes of a register, as `pairs`, or separately, as `sides`.
+/// The two sides are eliminated either in the lanes of a register, as `pairs`, or separately, as
+/// `sides`.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct TwistedFactorization<const D: usize> {
-    /// The blocks `n` and `N − n`, from the ends on.
+    /// The pivots of the blocks `n` and `N − n`, from the ends on.
     pub(crate) pairs: Vec<Pivot<D, Pair>>,
-    /// The blocks from the front, and those from the back.
+    /// The pivots of the blocks from the front, and of those from the back.
     pub(crate) sides: [Vec<Pivot<D>>; 2],
-    /// The first of two blocks in the middle.
+    /// The pivot of the first of two blocks in the middle.
     pub(crate) middle: Option<Pivot<D>>,
-    /// The last block.
+    /// The factorisation of the last block.
     pub(crate) last: Option<Ldl<D>>,
 }
 
 impl<const D: usize> TwistedFactorization<D> {
-    /// Provides `pairs`, to be overwritten, and empty `sides` with room for `on_each_side`.
+    /// Provides `pairs`, which are to be overwritten, and empty `sides` with room for
+    /// `on_each_side` pivots.
     pub(crate) fn clear(&mut self, pairs: usize, on_each_side: usize) {
         self.pairs.reserve_exact(pairs.saturating_sub(self.pairs.len()));
         self.pairs.resize(pairs, Pivot::zero());
@@ -34,18 +37,18 @@ impl<const D: usize> TwistedFactorization<D> {
         (self.middle, self.last) = (None, None);
     }
 
-    /// The allocated memory, in bytes.
+    /// Returns the allocated memory, in bytes.
     pub(crate) fn bytes(&self) -> usize {
         let sides: usize = self.sides.iter().map(Vec::capacity).sum();
         self.pairs.capacity() * size_of::<Pivot<D, Pair>>() + sides * size_of::<Pivot<D>>()
     }
 
-    /// The number of blocks for which there is memory.
+    /// Returns the number of blocks for which there is memory.
     pub(crate) fn capacity(&self) -> usize {
         2 * self.pairs.capacity() + self.sides.iter().map(Vec::capacity).sum::<usize>()
     }
 
-    /// The number of blocks eliminated from each end, before those in the middle.
+    /// Returns the number of blocks that are eliminated from each end, before those in the middle.
     fn half(&self) -> usize {
         self.pairs.len() + self.sides[0].len()
     }
@@ -98,7 +101,7 @@ impl<const D: usize> TwistedFactorization<D> {
     }
 }
 
-/// Eliminates the right hand sides of some blocks; returns `Σ yₙᵀ Dₙ⁻¹ yₙ` and the contribution to
+/// Eliminates the right hand sides of some blocks. Returns `Σ yₙᵀ Dₙ⁻¹ yₙ` and the contribution to
 /// the right hand side of the block behind them.
 fn eliminate<T: Lanes, const D: usize>(
     pivots: &[Pivot<D, T>],
@@ -114,7 +117,7 @@ fn eliminate<T: Lanes, const D: usize>(
     (square, carried)
 }
 
-/// Substitutes `behind`, the solution at the block behind the last, back to the first; `z` runs
+/// Substitutes `behind`, the solution at the block behind the last one, back to the first. `z` runs
 /// over the blocks from the last to the first.
 fn substitute<'a, const D: usize>(
     pivots: &[Pivot<D>],

@@ -1,32 +1,33 @@
-//! Two halves of a computation: in the lanes of a register, one after the other, or on two threads.
+//! Computes the two halves of a computation in the lanes of a register, one after the other, or on
+//! two threads.
 
 use std::{panic::resume_unwind, thread};
 
-/// Whether both sides of an elimination share the lanes of a register, one chord of each at a time.
-/// Up to three dimensions the matrices stay in registers, and this is faster than one side after
-/// the other.
+/// Whether the two sides of an elimination are computed together in the lanes of a register, one
+/// chord from each side at a time. Up to three dimensions the matrices stay in registers, and this
+/// is faster than one side after the other.
 pub(crate) const fn goes_in_lanes(dimension: usize) -> bool {
     dimension < 4
 }
 
 /// The stack of the second thread, in bytes. In many dimensions it holds matrices of jets, 8 MB at
-/// `D = 64`. Only the part that is used becomes memory.
+/// `D = 64`. Only the part that is used takes up memory.
 const STACK: usize = 32 << 20;
 
-/// With this many second derivatives in the chords of a grid, half a sweep takes ten times as long
+/// If the chords of a grid have this many second derivatives, half a sweep takes ten times as long
 /// as starting and ending a thread.
 const WORTH_A_THREAD: usize = 65_536;
 
-/// Whether two of `threads` should share a pass over `n` chords, one from each end. If both sides
-/// share the lanes of a register, two threads with one side each are slower.
+/// Returns whether two of `threads` threads should share a pass over `n` chords, one from each end.
+/// Where both sides share the lanes of a register, two threads with one side each are slower.
 pub(crate) fn share<const D: usize>(threads: usize, n: usize) -> bool {
     let processors = || thread::available_parallelism().map_or(1, usize::from);
     let worth = const { !goes_in_lanes(D) } && n * D * D >= WORTH_A_THREAD;
     worth && threads > 1 && processors() > 1
 }
 
-/// Returns both results, if both exist: computed one after the other or, `at_once`, with the other
-/// half on a second thread, if the system grants one.
+/// Returns both results, if both exist. They are computed one after the other or, if `at_once` and
+/// the system grants a second thread, at the same time.
 pub(crate) fn join<T: Send>(
     at_once: bool,
     one: impl FnOnce() -> Option<T>,
@@ -48,7 +49,7 @@ fn on_two_threads<T: Send>(
         let done = thread.ok().map(|thread| thread.join().unwrap_or_else(|why| resume_unwind(why)));
         (one, done.flatten())
     });
-    // If no thread took the other half, it is still here.
+    // If no thread took the other half, it is computed here.
     let other = done.or_else(|| other.map(|other| other()));
     Some([one?, other.flatten()?])
 }
@@ -59,7 +60,7 @@ mod tests {
 
     use super::{STACK, join, on_two_threads, share};
 
-    /// Which half, and whether this thread computed it.
+    /// Returns which half was computed, and whether this thread computed it.
     fn halves(stack: usize) -> [(i32, bool); 2] {
         let here = thread::current().id();
         let half = |which| Some((which, thread::current().id() == here));
@@ -74,7 +75,7 @@ mod tests {
 
     #[test]
     fn without_a_second_thread_the_first_does_both() {
-        // No system has this much.
+        // No system grants a stack of this size.
         assert_eq!(halves(1 << 60), [(1, true), (2, true)]);
     }
 
@@ -85,7 +86,7 @@ mod tests {
                 assert_eq!(join(at_once, || one, || other), None);
             }
         }
-        // One after the other, the second half does not begin in vain.
+        // If the halves are computed one after the other, the second does not begin in vain.
         let begun = join(false, || None::<()>, || panic!("begun"));
         assert_eq!(begun, None);
     }

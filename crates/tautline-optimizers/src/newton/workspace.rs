@@ -6,10 +6,12 @@ use nalgebra::SVector;
 
 use crate::newton::twisted_factorization::TwistedFactorization;
 
-/// Memory for searches. It grows with the largest of them and is reused by the next.
+/// Memory for searches. It grows to the size that the largest of them needs, and the next one
+/// reuses it.
 ///
-/// A search on a fine grid writes `2D² + 2D` numbers a point and reads them once or twice. In fresh
-/// memory, which the system has to find and clear first, this takes longer than computing them.
+/// A search on a fine grid writes `2D² + 2D` doubles per point and reads them once or twice. In
+/// fresh memory, which the system has to find and clear first, this takes longer than computing
+/// them.
 #[derive(Clone)]
 pub struct Workspace<const D: usize> {
     pub(crate) factorization: TwistedFactorization<D>,
@@ -24,7 +26,8 @@ impl<const D: usize> Default for Workspace<D> {
 }
 
 impl<const D: usize> fmt::Debug for Workspace<D> {
-    /// Shows the number of points for which there is memory; its contents mean nothing.
+    /// Shows the number of points for which there is memory; the contents of the memory mean
+    /// nothing.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let points = self.factorization.capacity();
         f.debug_struct("Workspace").field("points", &points).finish_non_exhaustive()
@@ -35,12 +38,12 @@ impl<const D: usize> fmt::Debug for Workspace<D> {
 #[derive(Clone)]
 pub(crate) struct Spare<const D: usize>(Vec<Vec<SVector<f64, D>>>);
 
-/// The number of lists that are kept, of a grid and of the next coarser ones.
+/// The number of lists that are kept, for a grid and the next coarser ones.
 const KEPT: usize = 8;
 
 impl<const D: usize> Spare<D> {
-    /// Returns an empty list with room for `count` points: a kept one, unless it is so large that a
-    /// finer grid needs it more.
+    /// Returns an empty list with room for `count` points. It is a kept list, unless that is so
+    /// large that a finer grid needs it more.
     pub(crate) fn take(&mut self, count: usize) -> Vec<SVector<f64, D>> {
         let fits = |list: &Vec<_>| (count..=2 * count).contains(&list.capacity());
         match self.0.iter().position(fits) {

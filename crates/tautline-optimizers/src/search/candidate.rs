@@ -1,4 +1,4 @@
-//! `Candidate`: a local minimiser on its way from grid to grid.
+//! `Candidate`: a local minimiser that is followed from grid to grid.
 
 use nalgebra::SVector;
 use tautline_discretizations::{PointSequence, SequenceError};
@@ -13,26 +13,27 @@ use crate::{
     },
 };
 
-/// If the least energy rises by this factor from one grid to the next, the minimisers of the
-/// coarser grid leapt over ridges that the finer one resolves. They need not lead to its lowest
-/// minimiser, and the starts are tried again.
+/// If the lowest energy rises by this factor from one grid to the next, the minimisers on the
+/// coarser grid leapt over ridges that the finer one resolves. They need not lead to the lowest
+/// minimiser on the finer grid, so the starts are tried again.
 const LEAP: f64 = 1.5;
 
-/// The points are extrapolated from at most this many grids, none of them coarser than `COARSE`.
+/// The points are extrapolated from at most this many grids, none of which is coarser than
+/// `COARSE`.
 const EXTRAPOLATED: usize = 3;
 const COARSE: usize = 32;
 
 /// Energies that differ by a larger fraction belong to different minima.
 const DIFFERENT: f64 = 1e-9;
 
-/// A local minimiser, the pieces it runs between and its energies on coarser grids.
+/// A local minimiser, the pieces between which it runs, and its energies on coarser grids.
 pub(crate) struct Candidate<'a, const D: usize> {
     pub(crate) ends: [&'a dyn ClosedSet<D>; 2],
     pub(crate) found: Found<D>,
     /// The sequences on coarser grids that are still needed, the finest last.
     coarser: Vec<PointSequence<D>>,
     pub(crate) levels: Vec<Level>,
-    /// Newton steps so far.
+    /// The number of Newton steps so far.
     pub(crate) iterations: usize,
 }
 
@@ -42,14 +43,14 @@ impl<'a, const D: usize> Candidate<'a, D> {
         Self { ends, levels, coarser: Vec::new(), iterations, found }
     }
 
-    /// Moves on to the minimiser on the next grid; also returns a coarser sequence that is no
+    /// Moves on to the minimiser on the next grid. Also returns a coarser sequence that is no
     /// longer needed.
     pub(crate) fn refined(mut self, found: Found<D>) -> (Self, Option<PointSequence<D>>) {
         self.levels.push(level(&found));
         self.iterations += found.iterations;
         self.coarser.push(std::mem::replace(&mut self.found, found).sequence);
         if self.leapt() {
-            // They lead to another minimiser.
+            // The coarser sequences lead to another minimiser.
             self.coarser.clear();
         }
         let unused = self.coarser.len() >= EXTRAPOLATED;
@@ -57,19 +58,20 @@ impl<'a, const D: usize> Candidate<'a, D> {
         (self, unused)
     }
 
-    /// Whether the minimiser on the coarser grid leapt: the energy has risen by [`LEAP`] since.
+    /// Returns whether the minimiser on the coarser grid leapt, so that the energy has risen by
+    /// [`LEAP`] since then.
     pub(crate) fn leapt(&self) -> bool {
         matches!(self.levels[..], [.., coarse, fine] if fine.energy > LEAP * coarse.energy)
     }
 
-    /// Whether the energy differs from that on the coarser grid by at least this fraction. NaN
-    /// does.
+    /// Returns whether the energy differs from the energy on the coarser grid by at least this
+    /// fraction. For NaN it does.
     pub(crate) fn has_changed_by(&self, fraction: f64) -> bool {
         let [.., coarse, fine] = self.levels[..] else { return false };
         !((fine.energy - coarse.energy).abs() < fraction * coarse.energy)
     }
 
-    /// The result of the whole solve; `iterations` counts the steps of all searches.
+    /// Returns the result of the whole solve. `iterations` counts the steps of all searches.
     pub(crate) fn into_minimum(self, iterations: usize, local_minima: Vec<f64>) -> Minimum<D> {
         let Self { found, levels, iterations: own_iterations, .. } = self;
         Minimum {
@@ -91,11 +93,11 @@ impl<'a, const D: usize> Candidate<'a, D> {
         matches!(self.found.stop, Stop::Stalled | Stop::IterationLimit)
     }
 
-    /// Where to start on the next grid of `n` chords.
+    /// Returns where to start on the next grid, which has `n` chords.
     ///
-    /// Like the energies, the points obey `x_N = x + a N⁻ᑫ + b N⁻²ᑫ + …`, so that a polynomial in
-    /// `N⁻ᑫ` through three grids predicts the fourth. On fine grids the remaining error is of the
-    /// order of rounding, and no Newton step is needed.
+    /// Like the energies, the points have an expansion `x_N = x + a N⁻ᑫ + b N⁻²ᑫ + …`, so that a
+    /// polynomial in `N⁻ᑫ` through three grids predicts the fourth. On fine grids the remaining
+    /// error is of the order of rounding, and no Newton step is needed.
     pub(crate) fn start(
         &self,
         n: usize,
@@ -135,17 +137,17 @@ fn level<const D: usize>(found: &Found<D>) -> Level {
     Level { n: found.sequence.n().get(), energy: found.energy }
 }
 
-/// The indices that sort the keys, stably. Sorting candidates instead would compile the sort once
-/// for each dimension.
+/// Returns the indices that sort the keys stably. If candidates were sorted directly, the sort
+/// would be compiled once for each dimension.
 fn by_key(keys: &[(bool, f64)]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..keys.len()).collect();
     order.sort_by(|&a, &b| keys[a].0.cmp(&keys[b].0).then(keys[a].1.total_cmp(&keys[b].1)));
     order
 }
 
-/// Sorts by energy, and merges candidates whose energies agree to `10⁻⁹`: the one with more grids
-/// to extrapolate from stays, or else the lower one. Searches that did not converge come last,
-/// since their energy is not that of a minimiser.
+/// Sorts by energy, and merges candidates whose energies agree to `10⁻⁹`. Of two such candidates,
+/// the one with more grids to extrapolate from stays, or else the lower one. Searches that did not
+/// converge come last, since their energy is not the energy of a minimiser.
 pub(crate) fn lowest_first<const D: usize>(candidates: &mut Vec<Candidate<'_, D>>) {
     let keys: Vec<_> = candidates.iter().map(|c| (c.failed(), c.found.energy)).collect();
     let order = by_key(&keys);
@@ -175,7 +177,8 @@ mod tests {
         search::local_search::{Found, LocalSearch},
     };
 
-    /// How far the start with 3200 chords is from the minimiser, after a search on these grids.
+    /// Returns the distance between the start with 3200 chords and the minimiser, after a search on
+    /// these grids.
     fn distance<R: Rule>(rule: R, grids: &[usize]) -> f64 {
         let ends = [[0.0, 0.0], [2.0, 1.5]].map(|x| Point::new(x).expect("finite"));
         let ends: [&dyn ClosedSet<2>; 2] = [&ends[0], &ends[1]];
@@ -198,9 +201,10 @@ mod tests {
         pairs.map(|(x, y)| (x - y).amax()).fold(0.0, f64::max)
     }
 
-    /// The leading error is of order 2 for one rule and 1 for the other, the next of twice that:
-    /// each additional grid divides the remainder by about the number of chords of the coarsest, or
-    /// its square. A wrong power or a wrong sign would leave the error as it was.
+    /// The leading error is of order 2 for one rule and 1 for the other, and the next error is of
+    /// twice that order. Each additional grid divides the remainder by about the number of chords
+    /// of the coarsest grid, or by its square. With a wrong power or a wrong sign the error would
+    /// not decrease.
     #[test]
     fn the_points_are_extrapolated_to_the_next_grid() {
         let one_by_one = [[800].as_slice(), &[200, 800], &[100, 200, 800], &[100, 100, 200, 800]];
@@ -210,7 +214,7 @@ mod tests {
         ] {
             assert!(two < 0.1 * one, "{two:e} {one:e}");
             assert!(three < 0.1 * two, "{three:e} {two:e}");
-            // Only three are kept.
+            // Only three grids are kept.
             assert_eq!(again, three);
         }
     }
@@ -232,11 +236,11 @@ mod tests {
         for (set, x) in ends.into_iter().zip([start.first(), start.last()]) {
             assert!((set.project(x) - x).amax() < 1e-15, "{x}");
         }
-        // The end has moved by far more.
+        // Extrapolation has moved the end by far more.
         assert!((start.last() - candidate.found.sequence.last()).amax() > 1e-6);
     }
 
-    /// A made-up result with this energy.
+    /// Returns a made-up result with this energy.
     fn found(n: usize, energy: f64) -> Found<2> {
         Found {
             sequence: PointSequence::straight([0.0, 0.0], [1.0, 0.0], n).expect("finite"),
@@ -261,14 +265,14 @@ mod tests {
         assert_eq!((steady.leapt(), steady.coarser.len()), (false, 2));
         let (leapt, _) = coarse().refined(found(128, 2.0));
         assert_eq!((leapt.leapt(), leapt.coarser.len()), (true, 0));
-        // Only one grid counts: over several, the energy may rise further.
+        // Only one step from grid to grid counts: over several steps, the energy may rise further.
         let rising = [1.4, 1.8, 2.2].map(|energy| (128, energy));
         let risen = rising.into_iter().fold(coarse(), |c, (n, e)| c.refined(found(n, e)).0);
         assert!(!risen.leapt() && risen.refined(found(256, 3.4)).0.leapt());
     }
 
-    /// The energy of a failed search means nothing: the search comes last, however low, and is
-    /// never merged with one that converged.
+    /// The energy of a failed search means nothing. The search comes last, however low its energy
+    /// is, and is never merged with one that converged.
     #[test]
     fn a_failed_search_comes_last_and_replaces_none() {
         let point = Point::new([0.0, 0.0]).expect("finite");
@@ -293,7 +297,7 @@ mod tests {
         let one = || Candidate::new([&point, &point], found(32, 8.0));
         assert!(!one().has_changed_by(0.0));
         let changed = |energy, by| one().refined(found(64, energy)).0.has_changed_by(by);
-        // By 1/8 exactly.
+        // The energy changes by exactly 1/8.
         for energy in [7.0, 9.0] {
             assert!(changed(energy, 0.125) && !changed(energy, 0.1250001), "{energy}");
         }

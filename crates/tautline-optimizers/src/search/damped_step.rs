@@ -17,32 +17,33 @@ use crate::{
     },
 };
 
-/// Relative decrement below which Newton steps are taken without checking the energy: the promised
-/// change, `10⁻¹⁰ E`, is real, but a few steps later it drowns in rounding.
+/// The relative decrement below which Newton steps are taken without checking the energy. The
+/// predicted change of `10⁻¹⁰ E` can still be observed, but a few steps later it drowns in
+/// rounding.
 const QUADRATIC_ZONE: f64 = 1e-10;
 
-/// Relative decrement below which the Hessian before a step also serves after it: the points move
-/// by its root, `10⁻⁸`, and the Hessian with them.
+/// The relative decrement below which the Hessian from before a step also serves after it. The
+/// points, and the Hessian with them, move by the root of the decrement, `10⁻⁸`.
 const SAME_HESSIAN: f64 = 1e-16;
 
-/// Steps that promise less than this multiple of the [`negligible`] decrement are not checked
-/// either: rounding of the coordinates changes the energy as much.
+/// Steps that predict a decrease of less than this multiple of the [`negligible`] decrement are not
+/// checked either, since rounding the coordinates changes the energy by as much.
 const NOISE: f64 = 16.0;
 
-/// How often a search may leave a saddle at which it came to rest.
+/// The number of times that a search may leave a saddle at which it has come to rest.
 const ESCAPES: usize = 8;
 
-/// After this many steps in a row with an indefinite Hessian, the search tries the direction of
-/// most negative curvature: shifted steps near a saddle are slow, and on an axis of symmetry no
-/// component of them leads away from it.
+/// The number of steps in a row with an indefinite Hessian after which the search tries the
+/// direction of most negative curvature. Near a saddle, shifted steps are slow, and on an axis of
+/// symmetry no component of them leads away from it.
 const PATIENCE: usize = 5;
 
 impl<const D: usize> LocalSearch<'_, D> {
     /// Returns the next iterate, and adapts the damping.
     ///
     /// The shift of the Hessian grows until the system is positive definite and a step is accepted,
-    /// and falls after each accepted step. Near the minimum steps are not checked, since the energy
-    /// cannot resolve them.
+    /// and falls after each accepted step. Near the minimum steps are not checked, since rounding
+    /// hides the changes of the energy.
     pub(crate) fn damped_step(
         &self,
         model: &QuadraticModel<D>,
@@ -80,7 +81,8 @@ impl<const D: usize> LocalSearch<'_, D> {
             }
             let newton = system.newton_step(&factorization);
             let decrement = newton.decrement;
-            // Stationary? A shift divides the decrement by as much as it multiplies the Hessian.
+            // Is the sequence stationary? A shift divides the decrement by as much as it multiplies
+            // the Hessian.
             if decrement * (1.0 + damping.shift) <= negligible {
                 if damping.shift == 0.0 {
                     return self.converge(&system, &factorization, sequence, newton, negligible);
@@ -90,8 +92,8 @@ impl<const D: usize> LocalSearch<'_, D> {
                     damping.shift = 0.0;
                     continue;
                 }
-                // The Hessian shows no minimum, or no step was accepted: leave, if there is a way
-                // down.
+                // The Hessian shows no minimum, or no step was accepted. Leave the saddle if there
+                // is a way down.
                 damping.escapes += 1;
                 let down = (!definite && damping.escapes <= ESCAPES)
                     .then(|| self.leave_saddle(model, sequence, damping.shift))
@@ -120,8 +122,8 @@ impl<const D: usize> LocalSearch<'_, D> {
                 damping.lower();
                 return Next::Move(trial);
             }
-            // Elsewhere it has to shed a quarter of what the quadratic model promises, which
-            // suffices for convergence.
+            // Elsewhere the step has to lower the energy by a quarter of what the quadratic model
+            // predicts, which suffices for convergence.
             let sheds = |energy: &f64| model.energy - energy >= 0.25 * decrement;
             if let Some(reached) = self.energy.admissible(&trial).filter(sheds) {
                 let longer = (damping.shift > 0.0)
@@ -138,9 +140,8 @@ impl<const D: usize> LocalSearch<'_, D> {
         }
     }
 
-    /// Ends after a negligible step with a positive definite Hessian. The step is taken
-    /// nevertheless, if it leads to finite points: one more gradient removes what is left of the
-    /// residual.
+    /// Ends after a negligible step with a positive definite Hessian. The step is still taken if it
+    /// leads to finite points: it costs one more gradient and removes what is left of the residual.
     fn converge(
         &self,
         system: &ReducedSystem<'_, D>,
@@ -158,8 +159,9 @@ impl<const D: usize> LocalSearch<'_, D> {
         Next::End { stop: Stop::Converged, curvature: Curvature::PositiveDefinite, decrement }
     }
 
-    /// Takes a step so small that the factorisation from before it still yields the decrement after
-    /// it, for one gradient; ends there if that decrement is negligible.
+    /// Takes a step that is so small that the factorisation from before it, together with one new
+    /// gradient, still yields the decrement after it. The search ends there if that decrement is
+    /// negligible.
     fn polish(
         &self,
         system: &ReducedSystem<'_, D>,

@@ -1,25 +1,26 @@
 //! `Damping`: the state that a local search carries from one iterate to the next.
 
-/// After this many unchecked steps in a row that promise as much as the one before, the promise is
-/// rounding, such as that of a projection along a soft direction.
+/// After this many unchecked steps in a row that each predict as large a decrease as the one
+/// before, the predicted decrease is rounding, for example from a projection along a soft
+/// direction.
 const STAGNANT: usize = 3;
 
-/// The first shift, and the factor between shifts. Beyond the last, steps are so short that an
-/// energy that has not fallen never will.
+/// The first shift, and the factor between shifts. Beyond the last shift, steps are so short that
+/// an energy that has not fallen never will.
 const FIRST_SHIFT: f64 = 1e-2;
 pub(crate) const SHIFT_FACTOR: f64 = 8.0;
 pub(crate) const LAST_SHIFT: f64 = 1e12;
 
-/// How a search is damped, and what its last steps were like.
+/// The damping of a search, and what its last steps were like.
 #[derive(Default)]
 pub(crate) struct Damping {
     /// The factor `μ` of the regulariser.
     pub(crate) shift: f64,
-    /// Steps in a row with an indefinite Hessian.
+    /// The number of steps in a row with an indefinite Hessian.
     pub(crate) indefinite: usize,
-    /// Saddles that were left.
+    /// The number of saddles that the search has left.
     pub(crate) escapes: usize,
-    /// The decrement of the last unchecked step, and how many in a row did not fall.
+    /// The decrement of the last unchecked step, and for how many steps in a row it did not fall.
     promised: f64,
     stagnant: usize,
 }
@@ -33,7 +34,8 @@ impl Damping {
         self.shift = if self.shift <= FIRST_SHIFT { 0.0 } else { self.shift / SHIFT_FACTOR };
     }
 
-    /// Records the decrement of an unchecked step; returns whether decrements have stopped falling.
+    /// Records the decrement of an unchecked step, and returns whether the decrements have stopped
+    /// falling.
     pub(crate) fn stagnates(&mut self, decrement: f64) -> bool {
         let falls = self.promised == 0.0 || decrement <= 0.25 * self.promised;
         self.stagnant = if falls { 0 } else { self.stagnant + 1 };

@@ -1,24 +1,25 @@
 //! The grids of a search, from coarse to fine.
 
-/// The most chords of a coarsest grid: enough to tell the ways round an obstacle apart, and few
-/// enough that a dozen starts cost less than one pass over a fine grid.
+/// The largest number of chords of a coarsest grid. It is large enough to distinguish the ways
+/// round an obstacle, and small enough that a dozen starts cost less than one pass over a fine
+/// grid.
 ///
-/// A grid with no more chords is the only one. A discrete minimiser may leap over a ridge there,
-/// and which leaps save energy depends on the grid.
+/// A grid with at most this many chords is the only one. A discrete minimiser may leap over a ridge
+/// there, and it depends on the grid which leaps save energy.
 const COARSEST: usize = 32;
 
-/// Up to this many chords the coarsest grid has half as many, so that a solve costs no more than
-/// one on a finer grid, which begins there too. Leaps may still save energy: if the energies
-/// suggest it, they are looked for once more.
+/// Up to this many chords the coarsest grid has half as many chords as the finest. So a solve does
+/// not cost more than a solve on a finer grid, which begins on the same coarsest grid. Leaps may
+/// still save energy; if the energies suggest it, the search looks for them once more.
 pub(crate) const SMALL: usize = 64;
 const DOUBLED: usize = 2;
 
-/// The largest factor by which `N` grows from one grid to the next. It grows at each of the numbers
-/// of chords in `FINER`, since a finer grid predicts the next one better.
+/// The factors by which `N` grows from one grid to the next. The factor increases at each of the
+/// numbers of chords in `FINER`, since a finer grid predicts the next one better.
 const REFINEMENT: [usize; 3] = [4, 8, 16];
 const FINER: [usize; 2] = [4096, 65_536];
 
-/// The grids on the way to `n`, coarsest first.
+/// Returns the grids on the way to `n` chords, from coarse to fine.
 pub(crate) fn grids(n: usize) -> Vec<usize> {
     let mut grids = vec![n];
     let mut grid = n;

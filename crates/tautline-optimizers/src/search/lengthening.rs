@@ -1,22 +1,23 @@
-//! Lengthening of steps that a shift has made too short.
+//! Lengthens steps that a shift has made too short.
 
 use nalgebra::SVector;
 use tautline_discretizations::PointSequence;
 
 use crate::search::local_search::LocalSearch;
 
-/// A step is short if it sheds at least this many decrements, of the 2 that its slope promises.
+/// A step is short if it lowers the energy by at least this many decrements. Its slope predicts 2.
 const SHORT: f64 = 1.5;
 
 impl<const D: usize> LocalSearch<'_, D> {
-    /// Doubles a step from `sequence` as long as that sheds more energy; `None` if even the first
-    /// doubling does not.
+    /// Doubles a step from `sequence` as long as this lowers the energy further. The result is
+    /// `None` if even the first doubling does not.
     ///
     /// `energy` and `reached` are the energies before and after the step; `decrement` is `δ`, half
-    /// the slope of the energy along the step. `t` times the step sheds `2δt − κt²`. A shift larger
-    /// than necessary makes `κ` small and the step too short by the factor `δ/κ`, and the search
-    /// creeps along a curved valley. If `2δt − κt² ≥ 3/2 δt`, twice the step sheds more, since
-    /// `κt ≤ δ/2 < 2δ/3`. Each doubling costs one energy and no factorisation.
+    /// the slope of the energy along the step. Taking `t` times the step lowers the energy by
+    /// `2δt − κt²`. A shift that is larger than necessary makes `κ` small and the step too short by
+    /// the factor `δ/κ`, so that the search creeps along a curved valley. If `2δt − κt² ≥ 3/2 δt`,
+    /// twice the step lowers the energy further, since `κt ≤ δ/2 < 2δ/3`. Each doubling costs one
+    /// energy and no factorisation.
     pub(crate) fn lengthen(
         &self,
         sequence: &PointSequence<D>,
@@ -48,8 +49,8 @@ mod tests {
     use crate::{newton::discrete_energy::DiscreteEnergy, search::local_search::LocalSearch};
 
     /// The energy of a constant metric is quadratic from `x` to the minimiser `x + p`. The step
-    /// `p/12` has `κ = δ/12`: 1, 2 and 4 steps shed at least `(2 − 4/12) δt` and are short; 8 steps
-    /// shed `(2 − 8/12) δt` and are not.
+    /// `p/12` has `κ = δ/12`. Taking 1, 2 or 4 steps lowers the energy by at least `(2 − 4/12) δt`,
+    /// so they are short. Taking 8 steps lowers it by `(2 − 8/12) δt`, so they are not.
     #[test]
     fn a_twelfth_of_a_newton_step_is_taken_eight_times() {
         let metric = Constant::<2>::new(SMatrix::identity()).expect("definite");
@@ -63,7 +64,8 @@ mod tests {
         };
         let bent = vec![vector![0.0, 0.0], vector![1.0, 1.0], vector![2.0, 0.0]];
         let bent = PointSequence::new(bent).expect("finite");
-        // E = 2 (1 + y²) · 2 at (1, y): from 8 down to 4 at y = 0, and δ = 4 for all of p.
+        // E = 2 (1 + y²) · 2 at (1, y), which falls from 8 to 4 at y = 0; δ = 4 for the whole step
+        // p.
         let after = |share: f64| {
             let step = [SVector::zeros(), vector![0.0, -share], SVector::zeros()];
             let trial = search.retract(&bent, &step, 1.0);
@@ -71,7 +73,7 @@ mod tests {
             search.lengthen(&bent, &step, [8.0, reached], 4.0 * share)
         };
         let moved = after(1.0 / 12.0).expect("it is short");
-        // One product and one difference, rounded.
+        // One product and one difference are rounded.
         assert!((moved[1] - vector![1.0, 1.0 - 8.0 / 12.0]).amax() <= 2.0 * f64::EPSILON);
         assert_eq!(after(1.0), None, "the whole step is not short");
     }

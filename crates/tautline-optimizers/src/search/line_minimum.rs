@@ -4,18 +4,19 @@ use nalgebra::SVector;
 
 use crate::newton::discrete_energy::DiscreteEnergy;
 
-/// The grid extends beyond both ends by this fraction of their distance: the best sequence may
-/// begin with a step back into a valley.
+/// The grid extends beyond both ends by this fraction of the distance between them, since the best
+/// sequence may begin with a step back into a valley.
 const OVERSHOOT: f64 = 0.1;
 
-/// Returns the sequence of least discrete energy from `a` to `b` with its inner points on a grid of
-/// the straight line through both; `None` if no such sequence has a finite energy. The grid divides
-/// the line between `a` and `b` into `intervals`.
+/// Returns the sequence of least discrete energy from `a` to `b` whose inner points lie on a grid
+/// of the straight line through both. The result is `None` if no such sequence has a finite energy.
+/// The grid divides the line between `a` and `b` into `intervals`.
 ///
-/// With few chords a minimiser may leap over an expensive region between two nodes (Section 5), in
-/// many ways, each a local minimiser. This start for the local search misses none, up to the grid.
-/// With `c(x, y)` the energy of one chord, the least energy `Vₙ(y)` of `n` chords from `a` to `y`
-/// obeys `Vₙ₊₁(y) = minₓ Vₙ(x) + c(x, y)`.
+/// With few chords a minimiser may leap over an expensive region between two nodes (Section 5). It
+/// can do so in many ways, each of which is a local minimiser. This start for the local search
+/// misses none of them, up to the resolution of the grid. Let `c(x, y)` be the energy of one chord.
+/// The least energy `Vₙ(y)` of `n` chords from `a` to `y` satisfies
+/// `Vₙ₊₁(y) = minₓ Vₙ(x) + c(x, y)`.
 pub(crate) fn line_minimum<const D: usize>(
     energy: &DiscreteEnergy<'_, D>,
     a: &SVector<f64, D>,
@@ -32,7 +33,7 @@ pub(crate) fn line_minimum<const D: usize>(
     let points: Vec<SVector<f64, D>> = (0..=last).map(at).collect();
     let costs = |chords: &[[usize; 2]]| {
         let chords: Vec<_> = chords.iter().map(|chord| chord.map(|k| &points[k])).collect();
-        // No sequence passes where the metric is undefined.
+        // No sequence passes through points where the metric is undefined.
         let cost = |energy: f64| if energy >= 0.0 { energy } else { f64::INFINITY };
         energy.of_chords(&chords).into_iter().map(cost).collect::<Vec<f64>>()
     };
@@ -40,9 +41,9 @@ pub(crate) fn line_minimum<const D: usize>(
     Some(best.into_iter().map(|k| points[k]).collect())
 }
 
-/// The indices of the best sequence of `n` chords from the index `start` to `start + intervals`,
-/// given the costs of chords between indices. It knows no points, and is compiled once for all
-/// dimensions.
+/// Returns the indices of the best sequence of `n` chords from the index `start` to
+/// `start + intervals`, given the costs of chords between indices. The function does not know the
+/// points, so it is compiled once for all dimensions.
 fn best_path(
     start: usize,
     intervals: usize,
@@ -50,12 +51,12 @@ fn best_path(
     costs: &dyn Fn(&[[usize; 2]]) -> Vec<f64>,
 ) -> Option<Vec<usize>> {
     let (end, last) = (start + intervals, 2 * start + intervals);
-    // The cost of some sequence: no chord of the best one costs more. With many chords, this
-    // excludes most of the long ones.
+    // The cost of one particular sequence. No chord of the best sequence costs more. With many
+    // chords, this excludes most of the long ones.
     let step = |k: usize| start + (k * intervals + n / 2) / n;
     let steps: Vec<[usize; 2]> = (0..n).map(|k| [step(k), step(k + 1)]).collect();
     let affordable: f64 = costs(&steps).iter().sum();
-    // Row y holds the chords that arrive at y, by their origin.
+    // Row y holds the chords that end at y, each with the index of its origin.
     let row = |y: usize| -> Vec<(usize, f64)> {
         let arriving: Vec<[usize; 2]> = (0..=last).map(|x| [x, y]).collect();
         let costs = costs(&arriving).into_iter().enumerate();
@@ -99,14 +100,15 @@ mod tests {
     use super::line_minimum;
     use crate::newton::discrete_energy::DiscreteEnergy;
 
-    /// The energy of a rule over the valleys.
+    /// Returns the energy of a rule over the valleys.
     fn valleys(rule: impl Rule) -> DiscreteEnergy<'static, 2> {
         static METRIC: LazyLock<Prepared<Valleys, 2>> = LazyLock::new(|| Prepared::new(Valleys));
         DiscreteEnergy::new(rule, &*METRIC)
     }
 
-    /// Two chords of the left rule from valley to valley over two ridges: one leap, `32 π²`,
-    /// is twice `(4π)²`; resting half way in the valley `2π` is the best, `2 · 2 · (2π)²`.
+    /// Two chords of the left rule lead from valley to valley over two ridges. One leap costs
+    /// `32 π²`, twice `(4π)²`. It is best to rest half way, in the valley at `2π`, which costs
+    /// `2 · 2 · (2π)²`.
     #[test]
     fn the_left_rule_steps_from_valley_to_valley() {
         let (a, b) = (vector![0.0, 1.0], vector![4.0 * std::f64::consts::PI, 1.0]);
@@ -115,7 +117,7 @@ mod tests {
         assert!((line[1] - (a + b) * 0.5).norm() < 1e-14, "{}", line[1]);
     }
 
-    /// For many chords the best sequence is near the geodesic, at equal lengths of chords.
+    /// With many chords the best sequence is near the geodesic, with chords of equal length.
     #[test]
     fn a_flat_metric_has_equal_chords() {
         let flat = tautline_metrics::gallery::Constant::new(nalgebra::matrix![2.0]).expect("2 > 0");
@@ -130,7 +132,8 @@ mod tests {
         assert_eq!(line, (0..=16).map(|k| 0.5 * f64::from(k)).collect::<Vec<_>>());
     }
 
-    /// From the slope at `x₁ = 1.2` it pays to step back towards the valley before the leap.
+    /// From the slope at `x₁ = 1.2` it saves energy to step back towards the valley before the
+    /// leap.
     #[test]
     fn a_leap_begins_with_a_step_back() {
         let (a, b) = (vector![1.2, 0.0], vector![12.0, 0.0]);
@@ -139,7 +142,7 @@ mod tests {
     }
 
     /// The grid extends beyond both ends. For a rule that treats both ends of a chord alike, the
-    /// way back is the way there.
+    /// best sequence back is the reverse of the best sequence there.
     #[test]
     fn a_leap_ends_with_a_step_back_too() {
         let energy = valleys(TrueTrapezoid);
@@ -150,7 +153,7 @@ mod tests {
         for line in [&there, &back] {
             assert!(line.iter().any(|x| x[0] < 1.0), "{line:?}");
         }
-        // Grid points of the two are off by rounding.
+        // The grid points of the two sequences differ by rounding.
         let distance = there.iter().zip(&back).map(|(x, y)| (x - y).amax()).fold(0.0, f64::max);
         assert!(distance < 1e-13, "{there:?} {back:?}");
     }

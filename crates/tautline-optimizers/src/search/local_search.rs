@@ -17,7 +17,7 @@ use crate::{
     search::damping::Damping,
 };
 
-/// One problem on one grid.
+/// A local search for one problem on one grid.
 #[derive(Clone, Copy)]
 pub(crate) struct LocalSearch<'a, const D: usize> {
     pub(crate) energy: &'a DiscreteEnergy<'a, D>,
@@ -26,7 +26,7 @@ pub(crate) struct LocalSearch<'a, const D: usize> {
     pub(crate) threads: usize,
 }
 
-/// Where a local search ended.
+/// The result of a local search.
 #[derive(Clone, Debug)]
 pub(crate) struct Found<const D: usize> {
     pub(crate) sequence: PointSequence<D>,
@@ -49,7 +49,7 @@ pub(crate) enum Next<const D: usize> {
     Move(Vec<SVector<f64, D>>),
     /// End here.
     End { stop: Stop, curvature: Curvature, decrement: f64 },
-    /// End at these points, one small Newton step after a positive definite Hessian.
+    /// End at these points, which are one small Newton step beyond a positive definite Hessian.
     EndAt {
         points: Vec<SVector<f64, D>>,
         energy: f64,
@@ -65,7 +65,7 @@ impl<const D: usize> Found<D> {
 }
 
 impl<const D: usize> LocalSearch<'_, D> {
-    /// Searches from `start`, a sequence with its ends in their sets.
+    /// Searches from `start`, a sequence with both ends in their sets.
     ///
     /// # Errors
     ///
@@ -135,14 +135,14 @@ impl<const D: usize> LocalSearch<'_, D> {
         points
     }
 
-    /// Moves both ends to their nearest points in their sets.
+    /// Moves both ends to the nearest points of their sets.
     pub(crate) fn project_ends(&self, points: &mut [SVector<f64, D>]) {
         let n = points.len() - 1;
         points[0] = self.ends[0].project(&points[0]);
         points[n] = self.ends[1].project(&points[n]);
     }
 
-    /// The end of a search that has used up its steps.
+    /// Ends a search that has used up its steps.
     fn give_up(&self, model: &QuadraticModel<D>, sequence: &PointSequence<D>) -> Next<D> {
         let system = ReducedSystem::new(model, self.ends, sequence.points(), 0.0);
         let decrement = system
@@ -152,7 +152,7 @@ impl<const D: usize> LocalSearch<'_, D> {
         Next::End { stop: Stop::IterationLimit, curvature, decrement }
     }
 
-    /// The signature of the Hessian; eigenvalues within its rounding count as zero.
+    /// Returns the signature of the Hessian. Eigenvalues within rounding of zero count as zero.
     pub(crate) fn curvature(
         &self,
         model: &QuadraticModel<D>,
@@ -168,7 +168,7 @@ impl<const D: usize> LocalSearch<'_, D> {
         }
     }
 
-    /// Checks the metric at every node, and at both ends, which need not be nodes.
+    /// Checks the metric at every node and at both ends, which need not be nodes.
     pub(crate) fn check(&self, sequence: &PointSequence<D>) -> Result<(), MetricError> {
         for x in [sequence.first(), sequence.last()] {
             self.energy.check_at(x)?;

@@ -1,4 +1,4 @@
-//! The parts of the search for a minimiser: starts, grids, local searches.
+//! The parts of the search for a minimiser: starts, grids and local searches.
 
 pub(crate) mod candidate;
 pub(crate) mod damped_step;

@@ -1,4 +1,4 @@
-//! Prolongation of a point sequence to another grid, by interpolation of degree seven in time.
+//! Prolongs a point sequence to another grid, by interpolation of degree seven in time.
 
 use nalgebra::SVector;
 use tautline_discretizations::PointSequence;
@@ -7,14 +7,15 @@ use tautline_formula::InstructionSet;
 /// The number of points that a polynomial interpolates.
 const POINTS: usize = 8;
 
-/// The reciprocals of the orders of differences.
+/// The reciprocals of the orders of the differences.
 const RECIPROCALS: [f64; POINTS] = [1.0, 1.0, 0.5, 1.0 / 3.0, 0.25, 0.2, 1.0 / 6.0, 1.0 / 7.0];
 
-/// Returns `sequence` on a grid of `n ≥ 1` subintervals: each subinterval of `sequence` has the
-/// polynomial through its eight nearest points (all, if there are fewer).
+/// Returns `sequence` on a grid of `n ≥ 1` subintervals. On each subinterval of `sequence` it is
+/// the polynomial through the eight nearest points (through all points, if there are fewer).
 ///
-/// Both ends are kept exactly. With `N` chords in `sequence` the error on a smooth curve is
-/// `O(N⁻⁸)`: on fine grids it is below the rounding of the points, and no Newton step remains.
+/// Both ends are kept exactly. If `sequence` has `N` chords, the error on a smooth curve is
+/// `O(N⁻⁸)`. On fine grids it is less than the rounding of the points, and no Newton step remains
+/// to be taken.
 pub(crate) fn prolong<const D: usize>(
     sequence: &PointSequence<D>,
     n: usize,
@@ -22,7 +23,7 @@ pub(crate) fn prolong<const D: usize>(
     prolong_into(sequence, n, InstructionSet::default(), Vec::new())
 }
 
-/// As [`prolong`], with the given instructions and memory; the result has the same bits.
+/// Prolongs like [`prolong`], with the given instructions and memory. The result has the same bits.
 pub(crate) fn prolong_into<const D: usize>(
     sequence: &PointSequence<D>,
     n: usize,
@@ -34,13 +35,13 @@ pub(crate) fn prolong_into<const D: usize>(
     let count = points.len().min(POINTS);
     fine.clear();
     fine.reserve_exact(n + 1);
-    // The place of the next point on the coarse grid, whole + rest / n, without rounding.
+    // The place of the next point on the coarse grid is whole + rest / n, without rounding.
     let (mut whole, mut rest) = (0, 0);
     while whole < coarse {
         let first = whole.saturating_sub(POINTS / 2 - 1).min(points.len() - count);
         let near = &points[first..first + count];
         let place = whole - first;
-        // The usual length is a constant, which the compiler can use.
+        // The usual length is a constant that the compiler can use.
         let usual: Result<&[_; POINTS], _> = near.try_into();
         let mut coefficients =
             usual.map_or_else(|_| coefficients(near, place), |near| coefficients(near, place));
@@ -52,7 +53,8 @@ pub(crate) fn prolong_into<const D: usize>(
             InstructionSet::Widest => follow_widest(&coefficients, steps, inside, &mut fine),
         }
         rest += inside * coarse;
-        // On a coarser grid than that of `sequence`, several intervals on.
+        // If the new grid is coarser than the grid of `sequence`, this moves on by several
+        // intervals.
         whole += rest / n;
         rest %= n;
     }
@@ -107,7 +109,7 @@ fn follow_inline<const D: usize>(
     }
 }
 
-/// The coefficients, of `1, s, s², …`, of the polynomial through points at
+/// Returns the coefficients, of `1, s, s², …`, of the polynomial through points at
 /// `s = −place, 1 − place, 2 − place, …`.
 #[inline(always)]
 fn coefficients<const D: usize>(
@@ -116,13 +118,14 @@ fn coefficients<const D: usize>(
 ) -> [SVector<f64, D>; POINTS] {
     let mut coefficients = [SVector::zeros(); POINTS];
     coefficients[..points.len()].copy_from_slice(points);
-    // Newton's coefficients, of 1, s − s₀, (s − s₀)(s − s₁), …: differences over factorials.
+    // Newton's coefficients, of 1, s − s₀, (s − s₀)(s − s₁), …, are differences divided by
+    // factorials.
     for order in 1..points.len() {
         for k in (order..points.len()).rev() {
             coefficients[k] = (coefficients[k] - coefficients[k - 1]) * RECIPROCALS[order];
         }
     }
-    // Multiply the factors out, one after the other.
+    // The factors are multiplied out, one after the other.
     for factor in (0..points.len() - 1).rev() {
         let root = factor as f64 - place as f64;
         for k in factor..points.len() - 1 {
@@ -153,20 +156,20 @@ mod tests {
                 (Some(sequence.first()), Some(sequence.last()))
             );
             for (k, point) in found.iter().enumerate() {
-                // Eight weights up to 5, coordinates up to 2.
+                // There are eight weights up to 5 and coordinates up to 2.
                 assert!((point - curve(k as f64 / fine as f64)).amax() < 2e-14);
             }
         }
     }
 
-    /// Fewer points have a lower degree.
+    /// A polynomial through fewer points has a lower degree.
     #[test]
     fn three_points_are_joined_by_a_parabola() {
         let parabola = |t: f64| vector![1.0 - 3.0 * t * t];
         let points = [0.0, 0.5, 1.0].map(parabola).to_vec();
         let found = prolong(&PointSequence::new(points).expect("finite"), 7);
         for (k, point) in found.iter().enumerate() {
-            // Three weights up to 1, coordinates up to 2.
+            // There are three weights up to 1 and coordinates up to 2.
             assert!((point - parabola(k as f64 / 7.0)).amax() < 4e-15);
         }
     }
@@ -182,7 +185,7 @@ mod tests {
         }
     }
 
-    /// With full batches, and with a part of one.
+    /// The batches are full, and then one is partly filled.
     #[test]
     fn wider_instructions_make_the_same_points() {
         let curve = |k: usize| vector![(k as f64).sin(), 1.0 / (1.0 + k as f64)];

@@ -1,4 +1,5 @@
-//! The search on a fine grid, from a start so near that Newton steps need no damping.
+//! The search on a fine grid, from a start that is so near the minimiser that Newton steps need no
+//! damping.
 
 use tautline_discretizations::PointSequence;
 
@@ -14,33 +15,34 @@ use crate::{
     search::local_search::{Found, LocalSearch},
 };
 
-/// Quadratic convergence needs no more steps than this.
+/// The largest number of steps that quadratic convergence needs.
 const STEPS: usize = 4;
 
-/// Relative decrement above which a start is too far.
+/// The relative decrement above which a start is too far from the minimiser.
 const NEAR: f64 = 1e-4;
 
-/// The decrement has to fall by this factor from one step to the next.
+/// The factor by which the decrement has to fall from one step to the next.
 const FALL: f64 = 0.01;
 
 /// If the chords of a grid have at least `LARGE` second derivatives, and the start on the coarser
-/// grid had at most the relative decrement `FORESEEN`, the start is likely a minimiser to rounding.
-/// It is checked first without storing a factorisation, which takes half as long again as the
-/// arithmetic.
+/// grid had a relative decrement of at most `FORESEEN`, the start is likely a minimiser to
+/// rounding. It is then checked first without storing a factorisation, since storing takes half as
+/// long again as the arithmetic.
 const LARGE: usize = 32768;
 const FORESEEN: f64 = 1e-12;
 
 impl<const D: usize> LocalSearch<'_, D> {
-    /// Takes undamped Newton steps from `start`, each in one pass over the chords. Ends when the
-    /// decrement is negligible and the residual is rounding, on the finest grids at the start
-    /// itself; after a step that promised next to nothing, a negligible decrement is enough.
+    /// Takes undamped Newton steps from `start`, each in one pass over the chords. The search ends
+    /// when the decrement is negligible and the residual is rounding; on the finest grids this is
+    /// so at the start itself. After a step that predicted almost no decrease, a negligible
+    /// decrement is enough.
     ///
-    /// `None` if this fails: the Hessian is not positive definite, a step promises too much or not
-    /// far less than the one before, the metric is undefined at the result, or there is no memory
-    /// for a step.
+    /// The result is `None` if this fails: the Hessian is not positive definite, a step predicts
+    /// too large a decrease or one that is not far smaller than the one before, the metric is
+    /// undefined at the result, or there is no memory for a step.
     ///
-    /// `coarser` is the result on the next coarser grid; `passes` is set to the number of passes
-    /// begun.
+    /// `coarser` is the result on the next coarser grid. `passes` is set to the number of passes
+    /// that were begun.
     pub(crate) fn refine(
         &self,
         start: PointSequence<D>,
@@ -72,7 +74,7 @@ impl<const D: usize> LocalSearch<'_, D> {
                 return self.found(here, at, iteration, from);
             }
             about = at.magnitude;
-            // Written so that NaN fails.
+            // The comparison is written so that NaN fails.
             if !(at.decrement <= allowed * about.energy) {
                 return None;
             }
@@ -81,9 +83,10 @@ impl<const D: usize> LocalSearch<'_, D> {
             points.iter_mut().zip(here.points()).for_each(|(step, x)| *step += x);
             self.project_ends(&mut points);
             let trial = PointSequence::new(points).ok()?;
-            // The points move by the root of the decrement, and the Hessian with them: by less than
-            // the margin by which it is definite, so that the factorisation from here still serves.
-            // In lanes, two chords at a time, a sweep costs no more than a gradient.
+            // The points, and the Hessian with them, move by the root of the decrement. This is
+            // less than the margin by which the Hessian is definite, so the factorisation from here
+            // still serves. In lanes, with two chords at a time, a sweep does not cost more than a
+            // gradient.
             if at.decrement <= margin(n).powi(2) * about.energy {
                 let there = if const { goes_in_lanes(D) } {
                     sweep(energy, ends, &trial, about, false, None)?.stationarity
@@ -99,7 +102,8 @@ impl<const D: usize> LocalSearch<'_, D> {
         None
     }
 
-    /// The result at a sequence with a positive definite Hessian, if the metric is defined there.
+    /// Returns the result at a sequence with a positive definite Hessian, if the metric is defined
+    /// there.
     fn found(
         &self,
         sequence: PointSequence<D>,

@@ -9,15 +9,15 @@ use crate::{
 };
 
 impl<const D: usize> LocalSearch<'_, D> {
-    /// Walks down from a saddle, along the direction of the most negative curvature.
+    /// Walks down from a saddle along the direction of most negative curvature.
     pub(crate) fn leave_saddle(
         &self,
         model: &QuadraticModel<D>,
         sequence: &PointSequence<D>,
         shift: f64,
     ) -> Option<Vec<SVector<f64, D>>> {
-        // With the smallest shift that makes the system definite, to 1 in 8, the flattest direction
-        // is that of most negative curvature.
+        // With the smallest shift that makes the system definite, up to 1 in 8, the flattest
+        // direction is the direction of most negative curvature.
         let (mut low, mut high) = (0.0, shift);
         let factorized = |shift: f64| {
             let system = ReducedSystem::new(model, self.ends, sequence.points(), shift);
@@ -39,7 +39,8 @@ impl<const D: usize> LocalSearch<'_, D> {
         let largest = direction.iter().map(|v| v.amax()).fold(0.0, f64::max);
         direction.iter_mut().for_each(|v| *v *= size / largest);
         let mut best: Option<(f64, Vec<_>)> = None;
-        // From 1e-4 of the size of the curve on, as long as either side leads down.
+        // The lengths start at 1e-4 of the size of the curve and grow as long as either side leads
+        // down.
         for exponent in 0..14 {
             let length = 1e-4 * f64::from(1 << exponent);
             let lower = [length, -length]
@@ -60,7 +61,7 @@ impl<const D: usize> LocalSearch<'_, D> {
     }
 }
 
-/// The largest distance from the first point, in the maximum norm.
+/// Returns the largest distance from the first point, in the maximum norm.
 fn extent<const D: usize>(points: &[SVector<f64, D>]) -> f64 {
     points.iter().map(|x| (x - points[0]).amax()).fold(0.0, f64::max)
 }
@@ -75,7 +76,8 @@ mod tests {
 
     use crate::{newton::discrete_energy::DiscreteEnergy, search::local_search::LocalSearch};
 
-    /// A bump that is undefined where `sign · x₂ < −10⁻⁵`: a wall along the line over the bump.
+    /// A bump that is undefined where `sign · x₂ < −10⁻⁵`, which puts a wall along the line over
+    /// the bump.
     struct Walled {
         bump: Bump,
         sign: f64,

@@ -1,16 +1,16 @@
-//! `SolveError`: why there is no minimiser.
+//! `SolveError`: the reason why there is no minimiser.
 
 use tautline_discretizations::{LARGEST_N, SequenceError};
 use tautline_metrics::MetricError;
 
-/// Why there is no minimiser.
+/// The reason why there is no minimiser.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SolveError {
     /// `N = 0`.
     #[error("N = 0: a point sequence has at least one subinterval")]
     NoSubinterval,
-    /// More than [`LARGEST_N`] subintervals.
+    /// There are more than [`LARGEST_N`] subintervals.
     #[error(
         "N = {n} is too many subintervals: beyond {}, rounding outweighs the gain in accuracy",
         LARGEST_N
@@ -24,7 +24,7 @@ pub enum SolveError {
     OutOfMemory {
         /// The number of subintervals of the grid.
         n: usize,
-        /// The memory for its points or for a Newton step on it.
+        /// The memory for the points of the grid or for a Newton step on it, in bytes.
         bytes: usize,
     },
     /// The metric is not finite, symmetric and positive definite along any of the curves.
@@ -39,7 +39,7 @@ pub enum SolveError {
         /// The energy, in `m²`: infinite, or NaN for a difference of infinities.
         energy: f64,
     },
-    /// No sequence to start from was given, or none has finite points.
+    /// No sequence was given to start from, or none has finite points.
     #[error("no sequence of finite points to start from")]
     NoStart,
 }

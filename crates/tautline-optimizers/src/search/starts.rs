@@ -13,28 +13,30 @@ use crate::{
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub enum Starts<const D: usize> {
-    /// For nearest points of the sets, and for further points of nonconvex sets: the straight line,
-    /// the line bent to every side, and the best of all sequences on a grid of the line.
+    /// Starts from nearest points of the sets, and from further points of nonconvex sets. Between
+    /// two such points the starts are the straight line, the line bent to every side, and the best
+    /// of all sequences on a grid of the line.
     #[default]
     Automatic,
-    /// Only these sequences, on any grid; their ends are projected to the sets. The search begins
-    /// on the grid of `N` chords itself up to `N = 64`, and on a coarser one beyond.
+    /// Starts from these sequences only, on any grid. Their ends are projected to the sets. Up to
+    /// `N = 64` the search begins on the grid of `N` chords itself, beyond that on a coarser one.
     Only(Vec<PointSequence<D>>),
-    /// These sequences in addition to the automatic ones.
+    /// Starts from these sequences in addition to the automatic ones.
     Also(Vec<PointSequence<D>>),
 }
 
-/// The height of a bent line, relative to its length. Near that of a half circle, ½: enough to pass
-/// an obstacle in the middle on either side.
+/// The height of a bent line, relative to its length. It is near the height of a half circle, ½,
+/// which is enough to pass an obstacle in the middle on either side.
 const BEND: f64 = 0.4;
 
-/// The number of alternating projections to find nearest points. They only provide a start, and
-/// need not converge.
+/// The number of alternating projections that search for nearest points. The points only provide a
+/// start, so the projections need not converge.
 const PROJECTIONS: usize = 50;
 
 impl<const D: usize> Starts<D> {
-    /// Returns the starts between two pieces, on the grid of `n` chords: the given ones, bent lines
-    /// if `bent`, and the best sequences on lines, for each of the numbers of intervals in `lines`.
+    /// Returns the starts between two pieces, on the grid of `n` chords. They are the given ones,
+    /// bent lines if `bent`, and the best sequences on lines for each of the numbers of intervals
+    /// in `lines`.
     pub(crate) fn between(
         &self,
         energy: &DiscreteEnergy<'_, D>,
@@ -53,7 +55,7 @@ impl<const D: usize> Starts<D> {
                 starts.extend(lines.iter().filter_map(line));
             }
         }
-        // Without the sequences whose points are not finite.
+        // Sequences with points that are not finite are left out.
         starts.into_iter().filter_map(|points| PointSequence::new(points).ok()).collect()
     }
 
@@ -74,7 +76,8 @@ impl<const D: usize> Starts<D> {
     }
 }
 
-/// Pairs of end points: nearest points of the sets, and each seed with its nearest point.
+/// Returns pairs of end points: nearest points of the sets, and each seed with the point nearest to
+/// it.
 fn end_points<const D: usize>(
     first: &dyn ClosedSet<D>,
     second: &dyn ClosedSet<D>,
@@ -92,13 +95,13 @@ fn end_points<const D: usize>(
         (a, b)
     };
     let mut pairs = vec![nearest(first.project(&SVector::zeros()))];
-    // A seed stays: repeated projection would move all seeds to the same point.
+    // A seed stays in place, since repeated projection would move all seeds to the same point.
     pairs.extend(first.seeds().into_iter().map(|a| (a, second.project(&a))));
     pairs.extend(second.seeds().into_iter().map(|b| (first.project(&b), b)));
     pairs
 }
 
-/// The straight line from `a` to `b`, and its bends.
+/// Returns the straight line from `a` to `b`, and its bends.
 fn bent_lines<const D: usize>(
     a: &SVector<f64, D>,
     b: &SVector<f64, D>,
@@ -109,7 +112,7 @@ fn bent_lines<const D: usize>(
         let at = |k: usize| {
             let t = k as f64 / n as f64;
             let along = a * (1.0 - t) + b * t;
-            // The ends are exact; the sine would round.
+            // The ends are exact, while the sine would round.
             if k == 0 || k == n { along } else { along + bend * (std::f64::consts::PI * t).sin() }
         };
         (0..=n).map(at).collect()
@@ -120,7 +123,7 @@ fn bent_lines<const D: usize>(
             let mut bend = SVector::zeros();
             bend[axis] = 1.0;
             bend -= chord * (chord[axis] / chord.norm_squared());
-            // The axis nearest to the chord adds nothing to the others.
+            // The axis nearest to the chord adds no direction to the others.
             if !(bend.norm() > 0.5) {
                 continue;
             }
@@ -143,7 +146,7 @@ mod tests {
     use super::{BEND, Starts};
     use crate::newton::discrete_energy::DiscreteEnergy;
 
-    /// The energy over the valleys.
+    /// Returns the energy over the valleys.
     fn valleys() -> DiscreteEnergy<'static, 2> {
         static METRIC: LazyLock<Prepared<Valleys, 2>> = LazyLock::new(|| Prepared::new(Valleys));
         DiscreteEnergy::new(Trapezoidal, &*METRIC)
@@ -169,7 +172,7 @@ mod tests {
         }
     }
 
-    /// The given starts, and one sequence for each line and pair of end points.
+    /// The starts are the given ones, and one sequence for each line and pair of end points.
     #[test]
     fn given_starts_and_lines_are_tried_in_detail() {
         let ball = Ball::new([0.0, 2.0], 0.5).expect("positive radius");
@@ -217,7 +220,7 @@ mod tests {
         let point = Point::new([0.2, 0.1]).expect("finite");
         let starts = Starts::Automatic.between(&valleys(), [&sphere, &point], 16, true, &[64]);
         assert!(starts.len() >= 5 * 4, "the nearest point and four seeds, {}", starts.len());
-        // As the second set too: the same lines, reversed.
+        // If the sphere is the second set, the lines are the same, reversed.
         let back = Starts::Automatic.between(&valleys(), [&point, &sphere], 16, true, &[64]);
         assert_eq!(back.len(), starts.len());
         let near = |x: &PointSequence<2>, y: &PointSequence<2>| {
@@ -244,8 +247,8 @@ mod tests {
         let wall = HalfSpace::at_least([1.0, 1.0], 6.0).expect("not zero");
         let starts = Starts::Automatic.between(&valleys(), [&ball, &wall], 4, true, &[64]);
         let r = 0.5_f64.sqrt();
-        // Each of the 50 rounds of alternating projections at least halves the error: only rounding
-        // remains.
+        // Each of the 50 rounds of alternating projections at least halves the error, so only
+        // rounding remains.
         assert!((starts[0].first() - nalgebra::vector![r, 2.0 + r]).amax() < 1e-6);
     }
 }
