@@ -1,9 +1,10 @@
-//! The algorithm: how the lowest discrete minimiser between two sets is found.
+//! The algorithm that finds the lowest discrete minimiser between two sets.
 //!
-//! [`solve`] is all of it, in the order in which it happens; its parts follow in the same order.
-//! They build on `search/`: the [grids], the [starts](crate::Starts), Newton's method [with
-//! damping](LocalSearch::run) on coarse grids and [without](LocalSearch::refine) on fine ones, and
-//! a [candidate](Candidate) for each local minimiser that is followed from grid to grid.
+//! [`solve`] shows the whole algorithm, step by step; the functions below it are these steps, in
+//! the same order. They build on `search/`: the [grids], the [starts](crate::Starts), Newton's
+//! method [with damping](LocalSearch::run) on coarse grids and [without](LocalSearch::refine) on
+//! fine ones, and a [candidate](Candidate) for each local minimiser that is followed from grid to
+//! grid.
 
 use tautline_discretizations::LARGEST_N;
 use tautline_sets::{ClosedSet, Ends, common_point};
@@ -47,10 +48,10 @@ pub(crate) fn solve<const D: usize>(
     Ok(lowest.into_minimum(search.iterations, local_minima.unwrap_or_default()))
 }
 
-/// A piece of each set; a curve runs from one to the other.
+/// A piece of each set. A curve runs from the first piece to the second.
 type Pieces<'e, const D: usize> = [&'e dyn ClosedSet<D>; 2];
 
-/// Refuses an empty grid, and one that is too large.
+/// Rejects an empty grid, and one that is too large.
 fn check_size<const D: usize>(n: usize) -> Result<(), SolveError> {
     match n {
         0 => Err(SolveError::NoSubinterval),
@@ -66,41 +67,43 @@ struct Search<'a, const D: usize> {
     options: &'a Options<D>,
     /// The number of chords of the finest grid.
     n: usize,
-    /// Newton steps of all searches so far.
+    /// The number of Newton steps of all searches so far.
     iterations: usize,
-    /// Why the first failed search failed; a lack of memory takes precedence.
+    /// The reason why the first failed search failed. A lack of memory takes precedence.
     refused: Option<SolveError>,
 }
 
-/// Up to this grid the order of the local minimisers may change, and `FOLLOWED` of them are
-/// followed; beyond it, only the lowest.
+/// Up to this number of chords the order of the local minimisers may change, and `FOLLOWED` of them
+/// are followed. Beyond it only the lowest one is followed.
 const SETTLED: usize = 512;
 const FOLLOWED: usize = 8;
 
-/// From this grid on a search should need no damping, and runs without.
+/// From this number of chords on, a search should need no damping, and runs without it.
 const FINE: usize = 64;
 
 /// The numbers of intervals into which a line is divided to look for
-/// [leaps](crate::search::line_minimum). A line costs an energy for each pair of its points, as
-/// many evaluations as a search with a few thousand chords; more intervals would make small grids
-/// slower than large ones. Which of several leaps saves most depends on the points of the line: the
-/// finest grid also tries a second line, and both together miss no more than one with twice as many
-/// intervals.
+/// [leaps](crate::search::line_minimum). A line costs one energy for each pair of its points, which
+/// is as many evaluations as a search with a few thousand chords. More intervals would make small
+/// grids slower than large ones. Which of several leaps saves most depends on the points of the
+/// line. The finest grid therefore tries a second line as well, and the two lines together find at
+/// least as much as one with twice as many intervals.
 const LINES: [usize; 2] = [48, 64];
 
-/// If the least energy on a small grid differs by this fraction from that on half as many chords, a
-/// minimiser leaps over ridges, or did: the search looks for leaps once more.
+/// If the lowest energy on a small grid differs by this fraction from the lowest energy on half as
+/// many chords, a minimiser leaps over ridges on one of the two grids. The search then looks for
+/// leaps once more.
 const UNSETTLED: f64 = 0.05;
 
 impl<'a, const D: usize> Search<'a, D> {
-    /// The grids on the way to `n` chords; a small grid with given starts needs no other.
+    /// Returns the grids on the way to `n` chords. A small grid with given starts needs no other
+    /// grid.
     fn grids(&self) -> Vec<usize> {
         let given = matches!(self.options.starts, Starts::Only(_));
         if given && self.n <= SMALL { vec![self.n] } else { grids(self.n) }
     }
 
-    /// Keeps the candidates that are followed to `grid`. If it is only one, the lowest along which
-    /// the metric is defined.
+    /// Keeps the candidates that are followed to `grid`. If only one is followed, it is the lowest
+    /// along which the metric is defined.
     fn keep_the_lowest(&self, candidates: &mut Vec<Candidate<'_, D>>, grid: usize) {
         if grid > SETTLED && candidates.len() > 1 {
             let passes =
@@ -121,7 +124,8 @@ impl<'a, const D: usize> Search<'a, D> {
         lowest_first(candidates);
     }
 
-    /// Follows a local minimiser to a finer grid: on a fine one without damping, if that converges.
+    /// Follows a local minimiser to a finer grid. On a fine grid it is followed without damping, if
+    /// that converges.
     fn follow<'e>(&mut self, candidate: Candidate<'e, D>, grid: usize) -> Option<Candidate<'e, D>>
     where
         'a: 'e,
@@ -135,7 +139,7 @@ impl<'a, const D: usize> Search<'a, D> {
         });
         let found = refined.flatten().map_or_else(
             || {
-                // If memory is short, the error tells what an undamped step needs.
+                // If memory is short, the error reports what an undamped step needs.
                 self.workspace.check_undamped(grid)?;
                 Workspace::<D>::check_damped(grid)?;
                 let found = search.run(start(Vec::new())?)?;
@@ -149,7 +153,7 @@ impl<'a, const D: usize> Search<'a, D> {
     }
 
     /// Searches from all starts on the coarsest grid, and again where the energy has risen as after
-    /// a leap. The finest grid, if it is small, adds the starts that a coarser grid cannot replace.
+    /// a leap. If the finest grid is small, it adds the starts that a coarser grid cannot replace.
     fn try_new_starts<'e>(
         &mut self,
         candidates: &mut Vec<Candidate<'e, D>>,
@@ -208,9 +212,9 @@ impl<'a, const D: usize> Search<'a, D> {
         found.map_err(refuse).ok()
     }
 
-    /// Returns the lowest candidate along which the metric is defined, between the nodes too.
-    /// Without one, the error is the defect of the lowest candidate, which tells more than a
-    /// refused start.
+    /// Returns the lowest candidate along which the metric is defined, including between the nodes.
+    /// If there is none, the error is the defect of the lowest candidate, which is more informative
+    /// than a refused start.
     fn lowest_with_a_metric<'e>(
         &mut self,
         candidates: Vec<Candidate<'e, D>>,
@@ -227,7 +231,7 @@ impl<'a, const D: usize> Search<'a, D> {
     }
 }
 
-/// The energies of the candidates that converged.
+/// Returns the energies of the candidates that converged.
 fn converged_energies<const D: usize>(candidates: &[Candidate<'_, D>]) -> Vec<f64> {
     candidates.iter().filter(|c| !c.failed()).map(|c| c.found.energy).collect()
 }
@@ -244,7 +248,7 @@ mod tests {
     use crate::{Workspace, newton::discrete_energy::DiscreteEnergy};
 
     /// The minimiser with nine chords leaps over both ridges of this metric. From there, Newton's
-    /// method without damping fails on the next grid, but its steps count.
+    /// method without damping fails on the next grid, but its steps still count.
     #[test]
     fn failed_undamped_steps_are_counted() {
         let ridges = Separable::new(vector![0.788, 0.0, 0.0], vector![1.663, 1.0, 1.0]);

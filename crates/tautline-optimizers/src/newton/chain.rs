@@ -104,7 +104,7 @@ impl<const D: usize> Chain<'_, D> {
                 if let Some(kept) = &mut kept {
                     kept.keep(0, pivot, &z);
                 }
-                // The points of the first pair are the ends, which are not counted as inner points.
+                // The points of the first pair are the ends, which are already eliminated.
                 pairs.start = 1;
             }
             let rest = Rest { regulariser: self.regulariser, residual: self.residual };

@@ -185,7 +185,7 @@ mod tests {
         }
     }
 
-    /// The batches are full, and then one is partly filled.
+    /// Some batches are full, and some are partly filled.
     #[test]
     fn wider_instructions_make_the_same_points() {
         let curve = |k: usize| vector![(k as f64).sin(), 1.0 / (1.0 + k as f64)];

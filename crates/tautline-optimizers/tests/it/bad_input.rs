@@ -1,4 +1,4 @@
-//! Bad input: every defect has its error, and every search ends.
+//! Tests bad input: every defect has its error, and every search ends.
 
 use nalgebra::{SMatrix, SVector, matrix, vector};
 use tautline_discretizations::{LARGEST_N, LeftEndpoint, Trapezoidal};
@@ -40,8 +40,8 @@ fn more_chords_than_rounding_allows_are_refused() {
             assert_eq!(minimise(&flat, &ends, LeftEndpoint, n, &options), too_many);
         }
     }
-    // At 8 to 67 072 bytes a point, none of which is requested. Ends that touch need their points
-    // too.
+    // The points would take 8 to 67 072 bytes each, but none of this memory is requested. Ends that
+    // touch need their points too.
     for n in [LARGEST_N + 1, 1_000_000_000, usize::MAX / 8, usize::MAX - 1, usize::MAX] {
         refused::<1>(1.0, n);
         refused::<1>(0.0, n);
@@ -52,7 +52,7 @@ fn more_chords_than_rounding_allows_are_refused() {
     assert!(error.contains("1000000000") && error.contains("67108864"), "{error}");
 }
 
-/// The square of a length of 10⁻¹⁷⁰ is 0; the decrement must not become 0/0.
+/// The square of a length of 10⁻¹⁷⁰ is 0 in `f64`. The decrement must not become 0/0.
 #[test]
 fn an_energy_below_the_range_of_f64_is_zero_and_not_nan() {
     for n in [4, 100, 20_000] {
@@ -63,7 +63,7 @@ fn an_energy_below_the_range_of_f64_is_zero_and_not_nan() {
     }
 }
 
-/// `1 + 0 √((x₁ − c)² − w²)`: NaN for `|x₁ − c| < w`.
+/// `1 + 0 √((x₁ − c)² − w²)`, which is NaN for `|x₁ − c| < w`.
 struct Gap {
     c: f64,
     w: f64,
@@ -76,8 +76,8 @@ impl Metric<2> for Gap {
     }
 }
 
-/// With 16 chords a node lies in the gap, with 64 and 256 none does. The quadrature along the
-/// result stays 0.0197/256 away from the points.
+/// With 16 chords a node lies in the gap, with 64 and 256 chords none does. The nodes of the
+/// quadrature along the result are at least 0.0197/256 away from its points.
 #[test]
 fn a_start_refused_on_a_coarse_grid_is_tried_on_the_next() {
     let gap = Gap { c: 8.5 / 16.0, w: 5e-5 };
@@ -85,7 +85,7 @@ fn a_start_refused_on_a_coarse_grid_is_tried_on_the_next() {
     let solve = |n| minimise(&gap, &from_to([0.0, 0.0], [1.0, 0.0]), Trapezoidal, n, &options);
     assert!(matches!(solve(16), Err(SolveError::Metric(_))));
     let minimum = solve(256).expect("no node in the gap");
-    // 256 squares of 1/256, each rounded.
+    // The 256 squares of 1/256 are each rounded.
     assert!((minimum.energy - 1.0).abs() < 1e-14 && minimum.is_local_minimum());
     assert_eq!(minimum.levels.iter().map(|level| level.n).collect::<Vec<_>>(), [64, 256]);
 }
@@ -101,7 +101,7 @@ fn no_start_is_an_error() {
 #[test]
 fn of_two_failed_starts_the_first_gives_the_error() {
     let through = |y: f64| sequence([[0.0, 0.0], [0.5, y], [1.0, 0.0]].map(SVector::from).to_vec());
-    /// Undefined for `|x₂| > ½`.
+    /// This metric is undefined for `|x₂| > ½`.
     struct Lane;
     impl Metric<2> for Lane {
         fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
@@ -121,7 +121,7 @@ fn of_two_failed_starts_the_first_gives_the_error() {
     }
 }
 
-/// `1 + √(1 − x₁²)`: NaN for `|x₁| > 1`, all the way up and down.
+/// `1 + √(1 − x₁²)`, which is NaN for `|x₁| > 1`, whatever `x₂` is.
 struct Gorge;
 
 impl Metric<2> for Gorge {
@@ -133,7 +133,7 @@ impl Metric<2> for Gorge {
 #[test]
 fn a_metric_that_is_nan_along_the_way_is_an_error() {
     for n in [1, 2, 9, 100] {
-        // One end in the region; the region between the ends.
+        // Either one end is in the undefined region, or the region lies between the ends.
         for ends in [from_to([0.0, 0.0], [1.5, 0.0]), from_to([0.0, 1.0], [9.0, 0.0])] {
             let MetricError::NotFinite { point, entry, .. } = error(&Gorge, &ends, n) else {
                 panic!("NaN is not finite");
@@ -145,10 +145,10 @@ fn a_metric_that_is_nan_along_the_way_is_an_error() {
     assert!(lowest(&Gorge, &inside, Trapezoidal, 64).is_local_minimum());
 }
 
-/// A start across the hole is refused, one round it is not.
+/// A start across the hole is refused, while one around it is not.
 #[test]
 fn the_search_goes_round_a_hole_in_the_metric() {
-    /// Infinite cost at the rim of the unit disc, NaN inside.
+    /// The cost is infinite at the rim of the unit disc and NaN inside.
     struct Hole;
     impl Metric<2> for Hole {
         fn gram<S: Scalar>(&self, x: &SVector<S, 2>) -> SMatrix<S, 2, 2> {
@@ -158,7 +158,7 @@ fn the_search_goes_round_a_hole_in_the_metric() {
     }
     let ends = from_to([-3.0, 0.1], [3.0, -0.1]);
     let options = only(straight([-3.0, 0.1], [3.0, -0.1], 30));
-    // Alone, the straight line fails; among the bent ones it does no harm.
+    // On its own the straight line fails; together with the bent ones it does no harm.
     assert!(minimise(&Hole, &ends, Trapezoidal, 30, &options).is_err());
     let minimum = lowest(&Hole, &ends, Trapezoidal, 200);
     assert!(minimum.is_local_minimum());
@@ -201,8 +201,8 @@ fn matrices_that_are_not_metrics_are_errors() {
     }
 }
 
-/// The identity, except in a strip about `x₁ = ½`, narrower than the chords of a coarse grid, where
-/// the lower triangle differs. The search itself reads the upper one only.
+/// The identity, except in a strip about `x₁ = ½` in which the lower triangle differs. The strip is
+/// narrower than the chords of a coarse grid. The search itself reads only the upper triangle.
 struct Strip;
 
 impl Metric<2> for Strip {
@@ -215,8 +215,8 @@ impl Metric<2> for Strip {
 #[test]
 fn a_defect_that_only_the_fine_grid_meets_is_an_error() {
     let ends = from_to([0.0, 0.0], [1.0, 0.0]);
-    // The nearest nodes are 1/32 away from the strip, and points of the quadrature 0.0197/16:
-    // e^(−30).
+    // The nearest nodes are 1/32 away from the strip, and the nearest points of the quadrature
+    // 0.0197/16. There the difference is e^(−30).
     assert!(lowest(&Strip, &ends, Trapezoidal, 16).is_local_minimum());
     let MetricError::NotSymmetric { point, above, .. } = error(&Strip, &ends, 1024) else {
         panic!("finite and definite");
@@ -224,7 +224,7 @@ fn a_defect_that_only_the_fine_grid_meets_is_an_error() {
     assert!((point[0] - 0.5).abs() < 0.02 && above == 0.0, "{point:?}");
 }
 
-/// `diag(1, ½ + cos x₁)`: indefinite for `x₁` between `2π/3` and `4π/3`.
+/// `diag(1, ½ + cos x₁)`, which is indefinite for `x₁` between `2π/3` and `4π/3`.
 struct Flip;
 
 impl Metric<2> for Flip {
@@ -243,7 +243,7 @@ fn a_metric_that_is_indefinite_along_the_way_is_an_error() {
         };
         assert!(eigenvalue <= 0.0 && (2.0..4.2).contains(&point[0]), "{point:?} {eigenvalue}");
     }
-    // Away from the strip it is a metric, and the search stays there.
+    // Away from the strip the matrix is a metric, and the search stays there.
     let aside = from_to([-1.9, 0.0], [1.9, 2.0]);
     let minimum = lowest(&Flip, &aside, Trapezoidal, 100);
     assert!(minimum.sequence.points().iter().all(|x| x[0].cos() > -0.5));
@@ -263,18 +263,18 @@ fn points_outside_the_hyperbolic_disc_are_errors() {
             }
         }
     }
-    // Ends that touch there.
+    // Here the ends touch where the metric is undefined.
     let touching = from_to([2.0, 0.0], [2.0, 0.0]);
     assert!(matches!(error(&Hyperbolic, &touching, 3), MetricError::NotFinite { .. }));
-    // The rim, where the metric is infinite.
+    // Here one end lies on the rim, where the metric is infinite.
     assert!(matches!(
         error(&Hyperbolic, &from_to([0.0, 0.0], [1.0, 0.0]), 4),
         MetricError::NotFinite { .. }
     ));
 }
 
-/// The members of a finite set outside the disc, and the part of a ball beyond its rim, are
-/// ignored.
+/// The members of a finite set outside the disc are ignored, and so is the part of a ball beyond
+/// the rim of the disc.
 #[test]
 fn the_part_of_a_set_with_a_metric_is_used() {
     let set = FiniteSet::new([[3.0, 0.0], [0.0, 0.5], [0.0, -2.0]]).expect("finite");

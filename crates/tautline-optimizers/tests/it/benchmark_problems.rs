@@ -1,6 +1,6 @@
-//! Problems with known answers, at realistic sizes.
+//! Tests problems with known answers, at realistic sizes.
 //!
-//! The references are closed forms, or digits on which a boundary value solver and Richardson
+//! The references are closed forms, or the digits on which a boundary value solver and Richardson
 //! extrapolation agree.
 
 use std::f64::consts::PI;
@@ -20,8 +20,8 @@ use crate::setup::{
 fn assert_minimum<const D: usize>(minimum: &Minimum<D>) {
     assert_eq!((minimum.stop, minimum.curvature), (Stop::Converged, Curvature::PositiveDefinite));
     assert!(minimum.decrement <= 1e-18, "decrement {:e}", minimum.decrement);
-    // residual² = (N/4) |g|² / (c E), and |g|² ≤ ‖A‖ gᵀA⁻¹g = ‖A‖ 2 E decrement with ‖A‖ of about
-    // 4N c: at most 2 N² times the decrement. The floor is a typical size.
+    // residual² = (N/4) |g|² / (c E), and |g|² ≤ ‖A‖ gᵀA⁻¹g = ‖A‖ 2 E decrement, where ‖A‖ is about
+    // 4N c. So residual² is at most 2 N² times the decrement. The floor is a typical size.
     let n = minimum.sequence.n().get() as f64;
     assert!(
         minimum.residual <= 8.0 * minimum.residual_floor + 2.0 * n * minimum.decrement.sqrt(),
@@ -36,14 +36,14 @@ fn valleys_over_two_ridges() {
     let ends = from_to([0.0, 0.0], [4.0 * PI, 0.0]);
     let minimum = lowest(&Valleys, &ends, Trapezoidal, 1000);
     assert_minimum(&minimum);
-    // E_N − d² at N = 1000 is −3.2e-3.
+    // At N = 1000, E_N − d² is −3.2e-3.
     let d2 = 64.0 * PI * PI;
     assert!((minimum.energy - d2 + 3.2e-3).abs() < 1e-4, "{}", minimum.energy - d2);
     assert_close(extrapolated(&minimum), d2, 1e-8);
 }
 
-/// From the straight line alone, the search goes round the bump, and avoids the geodesic over it
-/// with three times the energy, 64.07.
+/// From the straight line alone, the search finds the way round the bump. It avoids the geodesic
+/// over the bump, which has three times the energy, 64.07.
 #[test]
 fn the_straight_line_goes_round_the_bump() {
     let bump = bump();
@@ -77,13 +77,13 @@ fn distances_in_two_three_and_eight_dimensions() {
     assert_distance("cosines", &CoupledCosines, [[0.0; 3], corner], 32.361_817_823_502_6);
     let sines = SineProjections::benchmark();
     assert_distance("sines", &sines, [[0.0; 8], [1.0; 8]], 8.849_588_854_249);
-    // The sphere has no c₁ > 0: jumps far out would lower the energy without bound. The local
+    // The sphere has no c₁ > 0, so jumps far out would lower the energy without bound. The local
     // minimiser is the great circle.
     assert_distance("sphere", &Sphere, [[-0.8, 0.3], [1.1, 0.6]], 5.278_323_900_279_761);
 }
 
-/// A ball and a half-space on either side of the bump. A search on the axis of symmetry begins at a
-/// saddle and must leave it; the ends lie in their sets to rounding.
+/// The ends are a ball and a half-space on either side of the bump. A search on the axis of
+/// symmetry begins at a saddle and must leave it. The ends lie in their sets up to rounding.
 #[test]
 fn the_saddle_on_the_axis_is_left() {
     let bump = bump();
@@ -94,18 +94,18 @@ fn the_saddle_on_the_axis_is_left() {
         let options = only(start);
         let minimum = minimise(&bump, &ends, Trapezoidal, 1000, &options).expect("ok");
         assert_minimum(&minimum);
-        // The value of the exactly parametrised problem at N = 1000.
+        // The reference is the value of the exactly parametrised problem at N = 1000.
         assert_close(minimum.energy, 17.476_781_885_75, 1e-11);
         let (first, last) = (minimum.sequence.first(), minimum.sequence.last());
         let radius = ((first[0] + 2.0).powi(2) + first[1].powi(2)).sqrt();
-        // Coordinates of size 2: their rounding.
+        // The allowance is the rounding of coordinates of size 2.
         assert!((radius - 0.5).abs() <= 2.0 * f64::EPSILON, "{:e}", radius - 0.5);
         assert!(last[0] >= 2.0 && last[0] <= 2.0 + 4.0 * f64::EPSILON, "{:e}", last[0] - 2.0);
         assert_close(extrapolated(&minimum), 17.476_778_558, 1e-9);
     }
 }
 
-/// Straight over the bump, without a single step.
+/// The sequence runs straight over the bump, and no step is taken.
 #[test]
 fn a_saddle_has_a_negative_eigenvalue() {
     let bump = Bump::new(1.0, 0.5).expect("positive");
@@ -114,12 +114,12 @@ fn a_saddle_has_a_negative_eigenvalue() {
     let options = Options { iterations: 0, ..only(axis) };
     let minimum = minimise(&bump, &ends, Trapezoidal, 16, &options).expect("a metric");
     assert_eq!(minimum.stop, Stop::IterationLimit);
-    // Only one direction leads down: all points to one side.
+    // Only one direction leads down: it moves all points to one side.
     assert!(matches!(minimum.curvature, Curvature::Indefinite { negative: 1 }), "{minimum:?}");
     assert!(!minimum.is_local_minimum());
 }
 
-/// On the grids 16, 63, 250, and on two more.
+/// The grids are 16, 63 and 250, and then two more.
 #[test]
 fn steps_on_all_grids_are_counted() {
     let ends = from_to([0.0, 0.0], [2.0, 1.5]);

@@ -1,4 +1,4 @@
-//! Metrics that are undefined between the nodes of a rule, where the resulting curve passes.
+//! Tests metrics that are undefined between the nodes of a rule, where the resulting curve passes.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_discretizations::{Interpolation, LeftEndpoint, Rule, Trapezoidal};
@@ -8,8 +8,9 @@ use tautline_sets::{AxisBox, Ends, FiniteSet};
 
 use crate::setup::{ball, between, from_to, half_space, lowest, only, point, straight};
 
-/// The identity with the last entry `1 − (3/2) e^{−|P(x − c)|²/w²}`: negative within `0.6 w` of
-/// `c`, and 1 to rounding from `6 w` on. `P` projects to the first coordinate, or is the identity.
+/// The identity with the last entry `1 − (3/2) e^{−|P(x − c)|²/w²}`. This entry is negative within
+/// `0.6 w` of `c`, and 1 up to rounding from `6 w` on. `P` projects to the first coordinate, or is
+/// the identity.
 struct Dip<const D: usize> {
     centre: SVector<f64, D>,
     width: f64,
@@ -26,7 +27,7 @@ impl<const D: usize> Metric<D> for Dip<D> {
     }
 }
 
-/// The fractions of a chord at which the quadrature evaluates, besides its middle.
+/// The fractions of a chord at which the quadrature evaluates, other than its middle.
 const PLACES: [f64; 6] = [
     0.019_754_365_645_989_85,
     0.112_701_665_379_258_3,
@@ -38,26 +39,27 @@ const PLACES: [f64; 6] = [
 
 const N: usize = 4;
 
-/// The first axis at `x`.
+/// The point on the first axis at `x`.
 fn on_the_axis<const D: usize>(x: f64) -> SVector<f64, D> {
     SVector::from_fn(|i, _| if i == 0 { x } else { 0.0 })
 }
 
-/// A straight line from 0 to 1 along the first axis, with a dip at the fraction `place` of a chord,
-/// too narrow for the nodes. The error must name that place.
+/// Solves along a straight line from 0 to 1 on the first axis, with a dip at the fraction `place`
+/// of a chord that is too narrow for the nodes. The error must name that place.
 #[track_caller]
 fn assert_refused<R: Rule, const D: usize>(rule: R, ends: &Ends<D>, chord: usize, place: f64) {
     let x = (chord as f64 + place) / N as f64;
     let dip = Dip::<D> { centre: on_the_axis(x), width: 3e-4, of_all: false };
     let line = straight(on_the_axis(0.0), on_the_axis(1.0), N);
     let options = only(line.clone());
-    // The nodes miss the dip: the discrete energy is that of the straight line.
+    // The nodes miss the dip, so the discrete energy is the energy of the straight line.
     assert_eq!(rule.energy(&dip, &line), 1.0);
     let error = minimise(&dip, ends, rule, N, &options).expect_err("no metric");
     let SolveError::Metric(MetricError::NotPositiveDefinite { point, eigenvalue }) = &error else {
         panic!("{error}");
     };
-    // 1 − 3/2, up to rounding of the place over the width: (1e-16/3e-4)².
+    // The eigenvalue is 1 − 3/2, up to the rounding of the place divided by the width:
+    // (1e-16/3e-4)².
     assert!((point[0] - x).abs() < 1e-14 && (eigenvalue + 0.5).abs() < 1e-12, "{error}");
     assert!(point[1..].iter().all(|&y| y == 0.0));
     assert!(error.to_string().contains("is not positive definite"), "{error}");
@@ -88,7 +90,8 @@ fn a_defect_between_nodes_is_reported_with_its_point() {
     assert_refused_everywhere::<_, 5>(LeftEndpoint);
 }
 
-/// From all starts on every grid, where nodes may find the dip: every result has a length.
+/// The search runs from all starts on every grid, where nodes may find the dip. Every result has a
+/// length.
 #[test]
 fn a_result_has_a_length() {
     let mut refused = 0;
@@ -114,11 +117,11 @@ fn a_result_has_a_length() {
             }
         }
     }
-    // The widest on all grids, the narrower ones if the chords are short enough.
+    // The widest dip is refused on all grids, the narrower ones if the chords are short enough.
     assert!(refused >= 15, "{refused}");
 }
 
-/// Both of two ways have a dip, which the quadrature finds and the rule misses.
+/// Both of two ways have a dip that the quadrature finds and the rule misses.
 #[test]
 fn the_error_is_the_defect_of_the_lowest_result() {
     struct TwoDips;
@@ -140,7 +143,7 @@ fn the_error_is_the_defect_of_the_lowest_result() {
 }
 
 /// The way to the nearer of two points has a dip, on the only grid or on one that is refined later.
-/// On the finer one a single search is followed.
+/// On the finer grid a single search is followed.
 #[test]
 fn the_lowest_result_with_a_metric_all_along_is_returned() {
     for (n, of, chord, width) in [(N, N, 1, 3e-4), (600, 150, 75, 1e-5)] {
@@ -150,7 +153,7 @@ fn the_lowest_result_with_a_metric_all_along_is_returned() {
         let ends = between(point([0.0, 0.0]), members);
         let minimum = lowest(&dip, &ends, Trapezoidal, n);
         assert_eq!(*minimum.sequence.last(), SVector::from([0.0, 1.2]), "N = {n}");
-        // N squares of 1.2/N, each rounded.
+        // The N squares of 1.2/N are each rounded.
         assert!((minimum.energy - 1.44).abs() < 1e-13 && minimum.is_local_minimum());
     }
 }

@@ -1,4 +1,4 @@
-//! The number of damped steps that a search takes from far away.
+//! Tests how many damped steps a search takes from far away.
 
 use tautline_discretizations::{LeftEndpoint, Rule, Trapezoidal};
 use tautline_metrics::{
@@ -9,7 +9,7 @@ use tautline_optimizers::{Minimum, Stop, minimise};
 
 use crate::setup::{from_to, lowest, only, straight};
 
-/// The search from the straight line alone.
+/// Searches from the straight line alone.
 fn from_the_line(
     metric: &impl Metric<2>,
     rule: impl Rule,
@@ -20,7 +20,7 @@ fn from_the_line(
 }
 
 /// Each bound is less than half of what the search took without lengthening: 200 steps without
-/// convergence, 227 and 235. With it, the search takes 9, 80 and 65.
+/// convergence, 227 and 235 steps. With lengthening it takes 9, 80 and 65.
 #[test]
 fn steps_that_a_shift_makes_too_short_are_lengthened() {
     let channels = TwoChannels::new(6.0, 1.0, 0.3).expect("widths");
@@ -38,21 +38,21 @@ fn steps_that_a_shift_makes_too_short_are_lengthened() {
     }
 }
 
-/// With one start all steps are its own; with more, they are a part of all.
+/// With one start, all steps belong to the result. With more starts, only some of the steps do.
 #[test]
 fn a_result_counts_the_steps_of_its_own_search() {
     let shear = Shear::new(0.5, 1.0).expect("a wave number");
     let ends = [[-2.0, -2.0], [2.0, 2.0]];
     let alone = from_the_line(&shear, Trapezoidal, ends, 250);
     assert_eq!(alone.own_iterations, alone.iterations);
-    // At least one on each grid.
+    // There is at least one step on each grid.
     assert!(alone.own_iterations >= alone.levels.len());
     let of_many = lowest(&shear, &from_to(ends[0], ends[1]), Trapezoidal, 250);
     assert!(of_many.own_iterations >= of_many.levels.len());
     assert!(of_many.own_iterations < of_many.iterations);
 }
 
-/// A straight line is a minimiser of a constant metric: it is evaluated once on each grid.
+/// A straight line is a minimiser of a constant metric, so it is evaluated once on each grid.
 #[test]
 fn an_evaluation_on_a_grid_counts_as_one_step() {
     let flat = Constant::new([[2.0, 0.5], [0.5, 1.0]].into()).expect("definite");

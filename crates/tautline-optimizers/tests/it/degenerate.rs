@@ -1,5 +1,5 @@
-//! Degenerate problems: ends that touch, continua of minimisers, sets of size zero, few chords,
-//! one dimension. Nothing is NaN, and the result reports what it is.
+//! Tests degenerate problems: ends that touch, continua of minimisers, sets of size zero, few
+//! chords, and one dimension. Nothing is NaN, and the result reports what it is.
 
 use nalgebra::{SVector, matrix, vector};
 use tautline_discretizations::{LeftEndpoint, Rule, Trapezoidal};
@@ -34,13 +34,13 @@ fn sets_that_touch_or_overlap_have_energy_zero() {
     let unit = ball([0.0, 0.0], 1.0);
     let square = AxisBox::new([2.0, 0.0], [1.0, 1.0]).expect("half-widths");
     let all = [
-        // Tangent, also at a contact with rounded coordinates; overlapping.
+        // These sets are tangent, also at a contact with rounded coordinates, or they overlap.
         between(unit, half_space([1.0, 0.0], 1.0)),
         between(unit, half_space([0.6, 0.8], 1.0)),
         between(half_space([1.0, 2.0], 0.3), unit),
         between(unit, square),
         between(Sphere::new([0.0, 0.0], 1.0).expect("a radius"), unit),
-        // A corner in a corner, a point on a face, a point in itself.
+        // A corner touches a corner, a point lies on a face, and a point coincides with a point.
         between(square, AxisBox::new([4.0, 2.0], [1.0, 1.0]).expect("half-widths")),
         between(point([2.0, 1.0]), square),
         between(point([0.3, -0.7]), point([0.3, -0.7])),
@@ -63,7 +63,7 @@ fn sets_that_touch_or_overlap_have_energy_zero() {
     }
 }
 
-/// `d = gap` for a ball and a half-plane under the identity. A point within `(D + 4) ε` of either
+/// For a ball and a half-plane under the identity, `d = gap`. A point within `(D + 4) ε` of either
 /// set counts as common to both.
 #[test]
 fn sets_that_almost_touch_have_the_energy_of_the_gap() {
@@ -83,7 +83,7 @@ fn sets_that_almost_touch_have_the_energy_of_the_gap() {
     }
 }
 
-/// A constant metric between ends that can be moved together: every parallel curve has the same
+/// The metric is constant and the ends can be moved together. Every parallel curve has the same
 /// energy, and none is a strict minimum.
 #[test]
 fn a_continuum_of_minimisers_is_degenerate() {
@@ -93,7 +93,8 @@ fn a_continuum_of_minimisers_is_degenerate() {
     let wall = half_space([1.0, 0.0], 3.0);
     let ball = ball([0.0, 0.0], 0.5);
     let shell = Sphere::new([0.0, 0.0], 2.0).expect("a radius");
-    // Across: 2² / (nᵀH⁻¹n) = 4 · 1.75 for parallel faces under the oblique metric.
+    // The energy across the gap is 2² / (nᵀH⁻¹n) = 4 · 1.75 for parallel faces under the oblique
+    // metric.
     for n in [1, 2, 3, 7, 64, 500] {
         for (metric, ends, energy) in [
             (oblique, between(square, wall), 7.0),
@@ -113,8 +114,8 @@ fn a_continuum_of_minimisers_is_degenerate() {
     }
 }
 
-/// Antipodes on the round sphere: a continuum of half circles. The discretisation breaks the
-/// symmetry, but not the energy.
+/// Antipodes on the round sphere are joined by a continuum of half circles. The discretisation
+/// breaks the symmetry, but the energy is still that of a half circle.
 #[test]
 fn antipodes_have_the_energy_of_a_half_circle() {
     let ends = from_to([-1.0, 0.0], [1.0, 0.0]);
@@ -143,13 +144,13 @@ fn sets_of_size_zero_are_points() {
             assert_eq!(minimum.curvature, Curvature::PositiveDefinite);
         }
     }
-    // A flat box is a segment.
+    // A flat box is the same as a segment.
     let flat = AxisBox::new([0.0, 0.0], [0.0, 2.0]).expect("half-widths");
     let minimum = solve(&Valleys, &between(flat, point([0.0, 5.0])), Trapezoidal, 40);
     assert_close(minimum.energy, 9.0, 1e-14);
 }
 
-/// `N = 1, 2, 3` against formulas and, for `N = 2`, a scan of the only inner point.
+/// Compares `N = 1, 2, 3` with formulas and, for `N = 2`, with a scan of the only inner point.
 #[test]
 fn very_few_chords_are_minimised_exactly() {
     let ends = from_to([0.0, 0.0], [2.0, 1.0]);
@@ -185,7 +186,7 @@ fn one_dimension_has_sets_too() {
         (between(ball(), half_space([1.0], 0.5)), square(-0.75, 0.5)),
         (between(HalfSpace::new([1.0], -2.0).expect("a normal"), ball()), square(-2.0, -1.25)),
         (between(AxisBox::new([2.0], [0.5]).expect("a width"), ball()), square(1.5, -0.75)),
-        // The sphere is two points. From 0.1 the right one is nearer, but up the ramp.
+        // The sphere consists of two points. The right one is nearer to 0.1, but lies up the ramp.
         (between(Sphere::new([0.0], 1.0).expect("a radius"), point([0.1])), square(-1.0, 0.1)),
         (between(point([-3.0]), Segment::new([1.0], [2.0]).expect("finite")), square(-3.0, 1.0)),
     ];
@@ -200,7 +201,7 @@ fn one_dimension_has_sets_too() {
     }
 }
 
-/// Any two pieces may touch: on every grid, no search is needed.
+/// If any two pieces touch, no search is needed, on any grid.
 #[test]
 fn pieces_that_touch_are_found_in_any_order() {
     let far = [[9.0, 9.0], [-7.0, 3.0]];

@@ -1,6 +1,6 @@
-//! Grids on which the points extrapolated from coarser grids are a minimiser to rounding and are
-//! only evaluated: all claims must hold nevertheless. And the way there, over coarse grids that
-//! resolve little of the metric.
+//! Tests grids on which the points that are extrapolated from coarser grids are a minimiser up to
+//! rounding, so that they are only evaluated. All claims must hold nevertheless. Also tests the way
+//! there, over coarse grids that resolve little of the metric.
 
 use std::{collections::HashSet, f64::consts::PI, sync::Mutex, thread};
 
@@ -37,7 +37,7 @@ fn on_threads<const D: usize>(
     minimise_by_batches(&mut Workspace::default(), metric, &from_to(a, b), rule, n, &options)
 }
 
-/// Compares energy, residual and decrement with those computed from the points.
+/// Compares the energy, the residual and the decrement with those computed from the points.
 #[track_caller]
 fn assert_true<R: Rule, const D: usize>(
     metric: &impl Metric<D>,
@@ -48,9 +48,10 @@ fn assert_true<R: Rule, const D: usize>(
     let minimum = from_the_line(metric, rule, line, n).expect("a metric");
     assert!(minimum.is_local_minimum() && minimum.levels.len() > 2);
     let (energy, gradient) = energy_gradient(rule, metric, &minimum.sequence);
-    // Both sums are compensated; a term is known to a dozen roundings.
+    // Both sums are compensated, and a term is known to a dozen roundings.
     assert!((minimum.energy / energy - 1.0).abs() < 3e-15, "{} {energy}", minimum.energy);
-    // ρₙ = (N/2) ∂E/∂xₙ at the inner points, relative to (c E)^{1/2}; points have no other part.
+    // ρₙ = (N/2) ∂E/∂xₙ at the inner points, relative to (c E)^{1/2}. If the ends are points, the
+    // residual has no other part.
     let squares = gradient[1..n].iter().map(|g| g.norm_squared());
     let root = (squares.sum::<f64>() / n as f64).sqrt();
     let trace = |(x, d): (&SVector<f64, D>, SVector<f64, D>)| {
@@ -61,9 +62,9 @@ fn assert_true<R: Rule, const D: usize>(
     };
     let mean = minimum.sequence.chords().map(trace).sum::<f64>() / (n * D) as f64;
     let residual = 0.5 * n as f64 * root / (mean * energy).sqrt();
-    // The gradient is rounding: summed in another order, it differs by a few per cent.
+    // The gradient is rounding, so it differs by a few per cent if it is summed in another order.
     assert!((minimum.residual / residual - 1.0).abs() < 0.3, "{:e} {residual:e}", minimum.residual);
-    // Only rounding, whether a step was taken or not.
+    // Only rounding remains, whether a step was taken or not.
     let floor = minimum.residual_floor;
     assert!(minimum.residual <= 2.0 * floor, "N = {n}: {:e} {floor:e}", minimum.residual);
     let [a, b] = line.map(point);
@@ -71,7 +72,7 @@ fn assert_true<R: Rule, const D: usize>(
     let batches = Prepared::new(metric);
     let step = newton_step(&mut workspace, &batches, [&a, &b], rule, &minimum.sequence);
     let decrement = step.expect("positive definite").decrement / energy;
-    // Both of the order of rounding, and negligible.
+    // Both decrements are of the order of rounding, and negligible.
     let range = 0.3 * decrement..=3.0 * decrement + 1e-28;
     assert!(range.contains(&minimum.decrement), "{:e} {decrement:e}", minimum.decrement);
     assert!(minimum.decrement <= 1e-18, "{:e}", minimum.decrement);
@@ -89,7 +90,7 @@ fn the_claims_of_a_minimum_hold_on_every_grid() {
     }
 }
 
-/// A bump with a Gram matrix that is not symmetric within about 10⁻⁵ of `x₁ = 0.1001`.
+/// A bump whose Gram matrix is not symmetric within about 10⁻⁵ of `x₁ = 0.1001`.
 struct Slit(Bump);
 
 impl Metric<2> for Slit {
@@ -116,7 +117,7 @@ fn a_defect_at_a_node_is_found_on_the_finest_grid() {
 }
 
 /// Nine chords leap over both ridges of this metric, with energies of 9.5 and 11. On finer grids
-/// these minima rise to 87 and 140, while the lowest has 33.15.
+/// these minima rise to 87 and 140, while the lowest minimum has energy 33.15.
 #[test]
 fn the_starts_are_tried_again_after_a_leap() {
     let ridges = Separable::new(vector![0.788, 0.0, 0.0], vector![1.663, 1.0, 1.0]);
@@ -163,7 +164,7 @@ fn assert_same_on_two_threads<const D: usize>(
     }
 }
 
-/// Compares one thread with two for one way to evaluate a metric.
+/// Compares one thread with two for one of the ways to evaluate a metric.
 #[track_caller]
 fn assert_same_by<const D: usize>(
     metric: &dyn Batches<D>,
@@ -186,7 +187,7 @@ fn has_two_processors() -> bool {
     thread::available_parallelism().is_ok_and(|processors| processors.get() > 1)
 }
 
-/// With an even and an odd number of chords.
+/// The numbers of chords are even and odd.
 #[test]
 fn two_threads_find_the_same_bit_by_bit() {
     let five = projections::<5>();
@@ -197,8 +198,8 @@ fn two_threads_find_the_same_bit_by_bit() {
     assert_same_on_two_threads(&projections::<4>(), Trapezoidal, [[0.0; 4], [1.0; 4]], 30_001);
 }
 
-/// A Gram matrix that is not symmetric within about 10⁻⁵ of a hyperplane, in an entry without
-/// effect along a line in `x₅ = 0`.
+/// The Gram matrix is not symmetric within about 10⁻⁵ of a hyperplane. The defect is in an entry
+/// that has no effect along a line in `x₅ = 0`.
 struct Torn<'a> {
     metric: &'a SineProjections<5>,
     at: f64,
@@ -212,7 +213,7 @@ impl Metric<5> for Torn<'_> {
     }
 }
 
-/// The defect is at a single node of the finest grid, near either end.
+/// The defect is at a single node of the finest grid, near one end or the other.
 #[test]
 fn a_defect_at_a_node_is_found_on_either_side() {
     let term = |k: f64| SineProjection {
@@ -243,7 +244,7 @@ fn projections<const D: usize>() -> SineProjections<D> {
     SineProjections::new([1.0, 2.0, 3.0].map(term).to_vec()).expect("finite")
 }
 
-/// `H = (2 − cos x₁)² (3 + cos x₂) I`, undefined for `|x₂ − c| < w`.
+/// `H = (2 − cos x₁)² (3 + cos x₂) I`, which is undefined for `|x₂ − c| < w`.
 struct Band {
     c: f64,
     w: f64,
@@ -256,8 +257,8 @@ impl Metric<2> for Band {
     }
 }
 
-/// The left-endpoint rule does not evaluate the metric at the last point, which is elsewhere on
-/// every grid if it lies on a wall. The metric has to be checked there separately.
+/// The left-endpoint rule does not evaluate the metric at the last point. If that point lies on a
+/// wall, it is at a different place on every grid. The metric has to be checked there separately.
 #[test]
 fn a_last_point_without_a_metric_is_an_error_although_no_rule_reads_it() {
     let wall = half_space([1.0, 0.2], 2.0);

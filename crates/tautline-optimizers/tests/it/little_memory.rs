@@ -1,4 +1,4 @@
-//! Without memory, a solve ends with an error and does not end the process.
+//! Tests that a solve without memory ends with an error and does not end the process.
 #![cfg(target_os = "linux")]
 
 use std::{env, process::Command};
@@ -12,7 +12,8 @@ use tautline_sets::Sphere;
 
 use crate::setup::{between, from_to, sequence};
 
-/// A step on this grid takes 302 MB for its `2D² + 2D` numbers a point, and its points 17 MB.
+/// On this grid, a step takes 302 MB for its `2D² + 2D` doubles per point, and the points take 17
+/// MB.
 const N: usize = 1 << 18;
 const D: usize = 8;
 
@@ -37,7 +38,7 @@ fn with_megabytes(megabytes: u32, test: &str, run: fn()) {
     assert!(output.status.success() && passed, "{}: {said}", output.status);
 }
 
-/// A wave with 400 radians in all directions: the finest grid needs a step.
+/// A wave of 400 radians in every direction, so that the finest grid needs a step.
 fn metric() -> Separable<D> {
     Separable::new([0.3; D], [400.0; D]).expect("a metric")
 }
@@ -65,7 +66,7 @@ fn a_grid_without_memory_is_an_error() {
         let ends = from_to([0.0; D], [1.0; D]);
         let error = minimise(&metric(), &ends, LeftEndpoint, N, &Options::default());
         let error = error.map(|minimum| minimum.sequence.n()).expect_err("no memory");
-        // The bytes of an undamped step.
+        // The error reports the bytes of an undamped step.
         let bytes = (N + 1) * (2 * D * D + 2 * D) * 8;
         assert_eq!(error, SolveError::OutOfMemory { n: N, bytes });
     });
@@ -83,8 +84,8 @@ fn points_without_memory_are_an_error_before_any_search() {
     });
 }
 
-/// Between concentric spheres the minimisers form a continuum, and every step needs damping; there
-/// is memory for undamped steps only. The earlier error of a refused start is not reported.
+/// Between concentric spheres the minimisers form a continuum, so every step needs damping, but
+/// there is memory for undamped steps only. The earlier error of a refused start is not reported.
 #[test]
 fn damped_steps_without_memory_are_an_error() {
     struct ToTheRight;

@@ -1,5 +1,5 @@
-//! Tests of the search for discrete minimisers: problems of every kind, bad input, and the claims
-//! of results.
+//! Tests the search for discrete minimisers: problems of every kind, bad input, and the claims that
+//! results make.
 
 mod bad_input;
 mod benchmark_problems;

@@ -1,5 +1,5 @@
-//! Metrics that are not twice differentiable: the search ends within its limit and claims nothing
-//! false.
+//! Tests metrics that are not twice differentiable. The search ends within its limit and claims
+//! nothing false.
 
 use nalgebra::{SMatrix, SVector, matrix};
 use tautline_discretizations::{Rule, Trapezoidal};
@@ -19,8 +19,8 @@ fn assert_honest(metric: &impl Metric<2>, minimum: &Minimum<2>) {
     }
     assert!(minimum.local_minima.iter().chain([&minimum.energy]).all(|e| e.is_finite()));
     if minimum.stop == Stop::Converged {
-        // residual² ≤ 2 N² κ decrement, here with decrements up to 1e-10, N ≤ 40 and a condition
-        // κ < 10, up to the ends.
+        // residual² ≤ 2 N² κ decrement, up to the ends. Here decrements are at most 1e-10, N ≤ 40,
+        // and the condition number is κ < 10.
         assert!(minimum.residual < 4e-3, "residual {:e}", minimum.residual);
     }
     if let Curvature::Indefinite { negative } = minimum.curvature {
@@ -28,7 +28,7 @@ fn assert_honest(metric: &impl Metric<2>, minimum: &Minimum<2>) {
     }
 }
 
-/// Four metrics that are not twice differentiable, or only in name.
+/// Four metrics that are not twice differentiable, or that are so in name only.
 macro_rules! scalar_metric {
     ($name:ident, $x:ident => $formula:expr) => {
         struct $name;
@@ -40,13 +40,13 @@ macro_rules! scalar_metric {
     };
 }
 
-// |x₂|: a valley with a kink along the minimising curve, where it has no derivative.
+// |x₂| is a valley with a kink along the minimising curve, where it has no derivative.
 scalar_metric!(Kink, x => x[1].sqr().sqrt() + 1.0);
-// Jumps by π/2 along lines that cross every curve.
+// This metric jumps by π/2 along lines that cross every curve.
 scalar_metric!(Saw, x => ((x[0] * 7.0).tan().atan() + (x[1] * 11.0).tan().atan()) * 0.5 + 2.0);
-// Random to any Newton step.
+// To a Newton step this metric looks random.
 scalar_metric!(Noise, x => (x[0] * 1e9 + x[1] * 3e9).sin() * 0.5 + 2.0);
-// Smooth, with more hills than the grids have points.
+// This metric is smooth, with more hills than the grids have points.
 scalar_metric!(Hills, x => (x[0] * 100.0).sin() * (x[1] * 77.0).cos() * 0.5 + 1.0);
 
 #[test]
@@ -62,7 +62,7 @@ fn check_nasty(metric: &impl Metric<2>) {
     let circle = Sphere::new([-1.5, -0.1], 0.4).expect("a radius");
     let all = [
         from_to([-1.0, 0.3], [1.0, -0.2]),
-        // On the kink.
+        // These ends lie on the kink.
         from_to([-1.0, 0.0], [1.0, 0.0]),
         between(circle, ball),
     ];
@@ -72,7 +72,8 @@ fn check_nasty(metric: &impl Metric<2>) {
                 let options = Options { iterations: limit, ..Options::default() };
                 let minimum = minimise(metric, ends, Trapezoidal, n, &options).expect("a metric");
                 assert_honest(metric, &minimum);
-                // At most ten pairs of ends with six starts, or n jumps, and eight followed.
+                // There are at most ten pairs of ends with six starts, or n jumps, and eight
+                // minimisers are followed.
                 let searches = 10 * (6 + 8) + 8 * minimum.levels.len();
                 assert!(minimum.iterations <= searches * (limit + 1), "{}", minimum.iterations);
                 if limit == 0 {
@@ -83,7 +84,7 @@ fn check_nasty(metric: &impl Metric<2>) {
     }
 }
 
-/// NaN derivatives reach the frames of the ends and every eigenvalue routine, here in `D = 3`.
+/// NaN derivatives reach the frames of the ends and every eigenvalue routine, here for `D = 3`.
 #[test]
 fn derivatives_that_are_nan_end_the_search() {
     struct Kink;
@@ -103,7 +104,7 @@ fn derivatives_that_are_nan_end_the_search() {
                 let options = Options { starts, ..Options::default() };
                 let minimum = minimise(&Kink, &ends, Trapezoidal, n, &options).expect("values");
                 assert!(minimum.energy.is_finite() && minimum.residual >= 0.0);
-                // Without derivatives nothing is claimed.
+                // Without derivatives the result claims nothing.
                 let blind = minimum.residual == f64::INFINITY;
                 assert!(!blind || !minimum.is_local_minimum(), "{minimum:?}");
             }

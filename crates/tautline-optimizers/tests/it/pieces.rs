@@ -1,5 +1,5 @@
-//! End sets that are not convex: finite sets, unions, spheres. The nearest piece or side in the
-//! Euclidean sense need not be the nearest in the metric.
+//! Tests end sets that are not convex: finite sets, unions, spheres. The piece or side that is
+//! nearest in the Euclidean sense need not be nearest in the metric.
 
 use std::{f64::consts::TAU, sync::Arc};
 
@@ -23,14 +23,14 @@ fn solve<const D: usize>(metric: &impl Metric<D>, ends: &Ends<D>, n: usize) -> M
     minimum
 }
 
-/// `(3.5, 0)` is nearer in the Euclidean sense, but beyond the ridge, `d = 7 + 0.35`; along the
-/// valley to `(0, 5)` it is `d = 5`, exactly on every grid.
+/// `(3.5, 0)` is nearer in the Euclidean sense, but lies beyond the ridge, with `d = 7 + 0.35`.
+/// Along the valley to `(0, 5)` the distance is `d = 5`, exactly on every grid.
 #[test]
 fn a_point_along_the_valley_beats_a_nearer_one_beyond_the_ridge() {
     let (beyond, along) = ([3.5, 0.0], [0.0, 5.0]);
     for targets in [[beyond, along], [along, beyond]] {
         let set = FiniteSet::new(targets).expect("finite");
-        // From N = 5 on: with fewer chords a jump over the ridge may be cheaper.
+        // The claim holds from N = 5 on. With fewer chords a jump over the ridge may be cheaper.
         for n in [9, 40, 300] {
             for ends in
                 [between(point([0.0, 0.0]), set.clone()), between(set.clone(), point([0.0; 2]))]
@@ -40,7 +40,7 @@ fn a_point_along_the_valley_beats_a_nearer_one_beyond_the_ridge() {
                 let both = [minimum.sequence.first(), minimum.sequence.last()];
                 assert!(both.contains(&&SVector::from(along)));
                 let higher = (7.0 - 3.5_f64.sin()).powi(2);
-                // E_N − d² = O(N⁻²) with a constant of about 30: a twentieth at N = 9.
+                // E_N − d² = O(N⁻²) with a constant of about 30, which is a twentieth at N = 9.
                 assert!(n < 40 || (minimum.local_minima[1] / higher - 1.0).abs() < 0.05);
             }
         }
@@ -52,13 +52,15 @@ fn the_best_pair_of_two_finite_sets_is_found() {
     let first = FiniteSet::new([[0.0, 9.0], [1.0, 0.0], [0.0, 0.0]]).expect("finite");
     let second = FiniteSet::new([[4.0, 0.0], [0.0, 3.5], [-4.0, 1.0]]).expect("finite");
     let minimum = solve(&Valleys, &between(first, second), 100);
-    // Nearest in the Euclidean sense: (1, 0) and (4, 0), 3 apart, d = 6 + sin 1 − sin 4 = 7.6.
+    // In the Euclidean sense the nearest points are (1, 0) and (4, 0). They are 3 apart, with d = 6
+    // + sin 1 − sin 4 = 7.6.
     assert_eq!(*minimum.sequence.first(), vector![0.0, 0.0]);
     assert_eq!(*minimum.sequence.last(), vector![0.0, 3.5]);
     assert_close(minimum.energy, 3.5 * 3.5, 1e-14);
 }
 
-/// The ball behind the bump is nearer in the Euclidean sense, the one beside it in the metric.
+/// The ball behind the bump is nearer in the Euclidean sense, the ball to the side of it in the
+/// metric.
 #[test]
 fn a_ball_beside_the_bump_beats_a_nearer_one_behind_it() {
     let bump = bump();
@@ -71,14 +73,15 @@ fn a_ball_beside_the_bump_beats_a_nearer_one_behind_it() {
             pieces.iter().map(|piece| Arc::new(*piece) as _).collect();
         let union = Union::new(members).expect("two");
         let minimum = solve(&bump, &between(start, union), 200);
-        // The same search: equal up to the decrement.
+        // It is the same search, so the energies are equal up to the decrement.
         assert_close(minimum.energy, alone[1], 1e-14);
         assert!((beside.project(minimum.sequence.last()) - minimum.sequence.last()).amax() < 1e-15);
     }
 }
 
-/// Nested unions, a constant metric in which the second coordinate counts three times:
-/// `(3 · 1.5)² = 20.25` to the ball above, `3.5² = 12.25` to the one on the right.
+/// The union is nested, and under the constant metric the second coordinate counts three times. The
+/// squared distance is `(3 · 1.5)² = 20.25` to the ball above and `3.5² = 12.25` to the ball on the
+/// right.
 #[test]
 fn the_ball_of_a_nested_union_is_the_nearest_in_the_metric() {
     let metric = Constant::new(matrix![1.0, 0.0; 0.0, 9.0]).expect("definite");
@@ -88,12 +91,12 @@ fn the_ball_of_a_nested_union_is_the_nearest_in_the_metric() {
     for n in [1, 6, 100] {
         let minimum = solve(&metric, &between(point([0.0, 0.0]), union.clone()), n);
         assert_close(minimum.energy, 12.25, 1e-14);
-        // The three balls: three minima.
+        // The three balls give three minima.
         assert_eq!(minimum.local_minima.len(), 3, "{:?}", minimum.local_minima);
     }
 }
 
-/// The square distance of `p` from the unit circle, by a scan and a search by thirds.
+/// Returns the squared distance between `p` and the unit circle, by a scan and a ternary search.
 fn circle_distance(h: &SMatrix<f64, 2, 2>, p: &SVector<f64, 2>) -> f64 {
     let square = |t: f64| {
         let d = vector![t.cos(), t.sin()] - p;
@@ -114,8 +117,8 @@ fn circle_distance(h: &SMatrix<f64, 2, 2>, p: &SVector<f64, 2>) -> f64 {
     square(0.5 * (a + b))
 }
 
-/// Points inside and outside a circle, oblique metrics of condition up to 20: the nearest point is
-/// not the Euclidean one, and there may be two local minima or four.
+/// Points lie inside and outside a circle, under oblique metrics with condition numbers up to 20.
+/// The nearest point is not the Euclidean one, and there may be two local minima or four.
 #[test]
 fn the_point_of_a_circle_is_the_nearest_in_the_metric() {
     let mut several = 0;
@@ -131,12 +134,12 @@ fn the_point_of_a_circle_is_the_nearest_in_the_metric() {
         let reference = circle_distance(&h, &p);
         let circle = Sphere::new([0.0, 0.0], 1.0).expect("a radius");
         for n in [1, 2, 9, 40] {
-            // In either order.
+            // The circle and the point are tried in either order.
             let first = (k + n as i32) % 3 == 0;
             let p = point(p);
             let minimum =
                 solve(&metric, &if first { between(circle, p) } else { between(p, circle) }, n);
-            // The scan rounds numbers of size 1: h · 1e-16 absolute.
+            // The scan rounds numbers of size 1, with an absolute error of h · 1e-16.
             let error = (minimum.energy - reference).abs();
             assert!(error <= 1e-12 * reference + 1e-14, "{k} {n}: {error:e}");
             let end = if first { minimum.sequence.first() } else { minimum.sequence.last() };
@@ -148,8 +151,8 @@ fn the_point_of_a_circle_is_the_nearest_in_the_metric() {
     assert!(several > 100, "several local minima in {several} cases only");
 }
 
-/// Inside a sphere, on an axis, with `H = diag(4, 1, 2)`: by Lagrange the nearest points are
-/// `x₁ = 4p/(4 − 1)`, `x₂ = ±(1 − x₁²)^{1/2}`; the axis leads to a saddle.
+/// The point is inside a sphere, on an axis, with `H = diag(4, 1, 2)`. By Lagrange's condition the
+/// nearest points are `x₁ = 4p/(4 − 1)`, `x₂ = ±(1 − x₁²)^{1/2}`; the axis leads to a saddle.
 #[test]
 fn inside_a_sphere_the_nearest_point_lies_off_the_axis() {
     let metric = Constant::new(SMatrix::from_diagonal(&vector![4.0, 1.0, 2.0])).expect("definite");
@@ -162,7 +165,7 @@ fn inside_a_sphere_the_nearest_point_lies_off_the_axis() {
         let minimum = solve(&metric, &ends, n);
         assert_close(minimum.energy, reference, 1e-13);
         assert!((minimum.sequence.last()[0] - x1).abs() < 1e-7);
-        // From the saddle alone.
+        // This search starts from the saddle alone.
         let options = only(straight([p, 0.0, 0.0], [1.0, 0.0, 0.0], n));
         let left = minimise(&metric, &ends, Trapezoidal, n, &options).expect("a metric");
         assert!(left.is_local_minimum());
@@ -202,7 +205,8 @@ fn check_mirror(metric: &impl Metric<2>) {
         assert!((a - vector![b[0], -b[1]]).amax() < 1e-8);
     }
     assert!(above.sequence.points()[n / 2][1] > 0.3);
-    // From the axis, a saddle, and from all automatic starts: the same energy, counted once.
+    // From the axis, which is a saddle, and from all automatic starts the search finds the same
+    // energy, which is counted once.
     let axis = straight([-1.5, 0.0], [1.5, 0.0], n);
     for minimum in [search(Starts::Only(vec![axis])), search(Starts::Automatic)] {
         assert_close(minimum.energy, above.energy, 1e-14);

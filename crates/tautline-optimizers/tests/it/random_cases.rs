@@ -1,4 +1,5 @@
-//! Random metrics, random ends, `N` from 1 to 200, both rules: properties that hold in every case.
+//! Tests properties that hold in every case, on random metrics and random ends, for `N` from 1 to
+//! 200 and both rules.
 
 use nalgebra::{SVector, vector};
 use proptest::prelude::*;
@@ -16,7 +17,8 @@ fn vector<const D: usize>(size: f64) -> impl Strategy<Value = SVector<f64, D>> {
     proptest::array::uniform::<_, D>(-size..size).prop_map(SVector::from)
 }
 
-/// Two points; or a bounded set of any kind about `−3e₁`, and a set of any kind about `3e₁`.
+/// The ends are two points, or a bounded set of any kind about `−3e₁` and a set of any kind about
+/// `3e₁`.
 fn ends<const D: usize>() -> impl Strategy<Value = Ends<D>> {
     let points = (vector::<D>(4.0), vector::<D>(4.0)).prop_map(|(a, b)| from_to(a, b));
     let sets = (0..4_usize, 0..5_usize, vector::<D>(1.0), vector::<D>(1.0), 0.0..0.8_f64);
@@ -41,12 +43,12 @@ fn ends<const D: usize>() -> impl Strategy<Value = Ends<D>> {
     prop_oneof![1 => points, 2 => sets]
 }
 
-/// Mostly few chords, where discrete minima are odd.
+/// Most cases have few chords, for which discrete minima are odd.
 fn chords() -> impl Strategy<Value = usize> {
     prop_oneof![1_usize..12, 12_usize..200]
 }
 
-/// Checks both rules. `sine` is a phase for the perturbations.
+/// Checks both rules. `sine` is a phase of the perturbations.
 fn check<const D: usize>(
     metric: &impl Metric<D>,
     ends: &Ends<D>,
@@ -74,7 +76,7 @@ fn check_rule<const D: usize>(
         prop_assert_eq!(minimum.energy, 0.0);
         return Ok(());
     }
-    // The straight line between nearest points, by alternating projections.
+    // The start is the straight line between nearest points, which alternating projections find.
     let mut a = ends.first().project(&SVector::zeros());
     let mut b = ends.second().project(&a);
     for _ in 0..50 {
@@ -84,7 +86,7 @@ fn check_rule<const D: usize>(
     let straight = straight(a, b, n);
     let energy = rule.energy(metric, &straight);
     prop_assert!(minimum.energy <= energy * (1.0 + 1e-12), "{} {energy}", minimum.energy);
-    // From that start alone.
+    // This search begins from that start alone.
     let alone = solve(Starts::Only(vec![straight]));
     stops_well(&alone)?;
     prop_assert!(alone.energy <= energy * (1.0 + 1e-12), "{} {energy}", alone.energy);
@@ -107,8 +109,9 @@ fn stops_well<const D: usize>(minimum: &Minimum<D>) -> Result<(), TestCaseError>
     Ok(())
 }
 
-/// No perturbation with ends in the sets lowers the energy: waves and single points, of sizes from
-/// `1e-3`, which stays near a shallow minimum, down to rounding.
+/// No perturbation with its ends in the sets lowers the energy. The perturbations are waves and
+/// single points. Their sizes decrease from `1e-3`, which stays near a shallow minimum, down to
+/// rounding.
 fn not_lowered<const D: usize>(
     metric: &impl Metric<D>,
     ends: &Ends<D>,
@@ -134,14 +137,14 @@ fn not_lowered<const D: usize>(
         perturbed[n] = ends.second().project(&perturbed[n]);
         let perturbed = sequence(perturbed);
         let energy = rule.energy(metric, &perturbed);
-        // No step promises more than the decrement, 1e-18. Each term of the sum is rounded, by
-        // 1e-14 in eight dimensions.
+        // No step lowers the energy by more than the decrement, 1e-18. Each term of the sum is
+        // rounded, by 1e-14 in eight dimensions.
         prop_assert!(energy >= minimum.energy * (1.0 - 3e-14), "{energy} below at {trial}");
     }
     Ok(())
 }
 
-/// `d² ≤ E(γᵖˡ)`, up to the error of the quadrature and of the reference.
+/// Checks that `d² ≤ E(γᵖˡ)`, up to the errors of the quadrature and of the reference.
 fn not_below<const D: usize>(
     metric: &impl KnownDistance<D>,
     a: SVector<f64, D>,
@@ -153,7 +156,8 @@ fn not_below<const D: usize>(
     for minimum in [lowest(metric, &ends, LeftEndpoint, n), lowest(metric, &ends, Trapezoidal, n)] {
         stops_well(&minimum)?;
         let energy = Interpolation::new(&minimum.sequence).energy(metric);
-        // The primitives, up to 10, have an error of about 4e-15 each; so has the sum of squares.
+        // Each primitive is at most 10 and has an error of about 4e-15; the sum of squares has a
+        // similar error.
         let error = energy.error + 2e-14 * d + 1e-13 * d * d;
         prop_assert!(d * d <= energy.value + error, "{} below {}", energy.value, d * d);
     }
@@ -222,7 +226,7 @@ proptest! {
     }
 }
 
-/// A random start ends in a minimum that is not lower than that of the automatic starts.
+/// A random start ends in a minimum that is not lower than the minimum from the automatic starts.
 #[test]
 fn random_starts_find_nothing_lower() {
     let bump = crate::setup::bump();

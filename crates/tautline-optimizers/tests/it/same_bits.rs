@@ -1,4 +1,5 @@
-//! Results have the same bits whatever the instructions, the number of threads and the block size.
+//! Tests that results have the same bits whatever the instructions, the number of threads and the
+//! block size are.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_discretizations::{LeftEndpoint, Rule, Trapezoidal, TrueTrapezoid};
@@ -8,7 +9,7 @@ use tautline_optimizers::{Minimum, Options, Workspace, minimise_by_batches};
 
 use crate::setup::{ball, between, from_to};
 
-/// Waves along each coordinate, and between neighbours.
+/// The metric has waves along each coordinate, and between neighbouring coordinates.
 struct Waves;
 impl<const D: usize> Metric<D> for Waves {
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
@@ -24,7 +25,7 @@ impl<const D: usize> Metric<D> for Waves {
     }
 }
 
-/// The numbers of a result, and the bits of its points.
+/// Returns the numbers of a result, and the bits of its points.
 fn bits_of<const D: usize>(minimum: &Minimum<D>) -> (String, Vec<u64>) {
     let points = minimum.sequence.points().iter().flat_map(|x| x.iter());
     let bits = points.map(|x| x.to_bits()).collect();
@@ -32,7 +33,8 @@ fn bits_of<const D: usize>(minimum: &Minimum<D>) -> (String, Vec<u64>) {
     (format!("{energy:e} {decrement:e} {residual:e} {iterations} {levels:?}"), bits)
 }
 
-/// On a grid with a middle chord and one without, large enough for two threads if they are used.
+/// Compares results on a grid with a middle chord and on one without. Both grids are large enough
+/// for two threads, if two are used.
 fn compare<R: Rule, const D: usize>(rule: R) {
     let at = |x: f64| SVector::<f64, D>::from_fn(|i, _| x + 0.3 * (i as f64).sin());
     let ball = |x: f64| ball(at(x), 0.25);

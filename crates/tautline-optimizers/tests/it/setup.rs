@@ -1,4 +1,4 @@
-//! What the tests share: ends, starts, solves and comparisons.
+//! Ends, starts, solves and comparisons that the tests share.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_discretizations::{PointSequence, Rule};
@@ -17,7 +17,7 @@ pub(crate) fn ball<const D: usize>(centre: impl Into<SVector<f64, D>>, radius: f
     Ball::new(centre.into(), radius).expect("a radius")
 }
 
-/// `{x : normal · x ≥ offset}`.
+/// Returns `{x : normal · x ≥ offset}`.
 pub(crate) fn half_space<const D: usize>(
     normal: impl Into<SVector<f64, D>>,
     offset: f64,
@@ -32,7 +32,7 @@ pub(crate) fn between<const D: usize>(
     Ends::new(first, second).expect("one bounded")
 }
 
-/// Two points.
+/// Returns two points as ends.
 pub(crate) fn from_to<const D: usize>(
     a: impl Into<SVector<f64, D>>,
     b: impl Into<SVector<f64, D>>,
@@ -52,22 +52,22 @@ pub(crate) fn straight<const D: usize>(
     PointSequence::straight(a.into(), b.into(), n).expect("finite")
 }
 
-/// The identity.
+/// Returns the identity as a metric.
 pub(crate) fn euclidean<const D: usize>() -> Constant<D> {
     Constant::new(SMatrix::identity()).expect("positive definite")
 }
 
-/// The bump of problems P2 and P4.
+/// Returns the bump of problems P2 and P4.
 pub(crate) fn bump() -> Bump {
     Bump::new(4.0, 0.5).expect("positive")
 }
 
-/// A search from this start alone.
+/// Returns options for a search from this start alone.
 pub(crate) fn only<const D: usize>(start: PointSequence<D>) -> Options<D> {
     Options { starts: Starts::Only(vec![start]), ..Options::default() }
 }
 
-/// The minimum from all automatic starts.
+/// Returns the minimum from all automatic starts.
 #[track_caller]
 pub(crate) fn lowest<const D: usize>(
     metric: &impl Metric<D>,
@@ -78,7 +78,7 @@ pub(crate) fn lowest<const D: usize>(
     minimise(metric, ends, rule, n, &Options::default()).expect("a metric")
 }
 
-/// `d²`, extrapolated from trapezoidal energies.
+/// Returns `d²`, extrapolated from trapezoidal energies.
 #[track_caller]
 pub(crate) fn extrapolated<const D: usize>(minimum: &Minimum<D>) -> f64 {
     extrapolate(&minimum.levels, 2).expect("several grids").value

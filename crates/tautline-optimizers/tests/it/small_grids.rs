@@ -1,4 +1,5 @@
-//! Small grids: they cost no more than finer ones, and a few of them suffice to extrapolate `d²`.
+//! Tests small grids: they do not cost more than finer ones, and a few of them suffice to
+//! extrapolate `d²`.
 
 use std::{
     f64::consts::PI,
@@ -19,8 +20,8 @@ use crate::setup::{
     ball, between, bump, euclidean, from_to, half_space, point, sequence, straight,
 };
 
-/// A metric that counts the numbers it computes: one for a value, a dozen for a value with
-/// derivatives.
+/// A metric that counts the numbers it computes. A value counts as one, a value with derivatives as
+/// a dozen.
 struct Counted<M, const D: usize> {
     metric: Prepared<M, D>,
     numbers: AtomicUsize,
@@ -48,7 +49,8 @@ impl<M: Metric<D>, const D: usize> Batches<D> for Counted<M, D> {
     }
 }
 
-/// The work of a solve from all starts, on one thread so that it is reproducible.
+/// Returns the work of a solve from all starts. It runs on one thread, so that the work is
+/// reproducible.
 fn work<M: Metric<D>, const D: usize>(
     metric: &M,
     ends: &Ends<D>,
@@ -62,8 +64,8 @@ fn work<M: Metric<D>, const D: usize>(
     counted.numbers.into_inner()
 }
 
-/// The six problems on which solvers are compared, and some in one dimension, where the starts are
-/// a large part of the work.
+/// Runs a check on the six problems on which solvers are compared, and on some problems in one
+/// dimension, where the starts are a large part of the work.
 #[track_caller]
 fn on_each_problem(each: &impl Each) {
     let bump = bump();
@@ -94,7 +96,7 @@ impl Each for Cheap {
     fn problem<M: Metric<D>, const D: usize>(&self, name: &str, metric: &M, ends: &Ends<D>) {
         let assert_cheap = |of: &dyn Fn(usize) -> usize| {
             let fine = of(512);
-            // Up to 32 directly, then over one coarser grid.
+            // Up to 32 chords the solve is direct, beyond that it goes over one coarser grid.
             for n in [1, 2, 3, 4, 5, 6, 8, 11, 16, 23, 32, 33, 34, 40, 48, 56, 63, 64] {
                 let small = of(n);
                 assert!(5 * small <= 6 * fine, "{name}, N = {n}: {small} and {fine} for N = 512");
@@ -126,8 +128,8 @@ impl Each for Extrapolated {
             assert!(estimate(n).1.is_some(), "{name}, N = {n}: no estimate");
         }
         let (energy, Some(small)) = estimate(64) else { panic!("{name}: no estimate for N = 64") };
-        // Better than the energy itself, even if a coarse grid leaps. Flat metrics only have
-        // rounding.
+        // The estimate is better than the energy itself, even if a coarse grid leaps. Flat metrics
+        // only have rounding.
         let (before, after) = ((energy - fine.value).abs(), (small.value - fine.value).abs());
         let rounding = 1e-13 * fine.value;
         assert!(after <= before + rounding, "{name}: {after:e} {before:e}");
@@ -142,8 +144,8 @@ fn two_grids_are_enough_for_an_estimate() {
     on_each_problem(&Extrapolated);
 }
 
-/// A given start begins on the finest grid: it has bends that a grid of 32 chords cannot follow,
-/// and with given starts alone the minimiser between them is found.
+/// A given start is used on the finest grid, since it has bends that a grid of 32 chords cannot
+/// follow. With given starts alone, the search finds their minimiser.
 #[test]
 fn a_given_start_is_used_in_detail() {
     let waves = Separable::new([0.7], [12.0]).expect("below one");
@@ -155,20 +157,20 @@ fn a_given_start_is_used_in_detail() {
     let straight = straight([-2.0], [2.5], 64);
     let only = solve(Starts::Only(vec![straight.clone()]));
     assert_eq!(only.levels.iter().map(|level| level.n).collect::<Vec<_>>(), [64]);
-    // An additional start is used as it is: the result costs no more.
+    // An additional start is used as it is, so the energy of the result is not higher.
     let also = solve(Starts::Also(vec![only.sequence.clone()]));
     assert!(also.energy <= only.energy * (1.0 + 1e-12), "{} {}", also.energy, only.energy);
 }
 
-/// Up a ramp, the left-endpoint rule saves energy by a leap from the foot, where it reads the
-/// metric, to the end. With half as many chords the leap is longer, and need not lead to the lowest
-/// minimiser.
+/// Up a ramp, the left-endpoint rule saves energy by a leap to the end from the foot, where it
+/// evaluates the metric. With half as many chords the leap is longer, and need not lead to the
+/// lowest minimiser.
 #[test]
 fn leaps_are_found_on_a_grid_that_is_not_the_coarsest() {
     let ramp = Ramp::new(0.877, 2.11).expect("below one");
     let (from, to) = ([-2.6], [1.65]);
     let ends = from_to(from, to);
-    // The same if a point far away precedes the end.
+    // The result is the same if a point far away precedes the end.
     let members = FiniteSet::new([[-60.0], to]).expect("finite");
     let pieces = between(point(from), members);
     let energy_between = |ends: &Ends<1>, n: usize, starts| {

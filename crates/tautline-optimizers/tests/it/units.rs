@@ -1,4 +1,5 @@
-//! Other units of `ℓ` and `m`, and a far origin: the same results, as far as `f64` allows.
+//! Tests other units of `ℓ` and `m`, and a far origin: the results are the same, as far as `f64`
+//! allows.
 
 use nalgebra::{SMatrix, SVector, vector};
 use tautline_discretizations::{PointSequence, Trapezoidal};
@@ -14,9 +15,10 @@ use crate::setup::{
 #[derive(Clone, Copy)]
 struct Units<M> {
     metric: M,
-    /// The old unit of length, in new ones.
+    /// The old unit of length, measured in new units.
     ell: f64,
-    /// The square of the old unit of Riemannian length over that of `ℓ`, in new ones.
+    /// The square of the old unit of Riemannian length, divided by the square of the old unit `ℓ`,
+    /// measured in new units.
     gram: f64,
     /// Every coordinate of the old origin, in new units.
     origin: f64,
@@ -38,11 +40,11 @@ impl Units<()> {
         Units { metric, ell: self.ell, gram: self.gram, origin: self.origin }
     }
 
-    /// From a ball on one side of the bump to a half-plane on the other.
+    /// Solves from a ball on one side of the bump to a half-plane on the other.
     fn solve_sets(self, n: usize) -> Minimum<2> {
         let at = |x: f64, y: f64| vector![x, y] * self.ell + vector![self.origin, self.origin];
         let ball = ball(at(-2.0, 0.1), 0.5 * self.ell);
-        // {x₁ ≥ 2}, with a normal of another length.
+        // The set {x₁ ≥ 2}, given by a normal of another length.
         let wall = half_space([0.25, 0.0], 0.25 * at(2.0, 0.0)[0]);
         self.minimise(&between(ball, wall), n)
     }
@@ -58,8 +60,8 @@ impl Units<()> {
     }
 }
 
-/// A power of two as a unit changes no rounding: every number scales exactly. A tolerance with a
-/// hidden unit would show.
+/// With a power of two as the unit, every number scales exactly and no rounding changes. A
+/// tolerance with a hidden unit would change the result.
 #[test]
 fn powers_of_two_change_no_bit() {
     for n in [3, 40, 200] {
@@ -67,7 +69,7 @@ fn powers_of_two_change_no_bit() {
             let reference = solve(PLAIN, n);
             assert!(reference.is_local_minimum());
             for (ell, gram) in [(300, 0), (-300, 0), (0, 40), (0, -40), (20, -600), (-20, 600)] {
-                // H in m²/ℓ²: a power of 4, for exact roots.
+                // H is in m²/ℓ²; its unit is a power of 4, so that roots are exact.
                 let (ell, gram) = (2_f64.powi(ell), 4_f64.powi(gram / 2));
                 let minimum = solve(Units { ell, gram, ..PLAIN }, n);
                 let points: Vec<_> = reference.sequence.points().iter().map(|x| x * ell).collect();
@@ -86,7 +88,7 @@ fn powers_of_two_change_no_bit() {
     }
 }
 
-/// Units that are not powers of two, as far as squares fit into `f64`.
+/// The units are not powers of two, and range as far as squares fit into `f64`.
 #[test]
 fn any_units_give_the_same_energy() {
     let reference = PLAIN.solve_sets(64);
@@ -105,7 +107,7 @@ fn any_units_give_the_same_energy() {
     ] {
         let minimum = Units { ell, gram, ..PLAIN }.solve_sets(64);
         assert_eq!((minimum.stop, minimum.curvature), (reference.stop, reference.curvature));
-        // Twice the decrement, and rounding of coordinates.
+        // The allowance is twice the decrement, plus the rounding of coordinates.
         let energy = minimum.energy / (ell * gram) / ell;
         assert!((energy / reference.energy - 1.0).abs() <= 1e-14, "{ell:e} {gram:e}: {energy}");
         let range = 0.0..=8.0 * minimum.residual_floor + 1e-6;
@@ -115,7 +117,7 @@ fn any_units_give_the_same_energy() {
 }
 
 /// Far from the origin the coordinates, and the chords with them, are rounded to `ε |x|`. The
-/// search ends, and the predicted floor of the residual is observed.
+/// search ends, and the observed residual agrees with the predicted floor.
 #[test]
 fn far_from_the_origin_the_floor_predicts_the_residual() {
     for (solve, name) in
@@ -129,16 +131,16 @@ fn far_from_the_origin_the_floor_predicts_the_residual() {
                 assert_eq!(far.stop, Stop::Converged, "{which}");
                 assert_eq!(far.curvature, Curvature::PositiveDefinite, "{which}");
                 assert!(far.iterations < 100 + near.iterations, "{which}: {}", far.iterations);
-                // Above rounding, residual² ≤ 2 N² decrement; the factor 4 covers the condition of
-                // the metric and the ends.
+                // Above rounding, residual² ≤ 2 N² decrement. The factor 4 covers the condition
+                // number of the metric and the ends.
                 let unfinished = 4.0 * n as f64 * 1e-18_f64.sqrt();
                 let ratio = far.residual / far.residual_floor;
                 assert!(far.residual <= 30.0 * far.residual_floor + unfinished, "{which}: {ratio}");
                 if n >= 100 && far.residual_floor > unfinished {
                     assert!(ratio >= 1.0 / 30.0, "{which}: {ratio}");
                 }
-                // Ends and points move by u = ε |x|. With c₂ and a length of about 5 this changes E
-                // by 2 · 5 · 5 · u, plus the noise (N u)² of the chords.
+                // Ends and points move by u = ε |x|. If c₂ and the length are about 5, this changes
+                // E by 2 · 5 · 5 · u, plus the noise (N u)² of the chords.
                 let u = f64::EPSILON * origin;
                 let bound = 100.0 * u + 100.0 * (n as f64 * u).powi(2) + 1e-13;
                 let error = (far.energy - near.energy).abs();
@@ -148,19 +150,19 @@ fn far_from_the_origin_the_floor_predicts_the_residual() {
     }
 }
 
-/// Where rounding dominates for every `N`, results are noisy, but the search ends and reports it.
+/// If rounding dominates for every `N`, results are noisy, but the search ends and reports it.
 #[test]
 fn hopelessly_far_from_the_origin_the_search_still_ends() {
     for n in [10, 300] {
         let far = Units { origin: 1e12, ..PLAIN }.solve_points(n);
         assert!(matches!(far.stop, Stop::Converged | Stop::Stalled), "{:?}", far.stop);
         assert!(far.residual.is_finite() && far.energy.is_finite());
-        // ε N² |x|/L: the residual has no correct digit.
+        // The floor is ε N² |x|/L: the residual has no correct digit.
         assert!(far.residual_floor > 1e-3, "{:e}", far.residual_floor);
     }
 }
 
-/// The same curve run backwards, from the same start.
+/// Solves for the same curve run backwards, from the same start.
 #[test]
 fn exchanging_the_ends_reverses_the_sequence() {
     let bump = bump();
@@ -182,8 +184,8 @@ fn exchanging_the_ends_reverses_the_sequence() {
     assert!(points.into_iter().all(|(x, y)| (x - y).amax() < 1e-8));
 }
 
-/// `H = I`, `(0, 0) → (1, 1) → (2, 0)` with the end on a wall: `E = 8`, `ρ₁ = (0, 8)`, and the
-/// momentum along the wall is 2.
+/// For `H = I` and `(0, 0) → (1, 1) → (2, 0)`, with the end on a wall, `E = 8`, `ρ₁ = (0, 8)`, and
+/// the momentum along the wall is 2.
 #[test]
 fn the_residual_of_a_sequence_that_is_not_stationary() {
     let start = sequence([[0.0, 0.0], [1.0, 1.0], [2.0, 0.0]].map(SVector::from).to_vec());
@@ -195,6 +197,6 @@ fn the_residual_of_a_sequence_that_is_not_stationary() {
     // No minimiser was found.
     assert_eq!(minimum.local_minima, []);
     let expected = (8.0 / 2_f64.sqrt() + 2.0) / 8_f64.sqrt();
-    // A dozen roundings of numbers of size 10.
+    // The allowance is a dozen roundings of numbers of size 10.
     assert!((minimum.residual - expected).abs() < 1e-14, "{}", minimum.residual);
 }
