@@ -177,7 +177,7 @@ fn a_ball_and_an_oblique_half_space_under_a_constant_metric() {
     }
 }
 
-/// Only the distance across the line counts: `d = (|n·(c − p)| − r) / (nᵀH⁻¹n)^{1/2}`.
+/// Only the distance across the line counts: it is `(|n·(c − p)| − r) / (nᵀH⁻¹n)^{1/2}`.
 #[test]
 fn an_unbounded_line_and_a_ball_under_a_constant_metric() {
     let h = matrix![3.0, 1.0; 1.0, 1.0];
