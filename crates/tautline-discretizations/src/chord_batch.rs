@@ -39,7 +39,7 @@ impl<'f, const D: usize> ChordBatch<'f, D> {
         Self { batch, nodes, n, is_metric: true }
     }
 
-    /// Returns the number of chords that fit, at least two.
+    /// Returns the number of chords that fit, which is at least two.
     #[must_use]
     pub fn capacity(&self) -> usize {
         self.batch.lanes() / self.nodes.len().max(1)
@@ -337,8 +337,8 @@ mod tests {
         }
     }
 
-    /// Every kind of evaluation notices three defects: the two triangles differ, a diagonal entry
-    /// is not positive, or an entry is not finite.
+    /// Every kind of evaluation notices each defect: an entry of either triangle differs from its
+    /// mirror image, a diagonal entry is not positive, or an entry is not finite.
     #[track_caller]
     fn spoilt_matrices_are_noticed<const D: usize>() {
         let defects = [

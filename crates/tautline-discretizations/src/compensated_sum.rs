@@ -15,7 +15,7 @@ pub struct CompensatedSum<T = f64> {
 }
 
 impl<T: Scalar> Default for CompensatedSum<T> {
-    /// Returns a sum without terms.
+    /// Returns the empty sum.
     fn default() -> Self {
         Self { sum: T::zero(), lost: T::zero() }
     }

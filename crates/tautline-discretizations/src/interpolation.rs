@@ -48,7 +48,7 @@ impl Piece {
     }
 }
 
-/// The linear interpolation `γᵖˡ` of a point sequence: the reconstructed curve.
+/// The curve `γᵖˡ` that interpolates a point sequence linearly.
 #[derive(Clone, Copy, Debug)]
 #[doc(alias = "reconstruction")]
 pub struct Interpolation<'a, const D: usize> {
@@ -56,7 +56,7 @@ pub struct Interpolation<'a, const D: usize> {
 }
 
 impl<'a, const D: usize> Interpolation<'a, D> {
-    /// Joins the points of `sequence`.
+    /// Makes the curve that joins the points of `sequence`.
     #[must_use]
     pub fn new(sequence: &'a PointSequence<D>) -> Self {
         Self { sequence }

@@ -194,8 +194,8 @@ impl<'a, const D: usize> Search<'a, D> {
         LocalSearch { energy: self.energy, ends, iterations, threads }
     }
 
-    /// Counts the steps of a search. Returns its result if the energy is finite, and otherwise
-    /// keeps the error.
+    /// Counts the steps of a search. If the energy is finite, the result of the search is returned;
+    /// otherwise the error is kept.
     fn accept(&mut self, found: Result<Found<D>, SolveError>) -> Option<Found<D>> {
         let found = found.and_then(|found| {
             self.iterations += found.iterations;

@@ -25,7 +25,7 @@ pub struct AffineSubspace<const D: usize> {
     basis: Vec<SVector<f64, D>>,
     /// The directions as given. They define the subspace exactly, while the basis is rounded.
     directions: Vec<SVector<f64, D>>,
-    /// `QQᵀ`.
+    /// The projector `QQᵀ`.
     projector: SMatrix<f64, D, D>,
 }
 
@@ -87,7 +87,7 @@ impl<const D: usize> AffineSubspace<D> {
         &self.base
     }
 
-    /// Returns the orthonormal directions `q₁, …, qₖ`, pure numbers.
+    /// Returns the orthonormal directions `q₁, …, qₖ`, which are pure numbers.
     #[must_use]
     pub fn basis(&self) -> &[SVector<f64, D>] {
         &self.basis

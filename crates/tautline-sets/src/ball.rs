@@ -28,7 +28,7 @@ impl<const D: usize> Ball<D> {
     /// # Errors
     ///
     /// [`SetError::NonFiniteCoordinate`] if the centre is not finite; [`SetError::NonFinite`] or
-    /// [`SetError::NegativeRadius`] if the radius is not finite or negative.
+    /// [`SetError::NegativeRadius`] if the radius is not finite or is negative.
     pub fn new(centre: impl Into<SVector<f64, D>>, r: f64) -> Result<Ball<D>, SetError> {
         Ok(Ball { centre: finite_vector("the centre", centre)?, r: valid_radius(r)? })
     }

@@ -94,7 +94,7 @@ pub trait ClosedSet<const D: usize>: Debug + Send + Sync {
     /// prove, in `ℓ`. The default is `None`: the set can prove nothing.
     ///
     /// The box is `[x, x]` if and only if `x` itself is proved to be a member; otherwise it is a
-    /// few roundings wide and contains `P(x)`. The member may be anywhere in the box. The set in
+    /// few roundings wide and lies around `P(x)`. The member may be anywhere in the box. The set in
     /// question is defined exactly by the given numbers: rounding in its construction, for example
     /// in the length of a normal, does not enter.
     fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {

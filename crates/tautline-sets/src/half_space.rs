@@ -48,7 +48,8 @@ impl<const D: usize> HalfSpace<D> {
     /// # Errors
     ///
     /// [`SetError::NonFiniteCoordinate`] or [`SetError::ZeroNormal`] if the normal is not finite or
-    /// zero; [`SetError::NonFinite`] if the offset is not finite or `offset / |normal|` overflows.
+    /// is zero; [`SetError::NonFinite`] if the offset is not finite or `offset / |normal|`
+    /// overflows.
     pub fn new(normal: impl Into<SVector<f64, D>>, offset: f64) -> Result<HalfSpace<D>, SetError> {
         let normal = finite_vector("the normal", normal)?;
         let offset = finite("offset", offset)?;

@@ -107,12 +107,12 @@ impl<const D: usize, P: Fn(&SVector<f64, D>) -> SVector<f64, D> + Send + Sync> C
     }
 }
 
-/// Coordinates in `[−bound, bound]`.
+/// Samples coordinates in `[−bound, bound]`.
 pub(crate) fn vector_in<const D: usize>(bound: f64) -> impl Strategy<Value = SVector<f64, D>> {
     proptest::array::uniform::<_, D>(-bound..bound).prop_map(SVector::from)
 }
 
-/// A radius or half-width: often 0, otherwise up to 2.
+/// Samples a radius or half-width, which is often 0 and otherwise at most 2.
 pub(crate) fn extent() -> impl Strategy<Value = f64> {
     prop_oneof![1 => Just(0.0), 4 => 0.1..2.0_f64]
 }
@@ -126,7 +126,7 @@ pub(crate) fn scale() -> impl Strategy<Value = f64> {
     ]
 }
 
-/// A runner that writes no files, with a fixed seed unless the environment sets another.
+/// Returns a runner that writes no files. Its seed is fixed unless the environment sets another.
 pub(crate) fn runner() -> TestRunner {
     TestRunner::new(tautline_chance::config(SEED, 512))
 }

@@ -19,7 +19,7 @@ pub(crate) fn norm<const D: usize>(v: &SVector<f64, D>) -> f64 {
     }
 }
 
-/// Returns `|v|` and the unit vector `v/|v|`; `None` for `v = 0`.
+/// Returns `|v|` and the unit vector `v/|v|`, or `None` for `v = 0`.
 pub(crate) fn polar<const D: usize>(v: &SVector<f64, D>) -> Option<(f64, SVector<f64, D>)> {
     let largest = v.amax();
     if largest == 0.0 {

@@ -33,7 +33,7 @@ impl<const D: usize> Sphere<D> {
     /// # Errors
     ///
     /// [`SetError::NonFiniteCoordinate`] if the centre is not finite; [`SetError::NonFinite`] or
-    /// [`SetError::NegativeRadius`] if the radius is not finite or negative.
+    /// [`SetError::NegativeRadius`] if the radius is not finite or is negative.
     pub fn new(centre: impl Into<SVector<f64, D>>, r: f64) -> Result<Sphere<D>, SetError> {
         const { assert!(D > 0, "R⁰ has no sphere") }
         Ok(Sphere { centre: finite_vector("the centre", centre)?, r: valid_radius(r)? })

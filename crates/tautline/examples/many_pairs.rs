@@ -1,4 +1,4 @@
-//! How far is it from each of many points to each other?
+//! How far is each of many points from each of the others?
 
 use tautline::{Ends, Options, Problem, Trapezoidal, gallery::Bump, solve_all};
 

@@ -96,8 +96,8 @@ fn global(constants: Constants) -> Result<Constants, BoundError> {
 
 impl<M: Metric<D>, R: RuleOfThePaper, const D: usize> TautLine<M, R, D> {
     /// Returns bounds on `d²`, in `m²`, like [`enclosure`](TautLine::enclosure), by constants that
-    /// hold where all [competitors](TautLine::competitors) of this line are. If a global minimum is
-    /// assumed, it is a minimum among the sequences in that ball.
+    /// hold where all [competitors](TautLine::competitors) of this line are. A global minimum
+    /// then means a minimum among the sequences in that ball.
     ///
     /// # Errors
     ///

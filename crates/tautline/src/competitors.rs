@@ -11,7 +11,7 @@ use crate::{RuleOfThePaper, TautLine, certificate::Extent};
 /// A ball that contains all competitors of a line, and the constants of the metric on that ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Competitors<const D: usize> {
-    /// The constants of the metric in the ball.
+    /// The constants of the metric on the ball.
     pub constants: Constants,
     /// The ball. No minimal geodesic leaves it. If the line has positive length, no sequence in the
     /// ball with as little discrete energy as the line reaches the boundary of the ball.

@@ -37,7 +37,7 @@ impl GeodesicMeans {
             let gamma = christoffel(metric, &middle)?;
             let acceleration =
                 SVector::<f64, D>::from_fn(|k, _| -velocity.dot(&(gamma[k] * velocity)));
-            // The metric along the line through the chord, as a function of time.
+            // This is the metric along the line through the chord, as a function of time.
             let [t] = Jet2::variables(&[0.0]);
             let line = SVector::<_, D>::from_fn(|i, _| t * velocity[i] + middle[i]);
             let square: Jet2<f64, 1> = norm_squared(metric, &line, &velocity);

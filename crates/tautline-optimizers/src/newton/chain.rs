@@ -50,7 +50,7 @@ impl<const D: usize> Chain<'_, D> {
         self.sequence.n().get()
     }
 
-    /// The number of chords on each side; if `N` is odd, one more is in the middle.
+    /// Returns the number of chords on each side. If `N` is odd, one more chord is in the middle.
     pub(crate) fn half(&self) -> usize {
         self.n() / 2
     }

@@ -26,7 +26,7 @@ impl<'m, const D: usize> DiscreteEnergy<'m, D> {
         Self { nodes: R::NODES, error_exponent: R::ERROR_EXPONENT, metric }
     }
 
-    /// The processor instructions that the metric uses.
+    /// Returns the processor instructions that the metric uses.
     pub(crate) fn instruction_set(&self) -> InstructionSet {
         self.metric.instruction_set()
     }
@@ -91,7 +91,7 @@ impl<'m, const D: usize> DiscreteEnergy<'m, D> {
         Ok(())
     }
 
-    /// Checks the Gram matrix between the nodes too, by [`Interpolation::check`].
+    /// Also checks the Gram matrix between the nodes, by [`Interpolation::check`].
     pub(crate) fn check_between(&self, sequence: &PointSequence<D>) -> Result<(), MetricError> {
         Interpolation::new(sequence).check_by_batches(self.metric)
     }

@@ -18,7 +18,7 @@ impl Magnitude {
         Self { energy: model.energy, mean_gram: model.mean_gram }
     }
 
-    /// Returns a decrement relative to the energy; 0 if the energy is 0.
+    /// Returns a decrement relative to the energy, or 0 if the energy is 0.
     pub(crate) fn relative(self, decrement: f64) -> f64 {
         if self.energy > 0.0 { decrement / self.energy } else { 0.0 }
     }

@@ -1,4 +1,4 @@
-//! `Sweep`: assembly and elimination in one pass over the chords, from both ends.
+//! `Sweep`: assembles and eliminates in one pass over the chords, from both ends.
 
 use nalgebra::SVector;
 use tautline_discretizations::PointSequence;

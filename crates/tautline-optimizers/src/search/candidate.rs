@@ -30,7 +30,7 @@ const DIFFERENT: f64 = 1e-9;
 pub(crate) struct Candidate<'a, const D: usize> {
     pub(crate) ends: [&'a dyn ClosedSet<D>; 2],
     pub(crate) found: Found<D>,
-    /// The sequences on coarser grids that are still needed, the finest last.
+    /// The sequences on coarser grids that are still needed; the finest is last.
     coarser: Vec<PointSequence<D>>,
     pub(crate) levels: Vec<Level>,
     /// The number of Newton steps so far.
@@ -113,7 +113,7 @@ impl<'a, const D: usize> Candidate<'a, D> {
             return PointSequence::new(prolong_into(sequence, n, instruction_set, memory));
         }
         let power = |n: usize| (n as f64).powi(-exponent);
-        // The weights of Lagrange interpolation in N⁻ᑫ.
+        // These are the weights of Lagrange interpolation in N⁻ᑫ.
         let grids: Vec<_> = coarser.iter().map(|c| c.n().get()).chain([here]).map(power).collect();
         let weight = |own: usize| {
             let others = grids.iter().enumerate().filter(|(other, _)| *other != own);

@@ -59,7 +59,7 @@ impl<const D: usize> Starts<D> {
         starts.into_iter().filter_map(|points| PointSequence::new(points).ok()).collect()
     }
 
-    /// The given starts.
+    /// Returns the given starts.
     fn given(
         &self,
         [first, second]: [&dyn ClosedSet<D>; 2],

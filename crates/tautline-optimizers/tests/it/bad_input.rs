@@ -257,7 +257,7 @@ fn points_outside_the_hyperbolic_disc_are_errors() {
                 let error = error(&Hyperbolic, &ends, n);
                 let MetricError::NotFinite { point, .. } = error else { panic!("{error}") };
                 assert!(vector![point[0], point[1]].norm() > 1.0, "{point:?}");
-                // The left-endpoint rule does not read the metric at the last point.
+                // The left-endpoint rule does not evaluate the metric at the last point.
                 let left = minimise(&Hyperbolic, &ends, LeftEndpoint, n, &Options::default());
                 assert!(matches!(left, Err(SolveError::Metric(MetricError::NotFinite { .. }))));
             }

@@ -101,8 +101,8 @@ impl Metric<2> for Slit {
     }
 }
 
-/// Coarser grids step over the slit, and the triangle of the matrix that a Newton step reads is
-/// correct.
+/// Coarser grids step over the slit, and a Newton step reads only the correct triangle of the
+/// matrix.
 #[test]
 fn a_defect_at_a_node_is_found_on_the_finest_grid() {
     let slit = Slit(bump());

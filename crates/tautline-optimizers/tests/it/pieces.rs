@@ -173,7 +173,7 @@ fn inside_a_sphere_the_nearest_point_lies_off_the_axis() {
     }
 }
 
-/// A lens and a bump have a minimiser on either side, with the same energy.
+/// For a lens and for a bump there is a minimiser on either side, with the same energy.
 #[test]
 fn two_equal_minimisers_are_mirror_images() {
     let lens = Lens::new(8.0, 0.5).expect("positive");

@@ -1,3 +1,3 @@
-//! The claims of sets about themselves.
+//! Tests what sets claim about themselves.
 
 mod claims;

@@ -25,7 +25,7 @@ impl Visitor for Printer {
             println!("{name},{D},,as compiled,,,{:.0},,,", 1e6 * record.seconds);
             return;
         };
-        // The first request of a search on a fine grid.
+        // This is what a search on a fine grid requests first.
         let derive = cost(|| {
             let prepared = Prepared::<_, D>::new(metric);
             let batch = Batch::new(&prepared, Kind::Contraction, 2, CHORDS);
@@ -35,7 +35,7 @@ impl Visitor for Printer {
         let way = if size.is_some() { "program" } else { "as compiled" };
         let [instructions, registers] =
             size.map_or([const { String::new() }; 2], |size| size.map(|count| count.to_string()));
-        // Two more rows for results.
+        // A program needs two more rows for its results.
         let thread = size.map_or(String::new(), |[_, registers]| {
             format!("{:.0}", (8 * lanes * (registers + 2)) as f64 / 1024.0)
         });

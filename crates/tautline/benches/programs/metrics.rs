@@ -48,7 +48,7 @@ fn obstacles() -> Result<SoftObstacles<2>, Box<dyn Error>> {
     Ok(SoftObstacles::new(vec![obstacle([0.3, 0.1]), obstacle([-0.7, 0.4])])?)
 }
 
-/// Numbers between −1 and 1 without a pattern.
+/// Returns numbers between −1 and 1 that have no pattern.
 fn number(k: usize) -> f64 {
     (1.0 + 1.7 * k as f64).sin()
 }
@@ -62,7 +62,7 @@ fn projections<const D: usize>(terms: usize) -> Result<SineProjections<D>, Box<d
     Ok(SineProjections::new((0..terms).map(term).collect())?)
 }
 
-/// Boxed, since its matrices are large.
+/// Returns a decoder. It is boxed, since its matrices are large.
 fn decoder<const HIDDEN: usize, const OUT: usize>()
 -> Result<Box<TanhDecoder<2, HIDDEN, OUT>>, Box<dyn Error>> {
     let inner = SMatrix::from_fn(|i, j| number(2 * i + j));

@@ -130,7 +130,7 @@ fn wide<const D: usize>(problem: &'static str, n: usize) -> Result<(), Box<dyn E
 }
 
 /// Solves from the automatic starts, under the metric of P2, between points spread over the square
-/// around it.
+/// around the bump.
 fn batch(problem: &'static str) -> Result<(), Box<dyn Error>> {
     let bump = Bump::new(4.0, 0.5)?;
     // Multiples of the powers of 1/ρ, where ρ³ = ρ + 1, taken modulo 1, fill the square evenly.
@@ -162,7 +162,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for problem in ["P1", "P2"].into_iter().filter(|problem| wanted(problem)) {
         pose(problem, START, Single { problem, n: LONG, threads: 1 })?;
     }
-    // The stack holds matrices of jets of this size.
+    // This stack holds matrices of jets of this size.
     let wide = || -> Result<(), String> {
         if wanted(BY_GRAM) {
             wide::<32>(BY_GRAM, WIDE).map_err(|error| error.to_string())?;

@@ -121,7 +121,7 @@ fn bent<const D: usize>(
     PointSequence::new(points.map(|(k, x)| x.map(|x| x + bend(k))).collect())
 }
 
-/// Adds the passes written by hand for this problem, if any.
+/// Adds the passes that are written by hand for this problem, if there are any.
 fn by_hand<const D: usize>(name: &str, race: &mut Race<'_>, line: &[SVector<f64, D>]) {
     let plane_line = || line.iter().map(|x| [x[0], x[1]]).collect();
     match name {
