@@ -63,9 +63,9 @@ impl<const D: usize> AffineSubspace<D> {
                 let (length, unit) = polar(&q).unwrap_or((0.0, q));
                 remainder *= length;
                 // A product q·e of unit vectors carries at most D + 1 roundings of ε/2, and its
-                // subtraction two more. There are fewer than D products, so the error is below 2 D²
-                // ε for D ≥ 2. The bound is doubled for directions that are dependent in decimals
-                // and rounded on input.
+                // subtraction two more. There are fewer than D products, so that the error is below
+                // 2 D² ε for D ≥ 2. The bound is doubled for directions that are dependent in
+                // decimals and rounded on input.
                 if !(remainder > 4.0 * (D * D) as f64 * f64::EPSILON) {
                     return Err(SetError::DependentDirection { index, remainder });
                 }

@@ -8,8 +8,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let line =
         Problem::new(GaussianFisher, Ends::points(before, after)?).solve(Trapezoidal, 1000)?;
 
-    // diag(e^{−2t}, 2) has no positive bounds on the whole plane. But no curve shorter than this line
-    // leaves a certain ball, on which it has positive bounds (Proposition S.8).
+    // diag(e^{−2t}, 2) has no positive bounds on the whole plane. But no curve shorter than this
+    // line leaves a certain ball, on which it has positive bounds (Proposition S.8).
     let competitors = line.competitors()?;
     println!("all competitors are within {:.4} of the first", competitors.within.r());
     let enclosure = line.enclosure_among(&competitors)?;
