@@ -18,7 +18,7 @@ pub enum AdversaryError {
         /// The conclusion with its numbers.
         conclusion: String,
     },
-    /// A statement could not be evaluated, for a reason other than a solver that found no minimum.
+    /// A statement could not be evaluated, and not because the solver found no minimum.
     #[error("{statement} in the family {family} at {parameters:?}: {source}")]
     Evaluation {
         /// The statement.

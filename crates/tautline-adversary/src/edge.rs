@@ -1,22 +1,22 @@
-//! `Edge`: a search that stopped at an end of a range, and what lies beyond.
+//! `Edge`: an end of a range at which a search stopped, and what lies beyond it.
 
 use std::fmt;
 
 /// An end of a range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
-    /// The lower one.
+    /// The lower end.
     Least = 0,
-    /// The upper one.
+    /// The upper end.
     Most = 1,
 }
 
 /// What lies beyond an end of a range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Beyond {
-    /// No case, for this reason.
+    /// There is no case beyond the end, for this reason.
     Nothing(&'static str),
-    /// A limit, such as `a → 0`; the range ends where hardly anything is left to gain.
+    /// A limit lies beyond, such as `a → 0`. The range ends where hardly anything is left to gain.
     Limit(&'static str),
 }
 
@@ -25,25 +25,25 @@ pub enum Beyond {
 pub struct Edge {
     /// The name of the parameter.
     pub parameter: &'static str,
-    /// Which end.
+    /// Which end it is.
     pub end: End,
-    /// What lies beyond it, if declared.
+    /// What lies beyond the end, if declared.
     pub beyond: Option<Beyond>,
     /// The relative growth of the overestimation if this parameter moves twice as far from the
     /// limit.
     ///
-    /// It bounds what is left beyond the edge, if the overestimation `s` tends to its limit at
-    /// least linearly: `s(a) − s(0) ≤ (s(2a) − s(0))/2` implies `s(a) − s(0) ≤ s(2a) − s(a)`.
+    /// If the overestimation `s` tends to its limit at least linearly, this growth bounds what is
+    /// left beyond the edge: `s(a) − s(0) ≤ (s(2a) − s(0))/2` implies `s(a) − s(0) ≤ s(2a) − s(a)`.
     pub left: f64,
 }
 
 impl Edge {
-    /// The largest part of an overestimation that may be left beyond an edge: the tolerance to
-    /// which overestimations are compared. With more left, the range is too short.
+    /// The largest fraction of an overestimation that may be left beyond an edge. It is the
+    /// tolerance to which overestimations are compared; if more is left, the range is too short.
     pub const LEFT: f64 = 1e-2;
 
-    /// Whether the range cuts the search off: it is not declared what lies beyond, or more than
-    /// [`LEFT`](Edge::LEFT) of the overestimation is left on the way to the limit.
+    /// Returns whether the range cuts the search off: either what lies beyond is not declared, or
+    /// more than [`LEFT`](Edge::LEFT) of the overestimation is left on the way to the limit.
     #[must_use]
     pub fn is_cut_off(&self) -> bool {
         match self.beyond {

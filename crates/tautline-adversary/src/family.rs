@@ -4,12 +4,12 @@ use tautline_statements::{Evidence, Statement, VerifyError};
 
 use super::Parameter;
 
-/// The evidence at the values of the parameters; `None` if there is no such case.
+/// Returns the evidence at the values of the parameters; `None` if there is no such case.
 type AtValues<'a> = Box<dyn Fn(&[f64]) -> Result<Option<Evidence>, VerifyError> + 'a>;
 
 /// One statement on the cases of a box of parameters.
 pub struct Family<'a> {
-    /// The name, as in tables.
+    /// The name used in tables.
     pub name: &'static str,
     /// The statement.
     pub statement: Statement,
@@ -19,8 +19,8 @@ pub struct Family<'a> {
 }
 
 impl<'a> Family<'a> {
-    /// Names a box of `P` parameters, with the evidence at its points, or `None` if there is no
-    /// such case.
+    /// Returns the family with this name on a box of `P` parameters. `evidence` returns the
+    /// evidence at a point of the box, or `None` if there is no such case.
     pub fn new<const P: usize>(
         name: &'static str,
         statement: Statement,
@@ -34,7 +34,7 @@ impl<'a> Family<'a> {
         Self { name, statement, parameters: parameters.to_vec(), evidence: Box::new(evidence) }
     }
 
-    /// Returns whether the family has this name and its statement this number.
+    /// Returns whether the family has this name and its statement has this number.
     #[must_use]
     pub fn is(&self, number: &str, name: &str) -> bool {
         self.statement.number() == number && self.name == name

@@ -1,19 +1,21 @@
 //! The adversary: a search for the case in which a statement is tightest.
 //!
 //! A [`Family`] is a box of parameters (of a metric, of two sets or a point sequence, and `N`) with
-//! a function from its points to the [`Evidence`](tautline_statements::Evidence) for one statement.
-//! A [`Search`] minimises the overestimation: random samples, then a local ascent without
-//! derivatives, several times. The result is an upper bound on the least overestimation of the
-//! statement, with the case that shows it. A conclusion that fails on the way is an error.
+//! a function that maps each point of the box to the [`Evidence`](tautline_statements::Evidence)
+//! for one statement. A [`Search`] minimises the overestimation: it repeats random sampling,
+//! followed by a local search without derivatives. The result is an upper bound on the least
+//! overestimation of the statement, with the case that shows it. If a conclusion fails on the way,
+//! the search returns an error.
 //!
-//! If the tightest case lies at an [`Edge`] of its box, the edge says why: no case lies beyond, or
-//! the range ends near a limit, and the search measures what is left on the way to it.
+//! If the tightest case lies at an [`Edge`] of its box, the edge gives the reason. Either no case
+//! lies beyond, or the range ends near a limit; then the search measures what is left on the way to
+//! it.
 //!
 //! ```
 //! use tautline_adversary::{Search, families};
 //! use tautline_statements::{LIBRARY, Source};
 //!
-//! // Proposition 7.9 is attained by a step over the valley of a tent, and the search finds it.
+//! Proposition 7.9 is attained by a step over the valley of a tent, and the search finds this step.
 //! let families = families(&LIBRARY);
 //! let tent = families.iter().find(|family| family.is("Proposition 7.9", "tent"));
 //! let found = Search::default().tightest(tent.expect("listed"), Source::Stated)?;

@@ -1,13 +1,13 @@
-//! `Parameter`: one side of the box in which a search runs.
+//! `Parameter`: one side of the box that is searched.
 
 use super::edge::{Beyond, End};
 
-/// A parameter with its range and the scale on which the search moves it.
+/// A parameter with its range, and the scale on which the search moves it.
 ///
-/// The search works with the place of a parameter, a number in `[0, 1]`.
+/// The search works with the *place* of a parameter in its range, a number in `[0, 1]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameter {
-    /// The name, as in tables.
+    /// The name used in tables.
     pub name: &'static str,
     low: f64,
     high: f64,
@@ -18,7 +18,7 @@ pub struct Parameter {
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Scale {
     Linear,
-    /// Linear, and back to `low` beyond `high`.
+    /// Linear; `high` is identified with `low`.
     Periodic,
     Logarithmic,
     /// The logarithm of `x/(1 − x)`.
@@ -27,7 +27,8 @@ enum Scale {
     Whole,
 }
 
-/// A place this near 0 or 1 is at an edge: the search may stop a few of its last steps short.
+/// A place within this distance of 0 or 1 counts as an edge, since the search may stop a few of its
+/// last steps short of it.
 const NEAR: f64 = 1e-3;
 
 impl Parameter {
@@ -37,58 +38,59 @@ impl Parameter {
         Self { name, low, high, scale: Scale::Linear, beyond: [None; 2] }
     }
 
-    /// Returns a parameter that moves linearly from 0 through a period, and has no edges.
+    /// Returns a parameter that moves linearly over one period from 0 and has no edges.
     #[must_use]
     pub fn periodic(name: &'static str, period: f64) -> Self {
         Self { scale: Scale::Periodic, ..Self::linear(name, 0.0, period) }
     }
 
-    /// Returns a parameter that moves logarithmically from `low > 0` to `high`, for a quantity that
-    /// may have to become small.
+    /// Returns a parameter that moves logarithmically from `low > 0` to `high`. It is for a
+    /// quantity that may have to become small.
     #[must_use]
     pub fn logarithmic(name: &'static str, low: f64, high: f64) -> Self {
         Self { scale: Scale::Logarithmic, ..Self::linear(name, low, high) }
     }
 
     /// Returns a parameter between `low > 0` and `high < 1` that moves linearly in
-    /// `log(x/(1 − x))`, for a quantity that may have to come near 0 or 1.
+    /// `log(x/(1 − x))`. It is for a quantity that may have to approach 0 or 1.
     #[must_use]
     pub fn fraction(name: &'static str, low: f64, high: f64) -> Self {
         Self { scale: Scale::Fraction, ..Self::linear(name, low, high) }
     }
 
-    /// Returns a whole parameter from `low ≥ 1` to `high`, such as `N`, on a logarithmic scale.
+    /// Returns a whole-number parameter from `low ≥ 1` to `high`, such as `N`, on a logarithmic
+    /// scale.
     #[must_use]
     pub fn whole(name: &'static str, low: u32, high: u32) -> Self {
         Self { scale: Scale::Whole, ..Self::linear(name, f64::from(low), f64::from(high)) }
     }
 
-    /// Returns `N` for a family with one value of it.
+    /// Returns `N` as a parameter with a single value.
     #[must_use]
     pub fn subintervals(n: u32) -> Self {
         Self::whole("N", n, n)
     }
 
-    /// Declares what lies below and above the range. A search that stops at an end without a reason
-    /// is [cut off](super::Edge::is_cut_off).
+    /// Declares what lies below and above the range. A search that stops at an end where nothing is
+    /// declared is [cut off](super::Edge::is_cut_off).
     #[must_use]
     pub fn with_ends(self, below: Beyond, above: Beyond) -> Self {
         Self { beyond: [Some(below), Some(above)], ..self }
     }
 
-    /// Declares what lies below the range, and leaves open what lies above.
+    /// Declares what lies below the range and leaves undeclared what lies above it.
     #[must_use]
     pub fn starting(self, below: Beyond) -> Self {
         Self { beyond: [Some(below), self.beyond[1]], ..self }
     }
 
-    /// Returns whether its values are whole numbers.
+    /// Returns whether the values of the parameter are whole numbers.
     #[must_use]
     pub fn is_whole(&self) -> bool {
         self.scale == Scale::Whole
     }
 
-    /// Returns the value at a place of `[0, 1]`.
+    /// Returns the value at a place in `[0, 1]`.
     #[must_use]
     pub fn at(&self, place: f64) -> f64 {
         let logarithmic = |low: f64, high: f64| low * (high / low).powf(place);
@@ -105,7 +107,8 @@ impl Parameter {
         value.clamp(self.low, self.high)
     }
 
-    /// Brings a number back to `[0, 1]`: to the nearest place, or by whole periods.
+    /// Returns the place in `[0, 1]` for any number: the nearest place, or the place at a whole
+    /// number of periods from it.
     #[must_use]
     pub(super) fn brought_back(&self, place: f64) -> f64 {
         match self.scale {
@@ -114,8 +117,8 @@ impl Parameter {
         }
     }
 
-    /// Returns the place `step` further on, or the end of `[0, 1]`. A whole parameter moves by at
-    /// least one.
+    /// Returns the place at a distance of `step`, or the end of `[0, 1]` if that is nearer. The
+    /// value of a whole-number parameter changes by at least one.
     #[must_use]
     pub(super) fn moved(&self, place: f64, step: f64) -> f64 {
         if self.low == self.high {
@@ -130,7 +133,7 @@ impl Parameter {
         further
     }
 
-    /// Returns the end of the range that a value is at, if any.
+    /// Returns the end of the range at which a value lies, if any.
     #[must_use]
     pub fn end(&self, value: f64) -> Option<End> {
         if self.low == self.high || self.scale == Scale::Periodic {
@@ -153,9 +156,9 @@ impl Parameter {
         self.beyond[end as usize]
     }
 
-    /// Returns the place of the value twice as far from the limit at this end: twice as large near
-    /// 0, half as large near `∞`, twice as far from 1 near 1. The limits of a linear range are
-    /// `±∞`.
+    /// Returns the place of the value that is twice as far from the limit at this end: twice as
+    /// large near 0, half as large near `∞`, and twice as far from 1 near 1. The limits of a linear
+    /// range are `±∞`.
     #[must_use]
     pub(super) fn half_way_out(&self, place: f64, end: End) -> f64 {
         let value = self.at(place);

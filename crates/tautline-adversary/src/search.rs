@@ -1,4 +1,4 @@
-//! `Search`: samples at random, then pattern search, on the logarithm of the overestimation.
+//! `Search`: random sampling, then pattern search on the logarithm of the overestimation.
 
 use tautline_statements::{Evidence, Finding, Inequality, Source, VerifyError};
 
@@ -6,39 +6,40 @@ use super::{AdversaryError, Edge, Family, Tightest, split_mix::SplitMix};
 
 /// The budget and the seed of a search.
 ///
-/// The ascent is the pattern search of Hooke and Jeeves (1961): try each parameter a step up and
-/// down, keep what is better, go on in the direction that helped; halve the step if nothing did. It
-/// needs no derivative, which a minimum over several conclusions lacks, and no continuity, which a
-/// tie between two minimisers breaks.
+/// The ascent is the pattern search of Hooke and Jeeves (1961). It tries each parameter a step up
+/// and a step down, keeps what is better, and continues in the direction that helped; if no step
+/// helped, it halves the step. It needs no derivatives, which a minimum over several conclusions
+/// lacks, and no continuity, which is lost at a tie between two minimisers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Search {
     /// The seed of the samples.
     pub seed: u64,
-    /// How many times to sample and ascend.
+    /// How often the search samples and then ascends.
     pub restarts: usize,
-    /// How many cases to sample each time; the ascent starts from the best one.
+    /// How many cases are sampled each time. The ascent starts from the best of them.
     pub samples: usize,
-    /// How many cases an ascent may evaluate.
+    /// How many cases one ascent may evaluate.
     pub climbs: usize,
 }
 
 impl Default for Search {
-    /// Two restarts of 100 samples and an ascent of up to 400 cases, from the seed 1961.
+    /// Returns two restarts of 100 samples each and an ascent of up to 400 cases, with the seed
+    /// 1961.
     fn default() -> Self {
         Self { seed: 1961, restarts: 2, samples: 100, climbs: 400 }
     }
 }
 
-/// The first and the last step of an ascent, relative to each side of the box. An overestimation
-/// that varies by a factor of 10⁶ over a side varies by 10⁻³ over the last step.
+/// The first and the last step of an ascent, relative to each side of the box. If an overestimation
+/// varies by a factor of 10⁶ over a side, then it varies by 10⁻³ over the last step.
 const STEPS: [f64; 2] = [0.25, 1e-4];
 
-/// The largest relative rounding of an observed number that counts. Otherwise a search for the
-/// least overestimation would find the largest rounding.
+/// The largest relative rounding with which an observed number still counts. Without it, a search
+/// for the least overestimation would find the largest rounding error.
 const SEEN: f64 = 1e-4;
 
-/// The relative gain that makes an overestimation better, so that the last bits, which differ
-/// between machines, do not steer a search.
+/// The relative decrease from which on an overestimation counts as better. The last bits, which
+/// differ between machines, thus do not steer a search.
 const GAIN: f64 = 1e-6;
 
 /// A point of the unit cube with its evidence.
@@ -49,18 +50,18 @@ struct Place {
 }
 
 impl Place {
-    /// The overestimation; `∞` if there is none.
+    /// Returns the overestimation; `∞` if there is none.
     fn overestimation(&self) -> f64 {
         self.found.as_ref().map_or(f64::INFINITY, |(_, conclusion)| conclusion.overestimation())
     }
 
-    /// Whether this place is tighter.
+    /// Returns whether this place is tighter than the other.
     fn beats(&self, other: &Place) -> bool {
         self.overestimation() < (1.0 - GAIN) * other.overestimation()
     }
 }
 
-/// The tightest conclusion of this source whose observed number exceeds rounding.
+/// Returns the tightest conclusion of this source whose observed number exceeds rounding.
 fn tightest(evidence: &Evidence, source: Source) -> Option<Inequality> {
     let of_source = evidence.conclusions.iter().filter(|claim| claim.source == source);
     let seen = of_source.filter(|claim| claim.granted <= SEEN * claim.observed);
@@ -68,7 +69,7 @@ fn tightest(evidence: &Evidence, source: Source) -> Option<Inequality> {
     told.min_by(|a, b| a.overestimation().total_cmp(&b.overestimation())).copied()
 }
 
-/// A family under search.
+/// A family that is being searched.
 struct Hunt<'a, 'f> {
     family: &'a Family<'f>,
     source: Source,
@@ -77,16 +78,16 @@ struct Hunt<'a, 'f> {
 }
 
 impl Search {
-    /// Returns the tightest case found in a family, by the paper's conclusions or by their sharper
-    /// companions; `None` if no case has an overestimation.
+    /// Returns the tightest case found in a family; `None` if no case has an overestimation.
+    /// `source` selects the paper's conclusions or their sharper companions.
     ///
-    /// The same search of the same family returns the same case.
+    /// The search is deterministic: for the same family it always returns the same case.
     ///
     /// # Errors
     ///
-    /// [`AdversaryError::Violated`] at the first case in which a conclusion of either source fails;
-    /// [`AdversaryError::Evaluation`] if a statement could not be evaluated, except where the
-    /// solver refused the problem or found no minimum.
+    /// [`AdversaryError::Violated`] at the first case in which a conclusion of either source fails.
+    /// [`AdversaryError::Evaluation`] if a statement could not be evaluated, unless the solver
+    /// refused the problem or found no minimum.
     pub fn tightest(
         &self,
         family: &Family<'_>,
@@ -171,7 +172,7 @@ impl Hunt<'_, '_> {
         Ok(Place { places, found })
     }
 
-    /// Climbs from a case until the step is small or `budget` cases were evaluated.
+    /// Ascends from a case until the step is small or `budget` cases have been evaluated.
     fn climb(&mut self, mut here: Place, budget: usize) -> Result<Place, AdversaryError> {
         let [mut step, last] = STEPS;
         let end = self.evaluations + budget;
@@ -181,7 +182,7 @@ impl Hunt<'_, '_> {
                 step *= 0.5;
                 continue;
             }
-            // On in the direction that helped.
+            // Continue in the direction that helped.
             while self.evaluations < end {
                 let steps = here.places.iter().zip(&before).map(|(new, old)| 2.0 * new - old);
                 let ahead = self.family.parameters.iter().zip(steps);
@@ -196,14 +197,15 @@ impl Hunt<'_, '_> {
         Ok(here)
     }
 
-    /// The parameters at an end of their ranges, each with what may be left beyond.
+    /// Returns the parameters that lie at an end of their range, each with what may be left beyond
+    /// it.
     fn edges(&mut self, places: &[f64], overestimation: f64) -> Result<Vec<Edge>, AdversaryError> {
         let mut edges = Vec::new();
         for (k, parameter) in self.family.parameters.iter().enumerate() {
             let Some(end) = parameter.end(parameter.at(places[k])) else { continue };
             let mut out = places.to_vec();
             out[k] = parameter.half_way_out(places[k], end);
-            // NaN, which counts as cut off, if there is no other case to compare with.
+            // NaN, which counts as cut off, if there is no other case for comparison.
             let moved = out[k] != places[k];
             let left = if moved {
                 self.look(out)?.overestimation() / overestimation - 1.0
@@ -217,7 +219,8 @@ impl Hunt<'_, '_> {
         Ok(edges)
     }
 
-    /// Tries each parameter a step up and down and keeps what is better, until `end` evaluations.
+    /// Tries each parameter a step up and a step down and keeps what is better, until `end`
+    /// evaluations are reached.
     fn explore(&mut self, here: &mut Place, step: f64, end: usize) -> Result<bool, AdversaryError> {
         let mut improved = false;
         for (k, parameter) in self.family.parameters.iter().enumerate() {
@@ -250,7 +253,7 @@ mod tests {
         AdversaryError, Family, GAIN, Search, Source, Tightest,
     };
 
-    /// A family with these overestimations.
+    /// Returns a family with these overestimations.
     fn family<'a, const P: usize>(
         parameters: [Parameter; P],
         overestimation: impl Fn([f64; P]) -> f64 + 'a,
@@ -270,7 +273,7 @@ mod tests {
         Search::default().tightest(family, Source::Stated).expect("true").expect("told")
     }
 
-    /// `Σ xₙ³ ≤ (Σ xₙ²)^{3/2}` for `1, x, y` has the overestimation 1 at `x = y = 0`.
+    /// For `1, x, y`, `Σ xₙ³ ≤ (Σ xₙ²)^{3/2}` has the overestimation 1 at `x = y = 0`.
     #[test]
     fn the_corner_of_equality_is_found() {
         let parameters = ["x", "y"].map(|name| Parameter::linear(name, 0.0, 3.0));
@@ -285,7 +288,7 @@ mod tests {
         assert!(found.told == found.evaluations && found.parameter("z").is_none());
     }
 
-    /// Whether the budget ends while one parameter moves or while all do.
+    /// The budget may end while one parameter moves or while all of them do.
     #[test]
     fn an_ascent_keeps_to_its_budget_and_returns_the_tightest_of_all_cases() {
         for climbs in 0..60 {
@@ -312,7 +315,8 @@ mod tests {
         assert!(tightest(&edge).overestimation <= 1.01);
     }
 
-    /// The overestimation `2 (1 + s x)` on `[10⁻³, 1]` has the part `10⁻³ s` left on the way to 0.
+    /// On `[10⁻³, 1]`, the overestimation `2 (1 + s x)` has about `10⁻³ s` of its value left on the
+    /// way to 0.
     #[test]
     fn a_case_at_an_edge_says_what_is_left_beyond_it() {
         let side = || Parameter::logarithmic("x", 1e-3, 1.0);
@@ -325,12 +329,12 @@ mod tests {
             let [edge] = edges.as_slice() else { panic!("{edges:?}") };
             *edge
         });
-        // (1 + 2·10⁻³ s)/(1 + 10⁻³ s) − 1, at a case that may be some last steps before the edge.
+        // (1 + 2·10⁻³ s)/(1 + 10⁻³ s) − 1. The case may lie a few last steps before the edge.
         assert!((near.left - 1e-3 / 1.001).abs() <= 1e-5 && !near.is_cut_off(), "{near:?}");
         assert!((far.left - 0.1 / 1.1).abs() <= 1e-3 && far.is_cut_off(), "{far:?}");
         assert!(open.is_cut_off() && open.beyond.is_none(), "{open:?}");
         assert_eq!((other.parameter, other.end), ("x", End::Most));
-        // Half of 0 is 0: nothing is measured.
+        // Half of 0 is 0, so nothing is measured.
         assert!(unmoved.left.is_nan() && unmoved.is_cut_off(), "{unmoved:?}");
         assert!(!other.is_cut_off(), "{other:?}");
         let inside = family([side()], |[x]| 1.0 + (x / 0.03).ln().powi(2));
@@ -340,7 +344,7 @@ mod tests {
     #[test]
     fn a_violated_conclusion_is_an_error() {
         let side = [Parameter::linear("x", 0.0, 1.0)];
-        // The sharper companion fails for x > ½ only, and the search looks at the paper's.
+        // The sharper companion fails only for x > ½, and the search minimises the paper's.
         let wrong = Family::new("wrong", Statement::Proposition7_8, side, |[x]| {
             let evidence = Evidence::of(Statement::Proposition7_8);
             let evidence = evidence.stated("x ≤ 2", Unit::NONE, [x, 2.0], 0.0);

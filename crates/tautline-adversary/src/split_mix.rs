@@ -1,6 +1,6 @@
 //! `SplitMix`: reproducible random numbers.
 
-/// The generator SplitMix64 (Steele, Lea, Flood 2014): a counter, mixed.
+/// The generator SplitMix64 (Steele, Lea, Flood 2014), which mixes the bits of a counter.
 ///
 /// It uses integers only, so that a search samples the same cases on every machine.
 #[derive(Clone, Copy, Debug)]
@@ -9,7 +9,7 @@ pub struct SplitMix {
 }
 
 impl SplitMix {
-    /// Starts the sequence of a seed.
+    /// Starts the sequence that belongs to a seed.
     #[must_use]
     pub fn new(seed: u64) -> Self {
         Self { state: seed }
@@ -24,21 +24,21 @@ impl SplitMix {
         mixed ^ (mixed >> 31)
     }
 
-    /// Returns a number of `[0, 1)` with 53 random bits.
+    /// Returns a number in `[0, 1)` with 53 random bits.
     pub fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 * 2_f64.powi(-53)
     }
 
-    /// Returns a number between `low` and `high`: `low + (high − low) u` with a
-    /// [`unit`](SplitMix::unit) `u`, rounded.
+    /// Returns a number between `low` and `high`: `low + (high − low) u`, rounded, where `u` is the
+    /// next [`unit`](SplitMix::unit).
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }
 
-    /// Returns an integer of `0, …, count − 1`; 0 for `count = 0`. All are equally likely up to
-    /// `count / 2⁵³`.
+    /// Returns an integer from `0, …, count − 1`, or 0 for `count = 0`. All are equally likely to
+    /// within `count / 2⁵³`.
     pub fn below(&mut self, count: usize) -> usize {
-        // Less than `count` unless the product is rounded up to it.
+        // The product is less than `count` unless it is rounded up to it.
         ((self.unit() * count as f64) as usize).min(count.saturating_sub(1))
     }
 }
@@ -57,7 +57,7 @@ mod tests {
         assert_eq!(SplitMix::new(1_234_567).unit(), unit);
     }
 
-    /// In 100 draws of 8 values, each is missed with probability `(7/8)¹⁰⁰ = 2 · 10⁻⁶`.
+    /// In 100 draws from 8 values, each value is missed with probability `(7/8)¹⁰⁰ = 2 · 10⁻⁶`.
     #[test]
     fn all_integers_below_a_count_are_drawn_and_no_others() {
         let mut random = SplitMix::new(6);

@@ -11,16 +11,16 @@ pub struct Tightest {
     pub parameters: Vec<(&'static str, f64)>,
     /// The evidence in this case.
     pub evidence: Evidence,
-    /// The tightest conclusion of the source that was searched.
+    /// The tightest conclusion of the source that the search was run for.
     pub conclusion: Inequality,
-    /// Its overestimation, a pure number.
+    /// The overestimation of this conclusion, a pure number.
     pub overestimation: f64,
-    /// The parameters at an end of their ranges.
+    /// The parameters that lie at an end of their ranges.
     pub edges: Vec<Edge>,
     /// How many cases were evaluated.
     pub evaluations: usize,
-    /// How many of them have an overestimation: the problem makes sense, the solver converged, the
-    /// hypotheses hold, and the observed number exceeds rounding.
+    /// How many of the evaluated cases have an overestimation: the problem makes sense, the solver
+    /// converges, the hypotheses hold, and the observed number exceeds rounding.
     pub told: usize,
 }
 

@@ -19,7 +19,8 @@ pub struct Erratum {
 ///
 /// # Errors
 ///
-/// [`VerifyError::NotRefuted`] if a counterexample does not refute: never in a correct build.
+/// [`VerifyError::NotRefuted`] if a counterexample does not refute its statement, which never
+/// happens in a correct build.
 pub fn errata() -> Result<Vec<Erratum>, VerifyError> {
     Statement::ALL
         .into_iter()

@@ -2,7 +2,7 @@
 
 use crate::{Inequality, Source, Statement, Unit, VerifyError};
 
-/// The hypotheses and conclusions of a statement, as numbers of one case.
+/// The hypotheses and conclusions of a statement, as numbers for one case.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Evidence {
     /// The statement.
@@ -11,7 +11,7 @@ pub struct Evidence {
     pub hypotheses: Vec<Inequality>,
     /// The hypotheses that the case cannot show.
     pub assumed: Vec<&'static str>,
-    /// Its claims, and sharper companions.
+    /// The claims of the statement, and sharper companions.
     pub conclusions: Vec<Inequality>,
 }
 
@@ -53,7 +53,8 @@ impl Evidence {
         self.given(claim, Unit::NONE, [failures, 0.0], 0.0)
     }
 
-    /// Adds a hypothesis that no finite number of evaluations shows, as that a minimiser is global.
+    /// Adds a hypothesis that no finite number of evaluations shows, for example that a minimiser
+    /// is global.
     #[must_use]
     pub fn assumed(mut self, claim: &'static str) -> Self {
         if !self.assumed.contains(&claim) {
@@ -74,8 +75,8 @@ impl Evidence {
         self.concluded(Source::Sharper, claim, unit, numbers, granted)
     }
 
-    /// Adds that two ways to write one formula agree, as two inequalities. This checks the program
-    /// and is [no evidence](Source::Identity) for the statement.
+    /// Adds two inequalities which together claim that two ways to write one formula agree. They
+    /// check the program and are [no evidence](Source::Identity) for the statement.
     #[must_use]
     pub fn identity(
         self,
@@ -101,14 +102,14 @@ impl Evidence {
         self
     }
 
-    /// Removes the hypothesis with this claim, for a statement that lacks it as printed.
+    /// Removes the hypothesis with this claim, for a statement whose printed form lacks it.
     #[must_use]
     pub fn without(mut self, claim: &str) -> Self {
         self.hypotheses.retain(|hypothesis| hypothesis.claim != claim);
         self
     }
 
-    /// Compares the numbers: the conclusions count only where the hypotheses hold.
+    /// Compares the numbers. The conclusions count only where the hypotheses hold.
     #[must_use]
     pub fn finding(&self) -> Finding<'_> {
         if let Some(failed) = self.hypotheses.iter().find(|clause| !clause.holds()) {
@@ -137,7 +138,8 @@ impl Evidence {
         self.stated_conclusions().map(Inequality::overestimation).fold(f64::INFINITY, f64::min)
     }
 
-    /// Returns the evidence if a stated conclusion is attained: overestimated by at most 1 %.
+    /// Returns the evidence if a stated conclusion is attained, that is, overestimated by at most 1
+    /// %.
     ///
     /// # Errors
     ///
@@ -192,7 +194,7 @@ impl Evidence {
     }
 }
 
-/// One line for each hypothesis and conclusion, with its numbers.
+/// Writes one line for each hypothesis and conclusion, with its numbers.
 impl std::fmt::Display for Evidence {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{}", self.statement)?;

@@ -5,8 +5,8 @@ use tautline::{AnyMetric, Constants, Metric, MetricError, check_gram};
 
 use crate::{Evidence, Unit};
 
-/// The extreme eigenvalues of `H` over a number of points, and its largest difference quotient
-/// between neighbours: they check the hypotheses on `c₁`, `c₂` and `L_H`.
+/// The extreme eigenvalues of `H` over a number of points, and the largest difference quotient of
+/// `H` between consecutive points. The hypotheses on `c₁`, `c₂` and `L_H` are checked with them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GramRange {
     /// The least eigenvalue, in `m²/ℓ²`.
@@ -15,7 +15,7 @@ pub struct GramRange {
     pub high: f64,
     /// The largest `‖H(x) − H(y)‖ / |x − y|` of two consecutive points, in `m²/ℓ³`.
     pub slope: f64,
-    /// The rounding of `slope`, in `m²/ℓ³`: `ε c/|x − y|` at its maximum.
+    /// The rounding of `slope`, in `m²/ℓ³`: `ε c/|x − y|` for the two points that attain it.
     slope_rounding: f64,
 }
 
@@ -50,8 +50,8 @@ impl GramRange {
                 let slope = operator_norm(&(h - k)) / step;
                 if slope > range.slope {
                     range.slope = slope;
-                    // A dozen roundings an entry, D entries a row. That points are rounded does
-                    // not count: H is evaluated at the rounded ones.
+                    // An entry has a dozen roundings, and a row has D entries. The rounding of the
+                    // points does not count, since H is evaluated at the rounded points.
                     range.slope_rounding = 16.0 * f64::EPSILON * D as f64 * high / step;
                 }
             }
@@ -60,7 +60,7 @@ impl GramRange {
         Ok(range)
     }
 
-    /// Evaluates `H` at `x` and at a step of `2⁻⁸ c₁/L_H` along each axis.
+    /// Evaluates `H` at `x` and, along each axis, at the distance `2⁻⁸ c₁/L_H` from `x`.
     ///
     /// # Errors
     ///
@@ -83,11 +83,11 @@ impl GramRange {
 }
 
 impl Evidence {
-    /// Adds the hypotheses of Theorem 1.1 on `c₁`, `c₂` and `L_H`, checked where `H` was evaluated
-    /// and assumed elsewhere.
+    /// Adds the hypotheses of Theorem 1.1 on `c₁`, `c₂` and `L_H`. They are checked at the points
+    /// where `H` was evaluated and assumed elsewhere.
     #[must_use]
     pub fn given_constants(self, constants: Constants, seen: &GramRange) -> Self {
-        // A dozen roundings an entry, and D entries a row with D ≤ 10 or so.
+        // An entry has a dozen roundings, and a row has D entries, where D is at most about 10.
         let rounding = 1e-14 * seen.high;
         let slopes = [seen.slope, constants.l_h()];
         self.given("c₁ ≤ λ_min(H)", Unit::GRAM, [constants.c1(), seen.low], rounding)
@@ -96,10 +96,10 @@ impl Evidence {
             .assumed("c₁, c₂ and L_H hold elsewhere")
     }
 
-    /// Adds the hypothesis on `M_H`, in `m²/ℓ⁴`, given the greatest second derivative found.
+    /// Adds the hypothesis on `M_H`, in `m²/ℓ⁴`. `seen` is the greatest second derivative found.
     #[must_use]
     pub fn given_curvature(self, seen: f64, m_h: f64) -> Self {
-        // At its maximum the terms of a second derivative may cancel some digits.
+        // Where a second derivative is largest, some digits of its terms may cancel.
         let claim = "|uᵀ D²H[u, u] u| ≤ M_H";
         let seen = self.given(claim, Unit::GRAM_CURVATURE, [seen, m_h], 1e-9 * m_h);
         seen.assumed("M_H holds elsewhere")

@@ -27,8 +27,8 @@ impl Unit {
     /// Christoffel symbols, `1/ℓ`.
     pub const CHRISTOFFEL: Unit = Unit { ell: -1, m: 0 };
 
-    /// Returns what 1 of this unit becomes if the unit of coordinates is divided by `ell` and the
-    /// unit of length by `m`.
+    /// Returns the factor by which a number in this unit grows if the unit of coordinates is
+    /// divided by `ell` and the unit of length by `m`.
     #[must_use]
     pub fn factor(self, ell: f64, m: f64) -> f64 {
         ell.powi(self.ell) * m.powi(self.m)
@@ -38,12 +38,13 @@ impl Unit {
 /// Where an inequality comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Source {
-    /// From the statement, perhaps in its repaired form.
+    /// It is from the statement, perhaps in its repaired form.
     Stated,
-    /// A companion sharper than the statement, and so harder to satisfy for a wrong program.
+    /// It is a companion sharper than the statement, so that a wrong program is less likely to
+    /// satisfy it.
     Sharper,
-    /// Two ways to write one formula. Only a programming error violates it: it must hold, but is no
-    /// evidence for the statement or its sharpness.
+    /// It compares two ways to write one formula. Only a programming error violates it. It must
+    /// hold, but it is no evidence for the statement or its sharpness.
     Identity,
 }
 
@@ -52,7 +53,7 @@ pub enum Source {
 pub struct Inequality {
     /// The formula.
     pub claim: &'static str,
-    /// Where it comes from.
+    /// Where the inequality comes from.
     pub source: Source,
     /// The unit of the three numbers below.
     pub unit: Unit,
@@ -74,17 +75,18 @@ impl Inequality {
     /// Returns whether the numbers could have contradicted the claim: the bound is finite, the
     /// observed number is distinguishable from 0, and the two sides are not the same formula.
     ///
-    /// A gap that vanishes identically is below any bound.
+    /// A gap that vanishes identically is below any bound, so that it could not.
     #[must_use]
     pub fn could_fail(&self) -> bool {
         let visible = self.observed.abs() > self.granted;
         self.source != Source::Identity && self.bound < f64::INFINITY && visible
     }
 
-    /// Returns the overestimation `bound / observed`, a pure number: 1 if the bound is attained,
-    /// less if it is violated.
+    /// Returns the overestimation `bound / observed`, a pure number. It is 1 if the bound is
+    /// attained, and less than 1 if the bound is violated.
     ///
-    /// `∞` if the observed number is negative, zero, or so small that `granted` is over 1 % of it.
+    /// It is `∞` if the observed number is negative, zero, or so small that `granted` exceeds 1 %
+    /// of it.
     #[must_use]
     pub fn overestimation(&self) -> f64 {
         if self.observed > 0.0 && self.granted <= 0.01 * self.observed {

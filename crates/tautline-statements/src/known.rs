@@ -28,8 +28,8 @@ impl<M, const D: usize> Known<M, D> {
 impl<M: Bounded<D>, const D: usize> Known<M, D> {
     /// Returns the problem between two points; `None` if the metric does not know their distance.
     ///
-    /// Closed forms are differences of numbers up to `√c₂ (|a| + |b|)`, with about four roundings
-    /// each: `distance_error` is `16 ε` times that.
+    /// A closed form is a difference of numbers up to `√c₂ (|a| + |b|)`, with about four roundings
+    /// each. Hence `distance_error` is `16 ε` times this size.
     ///
     /// # Errors
     ///
@@ -56,7 +56,8 @@ impl<M: Bounded<D>, const D: usize> Known<M, D> {
         Known { metric: AnyBounded::of(metric), ends: ends.clone(), distance, distance_error }
     }
 
-    /// Returns the numbers that the theorems need.
+    /// Returns the constants, the distance and the dimension, from which the theorems compute their
+    /// bounds.
     ///
     /// # Errors
     ///

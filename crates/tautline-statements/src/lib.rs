@@ -1,7 +1,7 @@
-//! Every statement of the paper as one function, with its evidence.
+//! Every statement of the paper as a function that returns its evidence.
 //!
-//! A statement is evaluated on a case and returns [`Evidence`]: its hypotheses, checked or assumed,
-//! and its inequalities, each with the observed number and the bound.
+//! The function evaluates the statement on a case. The [`Evidence`] contains its hypotheses,
+//! checked or assumed, and its inequalities, each with the observed number and the bound.
 //!
 //! ```
 //! use tautline::{PointSequence, gallery::Valleys};
@@ -35,8 +35,8 @@
 //! | 9, excess of length | two curves, or a [`Reconstruction`] | [`prop_9_1`], [`remark_9_2`] |
 //!
 //! A [`Subject`] is the implementation under test: [`LIBRARY`], or the library with the mistake of
-//! a [`Mutant`]. [`curves`] has the curves of Sections 3, 4, 6 and 7, [`witnesses`] the cases near
-//! equality.
+//! a [`Mutant`]. [`curves`] contains the curves of Sections 3, 4, 6 and 7, and [`witnesses`]
+//! contains the cases near equality.
 
 pub mod curves;
 mod errata;

@@ -7,7 +7,7 @@ use tautline_statements::{
     theorem_1_2, theorem_1_3, theorem_1_4, theorem_a, theorem_b, theorem_c, theorem_d,
 };
 
-/// Evaluates a statement on the minimiser of a problem; `None` if it says nothing.
+/// Evaluates a statement on the minimiser of a problem; `None` if the statement does not apply.
 type OfMinimiser<M, const D: usize> =
     fn(&Subject, &Known<M, D>, &Reconstruction<D>) -> Result<Option<Evidence>, VerifyError>;
 
@@ -45,13 +45,13 @@ impl<M: Bounded<D>, const D: usize> AboutProblem<M, D> {
             Self::one(Statement::ConstantK4Bar, LEFT, |s, _, seen| {
                 Ok(Some(constant_k4_bar(s, seen)))
             }),
-            // The larger of the two bounds.
+            // The remark is about both rules; this rule has the larger bound.
             Self::one(Statement::Remark9_2, LEFT, |s, _, seen| Ok(Some(remark_9_2(s, seen)))),
         ]
     }
 
-    /// Lemmas S.3 and S.5. If the metric is hardly curved, speeds and their moments nearly attain
-    /// their bounds: the search looks for a violation.
+    /// Lemmas S.3 and S.5. If the metric is nearly flat, speeds and their moments nearly attain
+    /// their bounds, so the search looks for a violation.
     pub(super) fn speeds() -> Vec<Self> {
         let speeds = Self::both(Statement::LemmaS3, |s, known, seen| {
             Ok(Some(lemma_s_3(s, &known.metric, seen.rule, &seen.minimum.sequence)?))
@@ -80,8 +80,8 @@ impl<M: Bounded<D>, const D: usize> AboutProblem<M, D> {
         ]
     }
 
-    /// Proposition S.6, which encloses `d²` arbitrarily well for small `N` and curvature: the
-    /// search looks for a violation.
+    /// Proposition S.6. Its enclosure of `d²` is arbitrarily tight for small `N` and small
+    /// curvature, so the search looks for a violation.
     pub(super) fn enclosure() -> Vec<Self> {
         Self::both(Statement::PropositionS6, |s, _, seen| Ok(Some(prop_s_6(s, seen, 0.0)?))).into()
     }

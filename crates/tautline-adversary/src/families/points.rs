@@ -17,12 +17,12 @@ use super::{
 type AtPoint<M, const D: usize> =
     fn(&Subject, &M, &SVector<f64, D>) -> Result<Evidence, MetricError>;
 
-/// The statements about a point; a new one is one more line.
+/// The statements about a point. To add one, add a line.
 fn statements<M: Bounded<D>, const D: usize>() -> Vec<(Statement, AtPoint<M, D>)> {
     vec![(Statement::Proposition7_10, prop_7_10), (Statement::Proposition7_11, prop_7_11)]
 }
 
-/// All statements about a point, on one box.
+/// Returns a family for each statement about a point, all on the same box.
 fn on<'a, M: Bounded<D> + 'a, const D: usize, const P: usize>(
     subject: &'a Subject,
     name: &'static str,
@@ -46,12 +46,12 @@ pub(super) fn of_points(subject: &Subject) -> Vec<Family<'_>> {
     all.extend(on(subject, "cosines", [phase("x1"), phase("x2"), phase("x3")], |x| {
         Some((CoupledCosines, x))
     }));
-    // The units of energies and coordinates make one eigenvalue 1, and |k| = 1.
+    // The units of energies and coordinates are chosen so that one eigenvalue is 1 and `|k| = 1`.
     all.extend(on(
         subject,
         "anisotropy",
         [
-            // At ratio 1, `H` is constant.
+            // `H` is constant if the ratio is 1.
             Parameter::logarithmic("ratio − 1", 1e-4, 1e6)
                 .with_ends(Beyond::Limit("ratio → 1"), Beyond::Limit("ratio → ∞")),
             direction("k"),

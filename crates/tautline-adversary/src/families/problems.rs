@@ -20,8 +20,9 @@ use super::{
     },
 };
 
-/// Statements on one box. `problem` depends on the rule, since what misleads a rule depends on
-/// where it reads. A statement about both rules has the second name for the left-endpoint rule.
+/// Returns a family for each statement, all on the same box. `problem` depends on the rule, because
+/// a rule is misled at the points where it evaluates `H`. A statement about both rules has a second
+/// family, for the left-endpoint rule, which has the second name.
 fn on<'a, M: Bounded<D> + 'a, const D: usize, const P: usize>(
     subject: &'a Subject,
     [name, left]: [&'static str; 2],
@@ -40,7 +41,7 @@ fn on<'a, M: Bounded<D> + 'a, const D: usize, const P: usize>(
     statements.into_iter().flatten().map(family).collect()
 }
 
-/// Two points whose distance the metric knows, and `N`.
+/// Pairs the problem between two points, whose distance the metric knows, with `N`.
 fn between<M, const D: usize>(
     metric: M,
     a: [f64; D],
@@ -106,14 +107,15 @@ pub(super) fn of_problems(subject: &Subject) -> Vec<Family<'_>> {
         [AboutProblem::of_the_paper(), AboutProblem::speeds()],
         [part("a", 0.99), on_the_ramp(), anchor(), any_step(1e3), way("way"), n()],
         |_, [a, x, anchor, step, way, n]| {
-            // The nodes of a quadrature pass over a ramp near an end of a chord so long.
+            // Near an end of a longer chord, a ramp falls between the nodes of a quadrature.
             let seen = n * step <= 300.0 || (n == 1.0 && anchor.floor() == 1.0);
             let [from, to] = anchored(x, anchor, n * step, way);
             let metric = seen.then(|| Ramp::new(a, 1.0).ok())?;
             between(metric?, [from], [to], n)
         },
     ));
-    // One chord reads the kink in the middle; two chords would have to search for it.
+    // With one chord, the rule evaluates `H` at the kink in the middle. With two chords, the search
+    // would first have to find the kink.
     all.extend(on(
         subject,
         ["tent", "tent, left"],
@@ -134,7 +136,7 @@ pub(super) fn of_problems(subject: &Subject) -> Vec<Family<'_>> {
         [AboutProblem::of_the_paper(), AboutProblem::second_order()],
         [phase("x1"), any_step(1e2), direction("phi"), n()],
         |_, [x1, step, phi, n]| {
-            // A quadrature gives up on a chord over more valleys.
+            // On a chord over more valleys, the quadrature gives up.
             if n * step > 130.0 {
                 return None;
             }
@@ -168,7 +170,7 @@ pub(super) fn of_problems(subject: &Subject) -> Vec<Family<'_>> {
         [AboutProblem::ceiling(), AboutProblem::second_order()],
         [
             part("a", 0.9),
-            // Two arcs of this length, each about its point, would meet.
+            // Two arcs of length π, about the crest and about the trough, would meet.
             Parameter::logarithmic("length", 1e-2, PI)
                 .with_ends(Beyond::Limit("length → 0"), Beyond::Nothing("the arcs would meet")),
             lead(1e-8),
@@ -179,20 +181,21 @@ pub(super) fn of_problems(subject: &Subject) -> Vec<Family<'_>> {
     all
 }
 
-/// A slope relative to the steepest one.
+/// A slope as a fraction of the steepest slope.
 fn turn(name: &'static str) -> Parameter {
     let beyond = Beyond::Nothing("|H′| ≤ L");
     Parameter::linear(name, -1.0, 1.0).with_ends(beyond, beyond)
 }
 
-/// The relative lead of the wrong one of two ways.
+/// The relative amount by which the rule prefers the wrong one of two ways.
 fn lead(least: f64) -> Parameter {
     Parameter::fraction("lead", least, 0.99)
         .with_ends(Beyond::Limit("lead → 0"), Beyond::Limit("lead → 1"))
 }
 
-/// Two arcs for one chord under `H = (1 + a sin x)²`: one about the crest, of this length, and one
-/// about the trough. To the trapezoidal rule, its energy seems less by the relative `lead`.
+/// Returns a problem in which one chord may follow either of two arcs under `H = (1 + a sin x)²`.
+/// One arc is centred at the crest and has the given length; the other is centred at the trough. To
+/// the trapezoidal rule, the energy of the second seems smaller by the relative `lead`.
 fn two_arcs([a, length, lead, n]: [f64; 4]) -> Option<(Known<Separable<1>, 1>, f64)> {
     let metric = Separable::new([a], [1.0]).ok()?;
     let (crest, trough) = (FRAC_PI_2, 3.0 * FRAC_PI_2);
@@ -208,15 +211,16 @@ fn two_arcs([a, length, lead, n]: [f64; 4]) -> Option<(Known<Separable<1>, 1>, f
             distance = distance.min(of(x, y)?);
         }
     }
-    // As in `Known::between`.
+    // The estimate is the same as in `Known::between`.
     let size = (trough + other + crest) * (1.0 + a);
     let distance_error = 16.0 * f64::EPSILON * size;
     Some((Known { metric, ends, distance, distance_error }, n))
 }
 
-/// Two routes for one chord, with the slopes `a₁L` and `a₂L` on the halves of the first, and `b₁L`
-/// and `b₂L` on those of the second. The least value on the first is 1, and where the rule reads
-/// it, the second is ahead by `lead L`.
+/// Returns a problem in which one chord may follow either of two routes. The halves of the first
+/// route have the slopes `a₁L` and `a₂L`, the halves of the second `b₁L` and `b₂L`. The least value
+/// of `H` on the first route is 1. Where the rule evaluates `H`, the second route is lower by
+/// `lead L`.
 fn two_routes(
     rule: PaperRule,
     [l, a1, a2, b1, b2, lead, n]: [f64; 7],

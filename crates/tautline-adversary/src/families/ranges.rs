@@ -4,8 +4,8 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::super::{Beyond, Parameter};
 
-/// The amplitude of a metric that may have any. `H` is constant at 0, and loses its constant part
-/// at `∞`.
+/// The amplitude of a metric that allows any amplitude. `H` is constant for amplitude 0; as the
+/// amplitude tends to `∞`, the constant part of `H` becomes negligible.
 pub(super) fn amplitude(name: &'static str, most: f64) -> Parameter {
     let (zero, infinity) = match name {
         "L" => ("L → 0", "L → ∞"),
@@ -14,18 +14,18 @@ pub(super) fn amplitude(name: &'static str, most: f64) -> Parameter {
     Parameter::logarithmic(name, 1e-4, most).with_ends(Beyond::Limit(zero), Beyond::Limit(infinity))
 }
 
-/// A relative amplitude: `H` is constant at 0, and degenerate at 1.
+/// A relative amplitude. `H` is constant for amplitude 0 and degenerate for amplitude 1.
 pub(super) fn part(name: &'static str, most: f64) -> Parameter {
     Parameter::fraction(name, 1e-4, most).with_ends(Beyond::Limit("a → 0"), Beyond::Limit("a → 1"))
 }
 
-/// The split of an amplitude between two axes, as an angle: at 0 all of it belongs to the first.
+/// The angle that splits an amplitude between two axes. At 0, all of it belongs to the first axis.
 pub(super) fn share() -> Parameter {
     let beyond = Beyond::Nothing("H varies along one axis alone");
     Parameter::linear("psi", 0.0, FRAC_PI_2).with_ends(beyond, beyond)
 }
 
-/// The amplitudes along the two axes.
+/// Returns the amplitudes along the two axes.
 pub(super) fn shared(amplitude: f64, share: f64) -> [f64; 2] {
     [amplitude * share.cos(), amplitude * share.sin()]
 }
@@ -39,7 +39,8 @@ pub(super) fn ratio_of_waves() -> Parameter {
 /// The largest ratio of two wave numbers.
 const MOST_RATIO: f64 = 1e2;
 
-/// Two wave numbers of this ratio, the larger one 1: the shorter wave is the unit of steps.
+/// Returns two wave numbers with this ratio. The larger one is 1, so that the shorter wave is the
+/// unit of steps.
 pub(super) fn wave_numbers(ratio: f64) -> [f64; 2] {
     [1.0 / ratio.max(1.0), ratio.min(1.0)]
 }
@@ -49,10 +50,11 @@ pub(super) fn phase(name: &'static str) -> Parameter {
     Parameter::periodic(name, TAU)
 }
 
-/// The length of a step (in a problem, the distance of the ends over `N`): from nothing, where the
-/// metric is linear, to four periods.
+/// The length of a step (in a problem, the distance between the ends divided by `N`). It ranges
+/// from nearly 0, where the metric is linear, to four periods.
 ///
-/// The bound on a gap grows with the step, and the gap does not: nothing is tight far out.
+/// The bound on a gap grows with the step, but the gap does not, so that no statement is tight for
+/// long steps.
 pub(super) fn step(name: &'static str) -> Parameter {
     let zero = match name {
         "step" => "step → 0",
@@ -62,18 +64,18 @@ pub(super) fn step(name: &'static str) -> Parameter {
     Parameter::logarithmic(name, SHORTEST, 4.0 * TAU).starting(Beyond::Limit(zero))
 }
 
-/// A step among two waves of any ratio, up to four periods of the longer one.
+/// The length of a step across two waves of any ratio, up to four periods of the longer wave.
 pub(super) fn step_of_waves() -> Parameter {
     Parameter::logarithmic("step", SHORTEST, 4.0 * TAU * MOST_RATIO)
         .starting(Beyond::Limit("step → 0"))
 }
 
-/// A step this short is as good as the limit: for the constants of the valleys, some hundreds of it
-/// are left on the way.
+/// The shortest step, which is nearly at the limit `step → 0`. With the constants of the valleys,
+/// the overestimation there differs from its limit by some hundreds of `SHORTEST`, relatively.
 const SHORTEST: f64 = 1e-5;
 
-/// A step on a ramp, or over valleys with walls between them: long steps attain a bound that is the
-/// ratio of `c₂` and `c₁`.
+/// The length of a step on a ramp, or over valleys with walls between them. Long steps attain a
+/// bound that is the ratio of `c₂` to `c₁`.
 pub(super) fn any_step(longest: f64) -> Parameter {
     Parameter::logarithmic("step", SHORTEST, longest)
         .with_ends(Beyond::Limit("step → 0"), Beyond::Limit("step → ∞"))
@@ -84,35 +86,35 @@ pub(super) fn direction(name: &'static str) -> Parameter {
     Parameter::periodic(name, TAU)
 }
 
-/// The two directions on the line, as a phase: forward for the first half.
+/// The direction along the line, as a phase: forward in the first half of the period.
 pub(super) fn way(name: &'static str) -> Parameter {
     Parameter::periodic(name, 2.0)
 }
 
-/// Where the way between two points has its given coordinate, as a phase: at its start, in its
-/// middle, or at its end.
+/// The part of the way between two points that has the given coordinate, as a phase: the start, the
+/// middle or the end.
 pub(super) fn anchor() -> Parameter {
     Parameter::periodic("anchor", 3.0)
 }
 
-/// Both ends of a way of this length, forward or back, with its anchor at `x`.
+/// Returns both ends of a way of this length, forward or backward, with its anchor at `x`.
 pub(super) fn anchored(x: f64, anchor: f64, length: f64, way: f64) -> [f64; 2] {
     let from = x - 0.5 * anchor.floor() * along(length, way);
     [from, from + along(length, way)]
 }
 
-/// The step of this length, forward or back.
+/// Returns the step of this length, forward or backward.
 pub(super) fn along(length: f64, way: f64) -> f64 {
     if way < 1.0 { length } else { -length }
 }
 
-/// The point at this distance from another one, in this direction.
+/// Returns the point at this distance from another point, in this direction.
 pub(super) fn beside([x, y]: [f64; 2], length: f64, direction: f64) -> [f64; 2] {
     let (sin, cos) = direction.sin_cos();
     [x + length * cos, y + length * sin]
 }
 
-/// A point of the ramp, which is nearly flat far from the middle.
+/// A point on the ramp. Far from its middle, the ramp is nearly flat.
 pub(super) fn on_the_ramp() -> Parameter {
     Parameter::linear("x", -12.0, 12.0).with_ends(Beyond::Limit("x → −∞"), Beyond::Limit("x → ∞"))
 }
@@ -123,7 +125,7 @@ pub(super) fn inside(name: &'static str) -> Parameter {
     Parameter::linear(name, 0.0, 1.0).with_ends(beyond, beyond)
 }
 
-/// `N`: statements are tight for few subintervals, since the bounds fall like `1/√N`.
+/// `N`. The bounds decrease like `1/√N`, so that statements are tight for few subintervals.
 pub(super) fn n() -> Parameter {
     Parameter::whole("N", 1, 64).with_ends(Beyond::Nothing("N ≥ 1"), Beyond::Limit("N → ∞"))
 }

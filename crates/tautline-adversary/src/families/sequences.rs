@@ -21,7 +21,7 @@ use super::{
 type OfSequence<M, const D: usize> =
     fn(&Subject, &M, &PointSequence<D>) -> Result<Evidence, MetricError>;
 
-/// The statements about a point sequence; a new one is one more line.
+/// The statements about a point sequence. To add one, add a line.
 fn statements<M: Bounded<D>, const D: usize>() -> Vec<(Statement, OfSequence<M, D>)> {
     vec![
         (Statement::Proposition7_9, prop_7_9),
@@ -31,7 +31,7 @@ fn statements<M: Bounded<D>, const D: usize>() -> Vec<(Statement, OfSequence<M, 
     ]
 }
 
-/// All statements about a point sequence, on one box.
+/// Returns a family for each statement about a point sequence, all on the same box.
 fn on<'a, M: Bounded<D> + 'a, const D: usize, const P: usize>(
     subject: &'a Subject,
     name: &'static str,
@@ -49,7 +49,7 @@ fn on<'a, M: Bounded<D> + 'a, const D: usize, const P: usize>(
 }
 
 pub(super) fn of_sequences(subject: &Subject) -> Vec<Family<'_>> {
-    // Enough for a step that rests.
+    // Two subintervals suffice for a sequence with a step that rests.
     let two = || Parameter::subintervals(2);
     let mut all = on(
         subject,
@@ -140,11 +140,11 @@ pub(super) fn of_sequences(subject: &Subject) -> Vec<Family<'_>> {
     all
 }
 
-/// The largest relative amplitude. It may be close to 1: a rule divides by nothing that vanishes
-/// there.
+/// The largest relative amplitude. It may be close to 1, since the rules do not divide by anything
+/// that vanishes there.
 const MOST: f64 = 0.9999;
 
-/// Three points, from step to step.
+/// Returns three points: `from`, the point after the first step and the point after the second.
 fn two_steps(from: [f64; 2], [l1, phi1, l2, phi2]: [f64; 4]) -> Vec<[f64; 2]> {
     let middle = beside(from, l1, phi1);
     vec![from, middle, beside(middle, l2, phi2)]

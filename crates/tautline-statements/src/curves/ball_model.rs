@@ -5,7 +5,7 @@ use tautline::{Jet2, Scalar, gallery::Hyperbolic};
 
 use super::{KnownGeodesics, Motion};
 
-/// Möbius addition, the isometry of the ball that takes `0` to `x`, at `u`:
+/// Returns the image of `u` under Möbius addition, the isometry of the ball that takes `0` to `x`:
 /// `((1 + 2 x·u + |u|²) x + (1 − |x|²) u) / (1 + 2 x·u + |x|² |u|²)`.
 fn moved<S: Scalar, const D: usize>(x: &SVector<f64, D>, u: &SVector<S, D>) -> SVector<S, D> {
     let x2 = x.norm_squared();
@@ -20,8 +20,9 @@ fn moved<S: Scalar, const D: usize>(x: &SVector<f64, D>, u: &SVector<S, D>) -> S
 }
 
 impl<const D: usize> KnownGeodesics<D> for Hyperbolic {
-    /// A ray from `0`, at radius `tanh (s/2)` after length `s`, moved to `x` by the isometry, which
-    /// is `x + (1 − |x|²) u` to first order.
+    /// The image of a ray from `0` under the isometry that takes `0` to `x`. After the length `s`,
+    /// the ray has the radius `tanh (s/2)`. To first order in `u`, the isometry is
+    /// `x + (1 − |x|²) u`.
     fn exponential(&self, x: &SVector<f64, D>, v: &SVector<f64, D>, t: f64) -> Motion<D> {
         let speed = v.norm();
         if speed == 0.0 {
@@ -42,7 +43,7 @@ impl<const D: usize> KnownGeodesics<D> for Hyperbolic {
         ray * ((1.0 - x.norm_squared()) * radius.atanh() / radius)
     }
 
-    /// `2 artanh 1 − 2 artanh |x| = ∞`, the distance to the rim of the ball.
+    /// The distance to the rim of the ball, `2 artanh 1 − 2 artanh |x| = ∞`.
     fn normal_radius(&self, x: &SVector<f64, D>) -> f64 {
         2.0 * (1_f64.atanh() - x.norm().atanh())
     }

@@ -6,8 +6,8 @@ use super::Curve;
 
 /// Returns `E(γ) = ∫₀¹ γ̇ᵀ H(γ) γ̇ dt`, in `m²`, with the error of the quadrature.
 ///
-/// Integrates from kink to kink of the curve and over `pieces` equal intervals, so that kinks of
-/// the metric at multiples of `1/pieces` are not inside an interval.
+/// The quadrature splits `[0, 1]` at the kinks of the curve and into `pieces` equal intervals, so
+/// that kinks of the metric at multiples of `1/pieces` do not lie inside an interval.
 pub fn curve_energy<const D: usize>(
     metric: &impl Metric<D>,
     curve: &impl Curve<D>,

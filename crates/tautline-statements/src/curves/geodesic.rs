@@ -1,4 +1,4 @@
-//! `Geodesic`: the geodesics of metrics with known ones.
+//! `Geodesic`: a geodesic of a metric whose geodesics are known.
 
 use nalgebra::SVector;
 use tautline::{
@@ -10,16 +10,16 @@ use tautline::{
 use super::{BoundedCurve, Curve, Motion};
 use crate::{InUnits, Known};
 
-/// A metric with geodesics in closed form, or by one equation in one unknown.
+/// A metric whose geodesics have a closed form or follow from one equation in one unknown.
 pub trait KnownGeodesics<const D: usize>: KnownDistance<D> {
-    /// Returns the geodesic `Exp_x(t v)` that leaves `x` with velocity `v`, at the time `t`, in
-    /// `ℓ`.
+    /// Returns the motion at the time `t` on the geodesic `Exp_x(t v)`, which leaves `x` with
+    /// velocity `v`; all are in `ℓ`.
     fn exponential(&self, x: &SVector<f64, D>, v: &SVector<f64, D>, t: f64) -> Motion<D>;
 
     /// Returns the initial velocity of a minimal geodesic over `[0, 1]` from `x` to `y`, in `ℓ`.
     fn logarithm(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> SVector<f64, D>;
 
-    /// Returns a radius in `m` below which geodesics from `x` exist, are minimal and do not meet.
+    /// Returns a radius in `m`. Shorter geodesics from `x` exist, are minimal and do not meet.
     fn normal_radius(&self, x: &SVector<f64, D>) -> f64;
 }
 
@@ -43,7 +43,7 @@ impl<M: KnownGeodesics<D>, const D: usize> Geodesic<M, D> {
         Self::leaving(metric, a, velocity)
     }
 
-    /// Returns its constant speed, which is its length, in `m`.
+    /// Returns the constant speed of the geodesic, which equals its length, in `m`.
     pub fn speed(&self) -> f64 {
         norm_squared(&self.metric, &self.start, &self.velocity).sqrt()
     }
@@ -56,7 +56,8 @@ impl<M: KnownGeodesics<D>, const D: usize> Curve<D> for Geodesic<M, D> {
 }
 
 impl<M: KnownGeodesics<D> + Bounded<D>, const D: usize> BoundedCurve<D> for Geodesic<M, D> {
-    /// `|γ̇| ≤ s/√c₁` with the speed `s`, and `|γ̈| ≤ 3 L_H |γ̇|²/2c₁` by the geodesic equation.
+    /// The bounds are `|γ̇| ≤ s/√c₁`, where `s` is the speed, and `|γ̈| ≤ 3 L_H |γ̇|²/2c₁`, by the
+    /// geodesic equation.
     fn suprema(&self) -> [f64; 3] {
         let constants = self.metric.constants();
         let speed = (self.speed() / constants.c1().sqrt()).max(self.velocity.norm());
@@ -66,11 +67,12 @@ impl<M: KnownGeodesics<D> + Bounded<D>, const D: usize> BoundedCurve<D> for Geod
 }
 
 impl<M: KnownGeodesics<D>, const D: usize> Known<M, D> {
-    /// Returns the problem between two points of a metric with known geodesics.
+    /// Returns the problem between two points of a metric with known geodesics; `None` if the
+    /// metric does not know their distance.
     ///
-    /// Closed forms of distances have about four roundings of numbers of the size of the points, in
-    /// the metric at either point up to a factor of about 10: `distance_error` is `64 ε` times the
-    /// sum of these sizes and the distance.
+    /// A closed form of the distance has about four roundings of numbers of the size of the points.
+    /// This size is measured in the metric at either point, up to a factor of about 10. Hence
+    /// `distance_error` is `64 ε` times the sum of the two sizes and the distance.
     ///
     /// # Errors
     ///
@@ -85,7 +87,7 @@ impl<M: KnownGeodesics<D>, const D: usize> Known<M, D> {
 }
 
 impl<const D: usize> KnownGeodesics<D> for Constant<D> {
-    /// `x + t v`.
+    /// The straight line `x + t v`.
     fn exponential(&self, x: &SVector<f64, D>, v: &SVector<f64, D>, t: f64) -> Motion<D> {
         Motion { position: x + v * t, velocity: *v, acceleration: SVector::zeros() }
     }
@@ -101,7 +103,7 @@ impl<const D: usize> KnownGeodesics<D> for Constant<D> {
 }
 
 impl KnownGeodesics<2> for Shear {
-    /// `Φ⁻¹(Φ(x) + t DΦ v)`: straight in flat coordinates.
+    /// The curve `Φ⁻¹(Φ(x) + t DΦ v)`, which is a straight line in flat coordinates.
     fn exponential(&self, x: &SVector<f64, 2>, v: &SVector<f64, 2>, t: f64) -> Motion<2> {
         let flat = self.flatten(&line(x, v, 0.0));
         let line = line(&flat.map(|y| y.value()), &flat.map(|y| y.first(0)), t);
@@ -121,8 +123,8 @@ impl KnownGeodesics<2> for Shear {
 }
 
 impl<const D: usize> KnownGeodesics<D> for Separable<D> {
-    /// `F⁻¹(F(x) + t DF v)`, coordinate by coordinate: with `w = DF v`, `F(γ) = F(x) + t w` gives
-    /// `f γ̇ = w` and `f γ̈ = −f′ γ̇²`.
+    /// The curve `F⁻¹(F(x) + t DF v)`, coordinate by coordinate. With `w = DF v`, the equation
+    /// `F(γ) = F(x) + t w` gives `f γ̇ = w` and `f γ̈ = −f′ γ̇²`.
     fn exponential(&self, x: &SVector<f64, D>, v: &SVector<f64, D>, t: f64) -> Motion<D> {
         let start = self.flatten(&line(x, v, 0.0));
         let w = start.map(|y| y.first(0));
@@ -178,7 +180,7 @@ impl<M: KnownGeodesics<D>, const D: usize> KnownGeodesics<D> for InUnits<M> {
     }
 }
 
-/// The jet of `x + τ v` at `τ = t`.
+/// Returns the jet of `x + τ v` at `τ = t`.
 pub(super) fn line<const D: usize>(
     x: &SVector<f64, D>,
     v: &SVector<f64, D>,
@@ -188,10 +190,10 @@ pub(super) fn line<const D: usize>(
     SVector::from_fn(|i, _| t * v[i] + x[i])
 }
 
-/// Solves `F(x) = y` by Newton steps from `near`, in each coordinate.
+/// Solves `F(x) = y` in each coordinate by Newton's method, starting at `near`.
 ///
-/// `F` is increasing, so that a root lies between points where `F − y` has different signs. A step
-/// that leaves this interval is replaced by bisection.
+/// `F` is increasing, so that the root lies between any two points at which `F − y` has different
+/// signs. A step that leaves this interval is replaced by bisection.
 fn unflatten<const D: usize>(
     metric: &Separable<D>,
     y: &SVector<f64, D>,
@@ -212,7 +214,7 @@ fn unflatten<const D: usize>(
             let inside = step >= low[i] && step <= high[i];
             x[i] = if inside || !middle.is_finite() { step } else { middle };
         }
-        // Equal up to the last bits: F has a few roundings of its own.
+        // The two agree to within the last bits; `F` itself has a few roundings.
         if (x - before).amax() <= 2.0 * f64::EPSILON * x.amax() {
             break;
         }

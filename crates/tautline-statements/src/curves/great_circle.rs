@@ -5,17 +5,18 @@ use tautline::{Jet2, Scalar, gallery::Sphere};
 
 use super::{KnownGeodesics, Motion, geodesic::line};
 
-/// A point of `S^D ⊂ R^{D+1}`: the first `D` coordinates, and the last, 1 at the missing point.
+/// A point of `S^D ⊂ R^{D+1}`: its first `D` coordinates, and its last coordinate, which is 1 at
+/// the missing point.
 type Ambient<S, const D: usize> = (SVector<S, D>, S);
 
-/// `(2x, |x|² − 1) / (|x|² + 1)`.
+/// Returns the point `(2x, |x|² − 1) / (|x|² + 1)` of the sphere.
 fn lift<S: Scalar, const D: usize>(x: &SVector<S, D>) -> Ambient<S, D> {
     let r2 = x.iter().fold(S::zero(), |sum, xi| sum + xi.sqr());
     let inverse = (r2 + 1.0).recip();
     (x.map(|xi| xi * inverse * 2.0), (r2 - 1.0) * inverse)
 }
 
-/// `p / (1 − q)` for `(p, q)` on the sphere.
+/// Returns the coordinates `p / (1 − q)` of a point `(p, q)` of the sphere.
 fn project<S: Scalar, const D: usize>((p, q): &Ambient<S, D>) -> SVector<S, D> {
     let inverse = (-*q + 1.0).recip();
     p.map(|pi| pi * inverse)
@@ -36,7 +37,8 @@ impl<const D: usize> KnownGeodesics<D> for Sphere {
         Motion::of_jet(&project(&(turned, cos * q.value() + sin * (last / angle))))
     }
 
-    /// The shorter way round; one of many between antipodes.
+    /// The initial velocity along the shorter arc. Between antipodes there are many, and it is one
+    /// of them.
     fn logarithm(&self, x: &SVector<f64, D>, y: &SVector<f64, D>) -> SVector<f64, D> {
         let ((p, q), (to, last)) = (lift(x), lift(y));
         let cos = p.dot(&to) + q * last;
@@ -46,7 +48,7 @@ impl<const D: usize> KnownGeodesics<D> for Sphere {
             return SVector::zeros();
         }
         let scale = sin.atan2(cos) / sin;
-        // The derivative of the projection at P, in a direction orthogonal to P.
+        // This is the derivative of the projection at P, in a direction orthogonal to P.
         let [t] = Jet2::variables(&[0.0]);
         let moved = line(&p, &(side * scale), 0.0);
         project(&(moved, t * (up * scale) + q)).map(|x| x.first(0))

@@ -7,8 +7,8 @@ use crate::VerifyError;
 
 /// A piecewise linear curve through given points at given times.
 ///
-/// It is piecewise `C¹`, as in the paper, and `γ̈ = 0` almost everywhere: the `‖γ̈‖` of the paper
-/// does not see its kinks.
+/// It is piecewise `C¹`, as in the paper. Since `γ̈ = 0` almost everywhere, the paper's `‖γ̈‖` does
+/// not see its kinks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KinkedCurve<const D: usize> {
     /// `0 = t₀ < t₁ < … < t_m = 1`.
@@ -69,7 +69,8 @@ impl<const D: usize> Curve<D> for KinkedCurve<D> {
 }
 
 impl<const D: usize> BoundedCurve<D> for KinkedCurve<D> {
-    /// `max |points|` and `max |velocities|`; 0 bounds `γ̈` away from the kinks.
+    /// The bounds are `max |points|`, `max |velocities|`, and 0, which bounds `γ̈` away from the
+    /// kinks.
     fn suprema(&self) -> [f64; 3] {
         let largest = |norms: &mut dyn Iterator<Item = f64>| norms.fold(0.0, f64::max);
         let position = largest(&mut self.points.iter().map(|point| point.norm()));

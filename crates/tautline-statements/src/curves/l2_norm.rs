@@ -6,8 +6,9 @@ use super::BoundedCurve;
 
 /// Returns `(∫ₐᵇ |γ⁽ᵏ⁾|² dt)^{1/2}` for `k = derivative ≤ 2`, in `ℓ`, with its error.
 ///
-/// Integrates from corner to corner. The error covers the quadrature and the rounding of the
-/// derivative, a sum of a dozen terms of the size of the supremum, with a few roundings each.
+/// The quadrature splits the interval at the corners. The error covers the quadrature and the
+/// rounding of the derivative, which is a sum of a dozen terms of the size of its supremum, with a
+/// few roundings each.
 ///
 /// # Panics
 ///
@@ -56,7 +57,7 @@ mod tests {
         // ∫ sin² πt = ½, and ∫ of the squared derivative is π²/2.
         let wave = SmoothCurve::new(Vec::new(), vec![[vector![0.0], vector![1.0]]]);
         assert!((l2_norm(&wave, 1, [0.0, 1.0]).value - PI / 2_f64.sqrt()).abs() <= 1e-13);
-        // 4 on [0, ¼], then 0: ∫ of the square is 4, and 2 from ⅛ on.
+        // The velocity is 4 on [0, ¼] and then 0. Hence ∫ of its square is 4, and 2 from ⅛ on.
         let ramp = KinkedCurve::new([0.0], [(0.25, vector![1.0])], [1.0]).expect("in order");
         assert!((l2_norm(&ramp, 1, [0.0, 1.0]).value - 2.0).abs() <= 1e-14);
         assert!((l2_norm(&ramp, 1, [0.125, 1.0]).value - 2_f64.sqrt()).abs() <= 1e-14);

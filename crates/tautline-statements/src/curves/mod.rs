@@ -1,5 +1,5 @@
-//! Curves on `[0, 1]` with velocity and acceleration (smooth, kinked or reparametrised, and
-//! geodesics), their lengths, energies and norms.
+//! Curves on `[0, 1]`, with their lengths, energies and norms. Each curve has a velocity and an
+//! acceleration; it is smooth, kinked, reparametrised or a geodesic.
 //!
 //! ```
 //! use tautline_statements::{Finding, curves::SmoothCurve, prop_7_3, prop_7_3_as_printed};

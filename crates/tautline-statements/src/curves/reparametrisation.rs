@@ -2,7 +2,8 @@
 
 use super::{Curve, Motion};
 
-/// How a clock goes from one knot to the next: by `τ`, `τ²` or `τ² (3 − 2τ)` of the way.
+/// How a clock advances between two knots. After the fraction `τ` of the duration it has covered
+/// the fraction `τ`, `τ²` or `τ² (3 − 2τ)` of the way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Pace {
     /// At constant speed: `τ`.
@@ -14,7 +15,7 @@ pub enum Pace {
 }
 
 impl Pace {
-    /// The fraction of the way, with its first two derivatives.
+    /// Returns the fraction of the way, with its first two derivatives.
     fn jet(self, t: f64) -> [f64; 3] {
         match self {
             Pace::Even => [t, 1.0, 0.0],
@@ -23,7 +24,7 @@ impl Pace {
         }
     }
 
-    /// `∫₀¹ w′²`.
+    /// Returns `∫₀¹ w′²`, where `w` is the fraction of the way.
     fn energy(self) -> f64 {
         match self {
             Pace::Even => 1.0,
@@ -37,16 +38,18 @@ impl Pace {
 /// It may pause or run backwards.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Clock {
-    /// Times, increasing from 0 to 1, and readings.
+    /// Pairs of a time and a reading; the times increase from 0 to 1.
     knots: Vec<[f64; 2]>,
     pace: Pace,
 }
 
 impl Clock {
-    /// Returns the clock with these readings between consecutive intervals of `[0, 1]`, of lengths
-    /// proportional to `durations`. The readings 0 and 1 at the ends are added.
+    /// Divides `[0, 1]` into intervals with lengths proportional to `durations`, and returns the
+    /// clock with these readings between consecutive intervals. The readings 0 and 1 at the ends
+    /// are added.
     ///
-    /// `None` unless durations are positive, readings in `[0, 1]`, and one fewer than durations.
+    /// `None` unless the durations are positive, the readings lie in `[0, 1]`, and there is one
+    /// reading fewer than durations.
     #[must_use]
     pub fn new(durations: &[f64], readings: &[f64], pace: Pace) -> Option<Self> {
         let valid = durations.len() == readings.len() + 1
@@ -68,7 +71,8 @@ impl Clock {
 
     /// Returns the clock through these knots, each a time and a reading.
     ///
-    /// `None` unless the times increase from 0 to 1, and the readings go from 0 to 1 in `[0, 1]`.
+    /// `None` unless the times increase from 0 to 1, and the readings stay in `[0, 1]` and begin
+    /// with 0 and end with 1.
     #[must_use]
     pub fn through(knots: &[[f64; 2]], pace: Pace) -> Option<Self> {
         let ends = knots.first() == Some(&[0.0, 0.0]) && knots.last() == Some(&[1.0, 1.0]);
@@ -77,19 +81,20 @@ impl Clock {
         (ends && valid).then(|| Self { knots: knots.to_vec(), pace })
     }
 
-    /// Returns the clock that goes from 0 to 1 in one piece: `φ(t) = t` if the pace is even.
+    /// Returns the clock that advances from 0 to 1 in one piece. If the pace is even, then
+    /// `φ(t) = t`.
     #[must_use]
     pub fn plain(pace: Pace) -> Self {
         Self { knots: vec![[0.0, 0.0], [1.0, 1.0]], pace }
     }
 
-    /// Returns the clock that stands at `½` from `⅓` to `⅔`.
+    /// Returns the clock that pauses at the reading `½` from the time `⅓` to the time `⅔`.
     #[must_use]
     pub fn pausing() -> Self {
         Self::of_thirds(0.5, 0.5)
     }
 
-    /// Returns the clock that goes to `¾`, back to `¼`, and on to 1.
+    /// Returns the clock that advances to `¾`, runs back to `¼`, and advances to 1.
     #[must_use]
     pub fn turning_back() -> Self {
         Self::of_thirds(0.75, 0.25)
@@ -111,26 +116,26 @@ impl Clock {
         [s0 + way * w, way * first / duration, way * second / (duration * duration)]
     }
 
-    /// Returns `∫ |φ′|`, a pure number: 1 exactly if the clock never runs backwards.
+    /// Returns `∫ |φ′|`, a pure number. It is 1 if and only if the clock never runs backwards.
     #[must_use]
     pub fn variation(&self) -> f64 {
         self.steps().map(|[_, way]| way.abs()).sum()
     }
 
-    /// Returns `∫ φ′²`, a pure number: 1 exactly if `φ(t) = t`.
+    /// Returns `∫ φ′²`, a pure number. It is 1 if and only if `φ(t) = t`.
     #[must_use]
     pub fn energy(&self) -> f64 {
         self.steps().map(|[duration, way]| way * way / duration * self.pace.energy()).sum()
     }
 
-    /// Returns the longest time that the clock stands still.
+    /// Returns the duration of the longest pause.
     #[must_use]
     pub fn longest_pause(&self) -> f64 {
         let paused = self.steps().filter(|[_, way]| *way == 0.0).map(|[duration, _]| duration);
         paused.fold(0.0, f64::max)
     }
 
-    /// Returns the number of pieces.
+    /// Returns the number of pieces between knots.
     #[must_use]
     pub fn pieces(&self) -> usize {
         self.knots.len() - 1

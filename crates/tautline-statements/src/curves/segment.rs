@@ -7,8 +7,8 @@ use super::{Curve, Motion};
 
 /// The segment from `a` to `b`, at constant speed.
 ///
-/// If it is a shortest curve, as on a ray from the centre of a radial metric, it is a geodesic by
-/// Lemma 4.4. This code does not use the geodesic equation.
+/// If it is a shortest curve, such as a ray from the centre of a radial metric, it is a geodesic by
+/// Lemma 4.4. The code does not use the geodesic equation.
 #[derive(Clone, Debug)]
 pub struct EvenSegment<'a, M, const D: usize> {
     metric: &'a M,
@@ -25,7 +25,7 @@ impl<'a, M: Metric<D>, const D: usize> EvenSegment<'a, M, D> {
         segment
     }
 
-    /// The length between two fractions of the chord, in `m`.
+    /// Returns the length between two fractions of the chord, in `m`.
     fn travelled(&self, from: f64, to: f64) -> f64 {
         let speed =
             |s: f64| norm_squared(&self.metric, &(self.start + self.chord * s), &self.chord);
@@ -34,11 +34,11 @@ impl<'a, M: Metric<D>, const D: usize> EvenSegment<'a, M, D> {
 }
 
 impl<M: Metric<D>, const D: usize> Curve<D> for EvenSegment<'_, M, D> {
-    /// With `h(s) = |b − a|²` in the metric at the fraction `s` of the chord, constant speed means
-    /// `ṡ = L/√h`, hence `s̈ = −½ h′/h ṡ²`.
+    /// Let `h(s)` be `|b − a|²` in the metric at the fraction `s` of the chord. Constant speed then
+    /// means `ṡ = L/√h`, hence `s̈ = −½ h′/h ṡ²`.
     fn motion(&self, t: f64) -> Motion<D> {
-        // Newton's method for ∫₀ˢ √h = t L, with bisection where a step leaves the interval; √h
-        // varies by less than a factor of ten.
+        // Solve ∫₀ˢ √h = t L by Newton's method, with bisection where a step leaves the interval.
+        // √h varies by less than a factor of ten.
         let (mut low, mut high, mut s) = (0.0, 1.0, t);
         let mut rates = self.rates(s);
         for _ in 0..60 {
@@ -64,7 +64,7 @@ impl<M: Metric<D>, const D: usize> Curve<D> for EvenSegment<'_, M, D> {
 }
 
 impl<M: Metric<D>, const D: usize> EvenSegment<'_, M, D> {
-    /// `h` and `h′` at a fraction of the chord, in `m²`.
+    /// Returns `h` and `h′` at a fraction of the chord, in `m²`.
     fn rates(&self, s: f64) -> [f64; 2] {
         let [s] = Jet1::<f64, 1>::variables(&[s]);
         let x = SVector::<Jet1<f64, 1>, D>::from_fn(|i, _| s * self.chord[i] + self.start[i]);

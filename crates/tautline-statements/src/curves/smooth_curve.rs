@@ -19,7 +19,8 @@ pub struct SmoothCurve<const D: usize> {
 }
 
 impl<const D: usize> SmoothCurve<D> {
-    /// Returns the curve with the coefficients `pₖ` and `[aₖ, bₖ]`; without any, it rests at 0.
+    /// Returns the curve with the coefficients `pₖ` and `[aₖ, bₖ]`. Without coefficients, it rests
+    /// at 0.
     #[must_use]
     pub fn new(powers: Vec<SVector<f64, D>>, waves: Vec<[SVector<f64, D>; 2]>) -> Self {
         Self { powers, waves }
@@ -36,7 +37,7 @@ impl<const D: usize> SmoothCurve<D> {
         Self::polynomial([a, b - a])
     }
 
-    /// Adds the function linear in `t` that takes the ends to `a` and `b`.
+    /// Adds the linear function of `t` that moves the ends to `a` and `b`.
     #[must_use]
     pub fn between(mut self, a: SVector<f64, D>, b: SVector<f64, D>) -> Self {
         let [from, to] = [a - self.at(0.0), b - self.at(1.0)];
@@ -46,7 +47,7 @@ impl<const D: usize> SmoothCurve<D> {
         self
     }
 
-    /// The formula, in any number type.
+    /// Evaluates the formula in any number type.
     fn at<S: Scalar>(&self, t: S) -> SVector<S, D> {
         let mut sum = SVector::from_element(S::zero());
         for power in self.powers.iter().rev() {
@@ -68,12 +69,13 @@ impl<const D: usize> Curve<D> for SmoothCurve<D> {
 }
 
 impl<const D: usize> BoundedCurve<D> for SmoothCurve<D> {
-    /// `Σ |pₖ| + Σ (|aₖ|² + |bₖ|²)^{1/2}`, the terms times `k`, `k(k − 1)` and `kπ`, `(kπ)²`.
+    /// The bounds are `Σ |pₖ| + Σ (|aₖ|² + |bₖ|²)^{1/2}`, and for the derivatives the same sums
+    /// with their terms multiplied by `k` and `k(k − 1)`, and by `kπ` and `(kπ)²`.
     fn suprema(&self) -> [f64; 3] {
         let mut bounds = [0.0; 3];
         for (k, power) in self.powers.iter().enumerate() {
             let k = k as f64;
-            // k(k − 1) = −0 for k = 0.
+            // For k = 0, k(k − 1) is −0.
             for (bound, factor) in bounds.iter_mut().zip([1.0, k, k * (k - 1.0)]) {
                 *bound += factor.abs() * power.norm();
             }
