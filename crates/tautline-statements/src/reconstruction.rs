@@ -21,7 +21,7 @@ pub fn discrete_energy<const D: usize>(
     with_rule!(rule, rule => subject.discrete_energy(rule, metric, sequence))
 }
 
-/// One solve: the numbers for Theorems 1.1 to 1.4 and Sections 6 to 9.
+/// The result of one solve: the numbers that Theorems 1.1 to 1.4 and Sections 6 to 9 need.
 #[derive(Clone, Debug)]
 pub struct Reconstruction<const D: usize> {
     /// The rule of the minimised discrete energy.
@@ -42,15 +42,15 @@ pub struct Reconstruction<const D: usize> {
     pub k3: f64,
     /// The mean of the cubes of the differences, `(1/N) Σ |βₙ|³`, in `ℓ³`.
     pub mean_cube: f64,
-    /// The speeds `qₙ` that the rule sees, in `m`.
+    /// The speeds `qₙ` of the chords as the rule measures them, in `m`.
     pub speeds: Vec<f64>,
     /// The greatest `|uᵀ D²H[u, u] u|` found along the chords, for unit vectors `u`, in `m²/ℓ⁴`.
     pub curvature: f64,
     /// The range of the metric over the points and the midpoints of the chords.
     pub gram: GramRange,
-    /// The distance of the two ends from their sets, in `ℓ`.
+    /// The larger of the distances of the two ends from their sets, in `ℓ`.
     pub off_sets: f64,
-    /// The sequence, and how it was found.
+    /// The sequence, and how the solver found it.
     pub minimum: Minimum<D>,
     /// The allowance for rounding, for the quadratures and for the error of `d²`, in `m²`.
     pub granted: f64,
@@ -71,7 +71,7 @@ impl<const D: usize> Reconstruction<D> {
         let known = &known.behind_a_pointer();
         let (metric, ends) = (&known.metric, &known.ends);
         let minimum = with_rule!(rule, rule => subject.minimise(rule, metric, ends, n))?;
-        // Degenerate is allowed: a curve that leaves a ball may be free to move sideways.
+        // A degenerate Hessian is allowed: a curve that leaves a ball may be free to move sideways.
         let saddle = matches!(minimum.curvature, Curvature::Indefinite { .. });
         if !matches!(minimum.stop, Stop::Converged | Stop::EndsTouch) || saddle {
             let (stop, curvature) = (minimum.stop, minimum.curvature);
@@ -80,7 +80,7 @@ impl<const D: usize> Reconstruction<D> {
         Self::behind_a_pointer(subject, known, rule, minimum)
     }
 
-    /// Observes a sequence from elsewhere, for instance one that is no global minimiser.
+    /// Observes a given sequence, for instance one that is not a global minimiser.
     ///
     /// # Errors
     ///
@@ -109,8 +109,8 @@ impl<const D: usize> Reconstruction<D> {
             Integral { value: length.value.powi(2), error: 2.0 * length.value * length.error };
         let setting = Setting::new(subject.constants(metric), known.distance, D)?;
         let distance_squared = known.distance.powi(2);
-        // Energies are compensated sums of terms with about ten roundings each. Points of size |x|
-        // are rounded, which the momentum 2√(c₂E) turns into energy.
+        // Energies are compensated sums of terms with about ten roundings each. The points have
+        // size |x| and are rounded; the momentum 2√(c₂E) turns this into an error of the energy.
         let size = sequence.points().iter().map(|x| x.norm()).fold(0.0, f64::max);
         let momentum = 2.0 * (setting.constants().c2() * energy.value.max(0.0)).sqrt();
         let granted = 1e-14 * (distance_squared + discrete_energy + energy.value)
@@ -145,8 +145,8 @@ pub fn mean_power<const D: usize>(sequence: &PointSequence<D>, power: i32) -> f6
     powers / sequence.n().get() as f64
 }
 
-/// Returns the greatest `|uᵀ D²H[u, u] u|` over the ends and midpoints of the chords, where `u` is
-/// the direction of the chord, in `m²/ℓ⁴`: at most `M_H`.
+/// Returns the greatest `|uᵀ D²H[u, u] u|` over the ends and midpoints of the chords, in `m²/ℓ⁴`,
+/// where `u` is the direction of the chord. It is at most `M_H`.
 #[must_use]
 pub fn curvature_along<const D: usize>(
     metric: &impl Metric<D>,
@@ -157,14 +157,15 @@ pub fn curvature_along<const D: usize>(
     for (x, chord) in sequence.chords() {
         for fraction in [0.0, 0.5, 1.0] {
             let found = curvature_at(metric, &(x + chord * fraction), &chord);
-            // Keeps NaN.
+            // This keeps NaN.
             greatest = if found <= greatest { greatest } else { found };
         }
     }
     greatest
 }
 
-/// Returns `|uᵀ D²H(x)[u, u] u|` for the unit vector `u` of a direction, 0 for 0, in `m²/ℓ⁴`.
+/// Returns `|uᵀ D²H(x)[u, u] u|` in `m²/ℓ⁴` for the unit vector `u` of a direction; 0 for the
+/// direction 0.
 pub(crate) fn curvature_at<const D: usize>(
     metric: &impl Metric<D>,
     x: &SVector<f64, D>,
@@ -180,14 +181,14 @@ pub(crate) fn curvature_at<const D: usize>(
     norm_squared(metric, &along, &u).second(0, 0).abs()
 }
 
-/// Returns the points of a sequence and the midpoints of its chords, in order: where the rules of
-/// the paper evaluate `H`.
+/// Returns the points of a sequence and the midpoints of its chords, in order. The rules of the
+/// paper evaluate `H` at these points.
 pub fn nodes<const D: usize>(sequence: &PointSequence<D>) -> impl Iterator<Item = SVector<f64, D>> {
     let chords = sequence.chords().flat_map(|(x, chord)| [*x, x + chord * 0.5]);
     chords.chain([*sequence.last()])
 }
 
-/// The distance of the ends of a sequence from their sets, in `ℓ`.
+/// Returns the larger of the distances of the two ends of a sequence from their sets, in `ℓ`.
 fn off_sets<M, const D: usize>(known: &Known<M, D>, sequence: &PointSequence<D>) -> f64 {
     let ends = [(known.ends.first(), sequence.first()), (known.ends.second(), sequence.last())];
     ends.map(|(set, x)| (set.project(x) - x).norm()).into_iter().fold(0.0, f64::max)

@@ -17,23 +17,23 @@ use crate::{
 
 type Refuted = Result<Evidence, VerifyError>;
 
-/// Proposition 7.2 for `γ = 1` on `[0, 1/4]`.
+/// Evaluates Proposition 7.2 as printed for `γ = 1` on `[0, 1/4]`.
 pub(crate) fn still_curve() -> Refuted {
     let still = SmoothCurve::polynomial([SVector::from([1.0])]);
     prop_7_2_as_printed(&still, [0.0, 0.125, 0.25])
 }
 
-/// Proposition 7.3 for `γ(t) = t` on `[0, 1/4]`.
+/// Evaluates Proposition 7.3 as printed for `γ(t) = t` on `[0, 1/4]`.
 pub(crate) fn straight_line() -> Refuted {
     prop_7_3_as_printed(&SmoothCurve::straight([0.0], [1.0]), [0.0, 0.25])
 }
 
-/// Proposition 7.4 for `γ(t) = |t − ½|` and one chord.
+/// Evaluates Proposition 7.4 for `γ(t) = |t − ½|` and one chord.
 pub(crate) fn kink() -> Refuted {
     prop_7_4(&modulus()?, NonZeroUsize::MIN, 0, 0.0)
 }
 
-/// Proposition 7.5 for `H = −2` in one dimension.
+/// Evaluates Proposition 7.5 as printed for `H = −2` in one dimension.
 pub(crate) fn negative_form() -> Refuted {
     Ok(prop_7_5_as_printed(&TwoForms {
         points: [SVector::from([0.0]); 2],
@@ -44,12 +44,12 @@ pub(crate) fn negative_form() -> Refuted {
     }))
 }
 
-/// Proposition 7.6 for `γ(t) = |t − ½|`, `H = 1` and one chord.
+/// Evaluates Proposition 7.6 as printed for `γ(t) = |t − ½|`, `H = 1` and one chord.
 pub(crate) fn kink_between_samples() -> Refuted {
     prop_7_6_as_printed(&LIBRARY, &flat()?, &modulus()?, [1.0, 0.1], NonZeroUsize::MIN)
 }
 
-/// Proposition 7.7 for a curve that arrives at the time `1/17`.
+/// Evaluates Proposition 7.7 for a curve that reaches its end at the time `1/17`.
 pub(crate) fn fast_start() -> Refuted {
     let seventeen = NonZeroUsize::MIN.saturating_add(16);
     let end = (1.0 / 17.0, SVector::from([1.0]));
@@ -57,7 +57,7 @@ pub(crate) fn fast_start() -> Refuted {
     prop_7_7(&LIBRARY, &ridge()?, &[curve], seventeen)
 }
 
-/// Proposition 9.1 for a straight line that starts late.
+/// Evaluates Proposition 9.1 as printed for a straight line that starts from rest.
 pub(crate) fn late_minimiser() -> Refuted {
     let metric = flat()?;
     let ends = [SVector::from([0.0]), SVector::from([1.0])];
@@ -70,17 +70,17 @@ pub(crate) fn late_minimiser() -> Refuted {
     Ok(prop_9_1_as_printed(&LIBRARY, &known, &on_time, &late))
 }
 
-/// `H = 1`.
+/// Returns the metric `H = 1`.
 fn flat() -> Result<Constant<1>, VerifyError> {
     Ok(Constant::new(SMatrix::from_diagonal_element(1.0))?)
 }
 
-/// `|t − ½|`.
+/// Returns the curve `|t − ½|`.
 fn modulus() -> Result<KinkedCurve<1>, VerifyError> {
     KinkedCurve::new([0.5], [(0.5, [0.0].into())], [0.5])
 }
 
-/// `H = 2 − 3/2 |x − ½|` on `[0, 1]`.
+/// Returns the metric `H = 2 − 3/2 |x − ½|` on `[0, 1]`.
 fn ridge() -> Result<Polygonal, VerifyError> {
     let slope = -1.5;
     let range = VerifyError::OutOfRange { name: "slope", value: slope, low: -4.0, high: 4.0 };

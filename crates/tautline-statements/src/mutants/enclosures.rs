@@ -55,7 +55,7 @@ pub(super) fn replace(mutant: Mutant, table: &mut Bounds) {
     }
 }
 
-/// `N sin(π/2N)`.
+/// Returns `N sin(π/2N)`.
 fn wave(computed: &BetweenPoints) -> f64 {
     let count = computed.n.get() as f64;
     count * (FRAC_PI_2 / count).sin()

@@ -10,8 +10,8 @@ use tautline::{
 
 use super::Mutant;
 
-/// Returns the programs of a metric with a formula that is recorded, derived or run with the
-/// mistake of a mutant; `None` if its mistake is elsewhere, or the formula cannot be recorded.
+/// Returns the programs of a metric whose formula is recorded, derived or run with the mistake of a
+/// mutant; `None` if the mistake is elsewhere, or if the formula cannot be recorded.
 pub(super) fn batches<const D: usize>(
     mutant: Mutant,
     metric: &impl Metric<D>,
@@ -61,7 +61,7 @@ impl<const D: usize> Misread<D> {
         }
     }
 
-    /// The step that is read in place of `step`.
+    /// Returns the step that is read in place of `step`.
     fn read(&self, step: Step, place: usize) -> usize {
         let step = step as usize;
         let beside = self.mutant == Mutant::StepBesideRead && step >= D && step + 1 < place;
@@ -107,7 +107,7 @@ impl<const D: usize> Metric<D> for Misread<D> {
 }
 
 impl<const D: usize> Misread<D> {
-    /// The second of a pair of functions.
+    /// Returns the second of a pair of functions.
     fn second<S: Scalar>(&self, place: usize, values: &[S]) -> S {
         match self.formula.operations()[place - 1] {
             Operation::First(..) if self.mutant == Mutant::SineForCosine => values[place - 1],
@@ -124,7 +124,7 @@ struct Misrun<const D: usize> {
     mutant: Mutant,
 }
 
-/// All rows of results in a batch, except those that only judge `H`.
+/// Returns all rows of results in a batch, except those that only serve to judge `H`.
 fn rows(layout: &Layout) -> impl Iterator<Item = Register> {
     let Layout { square, momentum, slope, gram, turn, bend, .. } = layout;
     [square, momentum, slope, gram, turn, bend].into_iter().flatten().copied()
@@ -156,7 +156,7 @@ impl<const D: usize> Batches<D> for Misrun<D> {
         let last = registers.count() - 1;
         match self.mutant {
             Mutant::ProductRuleHalved => {
-                // Slopes that are the same step share a register.
+                // Slopes share a register if they are the same step.
                 let slopes: BTreeSet<Register> = layout.slope.iter().copied().collect();
                 for row in slopes {
                     for lane in 0..=last {
@@ -169,7 +169,7 @@ impl<const D: usize> Batches<D> for Misrun<D> {
                     registers.set(row, last, registers.row(row)[last - 1]);
                 }
             }
-            // On first use the registers of results are zero: nothing is stale yet.
+            // On first use, the registers of results are zero, so that nothing is stale yet.
             Mutant::RegisterStale if is_stale(&of_first_lane(registers)) => {
                 for (row, &value) in rows(layout).zip(&before) {
                     registers.set(row, 0, value);

@@ -16,7 +16,7 @@ pub use mutant::Mutant;
 use crate::replaceable::{Bounds, GENUINE};
 
 impl Mutant {
-    /// Returns the table of bounds, with the mistake if it is in one of them.
+    /// Returns the table of bounds, which contains the mistake if the mistake is in a bound.
     pub(crate) fn bounds(self) -> Bounds {
         let mut bounds = GENUINE;
         paper::replace(self, &mut bounds);
@@ -27,7 +27,7 @@ impl Mutant {
     }
 }
 
-/// Multiplies `L_H` by a factor.
+/// Returns the constants with `L_H` multiplied by a factor.
 pub(crate) fn with_l_h(constants: Constants, factor: f64) -> Constants {
     constants.times([1.0, 1.0, factor, 1.0]).expect("a multiple of a finite constant")
 }

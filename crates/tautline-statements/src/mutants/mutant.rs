@@ -2,8 +2,8 @@
 
 use crate::replaceable::Program;
 
-/// Makes the enum of all mutants from their table: the name, the programs that are wrong (for the
-/// others, entries of [`Bounds`](crate::Bounds) are replaced), and the mistake.
+/// Makes the enum of all mutants from their table. A row has the name, the programs that are wrong,
+/// and the mistake. If it has no programs, entries of [`Bounds`](crate::Bounds) are replaced.
 macro_rules! mutants {
     ($($(#[$detail:meta])* $name:ident $(in [$($program:ident),*])?: $mistake:literal,)*) => {
         /// A deliberately wrong variant of the library, which a good test suite detects.
@@ -13,8 +13,8 @@ macro_rules! mutants {
         }
 
         impl Mutant {
-            /// All mutants: discretizations, sets, solver, recorded formulas, constants, bounds of
-            /// the paper, sharper bounds.
+            /// All mutants, in the order of their mistakes: discretizations, sets, solver, recorded
+            /// formulas, constants, bounds of the paper, sharper bounds.
             pub const ALL: [Self; [$($mistake),*].len()] = [$(Self::$name),*];
 
             /// Returns the mistake in a few words.
@@ -37,10 +37,10 @@ macro_rules! mutants {
 
 mutants! {
     // Discretizations and sets
-    /// In energies, gradients and the solver.
+    /// It affects energies, gradients and the solver.
     RulesExchanged in [DiscreteEnergy, DiscreteLength, EnergyGradient, Minimise]:
         "the two rules exchanged",
-    /// In the trapezoidal rule.
+    /// It affects the trapezoidal rule.
     TrueTrapezoid in [DiscreteEnergy, DiscreteLength, Minimise]:
         "H averaged over the ends of a chord",
     EnergyHalved in [DiscreteEnergy]: "a factor 1/2 in the discrete energy",
@@ -49,11 +49,11 @@ mutants! {
     QuadratureOfOneNode in [CurveEnergy]: "one node a chord in E(γᵖˡ)",
     QuadratureByEnds in [CurveEnergy]: "the ends of a chord in E(γᵖˡ)",
     LengthFromEnergy in [CurveLength]: "L(γᵖˡ) = √E(γᵖˡ)",
-    /// Over the chords.
+    /// The sum over the chords is not divided by `N`.
     MeanForgotten in [K3]: "K₃ without the mean",
     GradientReversed in [EnergyGradient]: "the gradient reversed",
     MetricFrozen in [EnergyGradient]: "the gradient without DH",
-    /// In the last term.
+    /// It affects the last term.
     ChristoffelSign in [Christoffel]: "a wrong sign in Γ",
     ChristoffelDoubled in [Christoffel]: "no factor 1/2 in Γ",
     NotProjected in [Project]: "points not projected",
@@ -64,89 +64,89 @@ mutants! {
     StopsEarly in [Minimise]: "one Newton step",
     /// The solver reports that it converged.
     NotOptimised in [Minimise]: "the straight line for a minimiser",
-    /// The solver returns its interpolation.
+    /// The solver returns the interpolation of this minimiser.
     NotRefined in [Minimise]: "the minimiser of half as many chords",
     /// The solver returns the local minimum nearest to the straight line.
     LocalForGlobal in [Minimise]: "a local minimum for the global one",
     // Recorded formulas, in the search
-    /// Reads `b ∘ a` for `a ∘ b`.
+    /// `a ∘ b` is read as `b ∘ a`.
     OperandsSwapped in [Minimise]: "operands of a recorded step swapped",
-    /// Rounds constants to quarters, so that near ones coincide.
+    /// Constants are rounded to quarters, so that nearby constants coincide.
     ConstantsMerged in [Minimise]: "constants of a recorded formula merged",
     ConstantsShortened in [Minimise]: "recorded constants in single precision",
     SineForCosine in [Minimise]: "the sine for a recorded cosine",
-    /// Reads `x` for `x²`, and so on.
+    /// `x²` is read as `x`, and so on.
     PowerOfStepLost in [Minimise]: "a power of a recorded step lost",
     StepBesideRead in [Minimise]: "the step beside a recorded one read",
     EntryTakenForZero in [Minimise]: "entries of H taken for zeros of its structure",
     ProductRuleHalved in [Minimise]: "half of the product rule in dᵀ ∂ₖH d",
-    /// It gets the rows of the lane before.
+    /// The last lane gets the rows of the lane before it.
     LaneLost in [Minimise]: "the last lane of a batch lost",
-    /// The first lane of a batch keeps the rows of the batch before.
+    /// The first lane of a batch keeps the rows of the previous batch.
     RegisterStale in [Minimise]: "registers of the batch before",
     // Constants and bounds of the paper
     LipschitzTooSmall in [Constants]: "L_H 10 % too small",
-    /// Not wrong, but every bound is loosened.
+    /// This is not wrong, but it loosens every bound.
     LipschitzDoubled in [Constants]: "L_H twice too large",
     ConstantsExchanged: "c₁ and c₂ exchanged in K_{1,g}",
-    /// Without the root of `c₁`.
+    /// The root of `c₁` is missing.
     RootOfC1Forgotten: "K_{1,g} = d/c₁",
     DimensionForgotten: "K_{2,g} without D²",
     DimensionOnce: "K_{2,g} with D for D²",
-    /// Its cross term.
+    /// This is the cross term.
     CrossTermLost: "C_tra(N) without 4c₂K₁K₂/N",
-    /// With `1/N` for `1/N²`.
+    /// The correct term has `1/N²` for `1/N`.
     SecondOrderForgotten: "C_tra(N) with 4c₂K₂²/N",
     PowerOfK1Lost: "C_tra♯ with K₁² for K₁³",
     DistanceForgotten: "K̄_{3,g} without d",
     K4IsK3: "K̄_{4,g} = K̄_{3,g}",
     QuarterLost: "7.9 without the factor 1/4",
     PowerOfK3Lost: "7.9 with K₃² for K₃³",
-    /// True for equal speeds only.
+    /// The formula holds for equal speeds only.
     RootOfNForgotten: "7.9 with N for √N",
     HalfOfRuleGap: "8.1 with 1/4 for 1/2",
     HalfOfLeftGap: "8.2 with 1/4 for 1/2",
     SharpForgotten: "C of Theorem 1.1 without C_tra♯",
     LastCubeForgotten: "C of Theorem 1.3 without K̄_{4,g}³",
     // Sharper bounds
-    /// In Lemma S.1.
+    /// It affects Lemma S.1.
     OmegaHalved: "ω = 1/2 for every metric",
     LeftCubeHalved: "S.2 with 1/4 for the left rule",
-    /// For `M_H/24N²`.
+    /// The correct term is `M_H/24N²`.
     CurvatureGapHalved: "S.2 with M_H/48N²",
     ResidualForgotten: "S.3 without the residual",
-    /// Without the change of speed from chord to chord.
+    /// The change of speed from chord to chord is left out.
     SpeedChangeForgotten: "S.3 with max q = √E",
-    /// With `¼ L_H K₃²` for `½ L_H K₃²`.
+    /// `½ L_H K₃²` is replaced by `¼ L_H K₃²`.
     MomentumGrowthHalved: "S.3 with half the growth of the momentum",
-    /// For `3/2`.
+    /// The correct factor is `3/2`.
     StepHalved: "S.3 with 3/4 from chord to chord",
     LeftCeilingHalved: "S.4 with δ/4N for the left rule",
-    /// For `G²/12`.
+    /// The correct term is `G²/12`.
     SecondVariationHalved: "S.4 with G²/24",
     LengthGapHalved: "S.5 with half the gap of the length",
     VarianceHalved: "S.5 with half the variance",
-    /// As if the speeds were symmetric about their mean.
+    /// The formula holds if the speeds are symmetric about their mean.
     SkewnessForgotten: "S.5 without R v in m₃",
-    /// Without the fourth power of the deviations.
+    /// The fourth power of the deviations is left out.
     KurtosisForgotten: "S.5 without R²v in m₄",
-    /// As if all speeds were equal.
+    /// The formula holds if all speeds are equal.
     SpeedsOfTheoremAEqual: "Theorem A with Q = √e",
     SampledTermHalved: "Theorem B with Gδ/6 for Gδ/3",
     SquareOfSpeedLost: "Theorem B with Q for Q²",
-    /// For `μ/24N²`.
+    /// The correct term is `μ/24N²`.
     StationaryFourthHalved: "Theorem B with μ/48N²",
-    /// Half of what `E_N` may be below `d²`.
+    /// This is the amount by which `E_N` may be below `d²`.
     DeficitHalved: "Theorem C with half the deficit",
-    /// `m₃ = e^{3/2}`.
+    /// `m₃` is replaced by `e^{3/2}`.
     SpeedsOfTheoremCEqual: "Theorem C with m₃ for equal speeds",
     LengthOfTheoremCHalved: "Theorem C with half the gap of L(γᵖˡ)",
-    /// In the gap of the length.
+    /// It affects the gap of the length.
     PowerOfTheoremCLost: "Theorem C with e for its power 3/2",
-    /// For `μ/24N²`.
+    /// The correct term is `μ/24N²`.
     FourthPowerHalved: "Theorem D with μ/48N²",
     LengthOfTheoremDHalved: "Theorem D with half the gap of L(γᵖˡ)",
-    /// Half of what `E_tra,N` may be below `d²`.
+    /// This is the amount by which `E_tra,N` may be below `d²`.
     DeficitOfTheoremDHalved: "Theorem D with half the deficit",
     LeastOfTheOtherRule: "the left rule with the trapezoidal least bound",
     CeilingForgotten: "S.6 with min E_N ≤ d²",
@@ -154,8 +154,8 @@ mutants! {
     CurvatureOfConvexityForgotten: "S.7 without M_H",
     /// `B` covers only the computed sequence.
     CompetitorsForgotten: "S.7 on a set without the competitors",
-    /// The Poincaré constant of curves.
+    /// `π/2` is the Poincaré constant of curves.
     PoincareOfCurves: "S.7 with π/2 for N sin(π/2N)",
-    /// `d̄ √e/√c₂` for the radius.
+    /// The radius becomes `d̄ √e/√c₂`.
     RegionOfC2 in [Competitors]: "S.8 with c₂ for c₁",
 }

@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 use tautline::{Jet1, Metric, MetricError, PointSequence, Rule, check_gram};
 
-/// The discrete energy without the last chord.
+/// Returns the discrete energy without the last chord.
 pub(crate) fn without_last_chord<R: Rule, const D: usize>(
     rule: R,
     metric: &impl Metric<D>,
@@ -11,12 +11,12 @@ pub(crate) fn without_last_chord<R: Rule, const D: usize>(
 ) -> f64 {
     let mut points = sequence.points().to_vec();
     let last = points.len() - 1;
-    // A chord of length 0 adds nothing, and N stays.
+    // A chord of length 0 adds no energy, and N remains the same.
     points[last] = points[last - 1];
     rule.energy(metric, &PointSequence::new(points).expect("finite points"))
 }
 
-/// The gradient of the discrete energy as if `H` did not depend on the point.
+/// Returns the gradient of the discrete energy as if `H` did not depend on the point.
 pub(crate) fn frozen_gradient<R: Rule, const D: usize>(
     metric: &impl Metric<D>,
     sequence: &PointSequence<D>,
@@ -34,7 +34,7 @@ pub(crate) fn frozen_gradient<R: Rule, const D: usize>(
     gradient
 }
 
-/// `Γᵏᵢⱼ = ½ Σ H⁻¹ₖₗ (∂ᵢHₗⱼ + ∂ⱼHₗᵢ + ∂ₗHᵢⱼ)`, with a plus in the last term.
+/// Returns `Γᵏᵢⱼ = ½ Σ H⁻¹ₖₗ (∂ᵢHₗⱼ + ∂ⱼHₗᵢ + ∂ₗHᵢⱼ)`, where the last term wrongly has a plus.
 pub(crate) fn christoffel_with_wrong_sign<const D: usize>(
     metric: &impl Metric<D>,
     x: &SVector<f64, D>,

@@ -7,7 +7,7 @@ use tautline::bounds::{self, PaperRule, Spread};
 use super::Mutant;
 use crate::replaceable::Bounds;
 
-/// Puts a mistake on both spreads. A macro, since a function in the table captures nothing.
+/// Applies a mistake to both spreads. It is a macro, since a function in the table cannot capture.
 macro_rules! replace_moments {
     ($table:ident, $mistake:path) => {{
         $table.spread = |setting, rule, n, surplus| {

@@ -57,13 +57,13 @@ pub(crate) fn minimise_with<R: Rule, const D: usize>(
     }
 }
 
-/// Equidistant points between the ends of a sequence.
+/// Returns equidistant points between the ends of a sequence.
 fn straightened<const D: usize>(sequence: &PointSequence<D>) -> PointSequence<D> {
     PointSequence::straight(*sequence.first(), *sequence.last(), sequence.n().get())
         .expect("finite ends")
 }
 
-/// `n + 1` points on the interpolation of a sequence, equally spaced in time.
+/// Returns `n + 1` points on the interpolation of a sequence, equally spaced in time.
 fn resampled<const D: usize>(sequence: &PointSequence<D>, n: usize) -> PointSequence<D> {
     let curve = Interpolation::new(sequence);
     let points = (0..=n).map(|k| curve.at(k as f64 / n as f64)).collect();

@@ -40,7 +40,7 @@ pub(super) fn replace(mutant: Mutant, table: &mut Bounds) {
             table.theorem_c_deficit =
                 |setting, rule, n| 0.5 * bounds::theorem_c_deficit(setting, rule, n);
         }
-        // With m₃ = e^{3/2}: as for Theorem A.
+        // With m₃ = e^{3/2}, the bound has the same form as for Theorem A.
         Mutant::SpeedsOfTheoremCEqual => table.theorem_c_polyline_gap = gap_of_equal_speeds,
         Mutant::LengthOfTheoremCHalved => {
             table.theorem_c_length_excess = |setting, rule, n| {
@@ -84,13 +84,13 @@ pub(super) fn replace(mutant: Mutant, table: &mut Bounds) {
     }
 }
 
-/// `e` from `d² (e − 1)`; 1 between ends that touch.
+/// Returns `e`, given `d² (e − 1)`, or 1 if the ends touch.
 fn ceiling(setting: Setting, gap: f64) -> f64 {
     let d2 = setting.distance().powi(2);
     if d2 > 0.0 { 1.0 + gap / d2 } else { 1.0 }
 }
 
-/// `d² (kδ/N) e^{3/2}`.
+/// Returns `d² (kδ/N) e^{3/2}`.
 fn gap_of_equal_speeds(setting: Setting, rule: PaperRule, n: NonZeroUsize) -> f64 {
     let e = ceiling(setting, bounds::theorem_a_minimum_gap(setting, rule, n));
     let k = rule.mean_distance();

@@ -7,7 +7,8 @@ use super::Program;
 pub struct Asked(pub(crate) u64);
 
 impl Asked {
-    /// The number of bits for [`Program`]s; entries of [`Bounds`](super::Bounds) follow.
+    /// The number of bits for [`Program`]s. The entries of [`Bounds`](super::Bounds) have the bits
+    /// after.
     pub(crate) const PROGRAMS: usize = 12;
 
     pub(crate) const fn add(&mut self, program: Program) {

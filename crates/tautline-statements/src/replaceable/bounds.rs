@@ -11,7 +11,7 @@ use tautline::{
 
 use super::Asked;
 
-/// The type of an argument, by its name.
+/// Maps the name of an argument to its type.
 macro_rules! kind {
     (setting) => {
         Setting
@@ -40,10 +40,10 @@ macro_rules! kind {
 }
 pub(crate) use kind;
 
-/// Makes the table, and the set of its replaced entries.
+/// Makes the table, and the method that returns the set of its replaced entries.
 macro_rules! bounds {
     ($($entry:ident($($name:ident),*) -> $result:ty = $genuine:path;)*) => {
-        /// The bounds and constants in use: a function for each.
+        /// The bounds and constants in use, each as a function.
         ///
         /// `Bounds { rule_gap: |_, _, _| 0.0, ..Bounds::LIBRARY }` replaces an entry. The methods
         /// of [`Subject`](crate::Subject) with the same names call the entries.
@@ -55,7 +55,7 @@ macro_rules! bounds {
             )*
         }
 
-        /// The entries, by their names.
+        /// The names of the entries.
         #[expect(non_camel_case_types, reason = "the names of the entries")]
         #[derive(Clone, Copy)]
         pub(crate) enum Entry {
@@ -66,7 +66,8 @@ macro_rules! bounds {
             /// The functions of the library.
             pub const LIBRARY: Self = Self { $($entry: $genuine,)* };
 
-            /// The entries that differ from [`GENUINE`] in address: one address means one function.
+            /// Returns the entries that differ from [`GENUINE`] in address. Equal addresses mean
+            /// equal functions.
             pub(crate) fn replaced(&self) -> Asked {
                 let mut replaced = Asked::default();
                 $(
@@ -83,10 +84,11 @@ macro_rules! bounds {
     };
 }
 
-/// The functions of the library, each at one address: a constant may be compiled more than once.
+/// The functions of the library, each at one address. A constant may be compiled more than once.
 pub(crate) static GENUINE: Bounds = Bounds::LIBRARY;
 
-/// Passes all entries to the macro `$each`: name, arguments, result, and the function of the library.
+/// Passes each entry to the macro `$each`: its name, arguments and result, and the library's
+/// function.
 macro_rules! for_each_bound {
     ($each:ident) => {
         $each! {

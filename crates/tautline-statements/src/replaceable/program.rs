@@ -1,4 +1,4 @@
-//! `Program`: the programs generic in the dimension that a mutant can replace.
+//! `Program`: the programs that are generic in the dimension and that a mutant can replace.
 
 /// The names of the programs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -10,14 +10,14 @@ pub use table::Statement;
 use crate::Verdict;
 
 impl Statement {
-    /// Returns the number, as in prose: "Proposition 7.9", "Section 5, left-endpoint rule".
+    /// Returns the number as in prose: "Proposition 7.9", "Section 5, left-endpoint rule".
     #[must_use]
     pub fn number(self) -> &'static str {
         self.row().number
     }
 
-    /// Returns the TeX label in the paper, the symbol of a displayed constant, or `sharper:` and
-    /// the subject of our own statement.
+    /// Returns the TeX label in the paper or the symbol of a displayed constant; for our own
+    /// statements, `sharper:` followed by the subject.
     #[must_use]
     pub fn label(self) -> &'static str {
         self.row().label
@@ -34,7 +34,7 @@ impl Statement {
         self.row().needs.iter().flat_map(|needs| needs.checked).copied()
     }
 
-    /// Returns the hypotheses that are assumed: no finite number of evaluations shows them.
+    /// Returns the hypotheses that are assumed, since no finite number of evaluations shows them.
     pub fn assumed(self) -> impl Iterator<Item = &'static str> {
         self.row().needs.iter().flat_map(|needs| needs.assumed).copied()
     }
@@ -55,13 +55,13 @@ impl Statement {
     /// by the constants of the metric: Theorems 1.1 to 1.4, Propositions 7.4, 7.6, 7.7, 7.9 to
     /// 7.12, 8.1 and 8.2, and the displayed constants.
     ///
-    /// The others claim existence, or equality as a definition does.
+    /// The other statements claim existence, or equality, as a definition does.
     #[must_use]
     pub fn is_a_bound(self) -> bool {
         self.row().is_a_bound
     }
 
-    /// Returns the name of the function of this crate that evaluates it.
+    /// Returns the name of the function of this crate that evaluates the statement.
     #[must_use]
     pub fn function(self) -> &'static str {
         self.row().function

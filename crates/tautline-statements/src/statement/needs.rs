@@ -2,9 +2,9 @@
 
 /// Hypotheses that belong together.
 pub(crate) struct Needs {
-    /// Checked on every case.
+    /// They are checked on every case.
     pub(crate) checked: &'static [&'static str],
-    /// Assumed: no finite number of evaluations shows them.
+    /// They are assumed, since no finite number of evaluations shows them.
     pub(crate) assumed: &'static [&'static str],
 }
 
@@ -26,7 +26,7 @@ pub(super) const CURVATURE: Needs =
 
 pub(super) const ENDS: Needs = checked(&["the ends lie in X⁽⁰⁾ and X⁽¹⁾"]);
 
-/// The sequence has at most the energy that the proof has for the minimum.
+/// The energy of the sequence is at most the bound on the minimum in the proof.
 pub(super) const MINIMISER: Needs = checked(&[
     "the rule is that of the theorem",
     "the ends lie in X⁽⁰⁾ and X⁽¹⁾",

@@ -25,10 +25,10 @@ pub(crate) struct Refutation {
 
 /// Makes the enum [`Statement`](crate::Statement), its list and its rows from the table.
 ///
-/// A row begins with the name, the number and the label. Optional are `needs`, the hypotheses;
-/// `is_a_bound`, for a statement that bounds an error, a speed or a derivative by constants of the
-/// metric; and `refuted_by`, for one that is false as printed. `code` is a function of this crate;
-/// an unknown name does not compile.
+/// A row begins with the name, the number and the label. Three fields are optional: `needs` lists
+/// the hypotheses; `is_a_bound` marks a statement that bounds an error, a speed or a derivative by
+/// constants of the metric; and `refuted_by` has the counterexample to a statement that is false as
+/// printed. `code` is a function of this crate; an unknown name does not compile.
 macro_rules! statements {
     ($($name:ident $number:literal $label:literal {
         claim: $claim:literal,
@@ -74,7 +74,7 @@ macro_rules! statements {
 }
 pub(super) use statements;
 
-/// The given value, or else the default.
+/// Expands to the given value or else to the default.
 macro_rules! or {
     ($default:expr) => {
         $default

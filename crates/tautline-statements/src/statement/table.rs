@@ -1,4 +1,4 @@
-//! The table of statements, one row each: pages, tables and tests are made from it.
+//! The table of statements, one row each. Pages, tables and tests are made from it.
 
 use super::needs::{
     CONSTANTS, CURVATURE, ENDS, GEODESIC, GLOBAL, MINIMISER, NO_KINK, assumed, checked,

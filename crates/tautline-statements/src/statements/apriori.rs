@@ -9,7 +9,7 @@ use crate::{
     reconstruction::curvature_at,
 };
 
-/// A minimal geodesic at one time.
+/// The state of a minimal geodesic at one time.
 struct Instant {
     setting: Setting,
     evidence: Evidence,
@@ -20,7 +20,7 @@ struct Instant {
 }
 
 impl Instant {
-    /// Checks the speed `d` and the geodesic equation at the time `t`.
+    /// Checks at the time `t` that the speed is `d` and that the geodesic equation holds.
     fn of<const D: usize>(
         statement: Statement,
         subject: &Subject,
@@ -39,8 +39,8 @@ impl Instant {
         let [size, a1, a2] = curve.suprema();
         let natural = constants.l_h() / constants.c1();
         let condition = constants.c2() / constants.c1();
-        // A dozen roundings a derivative. The metric is evaluated at a point that is off by a few
-        // ε|γ|, and varies on the scale c₁/L_H; Γ is off by ε times the condition number.
+        // A derivative has a dozen roundings. The metric is evaluated at a point that is off by a
+        // few ε|γ|, and it varies on the scale c₁/L_H. Γ is off by ε times the condition number.
         let relative = 128.0 * f64::EPSILON * (1.0 + condition + size * natural);
         let granted = [relative * a1, relative * (a2 + 1.5 * natural * a1 * a1)];
         let seen = GramRange::near(metric, constants, &position)?;
@@ -55,16 +55,17 @@ impl Instant {
     }
 }
 
-/// Evaluates `K_{1,g} = d/√c₁` on a minimal geodesic at the time `t`: `|γ̇(t)| ≤ K_{1,g}`.
+/// Evaluates the bound `|γ̇(t)| ≤ K_{1,g}`, where `K_{1,g} = d/√c₁`, on a minimal geodesic at the
+/// time `t`.
 ///
-/// Minimality is checked by `distance`: the speed must be the distance `d` of the ends. The bound
-/// uses neither the geodesic equation nor `c₂` and `L_H`.
+/// Minimality is checked with `distance`: the speed must equal the distance `d` between the ends.
+/// The bound uses neither the geodesic equation nor `c₂` and `L_H`.
 ///
-/// Attained where `H = c₁` in the direction of `γ̇`. Identity: `c₁ K_{1,g}² = d²`.
+/// The bound is attained where `H = c₁` in the direction of `γ̇`. Identity: `c₁ K_{1,g}² = d²`.
 ///
 /// # Errors
 ///
-/// [`VerifyError::Metric`] where `H` is not positive definite, [`VerifyError::Bound`] if `distance`
+/// [`VerifyError::Metric`] where `H` is not positive definite. [`VerifyError::Bound`] if `distance`
 /// is negative or not finite.
 #[doc(alias = "K_{1,g}")]
 pub fn constant_k1<const D: usize>(
@@ -85,15 +86,16 @@ pub fn constant_k1<const D: usize>(
         .identity(["c₁K₁² ≤ d²", "d² ≤ c₁K₁²"], Unit::ENERGY, [energy, d2], rounding))
 }
 
-/// Evaluates `K_{2,g} = 3 L_H D² K_{1,g}²/2c₁` on a minimal geodesic at the time `t`:
-/// `|γ̈(t)| ≤ K_{2,g}`.
+/// Evaluates the bound `|γ̈(t)| ≤ K_{2,g}`, where `K_{2,g} = 3 L_H D² K_{1,g}²/2c₁`, on a minimal
+/// geodesic at the time `t`.
 ///
-/// Needs: as [`constant_k1`], the geodesic equation, and `H` Lipschitz; not `c₂`.
+/// Needs: the hypotheses of [`constant_k1`], the geodesic equation, and `H` Lipschitz. The bound
+/// does not need `c₂`.
 ///
-/// Overestimation: at least `D²` for `D ≥ 2`, and 3 on the line, by the companion.
+/// Its overestimation is at least `D²` for `D ≥ 2`, and at least 3 on the line, by the companion.
 ///
-/// Companion: `|γ̈| ≤ ω (L_H/c₁) K_{1,g}²` with `ω = 3/2`, and `½` for an isotropic metric and on
-/// the line (Lemma S.1). Identity: the definition of `K_{2,g}`.
+/// Companion: `|γ̈| ≤ ω (L_H/c₁) K_{1,g}²`, where `ω` is `3/2`, or `½` for an isotropic metric and
+/// on the line (Lemma S.1). Identity: the definition of `K_{2,g}`.
 ///
 /// # Errors
 ///
@@ -110,7 +112,7 @@ pub fn constant_k2<const D: usize>(
     let instant = Instant::of(statement, subject, metric, curve, distance, t)?;
     let constants = instant.setting.constants();
     let k2 = subject.k2_g(instant.setting);
-    // L_H d²/c₁², by the definition of K₁.
+    // This is L_H d²/c₁², which is L_H K₁²/c₁ by the definition of K₁.
     let natural = constants.l_h() * (distance / constants.c1()).powi(2);
     let defined = 1.5 * natural * (D * D) as f64;
     let sharp = subject.k2_sharp(without_m_h(instant.setting)?);
@@ -130,12 +132,13 @@ pub fn constant_k2<const D: usize>(
 /// |γ̈(t)|  ≤  G d/√c₁,        γ̈ᵀ H(γ) γ̈  ≤  G² d²
 /// ```
 ///
-/// with the [`G`](Setting::bend) of the setting: `ωδ`, where `ω = 3/2`, and `½` for an isotropic
-/// metric and on the line; in the last two cases less, if `M_H` is known.
+/// Here [`G`](Setting::bend) is that of the setting: `ωδ`, where `ω` is `3/2`, or `½` for an
+/// isotropic metric and on the line. In the last two cases, `G` is smaller if `M_H` is known.
 ///
-/// Needs: as [`constant_k2`], and the hypotheses of `G`.
+/// Needs: the hypotheses of [`constant_k2`] and of `G`.
 ///
-/// Both are attained: at 0 over a twist for `D ≥ 2`, and at the foot of an incline for `ω = ½`.
+/// Both bounds are attained: for `D ≥ 2` at 0 over a twist, and for `ω = ½` at the foot of an
+/// incline.
 ///
 /// # Errors
 ///
@@ -171,11 +174,11 @@ pub fn lemma_s_1<const D: usize>(
 /// ‖γ̇‖  ≤  K_{1,g},        ‖γ̈‖  ≤  K_{2,g}
 /// ```
 ///
-/// Needs: `H ≥ c₁`, `H` Lipschitz, and `E(γ) ≤ d²`, as for a minimiser; neither `c₂` nor closed
-/// sets.
+/// Needs: `H ≥ c₁`, `H` Lipschitz, and `E(γ) ≤ d²`, which a minimiser satisfies. Neither `c₂` nor
+/// closed sets are needed.
 ///
-/// The first is attained where `H = c₁` in the direction of the geodesic; the second is
-/// overestimated as in [`constant_k2`].
+/// The first bound is attained where `H = c₁` in the direction of the geodesic. The second has the
+/// overestimation of [`constant_k2`].
 ///
 /// Companion: `‖γ̈‖ ≤ ω (L_H/c₁) K_{1,g}²` with the `ω` of Lemma S.1.
 ///
@@ -195,13 +198,13 @@ pub fn prop_7_12<const D: usize>(
     let [velocity, acceleration] = [1, 2].map(|k| l2_norm(curve, k, [0.0, 1.0]));
     let seen = GramRange::along(metric, (0..9).map(|k| curve.motion(f64::from(k) / 8.0).position))?;
     let [size, a1, _] = curve.suprema();
-    // As for a single time: γ̇ and the argument of the metric are rounded. The distance is a
+    // As for a single time, γ̇ and the argument of the metric are rounded. The distance is a
     // difference of numbers of the size of √c₂ |γ|.
     let relative = 128.0 * f64::EPSILON * (1.0 + size * constants.l_h() / constants.c1());
     let granted = energy.error
         + constants.c2() * a1 * (2.0 * relative * a1)
         + 64.0 * f64::EPSILON * constants.c2().sqrt() * size * distance;
-    // So are K₁ and K₂, which contains K₁².
+    // The error of the distance carries over to K₁ and to K₂, which contains K₁².
     let off = 32.0 * f64::EPSILON * constants.c2().sqrt() * size / constants.c1().sqrt();
     let (k1, k2) = (subject.k1_g(setting), subject.k2_g(setting));
     let bend = subject.k2_sharp(without_m_h(setting)?);
@@ -216,7 +219,7 @@ pub fn prop_7_12<const D: usize>(
         .sharper("‖γ̈‖ ≤ ω L_H K₁²/c₁", Unit::COORDINATE, [acceleration.value, bend], granted_bend))
 }
 
-/// The setting without `M_H`, for the bound of Lemma S.1 by `L_H` alone.
+/// Returns the setting without `M_H`, for which Lemma S.1 has the bound by `L_H` alone.
 fn without_m_h(setting: Setting) -> Result<Setting, VerifyError> {
     let known = setting.constants();
     let constants = Constants::new(known.c1(), known.c2(), known.l_h())?;

@@ -11,7 +11,8 @@ use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};
 /// K₃ ≤ K̄_{3,g} = √((d² + C_tra♯)/c₁)
 /// ```
 ///
-/// Compared as it is, and as a gap `c₁K₃² − d² ≤ c₁K̄²_{3,g} − d²`, which shows `C_tra♯`.
+/// The bound is compared as it is, and as a gap `c₁K₃² − d² ≤ c₁K̄²_{3,g} − d²`, in which `C_tra♯`
+/// shows.
 #[doc(alias = "overline K_{3,g}")]
 #[must_use]
 pub fn constant_k3_bar<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
@@ -26,7 +27,7 @@ pub fn constant_k3_bar<const D: usize>(subject: &Subject, seen: &Reconstruction<
 /// K₃ ≤ K̄_{4,g} = √((d² + C_tra♯ + ½ L_H K̄_{3,g}³)/c₁)
 /// ```
 ///
-/// Compared as it is, and as a gap `c₁K₃² − d² ≤ c₁K̄²_{4,g} − d²`.
+/// The bound is compared as it is, and as a gap `c₁K₃² − d² ≤ c₁K̄²_{4,g} − d²`.
 #[doc(alias = "overline K_{4,g}")]
 #[must_use]
 pub fn constant_k4_bar<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
@@ -44,10 +45,10 @@ fn speed<const D: usize>(
     [plain, gap]: [&'static str; 2],
 ) -> Evidence {
     let (c1, d2) = (seen.setting.constants().c1(), seen.distance_squared);
-    // dK₃ = dE/(2 c₁ K₃), and K₃ = 0 if all points coincide.
+    // An error dE of the energy changes K₃ by dE/(2 c₁ K₃). K₃ = 0 if all points coincide.
     let granted = if seen.k3 > 0.0 { 0.5 * seen.granted / (c1 * seen.k3) } else { 0.0 };
     let [observed, bound] = [seen.k3, bar].map(|k| c1 * k * k - d2);
-    // K̄ is a square root of a sum, squared again: a few roundings of the bound.
+    // K̄ is the square root of a sum and is squared again, with a few roundings of the bound.
     let rounding = seen.granted + 8.0 * f64::EPSILON * (bound + 2.0 * d2);
     let evidence = evidence.stated(plain, Unit::COORDINATE, [seen.k3, bar], granted);
     evidence.stated(gap, Unit::ENERGY, [observed, bound], rounding)
@@ -82,7 +83,7 @@ pub fn constant_c_1_1<const D: usize>(subject: &Subject, seen: &Reconstruction<D
 /// C  =  C_tra♯ + L_H (K̄_{3,g}³ + K̄_{4,g}³)/2
 /// ```
 ///
-/// The other two gaps that it bounds are in Theorem 1.3. Companion: the excess is of order `1/N`.
+/// The other two gaps that `C` bounds are in Theorem 1.3. Companion: the excess is of order `1/N`.
 #[doc(alias = "C (Theorem 1.3)")]
 #[must_use]
 pub fn constant_c_1_3<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
@@ -102,7 +103,7 @@ struct Excess {
     by_parts: f64,
     /// `C`.
     constant: f64,
-    /// The terms of `C` after `C_tra♯`, by their formula.
+    /// The terms of `C` after `C_tra♯`, computed from their formula.
     cubes: f64,
 }
 
@@ -119,7 +120,7 @@ impl Excess {
         let sum = subject.c_tra_sharp(setting.constants(), k1, k2) + self.cubes;
         let first_order = subject.theorem_a_excess(setting, rule, seen.n);
         let bound = self.constant / (seen.n.get() as f64).sqrt();
-        // C is a product of cubes of sums of cubes: some 40 roundings, and powers up to 9.
+        // C contains cubes of sums of cubes. It has some 40 roundings, and powers up to 9.
         let rounding = 1e-13 * self.constant;
         let definition = ["C ≤ the sum of its parts", "the sum of its parts ≤ C"];
         begin_in_the_paper(statement, subject, seen, rule)

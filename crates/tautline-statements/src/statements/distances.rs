@@ -7,10 +7,10 @@ use crate::{Evidence, GramRange, Known, Statement, Subject, Unit};
 
 /// Evaluates Proposition 3.3 on two points: `c₁|x − y|² ≤ d(x, y)² ≤ c₂|x − y|²`.
 ///
-/// Completeness follows: a sequence is Cauchy for `d` if and only if it is for the Euclidean
-/// distance. This needs only `c₁`.
+/// Completeness follows: a sequence is a Cauchy sequence for `d` if and only if it is one for the
+/// Euclidean distance. Completeness needs only `c₁`.
 ///
-/// Equality: a constant metric, along its eigenvectors.
+/// Equality holds for a constant metric, along its eigenvectors.
 ///
 /// # Errors
 ///
@@ -27,10 +27,11 @@ pub fn prop_3_3<M: Bounded<D>, const D: usize>(
     let constants = subject.constants(&known.metric);
     let (c1, c2) = (constants.c1(), constants.c2());
     let (d2, euclidean) = (known.distance.powi(2), (x - y).norm_squared());
-    // A dozen roundings an entry of H, and a product.
+    // An entry of H has a dozen roundings, and a product follows.
     let rounding = 1e-14 * seen.high;
     let granted = known.squared_error() + rounding * euclidean;
-    // From 33 points to the segment: H grows by at most c₂ − c₁ and L_H |x − y|/64 between them.
+    // To pass from 33 points to the segment: between them H grows by at most c₂ − c₁, and by at
+    // most L_H |x − y|/64.
     let top = seen.high + (constants.l_h() * euclidean.sqrt() / 64.0).min(c2 - c1);
     let sharper = "d² ≤ sup H |x − y|² on the segment";
     Ok(Evidence::of(Statement::Proposition3_3)

@@ -11,8 +11,8 @@ use crate::{
 
 /// Evaluates Proposition 6.1 on a curve between two points: `d² ≤ L(γ)² ≤ E(γ)`.
 ///
-/// Equality for minimal geodesics only, see [`prop_6_1_minimiser`]. [`prop_6_1_attained`] checks
-/// that the minima are attained.
+/// Equality holds only for minimal geodesics; see [`prop_6_1_minimiser`]. [`prop_6_1_attained`]
+/// checks that the minima are attained.
 #[doc(alias = "prop:geodesic_len_and_energy")]
 pub fn prop_6_1<M, const D: usize>(
     subject: &Subject,
@@ -26,14 +26,14 @@ pub fn prop_6_1<M, const D: usize>(
 /// Adds the hypothesis that both sets are points.
 ///
 /// A set of radius `R` is a point if and only if it projects the `2D` points `±s eᵢ` to the same
-/// point, for an `s ≥ √D R`. For if it contained `p ≠ q`, with `p` nearest to all of them, then
-/// `2s |pᵢ − qᵢ| ≤ |q|² − |p|²` for every `i`; but
+/// point, for some `s ≥ √D R`. Indeed, suppose that it contains `p ≠ q`, and that `p` is nearest to
+/// all these points. Then `2s |pᵢ − qᵢ| ≤ |q|² − |p|²` for every `i`, but
 ///
 /// ```text
 /// |q|² − |p|² = (q − p)·(q + p) < 2R |q − p| ≤ 2R √D maxᵢ |pᵢ − qᵢ|
 /// ```
 ///
-/// A set without a radius is unbounded and not a point.
+/// A set without a radius is unbounded and therefore not a point.
 fn given_points<M, const D: usize>(
     evidence: Evidence,
     subject: &Subject,
@@ -55,13 +55,13 @@ fn given_points<M, const D: usize>(
     evidence.given(claim, Unit::COORDINATE, [largest(spread), 0.0], 0.0)
 }
 
-/// Evaluates that the given curve attains the minima of Proposition 6.1.
+/// Evaluates the claim that the given curve attains the minima of Proposition 6.1.
 ///
 /// ```text
 /// γ ∈ C(x⁰, x¹),    L(γ)² ≤ d²,    E(γ) ≤ d²
 /// ```
 ///
-/// Needs: a minimal geodesic, as in a complete space, which has no way out.
+/// Needs: a minimal geodesic. A complete space, which has no way out, has one.
 #[doc(alias = "prop:geodesic_len_and_energy")]
 pub fn prop_6_1_attained<M, const D: usize>(
     subject: &Subject,
@@ -73,10 +73,11 @@ pub fn prop_6_1_attained<M, const D: usize>(
     is_attained(evidence, subject, known, seen, way_out)
 }
 
-/// Evaluates that the given curve attains the minima of Proposition 6.3, as [`prop_6_1_attained`].
+/// Evaluates the claim that the given curve attains the minima of Proposition 6.3, as
+/// [`prop_6_1_attained`] does.
 ///
-/// Needs: a complete space and a bounded set, which [`tautline::Ends`] ensures. Without one there
-/// may be no nearest pair and no shortest curve: see [`prop_6_2`](super::prop_6_2), and
+/// Needs: a complete space, and a bounded set, which [`tautline::Ends`] ensures. Without a bounded
+/// set there may be no nearest pair and no shortest curve: see [`prop_6_2`](super::prop_6_2), and
 /// [`prop_7_1`](super::prop_7_1) for the discrete energies.
 #[doc(alias = "prop:geodesic_len_and_energy_2")]
 pub fn prop_6_3_attained<M, const D: usize>(
@@ -107,14 +108,15 @@ fn is_attained<M, const D: usize>(
 
 /// Evaluates Proposition 6.3 on a curve between two closed sets: `d² ≤ L(γ)² ≤ E(γ)`.
 ///
-/// Equality for minimal geodesics between a nearest pair; see [`prop_6_3_attained`].
+/// Equality holds for minimal geodesics between the points of a nearest pair; see
+/// [`prop_6_3_attained`].
 #[doc(alias = "prop:geodesic_len_and_energy_2")]
 pub fn prop_6_3<M, const D: usize>(
     subject: &Subject,
     known: &Known<M, D>,
     seen: &Measured<D>,
 ) -> Evidence {
-    // `Ends` has a bounded set, so this hypothesis needs no check.
+    // `Ends` always has a bounded set, so this hypothesis needs no check.
     no_curve_is_shorter(Evidence::of(Statement::Proposition6_3), subject, known, seen)
 }
 

@@ -8,16 +8,17 @@ use crate::{
     discrete_energy, reconstruction::nodes, with_rule::with_rule,
 };
 
-/// Evaluates Proposition 7.1 on two admissible sequences; the first claims to be a minimiser.
+/// Evaluates Proposition 7.1 on two admissible sequences, the first of which claims to be a
+/// minimiser.
 ///
 /// ```text
 /// |xₙ − X| ≤ √(R/c₁) for both,    E_N(γ*) ≤ E_N(γᵖ) = R
 /// ```
 ///
-/// with the bounded set `X` and the energy `R` of the second sequence. By the first inequality,
-/// from the proof, sequences of energy at most `R` form a compact set, and a search may stay in a
-/// box. The second defines a minimiser. Companion: even the total way `Σ |xₙ₊₁ − xₙ|` is at most
-/// `√(R/c₁)`.
+/// Here `X` is the bounded set, and `R` is the energy of the second sequence. The first inequality
+/// is from the proof. It implies that the sequences of energy at most `R` form a compact set, so
+/// that a search may stay in a box. The second inequality defines a minimiser. Companion: even the
+/// total way `Σ |xₙ₊₁ − xₙ|` is at most `√(R/c₁)`.
 ///
 /// # Errors
 ///
@@ -34,7 +35,7 @@ pub fn prop_7_1<const D: usize>(
     let gram = GramRange::along(metric, nodes(minimiser).chain(nodes(other)))?;
     let bounded = sets.iter().find(|set| set.radius().is_some_and(f64::is_finite));
     let differ = minimiser.n().get().abs_diff(other.n().get()) as f64;
-    // The greatest distance of a sequence from the bounded set.
+    // The greatest distance between the points of a sequence and the bounded set.
     let reach = |sequence: &PointSequence<D>| match bounded {
         Some(&set) => sequence
             .points()
@@ -56,9 +57,10 @@ pub fn prop_7_1<const D: usize>(
         [minimiser, other].map(|sequence| discrete_energy(subject, rule, metric, sequence));
     let way: f64 = other.chords().map(|(_, chord)| chord.norm()).sum();
     let radius = (energy / c1).sqrt();
-    // A projection with 4 D roundings of coordinates, and a root of a compensated sum.
+    // A projection has 4 D roundings of coordinates; the radius is a root of a compensated sum.
     let rounding = 1e-14 * (size + radius);
-    // Points of size |x| are rounded, which the momentum 2√(c₂E) turns into energy.
+    // The points have size |x| and are rounded; the momentum 2√(c₂E) turns this into an error of
+    // the energy.
     let momentum = 2.0 * (gram.high * least.max(0.0)).sqrt();
     let granted = 1e-14 * (least + energy) + 8.0 * f64::EPSILON * size * momentum;
     Ok(Evidence::of(Statement::Proposition7_1)
@@ -73,21 +75,22 @@ pub fn prop_7_1<const D: usize>(
         .sharper("Σ |xₙ₊₁ − xₙ| ≤ √(R/c₁)", Unit::COORDINATE, [way, radius], rounding))
 }
 
-/// Evaluates that a minimiser is a critical point: companions of Proposition 7.1.
+/// Evaluates the claim that a minimiser is a critical point, in companions of Proposition 7.1.
 ///
 /// ```text
 /// ρₙ = (N/2) ∂E_N/∂xₙ = 0 inside,    P(x − s ∂E_N/∂x) = x at the ends, for small s > 0
 /// |qₙ − qₙ₋₁| ≤ (L_H/N c₁^{3/2}) (w qₙ² + (1 − w) qₙ₋₁²),    qₙ² = βₙᵀHβₙ
 /// ```
 ///
-/// with `w = ½` for the trapezoidal rule and `w = ⅝` for the left one. The last is a discrete
-/// Proposition 3.1, nearly equal speeds; it follows from the first.
+/// Here `w = ½` for the trapezoidal rule and `w = ⅝` for the left-endpoint rule. The last
+/// inequality is a discrete form of Proposition 3.1, since it says that the speeds are nearly
+/// equal. It follows from the first equation.
 ///
 /// # Allowance
 ///
 /// A search stops where a Newton step would lower the energy by `10⁻¹⁸ E`. The Hessian is at most
 /// about `8 N c₂`, hence `|∂E|² ≤ 16 N c₂ · 10⁻¹⁸ E`, and `((1/N) Σ |ρₙ|²)^{1/2} = ½√N |∂E|` is at
-/// most `2 N (c₂E)^{1/2} 10⁻⁹`. Rounding of the points adds a few `ε N² |x| c₂`.
+/// most `2 N (c₂E)^{1/2} 10⁻⁹`. The rounding of the points adds a few `ε N² |x| c₂`.
 #[must_use]
 pub fn critical_point<M: Bounded<D>, const D: usize>(
     subject: &Subject,
@@ -109,7 +112,7 @@ pub fn critical_point<M: Bounded<D>, const D: usize>(
     let inner = &gradient[1..n];
     let squares: f64 = inner.iter().map(|g| (g * (0.5 * count)).norm_squared()).sum();
     let residual = (squares / count).sqrt();
-    // s of the size of the inverse Hessian makes a short step; ½|∂E| is a momentum.
+    // The step is short, since s has the size of the inverse Hessian; ½|∂E| is a momentum.
     let s = 1.0 / (2.0 * count * c2);
     let ends = [
         (known.ends.first(), sequence.first(), &gradient[0]),
@@ -123,7 +126,7 @@ pub fn critical_point<M: Bounded<D>, const D: usize>(
     });
     let excess = |[step, bound]: &[f64; 2]| step - bound;
     let worst = steps.max_by(|a, b| excess(a).total_cmp(&excess(b))).unwrap_or([0.0, 0.0]);
-    // The remaining ∂E changes the speeds by |ρₙ|/(N √c₁), and |ρₙ| ≤ √N granted.
+    // The remaining gradient ∂E changes the speeds by |ρₙ|/(N √c₁), and |ρₙ| ≤ √N granted.
     let speed_granted = granted / (count * constants.c1()).sqrt()
         + 16.0 * f64::EPSILON * (count * size * c2.sqrt() + momentum);
     let (rho, rounding) = (Unit { ell: -1, m: 2 }, 1e-13 * (size + seen.k3));

@@ -60,18 +60,19 @@ impl<const D: usize> TwoForms<D> {
         })
     }
 
-    /// `|x₁ − x₂|`.
+    /// Returns `|x₁ − x₂|`.
     fn step(&self) -> f64 {
         (self.points[0] - self.points[1]).norm()
     }
 
-    /// The allowance for eigenvalues: a dozen roundings an entry, `D` entries a row.
+    /// Returns the allowance for eigenvalues. An entry has a dozen roundings, and a row has `D`
+    /// entries.
     fn rounding(&self) -> f64 {
         let size = self.matrices.iter().map(|h| h.amax()).fold(0.0, f64::max);
         16.0 * f64::EPSILON * (D * D) as f64 * size
     }
 
-    /// Adds the conclusion, the same in both forms.
+    /// Adds the conclusion, which is the same in the printed and in the repaired form.
     fn conclude(&self, evidence: Evidence) -> Evidence {
         let [u1, u2] = self.vectors;
         let [h1, h2] = self.matrices;
@@ -88,16 +89,17 @@ impl<const D: usize> TwoForms<D> {
     }
 }
 
-/// Evaluates Proposition 7.5, repaired.
+/// Evaluates Proposition 7.5 in its repaired form.
 ///
 /// ```text
 /// |u₁ᵀH(x₁)u₁ − u₂ᵀH(x₂)u₂|  ≤  L_H |x₁ − x₂| |u₁|² + c₂ |u₁ − u₂|² + 2 c₂ |u₁| |u₁ − u₂|
 /// ```
 ///
-/// Needs: `0 ≤ H(x₂) ≤ c₂` and `‖H(x₁) − H(x₂)‖ ≤ L_H |x₁ − x₂|`, and nothing more of `H(x₁)`.
+/// Needs: `0 ≤ H(x₂) ≤ c₂` and `‖H(x₁) − H(x₂)‖ ≤ L_H |x₁ − x₂|`. Nothing more is needed of
+/// `H(x₁)`.
 ///
-/// Attained in dimension 1 for `u₂ > u₁ > 0`, `H(x₂) = c₂` and `H(x₁) = c₂ − L_H |x₁ − x₂|`, with
-/// all three terms.
+/// The bound is attained in dimension 1 for `u₂ > u₁ > 0`, `H(x₂) = c₂` and
+/// `H(x₁) = c₂ − L_H |x₁ − x₂|`, where all three terms contribute.
 #[doc(alias = "prop:functional_lipschitz_estimate")]
 #[must_use]
 pub fn prop_7_5<const D: usize>(forms: &TwoForms<D>) -> Evidence {
@@ -109,7 +111,7 @@ pub fn prop_7_5<const D: usize>(forms: &TwoForms<D>) -> Evidence {
     forms.conclude(lipschitz(evidence, forms))
 }
 
-/// Evaluates Proposition 7.5 as printed, with `uᵀHu ≤ c₂ |u|²` and no lower bound: false for
+/// Evaluates Proposition 7.5 as printed, with `uᵀHu ≤ c₂ |u|²` and no lower bound. It is false for
 /// `H = −2` and `c₂ = 1` in dimension 1.
 #[must_use]
 pub fn prop_7_5_as_printed<const D: usize>(forms: &TwoForms<D>) -> Evidence {

@@ -9,7 +9,8 @@ use crate::{
 };
 
 /// Evaluates Proposition 3.1 on a curve: if it satisfies the geodesic equation (3.2), then
-/// `g(γ̇, γ̇) = L(γ)²` at all times. An equality, compared as two inequalities of overestimation 1.
+/// `g(γ̇, γ̇) = L(γ)²` at all times. This equality is compared as two inequalities of
+/// overestimation 1.
 ///
 /// # Errors
 ///
@@ -34,7 +35,7 @@ pub fn prop_3_1<const D: usize>(
 /// geodesic between the two points.
 ///
 /// `way_out` starts from one of the points. A space is complete if and only if there is no way out;
-/// it is complete where `H ≥ c₁ > 0` on all of `R^D` (Proposition 3.3).
+/// it is complete if `H ≥ c₁ > 0` on all of `R^D` (Proposition 3.3).
 ///
 /// No finite number of curves shows the claim for *any* two points. Theorem 1.2 bounds how much
 /// longer than `d` a computed curve may be.
@@ -62,7 +63,8 @@ pub fn prop_3_2<M: KnownDistance<D>, const D: usize>(
         .sharper("d ≤ L(γ)", Unit::LENGTH, [known.distance, seen.length.value], granted))
 }
 
-/// The distance of the ends of a curve from their sets, and the allowance for it, both in `ℓ`.
+/// Returns the distance of the ends of a curve from their sets, and the allowance for it, both in
+/// `ℓ`.
 pub(super) fn off_sets<M, const D: usize>(
     subject: &Subject,
     known: &Known<M, D>,
@@ -71,7 +73,8 @@ pub(super) fn off_sets<M, const D: usize>(
     let sets = [known.ends.first(), known.ends.second()];
     let off = sets.into_iter().zip(&seen.ends);
     let off = largest(off.map(|(set, x)| (subject.project(&**set, x) - x).norm()));
-    // Closed forms and maps from flat coordinates have some dozens of roundings, projections 4 D.
+    // Closed forms and maps from flat coordinates have some dozens of roundings, and projections
+    // have 4 D.
     let size = seen.ends.iter().map(|x| x.norm()).sum::<f64>();
     (off, 64.0 * f64::EPSILON * size)
 }

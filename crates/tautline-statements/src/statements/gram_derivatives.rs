@@ -7,8 +7,8 @@ use crate::{Evidence, GramRange, Statement, Subject, Unit, operator_norm};
 
 /// Evaluates Proposition 7.10 at a point: `|∂ₗ Hᵢⱼ| ≤ L_H` for all `i`, `j` and `l`.
 ///
-/// Needs: `H` Lipschitz; `c₁ ≤ H ≤ c₂` is checked, but not needed. Attained by a wave in one pair
-/// of entries along one axis.
+/// Needs: `H` Lipschitz; `c₁ ≤ H ≤ c₂` is checked, but not needed. The bound is attained by a wave
+/// in one pair of entries along one axis.
 ///
 /// Companion: the matrices `∂ₗ H` and the derivative along the diagonal, `Σ ∂ₗ H/√D`, have operator
 /// norms of at most `L_H`.
@@ -32,7 +32,8 @@ pub fn prop_7_10<const D: usize>(
     let norms = slopes.iter().chain([&diagonal]).map(operator_norm);
     let operator = norms.fold(0.0, f64::max);
     let bound = constants.l_h();
-    // A dozen roundings an entry, and the rounding of an argument of the size of |x| L_H/c₁.
+    // An entry has a dozen roundings. The rounding of the argument adds an error of relative size
+    // |x| L_H/c₁.
     let size = 1.0 + x.norm() * bound / constants.c1();
     let granted = 32.0 * f64::EPSILON * (D as f64 + size) * bound;
     Ok(Evidence::of(Statement::Proposition7_10)
@@ -43,11 +44,13 @@ pub fn prop_7_10<const D: usize>(
 
 /// Evaluates Proposition 7.11 at a point: `|Γᵏᵢⱼ| ≤ 3 L_H √D/2c₁`.
 ///
-/// Needs: `H ≥ c₁`, `H` Lipschitz, not `c₂`. Overestimation: at least `√D`, by the companion.
+/// Needs: `H ≥ c₁` and `H` Lipschitz, but not `c₂`. The overestimation is at least `√D`, by the
+/// companion.
 ///
-/// Companion: `Γᵏᵢⱼ` is the product of row `k` of `H⁻¹`, of norm at most `1/c₁`, and half of the
-/// vector `(∂ᵢHⱼ + ∂ⱼHᵢ − ∇Hᵢⱼ)`, with three terms of norm at most `L_H`. So `√D` is not needed,
-/// and `3/2` is sharp in two dimensions; in one the terms cancel, which leaves `L_H/2c₁`.
+/// Companion: `Γᵏᵢⱼ` is the product of row `k` of `H⁻¹`, whose norm is at most `1/c₁`, and half of
+/// the vector `(∂ᵢHⱼ + ∂ⱼHᵢ − ∇Hᵢⱼ)`, whose three terms have norms of at most `L_H`. Hence the
+/// factor `√D` is not needed. In two dimensions, `3/2` is sharp; in one dimension, terms cancel,
+/// which leaves `L_H/2c₁`.
 ///
 /// # Errors
 ///
@@ -65,7 +68,8 @@ pub fn prop_7_11<const D: usize>(
     let bound = 1.5 * natural * (D as f64).sqrt();
     let sharp = christoffel_bound(constants, D);
     let claim = if D == 1 { "|Γ| ≤ L_H/2c₁" } else { "|Γᵏᵢⱼ| ≤ 3 L_H/2c₁" };
-    // As in Proposition 7.10; and a solution of H z = r is off by ε times the condition number.
+    // In addition to Proposition 7.10, a solution of H z = r is off by ε times the condition
+    // number.
     let size = D as f64 + x.norm() * natural + constants.c2() / constants.c1();
     let granted = 64.0 * f64::EPSILON * size * bound;
     Ok(Evidence::of(Statement::Proposition7_11)

@@ -4,14 +4,14 @@ use super::geodesics::off_sets;
 use super::section_1::{GLOBAL, admitted};
 use crate::{Evidence, Known, Reconstruction, Statement, Subject, Unit, curves::Measured};
 
-/// Evaluates Proposition 9.1, repaired, on a curve `γ` and a minimiser `γ*`:
+/// Evaluates Proposition 9.1 in its repaired form on a curve `γ` and a minimiser `γ*`:
 /// `L(γ)² − L(γ*)² ≤ E(γ) − E(γ*)` if `γ*` has the least *energy* `d²`.
 ///
-/// Needs: `γ*` joins the sets and `E(γ*) ≤ d²`. Then `d² ≤ L(γ*)² ≤ E(γ*) ≤ d²`, which implies
-/// `L(γ*) ≤ d`, and `L(γ)² ≤ E(γ)` remains, true for any curve `γ`. A complete space and bounded
-/// sets matter only for the existence of `γ*`.
+/// Needs: `γ*` joins the sets, and `E(γ*) ≤ d²`. Then `d² ≤ L(γ*)² ≤ E(γ*) ≤ d²`, which implies
+/// `L(γ*) ≤ d`. What remains is `L(γ)² ≤ E(γ)`, which is true for any curve `γ`. A complete space
+/// and bounded sets matter only for the existence of `γ*`.
 ///
-/// Equality for `γ` of constant speed.
+/// Equality holds if `γ` has constant speed.
 #[doc(alias = "prop:length_energy_estimation")]
 pub fn prop_9_1<M, const D: usize>(
     subject: &Subject,
@@ -25,8 +25,8 @@ pub fn prop_9_1<M, const D: usize>(
     printed.given("E(γ*) ≤ d²", Unit::ENERGY, least, granted)
 }
 
-/// Evaluates Proposition 9.1 as printed: `γ*` need only have the least *length*. False, since a
-/// curve of least length may have any larger energy.
+/// Evaluates Proposition 9.1 as printed, where `γ*` need only have the least *length*. This is
+/// false, since the energy of a curve of least length may have any larger value.
 #[doc(alias = "prop:length_energy_estimation")]
 pub fn prop_9_1_as_printed<M, const D: usize>(
     subject: &Subject,
@@ -56,12 +56,14 @@ pub fn prop_9_1_as_printed<M, const D: usize>(
 /// L(γᵖˡ)² − d²  ≤  E(γᵖˡ) − d²  ≤  d² (e − 1 + (k δ/N) e Q)
 /// ```
 ///
-/// `δ = L_H d / c₁^{3/2}`, `k = ¼` or `½`, and `e = 1 + O(1/N)` and `Q` as in [`tautline::bounds`].
-/// Needs: `E_N ≤ d² e`, as for a global minimiser, and nothing else of the sequence
-/// ([`remark_9_2_for_any_sequence`]). A worse local minimiser counts as a violation here.
+/// Here `δ = L_H d / c₁^{3/2}`, `k` is `¼` or `½`, and `e = 1 + O(1/N)` and `Q` are as in
+/// [`tautline::bounds`]. Needs: `E_N ≤ d² e`, which a global minimiser satisfies. The sequence
+/// needs no other property ([`remark_9_2_for_any_sequence`]). A worse local minimiser counts as a
+/// violation here.
 ///
-/// Optimal among the bounds by `c₁`, `c₂`, `L_H` and `d`: two routes attain the leading constants
-/// at `N = 1`, as `δ → 0`, and on others `N (E(γᵖˡ) − d²)` does not decrease with `N`.
+/// The bounds are optimal among those in terms of `c₁`, `c₂`, `L_H` and `d`: two routes attain the
+/// leading constants at `N = 1`, as `δ → 0`, and on other routes `N (E(γᵖˡ) − d²)` does not
+/// decrease with `N`.
 #[doc(alias = "Remark 9.2")]
 #[must_use]
 pub fn remark_9_2<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
@@ -72,15 +74,15 @@ pub fn remark_9_2<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -
     evidence.stated("E_N − d² = O(1/N)", Unit::ENERGY, [over, above], granted)
 }
 
-/// Evaluates the answer to Remark 9.2 on any sequence from set to set with a discrete energy below
-/// the bound of [`remark_9_2`] on the minimum.
+/// Evaluates the answer to Remark 9.2 on any sequence from set to set whose discrete energy does
+/// not exceed the bound of [`remark_9_2`] on the minimum.
 ///
 /// ```text
 /// E_N ≤ d² e   ⟹   d² − E_N  ≤  d² (k δ/N) e Q,
 ///                  L(γᵖˡ)² − d²  ≤  E(γᵖˡ) − d²  ≤  d² (e − 1 + (k δ/N) e Q)
 /// ```
 ///
-/// Inner points need not be stationary: Theorem C has a smaller bound without this hypothesis.
+/// The inner points need not be stationary: Theorem C has a smaller bound without this hypothesis.
 #[doc(alias = "Remark 9.2")]
 #[must_use]
 pub fn remark_9_2_for_any_sequence<const D: usize>(
@@ -95,7 +97,7 @@ pub fn remark_9_2_for_any_sequence<const D: usize>(
     curve_and_minimum(evidence, subject, seen)
 }
 
-/// Adds the claims about the curve, and that the discrete energy is not far below `d²`.
+/// Adds the claims about the curve, and the claim that the discrete energy is not far below `d²`.
 fn curve_and_minimum<const D: usize>(
     evidence: Evidence,
     subject: &Subject,

@@ -9,8 +9,9 @@ use crate::{
     curves::{Clock, Curve, Geodesic, KnownGeodesics, Measured, Reparametrised, Residual, largest},
 };
 
-/// Evaluates Proposition 4.1, read with clocks that may pause: the claim of [`prop_4_2`] for two
-/// points nearer than the normal radius of the first, in `m`. In fact they need not be near.
+/// Evaluates Proposition 4.1, read with clocks that may pause. The claim is that of [`prop_4_2`],
+/// for two points whose distance is less than the normal radius at the first, in `m`. In fact the
+/// points need not be near each other.
 ///
 /// # Errors
 ///
@@ -30,11 +31,11 @@ pub fn prop_4_1<M: Metric<D>, C: Curve<D>, const D: usize>(
 
 /// Evaluates Proposition 4.2, read with clocks that may pause, on `γ = γ** ∘ φ`.
 ///
-/// If `γ**` is a minimal geodesic and `φ` nondecreasing, then `γ` is minimal, and `φ(t)` is the
-/// length of `γ` up to the time `t`, divided by `d`. With `d = 0` all curves are constant, and any
-/// `φ` fits. [`prop_4_2_converse`] starts from any minimal curve.
+/// If `γ**` is a minimal geodesic and `φ` is nondecreasing, then `γ` is minimal, and `φ(t)` is the
+/// length of `γ` up to the time `t`, divided by `d`. If `d = 0`, all curves are constant, and any
+/// `φ` will do. [`prop_4_2_converse`] starts from any minimal curve.
 ///
-/// Equality on every reparametrised minimal geodesic.
+/// Equality holds on every reparametrised minimal geodesic.
 ///
 /// # Errors
 ///
@@ -65,7 +66,7 @@ fn reparametrised<M: Metric<D>, C: Curve<D>, const D: usize>(
     let (off, rounding) = off_sets(subject, known, &straight);
     let granted = straight.granted_length() + seen.granted_length() + known.distance_error;
     let lag = lengths(metric, &curve).into_iter().map(|(t, s)| (s / d - clock.at(t)[0]).abs());
-    // A time is rounded, and a piece turns that into a few roundings of φ.
+    // The time is rounded, which each piece turns into a few roundings of φ.
     let ticks = 16.0 * f64::EPSILON * clock.pieces() as f64;
     let evidence = evidence
         .given("γ** joins the points", Unit::COORDINATE, [off, 0.0], rounding)
@@ -74,7 +75,7 @@ fn reparametrised<M: Metric<D>, C: Curve<D>, const D: usize>(
         .given("∫|φ′| ≤ 1", Unit::NONE, [clock.variation(), 1.0], ticks)
         .stated("L(γ** ∘ φ) ≤ d", Unit::LENGTH, [seen.length.value, d], granted)
         .sharper("d ≤ L(γ** ∘ φ)", Unit::LENGTH, [d, seen.length.value], granted);
-    // With d = 0 the curve is constant: it is γ** ∘ φ for every φ.
+    // If d = 0, the curve is constant, and it is γ** ∘ φ for every φ.
     if d == 0.0 {
         return Ok(evidence);
     }
@@ -82,7 +83,7 @@ fn reparametrised<M: Metric<D>, C: Curve<D>, const D: usize>(
     Ok(evidence.stated("φ(t) = (length up to t)/d", Unit::NONE, [largest(lag), 0.0], granted))
 }
 
-/// The end of each piece with the length up to there, in `m`.
+/// Returns the end of each piece, with the length of the curve up to this end, in `m`.
 fn lengths<M: Metric<D>, const D: usize>(metric: &M, curve: &impl Curve<D>) -> Vec<(f64, f64)> {
     let speed = |t: f64| curve.motion(t).speed_squared(metric).sqrt();
     let mut sum = 0.0;
@@ -93,12 +94,12 @@ fn lengths<M: Metric<D>, const D: usize>(metric: &M, curve: &impl Curve<D>) -> V
     curve.pieces().into_iter().map(up_to).collect()
 }
 
-/// Evaluates the converse in Proposition 4.2 on any curve `γ`: if it is minimal, then
-/// `γ(t) = γ**(φ(t))`, where `φ(t)` is its length up to `t`, divided by `d`. Compared at 16 times:
-/// the points, and the greatest distance of each side from `γ(0)`, as two inequalities of
-/// overestimation 1.
+/// Evaluates the converse in Proposition 4.2 on any curve `γ`: if `γ` is minimal, then
+/// `γ(t) = γ**(φ(t))`, where `φ(t)` is the length of `γ` up to `t`, divided by `d`. Both sides are
+/// evaluated at 16 times. Their points are compared, and their greatest distances from `γ(0)`, as
+/// two inequalities of overestimation 1.
 ///
-/// `γ**` must be the only minimal geodesic. With `d = 0` both curves are constant.
+/// `γ**` must be the only minimal geodesic. If `d = 0`, both curves are constant.
 #[doc(alias = "prop:geodesic_min_path_min")]
 pub fn prop_4_2_converse<M: Metric<D>, const D: usize>(
     subject: &Subject,
@@ -125,7 +126,7 @@ pub fn prop_4_2_converse<M: Metric<D>, const D: usize>(
         apart = largest([apart, (here - other.position).norm()]);
         let [one, two] = [here, other.position].map(|x| (x - start).norm());
         away = [largest([away[0], one]), largest([away[1], two])];
-        // The factor from an error of a length to coordinates.
+        // This factor converts an error of a length into an error of coordinates.
         rate = rate.max(other.velocity.norm() * per_length);
     }
     let (off, rounding) = off_sets(subject, known, &seen);
@@ -140,7 +141,8 @@ pub fn prop_4_2_converse<M: Metric<D>, const D: usize>(
         .stated("max |γ** ∘ φ − γ(0)| ≤ max |γ − γ(0)|", Unit::COORDINATE, [two, one], moved)
 }
 
-/// Evaluates Propositions 4.1 and 4.2 with "monotone increasing" read strictly, no pauses: false.
+/// Evaluates Propositions 4.1 and 4.2 with "monotone increasing" read strictly, so that clocks must
+/// not pause. They are then false.
 #[doc(alias = "prop:geodesic_min_path_min")]
 pub fn prop_4_2_read_strictly<M: Metric<D>, C: Curve<D>, const D: usize>(
     known: &Known<M, D>,
@@ -149,7 +151,7 @@ pub fn prop_4_2_read_strictly<M: Metric<D>, C: Curve<D>, const D: usize>(
 ) -> Evidence {
     let seen = Measured::of(&known.metric, &Reparametrised { curve: geodesic, clock });
     let granted = seen.granted_length() + known.distance_error;
-    // The sets are points: their projections need no test.
+    // The sets are points, so their projections need no test.
     let (off, rounding) = off_sets(&LIBRARY, known, &seen);
     Evidence::of(Statement::Proposition4_2)
         .given("γ joins the points", Unit::COORDINATE, [off, 0.0], rounding)
@@ -158,8 +160,8 @@ pub fn prop_4_2_read_strictly<M: Metric<D>, C: Curve<D>, const D: usize>(
 }
 
 /// Evaluates the observable part of Proposition 4.3: `Exp_x` maps radii to distances and has an
-/// inverse. Given are a point `x` of the ball `K = {|x| ≤ R}` and a tangent vector `v`, with `R`
-/// and `v` in `ℓ`, and the common radius `ε` of `K`, in `m`.
+/// inverse. The arguments are a point `x` of the ball `K = {|x| ≤ R}` and a tangent vector `v`,
+/// with `R` and `v` in `ℓ`, and the common radius `ε` of `K`, in `m`.
 ///
 /// Companion: the geodesic equation. `K` must be compact: on the sphere without a point, geodesics
 /// from `x` exist up to the length `π − 2 arctan |x|`, which tends to 0 as `|x| → ∞`.
@@ -183,9 +185,9 @@ pub fn prop_4_3<M: KnownGeodesics<D>, const D: usize>(
     let residual = Residual::of(subject, metric, &curve)?;
     let seen = Measured::of(metric, &curve);
     let granted = 2.0 * seen.granted_length();
-    // The inverse of Exp expands by r / sin r on the sphere, at most 10 for r ≤ 2.85.
+    // On the sphere, the inverse of Exp expands by r / sin r, which is at most 10 for r ≤ 2.85.
     let expanded = 10.0 * granted * v.norm() / radius;
-    // The rounding of an arc tangent, and of an x on the boundary of the ball.
+    // This allows for the rounding of an arc tangent, and of an x on the boundary of the ball.
     let normal = metric.normal_radius(x);
     let rounding = 16.0 * f64::EPSILON * if normal.is_finite() { normal } else { 0.0 };
     Ok(Evidence::of(Statement::Proposition4_3)
@@ -202,8 +204,8 @@ pub fn prop_4_3<M: KnownGeodesics<D>, const D: usize>(
 /// Evaluates Lemma 4.4 on a curve between two points: if it is minimal and has constant speed, it
 /// satisfies the geodesic equation.
 ///
-/// Compared are the vectors, and the sizes of the two sides in both directions. With `d = 0` the
-/// curve is constant, and a geodesic.
+/// The two sides are compared as vectors, and their sizes are compared in both directions. If
+/// `d = 0`, the curve is constant and therefore a geodesic.
 ///
 /// # Errors
 ///

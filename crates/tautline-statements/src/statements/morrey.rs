@@ -1,7 +1,8 @@
 //! Propositions 7.2 to 7.4: the distance of a curve and its velocity from their means.
 //!
 //! The intervals are `[s₁, s₂] ⊂ [0, 1]`, of length `l = s₂ − s₁ > 0`. An inequality with two terms
-//! on the right is compared as a gap: the left side minus the first term, against the second term.
+//! on the right is compared as a gap: the left side minus the first term is compared with the
+//! second term.
 
 use std::num::NonZeroUsize;
 
@@ -36,20 +37,21 @@ struct Interval<const D: usize> {
 impl<const D: usize> Interval<D> {
     fn of(curve: &impl BoundedCurve<D>, [s1, s2]: [f64; 2]) -> Result<Self, VerifyError> {
         within("s₁", s1, [0.0, 1.0])?;
-        // On a shorter interval rounding would dominate.
+        // On a shorter interval, rounding would dominate.
         within("s₂", s2, [s1 + 1e-6, 1.0])?;
         Ok(Self {
             chord: curve.motion(s2).position - curve.motion(s1).position,
             length: s2 - s1,
             norms: [0, 1, 2].map(|k| l2_norm(curve, k, [s1, s2])),
-            // A dozen terms with a few roundings each; and rounding t moves γ by ε|γ̇|.
+            // A position is a sum of a dozen terms with a few roundings each. The rounding of t
+            // moves γ by ε|γ̇|.
             rounding: f64::EPSILON * (64.0 * curve.suprema()[0] + 4.0 * curve.suprema()[1]),
         })
     }
 }
 
-/// Adds the hypothesis that the paper omits: `γ̇` is absolutely continuous, `γ̇(t) − γ̇(s) = ∫ γ̈`.
-/// Checked on each sixteenth of `[0, 1]`, in each coordinate.
+/// Adds the hypothesis that the paper omits: `γ̇` is absolutely continuous, that is,
+/// `γ̇(t) − γ̇(s) = ∫ γ̈`. It is checked on each sixteenth of `[0, 1]`, in each coordinate.
 pub(super) fn without_kinks<const D: usize>(
     evidence: Evidence,
     curve: &impl BoundedCurve<D>,
@@ -64,7 +66,7 @@ pub(super) fn without_kinks<const D: usize>(
         for i in 0..D {
             let bent = integrate(|t| curve.motion(t).acceleration[i], from, to, 1e-12);
             let found = [(change[i] - bent.value).abs(), bent.error + rounding];
-            // Keeps NaN.
+            // This keeps NaN.
             if !(found[0] - found[1] <= worst[0] - worst[1]) {
                 worst = found;
             }
@@ -73,19 +75,19 @@ pub(super) fn without_kinks<const D: usize>(
     evidence.given("γ̇ does not jump", Unit::COORDINATE, [worst[0], 0.0], worst[1])
 }
 
-/// Evaluates Proposition 7.2, its second inequality repaired, at `0 ≤ s₁ ≤ s ≤ s₂ ≤ 1`.
+/// Evaluates Proposition 7.2, with its second inequality repaired, at `0 ≤ s₁ ≤ s ≤ s₂ ≤ 1`.
 ///
 /// ```text
 /// |γ(s₂) − γ(s₁)|  ≤  √l ‖γ̇‖,        |γ(s)|  ≤  ‖γ‖/√l + √(l/3) ‖γ̇‖
 /// ```
 ///
-/// Equality in the first if and only if `γ̇` is constant; in the second for constant curves, where
-/// `√(1/3)` is the best constant. Needs only that `γ` is continuous and piecewise smooth, as every
-/// [`Curve`](crate::curves::Curve) is.
+/// Equality holds in the first inequality if and only if `γ̇` is constant. It holds in the second
+/// for constant curves, and there `√(1/3)` is the best constant. The proposition needs only that
+/// `γ` is continuous and piecewise smooth, as every [`Curve`](crate::curves::Curve) is.
 ///
-/// Companion: `γ(s)` is the mean of `γ` plus `(1/l) ∫ k_s γ̇`, with the kernel `r − s₁` before `s`
-/// and `r − s₂` after it. So `((a³ + (l − a)³)/3)^{1/2}/l` with `a = s − s₁` may replace the factor
-/// of `‖γ̇‖`; in the middle it is half as large.
+/// Companion: `γ(s)` is the mean of `γ` plus `(1/l) ∫ k_s γ̇`, where the kernel `k_s` is `r − s₁`
+/// before `s` and `r − s₂` after it. Hence `((a³ + (l − a)³)/3)^{1/2}/l`, where `a = s − s₁`, may
+/// replace the factor of `‖γ̇‖`. In the middle of the interval, it is half as large.
 ///
 /// # Errors
 ///
@@ -115,7 +117,7 @@ pub fn prop_7_2<const D: usize>(
 
 /// Evaluates the second inequality of Proposition 7.2 as printed: `|γ(s)| ≤ ‖γ‖ + 2‖γ̇‖`.
 ///
-/// False on every interval shorter than 1: for a constant curve the right side is `√l |γ|`.
+/// It is false on every interval shorter than 1: for a constant curve the right side is `√l |γ|`.
 ///
 /// # Errors
 ///
@@ -131,17 +133,18 @@ pub fn prop_7_2_as_printed<const D: usize>(
     Ok(Evidence::of(Statement::Proposition7_2).stated(claim, Unit::COORDINATE, numbers, granted))
 }
 
-/// Evaluates Proposition 7.3, repaired, on `[s₁, s₂] ⊂ [0, 1]`: with the norms over the interval,
-/// and over `[0, 1]` as Proposition 7.6 needs them.
+/// Evaluates Proposition 7.3 in its repaired form on `[s₁, s₂] ⊂ [0, 1]`, with the norms over the
+/// interval, and with the norms over `[0, 1]`, as Proposition 7.6 needs them.
 ///
 /// ```text
 /// |γ(s₂) − γ(s₁)|  ≤  l (‖γ̇‖/√l + √(l/3) ‖γ̈‖)
 /// |γ(s₂) − γ(s₁)|  ≤  l (‖γ̇‖₍₀,₁₎ + ‖γ̈‖₍₀,₁₎/√3)
 /// ```
 ///
-/// Equality for constant velocity. The second follows from the mean value theorem and Proposition
-/// 7.2 for `γ̇` on `[0, 1]`; `1/√3` is the best constant, and `γ̇` must not jump. The first also holds
-/// for kinked curves, and without its last term, as the first inequality of Proposition 7.2.
+/// Equality holds for constant velocity. The second inequality follows from the mean value theorem
+/// and from Proposition 7.2 for `γ̇` on `[0, 1]`; `1/√3` is the best constant, and `γ̇` must not
+/// jump. The first inequality also holds for kinked curves. It holds even without its last term, by
+/// the first inequality of Proposition 7.2.
 ///
 /// # Errors
 ///
@@ -168,7 +171,8 @@ pub fn prop_7_3<const D: usize>(
 
 /// Evaluates Proposition 7.3 as printed: `|γ(s₂) − γ(s₁)| ≤ l (‖γ̇‖ + 2‖γ̈‖)`.
 ///
-/// False on every interval shorter than 1: for constant velocity the right side is `l^{3/2} |γ̇|`.
+/// It is false on every interval shorter than 1: for constant velocity the right side is
+/// `l^{3/2} |γ̇|`.
 ///
 /// # Errors
 ///
@@ -185,17 +189,19 @@ pub fn prop_7_3_as_printed<const D: usize>(
     Ok(Evidence::of(Statement::Proposition7_3).stated(claim, Unit::COORDINATE, numbers, granted))
 }
 
-/// Evaluates Proposition 7.4, repaired, at `t = tₖ + θh` with `h = 1/N`.
+/// Evaluates Proposition 7.4 in its repaired form at `t = tₖ + θh` with `h = 1/N`.
 ///
 /// ```text
 /// |βₖ − γ̇(t)|  ≤  2 ‖γ̈‖/√N      with the norm over [tₖ, tₖ₊₁]
 /// ```
 ///
-/// Needs: `γ̇` does not jump, which the paper omits. Overestimation: at least `2√3`, by companions.
+/// Needs: `γ̇` does not jump, which the paper omits. The overestimation is at least `2√3`, by the
+/// companions.
 ///
 /// Companions: `βₖ` is the mean of `γ̇`, so that Proposition 7.2 gives the factor
-/// `((θ³ + (1 − θ)³) h/3)^{1/2}`, at most `(h/3)^{1/2}`, both attained by `(tₖ₊₁ − t)³` at `tₖ`;
-/// and in `L²` over the subinterval `‖γ̇ − βₖ‖ ≤ (h/π) ‖γ̈‖`, attained where `γ̇` is half a cosine.
+/// `((θ³ + (1 − θ)³) h/3)^{1/2}`, which is at most `(h/3)^{1/2}`. Both are attained by
+/// `(tₖ₊₁ − t)³` at `tₖ`. In `L²` over the subinterval, `‖γ̇ − βₖ‖ ≤ (h/π) ‖γ̈‖`, which is attained
+/// if `γ̇` is half a cosine.
 ///
 /// # Errors
 ///
@@ -216,7 +222,7 @@ pub fn prop_7_4<const D: usize>(
     let beta = chord * n;
     let derivative = curve.motion((k + theta) / n).velocity;
     let gap = (beta - derivative).norm();
-    // ∫ |γ̇ − β|² = ∫ |γ̇|² − h |β|², a difference of numbers of the size of the first.
+    // ∫ |γ̇ − β|² = ∫ |γ̇|² − h |β|² is a difference of numbers of the size of the first.
     let square = (velocity.value.powi(2) - h * beta.norm_squared()).max(0.0);
     let granted_square = 4.0 * velocity.value * (velocity.error + 2.0 * rounding / h.sqrt())
         + h * h * acceleration.value * acceleration.error;

@@ -12,27 +12,27 @@ use crate::{
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NearestPair<const D: usize> {
     points: [SVector<f64, D>; 2],
-    /// The distances of the two points and of the two sets, in `m`.
+    /// The distance between the two points and the distance between the two sets, in `m`.
     lengths: [f64; 2],
-    /// The allowed excess of the squared distance of the points, in `m²`.
+    /// The amount by which the squared distance between the points may exceed the least, in `m²`.
     excess: f64,
     /// The distance of the points from their sets, in `ℓ`.
     off_sets: f64,
-    /// The distance from a set of limits of its points, in `ℓ`.
+    /// The distance between the limits of points of a set and the set, in `ℓ`.
     off_limits: f64,
-    /// `sup |x|` over a bounded one of the two sets, in `ℓ`; `None` if neither is bounded.
+    /// `sup |x|` over one of the sets that is bounded, in `ℓ`; `None` if neither is bounded.
     radius: Option<f64>,
     /// The least eigenvalue of `H` at the two points, in `m²/ℓ²`.
     lowest: f64,
     way_out: WayOut,
-    /// The least distance of other pairs of the two sets, in `m`, if any was tried.
+    /// The least distance between the points of other pairs that were tried, in `m`, if any were.
     other: Option<f64>,
     granted: f64,
 }
 
 impl<const D: usize> NearestPair<D> {
-    /// Returns a pair of points of two sets, given the distances of the points and of the sets, in
-    /// `m`. `granted` is in `m²`.
+    /// Returns a pair of points of two sets, given the distance between the points and the distance
+    /// between the sets, in `m`. `granted` is in `m²`.
     ///
     /// # Errors
     ///
@@ -64,9 +64,10 @@ impl<const D: usize> NearestPair<D> {
         })
     }
 
-    /// Returns the ends of a computed minimiser of the trapezoidal rule. Their distance `apart` is
-    /// at most the length of the curve between them, so that the excess is of order `1/N`. Assumes
-    /// that `c₁` holds everywhere, so that the space is complete (Proposition 3.3).
+    /// Returns the ends of a computed minimiser of the trapezoidal rule. The distance `apart`
+    /// between them is at most the length of the curve that joins them, so that the excess is of
+    /// order `1/N`. The bound `c₁` is assumed to hold everywhere, so that the space is complete
+    /// (Proposition 3.3).
     ///
     /// # Errors
     ///
@@ -89,18 +90,19 @@ impl<const D: usize> NearestPair<D> {
         Ok(Self { excess: subject.theorem_a_excess(seen.setting, seen.rule, seen.n), ..pair })
     }
 
-    /// Adds the least distance of other pairs, in `m`.
+    /// Adds the least distance between the points of other pairs, in `m`.
     #[must_use]
     pub fn beside(self, other: f64) -> Self {
         Self { other: Some(other), ..self }
     }
 }
 
-/// The distance from a set of a limit of its points, in `ℓ`: 0 for a closed set, up to rounding.
+/// Returns the distance between a limit of points of a set and the set, in `ℓ`. For a closed set it
+/// is 0 up to rounding.
 ///
 /// On the segment from a point outside to its projection, bisection finds two neighbours: a member
-/// of the set, and a point that is projected elsewhere. That point is a limit of members, so a
-/// closed set has a point at most as far from it as the member.
+/// of the set, and a point that is projected elsewhere. This second point is a limit of members, so
+/// that a closed set has a point that is at most as far from it as the member is.
 fn off_limits<const D: usize>(
     subject: &Subject,
     set: &dyn ClosedSet<D>,
@@ -117,15 +119,16 @@ fn off_limits<const D: usize>(
         *(if inside { &mut member } else { &mut beyond }) = middle;
     }
     let gap = (subject.project(set, &beyond) - beyond).norm();
-    // Keeps NaN.
+    // The comparison below keeps NaN.
     let off = gap - (member - beyond).norm();
     if off <= 0.0 { 0.0 } else { off }
 }
 
-/// Evaluates Proposition 6.2 on a pair: it is nearest, and lies within `d/√c₁` of the bounded set,
-/// as all nearest pairs do.
+/// Evaluates Proposition 6.2 on a pair. The claim: it is a nearest pair and, like every nearest
+/// pair, lies within `d/√c₁` of the bounded set.
 ///
-/// Needs: closed sets, one of them bounded, and a complete space. `c1` is a lower bound on `H`; the
+/// Needs: closed sets, at least one of which is bounded, and a complete space. `c1` is a lower
+/// bound on `H`; the space is complete if the bound holds everywhere (Proposition 3.3).
 /// space is complete if the bound holds everywhere (Proposition 3.3).
 #[doc(alias = "prop:bounded_2sets_min")]
 #[must_use]
@@ -135,7 +138,7 @@ pub fn prop_6_2<const D: usize>(pair: &NearestPair<D>, c1: f64) -> Evidence {
     let d2 = distance.powi(2) + pair.excess;
     let reach = (d2 / c1).sqrt();
     let room = pair.radius.map_or(f64::INFINITY, |radius| radius + reach);
-    // If the sets touch, there is no reach to round.
+    // If the sets touch, the reach is 0 and has no rounding.
     let moved = if reach > 0.0 { 0.5 * pair.granted / (c1 * reach) } else { 0.0 };
     let granted = 1e-13 * size + moved;
     let long = if apart > 0.0 { pair.granted / apart } else { pair.granted.sqrt() };
@@ -167,7 +170,8 @@ mod tests {
     use super::off_limits;
     use crate::LIBRARY;
 
-    /// `{0 ≤ x₁ < 1}` on the line; points without a nearest point are projected to the middle.
+    /// The set `{0 ≤ x₁ < 1}` on the line. Points without a nearest point are projected to the
+    /// middle.
     #[derive(Debug)]
     struct HalfOpen;
 
@@ -188,7 +192,7 @@ mod tests {
     #[test]
     fn a_limit_that_a_set_does_not_contain_is_found() {
         let seen = |x: f64| off_limits(&LIBRARY, &HalfOpen, &SVector::from([x]));
-        // The members tend to 1, at ½ from its projection.
+        // The members tend to 1, which is at the distance ½ from its projection.
         assert!((seen(3.0) - 0.5).abs() <= 1e-15, "{}", seen(3.0));
         // At 0 the set is closed.
         assert_eq!(seen(-2.0), 0.0);
@@ -203,7 +207,7 @@ mod tests {
         for set in sets {
             for outside in [[0.1, -3.0], [7.0, 0.2], [1.0, 0.6]] {
                 let off = off_limits(&LIBRARY, set, &SVector::from(outside));
-                // A projection with about ten roundings of coordinates up to 7.
+                // A projection has about ten roundings of coordinates up to 7.
                 assert!(off <= 1e-14, "{set:?} from {outside:?}: {off:e}");
             }
         }

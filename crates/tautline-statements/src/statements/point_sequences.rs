@@ -1,4 +1,4 @@
-//! Propositions 7.8, 7.9, 8.1 and 8.2, and Lemma S.2: any point sequence, minimiser or not.
+//! Propositions 7.8, 7.9, 8.1 and 8.2, and Lemma S.2, which hold for any point sequence.
 
 use tautline::{Bounded, Constants, LeftEndpoint, MetricError, PointSequence, Trapezoidal};
 
@@ -9,7 +9,7 @@ use crate::{
 
 /// Evaluates Proposition 7.8 for nonnegative numbers: `Σ xₙ³ ≤ (Σ xₙ²)^{3/2}`.
 ///
-/// The numbers count as coordinates, in `ℓ`. Equality if at most one of them is nonzero.
+/// The numbers count as coordinates, in `ℓ`. Equality holds if at most one of them is nonzero.
 #[doc(alias = "prop:ineq_cube_3/2")]
 #[must_use]
 pub fn prop_7_8(numbers: &[f64]) -> Evidence {
@@ -18,7 +18,7 @@ pub fn prop_7_8(numbers: &[f64]) -> Evidence {
     let squares: f64 = numbers.iter().map(|x| x.powi(2)).sum();
     let bound = squares.powf(1.5);
     let unit = Unit { ell: 3, m: 0 };
-    // Nonnegative numbers: two roundings a term, one an addition.
+    // The numbers are nonnegative. A term has two roundings, and an addition has one.
     let granted = (4.0 + 2.0 * numbers.len() as f64) * f64::EPSILON * bound;
     Evidence::of(Statement::Proposition7_8)
         .given("0 ≤ xₙ", Unit::COORDINATE, [-least, 0.0], 0.0)
@@ -54,12 +54,12 @@ impl Energies {
             mean_cube: mean_power(sequence, 3),
             mean_fourth: mean_power(sequence, 4),
             gram: GramRange::along(metric, nodes(sequence))?,
-            // Sums of the same size with a dozen roundings a term.
+            // The energies are sums of the same size with a dozen roundings per term.
             granted: curve.error + 1e-14 * (trapezoidal + left + curve.value),
         })
     }
 
-    /// Compares the gap of two energies with the bounds by `K₃` and by the mean cube.
+    /// Compares the gap between two energies with the bounds in terms of `K₃` and of the mean cube.
     fn gap(
         &self,
         statement: Statement,
@@ -165,9 +165,10 @@ pub fn prop_8_2<const D: usize>(
 /// |E(γᵖˡ) − E_tra,N|  ≤  (M_H/24N²) mean |β|⁴,                 if M_H is known
 /// ```
 ///
-/// with `k = ¼` for the trapezoidal rule, `k = ½` for the left-endpoint rule.
+/// Here `k = ¼` for the trapezoidal rule and `k = ½` for the left-endpoint rule.
 ///
-/// Needs: `H` Lipschitz with `L_H`, `DH` with `M_H`; `c₁ ≤ H ≤ c₂` is checked, but not needed.
+/// Needs: `H` Lipschitz with `L_H`, and for the last bound `DH` Lipschitz with `M_H`; `c₁ ≤ H ≤ c₂`
+/// is checked, but not needed.
 ///
 /// # Errors
 ///
