@@ -9,12 +9,12 @@ use tautline::{
 
 use crate::{Known, VerifyError};
 
-/// A change of units: a coordinate 1 becomes `ell`, a length 1 becomes `m`.
+/// A change of units: a coordinate 1 becomes `ell`, and a length 1 becomes `m`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Units {
-    /// The factor of coordinates.
+    /// The factor that multiplies coordinates.
     pub ell: f64,
-    /// The factor of Riemannian lengths.
+    /// The factor that multiplies Riemannian lengths.
     pub m: f64,
 }
 
@@ -37,7 +37,7 @@ impl Units {
     ///
     /// # Errors
     ///
-    /// If coordinates overflow.
+    /// If a coordinate overflows.
     pub fn sequence<const D: usize>(
         self,
         sequence: &PointSequence<D>,
@@ -50,7 +50,7 @@ impl Units {
     ///
     /// # Errors
     ///
-    /// If one overflows or underflows.
+    /// If a constant overflows or underflows.
     pub fn constants(self, constants: Constants) -> Result<Constants, VerifyError> {
         let gram = (self.m / self.ell).powi(2);
         Ok(constants.times([gram, gram, gram / self.ell, gram / self.ell / self.ell])?)
@@ -60,7 +60,7 @@ impl Units {
     ///
     /// # Errors
     ///
-    /// If the coordinates of a set overflow.
+    /// If a coordinate of a set overflows.
     pub fn known<M: Bounded<D>, const D: usize>(
         self,
         known: Known<M, D>,
@@ -165,7 +165,7 @@ impl<const D: usize> ClosedSet<D> for SetInUnits<D> {
     }
 
     fn member_near(&self, x: &SVector<f64, D>) -> Option<SVector<Interval, D>> {
-        // Rounded outward unless ℓ is a power of two.
+        // The product is rounded outward unless ℓ is a power of two.
         let ell = Interval::point(self.ell);
         Some(self.set.member_near(&(x / self.ell))?.map(|side| side * ell))
     }

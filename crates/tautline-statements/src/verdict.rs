@@ -9,11 +9,11 @@ pub enum Verdict {
     HoldsReadAs(&'static str),
     /// It is false as printed, and holds in this form.
     RefutedRepairedAs(&'static str),
-    /// A known theorem that the paper cites; its observable part is tested.
+    /// It is a known theorem that the paper cites; its observable part is tested.
     Cited,
-    /// Our own statement, proved in `paper/SHARPER.md`.
+    /// It is our own statement, proved in `paper/SHARPER.md`.
     ProvedHere,
-    /// A question that the paper leaves open, with its answer.
+    /// It is a question that the paper leaves open, with this answer.
     OpenAnsweredBy(&'static str),
 }
 
@@ -31,7 +31,7 @@ impl Verdict {
         }
     }
 
-    /// Returns the reading, the repair or the answer; empty without one.
+    /// Returns the reading, the repair or the answer; an empty string if there is none.
     #[must_use]
     pub fn remark(self) -> &'static str {
         match self {

@@ -59,7 +59,7 @@ pub enum VerifyError {
         /// The two numbers found.
         found: [f64; 2],
     },
-    /// A witness is not as near equality as it should be.
+    /// A witness is not as close to equality as it should be.
     #[error("{statement}: the witness has overestimation {overestimation}, above {known}")]
     NotAttained {
         /// The statement.

@@ -3,9 +3,9 @@
 use nalgebra::{SMatrix, SVector};
 use tautline::{AnyMetric, Bounded, Constants, KnownDistance, Metric, Scalar};
 
-/// A metric with claimed constants, true or not: for a metric without constants of its own, for
-/// false claims that a test must reject, and for statements whose hypotheses on `c₁`, `c₂` and
-/// `L_H` fail.
+/// A metric with claimed constants, true or not. It serves for a metric without constants of its
+/// own, for false claims that a test must reject, and for statements whose hypotheses on `c₁`, `c₂`
+/// and `L_H` fail.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WithConstants<M> {
     /// The metric.
@@ -14,11 +14,11 @@ pub struct WithConstants<M> {
     pub constants: Constants,
 }
 
-/// A metric behind a pointer, with its constants: code for it is compiled once for each dimension.
+/// A metric behind a pointer, with its constants. Code for it is compiled once for each dimension.
 pub type AnyBounded<'m, const D: usize> = WithConstants<AnyMetric<'m, D>>;
 
 impl<'m, const D: usize> AnyBounded<'m, D> {
-    /// Points to a metric.
+    /// Returns a pointer to a metric.
     #[must_use]
     pub fn of(metric: &'m impl Bounded<D>) -> Self {
         Self { metric: AnyMetric::new(metric), constants: metric.constants() }

@@ -20,7 +20,7 @@ pub(crate) use with_rule;
 /// Evaluates an expression with `$rule` bound to the rule that a mutant takes for the type `$kind`.
 macro_rules! with_mistaken_rule {
     ($mutant:expr, $rule:ident: $kind:ty => $value:expr) => {
-        // A rule is its nodes.
+        // A rule is identified by its nodes.
         match ($mutant, <$kind>::NODES == tautline::Trapezoidal::NODES) {
             ($crate::Mutant::RulesExchanged, true) => {
                 let $rule = tautline::LeftEndpoint;

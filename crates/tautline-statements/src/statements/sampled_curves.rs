@@ -40,9 +40,9 @@ impl Sampled {
         let upper = |norm: Integral| norm.value + norm.error;
         let constants = subject.constants(metric);
         let [position, speed, _] = curve.suprema();
-        // A sample is off by r, and β by 2Nr, which changes a discrete energy by 2 c₂ |β| times
-        // that and by the slope of H; the integrand changes by the rounding of γ̇ and by that
-        // slope.
+        // A sample is off by r, and hence β by 2Nr. This changes a discrete energy by 2 c₂ |β|
+        // times 2Nr and, through the slope of H, by a term in r. The integrand changes by the
+        // rounding of γ̇ and through the slope of H.
         let r = 64.0 * f64::EPSILON * position;
         let rounding = constants.c2() * speed * (4.0 * n.get() as f64 * r + 1e-14 * speed)
             + 2.0 * constants.l_h() * r * speed * speed;
@@ -57,7 +57,7 @@ impl Sampled {
     }
 }
 
-/// Evaluates Proposition 7.6, repaired, with `K₁ = ‖γ̇‖` and `K₂ = ‖γ̈‖`.
+/// Evaluates Proposition 7.6 in its repaired form, with `K₁ = ‖γ̇‖` and `K₂ = ‖γ̈‖`.
 ///
 /// ```text
 /// |E(γ) − E_tra,N(γ)|  ≤  C_tra(N)
@@ -65,11 +65,12 @@ impl Sampled {
 ///
 /// Needs: `0 ≤ H ≤ c₂`, `H` Lipschitz, and that `γ̇` does not jump, which the paper omits.
 ///
-/// Overestimation: the least we know is 4, for a straight line over a valley at the middle of each
-/// chord; the companions are attained.
+/// The least known overestimation is 4, for a straight line over a valley at the middle of each
+/// chord. The companions are attained.
 ///
 /// Companions: `β` is the mean of `γ̇` over its subinterval, so that the cross term of the proof
-/// integrates to 0 and Wirtinger bounds the square; upwards no `c₂` is needed (Jensen).
+/// integrates to 0 and Wirtinger's inequality bounds the square. The bounds on `E_tra,N − E` do not
+/// need `c₂`, by Jensen's inequality.
 ///
 /// ```text
 /// E_tra,N − E  ≤  (L_H/2N) K₁² (K₁ + K₂/√3)
@@ -121,9 +122,10 @@ pub fn prop_7_6<const D: usize>(
     }))
 }
 
-/// Evaluates Proposition 7.6 as printed, with kinks, which `‖γ̈‖` does not see.
+/// Evaluates Proposition 7.6 as printed. It admits kinks, which `‖γ̈‖` does not see.
 ///
-/// False for `γ(t) = |t − ½|`, `H = 1`, `N = 1`, `K₂ < (√2 − 1)/2`: there `E = 1`, `E_tra = 0`.
+/// It is false for `γ(t) = |t − ½|`, `H = 1`, `N = 1` and `K₂ < (√2 − 1)/2`, where `E = 1` and
+/// `E_tra = 0`.
 ///
 /// # Errors
 ///
@@ -147,15 +149,15 @@ pub fn prop_7_6_as_printed<const D: usize>(
         .stated("|E − E_tra,N| ≤ C_tra(N)", Unit::ENERGY, [gap, bound], seen.granted))
 }
 
-/// Evaluates Proposition 7.7, repaired, on a finite set `Ξ` of curves with norms up to `K₁` and
-/// `K₂`.
+/// Evaluates Proposition 7.7 in its repaired form, on a finite set `Ξ` of curves whose norms are at
+/// most `K₁` and `K₂`.
 ///
 /// ```text
 /// min E_tra,N  ≤  min E + C_tra(N)      over Ξ
 /// ```
 ///
-/// Needs: as [`prop_7_6`], for every curve, but not `c₂`. Overestimation: as there. Companion: half
-/// of the first term of `C_tra(N)`, with none of the others.
+/// Needs: the hypotheses of [`prop_7_6`] for every curve, except `c₂`. The overestimation is the
+/// same as there. Companion: half of the first term of `C_tra(N)`, without the other terms.
 ///
 /// # Errors
 ///
@@ -194,8 +196,8 @@ pub fn prop_7_7<const D: usize>(
 /// C_tra(N)  =  (L_H (K₁³ + 2 K₁² K₂) + 4 c₂ K₁ K₂)/N + 4 c₂ K₂²/N²
 /// ```
 ///
-/// An identity: the definition, grouped by powers of `K₁`, against the library's order of terms.
-/// [`prop_7_6`] and [`prop_7_7`] have the bounds by `C_tra(N)`. Needs: nothing.
+/// This is an identity: it compares the definition, grouped by powers of `K₁`, with the library's
+/// order of terms. [`prop_7_6`] and [`prop_7_7`] have the bounds by `C_tra(N)`. Needs: nothing.
 ///
 /// # Panics
 ///
@@ -208,13 +210,14 @@ pub fn constant_c_tra(
     [k1, k2]: [f64; 2],
     n: NonZeroUsize,
 ) -> Evidence {
-    // By powers of K₁, so as not to repeat an error in the library's order of terms.
+    // The terms are grouped by powers of K₁, so as not to repeat an error in the library's order of
+    // terms.
     let (l_h, c2, h) = (constants.l_h(), constants.c2(), 1.0 / n.get() as f64);
     let defined = h * l_h * k1.powi(3)
         + 2.0 * h * k2 * (l_h * k1.powi(2) + 2.0 * c2 * k1)
         + 4.0 * c2 * (h * k2).powi(2);
     let found = subject.c_tra(constants, k1, k2, n);
-    // Sums of nonnegative terms with a dozen roundings each.
+    // Both sides are sums of nonnegative terms with a dozen roundings each.
     let granted = 32.0 * f64::EPSILON * defined;
     let claims = ["C_tra(N) ≤ its definition", "its definition ≤ C_tra(N)"];
     Evidence::of(Statement::ConstantCTra).identity(claims, Unit::ENERGY, [found, defined], granted)
@@ -222,7 +225,8 @@ pub fn constant_c_tra(
 
 /// Evaluates `C_tra(N) ≤ C_tra♯/N`. Needs: nothing.
 ///
-/// Attained as `K₂ → 0`. For `N = 1` or `K₂ = 0` the two sides are the same formula, an identity.
+/// The bound is attained as `K₂ → 0`. For `N = 1` or `K₂ = 0`, the two sides are the same formula,
+/// and the claim is an identity.
 ///
 /// # Panics
 ///

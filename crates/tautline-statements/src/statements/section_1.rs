@@ -3,7 +3,7 @@
 //! # Global and local minimisers
 //!
 //! The theorems are about a global minimiser `γᵖ` of the discrete energy. A solver returns a local
-//! one, with an energy above the minimum. So
+//! minimiser, whose energy may be above the minimum. Therefore
 //!
 //! - `E_N − d² ≤ C/N` claims more than the theorem: it fails if the solver stops at a worse local
 //!   minimiser;
@@ -19,7 +19,7 @@
 
 use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};
 
-/// An assumption: no finite number of evaluations shows it.
+/// This is assumed, since no finite number of evaluations shows it.
 pub(super) const GLOBAL: &str = "γᵖ is a global minimiser";
 
 /// Begins the evidence with the hypotheses on the metric, the ends, the rule and the premise.
@@ -37,14 +37,14 @@ pub(super) fn begin<const D: usize>(
 
 /// Adds the hypotheses on the metric, and that the ends lie in their sets.
 pub(super) fn admitted<const D: usize>(evidence: Evidence, seen: &Reconstruction<D>) -> Evidence {
-    // Coordinates and radii of the size of K₃ + |x|, a projection with about 4 D roundings.
+    // Coordinates and radii have the size of K₃ + |x|, and a projection has about 4 D roundings.
     let size = seen.minimum.sequence.first().norm() + seen.k3;
     let (claim, numbers) = ("the ends lie in X⁽⁰⁾ and X⁽¹⁾", [seen.off_sets, 0.0]);
     let evidence = evidence.given_constants(seen.setting.constants(), &seen.gram);
     evidence.given(claim, Unit::COORDINATE, numbers, 1e-13 * size)
 }
 
-/// The bound of the proof on the minimum: `d² + C_tra♯` for `E_tra,N` (Theorem 1.1), and
+/// Returns the bound of the proof on the minimum: `d² + C_tra♯` for `E_tra,N` (Theorem 1.1), and
 /// `d² + C_tra♯ + ½ L_H K̄_{3,g}³` for `E_l,N` (Theorem 1.3).
 fn premise<const D: usize>(subject: &Subject, seen: &Reconstruction<D>, rule: PaperRule) -> f64 {
     let (setting, constants) = (seen.setting, seen.setting.constants());
@@ -58,7 +58,7 @@ fn premise<const D: usize>(subject: &Subject, seen: &Reconstruction<D>, rule: Pa
     }
 }
 
-/// [`begin`] with the premise of the paper.
+/// Calls [`begin`] with the premise of the paper.
 pub(super) fn begin_in_the_paper<const D: usize>(
     statement: Statement,
     subject: &Subject,
@@ -136,7 +136,8 @@ pub fn theorem_1_3<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) 
 struct Claims {
     polyline: (&'static str, f64),
     minimum: (&'static str, f64),
-    /// By the mean cube; then by Theorem A for the minimum, for the polyline and from below.
+    /// First by the mean cube; then by Theorem A: for the minimum, for the polyline, and from
+    /// below.
     sharper: [&'static str; 4],
 }
 

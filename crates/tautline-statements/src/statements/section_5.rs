@@ -15,7 +15,7 @@ use crate::{Evidence, Statement, Subject, Unit, Units, VerifyError, witnesses::v
 /// 4π ≤ L_l,N(γᵖ),    L_l,N(γ*) ≤ 4π for a γ* of the same N,    8π ≤ L(γᵖˡ),    d ≤ 8π
 /// ```
 ///
-/// `γ*` stops in the valley at `2π`. The length of a straight line bounds the distance.
+/// `γ*` stops in the valley at `2π`. The distance is at most the length of a straight line.
 ///
 /// # Errors
 ///
@@ -35,7 +35,8 @@ pub fn section_5_left(
 
 /// Evaluates the claim of Section 5 on the trapezoidal rule, as [`section_5_left`] does.
 ///
-/// Here `γ*` jumps over both ridges at once; the rule evaluates `H` in the valley between.
+/// Here `γ*` jumps over both ridges at once, since the rule evaluates `H` in the valley between
+/// them.
 ///
 /// # Errors
 ///
@@ -70,7 +71,8 @@ fn evaluate(
     let line = PointSequence::straight(ends[0], ends[1], 1)?;
     let line = subject.curve_length(&metric, &line);
     let [four, eight] = [4.0, 8.0].map(|k| k * PI * units.m);
-    // 4π is rounded; compensated sums of positive terms with a dozen roundings a chord.
+    // 4π is rounded. A length is a compensated sum of positive terms, with a dozen roundings per
+    // chord.
     let granted = |length: f64| 1e-14 * (eight + length);
     let off_curve = granted(curve.value) + curve.error;
     Ok(evidence

@@ -1,33 +1,35 @@
-//! `WayOut`: the length of the shortest way out of a space, which is complete if it is infinite.
+//! `WayOut`: the length of the shortest way out of a space. The space is complete if it is
+//! infinite.
 
 use nalgebra::SVector;
 use tautline::Constants;
 
 use crate::{Evidence, Unit, curves::KnownGeodesics};
 
-/// The length of the shortest way out: a curve from a point that leaves every compact set.
+/// The length of the shortest way out, a curve from a point that leaves every compact set.
 ///
 /// A space is complete if and only if no way out has finite length (Hopf and Rinow). For two points
-/// it suffices that the way out is longer than their distance: the closed balls of that radius are
-/// compact, and a minimal geodesic joins the points.
+/// it suffices that every way out is longer than the distance between them. Then the closed balls
+/// whose radius is this distance are compact, and a minimal geodesic joins the points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WayOut {
-    /// In `m`; no way out is shorter.
+    /// The length in `m`; no way out is shorter.
     length: f64,
     /// The assumption behind the length.
     assumed: Option<&'static str>,
 }
 
 impl WayOut {
-    /// Returns the [normal radius](KnownGeodesics::normal_radius) at a point: all shorter geodesics
-    /// can be continued. Where it is infinite, that geodesics never end is assumed.
+    /// Returns the [normal radius](KnownGeodesics::normal_radius) at a point, since all shorter
+    /// geodesics can be continued. If the radius is infinite, it is assumed that geodesics never
+    /// end.
     pub fn from<const D: usize>(metric: &impl KnownGeodesics<D>, x: &SVector<f64, D>) -> Self {
         let length = metric.normal_radius(x);
         Self { length, assumed: (length == f64::INFINITY).then_some("geodesics never end") }
     }
 
-    /// Returns an infinite length, assuming `c₁ ≤ H` everywhere: a way out of the ball of radius
-    /// `r` has length at least `√c₁ r`.
+    /// Returns an infinite length under the assumption that `c₁ ≤ H` everywhere. A way out of the
+    /// ball of radius `r` then has at least the length `√c₁ r`.
     #[must_use]
     pub fn by_c1(constants: Constants) -> Self {
         let length = constants.c1().sqrt() * f64::INFINITY;
@@ -40,8 +42,9 @@ impl WayOut {
         self.length > length
     }
 
-    /// Adds the hypothesis that no way out is shorter than `length`, in `m`, or the assumption in
-    /// its place. The theorems need `>`; `≥` is checked, as with any allowance for rounding.
+    /// Adds the hypothesis that no way out is shorter than `length`, in `m`, or else the assumption
+    /// behind the length. The theorems need `>`; as everywhere with an allowance for rounding, `≥`
+    /// is checked.
     pub(super) fn given_longer(self, evidence: Evidence, [length, granted]: [f64; 2]) -> Evidence {
         match self.assumed {
             Some(claim) => evidence.assumed(claim),
@@ -67,13 +70,14 @@ mod tests {
         curves::{Curve, Geodesic, KnownGeodesics},
     };
 
-    /// Whether a way out is longer than `length`.
+    /// Returns whether every way out is longer than `length`.
     fn longer(way_out: WayOut, length: f64) -> bool {
         let evidence = Evidence::of(Statement::Proposition3_2);
         way_out.given_longer(evidence, [length, 0.0]).finding() == Finding::Holds
     }
 
-    /// From `x`, geodesics of lengths 1, 4 and 16 exist in all directions, and are minimal.
+    /// Checks that geodesics of lengths 1, 4 and 16 from `x` exist in all directions and are
+    /// minimal.
     fn goes_on<M: KnownGeodesics<2> + Copy>(metric: M, x: [f64; 2]) {
         let x = SVector::from(x);
         assert!(longer(WayOut::from(&metric, &x), f64::MAX));
@@ -85,7 +89,8 @@ mod tests {
                 let geodesic = Geodesic::leaving(metric, x, unit * length);
                 let end = geodesic.motion(1.0).position;
                 let distance = metric.distance(&x, &end).expect("known");
-                // In the ball model a point at distance 16 is 4e−7 from the rim, known to 1e−16.
+                // In the ball model, a point at distance 16 is 4e−7 from the rim, and is known to
+                // within 1e−16.
                 assert!((distance - length).abs() <= 1e-8 * length, "{length}: {distance}");
             }
         }
@@ -102,13 +107,13 @@ mod tests {
         goes_on(Hyperbolic, [0.1, -0.3]);
     }
 
-    /// The missing point is at the distance `π − 2 arctan |x|`.
+    /// The distance to the missing point is `π − 2 arctan |x|`.
     #[test]
     fn the_way_out_of_the_sphere_leads_to_the_missing_point() {
         let way_out = WayOut::from(&Sphere, &SVector::from([0.0, 1.0]));
         let half = std::f64::consts::FRAC_PI_2;
         assert!(longer(way_out, half - 1e-15) && !longer(way_out, half + 1e-15));
-        // On the equator H = I; at 10⁻⁶ before the missing point |x| = cot(½ 10⁻⁶).
+        // On the equator H = I. At the distance 10⁻⁶ before the missing point, |x| = cot(½ 10⁻⁶).
         let v = SVector::from([0.0, half - 1e-6]);
         let far = Geodesic::leaving(Sphere, SVector::from([0.0, 1.0]), v);
         let end = far.motion(1.0).position.norm();

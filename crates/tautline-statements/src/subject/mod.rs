@@ -13,14 +13,14 @@ use crate::{
 /// The implementation under test: discrete energies, reconstructions, solver, constants and bounds.
 ///
 /// It is [the library](LIBRARY), or the library with one change, which a good test suite detects.
-/// A change replaces entries in the [table of bounds](Bounds), or makes the mistake of a [`Mutant`]
-/// in programs that are generic in the dimension.
+/// The change replaces entries in the [table of bounds](Bounds), or it is the mistake of a
+/// [`Mutant`] in programs that are generic in the dimension.
 ///
-/// The units are those of the functions called.
+/// All numbers have the units of the functions called.
 #[derive(Debug)]
 pub struct Subject {
     bounds: Bounds,
-    /// Makes its mistake in its [programs](Mutant::programs), if it has any.
+    /// The mutant whose mistake is made in its [programs](Mutant::programs), if any.
     mistake: Option<Mutant>,
     /// The programs called so far, as bits of [`Asked`].
     asked: AtomicU64,
@@ -57,13 +57,14 @@ impl Subject {
     fn note(&self, add: impl Fn(&mut Asked)) {
         let mut asked = Asked::default();
         add(&mut asked);
-        // A read first: threads that share the library would wait for each other's writes.
+        // Read first, because threads that share the library would otherwise wait for each other's
+        // writes.
         if self.asked.load(Ordering::Relaxed) & asked.0 == 0 {
             self.asked.fetch_or(asked.0, Ordering::Relaxed);
         }
     }
 
-    /// Notes the call of a program, and returns the mutant if it is wrong there.
+    /// Notes the call of a program, and returns the mutant if its mistake is in this program.
     fn mistake(&self, program: Program) -> Option<Mutant> {
         self.note(|asked| asked.add(program));
         self.mistake.filter(|mutant| mutant.programs().contains(&program))
@@ -71,7 +72,7 @@ impl Subject {
 }
 
 impl From<Mutant> for Subject {
-    /// The library with the mistake of the mutant.
+    /// Returns the library with the mistake of the mutant.
     fn from(mutant: Mutant) -> Self {
         Self { mistake: Some(mutant), ..Self::with(mutant.bounds()) }
     }
@@ -82,8 +83,8 @@ mod tests {
     use super::{Asked, Subject};
     use crate::{Mutant, replaceable::GENUINE};
 
-    /// An entry too many gives checks that cannot see the mutant; one too few, a mutant that
-    /// passes.
+    /// If a mutant declares an entry too many, checks are run that cannot see it. If it declares
+    /// one too few, it passes.
     #[test]
     fn a_mutant_replaces_what_it_is_wrong_in_and_nothing_else() {
         for mutant in Mutant::ALL {

@@ -1,7 +1,7 @@
 //! The programs of a subject that are generic in the dimension.
 //!
 //! A mutant reads the metric through [`AnyMetric`], so that its code is compiled once for each
-//! dimension and not for each metric.
+//! dimension, and not once for each metric.
 
 use std::num::NonZeroUsize;
 
@@ -55,7 +55,7 @@ impl Subject {
         };
         let metric = &AnyMetric::new(metric);
         match mutant {
-            // Σ dᵀHd over the chords d.
+            // This is Σ dᵀHd over the chords d.
             Mutant::RootLost => rule.energy(metric, sequence) / sequence.n().get() as f64,
             _ => with_mistaken_rule!(mutant, rule: R => rule.length(metric, sequence)),
         }
@@ -150,7 +150,7 @@ impl Subject {
         }
     }
 
-    /// Returns the nearest point of a set, in `ℓ`.
+    /// Returns the nearest point in a set, in `ℓ`.
     pub fn project<const D: usize>(
         &self,
         set: &dyn ClosedSet<D>,
@@ -198,7 +198,7 @@ impl Subject {
         }
     }
 
-    /// Returns the constants that a metric claims.
+    /// Returns the constants that a metric claims to have.
     pub fn constants<const D: usize>(&self, metric: &impl Bounded<D>) -> Constants {
         let genuine = metric.constants();
         match self.mistake(Program::Constants) {

@@ -3,8 +3,8 @@
 use nalgebra::{SMatrix, SVector};
 use tautline::{Bounded, Constants, KnownDistance, Metric, Scalar};
 
-/// `H = c + s x` on `[0, 1]`, smooth. The left-endpoint rule evaluates it where it is farthest from
-/// its mean, so that it attains Propositions 8.1 and 8.2.
+/// The metric `H = c + s x` on `[0, 1]`, which is smooth. The left-endpoint rule evaluates it where
+/// it differs most from its mean, so that it attains Propositions 8.1 and 8.2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Incline {
     foot: f64,
@@ -30,14 +30,15 @@ impl Metric<1> for Incline {
 }
 
 impl Bounded<1> for Incline {
-    /// On `[0, 1]`: `H` between its end values, `L_H = |slope|`.
+    /// On `[0, 1]`, `H` lies between its end values, and `L_H = |slope|`.
     fn constants(&self) -> Constants {
         self.constants
     }
 }
 
 impl KnownDistance<1> for Incline {
-    /// `⅔ |x − y| (h² + hk + k²)/(h + k)` with `h = √H(x)` and `k = √H(y)`, on `[0, 1]`.
+    /// The distance is `⅔ |x − y| (h² + hk + k²)/(h + k)` with `h = √H(x)` and `k = √H(y)`, on
+    /// `[0, 1]`.
     fn distance(&self, x: &SVector<f64, 1>, y: &SVector<f64, 1>) -> Option<f64> {
         let known = [x[0], y[0]].iter().all(|s| (0.0..=1.0).contains(s));
         let [h, k] = [x[0], y[0]].map(|s| (self.foot + self.slope * s).sqrt());
@@ -51,7 +52,7 @@ mod tests {
 
     use super::Incline;
 
-    /// `√(1 + 3x)` has the primitive `2/9 (1 + 3x)^{3/2} ≤ 2`: a few roundings.
+    /// `√(1 + 3x)` has the primitive `2/9 (1 + 3x)^{3/2} ≤ 2`, which has a few roundings.
     #[test]
     fn the_distance_is_the_integral_of_the_root() {
         let incline = Incline::new(1.0, 3.0).expect("positive");

@@ -9,9 +9,9 @@ use crate::{
 
 /// The minimal geodesic of `H = c + s x` from 0 to `x = b`, in closed form.
 ///
-/// With `F = (2/3s)(H^{3/2} − c^{3/2})` and `d = F(b)`, `H(γ(t))^{3/2} = c^{3/2} + (3/2) s d t`, so
-/// `γ̇ = d/√H` and `γ̈ = −s d²/2H²`. As `b → 0` it attains Lemma S.1 in dimension 1:
-/// `|γ̈| → s d²/2c²`.
+/// Let `F = (2/3s)(H^{3/2} − c^{3/2})` and `d = F(b)`. Then
+/// `H(γ(t))^{3/2} = c^{3/2} + (3/2) s d t`, so that `γ̇ = d/√H` and `γ̈ = −s d²/2H²`. As `b → 0`,
+/// the geodesic attains Lemma S.1 in dimension 1: `|γ̈| → s d²/2c²`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InclineGeodesic {
     foot: f64,
@@ -32,13 +32,13 @@ impl InclineGeodesic {
                 return Err(VerifyError::OutOfRange { name, value, low: 0.0, high: f64::MAX });
             }
         }
-        // (p³ − q³)/(p² − q²) = (p² + pq + q²)/(p + q) without cancellation, p² − q² = s b.
+        // (p³ − q³)/(p² − q²) = (p² + pq + q²)/(p + q) avoids cancellation; p² − q² = s b.
         let [p, q] = [(foot + slope * end).sqrt(), foot.sqrt()];
         let distance = 2.0 / 3.0 * end * (p * p + p * q + q * q) / (p + q);
         Ok(Self { foot, slope, distance, end })
     }
 
-    /// Returns the distance of the ends, in `m`.
+    /// Returns the distance between the ends, in `m`.
     #[must_use]
     pub fn distance(&self) -> f64 {
         self.distance
@@ -48,7 +48,7 @@ impl InclineGeodesic {
 impl Curve<1> for InclineGeodesic {
     fn motion(&self, t: f64) -> Motion<1> {
         let Self { foot, slope, distance, .. } = *self;
-        // x = c ((1 + z)^{2/3} − 1)/s, by functions that are exact near 0.
+        // x = c ((1 + z)^{2/3} − 1)/s is evaluated by functions that are accurate near 0.
         let z = 1.5 * slope * distance * t / foot.powf(1.5);
         let growth = (2.0 / 3.0 * z.ln_1p()).exp_m1();
         let h = foot * (1.0 + growth);
@@ -59,7 +59,7 @@ impl Curve<1> for InclineGeodesic {
 }
 
 impl BoundedCurve<1> for InclineGeodesic {
-    /// The end, and the derivatives at 0.
+    /// The bounds are the end, and the derivatives at 0.
     fn suprema(&self) -> [f64; 3] {
         let Motion { velocity, acceleration, .. } = self.motion(0.0);
         [self.end, velocity.norm(), acceleration.norm()]

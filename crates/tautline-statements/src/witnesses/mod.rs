@@ -1,4 +1,5 @@
-//! Witnesses: metrics and curves where a statement is near equality, or fails without a hypothesis.
+//! Witnesses: metrics and curves for which a statement is near equality, or fails without a
+//! hypothesis.
 
 mod incline;
 mod incline_geodesic;

@@ -3,12 +3,13 @@
 use nalgebra::{SMatrix, SVector};
 use tautline::{Bounded, Constants, KnownDistance, Metric, Scalar};
 
-/// `ε` of the corners `√(x² + ε²)`: they give a smooth metric with the same `L_H`. Its values
-/// differ from the polygon by less than `ε L_H`, its integrals by less than `100 ε² L_H`.
+/// The `ε` in the rounded corners `√(x² + ε²)`, which give a smooth metric with the same `L_H`. Its
+/// values differ from the polygon by less than `ε L_H`, and its integrals by less than
+/// `100 ε² L_H`.
 const ROUNDED: f64 = 1e-12;
 
-/// `H` is linear between the knots `(xₖ, hₖ)`, and constant beyond the first and the last; its
-/// corners are rounded off over `10⁻¹²`.
+/// `H` is linear between the knots `(xₖ, hₖ)`, and constant before the first and after the last;
+/// its corners are rounded off over `10⁻¹²`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Polygonal {
     knots: Vec<[f64; 2]>,
@@ -32,7 +33,8 @@ impl Polygonal {
         let heights = || knots.iter().map(|knot| knot[1]);
         let (low, high) = (heights().fold(f64::INFINITY, f64::min), heights().fold(0.0, f64::max));
         let steepest = slopes.iter().map(|slope| slope.abs()).fold(0.0, f64::max);
-        // The rounding of a sum of terms up to (xₙ − x₀) L_H, and the rounded corners.
+        // The margin covers the rounding of a sum of terms up to (xₙ − x₀) L_H, and the rounded
+        // corners.
         let span = knots[knots.len() - 1][0] - knots[0][0];
         let margin = 1e-14 * knots.len() as f64 * (high + span * steepest) + ROUNDED * steepest;
         let constants = Constants::new(low - margin, high + margin, steepest).ok()?;
@@ -43,8 +45,8 @@ impl Polygonal {
         Some(Self { knots: knots.to_vec(), kinks, constants })
     }
 
-    /// `∫ √H` from the first knot to an `x` between the knots: a piece of length `l` from `h` to
-    /// `k` contributes `⅔ l (h + √(hk) + k)/(√h + √k)`.
+    /// Returns `∫ √H` from the first knot to an `x` between the knots. A piece of length `l` from
+    /// `h` to `k` contributes `⅔ l (h + √(hk) + k)/(√h + √k)`.
     fn primitive(&self, x: f64) -> f64 {
         let mut sum = 0.0;
         for pair in self.knots.windows(2) {
@@ -59,7 +61,8 @@ impl Polygonal {
 }
 
 impl Metric<1> for Polygonal {
-    /// The mean of the outer heights, plus half the change of slope times `|x − xₖ|` at each knot.
+    /// The value is the mean of the outer heights, plus half the change of slope times `|x − xₖ|`
+    /// at each knot.
     fn gram<S: Scalar>(&self, x: &SVector<S, 1>) -> SMatrix<S, 1, 1> {
         let (first, last) = (self.knots[0][1], self.knots[self.knots.len() - 1][1]);
         let mut sum = S::constant(0.5 * (first + last));
@@ -71,14 +74,16 @@ impl Metric<1> for Polygonal {
 }
 
 impl Bounded<1> for Polygonal {
-    /// The least and the largest height with a margin for rounding, and the steepest slope.
+    /// The constants are the least and the largest height, with a margin for rounding, and the
+    /// steepest slope.
     fn constants(&self) -> Constants {
         self.constants
     }
 }
 
 impl KnownDistance<1> for Polygonal {
-    /// `|∫ √H|`, if both points are between the first and the last knot.
+    /// The distance is `|∫ √H|`, and is known if both points lie between the first and the last
+    /// knot.
     fn distance(&self, x: &SVector<f64, 1>, y: &SVector<f64, 1>) -> Option<f64> {
         let (first, last) = (self.knots[0][0], self.knots[self.knots.len() - 1][0]);
         let between = |x: f64| (first..=last).contains(&x);
@@ -99,7 +104,7 @@ mod tests {
         let metric = Polygonal::new(&[[0.0, 1.0], [1.0, 3.0], [3.0, 2.0]]).expect("in order");
         let height = |x: f64| metric.gram(&vector![x])[(0, 0)];
         for (x, h) in [(-1.0, 1.0), (0.0, 1.0), (0.5, 2.0), (1.0, 3.0), (2.0, 2.5), (4.0, 2.0)] {
-            // The rounded corners, and four terms up to 6.
+            // The tolerance covers the rounded corners and four terms up to 6.
             assert!((height(x) - h).abs() <= 4e-12, "H({x}) = {}", height(x));
         }
         assert_eq!(metric.constants().l_h(), 2.0);

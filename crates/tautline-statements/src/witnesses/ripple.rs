@@ -7,7 +7,7 @@ use crate::VerifyError;
 
 /// `H = c I + (L/k) sin(k xₗ) E`, where `E` has a 1 at `(i, j)` and at `(j, i)`, and `k = 2L/c`.
 ///
-/// `‖E‖ = 1`, so that `‖H(x) − H(y)‖ ≤ L |xₗ − yₗ|`, and `∂ₗ Hᵢⱼ = L` where `xₗ = 0`, which attains
+/// Since `‖E‖ = 1`, `‖H(x) − H(y)‖ ≤ L |xₗ − yₗ|`. Where `xₗ = 0`, `∂ₗ Hᵢⱼ = L`, which attains
 /// Proposition 7.10.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ripple<const D: usize> {
@@ -19,7 +19,7 @@ pub struct Ripple<const D: usize> {
 
 impl<const D: usize> Ripple<D> {
     /// Returns the ripple with `c = base > 0` in `m²/ℓ²` and `L = slope > 0` in `m²/ℓ³`, in the
-    /// entry `[i, j]`, along `x_l` with `l = direction`; all indices modulo `D`.
+    /// entry `[i, j]`, along `x_l` with `l = direction`. All indices are taken modulo `D`.
     ///
     /// # Errors
     ///

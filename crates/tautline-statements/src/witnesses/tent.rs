@@ -2,10 +2,12 @@
 
 use super::Polygonal;
 
-/// Returns `H = tip + slope |x − ½|` on `[0, 1]`, constant outside: a valley for `slope > 0`, a
-/// ridge for `slope < 0`; in `m²/ℓ²` and `m²/ℓ³`. `None` unless it is positive.
+/// Returns `H = tip + slope |x − ½|` on `[0, 1]`, which is constant outside; `None` unless it is
+/// positive. It is a valley for `slope > 0` and a ridge for `slope < 0`. `tip` is in `m²/ℓ²` and
+/// `slope` in `m²/ℓ³`.
 ///
-/// Between `0` and `1` the trapezoidal rule evaluates it at its tip, which attains Proposition 7.9.
+/// On the chord from `0` to `1`, the trapezoidal rule evaluates `H` at its tip, which attains
+/// Proposition 7.9.
 #[must_use]
 pub fn tent(tip: f64, slope: f64) -> Option<Polygonal> {
     let foot = tip + 0.5 * slope;

@@ -11,9 +11,10 @@ use crate::{
 /// `H = c I + L S(y)` with `S(y) = [[−y₂, y₁], [y₁, y₂]]` in the first two coordinates, and
 /// `y = (x₁, x₂)/(1 + (x₁² + x₂²)/R²)^{1/2}`.
 ///
-/// `‖S(y)‖ = |y|`, and `x ↦ y` is a contraction into the ball of radius `R`: so `L_H = L`, and `H`
-/// is within `LR` of `c I`. At 0, for `v = e₁`, both terms of the geodesic equation have the same
-/// direction, `DH[v]v = L e₂` and `½ ∇(vᵀHv) = −½ L e₂`: a geodesic bends by `3L/2c = Γ²₁₁`.
+/// `‖S(y)‖ = |y|`, and `x ↦ y` is a contraction into the ball of radius `R`. Hence `L_H = L`, and
+/// `H` is within `LR` of `c I`. At 0, for `v = e₁`, both terms of the geodesic equation have the
+/// same direction, since `DH[v]v = L e₂` and `½ ∇(vᵀHv) = −½ L e₂`. A geodesic therefore bends by
+/// `3L/2c = Γ²₁₁`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Twist<const D: usize> {
     base: f64,
@@ -42,8 +43,8 @@ impl<const D: usize> Twist<D> {
 
 impl Twist<2> {
     /// Returns the geodesic from 0 with velocity `(speed, 0)` as a polynomial of degree 5, for
-    /// small speeds: its acceleration satisfies the geodesic equation at four times, with a
-    /// relative error of order `speed⁴` between them.
+    /// small speeds. Its acceleration satisfies the geodesic equation at four times; between them,
+    /// the relative error is of order `speed⁴`.
     #[must_use]
     pub fn short_geodesic(&self, speed: f64) -> SmoothCurve<2> {
         let times = [0.0, 0.25, 0.75, 1.0];
@@ -89,7 +90,7 @@ impl<const D: usize> Metric<D> for Twist<D> {
 }
 
 impl<const D: usize> Bounded<D> for Twist<D> {
-    /// `c₁ = c − LR`, `c₂ = c + LR`, `L_H = L`.
+    /// The constants are `c₁ = c − LR`, `c₂ = c + LR` and `L_H = L`.
     fn constants(&self) -> Constants {
         self.constants
     }

@@ -5,15 +5,15 @@ use tautline::{Bounded, Ends, FiniteSet, KnownDistance};
 use super::Polygonal;
 use crate::Known;
 
-/// Where the second route begins.
+/// The point where the second route begins.
 const SECOND: f64 = 10.0;
 
-/// Returns the problem from `{0, 10}` to `{a, 10 + b}` for the metric with the knots `first` on the
-/// route `[0, a]`, and `second`, relative to 10, on the route `[10, 10 + b]`.
+/// Returns the problem from `{0, 10}` to `{a, 10 + b}`. The metric has the knots `first` on the
+/// route `[0, a]`, and the knots `second`, relative to 10, on the route `[10, 10 + b]`.
 ///
-/// A discrete minimiser takes the route where the rule finds small values. If that is the longer
-/// one, both gaps of Theorem 1.1 or 1.3 add up: the bounds of order `1/N` are attained in the limit
-/// `L_H d / c₁^{3/2} → 0`.
+/// A discrete minimiser takes the route on which the rule finds small values. If this is the longer
+/// route, both gaps of Theorem 1.1 or 1.3 add up, and the bounds of order `1/N` are attained in the
+/// limit `L_H d / c₁^{3/2} → 0`.
 ///
 /// `None` unless the knots of each route start at 0, are in order and have positive heights, and
 /// the way between the routes is longer than the shorter route.
@@ -32,8 +32,8 @@ pub fn two_routes(first: &[[f64; 2]], second: &[[f64; 2]]) -> Option<Known<Polyg
         FiniteSet::new([[a], [SECOND + b]]).ok()?,
     )
     .ok()?;
-    // A difference of integrals from 0 on, as in `Known::between`. The corners change it by <
-    // 10⁻²².
+    // As in `Known::between`, this is a difference of integrals from 0 on. The rounded corners
+    // change it by less than 10⁻²².
     let size = metric.constants().c2().sqrt() * (SECOND + b);
     let distance_error = 16.0 * f64::EPSILON * size;
     (start == 0.0 && second_start == 0.0 && apart).then_some(Known {
@@ -48,7 +48,7 @@ pub fn two_routes(first: &[[f64; 2]], second: &[[f64; 2]]) -> Option<Known<Polyg
 mod tests {
     use super::two_routes;
 
-    /// `∫₀¹ √(1 + 3x) dx = 14/9` on the first route, and 2 on the second.
+    /// The first route has the length `∫₀¹ √(1 + 3x) dx = 14/9`, and the second has the length 2.
     #[test]
     fn the_distance_is_the_length_of_the_shorter_route() {
         let [up, level] = [[[0.0, 1.0], [1.0, 4.0]], [[0.0, 4.0], [1.0, 4.0]]];

@@ -5,11 +5,12 @@ use std::f64::consts::PI;
 use nalgebra::{SMatrix, SVector};
 use tautline::{Bounded, Constants, Metric, Scalar};
 
-/// `H = c + s |x − m|`, where `m` is the nearest of the points `(k + ½)/N`: V-shaped valleys for
-/// `s > 0`, ridges for `s < 0`, one in each of `N` steps along `[0, 1]`.
+/// `H = c + s |x − m|`, where `m` is the nearest of the points `(k + ½)/N`. There are V-shaped
+/// valleys for `s > 0` and ridges for `s < 0`, one in each of `N` steps along `[0, 1]`.
 ///
-/// The limit of smooth metrics with the same `L_H = |s|`; not differentiable at the tips, so only
-/// its values are of use. On samples of a line the trapezoidal rule sees only the tips.
+/// It is the limit of smooth metrics with the same `L_H = |s|`. It is not differentiable at the
+/// tips, so only its values are of use. On samples of a line, the trapezoidal rule sees only the
+/// tips.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Zigzag {
     tip: f64,
@@ -39,7 +40,7 @@ impl Metric<1> for Zigzag {
 }
 
 impl Bounded<1> for Zigzag {
-    /// `H` between tips and feet, `L_H = |slope|`.
+    /// `H` lies between its values at the tips and at the feet, and `L_H = |slope|`.
     fn constants(&self) -> Constants {
         self.constants
     }

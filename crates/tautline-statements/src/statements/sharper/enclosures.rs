@@ -11,15 +11,15 @@ use crate::{
     discrete_energy, reconstruction::nodes, with_rule::with_rule,
 };
 
-/// Evaluates Proposition S.6 on a computed minimiser, assumed to be global; `gap` is a lower bound
-/// on the Euclidean distance of the sets, in `ℓ`.
+/// Evaluates Proposition S.6 on a computed minimiser, which is assumed to be global. `gap` is a
+/// lower bound on the Euclidean distance between the sets, in `ℓ`.
 ///
 /// ```text
 /// lower  ≤  d²  ≤  L(γᵖˡ)²,      lower = max{ d² : d² e(d) ≤ E_N },  or  c₁ gap²
 /// ```
 ///
-/// Needs: the setting of Theorem 1.1; from below a *global* minimiser. Attained by constant
-/// metrics.
+/// Needs: the setting of Theorem 1.1; the lower bound also needs a *global* minimiser. The bounds
+/// are attained by constant metrics.
 ///
 /// # Errors
 ///
@@ -60,14 +60,16 @@ pub fn prop_s_6<const D: usize>(
 /// E_N(x) − R²/(4σ N² sin²(π/2N))  ≤  E_N(y),                              where σ > 0
 /// ```
 ///
-/// The first is convexity with modulus `σ` along a segment: half the mean second derivative. By the
-/// second, `x` has the least energy of all sequences, up to a term of its residual `R`. `length` is
-/// the length of the reconstruction of `x`, in `m`.
+/// The first inequality says that `E_N` is convex with modulus `σ` along a segment; its right side
+/// is half the mean second derivative. The second says that `x` has the least energy of all
+/// sequences, up to a term in its residual `R`. `length` is the length of the reconstruction of
+/// `x`, in `m`.
 ///
-/// Needs: `c₁ ≤ H`, `H` Lipschitz with `L_H`, `DH` with `M_H`; the same ends and the same `N`.
+/// Needs: `c₁ ≤ H`, `H` Lipschitz with `L_H`, and `DH` Lipschitz with `M_H`; both sequences have
+/// the same ends and the same `N`.
 ///
-/// The first is attained at `N = 2` for the trapezoidal rule, if `H` has slopes `±L_H` at the
-/// midpoints.
+/// The first inequality is attained at `N = 2` for the trapezoidal rule if `H` has the slopes
+/// `±L_H` at the midpoints.
 ///
 /// # Errors
 ///
@@ -101,7 +103,7 @@ pub fn prop_s_7<const D: usize>(
             evidence = evidence.given_curvature(crate::curvature_along(metric, sequence), m_h);
         }
     }
-    // As for a reconstruction: compensated sums, and rounded points.
+    // As for a reconstruction, the sums are compensated, and the points are rounded.
     let size = x.points().iter().chain(y.points()).map(|x| x.norm()).fold(0.0, f64::max);
     let sum = of_x + of_y + of_middle;
     let momentum = 2.0 * (constants.c2() * sum).sqrt();
@@ -127,7 +129,7 @@ pub fn prop_s_7<const D: usize>(
     Ok(evidence)
 }
 
-/// `((1/N) Σ |ρₙ|²)^{1/2}` over the inner points, in `m²/ℓ`.
+/// Returns `((1/N) Σ |ρₙ|²)^{1/2}` over the inner points, in `m²/ℓ`.
 fn residual<const D: usize>(
     subject: &Subject,
     metric: &impl Bounded<D>,

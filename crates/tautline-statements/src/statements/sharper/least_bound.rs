@@ -3,14 +3,15 @@
 use crate::statements::section_1::begin;
 use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};
 
-/// Evaluates the least bound on `L(γᵖˡ)² − d²` on a computed minimiser, over the theorem of the
-/// paper and Theorems A to D.
+/// Evaluates the least bound on `L(γᵖˡ)² − d²` on a computed minimiser: the least of the bounds in
+/// the theorem of the paper and in Theorems A to D.
 ///
-/// Counts as Theorem D for the trapezoidal rule with known `M_H`, and as Theorem C otherwise: these
-/// are least for large `N`, and have its overestimation.
+/// The evidence counts for Theorem D if the rule is trapezoidal and `M_H` is known, and for Theorem
+/// C otherwise. For large `N` the bound of this theorem is the least, so that both have the same
+/// overestimation.
 ///
-/// Needs: the hypotheses of the theorems, including stationary inner points; the premise with the
-/// least ceiling of Lemma S.4.
+/// Needs: the hypotheses of the theorems, including stationary inner points, and the premise with
+/// the least ceiling of Lemma S.4.
 #[must_use]
 pub fn least_length_bound<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let &Reconstruction { setting, rule, n, distance_squared: d2, granted, .. } = seen;

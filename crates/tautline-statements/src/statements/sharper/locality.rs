@@ -9,7 +9,7 @@ use crate::{
     reconstruction::nodes,
 };
 
-/// The number of chords of a way out of the ball.
+/// The number of chords on a way out of the ball.
 const WAY: usize = 4;
 
 /// Evaluates Proposition S.8 on a computed minimiser, with the radius `R` that the library finds
@@ -22,14 +22,15 @@ const WAY: usize = 4;
 /// √c₁ R  ≤  L(γ)        for segments γ of Euclidean length R from x along axes
 /// ```
 ///
-/// Needs: the setting of Theorem 1.1 within `R` of the end; a *global* minimiser in there.
+/// Needs: the setting of Theorem 1.1 within the distance `R` of the end, and a *global* minimiser
+/// in this ball.
 ///
-/// Overestimation: the radius is 1 % larger than necessary, which is 1 % in the first two and 2 %
-/// in the third. The last is attained for the metric `c₁ I`.
+/// The radius is 1 % larger than necessary. Hence the overestimation is at least 1 % in the first
+/// two inequalities and 2 % in the third. The last is attained for the metric `c₁ I`.
 ///
 /// # Errors
 ///
-/// [`VerifyError::Locality`] without a radius, [`VerifyError::Metric`] if `H` is not positive
+/// [`VerifyError::Locality`] if there is no radius. [`VerifyError::Metric`] if `H` is not positive
 /// definite.
 pub fn prop_s_8<M: Bounded<D>, const D: usize>(
     subject: &Subject,
@@ -45,10 +46,10 @@ pub fn prop_s_8<M: Bounded<D>, const D: usize>(
     let is_bounded = known.ends.first().radius().is_some_and(f64::is_finite);
     let end = if is_bounded { sequence.first() } else { sequence.last() };
     let farthest = sequence.points().iter().map(|x| (x - end).norm()).fold(0.0, f64::max);
-    // Points are rounded; lengths are roots of energies, of size at least d.
+    // Points are rounded. Lengths are roots of energies and are at least d.
     let rounding = 1e-14 * (end.norm() + radius);
     let of_lengths = if d2 > 0.0 { granted / distance } else { granted.sqrt() };
-    // The bound of Lemma S.4 on the minimum, which determines the radius in the library.
+    // This is the bound of Lemma S.4 on the minimum, from which the library determines the radius.
     let mut ceiling = subject.theorem_a_minimum_gap(setting, rule, n);
     if rule == PaperRule::Trapezoidal {
         let second =

@@ -15,11 +15,11 @@ use crate::{
 /// max |βₙ|  ≤  (c₂K₃ + ½ L_H K₃² + mean|ρ|)/c₁
 /// ```
 ///
-/// Needs: `c₁ ≤ H`, `H` Lipschitz; the second also `H ≤ c₂`.
+/// Needs: `c₁ ≤ H` and `H` Lipschitz; the second inequality also needs `H ≤ c₂`.
 ///
-/// Both are attained for a constant metric, and the `L_H` term of the second in a limit of
-/// sequences that run away. Companion: with the largest difference `B`,
-/// `|βₙ − βₙ₋₁| ≤ (3L_H/2Nc₁) B² + |ρₙ|/Nc₁`, attained over a twist.
+/// Both are attained for a constant metric. The `L_H` term of the second is attained in a limit of
+/// sequences that run away. Companion: `|βₙ − βₙ₋₁| ≤ (3L_H/2Nc₁) B² + |ρₙ|/Nc₁`, where `B` is the
+/// largest difference; this is attained over a twist.
 ///
 /// # Errors
 ///
@@ -46,8 +46,9 @@ pub fn lemma_s_3<const D: usize>(
     });
     let over = |[step, bound]: &[f64; 2]| step - bound;
     let worst = steps.max_by(|a, b| over(a).total_cmp(&over(b))).unwrap_or([0.0, 0.0]);
-    // Rounding of the points changes a difference by 2Nε|x|, and a residual of two momenta by
-    // 8N²c₂ε|x|; a momentum is also off by a few ε, and by the slope of H.
+    // The rounding of the points changes a difference by 2Nε|x|, and a residual, which has two
+    // momenta, by 8N²c₂ε|x|. A momentum is also off by a few ε, and by the effect of the slope of
+    // H.
     let size = sequence.points().iter().map(|x| x.norm()).fold(0.0, f64::max);
     let off = f64::EPSILON * count * size;
     let slope = constants.l_h() * f64::EPSILON * size * greatest;
@@ -67,7 +68,7 @@ pub fn lemma_s_3<const D: usize>(
         .sharper("|βₙ − βₙ₋₁| ≤ 3L_H B²/2Nc₁ + |ρₙ|/Nc₁", Unit::COORDINATE, worst, step_granted))
 }
 
-/// Evaluates Lemma S.5 on any sequence from set to set with known distance `d > 0`: with
+/// Evaluates Lemma S.5 on any sequence from set to set, where the distance `d > 0` is known. With
 /// `uₙ = qₙ/d` and `ε = max(1, E_N/d²)`,
 ///
 /// ```text
@@ -77,9 +78,11 @@ pub fn lemma_s_3<const D: usize>(
 /// L(γᵖˡ)²  ≤  E_tra,N + (M_H/24c₁²N²) E_tra,N²
 /// ```
 ///
-/// Needs: `c₁ ≤ H`, `H` Lipschitz, `DH` too for `M_H`; ends in their sets; not a minimiser.
+/// Needs: `c₁ ≤ H`; `H` Lipschitz, and for the bound with `M_H` also `DH` Lipschitz; both ends in
+/// their sets. The sequence need not be a minimiser.
 ///
-/// The last two are attained as `δ → 0` and `μ → 0`, at `N = 1` over a valley and along a parabola.
+/// The last two bounds are attained at `N = 1`: over a valley as `δ → 0`, and along a parabola as
+/// `μ → 0`.
 #[must_use]
 pub fn lemma_s_5<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let &Reconstruction {
@@ -99,7 +102,8 @@ pub fn lemma_s_5<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) ->
         Some(subject.spread(setting, rule, n, surplus)),
         subject.sharp_spread(setting, n, surplus).filter(|_| rule == PaperRule::Trapezoidal),
     ];
-    // The root of the allowance for the variance, and its products with the moments.
+    // `off` is the root of the allowance for the variance; its products with the moments also
+    // count.
     let others = (n.get() - 1) as f64;
     let off = (others * relative).sqrt();
     for spread in spreads.into_iter().flatten() {

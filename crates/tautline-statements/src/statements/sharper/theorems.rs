@@ -1,8 +1,8 @@
 //! Lemma S.4 and Theorems A to D: the excess of a discrete minimiser, of order `1/N` and `1/N²`.
 //!
-//! As in Section 1, a solver finds a local minimiser, and the theorems are about a global one. The
-//! *premise*, that its energy is below the bound of Lemma S.4 on the minimum, is a hypothesis of
-//! Theorems A to D; where it holds, they hold for the computed sequence.
+//! As in Section 1, a solver finds a local minimiser, but the theorems are about a global one. The
+//! *premise* says that the energy of the sequence is at most the bound of Lemma S.4 on the minimum.
+//! It is a hypothesis of Theorems A to D. Where it holds, they hold for the computed sequence.
 
 use crate::statements::section_1::{GLOBAL, admitted, begin};
 use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};
@@ -14,10 +14,12 @@ use crate::{Evidence, PaperRule, Reconstruction, Statement, Subject, Unit};
 /// E_tra,N − d²  ≤  d² (Gδ/3 + μ/24)/N²,  and  d² (ê − 1),            if M_H is known
 /// ```
 ///
-/// Needs: the setting of Theorem 1.1, `DH` Lipschitz too where `M_H` enters, and a *global*
-/// minimiser, which no evaluation shows: a sequence with more energy is a worse local minimiser.
+/// Needs: the setting of Theorem 1.1, `DH` Lipschitz where `M_H` enters, and a *global* minimiser.
+/// No evaluation shows that a minimiser is global: a sequence with more energy is a worse local
+/// minimiser.
 ///
-/// Attained as `δ → 0`, at `N = 1` over a ridge (trapezoidal) and down an incline (left endpoint).
+/// The bounds are attained as `δ → 0`, at `N = 1`: over a ridge for the trapezoidal rule, and down
+/// an incline for the left-endpoint rule.
 #[must_use]
 pub fn lemma_s_4<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let &Reconstruction { setting, rule, n, granted, .. } = seen;
@@ -51,7 +53,7 @@ struct Gaps {
 }
 
 impl Gaps {
-    /// Compares all four, and the excess of energy with the sum of two.
+    /// Compares all four gaps, and compares the excess of the energy with the sum of two bounds.
     fn conclude<const D: usize>(&self, statement: Statement, seen: &Reconstruction<D>) -> Evidence {
         let &Reconstruction { distance_squared: d2, discrete_energy, granted, .. } = seen;
         let (energy, length2) = (seen.energy.value, seen.length_squared.value);
@@ -72,10 +74,10 @@ impl Gaps {
 /// L(γᵖˡ)² − d²  ≤  E(γᵖˡ) − d²  ≤  d² [e − 1 + (kδ/N) e Q]
 /// ```
 ///
-/// Needs: the setting of Theorem 1.1, and the premise `E_N ≤ d² e`. The proof uses stationarity,
-/// but it is not needed, since Theorem C is no weaker.
+/// Needs: the setting of Theorem 1.1, and the premise `E_N ≤ d² e`. The proof uses that the inner
+/// points are stationary. This is not needed, since Theorem C is no weaker.
 ///
-/// Attained as `δ → 0`, at `N = 1` on two routes.
+/// The bounds are attained as `δ → 0`, at `N = 1` on two routes.
 #[must_use]
 pub fn theorem_a<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let polyline = subject.theorem_a_polyline_gap(seen.setting, seen.rule, seen.n);
@@ -93,9 +95,9 @@ pub fn theorem_a<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) ->
 /// ```
 ///
 /// Needs: the setting of Theorem 1.1, the premise `E_tra,N ≤ d² e₂`, `DH` Lipschitz with `M_H`, and
-/// stationary inner points, as in a converged minimiser.
+/// stationary inner points, as a converged minimiser has.
 ///
-/// Attained as `μ → 0`, at `N = 1` on two routes along parabolas.
+/// The bounds are attained as `μ → 0`, at `N = 1` on two routes along parabolas.
 #[must_use]
 pub fn theorem_b<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Option<Evidence> {
     let polyline = subject.theorem_b_polyline_gap(seen.setting, seen.n)?;
@@ -104,16 +106,16 @@ pub fn theorem_b<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) ->
     of_second_order(Gaps { above, below: polyline, polyline, length }, Statement::TheoremB, seen)
 }
 
-/// Evaluates Theorem C on any sequence from set to set with `E_N ≤ d² e`, of either rule.
+/// Evaluates Theorem C on any sequence from set to set with `E_N ≤ d² e`, for either rule.
 ///
 /// ```text
 /// |E(γᵖˡ) − E_N|  ≤  d² (kδ/N) m₃,    d² − E_N  ≤  d² (1 − s²),  s² + (kδ/N) s³ = 1
 /// E(γᵖˡ) − d²  ≤  d² [e − 1 + (kδ/N) m₃],    L(γᵖˡ)² − d²  ≤  d² [e − 1 + (kδ/N) e^{3/2}]
 /// ```
 ///
-/// Needs: the setting of Theorem 1.1, and the premise; not stationary points.
+/// Needs: the setting of Theorem 1.1, and the premise. The points need not be stationary.
 ///
-/// Attained as `δ → 0`, on two routes, for every `N`.
+/// The bounds are attained as `δ → 0`, on two routes, for every `N`.
 #[must_use]
 pub fn theorem_c<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Evidence {
     let &Reconstruction { setting, rule, n, .. } = seen;
@@ -133,9 +135,9 @@ pub fn theorem_c<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) ->
 /// E(γᵖˡ) − d²  ≤  d² [ε − 1 + (μ/24N²) m₄],    L(γᵖˡ)² − d²  ≤  d² [ε − 1 + (μ/24N²) ε²]
 /// ```
 ///
-/// Needs: as [`theorem_c`], and `DH` Lipschitz with `M_H`.
+/// Needs: the hypotheses of [`theorem_c`], and `DH` Lipschitz with `M_H`.
 ///
-/// Attained as `μ → 0`, at `N = 1` on two routes along parabolas.
+/// The bounds are attained as `μ → 0`, at `N = 1` on two routes along parabolas.
 #[must_use]
 pub fn theorem_d<const D: usize>(subject: &Subject, seen: &Reconstruction<D>) -> Option<Evidence> {
     let gaps = Gaps {
@@ -155,7 +157,7 @@ fn given_bend<const D: usize>(evidence: Evidence, seen: &Reconstruction<D>) -> E
     }
 }
 
-/// Concludes Theorem B or D; `None` for the left-endpoint rule, to which they do not apply.
+/// Concludes Theorem B or D. Returns `None` for the left-endpoint rule, to which they do not apply.
 fn of_second_order<const D: usize>(
     gaps: Gaps,
     statement: Statement,
