@@ -15,7 +15,7 @@
 //! use tautline_adversary::{Search, families};
 //! use tautline_statements::{LIBRARY, Source};
 //!
-//! Proposition 7.9 is attained by a step over the valley of a tent, and the search finds this step.
+//! // Proposition 7.9 is attained by a step over the valley of a tent, and the search finds it.
 //! let families = families(&LIBRARY);
 //! let tent = families.iter().find(|family| family.is("Proposition 7.9", "tent"));
 //! let found = Search::default().tightest(tent.expect("listed"), Source::Stated)?;

@@ -129,7 +129,6 @@ fn off_limits<const D: usize>(
 ///
 /// Needs: closed sets, at least one of which is bounded, and a complete space. `c1` is a lower
 /// bound on `H`; the space is complete if the bound holds everywhere (Proposition 3.3).
-/// space is complete if the bound holds everywhere (Proposition 3.3).
 #[doc(alias = "prop:bounded_2sets_min")]
 #[must_use]
 pub fn prop_6_2<const D: usize>(pair: &NearestPair<D>, c1: f64) -> Evidence {

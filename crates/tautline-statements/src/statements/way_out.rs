@@ -1,5 +1,4 @@
-//! `WayOut`: the length of the shortest way out of a space. The space is complete if it is
-//! infinite.
+//! `WayOut`: the length of the shortest way out of a space, infinite if the space is complete.
 
 use nalgebra::SVector;
 use tautline::Constants;

@@ -8,9 +8,9 @@ use tautline::PointSequence;
 /// Returns the sequence of `n + 1` points that rests at `(0, 0)`, is at `(2π, 0)` from the step
 /// `leave` on, and at `(4π, 0)` from the step `arrive` on.
 ///
-/// For `1 ≤ leave ≤ arrive ≤ n`, these `n(n + 1)/2` sequences are all minimisers of the
-/// left-endpoint length over the valleys. The `n` sequences with `leave = arrive`, which jump over
-/// both ridges at once, are all minimisers of the trapezoidal length.
+/// For `1 ≤ leave ≤ arrive ≤ n`, these are the `n(n + 1)/2` minimisers of the left-endpoint length
+/// over the valleys, and there are no others. Those with `leave = arrive` jump over both ridges at
+/// once; they are the `n` minimisers of the trapezoidal length, and again there are no others.
 #[must_use]
 pub fn valley_jump(n: usize, leave: usize, arrive: usize) -> PointSequence<2> {
     let valley = |k: usize| f64::from(u8::from(k >= leave) + u8::from(k >= arrive));

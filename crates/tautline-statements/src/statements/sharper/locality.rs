@@ -25,8 +25,8 @@ const WAY: usize = 4;
 /// Needs: the setting of Theorem 1.1 within the distance `R` of the end, and a *global* minimiser
 /// in this ball.
 ///
-/// The radius is 1 % larger than necessary. Hence the overestimation is at least 1 % in the first
-/// two inequalities and 2 % in the third. The last is attained for the metric `c₁ I`.
+/// The radius is 1 % larger than necessary, which costs 1 % in the first two inequalities and 2 %
+/// in the third. The last is attained for the metric `c₁ I`.
 ///
 /// # Errors
 ///
