@@ -2,8 +2,8 @@
 //!
 //! A [`Family`] is a box of parameters (of a metric, of two sets or a point sequence, and `N`) with
 //! a function that maps each point of the box to the [`Evidence`](tautline_statements::Evidence)
-//! for one statement. A [`Search`] minimises the overestimation: it repeats random sampling,
-//! followed by a local search without derivatives. The result is an upper bound on the least
+//! for one statement. A [`Search`] minimises the overestimation. Several times, it samples cases at
+//! random and then searches locally, without derivatives. The result is an upper bound on the least
 //! overestimation of the statement, with the case that shows it. If a conclusion fails on the way,
 //! the search returns an error.
 //!

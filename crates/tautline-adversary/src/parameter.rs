@@ -117,7 +117,7 @@ impl Parameter {
         }
     }
 
-    /// Returns the place at a distance of `step`, or the end of `[0, 1]` if that is nearer. The
+    /// Returns the place that is `step` further, or the end of `[0, 1]` if that comes first. The
     /// value of a whole-number parameter changes by at least one.
     #[must_use]
     pub(super) fn moved(&self, place: f64, step: f64) -> f64 {

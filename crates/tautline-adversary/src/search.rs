@@ -14,7 +14,7 @@ use super::{AdversaryError, Edge, Family, Tightest, split_mix::SplitMix};
 pub struct Search {
     /// The seed of the samples.
     pub seed: u64,
-    /// How often the search samples and then ascends.
+    /// How many times the search samples and then ascends.
     pub restarts: usize,
     /// How many cases are sampled each time. The ascent starts from the best of them.
     pub samples: usize,
@@ -38,8 +38,8 @@ const STEPS: [f64; 2] = [0.25, 1e-4];
 /// for the least overestimation would find the largest rounding error.
 const SEEN: f64 = 1e-4;
 
-/// The relative decrease from which on an overestimation counts as better. The last bits, which
-/// differ between machines, thus do not steer a search.
+/// An overestimation counts as better only if it is smaller by at least this fraction. The last
+/// bits, which differ between machines, therefore do not steer a search.
 const GAIN: f64 = 1e-6;
 
 /// A point of the unit cube with its evidence.

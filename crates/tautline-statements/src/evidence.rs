@@ -138,8 +138,8 @@ impl Evidence {
         self.stated_conclusions().map(Inequality::overestimation).fold(f64::INFINITY, f64::min)
     }
 
-    /// Returns the evidence if a stated conclusion is attained, that is, overestimated by at most 1
-    /// %.
+    /// Returns the evidence if a stated conclusion is overestimated by at most 1 %, that is,
+    /// attained.
     ///
     /// # Errors
     ///

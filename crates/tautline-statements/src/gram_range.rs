@@ -64,7 +64,7 @@ impl GramRange {
     ///
     /// # Errors
     ///
-    /// As [`along`](Self::along).
+    /// The errors of [`along`](Self::along).
     pub fn near<const D: usize>(
         metric: &impl Metric<D>,
         constants: Constants,

@@ -75,7 +75,7 @@ impl Inequality {
     /// Returns whether the numbers could have contradicted the claim: the bound is finite, the
     /// observed number is distinguishable from 0, and the two sides are not the same formula.
     ///
-    /// A gap that vanishes identically is below any bound, so that it could not.
+    /// A gap that vanishes identically could not contradict its bound.
     #[must_use]
     pub fn could_fail(&self) -> bool {
         let visible = self.observed.abs() > self.granted;

@@ -95,7 +95,7 @@ mutants! {
     DimensionOnce: "K_{2,g} with D for D²",
     /// This is the cross term.
     CrossTermLost: "C_tra(N) without 4c₂K₁K₂/N",
-    /// The correct term has `1/N²` for `1/N`.
+    /// `1/N²` is replaced by `1/N`.
     SecondOrderForgotten: "C_tra(N) with 4c₂K₂²/N",
     PowerOfK1Lost: "C_tra♯ with K₁² for K₁³",
     DistanceForgotten: "K̄_{3,g} without d",
@@ -136,7 +136,7 @@ mutants! {
     SquareOfSpeedLost: "Theorem B with Q for Q²",
     /// The correct term is `μ/24N²`.
     StationaryFourthHalved: "Theorem B with μ/48N²",
-    /// This is the amount by which `E_N` may be below `d²`.
+    /// The deficit is the amount by which `E_N` may be below `d²`.
     DeficitHalved: "Theorem C with half the deficit",
     /// `m₃` is replaced by `e^{3/2}`.
     SpeedsOfTheoremCEqual: "Theorem C with m₃ for equal speeds",
@@ -146,7 +146,7 @@ mutants! {
     /// The correct term is `μ/24N²`.
     FourthPowerHalved: "Theorem D with μ/48N²",
     LengthOfTheoremDHalved: "Theorem D with half the gap of L(γᵖˡ)",
-    /// This is the amount by which `E_tra,N` may be below `d²`.
+    /// The deficit is the amount by which `E_tra,N` may be below `d²`.
     DeficitOfTheoremDHalved: "Theorem D with half the deficit",
     LeastOfTheOtherRule: "the left rule with the trapezoidal least bound",
     CeilingForgotten: "S.6 with min E_N ≤ d²",

@@ -7,8 +7,8 @@ use super::Program;
 pub struct Asked(pub(crate) u64);
 
 impl Asked {
-    /// The number of bits for [`Program`]s. The entries of [`Bounds`](super::Bounds) have the bits
-    /// after.
+    /// The number of bits for [`Program`]s. The bits for entries of [`Bounds`](super::Bounds)
+    /// follow.
     pub(crate) const PROGRAMS: usize = 12;
 
     pub(crate) const fn add(&mut self, program: Program) {

@@ -99,7 +99,7 @@ pub fn constant_k1<const D: usize>(
 ///
 /// # Errors
 ///
-/// As [`constant_k1`].
+/// The errors of [`constant_k1`].
 #[doc(alias = "K_{2,g}")]
 pub fn constant_k2<const D: usize>(
     subject: &Subject,
@@ -142,7 +142,7 @@ pub fn constant_k2<const D: usize>(
 ///
 /// # Errors
 ///
-/// As [`constant_k1`].
+/// The errors of [`constant_k1`].
 pub fn lemma_s_1<const D: usize>(
     subject: &Subject,
     metric: &impl Bounded<D>,
@@ -184,7 +184,7 @@ pub fn lemma_s_1<const D: usize>(
 ///
 /// # Errors
 ///
-/// As [`constant_k1`].
+/// The errors of [`constant_k1`].
 #[doc(alias = "prop:apriori_estuimate_geodesic")]
 pub fn prop_7_12<const D: usize>(
     subject: &Subject,

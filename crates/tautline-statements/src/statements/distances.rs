@@ -30,8 +30,8 @@ pub fn prop_3_3<M: Bounded<D>, const D: usize>(
     // An entry of H has a dozen roundings, and a product follows.
     let rounding = 1e-14 * seen.high;
     let granted = known.squared_error() + rounding * euclidean;
-    // To pass from 33 points to the segment: between them H grows by at most c₂ − c₁, and by at
-    // most L_H |x − y|/64.
+    // Between the 33 points of the segment, H grows by at most c₂ − c₁, and by at most L_H |x −
+    // y|/64.
     let top = seen.high + (constants.l_h() * euclidean.sqrt() / 64.0).min(c2 - c1);
     let sharper = "d² ≤ sup H |x − y|² on the segment";
     Ok(Evidence::of(Statement::Proposition3_3)

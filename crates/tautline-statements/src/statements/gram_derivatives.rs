@@ -32,8 +32,7 @@ pub fn prop_7_10<const D: usize>(
     let norms = slopes.iter().chain([&diagonal]).map(operator_norm);
     let operator = norms.fold(0.0, f64::max);
     let bound = constants.l_h();
-    // An entry has a dozen roundings. The rounding of the argument adds an error of relative size
-    // |x| L_H/c₁.
+    // An entry has a dozen roundings. Its argument has the size |x| L_H/c₁ and is rounded, too.
     let size = 1.0 + x.norm() * bound / constants.c1();
     let granted = 32.0 * f64::EPSILON * (D as f64 + size) * bound;
     Ok(Evidence::of(Statement::Proposition7_10)

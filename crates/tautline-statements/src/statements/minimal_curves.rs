@@ -163,8 +163,8 @@ pub fn prop_4_2_read_strictly<M: Metric<D>, C: Curve<D>, const D: usize>(
 /// inverse. The arguments are a point `x` of the ball `K = {|x| ≤ R}` and a tangent vector `v`,
 /// with `R` and `v` in `ℓ`, and the common radius `ε` of `K`, in `m`.
 ///
-/// Companion: the geodesic equation. `K` must be compact: on the sphere without a point, geodesics
-/// from `x` exist up to the length `π − 2 arctan |x|`, which tends to 0 as `|x| → ∞`.
+/// Companion: the geodesic equation. `K` must be compact: on the sphere without one point,
+/// geodesics from `x` exist up to the length `π − 2 arctan |x|`, which tends to 0 as `|x| → ∞`.
 ///
 /// # Errors
 ///

@@ -121,7 +121,7 @@ pub fn prop_7_2<const D: usize>(
 ///
 /// # Errors
 ///
-/// As [`prop_7_2`].
+/// The errors of [`prop_7_2`].
 pub fn prop_7_2_as_printed<const D: usize>(
     curve: &impl BoundedCurve<D>,
     [s1, s, s2]: [f64; 3],
@@ -148,7 +148,7 @@ pub fn prop_7_2_as_printed<const D: usize>(
 ///
 /// # Errors
 ///
-/// As [`prop_7_2`].
+/// The errors of [`prop_7_2`].
 #[doc(alias = "prop:morrey_ineq_cor")]
 pub fn prop_7_3<const D: usize>(
     curve: &impl BoundedCurve<D>,
@@ -176,7 +176,7 @@ pub fn prop_7_3<const D: usize>(
 ///
 /// # Errors
 ///
-/// As [`prop_7_2`].
+/// The errors of [`prop_7_2`].
 pub fn prop_7_3_as_printed<const D: usize>(
     curve: &impl BoundedCurve<D>,
     [s1, s2]: [f64; 2],

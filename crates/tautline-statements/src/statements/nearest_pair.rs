@@ -71,7 +71,7 @@ impl<const D: usize> NearestPair<D> {
     ///
     /// # Errors
     ///
-    /// As [`between`](Self::between).
+    /// The errors of [`between`](Self::between).
     pub fn of<M: Bounded<D>>(
         subject: &Subject,
         known: &Known<M, D>,

@@ -107,7 +107,7 @@ pub fn prop_7_9<const D: usize>(
 
 /// Evaluates Proposition 8.1: `|E_l,N(γᵖ) − E_tra,N(γᵖ)| ≤ L_H K₃³ / (2√N)`.
 ///
-/// Needs: as [`prop_7_9`]. Companion: the bound `(L_H/2N) mean |β|³`.
+/// Needs: the hypotheses of [`prop_7_9`]. Companion: the bound `(L_H/2N) mean |β|³`.
 ///
 /// # Errors
 ///
@@ -132,7 +132,7 @@ pub fn prop_8_1<const D: usize>(
 
 /// Evaluates Proposition 8.2: `|E(γᵖˡ) − E_l,N(γᵖ)| ≤ L_H K₃³ / (2√N)`.
 ///
-/// Needs: as [`prop_7_9`]. Companion: the bound `(L_H/2N) mean |β|³`.
+/// Needs: the hypotheses of [`prop_7_9`]. Companion: the bound `(L_H/2N) mean |β|³`.
 ///
 /// # Errors
 ///

@@ -129,7 +129,7 @@ pub fn prop_7_6<const D: usize>(
 ///
 /// # Errors
 ///
-/// As [`prop_7_6`].
+/// The errors of [`prop_7_6`].
 pub fn prop_7_6_as_printed<const D: usize>(
     subject: &Subject,
     metric: &impl Bounded<D>,
@@ -161,7 +161,7 @@ pub fn prop_7_6_as_printed<const D: usize>(
 ///
 /// # Errors
 ///
-/// As [`prop_7_6`].
+/// The errors of [`prop_7_6`].
 #[doc(alias = "prop:approx_numerical_integral_set")]
 pub fn prop_7_7<const D: usize>(
     subject: &Subject,

@@ -5,7 +5,8 @@ use tautline::Constants;
 
 use crate::{Evidence, Unit, curves::KnownGeodesics};
 
-/// The length of the shortest way out, a curve from a point that leaves every compact set.
+/// The length of the shortest way out. A way out is a curve from a point that leaves every compact
+/// set.
 ///
 /// A space is complete if and only if no way out has finite length (Hopf and Rinow). For two points
 /// it suffices that every way out is longer than the distance between them. Then the closed balls

@@ -135,7 +135,7 @@ impl Subject {
     ///
     /// # Errors
     ///
-    /// As [`christoffel`].
+    /// The errors of [`christoffel`].
     pub fn christoffel<const D: usize>(
         &self,
         metric: &impl Metric<D>,
@@ -166,7 +166,7 @@ impl Subject {
     ///
     /// # Errors
     ///
-    /// As [`minimise`].
+    /// The errors of [`minimise`].
     pub fn minimise<R: Rule, const D: usize>(
         &self,
         rule: R,
@@ -181,7 +181,7 @@ impl Subject {
     ///
     /// # Errors
     ///
-    /// As [`minimise`].
+    /// The errors of [`minimise`].
     pub fn minimise_with<R: Rule, const D: usize>(
         &self,
         rule: R,
@@ -212,7 +212,7 @@ impl Subject {
     ///
     /// # Errors
     ///
-    /// As [`competitors`].
+    /// The errors of [`competitors`].
     pub fn competitors<E>(
         &self,
         dimension: usize,

@@ -2,9 +2,9 @@
 
 use super::Polygonal;
 
-/// Returns `H = tip + slope |x − ½|` on `[0, 1]`, which is constant outside; `None` unless it is
-/// positive. It is a valley for `slope > 0` and a ridge for `slope < 0`. `tip` is in `m²/ℓ²` and
-/// `slope` in `m²/ℓ³`.
+/// Returns the metric `H = tip + slope |x − ½|` on `[0, 1]`, which is constant outside; `None`
+/// unless it is positive. It has a valley for `slope > 0` and a ridge for `slope < 0`. `tip` is in
+/// `m²/ℓ²` and `slope` in `m²/ℓ³`.
 ///
 /// On the chord from `0` to `1`, the trapezoidal rule evaluates `H` at its tip, which attains
 /// Proposition 7.9.
