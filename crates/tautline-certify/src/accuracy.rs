@@ -2,18 +2,18 @@
 
 use crate::CertifyError;
 
-/// How close the bounds of a constant should be, and how many boxes may be spent on that.
+/// How close the two bounds on a constant should be, and how many boxes may be spent to get there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Accuracy {
-    /// The relative distance of the bounds, between 0 and 1.
+    /// The relative distance between the bounds; it must lie between 0 and 1.
     pub tolerance: f64,
     /// The largest number of boxes.
     pub budget: usize,
 }
 
 impl Default for Accuracy {
-    /// Returns a tolerance of `10⁻³` and a budget of a million boxes, which take from a second to a
-    /// minute or so.
+    /// Returns a tolerance of `10⁻³` and a budget of a million boxes. Evaluating that many takes
+    /// from a second to about a minute.
     fn default() -> Self {
         Self { tolerance: 1e-3, budget: 1_000_000 }
     }
@@ -24,7 +24,7 @@ impl Accuracy {
     ///
     /// # Errors
     ///
-    /// [`CertifyError::NotATolerance`] for a tolerance that is not between 0 and 1.
+    /// [`CertifyError::NotATolerance`] if the tolerance is not between 0 and 1.
     pub fn checked(self) -> Result<Self, CertifyError> {
         if self.tolerance > 0.0 && self.tolerance < 1.0 {
             Ok(self)

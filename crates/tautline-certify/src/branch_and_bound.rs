@@ -12,14 +12,14 @@ use crate::{Accuracy, Cell, Domain};
 
 /// A function on `R^D` that can be bounded on a box.
 pub(crate) trait Bounded<const D: usize>: Sync {
-    /// Returns a bound of the function on a box.
+    /// Returns a bound on the function that holds on the whole box.
     fn bound(&self, cell: &Cell<D>) -> Bound;
 
-    /// Returns the value at a point, up to rounding; NaN if it overflows or is undefined.
+    /// Returns the value at a point, up to rounding, or NaN if it overflows or is undefined.
     fn value(&self, x: &SVector<f64, D>) -> f64;
 
-    /// Returns the value of the wanted function, up to rounding: the bounded one is never smaller
-    /// and may be larger.
+    /// Returns the value, up to rounding, of the function whose maximum is wanted. It never exceeds
+    /// [`value`](Bounded::value), but may be smaller.
     fn wanted(&self, x: &SVector<f64, D>) -> f64 {
         self.value(x)
     }
@@ -28,31 +28,33 @@ pub(crate) trait Bounded<const D: usize>: Sync {
     fn is_refuted(&self, x: &SVector<f64, D>, value: f64) -> bool;
 }
 
-/// A bound of a function on a box.
+/// A bound on a function on a box.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bound {
-    /// No value exceeds it. `∞` or NaN if there is none.
+    /// The upper bound: no value on the box exceeds it. `∞` or NaN if there is no bound.
     pub(crate) upper: f64,
-    /// The coordinate across which the box is best cut.
+    /// The coordinate across which it is best to cut the box.
     pub(crate) cut: usize,
 }
 
 /// The result of a search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Maximum<const D: usize> {
-    /// No value on the domain exceeds it: proved.
+    /// A proved upper bound: no value on the domain exceeds it.
     pub(crate) upper: f64,
-    /// The point with the largest wanted value found, in `ℓ`; `None` if there was no value.
+    /// The point with the largest wanted value found, in `ℓ`; `None` if the function had no value
+    /// at any point tried.
     pub(crate) at: Option<SVector<f64, D>>,
     /// The point where the function was refuted and the search ended, in `ℓ`.
     pub(crate) refuted: Option<SVector<f64, D>>,
-    /// The number of boxes bounded.
+    /// The number of boxes on which the function was bounded.
     pub(crate) boxes: usize,
-    /// Whether the bound is within the tolerance.
+    /// Whether the upper bound is within the tolerance of the largest value found.
     pub(crate) reached: bool,
 }
 
-/// How many boxes are cut at once: fixed, so that threads do not change the search.
+/// How many boxes are cut at once. The number is fixed, so that the number of threads does not
+/// change the search.
 const BATCH: usize = 64;
 
 /// A box to be cut.
@@ -60,18 +62,19 @@ struct Open<const D: usize> {
     upper: f64,
     cut: usize,
     cell: Cell<D>,
-    /// Of boxes with the same bound the oldest is cut first.
+    /// Among boxes with the same bound, the oldest is cut first.
     age: usize,
 }
 
-/// Returns an upper bound of the largest value on the domain.
+/// Returns an upper bound on the largest value on the domain.
 ///
 /// The boxes with the largest bounds are cut first, many at a time and in parallel, until the
 /// largest bound is at most the best value found at a point, up to the tolerance. The result does
 /// not depend on the number of threads.
 ///
-/// A box is dropped if its bound is at most the best value. That value is rounded and may be too
-/// large: so the larger of the two is returned, which bounds the dropped boxes and the others.
+/// A box is dropped if its bound is at most the best value. The best value is rounded and may be
+/// too large. The search therefore returns the larger of the best value and the largest remaining
+/// bound, which holds on the dropped boxes as well as on the others.
 pub(crate) fn maximise<const D: usize>(
     function: &dyn Bounded<D>,
     domain: &Domain<D>,
@@ -80,7 +83,7 @@ pub(crate) fn maximise<const D: usize>(
     let mut search = Search::default();
     let mut found =
         Maximum { upper: f64::INFINITY, at: None, refuted: None, boxes: 0, reached: false };
-    // The boxes to bound next, and a bound of the function on all of them.
+    // The boxes to bound next, and an upper bound that holds on all of them.
     let (mut next, mut unseen) = (vec![*domain.bounding_cell()], f64::INFINITY);
     while !next.is_empty() && found.boxes + next.len() <= accuracy.budget {
         let looked_at: Vec<_> = next
@@ -113,11 +116,11 @@ pub(crate) fn maximise<const D: usize>(
 /// The state of a search.
 struct Search<const D: usize> {
     open: BinaryHeap<Open<D>>,
-    /// The largest values so far.
+    /// The largest values found so far.
     best: f64,
     wanted: f64,
     at: Option<SVector<f64, D>>,
-    /// A bound on the boxes that are too small to be cut.
+    /// An upper bound that holds on the boxes too small to be cut.
     stuck: f64,
 }
 
@@ -140,7 +143,8 @@ impl<const D: usize> Search<D> {
         }
     }
 
-    /// Keeps a box unless its bound is at most the best value. NaN is no bound.
+    /// Keeps a box unless its bound is at most the best value. NaN counts as no bound, so the box
+    /// stays.
     fn keep(&mut self, cell: Cell<D>, bound: Bound, age: usize) {
         let upper = if bound.upper.is_nan() { f64::INFINITY } else { bound.upper };
         if !(upper <= self.best) {
@@ -148,7 +152,7 @@ impl<const D: usize> Search<D> {
         }
     }
 
-    /// Boxes with larger bounds are cut: all of them until there is a value.
+    /// Boxes whose bounds exceed the goal are cut. Until there is a value, these are all boxes.
     fn goal(&self, tolerance: f64) -> f64 {
         // −∞ + ∞ would be NaN, which no bound exceeds.
         if self.best == f64::NEG_INFINITY {
@@ -157,8 +161,8 @@ impl<const D: usize> Search<D> {
         self.best + tolerance * self.best.abs()
     }
 
-    /// Cuts the boxes with the largest bounds, above the goal; returns their halves and the largest
-    /// of these bounds.
+    /// Cuts the boxes with the largest bounds, as long as these exceed the goal. Returns the halves
+    /// and the largest of these bounds.
     fn cut(&mut self, tolerance: f64) -> (Vec<Cell<D>>, f64) {
         let goal = self.goal(tolerance);
         let (mut halves, mut upper) = (Vec::new(), f64::NEG_INFINITY);
@@ -175,7 +179,7 @@ impl<const D: usize> Search<D> {
         (halves, upper)
     }
 
-    /// A bound of the function on the kept and the dropped boxes.
+    /// An upper bound on the function on the kept and the dropped boxes.
     fn upper(&self) -> f64 {
         let open = self.open.peek().map_or(f64::NEG_INFINITY, |top| top.upper);
         open.max(self.stuck).max(self.best)

@@ -21,17 +21,18 @@ pub struct Cell<const D: usize> {
     sides: [Interval; D],
 }
 
-/// Longer sides are cut at the geometric mean of their ends, in `ℓ`.
+/// A longer side is cut at the geometric mean of its ends, in `ℓ`.
 ///
-/// A metric whose length scale differs much from this needs some more cuts.
+/// If the length scale of a metric differs much from this unit, a few more cuts are needed.
 const UNIT: f64 = 1.0;
 
 impl<const D: usize> Cell<D> {
-    /// Returns the box between two opposite corners, in `ℓ`; a side may have the width 0.
+    /// Returns the box between two opposite corners, in `ℓ`. A side may have width 0.
     ///
     /// # Errors
     ///
-    /// [`CertifyError::NotASide`] for a corner that is not finite, or a lower one above the upper.
+    /// [`CertifyError::NotASide`] if a corner is not finite, or if the lower one exceeds the upper
+    /// in some coordinate.
     pub fn new(
         lower: impl Into<SVector<f64, D>>,
         upper: impl Into<SVector<f64, D>>,
@@ -55,7 +56,7 @@ impl<const D: usize> Cell<D> {
         &self.sides
     }
 
-    /// Returns the midpoint up to rounding, a point of the box, in `ℓ`.
+    /// Returns the midpoint, up to rounding, in `ℓ`. It always lies in the box.
     #[must_use]
     pub fn midpoint(&self) -> SVector<f64, D> {
         SVector::from_fn(|i, _| self.sides[i].midpoint())
@@ -72,8 +73,8 @@ impl<const D: usize> Cell<D> {
         SVector::from_fn(|i, _| x[i].clamp(self.sides[i].lo(), self.sides[i].hi()))
     }
 
-    /// Cuts the box across `coordinate`; `None` if there is no double between the ends of that
-    /// side.
+    /// Cuts the box across `coordinate`. Returns `None` if there is no double strictly between the
+    /// ends of that side.
     pub(crate) fn halves(&self, coordinate: usize) -> Option<[Self; 2]> {
         let side = self.sides[coordinate];
         let (lo, hi) = (side.lo(), side.hi());
@@ -121,8 +122,8 @@ mod tests {
                     })
                     .collect();
             }
-            // Geometric cuts halve exponents: after 12 cuts every cell has width 4 at most, or a
-            // ratio of its ends of 4 at most.
+            // A geometric cut halves the exponent: after 12 cuts every cell either has width at
+            // most 4, or its two ends have a ratio of at most 4.
             for cell in cells {
                 let side = cell.sides()[0];
                 let narrow = side.width() <= 4.0 || side.magnitude() <= 4.0 * side.mignitude();

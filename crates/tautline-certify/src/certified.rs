@@ -7,8 +7,9 @@ use tautline_scalar::Scalar;
 
 use crate::{Accuracy, CertifiedConstants, CertifyError, Domain};
 
-/// A metric with constants on all of `R^D` that are proved from its formula, for metrics that do
-/// not declare any. A proof holds in dimension `D` only, even if the formula works in others.
+/// A metric with constants on all of `R^D` that are proved from its formula. It serves metrics that
+/// do not declare constants. A proof holds in dimension `D` only, even if the formula works in
+/// others.
 ///
 /// ```
 /// use nalgebra::{SMatrix, SVector, matrix};
@@ -40,9 +41,10 @@ impl<M: Metric<D>, const D: usize> Certified<M, D> {
     ///
     /// # Errors
     ///
-    /// [`CertifyError::NotAllOfSpace`] for a formula that is neither constant nor periodic along
-    /// each coordinate: see [`Certified::settled`] and
-    /// [`LocallyCertified`](crate::LocallyCertified). Else as [`CertifiedConstants::new`].
+    /// [`CertifyError::NotAllOfSpace`] if the formula is neither constant nor periodic along some
+    /// coordinate; then see [`Certified::settled`] and
+    /// [`LocallyCertified`](crate::LocallyCertified). Otherwise the errors of
+    /// [`CertifiedConstants::new`].
     pub fn new(metric: M, accuracy: Accuracy) -> Result<Self, CertifyError> {
         AnyMetric::new(&metric).formula().map_err(CertifyError::NotRecorded)?;
         let space = Domain::space(&metric);
@@ -53,11 +55,13 @@ impl<M: Metric<D>, const D: usize> Certified<M, D> {
         Ok(Self { metric, constants })
     }
 
-    /// Proves the constants on [`Domain::settled_space`]: you declare that the metric settles.
+    /// Proves the constants on [`Domain::settled_space`]. By calling this, you declare that the
+    /// metric settles.
     ///
     /// # Errors
     ///
-    /// [`CertifyError::NotSettled`]; else as [`CertifiedConstants::new`].
+    /// [`CertifyError::NotSettled`] if the check fails; otherwise the errors of
+    /// [`CertifiedConstants::new`].
     pub fn settled(metric: M, accuracy: Accuracy) -> Result<Self, CertifyError> {
         let space = Domain::settled_space(&metric)?;
         let constants = CertifiedConstants::new(&metric, &space, accuracy)?.constants()?;
@@ -128,7 +132,7 @@ mod tests {
         assert!(line.constants().is_isotropic() && !plane.constants().is_isotropic());
     }
 
-    /// Intervals would follow one branch.
+    /// Intervals would follow only one branch.
     #[test]
     fn nothing_is_proved_of_a_formula_with_branches() {
         let why = CertifyError::NotRecorded(RecordError::Compares);

@@ -7,7 +7,7 @@ use thiserror::Error;
 
 use crate::Quantity;
 
-/// Why a constant or a domain is refused.
+/// Why a constant or a domain was refused.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum CertifyError {
@@ -26,13 +26,13 @@ pub enum CertifyError {
         #[source]
         cause: Option<IntervalError>,
     },
-    /// A radius that is negative or not finite.
+    /// A radius is negative or not finite.
     #[error("a radius of {radius} is negative or not finite")]
     NotARadius {
         /// The radius that was given, in `ℓ`.
         radius: f64,
     },
-    /// A metric declared to settle still changes at the reach of the domain.
+    /// A metric was declared to settle, but still changes at the reach of the domain.
     #[error(
         "along coordinate {coordinate} the metric still changes by up to {change} in proportion \
          when the distance is doubled"
@@ -40,11 +40,11 @@ pub enum CertifyError {
     NotSettled {
         /// The index of the coordinate, from 0.
         coordinate: usize,
-        /// A bound of the relative change; NaN if there is none.
+        /// A bound on the relative change; NaN if there is none.
         change: f64,
     },
-    /// Constants on all of `R^D` need a metric that is shown, by its formula, to be periodic or
-    /// constant along each coordinate.
+    /// Constants on all of `R^D` need a formula that shows the metric to be periodic or constant
+    /// along each coordinate.
     #[error("the formula does not show that a bounded domain represents all of space")]
     NotAllOfSpace,
     /// The requested relative tolerance is not between 0 and 1.
@@ -53,44 +53,46 @@ pub enum CertifyError {
         /// The tolerance.
         tolerance: f64,
     },
-    /// The formula cannot be recorded. Proofs use the record, since intervals would follow one
-    /// branch.
+    /// The formula cannot be recorded. Proofs need the record, because intervals would follow only
+    /// one branch.
     #[error("a formula that cannot be recorded proves nothing: {0}")]
     NotRecorded(#[source] RecordError),
-    /// Dimension 0.
+    /// The dimension is 0.
     #[error("D = 0: there is no dimension")]
     NoDimension,
     /// At a point of the domain the formula, evaluated in intervals, may be undefined: a root of a
     /// number that may be negative, for example, or the tangent of a number beyond `2²⁰`.
     #[error("the metric may be undefined at {point:?}")]
     Undefined {
-        /// Where it was evaluated, in `ℓ`.
+        /// The point at which it was evaluated, in `ℓ`.
         point: Vec<f64>,
     },
-    /// The metric is not positive definite at a point of the domain: proved with outward rounding.
+    /// The metric is not positive definite at a point of the domain. This is proved with outward
+    /// rounding.
     #[error(
         "the metric is not positive definite at {point:?}: its least eigenvalue is {eigenvalue:?} \
          at most"
     )]
     NotPositiveDefinite {
-        /// Where it was evaluated, in `ℓ`.
+        /// The point at which it was evaluated, in `ℓ`.
         point: Vec<f64>,
-        /// An upper bound of the least eigenvalue there, in `m²/ℓ²`; not positive.
+        /// An upper bound on the least eigenvalue there, in `m²/ℓ²`; it is not positive.
         eigenvalue: f64,
     },
-    /// The budget of boxes was spent before the bounds were close enough. They hold all the same.
+    /// The budget of boxes was spent before the bounds were close enough. The bounds are still
+    /// valid.
     #[error("after {boxes} boxes, {quantity} is known only to lie between {lower:?} and {upper:?}")]
     BudgetSpent {
-        /// Which constant.
+        /// The constant in question.
         quantity: Quantity,
         /// The lower bound, in the constant's unit.
         lower: f64,
-        /// The upper bound, perhaps infinite.
+        /// The upper bound, in the same unit; possibly infinite.
         upper: f64,
         /// How many boxes were evaluated.
         boxes: usize,
     },
-    /// The bounds are not constants of a metric: one overflows, for example.
+    /// The bounds do not form the constants of a metric; for example, one of them overflows.
     #[error(transparent)]
     Hypothesis(#[from] HypothesisError),
 }

@@ -1,4 +1,4 @@
-//! Searches for maxima that are known.
+//! Searches for known maxima.
 
 use nalgebra::{SVector, vector};
 use num_traits::Zero;
@@ -7,7 +7,7 @@ use tautline_scalar::{Interval, Scalar};
 use super::{Bound, Bounded, maximise};
 use crate::{Accuracy, Cell, Domain};
 
-/// `sin 3x₁ cos 2x₂ − (x₁² + x₂²)/10`, with defects.
+/// The function `sin 3x₁ cos 2x₂ − (x₁² + x₂²)/10`, with optional defects.
 #[derive(Default)]
 struct Waves {
     undefined_beyond: Option<f64>,
@@ -39,7 +39,8 @@ fn square() -> Domain<2> {
     Domain::cell(Cell::new([-2.0, -2.0], [2.0, 2.0]).expect("in order"))
 }
 
-/// At `x₂ = 0`, where `3 cos 3x = x/5`: `x ≈ 0.5120`, refined by Newton's method.
+/// The maximum lies at `x₂ = 0`, where `3 cos 3x = x/5`. This gives `x ≈ 0.5120`, which Newton's
+/// method refines.
 fn greatest() -> f64 {
     let mut x = 0.512_f64;
     for _ in 0..20 {
@@ -61,10 +62,11 @@ fn the_maximum_is_enclosed_to_the_tolerance() {
 
 #[test]
 fn on_a_ball_only_its_points_count() {
-    // Without the maximum, which is at (0.512, 0).
+    // This ball excludes the maximum at (0.512, 0).
     let ball = Domain::ball([-0.5, 0.0], 0.75).expect("a radius");
     let found = maximise(&Waves::default(), &ball, EFFORT);
-    // The nearest point to the maximum, (0.25, 0): the function grows up to there.
+    // The largest value is at the point nearest to the maximum, (0.25, 0): the function grows up to
+    // there.
     let most = waves([0.25, 0.0]);
     assert!(found.reached, "{found:?}");
     assert!(most <= found.upper && found.upper <= most * (1.0 + 2e-6), "{found:?} {most}");
@@ -83,8 +85,8 @@ fn the_result_does_not_depend_on_the_number_of_threads() {
     }
 }
 
-/// The bounds of dropped boxes reach up to the best value, even if that is wrong: the result
-/// must not be below it.
+/// A dropped box may have a bound as large as the best value, even if that value is wrong. The
+/// result must therefore not be smaller than the best value.
 #[test]
 fn a_value_that_is_too_large_only_costs_sharpness() {
     let boasting = Waves { boasts_by: 0.1, ..Waves::default() };
@@ -149,7 +151,8 @@ fn a_point_where_the_function_is_refuted_ends_the_search() {
     assert!(found.upper == f64::INFINITY && !found.reached);
 }
 
-/// A function without a value at the first few points, by overflow say, is evaluated elsewhere.
+/// If a function has no value at the first few points, for example because of overflow, it is
+/// evaluated at others.
 #[test]
 fn a_search_continues_until_there_is_a_value() {
     let late = |is_refuted| OnTheLine {
@@ -159,18 +162,18 @@ fn a_search_continues_until_there_is_a_value() {
     };
     let found = maximise(&late(|x, _| x > 0.9), &segment(0.0, 1.0), EFFORT);
     assert!(found.refuted.is_some_and(|x| x[0] > 0.9) && !found.reached, "{found:?}");
-    // Without a refutation the budget is spent, and the values found count.
+    // Without a refutation the search spends the budget, and the values found still count.
     let accuracy = Accuracy { budget: 100, ..EFFORT };
     let found = maximise(&late(|_, _| false), &segment(0.0, 1.0), accuracy);
     assert!(found.boxes > 90 && found.at.is_some_and(|x| x[0] < 0.3), "{found:?}");
     assert!(found.upper == f64::INFINITY && !found.reached, "{found:?}");
 }
 
-/// A box between neighbouring doubles cannot be cut, and its bound still counts: whether the
-/// other boxes attain their bounds or are cut first.
+/// A box between neighbouring doubles cannot be cut, but its bound still counts, both if the other
+/// boxes attain their bounds and if they are cut first.
 #[test]
 fn a_box_that_is_too_small_to_be_cut_keeps_its_bound() {
-    // 0 at all points, with a bound of 3 on boxes that reach beyond 1.
+    // The value is 0 at all points, but the bound is 3 on boxes that reach beyond 1.
     let spike = OnTheLine {
         bound: |x| if x.hi() > 1.0 { 3.0 } else { 0.0 },
         value: |_| 0.0,

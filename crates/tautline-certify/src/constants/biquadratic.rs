@@ -1,25 +1,25 @@
-//! Biquadratic forms as quadratic forms, up to forms that vanish on products.
+//! Biquadratic forms, represented by quadratic forms up to forms that vanish on products.
 
 use nalgebra::{DMatrix, SMatrix};
 use tautline_scalar::Scalar;
 
 use super::spectral::{Direction, basis_with};
 
-/// `B`, with the entry `∂ₖ∂ₗHᵢⱼ` at `(k, i), (l, j)`.
+/// The matrix `B`, with the entry `∂ₖ∂ₗHᵢⱼ` at `(k, i), (l, j)`.
 pub(super) fn flattened<T: Scalar, const D: usize>(b: &[[SMatrix<T, D, D>; D]; D]) -> DMatrix<T> {
     DMatrix::from_fn(D * D, D * D, |row, column| b[row / D][column / D][(row % D, column % D)])
 }
 
-/// A matrix whose form vanishes on all `v ⊗ u`.
+/// A matrix whose quadratic form vanishes on all `v ⊗ u`.
 pub(super) struct Vanishing<const D: usize> {
-    /// At `[k][l]` and `(i, j)`, `k < l` and `i < j`: the factor of `2 zₖᵢ zₗⱼ − 2 zₖⱼ zₗᵢ`.
+    /// At `[k][l]` and `(i, j)`, with `k < l` and `i < j`: the factor of `2 zₖᵢ zₗⱼ − 2 zₖⱼ zₗᵢ`.
     factors: [[SMatrix<f64, D, D>; D]; D],
 }
 
 impl<const D: usize> Vanishing<D> {
-    /// The best factors for a maximum at `u` and `v`, up to rounding.
+    /// Returns the best factors for a form with its maximum at `u` and `v`, up to rounding.
     pub(super) fn for_maximum(b: &[[SMatrix<f64, D, D>; D]; D], at: &Direction<D>) -> Self {
-        // In the bases p and q with first columns v and u: the entries at (1, 1), (l, j).
+        // The entries at (1, 1), (l, j), in the bases p and q whose first columns are v and u.
         let (p, q) = (basis_with(&at.v), basis_with(&at.u));
         let beside = SMatrix::<f64, D, D>::from_fn(|l, j| {
             if l == 0 || j == 0 {
@@ -31,7 +31,8 @@ impl<const D: usize> Vanishing<D> {
                 .map(|(k, m)| p[(k, 0)] * p[(m, l)] * entry(k, m))
                 .sum()
         });
-        // Rotated back: Σ over l and j of −beside times the antisymmetric parts of e₁ₗ and e₁ⱼ.
+        // Rotated back: the sum over l and j of −beside times the antisymmetric parts of e₁ₗ and
+        // e₁ⱼ.
         let factor = |k: usize, l: usize, i: usize, j: usize| {
             let mut sum = 0.0;
             for m in 1..D {
@@ -112,14 +113,14 @@ mod tests {
                 let at = Direction { norm: 0.0, u: w, v: z };
                 Vanishing::for_maximum(&c, &at).add_to(&mut sum);
             }
-            // Some hundreds of roundings of numbers up to D⁴.
+            // The tolerance covers some hundreds of roundings of numbers up to D⁴.
             let difference = (place.transpose() * &sum * &place)[0] - value(&b, &v, &u);
             prop_assert!(difference.abs() < 1e-13, "{difference:e}");
         }
         Ok(())
     }
 
-    /// The maximum found, and the bound.
+    /// Returns the maximum found and the bound on it.
     fn bound<const D: usize>(b: &Second<D>) -> (f64, f64) {
         let found = maximum(b).expect("finite");
         let mut sum = flattened(b);
@@ -152,16 +153,17 @@ mod tests {
             let pairs = (0..400).flat_map(|s| (0..400).map(move |t| (s, t)));
             let most = pairs.map(|(s, t)| value(&b, &angle(s), &angle(t))).fold(f64::MIN, f64::max);
             let (found, bound) = bound(&b);
-            // Between the angles it is larger by at most 2 (π/800)² of the largest entry, times 8.
+            // Between the sampled angles the form is larger by at most 2 (π/800)² of its largest
+            // entry, times 8.
             prop_assert!(most <= bound + 1e-13 && found <= bound + 1e-13);
             prop_assert!(bound <= most + 3e-4, "{most} {found} {bound}");
-            // A maximum that is found exactly makes the bound so.
+            // If the maximum is found exactly, the bound is exact too.
             prop_assert!(bound - found < 1e-8 || found < most, "{found} {bound}");
         }
     }
 
-    /// In three times three variables the bound is not exact, and the choice a guess. Measured mean
-    /// overestimation: 2.6 %; without the choice 13 %.
+    /// For three by three variables the bound is not exact, and the choice is a guess. The measured
+    /// mean overestimation is 2.6 %; without the choice it is 13 %.
     #[test]
     fn the_bound_is_nearly_the_maximum_in_space() {
         const CASES: u32 = 512;

@@ -1,4 +1,4 @@
-//! `CertifiedConstants`: the four constants of a metric, enclosed.
+//! `CertifiedConstants`: enclosures of the four constants of a metric.
 
 use tautline_formula::AnyMetric;
 use tautline_metrics::{Constants, Metric};
@@ -6,7 +6,7 @@ use tautline_metrics::{Constants, Metric};
 use super::{CertifiedConstant, Quantity, certify};
 use crate::{Accuracy, CertifyError, Domain, formula::is_isotropic};
 
-/// The constants of a metric on a domain, each between two bounds, proved from its formula.
+/// Enclosures of the four constants of a metric on a domain, proved from its formula.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CertifiedConstants<const D: usize> {
     c1: CertifiedConstant<D>,
@@ -32,12 +32,12 @@ impl<const D: usize> CertifiedConstants<D> {
     /// # Ok::<(), tautline_certify::CertifyError>(())
     /// ```
     ///
-    /// They are constants on all of `R^D` only if the domain represents it for this metric; the
-    /// metric that the domain was made for does not matter.
+    /// The constants hold on all of `R^D` only if the domain represents all of space for this
+    /// metric. It does not matter for which metric the domain was made.
     ///
     /// # Errors
     ///
-    /// As [`certify`], for the first constant that fails.
+    /// The error of [`certify`] for the first constant that fails.
     pub fn new(
         metric: &impl Metric<D>,
         domain: &Domain<D>,
@@ -80,12 +80,14 @@ impl<const D: usize> CertifiedConstants<D> {
     }
 
     /// Returns the safe bounds as constants of the metric. They [hold on a
-    /// region](Constants::is_local) unless the domain represents all of space, and are
-    /// [isotropic](Constants::is_isotropic) if the formula shows a multiple of the identity.
+    /// region](Constants::is_local) unless the domain represents all of space, and they are
+    /// [isotropic](Constants::is_isotropic) if the formula shows `H` to be a multiple of the
+    /// identity.
     ///
     /// # Errors
     ///
-    /// [`CertifyError::Hypothesis`] if one is not a constant: `c₁` is not positive, for example.
+    /// [`CertifyError::Hypothesis`] if a bound cannot serve as a constant; for example, `c₁` is not
+    /// positive.
     pub fn constants(&self) -> Result<Constants, CertifyError> {
         let constants = Constants::new(self.c1.lower, self.c2.upper, self.l_h.upper)?
             .with_m_h(self.m_h.upper)?;

@@ -1,4 +1,4 @@
-//! A bound of the largest eigenvalue of a symmetric matrix on a box.
+//! An upper bound on the largest eigenvalue of a symmetric matrix on a box.
 
 use nalgebra::{DMatrix, Dyn, SymmetricEigen};
 use num_traits::{One, Zero};
@@ -6,22 +6,22 @@ use tautline_scalar::Interval;
 
 /// Enclosures of a symmetric matrix `S(x)` on a box.
 pub(crate) struct Enclosed {
-    /// `S` at the midpoint of the box.
+    /// Enclosure of `S` at the midpoint of the box.
     pub(crate) centre: DMatrix<Interval>,
-    /// `S` on all of the box.
+    /// Enclosure of `S` on the whole box.
     pub(crate) value: DMatrix<Interval>,
-    /// `∂ₖ S` on all of the box.
+    /// Enclosures of `∂ₖ S` on the whole box.
     pub(crate) slopes: Vec<DMatrix<Interval>>,
-    /// `xₖ − mₖ`, for `x` in the box and its midpoint `m`, in `ℓ`.
+    /// Enclosures of `xₖ − mₖ` for `x` in the box, with midpoint `m`, in `ℓ`.
     pub(crate) offsets: Vec<Interval>,
 }
 
-/// Returns an upper bound of the largest eigenvalue of `S(x)` for all `x` in the box; `∞` or NaN if
+/// Returns an upper bound on the largest eigenvalue of `S(x)` for all `x` in the box; `∞` or NaN if
 /// there is none.
 ///
-/// Let `Q` be the eigenvectors of the midpoint of the centre, computed in doubles. Then
-/// `B = Qᵀ S Q` is nearly diagonal; where the eigenvalues are simple, its off-diagonal entries
-/// affect them to second order in the size of the box. Two enclosures of `B` are intersected: the
+/// Let `Q` contain the eigenvectors of the midpoint of the centre, computed in doubles. Then
+/// `B = Qᵀ S Q` is nearly diagonal. If the eigenvalues are simple, the off-diagonal entries affect
+/// them only to second order in the size of the box. Two enclosures of `B` are intersected: the
 /// mean value form `Qᵀ S(m) Q + Σ Qᵀ ∂ₖS Q (xₖ − mₖ)` and `Qᵀ S Q` itself. Then [`rayleigh`] bounds
 /// `zᵀBz / zᵀz`, and `yᵀSy / yᵀy = zᵀBz / zᵀQᵀQz` for `y = Qz`. The bound holds for any `Q`.
 pub(crate) fn largest_eigenvalue(s: &Enclosed) -> f64 {
@@ -36,7 +36,7 @@ pub(crate) fn largest_eigenvalue(s: &Enclosed) -> f64 {
         }
     }
     let plain = rotated(&s.value, &q);
-    // Both contain the true entries, so they meet unless one is undefined.
+    // Both enclosures contain the true entries, so they intersect unless one is undefined.
     let b = taylor.zip_map(&plain, |x, y| x.intersection(y).unwrap_or(Interval::UNDEFINED));
     let bound = rayleigh(&b);
     // QᵀQ is the identity up to rounding.
@@ -66,13 +66,13 @@ fn rotated(a: &DMatrix<Interval>, q: &DMatrix<f64>) -> DMatrix<Interval> {
     result
 }
 
-/// Returns an upper bound of `zᵀBz / zᵀz` for all symmetric `B` within the entries; NaN if one of
-/// them is undefined.
+/// Returns an upper bound on `zᵀBz / zᵀz` for all symmetric `B` within the entries; NaN if an entry
+/// is undefined.
 ///
 /// The quotient is at most `|z|ᵀ C |z| / zᵀz`, where `Cᵢᵢ` is the upper end of `Bᵢᵢ` and `Cᵢⱼ` the
 /// largest `|Bᵢⱼ|`. The off-diagonal entries of `C` are not negative, so its largest eigenvalue is
-/// at most `maxᵢ Σⱼ Cᵢⱼ tⱼ / tᵢ` for any positive `t` (Collatz–Wielandt), with equality for its
-/// eigenvector: that is used for `t`, up to rounding.
+/// at most `maxᵢ Σⱼ Cᵢⱼ tⱼ / tᵢ` for any positive `t` (Collatz–Wielandt). Equality holds if `t` is
+/// the corresponding eigenvector, so the code takes this eigenvector for `t`, up to rounding.
 fn rayleigh(b: &DMatrix<Interval>) -> f64 {
     let n = b.nrows();
     let c =
@@ -92,7 +92,7 @@ fn rayleigh(b: &DMatrix<Interval>) -> f64 {
         .fold(f64::NEG_INFINITY, |most, row| if row > most || row.is_nan() { row } else { most })
 }
 
-/// Returns the eigenvalues and the eigenvectors of a symmetric matrix, up to rounding; `None` if an
+/// Returns the eigenvalues and eigenvectors of a symmetric matrix, up to rounding, or `None` if an
 /// entry is not finite.
 pub(crate) fn eigen(matrix: &DMatrix<f64>) -> Option<SymmetricEigen<f64, Dyn>> {
     let scale = matrix.amax();
@@ -102,7 +102,7 @@ pub(crate) fn eigen(matrix: &DMatrix<f64>) -> Option<SymmetricEigen<f64, Dyn>> {
     if scale == 0.0 {
         return Some(SymmetricEigen::new(matrix.clone()));
     }
-    // Scaled, so that no square over- or underflows.
+    // The matrix is scaled so that no square overflows or underflows.
     let mut eigen = SymmetricEigen::new(matrix / scale);
     eigen.eigenvalues *= scale;
     Some(eigen)
@@ -124,7 +124,7 @@ mod tests {
         eigen(matrix).expect("finite").eigenvalues.max()
     }
 
-    /// `S(x) = A + x B` for `|x| ≤ width`.
+    /// Returns enclosures of `S(x) = A + x B` for `|x| ≤ width`.
     fn linear(a: &DMatrix<f64>, b: &DMatrix<f64>, width: f64) -> Enclosed {
         let x = interval(-width, width);
         Enclosed {
@@ -152,7 +152,7 @@ mod tests {
             let bound = largest_eigenvalue(&linear(&a, &b, width));
             for step in -4..=4 {
                 let eigenvalue = top(&(&a + &b * (width * f64::from(step) / 4.0)));
-                // The eigenvalue itself is rounded, by some ε of the matrix.
+                // The computed eigenvalue is itself rounded, by a few ε of the matrix.
                 prop_assert!(eigenvalue <= bound + 1e-14 * scale, "{eigenvalue} > {bound}");
             }
         }
@@ -167,16 +167,16 @@ mod tests {
             largest_eigenvalue(&linear(&a, &b, width)) - most.fold(f64::MIN, f64::max)
         };
         let [coarse, fine] = [0.04, 0.004].map(excess);
-        // Measured: 1.5e-3 and 1.6e-5; 100 times less in a box ten times smaller.
+        // Measured: 1.5e-3 and 1.6e-5, thus 100 times less in a box ten times smaller.
         assert!(fine > 0.0 && fine < 0.015 * coarse, "{coarse:e} {fine:e}");
-        // And exact, up to rounding, at a point.
+        // At a point the bound is exact, up to rounding.
         let at_a_point = largest_eigenvalue(&linear(&a, &b, 0.0)) / top(&a) - 1.0;
         assert!((0.0..1e-14).contains(&at_a_point), "{at_a_point:e}");
     }
 
-    /// Dyadic matrices with exactly known eigenvalues, by reflections along `(±1, ±1, ±1, ±1)`: the
-    /// bound is not below the largest, not even by a rounding, though the eigenvectors in use are
-    /// orthonormal only up to rounding.
+    /// Dyadic matrices whose eigenvalues are known exactly, made by reflections along
+    /// `(±1, ±1, ±1, ±1)`. The bound is never below the largest eigenvalue, not even by a rounding
+    /// error, although the eigenvectors in use are orthonormal only up to rounding.
     #[test]
     fn no_bound_is_below_an_eigenvalue_that_is_known_exactly() {
         let reflection = |signs: u32| {
@@ -194,7 +194,7 @@ mod tests {
             let most = eigenvalues.iter().copied().fold(f64::MIN, f64::max) * scale;
             let size = eigenvalues.iter().fold(0.0_f64, |size, x| size.max(x.abs())) * scale;
             let bound = largest_eigenvalue(&linear(&a, &a, 0.0));
-            // The margin is for double eigenvalues, which have no unique eigenvector.
+            // The margin allows for double eigenvalues, which have no unique eigenvector.
             assert!(most <= bound && bound <= most + 1e-6 * size, "{case}: {most} {bound}");
         }
     }
@@ -208,7 +208,8 @@ mod tests {
 
     #[test]
     fn the_bound_of_an_interval_matrix_is_attained() {
-        // A 2 × 2 matrix attains it with the upper ends and the largest off-diagonal entry.
+        // The 2 × 2 matrix with the upper ends and the largest off-diagonal entry attains the
+        // bound.
         let b = dmatrix![interval(0.0, 1.0), interval(-2.0, 0.5); interval(-2.0, 0.5), interval(-1.0, 2.0)];
         let exact = 1.5 + 4.25_f64.sqrt();
         let bound = rayleigh(&b);

@@ -9,15 +9,15 @@ use super::{
     spectral::{Spectral, form, square},
 };
 
-/// Which eigenvalue.
+/// Which eigenvalue is wanted.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum End {
     Least,
     Greatest,
 }
 
-/// The greatest eigenvalue of `H(x)`, at most `c₂`; or `−λ` for the least eigenvalue `λ`, at most
-/// `−c₁`.
+/// The greatest eigenvalue of `H(x)`, which is at most `c₂`; or `−λ` for the least eigenvalue `λ`,
+/// which is at most `−c₁`.
 pub(super) struct Eigenvalue<'a, const D: usize>(pub(super) Gram<'a, D>, pub(super) End);
 
 impl<const D: usize> Spectral<D> for Eigenvalue<'_, D> {
@@ -41,7 +41,7 @@ impl<const D: usize> Spectral<D> for Eigenvalue<'_, D> {
         })
     }
 
-    /// A bound of the eigenvalue itself: from above of the least, from below of the greatest.
+    /// Returns an upper bound on the least eigenvalue itself, or a lower bound on the greatest.
     fn witness(&self, x: &SVector<f64, D>) -> f64 {
         match self.1 {
             End::Least => quotient(self.0, x, |eigenvalues| eigenvalues.imin()).hi(),
@@ -49,21 +49,21 @@ impl<const D: usize> Spectral<D> for Eigenvalue<'_, D> {
         }
     }
 
-    /// Also where a least eigenvalue is certainly not positive.
+    /// Also true if the least eigenvalue is certainly not positive.
     fn is_refuted(&self, x: &SVector<f64, D>, value: f64) -> bool {
         let is_indefinite = || self.1 == End::Least && value >= 0.0 && self.witness(x) <= 0.0;
         is_indefinite() || (value.is_nan() && self.0.is_undefined(x))
     }
 }
 
-/// `H(x)`; `φ(x)` alone if `H = φ I`.
+/// Returns `H(x)`, or `φ(x)` alone if `H = φ I`.
 fn block<T: Scalar, const D: usize>(gram: Gram<'_, D>, x: &SVector<T, D>) -> DMatrix<T> {
     let h = gram.at(x);
     if gram.isotropic { h.view((0, 0), (1, 1)).into_owned() } else { h }
 }
 
-/// Rayleigh's quotient `uᵀHu / uᵀu`, enclosed, for an eigenvector `u` up to rounding. Any `u` gives
-/// a number between the least and the greatest eigenvalue.
+/// Encloses the Rayleigh quotient `uᵀHu / uᵀu` for `u`, an eigenvector up to rounding. For any `u`
+/// the quotient lies between the least and the greatest eigenvalue.
 fn quotient<const D: usize>(
     gram: Gram<'_, D>,
     x: &SVector<f64, D>,

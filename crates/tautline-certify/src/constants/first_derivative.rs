@@ -10,29 +10,30 @@ use super::{
     spectral::{Direction, Spectral, TURNS, extreme, form, square, starts},
 };
 
-/// `‖DH(x)‖²`, or more. With `Aₖ = ∂ₖH` it is the largest value on unit vectors `u` of
+/// `‖DH(x)‖²`, or an upper bound on it. With `Aₖ = ∂ₖH`, it is the largest value over unit vectors
+/// `u` of
 ///
 /// `f(u) = Σₖ (uᵀAₖu)²`,
 ///
-/// a form of degree four. It is the quadratic form of `Σ aₖaₖᵀ` in the coordinates `zᵢᵢ = uᵢ²`,
-/// `zᵢⱼ = √2 uᵢuⱼ` for `i < j` of the matrix `uuᵀ`, which has norm 1. Symmetric matrices whose form
-/// vanishes on all these `z` may be added: multiples of
+/// a form of degree four. It is the quadratic form of `Σ aₖaₖᵀ` in the coordinates of the matrix
+/// `uuᵀ`, which has norm 1: `zᵢᵢ = uᵢ²`, and `zᵢⱼ = √2 uᵢuⱼ` for `i < j`. Symmetric matrices whose
+/// form vanishes on all these `z` may be added. These are the multiples of
 ///
 /// * `2 zᵢᵢ zⱼⱼ − zᵢⱼ²`, and
 /// * `2 zᵢᵢ zⱼₖ − √2 zᵢⱼ zᵢₖ`.
 ///
-/// For each choice the largest eigenvalue bounds `f`. The best choice is exact for `D ≤ 3`, since a
-/// nonnegative form of degree four in three variables is a sum of squares (Hilbert).
+/// For each choice, the largest eigenvalue bounds `f`. For `D ≤ 3` the best choice is exact, since
+/// a nonnegative form of degree four in three variables is a sum of squares (Hilbert).
 ///
 /// # The choice
 ///
 /// Let `f` have its maximum at `u = e₁`. The eigenvector must be `e₁₁`, so the other entries of its
-/// row must vanish: those at `(11, 1j)` do, as `u` is stationary, and those at `(11, jj)` and
-/// `(11, jk)` are made to. In two dimensions this is exact. In others all entries at `(ii, jj)` and
-/// `(ii, jk)` are made to vanish, a good start for subgradient steps. For any other `u` the
-/// coordinates are rotated.
+/// row must vanish. Those at `(11, 1j)` vanish because `u` is stationary; those at `(11, jj)` and
+/// `(11, jk)` are made to vanish. In two dimensions this is exact. In higher dimensions all entries
+/// at `(ii, jj)` and `(ii, jk)` are made to vanish, which is a good start for subgradient steps.
+/// For any other `u` the coordinates are rotated.
 ///
-/// For a multiple of the identity `‖DH‖² = |∇φ|²`.
+/// If `H` is a multiple of the identity, `‖DH‖² = |∇φ|²`.
 pub(super) struct FirstDerivative<'a, const D: usize>(pub(super) Gram<'a, D>);
 
 impl<const D: usize> Spectral<D> for FirstDerivative<'_, D> {
@@ -83,8 +84,8 @@ impl<const D: usize> Spectral<D> for FirstDerivative<'_, D> {
     }
 }
 
-/// Maximises `Σ vₖ uᵀAₖu` over unit vectors `v` and `u`, alternately: the best `u` is an
-/// eigenvector, the best `v` a normalized gradient.
+/// Maximises `Σ vₖ uᵀAₖu` over unit vectors `v` and `u`, alternately. For fixed `v` the best `u` is
+/// an eigenvector; for fixed `u` the best `v` is a normalized gradient.
 pub(super) fn direction<const D: usize>(a: &[SMatrix<f64, D, D>; D]) -> Option<Direction<D>> {
     let mut best: Option<Direction<D>> = None;
     for mut v in starts() {

@@ -1,4 +1,4 @@
-//! `Gram`: a metric with the derivatives of its Gram matrix, in any numbers.
+//! `Gram`: a metric with the derivatives of its Gram matrix, in any number type.
 
 use nalgebra::{DMatrix, SMatrix, SVector};
 use tautline_formula::{AnyMetric, Formula};
@@ -7,11 +7,11 @@ use tautline_scalar::{Interval, Jet1, Jet2, Scalar};
 
 use crate::formula::is_isotropic;
 
-/// A metric with what its formula shows.
+/// A metric, together with what its formula shows.
 #[derive(Clone, Copy)]
 pub(super) struct Gram<'a, const D: usize> {
     metric: &'a AnyMetric<'a, D>,
-    /// Whether `H = φ I`.
+    /// Whether the formula shows that `H = φ I`.
     pub(super) isotropic: bool,
 }
 
@@ -42,7 +42,7 @@ impl<'a, const D: usize> Gram<'a, D> {
         })
     }
 
-    /// Returns whether the formula is not shown to be defined at `x`.
+    /// Returns whether the formula, evaluated in intervals, may be undefined at `x`.
     pub(super) fn is_undefined(&self, x: &SVector<f64, D>) -> bool {
         self.at(&x.map(Interval::point)).iter().any(|entry| entry.is_undefined())
     }

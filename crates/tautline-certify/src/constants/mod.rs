@@ -1,8 +1,8 @@
 //! The constants `c₁`, `c₂`, `L_H` and `M_H` of a metric, enclosed by branch and bound.
 //!
-//! Each is the maximum over the domain of the largest eigenvalue of some symmetric matrices made
-//! from `H` and its derivatives ([`spectral`]), or its negative or its root. On a box the
-//! eigenvalue is bounded by intervals ([`eigenvalue_bound`]).
+//! Each constant is the maximum over the domain of the largest eigenvalue of certain symmetric
+//! matrices made from `H` and its derivatives ([`spectral`]), or the negative or the root of this
+//! maximum. On a box, intervals bound the eigenvalue ([`eigenvalue_bound`]).
 
 mod biquadratic;
 mod certified_constants;
@@ -37,15 +37,15 @@ use crate::{
     branch_and_bound::{Maximum, maximise},
 };
 
-/// Bounds of a constant of a metric on a domain.
+/// Lower and upper bounds on a constant of a metric on a domain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CertifiedConstant<const D: usize> {
     /// A proved lower bound.
     pub lower: f64,
     /// A proved upper bound.
     pub upper: f64,
-    /// A point where the constant is nearly attained, in `ℓ`: one of the two bounds comes from
-    /// there.
+    /// A point where the constant is nearly attained, in `ℓ`. One of the two bounds comes from an
+    /// evaluation at this point.
     pub at: SVector<f64, D>,
     /// How many boxes were evaluated.
     pub boxes: usize,
@@ -58,7 +58,7 @@ impl<const D: usize> CertifiedConstant<D> {
         if self.lower == self.upper { 1.0 } else { self.upper / self.lower }
     }
 
-    /// Returns whether `value` may be the constant.
+    /// Returns whether `value` lies between the bounds, so that it may be the constant.
     #[must_use]
     pub fn contains(&self, value: f64) -> bool {
         self.lower <= value && value <= self.upper
@@ -67,19 +67,23 @@ impl<const D: usize> CertifiedConstant<D> {
 
 /// Encloses a constant of `metric` on `domain`.
 ///
-/// Tight up to the tolerance for `c₁` and `c₂`, for multiples of the identity, and in one and two
-/// dimensions. Otherwise `L_H` and `M_H` are overestimated by factors of at most `√D` and `D`,
-/// usually a few percent; [`looseness`](CertifiedConstant::looseness) shows how much.
+/// The bounds agree to within the tolerance for `c₁` and `c₂`, for multiples of the identity, and
+/// in one and two dimensions. Otherwise `L_H` and `M_H` are overestimated by factors of at most
+/// `√D` and `D`, usually by a few percent; [`looseness`](CertifiedConstant::looseness) shows how
+/// much.
 ///
 /// The result does not depend on the number of threads.
 ///
 /// # Errors
 ///
-/// [`CertifyError::NoDimension`], [`CertifyError::NotATolerance`], [`CertifyError::NotRecorded`];
-/// [`CertifyError::NotPositiveDefinite`] with a point where that is certain;
-/// [`CertifyError::Undefined`] with a point where the formula, evaluated in intervals, may be
-/// undefined; [`CertifyError::BudgetSpent`] with the bounds so far if they are not within the
-/// tolerance, as for an infinite constant.
+/// * [`CertifyError::NoDimension`] if `D = 0`;
+/// * [`CertifyError::NotATolerance`] if the tolerance is not between 0 and 1;
+/// * [`CertifyError::NotRecorded`] if the formula cannot be recorded;
+/// * [`CertifyError::NotPositiveDefinite`] with a point where the metric is certainly not so;
+/// * [`CertifyError::Undefined`] with a point where the formula, evaluated in intervals, may be
+///   undefined;
+/// * [`CertifyError::BudgetSpent`] with the bounds so far if they are not within the tolerance,
+///   which is always the case for an infinite constant.
 pub fn certify<const D: usize>(
     metric: &impl Metric<D>,
     quantity: Quantity,
@@ -103,7 +107,7 @@ pub fn certify<const D: usize>(
             (found, witness, found.upper)
         }
         Quantity::LH => {
-            // The relative tolerance of the square is twice that of the root.
+            // The relative tolerance of a square is twice that of its root.
             let square = Accuracy { tolerance: 2.0 * accuracy.tolerance, ..accuracy };
             let (found, witness) = search(&FirstDerivative(gram), domain, square)?;
             (found, witness, Interval::point(found.upper.max(0.0)).sqrt().hi())
@@ -113,7 +117,7 @@ pub fn certify<const D: usize>(
             (found, witness, found.upper.max(0.0))
         }
     };
-    // NaN and infinity are not bounds.
+    // NaN and infinity do not count as bounds.
     let lower = if lower.is_finite() { lower } else { f64::NEG_INFINITY };
     let upper = if upper.is_finite() { upper } else { f64::INFINITY };
     let boxes = found.boxes;
@@ -125,14 +129,15 @@ pub fn certify<const D: usize>(
     }
 }
 
-/// Returns the result of a search, and the bound that its point proves.
+/// Returns the result of a search, and the bound proved at the point found.
 fn search<S: Spectral<D>, const D: usize>(
     function: &S,
     domain: &Domain<D>,
     accuracy: Accuracy,
 ) -> Result<(Maximum<D>, f64), CertifyError> {
     let found = maximise(&LargestEigenvalue(function), domain, accuracy);
-    // The derivative of a constant is 0, even if the constant is NaN.
+    // The formal derivative of a constant is 0, even if the constant is NaN, so the formula is
+    // checked.
     let undefined = found.at.filter(|x| function.gram().is_undefined(x));
     if let Some(x) = found.refuted.or(undefined) {
         let point = x.iter().copied().collect();

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// A constant of a metric, as in the theorems.
+/// One of the constants of a metric that the theorems use.
 #[derive(Clone, Copy, Debug, Eq, Hash, PartialEq)]
 pub enum Quantity {
     /// `c₁`, the least eigenvalue of `H`, in `m²/ℓ²`.
@@ -16,7 +16,7 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// All of them.
+    /// All four constants.
     pub const ALL: [Quantity; 4] = [Quantity::C1, Quantity::C2, Quantity::LH, Quantity::MH];
 }
 

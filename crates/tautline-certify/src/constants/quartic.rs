@@ -1,31 +1,31 @@
-//! Forms of degree four as quadratic forms, up to forms that vanish on squares.
+//! Forms of degree four, represented by quadratic forms up to forms that vanish on squares.
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 use tautline_scalar::Scalar;
 
 use super::{eigenvalue_bound::eigen, spectral::basis_with};
 
-/// How many subgradient steps at most.
+/// The maximal number of subgradient steps.
 const STEPS: usize = 20;
 
-/// The pairs `i ≤ j` in order: `(0, 0), (1, 1), …`, then `(0, 1), (0, 2), (1, 2), …`.
+/// Lists the pairs `i ≤ j`: `(0, 0), (1, 1), …`, then `(0, 1), (0, 2), (1, 2), …`.
 fn pairs(d: usize) -> impl Iterator<Item = (usize, usize)> {
     (0..d).map(|i| (i, i)).chain((0..d).flat_map(|j| (0..j).map(move |i| (i, j))))
 }
 
-/// The index of `i` and `j` among the pairs.
+/// Returns the index of `(i, j)` in the list of pairs.
 fn place(d: usize, i: usize, j: usize) -> usize {
     let (i, j) = (i.min(j), i.max(j));
     if i == j { i } else { d + j * (j - 1) / 2 + i }
 }
 
-/// The coordinates of a symmetric matrix: its diagonal, and `√2` times its other entries.
+/// The coordinates of a symmetric matrix: its diagonal entries, and `√2` times the other entries.
 fn coordinates<T: Scalar>(matrix: impl Fn(usize, usize) -> T, d: usize) -> Vec<T> {
     let root = T::constant(2.0).sqrt();
     pairs(d).map(|(i, j)| if i == j { matrix(i, i) } else { matrix(i, j) * root }).collect()
 }
 
-/// `Σ aₖaₖᵀ`.
+/// The matrix `Σ aₖaₖᵀ`.
 pub(super) fn flattened<T: Scalar, const D: usize>(a: &[SMatrix<T, D, D>; D]) -> DMatrix<T> {
     let vectors = a.map(|a| coordinates(|i, j| a[(i, j)], D));
     let n = vectors[0].len();
@@ -41,12 +41,12 @@ pub(super) fn flattened<T: Scalar, const D: usize>(a: &[SMatrix<T, D, D>; D]) ->
     sum
 }
 
-/// A matrix whose form vanishes on all `uuᵀ`.
+/// A matrix whose quadratic form vanishes on all `uuᵀ`.
 #[derive(Clone)]
 pub(super) struct Vanishing<const D: usize> {
-    /// At `(i, j)`, `i < j`: the factor of `2 zᵢᵢ zⱼⱼ − zᵢⱼ²`.
+    /// At `(i, j)`, with `i < j`: the factor of `2 zᵢᵢ zⱼⱼ − zᵢⱼ²`.
     squares: SMatrix<f64, D, D>,
-    /// At `[i]` and `(j, k)`, `j < k`: the factor of `2 zᵢᵢ zⱼₖ − √2 zᵢⱼ zᵢₖ`.
+    /// At `[i]` and `(j, k)`, with `j < k`: the factor of `2 zᵢᵢ zⱼₖ − √2 zᵢⱼ zᵢₖ`.
     mixed: [SMatrix<f64, D, D>; D],
 }
 
@@ -64,9 +64,9 @@ impl<const D: usize> Vanishing<D> {
         }
     }
 
-    /// Good factors for a maximum at `u`, up to rounding.
+    /// Returns good factors for a form with its maximum at `u`, up to rounding.
     pub(super) fn for_maximum(a: &[SMatrix<f64, D, D>; D], u: &SVector<f64, D>) -> Self {
-        // In coordinates whose first axis is u.
+        // The matrices in coordinates whose first axis is u.
         let q = basis_with(u);
         let turned = a.map(|a| q.transpose() * a * q);
         let root = 2.0_f64.sqrt();
@@ -75,7 +75,7 @@ impl<const D: usize> Vanishing<D> {
             turned.iter().map(|a| a[(i, i)] * a[(j, k)] * weight).sum()
         };
         let there = Self::new(|i, j| -entry(i, j, j), |i, j, k| -entry(i, j, k));
-        // Rotated back: the factors are the entries at (ii, jj) and (ii, jk).
+        // The factors are the entries at (ii, jj) and (ii, jk), rotated back.
         let mut matrix = DMatrix::zeros(D * (D + 1) / 2, D * (D + 1) / 2);
         there.add_to(&mut matrix);
         let axis = |i: usize, j: usize| {
@@ -88,11 +88,11 @@ impl<const D: usize> Vanishing<D> {
         Self::new(|i, j| back(i, j, j), back)
     }
 
-    /// Returns factors with a smaller largest eigenvalue, if the maximum `goal` of the form leaves
-    /// room: no worse than no factors, which give at most `D` times the goal.
+    /// Returns factors with a smaller largest eigenvalue, if that exceeds the maximum `goal` of the
+    /// form. They are no worse than zero factors, for which it is at most `D` times the goal.
     ///
-    /// Polyak's subgradient method: steps along `wᵀNₘw`, for the eigenvector `w`, as long as a
-    /// linear function would need to reach the goal.
+    /// This is Polyak's subgradient method: it steps along `wᵀNₘw`, for the eigenvector `w`, and
+    /// each step is as long as a linear function would need to reach the goal.
     pub(super) fn improved(self, matrix: &DMatrix<f64>, goal: f64) -> Self {
         let none = Self { squares: SMatrix::zeros(), mixed: [SMatrix::zeros(); D] };
         let without = eigen(matrix).map_or(f64::INFINITY, |eigen| eigen.eigenvalues.max());
@@ -117,7 +117,7 @@ impl<const D: usize> Vanishing<D> {
         best
     }
 
-    /// The derivatives of `wᵀNw` by the factors.
+    /// The derivatives of `wᵀNw` with respect to the factors.
     fn slope(w: &DVector<f64>) -> Self {
         let z = |i, j| w[place(D, i, j)];
         Self::new(
@@ -183,13 +183,13 @@ mod tests {
             .prop_filter_map("a direction", |u: SVector<f64, D>| u.try_normalize(0.1))
     }
 
-    /// `Σ (uᵀAₖu)²`.
+    /// The form `Σ (uᵀAₖu)²`.
     fn quartic<const D: usize>(a: &[SMatrix<f64, D, D>; D], u: &SVector<f64, D>) -> f64 {
         a.iter().map(|a| form(|i, j| a[(i, j)], u).powi(2)).sum()
     }
 
-    /// A root taken in doubles would be off by a rounding, which no tolerance shows. √2 and √½ are
-    /// irrational, so no enclosure of them is a point.
+    /// A root taken in doubles would be off by a rounding error that no tolerance reveals. √2 and
+    /// √½ are irrational, so no enclosure of them is a point.
     #[test]
     fn over_intervals_the_roots_are_enclosed() {
         let beside = coordinates(|_, _| Interval::point(1.0), 2)[2];
@@ -198,13 +198,14 @@ mod tests {
         mixed[0][(1, 2)] = 1.0;
         let mut matrix = DMatrix::from_element(6, 6, Interval::point(0.0));
         Vanishing { squares: SMatrix::zeros(), mixed }.add_to(&mut matrix);
-        // At (11, 23) the factor itself, at (12, 13) −√½ of it.
+        // The entry at (11, 23) is the factor itself; the entry at (12, 13) is −√½ times the
+        // factor.
         let [whole, part] = [matrix[(0, 5)], matrix[(3, 4)]];
         assert_eq!(whole, Interval::point(1.0));
         assert!(part.lo() < part.hi() && part.hi() < 0.0, "{part:?}");
     }
 
-    /// The maximum found, and the largest eigenvalue with the chosen factors.
+    /// Returns the maximum found, and the largest eigenvalue with the chosen factors.
     fn bound<const D: usize>(a: &[SMatrix<f64, D, D>; D]) -> (f64, f64) {
         let found = direction(a).expect("finite");
         let goal = found.norm * found.norm;
@@ -214,8 +215,8 @@ mod tests {
         (goal, eigen(&sum).expect("finite").eigenvalues.max())
     }
 
-    /// The quadratic form in the coordinates of uuᵀ is the quartic; the added matrix changes
-    /// nothing.
+    /// In the coordinates of uuᵀ the quadratic form equals the quartic, and the added matrix
+    /// changes nothing.
     fn changes_nothing<const D: usize>(
         a: [SMatrix<f64, D, D>; D],
         b: [SMatrix<f64, D, D>; D],
@@ -229,7 +230,7 @@ mod tests {
             if changed {
                 Vanishing::for_maximum(&b, &w).add_to(&mut sum);
             }
-            // Some tens of roundings of numbers up to D³.
+            // The tolerance covers some tens of roundings of numbers up to D³.
             let difference = (z.transpose() * &sum * &z)[0] - quartic(&a, &u);
             prop_assert!(difference.abs() < 1e-13, "{difference:e}");
         }
@@ -261,7 +262,8 @@ mod tests {
 
         #[test]
         fn the_bound_is_the_norm_in_the_plane(a in matrices::<2>()) {
-            // By brute force: u at ten thousand angles, then the parabola through three of them.
+            // Brute force evaluates u at ten thousand angles, then fits the parabola through three
+            // of them.
             let at = |step: f64| {
                 let (sin, cos) = (step * std::f64::consts::PI / 1e4).sin_cos();
                 quartic(&a, &SVector::from([cos, sin]))
@@ -276,7 +278,7 @@ mod tests {
                 "{most} {bound}");
         }
 
-        /// A multiple of the identity, without the shortcut.
+        /// The form of a multiple of the identity, without the shortcut for this case.
         #[test]
         fn the_bound_is_the_norm_for_multiples_of_the_identity(g in unit::<3>()) {
             let a = std::array::from_fn(|k| SMatrix::<f64, 3, 3>::identity() * g[k]);
@@ -285,8 +287,8 @@ mod tests {
         }
     }
 
-    /// The best factors would be exact by Hilbert's theorem. Measured overestimation: 0.02 % in the
-    /// mean, 1 % at most; without factors 43 % in the mean.
+    /// By Hilbert's theorem the best factors would be exact. The measured overestimation is 0.02 %
+    /// on average and at most 1 %; without factors it is 43 % on average.
     #[test]
     fn the_bound_is_nearly_the_norm_in_space() {
         const CASES: u32 = 512;

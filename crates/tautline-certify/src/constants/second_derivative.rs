@@ -10,31 +10,33 @@ use super::{
     spectral::{Direction, Spectral, TURNS, form, greatest, square, starts},
 };
 
-/// `‖D²H(x)‖`, or more: the largest `|Σ vₖ vₗ uᵀ∂ₖ∂ₗH u|` over unit vectors `u` and `v`. (For a
-/// symmetric bilinear form two different vectors in place of `v` give no more.)
+/// `‖D²H(x)‖`, or an upper bound on it: the largest `|Σ vₖ vₗ uᵀ∂ₖ∂ₗH u|` over unit vectors `u` and
+/// `v`. (`D²H` is a symmetric bilinear form, so two different vectors in place of `v` give no
+/// larger value.)
 ///
-/// The sum is the form of the `D² × D²` matrix `B`, with the entry `∂ₖ∂ₗHᵢⱼ` at `(k, i), (l, j)`,
-/// at the vector `v ⊗ u`, so it lies between the least and the largest eigenvalue of `B`. Multiples
-/// of
+/// The sum is the value at the vector `v ⊗ u` of the form of the `D² × D²` matrix `B`, with the
+/// entry `∂ₖ∂ₗHᵢⱼ` at `(k, i), (l, j)`. It therefore lies between the least and the largest
+/// eigenvalue of `B`. Multiples of
 ///
 /// `2 zₖᵢ zₗⱼ − 2 zₖⱼ zₗᵢ`, `k < l`, `i < j`,
 ///
-/// which vanishes at `z = v ⊗ u`, may be added, different ones for the two eigenvalues.
+/// vanish at `z = v ⊗ u`. They may be added to `B`, and different ones for each of the two
+/// eigenvalues.
 ///
 /// # The choice
 ///
 /// Let the form have its maximum at `v = u = e₁`. The eigenvector must be `e₁ ⊗ e₁`, so the other
-/// entries of its row must vanish: those at `(1, 1), (1, j)` and `(1, 1), (l, 1)` do, as `u` and
-/// `v` are stationary, and those at `(1, 1), (l, j)` are made to. For any other `u` and `v` the
-/// coordinates are rotated. In two dimensions this is exact: a nonnegative biquadratic form in two
-/// times two variables is a sum of squares (Calderón), and one that vanishes at `e₁ ⊗ e₁` has zeros
-/// in that row.
+/// entries of its row must vanish. Those at `(1, 1), (1, j)` and `(1, 1), (l, 1)` vanish because
+/// `u` and `v` are stationary; those at `(1, 1), (l, j)` are made to vanish. For any other `u` and
+/// `v` the coordinates are rotated. In two dimensions this is exact: a nonnegative biquadratic form
+/// in two by two variables is a sum of squares (Calderón), and one that vanishes at `e₁ ⊗ e₁` has
+/// zeros in that row.
 ///
-/// For a multiple of the identity `‖D²H‖ = ‖D²φ‖`.
+/// If `H` is a multiple of the identity, `‖D²H‖ = ‖D²φ‖`.
 pub(super) struct SecondDerivative<'a, const D: usize>(pub(super) Gram<'a, D>);
 
 impl<const D: usize> Spectral<D> for SecondDerivative<'_, D> {
-    /// What is added to `B`, and to `−B`.
+    /// The matrices added to `B` and to `−B`.
     type Choice = [Option<Vanishing<D>>; 2];
 
     fn gram(&self) -> Gram<'_, D> {
@@ -49,7 +51,8 @@ impl<const D: usize> Spectral<D> for SecondDerivative<'_, D> {
         [1.0, -1.0].map(|sign| {
             let b = b.map(|row| row.map(|matrix| matrix * sign));
             let vanishing = Vanishing::for_maximum(&b, &maximum(&b)?);
-            // Adding nothing overestimates by at most D, and may be better.
+            // Even without an added matrix the bound is too large by a factor of at most D, and it
+            // may be smaller than with one.
             let plain = flattened(&b);
             let mut added = plain.clone();
             vanishing.add_to(&mut added);

@@ -14,10 +14,10 @@ use crate::{
     branch_and_bound::{Bound, Bounded},
 };
 
-/// The largest eigenvalue of some symmetric matrices `S(x)`: its maximum is one of the constants of
-/// a metric, its negative or its square, or bounds that from above.
+/// The largest eigenvalue of certain symmetric matrices `S(x)`. Its maximum is a constant of a
+/// metric, or the negative or the square of a constant, or an upper bound on one of these.
 pub(super) trait Spectral<const D: usize>: Sync {
-    /// A free parameter for each box: the matrices bound the constant for any choice.
+    /// A free parameter for each box: for any choice, the matrices bound the constant.
     type Choice;
 
     /// Returns the metric.
@@ -29,21 +29,22 @@ pub(super) trait Spectral<const D: usize>: Sync {
     /// Returns the matrices, all of the same size.
     fn matrices<T: Scalar>(&self, x: &SVector<T, D>, choice: &Self::Choice) -> Vec<DMatrix<T>>;
 
-    /// Returns the wanted number at `x`, in the unit of the eigenvalue, up to rounding.
+    /// Returns the exact quantity at `x`, up to rounding, in the unit of the eigenvalue.
     fn wanted(&self, x: &SVector<f64, D>) -> f64;
 
-    /// Returns a proved lower bound of the wanted number at `x`, in the unit of the constant; an
-    /// upper bound if the constant is an infimum. Tight up to rounding; NaN if there is none.
+    /// Returns a proved lower bound on the exact quantity at `x`, in the unit of the constant, or
+    /// an upper bound if the constant is an infimum. It is tight up to rounding, and NaN if there
+    /// is none.
     fn witness(&self, x: &SVector<f64, D>) -> f64;
 
-    /// Returns whether this is certainly not a metric at `x`, where the largest eigenvalue is
+    /// Returns whether `H(x)` is certainly not positive definite, given that the largest eigenvalue is
     /// `value`.
     fn is_refuted(&self, x: &SVector<f64, D>, value: f64) -> bool {
         value.is_nan() && self.gram().is_undefined(x)
     }
 }
 
-/// The largest eigenvalue as a function to be bounded.
+/// The largest eigenvalue, as a function that can be bounded on boxes.
 pub(super) struct LargestEigenvalue<'a, S>(pub(super) &'a S);
 
 impl<S: Spectral<D>, const D: usize> Bounded<D> for LargestEigenvalue<'_, S> {
@@ -72,7 +73,7 @@ impl<S: Spectral<D>, const D: usize> Bounded<D> for LargestEigenvalue<'_, S> {
                 break;
             }
         }
-        // If a derivative has no bound, or none matters, the widest side is cut.
+        // If a derivative has no bound, or if all of them vanish, the widest side is cut.
         if !influence.iter().sum::<f64>().is_finite() || influence.iter().all(|i| *i == 0.0) {
             influence = std::array::from_fn(|k| sides[k].width());
         }
@@ -96,7 +97,7 @@ impl<S: Spectral<D>, const D: usize> Bounded<D> for LargestEigenvalue<'_, S> {
     }
 }
 
-/// Unit vectors `u` and `v` where a form in both is large, and its absolute value there, up to
+/// Unit vectors `u` and `v` at which a form in both is large, and its absolute value there, up to
 /// rounding.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Direction<const D: usize> {
@@ -124,16 +125,16 @@ pub(super) fn square<const D: usize>(u: &SVector<f64, D>) -> Interval {
     u.iter().fold(Interval::zero(), |sum, &u| sum + Interval::point(u).sqr())
 }
 
-/// Returns the eigenvalue of a symmetric matrix of largest absolute value, as that, and its
-/// eigenvector, up to rounding; `None` if an entry is not finite.
+/// Returns the largest absolute value of an eigenvalue of a symmetric matrix, and an eigenvector
+/// for it, up to rounding; `None` if an entry is not finite.
 pub(super) fn extreme<const D: usize>(
     entry: impl Fn(usize, usize) -> f64,
 ) -> Option<(f64, SVector<f64, D>)> {
     eigenvector(entry, |eigenvalues| eigenvalues.iamax()).map(|(value, u)| (value.abs(), u))
 }
 
-/// Returns the largest eigenvalue of a symmetric matrix and its eigenvector, up to rounding; `None`
-/// if an entry is not finite.
+/// Returns the largest eigenvalue of a symmetric matrix and its eigenvector, up to rounding, or
+/// `None` if an entry is not finite.
 pub(super) fn greatest<const D: usize>(
     entry: impl Fn(usize, usize) -> f64,
 ) -> Option<(f64, SVector<f64, D>)> {
@@ -150,21 +151,22 @@ fn eigenvector<const D: usize>(
     Some((eigen.eigenvalues[index], SVector::from_fn(|i, _| vector[i])))
 }
 
-/// Returns an orthogonal matrix with the unit vector `u` as first column, up to rounding: the
-/// reflection that swaps `u` with ± the first axis, with the sign that avoids cancellation.
+/// Returns an orthogonal matrix whose first column is the unit vector `u`, up to rounding. It is
+/// made from the reflection that swaps `u` with ± the first axis, with the sign that avoids
+/// cancellation.
 pub(super) fn basis_with<const D: usize>(u: &SVector<f64, D>) -> SMatrix<f64, D, D> {
     let mut w = *u;
     let sign = if u[0] < 0.0 { -1.0 } else { 1.0 };
     w[0] += sign;
     let mut reflection = SMatrix::identity() - w * w.transpose() * (2.0 / w.norm_squared());
-    // It takes the first axis to −sign · u.
+    // The reflection takes the first axis to −sign · u.
     for i in 0..D {
         reflection[(i, 0)] *= -sign;
     }
     reflection
 }
 
-/// Starting vectors for the maximisation of forms: the axes and the bisectors of any two.
+/// Starting vectors for maximising forms: the axes, and the bisectors of any two axes.
 pub(super) fn starts<const D: usize>() -> impl Iterator<Item = SVector<f64, D>> {
     let axis = |i: usize| SVector::<f64, D>::from_fn(|k, _| if k == i { 1.0 } else { 0.0 });
     let bisectors = (0..D).flat_map(move |j| (0..j).flat_map(move |i| [(i, j, 1.0), (i, j, -1.0)]));
@@ -174,5 +176,5 @@ pub(super) fn starts<const D: usize>() -> impl Iterator<Item = SVector<f64, D>> 
     )
 }
 
-/// The most alternating steps.
+/// The maximal number of alternating steps.
 pub(super) const TURNS: usize = 40;

@@ -1,4 +1,4 @@
-//! Constants that are known in closed form, and metrics that have none.
+//! Constants that are known in closed form, and metrics without constants.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_formula::Formula;
@@ -30,8 +30,8 @@ fn the_constants_of_the_valleys_to_six_digits() {
     assert!(!constants.is_local() && constants.is_isotropic());
 }
 
-/// The second derivative of `φ = 20 − (2 − cos x₁)²` is largest with a positive sign, `6` at
-/// `π`; that of the valleys with a negative one.
+/// The second derivative of `φ = 20 − (2 − cos x₁)²` is largest in absolute value where it is
+/// positive: it is `6` at `π`. For the valleys it is largest where it is negative.
 #[test]
 fn a_second_derivative_counts_with_either_sign() {
     let ridges = parsed("20 - sqr(2 - cos(x1)) I");
@@ -55,7 +55,7 @@ fn a_ball_has_constants_where_space_has_none() {
     let ball = Domain::<2>::ball([0.0, 0.0], 0.5).expect("a radius");
     let accuracy = Accuracy { tolerance: 1e-3, budget: 100_000 };
     let proved = CertifiedConstants::new(&Hyperbolic, &ball, accuracy).expect("constants");
-    // 4 / (1 − r²)²: 4 at the centre and 64/9 at the rim, where its slope 16 r / (1 − r²)³ is
+    // φ = 4 / (1 − r²)² is 4 at the centre and 64/9 at the rim, where its slope 16 r / (1 − r²)³ is
     // 512/27.
     for (found, exact) in
         [(proved.c1(), 4.0), (proved.c2(), 64.0 / 9.0), (proved.l_h(), 512.0 / 27.0)]
@@ -74,7 +74,7 @@ fn a_metric_that_is_not_defined_is_refused_with_the_point() {
         }
         other => panic!("{other:?}"),
     }
-    // Undefined to the left.
+    // The metric is undefined for negative x₁.
     let root = parsed::<2>("diag(sqrt(x1) + 1, 1)");
     let cell = Domain::cell(Cell::new([-1.0, 0.0], [3.0, 1.0]).expect("in order"));
     for quantity in Quantity::ALL {
@@ -85,7 +85,7 @@ fn a_metric_that_is_not_defined_is_refused_with_the_point() {
     }
 }
 
-/// It has finite derivatives everywhere, and is defined nowhere.
+/// The derivatives are finite everywhere, but the metric is defined nowhere.
 #[test]
 fn a_constant_that_is_not_a_number_is_refused_for_each_quantity() {
     let nowhere = parsed::<2>("cos(x1) + 2 + 0/0 I");
@@ -96,7 +96,7 @@ fn a_constant_that_is_not_a_number_is_refused_for_each_quantity() {
     }
 }
 
-/// Indefinite where `|a x₁| > 1`.
+/// A metric that is indefinite where `|a x₁| > 1`.
 fn leaning(a: f64) -> Formula<2> {
     Formula::parse("[1, x1*a; x1*a, 1]", &[("a", a)]).expect("a formula")
 }
@@ -113,7 +113,7 @@ fn an_indefinite_metric_is_refused_with_a_point() {
     }
     let least = certify(&leaning(0.999), Quantity::C1, &cell, Accuracy::default());
     assert!(least.as_ref().is_ok_and(|c1| c1.contains(1.0 - 0.999)), "{least:?}");
-    // Just singular: neither positive nor indefinite, and no end of cutting.
+    // The matrix is just singular, neither positive nor indefinite, so the cutting never ends.
     let accuracy = Accuracy { budget: 1000, ..Accuracy::default() };
     match certify(&leaning(1.0), Quantity::C1, &cell, accuracy) {
         Err(CertifyError::BudgetSpent { lower, upper, .. }) => {
@@ -150,7 +150,7 @@ fn only_the_upper_triangle_is_read() {
     assert!(of("off").is_ok());
 }
 
-/// The domain of another metric represents only itself.
+/// The domain made for another metric represents only itself.
 #[test]
 fn constants_on_the_domain_of_another_metric_are_local() {
     let still = parsed("1 I");
