@@ -14,7 +14,7 @@ use crate::{
     formula::{Along, dependence, is_radial, superfluous},
 };
 
-/// A convex compact set on which constants are proved, and the scope on which they then hold.
+/// A convex compact set on which constants are proved, and the scope in which they then hold.
 ///
 /// On a convex set the largest `‖DH‖` is the Lipschitz constant of `H`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,25 +24,25 @@ pub struct Domain<const D: usize> {
     scope: Scope,
 }
 
-/// What a domain represents.
+/// What a domain represents: only itself, or all of space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Scope {
-    /// Itself.
+    /// Only itself.
     Region,
-    /// All of space: proved.
+    /// All of space, as proved.
     Space,
-    /// All of space: declared.
+    /// All of space, as declared.
     SettledSpace,
 }
 
 impl<const D: usize> Domain<D> {
     /// How far [`Domain::space`] reaches where a metric is neither constant nor periodic: `2¹⁰⁰ ℓ`.
     ///
-    /// Tenth powers of coordinates do not overflow there, and times the least double, which
-    /// replaces what underflows, they are negligible.
+    /// At this reach tenth powers of coordinates do not overflow. They remain negligible when
+    /// multiplied by the least double, which replaces what underflows.
     pub const REACH: f64 = f64::from_bits((1023 + 100) << 52);
 
-    /// Returns a box.
+    /// Returns the domain that consists of a box.
     #[must_use]
     pub fn cell(cell: Cell<D>) -> Self {
         Self { cell, ball: None, scope: Scope::Region }
@@ -52,14 +52,15 @@ impl<const D: usize> Domain<D> {
     ///
     /// # Errors
     ///
-    /// [`CertifyError::NotARadius`], [`CertifyError::NotASide`] for a centre that is not finite.
+    /// [`CertifyError::NotARadius`] if the radius is negative or not finite, and
+    /// [`CertifyError::NotASide`] if the centre is not finite.
     pub fn ball(centre: impl Into<SVector<f64, D>>, radius: f64) -> Result<Self, CertifyError> {
         let centre = centre.into();
         if !(radius >= 0.0 && radius.is_finite()) {
             return Err(CertifyError::NotARadius { radius });
         }
-        // One double farther, since the sums are rounded. Not for the radius 0: nothing is rounded,
-        // and a derivative may vanish at the centre only.
+        // The box reaches one double farther, since the sums are rounded. For radius 0 it does not:
+        // nothing is rounded, and a derivative may vanish at the centre only.
         let cell = if radius == 0.0 {
             Cell::new(centre, centre)?
         } else {
@@ -71,16 +72,16 @@ impl<const D: usize> Domain<D> {
         Ok(Self { cell, ball: Some((centre, radius)), scope: Scope::Region })
     }
 
-    /// Returns a box that represents all of `R^D`, as far as the formula of `metric` shows.
+    /// Returns a box that represents all of `R^D`, as far as the formula of `metric` shows this.
     ///
-    /// Its width is 0 along a coordinate that does not occur in the formula, or only in differences
-    /// with others, and along all but the first if the formula is a function of `|x|²` times the
-    /// identity. Along a coordinate in which the formula is periodic, it is one period, rounded up.
-    /// All this is read off the formula, not sampled: it follows sines, cosines and tangents of
-    /// linear functions with coefficients that are doubles with a common divisor. Along any other
-    /// coordinate the box reaches from `−2¹⁰⁰` to `2¹⁰⁰`, and
-    /// [`is_all_of_space`](Domain::is_all_of_space) is false: nothing is known beyond
-    /// [`REACH`](Domain::REACH).
+    /// The width is 0 along a coordinate that does not occur in the formula, or that occurs only in
+    /// differences with others. If the formula is a function of `|x|²` times the identity, the
+    /// width is 0 along all coordinates but the first. Along a coordinate in which the formula is
+    /// periodic, the width is one period, rounded up. All this is read off the formula, not
+    /// sampled. The periods found are those of sines, cosines and tangents of linear functions
+    /// whose coefficients are doubles with a common divisor. Along any other coordinate the box
+    /// reaches from `−2¹⁰⁰` to `2¹⁰⁰`, and [`is_all_of_space`](Domain::is_all_of_space) is false:
+    /// nothing is known beyond [`REACH`](Domain::REACH).
     ///
     /// ```
     /// use tautline_certify::Domain;
@@ -101,7 +102,7 @@ impl<const D: usize> Domain<D> {
         let along = along(metric);
         let sides = along.map(|along| match along {
             Along::Constant => Interval::zero(),
-            // 2π = 8 arctan 1, enclosed.
+            // 2π is enclosed as 8 arctan 1.
             Along::Periodic(wave_number) => {
                 let period = Interval::constant(1.0).atan() * 8.0 / wave_number;
                 Interval::zero().hull(period)
@@ -111,7 +112,7 @@ impl<const D: usize> Domain<D> {
         let whole = along.iter().all(|along| *along != Along::Unknown);
         let scope = if whole { Scope::Space } else { Scope::Region };
         let corner = |end: fn(Interval) -> f64| SVector::from(sides.map(end));
-        // The periods of the least wave numbers overflow.
+        // For the smallest wave numbers, the period overflows.
         let cell = Cell::new(corner(Interval::lo), corner(Interval::hi));
         match cell {
             Ok(cell) => Self { cell, ball: None, scope },
@@ -127,13 +128,13 @@ impl<const D: usize> Domain<D> {
     /// beyond [`REACH`](Domain::REACH) it is constant.
     ///
     /// Metrics with Gaussian or saturated parts are examples. The declaration is checked on the
-    /// last octave: for `R/2 ≤ |xₖ| ≤ R`, with the reach `R`, and all other coordinates within
-    /// [`space`](Domain::space), `R |∂H|` and `R² |∂²H|` are at most `10⁻⁹ Hᵢᵢ` in each entry.
+    /// last octave: for `R/2 ≤ |xₖ| ≤ R`, where `R` is the reach, and all other coordinates within
+    /// [`space`](Domain::space), `R |∂H|` and `R² |∂²H|` must be at most `10⁻⁹ Hᵢᵢ` in each entry.
     ///
     /// # Errors
     ///
     /// [`CertifyError::NotSettled`] with the coordinate along which the check fails;
-    /// [`CertifyError::NotRecorded`].
+    /// [`CertifyError::NotRecorded`] if the formula cannot be recorded.
     pub fn settled_space(metric: &impl Metric<D>) -> Result<Self, CertifyError> {
         let metric = &AnyMetric::new(metric);
         metric.formula().map_err(CertifyError::NotRecorded)?;
@@ -157,21 +158,21 @@ impl<const D: usize> Domain<D> {
         })
     }
 
-    /// Returns the bounding box; the domain itself unless it is a ball.
+    /// Returns the bounding box, which is the domain itself unless the domain is a ball.
     #[must_use]
     pub fn bounding_cell(&self) -> &Cell<D> {
         &self.cell
     }
 
-    /// Returns whether constants on the domain hold on all of `R^D`, for the metric that the domain
-    /// was made for: as its formula proves, or as you declared to
+    /// Returns whether constants on the domain hold on all of `R^D` for the metric that the domain
+    /// was made for, either because its formula proves it or because you declared it to
     /// [`settled_space`](Domain::settled_space).
     #[must_use]
     pub fn is_all_of_space(&self) -> bool {
         self.scope != Scope::Region
     }
 
-    /// Returns the same for any metric, whatever metric the domain was made for.
+    /// Returns the same for `metric`, which need not be the metric that the domain was made for.
     pub(crate) fn represents_space_for(&self, metric: &impl Metric<D>) -> bool {
         match self.scope {
             Scope::Region => false,
@@ -180,7 +181,7 @@ impl<const D: usize> Domain<D> {
         }
     }
 
-    /// Returns whether `cell` certainly misses the domain.
+    /// Returns whether `cell` certainly does not meet the domain.
     pub(crate) fn misses(&self, cell: &Cell<D>) -> bool {
         self.ball.is_some_and(|(centre, radius)| {
             let nearest = distance_squared(&cell.nearest(&centre), &centre);
@@ -188,7 +189,7 @@ impl<const D: usize> Domain<D> {
         })
     }
 
-    /// Returns a point of `cell` that certainly lies in the domain, its midpoint if possible.
+    /// Returns a point of `cell` that certainly lies in the domain, and the midpoint if that does.
     pub(crate) fn point_in(&self, cell: &Cell<D>) -> Option<SVector<f64, D>> {
         let middle = cell.midpoint();
         let Some((centre, radius)) = self.ball else { return Some(middle) };
@@ -198,19 +199,21 @@ impl<const D: usize> Domain<D> {
         if inside(&middle) {
             return Some(middle);
         }
-        // On the sphere or just inside, on the ray through the midpoint; then clamped to the cell.
+        // The point on the ray through the midpoint that lies on or just inside the sphere, then
+        // clamped to the cell.
         let away = middle - centre;
         let pulled = centre + away * (radius / away.norm() * (1.0 - 4.0 * f64::EPSILON));
         [cell.nearest(&pulled), cell.nearest(&centre)].into_iter().find(|x| inside(x))
     }
 }
 
-/// How the metric depends on each coordinate, up to motions that leave the constants unchanged.
+/// Returns how the metric depends on each coordinate, up to motions that leave the constants
+/// unchanged.
 fn along<const D: usize>(metric: &AnyMetric<'_, D>) -> [Along; D] {
     let Ok(formula) = metric.formula() else { return [Along::Unknown; D] };
     let mut along = dependence(formula);
     if is_radial(formula) {
-        // A ray: constants do not depend on the direction.
+        // A ray suffices: the constants do not depend on the direction.
         along.iter_mut().skip(1).for_each(|along| *along = Along::Constant);
     }
     for (along, superfluous) in along.iter_mut().zip(superfluous(formula)) {
@@ -221,8 +224,8 @@ fn along<const D: usize>(metric: &AnyMetric<'_, D>) -> [Along; D] {
     along
 }
 
-/// The largest of `R |∂ₖHᵢⱼ|` and `R² |∂ₖ∂ₗHᵢⱼ|` on a box, over the least diagonal entry, for the
-/// reach `R`.
+/// Returns the largest of `R |∂ₖHᵢⱼ|` and `R² |∂ₖ∂ₗHᵢⱼ|` on a box, divided by the least diagonal
+/// entry, where `R` is the reach.
 fn relative_change<const D: usize>(metric: &impl Metric<D>, sides: &[Interval; D]) -> f64 {
     let reach = Interval::point(Domain::<D>::REACH);
     let gram = metric.gram(&SVector::from(Jet2::variables(sides)));

@@ -1,12 +1,13 @@
-//! What intervals prove about a metric and a curve.
+//! Rigorous bounds, proved by intervals, for metrics and curves.
 //!
-//! Everything is computed from the formula of the metric alone, with outward rounding, and holds
-//! for all points of a box at once: nothing is sampled.
+//! Everything is computed from the formula of the metric alone, with outward rounding. The results
+//! hold for all points of a box at once: nothing is sampled.
 //!
-//! * The constants `c₁`, `c₂`, `L_H` and `M_H` on a box, a ball or all of space: [`certify`],
-//!   [`CertifiedConstants`]; as a metric that has them, [`Certified`] and [`LocallyCertified`].
-//! * The energy and the length of a polygon, [`Polygon`], and the bound it proves on the distance
-//!   between two sets, [`AdmissibleCurve`].
+//! * [`certify`] and [`CertifiedConstants`] bound the constants `c₁`, `c₂`, `L_H` and `M_H` on a
+//!   box, a ball or all of space. [`Certified`] and [`LocallyCertified`] are metrics with these
+//!   constants.
+//! * [`Polygon`] encloses the energy and the length of a polygon, and [`AdmissibleCurve`] bounds
+//!   the distance between two sets by them.
 //!
 //! ```
 //! use tautline_certify::{Domain, Accuracy, Quantity, certify};
@@ -28,12 +29,12 @@
 //!   the comments of the intervals;
 //! * the implementation of jets, of the theorems of Gershgorin and of Collatz and Wielandt, of
 //!   Taylor's formula and of the search;
-//! * the formula: it is the one you mean, with its decimals read as doubles, it does the same in
-//!   all number types, and it is recorded and evaluated as written;
+//! * the formula: it is the one you mean, with its decimals read as doubles; it computes the same
+//!   function in all number types; and it is recorded and evaluated as written;
 //! * your word, if you [declare a metric to settle](Domain::settled_space).
 //!
-//! Nothing computed in plain doubles is trusted: eigenvectors, choices and best points are guesses;
-//! a bad guess makes a bound useless, not wrong. No mathematical library, linear algebra or
+//! Nothing computed in plain doubles is trusted. Eigenvectors, choices and best points are guesses,
+//! and a bad guess makes a bound useless, not wrong. No mathematical library, linear algebra or
 //! optimiser is part of the trust base.
 
 mod accuracy;

@@ -6,8 +6,8 @@ use tautline_scalar::Scalar;
 
 use crate::{Accuracy, CertifiedConstants, Domain};
 
-/// A metric whose constants on a ball are proved from its formula on demand: the competitors of a
-/// computed line need only these, and the metric may have none on all of `R^D`.
+/// A metric whose constants on a ball are proved from its formula on demand. The competitors of a
+/// computed line need only these constants, and the metric may have none on all of `R^D`.
 ///
 /// ```
 /// use tautline_certify::{Accuracy, LocallyCertified};
@@ -25,7 +25,7 @@ pub struct LocallyCertified<M> {
 }
 
 impl<M> LocallyCertified<M> {
-    /// Wraps a metric, with the accuracy of the constants on each ball.
+    /// Wraps a metric, and sets the accuracy of the constants on each ball.
     #[must_use]
     pub fn new(metric: M, accuracy: Accuracy) -> Self {
         Self { metric, accuracy }
@@ -48,7 +48,7 @@ impl<M: Metric<D>, const D: usize> LocallyBounded<D> for LocallyCertified<M> {
     /// # Errors
     ///
     /// [`LocalError::NotProved`] with the reason: the metric is undefined or indefinite somewhere
-    /// on the ball, or the budget is spent.
+    /// on the ball, or the budget was spent.
     fn constants_within(
         &self,
         centre: &SVector<f64, D>,
@@ -58,7 +58,7 @@ impl<M: Metric<D>, const D: usize> LocallyBounded<D> for LocallyCertified<M> {
         let proved = Domain::ball(*centre, radius).and_then(|ball| {
             CertifiedConstants::new(&self.metric, &ball, self.accuracy)?.constants()
         });
-        // Only on the ball, even if the formula shows more.
+        // The constants hold only on the ball, even if the formula shows more.
         proved.map(Constants::on_a_region).map_err(|why| {
             let reason = why.to_string();
             LocalError::NotProved { radius, reason }
@@ -86,7 +86,8 @@ mod tests {
             let proved = LocallyCertified::new(metric, accuracy);
             let proved = proved.constants_within(&centre, radius).expect("proved");
             assert!(proved.is_local());
-            // Closed forms on balls off the origin may overestimate by more than the tolerance.
+            // For balls off the origin, the closed forms may overestimate by more than the
+            // tolerance.
             assert!(proved.c1() >= known.c1() * 0.99 && proved.c2() <= known.c2() * 1.01);
             assert!(proved.l_h() <= known.l_h() * 1.01, "{proved:?} {known:?}");
             let (Some(proved), Some(known)) = (proved.m_h(), known.m_h()) else { panic!("M_H") };
@@ -98,7 +99,7 @@ mod tests {
         check(GaussianFisher, [3.0, 0.5], 0.4);
     }
 
-    /// On all of the ball, not a little less.
+    /// The constants hold on all of the ball, not on a slightly smaller one.
     #[test]
     fn the_constants_hold_up_to_the_rim() {
         let (centre, accuracy) = (vector![0.0], Accuracy { tolerance: 1e-6, budget: 100_000 });
@@ -110,8 +111,8 @@ mod tests {
         assert!(within(proved.c1(), known.c1()), "{proved:?} {known:?}");
     }
 
-    /// The slope of the sphere vanishes at its pole and is positive a double farther. A point is a
-    /// ball, the first that competitors need.
+    /// The slope of the sphere vanishes at its pole and is positive one double farther. A point is
+    /// a ball too, and it is the first ball that competitors need.
     #[test]
     fn a_point_has_constants() {
         let proved = LocallyCertified::new(Sphere, Accuracy::default());
@@ -135,7 +136,7 @@ mod tests {
         assert_eq!(error, LocalError::NotARadius { radius: -1.0 });
     }
 
-    /// Intervals would follow one branch.
+    /// Intervals would follow only one branch.
     #[test]
     fn a_formula_with_branches_has_no_constants() {
         let proved = LocallyCertified::new(Branch, Accuracy::default());

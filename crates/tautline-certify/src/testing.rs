@@ -5,12 +5,12 @@ use tautline_formula::Formula;
 use tautline_metrics::Metric;
 use tautline_scalar::Scalar;
 
-/// The metric with this text.
+/// Returns the metric with this text.
 pub(crate) fn parsed<const D: usize>(text: &str) -> Formula<D> {
     Formula::parse(text, &[]).unwrap_or_else(|error| panic!("{text}: {error}"))
 }
 
-/// A ridge of height 100 that intervals never see: they are not equal to one half, so they follow
+/// A ridge of height 100 that intervals never see: they are never equal to one half, so they follow
 /// the other branch.
 pub(crate) struct Branch;
 

@@ -37,7 +37,7 @@ pub(super) trait Spectral<const D: usize>: Sync {
     /// is none.
     fn witness(&self, x: &SVector<f64, D>) -> f64;
 
-    /// Returns whether `H(x)` is certainly not positive definite, given that the largest eigenvalue is
+    /// Returns whether `H(x)` is certainly not that of a metric, given the largest eigenvalue
     /// `value`.
     fn is_refuted(&self, x: &SVector<f64, D>, value: f64) -> bool {
         value.is_nan() && self.gram().is_undefined(x)

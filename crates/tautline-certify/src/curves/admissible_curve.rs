@@ -1,4 +1,4 @@
-//! `AdmissibleCurve`: a curve between two sets, and the bound it proves on their distance.
+//! `AdmissibleCurve`: a curve between two sets, and the bound on their distance that it proves.
 
 use tautline_discretizations::PointSequence;
 use tautline_formula::RecordError;
@@ -9,7 +9,7 @@ use thiserror::Error;
 
 use super::{Polygon, polygon::NotEnclosed};
 
-/// A polygon that certainly runs from the first end set to the second, with its energy and length.
+/// A polygon that provably runs from the first end set to the second, with its energy and length.
 ///
 /// ```
 /// use tautline_certify::AdmissibleCurve;
@@ -35,7 +35,7 @@ pub struct AdmissibleCurve<'a, const D: usize> {
     length: Interval,
 }
 
-/// Why a point sequence bounds no distance.
+/// Why a point sequence yields no bound on the distance.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum CurveError {
@@ -47,34 +47,37 @@ pub enum CurveError {
     NoMember {
         /// Which end: `first` or `second`.
         end: &'static str,
-        /// The Euclidean distance of the curve's end to its projection to the set, in `ℓ`.
+        /// The Euclidean distance between the curve's end and its projection onto the set, in `ℓ`.
         distance: f64,
     },
-    /// The metric is undefined somewhere on a chord, or so nearly that 8192 parts cannot tell.
+    /// The metric is undefined somewhere on a chord, or so close to it that 8192 parts cannot
+    /// decide.
     #[error("the metric is undefined somewhere on chord {chord} of {chords}, counted from 0")]
     Undefined {
-        /// Which chord, from 0.
+        /// The index of the chord, from 0.
         chord: usize,
-        /// How many there are.
+        /// The number of chords.
         chords: usize,
     },
-    /// The formula of the metric cannot be recorded: it has branches, of which intervals would
-    /// follow one, or too many steps.
+    /// The formula of the metric cannot be recorded: it has too many steps, or it has branches, of
+    /// which intervals would follow only one.
     #[error("a formula that cannot be recorded proves nothing: {0}")]
     NotRecorded(#[source] RecordError),
 }
 
 impl<'a, const D: usize> AdmissibleCurve<'a, D> {
-    /// Replaces the ends of `sequence` by members of the two sets and encloses energy and length.
+    /// Replaces the ends of `sequence` by members of the two sets, and encloses the energy and
+    /// length.
     ///
-    /// An end that is proved to be a member stays. Otherwise the new end lies in a box of a few
-    /// roundings around the nearest point of the set. The sequence need not end near the set, but
-    /// the farther it does, the longer the curve becomes.
+    /// An end that provably belongs to its set stays. Otherwise the new end lies in a box, a few
+    /// roundings wide, around the nearest point of the set. The ends of the sequence may lie far
+    /// from the sets, but the farther they lie, the longer the curve becomes.
     ///
     /// # Errors
     ///
-    /// [`CurveError::NoMember`] if a set proves nothing, the default for your own sets;
-    /// [`CurveError::Undefined`]; [`CurveError::NotRecorded`].
+    /// [`CurveError::NoMember`] if a set cannot prove a member, which is the default for your own
+    /// sets; [`CurveError::Undefined`] if the metric is undefined somewhere on the curve;
+    /// [`CurveError::NotRecorded`] if its formula cannot be recorded.
     pub fn new(
         metric: &impl Metric<D>,
         sequence: &'a PointSequence<D>,
@@ -113,13 +116,13 @@ impl<'a, const D: usize> AdmissibleCurve<'a, D> {
         self.length
     }
 
-    /// Returns an upper bound of `d²`, the squared distance between the sets, in `m²`: the lesser
-    /// of the upper ends of the energy and of the squared length. `∞` if both overflow.
+    /// Returns an upper bound on `d²`, the squared distance between the sets, in `m²`. It is the
+    /// smaller of the upper ends of the energy and of the squared length, or `∞` if both overflow.
     ///
     /// Needs: only that the formula of the metric is the one you mean.
     ///
-    /// Overestimation: rounding, and the excess of the curve over a minimal geodesic. In real
-    /// numbers `L² ≤ E`, so the energy decides only if the length is enclosed less sharply.
+    /// Overestimation: rounding, and the excess of the curve over a minimal geodesic. In exact
+    /// arithmetic `L² ≤ E`, so the energy decides only if the length is enclosed less sharply.
     #[must_use]
     pub fn distance_squared_at_most(&self) -> f64 {
         self.energy.hi().min(self.length.sqr().hi())
@@ -138,7 +141,7 @@ mod tests {
     use super::{AdmissibleCurve, CurveError, Polygon};
     use crate::testing::Branch;
 
-    /// A set that proves nothing.
+    /// A set that never proves a member.
     #[derive(Debug)]
     struct Origin;
 
@@ -179,7 +182,7 @@ mod tests {
         assert_eq!(error, CurveError::Undefined { chord: 1, chords: 4 });
     }
 
-    /// Intervals would follow one branch.
+    /// Intervals would follow only one branch.
     #[test]
     fn a_formula_with_branches_encloses_nothing() {
         let ends = Ends::points([0.0], [1.0]).expect("finite");
@@ -193,7 +196,7 @@ mod tests {
         assert!(discrete.is_undefined(), "{discrete:?}");
     }
 
-    /// The ends of the sequence are not known to be members; those of the polygon are.
+    /// The ends of the sequence are not known to be members, but those of the polygon are.
     #[test]
     fn the_ends_are_moved_into_the_sets() {
         let sphere = Sphere::new([0.0, 0.0], 0.1).expect("finite");
@@ -205,20 +208,20 @@ mod tests {
         let first = curve.polygon().first();
         assert!((first[0].midpoint() - 0.06).abs() < 1e-16 && !first[0].contains(0.03));
         assert_eq!(curve.polygon().last(), &vector![3.0, 0.0].map(Interval::point));
-        // From 0.1 (0.6, 0.8) to (3, 0): (2.94² + 0.08²).
+        // The squared distance from 0.1 (0.6, 0.8) to (3, 0) is 2.94² + 0.08².
         let square = 2.94_f64 * 2.94 + 0.08 * 0.08;
         let bound = curve.distance_squared_at_most();
         assert!((bound / square - 1.0).abs() < 1e-14 && bound >= square * (1.0 - 1e-15));
-        // The distance of the sets is 2.9.
+        // The distance between the sets is 2.9.
         assert!(bound >= 2.9 * 2.9);
     }
 
-    /// The lesser of the two, rounded up.
+    /// The bound is the smaller of the two, rounded up.
     #[test]
     fn the_bound_is_not_below_the_square_of_the_length() {
         let euclidean = Constant::new(SMatrix::identity()).expect("definite");
         let ends = Ends::points([0.0, 0.0], [0.3, 0.0]).expect("finite");
-        // Unequal chords: the energy is 2 (0.01 + 0.04), the squared length 0.09.
+        // The chords are unequal: the energy is 2 (0.01 + 0.04), the squared length 0.09.
         let points = vec![vector![0.0, 0.0], vector![0.1, 0.0], vector![0.3, 0.0]];
         let curve = PointSequence::new(points).expect("finite");
         let curve = AdmissibleCurve::new(&euclidean, &curve, &ends).expect("proved");
@@ -229,25 +232,25 @@ mod tests {
         assert!(square.hi() <= bound && bound < 0.09 * (1.0 + 1e-14), "{bound}");
     }
 
-    /// On the line under `H = 1` the length of an increasing sequence is the difference of its
-    /// ends. No bound is below its exact square.
+    /// On the line, under `H = 1`, the length of an increasing sequence is the difference between
+    /// its ends. No bound is below the exact square of this length.
     #[test]
     fn no_rounding_puts_the_bound_below_the_square_of_the_length() {
         let euclidean = Constant::new(SMatrix::<f64, 1, 1>::identity()).expect("definite");
         for k in 1..200 {
             let far = 0.1 * f64::from(k);
-            // Unequal chords, so that the energy does not decide.
+            // The chords are unequal, so that the energy does not decide.
             let points = [0.0, 0.3 * far, far].map(|x| vector![x]).to_vec();
             let curve = PointSequence::new(points).expect("finite");
             let ends = Ends::points([0.0], [far]).expect("finite");
             let curve = AdmissibleCurve::new(&euclidean, &curve, &ends).expect("proved");
             let bound = curve.distance_squared_at_most();
-            // Rounded once, which keeps the sign.
+            // The difference is rounded once, which keeps its sign.
             assert!(far.mul_add(far, -bound) <= 0.0 && bound < far * far * (1.0 + 1e-14), "{far}");
         }
     }
 
-    /// In a ball that contains the point nothing moves it, and a constant curve has length zero.
+    /// If the point lies in the ball, it is not moved, and a constant curve has length zero.
     #[test]
     fn a_constant_curve_proves_distance_zero() {
         let ball = Ball::new([0.1, 0.2], 0.5).expect("finite");

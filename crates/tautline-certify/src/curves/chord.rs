@@ -8,17 +8,18 @@ use super::{pairwise_sum::PairwiseSum, taylor::Taylor};
 
 /// A panel with at most this relative width is not bisected.
 ///
-/// The widths of panels add up as their integrals do, so truncation widens the total by no more
-/// than this. The rounding of `N = 1000` chords comes to `10⁻¹⁴`.
+/// The relative width of the total does not exceed the largest relative width of a panel, so that
+/// truncation contributes at most this much. The rounding of `N = 1000` chords adds up to `10⁻¹⁴`.
 const TOLERANCE: f64 = 1e-12;
 
-/// The most bisections: at `2⁻⁴⁰` of the chord, rounding begins to matter.
+/// The largest number of bisections: at `2⁻⁴⁰` of the chord, rounding begins to matter.
 const DEPTH: u32 = 40;
 
-/// The most panels of a chord: enough for twelve bisections everywhere, or forty near a few points.
+/// The largest number of panels of a chord: enough for twelve bisections everywhere, or for forty
+/// near a few points.
 const PANELS: usize = 8192;
 
-/// The segment from `start` to `start + step`, or all segments with data in these boxes.
+/// The segment from `start` to `start + step`, or all segments whose data lie in these boxes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Chord<K, const D: usize> {
     start: SVector<Enclosure<K>, D>,
@@ -32,7 +33,8 @@ pub(super) struct Integrals<K> {
     pub(super) root: Enclosure<K>,
 }
 
-/// The part of a chord with `|s − centre| ≤ width/2`; both are dyadic fractions, hence exact.
+/// The part of a chord with `|s − centre| ≤ width/2`. Both numbers are dyadic fractions, hence
+/// exact.
 #[derive(Clone, Copy, Debug)]
 struct Panel {
     centre: f64,
@@ -44,14 +46,15 @@ impl<K: Kernel, const D: usize> Chord<K, D> {
         x: &SVector<Enclosure<K>, D>,
         y: &SVector<Enclosure<K>, D>,
     ) -> Chord<K, D> {
-        // As intervals, since the difference of doubles rounds.
+        // Intervals, since the difference of two doubles is rounded.
         Chord { start: *x, step: SVector::from_fn(|i, _| y[i] - x[i]) }
     }
 
-    /// The enclosures; undefined if the metric is, somewhere on the chord.
+    /// Returns the enclosures; they are undefined if the metric is undefined somewhere on the
+    /// chord.
     ///
-    /// Bisects all panels that are too wide at once, so that they end up equally long if the limit
-    /// is reached.
+    /// Each round bisects all panels that are too wide, so that they end up equally long if the
+    /// limit is reached.
     pub(super) fn integrals(&self, metric: &impl Metric<D>) -> Integrals<K> {
         let whole = Panel { centre: 0.5, width: 1.0 };
         let (integrals, done) = self.over(metric, whole);
@@ -79,14 +82,14 @@ impl<K: Kernel, const D: usize> Chord<K, D> {
                 }
             }
         }
-        // The rest is wide or undefined, but valid.
+        // The remaining panels are wide or undefined, but their enclosures are valid.
         wide.into_iter().for_each(|(_, integrals)| add(integrals));
         Integrals { square: squares.value(), root: roots.value() }
     }
 
-    /// `dᵀ H(x + s d) d` as a function of `u`, where `s = centre + width u`.
+    /// Returns `dᵀ H(x + s d) d` as a function of `u`, where `s = centre + width u`.
     ///
-    /// From the Gram matrix, since `norm_squared` takes a vector of doubles.
+    /// It uses the Gram matrix, since `norm_squared` takes a vector of doubles.
     fn square<const M: usize>(
         &self,
         metric: &impl Metric<D>,
@@ -102,25 +105,26 @@ impl<K: Kernel, const D: usize> Chord<K, D> {
         }))
     }
 
-    /// The value `dᵀ H(x + s d) d`; at `s = 0` nothing is added to `x`.
+    /// Returns the value `dᵀ H(x + s d) d`. At `s = 0` nothing is added to `x`.
     pub(super) fn square_at(&self, metric: &impl Metric<D>, fraction: f64) -> Enclosure<K> {
         let value: Taylor<_, 1> = self.square(metric, Enclosure::point(fraction), 0.0);
         nonnegative(value.coefficient(0))
     }
 
-    /// The integrals over a panel, and whether bisecting it would not help.
+    /// Returns the integrals over a panel, and whether there is no point in bisecting it.
     ///
-    /// With `g(u) = f(centre + width u)`, Taylor's formula at the midpoint has
+    /// With `g(u) = f(centre + width u)`, Taylor's formula at the midpoint gives
     ///
     /// ```text
     /// ∫ f ds = width ∫ g du = width (g₀(0) + g₂(0)/12 + g₄(ξ)/80),   |u| ≤ ½, |ξ| ≤ ½
     /// ```
     ///
-    /// in the coefficients `gₖ = g⁽ᵏ⁾/k!`: the odd ones cancel, and `∫ u² = 1/12`, `∫ u⁴ = 1/80`.
+    /// with the coefficients `gₖ = g⁽ᵏ⁾/k!`. The odd terms cancel, and `∫ u² = 1/12`,
+    /// `∫ u⁴ = 1/80`.
     fn over(&self, metric: &impl Metric<D>, panel: Panel) -> (Integrals<K>, bool) {
         let Panel { centre, width } = panel;
         let middle: Taylor<_, 3> = self.square(metric, Enclosure::point(centre), width);
-        // Undefined at one point, up to rounding: bisecting would not help.
+        // The metric is undefined at one point, up to rounding, so bisecting would not help.
         let value = nonnegative(middle.coefficient(0));
         if value.is_undefined() {
             return (Integrals::undefined(), true);
@@ -143,7 +147,7 @@ impl Panel {
     }
 }
 
-/// The mean of a function on a panel, given its range there and its coefficients.
+/// Encloses the mean of a function on a panel, given its range there and its coefficients.
 fn bound<K: Kernel>(
     range: Enclosure<K>,
     middle: &Taylor<Enclosure<K>, 3>,
@@ -157,15 +161,15 @@ fn bound<K: Kernel>(
     range.intersection(taylor).unwrap_or(Enclosure::UNDEFINED)
 }
 
-/// Whether a panel is narrow enough, or bisecting would not help: the value at its midpoint is as
-/// wide. False if undefined.
+/// Returns whether a panel is narrow enough, or bisecting would not help because the value at its
+/// midpoint is just as wide. Returns false if the panel is undefined.
 fn narrow<K: Kernel>(mean: Enclosure<K>, of_value: f64) -> bool {
     let width = mean.width();
     width <= TOLERANCE * mean.mignitude() || width <= 2.0 * of_value
 }
 
-/// The nonnegative part of an enclosure of `dᵀHd`; undefined if empty, since `H` is then not a
-/// metric.
+/// Returns the nonnegative part of an enclosure of `dᵀHd`. If this part is empty, `H` is not a
+/// metric, and the result is undefined.
 fn nonnegative<K: Kernel>(square: Enclosure<K>) -> Enclosure<K> {
     if square.hi() >= 0.0 {
         Enclosure::new(square.lo().max(0.0), square.hi()).unwrap_or(Enclosure::UNDEFINED)
@@ -197,8 +201,8 @@ mod tests {
 
     use super::Chord;
 
-    /// Where a box at an end makes the enclosure wide, bisecting would not help and is not tried;
-    /// where the metric varies too fast, bisecting ends.
+    /// If a box at an end makes the enclosure wide, bisecting would not help and is not tried. If
+    /// the metric varies too fast, bisecting stops.
     #[test]
     fn bisecting_stops_where_it_does_not_help() {
         struct Counted<M>(M, AtomicUsize);
@@ -213,7 +217,7 @@ mod tests {
         let counted = Counted(Valleys, AtomicUsize::new(0));
         let boxes = Chord::between(&from, &to.map(near)).integrals(&counted);
         assert!(boxes.square.is_finite());
-        // At the midpoint and on the whole chord.
+        // The metric is evaluated at the midpoint and on the whole chord.
         assert_eq!(counted.1.load(Relaxed), 2);
         let fast = Counted(EggCrate::new(1e-6, 1e6).expect("positive"), AtomicUsize::new(0));
         let energy = Chord::between(&from, &to.map(Interval::point)).integrals(&fast).square;

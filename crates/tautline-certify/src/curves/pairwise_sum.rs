@@ -4,12 +4,13 @@ use tautline_scalar::{Enclosure, Kernel};
 
 /// A running sum of intervals by pairwise summation.
 ///
-/// Each addition rounds outward by up to one unit in the last place of the current sum.
-/// Sequentially, `N` terms would widen the total by up to `N` units; pairwise, no term goes through
-/// more than `2 log₂ N` additions, and only the last few are of the size of the total.
+/// Each addition rounds outward by up to one unit in the last place of the current sum. Sequential
+/// summation of `N` terms would thus widen the total by up to `N` units. In pairwise summation each
+/// term takes part in at most `2 log₂ N` additions, and only the last few are of the size of the
+/// total.
 #[derive(Clone, Debug)]
 pub(super) struct PairwiseSum<K> {
-    /// The sum of `2ᵏ` terms at place `k`, where `count` has that binary digit.
+    /// The entry at place `k` is a sum of `2ᵏ` terms, where `count` has that binary digit.
     sums: Vec<Enclosure<K>>,
     count: usize,
 }
@@ -20,7 +21,7 @@ impl<K: Kernel> PairwiseSum<K> {
     }
 
     pub(super) fn add(&mut self, term: Enclosure<K>) {
-        // As in binary counting: each trailing one of the count carries.
+        // As in binary counting, each trailing one of the count produces a carry.
         let carries = self.count.trailing_ones();
         let sum = (0..carries).fold(term, |sum, _| self.sums.pop().map_or(sum, |s| s + sum));
         self.sums.push(sum);
@@ -46,7 +47,7 @@ mod tests {
         sum.value()
     }
 
-    /// Integers: nothing rounds, and no term is lost or taken twice.
+    /// With integers nothing is rounded, so a term that is lost or added twice would show.
     #[test]
     fn all_terms_are_added() {
         for n in 0..70_u32 {
@@ -57,12 +58,13 @@ mod tests {
 
     #[test]
     fn the_width_grows_like_the_logarithm() {
-        // Sums of 0.1 round.
+        // Sums of 0.1 are rounded.
         let n = 10_000;
         let terms = || (0..n).map(|_| Interval::point(0.1));
         let plain = terms().reduce(|a, b| a + b).expect("terms");
         let paired = sum(terms());
-        // The double 0.1 is 0.1 + 5.55e-18, so the sum is 1000 + 5.55e-14: between neighbours.
+        // The double 0.1 is 0.1 + 5.55e-18, so the sum is 1000 + 5.55e-14, which lies between
+        // neighbours.
         assert!(paired.contains(1000.0) && paired.contains(1000.0_f64.next_up()));
         assert!(plain.width() > 1e3 * 1000.0 * f64::EPSILON);
         assert!(paired.width() <= 14.0 * 1000.0 * f64::EPSILON, "{:e}", paired.width());

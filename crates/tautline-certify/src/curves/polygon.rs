@@ -1,4 +1,5 @@
-//! `Polygon`: the curve `γᵖˡ` through given points, with rigorous bounds on its energies.
+//! `Polygon`: the curve `γᵖˡ` through given points, with rigorous bounds on its energies and
+//! length.
 
 use nalgebra::SVector;
 use tautline_discretizations::{PointSequence, Rule};
@@ -8,11 +9,11 @@ use tautline_scalar::{Enclosure, Interval, Kernel, Rigorous};
 
 use super::{chord::Chord, pairwise_sum::PairwiseSum};
 
-/// The polygon `γᵖˡ` through the points of a sequence, taken as exact doubles; the first and the
-/// last may be boxes.
+/// The polygon `γᵖˡ` through the points of a sequence, which are taken as exact doubles. The first
+/// and the last point may be replaced by boxes.
 ///
-/// With boxes it represents all polygons with ends in them, and enclosures hold for each of these.
-/// `K` is the kernel of the intervals.
+/// With boxes it represents all polygons with ends in them, and the enclosures hold for each of
+/// these. `K` is the kernel of the intervals.
 ///
 /// ```
 /// use tautline_certify::Polygon;
@@ -37,11 +38,11 @@ pub struct Polygon<'a, const D: usize, K = Rigorous> {
 pub(super) enum NotEnclosed {
     /// The formula has branches or too many steps.
     NotRecorded(RecordError),
-    /// The metric is undefined somewhere on this chord, from 0.
+    /// The metric is undefined somewhere on this chord; chords are counted from 0.
     Undefined { chord: usize },
 }
 
-/// The point as a box.
+/// Returns the point as a box.
 fn point<K: Kernel, const D: usize>(x: &SVector<f64, D>) -> SVector<Enclosure<K>, D> {
     x.map(Enclosure::point)
 }
@@ -53,8 +54,8 @@ impl<'a, const D: usize> Polygon<'a, D> {
         Polygon { sequence, first: point(sequence.first()), last: point(sequence.last()) }
     }
 
-    /// Replaces the first and the last point by boxes, in `ℓ`. An undefined box makes every result
-    /// undefined.
+    /// Replaces the first and the last point by boxes, in `ℓ`. If a box is undefined, so is every
+    /// result.
     #[must_use]
     pub fn with_ends(self, first: SVector<Interval, D>, last: SVector<Interval, D>) -> Self {
         Polygon { first, last, ..self }
@@ -86,35 +87,36 @@ impl<'a, const D: usize, K: Kernel> Polygon<'a, D, K> {
 
     /// Encloses the continuous energy `E(γᵖˡ) = N Σ ∫₀¹ dᵀ H(x + s d) d ds`, in `m²`.
     ///
-    /// Undefined if the metric is undefined or gives a negative square anywhere on the curve, or if
-    /// its formula cannot be [recorded](tautline_formula::Formula::record): intervals would follow
-    /// one branch. Infinite where a number overflows. The lower end is never negative.
+    /// The result is undefined if the metric is undefined or gives a negative square anywhere on
+    /// the curve. It is also undefined if the formula cannot be
+    /// [recorded](tautline_formula::Formula::record), since intervals would follow only one branch.
+    /// It is infinite if a number overflows. The lower end is never negative.
     ///
-    /// Uses Taylor's formula at the midpoint of each chord, with the remainder of fourth order over
-    /// the whole chord; where that is too wide, the chord is bisected, into at most 8192 parts and
-    /// none shorter than `2⁻⁴⁰` of it. The time is linear in `N`. Where the metric is smooth on the
-    /// scale of a chord, the relative width is that of rounding, some `10⁻¹⁵` to `10⁻¹⁴`; it stays
-    /// below `10⁻¹²` as long as that many parts suffice.
+    /// The method is Taylor's formula at the midpoint of each chord, with the remainder of fourth
+    /// order over the whole chord. If the enclosure is too wide, the chord is bisected, into at
+    /// most 8192 parts, none shorter than `2⁻⁴⁰` of the chord. The time is linear in `N`. If the
+    /// metric is smooth on the scale of a chord, the relative width is that of rounding, about
+    /// `10⁻¹⁵` to `10⁻¹⁴`. It stays below `10⁻¹²` as long as 8192 parts suffice.
     #[must_use]
     pub fn energy(&self, metric: &impl Metric<D>) -> Enclosure<K> {
         self.energy_and_length(metric).0
     }
 
-    /// Encloses the length `L(γᵖˡ) = Σ ∫₀¹ (dᵀ H(x + s d) d)^{1/2} ds`, in `m`; see
-    /// [`energy`](Polygon::energy). Equal points have length zero.
+    /// Encloses the length `L(γᵖˡ) = Σ ∫₀¹ (dᵀ H(x + s d) d)^{1/2} ds`, in `m`, like
+    /// [`energy`](Polygon::energy). If all points are equal, the length is zero.
     #[must_use]
     pub fn length(&self, metric: &impl Metric<D>) -> Enclosure<K> {
         self.energy_and_length(metric).1
     }
 
-    /// Encloses both the [`energy`](Polygon::energy), in `m²`, and the
-    /// [`length`](Polygon::length), in `m`, in the time of one.
+    /// Encloses both the [`energy`](Polygon::energy), in `m²`, and the [`length`](Polygon::length),
+    /// in `m`, in the time that one of them takes.
     #[must_use]
     pub fn energy_and_length(&self, metric: &impl Metric<D>) -> (Enclosure<K>, Enclosure<K>) {
         self.enclosures(metric).unwrap_or((Enclosure::UNDEFINED, Enclosure::UNDEFINED))
     }
 
-    /// Energy and length, or why there are none.
+    /// Returns the energy and the length, or why they could not be enclosed.
     pub(super) fn enclosures(
         &self,
         metric: &impl Metric<D>,
@@ -135,8 +137,8 @@ impl<'a, const D: usize, K: Kernel> Polygon<'a, D, K> {
 
     /// Encloses the discrete energy `E_N = N Σ Σᵢ wᵢ dᵀ H(x + θᵢ d) d` of a rule, in `m²`.
     ///
-    /// The weights and fractions are the doubles of the rule. Undefined if the metric is undefined
-    /// at a node, or if its formula cannot be recorded.
+    /// The weights and fractions are the doubles of the rule. The result is undefined if the metric
+    /// is undefined at a node, or if its formula cannot be recorded.
     #[must_use]
     pub fn discrete_energy<R: Rule>(&self, _rule: R, metric: &impl Metric<D>) -> Enclosure<K> {
         let metric = AnyMetric::new(metric);
@@ -149,7 +151,7 @@ impl<'a, const D: usize, K: Kernel> Polygon<'a, D, K> {
         sum.value() * self.n()
     }
 
-    /// `N`, exact as a double.
+    /// Returns `N`, which is exact as a double.
     fn n(&self) -> f64 {
         self.sequence.n().get() as f64
     }

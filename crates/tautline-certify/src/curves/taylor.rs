@@ -1,4 +1,4 @@
-//! `Taylor`: a function of one variable, as the first coefficients of its power series.
+//! `Taylor`: a function of one variable, represented by the first coefficients of its power series.
 
 #[cfg(test)]
 mod tests;
@@ -10,15 +10,15 @@ use tautline_scalar::Scalar;
 
 /// The coefficients `aₖ = f⁽ᵏ⁾/k!`, `k < M`, of a function `f` of one variable.
 ///
-/// Over intervals the coefficients enclose those at every point of the variable's interval. Each
-/// operation is the recurrence of its differential equation, so a product costs `M (M + 1)/2`
-/// multiplications. A jet of a jet needs three times as many at order four, and its bounds are
-/// wider, since it computes mixed derivatives twice.
+/// Over intervals, the coefficients enclose the exact coefficients at every point of the variable's
+/// interval. Each operation uses the recurrence that follows from its differential equation, so a
+/// product costs `M (M + 1)/2` multiplications. A jet of a jet needs three times as many at order
+/// four, and its bounds are wider, since it computes mixed derivatives twice.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Taylor<T, const M: usize>([T; M]);
 
 impl<T: Scalar, const M: usize> Taylor<T, M> {
-    /// The function `value + slope u` at `u = 0`.
+    /// Returns the function `value + slope u` at `u = 0`.
     pub(super) fn line(value: T, slope: T) -> Self {
         let mut coefficients = [T::zero(); M];
         coefficients[0] = value;
@@ -28,7 +28,7 @@ impl<T: Scalar, const M: usize> Taylor<T, M> {
         Self(coefficients)
     }
 
-    /// A sum of terms with constant factors.
+    /// Returns the sum of the terms, each multiplied by its constant factor.
     pub(super) fn combination(terms: impl Iterator<Item = (Self, T)>) -> Self {
         let mut sum = Self::zero();
         for (term, factor) in terms {
@@ -39,7 +39,7 @@ impl<T: Scalar, const M: usize> Taylor<T, M> {
         sum
     }
 
-    /// `aₖ`.
+    /// Returns `aₖ`.
     pub(super) fn coefficient(&self, k: usize) -> T {
         self.0[k]
     }
@@ -48,7 +48,7 @@ impl<T: Scalar, const M: usize> Taylor<T, M> {
         Self::line(value, T::zero())
     }
 
-    /// The coefficients, each from those before it.
+    /// Computes each coefficient from those before it.
     fn recursive(first: T, next: impl Fn(usize, &[T; M]) -> T) -> Self {
         let mut b = [T::zero(); M];
         b[0] = first;
@@ -58,24 +58,26 @@ impl<T: Scalar, const M: usize> Taylor<T, M> {
         Self(b)
     }
 
-    /// `Σ aᵢ bₖ₋ᵢ` over `1 ≤ i ≤ k`.
+    /// Returns the sum of `aᵢ bₖ₋ᵢ` over `1 ≤ i ≤ k`.
     fn convolution(a: &[T; M], b: &[T; M], k: usize) -> T {
-        // Starts with the first term, here and below, to save an addition.
+        // Here and below, the sum starts with the first term, to save an addition.
         (2..=k).fold(a[1] * b[k - 1], |sum, i| sum + a[i] * b[k - i])
     }
 
-    /// `i aᵢ`, the coefficients of `u a′`.
+    /// Returns `i aᵢ`, the coefficients of `u a′`.
     fn slopes(a: &[T; M]) -> [T; M] {
         std::array::from_fn(|i| if i < 2 { a[i] } else { a[i] * i as f64 })
     }
 
-    /// The coefficient of `f` where `f′ = a′ w`, given the slopes of `a`: `(1/k) Σ i aᵢ wₖ₋ᵢ`.
+    /// Returns coefficient `k` of `f`, where `f′ = a′ w`, given the slopes of `a`:
+    /// `(1/k) Σ i aᵢ wₖ₋ᵢ`.
     fn integral(slopes: &[T; M], w: &[T; M], k: usize) -> T {
         let sum = Self::convolution(slopes, w, k);
         if k == 1 { sum } else { sum / k as f64 }
     }
 
-    /// The coefficient of `f²`, with squares as such: in intervals they are not negative.
+    /// Returns coefficient `k` of `f²`. Squares are taken with `sqr`, so that intervals of squares
+    /// are not negative.
     fn square(a: &[T; M], k: usize) -> T {
         if k == 0 {
             return a[0].sqr();
@@ -85,7 +87,7 @@ impl<T: Scalar, const M: usize> Taylor<T, M> {
         if k.is_multiple_of(2) { pairs + a[k / 2].sqr() } else { pairs }
     }
 
-    /// `f` and `g` with `f′ = a′ g` and `g′ = ± a′ f`, given their values.
+    /// Returns `f` and `g` with `f′ = a′ g` and `g′ = ± a′ f`, given their values.
     fn coupled(self, (f0, g0): (T, T), sign: f64) -> (Self, Self) {
         let slopes = Self::slopes(&self.0);
         let (mut f, mut g) = ([T::zero(); M], [T::zero(); M]);
@@ -96,7 +98,8 @@ impl<T: Scalar, const M: usize> Taylor<T, M> {
         (Self(f), Self(g))
     }
 
-    /// `f` with `f′ = a′ w` and `w = w₀ ± f²` up to a constant, given the values.
+    /// Returns `f` with `f′ = a′ w`, where `w = w₀ ± f²` up to a constant, given the values of
+    /// both.
     fn quadratic(self, f0: T, w0: T, sign: f64) -> Self {
         let slopes = Self::slopes(&self.0);
         let (mut f, mut w) = ([T::zero(); M], [T::zero(); M]);
@@ -143,12 +146,12 @@ impl<T: Scalar, const M: usize> Div for Taylor<T, M> {
     type Output = Self;
     fn div(self, other: Self) -> Self {
         let (a, b) = (self.0, other.0);
-        // q b = a.
+        // The recurrence follows from q b = a.
         Self::recursive(a[0] / b[0], |k, q| (a[k] - Self::convolution(&b, q, k)) / b[0])
     }
 }
 
-/// The operators with a number, and those that assign.
+/// Operators with a number, and assignment operators.
 macro_rules! operators {
     ($($Op:ident $op:ident $Assign:ident $assign:ident |$f:ident, $c:ident| $value:expr;)*) => {$(
         impl<T: Scalar, const M: usize> $Op<f64> for Taylor<T, M> {
@@ -202,10 +205,10 @@ impl<T: Scalar, const M: usize> Scalar for Taylor<T, M> {
 
     fn powi(self, n: i32) -> Self {
         match n {
-            // Not the constant 1: what is undefined stays undefined.
+            // Not the constant 1: an undefined argument must stay undefined.
             0 => Self::constant_part(self.0[0].powi(0)),
             1 => self,
-            // −1 first, since −n may overflow.
+            // One factor is split off first, since −n may overflow.
             ..0 => self.recip() * self.recip().powi(-(n + 1)),
             _ if n % 2 == 0 => self.powi(n / 2).sqr(),
             _ => self.powi(n - 1) * self,
@@ -221,7 +224,8 @@ impl<T: Scalar, const M: usize> Scalar for Taylor<T, M> {
     fn sqrt(self) -> Self {
         let a = self.0;
         let root = a[0].sqrt();
-        // 2 b₀ bₖ = aₖ − Σ bᵢ bₖ₋ᵢ over 0 < i < k, which is the square with b₀ and bₖ zero.
+        // From 2 b₀ bₖ = aₖ − Σ bᵢ bₖ₋ᵢ over 0 < i < k. The sum is the square with b₀ and bₖ set to
+        // zero.
         Self::recursive(root, |k, b| {
             let mut inner = *b;
             inner[0] = T::zero();
@@ -236,7 +240,8 @@ impl<T: Scalar, const M: usize> Scalar for Taylor<T, M> {
 
     fn ln(self) -> Self {
         let a = self.0;
-        // b′ a = a′. The logarithm of a negative number is undefined, though its slope is not.
+        // From b′ a = a′. The logarithm of a negative number is undefined, though its derivative is
+        // not.
         let inside = a[0].ln() * 0.0;
         Self::recursive(a[0].ln(), |k, b| {
             let earlier =
@@ -257,7 +262,7 @@ impl<T: Scalar, const M: usize> Scalar for Taylor<T, M> {
     fn atan(self) -> Self {
         let a = self.0;
         let w = (self.sqr() + 1.0).0;
-        // b′ (1 + a²) = a′.
+        // The recurrence follows from b′ (1 + a²) = a′.
         Self::recursive(a[0].atan(), |k, b| {
             let earlier =
                 (1..k).fold(T::zero(), |sum, i| sum + b[i] * w[k - i] * i as f64) / k as f64;
@@ -271,7 +276,7 @@ impl<T: Scalar, const M: usize> Scalar for Taylor<T, M> {
 
     fn tanh(self) -> Self {
         let a = self.0[0];
-        // 1/cosh², since 1 − tanh² cancels where tanh is near ±1.
+        // The slope is 1/cosh², since 1 − tanh² cancels where tanh is close to ±1.
         self.quadratic(a.tanh(), a.cosh().sqr().recip(), -1.0)
     }
 }

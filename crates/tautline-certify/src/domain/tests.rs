@@ -1,4 +1,4 @@
-//! Balls, periods, and metrics that settle or do not.
+//! Balls, periods, and metrics that settle or do not settle.
 
 use std::f64::consts::TAU;
 
@@ -18,7 +18,7 @@ fn a_ball_contains_its_points_and_misses_the_corners_of_its_box() {
     let cell = |lo: [f64; 2], hi: [f64; 2]| Cell::new(lo, hi).expect("in order");
     assert!(ball.misses(&cell([2.9, 1.9], [3.0, 2.0])));
     assert!(!ball.misses(&cell([2.0, 1.0], [3.0, 2.0])));
-    // The one point (3, 0).
+    // The cell meets the ball only in the point (3, 0).
     assert!(!ball.misses(&cell([3.0, -1.0], [4.0, 1.0])));
     let whole = *ball.bounding_cell();
     assert_eq!(ball.point_in(&whole), Some(vector![1.0, 0.0]));
@@ -47,7 +47,7 @@ fn space_is_a_period_where_the_formula_has_one() {
         // 2π lies between its nearest double and the next one.
         assert!(side.contains(TAU.next_up()) && side.hi() < TAU * (1.0 + 1e-14));
     }
-    // Only differences of coordinates occur.
+    // The coordinates occur only in differences.
     assert_eq!(z.width(), 0.0);
     let space = Domain::space(&GaussianFisher);
     let [x, t] = space.bounding_cell().sides();
@@ -71,12 +71,12 @@ fn a_metric_with_gaussian_or_saturated_parts_settles() {
 fn a_metric_that_keeps_changing_does_not_settle() {
     let error = Domain::settled_space(&GaussianFisher).expect_err("it grows");
     assert!(matches!(error, CertifyError::NotSettled { coordinate: 1, .. }), "{error}");
-    // The sphere goes to 0, where no change is small in proportion.
+    // The sphere's metric tends to 0, so its relative change does not become small.
     assert!(Domain::<2>::settled_space(&Sphere).is_err());
 }
 
-/// A small change on the last octave, seen by the first derivative, by the second, or on one
-/// side.
+/// A small change on the last octave that shows only in the first derivative, only in the second,
+/// or only on one side.
 #[test]
 fn a_small_change_is_detected() {
     for text in [
@@ -103,7 +103,7 @@ fn a_domain_represents_space_for_its_own_metric() {
     assert!(!Domain::<2>::space(&lens).represents_space_for(&lens));
 }
 
-/// Centre plus radius is rounded, and the box must not be too small.
+/// The centre plus the radius is rounded, but the box must not become too small.
 #[test]
 fn the_box_of_a_ball_holds_its_ends() {
     for i in 1..200 {
@@ -115,8 +115,8 @@ fn the_box_of_a_ball_holds_its_ends() {
     }
 }
 
-/// A metric of the plane that still changes has not settled: along the second coordinate, in the
-/// second diagonal entry, or beside the diagonal.
+/// A metric in the plane that still changes has not settled. Here it changes along the second
+/// coordinate, in the second diagonal entry, or off the diagonal.
 #[test]
 fn each_coordinate_and_each_entry_must_settle() {
     let settled = |entries: &str| {
@@ -125,12 +125,12 @@ fn each_coordinate_and_each_entry_must_settle() {
         Domain::<2>::settled_space(&parsed(&format!("{parts} {entries}")))
     };
     for (entries, along) in [
-        // Far out along the other coordinate there is no change.
+        // There is no change far out along the other coordinate.
         ("diag(1, near2*f1 + 1)", 0),
         ("diag(1, near1*f2 + 1)", 1),
         ("[1, near1*f2; near1*f2, 1]", 1),
         ("diag(f2 + 1, 1)", 1),
-        // Small compared to one entry, not to the other.
+        // The change is small compared with one diagonal entry, but not with the other.
         ("diag(1e20, f1 + 1)", 0),
         ("diag(f2 + 1, 1e20)", 1),
     ] {
@@ -143,8 +143,8 @@ fn each_coordinate_and_each_entry_must_settle() {
     assert!(bump.is_ok_and(|space| space.is_all_of_space()));
 }
 
-/// The sign of `x − c − r`, exactly, for an `x` near `c + r`: the first difference with its
-/// rounding, and the second, which has none (Sterbenz).
+/// Returns the exact sign of `x − c − r`, for an `x` near `c + r`. It uses the first difference
+/// with its rounding error, and the second difference, which is exact (Sterbenz).
 fn beyond(x: f64, c: f64, r: f64) -> f64 {
     let difference = x - c;
     let back = difference - x;
@@ -152,8 +152,8 @@ fn beyond(x: f64, c: f64, r: f64) -> f64 {
     (difference - r) + rounding
 }
 
-/// Only exact arithmetic can tell whether a double near the rim belongs to a ball: a point that may
-/// belong is not missed, one that may not is not taken.
+/// Only exact arithmetic can decide whether a double near the rim belongs to a ball. A point that
+/// may belong to the ball is not missed, and a point that may not belong to it is not taken.
 #[test]
 fn in_doubt_a_point_is_not_missed_and_not_taken() {
     let (mut inside, mut outside) = (0, 0);

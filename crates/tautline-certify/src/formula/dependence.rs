@@ -6,11 +6,11 @@ use tautline_scalar::{Interval, Scalar};
 
 /// The largest ratio of a wave number to the common divisor of all wave numbers.
 ///
-/// Any two doubles have a common divisor, but that of `0.1` and `0.3` is `2⁻⁵⁵`: such a period is
-/// useless.
+/// Any two doubles have a common divisor, but for `0.1` and `0.3` it is `2⁻⁵⁵`, and the resulting
+/// period is useless.
 const LARGEST_RATIO: f64 = 1024.0;
 
-/// What a formula shows about the dependence of a step on `D` coordinates: the step is
+/// What a formula shows about the dependence of a step on `D` coordinates. The step has the form
 ///
 /// `f(x) = a·x + p(x)`
 ///
@@ -18,14 +18,14 @@ const LARGEST_RATIO: f64 = 1024.0;
 /// unknown way.
 ///
 /// The formula is followed step by step, with exact arithmetic on its constants, so every period
-/// found is proved. Others may exist: `sin x / cos x` is known to have the period `2π`, not `π`.
+/// found is proved. There may be others: `sin x / cos x` is known to have the period `2π`, not `π`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Dependence<const D: usize> {
-    /// The value of a constant; meaningless for anything else.
+    /// The value if the step is a constant; otherwise meaningless.
     constant: Interval,
-    /// `a`.
+    /// The linear coefficients `a`.
     slope: [Interval; D],
-    /// For each coordinate a common divisor of all wave numbers, in `1/ℓ`; 0 if there is no wave.
+    /// For each coordinate, a common divisor of all wave numbers, in `1/ℓ`; 0 if there is no wave.
     wave_number: [f64; D],
     /// Whether the dependence on a coordinate is unknown.
     aperiodic: [bool; D],
@@ -34,11 +34,11 @@ struct Dependence<const D: usize> {
 /// How a function depends on one coordinate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Along {
-    /// Not at all.
+    /// The function does not depend on it.
     Constant,
-    /// With the period `2π/κ` for the given `κ`, in `1/ℓ`.
+    /// The function has the period `2π/κ` in it, for the given `κ`, in `1/ℓ`.
     Periodic(f64),
-    /// In an unknown way.
+    /// The dependence is unknown.
     Unknown,
 }
 
@@ -66,7 +66,7 @@ pub(crate) fn is_constant_along<const D: usize>(
     formula: &Formula<D>,
     direction: &SVector<f64, D>,
 ) -> bool {
-    // The only variable is s, in x + s · direction; x is arbitrary.
+    // The only variable is s, in x + s · direction, and x is arbitrary.
     let x = std::array::from_fn(|i| Dependence {
         constant: Interval::REALS,
         slope: [Interval::point(direction[i])],
@@ -75,7 +75,7 @@ pub(crate) fn is_constant_along<const D: usize>(
     entries(formula, x).all(|entry| entry.is_constant())
 }
 
-/// The entries on and above the diagonal, which are all that is read elsewhere.
+/// Returns the entries on and above the diagonal, which are the only ones read elsewhere.
 fn entries<const D: usize, const N: usize>(
     formula: &Formula<D>,
     x: [Dependence<N>; D],
@@ -124,7 +124,8 @@ impl<const D: usize> Dependence<D> {
         (0..D).all(none)
     }
 
-    /// A function of this. If this is constant, so is the function, and its value may be a factor.
+    /// Applies a function to the step. If the step is constant, so is the result, and its value may
+    /// serve as a factor.
     fn under(self, bent: fn(Self) -> Self, value: impl Fn(Interval) -> Interval) -> Self {
         let mut result = bent(self);
         if self.is_constant() {
@@ -133,7 +134,7 @@ impl<const D: usize> Dependence<D> {
         result
     }
 
-    /// An arbitrary function of `a·x + p`.
+    /// Applies an arbitrary function to `a·x + p`.
     fn bent(mut self) -> Self {
         for i in 0..D {
             self.aperiodic[i] |= !is_zero(self.slope[i]);
@@ -141,7 +142,7 @@ impl<const D: usize> Dependence<D> {
         self.straightened()
     }
 
-    /// A function of `a·x + p` with the period `2π`.
+    /// Applies a function with the period `2π` to `a·x + p`.
     fn wave(mut self) -> Self {
         for i in 0..D {
             let slope = self.slope[i];
@@ -158,7 +159,7 @@ impl<const D: usize> Dependence<D> {
         Self { constant: Interval::REALS, slope: [Interval::point(0.0); D], ..self }
     }
 
-    /// An arbitrary function of both.
+    /// Applies an arbitrary function of two variables to both steps.
     fn joined(self, other: Self) -> Self {
         let mut both = self.bent();
         let other = other.bent();
@@ -173,7 +174,7 @@ impl<const D: usize> Dependence<D> {
         let largest = self.wave_number[i].max(wave_number);
         let divisor = common_divisor(self.wave_number[i], wave_number);
         self.wave_number[i] = divisor;
-        // Also where the divisor is not finite.
+        // This also holds if the divisor is not finite.
         self.aperiodic[i] |= !(largest <= LARGEST_RATIO * divisor);
     }
 
@@ -192,7 +193,7 @@ impl<const D: usize> Dependence<D> {
             _ if !other.is_constant() => self.joined(other),
             _ => {
                 let scaled = |a: Interval| how.of(a, other.constant);
-                // 0 stays 0 whatever the factor is.
+                // 0 stays 0, whatever the factor is.
                 let slope = self.slope.map(|a| if is_zero(a) { a } else { scaled(a) });
                 Self { constant: scaled(self.constant), slope, ..self }
             }
@@ -215,8 +216,8 @@ fn is_zero(x: Interval) -> bool {
     x.lo() == 0.0 && x.hi() == 0.0
 }
 
-/// The greatest common divisor of two doubles, which are multiples of a power of two: remainders of
-/// doubles are exact.
+/// Returns the greatest common divisor of two doubles. Both are multiples of a power of two, and
+/// the remainder of two doubles is exact.
 fn common_divisor(mut a: f64, mut b: f64) -> f64 {
     while b > 0.0 {
         (a, b) = (b, a % b);
@@ -253,10 +254,10 @@ mod tests {
         assert_eq!(dependence::<2>(&lens), [Unknown; 2]);
         let board = Checkerboard::new(1.0, 2.0).expect("an edge");
         let [Periodic(k), Periodic(l)] = dependence(&board) else { panic!("not periodic") };
-        // sin² has the half of that period, which is more than is read off the formula.
+        // sin² has half that period, but this cannot be read off the formula.
         assert!(k == l && (k / std::f64::consts::FRAC_PI_2 - 1.0).abs() < 1e-15, "{k}");
         let anisotropy = RotatingAnisotropy::new([1.0, 4.0], [0.5, 1.5]).expect("eigenvalues");
-        // By the double angle.
+        // The double angle gives this period.
         assert_eq!(dependence(&anisotropy), [Periodic(1.0), Periodic(3.0)]);
     }
 
@@ -270,11 +271,11 @@ mod tests {
             ("sin(cos(x1*2) + x1*4) + 3", Periodic(2.0)),
             ("cos(x1*sqrt(number(0.25))) + 3", Periodic(0.5)),
             ("exp(atan(tan(x1/0.5)))", Periodic(2.0)),
-            // No common period, or none that is known.
+            // There is no common period, or none that is known.
             ("sin(x1) + sin(x1*sqrt(2)) + 3", Unknown),
             ("sin(x1*0.1) + sin(x1*0.3) + 3", Unknown),
             ("sin(x1/3) + 3", Unknown),
-            // Not periodic.
+            // The function is not periodic.
             ("x1 + cos(x1)", Unknown),
             ("x1*cos(x1)", Unknown),
             ("cos(x1)/x1", Unknown),
@@ -284,7 +285,7 @@ mod tests {
             ("cos(x1) + tanh(x1)", Unknown),
             ("cos(exp(x1)*2)", Unknown),
             ("sin(cos(x1)*x1)", Unknown),
-            // Each function inside a wave.
+            // Each case has a function inside a wave.
             ("cos(recip(x1 + 2))", Unknown),
             ("cos(sqrt(x1))", Unknown),
             ("cos(ln(x1))", Unknown),

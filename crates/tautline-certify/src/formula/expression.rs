@@ -1,18 +1,18 @@
-//! `Expressions`: formulas up to trivial identities, to see which entries of `H` are equal.
+//! `Expressions`: formulas up to trivial identities, which show which entries of `H` are equal.
 
 use std::collections::{HashMap, HashSet};
 
 use tautline_formula::{Arithmetic, Formula, Function, Operation};
 
-/// Returns whether the formula shows that `H(x) = φ(x) I`: zeros beside the diagonal, and the same
-/// expression all along it. False proves nothing, since equal functions may be written in different
-/// ways.
+/// Returns whether the formula shows that `H(x) = φ(x) I`, with zeros off the diagonal and the same
+/// expression in every diagonal entry. False proves nothing, since equal functions may be written
+/// in different ways.
 pub(crate) fn is_isotropic<const D: usize>(formula: &Formula<D>) -> bool {
     Expressions::default().multiple_of_identity(formula).is_some()
 }
 
-/// Returns whether the formula shows that `H(x) = φ(|x|²) I`: the coordinates occur in
-/// `x₁² + x₂² + …`, summed in this order, and nowhere else. False proves nothing.
+/// Returns whether the formula shows that `H(x) = φ(|x|²) I`. In this case the coordinates occur
+/// only in `x₁² + x₂² + …`, summed in this order. False proves nothing.
 pub(crate) fn is_radial<const D: usize>(formula: &Formula<D>) -> bool {
     let mut expressions = Expressions::default();
     let Some(Some(factor)) = expressions.multiple_of_identity(formula) else { return false };
@@ -38,14 +38,14 @@ pub(crate) fn is_radial<const D: usize>(formula: &Formula<D>) -> bool {
     true
 }
 
-/// The number of an expression: two with the same number are the same.
+/// The number of an expression. Expressions with the same number are equal.
 type Expression = u32;
 
-/// Expressions by their numbers, and back.
+/// Maps expressions to their numbers and back.
 ///
-/// Sums and products do not depend on the order of two operands; `f · f` is `f²`; adding `0` and
-/// multiplying by `1` changes nothing; of constants, `0 · c` is `0`. Nothing else is simplified,
-/// not even `0 · f`: `f` may be undefined.
+/// The order of the two operands of a sum or product does not matter; `f · f` is `f²`; adding `0`
+/// or multiplying by `1` changes nothing; for constants, `0 · c` is `0`. Nothing else is
+/// simplified, not even `0 · f`, since `f` may be undefined.
 #[derive(Default)]
 struct Expressions {
     nodes: Vec<Node>,
@@ -55,7 +55,7 @@ struct Expressions {
 #[derive(Clone, Copy, Debug, Eq, Hash, PartialEq)]
 enum Node {
     Variable(u32),
-    /// By its bits.
+    /// A constant, given by its bits.
     Constant(u64),
     Sum(Expression, Expression),
     Product(Expression, Expression),
@@ -66,7 +66,7 @@ enum Node {
 }
 
 impl Expressions {
-    /// Returns `φ` if `H = φ I`: `Some(None)` for `D = 0`.
+    /// Returns `φ` if `H = φ I`, and `Some(None)` if `D = 0`.
     fn multiple_of_identity<const D: usize>(
         &mut self,
         formula: &Formula<D>,
@@ -79,7 +79,7 @@ impl Expressions {
         is_multiple.then(|| (D > 0).then(|| entry(0, 0)))
     }
 
-    /// The expression of each step.
+    /// Returns the expression of each step.
     fn steps<const D: usize>(&mut self, formula: &Formula<D>) -> Vec<Expression> {
         let mut steps = Vec::with_capacity(formula.operations().len());
         for (place, &operation) in formula.operations().iter().enumerate() {
@@ -110,13 +110,13 @@ impl Expressions {
         let Self { nodes, numbers } = self;
         *numbers.entry(node).or_insert_with(|| {
             nodes.push(node);
-            // A formula has fewer steps.
+            // The conversion is lossless, since a formula has fewer steps than `u32` has values.
             (nodes.len() - 1) as Expression
         })
     }
 
     fn constant(&mut self, value: f64) -> Expression {
-        // The two zeros are one number.
+        // Both zeros count as the same number.
         self.number(Node::Constant((value + 0.0).to_bits()))
     }
 
@@ -197,7 +197,8 @@ mod tests {
         assert!(is_radial::<1>(&lens) && is_radial::<3>(&lens) && is_radial::<2>(&Hyperbolic));
         assert!(!is_radial::<2>(&Valleys) && !is_radial::<2>(&Sum::new(Valleys, lens)));
         assert!(!is_radial::<2>(&Hill::new(1.0, 1.0).expect("a width")));
-        // A product for a square; a coordinate beside it, a weight, a missing coordinate.
+        // Instead of |x|²: a product in place of a square, an additional coordinate, a weight, or a
+        // missing coordinate.
         let radial = |square: &str| super::is_radial::<2>(&parsed(&format!("exp({square}) + 1 I")));
         assert!(radial("x1*x1 + x2^2"));
         for square in ["sqr(x1) + sqr(x2) + x1", "sqr(x1) + sqr(x2)*2", "sqr(x1) + sqr(x1)"] {
@@ -215,7 +216,7 @@ mod tests {
         assert!(is_isotropic::<2>(&Sum::new(Valleys, lens)));
     }
 
-    /// Each diagonal entry is made on a thread of its own.
+    /// Each diagonal entry is made on its own thread.
     #[test]
     fn formulas_of_other_threads_are_refused() {
         struct Threads;
@@ -235,7 +236,8 @@ mod tests {
     fn other_metrics_are_not_recognized() {
         assert!(!is_isotropic(&Shear::new(0.5, 1.0).expect("a wave number")));
         assert!(!is_isotropic::<2>(&Hill::new(1.0, 1.0).expect("a width")));
-        // Different coordinates on the diagonal, or an entry beside it.
+        // The diagonal entries depend on different coordinates, or an entry off the diagonal is not
+        // zero.
         for text in ["diag(sqr(x1) + 2, sqr(x2) + 2)", "a = sqr(x1) + 2; [a, x1; x1, a]"] {
             assert!(!super::is_isotropic::<2>(&parsed(text)), "{text}");
         }

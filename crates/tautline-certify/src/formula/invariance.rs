@@ -7,19 +7,20 @@ use tautline_scalar::Jet1;
 
 use super::dependence::is_constant_along;
 
-/// Coordinates that can be set to 0 without loss: for each of them the Gram matrix does not change
-/// along some direction that moves it and none of the other superfluous ones.
+/// Returns which coordinates can be set to 0 without loss. For each of them, the Gram matrix does
+/// not change along some direction that moves this coordinate and none of the other superfluous
+/// ones.
 ///
-/// The directions are guessed from derivatives at some points, as multiples of small fractions;
-/// that the formula does not change along them is then proved by [`is_constant_along`]. So
-/// `cos(x₁ − x₂)` needs only one coordinate. What is not guessed or not proved costs boxes and
-/// nothing else.
+/// The directions are guessed from derivatives at a few points, as multiples of small fractions.
+/// [`is_constant_along`] then proves that the formula does not change along them. For example,
+/// `cos(x₁ − x₂)` needs only one coordinate. A direction that is not guessed or not proved only
+/// costs more boxes.
 pub(crate) fn superfluous<const D: usize>(formula: &Formula<D>) -> [bool; D] {
     let mut rows = gradients(formula);
     let pivots = reduce(&mut rows);
     let mut superfluous = [false; D];
     for free in (0..D).filter(|i| !pivots.contains(i)) {
-        // The direction with 1 at the free coordinate that every row annihilates.
+        // The direction that has 1 at the free coordinate and that every row annihilates.
         let mut direction = SVector::<f64, D>::zeros();
         direction[free] = 1.0;
         for (row, &pivot) in pivots.iter().enumerate() {
@@ -30,11 +31,12 @@ pub(crate) fn superfluous<const D: usize>(formula: &Formula<D>) -> [bool; D] {
     superfluous
 }
 
-/// The gradients of the entries of `H` at some generic points, one a row.
+/// Returns the gradients of the entries of `H` at a few generic points, one gradient in each row.
 fn gradients<const D: usize>(formula: &Formula<D>) -> DMatrix<f64> {
     let mut rows: Vec<f64> = Vec::new();
     for point in 1..=2 * D {
-        // Fractions of multiples of irrational numbers, spread over the unit cube.
+        // The coordinates are fractional parts of multiples of irrational numbers, spread over the
+        // unit cube.
         let x: [f64; D] = std::array::from_fn(|i| (point as f64 * (i as f64 + 2.0).sqrt()).fract());
         let gram = formula.gram(&SVector::from(Jet1::variables(&x)));
         for entry in gram.iter() {
@@ -46,8 +48,8 @@ fn gradients<const D: usize>(formula: &Formula<D>) -> DMatrix<f64> {
     DMatrix::from_row_iterator(rows.len() / D.max(1), D, rows)
 }
 
-/// Brings the rows into reduced echelon form, with the largest pivot of each column; returns the
-/// columns of the pivots. Entries below `10⁻⁹` of the largest count as rounding.
+/// Brings the rows into reduced echelon form, with the largest pivot in each column, and returns
+/// the columns of the pivots. Entries below `10⁻⁹` of the largest entry count as rounding errors.
 fn reduce(rows: &mut DMatrix<f64>) -> Vec<usize> {
     let least = 1e-9 * rows.amax();
     let mut pivots = Vec::new();
@@ -76,7 +78,8 @@ fn reduce(rows: &mut DMatrix<f64>) -> Vec<usize> {
     pivots
 }
 
-/// The nearest multiple of `1/64`: its products with most coefficients of formulas are exact.
+/// Returns the nearest multiple of `1/64`. Its products with most coefficients of formulas are
+/// exact.
 fn fraction(x: f64) -> f64 {
     (64.0 * x).round() / 64.0
 }
@@ -110,11 +113,12 @@ mod tests {
         let eggs = EggCrate::new(1.0, 1.0).expect("a wave number");
         assert_eq!(superfluous(&eggs), [false, false]);
         for (text, expected) in [
-            // Nearly a function of `x₁`.
+            // The function depends almost only on `x₁`.
             ("cos(x1 + x2*2^-20) + 2 I", [false, false]),
-            // Constant to rounding at the points that are tried, not elsewhere.
+            // The function is constant to within rounding at the points that are tried, but not
+            // elsewhere.
             ("tanh(x2*40 - 400) + 2 I", [true, false]),
-            // The same off the diagonal, and in a product.
+            // The same function occurs off the diagonal, and in a product.
             ("far = tanh(x2*40 - 400); [2, far; far, 2]", [true, false]),
             ("cos(x1) + x1*x2*2^-40 + 3 I", [false, false]),
         ] {

@@ -1,4 +1,4 @@
-//! Random formulas: what is read off a formula holds for its values.
+//! Random formulas: what is read off a formula must hold for its values.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_formula::Formula;
@@ -7,7 +7,7 @@ use tautline_scalar::Scalar;
 
 use super::{Along, dependence, dependence::is_constant_along, is_isotropic, is_radial};
 
-/// Reproducible numbers: Steele, Lea and Flood's SplitMix64.
+/// Reproducible random numbers from SplitMix64, by Steele, Lea and Flood.
 struct Random(u64);
 
 impl Random {
@@ -26,7 +26,7 @@ impl Random {
         std::array::from_fn(|_| self.coordinate())
     }
 
-    /// A tree of at most this depth with these leaves.
+    /// Returns a random tree of at most this depth with these leaves.
     fn tree(&mut self, depth: usize, leaf: &mut impl FnMut(&mut Self) -> Tree) -> Tree {
         let mut below = |random: &mut Self| Box::new(random.tree(depth - 1, leaf));
         match self.below(if depth == 0 { 1 } else { 10 }) {
@@ -41,7 +41,7 @@ impl Random {
 
 #[derive(Clone)]
 enum Tree {
-    /// `a · x`, of the variables with `aᵢ ≠ 0` only.
+    /// `a · x`, with only the variables for which `aᵢ ≠ 0`.
     Linear([f64; 3]),
     /// `tan (a · x)`.
     Tangent([f64; 3]),
@@ -50,7 +50,7 @@ enum Tree {
     Number(f64),
     Sum(Box<Tree>, Box<Tree>),
     Product(Box<Tree>, Box<Tree>),
-    /// By one plus the square.
+    /// The first tree divided by one plus the square of the second.
     Quotient(Box<Tree>, Box<Tree>),
     Of(usize, Box<Tree>),
 }
@@ -91,7 +91,7 @@ impl Tree {
         }
     }
 
-    /// The largest intermediate result: where it is large, so is rounding.
+    /// Returns the largest intermediate result. If it is large, so is the rounding error.
     fn largest(&self, x: &[f64; 3]) -> f64 {
         let below = match self {
             Tree::Sum(a, b) | Tree::Product(a, b) | Tree::Quotient(a, b) => {
@@ -118,7 +118,7 @@ impl Metric<3> for Matrix {
 }
 
 impl Matrix {
-    /// Every other entry is 1.
+    /// Returns a random matrix in which every other entry is 1.
     fn random(random: &mut Random, leaf: &mut impl FnMut(&mut Random) -> Tree) -> Self {
         Self(std::array::from_fn(|_| {
             let depth = random.below(3);
@@ -130,18 +130,19 @@ impl Matrix {
         Formula::record(self).expect("no comparison")
     }
 
-    /// Whether all entries are the same at both points, up to rounding; `None` if intermediate
-    /// results are too large to tell.
+    /// Returns whether all entries agree at both points, up to rounding, or `None` if intermediate
+    /// results are too large to decide.
     fn same(&self, x: [f64; 3], y: [f64; 3]) -> Option<bool> {
         let largest = |tree: &Tree| tree.largest(&x).max(tree.largest(&y));
-        // A hundred roundings, each magnified by derivatives of some functions.
+        // The tolerance covers a hundred roundings, each magnified by derivatives of some
+        // functions.
         let tame = self.0.iter().all(|tree| largest(tree) < 1e3);
         let close = |tree: &Tree| (tree.at(&x) - tree.at(&y)).abs() < 1e-6;
         tame.then(|| self.0.iter().all(close))
     }
 }
 
-/// Nothing changes along a coordinate that is read as constant, nor after a period, in any entry.
+/// No entry changes along a coordinate that is read as constant, nor after a period.
 #[test]
 fn values_depend_on_coordinates_as_the_formula_shows() {
     let mut random = Random(tautline_chance::seed(1));
@@ -156,7 +157,7 @@ fn values_depend_on_coordinates_as_the_formula_shows() {
             match random.below(8) {
                 0 => Tree::Number([0.0, 1.0, -0.75, 2.0][random.below(4)]),
                 1 => Tree::Tangent(a),
-                // A wave at once; otherwise only one tree in ten would have one.
+                // A wave is made right away; otherwise only one tree in ten would have one.
                 2..=4 => Tree::Of(random.below(4), Box::new(Tree::Linear(a))),
                 _ => Tree::Linear(a),
             }
@@ -187,7 +188,7 @@ fn values_depend_on_coordinates_as_the_formula_shows() {
 fn values_do_not_change_along_a_direction_that_is_proved() {
     let mut random = Random(tautline_chance::seed(2));
     let mut seen = [0_usize; 2];
-    // Directions with two forms that vanish on each.
+    // For each direction, two linear forms that vanish on it.
     let directions = [
         ([1.0, -1.0, 0.0], [[1.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
         ([1.0, 1.0, 1.0], [[1.0, -1.0, 0.0], [0.0, 2.0, -2.0]]),
@@ -196,7 +197,7 @@ fn values_do_not_change_along_a_direction_that_is_proved() {
     ];
     for case in 0..3000 {
         let (direction, forms) = directions[random.below(4)];
-        // In every other case one leaf in ten is any form.
+        // In every other case, one leaf in ten is an arbitrary form.
         let wild = case % 2 == 0;
         let mut leaf = |random: &mut Random| match random.below(10) {
             0 if wild => Tree::Linear([1.0, 2.0, 0.0]),
@@ -216,8 +217,8 @@ fn values_do_not_change_along_a_direction_that_is_proved() {
     assert!(seen.iter().all(|&count| count > 300), "{seen:?}");
 }
 
-/// A metric read as isotropic is a multiple of the identity; one read as radial is the same at
-/// points of equal norm.
+/// A metric read as isotropic is a multiple of the identity. A metric read as radial has the same
+/// value at points of equal norm.
 #[test]
 fn isotropic_and_radial_metrics_are_so() {
     let mut random = Random(tautline_chance::seed(3));
@@ -232,7 +233,7 @@ fn isotropic_and_radial_metrics_are_so() {
         let [one, other] = [0, 1].map(|_| random.tree(2, &mut leaf));
         let diagonal = |odd: bool| if odd { other.clone() } else { one.clone() };
         let beside = |odd: bool| if odd { other.clone() } else { Tree::Number(0.0) };
-        // At most one of the entries is odd.
+        // At most one of the entries is different.
         let odd = random.below(9);
         let metric = Matrix(std::array::from_fn(|k| match k {
             0 | 2 | 5 => diagonal(k == odd),
@@ -248,7 +249,7 @@ fn isotropic_and_radial_metrics_are_so() {
             let multiple = SMatrix::<f64, 3, 3>::from_diagonal_element(gram[(0, 0)]);
             let finite = gram.iter().all(|entry| entry.is_finite());
             assert!(!isotropic || !finite || gram == multiple, "case {case}: {gram}");
-            // Permuted coordinates, and a rotation by the 3-4-5 triangle.
+            // The coordinates are permuted, or rotated by the angle of the 3-4-5 triangle.
             let (c, s) = (0.6 * x[0] - 0.8 * x[1], 0.8 * x[0] + 0.6 * x[1]);
             let turned = [x[2], c, s];
             assert!(!radial || metric.same(x, turned) != Some(false), "case {case}: {x:?}");
@@ -257,8 +258,8 @@ fn isotropic_and_radial_metrics_are_so() {
     assert!(seen.iter().all(|&count| count > 50), "{seen:?}");
 }
 
-/// A nonzero slope does not round to zero: `3 · ⅓` with the double `⅓` is below 1, though the
-/// product is 1 in doubles.
+/// A nonzero slope does not round to zero. With the double `⅓`, `3 · ⅓` is below 1, though the
+/// product in doubles is 1.
 #[test]
 fn slopes_are_exact() {
     assert_eq!(1.0 / 3.0 * 3.0, 1.0);

@@ -1,8 +1,8 @@
-//! What the formula of a metric shows when it is read, not evaluated: periods, directions along
-//! which it does not change, multiples of the identity.
+//! What the formula of a metric shows when it is read rather than evaluated: periods, directions
+//! along which it does not change, and multiples of the identity.
 //!
 //! What is found is proved for the formula as written, with its doubles as exact numbers. What is
-//! missed costs time and nothing else.
+//! missed only costs time.
 
 mod dependence;
 mod expression;

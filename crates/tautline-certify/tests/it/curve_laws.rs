@@ -21,7 +21,7 @@ fn polygon<const D: usize>(random: &mut Random, n: usize, size: f64) -> PointSeq
     PointSequence::new((0..=n).map(point).collect()).expect("finite")
 }
 
-/// A check that runs for each metric, with a size of polygons inside its domain.
+/// A check that runs for each metric, with a size for which the polygons lie in its domain.
 trait Check {
     fn run<const D: usize>(&mut self, name: &str, metric: &impl Metric<D>, size: f64);
 }
@@ -42,8 +42,8 @@ fn gallery(check: &mut impl Check) {
     check.run::<3>("coupled cosines", &CoupledCosines, 3.0);
 }
 
-/// `L² ≤ E`; floating-point quadrature and rules agree up to their own errors; both kernels enclose
-/// the same numbers.
+/// `L² ≤ E`; the enclosures agree with floating-point quadrature and with the rules to within the
+/// errors of the latter; both kernels enclose the same numbers.
 #[test]
 fn energies_and_lengths_agree_with_floats_and_with_each_other() {
     struct Agree(Random);
@@ -57,8 +57,8 @@ fn energies_and_lengths_agree_with_floats_and_with_each_other() {
                 assert!(length.lo() > 0.0 && length.sqr().lo() <= energy.hi(), "{name}");
                 let curve = Interpolation::new(&sequence);
                 for (x, float) in [(energy, curve.energy(metric)), (length, curve.length(metric))] {
-                    // The error estimate excludes the rounding of the integrand: some thirty
-                    // roundings of numbers up to four times the result.
+                    // The error estimate excludes the rounding of the integrand, which is about
+                    // thirty roundings of numbers up to four times the result.
                     let error = float.error + 64.0 * f64::EPSILON * float.value;
                     let reach = x + Interval::new(-error, error).expect("ordered");
                     assert!(reach.contains(float.value), "{name}, {n}: {float:?} in {x:?}");
@@ -90,8 +90,9 @@ fn energies_and_lengths_agree_with_floats_and_with_each_other() {
     gallery(&mut Agree(Random(tautline_chance::seed(1))));
 }
 
-/// On a smooth curve of 1000 chords. Measured relative widths: `3 · 10⁻¹⁵` for the coupled cosines,
-/// which vary slowest, to `3 · 10⁻¹³`; chords are bisected until they are below `10⁻¹²`.
+/// A smooth curve of 1000 chords. The measured relative widths range from `3 · 10⁻¹⁵` for the
+/// coupled cosines, which vary slowest, to `3 · 10⁻¹³`. Chords are bisected until the width is
+/// below `10⁻¹²`.
 #[test]
 fn a_thousand_chords_have_twelve_digits() {
     struct Narrow;
@@ -106,7 +107,7 @@ fn a_thousand_chords_have_twelve_digits() {
             for x in [energy, length] {
                 assert!(x.width() <= 1e-12 * x.lo(), "{name}: {:e}", x.width() / x.lo());
             }
-            // Rules have no truncation, only a few roundings per chord.
+            // The rules have no truncation error, only a few roundings per chord.
             let discrete = Polygon::new(&sequence).discrete_energy(Trapezoidal, metric);
             assert!(discrete.width() <= 1e-14 * discrete.lo(), "{name}");
         }
@@ -114,7 +115,7 @@ fn a_thousand_chords_have_twelve_digits() {
     gallery(&mut Narrow);
 }
 
-/// With boxes for ends, all polygons with ends in the boxes are enclosed.
+/// If the ends are boxes, all polygons with ends in these boxes are enclosed.
 #[test]
 fn boxes_at_the_ends_represent_all_their_points() {
     let metric = EggCrate::new(0.5, 2.0).expect("positive");
@@ -142,7 +143,7 @@ fn boxes_at_the_ends_represent_all_their_points() {
     }
 }
 
-/// In boxes that contain opposite chords the terms of `uᵀ H u` cancel, but squares stay
+/// In boxes that contain opposite chords, the terms of `uᵀ H u` cancel, but squares stay
 /// nonnegative.
 #[test]
 fn no_energy_is_negative() {
@@ -177,7 +178,7 @@ fn equal_points_have_energy_and_length_zero() {
 
 #[test]
 fn a_metric_that_is_undefined_somewhere_has_no_finite_energy() {
-    // A quadrature need not notice the pole at 0.
+    // A quadrature might not notice the pole at 0.
     let pole = parsed("x1^-2 I");
     let negative = parsed("-1 I");
     fn undefined<const D: usize>(metric: &impl Metric<D>, points: &[[f64; D]]) {
@@ -198,11 +199,12 @@ fn a_metric_that_is_undefined_somewhere_has_no_finite_energy() {
     let interior = polygon.discrete_energy(Trapezoidal, &Hyperbolic);
     assert!(interior.is_finite() && interior.contains(64.0 / 9.0));
     assert!(polygon.discrete_energy(TrueTrapezoid, &Hyperbolic).is_undefined());
-    // Undefined boxes.
+    // Some boxes are undefined.
     let nowhere = vector![Interval::UNDEFINED, Interval::point(0.0)];
     assert!(polygon.with_ends(nowhere, *polygon.last()).energy(&Valleys).is_undefined());
     assert!(polygon.with_ends(*polygon.first(), nowhere).length(&Valleys).is_undefined());
-    // Near the boundary only parts of the chord are shown to be defined: 4 artanh 0.99.
+    // Close to the boundary, only parts of the chord are shown to be defined. The length is 4
+    // artanh 0.99.
     let sequence = PointSequence::straight([-0.99, 0.0], [0.99, 0.0], 1).expect("finite");
     let length = Polygon::new(&sequence).length(&Hyperbolic);
     let exact = 4.0 * 0.99_f64.atanh();
@@ -210,13 +212,13 @@ fn a_metric_that_is_undefined_somewhere_has_no_finite_energy() {
     assert!(length.width() <= 1e-12 * exact, "{length:?}");
 }
 
-/// `1 + |x|` has no derivative at 0; panels of `2⁻⁴⁰` there are bounded by their range.
+/// `1 + |x|` has no derivative at 0. The panels of width `2⁻⁴⁰` there are bounded by their range.
 #[test]
 fn a_kink_only_costs_time() {
     let tent = parsed("sqrt(sqr(x1)) + 1 I");
     let sequence = PointSequence::straight([-1.0], [2.0], 1).expect("finite");
     let energy = Polygon::new(&sequence).energy(&tent);
-    // 3 ∫ (1 + |x|) from −1 to 2 is 33/2.
+    // The integral of 3 (1 + |x|) from −1 to 2 is 33/2.
     assert!(energy.contains(16.5), "{energy:?}");
     assert!(energy.width() <= 1e-12 * 16.5, "{:e}", energy.width());
 }

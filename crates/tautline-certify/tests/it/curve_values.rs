@@ -1,4 +1,4 @@
-//! Energies and lengths of polygons against closed forms and against numbers of many digits.
+//! Energies and lengths of polygons, compared with closed forms and with many-digit numbers.
 
 use astro_float::{BigFloat, Consts, Radix, RoundingMode};
 use nalgebra::{SMatrix, SVector, vector};
@@ -22,13 +22,13 @@ fn big(x: f64) -> BigFloat {
     BigFloat::from_f64(x, P)
 }
 
-/// Whether the enclosure contains the number.
+/// Returns whether the enclosure contains the number.
 fn holds<K: Kernel>(x: Enclosure<K>, y: &BigFloat) -> bool {
     let below = |a: &BigFloat, b: &BigFloat| a.cmp(b).is_some_and(|order| order <= 0);
     below(&big(x.lo()), y) && below(y, &big(x.hi()))
 }
 
-/// Whether the enclosure contains the decimal, with a relative width of at most `margin`.
+/// Checks that the enclosure contains the decimal, with a relative width of at most `margin`.
 #[track_caller]
 fn check<K: Kernel>(x: Enclosure<K>, decimal: &str, margin: f64) {
     let mut consts = Consts::new().expect("memory for the constants");
@@ -44,7 +44,7 @@ fn line(a: [f64; 2], b: [f64; 2]) -> PointSequence<2> {
     PointSequence::straight(a, b, 1).expect("finite")
 }
 
-/// `E = ½ (4/3 + ln 3)` and `L = ln 3` from the centre to ½ in the hyperbolic ball; and
+/// `E = ½ (4/3 + ln 3)` and `L = ln 3` from the centre to ½ in the hyperbolic ball, and
 /// `E = 2 + (1 − e⁻²)/2` along the diagonal for `diag(e^{−2t}, 2)`.
 #[test]
 fn closed_forms_are_enclosed() {
@@ -58,13 +58,13 @@ fn closed_forms_are_enclosed() {
         "2.432332358381693654053000252514",
         NARROW,
     );
-    // From the ball of radius ½ to the wall at 3 in the valleys: 5 − sin 3 + sin ½.
+    // The distance from the ball of radius ½ to the wall at 3 in the valleys is 5 − sin 3 + sin ½.
     let gap = line([0.5, 0.0], [3.0, 0.0]);
     check(Polygon::new(&gap).length(&Valleys), "5.33830553054433577817", NARROW);
 }
 
-/// The straight line of Section 5: `E = 72 π²`, `L = 8π`. Its end `4π` is in a box between two
-/// doubles, and its one chord is bisected as often as needed.
+/// The straight line of Section 5 has `E = 72 π²` and `L = 8π`. Its end `4π` is a box between two
+/// doubles, and its only chord is bisected as often as needed.
 #[test]
 fn the_line_of_section_5_has_the_energy_72_pi_squared() {
     let four_pi = 12.566370614359172_f64;
@@ -75,15 +75,15 @@ fn the_line_of_section_5_has_the_energy_72_pi_squared() {
     let (energy, length) = polygon.energy_and_length(&Valleys);
     check(energy, "710.61151687843382055608335199108", NARROW);
     check(length, "25.1327412287183459077011471", NARROW);
-    // The paper's discrete energy sees only a valley: 16 π². The box is one place wide, and
-    // squared.
+    // The paper's discrete energy sees only a valley: it is 16 π². The box is one unit in the last
+    // place wide, and its width is squared.
     let discrete = polygon.discrete_energy(Trapezoidal, &Valleys);
     check(discrete, "157.913670417429737901351855998", 16.0 * f64::EPSILON);
     let fast = polygon.with_kernel::<Fast>();
     check(fast.energy(&Valleys), "710.61151687843382055608335199108", NARROW);
 }
 
-/// With another end the energy is another number.
+/// With another end, the energy is a different number.
 #[test]
 fn without_the_box_the_end_is_another_point() {
     let straight = line([0.0, 0.0], [12.0, 0.0]);
@@ -93,7 +93,7 @@ fn without_the_box_the_end_is_another_point() {
     assert!(polygon.length(&Valleys).hi() < moved.length(&Valleys).lo());
 }
 
-/// Three chords, against independent quadrature with 40 digits.
+/// Three chords, compared with independent quadrature to 40 digits.
 #[test]
 fn polygons_under_seven_metrics_are_enclosed() {
     fn reference(metric: &impl Metric<2>, energy: &str, length: &str) {
@@ -122,13 +122,13 @@ fn polygons_under_seven_metrics_are_enclosed() {
     reference(&GaussianFisher, "35.82410628634388510639273", "5.507440069068043424268044");
 }
 
-/// `2 − cos` and its square along `x₁`, by their primitives in 192 bits: sharp enough to detect a
-/// missing remainder of any chord.
+/// `2 − cos` and its square along `x₁`, computed from their primitives in 192 bits. This is sharp
+/// enough to detect a missing remainder of any chord.
 #[test]
 fn random_polygons_in_the_valleys_contain_a_value_of_192_bits() {
     let mut consts = Consts::new().expect("memory for the constants");
     for n in [1, 2, 7, 40] {
-        // Irrational rotations: no two points are alike.
+        // The points are irrational rotations, so that no two of them coincide.
         let at = |k: usize, step: f64| (k as f64 * step).fract() * 6.0 - 3.0;
         let points: Vec<SVector<f64, 2>> =
             (0..=n).map(|k| vector![at(k + n, 0.618_034), at(k + n, 0.414_214)]).collect();
@@ -157,7 +157,7 @@ fn random_polygons_in_the_valleys_contain_a_value_of_192_bits() {
     }
 }
 
-/// `1 − 10⁻²⁰` rounds to 1: a chord of doubles would be too long.
+/// `1 − 10⁻²⁰` rounds to 1, so a chord computed in doubles would be too long.
 #[test]
 fn the_difference_of_points_is_not_rounded() {
     let euclidean = Constant::new(SMatrix::<f64, 1, 1>::identity()).expect("definite");
@@ -172,7 +172,7 @@ fn the_difference_of_points_is_not_rounded() {
     assert!(energy.width() <= 1e-15 && length.width() <= 1e-15);
 }
 
-/// The least exponent has no negative in `i32`: the power is 1 for `y = ±1`, and undefined for
+/// The least exponent has no negative in `i32`. The power is 1 for `y = ±1`, and undefined for
 /// `y = 0`.
 #[test]
 fn the_least_power_is_a_power_too() {
@@ -187,15 +187,16 @@ fn the_least_power_is_a_power_too() {
     assert!(Polygon::new(&sequence).energy(&power).is_undefined());
 }
 
-/// `H = x⁴` has a constant remainder: only the coefficient 1/80 makes `∫₀¹ x⁴ = 1/5`. Also tests
-/// the weights and nodes of three rules.
+/// `H = x⁴` has a constant remainder: only the coefficient 1/80 makes `∫₀¹ x⁴ = 1/5`. This also
+/// tests the weights and nodes of three rules.
 #[test]
 fn fourth_powers_are_integrated_exactly() {
     let quartic = parsed("x1^4 I");
     let sequence = PointSequence::straight([1.0], [2.0], 1).expect("finite");
     let polygon = Polygon::new(&sequence);
     let (energy, length) = polygon.energy_and_length(&quartic);
-    // 31/5, not a double; and 7/3 for √H = x², where the recurrence of the root is not exact.
+    // The values are 31/5, not a double, and 7/3 for √H = x², where the recurrence of the root is
+    // not exact.
     check(energy, "6.2", 4.0 * f64::EPSILON);
     check(length, "2.333333333333333333333333333333", NARROW);
     let point = |x: f64| Interval::point(x);

@@ -1,11 +1,11 @@
-//! Exactly known constants: the bounds contain them, to the last rounding.
+//! Exactly known constants: the bounds contain them, up to the last rounding.
 
 use tautline_certify::{Accuracy, Cell, CertifiedConstants, CertifyError, Domain};
 
 use crate::parsed;
 
-/// `(100 + a · x) I`: the square of `L_H = |a|` is an integer, and every other root rounds down. On
-/// the unit cube `c₁` and `c₂` are integers, at two corners.
+/// For `(100 + a · x) I` the square of `L_H = |a|` is an integer, and every other root rounds down.
+/// On the unit cube `c₁` and `c₂` are integers, attained at two corners.
 #[test]
 fn the_slope_of_an_incline_is_enclosed_to_the_last_digit() -> Result<(), CertifyError> {
     let cube = Domain::cell(Cell::new([0.0; 3], [1.0; 3])?);
@@ -14,7 +14,7 @@ fn the_slope_of_an_incline_is_enclosed_to_the_last_digit() -> Result<(), Certify
         let incline = parsed(&format!("x1*{a} + x2*{b} - x3*{c} + 100 I"));
         let proved = CertifiedConstants::new(&incline, &cube, accuracy)?;
         let square = f64::from(a * a + b * b + c * c);
-        // Rounded once, which keeps the sign.
+        // The difference is rounded once, which keeps its sign.
         let beyond = |x: f64| x.mul_add(x, -square);
         let l_h = proved.l_h();
         assert!(beyond(l_h.lower) <= 0.0 && beyond(l_h.upper) >= 0.0, "{square}: {l_h:?}");
@@ -28,8 +28,8 @@ fn the_slope_of_an_incline_is_enclosed_to_the_last_digit() -> Result<(), Certify
     Ok(())
 }
 
-/// `[[a, b + x y], [b + x y, a]]` has the eigenvalues `a ± (b + x y)`; `|DH|² = x² + y²`, and
-/// `D²H[v, v] = 2 v₁v₂`, 1 at most.
+/// `[[a, b + x y], [b + x y, a]]` has the eigenvalues `a ± (b + x y)`. Its derivatives satisfy
+/// `|DH|² = x² + y²`, and `D²H[v, v] = 2 v₁v₂`, which is at most 1.
 #[test]
 fn the_constants_of_a_twist_are_enclosed_to_the_last_digit() -> Result<(), CertifyError> {
     let cell = Domain::cell(Cell::new([0.0; 2], [1.0, 2.0])?);

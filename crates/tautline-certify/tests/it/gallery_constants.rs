@@ -7,13 +7,13 @@ use tautline_metrics::{Bounded, gallery::*};
 #[derive(Clone, Copy, PartialEq)]
 enum Stated {
     Exact,
-    /// Perhaps not the best bound.
+    /// Possibly not the best bound.
     Bound,
 }
 use Stated::{Bound, Exact};
 
-/// Fails unless the declared `c₁`, `c₂`, `L_H` and `M_H` lie between the bounds, or do not
-/// contradict them.
+/// Fails unless the declared `c₁`, `c₂`, `L_H` and `M_H` lie between the bounds or, if they are
+/// only bounds themselves, do not contradict them.
 fn check<const D: usize>(
     metric: impl Bounded<D>,
     stated: [Stated; 4],
@@ -30,7 +30,7 @@ fn check<const D: usize>(
     for ((quantity, value), stated) in Quantity::ALL.into_iter().zip(values).zip(stated) {
         let found = certify(&metric, quantity, &domain, Accuracy { tolerance, budget: 300_000 })?;
         let holds = match (stated, quantity) {
-            // The closed form itself is rounded, by some ε.
+            // The closed form itself is rounded, by a few ε.
             (Exact, _) => {
                 found.lower <= value * (1.0 + 1e-14) && value * (1.0 - 1e-14) <= found.upper
             }
@@ -44,7 +44,7 @@ fn check<const D: usize>(
     Ok(())
 }
 
-/// All of space, by periods or because the metric settles; the cell, if it does neither.
+/// Returns all of space if the metric is periodic or settles, and the cell otherwise.
 fn space<const D: usize>(metric: &impl Bounded<D>, [low, high]: [[f64; D]; 2]) -> Domain<D> {
     let space = Domain::space(metric);
     if space.is_all_of_space() {
@@ -54,7 +54,8 @@ fn space<const D: usize>(metric: &impl Bounded<D>, [low, high]: [[f64; D]; 2]) -
     Domain::settled_space(metric).unwrap_or_else(|_| cell())
 }
 
-/// Every sample of the gallery, to a twentieth: the table of proved constants has closer bounds.
+/// Every sample of the gallery, to within a twentieth. The table of proved constants has closer
+/// bounds.
 mod samples {
     use super::*;
 
@@ -108,7 +109,7 @@ stated_constants_are_proved! {
     gaussian_fisher_patch: GaussianFisherPatch::new(1.0), 2, [Exact, Exact, Bound, Bound], 1e-3;
 }
 
-/// A constant declared too small by a thousandth is refuted.
+/// A declared constant that is too small by a thousandth is refuted.
 #[test]
 fn an_error_of_a_thousandth_is_detected() {
     let shear = Shear::new(0.7, 1.5).expect("a wave number");

@@ -1,4 +1,4 @@
-//! Proofs about metrics and curves, against exact values and high precision.
+//! Proofs about metrics and curves, compared with exact values and with high precision.
 
 mod curve_laws;
 mod curve_values;
@@ -12,7 +12,7 @@ mod precise;
 #[path = "../../../tautline-scalar/tests/it/reference/mod.rs"]
 mod reference;
 
-/// The metric with this text.
+/// Returns the metric with this text.
 fn parsed<const D: usize>(text: &str) -> tautline_formula::Formula<D> {
     tautline_formula::Formula::parse(text, &[]).unwrap_or_else(|error| panic!("{text}: {error}"))
 }

@@ -1,5 +1,5 @@
-//! Jets over intervals contain the metrics of the gallery, compositions and their derivatives,
-//! computed to 192 bits with an error bound, at points of the box.
+//! Jets over intervals contain the metrics of the gallery, their compositions and their
+//! derivatives, computed to 192 bits with an error bound, at points of the box.
 
 use std::collections::BTreeSet;
 
@@ -26,11 +26,12 @@ fn no_enclosure_misses_a_metric_or_its_derivatives() {
         all.add(record.tally);
     }
     println!("{all:?}");
-    // Outside the unit ball the hyperbolic metric is undefined.
+    // The hyperbolic metric is undefined outside the unit ball.
     assert!(all.undefined > 1_000, "{all:?}");
 }
 
-/// Compares with the table at the top of the gallery, which other tests compare with its exports.
+/// Compares the list of tried metrics with the table at the top of the gallery. Other tests compare
+/// that table with the exports of the gallery.
 #[test]
 fn every_metric_of_the_gallery_is_tried() {
     let gallery = include_str!("../../../tautline-metrics/src/gallery/mod.rs");

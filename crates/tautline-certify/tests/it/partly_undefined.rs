@@ -1,5 +1,5 @@
-//! Metrics that are undefined on a part of a domain, with no value at the first point evaluated:
-//! the search finds a point where they are undefined.
+//! Metrics that are undefined on a part of a domain, and have no value at the first point
+//! evaluated. The search finds a point where they are undefined.
 
 use nalgebra::vector;
 use tautline_certify::{
@@ -9,8 +9,8 @@ use tautline_metrics::{LocalError, LocallyBounded};
 
 use crate::parsed;
 
-/// `1 + √(1 + x)`, plus a term without a value in doubles at 0: `|x|`, whose derivatives are `0/0`
-/// there, or `10³²⁰ e^{−200 x²}`, which overflows.
+/// `1 + √(1 + x)`, plus a term that has no value in doubles at 0: either `|x|`, whose derivatives
+/// are `0/0` there, or `10³²⁰ e^{−200 x²}`, which overflows.
 const PARTLY: [&str; 2] =
     ["sqrt(sqr(x1)) + sqrt(x1 + 1) + 1 I", "sqr(exp(-sqr(x1)*100)*1e160) + sqrt(x1 + 1) + 1 I"];
 
@@ -45,8 +45,8 @@ fn undefined_parts_are_found_though_the_first_point_has_no_value() {
     }
 }
 
-/// Where the metric is defined, the other points count: `|x|` has a slope on both sides, and no
-/// bounded second derivative.
+/// If the metric is defined on the domain, the other points count: `|x|` has a slope on both sides,
+/// but no bounded second derivative.
 #[test]
 fn if_nothing_is_undefined_the_budget_ends_the_search() {
     let cell = Domain::cell(Cell::new([-0.5], [0.5]).expect("in order"));
@@ -55,7 +55,7 @@ fn if_nothing_is_undefined_the_budget_ends_the_search() {
         match certify(&parsed::<1>(PARTLY[0]), quantity, &cell, accuracy) {
             Err(CertifyError::BudgetSpent { lower, upper, boxes, .. }) => {
                 assert!(boxes > 400 && upper == f64::INFINITY, "{boxes} boxes, {upper}");
-                // 1 + ½ (1 − ½)^{−1/2}, and ¼ (½)^{−3/2} or so, near the ends.
+                // The values are 1 + ½ (1 − ½)^{−1/2}, and about ¼ (½)^{−3/2}, near the ends.
                 assert!(lower > 0.5, "{lower}");
             }
             other => panic!("{quantity}: {other:?}"),

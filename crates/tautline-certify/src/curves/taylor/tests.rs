@@ -1,10 +1,11 @@
-//! Taylor coefficients against nested jets, over intervals, and where functions are undefined.
+//! Taylor coefficients compared with nested jets, over intervals, and where functions are
+//! undefined.
 
 use tautline_scalar::{Interval, Jet2, Scalar};
 
 use super::Taylor;
 
-/// Every operation of a scalar.
+/// Applies every operation of a scalar.
 fn functions<S: Scalar>(x: S) -> Vec<(&'static str, S)> {
     vec![
         ("sqr", x.sqr()),
@@ -28,7 +29,7 @@ fn functions<S: Scalar>(x: S) -> Vec<(&'static str, S)> {
     ]
 }
 
-/// Nested second-order jets share no recurrence with these.
+/// Nested second-order jets share no recurrence with the Taylor coefficients.
 #[test]
 fn coefficients_agree_with_nested_jets() {
     for x in [0.125, 0.5, 1.3, -0.7] {
@@ -44,7 +45,7 @@ fn coefficients_agree_with_nested_jets() {
                 second.first(0) / 6.0,
                 second.second(0, 0) / 24.0,
             ];
-            // Some thirty roundings of terms up to eight times the result.
+            // The tolerance covers about thirty roundings of terms up to eight times the result.
             let size = jets.iter().fold(1.0_f64, |size, c| size.max(c.abs()));
             for k in 0..5 {
                 let error = (taylor.coefficient(k) - jets[k]).abs();
@@ -55,7 +56,7 @@ fn coefficients_agree_with_nested_jets() {
     }
 }
 
-/// The coefficients at each point lie in those over the interval.
+/// The coefficients at each point of an interval lie in the coefficients over the interval.
 #[test]
 fn an_interval_encloses_the_coefficients_of_its_points() {
     let line = |x| functions(Taylor::<Interval, 5>::line(x, Interval::point(1.0)));
@@ -76,7 +77,7 @@ fn undefined_values_stay_undefined() {
     let across = Interval::new(-1.0, 1.0).expect("ordered");
     let x = Taylor::<Interval, 5>::line(across, Interval::point(1.0));
     let one = Taylor::constant(1.0);
-    // Negative throughout: 1/x is defined, the logarithm is not.
+    // The interval is negative throughout: 1/x is defined, but the logarithm is not.
     let negative = x - 2.0;
     let undefined =
         [x.recip(), x.ln(), x.sqrt(), x.powi(-2), one / x, (x * 2.0).tan(), negative.ln()];
@@ -86,7 +87,7 @@ fn undefined_values_stay_undefined() {
         }
         assert!((1..5).all(|k| y.coefficient(k).is_undefined()), "{y:?}");
     }
-    // A root that touches zero is defined, but not its derivatives.
+    // The root of an interval that touches zero is defined, but its derivatives are not.
     let touching = Interval::new(0.0, 1.0).expect("ordered");
     let root = Taylor::<Interval, 5>::line(touching, Interval::point(1.0)).sqrt();
     assert_eq!(root.coefficient(0), touching);

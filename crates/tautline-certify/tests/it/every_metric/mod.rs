@@ -1,5 +1,5 @@
-//! Compares the derivatives of every metric of the gallery and every composition, over random boxes,
-//! with those at points in high precision.
+//! Compares the derivatives of every metric of the gallery and of every composition, over random
+//! boxes, with the derivatives at points of the boxes in high precision.
 
 #![allow(dead_code, reason = "each test that shares this uses a part of it")]
 
@@ -15,15 +15,15 @@ use crate::{
     reference::Random,
 };
 
-/// The record of a metric.
+/// The results recorded for a metric.
 #[derive(Clone, Debug)]
 pub(crate) struct Record {
     pub(crate) name: &'static str,
     pub(crate) dimension: usize,
     pub(crate) tally: Tally,
     /// The widest entries of `H`, of its first and of its second derivatives at a point within
-    /// `reach`, in units of `2⁻⁵²` of the largest entry of all three there, since derivatives may
-    /// cancel.
+    /// `reach`, in units of `2⁻⁵²` of the largest entry of all three at that point. (Relative to
+    /// the entry itself the widths would mean little, since derivatives may cancel.)
     pub(crate) widest: [f64; 3],
 }
 
@@ -37,7 +37,7 @@ impl Record {
     }
 }
 
-/// Tries every metric on as many boxes as make the given number of comparisons.
+/// Tries every metric on as many boxes as it takes to make the given number of comparisons.
 #[derive(Debug)]
 pub(crate) struct Trial {
     pub(crate) random: Random,
@@ -46,15 +46,16 @@ pub(crate) struct Trial {
 }
 
 impl Trial {
-    /// Tries a metric with coordinates of about the size `reach`. The recorded formula gives the same
-    /// bits, and this code is compiled once for each dimension.
+    /// Tries a metric with coordinates of about the size `reach`. It uses the recorded formula,
+    /// which gives the same bits, so that this code is compiled only once for each dimension.
     #[track_caller]
     fn metric<M: Metric<D>, const D: usize>(&mut self, metric: &M, reach: f64) {
         let path = type_name::<M>().split('<').next().expect("a first part");
         let name = path.rsplit("::").next().expect("a last part");
         let mut record = Record { name, dimension: D, tally: Tally::default(), widest: [0.0; 3] };
         let formula = Formula::record(metric).expect("no metric of the gallery compares");
-        // Four boxes at least, and an end for a metric with nothing to compare.
+        // At least four boxes are tried, and the loop also ends for a metric with nothing to
+        // compare.
         let mut boxes = 0_u32;
         while boxes < 4 || (record.tally.compared < self.comparisons && boxes < 1_000_000) {
             attempt(&formula, reach, &mut self.random, &mut record);
@@ -74,7 +75,7 @@ fn second_order<S: Scalar, const D: usize>(metric: &Formula<D>, x: [S; D]) -> Or
     [h.iter().map(Jet2::value).collect(), first.collect(), second.collect()]
 }
 
-/// The same by first derivatives of first derivatives.
+/// Returns the same, computed as first derivatives of first derivatives.
 fn nested<S: Scalar, const D: usize>(metric: &Formula<D>, x: [S; D]) -> Orders<S> {
     let h = metric.gram(&SVector::from(Jet1::variables(&Jet1::<S, D>::variables(&x))));
     let first = h.iter().flat_map(|entry| *entry.value().gradient());
@@ -86,8 +87,8 @@ fn pairs<const D: usize>() -> impl Iterator<Item = (usize, usize)> {
     (0..D).flat_map(|l| (0..=l).map(move |k| (k, l)))
 }
 
-/// One box, two points of it: every entry by both kernels and by both kinds of jets, and the
-/// length of a vector by both kernels.
+/// Tries one box and two of its points: every entry with both kernels and both kinds of jets, and
+/// the length of a vector with both kernels.
 #[track_caller]
 fn attempt<const D: usize>(
     metric: &Formula<D>,
@@ -129,15 +130,15 @@ fn attempt<const D: usize>(
     if cell.is_point() && cell.is_within(reach) {
         let size = rigorous.iter().flatten().map(|x| x.magnitude()).fold(0.0, f64::max);
         for (widest, entries) in record.widest.iter_mut().zip(&rigorous) {
-            // The width of the undefined is NaN, which is not the largest.
+            // The width of an undefined interval is NaN, which `max` ignores.
             let width = entries.iter().map(|x| x.width()).fold(0.0, f64::max);
             *widest = widest.max(width / size / f64::EPSILON);
         }
     }
 }
 
-/// Tries every metric of the gallery and every composition, those of any dimension in one, two and
-/// three, with parameters that are not dyadic.
+/// Tries every metric of the gallery and every composition, with parameters that are not dyadic.
+/// Metrics of any dimension are tried in one, two and three dimensions.
 pub(crate) fn try_all(trial: &mut Trial) {
     let full = SMatrix::<f64, 3, 3>::new(2.0, 0.3, 0.1, 0.3, 1.7, -0.4, 0.1, -0.4, 1.1);
     trial.metric(&Constant::new(full).expect("positive definite"), 1.0);
