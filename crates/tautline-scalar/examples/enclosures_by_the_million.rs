@@ -1,8 +1,9 @@
-//! A million arguments of each elementary function, with both kernels, against high precision.
+//! Compares a million arguments of each elementary function, with both kernels, with high
+//! precision.
 //!
-//! The tests try twenty thousand. This takes some minutes:
-//! `cargo run --release -p tautline-scalar --example enclosures_by_the_million [COUNT]`.
-//! Panics at the first enclosure that misses a value, and prints the greatest widths.
+//! The tests try twenty thousand arguments. This example takes some minutes:
+//! `cargo run --release -p tautline-scalar --example enclosures_by_the_million [COUNT]`. It panics
+//! at the first enclosure that misses a value, and otherwise prints the greatest widths.
 
 #[path = "../tests/it/reference/mod.rs"]
 mod reference;

@@ -1,9 +1,9 @@
-//! A million comparisons of random formulas and their derivatives over boxes with values in high
-//! precision.
+//! Makes a million comparisons of random formulas and their derivatives over boxes with values in
+//! high precision.
 //!
-//! The tests make a hundred thousand. This takes ten seconds:
-//! `cargo run --release -p tautline-scalar --example formulas_by_the_million [COUNT] [SEED]`.
-//! Panics at the first enclosure that misses a value.
+//! The tests make a hundred thousand comparisons. This example takes ten seconds:
+//! `cargo run --release -p tautline-scalar --example formulas_by_the_million [COUNT] [SEED]`. It
+//! panics at the first enclosure that misses a value.
 
 #[path = "../tests/it/formulas/mod.rs"]
 mod formulas;

@@ -1,13 +1,13 @@
-//! `2.0 - x`: a number on the left of a scalar.
+//! Operators with a number on the left of a scalar, such as `2.0 - x`.
 
-/// `T`, as an associated type of every type.
+/// Provides the type `T` as an associated type of every type.
 ///
 /// A trait implies its bounds on `Self` and on associated types, but not a bound on another type
-/// such as `f64: Sub<Self>`: each function would have to repeat it. Since `Beside<f64>::Is` is
-/// `f64`, [`Scalar`](crate::Scalar) can put the bound there, and `S: Scalar` is enough for
+/// such as `f64: Sub<Self>`, which every function would have to repeat. Since `Beside<f64>::Is` is
+/// `f64`, [`Scalar`](crate::Scalar) can put the bound there, so that `S: Scalar` suffices for
 /// `2.0 - x`.
 pub trait Beside<T> {
-    /// `T`.
+    /// The type `T`.
     type Is;
 }
 
@@ -15,9 +15,9 @@ impl<T, U> Beside<T> for U {
     type Is = T;
 }
 
-/// Implements `c + x`, `c - x`, `c * x` and `c / x` with an `f64` on the left for your number type,
-/// by the operators with an `f64` on the right; `c / x` by
-/// [`Scalar::constant`](crate::Scalar::constant).
+/// Implements `c + x`, `c - x`, `c * x` and `c / x` with an `f64` on the left for your number type.
+/// It uses the operators with an `f64` on the right, and
+/// [`Scalar::constant`](crate::Scalar::constant) for `c / x`.
 ///
 /// The generic parameters come first, in brackets: `f64_on_the_left!([] MyNumber)`,
 /// `f64_on_the_left!([T: Scalar, const D: usize] MyJet<T, D>)`.
@@ -58,7 +58,7 @@ macro_rules! f64_on_the_left {
 mod tests {
     use crate::{Interval, Jet1, Jet2, Pair, Scalar};
 
-    /// Formulas with a number on the left, and the same with it on the right.
+    /// Pairs of formulas, one with a number on the left, the other with it on the right.
     fn formulas<S: Scalar>(x: S) -> [[S; 2]; 5] {
         [
             [1.0 + x, x + 1.0],
@@ -92,14 +92,14 @@ mod tests {
         let [x] = Jet2::variables(&[0.5]);
         let all = |y: Jet2<f64, 1>| [y.value(), y.first(0), y.second(0, 0)];
         assert_eq!(all(2.0 - x), [1.5, -1.0, 0.0]);
-        // 2/x, −2/x², 4/x³.
+        // The values are 2/x, −2/x², 4/x³.
         assert_eq!(all(2.0 / x), [4.0, -8.0, 32.0]);
         let x = Interval::new(0.5, 1.0).expect("ordered");
         let ends = |y: Interval| [y.lo(), y.hi()];
         assert_eq!([ends(2.0 - x), ends(2.0 / x)], [[1.0, 1.5], [2.0, 4.0]]);
     }
 
-    /// Where `S: Scalar` is in scope, its bound on `f64 - S` must not capture `f64 - f64`.
+    /// In a scope with `S: Scalar`, its bound on `f64 - S` must not capture `f64 - f64`.
     #[test]
     fn arithmetic_of_numbers_is_not_taken_for_that_of_scalars() {
         struct Wave {
@@ -117,7 +117,7 @@ mod tests {
             }
         }
         let wave = Wave { height: 2.0, numbers: [0.5, 3.0] };
-        // k = 7.5, the mean 0.75, 1 − 3 = −2, the product 3.5: (1 − 1) 4 + 12.625 · 0.
+        // k = 7.5, the mean is 0.75, 1 − 3 = −2, and the product is 3.5: (1 − 1) 4 + 12.625 · 0.
         assert_eq!(wave.at(0.0, &[1.0, 2.0 / 2.0]), 0.0);
         assert_eq!(wave.at(1.0, &[0.0, 1.0]), 7.5 * 0.75 + 2.0 * 3.0);
     }

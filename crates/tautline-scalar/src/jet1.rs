@@ -7,7 +7,7 @@ use crate::{Scalar, operators::jet};
 /// A first-order Taylor expansion `v + Σ gᵢ dxᵢ` in `D` variables.
 ///
 /// Arithmetic on expansions is arithmetic on functions, truncated after first order. The value is
-/// computed by the same operations, in the same order, as the formula in `T` itself.
+/// computed by the same operations, in the same order, as when the formula is evaluated in `T`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[doc(alias = "dual number")]
 pub struct Jet1<T, const D: usize> {
@@ -36,7 +36,7 @@ impl<T: Scalar, const D: usize> Jet1<T, D> {
         Self { value: f(self.value), first: self.first.map(f) }
     }
 
-    /// Applies `f` to corresponding numbers.
+    /// Applies `f` to corresponding coefficients.
     #[inline]
     fn zip(&mut self, other: &Self, f: impl Fn(&mut T, T)) {
         f(&mut self.value, other.value);
@@ -45,7 +45,7 @@ impl<T: Scalar, const D: usize> Jet1<T, D> {
         }
     }
 
-    /// `f ∘ self`, where `f` has the given value and derivative there.
+    /// Returns `f ∘ self`, where `f` has the given value and derivative at the value of `self`.
     #[inline]
     fn chain(self, value: T, first: T, _second: T) -> Self {
         Self { value, first: self.first.map(|g| g * first) }
@@ -69,7 +69,7 @@ impl<T: Scalar, const D: usize> Div for Jet1<T, D> {
     #[inline]
     fn div(self, other: Self) -> Self {
         let (a, b) = (self, other);
-        // q b = a, differentiated: q' b + q b' = a'.
+        // Differentiating q b = a gives q' b + q b' = a'.
         let q = a.value / b.value;
         Self { value: q, first: std::array::from_fn(|i| (a.first[i] - q * b.first[i]) / b.value) }
     }

@@ -7,7 +7,7 @@ use crate::{Scalar, operators::jet};
 /// A second-order Taylor expansion `v + Σ gᵢ dxᵢ + ½ Σ hᵢⱼ dxᵢ dxⱼ` in `D` variables.
 ///
 /// Arithmetic on expansions is arithmetic on functions, truncated after second order. The value is
-/// computed by the same operations, in the same order, as the formula in `T` itself.
+/// computed by the same operations, in the same order, as when the formula is evaluated in `T`.
 #[derive(Clone, Copy, Debug)]
 #[doc(alias = "hyper-dual number")]
 pub struct Jet2<T, const D: usize> {
@@ -15,8 +15,8 @@ pub struct Jet2<T, const D: usize> {
     first: [T; D],
     // Invariant: entries below the diagonal stay zero.
     second: [[T; D]; D],
-    // Whether `second` may be nonzero. Coordinates and their linear combinations are straight, and
-    // most formulas begin with some: for D = 8 these need 9 of 45 numbers. Where a formula is
+    // Whether `second` may be nonzero. It is zero for coordinates and their linear combinations,
+    // with which most formulas begin; for D = 8 these need 9 of 45 numbers. If a formula is
     // inlined, the branch disappears.
     bent: bool,
 }
@@ -40,7 +40,7 @@ impl<T: Scalar, const D: usize> Jet2<T, D> {
         })
     }
 
-    /// Returns the second derivative with respect to variables `i, j < D`, in either order.
+    /// Returns the second derivative with respect to the variables `i, j < D`, in either order.
     #[must_use]
     #[inline]
     pub fn second(&self, i: usize, j: usize) -> T {
@@ -52,7 +52,7 @@ impl<T: Scalar, const D: usize> Jet2<T, D> {
         Self { value, first: [T::zero(); D], second: [[T::zero(); D]; D], bent: false }
     }
 
-    /// The second-order part with entry `f(i, j)` for `j ≥ i`.
+    /// Returns the second-order part with the entries `f(i, j)` for `j ≥ i`.
     #[inline(always)]
     fn upper(f: impl Fn(usize, usize) -> T) -> [[T; D]; D] {
         let mut second = [[T::zero(); D]; D];
@@ -74,7 +74,7 @@ impl<T: Scalar, const D: usize> Jet2<T, D> {
         }
     }
 
-    /// Applies `f` to corresponding numbers, except where that of `other` is zero.
+    /// Applies `f` to corresponding coefficients, except where the coefficient of `other` is zero.
     #[inline]
     fn zip(&mut self, other: &Self, f: impl Fn(&mut T, T)) {
         f(&mut self.value, other.value);
@@ -91,7 +91,7 @@ impl<T: Scalar, const D: usize> Jet2<T, D> {
         self.bent |= other.bent;
     }
 
-    /// `f ∘ self`, where `f` has the given value and derivatives there.
+    /// Returns `f ∘ self`, where `f` has the given value and derivatives at the value of `self`.
     #[inline]
     fn chain(self, value: T, first: T, second: T) -> Self {
         let g = self.first;
@@ -139,7 +139,7 @@ impl<T: Scalar, const D: usize> Div for Jet2<T, D> {
     #[inline]
     fn div(self, other: Self) -> Self {
         let (a, b) = (self, other);
-        // q b = a, differentiated once and twice:
+        // Differentiating q b = a once and twice gives
         // q' b + q b' = a',   qᵢⱼ b + qᵢ bⱼ + qⱼ bᵢ + q bᵢⱼ = aᵢⱼ.
         let q = a.value / b.value;
         let first: [T; D] = std::array::from_fn(|i| (a.first[i] - q * b.first[i]) / b.value);

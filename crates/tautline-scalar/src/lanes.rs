@@ -1,8 +1,8 @@
-//! `Lanes`: scalars of one or more `f64` side by side.
+//! `Lanes`: scalars that consist of one or more `f64`.
 
 use crate::{Pair, Scalar};
 
-/// A scalar of one or more `f64`, to each of which every operation applies.
+/// A scalar that consists of one or more `f64`. Every operation applies to each of them.
 pub trait Lanes: Scalar {
     /// The number of lanes.
     const LANES: usize;

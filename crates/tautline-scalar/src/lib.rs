@@ -1,8 +1,8 @@
 //! Number types in which one formula is evaluated: floats, jets and intervals.
 //!
-//! A metric is written once, generic over [`Scalar`]. Evaluated in `f64` it gives values, in
-//! [`Jet1`] also gradients, in [`Jet2`] also second derivatives: exact up to rounding, without
-//! differentiating by hand.
+//! A metric is written once, generic over [`Scalar`]. Evaluation in `f64` gives values. Evaluation
+//! in [`Jet1`] also gives gradients, and in [`Jet2`] also second derivatives. They are exact up to
+//! rounding, and nothing has to be differentiated by hand.
 //!
 //! ```
 //! use tautline_scalar::{Jet2, Scalar};
@@ -22,10 +22,10 @@
 //!
 //! # What a formula may use
 //!
-//! `+ − × ÷` between scalars and with an `f64` on either side, and the methods of [`Scalar`]. There
-//! is deliberately no order, no absolute value and no branching: a formula that compiles is smooth
-//! wherever it is defined, and intervals can evaluate it. For the same reason jets are generic in
-//! the number type of their coefficients.
+//! A formula may use `+ − × ÷` between scalars and with an `f64` on either side, and the methods of
+//! [`Scalar`]. There is deliberately no order, no absolute value and no branching. A formula that
+//! compiles is therefore smooth wherever it is defined, and intervals can evaluate it. For the same
+//! reason jets are generic in the number type of their coefficients.
 //!
 //! A decimal in a formula means the `f64` nearest to it.
 //!
@@ -36,8 +36,8 @@
 //!
 //! # Intervals
 //!
-//! Evaluated in [`Interval`] a formula gives bounds on its values over a box, in
-//! `Jet2<Interval, D>` also on its derivatives.
+//! Evaluated in [`Interval`], a formula gives bounds on its values over a box. Evaluated in
+//! `Jet2<Interval, D>`, it also gives bounds on its derivatives.
 //!
 //! ```
 //! use tautline_scalar::{Interval, Jet1, Scalar};
@@ -58,21 +58,21 @@
 //! The enclosures of an [`Interval`] are valid if all of this holds:
 //!
 //! * `+ − × ÷ √` of `f64` round to nearest, ties to even, with gradual underflow, as IEEE 754 and
-//!   the Rust reference demand: no fused or reordered operations, no flushing of subnormals, no
-//!   other rounding mode set by foreign code in the process.
+//!   the Rust reference demand. There are no fused or reordered operations and no flushing of
+//!   subnormals, and no foreign code in the process sets another rounding mode.
 //! * The compiler and the processor are correct, and the compiler evaluates constant quotients
 //!   (`1/3!`) as the processor would.
-//! * The derivations in the comments of the kernel are correct. The tests also compare them with
-//!   `astro-float` at 192 bits: twenty thousand arguments of each function in every run, a million
-//!   in the example `enclosures_by_the_million`; random formulas with their jets in
-//!   `formulas_by_the_million`, and the metrics of the gallery in `metrics_by_the_million` of
-//!   `tautline-certify`. A test is no proof.
-//! * The constants `π/2`, `ln 2` and the arctangents of eighths have the stated errors: a test
+//! * The derivations in the comments of the kernel are correct. The tests also compare the kernel
+//!   with `astro-float` at 192 bits: twenty thousand arguments of each function in every run, and a
+//!   million in the example `enclosures_by_the_million`. The example `formulas_by_the_million`
+//!   compares random formulas with their jets, and `metrics_by_the_million` of `tautline-certify`
+//!   the metrics of the gallery. A test is no proof.
+//! * The constants `π/2`, `ln 2` and the arctangents of eighths have the stated errors. A test
 //!   compares each with a computation at 320 bits.
 //! * The formula is the intended one, decimals included.
 //!
-//! No mathematical library is trusted. A [`FastInterval`] also trusts that the functions of `pxfm`
-//! are never off by more than one unit in the last place.
+//! No mathematical library is trusted. A [`FastInterval`] additionally relies on the functions of
+//! `pxfm` never being off by more than one unit in the last place.
 
 mod f64_on_the_left;
 mod float;

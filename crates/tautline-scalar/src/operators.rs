@@ -1,7 +1,8 @@
-//! The operators of every number type here: which of them follow from which.
+//! The operators of every number type in this crate, and which of them follow from which.
 
-/// Implements, for a number type with `+ − × ÷` and [`Scalar::constant`](crate::Scalar::constant),
-/// the operators that follow from these: with an `f64` on either side, assignment, `0` and `1`.
+/// Implements further operators for a number type with `+ − × ÷` and
+/// [`Scalar::constant`](crate::Scalar::constant): those with an `f64` on either side, the
+/// assignment operators, `0` and `1`.
 ///
 /// The generic parameters come first, in brackets: `operators_follow!([] MyNumber)`.
 #[macro_export]
@@ -52,8 +53,8 @@ macro_rules! operators_follow {
     };
 }
 
-/// Implements [`Scalar`](crate::Scalar), its operators and the accessors of value and gradient for a
-/// jet type with the fields `value` and `first` that has `×` and `÷` with itself,
+/// Implements [`Scalar`](crate::Scalar), its operators and the accessors of value and gradient for
+/// a jet type. The type must have the fields `value` and `first`, `×` and `÷` with itself,
 /// `constant_part(T)`, `map(f: T → T)`, `zip(&other, f: (&mut T, T))` and `chain(f, f′, f″)`. Each
 /// elementary function is one line of the chain rule.
 macro_rules! jet {
@@ -126,12 +127,12 @@ macro_rules! jet {
             fn powi(self, n: i32) -> Self {
                 let x = self.value();
                 match n {
-                    // Not by the general case, where n xⁿ⁻¹ is 0 · ∞ at x = 0. `chain` multiplies
+                    // The general case would compute n xⁿ⁻¹ as 0 · ∞ at x = 0. `chain` multiplies
                     // by these zeros, so what is undefined stays undefined.
                     0 => self.chain(x.powi(0), T::zero(), T::zero()),
                     1 => self,
                     2 => self.sqr(),
-                    // n − 2 overflows.
+                    // Here n − 2 overflows.
                     ..=-2_147_483_647 => {
                         let (power, k) = (x.powi(n), f64::from(n));
                         let first = power / x * k;
@@ -168,7 +169,7 @@ macro_rules! jet {
             fn ln(self) -> Self {
                 let x = self.value();
                 let first = x.recip();
-                // ln x is NaN for x < 0, though 1/x is not: the derivatives must be NaN too.
+                // ln x is NaN for x < 0, though 1/x is not. The derivatives must be NaN too.
                 let inside = x.ln() * 0.0;
                 self.chain(x.ln(), first + inside, -first.sqr() + inside)
             }
@@ -203,7 +204,8 @@ macro_rules! jet {
             fn tanh(self) -> Self {
                 let x = self.value();
                 let t = x.tanh();
-                // 1/cosh², not 1 − tanh²: the latter cancels where tanh is near ±1.
+                // The derivative is 1/cosh², not 1 − tanh², which cancels where tanh is close to
+                // ±1.
                 let first = x.cosh().sqr().recip();
                 self.chain(t, first, -t * first * 2.0)
             }
@@ -227,7 +229,7 @@ macro_rules! jet {
             }
         }
     };
-    // The product and the quotient of two jets are written with the type.
+    // The product and the quotient of two jets are implemented in the file of each type.
     (
         @product $jet:ident, $operator:ident $method:ident $assign:ident $assign_method:ident
     ) => {

@@ -7,20 +7,21 @@ use wide::f64x2;
 
 use crate::Scalar;
 
-/// Two `f64` in one vector register, to evaluate a formula at two points at once.
+/// Two `f64` in one vector register, with which a formula is evaluated at two points at once.
 ///
-/// `+ − × ÷ √` give the same bits as `f64`. `sin` and `cos` are vectorised too, with an error of at
-/// most `2 ε` times the larger of the result and `ε max(1, |x|)`. Every other function calls that
-/// of `f64` for each lane.
+/// `+ − × ÷ √` agree with `f64` bit for bit. `sin` and `cos` are vectorised too, with an error of
+/// at most `2 ε` times the larger of the result and `ε max(1, |x|)`. Every other function applies
+/// the `f64` function to each lane.
 #[derive(Clone, Copy, Debug)]
 pub struct Pair(f64x2);
 
-/// Up to here [`f64x2::sin_cos`] reduces angles as if by a `π/2` with an error of about `ε²`: the
-/// first two parts of its `π/2` have 25 bits, so their multiples by less than `2²⁰` are exact.
+/// Up to this angle, [`f64x2::sin_cos`] reduces angles as if by a `π/2` with an error of about
+/// `ε²`. The first two parts of its `π/2` have 25 bits, so their multiples by integers below `2²⁰`
+/// are exact.
 const LARGEST_ANGLE: f64 = 1e6;
 
 impl Pair {
-    /// Returns the two numbers side by side.
+    /// Returns the pair of the two numbers.
     #[must_use]
     #[inline]
     pub fn new(first: f64, second: f64) -> Self {
@@ -41,14 +42,14 @@ impl Pair {
         Self::new(f(first), f(second))
     }
 
-    /// Whether both lanes are in `(above, most]`.
+    /// Returns whether both lanes are in `(above, most]`.
     #[inline(always)]
     pub(crate) fn are_between(self, above: f64, most: f64) -> bool {
         let (above, most) = (f64x2::splat(above), f64x2::splat(most));
         (self.0.simd_gt(above) & self.0.simd_le(most)).all()
     }
 
-    /// Whether both lanes are at most `largest` in absolute value; false for NaN.
+    /// Returns whether both lanes are at most `largest` in absolute value; false for NaN.
     #[inline]
     fn are_within(self, largest: f64) -> bool {
         let [first, second] = self.both();
@@ -150,7 +151,7 @@ mod tests {
     use super::{LARGEST_ANGLE, Pair};
     use crate::{Jet2, Lanes, Scalar};
 
-    /// A formula of all functions, for arguments near 1.
+    /// A formula with all functions, for arguments near 1.
     fn everything<S: Scalar>(x: S) -> S {
         let (sinh, cosh) = (x * 0.1).sinh_cosh();
         let far = (x + 2.5).powi(-3) + (x + 2.0).ln() + (x * 0.2).tan() + x.atan() * sinh + cosh;
@@ -205,7 +206,8 @@ mod tests {
             for (lane, x) in [a, b].into_iter().enumerate() {
                 let [one] = Jet2::variables(&[x]);
                 let one = everything(one);
-                // Numbers below 100 from some thirty operations, each within 2 ε.
+                // The values are below 100 and come from about thirty operations, each accurate to
+                // within 2 ε.
                 let close = |pair: Pair, one: f64| (pair.both()[lane] - one).abs() <= 1e-12;
                 prop_assert!(close(pair.value(), one.value()), "{pair:?} {one:?}");
                 prop_assert!(close(pair.first(0), one.first(0)), "{pair:?} {one:?}");
@@ -214,7 +216,7 @@ mod tests {
         }
     }
 
-    /// The documented error; the largest among four million random angles was 1.42 ε.
+    /// Checks the documented error. The largest error among four million random angles was 1.42 ε.
     #[track_caller]
     fn compare(a: f64, b: f64) {
         let (sin, cos) = Pair::new(a, b).sin_cos();
@@ -227,7 +229,7 @@ mod tests {
         }
     }
 
-    /// There sine or cosine is the rounding error of the angle.
+    /// At these angles, the sine or the cosine is the rounding error of the angle.
     #[test]
     fn sine_and_cosine_are_accurate_next_to_their_zeros() {
         for quarter in 0..600_000 {
@@ -250,7 +252,7 @@ mod tests {
                 [sin, cos, sinh, cosh, ln, exp, tan, atan, tanh, root, power].map(Pair::both)
             };
             for ([a, b], [c, d]) in results(pair).into_iter().zip(results(back)) {
-                // Bits, since NaN is not equal to itself.
+                // Bits are compared, since NaN is not equal to itself.
                 assert_eq!(bits([a, b]), bits([d, c]), "{x} {y}");
             }
             for (lane, number) in [x, y].into_iter().enumerate() {
@@ -275,7 +277,7 @@ mod tests {
         }
     }
 
-    /// And the other lane keeps its accuracy.
+    /// In addition, the other lane keeps its accuracy.
     #[test]
     fn huge_angles_infinities_and_nan_are_as_in_f64() {
         for x in [1e7, -1e15, 1e300, f64::INFINITY, f64::NEG_INFINITY, f64::NAN, 0.0, -0.0] {

@@ -11,8 +11,8 @@ use crate::f64_on_the_left::Beside;
 
 /// A number in which a smooth formula can be evaluated.
 ///
-/// A formula is a function generic over `S: Scalar`, and reads as in mathematics. An `f64` may be
-/// on either side of an operator: `2.0 * x` compiles, `2 * x` does not.
+/// A formula is a function generic over `S: Scalar`, and reads as in mathematics. An `f64` may
+/// appear on either side of an operator: `2.0 * x` compiles, but `2 * x` does not.
 ///
 /// ```
 /// use tautline_scalar::Scalar;
@@ -56,7 +56,7 @@ pub trait Scalar:
     + SubAssign
     + MulAssign
     + DivAssign
-    // A number on the left, by value and by reference: with one of these bounds alone, type
+    // A number on the left, by value and by reference. With only one of these bounds, type
     // inference would resolve every `f64 - …` in a formula to it.
     + Beside<f64, Is = f64>
     + Beside<
@@ -81,7 +81,7 @@ pub trait Scalar:
     #[must_use]
     fn sqr(self) -> Self;
 
-    /// Returns `xⁿ`; `1` for `n = 0`, and `1 / x⁻ⁿ` for `n < 0`.
+    /// Returns `xⁿ`, which is `1` for `n = 0`, and `1 / x⁻ⁿ` for `n < 0`.
     #[must_use]
     fn powi(self, n: i32) -> Self;
 
@@ -89,7 +89,7 @@ pub trait Scalar:
     #[must_use]
     fn recip(self) -> Self;
 
-    /// Returns `√x`; NaN for `x < 0`. Not differentiable at `0`.
+    /// Returns `√x`; NaN for `x < 0`. The root is not differentiable at `0`.
     #[must_use]
     fn sqrt(self) -> Self;
 
@@ -101,11 +101,11 @@ pub trait Scalar:
     #[must_use]
     fn ln(self) -> Self;
 
-    /// Returns `(sin x, cos x)`, `x` in radians; cheaper than two calls.
+    /// Returns `(sin x, cos x)`, with `x` in radians, at less than the cost of two calls.
     #[must_use]
     fn sin_cos(self) -> (Self, Self);
 
-    /// Returns `tan x`, `x` in radians.
+    /// Returns `tan x`, with `x` in radians.
     #[must_use]
     fn tan(self) -> Self;
 
@@ -113,7 +113,7 @@ pub trait Scalar:
     #[must_use]
     fn atan(self) -> Self;
 
-    /// Returns `(sinh x, cosh x)`; cheaper than two calls.
+    /// Returns `(sinh x, cosh x)`, at less than the cost of two calls.
     #[must_use]
     fn sinh_cosh(self) -> (Self, Self);
 
@@ -121,14 +121,14 @@ pub trait Scalar:
     #[must_use]
     fn tanh(self) -> Self;
 
-    /// Returns `sin x`, `x` in radians.
+    /// Returns `sin x`, with `x` in radians.
     #[must_use]
     #[inline]
     fn sin(self) -> Self {
         self.sin_cos().0
     }
 
-    /// Returns `cos x`, `x` in radians.
+    /// Returns `cos x`, with `x` in radians.
     #[must_use]
     #[inline]
     fn cos(self) -> Self {

@@ -4,7 +4,7 @@ use super::directed::{add_down, add_up};
 
 /// The real numbers `y` with `|y − head − tail| ≤ error`.
 ///
-/// Head and tail are added only at the end, so that the result is rounded once.
+/// The head and the tail are added only at the end, so that the result is rounded once.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Approximation {
     pub(super) head: f64,
@@ -13,8 +13,8 @@ pub(super) struct Approximation {
 }
 
 impl Approximation {
-    /// Bounds on all these numbers: `tail ∓ error` is rounded to nearest, hence the step to the
-    /// neighbour; the sum with the head is rounded in the direction of the bound.
+    /// Returns bounds on all these numbers. The sum `tail ∓ error` is rounded to nearest, hence the
+    /// step to its neighbour. Its sum with the head is rounded in the direction of the bound.
     #[inline]
     pub(super) fn bounds(self) -> (f64, f64) {
         (
@@ -34,7 +34,7 @@ impl std::ops::Neg for Approximation {
 
 #[cfg(test)]
 mod tests {
-    //! Stated errors against actual ones, before the rounding of the result hides them.
+    //! Compares stated errors with actual errors, before the rounding of the result hides them.
 
     use astro_float::BigFloat;
 
@@ -51,7 +51,7 @@ mod tests {
         for (head, tail) in [(0.0, 1.0), (0.0, -1.0), (1.0, 2.0_f64.powi(-54)), (-1.0, -0.25)] {
             let (lo, hi) = Approximation { head, tail, error: 2.0_f64.powi(-120) }.bounds();
             let (exact, rest) = two_sum(head, tail);
-            // Strictly on either side of head + tail.
+            // The bounds lie strictly on either side of head + tail.
             assert!(lo < exact || (lo == exact && rest > 0.0), "{head} {tail}: {lo:e}");
             assert!(hi > exact || (hi == exact && rest < 0.0), "{head} {tail}: {hi:e}");
         }
@@ -59,13 +59,14 @@ mod tests {
 
     const CASES: usize = 4_000;
 
-    /// Arguments that fill `[lo, hi]` evenly: fractional parts of multiples of the golden ratio.
+    /// Returns arguments that fill `[lo, hi]` evenly: fractional parts of multiples of the golden
+    /// ratio.
     fn arguments(lo: f64, hi: f64) -> impl Iterator<Item = f64> {
         (1..=CASES).map(move |i| lo + (hi - lo) * (i as f64 * 0.618_033_988_749_895).fract())
     }
 
-    /// Fails unless each error is as stated, and one of them reaches a tenth of its bound: so a
-    /// bound that is far too large does not pass.
+    /// Fails unless each error is within its stated bound and at least one reaches a tenth of it. A
+    /// bound that is far too large therefore does not pass.
     #[track_caller]
     fn assert_errors(cases: impl Iterator<Item = (Approximation, BigFloat)>) {
         let mut reached = false;
@@ -90,7 +91,7 @@ mod tests {
         }
     }
 
-    /// Compares a function with the `BigFloat` method on intervals of arguments.
+    /// Compares a function with the `BigFloat` method of the same name on intervals of arguments.
     macro_rules! errors_are_as_stated {
         ($($test:ident: $function:expr, $method:ident, $intervals:expr;)*) => {$(
             #[test]

@@ -1,9 +1,9 @@
-//! `+ − × ÷` of intervals.
+//! The operations `+ − × ÷` of intervals.
 //!
-//! On real intervals each operation takes its extremes at end points, and the signs decide which.
-//! Each extreme is one operation of doubles, rounded outward. So the result is the smallest
-//! interval that contains all values; where a product or quotient nearly under- or overflows, it
-//! may be one double wider at each end.
+//! On real intervals each operation attains its extremes at end points, and the signs decide at
+//! which ones. Each extreme is one operation on doubles, rounded outward. The result is therefore
+//! the smallest interval that contains all values. If a product or quotient nearly overflows or
+//! underflows, it may be one double wider at each end.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -28,7 +28,7 @@ impl<K: Kernel> Add for Enclosure<K> {
         if self.is_undefined() || other.is_undefined() {
             return Self::UNDEFINED;
         }
-        // Never ∞ − ∞: no lower end is +∞, no upper end is −∞.
+        // This is never ∞ − ∞: no lower end is +∞, and no upper end is −∞.
         Self::enclosing(add_down(self.lo(), other.lo()), add_up(self.hi(), other.hi()))
     }
 }
@@ -43,8 +43,8 @@ impl<K: Kernel> Sub for Enclosure<K> {
 
 impl<K: Kernel> Mul for Enclosure<K> {
     type Output = Self;
-    /// Zero times an interval with an infinite end is the whole line: the formula overflowed, and
-    /// in `f64` the product would be NaN.
+    /// Zero times an interval with an infinite end is the whole line. The infinite end may come
+    /// from an overflow, and in `f64` the product would be NaN.
     #[inline]
     fn mul(self, other: Self) -> Self {
         if self.is_undefined() || other.is_undefined() {
@@ -72,7 +72,7 @@ impl<K: Kernel> Mul for Enclosure<K> {
         } else if d <= 0.0 {
             (mul_down(b, c), mul_up(a, c))
         } else {
-            // No end is 0 here, so no product is NaN, which `min` and `max` would drop.
+            // No end is 0 here, so no product is NaN, which `min` and `max` would ignore.
             (mul_down(a, d).min(mul_down(b, c)), mul_up(a, c).max(mul_up(b, d)))
         };
         // 0 · ∞ is NaN.
@@ -82,7 +82,7 @@ impl<K: Kernel> Mul for Enclosure<K> {
 
 impl<K: Kernel> Div for Enclosure<K> {
     type Output = Self;
-    /// Undefined if the divisor contains zero.
+    /// The result is undefined if the divisor contains zero.
     #[inline]
     fn div(self, other: Self) -> Self {
         let ((a, b), (c, d)) = ((self.lo(), self.hi()), (other.lo(), other.hi()));
@@ -98,8 +98,8 @@ impl<K: Kernel> Div for Enclosure<K> {
         } else {
             return Self::UNDEFINED;
         };
-        // Never ∞ / ∞: an infinite end of the divisor divides the end of `self` nearer to 0, which
-        // is finite.
+        // This is never ∞ / ∞: an infinite end of the divisor divides the end of `self` closer to
+        // 0, which is finite.
         Self::enclosing(lo, hi)
     }
 }

@@ -1,27 +1,27 @@
-//! The four operations and the square root, rounded down and up.
+//! The four operations and the square root, rounded downward and upward.
 //!
 //! `v = fl(a ∘ b)` is the double nearest to the true value, which therefore lies between the
-//! neighbours of `v`. The sign of the residual `a ∘ b − v` says on which side; if it is zero, `v`
-//! is exact and both bounds.
+//! neighbours of `v`. The sign of the residual `a ∘ b − v` tells on which side of `v` it lies. If
+//! the residual is zero, `v` is exact and serves as both bounds.
 //!
-//! The residual of a sum is a double, and Knuth's TwoSum computes it exactly. For products Dekker's
-//! algorithm does, without a fused multiply-add, if nothing overflows and no part of the product
-//! falls below the smallest subnormal. The residuals `a − q b` of a quotient and `a − s²` of a root
-//! are doubles too, for the rounded results `q` and `s`. Outside these ranges the bound is the
-//! neighbour, which is always valid.
+//! The residual of a sum is a double, and Knuth's TwoSum computes it exactly. For products,
+//! Dekker's algorithm does the same without a fused multiply-add, provided that nothing overflows
+//! and that no part of the product falls below the smallest subnormal. The residuals `a − q b` of a
+//! quotient and `a − s²` of a root are doubles too, for the rounded results `q` and `s`. Outside
+//! these ranges the neighbour serves as the bound, which is always valid.
 
-/// Which bound.
+/// Which bound is wanted.
 #[derive(Clone, Copy, PartialEq)]
 enum Side {
     Below,
     Above,
 }
 
-/// A bound on a number with the nearest double `value`, given a number with the sign of the
-/// residual; NaN for an unknown residual.
+/// Returns a bound on a number whose nearest double is `value`, given a number with the sign of the
+/// residual, or NaN if the residual is unknown.
 ///
-/// A zero has the sign of the number that underflowed to it, so it is itself a bound: `+0` from
-/// below, `−0` from above.
+/// A zero has the sign of the number that underflowed to it, so it is a bound itself: `+0` from
+/// below, and `−0` from above.
 #[inline]
 fn beside(value: f64, residual: f64, side: Side) -> f64 {
     match side {
@@ -32,10 +32,10 @@ fn beside(value: f64, residual: f64, side: Side) -> f64 {
     }
 }
 
-/// `(s, e)` with `s = fl(a + b)` and `s + e = a + b` exactly, unless the sum overflows.
+/// Returns `(s, e)` with `s = fl(a + b)` and `s + e = a + b` exactly, unless the sum overflows.
 ///
-/// Knuth's TwoSum. A sum of doubles never underflows, and the intermediate values are at most
-/// `2 max(|a|, |b|)`.
+/// This is Knuth's TwoSum. A sum of doubles never underflows, and the intermediate values are at
+/// most `2 max(|a|, |b|)`.
 #[inline]
 pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let s = a + b;
@@ -44,13 +44,14 @@ pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (s, (a - from_a) + (b - from_b))
 }
 
-/// `(p, e)` with `p = fl(a b)` and `p + e = a b` exactly; `e` is NaN where that is not guaranteed.
+/// Returns `(p, e)` with `p = fl(a b)` and `p + e = a b` exactly; `e` is NaN if that is not
+/// guaranteed.
 ///
-/// Dekker's product, on Veltkamp's halves of 26 bits. The splitting multiplies by `2²⁷ + 1`, which
-/// overflows only beyond `2⁹⁹⁶`; the product of the upper halves is at most `(1 + 2⁻²⁵) |a b|`. The
-/// residual is a multiple of the product of the last places of `a` and `b`, which is at least
-/// `2⁻¹⁰⁶ |p|`: above the smallest subnormal, `2⁻¹⁰⁷⁴`, if `|p| ≥ 2⁻⁹⁶⁰`. Then no partial product
-/// has places below it either.
+/// This is Dekker's product, with Veltkamp's halves of 26 bits. The splitting multiplies by
+/// `2²⁷ + 1`, which overflows only beyond `2⁹⁹⁶`. The product of the upper halves is at most
+/// `(1 + 2⁻²⁵) |a b|`. The residual is a multiple of the product of the last places of `a` and `b`,
+/// which is at least `2⁻¹⁰⁶ |p|`. This exceeds the smallest subnormal, `2⁻¹⁰⁷⁴`, if `|p| ≥ 2⁻⁹⁶⁰`.
+/// In that case no partial product has places below it either.
 #[inline]
 pub(super) fn two_product(a: f64, b: f64) -> (f64, f64) {
     const LARGE: f64 = f64::from_bits((1023 + 990) << 52);
@@ -58,7 +59,7 @@ pub(super) fn two_product(a: f64, b: f64) -> (f64, f64) {
     const SMALL: f64 = f64::from_bits((1023 - 960) << 52);
     let p = a * b;
     if !(a.abs() <= LARGE && b.abs() <= LARGE && p.abs() <= LARGEST && p.abs() >= SMALL) {
-        // A product is zero without underflow only if a factor is.
+        // A product is zero without underflow only if one of its factors is zero.
         let zero = (a == 0.0 && b.is_finite()) || (b == 0.0 && a.is_finite());
         return (p, if zero { 0.0 } else { f64::NAN });
     }
@@ -67,7 +68,7 @@ pub(super) fn two_product(a: f64, b: f64) -> (f64, f64) {
     (p, ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2)
 }
 
-/// `a = a₁ + a₂` with at most 26 bits each.
+/// Splits `a = a₁ + a₂` into parts with at most 26 bits each.
 #[inline]
 fn halves(a: f64) -> (f64, f64) {
     let c = a * 134_217_729.0;
@@ -96,9 +97,9 @@ fn div(a: f64, b: f64, side: Side) -> f64 {
     if a == 0.0 && b != 0.0 && !b.is_nan() {
         return q;
     }
-    // a − q b is a double (of at most 53 bits, by the rounding of q), so is a − fl(q b), and both
-    // are computed exactly if the residual of the product is known. The quotient lies above q if
-    // the residual has the sign of b. For a quotient that underflowed, the neighbours are the
+    // a − q b is a double (it has at most 53 bits, by the rounding of q), and so is a − fl(q b).
+    // Both are computed exactly if the residual of the product is known. The quotient lies above q
+    // if the residual has the sign of b. If the quotient underflowed, the neighbours serve as
     // bounds.
     let (p, e) = two_product(q, b);
     let residual = if q.abs() >= f64::MIN_POSITIVE && a.is_finite() && b.is_finite() {

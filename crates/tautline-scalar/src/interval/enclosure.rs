@@ -8,35 +8,36 @@ use super::{
     kernel::{Kernel, Rigorous},
 };
 
-/// An interval whose elementary functions rely on IEEE `+ − × ÷ √` only.
+/// An interval whose elementary functions rely only on the IEEE operations `+ − × ÷ √`.
 pub type Interval = Enclosure<Rigorous>;
 
 /// A closed interval `[lo, hi]` of real numbers, or *undefined*.
 ///
-/// Every operation returns an interval that contains all its values on real numbers in the
-/// arguments. The ends are doubles; `lo = −∞` or `hi = ∞` means that there is no bound on that
-/// side. The type parameter is the kernel of the elementary functions: see [`Interval`] and
+/// Every operation returns an interval that contains all values that it can take for real numbers
+/// in its arguments. The ends are doubles; `lo = −∞` or `hi = ∞` means that there is no bound on
+/// that side. The type parameter is the kernel of the elementary functions: see [`Interval`] and
 /// [`FastInterval`](super::FastInterval).
 ///
 /// # Undefined
 ///
-/// *Undefined*, with NaN for both ends, are: a quotient whose divisor contains zero, a root or a
-/// logarithm whose argument contains a number outside the domain, a tangent whose argument may
-/// contain a pole, and anything made from NaN or an infinite number. Every operation on an
-/// undefined interval is undefined, including multiplication by zero and `x⁰`. So a formula that is
-/// undefined at one point of a box is undefined on the box, and never gets a finite enclosure. (The
-/// whole line would not do: its arctangent is finite.) Compare ends so that NaN fails: discard a
-/// box only `if x.hi() <= best { … }`.
+/// An *undefined* interval has NaN for both ends. It results from a quotient whose divisor contains
+/// zero, from a root or a logarithm whose argument contains a number outside the domain, from a
+/// tangent whose argument may contain a pole, and from anything made from NaN or an infinite
+/// number. Every operation on an undefined interval is undefined, including multiplication by zero
+/// and `x⁰`. A formula that is undefined at one point of a box is therefore undefined on the box,
+/// and never gets a finite enclosure. (Returning the whole line would not suffice, since its
+/// arctangent is finite.) Compare ends so that NaN fails: discard a box only
+/// `if x.hi() <= best { … }`.
 ///
-/// Where a number overflows, the interval is infinite but defined.
+/// If a number overflows, the interval is infinite but defined.
 ///
 /// # Equality
 ///
-/// Intervals are equal if their ends are; an undefined one equals nothing, not even itself. There
-/// is no order.
+/// Intervals are equal if their ends are equal. An undefined interval equals nothing, not even
+/// itself. Intervals have no order.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Enclosure<K> {
-    // Invariant: lo ≤ hi, lo < ∞ and hi > −∞; or both are NaN.
+    // Invariant: either lo ≤ hi, lo < ∞ and hi > −∞, or both are NaN.
     lo: f64,
     hi: f64,
     kernel: PhantomData<K>,
@@ -66,16 +67,16 @@ impl<K: Kernel> Enclosure<K> {
         }
     }
 
-    /// Returns `[x, x]`; undefined unless `x` is finite.
+    /// Returns `[x, x]`, which is undefined unless `x` is finite.
     #[must_use]
     pub fn point(x: f64) -> Self {
         if x.is_finite() { Self::enclosing(x, x) } else { Self::UNDEFINED }
     }
 
-    /// Returns `[lo, hi]`, where a NaN or an infinity of the wrong sign becomes the infinity of the
-    /// right sign: no bound.
+    /// Returns `[lo, hi]`. An end that is NaN, or an infinity of the wrong sign, is replaced by the
+    /// infinity of the right sign, that is, by no bound.
     ///
-    /// Needs: `lo ≤ hi` unless one is NaN.
+    /// Needs: `lo ≤ hi` unless one of them is NaN.
     #[inline]
     pub(super) fn enclosing(lo: f64, hi: f64) -> Self {
         debug_assert!(!(lo > hi), "{lo} > {hi}");
@@ -92,14 +93,14 @@ impl<K: Kernel> Enclosure<K> {
         Enclosure { lo: self.lo, hi: self.hi, kernel: PhantomData }
     }
 
-    /// Returns the lower end; NaN if undefined.
+    /// Returns the lower end, or NaN if the interval is undefined.
     #[must_use]
     #[inline]
     pub fn lo(self) -> f64 {
         self.lo
     }
 
-    /// Returns the upper end; NaN if undefined.
+    /// Returns the upper end, or NaN if the interval is undefined.
     #[must_use]
     #[inline]
     pub fn hi(self) -> f64 {
@@ -119,20 +120,20 @@ impl<K: Kernel> Enclosure<K> {
         self.lo.is_finite() && self.hi.is_finite()
     }
 
-    /// Returns `hi − lo`, rounded up; NaN if undefined.
+    /// Returns `hi − lo`, rounded up, or NaN if the interval is undefined.
     #[must_use]
     pub fn width(self) -> f64 {
         add_up(self.hi, -self.lo)
     }
 
-    /// Returns a finite number in the interval: the centre up to rounding if both ends are finite,
-    /// otherwise `±f64::MAX` or 0; NaN if undefined.
+    /// Returns a finite number in the interval: the centre, up to rounding, if both ends are
+    /// finite, and `±f64::MAX` or 0 otherwise. Returns NaN if the interval is undefined.
     #[must_use]
     #[doc(alias = "centre")]
     pub fn midpoint(self) -> f64 {
         match (self.lo.is_finite(), self.hi.is_finite()) {
-            // Halves, so that the sum does not overflow. Half a subnormal rounds, and the sum may
-            // then lie outside: hence the clamp.
+            // Adding halves prevents overflow. Half a subnormal is rounded, so the sum may lie
+            // outside the interval, hence the clamp.
             (true, true) => (0.5 * self.lo + 0.5 * self.hi).clamp(self.lo, self.hi),
             (true, false) => f64::MAX,
             (false, true) => f64::MIN,
@@ -141,22 +142,23 @@ impl<K: Kernel> Enclosure<K> {
         }
     }
 
-    /// Returns the largest `|x|` in the interval; NaN if undefined.
+    /// Returns the largest `|x|` in the interval, or NaN if the interval is undefined.
     #[must_use]
     #[doc(alias = "mag")]
     pub fn magnitude(self) -> f64 {
-        // Both or neither are NaN, so `max` drops none.
+        // Either both are NaN or neither is, so `max` ignores none.
         self.lo.abs().max(self.hi.abs())
     }
 
-    /// Returns the smallest `|x|` in the interval; NaN if undefined.
+    /// Returns the smallest `|x|` in the interval, or NaN if the interval is undefined.
     #[must_use]
     #[doc(alias = "mig")]
     pub fn mignitude(self) -> f64 {
         if self.contains(0.0) { 0.0 } else { self.lo.abs().min(self.hi.abs()) }
     }
 
-    /// Returns whether the real number `x` lies in the interval; false if undefined.
+    /// Returns whether the real number `x` lies in the interval; false if the interval is
+    /// undefined.
     #[must_use]
     #[inline]
     pub fn contains(self, x: f64) -> bool {
@@ -169,7 +171,8 @@ impl<K: Kernel> Enclosure<K> {
         self.lo <= other.lo && other.hi <= self.hi
     }
 
-    /// Returns the intersection; `None` if it is empty, undefined if either interval is.
+    /// Returns the intersection: `None` if it is empty, and undefined if either interval is
+    /// undefined.
     #[must_use]
     pub fn intersection(self, other: Self) -> Option<Self> {
         if self.is_undefined() || other.is_undefined() {
@@ -179,7 +182,7 @@ impl<K: Kernel> Enclosure<K> {
         (lo <= hi).then(|| Self::enclosing(lo, hi))
     }
 
-    /// Returns the smallest interval that contains both; undefined if either interval is.
+    /// Returns the smallest interval that contains both; it is undefined if either interval is.
     #[must_use]
     pub fn hull(self, other: Self) -> Self {
         if self.is_undefined() || other.is_undefined() {
@@ -188,7 +191,7 @@ impl<K: Kernel> Enclosure<K> {
         Self::enclosing(self.lo.min(other.lo), self.hi.max(other.hi))
     }
 
-    /// Returns the distance from the midpoint to the farther end, rounded up; NaN if undefined.
+    /// Returns the distance from the midpoint to the farther end, rounded up, or NaN if undefined.
     #[must_use]
     pub fn radius(self) -> f64 {
         let centre = self.midpoint();

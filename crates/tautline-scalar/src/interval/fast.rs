@@ -1,19 +1,19 @@
-//! `Fast`: elementary functions by a library that claims to round correctly.
+//! `Fast`: elementary functions from a library that claims correct rounding.
 
 use super::{Enclosure, kernel::Kernel};
 
 /// An interval whose elementary functions trust the library `pxfm`.
 pub type FastInterval = Enclosure<Fast>;
 
-/// The functions of `pxfm`, widened by one double on either side.
+/// The functions of `pxfm`, with their results widened by one double on either side.
 ///
-/// The library claims, without proof, an error of half a unit in the last place; one double on
-/// either side is enough for a whole unit. Exact values stay exact, and bounds such as
-/// `|sin x| ≤ 1` hold.
+/// The library claims, without proof, an error of half a unit in the last place. One double on
+/// either side allows for a whole unit. Exact values stay exact, and bounds such as `|sin x| ≤ 1`
+/// hold.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fast;
 
-/// The neighbours of `y`, clamped to `[least, greatest]`.
+/// Returns the neighbours of `y`, clamped to `[least, greatest]`.
 #[inline]
 fn around(y: f64, least: f64, greatest: f64) -> (f64, f64) {
     if y.is_nan() {
@@ -22,7 +22,7 @@ fn around(y: f64, least: f64, greatest: f64) -> (f64, f64) {
     (y.next_down().clamp(least, greatest), y.next_up().clamp(least, greatest))
 }
 
-/// As [`around`], for a function with the exact value `at_zero` at zero.
+/// Does the same as [`around`], for a function with the exact value `at_zero` at zero.
 #[inline]
 fn with_exact(x: f64, at_zero: f64, y: f64, least: f64, greatest: f64) -> (f64, f64) {
     if x == 0.0 { (at_zero, at_zero) } else { around(y, least, greatest) }

@@ -11,7 +11,7 @@ use super::{
 use crate::Scalar;
 
 impl<K: Kernel> Enclosure<K> {
-    /// The image under an increasing function, given bounds on it at a double.
+    /// Returns the image under an increasing function, given bounds on the function at a double.
     #[inline]
     fn increasing(self, f: impl Fn(f64) -> (f64, f64)) -> Self {
         if self.is_undefined() {
@@ -21,8 +21,8 @@ impl<K: Kernel> Enclosure<K> {
         Self::enclosing(lo, if self.lo() == self.hi() { hi } else { f(self.hi()).1 })
     }
 
-    /// Integers `j ≤ k` with `j < n ≤ k` for every multiple `n π/2` in the interval above its lower
-    /// end; `None` if an end is too large or undefined.
+    /// Returns integers `j ≤ k` such that `j < n ≤ k` for every multiple `n π/2` in the interval
+    /// above its lower end. Returns `None` if an end is too large or undefined.
     #[inline]
     fn quarters(self) -> Option<(i32, i32)> {
         if !(self.magnitude() <= LARGEST_ANGLE) {
@@ -32,15 +32,16 @@ impl<K: Kernel> Enclosure<K> {
         Some((lo.floor().0, hi.floor().1))
     }
 
-    /// The image under sine (`shift = 1`) or cosine (`shift = 0`), given bounds at both ends.
+    /// Returns the image under sine (`shift = 1`) or cosine (`shift = 0`), given bounds at both
+    /// ends.
     ///
-    /// The function takes its extremes at the ends or at multiples `n π/2` with `n − shift` even:
-    /// there it is `1` if `n − shift` is a multiple of 4, otherwise `−1`.
+    /// The function attains its extremes at the ends or at multiples `n π/2` with `n − shift` even.
+    /// At these it is `1` if `n − shift` is a multiple of 4, and `−1` otherwise.
     #[inline]
     fn wave(ends: [(f64, f64); 2], (j, k): (i32, i32), shift: i32) -> Self {
         let [(a, b), (c, d)] = ends;
         let (mut lo, mut hi) = (a.min(c), b.max(d));
-        // Four consecutive n include both extremes.
+        // Four consecutive values of n include both extremes.
         for n in (j + 1)..=k.min(j + 5) {
             match (n - shift) & 3 {
                 0 => hi = 1.0,
@@ -51,13 +52,13 @@ impl<K: Kernel> Enclosure<K> {
         Self::enclosing(lo, hi)
     }
 
-    /// The bounds on sine and cosine at an unknown angle.
+    /// Returns the bounds on sine and cosine at an unknown angle.
     fn any_wave(self) -> Self {
         if self.is_undefined() { self } else { Self::enclosing(-1.0, 1.0) }
     }
 }
 
-/// `f` at both ends, evaluated once if they are equal.
+/// Evaluates `f` at both ends, but only once if they are equal.
 #[inline]
 fn at_ends<T: Copy>(lo: f64, hi: f64, f: impl Fn(f64) -> T) -> [T; 2] {
     let first = f(lo);
@@ -76,7 +77,7 @@ macro_rules! increasing {
 impl<K: Kernel> Scalar for Enclosure<K> {
     increasing!(exp atan sinh tanh);
 
-    /// Returns `[value, value]`; undefined unless `value` is finite.
+    /// Returns `[value, value]`, which is undefined unless `value` is finite.
     #[inline]
     fn constant(value: f64) -> Self {
         Self::point(value)
@@ -91,20 +92,20 @@ impl<K: Kernel> Scalar for Enclosure<K> {
         Self::enclosing(mul_down(near, near), mul_up(far, far))
     }
 
-    /// Returns `xⁿ`. Even powers have no negative part. Undefined if `x` is, also for `n = 0`, and
-    /// for `n < 0` if zero is inside.
+    /// Returns `xⁿ`. Even powers have no negative part. The result is undefined if `x` is, even for
+    /// `n = 0`, and if `n < 0` and `x` contains zero.
     #[inline]
     fn powi(self, n: i32) -> Self {
         self.power(n)
     }
 
-    /// Returns `1 / x`; undefined if zero is inside.
+    /// Returns `1 / x`, which is undefined if `x` contains zero.
     #[inline]
     fn recip(self) -> Self {
         Self::one() / self
     }
 
-    /// Returns `√x`; undefined if the interval reaches below zero.
+    /// Returns `√x`, which is undefined if `x` contains a negative number.
     #[inline]
     fn sqrt(self) -> Self {
         if !(self.lo() >= 0.0) {
@@ -113,13 +114,13 @@ impl<K: Kernel> Scalar for Enclosure<K> {
         Self::enclosing(sqrt_down(self.lo()), sqrt_up(self.hi()))
     }
 
-    /// Returns the natural logarithm; undefined if the interval reaches to zero.
+    /// Returns the natural logarithm, which is undefined unless `x` is positive.
     #[inline]
     fn ln(self) -> Self {
         if self.lo() > 0.0 { self.increasing(K::ln) } else { Self::UNDEFINED }
     }
 
-    /// Returns `(sin x, cos x)`; `[−1, 1]` where an end is beyond `2²⁰`.
+    /// Returns `(sin x, cos x)`. Both are `[−1, 1]` if an end of `x` is beyond `2²⁰`.
     #[inline]
     fn sin_cos(self) -> (Self, Self) {
         let Some(quarters) = self.quarters() else {
@@ -129,13 +130,14 @@ impl<K: Kernel> Scalar for Enclosure<K> {
         (Self::wave([s0, s1], quarters, 1), Self::wave([c0, c1], quarters, 0))
     }
 
-    /// Returns `tan x`; undefined if a pole may be inside, as always where an end is beyond `2²⁰`.
+    /// Returns `tan x`, which is undefined if `x` may contain a pole, and always if an end is
+    /// beyond `2²⁰`.
     #[inline]
     fn tan(self) -> Self {
         let Some((j, k)) = self.quarters() else {
             return Self::UNDEFINED;
         };
-        // Poles are at odd multiples of π/2.
+        // The poles are at odd multiples of π/2.
         if ((j + 1)..=k.min(j + 2)).any(|n| n & 1 == 1) {
             return Self::UNDEFINED;
         }
@@ -147,7 +149,7 @@ impl<K: Kernel> Scalar for Enclosure<K> {
         (self.sinh(), self.cosh())
     }
 
-    // `sin` and `cos` compute one half of `sin_cos` only.
+    // `sin` and `cos` compute only one half of `sin_cos`.
     #[inline]
     fn sin(self) -> Self {
         let Some(quarters) = self.quarters() else {

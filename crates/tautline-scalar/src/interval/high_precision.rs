@@ -1,4 +1,4 @@
-//! `astro-float` at 320 bits, as the reference of the unit tests.
+//! The reference of the unit tests: `astro-float` at 320 bits.
 
 use astro_float::{BigFloat, Consts, RoundingMode};
 
@@ -23,7 +23,7 @@ pub(super) fn half_pi() -> BigFloat {
     constants().pi(P, RM).mul(&big(0.5), P, RM)
 }
 
-/// Returns the distance of `value` from the exact sum of `parts`.
+/// Returns the distance between `value` and the exact sum of `parts`.
 pub(super) fn error_of_sum(parts: &[f64], value: &BigFloat) -> BigFloat {
     let sum = parts.iter().fold(big(0.0), |sum, &part| sum.add(&big(part), P, RM));
     value.sub(&sum, P, RM).abs()

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-/// Why two numbers are not the ends of an interval.
+/// Why two numbers cannot be the ends of an interval.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum IntervalError {

@@ -1,4 +1,4 @@
-//! `Kernel`: how elementary functions are enclosed at a double.
+//! `Kernel`: how the elementary functions are enclosed at a double.
 
 use std::fmt::Debug;
 
@@ -10,8 +10,8 @@ mod sealed {
 
 /// How the elementary functions are enclosed at one double: [`Rigorous`] or [`Fast`].
 ///
-/// Each method returns a lower and an upper bound on the true value; at an infinite argument, on
-/// the limit. Sealed, since intervals rely on that.
+/// Each method returns a lower and an upper bound on the true value, or on the limit if the
+/// argument is infinite. The trait is sealed, since intervals rely on these bounds.
 ///
 /// [`Fast`]: super::Fast
 pub trait Kernel: sealed::Sealed + Copy + Debug + PartialEq + Send + Sync + 'static {
@@ -37,12 +37,12 @@ pub trait Kernel: sealed::Sealed + Copy + Debug + PartialEq + Send + Sync + 'sta
     fn tanh(x: f64) -> (f64, f64);
 }
 
-/// Series with bounds on truncation and rounding: relies only on `+ − × ÷ √` of doubles being
-/// rounded to nearest.
+/// Series with bounds on truncation and rounding. This kernel relies only on `+ − × ÷ √` of doubles
+/// being rounded to nearest.
 ///
-/// The widest enclosures among a million points for each function, in units of `2⁻⁵²` of the value
-/// (one unit in the last place, or half of one): 2.2 for `exp`, 4.4 for `ln`, 2.9 for `sin` and
-/// `cos`, 7 for `tan`, 5 for `atan`, 4.1 for `sinh`, 3.6 for `cosh`, 6.7 for `tanh`. They are
-/// relative near zeros too: nothing cancels.
+/// The widest enclosures among a million points for each function, in units of `2⁻⁵²` times the
+/// value (which is one unit in the last place, or half of one), are 2.2 for `exp`, 4.4 for `ln`,
+/// 2.9 for `sin` and `cos`, 7 for `tan`, 5 for `atan`, 4.1 for `sinh`, 3.6 for `cosh` and 6.7 for
+/// `tanh`. These relative widths hold near zeros too, since nothing cancels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rigorous;

@@ -1,10 +1,11 @@
 //! Intervals: bounds on a formula over a whole box.
 //!
-//! The type is [`Enclosure`], with arithmetic, powers and functions. Below it are the operations of
-//! doubles with directed rounding (`directed`), a number with an error bound (`approximation`),
+//! The type is [`Enclosure`], with arithmetic, powers and functions. It is built on the operations
+//! on doubles with directed rounding (`directed`), a number with an error bound (`approximation`),
 //! Horner's scheme with an error bound (`series`), and one file for each elementary function. Every
-//! error bound is derived where it is used, in units of `u = 2⁻⁵³`. For rounding errors it is at
-//! least a tenth larger than derived: that margin covers the higher orders of `u`, which are less
+//! error bound is derived where it is used, in units of `u = 2⁻⁵³`. Bounds on rounding errors are
+//! at least a tenth larger than derived. This margin covers the higher-order terms in `u`, which
+//! are less than `10⁻¹⁴` times the first-order term.
 //! than `10⁻¹⁴` of the first.
 
 mod approximation;

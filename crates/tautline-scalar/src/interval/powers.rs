@@ -10,12 +10,14 @@ use super::{
 use crate::Scalar;
 
 impl<K: Kernel> Enclosure<K> {
-    /// `xⁿ`; `1` for `n = 0`; undefined for `n < 0` if zero is inside.
+    /// Returns `xⁿ`. It is `1` for `n = 0`, and undefined if `n < 0` and the interval contains
+    /// zero.
     pub(super) fn power(self, n: i32) -> Self {
         if self.is_undefined() {
             return self;
         }
-        // The reciprocal first: a power of a small number may underflow, and then contain zero.
+        // The reciprocal comes first: a power of a small number may underflow, and would then
+        // contain zero.
         let x = if n < 0 { Self::one() / self } else { self };
         let n = n.unsigned_abs();
         match n {
@@ -23,12 +25,12 @@ impl<K: Kernel> Enclosure<K> {
             1 => x,
             2 => x.sqr(),
             _ if x.is_undefined() => x,
-            // Increasing in |x|.
+            // The power increases with |x|.
             _ if n.is_multiple_of(2) => Self::enclosing(
                 power_of_positive(x.mignitude(), n, mul_down),
                 power_of_positive(x.magnitude(), n, mul_up),
             ),
-            // Increasing in x.
+            // The power increases with x.
             _ => {
                 let lo = if x.lo() >= 0.0 {
                     power_of_positive(x.lo(), n, mul_down)
@@ -46,8 +48,8 @@ impl<K: Kernel> Enclosure<K> {
     }
 }
 
-/// A bound on `xⁿ` for `x ≥ 0` and `n ≥ 1`, on the side to which `mul` rounds: products of
-/// nonnegative numbers are increasing in each factor.
+/// Returns a bound on `xⁿ` for `x ≥ 0` and `n ≥ 1`, on the side to which `mul` rounds. It is valid
+/// because a product of nonnegative numbers increases with each factor.
 fn power_of_positive(x: f64, mut n: u32, mul: impl Fn(f64, f64) -> f64) -> f64 {
     let mut square = x;
     let mut result: Option<f64> = None;

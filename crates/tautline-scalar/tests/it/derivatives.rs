@@ -1,5 +1,5 @@
-//! Jets against closed forms, and against the automatic differentiation of `num-dual`, which shares
-//! no code with ours.
+//! Compares jets with closed forms, and with the automatic differentiation of `num-dual`, which
+//! shares no code with ours.
 
 use approx::assert_relative_eq;
 use nalgebra::{SVector, vector};
@@ -8,7 +8,7 @@ use num_traits::Zero;
 use proptest::prelude::*;
 use tautline_scalar::{Jet1, Jet2, Scalar};
 
-/// Tests functions against their first and second derivatives in closed form.
+/// Compares functions with their first and second derivatives in closed form.
 macro_rules! closed_forms {
     ($($name:ident, $at:expr, |$x:ident| $f:expr, $first:expr, $second:expr;)*) => {$(
         #[test]
@@ -21,7 +21,7 @@ macro_rules! closed_forms {
                 let f = |$x: f64| $f;
                 assert_eq!(y.value(), f($x), "value at {}", $x);
                 assert_eq!(z.value(), f($x), "value at {}", $x);
-                // A few roundings on either side; 1e-13 is 400 ulps.
+                // Each side has a few roundings; 1e-13 is 400 ulps.
                 assert_relative_eq!(y.first(0), $first, max_relative = 1e-13);
                 assert_relative_eq!(z.first(0), $first, max_relative = 1e-13);
                 assert_relative_eq!(y.second(0, 0), $second, max_relative = 1e-13);
@@ -62,7 +62,7 @@ fn formula<S: Scalar>([x, y, z]: [S; 3]) -> S {
     sum += (-(z.sqr()) - y).exp() / (ch + sh.tanh());
     sum -= (x * 0.3).tan() * z.powi(3) + (y + z).atan().powi(-2);
     sum *= (x - y + 4.0).recip() - 0.25;
-    // Straight and bent jets, in either order.
+    // Sums of jets with and without a second-order part, in either order.
     sum += (x - y * 2.0) / (z + 9.0) + x * z.sqr() - z.sqr() * y + x * y;
     sum -= (x * z) / (y + 7.0) + (x - 8.0) / (y.sqr() + 1.0) + (z.sqr() - y) - (y - z.sqr());
     let mut line = x * 2.0;
@@ -91,13 +91,13 @@ fn formula_in_num_dual(v: SVector<Dual2SVec64<3>, 3>) -> Dual2SVec64<3> {
 proptest! {
     #![proptest_config(tautline_chance::config(1, 256))]
 
-    /// All first and second derivatives of one formula agree with `num-dual`.
+    /// All first and second derivatives of a formula agree with `num-dual`.
     #[test]
     fn jets_agree_with_num_dual(x in -1.5..1.5_f64, y in 0.2..1.5_f64, z in 0.2..1.5_f64) {
         let ours = formula(Jet2::variables(&[x, y, z]));
         let first_order = formula(Jet1::variables(&[x, y, z]));
         let (value, gradient, second) = hessian(formula_in_num_dual, &vector![x, y, z]);
-        // atan⁻² of an argument ≥ 0.4 and its second derivative are at most 300; some forty
+        // atan⁻² of an argument ≥ 0.4 and its second derivative are at most 300. About forty
         // roundings of relative size 1e-16 in numbers of that size stay below 1e-11.
         let close = |a: f64, b: f64| (a - b).abs() <= 1e-11 * (1.0 + b.abs());
         prop_assert!(close(ours.value(), value));
@@ -129,7 +129,7 @@ fn powers_at_zero_are_polynomials() {
 fn jets_are_equal_if_value_and_derivatives_are() {
     let [x] = Jet2::<f64, 1>::variables(&[0.0]);
     let one = Jet2::constant(1.0);
-    // 1 + x, 1 + 2x, 1 + x + x², 2 + x.
+    // 1 + x differs from 1 + 2x, 1 + x + x² and 2 + x.
     for other in [one + x * 2.0, one + x + x.sqr(), one + x + 1.0] {
         assert!(other != one + x && other == other * 1.0, "{other:?}");
     }
@@ -143,7 +143,7 @@ fn jets_are_equal_if_value_and_derivatives_are() {
 fn the_derivative_of_a_saturated_tanh_keeps_its_digits() {
     for x in [5.0_f64, 15.0, 25.0, -40.0] {
         let [jet] = Jet2::variables(&[x]);
-        // 4 e^{−2|x|}/(1 + e^{−2|x|})², and −2 tanh x times it.
+        // The derivatives are 4 e^{−2|x|}/(1 + e^{−2|x|})², and this times −2 tanh x.
         let e = (-2.0 * x.abs()).exp();
         let slope = 4.0 * e / (1.0 + e).powi(2);
         assert_relative_eq!(jet.tanh().first(0), slope, max_relative = 1e-13);
@@ -151,7 +151,7 @@ fn the_derivative_of_a_saturated_tanh_keeps_its_digits() {
     }
 }
 
-/// Outside the domain of a function everything is NaN, derivatives too.
+/// Outside the domain of a function the value and all derivatives are NaN.
 #[test]
 fn outside_the_domain_is_nan() {
     let [x] = Jet2::variables(&[-1.0]);
@@ -160,7 +160,7 @@ fn outside_the_domain_is_nan() {
     }
 }
 
-/// A first-order jet over first-order jets has second derivatives.
+/// A first-order jet over first-order jets contains second derivatives.
 #[test]
 fn jets_nest() {
     let [inner] = Jet1::variables(&[0.7_f64]);

@@ -1,4 +1,4 @@
-//! Ten thousand hard arguments of each elementary function (next to multiples of `π/2`, to powers
+//! Ten thousand hard arguments of each elementary function (close to multiples of `π/2`, to powers
 //! of two and to the ends of the range), and as many ordinary ones.
 
 use crate::reference::{FAMILIES, Function, Random, Reference, Widest, argument, attempt};
@@ -6,7 +6,7 @@ use tautline_chance::{cases, seed};
 
 const EACH: u32 = 10_000;
 
-/// Angles next to multiples of `π/2`, up to the largest angle.
+/// Returns an angle close to a multiple of `π/2`, up to the largest angle.
 fn near_quarters(random: &mut Random) -> f64 {
     let k = match random.bits() % 3 {
         0 => 1 + random.bits() % 64,
@@ -20,11 +20,11 @@ fn near_quarters(random: &mut Random) -> f64 {
     for _ in 0..random.bits() % 4 {
         x = x.next_up();
     }
-    // Odd multiples of π/4 too, where the integer of the reduction changes.
+    // Odd multiples of π/4 are included, where the integer of the reduction changes.
     if random.bits().is_multiple_of(8) { random.sign() * x / 2.0 } else { random.sign() * x }
 }
 
-/// Numbers next to a boundary between cases, roundings or ranges.
+/// Returns a number close to a boundary between cases, roundings or ranges.
 fn special(family: &[Function], random: &mut Random) -> f64 {
     let powers = || (-40..=20).map(|e| 2.0_f64.powi(e));
     let common: Vec<f64> = match family[0] {
@@ -63,7 +63,7 @@ fn hard(family: &[Function], random: &mut Random) -> f64 {
     match random.bits() % 8 {
         // Subnormal numbers.
         0 if family[0] == Function::Ln => f64::from_bits(1 + random.bits() % (1 << 52)),
-        // Near one, the zero of the logarithm.
+        // Numbers near one, the zero of the logarithm.
         1 | 2 if family[0] == Function::Ln => 1.0 + random.sign() * random.with_exponent(-53, -2),
         0 | 1 if family[0] == Function::Exp => random.sign() * random.between(690.0, 750.0),
         0..=3 if family[0] == Function::Sin => near_quarters(random),
@@ -82,7 +82,7 @@ fn try_family(which: usize) {
     }
     for (f, [rigorous, fast]) in family.iter().zip(&widest) {
         println!("{f:?}: rigorous {rigorous:?}, fast {fast:?}");
-        // In units of 2⁻⁵²: absolute for sine and cosine, relative for the others.
+        // Widths are in units of 2⁻⁵², absolute for sine and cosine, relative for the others.
         let width = match f {
             Function::Sin | Function::Cos => rigorous.absolute,
             _ => rigorous.relative,

@@ -34,12 +34,12 @@ fn waves_reach_one_exactly_where_a_crest_is_inside() {
         assert!(x(1.6, 4.7).sin().hi() < 1.0 && x(1.6, 4.7).sin().lo() > -1.0);
         assert_eq!(ends(x(0.0, 7.0).sin()), (-1.0, 1.0));
     }
-    // Beyond the largest angle.
+    // This angle is beyond the largest one.
     assert_eq!(ends(Interval::point(1e22).sin()), (-1.0, 1.0));
     assert_eq!(ends(interval(0.0, 1e7).cos()), (-1.0, 1.0));
 }
 
-/// Up to `2²⁰`, inclusive, of either sign; one larger end is enough to know nothing.
+/// The limit is `2²⁰`, inclusive, for either sign. If only one end is larger, nothing is known.
 #[test]
 fn angles_of_either_sign_have_the_same_limit() {
     const LARGEST: f64 = 1_048_576.0;
@@ -59,7 +59,7 @@ fn angles_of_either_sign_have_the_same_limit() {
     }
 }
 
-/// Next to multiples of `π/2`, where a value is ±1 to rounding.
+/// Angles close to multiples of `π/2`, where a value rounds to ±1.
 #[test]
 fn enclosures_of_waves_stay_within_one() {
     for quarter in -3000..3000 {

@@ -1,4 +1,4 @@
-//! Intervals as sets: ends, sizes, intersections and hulls; exact values.
+//! Intervals as sets: their ends, sizes, intersections and hulls, and exact values.
 
 use astro_float::{BigFloat, RoundingMode};
 use tautline_scalar::{Enclosure, Fast, Interval, Kernel, Rigorous, Scalar};
@@ -31,7 +31,7 @@ fn sizes_of_intervals_are_rounded_up() {
         assert!(within(apart(x.hi(), centre), radius), "{x:?} {radius:e}");
         assert!(within(apart(centre, x.lo()), radius), "{x:?} {radius:e}");
         assert!(within(apart(x.hi(), x.lo()), x.width()), "{x:?} {:e}", x.width());
-        // Up to one rounding of each step.
+        // The value is exact up to one rounding in each step.
         let most = x.hi() * 0.5 - x.lo() * 0.5;
         assert!(radius <= most * (1.0 + 1e-15) + f64::EPSILON * x.magnitude() + LEAST, "{x:?}");
     }
@@ -106,7 +106,7 @@ fn exact_values_stay_exact() {
     exact_values::<Fast>();
 }
 
-/// On either side of 711 and −746, beyond which nothing is computed.
+/// Arguments on either side of 711 and −746, beyond which nothing is computed.
 #[test]
 fn an_exponential_beyond_the_doubles_is_bounded_by_the_largest() {
     for x in [709.8, 710.0, 711.0, 711.0_f64.next_up(), 1e300] {

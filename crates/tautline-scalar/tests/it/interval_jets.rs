@@ -12,7 +12,7 @@ use crate::{
 const P: usize = 320;
 const RM: RoundingMode = RoundingMode::None;
 
-/// A formula of two variables that uses most operations.
+/// A formula in two variables that uses most operations.
 fn formula<S: Scalar>([x, y]: [S; 2]) -> S {
     let (s, c) = (x * y).sin_cos();
     ((-x.sqr()).exp() * c + (y.sqr() + 1.5).ln().sqrt() * s) / (x.cosh() + y.atan().tanh() + 1.5)
@@ -54,7 +54,7 @@ fn jets_enclose_derivatives_known_in_high_precision() {
             assert!(holds(z.second(0, 0), &q2) && holds(z.second(0, 1), &q1));
             assert!(holds(z.second(1, 1), &q));
             if spread == 0.0 {
-                // A dozen operations of one or two ulps each, with cancellation in q''.
+                // There are a dozen operations of one or two ulps each, with cancellation in q''.
                 assert!(z.second(0, 0).width() < 1e-11, "{z:?}");
             }
         }
@@ -73,7 +73,7 @@ fn jets_at_points_meet_jets_over_boxes() {
             let p = centre.map(|c| random.between(c - size, c + size));
             let at = formula(Jet2::variables(&p.map(Interval::point)));
             let meets = |x: Interval, y: Interval| x.intersection(y).is_some() && y.is_finite();
-            // Hundreds of ulps of the largest intermediate value, about 10.
+            // The tolerance is hundreds of ulps of the largest intermediate value, about 10.
             let near = |x: Interval, y: f64| (x.midpoint() - y).abs() < 1e-11;
             let plain = formula(Jet2::variables(&p));
             assert!(meets(second.value(), at.value()) && near(at.value(), plain.value()));
@@ -96,7 +96,7 @@ fn jets_of_the_undefined_are_undefined() {
         assert!(y.value().is_undefined() && y.first(0).is_undefined());
         assert!(y.second(0, 0).is_undefined());
     }
-    // At zero the root is defined, its slope is not.
+    // At zero the root is defined, but its slope is not.
     let [x] = Jet1::variables(&[interval(0.0, 1.0)]);
     assert!(x.sqrt().value().is_finite() && x.sqrt().first(0).is_undefined());
     // x⁰ is 1 at zero, with slope 0.
@@ -105,7 +105,8 @@ fn jets_of_the_undefined_are_undefined() {
 
 #[test]
 fn second_derivatives_square_the_slopes() {
-    // (x²)² has the second derivative 12 x², computed as 2 (2x)² + 2 x² · 2: never negative.
+    // The second derivative of (x²)² is 12 x². Computed as 2 (2x)² + 2 x² · 2, it is never
+    // negative.
     let [x] = Jet2::variables(&[interval(-1.0, 1.0)]);
     assert_eq!(ends(x.sqr().sqr().second(0, 0)), (0.0, 12.0));
 }

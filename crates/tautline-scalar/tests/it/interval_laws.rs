@@ -12,11 +12,11 @@ use crate::{
 
 const CASES: u32 = 100_000;
 const P: usize = 320;
-/// Enough for any sum of two doubles, exactly.
+/// The precision that represents any sum of two doubles exactly.
 const SUM: usize = 2304;
 const RM: RoundingMode = RoundingMode::None;
 
-/// Many of these numbers coincide, are zero or have few digits.
+/// Returns a random number. Many of these numbers coincide, are zero or have few digits.
 fn number(random: &mut Random) -> f64 {
     match random.bits() % 6 {
         0 => (random.bits() % 9) as f64 - 4.0,
@@ -38,7 +38,7 @@ fn some_interval(random: &mut Random) -> Interval {
     if a <= b { interval(a, b) } else { interval(b, a) }
 }
 
-/// A subinterval, often with a common end or a neighbour of one.
+/// Returns a subinterval, which often shares an end with `x` or has a neighbour of one.
 fn part(x: Interval, random: &mut Random) -> Interval {
     let mut end = |fallback: f64| match random.bits() % 4 {
         0 => fallback,
@@ -62,8 +62,8 @@ fn arithmetic_encloses_and_is_tightest() {
     for _ in 0..cases(CASES) {
         let (a, b) = (number(&mut random), number(&mut random));
         let (x, y) = (Reference::big(a), Reference::big(b));
-        // Sums and products are exact. The relative distance of a quotient from all doubles, if it
-        // is none, is more than 2⁻¹⁰⁷.
+        // Sums and products are exact. A quotient that is not a double has a relative distance from
+        // all doubles of more than 2⁻¹⁰⁷.
         let exact: [BigFloat; 4] =
             [x.add(&y, SUM, RM), x.sub(&y, SUM, RM), x.mul(&y, P, RM), x.div(&y, P, RM)];
         for (i, (operation, value)) in operations::<Rigorous>().iter().zip(&exact).enumerate() {
@@ -72,7 +72,8 @@ fn arithmetic_encloses_and_is_tightest() {
             }
             let z = operation(Interval::point(a), Interval::point(b));
             assert!(holds(z, value), "{i}: {a:e}, {b:e}: {z:?} misses {value}");
-            // As tight as possible, except products and quotients near the ends of the range.
+            // The result is as tight as possible, except for products and quotients near the ends
+            // of the range.
             let inside = |size: f64| (1e-285..1e297).contains(&size);
             let inside = inside(z.mignitude()) && (i < 2 || inside(a.abs()));
             if z.lo() != z.hi() && inside && (i < 2 || b.abs() < 1e297) {
@@ -102,7 +103,7 @@ fn roots_enclose_and_are_tightest() {
 #[test]
 fn arithmetic_is_monotone_under_inclusion() {
     let mut random = Random(seed(3));
-    // The range in which arithmetic is as tight as possible; beyond, a result may be a double
+    // The range in which arithmetic is as tight as possible. Outside it a result may be one double
     // wider.
     let middle = |x: Interval| {
         let sizes = [x.lo().abs(), x.hi().abs()];
@@ -134,7 +135,7 @@ fn arithmetic_is_monotone_under_inclusion() {
     assert!(tried > CASES);
 }
 
-/// The elementary functions are monotone only up to the eight ulps that an enclosure may be wide.
+/// The elementary functions are monotone only up to the width of an enclosure, at most eight ulps.
 fn functions_are_monotone<K: Kernel>() {
     let mut random = Random(seed(4));
     let wider = |x: Enclosure<K>| {

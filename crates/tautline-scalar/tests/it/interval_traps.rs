@@ -1,4 +1,4 @@
-//! Where interval arithmetic usually goes wrong: underflow, infinities, NaN and invalid ends.
+//! Where interval arithmetic often fails: underflow, infinities, NaN and invalid ends.
 
 use std::f64::consts::PI;
 
@@ -36,7 +36,7 @@ fn a_product_that_underflows_is_not_zero() {
     assert_eq!(ends((-tiny).powi(5)), (-LEAST, 0.0));
     assert_eq!(ends(tiny / 1e200), (0.0, LEAST));
     assert_eq!(ends(-tiny / 1e200), (-LEAST, 0.0));
-    // A subnormal that is not the exact product.
+    // The product is a subnormal number that is not exact.
     let product = Interval::point(3e-162) * 3e-162;
     assert!(product.lo() < product.hi());
 }
@@ -57,7 +57,7 @@ fn zero_times_infinity_is_not_zero() {
     assert_eq!(Interval::point(0.0) * unbounded, Interval::REALS);
     assert_eq!(unbounded * 0.0, Interval::REALS);
     assert_eq!(Interval::point(-0.0) * -unbounded, Interval::REALS);
-    // 0 · ∞ is an end only if the other products do not decide it.
+    // 0 · ∞ becomes an end only if the other products do not decide it.
     assert_eq!(ends(interval(0.0, 1.0) * unbounded), (0.0, INFINITY));
     assert_eq!(interval(0.0, 0.0) * Interval::REALS, Interval::REALS);
 }
@@ -76,7 +76,7 @@ fn overflow_gives_one_infinite_end() {
     assert_eq!(ends(Interval::point(-1e5).exp()), (0.0, LEAST));
     assert_eq!(ends(Interval::point(-1e5).sinh()), (-INFINITY, -MAX));
     assert_eq!(ends(Interval::point(-1e5).cosh()), (MAX, INFINITY));
-    // Unbounded, not NaN.
+    // The result is unbounded, not NaN.
     assert_eq!(ends(x + x - (x + x)), (-INFINITY, INFINITY));
     assert_eq!(ends((x * x) / (x * x)), (0.0, INFINITY));
 }
@@ -99,7 +99,7 @@ fn functions_of_unbounded_intervals_are_their_limits() {
     assert_eq!((fast.cosh().lo(), fast.sinh().hi()), (1.0, INFINITY));
 }
 
-/// The result of every operation on undefined, which must be undefined.
+/// Returns the result of every operation on an undefined interval, which must be undefined.
 fn of_the_undefined<K: Kernel>() -> Vec<Enclosure<K>> {
     let x = Enclosure::<K>::UNDEFINED;
     let one = Enclosure::<K>::point(1.0);
@@ -163,7 +163,7 @@ fn nan_is_never_a_finite_enclosure() {
         x.sqrt().tanh(),
         x.ln().cos() * 0.0,
         x.powi(-2),
-        // Defined on part of the interval only.
+        // These are defined only on a part of the interval.
         (x + 1.0).ln(),
         (x + 0.5).sqrt(),
         (x * 2.0).tan(),

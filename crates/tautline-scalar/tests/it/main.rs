@@ -1,4 +1,5 @@
-//! Numbers, intervals and jets, against arbitrary precision and an independent implementation.
+//! Numbers, intervals and jets, compared with arbitrary precision and an independent
+//! implementation.
 
 use tautline_scalar::Interval;
 

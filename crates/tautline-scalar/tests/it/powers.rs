@@ -1,10 +1,10 @@
-//! Integer powers with the exponents at both ends of their range.
+//! Integer powers with exponents at both ends of their range.
 
 use tautline_scalar::{Interval, Jet2, Pair, Scalar};
 
 use crate::{INFINITY, LEAST, MAX, ends, interval};
 
-/// `|−2³¹|` is not an `i32`; the exponent is even, unlike `2³¹ − 1`.
+/// `|−2³¹|` is not an `i32`. The least exponent is even, unlike `2³¹ − 1`.
 #[test]
 fn the_least_exponent_is_even() {
     let almost = (-1.0_f64).next_up();
@@ -22,12 +22,12 @@ fn the_least_exponent_is_even() {
         assert_eq!(ends(Interval::point(-1.0).powi(n)), (-1.0, -1.0));
         assert_eq!(Pair::new(-1.0, 1.0).powi(n), Pair::new(-1.0, 1.0));
     }
-    // (1 − 2⁻⁵³)ⁿ = exp(−2⁻⁵³ n) to 2⁻⁷⁵, for n = −2³¹: 1 + 2⁻²² + 2⁻⁴⁵.
+    // (1 − 2⁻⁵³)ⁿ agrees with exp(−2⁻⁵³ n) to within 2⁻⁷⁵. For n = −2³¹ it is 1 + 2⁻²² + 2⁻⁴⁵.
     let power = Interval::point(almost).powi(i32::MIN);
     let expected = 1.0 + 2.0_f64.powi(-22) + 2.0_f64.powi(-45);
     assert!(power.contains(expected), "{power:?}");
-    // The reciprocal has a width of 2⁻⁵², and each of the 31 squares doubles that and adds two
-    // roundings: 2³¹ (2⁻⁵² + 2 · 2⁻⁵²).
+    // The reciprocal has a width of 2⁻⁵². Each of the 31 squares doubles the width and adds two
+    // roundings, which gives 2³¹ (2⁻⁵² + 2 · 2⁻⁵²).
     assert!(power.width() < 2.0_f64.powi(-19), "{power:?}");
 }
 
@@ -37,8 +37,8 @@ fn the_second_power_of_a_jet_is_a_square() {
     assert_eq!(ends(x.powi(2).value()), (0.0, 4.0));
 }
 
-/// The derivatives of `xⁿ` at 1 are `n` and `n (n − 1)`, which is no `i32` for the largest
-/// exponents.
+/// The derivatives of `xⁿ` at 1 are `n` and `n (n − 1)`. For the largest exponents the latter is
+/// not an `i32`.
 #[test]
 fn the_largest_exponents_have_derivatives() {
     for n in [i32::MIN, i32::MIN + 1, i32::MIN + 2, -46_341, 46_342, i32::MAX - 1, i32::MAX] {
@@ -46,10 +46,11 @@ fn the_largest_exponents_have_derivatives() {
         let [x] = Jet2::variables(&[1.0]);
         let power = x.powi(n);
         assert_eq!((power.value(), power.first(0)), (1.0, k), "{n}");
-        // Two roundings of a product of 62 bits.
+        // The tolerance covers two roundings of a product of 62 bits.
         assert!((power.second(0, 0) / (k * (k - 1.0)) - 1.0).abs() <= 2.0 * f64::EPSILON, "{n}");
         if n <= i32::MIN + 1 {
-            // These use n y/x and n (n − 1) y/x², and beside 1 the divisions matter.
+            // The derivatives are computed as n y/x and n (n − 1) y/x²; away from 1 the divisions
+            // matter.
             let place = 1.0 + 0.5 / k;
             let [x] = Jet2::variables(&[place]);
             let power = x.powi(n);

@@ -1,5 +1,5 @@
-//! Random formulas of all operations: jets over intervals contain the derivatives at points of the
-//! box, computed to 192 bits with an error bound.
+//! Random formulas with all operations. Jets over intervals contain the derivatives at points of
+//! the box, computed to 192 bits with an error bound.
 
 use crate::formulas::{Formula, attempt};
 use crate::precise::{Precise, Tally, Value};
@@ -8,7 +8,7 @@ use astro_float::{BigFloat, Consts, RoundingMode};
 use tautline_chance::{cases, seed};
 use tautline_scalar::Scalar;
 
-/// Each with 16 points and 19 enclosures.
+/// The number of formulas, each with 16 points and 19 enclosures.
 const FORMULAS: u32 = 800;
 
 #[test]
@@ -26,7 +26,7 @@ fn no_enclosure_misses_a_random_formula() {
     assert!(tally.unknown < tally.total() / 100, "{tally:?}");
 }
 
-/// The value with twice the precision.
+/// Returns the value, computed with twice the precision.
 fn twice_as_precise(f: Function, x: f64, constants: &mut Consts) -> BigFloat {
     const P: usize = 384;
     const RM: RoundingMode = RoundingMode::ToEven;
@@ -61,7 +61,7 @@ fn balls_contain_values_of_twice_the_precision() {
                 let error = value.sub(&ball.centre, 384, RM).abs();
                 let within = |bound: &BigFloat| error.cmp(bound).is_some_and(|order| order <= 0);
                 assert!(within(&ball.radius), "{f:?}({x:e}) = {value}, off by {error}");
-                // And the ball is narrow.
+                // The ball must also be narrow.
                 let narrow = value.abs().mul(&Reference::big(2.0_f64.powi(-180)), 64, RM);
                 assert!(ball.radius.cmp(&narrow).is_some_and(|order| order <= 0), "{f:?}({x:e})");
             }
@@ -81,7 +81,7 @@ fn undefined_stays_undefined_and_cancellation_is_unknown() {
     }
     assert!(is_undefined(Precise::constant(f64::NAN)));
     assert!(is_undefined(Precise::constant(f64::INFINITY) - Precise::constant(f64::INFINITY)));
-    // An exact difference is known to be zero, a rounded one is not.
+    // An exact difference is known to be zero, but a rounded one is not.
     assert!(is_undefined((two * 0.1 - Precise::constant(0.1) * 2.0).recip()));
     let third = two / 3.0;
     assert!(matches!((third - third).recip().value(), Value::Unknown));

@@ -6,13 +6,14 @@ use super::{
 };
 use crate::interval::{Interval, approximation::Approximation};
 
-/// Below this, `2⁻²⁶`, a function with `f(x) = x + O(x³)` differs from `x` by less than a place.
+/// Below this number, `2⁻²⁶`, a function `f(x) = x + O(x³)` differs from `x` by less than one unit
+/// in the last place.
 pub(crate) const TINY: f64 = f64::from_bits((1023 - 26) << 52);
 
-/// Bounds on an odd function with `|x| − |x|³/2 ≤ |f(x)| ≤ |x|`, for `|x| < 2⁻²⁶`.
+/// Returns bounds on an odd function with `|x| − |x|³/2 ≤ |f(x)| ≤ |x|`, for `|x| < 2⁻²⁶`.
 ///
-/// `|x|³/2 < 2⁻⁵³ |x|`, and the neighbours of `x` are at least that far away, also below a power of
-/// two; those of a subnormal are farther.
+/// Here `|x|³/2 < 2⁻⁵³ |x|`, and the neighbours of `x` are at least that far away, even just below
+/// a power of two. The neighbours of a subnormal are farther away.
 #[inline]
 pub(crate) fn a_little_less(x: f64) -> (f64, f64) {
     if x == 0.0 {
@@ -24,7 +25,7 @@ pub(crate) fn a_little_less(x: f64) -> (f64, f64) {
     }
 }
 
-/// Bounds on an odd function with `|x| ≤ |f(x)| ≤ |x| + |x|³/2`, for `|x| < 2⁻²⁶`.
+/// Returns bounds on an odd function with `|x| ≤ |f(x)| ≤ |x| + |x|³/2`, for `|x| < 2⁻²⁶`.
 #[inline]
 pub(crate) fn a_little_more(x: f64) -> (f64, f64) {
     if x == 0.0 {
@@ -36,14 +37,14 @@ pub(crate) fn a_little_more(x: f64) -> (f64, f64) {
     }
 }
 
-/// Bounds on `y`, which is known to lie in `[−1, 1]`.
+/// Returns bounds on `y`, which is known to lie in `[−1, 1]`.
 #[inline]
 fn clipped(y: Approximation) -> (f64, f64) {
     let (lo, hi) = y.bounds();
     (lo.max(-1.0), hi.min(1.0))
 }
 
-/// Sine and cosine, for `|x| ≥ 2⁻²⁶`.
+/// Approximates the sine and the cosine, for `|x| ≥ 2⁻²⁶`.
 #[inline]
 pub(crate) fn approximations(x: f64) -> (Approximation, Approximation) {
     let angle = QuarterTurns::of(x);
@@ -57,11 +58,11 @@ pub(crate) fn approximations(x: f64) -> (Approximation, Approximation) {
     }
 }
 
-/// Bounds on `sin x` and on `cos x`, for `|x| ≤ 2²⁰`.
+/// Returns bounds on `sin x` and on `cos x`, for `|x| ≤ 2²⁰`.
 #[inline]
 pub(crate) fn sin_cos(x: f64) -> ((f64, f64), (f64, f64)) {
     if x.abs() < TINY {
-        // sin: |x|³/6. cos: 1 − x²/2 ≥ 1 − 2⁻⁵³.
+        // The sine differs from x by at most |x|³/6, and cos x ≥ 1 − x²/2 ≥ 1 − 2⁻⁵³.
         let below = if x == 0.0 { 1.0 } else { 1.0_f64.next_down() };
         return (a_little_less(x), (below, 1.0));
     }
@@ -69,19 +70,19 @@ pub(crate) fn sin_cos(x: f64) -> ((f64, f64), (f64, f64)) {
     (clipped(s), clipped(c))
 }
 
-/// Bounds on `sin x`, for `|x| ≤ 2²⁰`.
+/// Returns bounds on `sin x`, for `|x| ≤ 2²⁰`.
 #[inline]
 pub(crate) fn sin(x: f64) -> (f64, f64) {
     if x.abs() < TINY { a_little_less(x) } else { clipped(one(x, 0)) }
 }
 
-/// Bounds on `cos x`, for `|x| ≤ 2²⁰`.
+/// Returns bounds on `cos x`, for `|x| ≤ 2²⁰`.
 #[inline]
 pub(crate) fn cos(x: f64) -> (f64, f64) {
     if x.abs() < TINY { sin_cos(x).1 } else { clipped(one(x, 1)) }
 }
 
-/// The sine of `x + more π/2`.
+/// Approximates the sine of `x + more π/2`.
 #[inline]
 fn one(x: f64, more: i32) -> Approximation {
     let angle = QuarterTurns::of(x);
@@ -94,17 +95,18 @@ fn one(x: f64, more: i32) -> Approximation {
     }
 }
 
-/// Bounds on `tan x`, for `|x| ≤ 2²⁰`: the quotient of those on sine and cosine.
+/// Returns bounds on `tan x`, for `|x| ≤ 2²⁰`: the quotient of the bounds on the sine and the
+/// cosine.
 #[inline]
 pub(crate) fn tan(x: f64) -> (f64, f64) {
     if x.abs() < TINY {
-        // tan x < x + 0.4 x³ there.
+        // In this range tan x < x + 0.4 x³.
         return a_little_more(x);
     }
     let (s, c) = approximations(x);
     let ((s0, s1), (c0, c1)) = (s.bounds(), c.bounds());
     let quotient = Interval::enclosing(s0, s1) / Interval::enclosing(c0, c1);
-    // Undefined only if the cosine is not separated from zero.
+    // The quotient is undefined only if the bounds on the cosine do not exclude zero.
     if quotient.is_undefined() {
         return (f64::NEG_INFINITY, f64::INFINITY);
     }

@@ -1,8 +1,9 @@
 //! `π/2`, `ln 2` and the arctangents of eighths, each as a sum of doubles given by their bits. The
 //! tests compare each with a computation in high precision.
 
-/// `π/2 = P₀ + P₁ + P₂ + P₃ + ε` with `0 ≤ P₀ … P₂` of at most 33 bits, multiples of `2⁻³²`, `2⁻⁶⁶`
-/// and `2⁻¹⁰¹`; `P₁ < 2⁻³³`, `P₂ < 2⁻⁶⁸`, `P₃ < 2⁻¹⁰³`, and `|ε| ≤ 2⁻¹⁵⁶`.
+/// `π/2 = P₀ + P₁ + P₂ + P₃ + ε`. The parts `P₀ … P₂` are nonnegative, have at most 33 bits, and
+/// are multiples of `2⁻³²`, `2⁻⁶⁶` and `2⁻¹⁰¹`. Also `P₁ < 2⁻³³`, `P₂ < 2⁻⁶⁸`, `P₃ < 2⁻¹⁰³`, and
+/// `|ε| ≤ 2⁻¹⁵⁶`.
 pub(crate) const HALF_PI: [f64; 4] = [
     f64::from_bits(0x3ff9_21fb_5440_0000),
     f64::from_bits(0x3dd0_b461_1a60_0000),
@@ -10,16 +11,16 @@ pub(crate) const HALF_PI: [f64; 4] = [
     f64::from_bits(0x397b_839a_2520_49c1),
 ];
 
-/// `ln 2 = L₀ + L₁ + ε` with `L₀` a multiple of `2⁻⁴²`, `0 < L₁ < 2⁻⁴²`, and `|ε| ≤ 2⁻⁹⁶`.
+/// `ln 2 = L₀ + L₁ + ε`, where `L₀` is a multiple of `2⁻⁴²`, `0 < L₁ < 2⁻⁴²`, and `|ε| ≤ 2⁻⁹⁶`.
 pub(crate) const LN_2: [f64; 2] =
     [f64::from_bits(0x3fe6_2e42_fefa_3800), f64::from_bits(0x3d2e_f357_93c7_6730)];
 
-/// A double, and a second one for the remainder.
+/// Returns a double, and a second double for the remainder.
 const fn pair(head: u64, tail: u64) -> (f64, f64) {
     (f64::from_bits(head), f64::from_bits(tail))
 }
 
-/// `arctan(j/8)` for `j = 0, …, 8`, each within `2⁻¹⁰⁶` of the sum.
+/// `arctan(j/8)` for `j = 0, …, 8`. Each value is within `2⁻¹⁰⁶` of the sum of its pair.
 pub(crate) const ARCTAN_OF_EIGHTHS: [(f64, f64); 9] = [
     pair(0x0000_0000_0000_0000, 0x0000_0000_0000_0000),
     pair(0x3fbf_d5ba_9aac_2f6e, 0xbc4c_d376_8676_0c17),
@@ -32,7 +33,7 @@ pub(crate) const ARCTAN_OF_EIGHTHS: [(f64, f64); 9] = [
     pair(0x3fe9_21fb_5444_2d18, 0x3c81_a626_3314_5c07),
 ];
 
-/// `π/2 − arctan(j/8)` for `j = 0, …, 8`, each within `2⁻¹⁰⁶` of the sum.
+/// `π/2 − arctan(j/8)` for `j = 0, …, 8`. Each value is within `2⁻¹⁰⁶` of the sum of its pair.
 pub(crate) const ARCCOT_OF_EIGHTHS: [(f64, f64); 9] = [
     pair(0x3ff9_21fb_5444_2d18, 0x3c91_a626_3314_5c07),
     pair(0x3ff7_249f_aa99_6a21, 0x3c9a_8cc1_e748_0c68),
@@ -52,7 +53,7 @@ mod tests {
     use super::*;
     use crate::interval::high_precision::{P, RM, at_most, big, constants, error_of_sum, half_pi};
 
-    /// Fails unless the parts add up to the value with an error of at most `2ⁿ`.
+    /// Fails unless the sum of the parts agrees with the value to within `2ⁿ`.
     #[track_caller]
     fn assert_sum(parts: &[f64], value: &BigFloat, n: i32) {
         let error = error_of_sum(parts, value);

@@ -1,4 +1,4 @@
-//! Bounds on the elementary functions at a double, one file each, and the kernel that uses them.
+//! Bounds on the elementary functions at a double, in one file each, and the kernel that uses them.
 
 pub(crate) mod arctangent;
 pub(crate) mod circular;

@@ -3,10 +3,11 @@
 use super::constants::HALF_PI;
 use crate::interval::directed::two_sum;
 
-/// The largest `|x|`, in radians, whose sine and cosine are enclosed by more than `[−1, 1]`: `2²⁰`.
+/// The largest `|x|`, in radians, for which sine and cosine get better bounds than `[−1, 1]`:
+/// `2²⁰`.
 pub(crate) const LARGEST_ANGLE: f64 = 1_048_576.0;
 
-/// An angle `x = turns · π/2 + head + tail + δ` with `|δ| ≤ error`, `|head| < 0.7855` and
+/// An angle `x = turns · π/2 + head + tail + δ`, where `|δ| ≤ error`, `|head| < 0.7855` and
 /// `|tail| ≤ u |head|`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct QuarterTurns {
@@ -21,18 +22,18 @@ impl QuarterTurns {
     ///
     /// Needs: `|x| ≤ 2²⁰`.
     ///
-    /// Let `k` be the integer nearest to the rounded `x · (2/π)`; the splitting is valid for any
-    /// `k`. `|k| ≤ 667 545 < 2²⁰`, and the error of the product is below `2⁻³¹`, so the remainder
+    /// Let `k` be the integer nearest to the rounded `x · (2/π)`. The splitting is valid for any
+    /// `k`. Since `|k| ≤ 667 545 < 2²⁰` and the error of the product is below `2⁻³¹`, the remainder
     /// is below `π/4 + 2⁻³⁰ < 0.7855`.
     ///
-    /// * `x − k P₀` is exact: `k P₀` has 33 + 20 bits; for `k ≠ 0` we have `|x| > 0.78`, so both
-    ///   are multiples of `2⁻⁵³`, and so is the difference, which is less than
-    ///   `0.7855 + 2²⁰ · 2⁻³³ < 1`.
+    /// * `x − k P₀` is exact. The product `k P₀` has 33 + 20 bits, and for `k ≠ 0` we have
+    ///   `|x| > 0.78`. Both are therefore multiples of `2⁻⁵³`, and so is their difference, which is
+    ///   less than `0.7855 + 2²⁰ · 2⁻³³ < 1`.
     /// * `k P₁` and `k P₂` have 53 bits as well, and two exact sums subtract them.
-    /// * `k P₃` is rounded, by at most `u |k P₃|`, and `k ε ≤ 2²⁰⁻¹⁵⁶ = 2⁻¹³⁶`.
-    /// * The rest is a sum of three small numbers `b`, `c`, `d`: two roundings of at most
-    ///   `u (|b| + |c| + |d|)(1 + u)` each. Together with that of `k P₃` they are below
-    ///   `4 u (|b| + |c| + |d|)`, itself computed to 3 `u`.
+    /// * `k P₃` is rounded by at most `u |k P₃|`, and `k ε ≤ 2²⁰⁻¹⁵⁶ = 2⁻¹³⁶`.
+    /// * What remains is a sum of three small numbers `b`, `c` and `d`. It takes two roundings of
+    ///   at most `u (|b| + |c| + |d|)(1 + u)` each. Together with the rounding of `k P₃` they are
+    ///   below `4 u (|b| + |c| + |d|)`, which is itself computed with a relative error of `3 u`.
     #[inline]
     pub(crate) fn of(x: f64) -> Self {
         let k = (x * std::f64::consts::FRAC_2_PI).round_ties_even();
@@ -56,8 +57,9 @@ impl QuarterTurns {
 
     /// Returns bounds on `⌊x / (π/2)⌋`.
     ///
-    /// It is `k` or `k − 1`, by the sign of the remainder. No double but 0 is known so close to a
-    /// multiple of `π/2` that the sign is in doubt, but nothing depends on that.
+    /// The value is `k` or `k − 1`, depending on the sign of the remainder. Apart from 0, no double
+    /// is known to be so close to a multiple of `π/2` that the sign is in doubt, but nothing
+    /// depends on that.
     #[inline]
     pub(crate) fn floor(self) -> (i32, i32) {
         // head + tail has the sign of the head, and more than half its size.
@@ -71,7 +73,7 @@ impl QuarterTurns {
     }
 }
 
-/// `2⁻¹³⁵`.
+/// The number `2⁻¹³⁵`.
 const SMALL: f64 = f64::from_bits((1023 - 135) << 52);
 
 #[cfg(test)]
@@ -79,7 +81,7 @@ mod tests {
     use super::{LARGEST_ANGLE, QuarterTurns};
     use crate::interval::high_precision::{P, RM, at_most, big, error_of_sum, half_pi};
 
-    /// Within the stated error, which is not far too large.
+    /// The errors are within the stated error, which is not much larger than they are.
     #[test]
     fn errors_of_the_remainder_are_as_stated() {
         let half_pi = half_pi();

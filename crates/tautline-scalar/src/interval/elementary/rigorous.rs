@@ -1,4 +1,4 @@
-//! The rigorous kernel: each function by the file of its name.
+//! The rigorous kernel, which takes each function from the file of its name.
 
 use super::{arctangent, circular, exponential, hyperbolic, logarithm};
 use crate::interval::{Kernel, Rigorous};

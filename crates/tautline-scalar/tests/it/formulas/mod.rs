@@ -22,7 +22,8 @@ pub(crate) enum Formula {
     Power(Box<Formula>, i32),
     Reciprocal(Box<Formula>),
     Root(Box<Formula>),
-    /// `½ s² + c` of sine and cosine evaluated together (`true`), or of `sinh` and `cosh`.
+    /// `½ s² + c`, where `s` and `c` are sine and cosine evaluated together (`true`), or `sinh` and
+    /// `cosh`.
     Pair(bool, Box<Formula>),
     Of(Function, Box<Formula>),
 }
@@ -32,7 +33,7 @@ use Formula::{
 };
 
 impl Formula {
-    /// A formula of at most this depth.
+    /// Returns a random formula of at most this depth.
     pub(crate) fn random(depth: u32, random: &mut Random) -> Self {
         if depth == 0 || random.bits().is_multiple_of(16) {
             return match random.bits() % 4 {
@@ -74,7 +75,8 @@ impl Formula {
         }
     }
 
-    /// A divisor or radicand: three times in four `f² + c` with `c > 0`, otherwise anything.
+    /// Returns a divisor or radicand: three times in four `f² + c` with `c > 0`, otherwise any
+    /// formula.
     fn domain(depth: u32, random: &mut Random) -> Self {
         let part = Self::random(depth.saturating_sub(1), random);
         if random.bits().is_multiple_of(4) {
@@ -110,7 +112,7 @@ impl Formula {
     }
 }
 
-/// A nonzero constant: a multiple of ½, a decimal or any number.
+/// Returns a nonzero constant: a multiple of ½, a decimal or any number.
 fn number(random: &mut Random) -> f64 {
     match random.bits() % 3 {
         0 => (random.bits() % 8 + 1) as f64 * random.sign() * 0.5,
@@ -124,7 +126,7 @@ fn second_order<S: Scalar>(formula: &Formula, x: [S; 2]) -> [S; 6] {
     [y.value(), y.first(0), y.first(1), y.second(0, 0), y.second(0, 1), y.second(1, 1)]
 }
 
-/// The same by nested first derivatives.
+/// Returns the same, computed by nested first derivatives.
 fn nested<S: Scalar>(formula: &Formula, x: [S; 2]) -> [S; 6] {
     let inner = Jet1::<S, 2>::variables(&x);
     let y = formula.of(&Jet1::<Jet1<S, 2>, 2>::variables(&inner));
@@ -133,7 +135,7 @@ fn nested<S: Scalar>(formula: &Formula, x: [S; 2]) -> [S; 6] {
     [value.value(), value.first(0), value.first(1), second(0, 0), second(0, 1), second(1, 1)]
 }
 
-/// Compares value and derivatives of a formula over eight boxes with those at two points of each.
+/// Compares a formula and its derivatives over eight boxes with their values at two points of each.
 #[track_caller]
 pub(crate) fn attempt(formula: &Formula, random: &mut Random, tally: &mut Tally) {
     for _ in 0..8 {

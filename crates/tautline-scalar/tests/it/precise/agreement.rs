@@ -1,4 +1,4 @@
-//! `Tally`: comparisons of enclosures with values.
+//! `Tally`: counts comparisons of enclosures with values.
 
 use tautline_scalar::{Enclosure, Kernel};
 
@@ -7,15 +7,15 @@ use super::{Precise, Value};
 /// How many comparisons there were, by outcome.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Tally {
-    /// A value, and an enclosure with at least one finite end.
+    /// There is a value, and the enclosure has at least one finite end.
     pub(crate) compared: u64,
-    /// Zero, and the enclosure `[0, 0]`: mostly derivatives of constants.
+    /// The value is zero, and the enclosure is `[0, 0]`. These are mostly derivatives of constants.
     pub(crate) zeros: u64,
-    /// No value, and an undefined enclosure.
+    /// There is no value, and the enclosure is undefined.
     pub(crate) undefined: u64,
-    /// A value, but the enclosure is undefined or the whole line: valid but useless.
+    /// There is a value, but the enclosure is undefined or the whole line: valid but useless.
     pub(crate) useless: u64,
-    /// An unknown value.
+    /// The value is unknown.
     pub(crate) unknown: u64,
 }
 

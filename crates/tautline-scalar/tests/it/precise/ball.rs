@@ -26,12 +26,12 @@ pub(crate) struct Ball {
 /// What is known about the value of a formula at a point.
 #[derive(Clone, Debug)]
 pub(crate) enum Value {
-    /// It lies in the ball.
+    /// The value lies in the ball.
     Within(Ball),
-    /// There is none: a division by zero, the root of a negative number and so on.
+    /// There is no value: a division by zero, the root of a negative number and so on.
     Undefined,
-    /// The precision does not suffice: the ball crosses the boundary of a domain or has hardly a
-    /// correct digit, or a number exceeds the exponent range of the library.
+    /// The precision does not suffice: the ball crosses the boundary of a domain or has hardly any
+    /// correct digits, or a number exceeds the exponent range of the library.
     Unknown,
 }
 
@@ -45,22 +45,22 @@ fn zero() -> BigFloat {
     BigFloat::new(COARSE)
 }
 
-/// The least binary exponent in use; that of the library is `−2³¹`.
+/// The least binary exponent in use. The least exponent of the library is `−2³¹`.
 const LEAST: i32 = -(1 << 26);
 
-/// `2ⁿ` with an `n` slightly above [`LEAST`].
+/// Returns `2ⁿ` with an `n` slightly above [`LEAST`].
 fn hardly_anything() -> BigFloat {
     let mut bound = BigFloat::from_word(1, COARSE);
     bound.set_exponent(LEAST + 2);
     bound
 }
 
-/// Whether `a ≤ b`; false for NaN.
+/// Returns whether `a ≤ b`; false for NaN.
 pub(super) fn at_most(a: &BigFloat, b: &BigFloat) -> bool {
     a.cmp(b).is_some_and(|order| order <= 0)
 }
 
-/// `2ⁿ x`, rounded up; for `x ≥ 0`.
+/// Returns `2ⁿ x`, rounded up, for `x ≥ 0`.
 fn scaled(x: &BigFloat, n: i32) -> BigFloat {
     x.mul(&Reference::big(2.0_f64.powi(n)), COARSE, UP)
 }
@@ -74,7 +74,7 @@ fn times(a: &BigFloat, b: &BigFloat) -> BigFloat {
 }
 
 impl Ball {
-    /// The one number `x`.
+    /// Returns the ball that contains only `x`.
     pub(super) fn exact(x: BigFloat) -> Self {
         Self { centre: x, radius: zero() }
     }
@@ -83,31 +83,31 @@ impl Ball {
         self.radius.is_zero()
     }
 
-    /// Whether it is the number 0.
+    /// Returns whether the ball contains only the number 0.
     pub(crate) fn is_zero(&self) -> bool {
         self.centre.is_zero() && self.is_exact()
     }
 
-    /// Whether all its numbers have the same sign, with twenty bits to spare: then the terms of
-    /// higher order in the radii below are less than half of those of first order.
+    /// Returns whether all numbers in the ball have the same sign, with twenty bits to spare. If
+    /// so, the terms of higher order in the radii below are less than half of those of first order.
     fn is_clear(&self) -> bool {
         !self.centre.is_zero() && at_most(&scaled(&self.radius, 20), &self.centre.abs())
     }
 
-    /// Whether its numbers differ by less than a millionth.
+    /// Returns whether the numbers in the ball differ by less than a millionth.
     fn is_small(&self) -> bool {
         at_most(&scaled(&self.radius, 20), &Reference::big(1.0))
     }
 
-    /// Whether the centre is at least `2ⁿ` in size.
+    /// Returns whether the absolute value of the centre is at least `2ⁿ`.
     fn is_beyond(&self, n: i32) -> bool {
         self.centre.exponent().is_none_or(|e| e > n)
     }
 
-    /// The result of an operation, given the computed centre, rounded unless it is marked as exact,
-    /// and the radius that follows from those of the operands. Rounding to nearest has a relative
-    /// error of `2⁻¹⁹²`; `2⁻¹⁸⁸` allows the library fifteen units, and covers higher orders of the
-    /// radii.
+    /// Returns the result of an operation. It is given the computed centre, which is rounded unless
+    /// it is marked as exact, and the radius that follows from the radii of the operands. Rounding
+    /// to nearest has a relative error of `2⁻¹⁹²`; `2⁻¹⁸⁸` allows the library fifteen units more,
+    /// and covers higher orders of the radii.
     fn result(mut centre: BigFloat, radius: BigFloat) -> Value {
         let exponents =
             [&centre, &radius].map(|x| if x.is_zero() { Some(0) } else { x.exponent() });
@@ -118,7 +118,7 @@ impl Ball {
             return Unknown;
         }
         if of_centre < LEAST || of_radius < LEAST {
-            // Well before the library underflows to zero.
+            // This is well before the library underflows to zero.
             let centre = if of_centre < LEAST { BigFloat::new(P) } else { centre };
             return Self::result(centre, plus(&radius, &hardly_anything()));
         }
@@ -128,7 +128,7 @@ impl Ball {
         Within(Self { radius: plus(&radius, &unit), centre })
     }
 
-    /// The result of a function that does not report exactness.
+    /// Returns the result of a function that does not report exactness.
     fn approximate(mut centre: BigFloat, radius: BigFloat) -> Value {
         centre.set_inexact(true);
         Self::result(centre, radius)
@@ -153,8 +153,8 @@ impl Ball {
         Self::result(product, plus(&plus(&times(a, s), &times(b, r)), &times(r, s)))
     }
 
-    /// `|a′/b′ − q| = |a′ − q b′|/|b′| ≤ (r + |q| s)/|b′|` for `q = a/b`, radii `r` and `s`; twice
-    /// that for `|b′| ≥ |b|/2`.
+    /// `|a′/b′ − q| = |a′ − q b′|/|b′| ≤ (r + |q| s)/|b′|` for `q = a/b` and radii `r` and `s`.
+    /// For `|b′| ≥ |b|/2` this is at most `2 (r + |q| s)/|b|`.
     pub(super) fn div(&self, other: &Self) -> Value {
         if other.is_zero() {
             return Undefined;
@@ -202,7 +202,8 @@ impl Ball {
         if ln.is_zero() { Self::result(ln, radius) } else { Self::approximate(ln, radius) }
     }
 
-    /// `|eˣ′ − eˣ| ≤ eˣ (eʳ − 1) ≤ 2 r eˣ`; also for `sinh` and `cosh`, with `cosh x` for `eˣ`.
+    /// `|eˣ′ − eˣ| ≤ eˣ (eʳ − 1) ≤ 2 r eˣ`. The same holds for `sinh` and `cosh`, with `cosh x` for
+    /// `eˣ`.
     pub(super) fn exp(&self) -> Value {
         if self.is_zero() {
             return Within(Self::exact(Reference::big(1.0)));
@@ -233,8 +234,8 @@ impl Ball {
         (Self::approximate(s, radius.clone()), Self::approximate(c, radius))
     }
 
-    /// Neither is steeper than 1, nor larger, which is all that is used beyond the range of
-    /// doubles: there the library would need as many digits of `π` as the number has.
+    /// Neither function exceeds 1 in absolute value or slope. Beyond the range of doubles, only
+    /// this is used: there the library would need as many digits of `π` as the number has.
     pub(super) fn sin_cos(&self) -> (Value, Value) {
         if self.is_zero() {
             return (Within(self.clone()), Within(Self::exact(Reference::big(1.0))));
@@ -250,7 +251,7 @@ impl Ball {
         (Self::approximate(s, radius.clone()), Self::approximate(c, radius))
     }
 
-    /// Nowhere steeper than 1.
+    /// The slope is at most 1 everywhere.
     pub(super) fn atan(&self) -> Value {
         if self.is_zero() {
             return Within(self.clone());
@@ -259,12 +260,12 @@ impl Ball {
         Self::approximate(angle, self.radius.clone())
     }
 
-    /// Whether all of it lies below `x`.
+    /// Returns whether the whole ball lies below `x`.
     pub(super) fn is_below(&self, x: f64) -> bool {
         !at_most(&Reference::big(x), &self.centre.add(&self.radius, P + COARSE, UP))
     }
 
-    /// Whether all of it lies above `x`.
+    /// Returns whether the whole ball lies above `x`.
     pub(super) fn is_above(&self, x: f64) -> bool {
         self.negative().is_below(-x)
     }
@@ -279,7 +280,8 @@ impl Value {
         }
     }
 
-    /// Applies `f` if there are two values. Undefined and unknown give undefined.
+    /// Applies `f` if there are two values. If one is undefined and the other unknown, the result
+    /// is undefined.
     pub(super) fn with(&self, other: &Self, f: impl FnOnce(&Ball, &Ball) -> Value) -> Self {
         match (self, other) {
             (Within(x), Within(y)) => f(x, y),

@@ -1,4 +1,4 @@
-//! `Cell`: a random box and its points.
+//! `Cell`: a random box and points in it.
 
 use tautline_scalar::{Enclosure, Kernel, Scalar};
 
@@ -12,9 +12,9 @@ pub(crate) struct Cell<const D: usize> {
 }
 
 impl<const D: usize> Cell<D> {
-    /// A box of any size from a point to a few units, with its centre in `[−reach, reach]^D`. One
-    /// in eight has its centre, and its size, at any scale; one in eight has a side that is a point
-    /// or begins at zero.
+    /// Returns a box of any size from a point to a few units, with its centre in
+    /// `[−reach, reach]^D`. One box in eight has its centre, and its size, at any scale. One in
+    /// eight has a side that is a point or begins at zero.
     pub(crate) fn random(reach: f64, random: &mut Random) -> Self {
         let far = random.bits().is_multiple_of(8);
         let size = match random.bits() % 6 {
@@ -31,7 +31,7 @@ impl<const D: usize> Cell<D> {
             } else {
                 random.between(-reach, reach)
             };
-            // Small sizes are relative to the number, large ones to the region.
+            // Small sizes are relative to the centre, large sizes to the region.
             let unit = if far || size < 1e-9 { centre.abs() } else { reach };
             let (less, more) = (random.unit() * size * unit, random.unit() * size * unit);
             let (lo, hi) = (centre - less, centre + more);
@@ -44,12 +44,12 @@ impl<const D: usize> Cell<D> {
         Self { sides }
     }
 
-    /// Whether it is a point.
+    /// Returns whether the box is a point.
     pub(crate) fn is_point(&self) -> bool {
         self.sides.iter().all(|(lo, hi)| lo == hi)
     }
 
-    /// Whether it lies in `[−reach, reach]^D`.
+    /// Returns whether the box lies in `[−reach, reach]^D`.
     pub(crate) fn is_within(&self, reach: f64) -> bool {
         self.sides.iter().all(|&(lo, hi)| -reach <= lo && hi <= reach)
     }
@@ -58,7 +58,7 @@ impl<const D: usize> Cell<D> {
         self.sides.map(|(lo, hi)| Enclosure::new(lo, hi).expect("ordered ends"))
     }
 
-    /// A point of the box: a corner, one whose coordinates are doubles, or any.
+    /// Returns a point of the box: a corner, a point whose coordinates are doubles, or any point.
     pub(crate) fn point(&self, random: &mut Random) -> [Precise; D] {
         let kind = random.bits() % 3;
         self.sides.map(|(lo, hi)| match kind {

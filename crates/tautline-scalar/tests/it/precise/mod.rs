@@ -1,7 +1,7 @@
-//! `Precise`: formulas at real points in high precision with an error bound, to compare enclosures
-//! with.
+//! `Precise`: formulas evaluated at real points in high precision with an error bound, with which
+//! enclosures are compared.
 //!
-//! Users of this file declare `mod reference;` beside it.
+//! Users of this file also declare `mod reference;` at the same level.
 
 #![allow(dead_code, reason = "each test that shares this uses a part of it")]
 

@@ -38,7 +38,7 @@ impl Precise {
         VALUES.with_borrow(|values| values[self.0 as usize].clone())
     }
 
-    /// The number `lo + t (hi − lo)`, to 192 bits: hardly ever a double.
+    /// Returns the number `lo + t (hi − lo)`, to 192 bits. It is hardly ever a double.
     ///
     /// Needs: `lo ≤ hi`, `0 ≤ t ≤ 1`.
     pub(crate) fn between(lo: f64, hi: f64, t: f64) -> Self {
@@ -76,7 +76,7 @@ impl fmt::Debug for Precise {
     }
 }
 
-/// Equal if both are known to be the same number.
+/// Two numbers are equal if both are known to be the same number.
 impl PartialEq for Precise {
     fn eq(&self, other: &Self) -> bool {
         match (*self - *other).value() {
@@ -124,7 +124,7 @@ macro_rules! by_ball {
 impl Scalar for Precise {
     by_ball!(sqrt exp ln atan);
 
-    /// Undefined unless `value` is finite.
+    /// The result is undefined unless `value` is finite.
     fn constant(value: f64) -> Self {
         Self::new(if value.is_finite() {
             Value::Within(Ball::exact(Reference::big(value)))
@@ -137,7 +137,8 @@ impl Scalar for Precise {
         self * self
     }
 
-    /// By squaring. Undefined for `n < 0` at zero, and wherever `x` is, also for `n = 0`.
+    /// Computes the power by squaring. It is undefined for `n < 0` at zero, and if `x` is, even for
+    /// `n = 0`.
     fn powi(self, n: i32) -> Self {
         let mut power = self.map(|_| Value::Within(Ball::exact(Reference::big(1.0))));
         for place in (0..n.unsigned_abs().checked_ilog2().map_or(0, |k| k + 1)).rev() {

@@ -1,4 +1,4 @@
-//! Elementary functions to 192 bits by `astro-float`, which shares no code with ours, and
+//! Elementary functions computed to 192 bits by `astro-float`, which shares no code with ours, and
 //! comparisons of enclosures with them.
 
 #![allow(dead_code, reason = "each test that shares this uses a part of it")]
@@ -8,8 +8,8 @@ pub(crate) use tautline_chance::Random;
 use astro_float::{BigFloat, Consts, RoundingMode};
 use tautline_scalar::{Enclosure, Fast, Kernel, Rigorous, Scalar};
 
-/// The precision in bits. The error of the library, some units in the last place, is less than
-/// `10⁻⁴⁰` ulps of a double.
+/// The precision in bits. The error of the library is a few units in the last place, which is less
+/// than `10⁻⁴⁰` ulps of a double.
 const P: usize = 192;
 const RM: RoundingMode = RoundingMode::None;
 
@@ -51,7 +51,7 @@ impl Function {
     }
 }
 
-/// An argument for the family: half of them of moderate size, half with any exponent.
+/// Returns an argument for the family: half of them of moderate size, half with any exponent.
 pub(crate) fn argument(family: &[Function], random: &mut Random) -> f64 {
     let moderate = random.bits() & 1 == 0;
     let sign = random.sign();
@@ -67,7 +67,7 @@ pub(crate) fn argument(family: &[Function], random: &mut Random) -> f64 {
     }
 }
 
-/// The reference values.
+/// Computes the reference values.
 pub(crate) struct Reference(Consts);
 
 impl Reference {
@@ -75,8 +75,8 @@ impl Reference {
         Self(Consts::new().expect("memory for the constants"))
     }
 
-    /// The number `x`, exactly. In two steps if it is subnormal: version 0.9.6 of the library would
-    /// be wrong by a factor of two.
+    /// Returns the number `x`, exactly. A subnormal number is converted in two steps, since version
+    /// 0.9.6 of the library would be wrong by a factor of two.
     pub(crate) fn big(x: f64) -> BigFloat {
         if x.abs() >= f64::MIN_POSITIVE || x == 0.0 {
             return BigFloat::from_f64(x, P);
@@ -85,11 +85,12 @@ impl Reference {
         BigFloat::from_f64(x * up, P).mul(&BigFloat::from_f64(down, P), P, RM)
     }
 
-    /// The values of the family at `x`.
+    /// Returns the values of the family at `x`.
     ///
-    /// Where the relative distance of a value from a double is less than `2⁻¹⁵⁰`, 192 bits may not
-    /// decide on which side it is. Theory does, and no other double is near: the number at the
-    /// relative distance `2⁻¹⁵⁰` on that side lies in the same intervals, and takes its place.
+    /// If the relative distance of a value from a double is less than `2⁻¹⁵⁰`, 192 bits may not
+    /// decide on which side of the double it lies. Theory does decide, and no other double is near.
+    /// The number at the relative distance `2⁻¹⁵⁰` on that side lies in the same intervals, so it
+    /// replaces the value.
     pub(crate) fn values(&mut self, family: &[Function], x: f64) -> Vec<BigFloat> {
         let little = 2.0_f64.powi(-150);
         let beside = |y: f64, side: f64| {
@@ -97,8 +98,8 @@ impl Reference {
             Self::big(y).add(&part, P, RM)
         };
         if x != 0.0 && x.abs() < 2.0_f64.powi(-75) {
-            // By the sign of the next term of the series: x for exp, x² for even functions, x³ for
-            // odd ones.
+            // The sign of the next term of the series decides: x for exp, x² for even functions, x³
+            // for odd ones.
             let (less, more) = (beside(x, -1.0), beside(x, 1.0));
             return match family[0] {
                 Exp => vec![beside(1.0, x.signum()), more, beside(1.0, 1.0), less],
@@ -128,7 +129,7 @@ impl Reference {
                 } else {
                     e.sub(&r, P, RM).mul(&half, P, RM)
                 };
-                // The sum of the exponentials may round to less than 1.
+                // The sum of the exponentials might round to less than 1.
                 let cosh = if small {
                     let square = sinh.mul(&sinh, P, RM);
                     Self::big(1.0).add(&square, P, RM).sqrt(P, RM)
@@ -150,7 +151,7 @@ impl Reference {
     }
 }
 
-/// Whether `y` lies in `x`; false if `x` is undefined.
+/// Returns whether `y` lies in `x`; false if `x` is undefined.
 pub(crate) fn holds<K: Kernel>(x: Enclosure<K>, y: &BigFloat) -> bool {
     let below = |a: &BigFloat, b: &BigFloat| a.cmp(b).is_some_and(|order| order <= 0);
     !x.is_undefined()
@@ -158,15 +159,15 @@ pub(crate) fn holds<K: Kernel>(x: Enclosure<K>, y: &BigFloat) -> bool {
         && (x.hi() == f64::INFINITY || below(y, &Reference::big(x.hi())))
 }
 
-/// The greatest widths, in units of `2⁻⁵²`: relative to the magnitude, and absolute.
+/// The greatest widths in units of `2⁻⁵²`, both relative to the magnitude and absolute.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Widest {
     pub(crate) relative: f64,
     pub(crate) absolute: f64,
 }
 
-/// Checks the enclosures of a point and of two intervals around it, with both kernels; records in
-/// `widest` the widths at the point.
+/// Checks the enclosures of a point and of two intervals around it, with both kernels. Records the
+/// widths at the point in `widest`.
 pub(crate) fn attempt(
     family: &[Function],
     x: f64,
@@ -179,7 +180,7 @@ pub(crate) fn attempt(
         let spread = if random.bits() & 1 == 0 { 1e-15 } else { 3.0 };
         let size = x.abs() * spread;
         let lo = x - size * random.unit();
-        // The logarithm of an interval with a negative number is undefined.
+        // The logarithm of an interval that contains a negative number is undefined.
         let lo = if f == Ln && !(lo > 0.0) { x } else { lo };
         (lo, (x + size * random.unit()).min(f64::MAX))
     };
@@ -196,7 +197,7 @@ pub(crate) fn attempt(
 
 fn record<K: Kernel>(widest: &mut Widest, y: Enclosure<K>) {
     let size = y.magnitude();
-    // Without overflow and subnormals, which have no relative precision.
+    // Overflow and subnormal numbers, which have no relative precision, are excluded.
     if y.is_finite() && size > 1e-290 {
         widest.relative = widest.relative.max(y.width() / size / f64::EPSILON);
         widest.absolute = widest.absolute.max(y.width() / f64::EPSILON);
@@ -207,8 +208,8 @@ fn record<K: Kernel>(widest: &mut Widest, y: Enclosure<K>) {
 fn check<K: Kernel>(f: Function, lo: f64, hi: f64, x: f64, value: &BigFloat) {
     let argument = Enclosure::<K>::new(lo, hi).expect("ordered ends");
     let y = f.of(argument);
-    // The tangent may be undefined only beyond the largest angle, or if a pole is near, at about
-    // 1/|tan x|; never at a point.
+    // The tangent may be undefined only beyond the largest angle, or if a pole is near, at a
+    // distance of about 1/|tan x|. It is never undefined at a point.
     if f == Tan && y.is_undefined() && argument.magnitude() > 1_048_576.0 {
         return;
     }
