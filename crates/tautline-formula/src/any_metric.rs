@@ -1,4 +1,4 @@
-//! `AnyMetric`: a metric behind a pointer, with only its dimension known at compile time.
+//! `AnyMetric`: a metric behind a pointer, of which only the dimension is known at compile time.
 
 use std::{
     any::{Any, TypeId},
@@ -15,16 +15,17 @@ use crate::{
     recording::{self, Symbol},
 };
 
-/// A metric behind a pointer: code that takes it is compiled once for each dimension, not for each
+/// A metric behind a pointer. Code that takes it is compiled once for each dimension, not for each
 /// metric.
 ///
-/// It calls the metric's own `H` in `f64`, and in fewer than 24 dimensions in [`Jet1`] and [`Jet2`]
-/// over `f64` with all coordinates as variables. In all other numbers it evaluates the recorded
-/// formula, to the same bits.
+/// In `f64` it calls the metric's own `H`. In fewer than 24 dimensions it does so as well in
+/// [`Jet1`] and [`Jet2`] over `f64`, with all coordinates as variables. In all other number types
+/// it evaluates the recorded formula, which gives the same bits.
 ///
-/// If the formula cannot be recorded, jets over `f64` along a line still work, to rounding and in
-/// fewer than 24 dimensions, from an expansion to second order. In any other numbers, such as an
-/// [`Interval`](tautline_scalar::Interval), `H` is NaN: intervals would follow one branch.
+/// If the formula cannot be recorded, jets over `f64` along a line still work in fewer than 24
+/// dimensions. They are computed from an expansion to second order, up to rounding. In any other
+/// number type, such as an [`Interval`](tautline_scalar::Interval), `H` is NaN, since intervals
+/// would follow only one branch.
 ///
 /// ```
 /// use nalgebra::vector;
@@ -42,17 +43,17 @@ pub struct AnyMetric<'m, const D: usize> {
 }
 
 impl<'m, const D: usize> AnyMetric<'m, D> {
-    /// Points to a metric.
+    /// Returns a pointer to a metric.
     #[must_use]
     pub fn new(metric: &'m impl Metric<D>) -> Self {
         Self { compiled: metric, formula: OnceLock::new() }
     }
 
-    /// Returns its formula, recorded on first use.
+    /// Returns the metric's formula, which is recorded on first use.
     ///
     /// # Errors
     ///
-    /// As [`Formula::record`].
+    /// The errors of [`Formula::record`].
     pub fn formula(&self) -> Result<&Formula<D>, RecordError> {
         self.formula.get_or_init(|| self.compiled.record()).as_ref().map_err(|&error| error)
     }
@@ -72,7 +73,7 @@ impl<const D: usize> std::fmt::Debug for AnyMetric<'_, D> {
 
 impl<const D: usize> Metric<D> for AnyMetric<'_, D> {
     fn gram<S: Scalar>(&self, x: &SVector<S, D>) -> SMatrix<S, D, D> {
-        // The compiler decides the comparisons of types.
+        // The compiler decides these comparisons of types.
         if TypeId::of::<S>() == TypeId::of::<f64>()
             && let Some(h) = gram(self.compiled.numbers(), x)
         {
@@ -95,8 +96,8 @@ impl<const D: usize> Metric<D> for AnyMetric<'_, D> {
     }
 }
 
-// A separate function: in an unoptimised build a caller that needs only numbers would reserve stack
-// for the matrix of jets.
+// This is a separate function, because in an unoptimised build a caller that needs only numbers
+// would otherwise reserve stack for the matrix of jets.
 #[inline]
 fn gram<T: Scalar, S: Scalar, const D: usize>(
     metric: &dyn Gram<T, D>,
@@ -105,15 +106,15 @@ fn gram<T: Scalar, S: Scalar, const D: usize>(
     same(&metric.gram(same(x)?)).copied()
 }
 
-/// The value, if `T` is `S`.
+/// Returns the value if `T` is `S`.
 #[inline]
 fn same<T: Any, S: Any>(value: &T) -> Option<&S> {
     (value as &dyn Any).downcast_ref()
 }
 
 impl<const D: usize> AnyMetric<'_, D> {
-    /// `H` in another kind of jet, from its second-order Taylor expansion. Exact for jets of order
-    /// at most two, where a product of three increments vanishes.
+    /// Returns `H` in another kind of jet, computed from its second-order Taylor expansion. This is
+    /// exact for jets of order at most two, in which a product of three increments vanishes.
     fn expanded<S: Scalar>(&self, x: &SVector<S, D>, error: RecordError) -> SMatrix<S, D, D> {
         let places: Option<Vec<f64>> = x.iter().map(value::<S, D>).collect();
         let Some(places) = places else {
@@ -139,7 +140,7 @@ impl<const D: usize> AnyMetric<'_, D> {
     }
 }
 
-/// The value of a jet over `f64`; `None` for other numbers.
+/// Returns the value of a jet over `f64`, and `None` for other numbers.
 fn value<S: Scalar, const D: usize>(x: &S) -> Option<f64> {
     let x: &dyn Any = x;
     let first = || Some(x.downcast_ref::<Jet1<f64, D>>()?.value());
@@ -162,7 +163,8 @@ impl<M: Metric<D>, const D: usize> Compiled<D> for M {
     }
 
     fn first_jets(&self) -> Option<&dyn Gram<Jet1<f64, D>, D>> {
-        // A constant: larger matrices of jets would overflow the stack, and are not compiled.
+        // The condition is a constant: larger matrices of jets would overflow the stack, and are
+        // not compiled.
         if const { D < CHUNKED } { Some(self) } else { None }
     }
 

@@ -12,13 +12,14 @@ use crate::{
 
 /// The formula of a Gram matrix `H(x)` on `R^D`: the operations of a metric, step by step.
 ///
-/// Formulas are equal if their operations are, in the same order; equal values are not enough.
-/// Evaluated in `f64`, in jets or in intervals, a formula gives the same bits as the metric.
+/// Two formulas are equal if their operations are the same, in the same order. Equal values are not
+/// enough. Evaluated in `f64`, in jets or in intervals, a formula gives the same bits as the
+/// metric.
 ///
 /// # Laws
 ///
-/// The first `D` steps are the coordinates; a step reads only earlier ones; every other step is
-/// needed for an entry; no two steps are the same, except the second ones of pairs.
+/// The first `D` steps are the coordinates. A step reads only earlier steps. Every other step is
+/// needed for an entry. No two steps are the same, except for the second steps of pairs.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 #[doc(alias = "tape")]
 pub struct Formula<const D: usize> {
@@ -39,7 +40,7 @@ impl<const D: usize> Formula<D> {
         Self::of(gram.as_slice(), &recording)
     }
 
-    /// The formula with these entries, column by column.
+    /// Returns the formula with these entries, given column by column.
     pub(crate) fn of(entries: &[Symbol], recording: &Recording) -> Result<Self, RecordError> {
         if let Some(error) = recording.failed {
             return Err(error);
@@ -62,15 +63,15 @@ impl<const D: usize> Formula<D> {
         &self.operations
     }
 
-    /// Returns the function of one number that the step at `place` computes, with its argument; one
-    /// half of a [`Pair`] counts as a function. `None` for coordinates, numbers, arithmetic and
-    /// powers.
+    /// Returns the function of one number that the step at `place` computes, with its argument. One
+    /// half of a [`Pair`] counts as a function. Returns `None` for coordinates, numbers, arithmetic
+    /// and powers.
     #[must_use]
     pub fn function(&self, place: usize) -> Option<(Function, Step)> {
         function_at(&self.operations, place)
     }
 
-    /// Returns the step that is the entry `Hᵢⱼ`, from 0 on.
+    /// Returns the step that computes the entry `Hᵢⱼ`; indices start at 0.
     ///
     /// # Panics
     ///
@@ -82,20 +83,20 @@ impl<const D: usize> Formula<D> {
     }
 }
 
-/// A formula with its dimension as a value: code that takes it is compiled once for all dimensions.
+/// A formula whose dimension is a value. Code that takes it is compiled once for all dimensions.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Tape<'f> {
     pub(crate) dimension: usize,
     pub(crate) operations: &'f [Operation],
-    /// Column by column.
+    /// The steps of the entries, column by column.
     pub(crate) entries: &'f [Step],
 }
 
 impl Tape<'_> {
-    /// The values of all steps at `x`.
+    /// Returns the values of all steps at `x`.
     fn values<S: Scalar>(self, x: &[S]) -> Vec<S> {
         let mut values: Vec<S> = Vec::with_capacity(self.operations.len());
-        // The second of the latest pair.
+        // The second value of the latest pair.
         let mut second = None;
         for &operation in self.operations {
             let at = |step: Step| values[step as usize];
@@ -114,7 +115,7 @@ impl Tape<'_> {
                     second = Some(other);
                     first
                 }
-                // Always after its first.
+                // A second step always comes after its first.
                 Operation::Second => second.unwrap_or_else(S::zero),
             };
             values.push(value);
@@ -130,7 +131,8 @@ impl<const D: usize> Metric<D> for Formula<D> {
     }
 }
 
-/// The coordinates and the steps that these entries need, in their order; the entries renumbered.
+/// Returns the coordinates and the steps that these entries need, in their order, and the entries
+/// with their new numbers.
 fn without_idle(
     operations: &[Operation],
     entries: &[Step],
@@ -140,7 +142,7 @@ fn without_idle(
     needed.resize(operations.len(), false);
     needed[..dimension].fill(true);
     for place in 1..operations.len() {
-        // A pair stays together.
+        // The two steps of a pair stay together.
         needed[place] |= operations[place] == Operation::Second && needed[place - 1];
     }
     let mut moved = vec![0; operations.len()];

@@ -1,8 +1,8 @@
-//! Formulas of metrics as data, and metrics at many places at once.
+//! Formulas of metrics as data, and metrics evaluated at many places at once.
 //!
-//! A metric is a function that is generic in its number type. Evaluated once in a number that
-//! records its operations, it becomes a list of operations, a [`Formula`]: it can be compared,
-//! hashed, sent and printed, and evaluated again in any number type, to the same bits.
+//! A metric is a function that is generic in its number type. Evaluated once in a number type that
+//! records its operations, it becomes a list of operations, a [`Formula`]. A formula can be
+//! compared, hashed, sent and printed, and evaluated again in any number type, with the same bits.
 //!
 //! ```
 //! use nalgebra::{SMatrix, SVector, vector};
@@ -23,8 +23,9 @@
 //! ```
 //!
 //! A search needs `H` and its derivatives along thousands of chords. [`Prepared`] derives a program
-//! from the formula and runs it over a [`Batch`] of chords, faster than the compiled formula. A
-//! formula that cannot be recorded is evaluated as compiled, behind the same interface ([`Plain`]).
+//! from the formula and runs it over a [`Batch`] of chords, which is faster than the compiled
+//! formula. A formula that cannot be recorded is evaluated as compiled, behind the same interface
+//! ([`Plain`]).
 //!
 //! ```
 //! use nalgebra::vector;
@@ -62,5 +63,6 @@ pub use program::{InstructionSet, Register, Registers, WIDTH};
 pub use record_error::RecordError;
 pub use text::{Problem, TextError};
 
-/// The most steps of a formula, a million: a longer one is a loop that nobody meant to unroll.
+/// The largest number of steps of a formula, a million. A longer formula comes from a loop that
+/// nobody meant to unroll.
 pub const LONGEST: usize = 1 << 20;

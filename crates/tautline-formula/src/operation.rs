@@ -4,15 +4,15 @@ use std::ops::{Add, Div, Mul, Sub};
 
 use tautline_scalar::Scalar;
 
-/// The place of a step on its tape. A step reads only earlier ones.
+/// The place of a step on its tape. A step reads only earlier steps.
 pub type Step = u32;
 
-/// A number, compared and hashed by its bits: there is one NaN, and `−0` is not `0`.
+/// A number, compared and hashed by its bits. There is only one NaN, and `−0` is not `0`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Number(u64);
 
 impl Number {
-    /// Returns the number of this value.
+    /// Returns the number with this value.
     #[must_use]
     pub fn of(value: f64) -> Self {
         Self(if value.is_nan() { f64::NAN } else { value }.to_bits())
@@ -53,7 +53,7 @@ impl Arithmetic {
         }
     }
 
-    /// Its sign in a text.
+    /// Returns the operator's sign in a text.
     pub(crate) fn sign(self) -> char {
         match self {
             Arithmetic::Add => '+',
@@ -64,10 +64,10 @@ impl Arithmetic {
     }
 }
 
-/// Defines [`Function`]: for each one the method of [`Scalar`] and the name in a text.
+/// Defines [`Function`]: for each function, the method of [`Scalar`] and its name in a text.
 macro_rules! functions {
     ($($(#[$doc:meta])* $function:ident $method:ident $name:literal;)*) => {
-        /// A function of one number, as [`Scalar`] has it.
+        /// A function of one number that [`Scalar`] provides.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum Function {
             $($(#[$doc])* $function,)*
@@ -82,14 +82,14 @@ macro_rules! functions {
                 }
             }
 
-            /// Its name in a text.
+            /// Returns the function's name in a text.
             pub(crate) fn name(self) -> &'static str {
                 match self {
                     $(Function::$function => $name,)*
                 }
             }
 
-            /// The function with this name in a text.
+            /// Returns the function with this name in a text.
             pub(crate) fn named(name: &str) -> Option<Self> {
                 match name {
                     $($name => Some(Function::$function),)*
@@ -151,11 +151,11 @@ impl Pair {
 
 /// One step: an operation exactly as the formula called it.
 ///
-/// `x + 2.0` and `x + S::constant(2.0)` are different steps, and so are `a + b` and `b + a`: a
-/// number type may round them differently.
+/// `x + 2.0` and `x + S::constant(2.0)` are different steps, and so are `a + b` and `b + a`, since
+/// a number type may round them differently.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Operation {
-    /// The coordinate `xᵢ`, from 0 on.
+    /// The coordinate `xᵢ`; the index starts at 0.
     Coordinate(u32),
     /// A number.
     Constant(Number),
@@ -167,9 +167,9 @@ pub enum Operation {
     Powi(Step, i32),
     /// `f(x)`.
     Of(Function, Step),
-    /// The first of two functions of `x`; the other one is the next step.
+    /// The first of two functions of `x`. The second one is the next step.
     First(Pair, Step),
-    /// The second of the two functions of the step before.
+    /// The second of the two functions of the previous step.
     Second,
 }
 
@@ -200,8 +200,8 @@ impl Operation {
     }
 }
 
-/// The function of one number that the step at `place` computes, with its argument: one half of a
-/// pair counts as a function. `None` for all other operations.
+/// Returns the function of one number that the step at `place` computes, with its argument. One
+/// half of a pair counts as a function. Returns `None` for all other operations.
 pub(crate) fn function_at(operations: &[Operation], place: usize) -> Option<(Function, Step)> {
     match *operations.get(place)? {
         Operation::Of(function, a) => Some((function, a)),
@@ -214,8 +214,8 @@ pub(crate) fn function_at(operations: &[Operation], place: usize) -> Option<(Fun
     }
 }
 
-/// Which steps, up to the last root, the roots depend on, themselves included. Does not look behind
-/// steps that are not `entered`.
+/// Returns which steps, up to the last root, the roots depend on, including the roots themselves.
+/// The search does not look behind steps that are not `entered`.
 pub(crate) fn needed(
     operations: &[Operation],
     roots: &[Step],

@@ -1,17 +1,17 @@
 //! `RecordError`: why a metric has no recorded formula.
 
-/// Why a metric is not one list of operations.
+/// Why a metric is not a single list of operations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RecordError {
-    /// The formula asks whether two numbers are equal, or one is zero, where that depends on the
-    /// point: it has branches.
+    /// The formula asks whether two numbers are equal, or whether one is zero, and the answer
+    /// depends on the point. It therefore has branches.
     #[error("the formula compares numbers that depend on the point, so it has branches")]
     Compares,
-    /// The formula is too long: every iteration of a loop is recorded.
+    /// The formula is too long. Every iteration of a loop is recorded.
     #[error("the formula has more than {most} steps")]
     TooLong {
-        /// The most steps of a tape.
+        /// The largest number of steps of a tape.
         most: usize,
     },
     /// The formula uses numbers of another evaluation, such as one on another thread.

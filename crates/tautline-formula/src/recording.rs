@@ -1,4 +1,4 @@
-//! `Recording`, a tape under construction, and `Symbol`, the number that writes it.
+//! `Recording`, a tape under construction, and `Symbol`, the number type that writes to it.
 
 use std::{
     cell::RefCell,
@@ -14,17 +14,17 @@ use crate::{
     operation::{Arithmetic, Function, Number, Operation, Pair, Step},
 };
 
-/// A tape under construction. Identical steps are written once; nothing else is simplified.
+/// A tape under construction. Identical steps are written only once. Nothing else is simplified.
 #[derive(Debug, Default)]
 pub(crate) struct Recording {
     pub(crate) operations: Vec<Operation>,
     known: HashMap<Operation, Step>,
-    /// The first reason why the tape is not the formula, if any.
+    /// The first reason why the tape does not represent the formula, if there is one.
     pub(crate) failed: Option<RecordError>,
 }
 
 impl Recording {
-    /// A tape that holds the coordinates.
+    /// Returns a tape that holds only the coordinates.
     pub(crate) fn new(dimension: usize) -> Self {
         let mut recording = Self::default();
         for i in 0..dimension {
@@ -37,10 +37,10 @@ impl Recording {
         self.failed.get_or_insert(error);
     }
 
-    /// Returns the step of an operation, written if it is new.
+    /// Returns the step of an operation, and writes it if it is new.
     fn write(&mut self, operation: Operation) -> Step {
         let end = self.operations.len();
-        // A number kept from another recording.
+        // This is a number kept from another recording.
         if operation.reads(0).into_iter().flatten().any(|step| step as usize >= end) {
             self.fail(RecordError::Foreign);
             return 0;
@@ -48,7 +48,7 @@ impl Recording {
         if let Some(&step) = self.known.get(&operation) {
             return step;
         }
-        // Two, since a pair stays together.
+        // There must be room for two steps, since a pair stays together.
         if end + 2 > LONGEST {
             self.fail(RecordError::TooLong { most: LONGEST });
             return 0;
@@ -75,7 +75,7 @@ thread_local! {
     static RECORDING: RefCell<Option<Recording>> = const { RefCell::new(None) };
 }
 
-/// Restores the outer recording when dropped, also if the formula panics.
+/// Restores the outer recording when dropped, even if the formula panics.
 struct Outer(Option<Recording>);
 
 impl Drop for Outer {
@@ -102,7 +102,7 @@ fn end(outer: Outer) -> Recording {
     recording
 }
 
-/// Marks the recording of this thread as failed: its tape is not the formula.
+/// Marks the recording of this thread as failed, because its tape does not represent the formula.
 pub(crate) fn fail(error: RecordError) {
     with((), |recording| recording.fail(error));
 }
@@ -124,8 +124,8 @@ pub(crate) struct Symbol(pub(crate) Step);
 /// A step that is on no tape.
 const NOWHERE: Step = Step::MAX;
 
-/// Writes to the tape of this thread. If there is none, as on a thread that the formula started,
-/// returns `otherwise`.
+/// Writes to the tape of this thread. If there is no tape, for example on a thread that the formula
+/// started, returns `otherwise`.
 fn with<T>(otherwise: T, write: impl FnOnce(&mut Recording) -> T) -> T {
     RECORDING.with_borrow_mut(|recording| recording.as_mut().map(write).unwrap_or(otherwise))
 }
@@ -147,7 +147,7 @@ impl Symbol {
 
 impl PartialEq for Symbol {
     /// Two constants can be compared. Any other answer would hold at one point only, and the tape
-    /// would follow one branch.
+    /// would follow only one branch.
     fn eq(&self, other: &Self) -> bool {
         with(false, |recording| match (recording.constant(*self), recording.constant(*other)) {
             (Some(a), Some(b)) => a == b,

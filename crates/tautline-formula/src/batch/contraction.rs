@@ -15,22 +15,22 @@ pub(crate) struct Contraction<const D: usize> {
     pub(crate) p: SMatrix<f64, D, D>,
     /// `Qₖₗ = dᵀ ∂ₖ∂ₗH d`.
     pub(crate) q: SMatrix<f64, D, D>,
-    /// Whether `H`, with both halves as the metric gives them, is finite, symmetric and positive
-    /// definite.
+    /// Whether `H` is finite, symmetric and positive definite, with both halves as the metric gives
+    /// them.
     pub(crate) is_metric: bool,
 }
 
-/// From this dimension on, derivatives are taken [`CHUNK`] directions at a time: the jets of all
-/// `D²` entries of `H` in all directions are `D⁴` numbers, 2.8 MB at `D = 24`, too many for the
-/// cache and then for the stack.
+/// From this dimension on, derivatives are taken in [`CHUNK`] directions at a time. The jets of all
+/// `D²` entries of `H` in all directions are `D⁴` numbers. At `D = 24` these are 2.8 MB, which
+/// exceeds first the cache and then the stack.
 pub(crate) const CHUNKED: usize = 24;
 const CHUNK: usize = 8;
 
 impl<const D: usize> Contraction<D> {
-    /// Differentiates at `y`.
+    /// Differentiates `H` at `y`.
     #[inline(always)]
     pub(crate) fn new(metric: &impl Metric<D>, y: &SVector<f64, D>, d: &SVector<f64, D>) -> Self {
-        // A constant, so that only one of the two is compiled.
+        // The condition is a constant, so that only one of the two branches is compiled.
         if const { D < CHUNKED } {
             Self::at_once(metric, y, d)
         } else {
@@ -46,7 +46,7 @@ impl<const D: usize> Contraction<D> {
         contraction
     }
 
-    /// Pairs all half chunks, so that any two coordinates share a chunk.
+    /// Combines all half chunks in pairs, so that any two coordinates share a chunk.
     fn by_chunks(metric: &impl Metric<D>, y: &SVector<f64, D>, d: &SVector<f64, D>) -> Self {
         const HALF: usize = CHUNK / 2;
         let mut contraction = Self::of(&metric.gram(y));
@@ -71,7 +71,7 @@ impl<const D: usize> Contraction<D> {
         }
     }
 
-    /// Sets `G`, `P` and `Q` in the directions of the jets; directions from `D` on are padding.
+    /// Sets `G`, `P` and `Q` in the directions of the jets. Directions from `D` on are padding.
     #[inline(always)]
     fn differentiate<const B: usize>(
         &mut self,
@@ -105,13 +105,13 @@ impl<const D: usize> Contraction<D> {
     }
 }
 
-/// The weight of the entries `(i, j)` and `(j, i)` of `H` in `dᵀHd`.
+/// Returns the weight of the entries `(i, j)` and `(j, i)` of `H` in `dᵀHd`.
 #[inline(always)]
 fn weight<const D: usize>(d: &SVector<f64, D>, i: usize, j: usize) -> f64 {
     if i == j { d[i] * d[i] } else { 2.0 * d[i] * d[j] }
 }
 
-/// `G` in the directions of the jets, from the entries `i ≤ j` of `H`.
+/// Returns `G` in the directions of the jets, computed from the entries `i ≤ j` of `H`.
 #[inline(always)]
 fn slope<J, const B: usize, const D: usize>(
     jets: &SMatrix<J, D, D>,
@@ -127,7 +127,7 @@ fn slope<J, const B: usize, const D: usize>(
     g
 }
 
-/// The coordinates as jets in these directions.
+/// Returns the coordinates as jets in these directions.
 fn variables<J: Scalar, const B: usize, const D: usize>(
     y: &SVector<f64, D>,
     directions: [usize; B],
@@ -140,7 +140,7 @@ fn variables<J: Scalar, const B: usize, const D: usize>(
     SVector::from_fn(|i, _| place(i).map_or(constant(y[i]), |place| variables[place]))
 }
 
-/// `H`, with both halves as the metric gives them, and `Gₖ = dᵀ ∂ₖH d` at `y`.
+/// Returns `H`, with both halves as the metric gives them, and `Gₖ = dᵀ ∂ₖH d` at `y`.
 #[inline(always)]
 pub(crate) fn momentum<const D: usize>(
     metric: &impl Metric<D>,
@@ -179,7 +179,7 @@ mod tests {
 
     use super::{CHUNK, CHUNKED, Contraction, momentum, slope_by_chunks};
 
-    /// A sum of 8 waves, each in all coordinates.
+    /// Expands a sum of 8 waves, each of which depends on all coordinates.
     fn expand<const D: usize>(
         by: fn(&SineProjections<D>, &SVector<f64, D>, &SVector<f64, D>) -> Contraction<D>,
     ) -> Contraction<D> {
@@ -195,7 +195,7 @@ mod tests {
         let contraction = by(&metric, &y, &d);
         assert_eq!(momentum(&metric, &y, &d), (contraction.h, contraction.g));
         assert_eq!(slope_by_chunks(&metric, &y, &d), contraction.g);
-        // Σ cos(2 w·y) (a·d)² w wᵀ, ½ Σ sin(2 w·y) (a·d) a wᵀ, and G = Pᵀd.
+        // The exact values: Σ cos(2 w·y) (a·d)² w wᵀ, ½ Σ sin(2 w·y) (a·d) a wᵀ, and G = Pᵀd.
         let (mut p, mut q) = (contraction.p, contraction.q);
         let g = contraction.g - p.tr_mul(&d);
         for SineProjection { wave_vector: w, direction: a } in terms {
@@ -203,7 +203,7 @@ mod tests {
             p -= a * w.transpose() * (0.5 * sin * a.dot(&d));
             q -= w * w.transpose() * (cos * a.dot(&d).powi(2));
         }
-        // Hundreds of terms below 1: their roundings come to 1e-14 at D = 25.
+        // There are hundreds of terms below 1; their roundings add up to 1e-14 at D = 25.
         assert!(p.amax() <= 1e-12 && q.amax() <= 1e-12, "{} {}", p.amax(), q.amax());
         assert!(g.amax() <= 1e-12, "{}", g.amax());
         // None of them is small.
@@ -212,16 +212,17 @@ mod tests {
         contraction
     }
 
-    /// With an even and an odd number of half chunks, the last one full or not.
+    /// The number of half chunks is even or odd, and the last half chunk is full or not.
     #[test]
     fn derivatives_by_chunks_are_those_of_all_at_once() {
         const { assert!(CHUNK == 8 && CHUNKED == 24) };
-        // To the bit: each derivative takes the same operations.
+        // The results agree bit for bit, since each derivative takes the same operations.
         assert_eq!(expand::<7>(Contraction::by_chunks), expand(Contraction::new));
         assert_eq!(expand::<8>(Contraction::by_chunks), expand(Contraction::new));
         assert_eq!(expand::<12>(Contraction::by_chunks), expand(Contraction::new));
         assert_eq!(expand::<13>(Contraction::by_chunks), expand(Contraction::new));
-        // The highest dimension that is differentiated at once, with jets of several megabytes.
+        // 23 is the highest dimension that is differentiated at once, with jets of several
+        // megabytes.
         let all = || assert_eq!(expand::<23>(Contraction::by_chunks), expand(Contraction::new));
         let thread = std::thread::Builder::new().stack_size(64 << 20).spawn(all);
         thread.expect("a thread").join().expect("the same derivatives");

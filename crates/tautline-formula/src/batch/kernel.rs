@@ -8,25 +8,27 @@ use crate::{
     program::{Program, Register, WIDTH},
 };
 
-/// How many numbers a first-level cache holds, with a margin.
+/// How many numbers fit into a first-level cache, with a margin.
 ///
-/// A program with more intermediate results, in the fewest lanes, is not worth it. Measured on
-/// decoders with 4 to 64 hidden units, 8 to 784 outputs and 2 to 8 coordinates, by the entries of
-/// `H`: with up to 300 intermediate registers a program takes 0.5 to 0.9 times as long as the
-/// compiled formula, with 400 and more 1.0 to 2.6 times as long.
+/// A program whose intermediate results do not fit, even in the fewest lanes, is not used. This was
+/// measured on decoders with 4 to 64 hidden units, 8 to 784 outputs and 2 to 8 coordinates, with
+/// programs computed from the entries of `H`. Up to 300 intermediate registers, a program takes 0.5
+/// to 0.9 times as long as the compiled formula; with 400 and more, it takes 1.0 to 2.6 times as
+/// long.
 ///
-/// From 24 coordinates on, a program of any length is worth it: the compiled formula is evaluated
-/// anew for every few directions. For sums of 4 to 32 matrices of rank one on 24, 32 and 64
-/// coordinates, with 340 to 2200 intermediate registers, a program takes 0.001 to 0.005 of that
-/// time.
+/// From 24 coordinates on, a program of any length is worth it, because the compiled formula is
+/// evaluated anew for every few directions. For sums of 4 to 32 matrices of rank one on 24, 32 and
+/// 64 coordinates, with 340 to 2200 intermediate registers, a program takes 0.001 to 0.005 times as
+/// long.
 const NUMBERS_IN_CACHE: usize = 3072;
 
-/// The same limit for derivatives by squares of vectors.
+/// The same limit for derivatives computed from squares of vectors.
 ///
-/// They have as many registers as a Jacobian has entries, but few instructions. Measured on
-/// decoders with 16 to 64 hidden units, 16 to 100 outputs and 2 to 16 coordinates: with 400 to 1800
-/// registers, far beyond a first-level cache, a program for `H` and all derivatives takes 0.004 to
-/// 0.52 of the time of the compiled formula, one for the first derivatives 0.13 to 0.56.
+/// They have as many registers as a Jacobian has entries, but few instructions. This was measured
+/// on decoders with 16 to 64 hidden units, 16 to 100 outputs and 2 to 16 coordinates. They have 400
+/// to 1800 registers, far more than fit into a first-level cache. Even so, a program for `H` and
+/// all derivatives takes 0.004 to 0.52 times as long as the compiled formula, and a program for the
+/// first derivatives 0.13 to 0.56 times as long.
 const NUMBERS_BY_SQUARES: usize = 16384;
 
 /// A program and the layout of its results.
@@ -37,7 +39,7 @@ pub(crate) struct Kernel {
 }
 
 impl Kernel {
-    /// Derives the program of a kind; `None` where the compiled formula is faster.
+    /// Derives the program of a kind. Returns `None` if the compiled formula is faster.
     pub(crate) fn new(formula: Tape<'_>, kind: Kind) -> Option<Self> {
         let order = match kind {
             Kind::Square | Kind::Checked => Order::Zero,
@@ -81,12 +83,12 @@ impl Kernel {
         &self.layout
     }
 
-    /// How many lanes keep all registers in a cache.
+    /// Returns how many lanes keep all registers in a cache.
     pub(crate) fn lanes(&self) -> usize {
         (NUMBERS_IN_CACHE / self.program.registers()).next_power_of_two().max(WIDTH)
     }
 
-    /// The number of instructions and of registers.
+    /// Returns the number of instructions and the number of registers.
     pub(crate) fn size(&self) -> [usize; 2] {
         [self.program.len(), self.program.registers()]
     }
@@ -102,7 +104,7 @@ impl Reader<'_> {
         taken.to_vec()
     }
 
-    /// A symmetric matrix, stored by its entries `i ≤ j`.
+    /// Reads a symmetric matrix, which is stored as its entries `i ≤ j`.
     fn symmetric(&mut self, dimension: usize) -> Vec<Register> {
         let upper = self.take(dimension * (dimension + 1) / 2);
         let place = |i: usize, j: usize| i * dimension - i * (i + 1) / 2 + j;

@@ -1,8 +1,8 @@
-//! `Layout`: which row holds what.
+//! `Layout`: which row of a batch holds what.
 
 use crate::program::{Register, Registers};
 
-/// What to compute of a metric.
+/// Which quantities of a metric to compute.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// `dᵀHd`.
@@ -15,7 +15,8 @@ pub enum Kind {
     Contraction,
 }
 
-/// The registers that hold the rows of a batch; empty for what a [`Kind`] does not compute.
+/// The registers that hold the rows of a batch. A list is empty if the [`Kind`] does not compute
+/// it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layout {
     /// `dᵀHd`.
@@ -30,19 +31,19 @@ pub struct Layout {
     pub turn: Vec<Register>,
     /// `Q`, row by row.
     pub bend: Vec<Register>,
-    /// Positive and finite where `H` is finite and positive definite.
+    /// Numbers that are all positive and finite where `H` is finite and positive definite.
     pub positive: Vec<Register>,
-    /// Entries `(i, j)` and `(j, i)`, with `(i, i)` and `(j, j)`.
+    /// The entries `(i, j)` and `(j, i)`, together with `(i, i)` and `(j, j)`.
     pub halves: Vec<[Register; 4]>,
 }
 
 impl Layout {
-    /// Whether `H` is a Gram matrix in the first `count` lanes.
+    /// Returns whether `H` is a Gram matrix in the first `count` lanes.
     pub(crate) fn is_metric(&self, registers: &Registers, count: usize) -> bool {
         let mut is_bad = false;
         for &register in &self.positive {
             for &pivot in &registers.row(register)[..count] {
-                // NaN is bad; no branches.
+                // NaN counts as bad. There are no branches.
                 is_bad |= !(pivot > 0.0 && pivot <= f64::MAX);
             }
         }
@@ -55,7 +56,8 @@ impl Layout {
     }
 }
 
-/// Whether two mirrored entries agree to the tolerance of [`is_gram`](tautline_metrics::is_gram).
+/// Returns whether two mirrored entries agree to within the tolerance of
+/// [`is_gram`](tautline_metrics::is_gram).
 fn is_symmetric([above, below]: [f64; 2], [one, other]: [f64; 2]) -> bool {
     let scale = one.abs().sqrt() * other.abs().sqrt();
     above == below || (above - below).abs() <= 1e-12 * scale.max(above.abs())

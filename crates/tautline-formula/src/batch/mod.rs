@@ -15,7 +15,8 @@ pub use prepared::Prepared;
 
 use crate::program::{InstructionSet, Register, Registers};
 
-/// A metric evaluated in batches: all that a discrete energy needs, behind a pointer.
+/// A metric, behind a pointer, that is evaluated in batches. It provides all that a discrete energy
+/// needs.
 pub trait Batches<const D: usize>: Sync {
     /// Returns `H(x)`.
     fn gram(&self, x: &SVector<f64, D>) -> SMatrix<f64, D, D>;
@@ -37,7 +38,7 @@ pub trait Batches<const D: usize>: Sync {
 }
 
 /// The Gram matrix `H` at many points `x` at once, with its derivatives contracted with a vector
-/// `d`: one lane for each point.
+/// `d`. Each point has one lane.
 pub struct Batch<'f, const D: usize> {
     registers: Registers,
     metric: &'f dyn Batches<D>,
@@ -45,8 +46,8 @@ pub struct Batch<'f, const D: usize> {
 }
 
 impl<'f, const D: usize> Batch<'f, D> {
-    /// Memory for a batch of this kind: for at least `unit` points, which must stay together, and
-    /// at most `units` times as many.
+    /// Allocates memory for a batch of this kind. It has room for at least `unit` points, which
+    /// must stay together, and for at most `units` times as many.
     #[must_use]
     pub fn new(metric: &'f dyn Batches<D>, kind: Kind, unit: usize, units: usize) -> Self {
         Self { registers: metric.registers(kind, unit, units), metric, kind }
@@ -58,7 +59,7 @@ impl<'f, const D: usize> Batch<'f, D> {
         self.registers.lanes()
     }
 
-    /// Returns the points and vectors of the first `count` lanes, for writing.
+    /// Returns the points and vectors of the first `count` lanes for writing.
     ///
     /// # Panics
     ///
@@ -66,7 +67,7 @@ impl<'f, const D: usize> Batch<'f, D> {
     #[inline(always)]
     pub fn inputs(&mut self, count: usize) -> Inputs<'_, D> {
         let [mut x, mut d] = self.registers.inputs();
-        // Tells the compiler that all rows have the same length.
+        // This tells the compiler that all rows have the same length.
         for i in 0..D {
             x[i] = &mut std::mem::take(&mut x[i])[..count];
             d[i] = &mut std::mem::take(&mut d[i])[..count];

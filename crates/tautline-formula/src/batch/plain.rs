@@ -1,4 +1,4 @@
-//! `Plain`: batches by the compiled formula, lane by lane.
+//! `Plain`: batches evaluated with the compiled formula, lane by lane.
 
 use std::sync::OnceLock;
 
@@ -13,8 +13,8 @@ use crate::{
     program::{Register, Registers},
 };
 
-/// Batches by the compiled formula, one point after another: for formulas that cannot be recorded,
-/// and for comparison.
+/// Batches evaluated with the compiled formula, one point after another. They serve formulas that
+/// cannot be recorded, and comparisons.
 #[derive(Debug)]
 pub struct Plain<M, const D: usize> {
     metric: M,
@@ -35,7 +35,8 @@ impl<M: Metric<D>, const D: usize> Plain<M, D> {
     }
 }
 
-/// The rows of a kind, contiguous; the last one is positive where `H` is a Gram matrix.
+/// Returns the rows of a kind, which are contiguous. The last row is positive if `H` is a Gram
+/// matrix.
 fn layout(kind: Kind, dimension: usize) -> Layout {
     let mut next = 2 * dimension;
     let mut take = |count: usize| -> Vec<Register> {
@@ -68,14 +69,15 @@ fn layout(kind: Kind, dimension: usize) -> Layout {
     layout
 }
 
-/// The number of rows of a layout, points and vectors included.
+/// Returns the number of rows of a layout, including the points and vectors.
 fn rows(layout: &Layout, dimension: usize) -> usize {
     let Layout { square, momentum, slope, gram, turn, bend, positive, .. } = layout;
     let all = [square, momentum, slope, gram, turn, bend, positive];
     2 * dimension + all.into_iter().map(Vec::len).sum::<usize>()
 }
 
-/// Few enough for a cache in many dimensions, and enough for a chord in one pass.
+/// The number of lanes: few enough for a cache in many dimensions, and enough for a chord in one
+/// pass.
 const LANES: usize = 16;
 
 impl<M: Metric<D>, const D: usize> Batches<D> for Plain<M, D> {
@@ -131,7 +133,7 @@ impl<M: Metric<D>, const D: usize> AtPlace<D> for M {
     }
 }
 
-/// Compiled once for each dimension.
+/// This function is compiled once for each dimension.
 fn evaluate<const D: usize>(
     metric: &dyn AtPlace<D>,
     layout: &Layout,
@@ -168,7 +170,7 @@ fn evaluate<const D: usize>(
             }
             Kind::Contraction => {
                 let Contraction { h, g, p, q, is_metric } = metric.contraction(&x, &d);
-                // The upper half, which equals the lower one up to rounding.
+                // The upper half is used; it equals the lower half up to rounding.
                 let h = SMatrix::<f64, D, D>::from_fn(|i, j| h[(i.min(j), i.max(j))]);
                 write(registers, &layout.gram, h.as_slice());
                 write(registers, &layout.slope, g.as_slice());

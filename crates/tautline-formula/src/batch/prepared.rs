@@ -1,4 +1,4 @@
-//! `Prepared`: batches in the fastest way for a metric.
+//! `Prepared`: batches evaluated in the fastest way for a metric.
 
 use std::sync::OnceLock;
 
@@ -13,9 +13,9 @@ use crate::{
 
 /// A metric, ready to be evaluated at many points at once.
 ///
-/// It runs programs, derived from the formula on first use. A formula that compares numbers cannot
-/// be recorded, and the programs of a very long one are slow: these are evaluated as compiled,
-/// point by point, with the same results to rounding.
+/// It runs programs that are derived from the formula on first use. A formula that compares numbers
+/// cannot be recorded, and the programs of a very long formula are slow. Such formulas are
+/// evaluated as compiled, point by point. The results agree up to rounding.
 #[derive(Debug)]
 pub struct Prepared<M, const D: usize> {
     plain: Plain<M, D>,
@@ -35,8 +35,8 @@ impl<M: Metric<D>, const D: usize> Prepared<M, D> {
         Self::with(metric, InstructionSet::Widest, LANES)
     }
 
-    /// The same with this instruction set and at most this many lanes: fewer if they would not fit
-    /// into a cache. The results are the same to the bit.
+    /// Does the same with this instruction set and at most this many lanes. There are fewer lanes
+    /// if they would not fit into a cache. The results are the same bit for bit.
     #[must_use]
     pub fn with(metric: M, instruction_set: InstructionSet, lanes: usize) -> Self {
         let formula = Formula::record(&metric).ok();
@@ -50,13 +50,13 @@ impl<M: Metric<D>, const D: usize> Prepared<M, D> {
         self.plain.metric()
     }
 
-    /// Returns its formula; `None` if it could not be recorded.
+    /// Returns the metric's formula, or `None` if it could not be recorded.
     #[must_use]
     pub fn formula(&self) -> Option<&Formula<D>> {
         self.formula.as_ref()
     }
 
-    /// Returns the numbers of instructions and registers of a program; `None` if there is none.
+    /// Returns the numbers of instructions and registers of a program, or `None` if there is none.
     #[must_use]
     pub fn size(&self, kind: Kind) -> Option<[usize; 2]> {
         self.kernel(kind).map(Kernel::size)

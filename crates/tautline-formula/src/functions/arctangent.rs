@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
-/// `(arctan x − x)/x³` for `|x| ≤ 0.66`, a quotient (Moshier's Cephes).
+/// Coefficients of `(arctan x − x)/x³` for `|x| ≤ 0.66`, as a quotient (Moshier's Cephes).
 const ABOVE: [f64; 5] = [
     -6.485_021_904_942_025_371_773e1,
     -1.228_866_684_490_136_173_410e2,
@@ -18,10 +18,10 @@ const BELOW: [f64; 5] = [
     2.485_846_490_142_306_297_962e1,
 ];
 
-/// `tan 3π/8`: beyond it the result is `π/2 − arctan 1/x`.
+/// The number `tan 3π/8`. Beyond it the result is `π/2 − arctan 1/x`.
 const STEEP: f64 = 2.414_213_562_373_095_048_80;
 
-/// `π/2` minus its double.
+/// The difference between `π/2` and the double nearest to it.
 const REST: f64 = 6.123_233_995_736_765_886_130e-17;
 
 /// Fills `y` with `arctan x`.
@@ -36,7 +36,7 @@ pub(crate) fn atan<const B: usize>(y: &mut [f64; B], x: &[f64; B]) {
 fn lane(x: f64) -> f64 {
     let size = x.abs();
     let (is_steep, is_flat) = (size > STEEP, size <= 0.66);
-    // arctan t is what remains after 0, π/4 or π/2. NaN is neither steep nor flat, and stays NaN.
+    // arctan t is added to 0, π/4 or π/2. NaN is neither steep nor flat, and stays NaN.
     let [above, below] = if is_steep { [-1.0, size] } else { [size - 1.0, size + 1.0] };
     let quotient = above / below;
     let t = if is_flat { size } else { quotient };

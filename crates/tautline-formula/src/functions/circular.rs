@@ -4,18 +4,18 @@ use std::f64::consts::FRAC_2_PI;
 
 use super::{ROUND, all};
 
-/// For larger angles three parts of `π/2` are not enough.
+/// For larger angles, three parts of `π/2` are not precise enough.
 const LARGEST: f64 = 1e6;
 
-/// `π/2` in three parts. The first two end in so many zero bits that their products with the number
-/// of quarter turns are exact (Cody and Waite; the parts are from Cephes).
+/// `π/2` in three parts. The first two parts end in so many zero bits that their products with the
+/// number of quarter turns are exact (Cody and Waite; the parts are from Cephes).
 const HALF_PI: [f64; 3] = [
     2.0 * 7.853_981_554_508_209_228_515_625e-1,
     2.0 * 7.946_627_356_147_928_367_14e-9,
     2.0 * 3.061_616_997_868_382_943_07e-17,
 ];
 
-/// `(sin x − x)/x³` and `(cos x − 1 + x²/2)/x⁴` for `|x| ≤ π/4` (Moshier's Cephes).
+/// Coefficients of `(sin x − x)/x³` and `(cos x − 1 + x²/2)/x⁴` for `|x| ≤ π/4` (Moshier's Cephes).
 const SINE: [f64; 6] = [
     -1.666_666_666_666_663_070_47e-1,
     8.333_333_333_322_118_588_78e-3,
@@ -41,7 +41,7 @@ pub(crate) fn sin_cos<const B: usize>(sin: &mut [f64; B], cos: &mut [f64; B], x:
     }
     if !all(x, |x| x.abs() <= LARGEST) {
         for i in 0..B {
-            // Also NaN.
+            // This also catches NaN.
             if !(x[i].abs() <= LARGEST) {
                 (sin[i], cos[i]) = x[i].sin_cos();
             }

@@ -2,7 +2,7 @@
 
 use super::{all, exponential};
 
-/// `(tanh x − x)/x³` for `|x| ≤ 5/8`, a quotient (Moshier's Cephes).
+/// Coefficients of `(tanh x − x)/x³` for `|x| ≤ 5/8`, as a quotient (Moshier's Cephes).
 const ABOVE: [f64; 3] = [
     -1.614_687_684_417_084_479_52e3,
     -9.928_772_310_019_185_865_64e1,
@@ -30,14 +30,14 @@ fn lane(x: f64) -> f64 {
     let [q0, q1, q2] = BELOW;
     let quotient = ((p2 * z + p1) * z + p0) / (((z + q2) * z + q1) * z + q0);
     let near = x * z * quotient + x;
-    // 1 − 2/(e²ˣ + 1), which rounds to 1 from 20 on. NaN takes the near branch.
+    // 1 − 2/(e²ˣ + 1), which rounds to 1 from 20 on. NaN takes the branch for small arguments.
     let twice = if size < 22.0 { 2.0 * size } else { 44.0 };
     let far = 1.0 - 2.0 / (exponential::lane(twice) + 1.0);
-    // Also near, for the sign of 0.
+    // The sign is also copied for small arguments, for the sign of 0.
     if size >= 0.625 { far } else { near }.copysign(x)
 }
 
-/// Up to here the exponential and its reciprocal are normal numbers.
+/// Up to this number the exponential and its reciprocal are normal numbers.
 const LARGEST: f64 = 700.0;
 
 /// Fills `y` with `cosh x`.
@@ -49,7 +49,7 @@ pub(crate) fn cosh<const B: usize>(y: &mut [f64; B], x: &[f64; B]) {
     }
     if !all(x, |x| x.abs() <= LARGEST) {
         for i in 0..B {
-            // Also NaN.
+            // This also catches NaN.
             if !(x[i].abs() <= LARGEST) {
                 y[i] = x[i].cosh();
             }

@@ -2,10 +2,11 @@
 
 use super::all;
 
-/// `ln 2` in two parts; products of the first with exponents are exact.
+/// `ln 2` in two parts. Products of the first part with exponents are exact.
 const LN_2: [f64; 2] = [6.931_471_803_691_238_164_90e-1, 1.908_214_929_270_587_700_02e-10];
 
-/// `ln((1 + s)/(1 − s)) = 2s + s R(s²)` for `|s| ≤ 3 − 2√2` (fdlibm's `log`).
+/// Coefficients of `R` in `ln((1 + s)/(1 − s)) = 2s + s R(s²)` for `|s| ≤ 3 − 2√2` (fdlibm's
+/// `log`).
 const SERIES: [f64; 7] = [
     6.666_666_666_666_735_130e-1,
     3.999_999_999_940_941_908e-1,
@@ -38,11 +39,11 @@ fn is_within(x: f64) -> bool {
 
 #[inline(always)]
 fn lane(x: f64) -> f64 {
-    // x = 2ᵏ (1 + f) with 1 + f between √½ and √2: after subtracting the bits of √½, the exponent
-    // is k.
+    // x = 2ᵏ (1 + f) with 1 + f between √½ and √2. After the bits of √½ are subtracted, the
+    // exponent is k.
     const ROOT: u64 = 0x3fe6_a09e_667f_3bcd;
     let above = x.to_bits().wrapping_sub(ROOT);
-    // k + 2¹¹, an integer below 2¹², by the bits of 2⁵².
+    // k + 2¹¹ is an integer below 2¹², which is converted through the bits of 2⁵².
     const MAGIC: f64 = 4_503_599_627_370_496.0;
     let shifted = above.wrapping_add(1 << 63) >> 52;
     let k = f64::from_bits(shifted | MAGIC.to_bits()) - (MAGIC + 2048.0);

@@ -1,8 +1,8 @@
 //! Elementary functions of whole blocks of numbers.
 //!
-//! They use only `+ − × ÷` and bit operations, in the written order and without branches: every
-//! block size and register width gives the same bits, and the compiler vectorises the loops.
-//! Numbers outside the range of a polynomial go to the standard library, one by one.
+//! They use only `+ − × ÷` and bit operations, in the written order and without branches. Every
+//! block size and register width therefore gives the same bits, and the compiler vectorises the
+//! loops. Numbers outside the range of a polynomial are passed to the standard library, one by one.
 //!
 //! | function | error, in units of the last place | range |
 //! | --- | --- | --- |
@@ -27,11 +27,11 @@ pub(crate) use exponential::exp;
 pub(crate) use hyperbolic::{cosh, tanh};
 pub(crate) use logarithm::ln;
 
-/// `1.5 · 2⁵²`: adding and subtracting it rounds to an integer, ties to even; the sum has that
-/// integer in its last bits.
+/// `1.5 · 2⁵²`. Adding and subtracting it rounds to an integer, ties to even. The last bits of the
+/// sum are that integer.
 const ROUND: f64 = 6_755_399_441_055_744.0;
 
-/// Whether all numbers are in a range, without branches; NaN is in none.
+/// Returns whether all numbers are in a range, without branches. NaN is in no range.
 #[inline(always)]
 fn all<const B: usize>(x: &[f64; B], is_within: impl Fn(f64) -> bool) -> bool {
     let mut out = 0_u64;

@@ -1,4 +1,4 @@
-//! Errors against 192 bits, and values at and beyond the ends of the ranges.
+//! Compares the functions with 192 bits, and checks values at and beyond the ends of the ranges.
 
 use astro_float::{BigFloat, Consts, RoundingMode};
 
@@ -9,7 +9,7 @@ const RM: RoundingMode = RoundingMode::None;
 
 type Exact = fn(&BigFloat, usize, RoundingMode, &mut Consts) -> BigFloat;
 
-/// The value at `x`, which must be the same in blocks of any size and at any place in them.
+/// Returns the value at `x`, which must be the same in blocks of any size and at any place in them.
 fn single(
     x: f64,
     of: impl Fn(&mut [f64; 8], &[f64; 8]),
@@ -50,7 +50,7 @@ enum Numbers {
 use Numbers::{Even, Geometric};
 
 impl Numbers {
-    /// Fractions of multiples of the golden ratio.
+    /// Returns fractional parts of multiples of the golden ratio.
     fn all(&self) -> impl Iterator<Item = f64> {
         let (lo, hi, is_even) = match *self {
             Even(lo, hi) => (lo, hi, true),
@@ -63,8 +63,9 @@ impl Numbers {
     }
 }
 
-/// Rows: the function, its exact value, the largest error in units in the last place, the least
-/// value whose unit is used, and the arguments. Some error must reach 0.4 of the bound.
+/// Each row has the function, its exact value, the largest error in units in the last place, the
+/// least value whose unit is used, and the arguments. At least one error must reach 0.4 of the
+/// bound.
 #[test]
 fn errors_are_as_stated() {
     type Row = (&'static str, fn(f64) -> f64, Exact, f64, f64, Numbers);

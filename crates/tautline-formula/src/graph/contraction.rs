@@ -1,14 +1,13 @@
 //! The Gram matrix and its derivatives, contracted with a chord `d`.
 //!
-//! Derivation: with `H = C₀ + Σₘ bₘ(x) Cₘ`, where the matrices are constant, `sₘ = dᵀCₘd` and
-//! `vₘ = Cₘd`,
+//! Let `H = C₀ + Σₘ bₘ(x) Cₘ` with constant matrices, and let `sₘ = dᵀCₘd` and `vₘ = Cₘd`. Then
 //!
 //! ```text
 //! Gₖ = dᵀ ∂ₖH d = Σₘ sₘ ∂ₖbₘ,   Pᵢₖ = (∂ₖH d)ᵢ = Σₘ (vₘ)ᵢ ∂ₖbₘ,   Qₖₗ = dᵀ ∂ₖ∂ₗH d = Σₘ sₘ ∂ₖ∂ₗbₘ.
 //! ```
 //!
-//! Only the `bₘ` are differentiated. Where `Cₘ = ± a aᵀ`, `vₘ = ± a (aᵀd)` and `sₘ = ± (aᵀd)²`.
-//! Squares of vectors `a(x)` may be split off from that sum.
+//! Only the `bₘ` are differentiated. If `Cₘ = ± a aᵀ`, then `vₘ = ± a (aᵀd)` and `sₘ = ± (aᵀd)²`.
+//! Squares of vectors `a(x)` may be split off from this sum.
 
 use crate::{
     formula::Tape,
@@ -22,16 +21,16 @@ pub(crate) struct Contracted {
     pub(crate) graph: Graph,
     /// The entries `i ≤ j` of `H`, row by row.
     pub(crate) gram: Vec<Step>,
-    /// Entries where the formula does not give both halves of `H` by the same step.
+    /// The entries for which the formula does not compute both halves of `H` by the same step.
     pub(crate) halves: Vec<Half>,
-    /// Positive and finite where `H` is positive definite and finite.
+    /// Numbers that are all positive and finite where `H` is positive definite and finite.
     pub(crate) pivots: Vec<Step>,
     pub(crate) sums: Sums,
     /// Whether squares of vectors are contracted separately.
     pub(crate) is_by_squares: bool,
 }
 
-/// What is contracted with the chord.
+/// Sums that are contracted with the chord.
 #[derive(Debug)]
 pub(crate) struct Sums {
     /// `dᵀHd`.
@@ -46,7 +45,8 @@ pub(crate) struct Sums {
     pub(crate) bend: Vec<Step>,
 }
 
-/// Two mirrored entries that must have the same value, and the diagonal entries of their rows.
+/// Two mirrored entries that must have the same value, together with the diagonal entries of their
+/// rows.
 #[derive(Debug)]
 pub(crate) struct Half {
     /// `(i, j)` and `(j, i)`.
@@ -55,11 +55,11 @@ pub(crate) struct Half {
     pub(crate) diagonal: [Step; 2],
 }
 
-/// Contracts a formula and its derivatives up to this order with a chord; `None` if that takes too
-/// many operations.
+/// Contracts a formula and its derivatives up to this order with a chord. Returns `None` if that
+/// takes too many operations.
 ///
-/// With `needs_gram` the entries of `H` are computed anyway, and `dᵀHd` alone is cheaper from them
-/// than from squares of vectors.
+/// If `needs_gram` is set, the entries of `H` are computed anyway. In that case it is cheaper to
+/// compute `dᵀHd` alone from these entries than from squares of vectors.
 pub(crate) fn contract(formula: Tape<'_>, order: Order, needs_gram: bool) -> Option<Contracted> {
     let dimension = formula.dimension;
     let (mut graph, entries) = Graph::of(formula);
@@ -108,8 +108,8 @@ pub(crate) fn contract(formula: Tape<'_>, order: Order, needs_gram: bool) -> Opt
             bend.push(graph.weighted(&along, second));
         }
     }
-    // By the parts unless they outnumber the entries. The number of operations would not do: other
-    // units need a few more, and must round the same.
+    // The parts are used unless they outnumber the entries. The number of operations cannot be the
+    // criterion: other units need a few more operations, and must round the same way.
     let Momentum { vector: momentum, square } = if squares.is_some() || parts.len() <= own.len() {
         let rest = graph.momentum(&constant, &d);
         graph.sum_of_parts(rest, &bases, &momenta)
@@ -128,20 +128,20 @@ pub(crate) fn contract(formula: Tape<'_>, order: Order, needs_gram: bool) -> Opt
     (!whole.graph.is_full()).then_some(whole)
 }
 
-/// The entry `(i, j)` of a symmetric matrix with these entries `i ≤ j`, row by row.
+/// Returns the entry `(i, j)` of a symmetric matrix with these entries `i ≤ j`, given row by row.
 fn gram_at(gram: &[Step], dimension: usize, i: usize, j: usize) -> Step {
     let (i, j) = (i.min(j), i.max(j));
     gram[i * dimension - i * (i + 1) / 2 + j]
 }
 
-/// One `bₘ` with its matrix, row by row.
+/// One function `bₘ` with its matrix, given row by row.
 #[derive(Debug)]
 struct Part {
     base: Step,
     matrix: Vec<f64>,
 }
 
-/// The entries that are not constant, each once.
+/// Returns the entries that are not constant, each once.
 fn own_entries(graph: &Graph, gram: &[Step]) -> Vec<Step> {
     let mut own: Vec<Step> =
         gram.iter().copied().filter(|&entry| graph.value(entry).is_none()).collect();
@@ -150,8 +150,8 @@ fn own_entries(graph: &Graph, gram: &[Step]) -> Vec<Step> {
     own
 }
 
-/// Returns `C₀` and the parts of `H`: the terms of the entries `i ≤ j`, or the entries themselves
-/// if they are fewer.
+/// Returns `C₀` and the parts of `H`. The parts come from the terms of the entries `i ≤ j`, or they
+/// are the entries themselves if these are fewer.
 fn split(graph: &Graph, gram: &[Step], own: &[Step], dimension: usize) -> (Vec<f64>, Vec<Part>) {
     let (constant, parts) = by_bases(&graph.linear(gram), dimension);
     if parts.len() <= own.len() {
@@ -192,7 +192,7 @@ fn bases(parts: &[Part]) -> Vec<Step> {
     parts.iter().map(|part| part.base).collect()
 }
 
-/// A matrix times `d`, and `dᵀ` times that.
+/// The product of a matrix with `d`, and the product of `dᵀ` with this vector.
 #[derive(Debug)]
 struct Momentum {
     vector: Vec<Step>,
@@ -200,7 +200,7 @@ struct Momentum {
 }
 
 impl Graph {
-    /// The sum of terms with factors; a term `None` is 0.
+    /// Returns the sum of terms with factors; a term `None` is 0.
     pub(super) fn weighted(
         &mut self,
         factors: &[Step],
@@ -211,13 +211,13 @@ impl Graph {
         self.sum(products)
     }
 
-    /// The sum of terms with constant factors.
+    /// Returns the sum of terms with constant factors.
     pub(super) fn combination(&mut self, terms: impl Iterator<Item = (Step, f64)>) -> Step {
         let products: Vec<Step> = terms.map(|(term, c)| self.times(term, c)).collect();
         self.sum(products)
     }
 
-    /// `Hd` and `dᵀHd` by the parts of `H`.
+    /// Computes `Hd` and `dᵀHd` from the parts of `H`.
     fn sum_of_parts(&mut self, rest: Momentum, bases: &[Step], momenta: &[Momentum]) -> Momentum {
         let mut add = |rest: Step, of: &dyn Fn(&Momentum) -> Step| {
             let factors: Vec<Step> = momenta.iter().map(of).collect();
@@ -229,7 +229,7 @@ impl Graph {
         Momentum { vector, square: add(rest.square, &|of| of.square) }
     }
 
-    /// `Hd` and `dᵀHd` by the entries of `H`, row by row.
+    /// Computes `Hd` and `dᵀHd` from the entries of `H`, given row by row.
     fn matrix_times(&mut self, matrix: &[Step], d: &[Step]) -> Momentum {
         let mut dot = |a: &[Step], b: &[Step]| self.weighted(a, b.iter().copied().map(Some));
         let vector: Vec<Step> = matrix.chunks_exact(d.len()).map(|row| dot(row, d)).collect();
@@ -237,7 +237,7 @@ impl Graph {
         Momentum { vector, square }
     }
 
-    /// `Cd` and `dᵀCd`.
+    /// Computes `Cd` and `dᵀCd`.
     fn momentum(&mut self, c: &[f64], d: &[Step]) -> Momentum {
         let dimension = d.len();
         if let Some((a, sign)) = rank_one(c, dimension) {
@@ -252,7 +252,7 @@ impl Graph {
         Momentum { square: self.sum(terms), vector }
     }
 
-    /// The pivots of a symmetric matrix with these entries `i ≤ j`, each once.
+    /// Returns the pivots of a symmetric matrix with these entries `i ≤ j`, each once.
     fn pivots(&mut self, dimension: usize, at: impl Fn(usize, usize) -> Step) -> Vec<Step> {
         let mut a: Vec<Step> =
             (0..dimension * dimension).map(|n| at(n / dimension, n % dimension)).collect();
@@ -280,8 +280,8 @@ impl Graph {
     }
 }
 
-/// `a` and `±1` with `C = ± a aᵀ` to rounding, in three dimensions or more, where it saves
-/// operations.
+/// Returns `a` and `±1` such that `C = ± a aᵀ` up to rounding. It does so only in three dimensions
+/// or more, where it saves operations.
 fn rank_one(c: &[f64], dimension: usize) -> Option<(Vec<f64>, f64)> {
     let diagonal = |i: usize| c[i * dimension + i];
     let top = (0..dimension).max_by(|&i, &j| diagonal(i).abs().total_cmp(&diagonal(j).abs()))?;

@@ -10,7 +10,7 @@ use crate::{
     operation::{Arithmetic, Function, Operation, Step, needed},
 };
 
-/// Up to which order derivatives are wanted.
+/// The order up to which derivatives are wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Order {
     Zero,
@@ -18,10 +18,10 @@ pub(crate) enum Order {
     Second,
 }
 
-/// The variables of a derivative.
+/// The variables with respect to which a derivative is taken.
 #[derive(Clone, Copy, Debug)]
 enum Variables {
-    /// The first coordinates, this many.
+    /// This many of the first coordinates.
     Coordinates(usize),
     /// A step on which others depend.
     Step(Step),
@@ -34,11 +34,12 @@ impl Variables {
 }
 
 impl Graph {
-    /// Returns the derivatives of these steps by the `dimension` coordinates of the point, up to
-    /// the given order.
+    /// Returns the derivatives of these steps with respect to the `dimension` coordinates of the
+    /// point, up to the given order.
     ///
-    /// `F(u)` with a function of one variable is differentiated by `u`, then `u` by the
-    /// coordinates: a wave that depends on one angle has few derivatives.
+    /// If a step is `F(u)` with a function of one variable, it is differentiated with respect to
+    /// `u`, and `u` with respect to the coordinates. A wave that depends on one angle thus has few
+    /// derivatives.
     pub(crate) fn derivatives(
         &mut self,
         roots: &[Step],
@@ -66,7 +67,8 @@ impl Graph {
         all
     }
 
-    /// The derivatives of `F(u)` from those of `u`, `F′` and `F″`; `None` is 0.
+    /// Computes the derivatives of `F(u)` from the derivatives of `u`, from `F′` and from `F″`;
+    /// `None` is 0.
     fn chain(
         &mut self,
         u: &Derivatives,
@@ -108,7 +110,7 @@ impl Graph {
         }
     }
 
-    /// The derivatives of all steps that the roots need, in the order of the graph.
+    /// Returns the derivatives of all steps that the roots need, in the order of the graph.
     fn forward(
         &mut self,
         roots: &[Step],
@@ -143,7 +145,7 @@ impl Graph {
         Derivatives([(By::One(k), self.constant(1.0))].into())
     }
 
-    /// The derivatives of the step `v` from those of what it reads.
+    /// Computes the derivatives of the step `v` from the derivatives of the steps that it reads.
     fn rule(
         &mut self,
         operation: Operation,
@@ -226,7 +228,7 @@ impl Graph {
         for (k, one) in of_a.firsts() {
             for (l, other) in of_b.firsts() {
                 let term = self.mul(one, other);
-                // The two terms are the same.
+                // The two terms are equal.
                 let term = if k == l { self.times(term, 2.0) } else { term };
                 self.add_to(&mut crossed, By::Two(k.min(l), k.max(l)), term);
             }
@@ -237,7 +239,7 @@ impl Graph {
         }
     }
 
-    /// Of `v = a / b`: `∂v = (∂a − v ∂b)/b`, and `∂∂v = (∂∂a − v ∂∂b − ∂v ∂b − ∂b ∂v)/b`.
+    /// For `v = a / b`: `∂v = (∂a − v ∂b)/b`, and `∂∂v = (∂∂a − v ∂∂b − ∂v ∂b − ∂b ∂v)/b`.
     fn quotient_rule(
         &mut self,
         [of_a, of_b]: [&Derivatives; 2],

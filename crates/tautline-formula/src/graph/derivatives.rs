@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::operation::Step;
 
-/// What a derivative is taken by.
+/// The coordinates with respect to which a derivative is taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum By {
     /// `∂ₖ`.
@@ -13,17 +13,17 @@ pub(super) enum By {
     Two(usize, usize),
 }
 
-/// First and second derivatives, without those that are 0.
+/// The first and second derivatives, without those that are 0.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Derivatives(pub(super) BTreeMap<By, Step>);
 
 impl Derivatives {
-    /// `∂ₖ`; `None` is 0.
+    /// Returns `∂ₖ`; `None` is 0.
     pub(crate) fn first(&self, k: usize) -> Option<Step> {
         self.0.get(&By::One(k)).copied()
     }
 
-    /// `∂ₖ∂ₗ` with `k ≤ l`; `None` is 0.
+    /// Returns `∂ₖ∂ₗ` with `k ≤ l`; `None` is 0.
     pub(crate) fn second(&self, (k, l): (usize, usize)) -> Option<Step> {
         self.0.get(&By::Two(k, l)).copied()
     }

@@ -1,4 +1,4 @@
-//! Expressions as linear combinations of others.
+//! Expressions as linear combinations of other expressions.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -7,7 +7,7 @@ use crate::{
     operation::{Arithmetic, Function, Operation, Step, needed},
 };
 
-/// `c + Σ cₘ bₘ`; the steps `bₘ` ascend.
+/// The combination `c + Σ cₘ bₘ`. The steps `bₘ` are in ascending order.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Linear {
     pub(crate) constant: f64,
@@ -19,7 +19,7 @@ impl Linear {
         Self { constant: 0.0, terms: vec![(step, 1.0)] }
     }
 
-    /// `None` if a term vanishes: an undefined term minus itself stays undefined.
+    /// Returns `None` if a term vanishes, since an undefined term minus itself must stay undefined.
     fn plus(&self, other: &Self, sign: f64) -> Option<Self> {
         let mut terms = Vec::with_capacity(self.terms.len() + other.terms.len());
         let (mut mine, mut others) = (self.terms.iter().peekable(), other.terms.iter().peekable());
@@ -39,7 +39,7 @@ impl Linear {
         Self { constant: self.constant + sign * other.constant, terms }.checked()
     }
 
-    /// `None` if a factor under- or overflows.
+    /// Returns `None` if a factor overflows or underflows.
     fn times(&self, c: f64) -> Option<Self> {
         let mut scaled = self.clone();
         scaled.constant *= c;
@@ -54,7 +54,7 @@ impl Linear {
     }
 }
 
-/// More terms than any matrix has that gains by this.
+/// A number of terms larger than that of any matrix for which this helps.
 const MOST_TERMS: usize = 64;
 
 impl Graph {
@@ -79,8 +79,7 @@ impl Graph {
                 Operation::Of(Function::Neg, a) => of(a).times(-1.0),
                 _ => None,
             };
-            // A difference of coordinates and numbers is exact where it is small: it stays
-            // together.
+            // A small difference of coordinates and numbers is exact, so it stays together.
             let is_affine = |linear: &Linear| {
                 let is_coordinate =
                     |term: &(Step, f64)| matches!(self.operation(term.0), Operation::Coordinate(_));
@@ -93,15 +92,15 @@ impl Graph {
         roots.iter().map(|root| known.get(root).cloned().unwrap_or_default()).collect()
     }
 
-    /// Returns one step as a linear combination of any length; `None` if a term vanishes, a factor
-    /// under- or overflows, or more than `left` steps would be visited. Subtracts the visited steps
-    /// from `left`.
+    /// Returns one step as a linear combination of any length. Returns `None` if a term vanishes,
+    /// if a factor overflows or underflows, or if more than `left` steps would be visited.
+    /// Subtracts the number of visited steps from `left`.
     ///
-    /// From the sum to its terms, in time linear in their number.
+    /// It works from the sum to its terms, in time linear in their number.
     pub(super) fn flat(&self, root: Step, left: &mut usize) -> Option<Linear> {
         let mut open = BTreeMap::from([(root, 1.0_f64)]);
         let mut flat = Linear::default();
-        // A step is popped after all its readers.
+        // A step is popped after all steps that read it.
         while let Some((step, factor)) = open.pop_last() {
             *left = left.checked_sub(1)?;
             if !factor.is_normal() {
@@ -129,8 +128,8 @@ impl Graph {
         flat.checked()
     }
 
-    /// Whether an operation is not linear, or stays together: it has a coordinate for a term, or a
-    /// factor that is not normal.
+    /// Returns whether an operation is not linear, or must stay together because it has a
+    /// coordinate as a term or a factor that is not normal.
     fn is_atom(&self, operation: Operation, step: Step) -> bool {
         let is_coordinate = |read| matches!(self.operation(read), Operation::Coordinate(_));
         !is_linear(operation)

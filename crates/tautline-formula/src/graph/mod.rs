@@ -16,31 +16,32 @@ pub(crate) use derivative::Order;
 
 use crate::operation::{Arithmetic, Function, Number, Operation, Step};
 
-/// Which identities simplify expressions.
+/// Which identities are used to simplify expressions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Identities {
-    /// Those that hold in doubles, except for the sign of a zero: `1 x = x` and `x x = x²`, but not
-    /// `0 x = 0`.
+    /// Identities that hold in doubles, except for the sign of a zero: `1 x = x` and `x x = x²`,
+    /// but not `0 x = 0`.
     Exact,
-    /// Those that hold in real numbers: for derivatives, where most terms vanish.
+    /// Identities that hold in real numbers. They are used for derivatives, where most terms
+    /// vanish.
     Free,
 }
 
 /// A list of distinct operations, as in a [`Formula`](crate::Formula).
 ///
-/// It has no pairs, no differences with a number, and no powers but squares. The coordinates are
-/// those of the point, then those of the chord.
+/// It has no pairs, no differences with a number, and no powers except squares. The coordinates are
+/// those of the point, followed by those of the chord.
 #[derive(Debug)]
 pub(crate) struct Graph {
     operations: Vec<Operation>,
     known: HashMap<Operation, Step>,
     identities: Identities,
-    /// Whether an operation did not fit: steps made since are meaningless.
+    /// Whether an operation did not fit. If so, the steps made since are meaningless.
     is_full: bool,
 }
 
-/// The most operations: some tenth of a second to derive. Longer formulas are evaluated as
-/// compiled.
+/// The largest number of operations, which take about a tenth of a second to derive. Longer
+/// formulas are evaluated as compiled.
 const MOST: usize = 1 << 18;
 
 impl Graph {
@@ -67,7 +68,7 @@ impl Graph {
         step
     }
 
-    /// Whether an operation did not fit.
+    /// Returns whether an operation did not fit.
     pub(crate) fn is_full(&self) -> bool {
         self.is_full
     }
@@ -76,7 +77,7 @@ impl Graph {
         self.identities == Identities::Free
     }
 
-    /// The value of a constant step.
+    /// Returns the value of a constant step.
     pub(crate) fn value(&self, a: Step) -> Option<f64> {
         match self.operation(a) {
             Operation::Constant(number) => Some(number.value()),
@@ -92,14 +93,15 @@ impl Graph {
         self.node(Operation::Constant(Number::of(value)))
     }
 
-    /// The coordinate `xᵢ`, or `dᵢ₋D` from `D` on.
+    /// Returns the coordinate `xᵢ`, or `dᵢ₋D` if `i` is at least `D`.
     pub(crate) fn coordinate(&mut self, i: usize) -> Step {
         self.node(Operation::Coordinate(i as u32))
     }
 
-    /// `(x, c)` with `a = c x`, where `x` is not a multiple itself, unless `c` would not be normal.
+    /// Returns `(x, c)` with `a = c x`, where `x` is not itself a multiple unless `c` would not be
+    /// normal.
     fn scaled(&self, a: Step) -> (Step, f64) {
-        // A loop, since a formula may chain any number of multiplications.
+        // This is a loop, since a formula may chain any number of multiplications.
         let (mut x, mut factor) = (a, 1.0);
         loop {
             let (inner, c) = match self.operation(x) {
@@ -121,7 +123,7 @@ impl Graph {
         }
     }
 
-    /// `a + b`.
+    /// Returns `a + b`.
     pub(crate) fn add(&mut self, a: Step, b: Step) -> Step {
         match (self.value(a), self.value(b)) {
             (Some(x), Some(y)) => return self.constant(x + y),
@@ -150,7 +152,7 @@ impl Graph {
         }
     }
 
-    /// `a − b`.
+    /// Returns `a − b`.
     pub(crate) fn sub(&mut self, a: Step, b: Step) -> Step {
         if self.is_free() && a == b {
             return self.constant(0.0);
@@ -165,7 +167,7 @@ impl Graph {
         }
     }
 
-    /// `−a`.
+    /// Returns `−a`.
     pub(crate) fn neg(&mut self, a: Step) -> Step {
         match self.operation(a) {
             Operation::Constant(c) => self.constant(-c.value()),
@@ -178,7 +180,7 @@ impl Graph {
         }
     }
 
-    /// `a + c`.
+    /// Returns `a + c`.
     pub(crate) fn plus(&mut self, a: Step, c: f64) -> Step {
         match self.value(a) {
             Some(x) => self.constant(x + c),
@@ -187,7 +189,7 @@ impl Graph {
         }
     }
 
-    /// `a c`.
+    /// Returns `a c`.
     pub(crate) fn times(&mut self, a: Step, c: f64) -> Step {
         if let Some(x) = self.value(a) {
             return self.constant(x * c);
@@ -196,7 +198,7 @@ impl Graph {
             if c == 0.0 {
                 return self.constant(0.0);
             }
-            // A product that under- or overflows would lose what the two factors keep.
+            // A product that overflows or underflows would lose what the two factors keep.
             let (x, d) = self.scaled(a);
             if x != a && (c * d).is_normal() {
                 return self.multiple(x, c * d);
@@ -205,7 +207,7 @@ impl Graph {
         self.multiple(a, c)
     }
 
-    /// `a c`, without merging factors.
+    /// Returns `a c`, without merging factors.
     fn multiple(&mut self, a: Step, c: f64) -> Step {
         if c == 1.0 {
             a
@@ -218,7 +220,7 @@ impl Graph {
         }
     }
 
-    /// `a b`.
+    /// Returns `a b`.
     pub(crate) fn mul(&mut self, a: Step, b: Step) -> Step {
         if let Some(x) = self.value(a) {
             return self.times(b, x);
@@ -236,7 +238,7 @@ impl Graph {
         self.product(a, b)
     }
 
-    /// `a b`, without extracting factors.
+    /// Returns `a b`, without extracting factors.
     fn product(&mut self, a: Step, b: Step) -> Step {
         if a == b {
             self.node(Operation::Of(Function::Sqr, a))
@@ -245,7 +247,7 @@ impl Graph {
         }
     }
 
-    /// `a / b`.
+    /// Returns `a / b`.
     pub(crate) fn div(&mut self, a: Step, b: Step) -> Step {
         match (self.value(a), self.value(b)) {
             (_, Some(y)) => self.over(a, y),
@@ -255,7 +257,7 @@ impl Graph {
         }
     }
 
-    /// `a / c`.
+    /// Returns `a / c`.
     pub(crate) fn over(&mut self, a: Step, c: f64) -> Step {
         if let Some(x) = self.value(a) {
             self.constant(x / c)
@@ -266,7 +268,7 @@ impl Graph {
         }
     }
 
-    /// `aⁿ`, by squaring.
+    /// Returns `aⁿ`, computed by squaring.
     pub(crate) fn power(&mut self, a: Step, n: i32) -> Step {
         let (mut power, mut square, mut left) = (None, a, n.unsigned_abs());
         while left > 0 {
@@ -285,7 +287,7 @@ impl Graph {
         }
     }
 
-    /// `f(a)`.
+    /// Returns `f(a)`.
     pub(crate) fn apply(&mut self, function: Function, a: Step) -> Step {
         match (function, self.value(a)) {
             (Function::Neg, _) => self.neg(a),
@@ -295,7 +297,7 @@ impl Graph {
         }
     }
 
-    /// The sum of these.
+    /// Returns the sum of the terms.
     pub(crate) fn sum(&mut self, terms: impl IntoIterator<Item = Step>) -> Step {
         terms
             .into_iter()
@@ -303,7 +305,7 @@ impl Graph {
             .unwrap_or_else(|| self.constant(0.0))
     }
 
-    /// From now on all identities of real numbers apply.
+    /// From now on, all identities of real numbers apply.
     pub(crate) fn be_free(&mut self) {
         self.identities = Identities::Free;
     }

@@ -1,4 +1,4 @@
-//! The neck of an expression: one step through which it depends on all its coordinates.
+//! The neck of an expression: a single step through which it depends on all its coordinates.
 
 use crate::{
     graph::Graph,
@@ -7,10 +7,10 @@ use crate::{
 
 impl Graph {
     /// Returns the first step `u`, in the order of evaluation, with `root = F(u)` for a function
-    /// `F` of one variable; `None` if only the root itself qualifies.
+    /// `F` of one variable. Returns `None` if only the root itself qualifies.
     ///
-    /// A mere multiple does not count: for a coordinate in other units, `x/2`, it would round
-    /// differently.
+    /// A mere multiple such as `x/2`, which is a coordinate in other units, does not count: it
+    /// would round differently.
     pub(crate) fn neck(&self, root: Step) -> Option<Step> {
         let mut is_open = vec![false; root as usize + 1];
         is_open[root as usize] = true;
@@ -22,7 +22,7 @@ impl Graph {
             }
             let operation = self.operation(step);
             match operation {
-                // Behind a bare coordinate there is no neck.
+                // If a coordinate occurs by itself, there is no neck before this point.
                 Operation::Coordinate(_) => return neck,
                 Operation::Constant(_) => continue,
                 _ if open == 1 && step != root && !is_multiple(operation) => neck = Some(step),
@@ -41,7 +41,7 @@ impl Graph {
     }
 }
 
-/// Whether an operation is `c x` or `x/c`.
+/// Returns whether an operation is `c x` or `x/c`.
 fn is_multiple(operation: Operation) -> bool {
     matches!(
         operation,

@@ -9,7 +9,7 @@ use crate::{
 };
 
 impl Graph {
-    /// The graph of a formula, and its entries `(i, j)` at `[i D + j]`.
+    /// Returns the graph of a formula, and its entries `(i, j)` at `[i D + j]`.
     pub(crate) fn of(formula: Tape<'_>) -> (Self, Vec<Step>) {
         let mut graph = Self {
             operations: Vec::new(),

@@ -6,7 +6,7 @@ use crate::{
 };
 
 impl Graph {
-    /// `f′` and `f″` at `x`, with `v = f(x)`.
+    /// Returns `f′` and `f″` at `x`, where `v = f(x)`.
     pub(super) fn slopes(&mut self, function: Function, x: Step, v: Step) -> (Step, Step) {
         match function {
             Function::Neg => (self.constant(-1.0), self.constant(0.0)),
@@ -50,7 +50,7 @@ impl Graph {
             Function::Sinh => (self.apply(Function::Cosh, x), v),
             Function::Cosh => (self.apply(Function::Sinh, x), v),
             Function::Tanh => {
-                // Not 1 − v², which cancels where v is nearly 1.
+                // Not 1 − v², which cancels where v is close to ±1.
                 let cosh = self.apply(Function::Cosh, x);
                 let reciprocal = self.apply(Function::Recip, cosh);
                 let slope = self.mul(reciprocal, reciprocal);

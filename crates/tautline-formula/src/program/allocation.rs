@@ -10,16 +10,17 @@ use crate::{
 /// The register of each step.
 pub(super) struct Allocation {
     pub(super) place: Vec<Option<Register>>,
-    /// When a step is last read; `usize::MAX` if its register is never freed.
+    /// The time at which a step is last read, or `usize::MAX` if its register is never freed.
     last: Vec<usize>,
     pub(super) free: Vec<Register>,
     pub(super) count: usize,
-    /// The sines and cosines to compute.
+    /// The sines and cosines that are to be computed.
     waves: HashMap<Operation, Step>,
 }
 
 impl Allocation {
-    /// For steps in this order, with what each reads; the first registers are the inputs.
+    /// Allocates registers for steps in this order, given what each reads. The first registers are
+    /// the inputs.
     pub(super) fn new(
         operations: &[Operation],
         inputs: usize,
@@ -60,7 +61,7 @@ impl Allocation {
         self.free.pop().or_else(|| self.fresh())
     }
 
-    /// Frees the registers that are read for the last time here.
+    /// Frees the registers that are read here for the last time.
     pub(super) fn release(&mut self, reads: &[Step], time: usize) {
         let mut dying: Vec<Step> =
             reads.iter().copied().filter(|&read| self.last[read as usize] == time).collect();
@@ -69,7 +70,7 @@ impl Allocation {
         self.free.extend(dying.into_iter().filter_map(|read| self.place[read as usize]));
     }
 
-    /// The step of a wave that is needed and has no register yet.
+    /// Returns the step of a wave that is needed and has no register yet.
     pub(super) fn waits(&self, wave: Operation) -> Option<Step> {
         self.waves.get(&wave).copied().filter(|&step| self.place[step as usize].is_none())
     }

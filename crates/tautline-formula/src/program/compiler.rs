@@ -1,4 +1,4 @@
-//! The compiler: from graph to program.
+//! The compiler, which turns a graph into a program.
 
 use crate::{
     graph::Graph,
@@ -10,19 +10,19 @@ use crate::{
     },
 };
 
-/// The most terms of one fused sum.
+/// The largest number of terms of one fused sum.
 const MOST_TERMS: usize = 8;
 
 /// A graph that is being compiled.
 struct Compiler<'g> {
     graph: &'g Graph,
-    /// How often each step is read; an output counts as two reads.
+    /// How often each step is read. Being an output counts as two reads.
     uses: Vec<u32>,
 }
 
 impl Program {
-    /// Compiles the expressions of these steps; the first `inputs` registers are the coordinates.
-    /// `None` if there are too many registers.
+    /// Compiles the expressions of these steps. The first `inputs` registers are the coordinates.
+    /// Returns `None` if there are too many registers.
     pub(crate) fn new(graph: &Graph, inputs: usize, outputs: &[Step]) -> Option<Self> {
         let compiler = Compiler::new(graph, outputs);
         compiler.compile(inputs, outputs)
@@ -45,7 +45,7 @@ impl<'g> Compiler<'g> {
         Self { graph, uses }
     }
 
-    /// Whether a step is read once, so that it may be fused into its reader.
+    /// Returns whether a step is read only once, so that it may be fused into its reader.
     fn is_part(&self, step: Step) -> bool {
         self.uses[step as usize] == 1
     }
@@ -83,7 +83,7 @@ impl<'g> Compiler<'g> {
         }
     }
 
-    /// The terms of a step in the order of addition; none if it is not a sum.
+    /// Returns the terms of a step in the order of addition, and no terms if the step is not a sum.
     ///
     /// `a + (b + c)` becomes `(b + c) + a`, but `(a + b) + (c + d)` keeps its second sum as a term.
     fn terms(&self, step: Step) -> Vec<Term> {
@@ -99,7 +99,7 @@ impl<'g> Compiler<'g> {
                 _ => return terms,
             };
             terms.push(self.term(b, sign));
-            // The rest is a sum of its own, so that fewer terms are live at once.
+            // The rest is a separate sum, so that fewer terms are live at once.
             next = (terms.len() < MOST_TERMS && self.is_sum(a)).then_some(a);
             if next.is_none() {
                 terms.push(self.term(a, 1.0));
@@ -109,7 +109,7 @@ impl<'g> Compiler<'g> {
         terms
     }
 
-    /// The terms of a step, none if it is one instruction, and what it reads.
+    /// Returns the terms of a step, or none if it is one instruction, and the steps that it reads.
     fn unit(&self, step: Step) -> (Vec<Term>, Vec<Step>) {
         let operation = self.graph.operation(step);
         let mut terms = match operation {
@@ -137,7 +137,7 @@ impl<'g> Compiler<'g> {
         (terms, reads)
     }
 
-    /// The `x` of `c − x`.
+    /// Returns `x` if the operation is `c − x`.
     fn taken_from(&self, operation: Operation) -> Option<Step> {
         match operation {
             Operation::WithNumber(Arithmetic::Add, a, _) if self.is_part(a) => {
@@ -150,11 +150,11 @@ impl<'g> Compiler<'g> {
         }
     }
 
-    /// The steps to compute, each after what it reads.
+    /// Returns the steps to compute, each after the steps that it reads.
     fn order(&self, outputs: &[Step]) -> Vec<Step> {
         let mut is_open = vec![false; self.graph.operations().len()];
         let mut order = Vec::new();
-        // Each step is visited before and after what it reads.
+        // Each step is visited twice: before and after the steps that it reads.
         let mut stack: Vec<(Step, bool)> =
             outputs.iter().rev().map(|&step| (step, false)).collect();
         while let Some((step, is_after)) = stack.pop() {
@@ -208,7 +208,7 @@ impl<'g> Compiler<'g> {
             if allocation.place[step as usize].is_none() {
                 self.emit(step, time, &mut allocation, &mut program.instructions)?;
             } else {
-                // Computed together with its sine or cosine.
+                // This step is computed together with its sine or cosine.
                 allocation.release(&self.unit(step).1, time);
             }
         }
@@ -248,7 +248,7 @@ impl<'g> Compiler<'g> {
             }
             None => None,
         };
-        // The operands are still in their registers.
+        // The operands are still in their registers at this point.
         let place = &allocation.place;
         let at = |step: Step| place[step as usize].unwrap_or_default();
         if terms.is_empty() {
@@ -260,7 +260,7 @@ impl<'g> Compiler<'g> {
         Some(())
     }
 
-    /// A step that is not a sum, as one instruction.
+    /// Returns a step that is not a sum as one instruction.
     fn single(
         &self,
         operation: Operation,
@@ -283,8 +283,8 @@ impl<'g> Compiler<'g> {
                 Some(pair) => Instruction::SinCos(pair, at(a)),
                 None => Instruction::Of(function, to, at(a)),
             },
-            // Sums have terms, coordinates and constants have registers, and a graph has nothing
-            // else.
+            // Sums have terms, coordinates and constants have registers, and a graph contains
+            // nothing else.
             _ => return None,
         })
     }

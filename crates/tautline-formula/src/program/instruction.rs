@@ -2,10 +2,10 @@
 
 use crate::{operation::Function, program::Register};
 
-/// One instruction: the register of the result, then those of the operands.
+/// One instruction: the register of the result, followed by the registers of the operands.
 ///
-/// Fused instructions round after each operation, as separate ones would; they do not use fused
-/// multiply-add, which some processors lack.
+/// Fused instructions round after each operation, as separate instructions would. They do not use
+/// fused multiply-add, which some processors lack.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Instruction {
     /// `a + b`.

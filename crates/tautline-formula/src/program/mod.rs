@@ -1,4 +1,4 @@
-//! Programs: expressions as instructions over registers of many lanes.
+//! Programs: expressions compiled to instructions on registers of many lanes.
 
 mod allocation;
 mod compiler;
@@ -21,7 +21,7 @@ pub(crate) struct Program {
     instructions: Vec<Instruction>,
     /// The number of registers.
     count: usize,
-    /// Registers with constant values.
+    /// The registers with constant values, and these values.
     constants: Vec<(Register, f64)>,
     /// The registers of the values.
     pub(crate) outputs: Vec<Register>,

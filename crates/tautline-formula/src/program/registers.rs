@@ -11,15 +11,15 @@ use crate::{
     },
 };
 
-/// The lanes of one chunk; the number of lanes is a multiple of it.
+/// The number of lanes of one chunk. The number of lanes of a row is a multiple of it.
 pub const WIDTH: usize = 8;
 
-/// Which processor instructions to use. The results are the same to the bit.
+/// Which processor instructions to use. The results are the same bit for bit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum InstructionSet {
-    /// Those that every processor of the architecture has.
+    /// The instructions that every processor of the architecture has.
     Baseline,
-    /// The widest ones of this processor.
+    /// The widest instructions of this processor.
     #[default]
     Widest,
 }
@@ -28,16 +28,16 @@ pub enum InstructionSet {
 #[derive(Clone, Debug)]
 pub struct Registers {
     rows: Vec<Row>,
-    /// Where results are made, before they are swapped into a register.
+    /// Rows in which results are made before they are swapped into a register.
     spare: [Row; 2],
-    /// The number of chunks in use, and of lanes requested.
+    /// The number of chunks in use, and the number of lanes requested.
     used: usize,
     count: usize,
     instruction_set: InstructionSet,
 }
 
 impl Registers {
-    /// Registers for a program, with this many lanes rounded up to the [`WIDTH`].
+    /// Allocates registers for a program, with this many lanes rounded up to the [`WIDTH`].
     pub(crate) fn new(program: &Program, lanes: usize, instruction_set: InstructionSet) -> Self {
         let chunks = lanes.div_ceil(WIDTH).max(1);
         let mut rows: Vec<_> = (0..program.registers()).map(|_| Row::new(chunks)).collect();
@@ -53,7 +53,7 @@ impl Registers {
         }
     }
 
-    /// Registers without a program.
+    /// Allocates registers without a program.
     pub(crate) fn empty(rows: usize, lanes: usize) -> Self {
         let none = Program {
             instructions: Vec::new(),
@@ -64,20 +64,20 @@ impl Registers {
         Self::new(&none, lanes, InstructionSet::Baseline)
     }
 
-    /// Returns how many lanes were requested; some more may be filled.
+    /// Returns how many lanes were requested. A few more may be filled.
     #[must_use]
     pub fn count(&self) -> usize {
         self.count
     }
 
-    /// The point and the vector of a lane.
+    /// Returns the point and the vector of a lane.
     pub(crate) fn input<const D: usize>(&self, lane: usize) -> (SVector<f64, D>, SVector<f64, D>) {
         let row = |i: usize| self.rows[i].as_flattened()[lane];
         (SVector::from_fn(|i, _| row(i)), SVector::from_fn(|i, _| row(D + i)))
     }
 
-    /// Overwrites a result in one lane, until the program runs again. Do not overwrite other
-    /// registers, such as constants: the program reads them.
+    /// Overwrites a result in one lane until the program runs again. Do not overwrite other
+    /// registers, such as constants, because the program reads them.
     ///
     /// # Panics
     ///
@@ -99,7 +99,7 @@ impl Registers {
         self.rows[register as usize].as_flattened()
     }
 
-    /// The first registers: those of the point and those of the vector.
+    /// Returns the first registers: those of the point and those of the vector.
     #[inline]
     pub(crate) fn inputs<const D: usize>(&mut self) -> [[&mut [f64]; D]; 2] {
         let (place, rest) = self.rows.split_first_chunk_mut::<D>().expect("2 D registers");
@@ -107,14 +107,15 @@ impl Registers {
         [place, vector].map(|rows| rows.each_mut().map(|row| row.as_flattened_mut()))
     }
 
-    /// Restricts work to the first `lanes`, rounded up to the [`WIDTH`]; returns how many.
+    /// Restricts work to the first `lanes`, rounded up to the [`WIDTH`], and returns their number.
     pub(crate) fn set_used(&mut self, lanes: usize) -> usize {
         self.used = lanes.div_ceil(WIDTH).clamp(1, self.spare[0].len());
         self.count = lanes;
         self.used * WIDTH
     }
 
-    /// Copies lane `count − 1` of the first `registers` to all lanes from `count` to `used`.
+    /// Copies lane `count − 1` of the first `registers` registers to all lanes from `count` to
+    /// `used`.
     pub(crate) fn repeat(&mut self, registers: usize, count: usize, used: usize) {
         for row in &mut self.rows[..registers] {
             let row = row.as_flattened_mut();
@@ -259,8 +260,8 @@ fn run_widest(registers: &mut Registers, program: &Program) {
 
 /// Fills a chunk lane by lane.
 ///
-/// The result is made in a local array first: a compiler that cannot exclude aliasing with an
-/// operand would not vectorise.
+/// The result is made in a local array first, because a compiler that cannot exclude aliasing with
+/// an operand would not vectorise.
 #[inline(always)]
 fn chunk(y: &mut Chunk, of: impl Fn(usize) -> f64) {
     let mut made = [0.0; WIDTH];
@@ -270,8 +271,8 @@ fn chunk(y: &mut Chunk, of: impl Fn(usize) -> f64) {
     *y = made;
 }
 
-// `black_box` hides the chunk index: the compiler would otherwise vectorise across chunks, one lane
-// of each.
+// `black_box` hides the chunk index. The compiler would otherwise vectorise across chunks, with one
+// lane from each.
 
 #[inline(always)]
 fn unary(y: &mut [Chunk], used: usize, a: &[Chunk], f: impl Fn(f64) -> f64) {
@@ -289,7 +290,8 @@ fn binary(y: &mut [Chunk], used: usize, [a, b]: [&[Chunk]; 2], f: impl Fn(f64, f
     }
 }
 
-/// `c₀ x₀ + c₁ x₁ + …`, from left to right; added to the sum so far unless it `BEGINS`.
+/// Computes `c₀ x₀ + c₁ x₁ + …`, from left to right, and adds it to the sum so far unless it
+/// `BEGINS`.
 #[inline(always)]
 fn linear<const COUNT: usize, const BEGINS: bool>(
     y: &mut [Chunk],
@@ -313,7 +315,7 @@ fn linear<const COUNT: usize, const BEGINS: bool>(
     }
 }
 
-/// The same for `c₀ a₀ b₀ + c₁ a₁ b₁`.
+/// Does the same for `c₀ a₀ b₀ + c₁ a₁ b₁`.
 #[inline(always)]
 fn products<const COUNT: usize, const BEGINS: bool>(
     y: &mut [Chunk],

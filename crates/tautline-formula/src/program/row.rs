@@ -10,31 +10,32 @@ use crate::program::WIDTH;
 /// The lanes that are worked on at once.
 pub(crate) type Chunk = [f64; WIDTH];
 
-/// Some chunks of numbers.
+/// A number of chunks.
 ///
-/// When dropped, its memory goes to the next row of its length on this thread: allocating and
-/// clearing the rows of a program takes as long as evaluating some hundred points. The contents of
-/// a new row are arbitrary.
+/// When a row is dropped, its memory is reused for the next row of its length on this thread.
+/// Otherwise, allocating and clearing the rows of a program would take as long as evaluating about
+/// a hundred points. The contents of a new row are arbitrary.
 #[derive(Debug)]
 pub(crate) struct Row(Box<[Chunk]>);
 
-/// A thread keeps rows of up to `LONGEST` chunks, and at most `KEPT` chunks of each length: 256 kB.
+/// A thread keeps rows of up to `LONGEST` chunks, and at most `KEPT` chunks of each length, or 256
+/// kB.
 const LONGEST: usize = 16;
 const KEPT: usize = 4096;
 
 thread_local! {
-    /// Spare rows by length.
+    /// The spare rows, by length.
     static SPARE: RefCell<[Vec<Box<[Chunk]>>; LONGEST + 1]> = RefCell::default();
 }
 
 impl Row {
-    /// A row with arbitrary contents.
+    /// Returns a row with arbitrary contents.
     pub(crate) fn new(chunks: usize) -> Self {
         let spare = SPARE.try_with(|spare| spare.borrow_mut().get_mut(chunks)?.pop());
         Self(spare.ok().flatten().unwrap_or_else(|| vec![[0.0; WIDTH]; chunks].into_boxed_slice()))
     }
 
-    /// A row with this number in every lane.
+    /// Returns a row with this number in every lane.
     pub(crate) fn filled(chunks: usize, value: f64) -> Self {
         let mut row = Self::new(chunks);
         row.fill([value; WIDTH]);
@@ -45,7 +46,7 @@ impl Row {
 impl Drop for Row {
     fn drop(&mut self) {
         let row = std::mem::take(&mut self.0);
-        // When the thread ends the list may be gone; the memory is then freed.
+        // When the thread ends, the list may be gone. The memory is then freed.
         let _ = SPARE.try_with(|spare| {
             if let Some(rows) = spare.borrow_mut().get_mut(row.len())
                 && rows.len() * row.len() < KEPT

@@ -1,4 +1,4 @@
-//! Sums as few instructions.
+//! Compiles sums to few instructions.
 
 use crate::{
     operation::Step,
@@ -14,7 +14,7 @@ pub(super) enum Term {
     Product(f64, [Step; 2]),
 }
 
-/// Emits a sum, its terms in order.
+/// Emits the instructions of a sum, with its terms in order.
 pub(super) fn sum(
     terms: &[Term],
     to: Register,

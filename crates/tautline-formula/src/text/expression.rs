@@ -10,7 +10,7 @@ use super::{
 };
 use crate::{operation::Function, recording::Symbol};
 
-/// The most levels of brackets, each of which takes stack.
+/// The largest depth of nested brackets. Each level takes stack.
 const DEEPEST: usize = 128;
 
 impl Parser<'_> {
@@ -45,7 +45,7 @@ impl Parser<'_> {
     }
 
     fn factor(&mut self) -> Result<Value, TextError> {
-        // In a loop, so that many minus signs take no stack.
+        // A loop, so that many minus signs take no stack.
         let mut signs = 0_usize;
         while self.takes('-')? {
             signs += 1;
@@ -96,7 +96,7 @@ impl Parser<'_> {
                 Ok(Value::Number(value))
             }
             Token::Integer(digits) => {
-                // The tokenizer has checked that it is finite.
+                // The tokenizer has checked that the number is finite.
                 let value = digits.parse().unwrap_or(f64::NAN);
                 self.advance()?;
                 Ok(Value::Number(value))

@@ -1,4 +1,4 @@
-//! `Form`: ways to make a Gram matrix from functions.
+//! `Form`: a way to make a Gram matrix from functions.
 
 use super::{
     gradient::{along, gradients, sum},
@@ -9,14 +9,14 @@ use crate::recording::Symbol;
 /// A way to make a Gram matrix from functions of the coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
-    /// `JᵀJ` with the derivative `J` of a map from `R^D` to `R^m`, `m ≥ D`: lengths of image
-    /// curves.
+    /// `JᵀJ` with the derivative `J` of a map from `R^D` to `R^m`, `m ≥ D`. It measures the lengths
+    /// of image curves.
     Pullback,
-    /// `I + ∇f ∇fᵀ`: the lengths of curves on the graph of `f`.
+    /// `I + ∇f ∇fᵀ`, which measures the lengths of curves on the graph of `f`.
     Graph,
     /// `φ I`.
     Phi,
-    /// `f² I`: the length of a curve is `∫ f |γ'| dt`.
+    /// `f² I`, under which a curve has the length `∫ f |γ'| dt`.
     Speed,
     /// The diagonal matrix with these entries.
     Diag,
@@ -35,7 +35,7 @@ pub(super) fn form(name: &str) -> Option<Form> {
 }
 
 impl Form {
-    /// Whether this many functions make a matrix of `dimension` rows.
+    /// Returns whether this many functions make a matrix of `dimension` rows.
     pub(super) fn takes(self, functions: usize, dimension: usize) -> bool {
         match self {
             Form::Pullback => functions >= dimension,
@@ -44,7 +44,7 @@ impl Form {
         }
     }
 
-    /// Returns its name and how many functions it takes, for an error message.
+    /// Returns the form's name and how many functions it takes, for an error message.
     pub(super) fn takes_what(self, dimension: usize) -> (&'static str, String) {
         let (name, count) = match self {
             Form::Pullback => ("pullback", dimension),
@@ -69,7 +69,7 @@ impl Form {
             let begin = if self == Form::Pullback { one(false) } else { one(i == j) };
             match self {
                 Form::Pullback | Form::Graph => {
-                    // As a square, which is not negative in intervals.
+                    // This is a square, so that it is not negative in intervals.
                     let term = |row: &Vec<Value>| {
                         if i == j { row[i].squared() } else { product(row[i], row[j]) }
                     };
@@ -82,12 +82,12 @@ impl Form {
             }
         };
         let places = (0..dimension).flat_map(|j| (0..dimension).map(move |i| (i, j)));
-        // Both halves are the same steps.
+        // Both halves consist of the same steps.
         places.map(|(i, j)| entry(i.min(j), i.max(j)).symbol()).collect()
     }
 }
 
-/// The product of two derivatives; 0 means known to vanish.
+/// Returns the product of two derivatives. A 0 means that a derivative is known to vanish.
 fn product(a: Value, b: Value) -> Value {
     if b.is(0.0) { b } else { along(a, b) }
 }

@@ -11,8 +11,9 @@ use crate::{
 const ZERO: Value = Value::Number(0.0);
 const UNDEFINED: Value = Value::Number(f64::NAN);
 
-/// Returns the derivatives of each function by each coordinate, by forward differentiation. A
-/// derivative that vanishes is the number 0; where a function is undefined, so are its derivatives.
+/// Returns the derivatives of each function with respect to each coordinate, by forward
+/// differentiation. A derivative that vanishes is the number 0. Where a function is undefined, so
+/// are its derivatives.
 pub(super) fn gradients(functions: &[Value], dimension: usize) -> Vec<Vec<Value>> {
     let operations = &recording::operations()[..];
     let roots: Vec<Step> = functions
@@ -24,7 +25,7 @@ pub(super) fn gradients(functions: &[Value], dimension: usize) -> Vec<Vec<Value>
         .filter(|&step| (step as usize) < operations.len())
         .collect();
     let needed = needed(operations, &roots, |_| true);
-    // Coordinate by coordinate, so that memory does not grow with the dimension.
+    // The loop runs over the coordinates, so that memory does not grow with the dimension.
     let columns: Vec<Vec<Value>> = (0..dimension)
         .map(|coordinate| {
             let mut made = vec![ZERO; operations.len()];
@@ -45,7 +46,8 @@ pub(super) fn gradients(functions: &[Value], dimension: usize) -> Vec<Vec<Value>
     (0..functions.len()).map(|k| columns.iter().map(|column| column[k]).collect()).collect()
 }
 
-/// The derivative of a step by a coordinate, from those `made` for earlier steps.
+/// Returns the derivative of a step with respect to a coordinate, given those `made` for earlier
+/// steps.
 fn derivative(operations: &[Operation], step: Step, made: &[Value], coordinate: usize) -> Value {
     let at = |step: Step| Value::Symbol(Symbol(step));
     let by = |step: Step| made[step as usize];
@@ -80,13 +82,13 @@ fn derivative(operations: &[Operation], step: Step, made: &[Value], coordinate: 
         Operation::Second => match operations[step as usize - 1] {
             Operation::First(Pair::SinCos, a) => along(by(a), -at(step - 1)),
             Operation::First(_, a) => along(by(a), at(step - 1)),
-            // A second follows its first.
+            // A second step always follows its first.
             _ => UNDEFINED,
         },
     }
 }
 
-/// Whether the argument has derivative 0, so that the function needs none.
+/// Returns whether the argument has derivative 0, so that the function needs no derivative.
 fn reads_none_that_change(operations: &[Operation], step: Step, made: &[Value]) -> bool {
     let step = match operations[step as usize] {
         Operation::Second => step - 1,
@@ -96,7 +98,7 @@ fn reads_none_that_change(operations: &[Operation], step: Step, made: &[Value]) 
     reads.into_iter().all(|read| made[read as usize].is(0.0))
 }
 
-/// `f′(a)`, with `y = f(a)`.
+/// Returns `f′(a)`, where `y = f(a)`.
 fn outer_derivative(function: Function, a: Value, y: Value) -> Value {
     let one = Value::Number(1.0);
     let of = |function: fn(Symbol) -> Symbol, a: Value| Value::Symbol(function(a.symbol()));
@@ -106,7 +108,7 @@ fn outer_derivative(function: Function, a: Value, y: Value) -> Value {
         Function::Recip => -y.squared(),
         Function::Sqrt => Value::Number(0.5) / y,
         Function::Exp => y,
-        // 1/a is defined below 0, the logarithm is not.
+        // 1/a is defined for negative a, but the logarithm is not.
         Function::Ln => one / a + y * ZERO,
         Function::Sin => of(Scalar::cos, a),
         Function::Cos => -of(Scalar::sin, a),
@@ -118,7 +120,7 @@ fn outer_derivative(function: Function, a: Value, y: Value) -> Value {
     }
 }
 
-// Without steps that a derivative 0 or 1 makes redundant.
+// Steps that a derivative 0 or 1 makes redundant are omitted.
 
 pub(super) fn sum(a: Value, b: Value) -> Value {
     if a.is(0.0) {
@@ -140,7 +142,8 @@ fn difference(a: Value, b: Value) -> Value {
     }
 }
 
-/// The chain rule: the derivative `by` of the argument times the `outer` one.
+/// Applies the chain rule: multiplies the derivative `by` of the argument by the `outer`
+/// derivative.
 pub(super) fn along(by: Value, outer: Value) -> Value {
     if by.is(0.0) {
         ZERO

@@ -1,4 +1,4 @@
-//! The parser: from text to formula.
+//! The parser, which turns a text into a formula.
 
 use std::{collections::HashMap, ops::Range};
 
@@ -14,11 +14,11 @@ use crate::{
     recording::{Symbol, record},
 };
 
-/// The function that makes a step of a number.
+/// The name of the function that makes a step of a number.
 pub(super) const STEP: &str = "number";
 
 impl<const D: usize> Formula<D> {
-    /// Parses a formula, with values for named parameters.
+    /// Parses a formula, given values for named parameters.
     ///
     /// ```text
     /// metric = { definition ";" } ( matrix | expr "I" | form "(" row ")" )
@@ -34,16 +34,21 @@ impl<const D: usize> Formula<D> {
     /// `sqr`, `recip`, `sqrt`, `exp`, `ln`, `sin`, `cos`, `tan`, `atan`, `sinh`, `cosh`, `tanh`,
     /// and `number`, which records a number as a step.
     ///
-    /// A form makes a matrix from functions, and differentiates them where it must:
-    /// `pullback(Φ₁, …, Φₘ)` is `JᵀJ` with the derivative `J` of the map `Φ`, `m ≥ D`; `graph(f)`
-    /// is `I + ∇f ∇fᵀ`; `phi(φ)` is `φ I`; `speed(f)` is `f² I`, under which a curve has length
-    /// `∫ f |γ'| dt`; and `diag(a₁, …, a_D)` is the diagonal matrix. Definitions may reuse these
-    /// names.
+    /// A form makes a matrix from functions, which it differentiates if necessary:
+    ///
+    /// * `pullback(Φ₁, …, Φₘ)` is `JᵀJ` with the derivative `J` of the map `Φ`, `m ≥ D`;
+    /// * `graph(f)` is `I + ∇f ∇fᵀ`;
+    /// * `phi(φ)` is `φ I`;
+    /// * `speed(f)` is `f² I`, under which a curve has length `∫ f |γ'| dt`;
+    /// * `diag(a₁, …, a_D)` is the diagonal matrix.
+    ///
+    /// Definitions may reuse these names.
     ///
     /// Operands are evaluated from left to right, and arithmetic between numbers is done in `f64`.
-    /// A text records the same tape as the same formula in Rust, if the definitions are in the
-    /// order of the `let`s. The operators are taken literally: `x1^2` records a power, as
-    /// `x.powi(2)` does, and `sqr(x1)` a square, as `x.sqr()` does. The two are different formulas.
+    /// A text records the same tape as the same formula in Rust, provided that the definitions are
+    /// in the order of the `let`s. The operators are taken literally: `x1^2` records a power, as
+    /// `x.powi(2)` does, and `sqr(x1)` records a square, as `x.sqr()` does. The two are different
+    /// formulas.
     ///
     /// ```
     /// use tautline_formula::Formula;
@@ -90,7 +95,7 @@ pub(super) struct Parser<'a> {
     pub(super) ahead: (Token<'a>, Range<usize>),
     x: &'a [Symbol],
     pub(super) names: HashMap<String, Value>,
-    /// The levels of brackets that are open.
+    /// The number of levels of brackets that are open.
     pub(super) depth: usize,
 }
 
@@ -118,7 +123,7 @@ impl<'a> Parser<'a> {
         if self.takes(sign)? { Ok(()) } else { self.unexpected(expected) }
     }
 
-    /// Whether this sign came next, and is passed.
+    /// Consumes this sign if it comes next, and returns whether it did.
     pub(super) fn takes(&mut self, sign: char) -> Result<bool, TextError> {
         let is_next = self.is(sign);
         if is_next {
@@ -131,7 +136,7 @@ impl<'a> Parser<'a> {
         self.ahead.0 == Token::Sign(sign)
     }
 
-    /// The entries, column by column.
+    /// Parses the matrix, and returns its entries column by column.
     fn metric(&mut self) -> Result<Vec<Symbol>, TextError> {
         while self.is_definition()? {
             self.definition()?;
@@ -149,7 +154,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Whether the next two words are a name and an `=` or a comma.
+    /// Returns whether the next two words are a name and an `=` or a comma.
     fn is_definition(&self) -> Result<bool, TextError> {
         let Token::Name(_) = self.ahead.0 else { return Ok(false) };
         let (next, _) = self.tokens.clone().word()?;
@@ -194,7 +199,7 @@ impl<'a> Parser<'a> {
         Ok(())
     }
 
-    /// The value of `pi` and of a coordinate.
+    /// Returns the value of `pi` or of a coordinate.
     pub(super) fn builtin(&self, name: &str) -> Result<Option<Value>, Problem> {
         if name == "pi" {
             return Ok(Some(Value::Number(std::f64::consts::PI)));
@@ -206,7 +211,7 @@ impl<'a> Parser<'a> {
         };
         let place = digits.parse::<usize>().ok().and_then(|i| i.checked_sub(1));
         match place.and_then(|i| self.x.get(i)) {
-            // Not `x01`.
+            // `x01` is not a coordinate.
             Some(&x) if !digits.starts_with('0') => Ok(Some(Value::Symbol(x))),
             _ => Err(Problem::NoCoordinate { name: name.to_owned(), dimension: self.x.len() }),
         }
@@ -240,7 +245,7 @@ impl<'a> Parser<'a> {
         Ok((0..dimension).flat_map(|j| rows.iter().map(move |row| row[j])).collect())
     }
 
-    /// Expressions between commas. `of` is applied to each before the next is parsed.
+    /// Parses expressions between commas, and applies `of` to each before it parses the next.
     fn row<T>(&mut self, of: fn(Value) -> T) -> Result<Vec<T>, TextError> {
         let mut row = vec![of(self.expression()?)];
         while self.takes(',')? {
@@ -249,7 +254,7 @@ impl<'a> Parser<'a> {
         Ok(row)
     }
 
-    /// The form whose name comes next, before a bracket.
+    /// Returns the form whose name comes next, if a bracket follows.
     fn named_form(&self) -> Result<Option<Form>, TextError> {
         let Token::Name(name) = self.ahead.0 else { return Ok(None) };
         let (next, _) = self.tokens.clone().word()?;
@@ -257,7 +262,7 @@ impl<'a> Parser<'a> {
         Ok(form(name).filter(|_| is_form))
     }
 
-    /// A form with its functions in brackets.
+    /// Parses the functions of a form in brackets, and returns the entries of its matrix.
     fn form(&mut self, form: Form) -> Result<Vec<Symbol>, TextError> {
         let at = self.advance()?.1;
         self.sign('(', "(")?;

@@ -1,4 +1,4 @@
-//! The printer: from formula to text.
+//! The printer, which turns a formula into a text.
 
 use std::fmt;
 
@@ -7,14 +7,14 @@ use crate::{
     operation::{Function, Number, Operation, Pair, Step},
 };
 
-/// Each step has a line and a name; parsed, the text gives the same formula.
+/// Each step has its own line and a name. When parsed, the text gives the same formula.
 impl<const D: usize> fmt::Display for Formula<D> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let name = |step: Step| Name { step, dimension: D };
         for (place, &operation) in self.operations().iter().enumerate().skip(D) {
             let this = name(place as Step);
             match operation {
-                // On the line of the first.
+                // It is printed on the line of the first.
                 Operation::Second => continue,
                 Operation::First(..) => write!(f, "{this}, {} = ", name(place as Step + 1))?,
                 _ => write!(f, "{this} = ")?,
@@ -69,7 +69,8 @@ impl fmt::Display for Name {
     }
 }
 
-/// The shortest text that parses to this number; infinities and NaN as a division.
+/// Prints the shortest text that parses to this number. Infinities and NaN are printed as a
+/// division.
 struct Literal(Number);
 
 impl fmt::Display for Literal {

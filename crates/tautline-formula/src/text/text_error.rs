@@ -8,7 +8,7 @@ use crate::RecordError;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("at byte {}: {problem}", .at.start)]
 pub struct TextError {
-    /// The offending bytes; empty at the end of the text.
+    /// The offending bytes; the range is empty at the end of the text.
     pub at: Range<usize>,
     /// What is wrong.
     pub problem: Problem,
@@ -63,7 +63,7 @@ pub enum Problem {
     Shape {
         /// How many there are.
         found: usize,
-        /// Rows or entries of a row.
+        /// What is counted: rows, or entries of a row.
         what: &'static str,
         /// How many there must be.
         dimension: usize,
@@ -83,7 +83,7 @@ pub enum Problem {
     /// Brackets nested too deeply.
     #[error("more than {most} levels of brackets")]
     TooDeep {
-        /// The most levels.
+        /// The largest number of levels.
         most: usize,
     },
     /// The formula cannot be recorded.

@@ -8,7 +8,7 @@ use super::{Problem, TextError};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Token<'a> {
     Number(f64),
-    /// A number without point and exponent.
+    /// A number without a point and an exponent.
     Integer(&'a str),
     Name(&'a str),
     /// One of `+ - * / ^ ( ) [ ] , ; =`.
@@ -28,7 +28,7 @@ impl<'a> Tokens<'a> {
         Self { text, place: 0 }
     }
 
-    /// The next word and its bytes.
+    /// Returns the next word and its bytes.
     pub(super) fn word(&mut self) -> Result<(Token<'a>, Range<usize>), TextError> {
         let rest = self.text[self.place..].trim_start();
         let start = self.text.len() - rest.len();
@@ -48,7 +48,7 @@ impl<'a> Tokens<'a> {
         self.place = at.end;
         let token = match first {
             '0'..='9' | '.' => {
-                // Only a lone point fails to parse.
+                // Only a lone point does not parse.
                 let unexpected =
                     || Problem::Unexpected { found: word.to_owned(), expected: "a number" };
                 let value: f64 = word
@@ -78,8 +78,8 @@ impl<'a> Tokens<'a> {
     }
 }
 
-/// The length of the number that a text begins with: digits, a point, digits, and an exponent if it
-/// has digits.
+/// Returns the length of the number at the beginning of a text: digits, a point, digits, and an
+/// exponent if it has digits.
 fn number(text: &str) -> usize {
     let bytes = text.as_bytes();
     let digits =

@@ -6,7 +6,7 @@ use tautline_scalar::Scalar;
 
 use crate::{operation::Function, recording::Symbol};
 
-/// The value of an expression: arithmetic between numbers gives numbers.
+/// The value of an expression. Arithmetic between numbers gives numbers.
 #[derive(Clone, Copy)]
 pub(super) enum Value {
     Number(f64),
@@ -14,7 +14,7 @@ pub(super) enum Value {
 }
 
 impl Value {
-    /// The value as a step.
+    /// Returns the value as a step.
     pub(super) fn symbol(self) -> Symbol {
         match self {
             Value::Number(value) => Symbol::constant(value),
@@ -22,17 +22,17 @@ impl Value {
         }
     }
 
-    /// Whether it is this number, not a step.
+    /// Returns whether it is this number, and not a step.
     pub(super) fn is(self, number: f64) -> bool {
         matches!(self, Value::Number(value) if value == number)
     }
 
-    /// The square.
+    /// Returns the square.
     pub(super) fn squared(self) -> Self {
         self.under(Function::Sqr)
     }
 
-    /// The power.
+    /// Returns the power.
     pub(super) fn powi(self, n: i32) -> Self {
         match self {
             Value::Number(a) => Value::Number(a.powi(n)),
@@ -40,7 +40,7 @@ impl Value {
         }
     }
 
-    /// `f(x)`.
+    /// Returns `f(x)`.
     pub(super) fn under(self, function: Function) -> Self {
         match self {
             Value::Number(value) => Value::Number(function.of(value)),

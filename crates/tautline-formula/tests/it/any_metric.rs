@@ -1,4 +1,4 @@
-//! A metric with branches behind a pointer: jets of order two are known, intervals are not.
+//! A metric with branches behind a pointer: its jets of order two are known, its intervals are not.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_chance::{cases, seed};
@@ -8,7 +8,7 @@ use tautline_scalar::{Interval, Jet1, Jet2, Scalar};
 
 use crate::random::Random;
 
-/// With and without a branch at 0; the same where `x ≠ 0`.
+/// A metric with or without a branch at 0. Both are the same for `x ≠ 0`.
 struct Branches(bool);
 
 impl Metric<2> for Branches {
@@ -25,7 +25,7 @@ fn agree<S: Scalar>(x: &SVector<S, 2>, parts: fn(&S) -> Vec<f64>) {
     let expected = Branches(false).gram(x);
     for (found, expected) in found.iter().zip(&expected) {
         for (found, expected) in parts(found).into_iter().zip(parts(expected)) {
-            // Some dozen operations on numbers below 10, with differences.
+            // About a dozen operations on numbers below 10, with differences.
             assert!((found - expected).abs() <= 1e-13, "{found} and {expected} at {x:?}");
         }
     }
@@ -46,14 +46,14 @@ fn a_formula_with_branches_has_jets_of_all_kinds() {
             vec![x.value(), x.first(0), x.first(1), x.second(0, 0), x.second(0, 1), x.second(1, 1)]
         });
         agree(&SVector::from([t * 0.5 + x[0], t * -2.0 + x[1]]), |x| vec![x.value(), x.first(0)]);
-        // A curve that bends.
+        // The curve is not straight.
         agree(&SVector::from([s * 0.5 + s * s + x[0], s * -2.0 + x[1]]), |x| {
             vec![x.value(), x.first(0), x.second(0, 0)]
         });
     }
 }
 
-/// One branch would not bound the others.
+/// The values on one branch would not bound those on the others.
 #[test]
 fn a_formula_with_branches_has_no_intervals() {
     let any = AnyMetric::new(&Branches(true));

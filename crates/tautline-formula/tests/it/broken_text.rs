@@ -1,4 +1,4 @@
-//! Errors of texts: each names its place, and no text causes a panic.
+//! Errors in texts: each error gives its place, and no text causes a panic.
 
 use tautline_chance::{cases, seed};
 use tautline_formula::{Formula, Problem, TextError};
@@ -37,12 +37,13 @@ fn brackets_without_end_take_no_stack() {
     assert_eq!(error(&deep).problem, Problem::TooDeep { most: 128 });
     let deep = format!("{}x1{} I", "sin(".repeat(127), ")".repeat(127));
     assert!(Formula::<2>::parse(&deep, &[]).is_ok());
-    // Signs are not brackets.
+    // Signs do not count as brackets.
     let signs = format!("{}x1 I", "-".repeat(100_000));
     assert!(Formula::<2>::parse(&signs, &[]).is_ok());
 }
 
-/// Whether the text parses. A formula is read back, and an error lies in the text.
+/// Returns whether the text parses. A parsed formula is printed and parsed again, and the place of
+/// an error must lie in the text.
 fn is_read(text: &str) -> bool {
     match Formula::<2>::parse(text, &[("a", 1.5)]) {
         Ok(formula) => {
@@ -80,7 +81,7 @@ fn no_text_makes_it_panic() {
                 text += words[random.below(words.len())];
             }
         } else {
-            // A formula with one or two places changed.
+            // One or two places of a formula are changed.
             text += FORMULAS[random.below(FORMULAS.len())];
             for _ in 0..=random.below(2) {
                 let places: Vec<usize> = text.char_indices().map(|(at, _)| at).collect();

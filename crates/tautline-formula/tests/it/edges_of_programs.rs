@@ -1,4 +1,4 @@
-//! Edge cases of programs: long formulas, undefined parts, differences, matrices that are not
+//! Edge cases of programs: long formulas, undefined parts, differences, and matrices that are not
 //! metrics.
 
 use nalgebra::{SMatrix, SVector};
@@ -14,7 +14,7 @@ use crate::{
     programs::{all, compare_one, evaluate, places, rows},
 };
 
-/// A sum of this many terms in `tanh(wₖ·x)`, none a multiple of another.
+/// A sum of this many terms in `tanh(wₖ·x)`, none of which is a multiple of another.
 struct Sum(usize);
 
 impl Metric<3> for Sum {
@@ -35,7 +35,7 @@ impl Metric<3> for Sum {
     }
 }
 
-/// A long formula has more intermediate results than fit into a cache: it is evaluated as compiled,
+/// A long formula has more intermediate results than fit into a cache. It is evaluated as compiled,
 /// with the same results.
 #[test]
 fn a_long_formula_is_evaluated_as_compiled() {
@@ -52,11 +52,11 @@ fn a_long_formula_is_evaluated_as_compiled() {
     assert_eq!(found, expected);
 }
 
-/// In many dimensions programs of any length are used: the compiled formula is evaluated again for
-/// every few directions. The numbers are the same.
+/// In many dimensions programs of any length are used, because the compiled formula is evaluated
+/// again for every few directions. The numbers are the same.
 #[test]
 fn from_24_coordinates_on_programs_may_be_long() {
-    // Matrices of 32 · 32 jets, by value, take about two megabytes of stack in a test build.
+    // Matrices of 32 · 32 jets, passed by value, take about two megabytes of stack in a test build.
     let thread = std::thread::Builder::new().stack_size(1 << 23).spawn(compare_in_32_coordinates);
     thread.expect("a thread").join().expect("the same numbers");
 }
@@ -77,14 +77,15 @@ fn compare_in_32_coordinates() {
         rows(&batch, 6)
     });
     for (found, expected) in found.iter().zip(&expected) {
-        // Sums of 8 · 32 products; the sines have the rounding of their phases, which are about 10.
+        // There are sums of 8 · 32 products. The sines carry the rounding of their phases, which
+        // are about 10.
         let size = expected.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
         let off = found.iter().zip(expected).fold(0.0_f64, |off, (a, b)| off.max((a - b).abs()));
         assert!(off <= 1e-12 * size, "{off:e} of {size}");
     }
 }
 
-/// A formula may ask whether two numbers are equal; then it cannot be recorded.
+/// A formula may ask whether two numbers are equal. It then cannot be recorded.
 #[test]
 fn a_formula_with_branches_is_evaluated_as_compiled() {
     struct Compares;
@@ -102,7 +103,7 @@ fn a_formula_with_branches_is_evaluated_as_compiled() {
     assert_eq!(batch.row(batch.layout().square[0])[..2], [5.0, 2.0]);
 }
 
-/// `dᵀHd` by the program, and whether there is one.
+/// Returns `dᵀHd` as the program computes it, and whether there is a program.
 fn square<const D: usize>(metric: &impl Metric<D>, x: [f64; D], d: [f64; D]) -> (f64, bool) {
     let prepared = Prepared::new(metric);
     let mut batch = Batch::new(&prepared, Kind::Square, 1, 1);
@@ -110,7 +111,7 @@ fn square<const D: usize>(metric: &impl Metric<D>, x: [f64; D], d: [f64; D]) -> 
     (batch.row(batch.layout().square[0])[0], prepared.size(Kind::Square).is_some())
 }
 
-/// A stack of a megabyte has no room for a call for each step.
+/// A stack of a megabyte has no room for one call per step.
 #[test]
 fn long_chains_take_no_stack() {
     struct Chain;
@@ -126,7 +127,7 @@ fn long_chains_take_no_stack() {
     assert!(thread.join().expect("no overflow") > 0);
 }
 
-/// More operations than a graph may have, though few are live at a time.
+/// The formula has more operations than a graph may have, though few are live at a time.
 #[test]
 fn a_formula_too_long_for_a_graph_is_evaluated_as_compiled() {
     struct Chain;
@@ -147,7 +148,7 @@ fn an_undefined_term_minus_itself_is_undefined() {
     assert!(undefined.is_nan() && is_program);
 }
 
-/// `x − 10⁸` is exact near `10⁸`, where `x d² − 10⁸ d²` has lost all digits.
+/// `x − 10⁸` is exact close to `10⁸`, where `x d² − 10⁸ d²` has lost all digits.
 #[test]
 fn exact_differences_stay_exact() {
     let far = parsed("(x1 - 1e8)*3 + sqr(x2) I");
@@ -157,7 +158,7 @@ fn exact_differences_stay_exact() {
     assert!(is_program && (found / exact - 1.0).abs() < 1e-15, "{found} {exact}");
 }
 
-/// The halves may differ by rounding, measured by the diagonal entries, and by nothing else.
+/// The halves may differ by rounding errors, measured by the diagonal entries, and by nothing else.
 #[test]
 fn halves_that_differ_are_detected() {
     let is_metric = |difference: f64| {
@@ -174,7 +175,7 @@ fn halves_that_differ_are_detected() {
     assert!(!is_metric(1e-10) && !is_metric(1e-6));
 }
 
-/// Each of the three pivots is negative in turn.
+/// Each of the three pivots is made negative, one after another.
 #[test]
 fn every_pivot_counts() {
     /// `L S Lᵀ` with the identity `S`, except for a negative entry in one place.
@@ -199,7 +200,7 @@ fn every_pivot_counts() {
     }
 }
 
-/// `3 I + f(x) C` with a matrix that has rank one to nine digits.
+/// `3 I + f(x) C` with a matrix that has rank one only to nine digits.
 #[test]
 fn nearly_rank_one_is_not_rank_one() {
     struct Nearly;

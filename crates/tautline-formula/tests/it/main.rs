@@ -10,7 +10,7 @@ mod recorded;
 mod squares;
 mod text;
 
-/// The metric with this text.
+/// Returns the metric with this text.
 fn parsed<const D: usize>(text: &str) -> tautline_formula::Formula<D> {
     tautline_formula::Formula::parse(text, &[]).unwrap_or_else(|error| panic!("{text}: {error}"))
 }

@@ -1,4 +1,4 @@
-//! Programs against jets of intervals through the formula itself.
+//! Compares programs with jets of intervals, evaluated with the formula itself.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_chance::{cases, seed};
@@ -8,9 +8,9 @@ use tautline_scalar::{Interval, Jet2, Scalar};
 
 use crate::{random::Random, random_formulas::Trees, squares::decoder};
 
-/// A program rounds in another order than the formula. Points are enclosed together with their
-/// neighbours, this many units in the last place to either side: a result may be off by as much as
-/// it changes there.
+/// A program rounds in another order than the formula. Points are therefore enclosed together with
+/// their neighbours, this many units in the last place on either side. A result may be off by as
+/// much as it changes over this range.
 const NEIGHBOURS: f64 = 16.0;
 
 fn nearby(x: f64) -> Interval {
@@ -21,7 +21,7 @@ fn nearby(x: f64) -> Interval {
 /// The kinds of rows, in the order of [`rows`].
 const NAMES: [&str; 6] = ["dᵀHd", "Hd", "G", "H", "P", "Q"];
 
-/// Enclosures of these at a point.
+/// Returns enclosures of these rows at a point.
 fn enclosed<const D: usize>(metric: &impl Metric<D>, (x, d): &Place<D>) -> [Vec<Interval>; 6] {
     let places: [Interval; D] = std::array::from_fn(|i| nearby(x[i]));
     let d = d.map(nearby);
@@ -42,7 +42,7 @@ fn enclosed<const D: usize>(metric: &impl Metric<D>, (x, d): &Place<D>) -> [Vec<
     ]
 }
 
-/// Whether a number is near its enclosure. Where that is unbounded, any number is.
+/// Returns whether a number is close to its enclosure. Any number is close to an unbounded one.
 fn is_near(found: f64, expected: Interval) -> bool {
     let width = expected.hi() - expected.lo();
     let margin = width + f64::MIN_POSITIVE;
@@ -59,8 +59,8 @@ pub(crate) fn evaluate<const D: usize>(batch: &mut Batch<'_, D>, places: &[Place
     batch.evaluate(places.len())
 }
 
-/// Compares all rows of all lanes, of the programs and of the compiled formula; returns how many
-/// numbers had a bounded enclosure.
+/// Compares all rows of all lanes, both of the programs and of the compiled formula. Returns how
+/// many numbers had a bounded enclosure.
 fn compare<const D: usize>(metric: &impl Metric<D>, places: &[Place<D>]) -> usize {
     let formula = Formula::record(metric).expect("no comparison");
     let text = formula.to_string();
@@ -116,7 +116,8 @@ pub(crate) fn places<const D: usize>(count: usize) -> Vec<Place<D>> {
 
 const KINDS: [Kind; 3] = [Kind::Square, Kind::Momentum, Kind::Contraction];
 
-/// The first `count` lanes of all rows, the rows of `dᵀHd`, `Hd`, `G`, `H`, `P` and `Q` apart.
+/// Returns the first `count` lanes of the rows of `dᵀHd`, `Hd`, `G`, `H`, `P` and `Q`, one list for
+/// each.
 pub(crate) fn rows<const D: usize>(batch: &Batch<'_, D>, count: usize) -> [Vec<f64>; 6] {
     let Layout { square, momentum, slope, gram, turn, bend, .. } = batch.layout();
     [square, momentum, slope, gram, turn, bend].map(|registers| {
@@ -124,7 +125,8 @@ pub(crate) fn rows<const D: usize>(batch: &Batch<'_, D>, count: usize) -> [Vec<f
     })
 }
 
-/// Requires all numbers of all kinds to be known: `dᵀHd`; with `Hd` and `G`; `H`, `G`, `P` and `Q`.
+/// Requires that all numbers of all kinds are known: `dᵀHd`; with `Hd` and `G`; `H`, `G`, `P` and
+/// `Q`.
 #[track_caller]
 pub(crate) fn all<const D: usize>(metric: &impl Metric<D>) {
     let known = compare(metric, &places(100));
@@ -164,7 +166,7 @@ fn random_formulas_are_contracted_by_programs() {
     println!("{known} numbers were known");
 }
 
-/// For all block sizes and instruction sets.
+/// This is checked for all block sizes and instruction sets.
 #[test]
 fn neither_the_block_nor_the_processor_changes_a_bit() {
     fn bits<const D: usize>(programs: &dyn Batches<D>, places: &[Place<D>]) -> Vec<u64> {
@@ -212,7 +214,7 @@ impl<M: Metric<D>, const D: usize> Metric<D> for InUnits<M> {
     }
 }
 
-/// Units that are powers of two change exponents and nothing else.
+/// Units that are powers of two change only exponents.
 #[test]
 fn powers_of_two_change_no_bit() {
     fn with_units<const D: usize>(metric: &impl Metric<D>, ell: f64, m: f64) -> Vec<[f64; 2]> {
@@ -223,7 +225,7 @@ fn powers_of_two_change_no_bit() {
         for kind in KINDS {
             let mut batch = Batch::new(&prepared, kind, 40, 1);
             evaluate(&mut batch, &places);
-            // Of dᵀHd, Hd, G, H, P and Q.
+            // The units of dᵀHd, Hd, G, H, P and Q.
             let units = [0, 1, 1, 2, 2, 2].map(|power| m * m / ell.powi(power));
             for (rows, unit) in rows(&batch, 40).into_iter().zip(units) {
                 numbers.extend(rows.into_iter().map(|value| [value, unit]));

@@ -11,7 +11,7 @@ impl Random {
         ((z ^ (z >> 31)) >> 33) as usize % n
     }
 
-    /// A multiple of `1/256` in `[−4, 4]`.
+    /// Returns a multiple of `1/256` in `[−4, 4]`.
     pub(crate) fn number(&mut self) -> f64 {
         (self.below(2049) as f64 - 1024.0) / 256.0
     }

@@ -1,4 +1,4 @@
-//! Random formulas are recorded to the bit.
+//! Random formulas are recorded bit for bit.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_chance::{cases, seed};
@@ -118,7 +118,7 @@ impl Metric<2> for Trees {
     }
 }
 
-/// Compares bits, with NaN equal to NaN: as text where the numbers differ.
+/// Compares numbers, and their texts if the numbers differ, so that NaN equals NaN.
 fn assert_same<S: Scalar>(trees: &Trees, formula: &Formula<2>, x: [S; 2]) {
     let x = SVector::from(x);
     let (found, expected) = (formula.gram(&x), trees.gram(&x));
@@ -145,6 +145,6 @@ fn random_formulas_are_recorded_to_the_bit() {
         finite +=
             u32::from(formula.gram(&SVector::from(sides)).iter().all(|side| side.is_finite()));
     }
-    // Most are defined.
+    // Most values are defined.
     assert!(finite > cases / 2, "{finite} of {cases}");
 }

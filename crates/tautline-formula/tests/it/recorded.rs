@@ -1,4 +1,5 @@
-//! A formula is its metric to the bit: recorded, printed and parsed, and behind a pointer.
+//! A formula agrees with its metric bit for bit: recorded, printed and parsed, and behind a
+//! pointer.
 
 use nalgebra::{SMatrix, SVector};
 use tautline_chance::{cases, seed};
@@ -10,7 +11,7 @@ use tautline_scalar::{Interval, Jet1, Jet2, Scalar};
 
 use crate::random::Random;
 
-/// Compares as text: NaN is NaN, and `−0` is not `0`.
+/// Compares texts, since NaN is then equal to NaN, and `−0` is not equal to `0`.
 fn same<S: Scalar, const D: usize>(
     metric: &impl Metric<D>,
     formula: &Formula<D>,
@@ -69,7 +70,7 @@ fn the_gallery_is_recorded_to_the_bit() {
     laws(&gallery::Constant::<3>::new(SMatrix::identity()).expect("definite"));
 }
 
-/// Steps that the gallery lacks: numbers of every kind, powers of every size, pairs.
+/// Steps that do not occur in the gallery: numbers of every kind, powers of every size, pairs.
 struct Odd;
 
 impl Metric<1> for Odd {
@@ -87,7 +88,7 @@ fn numbers_and_powers_of_every_size_are_recorded() {
     laws(&Odd);
 }
 
-/// One of each operation, with numbers on either side.
+/// Each operation once, with numbers on either side.
 struct Everything;
 
 impl Metric<1> for Everything {
@@ -142,7 +143,7 @@ fn repeated_steps_are_recorded_once_and_unused_ones_dropped() {
             Operation::WithNumber(Arithmetic::Add, cos, Number::of(2.0)),
         ]
     );
-    // 2 cos + 4 twice, and 0 + 0 twice.
+    // Both diagonal entries are 2 cos + 4, and both others are 0 + 0.
     assert_eq!(formula.entry(0, 0), formula.entry(1, 1));
     assert_eq!(formula.entry(0, 1), formula.entry(1, 0));
     assert_eq!(formula.operations().len(), 8, "{formula:?}");
@@ -196,7 +197,7 @@ fn a_formula_that_uses_another_thread_is_refused() {
     assert_eq!(Formula::record(&Elsewhere), Err(RecordError::Foreign));
 }
 
-/// A formula may record another one, and a panic leaves nothing on the next tape.
+/// A formula may record another formula, and after a panic nothing remains on the next tape.
 #[test]
 fn recordings_do_not_disturb_each_other() {
     struct Within;

@@ -15,7 +15,7 @@ fn number(k: usize) -> f64 {
 pub(crate) fn decoder<const D: usize, const HIDDEN: usize, const OUT: usize>()
 -> TanhDecoder<D, HIDDEN, OUT> {
     let inner = SMatrix::from_fn(|a, i| number(D * a + i) / 2.0);
-    // Zero weights keep their terms: undefined where their unit is.
+    // Terms with weight zero stay: they are undefined where their unit is.
     let outer = SMatrix::from_fn(|o, a| if o == a { 0.0 } else { number(50 + HIDDEN * o + a) });
     TanhDecoder::new(inner, outer, 0.5).expect("finite")
 }
@@ -29,7 +29,7 @@ fn decoders_are_contracted_by_programs() {
     all(&decoder::<4, 16, 16>());
 }
 
-/// Differentiating the entries themselves would make the program too long.
+/// A program that differentiates the entries themselves would be too long.
 #[test]
 fn a_decoder_of_8_coordinates_has_a_program() {
     let metric = decoder::<8, 16, 16>();
@@ -39,13 +39,13 @@ fn a_decoder_of_8_coordinates_has_a_program() {
     assert_eq!(known, 20 * (1 + 1 + 3 * 8 + 3 * 8 * 8));
 }
 
-/// `8 I + diag(sin x₀, 0, …) + Σₒ wₒ aₒ aₒᵀ` in five coordinates, perhaps spoilt.
+/// `8 I + diag(sin x₀, 0, …) + Σₒ wₒ aₒ aₒᵀ` in five coordinates, possibly with a defect.
 struct Vectors(Wrong);
 
 #[derive(Clone, Copy, PartialEq)]
 enum Wrong {
     Nothing,
-    /// One product has another weight than the others of its vector.
+    /// One product has a different weight from the others of its vector.
     Factor,
     /// One product of a vector is missing.
     Missing,
@@ -69,7 +69,7 @@ impl Metric<5> for Vectors {
         };
         let mut vectors: [[S; 5]; 5] =
             std::array::from_fn(|o| std::array::from_fn(|i| entry(o, i)));
-        // A zero, a constant, and a lone function.
+        // The entries include a zero, a constant, and a single function.
         vectors[1][2] = S::zero();
         vectors[2][0] = S::constant(0.75);
         vectors[3] = [waves[0], waves[1], x[2] + 0.5, S::zero(), waves[3]];
@@ -100,7 +100,7 @@ impl Metric<5> for Vectors {
     }
 }
 
-/// The number of instructions for all derivatives.
+/// Returns the number of instructions for all derivatives.
 fn length(wrong: Wrong) -> usize {
     let size = Prepared::new(Vectors(wrong)).size(Kind::Contraction);
     size.expect("a program")[0]
@@ -109,7 +109,7 @@ fn length(wrong: Wrong) -> usize {
 #[test]
 fn vectors_with_zeros_constants_and_weights_are_contracted() {
     all(&Vectors(Wrong::Nothing));
-    // By squares: without them the program is longer.
+    // Without the squares the program is longer.
     assert!(length(Wrong::Nothing) < length(Wrong::Ambiguous));
 }
 
@@ -121,7 +121,7 @@ fn spoilt_squares_are_not_squares() {
     all(&Vectors(Wrong::Weight));
 }
 
-/// `I + ∇f ∇fᵀ`: one vector, with single functions for some of its entries.
+/// `I + ∇f ∇fᵀ` is made of one vector, with single functions for some of its entries.
 #[test]
 fn graphs_of_functions_are_contracted() {
     struct Graph;

@@ -1,4 +1,4 @@
-//! A text is the same formula as its Rust.
+//! A text gives the same formula as the corresponding Rust code.
 
 use nalgebra::{SMatrix, SVector, matrix, vector};
 use tautline_chance::seed;
@@ -34,11 +34,12 @@ fn arithmetic_between_numbers_gives_numbers() {
     assert_eq!(of("[2^-1*x1]"), of("[0.5*x1]"));
     assert_eq!(of("a = 2*pi; [a*x1]"), of("[6.283185307179586*x1]"));
     assert_eq!(of("1e-3 I"), of("[.001]"));
-    // A number that is a step stays a step.
+    // A number that is a step remains a step.
     assert_ne!(of("[number(2)*x1]"), of("[2*x1]"));
 }
 
-/// Powers before signs, products before sums, left before right.
+/// Powers bind more tightly than signs, products more tightly than sums, and operators associate to
+/// the left.
 #[test]
 fn operators_bind_as_in_mathematics() {
     for (text, expected) in [
@@ -58,7 +59,7 @@ fn operators_bind_as_in_mathematics() {
     }
 }
 
-/// Each form at random points, against a metric of the gallery.
+/// Compares each form with a metric of the gallery, at random points.
 #[test]
 fn forms_are_the_metrics_of_the_gallery() {
     #[track_caller]
@@ -68,7 +69,7 @@ fn forms_are_the_metrics_of_the_gallery() {
         for _ in 0..200 {
             let x = SVector::from_fn(|_, _| 0.5 * random.number());
             let (found, expected) = (form.gram(&x), metric.gram(&x));
-            // Some ten operations on numbers of the size of the entries.
+            // About ten operations on numbers of the size of the entries.
             let off = (found - expected).amax() / expected.amax();
             assert!(off < 2e-14, "{text} at {x:?}: {found} for {expected}");
         }
@@ -89,7 +90,7 @@ fn forms_are_the_metrics_of_the_gallery() {
     check("diag((1 + 0.3*sin(1.1*x1))^2, (1 - 0.4*sin(1.7*x2))^2)", &separable);
 }
 
-/// Each rule of differentiation, against jets.
+/// Compares each rule of differentiation with jets.
 #[test]
 fn gradients_agree_with_jets() {
     let functions = "x1 + x2; x1 - x2*x2; x1*x2; x1/(x2^2 + 1); x1*0.3 - x2/7; (x1 + 3)^-3*x2; \
@@ -123,7 +124,7 @@ fn forms_check_their_functions_and_do_not_reserve_their_names() {
         ("graph(x1, x2)", "0: graph takes one function in dimension 2, found 2"),
         ("speed(2 x1)", "8: found x1, expected an operator, a comma or )"),
         ("graph(x1) I", "10: found I, expected the end"),
-        // A missing operator.
+        // An operator is missing.
         ("[2 x1, 0; 0, 1]", "3: found x1, expected an operator, a comma, ; or ]"),
         ("a = 3 exp(x1); a I", "6: found exp, expected an operator or ;"),
     ] {
@@ -134,7 +135,7 @@ fn forms_check_their_functions_and_do_not_reserve_their_names() {
     assert_eq!(named, Formula::parse("graph = 2 - cos(x1); sqr(graph) I", &[]));
 }
 
-/// Into a space of more dimensions: the sphere, and a helix.
+/// Maps into a space of more dimensions: the sphere, and a helix.
 #[test]
 fn a_pullback_sums_over_all_functions() {
     let sphere = "s, c = sin_cos(x1); t, d = sin_cos(x2); pullback(s*d, s*t, c)";
@@ -177,7 +178,7 @@ fn powers_at_the_ends_of_the_range_have_their_derivatives() {
     let x = 1.0 + 1e-9;
     for n in [i32::MIN, i32::MIN + 1, -1, 1, i32::MAX] {
         let graph = Formula::<1>::parse(&format!("graph(x1^{n})"), &[]).expect("a formula");
-        // n x^{n−1}, by logarithms: 1e-9 is rounded by 1e-16, times n.
+        // n x^{n−1}, computed by logarithms; 1e-9 is rounded by 1e-16, times n.
         let expected =
             1.0 + (f64::from(n) * ((f64::from(n) - 1.0) * 1e-9_f64.ln_1p()).exp()).powi(2);
         let found = graph.gram(&vector![x])[(0, 0)];
@@ -185,7 +186,7 @@ fn powers_at_the_ends_of_the_range_have_their_derivatives() {
     }
 }
 
-/// The same function many times, and a tape that its derivatives make too long.
+/// One text has the same function many times. In another, derivatives make the tape too long.
 #[test]
 fn long_lists_of_functions_are_read_in_one_pass() {
     let chain = |length: usize| {
@@ -194,7 +195,7 @@ fn long_lists_of_functions_are_read_in_one_pass() {
     };
     let text = format!("{} pullback({})", chain(1000), ["a1000"; 20_000].join(", "));
     assert!(Formula::<2>::parse(&text, &[]).is_ok());
-    // Three steps each, and six more for the derivatives.
+    // Each definition takes three steps, and its derivatives take six more.
     let text = format!("{} graph(a130000)", chain(130_000));
     let problem = Formula::<2>::parse(&text, &[]).err().map(|error| error.problem);
     assert!(matches!(problem, Some(Problem::Record(RecordError::TooLong { .. }))), "{problem:?}");

@@ -1,4 +1,4 @@
-//! The contraction of squares of vectors, by the formulas of [the module](super).
+//! The contraction of squares of vectors, with the formulas of [the module](super).
 
 use super::Squares;
 use crate::{
@@ -17,7 +17,7 @@ impl Graph {
         sums: &mut Sums,
     ) {
         let Squares { forms, vectors, .. } = squares;
-        // `vₒ` and `wₒ vₒ`.
+        // The numbers `vₒ` and `wₒ vₒ`.
         let (mut along, mut weighted) = (Vec::new(), Vec::new());
         for vector in vectors {
             let terms: Vec<Step> = vector.entries.iter().map(|&(i, a)| self.mul(a, d[i])).collect();
@@ -36,7 +36,7 @@ impl Graph {
         if order == Order::Zero {
             return;
         }
-        // For each form `gᵀd`, and `Σₒ wₒ vₒ f`, its weight in the sum of all `wₒ vₒ aₒ`.
+        // For each form: `gᵀd`, and `Σₒ wₒ vₒ f`, which is its weight in the sum of all `wₒ vₒ aₒ`.
         let forms_along: Vec<Step> = forms
             .iter()
             .map(|form| self.combination(d.iter().copied().zip(form.vector.iter().copied())))
@@ -48,7 +48,7 @@ impl Graph {
             }
         }
         let counts: Vec<Step> = terms.into_iter().map(|terms| self.sum(terms)).collect();
-        // `2 hₐ`.
+        // The terms of `2 hₐ`.
         let mut terms = vec![Vec::new(); squares.functions.len()];
         for (form, (&along, &count)) in forms.iter().zip(forms_along.iter().zip(&counts)) {
             terms[form.function].push(self.mul(along, count));
@@ -70,7 +70,7 @@ impl Graph {
         }
     }
 
-    /// `∂ₖvₒ` by `[k][o]`.
+    /// Returns `∂ₖvₒ` at `[k][o]`.
     fn slopes_along(
         &mut self,
         squares: &Squares,
@@ -92,7 +92,7 @@ impl Graph {
         slopes
     }
 
-    /// The number of each form times `∂ₖ` of its function; `None` is 0.
+    /// Returns the number of each form times `∂ₖ` of its function; `None` is 0.
     fn times_slopes(
         &mut self,
         squares: &Squares,

@@ -1,8 +1,8 @@
-//! Sums of squares of vectors with entries that combine few functions: pullbacks by decoders.
+//! Sums of squares of vectors whose entries combine few functions, such as pullbacks by decoders.
 //!
-//! In `H = C₀ + Σₘ bₘ Cₘ + Σₒ wₒ aₒ aₒᵀ` with constants `wₒ`, where `aₒ = cₒ₀ + Σₐ cₒₐ σₐ(x)` with
-//! constant vectors, there are more products `aₒᵢ aₒⱼ` than entries of `H`, and each depends on all
-//! functions `σₐ`. Contraction of the last sum, with `vₒ = aₒᵀd` and `eₒₐ = cₒₐᵀd`:
+//! Let `H = C₀ + Σₘ bₘ Cₘ + Σₒ wₒ aₒ aₒᵀ` with constants `wₒ`, where `aₒ = cₒ₀ + Σₐ cₒₐ σₐ(x)` with
+//! constant vectors. There are more products `aₒᵢ aₒⱼ` than entries of `H`, and each depends on all
+//! functions `σₐ`. The last sum is therefore contracted with `vₒ = aₒᵀd` and `eₒₐ = cₒₐᵀd`:
 //!
 //! ```text
 //! ∂ₖ(aₒᵢ) = Σₐ cₒₐᵢ ∂ₖσₐ,   ∂ₖvₒ = Σₐ eₒₐ ∂ₖσₐ,   ∂ₖ∂ₗvₒ = Σₐ eₒₐ ∂ₖ∂ₗσₐ,
@@ -14,8 +14,8 @@
 //! ```
 //!
 //! Only the `σₐ` are differentiated. The Jacobian of a network has `cₒₐ = fₒₐ gₐ` with one form
-//! `gₐ` for each hidden unit: then `eₒₐ = fₒₐ (gₐᵀd)`, and sums over `o` and `a` have only the
-//! factors `fₒₐ`.
+//! `gₐ` for each hidden unit. In that case `eₒₐ = fₒₐ (gₐᵀd)`, and sums over `o` and `a` contain
+//! only the factors `fₒₐ`.
 
 mod contraction;
 
@@ -29,10 +29,10 @@ use crate::{
     operation::{Arithmetic, Function, Operation, Step, needed},
 };
 
-/// `Σₒ wₒ aₒ aₒᵀ`.
+/// The sum `Σₒ wₒ aₒ aₒᵀ`.
 #[derive(Debug, Default)]
 pub(super) struct Squares {
-    /// The `σₐ`.
+    /// The functions `σₐ`.
     pub(super) functions: Vec<Step>,
     forms: Vec<Form>,
     vectors: Vec<Vector>,
@@ -45,32 +45,33 @@ struct Form {
     vector: Vec<f64>,
 }
 
-/// One `aₒ`.
+/// One vector `aₒ`.
 #[derive(Debug)]
 struct Vector {
     weight: f64,
     /// The nonzero entries with their coordinates.
     entries: Vec<(usize, Step)>,
-    /// `f` by forms: the vector of a form times `f` is `cₒₐ`.
+    /// The factors `f` by forms: `cₒₐ` is the vector of a form times `f`.
     factors: Vec<(usize, f64)>,
 }
 
-/// An entry of a vector, whose square is a term on the diagonal.
+/// An entry of a vector. Its square is a term on the diagonal.
 #[derive(Debug)]
 struct Candidate {
     coordinate: usize,
     step: Step,
     weight: f64,
-    /// This candidate and those it is multiplied by, ascending.
+    /// This candidate and the candidates that it is multiplied by, in ascending order.
     together: Vec<usize>,
 }
 
-/// The most terms: with more, no program is worth it.
+/// The largest number of terms: with more of them, no program is worth it.
 const MOST_TERMS: usize = 1 << 16;
 
 impl Graph {
-    /// Splits squares of vectors off the entries `i ≤ j` of `H`; returns the rest and the squares.
-    /// `None` if there are none, or if they leave no less to derive than these bases.
+    /// Splits squares of vectors off the entries `i ≤ j` of `H`, and returns the rest and the
+    /// squares. Returns `None` if there are none, or if no fewer steps than these bases remain to
+    /// be derived.
     pub(super) fn squares(
         &self,
         gram: &[Step],
@@ -86,7 +87,7 @@ impl Graph {
         let mut combinations: Vec<Vec<Linear>> = Vec::new();
         for (first, candidate) in candidates.iter().enumerate() {
             let together = &candidate.together;
-            // The square of a vector has all products.
+            // The square of a vector contains all products of its entries.
             let is_square = together.iter().all(|&other| candidates[other].together == *together);
             if together[0] != first || !is_square {
                 continue;
@@ -116,7 +117,8 @@ impl Graph {
             linear.terms.retain(|&(step, _)| !is_taken(step));
         }
         squares.combine(&combinations, dimension);
-        // Linear operations do not count: other units need more of them, and must round the same.
+        // Linear operations do not count: other units need more of them, and must round the same
+        // way.
         let mut own: Vec<Step> =
             rest.iter().flat_map(|linear| &linear.terms).map(|t| t.0).collect();
         own.sort_unstable();
@@ -128,7 +130,7 @@ impl Graph {
         (is_few && is_less).then_some((rest, squares))
     }
 
-    /// The factors of a product.
+    /// Returns the two factors of a product.
     fn factors(&self, step: Step) -> Option<[Step; 2]> {
         match self.operation(step) {
             Operation::Binary(Arithmetic::Mul, a, b) => Some(sorted(a, b)),
@@ -137,8 +139,8 @@ impl Graph {
         }
     }
 
-    /// The steps with squares on the diagonal, and the steps that multiply them elsewhere;
-    /// `None` if a product may belong to two different pairs.
+    /// Returns the steps with squares on the diagonal, and the steps that they are multiplied by
+    /// elsewhere. Returns `None` if a product may belong to two different pairs.
     fn candidates(&self, entries: &[Linear], dimension: usize) -> Option<Vec<Candidate>> {
         let (mut candidates, mut known) = (Vec::new(), HashMap::new());
         let at = |i: usize, j: usize| &entries[i * dimension - i * (i + 1) / 2 + j].terms;
@@ -170,7 +172,7 @@ impl Graph {
         Some(candidates)
     }
 
-    /// How many nonlinear steps these depend on.
+    /// Returns the number of nonlinear steps that these steps depend on.
     fn count_behind(&self, roots: &[Step]) -> usize {
         let is_needed = needed(self.operations(), roots, |step| self.value(step).is_none());
         let counts = |operation: Operation| {
@@ -189,7 +191,7 @@ impl Squares {
         self.functions = terms().map(|&(step, _)| step).collect();
         self.functions.sort_unstable();
         self.functions.dedup();
-        // The first form of each function; others may be multiples of it.
+        // The first form of each function. Other forms may be multiples of it.
         let mut firsts: Vec<Option<usize>> = vec![None; self.functions.len()];
         for (vector, combination) in self.vectors.iter_mut().zip(combinations) {
             let mut constants = BTreeMap::<usize, Vec<f64>>::new();
@@ -215,7 +217,7 @@ impl Squares {
     }
 }
 
-/// `f` with `c = f g` to rounding.
+/// Returns `f` such that `c = f g` up to rounding.
 fn multiple(c: &[f64], g: &[f64]) -> Option<f64> {
     let top = (0..g.len()).max_by(|&i, &j| g[i].abs().total_cmp(&g[j].abs()))?;
     let factor = c[top] / g[top];
