@@ -1,12 +1,12 @@
 //! What can be wrong with a figure.
 
-/// A figure that cannot be drawn as asked.
+/// Why a figure cannot be drawn as requested.
 ///
-/// Each message alone says which label, range or number to change.
+/// Each message by itself tells which label, range or number to change.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DrawingError {
-    /// The embedded font has no outline for a character; a blank would go unnoticed.
+    /// The embedded font has no outline for a character. A blank in its place would go unnoticed.
     #[error("the figure font has no glyph for {character:?} (U+{:04X}), which {label:?} needs", u32::from(*character))]
     UnknownGlyph {
         /// The character without a glyph.
@@ -22,24 +22,25 @@ pub enum DrawingError {
         /// What is wrong with it.
         problem: &'static str,
     },
-    /// An axis needs a finite, increasing range; a logarithmic one also a positive range.
+    /// An axis needs a finite, increasing range; on a logarithmic axis the range must also be
+    /// positive.
     #[error("an axis cannot run from {from} to {to}: {want}")]
     BadRange {
-        /// Lower end, as given.
+        /// The lower end, as given.
         from: f64,
-        /// Upper end, as given.
+        /// The upper end, as given.
         to: f64,
-        /// The clause that failed.
+        /// The condition that failed.
         want: &'static str,
     },
     /// A heat-map has no colour for a value that is not finite.
     #[error("the field is {value} at ({x}, {y}); a heat-map needs finite values")]
     NotFinite {
-        /// First coordinate of the sample.
+        /// The first coordinate of the sample.
         x: f64,
-        /// Second coordinate of the sample.
+        /// The second coordinate of the sample.
         y: f64,
-        /// The value found there.
+        /// The value of the sample.
         value: f64,
     },
     /// A heat-map needs at least two increasing, finite levels.
@@ -59,7 +60,7 @@ pub enum DrawingError {
     Overlap {
         /// The label drawn first.
         first: String,
-        /// The label drawn over it.
+        /// The label drawn on top of it.
         second: String,
     },
     /// A curve runs through a label of a finished scene.
@@ -68,7 +69,7 @@ pub enum DrawingError {
         /// The label.
         label: String,
     },
-    /// A label of a finished scene leaves the canvas.
+    /// A label of a finished scene extends beyond the canvas.
     #[error("the label {label:?} is cut by the edge of the figure")]
     Cut {
         /// The label.
@@ -79,15 +80,15 @@ pub enum DrawingError {
     Outside {
         /// The remark.
         what: String,
-        /// First coordinate.
+        /// The first coordinate.
         x: f64,
-        /// Second coordinate.
+        /// The second coordinate.
         y: f64,
     },
-    /// A figure without panels has no picture.
+    /// A figure needs at least one panel, and the same number of panels in each row.
     #[error("a figure needs at least one panel, and equally many in each row")]
     NoPanels,
-    /// A library that draws or encodes failed, with this message.
+    /// A library that draws or encodes failed with this message.
     #[error("drawing failed: {0}")]
     Backend(String),
 }

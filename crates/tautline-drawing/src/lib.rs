@@ -1,9 +1,9 @@
 //! Publication-quality figures: one drawing, written as SVG, PNG and PDF.
 //!
-//! A [`Figure`] consists of [`Panel`]s, a panel of two axes and data. plotters turns data into
-//! shapes, our own backend records them in a [`Scene`], and three writers write that one scene, so
-//! the three files cannot disagree. Nothing in them depends on a system font, a clock or an
-//! address: two runs give the same bytes.
+//! A [`Figure`] consists of [`Panel`]s, and a panel consists of two axes and data. plotters turns
+//! the data into shapes, and our own backend records them in a [`Scene`]. Three writers write this
+//! one scene, so the three files cannot disagree. Nothing in them depends on a system font, a clock
+//! or an address: two runs give the same bytes.
 //!
 //! ```
 //! use tautline_drawing::{Axis, Curve, Figure, Marker, Panel, Scale, palette, pdf, png, svg};

@@ -1,18 +1,18 @@
-//! An axis: its scale, its range, perhaps a break, and its label.
+//! An axis: its scale, its range, an optional break, and its label.
 
 use super::{scale::Scale, stretch::Stretch};
 use crate::error::DrawingError;
 
 /// One axis of a panel.
 ///
-/// Invariant: one stretch, or two with a gap between them; each is finite and increasing, and
-/// positive on a logarithmic scale. Names are at `1, 2, …` on one linear stretch.
+/// Invariant: there is one stretch, or there are two with a gap between them. Each is finite and
+/// increasing, and positive on a logarithmic scale. Names are at `1, 2, …` on one linear stretch.
 #[derive(Clone, Debug, PartialEq)]
 #[must_use]
 pub struct Axis {
-    /// The pieces, the lowest first.
+    /// The stretches, the lowest first.
     pub(crate) stretches: Vec<Stretch>,
-    /// The names along the axis; none if it has numbers.
+    /// The names along the axis; empty if it has numbers.
     pub(crate) names: Vec<String>,
     /// The label; empty if there is none.
     pub(crate) label: String,
@@ -25,14 +25,14 @@ impl Axis {
     ///
     /// # Errors
     ///
-    /// If the range is not finite and increasing, or not positive where it must be.
+    /// If the range is not finite and increasing, or not positive on a logarithmic scale.
     pub fn new(scale: Scale, from: f64, to: f64) -> Result<Axis, DrawingError> {
         let stretches = vec![Stretch::new(scale, from, to)?];
         Ok(Axis { stretches, names: Vec::new(), label: String::new(), numbered: true })
     }
 
-    /// Returns an axis with names in place of numbers: the first at 1, the next at 2, and so on,
-    /// from ½ to half a unit beyond the last. The syntax of a name is that of
+    /// Returns an axis with names in place of numbers. The first name is at 1, the next at 2, and
+    /// so on; the axis runs from ½ to half a unit beyond the last. The syntax of a name is that of
     /// [`typeset`](crate::math_text::typeset).
     ///
     /// # Errors
@@ -46,10 +46,11 @@ impl Axis {
         Ok(Axis { names, ..axis })
     }
 
-    /// Returns a logarithmic axis of whole decades around all positive values.
+    /// Returns a logarithmic axis that spans whole decades and covers all positive finite values.
     ///
-    /// If the widest gap between two values exceeds `break_over` decades, the axis leaves it out;
-    /// `f64::INFINITY` never breaks. Zero and negative values have no place and are skipped.
+    /// If the widest gap between two values exceeds `break_over` decades, the axis omits the gap;
+    /// with `f64::INFINITY` it never breaks. Zero and negative values cannot be shown and are
+    /// skipped.
     ///
     /// # Errors
     ///
@@ -65,7 +66,8 @@ impl Axis {
             let want = "no positive value was given";
             return Err(DrawingError::BadRange { from: f64::NAN, to: f64::NAN, want });
         };
-        // A billionth of a decade: log10 of a power of ten may miss the whole number.
+        // The margin is a billionth of a decade, since log10 of a power of ten may miss the whole
+        // number.
         let floor = |e: f64| (e + 1e-9).floor();
         let ceil = |e: f64| (e - 1e-9).ceil();
         let (from, to) = (floor(*low), ceil(*high).max(floor(*low) + 1.0));
@@ -73,7 +75,7 @@ impl Axis {
         let widest = exponents.windows(2).max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));
         match widest {
             Some(gap) if gap[1] - gap[0] > break_over => {
-                // A stretch needs some length even if all its values are one power of ten.
+                // A stretch needs some length, even if all its values are the same power of ten.
                 let below = ceil(gap[0]).max(from + 1.0);
                 let above = floor(gap[1]).min(to - 1.0);
                 axis.broken(power(below), power(above))
@@ -82,9 +84,9 @@ impl Axis {
         }
     }
 
-    /// Leaves out what lies between `below` and `above`.
+    /// Omits the part between `below` and `above`.
     ///
-    /// Both stretches keep one scale, so that slopes can be compared across the break.
+    /// Both stretches keep the same scale, so that slopes can be compared across the break.
     ///
     /// # Errors
     ///
@@ -105,13 +107,14 @@ impl Axis {
         self
     }
 
-    /// Leaves out the numbers, for a panel that shares them with its neighbour.
+    /// Omits the numbers, for a panel that shares them with its neighbour.
     pub fn unnumbered(mut self) -> Axis {
         self.numbered = false;
         self
     }
 
-    /// Sets the label, or leaves out the numbers if a neighbouring panel carries both.
+    /// Sets the label if the panel carries it. Otherwise omits the numbers, since a neighbouring
+    /// panel carries both.
     pub fn labelled_if(self, carries: bool, label: &str) -> Axis {
         if carries { self.labelled(label) } else { self.unnumbered() }
     }
@@ -129,7 +132,8 @@ impl Axis {
     }
 }
 
-/// Ten to a whole power, by `powi`: `powf` may miss powers of ten on some machines.
+/// Returns ten to a whole power, using `powi`, since `powf` may miss powers of ten on some
+/// machines.
 fn power(exponent: f64) -> f64 {
     10.0_f64.powi(exponent as i32)
 }

@@ -1,4 +1,4 @@
-//! A stretch as a coordinate of plotters.
+//! Makes a stretch a coordinate of plotters.
 
 use std::ops::Range;
 

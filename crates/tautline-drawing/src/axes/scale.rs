@@ -1,20 +1,20 @@
-//! How values lie along an axis.
+//! How values are spaced along an axis.
 
-/// The spacing of values along an axis, and where its ticks lie.
+/// The spacing of values along an axis, and the places of its ticks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scale {
-    /// Linear, ticks at round numbers.
+    /// A linear scale with ticks at round numbers.
     Linear,
-    /// Linear, ticks at multiples of π.
+    /// A linear scale with ticks at multiples of π.
     MultiplesOfPi,
-    /// Logarithmic, ticks at powers of ten.
+    /// A logarithmic scale with ticks at powers of ten.
     Decades,
-    /// Logarithmic, ticks at powers of two.
+    /// A logarithmic scale with ticks at powers of two.
     Octaves,
 }
 
 impl Scale {
-    /// Returns whether equal ratios have equal lengths.
+    /// Returns whether equal ratios appear as equal lengths.
     #[must_use]
     pub fn is_logarithmic(self) -> bool {
         matches!(self, Scale::Decades | Scale::Octaves)

@@ -12,7 +12,7 @@ use crate::{
     picture::{UNITS, units},
 };
 
-/// A range on a scale; plotters maps it to px.
+/// A range on a scale, which plotters maps to px.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Stretch {
     pub(crate) scale: Scale,
@@ -21,7 +21,7 @@ pub(crate) struct Stretch {
 }
 
 impl Stretch {
-    /// Checks the range and reports the first clause that fails.
+    /// Checks the range, and reports the first condition that fails.
     pub(crate) fn new(scale: Scale, from: f64, to: f64) -> Result<Stretch, DrawingError> {
         let bad = |want| DrawingError::BadRange { from, to, want };
         if !(from.is_finite() && to.is_finite()) {
@@ -53,12 +53,12 @@ impl Stretch {
         low <= value && value <= self.to + margin
     }
 
-    /// Returns whether the scale has a place for a value, inside the range or not.
+    /// Returns whether the scale can show a value, inside or outside the range.
     pub(crate) fn can_place(&self, value: f64) -> bool {
         value.is_finite() && (value > 0.0 || !self.scale.is_logarithmic())
     }
 
-    /// Returns the place of a value, in px, if the range covers `start` to `end`.
+    /// Returns the place of a value, in px, if the range extends from `start` to `end`.
     pub(crate) fn place(&self, value: f64, (start, end): (f64, f64)) -> f64 {
         f64::from(self.place_in_units(value, (units(start), units(end)))) / UNITS
     }
@@ -70,7 +70,7 @@ impl Stretch {
         } else {
             RangedCoordf64::from(self.from..self.to).map(&value, limit)
         };
-        // Ten thousand px outside: plotters adds to places, which must not overflow.
+        // The limit is ten thousand px outside: plotters adds to places, which must not overflow.
         place.clamp(-1_000_000, 1_000_000)
     }
 }
@@ -86,7 +86,7 @@ mod tests {
             let place = stretch.place(value, (0.0, 400.0));
             assert!((place - 100.0 * k as f64).abs() <= 0.02, "{value} at {place}");
         }
-        // A vertical axis runs from the bottom, with the larger y, to the top.
+        // A vertical axis runs from the bottom, where y is larger, to the top.
         assert!((stretch.place(10.0, (400.0, 0.0)) - 100.0).abs() <= 0.02);
         assert_eq!(stretch.length(), 4.0);
     }

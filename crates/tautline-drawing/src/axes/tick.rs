@@ -1,4 +1,4 @@
-//! Where an axis has ticks, and which of them carry a number.
+//! Where an axis has ticks, and which of them have a number.
 
 use super::{axis::Axis, scale::Scale, stretch::Stretch, tick_values::candidates};
 use crate::{
@@ -12,11 +12,11 @@ use crate::{
 pub(crate) struct Tick {
     /// Its value.
     pub value: f64,
-    /// Its number; a tick without one is drawn shorter.
+    /// Its number; a tick without a number is drawn shorter.
     pub label: Option<TextBlock>,
 }
 
-/// The direction of an axis, along which labels must not meet.
+/// The direction of an axis; labels along it must not overlap.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Direction {
     /// An `x` axis.
@@ -32,15 +32,15 @@ impl Direction {
     }
 }
 
-/// Ticks closer than this, in px, are left out.
+/// Ticks that are closer together than this, in px, are omitted.
 const CROWDED: f64 = 2.5;
 
-/// Returns the ticks of a stretch that is `length` px long: the densest numbering with enough
-/// space.
+/// Returns the ticks of a stretch that is `length` px long, with the densest numbering that has
+/// enough space.
 ///
 /// # Errors
 ///
-/// If a label cannot be set: a defect of the font.
+/// If a label cannot be set, which is a defect of the font.
 pub(crate) fn ticks(
     stretch: &Stretch,
     length: f64,
@@ -63,13 +63,13 @@ pub(crate) fn ticks(
     let place = |tick: &Tick| stretch.place(tick.value, (0.0, length));
     let crowded = chosen.windows(2).any(|pair| (place(&pair[1]) - place(&pair[0])).abs() < CROWDED);
     if crowded {
-        // All or none: a few unnumbered ticks would look like data.
+        // Either all or none are kept: a few unnumbered ticks would look like data.
         chosen.retain(|tick| tick.label.is_some());
     }
     Ok(chosen)
 }
 
-/// Returns one tick for each name of an axis, even where they are crowded.
+/// Returns one tick for each name of an axis, even if they are crowded.
 ///
 /// # Errors
 ///
@@ -83,7 +83,8 @@ pub(crate) fn named_ticks(axis: &Axis, direction: Direction) -> Result<Vec<Tick>
     names.map(tick).collect()
 }
 
-/// The most labelled multiples of π: beyond, whole multiples say the same as fractions.
+/// The largest number of labelled multiples of π. Beyond it whole multiples serve as well as
+/// fractions.
 const MOST_MULTIPLES: usize = 7;
 
 /// Returns whether neighbouring labels keep their distance.
@@ -105,7 +106,7 @@ fn airy(ticks: &[Tick], stretch: &Stretch, length: f64, direction: Direction) ->
             Direction::Horizontal if stretch.scale.is_logarithmic() => {
                 (wide_a + wide_b) / 2.0 + 0.9 * SMALL
             }
-            // Short numbers could stand closer, but an axis is not a ruler.
+            // Short numbers could be closer together, but an axis is not a ruler.
             Direction::Horizontal => ((wide_a + wide_b) / 2.0 + SMALL).max(44.0),
         };
         b - a >= least

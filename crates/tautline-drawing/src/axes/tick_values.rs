@@ -1,11 +1,11 @@
-//! The values at which an axis may have ticks, and their numbers.
+//! The values at which an axis may have ticks, and the numbers of these ticks.
 
 use super::{scale::Scale, stretch::Stretch};
 
-/// Ticks in increasing order, some of them with a number.
+/// Ticks in increasing order, some of which have a number.
 pub(super) type TickValues = Vec<(f64, Option<String>)>;
 
-/// Returns possible sets of ticks in increasing order, the one with most labels first.
+/// Returns possible sets of ticks, starting with the set that has most labels.
 pub(super) fn candidates(stretch: &Stretch) -> Vec<TickValues> {
     match stretch.scale {
         Scale::Decades => decades(stretch),
@@ -20,7 +20,7 @@ const STRIDES: [i32; 13] = [1, 2, 3, 4, 5, 6, 8, 10, 15, 20, 30, 50, 100];
 fn decades(stretch: &Stretch) -> Vec<TickValues> {
     let (from, to) = (stretch.from, stretch.to);
     let exponents = || from.log10().floor() as i32..=to.log10().ceil() as i32;
-    // Few digits read better written out.
+    // Numbers with few digits are easier to read when written out.
     let plain = to <= 1.001e4 && (from >= 0.99 || (stretch.length() < 2.0 && from >= 9.9e-4));
     let number = |digit: i32, e: i32| match (digit, plain) {
         (_, true) => decimal(f64::from(digit) * 10.0_f64.powi(e), (-e).max(0) as usize),
@@ -67,7 +67,7 @@ fn octaves(stretch: &Stretch) -> Vec<TickValues> {
 }
 
 fn linear(stretch: &Stretch) -> Vec<TickValues> {
-    // From a hundredth of the length upwards: a hundred labels never fit.
+    // Steps start at a hundredth of the length, since a hundred labels never fit.
     let start = stretch.length().log10().floor() as i32 - 2;
     let mut sets = Vec::new();
     for e in start..start + 4 {

@@ -1,6 +1,6 @@
 //! An sRGB colour, its contrast, and its coordinates in a perceptual space.
 
-/// An opaque sRGB colour with 8 bits a channel.
+/// An opaque sRGB colour with 8 bits per channel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[must_use]
 pub struct Colour {
@@ -33,11 +33,11 @@ impl Colour {
 
     /// Returns the lightest shade of this hue that is legible as text on white.
     ///
-    /// WCAG requires 4.5:1 for text; the margin covers rounding.
+    /// WCAG requires 4.5:1 for text. The margin covers rounding.
     pub fn for_text(self) -> Colour {
         let [lightness, a, b] = self.oklab();
-        // Contrast increases as lightness falls, so walking down suffices; the chroma shrinks too,
-        // which keeps dark shades inside sRGB.
+        // The contrast increases as the lightness decreases, so a downward search suffices. The
+        // chroma decreases too, which keeps dark shades inside sRGB.
         (0..=100)
             .map(|step| {
                 let keep = 1.0 - f64::from(step) / 100.0;
@@ -47,9 +47,9 @@ impl Colour {
             .unwrap_or(Colour::new(0, 0, 0))
     }
 
-    /// Returns lightness and the two opponent coordinates in OKLab (Ottosson 2020).
+    /// Returns the lightness and the two opponent coordinates in OKLab (Ottosson 2020).
     ///
-    /// Euclidean distance there approximates the difference that the eye sees.
+    /// The Euclidean distance in OKLab approximates the difference that the eye perceives.
     #[must_use]
     pub fn oklab(self) -> [f64; 3] {
         let [r, g, b] = self.rgb.map(linear);
@@ -63,7 +63,7 @@ impl Colour {
         ]
     }
 
-    /// Returns the colour at these OKLab coordinates; what lies outside sRGB is clipped.
+    /// Returns the colour at these OKLab coordinates, clipped to sRGB.
     pub fn from_oklab([lightness, a, b]: [f64; 3]) -> Colour {
         let l = (lightness + 0.396_337_777_4 * a + 0.215_803_757_3 * b).powi(3);
         let m = (lightness - 0.105_561_345_8 * a - 0.063_854_172_8 * b).powi(3);
@@ -91,7 +91,7 @@ fn linear(channel: u8) -> f64 {
 fn encoded(c: f64) -> u8 {
     let c = c.clamp(0.0, 1.0);
     let c = if c <= 0.003_130_8 { 12.92 * c } else { 1.055 * c.powf(1.0 / 2.4) - 0.055 };
-    // In [0, 255] after the clamp, so the cast only rounds.
+    // The value is in [0, 255] after the clamp, so the cast only rounds.
     (c * 255.0).round() as u8
 }
 
@@ -113,7 +113,7 @@ mod tests {
         }
     }
 
-    /// Published by Ottosson for pure red, to three decimals.
+    /// Ottosson published these values for pure red, to three decimals.
     #[test]
     fn oklab_of_red_is_the_published_one() {
         let lab = Colour::new(255, 0, 0).oklab();

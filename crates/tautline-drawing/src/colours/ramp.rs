@@ -2,19 +2,20 @@
 
 use super::colour::Colour;
 
-/// A ramp from near-white to deep blue, whose equal steps look equal.
+/// A colour ramp from near-white to deep blue, whose equal steps look equal.
 ///
-/// Built in OKLab: lightness falls linearly, chroma rises and falls in one arc, the hue drifts
-/// from cyan to blue. Lightness alone orders it, so it survives grey printing and every colour
-/// vision. The light end leaves room for dark contour lines and for curves over it.
+/// It is built in OKLab: the lightness falls linearly, the chroma rises and falls in one arc, and
+/// the hue drifts from cyan to blue. Lightness alone orders the colours, so the order survives grey
+/// printing and every colour vision. The light end leaves room for dark contour lines and for
+/// curves over them.
 #[derive(Clone, Debug)]
 #[must_use]
 pub struct Ramp {
-    /// Points of the curve in OKLab, and the share of its length that lies before each.
+    /// Points of the curve in OKLab, and the fraction of its length before each point.
     knots: Vec<([f64; 3], f64)>,
 }
 
-/// Knots of the table: steps of the curve are then below one 8-bit step of a channel.
+/// The number of knots of the table. The steps between them are below one 8-bit step of a channel.
 const KNOTS: usize = 512;
 
 impl Ramp {
@@ -38,7 +39,7 @@ impl Ramp {
         Ramp { knots }
     }
 
-    /// Returns the colour at `share` of the ramp's length, from 0 (light) to 1 (dark).
+    /// Returns the colour at the fraction `share` of the ramp's length, from 0 (light) to 1 (dark).
     pub fn at(&self, share: f64) -> Colour {
         let share = share.clamp(0.0, 1.0);
         let next = self.knots.partition_point(|(_, length)| *length < share).clamp(1, KNOTS);
@@ -63,7 +64,8 @@ mod tests {
         let steps: Vec<f64> = colours.windows(2).map(|w| distance(w[0], w[1])).collect();
         let mean = steps.iter().sum::<f64>() / steps.len() as f64;
         for step in &steps {
-            // Five per cent: rounding to bytes moves a colour by up to 0.003, a step is 0.06.
+            // The tolerance is five per cent: rounding to bytes moves a colour by up to 0.003, and
+            // a step is 0.06.
             assert!((step / mean - 1.0).abs() <= 0.05, "{steps:?}");
         }
     }
@@ -83,7 +85,7 @@ mod tests {
         assert!(ramp.at(1.0).contrast(Colour::WHITE) >= 4.5);
     }
 
-    /// Clipping would bend the ramp: every colour must survive the conversion to sRGB.
+    /// Clipping would distort the ramp, so every colour must survive the conversion to sRGB.
     #[test]
     fn the_ramp_stays_inside_srgb() {
         for (lab, _) in &Ramp::blue().knots {

@@ -4,13 +4,13 @@
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[must_use]
 pub struct Extent {
-    /// Smallest `x`.
+    /// The smallest `x`.
     pub left: f64,
-    /// Smallest `y`.
+    /// The smallest `y`.
     pub top: f64,
-    /// Largest `x`.
+    /// The largest `x`.
     pub right: f64,
-    /// Largest `y`.
+    /// The largest `y`.
     pub bottom: f64,
 }
 
@@ -27,7 +27,7 @@ impl Extent {
         self.bottom - self.top
     }
 
-    /// Returns whether two boxes share an inner point.
+    /// Returns whether two boxes have an interior point in common.
     #[must_use]
     pub fn overlaps(&self, other: &Extent) -> bool {
         let across = self.left < other.right && other.left < self.right;
@@ -38,7 +38,7 @@ impl Extent {
     #[must_use]
     pub fn meets(&self, from: (f64, f64), to: (f64, f64)) -> bool {
         let (dx, dy) = (to.0 - from.0, to.1 - from.1);
-        // The part of the segment, from 0 to 1, that is inside all four half planes.
+        // The part of the segment, between 0 and 1, that lies inside all four half-planes.
         let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
         for (speed, room) in [
             (-dx, from.0 - self.left),
@@ -64,7 +64,7 @@ impl Extent {
         across && self.top <= other.top && other.bottom <= self.bottom
     }
 
-    /// Returns the box shrunk by `dx` on the left and right and `dy` above and below.
+    /// Returns the box shrunk by `dx` on the left and right, and by `dy` at the top and bottom.
     pub fn inset(&self, dx: f64, dy: f64) -> Extent {
         Extent {
             left: self.left + dx,
@@ -74,7 +74,7 @@ impl Extent {
         }
     }
 
-    /// Returns the smallest box around this one and a point.
+    /// Returns the smallest box that contains this box and a point.
     pub fn with(self, x: f64, y: f64) -> Extent {
         Extent {
             left: self.left.min(x),
@@ -84,7 +84,7 @@ impl Extent {
         }
     }
 
-    /// Returns the smallest box around both.
+    /// Returns the smallest box that contains both.
     pub fn union(self, other: Extent) -> Extent {
         self.with(other.left, other.top).with(other.right, other.bottom)
     }
@@ -99,7 +99,7 @@ mod tests {
         let unit = Extent { left: 0.0, top: 0.0, right: 1.0, bottom: 1.0 };
         assert!(unit.meets((-1.0, 0.5), (2.0, 0.5)) && unit.meets((0.2, 0.2), (0.3, 0.3)));
         assert!(!unit.meets((-1.0, 0.5), (-0.1, 0.5)) && !unit.meets((-1.0, 2.0), (2.0, 1.5)));
-        // Cuts the corner's quadrant, but not the box.
+        // The segment crosses the quadrant at the corner, but not the box.
         assert!(!unit.meets((0.5, 2.0), (2.0, 0.5)));
     }
 

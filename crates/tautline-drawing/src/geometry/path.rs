@@ -7,9 +7,9 @@ use super::extent::Extent;
 pub enum Segment {
     /// Starts a contour.
     Move(f64, f64),
-    /// A straight line.
+    /// Draws a straight line.
     Line(f64, f64),
-    /// A cubic Bézier curve: two control points and the end.
+    /// Draws a cubic Bézier curve, given its two control points and its end.
     Cubic([f64; 6]),
     /// Returns to the start of the contour.
     Close,
@@ -23,7 +23,7 @@ pub struct Path {
 }
 
 impl Path {
-    /// Returns the lines through `points`, closed or open.
+    /// Returns the polyline through `points`, closed or open.
     pub fn polyline(points: impl IntoIterator<Item = (f64, f64)>, closed: bool) -> Path {
         let mut path = Path::default();
         for (x, y) in points {
@@ -42,9 +42,10 @@ impl Path {
         Path::polyline([(left, top), (right, top), (right, bottom), (left, bottom)], true)
     }
 
-    /// Returns a circle, as four cubic arcs.
+    /// Returns a circle made of four cubic arcs.
     pub fn circle((x, y): (f64, f64), radius: f64) -> Path {
-        // 4/3 tan(π/8): the arcs leave the circle by less than 0.03 % of the radius.
+        // The value is 4/3 tan(π/8). The arcs deviate from the circle by less than 0.03 % of the
+        // radius.
         let k = 0.552_284_75 * radius;
         let r = radius;
         let mut path = Path::default();
@@ -73,7 +74,8 @@ impl Path {
         &self.segments
     }
 
-    /// Returns the image under a map, which must be affine: Bézier curves commute with no others.
+    /// Returns the image under a map, which must be affine: Bézier curves commute with no other
+    /// maps.
     pub fn mapped(&self, map: impl Fn(f64, f64) -> (f64, f64)) -> Path {
         let segments = self.segments.iter().map(|segment| match *segment {
             Segment::Move(x, y) => {
@@ -98,7 +100,7 @@ impl Path {
         self.mapped(|x, y| (x + dx, y + dy))
     }
 
-    /// Returns the straight pieces; a curve counts as its chord.
+    /// Returns the straight pieces, where a curve is replaced by its chord.
     pub(crate) fn chords(&self) -> impl Iterator<Item = ((f64, f64), (f64, f64))> {
         let end = |segment: &Segment| match *segment {
             Segment::Move(x, y) | Segment::Line(x, y) | Segment::Cubic([_, _, _, _, x, y]) => {
@@ -112,9 +114,10 @@ impl Path {
         })
     }
 
-    /// Returns the box around all points and control points; `None` if there are none.
+    /// Returns the smallest box that contains all points and control points; `None` if there are
+    /// none.
     ///
-    /// For glyphs the box is exact: their extrema are points of the outline.
+    /// For glyphs the box is exact, since their extrema are points of the outline.
     #[must_use]
     pub fn extent(&self) -> Option<Extent> {
         let mut points = Vec::new();

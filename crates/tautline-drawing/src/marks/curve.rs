@@ -1,4 +1,4 @@
-//! A curve or a set of points, with its look and its name.
+//! A curve or a set of points, with its style and its name.
 
 use super::marker::Marker;
 use crate::{axes::Axis, colours::Colour, measures::CURVE};
@@ -9,7 +9,7 @@ use crate::{axes::Axis, colours::Colour, measures::CURVE};
 pub struct Curve {
     pub(crate) course: Course,
     pub(crate) colour: Colour,
-    /// Zero draws no line.
+    /// The width of the line; zero draws no line.
     pub(crate) width: f64,
     pub(crate) dash: Vec<f64>,
     pub(crate) marker: Option<Marker>,
@@ -17,7 +17,7 @@ pub struct Curve {
     pub(crate) halo: bool,
 }
 
-/// Where a curve runs.
+/// The points of a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Course {
     Through(Vec<(f64, f64)>),
@@ -25,10 +25,10 @@ pub(crate) enum Course {
 }
 
 impl Curve {
-    /// Returns the polyline through `points`, a full line without markers.
+    /// Returns the polyline through `points`, drawn as a solid line without markers.
     ///
-    /// A point without a place on its axes (not finite, or not positive on a logarithmic
-    /// scale) interrupts the line.
+    /// A point that its axes cannot show (not finite, or not positive on a logarithmic scale)
+    /// interrupts the line.
     pub fn new(points: impl IntoIterator<Item = (f64, f64)>, colour: Colour) -> Curve {
         Curve {
             course: Course::Through(points.into_iter().collect()),
@@ -41,25 +41,25 @@ impl Curve {
         }
     }
 
-    /// Returns a horizontal reference line at `y` from end to end of the `x` axis, thin and dashed.
+    /// Returns a thin, dashed, horizontal reference line at `y` across the whole `x` axis.
     pub fn level(y: f64, colour: Colour) -> Curve {
         let empty = Curve::new([], colour);
         Curve { course: Course::Level(y), width: 1.1, dash: vec![5.0, 3.5], ..empty }
     }
 
-    /// Puts a marker, if any, on every point.
+    /// Draws a marker, if there is one, at every point.
     pub fn marked(mut self, marker: impl Into<Option<Marker>>) -> Curve {
         self.marker = marker.into();
         self
     }
 
-    /// Draws the markers only.
+    /// Draws only the markers.
     pub fn without_line(mut self) -> Curve {
         self.width = 0.0;
         self
     }
 
-    /// Sets lengths of dashes and gaps, in px; empty for a full line.
+    /// Sets the lengths of dashes and gaps, in px; an empty list gives a solid line.
     pub fn dashed(mut self, dash: &[f64]) -> Curve {
         self.dash = dash.to_vec();
         self
@@ -71,7 +71,7 @@ impl Curve {
         self
     }
 
-    /// Names the curve: at its right end, or in the key if the figure has one.
+    /// Names the curve, at its right end or in the key if the figure has one.
     ///
     /// The syntax is that of [`typeset`](crate::math_text::typeset).
     pub fn labelled(mut self, label: impl Into<String>) -> Curve {
@@ -79,13 +79,13 @@ impl Curve {
         self
     }
 
-    /// Puts a white rim around line and markers, so that they stand out from a heat-map.
+    /// Draws a white rim around the line and the markers, so that they stand out from a heat-map.
     pub fn over_field(mut self) -> Curve {
         self.halo = true;
         self
     }
 
-    /// Returns the runs of points with a place on the axes.
+    /// Returns the runs of consecutive points that the axes can show.
     pub(crate) fn runs(&self, x: &Axis, y: &Axis) -> Vec<Vec<(f64, f64)>> {
         let across = |level: f64| vec![(x.from(), level), (x.to(), level)];
         let points = match &self.course {

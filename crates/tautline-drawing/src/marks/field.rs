@@ -1,4 +1,4 @@
-//! A function of the plane as filled contour bands.
+//! A function of two variables, shown as filled contour bands.
 
 use contour::ContourBuilder;
 
@@ -7,7 +7,7 @@ use crate::{
     error::DrawingError,
 };
 
-/// A sampled function with the levels that separate its bands.
+/// A sampled function, with the levels that separate its bands.
 #[derive(Clone, Debug)]
 #[must_use]
 pub struct Field {
@@ -17,24 +17,24 @@ pub struct Field {
     step: (f64, f64),
     values: Vec<f64>,
     levels: Vec<f64>,
-    /// Whether `x` is sampled in decades, so that contours are smooth on a logarithmic axis.
+    /// Whether `x` is sampled logarithmically, so that contours are smooth on a logarithmic axis.
     decades: bool,
     pub(crate) line_every: usize,
     pub(crate) label: String,
 }
 
-/// Cells along the longer side: enough for smooth contours at three pixels to a px.
+/// The number of cells along the longer side: enough for smooth contours at three pixels per px.
 const CELLS: f64 = 360.0;
 
 impl Field {
     /// Samples `f` on the rectangle `x × y`, for bands between neighbouring `levels`.
     ///
-    /// The samples reach one cell beyond the rectangle, where `f` must be finite too: contours
-    /// then leave the panel through its edge instead of closing along it.
+    /// The samples extend one cell beyond the rectangle, and `f` must be finite there too. Contours
+    /// therefore leave the panel through its edge instead of closing along it.
     ///
     /// # Errors
     ///
-    /// If the levels or the sides are not increasing, or a sample is not finite.
+    /// If the levels or the ends of a side are not increasing, or if a sample is not finite.
     pub fn sample(
         x: (f64, f64),
         y: (f64, f64),
@@ -52,7 +52,7 @@ impl Field {
             }
         }
         let (width, height) = (x.1 - x.0, y.1 - y.0);
-        // At least 40 cells on the shorter side, however long the other is.
+        // The shorter side has at least 40 cells, however long the other one is.
         let cells = |side: f64| (CELLS * side / width.max(height)).ceil().max(40.0);
         let step = (width / cells(width), height / cells(height));
         let (columns, rows) = (cells(width) as usize + 3, cells(height) as usize + 3);
@@ -76,7 +76,7 @@ impl Field {
     ///
     /// # Errors
     ///
-    /// As there, and if `x` is not positive.
+    /// The errors of `sample`, and an error if `x` is not positive.
     pub fn sample_over_decades(
         x: (f64, f64),
         y: (f64, f64),
@@ -88,13 +88,13 @@ impl Field {
         Ok(Field { decades: true, ..field })
     }
 
-    /// Names the quantity, above the colour bar.
+    /// Names the quantity in a label above the colour bar.
     pub fn labelled(mut self, label: impl Into<String>) -> Field {
         self.label = label.into();
         self
     }
 
-    /// Draws a contour line at every `k`-th level, counted from the lowest.
+    /// Draws a contour line at every `k`-th level, starting from the lowest.
     pub fn lined_every(mut self, k: usize) -> Field {
         self.line_every = k;
         self
@@ -112,17 +112,17 @@ impl Field {
         Ramp::blue().at((k as f64 + 0.5) / bands as f64)
     }
 
-    /// Returns the boundary of `{f ≥ level}` as closed rings of data points, outer rings and
-    /// holes in opposite senses.
+    /// Returns the boundary of `{f ≥ level}` as closed rings of data points. Outer rings and holes
+    /// have opposite orientations.
     ///
     /// # Errors
     ///
-    /// If the contour library fails, with its message.
+    /// If the contour library fails; the error contains its message.
     pub fn rings(&self, level: f64) -> Result<Vec<Vec<(f64, f64)>>, DrawingError> {
         let lines = ContourBuilder::new(self.columns, self.rows, true)
             .lines(&self.values, &[level])
             .map_err(|error| DrawingError::Backend(error.to_string()))?;
-        // The library counts in cells and puts the first sample at one half.
+        // The library counts in cells, and places the first sample at one half.
         let data = |x: f64, y: f64| {
             let across = self.origin.0 + (x - 0.5) * self.step.0;
             let across = if self.decades { 10_f64.powf(across) } else { across };
@@ -134,8 +134,8 @@ impl Field {
     }
 }
 
-/// Drops the inner points of straight pieces: a field of one variable has only straight contours,
-/// with a point in each row of cells.
+/// Removes the inner points of straight pieces. A field that depends on one variable has only
+/// straight contours, with a point in each row of cells.
 fn without_straight_points(ring: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut kept: Vec<(f64, f64)> = Vec::with_capacity(ring.len());
     for &point in ring {
@@ -143,7 +143,7 @@ fn without_straight_points(ring: &[(f64, f64)]) -> Vec<(f64, f64)> {
             let (dx, dy) = (x1 - x0, y1 - y0);
             let (ex, ey) = (point.0 - x1, point.1 - y1);
             let ahead = dx * ex + dy * ey >= 0.0;
-            // Straight to rounding, so that no error adds up along a bend.
+            // Straight up to rounding, so that no error accumulates along a bend.
             if !(ahead && (dx * ey - dy * ex).abs() <= 1e-9 * dx.hypot(dy) * ex.hypot(ey)) {
                 break;
             }
@@ -164,7 +164,7 @@ mod tests {
         let field = Field::sample((-2.0, 2.0), (-2.0, 2.0), vec![0.0, 1.0], cone).expect("finite");
         let rings = field.rings(1.0).expect("contours");
         assert_eq!(rings.len(), 1);
-        // Linear interpolation across a cell h = 4/360 misses a circle by at most h²/8.
+        // Linear interpolation across a cell of size h = 4/360 misses a circle by at most h²/8.
         for (x, y) in &rings[0] {
             assert!((x.hypot(*y) - 1.0).abs() <= 2e-5, "({x}, {y})");
         }
@@ -178,7 +178,7 @@ mod tests {
         let rings = field.expect("finite").rings(0.5).expect("contours");
         let inside = |&(x, y): &(f64, f64)| (0.011..90.0).contains(&x) && y.abs() < 1.9;
         let crossed: Vec<_> = rings.concat().into_iter().filter(inside).collect();
-        // A linear function between its samples, to rounding.
+        // The function is linear between its samples, so this holds up to rounding.
         assert!(crossed.len() > 100);
         assert!(crossed.iter().all(|(x, y)| (x.log10() - y - 0.5).abs() <= 1e-9), "{crossed:?}");
         let unit = (0.0, 1.0);

@@ -2,7 +2,7 @@
 
 use crate::measures::MARKER;
 
-/// The shape of a point; all have about the area of the disc.
+/// The shape of a point. All shapes have about the area of the disc.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Marker {
     /// A filled circle.
@@ -11,23 +11,24 @@ pub enum Marker {
     Ring,
     /// A filled square.
     Square,
-    /// A filled square on its corner.
+    /// A filled square that stands on one corner.
     Diamond,
-    /// A filled triangle, point up.
+    /// A filled triangle that points upwards.
     Triangle,
     /// A diagonal cross.
     Cross,
-    /// A filled star with five points, one of them up.
+    /// A filled star with five points, one of which points upwards.
     Star,
 }
 
 impl Marker {
-    /// Returns the corners about the centre, in px; `None` for the round ones.
+    /// Returns the corners relative to the centre, in px; `None` for the round shapes.
     ///
     /// The cross is a polygon too, so that it can have a halo.
     pub(crate) fn corners(self) -> Option<Vec<(f64, f64)>> {
         let r = MARKER;
-        // Sides that give the area π r² of the disc: √π r, and 2 √π / 3^{1/4} r.
+        // Sides of a square and a triangle that have the area π r² of the disc: √π r, and 2 √π /
+        // 3^{1/4} r.
         let half = 0.886 * r;
         match self {
             Marker::Disc | Marker::Ring => None,
@@ -40,13 +41,13 @@ impl Marker {
             }
             Marker::Triangle => {
                 let (side, height) = (2.694 * r, 2.333 * r);
-                // The centroid, at a third of the height, is on the point.
+                // The centroid, at a third of the height, is at the data point.
                 let (low, high) = (height / 3.0, -2.0 * height / 3.0);
                 Some(vec![(-side / 2.0, low), (0.0, high), (side / 2.0, low)])
             }
             Marker::Star => {
-                // A pentagram: the inner corners are at 0.382 of the reach of the points. Ten
-                // triangles make its area 5 sin 36° · 0.382 reach².
+                // A pentagram: its inner corners are at 0.382 times the reach of its points. It
+                // consists of ten triangles, so that its area is 5 sin 36° · 0.382 reach².
                 let reach = 1.673 * r;
                 let corner = |k: i32| {
                     let far = if k % 2 == 0 { reach } else { 0.382 * reach };

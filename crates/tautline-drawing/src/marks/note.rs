@@ -1,4 +1,4 @@
-//! A label at a point of the data.
+//! A label at a data point.
 
 use crate::{colours::Colour, math_text::Align};
 
@@ -14,13 +14,13 @@ pub struct Note {
 }
 
 impl Note {
-    /// Returns a label whose left, middle or right end (by `align`) is at the data point `at`,
-    /// vertically centred on it.
+    /// Returns a label whose left, middle or right end (according to `align`) is at the data point
+    /// `at`. The label is vertically centred on this point.
     pub fn new(at: (f64, f64), text: impl Into<String>, colour: Colour, align: Align) -> Note {
         Note { at, text: text.into(), colour, align, shift: (0.0, 0.0) }
     }
 
-    /// Moves the label by px from its point, to the right and downwards.
+    /// Moves the label away from its point, by `dx` px to the right and `dy` px downwards.
     pub fn shifted(mut self, dx: f64, dy: f64) -> Note {
         self.shift = (dx, dy);
         self

@@ -1,6 +1,6 @@
 //! A right triangle that shows a power law in a log–log panel.
 
-/// A slope triangle; its legs carry the ratio of the slope.
+/// A slope triangle. The numbers at its legs show the slope as a ratio.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[must_use]
 pub struct SlopeTriangle {
@@ -13,7 +13,7 @@ pub struct SlopeTriangle {
 
 impl SlopeTriangle {
     /// Returns a triangle for `y ∝ x^slope` whose hypotenuse starts at `(from, y)` and ends at
-    /// `to`, with its right angle under the hypotenuse, to go below a curve.
+    /// `to`. Its right angle lies below the hypotenuse, so that it fits below a curve.
     ///
     /// # Panics
     ///
@@ -25,20 +25,22 @@ impl SlopeTriangle {
         SlopeTriangle { slope, from, to, y, above: false }
     }
 
-    /// Returns the same with its right angle over the hypotenuse, to go above a curve.
+    /// Returns the same triangle with its right angle above the hypotenuse, so that it fits above a
+    /// curve.
     ///
     /// # Panics
     ///
-    /// As [`below`](SlopeTriangle::below).
+    /// The same as [`below`](SlopeTriangle::below).
     pub fn above(slope: f64, from: f64, to: f64, y: f64) -> SlopeTriangle {
         SlopeTriangle { above: true, ..SlopeTriangle::below(slope, from, to, y) }
     }
 
-    /// Returns where the hypotenuse starts, where it ends, and the right angle.
+    /// Returns the start of the hypotenuse, its end, and the corner with the right angle.
     pub(crate) fn corners(&self) -> [(f64, f64); 3] {
         let end = self.y * (self.to / self.from).powf(self.slope);
         let falls = self.slope < 0.0;
-        // A falling line has its right angle below at the start, a rising one at the end.
+        // If the right angle is below, it is at the start of a falling line and at the end of a
+        // rising one.
         let corner = if falls != self.above { (self.from, end) } else { (self.to, self.y) };
         [(self.from, self.y), (self.to, end), corner]
     }
@@ -49,7 +51,7 @@ impl SlopeTriangle {
         if rise.fract() == 0.0 {
             ("1".to_owned(), format!("{rise}"))
         } else if (2.0 * rise).fract() == 0.0 {
-            // Legs 2 and 1 rather than 1 and 1/2.
+            // Legs of 2 and 1 are used instead of 1 and 1/2.
             ("2".to_owned(), format!("{}", 2.0 * rise))
         } else {
             ("1".to_owned(), format!("{rise:.2}"))

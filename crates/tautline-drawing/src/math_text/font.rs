@@ -1,4 +1,4 @@
-//! The embedded figure font: outlines, advances and its `MATH` table.
+//! The embedded figure font: its outlines, its advance widths and its `MATH` table.
 
 use std::sync::OnceLock;
 
@@ -8,28 +8,28 @@ use crate::geometry::{Path, Segment};
 
 /// The font of all labels, a subset of New Computer Modern Math (see `font/NOTICE.md`).
 ///
-/// Lengths are in em, with `y` upwards; only [`outline`](FigureFont::outline) converts to the px
-/// and downward `y` of a scene.
+/// Lengths are in em, with `y` pointing upwards. Only [`outline`](FigureFont::outline) converts
+/// them to the px and the downward `y` of a scene.
 pub(crate) struct FigureFont {
     face: Face<'static>,
     math: math::Table<'static>,
     units_per_em: f64,
 }
 
-/// Where the `MATH` table puts scripts and radicals, in em of the surrounding size.
+/// Positions of scripts and radicals from the `MATH` table, in em of the surrounding size.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct MathConstants {
-    /// Baseline of a superscript above that of its base.
+    /// Height of a superscript's baseline above the baseline of its base.
     pub superscript_up: f64,
-    /// Lowest place of a superscript's bottom.
+    /// Lowest position of the bottom of a superscript.
     pub superscript_bottom_min: f64,
-    /// How far a superscript's baseline may lie below the top of a tall base.
+    /// How far the baseline of a superscript may lie below the top of a tall base.
     pub superscript_drop_max: f64,
-    /// Baseline of a subscript below that of its base.
+    /// Depth of a subscript's baseline below the baseline of its base.
     pub subscript_down: f64,
-    /// Highest place of a subscript's top.
+    /// Highest position of the top of a subscript.
     pub subscript_top_max: f64,
-    /// Least gap between stacked scripts.
+    /// Smallest gap between stacked scripts.
     pub script_gap_min: f64,
     /// White space after scripts.
     pub space_after_script: f64,
@@ -37,14 +37,14 @@ pub(crate) struct MathConstants {
     pub radical_gap: f64,
     /// Thickness of the bar of a radical.
     pub radical_rule: f64,
-    /// Height of a letter for which accents are drawn.
+    /// Height of the letters for which accents are drawn.
     pub accent_base_height: f64,
-    /// Sizes of scripts and of scripts of scripts, relative to text.
+    /// Sizes of scripts and of scripts of scripts, relative to the text.
     pub script_sizes: [f64; 2],
 }
 
 impl FigureFont {
-    /// Returns the font, parsed once.
+    /// Returns the font, which is parsed only once.
     pub(crate) fn embedded() -> &'static FigureFont {
         static FONT: OnceLock<FigureFont> = OnceLock::new();
         FONT.get_or_init(|| {
@@ -56,7 +56,7 @@ impl FigureFont {
         })
     }
 
-    /// Returns the glyph of a character, `None` if the font has none.
+    /// Returns the glyph of a character, or `None` if the font has none.
     pub(crate) fn glyph(&self, character: char) -> Option<GlyphId> {
         self.face.glyph_index(character)
     }
@@ -66,13 +66,14 @@ impl FigureFont {
         f64::from(self.face.glyph_hor_advance(glyph).unwrap_or(0)) / self.units_per_em
     }
 
-    /// Returns bottom and top of the ink, in em above the baseline; zero for a blank.
+    /// Returns the bottom and the top of the ink, in em above the baseline; both are zero for a
+    /// blank.
     pub(crate) fn vertical_ink(&self, glyph: GlyphId) -> (f64, f64) {
         let ink = self.face.glyph_bounding_box(glyph);
         ink.map_or((0.0, 0.0), |ink| (self.em(ink.y_min), self.em(ink.y_max)))
     }
 
-    /// Returns left and right of the ink, in em from the origin; zero for a blank.
+    /// Returns the left and the right of the ink, in em from the origin; both are zero for a blank.
     pub(crate) fn horizontal_ink(&self, glyph: GlyphId) -> (f64, f64) {
         let ink = self.face.glyph_bounding_box(glyph);
         ink.map_or((0.0, 0.0), |ink| (self.em(ink.x_min), self.em(ink.x_max)))
@@ -82,21 +83,22 @@ impl FigureFont {
         f64::from(units) / self.units_per_em
     }
 
-    /// Returns by how much a slanted letter leans over its advance at the top, in em.
+    /// Returns how far the top of a slanted letter extends beyond its advance width, in em.
     pub(crate) fn italic_correction(&self, glyph: GlyphId) -> f64 {
         let corrections = self.math.glyph_info.and_then(|info| info.italic_corrections);
         let value = corrections.and_then(|table| table.get(glyph));
         value.map_or(0.0, |value| self.em(value.value))
     }
 
-    /// Returns where an accent is centred over a glyph, in em from its origin.
+    /// Returns the position over which an accent is centred, in em from the origin of the glyph.
     pub(crate) fn accent_centre(&self, glyph: GlyphId) -> f64 {
         let centres = self.math.glyph_info.and_then(|info| info.top_accent_attachments);
         let value = centres.and_then(|table| table.get(glyph));
         value.map_or(self.advance(glyph) / 2.0, |value| self.em(value.value))
     }
 
-    /// Returns the smallest radical sign at least `height` em tall, or the tallest there is.
+    /// Returns the smallest radical sign that is at least `height` em tall, or else the tallest
+    /// one.
     pub(crate) fn radical(&self, height: f64) -> Option<GlyphId> {
         let plain = self.glyph('√')?;
         let variants = self
@@ -135,15 +137,15 @@ impl FigureFont {
         }
     }
 
-    /// Appends the outline of a glyph at `size` px an em, with its origin at `(x, y)`.
+    /// Appends the outline of a glyph at `size` px per em, with its origin at `(x, y)`.
     pub(crate) fn outline(&self, glyph: GlyphId, size: f64, (x, y): (f64, f64), path: &mut Path) {
         let mut pen = Pen { path, scale: size / self.units_per_em, x, y, at: (0.0, 0.0) };
-        // `None` means a glyph without ink, such as the space.
+        // `None` means that the glyph has no ink, such as the space.
         let _ = self.face.outline_glyph(glyph, &mut pen);
     }
 }
 
-/// Turns font units into px.
+/// Converts font units to px.
 struct Pen<'a> {
     path: &'a mut Path,
     scale: f64,
@@ -170,7 +172,8 @@ impl OutlineBuilder for Pen<'_> {
     }
 
     fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
-        // The cubic with the same shape has its control points two thirds of the way.
+        // The cubic with the same shape has control points two thirds of the way to the
+        // quadratic's.
         let ((ax, ay), (bx, by), (cx, cy)) = (self.at, self.point(x1, y1), self.point(x, y));
         let third = |from: f64, to: f64| from + 2.0 / 3.0 * (to - from);
         let first = (third(ax, bx), third(ay, by));

@@ -2,7 +2,7 @@
 
 use crate::error::DrawingError;
 
-/// A run of a label.
+/// A piece of a label.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Piece {
     /// Upright text.
@@ -26,7 +26,7 @@ pub(crate) enum Nucleus {
     ThinSpace,
 }
 
-/// The role of an atom in its formula, which decides the white space beside it.
+/// The role of an atom in its formula, which determines the white space around it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Class {
     Ordinary,
@@ -38,7 +38,7 @@ pub(crate) enum Class {
     Punctuation,
 }
 
-/// A nucleus with accent and scripts.
+/// A nucleus with an accent and scripts.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Atom {
     pub(crate) nucleus: Nucleus,
@@ -83,10 +83,10 @@ impl Reader {
         c
     }
 
-    /// Reads up to the end or to a closing brace, which is left for the caller.
+    /// Reads up to the end or to a closing brace, which it leaves to the caller.
     fn row(&mut self) -> Result<Vec<Atom>, &'static str> {
         let mut atoms: Vec<Atom> = Vec::new();
-        // Bars open and close with the same sign, so their class alternates.
+        // Opening and closing bars have the same sign, so their class alternates.
         let mut bar_is_open = false;
         while let Some(&c) = self.rest.get(self.at) {
             match c {
@@ -163,7 +163,8 @@ impl Atom {
     }
 }
 
-/// Makes a sign ordinary if it has no operand on its left or right: `−1`, `(−x)`, `C^{+}`.
+/// Turns a sign into an ordinary atom if an operand is missing on its left or right: `−1`, `(−x)`,
+/// `C^{+}`.
 fn settle_signs(atoms: &mut [Atom]) {
     use Class::{Binary, Closing, Opening, Ordinary, Punctuation, Relation};
     for k in 0..atoms.len() {
@@ -196,12 +197,12 @@ fn class_of(c: char) -> Class {
     }
 }
 
-/// Returns the character in its mathematical alphabet: Latin and small Greek letters slanted,
-/// capital Greek and digits upright, as TeX has it.
+/// Returns the character in its mathematical alphabet. As in TeX, Latin and small Greek letters are
+/// slanted, and capital Greek letters and digits are upright.
 fn mathematical(c: char) -> char {
     let shifted = |first: u32, base: char| char::from_u32(first + u32::from(c) - u32::from(base));
     let slanted = match c {
-        // Unicode has no slanted h in this alphabet: the Planck constant already existed.
+        // Unicode has no slanted h in this alphabet, because the Planck constant already existed.
         'h' => Some('ℎ'),
         'A'..='Z' => shifted(0x1D434, 'A'),
         'a'..='z' => shifted(0x1D44E, 'a'),

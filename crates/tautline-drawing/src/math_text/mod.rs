@@ -1,4 +1,4 @@
-//! Layout of labels: from `"excess $E(γ^\"pl\") - d^2$"` to outlines with a measured extent.
+//! Layout of labels: from `"excess $E(γ^\"pl\") - d^2$"` to outlines with measured extents.
 
 mod font;
 mod formula;
@@ -12,7 +12,7 @@ use crate::{
     geometry::{Extent, Path},
 };
 
-/// The place of a label's origin between its left and right ends.
+/// Where the origin of a label lies between its left and right ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Align {
     /// At the left end.
@@ -23,27 +23,27 @@ pub enum Align {
     Right,
 }
 
-/// A label as outlines, in px; the origin is on the baseline of its first line.
+/// A label as outlines, in px. Its origin is on the baseline of its first line.
 #[derive(Clone, Debug)]
 #[must_use]
 pub struct TextBlock {
     /// All glyphs.
     pub path: Path,
-    /// The box of advance width and ink height; its corners are relative to the origin.
+    /// The box of the advance width and the ink height; its corners are relative to the origin.
     pub extent: Extent,
     /// The label in plain words, for screen readers.
     pub spoken: String,
 }
 
-/// Distance of the baselines of a label with several lines, in em.
+/// The distance between the baselines of a label with several lines, in em.
 const LEADING: f64 = 1.28;
 
-/// Returns the label set at `size` px an em.
+/// Returns the label, set at `size` px per em.
 ///
-/// Text is upright. Between dollar signs letters are slanted, `"quoted words"` upright, `^` and
-/// `_` set scripts of the next letter, word or `{group}`, `√` roots the next one; a combining
-/// accent sits on the letter before it; `-` is a minus; spaces do nothing, U+2009 is a thin
-/// space. A line feed starts a new line.
+/// Text is upright. Between dollar signs, letters are slanted and `"quoted words"` are upright. The
+/// signs `^` and `_` turn the next letter, word or `{group}` into a script, and `√` puts it under a
+/// root. A combining accent applies to the letter before it, and `-` is a minus sign. Spaces have
+/// no effect, but U+2009 is a thin space. A line feed starts a new line.
 ///
 /// # Errors
 ///
@@ -74,7 +74,7 @@ pub fn typeset(label: &str, size: f64, align: Align) -> Result<TextBlock, Drawin
     Ok(TextBlock { path, extent, spoken })
 }
 
-/// Returns half the height of a digit, in px, by which a number is lowered to centre it on a tick.
+/// Returns half the height of a digit, in px. A number is lowered by this to centre it on a tick.
 #[must_use]
 pub fn half_digit(size: f64) -> f64 {
     let font = FigureFont::embedded();
@@ -83,7 +83,7 @@ pub fn half_digit(size: f64) -> f64 {
 }
 
 impl TextBlock {
-    /// Returns the label turned about its origin, to be read upwards.
+    /// Returns the label rotated about its origin, so that it is read upwards.
     pub fn upwards(&self) -> TextBlock {
         let Extent { left, top, right, bottom } = self.extent;
         TextBlock {
@@ -102,12 +102,12 @@ mod tests {
         typeset(label, 100.0, Align::Left).expect("well formed")
     }
 
-    /// The ink of `label` after that of its beginning.
+    /// Returns the ink of `label` without that of its `beginning`.
     fn ink_after(beginning: &str, label: &str) -> Extent {
         ink_between(beginning, label, label)
     }
 
-    /// The ink of `label` between the ends of two of its beginnings.
+    /// Returns the ink of `label` between the ends of its beginnings `first` and `second`.
     fn ink_between(first: &str, second: &str, label: &str) -> Extent {
         let count = |part: &str| set(part).path.segments().len();
         let mut part = Path::default();
@@ -134,7 +134,8 @@ mod tests {
                 |sign: char| ink_after(&format!("${letter}$"), &format!("${letter}{sign}2$"));
             script('^').left - script('_').left
         };
-        // The italic corrections of the font, at 100 px an em; an upright letter has none.
+        // These are the italic corrections of the font, at 100 px per em. An upright letter has
+        // none.
         assert!((shift("C") - 7.3).abs() <= 0.1, "{}", shift("C"));
         assert!((shift("N") - 10.6).abs() <= 0.1, "{}", shift("N"));
         assert!(shift("\"C\"").abs() <= 0.1);
@@ -196,7 +197,7 @@ mod tests {
         for label in ["$E(γ^\"pl\")-d^2$", "first $K_{1,g}N^{-1}$\nsecond", "$√{N}$", "10"] {
             let block = set(label);
             let ink = block.path.extent().expect("ink");
-            // A letter may lean over its advance by a few hundredths of an em.
+            // A letter may extend beyond its advance width by a few hundredths of an em.
             assert!(block.extent.inset(-8.0, -0.01).contains(&ink), "{label}: {ink:?}");
             let turned = block.upwards();
             assert!((turned.extent.height() - block.extent.width()).abs() <= 1e-9);

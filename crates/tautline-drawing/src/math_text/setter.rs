@@ -1,4 +1,4 @@
-//! Sets one line of a label: glyphs, scripts, roots and the white space between them.
+//! Sets one line of a label: its glyphs, scripts and roots, and the white space between them.
 
 use super::{
     font::{FigureFont, MathConstants},
@@ -9,14 +9,15 @@ use crate::{
     geometry::{Extent, Path},
 };
 
-/// Outlines with their origin at the left end of the baseline; all lengths in px.
+/// Outlines whose origin is at the left end of the baseline. All lengths are in px.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Row {
     pub(super) path: Path,
     pub(super) width: f64,
     pub(super) height: f64,
     pub(super) depth: f64,
-    /// How far the last letter leans out of `width`; a superscript moves right by as much.
+    /// How far the last letter extends beyond `width`. A superscript moves to the right by this
+    /// amount.
     lean: f64,
 }
 
@@ -28,7 +29,7 @@ impl Row {
         self.lean = next.lean;
     }
 
-    /// Draws another row at `x`, raised by `up`, without adding its width.
+    /// Draws another row at `x`, raised by `up`, without adding to the width.
     fn place(&mut self, other: &Row, x: f64, up: f64) {
         self.path.append(&other.path.moved(x, -up));
         self.height = self.height.max(other.height + up);
@@ -40,9 +41,9 @@ impl Row {
 pub(super) struct Setter<'a> {
     font: &'static FigureFont,
     constants: MathConstants,
-    /// Px an em.
+    /// The size, in px per em.
     size: f64,
-    /// The label, for error messages.
+    /// The label, which error messages quote.
     label: &'a str,
 }
 
@@ -64,7 +65,7 @@ impl Setter<'_> {
         Ok(row)
     }
 
-    /// Px an em at nesting `level`: text, script, script of a script (and no smaller).
+    /// Returns px per em at nesting `level`: text, script, script of a script (and no smaller).
     fn em(&self, level: usize) -> f64 {
         let shrink = match level {
             0 => 1.0,
@@ -95,7 +96,7 @@ impl Setter<'_> {
             Nucleus::ThinSpace => Row { width: em / 6.0, ..Row::default() },
         };
         if atom.superscript.is_empty() && atom.subscript.is_empty() {
-            // TeX's rule: without a subscript the lean becomes part of the width.
+            // TeX's rule: without a subscript, the overhang becomes part of the width.
             row.width += row.lean;
             row.lean = 0.0;
             return Ok(row);
@@ -112,7 +113,7 @@ impl Setter<'_> {
         Ok(row)
     }
 
-    /// Returns how far superscript and subscript move up and down, in px.
+    /// Returns how far the superscript moves up and the subscript moves down, in px.
     fn script_shifts(&self, base: &Row, above: &Row, below: &Row, em: f64) -> (f64, f64) {
         let c = &self.constants;
         let mut up = (c.superscript_up * em)
@@ -137,7 +138,7 @@ impl Setter<'_> {
         let wanted = radicand.height + radicand.depth + gap + rule;
         let sign = self.font.radical(wanted / em).ok_or_else(|| self.unknown('√'))?;
         let (bottom, top) = self.font.vertical_ink(sign);
-        // The sign may be too tall; half of the surplus goes below the radicand.
+        // The sign may be too tall. Half of the surplus goes below the radicand.
         let surplus = ((top - bottom) * em - wanted).max(0.0);
         let bar = radicand.height + gap + rule + surplus / 2.0;
         let mut row = Row { width: self.font.advance(sign) * em, ..Row::default() };
@@ -145,7 +146,7 @@ impl Setter<'_> {
         self.font.outline(sign, em, (0.0, -raise), &mut row.path);
         row.height = bar;
         row.depth = (-(bottom * em + raise)).max(0.0);
-        // One tenth of a px of overlap: no hairline shows between the sign and its bar.
+        // The sign and its bar overlap by a tenth of a px, so that no hairline shows between them.
         let left = self.font.horizontal_ink(sign).1 * em - 0.1;
         let right = row.width + radicand.width;
         let over = Extent { left, top: -bar, right, bottom: rule - bar };
@@ -179,7 +180,8 @@ impl Setter<'_> {
     }
 
     fn word(&self, word: &str, em: f64) -> Result<Row, DrawingError> {
-        // Computer Modern's f collides with a following i or l unless they are one glyph.
+        // The f of Computer Modern collides with a following i or l unless they form a single
+        // glyph.
         let word = word.replace("ffi", "ﬃ").replace("ffl", "ﬄ").replace("ff", "ﬀ");
         let word = word.replace("fi", "ﬁ").replace("fl", "ﬂ").replace('\'', "’");
         let mut row = Row::default();
@@ -200,7 +202,7 @@ fn space(left: Class, right: Class, level: usize) -> f64 {
     let (thin, medium, thick) = (3.0 / 18.0, 4.0 / 18.0, 5.0 / 18.0);
     match (left, right) {
         (Operator, Ordinary | Operator) | (Ordinary | Closing, Operator) => thin,
-        // Scripts are set tight.
+        // Scripts have no such space.
         _ if level > 0 => 0.0,
         (Punctuation, _) => thin,
         (_, Punctuation) | (Opening, _) | (_, Closing) => 0.0,

@@ -1,4 +1,4 @@
-//! The scale of a heat-map, on its right.
+//! The colour scale of a heat-map, to its right.
 
 use crate::{
     axes::{Direction, Scale, Stretch, ticks},
@@ -11,7 +11,7 @@ use crate::{
     picture::{Scene, Shape, Stroke},
 };
 
-/// From the frame to the bar, and from the bar to its label above, in px.
+/// Distance from the frame to the bar, and from the bar to the label above it, in px.
 const GAP: f64 = 16.0;
 const ABOVE: f64 = 9.0;
 
@@ -25,14 +25,15 @@ pub(crate) fn space(field: &Field, height: f64) -> Result<(f64, f64), DrawingErr
     Ok((GAP + right, if label.width() > 0.0 { label.height() + ABOVE } else { 0.0 }))
 }
 
-/// Draws the bar beside `frame`.
+/// Draws the bar to the right of `frame`.
 pub(crate) fn draw(scene: &mut Scene, field: &Field, frame: Extent) -> Result<(), DrawingError> {
     let stretch = values(field)?;
     let left = frame.right + GAP;
     let bar = Extent { left, right: left + BAR, ..frame };
     let place = |value: f64| stretch.place(value, (bar.bottom, bar.top));
     for (k, level) in field.levels().iter().enumerate().take(field.levels().len() - 1) {
-        // Up to the top, under the bands to come, so that no seam opens between them.
+        // The band extends up to the top, under the bands drawn later, so that no gap opens between
+        // them.
         let band = Extent { bottom: place(*level), ..bar };
         scene.push(Shape::filled(Path::rectangle(band), field.colour(k)));
     }

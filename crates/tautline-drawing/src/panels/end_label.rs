@@ -1,4 +1,4 @@
-//! The names of curves, beside their right ends.
+//! The names of curves, next to their right ends.
 
 use super::{panel::Panel, plot::Plot, push_apart::push_apart};
 use crate::{
@@ -10,7 +10,7 @@ use crate::{
     picture::{Scene, Shape, Stroke},
 };
 
-/// A label with the end of its curve and the height to which it was pushed.
+/// A label, the end of its curve, and the height to which the label was pushed.
 pub(crate) struct EndLabel {
     text: TextBlock,
     colour: Colour,
@@ -18,11 +18,11 @@ pub(crate) struct EndLabel {
     centre: f64,
 }
 
-/// Least white space between two labels, in px.
+/// The smallest white space between two labels, in px.
 const APART: f64 = 5.0;
 
 impl EndLabel {
-    /// Sets the labels of all named curves and pushes them apart between `top` and `bottom`.
+    /// Sets the labels of all named curves, and pushes them apart between `top` and `bottom`.
     pub(crate) fn of_panel(
         panel: &Panel,
         plots: &[Plot<'_>],
@@ -32,7 +32,7 @@ impl EndLabel {
         for curve in panel.curves.iter().filter(|curve| !curve.label.is_empty()) {
             let runs = curve.runs(&panel.x, &panel.y);
             let Some(&last) = runs.last().and_then(|run| run.last()) else { continue };
-            // A curve that ends outside every stretch is named at the nearest edge.
+            // A curve that ends outside every stretch has its name at the nearest edge.
             let plot = plots
                 .iter()
                 .find(|plot| plot.y.holds(last.1))
@@ -59,10 +59,11 @@ impl EndLabel {
         if labels.is_empty() { (0.0, 0.0) } else { (widest + gap, gap) }
     }
 
-    /// Writes the label with its left end at `x`, and a leader if it is away from its curve.
+    /// Writes the label with its left end at `x`, with a leader if it is far from its curve.
     pub(crate) fn draw(&self, scene: &mut Scene, x: f64) {
         let start = self.end.0 + MARKER + 2.5;
-        // Where one label of a panel needs a leader, all are far enough away to need one.
+        // If one label of a panel needs a leader, all labels are so far to the right that they get
+        // one.
         if x - start > LEADER_GAP - MARKER {
             let leader = Path::polyline([(start, self.end.1), (x - 3.5, self.centre)], false);
             let mut stroke = Stroke::solid(self.colour, 0.7);
@@ -73,7 +74,7 @@ impl EndLabel {
         scene.write(&self.text, (x, self.centre - middle), self.colour.for_text());
     }
 
-    /// Beyond half an em the eye no longer joins label and curve.
+    /// Beyond half an em, the eye no longer connects the label to its curve.
     fn is_far(&self) -> bool {
         (self.centre - self.end.1).abs() > 0.5 * TEXT
     }

@@ -1,4 +1,4 @@
-//! A figure: panels in rows, laid out around their measured labels.
+//! A figure: panels in rows, arranged around their measured labels.
 
 use std::cell::RefCell;
 
@@ -17,7 +17,7 @@ use crate::{
     picture::Scene,
 };
 
-/// A figure of given width; its height follows from the panels.
+/// A figure of given width. Its height follows from the panels.
 #[derive(Clone, Debug)]
 #[must_use]
 pub struct Figure {
@@ -27,15 +27,15 @@ pub struct Figure {
     keyed: bool,
 }
 
-/// Frames narrower than this, in px, hold no readable axis.
+/// A frame narrower than this, in px, has no readable axis.
 const NARROWEST: f64 = 90.0;
-/// The assumed height, in px, of panels whose height follows from their width.
+/// The assumed height, in px, of panels whose height depends on their width.
 const GUESS: f64 = 200.0;
 
 impl Figure {
-    /// Returns a figure of rows with equally many panels each, `width` px wide.
+    /// Returns a figure that is `width` px wide and has rows with the same number of panels each.
     ///
-    /// The title describes the picture to those who cannot see it; it is not drawn.
+    /// The title describes the picture to readers who cannot see it; it is not drawn.
     pub fn new(width: f64, title: impl Into<String>, rows: Vec<Vec<Panel>>) -> Figure {
         Figure { width, title: title.into(), rows, keyed: false }
     }
@@ -50,8 +50,8 @@ impl Figure {
     ///
     /// # Errors
     ///
-    /// If a label cannot be set, the labels leave no room for the panels, or in the finished
-    /// drawing two labels overlap or one is cut.
+    /// If a label cannot be set, if the labels leave no room for the panels, or if in the finished
+    /// drawing two labels overlap or a label is cut off.
     pub fn draw(&self) -> Result<Scene, DrawingError> {
         let columns = self.rows.first().map_or(0, Vec::len);
         if columns == 0 || self.rows.iter().any(|row| row.len() != columns) {
@@ -63,7 +63,7 @@ impl Figure {
                 row.iter().map(|panel| self.measure(panel)).collect();
             needs.push(measured?);
         }
-        // Panels of one column share their frame's left and right, so that rows align.
+        // The frames in a column have the same left and right sides, so that rows align.
         let most = |side: fn(&Margins) -> f64, column: usize| {
             needs.iter().map(|row| side(&row[column])).fold(0.0, f64::max)
         };
@@ -147,7 +147,7 @@ impl Figure {
             if let Some(field) = &panel.field {
                 plot.field(field)?;
             }
-            // All markers over all lines, so that no line crosses out a point.
+            // All markers are drawn over all lines, so that no line crosses a point.
             let runs: Vec<_> =
                 panel.curves.iter().map(|curve| curve.runs(&panel.x, &panel.y)).collect();
             for (curve, runs) in panel.curves.iter().zip(&runs) {

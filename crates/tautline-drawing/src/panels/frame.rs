@@ -1,4 +1,4 @@
-//! The frame of a panel: grid, axes, ticks, and the labels beside them.
+//! The frame of a panel: its grid, axes and ticks, and the labels around it.
 
 use std::cell::RefCell;
 
@@ -23,18 +23,18 @@ pub(crate) struct Margins {
     pub(crate) right: f64,
     pub(crate) top: f64,
     pub(crate) bottom: f64,
-    /// From the frame to the labels at the ends of curves; part of `right`.
+    /// Distance from the frame to the labels at the ends of curves, which is part of `right`.
     pub(crate) end_gap: f64,
 }
 
 /// A label of the `y` axis is horizontal if it is at most this wide, in px.
 const UPRIGHT: f64 = 26.0;
-/// From the frame to the title above it, in px.
+/// Distance from the frame to the title above it, in px.
 const TITLE_GAP: f64 = 10.0;
-/// The length of the axis inside a break, in px: the number at its end must clear the mark.
+/// The length of the axis inside a break, in px. The number at its end must not touch the mark.
 const BREAK_REACH: f64 = 10.0;
 
-/// Returns the pieces of a panel with this frame, the lowest first; all have one scale.
+/// Returns the pieces of a panel with this frame, the lowest first. All have the same scale.
 pub(crate) fn plots<'a>(panel: &Panel, scene: &'a RefCell<Scene>, frame: Extent) -> Vec<Plot<'a>> {
     let inset = if panel.field.is_some() { 0.0 } else { INSET };
     let aside = if panel.flush { 0.0 } else { inset };
@@ -95,7 +95,7 @@ pub(crate) fn margins(
     Ok(margins)
 }
 
-/// Draws the grid, behind the data.
+/// Draws the grid behind the data.
 pub(crate) fn draw_grid(
     scene: &RefCell<Scene>,
     panel: &Panel,
@@ -113,7 +113,7 @@ pub(crate) fn draw_grid(
     Ok(())
 }
 
-/// Draws axes, ticks, numbers, labels and title; the `y` label starts at `label_left`.
+/// Draws the axes, ticks, numbers, labels and title. The `y` label starts at `label_left`.
 pub(crate) fn draw_axes(
     scene: &mut Scene,
     panel: &Panel,
@@ -131,7 +131,7 @@ pub(crate) fn draw_axes(
         }
     }
     let numbers = x_ticks(panel, plots)?;
-    // All numbers share one baseline, as high as the tallest allows.
+    // All numbers have the same baseline, as high as the tallest number allows.
     let baseline = frame.bottom + outwards + TICK_GAP + tallest(&numbers);
     for tick in numbers {
         let x = plots[0].place((tick.value, plots[0].y.from)).0;
@@ -159,7 +159,8 @@ pub(crate) fn draw_axes(
     Ok(())
 }
 
-/// Draws the axis lines: open at the top and right for curves, closed around a heat-map.
+/// Draws the axis lines, which are open at the top and right for curves, and closed around a
+/// heat-map.
 fn draw_spines(scene: &mut Scene, panel: &Panel, plots: &[Plot<'_>], frame: Extent) {
     if panel.field.is_some() {
         scene.push(Shape::stroked(Path::rectangle(frame), Stroke::solid(INK, FRAME)));
@@ -177,7 +178,7 @@ fn draw_spines(scene: &mut Scene, panel: &Panel, plots: &[Plot<'_>], frame: Exte
     }
 }
 
-/// The length of outward ticks: over a heat-map inward ones would be lost.
+/// Returns the length of outward ticks. Over a heat-map inward ticks would not be visible.
 fn outward_tick(panel: &Panel) -> f64 {
     if panel.field.is_some() { TICK } else { 0.0 }
 }
@@ -190,7 +191,7 @@ fn x_ticks(panel: &Panel, plots: &[Plot<'_>]) -> Result<Vec<Tick>, DrawingError>
     ticks(&plots[0].x, to - from, Direction::Horizontal)
 }
 
-/// Returns the ticks of all stretches of the `y` axis, each with its place.
+/// Returns the ticks of all stretches of the `y` axis, each with its position.
 fn y_ticks(panel: &Panel, plots: &[Plot<'_>]) -> Result<Vec<(f64, Tick)>, DrawingError> {
     let mut all = Vec::new();
     for plot in plots {

@@ -13,7 +13,7 @@ use crate::{
     picture::Scene,
 };
 
-/// The names of curves above several panels, where labels at their ends would repeat.
+/// The names of curves, placed above several panels in which labels at their ends would repeat.
 pub(crate) struct Key {
     rows: Vec<Vec<(Curve, TextBlock)>>,
 }
@@ -24,7 +24,7 @@ const BETWEEN: f64 = 24.0;
 const PITCH: f64 = 24.0;
 
 impl Key {
-    /// Collects the named curves, each name once, in rows of at most `width` px.
+    /// Collects the named curves, each name once, into rows of at most `width` px.
     pub(crate) fn of_panels<'p>(
         panels: impl Iterator<Item = &'p Panel>,
         width: f64,
@@ -49,12 +49,12 @@ impl Key {
         Ok(Key { rows })
     }
 
-    /// Returns the height, in px, with the space below.
+    /// Returns the height, in px, including the space below.
     pub(crate) fn height(&self) -> f64 {
         self.rows.len() as f64 * PITCH + 10.0
     }
 
-    /// Draws the rows centred between the edges of the figure, from `top` downwards.
+    /// Draws the rows, centred between the edges of the figure, from `top` downwards.
     pub(crate) fn draw(&self, scene: &RefCell<Scene>, top: f64) -> Result<(), DrawingError> {
         let width = scene.borrow().width;
         for (k, row) in self.rows.iter().enumerate() {
@@ -65,7 +65,7 @@ impl Key {
             for (curve, text) in row {
                 draw_sample(scene, curve, x, y)?;
                 x += SAMPLE + AFTER_SAMPLE;
-                // Halfway up a small letter, where the eye expects the line.
+                // Half the height of a small letter, where the eye expects the line.
                 scene.borrow_mut().write(text, (x, y + 0.24 * TEXT), curve.colour.for_text());
                 x += text.extent.width() + BETWEEN;
             }
@@ -74,7 +74,7 @@ impl Key {
     }
 }
 
-/// Draws a piece of line with one marker in its middle, by the same code as the curves.
+/// Draws a piece of line with one marker in its middle, using the same code as the curves.
 fn draw_sample(scene: &RefCell<Scene>, curve: &Curve, x: f64, y: f64) -> Result<(), DrawingError> {
     let unit = Stretch::new(Scale::Linear, 0.0, 1.0)?;
     let clip = Extent { left: x, top: y - 9.0, right: x + SAMPLE, bottom: y + 9.0 };

@@ -20,7 +20,7 @@ pub struct Panel {
     pub(crate) notes: Vec<Note>,
 }
 
-/// How tall the frame of a panel is.
+/// The height of the frame of a panel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Height {
     Px(f64),
@@ -28,7 +28,7 @@ pub(crate) enum Height {
 }
 
 impl Panel {
-    /// Returns an empty panel, 300 px tall.
+    /// Returns an empty panel that is 300 px tall.
     ///
     /// The `x` axis is drawn in one piece; a break in it is ignored.
     pub fn new(x: Axis, y: Axis) -> Panel {
@@ -63,20 +63,20 @@ impl Panel {
         self
     }
 
-    /// Extends the `x` axis to both sides of the frame, as over a heat-map: for a panel stacked
-    /// with one.
+    /// Extends the `x` axis to both sides of the frame, as over a heat-map. This is for a panel
+    /// above or below a heat-map.
     pub fn flush(mut self) -> Panel {
         self.flush = true;
         self
     }
 
-    /// Puts a heat-map behind everything, with its colour bar on the right.
+    /// Draws a heat-map behind everything else, with its colour bar on the right.
     pub fn over(mut self, field: Field) -> Panel {
         self.field = Some(field);
         self
     }
 
-    /// Adds a curve over those added before.
+    /// Adds a curve on top of those added before.
     pub fn curve(mut self, curve: Curve) -> Panel {
         self.curves.push(curve);
         self
@@ -88,7 +88,7 @@ impl Panel {
         self
     }
 
-    /// Adds a label at a point of the data.
+    /// Adds a label at a data point.
     pub fn note(mut self, note: Note) -> Panel {
         self.notes.push(note);
         self

@@ -1,4 +1,4 @@
-//! A piece of a panel on the canvas: one stretch of each axis, and the layers drawn by plotters.
+//! A piece of a panel on the canvas: one stretch of each axis, and the layers that plotters draws.
 
 use std::cell::RefCell;
 use std::fmt::Display;
@@ -23,9 +23,9 @@ pub(crate) struct Plot<'a> {
     pub(crate) scene: &'a RefCell<Scene>,
     pub(crate) x: Stretch,
     pub(crate) y: Stretch,
-    /// Left and right end of the `x` stretch, in px.
+    /// The left and the right end of the `x` stretch, in px.
     pub(crate) across: (f64, f64),
-    /// Lower and upper end of the `y` stretch, in px; the first is the larger one.
+    /// The lower and the upper end of the `y` stretch, in px. The first is the larger number.
     pub(crate) up: (f64, f64),
     pub(crate) clip: Extent,
 }
@@ -33,7 +33,7 @@ pub(crate) struct Plot<'a> {
 type Area<'a> = DrawingArea<Recorder<'a>, Cartesian2d<Stretch, Stretch>>;
 
 impl<'a> Plot<'a> {
-    /// Returns the place of a data point, in px.
+    /// Returns the position of a data point, in px.
     pub(crate) fn place(&self, (x, y): (f64, f64)) -> (f64, f64) {
         (self.x.place(x, self.across), self.y.place(y, self.up))
     }
@@ -98,7 +98,7 @@ impl<'a> Plot<'a> {
         let ground = Shape::filled(Path::rectangle(self.clip), field.colour(0));
         self.scene.borrow_mut().push(ground);
         let levels = field.levels();
-        // Each region is painted over the lower ones, so that no seam opens between bands.
+        // Each region is painted over the lower ones, so that no gap opens between bands.
         for (k, level) in levels.iter().enumerate().take(levels.len() - 1).skip(1) {
             let mut region = Path::default();
             for ring in field.rings(*level)? {
@@ -122,7 +122,7 @@ impl<'a> Plot<'a> {
     }
 }
 
-/// Draws one marker, grown by `rim` px on all sides.
+/// Draws one marker, enlarged by `rim` px on all sides.
 fn draw_marker(
     area: &Area<'_>,
     marker: Marker,
@@ -142,7 +142,7 @@ fn draw_marker(
             outline.extend(corners.first());
             outline.extend(corners.get(1));
             if rim > 0.0 {
-                // The last side is drawn twice, so that the path ends in a joint.
+                // The last side is drawn twice, so that the path ends in a join.
                 let edge = line(colour, 1.0, 2.0 * rim);
                 let path = EmptyElement::at(point) + PathElement::new(outline, edge);
                 area.draw(&path).map_err(refused)?;
@@ -157,7 +157,7 @@ fn line(colour: Colour, opacity: f64, width: f64) -> ShapeStyle {
     ShapeStyle {
         color: rgba(colour, opacity),
         filled: false,
-        // Widths are a few px: no overflow.
+        // Widths are a few px, so the cast cannot overflow.
         stroke_width: (width * UNITS).round() as u32,
     }
 }
@@ -205,7 +205,7 @@ mod tests {
             let inside = shape.path.extent().is_some_and(|extent| clip.contains(&extent));
             assert!(shape.clip == Some(clip) || inside, "{shape:?}");
         }
-        // Of three points only the one on the plot has its marker.
+        // Of the three points, only the one inside the plot has a marker.
         let markers = scene.shapes().iter().filter(|s| s.fill.is_some_and(|f| f.colour == BLUE));
         assert_eq!(markers.count(), 1);
         assert_eq!(plot.place((0.5, 0.25)), (60.0, 85.0));

@@ -1,11 +1,12 @@
 //! Moves labels along a line until none overlaps another.
 
-/// Returns places for boxes, as near as possible to the wanted ones.
+/// Returns places for boxes that are as close as possible to the wanted places.
 ///
 /// Each entry of `wanted` is a centre and a height. Neighbours end up at least `gap` apart, and all
-/// lie between `low` and `high` if they fit. Up to these two bounds the sum of the squared moves is
-/// least among all arrangements in the order of the wanted places: a block of touching boxes is at
-/// the mean of the places that its members want (the pool-adjacent-violators algorithm).
+/// boxes lie between `low` and `high` if they fit. Except for these two bounds, the sum of the
+/// squared moves is minimal among all arrangements in the order of the wanted places. A block of
+/// touching boxes is at the mean of the places that its members want (the pool-adjacent-violators
+/// algorithm).
 pub(crate) fn push_apart(wanted: &[(f64, f64)], gap: f64, low: f64, high: f64) -> Vec<f64> {
     let mut order: Vec<usize> = (0..wanted.len()).collect();
     order.sort_by(|a, b| wanted[*a].0.total_cmp(&wanted[*b].0));
@@ -34,7 +35,8 @@ pub(crate) fn push_apart(wanted: &[(f64, f64)], gap: f64, low: f64, high: f64) -
     let reduced = blocks.iter().flat_map(|(place, count)| std::iter::repeat_n(*place, *count));
     let mut places = vec![0.0; wanted.len()];
     for ((&k, offset), place) in order.iter().zip(offsets).zip(reduced) {
-        // Clamping keeps the order, so the distances survive; `low` wins where both cannot hold.
+        // Clamping keeps the order and the distances. If the boxes do not fit, `low` takes
+        // precedence.
         places[k] = place.min(high - total).max(low) + offset;
     }
     places
@@ -57,7 +59,7 @@ mod tests {
 
     #[test]
     fn no_two_overlap_and_all_stay_inside() {
-        // Many arrangements from a small congruential generator with a fixed seed.
+        // Many arrangements, from a small congruential generator with a fixed seed.
         let mut state = 12_345_u64;
         let mut random = |top: f64| {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);

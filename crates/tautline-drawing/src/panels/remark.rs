@@ -13,10 +13,10 @@ use crate::{
     picture::{Paint, Scene, Shape, Stroke},
 };
 
-/// From a leg of a triangle to its number, in px.
+/// Distance from a leg of a triangle to its number, in px.
 const GAP: f64 = 5.0;
 
-/// Draws a triangle in the stretch that holds its start.
+/// Draws a triangle in the stretch that contains its start.
 pub(crate) fn draw_triangle(
     scene: &RefCell<Scene>,
     plots: &[Plot<'_>],

@@ -7,12 +7,12 @@ use pdf_writer::{
 use super::scene::{Scene, Shape};
 use crate::geometry::{Path, Segment};
 
-/// Points in one px, as in CSS: 96 px and 72 pt to an inch.
+/// The number of points in one px, as in CSS: 96 px and 72 pt are an inch.
 const POINTS: f64 = 0.75;
 
-/// Returns the scene as a PDF document; the same scene gives the same bytes.
+/// Returns the scene as a PDF document. The same scene gives the same bytes.
 ///
-/// It has no date and no identifier.
+/// The document has no date and no identifier.
 #[must_use]
 pub fn pdf(scene: &Scene) -> Vec<u8> {
     let (catalog, pages, page) = (Ref::new(1), Ref::new(2), Ref::new(3));
@@ -60,7 +60,7 @@ fn opacities(scene: &Scene) -> Vec<f64> {
 /// Returns the drawing operators, uncompressed.
 fn content(scene: &Scene, opacities: &[f64]) -> Vec<u8> {
     let mut out = Content::new();
-    // From here on coordinates are those of the scene: px, downwards.
+    // From here on, coordinates are those of the scene: in px, with y pointing downwards.
     let points = POINTS as f32;
     out.transform([points, 0.0, 0.0, -points, 0.0, (scene.height * POINTS) as f32]);
     out.set_line_join(LineJoinStyle::RoundJoin);
@@ -115,7 +115,7 @@ fn write_path(out: &mut Content, path: &Path) {
     }
 }
 
-/// Rounds to the hundredth of a px that the SVG writes, so that both hold the same numbers.
+/// Rounds to a hundredth of a px, as the SVG does, so that both contain the same numbers.
 fn rounded(value: f64) -> f32 {
     ((value * 100.0).round() / 100.0) as f32
 }
@@ -139,7 +139,7 @@ mod tests {
         scene
     }
 
-    /// The coordinates of all points in order; other operators are skipped.
+    /// Returns the coordinates of all points in order, skipping other operators.
     fn coordinates(operators: &str, letters: &[&str]) -> Vec<f64> {
         let mut found = Vec::new();
         let mut pending = Vec::new();
@@ -164,7 +164,7 @@ mod tests {
         let text = String::from_utf8(svg(&scene)).expect("UTF-8");
         let data: Vec<&str> =
             text.split(" d=\"").skip(1).filter_map(|d| d.split('"').next()).collect();
-        // Numbers precede their operator in PDF and follow it in SVG.
+        // Numbers precede their operator in PDF, and follow it in SVG.
         let in_svg: Vec<f64> = data
             .join(" ")
             .replace(['M', 'L', 'C', 'Z'], " ")
@@ -174,7 +174,7 @@ mod tests {
         assert!(in_pdf.len() >= 8 + 4 + 26);
         assert_eq!(in_pdf.len(), in_svg.len());
         for (a, b) in in_pdf.iter().zip(&in_svg) {
-            // PDF numbers are f32, with seven digits for a few hundred px; and a tie between two
+            // PDF numbers are f32, with seven digits for a few hundred px. A tie between two
             // hundredths may be rounded either way.
             assert!((a - b).abs() <= 0.0101, "{a} and {b}");
         }

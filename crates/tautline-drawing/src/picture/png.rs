@@ -1,4 +1,4 @@
-//! Writes a scene as PNG, three pixels to a px.
+//! Writes a scene as PNG, with three pixels per px.
 
 use tiny_skia::{
     Color, FillRule, LineJoin, Mask, Paint as SkiaPaint, PathBuilder, Pixmap, StrokeDash, Transform,
@@ -10,14 +10,14 @@ use crate::{
     geometry::{Extent, Path, Segment},
 };
 
-/// Pixels to a px: 288 dots an inch where the text is 11 pt.
+/// The number of pixels per px. It gives 288 dots per inch if the text is 11 pt.
 pub(crate) const SCALE: f32 = 3.0;
 
-/// Returns the scene as an encoded PNG; the same scene gives the same bytes.
+/// Returns the scene as an encoded PNG. The same scene gives the same bytes.
 ///
 /// # Errors
 ///
-/// If the canvas is empty, or too large for memory.
+/// If the canvas is empty, or too large for the memory.
 pub fn png(scene: &Scene) -> Result<Vec<u8>, DrawingError> {
     let failed = |what: &str| DrawingError::Backend(what.to_owned());
     let pixels = |length: f64| (length * f64::from(SCALE)).round() as u32;
@@ -26,7 +26,7 @@ pub fn png(scene: &Scene) -> Result<Vec<u8>, DrawingError> {
         Pixmap::new(width, height).ok_or_else(|| failed("the canvas has no possible size"))?;
     pixmap.fill(Color::WHITE);
     let scale = Transform::from_scale(SCALE, SCALE);
-    // A mask is as large as the picture, so neighbouring shapes with the same clip share it.
+    // A mask is as large as the picture, so neighbouring shapes with the same clip share one.
     let mut mask: Option<(Extent, Mask)> = None;
     for shape in scene.shapes() {
         let Some(path) = outline(&shape.path) else { continue };
@@ -54,7 +54,7 @@ pub fn png(scene: &Scene) -> Result<Vec<u8>, DrawingError> {
     pixmap.encode_png().map_err(|error| DrawingError::Backend(error.to_string()))
 }
 
-/// Returns the path for tiny-skia, `None` if there is nothing to paint.
+/// Returns the path for tiny-skia, or `None` if there is nothing to paint.
 fn outline(path: &Path) -> Option<tiny_skia::Path> {
     let mut builder = PathBuilder::new();
     for segment in path.segments() {

@@ -15,20 +15,20 @@ use crate::{
     math_text::{Align, typeset},
 };
 
-/// Canvas units of plotters in one px.
+/// The number of canvas units of plotters in one px.
 ///
-/// plotters counts in whole units; rounding to a hundredth of a px is invisible.
+/// plotters counts in whole units, and rounding to a hundredth of a px is invisible.
 pub(crate) const UNITS: f64 = 100.0;
 
-/// Returns px in the canvas units of plotters.
+/// Converts px to the canvas units of plotters.
 pub(crate) fn units(px: f64) -> i32 {
     (px * UNITS).round() as i32
 }
 
-/// Records what plotters draws, with one clip and one dash pattern for all of it.
+/// Records what plotters draws, with the same clip and the same dash pattern for everything.
 ///
-/// Styles of plotters have only colour and width, so each clipped or dashed layer has its own
-/// recorder; all recorders of a figure share its scene.
+/// Styles of plotters have only a colour and a width, so each clipped or dashed layer has its own
+/// recorder. All recorders of a figure share its scene.
 pub(crate) struct Recorder<'a> {
     scene: &'a RefCell<Scene>,
     clip: Option<Extent>,
@@ -38,7 +38,7 @@ pub(crate) struct Recorder<'a> {
 type Outcome = Result<(), DrawingErrorKind<DrawingError>>;
 
 impl<'a> Recorder<'a> {
-    /// Returns a recorder into `scene` that shows only what lies inside `clip`.
+    /// Returns a recorder that draws into `scene` and shows only what lies inside `clip`.
     pub(crate) fn new(
         scene: &'a RefCell<Scene>,
         clip: Option<Extent>,
@@ -72,7 +72,7 @@ impl DrawingBackend for Recorder<'_> {
 
     fn get_size(&self) -> (u32, u32) {
         let scene = self.scene.borrow();
-        // Canvases are a few thousand px wide: the cast cannot overflow.
+        // Canvases are a few thousand px wide, so the cast cannot overflow.
         ((scene.width * UNITS).ceil() as u32, (scene.height * UNITS).ceil() as u32)
     }
 

@@ -1,4 +1,4 @@
-//! A finished drawing: shapes in px, in painting order.
+//! A finished drawing: shapes in px, in the order in which they are painted.
 
 use crate::{
     colours::Colour,
@@ -7,34 +7,34 @@ use crate::{
     math_text::TextBlock,
 };
 
-/// A finished drawing, to be written as SVG, PNG or PDF.
+/// A finished drawing, which can be written as SVG, PNG or PDF.
 ///
-/// Units are px with `y` downwards; nothing is snapped to a grid.
+/// Units are px, with `y` pointing downwards. Nothing is snapped to a grid.
 #[derive(Clone, Debug, PartialEq)]
 #[must_use]
 pub struct Scene {
-    /// Width of the canvas.
+    /// The width of the canvas.
     pub width: f64,
-    /// Height of the canvas.
+    /// The height of the canvas.
     pub height: f64,
     /// What the picture shows, in words.
     pub title: String,
     shapes: Vec<Shape>,
 }
 
-/// One outline with its paint.
+/// An outline and its paint.
 #[derive(Clone, Debug, PartialEq)]
 #[must_use]
 pub struct Shape {
-    /// The outline; filled by the nonzero rule.
+    /// The outline, which is filled by the nonzero rule.
     pub path: Path,
-    /// Colour of the inside.
+    /// The colour of the inside.
     pub fill: Option<Paint>,
-    /// Line along the outline.
+    /// The line along the outline.
     pub stroke: Option<Stroke>,
-    /// The shape is visible inside this box only.
+    /// The box outside which the shape is invisible.
     pub clip: Option<Extent>,
-    /// For a label: its text and its measured box.
+    /// The text and the measured box, if the shape is a label.
     pub label: Option<(String, Extent)>,
 }
 
@@ -43,7 +43,7 @@ pub struct Shape {
 pub struct Paint {
     /// The colour.
     pub colour: Colour,
-    /// From 0 (invisible) to 1.
+    /// The opacity, from 0 (invisible) to 1.
     pub opacity: f64,
 }
 
@@ -55,7 +55,7 @@ pub struct Stroke {
     pub paint: Paint,
     /// Its width, in px.
     pub width: f64,
-    /// Lengths of dashes and gaps in turn, in px; empty for a full line.
+    /// The lengths of dashes and gaps, alternately, in px; empty for a solid line.
     pub dash: Vec<f64>,
 }
 
@@ -66,7 +66,7 @@ impl From<Colour> for Paint {
 }
 
 impl Stroke {
-    /// Returns a full, opaque line.
+    /// Returns a solid, opaque line.
     pub fn solid(colour: Colour, width: f64) -> Stroke {
         Stroke { paint: colour.into(), width, dash: Vec::new() }
     }
@@ -123,7 +123,7 @@ impl Scene {
     ///
     /// # Errors
     ///
-    /// Names the first label that is cut, or the first two that overlap.
+    /// Names the first label that is cut off, or the first two labels that overlap.
     pub fn check_labels(&self) -> Result<(), DrawingError> {
         let labels: Vec<_> = self.shapes.iter().filter_map(|shape| shape.label.as_ref()).collect();
         for (k, (label, place)) in labels.iter().enumerate() {
@@ -140,13 +140,13 @@ impl Scene {
 
     /// Checks that no curve runs through a label.
     ///
-    /// Curves are the lines inside a panel that are at least 1 px wide; a grid or a contour line
-    /// may pass behind a label. Drawing a figure does not check this, since a note with its white
-    /// rim may lie on a curve.
+    /// Curves are the lines inside a panel that are at least 1 px wide. A grid line or a contour
+    /// line may pass behind a label. Drawing a figure does not run this check, since a note with
+    /// its white rim may lie on a curve.
     ///
     /// # Errors
     ///
-    /// Names the first label that is crossed.
+    /// Names the first label that a curve crosses.
     pub fn check_crossings(&self) -> Result<(), DrawingError> {
         let is_curve = |shape: &&Shape| {
             shape.clip.is_some() && shape.stroke.as_ref().is_some_and(|stroke| stroke.width >= 1.0)

@@ -1,9 +1,9 @@
-//! Writes a scene as SVG: outlines only, so that no viewer needs a font.
+//! Writes a scene as SVG that contains only outlines, so that no viewer needs a font.
 
 use super::scene::{Paint, Scene, Shape};
 use crate::geometry::{Extent, Path, Segment};
 
-/// Returns the scene as a stand-alone SVG document; the same scene gives the same bytes.
+/// Returns the scene as a stand-alone SVG document. The same scene gives the same bytes.
 #[must_use]
 pub fn svg(scene: &Scene) -> Vec<u8> {
     let (width, height) = (number(scene.width), number(scene.height));
@@ -82,7 +82,7 @@ fn path_data(path: &Path) -> String {
     out
 }
 
-/// Returns a number to two decimals without trailing zeros: a hundredth of a px.
+/// Returns a number to two decimals, that is, to a hundredth of a px, without trailing zeros.
 fn number(value: f64) -> String {
     let text = format!("{value:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
